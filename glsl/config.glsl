@@ -1,0 +1,76 @@
+// hashnoise: version, knobs and what each language needs. Included by every other file; it declares no function.
+// SPDX-License-Identifier: MIT
+//
+// Knobs are macros that you may define before the first include of any hashnoise file; they are read here, once.
+//
+//   HN_HASH          which hash: one of the HN_HASH_... below. Default HN_HASH_LATTICE.
+//   HN_HASH_FN(k)    with HN_HASH_CUSTOM: your hash, a uint for a uint.
+//   HN_FBM_NOISE2D(q, seed), HN_FBM_NOISE3D(q, seed)
+//                    the noise that fbm.glsl sums: a float in [-1, 1] for a vec2 or vec3 and a uint. Default hn_perlin(q, seed).
+
+#ifndef HN_CONFIG_GLSL
+#define HN_CONFIG_GLSL
+
+#define HN_VERSION_MAJOR 0
+#define HN_VERSION_MINOR 1
+#define HN_VERSION_PATCH 0
+
+#ifdef __cplusplus
+#define HN_I_BITCAST 1
+#elif defined(GL_ES)
+#if __VERSION__ < 300
+#error hashnoise needs GLSL ES 3.00 or later: write #version 300 es
+#endif
+#define HN_I_BITCAST 1
+#else
+#if __VERSION__ < 130
+#error hashnoise needs GLSL 1.30 or later: write #version 130
+#endif
+// uintBitsToFloat is in the language from GLSL 3.30 on. Before, the same values are computed by exact arithmetic.
+#if __VERSION__ >= 330
+#define HN_I_BITCAST 1
+#else
+#define HN_I_BITCAST 0
+#endif
+#endif
+
+// Before every function. C++ needs "inline"; GLSL needs nothing.
+#ifndef HN_FN
+#ifdef __cplusplus
+#define HN_FN inline
+#else
+#define HN_FN
+#endif
+#endif
+
+// Before every type. GLSL ES has three precisions and int is mediump, 16 bits, in fragment shaders unless it is told
+// otherwise; your own default precision stays as it is. Elsewhere nothing is needed, and glslang would warn.
+#ifdef GL_ES
+#define HN_HIGHP highp
+#else
+#define HN_HIGHP
+#endif
+
+#define HN_HASH_FNV1 1
+#define HN_HASH_PARTIAL_FNV1 2
+#define HN_HASH_JENKINS 3
+#define HN_HASH_PARTIAL_JENKINS 4
+#define HN_HASH_MURMUR 5
+#define HN_HASH_PCG 6
+#define HN_HASH_XXHASH32 7
+#define HN_HASH_LATTICE 8
+#define HN_HASH_CUSTOM 9
+
+#ifndef HN_HASH
+#define HN_HASH HN_HASH_LATTICE
+#endif
+
+#if HN_HASH < 1 || HN_HASH > 9
+#error HN_HASH is none of HN_HASH_FNV1, HN_HASH_PARTIAL_FNV1, HN_HASH_JENKINS, HN_HASH_PARTIAL_JENKINS, HN_HASH_MURMUR, HN_HASH_PCG, HN_HASH_XXHASH32, HN_HASH_LATTICE, HN_HASH_CUSTOM
+#endif
+
+#if HN_HASH == HN_HASH_CUSTOM && !defined(HN_HASH_FN)
+#error HN_HASH_CUSTOM needs your hash: define HN_HASH_FN(k), a uint for a uint, before the include
+#endif
+
+#endif

@@ -1,0 +1,131 @@
+// hashnoise: octave sums over a noise.
+// SPDX-License-Identifier: MIT
+//
+// The noise is hn_perlin unless you name another: define HN_FBM_NOISE2D(q, seed) for the functions of a vec2,
+// HN_FBM_NOISE3D(q, seed) for those of a vec3. It must be in [-1, 1] for the ranges below to hold.
+
+#ifndef HN_FBM_GLSL
+#define HN_FBM_GLSL
+
+#include "noise2d.glsl"
+#include "noise3d.glsl"
+
+#ifndef HN_FBM_NOISE2D
+#define HN_FBM_NOISE2D(q, seed) hn_perlin(q, seed)
+#endif
+#ifndef HN_FBM_NOISE3D
+#define HN_FBM_NOISE3D(q, seed) hn_perlin(q, seed)
+#endif
+
+// The mean of the octaves, or of their absolute values, weighted by gain^i. Each octave has a seed of its own, 2^32
+// divided by the golden ratio further, so that the octaves of nearby seeds do not coincide either. The shift keeps their
+// lattice points, where the noise is 0, from falling together at the origin.
+HN_FN HN_HIGHP float hn_i_octaves(HN_HIGHP vec2 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain,
+                               HN_HIGHP uint seed, bool absolute) {
+  HN_HIGHP float sum = 0.0f;
+  HN_HIGHP float total = 0.0f;
+  HN_HIGHP float amplitude = 1.0f;
+  for (HN_HIGHP int i = 0; i < octaves; ++i) {
+    HN_HIGHP float n = HN_FBM_NOISE2D(p, seed);
+    sum += amplitude * (absolute ? abs(n) : n);
+    total += amplitude;
+    amplitude *= gain;
+    p = p * lacunarity + vec2(11.0f / 32.0f, 19.0f / 32.0f);
+    seed += 0x9E3779B9u;
+  }
+  return octaves < 1 ? 0.0f : sum / total;
+}
+
+HN_FN HN_HIGHP float hn_i_octaves(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain,
+                               HN_HIGHP uint seed, bool absolute) {
+  HN_HIGHP float sum = 0.0f;
+  HN_HIGHP float total = 0.0f;
+  HN_HIGHP float amplitude = 1.0f;
+  for (HN_HIGHP int i = 0; i < octaves; ++i) {
+    HN_HIGHP float n = HN_FBM_NOISE3D(p, seed);
+    sum += amplitude * (absolute ? abs(n) : n);
+    total += amplitude;
+    amplitude *= gain;
+    p = p * lacunarity + vec3(11.0f / 32.0f, 19.0f / 32.0f, 23.0f / 32.0f);
+    seed += 0x9E3779B9u;
+  }
+  return octaves < 1 ? 0.0f : sum / total;
+}
+
+// Makes a sky of an fBm: clear where it is below -1/8, dense above 3/8, a smooth step between.
+HN_FN HN_HIGHP float hn_i_cloud_density(HN_HIGHP float fbm) {
+  HN_HIGHP float t = min(max(2.0f * fbm + 0.25f, 0.0f), 1.0f);
+  return t * t * (3.0f - 2.0f * t);
+}
+
+// Fractional Brownian motion: octaves of noise, each finer by the lacunarity and weaker by the gain.
+//   p           position, in cells of the first octave; |p| * lacunarity^octaves < 2^23
+//   octaves     how many; 0 for less than 1
+//   lacunarity  ratio of frequencies, usually 2
+//   gain        ratio of amplitudes, usually 0.5; not negative
+//   seed        any uint, 0 if left out; independent fields for different seeds
+//   returns     [-1, 1], mean 0
+//   error       grows with |p| * lacunarity^octaves, since a float rounds the positions (docs/accuracy.md)
+//   cost        1 noise per octave
+//   source      Musgrave, in "Texturing and Modeling: A Procedural Approach"
+HN_FN HN_HIGHP float hn_fbm(HN_HIGHP vec2 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain, HN_HIGHP uint seed) {
+  return hn_i_octaves(p, octaves, lacunarity, gain, seed, false);
+}
+
+HN_FN HN_HIGHP float hn_fbm(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain, HN_HIGHP uint seed) {
+  return hn_i_octaves(p, octaves, lacunarity, gain, seed, false);
+}
+
+HN_FN HN_HIGHP float hn_fbm(HN_HIGHP vec2 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain) {
+  return hn_fbm(p, octaves, lacunarity, gain, 0u);
+}
+
+HN_FN HN_HIGHP float hn_fbm(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain) {
+  return hn_fbm(p, octaves, lacunarity, gain, 0u);
+}
+
+// Turbulence: the octaves' absolute values, which crease where the noise passes 0. Marble, fire, billows.
+//   (parameters, cost and error as for hn_fbm)
+//   returns  [0, 1]
+//   source   Perlin, "An image synthesizer", 1985; Valdenegro-Toro and Pincheira, fig. 6
+HN_FN HN_HIGHP float hn_turbulence(HN_HIGHP vec2 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain,
+                                HN_HIGHP uint seed) {
+  return hn_i_octaves(p, octaves, lacunarity, gain, seed, true);
+}
+
+HN_FN HN_HIGHP float hn_turbulence(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain,
+                                HN_HIGHP uint seed) {
+  return hn_i_octaves(p, octaves, lacunarity, gain, seed, true);
+}
+
+HN_FN HN_HIGHP float hn_turbulence(HN_HIGHP vec2 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain) {
+  return hn_turbulence(p, octaves, lacunarity, gain, 0u);
+}
+
+HN_FN HN_HIGHP float hn_turbulence(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain) {
+  return hn_turbulence(p, octaves, lacunarity, gain, 0u);
+}
+
+// Clouds: the density of a sky, from an fBm.
+//   (parameters and cost as for hn_fbm; error 3 times that)
+//   returns  [0, 1]: 0 is clear, 1 is dense; about a fifth of a sky of 5 octaves is clear
+//   source   after the cloud images of Valdenegro-Toro and Pincheira, fig. 6, which the paper gives no formula for
+HN_FN HN_HIGHP float hn_clouds(HN_HIGHP vec2 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain,
+                            HN_HIGHP uint seed) {
+  return hn_i_cloud_density(hn_fbm(p, octaves, lacunarity, gain, seed));
+}
+
+HN_FN HN_HIGHP float hn_clouds(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain,
+                            HN_HIGHP uint seed) {
+  return hn_i_cloud_density(hn_fbm(p, octaves, lacunarity, gain, seed));
+}
+
+HN_FN HN_HIGHP float hn_clouds(HN_HIGHP vec2 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain) {
+  return hn_clouds(p, octaves, lacunarity, gain, 0u);
+}
+
+HN_FN HN_HIGHP float hn_clouds(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain) {
+  return hn_clouds(p, octaves, lacunarity, gain, 0u);
+}
+
+#endif

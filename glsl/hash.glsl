@@ -1,0 +1,257 @@
+// hashnoise: integer hashes, the hash of a lattice point, and what becomes of a hash: a float or a gradient.
+// SPDX-License-Identifier: MIT
+//
+// Everything in this file is exact: the same bits on every driver. docs/contract.md defines each value.
+// HN_HIGHP stands on every declaration because GLSL ES makes int and uint mediump (16 bits) in fragment shaders.
+
+#ifndef HN_HASH_GLSL
+#define HN_HASH_GLSL
+
+#include "config.glsl"
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Word hashes: a uint for a uint, whatever HN_HASH says.
+
+// FNV-1, 32 bit, of the four bytes of k, lowest first.
+//   returns  any uint
+//   cost     4 multiplications
+//   source   Fowler, Noll, Vo; paper fig. 1
+HN_FN HN_HIGHP uint hn_hash_fnv1(HN_HIGHP uint k) {
+  HN_HIGHP uint h = 2166136261u;
+  h = (h * 16777619u) ^ (k & 255u);
+  h = (h * 16777619u) ^ ((k >> 8) & 255u);
+  h = (h * 16777619u) ^ ((k >> 16) & 255u);
+  h = (h * 16777619u) ^ (k >> 24);
+  return h;
+}
+
+// FNV-1's step, twice with the whole word. Weak: its low bits repeat with a period of 256.
+//   returns  any uint
+//   cost     1 multiplication (the first is a constant)
+//   source   Valdenegro-Toro and Pincheira, sec. 7
+HN_FN HN_HIGHP uint hn_hash_partial_fnv1(HN_HIGHP uint k) {
+  HN_HIGHP uint h = 2166136261u;
+  h = (h * 16777619u) ^ k;
+  h = (h * 16777619u) ^ k;
+  return h;
+}
+
+HN_FN HN_HIGHP uint hn_i_jenkins_step(HN_HIGHP uint h, HN_HIGHP uint add) {
+  h += add;
+  h += h << 10;
+  return h ^ (h >> 6);
+}
+
+HN_FN HN_HIGHP uint hn_i_jenkins_end(HN_HIGHP uint h) {
+  h += h << 3;
+  h ^= h >> 11;
+  return h + (h << 15);
+}
+
+// Jenkins one-at-a-time of the four bytes of k, lowest first.
+//   returns  any uint
+//   cost     no multiplication; 11 shifts, 15 additions and exclusive ors
+//   source   Jenkins, "A hash function for hash table lookup"; paper fig. 2
+HN_FN HN_HIGHP uint hn_hash_jenkins(HN_HIGHP uint k) {
+  HN_HIGHP uint h = 0u;
+  h = hn_i_jenkins_step(h, k & 255u);
+  h = hn_i_jenkins_step(h, (k >> 8) & 255u);
+  h = hn_i_jenkins_step(h, (k >> 16) & 255u);
+  h = hn_i_jenkins_step(h, k >> 24);
+  return hn_i_jenkins_end(h);
+}
+
+// One-at-a-time with a single step that takes the whole word.
+//   returns  any uint
+//   cost     no multiplication; 5 shifts, 5 additions and exclusive ors
+//   source   Valdenegro-Toro and Pincheira, sec. 7
+HN_FN HN_HIGHP uint hn_hash_partial_jenkins(HN_HIGHP uint k) { return hn_i_jenkins_end(hn_i_jenkins_step(0u, k)); }
+
+// The paper's Murmur: the body of MurmurHash2 for one word, without its final avalanche.
+//   returns  any uint
+//   cost     2 multiplications
+//   source   Appleby; paper fig. 3
+HN_FN HN_HIGHP uint hn_hash_murmur(HN_HIGHP uint k) {
+  HN_HIGHP uint m = 1540483477u;
+  k *= m;
+  k ^= k >> 24;
+  k *= m;
+  return (10u * m) ^ k;
+}
+
+// PCG, output permutation RXS-M-XS of a 32-bit congruential step.
+//   returns  any uint; a bijection
+//   cost     2 multiplications, 1 shift by a variable
+//   source   O'Neill; Jarzynski and Olano 2020, pcg_hash
+HN_FN HN_HIGHP uint hn_hash_pcg(HN_HIGHP uint k) {
+  HN_HIGHP uint s = k * 747796405u + 2891336453u;
+  HN_HIGHP uint w = ((s >> ((s >> 28) + 4u)) ^ s) * 277803737u;
+  return (w >> 22) ^ w;
+}
+
+// XXH32 of the four bytes of k with seed 0.
+//   returns  any uint; a bijection
+//   cost     4 multiplications
+//   source   Collet, xxHash specification; 374761397 is its fifth prime plus the length, 4
+HN_FN HN_HIGHP uint hn_hash_xxhash32(HN_HIGHP uint k) {
+  HN_HIGHP uint h = 374761397u + k * 3266489917u;
+  h = ((h << 17) | (h >> 15)) * 668265263u;
+  h ^= h >> 15;
+  h *= 2246822519u;
+  h ^= h >> 13;
+  h *= 3266489917u;
+  return h ^ (h >> 16);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Mixing: after these, no weakness of a hash shows on a lattice. The constants are "prospector32" of hash-prospector.
+
+HN_FN HN_HIGHP uint hn_i_mix1(HN_HIGHP uint k) {
+  k ^= k >> 15;
+  k *= 0x2C1B3C6Du;
+  return k ^ (k >> 15);
+}
+
+HN_FN HN_HIGHP uint hn_i_mix2(HN_HIGHP uint k) {
+  k ^= k >> 15;
+  k *= 0x2C1B3C6Du;
+  k ^= k >> 12;
+  k *= 0x297A2D39u;
+  return k ^ (k >> 15);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Keys: one word for several coordinates, built axis by axis so that lattice points that share coordinates share the
+// work. hn_i_key1 starts with x; hn_i_key2 to hn_i_key4 add y, z and w to the key of the axes before.
+// hn_i_raw makes the value of hn_hash from a key, hn_i_mixed that of hn_lattice from a key with the seed in it.
+
+#if HN_HASH == HN_HASH_LATTICE
+// The lattice point is hashed directly: a multiple of an odd prime per axis (primes 1 to 4 of xxHash), joined by
+// exclusive or. A sum would be linear, and repeat along some diagonal. One round of mixing is enough for these keys.
+HN_FN HN_HIGHP uint hn_i_key1(HN_HIGHP uint x) { return x * 0x9E3779B1u; }
+HN_FN HN_HIGHP uint hn_i_key2(HN_HIGHP uint k, HN_HIGHP uint y) { return k ^ (y * 0x85EBCA77u); }
+HN_FN HN_HIGHP uint hn_i_key3(HN_HIGHP uint k, HN_HIGHP uint z) { return k ^ (z * 0xC2B2AE3Du); }
+HN_FN HN_HIGHP uint hn_i_key4(HN_HIGHP uint k, HN_HIGHP uint w) { return k ^ (w * 0x27D4EB2Fu); }
+HN_FN HN_HIGHP uint hn_i_raw(HN_HIGHP uint k) { return hn_i_mix1(k); }
+HN_FN HN_HIGHP uint hn_i_mixed(HN_HIGHP uint k) { return hn_i_mix1(k); }
+#else
+#if HN_HASH == HN_HASH_FNV1
+HN_FN HN_HIGHP uint hn_i_word(HN_HIGHP uint k) { return hn_hash_fnv1(k); }
+#elif HN_HASH == HN_HASH_PARTIAL_FNV1
+HN_FN HN_HIGHP uint hn_i_word(HN_HIGHP uint k) { return hn_hash_partial_fnv1(k); }
+#elif HN_HASH == HN_HASH_JENKINS
+HN_FN HN_HIGHP uint hn_i_word(HN_HIGHP uint k) { return hn_hash_jenkins(k); }
+#elif HN_HASH == HN_HASH_PARTIAL_JENKINS
+HN_FN HN_HIGHP uint hn_i_word(HN_HIGHP uint k) { return hn_hash_partial_jenkins(k); }
+#elif HN_HASH == HN_HASH_MURMUR
+HN_FN HN_HIGHP uint hn_i_word(HN_HIGHP uint k) { return hn_hash_murmur(k); }
+#elif HN_HASH == HN_HASH_PCG
+HN_FN HN_HIGHP uint hn_i_word(HN_HIGHP uint k) { return hn_hash_pcg(k); }
+#elif HN_HASH == HN_HASH_XXHASH32
+HN_FN HN_HIGHP uint hn_i_word(HN_HIGHP uint k) { return hn_hash_xxhash32(k); }
+#else
+HN_FN HN_HIGHP uint hn_i_word(HN_HIGHP uint k) { return HN_HASH_FN(k); }
+#endif
+// The paper's chain: each hash feeds the next axis (sec. 5).
+HN_FN HN_HIGHP uint hn_i_key1(HN_HIGHP uint x) { return hn_i_word(x); }
+HN_FN HN_HIGHP uint hn_i_key2(HN_HIGHP uint k, HN_HIGHP uint y) { return hn_i_word(k + y); }
+HN_FN HN_HIGHP uint hn_i_key3(HN_HIGHP uint k, HN_HIGHP uint z) { return hn_i_word(k + z); }
+HN_FN HN_HIGHP uint hn_i_key4(HN_HIGHP uint k, HN_HIGHP uint w) { return hn_i_word(k + w); }
+HN_FN HN_HIGHP uint hn_i_raw(HN_HIGHP uint k) { return k; }
+HN_FN HN_HIGHP uint hn_i_mixed(HN_HIGHP uint k) { return hn_i_mix2(k); }
+#endif
+
+// A word that makes the fields of any two seeds independent, to be joined to a key by exclusive or; 0 for seed 0. A
+// compiler folds it for a constant seed.
+HN_FN HN_HIGHP uint hn_i_seed(HN_HIGHP uint seed) { return hn_i_mix2(seed); }
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The selected hash.
+
+// The hash of HN_HASH as published, of 1 to 4 words: H(x), H(H(x) + y), and so on.
+//   returns  any uint; as good, or as weak, as the hash is
+//   period   2^32 along each axis
+//   cost     1 hash per word
+//   source   Valdenegro-Toro and Pincheira, sec. 5
+HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uint x) { return hn_i_raw(hn_i_key1(x)); }
+
+HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uvec2 v) { return hn_i_raw(hn_i_key2(hn_i_key1(v.x), v.y)); }
+
+HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uvec3 v) { return hn_i_raw(hn_i_key3(hn_i_key2(hn_i_key1(v.x), v.y), v.z)); }
+
+HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uvec4 v) {
+  return hn_i_raw(hn_i_key4(hn_i_key3(hn_i_key2(hn_i_key1(v.x), v.y), v.z), v.w));
+}
+
+// Lattice hashing: the well mixed hash of a point of the integer lattice, with any HN_HASH. What the noise is made of;
+// use it to scatter things.
+//   cell     the point: int, ivec2, ivec3 or ivec4
+//   seed     any uint, 0 if left out; independent fields for different seeds
+//   returns  any uint; take bits from anywhere in it
+//   period   2^32 along each axis
+//   cost     1 hash per axis and a mixer of 1 (HN_HASH_LATTICE) or 2 multiplications
+HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP int cell, HN_HIGHP uint seed) {
+  return hn_i_mixed(hn_i_key1(uint(cell)) ^ hn_i_seed(seed));
+}
+
+HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP ivec2 cell, HN_HIGHP uint seed) {
+  HN_HIGHP uvec2 c = uvec2(cell);
+  return hn_i_mixed(hn_i_key2(hn_i_key1(c.x), c.y) ^ hn_i_seed(seed));
+}
+
+HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP ivec3 cell, HN_HIGHP uint seed) {
+  HN_HIGHP uvec3 c = uvec3(cell);
+  return hn_i_mixed(hn_i_key3(hn_i_key2(hn_i_key1(c.x), c.y), c.z) ^ hn_i_seed(seed));
+}
+
+HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP ivec4 cell, HN_HIGHP uint seed) {
+  HN_HIGHP uvec4 c = uvec4(cell);
+  return hn_i_mixed(hn_i_key4(hn_i_key3(hn_i_key2(hn_i_key1(c.x), c.y), c.z), c.w) ^ hn_i_seed(seed));
+}
+
+HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP int cell) { return hn_lattice(cell, 0u); }
+HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP ivec2 cell) { return hn_lattice(cell, 0u); }
+HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP ivec3 cell) { return hn_lattice(cell, 0u); }
+HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP ivec4 cell) { return hn_lattice(cell, 0u); }
+
+// ---------------------------------------------------------------------------------------------------------------------
+// From a hash to a float. Every step below is exact in a 32-bit float, however it is rounded or contracted.
+
+// A float of the high 24 bits of a hash.
+//   returns  [0, 1), a multiple of 2^-24
+HN_FN HN_HIGHP float hn_unorm(HN_HIGHP uint h) { return float(h >> 8) * (1.0f / 16777216.0f); }
+
+// A signed float of the high 24 bits of a hash.
+//   returns  [-1, 1), a multiple of 2^-23
+HN_FN HN_HIGHP float hn_snorm(HN_HIGHP uint h) { return float(h >> 8) * (1.0f / 8388608.0f) - 1.0f; }
+
+// The odd multiples of 2^-16 in (-1, 1) from the high 16 bits of h: symmetric about 0, never 0.
+HN_FN HN_HIGHP float hn_i_symmetric16(HN_HIGHP uint h) {
+#if HN_I_BITCAST
+  // The bits, put behind the exponent of 2, make a float in [2, 4) without a conversion from integer.
+  return uintBitsToFloat(((h >> 9) & 0x007FFF80u) | 0x40000000u) - (3.0f - 1.0f / 65536.0f);
+#else
+  return float(h >> 16) * (1.0f / 32768.0f) - (1.0f - 1.0f / 65536.0f);
+#endif
+}
+
+// A gradient in the plane, from the high 17 bits of a hash.
+//   returns  a point of the square |x| + |y| = 1, uniform along its sides; multiples of 2^-16
+HN_FN HN_HIGHP vec2 hn_gradient2(HN_HIGHP uint h) {
+  HN_HIGHP float x = hn_i_symmetric16(h);
+  HN_HIGHP float y = 1.0f - abs(x);
+  return vec2(x, (h & 0x8000u) != 0u ? -y : y);
+}
+
+// A gradient in space, from all bits of a hash.
+//   returns  a point of the octahedron |x| + |y| + |z| = 1, uniform in area; multiples of 2^-16
+//   source   the octahedral map of Meyer et al., "On Floating-Point Normal Vectors", 2010
+HN_FN HN_HIGHP vec3 hn_gradient3(HN_HIGHP uint h) {
+  HN_HIGHP float x = hn_i_symmetric16(h);
+  HN_HIGHP float y = hn_i_symmetric16(h << 16);
+  HN_HIGHP float z = 1.0f - abs(x) - abs(y);
+  HN_HIGHP float t = max(-z, 0.0f);
+  return vec3(x < 0.0f ? x + t : x - t, y < 0.0f ? y + t : y - t, z);
+}
+
+#endif

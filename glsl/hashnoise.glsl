@@ -1,0 +1,12 @@
+// hashnoise: all of it.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_HASHNOISE_GLSL
+#define HN_HASHNOISE_GLSL
+
+#include "fbm.glsl"
+#include "hash.glsl"
+#include "noise2d.glsl"
+#include "noise3d.glsl"
+
+#endif
