@@ -29,7 +29,7 @@ inline namespace HN_I_NAMESPACE(HN_HASH) {
 #else
 #include "glsl/hashnoise.glsl"
 #endif
-}  // inline namespace
+}  // namespace )
 }  // namespace hashnoise
 
 #undef HN_I_NAMESPACE

@@ -1,0 +1,88 @@
+#include "compare.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace hn {
+namespace {
+
+// Maps floats to integers in their order, with -0 and 0 together.
+std::int64_t ordinal(float value) {
+  const auto bits = std::bit_cast<std::uint32_t>(value);
+  const auto magnitude = static_cast<std::int64_t>(bits & 0x7FFFFFFFu);
+  return bits >> 31 ? -magnitude : magnitude;
+}
+
+std::string describe(float value) { return fmt::format("{:.9g} ({:08x})", value, std::bit_cast<std::uint32_t>(value)); }
+
+}  // namespace
+
+std::uint64_t ulp_distance(float a, float b) {
+  if (std::isnan(a) || std::isnan(b)) {
+    return std::isnan(a) && std::isnan(b) ? 0 : std::numeric_limits<std::uint32_t>::max();
+  }
+  const std::int64_t difference = ordinal(a) - ordinal(b);
+  return static_cast<std::uint64_t>(difference < 0 ? -difference : difference);
+}
+
+std::string describe_inputs(const Function& function, std::span<const std::uint32_t> inputs) {
+  std::string text;
+  for (std::size_t i = 0; i < function.inputs.size(); ++i) {
+    const Column& column = function.inputs[i];
+    if (!text.empty()) text += ' ';
+    if (column.type == WordType::f32) {
+      text += fmt::format("{}={}", column.name, describe(std::bit_cast<float>(inputs[i])));
+    } else if (column.type == WordType::i32) {
+      text += fmt::format("{}={}", column.name, static_cast<std::int32_t>(inputs[i]));
+    } else {
+      text += fmt::format("{}=0x{:08x}", column.name, inputs[i]);
+    }
+  }
+  return text;
+}
+
+void Comparison::bits(std::span<const std::uint32_t> inputs, std::uint32_t got, std::uint32_t expected) {
+  ++outcome_.samples;
+  if (got == expected) return;
+  note(inputs, fmt::format("0x{:08x}", got), fmt::format("0x{:08x}", expected));
+}
+
+void Comparison::number(std::span<const std::uint32_t> inputs, float got, double expected, double allowed) {
+  ++outcome_.samples;
+  const double difference = std::fabs(static_cast<double>(got) - expected);
+  outcome_.max_ulp = std::max(outcome_.max_ulp, ulp_distance(got, static_cast<float>(expected)));
+  // Written so that a NaN difference fails. JSON has no NaN; infinity is recorded as the largest double.
+  if (!(difference <= outcome_.max_abs)) {
+    outcome_.max_abs = std::isfinite(difference) ? difference : std::numeric_limits<double>::max();
+  }
+  if (difference <= allowed) return;
+  note(inputs, describe(got), fmt::format("{:.9g} within {:.3g}", expected, allowed));
+}
+
+void Comparison::require(bool right, std::span<const std::uint32_t> inputs, float got, std::string_view should) {
+  ++outcome_.samples;
+  if (!right) note(inputs, describe(got), std::string(should));
+}
+
+void Comparison::note(std::span<const std::uint32_t> inputs, std::string got, std::string expected) {
+  if (outcome_.mismatches++ == 0) {
+    outcome_.message =
+        fmt::format("first at {}: got {}, expected {}", describe_inputs(function_, inputs), got, expected);
+  }
+}
+
+Outcome Comparison::finish() const {
+  Outcome outcome = outcome_;
+  if (outcome.mismatches != 0) outcome.status = Status::fail;
+  if (outcome.samples == 0) {
+    outcome.status = Status::error;
+    outcome.message = "nothing was compared";
+  }
+  return outcome;
+}
+
+}  // namespace hn

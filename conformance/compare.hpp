@@ -1,0 +1,43 @@
+// Holding results against what is expected, word by word.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "case.hpp"
+#include "functions.hpp"
+
+namespace hn {
+
+// Units in the last place between two floats: how many floats lie between them, plus one if they differ. NaN is as far
+// as can be from everything but NaN.
+std::uint64_t ulp_distance(float a, float b);
+
+// Adds up comparisons; the first value that is off becomes the message.
+class Comparison {
+ public:
+  explicit Comparison(const Function& function) : function_(function) {}
+
+  // For exact functions: every bit counts.
+  void bits(std::span<const std::uint32_t> inputs, std::uint32_t got, std::uint32_t expected);
+  // For float functions: |got - expected| <= allowed. NaN is never right.
+  void number(std::span<const std::uint32_t> inputs, float got, double expected, double allowed);
+  // For properties: a value that is right or not, with a sentence that says what it should be.
+  void require(bool right, std::span<const std::uint32_t> inputs, float got, std::string_view should);
+
+  bool all_right() const { return outcome_.mismatches == 0; }
+  // Pass if all values were right, else fail.
+  Outcome finish() const;
+
+ private:
+  void note(std::span<const std::uint32_t> inputs, std::string got, std::string expected);
+
+  const Function& function_;
+  Outcome outcome_;
+};
+
+// "x=1.5 (3fc00000) seed=00000007": the input words of a function, for messages.
+std::string describe_inputs(const Function& function, std::span<const std::uint32_t> inputs);
+
+}  // namespace hn

@@ -1,0 +1,127 @@
+// Cases that only compile: every file with every hash in every version, by glslang and by the driver; and shaders that
+// the library must refuse.
+#include <fmt/format.h>
+
+#include "case.hpp"
+#include "functions.hpp"
+
+namespace hn {
+namespace {
+
+std::string_view stem(std::string_view file) { return file.substr(0, file.find('.')); }
+
+Outcome outcome_of(const Result<void>& result) {
+  return result ? Outcome{} : error_outcome(result.error(), Status::fail);
+}
+
+Outcome check_with_glslang(Session& session, const Profile& profile, const std::string& text, Stage stage) {
+  const auto source = expand(session.sources, profile, text);
+  return source ? outcome_of(session.reference.check(*source, profile, stage))
+                : error_outcome(source.error(), Status::fail);
+}
+
+Outcome check_with_driver(Session& session, const Profile& profile, const std::string& text) {
+  if (const auto reason = unsupported_reason(profile, session.info.languages); !reason.empty()) {
+    return error_outcome({reason, {}}, Status::unsupported);
+  }
+  const auto vertex = expand(session.sources, profile, vertex_shader());
+  const auto fragment = expand(session.sources, profile, text);
+  if (!vertex) return error_outcome(vertex.error());
+  if (!fragment) return error_outcome(fragment.error(), Status::fail);
+  const auto program = Program::build(session.context, *vertex, *fragment);
+  return program ? Outcome{} : error_outcome(program.error(), Status::fail);
+}
+
+void add_file_cases(std::vector<Case>& cases, std::string_view file, const Hash& hash, const Profile& profile) {
+  const auto id = [&](std::string_view stage, std::string_view check) {
+    return fmt::format("{}.all.{}.fast.{}.{}.{}", stem(file), hash.name, stage, profile.name, check);
+  };
+  const auto add_glslang = [&](std::string_view name, Stage stage) {
+    cases.push_back({id(name, profile.spirv ? "spirv" : "glslang"), [=, &hash, &profile](Session& session) {
+                       return check_with_glslang(session, profile, calling_shader(file, hash, profile, name), stage);
+                     }});
+  };
+  add_glslang("fragment", Stage::fragment);
+  add_glslang("vertex", Stage::vertex);
+  if (profile.version >= (profile.es ? 310 : 430)) add_glslang("compute", Stage::compute);
+  if (profile.spirv) return;
+  cases.push_back({id("fragment", "driver"), [=, &hash, &profile](Session& session) {
+                     return check_with_driver(session, profile, calling_shader(file, hash, profile, "fragment"));
+                   }});
+}
+
+// A shader that the library must refuse with an #error that says what would be right.
+struct Refusal {
+  std::string_view name;
+  std::string_view profile;
+  std::string_view knobs;
+  std::string_view expected;  // a word of the message
+};
+
+constexpr Refusal kRefusals[] = {
+    {"version_120", "gl120", "", "GLSL 1.30"},
+    {"version_es100", "es100", "", "GLSL ES 3.00"},
+    {"hash_0", "gl330", "#define HN_HASH 0\n", "HN_HASH_PARTIAL_JENKINS"},
+    {"hash_10", "gl330", "#define HN_HASH 10\n", "HN_HASH_PARTIAL_JENKINS"},
+    {"hash_10", "es300", "#define HN_HASH 10\n", "HN_HASH_PARTIAL_JENKINS"},
+    {"custom_without_function", "gl330", "#define HN_HASH HN_HASH_CUSTOM\n", "HN_HASH_FN"},
+};
+
+const Profile& profile_named(std::string_view name) {
+  for (const auto profiles : {all_profiles(), refused_profiles()}) {
+    for (const Profile& profile : profiles) {
+      if (profile.name == name) return profile;
+    }
+  }
+  return all_profiles().front();
+}
+
+Outcome expect_refusal(const Refusal& refusal, const Result<void>& compiled) {
+  if (compiled) {
+    return error_outcome({fmt::format("it compiles; an error that names {} was due", refusal.expected), {}},
+                         Status::fail);
+  }
+  if (compiled.error().log.find(refusal.expected) != std::string::npos) return {};
+  return error_outcome({fmt::format("it is refused, but nothing names {}", refusal.expected), compiled.error().log},
+                       Status::fail);
+}
+
+void add_refusal_cases(std::vector<Case>& cases, const Refusal& refusal) {
+  const Profile& profile = profile_named(refusal.profile);
+  const auto id = [&](std::string_view check) {
+    return fmt::format("config.{}.any.fast.fragment.{}.{}", refusal.name, profile.name, check);
+  };
+  const auto source = [&profile, &refusal](Session& session) {
+    return expand(session.sources, profile,
+                  fmt::format("{}#include \"config.glsl\"\nvoid main() {{}}\n", refusal.knobs));
+  };
+  cases.push_back({id("refused_by_glslang"), [=, &profile, &refusal](Session& session) {
+                     const auto text = source(session);
+                     if (!text) return error_outcome(text.error());
+                     return expect_refusal(refusal, session.reference.check(*text, profile, Stage::fragment));
+                   }});
+  cases.push_back({id("refused_by_driver"), [=, &refusal](Session& session) {
+                     const auto text = source(session);
+                     if (!text) return error_outcome(text.error());
+                     const auto compiled = compile_only(session.context, *text, GL_FRAGMENT_SHADER);
+                     auto outcome = expect_refusal(refusal, compiled);
+                     // A driver that does not know so old a version says so before it reads the library's words.
+                     const bool old_version = refusal.name.starts_with("version");
+                     if (!compiled && outcome.status == Status::fail && old_version)
+                       outcome.status = Status::unsupported;
+                     return outcome;
+                   }});
+}
+
+}  // namespace
+
+void add_compile_cases(std::vector<Case>& cases) {
+  for (const std::string_view file : library_files()) {
+    for (const Hash& hash : all_hashes()) {
+      for (const Profile& profile : all_profiles()) add_file_cases(cases, file, hash, profile);
+    }
+  }
+  for (const Refusal& refusal : kRefusals) add_refusal_cases(cases, refusal);
+}
+
+}  // namespace hn

@@ -1,0 +1,55 @@
+// A driver is one way to get a context. Each lives in a file of its own; drivers.cpp lists them.
+#pragma once
+
+#include <glad/gl.h>
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "../profile.hpp"
+#include "../result.hpp"
+
+namespace hn {
+
+// A context, current on the thread that made it until it is destroyed.
+class Context {
+ public:
+  virtual ~Context() = default;
+
+  const GladGLContext& gl() const { return gl_; }
+
+ protected:
+  // To be called by the derived class once its context is current. The highest version is what gl() then offers.
+  Result<void> load_functions(GLADloadfunc load);
+
+ private:
+  GladGLContext gl_{};
+};
+
+struct ContextInfo {
+  std::string vendor;
+  std::string renderer;
+  std::string gl_version;
+  std::string glsl_version;
+  LanguageSupport languages;
+};
+
+ContextInfo describe(const Context& context);
+
+struct Driver {
+  std::string_view name;
+  std::string_view description;
+  // An error says what is missing on this machine.
+  Result<std::unique_ptr<Context>> (*create)();
+};
+
+std::span<const Driver> all_drivers();
+const Driver* find_driver(std::string_view name);
+
+// The seam: one function per driver, each in driver/<name>.cpp.
+Result<std::unique_ptr<Context>> create_osmesa();
+Result<std::unique_ptr<Context>> create_egl();
+
+}  // namespace hn

@@ -1,0 +1,87 @@
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+
+#include <array>
+
+#include "driver.hpp"
+#include "library.hpp"
+
+namespace hn {
+namespace {
+
+class EglContext final : public Context {
+ public:
+  explicit EglContext(Library library) : library_(library) {}
+  ~EglContext() override {
+    if (display_ == EGL_NO_DISPLAY) return;
+    call<decltype(eglMakeCurrent)>("eglMakeCurrent")(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (context_ != EGL_NO_CONTEXT) call<decltype(eglDestroyContext)>("eglDestroyContext")(display_, context_);
+    call<decltype(eglTerminate)>("eglTerminate")(display_);
+  }
+
+  Result<void> start_surfaceless() { return start_on(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY); }
+
+  Result<void> start_on_first_device() {
+    const auto query_devices = extension<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
+    if (!query_devices) return fail("this EGL has no EGL_EXT_device_enumeration");
+    EGLDeviceEXT device = nullptr;
+    EGLint count = 0;
+    if (!query_devices(1, &device, &count) || count == 0) return fail("EGL finds no device");
+    return start_on(EGL_PLATFORM_DEVICE_EXT, device);
+  }
+
+ private:
+  template <typename Function>
+  Function* call(const char* name) const {
+    return library_.function<Function>(name);
+  }
+  template <typename Pointer>
+  Pointer extension(const char* name) const {
+    return reinterpret_cast<Pointer>(call<decltype(eglGetProcAddress)>("eglGetProcAddress")(name));
+  }
+
+  Result<void> start_on(EGLenum platform, void* native) {
+    const auto get_platform_display = extension<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
+    if (!get_platform_display) return fail("this EGL has no EGL_EXT_platform_base");
+    display_ = get_platform_display(platform, native, nullptr);
+    if (display_ == EGL_NO_DISPLAY) return fail("EGL has no display on this platform");
+    EGLint major = 0;
+    EGLint minor = 0;
+    if (!call<decltype(eglInitialize)>("eglInitialize")(display_, &major, &minor)) {
+      display_ = EGL_NO_DISPLAY;
+      return fail("EGL does not initialise on this platform");
+    }
+    if (!call<decltype(eglBindAPI)>("eglBindAPI")(EGL_OPENGL_API)) return fail("EGL has no desktop OpenGL here");
+    // No configuration and no surface: we draw into framebuffer objects only.
+    const std::array attributes = {
+        EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 1, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+    context_ = call<decltype(eglCreateContext)>("eglCreateContext")(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT,
+                                                                    attributes.data());
+    if (context_ == EGL_NO_CONTEXT) return fail("EGL makes no core context of OpenGL 3.1 or later");
+    if (!call<decltype(eglMakeCurrent)>("eglMakeCurrent")(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
+      return fail("EGL does not make a context current without a surface");
+    }
+    return load_functions(call<decltype(eglGetProcAddress)>("eglGetProcAddress"));
+  }
+
+  Library library_;
+  EGLDisplay display_ = EGL_NO_DISPLAY;
+  EGLContext context_ = EGL_NO_CONTEXT;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Context>> create_egl() {
+  auto library = Library::open({"libEGL.so.1", "libEGL.so"});
+  if (!library) return tl::unexpected(library.error());
+  auto surfaceless = std::make_unique<EglContext>(*library);
+  const auto started = surfaceless->start_surfaceless();
+  if (started) return surfaceless;
+  auto on_device = std::make_unique<EglContext>(*library);
+  const auto device_started = on_device->start_on_first_device();
+  if (device_started) return on_device;
+  return fail("surfaceless: " + started.error().message + "; device: " + device_started.error().message);
+}
+
+}  // namespace hn

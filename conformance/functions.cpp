@@ -1,0 +1,173 @@
+#include "functions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+namespace hn {
+namespace {
+
+WordType type_of(std::string_view name) {
+  if (name == "u32") return WordType::u32;
+  if (name == "i32") return WordType::i32;
+  return name == "f32" ? WordType::f32 : WordType::f64;
+}
+
+// "x:f32 y:f32" -> columns
+std::vector<Column> parse_columns(std::string_view text) {
+  std::vector<Column> columns;
+  while (!text.empty()) {
+    const auto end = std::min(text.find(' '), text.size());
+    const auto item = text.substr(0, end);
+    const auto colon = item.find(':');
+    if (!item.empty()) columns.push_back({item.substr(0, colon), type_of(item.substr(colon + 1))});
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return columns;
+}
+
+Function make(std::string_view id, std::string_view file, std::string_view columns, Accuracy accuracy,
+              std::string_view body) {
+  const auto equals = columns.find(" = ");
+  return {id,       file, columns, parse_columns(columns.substr(0, equals)), parse_columns(columns.substr(equals + 3)),
+          accuracy, body};
+}
+
+const std::vector<Function>& functions() {
+  static const std::vector<Function> kFunctions = {
+#define FUNCTION(id, file, columns, accuracy, ...) make(id, file, columns, Accuracy::accuracy, #__VA_ARGS__),
+#include "functions.inc"
+  };
+  return kFunctions;
+}
+
+constexpr std::array kHashes = {
+    Hash{"fnv1", "#define HN_HASH HN_HASH_FNV1\n", 1},
+    Hash{"partial_fnv1", "#define HN_HASH HN_HASH_PARTIAL_FNV1\n", 2},
+    Hash{"jenkins", "#define HN_HASH HN_HASH_JENKINS\n", 3},
+    Hash{"partial_jenkins", "#define HN_HASH HN_HASH_PARTIAL_JENKINS\n", 4},
+    Hash{"murmur", "#define HN_HASH HN_HASH_MURMUR\n", 5},
+    Hash{"pcg", "#define HN_HASH HN_HASH_PCG\n", 6},
+    Hash{"xxhash32", "#define HN_HASH HN_HASH_XXHASH32\n", 7},
+    Hash{"lattice", "", 8},  // the default: nothing is defined, so that the default itself is under test
+    Hash{"custom",
+         "#define HN_HASH HN_HASH_CUSTOM\n"
+         "#define HN_HASH_FN(k) (((k) ^ ((k) >> 16)) * 0x045D9F3Bu)\n",  // the same in twin.cpp
+         9},
+};
+
+constexpr std::array<std::string_view, 6> kFiles = {"config.glsl",  "hash.glsl", "noise2d.glsl",
+                                                    "noise3d.glsl", "fbm.glsl",  "hashnoise.glsl"};
+
+// Whether a file of the library brings in what is declared in another.
+bool provides(std::string_view file, std::string_view other) {
+  if (file == other || file == "hashnoise.glsl") return true;
+  if (file == "fbm.glsl") return other != "hashnoise.glsl";
+  return other == "hash.glsl" && (file == "noise2d.glsl" || file == "noise3d.glsl");
+}
+
+// What a shader needs before it can use the library. In ES the default precision is the lowest there is, since the
+// library must not depend on it.
+std::string preamble(const Profile& profile, std::string_view bit_casts) {
+  std::string text;
+  if (profile.es) text += "precision mediump float;\nprecision mediump int;\n";
+  return text + std::string(bit_casts);
+}
+
+constexpr std::string_view kBitCasts =
+    "#define float_of(u) uintBitsToFloat(u)\n#define bits_of(f) floatBitsToUint(f)\n";
+
+std::string running_preamble(const Profile& profile) {
+  const std::string extension = profile.has_bit_casts() ? "" : "#extension GL_ARB_shader_bit_encoding : require\n";
+  return extension + preamble(profile, kBitCasts);
+}
+
+// glslang knows no GL_ARB_shader_bit_encoding. Where a shader is only compiled, a conversion has the same types.
+std::string compiling_preamble(const Profile& profile) {
+  return preamble(profile,
+                  profile.has_bit_casts() ? kBitCasts : "#define float_of(u) float(u)\n#define bits_of(f) uint(f)\n");
+}
+
+}  // namespace
+
+int Function::input(std::string_view name) const {
+  const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const Column& c) { return c.name == name; });
+  return found == inputs.end() ? -1 : static_cast<int>(found - inputs.begin());
+}
+
+std::span<const Function> all_functions() { return functions(); }
+
+const Function& find_function(std::string_view id) {
+  const auto& all = functions();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Function& f) { return f.id == id; });
+  assert(found != all.end());
+  return *found;
+}
+
+std::span<const Hash> all_hashes() { return kHashes; }
+
+const Hash& default_hash() { return kHashes[7]; }
+
+bool depends_on_hash(const Function& function) {
+  constexpr std::array<std::string_view, 4> kIndependent = {"hash.unorm", "hash.snorm", "hash.gradient2",
+                                                            "hash.gradient3"};
+  return std::find(kIndependent.begin(), kIndependent.end(), function.id) == kIndependent.end();
+}
+
+std::span<const std::string_view> library_files() { return kFiles; }
+
+std::string evaluation_shader(const Function& function, const Hash& hash, const Profile& profile,
+                              std::string_view extra_knobs) {
+  return fmt::format(R"({}{}{}#include "{}"
+uniform HN_HIGHP usampler2D input_a;
+uniform HN_HIGHP usampler2D input_b;
+out HN_HIGHP uvec4 result;
+HN_HIGHP uvec4 evaluate(HN_HIGHP uvec4 a, HN_HIGHP uvec4 b) {{ {} }}
+void main() {{
+  HN_HIGHP ivec2 at = ivec2(gl_FragCoord.xy);
+  result = evaluate(texelFetch(input_a, at, 0), texelFetch(input_b, at, 0));
+}}
+)",
+                     running_preamble(profile), hash.knobs, extra_knobs, function.file, function.body);
+}
+
+std::string vertex_shader() {
+  // One triangle that covers the viewport: (-1, -1), (3, -1), (-1, 3).
+  return R"(void main() {
+  gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);
+}
+)";
+}
+
+std::string calling_shader(std::string_view file, const Hash& hash, const Profile& profile, std::string_view stage) {
+  std::string text = compiling_preamble(profile);
+  if (stage == "compute") text += "layout(local_size_x = 1) in;\n";
+  text += fmt::format("{}#include \"{}\"\n#include \"{}\"\n", hash.knobs, file, file);
+  std::string calls;
+  int count = 0;
+  for (const Function& function : functions()) {
+    if (!provides(file, function.file)) continue;
+    text +=
+        fmt::format("HN_HIGHP uvec4 evaluate{}(HN_HIGHP uvec4 a, HN_HIGHP uvec4 b) {{ {} }}\n", count, function.body);
+    calls += fmt::format("  r ^= evaluate{}(r, r + 1u);\n", count++);
+  }
+  const std::string start = fmt::format("  HN_HIGHP uvec4 r = uvec4(uint(HN_VERSION_MAJOR), 2u, 3u, 4u);\n{}", calls);
+  const std::string_view layout = profile.spirv ? "layout(location = 0) " : "";
+  if (stage == "compute") {
+    const std::string_view binding =
+        profile.spirv ? "layout(std430, set = 0, binding = 0)" : "layout(std430, binding = 0)";
+    return text + fmt::format("{} buffer Out {{ HN_HIGHP uvec4 result; }};\nvoid main() {{\n{}  result = r;\n}}\n",
+                              binding, start);
+  }
+  if (stage == "vertex") {
+    return text + fmt::format(
+                      "{}flat out HN_HIGHP uvec4 result;\nvoid main() {{\n{}  result = r;\n"
+                      "  gl_Position = vec4(0.0);\n}}\n",
+                      layout, start);
+  }
+  return text + fmt::format("{}out HN_HIGHP uvec4 result;\nvoid main() {{\n{}  result = r;\n}}\n", layout, start);
+}
+
+}  // namespace hn

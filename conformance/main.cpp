@@ -1,0 +1,142 @@
+// hn-conform: does the library compute what it promises, on this driver?
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "case.hpp"
+#include "driver/driver.hpp"
+#include "report.hpp"
+#include "runner.hpp"
+
+namespace {
+
+constexpr int kNotAsExpected = 1;
+constexpr int kBadUsage = 2;
+constexpr int kNoDriver = 3;
+
+struct Options {
+  std::string driver = "osmesa";
+  std::vector<std::string> filters;
+  std::string out = "out";
+  std::string glsl;
+  std::string golden = HN_GOLDEN_DIRECTORY;
+  std::uint64_t seed = 1;
+  bool fail_fast = false;
+};
+
+int usage_error(const std::string& message) {
+  fmt::print(stderr, "hn-conform: {}\n", message);
+  return kBadUsage;
+}
+
+std::string driver_names() {
+  std::string names;
+  for (const hn::Driver& driver : hn::all_drivers())
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", driver.name);
+  return names;
+}
+
+int list_drivers() {
+  bool usable = false;
+  for (const hn::Driver& driver : hn::all_drivers()) {
+    const auto context = driver.create();
+    fmt::print("{:<8} {}\n", driver.name, driver.description);
+    if (context) {
+      usable = true;
+      const hn::ContextInfo info = hn::describe(**context);
+      fmt::print("         {}; OpenGL {}; GLSL {}\n", info.renderer, info.gl_version, info.glsl_version);
+    } else {
+      fmt::print("         not here: {}\n", context.error().text());
+    }
+  }
+  return usable ? 0 : kNoDriver;
+}
+
+hn::Result<std::vector<hn::Case>> select_cases(const Options& options) {
+  auto cases = hn::filter_cases(hn::all_cases(), options.filters);
+  if (!cases.empty()) return cases;
+  return hn::fail(fmt::format("no case matches --filter '{}'; hn-conform list shows the ids, and * stands for any part",
+                              fmt::join(options.filters, "' '")));
+}
+
+int list_cases(const Options& options) {
+  const auto cases = select_cases(options);
+  if (!cases) return usage_error(cases.error().text());
+  for (const hn::Case& test : *cases) fmt::print("{}\n", test.id);
+  return 0;
+}
+
+int run(const Options& options) {
+  const hn::Driver* const driver = hn::find_driver(options.driver);
+  if (!driver)
+    return usage_error(fmt::format("there is no driver \"{}\"; there are: {}", options.driver, driver_names()));
+  const auto cases = select_cases(options);
+  if (!cases) return usage_error(cases.error().text());
+  const auto sources = options.glsl.empty() ? hn::SourceSet::embedded() : hn::SourceSet::from_directory(options.glsl);
+  if (!sources) return usage_error(sources.error().text());
+  if (const auto ready = hn::prepare_output(options.out); !ready) return usage_error(ready.error().text());
+
+  const auto context = driver->create();
+  if (!context) {
+    fmt::print(stderr, "hn-conform: the driver {} cannot be used here: {}\n", driver->name, context.error().text());
+    return kNoDriver;
+  }
+  const hn::ReferenceCompiler reference;
+  hn::Session session(**context, *sources, reference, options.golden, options.seed);
+  hn::Run result{options.driver, session.info, options.seed, {}};
+  {
+    hn::Progress progress(stderr, cases->size());
+    result.cases = hn::run_cases(session, *cases, {options.fail_fast}, progress);
+  }
+  if (const auto written = hn::write_results(options.out, {result}); !written)
+    return usage_error(written.error().text());
+  fmt::print("{}", hn::summary(result));
+  fmt::print("{}: {}/results.json\n", result.as_expected() ? "All as expected" : "NOT AS EXPECTED", options.out);
+  return result.as_expected() ? 0 : kNotAsExpected;
+}
+
+void add_filter(CLI::App& command, Options& options) {
+  command.add_option("--filter", options.filters, "Only the cases whose id matches this glob; may be repeated")
+      ->type_name("GLOB")
+      ->allow_extra_args(false);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Checks that hashnoise computes what it promises on a driver.", "hn-conform");
+  app.set_version_flag("--version", hn::library_version());
+  app.require_subcommand(1);
+  app.footer("Exit status: 0 all as expected, 1 something is not, 2 bad usage, 3 no usable driver.");
+  Options options;
+
+  app.add_subcommand("drivers", "List the drivers, what is behind each here, or why it is missing");
+
+  CLI::App& list = *app.add_subcommand("list", "List the ids of the cases");
+  add_filter(list, options);
+
+  CLI::App& run_command = *app.add_subcommand("run", "Run the cases on a driver and write results.json");
+  run_command.add_option("--driver", options.driver, "One of: " + driver_names())
+      ->type_name("NAME")
+      ->capture_default_str();
+  add_filter(run_command, options);
+  run_command.add_option("--out", options.out, "The folder for results.json; made if it is not there")
+      ->type_name("DIR")
+      ->capture_default_str();
+  run_command.add_option("--seed", options.seed, "Of the random points")->type_name("N")->capture_default_str();
+  run_command.add_option("--glsl", options.glsl, "Test this copy of glsl/ instead of the one built in")
+      ->type_name("DIR");
+  run_command.add_option("--golden", options.golden, "The folder of the golden files")
+      ->type_name("DIR")
+      ->capture_default_str();
+  run_command.add_flag("--fail-fast", options.fail_fast, "Stop at the first case that is not as expected");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : kBadUsage;
+  }
+  if (app.got_subcommand("drivers")) return list_drivers();
+  return app.got_subcommand("list") ? list_cases(options) : run(options);
+}

@@ -1,0 +1,31 @@
+// Points at which the cases evaluate functions, reproducible from a seed.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "functions.hpp"
+
+namespace hn {
+
+// SplitMix64 (Steele, Lea, Flood 2014): enough for test points, and the same on every machine.
+class Random {
+ public:
+  // Streams of different names are independent.
+  Random(std::uint64_t seed, std::string_view name);
+  std::uint64_t next();
+  std::uint32_t word() { return static_cast<std::uint32_t>(next() >> 32); }
+  std::uint32_t below(std::uint32_t bound) { return static_cast<std::uint32_t>((std::uint64_t{word()} * bound) >> 32); }
+  float uniform(float low, float high);  // [low, high)
+
+ private:
+  std::uint64_t state_;
+};
+
+// count points for a function, kInputWords words each. Words: edge values and random ones. Cells: near, negative, far
+// and anywhere. Positions: near, negative, at 2^20 cells and more, on lattice lines and next to them. For octave sums
+// also small whole numbers of octaves, and lacunarities with and without rounding of the positions.
+std::vector<std::uint32_t> random_points(const Function& function, std::size_t count, Random random);
+
+}  // namespace hn

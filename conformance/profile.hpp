@@ -1,0 +1,42 @@
+// The versions of the shading language that the library targets.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace hn {
+
+struct Profile {
+  std::string_view name;       // in case ids: "gl330", "es300", "vulkan"
+  std::string_view directive;  // "#version 330"
+  int version;
+  bool es;
+  bool spirv;
+
+  // Whether #line names the line that follows it. Before GLSL 3.30 it named its own: GLSL 1.30 section 3.3 against GLSL
+  // 3.30 and GLSL ES 3.00 section 3.4.
+  bool line_names_next() const { return es || version >= 330; }
+  // Whether uintBitsToFloat and its like are in the language.
+  bool has_bit_casts() const { return es || version >= 330; }
+};
+
+// Every targeted version, oldest first, GLSL before GLSL ES before Vulkan.
+std::span<const Profile> all_profiles();
+
+// Those in which shaders are run, not only compiled: the oldest arithmetic path, the current one, and ES.
+std::span<const Profile> run_profiles();
+
+// Versions that the library must refuse.
+std::span<const Profile> refused_profiles();
+
+// What a context says it can compile.
+struct LanguageSupport {
+  int gl_version = 0;  // highest GLSL version, 0 for none
+  int es_version = 0;  // highest GLSL ES version, 0 for none
+};
+
+// Empty if the profile can be compiled, else why not.
+std::string unsupported_reason(const Profile& profile, const LanguageSupport& support);
+
+}  // namespace hn

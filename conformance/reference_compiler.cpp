@@ -1,0 +1,64 @@
+#include "reference_compiler.hpp"
+
+#include <fmt/format.h>
+#include <glslang/Public/ResourceLimits.h>
+#include <glslang/Public/ShaderLang.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
+
+#include <spirv-tools/libspirv.hpp>
+
+namespace hn {
+namespace {
+
+EShLanguage language_of(Stage stage) {
+  switch (stage) {
+    case Stage::vertex:
+      return EShLangVertex;
+    case Stage::compute:
+      return EShLangCompute;
+    case Stage::fragment:
+      break;
+  }
+  return EShLangFragment;
+}
+
+Result<void> validate_spirv(const glslang::TIntermediate& intermediate) {
+  std::vector<std::uint32_t> words;
+  glslang::GlslangToSpv(intermediate, words);
+  spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_0);
+  std::string log;
+  tools.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t& position, const char* message) {
+    log += fmt::format("word {}: {}\n", position.index, message);
+  });
+  if (!tools.Validate(words)) return fail("spirv-val rejects the SPIR-V that glslang made", log);
+  return {};
+}
+
+}  // namespace
+
+ReferenceCompiler::ReferenceCompiler() { glslang::InitializeProcess(); }
+ReferenceCompiler::~ReferenceCompiler() { glslang::FinalizeProcess(); }
+
+Result<void> ReferenceCompiler::check(const ShaderText& source, const Profile& profile, Stage stage) const {
+  const EShLanguage language = language_of(stage);
+  const auto rules = static_cast<EShMessages>(profile.spirv ? EShMsgSpvRules | EShMsgVulkanRules : EShMsgDefault);
+  glslang::TShader shader(language);
+  const char* const text = source.text.c_str();
+  shader.setStrings(&text, 1);
+  if (profile.spirv) {
+    shader.setEnvInput(glslang::EShSourceGlsl, language, glslang::EShClientVulkan, 100);
+    shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_0);
+    shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_0);
+  }
+  const bool compiled = shader.parse(GetDefaultResources(), profile.version, false, rules);
+  const std::string log = shader.getInfoLog();
+  if (!compiled) return fail("glslang does not compile it", source.translate(log));
+  if (log.find("WARNING") != std::string::npos) return fail("glslang warns", source.translate(log));
+
+  glslang::TProgram program;
+  program.addShader(&shader);
+  if (!program.link(rules)) return fail("glslang does not link it", source.translate(program.getInfoLog()));
+  return profile.spirv ? validate_spirv(*program.getIntermediate(language)) : Result<void>{};
+}
+
+}  // namespace hn

@@ -1,0 +1,24 @@
+// Khronos' own opinion on a shader: glslang for the language, SPIRV-Tools for what glslang makes of it for Vulkan.
+#pragma once
+
+#include "profile.hpp"
+#include "result.hpp"
+#include "source.hpp"
+
+namespace hn {
+
+enum class Stage { fragment, vertex, compute };
+
+class ReferenceCompiler {
+ public:
+  ReferenceCompiler();
+  ~ReferenceCompiler();
+  ReferenceCompiler(const ReferenceCompiler&) = delete;
+  ReferenceCompiler& operator=(const ReferenceCompiler&) = delete;
+
+  // Compiles and links the shader. For the Vulkan profile it also generates SPIR-V and validates it. Warnings are
+  // errors.
+  Result<void> check(const ShaderText& shader, const Profile& profile, Stage stage) const;
+};
+
+}  // namespace hn

@@ -1,0 +1,43 @@
+// The library's GLSL: where it comes from, and how #include becomes text that any driver takes.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "profile.hpp"
+#include "result.hpp"
+
+namespace hn {
+
+// The files of one copy of glsl/, by name.
+class SourceSet {
+ public:
+  static SourceSet embedded();  // as they were when this program was built
+  static Result<SourceSet> from_directory(const std::filesystem::path& directory);
+
+  const std::string* find(std::string_view name) const;
+  // The path to show for a file in messages.
+  std::string path_of(std::string_view name) const;
+
+ private:
+  std::map<std::string, std::string, std::less<>> files_;
+  std::string directory_;
+};
+
+// A shader with its includes expanded, and the way back from a line number in a log to a file and a line.
+struct ShaderText {
+  std::string text;
+  std::vector<std::string> paths;  // by source number; 0 is the case's own shader
+
+  // Replaces every "number:line" or "number(line)" that names a line of a file by "path:line".
+  std::string translate(std::string_view log) const;
+};
+
+// Puts the #version line of the profile before main_text and expands #include "..." from the set. main_text may contain
+// only includes of files in the set; a file that includes itself without end is an error.
+Result<ShaderText> expand(const SourceSet& sources, const Profile& profile, std::string_view main_text);
+
+}  // namespace hn

@@ -1,0 +1,34 @@
+// How far a float result may be from the exact value: the bounds that tools/bounds.py derives (docs/accuracy.md).
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "functions.hpp"
+
+namespace hn {
+
+// The bound for hn_perlin at a position, and how fast the noise changes: the error per error of the position.
+struct NoiseBounds {
+  double error;
+  double lipschitz;
+};
+NoiseBounds noise_bounds(int dimensions);
+
+enum class OctaveSum { fbm, turbulence, clouds };
+
+struct OctaveArguments {
+  double largest_coordinate;  // the largest |p_i|
+  int octaves;
+  double lacunarity;
+  double gain;
+  bool exact_positions;  // no octave's position is rounded
+};
+
+// octave_tolerance of tools/bounds.py.
+double octave_tolerance(OctaveSum kind, int dimensions, const OctaveArguments& arguments);
+
+// The bound for a function at a point given by its input words; 0 for an exact function.
+double tolerance(const Function& function, std::span<const std::uint32_t> inputs);
+
+}  // namespace hn

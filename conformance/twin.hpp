@@ -1,0 +1,15 @@
+// The C++ twin as a table: the body of every FUNCTION, compiled with each hash.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "functions.hpp"
+
+namespace hn {
+
+// Evaluates a function at many points on all cores: kInputWords per point in, kOutputWords per point out.
+void evaluate_twin(const Function& function, const Hash& hash, std::span<const std::uint32_t> inputs,
+                   std::span<std::uint32_t> outputs);
+
+}  // namespace hn

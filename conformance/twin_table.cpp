@@ -1,0 +1,44 @@
+#include "twin_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <thread>
+#include <vector>
+
+#include "twin.hpp"
+
+namespace hn {
+namespace {
+
+std::span<const TwinEntry> entries_for(int hash) {
+  constexpr std::array kTables = {twin_entries<1>, twin_entries<2>, twin_entries<3>, twin_entries<4>, twin_entries<5>,
+                                  twin_entries<6>, twin_entries<7>, twin_entries<8>, twin_entries<9>};
+  return kTables[static_cast<std::size_t>(hash - 1)]();
+}
+
+// Below this many points per thread, starting the thread costs more than it saves.
+constexpr std::size_t kFewestPoints = 4096;
+
+}  // namespace
+
+void evaluate_twin(const Function& function, const Hash& hash, std::span<const std::uint32_t> inputs,
+                   std::span<std::uint32_t> outputs) {
+  const auto entries = entries_for(hash.number);
+  const auto entry =
+      std::find_if(entries.begin(), entries.end(), [&](const TwinEntry& e) { return e.id == function.id; });
+  assert(entry != entries.end());
+  const std::size_t points = inputs.size() / kInputWords;
+  const std::size_t most = std::max<std::size_t>(1, points / kFewestPoints);
+  const std::size_t parts = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, most);
+  std::vector<std::jthread> threads;
+  for (std::size_t part = 0; part < parts; ++part) {
+    const std::size_t begin = points * part / parts;
+    const std::size_t end = points * (part + 1) / parts;
+    threads.emplace_back([=, evaluate = entry->evaluate] {
+      evaluate(&inputs[begin * kInputWords], &outputs[begin * kOutputWords], end - begin);
+    });
+  }
+}
+
+}  // namespace hn

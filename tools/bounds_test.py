@@ -1,0 +1,330 @@
+#!/usr/bin/env python3
+"""Tests tools/bounds.py: the constants are the derived bounds, and simulated float arithmetic stays within them."""
+
+import functools
+import itertools
+import math
+import random
+import struct
+import unittest
+import zlib
+
+import bounds
+
+DIMS = (2, 3)
+MODES = ("nearest", "down", "up", "random")
+SHIFT = (11 / 32, 19 / 32, 23 / 32)
+
+
+# --- A noise of its own, from docs/contract.md; the hash does not matter here, so it is a checksum --------------------
+
+def contract_gradient(dims, word):
+    a, b = ((2 * half + 1) / 65536 - 1 for half in (word >> 16, word & 0xFFFF))
+    if dims == 2:
+        return (a, -(1 - abs(a)) if word & 0x8000 else 1 - abs(a))
+    z = 1 - abs(a) - abs(b)
+    t = max(-z, 0.0)
+    return (a + t if a < 0 else a - t, b + t if b < 0 else b - t, z)
+
+
+@functools.cache
+def lattice_gradient(cell, seed=0):
+    return contract_gradient(len(cell), zlib.crc32(repr((cell, seed)).encode()))
+
+
+def exact_noise(f, gradients):
+    """In doubles; `gradients` maps a corner to its gradient."""
+    total = 0.0
+    for corner in itertools.product((0, 1), repeat=len(f)):
+        weight = math.prod(bounds.fade(t) if o else 1 - bounds.fade(t) for t, o in zip(f, corner))
+        total += weight * sum(g * (t - o) for g, t, o in zip(gradients(corner), f, corner))
+    return bounds.SCALE[len(f)] * total
+
+
+def exact_noise_at(p, seed=0):
+    cell = [math.floor(x) for x in p]
+    return exact_noise([x - c for x, c in zip(p, cell)],
+                       lambda corner: lattice_gradient(tuple(c + o for c, o in zip(cell, corner)), seed))
+
+
+def exact_octaves(kind, p, octaves, lacunarity, gain):
+    total = sum(gain**i for i in range(octaves))
+    value, q = 0.0, list(p)
+    for i in range(octaves):
+        noise = exact_noise_at(q, i)
+        value += gain**i * (abs(noise) if kind == "turbulence" else noise) / total
+        q = [x * lacunarity + s for x, s in zip(q, SHIFT)]
+    if kind != "clouds":
+        return value
+    t = min(max(2 * value + 0.25, 0.0), 1.0)
+    return t * t * (3 - 2 * t)
+
+
+# --- The shader's arithmetic ------------------------------------------------------------------------------------------
+
+def to_float(x):
+    return struct.unpack("<f", struct.pack("<f", x))[0]
+
+
+def float_step(x, direction):
+    """The next float above or below the float x, which is not 0 (a rounded result of a non-zero double)."""
+    bits = struct.unpack("<i", struct.pack("<f", x))[0]
+    return struct.unpack("<f", struct.pack("<i", bits + (1 if (x > 0) == (direction > 0) else -1)))[0]
+
+
+class Shader:
+    """Evaluates in 32-bit floats with a rounding mode ("random" chooses for each operation); may fuse a*b + c."""
+
+    def __init__(self, mode, rng, fuse=0.0, lost_bits=0):
+        self.mode, self.rng, self.fuse, self.lost_bits = mode, rng, fuse, lost_bits
+
+    def round(self, x):
+        if self.lost_bits:
+            mantissa, exponent = math.frexp(x)
+            return math.ldexp(round(mantissa * 2 ** (24 - self.lost_bits)), exponent - 24 + self.lost_bits)
+        nearest = to_float(x)
+        up = self.rng.random() < 0.5 if self.mode == "random" else self.mode == "up"
+        if self.mode == "nearest" or nearest == x or (nearest > x) == up or abs(x) < bounds.TINY:
+            return nearest
+        return float_step(nearest, 1 if up else -1)
+
+    def mad(self, a, b, c):
+        """a*b + c. The product of two floats is exact in a double."""
+        return self.round((a * b if self.rng.random() < self.fuse else self.round(a * b)) + c)
+
+    def fade(self, t):
+        cube = self.round(self.round(t * t) * t)
+        return self.round(cube * self.mad(self.round(t - 1), self.mad(t, 6, -9), 1))
+
+    def lerp(self, a, b, t):
+        return self.mad(t, self.round(b - a), a)
+
+    def ramp(self, g, d):
+        value = self.round(g[0] * d[0])
+        for g_i, d_i in zip(g[1:], d[1:]):
+            value = self.mad(g_i, d_i, value)
+        return value
+
+    def noise(self, f, gradients):
+        offsets = [(t, self.round(t - 1)) for t in f]
+        reversed_corners = itertools.product((0, 1), repeat=len(f))  # so that x varies fastest
+        values = [self.ramp(gradients(corner), [d[o] for d, o in zip(offsets, corner)])
+                  for corner in (r[::-1] for r in reversed_corners)]
+        for t in f:
+            weight = self.fade(t)
+            values = [self.lerp(a, b, weight) for a, b in zip(values[::2], values[1::2])]
+        return self.round(bounds.SCALE[len(f)] * values[0])
+
+    def noise_at(self, p, seed=0):
+        cell = [math.floor(x) for x in p]
+        return self.noise([self.round(x - c) for x, c in zip(p, cell)],
+                          lambda corner: lattice_gradient(tuple(c + o for c, o in zip(cell, corner)), seed))
+
+    def octaves(self, kind, p, octaves, lacunarity, gain):
+        total, value, amp, q = 0.0, 0.0, 1.0, list(p)
+        for i in range(octaves):
+            noise = self.noise_at(q, i)
+            value = self.mad(amp, abs(noise) if kind == "turbulence" else noise, value)
+            total = self.round(total + amp)
+            q = [self.mad(x, lacunarity, s) for x, s in zip(q, SHIFT)]
+            amp = self.round(amp * gain)
+        value = self.round(value / total)
+        if kind != "clouds":
+            return value
+        t = min(max(self.mad(2, value, 0.25), 0.0), 1.0)
+        return self.round(self.round(t * t) * self.mad(-2, t, 3))
+
+
+def shaders(rng):
+    return [Shader(mode, rng, fuse) for mode in MODES for fuse in (0.0, 0.5)]
+
+
+def random_fraction(rng):
+    """A float in [0, 1], often near its ends."""
+    near = rng.random() * 2.0 ** -rng.randrange(26)
+    return to_float(rng.choice((rng.random(), near, 1 - near, 1 - 2.0**-24, 1.0, 0.5)))
+
+
+def random_gradients(rng, dims):
+    steep = [tuple(map(float, g)) for g in bounds.steepest_gradients(dims)]
+    chosen = {corner: rng.choice(steep) if rng.random() < 0.7 else contract_gradient(dims, rng.getrandbits(32))
+              for corner in bounds.corners(dims)}
+    return chosen.__getitem__
+
+
+class Range(unittest.TestCase):
+    def test_below_one_even_with_the_float_error(self):
+        for dims in DIMS:
+            self.assertLess(bounds.range_bound(dims, bounds.SCALE[dims]) + bounds.PERLIN_ERROR[dims], 1)
+
+    def test_attained(self):
+        for dims in DIMS:
+            value, point, gradients = bounds.range_witness(dims)
+            self.assertEqual(point, tuple(map(to_float, point)))
+            self.assertAlmostEqual(float(value), exact_noise(point, gradients.__getitem__), delta=1e-14)
+            bound = bounds.range_bound(dims, bounds.SCALE[dims])
+            self.assertTrue(bound - 1e-5 < value < bound)
+
+    def test_known_suprema(self):
+        self.assertAlmostEqual(bounds.range_bound(2, 1), 0.5352764390514959, delta=2e-9)
+        self.assertAlmostEqual(bounds.range_bound(3, 1), 0.5629016051291905, delta=2e-9)
+
+    def test_fails_with_a_larger_scale(self):
+        for dims in DIMS:
+            self.assertGreater(bounds.range_bound(dims, 1.02 * bounds.SCALE[dims]), 1)
+            self.assertGreater(1.02 * bounds.range_witness(dims)[0], 1)
+
+    def test_unfolded_sum_stays_below(self):
+        """The sum over the corners as it stands, over the whole cube: the folding and nesting lose nothing."""
+        rng = random.Random(1)
+        for dims in DIMS:
+            bound = bounds.range_bound(dims, 1)
+            for _ in range(5000):
+                f = [rng.random() for _ in range(dims)]
+                total = sum(math.prod(bounds.fade(t) if o else 1 - bounds.fade(t) for t, o in zip(f, corner))
+                            * max(abs(t - o) for t, o in zip(f, corner)) for corner in bounds.corners(dims))
+                self.assertLessEqual(total, bound)
+
+    def test_steepest_gradients_are_the_contracts(self):
+        edges = (0, 1, 0x7FFE, 0x7FFF, 0x8000, 0x8001, 0xFFFE, 0xFFFF)
+        for dims in DIMS:
+            known = {contract_gradient(dims, high << 16 | low) for high in edges for low in edges}
+            for gradient in bounds.steepest_gradients(dims):
+                self.assertEqual(sum(map(abs, gradient)), 1)
+                self.assertIn(gradient, known)
+
+
+class Lipschitz(unittest.TestCase):
+    def test_constant_is_the_derived_bound(self):
+        for dims in DIMS:
+            derived, constant = bounds.lipschitz_bound(dims), bounds.PERLIN_LIPSCHITZ[dims]
+            self.assertTrue(derived <= constant <= 1.1 * derived)
+            self.assertEqual(constant, float(f"{constant:.2e}"))
+            self.assertLessEqual(bounds.lipschitz_witness(dims), derived)
+
+    def test_random_differences(self):
+        rng = random.Random(2)
+        for dims in DIMS:
+            for _ in range(5000):
+                p = [rng.uniform(-4, 4) for _ in range(dims)]
+                reach = 10 ** rng.uniform(-5, 0)
+                q = [x + rng.choice((rng.uniform(-1, 1), -1, 1)) * reach for x in p]
+                distance = max(abs(a - b) for a, b in zip(p, q))
+                rise = abs(exact_noise_at(p) - exact_noise_at(q))
+                self.assertLessEqual(rise, bounds.PERLIN_LIPSCHITZ[dims] * distance)
+
+    def steepest_rise(self, dims, step):
+        """Over 2 * step along the diagonal at the witness, with the steepest gradient at each corner."""
+        ends = [[t + sign * step for t in bounds.SLOPE_WITNESS[dims]] for sign in (1, -1)]
+        zero = (0.0,) * dims
+
+        def rise(corner, gradient):
+            high, low = (exact_noise(f, lambda o: gradient if o == corner else zero) for f in ends)
+            return high - low
+        gradients = [tuple(map(float, g)) for g in bounds.steepest_gradients(dims)]
+        return sum(max(rise(corner, g) for g in gradients) for corner in bounds.corners(dims))
+
+    def test_nearly_attained_by_differences(self):
+        """Also a must-fail check: a constant 1% smaller would be refuted."""
+        step = 1e-4
+        for dims in DIMS:
+            slope = self.steepest_rise(dims, step) / (2 * step)
+            self.assertLess(slope, bounds.PERLIN_LIPSCHITZ[dims])
+            self.assertGreater(slope, 0.99 * bounds.PERLIN_LIPSCHITZ[dims])
+
+
+class FloatError(unittest.TestCase):
+    def largest_error(self, dims, shader, count, seed):
+        """From a cell and a fraction."""
+        rng, largest = random.Random(seed), 0.0
+        for _ in range(count):
+            f = [random_fraction(rng) for _ in range(dims)]
+            gradients = random_gradients(rng, dims)
+            largest = max(largest, abs(shader.noise(f, gradients) - exact_noise(f, gradients)))
+        return largest
+
+    def test_constant_is_the_derived_bound(self):
+        for dims in DIMS:
+            derived = bounds.position_error(bounds.error_bound(dims), bounds.lipschitz_bound(dims))
+            self.assertTrue(derived <= bounds.PERLIN_ERROR[dims] <= 1.1 * derived)
+            self.assertEqual(bounds.PERLIN_ERROR[dims], float(f"{bounds.PERLIN_ERROR[dims]:.2e}"))
+
+    def test_simulated_from_cell(self):
+        for dims in DIMS:
+            bound = bounds.error_bound(dims)
+            seen = [self.largest_error(dims, shader, 1000, 3) for shader in shaders(random.Random(4))]
+            self.assertLess(max(seen), bound)
+            self.assertGreater(max(seen), bound / 5)
+
+    def test_simulated_to_nearest(self):
+        for dims in DIMS:
+            bound = bounds.error_bound(dims, 0.5)
+            seen = self.largest_error(dims, Shader("nearest", random.Random(5)), 3000, 6)
+            self.assertLess(seen, bound)
+            self.assertGreater(seen, bound / 10)
+
+    def test_fails_with_fewer_bits(self):
+        for dims in DIMS:
+            seen = self.largest_error(dims, Shader("nearest", random.Random(7), lost_bits=5), 1000, 8)
+            self.assertGreater(seen, bounds.PERLIN_ERROR[dims])
+
+    def test_simulated_from_position(self):
+        """Also the negative positions whose fraction is rounded, up to 1."""
+        rng = random.Random(9)
+        for dims, shader in itertools.product(DIMS, shaders(rng)):
+            for _ in range(500):
+                p = [to_float(rng.choice((-1, 1)) * rng.random() * 2.0 ** rng.randrange(-40, 12)) for _ in range(dims)]
+                self.assertLess(abs(shader.noise_at(p) - exact_noise_at(p)), bounds.PERLIN_ERROR[dims])
+
+
+class Octaves(unittest.TestCase):
+    KINDS = ("fbm", "turbulence", "clouds")
+
+    def check(self, rng, count, parameters):
+        """Simulates on random parameters; the largest ratio of an error to its tolerance."""
+        worst = 0.0
+        for dims, kind, shader in itertools.product(DIMS, self.KINDS, shaders(rng)):
+            for _ in range(count):
+                p, octaves, lacunarity, gain, exact = parameters(dims)
+                simulated = shader.octaves(kind, p, octaves, lacunarity, gain)
+                error = abs(simulated - exact_octaves(kind, p, octaves, lacunarity, gain))
+                tolerance = bounds.octave_tolerance(kind, dims, max(map(abs, p)), octaves, lacunarity, gain, exact)
+                self.assertLessEqual(error, tolerance)
+                worst = max(worst, error / tolerance)
+        return worst
+
+    def test_simulated(self):
+        rng = random.Random(10)
+
+        def parameters(dims):
+            reach = 2.0 ** rng.randrange(12)
+            p = [to_float(rng.uniform(-reach, reach)) for _ in range(dims)]
+            return p, rng.randint(1, 6), to_float(rng.uniform(-3, 3)), to_float(rng.uniform(0, 2)), False
+        self.assertGreater(self.check(rng, 25, parameters), 1 / 30)
+
+    def test_simulated_with_exact_positions(self):
+        rng = random.Random(11)
+
+        def parameters(dims):
+            return [rng.randrange(-4096, 4096) / 256 for _ in range(dims)], rng.randint(1, 6), 2.0, 0.5, True
+        self.assertGreater(self.check(rng, 25, parameters), 1 / 60)
+
+    def test_exact_positions_do_not_hide_inexact_ones(self):
+        """A must-fail check: positions that round, promised exact, exceed the tolerance."""
+        rng = random.Random(12)
+
+        def parameters(dims):
+            return [to_float(rng.uniform(-4096, 4096)) for _ in range(dims)], 6, to_float(2.1), 0.5, True
+        with self.assertRaises(AssertionError):
+            self.check(rng, 25, parameters)
+
+    def test_edges(self):
+        self.assertEqual(bounds.octave_tolerance("fbm", 2, 1.0, 0, 2.0, 0.5, False), 0)
+        self.assertLess(bounds.octave_tolerance("fbm", 2, 1.0, 200, 2.0, 0.5, False), 2.001)
+        self.assertEqual(bounds.octave_tolerance("fbm", 3, 1.0, 20, 2.0, 1e20, False), math.inf)
+        with self.assertRaises(ValueError):
+            bounds.octave_tolerance("fog", 2, 1.0, 1, 2.0, 0.5, False)
+
+
+if __name__ == "__main__":
+    unittest.main()

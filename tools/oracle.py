@@ -1,0 +1,255 @@
+"""The oracle: every value that hashnoise defines, computed a second time.
+
+Written from docs/contract.md alone, in plain Python, so that it shares neither code nor assumptions with the
+library. Words are Python integers masked to 32 bits. Sections 2 to 4 of the contract are exact in the library too; the
+noise is exact only here, in rational arithmetic. Where the contract gives a formula, that formula is what stands here,
+even where a shader would do something faster.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Callable, Iterable, Sequence
+from fractions import Fraction
+
+MASK = 0xFFFFFFFF
+
+# xxHash's primes 1 to 5; LATTICE uses the first four.
+PRIMES = (0x9E3779B1, 0x85EBCA77, 0xC2B2AE3D, 0x27D4EB2F, 0x165667B1)
+
+
+# --- Section 2: word hashes -------------------------------------------------------------------------------------
+
+
+def rotl(word: int, count: int) -> int:
+    """The word rotated left by `count` bits, 0 < count < 32."""
+    return (word << count | word >> (32 - count)) & MASK
+
+
+def word_bytes(word: int) -> bytes:
+    """The four bytes of a word, byte 0 (the least significant) first."""
+    return word.to_bytes(4, "little")
+
+
+def fnv1(items: Iterable[int]) -> int:
+    """FNV-1, 32 bit, of a byte string. (The partial hash feeds it words instead of bytes.)"""
+    h = 2166136261
+    for item in items:
+        h = (h * 16777619 & MASK) ^ item
+    return h
+
+
+def one_at_a_time(items: Iterable[int]) -> int:
+    """Jenkins' one-at-a-time hash of a byte string. (The partial hash feeds it a word instead of bytes.)"""
+    h = 0
+    for item in items:
+        h = (h + item) & MASK
+        h = (h + (h << 10)) & MASK
+        h ^= h >> 6
+    h = (h + (h << 3)) & MASK
+    h ^= h >> 11
+    return (h + (h << 15)) & MASK
+
+
+def xxh32(data: bytes, seed: int = 0) -> int:
+    """XXH32 of a byte string shorter than one stripe (16 bytes), by steps 1 and 4 to 6 of its specification."""
+    if len(data) >= 16:
+        raise ValueError("longer inputs go through the stripes, which are not implemented")
+    p1, p2, p3, p4, p5 = PRIMES
+    lanes_end = len(data) // 4 * 4
+    h = (seed + p5 + len(data)) & MASK
+    for i in range(0, lanes_end, 4):
+        h = (h + int.from_bytes(data[i:i + 4], "little") * p3) & MASK
+        h = rotl(h, 17) * p4 & MASK
+    for byte in data[lanes_end:]:
+        h = (h + byte * p5) & MASK
+        h = rotl(h, 11) * p1 & MASK
+    h = (h ^ h >> 15) * p2 & MASK
+    h = (h ^ h >> 13) * p3 & MASK
+    return h ^ h >> 16
+
+
+def murmur(word: int) -> int:
+    """The paper's Murmur: MurmurHash2's body for one word, from the state 10, without the final avalanche."""
+    m = 1540483477
+    k = word * m & MASK
+    k ^= k >> 24
+    k = k * m & MASK
+    return (10 * m & MASK) ^ k
+
+
+def pcg(word: int) -> int:
+    """Jarzynski and Olano's pcg_hash: one step of O'Neill's 32-bit LCG, then the output function RXS-M-XS."""
+    s = (word * 747796405 + 2891336453) & MASK
+    w = (s >> ((s >> 28) + 4) ^ s) * 277803737 & MASK
+    return w >> 22 ^ w
+
+
+def custom(word: int) -> int:
+    """The user-defined hash that the conformance suite itself brings, as its HN_HASH_FN."""
+    return (word ^ word >> 16) * 0x045D9F3B & MASK
+
+
+WORD_HASHES: dict[str, Callable[[int], int]] = {
+    "fnv1": lambda word: fnv1(word_bytes(word)),
+    "partial_fnv1": lambda word: fnv1((word, word)),
+    "jenkins": lambda word: one_at_a_time(word_bytes(word)),
+    "partial_jenkins": lambda word: one_at_a_time((word,)),
+    "murmur": murmur,
+    "pcg": pcg,
+    "xxhash32": lambda word: xxh32(word_bytes(word)),
+    "custom": custom,
+}
+
+HASHES = ("fnv1", "partial_fnv1", "jenkins", "partial_jenkins", "murmur", "pcg", "xxhash32", "lattice", "custom")
+
+
+# --- Section 3: several words, and a lattice point --------------------------------------------------------------
+
+
+def mix1(k: int) -> int:
+    """The light mixer."""
+    k = (k ^ k >> 15) * 0x2C1B3C6D & MASK
+    return k ^ k >> 15
+
+
+def mix2(k: int) -> int:
+    """The full mixer, "prospector32"."""
+    k = (k ^ k >> 15) * 0x2C1B3C6D & MASK
+    k = (k ^ k >> 12) * 0x297A2D39 & MASK
+    return k ^ k >> 15
+
+
+def key(name: str, words: Sequence[int]) -> int:
+    """The key of one to four words (signed ones count as two's complement) under the hash `name`."""
+    k = 0
+    if name == "lattice":
+        for word, prime in zip(words, PRIMES):
+            k ^= word * prime & MASK
+    else:
+        for word in words:
+            # For the first word k is still 0, so that K1 = H(x).
+            k = WORD_HASHES[name]((k + word) & MASK)
+    return k
+
+
+def hash_words(name: str, words: Sequence[int]) -> int:
+    """hn_hash: the hash as published."""
+    return mix1(key(name, words)) if name == "lattice" else key(name, words)
+
+
+def lattice(name: str, point: Sequence[int], seed: int = 0) -> int:
+    """hn_lattice: the seeded and mixed hash of a lattice point."""
+    mix = mix1 if name == "lattice" else mix2
+    return mix(key(name, point) ^ mix2(seed))
+
+
+# --- Section 4: from a hash to a float --------------------------------------------------------------------------
+
+
+def unorm(h: int) -> float:
+    """hn_unorm: in [0, 1)."""
+    return (h >> 8) / 2**24
+
+
+def snorm(h: int) -> float:
+    """hn_snorm: in [-1, 1)."""
+    return (h >> 8) / 2**23 - 1
+
+
+def half_to_axis(half: int) -> float:
+    """The contract's `a` (and `b`): sixteen bits as the middle of one of 2^16 equal intervals of [-1, 1]."""
+    return (2 * half + 1) / 65536 - 1
+
+
+def gradient2(h: int) -> tuple[float, float]:
+    """hn_gradient2: a point of the square |x| + |y| = 1."""
+    a = half_to_axis(h >> 16)
+    m = 1 - abs(a)
+    return (a, -m if h >> 15 & 1 else m)
+
+
+def gradient3(h: int) -> tuple[float, float, float]:
+    """hn_gradient3: a point of the octahedron |x| + |y| + |z| = 1."""
+    a = half_to_axis(h >> 16)
+    b = half_to_axis(h & 0xFFFF)
+    z = 1 - abs(a) - abs(b)
+    t = max(-z, 0.0)
+    return (a + t if a < 0 else a - t, b + t if b < 0 else b - t, z)
+
+
+# --- Section 5: Perlin noise ------------------------------------------------------------------------------------
+
+# From here on every value is exact: a real number, as a fraction. Who prints one rounds it, once.
+Real = Fraction | float
+
+# By the number of dimensions.
+GRADIENTS: dict[int, Callable[[int], tuple[float, ...]]] = {2: gradient2, 3: gradient3}
+SCALES = {2: Fraction(1913, 1024), 3: Fraction(1819, 1024)}
+
+
+def smooth(t: Fraction) -> Fraction:
+    """s(t), the weight of the far corner along one axis."""
+    return 6 * t**5 - 15 * t**4 + 10 * t**3
+
+
+def perlin_cell(name: str, cell: Sequence[int], fraction: Sequence[Real], seed: int = 0) -> Fraction:
+    """hn_perlin(cell, f, seed) in 2D or 3D, as the contract's weighted sum over the corners."""
+    f = [Fraction(x) for x in fraction]
+    near_and_far = [(1 - smooth(x), smooth(x)) for x in f]
+    total = Fraction(0)
+    for corner in itertools.product((0, 1), repeat=len(f)):
+        point = [c + o for c, o in zip(cell, corner)]
+        gradient = GRADIENTS[len(f)](lattice(name, point, seed))
+        ramp = sum(Fraction(g) * (x - o) for g, x, o in zip(gradient, f, corner))
+        total += ramp * math.prod(weights[o] for weights, o in zip(near_and_far, corner))
+    return total * SCALES[len(f)]
+
+
+def perlin(name: str, p: Sequence[Real], seed: int = 0) -> Fraction:
+    """hn_perlin(p, seed) in 2D or 3D."""
+    cell = [math.floor(x) for x in p]
+    return perlin_cell(name, cell, [Fraction(x) - c for x, c in zip(p, cell)], seed)
+
+
+# --- Section 6: octave sums -------------------------------------------------------------------------------------
+
+SHIFT = (Fraction(11, 32), Fraction(19, 32), Fraction(23, 32))
+
+
+def octave_terms(name: str, p: Sequence[Real], octaves: int, lacunarity: Real, gain: Real,
+                 seed: int) -> list[tuple[Fraction, Fraction]]:
+    """The weight and the noise of each octave."""
+    terms = []
+    q = [Fraction(x) for x in p]
+    for i in range(octaves):
+        terms.append((Fraction(gain)**i, perlin(name, q, seed)))
+        q = [x * Fraction(lacunarity) + shift for x, shift in zip(q, SHIFT)]
+        seed = (seed + 0x9E3779B9) & MASK
+    return terms
+
+
+def weighted_mean(terms: Sequence[tuple[Fraction, Fraction]]) -> Fraction:
+    """sum(weight * value) / sum(weight); 0 for no terms."""
+    if not terms:
+        return Fraction(0)
+    total = sum((weight * value for weight, value in terms), Fraction(0))
+    return total / sum(weight for weight, _ in terms)
+
+
+def fbm(name: str, p: Sequence[Real], octaves: int, lacunarity: Real, gain: Real, seed: int = 0) -> Fraction:
+    """hn_fbm: in [-1, 1]."""
+    return weighted_mean(octave_terms(name, p, octaves, lacunarity, gain, seed))
+
+
+def turbulence(name: str, p: Sequence[Real], octaves: int, lacunarity: Real, gain: Real, seed: int = 0) -> Fraction:
+    """hn_turbulence: in [0, 1]."""
+    terms = octave_terms(name, p, octaves, lacunarity, gain, seed)
+    return weighted_mean([(weight, abs(value)) for weight, value in terms])
+
+
+def clouds(name: str, p: Sequence[Real], octaves: int, lacunarity: Real, gain: Real, seed: int = 0) -> Fraction:
+    """hn_clouds: in [0, 1]."""
+    t = min(max(2 * fbm(name, p, octaves, lacunarity, gain, seed) + Fraction(1, 4), Fraction(0)), Fraction(1))
+    return t * t * (3 - 2 * t)

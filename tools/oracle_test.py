@@ -1,0 +1,542 @@
+"""Tests of tools/oracle.py and tools/golden: python3 tools/oracle_test.py
+
+The published vectors say that the hashes are the ones they are named after, the properties that the noise is what the
+contract promises, and the must-fail tests that `golden --check` would notice.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import importlib.machinery
+import importlib.util
+import io
+import itertools
+import math
+import sys
+import tempfile
+import unittest
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from pathlib import Path
+from unittest import mock
+
+sys.dont_write_bytecode = True  # the tree stays clean: no __pycache__ beside the sources
+import oracle  # noqa: E402
+
+
+def load_golden():
+    """The script tools/golden as a module; its name has no suffix, so the loader must be named."""
+    loader = importlib.machinery.SourceFileLoader("golden", str(Path(__file__).resolve().parent / "golden"))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("golden", loader))
+    sys.modules["golden"] = module  # dataclasses look their module up by name
+    loader.exec_module(module)
+    return module
+
+
+golden = load_golden()
+
+
+def generator(name: str):
+    """A generator of test inputs of its own for each test."""
+    return golden.Generator(golden.fnv1a64(name.encode()))
+
+
+def murmurhash2(data: bytes, seed: int) -> int:
+    """MurmurHash2, 32 bit, after Appleby; only to pin the oracle's murmur to it."""
+    m = 0x5BD1E995
+    h = seed ^ len(data)
+    tail = len(data) // 4 * 4
+    for i in range(0, tail, 4):
+        k = int.from_bytes(data[i:i + 4], "little") * m & oracle.MASK
+        h = h * m & oracle.MASK ^ (k ^ k >> 24) * m & oracle.MASK
+    if tail < len(data):
+        h = (h ^ int.from_bytes(data[tail:], "little")) * m & oracle.MASK
+    return murmurhash2_avalanche(h)
+
+
+def murmurhash2_avalanche(h: int) -> int:
+    """The last three lines of MurmurHash2."""
+    h = (h ^ h >> 13) * 0x5BD1E995 & oracle.MASK
+    return h ^ h >> 15
+
+
+def smhasher_verification(function: Callable[[bytes, int], int]) -> int:
+    """SMHasher's VerificationTest of a 32-bit hash: the hash of its hashes of (), (0), (0, 1), ... with 256 seeds."""
+    hashes = b"".join(oracle.word_bytes(function(bytes(range(i)), 256 - i)) for i in range(256))
+    return function(hashes, 0)
+
+
+def interpolated_perlin(name: str, p: Sequence[float], seed: int) -> Fraction:
+    """The noise in exact arithmetic too, but as nested interpolations rather than as a weighted sum."""
+    cell = [math.floor(x) for x in p]
+    f = [Fraction(x) - c for x, c in zip(p, cell)]
+
+    def value(corner: tuple[int, ...]) -> Fraction:
+        if len(corner) == len(f):
+            gradient = oracle.GRADIENTS[len(f)](oracle.lattice(name, [c + o for c, o in zip(cell, corner)], seed))
+            return sum(Fraction(g) * (x - o) for g, x, o in zip(gradient, f, corner))
+        t = f[len(corner)]
+        low, high = value((*corner, 0)), value((*corner, 1))
+        return low + (high - low) * t**3 * (t * (t * 6 - 15) + 10)
+
+    return value(()) * oracle.SCALES[len(f)]
+
+
+class PublishedVectors(unittest.TestCase):
+    def test_fnv1(self) -> None:
+        # test_fnv.c of Landon Curt Noll; also php-src, ext/hash/tests/fnv132.phpt.
+        vectors = {
+            b"": 0x811C9DC5, b"a": 0x050C5D7E, b"foo": 0x408F5E13, b"foob": 0xB4B1178B, b"foobar": 0x31F0B262,
+            b"foo\0": 0xB4B117E9, b"chon": 0xFCC8100F, b"cho\0": 0xFCC81061, b"curd": 0xE184FF97,
+            b"chongo was here!\n": 0xDD002F35,
+        }
+        for data, value in vectors.items():
+            self.assertEqual(oracle.fnv1(data), value, data)
+
+    def test_one_at_a_time(self) -> None:
+        # Wikipedia, "Jenkins hash function".
+        self.assertEqual(oracle.one_at_a_time(b"a"), 0xCA2E9442)
+        self.assertEqual(oracle.one_at_a_time(b"The quick brown fox jumps over the lazy dog"), 0x519E91F5)
+
+    def test_xxh32(self) -> None:
+        # Cyan4973/xxHash, cli/xsum_sanity_check.c: (length, seed, value) on its test buffer.
+        prime32, prime64 = 2654435761, 11400714785074694797
+        buffer = bytes(prime32 * prime64**i >> 56 & 0xFF for i in range(14))
+        vectors = [
+            (0, 0, 0x02CC5D05), (0, prime32, 0x36B78AE7), (1, 0, 0xCF65B03E), (1, prime32, 0xB4545AA4),
+            (14, 0, 0x1208E7E2), (14, prime32, 0x6AF1D1FE),
+        ]
+        for length, seed, value in vectors:
+            self.assertEqual(oracle.xxh32(buffer[:length], seed), value, (length, seed))
+
+    def test_xxh32_of_text(self) -> None:
+        # pierrec/lz4, internal/xxh32/xxh32zero_test.go.
+        vectors = {
+            b"a": 0x550D7456, b"ab": 0x4999FC53, b"abc": 0x32D153FF, b"abcd": 0xA3643705, b"abcde": 0x9738F19B,
+            b"abcdefgh": 0x0BB3C6BB, b"abcdefghij": 0x8B988CFE,
+        }
+        for data, value in vectors.items():
+            self.assertEqual(oracle.xxh32(data), value, data)
+
+    def test_murmurhash2(self) -> None:
+        # aappleby/smhasher, main.cpp: the verification value of MurmurHash2.
+        self.assertEqual(smhasher_verification(murmurhash2), 0x27864C1E)
+
+    def test_pcg(self) -> None:
+        # imneme/pcg-c, test-low/expected/check-oneseq-32-rxs-m-xs-32.out: the generator seeded with 42. pcg_hash(k)
+        # is the output of the state that follows k; seeding ends with adding 42 to the increment, and one step.
+        state, values = 2891336453 + 42, []
+        for _ in range(6):
+            values.append(oracle.pcg(state))
+            state = (state * 747796405 + 2891336453) & oracle.MASK
+        self.assertEqual(values, [0x256B5357, 0xA5EFAD32, 0x170B7830, 0x334A5B22, 0x3DE5C680, 0x9B47B7B3])
+
+    def test_splitmix64(self) -> None:
+        # Rosetta Code, "Pseudo-random numbers/Splitmix64".
+        numbers = golden.Generator(1234567)
+        self.assertEqual([numbers.next() for _ in range(3)],
+                         [6457827717110365317, 3203168211198807973, 9817491932198370423])
+
+    def test_fnv1a64(self) -> None:
+        # test_fnv.c of Landon Curt Noll.
+        vectors = {b"": 0xCBF29CE484222325, b"a": 0xAF63DC4C8601EC8C, b"foobar": 0x85944171F73967E8}
+        for data, value in vectors.items():
+            self.assertEqual(golden.fnv1a64(data), value, data)
+
+
+class Hashes(unittest.TestCase):
+    def test_byte_order(self) -> None:
+        for name, function in (("fnv1", oracle.fnv1), ("jenkins", oracle.one_at_a_time), ("xxhash32", oracle.xxh32)):
+            self.assertEqual(oracle.hash_words(name, [0x04030201]), function(b"\1\2\3\4"), name)
+
+    def test_partial_hashes_agree_with_whole_ones_on_bytes(self) -> None:
+        for byte in range(256):
+            self.assertEqual(oracle.hash_words("partial_jenkins", [byte]), oracle.one_at_a_time(bytes([byte])))
+            self.assertEqual(oracle.hash_words("partial_fnv1", [byte]), oracle.fnv1(bytes([byte, byte])))
+
+    def test_murmur_is_murmurhash2_before_its_avalanche(self) -> None:
+        numbers = generator("murmur")
+        for word in [0, 1, oracle.MASK] + [numbers.word() for _ in range(100)]:
+            expected = murmurhash2(oracle.word_bytes(word), 10 ^ 4)
+            self.assertEqual(murmurhash2_avalanche(oracle.murmur(word)), expected)
+
+    def test_xxh32_of_a_word_in_one_formula(self) -> None:
+        # The contract gives this form as well.
+        numbers = generator("xxh32")
+        for word in [0, 1, oracle.MASK] + [numbers.word() for _ in range(100)]:
+            h = oracle.rotl((374761397 + word * 3266489917) & oracle.MASK, 17) * 668265263 & oracle.MASK
+            h = (h ^ h >> 15) * 2246822519 & oracle.MASK
+            h = (h ^ h >> 13) * 3266489917 & oracle.MASK
+            self.assertEqual(oracle.hash_words("xxhash32", [word]), h ^ h >> 16)
+
+    def test_no_long_xxh32(self) -> None:
+        with self.assertRaises(ValueError):
+            oracle.xxh32(bytes(16))
+
+    def test_custom(self) -> None:
+        self.assertEqual(oracle.custom(1), 0x045D9F3B)
+        self.assertEqual(oracle.custom(0x10000), 0xA3989F3B)
+
+    def test_mixers(self) -> None:
+        # Values of a C program around the published lines of prospector32, and of its first round with the shift 15.
+        vectors = {
+            0x00000001: (0x2C1B645B, 0xED345605),
+            0x80000000: (0xBC6C78DA, 0x12F4F1B9),
+            0xDEADBEEF: (0x74172B8B, 0xB19C7922),
+        }
+        for word, (light, full) in vectors.items():
+            self.assertEqual((oracle.mix1(word), oracle.mix2(word)), (light, full))
+
+    def test_which_mixer(self) -> None:
+        for name in oracle.WORD_HASHES:
+            key = oracle.hash_words(name, (1, 2))
+            self.assertEqual(oracle.lattice(name, (1, 2), 3), oracle.mix2(key ^ oracle.mix2(3)), name)
+        key = oracle.key("lattice", (1, 2))
+        self.assertEqual(key, 0x9E3779B1 ^ 2 * 0x85EBCA77 & oracle.MASK)
+        self.assertEqual(oracle.hash_words("lattice", (1, 2)), oracle.mix1(key))
+        self.assertEqual(oracle.lattice("lattice", (1, 2), 3), oracle.mix1(key ^ oracle.mix2(3)))
+
+    def test_bijections_do_not_collide(self) -> None:
+        # A random function would collide here about eight times.
+        keys = range(2**18)
+        for function in (oracle.pcg, oracle.murmur, oracle.mix1, oracle.mix2):
+            self.assertEqual(len(set(map(function, keys))), len(keys), function.__name__)
+
+    def test_keys_chain(self) -> None:
+        for name, function in oracle.WORD_HASHES.items():
+            last = function(function(function(function(5) + 6 & oracle.MASK) + 7 & oracle.MASK) + 8 & oracle.MASK)
+            self.assertEqual(oracle.hash_words(name, (5, 6, 7, 8)), last, name)
+
+    def test_coordinates_are_twos_complement_and_wrap(self) -> None:
+        for name in oracle.HASHES:
+            self.assertEqual(oracle.lattice(name, (-1, 2**31), 3), oracle.lattice(name, (2**32 - 1, -2**31), 3))
+
+    def test_order_of_coordinates_matters(self) -> None:
+        for name in oracle.HASHES:
+            self.assertNotEqual(oracle.lattice(name, (1, 2)), oracle.lattice(name, (2, 1)), name)
+
+    def test_seeds_differ(self) -> None:
+        for name in oracle.HASHES:
+            self.assertEqual(len({oracle.lattice(name, (1, 2, 3), seed) for seed in range(256)}), 256, name)
+
+    def test_results_are_words(self) -> None:
+        numbers = generator("words")
+        for name in oracle.HASHES:
+            for _ in range(100):
+                self.assertIn(oracle.hash_words(name, [numbers.word() for _ in range(4)]), range(2**32))
+
+
+class Floats(unittest.TestCase):
+    WORDS = [word for word, in golden.gradient_rows(generator("gradients"))]
+
+    def test_gradients_by_hand(self) -> None:
+        e = 2.0**-16
+        self.assertEqual(oracle.gradient2(0x00000000), (-1 + e, e))
+        self.assertEqual(oracle.gradient2(0x7FFF8000), (-e, -1 + e))
+        self.assertEqual(oracle.gradient2(0xFFFF7FFF), (1 - e, e))
+        self.assertEqual(oracle.gradient3(0x80007FFF), (e, -e, 1 - 2 * e))
+        self.assertEqual(oracle.gradient3(0xFFFF8000), (1 - e, e, 0))
+        self.assertEqual(oracle.gradient3(0x0000FFFF), (-e, e, -1 + 2 * e))
+
+    def test_gradients_lie_on_the_surface(self) -> None:
+        for word in self.WORDS:
+            self.assertEqual(sum(map(abs, oracle.gradient2(word))), 1)
+            self.assertEqual(sum(map(abs, oracle.gradient3(word))), 1)
+
+    def test_gradients_are_exact(self) -> None:
+        for word in self.WORDS:
+            for component in oracle.gradient2(word) + oracle.gradient3(word):
+                self.assertEqual(golden.to_f32(component), component)
+                self.assertTrue((component * 2**16).is_integer())
+
+    def test_gradients_have_no_zero_but_a_positive_one(self) -> None:
+        for word in self.WORDS:
+            for component in oracle.gradient2(word) + oracle.gradient3(word):
+                self.assertTrue(component != 0 or math.copysign(1, component) == 1)
+
+    def test_gradient3_is_injective_on_its_fold(self) -> None:
+        self.assertEqual(len({oracle.gradient3(word) for word in self.WORDS}), len(set(self.WORDS)))
+
+    def test_unit_ranges(self) -> None:
+        self.assertEqual((oracle.unorm(0), oracle.unorm(oracle.MASK)), (0, 1 - 2**-24))
+        self.assertEqual((oracle.snorm(0), oracle.snorm(2**31), oracle.snorm(oracle.MASK)), (-1, 0, 1 - 2**-23))
+
+
+class Perlin(unittest.TestCase):
+    def samples(self, n: int, count: int = 40):
+        """A hash, a point and a seed, some times."""
+        numbers = generator(f"perlin{n}")
+        for name in oracle.HASHES:
+            for _ in range(count):
+                yield name, [numbers.uniform(-50, 50) for _ in range(n)], numbers.word()
+
+    def test_zero_at_lattice_points(self) -> None:
+        for name, n in itertools.product(oracle.HASHES, (2, 3)):
+            for point in itertools.product((-2**22, -3, 0, 7), repeat=n):
+                self.assertEqual(oracle.perlin(name, point, 5), 0)
+
+    def test_weighted_sum_is_interpolation(self) -> None:
+        for n in (2, 3):
+            for sample in self.samples(n, 5):
+                self.assertEqual(oracle.perlin(*sample), interpolated_perlin(*sample))
+
+    def test_tiny_negative_coordinate(self) -> None:
+        # Its fraction has more bits than a double.
+        self.assertEqual(oracle.perlin("pcg", (-2.0**-126, 0.5)),
+                         oracle.perlin_cell("pcg", (-1, 0), (1 - Fraction(1, 2**126), 0.5)))
+
+    def test_within_range_and_not_flat(self) -> None:
+        for n in (2, 3):
+            values = [oracle.perlin(*sample) for sample in self.samples(n)]
+            self.assertLessEqual(max(map(abs, values)), 1)
+            self.assertGreater(max(values), 0.5)
+            self.assertLess(min(values), -0.5)
+
+    def test_scale_is_the_largest_that_stays_within_range(self) -> None:
+        # On |x| + |y| (+ |z|) = 1 a ramp is at most the largest component of f - o. Its weighted mean, largest over
+        # the cell, times the scale, is just below 1, and with the next larger multiple of 1/1024 it is above.
+        grid = [Fraction(i, 32) for i in range(17)]  # the other half is its mirror image
+        near = [Fraction(x) for x in (0.3268, 0.3491, 0.5)]  # the maxima, found by a finer search
+        for n, scale in oracle.SCALES.items():
+            bound = max(self.weighted_bound(f) for axis in (grid, near) for f in itertools.product(axis, repeat=n))
+            self.assertLess(bound * scale, 1)
+            self.assertGreater(bound * (scale + Fraction(1, 1024)), 1)
+
+    def weighted_bound(self, fraction: Sequence[Fraction]) -> Fraction:
+        total = Fraction(0)
+        for corner in itertools.product((0, 1), repeat=len(fraction)):
+            weight = math.prod(oracle.smooth(f) if o else 1 - oracle.smooth(f) for f, o in zip(fraction, corner))
+            total += weight * max(abs(f - o) for f, o in zip(fraction, corner))
+        return total
+
+    def test_cells_meet(self) -> None:
+        # f = 1 in one cell is f = 0 in the next, also where the cells wrap.
+        for n in (2, 3):
+            numbers = generator("meet")
+            for name, axis, cell in itertools.product(oracle.HASHES, range(n), (-1, 0, 2**31 - 1)):
+                cells = [cell] * n
+                fraction = [numbers.uniform(0, 1) for _ in range(n)]
+                ones = [1.0 if i == axis else f for i, f in enumerate(fraction)]
+                zeros = [0.0 if i == axis else f for i, f in enumerate(fraction)]
+                following = [-2**31 if i == axis and c == 2**31 - 1 else c + (i == axis) for i, c in enumerate(cells)]
+                self.assertEqual(oracle.perlin_cell(name, cells, ones, 9),
+                                 oracle.perlin_cell(name, following, zeros, 9))
+
+    def test_continuous(self) -> None:
+        step = 2.0**-18
+        for n in (2, 3):
+            for name, point, seed in self.samples(n, 5):
+                for axis in range(n):
+                    border = [math.floor(x) if i == axis else x for i, x in enumerate(point)]
+                    before = [x - step if i == axis else x for i, x in enumerate(border)]
+                    difference = oracle.perlin(name, border, seed) - oracle.perlin(name, before, seed)
+                    self.assertLess(abs(difference), 8 * step)
+
+    def test_point_is_cell_and_fraction(self) -> None:
+        self.assertEqual(oracle.perlin("pcg", (-1.25, 3.5), 7), oracle.perlin_cell("pcg", (-2, 3), (0.75, 0.5), 7))
+        self.assertEqual(oracle.perlin("pcg", (-1.25, 3.5)), oracle.perlin("pcg", (-1.25, 3.5), 0))
+
+    def test_seeds_differ(self) -> None:
+        for name in oracle.HASHES:
+            self.assertEqual(len({oracle.perlin(name, (0.375, 0.5), seed) for seed in range(32)}), 32, name)
+            self.assertEqual(len({oracle.perlin(name, (0.375, 0.5, 0.25), seed) for seed in range(32)}), 32, name)
+
+
+class OctaveSums(unittest.TestCase):
+    POINTS = [(0.375, -12.25), (5.125, 7.75, -0.625)]
+
+    def test_one_octave_is_the_noise(self) -> None:
+        for point in self.POINTS:
+            noise = oracle.perlin("lattice", point, 3)
+            self.assertEqual(oracle.fbm("lattice", point, 1, 2.0, 0.5, 3), noise)
+            self.assertEqual(oracle.turbulence("lattice", point, 1, 2.0, 0.5, 3), abs(noise))
+
+    def test_gain_zero_leaves_the_first_octave(self) -> None:
+        for point in self.POINTS:
+            self.assertEqual(oracle.fbm("pcg", point, 6, 2.0, 0.0, 3), oracle.perlin("pcg", point, 3))
+
+    def test_two_octaves_by_hand(self) -> None:
+        seed, next_seed = 0xFFFFFFFF, 0x9E3779B8
+        first = oracle.perlin("pcg", (0.375, -12.25), seed)
+        second = oracle.perlin("pcg", (0.75 + 0.34375, -24.5 + 0.59375), next_seed)
+        self.assertEqual(oracle.fbm("pcg", (0.375, -12.25), 2, 2.0, 0.25, seed), (4 * first + second) / 5)
+        self.assertEqual(oracle.turbulence("pcg", (0.375, -12.25), 2, 2.0, 0.25, seed),
+                         (4 * abs(first) + abs(second)) / 5)
+
+    def test_third_axis_is_shifted_too(self) -> None:
+        terms = oracle.octave_terms("pcg", (1.0, 2.0, 3.0), 2, 2.0, 0.5, 0)
+        self.assertEqual(terms[1], (0.5, oracle.perlin("pcg", (2.34375, 4.59375, 6.71875), 0x9E3779B9)))
+
+    def test_clouds_of_fbm(self) -> None:
+        seen = set()
+        for seed in range(32):
+            t = 2 * oracle.fbm("pcg", (0.375, 0.5), 3, 2.0, 0.5, seed) + Fraction(1, 4)
+            expected = 0 if t <= 0 else 1 if t >= 1 else 3 * t**2 - 2 * t**3
+            self.assertEqual(oracle.clouds("pcg", (0.375, 0.5), 3, 2.0, 0.5, seed), expected)
+            seen.add("clear" if t <= 0 else "full" if t >= 1 else "between")
+        self.assertEqual(seen, {"clear", "full", "between"})
+
+    def test_no_octaves(self) -> None:
+        for octaves in (0, -1):
+            self.assertEqual(oracle.fbm("pcg", (1.5, 2.5), octaves, 2.0, 0.5), 0)
+            self.assertEqual(oracle.turbulence("pcg", (1.5, 2.5), octaves, 2.0, 0.5), 0)
+            self.assertEqual(oracle.clouds("pcg", (1.5, 2.5), octaves, 2.0, 0.5), 0.15625)
+
+    def test_ranges(self) -> None:
+        numbers = generator("ranges")
+        for n in (2, 3):
+            for _ in range(200):
+                arguments = ("lattice", [numbers.uniform(-20, 20) for _ in range(n)], 4, 2.0, 0.5, numbers.word())
+                self.assertLessEqual(abs(oracle.fbm(*arguments)), 1)
+                self.assertTrue(abs(oracle.fbm(*arguments)) <= oracle.turbulence(*arguments) <= 1)
+                self.assertTrue(0 <= oracle.clouds(*arguments) <= 1)
+
+    def test_seeds_differ(self) -> None:
+        self.assertEqual(len({oracle.fbm("pcg", (0.375, 0.5), 4, 2.0, 0.5, seed) for seed in range(32)}), 32)
+
+
+class GoldenContents(unittest.TestCase):
+    FUNCTIONS = {function.name: function for function in golden.functions()}
+
+    def rows(self, name: str) -> list[tuple]:
+        return self.FUNCTIONS[name].rows(golden.Generator(golden.fnv1a64(name.encode())))
+
+    def test_format(self) -> None:
+        lines = golden.render(self.FUNCTIONS["noise2d.perlin"], "fnv1").split("\n")
+        self.assertEqual(lines[:8], [
+            "hashnoise golden 1", "function noise2d.perlin", "hash fnv1", "arithmetic fast", "bits 0.1.0",
+            "columns x:f32 y:f32 seed:u32 = value:f64", "rows 192",
+            "c0000000 c0000000 00000000 = 0000000000000000",
+        ])
+        self.assertEqual(len(lines), 7 + 192 + 1)
+        self.assertEqual(lines[-1], "")
+
+    def test_patterns(self) -> None:
+        self.assertEqual(golden.line("a:i32 b:u32 c:f32 d:f64", (-2, 255, -1.5, 0.5)),
+                         "fffffffe 000000ff bfc00000 3fe0000000000000")
+        self.assertEqual(golden.line("a:f64", (Fraction(1, 3),)), "3fd5555555555555")
+        self.assertEqual(golden.line("a:f64", (Fraction(0),)), "0000000000000000")
+        with self.assertRaises(ValueError):
+            golden.line("a:f32", (0.1,))
+        with self.assertRaises(ValueError):
+            golden.line("a:u32 b:u32", (1,))
+
+    def test_digest_runs_over_the_last_coordinate_first(self) -> None:
+        function = golden.Function("hash.test", "x:i32 y:i32 seed:u32", "value:u32", None,
+                                   lambda _, row: (100 * row[0] + 10 * row[1] + row[2],),
+                                   digest=golden.Digest((1, 2), (2, 3), 4))
+        values = b"".join(value.to_bytes(4, "little") for value in (124, 134, 144, 224, 234, 244))
+        self.assertEqual(golden.digest_line(function, "any"),
+                         f"digest origin=1,2 size=2,3 seed=4 fnv1a64={golden.fnv1a64(values):016x}")
+
+    def test_digest_wraps(self) -> None:
+        for name in oracle.HASHES:
+            self.assertEqual(oracle.hash_words(name, (2**32, 2**32 + 1)), oracle.hash_words(name, (0, 1)), name)
+
+    def test_row_counts(self) -> None:
+        least = {"hash.word": 64, "hash.gradient2": 128, "hash.gradient3": 128}
+        for name in self.FUNCTIONS:
+            expected = least.get(name, 192 if name.startswith("noise") else 64)
+            self.assertGreaterEqual(len(self.rows(name)), expected, name)
+
+    def test_gradient_rows_reach_every_case(self) -> None:
+        words = [word for word, in self.rows("hash.gradient3")]
+        self.assertEqual({tuple(x > 0 for x in oracle.gradient2(word)) for word in words},
+                         set(itertools.product((False, True), repeat=2)))
+        signs = {tuple((x > 0) - (x < 0) for x in oracle.gradient3(word)) for word in words}
+        self.assertEqual(signs, set(itertools.product((-1, 1), (-1, 1), (-1, 0, 1))))
+
+    def test_perlin_rows_reach_every_case(self) -> None:
+        for n in (2, 3):
+            points = [row[:n] for row in self.rows(f"noise{n}d.perlin")]
+            self.assertTrue(any(all(x == math.floor(x) for x in p) and min(p) < 0 for p in points))
+            self.assertTrue(any(all(x * 2 % 2 == 1 for x in p) for p in points))
+            for far in (2**20, 2**22):
+                self.assertTrue(any(all(abs(abs(x) - far) <= 4 and x % 1 for x in p) for p in points))
+
+    def test_octave_positions_are_exact_in_float32(self) -> None:
+        for name, n in (("fbm.fbm2", 2), ("fbm.clouds3", 3)):
+            for row in self.rows(name):
+                octaves, lacunarity = row[n:n + 2]
+                if lacunarity != 1.90625:
+                    self.assert_exact_positions(row[:n], octaves, lacunarity)
+
+    def assert_exact_positions(self, q: Sequence[float], octaves: int, lacunarity: float) -> None:
+        # From each octave to the next, with and without a fused multiply-add.
+        for _ in range(octaves - 1):
+            scaled = [x * lacunarity for x in q]
+            q = [x + float(shift) for x, shift in zip(scaled, oracle.SHIFT)]
+            for x in scaled + q:
+                self.assertEqual(golden.to_f32(x), x)
+
+    def test_many_clouds_are_neither_clear_nor_full(self) -> None:
+        for n in (2, 3):
+            values = [oracle.clouds("lattice", row[:n], *row[n:]) for row in self.rows(f"fbm.clouds{n}")]
+            self.assertGreaterEqual(sum(0 < value < 1 for value in values), len(values) / 2)
+            self.assertIn(0, values)
+
+
+class GoldenCheck(unittest.TestCase):
+    """What --check must notice, on a few files in a directory of its own."""
+
+    def setUp(self) -> None:
+        directory = tempfile.TemporaryDirectory()
+        self.addCleanup(directory.cleanup)
+        self.directory = Path(directory.name) / "golden"
+        some = [function for function in golden.functions() if function.hashes == ("any",)]
+        self.files = {f"{function.name}.any.golden": golden.render(function, "any") for function in some}
+        golden.write(self.directory, self.files)
+
+    def run_main(self, *arguments: str) -> tuple[int, str]:
+        """The exit status and what was printed, with `generate` cut down to the few files."""
+        out = io.StringIO()
+        with mock.patch.object(golden, "generate", return_value=self.files), contextlib.redirect_stdout(out):
+            return golden.main([*arguments, "--out", str(self.directory)]), out.getvalue()
+
+    def test_untouched_files_pass(self) -> None:
+        self.assertEqual(self.run_main("--check")[0], 0)
+
+    def test_flipped_digit_is_noticed(self) -> None:
+        path = self.directory / "hash.unorm.any.golden"
+        lines = path.read_text().split("\n")
+        lines[9] = lines[9][:-1] + ("1" if lines[9][-1] == "0" else "0")
+        path.write_text("\n".join(lines))
+        status, output = self.run_main("--check")
+        self.assertEqual(status, 1)
+        self.assertRegex(output, r"^hash\.unorm\.any\.golden: differs, line 10: expected .*, found .*\n$")
+
+    def test_line_ends_and_truncation_are_noticed(self) -> None:
+        path = self.directory / "hash.snorm.any.golden"
+        whole = path.read_bytes()
+        for damaged in (whole.replace(b"\n", b"\r\n"), whole[:-1], whole + b"\n", b"", whole[:-2] + b"\xff\n"):
+            path.write_bytes(damaged)
+            status, output = self.run_main("--check")
+            self.assertEqual((status, output.count("\n")), (1, 1), output)
+
+    def test_missing_file_is_noticed(self) -> None:
+        (self.directory / "hash.gradient3.any.golden").unlink()
+        self.assertEqual(self.run_main("--check"), (1, "hash.gradient3.any.golden: missing\n"))
+
+    def test_missing_directory_is_noticed(self) -> None:
+        self.directory = self.directory / "none"
+        self.assertEqual(self.run_main("--check")[0], 1)
+
+    def test_extra_file_is_noticed(self) -> None:
+        (self.directory / "hash.old.any.golden").write_text("")
+        self.assertEqual(self.run_main("--check"), (1, "hash.old.any.golden: extra\n"))
+
+    def test_writing_removes_stale_files_only(self) -> None:
+        (self.directory / "hash.old.any.golden").write_text("")
+        (self.directory / "README.md").write_text("")
+        self.assertEqual(self.run_main()[0], 0)
+        self.assertEqual({path.name for path in self.directory.iterdir()}, {*self.files, "README.md"})
+        self.assertEqual(self.run_main("--check")[0], 0)
+
+    def test_bad_usage(self) -> None:
+        with contextlib.redirect_stderr(io.StringIO()), self.assertRaises(SystemExit) as exit_:
+            golden.main(["--chekc"])
+        self.assertEqual(exit_.exception.code, 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
