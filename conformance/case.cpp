@@ -4,6 +4,9 @@
 
 #include <utility>
 
+#include "points.hpp"
+#include "tolerance.hpp"
+
 namespace hn {
 
 std::string_view name_of(Status status) {
@@ -38,18 +41,32 @@ Session::Session(const Context& context_, const SourceSet& sources_, const Refer
       grid(context_) {}
 
 Result<const Program*> Session::evaluation_program(const Function& function, const Hash& hash, const Profile& profile,
-                                                   std::string_view extra_knobs) {
-  const std::string key = fmt::format("{} {} {} {}", function.id, hash.name, profile.name, extra_knobs);
+                                                   const ShaderVariant& variant) {
+  const std::string key =
+      fmt::format("{} {} {} {} {}", function.id, hash.name, profile.name, variant.seeded, variant.knobs);
   if (kept_ && key == kept_key_) return kept_.get();
   const auto vertex = expand(sources, profile, vertex_shader());
   if (!vertex) return tl::unexpected(vertex.error());
-  const auto fragment = expand(sources, profile, evaluation_shader(function, hash, profile, extra_knobs));
+  const auto fragment = expand(sources, profile, evaluation_shader(function, hash, profile, variant));
   if (!fragment) return tl::unexpected(fragment.error());
   auto program = Program::build(context, *vertex, *fragment);
   if (!program) return tl::unexpected(program.error());
   kept_ = std::make_unique<Program>(std::move(*program));
   kept_key_ = key;
   return kept_.get();
+}
+
+const Session::PointSet& Session::twin_points(const Function& function, std::size_t count) {
+  if (kept_points_of_ == function.id && kept_points_.allowed.size() == count) return kept_points_;
+  kept_points_.inputs = random_points(function, count, Random(seed, function.id));
+  kept_points_.allowed.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    // Both the driver and the twin may be off the exact value by the tolerance.
+    kept_points_.allowed[i] =
+        2.0 * tolerance(function, std::span(kept_points_.inputs).subspan(i * kInputWords, kInputWords));
+  }
+  kept_points_of_ = function.id;
+  return kept_points_;
 }
 
 std::vector<Case> all_cases() {

@@ -61,11 +61,12 @@ constexpr std::array kHashes = {
 constexpr std::array<std::string_view, 6> kFiles = {"config.glsl",  "hash.glsl", "noise2d.glsl",
                                                     "noise3d.glsl", "fbm.glsl",  "hashnoise.glsl"};
 
-// Whether a file of the library brings in what is declared in another.
-bool provides(std::string_view file, std::string_view other) {
-  if (file == other || file == "hashnoise.glsl") return true;
-  if (file == "fbm.glsl") return other != "hashnoise.glsl";
-  return other == "hash.glsl" && (file == "noise2d.glsl" || file == "noise3d.glsl");
+// Whether the shader that tries a file calls a function: those that the file declares, and for the file that only
+// includes the others, one of each.
+bool called_from(std::string_view file, const Function& function) {
+  constexpr std::array<std::string_view, 4> kOneOfEach = {"hash.word", "noise2d.perlin", "noise3d.perlin", "fbm.fbm2"};
+  if (file != "hashnoise.glsl") return function.file == file;
+  return std::find(kOneOfEach.begin(), kOneOfEach.end(), function.id) != kOneOfEach.end();
 }
 
 // What a shader needs before it can use the library. In ES the default precision is the lowest there is, since the
@@ -78,6 +79,9 @@ std::string preamble(const Profile& profile, std::string_view bit_casts) {
 
 constexpr std::string_view kBitCasts =
     "#define float_of(u) uintBitsToFloat(u)\n#define bits_of(f) floatBitsToUint(f)\n";
+
+constexpr std::string_view kSeeded = "#define SEEDED(s) , s\n";
+constexpr std::string_view kUnseeded = "#define SEEDED(s)\n";
 
 std::string running_preamble(const Profile& profile) {
   const std::string extension = profile.has_bit_casts() ? "" : "#extension GL_ARB_shader_bit_encoding : require\n";
@@ -119,9 +123,9 @@ bool depends_on_hash(const Function& function) {
 std::span<const std::string_view> library_files() { return kFiles; }
 
 std::string evaluation_shader(const Function& function, const Hash& hash, const Profile& profile,
-                              std::string_view extra_knobs) {
+                              const ShaderVariant& variant) {
   return fmt::format(R"({}{}{}#include "{}"
-uniform HN_HIGHP usampler2D input_a;
+{}uniform HN_HIGHP usampler2D input_a;
 uniform HN_HIGHP usampler2D input_b;
 out HN_HIGHP uvec4 result;
 HN_HIGHP uvec4 evaluate(HN_HIGHP uvec4 a, HN_HIGHP uvec4 b) {{ {} }}
@@ -130,7 +134,8 @@ void main() {{
   result = evaluate(texelFetch(input_a, at, 0), texelFetch(input_b, at, 0));
 }}
 )",
-                     running_preamble(profile), hash.knobs, extra_knobs, function.file, function.body);
+                     running_preamble(profile), hash.knobs, variant.knobs, function.file,
+                     variant.seeded ? kSeeded : kUnseeded, function.body);
 }
 
 std::string vertex_shader() {
@@ -147,11 +152,15 @@ std::string calling_shader(std::string_view file, const Hash& hash, const Profil
   text += fmt::format("{}#include \"{}\"\n#include \"{}\"\n", hash.knobs, file, file);
   std::string calls;
   int count = 0;
-  for (const Function& function : functions()) {
-    if (!provides(file, function.file)) continue;
-    text +=
-        fmt::format("HN_HIGHP uvec4 evaluate{}(HN_HIGHP uvec4 a, HN_HIGHP uvec4 b) {{ {} }}\n", count, function.body);
-    calls += fmt::format("  r ^= evaluate{}(r, r + 1u);\n", count++);
+  for (const std::string_view seeding : {kSeeded, kUnseeded}) {
+    text += fmt::format("#undef SEEDED\n{}", seeding);
+    for (const Function& function : functions()) {
+      const bool has_variant = function.seed_word() >= 0 && profile.spirv;
+      if (!called_from(file, function) || (seeding == kUnseeded && !has_variant)) continue;
+      text +=
+          fmt::format("HN_HIGHP uvec4 evaluate{}(HN_HIGHP uvec4 a, HN_HIGHP uvec4 b) {{ {} }}\n", count, function.body);
+      calls += fmt::format("  r ^= evaluate{}(r, r + 1u);\n", count++);
+    }
   }
   const std::string start = fmt::format("  HN_HIGHP uvec4 r = uvec4(uint(HN_VERSION_MAJOR), 2u, 3u, 4u);\n{}", calls);
   const std::string_view layout = profile.spirv ? "layout(location = 0) " : "";

@@ -50,10 +50,6 @@ struct Function {
   // The input word of that name, or -1.
   int input(std::string_view name) const;
   int seed_word() const { return input("seed"); }
-  // Where the value without a seed comes out, or -1.
-  int unseeded_word() const { return seed_word() < 0 ? -1 : static_cast<int>(outputs.size()); }
-  // How many of the result's words mean something.
-  std::size_t result_words() const { return outputs.size() + (seed_word() < 0 ? 0 : 1); }
 };
 
 std::span<const Function> all_functions();
@@ -75,11 +71,15 @@ bool depends_on_hash(const Function& function);
 std::span<const std::string_view> library_files();
 
 // The shaders of the cases, before their includes are expanded. The fragment shader evaluates the function at the point
-// of its pixel; extra_knobs come before the include.
+// of its pixel.
+struct ShaderVariant {
+  bool seeded = true;           // else the overload without a seed
+  std::string_view knobs = "";  // further definitions, before the include
+};
 std::string evaluation_shader(const Function& function, const Hash& hash, const Profile& profile,
-                              std::string_view extra_knobs = {});
+                              const ShaderVariant& variant = {});
 std::string vertex_shader();
-// A shader of any stage that includes a file, twice, and calls every function of it.
+// A shader of any stage that includes a file, twice, and calls what it declares.
 std::string calling_shader(std::string_view file, const Hash& hash, const Profile& profile, std::string_view stage);
 
 }  // namespace hn

@@ -12,6 +12,8 @@ namespace {
 float float_of(uint bits) { return uintBitsToFloat(bits); }
 uint bits_of(float value) { return floatBitsToUint(value); }
 
+#define SEEDED(s) , s
+
 template <auto body>
 void evaluate_all(const std::uint32_t* in, std::uint32_t* out, std::size_t points) {
   for (std::size_t i = 0; i < points; ++i, in += hn::kInputWords, out += hn::kOutputWords) {

@@ -31,11 +31,11 @@ std::span<const std::uint32_t> result(const Words& outputs, std::size_t i) {
 
 // Evaluates on the driver; the outcome of a failure is ready to be returned.
 tl::expected<Words, Outcome> evaluate(Session& session, const Function& function, const Hash& hash,
-                                      const Profile& profile, const Words& inputs, std::string_view knobs = {}) {
+                                      const Profile& profile, const Words& inputs, const ShaderVariant& variant = {}) {
   if (const auto reason = unsupported_reason(profile, session.info.languages); !reason.empty()) {
     return tl::unexpected(error_outcome({reason, {}}, Status::unsupported));
   }
-  const auto program = session.evaluation_program(function, hash, profile, knobs);
+  const auto program = session.evaluation_program(function, hash, profile, variant);
   if (!program) return tl::unexpected(error_outcome(program.error(), Status::fail));
   auto outputs = session.grid.evaluate(**program, inputs);
   if (!outputs) return tl::unexpected(error_outcome(outputs.error(), Status::fail));
@@ -92,11 +92,6 @@ Outcome check_golden(Session& session, const Function& function, const Hash& has
     const auto& values = golden->rows[i].values;
     for (std::size_t word = 0; word < values.size(); ++word)
       compare_value(comparison, function, in, out[word], values[word]);
-    // Without a seed means with seed 0.
-    const int seed = function.seed_word();
-    if (seed >= 0 && in[static_cast<std::size_t>(seed)] == 0) {
-      compare_value(comparison, function, in, out[static_cast<std::size_t>(function.unseeded_word())], values[0]);
-    }
   }
   const Outcome outcome = comparison.finish();
   if (!golden->digest || outcome.status != Status::pass) return outcome;
@@ -105,27 +100,28 @@ Outcome check_golden(Session& session, const Function& function, const Hash& has
 
 // --- Twin ------------------------------------------------------------------------------------------------------------
 
+void compare_with_twin(Comparison& comparison, const Function& function, std::span<const std::uint32_t> inputs,
+                       std::span<const std::uint32_t> got, std::span<const std::uint32_t> twin, double allowed) {
+  for (std::size_t word = 0; word < function.outputs.size(); ++word) {
+    if (function.exact()) {
+      comparison.bits(inputs, got[word], twin[word]);
+    } else {
+      comparison.number(inputs, std::bit_cast<float>(got[word]), static_cast<double>(std::bit_cast<float>(twin[word])),
+                        allowed);
+    }
+  }
+}
+
 Outcome check_twin(Session& session, const Function& function, const Hash& hash, const Profile& profile) {
-  const Words inputs = random_points(function, kTwinPoints, Random(session.seed, function.id));
-  const auto outputs = evaluate(session, function, hash, profile, inputs);
+  const Session::PointSet& points = session.twin_points(function, kTwinPoints);
+  const auto outputs = evaluate(session, function, hash, profile, points.inputs);
   if (!outputs) return outputs.error();
   Words expected(kTwinPoints * kOutputWords);
-  evaluate_twin(function, hash, inputs, expected);
+  evaluate_twin(function, hash, points.inputs, expected);
   Comparison comparison(function);
   for (std::size_t i = 0; i < kTwinPoints; ++i) {
-    const auto in = point(inputs, i);
-    const auto out = result(*outputs, i);
-    const auto twin = result(expected, i);
-    // Both the driver and the twin may be off the exact value by the tolerance.
-    const double allowed = function.exact() ? 0.0 : 2.0 * tolerance(function, in);
-    for (std::size_t word = 0; word < function.result_words(); ++word) {
-      if (function.exact()) {
-        comparison.bits(in, out[word], twin[word]);
-      } else {
-        comparison.number(in, std::bit_cast<float>(out[word]), static_cast<double>(std::bit_cast<float>(twin[word])),
-                          allowed);
-      }
-    }
+    const auto in = point(points.inputs, i);
+    compare_with_twin(comparison, function, in, result(*outputs, i), result(expected, i), points.allowed[i]);
   }
   return comparison.finish();
 }
@@ -219,13 +215,32 @@ Outcome check_seeds(Session& session, const Function& function, const Hash& hash
   return comparison.finish();
 }
 
+// Without a seed means with seed 0.
+Outcome check_unseeded(Session& session, const Function& function, const Hash& hash, const Profile& profile) {
+  Words inputs = random_points(function, kPropertyPoints, Random(session.seed, "unseeded"));
+  const auto seed = static_cast<std::size_t>(function.seed_word());
+  for (std::size_t i = seed; i < inputs.size(); i += kInputWords) inputs[i] = 0;
+  const auto outputs = evaluate(session, function, hash, profile, inputs, {.seeded = false});
+  if (!outputs) return outputs.error();
+  Words expected(kPropertyPoints * kOutputWords);
+  evaluate_twin(function, hash, inputs, expected);
+  Comparison comparison(function);
+  for (std::size_t i = 0; i < kPropertyPoints; ++i) {
+    const auto in = point(inputs, i);
+    compare_with_twin(comparison, function, in, result(*outputs, i), result(expected, i),
+                      2.0 * tolerance(function, in));
+  }
+  return comparison.finish();
+}
+
 // HN_FBM_NOISE2D and HN_FBM_NOISE3D are used: a constant noise of -1/2 makes an fBm of -1/2, a turbulence of 1/2 and no
 // cloud. The products with a gain may round.
 Outcome check_noise_knob(Session& session, const Function& function, const Hash& hash, const Profile& profile) {
   Words inputs = random_points(function, kPropertyPoints, Random(session.seed, "knob"));
-  const auto outputs = evaluate(session, function, hash, profile, inputs,
-                                "#define HN_FBM_NOISE2D(q, seed) (-0.5f + 0.0f * (q).x)\n"
-                                "#define HN_FBM_NOISE3D(q, seed) (-0.5f + 0.0f * (q).z)\n");
+  const ShaderVariant with_noise{.knobs =
+                                     "#define HN_FBM_NOISE2D(q, seed) (-0.5f + 0.0f * (q).x)\n"
+                                     "#define HN_FBM_NOISE3D(q, seed) (-0.5f + 0.0f * (q).z)\n"};
+  const auto outputs = evaluate(session, function, hash, profile, inputs, with_noise);
   if (!outputs) return outputs.error();
   const auto octaves = static_cast<std::size_t>(function.input("octaves"));
   Comparison comparison(function);
@@ -253,15 +268,14 @@ void add(std::vector<Case>& cases, const Function& function, const Hash& hash, c
 }
 
 void add_properties(std::vector<Case>& cases, const Function& function, const Hash& hash, const Profile& profile) {
+  const bool once = hash.name == default_hash().name;  // for what does not depend on the hash
+  if (once && function.seed_word() >= 0) add(cases, function, hash, profile, "unseeded", check_unseeded);
+  if (once && function.input("octaves") >= 0) add(cases, function, hash, profile, "noise_knob", check_noise_knob);
   if (function.exact()) return;
   add(cases, function, hash, profile, "range", check_range);
-  if (function.id.ends_with(".perlin")) {
-    add(cases, function, hash, profile, "zero", check_zero);
-    add(cases, function, hash, profile, "seeds", check_seeds);
-  }
-  if (function.input("octaves") >= 0 && hash.name == default_hash().name) {
-    add(cases, function, hash, profile, "noise_knob", check_noise_knob);
-  }
+  if (!function.id.ends_with(".perlin")) return;
+  add(cases, function, hash, profile, "zero", check_zero);
+  add(cases, function, hash, profile, "seeds", check_seeds);
 }
 
 }  // namespace

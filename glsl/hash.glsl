@@ -235,12 +235,20 @@ HN_FN HN_HIGHP float hn_i_symmetric16(HN_HIGHP uint h) {
 #endif
 }
 
+// m or, if the highest bit of the word is set, -m; for m >= 0.
+HN_FN HN_HIGHP float hn_i_signed(HN_HIGHP float m, HN_HIGHP uint word) {
+#if HN_I_BITCAST
+  return uintBitsToFloat(floatBitsToUint(m) | (word & 0x80000000u));
+#else
+  return (word & 0x80000000u) != 0u ? -m : m;
+#endif
+}
+
 // A gradient in the plane, from the high 17 bits of a hash.
 //   returns  a point of the square |x| + |y| = 1, uniform along its sides; multiples of 2^-16
 HN_FN HN_HIGHP vec2 hn_gradient2(HN_HIGHP uint h) {
   HN_HIGHP float x = hn_i_symmetric16(h);
-  HN_HIGHP float y = 1.0f - abs(x);
-  return vec2(x, (h & 0x8000u) != 0u ? -y : y);
+  return vec2(x, hn_i_signed(1.0f - abs(x), h << 16));
 }
 
 // A gradient in space, from all bits of a hash.
@@ -250,8 +258,9 @@ HN_FN HN_HIGHP vec3 hn_gradient3(HN_HIGHP uint h) {
   HN_HIGHP float x = hn_i_symmetric16(h);
   HN_HIGHP float y = hn_i_symmetric16(h << 16);
   HN_HIGHP float z = 1.0f - abs(x) - abs(y);
+  // Where z is negative, fold: move x and y by t towards 0. x is positive where the highest bit of h is set, y likewise.
   HN_HIGHP float t = max(-z, 0.0f);
-  return vec3(x < 0.0f ? x + t : x - t, y < 0.0f ? y + t : y - t, z);
+  return vec3(x + hn_i_signed(t, h), y + hn_i_signed(t, h << 16), z);
 }
 
 #endif
