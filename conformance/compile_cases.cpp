@@ -67,15 +67,6 @@ constexpr Refusal kRefusals[] = {
     {"custom_without_function", "gl330", "#define HN_HASH HN_HASH_CUSTOM\n", "HN_HASH_FN"},
 };
 
-const Profile& profile_named(std::string_view name) {
-  for (const auto profiles : {all_profiles(), refused_profiles()}) {
-    for (const Profile& profile : profiles) {
-      if (profile.name == name) return profile;
-    }
-  }
-  return all_profiles().front();
-}
-
 Outcome expect_refusal(const Refusal& refusal, const Result<void>& compiled) {
   if (compiled) {
     return error_outcome({fmt::format("it compiles; an error that names {} was due", refusal.expected), {}},

@@ -107,7 +107,6 @@ void add_filter(CLI::App& command, Options& options) {
 int main(int argc, char** argv) {
   CLI::App app("Checks that hashnoise computes what it promises on a driver.", "hn-conform");
   app.set_version_flag("--version", hn::library_version());
-  app.require_subcommand(1);
   app.footer("Exit status: 0 all as expected, 1 something is not, 2 bad usage, 3 no usable driver.");
   Options options;
 
@@ -134,9 +133,15 @@ int main(int argc, char** argv) {
 
   try {
     app.parse(argc, argv);
+  } catch (const CLI::ExtrasError& error) {
+    if (app.get_subcommands().empty())
+      return usage_error(std::string(error.what()) + "; there are drivers, list or run");
+    return app.exit(error) == 0 ? 0 : kBadUsage;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : kBadUsage;
   }
   if (app.got_subcommand("drivers")) return list_drivers();
-  return app.got_subcommand("list") ? list_cases(options) : run(options);
+  if (app.got_subcommand("list")) return list_cases(options);
+  if (app.got_subcommand("run")) return run(options);
+  return usage_error("say what to do: drivers, list or run; --help tells more");
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cassert>
 
 namespace hn {
 namespace {
@@ -31,6 +32,16 @@ constexpr std::array kRefused = {
 std::span<const Profile> all_profiles() { return kAll; }
 std::span<const Profile> run_profiles() { return kRun; }
 std::span<const Profile> refused_profiles() { return kRefused; }
+
+const Profile& profile_named(std::string_view name) {
+  for (const auto profiles : {all_profiles(), refused_profiles()}) {
+    for (const Profile& profile : profiles) {
+      if (profile.name == name) return profile;
+    }
+  }
+  assert(false);
+  return kAll.front();
+}
 
 std::string unsupported_reason(const Profile& profile, const LanguageSupport& support) {
   const int highest = profile.es ? support.es_version : support.gl_version;

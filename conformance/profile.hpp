@@ -30,6 +30,9 @@ std::span<const Profile> run_profiles();
 // Versions that the library must refuse.
 std::span<const Profile> refused_profiles();
 
+// Any of the above by its name, which must exist.
+const Profile& profile_named(std::string_view name);
+
 // What a context says it can compile.
 struct LanguageSupport {
   int gl_version = 0;  // highest GLSL version, 0 for none

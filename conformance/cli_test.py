@@ -1,0 +1,177 @@
+#!/usr/bin/env python3
+"""hn-conform as its user meets it: exit statuses and messages. Usage: cli_test.py PATH-OF-HN-CONFORM"""
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = ""
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+ONE_CASE = "noise2d.perlin.lattice.fast.fragment.gl330.golden"
+
+
+class Cli(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.out = self.folder / "out"
+
+    def call(self, *arguments, environment=None):
+        return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True,
+                              env={**os.environ, **(environment or {})}, check=False)
+
+    def run_case(self, *arguments, case=ONE_CASE, environment=None):
+        return self.call("run", "--out", self.out, "--filter", case, *arguments, environment=environment)
+
+    def results(self):
+        return json.loads((self.out / "results.json").read_text())
+
+    def changed_glsl(self, name, old, new):
+        copy = self.folder / "glsl"
+        shutil.copytree(ROOT / "glsl", copy)
+        text = (copy / name).read_text()
+        self.assertIn(old, text)
+        (copy / name).write_text(text.replace(old, new, 1))
+        return copy
+
+    def golden_copy(self):
+        copy = self.folder / "golden"
+        shutil.copytree(ROOT / "conformance" / "golden", copy)
+        return copy
+
+    def test_a_healthy_case_passes(self):
+        done = self.run_case()
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("1 passed, 0 failed", done.stdout)
+        case, = self.results()["runs"][0]["cases"]
+        self.assertEqual(case["id"], ONE_CASE)
+        self.assertEqual(case["status"], "pass")
+        self.assertGreater(case["samples"], 100)
+
+    def test_list_filters(self):
+        done = self.call("list", "--filter", "noise2d.perlin.lattice.*.golden")
+        self.assertEqual(done.returncode, 0)
+        self.assertEqual(len(done.stdout.splitlines()), 3)
+
+    def test_drivers_names_what_is_here(self):
+        done = self.call("drivers")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("osmesa", done.stdout)
+        self.assertIn("llvmpipe", done.stdout)
+
+    def test_bad_usage_is_status_2_and_says_what_would_be_right(self):
+        (self.folder / "file").write_text("")
+        for arguments, expected in (
+            (["run", "--driver", "voodoo"], "there are: osmesa, egl"),
+            (["run", "--filter", "nothing*"], "hn-conform list shows the ids"),
+            (["list", "--filter", "nothing*"], "hn-conform list shows the ids"),
+            (["run", "--out", self.folder / "file" / "out"], "cannot make the folder"),
+            (["run", "--glsl", self.folder], "a copy of every file of glsl/"),
+            (["run", "--seed", "many"], "many"),
+            (["run", "--frobnicate"], "frobnicate"),
+            (["dance"], "drivers, list or run"),
+            ([], "drivers, list or run"),
+        ):
+            with self.subTest(arguments=arguments):
+                done = self.call(*arguments)
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertIn(expected, done.stderr + done.stdout)
+
+    def test_help_is_status_0(self):
+        for command in ([], ["run"], ["list"], ["drivers"]):
+            self.assertEqual(self.call(*command, "--help").returncode, 0)
+
+    def test_a_driver_that_is_not_here_is_status_3(self):
+        for name in ("libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"):
+            (self.folder / name).write_text("no library")
+        done = self.run_case(environment={"LD_LIBRARY_PATH": str(self.folder)})
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("osmesa cannot be used here", done.stderr)
+        drivers = self.call("drivers", environment={"LD_LIBRARY_PATH": str(self.folder)})
+        self.assertIn("not here:", drivers.stdout)
+
+    def test_a_changed_constant_turns_the_run_red(self):
+        for check in ("golden", "twin"):
+            with self.subTest(check=check):
+                shutil.rmtree(self.folder / "glsl", ignore_errors=True)
+                glsl = self.changed_glsl("hash.glsl", "0x2C1B3C6Du", "0x2C1B3C6Fu")
+                done = self.run_case("--glsl", glsl, case=f"noise2d.perlin.lattice.fast.fragment.gl330.{check}")
+                self.assertEqual(done.returncode, 1)
+                self.assertIn("NOT AS EXPECTED", done.stdout)
+                self.assertGreater(self.results()["runs"][0]["cases"][0]["mismatches"], 100)
+
+    def test_a_changed_default_seed_turns_the_run_red(self):
+        glsl = self.changed_glsl("noise2d.glsl", "hn_perlin(p, 0u)", "hn_perlin(p, 1u)")
+        done = self.run_case("--glsl", glsl, case="noise2d.perlin.*unseeded")
+        self.assertEqual(done.returncode, 1)
+
+    def test_a_shader_that_does_not_compile_shows_file_and_line_and_the_run_goes_on(self):
+        line = 1 + (ROOT / "glsl" / "noise2d.glsl").read_text().splitlines().index("#include \"hash.glsl\"")
+        glsl = self.changed_glsl("noise2d.glsl", "#include \"hash.glsl\"\n", "#include \"hash.glsl\" \nint x = broken;\n")
+        done = self.run_case("--glsl", glsl, "--filter", "hash.word.fnv1.*golden", "--filter", "noise2d.all.fnv1.*")
+        self.assertEqual(done.returncode, 1)
+        cases = {case["id"]: case for case in self.results()["runs"][0]["cases"]}
+        for profile in ("gl140", "gl330", "es300"):
+            for check in ("glslang", "driver"):
+                message = cases[f"noise2d.all.fnv1.fast.fragment.{profile}.{check}"]["message"]
+                self.assertIn(f"{glsl}/noise2d.glsl:{line + 1}", message)
+        self.assertEqual(cases["hash.word.fnv1.exact.fragment.gl330.golden"]["status"], "pass")
+
+    def test_a_missing_golden_file_is_an_error_that_names_it(self):
+        golden = self.golden_copy()
+        (golden / "noise2d.perlin.lattice.golden").unlink()
+        done = self.run_case("--golden", golden)
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(self.results()["runs"][0]["cases"][0]["status"], "error")
+        self.assertIn(f"{golden}/noise2d.perlin.lattice.golden", done.stdout)
+
+    def test_a_corrupt_golden_file_is_an_error_that_names_the_line(self):
+        golden = self.golden_copy()
+        path = golden / "noise2d.perlin.lattice.golden"
+        lines = path.read_text().splitlines()
+        lines[20] = lines[20].replace(" = ", " = z", 1)
+        path.write_text("\n".join(lines) + "\n")
+        done = self.run_case("--golden", golden)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn(f"{path}:21: ", done.stdout)
+
+    def test_a_wrong_golden_value_fails(self):
+        golden = self.golden_copy()
+        path = golden / "hash.word.fnv1.golden"
+        text = path.read_text()
+        digest = text.rindex("fnv1a64=") + 8
+        value = text.index(" = ", text.index("rows ")) + 3
+        for at in (value, digest):
+            with self.subTest(at=at):
+                wrong = "0" if text[at] != "0" else "1"
+                path.write_text(text[:at] + wrong + text[at + 1:])
+                done = self.run_case("--golden", golden, case="hash.word.fnv1.*golden")
+                self.assertEqual(done.returncode, 1)
+                self.assertEqual(self.results()["runs"][0]["totals"]["fail"], 3)
+
+    def test_fail_fast_stops(self):
+        glsl = self.changed_glsl("noise2d.glsl", "1913.0f", "1914.0f")
+        self.run_case("--glsl", glsl, "--fail-fast", case="noise2d.perlin.*.golden")
+        self.assertEqual(len(self.results()["runs"][0]["cases"]), 1)
+
+    def test_the_seed_chooses_the_points(self):
+        case = "noise3d.perlin.lattice.fast.fragment.gl330.twin"
+        seen = []
+        for seed in (1, 1, 2):
+            self.assertEqual(self.run_case("--seed", seed, case=case).returncode, 0)
+            run = self.results()["runs"][0]
+            self.assertEqual(run["seed"], seed)
+            self.assertGreaterEqual(run["cases"][0]["samples"], 1000000)
+            seen.append(run["cases"][0]["max_ulp"])
+        self.assertEqual(seen[0], seen[1])
+
+
+if __name__ == "__main__":
+    PROGRAM = sys.argv.pop(1)
+    unittest.main()

@@ -1,0 +1,46 @@
+#include "reference_compiler.hpp"
+
+#include <gtest/gtest.h>
+
+#include "test_support.hpp"
+
+namespace hn {
+namespace {
+
+Result<void> check(std::string_view profile, std::string_view text, Stage stage = Stage::fragment) {
+  const ReferenceCompiler compiler;
+  const auto shader = expand(SourceSet::embedded(), profile_named(profile), text);
+  return shader ? compiler.check(*shader, profile_named(profile), stage) : tl::unexpected(shader.error());
+}
+
+TEST(ReferenceCompiler, AcceptsTheLibrary) {
+  const auto done = check("vulkan",
+                          "#include \"hashnoise.glsl\"\nlayout(location = 0) out vec4 o;\n"
+                          "void main() { o = vec4(hn_perlin(vec2(0.5))); }\n");
+  EXPECT_TRUE(done) << done.error().text();
+}
+
+TEST(ReferenceCompiler, AnErrorInALibraryFileNamesItsLine) {
+  const auto done = check("gl450", "#define hn_i_mix1 1\n#include \"hash.glsl\"\nvoid main() {}\n");
+  ASSERT_FALSE(done);
+  EXPECT_NE(done.error().log.find("glsl/hash.glsl:"), std::string::npos) << done.error().log;
+}
+
+TEST(ReferenceCompiler, AWarningIsAnError) {
+  // glslang warns of precision qualifiers without a default precision when it makes SPIR-V.
+  const auto done = check("vulkan", "void main() { highp float x = 1.0; }\n");
+  ASSERT_FALSE(done);
+  EXPECT_NE(done.error().message.find("warns"), std::string::npos);
+}
+
+TEST(ReferenceCompiler, WhatAVersionHasNotIsAnError) {
+  EXPECT_FALSE(check("gl130", "void main() { uint x = floatBitsToUint(1.0); }\n"));
+  EXPECT_FALSE(check("es300", "out vec4 o;\nvoid main() {}\n"));  // no default precision for float
+}
+
+TEST(ReferenceCompiler, LinksAWholeProgram) {
+  EXPECT_FALSE(check("gl450", "float f();\nvoid main() { gl_FragDepth = f(); }\n"));
+}
+
+}  // namespace
+}  // namespace hn

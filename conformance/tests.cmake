@@ -1,0 +1,44 @@
+# Every test, for ctest. Names are subject.case.
+find_package(GTest REQUIRED)
+find_package(Python3 3.9 REQUIRED COMPONENTS Interpreter)
+include(GoogleTest)
+
+# --- The parts of hn-conform ---
+add_executable(conform-test
+  compare_test.cpp golden_test.cpp gpu_test.cpp points_test.cpp profile_test.cpp reference_compiler_test.cpp
+  report_test.cpp runner_test.cpp source_test.cpp tolerance_test.cpp twin_test.cpp)
+target_compile_definitions(conform-test PRIVATE HN_GOLDEN_DIRECTORY="${CMAKE_CURRENT_SOURCE_DIR}/golden")
+target_link_libraries(conform-test PRIVATE conform-lib GTest::gtest_main)
+gtest_discover_tests(conform-test TEST_PREFIX unit.)
+
+# --- The program, as its user meets it ---
+add_test(NAME cli COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli_test.py $<TARGET_FILE:hn-conform>)
+
+# --- The library on this machine's drivers ---
+foreach(driver osmesa egl)
+  add_test(NAME conform.${driver} COMMAND hn-conform run --driver ${driver} --out ${CMAKE_CURRENT_BINARY_DIR}/out-${driver})
+endforeach()
+
+# --- The oracle and the tools ---
+set(tools ${PROJECT_SOURCE_DIR}/tools)
+foreach(test oracle bounds mutate single_file)
+  add_test(NAME tools.${test} COMMAND Python3::Interpreter ${tools}/${test}_test.py)
+endforeach()
+add_test(NAME golden.regenerated_is_committed COMMAND Python3::Interpreter ${tools}/golden --check)
+# The suite must notice a changed constant; all of them by command, a few here.
+add_test(NAME mutants.sample COMMAND Python3::Interpreter ${tools}/mutate --program $<TARGET_FILE:hn-conform> --sample 12)
+
+# --- The C++ twin in other hands ---
+add_test(NAME consumer.find_package
+         COMMAND ${CMAKE_COMMAND} -DBUILD=${PROJECT_BINARY_DIR} -DWORK=${CMAKE_CURRENT_BINARY_DIR}/consumer
+                 -P ${CMAKE_CURRENT_SOURCE_DIR}/consumer/test.cmake)
+foreach(compiler g++ clang++)
+  find_program(COMPILER_${compiler} ${compiler} REQUIRED)
+  foreach(hash RANGE 1 9)
+    add_test(NAME twin.warnings.${compiler}.hash${hash}
+             COMMAND ${COMPILER_${compiler}} -std=c++20 -fsyntax-only -Wall -Wextra -Wconversion -Wshadow
+                     -Wdouble-promotion -Wsign-conversion -Wold-style-cast -Wpedantic -Werror
+                     -DHN_HASH=${hash} "-DHN_HASH_FN(k)=(k)" -I ${PROJECT_SOURCE_DIR}/include
+                     ${CMAKE_CURRENT_SOURCE_DIR}/consumer/main.cpp)
+  endforeach()
+endforeach()

@@ -1,0 +1,87 @@
+// The C++ twin, and so the library's text, against the golden files, without any driver.
+#include "twin.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <hashnoise/hashnoise.hpp>
+#include <limits>
+
+#include "compare.hpp"
+#include "golden.hpp"
+#include "tolerance.hpp"
+
+namespace hn {
+namespace {
+
+class TwinGolden : public testing::TestWithParam<std::string_view> {};
+
+TEST_P(TwinGolden, AgreesWithTheOracle) {
+  for (const Function& function : all_functions()) {
+    const Hash& hash =
+        *std::find_if(all_hashes().begin(), all_hashes().end(), [](const Hash& h) { return h.name == GetParam(); });
+    const auto golden = read_golden(golden_path(HN_GOLDEN_DIRECTORY, function, hash), function, hash);
+    ASSERT_TRUE(golden) << golden.error().text();
+    for (const GoldenRow& row : golden->rows) {
+      std::vector<std::uint32_t> inputs(row.inputs);
+      inputs.resize(kInputWords);
+      std::vector<std::uint32_t> got(kOutputWords);
+      evaluate_twin(function, hash, inputs, got);
+      Comparison comparison(function);
+      for (std::size_t word = 0; word < row.values.size(); ++word) {
+        if (function.exact()) {
+          comparison.bits(inputs, got[word], static_cast<std::uint32_t>(row.values[word]));
+        } else {
+          comparison.number(inputs, std::bit_cast<float>(got[word]), std::bit_cast<double>(row.values[word]),
+                            tolerance(function, inputs));
+        }
+      }
+      ASSERT_TRUE(comparison.all_right())
+          << function.id << ", line " << row.line << ": " << comparison.finish().message;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Hashes, TwinGolden,
+                         testing::Values("fnv1", "partial_fnv1", "jenkins", "partial_jenkins", "murmur", "pcg",
+                                         "xxhash32", "lattice", "custom"),
+                         [](const auto& hash) { return std::string(hash.param); });
+
+// Published vectors: Landon Curt Noll's test_fnv.c has FNV-1 of "foob" and "chon", four bytes each.
+TEST(Twin, Fnv1OfFourBytesIsThePublishedValue) {
+  EXPECT_EQ(hashnoise::hn_hash_fnv1(0x626F6F66u), 0xB4B1178Bu);  // "foob"
+  EXPECT_EQ(hashnoise::hn_hash_fnv1(0x6E6F6863u), 0xFCC8100Fu);  // "chon"
+}
+
+TEST(Twin, UnseededIsSeedZero) {
+  using namespace hashnoise;
+  EXPECT_EQ(hn_lattice(ivec4(1, -2, 3, -4)), hn_lattice(ivec4(1, -2, 3, -4), 0u));
+  EXPECT_EQ(hn_perlin(vec2(1.25f, -7.5f)), hn_perlin(vec2(1.25f, -7.5f), 0u));
+  EXPECT_EQ(hn_clouds(vec3(0.3f), 5, 2.0f, 0.5f), hn_clouds(vec3(0.3f), 5, 2.0f, 0.5f, 0u));
+}
+
+TEST(Twin, PositionAndCellAgree) {
+  using namespace hashnoise;
+  EXPECT_EQ(hn_perlin(vec2(-2.75f, 5.5f), 9u), hn_perlin(ivec2(-3, 5), vec2(0.25f, 0.5f), 9u));
+  EXPECT_EQ(hn_perlin(vec3(-2.75f, 5.5f, 0.125f), 9u), hn_perlin(ivec3(-3, 5, 0), vec3(0.25f, 0.5f, 0.125f), 9u));
+}
+
+TEST(Twin, HugePositionsHaveNoUndefinedBehaviour) {
+  using namespace hashnoise;
+  for (const float x : {3e9f, -3e9f, std::numeric_limits<float>::max(), -std::numeric_limits<float>::max()}) {
+    EXPECT_EQ(hn_perlin(vec2(x, x)), 0.0f);
+    EXPECT_EQ(hn_perlin(vec3(x, x, x)), 0.0f);
+  }
+  for (const float x : {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
+    (void)hn_perlin(vec3(x, x, x));  // any value, but no trap and no fault under a sanitizer
+  }
+}
+
+TEST(Shim, FloatsThatFitNoIntAreClamped) {
+  using namespace hashnoise;
+  EXPECT_EQ(ivec2(vec2(3e9f, -3e9f)), ivec2(std::numeric_limits<int>::max(), std::numeric_limits<int>::min()));
+  EXPECT_EQ(ivec2(vec2(std::numeric_limits<float>::quiet_NaN(), -1.5f)), ivec2(0, -1));
+}
+
+}  // namespace
+}  // namespace hn
