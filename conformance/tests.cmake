@@ -42,3 +42,9 @@ foreach(compiler g++ clang++)
                      ${CMAKE_CURRENT_SOURCE_DIR}/consumer/main.cpp)
   endforeach()
 endforeach()
+
+# --- The picture of the README: drawn by the build, held against the committed one ---
+find_package(PNG REQUIRED)
+add_executable(picture ${tools}/picture.cpp)
+target_compile_options(picture PRIVATE ${warnings} -ffp-contract=off)
+target_link_libraries(picture PRIVATE hashnoise::hashnoise PNG::PNG)
