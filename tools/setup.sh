@@ -10,10 +10,10 @@ readonly build=$root/build
 
 readonly conform_packages=(
   cmake g++ ninja-build
-  glslang-dev spirv-tools python3-glad libcli11-dev libexpected-dev libfmt-dev nlohmann-json3-dev libegl-dev
+  glslang-dev glslang-tools spirv-tools python3-glad libcli11-dev libexpected-dev libfmt-dev nlohmann-json3-dev libegl-dev
   libosmesa6 libegl1 libegl-mesa0 libgl1-mesa-dri
 )
-readonly test_packages=(clang glslang-tools libgtest-dev libpng-dev python3)
+readonly test_packages=(clang libgtest-dev libpng-dev python3)
 
 install_missing() {
   local missing=() package
