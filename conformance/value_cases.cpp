@@ -193,7 +193,14 @@ Outcome check_seeds(Session& session, const Function& function, const Hash& hash
   const auto seed = static_cast<std::size_t>(function.seed_word());
   Comparison comparison(function);
   for (const std::uint32_t offset : kOffsets) {
-    Words inputs = random_points(function, kPropertyPoints, Random(session.seed, "seeds"));
+    Random random(session.seed, "seeds");
+    Words inputs = random_points(function, kPropertyPoints, random);
+    for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
+      // Away from lattice lines, where the noise is 0 whatever the seed; each point has a seed of its own, so the pairs
+      // are independent however near two points are.
+      for (std::size_t axis = i; axis < i + seed; ++axis)
+        inputs[axis] = std::bit_cast<std::uint32_t>(random.uniform(-64.0f, 64.0f));
+    }
     const auto first = evaluate(session, function, hash, profile, inputs);
     if (!first) return first.error();
     for (std::size_t i = seed; i < inputs.size(); i += kInputWords) inputs[i] += offset;

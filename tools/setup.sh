@@ -7,6 +7,7 @@
 
 readonly root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 readonly build=$root/build
+readonly log=$build/setup.log
 
 readonly conform_packages=(
   cmake g++ ninja-build
@@ -29,11 +30,19 @@ install_missing() {
     exit 4
   fi
   echo "Installing them." >&2
-  if ! { "${sudo[@]}" apt-get update -qq &&
-         "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}"; } >&2; then
-    echo "apt-get could not install: ${missing[*]}" >&2
-    exit 4
-  fi
+  logged "apt-get could not install them" "${sudo[@]}" apt-get update -qq
+  logged "apt-get could not install them" "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -y -qq --no-install-recommends "${missing[@]}"
+}
+
+# Runs a command with its output in the log; if it fails, shows the end of the log, says what went wrong, and stops.
+logged() {
+  local what=$1
+  shift
+  "$@" >>"$log" 2>&1 && return 0
+  tail -n 40 "$log" >&2
+  echo "$what; all of the output is in $log." >&2
+  exit 4
 }
 
 setup() {
@@ -45,13 +54,9 @@ setup() {
   elif [[ ! -e $build/CMakeCache.txt ]]; then
     configuration=(-DHASHNOISE_TESTS=OFF)  # their packages may be missing; a build that has tests keeps them
   fi
-  install_missing "${packages[@]}"
   mkdir -p "$build"
-  local log=$build/setup.log
-  if ! { cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release "${configuration[@]}" &&
-         cmake --build "$build" "${target[@]}"; } >"$log" 2>&1; then
-    tail -n 40 "$log" >&2
-    echo "The build failed; all of its output is in $log." >&2
-    exit 4
-  fi
+  : >"$log"
+  install_missing "${packages[@]}"
+  logged "The build could not be configured" cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release "${configuration[@]}"
+  logged "The build failed" cmake --build "$build" "${target[@]}"
 }
