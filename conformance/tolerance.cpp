@@ -71,8 +71,8 @@ double octave_tolerance(OctaveSum kind, int dimensions, const OctaveArguments& a
   for (int i = 0; i < arguments.octaves; ++i) {
     const double noise_error = std::min(noise.lipschitz * position_error + noise.error, 2.0);
     sum_error += (amplitude + amplitude_error) * (noise_error + kUnit) + amplitude_error + kTiny;
-    total += amplitude;
-    total_error += amplitude_error;
+    total_error = arguments.gain * (total_error + kUnit * (total + total_error)) + kTiny;
+    total = 1.0 + arguments.gain * total;
     sum_error += kUnit * (total + sum_error);
     total_error += kUnit * (total + total_error);
     const double product_error = lacunarity * (position_error + kUnit * (position + position_error) + kTiny) + kTiny;

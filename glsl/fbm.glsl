@@ -28,7 +28,7 @@ HN_FN HN_HIGHP float hn_i_octaves(HN_HIGHP vec2 p, HN_HIGHP int octaves, HN_HIGH
   for (HN_HIGHP int i = 0; i < octaves; ++i) {
     HN_HIGHP float n = HN_FBM_NOISE2D(p, seed);
     sum += amplitude * (absolute ? abs(n) : n);
-    total += amplitude;
+    total = 1.0f + gain * total;
     amplitude *= gain;
     p = p * lacunarity + vec2(11.0f / 32.0f, 19.0f / 32.0f);
     seed += 0x9E3779B9u;
@@ -44,7 +44,7 @@ HN_FN HN_HIGHP float hn_i_octaves(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIGH
   for (HN_HIGHP int i = 0; i < octaves; ++i) {
     HN_HIGHP float n = HN_FBM_NOISE3D(p, seed);
     sum += amplitude * (absolute ? abs(n) : n);
-    total += amplitude;
+    total = 1.0f + gain * total;
     amplitude *= gain;
     p = p * lacunarity + vec3(11.0f / 32.0f, 19.0f / 32.0f, 23.0f / 32.0f);
     seed += 0x9E3779B9u;

@@ -299,7 +299,8 @@ def octave_tolerance(kind, dims, p_max, octaves, lacunarity, gain, exact_positio
     """The largest error of hn_fbm, hn_turbulence or hn_clouds (kind "fbm", "turbulence", "clouds") over hn_perlin, for
     |p_i| <= p_max, against the exact sums of docs/contract.md at the same floats p, lacunarity and gain >= 0, evaluated
 
-        sum = sum + amp*noise(q);  total = total + amp;  q = q*lacunarity + shift;  amp = amp*gain;  value = sum / total
+        sum = sum + amp*noise(q);  total = 1 + gain*total;  q = q*lacunarity + shift;  amp = amp*gain
+        value = sum / total
         t = clamp(2*fbm + 0.25, 0, 1);  clouds = t*t*(3 - 2*t)
 
     Each *_err bounds the error of its float. The noise is at most 1, exact as well as computed, so |sum| <= total; a
@@ -313,7 +314,7 @@ def octave_tolerance(kind, dims, p_max, octaves, lacunarity, gain, exact_positio
     for _ in range(octaves):
         noise_err = min(PERLIN_LIPSCHITZ[dims] * position_err + PERLIN_ERROR[dims], 2.0)
         sum_err += (amp + amp_err) * (noise_err + UNIT) + amp_err + TINY
-        total, total_err = total + amp, total_err + amp_err
+        total, total_err = 1 + gain * total, gain * (total_err + UNIT * (total + total_err)) + TINY
         sum_err, total_err = sum_err + UNIT * (total + sum_err), total_err + UNIT * (total + total_err)
         product_err = abs(lacunarity) * (position_err + UNIT * (position + position_err) + TINY) + TINY
         position = abs(lacunarity) * position + SHIFT_MAX[dims]

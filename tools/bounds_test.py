@@ -4,6 +4,7 @@
 import functools
 import itertools
 import math
+import pathlib
 import random
 import struct
 import unittest
@@ -125,7 +126,7 @@ class Shader:
         for i in range(octaves):
             noise = self.noise_at(q, i)
             value = self.mad(amp, abs(noise) if kind == "turbulence" else noise, value)
-            total = self.round(total + amp)
+            total = self.mad(gain, total, 1)
             q = [self.mad(x, lacunarity, s) for x, s in zip(q, SHIFT)]
             amp = self.round(amp * gain)
         value = self.round(value / total)
@@ -324,6 +325,40 @@ class Octaves(unittest.TestCase):
         self.assertEqual(bounds.octave_tolerance("fbm", 3, 1.0, 20, 2.0, 1e20, False), math.inf)
         with self.assertRaises(ValueError):
             bounds.octave_tolerance("fog", 2, 1.0, 1, 2.0, 0.5, False)
+
+
+class Transcription(unittest.TestCase):
+    """The places outside of this tool that state its numbers."""
+
+    def assert_states(self, path, *numbers):
+        text = (pathlib.Path(__file__).resolve().parent.parent / path).read_text()
+        for number in numbers:
+            self.assertIn(number, text, path)
+
+    def test_the_suite_uses_these_bounds(self):
+        for dims in DIMS:
+            error, lipschitz = bounds.PERLIN_ERROR[dims], bounds.PERLIN_LIPSCHITZ[dims]
+            stated = f"NoiseBounds{{{error:.2e}, {lipschitz}}}".replace("e-06", "e-6")
+            self.assert_states("conformance/tolerance.cpp", stated)
+
+    def test_the_documents_state_these_bounds(self):
+        def rounded_up(value, digits):  # to a number of significant digits, as the documents write it
+            step = 10.0 ** (math.floor(math.log10(value)) + 1 - digits)
+            return f"{math.ceil(value / step - 1e-9) * step:.{digits - 1}e}".replace("e-0", "e-")
+
+        for dims in DIMS:
+            position = f"{bounds.PERLIN_ERROR[dims]:.2e}".replace("e-0", "e-")
+            cell = bounds.error_bound(dims)
+            self.assert_states(f"glsl/noise{dims}d.glsl", position, rounded_up(cell, 2))
+            self.assert_states("docs/accuracy.md", position, rounded_up(cell, 3), str(bounds.PERLIN_LIPSCHITZ[dims]))
+            self.assert_states("README.md", position)
+            range_bound = {2: "0.999985", 3: "0.99992"}[dims]
+            self.assertLess(bounds.range_bound(dims, bounds.SCALE[dims]), float(range_bound))
+            self.assert_states(f"glsl/noise{dims}d.glsl", range_bound)
+            self.assert_states("README.md", range_bound)
+        for kind, dims, exact in (("fbm", 2, True), ("fbm", 2, False), ("fbm", 3, False), ("clouds", 2, False)):
+            tolerance = bounds.octave_tolerance(kind, dims, 16.0, 5, 2.0, 0.5, exact)
+            self.assert_states("docs/accuracy.md", f"| {rounded_up(tolerance, 2)} |")
 
 
 if __name__ == "__main__":
