@@ -30,7 +30,7 @@ add_test(NAME mutants.sample COMMAND Python3::Interpreter ${tools}/mutate --prog
 
 # --- The C++ twin in other hands ---
 add_test(NAME consumer.find_package
-         COMMAND ${CMAKE_COMMAND} -DBUILD=${PROJECT_BINARY_DIR} -DWORK=${CMAKE_CURRENT_BINARY_DIR}/consumer
+         COMMAND ${CMAKE_COMMAND} -DBUILD=${PROJECT_BINARY_DIR} -DWORK=${CMAKE_CURRENT_BINARY_DIR}/consumer -DGENERATOR=${CMAKE_GENERATOR}
                  -P ${CMAKE_CURRENT_SOURCE_DIR}/consumer/test.cmake)
 foreach(compiler g++ clang++)
   find_program(COMPILER_${compiler} ${compiler} REQUIRED)
