@@ -23,7 +23,7 @@ std::string_view name_of(Status status) {
   return "error";
 }
 
-Outcome error_outcome(const Error& error, Status status) {
+Outcome outcome_with(Status status, const Error& error) {
   Outcome outcome;
   outcome.status = status;
   outcome.message = error.text();

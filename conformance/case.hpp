@@ -77,6 +77,7 @@ std::vector<Case> all_cases();
 void add_compile_cases(std::vector<Case>& cases);
 void add_value_cases(std::vector<Case>& cases);
 
-Outcome error_outcome(const Error& error, Status status = Status::error);
+// An outcome with the error as its message.
+Outcome outcome_with(Status status, const Error& error);
 
 }  // namespace hn

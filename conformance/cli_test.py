@@ -32,12 +32,16 @@ class Cli(unittest.TestCase):
     def results(self):
         return json.loads((self.out / "results.json").read_text())
 
-    def changed_glsl(self, name, old, new):
+    def changed_glsl(self, name, *changes):
+        """A copy of glsl/ with (old, new) replaced, once each, in one file."""
         copy = self.folder / "glsl"
+        shutil.rmtree(copy, ignore_errors=True)
         shutil.copytree(ROOT / "glsl", copy)
         text = (copy / name).read_text()
-        self.assertIn(old, text)
-        (copy / name).write_text(text.replace(old, new, 1))
+        for old, new in changes:
+            self.assertIn(old, text)
+            text = text.replace(old, new, 1)
+        (copy / name).write_text(text)
         return copy
 
     def golden_copy(self):
@@ -74,7 +78,10 @@ class Cli(unittest.TestCase):
             (["run", "--out", self.folder / "file" / "out"], "cannot make the folder"),
             (["run", "--glsl", self.folder], "a copy of every file of glsl/"),
             (["run", "--seed", "many"], "many"),
+            (["run", "--seed", "-1"], "-1"),
             (["run", "--frobnicate"], "frobnicate"),
+            (["run", "list"], "list"),
+            (["run", "--driver", "osmesa", "drivers"], "drivers"),
             (["dance"], "drivers, list or run"),
             ([], "drivers, list or run"),
         ):
@@ -99,21 +106,54 @@ class Cli(unittest.TestCase):
     def test_a_changed_constant_turns_the_run_red(self):
         for check in ("golden", "twin"):
             with self.subTest(check=check):
-                shutil.rmtree(self.folder / "glsl", ignore_errors=True)
-                glsl = self.changed_glsl("hash.glsl", "0x2C1B3C6Du", "0x2C1B3C6Fu")
+                glsl = self.changed_glsl("hash.glsl", ("0x2C1B3C6Du", "0x2C1B3C6Fu"))
                 done = self.run_case("--glsl", glsl, case=f"noise2d.perlin.lattice.fast.fragment.gl330.{check}")
                 self.assertEqual(done.returncode, 1)
                 self.assertIn("NOT AS EXPECTED", done.stdout)
                 self.assertGreater(self.results()["runs"][0]["cases"][0]["mismatches"], 100)
 
+    def test_every_other_check_can_fail(self):
+        perlin = "noise2d.perlin.lattice.fast.fragment.gl330"
+        for check, case, name, *changes in (
+            ("range", f"{perlin}.range", "noise2d.glsl", ("1913.0f", "2913.0f")),
+            ("range, little used", f"{perlin}.range", "noise2d.glsl", ("1913.0f", "913.0f")),
+            ("zero", f"{perlin}.zero", "noise2d.glsl", ("p - cell, seed", "p - cell + 0.25f, seed")),
+            ("seeds", f"{perlin}.seeds", "noise2d.glsl", ("hn_i_mix(seed)", "hn_i_mix(seed & 0u)")),
+            ("mirror", f"{perlin}.mirror", "hash.glsl", ("((k << 13) | (k >> 19)) ^ next", "k ^ next"),
+             (" + 0x165667B1u", "")),
+            ("noise_knob", "fbm.fbm2.*.noise_knob", "fbm.glsl", ("HN_FBM_NOISE2D(p, seed);", "hn_perlin(p, seed);")),
+            ("refused", "config.hash_10.*.gl330.refused_by_glslang", "config.glsl", ("HN_HASH > 9", "HN_HASH > 99")),
+            ("refused", "config.hash_10.*.gl330.refused_by_driver", "config.glsl", ("HN_HASH > 9", "HN_HASH > 99")),
+            ("no reason", "config.version_120.*.refused_by_driver", "config.glsl", ("needs GLSL 1.30", "needs more")),
+            ("spirv", "hash.all.pcg.fast.fragment.vulkan.spirv", "hash.glsl", ("2891336453u", "2891336453.5")),
+        ):
+            with self.subTest(check=check):
+                done = self.run_case("--glsl", self.changed_glsl(name, *changes), case=case)
+                self.assertEqual(done.returncode, 1, done.stdout)
+                self.assertEqual(self.results()["runs"][0]["totals"]["pass"], 0)
+
+    def test_unsupported_is_neither_passed_nor_failed(self):
+        done = self.run_case(case="hash.all.pcg.fast.fragment.gl460.driver")
+        self.assertEqual(done.returncode, 1)  # a run in which nothing passed shows nothing
+        self.assertEqual(self.results()["runs"][0]["totals"],
+                         {"pass": 0, "fail": 0, "unsupported": 1, "error": 0})
+        self.assertIn("GLSL 4.60 is beyond this context's 4.50", done.stdout)
+
+    def test_a_run_without_a_driver_leaves_no_old_results(self):
+        self.assertEqual(self.run_case().returncode, 0)
+        for name in ("libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"):
+            (self.folder / name).write_text("no library")
+        self.assertEqual(self.run_case(environment={"LD_LIBRARY_PATH": str(self.folder)}).returncode, 3)
+        self.assertFalse((self.out / "results.json").exists())
+
     def test_a_changed_default_seed_turns_the_run_red(self):
-        glsl = self.changed_glsl("noise2d.glsl", "hn_perlin(p, 0u)", "hn_perlin(p, 1u)")
+        glsl = self.changed_glsl("noise2d.glsl", ("hn_perlin(p, 0u)", "hn_perlin(p, 1u)"))
         done = self.run_case("--glsl", glsl, case="noise2d.perlin.*unseeded")
         self.assertEqual(done.returncode, 1)
 
     def test_a_shader_that_does_not_compile_shows_file_and_line_and_the_run_goes_on(self):
         line = 1 + (ROOT / "glsl" / "noise2d.glsl").read_text().splitlines().index("#include \"hash.glsl\"")
-        glsl = self.changed_glsl("noise2d.glsl", "#include \"hash.glsl\"\n", "#include \"hash.glsl\" \nint x = broken;\n")
+        glsl = self.changed_glsl("noise2d.glsl", ("#include \"hash.glsl\"\n", "#include \"hash.glsl\" \nint x = broken;\n"))
         done = self.run_case("--glsl", glsl, "--filter", "hash.word.fnv1.*golden", "--filter", "noise2d.all.fnv1.*")
         self.assertEqual(done.returncode, 1)
         cases = {case["id"]: case for case in self.results()["runs"][0]["cases"]}
@@ -156,7 +196,7 @@ class Cli(unittest.TestCase):
                 self.assertEqual(self.results()["runs"][0]["totals"]["fail"], 3)
 
     def test_fail_fast_stops(self):
-        glsl = self.changed_glsl("noise2d.glsl", "1913.0f", "1914.0f")
+        glsl = self.changed_glsl("noise2d.glsl", ("1913.0f", "1914.0f"))
         self.run_case("--glsl", glsl, "--fail-fast", case="noise2d.perlin.*.golden")
         self.assertEqual(len(self.results()["runs"][0]["cases"]), 1)
 

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "tolerance.hpp"
+
 namespace hn {
 namespace {
 
@@ -61,6 +63,14 @@ void Comparison::number(std::span<const std::uint32_t> inputs, float got, double
   }
   if (difference <= allowed) return;
   note(inputs, describe(got), fmt::format("{:.9g} within {:.3g}", expected, allowed));
+}
+
+void Comparison::golden(std::span<const std::uint32_t> inputs, std::uint32_t got, std::uint64_t expected) {
+  if (function_.exact()) {
+    bits(inputs, got, static_cast<std::uint32_t>(expected));
+  } else {
+    number(inputs, std::bit_cast<float>(got), std::bit_cast<double>(expected), tolerance(function_, inputs));
+  }
 }
 
 void Comparison::require(bool right, std::span<const std::uint32_t> inputs, float got, std::string_view should) {

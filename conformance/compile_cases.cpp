@@ -11,25 +11,25 @@ namespace {
 std::string_view stem(std::string_view file) { return file.substr(0, file.find('.')); }
 
 Outcome outcome_of(const Result<void>& result) {
-  return result ? Outcome{} : error_outcome(result.error(), Status::fail);
+  return result ? Outcome{} : outcome_with(Status::fail, result.error());
 }
 
 Outcome check_with_glslang(Session& session, const Profile& profile, const std::string& text, Stage stage) {
   const auto source = expand(session.sources, profile, text);
   return source ? outcome_of(session.reference.check(*source, profile, stage))
-                : error_outcome(source.error(), Status::fail);
+                : outcome_with(Status::fail, source.error());
 }
 
 Outcome check_with_driver(Session& session, const Profile& profile, const std::string& text) {
   if (const auto reason = unsupported_reason(profile, session.info.languages); !reason.empty()) {
-    return error_outcome({reason, {}}, Status::unsupported);
+    return outcome_with(Status::unsupported, {reason, {}});
   }
   const auto vertex = expand(session.sources, profile, vertex_shader());
   const auto fragment = expand(session.sources, profile, text);
-  if (!vertex) return error_outcome(vertex.error());
-  if (!fragment) return error_outcome(fragment.error(), Status::fail);
+  if (!vertex) return outcome_with(Status::error, vertex.error());
+  if (!fragment) return outcome_with(Status::fail, fragment.error());
   const auto program = Program::build(session.context, *vertex, *fragment);
-  return program ? Outcome{} : error_outcome(program.error(), Status::fail);
+  return program ? Outcome{} : outcome_with(Status::fail, program.error());
 }
 
 void add_file_cases(std::vector<Case>& cases, std::string_view file, const Hash& hash, const Profile& profile) {
@@ -64,17 +64,20 @@ constexpr Refusal kRefusals[] = {
     {"hash_0", "gl330", "#define HN_HASH 0\n", "HN_HASH_PARTIAL_JENKINS"},
     {"hash_10", "gl330", "#define HN_HASH 10\n", "HN_HASH_PARTIAL_JENKINS"},
     {"hash_10", "es300", "#define HN_HASH 10\n", "HN_HASH_PARTIAL_JENKINS"},
+    {"hash_misspelt", "gl330", "#define HN_HASH HN_HASH_FNV\n", "HN_HASH_PARTIAL_JENKINS"},
+    // In ES an undefined name in #if is an error of its own, which names it.
+    {"hash_misspelt", "es300", "#define HN_HASH HN_HASH_FNV\n", "HN_HASH"},
     {"custom_without_function", "gl330", "#define HN_HASH HN_HASH_CUSTOM\n", "HN_HASH_FN"},
 };
 
 Outcome expect_refusal(const Refusal& refusal, const Result<void>& compiled) {
   if (compiled) {
-    return error_outcome({fmt::format("it compiles; an error that names {} was due", refusal.expected), {}},
-                         Status::fail);
+    return outcome_with(Status::fail,
+                        {fmt::format("it compiles; an error that names {} was due", refusal.expected), {}});
   }
   if (compiled.error().log.find(refusal.expected) != std::string::npos) return {};
-  return error_outcome({fmt::format("it is refused, but nothing names {}", refusal.expected), compiled.error().log},
-                       Status::fail);
+  return outcome_with(Status::fail,
+                      {fmt::format("it is refused, but nothing names {}", refusal.expected), compiled.error().log});
 }
 
 void add_refusal_cases(std::vector<Case>& cases, const Refusal& refusal) {
@@ -88,12 +91,12 @@ void add_refusal_cases(std::vector<Case>& cases, const Refusal& refusal) {
   };
   cases.push_back({id("refused_by_glslang"), [=, &profile, &refusal](Session& session) {
                      const auto text = source(session);
-                     if (!text) return error_outcome(text.error());
+                     if (!text) return outcome_with(Status::error, text.error());
                      return expect_refusal(refusal, session.reference.check(*text, profile, Stage::fragment));
                    }});
   cases.push_back({id("refused_by_driver"), [=, &refusal](Session& session) {
                      const auto text = source(session);
-                     if (!text) return error_outcome(text.error());
+                     if (!text) return outcome_with(Status::error, text.error());
                      const auto compiled = compile_only(session.context, *text, GL_FRAGMENT_SHADER);
                      auto outcome = expect_refusal(refusal, compiled);
                      // A driver that does not know so old a version says so before it reads the library's words.

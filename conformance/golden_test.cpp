@@ -90,12 +90,8 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& corruption) { return std::string(corruption.param.name); });
 
 TEST(Golden, EveryTruncationIsAnError) {
-  // Cutting off only the digest leaves a valid file: then the rows must still be all there.
-  const auto digest = kValid.find("digest");
   for (std::size_t length = 0; length + 1 < kValid.size(); ++length) {
-    const auto golden = parse(kValid.substr(0, length));
-    const bool only_without_digest = length == digest || length == digest - 1;
-    EXPECT_EQ(golden.has_value(), only_without_digest) << length;
+    EXPECT_FALSE(parse(kValid.substr(0, length))) << length;
   }
 }
 

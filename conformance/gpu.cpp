@@ -80,6 +80,7 @@ Result<Program> Program::build(const Context& context, const ShaderText& vertex,
   Program program(gl, gl.CreateProgram());
   gl.AttachShader(program.id_, vertex_shader.id());
   gl.AttachShader(program.id_, fragment_shader.id());
+  gl.BindFragDataLocation(program.id_, 0, "result");
   gl.LinkProgram(program.id_);
   GLint linked = GL_FALSE;
   gl.GetProgramiv(program.id_, GL_LINK_STATUS, &linked);

@@ -62,7 +62,7 @@ TEST_F(Gpu, AShaderThatWritesNothingLeavesNoOldResult) {
 }
 
 TEST_F(Gpu, AnErrorInALibraryFileNamesItsLine) {
-  const auto program = build("#define hn_i_mix1 1\n#include \"hash.glsl\"\nvoid main() {}\n");
+  const auto program = build("#define hn_i_mix 1\n#include \"hash.glsl\"\nvoid main() {}\n");
   ASSERT_FALSE(program);
   EXPECT_NE(program.error().log.find("glsl/hash.glsl:"), std::string::npos) << program.error().log;
 }
@@ -82,7 +82,7 @@ class RunCases : public Gpu {
 };
 
 Outcome passes(Session&) { return {}; }
-Outcome fails(Session&) { return error_outcome({"it fails", {}}, Status::fail); }
+Outcome fails(Session&) { return outcome_with(Status::fail, {"it fails", {}}); }
 Outcome throws(Session&) { throw std::runtime_error("thrown"); }
 
 TEST_F(RunCases, AnExceptionIsAnErrorAndTheRunGoesOn) {

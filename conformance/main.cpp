@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <exception>
 
 #include "case.hpp"
 #include "driver/driver.hpp"
@@ -102,12 +103,11 @@ void add_filter(CLI::App& command, Options& options) {
       ->allow_extra_args(false);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int dispatch(int argc, char** argv) {
   CLI::App app("Checks that hashnoise computes what it promises on a driver.", "hn-conform");
   app.set_version_flag("--version", hn::library_version());
   app.footer("Exit status: 0 all as expected, 1 something is not, 2 bad usage, 3 no usable driver.");
+  app.require_subcommand(0, 1);  // none gets a better message below
   Options options;
 
   app.add_subcommand("drivers", "List the drivers, what is behind each here, or why it is missing");
@@ -123,7 +123,10 @@ int main(int argc, char** argv) {
   run_command.add_option("--out", options.out, "The folder for results.json; made if it is not there")
       ->type_name("DIR")
       ->capture_default_str();
-  run_command.add_option("--seed", options.seed, "Of the random points")->type_name("N")->capture_default_str();
+  run_command.add_option("--seed", options.seed, "Of the random points")
+      ->type_name("N")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   run_command.add_option("--glsl", options.glsl, "Test this copy of glsl/ instead of the one built in")
       ->type_name("DIR");
   run_command.add_option("--golden", options.golden, "The folder of the golden files")
@@ -144,4 +147,15 @@ int main(int argc, char** argv) {
   if (app.got_subcommand("list")) return list_cases(options);
   if (app.got_subcommand("run")) return run(options);
   return usage_error("say what to do: drivers, list or run; --help tells more");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return dispatch(argc, argv);
+  } catch (const std::exception& exception) {
+    fmt::print(stderr, "hn-conform: {}\n", exception.what());
+    return kNotAsExpected;
+  }
 }

@@ -35,11 +35,16 @@ const Profile& profile_named(std::string_view name);
 
 // What a context says it can compile.
 struct LanguageSupport {
-  int gl_version = 0;  // highest GLSL version, 0 for none
-  int es_version = 0;  // highest GLSL ES version, 0 for none
+  int gl_version = 0;        // highest GLSL version, 0 for none
+  int es_version = 0;        // highest GLSL ES version, 0 for none
+  bool gl130 = true;         // a core context need not take GLSL 1.30
+  bool bit_encoding = true;  // GL_ARB_shader_bit_encoding
 };
 
 // Empty if the profile can be compiled, else why not.
 std::string unsupported_reason(const Profile& profile, const LanguageSupport& support);
+
+// The same for running the shaders of the cases, which have to look at the bits of floats.
+std::string unsupported_to_run(const Profile& profile, const LanguageSupport& support);
 
 }  // namespace hn

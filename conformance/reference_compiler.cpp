@@ -22,19 +22,17 @@ EShLanguage language_of(Stage stage) {
   return EShLangFragment;
 }
 
-Result<void> validate_spirv(const glslang::TIntermediate& intermediate) {
-  std::vector<std::uint32_t> words;
-  glslang::GlslangToSpv(intermediate, words);
+}  // namespace
+
+Result<void> validate_spirv(std::span<const std::uint32_t> words) {
   spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_0);
   std::string log;
   tools.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t& position, const char* message) {
     log += fmt::format("word {}: {}\n", position.index, message);
   });
-  if (!tools.Validate(words)) return fail("spirv-val rejects the SPIR-V that glslang made", log);
+  if (!tools.Validate(words.data(), words.size())) return fail("spirv-val rejects the SPIR-V", log);
   return {};
 }
-
-}  // namespace
 
 ReferenceCompiler::ReferenceCompiler() { glslang::InitializeProcess(); }
 ReferenceCompiler::~ReferenceCompiler() { glslang::FinalizeProcess(); }
@@ -58,7 +56,10 @@ Result<void> ReferenceCompiler::check(const ShaderText& source, const Profile& p
   glslang::TProgram program;
   program.addShader(&shader);
   if (!program.link(rules)) return fail("glslang does not link it", source.translate(program.getInfoLog()));
-  return profile.spirv ? validate_spirv(*program.getIntermediate(language)) : Result<void>{};
+  if (!profile.spirv) return {};
+  std::vector<std::uint32_t> words;
+  glslang::GlslangToSpv(*program.getIntermediate(language), words);
+  return validate_spirv(words);
 }
 
 }  // namespace hn

@@ -1,11 +1,17 @@
 // Khronos' own opinion on a shader: glslang for the language, SPIRV-Tools for what glslang makes of it for Vulkan.
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "profile.hpp"
 #include "result.hpp"
 #include "source.hpp"
 
 namespace hn {
+
+// SPIRV-Tools' verdict, by the rules of Vulkan 1.0.
+Result<void> validate_spirv(std::span<const std::uint32_t> words);
 
 enum class Stage { fragment, vertex, compute };
 

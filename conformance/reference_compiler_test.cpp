@@ -21,7 +21,7 @@ TEST(ReferenceCompiler, AcceptsTheLibrary) {
 }
 
 TEST(ReferenceCompiler, AnErrorInALibraryFileNamesItsLine) {
-  const auto done = check("gl450", "#define hn_i_mix1 1\n#include \"hash.glsl\"\nvoid main() {}\n");
+  const auto done = check("gl450", "#define hn_i_mix 1\n#include \"hash.glsl\"\nvoid main() {}\n");
   ASSERT_FALSE(done);
   EXPECT_NE(done.error().log.find("glsl/hash.glsl:"), std::string::npos) << done.error().log;
 }
@@ -36,6 +36,12 @@ TEST(ReferenceCompiler, AWarningIsAnError) {
 TEST(ReferenceCompiler, WhatAVersionHasNotIsAnError) {
   EXPECT_FALSE(check("gl130", "void main() { uint x = floatBitsToUint(1.0); }\n"));
   EXPECT_FALSE(check("es300", "out vec4 o;\nvoid main() {}\n"));  // no default precision for float
+}
+
+TEST(ReferenceCompiler, SpirvThatIsNoneIsRejected) {
+  const std::uint32_t header_only[] = {0x07230203u, 0x00010000u, 0u, 1u, 0u};  // no memory model, no entry point
+  EXPECT_FALSE(validate_spirv(header_only));
+  EXPECT_FALSE(validate_spirv({}));
 }
 
 TEST(ReferenceCompiler, LinksAWholeProgram) {

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::array kStatuses = {Status::pass, Status::fail, Status::unsupported, Status::error};
 constexpr std::size_t kMostFailuresShown = 20;
+constexpr const char* kDraft = "results.json.part";
 
 std::string_view function_of(const std::string& id) {
   const auto file_end = id.find('.');
@@ -107,18 +108,24 @@ std::string to_json(const std::vector<Run>& runs) {
 Result<void> prepare_output(const std::filesystem::path& directory) {
   std::error_code error;
   std::filesystem::create_directories(directory, error);
-  if (error) return fail(fmt::format("cannot make the folder {}: {}", directory.string(), error.message()));
-  std::ofstream out(directory / "results.json", std::ios::app);
-  if (!out)
-    return fail(
-        fmt::format("cannot write {}/results.json; --out wants a folder that can be written", directory.string()));
-  return {};
+  if (error) {
+    return fail(fmt::format("cannot make the folder {}: {}; --out wants a folder that can be written",
+                            directory.string(), error.message()));
+  }
+  // Results of an earlier run must not pass for those of one that ends before it has any.
+  const auto results = directory / "results.json";
+  if (!std::filesystem::is_directory(results)) std::filesystem::remove(results, error);
+  const bool writable = !std::filesystem::exists(results) && std::ofstream(directory / kDraft).good();
+  std::filesystem::remove(directory / kDraft, error);
+  if (writable) return {};
+  return fail(
+      fmt::format("cannot write {}/results.json; --out wants a folder that can be written", directory.string()));
 }
 
 Result<void> write_results(const std::filesystem::path& directory, const std::vector<Run>& runs) {
   // Written beside and renamed, so that nobody reads half a file.
   const auto path = directory / "results.json";
-  const auto draft = directory / "results.json.part";
+  const auto draft = directory / kDraft;
   {
     std::ofstream out(draft, std::ios::binary | std::ios::trunc);
     out << to_json(runs);

@@ -31,7 +31,8 @@ std::string library_version();
 // The JSON text of results.json; docs/internals.md describes it.
 std::string to_json(const std::vector<Run>& runs);
 
-// Creates the folder and makes sure that results.json can be written, before the run rather than after it.
+// Creates the folder, removes an earlier results.json from it, and makes sure that a new one can be written: before the
+// run rather than after it.
 Result<void> prepare_output(const std::filesystem::path& directory);
 Result<void> write_results(const std::filesystem::path& directory, const std::vector<Run>& runs);
 

@@ -70,6 +70,15 @@ TEST(Output, AFolderThatCannotBeWrittenIsAnError) {
   EXPECT_FALSE(prepare_output(folder.path() / "taken"));
 }
 
+TEST(Output, ResultsOfAnEarlierRunAreGone) {
+  const TemporaryFolder folder;
+  folder.write("results.json", "yesterday");
+  folder.write("other.txt", "mine");
+  ASSERT_TRUE(prepare_output(folder.path()));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "results.json"));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "other.txt"));
+}
+
 TEST(Output, ResultsAreWrittenWhole) {
   const TemporaryFolder folder;
   const auto out = folder.path() / "a" / "b";

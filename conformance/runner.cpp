@@ -16,7 +16,7 @@ Outcome run_guarded(Session& session, const Case& test) {
   try {
     return test.run(session);
   } catch (const std::exception& exception) {
-    return error_outcome({fmt::format("exception: {}", exception.what()), {}});
+    return outcome_with(Status::error, {fmt::format("exception: {}", exception.what()), {}});
   }
 }
 

@@ -107,7 +107,7 @@ Result<SourceSet> SourceSet::from_directory(const std::filesystem::path& directo
   for (const EmbeddedFile& file : kEmbeddedFiles) {
     const auto path = directory / file.name;
     std::ifstream in(path, std::ios::binary);
-    if (!in) {
+    if (!in || !std::filesystem::is_regular_file(path)) {
       return fail(
           fmt::format("cannot read {}: --glsl wants a folder with a copy of every file of glsl/", path.string()));
     }

@@ -54,7 +54,7 @@ double octave_sum_tolerance(OctaveSum kind, const Function& function, std::span<
 }  // namespace
 
 NoiseBounds noise_bounds(int dimensions) {
-  return dimensions == 2 ? NoiseBounds{3.51e-6, 4.57} : NoiseBounds{5.43e-6, 6.18};
+  return dimensions == 2 ? NoiseBounds{3.24e-6, 3.51e-6, 4.57} : NoiseBounds{5.06e-6, 5.43e-6, 6.18};
 }
 
 double octave_tolerance(OctaveSum kind, int dimensions, const OctaveArguments& arguments) {
@@ -94,11 +94,13 @@ double tolerance(const Function& function, std::span<const std::uint32_t> inputs
   switch (function.accuracy) {
     case Accuracy::exact:
       return 0.0;
+    case Accuracy::perlin2_cell:
+      return noise_bounds(2).cell_error;
     case Accuracy::perlin2:
-    case Accuracy::perlin2_cell:  // its own bound is a little less, since the fraction is not rounded
       return noise_bounds(2).error;
-    case Accuracy::perlin3:
     case Accuracy::perlin3_cell:
+      return noise_bounds(3).cell_error;
+    case Accuracy::perlin3:
       return noise_bounds(3).error;
     case Accuracy::fbm2:
     case Accuracy::fbm3:

@@ -8,8 +8,10 @@
 
 namespace hn {
 
-// The bound for hn_perlin at a position, and how fast the noise changes: the error per error of the position.
+// The bounds for hn_perlin from a cell and a fraction and from a position, and how fast the noise changes: the error
+// per error of the position.
 struct NoiseBounds {
+  double cell_error;
   double error;
   double lipschitz;
 };

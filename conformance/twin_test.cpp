@@ -3,13 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <hashnoise/hashnoise.hpp>
 #include <limits>
 
 #include "compare.hpp"
 #include "golden.hpp"
-#include "tolerance.hpp"
+#include "test_support.hpp"
 
 namespace hn {
 namespace {
@@ -18,8 +17,7 @@ class TwinGolden : public testing::TestWithParam<std::string_view> {};
 
 TEST_P(TwinGolden, AgreesWithTheOracle) {
   for (const Function& function : all_functions()) {
-    const Hash& hash =
-        *std::find_if(all_hashes().begin(), all_hashes().end(), [](const Hash& h) { return h.name == GetParam(); });
+    const Hash& hash = hash_named(GetParam());
     const auto golden = read_golden(golden_path(HN_GOLDEN_DIRECTORY, function, hash), function, hash);
     ASSERT_TRUE(golden) << golden.error().text();
     for (const GoldenRow& row : golden->rows) {
@@ -29,12 +27,7 @@ TEST_P(TwinGolden, AgreesWithTheOracle) {
       evaluate_twin(function, hash, inputs, got);
       Comparison comparison(function);
       for (std::size_t word = 0; word < row.values.size(); ++word) {
-        if (function.exact()) {
-          comparison.bits(inputs, got[word], static_cast<std::uint32_t>(row.values[word]));
-        } else {
-          comparison.number(inputs, std::bit_cast<float>(got[word]), std::bit_cast<double>(row.values[word]),
-                            tolerance(function, inputs));
-        }
+        comparison.golden(inputs, got[word], row.values[word]);
       }
       ASSERT_TRUE(comparison.all_right())
           << function.id << ", line " << row.line << ": " << comparison.finish().message;

@@ -32,13 +32,13 @@ std::span<const std::uint32_t> result(const Words& outputs, std::size_t i) {
 // Evaluates on the driver; the outcome of a failure is ready to be returned.
 tl::expected<Words, Outcome> evaluate(Session& session, const Function& function, const Hash& hash,
                                       const Profile& profile, const Words& inputs, const ShaderVariant& variant = {}) {
-  if (const auto reason = unsupported_reason(profile, session.info.languages); !reason.empty()) {
-    return tl::unexpected(error_outcome({reason, {}}, Status::unsupported));
+  if (const auto reason = unsupported_to_run(profile, session.info.languages); !reason.empty()) {
+    return tl::unexpected(outcome_with(Status::unsupported, {reason, {}}));
   }
   const auto program = session.evaluation_program(function, hash, profile, variant);
-  if (!program) return tl::unexpected(error_outcome(program.error(), Status::fail));
+  if (!program) return tl::unexpected(outcome_with(Status::fail, program.error()));
   auto outputs = session.grid.evaluate(**program, inputs);
-  if (!outputs) return tl::unexpected(error_outcome(outputs.error(), Status::fail));
+  if (!outputs) return tl::unexpected(outcome_with(Status::fail, outputs.error()));
   return *outputs;
 }
 
@@ -51,15 +51,6 @@ Words inputs_of(const Golden& golden) {
               words.begin() + static_cast<std::ptrdiff_t>(i * kInputWords));
   }
   return words;
-}
-
-void compare_value(Comparison& comparison, const Function& function, std::span<const std::uint32_t> inputs,
-                   std::uint32_t got, std::uint64_t expected) {
-  if (function.exact()) {
-    comparison.bits(inputs, got, static_cast<std::uint32_t>(expected));
-  } else {
-    comparison.number(inputs, std::bit_cast<float>(got), std::bit_cast<double>(expected), tolerance(function, inputs));
-  }
 }
 
 Outcome check_digest(Session& session, const Function& function, const Hash& hash, const Profile& profile,
@@ -81,7 +72,7 @@ Outcome check_digest(Session& session, const Function& function, const Hash& has
 
 Outcome check_golden(Session& session, const Function& function, const Hash& hash, const Profile& profile) {
   const auto golden = read_golden(golden_path(session.golden_directory, function, hash), function, hash);
-  if (!golden) return error_outcome(golden.error());
+  if (!golden) return outcome_with(Status::error, golden.error());
   const Words inputs = inputs_of(*golden);
   const auto outputs = evaluate(session, function, hash, profile, inputs);
   if (!outputs) return outputs.error();
@@ -90,8 +81,7 @@ Outcome check_golden(Session& session, const Function& function, const Hash& has
     const auto in = point(inputs, i);
     const auto out = result(*outputs, i);
     const auto& values = golden->rows[i].values;
-    for (std::size_t word = 0; word < values.size(); ++word)
-      compare_value(comparison, function, in, out[word], values[word]);
+    for (std::size_t word = 0; word < values.size(); ++word) comparison.golden(in, out[word], values[word]);
   }
   const Outcome outcome = comparison.finish();
   if (!golden->digest || outcome.status != Status::pass) return outcome;
@@ -175,8 +165,7 @@ Outcome check_range(Session& session, const Function& function, const Hash& hash
   for (std::size_t i = 0; i < kPropertyPoints; ++i) {
     const float value = std::bit_cast<float>(result(*outputs, i)[0]);
     largest = std::max(largest, std::fabs(value));
-    // A mean of octaves, each at most 1, may round to just above 1.
-    const bool inside = value >= range.low - 1e-6f && value <= range.high + 1e-6f;
+    const bool inside = value >= range.low && value <= range.high;
     comparison.require(inside, point(inputs, i), value, fmt::format("a value in [{}, {}]", range.low, range.high));
   }
   const bool is_noise = function.input("octaves") < 0;
@@ -185,39 +174,88 @@ Outcome check_range(Session& session, const Function& function, const Hash& hash
   return comparison.finish();
 }
 
+// The correlation of two columns of values.
+double correlation(const Words& first, const Words& second) {
+  double products = 0.0;
+  double squares = 0.0;
+  for (std::size_t i = 0; i < first.size(); i += kOutputWords) {
+    const auto a = static_cast<double>(std::bit_cast<float>(first[i]));
+    const auto b = static_cast<double>(std::bit_cast<float>(second[i]));
+    products += a * b;
+    squares += (a * a + b * b) / 2.0;
+  }
+  return squares > 0.0 ? products / squares : 1.0;
+}
+
+// For n pairs of independent noise values the correlation has a standard deviation of a little more than 1/sqrt(n),
+// since the variance of the noise depends on the place in the cell: about 1.1/sqrt(n). By chance 6/sqrt(n) is exceeded
+// once in ten million comparisons.
+const double kCorrelationLimit = 6.0 / std::sqrt(static_cast<double>(kPropertyPoints));
+
+void require_uncorrelated(Comparison& comparison, const Words& inputs, const Words& first, const Words& second,
+                          std::string_view what) {
+  const double value = correlation(first, second);
+  comparison.require(std::fabs(value) < kCorrelationLimit, point(inputs, 0), static_cast<float>(value),
+                     fmt::format("a correlation below {:.3g} between {}", kCorrelationLimit, what));
+}
+
+// Points for correlations, anywhere within 512 cells of the origin in all quadrants: seldom on a lattice line, where
+// the noise is 0 whatever the hash, and seldom two in one cell. Each has a seed of its own.
+Words scattered_points(Session& session, const Function& function, std::string_view name) {
+  Random random(session.seed, name);
+  Words inputs = random_points(function, kPropertyPoints, random);
+  const auto axes = static_cast<std::size_t>(function.seed_word());
+  for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
+    for (std::size_t axis = i; axis < i + axes; ++axis) {
+      inputs[axis] = std::bit_cast<std::uint32_t>(random.uniform(-512.0f, 512.0f));
+    }
+  }
+  return inputs;
+}
+
 // Fields of different seeds are uncorrelated: pairs of neighbouring seeds, of seeds that differ in the highest bit, and
-// of the seed of the next octave. For n independent pairs the correlation coefficient has a standard deviation of
-// 1/sqrt(n); six of them are exceeded by chance once in 5e8 cases.
+// of the seed of the next octave.
 Outcome check_seeds(Session& session, const Function& function, const Hash& hash, const Profile& profile) {
   constexpr std::uint32_t kOffsets[] = {1u, 0x80000000u, 0x9E3779B9u};
-  const auto seed = static_cast<std::size_t>(function.seed_word());
+  const Words inputs = scattered_points(session, function, "seeds");
+  const auto first = evaluate(session, function, hash, profile, inputs);
+  if (!first) return first.error();
   Comparison comparison(function);
   for (const std::uint32_t offset : kOffsets) {
-    Random random(session.seed, "seeds");
-    Words inputs = random_points(function, kPropertyPoints, random);
-    for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
-      // Away from lattice lines, where the noise is 0 whatever the seed; each point has a seed of its own, so the pairs
-      // are independent however near two points are.
-      for (std::size_t axis = i; axis < i + seed; ++axis)
-        inputs[axis] = std::bit_cast<std::uint32_t>(random.uniform(-64.0f, 64.0f));
-    }
-    const auto first = evaluate(session, function, hash, profile, inputs);
-    if (!first) return first.error();
-    for (std::size_t i = seed; i < inputs.size(); i += kInputWords) inputs[i] += offset;
-    const auto second = evaluate(session, function, hash, profile, inputs);
+    Words others = inputs;
+    for (auto i = static_cast<std::size_t>(function.seed_word()); i < others.size(); i += kInputWords)
+      others[i] += offset;
+    const auto second = evaluate(session, function, hash, profile, others);
     if (!second) return second.error();
-    double products = 0.0;
-    double squares = 0.0;
-    for (std::size_t i = 0; i < kPropertyPoints; ++i) {
-      const auto a = static_cast<double>(std::bit_cast<float>(result(*first, i)[0]));
-      const auto b = static_cast<double>(std::bit_cast<float>(result(*second, i)[0]));
-      products += a * b;
-      squares += (a * a + b * b) / 2.0;
+    require_uncorrelated(comparison, inputs, *first, *second, fmt::format("seeds {:#x} apart", offset));
+  }
+  return comparison.finish();
+}
+
+// No quadrant mirrors another: points are compared with their reflections in every set of axes, and with their
+// coordinates in another order.
+Outcome check_mirror(Session& session, const Function& function, const Hash& hash, const Profile& profile) {
+  const Words inputs = scattered_points(session, function, "mirror");
+  const auto first = evaluate(session, function, hash, profile, inputs);
+  if (!first) return first.error();
+  const auto axes = static_cast<std::size_t>(function.seed_word());
+  Comparison comparison(function);
+  for (std::size_t reflected = 0; reflected < (std::size_t{1} << axes); ++reflected) {
+    for (std::size_t rotated = 0; rotated < axes; ++rotated) {
+      if (reflected == 0 && rotated == 0) continue;
+      Words others = inputs;
+      for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
+        for (std::size_t axis = 0; axis < axes; ++axis) {
+          const std::uint32_t sign = (reflected >> axis) & 1 ? 0x80000000u : 0u;
+          others[i + axis] = inputs[i + (axis + rotated) % axes] ^ sign;
+        }
+      }
+      const auto second = evaluate(session, function, hash, profile, others);
+      if (!second) return second.error();
+      require_uncorrelated(
+          comparison, inputs, *first, *second,
+          fmt::format("points and their images (reflected axes {:#b}, rotated by {})", reflected, rotated));
     }
-    const double correlation = squares > 0.0 ? products / squares : 1.0;
-    const double limit = 6.0 / std::sqrt(static_cast<double>(kPropertyPoints));
-    comparison.require(std::fabs(correlation) < limit, point(inputs, 0), static_cast<float>(correlation),
-                       fmt::format("a correlation below {:.3g} between seeds {:#x} apart", limit, offset));
   }
   return comparison.finish();
 }
@@ -241,7 +279,7 @@ Outcome check_unseeded(Session& session, const Function& function, const Hash& h
 }
 
 // HN_FBM_NOISE2D and HN_FBM_NOISE3D are used: a constant noise of -1/2 makes an fBm of -1/2, a turbulence of 1/2 and no
-// cloud. The products with a gain may round.
+// cloud, but for a few roundings of sum and total.
 Outcome check_noise_knob(Session& session, const Function& function, const Hash& hash, const Profile& profile) {
   Words inputs = random_points(function, kPropertyPoints, Random(session.seed, "knob"));
   const ShaderVariant with_noise{.knobs =
@@ -283,6 +321,7 @@ void add_properties(std::vector<Case>& cases, const Function& function, const Ha
   if (!function.id.ends_with(".perlin")) return;
   add(cases, function, hash, profile, "zero", check_zero);
   add(cases, function, hash, profile, "seeds", check_seeds);
+  add(cases, function, hash, profile, "mirror", check_mirror);
 }
 
 }  // namespace

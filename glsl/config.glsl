@@ -1,12 +1,13 @@
 // hashnoise: version, knobs and what each language needs. Included by every other file; it declares no function.
 // SPDX-License-Identifier: MIT
 //
-// Knobs are macros that you may define before the first include of any hashnoise file; they are read here, once.
+// Knobs are macros that you may define before the first include of any hashnoise file.
 //
 //   HN_HASH          which hash: one of the HN_HASH_... below. Default HN_HASH_LATTICE.
 //   HN_HASH_FN(k)    with HN_HASH_CUSTOM: your hash, a uint for a uint.
 //   HN_FBM_NOISE2D(q, seed), HN_FBM_NOISE3D(q, seed)
-//                    the noise that fbm.glsl sums: a float in [-1, 1] for a vec2 or vec3 and a uint. Default hn_perlin(q, seed).
+//                    the noise that fbm.glsl sums: a float in [-1, 1] for a vec2 or vec3 and a uint. Default
+//                    hn_perlin(q, seed). What it calls must be declared before fbm.glsl is included.
 
 #ifndef HN_CONFIG_GLSL
 #define HN_CONFIG_GLSL
@@ -35,12 +36,10 @@
 #endif
 
 // Before every function. C++ needs "inline"; GLSL needs nothing.
-#ifndef HN_FN
 #ifdef __cplusplus
 #define HN_FN inline
 #else
 #define HN_FN
-#endif
 #endif
 
 // Before every type. GLSL ES has three precisions and int is mediump, 16 bits, in fragment shaders unless it is told

@@ -63,7 +63,7 @@ HN_FN HN_HIGHP float hn_i_cloud_density(HN_HIGHP float fbm) {
 //   octaves     how many; 0 for less than 1
 //   lacunarity  ratio of frequencies, usually 2
 //   gain        ratio of amplitudes, usually 0.5; not negative
-//   seed        any uint, 0 if left out; independent fields for different seeds
+//   seed        any uint, 0 if left out; different seeds give independent fields
 //   returns     [-1, 1], mean 0
 //   error       grows with |p| * lacunarity^octaves, since a float rounds the positions (docs/accuracy.md)
 //   cost        1 noise per octave
@@ -108,7 +108,7 @@ HN_FN HN_HIGHP float hn_turbulence(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIG
 
 // Clouds: the density of a sky, from an fBm.
 //   (parameters and cost as for hn_fbm; error 3 times that)
-//   returns  [0, 1]: 0 is clear, 1 is dense; about a fifth of a sky of 5 octaves is clear
+//   returns  [0, 1]: 0 is clear, 1 is dense
 //   source   after the cloud images of Valdenegro-Toro and Pincheira, fig. 6, which the paper gives no formula for
 HN_FN HN_HIGHP float hn_clouds(HN_HIGHP vec2 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain,
                             HN_HIGHP uint seed) {

@@ -14,7 +14,7 @@
 
 // FNV-1, 32 bit, of the four bytes of k, lowest first.
 //   returns  any uint
-//   cost     4 multiplications
+//   cost     3 multiplications (the first is of constants)
 //   source   Fowler, Noll, Vo; paper fig. 1
 HN_FN HN_HIGHP uint hn_hash_fnv1(HN_HIGHP uint k) {
   HN_HIGHP uint h = 2166136261u;
@@ -25,9 +25,10 @@ HN_FN HN_HIGHP uint hn_hash_fnv1(HN_HIGHP uint k) {
   return h;
 }
 
-// FNV-1's step, twice with the whole word. Weak: its low bits repeat with a period of 256.
+// FNV-1's step, twice with the whole word. Weak: every other word k has the same hash as -2 - k, and the low bits repeat
+// with a period of 256.
 //   returns  any uint
-//   cost     1 multiplication (the first is a constant)
+//   cost     1 multiplication (the first is of constants)
 //   source   Valdenegro-Toro and Pincheira, sec. 7
 HN_FN HN_HIGHP uint hn_hash_partial_fnv1(HN_HIGHP uint k) {
   HN_HIGHP uint h = 2166136261u;
@@ -50,7 +51,7 @@ HN_FN HN_HIGHP uint hn_i_jenkins_end(HN_HIGHP uint h) {
 
 // Jenkins one-at-a-time of the four bytes of k, lowest first.
 //   returns  any uint
-//   cost     no multiplication; 11 shifts, 15 additions and exclusive ors
+//   cost     no multiplication; 14 shifts, 14 additions and exclusive ors
 //   source   Jenkins, "A hash function for hash table lookup"; paper fig. 2
 HN_FN HN_HIGHP uint hn_hash_jenkins(HN_HIGHP uint k) {
   HN_HIGHP uint h = 0u;
@@ -104,15 +105,53 @@ HN_FN HN_HIGHP uint hn_hash_xxhash32(HN_HIGHP uint k) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Mixing: after these, no weakness of a hash shows on a lattice. The constants are "prospector32" of hash-prospector.
+// The hash of a lattice point, in three steps: spread the coordinates, make a key of them, mix.
 
-HN_FN HN_HIGHP uint hn_i_mix1(HN_HIGHP uint k) {
-  k ^= k >> 15;
-  k *= 0x2C1B3C6Du;
-  return k ^ (k >> 15);
+// Odd multiples (the primes of xxHash) send neighbours far apart, so that what a hash does alike for nearby or mirrored
+// words happens nowhere near the origin. The offset keeps the origin itself from being a word of zeros.
+HN_FN HN_HIGHP uint hn_i_spread(HN_HIGHP uint x) { return x * 0x9E3779B1u + 0x165667B1u; }
+
+HN_FN HN_HIGHP uvec2 hn_i_spread(HN_HIGHP uvec2 v) { return uvec2(hn_i_spread(v.x), v.y * 0x85EBCA77u); }
+
+HN_FN HN_HIGHP uvec3 hn_i_spread(HN_HIGHP uvec3 v) {
+  return uvec3(hn_i_spread(v.x), v.y * 0x85EBCA77u, v.z * 0xC2B2AE3Du);
 }
 
-HN_FN HN_HIGHP uint hn_i_mix2(HN_HIGHP uint k) {
+HN_FN HN_HIGHP uvec4 hn_i_spread(HN_HIGHP uvec4 v) {
+  return uvec4(hn_i_spread(v.x), v.y * 0x85EBCA77u, v.z * 0xC2B2AE3Du, v.w * 0x27D4EB2Fu);
+}
+
+// A key is built axis by axis, so that lattice points that share coordinates share the work: hn_i_key starts with x, and
+// hn_i_key with two parameters adds the next coordinate to the key of those before.
+#if HN_HASH == HN_HASH_LATTICE
+// Exclusive or after a rotation. Without the rotation, points opposite each other would often have the same key; a sum
+// would be linear, and repeat along some diagonal.
+HN_FN HN_HIGHP uint hn_i_key(HN_HIGHP uint x) { return x; }
+HN_FN HN_HIGHP uint hn_i_key(HN_HIGHP uint k, HN_HIGHP uint next) { return ((k << 13) | (k >> 19)) ^ next; }
+#else
+#if HN_HASH == HN_HASH_FNV1
+HN_FN HN_HIGHP uint hn_i_key(HN_HIGHP uint x) { return hn_hash_fnv1(x); }
+#elif HN_HASH == HN_HASH_PARTIAL_FNV1
+HN_FN HN_HIGHP uint hn_i_key(HN_HIGHP uint x) { return hn_hash_partial_fnv1(x); }
+#elif HN_HASH == HN_HASH_JENKINS
+HN_FN HN_HIGHP uint hn_i_key(HN_HIGHP uint x) { return hn_hash_jenkins(x); }
+#elif HN_HASH == HN_HASH_PARTIAL_JENKINS
+HN_FN HN_HIGHP uint hn_i_key(HN_HIGHP uint x) { return hn_hash_partial_jenkins(x); }
+#elif HN_HASH == HN_HASH_MURMUR
+HN_FN HN_HIGHP uint hn_i_key(HN_HIGHP uint x) { return hn_hash_murmur(x); }
+#elif HN_HASH == HN_HASH_PCG
+HN_FN HN_HIGHP uint hn_i_key(HN_HIGHP uint x) { return hn_hash_pcg(x); }
+#elif HN_HASH == HN_HASH_XXHASH32
+HN_FN HN_HIGHP uint hn_i_key(HN_HIGHP uint x) { return hn_hash_xxhash32(x); }
+#else
+HN_FN HN_HIGHP uint hn_i_key(HN_HIGHP uint x) { return HN_HASH_FN(x); }
+#endif
+// The paper's chain: each hash feeds the next axis (sec. 5).
+HN_FN HN_HIGHP uint hn_i_key(HN_HIGHP uint k, HN_HIGHP uint next) { return hn_i_key(k + next); }
+#endif
+
+// Each bit of k changes each bit of the result with a probability near 1/2: "prospector32" of hash-prospector. 0 stays 0.
+HN_FN HN_HIGHP uint hn_i_mix(HN_HIGHP uint k) {
   k ^= k >> 15;
   k *= 0x2C1B3C6Du;
   k ^= k >> 12;
@@ -120,99 +159,55 @@ HN_FN HN_HIGHP uint hn_i_mix2(HN_HIGHP uint k) {
   return k ^ (k >> 15);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Keys: one word for several coordinates, built axis by axis so that lattice points that share coordinates share the
-// work. hn_i_key1 starts with x; hn_i_key2 to hn_i_key4 add y, z and w to the key of the axes before.
-// hn_i_raw makes the value of hn_hash from a key, hn_i_mixed that of hn_lattice from a key with the seed in it.
-
-#if HN_HASH == HN_HASH_LATTICE
-// The lattice point is hashed directly: a multiple of an odd prime per axis (primes 1 to 4 of xxHash), joined by
-// exclusive or. A sum would be linear, and repeat along some diagonal. One round of mixing is enough for these keys.
-HN_FN HN_HIGHP uint hn_i_key1(HN_HIGHP uint x) { return x * 0x9E3779B1u; }
-HN_FN HN_HIGHP uint hn_i_key2(HN_HIGHP uint k, HN_HIGHP uint y) { return k ^ (y * 0x85EBCA77u); }
-HN_FN HN_HIGHP uint hn_i_key3(HN_HIGHP uint k, HN_HIGHP uint z) { return k ^ (z * 0xC2B2AE3Du); }
-HN_FN HN_HIGHP uint hn_i_key4(HN_HIGHP uint k, HN_HIGHP uint w) { return k ^ (w * 0x27D4EB2Fu); }
-HN_FN HN_HIGHP uint hn_i_raw(HN_HIGHP uint k) { return hn_i_mix1(k); }
-HN_FN HN_HIGHP uint hn_i_mixed(HN_HIGHP uint k) { return hn_i_mix1(k); }
-#else
-#if HN_HASH == HN_HASH_FNV1
-HN_FN HN_HIGHP uint hn_i_word(HN_HIGHP uint k) { return hn_hash_fnv1(k); }
-#elif HN_HASH == HN_HASH_PARTIAL_FNV1
-HN_FN HN_HIGHP uint hn_i_word(HN_HIGHP uint k) { return hn_hash_partial_fnv1(k); }
-#elif HN_HASH == HN_HASH_JENKINS
-HN_FN HN_HIGHP uint hn_i_word(HN_HIGHP uint k) { return hn_hash_jenkins(k); }
-#elif HN_HASH == HN_HASH_PARTIAL_JENKINS
-HN_FN HN_HIGHP uint hn_i_word(HN_HIGHP uint k) { return hn_hash_partial_jenkins(k); }
-#elif HN_HASH == HN_HASH_MURMUR
-HN_FN HN_HIGHP uint hn_i_word(HN_HIGHP uint k) { return hn_hash_murmur(k); }
-#elif HN_HASH == HN_HASH_PCG
-HN_FN HN_HIGHP uint hn_i_word(HN_HIGHP uint k) { return hn_hash_pcg(k); }
-#elif HN_HASH == HN_HASH_XXHASH32
-HN_FN HN_HIGHP uint hn_i_word(HN_HIGHP uint k) { return hn_hash_xxhash32(k); }
-#else
-HN_FN HN_HIGHP uint hn_i_word(HN_HIGHP uint k) { return HN_HASH_FN(k); }
-#endif
-// The paper's chain: each hash feeds the next axis (sec. 5).
-HN_FN HN_HIGHP uint hn_i_key1(HN_HIGHP uint x) { return hn_i_word(x); }
-HN_FN HN_HIGHP uint hn_i_key2(HN_HIGHP uint k, HN_HIGHP uint y) { return hn_i_word(k + y); }
-HN_FN HN_HIGHP uint hn_i_key3(HN_HIGHP uint k, HN_HIGHP uint z) { return hn_i_word(k + z); }
-HN_FN HN_HIGHP uint hn_i_key4(HN_HIGHP uint k, HN_HIGHP uint w) { return hn_i_word(k + w); }
-HN_FN HN_HIGHP uint hn_i_raw(HN_HIGHP uint k) { return k; }
-HN_FN HN_HIGHP uint hn_i_mixed(HN_HIGHP uint k) { return hn_i_mix2(k); }
-#endif
-
-// A word that makes the fields of any two seeds independent, to be joined to a key by exclusive or; 0 for seed 0. A
-// compiler folds it for a constant seed.
-HN_FN HN_HIGHP uint hn_i_seed(HN_HIGHP uint seed) { return hn_i_mix2(seed); }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// The selected hash.
-
-// The hash of HN_HASH as published, of 1 to 4 words: H(x), H(H(x) + y), and so on.
-//   returns  any uint; as good, or as weak, as the hash is
-//   period   2^32 along each axis
-//   cost     1 hash per word
-//   source   Valdenegro-Toro and Pincheira, sec. 5
-HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uint x) { return hn_i_raw(hn_i_key1(x)); }
-
-HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uvec2 v) { return hn_i_raw(hn_i_key2(hn_i_key1(v.x), v.y)); }
-
-HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uvec3 v) { return hn_i_raw(hn_i_key3(hn_i_key2(hn_i_key1(v.x), v.y), v.z)); }
-
-HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uvec4 v) {
-  return hn_i_raw(hn_i_key4(hn_i_key3(hn_i_key2(hn_i_key1(v.x), v.y), v.z), v.w));
-}
-
-// Lattice hashing: the well mixed hash of a point of the integer lattice, with any HN_HASH. What the noise is made of;
-// use it to scatter things.
+// Lattice hashing: a well mixed hash of a point of the integer lattice, with any HN_HASH. What the noise is made of; use
+// it to scatter things.
 //   cell     the point: int, ivec2, ivec3 or ivec4
-//   seed     any uint, 0 if left out; independent fields for different seeds
+//   seed     any uint, 0 if left out; different seeds give independent fields
 //   returns  any uint; take bits from anywhere in it
-//   period   2^32 along each axis
-//   cost     1 hash per axis and a mixer of 1 (HN_HASH_LATTICE) or 2 multiplications
+//   period   2^32 along each axis (HN_HASH_PARTIAL_FNV1: 2^31 along the last axis, half as much along each before)
+//   cost     per axis 1 multiplication and 1 hash (none with HN_HASH_LATTICE); 2 multiplications to mix, and 2 more for
+//            a seed that is no constant
 HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP int cell, HN_HIGHP uint seed) {
-  return hn_i_mixed(hn_i_key1(uint(cell)) ^ hn_i_seed(seed));
+  return hn_i_mix(hn_i_key(hn_i_spread(uint(cell))) ^ hn_i_mix(seed));
 }
 
 HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP ivec2 cell, HN_HIGHP uint seed) {
-  HN_HIGHP uvec2 c = uvec2(cell);
-  return hn_i_mixed(hn_i_key2(hn_i_key1(c.x), c.y) ^ hn_i_seed(seed));
+  HN_HIGHP uvec2 c = hn_i_spread(uvec2(cell));
+  return hn_i_mix(hn_i_key(hn_i_key(c.x), c.y) ^ hn_i_mix(seed));
 }
 
 HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP ivec3 cell, HN_HIGHP uint seed) {
-  HN_HIGHP uvec3 c = uvec3(cell);
-  return hn_i_mixed(hn_i_key3(hn_i_key2(hn_i_key1(c.x), c.y), c.z) ^ hn_i_seed(seed));
+  HN_HIGHP uvec3 c = hn_i_spread(uvec3(cell));
+  return hn_i_mix(hn_i_key(hn_i_key(hn_i_key(c.x), c.y), c.z) ^ hn_i_mix(seed));
 }
 
 HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP ivec4 cell, HN_HIGHP uint seed) {
-  HN_HIGHP uvec4 c = uvec4(cell);
-  return hn_i_mixed(hn_i_key4(hn_i_key3(hn_i_key2(hn_i_key1(c.x), c.y), c.z), c.w) ^ hn_i_seed(seed));
+  HN_HIGHP uvec4 c = hn_i_spread(uvec4(cell));
+  return hn_i_mix(hn_i_key(hn_i_key(hn_i_key(hn_i_key(c.x), c.y), c.z), c.w) ^ hn_i_mix(seed));
 }
 
 HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP int cell) { return hn_lattice(cell, 0u); }
 HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP ivec2 cell) { return hn_lattice(cell, 0u); }
 HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP ivec3 cell) { return hn_lattice(cell, 0u); }
 HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP ivec4 cell) { return hn_lattice(cell, 0u); }
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The selected hash as published, of 1 to 4 words: H(x), H(H(x) + y), and so on. HN_HASH_LATTICE has no published form;
+// with it this is hn_lattice.
+//   returns  any uint; as good, or as weak, as the hash is
+//   cost     1 hash per word (HN_HASH_LATTICE: as hn_lattice)
+//   source   Valdenegro-Toro and Pincheira, sec. 5
+#if HN_HASH == HN_HASH_LATTICE
+HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uint x) { return hn_lattice(int(x)); }
+HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uvec2 v) { return hn_lattice(ivec2(v)); }
+HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uvec3 v) { return hn_lattice(ivec3(v)); }
+HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uvec4 v) { return hn_lattice(ivec4(v)); }
+#else
+HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uint x) { return hn_i_key(x); }
+HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uvec2 v) { return hn_i_key(hn_hash(v.x), v.y); }
+HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uvec3 v) { return hn_i_key(hn_hash(uvec2(v.x, v.y)), v.z); }
+HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uvec4 v) { return hn_i_key(hn_hash(uvec3(v.x, v.y, v.z)), v.w); }
+#endif
 
 // ---------------------------------------------------------------------------------------------------------------------
 // From a hash to a float. Every step below is exact in a 32-bit float, however it is rounded or contracted.

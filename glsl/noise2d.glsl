@@ -16,21 +16,24 @@ HN_FN HN_HIGHP float hn_i_ramp2(HN_HIGHP uint h, HN_HIGHP float x, HN_HIGHP floa
 // Names cells exactly where a float no longer can: far out in a large world, or in a world that moves with the viewer.
 //   cell     the cell; its corners wrap at 2^32
 //   f        position in the cell, in [0, 1]
-//   seed     any uint, 0 if left out; independent fields for different seeds
+//   seed     any uint, 0 if left out; different seeds give independent fields
 //   returns  [-1, 1] (proven bound 0.999985), mean 0, 0 at lattice points, twice continuously differentiable
 //   error    at most 3.3e-6 against the exact value, in any rounding mode (docs/accuracy.md)
-//   period   2^32 cells per axis
-//   cost     6 hashes, 4 mixers (HN_HASH_LATTICE: 2 multiplications per axis, 4 mixers)
+//   period   2^32 cells per axis (HN_HASH_PARTIAL_FNV1: 2^30 and 2^31)
+//   cost     6 hashes (none with HN_HASH_LATTICE); 12 integer multiplications to spread and mix, and 2 more for a seed
+//            that is no constant
 //   source   Valdenegro-Toro and Pincheira, sec. 5; Perlin, "Improving noise", 2002
 HN_FN HN_HIGHP float hn_perlin(HN_HIGHP ivec2 cell, HN_HIGHP vec2 f, HN_HIGHP uint seed) {
   HN_HIGHP uvec2 c = uvec2(cell);
-  HN_HIGHP uint s = hn_i_seed(seed);
-  HN_HIGHP uint k0 = hn_i_key1(c.x);
-  HN_HIGHP uint k1 = hn_i_key1(c.x + 1u);
-  HN_HIGHP uint h00 = hn_i_mixed(hn_i_key2(k0, c.y) ^ s);
-  HN_HIGHP uint h10 = hn_i_mixed(hn_i_key2(k1, c.y) ^ s);
-  HN_HIGHP uint h01 = hn_i_mixed(hn_i_key2(k0, c.y + 1u) ^ s);
-  HN_HIGHP uint h11 = hn_i_mixed(hn_i_key2(k1, c.y + 1u) ^ s);
+  HN_HIGHP uvec2 c0 = hn_i_spread(c);
+  HN_HIGHP uvec2 c1 = hn_i_spread(c + 1u);
+  HN_HIGHP uint s = hn_i_mix(seed);
+  HN_HIGHP uint k0 = hn_i_key(c0.x);
+  HN_HIGHP uint k1 = hn_i_key(c1.x);
+  HN_HIGHP uint h00 = hn_i_mix(hn_i_key(k0, c0.y) ^ s);
+  HN_HIGHP uint h10 = hn_i_mix(hn_i_key(k1, c0.y) ^ s);
+  HN_HIGHP uint h01 = hn_i_mix(hn_i_key(k0, c1.y) ^ s);
+  HN_HIGHP uint h11 = hn_i_mix(hn_i_key(k1, c1.y) ^ s);
   HN_HIGHP vec2 d = f - 1.0f;
   HN_HIGHP vec2 t = f * f * f * (d * (f * 6.0f - 9.0f) + 1.0f);  // 6 f^5 - 15 f^4 + 10 f^3, without cancellation
   HN_HIGHP float n00 = hn_i_ramp2(h00, f.x, f.y);

@@ -16,32 +16,35 @@ HN_FN HN_HIGHP float hn_i_ramp3(HN_HIGHP uint h, HN_HIGHP float x, HN_HIGHP floa
 // Names cells exactly where a float no longer can: far out in a large world, or in a world that moves with the viewer.
 //   cell     the cell; its corners wrap at 2^32
 //   f        position in the cell, in [0, 1]
-//   seed     any uint, 0 if left out; independent fields for different seeds
+//   seed     any uint, 0 if left out; different seeds give independent fields
 //   returns  [-1, 1] (proven bound 0.99992), mean 0, 0 at lattice points, twice continuously differentiable
 //   error    at most 5.1e-6 against the exact value, in any rounding mode (docs/accuracy.md)
-//   period   2^32 cells per axis
-//   cost     14 hashes, 8 mixers (HN_HASH_LATTICE: 2 multiplications per axis, 8 mixers)
+//   period   2^32 cells per axis (HN_HASH_PARTIAL_FNV1: 2^29, 2^30 and 2^31)
+//   cost     14 hashes (none with HN_HASH_LATTICE); 22 integer multiplications to spread and mix, and 2 more for a seed
+//            that is no constant
 //   source   Valdenegro-Toro and Pincheira, sec. 5; Perlin, "Improving noise", 2002
 HN_FN HN_HIGHP float hn_perlin(HN_HIGHP ivec3 cell, HN_HIGHP vec3 f, HN_HIGHP uint seed) {
   HN_HIGHP uvec3 c = uvec3(cell);
-  HN_HIGHP uint s = hn_i_seed(seed);
-  HN_HIGHP uint k0 = hn_i_key1(c.x);
-  HN_HIGHP uint k1 = hn_i_key1(c.x + 1u);
-  HN_HIGHP uint k00 = hn_i_key2(k0, c.y);
-  HN_HIGHP uint k10 = hn_i_key2(k1, c.y);
-  HN_HIGHP uint k01 = hn_i_key2(k0, c.y + 1u);
-  HN_HIGHP uint k11 = hn_i_key2(k1, c.y + 1u);
+  HN_HIGHP uvec3 c0 = hn_i_spread(c);
+  HN_HIGHP uvec3 c1 = hn_i_spread(c + 1u);
+  HN_HIGHP uint s = hn_i_mix(seed);
+  HN_HIGHP uint k0 = hn_i_key(c0.x);
+  HN_HIGHP uint k1 = hn_i_key(c1.x);
+  HN_HIGHP uint k00 = hn_i_key(k0, c0.y);
+  HN_HIGHP uint k10 = hn_i_key(k1, c0.y);
+  HN_HIGHP uint k01 = hn_i_key(k0, c1.y);
+  HN_HIGHP uint k11 = hn_i_key(k1, c1.y);
   HN_HIGHP vec3 d = f - 1.0f;
   HN_HIGHP vec3 t = f * f * f * (d * (f * 6.0f - 9.0f) + 1.0f);  // 6 f^5 - 15 f^4 + 10 f^3, without cancellation
 
-  HN_HIGHP float n000 = hn_i_ramp3(hn_i_mixed(hn_i_key3(k00, c.z) ^ s), f.x, f.y, f.z);
-  HN_HIGHP float n100 = hn_i_ramp3(hn_i_mixed(hn_i_key3(k10, c.z) ^ s), d.x, f.y, f.z);
-  HN_HIGHP float n010 = hn_i_ramp3(hn_i_mixed(hn_i_key3(k01, c.z) ^ s), f.x, d.y, f.z);
-  HN_HIGHP float n110 = hn_i_ramp3(hn_i_mixed(hn_i_key3(k11, c.z) ^ s), d.x, d.y, f.z);
-  HN_HIGHP float n001 = hn_i_ramp3(hn_i_mixed(hn_i_key3(k00, c.z + 1u) ^ s), f.x, f.y, d.z);
-  HN_HIGHP float n101 = hn_i_ramp3(hn_i_mixed(hn_i_key3(k10, c.z + 1u) ^ s), d.x, f.y, d.z);
-  HN_HIGHP float n011 = hn_i_ramp3(hn_i_mixed(hn_i_key3(k01, c.z + 1u) ^ s), f.x, d.y, d.z);
-  HN_HIGHP float n111 = hn_i_ramp3(hn_i_mixed(hn_i_key3(k11, c.z + 1u) ^ s), d.x, d.y, d.z);
+  HN_HIGHP float n000 = hn_i_ramp3(hn_i_mix(hn_i_key(k00, c0.z) ^ s), f.x, f.y, f.z);
+  HN_HIGHP float n100 = hn_i_ramp3(hn_i_mix(hn_i_key(k10, c0.z) ^ s), d.x, f.y, f.z);
+  HN_HIGHP float n010 = hn_i_ramp3(hn_i_mix(hn_i_key(k01, c0.z) ^ s), f.x, d.y, f.z);
+  HN_HIGHP float n110 = hn_i_ramp3(hn_i_mix(hn_i_key(k11, c0.z) ^ s), d.x, d.y, f.z);
+  HN_HIGHP float n001 = hn_i_ramp3(hn_i_mix(hn_i_key(k00, c1.z) ^ s), f.x, f.y, d.z);
+  HN_HIGHP float n101 = hn_i_ramp3(hn_i_mix(hn_i_key(k10, c1.z) ^ s), d.x, f.y, d.z);
+  HN_HIGHP float n011 = hn_i_ramp3(hn_i_mix(hn_i_key(k01, c1.z) ^ s), f.x, d.y, d.z);
+  HN_HIGHP float n111 = hn_i_ramp3(hn_i_mix(hn_i_key(k11, c1.z) ^ s), d.x, d.y, d.z);
 
   HN_HIGHP float n00 = n000 + t.x * (n100 - n000);
   HN_HIGHP float n10 = n010 + t.x * (n110 - n010);

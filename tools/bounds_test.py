@@ -335,22 +335,24 @@ class Transcription(unittest.TestCase):
         for number in numbers:
             self.assertIn(number, text, path)
 
+    @staticmethod
+    def rounded_up(value, digits):
+        """To a number of significant digits, as the documents write it."""
+        step = 10.0 ** (math.floor(math.log10(value)) + 1 - digits)
+        return f"{math.ceil(value / step - 1e-9) * step:.{digits - 1}e}".replace("e-0", "e-")
+
     def test_the_suite_uses_these_bounds(self):
         for dims in DIMS:
-            error, lipschitz = bounds.PERLIN_ERROR[dims], bounds.PERLIN_LIPSCHITZ[dims]
-            stated = f"NoiseBounds{{{error:.2e}, {lipschitz}}}".replace("e-06", "e-6")
+            cell, error = self.rounded_up(bounds.error_bound(dims), 3), bounds.PERLIN_ERROR[dims]
+            stated = f"NoiseBounds{{{cell}, {error:.2e}, {bounds.PERLIN_LIPSCHITZ[dims]}}}".replace("e-06", "e-6")
             self.assert_states("conformance/tolerance.cpp", stated)
 
     def test_the_documents_state_these_bounds(self):
-        def rounded_up(value, digits):  # to a number of significant digits, as the documents write it
-            step = 10.0 ** (math.floor(math.log10(value)) + 1 - digits)
-            return f"{math.ceil(value / step - 1e-9) * step:.{digits - 1}e}".replace("e-0", "e-")
-
         for dims in DIMS:
             position = f"{bounds.PERLIN_ERROR[dims]:.2e}".replace("e-0", "e-")
             cell = bounds.error_bound(dims)
-            self.assert_states(f"glsl/noise{dims}d.glsl", position, rounded_up(cell, 2))
-            self.assert_states("docs/accuracy.md", position, rounded_up(cell, 3), str(bounds.PERLIN_LIPSCHITZ[dims]))
+            self.assert_states(f"glsl/noise{dims}d.glsl", position, self.rounded_up(cell, 2))
+            self.assert_states("docs/accuracy.md", position, self.rounded_up(cell, 3), str(bounds.PERLIN_LIPSCHITZ[dims]))
             self.assert_states("README.md", position)
             range_bound = {2: "0.999985", 3: "0.99992"}[dims]
             self.assertLess(bounds.range_bound(dims, bounds.SCALE[dims]), float(range_bound))
@@ -358,7 +360,7 @@ class Transcription(unittest.TestCase):
             self.assert_states("README.md", range_bound)
         for kind, dims, exact in (("fbm", 2, True), ("fbm", 2, False), ("fbm", 3, False), ("clouds", 2, False)):
             tolerance = bounds.octave_tolerance(kind, dims, 16.0, 5, 2.0, 0.5, exact)
-            self.assert_states("docs/accuracy.md", f"| {rounded_up(tolerance, 2)} |")
+            self.assert_states("docs/accuracy.md", f"| {self.rounded_up(tolerance, 2)} |")
 
 
 if __name__ == "__main__":

@@ -15,7 +15,7 @@ from fractions import Fraction
 
 MASK = 0xFFFFFFFF
 
-# xxHash's primes 1 to 5; LATTICE uses the first four.
+# xxHash's primes 1 to 5; a lattice point is spread by them too.
 PRIMES = (0x9E3779B1, 0x85EBCA77, 0xC2B2AE3D, 0x27D4EB2F, 0x165667B1)
 
 
@@ -108,41 +108,52 @@ HASHES = ("fnv1", "partial_fnv1", "jenkins", "partial_jenkins", "murmur", "pcg",
 # --- Section 3: several words, and a lattice point --------------------------------------------------------------
 
 
-def mix1(k: int) -> int:
-    """The light mixer."""
-    k = (k ^ k >> 15) * 0x2C1B3C6D & MASK
-    return k ^ k >> 15
-
-
-def mix2(k: int) -> int:
-    """The full mixer, "prospector32"."""
+def mix(k: int) -> int:
+    """The mixer, "prospector32"."""
     k = (k ^ k >> 15) * 0x2C1B3C6D & MASK
     k = (k ^ k >> 12) * 0x297A2D39 & MASK
     return k ^ k >> 15
 
 
-def key(name: str, words: Sequence[int]) -> int:
-    """The key of one to four words (signed ones count as two's complement) under the hash `name`."""
+def chain(name: str, words: Sequence[int]) -> int:
+    """The paper's chain of one to four words under the word hash `name`."""
     k = 0
-    if name == "lattice":
-        for word, prime in zip(words, PRIMES):
-            k ^= word * prime & MASK
-    else:
-        for word in words:
-            # For the first word k is still 0, so that K1 = H(x).
-            k = WORD_HASHES[name]((k + word) & MASK)
+    for word in words:
+        # For the first word k is still 0, so that the chain begins with H(x).
+        k = WORD_HASHES[name]((k + word) & MASK)
     return k
 
 
+def spread(point: Sequence[int]) -> list[int]:
+    """The coordinates x', y', z', w' (signed ones count as two's complement)."""
+    # Only x has a summand: it keeps the origin, which the factors alone would leave 0, from a key of 0.
+    offsets = (PRIMES[4], 0, 0, 0)
+    return [(x * prime + offset) & MASK for x, prime, offset in zip(point, PRIMES, offsets)]
+
+
+def rotated_join(words: Sequence[int]) -> int:
+    """The key that LATTICE makes of one to four spread coordinates."""
+    k = 0
+    for word in words:
+        # For the first word k is still 0, so that K1 = x'.
+        k = rotl(k, 13) ^ word
+    return k
+
+
+def key(name: str, point: Sequence[int]) -> int:
+    """The key of a lattice point under the hash `name`."""
+    words = spread(point)
+    return rotated_join(words) if name == "lattice" else chain(name, words)
+
+
 def hash_words(name: str, words: Sequence[int]) -> int:
-    """hn_hash: the hash as published."""
-    return mix1(key(name, words)) if name == "lattice" else key(name, words)
+    """hn_hash: with a word hash the chain as published, neither spread nor mixed."""
+    return lattice(name, words) if name == "lattice" else chain(name, words)
 
 
 def lattice(name: str, point: Sequence[int], seed: int = 0) -> int:
     """hn_lattice: the seeded and mixed hash of a lattice point."""
-    mix = mix1 if name == "lattice" else mix2
-    return mix(key(name, point) ^ mix2(seed))
+    return mix(key(name, point) ^ mix(seed))
 
 
 # --- Section 4: from a hash to a float --------------------------------------------------------------------------

@@ -3,7 +3,8 @@
 #   setup conform   what hn-conform needs, built into build/
 #   setup test      the same, with the tests and what they need
 #
-# It names the packages that are missing and installs them. Where it cannot, it stops with status 4.
+# It names the packages that are missing and installs them; where it cannot, it stops with status 4. On another system it
+# names what is needed and tries to build.
 
 readonly root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 readonly build=$root/build
@@ -17,6 +18,10 @@ readonly conform_packages=(
 readonly test_packages=(clang libgtest-dev libpng-dev python3)
 
 install_missing() {
+  if ! command -v dpkg-query >/dev/null; then
+    echo "This is no Debian. The build needs what these Debian packages provide: $*" >&2
+    return 0
+  fi
   local missing=() package
   for package in "$@"; do
     [[ $(dpkg-query -W -f '${Status}' "$package" 2>/dev/null) == *' installed' ]] || missing+=("$package")
@@ -46,17 +51,18 @@ logged() {
 }
 
 setup() {
-  local -a packages=("${conform_packages[@]}") configuration=() target=(--target hn-conform)
+  local -a packages=("${conform_packages[@]}") configuration=(-DHASHNOISE_CONFORMANCE=ON) target=(--target hn-conform)
   if [[ $1 == test ]]; then
     packages+=("${test_packages[@]}")
-    configuration=(-DHASHNOISE_TESTS=ON)
+    configuration+=(-DHASHNOISE_TESTS=ON)
     target=()
   elif [[ ! -e $build/CMakeCache.txt ]]; then
-    configuration=(-DHASHNOISE_TESTS=OFF)  # their packages may be missing; a build that has tests keeps them
+    configuration+=(-DHASHNOISE_TESTS=OFF)  # their packages may be missing; a build that has tests keeps them
   fi
   mkdir -p "$build"
   : >"$log"
   install_missing "${packages[@]}"
-  logged "The build could not be configured" cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release "${configuration[@]}"
+  logged "The build could not be configured" \
+    cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release "${configuration[@]}"
   logged "The build failed" cmake --build "$build" "${target[@]}"
 }

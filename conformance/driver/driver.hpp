@@ -3,6 +3,7 @@
 
 #include <glad/gl.h>
 
+#include <array>
 #include <memory>
 #include <span>
 #include <string>
@@ -13,6 +14,10 @@
 
 namespace hn {
 
+// The versions of OpenGL to ask for, highest first, where an interface has no way to say "the highest".
+constexpr std::array<std::array<int, 2>, 8> kContextVersions = {
+    {{4, 6}, {4, 5}, {4, 3}, {4, 1}, {4, 0}, {3, 3}, {3, 2}, {3, 1}}};
+
 // A context, current on the thread that made it until it is destroyed.
 class Context {
  public:
@@ -21,7 +26,7 @@ class Context {
   const GladGLContext& gl() const { return gl_; }
 
  protected:
-  // To be called by the derived class once its context is current. The highest version is what gl() then offers.
+  // To be called by the derived class once its context is current.
   Result<void> load_functions(GLADloadfunc load);
 
  private:

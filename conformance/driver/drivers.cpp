@@ -43,6 +43,17 @@ int highest_es_version(const GladGLContext& gl) {
   return has_extension(gl, "GL_ARB_ES3_compatibility") ? 300 : 0;
 }
 
+bool takes_glsl_130(const GladGLContext& gl) {
+  const char* const text = "#version 130\nvoid main() {}\n";
+  const GLuint shader = gl.CreateShader(GL_FRAGMENT_SHADER);
+  gl.ShaderSource(shader, 1, &text, nullptr);
+  gl.CompileShader(shader);
+  GLint compiled = GL_FALSE;
+  gl.GetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+  gl.DeleteShader(shader);
+  return compiled != GL_FALSE;
+}
+
 }  // namespace
 
 Result<void> Context::load_functions(GLADloadfunc load) {
@@ -63,7 +74,8 @@ ContextInfo describe(const Context& context) {
                    string_of(gl, GL_VERSION),
                    string_of(gl, GL_SHADING_LANGUAGE_VERSION),
                    {}};
-  info.languages = {glsl_version_number(info.glsl_version), highest_es_version(gl)};
+  info.languages = {glsl_version_number(info.glsl_version), highest_es_version(gl), takes_glsl_130(gl),
+                    has_extension(gl, "GL_ARB_shader_bit_encoding")};
   return info;
 }
 

@@ -2,6 +2,7 @@
 #include <EGL/eglext.h>
 
 #include <array>
+#include <utility>
 
 #include "driver.hpp"
 #include "library.hpp"
@@ -14,8 +15,10 @@ class EglContext final : public Context {
   explicit EglContext(Library library) : library_(library) {}
   ~EglContext() override {
     if (display_ == EGL_NO_DISPLAY) return;
-    call<decltype(eglMakeCurrent)>("eglMakeCurrent")(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    if (context_ != EGL_NO_CONTEXT) call<decltype(eglDestroyContext)>("eglDestroyContext")(display_, context_);
+    if (context_ != EGL_NO_CONTEXT) {
+      call<decltype(eglMakeCurrent)>("eglMakeCurrent")(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+      call<decltype(eglDestroyContext)>("eglDestroyContext")(display_, context_);
+    }
     call<decltype(eglTerminate)>("eglTerminate")(display_);
   }
 
@@ -52,12 +55,20 @@ class EglContext final : public Context {
       return fail("EGL does not initialise on this platform");
     }
     if (!call<decltype(eglBindAPI)>("eglBindAPI")(EGL_OPENGL_API)) return fail("EGL has no desktop OpenGL here");
-    // No configuration and no surface: we draw into framebuffer objects only.
-    const std::array attributes = {
-        EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 1, EGL_CONTEXT_OPENGL_PROFILE_MASK,
-        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
-    context_ = call<decltype(eglCreateContext)>("eglCreateContext")(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT,
-                                                                    attributes.data());
+    // No configuration and no surface: we draw into framebuffer objects only. A driver may give just the version that
+    // it is asked for, so ask for the highest first.
+    for (const auto& [major_version, minor_version] : kContextVersions) {
+      const std::array attributes = {EGL_CONTEXT_MAJOR_VERSION,
+                                     major_version,
+                                     EGL_CONTEXT_MINOR_VERSION,
+                                     minor_version,
+                                     EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                     EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                     EGL_NONE};
+      context_ = call<decltype(eglCreateContext)>("eglCreateContext")(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT,
+                                                                      attributes.data());
+      if (context_ != EGL_NO_CONTEXT) break;
+    }
     if (context_ == EGL_NO_CONTEXT) return fail("EGL makes no core context of OpenGL 3.1 or later");
     if (!call<decltype(eglMakeCurrent)>("eglMakeCurrent")(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
       return fail("EGL does not make a context current without a surface");
@@ -75,13 +86,15 @@ class EglContext final : public Context {
 Result<std::unique_ptr<Context>> create_egl() {
   auto library = Library::open({"libEGL.so.1", "libEGL.so"});
   if (!library) return tl::unexpected(library.error());
-  auto surfaceless = std::make_unique<EglContext>(*library);
-  const auto started = surfaceless->start_surfaceless();
-  if (started) return surfaceless;
-  auto on_device = std::make_unique<EglContext>(*library);
-  const auto device_started = on_device->start_on_first_device();
-  if (device_started) return on_device;
-  return fail("surfaceless: " + started.error().message + "; device: " + device_started.error().message);
+  std::string why;
+  for (const auto& [name, start] : {std::pair{"surfaceless", &EglContext::start_surfaceless},
+                                    std::pair{"device", &EglContext::start_on_first_device}}) {
+    auto context = std::make_unique<EglContext>(*library);
+    const auto started = (*context.*start)();
+    if (started) return context;
+    why += fmt::format("{}{}: {}", why.empty() ? "" : "; ", name, started.error().message);
+  }
+  return fail(why);
 }
 
 }  // namespace hn

@@ -33,8 +33,8 @@ class OsmesaDriverContext final : public Context {
     auto* const make_current = library_.function<MakeCurrent>("OSMesaMakeCurrent");
     auto* const get_proc_address = library_.function<GetProcAddress>("OSMesaGetProcAddress");
     if (!create || !make_current || !get_proc_address) return fail("this libOSMesa is older than Mesa 11.2");
-    // Without a version, OSMesa gives 2.1. It has no way to ask for the highest, so go down from it.
-    for (const auto& [major, minor] : {std::array{4, 6}, {4, 5}, {4, 3}, {4, 0}, {3, 3}, {3, 2}, {3, 1}}) {
+    // Without a version, OSMesa gives 2.1. It has no way to ask for the highest.
+    for (const auto& [major, minor] : kContextVersions) {
       const std::array attributes = {kFormat,       GL_RGBA, kProfile, kCoreProfile, kMajorVersion, major,
                                      kMinorVersion, minor,   0};
       context_ = create(attributes.data(), nullptr);

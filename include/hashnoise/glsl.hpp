@@ -93,6 +93,9 @@ constexpr vec3 operator+(vec3 a, float b) { return a + vec3(b); }
 constexpr vec3 operator-(vec3 a, float b) { return a - vec3(b); }
 constexpr vec3 operator*(vec3 a, float b) { return a * vec3(b); }
 
+constexpr uvec2 operator+(uvec2 a, uint b) { return {a.x + b, a.y + b}; }
+constexpr uvec3 operator+(uvec3 a, uint b) { return {a.x + b, a.y + b, a.z + b}; }
+
 // In this namespace a call means these, never ::abs(int) or another function that happens to be declared.
 inline float floor(float x) { return std::floor(x); }
 inline vec2 floor(vec2 v) { return {std::floor(v.x), std::floor(v.y)}; }

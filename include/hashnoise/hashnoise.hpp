@@ -4,33 +4,27 @@
 //   #include <hashnoise/hashnoise.hpp>
 //   float height = hashnoise::hn_perlin(hashnoise::vec2(3.25f, 7.5f));
 //
-// Knobs (glsl/config.glsl) are macros, to be defined before the include. HN_HASH names an inline namespace, so that
-// translation units with different hashes may be linked together. Code that a macro brings in (HN_HASH_FN,
-// HN_FBM_NOISE2D, HN_FBM_NOISE3D) does not: let it be the same wherever the HN_HASH is.
+// It includes glsl/ by its place in the source tree, ../../glsl; the installed copy of this file says glsl/ instead.
+//
+// Knobs (config.glsl) are macros, to be defined before the include. HN_HASH names an inline namespace, so that
+// translation units with different hashes may be linked together. What other macros bring in (HN_HASH_FN,
+// HN_FBM_NOISE2D, HN_FBM_NOISE3D) does not: it must be the same in all translation units that have the same HN_HASH.
 
 #pragma once
 
+#include "../../glsl/config.glsl"
 #include "glsl.hpp"
 
-// In the source tree the GLSL lies beside include/; installed, below this header.
-#if __has_include("../../glsl/hashnoise.glsl")
-#include "../../glsl/config.glsl"
-#else
-#include "glsl/config.glsl"
-#endif
-
-#define HN_I_PASTE(a, b) a##b
-#define HN_I_NAMESPACE(hash) HN_I_PASTE(hash_, hash)
+#define HN_I_PASTE_TOKENS(a, b) a##b
+#define HN_I_PASTE(a, b) HN_I_PASTE_TOKENS(a, b)
+#define HN_I_NAMESPACE HN_I_PASTE(hash_, HN_HASH)
 
 namespace hashnoise {
-inline namespace HN_I_NAMESPACE(HN_HASH) {
-#if __has_include("../../glsl/hashnoise.glsl")
+inline namespace HN_I_NAMESPACE {
 #include "../../glsl/hashnoise.glsl"
-#else
-#include "glsl/hashnoise.glsl"
-#endif
-}  // namespace )
+}  // namespace HN_I_NAMESPACE
 }  // namespace hashnoise
 
 #undef HN_I_NAMESPACE
 #undef HN_I_PASTE
+#undef HN_I_PASTE_TOKENS
