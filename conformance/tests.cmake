@@ -43,8 +43,9 @@ foreach(compiler g++ clang++)
   endforeach()
 endforeach()
 
-# --- The picture of the README: drawn by the build, held against the committed one ---
+# --- The README: its picture and its code ---
 find_package(PNG REQUIRED)
 add_executable(picture ${tools}/picture.cpp)
 target_compile_options(picture PRIVATE ${warnings} -ffp-contract=off)
 target_link_libraries(picture PRIVATE hashnoise::hashnoise PNG::PNG)
+add_test(NAME readme COMMAND Python3::Interpreter ${tools}/readme_test.py $<TARGET_FILE:picture>)

@@ -1,10 +1,13 @@
 // Draws the picture of the README with the C++ twin: noise, fBm, turbulence and clouds, side by side.
-//   picture OUT.png        exit status 0, 2 if the file cannot be written
+//   picture OUT.png            draws it
+//   picture --check FILE.png   exit status 1 if the file shows another picture
+// Exit status: 0 done, 1 another picture, 2 bad usage or a file that cannot be read or written.
 #include <png.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <cstring>
 #include <hashnoise/hashnoise.hpp>
 #include <vector>
 
@@ -33,34 +36,61 @@ constexpr std::array<Tile, 4> kTiles = {
 
 png_byte to_byte(float value) { return static_cast<png_byte>(std::clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f); }
 
-}  // namespace
+constexpr int kWidth = static_cast<int>(kTiles.size()) * (kTile + kBorder) - kBorder;
 
-int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: picture OUT.png\n");
-    return 2;
-  }
-  constexpr int kWidth = static_cast<int>(kTiles.size()) * (kTile + kBorder) - kBorder;
+std::vector<png_byte> draw() {
   std::vector<png_byte> pixels(std::size_t{kWidth} * kTile * 3, 255);
   for (int tile = 0; tile < static_cast<int>(kTiles.size()); ++tile) {
     for (int y = 0; y < kTile; ++y) {
       for (int x = 0; x < kTile; ++x) {
         const vec2 p = vec2(static_cast<float>(x), static_cast<float>(y)) * (kCells / static_cast<float>(kTile));
         const vec3 colour = kTiles[static_cast<std::size_t>(tile)](p);
-        const auto at =
-            (static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(tile * (kTile + kBorder) + x)) * 3;
+        const int column = tile * (kTile + kBorder) + x;
+        const auto at = (static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(column)) * 3;
         pixels[at] = to_byte(colour.x);
         pixels[at + 1] = to_byte(colour.y);
         pixels[at + 2] = to_byte(colour.z);
       }
     }
   }
+  return pixels;
+}
+
+png_image empty_image() {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
+  return image;
+}
+
+int write(const char* path) {
+  png_image image = empty_image();
   image.width = kWidth;
   image.height = kTile;
   image.format = PNG_FORMAT_RGB;
-  if (png_image_write_to_file(&image, argv[1], 0, pixels.data(), 0, nullptr)) return 0;
-  std::fprintf(stderr, "picture: cannot write %s: %s\n", argv[1], image.message);
+  if (png_image_write_to_file(&image, path, 0, draw().data(), 0, nullptr)) return 0;
+  std::fprintf(stderr, "picture: cannot write %s: %s\n", path, image.message);
+  return 2;
+}
+
+int check(const char* path) {
+  png_image image = empty_image();
+  if (!png_image_begin_read_from_file(&image, path)) {
+    std::fprintf(stderr, "picture: cannot read %s: %s\n", path, image.message);
+    return 2;
+  }
+  image.format = PNG_FORMAT_RGB;
+  std::vector<png_byte> pixels(PNG_IMAGE_SIZE(image));
+  png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr);
+  if (pixels == draw()) return 0;
+  std::fprintf(stderr, "picture: %s shows another picture; draw it again\n", path);
+  return 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc == 3 && std::strcmp(argv[1], "--check") == 0) return check(argv[2]);
+  if (argc == 2) return write(argv[1]);
+  std::fprintf(stderr, "usage: picture OUT.png, or picture --check FILE.png\n");
   return 2;
 }
