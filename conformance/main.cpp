@@ -68,10 +68,26 @@ int list_cases(const Options& options) {
   return 0;
 }
 
+// Without the driver every case is unsupported, and results.json says why.
+int report_no_driver(const hn::Driver& driver, const std::vector<hn::Case>& cases, const Options& options,
+                     const hn::Error& error) {
+  const std::string reason = fmt::format("the driver {} cannot be used here: {}", driver.name, error.text());
+  hn::Run run{options.driver, {}, options.seed, {}};
+  for (const hn::Case& test : cases) {
+    run.cases.push_back({test.id, hn::outcome_with(hn::Status::unsupported, {reason, {}}), 0.0});
+  }
+  fmt::print(stderr, "hn-conform: {}\n", reason);
+  if (const auto written = hn::write_results(options.out, {run}); !written) {
+    return usage_error(written.error().text());
+  }
+  return kNoDriver;
+}
+
 int run(const Options& options) {
   const hn::Driver* const driver = hn::find_driver(options.driver);
-  if (!driver)
+  if (!driver) {
     return usage_error(fmt::format("there is no driver \"{}\"; there are: {}", options.driver, driver_names()));
+  }
   const auto cases = select_cases(options);
   if (!cases) return usage_error(cases.error().text());
   const auto sources = options.glsl.empty() ? hn::SourceSet::embedded() : hn::SourceSet::from_directory(options.glsl);
@@ -79,10 +95,7 @@ int run(const Options& options) {
   if (const auto ready = hn::prepare_output(options.out); !ready) return usage_error(ready.error().text());
 
   const auto context = driver->create();
-  if (!context) {
-    fmt::print(stderr, "hn-conform: the driver {} cannot be used here: {}\n", driver->name, context.error().text());
-    return kNoDriver;
-  }
+  if (!context) return report_no_driver(*driver, *cases, options, context.error());
   const hn::ReferenceCompiler reference;
   hn::Session session(**context, *sources, reference, options.golden, options.seed);
   hn::Run result{options.driver, session.info, options.seed, {}};
@@ -90,8 +103,9 @@ int run(const Options& options) {
     hn::Progress progress(stderr, cases->size());
     result.cases = hn::run_cases(session, *cases, {options.fail_fast}, progress);
   }
-  if (const auto written = hn::write_results(options.out, {result}); !written)
+  if (const auto written = hn::write_results(options.out, {result}); !written) {
     return usage_error(written.error().text());
+  }
   fmt::print("{}", hn::summary(result));
   fmt::print("{}: {}/results.json\n", result.as_expected() ? "All as expected" : "NOT AS EXPECTED", options.out);
   return result.as_expected() ? 0 : kNotAsExpected;
@@ -137,8 +151,9 @@ int dispatch(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ExtrasError& error) {
-    if (app.get_subcommands().empty())
+    if (app.get_subcommands().empty()) {
       return usage_error(std::string(error.what()) + "; there are drivers, list or run");
+    }
     return app.exit(error) == 0 ? 0 : kBadUsage;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : kBadUsage;
