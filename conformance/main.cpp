@@ -1,5 +1,6 @@
 // hn-conform: does the library compute what it promises, on this driver?
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
