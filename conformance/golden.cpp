@@ -21,7 +21,7 @@ std::string_view hash_of(const Function& function, const Hash& hash) {
   return depends_on_hash(function) ? hash.name : "any";
 }
 
-// Hashes have one; so few bits go into the functions of a single hash that rows alone will do.
+// hn_hash and hn_lattice have one. What comes of a single hash is tried well enough by rows.
 bool has_digest(const Function& function) { return function.exact() && depends_on_hash(function); }
 
 // Takes the text up to the separator off the front.

@@ -140,7 +140,7 @@ int dispatch(int argc, char** argv) {
       ->capture_default_str();
   run_command.add_option("--seed", options.seed, "Of the random points")
       ->type_name("N")
-      ->check(CLI::NonNegativeNumber)
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{0xFFFFFFFF}))
       ->capture_default_str();
   run_command.add_option("--glsl", options.glsl, "Test this copy of glsl/ instead of the one built in")
       ->type_name("DIR");

@@ -3,11 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <hashnoise/hashnoise.hpp>
 #include <limits>
 
 #include "compare.hpp"
 #include "golden.hpp"
+#include "points.hpp"
 #include "test_support.hpp"
 
 namespace hn {
@@ -57,6 +60,22 @@ TEST(Twin, PositionAndCellAgree) {
   using namespace hashnoise;
   EXPECT_EQ(hn_perlin(vec2(-2.75f, 5.5f), 9u), hn_perlin(ivec2(-3, 5), vec2(0.25f, 0.5f), 9u));
   EXPECT_EQ(hn_perlin(vec3(-2.75f, 5.5f, 0.125f), 9u), hn_perlin(ivec3(-3, 5, 0), vec3(0.25f, 0.5f, 0.125f), 9u));
+}
+
+// What the README says of the values that one meets: the largest of a million.
+TEST(Twin, RangeIsUsed) {
+  std::size_t count = std::size_t{1} << 20;
+  Random random(1, "range");
+  float largest2 = 0.0f;
+  float largest3 = 0.0f;
+  const auto coordinate = [&] { return random.uniform(-4096.0f, 4096.0f); };
+  for (; count > 0; --count) {
+    largest2 = std::max(largest2, std::fabs(hashnoise::hn_perlin(hashnoise::vec2(coordinate(), coordinate()))));
+    const hashnoise::vec3 p(coordinate(), coordinate(), coordinate());
+    largest3 = std::max(largest3, std::fabs(hashnoise::hn_perlin(p)));
+  }
+  EXPECT_NEAR(largest2, 0.97f, 0.015f);
+  EXPECT_NEAR(largest3, 0.85f, 0.03f);
 }
 
 TEST(Twin, HugePositionsHaveNoUndefinedBehaviour) {

@@ -18,10 +18,10 @@
 #endif
 
 // The mean of the octaves, or of their absolute values, weighted by gain^i. Each octave has a seed of its own, 2^32
-// divided by the golden ratio further, so that the octaves of nearby seeds do not coincide either. The shift keeps their
-// lattice points, where the noise is 0, from falling together at the origin.
+// divided by the golden ratio further, so that the octaves of nearby seeds do not coincide either. The shift keeps
+// their lattice points, where the noise is 0, from falling together at the origin.
 HN_FN HN_HIGHP float hn_i_octaves(HN_HIGHP vec2 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain,
-                               HN_HIGHP uint seed, bool absolute) {
+                                  HN_HIGHP uint seed, bool absolute) {
   HN_HIGHP float sum = 0.0f;
   HN_HIGHP float total = 0.0f;
   HN_HIGHP float amplitude = 1.0f;
@@ -37,7 +37,7 @@ HN_FN HN_HIGHP float hn_i_octaves(HN_HIGHP vec2 p, HN_HIGHP int octaves, HN_HIGH
 }
 
 HN_FN HN_HIGHP float hn_i_octaves(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain,
-                               HN_HIGHP uint seed, bool absolute) {
+                                  HN_HIGHP uint seed, bool absolute) {
   HN_HIGHP float sum = 0.0f;
   HN_HIGHP float total = 0.0f;
   HN_HIGHP float amplitude = 1.0f;
@@ -59,20 +59,23 @@ HN_FN HN_HIGHP float hn_i_cloud_density(HN_HIGHP float fbm) {
 }
 
 // Fractional Brownian motion: octaves of noise, each finer by the lacunarity and weaker by the gain.
-//   p           position, in cells of the first octave; |p| * lacunarity^octaves < 2^23
+//   p           position, in cells of the first octave; (|p| + 1) * lacunarity^octaves < 2^23, for a lacunarity of 2
+//               or more
 //   octaves     how many; 0 for less than 1
 //   lacunarity  ratio of frequencies, usually 2
-//   gain        ratio of amplitudes, usually 0.5; not negative
+//   gain        ratio of amplitudes, usually 0.5; not negative, and the sum of its powers below 2^126
 //   seed        any uint, 0 if left out; different seeds give independent fields
 //   returns     [-1, 1], mean 0
 //   error       grows with |p| * lacunarity^octaves, since a float rounds the positions (docs/accuracy.md)
 //   cost        1 noise per octave
 //   source      Musgrave, in "Texturing and Modeling: A Procedural Approach"
-HN_FN HN_HIGHP float hn_fbm(HN_HIGHP vec2 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain, HN_HIGHP uint seed) {
+HN_FN HN_HIGHP float hn_fbm(HN_HIGHP vec2 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain,
+                            HN_HIGHP uint seed) {
   return hn_i_octaves(p, octaves, lacunarity, gain, seed, false);
 }
 
-HN_FN HN_HIGHP float hn_fbm(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain, HN_HIGHP uint seed) {
+HN_FN HN_HIGHP float hn_fbm(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain,
+                            HN_HIGHP uint seed) {
   return hn_i_octaves(p, octaves, lacunarity, gain, seed, false);
 }
 
@@ -88,35 +91,37 @@ HN_FN HN_HIGHP float hn_fbm(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIGHP floa
 //   (parameters, cost and error as for hn_fbm)
 //   returns  [0, 1]
 //   source   Perlin, "An image synthesizer", 1985; Valdenegro-Toro and Pincheira, fig. 6
-HN_FN HN_HIGHP float hn_turbulence(HN_HIGHP vec2 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain,
-                                HN_HIGHP uint seed) {
+HN_FN HN_HIGHP float hn_turbulence(HN_HIGHP vec2 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity,
+                                   HN_HIGHP float gain, HN_HIGHP uint seed) {
   return hn_i_octaves(p, octaves, lacunarity, gain, seed, true);
 }
 
-HN_FN HN_HIGHP float hn_turbulence(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain,
-                                HN_HIGHP uint seed) {
+HN_FN HN_HIGHP float hn_turbulence(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity,
+                                   HN_HIGHP float gain, HN_HIGHP uint seed) {
   return hn_i_octaves(p, octaves, lacunarity, gain, seed, true);
 }
 
-HN_FN HN_HIGHP float hn_turbulence(HN_HIGHP vec2 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain) {
+HN_FN HN_HIGHP float hn_turbulence(HN_HIGHP vec2 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity,
+                                   HN_HIGHP float gain) {
   return hn_turbulence(p, octaves, lacunarity, gain, 0u);
 }
 
-HN_FN HN_HIGHP float hn_turbulence(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain) {
+HN_FN HN_HIGHP float hn_turbulence(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity,
+                                   HN_HIGHP float gain) {
   return hn_turbulence(p, octaves, lacunarity, gain, 0u);
 }
 
 // Clouds: the density of a sky, from an fBm.
-//   (parameters and cost as for hn_fbm; error 3 times that)
+//   (parameters and cost as for hn_fbm; error 3 times that, and 5.4e-7)
 //   returns  [0, 1]: 0 is clear, 1 is dense
 //   source   after the cloud images of Valdenegro-Toro and Pincheira, fig. 6, which the paper gives no formula for
 HN_FN HN_HIGHP float hn_clouds(HN_HIGHP vec2 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain,
-                            HN_HIGHP uint seed) {
+                               HN_HIGHP uint seed) {
   return hn_i_cloud_density(hn_fbm(p, octaves, lacunarity, gain, seed));
 }
 
 HN_FN HN_HIGHP float hn_clouds(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain,
-                            HN_HIGHP uint seed) {
+                               HN_HIGHP uint seed) {
   return hn_i_cloud_density(hn_fbm(p, octaves, lacunarity, gain, seed));
 }
 

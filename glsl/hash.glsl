@@ -25,8 +25,8 @@ HN_FN HN_HIGHP uint hn_hash_fnv1(HN_HIGHP uint k) {
   return h;
 }
 
-// FNV-1's step, twice with the whole word. Weak: every other word k has the same hash as -2 - k, and the low bits repeat
-// with a period of 256.
+// FNV-1's step, twice with the whole word. Weak: 31 of 32 words k have the same hash as -2 - k, and the low 8 bits
+// repeat with a period of 256.
 //   returns  any uint
 //   cost     1 multiplication (the first is of constants)
 //   source   Valdenegro-Toro and Pincheira, sec. 7
@@ -121,8 +121,8 @@ HN_FN HN_HIGHP uvec4 hn_i_spread(HN_HIGHP uvec4 v) {
   return uvec4(hn_i_spread(v.x), v.y * 0x85EBCA77u, v.z * 0xC2B2AE3Du, v.w * 0x27D4EB2Fu);
 }
 
-// A key is built axis by axis, so that lattice points that share coordinates share the work: hn_i_key starts with x, and
-// hn_i_key with two parameters adds the next coordinate to the key of those before.
+// A key is built axis by axis, so that lattice points that share coordinates share the work: hn_i_key starts with x,
+// and hn_i_key with two parameters adds the next coordinate to the key of those before.
 #if HN_HASH == HN_HASH_LATTICE
 // Exclusive or after a rotation. Without the rotation, points opposite each other would often have the same key; a sum
 // would be linear, and repeat along some diagonal.
@@ -150,7 +150,8 @@ HN_FN HN_HIGHP uint hn_i_key(HN_HIGHP uint x) { return HN_HASH_FN(x); }
 HN_FN HN_HIGHP uint hn_i_key(HN_HIGHP uint k, HN_HIGHP uint next) { return hn_i_key(k + next); }
 #endif
 
-// Each bit of k changes each bit of the result with a probability near 1/2: "prospector32" of hash-prospector. 0 stays 0.
+// Each bit of k changes each bit of the result with a probability near 1/2: "prospector32" of hash-prospector. 0 stays
+// 0.
 HN_FN HN_HIGHP uint hn_i_mix(HN_HIGHP uint k) {
   k ^= k >> 15;
   k *= 0x2C1B3C6Du;
@@ -159,8 +160,8 @@ HN_FN HN_HIGHP uint hn_i_mix(HN_HIGHP uint k) {
   return k ^ (k >> 15);
 }
 
-// Lattice hashing: a well mixed hash of a point of the integer lattice, with any HN_HASH. What the noise is made of; use
-// it to scatter things.
+// Lattice hashing: a well mixed hash of a point of the integer lattice, with any HN_HASH. What the noise is made of;
+// use it to scatter things.
 //   cell     the point: int, ivec2, ivec3 or ivec4
 //   seed     any uint, 0 if left out; different seeds give independent fields
 //   returns  any uint; take bits from anywhere in it
@@ -253,7 +254,8 @@ HN_FN HN_HIGHP vec3 hn_gradient3(HN_HIGHP uint h) {
   HN_HIGHP float x = hn_i_symmetric16(h);
   HN_HIGHP float y = hn_i_symmetric16(h << 16);
   HN_HIGHP float z = 1.0f - abs(x) - abs(y);
-  // Where z is negative, fold: move x and y by t towards 0. x is positive where the highest bit of h is set, y likewise.
+  // Where z is negative, fold: move x and y by t towards 0. x is positive where the highest bit of h is set, y
+  // likewise.
   HN_HIGHP float t = max(-z, 0.0f);
   return vec3(x + hn_i_signed(t, h), y + hn_i_signed(t, h << 16), z);
 }

@@ -49,7 +49,7 @@ HN_FN HN_HIGHP float hn_perlin(HN_HIGHP ivec2 cell, HN_HIGHP vec2 f, HN_HIGHP ui
 HN_FN HN_HIGHP float hn_perlin(HN_HIGHP ivec2 cell, HN_HIGHP vec2 f) { return hn_perlin(cell, f, 0u); }
 
 // The same at a position.
-//   p        position, in cells; |p| < 2^23 along each axis (a float has no fraction beyond, and the value is 0)
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
 //   seed     any uint, 0 if left out
 //   returns  as above
 //   error    at most 3.51e-6

@@ -59,7 +59,7 @@ HN_FN HN_HIGHP float hn_perlin(HN_HIGHP ivec3 cell, HN_HIGHP vec3 f, HN_HIGHP ui
 HN_FN HN_HIGHP float hn_perlin(HN_HIGHP ivec3 cell, HN_HIGHP vec3 f) { return hn_perlin(cell, f, 0u); }
 
 // The same at a position.
-//   p        position, in cells; |p| < 2^23 along each axis (a float has no fraction beyond, and the value is 0)
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
 //   seed     any uint, 0 if left out
 //   returns  as above
 //   error    at most 5.43e-6

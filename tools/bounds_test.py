@@ -352,7 +352,8 @@ class Transcription(unittest.TestCase):
             position = f"{bounds.PERLIN_ERROR[dims]:.2e}".replace("e-0", "e-")
             cell = bounds.error_bound(dims)
             self.assert_states(f"glsl/noise{dims}d.glsl", position, self.rounded_up(cell, 2))
-            self.assert_states("docs/accuracy.md", position, self.rounded_up(cell, 3), str(bounds.PERLIN_LIPSCHITZ[dims]))
+            lipschitz = str(bounds.PERLIN_LIPSCHITZ[dims])
+            self.assert_states("docs/accuracy.md", position, self.rounded_up(cell, 3), lipschitz)
             self.assert_states("README.md", position)
             range_bound = {2: "0.999985", 3: "0.99992"}[dims]
             self.assertLess(bounds.range_bound(dims, bounds.SCALE[dims]), float(range_bound))

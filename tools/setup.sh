@@ -3,8 +3,8 @@
 #   setup conform   what hn-conform needs, built into build/
 #   setup test      the same, with the tests and what they need
 #
-# It names the packages that are missing and installs them; where it cannot, it stops with status 4. On another system it
-# names what is needed and tries to build.
+# It names the packages that are missing and installs them; where it cannot, it stops with status 4. On another system
+# it names what is needed and tries to build.
 
 readonly root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 readonly build=$root/build
@@ -12,8 +12,9 @@ readonly log=$build/setup.log
 
 readonly conform_packages=(
   cmake g++ ninja-build
-  glslang-dev glslang-tools spirv-tools python3-glad libcli11-dev libexpected-dev libfmt-dev nlohmann-json3-dev libegl-dev
-  libosmesa6 libegl1 libegl-mesa0 libgl1-mesa-dri
+  glslang-dev glslang-tools spirv-tools
+  python3-glad libcli11-dev libexpected-dev libfmt-dev nlohmann-json3-dev
+  libegl-dev libosmesa6 libegl1 libegl-mesa0 libgl1-mesa-dri
 )
 readonly test_packages=(clang libgtest-dev libpng-dev python3)
 
@@ -31,7 +32,7 @@ install_missing() {
   local sudo=()
   if ((EUID != 0)); then sudo=(sudo -n); fi
   if ! command -v apt-get >/dev/null || ! "${sudo[@]}" true 2>/dev/null; then
-    echo "They cannot be installed from here. Install them (or what they are called on this system), then run this again." >&2
+    echo "They cannot be installed from here. Install them, then run this again." >&2
     exit 4
   fi
   echo "Installing them." >&2
