@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace hn {
@@ -61,13 +62,9 @@ class ShaderObject {
   GLuint id_;
 };
 
-// The textures are at most this wide; every OpenGL 3.1 implementation has 1024 at the least.
-constexpr std::size_t kWidth = 1024;
-
-void set_nearest(const GladGLContext& gl) {
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-}
+// The size of the textures; every OpenGL 3.1 implementation has 1024 at the least. A smaller grid takes a corner of
+// them, since softpipe goes on with the gl_FragCoord.y of the height that a program was first used with.
+constexpr GLsizei kSide = 1024;
 
 }  // namespace
 
@@ -106,58 +103,53 @@ Result<void> compile_only(const Context& context, const ShaderText& shader, GLen
 
 GridRenderer::GridRenderer(const Context& context) : gl_(context.gl()) {
   gl_.GenVertexArrays(1, &vertex_array_);
-  gl_.GenFramebuffers(1, &framebuffer_);
   gl_.GenTextures(3, textures_);
+  for (const GLuint texture : textures_) {
+    gl_.BindTexture(GL_TEXTURE_2D, texture);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32UI, kSide, kSide, 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, nullptr);
+  }
+  gl_.GenFramebuffers(1, &framebuffer_);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+  gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, textures_[2], 0);
 }
 
 GridRenderer::~GridRenderer() {
-  gl_.DeleteTextures(3, textures_);
   gl_.DeleteFramebuffers(1, &framebuffer_);
+  gl_.DeleteTextures(3, textures_);
   gl_.DeleteVertexArrays(1, &vertex_array_);
 }
 
-Result<void> GridRenderer::resize(std::size_t points) {
-  const auto width = static_cast<GLsizei>(std::min(points, kWidth));
-  const auto height = static_cast<GLsizei>((points + kWidth - 1) / kWidth);
-  if (width == width_ && height == height_) return {};
-  for (const GLuint texture : textures_) {
-    gl_.BindTexture(GL_TEXTURE_2D, texture);
-    set_nearest(gl_);
-    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32UI, width, height, 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, nullptr);
-  }
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-  gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, textures_[2], 0);
-  if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    return fail("this driver does not render to RGBA32UI, which OpenGL 3.0 requires");
-  }
-  width_ = width;
-  height_ = height;
-  return {};
-}
-
-void GridRenderer::upload(std::span<const std::uint32_t> inputs) {
-  const std::size_t texels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
-  std::vector<std::uint32_t> words(texels * 4);
+void GridRenderer::upload(std::span<const std::uint32_t> inputs, GLsizei width, GLsizei height) {
+  std::vector<std::uint32_t> words(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
   for (std::size_t half = 0; half < 2; ++half) {
     for (std::size_t i = 0; i * kInputWords < inputs.size(); ++i) {
       std::copy_n(&inputs[i * kInputWords + half * 4], 4, &words[i * 4]);
     }
     gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(half));
     gl_.BindTexture(GL_TEXTURE_2D, textures_[half]);
-    gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width_, height_, GL_RGBA_INTEGER, GL_UNSIGNED_INT, words.data());
+    gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA_INTEGER, GL_UNSIGNED_INT, words.data());
   }
 }
 
 Result<std::vector<std::uint32_t>> GridRenderer::evaluate(const Program& program,
                                                           std::span<const std::uint32_t> inputs) {
   const std::size_t points = inputs.size() / kInputWords;
+  constexpr std::size_t kRow = kSide;
+  assert(points <= kRow * kRow);
+  const auto width = static_cast<GLsizei>(std::min(points, kRow));
+  const auto height = static_cast<GLsizei>((points + kRow - 1) / kRow);
+  if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+    return fail("this driver does not render to RGBA32UI, which OpenGL 3.0 requires");
+  }
   while (gl_.GetError() != GL_NO_ERROR) {
   }
-  if (auto done = resize(points); !done) return tl::unexpected(done.error());
-  upload(inputs);
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-  gl_.Viewport(0, 0, width_, height_);
-  // So that a draw that does nothing cannot pass for the one before it.
+  upload(inputs, width, height);
+  gl_.Viewport(0, 0, width, height);
+  // Clear first, so that a draw that does nothing cannot pass for the one before it.
+  gl_.Enable(GL_SCISSOR_TEST);
+  gl_.Scissor(0, 0, width, height);
   constexpr GLuint kNothing[4] = {0xDEADBEEF, 0xDEADBEEF, 0xDEADBEEF, 0xDEADBEEF};
   gl_.ClearBufferuiv(GL_COLOR, 0, kNothing);
   gl_.UseProgram(program.id());
@@ -165,10 +157,10 @@ Result<std::vector<std::uint32_t>> GridRenderer::evaluate(const Program& program
   gl_.Uniform1i(gl_.GetUniformLocation(program.id(), "input_b"), 1);
   gl_.BindVertexArray(vertex_array_);
   gl_.DrawArrays(GL_TRIANGLES, 0, 3);
-  std::vector<std::uint32_t> words(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * kOutputWords);
-  gl_.ReadPixels(0, 0, width_, height_, GL_RGBA_INTEGER, GL_UNSIGNED_INT, words.data());
+  std::vector<std::uint32_t> words(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * kOutputWords);
+  gl_.ReadPixels(0, 0, width, height, GL_RGBA_INTEGER, GL_UNSIGNED_INT, words.data());
   if (const GLenum error = gl_.GetError(); error != GL_NO_ERROR) {
-    return fail(fmt::format("OpenGL error {:#06x} while rendering {} x {}", error, width_, height_));
+    return fail(fmt::format("OpenGL error {:#06x} while rendering {} x {}", error, width, height));
   }
   words.resize(points * kOutputWords);
   return words;

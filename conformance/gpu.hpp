@@ -41,19 +41,16 @@ class GridRenderer {
   GridRenderer(const GridRenderer&) = delete;
   GridRenderer& operator=(const GridRenderer&) = delete;
 
-  // inputs: kInputWords per point. Returns kOutputWords per point.
+  // inputs: kInputWords per point, of at most 2^20 points. Returns kOutputWords per point.
   Result<std::vector<std::uint32_t>> evaluate(const Program& program, std::span<const std::uint32_t> inputs);
 
  private:
-  Result<void> resize(std::size_t points);
-  void upload(std::span<const std::uint32_t> inputs);
+  void upload(std::span<const std::uint32_t> inputs, GLsizei width, GLsizei height);
 
   const GladGLContext& gl_;
   GLuint vertex_array_ = 0;
   GLuint framebuffer_ = 0;
   GLuint textures_[3] = {};  // input a, input b, output
-  GLsizei width_ = 0;
-  GLsizei height_ = 0;
 };
 
 }  // namespace hn

@@ -18,6 +18,7 @@ namespace {
 // The issue of a million points: 1024 x 1024, a square texture.
 constexpr std::size_t kTwinPoints = std::size_t{1} << 20;
 constexpr std::size_t kPropertyPoints = std::size_t{1} << 16;
+constexpr std::size_t kCorrelationPoints = std::size_t{1} << 14;  // fewer: a check evaluates them many times
 
 using Words = std::vector<std::uint32_t>;
 
@@ -190,7 +191,7 @@ double correlation(const Words& first, const Words& second) {
 // For n pairs of independent noise values the correlation has a standard deviation of a little more than 1/sqrt(n),
 // since the variance of the noise depends on the place in the cell: about 1.1/sqrt(n). By chance 6/sqrt(n) is exceeded
 // once in ten million comparisons.
-const double kCorrelationLimit = 6.0 / std::sqrt(static_cast<double>(kPropertyPoints));
+const double kCorrelationLimit = 6.0 / std::sqrt(static_cast<double>(kCorrelationPoints));
 
 void require_uncorrelated(Comparison& comparison, const Words& inputs, const Words& first, const Words& second,
                           std::string_view what) {
@@ -203,7 +204,7 @@ void require_uncorrelated(Comparison& comparison, const Words& inputs, const Wor
 // the noise is 0 whatever the hash, and seldom two in one cell. Each has a seed of its own.
 Words scattered_points(Session& session, const Function& function, std::string_view name) {
   Random random(session.seed, name);
-  Words inputs = random_points(function, kPropertyPoints, random);
+  Words inputs = random_points(function, kCorrelationPoints, random);
   const auto axes = static_cast<std::size_t>(function.seed_word());
   for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
     for (std::size_t axis = i; axis < i + axes; ++axis) {
