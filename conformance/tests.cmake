@@ -19,6 +19,12 @@ foreach(driver osmesa egl)
   add_test(NAME conform.${driver} COMMAND hn-conform run --driver ${driver} --out ${CMAKE_CURRENT_BINARY_DIR}/out-${driver})
 endforeach()
 
+# Mesa's other software rasterizer: an older OpenGL (3.3), interpreted, with different habits. A part, since it is slow.
+add_test(NAME conform.egl_softpipe
+         COMMAND hn-conform run --driver egl --filter "*.lattice.*golden" --filter "*.any.*golden" --filter "config*"
+                 --out ${CMAKE_CURRENT_BINARY_DIR}/out-softpipe)
+set_tests_properties(conform.egl_softpipe PROPERTIES ENVIRONMENT GALLIUM_DRIVER=softpipe)
+
 # --- The oracle and the tools ---
 set(tools ${PROJECT_SOURCE_DIR}/tools)
 foreach(test oracle bounds mutate single_file)
