@@ -15,7 +15,7 @@
 namespace hn {
 namespace {
 
-// The issue of a million points: 1024 x 1024, a square texture.
+// A million, and all that a grid takes.
 constexpr std::size_t kTwinPoints = std::size_t{1} << 20;
 constexpr std::size_t kPropertyPoints = std::size_t{1} << 16;
 constexpr std::size_t kCorrelationPoints = std::size_t{1} << 14;  // fewer: a check evaluates them many times

@@ -55,7 +55,8 @@ setup() {
   local -a packages=("${conform_packages[@]}") configuration=(-DHASHNOISE_CONFORMANCE=ON) target=(--target hn-conform)
   if [[ $1 == test ]]; then
     packages+=("${test_packages[@]}")
-    configuration+=(-DHASHNOISE_TESTS=ON)
+    # Warnings are errors here, where the compiler is known, and not for users, where it is not.
+    configuration+=(-DHASHNOISE_TESTS=ON -DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
     target=()
   elif [[ ! -e $build/CMakeCache.txt ]]; then
     configuration+=(-DHASHNOISE_TESTS=OFF)  # their packages may be missing; a build that has tests keeps them
