@@ -6,8 +6,6 @@ A script stands in for hn-conform, so that this takes no driver and no time.
 from __future__ import annotations
 
 import contextlib
-import importlib.machinery
-import importlib.util
 import io
 import os
 import sys
@@ -16,18 +14,9 @@ import unittest
 from pathlib import Path
 
 sys.dont_write_bytecode = True  # the tree stays clean: no __pycache__ beside the sources
+from test_support import load_script  # noqa: E402
 
-
-def load_mutate():
-    """The script tools/mutate as a module; its name has no suffix, so the loader must be named."""
-    loader = importlib.machinery.SourceFileLoader("mutate", str(Path(__file__).resolve().parent / "mutate"))
-    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("mutate", loader))
-    sys.modules["mutate"] = module  # dataclasses look their module up by name
-    loader.exec_module(module)
-    return module
-
-
-mutate = load_mutate()
+mutate = load_script("mutate")
 SOURCES = {path.name: path.read_text(encoding="utf-8") for path in mutate.LIBRARY.glob("*.glsl")}
 MUTANTS = mutate.all_mutants(SOURCES)
 

@@ -1,0 +1,171 @@
+"""Tests of tools/golden: python3 tools/golden_test.py
+
+What the files say and how, and that `golden --check` notices what differs.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import itertools
+import math
+import sys
+import tempfile
+import unittest
+from collections.abc import Sequence
+from fractions import Fraction
+from pathlib import Path
+from unittest import mock
+
+sys.dont_write_bytecode = True  # the tree stays clean: no __pycache__ beside the sources
+import oracle  # noqa: E402
+from test_support import load_script  # noqa: E402
+
+golden = load_script("golden")
+
+
+class GoldenContents(unittest.TestCase):
+    FUNCTIONS = {function.name: function for function in golden.functions()}
+
+    def rows(self, name: str) -> list[tuple]:
+        return self.FUNCTIONS[name].rows(golden.Generator(golden.fnv1a64(name.encode())))
+
+    def test_format(self) -> None:
+        lines = golden.render(self.FUNCTIONS["noise2d.perlin"], "fnv1").split("\n")
+        self.assertEqual(lines[:8], [
+            "hashnoise golden 1", "function noise2d.perlin", "hash fnv1", "arithmetic fast", "bits 0.1.0",
+            "columns x:f32 y:f32 seed:u32 = value:f64", "rows 192",
+            "c0000000 c0000000 00000000 = 0000000000000000",
+        ])
+        self.assertEqual(len(lines), 7 + 192 + 1)
+        self.assertEqual(lines[-1], "")
+
+    def test_patterns(self) -> None:
+        self.assertEqual(golden.line("a:i32 b:u32 c:f32 d:f64", (-2, 255, -1.5, 0.5)),
+                         "fffffffe 000000ff bfc00000 3fe0000000000000")
+        self.assertEqual(golden.line("a:f64", (Fraction(1, 3),)), "3fd5555555555555")
+        self.assertEqual(golden.line("a:f64", (Fraction(0),)), "0000000000000000")
+        with self.assertRaises(ValueError):
+            golden.line("a:f32", (0.1,))
+        with self.assertRaises(ValueError):
+            golden.line("a:u32 b:u32", (1,))
+
+    def test_digest_runs_over_the_last_coordinate_first(self) -> None:
+        function = golden.Function("hash.test", "x:i32 y:i32 seed:u32", "value:u32", None,
+                                   lambda _, row: (100 * row[0] + 10 * row[1] + row[2],),
+                                   digest=golden.Digest((1, 2), (2, 3), 4))
+        values = b"".join(value.to_bytes(4, "little") for value in (124, 134, 144, 224, 234, 244))
+        self.assertEqual(golden.digest_line(function, "any"),
+                         f"digest origin=1,2 size=2,3 seed=4 fnv1a64={golden.fnv1a64(values):016x}")
+
+    def test_digest_wraps(self) -> None:
+        for name in oracle.HASHES:
+            self.assertEqual(oracle.hash_words(name, (2**32, 2**32 + 1)), oracle.hash_words(name, (0, 1)), name)
+
+    def test_row_counts(self) -> None:
+        least = {"hash.word": 64, "hash.gradient2": 128, "hash.gradient3": 128}
+        for name in self.FUNCTIONS:
+            expected = least.get(name, 192 if name.startswith("noise") else 64)
+            self.assertGreaterEqual(len(self.rows(name)), expected, name)
+
+    def test_gradient_rows_reach_every_case(self) -> None:
+        words = [word for word, in self.rows("hash.gradient3")]
+        self.assertEqual({tuple(x > 0 for x in oracle.gradient2(word)) for word in words},
+                         set(itertools.product((False, True), repeat=2)))
+        signs = {tuple((x > 0) - (x < 0) for x in oracle.gradient3(word)) for word in words}
+        self.assertEqual(signs, set(itertools.product((-1, 1), (-1, 1), (-1, 0, 1))))
+
+    def test_perlin_rows_reach_every_case(self) -> None:
+        for n in (2, 3):
+            points = [row[:n] for row in self.rows(f"noise{n}d.perlin")]
+            self.assertTrue(any(all(x == math.floor(x) for x in p) and min(p) < 0 for p in points))
+            self.assertTrue(any(all(x * 2 % 2 == 1 for x in p) for p in points))
+            for far in (2**20, 2**22):
+                self.assertTrue(any(all(abs(abs(x) - far) <= 4 and x % 1 for x in p) for p in points))
+
+    def test_octave_positions_are_exact_in_float32(self) -> None:
+        for name, n in (("fbm.fbm2", 2), ("fbm.clouds3", 3)):
+            for row in self.rows(name):
+                octaves, lacunarity = row[n:n + 2]
+                if lacunarity != 1.90625:
+                    self.assert_exact_positions(row[:n], octaves, lacunarity)
+
+    def assert_exact_positions(self, q: Sequence[float], octaves: int, lacunarity: float) -> None:
+        # From each octave to the next, with and without a fused multiply-add.
+        for _ in range(octaves - 1):
+            scaled = [x * lacunarity for x in q]
+            q = [x + float(shift) for x, shift in zip(scaled, oracle.SHIFT)]
+            for x in scaled + q:
+                self.assertEqual(golden.to_f32(x), x)
+
+    def test_many_clouds_are_neither_clear_nor_full(self) -> None:
+        for n in (2, 3):
+            values = [oracle.clouds("lattice", row[:n], *row[n:]) for row in self.rows(f"fbm.clouds{n}")]
+            self.assertGreaterEqual(sum(0 < value < 1 for value in values), len(values) / 2)
+            self.assertIn(0, values)
+
+
+class GoldenCheck(unittest.TestCase):
+    """What --check must notice, on a few files in a directory of its own."""
+
+    def setUp(self) -> None:
+        directory = tempfile.TemporaryDirectory()
+        self.addCleanup(directory.cleanup)
+        self.directory = Path(directory.name) / "golden"
+        some = [function for function in golden.functions() if function.hashes == ("any",)]
+        self.files = {f"{function.name}.any.golden": golden.render(function, "any") for function in some}
+        golden.write(self.directory, self.files)
+
+    def run_main(self, *arguments: str) -> tuple[int, str]:
+        """The exit status and what was printed, with `generate` cut down to the few files."""
+        out = io.StringIO()
+        with mock.patch.object(golden, "generate", return_value=self.files), contextlib.redirect_stdout(out):
+            return golden.main([*arguments, "--out", str(self.directory)]), out.getvalue()
+
+    def test_untouched_files_pass(self) -> None:
+        self.assertEqual(self.run_main("--check")[0], 0)
+
+    def test_flipped_digit_is_noticed(self) -> None:
+        path = self.directory / "hash.unorm.any.golden"
+        lines = path.read_text().split("\n")
+        lines[9] = lines[9][:-1] + ("1" if lines[9][-1] == "0" else "0")
+        path.write_text("\n".join(lines))
+        status, output = self.run_main("--check")
+        self.assertEqual(status, 1)
+        self.assertRegex(output, r"^hash\.unorm\.any\.golden: differs, line 10: expected .*, found .*\n$")
+
+    def test_line_ends_and_truncation_are_noticed(self) -> None:
+        path = self.directory / "hash.snorm.any.golden"
+        whole = path.read_bytes()
+        for damaged in (whole.replace(b"\n", b"\r\n"), whole[:-1], whole + b"\n", b"", whole[:-2] + b"\xff\n"):
+            path.write_bytes(damaged)
+            status, output = self.run_main("--check")
+            self.assertEqual((status, output.count("\n")), (1, 1), output)
+
+    def test_missing_file_is_noticed(self) -> None:
+        (self.directory / "hash.gradient3.any.golden").unlink()
+        self.assertEqual(self.run_main("--check"), (1, "hash.gradient3.any.golden: missing\n"))
+
+    def test_missing_directory_is_noticed(self) -> None:
+        self.directory = self.directory / "none"
+        self.assertEqual(self.run_main("--check")[0], 1)
+
+    def test_extra_file_is_noticed(self) -> None:
+        (self.directory / "hash.old.any.golden").write_text("")
+        self.assertEqual(self.run_main("--check"), (1, "hash.old.any.golden: extra\n"))
+
+    def test_writing_removes_stale_files_only(self) -> None:
+        (self.directory / "hash.old.any.golden").write_text("")
+        (self.directory / "README.md").write_text("")
+        self.assertEqual(self.run_main()[0], 0)
+        self.assertEqual({path.name for path in self.directory.iterdir()}, {*self.files, "README.md"})
+        self.assertEqual(self.run_main("--check")[0], 0)
+
+    def test_bad_usage(self) -> None:
+        with contextlib.redirect_stderr(io.StringIO()), self.assertRaises(SystemExit) as exit_:
+            golden.main(["--chekc"])
+        self.assertEqual(exit_.exception.code, 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
