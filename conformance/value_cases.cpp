@@ -332,9 +332,13 @@ void add_value_cases(std::vector<Case>& cases) {
     for (const Hash& hash : all_hashes()) {
       if (!depends_on_hash(function) && hash.name != default_hash().name) continue;
       for (const Profile& profile : run_profiles()) {
+        // The code of an octave sum is the same with every hash, and the noise below it has cases of its own.
+        const bool octave_sum = function.input("octaves") >= 0;
+        const bool main_version = profile.name == "gl330";
+        if (octave_sum && !main_version && hash.name != default_hash().name) continue;
         add(cases, function, hash, profile, "golden", check_golden);
         // One version is enough for the large sets: golden values tell the versions apart.
-        if (profile.name != "gl330") continue;
+        if (!main_version) continue;
         add(cases, function, hash, profile, "twin", check_twin);
         add_properties(cases, function, hash, profile);
       }
