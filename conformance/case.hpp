@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "driver/driver.hpp"
+#include "context_info.hpp"
 #include "gpu.hpp"
 #include "reference_compiler.hpp"
 #include "result.hpp"

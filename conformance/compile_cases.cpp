@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "case.hpp"
+#include "embedded.hpp"
 #include "functions.hpp"
 
 namespace hn {
@@ -33,20 +34,20 @@ Outcome check_with_driver(Session& session, const Profile& profile, const std::s
 }
 
 void add_file_cases(std::vector<Case>& cases, std::string_view file, const Hash& hash, const Profile& profile) {
-  const auto id = [&](std::string_view stage, std::string_view check) {
-    return fmt::format("{}.all.{}.fast.{}.{}.{}", stem(file), hash.name, stage, profile.name, check);
+  const auto id = [&](Stage stage, std::string_view check) {
+    return fmt::format("{}.all.{}.fast.{}.{}.{}", stem(file), hash.name, name_of(stage), profile.name, check);
   };
-  const auto add_glslang = [&](std::string_view name, Stage stage) {
-    cases.push_back({id(name, profile.spirv ? "spirv" : "glslang"), [=, &hash, &profile](Session& session) {
-                       return check_with_glslang(session, profile, calling_shader(file, hash, profile, name), stage);
+  const auto add_glslang = [&](Stage stage) {
+    cases.push_back({id(stage, profile.spirv ? "spirv" : "glslang"), [=, &hash, &profile](Session& session) {
+                       return check_with_glslang(session, profile, calling_shader(file, hash, profile, stage), stage);
                      }});
   };
-  add_glslang("fragment", Stage::fragment);
-  add_glslang("vertex", Stage::vertex);
-  if (profile.version >= (profile.es ? 310 : 430)) add_glslang("compute", Stage::compute);
+  add_glslang(Stage::fragment);
+  add_glslang(Stage::vertex);
+  if (profile.version >= (profile.es ? 310 : 430)) add_glslang(Stage::compute);
   if (profile.spirv) return;
-  cases.push_back({id("fragment", "driver"), [=, &hash, &profile](Session& session) {
-                     return check_with_driver(session, profile, calling_shader(file, hash, profile, "fragment"));
+  cases.push_back({id(Stage::fragment, "driver"), [=, &hash, &profile](Session& session) {
+                     return check_with_driver(session, profile, calling_shader(file, hash, profile, Stage::fragment));
                    }});
 }
 
@@ -97,7 +98,7 @@ void add_refusal_cases(std::vector<Case>& cases, const Refusal& refusal) {
   cases.push_back({id("refused_by_driver"), [=, &refusal](Session& session) {
                      const auto text = source(session);
                      if (!text) return outcome_with(Status::error, text.error());
-                     const auto compiled = compile_only(session.context, *text, GL_FRAGMENT_SHADER);
+                     const auto compiled = compile_only(session.context, *text, Stage::fragment);
                      auto outcome = expect_refusal(refusal, compiled);
                      // A driver that does not know so old a version says so before it reads the library's words.
                      const bool old_version = refusal.name.starts_with("version");
@@ -110,9 +111,9 @@ void add_refusal_cases(std::vector<Case>& cases, const Refusal& refusal) {
 }  // namespace
 
 void add_compile_cases(std::vector<Case>& cases) {
-  for (const std::string_view file : library_files()) {
+  for (const EmbeddedFile& file : kEmbeddedFiles) {
     for (const Hash& hash : all_hashes()) {
-      for (const Profile& profile : all_profiles()) add_file_cases(cases, file, hash, profile);
+      for (const Profile& profile : all_profiles()) add_file_cases(cases, file.name, hash, profile);
     }
   }
   for (const Refusal& refusal : kRefusals) add_refusal_cases(cases, refusal);

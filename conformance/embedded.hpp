@@ -1,4 +1,5 @@
-// The files of glsl/ as they were when the program was built. embed.cmake generates the definition.
+// The files of glsl/ as they were when the program was built, in the order of their dependence. embed.cmake generates
+// the definition.
 #pragma once
 
 #include <span>

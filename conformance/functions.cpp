@@ -58,9 +58,6 @@ constexpr std::array kHashes = {
          9},
 };
 
-constexpr std::array<std::string_view, 6> kFiles = {"config.glsl",  "hash.glsl", "noise2d.glsl",
-                                                    "noise3d.glsl", "fbm.glsl",  "hashnoise.glsl"};
-
 // Whether the shader that tries a file calls a function: those that the file declares, and for the file that only
 // includes the others, one of each.
 bool called_from(std::string_view file, const Function& function) {
@@ -120,8 +117,6 @@ bool depends_on_hash(const Function& function) {
   return std::find(kIndependent.begin(), kIndependent.end(), function.id) == kIndependent.end();
 }
 
-std::span<const std::string_view> library_files() { return kFiles; }
-
 std::string evaluation_shader(const Function& function, const Hash& hash, const Profile& profile,
                               const ShaderVariant& variant) {
   return fmt::format(R"({}{}{}#include "{}"
@@ -146,9 +141,9 @@ std::string vertex_shader() {
 )";
 }
 
-std::string calling_shader(std::string_view file, const Hash& hash, const Profile& profile, std::string_view stage) {
+std::string calling_shader(std::string_view file, const Hash& hash, const Profile& profile, Stage stage) {
   std::string text = compiling_preamble(profile);
-  if (stage == "compute") text += "layout(local_size_x = 1) in;\n";
+  if (stage == Stage::compute) text += "layout(local_size_x = 1) in;\n";
   text += fmt::format("{}#include \"{}\"\n#include \"{}\"\n", hash.knobs, file, file);
   std::string calls;
   int count = 0;
@@ -164,13 +159,13 @@ std::string calling_shader(std::string_view file, const Hash& hash, const Profil
   }
   const std::string start = fmt::format("  HN_HIGHP uvec4 r = uvec4(uint(HN_VERSION_MAJOR), 2u, 3u, 4u);\n{}", calls);
   const std::string_view layout = profile.spirv ? "layout(location = 0) " : "";
-  if (stage == "compute") {
+  if (stage == Stage::compute) {
     const std::string_view binding =
         profile.spirv ? "layout(std430, set = 0, binding = 0)" : "layout(std430, binding = 0)";
     return text + fmt::format("{} buffer Out {{ HN_HIGHP uvec4 result; }};\nvoid main() {{\n{}  result = r;\n}}\n",
                               binding, start);
   }
-  if (stage == "vertex") {
+  if (stage == Stage::vertex) {
     return text + fmt::format(
                       "{}flat out HN_HIGHP uvec4 result;\nvoid main() {{\n{}  result = r;\n"
                       "  gl_Position = vec4(0.0);\n}}\n",

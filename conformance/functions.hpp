@@ -67,9 +67,6 @@ const Hash& default_hash();
 // Whether a function's values depend on the hash. Where they do not, its golden file is that of the hash "any".
 bool depends_on_hash(const Function& function);
 
-// The files of glsl/ in the order of their dependence.
-std::span<const std::string_view> library_files();
-
 // The shaders of the cases, before their includes are expanded. The fragment shader evaluates the function at the point
 // of its pixel.
 struct ShaderVariant {
@@ -80,6 +77,6 @@ std::string evaluation_shader(const Function& function, const Hash& hash, const 
                               const ShaderVariant& variant = {});
 std::string vertex_shader();
 // A shader of any stage that includes a file, twice, and calls what it declares.
-std::string calling_shader(std::string_view file, const Hash& hash, const Profile& profile, std::string_view stage);
+std::string calling_shader(std::string_view file, const Hash& hash, const Profile& profile, Stage stage);
 
 }  // namespace hn

@@ -9,36 +9,30 @@
 namespace hn {
 namespace {
 
-std::string shader_log(const GladGLContext& gl, GLuint shader) {
+// The log of a shader or a program, by the two functions that OpenGL has for each.
+std::string info_log(PFNGLGETSHADERIVPROC get_parameter, PFNGLGETSHADERINFOLOGPROC get_log, GLuint id) {
   GLint length = 0;
-  gl.GetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
+  get_parameter(id, GL_INFO_LOG_LENGTH, &length);
   std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
-  gl.GetShaderInfoLog(shader, length, nullptr, log.data());
+  get_log(id, length, nullptr, log.data());
   return log.c_str();
 }
 
-std::string program_log(const GladGLContext& gl, GLuint program) {
-  GLint length = 0;
-  gl.GetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
-  std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
-  gl.GetProgramInfoLog(program, length, nullptr, log.data());
-  return log.c_str();
-}
-
-std::string_view stage_name(GLenum stage) {
+GLenum gl_stage(Stage stage) {
   switch (stage) {
-    case GL_VERTEX_SHADER:
-      return "vertex";
-    case GL_COMPUTE_SHADER:
-      return "compute";
-    default:
-      return "fragment";
+    case Stage::vertex:
+      return GL_VERTEX_SHADER;
+    case Stage::compute:
+      return GL_COMPUTE_SHADER;
+    case Stage::fragment:
+      break;
   }
+  return GL_FRAGMENT_SHADER;
 }
 
 class ShaderObject {
  public:
-  ShaderObject(const GladGLContext& gl, GLenum stage) : gl_(gl), stage_(stage), id_(gl.CreateShader(stage)) {}
+  ShaderObject(const GladGLContext& gl, Stage stage) : gl_(gl), stage_(stage), id_(gl.CreateShader(gl_stage(stage))) {}
   ~ShaderObject() { gl_.DeleteShader(id_); }
   ShaderObject(const ShaderObject&) = delete;
   ShaderObject& operator=(const ShaderObject&) = delete;
@@ -50,15 +44,15 @@ class ShaderObject {
     GLint compiled = GL_FALSE;
     gl_.GetShaderiv(id_, GL_COMPILE_STATUS, &compiled);
     if (compiled) return {};
-    return fail(fmt::format("the driver does not compile the {} shader", stage_name(stage_)),
-                source.translate(shader_log(gl_, id_)));
+    return fail(fmt::format("the driver does not compile the {} shader", name_of(stage_)),
+                source.translate(info_log(gl_.GetShaderiv, gl_.GetShaderInfoLog, id_)));
   }
 
   GLuint id() const { return id_; }
 
  private:
   const GladGLContext& gl_;
-  GLenum stage_;
+  Stage stage_;
   GLuint id_;
 };
 
@@ -70,9 +64,9 @@ constexpr GLsizei kSide = 1024;
 
 Result<Program> Program::build(const Context& context, const ShaderText& vertex, const ShaderText& fragment) {
   const GladGLContext& gl = context.gl();
-  const ShaderObject vertex_shader(gl, GL_VERTEX_SHADER);
+  const ShaderObject vertex_shader(gl, Stage::vertex);
   if (auto done = vertex_shader.compile(vertex); !done) return tl::unexpected(done.error());
-  const ShaderObject fragment_shader(gl, GL_FRAGMENT_SHADER);
+  const ShaderObject fragment_shader(gl, Stage::fragment);
   if (auto done = fragment_shader.compile(fragment); !done) return tl::unexpected(done.error());
   Program program(gl, gl.CreateProgram());
   gl.AttachShader(program.id_, vertex_shader.id());
@@ -81,7 +75,10 @@ Result<Program> Program::build(const Context& context, const ShaderText& vertex,
   gl.LinkProgram(program.id_);
   GLint linked = GL_FALSE;
   gl.GetProgramiv(program.id_, GL_LINK_STATUS, &linked);
-  if (!linked) return fail("the driver does not link the program", fragment.translate(program_log(gl, program.id_)));
+  if (!linked) {
+    const std::string log = info_log(gl.GetProgramiv, gl.GetProgramInfoLog, program.id_);
+    return fail("the driver does not link the program", fragment.translate(log));
+  }
   return program;
 }
 
@@ -97,7 +94,7 @@ Program::~Program() {
   if (id_ != 0) gl_->DeleteProgram(id_);
 }
 
-Result<void> compile_only(const Context& context, const ShaderText& shader, GLenum stage) {
+Result<void> compile_only(const Context& context, const ShaderText& shader, Stage stage) {
   return ShaderObject(context.gl(), stage).compile(shader);
 }
 
@@ -140,6 +137,7 @@ Result<std::vector<std::uint32_t>> GridRenderer::evaluate(const Program& program
   assert(points <= kRow * kRow);
   const auto width = static_cast<GLsizei>(std::min(points, kRow));
   const auto height = static_cast<GLsizei>((points + kRow - 1) / kRow);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
     return fail("this driver does not render to RGBA32UI, which OpenGL 3.0 requires");
   }

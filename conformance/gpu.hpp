@@ -30,7 +30,7 @@ class Program {
 };
 
 // Compiles one shader and throws it away.
-Result<void> compile_only(const Context& context, const ShaderText& shader, GLenum stage);
+Result<void> compile_only(const Context& context, const ShaderText& shader, Stage stage);
 
 // Evaluates a program at many points: a fragment per point, its input words in the textures "input_a" and "input_b",
 // its result in a uvec4. Nothing is converted on the way in or out.

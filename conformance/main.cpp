@@ -7,6 +7,7 @@
 #include <exception>
 
 #include "case.hpp"
+#include "context_info.hpp"
 #include "driver/driver.hpp"
 #include "report.hpp"
 #include "runner.hpp"

@@ -29,6 +29,18 @@ constexpr std::array kRefused = {
 
 }  // namespace
 
+std::string_view name_of(Stage stage) {
+  switch (stage) {
+    case Stage::vertex:
+      return "vertex";
+    case Stage::compute:
+      return "compute";
+    case Stage::fragment:
+      break;
+  }
+  return "fragment";
+}
+
 std::span<const Profile> all_profiles() { return kAll; }
 std::span<const Profile> run_profiles() { return kRun; }
 std::span<const Profile> refused_profiles() { return kRefused; }

@@ -7,6 +7,9 @@
 
 namespace hn {
 
+enum class Stage { fragment, vertex, compute };
+std::string_view name_of(Stage stage);
+
 struct Profile {
   std::string_view name;       // in case ids: "gl330", "es300", "vulkan"
   std::string_view directive;  // "#version 330"

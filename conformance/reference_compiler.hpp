@@ -13,8 +13,6 @@ namespace hn {
 // SPIRV-Tools' verdict, by the rules of Vulkan 1.0.
 Result<void> validate_spirv(std::span<const std::uint32_t> words);
 
-enum class Stage { fragment, vertex, compute };
-
 class ReferenceCompiler {
  public:
   ReferenceCompiler();

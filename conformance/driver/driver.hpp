@@ -9,7 +9,6 @@
 #include <string>
 #include <string_view>
 
-#include "../profile.hpp"
 #include "../result.hpp"
 
 namespace hn {
@@ -32,16 +31,6 @@ class Context {
  private:
   GladGLContext gl_{};
 };
-
-struct ContextInfo {
-  std::string vendor;
-  std::string renderer;
-  std::string gl_version;
-  std::string glsl_version;
-  LanguageSupport languages;
-};
-
-ContextInfo describe(const Context& context);
 
 struct Driver {
   std::string_view name;
