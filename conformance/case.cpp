@@ -40,14 +40,14 @@ Session::Session(const Context& context_, const SourceSet& sources_, const Refer
       seed(seed_),
       grid(context_) {}
 
-Result<const Program*> Session::evaluation_program(const Function& function, const Hash& hash, const Profile& profile,
-                                                   const ShaderVariant& variant) {
+Result<const Program*> Session::evaluation_program(const Function& function, const Configuration& configuration,
+                                                   const Profile& profile, const ShaderVariant& variant) {
   const std::string key =
-      fmt::format("{} {} {} {} {}", function.id, hash.name, profile.name, variant.seeded, variant.knobs);
+      fmt::format("{} {} {} {} {}", function.id, configuration.name, profile.name, variant.seeded, variant.knobs);
   if (kept_ && key == kept_key_) return kept_.get();
   const auto vertex = expand(sources, profile, vertex_shader());
   if (!vertex) return tl::unexpected(vertex.error());
-  const auto fragment = expand(sources, profile, evaluation_shader(function, hash, profile, variant));
+  const auto fragment = expand(sources, profile, evaluation_shader(function, configuration, profile, variant));
   if (!fragment) return tl::unexpected(fragment.error());
   auto program = Program::build(context, *vertex, *fragment);
   if (!program) return tl::unexpected(program.error());
@@ -56,16 +56,18 @@ Result<const Program*> Session::evaluation_program(const Function& function, con
   return kept_.get();
 }
 
-const Session::PointSet& Session::twin_points(const Function& function, std::size_t count) {
-  if (kept_points_of_ == function.id && kept_points_.allowed.size() == count) return kept_points_;
+const Session::PointSet& Session::twin_points(const Function& function, const Configuration& configuration,
+                                              std::size_t count) {
+  const std::string key = fmt::format("{} {}", function.id, configuration.sine());
+  if (kept_points_of_ == key && kept_points_.allowed.size() == count) return kept_points_;
   kept_points_.inputs = random_points(function, count, Random(seed, function.id));
   kept_points_.allowed.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     // Both the driver and the twin may be off the exact value by the tolerance.
     kept_points_.allowed[i] =
-        2.0 * tolerance(function, std::span(kept_points_.inputs).subspan(i * kInputWords, kInputWords));
+        2.0 * tolerance(function, configuration, std::span(kept_points_.inputs).subspan(i * kInputWords, kInputWords));
   }
-  kept_points_of_ = function.id;
+  kept_points_of_ = key;
   return kept_points_;
 }
 

@@ -43,17 +43,17 @@ struct Session {
   std::uint64_t seed;  // of the random points
   GridRenderer grid;
 
-  // Random points for a function and how far the driver and the twin may be apart at each; the same for every hash, and
-  // kept until another function asks.
+  // Random points for a function and how far the driver and the twin may be apart at each; the same for
+  // every hash, and kept until another function asks.
   struct PointSet {
     std::vector<std::uint32_t> inputs;  // kInputWords per point
     std::vector<double> allowed;        // per point
   };
-  const PointSet& twin_points(const Function& function, std::size_t count);
+  const PointSet& twin_points(const Function& function, const Configuration& configuration, std::size_t count);
 
   // The program that evaluates a function; the last one is kept, since cases that share a program follow each other.
-  Result<const Program*> evaluation_program(const Function& function, const Hash& hash, const Profile& profile,
-                                            const ShaderVariant& variant = {});
+  Result<const Program*> evaluation_program(const Function& function, const Configuration& configuration,
+                                            const Profile& profile, const ShaderVariant& variant = {});
 
   Session(const Context& context, const SourceSet& sources, const ReferenceCompiler& reference,
           std::filesystem::path golden_directory, std::uint64_t seed);
@@ -61,7 +61,7 @@ struct Session {
  private:
   std::string kept_key_;
   std::unique_ptr<Program> kept_;
-  std::string_view kept_points_of_;
+  std::string kept_points_of_;
   PointSet kept_points_;
 };
 

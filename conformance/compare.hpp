@@ -24,7 +24,7 @@ class Comparison {
   // For float functions: |got - expected| <= allowed. NaN is never right.
   void number(std::span<const std::uint32_t> inputs, float got, double expected, double allowed);
   // For values of golden files, whose bits mean what the function's accuracy says.
-  void golden(std::span<const std::uint32_t> inputs, std::uint32_t got, std::uint64_t expected);
+  void golden(std::span<const std::uint32_t> inputs, std::uint32_t got, std::uint64_t expected, double allowed);
   // For properties: a value that is right or not, with a sentence that says what it should be.
   void require(bool right, std::span<const std::uint32_t> inputs, float got, std::string_view should);
 

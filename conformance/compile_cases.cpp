@@ -33,22 +33,31 @@ Outcome check_with_driver(Session& session, const Profile& profile, const std::s
   return program ? Outcome{} : outcome_with(Status::fail, program.error());
 }
 
-void add_file_cases(std::vector<Case>& cases, std::string_view file, const Hash& hash, const Profile& profile) {
+void add_file_cases(std::vector<Case>& cases, std::string_view file, const Configuration& configuration,
+                    const Profile& profile) {
   const auto id = [&](Stage stage, std::string_view check) {
-    return fmt::format("{}.all.{}.fast.{}.{}.{}", stem(file), hash.name, name_of(stage), profile.name, check);
+    return fmt::format("{}.all.{}.fast.{}.{}.{}", stem(file), configuration.name, name_of(stage), profile.name, check);
   };
   const auto add_glslang = [&](Stage stage) {
-    cases.push_back({id(stage, profile.spirv ? "spirv" : "glslang"), [=, &hash, &profile](Session& session) {
-                       return check_with_glslang(session, profile, calling_shader(file, hash, profile, stage), stage);
+    cases.push_back({id(stage, profile.spirv ? "spirv" : "glslang"), [=, &configuration, &profile](Session& session) {
+                       return check_with_glslang(session, profile, calling_shader(file, configuration, profile, stage),
+                                                 stage);
                      }});
   };
   add_glslang(Stage::fragment);
   add_glslang(Stage::vertex);
   if (profile.version >= (profile.es ? 310 : 430)) add_glslang(Stage::compute);
   if (profile.spirv) return;
-  cases.push_back({id(Stage::fragment, "driver"), [=, &hash, &profile](Session& session) {
-                     return check_with_driver(session, profile, calling_shader(file, hash, profile, Stage::fragment));
+  cases.push_back({id(Stage::fragment, "driver"), [=, &configuration, &profile](Session& session) {
+                     return check_with_driver(session, profile,
+                                              calling_shader(file, configuration, profile, Stage::fragment));
                    }});
+}
+
+// Every hash is other code, and so is each other knob by itself; combinations are not.
+bool selects_code(const Configuration& configuration) {
+  return configuration.hash_only() || configuration.name == "lattice+sine" ||
+         configuration.name == "lattice+period48" || configuration.name == "lattice+period64";
 }
 
 // A shader that the library must refuse with an #error that says what would be right.
@@ -68,6 +77,12 @@ constexpr Refusal kRefusals[] = {
     {"hash_misspelt", "gl330", "#define HN_HASH HN_HASH_FNV\n", "HN_HASH_PARTIAL_JENKINS"},
     // In ES an undefined name in #if is an error of its own, which names it.
     {"hash_misspelt", "es300", "#define HN_HASH HN_HASH_FNV\n", "HN_HASH"},
+    {"gradient_3", "gl330", "#define HN_GRADIENT 3\n", "HN_GRADIENT_SINE"},
+    {"gradient_misspelt", "gl330", "#define HN_GRADIENT HN_GRADIENT_SIN\n", "HN_GRADIENT_SINE"},
+    {"period_negative", "gl330", "#define HN_PERIOD -1\n", "1048576"},
+    {"period_large_and_no_power_of_two", "gl330", "#define HN_PERIOD 1048577\n", "1048576"},
+    {"period_large_and_no_power_of_two", "es300", "#define HN_PERIOD 1048577\n", "1048576"},
+    {"period_too_large", "gl330", "#define HN_PERIOD 1073741825\n", "1073741824"},
     {"custom_without_function", "gl330", "#define HN_HASH HN_HASH_CUSTOM\n", "HN_HASH_FN"},
 };
 
@@ -112,8 +127,9 @@ void add_refusal_cases(std::vector<Case>& cases, const Refusal& refusal) {
 
 void add_compile_cases(std::vector<Case>& cases) {
   for (const EmbeddedFile& file : kEmbeddedFiles) {
-    for (const Hash& hash : all_hashes()) {
-      for (const Profile& profile : all_profiles()) add_file_cases(cases, file.name, hash, profile);
+    for (const Configuration& configuration : all_configurations()) {
+      if (!selects_code(configuration)) continue;
+      for (const Profile& profile : all_profiles()) add_file_cases(cases, file.name, configuration, profile);
     }
   }
   for (const Refusal& refusal : kRefusals) add_refusal_cases(cases, refusal);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <charconv>
 
 namespace hn {
 namespace {
@@ -43,20 +44,14 @@ const std::vector<Function>& functions() {
   return kFunctions;
 }
 
-constexpr std::array kHashes = {
-    Hash{"fnv1", "#define HN_HASH HN_HASH_FNV1\n", 1},
-    Hash{"partial_fnv1", "#define HN_HASH HN_HASH_PARTIAL_FNV1\n", 2},
-    Hash{"jenkins", "#define HN_HASH HN_HASH_JENKINS\n", 3},
-    Hash{"partial_jenkins", "#define HN_HASH HN_HASH_PARTIAL_JENKINS\n", 4},
-    Hash{"murmur", "#define HN_HASH HN_HASH_MURMUR\n", 5},
-    Hash{"pcg", "#define HN_HASH HN_HASH_PCG\n", 6},
-    Hash{"xxhash32", "#define HN_HASH HN_HASH_XXHASH32\n", 7},
-    Hash{"lattice", "", 8},  // the default: nothing is defined, so that the default itself is under test
-    Hash{"custom",
-         "#define HN_HASH HN_HASH_CUSTOM\n"
-         "#define HN_HASH_FN(k) (((k) ^ ((k) >> 16)) * 0x045D9F3Bu)\n",  // the same in twin.cpp
-         9},
+constexpr std::array kConfigurations = {
+#define CONFIGURATION(index, name, knobs) Configuration{name, knobs, index},
+#include "configurations.inc"
+#undef CONFIGURATION
 };
+
+// For HN_HASH_CUSTOM; the same in twin.cpp.
+constexpr std::string_view kCustomHash = "#define HN_HASH_FN(k) (((k) ^ ((k) >> 16)) * 0x045D9F3Bu)\n";
 
 // Whether the shader that tries a file calls a function: those that the file declares, and for the file that only
 // includes the others, one of each.
@@ -107,17 +102,42 @@ const Function& find_function(std::string_view id) {
   return *found;
 }
 
-std::span<const Hash> all_hashes() { return kHashes; }
+std::span<const Configuration> all_configurations() { return kConfigurations; }
 
-const Hash& default_hash() { return kHashes[7]; }
+const Configuration& default_configuration() {
+  return *std::find_if(kConfigurations.begin(), kConfigurations.end(),
+                       [](const Configuration& c) { return c.is_default(); });
+}
 
-bool depends_on_hash(const Function& function) {
+std::uint32_t Configuration::period() const {
+  constexpr std::string_view kTag = "+period";
+  const auto tag = name.find(kTag);
+  std::uint32_t cells = 0;
+  if (tag != std::string_view::npos) {
+    std::from_chars(name.data() + tag + kTag.size(), name.data() + name.size(), cells);
+  }
+  return cells;
+}
+
+bool depends_on_configuration(const Function& function) {
   constexpr std::array<std::string_view, 4> kIndependent = {"hash.unorm", "hash.snorm", "hash.gradient2",
                                                             "hash.gradient3"};
   return std::find(kIndependent.begin(), kIndependent.end(), function.id) == kIndependent.end();
 }
 
-std::string evaluation_shader(const Function& function, const Hash& hash, const Profile& profile,
+std::string knobs_of(const Configuration& configuration) {
+  return fmt::format("{}{}", configuration.knobs, configuration.name == "custom" ? kCustomHash : "");
+}
+
+bool covers(const Configuration& configuration, const Function& function) {
+  if (function.id.starts_with("gradient.")) return function.id.starts_with("gradient.sine") == configuration.sine();
+  if (configuration.hash_only()) return depends_on_configuration(function) || configuration.is_default();
+  // The octave sums are the same code above any noise, but their bounds depend on it.
+  return function.id.find("perlin") != std::string_view::npos ||
+         (function.file == "fbm.glsl" && configuration.name == "lattice+sine");
+}
+
+std::string evaluation_shader(const Function& function, const Configuration& configuration, const Profile& profile,
                               const ShaderVariant& variant) {
   return fmt::format(R"({}{}{}#include "{}"
 {}uniform HN_HIGHP usampler2D input_a;
@@ -129,7 +149,7 @@ void main() {{
   result = evaluate(texelFetch(input_a, at, 0), texelFetch(input_b, at, 0));
 }}
 )",
-                     running_preamble(profile), hash.knobs, variant.knobs, function.file,
+                     running_preamble(profile), knobs_of(configuration), variant.knobs, function.file,
                      variant.seeded ? kSeeded : kUnseeded, function.body);
 }
 
@@ -141,10 +161,11 @@ std::string vertex_shader() {
 )";
 }
 
-std::string calling_shader(std::string_view file, const Hash& hash, const Profile& profile, Stage stage) {
+std::string calling_shader(std::string_view file, const Configuration& configuration, const Profile& profile,
+                           Stage stage) {
   std::string text = compiling_preamble(profile);
   if (stage == Stage::compute) text += "layout(local_size_x = 1) in;\n";
-  text += fmt::format("{}#include \"{}\"\n#include \"{}\"\n", hash.knobs, file, file);
+  text += fmt::format("{}#include \"{}\"\n#include \"{}\"\n", knobs_of(configuration), file, file);
   std::string calls;
   int count = 0;
   for (const std::string_view seeding : {kSeeded, kUnseeded}) {

@@ -1,7 +1,8 @@
-// The library's functions and hashes, as the cases see them.
+// The library's functions and knobs, as the cases see them.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,6 +26,7 @@ struct Column {
 // Which bound of tolerance.hpp a function's results keep to.
 enum class Accuracy {
   exact,
+  sine,
   perlin2,
   perlin2_cell,
   perlin3,
@@ -55,17 +57,31 @@ struct Function {
 std::span<const Function> all_functions();
 const Function& find_function(std::string_view id);  // it must exist
 
-struct Hash {
-  std::string_view name;   // in case ids and golden files: "partial_fnv1"
+// One setting of the knobs. The names are in case ids and golden files: a hash, and what differs from the default:
+// "partial_fnv1", "fnv1+sine", "lattice+period48".
+struct Configuration {
+  std::string_view name;
   std::string_view knobs;  // the lines that select it in a shader
-  int number;              // the value of HN_HASH
+  int index;               // in all_configurations()
+
+  bool is_default() const { return name == "lattice"; }
+  bool hash_only() const { return name.find('+') == std::string_view::npos; }
+  bool sine() const { return name.find("+sine") != std::string_view::npos; }
+  // Cells, or 0 for 2^32.
+  std::uint32_t period() const;
 };
 
-std::span<const Hash> all_hashes();
-const Hash& default_hash();
+std::span<const Configuration> all_configurations();
+const Configuration& default_configuration();
 
-// Whether a function's values depend on the hash. Where they do not, its golden file is that of the hash "any".
-bool depends_on_hash(const Function& function);
+// Its knobs, and what they need: the suite's own hash for HN_HASH_CUSTOM.
+std::string knobs_of(const Configuration& configuration);
+
+// Whether a function's values depend on the knobs. Where they do not, its golden file is that of "any".
+bool depends_on_configuration(const Function& function);
+// Whether there are values of a function to compare with: of a hash alone for every function; of other knobs for the
+// functions that they concern.
+bool covers(const Configuration& configuration, const Function& function);
 
 // The shaders of the cases, before their includes are expanded. The fragment shader evaluates the function at the point
 // of its pixel.
@@ -73,10 +89,11 @@ struct ShaderVariant {
   bool seeded = true;           // else the overload without a seed
   std::string_view knobs = "";  // further definitions, before the include
 };
-std::string evaluation_shader(const Function& function, const Hash& hash, const Profile& profile,
+std::string evaluation_shader(const Function& function, const Configuration& configuration, const Profile& profile,
                               const ShaderVariant& variant = {});
 std::string vertex_shader();
 // A shader of any stage that includes a file, twice, and calls what it declares.
-std::string calling_shader(std::string_view file, const Hash& hash, const Profile& profile, Stage stage);
+std::string calling_shader(std::string_view file, const Configuration& configuration, const Profile& profile,
+                           Stage stage);
 
 }  // namespace hn

@@ -17,12 +17,14 @@ int hex_digits(WordType type) { return type == WordType::f64 ? 16 : 8; }
 
 std::string_view arithmetic_of(const Function& function) { return function.exact() ? "exact" : "fast"; }
 
-std::string_view hash_of(const Function& function, const Hash& hash) {
-  return depends_on_hash(function) ? hash.name : "any";
+std::string_view configuration_of(const Function& function, const Configuration& configuration) {
+  return depends_on_configuration(function) ? configuration.name : "any";
 }
 
-// hn_hash and hn_lattice have one. What comes of a single hash is tried well enough by rows.
-bool has_digest(const Function& function) { return function.exact() && depends_on_hash(function); }
+// hn_hash and hn_lattice have one. What comes of a hash is tried well enough by rows.
+bool has_digest(const Function& function) {
+  return function.exact() && depends_on_configuration(function) && function.outputs.front().type == WordType::u32;
+}
 
 // Takes the text up to the separator off the front.
 std::string_view take(std::string_view& text, char separator) {
@@ -53,8 +55,8 @@ bool parse_list(std::string_view text, std::vector<std::uint32_t>& list) {
 
 class Parser {
  public:
-  Parser(std::string_view text, std::string_view path, const Function& function, const Hash& hash)
-      : rest_(text), path_(path), function_(function), hash_(hash) {}
+  Parser(std::string_view text, std::string_view path, const Function& function, const Configuration& configuration)
+      : rest_(text), path_(path), function_(function), configuration_(configuration) {}
 
   Result<Golden> run() {
     std::size_t rows = 0;
@@ -90,9 +92,9 @@ class Parser {
   }
 
   Result<void> header(std::size_t& rows) {
-    for (const std::string& line :
-         {std::string("hashnoise golden 1"), fmt::format("function {}", function_.id),
-          fmt::format("hash {}", hash_of(function_, hash_)), fmt::format("arithmetic {}", arithmetic_of(function_))}) {
+    for (const std::string& line : {std::string("hashnoise golden 1"), fmt::format("function {}", function_.id),
+                                    fmt::format("hash {}", configuration_of(function_, configuration_)),
+                                    fmt::format("arithmetic {}", arithmetic_of(function_))}) {
       if (auto done = expect(line); !done) return done;
     }
     if (!next_line() || !current_.starts_with("bits ")) return error("\"bits VERSION\" should be here");
@@ -159,7 +161,7 @@ class Parser {
   std::string_view rest_;
   std::string_view path_;
   const Function& function_;
-  const Hash& hash_;
+  const Configuration& configuration_;
   std::string_view current_;
   int line_ = 0;
   Golden golden_;
@@ -188,20 +190,23 @@ std::vector<std::uint32_t> GoldenDigest::inputs() const {
   return words;
 }
 
-std::filesystem::path golden_path(const std::filesystem::path& directory, const Function& function, const Hash& hash) {
-  return directory / fmt::format("{}.{}.golden", function.id, hash_of(function, hash));
+std::filesystem::path golden_path(const std::filesystem::path& directory, const Function& function,
+                                  const Configuration& configuration) {
+  return directory / fmt::format("{}.{}.golden", function.id, configuration_of(function, configuration));
 }
 
-Result<Golden> read_golden(const std::filesystem::path& path, const Function& function, const Hash& hash) {
+Result<Golden> read_golden(const std::filesystem::path& path, const Function& function,
+                           const Configuration& configuration) {
   std::ifstream in(path, std::ios::binary);
   if (!in) return fail(fmt::format("{}: cannot read the golden file; tools/golden writes it", path.string()));
   const std::string text(std::istreambuf_iterator<char>(in), {});
   if (in.bad()) return fail(fmt::format("{}: cannot read the golden file", path.string()));
-  return parse_golden(text, path.string(), function, hash);
+  return parse_golden(text, path.string(), function, configuration);
 }
 
-Result<Golden> parse_golden(std::string_view text, std::string_view path, const Function& function, const Hash& hash) {
-  return Parser(text, path, function, hash).run();
+Result<Golden> parse_golden(std::string_view text, std::string_view path, const Function& function,
+                            const Configuration& configuration) {
+  return Parser(text, path, function, configuration).run();
 }
 
 std::uint64_t fnv1a64(const std::vector<std::uint32_t>& words) {

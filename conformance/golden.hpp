@@ -36,11 +36,14 @@ struct Golden {
 };
 
 // The file's name in the folder of golden files.
-std::filesystem::path golden_path(const std::filesystem::path& directory, const Function& function, const Hash& hash);
+std::filesystem::path golden_path(const std::filesystem::path& directory, const Function& function,
+                                  const Configuration& configuration);
 
 // Reads a file and holds it against what the function's table says. Errors name the file and the line.
-Result<Golden> read_golden(const std::filesystem::path& path, const Function& function, const Hash& hash);
-Result<Golden> parse_golden(std::string_view text, std::string_view path, const Function& function, const Hash& hash);
+Result<Golden> read_golden(const std::filesystem::path& path, const Function& function,
+                           const Configuration& configuration);
+Result<Golden> parse_golden(std::string_view text, std::string_view path, const Function& function,
+                            const Configuration& configuration);
 
 // FNV-1a, 64 bit, of words as little-endian bytes.
 std::uint64_t fnv1a64(const std::vector<std::uint32_t>& words);

@@ -23,7 +23,7 @@ constexpr std::string_view kValid =
     "digest origin=-1,4294967295 size=2,3 seed=5 fnv1a64=0123456789abcdef\n";
 
 Result<Golden> parse(std::string_view text) {
-  return parse_golden(text, "file.golden", find_function("hash.lattice2"), hash_named("pcg"));
+  return parse_golden(text, "file.golden", find_function("hash.lattice2"), configuration_named("pcg"));
 }
 
 TEST(Golden, AValidFileIsRead) {
@@ -96,7 +96,7 @@ TEST(Golden, EveryTruncationIsAnError) {
 }
 
 TEST(Golden, AMissingFileIsAnErrorThatNamesIt) {
-  const auto golden = read_golden("/nowhere/x.golden", find_function("hash.word"), hash_named("pcg"));
+  const auto golden = read_golden("/nowhere/x.golden", find_function("hash.word"), configuration_named("pcg"));
   ASSERT_FALSE(golden);
   EXPECT_NE(golden.error().message.find("/nowhere/x.golden"), std::string::npos);
 }

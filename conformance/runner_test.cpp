@@ -29,13 +29,14 @@ TEST(Cases, IdsAreUniqueAndHaveSevenParts) {
   }
 }
 
-TEST(Cases, EveryHashAndFunctionHasGoldenAndTwin) {
+TEST(Cases, EveryConfigurationAndFunctionHasGoldenAndTwin) {
   std::set<std::string> seen;
   for (const Case& test : all_cases()) seen.insert(test.id);
   for (const Function& function : all_functions()) {
-    for (const Hash& hash : all_hashes()) {
+    for (const Configuration& configuration : all_configurations()) {
+      if (!covers(configuration, function)) continue;
       const std::string start = std::string(function.id) + "." +
-                                std::string(depends_on_hash(function) ? hash.name : "any") +
+                                std::string(depends_on_configuration(function) ? configuration.name : "any") +
                                 (function.exact() ? ".exact" : ".fast") + ".fragment.gl330.";
       EXPECT_TRUE(seen.contains(start + "golden")) << start;
       EXPECT_TRUE(seen.contains(start + "twin")) << start;

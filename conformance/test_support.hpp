@@ -14,11 +14,11 @@
 
 namespace hn {
 
-inline const Hash& hash_named(std::string_view name) {
-  for (const Hash& hash : all_hashes()) {
-    if (hash.name == name) return hash;
+inline const Configuration& configuration_named(std::string_view name) {
+  for (const Configuration& configuration : all_configurations()) {
+    if (configuration.name == name) return configuration;
   }
-  return default_hash();
+  return default_configuration();
 }
 
 // A folder that is gone after the test.

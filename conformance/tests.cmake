@@ -40,11 +40,14 @@ add_test(NAME consumer.find_package
                  -P ${CMAKE_CURRENT_SOURCE_DIR}/consumer/test.cmake)
 foreach(compiler g++ clang++)
   find_program(COMPILER_${compiler} ${compiler} REQUIRED)
-  foreach(hash RANGE 1 9)
-    add_test(NAME twin.warnings.${compiler}.hash${hash}
+  foreach(configuration ${configurations})
+    separate_arguments(macros UNIX_COMMAND "${configuration}")
+    list(POP_FRONT macros name)
+    list(TRANSFORM macros PREPEND "-D")
+    add_test(NAME twin.warnings.${compiler}.${name}
              COMMAND ${COMPILER_${compiler}} -std=c++20 -fsyntax-only -Wall -Wextra -Wconversion -Wshadow
                      -Wdouble-promotion -Wsign-conversion -Wold-style-cast -Wpedantic -Werror
-                     -DHN_HASH=${hash} "-DHN_HASH_FN(k)=(k)" -I ${PROJECT_SOURCE_DIR}/include
+                     ${macros} "-DHN_HASH_FN(k)=(k)" -I ${PROJECT_SOURCE_DIR}/include
                      ${CMAKE_CURRENT_SOURCE_DIR}/consumer/main.cpp)
   endforeach()
 endforeach()

@@ -9,8 +9,9 @@
 namespace hn {
 namespace {
 
-constexpr double kUnit = 0x1p-23;   // the largest relative error of one operation, in any rounding mode
-constexpr double kTiny = 0x1p-126;  // the largest error of flushing a subnormal to 0
+constexpr double kSineError = 0x1p-19;  // of a component of the sine gradient
+constexpr double kUnit = 0x1p-23;       // the largest relative error of one operation, in any rounding mode
+constexpr double kTiny = 0x1p-126;      // the largest error of flushing a subnormal to 0
 // The components of the shift between octaves (docs/contract.md); 2D uses the first two.
 constexpr std::array kShift = {11.0 / 32.0, 19.0 / 32.0, 23.0 / 32.0};
 
@@ -34,7 +35,8 @@ bool positions_are_exact(std::span<const double> position, int octaves, double l
   return true;
 }
 
-double octave_sum_tolerance(OctaveSum kind, const Function& function, std::span<const std::uint32_t> inputs) {
+double octave_sum_tolerance(OctaveSum kind, const Function& function, Gradient gradient,
+                            std::span<const std::uint32_t> inputs) {
   const int octaves_word = function.input("octaves");
   const int dimensions = octaves_word;  // the coordinates come first
   std::array<double, 3> position{};
@@ -48,17 +50,22 @@ double octave_sum_tolerance(OctaveSum kind, const Function& function, std::span<
   const std::span<const double> coordinates(position.data(), static_cast<std::size_t>(dimensions));
   return octave_tolerance(kind, dimensions,
                           {largest, octaves, lacunarity, float_input(inputs, function.input("gain")),
-                           positions_are_exact(coordinates, octaves, lacunarity)});
+                           positions_are_exact(coordinates, octaves, lacunarity)},
+                          gradient);
 }
 
 }  // namespace
 
-NoiseBounds noise_bounds(int dimensions) {
-  return dimensions == 2 ? NoiseBounds{3.24e-6, 3.51e-6, 4.57} : NoiseBounds{5.06e-6, 5.43e-6, 6.18};
+NoiseBounds noise_bounds(int dimensions, Gradient gradient) {
+  if (gradient == Gradient::sine) {
+    return dimensions == 2 ? NoiseBounds{4.36e-6, 4.58e-6, 3.76, 1.00001}
+                           : NoiseBounds{7.79e-6, 8.20e-6, 6.94, 1.50001};
+  }
+  return dimensions == 2 ? NoiseBounds{3.24e-6, 3.51e-6, 4.57, 1.0} : NoiseBounds{5.06e-6, 5.43e-6, 6.18, 1.0};
 }
 
-double octave_tolerance(OctaveSum kind, int dimensions, const OctaveArguments& arguments) {
-  const NoiseBounds noise = noise_bounds(dimensions);
+double octave_tolerance(OctaveSum kind, int dimensions, const OctaveArguments& arguments, Gradient gradient) {
+  const NoiseBounds noise = noise_bounds(dimensions, gradient);
   const double lacunarity = std::fabs(arguments.lacunarity);
   const double shift = dimensions == 2 ? kShift[1] : kShift[2];
   double position = arguments.largest_coordinate;
@@ -69,11 +76,12 @@ double octave_tolerance(OctaveSum kind, int dimensions, const OctaveArguments& a
   double total_error = 0.0;
   double sum_error = 0.0;
   for (int i = 0; i < arguments.octaves; ++i) {
-    const double noise_error = std::min(noise.lipschitz * position_error + noise.error, 2.0);
-    sum_error += (amplitude + amplitude_error) * (noise_error + kUnit) + amplitude_error + kTiny;
+    const double noise_error = std::min(noise.lipschitz * position_error + noise.error, 2.0 * noise.range);
+    sum_error +=
+        (amplitude + amplitude_error) * (noise_error + kUnit * noise.range) + noise.range * amplitude_error + kTiny;
     total_error = arguments.gain * (total_error + kUnit * (total + total_error)) + kTiny;
     total = 1.0 + arguments.gain * total;
-    sum_error += kUnit * (total + sum_error);
+    sum_error += kUnit * (noise.range * total + sum_error);
     total_error += kUnit * (total + total_error);
     const double product_error = lacunarity * (position_error + kUnit * (position + position_error) + kTiny) + kTiny;
     position = lacunarity * position + shift;
@@ -84,33 +92,36 @@ double octave_tolerance(OctaveSum kind, int dimensions, const OctaveArguments& a
   if (total > 0x1p126) return std::numeric_limits<double>::infinity();
   double error = 0.0;
   if (arguments.octaves > 0) {
-    error = (sum_error + total_error) / (total - total_error);
-    error += 2.5 * kUnit * (1.0 + error) + kTiny;
+    error = (sum_error + noise.range * total_error) / (total - total_error);
+    error += 2.5 * kUnit * (noise.range + error) + kTiny;
   }
   return kind == OctaveSum::clouds ? 1.5 * (2.0 * error + kUnit) + 3.001 * kUnit : error;
 }
 
-double tolerance(const Function& function, std::span<const std::uint32_t> inputs) {
+double tolerance(const Function& function, const Configuration& configuration, std::span<const std::uint32_t> inputs) {
+  const Gradient gradient = configuration.sine() ? Gradient::sine : Gradient::octahedral;
   switch (function.accuracy) {
     case Accuracy::exact:
       return 0.0;
+    case Accuracy::sine:
+      return kSineError;
     case Accuracy::perlin2_cell:
-      return noise_bounds(2).cell_error;
+      return noise_bounds(2, gradient).cell_error;
     case Accuracy::perlin2:
-      return noise_bounds(2).error;
+      return noise_bounds(2, gradient).error;
     case Accuracy::perlin3_cell:
-      return noise_bounds(3).cell_error;
+      return noise_bounds(3, gradient).cell_error;
     case Accuracy::perlin3:
-      return noise_bounds(3).error;
+      return noise_bounds(3, gradient).error;
     case Accuracy::fbm2:
     case Accuracy::fbm3:
-      return octave_sum_tolerance(OctaveSum::fbm, function, inputs);
+      return octave_sum_tolerance(OctaveSum::fbm, function, gradient, inputs);
     case Accuracy::turbulence2:
     case Accuracy::turbulence3:
-      return octave_sum_tolerance(OctaveSum::turbulence, function, inputs);
+      return octave_sum_tolerance(OctaveSum::turbulence, function, gradient, inputs);
     case Accuracy::clouds2:
     case Accuracy::clouds3:
-      return octave_sum_tolerance(OctaveSum::clouds, function, inputs);
+      return octave_sum_tolerance(OctaveSum::clouds, function, gradient, inputs);
   }
   return 0.0;
 }

@@ -8,14 +8,16 @@
 
 namespace hn {
 
-// The bounds for hn_perlin from a cell and a fraction and from a position, and how fast the noise changes: the error
-// per error of the position.
+// The bounds for hn_perlin from a cell and a fraction and from a position, how fast the noise changes (the error per
+// error of the position), and how large it can be.
 struct NoiseBounds {
   double cell_error;
   double error;
   double lipschitz;
+  double range;
 };
-NoiseBounds noise_bounds(int dimensions);
+enum class Gradient { octahedral, sine };
+NoiseBounds noise_bounds(int dimensions, Gradient gradient);
 
 enum class OctaveSum { fbm, turbulence, clouds };
 
@@ -28,9 +30,10 @@ struct OctaveArguments {
 };
 
 // octave_tolerance of tools/bounds.py.
-double octave_tolerance(OctaveSum kind, int dimensions, const OctaveArguments& arguments);
+double octave_tolerance(OctaveSum kind, int dimensions, const OctaveArguments& arguments,
+                        Gradient gradient = Gradient::octahedral);
 
 // The bound for a function at a point given by its input words; 0 for an exact function.
-double tolerance(const Function& function, std::span<const std::uint32_t> inputs);
+double tolerance(const Function& function, const Configuration& configuration, std::span<const std::uint32_t> inputs);
 
 }  // namespace hn

@@ -19,6 +19,15 @@ TEST(OctaveTolerance, AgreesWithItsDerivation) {
   near(octave_tolerance(OctaveSum::clouds, 2, {16.0, 5, 2.0, 0.5, false}), 0.00029);
 }
 
+TEST(OctaveTolerance, OfTheSineGradientAgreesWithItsDerivation) {
+  const auto near = [](double got, double expected) { EXPECT_NEAR(got / expected, 1.0, 0.005); };
+  const auto sine = Gradient::sine;
+  near(octave_tolerance(OctaveSum::fbm, 2, {16.0, 5, 2.0, 0.5, true}, sine), 5.91e-06);
+  near(octave_tolerance(OctaveSum::fbm, 3, {16.0, 5, 2.0, 0.5, false}, sine), 0.00015);
+  near(octave_tolerance(OctaveSum::turbulence, 3, {16.0, 5, 1.9, 0.6, false}, sine), 0.000186);
+  near(octave_tolerance(OctaveSum::clouds, 2, {16.0, 5, 2.0, 0.5, false}, sine), 0.000245);
+}
+
 TEST(OctaveTolerance, EdgesAreNoNan) {
   EXPECT_EQ(octave_tolerance(OctaveSum::fbm, 2, {1.0, 0, 2.0, 0.5, false}), 0.0);
   EXPECT_EQ(octave_tolerance(OctaveSum::fbm, 3, {1.0, 20, 2.0, 1e20, false}), std::numeric_limits<double>::infinity());
@@ -38,15 +47,16 @@ std::vector<std::uint32_t> fbm2_inputs(float x, int octaves, float lacunarity) {
 TEST(Tolerance, ExactPositionsAreRecognised) {
   const Function& fbm = find_function("fbm.fbm2");
   const double exact = octave_tolerance(OctaveSum::fbm, 2, {1.5, 4, 2.0, 0.5, true});
-  EXPECT_EQ(tolerance(fbm, fbm2_inputs(1.5f, 4, 2.0f)), exact);
-  EXPECT_GT(tolerance(fbm, fbm2_inputs(1.5f, 4, 1.9f)), exact);
-  EXPECT_GT(tolerance(fbm, fbm2_inputs(1e6f, 4, 2.0f)), exact);
+  EXPECT_EQ(tolerance(fbm, default_configuration(), fbm2_inputs(1.5f, 4, 2.0f)), exact);
+  EXPECT_GT(tolerance(fbm, default_configuration(), fbm2_inputs(1.5f, 4, 1.9f)), exact);
+  EXPECT_GT(tolerance(fbm, default_configuration(), fbm2_inputs(1e6f, 4, 2.0f)), exact);
 }
 
 TEST(Tolerance, ExactFunctionsHaveNone) {
   for (const Function& function : all_functions()) {
     if (!function.exact()) continue;
-    EXPECT_EQ(tolerance(function, std::vector<std::uint32_t>(kInputWords)), 0.0) << function.id;
+    EXPECT_EQ(tolerance(function, default_configuration(), std::vector<std::uint32_t>(kInputWords)), 0.0)
+        << function.id;
   }
 }
 

@@ -1,9 +1,13 @@
-// Compiled once per hash, with HN_HASH defined: the bodies of functions.inc as C++.
+// Compiled once per configuration, with its macros and HN_TWIN, its index, defined: the bodies of functions.inc as C++.
 #define HN_HASH_FN(k) (((k) ^ ((k) >> 16)) * 0x045D9F3Bu)  // used with HN_HASH_CUSTOM only; the same in functions.cpp
 #include <hashnoise/hashnoise.hpp>
 
 #include "functions.hpp"
 #include "twin_table.hpp"
+
+#define HN_TWIN_PASTE_TOKENS(a, b) a##b
+#define HN_TWIN_PASTE(a, b) HN_TWIN_PASTE_TOKENS(a, b)
+#define HN_TWIN_NAMESPACE HN_TWIN_PASTE(twin, HN_TWIN)
 
 namespace hashnoise {
 namespace HN_TWIN_NAMESPACE {
@@ -36,6 +40,6 @@ constexpr hn::TwinEntry kEntries[] = {
 }  // namespace hashnoise
 
 template <>
-std::span<const hn::TwinEntry> hn::twin_entries<HN_HASH>() {
+std::span<const hn::TwinEntry> hn::twin_entries<HN_TWIN>() {
   return hashnoise::HN_TWIN_NAMESPACE::kEntries;
 }

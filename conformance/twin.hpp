@@ -9,7 +9,7 @@
 namespace hn {
 
 // Evaluates a function at many points on all cores: kInputWords per point in, kOutputWords per point out.
-void evaluate_twin(const Function& function, const Hash& hash, std::span<const std::uint32_t> inputs,
+void evaluate_twin(const Function& function, const Configuration& configuration, std::span<const std::uint32_t> inputs,
                    std::span<std::uint32_t> outputs);
 
 }  // namespace hn

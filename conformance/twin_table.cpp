@@ -11,10 +11,13 @@
 namespace hn {
 namespace {
 
-std::span<const TwinEntry> entries_for(int hash) {
-  constexpr std::array kTables = {twin_entries<1>, twin_entries<2>, twin_entries<3>, twin_entries<4>, twin_entries<5>,
-                                  twin_entries<6>, twin_entries<7>, twin_entries<8>, twin_entries<9>};
-  return kTables[static_cast<std::size_t>(hash - 1)]();
+std::span<const TwinEntry> entries_for(const Configuration& configuration) {
+  constexpr std::array kTables = {
+#define CONFIGURATION(index, name, knobs) twin_entries<index>,
+#include "configurations.inc"
+#undef CONFIGURATION
+  };
+  return kTables[static_cast<std::size_t>(configuration.index)]();
 }
 
 // Below this many points per thread, starting the thread costs more than it saves.
@@ -22,9 +25,9 @@ constexpr std::size_t kFewestPoints = 4096;
 
 }  // namespace
 
-void evaluate_twin(const Function& function, const Hash& hash, std::span<const std::uint32_t> inputs,
+void evaluate_twin(const Function& function, const Configuration& configuration, std::span<const std::uint32_t> inputs,
                    std::span<std::uint32_t> outputs) {
-  const auto entries = entries_for(hash.number);
+  const auto entries = entries_for(configuration);
   const auto entry =
       std::find_if(entries.begin(), entries.end(), [&](const TwinEntry& e) { return e.id == function.id; });
   assert(entry != entries.end());

@@ -1,4 +1,4 @@
-// How twin.cpp, compiled once per hash, hands its table to twin_table.cpp.
+// How twin.cpp, compiled once per configuration, hands its table to twin_table.cpp.
 #pragma once
 
 #include <cstddef>
@@ -13,26 +13,13 @@ struct TwinEntry {
   void (*evaluate)(const std::uint32_t* inputs, std::uint32_t* outputs, std::size_t points);
 };
 
-// The table for a value of HN_HASH; twin.cpp defines one each time it is compiled.
-template <int hash>
+// The table for a configuration, by its index; twin.cpp defines one each time it is compiled.
+template <int index>
 std::span<const TwinEntry> twin_entries();
-template <>
-std::span<const TwinEntry> twin_entries<1>();
-template <>
-std::span<const TwinEntry> twin_entries<2>();
-template <>
-std::span<const TwinEntry> twin_entries<3>();
-template <>
-std::span<const TwinEntry> twin_entries<4>();
-template <>
-std::span<const TwinEntry> twin_entries<5>();
-template <>
-std::span<const TwinEntry> twin_entries<6>();
-template <>
-std::span<const TwinEntry> twin_entries<7>();
-template <>
-std::span<const TwinEntry> twin_entries<8>();
-template <>
-std::span<const TwinEntry> twin_entries<9>();
+#define CONFIGURATION(index, name, knobs) \
+  template <>                             \
+  std::span<const TwinEntry> twin_entries<index>();
+#include "configurations.inc"
+#undef CONFIGURATION
 
 }  // namespace hn

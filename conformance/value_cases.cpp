@@ -31,12 +31,12 @@ std::span<const std::uint32_t> result(const Words& outputs, std::size_t i) {
 }
 
 // Evaluates on the driver; the outcome of a failure is ready to be returned.
-tl::expected<Words, Outcome> evaluate(Session& session, const Function& function, const Hash& hash,
+tl::expected<Words, Outcome> evaluate(Session& session, const Function& function, const Configuration& configuration,
                                       const Profile& profile, const Words& inputs, const ShaderVariant& variant = {}) {
   if (const auto reason = unsupported_to_run(profile, session.info.languages); !reason.empty()) {
     return tl::unexpected(outcome_with(Status::unsupported, {reason, {}}));
   }
-  const auto program = session.evaluation_program(function, hash, profile, variant);
+  const auto program = session.evaluation_program(function, configuration, profile, variant);
   if (!program) return tl::unexpected(outcome_with(Status::fail, program.error()));
   auto outputs = session.grid.evaluate(**program, inputs);
   if (!outputs) return tl::unexpected(outcome_with(Status::fail, outputs.error()));
@@ -54,10 +54,10 @@ Words inputs_of(const Golden& golden) {
   return words;
 }
 
-Outcome check_digest(Session& session, const Function& function, const Hash& hash, const Profile& profile,
-                     const GoldenDigest& digest, Outcome outcome) {
+Outcome check_digest(Session& session, const Function& function, const Configuration& configuration,
+                     const Profile& profile, const GoldenDigest& digest, Outcome outcome) {
   const Words inputs = digest.inputs();
-  const auto outputs = evaluate(session, function, hash, profile, inputs);
+  const auto outputs = evaluate(session, function, configuration, profile, inputs);
   if (!outputs) return outputs.error();
   Words values(digest.points());
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = (*outputs)[i * kOutputWords];
@@ -71,22 +71,25 @@ Outcome check_digest(Session& session, const Function& function, const Hash& has
   return outcome;
 }
 
-Outcome check_golden(Session& session, const Function& function, const Hash& hash, const Profile& profile) {
-  const auto golden = read_golden(golden_path(session.golden_directory, function, hash), function, hash);
+Outcome check_golden(Session& session, const Function& function, const Configuration& configuration,
+                     const Profile& profile) {
+  const auto golden =
+      read_golden(golden_path(session.golden_directory, function, configuration), function, configuration);
   if (!golden) return outcome_with(Status::error, golden.error());
   const Words inputs = inputs_of(*golden);
-  const auto outputs = evaluate(session, function, hash, profile, inputs);
+  const auto outputs = evaluate(session, function, configuration, profile, inputs);
   if (!outputs) return outputs.error();
   Comparison comparison(function);
   for (std::size_t i = 0; i < golden->rows.size(); ++i) {
     const auto in = point(inputs, i);
     const auto out = result(*outputs, i);
     const auto& values = golden->rows[i].values;
-    for (std::size_t word = 0; word < values.size(); ++word) comparison.golden(in, out[word], values[word]);
+    const double allowed = tolerance(function, configuration, in);
+    for (std::size_t word = 0; word < values.size(); ++word) comparison.golden(in, out[word], values[word], allowed);
   }
   const Outcome outcome = comparison.finish();
   if (!golden->digest || outcome.status != Status::pass) return outcome;
-  return check_digest(session, function, hash, profile, *golden->digest, outcome);
+  return check_digest(session, function, configuration, profile, *golden->digest, outcome);
 }
 
 // --- Twin ------------------------------------------------------------------------------------------------------------
@@ -103,12 +106,13 @@ void compare_with_twin(Comparison& comparison, const Function& function, std::sp
   }
 }
 
-Outcome check_twin(Session& session, const Function& function, const Hash& hash, const Profile& profile) {
-  const Session::PointSet& points = session.twin_points(function, kTwinPoints);
-  const auto outputs = evaluate(session, function, hash, profile, points.inputs);
+Outcome check_twin(Session& session, const Function& function, const Configuration& configuration,
+                   const Profile& profile) {
+  const Session::PointSet& points = session.twin_points(function, configuration, kTwinPoints);
+  const auto outputs = evaluate(session, function, configuration, profile, points.inputs);
   if (!outputs) return outputs.error();
   Words expected(kTwinPoints * kOutputWords);
-  evaluate_twin(function, hash, points.inputs, expected);
+  evaluate_twin(function, configuration, points.inputs, expected);
   Comparison comparison(function);
   for (std::size_t i = 0; i < kTwinPoints; ++i) {
     const auto in = point(points.inputs, i);
@@ -120,7 +124,8 @@ Outcome check_twin(Session& session, const Function& function, const Hash& hash,
 // --- Properties ------------------------------------------------------------------------------------------------------
 
 // Noise is 0 at lattice points, near and far.
-Outcome check_zero(Session& session, const Function& function, const Hash& hash, const Profile& profile) {
+Outcome check_zero(Session& session, const Function& function, const Configuration& configuration,
+                   const Profile& profile) {
   Words inputs = random_points(function, kPropertyPoints, Random(session.seed, "zero"));
   const int axes = function.seed_word();
   for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
@@ -128,7 +133,7 @@ Outcome check_zero(Session& session, const Function& function, const Hash& hash,
       inputs[axis] = std::bit_cast<std::uint32_t>(std::floor(std::bit_cast<float>(inputs[axis])));
     }
   }
-  const auto outputs = evaluate(session, function, hash, profile, inputs);
+  const auto outputs = evaluate(session, function, configuration, profile, inputs);
   if (!outputs) return outputs.error();
   Comparison comparison(function);
   for (std::size_t i = 0; i < kPropertyPoints; ++i) {
@@ -142,25 +147,31 @@ struct Range {
   float high;
 };
 
-Range range_of(const Function& function) {
+Range range_of(const Function& function, const Configuration& configuration) {
+  // The paper's noise is not scaled to [-1, 1], and fBm and turbulence take over its range.
+  const bool of_sine_noise = configuration.sine() && function.accuracy != Accuracy::sine;
+  const int dimensions = function.id.find('3') == std::string_view::npos ? 2 : 3;
+  const auto largest = static_cast<float>(of_sine_noise ? noise_bounds(dimensions, Gradient::sine).range : 1.0);
   switch (function.accuracy) {
     case Accuracy::turbulence2:
     case Accuracy::turbulence3:
+      return {0.0f, largest};
     case Accuracy::clouds2:
     case Accuracy::clouds3:
       return {0.0f, 1.0f};
     default:
-      return {-1.0f, 1.0f};
+      return {-largest, largest};
   }
 }
 
 // Values keep to their range; and, for noise, a good part of it is used: with a gradient that had lost a third of its
 // length, no value would be beyond 0.67, and of this few points none beyond 0.6.
-Outcome check_range(Session& session, const Function& function, const Hash& hash, const Profile& profile) {
+Outcome check_range(Session& session, const Function& function, const Configuration& configuration,
+                    const Profile& profile) {
   const Words inputs = random_points(function, kPropertyPoints, Random(session.seed, "range"));
-  const auto outputs = evaluate(session, function, hash, profile, inputs);
+  const auto outputs = evaluate(session, function, configuration, profile, inputs);
   if (!outputs) return outputs.error();
-  const Range range = range_of(function);
+  const Range range = range_of(function, configuration);
   const std::string should = fmt::format("a value in [{}, {}]", range.low, range.high);
   Comparison comparison(function);
   float largest = 0.0f;
@@ -173,6 +184,34 @@ Outcome check_range(Session& session, const Function& function, const Hash& hash
   const bool is_noise = function.input("octaves") < 0;
   comparison.require(!is_noise || largest > 0.6f, point(inputs, 0), largest,
                      "more than 0.6 as the largest of all values");
+  return comparison.finish();
+}
+
+// Points a period apart, and opposite corners of it, have the same bits.
+Outcome check_period(Session& session, const Function& function, const Configuration& configuration,
+                     const Profile& profile) {
+  const auto period = static_cast<float>(configuration.period());
+  const auto axes = static_cast<std::size_t>(function.seed_word());
+  Random random(session.seed, "period");
+  Words inputs = random_points(function, kPropertyPoints, random);
+  Words others = inputs;
+  for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
+    for (std::size_t axis = i; axis < i + axes; ++axis) {
+      // Multiples of 1/8, so that both positions are floats.
+      const float p = std::floor(random.uniform(-8.0f * period, 8.0f * period)) / 8.0f;
+      const float periods = static_cast<float>(random.below(3)) - 1.0f;
+      inputs[axis] = std::bit_cast<std::uint32_t>(p);
+      others[axis] = std::bit_cast<std::uint32_t>(p + periods * period);
+    }
+  }
+  const auto first = evaluate(session, function, configuration, profile, inputs);
+  if (!first) return first.error();
+  const auto second = evaluate(session, function, configuration, profile, others);
+  if (!second) return second.error();
+  Comparison comparison(function);
+  for (std::size_t i = 0; i < kPropertyPoints; ++i) {
+    comparison.bits(point(others, i), result(*second, i)[0], result(*first, i)[0]);
+  }
   return comparison.finish();
 }
 
@@ -202,7 +241,7 @@ void require_uncorrelated(Comparison& comparison, const Words& inputs, const Wor
 }
 
 // Points for correlations, anywhere within 512 cells of the origin in all quadrants: seldom on a lattice line, where
-// the noise is 0 whatever the hash, and seldom two in one cell. Each has a seed of its own.
+// the noise is 0 whatever the configuration, and seldom two in one cell. Each has a seed of its own.
 Words scattered_points(Session& session, const Function& function, std::string_view name) {
   Random random(session.seed, name);
   Words inputs = random_points(function, kCorrelationPoints, random);
@@ -217,17 +256,18 @@ Words scattered_points(Session& session, const Function& function, std::string_v
 
 // Fields of different seeds are uncorrelated: pairs of neighbouring seeds, of seeds that differ in the highest bit, and
 // of the seed of the next octave.
-Outcome check_seeds(Session& session, const Function& function, const Hash& hash, const Profile& profile) {
+Outcome check_seeds(Session& session, const Function& function, const Configuration& configuration,
+                    const Profile& profile) {
   constexpr std::uint32_t kOffsets[] = {1u, 0x80000000u, 0x9E3779B9u};
   const auto seed = static_cast<std::size_t>(function.seed_word());
   const Words inputs = scattered_points(session, function, "seeds");
-  const auto first = evaluate(session, function, hash, profile, inputs);
+  const auto first = evaluate(session, function, configuration, profile, inputs);
   if (!first) return first.error();
   Comparison comparison(function);
   for (const std::uint32_t offset : kOffsets) {
     Words others = inputs;
     for (std::size_t i = seed; i < others.size(); i += kInputWords) others[i] += offset;
-    const auto second = evaluate(session, function, hash, profile, others);
+    const auto second = evaluate(session, function, configuration, profile, others);
     if (!second) return second.error();
     require_uncorrelated(comparison, inputs, *first, *second, fmt::format("seeds {:#x} apart", offset));
   }
@@ -236,9 +276,10 @@ Outcome check_seeds(Session& session, const Function& function, const Hash& hash
 
 // No quadrant mirrors another: points are compared with their reflections in every set of axes, and with their
 // coordinates in another order.
-Outcome check_mirror(Session& session, const Function& function, const Hash& hash, const Profile& profile) {
+Outcome check_mirror(Session& session, const Function& function, const Configuration& configuration,
+                     const Profile& profile) {
   const Words inputs = scattered_points(session, function, "mirror");
-  const auto first = evaluate(session, function, hash, profile, inputs);
+  const auto first = evaluate(session, function, configuration, profile, inputs);
   if (!first) return first.error();
   const auto axes = static_cast<std::size_t>(function.seed_word());
   Comparison comparison(function);
@@ -252,7 +293,7 @@ Outcome check_mirror(Session& session, const Function& function, const Hash& has
           others[i + axis] = inputs[i + (axis + rotated) % axes] ^ sign;
         }
       }
-      const auto second = evaluate(session, function, hash, profile, others);
+      const auto second = evaluate(session, function, configuration, profile, others);
       if (!second) return second.error();
       require_uncorrelated(
           comparison, inputs, *first, *second,
@@ -263,19 +304,20 @@ Outcome check_mirror(Session& session, const Function& function, const Hash& has
 }
 
 // Without a seed means with seed 0.
-Outcome check_unseeded(Session& session, const Function& function, const Hash& hash, const Profile& profile) {
+Outcome check_unseeded(Session& session, const Function& function, const Configuration& configuration,
+                       const Profile& profile) {
   Words inputs = random_points(function, kPropertyPoints, Random(session.seed, "unseeded"));
   const auto seed = static_cast<std::size_t>(function.seed_word());
   for (std::size_t i = seed; i < inputs.size(); i += kInputWords) inputs[i] = 0;
-  const auto outputs = evaluate(session, function, hash, profile, inputs, {.seeded = false});
+  const auto outputs = evaluate(session, function, configuration, profile, inputs, {.seeded = false});
   if (!outputs) return outputs.error();
   Words expected(kPropertyPoints * kOutputWords);
-  evaluate_twin(function, hash, inputs, expected);
+  evaluate_twin(function, configuration, inputs, expected);
   Comparison comparison(function);
   for (std::size_t i = 0; i < kPropertyPoints; ++i) {
     const auto in = point(inputs, i);
     compare_with_twin(comparison, function, in, result(*outputs, i), result(expected, i),
-                      2.0 * tolerance(function, in));
+                      2.0 * tolerance(function, configuration, in));
   }
   return comparison.finish();
 }
@@ -295,12 +337,13 @@ double sum_of_constant_noise(Accuracy accuracy, bool no_octaves) {
 }
 
 // HN_FBM_NOISE2D and HN_FBM_NOISE3D are used, but for a few roundings of sum and total.
-Outcome check_noise_knob(Session& session, const Function& function, const Hash& hash, const Profile& profile) {
+Outcome check_noise_knob(Session& session, const Function& function, const Configuration& configuration,
+                         const Profile& profile) {
   Words inputs = random_points(function, kPropertyPoints, Random(session.seed, "knob"));
   const ShaderVariant with_noise{.knobs =
                                      "#define HN_FBM_NOISE2D(q, seed) (-0.5f + 0.0f * (q).x)\n"
                                      "#define HN_FBM_NOISE3D(q, seed) (-0.5f + 0.0f * (q).z)\n"};
-  const auto outputs = evaluate(session, function, hash, profile, inputs, with_noise);
+  const auto outputs = evaluate(session, function, configuration, profile, inputs, with_noise);
   if (!outputs) return outputs.error();
   const auto octaves = static_cast<std::size_t>(function.input("octaves"));
   Comparison comparison(function);
@@ -314,45 +357,55 @@ Outcome check_noise_knob(Session& session, const Function& function, const Hash&
 
 // ---------------------------------------------------------------------------------------------------------------------
 
-using Check = Outcome (*)(Session&, const Function&, const Hash&, const Profile&);
+using Check = Outcome (*)(Session&, const Function&, const Configuration&, const Profile&);
 
-void add(std::vector<Case>& cases, const Function& function, const Hash& hash, const Profile& profile,
+void add(std::vector<Case>& cases, const Function& function, const Configuration& configuration, const Profile& profile,
          std::string_view name, Check check) {
-  const std::string id =
-      fmt::format("{}.{}.{}.fragment.{}.{}", function.id, depends_on_hash(function) ? hash.name : "any",
-                  function.exact() ? "exact" : "fast", profile.name, name);
-  cases.push_back(
-      {id, [=, &function, &hash, &profile](Session& session) { return check(session, function, hash, profile); }});
+  const std::string id = fmt::format("{}.{}.{}.fragment.{}.{}", function.id,
+                                     depends_on_configuration(function) ? configuration.name : "any",
+                                     function.exact() ? "exact" : "fast", profile.name, name);
+  cases.push_back({id, [=, &function, &configuration, &profile](Session& session) {
+                     return check(session, function, configuration, profile);
+                   }});
 }
 
-void add_properties(std::vector<Case>& cases, const Function& function, const Hash& hash, const Profile& profile) {
-  const bool once = hash.name == default_hash().name;  // for what does not depend on the hash
-  if (once && function.seed_word() >= 0) add(cases, function, hash, profile, "unseeded", check_unseeded);
-  if (once && function.input("octaves") >= 0) add(cases, function, hash, profile, "noise_knob", check_noise_knob);
+void add_properties(std::vector<Case>& cases, const Function& function, const Configuration& configuration,
+                    const Profile& profile) {
+  const bool once = configuration.is_default();  // for what does not depend on the knobs
+  if (once && function.seed_word() >= 0) add(cases, function, configuration, profile, "unseeded", check_unseeded);
+  if (once && function.input("octaves") >= 0)
+    add(cases, function, configuration, profile, "noise_knob", check_noise_knob);
   if (function.exact()) return;
-  add(cases, function, hash, profile, "range", check_range);
+  add(cases, function, configuration, profile, "range", check_range);
   if (!function.id.ends_with(".perlin")) return;
-  add(cases, function, hash, profile, "zero", check_zero);
-  add(cases, function, hash, profile, "seeds", check_seeds);
-  add(cases, function, hash, profile, "mirror", check_mirror);
+  add(cases, function, configuration, profile, "zero", check_zero);
+  if (configuration.period() != 0) add(cases, function, configuration, profile, "period", check_period);
+  // With the sine gradient a hash is as weak as published, and a period of 48 cells has not room for many points.
+  if (!configuration.hash_only()) return;
+  add(cases, function, configuration, profile, "seeds", check_seeds);
+  add(cases, function, configuration, profile, "mirror", check_mirror);
 }
 
 }  // namespace
 
 void add_value_cases(std::vector<Case>& cases) {
   for (const Function& function : all_functions()) {
-    for (const Hash& hash : all_hashes()) {
-      if (!depends_on_hash(function) && hash.name != default_hash().name) continue;
+    for (const Configuration& configuration : all_configurations()) {
+      if (!covers(configuration, function)) continue;
       for (const Profile& profile : run_profiles()) {
-        // The code of an octave sum is the same with every hash, and the noise below it has cases of its own.
+        // The code of an octave sum is the same with every hash, and the noise below it has cases of its own. Of the
+        // other knobs, one of each kind is tried in every version.
         const bool octave_sum = function.input("octaves") >= 0;
         const bool main_version = profile.name == "gl330";
-        if (octave_sum && !main_version && hash.name != default_hash().name) continue;
-        add(cases, function, hash, profile, "golden", check_golden);
+        const bool everywhere = octave_sum ? configuration.is_default()
+                                           : configuration.hash_only() || configuration.name == "lattice+sine" ||
+                                                 configuration.name == "lattice+period48";
+        if (!main_version && !everywhere) continue;
+        add(cases, function, configuration, profile, "golden", check_golden);
         // One version is enough for the large sets: golden values tell the versions apart.
         if (!main_version) continue;
-        add(cases, function, hash, profile, "twin", check_twin);
-        add_properties(cases, function, hash, profile);
+        add(cases, function, configuration, profile, "twin", check_twin);
+        add_properties(cases, function, configuration, profile);
       }
     }
   }

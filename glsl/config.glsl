@@ -5,6 +5,10 @@
 //
 //   HN_HASH          which hash: one of the HN_HASH_... below. Default HN_HASH_LATTICE.
 //   HN_HASH_FN(k)    with HN_HASH_CUSTOM: your hash, a uint for a uint.
+//   HN_GRADIENT      what the noise makes of a hash: HN_GRADIENT_OCTAHEDRAL (the default), or HN_GRADIENT_SINE, the
+//                    paper's gradient, for those who want its noise.
+//   HN_PERIOD        after how many cells the noise repeats along each axis: a whole number up to 2^20, or a power of
+//                    two up to 2^30. Default 0: after 2^32.
 //   HN_FBM_NOISE2D(q, seed), HN_FBM_NOISE3D(q, seed)
 //                    the noise that fbm.glsl sums: a float in [-1, 1] for a vec2 or vec3 and a uint. Default
 //                    hn_perlin(q, seed). What it calls must be declared before fbm.glsl is included.
@@ -42,6 +46,13 @@
 #define HN_FN
 #endif
 
+// Before a parameter that only some of the knobs need.
+#ifdef __cplusplus
+#define HN_I_UNUSED [[maybe_unused]]
+#else
+#define HN_I_UNUSED
+#endif
+
 // Before every type. GLSL ES has three precisions and int is mediump, 16 bits, in fragment shaders unless it is told
 // otherwise; your own default precision stays as it is. Elsewhere nothing is needed, and glslang would warn.
 #ifdef GL_ES
@@ -66,6 +77,26 @@
 
 #if HN_HASH < 1 || HN_HASH > 9
 #error HN_HASH is none of HN_HASH_FNV1, HN_HASH_PARTIAL_FNV1, HN_HASH_JENKINS, HN_HASH_PARTIAL_JENKINS, HN_HASH_MURMUR, HN_HASH_PCG, HN_HASH_XXHASH32, HN_HASH_LATTICE, HN_HASH_CUSTOM
+#endif
+
+#define HN_GRADIENT_OCTAHEDRAL 1
+#define HN_GRADIENT_SINE 2
+
+#ifndef HN_GRADIENT
+#define HN_GRADIENT HN_GRADIENT_OCTAHEDRAL
+#endif
+
+#if HN_GRADIENT < 1 || HN_GRADIENT > 2
+#error HN_GRADIENT is neither HN_GRADIENT_OCTAHEDRAL nor HN_GRADIENT_SINE
+#endif
+
+#ifndef HN_PERIOD
+#define HN_PERIOD 0
+#endif
+
+// Beyond 2^20 only masks are offered, and beyond 2^30 a preprocessor with 32-bit integers could not check.
+#if HN_PERIOD < 0 || HN_PERIOD > 1073741824 || (HN_PERIOD > 1048576 && (HN_PERIOD & (HN_PERIOD - 1)) != 0)
+#error HN_PERIOD is neither a whole number from 1 to 1048576 nor a power of two up to 1073741824 (0: 2^32 cells)
 #endif
 
 #if HN_HASH == HN_HASH_CUSTOM && !defined(HN_HASH_FN)

@@ -4,13 +4,17 @@
 #ifndef HN_NOISE2D_GLSL
 #define HN_NOISE2D_GLSL
 
-#include "hash.glsl"
+#include "gradient.glsl"
 
-// What the corner with this hash adds at (x, y) from it.
-HN_FN HN_HIGHP float hn_i_ramp2(HN_HIGHP uint h, HN_HIGHP float x, HN_HIGHP float y) {
-  HN_HIGHP vec2 g = hn_gradient2(h);
-  return g.x * x + g.y * y;
-}
+// What a corner with the gradient g adds at (x, y) from it.
+HN_FN HN_HIGHP float hn_i_ramp(HN_HIGHP vec2 g, HN_HIGHP float x, HN_HIGHP float y) { return g.x * x + g.y * y; }
+
+#if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
+// 1 / 0.535276, rounded down: the largest that a sum of ramps of such gradients can be (tools/bounds.py).
+#define HN_I_SCALE2 (1913.0f / 1024.0f)
+#else
+#define HN_I_SCALE2 1.0f
+#endif
 
 // Gradient noise on the square lattice, from a cell and a position in it: Perlin 2002 interpolant, hashed gradients.
 // Names cells exactly where a float no longer can: far out in a large world, or in a world that moves with the viewer.
@@ -24,26 +28,21 @@ HN_FN HN_HIGHP float hn_i_ramp2(HN_HIGHP uint h, HN_HIGHP float x, HN_HIGHP floa
 //            that is no constant
 //   source   Valdenegro-Toro and Pincheira, sec. 5; Perlin, "Improving noise", 2002
 HN_FN HN_HIGHP float hn_perlin(HN_HIGHP ivec2 cell, HN_HIGHP vec2 f, HN_HIGHP uint seed) {
-  HN_HIGHP uvec2 c = uvec2(cell);
-  HN_HIGHP uvec2 c0 = hn_i_spread(c);
-  HN_HIGHP uvec2 c1 = hn_i_spread(c + 1u);
+  HN_HIGHP uvec2 c = hn_i_wrap(cell);
+  HN_HIGHP uvec2 c0 = hn_i_place(c);
+  HN_HIGHP uvec2 c1 = hn_i_place(hn_i_next(c));
   HN_HIGHP uint s = hn_i_mix(seed);
-  HN_HIGHP uint k0 = hn_i_key(c0.x);
-  HN_HIGHP uint k1 = hn_i_key(c1.x);
-  HN_HIGHP uint h00 = hn_i_mix(hn_i_key(k0, c0.y) ^ s);
-  HN_HIGHP uint h10 = hn_i_mix(hn_i_key(k1, c0.y) ^ s);
-  HN_HIGHP uint h01 = hn_i_mix(hn_i_key(k0, c1.y) ^ s);
-  HN_HIGHP uint h11 = hn_i_mix(hn_i_key(k1, c1.y) ^ s);
+  HN_HIGHP uint k0 = hn_i_column(c0.x, s);
+  HN_HIGHP uint k1 = hn_i_column(c1.x, s);
   HN_HIGHP vec2 d = f - 1.0f;
   HN_HIGHP vec2 t = f * f * f * (d * (f * 6.0f - 9.0f) + 1.0f);  // 6 f^5 - 15 f^4 + 10 f^3, without cancellation
-  HN_HIGHP float n00 = hn_i_ramp2(h00, f.x, f.y);
-  HN_HIGHP float n10 = hn_i_ramp2(h10, d.x, f.y);
-  HN_HIGHP float n01 = hn_i_ramp2(h01, f.x, d.y);
-  HN_HIGHP float n11 = hn_i_ramp2(h11, d.x, d.y);
+  HN_HIGHP float n00 = hn_i_ramp(hn_i_gradient(k0, c0.y, s), f.x, f.y);
+  HN_HIGHP float n10 = hn_i_ramp(hn_i_gradient(k1, c0.y, s), d.x, f.y);
+  HN_HIGHP float n01 = hn_i_ramp(hn_i_gradient(k0, c1.y, s), f.x, d.y);
+  HN_HIGHP float n11 = hn_i_ramp(hn_i_gradient(k1, c1.y, s), d.x, d.y);
   HN_HIGHP float n0 = n00 + t.x * (n10 - n00);
   HN_HIGHP float n1 = n01 + t.x * (n11 - n01);
-  // 1 / 0.535276, rounded down: the largest that a sum of ramps of such gradients can be (tools/bounds.py).
-  return (n0 + t.y * (n1 - n0)) * (1913.0f / 1024.0f);
+  return (n0 + t.y * (n1 - n0)) * HN_I_SCALE2;
 }
 
 HN_FN HN_HIGHP float hn_perlin(HN_HIGHP ivec2 cell, HN_HIGHP vec2 f) { return hn_perlin(cell, f, 0u); }

@@ -4,13 +4,19 @@
 #ifndef HN_NOISE3D_GLSL
 #define HN_NOISE3D_GLSL
 
-#include "hash.glsl"
+#include "gradient.glsl"
 
-// What the corner with this hash adds at (x, y, z) from it.
-HN_FN HN_HIGHP float hn_i_ramp3(HN_HIGHP uint h, HN_HIGHP float x, HN_HIGHP float y, HN_HIGHP float z) {
-  HN_HIGHP vec3 g = hn_gradient3(h);
+// What a corner with the gradient g adds at (x, y, z) from it.
+HN_FN HN_HIGHP float hn_i_ramp(HN_HIGHP vec3 g, HN_HIGHP float x, HN_HIGHP float y, HN_HIGHP float z) {
   return g.x * x + g.y * y + g.z * z;
 }
+
+#if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
+// 1 / 0.562902, rounded down: the largest that a sum of ramps of such gradients can be (tools/bounds.py).
+#define HN_I_SCALE3 (1819.0f / 1024.0f)
+#else
+#define HN_I_SCALE3 1.0f
+#endif
 
 // Gradient noise on the cubic lattice, from a cell and a position in it: Perlin 2002 interpolant, hashed gradients.
 // Names cells exactly where a float no longer can: far out in a large world, or in a world that moves with the viewer.
@@ -24,27 +30,27 @@ HN_FN HN_HIGHP float hn_i_ramp3(HN_HIGHP uint h, HN_HIGHP float x, HN_HIGHP floa
 //            that is no constant
 //   source   Valdenegro-Toro and Pincheira, sec. 5; Perlin, "Improving noise", 2002
 HN_FN HN_HIGHP float hn_perlin(HN_HIGHP ivec3 cell, HN_HIGHP vec3 f, HN_HIGHP uint seed) {
-  HN_HIGHP uvec3 c = uvec3(cell);
-  HN_HIGHP uvec3 c0 = hn_i_spread(c);
-  HN_HIGHP uvec3 c1 = hn_i_spread(c + 1u);
+  HN_HIGHP uvec3 c = hn_i_wrap(cell);
+  HN_HIGHP uvec3 c0 = hn_i_place(c);
+  HN_HIGHP uvec3 c1 = hn_i_place(hn_i_next(c));
   HN_HIGHP uint s = hn_i_mix(seed);
-  HN_HIGHP uint k0 = hn_i_key(c0.x);
-  HN_HIGHP uint k1 = hn_i_key(c1.x);
-  HN_HIGHP uint k00 = hn_i_key(k0, c0.y);
-  HN_HIGHP uint k10 = hn_i_key(k1, c0.y);
-  HN_HIGHP uint k01 = hn_i_key(k0, c1.y);
-  HN_HIGHP uint k11 = hn_i_key(k1, c1.y);
+  HN_HIGHP uint k0 = hn_i_column(c0.x, s);
+  HN_HIGHP uint k1 = hn_i_column(c1.x, s);
+  HN_HIGHP uint k00 = hn_i_row(k0, c0.y);
+  HN_HIGHP uint k10 = hn_i_row(k1, c0.y);
+  HN_HIGHP uint k01 = hn_i_row(k0, c1.y);
+  HN_HIGHP uint k11 = hn_i_row(k1, c1.y);
   HN_HIGHP vec3 d = f - 1.0f;
   HN_HIGHP vec3 t = f * f * f * (d * (f * 6.0f - 9.0f) + 1.0f);  // 6 f^5 - 15 f^4 + 10 f^3, without cancellation
 
-  HN_HIGHP float n000 = hn_i_ramp3(hn_i_mix(hn_i_key(k00, c0.z) ^ s), f.x, f.y, f.z);
-  HN_HIGHP float n100 = hn_i_ramp3(hn_i_mix(hn_i_key(k10, c0.z) ^ s), d.x, f.y, f.z);
-  HN_HIGHP float n010 = hn_i_ramp3(hn_i_mix(hn_i_key(k01, c0.z) ^ s), f.x, d.y, f.z);
-  HN_HIGHP float n110 = hn_i_ramp3(hn_i_mix(hn_i_key(k11, c0.z) ^ s), d.x, d.y, f.z);
-  HN_HIGHP float n001 = hn_i_ramp3(hn_i_mix(hn_i_key(k00, c1.z) ^ s), f.x, f.y, d.z);
-  HN_HIGHP float n101 = hn_i_ramp3(hn_i_mix(hn_i_key(k10, c1.z) ^ s), d.x, f.y, d.z);
-  HN_HIGHP float n011 = hn_i_ramp3(hn_i_mix(hn_i_key(k01, c1.z) ^ s), f.x, d.y, d.z);
-  HN_HIGHP float n111 = hn_i_ramp3(hn_i_mix(hn_i_key(k11, c1.z) ^ s), d.x, d.y, d.z);
+  HN_HIGHP float n000 = hn_i_ramp(hn_i_gradient(k0, k00, c0.z, s), f.x, f.y, f.z);
+  HN_HIGHP float n100 = hn_i_ramp(hn_i_gradient(k1, k10, c0.z, s), d.x, f.y, f.z);
+  HN_HIGHP float n010 = hn_i_ramp(hn_i_gradient(k0, k01, c0.z, s), f.x, d.y, f.z);
+  HN_HIGHP float n110 = hn_i_ramp(hn_i_gradient(k1, k11, c0.z, s), d.x, d.y, f.z);
+  HN_HIGHP float n001 = hn_i_ramp(hn_i_gradient(k0, k00, c1.z, s), f.x, f.y, d.z);
+  HN_HIGHP float n101 = hn_i_ramp(hn_i_gradient(k1, k10, c1.z, s), d.x, f.y, d.z);
+  HN_HIGHP float n011 = hn_i_ramp(hn_i_gradient(k0, k01, c1.z, s), f.x, d.y, d.z);
+  HN_HIGHP float n111 = hn_i_ramp(hn_i_gradient(k1, k11, c1.z, s), d.x, d.y, d.z);
 
   HN_HIGHP float n00 = n000 + t.x * (n100 - n000);
   HN_HIGHP float n10 = n010 + t.x * (n110 - n010);
@@ -52,8 +58,7 @@ HN_FN HN_HIGHP float hn_perlin(HN_HIGHP ivec3 cell, HN_HIGHP vec3 f, HN_HIGHP ui
   HN_HIGHP float n11 = n011 + t.x * (n111 - n011);
   HN_HIGHP float n0 = n00 + t.y * (n10 - n00);
   HN_HIGHP float n1 = n01 + t.y * (n11 - n01);
-  // 1 / 0.562902, rounded down: the largest that a sum of ramps of such gradients can be (tools/bounds.py).
-  return (n0 + t.z * (n1 - n0)) * (1819.0f / 1024.0f);
+  return (n0 + t.z * (n1 - n0)) * HN_I_SCALE3;
 }
 
 HN_FN HN_HIGHP float hn_perlin(HN_HIGHP ivec3 cell, HN_HIGHP vec3 f) { return hn_perlin(cell, f, 0u); }

@@ -40,6 +40,73 @@ class GoldenContents(unittest.TestCase):
         self.assertEqual(len(lines), 7 + 192 + 1)
         self.assertEqual(lines[-1], "")
 
+    def file(self, function: str, configuration: str) -> list[str]:
+        """The lines of a golden file."""
+        candidates = [f for f in golden.functions() if f.name == function and configuration in f.configurations]
+        self.assertEqual(len(candidates), 1)
+        return golden.render(candidates[0], configuration).split("\n")
+
+    def test_format_of_other_configurations(self) -> None:
+        exact = self.file("gradient.lattice2", "lattice+period48")
+        self.assertEqual(exact[2:6], ["hash lattice+period48", "arithmetic exact", "bits 0.1.0",
+                                      "columns x:i32 y:i32 seed:u32 = gx:f32 gy:f32"])
+        fast = self.file("gradient.sine3", "fnv1+sine+period1048576")
+        self.assertEqual(fast[2:6], ["hash fnv1+sine+period1048576", "arithmetic fast", "bits 0.1.0",
+                                     "columns x:i32 y:i32 z:i32 seed:u32 = gx:f64 gy:f64 gz:f64"])
+        self.assertEqual(self.file("noise2d.perlin", "lattice+sine")[5], "columns x:f32 y:f32 seed:u32 = value:f64")
+
+    def test_configurations_see_the_same_inputs(self) -> None:
+        for function, names in (("noise2d.perlin_cell", ("lattice", "lattice+sine", "lattice+period48")),
+                                ("gradient.lattice2", ("lattice", "fnv1", "lattice+period48")),
+                                ("gradient.sine2", ("lattice+sine", "fnv1+sine+period1048576"))):
+            inputs = [[line.split(" = ")[0] for line in self.file(function, name)[7:]] for name in names]
+            self.assertTrue(all(other == inputs[0] for other in inputs))
+
+    def test_configurations(self) -> None:
+        sine = {f"{name}+sine" for name in ("fnv1", "partial_fnv1", "jenkins", "partial_jenkins", "murmur", "lattice")}
+        sine |= {"fnv1+sine+period1048576"}
+        periodic = {"lattice+period64", "lattice+period48", "lattice+period1048576"}
+        expected = {"gradient.lattice": {*oracle.HASHES, *periodic}, "gradient.sine": sine,
+                    "noise": {*oracle.HASHES, *sine, *periodic},
+                    "fbm": {*oracle.HASHES, "lattice+sine"}}
+        for name in self.FUNCTIONS:
+            found = [c for function in golden.functions() if function.name == name for c in function.configurations]
+            names = next((names for prefix, names in expected.items() if name.startswith(prefix)), None)
+            names = names or (set(oracle.HASHES) if found != ["any"] else {"any"})
+            self.assertEqual(sorted(found), sorted(names), name)
+
+    def test_cell_gradient_rows_reach_every_case(self) -> None:
+        for n in (2, 3):
+            coordinates = {c for row in self.rows(f"gradient.lattice{n}") for c in row[:n]}
+            self.assertTrue({0, 1, -1, golden.INT_MIN, golden.INT_MAX} <= coordinates)
+            for period in (48, 64, 2**20):
+                for sign, reach in itertools.product((-1, 1), (period, 2**30)):
+                    phases = {c % period for c in coordinates if c * sign >= reach}
+                    self.assertTrue({0, 1, period - 1} <= phases, (n, period, sign, reach))
+
+    def test_a_tie_matters_to_every_sine_gradient(self) -> None:
+        def away(n: int) -> int:
+            step = 1 << max(n.bit_length() - 24, 0)
+            return int(math.copysign((abs(n) + step // 2) // step * step, n))
+
+        for n, name in itertools.product((2, 3), golden.SINE):
+            cells = [(row[:n], row[n]) for row in self.rows(f"gradient.sine{n}")]
+            even = [component for cell in cells for component in oracle.gradient(name, *cell)]
+            with mock.patch.object(oracle, "round24", away):
+                other = [component for cell in cells for component in oracle.gradient(name, *cell)]
+            # By more than the contract allows.
+            self.assertGreater(max(abs(a - b) for a, b in zip(even, other)), 2**-19, (n, name))
+
+    def test_the_sine_is_exact_enough_for_the_nearest_double(self) -> None:
+        # The weights of the components of a noise sum to n / 2 at most; clouds are up to three times as steep as it.
+        margin = 3 * Fraction(3, 2) * oracle.SINE_ERROR
+        for function in golden.functions():
+            if "lattice+sine" in function.configurations:
+                for row in self.rows(function.name):
+                    for value in function.evaluate("lattice+sine", row):
+                        if value not in (0, 1):
+                            self.assertEqual(float(value - margin), float(value + margin), (function.name, row))
+
     def test_patterns(self) -> None:
         self.assertEqual(golden.line("a:i32 b:u32 c:f32 d:f64", (-2, 255, -1.5, 0.5)),
                          "fffffffe 000000ff bfc00000 3fe0000000000000")
@@ -63,7 +130,8 @@ class GoldenContents(unittest.TestCase):
             self.assertEqual(oracle.hash_words(name, (2**32, 2**32 + 1)), oracle.hash_words(name, (0, 1)), name)
 
     def test_row_counts(self) -> None:
-        least = {"hash.word": 64, "hash.gradient2": 128, "hash.gradient3": 128}
+        least = {"hash.word": 64, "hash.gradient2": 128, "hash.gradient3": 128,
+                 "gradient.lattice2": 96, "gradient.lattice3": 96, "gradient.sine2": 96, "gradient.sine3": 96}
         for name in self.FUNCTIONS:
             expected = least.get(name, 192 if name.startswith("noise") else 64)
             self.assertGreaterEqual(len(self.rows(name)), expected, name)
@@ -112,7 +180,7 @@ class GoldenCheck(unittest.TestCase):
         directory = tempfile.TemporaryDirectory()
         self.addCleanup(directory.cleanup)
         self.directory = Path(directory.name) / "golden"
-        some = [function for function in golden.functions() if function.hashes == ("any",)]
+        some = [function for function in golden.functions() if function.configurations == ("any",)]
         self.files = {f"{function.name}.any.golden": golden.render(function, "any") for function in some}
         golden.write(self.directory, self.files)
 

@@ -2,15 +2,21 @@
 
 Written from docs/contract.md alone, in plain Python, so that it shares neither code nor assumptions with the
 library. Words are Python integers masked to 32 bits. Sections 2 to 4 of the contract are exact in the library too; the
-noise is exact only here, in rational arithmetic. Where the contract gives a formula, that formula is what stands here,
-even where a shader would do something faster.
+noise is exact only here, in rational arithmetic. (A sine is irrational: here it is off by less than SINE_ERROR, far too
+little to change the double nearest to it.) Where the contract gives a formula, that formula is what stands here, even
+where a shader would do something faster.
+
+A `name` is that of a hash in sections 2 to 4, and of a configuration in sections 5 to 7: see Configuration.
 """
 
 from __future__ import annotations
 
+import functools
 import itertools
 import math
+import re
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 
 MASK = 0xFFFFFFFF
@@ -190,14 +196,116 @@ def gradient3(h: int) -> tuple[float, float, float]:
     return (a + t if a < 0 else a - t, b + t if b < 0 else b - t, z)
 
 
-# --- Section 5: Perlin noise ------------------------------------------------------------------------------------
+# --- Section 5: the gradient at a lattice point -----------------------------------------------------------------
 
 # From here on every value is exact: a real number, as a fraction. Who prints one rounds it, once.
 Real = Fraction | float
 
+
+@dataclass(frozen=True)
+class Configuration:
+    """What the noise depends on besides its arguments: HN_HASH, HN_GRADIENT (octahedral or sine) and HN_PERIOD."""
+    hash: str
+    sine: bool = False
+    period: int = 0  # 0: none
+
+    def __post_init__(self) -> None:
+        power_of_two = self.period & (self.period - 1) == 0
+        if self.hash not in HASHES or not 0 <= self.period <= (2**30 if power_of_two else 2**20):
+            raise ValueError(f"no configuration of the library: {self}")
+
+
+@functools.cache
+def configuration(name: str) -> Configuration:
+    """The configuration of a name: that of the hash, then "+sine" and "+period<N>" where they apply, in this order."""
+    match = re.fullmatch(r"(\w+)(\+sine)?(?:\+period([1-9][0-9]*))?", name, re.ASCII)
+    if not match:
+        raise ValueError(f"not a name of a configuration: {name}")
+    return Configuration(match[1], match[2] is not None, int(match[3] or 0))
+
+
+def signed(word: int) -> int:
+    """The signed integer of a word (two's complement); of a larger integer, that of its low 32 bits."""
+    return (word + 2**31 & MASK) - 2**31
+
+
+def wrapped(coordinate: int, period: int) -> int:
+    """A coordinate of a cell, moved into [0, period) if there is a period."""
+    # The far corner of the cell at INT_MAX is at 2^31: it wraps where there is no period.
+    return coordinate - period * (coordinate // period) if period else signed(coordinate)
+
+
+def round24(n: int) -> int:
+    """The number of 24 significant bits that is nearest to n, ties to even."""
+    step = 2 ** max(n.bit_length() - 24, 0)
+    return round(Fraction(n, step)) * step  # Python rounds a fraction half to even
+
+
+# The fixed point of the sine. PI is off by less than 2^9 units (16 times 1/2 for each of its 42 terms, little more),
+# and reducing an arc of 2^31 takes it less than 2^30 times: 2^39 units. That leaves nearly three times a double's bits.
+SINE_BITS = 192
+SINE_ERROR = Fraction(1, 2**150)
+
+
+def arctan_inverse(n: int) -> int:
+    """arctan(1 / n) in fixed point, by its series."""
+    power, total, i = 2**SINE_BITS // n, 0, 0
+    while power:
+        total += (-1)**i * (power // (2 * i + 1))
+        power, i = power // n**2, i + 1
+    return total
+
+
+PI = 4 * (4 * arctan_inverse(5) - arctan_inverse(239))  # Machin's formula
+
+
+@functools.cache
+def sine(n: int) -> Fraction:
+    """The sine of n radians, -2^31 <= n <= 2^31, off by less than SINE_ERROR."""
+    one = 2**SINE_BITS
+    half_turns = (n * one + PI // 2) // PI
+    x = n * one - half_turns * PI  # in [-pi/2, pi/2]
+    term, total, i = x, 0, 1
+    while term:
+        total += term
+        term, i = -term * x * x // (one * one * (i + 1) * (i + 2)), i + 2
+    return Fraction(total if half_turns % 2 == 0 else -total, one)
+
+
+def sine_of_word(w: int) -> Fraction:
+    """The contract's S(w)."""
+    return sine(round24(signed(w)))
+
+
+def sine_arguments(name: str, cell: Sequence[int], seed: int) -> list[int]:
+    """The words of which the paper's gradient, in 2D or 3D, takes the sine, under the hash `name`."""
+    chained = [hash_words(name, [cell[0] & MASK]) ^ mix(seed)]
+    for c in cell[1:]:
+        chained.append(hash_words(name, [(chained[-1] + c) & MASK]))
+    return [(chained[-1] + word) & MASK for word in chained]
+
+
 # By the number of dimensions.
-GRADIENTS: dict[int, Callable[[int], tuple[float, ...]]] = {2: gradient2, 3: gradient3}
-SCALES = {2: Fraction(1913, 1024), 3: Fraction(1819, 1024)}
+OCTAHEDRAL: dict[int, Callable[[int], tuple[float, ...]]] = {2: gradient2, 3: gradient3}
+
+
+def gradient(name: str, cell: Sequence[int], seed: int = 0) -> tuple[Real, ...]:
+    """hn_gradient in 2D or 3D."""
+    knobs = configuration(name)
+    point = [wrapped(c, knobs.period) for c in cell]
+    if knobs.sine:
+        return tuple(sine_of_word(word) for word in sine_arguments(knobs.hash, point, seed))
+    return OCTAHEDRAL[len(cell)](lattice(knobs.hash, point, seed))
+
+
+# --- Section 6: Perlin noise ------------------------------------------------------------------------------------
+
+OCTAHEDRAL_SCALES = {2: Fraction(1913, 1024), 3: Fraction(1819, 1024)}
+
+
+def scale(name: str, n: int) -> Fraction:
+    """The factor of the weighted sum in n dimensions."""
+    return Fraction(1) if configuration(name).sine else OCTAHEDRAL_SCALES[n]
 
 
 def smooth(t: Fraction) -> Fraction:
@@ -212,10 +320,9 @@ def perlin_cell(name: str, cell: Sequence[int], fraction: Sequence[Real], seed: 
     total = Fraction(0)
     for corner in itertools.product((0, 1), repeat=len(f)):
         point = [c + o for c, o in zip(cell, corner)]
-        gradient = GRADIENTS[len(f)](lattice(name, point, seed))
-        ramp = sum(Fraction(g) * (x - o) for g, x, o in zip(gradient, f, corner))
+        ramp = sum(Fraction(g) * (x - o) for g, x, o in zip(gradient(name, point, seed), f, corner))
         total += ramp * math.prod(weights[o] for weights, o in zip(near_and_far, corner))
-    return total * SCALES[len(f)]
+    return total * scale(name, len(f))
 
 
 def perlin(name: str, p: Sequence[Real], seed: int = 0) -> Fraction:
@@ -224,7 +331,7 @@ def perlin(name: str, p: Sequence[Real], seed: int = 0) -> Fraction:
     return perlin_cell(name, cell, [Fraction(x) - c for x, c in zip(p, cell)], seed)
 
 
-# --- Section 6: octave sums -------------------------------------------------------------------------------------
+# --- Section 7: octave sums -------------------------------------------------------------------------------------
 
 SHIFT = (Fraction(11, 32), Fraction(19, 32), Fraction(23, 32))
 
@@ -250,12 +357,12 @@ def weighted_mean(terms: Sequence[tuple[Fraction, Fraction]]) -> Fraction:
 
 
 def fbm(name: str, p: Sequence[Real], octaves: int, lacunarity: Real, gain: Real, seed: int = 0) -> Fraction:
-    """hn_fbm: in [-1, 1]."""
+    """hn_fbm: in the range of the noise."""
     return weighted_mean(octave_terms(name, p, octaves, lacunarity, gain, seed))
 
 
 def turbulence(name: str, p: Sequence[Real], octaves: int, lacunarity: Real, gain: Real, seed: int = 0) -> Fraction:
-    """hn_turbulence: in [0, 1]."""
+    """hn_turbulence: from 0 to the largest the noise can be."""
     terms = octave_terms(name, p, octaves, lacunarity, gain, seed)
     return weighted_mean([(weight, abs(value)) for weight, value in terms])
 

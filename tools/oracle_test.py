@@ -58,13 +58,13 @@ def interpolated_perlin(name: str, p: Sequence[float], seed: int) -> Fraction:
 
     def value(corner: tuple[int, ...]) -> Fraction:
         if len(corner) == len(f):
-            gradient = oracle.GRADIENTS[len(f)](oracle.lattice(name, [c + o for c, o in zip(cell, corner)], seed))
+            gradient = oracle.gradient(name, [c + o for c, o in zip(cell, corner)], seed)
             return sum(Fraction(g) * (x - o) for g, x, o in zip(gradient, f, corner))
         t = f[len(corner)]
         low, high = value((*corner, 0)), value((*corner, 1))
         return low + (high - low) * t**3 * (t * (t * 6 - 15) + 10)
 
-    return value(()) * oracle.SCALES[len(f)]
+    return value(()) * oracle.scale(name, len(f))
 
 
 class PublishedVectors(unittest.TestCase):
@@ -286,6 +286,186 @@ class Floats(unittest.TestCase):
         self.assertEqual((oracle.snorm(0), oracle.snorm(2**31), oracle.snorm(oracle.MASK)), (-1, 0, 1 - 2**-23))
 
 
+INT_MIN, INT_MAX = -2**31, 2**31 - 1
+EDGE_CELLS = (0, 1, -1, 47, 48, -48, -49, 2**20, -2**20 - 1, 2**30, -2**30 + 1, INT_MIN, INT_MIN + 1, INT_MAX - 1,
+              INT_MAX)
+
+
+def unit_vector(n: int, bits: int) -> tuple[int, int]:
+    """(cos n, sin n) in fixed point as a power of (cos 1, sin 1), without any pi; n >= 0."""
+    one = 1 << bits
+    inverse_factorials = [one]
+    while inverse_factorials[-1]:
+        inverse_factorials.append(inverse_factorials[-1] // len(inverse_factorials))
+    x, y = (sum(inverse_factorials[i::4]) - sum(inverse_factorials[i + 2::4]) for i in (0, 1))
+    c, s = one, 0
+    while n:
+        if n & 1:
+            c, s = (c * x - s * y) >> bits, (c * y + s * x) >> bits
+        x, y = (x * x - y * y) >> bits, x * y >> bits - 1
+        n >>= 1
+    return c, s
+
+
+class Sine(unittest.TestCase):
+    def arcs(self, count: int) -> list[int]:
+        """Edge cases, and as many others of each size."""
+        numbers = generator("arcs")
+        random = [numbers.integer(-2**bits, 2**bits) for bits in range(1, 32) for _ in range(count)]
+        # The numerators of convergents of pi, up to the largest: the sine is as small as it gets.
+        near_multiples = [3, 22, 355, 245850922, 411557987, 1068966896, -1068966896]
+        return [0, 1, -1, INT_MAX, INT_MIN, 2**31] + near_multiples + random
+
+    def test_pi(self) -> None:
+        self.assertEqual(float(Fraction(oracle.PI, 2**oracle.SINE_BITS)), math.pi)
+
+    def test_is_that_of_the_c_library(self) -> None:
+        # Which reduces exactly, and is off by less than one unit in the last place.
+        for n in self.arcs(300):
+            expected = math.sin(n)
+            self.assertLessEqual(abs(float(oracle.sine(n)) - expected), math.ulp(expected), n)
+
+    def test_is_as_exact_as_it_says(self) -> None:
+        for n in self.arcs(10):
+            _, s = unit_vector(abs(n), 256)
+            self.assertLess(abs(oracle.sine(n) - math.copysign(1, n) * Fraction(s, 2**256)), oracle.SINE_ERROR, n)
+
+    def test_the_nearest_double_is_certain(self) -> None:
+        for n in self.arcs(100):
+            value = oracle.sine(n)
+            if n != 0:
+                self.assertEqual(float(value - oracle.SINE_ERROR), float(value + oracle.SINE_ERROR), n)
+        self.assertEqual(oracle.sine(0), 0)
+
+    def test_rounds_as_float32_does(self) -> None:
+        for n in self.arcs(300):
+            self.assertEqual(oracle.round24(n), golden.to_f32(n), n)
+
+    def test_ties_go_to_even(self) -> None:
+        ties = {2**24 + 1: 2**24, 2**24 + 3: 2**24 + 4, 2**30 + 64: 2**30, 2**30 + 192: 2**30 + 256,
+                2**31 - 64: 2**31, 2**31 - 192: 2**31 - 256}
+        for n, even in ties.items():
+            for sign in (1, -1):
+                self.assertEqual(oracle.round24(sign * n), sign * even)
+                self.assertEqual(oracle.sine_of_word(sign * n & oracle.MASK), oracle.sine(sign * even))
+
+    def test_ties_away_from_zero_would_show(self) -> None:
+        for n, away in {2**24 + 1: 2**24 + 2, 2**30 + 64: 2**30 + 128, 2**31 - 192: 2**31 - 128}.items():
+            for sign in (1, -1):
+                self.assertGreater(abs(oracle.sine_of_word(sign * n & oracle.MASK) - oracle.sine(sign * away)), 2**-5)
+
+    def test_words_are_signed(self) -> None:
+        # INT_MAX rounds to 2^31.
+        for word, opposite in ((0xFFFFFFFF, 1), (0x80000000, INT_MAX), (0x80000001, INT_MAX), (0xFF000001, 0xFFFFFF)):
+            self.assertEqual(float(oracle.sine_of_word(word)), -float(oracle.sine_of_word(opposite)))
+
+
+class Configurations(unittest.TestCase):
+    def test_names(self) -> None:
+        self.assertEqual(oracle.configuration("fnv1"), oracle.Configuration("fnv1"))
+        self.assertEqual(oracle.configuration("pcg+sine"), oracle.Configuration("pcg", sine=True))
+        self.assertEqual(oracle.configuration("pcg+period48"), oracle.Configuration("pcg", period=48))
+        self.assertEqual(oracle.configuration("partial_fnv1+sine+period1073741824"),
+                         oracle.Configuration("partial_fnv1", True, 2**30))
+
+    def test_bad_names(self) -> None:
+        for name in ("", "any", "fnv1+", "fnv1+cosine", "fnv1+period", "fnv1+period0", "fnv1+period048",
+                     "fnv1+period48+sine", "fnv1+period-48", "fnv1+period1048577", "fnv1+period2147483648"):
+            with self.assertRaises(ValueError, msg=name):
+                oracle.configuration(name)
+
+
+class Gradients(unittest.TestCase):
+    PERIODS = (1, 48, 2**20 - 1, 2**20, 2**30)
+    KINDS = ("lattice", "pcg", "custom", "lattice+sine", "fnv1+sine", "partial_jenkins+sine")
+
+    def cells(self, n: int) -> list[tuple[int, ...]]:
+        """Edge cases alone and with each other, and random ones."""
+        numbers = generator("cells")
+        mixed = [tuple(numbers.pick(EDGE_CELLS) for _ in range(n)) for _ in range(10)]
+        return [(c,) * n for c in EDGE_CELLS] + mixed + [
+            tuple(numbers.integer(INT_MIN, INT_MAX) for _ in range(n)) for _ in range(10)]
+
+    def test_octahedral_is_that_of_the_lattice_hash(self) -> None:
+        for name in oracle.HASHES:
+            for cell in self.cells(2):
+                self.assertEqual(oracle.gradient(name, cell, 7), oracle.gradient2(oracle.lattice(name, cell, 7)))
+            for cell in self.cells(3):
+                self.assertEqual(oracle.gradient(name, cell, 7), oracle.gradient3(oracle.lattice(name, cell, 7)))
+
+    def test_sine_without_a_seed_is_the_papers(self) -> None:
+        # The paper's listing with the C library's sine, and float(int) by the conversion to float32 of the machine.
+        def component(word: int) -> float:
+            word &= oracle.MASK
+            return math.sin(golden.to_f32(word - 2**32 if word >= 2**31 else word))
+
+        for hash_name, function in oracle.WORD_HASHES.items():
+            name = hash_name + "+sine"
+            for x, y, z in self.cells(3):
+                hx = function(x & oracle.MASK)
+                hy = function(hx + y & oracle.MASK)
+                hz = function(hy + z & oracle.MASK)
+                pairs = list(zip(oracle.gradient(name, (x, y)), (component(hx + hy), component(hy + hy))))
+                pairs += zip(oracle.gradient(name, (x, y, z)),
+                             (component(hz + hx), component(hz + hy), component(hz + hz)))
+                for value, expected in pairs:
+                    self.assertAlmostEqual(float(value), expected, delta=2**-53)
+
+    def test_sine_words_are_chained_hashes(self) -> None:
+        for name in oracle.HASHES:
+            for x, y in self.cells(2):
+                first = oracle.hash_words(name, [x & oracle.MASK])
+                second = oracle.hash_words(name, [first + y & oracle.MASK])
+                self.assertEqual(oracle.gradient(name + "+sine", (x, y)),
+                                 (oracle.sine_of_word(first + second), oracle.sine_of_word(2 * second)))
+
+    def test_hash_of_one_word_under_lattice(self) -> None:
+        for word in (0, 1, 0x80000000, oracle.MASK):
+            spread = word * 0x9E3779B1 + 0x165667B1 & oracle.MASK
+            self.assertEqual(oracle.hash_words("lattice", [word]), oracle.mix(spread))
+
+    def test_seed_joins_the_first_word_only(self) -> None:
+        seed = 0xDEADBEEF
+        first = oracle.pcg(5) ^ oracle.mix(seed)
+        second = oracle.pcg(first - 6 & oracle.MASK)
+        third = oracle.pcg(second + 7 & oracle.MASK)
+        expected = tuple(oracle.sine_of_word(third + word) for word in (first, second, third))
+        self.assertEqual(oracle.gradient("pcg+sine", (5, -6, 7), seed), expected)
+        self.assertNotEqual(oracle.gradient("pcg+sine", (5, -6, 7)), expected)
+
+    def test_a_period_leaves_the_cells_from_0_on(self) -> None:
+        for kind, period, n in itertools.product(self.KINDS, self.PERIODS, (2, 3)):
+            for cell in self.cells(n):
+                base = [c % period for c in cell]
+                self.assertEqual(oracle.gradient(f"{kind}+period{period}", cell, 3), oracle.gradient(kind, base, 3))
+
+    def test_gradients_repeat_after_a_period_and_not_before(self) -> None:
+        for kind, period, n, axis in itertools.product(self.KINDS, self.PERIODS, (2, 3), (0, 1)):
+            name = f"{kind}+period{period}"
+            for start in (0, -1, INT_MIN, INT_MAX - period, -period, 3 * period // 2):
+                def at(c: int) -> tuple:
+                    return oracle.gradient(name, [c if i == axis else 5 for i in range(n)], 3)
+                self.assertEqual(at(start), at(start + period), (name, start))
+                if period > 1:
+                    self.assertNotEqual(at(start), at(start + period // 2), (name, start))
+
+    def test_wrapping_by_hand(self) -> None:
+        # 2^31 = 48 * 44739242 + 32.
+        by_period = {1: (0, 0, 0), 48: (47, 16, 31), 2**20: (2**20 - 1, 0, 2**20 - 1), 2**30: (2**30 - 1, 0, 2**30 - 1)}
+        for period, expected in by_period.items():
+            self.assertEqual(tuple(oracle.wrapped(c, period) for c in (-1, INT_MIN, INT_MAX)), expected)
+
+    def test_beyond_the_largest_cell_lies_the_smallest(self) -> None:
+        for name in ("lattice", "fnv1+sine", "fnv1+sine+period1048576"):
+            self.assertEqual(oracle.gradient(name, (2**31, 5)), oracle.gradient(name, (INT_MIN, 5)))
+
+    def test_the_period_goes_on_to_the_last_cell(self) -> None:
+        # INT_MAX is 31 modulo 48; its far corner is 32, where the cell after it, INT_MIN, is 16.
+        self.assertEqual(oracle.wrapped(2**31 - 1, 48), 31)
+        self.assertEqual(oracle.wrapped(2**31, 48), 32)
+        self.assertEqual(oracle.wrapped(INT_MIN, 48), 16)
+
+
 class Perlin(unittest.TestCase):
     def samples(self, n: int, count: int = 40):
         """A hash, a point and a seed, some times."""
@@ -303,6 +483,9 @@ class Perlin(unittest.TestCase):
         for n in (2, 3):
             for sample in self.samples(n, 5):
                 self.assertEqual(oracle.perlin(*sample), interpolated_perlin(*sample))
+            for name in ("murmur+sine", "pcg+period48", "lattice+sine+period7"):
+                for _, point, seed in itertools.islice(self.samples(n), 3):
+                    self.assertEqual(oracle.perlin(name, point, seed), interpolated_perlin(name, point, seed))
 
     def test_tiny_negative_coordinate(self) -> None:
         # Its fraction has more bits than a double.
@@ -316,12 +499,27 @@ class Perlin(unittest.TestCase):
             self.assertGreater(max(values), 0.5)
             self.assertLess(min(values), -0.5)
 
+    def test_range_of_the_sine_gradient(self) -> None:
+        for n in (2, 3):
+            values = [oracle.perlin("lattice+sine", point, seed) for _, point, seed in self.samples(n)]
+            self.assertLessEqual(max(map(abs, values)), Fraction(n, 2))
+            self.assertGreater(max(values), 0.5)
+            self.assertLess(min(values), -0.5)
+        self.assertEqual((oracle.scale("lattice+sine", 2), oracle.scale("lattice+sine", 3)), (1, 1))
+
+    def test_noise_repeats_after_a_period(self) -> None:
+        for n in (2, 3):
+            for name, period in (("lattice+period48", 48), ("fnv1+sine+period1048576", 2**20), ("pcg+period1", 1)):
+                for _, point, seed in itertools.islice(self.samples(n), 5):
+                    moved = [Fraction(x) + factor * period for x, factor in zip(point, (-3, 1, 2))]
+                    self.assertEqual(oracle.perlin(name, point, seed), oracle.perlin(name, moved, seed))
+
     def test_scale_is_the_largest_that_stays_within_range(self) -> None:
         # On |x| + |y| (+ |z|) = 1 a ramp is at most the largest component of f - o. Its weighted mean, largest over
         # the cell, times the scale, is just below 1, and with the next larger multiple of 1/1024 it is above.
         grid = [Fraction(i, 32) for i in range(17)]  # the other half is its mirror image
         near = [Fraction(x) for x in (0.3268, 0.3491, 0.5)]  # the maxima, found by a finer search
-        for n, scale in oracle.SCALES.items():
+        for n, scale in oracle.OCTAHEDRAL_SCALES.items():
             bound = max(self.weighted_bound(f) for axis in (grid, near) for f in itertools.product(axis, repeat=n))
             self.assertLess(bound * scale, 1)
             self.assertGreater(bound * (scale + Fraction(1, 1024)), 1)
@@ -337,7 +535,10 @@ class Perlin(unittest.TestCase):
         # f = 1 in one cell is f = 0 in the next, also where the cells wrap.
         for n in (2, 3):
             numbers = generator("meet")
-            for name, axis, cell in itertools.product(oracle.HASHES, range(n), (-1, 0, 2**31 - 1)):
+            names = (*oracle.HASHES, "lattice+sine", "lattice+period48", "fnv1+sine+period48")
+            for name, axis, cell in itertools.product(names, range(n), (-1, 0, 47, 2**31 - 1)):
+                if "period48" in name and cell == 2**31 - 1:
+                    continue  # 48 does not divide 2^32: see test_the_period_goes_on_to_the_last_cell
                 cells = [cell] * n
                 fraction = [numbers.uniform(0, 1) for _ in range(n)]
                 ones = [1.0 if i == axis else f for i, f in enumerate(fraction)]
@@ -414,6 +615,23 @@ class OctaveSums(unittest.TestCase):
                 self.assertLessEqual(abs(oracle.fbm(*arguments)), 1)
                 self.assertTrue(abs(oracle.fbm(*arguments)) <= oracle.turbulence(*arguments) <= 1)
                 self.assertTrue(0 <= oracle.clouds(*arguments) <= 1)
+
+    def test_ranges_of_the_sine_gradient(self) -> None:
+        numbers = generator("sine ranges")
+        for n in (2, 3):
+            for _ in range(50):
+                arguments = ("lattice+sine", [numbers.uniform(-20, 20) for _ in range(n)], 4, 2.0, 0.5, numbers.word())
+                self.assertTrue(abs(oracle.fbm(*arguments)) <= oracle.turbulence(*arguments) <= Fraction(n, 2))
+                self.assertTrue(0 <= oracle.clouds(*arguments) <= 1)
+
+    def test_repeat_after_a_period_with_a_whole_lacunarity(self) -> None:
+        for name, lacunarity, repeats in (("lattice+period48", 2.0, True), ("lattice+sine+period48", 3.0, True),
+                                          ("lattice+period48", 1.5, False)):
+            for point in self.POINTS:
+                moved = [x - 48 for x in point]
+                for function in (oracle.fbm, oracle.turbulence):
+                    values = [function(name, p, 3, lacunarity, 0.5, 3) for p in (point, moved)]
+                    self.assertEqual(values[0] == values[1], repeats, (name, lacunarity))
 
     def test_seeds_differ(self) -> None:
         self.assertEqual(len({oracle.fbm("pcg", (0.375, 0.5), 4, 2.0, 0.5, seed) for seed in range(32)}), 32)

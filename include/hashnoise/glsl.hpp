@@ -103,6 +103,8 @@ inline vec3 floor(vec3 v) { return {std::floor(v.x), std::floor(v.y), std::floor
 inline float abs(float x) { return std::fabs(x); }
 constexpr float min(float x, float y) { return y < x ? y : x; }
 constexpr float max(float x, float y) { return x < y ? y : x; }
+constexpr uint min(uint x, uint y) { return y < x ? y : x; }
+constexpr uint max(uint x, uint y) { return x < y ? y : x; }
 constexpr float uintBitsToFloat(uint bits) { return std::bit_cast<float>(bits); }
 constexpr uint floatBitsToUint(float value) { return std::bit_cast<uint>(value); }
 

@@ -6,9 +6,10 @@
 //
 // It includes glsl/ by its place in the source tree, ../../glsl; the installed copy of this file says glsl/ instead.
 //
-// Knobs (config.glsl) are macros, to be defined before the include. HN_HASH names an inline namespace, so that
-// translation units with different hashes may be linked together. What other macros bring in (HN_HASH_FN,
-// HN_FBM_NOISE2D, HN_FBM_NOISE3D) does not: it must be the same in all translation units that have the same HN_HASH.
+// Knobs (config.glsl) are macros, to be defined before the include. HN_HASH, HN_GRADIENT and HN_PERIOD name inline
+// namespaces, so that translation units that differ in them may be linked together. What other macros bring in
+// (HN_HASH_FN, HN_FBM_NOISE2D, HN_FBM_NOISE3D) does not: it must be the same in all translation units that have these
+// three alike.
 
 #pragma once
 
@@ -17,14 +18,16 @@
 
 #define HN_I_PASTE_TOKENS(a, b) a##b
 #define HN_I_PASTE(a, b) HN_I_PASTE_TOKENS(a, b)
-#define HN_I_NAMESPACE HN_I_PASTE(hash_, HN_HASH)
 
 namespace hashnoise {
-inline namespace HN_I_NAMESPACE {
+inline namespace HN_I_PASTE(hash_, HN_HASH) {
+  inline namespace HN_I_PASTE(gradient_, HN_GRADIENT) {
+    inline namespace HN_I_PASTE(period_, HN_PERIOD) {
 #include "../../glsl/hashnoise.glsl"
-}  // namespace HN_I_NAMESPACE
+    }  // namespace )
+  }    // namespace )
+}  // namespace )
 }  // namespace hashnoise
 
-#undef HN_I_NAMESPACE
 #undef HN_I_PASTE
 #undef HN_I_PASTE_TOKENS

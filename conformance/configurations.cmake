@@ -1,0 +1,43 @@
+# The settings of the library's knobs under test: a name, as in case ids and golden files, and the macros that it
+# defines. The default defines nothing, so that the defaults themselves are under test. All of it as configurations.inc:
+# CONFIGURATION(index, name, macros as GLSL); a macro HN_TWIN=index and these macros build the twin of each.
+set(configurations
+  "fnv1 HN_HASH=HN_HASH_FNV1"
+  "partial_fnv1 HN_HASH=HN_HASH_PARTIAL_FNV1"
+  "jenkins HN_HASH=HN_HASH_JENKINS"
+  "partial_jenkins HN_HASH=HN_HASH_PARTIAL_JENKINS"
+  "murmur HN_HASH=HN_HASH_MURMUR"
+  "pcg HN_HASH=HN_HASH_PCG"
+  "xxhash32 HN_HASH=HN_HASH_XXHASH32"
+  "lattice"
+  "custom HN_HASH=HN_HASH_CUSTOM")
+foreach(hash fnv1 partial_fnv1 jenkins partial_jenkins murmur lattice)
+  string(TOUPPER ${hash} upper)
+  list(APPEND configurations "${hash}+sine HN_HASH=HN_HASH_${upper} HN_GRADIENT=HN_GRADIENT_SINE")
+endforeach()
+list(APPEND configurations
+  "lattice+period64 HN_PERIOD=64"
+  "lattice+period48 HN_PERIOD=48"
+  "lattice+period1048576 HN_PERIOD=1048576"
+  "fnv1+sine+period1048576 HN_HASH=HN_HASH_FNV1 HN_GRADIENT=HN_GRADIENT_SINE HN_PERIOD=1048576")
+
+set(configurations_inc "")
+set(twins "")
+set(index 0)
+foreach(configuration ${configurations})
+  separate_arguments(macros UNIX_COMMAND "${configuration}")
+  list(POP_FRONT macros name)
+  list(TRANSFORM macros REPLACE "^([^=]*)=(.*)$" "#define \\1 \\2\\\\n" OUTPUT_VARIABLE glsl)
+  string(REPLACE ";" "" glsl "${glsl}")
+  string(APPEND configurations_inc "CONFIGURATION(${index}, \"${name}\", \"${glsl}\")\n")
+
+  add_library(twin${index} OBJECT twin.cpp)
+  target_compile_definitions(twin${index} PRIVATE HN_TWIN=${index} ${macros})
+  target_include_directories(twin${index} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
+  target_link_libraries(twin${index} PRIVATE hashnoise::hashnoise)
+  # The twin's floats must not depend on the compiler: no a*b+c in one rounding.
+  target_compile_options(twin${index} PRIVATE ${warnings} -ffp-contract=off)
+  list(APPEND twins $<TARGET_OBJECTS:twin${index}>)
+  math(EXPR index "${index} + 1")
+endforeach()
+file(CONFIGURE OUTPUT configurations.inc CONTENT "${configurations_inc}" @ONLY)
