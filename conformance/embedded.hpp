@@ -1,5 +1,4 @@
-// The files of glsl/ as they were when the program was built, in the order of their dependence. embed.cmake generates
-// the definition.
+// Files as they were when the program was built. embed.cmake generates the definitions.
 #pragma once
 
 #include <span>
@@ -12,6 +11,12 @@ struct EmbeddedFile {
   std::string_view text;
 };
 
+// glsl/, in the order of their dependence.
 extern const std::span<const EmbeddedFile> kEmbeddedFiles;
+// What bench and paper need: the shaders they compare with, the paper's table, the templates of their pages.
+extern const std::span<const EmbeddedFile> kResources;
+
+// The text of one of the resources, which must exist.
+std::string_view resource(std::string_view name);
 
 }  // namespace hn

@@ -101,6 +101,7 @@ Result<void> compile_only(const Context& context, const ShaderText& shader, Stag
 GridRenderer::GridRenderer(const Context& context) : gl_(context.gl()) {
   gl_.GenVertexArrays(1, &vertex_array_);
   gl_.GenTextures(3, textures_);
+  gl_.ActiveTexture(GL_TEXTURE0);  // the other units are other people's
   for (const GLuint texture : textures_) {
     gl_.BindTexture(GL_TEXTURE_2D, texture);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);

@@ -6,7 +6,9 @@
 #include <cstdio>
 #include <exception>
 
+#include "bench/amd.hpp"
 #include "case.hpp"
+#include "command.hpp"
 #include "context_info.hpp"
 #include "driver/driver.hpp"
 #include "report.hpp"
@@ -14,9 +16,11 @@
 
 namespace {
 
-constexpr int kNotAsExpected = 1;
-constexpr int kBadUsage = 2;
-constexpr int kNoDriver = 3;
+using hn::driver_names;
+using hn::kBadUsage;
+using hn::kNoDriver;
+using hn::kNotAsExpected;
+using hn::usage_error;
 
 struct Options {
   std::string driver = "osmesa";
@@ -28,29 +32,17 @@ struct Options {
   bool fail_fast = false;
 };
 
-int usage_error(const std::string& message) {
-  fmt::print(stderr, "hn-conform: {}\n", message);
-  return kBadUsage;
-}
-
-std::string driver_names() {
-  std::string names;
-  for (const hn::Driver& driver : hn::all_drivers())
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", driver.name);
-  return names;
-}
-
 int list_drivers() {
   bool usable = false;
   for (const hn::Driver& driver : hn::all_drivers()) {
     const auto context = driver.create();
-    fmt::print("{:<8} {}\n", driver.name, driver.description);
+    fmt::print("{:<12} {}\n", driver.name, driver.description);
     if (context) {
       usable = true;
       const hn::ContextInfo info = hn::describe(**context);
-      fmt::print("         {}; OpenGL {}; GLSL {}\n", info.renderer, info.gl_version, info.glsl_version);
+      fmt::print("             {}; OpenGL {}; GLSL {}\n", info.renderer, info.gl_version, info.glsl_version);
     } else {
-      fmt::print("         not here: {}\n", context.error().text());
+      fmt::print("             not here: {}\n", context.error().text());
     }
   }
   return usable ? 0 : kNoDriver;
@@ -86,13 +78,13 @@ int report_no_driver(const hn::Driver& driver, const std::vector<hn::Case>& case
 }
 
 int run(const Options& options) {
-  const hn::Driver* const driver = hn::find_driver(options.driver);
+  const auto driver = hn::find_driver(options.driver);
   if (!driver) {
     return usage_error(fmt::format("there is no driver \"{}\"; there are: {}", options.driver, driver_names()));
   }
   const auto cases = select_cases(options);
   if (!cases) return usage_error(cases.error().text());
-  const auto sources = options.glsl.empty() ? hn::SourceSet::embedded() : hn::SourceSet::from_directory(options.glsl);
+  const auto sources = hn::library_sources(options.glsl);
   if (!sources) return usage_error(sources.error().text());
   if (const auto ready = hn::prepare_output(options.out); !ready) return usage_error(ready.error().text());
 
@@ -117,6 +109,54 @@ void add_filter(CLI::App& command, Options& options) {
   command.add_option("--filter", options.filters, "Only the cases whose id matches this glob; may be repeated")
       ->type_name("GLOB")
       ->allow_extra_args(false);
+}
+
+void add_bench(CLI::App& app, hn::BenchCommand& options) {
+  CLI::App& command = *app.add_subcommand("bench", "Measure what every function, hash and knob costs");
+  command.add_option("--driver", options.driver, "One of: " + driver_names())->type_name("NAME")->capture_default_str();
+  command.add_option("--filter", options.filters, "Only the subjects whose id matches this glob; may be repeated")
+      ->type_name("GLOB")
+      ->allow_extra_args(false);
+  command.add_option("--out", options.out, "The folder for bench.json, bench.csv and index.html")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command
+      .add_option(
+          "--against", options.against,
+          "Measure a shader file as well: NAME=FILE:EXPRESSION, a float of p, as in s=other.glsl:snoise(p); may "
+          "be repeated")
+      ->type_name("WHAT")
+      ->allow_extra_args(false);
+  command
+      .add_option("--baseline", options.baseline, "A bench.json to compare with; status 1 if something became slower")
+      ->type_name("FILE");
+  command.add_option("--rounds", options.rounds, "Samples of each subject")
+      ->type_name("N")
+      ->check(CLI::Range(3, 1000))
+      ->capture_default_str();
+  command.add_option("--glsl", options.glsl, "Measure this copy of glsl/ instead of the one built in")
+      ->type_name("DIR");
+  command.add_flag("--dump", options.dump, "Write the SPIR-V that was counted, too: spirv/ID.spv");
+}
+
+void add_paper(CLI::App& app, hn::PaperCommand& options) {
+  CLI::App& command = *app.add_subcommand("paper", "Reproduce what the paper shows, as a page with pictures and data");
+  command.add_option("--driver", options.driver, "One of: " + driver_names())->type_name("NAME")->capture_default_str();
+  command.add_option("--out", options.out, "The folder for index.html, paper.json, the CSV files and the pictures")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command.add_option("--rounds", options.rounds, "Samples of each render time")
+      ->type_name("N")
+      ->check(CLI::Range(3, 1000))
+      ->capture_default_str();
+  command.add_option("--glsl", options.glsl, "Take this copy of glsl/ instead of the one built in")->type_name("DIR");
+  command.add_flag("--dump", options.dump,
+                   "Write what was measured, too: the values of the statistics as grids/ID.f32, the SPIR-V that was "
+                   "counted as spirv/ID.spv");
+}
+
+std::string command_line(int argc, char** argv) {
+  return fmt::format("hn-conform {}", fmt::join(argv + std::min(argc, 1), argv + argc, " "));
 }
 
 int dispatch(int argc, char** argv) {
@@ -150,11 +190,18 @@ int dispatch(int argc, char** argv) {
       ->capture_default_str();
   run_command.add_flag("--fail-fast", options.fail_fast, "Stop at the first case that is not as expected");
 
+  hn::BenchCommand bench;
+  bench.line = command_line(argc, argv);
+  add_bench(app, bench);
+  hn::PaperCommand paper;
+  paper.line = bench.line;
+  add_paper(app, paper);
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ExtrasError& error) {
     if (app.get_subcommands().empty()) {
-      return usage_error(std::string(error.what()) + "; there are drivers, list or run");
+      return usage_error(std::string(error.what()) + "; there are drivers, list, run, bench or paper");
     }
     return app.exit(error) == 0 ? 0 : kBadUsage;
   } catch (const CLI::ParseError& error) {
@@ -163,13 +210,17 @@ int dispatch(int argc, char** argv) {
   if (app.got_subcommand("drivers")) return list_drivers();
   if (app.got_subcommand("list")) return list_cases(options);
   if (app.got_subcommand("run")) return run(options);
-  return usage_error("say what to do: drivers, list or run; --help tells more");
+  if (app.got_subcommand("bench")) return bench_command(bench);
+  if (app.got_subcommand("paper")) return paper_command(paper);
+  return usage_error("say what to do: drivers, list, run, bench or paper; --help tells more");
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
+    // What bench starts to count for AMD; not for people.
+    if (argc == 4 && std::string_view(argv[1]) == "amd-counts") return hn::amd_counts_child(argv[2], argv[3]);
     return dispatch(argc, argv);
   } catch (const std::exception& exception) {
     fmt::print(stderr, "hn-conform: {}\n", exception.what());

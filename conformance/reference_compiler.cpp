@@ -22,6 +22,35 @@ EShLanguage language_of(Stage stage) {
   return EShLangFragment;
 }
 
+enum class Warnings { refuse, let_pass };
+
+// Compiles and links; the SPIR-V where the profile has it, else nothing.
+Result<std::vector<std::uint32_t>> compile(const ShaderText& source, const Profile& profile, Stage stage,
+                                           Warnings warnings) {
+  const EShLanguage language = language_of(stage);
+  const auto rules = static_cast<EShMessages>(profile.spirv ? EShMsgSpvRules | EShMsgVulkanRules : EShMsgDefault);
+  glslang::TShader shader(language);
+  const char* const text = source.text.c_str();
+  shader.setStrings(&text, 1);
+  if (profile.spirv) {
+    shader.setEnvInput(glslang::EShSourceGlsl, language, glslang::EShClientVulkan, 100);
+    shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_0);
+    shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_0);
+  }
+  const bool compiled = shader.parse(GetDefaultResources(), profile.version, false, rules);
+  const std::string log = shader.getInfoLog();
+  if (!compiled) return fail("glslang does not compile it", source.translate(log));
+  if (warnings == Warnings::refuse && log.find("WARNING") != std::string::npos) {
+    return fail("glslang warns", source.translate(log));
+  }
+  glslang::TProgram program;
+  program.addShader(&shader);
+  if (!program.link(rules)) return fail("glslang does not link it", source.translate(program.getInfoLog()));
+  std::vector<std::uint32_t> words;
+  if (profile.spirv) glslang::GlslangToSpv(*program.getIntermediate(language), words);
+  return words;
+}
+
 }  // namespace
 
 Result<void> validate_spirv(std::span<const std::uint32_t> words) {
@@ -38,28 +67,13 @@ ReferenceCompiler::ReferenceCompiler() { glslang::InitializeProcess(); }
 ReferenceCompiler::~ReferenceCompiler() { glslang::FinalizeProcess(); }
 
 Result<void> ReferenceCompiler::check(const ShaderText& source, const Profile& profile, Stage stage) const {
-  const EShLanguage language = language_of(stage);
-  const auto rules = static_cast<EShMessages>(profile.spirv ? EShMsgSpvRules | EShMsgVulkanRules : EShMsgDefault);
-  glslang::TShader shader(language);
-  const char* const text = source.text.c_str();
-  shader.setStrings(&text, 1);
-  if (profile.spirv) {
-    shader.setEnvInput(glslang::EShSourceGlsl, language, glslang::EShClientVulkan, 100);
-    shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_0);
-    shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_0);
-  }
-  const bool compiled = shader.parse(GetDefaultResources(), profile.version, false, rules);
-  const std::string log = shader.getInfoLog();
-  if (!compiled) return fail("glslang does not compile it", source.translate(log));
-  if (log.find("WARNING") != std::string::npos) return fail("glslang warns", source.translate(log));
+  const auto words = compile(source, profile, stage, Warnings::refuse);
+  if (!words) return tl::unexpected(words.error());
+  return profile.spirv ? validate_spirv(*words) : Result<void>{};
+}
 
-  glslang::TProgram program;
-  program.addShader(&shader);
-  if (!program.link(rules)) return fail("glslang does not link it", source.translate(program.getInfoLog()));
-  if (!profile.spirv) return {};
-  std::vector<std::uint32_t> words;
-  glslang::GlslangToSpv(*program.getIntermediate(language), words);
-  return validate_spirv(words);
+Result<std::vector<std::uint32_t>> ReferenceCompiler::spirv(const ShaderText& source, Stage stage) const {
+  return compile(source, profile_named("vulkan"), stage, Warnings::let_pass);
 }
 
 }  // namespace hn

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "profile.hpp"
 #include "result.hpp"
@@ -23,6 +24,9 @@ class ReferenceCompiler {
   // Compiles and links the shader. For the Vulkan profile it also generates SPIR-V and validates it. Warnings are
   // errors.
   Result<void> check(const ShaderText& shader, const Profile& profile, Stage stage) const;
+
+  // The SPIR-V of a shader of the Vulkan profile. Warnings are let pass: the shader may be somebody else's.
+  Result<std::vector<std::uint32_t>> spirv(const ShaderText& shader, Stage stage) const;
 };
 
 }  // namespace hn

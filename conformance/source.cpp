@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cassert>
 #include <cctype>
 #include <charconv>
 #include <fstream>
@@ -16,7 +18,7 @@ namespace {
 // Each source gets its own range of line numbers, because Mesa reports source number 0 whatever #line says. No file of
 // the library comes near 10,000 lines.
 constexpr int kLinesPerSource = 10000;
-// The library nests 5 deep; a file that includes itself outside of its guard would go on for ever.
+// The library nests 6 deep; a file that includes itself outside of its guard would go on for ever.
 constexpr int kDeepestInclude = 16;
 
 std::optional<std::string_view> included_name(std::string_view line) {
@@ -73,14 +75,14 @@ class Expander {
         continue;
       }
       const std::string where = fmt::format("{}:{}", out_.paths[static_cast<std::size_t>(source)], line);
-      const std::string* body = sources_.find(*name);
-      if (!body) return fail(fmt::format("{}: there is no \"{}\" to include", where, *name));
+      const SourceFile* file = sources_.find(*name);
+      if (!file) return fail(fmt::format("{}: there is no \"{}\" to include", where, *name));
       if (depth == kDeepestInclude) {
         return fail(fmt::format("{}: includes are nested more than {} deep", where, kDeepestInclude));
       }
-      const int number = number_of(sources_.path_of(*name));
+      const int number = number_of(file->path);
       mark_line(number, 1);
-      if (auto done = add(*body, number, 1, depth + 1); !done) return done;
+      if (auto done = add(file->text, number, 1, depth + 1); !done) return done;
       if (out_.text.back() != '\n') out_.text += '\n';
       mark_line(source, line + 1);
     }
@@ -94,16 +96,23 @@ class Expander {
 
 }  // namespace
 
+std::string_view resource(std::string_view name) {
+  const auto found =
+      std::find_if(kResources.begin(), kResources.end(), [&](const EmbeddedFile& f) { return f.name == name; });
+  assert(found != kResources.end());
+  return found->text;
+}
+
 SourceSet SourceSet::embedded() {
   SourceSet set;
-  set.directory_ = "glsl";
-  for (const EmbeddedFile& file : kEmbeddedFiles) set.files_.emplace(file.name, file.text);
+  for (const EmbeddedFile& file : kEmbeddedFiles) {
+    set.add(std::string(file.name), std::string(file.text), fmt::format("glsl/{}", file.name));
+  }
   return set;
 }
 
 Result<SourceSet> SourceSet::from_directory(const std::filesystem::path& directory) {
   SourceSet set;
-  set.directory_ = directory.string();
   for (const EmbeddedFile& file : kEmbeddedFiles) {
     const auto path = directory / file.name;
     std::ifstream in(path, std::ios::binary);
@@ -111,17 +120,19 @@ Result<SourceSet> SourceSet::from_directory(const std::filesystem::path& directo
       return fail(
           fmt::format("cannot read {}: --glsl wants a folder with a copy of every file of glsl/", path.string()));
     }
-    set.files_.emplace(file.name, std::string(std::istreambuf_iterator<char>(in), {}));
+    set.add(std::string(file.name), std::string(std::istreambuf_iterator<char>(in), {}), path.string());
   }
   return set;
 }
 
-const std::string* SourceSet::find(std::string_view name) const {
+void SourceSet::add(std::string name, std::string text, std::string path) {
+  files_.insert_or_assign(std::move(name), SourceFile{std::move(text), std::move(path)});
+}
+
+const SourceFile* SourceSet::find(std::string_view name) const {
   const auto found = files_.find(name);
   return found == files_.end() ? nullptr : &found->second;
 }
-
-std::string SourceSet::path_of(std::string_view name) const { return fmt::format("{}/{}", directory_, name); }
 
 std::string ShaderText::translate(std::string_view log) const {
   std::string out;

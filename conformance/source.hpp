@@ -12,19 +12,25 @@
 
 namespace hn {
 
+struct SourceFile {
+  std::string text;
+  std::string path;  // for messages
+};
+
 // The files of one copy of glsl/, by name.
 class SourceSet {
  public:
   static SourceSet embedded();  // as they were when this program was built
   static Result<SourceSet> from_directory(const std::filesystem::path& directory);
 
-  const std::string* find(std::string_view name) const;
-  // The path to show for a file in messages.
-  std::string path_of(std::string_view name) const;
+  // Adds a file that is not the library's, to be included as name and called path in messages.
+  void add(std::string name, std::string text, std::string path);
+
+  // Null if there is no such file.
+  const SourceFile* find(std::string_view name) const;
 
  private:
-  std::map<std::string, std::string, std::less<>> files_;
-  std::string directory_;
+  std::map<std::string, SourceFile, std::less<>> files_;
 };
 
 // A shader with its includes expanded, and the way back from a line number in a log to a file and a line.

@@ -13,10 +13,11 @@ readonly log=$build/setup.log
 readonly conform_packages=(
   cmake g++ ninja-build
   glslang-dev glslang-tools spirv-tools
-  python3-glad libcli11-dev libexpected-dev libfmt-dev nlohmann-json3-dev
+  python3-glad libboost-math-dev libcli11-dev libexpected-dev libfmt-dev libkainjow-mustache-dev libpng-dev
+  libvulkan-dev nlohmann-json3-dev
   libegl-dev libosmesa6 libegl1 libegl-mesa0 libgl1-mesa-dri
 )
-readonly test_packages=(clang libgtest-dev libpng-dev python3)
+readonly test_packages=(clang libgtest-dev mesa-vulkan-drivers python3)
 
 install_missing() {
   if ! command -v dpkg-query >/dev/null; then

@@ -4,10 +4,12 @@
 #include <glad/gl.h>
 
 #include <array>
+#include <functional>
 #include <memory>
-#include <span>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "../result.hpp"
 
@@ -33,17 +35,21 @@ class Context {
 };
 
 struct Driver {
-  std::string_view name;
-  std::string_view description;
+  std::string name;
+  std::string description;
   // An error says what is missing on this machine.
-  Result<std::unique_ptr<Context>> (*create)();
+  std::function<Result<std::unique_ptr<Context>>()> create;
 };
 
-std::span<const Driver> all_drivers();
-const Driver* find_driver(std::string_view name);
+// Those that every machine may have, and one for each EGL device of this one.
+std::vector<Driver> all_drivers();
+// Nothing if there is no driver of that name; egl-device:N is one, whether there is such a device or not.
+std::optional<Driver> find_driver(std::string_view name);
 
 // The seam: one function per driver, each in driver/<name>.cpp.
 Result<std::unique_ptr<Context>> create_osmesa();
 Result<std::unique_ptr<Context>> create_egl();
+Result<std::unique_ptr<Context>> create_egl_device(int number);
+int egl_device_count();
 
 }  // namespace hn

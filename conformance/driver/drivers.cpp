@@ -1,17 +1,19 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
+#include <charconv>
+#include <utility>
 
 #include "driver.hpp"
 
 namespace hn {
 namespace {
 
-constexpr std::array kDrivers = {
-    Driver{"osmesa", "Mesa's off-screen library, rendering on the CPU", create_osmesa},
-    Driver{"egl", "EGL without a window: Mesa's surfaceless platform, else the first EGL device", create_egl},
-};
+constexpr std::string_view kEglDevice = "egl-device:";
+
+Driver egl_device(int number) {
+  return {fmt::format("{}{}", kEglDevice, number), fmt::format("EGL device {}, without a window", number),
+          [number] { return create_egl_device(number); }};
+}
 
 }  // namespace
 
@@ -26,11 +28,26 @@ Result<void> Context::load_functions(GLADloadfunc load) {
   return {};
 }
 
-std::span<const Driver> all_drivers() { return kDrivers; }
+std::vector<Driver> all_drivers() {
+  std::vector<Driver> drivers = {
+      {"osmesa", "Mesa's off-screen library, rendering on the CPU", create_osmesa},
+      {"egl", "EGL without a window: Mesa's surfaceless platform, else the first EGL device", create_egl},
+  };
+  for (int number = 0; number < egl_device_count(); ++number) drivers.push_back(egl_device(number));
+  return drivers;
+}
 
-const Driver* find_driver(std::string_view name) {
-  const auto found = std::find_if(kDrivers.begin(), kDrivers.end(), [&](const Driver& d) { return d.name == name; });
-  return found == kDrivers.end() ? nullptr : &*found;
+std::optional<Driver> find_driver(std::string_view name) {
+  for (Driver& driver : all_drivers()) {
+    if (driver.name == name) return std::move(driver);
+  }
+  int number = 0;
+  const char* const end = name.data() + name.size();
+  if (name.starts_with(kEglDevice)) {
+    const auto [stop, error] = std::from_chars(name.data() + kEglDevice.size(), end, number);
+    if (error == std::errc() && stop == end && number >= 0) return egl_device(number);
+  }
+  return std::nullopt;
 }
 
 }  // namespace hn

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <utility>
+#include <vector>
 
 #include "driver.hpp"
 #include "library.hpp"
@@ -24,13 +25,26 @@ class EglContext final : public Context {
 
   Result<void> start_surfaceless() { return start_on(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY); }
 
-  Result<void> start_on_first_device() {
+  Result<void> start_on_device(int number) {
+    const auto devices = find_devices();
+    if (!devices) return tl::unexpected(devices.error());
+    if (number >= static_cast<int>(devices->size())) {
+      return fail(fmt::format("there is no EGL device {}; EGL finds {}", number, devices->size()));
+    }
+    return start_on(EGL_PLATFORM_DEVICE_EXT, (*devices)[static_cast<std::size_t>(number)]);
+  }
+
+  Result<void> start_on_first_device() { return start_on_device(0); }
+
+  Result<std::vector<EGLDeviceEXT>> find_devices() const {
     const auto query_devices = extension<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
     if (!query_devices) return fail("this EGL has no EGL_EXT_device_enumeration");
-    EGLDeviceEXT device = nullptr;
     EGLint count = 0;
-    if (!query_devices(1, &device, &count) || count == 0) return fail("EGL finds no device");
-    return start_on(EGL_PLATFORM_DEVICE_EXT, device);
+    if (!query_devices(0, nullptr, &count)) return fail("EGL does not enumerate its devices");
+    std::vector<EGLDeviceEXT> devices(static_cast<std::size_t>(count));
+    if (count > 0 && !query_devices(count, devices.data(), &count)) return fail("EGL does not enumerate its devices");
+    devices.resize(static_cast<std::size_t>(count));
+    return devices;
   }
 
  private:
@@ -81,10 +95,27 @@ class EglContext final : public Context {
   EGLContext context_ = EGL_NO_CONTEXT;
 };
 
+Result<Library> open_egl() { return Library::open({"libEGL.so.1", "libEGL.so"}); }
+
 }  // namespace
 
+Result<std::unique_ptr<Context>> create_egl_device(int number) {
+  auto library = open_egl();
+  if (!library) return tl::unexpected(library.error());
+  auto context = std::make_unique<EglContext>(*library);
+  if (auto started = context->start_on_device(number); !started) return tl::unexpected(started.error());
+  return context;
+}
+
+int egl_device_count() {
+  auto library = open_egl();
+  if (!library) return 0;
+  const auto devices = EglContext(*library).find_devices();
+  return devices ? static_cast<int>(devices->size()) : 0;
+}
+
 Result<std::unique_ptr<Context>> create_egl() {
-  auto library = Library::open({"libEGL.so.1", "libEGL.so"});
+  auto library = open_egl();
   if (!library) return tl::unexpected(library.error());
   std::string why;
   for (const auto& [name, start] : {std::pair{"surfaceless", &EglContext::start_surfaceless},

@@ -1,0 +1,154 @@
+#include "bench.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+
+#include "tables.hpp"
+
+namespace hn {
+namespace {
+
+constexpr std::size_t kReferences = 6;  // the subjects that run_bench puts before the others
+
+std::vector<Subject> reference_subjects() {
+  return {empty_subject(2), empty_subject(3),   float_subject(2),
+          float_subject(3), integer_subject(2), integer_subject(3)};
+}
+
+std::size_t empty_index(int dimensions) { return dimensions == 2 ? 0 : 1; }
+std::size_t float_index(int dimensions) { return dimensions == 2 ? 2 : 3; }
+
+class Bench {
+ public:
+  Bench(const Context& context, const SourceSet& sources, const ReferenceCompiler& reference)
+      : context_(context),
+        sources_(with_comparison_shaders(sources)),
+        reference_(reference),
+        tables_(context),
+        stopwatch_(context) {}
+
+  Result<BenchReport> run(std::vector<Subject> subjects, const BenchOptions& options, std::FILE* progress) {
+    {
+      Progress line(progress, subjects.size());
+      for (Subject& subject : subjects) {
+        line.show(report_.measurements.size(), 0, fmt::format("compile {}", subject.id));
+        compile(std::move(subject));
+      }
+    }
+    for (std::size_t i = 0; i < kReferences; ++i) {
+      if (report_.measurements[i].error) return tl::unexpected(*report_.measurements[i].error);
+    }
+    if (auto done = time(options); !done) return tl::unexpected(done.error());
+    if (options.counts) count();
+    return std::move(report_);
+  }
+
+ private:
+  Result<Program> build(const std::string& fragment) {
+    const Profile& profile = profile_named("gl330");
+    const auto vertex_text = expand(sources_, profile, quad_vertex_shader());
+    if (!vertex_text) return tl::unexpected(vertex_text.error());
+    const auto fragment_text = expand(sources_, profile, fragment);
+    if (!fragment_text) return tl::unexpected(fragment_text.error());
+    auto program = Program::build(context_, *vertex_text, *fragment_text);
+    if (program) tables_.attach(*program);
+    return program;
+  }
+
+  void compile(Subject subject) {
+    const auto start = std::chrono::steady_clock::now();
+    auto program = build(loop_shader(subject));
+    Measurement measurement{.subject = std::move(subject), .error = {}, .ratio = {}, .counts = {}};
+    if (program) {
+      stopwatch_.first_draw(*program);
+      measurement.compile_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      programs_.push_back(std::make_unique<Program>(std::move(*program)));
+    } else {
+      measurement.error = program.error();
+      programs_.push_back(nullptr);
+    }
+    report_.measurements.push_back(std::move(measurement));
+  }
+
+  Result<void> time(const BenchOptions& options) {
+    const auto load = stopwatch_.sufficient_load(*programs_[float_index(2)]);
+    if (!load) return tl::unexpected(load.error());
+    report_.gate = stopwatch_.choose_clock(*load);
+    report_.rounds = options.rounds;
+    report_.side = load->width;
+    report_.iterations = load->iterations;
+    std::vector<Workload> workloads;
+    std::vector<std::size_t> owners;
+    for (std::size_t i = 0; i < programs_.size(); ++i) {
+      if (!programs_[i]) continue;
+      workloads.push_back(*load);
+      workloads.back().program = programs_[i].get();
+      owners.push_back(i);
+    }
+    const auto timings = stopwatch_.measure(workloads, options.rounds);
+    if (!timings) return tl::unexpected(timings.error());
+    const double evaluations = static_cast<double>(load->width) * load->height * load->iterations;
+    for (std::size_t i = 0; i < owners.size(); ++i) {
+      Measurement& measurement = report_.measurements[owners[i]];
+      const int dimensions = measurement.subject.dimensions;
+      const Timing& empty = (*timings)[empty_index(dimensions)];
+      measurement.ratio = ratio((*timings)[i], (*timings)[float_index(dimensions)], empty);
+      const double seconds = (*timings)[i].median() - empty.median();
+      measurement.evaluations_per_second = seconds > 0.0 ? evaluations / seconds : 0.0;
+    }
+    return {};
+  }
+
+  void count() {
+    std::vector<CountedShader> shaders;
+    std::vector<std::unique_ptr<Program>> programs;
+    std::vector<std::size_t> owners;
+    for (std::size_t i = 0; i < report_.measurements.size(); ++i) {
+      Measurement& measurement = report_.measurements[i];
+      if (measurement.error) continue;
+      const std::string text = quad_shader(measurement.subject);
+      auto vulkan = expand(sources_, profile_named("vulkan"), text);
+      auto program = build(text);
+      if (!vulkan || !program) {
+        measurement.counts.problems.push_back(vulkan ? program.error().text() : vulkan.error().text());
+        continue;
+      }
+      programs.push_back(std::make_unique<Program>(std::move(*program)));
+      shaders.push_back({std::move(*vulkan), programs.back().get()});
+      owners.push_back(i);
+    }
+    CountReport counted = count_instructions(context_, reference_, shaders);
+    report_.absent = std::move(counted.absent);
+    for (std::size_t i = 0; i < owners.size(); ++i) {
+      report_.measurements[owners[i]].counts = std::move(counted.counts[i]);
+    }
+  }
+
+  const Context& context_;
+  SourceSet sources_;
+  const ReferenceCompiler& reference_;
+  NoiseTables tables_;
+  Stopwatch stopwatch_;
+  BenchReport report_;
+  std::vector<std::unique_ptr<Program>> programs_;  // null where it does not compile
+};
+
+}  // namespace
+
+std::string now() {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
+                     fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
+}
+
+Result<BenchReport> run_bench(const Context& context, const SourceSet& sources, const ReferenceCompiler& reference,
+                              std::vector<Subject> subjects, const BenchOptions& options, std::FILE* progress) {
+  std::vector<Subject> all = reference_subjects();
+  std::move(subjects.begin(), subjects.end(), std::back_inserter(all));
+  return Bench(context, sources, reference).run(std::move(all), options, progress);
+}
+
+}  // namespace hn

@@ -1,0 +1,76 @@
+// What every function, hash and knob costs on a driver, next to table noise and to other people's shaders.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "context_info.hpp"
+#include "counts.hpp"
+#include "runner.hpp"
+#include "subject.hpp"
+#include "timing.hpp"
+
+namespace hn {
+
+// Where and how numbers came to be: what stands above every result.
+struct Provenance {
+  std::string date;  // UTC, ISO 8601
+  std::string command;
+  std::string driver;
+  ContextInfo info;
+};
+nlohmann::json to_json(const Provenance& provenance);
+std::string now();
+
+struct Measurement {
+  Subject subject;
+  std::optional<Error> error;    // it does not compile, or is no float; then there is nothing else
+  double compile_seconds = 0.0;  // until a first draw is done
+  Ratio ratio;                   // to Perlin/Float of as many dimensions
+  double evaluations_per_second = 0.0;
+  Counts counts;
+};
+
+struct BenchReport {
+  Gate gate;
+  int rounds = 0;
+  int side = 0;  // pixels
+  int iterations = 0;
+  std::vector<Measurement> measurements;
+  std::map<std::string, std::string> absent;  // sources of counts that are not here, and why
+};
+
+struct BenchOptions {
+  int rounds = 9;
+  bool counts = true;
+};
+
+// Measures the subjects in the same rounds as Perlin/Float, Perlin/Integer and an empty shader, which come first in the
+// report. An error: the driver cannot do even those.
+Result<BenchReport> run_bench(const Context& context, const SourceSet& sources, const ReferenceCompiler& reference,
+                              std::vector<Subject> subjects, const BenchOptions& options, std::FILE* progress);
+
+nlohmann::json to_json(const BenchReport& report);
+nlohmann::json to_json(const Gate& gate);
+nlohmann::json to_json(const Counts& counts);
+// [{source, reason}]
+nlohmann::json absent_sources(const std::map<std::string, std::string>& absent);
+
+// How a subject compares with an earlier run.
+struct Change {
+  std::string id;
+  Ratio before;
+  Ratio now;
+  bool slower = false;  // by more than both spreads
+};
+// An error: the file cannot be read, or is no bench.json.
+Result<std::vector<Change>> compare_with_baseline(const std::filesystem::path& baseline, const BenchReport& report);
+
+// bench.json, bench.csv, index.html, and with dump the optimised SPIR-V that was counted as spirv/<id>.spv.
+Result<void> write_bench(const std::filesystem::path& directory, const Provenance& provenance,
+                         const BenchReport& report, const std::vector<Change>& changes, bool dump);
+
+}  // namespace hn

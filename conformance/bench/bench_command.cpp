@@ -1,0 +1,153 @@
+// hn-conform bench
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "command.hpp"
+
+namespace hn {
+namespace {
+
+// NAME=FILE:EXPRESSION. The file's name may have a colon in it only if the file is there.
+struct Foreign {
+  std::string name;
+  std::string file;
+  std::string expression;
+};
+
+Result<Foreign> parse_foreign(const std::string& argument) {
+  const auto equals = argument.find('=');
+  const auto wrong = [&](std::string_view what) {
+    return fail(fmt::format("--against {}: {}; write NAME=FILE:EXPRESSION, as in simplex=other.glsl:snoise(p)",
+                            argument, what));
+  };
+  if (equals == std::string::npos || equals == 0) return wrong("there is no name");
+  for (auto colon = argument.find(':', equals); colon != std::string::npos; colon = argument.find(':', colon + 1)) {
+    Foreign foreign{argument.substr(0, equals), argument.substr(equals + 1, colon - equals - 1),
+                    argument.substr(colon + 1)};
+    if (!std::filesystem::is_regular_file(foreign.file)) continue;
+    if (foreign.expression.empty()) return wrong("there is no expression");
+    if (foreign.name.find_first_of("./ ") != std::string::npos) return wrong("a name is a word");
+    return foreign;
+  }
+  return wrong("there is no such file");
+}
+
+// The text of a shader file, fit to stand behind a #version line of ours.
+Result<std::string> read_foreign(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) return fail(fmt::format("cannot read {}", path));
+  std::string text(std::istreambuf_iterator<char>(in), {});
+  for (auto at = text.find("#version"); at != std::string::npos; at = text.find("#version", at + 2))
+    text.insert(at, "//");
+  return text;
+}
+
+// A foreign expression may be for positions in the plane, in space, or both: what compiles in one of them is no fault
+// in the other.
+void drop_other_dimension(BenchReport& report, const std::vector<Foreign>& foreigns) {
+  for (const Foreign& foreign : foreigns) {
+    const auto is = [&](const Measurement& m, int dimensions) {
+      return m.subject.id == fmt::format("{}{}", foreign.name, dimensions);
+    };
+    const bool some = std::any_of(report.measurements.begin(), report.measurements.end(),
+                                  [&](const Measurement& m) { return (is(m, 2) || is(m, 3)) && !m.error; });
+    if (!some) continue;
+    std::erase_if(report.measurements, [&](const Measurement& m) { return (is(m, 2) || is(m, 3)) && m.error; });
+  }
+}
+
+struct Selection {
+  std::vector<Subject> subjects;
+  std::vector<Foreign> foreigns;
+};
+
+Result<Selection> select(const BenchCommand& options, SourceSet& sources) {
+  Selection selection{library_subjects(), {}};
+  if (!options.filters.empty()) {
+    std::erase_if(selection.subjects, [&](const Subject& subject) {
+      return std::none_of(options.filters.begin(), options.filters.end(),
+                          [&](const std::string& glob) { return fnmatch(glob.c_str(), subject.id.c_str(), 0) == 0; });
+    });
+    if (selection.subjects.empty()) {
+      return fail(fmt::format(
+          "no subject matches --filter '{}'; ids are like noise2d.perlin.lattice, and * stands for any part",
+          fmt::join(options.filters, "' '")));
+    }
+  }
+  std::set<std::string> names;
+  for (const std::string& argument : options.against) {
+    auto foreign = parse_foreign(argument);
+    if (!foreign) return tl::unexpected(foreign.error());
+    if (!names.insert(foreign->name).second)
+      return fail(fmt::format("--against: there are two of the name {}", foreign->name));
+    const auto text = read_foreign(foreign->file);
+    if (!text) return tl::unexpected(text.error());
+    const std::string included = fmt::format("against/{}", foreign->name);
+    sources.add(included, *text, foreign->file);
+    for (const int dimensions : {2, 3}) {
+      selection.subjects.push_back(foreign_subject(foreign->name, included, foreign->expression, dimensions));
+    }
+    selection.foreigns.push_back(std::move(*foreign));
+  }
+  return selection;
+}
+
+int conclude(const BenchReport& report, const std::vector<Change>& changes, const std::string& out) {
+  int status = 0;
+  for (const Measurement& measurement : report.measurements) {
+    if (!measurement.error) continue;
+    fmt::print("NOT MEASURED {}\n{}\n", measurement.subject.id, measurement.error->text());
+    status = kNotAsExpected;
+  }
+  for (const Change& change : changes) {
+    if (!change.slower) continue;
+    fmt::print("SLOWER {}: {:.3f} +- {:.3f}, was {:.3f} +- {:.3f}\n", change.id, change.now.value, change.now.spread,
+               change.before.value, change.before.spread);
+    status = kNotAsExpected;
+  }
+  fmt::print("{} subjects measured by {}: {}/index.html\n", report.measurements.size(), name_of(report.gate.clock),
+             out);
+  return status;
+}
+
+}  // namespace
+
+int bench_command(const BenchCommand& options) {
+  auto sources = library_sources(options.glsl);
+  if (!sources) return usage_error(sources.error().text());
+  auto selection = select(options, *sources);
+  if (!selection) return usage_error(selection.error().text());
+  if (!options.baseline.empty()) {
+    // Before the run rather than after it.
+    if (const auto readable = compare_with_baseline(options.baseline, {}); !readable)
+      return usage_error(readable.error().text());
+  }
+  const auto driver = open_driver(options.driver, options.line);
+  if (!driver) return driver.error();
+  const ReferenceCompiler reference;
+  auto report = run_bench(*driver->context, *sources, reference, std::move(selection->subjects),
+                          {.rounds = options.rounds}, stderr);
+  if (!report) {
+    fmt::print(stderr, "hn-conform: {}\n", report.error().text());
+    return kNotAsExpected;
+  }
+  drop_other_dimension(*report, selection->foreigns);
+  std::vector<Change> changes;
+  if (!options.baseline.empty()) {
+    const auto compared = compare_with_baseline(options.baseline, *report);
+    if (!compared) return usage_error(compared.error().text());
+    changes = *compared;
+  }
+  if (const auto written = write_bench(options.out, driver->provenance, *report, changes, options.dump); !written) {
+    return usage_error(written.error().text());
+  }
+  return conclude(*report, changes, options.out);
+}
+
+}  // namespace hn

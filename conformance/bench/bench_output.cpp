@@ -1,0 +1,223 @@
+// bench.json and what is made of it: CSV, the page, and the comparison with an earlier one.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "bench.hpp"
+#include "embedded.hpp"
+#include "output/csv.hpp"
+#include "output/file.hpp"
+#include "output/page.hpp"
+#include "output/svg.hpp"
+#include "report.hpp"
+
+namespace hn {
+namespace {
+
+constexpr int kSchema = 1;
+
+nlohmann::json to_json(const AmdStatistics& amd) {
+  return {{"instructions", amd.instructions},
+          {"inverse_throughput", amd.inverse_throughput},
+          {"latency", amd.latency},
+          {"vgprs", amd.vgprs},
+          {"code_size", amd.code_size}};
+}
+
+nlohmann::json to_json(const Measurement& measurement) {
+  nlohmann::json json = {{"id", measurement.subject.id},
+                         {"dimensions", measurement.subject.dimensions},
+                         {"expression", measurement.subject.expression}};
+  if (measurement.error) {
+    json["error"] = measurement.error->text();
+    return json;
+  }
+  json["ratio"] = measurement.ratio.value;
+  json["spread"] = measurement.ratio.spread;
+  json["evaluations_per_second"] = measurement.evaluations_per_second;
+  json["compile_seconds"] = measurement.compile_seconds;
+  json["instructions"] = to_json(measurement.counts);
+  return json;
+}
+
+// The columns of the table, on the page and as CSV. An absent number is "-": why is said below the table.
+const std::vector<std::string> kHeader = {"id",     "ratio",  "spread", "evaluations_per_second", "compile_ms", "spirv",
+                                          "navi21", "vega10", "nvidia"};
+
+std::string amd_instructions(const Counts& counts, std::string_view family) {
+  const auto found = counts.amd.find(family);
+  return found == counts.amd.end() ? "-" : fmt::format("{}", found->second.instructions);
+}
+
+std::vector<std::string> row_of(const Measurement& measurement) {
+  if (measurement.error) return {measurement.subject.id, "-", "-", "-", "-", "-", "-", "-", "-"};
+  const Counts& counts = measurement.counts;
+  return {measurement.subject.id,
+          fmt::format("{:.3f}", measurement.ratio.value),
+          fmt::format("{:.3f}", measurement.ratio.spread),
+          fmt::format("{:.3g}", measurement.evaluations_per_second),
+          fmt::format("{:.1f}", measurement.compile_seconds * 1e3),
+          counts.spirv ? fmt::format("{}", *counts.spirv) : "-",
+          amd_instructions(counts, "navi21"),
+          amd_instructions(counts, "vega10"),
+          counts.nvidia ? fmt::format("{}", *counts.nvidia) : "-"};
+}
+
+nlohmann::json page_rows(const BenchReport& report) {
+  nlohmann::json rows = nlohmann::json::array();
+  for (const Measurement& measurement : report.measurements) {
+    const auto cells = row_of(measurement);
+    rows.push_back({{"id", cells[0]}, {"numbers", std::vector<std::string>(cells.begin() + 1, cells.end())}});
+  }
+  return rows;
+}
+
+// Bars of what has the prefix, with the table noises of as many dimensions and what is not the library's.
+std::string bars(const BenchReport& report, std::string_view prefix, int dimensions, const std::string& title) {
+  std::vector<Bar> bars;
+  for (const Measurement& measurement : report.measurements) {
+    const std::string& id = measurement.subject.id;
+    if (measurement.error || measurement.subject.dimensions != dimensions || id.starts_with("empty")) continue;
+    const bool others = id.find('.') == std::string::npos || id.starts_with("table.");
+    if (!others && !id.starts_with(prefix)) continue;
+    bars.push_back({others ? id : id.substr(prefix.size()), measurement.ratio.value, measurement.ratio.spread});
+  }
+  return bar_plot({title, "time, as a multiple of Perlin/Float's", ""}, bars);
+}
+
+nlohmann::json page_errors(const BenchReport& report) {
+  nlohmann::json errors = nlohmann::json::array();
+  for (const Measurement& measurement : report.measurements) {
+    if (measurement.error) errors.push_back({{"id", measurement.subject.id}, {"text", measurement.error->text()}});
+    for (const std::string& problem : measurement.counts.problems) {
+      errors.push_back({{"id", measurement.subject.id}, {"text", problem}});
+    }
+  }
+  return errors;
+}
+
+nlohmann::json page_changes(const std::vector<Change>& changes) {
+  nlohmann::json rows = nlohmann::json::array();
+  for (const Change& change : changes) {
+    rows.push_back({{"id", change.id},
+                    {"before", fmt::format("{:.3f} ± {:.3f}", change.before.value, change.before.spread)},
+                    {"now", fmt::format("{:.3f} ± {:.3f}", change.now.value, change.now.spread)},
+                    {"slower", change.slower}});
+  }
+  return rows;
+}
+
+Result<std::string> page(const Provenance& provenance, const BenchReport& report, const std::vector<Change>& changes) {
+  nlohmann::json data = {{"style", resource("style.mustache")},
+                         {"provenance", to_json(provenance)},
+                         {"gate", report.gate.reason},
+                         {"clock", name_of(report.gate.clock)},
+                         {"rounds", report.rounds},
+                         {"side", report.side},
+                         {"iterations", report.iterations},
+                         {"header", std::vector<std::string>(kHeader.begin() + 1, kHeader.end())},
+                         {"rows", page_rows(report)},
+                         {"absent", absent_sources(report.absent)},
+                         {"errors", page_errors(report)},
+                         {"has_errors", !page_errors(report).empty()},
+                         {"changes", page_changes(changes)},
+                         {"has_changes", !changes.empty()},
+                         {"bars2", bars(report, "noise2d.perlin.", 2, "hn_perlin(vec2), by knobs")},
+                         {"bars3", bars(report, "noise3d.perlin.", 3, "hn_perlin(vec3), by knobs")}};
+  return render_page(resource("bench.mustache"), data);
+}
+
+Ratio ratio_in(const nlohmann::json& subject) {
+  return {subject.at("ratio").get<double>(), subject.at("spread").get<double>()};
+}
+
+}  // namespace
+
+nlohmann::json to_json(const Provenance& provenance) {
+  return {{"version", library_version()},
+          {"date", provenance.date},
+          {"command", provenance.command},
+          {"driver", provenance.driver},
+          {"vendor", provenance.info.vendor},
+          {"renderer", provenance.info.renderer},
+          {"gl_version", provenance.info.gl_version},
+          {"glsl_version", provenance.info.glsl_version}};
+}
+
+nlohmann::json to_json(const Counts& counts) {
+  nlohmann::json json = nlohmann::json::object();
+  if (counts.spirv) json["spirv"] = *counts.spirv;
+  for (const auto& [family, statistics] : counts.amd) json[family] = to_json(statistics);
+  if (counts.nvidia) json["nvidia"] = *counts.nvidia;
+  if (!counts.problems.empty()) json["problems"] = counts.problems;
+  return json;
+}
+
+nlohmann::json to_json(const Gate& gate) {
+  return {{"clock", name_of(gate.clock)},
+          {"query_with_4_times_the_pixels", gate.pixels},
+          {"query_with_4_times_the_iterations", gate.iterations},
+          {"query_with_4_draws", gate.draws},
+          {"reason", gate.reason}};
+}
+
+nlohmann::json to_json(const BenchReport& report) {
+  nlohmann::json subjects = nlohmann::json::array();
+  for (const Measurement& measurement : report.measurements) subjects.push_back(to_json(measurement));
+  return {{"schema", kSchema},   {"timing", to_json(report.gate)},  {"rounds", report.rounds},
+          {"side", report.side}, {"iterations", report.iterations}, {"absent_counts", report.absent},
+          {"subjects", subjects}};
+}
+
+nlohmann::json absent_sources(const std::map<std::string, std::string>& absent) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const auto& [source, reason] : absent) list.push_back({{"source", source}, {"reason", reason}});
+  return list;
+}
+
+Result<std::vector<Change>> compare_with_baseline(const std::filesystem::path& baseline, const BenchReport& report) {
+  std::ifstream in(baseline);
+  if (!in) return fail(fmt::format("cannot read the baseline {}", baseline.string()));
+  const auto json = nlohmann::json::parse(in, nullptr, false);
+  std::vector<Change> changes;
+  try {
+    if (json.at("schema").get<int>() != kSchema) throw std::runtime_error("another schema");
+    std::map<std::string, Ratio> before;
+    for (const nlohmann::json& subject : json.at("subjects")) {
+      if (!subject.contains("error")) before.emplace(subject.at("id").get<std::string>(), ratio_in(subject));
+    }
+    for (const Measurement& measurement : report.measurements) {
+      const auto found = before.find(measurement.subject.id);
+      if (found == before.end() || measurement.error) continue;
+      const Ratio& was = found->second;
+      const Ratio& is = measurement.ratio;
+      changes.push_back({measurement.subject.id, was, is, is.value - was.value > is.spread + was.spread});
+    }
+  } catch (const std::exception& problem) {
+    return fail(fmt::format("{} is no bench.json of this program: {}", baseline.string(), problem.what()));
+  }
+  return changes;
+}
+
+Result<void> write_bench(const std::filesystem::path& directory, const Provenance& provenance,
+                         const BenchReport& report, const std::vector<Change>& changes, bool dump) {
+  nlohmann::json json = to_json(provenance);
+  json.update(to_json(report));
+  std::vector<std::vector<std::string>> rows;
+  for (const Measurement& measurement : report.measurements) rows.push_back(row_of(measurement));
+  const auto html = page(provenance, report, changes);
+  if (!html) return tl::unexpected(html.error());
+  for (const auto& [name, text] : {std::pair{"bench.json", json.dump(1) + "\n"},
+                                   std::pair{"bench.csv", to_csv(kHeader, rows)}, std::pair{"index.html", *html}}) {
+    if (auto done = write_file(directory / name, text); !done) return done;
+  }
+  if (!dump) return {};
+  for (const Measurement& measurement : report.measurements) {
+    if (auto done = write_spirv(directory, measurement.subject.id, measurement.counts); !done) return done;
+  }
+  return {};
+}
+
+}  // namespace hn

@@ -1,0 +1,53 @@
+// How many instructions a fragment shader has, by every source at hand.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "amd.hpp"
+#include "gpu.hpp"
+#include "reference_compiler.hpp"
+
+namespace hn {
+
+// What spirv-opt -O makes of SPIR-V.
+Result<std::vector<std::uint32_t>> optimise_spirv(std::span<const std::uint32_t> words);
+
+// The instructions between OpFunction and OpFunctionEnd, without OpFunctionParameter and OpLabel, which do nothing.
+std::int64_t count_spirv(std::span<const std::uint32_t> words);
+
+// The instructions of NVIDIA's assembly text in a program binary: the lines of its fragment program that end in a
+// semicolon, without the declarations. Nothing if there is no such text.
+std::optional<std::int64_t> count_nvidia(std::string_view binary);
+
+struct Counts {
+  std::optional<std::int64_t> spirv;
+  std::map<std::string, AmdStatistics, std::less<>> amd;  // by family
+  std::optional<std::int64_t> nvidia;
+  std::vector<std::string> problems;  // why one of them is missing, for this shader alone
+  std::vector<std::uint32_t> optimised;
+};
+
+// What is counted: text for Vulkan, and the program that the driver made of the same text, if there is one.
+struct CountedShader {
+  ShaderText vulkan;
+  const Program* program = nullptr;
+};
+
+struct CountReport {
+  std::vector<Counts> counts;                 // one for each shader
+  std::map<std::string, std::string> absent;  // by source: why it is not here at all
+};
+
+// Writes what was counted, for other tools to count: spirv/<id>.spv. Nothing if there is nothing.
+Result<void> write_spirv(const std::filesystem::path& directory, std::string_view id, const Counts& counts);
+
+CountReport count_instructions(const Context& context, const ReferenceCompiler& reference,
+                               std::span<const CountedShader> shaders);
+
+}  // namespace hn

@@ -1,0 +1,395 @@
+#include "radv.hpp"
+
+#define VK_NO_PROTOTYPES
+#include <fmt/format.h>
+#include <vulkan/vulkan.h>
+
+#include <algorithm>
+#include <array>
+#include <spirv-tools/libspirv.hpp>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "driver/library.hpp"
+
+namespace hn {
+namespace {
+
+constexpr std::uint32_t kAmd = 0x1002;
+constexpr std::uint32_t kSamplers = 4;
+constexpr std::uint32_t kPushConstantBytes = 16;
+constexpr const char* kStatisticsExtension = VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME;
+
+// Passes a vertex attribute on. A value that the driver could know (a constant, equal components) would be folded into
+// the fragment shader and change its count.
+constexpr const char* kVertexShader = R"(
+               OpCapability Shader
+               OpMemoryModel Logical GLSL450
+               OpEntryPoint Vertex %main "main" %attribute %position %point
+               OpDecorate %attribute Location 0
+               OpDecorate %position BuiltIn Position
+               OpDecorate %point Location 0
+       %void = OpTypeVoid
+   %function = OpTypeFunction %void
+      %float = OpTypeFloat 32
+       %vec4 = OpTypeVector %float 4
+      %input = OpTypePointer Input %vec4
+     %output = OpTypePointer Output %vec4
+  %attribute = OpVariable %input Input
+   %position = OpVariable %output Output
+      %point = OpVariable %output Output
+       %main = OpFunction %void None %function
+      %label = OpLabel
+      %value = OpLoad %vec4 %attribute
+               OpStore %position %value
+               OpStore %point %value
+               OpReturn
+               OpFunctionEnd
+)";
+
+Result<std::vector<std::uint32_t>> vertex_shader() {
+  std::vector<std::uint32_t> words;
+  if (!spvtools::SpirvTools(SPV_ENV_VULKAN_1_0).Assemble(kVertexShader, &words)) {
+    return fail("the vertex shader cannot be assembled");
+  }
+  return words;
+}
+
+// A structure of Vulkan, empty but for its type.
+template <typename Structure>
+Structure of_type(VkStructureType type) {
+  Structure structure{};
+  structure.sType = type;
+  return structure;
+}
+
+// The arguments of the pipeline, which point to each other and so stay in one place.
+struct PipelineState {
+  PipelineState(VkShaderModule vertex, VkShaderModule fragment, VkPipelineLayout layout, VkRenderPass pass) {
+    stages[0].stage = VK_SHADER_STAGE_VERTEX_BIT;
+    stages[0].module = vertex;
+    stages[1].stage = VK_SHADER_STAGE_FRAGMENT_BIT;
+    stages[1].module = fragment;
+    for (VkPipelineShaderStageCreateInfo& stage : stages) {
+      stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
+      stage.pName = "main";
+    }
+    binding.stride = 4 * sizeof(float);
+    attribute.format = VK_FORMAT_R32G32B32A32_SFLOAT;
+    input.vertexBindingDescriptionCount = 1;
+    input.pVertexBindingDescriptions = &binding;
+    input.vertexAttributeDescriptionCount = 1;
+    input.pVertexAttributeDescriptions = &attribute;
+    assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+    viewport.viewportCount = 1;
+    viewport.scissorCount = 1;
+    raster.lineWidth = 1.0f;
+    samples.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
+    target.colorWriteMask =
+        VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
+    blend.attachmentCount = 1;
+    blend.pAttachments = &target;
+    dynamic.dynamicStateCount = static_cast<std::uint32_t>(dynamic_states.size());
+    dynamic.pDynamicStates = dynamic_states.data();
+
+    info.flags = VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR;
+    info.stageCount = static_cast<std::uint32_t>(stages.size());
+    info.pStages = stages.data();
+    info.pVertexInputState = &input;
+    info.pInputAssemblyState = &assembly;
+    info.pViewportState = &viewport;
+    info.pRasterizationState = &raster;
+    info.pMultisampleState = &samples;
+    info.pColorBlendState = &blend;
+    info.pDynamicState = &dynamic;
+    info.layout = layout;
+    info.renderPass = pass;
+  }
+  PipelineState(const PipelineState&) = delete;
+  PipelineState& operator=(const PipelineState&) = delete;
+
+  std::array<VkPipelineShaderStageCreateInfo, 2> stages{};
+  VkVertexInputBindingDescription binding{};
+  VkVertexInputAttributeDescription attribute{};
+  VkPipelineVertexInputStateCreateInfo input =
+      of_type<VkPipelineVertexInputStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO);
+  VkPipelineInputAssemblyStateCreateInfo assembly =
+      of_type<VkPipelineInputAssemblyStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO);
+  VkPipelineViewportStateCreateInfo viewport =
+      of_type<VkPipelineViewportStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO);
+  VkPipelineRasterizationStateCreateInfo raster =
+      of_type<VkPipelineRasterizationStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO);
+  VkPipelineMultisampleStateCreateInfo samples =
+      of_type<VkPipelineMultisampleStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO);
+  VkPipelineColorBlendAttachmentState target{};
+  VkPipelineColorBlendStateCreateInfo blend =
+      of_type<VkPipelineColorBlendStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO);
+  std::array<VkDynamicState, 2> dynamic_states = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
+  VkPipelineDynamicStateCreateInfo dynamic =
+      of_type<VkPipelineDynamicStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO);
+  VkGraphicsPipelineCreateInfo info =
+      of_type<VkGraphicsPipelineCreateInfo>(VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO);
+};
+
+// An object of the device, destroyed with this. Its device and the function live longer.
+template <typename Handle>
+class Owned {
+ public:
+  using Destroy = void(VKAPI_PTR*)(VkDevice, Handle, const VkAllocationCallbacks*);
+
+  Owned() = default;
+  Owned(VkDevice device, Handle handle, Destroy destroy) : device_(device), handle_(handle), destroy_(destroy) {}
+  Owned(Owned&& other) noexcept
+      : device_(other.device_), handle_(std::exchange(other.handle_, VK_NULL_HANDLE)), destroy_(other.destroy_) {}
+  Owned& operator=(Owned&& other) noexcept {
+    std::swap(device_, other.device_);
+    std::swap(handle_, other.handle_);
+    std::swap(destroy_, other.destroy_);
+    return *this;
+  }
+  ~Owned() {
+    if (handle_ != VK_NULL_HANDLE) destroy_(device_, handle_, nullptr);
+  }
+
+  Handle get() const { return handle_; }
+
+ private:
+  VkDevice device_ = VK_NULL_HANDLE;
+  Handle handle_ = VK_NULL_HANDLE;
+  Destroy destroy_ = nullptr;
+};
+
+class RadvDevice final : public Radv {
+ public:
+  explicit RadvDevice(Library library)
+      : find_(library.function<std::remove_pointer_t<PFN_vkGetInstanceProcAddr>>("vkGetInstanceProcAddr")) {}
+  ~RadvDevice() override {
+    // The objects of the device go before it.
+    vertex_ = {};
+    pass_ = {};
+    layout_ = {};
+    set_layout_ = {};
+    if (device_ != VK_NULL_HANDLE) call<PFN_vkDestroyDevice>("vkDestroyDevice")(device_, nullptr);
+    if (instance_ != VK_NULL_HANDLE) call<PFN_vkDestroyInstance>("vkDestroyInstance")(instance_, nullptr);
+  }
+
+  Result<void> start() {
+    if (!find_) return fail("libvulkan has no vkGetInstanceProcAddr");
+    return create_instance()
+        .and_then([&] { return choose_gpu(); })
+        .and_then([&] { return create_device(); })
+        .and_then([&] { return create_layout(); })
+        .and_then([&] { return create_pass(); })
+        .and_then([&] { return vertex_shader(); })
+        .and_then([&](const auto& words) { return create_module(words); })
+        .map([&](Owned<VkShaderModule> module) { vertex_ = std::move(module); });
+  }
+
+  Result<AmdStatistics> compile(std::span<const std::uint32_t> fragment_shader) override {
+    const auto fragment = create_module(fragment_shader);
+    if (!fragment) return tl::unexpected(fragment.error());
+    const PipelineState state(vertex_.get(), fragment->get(), layout_.get(), pass_.get());
+    VkPipeline pipeline = VK_NULL_HANDLE;
+    const VkResult made = call<PFN_vkCreateGraphicsPipelines>("vkCreateGraphicsPipelines")(
+        device_, VK_NULL_HANDLE, 1, &state.info, nullptr, &pipeline);
+    const Owned<VkPipeline> owned(device_, pipeline, call<PFN_vkDestroyPipeline>("vkDestroyPipeline"));
+    if (made != VK_SUCCESS) return refused("vkCreateGraphicsPipelines", made);
+    return fragment_executable(pipeline).and_then([&](std::uint32_t index) { return statistics(pipeline, index); });
+  }
+
+ private:
+  template <typename Pointer>
+  Pointer call(const char* name) const {
+    return reinterpret_cast<Pointer>(find_(instance_, name));
+  }
+
+  static tl::unexpected<Error> refused(std::string_view function, VkResult result) {
+    return fail(fmt::format("{} returns {}", function, static_cast<int>(result)));
+  }
+
+  // Makes one object with a function of the usual form.
+  template <typename Handle, typename Create, typename Destroy, typename Info>
+  Result<Owned<Handle>> create(const char* create_name, const char* destroy_name, const Info& info) const {
+    Handle handle = VK_NULL_HANDLE;
+    const VkResult made = call<Create>(create_name)(device_, &info, nullptr, &handle);
+    if (made != VK_SUCCESS) return refused(create_name, made);
+    return Owned<Handle>(device_, handle, call<Destroy>(destroy_name));
+  }
+
+  Result<void> create_instance() {
+    auto application = of_type<VkApplicationInfo>(VK_STRUCTURE_TYPE_APPLICATION_INFO);
+    application.apiVersion = VK_API_VERSION_1_1;
+    auto info = of_type<VkInstanceCreateInfo>(VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO);
+    info.pApplicationInfo = &application;
+    const VkResult made = call<PFN_vkCreateInstance>("vkCreateInstance")(&info, nullptr, &instance_);
+    if (made == VK_ERROR_INCOMPATIBLE_DRIVER) return fail("libvulkan finds no driver that works");
+    return made == VK_SUCCESS ? Result<void>() : refused("vkCreateInstance", made);
+  }
+
+  Result<void> choose_gpu() {
+    std::uint32_t count = 1;
+    const auto enumerate = call<PFN_vkEnumeratePhysicalDevices>("vkEnumeratePhysicalDevices");
+    const VkResult found = enumerate(instance_, &count, &gpu_);
+    if ((found != VK_SUCCESS && found != VK_INCOMPLETE) || count == 0) return fail("RADV offers no GPU");
+    VkPhysicalDeviceProperties properties{};
+    call<PFN_vkGetPhysicalDeviceProperties>("vkGetPhysicalDeviceProperties")(gpu_, &properties);
+    if (properties.vendorID != kAmd) return fail(fmt::format("{} is no AMD GPU", properties.deviceName));
+
+    const auto list = call<PFN_vkEnumerateDeviceExtensionProperties>("vkEnumerateDeviceExtensionProperties");
+    std::uint32_t extension_count = 0;
+    list(gpu_, nullptr, &extension_count, nullptr);
+    std::vector<VkExtensionProperties> extensions(extension_count);
+    list(gpu_, nullptr, &extension_count, extensions.data());
+    const bool has_statistics = std::any_of(extensions.begin(), extensions.end(), [](const auto& extension) {
+      return std::string_view(extension.extensionName) == kStatisticsExtension;
+    });
+    if (!has_statistics) return fail(fmt::format("{} has no {}", properties.deviceName, kStatisticsExtension));
+    return {};
+  }
+
+  Result<void> create_device() {
+    const float priority = 1.0f;
+    auto queue = of_type<VkDeviceQueueCreateInfo>(VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO);
+    queue.queueCount = 1;
+    queue.pQueuePriorities = &priority;
+    auto features = of_type<VkPhysicalDevicePipelineExecutablePropertiesFeaturesKHR>(
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PIPELINE_EXECUTABLE_PROPERTIES_FEATURES_KHR);
+    features.pipelineExecutableInfo = VK_TRUE;
+    auto info = of_type<VkDeviceCreateInfo>(VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO);
+    info.pNext = &features;
+    info.queueCreateInfoCount = 1;
+    info.pQueueCreateInfos = &queue;
+    info.enabledExtensionCount = 1;
+    info.ppEnabledExtensionNames = &kStatisticsExtension;
+    const VkResult made = call<PFN_vkCreateDevice>("vkCreateDevice")(gpu_, &info, nullptr, &device_);
+    return made == VK_SUCCESS ? Result<void>() : refused("vkCreateDevice", made);
+  }
+
+  Result<void> create_layout() {
+    std::array<VkDescriptorSetLayoutBinding, kSamplers> bindings{};
+    for (std::uint32_t i = 0; i < kSamplers; i++) {
+      bindings[i].binding = i;
+      bindings[i].descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+      bindings[i].descriptorCount = 1;
+      bindings[i].stageFlags = VK_SHADER_STAGE_FRAGMENT_BIT;
+    }
+    auto set_info = of_type<VkDescriptorSetLayoutCreateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO);
+    set_info.bindingCount = kSamplers;
+    set_info.pBindings = bindings.data();
+    auto set = create<VkDescriptorSetLayout, PFN_vkCreateDescriptorSetLayout, PFN_vkDestroyDescriptorSetLayout>(
+        "vkCreateDescriptorSetLayout", "vkDestroyDescriptorSetLayout", set_info);
+    if (!set) return tl::unexpected(set.error());
+    set_layout_ = std::move(*set);
+
+    const VkDescriptorSetLayout set_layout = set_layout_.get();
+    const VkPushConstantRange range{VK_SHADER_STAGE_FRAGMENT_BIT, 0, kPushConstantBytes};
+    auto info = of_type<VkPipelineLayoutCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO);
+    info.setLayoutCount = 1;
+    info.pSetLayouts = &set_layout;
+    info.pushConstantRangeCount = 1;
+    info.pPushConstantRanges = &range;
+    return create<VkPipelineLayout, PFN_vkCreatePipelineLayout, PFN_vkDestroyPipelineLayout>(
+               "vkCreatePipelineLayout", "vkDestroyPipelineLayout", info)
+        .map([&](Owned<VkPipelineLayout> layout) { layout_ = std::move(layout); });
+  }
+
+  Result<void> create_pass() {
+    VkAttachmentDescription colour{};
+    colour.format = VK_FORMAT_R8G8B8A8_UNORM;
+    colour.samples = VK_SAMPLE_COUNT_1_BIT;
+    colour.loadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE;
+    colour.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+    colour.stencilLoadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE;
+    colour.stencilStoreOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
+    colour.finalLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    const VkAttachmentReference reference{0, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
+    VkSubpassDescription subpass{};
+    subpass.pipelineBindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS;
+    subpass.colorAttachmentCount = 1;
+    subpass.pColorAttachments = &reference;
+    auto info = of_type<VkRenderPassCreateInfo>(VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO);
+    info.attachmentCount = 1;
+    info.pAttachments = &colour;
+    info.subpassCount = 1;
+    info.pSubpasses = &subpass;
+    return create<VkRenderPass, PFN_vkCreateRenderPass, PFN_vkDestroyRenderPass>("vkCreateRenderPass",
+                                                                                 "vkDestroyRenderPass", info)
+        .map([&](Owned<VkRenderPass> pass) { pass_ = std::move(pass); });
+  }
+
+  Result<Owned<VkShaderModule>> create_module(std::span<const std::uint32_t> words) const {
+    auto info = of_type<VkShaderModuleCreateInfo>(VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO);
+    info.codeSize = words.size_bytes();
+    info.pCode = words.data();
+    return create<VkShaderModule, PFN_vkCreateShaderModule, PFN_vkDestroyShaderModule>("vkCreateShaderModule",
+                                                                                       "vkDestroyShaderModule", info);
+  }
+
+  Result<std::uint32_t> fragment_executable(VkPipeline pipeline) const {
+    auto info = of_type<VkPipelineInfoKHR>(VK_STRUCTURE_TYPE_PIPELINE_INFO_KHR);
+    info.pipeline = pipeline;
+    const auto list = call<PFN_vkGetPipelineExecutablePropertiesKHR>("vkGetPipelineExecutablePropertiesKHR");
+    std::uint32_t count = 0;
+    list(device_, &info, &count, nullptr);
+    std::vector executables(
+        count, of_type<VkPipelineExecutablePropertiesKHR>(VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_PROPERTIES_KHR));
+    list(device_, &info, &count, executables.data());
+    for (std::uint32_t i = 0; i < count; i++) {
+      if (executables[i].stages & VK_SHADER_STAGE_FRAGMENT_BIT) return i;
+    }
+    return fail("the pipeline has no executable of the fragment stage");
+  }
+
+  Result<AmdStatistics> statistics(VkPipeline pipeline, std::uint32_t executable) const {
+    auto info = of_type<VkPipelineExecutableInfoKHR>(VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_INFO_KHR);
+    info.pipeline = pipeline;
+    info.executableIndex = executable;
+    const auto list = call<PFN_vkGetPipelineExecutableStatisticsKHR>("vkGetPipelineExecutableStatisticsKHR");
+    std::uint32_t count = 0;
+    list(device_, &info, &count, nullptr);
+    std::vector values(count,
+                       of_type<VkPipelineExecutableStatisticKHR>(VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_STATISTIC_KHR));
+    list(device_, &info, &count, values.data());
+
+    AmdStatistics result;
+    const std::array<std::pair<std::string_view, std::int64_t*>, 5> wanted = {{
+        {"Instructions", &result.instructions},
+        {"Inverse Throughput", &result.inverse_throughput},
+        {"Latency", &result.latency},
+        {"VGPRs", &result.vgprs},
+        {"Code size", &result.code_size},
+    }};
+    for (const auto& [name, into] : wanted) {
+      const auto found = std::find_if(values.begin(), values.end(), [&, wanted_name = name](const auto& value) {
+        return value.name == wanted_name && value.format == VK_PIPELINE_EXECUTABLE_STATISTIC_FORMAT_UINT64_KHR;
+      });
+      if (found == values.end()) return fail(fmt::format("this RADV has no statistic \"{}\"", name));
+      *into = static_cast<std::int64_t>(found->value.u64);
+    }
+    return result;
+  }
+
+  PFN_vkGetInstanceProcAddr find_;
+  VkInstance instance_ = VK_NULL_HANDLE;
+  VkPhysicalDevice gpu_ = VK_NULL_HANDLE;
+  VkDevice device_ = VK_NULL_HANDLE;
+  Owned<VkDescriptorSetLayout> set_layout_;
+  Owned<VkPipelineLayout> layout_;
+  Owned<VkRenderPass> pass_;
+  Owned<VkShaderModule> vertex_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Radv>> Radv::open() {
+  const auto library = Library::open({"libvulkan.so.1", "libvulkan.so"});
+  if (!library) return fail("libvulkan is not here: " + library.error().message);
+  auto device = std::make_unique<RadvDevice>(*library);
+  const auto started = device->start();
+  if (!started) return tl::unexpected(started.error());
+  return device;
+}
+
+}  // namespace hn

@@ -1,0 +1,175 @@
+#include "subject.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cassert>
+
+#include "embedded.hpp"
+
+namespace hn {
+namespace {
+
+// How a function of functions.inc is called: with the bits of a position where it takes words, with what people use
+// where it takes settings.
+struct Call {
+  std::string_view function;
+  int dimensions;
+  std::string_view expression;
+};
+
+constexpr std::array kCalls = {
+    Call{"hash.word", 2, "hn_hash(floatBitsToUint(p.x))"},
+    Call{"hash.vec2", 2, "hn_hash(floatBitsToUint(p))"},
+    Call{"hash.vec3", 3, "hn_hash(floatBitsToUint(p))"},
+    Call{"hash.vec4", 3, "hn_hash(uvec4(floatBitsToUint(p), floatBitsToUint(p.x - p.y)))"},
+    Call{"hash.lattice1", 2, "hn_lattice(floatBitsToInt(p.x))"},
+    Call{"hash.lattice2", 2, "hn_lattice(floatBitsToInt(p))"},
+    Call{"hash.lattice3", 3, "hn_lattice(floatBitsToInt(p))"},
+    Call{"hash.lattice4", 3, "hn_lattice(ivec4(floatBitsToInt(p), floatBitsToInt(p.x - p.y)))"},
+    Call{"hash.unorm", 2, "hn_unorm(floatBitsToUint(p.x))"},
+    Call{"hash.snorm", 2, "hn_snorm(floatBitsToUint(p.x))"},
+    Call{"hash.gradient2", 2, "hn_gradient2(floatBitsToUint(p.x))"},
+    Call{"hash.gradient3", 2, "hn_gradient3(floatBitsToUint(p.x))"},
+    Call{"gradient.lattice2", 2, "hn_gradient(floatBitsToInt(p))"},
+    Call{"gradient.lattice3", 3, "hn_gradient(floatBitsToInt(p))"},
+    Call{"gradient.sine2", 2, "hn_gradient(floatBitsToInt(p))"},
+    Call{"gradient.sine3", 3, "hn_gradient(floatBitsToInt(p))"},
+    Call{"noise2d.perlin", 2, "hn_perlin(p)"},
+    Call{"noise2d.perlin_cell", 2, "hn_perlin(ivec2(floor(p)), p - floor(p), floatBitsToUint(p.x))"},
+    Call{"noise3d.perlin", 3, "hn_perlin(p)"},
+    Call{"noise3d.perlin_cell", 3, "hn_perlin(ivec3(floor(p)), p - floor(p), floatBitsToUint(p.x))"},
+    Call{"fbm.fbm2", 2, "hn_fbm(p, 6, 2.0, 0.5)"},
+    Call{"fbm.fbm3", 3, "hn_fbm(p, 6, 2.0, 0.5)"},
+    Call{"fbm.turbulence2", 2, "hn_turbulence(p, 6, 2.0, 0.5)"},
+    Call{"fbm.turbulence3", 3, "hn_turbulence(p, 6, 2.0, 0.5)"},
+    Call{"fbm.clouds2", 2, "hn_clouds(p, 6, 2.0, 0.5)"},
+    Call{"fbm.clouds3", 3, "hn_clouds(p, 6, 2.0, 0.5)"},
+};
+
+const Call& call_of(const Function& function) {
+  const auto found =
+      std::find_if(kCalls.begin(), kCalls.end(), [&](const Call& c) { return c.function == function.id; });
+  assert(found != kCalls.end());
+  return *found;
+}
+
+// One float of whatever an expression is. The parts of a vector are added up, so that none of them is idle.
+constexpr std::string_view kValueOf = R"(
+float hn_bench_value(float v) { return v; }
+float hn_bench_value(uint v) { return uintBitsToFloat(v); }
+float hn_bench_value(vec2 v) { return v.x + v.y; }
+float hn_bench_value(vec3 v) { return v.x + v.y + v.z; }
+)";
+
+std::string function_of_subject(const Subject& subject) {
+  return fmt::format("{}{}float hn_bench(vec{} p) {{ return hn_bench_value({}); }}\n", subject.prelude, kValueOf,
+                     subject.dimensions, subject.expression);
+}
+
+std::string_view position(const Subject& subject) { return subject.dimensions == 2 ? "coordinate.xy" : "coordinate"; }
+
+}  // namespace
+
+Subject empty_subject(int dimensions) {
+  return {fmt::format("empty{}", dimensions), dimensions, "", dimensions == 2 ? "p.x + p.y" : "p.x + p.y + p.z"};
+}
+
+Subject float_subject(int dimensions) {
+  return {fmt::format("table.float{}", dimensions), dimensions,
+          "#define TABLE_ARITHMETIC 1\n#include \"tables.glsl\"\n", "table_perlin(p)"};
+}
+
+Subject integer_subject(int dimensions) {
+  return {fmt::format("table.integer{}", dimensions), dimensions,
+          "#define TABLE_ARITHMETIC 2\n#include \"tables.glsl\"\n", "table_perlin(p)"};
+}
+
+std::vector<Subject> library_subjects(const Configuration& configuration) {
+  std::vector<Subject> subjects;
+  for (const Function& function : all_functions()) {
+    if (!covers(configuration, function)) continue;
+    const Call& call = call_of(function);
+    const std::string_view name = depends_on_configuration(function) ? configuration.name : "any";
+    subjects.push_back({fmt::format("{}.{}", function.id, name), call.dimensions,
+                        fmt::format("{}#include \"{}\"\n", knobs_of(configuration), function.file),
+                        std::string(call.expression)});
+  }
+  return subjects;
+}
+
+std::vector<Subject> library_subjects() {
+  std::vector<Subject> subjects;
+  for (const Configuration& configuration : all_configurations()) {
+    for (Subject& subject : library_subjects(configuration)) subjects.push_back(std::move(subject));
+  }
+  return subjects;
+}
+
+Subject foreign_subject(std::string_view name, std::string_view file, std::string_view expression, int dimensions) {
+  // A function of our own insists on a float.
+  return {fmt::format("{}{}", name, dimensions), dimensions,
+          fmt::format("#include \"{}\"\nfloat hn_bench_foreign(vec{} p) {{\n  float value = {};\n  return value;\n}}\n",
+                      file, dimensions, expression),
+          "hn_bench_foreign(p)"};
+}
+
+std::string quad_shader(const Subject& subject) {
+  return fmt::format(R"(#ifdef VULKAN
+layout(location = 0) in vec3 coordinate;
+layout(location = 0) out vec4 result;
+#else
+in vec3 coordinate;
+out vec4 result;
+#endif
+{}void main() {{ result = vec4(vec3(hn_bench({}) * 0.5 + 0.5), 1.0); }}
+)",
+                     function_of_subject(subject), position(subject));
+}
+
+std::string loop_shader(const Subject& subject) {
+  return fmt::format(R"(in vec3 coordinate;
+out vec4 result;
+uniform int iterations;
+{}void main() {{
+  uint sum = 0u;
+  vec3 at = coordinate;
+  for (int i = 0; i < iterations; ++i) {{
+    sum ^= floatBitsToUint(hn_bench(at{}));
+    at += vec3(5.3125, 3.4375, 2.1875);
+  }}
+  result = vec4(float(sum & 0xFFFFu) / 65535.0);
+}}
+)",
+                     function_of_subject(subject), subject.dimensions == 2 ? ".xy" : "");
+}
+
+std::string value_shader(const Subject& subject) {
+  return fmt::format(R"(uniform usampler2D input_a;
+out uvec4 result;
+{}void main() {{
+  vec3 coordinate = uintBitsToFloat(texelFetch(input_a, ivec2(gl_FragCoord.xy), 0).xyz);
+  result = uvec4(floatBitsToUint(hn_bench({})), 0u, 0u, 0u);
+}}
+)",
+                     function_of_subject(subject), position(subject));
+}
+
+std::string quad_vertex_shader() {
+  return R"(out vec3 coordinate;
+void main() {
+  vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
+  gl_Position = vec4(corner, 0.0, 1.0);
+  coordinate = vec3(corner * 16.0 + 40.0, corner.x * 4.0 - corner.y * 4.0 + 20.0);
+}
+)";
+}
+
+SourceSet with_comparison_shaders(SourceSet sources) {
+  for (const std::string_view name : {"tables.glsl", "perlin.glsl", "published.glsl"}) {
+    sources.add(std::string(name), std::string(resource(name)), fmt::format("conformance/paper/{}", name));
+  }
+  return sources;
+}
+
+}  // namespace hn

@@ -1,0 +1,52 @@
+// What is measured: an expression of a position, with what it needs; and the shaders that evaluate it.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "functions.hpp"
+#include "source.hpp"
+
+namespace hn {
+
+struct Subject {
+  std::string id;          // "noise2d.perlin.lattice"
+  int dimensions;          // of the position p: 2 or 3
+  std::string prelude;     // macros, includes, declarations
+  std::string expression;  // of p, a vec2 or vec3; its value a float, a uint, a vec2 or a vec3
+};
+
+// The position itself: what a shader costs before there is any noise in it.
+Subject empty_subject(int dimensions);
+
+// Perlin/Float and Perlin/Integer (paper/tables.glsl). Costs are stated relative to the former.
+Subject float_subject(int dimensions);
+Subject integer_subject(int dimensions);
+
+// Every function that the configuration covers.
+std::vector<Subject> library_subjects(const Configuration& configuration);
+// Every function with every configuration whose id, or part of it, matches the case ids' "file.function.configuration".
+std::vector<Subject> library_subjects();
+
+// Somebody else's: an expression of p after the text of a file. It must be a float.
+Subject foreign_subject(std::string_view name, std::string_view file, std::string_view expression, int dimensions);
+
+// Fragment shaders, before their includes are expanded.
+// One evaluation per pixel at the coordinate of a textured quad, as grey: for counting, and for the paper's table. Also
+// valid for Vulkan.
+std::string quad_shader(const Subject& subject);
+// As many evaluations per pixel as its uniform "iterations" says, all at other positions: for timing.
+std::string loop_shader(const Subject& subject);
+// For GridRenderer: the value, a float, at the position in the first three input words.
+std::string value_shader(const Subject& subject);
+
+// For all of them but the last: one triangle over the viewport. The position passes over 32 cells, far enough from 0
+// that no coordinate is special.
+std::string quad_vertex_shader();
+
+// The library's files, and those that float_subject and integer_subject include.
+SourceSet with_comparison_shaders(SourceSet sources);
+
+}  // namespace hn

@@ -1,0 +1,39 @@
+#include "command.hpp"
+
+#include <cstdlib>
+
+namespace hn {
+
+int usage_error(const std::string& message) {
+  fmt::print(stderr, "hn-conform: {}\n", message);
+  return kBadUsage;
+}
+
+std::string driver_names() {
+  std::string names;
+  for (const Driver& driver : all_drivers()) names += fmt::format("{}{}", names.empty() ? "" : ", ", driver.name);
+  return names;
+}
+
+tl::expected<OpenDriver, int> open_driver(const std::string& name, const std::string& command_line) {
+  // Compile times would be those of a look into a cache.
+  setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+  setenv("__GL_SHADER_DISK_CACHE", "0", 1);
+  const auto driver = find_driver(name);
+  if (!driver) {
+    return tl::unexpected(usage_error(fmt::format("there is no driver \"{}\"; there are: {}", name, driver_names())));
+  }
+  auto context = driver->create();
+  if (!context) {
+    fmt::print(stderr, "hn-conform: the driver {} cannot be used here: {}\n", name, context.error().text());
+    return tl::unexpected(kNoDriver);
+  }
+  Provenance provenance{now(), command_line, name, describe(**context)};
+  return OpenDriver{std::move(*context), std::move(provenance)};
+}
+
+Result<SourceSet> library_sources(const std::string& directory) {
+  return directory.empty() ? SourceSet::embedded() : SourceSet::from_directory(directory);
+}
+
+}  // namespace hn

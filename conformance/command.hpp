@@ -1,0 +1,59 @@
+// What the subcommands of hn-conform share.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "bench/bench.hpp"
+#include "driver/driver.hpp"
+#include "reference_compiler.hpp"
+#include "source.hpp"
+
+namespace hn {
+
+// Exit statuses. 0 is: all as expected.
+constexpr int kNotAsExpected = 1;
+constexpr int kBadUsage = 2;
+constexpr int kNoDriver = 3;
+
+int usage_error(const std::string& message);
+
+// "osmesa, egl, ..."
+std::string driver_names();
+
+struct BenchCommand {
+  std::string driver = "osmesa";
+  std::vector<std::string> filters;
+  std::string out = "out";
+  std::string glsl;
+  std::vector<std::string> against;  // NAME=FILE:EXPRESSION
+  std::string baseline;
+  int rounds = 9;
+  bool dump = false;
+  std::string line;  // the command line, for the record
+};
+int bench_command(const BenchCommand& options);
+
+struct PaperCommand {
+  std::string driver = "osmesa";
+  std::string out = "out";
+  std::string glsl;
+  int rounds = 9;
+  bool dump = false;
+  std::string line;
+};
+int paper_command(const PaperCommand& options);
+
+// A context with what stands above every result; or the exit status, after a message, where there is none.
+struct OpenDriver {
+  std::unique_ptr<Context> context;
+  Provenance provenance;
+};
+tl::expected<OpenDriver, int> open_driver(const std::string& name, const std::string& command_line);
+
+Result<SourceSet> library_sources(const std::string& directory);
+
+}  // namespace hn

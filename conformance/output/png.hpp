@@ -1,0 +1,16 @@
+// Grey pictures as PNG files.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+
+#include "result.hpp"
+
+namespace hn {
+
+// Rows from top to bottom, a byte per pixel: 0 black, 255 white.
+Result<void> write_grey_png(const std::filesystem::path& path, std::span<const std::uint8_t> pixels, int width,
+                            int height);
+
+}  // namespace hn

@@ -1,0 +1,105 @@
+#include "algorithm.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+namespace hn {
+namespace {
+
+constexpr std::array kAlgorithms = {
+    Algorithm{"fnv1", "Perlin/FNV1", "FNV1", true},
+    Algorithm{"partial_fnv1", "Perlin/PartialFNV1", "PARTIAL_FNV1", true},
+    Algorithm{"jenkins", "Perlin/Jenkins", "JENKINS", true},
+    Algorithm{"partial_jenkins", "Perlin/PartialJenkins", "PARTIAL_JENKINS", true},
+    Algorithm{"murmur", "Perlin/Murmur", "MURMUR", true},
+    Algorithm{"float", "Perlin/Float", "1", true},
+    Algorithm{"integer", "Perlin/Integer", "2", true},
+    Algorithm{"lattice", "hashnoise's default", "LATTICE", false},
+};
+
+bool is_table(const Algorithm& algorithm) { return algorithm.name == "float" || algorithm.name == "integer"; }
+
+// The lines that declare the noise.
+std::string prelude(const Entry& entry) {
+  const std::string_view macro = entry.algorithm->macro;
+  switch (entry.form) {
+    case Form::published:
+      return fmt::format("#define PAPER_HASH PAPER_{}\n#include \"published.glsl\"\n", macro);
+    case Form::table:
+      return fmt::format("#define TABLE_ARITHMETIC {}\n#include \"tables.glsl\"\n", macro);
+    case Form::intended:
+      return fmt::format(
+          "#define HN_HASH HN_HASH_{}\n#define HN_GRADIENT HN_GRADIENT_SINE\n#define HN_PERIOD 1048576\n"
+          "#include \"noise2d.glsl\"\n#include \"noise3d.glsl\"\n",
+          macro);
+    case Form::ours:
+      break;
+  }
+  return fmt::format("#define HN_HASH HN_HASH_{}\n#include \"noise2d.glsl\"\n#include \"noise3d.glsl\"\n", macro);
+}
+
+std::string_view noise_of(Form form) {
+  if (form == Form::published) return "paper_perlin";
+  return form == Form::table ? "table_perlin" : "hn_perlin";
+}
+
+}  // namespace
+
+std::string_view name_of(Form form) {
+  constexpr std::array<std::string_view, 4> kNames = {"published", "intended", "ours", "table"};
+  return kNames[static_cast<std::size_t>(form)];
+}
+
+std::string_view title_of(Form form) {
+  constexpr std::array<std::string_view, 4> kTitles = {"as published", "as intended", "ours", "tables in textures"};
+  return kTitles[static_cast<std::size_t>(form)];
+}
+
+std::span<const Algorithm> all_algorithms() { return kAlgorithms; }
+
+const Algorithm& algorithm_named(std::string_view name) {
+  const auto found =
+      std::find_if(kAlgorithms.begin(), kAlgorithms.end(), [&](const Algorithm& a) { return a.name == name; });
+  assert(found != kAlgorithms.end());
+  return *found;
+}
+
+std::string Entry::id() const { return fmt::format("{}.{}", algorithm->name, name_of(form)); }
+
+std::vector<Entry> all_entries() {
+  std::vector<Entry> entries;
+  for (const Algorithm& algorithm : kAlgorithms) {
+    if (is_table(algorithm)) {
+      entries.push_back({&algorithm, Form::table});
+    } else if (!algorithm.printed) {
+      entries.push_back({&algorithm, Form::ours});
+    } else {
+      for (const Form form : {Form::published, Form::intended, Form::ours}) entries.push_back({&algorithm, form});
+    }
+  }
+  return entries;
+}
+
+std::string_view name_of(Picture picture) {
+  constexpr std::array<std::string_view, 3> kNames = {"noise", "turbulence", "clouds"};
+  return kNames[static_cast<std::size_t>(picture)];
+}
+
+Subject subject_of(const Entry& entry, int dimensions, Picture picture, std::string_view knobs) {
+  const std::string_view noise = noise_of(entry.form);
+  const std::string id = fmt::format("{}.{}d", entry.id(), dimensions);
+  std::string text = fmt::format("{}{}", knobs, prelude(entry));
+  if (picture == Picture::noise) return {id, dimensions, std::move(text), fmt::format("{}(p)", noise)};
+  // The table noises and the listings have no seed; their octaves are all of the same field.
+  if (noise != "hn_perlin") {
+    text += fmt::format("#define HN_FBM_NOISE2D(q, seed) {}(q)\n#define HN_FBM_NOISE3D(q, seed) {}(q)\n", noise, noise);
+  }
+  text += "#include \"fbm.glsl\"\n";
+  return {fmt::format("{}.{}", id, name_of(picture)), dimensions, std::move(text),
+          fmt::format("hn_{}(p, 6, 2.0, 0.5)", name_of(picture))};
+}
+
+}  // namespace hn

@@ -1,0 +1,50 @@
+// The paper's seven algorithms, each hash in three forms.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bench/subject.hpp"
+
+namespace hn {
+
+enum class Form {
+  published,  // the listing as printed: published.glsl
+  intended,   // the library with HN_GRADIENT_SINE and the paper's period
+  ours,       // the library's own gradient, with the same hash
+  table,      // no hash: Perlin/Float and Perlin/Integer
+};
+std::string_view name_of(Form form);
+// What a reader should call it: "as published".
+std::string_view title_of(Form form);
+
+struct Algorithm {
+  std::string_view name;   // in ids and in printed.csv
+  std::string_view title;  // as in the paper: "Perlin/FNV1"
+  std::string_view macro;  // the end of HN_HASH_... and PAPER_...; none for a table
+  bool printed;            // the paper has it
+};
+
+// In the paper's order; the library's default hash, which it has not, comes last.
+std::span<const Algorithm> all_algorithms();
+const Algorithm& algorithm_named(std::string_view name);  // it must exist
+
+struct Entry {
+  const Algorithm* algorithm;
+  Form form;
+
+  std::string id() const;  // "fnv1.published"
+};
+
+// Every algorithm in every form that it has.
+std::vector<Entry> all_entries();
+
+enum class Picture { noise, turbulence, clouds };
+std::string_view name_of(Picture picture);
+
+// A picture as a subject: the algorithm's noise, or one of the library's octave sums over it. knobs: further macros.
+Subject subject_of(const Entry& entry, int dimensions, Picture picture = Picture::noise, std::string_view knobs = "");
+
+}  // namespace hn

@@ -1,0 +1,119 @@
+// The paper's figure: six algorithms by noise, turbulence and clouds.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "laboratory.hpp"
+#include "output/png.hpp"
+
+namespace hn {
+namespace {
+
+constexpr int kSide = 512;
+constexpr std::array kPictures = {Picture::noise, Picture::turbulence, Picture::clouds};
+
+// A sheet is a row of three pictures for each algorithm of the paper's figure, in its order.
+struct Sheet {
+  Form form;
+  std::string title;
+};
+const std::array kSheets = {Sheet{Form::intended, "As intended"},
+                            Sheet{Form::published, "As published, on this driver"},
+                            Sheet{Form::ours, "Ours, with the same hashes"}};
+constexpr std::array<std::string_view, 6> kInFigure = {"fnv1",   "partial_fnv1", "jenkins", "partial_jenkins",
+                                                       "murmur", "float"};
+
+// The middles of the pixels of a square of so many cells, away from the origin, the top row first.
+std::vector<Position> positions(float cells) {
+  std::vector<Position> points;
+  points.reserve(std::size_t{kSide} * kSide);
+  const float step = cells / static_cast<float>(kSide);
+  for (int row = kSide - 1; row >= 0; --row) {
+    for (int column = 0; column < kSide; ++column) {
+      points.push_back(
+          {32.0f + (static_cast<float>(column) + 0.5f) * step, 32.0f + (static_cast<float>(row) + 0.5f) * step, 0.0f});
+    }
+  }
+  return points;
+}
+
+// Noise from -1 black to 1 white; turbulence from 0 to 1/2, since most of it is below; clouds from 0 to 1. What is no
+// number is black.
+float level_of(float value, Picture picture) {
+  if (picture == Picture::noise) return 0.5f + 0.5f * value;
+  return picture == Picture::turbulence ? 2.0f * value : value;
+}
+
+std::uint8_t grey(float value, Picture picture) {
+  const float level = level_of(value, picture);
+  return level > 0.0f ? static_cast<std::uint8_t>(std::lround(std::min(level, 1.0f) * 255.0f)) : std::uint8_t{0};
+}
+
+using Pixels = std::vector<std::uint8_t>;
+
+Result<Pixels> draw(Laboratory& laboratory, const Entry& entry, Picture picture) {
+  // Few cells for the octave sums, whose octaves have up to 32 times as many.
+  const auto values =
+      laboratory.values(subject_of(entry, 2, picture), positions(picture == Picture::noise ? 16.0f : 4.0f));
+  if (!values) return tl::unexpected(values.error());
+  Pixels pixels(values->size());
+  std::transform(values->begin(), values->end(), pixels.begin(), [&](float value) { return grey(value, picture); });
+  return pixels;
+}
+
+void place(Pixels& sheet, const Pixels& picture, std::size_t row, std::size_t column) {
+  constexpr std::size_t kWidth = kSide * kPictures.size();
+  for (std::size_t y = 0; y < kSide; ++y) {
+    std::copy_n(&picture[y * kSide], kSide, &sheet[(row * kSide + y) * kWidth + column * kSide]);
+  }
+}
+
+// A row of the sheet, which it is placed in.
+Result<nlohmann::json> draw_row(Laboratory& laboratory, const Entry& entry, Pixels& sheet, std::size_t row) {
+  nlohmann::json figures = nlohmann::json::array();
+  for (std::size_t column = 0; column < kPictures.size(); ++column) {
+    const Picture picture = kPictures[column];
+    const auto pixels = draw(laboratory, entry, picture);
+    if (!pixels) return tl::unexpected(pixels.error());
+    place(sheet, *pixels, row, column);
+    const std::string file = fmt::format("{}.{}.png", entry.id(), name_of(picture));
+    if (auto done = write_grey_png(laboratory.out / file, *pixels, kSide, kSide); !done)
+      return tl::unexpected(done.error());
+    figures.push_back({{"file", file}, {"title", fmt::format("{}, {}", entry.algorithm->title, name_of(picture))}});
+  }
+  return figures;
+}
+
+Result<nlohmann::json> draw_sheet(Laboratory& laboratory, const Sheet& sheet) {
+  Pixels pixels(kInFigure.size() * kSide * kPictures.size() * kSide);
+  nlohmann::json rows = nlohmann::json::array();
+  for (const std::string_view name : kInFigure) {
+    const Entry entry{&algorithm_named(name), name == "float" ? Form::table : sheet.form};
+    auto figures = draw_row(laboratory, entry, pixels, rows.size());
+    if (!figures) return tl::unexpected(figures.error());
+    rows.push_back({{"title", entry.algorithm->title}, {"figures", *figures}});
+  }
+  const std::string file = fmt::format("sheet.{}.png", name_of(sheet.form));
+  const auto written = write_grey_png(laboratory.out / file, pixels, static_cast<int>(kSide * kPictures.size()),
+                                      static_cast<int>(kSide * kInFigure.size()));
+  if (!written) return tl::unexpected(written.error());
+  return nlohmann::json{{"title", sheet.title}, {"file", file}, {"rows", rows}};
+}
+
+}  // namespace
+
+Result<Section> draw_figures(Laboratory& laboratory) {
+  Section section;
+  section.data = {{"side", kSide}, {"sheets", nlohmann::json::array()}};
+  for (const Sheet& sheet : kSheets) {
+    auto drawn = draw_sheet(laboratory, sheet);
+    if (!drawn) return tl::unexpected(drawn.error());
+    section.data["sheets"].push_back(std::move(*drawn));
+  }
+  section.page = section.data;
+  return section;
+}
+
+}  // namespace hn

@@ -1,0 +1,72 @@
+// hn-conform paper
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "command.hpp"
+#include "embedded.hpp"
+#include "output/csv.hpp"
+#include "output/file.hpp"
+#include "output/page.hpp"
+#include "paper/laboratory.hpp"
+
+namespace hn {
+namespace {
+
+struct Part {
+  std::string_view name;
+  Result<Section> (*measure)(Laboratory&);
+};
+// The table first: it decides which clock is believed.
+constexpr Part kParts[] = {{"table", measure_table},
+                           {"figures", draw_figures},
+                           {"statistics", measure_statistics},
+                           {"periods", measure_periods},
+                           {"bandwidth", measure_bandwidth}};
+
+Result<void> write(const std::filesystem::path& out, const nlohmann::json& data, const nlohmann::json& page,
+                   const std::vector<Section::Csv>& tables) {
+  const auto html = render_page(resource("paper.mustache"), page);
+  if (!html) return tl::unexpected(html.error());
+  for (const Section::Csv& table : tables) {
+    if (auto done = write_file(out / table.name, to_csv(table.header, table.rows)); !done) return done;
+  }
+  if (auto done = write_file(out / "paper.json", data.dump(1) + "\n"); !done) return done;
+  return write_file(out / "index.html", *html);
+}
+
+}  // namespace
+
+int paper_command(const PaperCommand& options) {
+  const auto sources = library_sources(options.glsl);
+  if (!sources) return usage_error(sources.error().text());
+  // Before the measurements rather than after them.
+  if (const auto ready = write_file(std::filesystem::path(options.out) / "index.html", "not finished\n"); !ready)
+    return usage_error(ready.error().text());
+  const auto driver = open_driver(options.driver, options.line);
+  if (!driver) return driver.error();
+  const ReferenceCompiler reference;
+  Laboratory laboratory(*driver->context, *sources, reference, options.out, options.rounds, options.dump);
+  nlohmann::json data = to_json(driver->provenance);
+  nlohmann::json page = {{"style", resource("style.mustache")}, {"provenance", data}, {"rounds", options.rounds}};
+  data["schema"] = 1;
+  std::vector<Section::Csv> tables;
+  for (const Part& part : kParts) {
+    const auto start = std::chrono::steady_clock::now();
+    auto section = part.measure(laboratory);
+    if (!section) {
+      fmt::print(stderr, "hn-conform: {}: {}\n", part.name, section.error().text());
+      return kNotAsExpected;
+    }
+    data[std::string(part.name)] = std::move(section->data);
+    page[std::string(part.name)] = std::move(section->page);
+    std::move(section->csv.begin(), section->csv.end(), std::back_inserter(tables));
+    fmt::print(stderr, "{}: {:.1f} s\n", part.name,
+               std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+  if (const auto written = write(options.out, data, page, tables); !written) return usage_error(written.error().text());
+  fmt::print("The paper on {}: {}/index.html\n", driver->provenance.info.renderer, options.out);
+  return 0;
+}
+
+}  // namespace hn

@@ -1,0 +1,166 @@
+// After how many cells each noise repeats: shown by equal bits, and by the absence of any shorter repeat.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "laboratory.hpp"
+#include "paper/period.hpp"
+#include "points.hpp"
+
+namespace hn {
+namespace {
+
+constexpr std::uint32_t kPaperPeriod = std::uint32_t{1} << 20;
+constexpr std::uint32_t kTablePeriod = 256;
+constexpr std::size_t kPoints = std::size_t{1} << 16;
+
+// A noise whose period is told beforehand.
+struct Claim {
+  std::string title;
+  std::string form;
+  Subject subject;
+  std::uint32_t period;
+};
+
+void add_claim(std::vector<Claim>& claims, const Entry& entry, std::uint32_t period, std::string_view knobs) {
+  for (const int dimensions : {2, 3}) {
+    claims.push_back(
+        {std::string(entry.algorithm->title),
+         fmt::format("{}{}", title_of(entry.form), knobs.empty() ? "" : fmt::format(", HN_PERIOD {}", period)),
+         subject_of(entry, dimensions, Picture::noise, knobs), period});
+  }
+}
+
+std::vector<Claim> all_claims() {
+  std::vector<Claim> claims;
+  for (const Entry& entry : all_entries()) {
+    if (entry.form == Form::table) {
+      add_claim(claims, entry, kTablePeriod, "");
+    } else if (entry.form == Form::ours) {
+      add_claim(claims, entry, kPaperPeriod, "#define HN_PERIOD 1048576\n");
+    } else {
+      add_claim(claims, entry, kPaperPeriod, "");  // both have the paper's period built in
+    }
+  }
+  const Entry ours{&algorithm_named("lattice"), Form::ours};
+  add_claim(claims, ours, 48, "#define HN_PERIOD 48\n");
+  add_claim(claims, ours, 999983, "#define HN_PERIOD 999983\n");  // a prime: nothing divides it
+  return claims;
+}
+
+float& axis_of(Position& position, int axis) { return axis == 0 ? position.x : axis == 1 ? position.y : position.z; }
+
+// Multiples of 1/8, so that the positions a period on are floats, too.
+std::vector<Position> scattered(int dimensions, std::uint32_t period) {
+  Random random(0, "period");
+  std::vector<Position> points(kPoints);
+  for (Position& point : points) {
+    for (int axis = 0; axis < dimensions; ++axis) {
+      axis_of(point, axis) = static_cast<float>(random.below(8 * period)) / 8.0f - static_cast<float>(period / 2);
+    }
+  }
+  return points;
+}
+
+// How many values differ in a bit from those a period on along an axis.
+Result<std::size_t> differences(Laboratory& laboratory, const Claim& claim, int axis) {
+  std::vector<Position> points = scattered(claim.subject.dimensions, claim.period);
+  const auto here = laboratory.values(claim.subject, points);
+  if (!here) return tl::unexpected(here.error());
+  for (Position& point : points) axis_of(point, axis) += static_cast<float>(claim.period);
+  const auto there = laboratory.values(claim.subject, points);
+  if (!there) return tl::unexpected(there.error());
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (std::bit_cast<std::uint32_t>((*here)[i]) != std::bit_cast<std::uint32_t>((*there)[i])) ++count;
+  }
+  return count;
+}
+
+// The shortest repeat of the values in all cells of a period along an axis, on a line that misses the lattice.
+Result<std::size_t> shortest(Laboratory& laboratory, const Claim& claim, int axis) {
+  std::vector<Position> points(claim.period);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i] = {5.375f, 7.625f, 3.125f};
+    axis_of(points[i], axis) = static_cast<float>(i) + 0.375f;
+  }
+  const auto values = laboratory.values(claim.subject, points);
+  if (!values) return tl::unexpected(values.error());
+  std::vector<std::uint32_t> bits(values->size());
+  std::transform(values->begin(), values->end(), bits.begin(), [](float v) { return std::bit_cast<std::uint32_t>(v); });
+  return shortest_cyclic_repeat(bits);
+}
+
+struct Finding {
+  std::size_t differing[3] = {};
+  std::size_t repeat[3] = {};
+  std::string error;
+};
+
+Finding examine(Laboratory& laboratory, const Claim& claim) {
+  Finding finding;
+  for (int axis = 0; axis < claim.subject.dimensions; ++axis) {
+    const auto differing = differences(laboratory, claim, axis);
+    const auto repeat = differing ? shortest(laboratory, claim, axis) : differing;
+    if (!repeat) {
+      finding.error = repeat.error().text();
+      return finding;
+    }
+    finding.differing[axis] = *differing;
+    finding.repeat[axis] = *repeat;
+  }
+  return finding;
+}
+
+}  // namespace
+
+Result<Section> measure_periods(Laboratory& laboratory) {
+  Section section;
+  section.data = {{"points", kPoints}, {"rows", nlohmann::json::array()}};
+  section.page = section.data;
+  Section::Csv csv{"period.csv",
+                   {"algorithm", "form", "dimensions", "period", "differing_bits", "shortest_repeat_x",
+                    "shortest_repeat_y", "shortest_repeat_z", "verdict"},
+                   {}};
+  for (const Claim& claim : all_claims()) {
+    const Finding finding = examine(laboratory, claim);
+    const auto dimensions = static_cast<std::size_t>(claim.subject.dimensions);
+    std::size_t differing = 0;
+    bool shorter = false;
+    std::vector<std::string> repeats;
+    for (std::size_t axis = 0; axis < dimensions; ++axis) {
+      differing += finding.differing[axis];
+      shorter = shorter || finding.repeat[axis] < claim.period;
+      repeats.push_back(fmt::format("{}", finding.repeat[axis]));
+    }
+    const std::string verdict = !finding.error.empty() ? "failed"
+                                : differing > 0        ? "does not repeat"
+                                : shorter              ? "repeats sooner along a line"
+                                                       : "as told";
+    section.data["rows"].push_back({{"id", claim.subject.id},
+                                    {"form", claim.form},
+                                    {"dimensions", dimensions},
+                                    {"period", claim.period},
+                                    {"values_that_differ_a_period_on", differing},
+                                    {"shortest_repeats", repeats},
+                                    {"verdict", verdict},
+                                    {"error", finding.error}});
+    section.page["rows"].push_back({{"title", claim.title},
+                                    {"form", claim.form},
+                                    {"dimensions", dimensions},
+                                    {"period", claim.period},
+                                    {"differing", differing},
+                                    {"repeats", fmt::format("{}", fmt::join(repeats, ", "))},
+                                    {"verdict", verdict},
+                                    {"good", verdict == "as told"}});
+    repeats.resize(3);
+    csv.rows.push_back({claim.title, claim.form, fmt::format("{}", dimensions), fmt::format("{}", claim.period),
+                        fmt::format("{}", differing), repeats[0], repeats[1], repeats[2], verdict});
+  }
+  section.csv.push_back(std::move(csv));
+  return section;
+}
+
+}  // namespace hn

@@ -1,0 +1,257 @@
+// The paper's table: instructions and render times of every algorithm in every form, beside what it prints.
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <optional>
+
+#include "embedded.hpp"
+#include "laboratory.hpp"
+
+namespace hn {
+namespace {
+
+struct Size {
+  int width;
+  int height;
+};
+constexpr std::array kSizes = {Size{800, 600}, Size{1024, 768}};
+
+struct Printed {
+  int instructions;
+  double milliseconds[kSizes.size()];
+};
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  while (!text.empty()) {
+    parts.push_back(text.substr(0, text.find(separator)));
+    text.remove_prefix(std::min(parts.back().size() + 1, text.size()));
+  }
+  return parts;
+}
+
+// The paper's row: algorithm,dimensions,instructions,ms_800x600,ms_1024x768.
+std::optional<Printed> printed_row(std::string_view algorithm, int dimensions) {
+  for (const std::string_view line : split(resource("printed.csv"), '\n')) {
+    const auto cells = split(line, ',');
+    if (cells.size() != 5 || cells[0] != algorithm || cells[1] != fmt::format("{}", dimensions)) continue;
+    const auto number = [](std::string_view text) {
+      double value = 0.0;
+      std::from_chars(text.data(), text.data() + text.size(), value);
+      return value;
+    };
+    return Printed{static_cast<int>(number(cells[2])), {number(cells[3]), number(cells[4])}};
+  }
+  return std::nullopt;
+}
+
+// A line of the table: an algorithm in a form, or the empty shader.
+struct Row {
+  Subject subject;
+  std::string title;
+  std::string form;
+  std::string algorithm;
+  std::optional<Program> program;
+  std::string error;
+  Timing timing[kSizes.size()];
+  Ratio ratio[kSizes.size()];
+  Counts counts;
+};
+
+std::vector<Row> rows_of(int dimensions) {
+  std::vector<Row> rows;
+  rows.push_back({.subject = empty_subject(dimensions),
+                  .title = "(empty shader)",
+                  .form = "",
+                  .algorithm = "empty",
+                  .program = {},
+                  .error = {},
+                  .timing = {},
+                  .ratio = {},
+                  .counts = {}});
+  for (const Entry& entry : all_entries()) {
+    rows.push_back({.subject = subject_of(entry, dimensions),
+                    .title = std::string(entry.algorithm->title),
+                    .form = std::string(title_of(entry.form)),
+                    .algorithm = std::string(entry.algorithm->name),
+                    .program = {},
+                    .error = {},
+                    .timing = {},
+                    .ratio = {},
+                    .counts = {}});
+  }
+  return rows;
+}
+
+void build(Laboratory& laboratory, std::vector<Row>& rows) {
+  for (Row& row : rows) {
+    auto program = laboratory.build(quad_shader(row.subject));
+    if (program) {
+      row.program = std::move(*program);
+    } else {
+      row.error = program.error().text();
+    }
+  }
+}
+
+Result<void> time(Laboratory& laboratory, std::vector<Row>& rows) {
+  std::vector<Workload> workloads;
+  std::vector<Timing*> targets;
+  for (Row& row : rows) {
+    for (std::size_t size = 0; row.program && size < kSizes.size(); ++size) {
+      workloads.push_back({&*row.program, kSizes[size].width, kSizes[size].height});
+      targets.push_back(&row.timing[size]);
+    }
+  }
+  auto timings = laboratory.stopwatch.measure(workloads, laboratory.rounds);
+  if (!timings) return tl::unexpected(timings.error());
+  for (std::size_t i = 0; i < targets.size(); ++i) *targets[i] = std::move((*timings)[i]);
+  return {};
+}
+
+const Row& row_named(const std::vector<Row>& rows, std::string_view algorithm, int dimensions) {
+  for (const Row& row : rows) {
+    if (row.algorithm == algorithm && row.subject.dimensions == dimensions) return row;
+  }
+  return rows.front();
+}
+
+void relate(std::vector<Row>& rows) {
+  for (Row& row : rows) {
+    const int dimensions = row.subject.dimensions;
+    for (std::size_t size = 0; size < kSizes.size(); ++size) {
+      row.ratio[size] = ratio(row.timing[size], row_named(rows, "float", dimensions).timing[size],
+                              row_named(rows, "empty", dimensions).timing[size]);
+    }
+  }
+}
+
+std::map<std::string, std::string> count(Laboratory& laboratory, std::vector<Row>& rows) {
+  std::vector<CountedShader> shaders;
+  std::vector<Row*> targets;
+  for (Row& row : rows) {
+    auto text = expand(laboratory.sources, profile_named("vulkan"), quad_shader(row.subject));
+    if (!text || !row.program) continue;
+    shaders.push_back({std::move(*text), &*row.program});
+    targets.push_back(&row);
+  }
+  CountReport report = count_instructions(laboratory.context, laboratory.reference, shaders);
+  for (std::size_t i = 0; i < targets.size(); ++i) targets[i]->counts = std::move(report.counts[i]);
+  return report.absent;
+}
+
+std::string count_text(const Row& row, std::string_view source, const std::map<std::string, std::string>& absent) {
+  std::optional<std::int64_t> number;
+  if (source == "spirv") number = row.counts.spirv;
+  if (source == "nvidia") number = row.counts.nvidia;
+  if (const auto found = row.counts.amd.find(source); found != row.counts.amd.end())
+    number = found->second.instructions;
+  if (number) return fmt::format("{}", *number);
+  return absent.contains(std::string(source)) ? "not here" : "failed";
+}
+
+constexpr const char* kNotPrinted = "not in it";
+constexpr std::array<std::string_view, 4> kSources = {"spirv", "navi21", "vega10", "nvidia"};
+
+nlohmann::json data_of(const Row& row) {
+  nlohmann::json json = {{"id", row.subject.id},
+                         {"algorithm", row.algorithm},
+                         {"title", row.title},
+                         {"form", row.form},
+                         {"dimensions", row.subject.dimensions}};
+  if (!row.error.empty()) {
+    json["error"] = row.error;
+    return json;
+  }
+  json["instructions"] = to_json(row.counts);
+  for (std::size_t size = 0; size < kSizes.size(); ++size) {
+    json["timing"].push_back({{"width", kSizes[size].width},
+                              {"height", kSizes[size].height},
+                              {"milliseconds", row.timing[size].median() * 1e3},
+                              {"ratio", row.ratio[size].value},
+                              {"spread", row.ratio[size].spread}});
+  }
+  if (const auto printed = printed_row(row.algorithm, row.subject.dimensions)) {
+    json["paper"] = {{"instructions", printed->instructions}, {"milliseconds", printed->milliseconds}};
+  }
+  return json;
+}
+
+std::vector<std::string> cells_of(const Row& row, const std::map<std::string, std::string>& absent) {
+  std::vector<std::string> cells;
+  for (const std::string_view source : kSources)
+    cells.push_back(row.error.empty() ? count_text(row, source, absent) : "failed");
+  const auto printed = printed_row(row.algorithm, row.subject.dimensions);
+  const auto of_float = printed_row("float", row.subject.dimensions);
+  cells.push_back(printed ? fmt::format("~{}", printed->instructions) : kNotPrinted);
+  for (std::size_t size = 0; size < kSizes.size(); ++size) {
+    cells.push_back(row.error.empty() ? fmt::format("{:.3g}", row.timing[size].median() * 1e3) : "failed");
+    cells.push_back(printed ? fmt::format("{:.1f}", printed->milliseconds[size]) : kNotPrinted);
+    cells.push_back(row.error.empty() ? fmt::format("{:.2f} ± {:.2f}", row.ratio[size].value, row.ratio[size].spread)
+                                      : "failed");
+    cells.push_back(printed ? fmt::format("{:.2f}", printed->milliseconds[size] / of_float->milliseconds[size])
+                            : kNotPrinted);
+  }
+  return cells;
+}
+
+Section to_section(const std::vector<Row>& rows, const std::map<std::string, std::string>& absent) {
+  Section section;
+  section.data = {{"absent_counts", absent}, {"rows", nlohmann::json::array()}};
+  section.page = {
+      {"absent", absent_sources(absent)}, {"tables", nlohmann::json::array()}, {"errors", nlohmann::json::array()}};
+  Section::Csv csv{"table.csv",
+                   {"algorithm", "form", "dimensions", "spirv", "navi21", "vega10", "nvidia", "paper_instructions",
+                    "ms_800x600", "paper_ms_800x600", "ratio_800x600", "paper_ratio_800x600", "ms_1024x768",
+                    "paper_ms_1024x768", "ratio_1024x768", "paper_ratio_1024x768"},
+                   {}};
+  for (const int dimensions : {2, 3}) {
+    nlohmann::json lines = nlohmann::json::array();
+    for (const Row& row : rows) {
+      if (row.subject.dimensions != dimensions) continue;
+      section.data["rows"].push_back(data_of(row));
+      auto cells = cells_of(row, absent);
+      lines.push_back({{"title", row.title}, {"form", row.form}, {"cells", cells}});
+      cells.insert(cells.begin(), {row.title, row.form, fmt::format("{}", dimensions)});
+      csv.rows.push_back(std::move(cells));
+      if (!row.error.empty()) section.page["errors"].push_back({{"id", row.subject.id}, {"text", row.error}});
+      for (const std::string& problem : row.counts.problems) {
+        section.page["errors"].push_back({{"id", row.subject.id}, {"text", problem}});
+      }
+    }
+    section.page["tables"].push_back({{"dimensions", dimensions}, {"rows", lines}});
+  }
+  section.csv.push_back(std::move(csv));
+  return section;
+}
+
+}  // namespace
+
+Result<Section> measure_table(Laboratory& laboratory) {
+  auto reference = laboratory.build(loop_shader(float_subject(2)));
+  if (!reference) return tl::unexpected(reference.error());
+  const auto load = laboratory.stopwatch.sufficient_load(*reference);
+  if (!load) return tl::unexpected(load.error());
+  laboratory.stopwatch.choose_clock(*load);
+
+  std::vector<Row> rows = rows_of(2);
+  for (Row& row : rows_of(3)) rows.push_back(std::move(row));
+  build(laboratory, rows);
+  if (auto done = time(laboratory, rows); !done) return tl::unexpected(done.error());
+  relate(rows);
+  const auto absent = count(laboratory, rows);
+  if (laboratory.dump) {
+    for (const Row& row : rows) {
+      if (auto done = write_spirv(laboratory.out, row.subject.id, row.counts); !done)
+        return tl::unexpected(done.error());
+    }
+  }
+  Section section = to_section(rows, absent);
+  section.data["timing"] = to_json(laboratory.stopwatch.gate());
+  section.page["clock"] = name_of(laboratory.stopwatch.gate().clock);
+  section.page["gate"] = laboratory.stopwatch.gate().reason;
+  return section;
+}
+
+}  // namespace hn
