@@ -15,14 +15,16 @@ std::string driver_names() {
   return names;
 }
 
+int unknown_driver(const std::string& name) {
+  return usage_error(fmt::format("there is no driver \"{}\"; there are: {}", name, driver_names()));
+}
+
 tl::expected<OpenDriver, int> open_driver(const std::string& name, const std::string& command_line) {
   // Compile times would be those of a look into a cache.
   setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
   setenv("__GL_SHADER_DISK_CACHE", "0", 1);
   const auto driver = find_driver(name);
-  if (!driver) {
-    return tl::unexpected(usage_error(fmt::format("there is no driver \"{}\"; there are: {}", name, driver_names())));
-  }
+  if (!driver) return tl::unexpected(unknown_driver(name));
   auto context = driver->create();
   if (!context) {
     fmt::print(stderr, "hn-conform: the driver {} cannot be used here: {}\n", name, context.error().text());

@@ -20,9 +20,25 @@ constexpr int kBadUsage = 2;
 constexpr int kNoDriver = 3;
 
 int usage_error(const std::string& message);
+int unknown_driver(const std::string& name);
 
 // "osmesa, egl, ..."
 std::string driver_names();
+
+int drivers_command();
+int list_command(const std::vector<std::string>& filters);
+
+struct RunCommand {
+  std::string driver = "osmesa";
+  std::vector<std::string> filters;
+  std::string out = "out";
+  std::string glsl;
+  std::string golden;
+  std::uint64_t seed = 1;
+  bool fail_fast = false;
+  bool timings = false;
+};
+int run_command(const RunCommand& options);
 
 struct BenchCommand {
   std::string driver = "osmesa";

@@ -9,12 +9,26 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "output/file.hpp"
+
 namespace hn {
 namespace {
 
 constexpr std::array kStatuses = {Status::pass, Status::fail, Status::unsupported, Status::error};
 constexpr std::size_t kMostFailuresShown = 20;
-constexpr const char* kDraft = "results.json.part";
+
+nlohmann::ordered_json timings(const BenchReport& report) {
+  nlohmann::ordered_json functions = nlohmann::ordered_json::array();
+  for (const Measurement& measurement : report.measurements) {
+    if (measurement.error) {
+      functions.push_back({{"id", measurement.subject.id}, {"error", measurement.error->text()}});
+    } else {
+      functions.push_back(
+          {{"id", measurement.subject.id}, {"ratio", measurement.ratio.value}, {"spread", measurement.ratio.spread}});
+    }
+  }
+  return {{"clock", name_of(report.gate.clock)}, {"rounds", report.rounds}, {"functions", std::move(functions)}};
+}
 
 std::string_view function_of(const std::string& id) {
   const auto file_end = id.find('.');
@@ -92,49 +106,23 @@ std::string to_json(const std::vector<Run>& runs) {
                        {"seconds", result.seconds},
                        {"message", outcome.message}});
     }
-    json["runs"].push_back({{"driver", run.driver},
-                            {"vendor", run.info.vendor},
-                            {"renderer", run.info.renderer},
-                            {"gl_version", run.info.gl_version},
-                            {"glsl_version", run.info.glsl_version},
-                            {"seed", run.seed},
-                            {"totals", totals},
-                            {"cases", std::move(cases)}});
+    nlohmann::ordered_json one = {{"driver", run.driver},
+                                  {"vendor", run.info.vendor},
+                                  {"renderer", run.info.renderer},
+                                  {"gl_version", run.info.gl_version},
+                                  {"glsl_version", run.info.glsl_version},
+                                  {"seed", run.seed},
+                                  {"totals", totals},
+                                  {"cases", std::move(cases)}};
+    if (run.timings) one["timings"] = timings(*run.timings);
+    json["runs"].push_back(std::move(one));
   }
   // A driver's log may hold any bytes; those that are no UTF-8 are replaced.
   return json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-Result<void> prepare_output(const std::filesystem::path& directory) {
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error) {
-    return fail(fmt::format("cannot make the folder {}: {}; --out wants a folder that can be written",
-                            directory.string(), error.message()));
-  }
-  // Results of an earlier run must not pass for those of one that ends before it has any.
-  const auto results = directory / "results.json";
-  if (!std::filesystem::is_directory(results)) std::filesystem::remove(results, error);
-  const bool writable = !std::filesystem::exists(results) && std::ofstream(directory / kDraft).good();
-  std::filesystem::remove(directory / kDraft, error);
-  if (writable) return {};
-  return fail(
-      fmt::format("cannot write {}/results.json; --out wants a folder that can be written", directory.string()));
-}
-
 Result<void> write_results(const std::filesystem::path& directory, const std::vector<Run>& runs) {
-  // Written beside and renamed, so that nobody reads half a file.
-  const auto path = directory / "results.json";
-  const auto draft = directory / kDraft;
-  {
-    std::ofstream out(draft, std::ios::binary | std::ios::trunc);
-    out << to_json(runs);
-    if (!out.flush()) return fail(fmt::format("cannot write {}", draft.string()));
-  }
-  std::error_code error;
-  std::filesystem::rename(draft, path, error);
-  if (error) return fail(fmt::format("cannot write {}: {}", path.string(), error.message()));
-  return {};
+  return write_file(directory / kResultsFile, to_json(runs));
 }
 
 std::string summary(const Run& run) {

@@ -51,14 +51,13 @@ void Progress::show(std::size_t done, std::size_t failed, const std::string& cur
 
 std::vector<CaseResult> run_cases(Session& session, const std::vector<Case>& cases, const RunOptions& options,
                                   Progress& progress) {
-  using Clock = std::chrono::steady_clock;
   std::vector<CaseResult> results;
   std::size_t failed = 0;
   for (const Case& test : cases) {
     progress.show(results.size(), failed, test.id);
-    const auto start = Clock::now();
+    const auto start = std::chrono::steady_clock::now();
     CaseResult result{test.id, run_guarded(session, test), 0.0};
-    result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const bool bad = result.outcome.status == Status::fail || result.outcome.status == Status::error;
     results.push_back(std::move(result));
     if (bad) ++failed;

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <memory>
 
+#include "runner.hpp"
 #include "tables.hpp"
 
 namespace hn {

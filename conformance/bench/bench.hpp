@@ -9,7 +9,6 @@
 
 #include "context_info.hpp"
 #include "counts.hpp"
-#include "runner.hpp"
 #include "subject.hpp"
 #include "timing.hpp"
 

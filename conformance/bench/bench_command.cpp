@@ -9,6 +9,7 @@
 #include <set>
 
 #include "command.hpp"
+#include "output/file.hpp"
 
 namespace hn {
 namespace {
@@ -128,6 +129,7 @@ int bench_command(const BenchCommand& options) {
     if (const auto readable = compare_with_baseline(options.baseline, {}); !readable)
       return usage_error(readable.error().text());
   }
+  if (const auto ready = prepare_output(options.out, "bench.json"); !ready) return usage_error(ready.error().text());
   const auto driver = open_driver(options.driver, options.line);
   if (!driver) return driver.error();
   const ReferenceCompiler reference;

@@ -6,13 +6,38 @@
 
 namespace hn {
 
+namespace {
+
+std::filesystem::path draft_of(const std::filesystem::path& path) { return path.string() + ".part"; }
+
+}  // namespace
+
+Result<void> prepare_output(const std::filesystem::path& directory, std::string_view name) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error) {
+    return fail(fmt::format("cannot make the folder {}: {}; --out wants a folder that can be written",
+                            directory.string(), error.message()));
+  }
+  // Results of an earlier run must not pass for those of one that ends before it has any.
+  const auto path = directory / name;
+  if (!std::filesystem::is_directory(path)) std::filesystem::remove(path, error);
+  const bool writable = !std::filesystem::exists(path) && std::ofstream(draft_of(path)).good();
+  std::filesystem::remove(draft_of(path), error);
+  if (writable) return {};
+  return fail(fmt::format("cannot write {}; --out wants a folder that can be written", path.string()));
+}
+
 Result<void> write_file(const std::filesystem::path& path, std::string_view bytes) {
   std::error_code error;
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
-  std::ofstream out(path, std::ios::binary | std::ios::trunc);
-  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  out.close();
-  if (!out) return fail(fmt::format("cannot write {}", path.string()));
+  {
+    std::ofstream out(draft_of(path), std::ios::binary | std::ios::trunc);
+    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    if (!out.flush()) return fail(fmt::format("cannot write {}", draft_of(path).string()));
+  }
+  std::filesystem::rename(draft_of(path), path, error);
+  if (error) return fail(fmt::format("cannot write {}: {}", path.string(), error.message()));
   return {};
 }
 

@@ -9,7 +9,12 @@
 
 namespace hn {
 
-// Writes a file, in a folder that is made if it is not there.
+// Creates a folder for results, removes an earlier file of that name from it, and makes sure that a new one can be
+// written: before the work rather than after it.
+Result<void> prepare_output(const std::filesystem::path& directory, std::string_view name);
+
+// Writes a file, in a folder that is made if it is not there; beside it first and renamed, so that nobody reads half a
+// file.
 Result<void> write_file(const std::filesystem::path& path, std::string_view bytes);
 
 // The bytes of numbers, as they lie in memory.

@@ -40,9 +40,7 @@ Result<void> write(const std::filesystem::path& out, const nlohmann::json& data,
 int paper_command(const PaperCommand& options) {
   const auto sources = library_sources(options.glsl);
   if (!sources) return usage_error(sources.error().text());
-  // Before the measurements rather than after them.
-  if (const auto ready = write_file(std::filesystem::path(options.out) / "index.html", "not finished\n"); !ready)
-    return usage_error(ready.error().text());
+  if (const auto ready = prepare_output(options.out, "paper.json"); !ready) return usage_error(ready.error().text());
   const auto driver = open_driver(options.driver, options.line);
   if (!driver) return driver.error();
   const ReferenceCompiler reference;
