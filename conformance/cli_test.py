@@ -82,8 +82,8 @@ class Cli(unittest.TestCase):
             (["run", "--frobnicate"], "frobnicate"),
             (["run", "list"], "list"),
             (["run", "--driver", "osmesa", "drivers"], "drivers"),
-            (["dance"], "drivers, list or run"),
-            ([], "drivers, list or run"),
+            (["dance"], "drivers, list, run, bench or paper"),
+            ([], "drivers, list, run, bench or paper"),
         ):
             with self.subTest(arguments=arguments):
                 done = self.call(*arguments)
@@ -149,8 +149,9 @@ class Cli(unittest.TestCase):
         self.assertEqual(done.returncode, 1)
 
     def test_a_shader_that_does_not_compile_shows_file_and_line_and_the_run_goes_on(self):
-        line = 1 + (ROOT / "glsl" / "noise2d.glsl").read_text().splitlines().index("#include \"hash.glsl\"")
-        glsl = self.changed_glsl("noise2d.glsl", ("#include \"hash.glsl\"\n", "#include \"hash.glsl\" \nint x = broken;\n"))
+        line = 1 + (ROOT / "glsl" / "noise2d.glsl").read_text().splitlines().index("#include \"gradient.glsl\"")
+        glsl = self.changed_glsl("noise2d.glsl", ("#include \"gradient.glsl\"\n",
+                                                   "#include \"gradient.glsl\" \nint x = broken;\n"))
         done = self.run_case("--glsl", glsl, "--filter", "hash.word.fnv1.*golden", "--filter", "noise2d.all.fnv1.*")
         self.assertEqual(done.returncode, 1)
         cases = {case["id"]: case for case in self.results()["runs"][0]["cases"]}

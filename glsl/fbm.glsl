@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The noise is hn_perlin unless you name another: define HN_FBM_NOISE2D(q, seed) for the functions of a vec2,
-// HN_FBM_NOISE3D(q, seed) for those of a vec3. It must be in [-1, 1] for the ranges below to hold.
+// HN_FBM_NOISE3D(q, seed) for those of a vec3. It must be in [-1, 1] for the ranges below to hold; with HN_GRADIENT_SINE
+// noise in space is in [-3/2, 3/2], and so are its sums.
 
 #ifndef HN_FBM_GLSL
 #define HN_FBM_GLSL

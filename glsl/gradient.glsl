@@ -61,14 +61,16 @@ HN_FN HN_HIGHP uvec3 hn_i_place(HN_HIGHP uvec3 c) { return c; }
 HN_FN HN_HIGHP uint hn_i_column(HN_HIGHP uint x, HN_HIGHP uint s) { return hn_hash(x) ^ s; }
 HN_FN HN_HIGHP uint hn_i_row(HN_HIGHP uint column, HN_HIGHP uint y) { return hn_hash(column + y); }
 
-// How many low bits of m a float has no room for: 0 to 8, for m <= 2^31.
+// How many low bits of m a float has no room for, for m <= 2^31.
 HN_FN HN_HIGHP uint hn_i_excess_bits(HN_HIGHP uint m) {
 #if HN_I_BITCAST
   // m >> 8 is exact in a float; 142 is the biased exponent of 2^15, which stands for 2^23, the last with no excess.
   return max(floatBitsToUint(float(m >> 8)) >> 23, 142u) - 142u;
 #else
-  return uint(m >= 0x01000000u) + uint(m >= 0x02000000u) + uint(m >= 0x04000000u) + uint(m >= 0x08000000u) +
-         uint(m >= 0x10000000u) + uint(m >= 0x20000000u) + uint(m >= 0x40000000u) + uint(m >= 0x80000000u);
+  // The length of the highest byte; 2^31, which alone has its highest bit, is the same rounded to 7 or to 8 bits less.
+  HN_HIGHP uint b = m >> 24;
+  return uint(b >= 1u) + uint(b >= 2u) + uint(b >= 4u) + uint(b >= 8u) + uint(b >= 16u) + uint(b >= 32u) +
+         uint(b >= 64u);
 #endif
 }
 
@@ -84,7 +86,8 @@ HN_FN HN_HIGHP float hn_i_sine(HN_HIGHP uint w) {
   // In turns, modulo 1, in units of 2^-32: m / 2 pi. 0x28BE60DB9391054A is 2^64 / 2 pi.
   HN_HIGHP uint high = m >> 16;
   HN_HIGHP uint low = m & 0xFFFFu;
-  HN_HIGHP uint turns = m * 0x28BE60DBu + high * 0x9391u + ((high * 0x054Au) >> 16) + ((low * 0x9391u) >> 16);
+  HN_HIGHP uint rest = high * 0x054Au + low * 0x9391u;  // in units of 2^-48
+  HN_HIGHP uint turns = m * 0x28BE60DBu + high * 0x9391u + (rest >> 16);
   // The first quarter of the wave is enough: mirror the second, negate the second half.
   HN_HIGHP uint q = turns & 0x7FFFFFFFu;
   q = min(q, 0x80000000u - q);
@@ -114,7 +117,7 @@ HN_FN HN_HIGHP vec3 hn_i_gradient(HN_HIGHP uint column, HN_HIGHP uint row, HN_HI
 //            [-1, 1]^n
 //   error    none; with HN_GRADIENT_SINE less than 2^-19
 //   period   2^32 along each axis (see hn_lattice), or HN_PERIOD
-//   cost     as hn_lattice; with HN_GRADIENT_SINE 1 hash per axis and 6 multiplications per component
+//   cost     as hn_lattice; with HN_GRADIENT_SINE 1 hash per axis and a sine of 10 multiplications per component
 //   source   for the sine: Valdenegro-Toro and Pincheira, sec. 5
 HN_FN HN_HIGHP vec2 hn_gradient(HN_HIGHP ivec2 cell, HN_HIGHP uint seed) {
   HN_HIGHP uvec2 c = hn_i_place(hn_i_wrap(cell));

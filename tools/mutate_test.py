@@ -102,7 +102,14 @@ class Library(unittest.TestCase):
         self.assertIn(("32768.0f", "33280.0f"), self.found("hash.glsl", "float(h >> 16)"))  # and without
 
     def test_files_without_functions_have_no_mutants(self):
-        self.assertEqual({m.file for m in MUTANTS}, {"fbm.glsl", "hash.glsl", "noise2d.glsl", "noise3d.glsl"})
+        self.assertEqual({m.file for m in MUTANTS}, {"fbm.glsl", "gradient.glsl", "hash.glsl", "noise2d.glsl",
+                                                   "noise3d.glsl"})
+
+    def test_each_equivalence_is_of_mutants_that_there_are(self):
+        for equivalence in mutate.EQUIVALENT:
+            found = [m.new for m in MUTANTS if equivalence.covers(m)]
+            self.assertEqual(sorted(found), sorted(equivalence.new), equivalence)
+        self.assertEqual(sum(map(mutate.is_equivalent, MUTANTS)), sum(len(e.new) for e in mutate.EQUIVALENT))
 
     def test_each_mutant_has_exactly_one_change(self):
         self.assertEqual(len({(m.file, m.source) for m in MUTANTS}), len(MUTANTS))
@@ -177,7 +184,7 @@ class Sweep(unittest.TestCase):
         status, output = self.sweep()
         self.assertEqual(status, 0, output)
         self.assertEqual(output.count("killed by c.d\n"), 2)
-        self.assertIn("2 mutants: 2 killed, 0 survived, 0 errors", output)
+        self.assertIn("2 mutants: 2 killed, 0 survived, 0 equivalent, 0 errors", output)
 
     def test_value_checks_of_the_file_run_first_and_the_whole_suite_only_if_they_pass(self):
         self.sweep("--jobs", "1", with_filter=1)
