@@ -22,7 +22,7 @@ struct Run {
   ContextInfo info;
   std::uint64_t seed = 0;
   std::vector<CaseResult> cases;
-  std::optional<BenchReport> timings;  // of the functions of the cases, if they were asked for
+  std::optional<BenchReport> timings = {};  // of the functions of the cases, if they were asked for
 
   std::size_t count(Status status) const;
   // Everything that could run ran, and was right; at least one case passed.

@@ -79,7 +79,7 @@ int run_command(const RunCommand& options) {
   if (!cases) return usage_error(cases.error().text());
   const auto sources = library_sources(options.glsl);
   if (!sources) return usage_error(sources.error().text());
-  if (const auto ready = prepare_output(options.out, kResultsFile); !ready) return usage_error(ready.error().text());
+  if (const auto ready = prepare_output(options.out, {kResultsFile}); !ready) return usage_error(ready.error().text());
 
   const auto context = driver->create();
   if (!context) return report_no_driver(*cases, options, context.error());

@@ -7,8 +7,9 @@ include(GoogleTest)
 add_executable(conform-test
   compare_test.cpp golden_test.cpp gpu_test.cpp points_test.cpp profile_test.cpp reference_compiler_test.cpp
   report_test.cpp runner_test.cpp source_test.cpp tolerance_test.cpp twin_test.cpp
-  bench/amd_test.cpp output/csv_test.cpp output/page_test.cpp output/png_test.cpp output/svg_test.cpp
-  paper/period_test.cpp paper/statistics_test.cpp)
+  bench/amd_test.cpp bench/bench_test.cpp bench/counts_test.cpp bench/subject_test.cpp bench/tables_test.cpp
+  bench/timing_test.cpp output/csv_test.cpp output/number_test.cpp output/page_test.cpp output/png_test.cpp output/svg_test.cpp
+  paper/algorithm_test.cpp paper/period_test.cpp paper/published_test.cpp paper/statistics_test.cpp)
 add_dependencies(conform-test hn-conform)  # which counts for AMD in a process of its own
 target_compile_definitions(conform-test PRIVATE HN_CONFORM_PROGRAM="$<TARGET_FILE:hn-conform>")
 target_compile_definitions(conform-test PRIVATE HN_GOLDEN_DIRECTORY="${CMAKE_CURRENT_SOURCE_DIR}/golden")
@@ -17,6 +18,8 @@ gtest_discover_tests(conform-test TEST_PREFIX unit.)
 
 # --- The program, as its user meets it ---
 add_test(NAME cli COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli_test.py $<TARGET_FILE:hn-conform>)
+add_test(NAME cli_bench COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/bench_cli_test.py $<TARGET_FILE:hn-conform>)
+add_test(NAME cli_paper COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/paper_cli_test.py $<TARGET_FILE:hn-conform>)
 
 # --- The library on this machine's drivers ---
 foreach(driver osmesa egl)

@@ -1,7 +1,8 @@
 # To be sourced: brings a Debian machine to where the project builds.
 #
 #   setup conform   what hn-conform needs, built into build/
-#   setup test      the same, with the tests and what they need
+#   setup paper     the same, with the Vulkan driver that counts AMD's instructions
+#   setup test      all of it, with the tests and what they need
 #
 # It names the packages that are missing and installs them; where it cannot, it stops with status 4. On another system
 # it names what is needed and tries to build.
@@ -17,7 +18,8 @@ readonly conform_packages=(
   libvulkan-dev nlohmann-json3-dev
   libegl-dev libosmesa6 libegl1 libegl-mesa0 libgl1-mesa-dri
 )
-readonly test_packages=(clang libgtest-dev mesa-vulkan-drivers python3)
+readonly paper_packages=(libvulkan1 mesa-vulkan-drivers)
+readonly test_packages=("${paper_packages[@]}" clang libgtest-dev python3)
 
 install_missing() {
   if ! command -v dpkg-query >/dev/null; then
@@ -59,7 +61,10 @@ setup() {
     # Warnings are errors here, where the compiler is known, and not for users, where it is not.
     configuration+=(-DHASHNOISE_TESTS=ON -DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
     target=()
-  elif [[ ! -e $build/CMakeCache.txt ]]; then
+  elif [[ $1 == paper ]]; then
+    packages+=("${paper_packages[@]}")
+  fi
+  if [[ $1 != test && ! -e $build/CMakeCache.txt ]]; then
     configuration+=(-DHASHNOISE_TESTS=OFF)  # their packages may be missing; a build that has tests keeps them
   fi
   mkdir -p "$build"

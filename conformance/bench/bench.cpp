@@ -63,7 +63,7 @@ class Bench {
   void compile(Subject subject) {
     const auto start = std::chrono::steady_clock::now();
     auto program = build(loop_shader(subject));
-    Measurement measurement{.subject = std::move(subject), .error = {}, .ratio = {}, .counts = {}};
+    Measurement measurement{.subject = std::move(subject)};
     if (program) {
       stopwatch_.first_draw(*program);
       measurement.compile_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -99,7 +99,8 @@ class Bench {
       const Timing& empty = (*timings)[empty_index(dimensions)];
       measurement.ratio = ratio((*timings)[i], (*timings)[float_index(dimensions)], empty);
       const double seconds = (*timings)[i].median() - empty.median();
-      measurement.evaluations_per_second = seconds > 0.0 ? evaluations / seconds : 0.0;
+      // The spread of the empty shader's own time is what can be told apart from nothing.
+      if (seconds > empty.spread()) measurement.evaluations_per_second = evaluations / seconds;
     }
     return {};
   }

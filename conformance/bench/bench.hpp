@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -26,11 +27,11 @@ std::string now();
 
 struct Measurement {
   Subject subject;
-  std::optional<Error> error;    // it does not compile, or is no float; then there is nothing else
-  double compile_seconds = 0.0;  // until a first draw is done
-  Ratio ratio;                   // to Perlin/Float of as many dimensions
-  double evaluations_per_second = 0.0;
-  Counts counts;
+  std::optional<Error> error = {};                    // it does not compile, or is no float; then there is nothing else
+  double compile_seconds = 0.0;                       // until a first draw is done
+  Ratio ratio = {};                                   // to Perlin/Float of as many dimensions
+  std::optional<double> evaluations_per_second = {};  // unless it takes no longer than an empty shader
+  Counts counts = {};
 };
 
 struct BenchReport {
@@ -58,6 +59,11 @@ nlohmann::json to_json(const Counts& counts);
 // [{source, reason}]
 nlohmann::json absent_sources(const std::map<std::string, std::string>& absent);
 
+// The ratios of an earlier run, by id.
+using Baseline = std::map<std::string, Ratio, std::less<>>;
+// Reads them from its bench.json. An error: the file cannot be read, or is no such file.
+Result<Baseline> read_baseline(const std::filesystem::path& path);
+
 // How a subject compares with an earlier run.
 struct Change {
   std::string id;
@@ -65,8 +71,8 @@ struct Change {
   Ratio now;
   bool slower = false;  // by more than both spreads
 };
-// An error: the file cannot be read, or is no bench.json.
-Result<std::vector<Change>> compare_with_baseline(const std::filesystem::path& baseline, const BenchReport& report);
+// Of what is in both.
+std::vector<Change> compare_with_baseline(const Baseline& baseline, const BenchReport& report);
 
 // bench.json, bench.csv, index.html, and with dump the optimised SPIR-V that was counted as spirv/<id>.spv.
 Result<void> write_bench(const std::filesystem::path& directory, const Provenance& provenance,

@@ -34,9 +34,11 @@ Result<Foreign> parse_foreign(const std::string& argument) {
     if (!std::filesystem::is_regular_file(foreign.file)) continue;
     if (foreign.expression.empty()) return wrong("there is no expression");
     if (foreign.name.find_first_of("./ ") != std::string::npos) return wrong("a name is a word");
+    if (foreign.name == "empty") return wrong("the empty shaders have that name");
     return foreign;
   }
-  return wrong("there is no such file");
+  const bool complete = std::filesystem::is_regular_file(argument.substr(equals + 1));
+  return wrong(complete ? "there is no expression" : "there is no such file");
 }
 
 // The text of a shader file, fit to stand behind a #version line of ours.
@@ -44,22 +46,27 @@ Result<std::string> read_foreign(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) return fail(fmt::format("cannot read {}", path));
   std::string text(std::istreambuf_iterator<char>(in), {});
-  for (auto at = text.find("#version"); at != std::string::npos; at = text.find("#version", at + 2))
+  for (auto at = text.find("#version"); at != std::string::npos; at = text.find("#version", at + 3))
     text.insert(at, "//");
   return text;
 }
 
+bool is_of(const Measurement& measurement, const Foreign& foreign) {
+  const std::string& id = measurement.subject.id;
+  return id == fmt::format("{}2", foreign.name) || id == fmt::format("{}3", foreign.name);
+}
+
 // A foreign expression may be for positions in the plane, in space, or both: what compiles in one of them is no fault
-// in the other.
-void drop_other_dimension(BenchReport& report, const std::vector<Foreign>& foreigns) {
+// in the other. Where neither compiles, the message says whose it is; the log may know only the shader around it.
+void settle_foreigns(BenchReport& report, const std::vector<Foreign>& foreigns) {
   for (const Foreign& foreign : foreigns) {
-    const auto is = [&](const Measurement& m, int dimensions) {
-      return m.subject.id == fmt::format("{}{}", foreign.name, dimensions);
-    };
     const bool some = std::any_of(report.measurements.begin(), report.measurements.end(),
-                                  [&](const Measurement& m) { return (is(m, 2) || is(m, 3)) && !m.error; });
-    if (!some) continue;
-    std::erase_if(report.measurements, [&](const Measurement& m) { return (is(m, 2) || is(m, 3)) && m.error; });
+                                  [&](const Measurement& m) { return is_of(m, foreign) && !m.error; });
+    if (some) std::erase_if(report.measurements, [&](const Measurement& m) { return is_of(m, foreign) && m.error; });
+    for (Measurement& m : report.measurements) {
+      if (!m.error || !is_of(m, foreign)) continue;
+      m.error->message = fmt::format("{}:{}: {}", foreign.file, foreign.expression, m.error->message);
+    }
   }
 }
 
@@ -124,12 +131,15 @@ int bench_command(const BenchCommand& options) {
   if (!sources) return usage_error(sources.error().text());
   auto selection = select(options, *sources);
   if (!selection) return usage_error(selection.error().text());
+  Baseline baseline;
   if (!options.baseline.empty()) {
-    // Before the run rather than after it.
-    if (const auto readable = compare_with_baseline(options.baseline, {}); !readable)
-      return usage_error(readable.error().text());
+    // Before the run rather than after it; it may be the very file that prepare_output removes.
+    auto read = read_baseline(options.baseline);
+    if (!read) return usage_error(read.error().text());
+    baseline = std::move(*read);
   }
-  if (const auto ready = prepare_output(options.out, "bench.json"); !ready) return usage_error(ready.error().text());
+  if (const auto ready = prepare_output(options.out, {"bench.json", "bench.csv", "index.html"}); !ready)
+    return usage_error(ready.error().text());
   const auto driver = open_driver(options.driver, options.line);
   if (!driver) return driver.error();
   const ReferenceCompiler reference;
@@ -139,13 +149,8 @@ int bench_command(const BenchCommand& options) {
     fmt::print(stderr, "hn-conform: {}\n", report.error().text());
     return kNotAsExpected;
   }
-  drop_other_dimension(*report, selection->foreigns);
-  std::vector<Change> changes;
-  if (!options.baseline.empty()) {
-    const auto compared = compare_with_baseline(options.baseline, *report);
-    if (!compared) return usage_error(compared.error().text());
-    changes = *compared;
-  }
+  settle_foreigns(*report, selection->foreigns);
+  const std::vector<Change> changes = compare_with_baseline(baseline, *report);
   if (const auto written = write_bench(options.out, driver->provenance, *report, changes, options.dump); !written) {
     return usage_error(written.error().text());
   }

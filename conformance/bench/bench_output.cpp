@@ -36,39 +36,37 @@ nlohmann::json to_json(const Measurement& measurement) {
   }
   json["ratio"] = measurement.ratio.value;
   json["spread"] = measurement.ratio.spread;
-  json["evaluations_per_second"] = measurement.evaluations_per_second;
+  // Null for what takes no longer than an empty shader.
+  json["evaluations_per_second"] =
+      measurement.evaluations_per_second ? nlohmann::json(*measurement.evaluations_per_second) : nlohmann::json();
   json["compile_seconds"] = measurement.compile_seconds;
   json["instructions"] = to_json(measurement.counts);
   return json;
 }
 
-// The columns of the table, on the page and as CSV. An absent number is "-": why is said below the table.
+// The columns of the table, on the page and as CSV.
 const std::vector<std::string> kHeader = {"id",     "ratio",  "spread", "evaluations_per_second", "compile_ms", "spirv",
                                           "navi21", "vega10", "nvidia"};
 
-std::string amd_instructions(const Counts& counts, std::string_view family) {
-  const auto found = counts.amd.find(family);
-  return found == counts.amd.end() ? "-" : fmt::format("{}", found->second.instructions);
-}
-
-std::vector<std::string> row_of(const Measurement& measurement) {
-  if (measurement.error) return {measurement.subject.id, "-", "-", "-", "-", "-", "-", "-", "-"};
-  const Counts& counts = measurement.counts;
-  return {measurement.subject.id,
-          fmt::format("{:.3f}", measurement.ratio.value),
-          fmt::format("{:.3f}", measurement.ratio.spread),
-          fmt::format("{:.3g}", measurement.evaluations_per_second),
-          fmt::format("{:.1f}", measurement.compile_seconds * 1e3),
-          counts.spirv ? fmt::format("{}", *counts.spirv) : "-",
-          amd_instructions(counts, "navi21"),
-          amd_instructions(counts, "vega10"),
-          counts.nvidia ? fmt::format("{}", *counts.nvidia) : "-"};
+std::vector<std::string> row_of(const Measurement& measurement, const std::map<std::string, std::string>& absent) {
+  std::vector<std::string> row = {measurement.subject.id};
+  if (measurement.error) {
+    row.resize(kHeader.size(), "failed");
+    return row;
+  }
+  row.push_back(fmt::format("{:.3f}", measurement.ratio.value));
+  row.push_back(fmt::format("{:.3f}", measurement.ratio.spread));
+  row.push_back(measurement.evaluations_per_second ? fmt::format("{:.3g}", *measurement.evaluations_per_second)
+                                                   : "too fast to tell");
+  row.push_back(fmt::format("{:.1f}", measurement.compile_seconds * 1e3));
+  for (const std::string_view source : count_sources()) row.push_back(count_text(measurement.counts, source, absent));
+  return row;
 }
 
 nlohmann::json page_rows(const BenchReport& report) {
   nlohmann::json rows = nlohmann::json::array();
   for (const Measurement& measurement : report.measurements) {
-    const auto cells = row_of(measurement);
+    const auto cells = row_of(measurement, report.absent);
     rows.push_back({{"id", cells[0]}, {"numbers", std::vector<std::string>(cells.begin() + 1, cells.end())}});
   }
   return rows;
@@ -85,6 +83,19 @@ std::string bars(const BenchReport& report, std::string_view prefix, int dimensi
     bars.push_back({others ? id : id.substr(prefix.size()), measurement.ratio.value, measurement.ratio.spread});
   }
   return bar_plot({title, "time, as a multiple of Perlin/Float's", ""}, bars);
+}
+
+// Bars of every function with the default knobs.
+std::string default_bars(const BenchReport& report) {
+  std::vector<Bar> bars;
+  for (const Measurement& measurement : report.measurements) {
+    const std::string_view id = measurement.subject.id;
+    const auto knobs = id.rfind('.') + 1;
+    if (measurement.error || (id.substr(knobs) != default_configuration().name && id.substr(knobs) != "any")) continue;
+    bars.push_back({std::string(id.substr(0, knobs - 1)), measurement.ratio.value, measurement.ratio.spread});
+  }
+  return bar_plot({"every function, default knobs", "time, as a multiple of Perlin/Float's of as many dimensions", ""},
+                  bars);
 }
 
 nlohmann::json page_errors(const BenchReport& report) {
@@ -124,6 +135,7 @@ Result<std::string> page(const Provenance& provenance, const BenchReport& report
                          {"has_errors", !page_errors(report).empty()},
                          {"changes", page_changes(changes)},
                          {"has_changes", !changes.empty()},
+                         {"bars_default", default_bars(report)},
                          {"bars2", bars(report, "noise2d.perlin.", 2, "hn_perlin(vec2), by knobs")},
                          {"bars3", bars(report, "noise3d.perlin.", 3, "hn_perlin(vec3), by knobs")}};
   return render_page(resource("bench.mustache"), data);
@@ -177,26 +189,30 @@ nlohmann::json absent_sources(const std::map<std::string, std::string>& absent) 
   return list;
 }
 
-Result<std::vector<Change>> compare_with_baseline(const std::filesystem::path& baseline, const BenchReport& report) {
-  std::ifstream in(baseline);
-  if (!in) return fail(fmt::format("cannot read the baseline {}", baseline.string()));
-  const auto json = nlohmann::json::parse(in, nullptr, false);
-  std::vector<Change> changes;
+Result<Baseline> read_baseline(const std::filesystem::path& path) {
+  std::ifstream in(path);
+  if (!in) return fail(fmt::format("cannot read the baseline {}", path.string()));
+  Baseline baseline;
   try {
+    const auto json = nlohmann::json::parse(in);
     if (json.at("schema").get<int>() != kSchema) throw std::runtime_error("another schema");
-    std::map<std::string, Ratio> before;
-    for (const nlohmann::json& subject : json.at("subjects")) {
-      if (!subject.contains("error")) before.emplace(subject.at("id").get<std::string>(), ratio_in(subject));
-    }
-    for (const Measurement& measurement : report.measurements) {
-      const auto found = before.find(measurement.subject.id);
-      if (found == before.end() || measurement.error) continue;
-      const Ratio& was = found->second;
-      const Ratio& is = measurement.ratio;
-      changes.push_back({measurement.subject.id, was, is, is.value - was.value > is.spread + was.spread});
+    for (const nlohmann::json& subject : json.at("subjects").get_ref<const nlohmann::json::array_t&>()) {
+      if (!subject.contains("error")) baseline.emplace(subject.at("id").get<std::string>(), ratio_in(subject));
     }
   } catch (const std::exception& problem) {
-    return fail(fmt::format("{} is no bench.json of this program: {}", baseline.string(), problem.what()));
+    return fail(fmt::format("{} is no bench.json of this program: {}", path.string(), problem.what()));
+  }
+  return baseline;
+}
+
+std::vector<Change> compare_with_baseline(const Baseline& baseline, const BenchReport& report) {
+  std::vector<Change> changes;
+  for (const Measurement& measurement : report.measurements) {
+    const auto found = baseline.find(measurement.subject.id);
+    if (found == baseline.end() || measurement.error) continue;
+    const Ratio& was = found->second;
+    const Ratio& is = measurement.ratio;
+    changes.push_back({measurement.subject.id, was, is, is.value - was.value > is.spread + was.spread});
   }
   return changes;
 }
@@ -206,11 +222,13 @@ Result<void> write_bench(const std::filesystem::path& directory, const Provenanc
   nlohmann::json json = to_json(provenance);
   json.update(to_json(report));
   std::vector<std::vector<std::string>> rows;
-  for (const Measurement& measurement : report.measurements) rows.push_back(row_of(measurement));
+  for (const Measurement& measurement : report.measurements) rows.push_back(row_of(measurement, report.absent));
   const auto html = page(provenance, report, changes);
   if (!html) return tl::unexpected(html.error());
-  for (const auto& [name, text] : {std::pair{"bench.json", json.dump(1) + "\n"},
-                                   std::pair{"bench.csv", to_csv(kHeader, rows)}, std::pair{"index.html", *html}}) {
+  // A driver's log may hold any bytes; those that are no UTF-8 are replaced.
+  const std::string dumped = json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  for (const auto& [name, text] : {std::pair{"bench.json", dumped}, std::pair{"bench.csv", to_csv(kHeader, rows)},
+                                   std::pair{"index.html", *html}}) {
     if (auto done = write_file(directory / name, text); !done) return done;
   }
   if (!dump) return {};

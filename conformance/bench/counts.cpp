@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <glslang/SPIRV/spirv.hpp>
 #include <spirv-tools/optimizer.hpp>
 
@@ -13,6 +14,40 @@ namespace {
 
 // Behind the magic number, the version, the generator, the bound and the schema.
 constexpr std::size_t kHeaderWords = 5;
+
+// What the declarations and options of NVIDIA's assembly begin with: the grammar of NV_gpu_program4 and 5,
+// NV_fragment_program4 and those that add to them. All else that ends in a semicolon is an instruction.
+constexpr auto kDeclarations = std::to_array<std::string_view>(
+    {"OPTION", "ATTRIB", "PARAM", "TEMP", "OUTPUT", "ALIAS", "BUFFER", "BUFFER4", "CBUFFER", "TEXTURE", "IMAGE",
+     "STORAGE", "COUNTER", "SUBROUTINETYPE", "SUBROUTINE",
+     // and the modifiers before some of them
+     "SHORT", "LONG", "INT", "UINT", "FLOAT", "FLAT", "CENTROID", "NOPERSPECTIVE", "SAMPLE"});
+constexpr std::string_view kBlanks = " \t\r\n";
+
+// Comments run from "#" to the end of the line.
+std::string without_comments(std::string_view text) {
+  std::string kept;
+  while (!text.empty()) {
+    const std::string_view before = text.substr(0, text.find('#'));
+    kept += before;
+    text.remove_prefix(before.size());
+    text.remove_prefix(std::min(text.find_first_of("\r\n"), text.size()));
+  }
+  return kept;
+}
+
+// The word that a statement begins with, behind its labels ("BB2:").
+std::string_view first_word(std::string_view text) {
+  constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_$";
+  for (;;) {
+    text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+    const std::string_view word = text.substr(0, text.find_first_not_of(kLetters));
+    text.remove_prefix(word.size());
+    text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+    if (word.empty() || !text.starts_with(':')) return word;
+    text.remove_prefix(1);
+  }
+}
 
 std::string program_binary(const GladGLContext& gl, const Program& program) {
   GLint length = 0;
@@ -90,28 +125,35 @@ std::int64_t count_spirv(std::span<const std::uint32_t> words) {
 }
 
 std::optional<std::int64_t> count_nvidia(std::string_view binary) {
-  // "!!NVfp5.0" starts the text of a fragment program, "END" ends it.
   const auto start = binary.find("!!NVfp");
   if (start == std::string_view::npos) return std::nullopt;
-  const auto end = binary.find("\nEND", start);
-  if (end == std::string_view::npos) return std::nullopt;
-  std::string_view text = binary.substr(start, end - start);
-  constexpr std::string_view kDeclarations[] = {"OPTION", "ATTRIB",  "OUTPUT",  "PARAM", "TEMP",
-                                                "LONG",   "SHORT",   "INTEGER", "FLOAT", "BUFFER",
-                                                "FLAT",   "CBUFFER", "TEXTURE", "INT",   "UINT"};
-  std::int64_t count = 0;
-  while (!text.empty()) {
-    std::string_view line = text.substr(0, text.find('\n'));
-    text.remove_prefix(std::min(line.size() + 1, text.size()));
-    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
-    const auto last = line.find_last_not_of(" \t\r");
-    const bool declaration =
-        std::any_of(std::begin(kDeclarations), std::end(kDeclarations), [&](std::string_view word) {
-          return line.starts_with(word) && line.size() > word.size() && line[word.size()] == ' ';
-        });
-    if (last != std::string_view::npos && line[last] == ';' && !declaration && !line.starts_with('#')) ++count;
+  // A text is over where the binary goes on, whether it came to its END or not.
+  const std::string text = without_comments(binary.substr(start, binary.find('\0', start) - start));
+  std::string_view rest = text;
+  rest.remove_prefix(std::min(rest.find_first_of(kBlanks), rest.size()));  // "!!NVfp5.0"
+  for (std::int64_t count = 0;;) {
+    const std::string_view word = first_word(rest);
+    if (word == "END") return count;
+    const auto end = rest.find(';');
+    if (end == std::string_view::npos) return std::nullopt;
+    rest.remove_prefix(end + 1);
+    if (!word.empty() && std::find(kDeclarations.begin(), kDeclarations.end(), word) == kDeclarations.end()) ++count;
   }
-  return count;
+}
+
+std::span<const std::string_view> count_sources() {
+  static constexpr std::string_view kSources[] = {"spirv", "navi21", "vega10", "nvidia"};
+  return kSources;
+}
+
+std::string count_text(const Counts& counts, std::string_view source,
+                       const std::map<std::string, std::string>& absent) {
+  std::optional<std::int64_t> number;
+  if (source == "spirv") number = counts.spirv;
+  if (source == "nvidia") number = counts.nvidia;
+  if (const auto found = counts.amd.find(source); found != counts.amd.end()) number = found->second.instructions;
+  if (number) return fmt::format("{}", *number);
+  return absent.contains(std::string(source)) ? "not here" : "failed";
 }
 
 Result<void> write_spirv(const std::filesystem::path& directory, std::string_view id, const Counts& counts) {

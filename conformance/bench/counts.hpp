@@ -21,8 +21,8 @@ Result<std::vector<std::uint32_t>> optimise_spirv(std::span<const std::uint32_t>
 // The instructions between OpFunction and OpFunctionEnd, without OpFunctionParameter and OpLabel, which do nothing.
 std::int64_t count_spirv(std::span<const std::uint32_t> words);
 
-// The instructions of NVIDIA's assembly text in a program binary: the lines of its fragment program that end in a
-// semicolon, without the declarations. Nothing if there is no such text.
+// The instructions of NVIDIA's assembly text in a program binary: the statements of its fragment program, without the
+// declarations and labels. Nothing if there is no such text from its header to its END.
 std::optional<std::int64_t> count_nvidia(std::string_view binary);
 
 struct Counts {
@@ -43,6 +43,13 @@ struct CountReport {
   std::vector<Counts> counts;                 // one for each shader
   std::map<std::string, std::string> absent;  // by source: why it is not here at all
 };
+
+// The sources, in the order in which they are shown: "spirv", AMD's families, "nvidia".
+std::span<const std::string_view> count_sources();
+
+// A shader's count from a source as text: "not here" if there is no such source, "failed" if it could not count this
+// shader.
+std::string count_text(const Counts& counts, std::string_view source, const std::map<std::string, std::string>& absent);
 
 // Writes what was counted, for other tools to count: spirv/<id>.spv. Nothing if there is nothing.
 Result<void> write_spirv(const std::filesystem::path& directory, std::string_view id, const Counts& counts);

@@ -107,10 +107,15 @@ std::vector<Subject> library_subjects() {
 }
 
 Subject foreign_subject(std::string_view name, std::string_view file, std::string_view expression, int dimensions) {
-  // A function of our own insists on a float.
+  // A function of our own insists on a float. GLSL would make one of a whole number.
+  constexpr std::string_view kOnlyFloat =
+      "struct hn_bench_no_float { int bits; };\n"
+      "float hn_bench_float(float v) { return v; }\n"
+      "hn_bench_no_float hn_bench_float(int v) { return hn_bench_no_float(v); }\n"
+      "hn_bench_no_float hn_bench_float(uint v) { return hn_bench_no_float(int(v)); }\n";
   return {fmt::format("{}{}", name, dimensions), dimensions,
-          fmt::format("#include \"{}\"\nfloat hn_bench_foreign(vec{} p) {{\n  float value = {};\n  return value;\n}}\n",
-                      file, dimensions, expression),
+          fmt::format("#include \"{}\"\n{}float hn_bench_foreign(vec{} p) {{\n  return hn_bench_float({});\n}}\n", file,
+                      kOnlyFloat, dimensions, expression),
           "hn_bench_foreign(p)"};
 }
 

@@ -30,6 +30,7 @@ double quantile(std::vector<double> samples, double part) {
 }  // namespace
 
 double Timing::median() const { return quantile(samples, 0.5); }
+double Timing::spread() const { return (quantile(samples, 0.75) - quantile(samples, 0.25)) / 2.0; }
 
 Ratio ratio(const Timing& timing, const Timing& reference, const Timing& empty) {
   const std::size_t rounds = std::min({timing.samples.size(), reference.samples.size(), empty.samples.size()});
@@ -38,7 +39,8 @@ Ratio ratio(const Timing& timing, const Timing& reference, const Timing& empty) 
     const double base = reference.samples[i] - empty.samples[i];
     if (base > 0.0) ratios.push_back((timing.samples[i] - empty.samples[i]) / base);
   }
-  return {quantile(ratios, 0.5), (quantile(ratios, 0.75) - quantile(ratios, 0.25)) / 2.0};
+  const Timing all{std::move(ratios)};
+  return {all.median(), all.spread()};
 }
 
 std::string_view name_of(Clock clock) { return clock == Clock::query ? "timer query" : "wall time around glFinish"; }

@@ -22,6 +22,7 @@ struct Timing {
   std::vector<double> samples;
 
   double median() const;
+  double spread() const;  // half the distance between the quartiles
 };
 
 // A quotient and half the distance between the quartiles of its samples.

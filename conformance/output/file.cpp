@@ -12,20 +12,24 @@ std::filesystem::path draft_of(const std::filesystem::path& path) { return path.
 
 }  // namespace
 
-Result<void> prepare_output(const std::filesystem::path& directory, std::string_view name) {
+Result<void> prepare_output(const std::filesystem::path& directory, std::initializer_list<std::string_view> names) {
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error) {
     return fail(fmt::format("cannot make the folder {}: {}; --out wants a folder that can be written",
                             directory.string(), error.message()));
   }
-  // Results of an earlier run must not pass for those of one that ends before it has any.
-  const auto path = directory / name;
-  if (!std::filesystem::is_directory(path)) std::filesystem::remove(path, error);
-  const bool writable = !std::filesystem::exists(path) && std::ofstream(draft_of(path)).good();
-  std::filesystem::remove(draft_of(path), error);
-  if (writable) return {};
-  return fail(fmt::format("cannot write {}; --out wants a folder that can be written", path.string()));
+  for (const std::string_view name : names) {
+    // Results of an earlier run must not pass for those of one that ends before it has any.
+    const auto path = directory / name;
+    if (!std::filesystem::is_directory(path)) std::filesystem::remove(path, error);
+    const bool writable = !std::filesystem::exists(path) && std::ofstream(draft_of(path)).good();
+    std::filesystem::remove(draft_of(path), error);
+    if (!writable) {
+      return fail(fmt::format("cannot write {}; --out wants a folder that can be written", path.string()));
+    }
+  }
+  return {};
 }
 
 Result<void> write_file(const std::filesystem::path& path, std::string_view bytes) {

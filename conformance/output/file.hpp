@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <initializer_list>
 #include <span>
 #include <string_view>
 
@@ -9,9 +10,9 @@
 
 namespace hn {
 
-// Creates a folder for results, removes an earlier file of that name from it, and makes sure that a new one can be
+// Creates a folder for results, removes earlier files of these names from it, and makes sure that new ones can be
 // written: before the work rather than after it.
-Result<void> prepare_output(const std::filesystem::path& directory, std::string_view name);
+Result<void> prepare_output(const std::filesystem::path& directory, std::initializer_list<std::string_view> names);
 
 // Writes a file, in a folder that is made if it is not there; beside it first and renamed, so that nobody reads half a
 // file.

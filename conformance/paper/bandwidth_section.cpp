@@ -7,16 +7,21 @@
 #include <cmath>
 
 #include "laboratory.hpp"
+#include "output/number.hpp"
 #include "output/svg.hpp"
 
 namespace hn {
 namespace {
 
-constexpr int kWidth = 800;
-constexpr int kHeight = 600;
-constexpr int kTextureSide = 4096;  // of 16 bytes each: 256 MiB; the largest cache that we know of a GPU has 60 MB
-constexpr int kTextureUnit = 8;     // behind those of the tables
+// Tiles of this size fill the texture, so that as many fetches as there are tiles read each texel once.
+constexpr int kWidth = 1024;
+constexpr int kHeight = 512;
+constexpr int kTextureSide = 4096;  // of 16 bytes each: 256 MiB, more than the caches of all but a few GPUs
+constexpr int kAcross = kTextureSide / kWidth;
+constexpr int kTiles = kAcross * (kTextureSide / kHeight);
+constexpr int kTextureUnit = 8;  // behind those of the tables
 constexpr std::array kFetches = {0, 1, 2, 4, 8, 16, 32};
+static_assert(kFetches.back() <= kTiles);
 
 class LargeTexture {
  public:
@@ -53,16 +58,15 @@ std::string sweep_shader(const Subject& subject) {
 uniform int draw_number;
 void main() {{
   vec4 sum = vec4(hn_bench(coordinate{}));
-  ivec2 at = ivec2(gl_FragCoord.xy) + draw_number * ivec2(1601, 1103);
   for (int i = 0; i < iterations; ++i) {{
-    sum += texelFetch(memory, at & {}, 0);
-    at += ivec2({}, {});
+    int tile = (i + draw_number * 7) % {};
+    sum += texelFetch(memory, ivec2(gl_FragCoord.xy) + ivec2(tile % {}, tile / {}) * ivec2({}, {}), 0);
   }}
   result = sum * (1.0 / 64.0);
 }}
 )",
-                                             subject.dimensions == 2 ? ".xy" : "", kTextureSide - 1, kWidth + 24,
-                                             kHeight + 40);
+                                             subject.dimensions == 2 ? ".xy" : "", kTiles, kAcross, kAcross, kWidth,
+                                             kHeight);
 }
 
 struct Curve {
@@ -88,8 +92,8 @@ std::vector<Curve> curves_of(int dimensions) {
 // A line through the last three points, and where it meets the time without fetches: there the curve bends, if it does.
 struct Bend {
   double seconds_per_fetch = 0.0;
-  double at = 0.0;         // fetches
-  double left_over = 0.0;  // how much of the noise's own time is still to be seen with the most fetches: 1 is all of it
+  double at = 0.0;  // fetches
+  Ratio left_over;  // how much of the noise's own time is still to be seen with the most fetches: 1 is all of it
 };
 
 Bend bend_of(const Curve& curve, const Curve& alone) {
@@ -98,8 +102,12 @@ Bend bend_of(const Curve& curve, const Curve& alone) {
   bend.seconds_per_fetch = (curve.seconds(last) - curve.seconds(last - 2)) / (kFetches[last] - kFetches[last - 2]);
   const double at_zero = curve.seconds(last) - bend.seconds_per_fetch * kFetches[last];
   bend.at = bend.seconds_per_fetch > 0.0 ? std::max((curve.seconds(0) - at_zero) / bend.seconds_per_fetch, 0.0) : 0.0;
-  const double own = curve.seconds(0) - alone.seconds(0);
-  bend.left_over = own > 0.0 ? (curve.seconds(last) - alone.seconds(last)) / own : 0.0;
+  Timing left;
+  for (std::size_t i = 0; i < curve.timings[0].samples.size(); ++i) {
+    const double own = curve.timings[0].samples[i] - alone.timings[0].samples[i];
+    if (own > 0.0) left.samples.push_back((curve.timings[last].samples[i] - alone.timings[last].samples[i]) / own);
+  }
+  bend.left_over = {left.median(), left.spread()};
   return bend;
 }
 
@@ -161,12 +169,15 @@ void add_curves(Section& section, Section::Csv& csv, const std::vector<Curve>& c
                                       {"milliseconds", milliseconds},
                                       {"bends_at_fetches", bend.at},
                                       {"milliseconds_per_fetch", bend.seconds_per_fetch * 1e3},
-                                      {"share_of_noise_left_at_most_fetches", bend.left_over}});
+                                      {"share_of_noise_left_at_most_fetches", bend.left_over.value},
+                                      {"spread_of_that_share", bend.left_over.spread}});
     rows.push_back({{"name", curve.name},
-                    {"milliseconds", fmt::format("{:.4g}", curve.seconds(0) * 1e3)},
-                    {"per_fetch", fmt::format("{:.3g}", bend.seconds_per_fetch * 1e3)},
+                    {"milliseconds", three_digits(curve.seconds(0) * 1e3)},
+                    {"per_fetch", three_digits(bend.seconds_per_fetch * 1e3)},
                     {"bend", fmt::format("{:.1f}", bend.at)},
-                    {"left_over", alone ? "" : fmt::format("{:.0f} %", bend.left_over * 100.0)}});
+                    {"left_over", alone ? "no noise"
+                                        : fmt::format("{:.0f} ± {:.0f} %", bend.left_over.value * 100.0,
+                                                      bend.left_over.spread * 100.0)}});
   }
   section.page["sweeps"].push_back({{"dimensions", dimensions}, {"plot", plot(curves, dimensions)}, {"rows", rows}});
 }

@@ -51,6 +51,7 @@ struct Section {
   nlohmann::json data;
   nlohmann::json page;
   std::vector<Csv> csv;
+  bool complete = true;  // else something that was to be measured could not be; the page says what
 };
 
 Result<Section> measure_table(Laboratory& laboratory);

@@ -40,7 +40,8 @@ Result<void> write(const std::filesystem::path& out, const nlohmann::json& data,
 int paper_command(const PaperCommand& options) {
   const auto sources = library_sources(options.glsl);
   if (!sources) return usage_error(sources.error().text());
-  if (const auto ready = prepare_output(options.out, "paper.json"); !ready) return usage_error(ready.error().text());
+  if (const auto ready = prepare_output(options.out, {"paper.json", "index.html"}); !ready)
+    return usage_error(ready.error().text());
   const auto driver = open_driver(options.driver, options.line);
   if (!driver) return driver.error();
   const ReferenceCompiler reference;
@@ -49,6 +50,7 @@ int paper_command(const PaperCommand& options) {
   nlohmann::json page = {{"style", resource("style.mustache")}, {"provenance", data}, {"rounds", options.rounds}};
   data["schema"] = 1;
   std::vector<Section::Csv> tables;
+  bool complete = true;
   for (const Part& part : kParts) {
     const auto start = std::chrono::steady_clock::now();
     auto section = part.measure(laboratory);
@@ -58,13 +60,16 @@ int paper_command(const PaperCommand& options) {
     }
     data[std::string(part.name)] = std::move(section->data);
     page[std::string(part.name)] = std::move(section->page);
+    complete = complete && section->complete;
     std::move(section->csv.begin(), section->csv.end(), std::back_inserter(tables));
     fmt::print(stderr, "{}: {:.1f} s\n", part.name,
                std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
   if (const auto written = write(options.out, data, page, tables); !written) return usage_error(written.error().text());
   fmt::print("The paper on {}: {}/index.html\n", driver->provenance.info.renderer, options.out);
-  return 0;
+  if (complete) return 0;
+  fmt::print("NOT AS EXPECTED: something could not be measured; the page says what\n");
+  return kNotAsExpected;
 }
 
 }  // namespace hn

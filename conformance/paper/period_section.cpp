@@ -126,6 +126,7 @@ Result<Section> measure_periods(Laboratory& laboratory) {
                    {}};
   for (const Claim& claim : all_claims()) {
     const Finding finding = examine(laboratory, claim);
+    section.complete = section.complete && finding.error.empty();
     const auto dimensions = static_cast<std::size_t>(claim.subject.dimensions);
     std::size_t differing = 0;
     bool shorter = false;
@@ -138,7 +139,7 @@ Result<Section> measure_periods(Laboratory& laboratory) {
     const std::string verdict = !finding.error.empty() ? "failed"
                                 : differing > 0        ? "does not repeat"
                                 : shorter              ? "repeats sooner along a line"
-                                                       : "as told";
+                                                       : "as stated";
     section.data["rows"].push_back({{"id", claim.subject.id},
                                     {"form", claim.form},
                                     {"dimensions", dimensions},
@@ -154,7 +155,7 @@ Result<Section> measure_periods(Laboratory& laboratory) {
                                     {"differing", differing},
                                     {"repeats", fmt::format("{}", fmt::join(repeats, ", "))},
                                     {"verdict", verdict},
-                                    {"good", verdict == "as told"}});
+                                    {"good", verdict == "as stated"}});
     repeats.resize(3);
     csv.rows.push_back({claim.title, claim.form, fmt::format("{}", dimensions), fmt::format("{}", claim.period),
                         fmt::format("{}", differing), repeats[0], repeats[1], repeats[2], verdict});

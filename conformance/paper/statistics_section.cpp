@@ -6,13 +6,14 @@
 
 #include "laboratory.hpp"
 #include "output/file.hpp"
+#include "output/number.hpp"
 #include "output/svg.hpp"
 #include "paper/statistics.hpp"
 
 namespace hn {
 namespace {
 
-// 2^20 positions, each more than two cells from the next, so that no two share a gradient. The steps have odd
+// 2^20 positions, each more than two cells from the next, so that no two are in neighbouring cells. The steps have odd
 // numerators over the number of positions along an axis, so that every place in a cell is visited equally often.
 constexpr int kSide2 = 1024;
 constexpr std::array kSide3 = {128, 128, 64};
@@ -63,6 +64,9 @@ struct Sample {
   std::vector<std::uint64_t> histogram;
 
   std::string id() const { return fmt::format("{}.{}d", entry.id(), dimensions); }
+  std::string title() const {
+    return fmt::format("{}, {}, {}D", entry.algorithm->title, title_of(entry.form), dimensions);
+  }
 };
 
 Sample measure(Laboratory& laboratory, const Entry& entry, int dimensions, std::span<const Position> points) {
@@ -131,10 +135,7 @@ std::string plot(const Sample& sample) {
     const double z = (x - mean) / deviation;
     return std::exp(-0.5 * z * z) / (deviation * std::sqrt(2.0 * 3.14159265358979323846));
   };
-  return histogram_plot(
-      {fmt::format("{}, {}, {}D", sample.entry.algorithm->title, title_of(sample.entry.form), sample.dimensions),
-       "value", "density"},
-      kLow, kHigh, density, normal);
+  return histogram_plot({sample.title(), "value", "density"}, kLow, kHigh, density, normal);
 }
 
 nlohmann::json data_of(const Sample& sample) {
@@ -169,8 +170,8 @@ std::vector<std::string> cells_of(const Sample& sample) {
           inside ? "yes" : "no",
           fmt::format("{:.1e}", m.mean),
           fmt::format("{:.4f}", m.variance),
-          fmt::format("{:.3f}", m.skewness),
-          fmt::format("{:.3f}", m.excess_kurtosis),
+          decimals(m.skewness, 3),
+          decimals(m.excess_kurtosis, 3),
           probability(sample.normality),
           fmt::format("{:.1f} %", sample.zeros * 100.0)};
 }
@@ -200,13 +201,13 @@ void add_partials(const std::vector<Sample>& samples, Section& section) {
                                                         {"degrees", result.degrees},
                                                         {"p_value", result.p_value}});
         section.page["partials"].push_back(
-            {{"full", full->id()},
-             {"partial", partial->id()},
+            {{"full", full->title()},
+             {"partial", partial->title()},
              {"deviations", fmt::format("{:.4f} and {:.4f}", std::sqrt(full->moments.variance),
                                         std::sqrt(partial->moments.variance))},
              {"chi_square", fmt::format("{:.0f}", result.statistic)},
              {"degrees", result.degrees},
-             {"p_value", fmt::format("{:.2g}", result.p_value)}});
+             {"p_value", result.p_value > 0.0 ? fmt::format("{:.2g}", result.p_value) : "below 1e-300"}});
       }
     }
   }
@@ -245,6 +246,7 @@ Result<Section> measure_statistics(Laboratory& laboratory) {
     cells.insert(cells.begin(), {std::string(sample.entry.algorithm->title), std::string(title_of(sample.entry.form)),
                                  fmt::format("{}", sample.dimensions)});
     csv.rows.push_back(std::move(cells));
+    section.complete = section.complete && sample.error.empty();
     if (!sample.error.empty()) section.page["errors"].push_back({{"id", sample.id()}, {"text", sample.error}});
     if (sample.moments.count > 0) section.page["plots"].push_back(plot(sample));
   }

@@ -7,6 +7,7 @@
 
 #include "embedded.hpp"
 #include "laboratory.hpp"
+#include "output/number.hpp"
 
 namespace hn {
 namespace {
@@ -141,18 +142,7 @@ std::map<std::string, std::string> count(Laboratory& laboratory, std::vector<Row
   return report.absent;
 }
 
-std::string count_text(const Row& row, std::string_view source, const std::map<std::string, std::string>& absent) {
-  std::optional<std::int64_t> number;
-  if (source == "spirv") number = row.counts.spirv;
-  if (source == "nvidia") number = row.counts.nvidia;
-  if (const auto found = row.counts.amd.find(source); found != row.counts.amd.end())
-    number = found->second.instructions;
-  if (number) return fmt::format("{}", *number);
-  return absent.contains(std::string(source)) ? "not here" : "failed";
-}
-
 constexpr const char* kNotPrinted = "not in it";
-constexpr std::array<std::string_view, 4> kSources = {"spirv", "navi21", "vega10", "nvidia"};
 
 nlohmann::json data_of(const Row& row) {
   nlohmann::json json = {{"id", row.subject.id},
@@ -180,13 +170,13 @@ nlohmann::json data_of(const Row& row) {
 
 std::vector<std::string> cells_of(const Row& row, const std::map<std::string, std::string>& absent) {
   std::vector<std::string> cells;
-  for (const std::string_view source : kSources)
-    cells.push_back(row.error.empty() ? count_text(row, source, absent) : "failed");
+  for (const std::string_view source : count_sources())
+    cells.push_back(row.error.empty() ? count_text(row.counts, source, absent) : "failed");
   const auto printed = printed_row(row.algorithm, row.subject.dimensions);
   const auto of_float = printed_row("float", row.subject.dimensions);
   cells.push_back(printed ? fmt::format("~{}", printed->instructions) : kNotPrinted);
   for (std::size_t size = 0; size < kSizes.size(); ++size) {
-    cells.push_back(row.error.empty() ? fmt::format("{:.3g}", row.timing[size].median() * 1e3) : "failed");
+    cells.push_back(row.error.empty() ? three_digits(row.timing[size].median() * 1e3) : "failed");
     cells.push_back(printed ? fmt::format("{:.1f}", printed->milliseconds[size]) : kNotPrinted);
     cells.push_back(row.error.empty() ? fmt::format("{:.2f} ± {:.2f}", row.ratio[size].value, row.ratio[size].spread)
                                       : "failed");
@@ -194,6 +184,42 @@ std::vector<std::string> cells_of(const Row& row, const std::map<std::string, st
                             : kNotPrinted);
   }
   return cells;
+}
+
+// What the paper concludes from its table, beside what this run says.
+nlohmann::json claims(const std::vector<Row>& rows) {
+  nlohmann::json list = nlohmann::json::array();
+  const auto ratios = [&](std::string_view algorithm, Form form) {
+    std::string text;
+    for (const int dimensions : {2, 3}) {
+      for (const Row& row : rows) {
+        if (row.algorithm != algorithm || row.form != title_of(form) || row.subject.dimensions != dimensions) continue;
+        const double printed = printed_row(algorithm, dimensions)->milliseconds[0];
+        const double of_float = printed_row("float", dimensions)->milliseconds[0];
+        text += fmt::format("{}{}D {:.2f} (paper {:.2f})", text.empty() ? "" : ", ", dimensions, row.ratio[0].value,
+                            printed / of_float);
+      }
+    }
+    return text;
+  };
+  for (const std::string_view partial : {"partial_fnv1", "partial_jenkins"}) {
+    list.push_back(
+        fmt::format("“only Perlin/PartialFNV1 and Perlin/PartialJenkins are close enough to Perlin/Float”: {} as "
+                    "published takes, as a multiple of Perlin/Float at 800x600, {}; ours takes {}.",
+                    algorithm_named(partial).title, ratios(partial, Form::published), ratios(partial, Form::ours)));
+  }
+  list.push_back(fmt::format("Perlin/Integer, the slowest of all in the paper: {}.", ratios("integer", Form::table)));
+  for (const int dimensions : {2, 3}) {
+    std::string text;
+    for (const Row& row : rows) {
+      if (row.form != title_of(Form::published) || row.subject.dimensions != dimensions || !row.counts.spirv) continue;
+      text += fmt::format("{}{} {:+d}", text.empty() ? "" : ", ", row.title,
+                          *row.counts.spirv - printed_row(row.algorithm, dimensions)->instructions);
+    }
+    list.push_back(
+        fmt::format("Instructions of the listings in {}D, SPIR-V against the paper's column: {}.", dimensions, text));
+  }
+  return list;
 }
 
 Section to_section(const std::vector<Row>& rows, const std::map<std::string, std::string>& absent) {
@@ -215,6 +241,7 @@ Section to_section(const std::vector<Row>& rows, const std::map<std::string, std
       lines.push_back({{"title", row.title}, {"form", row.form}, {"cells", cells}});
       cells.insert(cells.begin(), {row.title, row.form, fmt::format("{}", dimensions)});
       csv.rows.push_back(std::move(cells));
+      section.complete = section.complete && row.error.empty() && row.counts.problems.empty();
       if (!row.error.empty()) section.page["errors"].push_back({{"id", row.subject.id}, {"text", row.error}});
       for (const std::string& problem : row.counts.problems) {
         section.page["errors"].push_back({{"id", row.subject.id}, {"text", problem}});
@@ -222,6 +249,7 @@ Section to_section(const std::vector<Row>& rows, const std::map<std::string, std
     }
     section.page["tables"].push_back({{"dimensions", dimensions}, {"rows", lines}});
   }
+  section.page["claims"] = claims(rows);
   section.csv.push_back(std::move(csv));
   return section;
 }

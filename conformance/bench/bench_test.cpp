@@ -1,0 +1,190 @@
+#include "bench/bench.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "test_support.hpp"
+
+namespace hn {
+namespace {
+
+Measurement measured(const std::string& id, double value, double spread) {
+  Measurement measurement;
+  measurement.subject = {id, 2, "", "1.0"};
+  measurement.ratio = {value, spread};
+  return measurement;
+}
+
+Measurement failed(const std::string& id) {
+  Measurement measurement = measured(id, 0.0, 0.0);
+  measurement.error = Error{"it does not compile", "a.glsl:1: \xFF is no UTF-8"};
+  return measurement;
+}
+
+BenchReport report_of(std::vector<Measurement> measurements) {
+  BenchReport report;
+  report.measurements = std::move(measurements);
+  return report;
+}
+
+TEST(CompareWithBaseline, SlowerIsBeyondBothSpreads) {
+  struct Row {
+    Ratio before;
+    Ratio now;
+    bool slower;
+  };
+  // Powers of two, so that sums are exact.
+  const Row rows[] = {
+      {{1.0, 0.25}, {1.0, 0.25}, false},
+      {{1.0, 0.25}, {1.5, 0.25}, false},  // just the sum of the spreads
+      {{1.0, 0.25}, {std::nextafter(1.5, 2.0), 0.25}, true},
+      {{1.0, 0.5}, {1.5, 0.0}, false},
+      {{1.0, 0.0}, {1.5, 0.5}, false},
+      {{1.0, 0.0}, {1.0, 0.0}, false},
+      {{1.0, 0.0}, {std::nextafter(1.0, 2.0), 0.0}, true},
+      {{1.0, 0.25}, {0.25, 0.25}, false},  // faster
+      {{0.0, 0.0}, {4.0, 0.5}, true},
+      {{-0.5, 0.125}, {0.0, 0.125}, true},
+  };
+  for (const Row& row : rows) {
+    const auto changes =
+        compare_with_baseline({{"a", row.before}}, report_of({measured("a", row.now.value, row.now.spread)}));
+    ASSERT_EQ(changes.size(), 1u);
+    EXPECT_EQ(changes[0].id, "a");
+    EXPECT_EQ(changes[0].before.value, row.before.value);
+    EXPECT_EQ(changes[0].before.spread, row.before.spread);
+    EXPECT_EQ(changes[0].now.value, row.now.value);
+    EXPECT_EQ(changes[0].now.spread, row.now.spread);
+    EXPECT_EQ(changes[0].slower, row.slower) << row.before.value << " " << row.now.value;
+  }
+}
+
+TEST(CompareWithBaseline, OnlyWhatIsInBoth) {
+  const Baseline baseline = {{"kept", {1.0, 0.0}}, {"gone", {1.0, 0.0}}, {"broken", {1.0, 0.0}}};
+  const auto changes = compare_with_baseline(
+      baseline, report_of({measured("new", 9.0, 0.0), measured("kept", 9.0, 0.0), failed("broken")}));
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_EQ(changes[0].id, "kept");
+  EXPECT_TRUE(changes[0].slower);
+  EXPECT_TRUE(compare_with_baseline({}, report_of({measured("kept", 9.0, 0.0)})).empty());
+  EXPECT_TRUE(compare_with_baseline(baseline, {}).empty());
+}
+
+class BaselineFile : public testing::Test {
+ protected:
+  Result<Baseline> read(std::string_view text) {
+    folder_.write("bench.json", text);
+    return read_baseline(path_);
+  }
+
+  const TemporaryFolder folder_;
+  const std::filesystem::path path_ = folder_.path() / "bench.json";
+};
+
+TEST_F(BaselineFile, HasRatiosById) {
+  const auto baseline = read(
+      R"({"schema": 1, "more": [], "subjects": [{"id": "a", "ratio": 0.5, "spread": 0.25, "more": 1},
+          {"id": "b", "ratio": 2, "spread": 0}, {"id": "c", "error": "it does not compile"}]})");
+  ASSERT_TRUE(baseline) << baseline.error().text();
+  ASSERT_EQ(baseline->size(), 2u);
+  EXPECT_EQ(baseline->at("a").value, 0.5);
+  EXPECT_EQ(baseline->at("a").spread, 0.25);
+  EXPECT_EQ(baseline->at("b").value, 2.0);
+  EXPECT_TRUE(read(R"({"schema": 1, "subjects": []})"));
+}
+
+TEST_F(BaselineFile, ThatIsNoneIsAnErrorThatNamesIt) {
+  for (const std::string_view text : {
+           "",
+           "no JSON",
+           R"({"schema": 1, "subjects": [)",
+           "[]",
+           "1",
+           "null",
+           "{}",
+           R"({"subjects": []})",
+           R"({"schema": 2, "subjects": []})",
+           R"({"schema": "1", "subjects": []})",
+           R"({"schema": 1})",
+           R"({"schema": 1, "runs": []})",
+           R"({"schema": 1, "subjects": null})",
+           R"({"schema": 1, "subjects": 1})",
+           R"({"schema": 1, "subjects": {}})",
+           R"({"schema": 1, "subjects": [1]})",
+           R"({"schema": 1, "subjects": [{"ratio": 1, "spread": 0}]})",
+           R"({"schema": 1, "subjects": [{"id": 1, "ratio": 1, "spread": 0}]})",
+           R"({"schema": 1, "subjects": [{"id": "a", "spread": 0}]})",
+           R"({"schema": 1, "subjects": [{"id": "a", "ratio": 1}]})",
+           R"({"schema": 1, "subjects": [{"id": "a", "ratio": "1", "spread": 0}]})",
+           R"({"schema": 1, "subjects": [{"id": "a", "ratio": 1, "spread": null}]})",
+       }) {
+    const auto baseline = read(text);
+    ASSERT_FALSE(baseline) << text;
+    EXPECT_NE(baseline.error().message.find(path_.string() + " is no bench.json"), std::string::npos)
+        << baseline.error().message;
+  }
+}
+
+TEST_F(BaselineFile, ThatIsMissingIsAnErrorThatNamesIt) {
+  const auto baseline = read_baseline(folder_.path() / "none.json");
+  ASSERT_FALSE(baseline);
+  EXPECT_NE(baseline.error().message.find("cannot read the baseline"), std::string::npos);
+  EXPECT_NE(baseline.error().message.find("none.json"), std::string::npos);
+  EXPECT_FALSE(read_baseline(folder_.path()));
+}
+
+TEST_F(BaselineFile, OfAReportIsThatReport) {
+  // Numbers that no decimal of few digits is.
+  BenchReport report = report_of({measured("a", 1.0 / 3.0, 1e-17), measured("b", 2.0 / 7.0, 0.0), failed("c")});
+  report.measurements[0].counts.problems = {"navi21: \xFE"};
+  report.absent = {{"nvidia", "it is not NVIDIA's"}};
+  const auto written = write_bench(folder_.path(), {}, report, {}, true);
+  ASSERT_TRUE(written) << written.error().text();
+  const auto baseline = read_baseline(path_);
+  ASSERT_TRUE(baseline) << baseline.error().text();
+  EXPECT_EQ(baseline->size(), 2u);
+  for (const Change& change : compare_with_baseline(*baseline, report)) {
+    EXPECT_EQ(change.before.value, change.now.value);
+    EXPECT_EQ(change.before.spread, change.now.spread);
+    EXPECT_FALSE(change.slower);
+  }
+  report.measurements[0].ratio.value = std::nextafter(1.0 / 3.0, 1.0);
+  report.measurements[1].ratio.value = 3.0 / 7.0;
+  const auto changes = compare_with_baseline(*baseline, report);
+  ASSERT_EQ(changes.size(), 2u);
+  EXPECT_TRUE(changes[0].slower);
+  EXPECT_TRUE(changes[1].slower);
+}
+
+TEST_F(BaselineFile, PagesAndTablesNameEverySubject) {
+  BenchReport report = report_of({measured("noise2d.perlin.lattice", 0.5, 0.25), failed("broken<2>")});
+  report.measurements[0].counts.spirv = 123456;
+  report.measurements[0].counts.problems = {"navi21: the shader is <too> hard"};
+  report.absent = {{"nvidia", "it is not NVIDIA's"}};
+  const Provenance provenance{"2026-01-02T03:04:05Z", "hn-conform bench --filter '*'", "voodoo", {}};
+  const std::vector<Change> changes = {{"noise2d.perlin.lattice", {0.25, 0.0}, {0.5, 0.25}, true}};
+  const auto written = write_bench(folder_.path(), provenance, report, changes, false);
+  ASSERT_TRUE(written) << written.error().text();
+  const auto text_of = [&](std::string_view name) {
+    std::ifstream in(folder_.path() / name, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  const std::string page = text_of("index.html");
+  for (const std::string_view part :
+       {"noise2d.perlin.lattice", "broken&lt;2&gt;", "it does not compile", "the shader is &lt;too&gt; hard", "123456",
+        "2026-01-02T03:04:05Z", "voodoo", "No counts from nvidia here", "slower", "0.250"}) {
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+  }
+  EXPECT_EQ(page.find("<2>"), std::string::npos);
+  const std::string csv = text_of("bench.csv");
+  EXPECT_NE(csv.find("\nnoise2d.perlin.lattice,0.500,0.250,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\nbroken<2>,"), std::string::npos) << csv;
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "spirv"));
+}
+
+}  // namespace
+}  // namespace hn

@@ -1,0 +1,157 @@
+#include "bench/subject.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "bench/counts.hpp"
+#include "gpu.hpp"
+#include "test_support.hpp"
+
+namespace hn {
+namespace {
+
+bool has(const std::vector<Subject>& subjects, const std::string& id) {
+  return std::any_of(subjects.begin(), subjects.end(), [&](const Subject& s) { return s.id == id; });
+}
+
+TEST(Subjects, CoverEveryFunctionInEachConfiguration) {
+  std::size_t expected = 0;
+  const auto all = library_subjects();
+  for (const Configuration& configuration : all_configurations()) {
+    const auto subjects = library_subjects(configuration);
+    for (const Function& function : all_functions()) {
+      const std::string any = std::string(function.id) + ".any";
+      const std::string own = std::string(function.id) + "." + std::string(configuration.name);
+      const bool covered = covers(configuration, function);
+      expected += covered ? 1 : 0;
+      EXPECT_EQ(has(subjects, depends_on_configuration(function) ? own : any), covered) << own;
+      EXPECT_EQ(has(all, depends_on_configuration(function) ? own : any),
+                covered || !depends_on_configuration(function))
+          << own;
+    }
+  }
+  EXPECT_EQ(all.size(), expected);
+}
+
+TEST(Subjects, HaveIdsOfTheirOwn) {
+  auto subjects = library_subjects();
+  for (const int dimensions : {2, 3}) {
+    for (Subject& subject :
+         std::vector{empty_subject(dimensions), float_subject(dimensions), integer_subject(dimensions)}) {
+      EXPECT_EQ(subject.dimensions, dimensions);
+      subjects.push_back(std::move(subject));
+    }
+  }
+  std::set<std::string> ids;
+  for (const Subject& subject : subjects) EXPECT_TRUE(ids.insert(subject.id).second) << subject.id;
+}
+
+class SubjectShaders : public testing::Test {
+ protected:
+  void SetUp() override {
+    auto context = find_driver("osmesa")->create();
+    ASSERT_TRUE(context) << context.error().text();
+    context_ = std::move(*context);
+    sources_.add("against/value",
+                 "float value_noise(vec2 p) { return fract(sin(dot(p, vec2(12.9, 78.2))) * 43758.5); }\n",
+                 "/home/me/value.glsl");
+    sources_.add("against/broken", "float value_noise(vec2 p) {\n  return undeclared;\n}\n", "/home/me/broken.glsl");
+  }
+
+  Result<void> link(const std::string& fragment) {
+    const auto vertex_text = expand(sources_, profile_named("gl330"), quad_vertex_shader());
+    const auto fragment_text = expand(sources_, profile_named("gl330"), fragment);
+    if (!fragment_text) return tl::unexpected(fragment_text.error());
+    const auto program = Program::build(*context_, *vertex_text, *fragment_text);
+    if (!program) return tl::unexpected(program.error());
+    return {};
+  }
+
+  Result<void> compile_for_vulkan(const std::string& fragment) {
+    const auto text = expand(sources_, profile_named("vulkan"), fragment);
+    return text ? reference_.check(*text, profile_named("vulkan"), Stage::fragment) : tl::unexpected(text.error());
+  }
+
+  void expect_shaders_work(const Subject& subject) {
+    const auto vulkan = compile_for_vulkan(quad_shader(subject));
+    EXPECT_TRUE(vulkan) << subject.id << ": " << vulkan.error().text();
+    for (const std::string& text : {quad_shader(subject), loop_shader(subject)}) {
+      const auto linked = link(text);
+      EXPECT_TRUE(linked) << subject.id << ": " << linked.error().text();
+    }
+  }
+
+  void expect_refused(const Subject& subject, std::string_view named) {
+    for (const auto& refused : {link(loop_shader(subject)), compile_for_vulkan(quad_shader(subject))}) {
+      ASSERT_FALSE(refused) << subject.expression;
+      EXPECT_NE(refused.error().log.find(named), std::string::npos) << refused.error().text();
+    }
+  }
+
+  const ReferenceCompiler reference_;
+  SourceSet sources_ = with_comparison_shaders(SourceSet::embedded());
+  std::unique_ptr<Context> context_;
+};
+
+TEST_F(SubjectShaders, OfTheLibraryCompile) {
+  for (const std::string_view name : {"lattice", "custom", "fnv1+sine"}) {
+    ASSERT_EQ(configuration_named(name).name, name);
+    for (const Subject& subject : library_subjects(configuration_named(name))) expect_shaders_work(subject);
+  }
+}
+
+TEST_F(SubjectShaders, OfTheComparisonsCompile) {
+  for (const int dimensions : {2, 3}) {
+    expect_shaders_work(empty_subject(dimensions));
+    expect_shaders_work(float_subject(dimensions));
+    expect_shaders_work(integer_subject(dimensions));
+  }
+}
+
+// The value must reach the picture, or a compiler would throw away what is to be measured.
+TEST_F(SubjectShaders, CostMoreThanTheEmptyOnes) {
+  const auto count = [&](const Subject& subject) {
+    const auto text = expand(sources_, profile_named("vulkan"), quad_shader(subject));
+    const auto words = text ? reference_.spirv(*text, Stage::fragment) : tl::unexpected(text.error());
+    const auto optimised = words ? optimise_spirv(*words) : words;
+    return optimised ? count_spirv(*optimised) : 0;
+  };
+  std::vector<Subject> subjects = library_subjects(default_configuration());
+  for (const int dimensions : {2, 3}) {
+    subjects.push_back(float_subject(dimensions));
+    subjects.push_back(integer_subject(dimensions));
+  }
+  for (const Subject& subject : subjects) {
+    EXPECT_GT(count(subject), count(empty_subject(subject.dimensions))) << subject.id;
+  }
+}
+
+TEST_F(SubjectShaders, OfSomebodyElseCompile) {
+  const Subject subject = foreign_subject("value", "against/value", "value_noise(p) * 2.0 - 1.0", 2);
+  EXPECT_EQ(subject.id, "value2");
+  expect_shaders_work(subject);
+}
+
+TEST_F(SubjectShaders, OfSomebodyElseMustBeFloats) {
+  for (const std::string_view expression :
+       {"p", "vec3(p, 0.0)", "int(p.x)", "uint(p.x)", "p.x < 0.5", "ivec2(p)", ""}) {
+    expect_refused(foreign_subject("value", "against/value", expression, 2), "the case's shader:");
+  }
+}
+
+TEST_F(SubjectShaders, OfSomebodyElseNameTheLineThatIsWrong) {
+  expect_refused(foreign_subject("broken", "against/broken", "value_noise(p)", 2), "/home/me/broken.glsl:2");
+  // There is no value_noise(vec3).
+  expect_refused(foreign_subject("value", "against/value", "value_noise(p)", 3), "value_noise");
+  EXPECT_FALSE(link(loop_shader(foreign_subject("value", "against/absent", "1.0", 2))));
+}
+
+TEST_F(SubjectShaders, OfWrongSubjectsAreRefused) {
+  const Subject wrong{"wrong", 2, "#include \"noise2d.glsl\"\n", "hn_perlin(p, p, p)"};
+  expect_refused(wrong, "hn_perlin");
+}
+
+}  // namespace
+}  // namespace hn

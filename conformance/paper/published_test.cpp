@@ -1,0 +1,352 @@
+// What the listings compute on OSMesa, next to the library's hashes of the same names. The sine is left out wherever a
+// value is looked at: GLSL leaves it open.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <functional>
+#include <hashnoise/hashnoise.hpp>
+#include <memory>
+
+#include "bench/subject.hpp"
+#include "gpu.hpp"
+#include "paper/laboratory.hpp"
+#include "points.hpp"
+#include "test_support.hpp"
+
+namespace hn {
+namespace {
+
+using hashnoise::hn_hash_fnv1;
+using hashnoise::hn_hash_jenkins;
+using hashnoise::hn_hash_murmur;
+using hashnoise::hn_hash_partial_fnv1;
+using hashnoise::hn_hash_partial_jenkins;
+
+constexpr std::string_view kMeantMask = "#define PAPER_FNV1_MASK3 -16777216\n";
+constexpr std::uint32_t kSignOfByte = 0xFFFFFF00u;  // what an arithmetic shift by 24 adds to a byte of 128 or more
+
+std::vector<std::uint32_t> random_words() {
+  std::vector<std::uint32_t> words(std::size_t{1} << 16);
+  Random random(1, "published");
+  for (std::uint32_t& word : words) word = random.word();
+  return words;
+}
+
+bool negative(std::uint32_t word) { return word >> 31 != 0; }
+
+std::uint32_t shift(std::uint32_t word, int by) { return static_cast<std::uint32_t>(std::bit_cast<int>(word) >> by); }
+
+// What the listings come to, each told by its difference from the library's hash where that has a short form.
+std::uint32_t meant_fnv1(std::uint32_t key) { return hn_hash_fnv1(key) ^ (negative(key) ? kSignOfByte : 0u); }
+std::uint32_t printed_fnv1(std::uint32_t key) { return meant_fnv1(key) ^ ((key >> 24) & 0x7Eu); }
+
+std::uint32_t jenkins_step(std::uint32_t hash, std::uint32_t add) {
+  const std::uint32_t h = (hash + add) * 1025u;
+  return h ^ shift(h, 6);
+}
+std::uint32_t jenkins_end(std::uint32_t hash) {
+  const std::uint32_t h = hash * 9u;
+  return (h ^ shift(h, 11)) * 32769u;
+}
+std::uint32_t printed_partial_jenkins(std::uint32_t key) { return jenkins_end(jenkins_step(0u, key)); }
+std::uint32_t printed_jenkins(std::uint32_t key) {
+  std::uint32_t hash = 0u;
+  for (const int byte : {0, 8, 16}) hash = jenkins_step(hash, (key >> byte) & 255u);
+  return jenkins_end(jenkins_step(hash, shift(key, 24)));
+}
+
+std::uint32_t printed_murmur(std::uint32_t key) {
+  constexpr std::uint32_t kM = 1540483477u;
+  const std::uint32_t k = key * kM;
+  return (10u * kM) ^ ((k ^ shift(k, 24)) * kM);
+}
+
+struct Listing {
+  std::string_view macro;
+  std::uint32_t (*printed)(std::uint32_t);
+  std::uint32_t (*library)(std::uint32_t);
+};
+constexpr std::array kListings = {
+    Listing{"FNV1", printed_fnv1, hn_hash_fnv1},
+    Listing{"PARTIAL_FNV1", hn_hash_partial_fnv1, hn_hash_partial_fnv1},
+    Listing{"JENKINS", printed_jenkins, hn_hash_jenkins},
+    Listing{"PARTIAL_JENKINS", printed_partial_jenkins, hn_hash_partial_jenkins},
+    Listing{"MURMUR", printed_murmur, hn_hash_murmur},
+};
+
+std::size_t count(const std::vector<std::uint32_t>& keys, const std::function<bool(std::size_t)>& holds) {
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < keys.size(); ++i) number += holds(i) ? 1u : 0u;
+  return number;
+}
+
+class Published : public testing::Test {
+ protected:
+  void SetUp() override {
+    auto context = find_driver("osmesa")->create();
+    ASSERT_TRUE(context) << context.error().text();
+    context_ = std::move(*context);
+    laboratory_ = std::make_unique<Laboratory>(*context_, SourceSet::embedded(), reference_, folder_.path(), 3, false);
+  }
+
+  // The words that a body of main makes of the input words `in_a`.
+  std::vector<std::uint32_t> evaluate(std::string_view macro, std::string_view knobs, std::string_view body,
+                                      const std::vector<std::uint32_t>& inputs) {
+    const auto program = laboratory_->build(
+        fmt::format("{}#define PAPER_HASH PAPER_{}\n#include \"published.glsl\"\nuniform usampler2D input_a;\n"
+                    "out uvec4 result;\nvoid main() {{\n  ivec4 a = ivec4(texelFetch(input_a, "
+                    "ivec2(gl_FragCoord.xy), 0));\n  result = {};\n}}\n",
+                    knobs, macro, body));
+    if (!program) {
+      ADD_FAILURE() << program.error().text();
+      return {};
+    }
+    GridRenderer grid(*context_);
+    const auto words = grid.evaluate(*program, inputs);
+    EXPECT_TRUE(words) << words.error().text();
+    return words.value_or(std::vector<std::uint32_t>{});
+  }
+
+  std::vector<std::uint32_t> hashes(std::string_view macro, const std::vector<std::uint32_t>& keys,
+                                    std::string_view knobs = "") {
+    std::vector<std::uint32_t> inputs(keys.size() * kInputWords);
+    for (std::size_t i = 0; i < keys.size(); ++i) inputs[i * kInputWords] = keys[i];
+    const auto words = evaluate(macro, knobs, "uvec4(uint(paper_hash(a.x)), 0u, 0u, 0u)", inputs);
+    std::vector<std::uint32_t> found(words.size() / kOutputWords);
+    for (std::size_t i = 0; i < found.size(); ++i) found[i] = words[i * kOutputWords];
+    return found;
+  }
+
+  TemporaryFolder folder_;
+  ReferenceCompiler reference_;
+  std::unique_ptr<Context> context_;
+  std::unique_ptr<Laboratory> laboratory_;
+};
+
+// The printed mask takes the bits 24 and 31 of the key alone.
+TEST_F(Published, TheMaskOfFnv1LosesSixBits) {
+  const std::vector<std::uint32_t> keys = {0u,          1u,          0x00FFFFFFu, 0x01000000u, 0x81FFFFFFu,
+                                           0x80000000u, 0x7F000000u, 0x02000000u, 0xFF000000u, 0x40123456u};
+  const auto printed = hashes("FNV1", keys);
+  const auto meant = hashes("FNV1", keys, kMeantMask);
+  ASSERT_EQ(printed.size(), keys.size());
+  ASSERT_EQ(meant.size(), keys.size());
+  std::vector<std::uint32_t> difference;
+  for (std::size_t i = 0; i < keys.size(); ++i) difference.push_back(printed[i] ^ meant[i]);
+  EXPECT_EQ(difference, (std::vector<std::uint32_t>{0, 0, 0, 0, 0, 0, 0x7E, 0x02, 0x7E, 0x40}));
+}
+
+// All but one of 64 keys have one of these bits: 64512 of 65536 are expected to differ.
+TEST_F(Published, TheMaskOfFnv1ChangesTheHashesWithTheseBits) {
+  const auto keys = random_words();
+  const auto printed = hashes("FNV1", keys);
+  const auto meant = hashes("FNV1", keys, kMeantMask);
+  ASSERT_EQ(printed.size(), keys.size());
+  ASSERT_EQ(meant.size(), keys.size());
+  for (std::size_t i = 0; i < keys.size(); ++i) ASSERT_EQ(printed[i] ^ meant[i], (keys[i] >> 24) & 0x7Eu) << keys[i];
+  EXPECT_EQ(count(keys, [&](std::size_t i) { return printed[i] != meant[i]; }), 64514u);
+}
+
+// With the right mask the byte of a key from 2^31 on still comes with 24 further ones: the hash is the library's with
+// its upper 24 bits inverted.
+TEST_F(Published, Fnv1AsMeantIsTheLibrarysUpToTheSignOfTheKey) {
+  const auto keys = random_words();
+  const auto meant = hashes("FNV1", keys, kMeantMask);
+  ASSERT_EQ(meant.size(), keys.size());
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    ASSERT_EQ(meant[i] ^ hn_hash_fnv1(keys[i]), keys[i] < 0x80000000u ? 0u : 0xFFFFFF00u) << keys[i];
+  }
+  EXPECT_EQ(count(keys, [&](std::size_t i) { return meant[i] != hn_hash_fnv1(keys[i]); }), 32741u);
+}
+
+// The keys of x are coordinates below 2^20, whose highest byte is 0: what is wrong with it shows in y and z only.
+TEST_F(Published, Fnv1OfACoordinateIsTheLibrarys) {
+  std::vector<std::uint32_t> keys(std::size_t{1} << 20);
+  for (std::size_t i = 0; i < keys.size(); ++i) keys[i] = static_cast<std::uint32_t>(i);
+  const auto printed = hashes("FNV1", keys);
+  ASSERT_EQ(printed.size(), keys.size());
+  EXPECT_EQ(count(keys, [&](std::size_t i) { return printed[i] != hn_hash_fnv1(keys[i]); }), 0u);
+}
+
+// No shift to the right in it.
+TEST_F(Published, PartialFnv1IsTheLibrarys) {
+  const auto keys = random_words();
+  const auto printed = hashes("PARTIAL_FNV1", keys);
+  ASSERT_EQ(printed.size(), keys.size());
+  EXPECT_EQ(count(keys, [&](std::size_t i) { return printed[i] != hn_hash_partial_fnv1(keys[i]); }), 0u);
+}
+
+// The shift is of key * m; from 2^31 on it brings ones, and a product with an odd number keeps apart what differs.
+TEST_F(Published, MurmurIsTheLibrarysForHalfOfTheKeys) {
+  const auto keys = random_words();
+  const auto printed = hashes("MURMUR", keys);
+  ASSERT_EQ(printed.size(), keys.size());
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    ASSERT_EQ(printed[i] == hn_hash_murmur(keys[i]), !negative(keys[i] * 1540483477u)) << keys[i];
+  }
+  EXPECT_EQ(count(keys, [&](std::size_t i) { return printed[i] != hn_hash_murmur(keys[i]); }), 32631u);
+}
+
+// Where a shifted number is negative, the sign reaches bits that the rest of the hash cannot bring together again: the
+// lowest bit that differs is 26 after the shift by 6, and the shift by 11 takes it to bit 15.
+TEST_F(Published, PartialJenkinsIsTheLibrarysWhereNothingShiftedIsNegative) {
+  const auto keys = random_words();
+  const auto printed = hashes("PARTIAL_JENKINS", keys);
+  ASSERT_EQ(printed.size(), keys.size());
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const std::uint32_t first = keys[i] * 1025u;
+    const bool same = !negative(first) && !negative((first ^ (first >> 6)) * 9u);
+    ASSERT_EQ(printed[i] == hn_hash_partial_jenkins(keys[i]), same) << keys[i];
+  }
+  EXPECT_EQ(count(keys, [&](std::size_t i) { return printed[i] != hn_hash_partial_jenkins(keys[i]); }), 47210u);
+}
+
+// The same of the full hash for keys below 2^31; from there on its last byte is negative, too.
+TEST_F(Published, JenkinsIsTheLibrarysWhereNothingShiftedIsNegative) {
+  const auto keys = random_words();
+  const auto printed = hashes("JENKINS", keys);
+  ASSERT_EQ(printed.size(), keys.size());
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    std::uint32_t hash = 0u;
+    bool same = !negative(keys[i]);
+    for (const int byte : {0, 8, 16, 24}) {
+      hash = (hash + ((keys[i] >> byte) & 255u)) * 1025u;
+      same = same && !negative(hash);
+      hash ^= hash >> 6;
+    }
+    same = same && !negative(hash * 9u);
+    ASSERT_EQ(printed[i] == hn_hash_jenkins(keys[i]), same) << keys[i];
+  }
+  EXPECT_EQ(count(keys, [&](std::size_t i) { return printed[i] != hn_hash_jenkins(keys[i]); }), 61118u);
+}
+
+// Every listing, and with it what the tests above take it for, bit by bit.
+TEST_F(Published, ListingsAreReadRight) {
+  std::vector<std::uint32_t> keys = random_words();
+  for (std::uint32_t bit = 0; bit < 32; ++bit) {
+    for (const std::uint32_t key : {1u << bit, (1u << bit) - 1u, 0u - (1u << bit)}) keys.push_back(key);
+  }
+  for (const Listing& listing : kListings) {
+    const auto printed = hashes(listing.macro, keys);
+    ASSERT_EQ(printed.size(), keys.size());
+    for (std::size_t i = 0; i < keys.size(); ++i) ASSERT_EQ(printed[i], listing.printed(keys[i])) << listing.macro;
+  }
+}
+
+// The words that paper_gradient takes the sine of, as floats: "sin" is a macro that returns them.
+TEST_F(Published, GradientsAreTheSinesOfTheChain) {
+  const auto words = random_words();
+  std::vector<std::uint32_t> inputs(4096 * kInputWords);
+  for (std::size_t i = 0; i < inputs.size(); ++i) inputs[i] = words[i];
+  // The first cells are those of a period.
+  for (std::size_t i = 0; i < 2048 * kInputWords; ++i) inputs[i] &= 1048575u;
+  const auto bits = [](std::uint32_t word) {
+    return std::bit_cast<std::uint32_t>(static_cast<float>(std::bit_cast<int>(word)));
+  };
+  for (const Listing& listing : kListings) {
+    const auto plane =
+        evaluate(listing.macro, "#define sin(v) (v)\n", "uvec4(floatBitsToUint(paper_gradient(a.xy)), 0u, 0u)", inputs);
+    const auto space =
+        evaluate(listing.macro, "#define sin(v) (v)\n", "uvec4(floatBitsToUint(paper_gradient(a.xyz)), 0u)", inputs);
+    ASSERT_EQ(plane.size(), 4096 * kOutputWords);
+    ASSERT_EQ(space.size(), 4096 * kOutputWords);
+    for (std::size_t i = 0; i < 4096; ++i) {
+      const std::uint32_t* const cell = &inputs[i * kInputWords];
+      const std::uint32_t x = listing.printed(cell[0]);
+      const std::uint32_t y = listing.printed(x + cell[1]);
+      const std::uint32_t z = listing.printed(y + cell[2]);
+      ASSERT_EQ(plane[i * kOutputWords], bits(x + y)) << listing.macro;
+      ASSERT_EQ(plane[i * kOutputWords + 1], bits(y + y)) << listing.macro;
+      ASSERT_EQ(space[i * kOutputWords], bits(z + x)) << listing.macro;
+      ASSERT_EQ(space[i * kOutputWords + 1], bits(z + y)) << listing.macro;
+      ASSERT_EQ(space[i * kOutputWords + 2], bits(z + z)) << listing.macro;
+    }
+  }
+}
+
+// Of 32768 cells of a period, those in which the chain of the listing comes to other words than the library's, so to
+// another gradient: all but one of 128 with FNV1, for either fault of its highest byte; three of four with Murmur,
+// whose two hashes each differ for every other key.
+TEST_F(Published, CellsWithOtherGradientsThanIntended) {
+  const auto words = random_words();
+  std::vector<std::size_t> differing;
+  for (const Listing& listing : kListings) {
+    std::size_t number = 0;
+    for (std::size_t i = 0; i + 1 < words.size(); i += 2) {
+      const std::uint32_t x = words[i] & 1048575u;
+      const std::uint32_t y = words[i + 1] & 1048575u;
+      const std::uint32_t printed = listing.printed(x);
+      const std::uint32_t library = listing.library(x);
+      if (printed != library || listing.printed(printed + y) != listing.library(library + y)) ++number;
+    }
+    differing.push_back(number);
+  }
+  EXPECT_EQ(differing, (std::vector<std::size_t>{32512, 0, 32458, 27847, 24582}));
+}
+
+class PublishedNoise : public Published {
+ protected:
+  std::vector<float> noise(const Listing& listing, int dimensions, const std::vector<Position>& positions) {
+    for (const Entry& entry : all_entries()) {
+      if (entry.form != Form::published || entry.algorithm->macro != listing.macro) continue;
+      const auto values = laboratory_->values(subject_of(entry, dimensions), positions);
+      EXPECT_TRUE(values) << values.error().text();
+      return values.value_or(std::vector<float>{});
+    }
+    ADD_FAILURE() << "no entry for " << listing.macro;
+    return {};
+  }
+
+  // Multiples of 1/8 over some cells, so that the positions a period on are floats, too.
+  static std::vector<Position> positions(std::uint32_t eighths) {
+    Random random(1, "published");
+    std::vector<Position> points(4096);
+    const auto coordinate = [&] { return static_cast<float>(random.below(1u << 13) * eighths) / 8.0f - 512.0f; };
+    for (Position& point : points) {
+      point.x = coordinate();
+      point.y = coordinate();
+      point.z = coordinate();
+    }
+    return points;
+  }
+};
+
+TEST_F(PublishedNoise, IsZeroAtLatticePoints) {
+  for (const Listing& listing : kListings) {
+    for (const int dimensions : {2, 3}) {
+      const auto values = noise(listing, dimensions, positions(8));
+      EXPECT_EQ(values, std::vector<float>(4096, 0.0f)) << listing.macro << ", " << dimensions << "D";
+      const auto elsewhere = noise(listing, dimensions, positions(1));
+      EXPECT_NE(elsewhere, std::vector<float>(4096, 0.0f)) << listing.macro << ", " << dimensions << "D";
+    }
+  }
+}
+
+TEST_F(PublishedNoise, RepeatsAfterThePeriodBitByBit) {
+  const auto bits = [](const std::vector<float>& values) {
+    std::vector<std::uint32_t> words;
+    for (const float value : values) words.push_back(std::bit_cast<std::uint32_t>(value));
+    return words;
+  };
+  const auto here = positions(1);
+  for (const Listing& listing : kListings) {
+    for (const int dimensions : {2, 3}) {
+      const auto values = bits(noise(listing, dimensions, here));
+      for (const auto axis : {&Position::x, &Position::y, &Position::z}) {
+        const auto moved = [&](float by) {
+          std::vector<Position> there = here;
+          for (Position& position : there) position.*axis += by;
+          return bits(noise(listing, dimensions, there));
+        };
+        EXPECT_EQ(values, moved(1048576.0f)) << listing.macro << ", " << dimensions << "D";
+        if (dimensions == 2 && axis == &Position::z) continue;
+        EXPECT_NE(values, moved(524288.0f)) << listing.macro << ", " << dimensions << "D";
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hn
