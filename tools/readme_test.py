@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""The README's picture is what the code draws, and its code compiles as it stands there.
+"""The README's picture is what the code draws, its code compiles as it stands there, and its costs were measured.
 
 Usage: readme_test.py PATH-OF-PICTURE
 """
 
+import csv
 import pathlib
 import re
 import struct
@@ -67,6 +68,31 @@ class Picture(unittest.TestCase):
             other.flush()
             self.assertEqual(run(PICTURE, "--check", other.name).returncode, 1)
         self.assertEqual(run(PICTURE, "--check", "/nowhere.png").returncode, 2)
+
+
+def costs(readme, rows):
+    """The rows of the table of costs that do not say what the CSV file does: (what, what it should be)."""
+    table = re.search(r"^\| noise \|.*\n\|[- |]+\|\n((?:\|.*\n)+)", readme, re.MULTILINE)[1]
+    for line in table.splitlines():
+        name = re.search(r"`([^`]+)`", line)[1]
+        ids = [f"{name}{n}" if name.startswith("table.") else f"noise{n}d.perlin.{name}" for n in (2, 3)]
+        right = [f"{float(rows[i]['ratio']):.2f}" for i in ids] + [rows[i]["navi21"] for i in ids]
+        if [cell.strip() for cell in line.split("|")[2:-1]] != right:
+            yield line, right
+
+
+class Costs(unittest.TestCase):
+    def setUp(self):
+        self.readme = (ROOT / "README.md").read_text()
+        with open(ROOT / "docs" / "results" / "llvmpipe" / "bench.csv", newline="") as file:
+            self.rows = {row["id"]: row for row in csv.DictReader(file)}
+
+    def test_they_are_those_of_the_recorded_run(self):
+        self.assertEqual(list(costs(self.readme, self.rows)), [])
+
+    def test_another_number_is_noticed(self):
+        self.rows["noise2d.perlin.lattice"]["ratio"] = "9.999"
+        self.assertEqual(len(list(costs(self.readme, self.rows))), 1)
 
 
 class Code(unittest.TestCase):
