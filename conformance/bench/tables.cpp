@@ -62,13 +62,17 @@ std::array<Image, 3> float_images(const std::array<std::uint8_t, 256>& p) {
   return {gradient2, permutation2, gradient3};
 }
 
-// The images for Perlin/Integer.
+// The images for Perlin/Integer: each table twice behind itself, since the sum of two numbers below 256 is an index.
 std::array<Image, 3> integer_images(const std::array<std::uint8_t, 256>& p) {
-  Image permutation{GL_R8UI, kSize, 1, GL_RED_INTEGER, GL_UNSIGNED_BYTE, {p.begin(), p.end()}};
-  Image gradients2{GL_RG8I, 8, 1, GL_RG_INTEGER, GL_BYTE, {}};
-  Image gradients3{GL_RGBA8I, 16, 1, GL_RGBA_INTEGER, GL_BYTE, {}};
-  for (const auto& g : kGradients2) gradients2.add(std::to_array(g));
-  for (const auto& g : kGradients3) gradients3.add(std::to_array(g));
+  Image permutation{GL_R8UI, 2 * kSize, 1, GL_RED_INTEGER, GL_UNSIGNED_BYTE, {}};
+  Image gradients2{GL_RG8I, 2 * kSize, 1, GL_RG_INTEGER, GL_BYTE, {}};
+  Image gradients3{GL_RGBA8I, 2 * kSize, 1, GL_RGBA_INTEGER, GL_BYTE, {}};
+  for (int i = 0; i < 2 * kSize; ++i) {
+    const std::uint8_t number = p[static_cast<std::size_t>(i & 255)];
+    permutation.add(std::array{static_cast<std::int8_t>(number)});
+    gradients2.add(std::to_array(kGradients2[number & 7]));
+    gradients3.add(std::to_array(kGradients3[number & 15]));
+  }
   return {permutation, gradients2, gradients3};
 }
 

@@ -9,6 +9,8 @@
 #ifndef HN_PAPER_PUBLISHED_GLSL
 #define HN_PAPER_PUBLISHED_GLSL
 
+#include "perlin.glsl"
+
 #define PAPER_FNV1 1
 #define PAPER_PARTIAL_FNV1 2
 #define PAPER_JENKINS 3
@@ -107,10 +109,21 @@ vec3 paper_gradient(ivec3 p) {  // sec. 5
   return sin(vec3(z + x, z + y, z + z));
 }
 
-// The paper prints no more than these. The rest is Perlin's algorithm (perlin.glsl), with the period of 2^20 cells that
-// sec. 8 tells of.
-#define PERLIN_NAME paper_perlin
-#define PERLIN_GRADIENT(cell) paper_gradient((cell)&1048575)
-#include "perlin.glsl"
+// The paper prints no more than these. The rest is Perlin's algorithm, with the period of 2^20 cells that sec. 8 tells
+// of. Each corner is on its own: that no hash is shared between corners is what the paper's instruction counts say.
+#define PAPER_CORNER(offset) paper_gradient((cell + offset) & 1048575)
+
+float paper_perlin(vec2 p) {
+  ivec2 cell = ivec2(floor(p));
+  return perlin_sum(p - floor(p), PAPER_CORNER(ivec2(0, 0)), PAPER_CORNER(ivec2(1, 0)), PAPER_CORNER(ivec2(0, 1)),
+                    PAPER_CORNER(ivec2(1, 1)));
+}
+
+float paper_perlin(vec3 p) {
+  ivec3 cell = ivec3(floor(p));
+  return perlin_sum(p - floor(p), PAPER_CORNER(ivec3(0, 0, 0)), PAPER_CORNER(ivec3(1, 0, 0)),
+                    PAPER_CORNER(ivec3(0, 1, 0)), PAPER_CORNER(ivec3(1, 1, 0)), PAPER_CORNER(ivec3(0, 0, 1)),
+                    PAPER_CORNER(ivec3(1, 0, 1)), PAPER_CORNER(ivec3(0, 1, 1)), PAPER_CORNER(ivec3(1, 1, 1)));
+}
 
 #endif
