@@ -83,7 +83,8 @@ class Paper(unittest.TestCase):
         for old, new in (("~165", "~164"), (">33.1<", ">33.2<"), (">4.65<", ">4.64<"), ("Perlin/Murmur<", "Murmur<")):
             with self.subTest(new=new):
                 self.assertIn(old, self.page)
-                self.assertNotEqual(table_faults(self.page.replace(old, new, 1), rows), [])
+                # Everywhere: a time that was measured may happen to be the same number.
+                self.assertNotEqual(table_faults(self.page.replace(old, new), rows), [])
         changed = copy.deepcopy(rows)
         changed[1]["instructions"]["spirv"] += 1
         self.assertNotEqual(table_faults(self.page, changed), [])

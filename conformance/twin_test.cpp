@@ -7,6 +7,7 @@
 #include <cmath>
 #include <hashnoise/hashnoise.hpp>
 #include <limits>
+#include <ostream>
 
 #include "compare.hpp"
 #include "golden.hpp"
@@ -14,6 +15,10 @@
 #include "tolerance.hpp"
 
 namespace hn {
+
+// How GoogleTest shows one; the name is GoogleTest's.
+void PrintTo(const Configuration& configuration, std::ostream* out) { *out << configuration.name; }
+
 namespace {
 
 class TwinGolden : public testing::TestWithParam<Configuration> {};

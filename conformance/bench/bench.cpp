@@ -7,8 +7,8 @@
 #include <chrono>
 #include <memory>
 
+#include "bench/workbench.hpp"
 #include "runner.hpp"
-#include "tables.hpp"
 
 namespace hn {
 namespace {
@@ -26,11 +26,7 @@ std::size_t float_index(int dimensions) { return dimensions == 2 ? 2 : 3; }
 class Bench {
  public:
   Bench(const Context& context, const SourceSet& sources, const ReferenceCompiler& reference)
-      : context_(context),
-        sources_(with_comparison_shaders(sources)),
-        reference_(reference),
-        tables_(context),
-        stopwatch_(context) {}
+      : workbench_(context, sources), reference_(reference), stopwatch_(context) {}
 
   Result<BenchReport> run(std::vector<Subject> subjects, const BenchOptions& options, std::FILE* progress) {
     {
@@ -49,20 +45,9 @@ class Bench {
   }
 
  private:
-  Result<Program> build(const std::string& fragment) {
-    const Profile& profile = profile_named("gl330");
-    const auto vertex_text = expand(sources_, profile, quad_vertex_shader());
-    if (!vertex_text) return tl::unexpected(vertex_text.error());
-    const auto fragment_text = expand(sources_, profile, fragment);
-    if (!fragment_text) return tl::unexpected(fragment_text.error());
-    auto program = Program::build(context_, *vertex_text, *fragment_text);
-    if (program) tables_.attach(*program);
-    return program;
-  }
-
   void compile(Subject subject) {
     const auto start = std::chrono::steady_clock::now();
-    auto program = build(loop_shader(subject));
+    auto program = workbench_.build(loop_shader(subject));
     Measurement measurement{.subject = std::move(subject)};
     if (program) {
       stopwatch_.first_draw(*program);
@@ -113,8 +98,8 @@ class Bench {
       Measurement& measurement = report_.measurements[i];
       if (measurement.error) continue;
       const std::string text = quad_shader(measurement.subject);
-      auto vulkan = expand(sources_, profile_named("vulkan"), text);
-      auto program = build(text);
+      auto vulkan = expand(workbench_.sources, profile_named("vulkan"), text);
+      auto program = workbench_.build(text);
       if (!vulkan || !program) {
         measurement.counts.problems.push_back(vulkan ? program.error().text() : vulkan.error().text());
         continue;
@@ -123,17 +108,15 @@ class Bench {
       shaders.push_back({std::move(*vulkan), programs.back().get()});
       owners.push_back(i);
     }
-    CountReport counted = count_instructions(context_, reference_, shaders);
+    CountReport counted = count_instructions(workbench_.context, reference_, shaders);
     report_.absent = std::move(counted.absent);
     for (std::size_t i = 0; i < owners.size(); ++i) {
       report_.measurements[owners[i]].counts = std::move(counted.counts[i]);
     }
   }
 
-  const Context& context_;
-  SourceSet sources_;
+  Workbench workbench_;
   const ReferenceCompiler& reference_;
-  NoiseTables tables_;
   Stopwatch stopwatch_;
   BenchReport report_;
   std::vector<std::unique_ptr<Program>> programs_;  // null where it does not compile

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bench/bench.hpp"
-#include "bench/tables.hpp"
+#include "bench/workbench.hpp"
 #include "paper/algorithm.hpp"
 
 namespace hn {
@@ -18,18 +18,14 @@ struct Position {
   float z = 0.0f;
 };
 
-class Laboratory {
+class Laboratory : public Workbench {
  public:
   Laboratory(const Context& context, const SourceSet& sources, const ReferenceCompiler& reference,
              std::filesystem::path out, int rounds, bool dump);
 
-  // A program that draws the subject as a quad, or any other fragment shader.
-  Result<Program> build(const std::string& fragment);
   // The subject's values at at most 2^20 positions, as the driver computes them.
   Result<std::vector<float>> values(const Subject& subject, std::span<const Position> positions);
 
-  const Context& context;
-  const SourceSet sources;
   const ReferenceCompiler& reference;
   const std::filesystem::path out;
   const int rounds;
@@ -37,7 +33,6 @@ class Laboratory {
   Stopwatch stopwatch;
 
  private:
-  NoiseTables tables_;
   GridRenderer grid_;
 };
 
