@@ -55,6 +55,23 @@ class BenchCli(unittest.TestCase):
         path.write_text(text)
         return path
 
+    def test_a_foreign_file_may_have_extensions_and_a_spaced_version(self):
+        shader = self.write("extended.glsl", "# version 330\n#extension GL_ARB_gpu_shader5 : enable\n" + VALUE_NOISE)
+        done = self.bench("--against", f"extended={shader}:value_noise(p) // a comment")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("extended2", self.subjects())
+
+    def test_a_comparison_tells_what_it_is_worth(self):
+        self.assertEqual(self.bench().returncode, 0)
+        report = self.report()
+        report["renderer"] = "Voodoo"
+        report["subjects"] = [subject for subject in report["subjects"] if subject["id"] == "table.float2"]
+        report["subjects"].append({"id": "gone", "ratio": 1.0, "spread": 0.0})
+        baseline = self.write("baseline.json", json.dumps(report))
+        done = self.bench("--baseline", baseline)
+        self.assertIn("another renderer: Voodoo", done.stdout)
+        self.assertIn("1 subjects compared; 1 of the baseline were not measured now", done.stdout)
+
     def assert_everything_is_there(self, *ids):
         """The same subjects in bench.json, in bench.csv and on the page."""
         self.assertEqual(sorted(self.subjects()), sorted([*REFERENCES, *ids]))

@@ -72,6 +72,8 @@ Result<Program> Program::build(const Context& context, const ShaderText& vertex,
   gl.AttachShader(program.id_, vertex_shader.id());
   gl.AttachShader(program.id_, fragment_shader.id());
   gl.BindFragDataLocation(program.id_, 0, "result");
+  // For those who count the instructions in it.
+  if (gl.ProgramParameteri) gl.ProgramParameteri(program.id_, GL_PROGRAM_BINARY_RETRIEVABLE_HINT, GL_TRUE);
   gl.LinkProgram(program.id_);
   GLint linked = GL_FALSE;
   gl.GetProgramiv(program.id_, GL_LINK_STATUS, &linked);

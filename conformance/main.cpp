@@ -1,11 +1,12 @@
 // hn-conform: does the library compute what it promises, on this driver, and at what cost?
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <span>
+#include <string_view>
 
 #include "bench/amd.hpp"
 #include "command.hpp"
@@ -91,8 +92,24 @@ void add_paper(CLI::App& app, hn::PaperCommand& options) {
                    "counted as spirv/ID.spv");
 }
 
+// As a shell would take it again.
 std::string command_line(int argc, char** argv) {
-  return fmt::format("hn-conform {}", fmt::join(argv + std::min(argc, 1), argv + argc, " "));
+  std::string line = "hn-conform";
+  for (const std::string_view argument :
+       std::span(argv, static_cast<std::size_t>(argc)).subspan(std::min(argc, 1) == 1)) {
+    const bool plain =
+        argument.find_first_of(" \t\n\"'\\$`*?[](){}<>|&;#~!") == std::string_view::npos && !argument.empty();
+    if (plain) {
+      line += fmt::format(" {}", argument);
+      continue;
+    }
+    std::string quoted(argument);
+    for (auto at = quoted.find('\''); at != std::string::npos; at = quoted.find('\'', at + 4)) {
+      quoted.replace(at, 1, "'\\''");
+    }
+    line += fmt::format(" '{}'", quoted);
+  }
+  return line;
 }
 
 int dispatch(int argc, char** argv) {
@@ -137,6 +154,8 @@ int main(int argc, char** argv) {
   try {
     // What bench starts to count for AMD; not for people.
     if (argc == 4 && std::string_view(argv[1]) == "amd-counts") return hn::amd_counts_child(argv[2], argv[3]);
+    const std::string_view command = argc > 1 ? argv[1] : "";
+    if (command == "bench" || command == "paper") hn::disable_shader_caches();
     return dispatch(argc, argv);
   } catch (const std::exception& exception) {
     fmt::print(stderr, "hn-conform: {}\n", exception.what());

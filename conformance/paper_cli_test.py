@@ -7,6 +7,7 @@ import copy
 import itertools
 import json
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -211,6 +212,26 @@ class Paper(unittest.TestCase):
         for sign in range(3, len(grid), 4):
             grid[sign] ^= 0x80
         self.assertGreater(max(noise_differences(self.samples["fnv1.intended.2d"], grid)), 0.25)
+
+
+class Broken(unittest.TestCase):
+    def test_a_shader_that_does_not_compile_costs_its_rows_and_status_1(self):
+        with tempfile.TemporaryDirectory() as folder:
+            glsl = pathlib.Path(folder) / "glsl"
+            shutil.copytree(pathlib.Path(__file__).resolve().parent.parent / "glsl", glsl)
+            text = (glsl / "noise3d.glsl").read_text()
+            (glsl / "noise3d.glsl").write_text(text.replace("#include", "broken;\n#include", 1))
+            out = pathlib.Path(folder) / "out"
+            done = subprocess.run([PROGRAM, "paper", "--rounds", "3", "--glsl", str(glsl), "--out", str(out)],
+                                  capture_output=True, text=True, check=False)
+            self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+            self.assertIn("NOT AS EXPECTED", done.stdout)
+            page = (out / "index.html").read_text()
+            self.assertIn(f"{glsl}/noise3d.glsl:", page)  # the driver's words, with file and line
+            self.assertIn("failed", page)
+            rows = {row["id"]: row for row in json.loads((out / "paper.json").read_text())["table"]["rows"]}
+            self.assertIn("error", rows["fnv1.ours.2d"])
+            self.assertIn("timing", rows["fnv1.published.2d"])  # has nothing of the library in it
 
 
 class Usage(unittest.TestCase):

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cctype>
 #include <charconv>
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <stdexcept>
 
 #include "embedded.hpp"
 
@@ -99,7 +99,7 @@ class Expander {
 std::string_view resource(std::string_view name) {
   const auto found =
       std::find_if(kResources.begin(), kResources.end(), [&](const EmbeddedFile& f) { return f.name == name; });
-  assert(found != kResources.end());
+  if (found == kResources.end()) throw std::logic_error("resource: there is no such thing");
   return found->text;
 }
 

@@ -81,8 +81,8 @@ HN_FN HN_HIGHP float hn_i_sine(HN_HIGHP uint w) {
   HN_HIGHP uint m = (w & 0x80000000u) != 0u ? 0u - w : w;
   HN_HIGHP uint k = hn_i_excess_bits(m);
   HN_HIGHP uint unit = 1u << k;
-  HN_HIGHP uint any = min(k, 1u);
-  m = (m + (unit >> 1) - any + ((m >> k) & any)) & (0u - unit);
+  HN_HIGHP uint rounds = min(k, 1u);
+  m = (m + (unit >> 1) - rounds + ((m >> k) & rounds)) & (0u - unit);
   // In turns, modulo 1, in units of 2^-32: m / 2 pi. 0x28BE60DB9391054A is 2^64 / 2 pi.
   HN_HIGHP uint high = m >> 16;
   HN_HIGHP uint low = m & 0xFFFFu;

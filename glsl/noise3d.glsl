@@ -13,13 +13,14 @@ HN_FN HN_HIGHP float hn_i_ramp(HN_HIGHP vec3 g, HN_HIGHP float x, HN_HIGHP float
 
 // Gradient noise on the cubic lattice, from a cell and a position in it: Perlin 2002 interpolant, hashed gradients.
 // Names cells exactly where a float no longer can: far out in a large world, or in a world that moves with the viewer.
-//   cell     the cell; its corners wrap at 2^32
+//   cell     the cell; its corners wrap at 2^32, or HN_PERIOD
 //   f        position in the cell, in [0, 1]
 //   seed     any uint, 0 if left out; different seeds give independent fields
 //   returns  [-1, 1] (proven bound 0.99992), mean 0, 0 at lattice points, twice continuously differentiable; with
 //            HN_GRADIENT_SINE, which is not scaled, [-3/2, 3/2] and the rest alike
 //   error    at most 5.1e-6 against the exact value, in any rounding mode (docs/accuracy.md); HN_GRADIENT_SINE 7.8e-6
-//   period   HN_PERIOD; without it 2^32 cells per axis (HN_HASH_PARTIAL_FNV1: 2^29, 2^30 and 2^31)
+//   period   HN_PERIOD; without it 2^32 cells per axis (HN_HASH_PARTIAL_FNV1: 2^29, 2^30 and
+//            2^31, with HN_GRADIENT_SINE no more than 2^31)
 //   cost     14 hashes (none with HN_HASH_LATTICE); 22 integer multiplications to spread and mix, and 2 more for a seed
 //            that is no constant. HN_GRADIENT_SINE: 14 hashes and 24 sines of 10 multiplications each
 //   source   Valdenegro-Toro and Pincheira, sec. 5; Perlin, "Improving noise", 2002

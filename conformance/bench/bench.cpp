@@ -3,8 +3,8 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <memory>
 
 #include "bench/workbench.hpp"
@@ -31,11 +31,14 @@ class Bench {
   Result<BenchReport> run(std::vector<Subject> subjects, const BenchOptions& options, std::FILE* progress) {
     {
       Progress line(progress, subjects.size());
+      std::size_t failed = 0;
       for (Subject& subject : subjects) {
-        line.show(report_.measurements.size(), 0, fmt::format("compile {}", subject.id));
+        line.show(report_.measurements.size(), failed, fmt::format("compile {}", subject.id));
         compile(std::move(subject));
+        if (report_.measurements.back().error) ++failed;
       }
     }
+    fmt::print(progress, "timing {} rounds, then counting\n", options.rounds);
     for (std::size_t i = 0; i < kReferences; ++i) {
       if (report_.measurements[i].error) return tl::unexpected(*report_.measurements[i].error);
     }
@@ -99,13 +102,16 @@ class Bench {
       if (measurement.error) continue;
       const std::string text = quad_shader(measurement.subject);
       auto vulkan = expand(workbench_.sources, profile_named("vulkan"), text);
-      auto program = workbench_.build(text);
-      if (!vulkan || !program) {
-        measurement.counts.problems.push_back(vulkan ? program.error().text() : vulkan.error().text());
+      if (!vulkan) {
+        measurement.counts.problems.push_back(vulkan.error().text());
         continue;
       }
-      programs.push_back(std::make_unique<Program>(std::move(*program)));
-      shaders.push_back({std::move(*vulkan), programs.back().get()});
+      const Program* program = nullptr;
+      if (counts_programs(workbench_.context)) {
+        auto built = workbench_.build(text);
+        if (built) program = programs.emplace_back(std::make_unique<Program>(std::move(*built))).get();
+      }
+      shaders.push_back({std::move(*vulkan), program});
       owners.push_back(i);
     }
     CountReport counted = count_instructions(workbench_.context, reference_, shaders);

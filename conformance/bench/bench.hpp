@@ -60,7 +60,10 @@ nlohmann::json to_json(const Counts& counts);
 nlohmann::json absent_sources(const std::map<std::string, std::string>& absent);
 
 // The ratios of an earlier run, by id.
-using Baseline = std::map<std::string, Ratio, std::less<>>;
+struct Baseline {
+  std::string renderer;
+  std::map<std::string, Ratio> ratios;  // by subject
+};
 // Reads them from its bench.json. An error: the file cannot be read, or is no such file.
 Result<Baseline> read_baseline(const std::filesystem::path& path);
 

@@ -4,8 +4,10 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <set>
 
 #include "command.hpp"
@@ -21,6 +23,11 @@ struct Foreign {
   std::string expression;
 };
 
+bool is_word(std::string_view name) {
+  return std::all_of(name.begin(), name.end(),
+                     [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_'; });
+}
+
 Result<Foreign> parse_foreign(const std::string& argument) {
   const auto equals = argument.find('=');
   const auto wrong = [&](std::string_view what) {
@@ -33,7 +40,7 @@ Result<Foreign> parse_foreign(const std::string& argument) {
                     argument.substr(colon + 1)};
     if (!std::filesystem::is_regular_file(foreign.file)) continue;
     if (foreign.expression.empty()) return wrong("there is no expression");
-    if (foreign.name.find_first_of("./ ") != std::string::npos) return wrong("a name is a word");
+    if (!is_word(foreign.name)) return wrong("a name is a word of letters, digits, - and _");
     if (foreign.name == "empty") return wrong("the empty shaders have that name");
     return foreign;
   }
@@ -46,9 +53,8 @@ Result<std::string> read_foreign(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) return fail(fmt::format("cannot read {}", path));
   std::string text(std::istreambuf_iterator<char>(in), {});
-  for (auto at = text.find("#version"); at != std::string::npos; at = text.find("#version", at + 3))
-    text.insert(at, "//");
-  return text;
+  static const std::regex kVersion("(^|\n)([ \t]*#[ \t]*version)");
+  return std::regex_replace(text, kVersion, "$1//$2");
 }
 
 bool is_of(const Measurement& measurement, const Foreign& foreign) {
@@ -106,6 +112,15 @@ Result<Selection> select(const BenchCommand& options, SourceSet& sources) {
   return selection;
 }
 
+// What a comparison is worth.
+void describe_comparison(const Baseline& baseline, const std::vector<Change>& changes, const std::string& renderer) {
+  if (baseline.renderer != renderer) {
+    fmt::print("The baseline was measured on another renderer: {}, not {}\n", baseline.renderer, renderer);
+  }
+  fmt::print("{} subjects compared; {} of the baseline were not measured now\n", changes.size(),
+             baseline.ratios.size() - changes.size());
+}
+
 int conclude(const BenchReport& report, const std::vector<Change>& changes, const std::string& out) {
   int status = 0;
   for (const Measurement& measurement : report.measurements) {
@@ -119,8 +134,9 @@ int conclude(const BenchReport& report, const std::vector<Change>& changes, cons
                change.before.value, change.before.spread);
     status = kNotAsExpected;
   }
-  fmt::print("{} subjects measured by {}: {}/index.html\n", report.measurements.size(), name_of(report.gate.clock),
-             out);
+  const auto measured = std::count_if(report.measurements.begin(), report.measurements.end(),
+                                      [](const Measurement& m) { return !m.error.has_value(); });
+  fmt::print("{} subjects measured by {}: {}/index.html\n", measured, name_of(report.gate.clock), out);
   return status;
 }
 
@@ -151,6 +167,7 @@ int bench_command(const BenchCommand& options) {
   }
   settle_foreigns(*report, selection->foreigns);
   const std::vector<Change> changes = compare_with_baseline(baseline, *report);
+  if (!options.baseline.empty()) describe_comparison(baseline, changes, driver->provenance.info.renderer);
   if (const auto written = write_bench(options.out, driver->provenance, *report, changes, options.dump); !written) {
     return usage_error(written.error().text());
   }

@@ -1,7 +1,6 @@
 // bench.json and what is made of it: CSV, the page, and the comparison with an earlier one.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -9,6 +8,7 @@
 #include "embedded.hpp"
 #include "output/csv.hpp"
 #include "output/file.hpp"
+#include "output/number.hpp"
 #include "output/page.hpp"
 #include "output/svg.hpp"
 #include "report.hpp"
@@ -54,8 +54,9 @@ std::vector<std::string> row_of(const Measurement& measurement, const std::map<s
     row.resize(kHeader.size(), "failed");
     return row;
   }
-  row.push_back(fmt::format("{:.3f}", measurement.ratio.value));
-  row.push_back(fmt::format("{:.3f}", measurement.ratio.spread));
+  for (const double number : {measurement.ratio.value, measurement.ratio.spread}) {
+    row.push_back(measurement.ratio.known() ? decimals(number, 3) : "cannot be told");
+  }
   row.push_back(measurement.evaluations_per_second ? fmt::format("{:.3g}", *measurement.evaluations_per_second)
                                                    : "too fast to tell");
   row.push_back(fmt::format("{:.1f}", measurement.compile_seconds * 1e3));
@@ -196,8 +197,10 @@ Result<Baseline> read_baseline(const std::filesystem::path& path) {
   try {
     const auto json = nlohmann::json::parse(in);
     if (json.at("schema").get<int>() != kSchema) throw std::runtime_error("another schema");
+    baseline.renderer = json.value("renderer", "");
     for (const nlohmann::json& subject : json.at("subjects").get_ref<const nlohmann::json::array_t&>()) {
-      if (!subject.contains("error")) baseline.emplace(subject.at("id").get<std::string>(), ratio_in(subject));
+      if (!subject.contains("error") && !subject.at("ratio").is_null())
+        baseline.ratios.emplace(subject.at("id").get<std::string>(), ratio_in(subject));
     }
   } catch (const std::exception& problem) {
     return fail(fmt::format("{} is no bench.json of this program: {}", path.string(), problem.what()));
@@ -208,8 +211,8 @@ Result<Baseline> read_baseline(const std::filesystem::path& path) {
 std::vector<Change> compare_with_baseline(const Baseline& baseline, const BenchReport& report) {
   std::vector<Change> changes;
   for (const Measurement& measurement : report.measurements) {
-    const auto found = baseline.find(measurement.subject.id);
-    if (found == baseline.end() || measurement.error) continue;
+    const auto found = baseline.ratios.find(measurement.subject.id);
+    if (found == baseline.ratios.end() || measurement.error || !measurement.ratio.known()) continue;
     const Ratio& was = found->second;
     const Ratio& is = measurement.ratio;
     changes.push_back({measurement.subject.id, was, is, is.value - was.value > is.spread + was.spread});

@@ -161,6 +161,8 @@ Result<void> write_spirv(const std::filesystem::path& directory, std::string_vie
   return write_file(directory / "spirv" / fmt::format("{}.spv", id), bytes_of(std::span(counts.optimised)));
 }
 
+bool counts_programs(const Context& context) { return nvidia_absence(context.gl()).empty(); }
+
 CountReport count_instructions(const Context& context, const ReferenceCompiler& reference,
                                std::span<const CountedShader> shaders) {
   CountReport report;

@@ -54,6 +54,9 @@ std::string count_text(const Counts& counts, std::string_view source, const std:
 // Writes what was counted, for other tools to count: spirv/<id>.spv. Nothing if there is nothing.
 Result<void> write_spirv(const std::filesystem::path& directory, std::string_view id, const Counts& counts);
 
+// Whether the driver's own programs are counted, too.
+bool counts_programs(const Context& context);
+
 CountReport count_instructions(const Context& context, const ReferenceCompiler& reference,
                                std::span<const CountedShader> shaders);
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cassert>
+#include <stdexcept>
 
 #include "embedded.hpp"
 
@@ -50,7 +50,7 @@ constexpr std::array kCalls = {
 const Call& call_of(const Function& function) {
   const auto found =
       std::find_if(kCalls.begin(), kCalls.end(), [&](const Call& c) { return c.function == function.id; });
-  assert(found != kCalls.end());
+  if (found == kCalls.end()) throw std::logic_error("call_of: there is no such thing");
   return *found;
 }
 
@@ -114,29 +114,30 @@ Subject foreign_subject(std::string_view name, std::string_view file, std::strin
       "hn_bench_no_float hn_bench_float(int v) { return hn_bench_no_float(v); }\n"
       "hn_bench_no_float hn_bench_float(uint v) { return hn_bench_no_float(int(v)); }\n";
   return {fmt::format("{}{}", name, dimensions), dimensions,
-          fmt::format("#include \"{}\"\n{}float hn_bench_foreign(vec{} p) {{\n  return hn_bench_float({});\n}}\n", file,
-                      kOnlyFloat, dimensions, expression),
+          fmt::format("#include \"{}\"\n{}float hn_bench_foreign(vec{} p) {{\n  return hn_bench_float({}\n  );\n}}\n",
+                      file, kOnlyFloat, dimensions, expression),
           "hn_bench_foreign(p)"};
 }
 
 std::string quad_shader(const Subject& subject) {
-  return fmt::format(R"(#ifdef VULKAN
+  // What the subject needs comes first: a foreign file may have #extension lines.
+  return fmt::format(R"({}#ifdef VULKAN
 layout(location = 0) in vec3 coordinate;
 layout(location = 0) out vec4 result;
 #else
 in vec3 coordinate;
 out vec4 result;
 #endif
-{}void main() {{ result = vec4(vec3(hn_bench({}) * 0.5 + 0.5), 1.0); }}
+void main() {{ result = vec4(vec3(hn_bench({}) * 0.5 + 0.5), 1.0); }}
 )",
                      function_of_subject(subject), position(subject));
 }
 
 std::string loop_shader(const Subject& subject) {
-  return fmt::format(R"(in vec3 coordinate;
+  return fmt::format(R"({}in vec3 coordinate;
 out vec4 result;
 uniform int iterations;
-{}void main() {{
+void main() {{
   uint sum = 0u;
   vec3 at = coordinate;
   for (int i = 0; i < iterations; ++i) {{
@@ -161,13 +162,14 @@ out uvec4 result;
 }
 
 std::string quad_vertex_shader() {
-  return R"(out vec3 coordinate;
-void main() {
+  return fmt::format(R"(out vec3 coordinate;
+void main() {{
   vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
   gl_Position = vec4(corner, 0.0, 1.0);
-  coordinate = vec3(corner * 16.0 + 40.0, corner.x * 4.0 - corner.y * 4.0 + 20.0);
-}
-)";
+  coordinate = vec3(corner * {:.1f} + 40.0, corner.x * 4.0 - corner.y * 4.0 + 20.0);
+}}
+)",
+                     kQuadCells / 2.0);
 }
 
 SourceSet with_comparison_shaders(SourceSet sources) {

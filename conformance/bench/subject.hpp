@@ -42,8 +42,9 @@ std::string loop_shader(const Subject& subject);
 // For GridRenderer: the value, a float, at the position in the first three input words.
 std::string value_shader(const Subject& subject);
 
-// For all of them but the last: one triangle over the viewport. The position passes over 32 cells, far enough from 0
-// that no coordinate is special.
+// For all of them but the last: one triangle over the viewport. The position passes over so many cells along each side,
+// far enough from 0 that no coordinate is special.
+constexpr int kQuadCells = 32;
 std::string quad_vertex_shader();
 
 // The library's files, and those that float_subject and integer_subject include.

@@ -34,13 +34,18 @@ double Timing::spread() const { return (quantile(samples, 0.75) - quantile(sampl
 
 Ratio ratio(const Timing& timing, const Timing& reference, const Timing& empty) {
   const std::size_t rounds = std::min({timing.samples.size(), reference.samples.size(), empty.samples.size()});
-  std::vector<double> ratios;
+  Timing ratios;
   for (std::size_t i = 0; i < rounds; ++i) {
     const double base = reference.samples[i] - empty.samples[i];
-    if (base > 0.0) ratios.push_back((timing.samples[i] - empty.samples[i]) / base);
+    if (base > 0.0) ratios.samples.push_back((timing.samples[i] - empty.samples[i]) / base);
   }
-  const Timing all{std::move(ratios)};
-  return {all.median(), all.spread()};
+  // Where the reference is seldom longer than nothing, what is left of the rounds says nothing.
+  if (ratios.samples.empty() || 2 * ratios.samples.size() < rounds) return {};
+  return {ratios.median(), ratios.spread()};
+}
+
+std::string text_of(const Ratio& ratio) {
+  return ratio.known() ? fmt::format("{:.2f} ± {:.2f}", ratio.value, ratio.spread) : "cannot be told";
 }
 
 std::string_view name_of(Clock clock) { return clock == Clock::query ? "timer query" : "wall time around glFinish"; }
@@ -74,16 +79,19 @@ Stopwatch::~Stopwatch() {
   gl_.DeleteVertexArrays(1, &vertex_array_);
 }
 
-void Stopwatch::draw(const Workload& workload, int times) {
+GLint Stopwatch::prepare(const Workload& workload) {
   const GLuint id = workload.program->id();
   gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   gl_.Disable(GL_SCISSOR_TEST);
   gl_.Viewport(0, 0, workload.width, workload.height);
   gl_.UseProgram(id);
+  gl_.BindVertexArray(vertex_array_);
   const GLint iterations = gl_.GetUniformLocation(id, "iterations");
   if (iterations >= 0) gl_.Uniform1i(iterations, workload.iterations);
-  const GLint draw_number = gl_.GetUniformLocation(id, "draw_number");
-  gl_.BindVertexArray(vertex_array_);
+  return gl_.GetUniformLocation(id, "draw_number");
+}
+
+void Stopwatch::draw(int times, GLint draw_number) {
   for (int i = 0; i < times; ++i) {
     if (draw_number >= 0) gl_.Uniform1i(draw_number, i);
     gl_.DrawArrays(GL_TRIANGLES, 0, 3);
@@ -94,17 +102,18 @@ void Stopwatch::draw(const Workload& workload, int times) {
 }
 
 double Stopwatch::seconds(const Workload& workload, int draws, Clock clock) {
+  const GLint draw_number = prepare(workload);
   gl_.Finish();
   if (clock == Clock::query) {
     gl_.BeginQuery(GL_TIME_ELAPSED, query_);
-    draw(workload, draws);
+    draw(draws, draw_number);
     gl_.EndQuery(GL_TIME_ELAPSED);
     GLuint64 nanoseconds = 0;
     gl_.GetQueryObjectui64v(query_, GL_QUERY_RESULT, &nanoseconds);
     return static_cast<double>(nanoseconds) * 1e-9 / draws;
   }
   const auto start = std::chrono::steady_clock::now();
-  draw(workload, draws);
+  draw(draws, draw_number);
   gl_.Finish();
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / draws;
 }
@@ -133,8 +142,9 @@ const Gate& Stopwatch::choose_clock(const Workload& workload) {
 Result<Workload> Stopwatch::sufficient_load(const Program& program) {
   // Shorter than this, a draw is mostly overhead.
   constexpr double kEnough = 2e-3;
+  // Some iterations at the least, or else the time would not grow with them.
   constexpr std::array<std::array<int, 2>, 8> kLoads = {
-      {{64, 1}, {64, 4}, {128, 4}, {256, 4}, {512, 4}, {1024, 4}, {2048, 4}, {2048, 16}}};
+      {{32, 8}, {64, 8}, {128, 8}, {256, 8}, {512, 8}, {1024, 8}, {2048, 8}, {2048, 32}}};
   while (gl_.GetError() != GL_NO_ERROR) {
   }
   Workload load{&program, 0, 0, 1};

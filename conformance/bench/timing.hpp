@@ -1,6 +1,7 @@
 // Times programs against each other: in rounds, so that what slows the machine down for a while slows all of them.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,11 +26,15 @@ struct Timing {
   double spread() const;  // half the distance between the quartiles
 };
 
-// A quotient and half the distance between the quartiles of its samples.
+// A quotient and half the distance between the quartiles of its samples; NaN where it cannot be told.
 struct Ratio {
-  double value = 0.0;
-  double spread = 0.0;
+  double value = std::numeric_limits<double>::quiet_NaN();
+  double spread = std::numeric_limits<double>::quiet_NaN();
+
+  bool known() const { return value == value; }
 };
+// "1.23 ± 0.04"
+std::string text_of(const Ratio& ratio);
 
 // The time of a workload over that of the reference, sample by sample, after the time of an empty shader is taken off
 // both.
@@ -75,7 +80,9 @@ class Stopwatch {
   double first_draw(const Program& program);
 
  private:
-  void draw(const Workload& workload, int times);
+  // Everything but the draws; returns the place of the uniform "draw_number".
+  GLint prepare(const Workload& workload);
+  void draw(int times, GLint draw_number);
   double seconds(const Workload& workload, int draws, Clock clock);
   int draws_per_sample(const Workload& workload);
 

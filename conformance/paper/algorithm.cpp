@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
+#include <stdexcept>
 
 namespace hn {
 namespace {
@@ -63,7 +63,7 @@ std::span<const Algorithm> all_algorithms() { return kAlgorithms; }
 const Algorithm& algorithm_named(std::string_view name) {
   const auto found =
       std::find_if(kAlgorithms.begin(), kAlgorithms.end(), [&](const Algorithm& a) { return a.name == name; });
-  assert(found != kAlgorithms.end());
+  if (found == kAlgorithms.end()) throw std::logic_error("algorithm_named: there is no such thing");
   return *found;
 }
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <optional>
 
 #include "laboratory.hpp"
 #include "output/number.hpp"
@@ -17,6 +17,7 @@ namespace {
 constexpr int kWidth = 1024;
 constexpr int kHeight = 512;
 constexpr int kTextureSide = 4096;  // of 16 bytes each: 256 MiB, more than the caches of all but a few GPUs
+constexpr int kMegabytes = kTextureSide / 1024 * kTextureSide * 16 / 1024;
 constexpr int kAcross = kTextureSide / kWidth;
 constexpr int kTiles = kAcross * (kTextureSide / kHeight);
 constexpr int kTextureUnit = 8;  // behind those of the tables
@@ -116,7 +117,7 @@ Result<std::vector<Curve>> sweep(Laboratory& laboratory, int dimensions) {
   std::vector<Workload> workloads;
   for (Curve& curve : curves) {
     auto program = laboratory.build(sweep_shader(curve.subject));
-    if (!program) return tl::unexpected(program.error());
+    if (!program) return fail(fmt::format("{}: {}", curve.name, program.error().message), program.error().log);
     const GladGLContext& gl = laboratory.context.gl();
     gl.UseProgram(program->id());
     gl.Uniform1i(gl.GetUniformLocation(program->id(), "memory"), kTextureUnit);
@@ -148,9 +149,10 @@ std::string plot(const std::vector<Curve>& curves, int dimensions) {
     }
     series.push_back(std::move(one));
   }
-  return line_plot({fmt::format("{}D noise with further fetches", dimensions), "fetches per pixel from 256 MiB",
-                    "time, as a multiple of Perlin/Float without them"},
-                   series);
+  return line_plot(
+      {fmt::format("{}D noise with further fetches", dimensions),
+       fmt::format("fetches per pixel from {} MiB", kMegabytes), "time, as a multiple of Perlin/Float without them"},
+      series);
 }
 
 void add_curves(Section& section, Section::Csv& csv, const std::vector<Curve>& curves, int dimensions) {
@@ -193,6 +195,7 @@ Result<Section> measure_bandwidth(Laboratory& laboratory) {
                   {"curves", nlohmann::json::array()}};
   section.page = {{"software", is_software(laboratory)},
                   {"most", kFetches.back()},
+                  {"megabytes", kMegabytes},
                   {"absent", false},
                   {"sweeps", nlohmann::json::array()}};
   GLint most = 0;

@@ -12,6 +12,9 @@ namespace hn {
 namespace {
 
 constexpr int kSide = 512;
+// Cells along a side. Few for the octave sums, whose octaves have up to 32 times as many.
+constexpr int kNoiseCells = 16;
+constexpr int kOctaveCells = 4;
 constexpr std::array kPictures = {Picture::noise, Picture::turbulence, Picture::clouds};
 
 // A sheet is a row of three pictures for each algorithm of the paper's figure, in its order.
@@ -26,10 +29,10 @@ constexpr std::array<std::string_view, 6> kInFigure = {"fnv1",   "partial_fnv1",
                                                        "murmur", "float"};
 
 // The middles of the pixels of a square of so many cells, away from the origin, the top row first.
-std::vector<Position> positions(float cells) {
+std::vector<Position> positions(int cells) {
   std::vector<Position> points;
   points.reserve(std::size_t{kSide} * kSide);
-  const float step = cells / static_cast<float>(kSide);
+  const float step = static_cast<float>(cells) / static_cast<float>(kSide);
   for (int row = kSide - 1; row >= 0; --row) {
     for (int column = 0; column < kSide; ++column) {
       points.push_back(
@@ -54,9 +57,8 @@ std::uint8_t grey(float value, Picture picture) {
 using Pixels = std::vector<std::uint8_t>;
 
 Result<Pixels> draw(Laboratory& laboratory, const Entry& entry, Picture picture) {
-  // Few cells for the octave sums, whose octaves have up to 32 times as many.
-  const auto values =
-      laboratory.values(subject_of(entry, 2, picture), positions(picture == Picture::noise ? 16.0f : 4.0f));
+  const auto values = laboratory.values(subject_of(entry, 2, picture),
+                                        positions(picture == Picture::noise ? kNoiseCells : kOctaveCells));
   if (!values) return tl::unexpected(values.error());
   Pixels pixels(values->size());
   std::transform(values->begin(), values->end(), pixels.begin(), [&](float value) { return grey(value, picture); });
@@ -86,14 +88,17 @@ Result<nlohmann::json> draw_row(Laboratory& laboratory, const Entry& entry, Pixe
   return figures;
 }
 
-Result<nlohmann::json> draw_sheet(Laboratory& laboratory, const Sheet& sheet) {
+Result<nlohmann::json> draw_sheet(Laboratory& laboratory, const Sheet& sheet, Section& section) {
   Pixels pixels(kInFigure.size() * kSide * kPictures.size() * kSide);
   nlohmann::json rows = nlohmann::json::array();
   for (const std::string_view name : kInFigure) {
     const Entry entry{&algorithm_named(name), name == "float" ? Form::table : sheet.form};
     auto figures = draw_row(laboratory, entry, pixels, rows.size());
-    if (!figures) return tl::unexpected(figures.error());
-    rows.push_back({{"title", entry.algorithm->title}, {"figures", *figures}});
+    if (!figures) {
+      section.complete = false;
+      section.data["errors"].push_back({{"id", entry.id()}, {"text", figures.error().text()}});
+    }
+    rows.push_back({{"title", entry.algorithm->title}, {"figures", figures ? *figures : nlohmann::json::array()}});
   }
   const std::string file = fmt::format("sheet.{}.png", name_of(sheet.form));
   const auto written = write_grey_png(laboratory.out / file, pixels, static_cast<int>(kSide * kPictures.size()),
@@ -106,9 +111,13 @@ Result<nlohmann::json> draw_sheet(Laboratory& laboratory, const Sheet& sheet) {
 
 Result<Section> draw_figures(Laboratory& laboratory) {
   Section section;
-  section.data = {{"side", kSide}, {"sheets", nlohmann::json::array()}};
+  section.data = {{"side", kSide},
+                  {"noise_cells", kNoiseCells},
+                  {"octave_cells", kOctaveCells},
+                  {"sheets", nlohmann::json::array()},
+                  {"errors", nlohmann::json::array()}};
   for (const Sheet& sheet : kSheets) {
-    auto drawn = draw_sheet(laboratory, sheet);
+    auto drawn = draw_sheet(laboratory, sheet, section);
     if (!drawn) return tl::unexpected(drawn.error());
     section.data["sheets"].push_back(std::move(*drawn));
   }

@@ -25,6 +25,8 @@ class Laboratory : public Workbench {
 
   // The subject's values at at most 2^20 positions, as the driver computes them.
   Result<std::vector<float>> values(const Subject& subject, std::span<const Position> positions);
+  // The same with a program of value_shader, for those who ask more than once.
+  Result<std::vector<float>> values(const Program& program, std::span<const Position> positions);
 
   const ReferenceCompiler& reference;
   const std::filesystem::path out;

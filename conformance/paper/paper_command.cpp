@@ -31,7 +31,10 @@ Result<void> write(const std::filesystem::path& out, const nlohmann::json& data,
   for (const Section::Csv& table : tables) {
     if (auto done = write_file(out / table.name, to_csv(table.header, table.rows)); !done) return done;
   }
-  if (auto done = write_file(out / "paper.json", data.dump(1) + "\n"); !done) return done;
+  if (auto done =
+          write_file(out / "paper.json", data.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+      !done)
+    return done;
   return write_file(out / "index.html", *html);
 }
 
@@ -47,16 +50,25 @@ int paper_command(const PaperCommand& options) {
   const ReferenceCompiler reference;
   Laboratory laboratory(*driver->context, *sources, reference, options.out, options.rounds, options.dump);
   nlohmann::json data = to_json(driver->provenance);
-  nlohmann::json page = {{"style", resource("style.mustache")}, {"provenance", data}, {"rounds", options.rounds}};
+  nlohmann::json page = {{"style", resource("style.mustache")},
+                         {"provenance", data},
+                         {"rounds", options.rounds},
+                         {"failures", nlohmann::json::array()}};
   data["schema"] = 1;
+  data["rounds"] = options.rounds;
   std::vector<Section::Csv> tables;
   bool complete = true;
   for (const Part& part : kParts) {
     const auto start = std::chrono::steady_clock::now();
     auto section = part.measure(laboratory);
     if (!section) {
+      // The other sections are still worth having.
       fmt::print(stderr, "hn-conform: {}: {}\n", part.name, section.error().text());
-      return kNotAsExpected;
+      data[std::string(part.name)] = {{"error", section.error().text()}};
+      page[std::string(part.name)] = false;
+      page["failures"].push_back({{"section", part.name}, {"text", section.error().text()}});
+      complete = false;
+      continue;
     }
     data[std::string(part.name)] = std::move(section->data);
     page[std::string(part.name)] = std::move(section->page);

@@ -1,9 +1,9 @@
 // After how many cells each noise repeats: shown by equal bits, and by the absence of any shorter repeat.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 
 #include "laboratory.hpp"
 #include "paper/period.hpp"
@@ -65,12 +65,12 @@ std::vector<Position> scattered(int dimensions, std::uint32_t period) {
 }
 
 // How many values differ in a bit from those a period on along an axis.
-Result<std::size_t> differences(Laboratory& laboratory, const Claim& claim, int axis) {
+Result<std::size_t> differences(Laboratory& laboratory, const Program& program, const Claim& claim, int axis) {
   std::vector<Position> points = scattered(claim.subject.dimensions, claim.period);
-  const auto here = laboratory.values(claim.subject, points);
+  const auto here = laboratory.values(program, points);
   if (!here) return tl::unexpected(here.error());
   for (Position& point : points) axis_of(point, axis) += static_cast<float>(claim.period);
-  const auto there = laboratory.values(claim.subject, points);
+  const auto there = laboratory.values(program, points);
   if (!there) return tl::unexpected(there.error());
   std::size_t count = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -80,13 +80,13 @@ Result<std::size_t> differences(Laboratory& laboratory, const Claim& claim, int 
 }
 
 // The shortest repeat of the values in all cells of a period along an axis, on a line that misses the lattice.
-Result<std::size_t> shortest(Laboratory& laboratory, const Claim& claim, int axis) {
+Result<std::size_t> shortest(Laboratory& laboratory, const Program& program, const Claim& claim, int axis) {
   std::vector<Position> points(claim.period);
   for (std::size_t i = 0; i < points.size(); ++i) {
     points[i] = {5.375f, 7.625f, 3.125f};
     axis_of(points[i], axis) = static_cast<float>(i) + 0.375f;
   }
-  const auto values = laboratory.values(claim.subject, points);
+  const auto values = laboratory.values(program, points);
   if (!values) return tl::unexpected(values.error());
   std::vector<std::uint32_t> bits(values->size());
   std::transform(values->begin(), values->end(), bits.begin(), [](float v) { return std::bit_cast<std::uint32_t>(v); });
@@ -101,9 +101,14 @@ struct Finding {
 
 Finding examine(Laboratory& laboratory, const Claim& claim) {
   Finding finding;
+  const auto program = laboratory.build(value_shader(claim.subject));
+  if (!program) {
+    finding.error = program.error().text();
+    return finding;
+  }
   for (int axis = 0; axis < claim.subject.dimensions; ++axis) {
-    const auto differing = differences(laboratory, claim, axis);
-    const auto repeat = differing ? shortest(laboratory, claim, axis) : differing;
+    const auto differing = differences(laboratory, *program, claim, axis);
+    const auto repeat = differing ? shortest(laboratory, *program, claim, axis) : differing;
     if (!repeat) {
       finding.error = repeat.error().text();
       return finding;
@@ -120,8 +125,9 @@ Result<Section> measure_periods(Laboratory& laboratory) {
   Section section;
   section.data = {{"points", kPoints}, {"rows", nlohmann::json::array()}};
   section.page = section.data;
+  section.page["errors"] = nlohmann::json::array();
   Section::Csv csv{"period.csv",
-                   {"algorithm", "form", "dimensions", "period", "differing_bits", "shortest_repeat_x",
+                   {"algorithm", "form", "dimensions", "period", "differing_values", "shortest_repeat_x",
                     "shortest_repeat_y", "shortest_repeat_z", "verdict"},
                    {}};
   for (const Claim& claim : all_claims()) {
@@ -130,11 +136,11 @@ Result<Section> measure_periods(Laboratory& laboratory) {
     const auto dimensions = static_cast<std::size_t>(claim.subject.dimensions);
     std::size_t differing = 0;
     bool shorter = false;
-    std::vector<std::string> repeats;
+    std::vector<std::size_t> repeats;
     for (std::size_t axis = 0; axis < dimensions; ++axis) {
       differing += finding.differing[axis];
       shorter = shorter || finding.repeat[axis] < claim.period;
-      repeats.push_back(fmt::format("{}", finding.repeat[axis]));
+      repeats.push_back(finding.repeat[axis]);
     }
     const std::string verdict = !finding.error.empty() ? "failed"
                                 : differing > 0        ? "does not repeat"
@@ -156,9 +162,10 @@ Result<Section> measure_periods(Laboratory& laboratory) {
                                     {"repeats", fmt::format("{}", fmt::join(repeats, ", "))},
                                     {"verdict", verdict},
                                     {"good", verdict == "as stated"}});
-    repeats.resize(3);
     csv.rows.push_back({claim.title, claim.form, fmt::format("{}", dimensions), fmt::format("{}", claim.period),
-                        fmt::format("{}", differing), repeats[0], repeats[1], repeats[2], verdict});
+                        fmt::format("{}", differing), fmt::format("{}", repeats[0]), fmt::format("{}", repeats[1]),
+                        dimensions == 3 ? fmt::format("{}", repeats[2]) : "no axis", verdict});
+    if (!finding.error.empty()) section.page["errors"].push_back({{"id", claim.subject.id}, {"text", finding.error}});
   }
   section.csv.push_back(std::move(csv));
   return section;

@@ -3,6 +3,7 @@
 
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "laboratory.hpp"
 #include "output/file.hpp"
@@ -100,16 +101,16 @@ Sample measure(Laboratory& laboratory, const Entry& entry, int dimensions, std::
 }
 
 // Two histograms of as many values: chi-square of the hypothesis that both are of the same distribution.
-struct Comparison2 {
+struct HistogramComparison {
   double statistic = 0.0;
   int degrees = 0;
   double p_value = 1.0;
 };
 
-Comparison2 compare_histograms(std::span<const std::uint64_t> a, std::span<const std::uint64_t> b) {
+HistogramComparison compare_histograms(std::span<const std::uint64_t> a, std::span<const std::uint64_t> b) {
   // Sparse bins, of fewer than this in both together, are left out: chi-square is an approximation for many.
   constexpr std::uint64_t kFewest = 20;
-  Comparison2 result;
+  HistogramComparison result;
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (a[i] + b[i] < kFewest) continue;
     const double difference = static_cast<double>(a[i]) - static_cast<double>(b[i]);
@@ -133,7 +134,7 @@ std::string plot(const Sample& sample) {
   const double deviation = std::sqrt(sample.moments.variance);
   const auto normal = [=](double x) {
     const double z = (x - mean) / deviation;
-    return std::exp(-0.5 * z * z) / (deviation * std::sqrt(2.0 * 3.14159265358979323846));
+    return std::exp(-0.5 * z * z) / (deviation * std::sqrt(2.0 * std::numbers::pi));
   };
   return histogram_plot({sample.title(), "value", "density"}, kLow, kHigh, density, normal);
 }
@@ -176,6 +177,18 @@ std::vector<std::string> cells_of(const Sample& sample) {
           fmt::format("{:.1f} %", sample.zeros * 100.0)};
 }
 
+// The same as numbers, for programs.
+std::vector<std::string> csv_of(const Sample& sample) {
+  std::vector<std::string> cells = {std::string(sample.entry.algorithm->name), std::string(title_of(sample.entry.form)),
+                                    fmt::format("{}", sample.dimensions)};
+  const Moments& m = sample.moments;
+  for (const double number : {m.minimum, m.maximum, m.mean, m.variance, m.skewness, m.excess_kurtosis,
+                              sample.normality.statistic, sample.normality.log10_p, sample.zeros}) {
+    cells.push_back(sample.error.empty() ? fmt::format("{:.9g}", number) : "failed");
+  }
+  return cells;
+}
+
 const Sample* find(const std::vector<Sample>& samples, std::string_view algorithm, Form form, int dimensions) {
   for (const Sample& sample : samples) {
     if (sample.entry.algorithm->name == algorithm && sample.entry.form == form && sample.dimensions == dimensions)
@@ -194,7 +207,7 @@ void add_partials(const std::vector<Sample>& samples, Section& section) {
         const Sample* const full = find(samples, hash, form, dimensions);
         const Sample* const partial = find(samples, fmt::format("partial_{}", hash), form, dimensions);
         if (!full || !partial || !full->error.empty() || !partial->error.empty()) continue;
-        const Comparison2 result = compare_histograms(full->histogram, partial->histogram);
+        const HistogramComparison result = compare_histograms(full->histogram, partial->histogram);
         section.data["partial_against_full"].push_back({{"full", full->id()},
                                                         {"partial", partial->id()},
                                                         {"chi_square", result.statistic},
@@ -227,25 +240,23 @@ Result<Section> measure_statistics(Laboratory& laboratory) {
                   {"histogram_low", kLow},
                   {"histogram_high", kHigh},
                   {"samples", nlohmann::json::array()}};
-  section.page = {{"grid_2d", kGrid2},
+  section.page = {{"count", std::size_t{1} << 20},
+                  {"grid_2d", kGrid2},
                   {"grid_3d", kGrid3},
                   {"rows", nlohmann::json::array()},
                   {"plots", nlohmann::json::array()},
                   {"errors", nlohmann::json::array()}};
   Section::Csv csv{"statistics.csv",
-                   {"algorithm", "form", "dimensions", "range", "within_-1_and_1", "mean", "variance", "skewness",
-                    "excess_kurtosis", "normality_p", "zeros"},
+                   {"algorithm", "form", "dimensions", "minimum", "maximum", "mean", "variance", "skewness",
+                    "excess_kurtosis", "normality_statistic", "normality_log10_p", "zeros"},
                    {}};
   for (const Sample& sample : samples) {
     section.data["samples"].push_back(data_of(sample));
-    auto cells = cells_of(sample);
     section.page["rows"].push_back({{"title", sample.entry.algorithm->title},
                                     {"form", title_of(sample.entry.form)},
                                     {"dimensions", sample.dimensions},
-                                    {"cells", cells}});
-    cells.insert(cells.begin(), {std::string(sample.entry.algorithm->title), std::string(title_of(sample.entry.form)),
-                                 fmt::format("{}", sample.dimensions)});
-    csv.rows.push_back(std::move(cells));
+                                    {"cells", cells_of(sample)}});
+    csv.rows.push_back(csv_of(sample));
     section.complete = section.complete && sample.error.empty();
     if (!sample.error.empty()) section.page["errors"].push_back({{"id", sample.id()}, {"text", sample.error}});
     if (sample.moments.count > 0) section.page["plots"].push_back(plot(sample));

@@ -53,34 +53,19 @@ struct Row {
   std::string title;
   std::string form;
   std::string algorithm;
-  std::optional<Program> program;
-  std::string error;
-  Timing timing[kSizes.size()];
-  Ratio ratio[kSizes.size()];
-  Counts counts;
+  std::optional<Program> program = {};
+  std::string error = {};
+  std::array<Timing, kSizes.size()> timing = {};
+  std::array<Ratio, kSizes.size()> ratio = {};
+  Counts counts = {};
 };
 
 std::vector<Row> rows_of(int dimensions) {
   std::vector<Row> rows;
-  rows.push_back({.subject = empty_subject(dimensions),
-                  .title = "(empty shader)",
-                  .form = "",
-                  .algorithm = "empty",
-                  .program = {},
-                  .error = {},
-                  .timing = {},
-                  .ratio = {},
-                  .counts = {}});
+  rows.push_back(Row{empty_subject(dimensions), "(empty shader)", "", "empty"});
   for (const Entry& entry : all_entries()) {
-    rows.push_back({.subject = subject_of(entry, dimensions),
-                    .title = std::string(entry.algorithm->title),
-                    .form = std::string(title_of(entry.form)),
-                    .algorithm = std::string(entry.algorithm->name),
-                    .program = {},
-                    .error = {},
-                    .timing = {},
-                    .ratio = {},
-                    .counts = {}});
+    rows.push_back(Row{subject_of(entry, dimensions), std::string(entry.algorithm->title),
+                       std::string(title_of(entry.form)), std::string(entry.algorithm->name)});
   }
   return rows;
 }
@@ -178,10 +163,39 @@ std::vector<std::string> cells_of(const Row& row, const std::map<std::string, st
   for (std::size_t size = 0; size < kSizes.size(); ++size) {
     cells.push_back(row.error.empty() ? three_digits(row.timing[size].median() * 1e3) : "failed");
     cells.push_back(printed ? fmt::format("{:.1f}", printed->milliseconds[size]) : kNotPrinted);
-    cells.push_back(row.error.empty() ? fmt::format("{:.2f} ± {:.2f}", row.ratio[size].value, row.ratio[size].spread)
-                                      : "failed");
+    cells.push_back(row.error.empty() ? text_of(row.ratio[size]) : "failed");
     cells.push_back(printed ? fmt::format("{:.2f}", printed->milliseconds[size] / of_float->milliseconds[size])
                             : kNotPrinted);
+  }
+  return cells;
+}
+
+// The table as numbers, for programs; words only where there is no number.
+std::vector<std::string> csv_header() {
+  std::vector<std::string> header = {"algorithm", "form", "dimensions"};
+  for (const std::string_view source : count_sources()) header.emplace_back(source);
+  header.emplace_back("paper_instructions");
+  for (const Size& size : kSizes) {
+    for (const std::string_view what : {"ms", "ratio", "spread", "paper_ms"}) {
+      header.push_back(fmt::format("{}_{}x{}", what, size.width, size.height));
+    }
+  }
+  return header;
+}
+
+std::vector<std::string> csv_of(const Row& row, const std::map<std::string, std::string>& absent) {
+  std::vector<std::string> cells = {row.algorithm, row.form, fmt::format("{}", row.subject.dimensions)};
+  const bool measured = row.error.empty();
+  for (const std::string_view source : count_sources()) {
+    cells.push_back(measured ? count_text(row.counts, source, absent) : "failed");
+  }
+  const auto printed = printed_row(row.algorithm, row.subject.dimensions);
+  cells.push_back(printed ? fmt::format("{}", printed->instructions) : kNotPrinted);
+  for (std::size_t size = 0; size < kSizes.size(); ++size) {
+    for (const double number : {row.timing[size].median() * 1e3, row.ratio[size].value, row.ratio[size].spread}) {
+      cells.push_back(measured ? fmt::format("{:.6g}", number) : "failed");
+    }
+    cells.push_back(printed ? fmt::format("{}", printed->milliseconds[size]) : kNotPrinted);
   }
   return cells;
 }
@@ -194,6 +208,7 @@ nlohmann::json claims(const std::vector<Row>& rows) {
     for (const int dimensions : {2, 3}) {
       for (const Row& row : rows) {
         if (row.algorithm != algorithm || row.form != title_of(form) || row.subject.dimensions != dimensions) continue;
+        if (!row.error.empty()) continue;
         const double printed = printed_row(algorithm, dimensions)->milliseconds[0];
         const double of_float = printed_row("float", dimensions)->milliseconds[0];
         text += fmt::format("{}{}D {:.2f} (paper {:.2f})", text.empty() ? "" : ", ", dimensions, row.ratio[0].value,
@@ -225,22 +240,18 @@ nlohmann::json claims(const std::vector<Row>& rows) {
 Section to_section(const std::vector<Row>& rows, const std::map<std::string, std::string>& absent) {
   Section section;
   section.data = {{"absent_counts", absent}, {"rows", nlohmann::json::array()}};
-  section.page = {
-      {"absent", absent_sources(absent)}, {"tables", nlohmann::json::array()}, {"errors", nlohmann::json::array()}};
-  Section::Csv csv{"table.csv",
-                   {"algorithm", "form", "dimensions", "spirv", "navi21", "vega10", "nvidia", "paper_instructions",
-                    "ms_800x600", "paper_ms_800x600", "ratio_800x600", "paper_ratio_800x600", "ms_1024x768",
-                    "paper_ms_1024x768", "ratio_1024x768", "paper_ratio_1024x768"},
-                   {}};
+  section.page = {{"cells", kQuadCells},
+                  {"absent", absent_sources(absent)},
+                  {"tables", nlohmann::json::array()},
+                  {"errors", nlohmann::json::array()}};
+  Section::Csv csv{"table.csv", csv_header(), {}};
   for (const int dimensions : {2, 3}) {
     nlohmann::json lines = nlohmann::json::array();
     for (const Row& row : rows) {
       if (row.subject.dimensions != dimensions) continue;
       section.data["rows"].push_back(data_of(row));
-      auto cells = cells_of(row, absent);
-      lines.push_back({{"title", row.title}, {"form", row.form}, {"cells", cells}});
-      cells.insert(cells.begin(), {row.title, row.form, fmt::format("{}", dimensions)});
-      csv.rows.push_back(std::move(cells));
+      lines.push_back({{"title", row.title}, {"form", row.form}, {"cells", cells_of(row, absent)}});
+      csv.rows.push_back(csv_of(row, absent));
       section.complete = section.complete && row.error.empty() && row.counts.problems.empty();
       if (!row.error.empty()) section.page["errors"].push_back({{"id", row.subject.id}, {"text", row.error}});
       for (const std::string& problem : row.counts.problems) {

@@ -19,15 +19,17 @@
 #define HN_I_PASTE_TOKENS(a, b) a##b
 #define HN_I_PASTE(a, b) HN_I_PASTE_TOKENS(a, b)
 
+// clang-format off
 namespace hashnoise {
 inline namespace HN_I_PASTE(hash_, HN_HASH) {
-  inline namespace HN_I_PASTE(gradient_, HN_GRADIENT) {
-    inline namespace HN_I_PASTE(period_, HN_PERIOD) {
+inline namespace HN_I_PASTE(gradient_, HN_GRADIENT) {
+inline namespace HN_I_PASTE(period_, HN_PERIOD) {
 #include "../../glsl/hashnoise.glsl"
-    }  // namespace )
-  }    // namespace )
-}  // namespace )
+}
+}
+}
 }  // namespace hashnoise
+// clang-format on
 
 #undef HN_I_PASTE
 #undef HN_I_PASTE_TOKENS
