@@ -5,20 +5,15 @@
 
 #include <stdexcept>
 
+#include "osmesa_fixture.hpp"
 #include "runner.hpp"
 #include "test_support.hpp"
 
 namespace hn {
 namespace {
 
-class Gpu : public testing::Test {
+class Gpu : public OnOsmesa<> {
  protected:
-  void SetUp() override {
-    auto context = find_driver("osmesa")->create();
-    ASSERT_TRUE(context) << context.error().text();
-    context_ = std::move(*context);
-  }
-
   Result<Program> build(std::string_view fragment) {
     const Profile& profile = profile_named("gl330");
     const auto vertex_text = expand(sources_, profile, vertex_shader());
@@ -27,7 +22,6 @@ class Gpu : public testing::Test {
     return Program::build(*context_, *vertex_text, *fragment_text);
   }
 
-  std::unique_ptr<Context> context_;
   SourceSet sources_ = SourceSet::embedded();
 };
 

@@ -7,6 +7,7 @@
 
 #include "bench/counts.hpp"
 #include "gpu.hpp"
+#include "osmesa_fixture.hpp"
 #include "test_support.hpp"
 
 namespace hn {
@@ -48,12 +49,11 @@ TEST(Subjects, HaveIdsOfTheirOwn) {
   for (const Subject& subject : subjects) EXPECT_TRUE(ids.insert(subject.id).second) << subject.id;
 }
 
-class SubjectShaders : public testing::Test {
+class SubjectShaders : public OnOsmesa<> {
  protected:
   void SetUp() override {
-    auto context = find_driver("osmesa")->create();
-    ASSERT_TRUE(context) << context.error().text();
-    context_ = std::move(*context);
+    OnOsmesa::SetUp();
+    if (HasFatalFailure()) return;
     sources_.add("against/value",
                  "float value_noise(vec2 p) { return fract(sin(dot(p, vec2(12.9, 78.2))) * 43758.5); }\n",
                  "/home/me/value.glsl");
@@ -92,7 +92,6 @@ class SubjectShaders : public testing::Test {
 
   const ReferenceCompiler reference_;
   SourceSet sources_ = with_comparison_shaders(SourceSet::embedded());
-  std::unique_ptr<Context> context_;
 };
 
 TEST_F(SubjectShaders, OfTheLibraryCompile) {

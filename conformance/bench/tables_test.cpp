@@ -8,6 +8,7 @@
 #include <cmath>
 #include <set>
 
+#include "osmesa_fixture.hpp"
 #include "paper/laboratory.hpp"
 #include "points.hpp"
 
@@ -21,12 +22,11 @@ TEST(TablePermutation, HasEveryNumberOnce) {
   EXPECT_EQ(p, table_permutation());
 }
 
-class TableNoise : public testing::TestWithParam<int> {
+class TableNoise : public OnOsmesa<testing::TestWithParam<int>> {
  protected:
   void SetUp() override {
-    auto context = find_driver("osmesa")->create();
-    ASSERT_TRUE(context) << context.error().text();
-    context_ = std::move(*context);
+    OnOsmesa::SetUp();
+    if (HasFatalFailure()) return;
     laboratory_ = std::make_unique<Laboratory>(*context_, SourceSet::embedded(), reference_, "", 3, false);
   }
 
@@ -50,7 +50,6 @@ class TableNoise : public testing::TestWithParam<int> {
   }
 
   const ReferenceCompiler reference_;
-  std::unique_ptr<Context> context_;
   std::unique_ptr<Laboratory> laboratory_;
 };
 

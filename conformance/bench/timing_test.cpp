@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "bench/subject.hpp"
+#include "osmesa_fixture.hpp"
 
 namespace hn {
 namespace {
@@ -104,12 +105,11 @@ TEST(Ratio, OfRounds) {
   }
 }
 
-class Stopwatched : public testing::Test {
+class Stopwatched : public OnOsmesa<> {
  protected:
   void SetUp() override {
-    auto context = find_driver("osmesa")->create();
-    ASSERT_TRUE(context) << context.error().text();
-    context_ = std::move(*context);
+    OnOsmesa::SetUp();
+    if (HasFatalFailure()) return;
     stopwatch_ = std::make_unique<Stopwatch>(*context_);
   }
 
@@ -121,7 +121,6 @@ class Stopwatched : public testing::Test {
     return Program::build(*context_, *vertex_text, *fragment_text);
   }
 
-  std::unique_ptr<Context> context_;
   std::unique_ptr<Stopwatch> stopwatch_;
 };
 

@@ -11,6 +11,7 @@
 
 #include "bench/subject.hpp"
 #include "gpu.hpp"
+#include "osmesa_fixture.hpp"
 #include "paper/laboratory.hpp"
 #include "points.hpp"
 #include "test_support.hpp"
@@ -82,12 +83,11 @@ std::size_t count(const std::vector<std::uint32_t>& keys, const std::function<bo
   return number;
 }
 
-class Published : public testing::Test {
+class Published : public OnOsmesa<> {
  protected:
   void SetUp() override {
-    auto context = find_driver("osmesa")->create();
-    ASSERT_TRUE(context) << context.error().text();
-    context_ = std::move(*context);
+    OnOsmesa::SetUp();
+    if (HasFatalFailure()) return;
     laboratory_ = std::make_unique<Laboratory>(*context_, SourceSet::embedded(), reference_, folder_.path(), 3, false);
   }
 
@@ -121,7 +121,6 @@ class Published : public testing::Test {
 
   TemporaryFolder folder_;
   ReferenceCompiler reference_;
-  std::unique_ptr<Context> context_;
   std::unique_ptr<Laboratory> laboratory_;
 };
 
