@@ -2,37 +2,17 @@
 #include <fmt/format.h>
 
 #include <bit>
-#include <cmath>
 
-#include "case.hpp"
-#include "compare.hpp"
-#include "functions.hpp"
 #include "golden.hpp"
 #include "points.hpp"
 #include "tolerance.hpp"
 #include "twin.hpp"
+#include "value_checks.hpp"
 
 namespace hn {
-namespace {
 
-// A million, and all that a grid takes.
-constexpr std::size_t kTwinPoints = std::size_t{1} << 20;
-constexpr std::size_t kPropertyPoints = std::size_t{1} << 16;
-constexpr std::size_t kCorrelationPoints = std::size_t{1} << 14;  // fewer: a check evaluates them many times
-
-using Words = std::vector<std::uint32_t>;
-
-std::span<const std::uint32_t> point(const Words& inputs, std::size_t i) {
-  return std::span(inputs).subspan(i * kInputWords, kInputWords);
-}
-
-std::span<const std::uint32_t> result(const Words& outputs, std::size_t i) {
-  return std::span(outputs).subspan(i * kOutputWords, kOutputWords);
-}
-
-// Evaluates on the driver; the outcome of a failure is ready to be returned.
 tl::expected<Words, Outcome> evaluate(Session& session, const Function& function, const Configuration& configuration,
-                                      const Profile& profile, const Words& inputs, const ShaderVariant& variant = {}) {
+                                      const Profile& profile, const Words& inputs, const ShaderVariant& variant) {
   if (const auto reason = unsupported_to_run(profile, session.info.languages); !reason.empty()) {
     return tl::unexpected(outcome_with(Status::unsupported, {reason, {}}));
   }
@@ -43,6 +23,22 @@ tl::expected<Words, Outcome> evaluate(Session& session, const Function& function
   return *outputs;
 }
 
+void compare_with_twin(Comparison& comparison, const Function& function, std::span<const std::uint32_t> inputs,
+                       std::span<const std::uint32_t> got, std::span<const std::uint32_t> twin, double allowed) {
+  for (std::size_t word = 0; word < function.outputs.size(); ++word) {
+    if (function.exact()) {
+      comparison.bits(inputs, got[word], twin[word]);
+    } else {
+      comparison.number(inputs, std::bit_cast<float>(got[word]), static_cast<double>(std::bit_cast<float>(twin[word])),
+                        allowed);
+    }
+  }
+}
+
+namespace {
+
+// A million, and all that a grid takes.
+constexpr std::size_t kTwinPoints = std::size_t{1} << 20;
 // --- Golden ----------------------------------------------------------------------------------------------------------
 
 Words inputs_of(const Golden& golden) {
@@ -94,18 +90,6 @@ Outcome check_golden(Session& session, const Function& function, const Configura
 
 // --- Twin ------------------------------------------------------------------------------------------------------------
 
-void compare_with_twin(Comparison& comparison, const Function& function, std::span<const std::uint32_t> inputs,
-                       std::span<const std::uint32_t> got, std::span<const std::uint32_t> twin, double allowed) {
-  for (std::size_t word = 0; word < function.outputs.size(); ++word) {
-    if (function.exact()) {
-      comparison.bits(inputs, got[word], twin[word]);
-    } else {
-      comparison.number(inputs, std::bit_cast<float>(got[word]), static_cast<double>(std::bit_cast<float>(twin[word])),
-                        allowed);
-    }
-  }
-}
-
 Outcome check_twin(Session& session, const Function& function, const Configuration& configuration,
                    const Profile& profile) {
   const Session::PointSet& points = session.twin_points(function, configuration, kTwinPoints);
@@ -121,246 +105,10 @@ Outcome check_twin(Session& session, const Function& function, const Configurati
   return comparison.finish();
 }
 
-// --- Properties ------------------------------------------------------------------------------------------------------
-
-// Noise is 0 at lattice points, near and far.
-Outcome check_zero(Session& session, const Function& function, const Configuration& configuration,
-                   const Profile& profile) {
-  Words inputs = random_points(function, kPropertyPoints, Random(session.seed, "zero"));
-  const int axes = function.seed_word();
-  for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
-    for (std::size_t axis = i; axis < i + static_cast<std::size_t>(axes); ++axis) {
-      inputs[axis] = std::bit_cast<std::uint32_t>(std::floor(std::bit_cast<float>(inputs[axis])));
-    }
-  }
-  const auto outputs = evaluate(session, function, configuration, profile, inputs);
-  if (!outputs) return outputs.error();
-  Comparison comparison(function);
-  for (std::size_t i = 0; i < kPropertyPoints; ++i) {
-    comparison.number(point(inputs, i), std::bit_cast<float>(result(*outputs, i)[0]), 0.0, 0.0);
-  }
-  return comparison.finish();
-}
-
-struct Range {
-  float low;
-  float high;
-};
-
-Range range_of(const Function& function, const Configuration& configuration) {
-  // The paper's noise is not scaled to [-1, 1], and fBm and turbulence take over its range.
-  const bool of_sine_noise = configuration.sine() && function.accuracy != Accuracy::sine;
-  const int dimensions = function.id.find('3') == std::string_view::npos ? 2 : 3;
-  const auto largest = static_cast<float>(of_sine_noise ? noise_bounds(dimensions, Gradient::sine).range : 1.0);
-  switch (function.accuracy) {
-    case Accuracy::turbulence2:
-    case Accuracy::turbulence3:
-      return {0.0f, largest};
-    case Accuracy::clouds2:
-    case Accuracy::clouds3:
-      return {0.0f, 1.0f};
-    default:
-      return {-largest, largest};
-  }
-}
-
-// Values keep to their range; and, for noise, a good part of it is used: with a gradient that had lost a third of its
-// length, no value would be beyond 0.67, and of this few points none beyond 0.6.
-Outcome check_range(Session& session, const Function& function, const Configuration& configuration,
-                    const Profile& profile) {
-  const Words inputs = random_points(function, kPropertyPoints, Random(session.seed, "range"));
-  const auto outputs = evaluate(session, function, configuration, profile, inputs);
-  if (!outputs) return outputs.error();
-  const Range range = range_of(function, configuration);
-  const std::string should = fmt::format("a value in [{}, {}]", range.low, range.high);
-  Comparison comparison(function);
-  float largest = 0.0f;
-  for (std::size_t i = 0; i < kPropertyPoints; ++i) {
-    const float value = std::bit_cast<float>(result(*outputs, i)[0]);
-    largest = std::max(largest, std::fabs(value));
-    const bool inside = value >= range.low && value <= range.high;
-    comparison.require(inside, point(inputs, i), value, should);
-  }
-  const bool is_noise = function.input("octaves") < 0;
-  comparison.require(!is_noise || largest > 0.6f, point(inputs, 0), largest,
-                     "more than 0.6 as the largest of all values");
-  return comparison.finish();
-}
-
-// Points a period apart, and opposite corners of it, have the same bits.
-Outcome check_period(Session& session, const Function& function, const Configuration& configuration,
-                     const Profile& profile) {
-  const auto period = static_cast<float>(configuration.period());
-  const auto axes = static_cast<std::size_t>(function.seed_word());
-  Random random(session.seed, "period");
-  Words inputs = random_points(function, kPropertyPoints, random);
-  Words others = inputs;
-  for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
-    for (std::size_t axis = i; axis < i + axes; ++axis) {
-      // Multiples of 1/8, so that both positions are floats.
-      const float p = std::floor(random.uniform(-8.0f * period, 8.0f * period)) / 8.0f;
-      const float periods = static_cast<float>(random.below(3)) - 1.0f;
-      inputs[axis] = std::bit_cast<std::uint32_t>(p);
-      others[axis] = std::bit_cast<std::uint32_t>(p + periods * period);
-    }
-  }
-  const auto first = evaluate(session, function, configuration, profile, inputs);
-  if (!first) return first.error();
-  const auto second = evaluate(session, function, configuration, profile, others);
-  if (!second) return second.error();
-  Comparison comparison(function);
-  for (std::size_t i = 0; i < kPropertyPoints; ++i) {
-    comparison.bits(point(others, i), result(*second, i)[0], result(*first, i)[0]);
-  }
-  return comparison.finish();
-}
-
-// The correlation of two columns of values.
-double correlation(const Words& first, const Words& second) {
-  double products = 0.0;
-  double squares = 0.0;
-  for (std::size_t i = 0; i < first.size(); i += kOutputWords) {
-    const auto a = static_cast<double>(std::bit_cast<float>(first[i]));
-    const auto b = static_cast<double>(std::bit_cast<float>(second[i]));
-    products += a * b;
-    squares += (a * a + b * b) / 2.0;
-  }
-  return squares > 0.0 ? products / squares : 1.0;
-}
-
-// For n pairs of independent noise values the correlation has a standard deviation of a little more than 1/sqrt(n),
-// since the variance of the noise depends on the place in the cell: about 1.1/sqrt(n). By chance 6/sqrt(n) is exceeded
-// once in ten million comparisons.
-const double kCorrelationLimit = 6.0 / std::sqrt(static_cast<double>(kCorrelationPoints));
-
-void require_uncorrelated(Comparison& comparison, const Words& inputs, const Words& first, const Words& second,
-                          std::string_view what) {
-  const double value = correlation(first, second);
-  comparison.require(std::fabs(value) < kCorrelationLimit, point(inputs, 0), static_cast<float>(value),
-                     fmt::format("a correlation below {:.3g} between {}", kCorrelationLimit, what));
-}
-
-// Points for correlations, anywhere within 512 cells of the origin in all quadrants: seldom on a lattice line, where
-// the noise is 0 whatever the configuration, and seldom two in one cell. Each has a seed of its own.
-Words scattered_points(Session& session, const Function& function, std::string_view name) {
-  Random random(session.seed, name);
-  Words inputs = random_points(function, kCorrelationPoints, random);
-  const auto axes = static_cast<std::size_t>(function.seed_word());
-  for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
-    for (std::size_t axis = i; axis < i + axes; ++axis) {
-      inputs[axis] = std::bit_cast<std::uint32_t>(random.uniform(-512.0f, 512.0f));
-    }
-  }
-  return inputs;
-}
-
-// Fields of different seeds are uncorrelated: pairs of neighbouring seeds, of seeds that differ in the highest bit, and
-// of the seed of the next octave.
-Outcome check_seeds(Session& session, const Function& function, const Configuration& configuration,
-                    const Profile& profile) {
-  constexpr std::uint32_t kOffsets[] = {1u, 0x80000000u, 0x9E3779B9u};
-  const auto seed = static_cast<std::size_t>(function.seed_word());
-  const Words inputs = scattered_points(session, function, "seeds");
-  const auto first = evaluate(session, function, configuration, profile, inputs);
-  if (!first) return first.error();
-  Comparison comparison(function);
-  for (const std::uint32_t offset : kOffsets) {
-    Words others = inputs;
-    for (std::size_t i = seed; i < others.size(); i += kInputWords) others[i] += offset;
-    const auto second = evaluate(session, function, configuration, profile, others);
-    if (!second) return second.error();
-    require_uncorrelated(comparison, inputs, *first, *second, fmt::format("seeds {:#x} apart", offset));
-  }
-  return comparison.finish();
-}
-
-// No quadrant mirrors another: points are compared with their reflections in every set of axes, and with their
-// coordinates in another order.
-Outcome check_mirror(Session& session, const Function& function, const Configuration& configuration,
-                     const Profile& profile) {
-  const Words inputs = scattered_points(session, function, "mirror");
-  const auto first = evaluate(session, function, configuration, profile, inputs);
-  if (!first) return first.error();
-  const auto axes = static_cast<std::size_t>(function.seed_word());
-  Comparison comparison(function);
-  for (std::size_t reflected = 0; reflected < (std::size_t{1} << axes); ++reflected) {
-    for (std::size_t rotated = 0; rotated < axes; ++rotated) {
-      if (reflected == 0 && rotated == 0) continue;
-      Words others = inputs;
-      for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
-        for (std::size_t axis = 0; axis < axes; ++axis) {
-          const std::uint32_t sign = (reflected >> axis) & 1 ? 0x80000000u : 0u;
-          others[i + axis] = inputs[i + (axis + rotated) % axes] ^ sign;
-        }
-      }
-      const auto second = evaluate(session, function, configuration, profile, others);
-      if (!second) return second.error();
-      require_uncorrelated(
-          comparison, inputs, *first, *second,
-          fmt::format("points and their images (reflected axes {:#b}, rotated by {})", reflected, rotated));
-    }
-  }
-  return comparison.finish();
-}
-
-// Without a seed means with seed 0.
-Outcome check_unseeded(Session& session, const Function& function, const Configuration& configuration,
-                       const Profile& profile) {
-  Words inputs = random_points(function, kPropertyPoints, Random(session.seed, "unseeded"));
-  const auto seed = static_cast<std::size_t>(function.seed_word());
-  for (std::size_t i = seed; i < inputs.size(); i += kInputWords) inputs[i] = 0;
-  const auto outputs = evaluate(session, function, configuration, profile, inputs, {.seeded = false});
-  if (!outputs) return outputs.error();
-  Words expected(kPropertyPoints * kOutputWords);
-  evaluate_twin(function, configuration, inputs, expected);
-  Comparison comparison(function);
-  for (std::size_t i = 0; i < kPropertyPoints; ++i) {
-    const auto in = point(inputs, i);
-    compare_with_twin(comparison, function, in, result(*outputs, i), result(expected, i),
-                      2.0 * tolerance(function, configuration, in));
-  }
-  return comparison.finish();
-}
-
-// What an octave sum makes of a constant noise of -1/2.
-double sum_of_constant_noise(Accuracy accuracy, bool no_octaves) {
-  switch (accuracy) {
-    case Accuracy::turbulence2:
-    case Accuracy::turbulence3:
-      return no_octaves ? 0.0 : 0.5;
-    case Accuracy::clouds2:
-    case Accuracy::clouds3:
-      return no_octaves ? 0.15625 : 0.0;
-    default:
-      return no_octaves ? 0.0 : -0.5;
-  }
-}
-
-// HN_FBM_NOISE2D and HN_FBM_NOISE3D are used, but for a few roundings of sum and total.
-Outcome check_noise_knob(Session& session, const Function& function, const Configuration& configuration,
-                         const Profile& profile) {
-  Words inputs = random_points(function, kPropertyPoints, Random(session.seed, "knob"));
-  const ShaderVariant with_noise{.knobs =
-                                     "#define HN_FBM_NOISE2D(q, seed) (-0.5f + 0.0f * (q).x)\n"
-                                     "#define HN_FBM_NOISE3D(q, seed) (-0.5f + 0.0f * (q).z)\n"};
-  const auto outputs = evaluate(session, function, configuration, profile, inputs, with_noise);
-  if (!outputs) return outputs.error();
-  const auto octaves = static_cast<std::size_t>(function.input("octaves"));
-  Comparison comparison(function);
-  for (std::size_t i = 0; i < kPropertyPoints; ++i) {
-    const bool no_octaves = static_cast<std::int32_t>(inputs[i * kInputWords + octaves]) < 1;
-    const double expected = sum_of_constant_noise(function.accuracy, no_octaves);
-    comparison.number(point(inputs, i), std::bit_cast<float>(result(*outputs, i)[0]), expected, 2e-6);
-  }
-  return comparison.finish();
-}
-
 // ---------------------------------------------------------------------------------------------------------------------
 
-using Check = Outcome (*)(Session&, const Function&, const Configuration&, const Profile&);
-
 void add(std::vector<Case>& cases, const Function& function, const Configuration& configuration, const Profile& profile,
-         std::string_view name, Check check) {
+         std::string_view name, Check* check) {
   const std::string id = fmt::format("{}.{}.{}.fragment.{}.{}", function.id,
                                      depends_on_configuration(function) ? configuration.name : "any",
                                      function.exact() ? "exact" : "fast", profile.name, name);
