@@ -128,14 +128,20 @@ const Gate& Stopwatch::choose_clock(const Workload& workload) {
     return draws * std::min({seconds(load, draws, Clock::query), seconds(load, draws, Clock::query),
                              seconds(load, draws, Clock::query)});
   };
-  Workload pixels = workload;
+  // Larger than the load, so that what a query costs by itself does not hide how it grows.
+  Workload base_load = workload;
+  if (base_load.width < kLargestSide / 2) {
+    base_load.width *= 2;
+    base_load.height *= 2;
+  }
+  Workload pixels = base_load;
   pixels.width *= 2;
   pixels.height *= 2;
-  Workload iterations = workload;
+  Workload iterations = base_load;
   iterations.iterations *= 4;
-  const double base = std::max(best_of_three(workload, 1), 1e-9);
+  const double base = std::max(best_of_three(base_load, 1), 1e-9);
   gate_ = judge_query(best_of_three(pixels, 1) / base, best_of_three(iterations, 1) / base,
-                      best_of_three(workload, 4) / base);
+                      best_of_three(base_load, 4) / base);
   return gate_;
 }
 
