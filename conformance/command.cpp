@@ -4,11 +4,6 @@
 
 namespace hn {
 
-void disable_shader_caches() {
-  setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
-  setenv("__GL_SHADER_DISK_CACHE", "0", 1);
-}
-
 int usage_error(const std::string& message) {
   fmt::print(stderr, "hn-conform: {}\n", message);
   return kBadUsage;
@@ -25,6 +20,9 @@ int unknown_driver(const std::string& name) {
 }
 
 tl::expected<OpenDriver, int> open_driver(const std::string& name, const std::string& command_line) {
+  // Before anything loads a driver: compile times would be those of a look into a cache.
+  setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+  setenv("__GL_SHADER_DISK_CACHE", "0", 1);
   const auto driver = find_driver(name);
   if (!driver) return tl::unexpected(unknown_driver(name));
   auto context = driver->create();

@@ -19,9 +19,6 @@ constexpr int kNotAsExpected = 1;
 constexpr int kBadUsage = 2;
 constexpr int kNoDriver = 3;
 
-// For what measures, before anything loads a driver: compile times would be those of a look into a cache.
-void disable_shader_caches();
-
 int usage_error(const std::string& message);
 int unknown_driver(const std::string& name);
 

@@ -18,7 +18,9 @@ constexpr const char* kCommands = "drivers, list, run, bench or paper";
 
 // Options that several commands have.
 void add_driver(CLI::App& command, std::string& driver) {
-  command.add_option("--driver", driver, "One of: " + hn::driver_names())->type_name("NAME")->capture_default_str();
+  command.add_option("--driver", driver, "One of those that hn-conform drivers lists: osmesa, egl, egl-device:N")
+      ->type_name("NAME")
+      ->capture_default_str();
 }
 
 void add_filter(CLI::App& command, std::vector<std::string>& filters, const std::string& what) {
@@ -154,8 +156,6 @@ int main(int argc, char** argv) {
   try {
     // What bench starts to count for AMD; not for people.
     if (argc == 4 && std::string_view(argv[1]) == "amd-counts") return hn::amd_counts_child(argv[2], argv[3]);
-    const std::string_view command = argc > 1 ? argv[1] : "";
-    if (command == "bench" || command == "paper") hn::disable_shader_caches();
     return dispatch(argc, argv);
   } catch (const std::exception& exception) {
     fmt::print(stderr, "hn-conform: {}\n", exception.what());

@@ -22,12 +22,14 @@ Outcome run_guarded(Session& session, const Case& test) {
 
 }  // namespace
 
+bool matches_any(const std::string& id, const std::vector<std::string>& globs) {
+  return globs.empty() || std::any_of(globs.begin(), globs.end(), [&](const std::string& glob) {
+           return fnmatch(glob.c_str(), id.c_str(), 0) == 0;
+         });
+}
+
 std::vector<Case> filter_cases(std::vector<Case> cases, const std::vector<std::string>& globs) {
-  if (globs.empty()) return cases;
-  std::erase_if(cases, [&](const Case& test) {
-    return std::none_of(globs.begin(), globs.end(),
-                        [&](const std::string& glob) { return fnmatch(glob.c_str(), test.id.c_str(), 0) == 0; });
-  });
+  std::erase_if(cases, [&](const Case& test) { return !matches_any(test.id, globs); });
   return cases;
 }
 

@@ -10,7 +10,10 @@
 
 namespace hn {
 
-// Those of the cases whose id matches one of the globs (as in a shell: * ? [...]); all of them if there is no glob.
+// Whether an id matches one of the globs (as in a shell: * ? [...]), or there is none to match.
+bool matches_any(const std::string& id, const std::vector<std::string>& globs);
+
+// The cases whose id matches_any of the globs.
 std::vector<Case> filter_cases(std::vector<Case> cases, const std::vector<std::string>& globs);
 
 // A line that is overwritten on a terminal; now and then a whole line elsewhere.

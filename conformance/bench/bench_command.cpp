@@ -1,7 +1,6 @@
 // hn-conform bench
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <fnmatch.h>
 
 #include <algorithm>
 #include <cctype>
@@ -12,6 +11,7 @@
 
 #include "command.hpp"
 #include "output/file.hpp"
+#include "runner.hpp"
 
 namespace hn {
 namespace {
@@ -83,16 +83,11 @@ struct Selection {
 
 Result<Selection> select(const BenchCommand& options, SourceSet& sources) {
   Selection selection{library_subjects(), {}};
-  if (!options.filters.empty()) {
-    std::erase_if(selection.subjects, [&](const Subject& subject) {
-      return std::none_of(options.filters.begin(), options.filters.end(),
-                          [&](const std::string& glob) { return fnmatch(glob.c_str(), subject.id.c_str(), 0) == 0; });
-    });
-    if (selection.subjects.empty()) {
-      return fail(fmt::format(
-          "no subject matches --filter '{}'; ids are like noise2d.perlin.lattice, and * stands for any part",
-          fmt::join(options.filters, "' '")));
-    }
+  std::erase_if(selection.subjects, [&](const Subject& s) { return !matches_any(s.id, options.filters); });
+  if (selection.subjects.empty()) {
+    return fail(
+        fmt::format("no subject matches --filter '{}'; ids are like noise2d.perlin.lattice, and * stands for any part",
+                    fmt::join(options.filters, "' '")));
   }
   std::set<std::string> names;
   for (const std::string& argument : options.against) {

@@ -122,6 +122,7 @@ nlohmann::json page_changes(const std::vector<Change>& changes) {
 }
 
 Result<std::string> page(const Provenance& provenance, const BenchReport& report, const std::vector<Change>& changes) {
+  const nlohmann::json errors = page_errors(report);
   nlohmann::json data = {{"style", resource("style.mustache")},
                          {"provenance", to_json(provenance)},
                          {"gate", report.gate.reason},
@@ -132,8 +133,8 @@ Result<std::string> page(const Provenance& provenance, const BenchReport& report
                          {"header", std::vector<std::string>(kHeader.begin() + 1, kHeader.end())},
                          {"rows", page_rows(report)},
                          {"absent", absent_sources(report.absent)},
-                         {"errors", page_errors(report)},
-                         {"has_errors", !page_errors(report).empty()},
+                         {"errors", errors},
+                         {"has_errors", !errors.empty()},
                          {"changes", page_changes(changes)},
                          {"has_changes", !changes.empty()},
                          {"bars_default", default_bars(report)},

@@ -41,7 +41,7 @@ struct Driver {
   std::function<Result<std::unique_ptr<Context>>()> create;
 };
 
-// Those that every machine may have, and one for each EGL device of this one.
+// Those that every machine may have, and one for each EGL device of this one, which EGL is asked for.
 std::vector<Driver> all_drivers();
 // Nothing if there is no driver of that name; egl-device:N is one, whether there is such a device or not.
 std::optional<Driver> find_driver(std::string_view name);

@@ -10,6 +10,14 @@ namespace {
 
 constexpr std::string_view kEglDevice = "egl-device:";
 
+// Those that every machine may have.
+std::vector<Driver> common_drivers() {
+  return {
+      {"osmesa", "Mesa's off-screen library, rendering on the CPU", create_osmesa},
+      {"egl", "EGL without a window: Mesa's surfaceless platform, else the first EGL device", create_egl},
+  };
+}
+
 Driver egl_device(int number) {
   return {fmt::format("{}{}", kEglDevice, number), fmt::format("EGL device {}, without a window", number),
           [number] { return create_egl_device(number); }};
@@ -29,16 +37,13 @@ Result<void> Context::load_functions(GLADloadfunc load) {
 }
 
 std::vector<Driver> all_drivers() {
-  std::vector<Driver> drivers = {
-      {"osmesa", "Mesa's off-screen library, rendering on the CPU", create_osmesa},
-      {"egl", "EGL without a window: Mesa's surfaceless platform, else the first EGL device", create_egl},
-  };
+  std::vector<Driver> drivers = common_drivers();
   for (int number = 0; number < egl_device_count(); ++number) drivers.push_back(egl_device(number));
   return drivers;
 }
 
 std::optional<Driver> find_driver(std::string_view name) {
-  for (Driver& driver : all_drivers()) {
+  for (Driver& driver : common_drivers()) {
     if (driver.name == name) return std::move(driver);
   }
   int number = 0;
