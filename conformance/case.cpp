@@ -13,14 +13,31 @@ std::string_view name_of(Status status) {
   switch (status) {
     case Status::pass:
       return "pass";
+    case Status::warning:
+      return "warning";
     case Status::fail:
       return "fail";
     case Status::unsupported:
       return "unsupported";
+    case Status::crash:
+      return "crash";
+    case Status::timeout:
+      return "timeout";
     case Status::error:
       break;
   }
   return "error";
+}
+
+std::optional<Status> status_named(std::string_view name) {
+  for (const Status status : kStatuses) {
+    if (name_of(status) == name) return status;
+  }
+  return std::nullopt;
+}
+
+bool is_bad(Status status) {
+  return status == Status::fail || status == Status::crash || status == Status::timeout || status == Status::error;
 }
 
 Outcome outcome_with(Status status, const Error& error) {
@@ -40,14 +57,14 @@ Session::Session(const Context& context_, const SourceSet& sources_, const Refer
       seed(seed_),
       grid(context_) {}
 
-Result<const Program*> Session::evaluation_program(const Function& function, const Configuration& configuration,
-                                                   const Profile& profile, const ShaderVariant& variant) {
-  const std::string key =
-      fmt::format("{} {} {} {} {}", function.id, configuration.name, profile.name, variant.seeded, variant.knobs);
+Result<const Program*> Session::evaluation_program(const Evaluation& evaluation) {
+  const Profile& profile = evaluation.profile;
+  const std::string key = fmt::format("{} {} {} {} {}", evaluation.function.id, evaluation.configuration.name,
+                                      profile.name, evaluation.variant.seeded, evaluation.variant.knobs);
   if (kept_ && key == kept_key_) return kept_.get();
   const auto vertex = expand(sources, profile, vertex_shader());
   if (!vertex) return tl::unexpected(vertex.error());
-  const auto fragment = expand(sources, profile, evaluation_shader(function, configuration, profile, variant));
+  const auto fragment = expand(sources, profile, evaluation_shader(evaluation));
   if (!fragment) return tl::unexpected(fragment.error());
   auto program = Program::build(context, *vertex, *fragment);
   if (!program) return tl::unexpected(program.error());

@@ -1,11 +1,14 @@
 // A case: one thing that a driver can get right or wrong, with its evidence.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "context_info.hpp"
@@ -18,11 +21,28 @@ namespace hn {
 
 enum class Status {
   pass,
-  fail,         // the driver, or the library on it, is wrong
+  warning,  // nothing that the library promises is touched, but somebody should know: what is said is in the message
+  fail,     // the driver, or the library on it, is wrong
   unsupported,  // the driver cannot, and does not claim to
+  crash,        // the process of the driver ended, or its context was lost
+  timeout,      // the driver did not answer in time
   error,        // the suite itself could not do its work: a golden file is missing, say
 };
+inline constexpr std::array kStatuses = {Status::pass,  Status::warning, Status::fail, Status::unsupported,
+                                         Status::crash, Status::timeout, Status::error};
 std::string_view name_of(Status status);
+std::optional<Status> status_named(std::string_view name);
+// Whether a case that ended so keeps a run from being as expected, unless an expectation excuses it.
+bool is_bad(Status status);
+
+// A value that is wrong.
+struct Mismatch {
+  std::size_t point = 0;             // its number in the grid: a row of pixels has 1,024
+  std::vector<std::uint32_t> words;  // the input words of the point
+  std::string inputs;                // the same, by name: "x=1.5 (3fc00000) seed=0x00000007"
+  std::string got;                   // in decimal and hexadecimal
+  std::string expected;
+};
 
 struct Outcome {
   Status status = Status::pass;
@@ -31,6 +51,7 @@ struct Outcome {
   double max_abs = 0.0;          // largest difference seen, allowed or not
   std::uint64_t max_ulp = 0;     // the same, in units in the last place of a float
   std::string message;
+  std::vector<Mismatch> examples;  // the first of the values that are wrong
 };
 
 // What a case may use while it runs.
@@ -52,8 +73,7 @@ struct Session {
   const PointSet& twin_points(const Function& function, const Configuration& configuration, std::size_t count);
 
   // The program that evaluates a function; the last one is kept, since cases that share a program follow each other.
-  Result<const Program*> evaluation_program(const Function& function, const Configuration& configuration,
-                                            const Profile& profile, const ShaderVariant& variant = {});
+  Result<const Program*> evaluation_program(const Evaluation& evaluation);
 
   Session(const Context& context, const SourceSet& sources, const ReferenceCompiler& reference,
           std::filesystem::path golden_directory, std::uint64_t seed);
@@ -68,6 +88,13 @@ struct Session {
 struct Case {
   std::string id;  // file.function.hash.arithmetic.stage.profile.check
   std::function<Outcome(Session&)> run;
+  std::shared_ptr<const Evaluation> evaluation = {};  // if it is about values: for pictures of what failed
+};
+
+struct CaseResult {
+  std::string id;
+  Outcome outcome;
+  double seconds = 0.0;
 };
 
 // Every case, in the order in which they run.

@@ -10,6 +10,9 @@
 namespace hn {
 namespace {
 
+// Of one case; more of them tell nothing new.
+constexpr std::size_t kMostExamples = 8;
+
 // Maps floats to integers in their order, with -0 and 0 together.
 std::int64_t ordinal(float value) {
   const auto bits = std::bit_cast<std::uint32_t>(value);
@@ -78,10 +81,13 @@ void Comparison::require(bool right, std::span<const std::uint32_t> inputs, floa
 }
 
 void Comparison::note(std::span<const std::uint32_t> inputs, std::string got, std::string expected) {
-  if (outcome_.mismatches++ == 0) {
-    outcome_.message =
-        fmt::format("first at {}: got {}, expected {}", describe_inputs(function_, inputs), got, expected);
+  if (outcome_.mismatches++ >= kMostExamples) return;
+  const auto point = static_cast<std::size_t>(inputs.data() - grid_.data()) / kInputWords;
+  Mismatch mismatch{point, {inputs.begin(), inputs.end()}, describe_inputs(function_, inputs), got, expected};
+  if (outcome_.examples.empty()) {
+    outcome_.message = fmt::format("first at {}: got {}, expected {}", mismatch.inputs, got, expected);
   }
+  outcome_.examples.push_back(std::move(mismatch));
 }
 
 Outcome Comparison::finish() const {

@@ -14,10 +14,11 @@ namespace hn {
 // as can be from everything but NaN.
 std::uint64_t ulp_distance(float a, float b);
 
-// Adds up comparisons; the first value that is off becomes the message.
+// Adds up comparisons; the first value that is off becomes the message, and the first few are kept.
 class Comparison {
  public:
-  explicit Comparison(const Function& function) : function_(function) {}
+  // grid: the input words of all points, of which those of a wrong value are a part.
+  Comparison(const Function& function, std::span<const std::uint32_t> grid) : function_(function), grid_(grid) {}
 
   // For exact functions: every bit counts.
   void bits(std::span<const std::uint32_t> inputs, std::uint32_t got, std::uint32_t expected);
@@ -36,6 +37,7 @@ class Comparison {
   void note(std::span<const std::uint32_t> inputs, std::string got, std::string expected);
 
   const Function& function_;
+  std::span<const std::uint32_t> grid_;
   Outcome outcome_;
 };
 

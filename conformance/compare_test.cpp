@@ -22,7 +22,7 @@ TEST(UlpDistance, CountsFloatsBetween) {
 }
 
 TEST(Comparison, OneBitOffFails) {
-  Comparison comparison(find_function("hash.word"));
+  Comparison comparison(find_function("hash.word"), kInputs);
   comparison.bits(kInputs, 5, 5);
   EXPECT_EQ(comparison.finish().status, Status::pass);
   comparison.bits(kInputs, 5, 4);
@@ -34,7 +34,7 @@ TEST(Comparison, OneBitOffFails) {
 }
 
 TEST(Comparison, NumbersMayBeOffByWhatIsAllowedAndNoMore) {
-  Comparison comparison(find_function("noise2d.perlin"));
+  Comparison comparison(find_function("noise2d.perlin"), kInputs);
   comparison.number(kInputs, 0.5f, 0.5 + 0x1p-20, 0x1p-20);
   EXPECT_EQ(comparison.finish().status, Status::pass);
   EXPECT_EQ(comparison.finish().max_abs, 0x1p-20);
@@ -45,7 +45,7 @@ TEST(Comparison, NumbersMayBeOffByWhatIsAllowedAndNoMore) {
 
 TEST(Comparison, NanAndInfinityAreNeverRight) {
   for (const float wrong : {kNan, std::numeric_limits<float>::infinity()}) {
-    Comparison comparison(find_function("noise2d.perlin"));
+    Comparison comparison(find_function("noise2d.perlin"), kInputs);
     comparison.number(kInputs, wrong, 0.0, 1e30);
     const Outcome outcome = comparison.finish();
     EXPECT_EQ(outcome.status, Status::fail);
@@ -54,7 +54,7 @@ TEST(Comparison, NanAndInfinityAreNeverRight) {
 }
 
 TEST(Comparison, NothingComparedIsAnError) {
-  EXPECT_EQ(Comparison(find_function("hash.word")).finish().status, Status::error);
+  EXPECT_EQ(Comparison(find_function("hash.word"), kInputs).finish().status, Status::error);
 }
 
 TEST(Comparison, MessagesShowInputsInTheirOwnWay) {

@@ -137,8 +137,8 @@ bool covers(const Configuration& configuration, const Function& function) {
          (function.file == "fbm.glsl" && configuration.name == "lattice+sine");
 }
 
-std::string evaluation_shader(const Function& function, const Configuration& configuration, const Profile& profile,
-                              const ShaderVariant& variant) {
+std::string evaluation_shader(const Evaluation& evaluation) {
+  const auto& [function, configuration, profile, variant] = evaluation;
   return fmt::format(R"({}{}{}#include "{}"
 {}uniform HN_HIGHP usampler2D input_a;
 uniform HN_HIGHP usampler2D input_b;

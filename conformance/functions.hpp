@@ -83,14 +83,22 @@ bool depends_on_configuration(const Function& function);
 // functions that they concern.
 bool covers(const Configuration& configuration, const Function& function);
 
-// The shaders of the cases, before their includes are expanded. The fragment shader evaluates the function at the point
-// of its pixel.
 struct ShaderVariant {
   bool seeded = true;           // else the overload without a seed
   std::string_view knobs = "";  // further definitions, before the include
 };
-std::string evaluation_shader(const Function& function, const Configuration& configuration, const Profile& profile,
-                              const ShaderVariant& variant = {});
+
+// What is to be evaluated, and how.
+struct Evaluation {
+  const Function& function;
+  const Configuration& configuration;
+  const Profile& profile;
+  ShaderVariant variant = {};
+};
+
+// The shaders of the cases, before their includes are expanded. The fragment shader evaluates the function at the point
+// of its pixel.
+std::string evaluation_shader(const Evaluation& evaluation);
 std::string vertex_shader();
 // A shader of any stage that includes a file, twice, and calls what it declares.
 std::string calling_shader(std::string_view file, const Configuration& configuration, const Profile& profile,

@@ -93,8 +93,8 @@ double sum_of_constant_noise(Accuracy accuracy, bool no_octaves) {
 }  // namespace
 
 // Noise is 0 at lattice points, near and far.
-Outcome check_zero(Session& session, const Function& function, const Configuration& configuration,
-                   const Profile& profile) {
+Outcome check_zero(Session& session, const Evaluation& evaluation) {
+  const Function& function = evaluation.function;
   Words inputs = random_points(function, kPropertyPoints, Random(session.seed, "zero"));
   const int axes = function.seed_word();
   for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
@@ -102,9 +102,9 @@ Outcome check_zero(Session& session, const Function& function, const Configurati
       inputs[axis] = std::bit_cast<std::uint32_t>(std::floor(std::bit_cast<float>(inputs[axis])));
     }
   }
-  const auto outputs = evaluate(session, function, configuration, profile, inputs);
+  const auto outputs = evaluate(session, evaluation, inputs);
   if (!outputs) return outputs.error();
-  Comparison comparison(function);
+  Comparison comparison(function, inputs);
   for (std::size_t i = 0; i < kPropertyPoints; ++i) {
     comparison.number(point(inputs, i), std::bit_cast<float>(result(*outputs, i)[0]), 0.0, 0.0);
   }
@@ -113,14 +113,14 @@ Outcome check_zero(Session& session, const Function& function, const Configurati
 
 // Values keep to their range; and, for noise, a good part of it is used: with a gradient that had lost a third of its
 // length, no value would be beyond 0.67, and of this few points none beyond 0.6.
-Outcome check_range(Session& session, const Function& function, const Configuration& configuration,
-                    const Profile& profile) {
+Outcome check_range(Session& session, const Evaluation& evaluation) {
+  const Function& function = evaluation.function;
   const Words inputs = random_points(function, kPropertyPoints, Random(session.seed, "range"));
-  const auto outputs = evaluate(session, function, configuration, profile, inputs);
+  const auto outputs = evaluate(session, evaluation, inputs);
   if (!outputs) return outputs.error();
-  const Range range = range_of(function, configuration);
+  const Range range = range_of(function, evaluation.configuration);
   const std::string should = fmt::format("a value in [{}, {}]", range.low, range.high);
-  Comparison comparison(function);
+  Comparison comparison(function, inputs);
   float largest = 0.0f;
   for (std::size_t i = 0; i < kPropertyPoints; ++i) {
     const float value = std::bit_cast<float>(result(*outputs, i)[0]);
@@ -135,9 +135,9 @@ Outcome check_range(Session& session, const Function& function, const Configurat
 }
 
 // Points a period apart, and opposite corners of it, have the same bits.
-Outcome check_period(Session& session, const Function& function, const Configuration& configuration,
-                     const Profile& profile) {
-  const auto period = static_cast<float>(configuration.period());
+Outcome check_period(Session& session, const Evaluation& evaluation) {
+  const Function& function = evaluation.function;
+  const auto period = static_cast<float>(evaluation.configuration.period());
   const auto axes = static_cast<std::size_t>(function.seed_word());
   Random random(session.seed, "period");
   Words inputs = random_points(function, kPropertyPoints, random);
@@ -151,11 +151,11 @@ Outcome check_period(Session& session, const Function& function, const Configura
       others[axis] = std::bit_cast<std::uint32_t>(p + periods * period);
     }
   }
-  const auto first = evaluate(session, function, configuration, profile, inputs);
+  const auto first = evaluate(session, evaluation, inputs);
   if (!first) return first.error();
-  const auto second = evaluate(session, function, configuration, profile, others);
+  const auto second = evaluate(session, evaluation, others);
   if (!second) return second.error();
-  Comparison comparison(function);
+  Comparison comparison(function, others);
   for (std::size_t i = 0; i < kPropertyPoints; ++i) {
     comparison.bits(point(others, i), result(*second, i)[0], result(*first, i)[0]);
   }
@@ -164,18 +164,18 @@ Outcome check_period(Session& session, const Function& function, const Configura
 
 // Fields of different seeds are uncorrelated: pairs of neighbouring seeds, of seeds that differ in the highest bit, and
 // of the seed of the next octave.
-Outcome check_seeds(Session& session, const Function& function, const Configuration& configuration,
-                    const Profile& profile) {
+Outcome check_seeds(Session& session, const Evaluation& evaluation) {
+  const Function& function = evaluation.function;
   constexpr std::uint32_t kOffsets[] = {1u, 0x80000000u, 0x9E3779B9u};
   const auto seed = static_cast<std::size_t>(function.seed_word());
   const Words inputs = scattered_points(session, function, "seeds");
-  const auto first = evaluate(session, function, configuration, profile, inputs);
+  const auto first = evaluate(session, evaluation, inputs);
   if (!first) return first.error();
-  Comparison comparison(function);
+  Comparison comparison(function, inputs);
   for (const std::uint32_t offset : kOffsets) {
     Words others = inputs;
     for (std::size_t i = seed; i < others.size(); i += kInputWords) others[i] += offset;
-    const auto second = evaluate(session, function, configuration, profile, others);
+    const auto second = evaluate(session, evaluation, others);
     if (!second) return second.error();
     require_uncorrelated(comparison, inputs, *first, *second, fmt::format("seeds {:#x} apart", offset));
   }
@@ -184,13 +184,13 @@ Outcome check_seeds(Session& session, const Function& function, const Configurat
 
 // No quadrant mirrors another: points are compared with their reflections in every set of axes, and with their
 // coordinates in another order.
-Outcome check_mirror(Session& session, const Function& function, const Configuration& configuration,
-                     const Profile& profile) {
+Outcome check_mirror(Session& session, const Evaluation& evaluation) {
+  const Function& function = evaluation.function;
   const Words inputs = scattered_points(session, function, "mirror");
-  const auto first = evaluate(session, function, configuration, profile, inputs);
+  const auto first = evaluate(session, evaluation, inputs);
   if (!first) return first.error();
   const auto axes = static_cast<std::size_t>(function.seed_word());
-  Comparison comparison(function);
+  Comparison comparison(function, inputs);
   for (std::size_t reflected = 0; reflected < (std::size_t{1} << axes); ++reflected) {
     for (std::size_t rotated = 0; rotated < axes; ++rotated) {
       if (reflected == 0 && rotated == 0) continue;
@@ -201,7 +201,7 @@ Outcome check_mirror(Session& session, const Function& function, const Configura
           others[i + axis] = inputs[i + (axis + rotated) % axes] ^ sign;
         }
       }
-      const auto second = evaluate(session, function, configuration, profile, others);
+      const auto second = evaluate(session, evaluation, others);
       if (!second) return second.error();
       require_uncorrelated(
           comparison, inputs, *first, *second,
@@ -212,35 +212,36 @@ Outcome check_mirror(Session& session, const Function& function, const Configura
 }
 
 // Without a seed means with seed 0.
-Outcome check_unseeded(Session& session, const Function& function, const Configuration& configuration,
-                       const Profile& profile) {
+Outcome check_unseeded(Session& session, const Evaluation& evaluation) {
+  const Function& function = evaluation.function;
   Words inputs = random_points(function, kPropertyPoints, Random(session.seed, "unseeded"));
   const auto seed = static_cast<std::size_t>(function.seed_word());
   for (std::size_t i = seed; i < inputs.size(); i += kInputWords) inputs[i] = 0;
-  const auto outputs = evaluate(session, function, configuration, profile, inputs, {.seeded = false});
+  const auto outputs =
+      evaluate(session, {function, evaluation.configuration, evaluation.profile, {.seeded = false}}, inputs);
   if (!outputs) return outputs.error();
   Words expected(kPropertyPoints * kOutputWords);
-  evaluate_twin(function, configuration, inputs, expected);
-  Comparison comparison(function);
+  evaluate_twin(function, evaluation.configuration, inputs, expected);
+  Comparison comparison(function, inputs);
   for (std::size_t i = 0; i < kPropertyPoints; ++i) {
     const auto in = point(inputs, i);
     compare_with_twin(comparison, function, in, result(*outputs, i), result(expected, i),
-                      2.0 * tolerance(function, configuration, in));
+                      2.0 * tolerance(function, evaluation.configuration, in));
   }
   return comparison.finish();
 }
 
 // HN_FBM_NOISE2D and HN_FBM_NOISE3D are used, but for a few roundings of sum and total.
-Outcome check_noise_knob(Session& session, const Function& function, const Configuration& configuration,
-                         const Profile& profile) {
+Outcome check_noise_knob(Session& session, const Evaluation& evaluation) {
+  const Function& function = evaluation.function;
   Words inputs = random_points(function, kPropertyPoints, Random(session.seed, "knob"));
   const ShaderVariant with_noise{.knobs =
                                      "#define HN_FBM_NOISE2D(q, seed) (-0.5f + 0.0f * (q).x)\n"
                                      "#define HN_FBM_NOISE3D(q, seed) (-0.5f + 0.0f * (q).z)\n"};
-  const auto outputs = evaluate(session, function, configuration, profile, inputs, with_noise);
+  const auto outputs = evaluate(session, {function, evaluation.configuration, evaluation.profile, with_noise}, inputs);
   if (!outputs) return outputs.error();
   const auto octaves = static_cast<std::size_t>(function.input("octaves"));
-  Comparison comparison(function);
+  Comparison comparison(function, inputs);
   for (std::size_t i = 0; i < kPropertyPoints; ++i) {
     const bool no_octaves = static_cast<std::int32_t>(inputs[i * kInputWords + octaves]) < 1;
     const double expected = sum_of_constant_noise(function.accuracy, no_octaves);

@@ -14,7 +14,6 @@
 namespace hn {
 namespace {
 
-constexpr std::array kStatuses = {Status::pass, Status::fail, Status::unsupported, Status::error};
 constexpr std::size_t kMostFailuresShown = 20;
 
 nlohmann::ordered_json timings(const BenchReport& report) {

@@ -11,12 +11,6 @@
 
 namespace hn {
 
-struct CaseResult {
-  std::string id;
-  Outcome outcome;
-  double seconds = 0.0;
-};
-
 struct Run {
   std::string driver;
   ContextInfo info;

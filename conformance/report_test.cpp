@@ -44,7 +44,10 @@ TEST(Json, HasTheSchemaOfTheDocumentation) {
   EXPECT_EQ(run["renderer"], "r");
   EXPECT_EQ(run["gl_version"], "4.5");
   EXPECT_EQ(run["glsl_version"], "4.50");
-  EXPECT_EQ(run["totals"], nlohmann::json({{"pass", 1}, {"fail", 1}, {"unsupported", 0}, {"error", 0}}));
+  EXPECT_EQ(
+      run["totals"],
+      nlohmann::json(
+          {{"pass", 1}, {"warning", 0}, {"fail", 1}, {"unsupported", 0}, {"crash", 0}, {"timeout", 0}, {"error", 0}}));
   EXPECT_EQ(run["cases"].at(0), nlohmann::json({{"id", "a.b"},
                                                 {"status", "pass"},
                                                 {"samples", 10},

@@ -34,7 +34,7 @@ TEST_P(TwinGolden, AgreesWithTheOracle) {
       inputs.resize(kInputWords);
       std::vector<std::uint32_t> got(kOutputWords);
       evaluate_twin(function, configuration, inputs, got);
-      Comparison comparison(function);
+      Comparison comparison(function, inputs);
       for (std::size_t word = 0; word < row.values.size(); ++word) {
         comparison.golden(inputs, got[word], row.values[word], tolerance(function, configuration, inputs));
       }

@@ -11,12 +11,11 @@
 
 namespace hn {
 
-tl::expected<Words, Outcome> evaluate(Session& session, const Function& function, const Configuration& configuration,
-                                      const Profile& profile, const Words& inputs, const ShaderVariant& variant) {
-  if (const auto reason = unsupported_to_run(profile, session.info.languages); !reason.empty()) {
+tl::expected<Words, Outcome> evaluate(Session& session, const Evaluation& evaluation, const Words& inputs) {
+  if (const auto reason = unsupported_to_run(evaluation.profile, session.info.languages); !reason.empty()) {
     return tl::unexpected(outcome_with(Status::unsupported, {reason, {}}));
   }
-  const auto program = session.evaluation_program(function, configuration, profile, variant);
+  const auto program = session.evaluation_program(evaluation);
   if (!program) return tl::unexpected(outcome_with(Status::fail, program.error()));
   auto outputs = session.grid.evaluate(**program, inputs);
   if (!outputs) return tl::unexpected(outcome_with(Status::fail, outputs.error()));
@@ -50,10 +49,9 @@ Words inputs_of(const Golden& golden) {
   return words;
 }
 
-Outcome check_digest(Session& session, const Function& function, const Configuration& configuration,
-                     const Profile& profile, const GoldenDigest& digest, Outcome outcome) {
+Outcome check_digest(Session& session, const Evaluation& evaluation, const GoldenDigest& digest, Outcome outcome) {
   const Words inputs = digest.inputs();
-  const auto outputs = evaluate(session, function, configuration, profile, inputs);
+  const auto outputs = evaluate(session, evaluation, inputs);
   if (!outputs) return outputs.error();
   Words values(digest.points());
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = (*outputs)[i * kOutputWords];
@@ -63,19 +61,19 @@ Outcome check_digest(Session& session, const Function& function, const Configura
   ++outcome.mismatches;
   outcome.status = Status::fail;
   outcome.message = fmt::format("the digest of {} points from {} is {:016x}, expected {:016x}", values.size(),
-                                describe_inputs(function, point(inputs, 0)), got, digest.fnv1a64);
+                                describe_inputs(evaluation.function, point(inputs, 0)), got, digest.fnv1a64);
   return outcome;
 }
 
-Outcome check_golden(Session& session, const Function& function, const Configuration& configuration,
-                     const Profile& profile) {
+Outcome check_golden(Session& session, const Evaluation& evaluation) {
+  const auto& [function, configuration, profile, variant] = evaluation;
   const auto golden =
       read_golden(golden_path(session.golden_directory, function, configuration), function, configuration);
   if (!golden) return outcome_with(Status::error, golden.error());
   const Words inputs = inputs_of(*golden);
-  const auto outputs = evaluate(session, function, configuration, profile, inputs);
+  const auto outputs = evaluate(session, evaluation, inputs);
   if (!outputs) return outputs.error();
-  Comparison comparison(function);
+  Comparison comparison(function, inputs);
   for (std::size_t i = 0; i < golden->rows.size(); ++i) {
     const auto in = point(inputs, i);
     const auto out = result(*outputs, i);
@@ -85,19 +83,19 @@ Outcome check_golden(Session& session, const Function& function, const Configura
   }
   const Outcome outcome = comparison.finish();
   if (!golden->digest || outcome.status != Status::pass) return outcome;
-  return check_digest(session, function, configuration, profile, *golden->digest, outcome);
+  return check_digest(session, evaluation, *golden->digest, outcome);
 }
 
 // --- Twin ------------------------------------------------------------------------------------------------------------
 
-Outcome check_twin(Session& session, const Function& function, const Configuration& configuration,
-                   const Profile& profile) {
+Outcome check_twin(Session& session, const Evaluation& evaluation) {
+  const auto& [function, configuration, profile, variant] = evaluation;
   const Session::PointSet& points = session.twin_points(function, configuration, kTwinPoints);
-  const auto outputs = evaluate(session, function, configuration, profile, points.inputs);
+  const auto outputs = evaluate(session, evaluation, points.inputs);
   if (!outputs) return outputs.error();
   Words expected(kTwinPoints * kOutputWords);
   evaluate_twin(function, configuration, points.inputs, expected);
-  Comparison comparison(function);
+  Comparison comparison(function, points.inputs);
   for (std::size_t i = 0; i < kTwinPoints; ++i) {
     const auto in = point(points.inputs, i);
     compare_with_twin(comparison, function, in, result(*outputs, i), result(expected, i), points.allowed[i]);
@@ -112,9 +110,8 @@ void add(std::vector<Case>& cases, const Function& function, const Configuration
   const std::string id = fmt::format("{}.{}.{}.fragment.{}.{}", function.id,
                                      depends_on_configuration(function) ? configuration.name : "any",
                                      function.exact() ? "exact" : "fast", profile.name, name);
-  cases.push_back({id, [=, &function, &configuration, &profile](Session& session) {
-                     return check(session, function, configuration, profile);
-                   }});
+  const auto evaluation = std::make_shared<const Evaluation>(Evaluation{function, configuration, profile});
+  cases.push_back({id, [=](Session& session) { return check(session, *evaluation); }, evaluation});
 }
 
 void add_properties(std::vector<Case>& cases, const Function& function, const Configuration& configuration,

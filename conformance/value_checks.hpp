@@ -22,14 +22,12 @@ inline std::span<const std::uint32_t> result(const Words& outputs, std::size_t i
 }
 
 // Evaluates on the driver; the outcome of a failure is ready to be returned.
-tl::expected<Words, Outcome> evaluate(Session& session, const Function& function, const Configuration& configuration,
-                                      const Profile& profile, const Words& inputs, const ShaderVariant& variant = {});
+tl::expected<Words, Outcome> evaluate(Session& session, const Evaluation& evaluation, const Words& inputs);
 
 void compare_with_twin(Comparison& comparison, const Function& function, std::span<const std::uint32_t> inputs,
                        std::span<const std::uint32_t> got, std::span<const std::uint32_t> twin, double allowed);
 
-using Check = Outcome(Session& session, const Function& function, const Configuration& configuration,
-                      const Profile& profile);
+using Check = Outcome(Session& session, const Evaluation& evaluation);
 
 // property_checks.cpp
 Check check_zero;        // noise is 0 at lattice points

@@ -1,0 +1,18 @@
+// What somebody who runs cases tells while it does.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "case.hpp"
+
+namespace hn {
+
+// In this order: once who the driver is, then for each case that it begins and how it ended.
+struct CaseEvents {
+  std::function<void(const ContextInfo& info)> ready;
+  std::function<void(const std::string& id)> started;
+  std::function<void(const CaseResult& result)> finished;
+};
+
+}  // namespace hn
