@@ -25,7 +25,7 @@ tl::expected<OpenDriver, int> open_driver(const std::string& name, const std::st
   setenv("__GL_SHADER_DISK_CACHE", "0", 1);
   const auto driver = find_driver(name);
   if (!driver) return tl::unexpected(unknown_driver(name));
-  auto context = driver->create();
+  auto context = create_context(*driver);
   if (!context) {
     fmt::print(stderr, "hn-conform: the driver {} cannot be used here: {}\n", name, context.error().text());
     return tl::unexpected(kNoDriver);

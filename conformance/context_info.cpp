@@ -30,6 +30,15 @@ bool has_extension(const GladGLContext& gl, std::string_view name) {
   return false;
 }
 
+LanguageSupport languages_of_es(const GladGLContext& gl) {
+  GLint major = 0;
+  GLint minor = 0;
+  gl.GetIntegerv(GL_MAJOR_VERSION, &major);
+  gl.GetIntegerv(GL_MINOR_VERSION, &minor);
+  return {.gl_version = 0, .es_version = major * 100 + minor * 10, .gl130 = false, .bit_encoding = false};
+}
+
+// That a context of desktop OpenGL takes.
 int highest_es_version(const GladGLContext& gl) {
   if (has_extension(gl, "GL_ARB_ES3_2_compatibility")) return 320;
   if (has_extension(gl, "GL_ARB_ES3_1_compatibility")) return 310;
@@ -49,6 +58,10 @@ ContextInfo describe(const Context& context) {
                    string_of(gl, GL_VERSION),
                    string_of(gl, GL_SHADING_LANGUAGE_VERSION),
                    {}};
+  if (context.api() == Api::gles) {
+    info.languages = languages_of_es(gl);
+    return info;
+  }
   info.languages = {glsl_version_number(info.glsl_version), highest_es_version(gl), takes_glsl_130(context),
                     has_extension(gl, "GL_ARB_shader_bit_encoding")};
   return info;

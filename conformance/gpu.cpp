@@ -71,7 +71,7 @@ Result<Program> Program::build(const Context& context, const ShaderText& vertex,
   Program program(gl, gl.CreateProgram());
   gl.AttachShader(program.id_, vertex_shader.id());
   gl.AttachShader(program.id_, fragment_shader.id());
-  gl.BindFragDataLocation(program.id_, 0, "result");
+  if (gl.BindFragDataLocation) gl.BindFragDataLocation(program.id_, 0, "result");  // not in ES, where 0 is the only one
   // For those who count the instructions in it.
   if (gl.ProgramParameteri) gl.ProgramParameteri(program.id_, GL_PROGRAM_BINARY_RETRIEVABLE_HINT, GL_TRUE);
   gl.LinkProgram(program.id_);

@@ -81,7 +81,7 @@ int run_command(const RunCommand& options) {
   if (!sources) return usage_error(sources.error().text());
   if (const auto ready = prepare_output(options.out, {kResultsFile}); !ready) return usage_error(ready.error().text());
 
-  const auto context = driver->create();
+  const auto context = create_context(*driver);
   if (!context) return report_no_driver(*cases, options, context.error());
   const ReferenceCompiler reference;
   Run result{.driver = options.driver, .info = {}, .seed = options.seed, .cases = {}, .timings = {}};

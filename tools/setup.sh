@@ -16,10 +16,12 @@ readonly conform_packages=(
   glslang-dev glslang-tools spirv-tools
   python3-glad libboost-math-dev libcli11-dev libexpected-dev libfmt-dev libkainjow-mustache-dev libpng-dev
   libvulkan-dev nlohmann-json3-dev
-  libegl-dev libosmesa6 libegl1 libegl-mesa0 libgl1-mesa-dri
+  libegl-dev libglfw3-dev libosmesa6 libegl1 libegl-mesa0 libgl1-mesa-dri
 )
 readonly paper_packages=(libvulkan1 mesa-vulkan-drivers)
-readonly test_packages=("${paper_packages[@]}" clang libgtest-dev python3)
+# Every driver that a machine without a GPU and a display can have.
+readonly driver_packages=("${paper_packages[@]}" libglfw3 xvfb)
+readonly test_packages=("${driver_packages[@]}" clang libgtest-dev python3)
 
 install_missing() {
   if ! command -v dpkg-query >/dev/null; then

@@ -1,11 +1,8 @@
 #include "amd.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
-#include <spawn.h>
 #include <stdlib.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -21,7 +18,9 @@
 #include <thread>
 #include <utility>
 
+#include "process.hpp"
 #include "radv.hpp"
+#include "vulkan_drivers.hpp"
 
 namespace hn {
 
@@ -72,26 +71,6 @@ class Exchange {
   fs::path folder_;
 };
 
-// The description files of RADV, as the loader of Vulkan wants them. There is one per architecture; the loader leaves
-// those of the others out.
-Result<std::string> radeon_drivers(const std::vector<fs::path>& directories) {
-  std::vector<std::string> files;
-  std::string searched;
-  for (const fs::path& directory : directories) {
-    searched += (searched.empty() ? "" : ", ") + directory.string();
-    std::error_code none;
-    for (const auto& entry : fs::directory_iterator(directory, none)) {
-      const std::string name = entry.path().filename().string();
-      if (name.starts_with("radeon_icd") && name.ends_with(".json")) files.push_back(entry.path().string());
-    }
-  }
-  if (files.empty()) return fail(fmt::format("Mesa's RADV is not here: no radeon_icd*.json in {}", searched));
-  std::sort(files.begin(), files.end());
-  std::string list;
-  for (const std::string& file : files) list += (list.empty() ? "" : ":") + file;
-  return list;
-}
-
 // Ours, less everything that could change the counts.
 std::vector<std::string> child_environment(std::string_view family, const std::string& drivers) {
   std::vector<std::string> variables = {
@@ -111,26 +90,15 @@ std::vector<std::string> child_environment(std::string_view family, const std::s
   return variables;
 }
 
-std::vector<char*> pointers_to(std::vector<std::string>& texts) {
-  std::vector<char*> pointers;
-  for (std::string& text : texts) pointers.push_back(text.data());
-  pointers.push_back(nullptr);
-  return pointers;
-}
-
 Result<pid_t> start_child(const fs::path& program, const Exchange& files, std::vector<std::string> environment) {
-  std::vector<std::string> arguments = {program.string(), "amd-counts", files.job().string(), files.result().string()};
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, files.log().c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-  pid_t pid = 0;
-  const int error = posix_spawn(&pid, program.c_str(), &actions, nullptr, pointers_to(arguments).data(),
-                                pointers_to(environment).data());
-  posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) return fail(fmt::format("cannot start {}: {}", program.string(), std::strerror(error)));
-  return pid;
+  std::error_code none;
+  fs::remove(files.log(), none);
+  const auto process = start_process({.program = program.string(),
+                                      .arguments = {"amd-counts", files.job().string(), files.result().string()},
+                                      .environment = std::move(environment),
+                                      .output = files.log()});
+  if (!process) return tl::unexpected(process.error());
+  return process->pid;
 }
 
 // How the child ended, in words. It is killed when nothing new has been in its result for as long as the limit.
@@ -151,8 +119,7 @@ std::string wait_for(pid_t pid, const fs::path& result, std::chrono::millisecond
     std::this_thread::sleep_for(kPoll);
   }
   if (killed) return fmt::format("was killed, with nothing new in {} s", std::chrono::duration<double>(limit).count());
-  if (WIFSIGNALED(status)) return fmt::format("ended by signal {}", strsignal(WTERMSIG(status)));
-  return fmt::format("ended with status {}", WEXITSTATUS(status));
+  return describe_end(status);
 }
 
 struct Reply {
@@ -208,8 +175,8 @@ Result<Results> next_results(std::span<const Shader> shaders, const Exchange& fi
 std::span<const std::string_view> amd_families() { return kFamilies; }
 
 Result<Results> amd_counts(std::string_view family, std::span<const Shader> shaders, const AmdSource& source) {
-  const auto drivers = radeon_drivers(source.icd_directories);
-  if (!drivers) return tl::unexpected(drivers.error());
+  const auto drivers = vulkan_drivers("radeon_icd", source.icd_directories);
+  if (!drivers) return fail(fmt::format("Mesa's RADV is not here: {}", drivers.error().message));
   const auto files = Exchange::make();
   if (!files) return tl::unexpected(files.error());
   const std::vector<std::string> environment = child_environment(family, *drivers);
@@ -227,8 +194,6 @@ Result<Results> amd_counts(std::string_view family, std::span<const Shader> shad
 }
 
 int amd_counts_child(const fs::path& job, const fs::path& result) {
-  const rlimit no_core{0, 0};
-  setrlimit(RLIMIT_CORE, &no_core);  // a crash is expected here, and its dump of no use
   std::ofstream out(result, std::ios::app);
   const auto write = [&](const nlohmann::json& line) { out << line << std::endl; };  // flushed: a crash may be next
   const auto radv = Radv::open();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "result.hpp"
+#include "vulkan_drivers.hpp"
 
 namespace hn {
 
@@ -26,7 +27,7 @@ struct AmdStatistics {
 // Where the counts come from; tests put other things here.
 struct AmdSource {
   std::filesystem::path program = "/proc/self/exe";  // answers "amd-counts JOB RESULT" with amd_counts_child
-  std::vector<std::filesystem::path> icd_directories = {"/usr/share/vulkan/icd.d", "/etc/vulkan/icd.d"};
+  std::vector<std::filesystem::path> icd_directories = kVulkanDriverDirectories;
   std::chrono::milliseconds limit = std::chrono::seconds(120);  // without a new result
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 class EglContext final : public Context {
  public:
-  explicit EglContext(Library library) : library_(library) {}
+  EglContext(Library library, Api api) : library_(library), wanted_(api) {}
   ~EglContext() override {
     if (display_ == EGL_NO_DISPLAY) return;
     if (context_ != EGL_NO_CONTEXT) {
@@ -68,29 +68,37 @@ class EglContext final : public Context {
       display_ = EGL_NO_DISPLAY;
       return fail("EGL does not initialise on this platform");
     }
-    if (!call<decltype(eglBindAPI)>("eglBindAPI")(EGL_OPENGL_API)) return fail("EGL has no desktop OpenGL here");
+    const bool es = wanted_ == Api::gles;
+    if (!call<decltype(eglBindAPI)>("eglBindAPI")(es ? EGL_OPENGL_ES_API : EGL_OPENGL_API)) {
+      return fail(fmt::format("EGL has no {} here", es ? "OpenGL ES" : "desktop OpenGL"));
+    }
     // No configuration and no surface: we draw into framebuffer objects only. A driver may give just the version that
     // it is asked for, so ask for the highest first.
-    for (const auto& [major_version, minor_version] : kContextVersions) {
+    for (const auto& [major_version, minor_version] : versions_of(wanted_)) {
+      // ES has no profiles, and its list ends before them.
       const std::array attributes = {EGL_CONTEXT_MAJOR_VERSION,
                                      major_version,
                                      EGL_CONTEXT_MINOR_VERSION,
                                      minor_version,
-                                     EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                     es ? EGL_NONE : EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                      EGL_NONE};
       context_ = call<decltype(eglCreateContext)>("eglCreateContext")(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT,
                                                                       attributes.data());
       if (context_ != EGL_NO_CONTEXT) break;
     }
-    if (context_ == EGL_NO_CONTEXT) return fail("EGL makes no core context of OpenGL 3.1 or later");
+    if (context_ == EGL_NO_CONTEXT) {
+      return fail(fmt::format("EGL makes no {}",
+                              es ? "context of OpenGL ES 3.0 or later" : "core context of OpenGL 3.1 or later"));
+    }
     if (!call<decltype(eglMakeCurrent)>("eglMakeCurrent")(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
       return fail("EGL does not make a context current without a surface");
     }
-    return load_functions(call<decltype(eglGetProcAddress)>("eglGetProcAddress"));
+    return load_functions(call<decltype(eglGetProcAddress)>("eglGetProcAddress"), wanted_);
   }
 
   Library library_;
+  Api wanted_;
   EGLDisplay display_ = EGL_NO_DISPLAY;
   EGLContext context_ = EGL_NO_CONTEXT;
 };
@@ -99,10 +107,10 @@ Result<Library> open_egl() { return Library::open({"libEGL.so.1", "libEGL.so"});
 
 }  // namespace
 
-Result<std::unique_ptr<Context>> create_egl_device(int number) {
+CreatedContext create_egl_device(int number, Api api) {
   auto library = open_egl();
   if (!library) return tl::unexpected(library.error());
-  auto context = std::make_unique<EglContext>(*library);
+  auto context = std::make_unique<EglContext>(*library, api);
   if (auto started = context->start_on_device(number); !started) return tl::unexpected(started.error());
   return context;
 }
@@ -110,17 +118,17 @@ Result<std::unique_ptr<Context>> create_egl_device(int number) {
 int egl_device_count() {
   auto library = open_egl();
   if (!library) return 0;
-  const auto devices = EglContext(*library).find_devices();
+  const auto devices = EglContext(*library, Api::gl).find_devices();
   return devices ? static_cast<int>(devices->size()) : 0;
 }
 
-Result<std::unique_ptr<Context>> create_egl() {
+CreatedContext create_egl(Api api) {
   auto library = open_egl();
   if (!library) return tl::unexpected(library.error());
   std::string why;
   for (const auto& [name, start] : {std::pair{"surfaceless", &EglContext::start_surfaceless},
                                     std::pair{"device", &EglContext::start_on_first_device}}) {
-    auto context = std::make_unique<EglContext>(*library);
+    auto context = std::make_unique<EglContext>(*library, api);
     const auto started = (*context.*start)();
     if (started) return context;
     why += fmt::format("{}{}: {}", why.empty() ? "" : "; ", name, started.error().message);

@@ -34,7 +34,7 @@ class OsmesaDriverContext final : public Context {
     auto* const get_proc_address = library_.function<GetProcAddress>("OSMesaGetProcAddress");
     if (!create || !make_current || !get_proc_address) return fail("this libOSMesa is older than Mesa 11.2");
     // Without a version, OSMesa gives 2.1. It has no way to ask for the highest.
-    for (const auto& [major, minor] : kContextVersions) {
+    for (const auto& [major, minor] : kGlVersions) {
       const std::array attributes = {kFormat,       GL_RGBA, kProfile, kCoreProfile, kMajorVersion, major,
                                      kMinorVersion, minor,   0};
       context_ = create(attributes.data(), nullptr);
@@ -55,7 +55,7 @@ class OsmesaDriverContext final : public Context {
 
 }  // namespace
 
-Result<std::unique_ptr<Context>> create_osmesa() {
+CreatedContext create_osmesa() {
   auto library = Library::open({"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"});
   if (!library) return tl::unexpected(library.error());
   auto context = std::make_unique<OsmesaDriverContext>(*library);

@@ -1,0 +1,56 @@
+// Child processes that end with this one, and what they have to report.
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "result.hpp"
+
+namespace hn {
+
+class FileDescriptor {
+ public:
+  FileDescriptor() = default;
+  explicit FileDescriptor(int fd) : fd_(fd) {}
+  FileDescriptor(FileDescriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+  FileDescriptor& operator=(FileDescriptor&& other) noexcept {
+    std::swap(fd_, other.fd_);
+    return *this;
+  }
+  ~FileDescriptor();
+  int get() const { return fd_; }
+
+ private:
+  int fd_ = -1;
+};
+
+// Where a child writes its reports.
+constexpr int kReportFd = 3;
+
+struct ProcessOptions {
+  std::string program;  // searched in PATH if it names no folder
+  std::vector<std::string> arguments = {};
+  std::optional<std::vector<std::string>> environment = {};  // NAME=VALUE; ours if there is none
+  std::filesystem::path output = "/dev/null";                // of its standard output and error
+};
+
+struct Process {
+  pid_t pid = 0;
+  FileDescriptor reports;  // what it writes to kReportFd
+};
+
+// The system kills the child when the thread that started it ends (on Linux), however that comes.
+Result<Process> start_process(const ProcessOptions& options);
+
+// The path of this program.
+std::filesystem::path own_program();
+
+// "ended by signal 9 (Killed)", "ended with status 1": what waitpid said.
+std::string describe_end(int status);
+
+}  // namespace hn
