@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
+#include <exception>
 #include <utility>
 
 #include "points.hpp"
@@ -47,15 +49,14 @@ Outcome outcome_with(Status status, const Error& error) {
   return outcome;
 }
 
-Session::Session(const Context& context_, const SourceSet& sources_, const ReferenceCompiler& reference_,
-                 std::filesystem::path golden_directory_, std::uint64_t seed_)
-    : context(context_),
-      info(describe(context_)),
-      sources(sources_),
-      reference(reference_),
-      golden_directory(std::move(golden_directory_)),
-      seed(seed_),
-      grid(context_) {}
+bool as_expected(const CaseResult& result) {
+  const Status status = result.outcome.status;
+  if (is_bad(status)) return !result.excuse.empty();
+  return result.excuse.empty() || status == Status::unsupported;
+}
+
+Session::Session(const Suite& suite, const Context& context_, std::size_t most_twin_points_)
+    : Suite(suite), context(context_), info(describe(context_)), most_twin_points(most_twin_points_), grid(context_) {}
 
 Result<const Program*> Session::evaluation_program(const Evaluation& evaluation) {
   const Profile& profile = evaluation.profile;
@@ -86,6 +87,32 @@ const Session::PointSet& Session::twin_points(const Function& function, const Co
   }
   kept_points_of_ = key;
   return kept_points_;
+}
+
+namespace {
+
+template <typename Run>
+CaseResult timed(const std::string& id, Run run) {
+  const auto start = std::chrono::steady_clock::now();
+  CaseResult result;
+  result.id = id;
+  try {
+    result.outcome = run();
+  } catch (const std::exception& exception) {
+    result.outcome = outcome_with(Status::error, {fmt::format("exception: {}", exception.what()), {}});
+  }
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+}  // namespace
+
+CaseResult run_case(Session& session, const Case& test) {
+  return timed(test.id, [&] { return test.run(session); });
+}
+
+CaseResult run_case(const Suite& suite, const Case& test) {
+  return timed(test.id, [&] { return test.compile(suite); });
 }
 
 std::vector<Case> all_cases() {

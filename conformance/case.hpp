@@ -54,14 +54,19 @@ struct Outcome {
   std::vector<Mismatch> examples;  // the first of the values that are wrong
 };
 
-// What a case may use while it runs.
-struct Session {
-  const Context& context;
-  const ContextInfo info;
+// What every case may use while it runs.
+struct Suite {
   const SourceSet& sources;
   const ReferenceCompiler& reference;
   std::filesystem::path golden_directory;
   std::uint64_t seed;  // of the random points
+};
+
+// What a case on a driver may use besides.
+struct Session : Suite {
+  const Context& context;
+  const ContextInfo info;
+  std::size_t most_twin_points;
   GridRenderer grid;
 
   // Random points for a function and how far the driver and the twin may be apart at each; the same for
@@ -75,8 +80,7 @@ struct Session {
   // The program that evaluates a function; the last one is kept, since cases that share a program follow each other.
   Result<const Program*> evaluation_program(const Evaluation& evaluation);
 
-  Session(const Context& context, const SourceSet& sources, const ReferenceCompiler& reference,
-          std::filesystem::path golden_directory, std::uint64_t seed);
+  Session(const Suite& suite, const Context& context, std::size_t most_twin_points);
 
  private:
   std::string kept_key_;
@@ -89,13 +93,37 @@ struct Case {
   std::string id;  // file.function.hash.arithmetic.stage.profile.check
   std::function<Outcome(Session&)> run;
   std::shared_ptr<const Evaluation> evaluation = {};  // if it is about values: for pictures of what failed
+  std::function<Outcome(const Suite&)> compile = {};  // in place of run, for what the reference compiler alone says
+
+  bool needs_driver() const { return run != nullptr; }
+};
+
+// What a developer needs to see a fault: made where a case failed.
+struct Evidence {
+  std::string shader;  // a fragment shader that stands alone and shows it
+  // PNG files in base64: the values, what they should be, and the difference, amplified. Empty if there is nothing to
+  // be seen.
+  std::string got;
+  std::string reference;
+  std::string difference;
+
+  bool operator==(const Evidence&) const = default;
 };
 
 struct CaseResult {
   std::string id;
   Outcome outcome;
   double seconds = 0.0;
+  std::optional<Evidence> evidence = {};
+  std::string excuse = {};  // of an expectation; why this case need not be right on this driver
 };
+
+// An excuse is right where the case is bad, and wrong where it is not.
+bool as_expected(const CaseResult& result);
+
+// Runs the case, and times it. An exception in it is an error of the suite, and no more.
+CaseResult run_case(Session& session, const Case& test);
+CaseResult run_case(const Suite& suite, const Case& test);  // of one that needs no driver
 
 // Every case, in the order in which they run.
 std::vector<Case> all_cases();

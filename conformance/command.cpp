@@ -11,8 +11,8 @@ int usage_error(const std::string& message) {
 
 std::string driver_names() {
   std::string names;
-  for (const Driver& driver : all_drivers()) names += fmt::format("{}{}", names.empty() ? "" : ", ", driver.name);
-  return names;
+  for (const Driver& driver : all_drivers(0)) names += fmt::format("{}{}", names.empty() ? "" : ", ", driver.name);
+  return names + ", egl-device:N, egl-device:N-gles";
 }
 
 int unknown_driver(const std::string& name) {

@@ -29,16 +29,28 @@ int drivers_command();
 int list_command(const std::vector<std::string>& filters);
 
 struct RunCommand {
-  std::string driver = "osmesa";
+  std::vector<std::string> drivers = {"osmesa"};  // names, globs, "all"
   std::vector<std::string> filters;
   std::string out = "out";
   std::string glsl;
   std::string golden;
+  std::string expect;
+  std::string shard;  // "I/N", or empty
   std::uint64_t seed = 1;
+  double timeout = 60.0;  // seconds
+  std::size_t jobs = 1;
   bool fail_fast = false;
+  bool resume = false;
   bool timings = false;
 };
 int run_command(const RunCommand& options);
+
+struct MergeCommand {
+  std::vector<std::string> inputs;
+  std::string out = "out";
+  std::string expect;
+};
+int merge_command(const MergeCommand& options);
 
 struct BenchCommand {
   std::string driver = "osmesa";

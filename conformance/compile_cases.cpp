@@ -15,9 +15,9 @@ Outcome outcome_of(const Result<void>& result) {
   return result ? Outcome{} : outcome_with(Status::fail, result.error());
 }
 
-Outcome check_with_glslang(Session& session, const Profile& profile, const std::string& text, Stage stage) {
-  const auto source = expand(session.sources, profile, text);
-  return source ? outcome_of(session.reference.check(*source, profile, stage))
+Outcome check_with_glslang(const Suite& suite, const Profile& profile, const std::string& text, Stage stage) {
+  const auto source = expand(suite.sources, profile, text);
+  return source ? outcome_of(suite.reference.check(*source, profile, stage))
                 : outcome_with(Status::fail, source.error());
 }
 
@@ -39,8 +39,10 @@ void add_file_cases(std::vector<Case>& cases, std::string_view file, const Confi
     return fmt::format("{}.all.{}.fast.{}.{}.{}", stem(file), configuration.name, name_of(stage), profile.name, check);
   };
   const auto add_glslang = [&](Stage stage) {
-    cases.push_back({id(stage, profile.spirv ? "spirv" : "glslang"), [=, &configuration, &profile](Session& session) {
-                       return check_with_glslang(session, profile, calling_shader(file, configuration, profile, stage),
+    cases.push_back({.id = id(stage, profile.spirv ? "spirv" : "glslang"),
+                     .run = {},
+                     .compile = [=, &configuration, &profile](const Suite& suite) {
+                       return check_with_glslang(suite, profile, calling_shader(file, configuration, profile, stage),
                                                  stage);
                      }});
   };
@@ -101,14 +103,13 @@ void add_refusal_cases(std::vector<Case>& cases, const Refusal& refusal) {
   const auto id = [&](std::string_view check) {
     return fmt::format("config.{}.any.fast.fragment.{}.{}", refusal.name, profile.name, check);
   };
-  const auto source = [&profile, &refusal](Session& session) {
-    return expand(session.sources, profile,
-                  fmt::format("{}#include \"config.glsl\"\nvoid main() {{}}\n", refusal.knobs));
+  const auto source = [&profile, &refusal](const Suite& suite) {
+    return expand(suite.sources, profile, fmt::format("{}#include \"config.glsl\"\nvoid main() {{}}\n", refusal.knobs));
   };
-  cases.push_back({id("refused_by_glslang"), [=, &profile, &refusal](Session& session) {
-                     const auto text = source(session);
+  cases.push_back({.id = id("refused_by_glslang"), .run = {}, .compile = [=, &profile, &refusal](const Suite& suite) {
+                     const auto text = source(suite);
                      if (!text) return outcome_with(Status::error, text.error());
-                     return expect_refusal(refusal, session.reference.check(*text, profile, Stage::fragment));
+                     return expect_refusal(refusal, suite.reference.check(*text, profile, Stage::fragment));
                    }});
   cases.push_back({id("refused_by_driver"), [=, &refusal](Session& session) {
                      const auto text = source(session);

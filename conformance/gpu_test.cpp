@@ -5,8 +5,8 @@
 
 #include <stdexcept>
 
+#include "case.hpp"
 #include "osmesa_fixture.hpp"
-#include "runner.hpp"
 #include "test_support.hpp"
 
 namespace hn {
@@ -65,31 +65,15 @@ TEST_F(Gpu, AProgramThatDoesNotLinkIsAnError) {
   EXPECT_FALSE(build("float f();\nout vec4 o;\nvoid main() { o = vec4(f()); }\n"));
 }
 
-class RunCases : public Gpu {
- protected:
-  std::vector<CaseResult> run(const std::vector<Case>& cases, bool fail_fast) {
-    const ReferenceCompiler reference;
-    Session session(*context_, sources_, reference, "", 1);
-    Progress progress(stderr, cases.size());
-    return run_cases(session, cases, {fail_fast}, progress);
-  }
-};
-
-Outcome passes(Session&) { return {}; }
-Outcome fails(Session&) { return outcome_with(Status::fail, {"it fails", {}}); }
 Outcome throws(Session&) { throw std::runtime_error("thrown"); }
 
-TEST_F(RunCases, AnExceptionIsAnErrorAndTheRunGoesOn) {
-  const auto results = run({{"a", throws}, {"b", passes}}, false);
-  ASSERT_EQ(results.size(), 2u);
-  EXPECT_EQ(results[0].outcome.status, Status::error);
-  EXPECT_EQ(results[0].outcome.message, "exception: thrown");
-  EXPECT_EQ(results[1].outcome.status, Status::pass);
-}
-
-TEST_F(RunCases, FailFastStopsAtTheFirstFailure) {
-  EXPECT_EQ(run({{"a", passes}, {"b", fails}, {"c", passes}}, true).size(), 2u);
-  EXPECT_EQ(run({{"a", passes}, {"b", fails}, {"c", passes}}, false).size(), 3u);
+TEST_F(Gpu, AnExceptionInACaseIsAnError) {
+  const ReferenceCompiler reference;
+  Session session({sources_, reference, "", 1}, *context_, 1);
+  const CaseResult result = run_case(session, {"a", throws});
+  EXPECT_EQ(result.id, "a");
+  EXPECT_EQ(result.outcome.status, Status::error);
+  EXPECT_EQ(result.outcome.message, "exception: thrown");
 }
 
 }  // namespace

@@ -7,18 +7,20 @@
 #include <exception>
 #include <span>
 #include <string_view>
+#include <thread>
 
 #include "bench/amd.hpp"
+#include "child.hpp"
 #include "command.hpp"
 #include "report.hpp"
 
 namespace {
 
-constexpr const char* kCommands = "drivers, list, run, bench or paper";
+constexpr const char* kCommands = "drivers, list, run, merge, bench or paper";
 
 // Options that several commands have.
 void add_driver(CLI::App& command, std::string& driver) {
-  command.add_option("--driver", driver, "One of those that hn-conform drivers lists: osmesa, egl, egl-device:N")
+  command.add_option("--driver", driver, "One of those that hn-conform drivers lists")
       ->type_name("NAME")
       ->capture_default_str();
 }
@@ -46,9 +48,20 @@ void add_rounds(CLI::App& command, int& rounds) {
       ->capture_default_str();
 }
 
+void add_expect(CLI::App& command, std::string& directory) {
+  command.add_option("--expect", directory, "The folder of the tables of what is expected to fail")
+      ->type_name("DIR")
+      ->capture_default_str();
+}
+
 void add_run(CLI::App& app, hn::RunCommand& options) {
-  CLI::App& command = *app.add_subcommand("run", "Run the cases on a driver and write results.json");
-  add_driver(command, options.driver);
+  CLI::App& command = *app.add_subcommand("run", "Run the cases on drivers and write results.json");
+  command
+      .add_option("--driver", options.drivers,
+                  "One of those that hn-conform drivers lists, a glob, or all; may be repeated")
+      ->type_name("NAME")
+      ->allow_extra_args(false)
+      ->capture_default_str();
   add_filter(command, options.filters, "cases");
   add_out(command, options.out, "results.json");
   command.add_option("--seed", options.seed, "Of the random points")
@@ -59,8 +72,29 @@ void add_run(CLI::App& app, hn::RunCommand& options) {
   command.add_option("--golden", options.golden, "The folder of the golden files")
       ->type_name("DIR")
       ->capture_default_str();
+  add_expect(command, options.expect);
+  command.add_option("--shard", options.shard, "Only the Ith of N parts of the cases: 2/3 is the second of three")
+      ->type_name("I/N");
+  command.add_flag("--resume", options.resume, "Go on with a run that was broken off: what it has is not run again");
+  command.add_option("--timeout", options.timeout, "Seconds that a case may take")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.1, 86400.0))
+      ->capture_default_str();
+  command.add_option("--jobs", options.jobs, "Drivers that run at the same time")
+      ->type_name("N")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
   command.add_flag("--fail-fast", options.fail_fast, "Stop at the first case that is not as expected");
   command.add_flag("--timings", options.timings, "Time the functions of the cases, too, as multiples of Perlin/Float");
+}
+
+void add_merge(CLI::App& app, hn::MergeCommand& options) {
+  CLI::App& command = *app.add_subcommand("merge", "Join the results of shards, or of several machines");
+  command.add_option("inputs", options.inputs, "Files results.json, or the folders that hold them")
+      ->type_name("PATH")
+      ->required();
+  add_out(command, options.out, "results.json");
+  add_expect(command, options.expect);
 }
 
 void add_bench(CLI::App& app, hn::BenchCommand& options) {
@@ -123,12 +157,16 @@ int dispatch(int argc, char** argv) {
   std::vector<std::string> list_filters;
   hn::RunCommand run;
   run.golden = HN_GOLDEN_DIRECTORY;
+  hn::MergeCommand merge;
+  run.expect = merge.expect = HN_EXPECT_DIRECTORY;
+  run.jobs = std::max(1u, std::thread::hardware_concurrency());
   hn::BenchCommand bench;
   hn::PaperCommand paper;
   bench.line = paper.line = command_line(argc, argv);
   app.add_subcommand("drivers", "List the drivers, what is behind each here, or why it is missing");
   add_filter(*app.add_subcommand("list", "List the ids of the cases"), list_filters, "cases");
   add_run(app, run);
+  add_merge(app, merge);
   add_bench(app, bench);
   add_paper(app, paper);
 
@@ -145,6 +183,7 @@ int dispatch(int argc, char** argv) {
   if (app.got_subcommand("drivers")) return hn::drivers_command();
   if (app.got_subcommand("list")) return hn::list_command(list_filters);
   if (app.got_subcommand("run")) return hn::run_command(run);
+  if (app.got_subcommand("merge")) return hn::merge_command(merge);
   if (app.got_subcommand("bench")) return hn::bench_command(bench);
   if (app.got_subcommand("paper")) return hn::paper_command(paper);
   return hn::usage_error(fmt::format("say what to do: {}; --help tells more", kCommands));
@@ -154,7 +193,8 @@ int dispatch(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    // What bench starts to count for AMD; not for people.
+    // What we start ourselves; not for people.
+    if (argc == 3 && std::string_view(argv[1]) == "child") return hn::child_command(argv[2]);
     if (argc == 4 && std::string_view(argv[1]) == "amd-counts") return hn::amd_counts_child(argv[2], argv[3]);
     return dispatch(argc, argv);
   } catch (const std::exception& exception) {

@@ -63,6 +63,11 @@ Result<void> validate_spirv(std::span<const std::uint32_t> words) {
   return {};
 }
 
+std::string reference_compiler_version() {
+  const glslang::Version version = glslang::GetVersion();
+  return fmt::format("{}.{}.{}", version.major, version.minor, version.patch);
+}
+
 ReferenceCompiler::ReferenceCompiler() { glslang::InitializeProcess(); }
 ReferenceCompiler::~ReferenceCompiler() { glslang::FinalizeProcess(); }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "profile.hpp"
@@ -13,6 +14,8 @@ namespace hn {
 
 // SPIRV-Tools' verdict, by the rules of Vulkan 1.0.
 Result<void> validate_spirv(std::span<const std::uint32_t> words);
+
+std::string reference_compiler_version();  // of glslang
 
 class ReferenceCompiler {
  public:

@@ -3,11 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <fstream>
-#include <hashnoise/hashnoise.hpp>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "output/file.hpp"
 
@@ -15,19 +11,6 @@ namespace hn {
 namespace {
 
 constexpr std::size_t kMostFailuresShown = 20;
-
-nlohmann::ordered_json timings(const BenchReport& report) {
-  nlohmann::ordered_json functions = nlohmann::ordered_json::array();
-  for (const Measurement& measurement : report.measurements) {
-    if (measurement.error) {
-      functions.push_back({{"id", measurement.subject.id}, {"error", measurement.error->text()}});
-    } else {
-      functions.push_back(
-          {{"id", measurement.subject.id}, {"ratio", measurement.ratio.value}, {"spread", measurement.ratio.spread}});
-    }
-  }
-  return {{"clock", name_of(report.gate.clock)}, {"rounds", report.rounds}, {"functions", std::move(functions)}};
-}
 
 std::string_view function_of(const std::string& id) {
   const auto file_end = id.find('.');
@@ -48,19 +31,24 @@ std::string error_lines(const Run& run) {
   return text;
 }
 
+// "FAIL id", and what there is to say, of every case that is not as expected.
 std::string failure_lines(const Run& run) {
   std::string text;
   std::size_t shown = 0;
   for (const CaseResult& result : run.cases) {
-    const Status status = result.outcome.status;
-    if (status != Status::fail && status != Status::error) continue;
-    if (shown++ < kMostFailuresShown) {
-      text +=
-          fmt::format("{} {}\n  {}\n", status == Status::fail ? "FAIL " : "ERROR", result.id, result.outcome.message);
+    if (as_expected(result) || shown++ >= kMostFailuresShown) continue;
+    std::string status(name_of(result.outcome.status));
+    std::transform(status.begin(), status.end(), status.begin(), [](char c) { return c >= 'a' ? c - 'a' + 'A' : c; });
+    text += fmt::format("{:<7} {}\n", status, result.id);
+    if (!is_bad(result.outcome.status)) {
+      text += fmt::format("  it is excused ({}), and needs no excuse: take it from the expectations\n", result.excuse);
+    } else {
+      text += fmt::format("  {}\n", result.outcome.message);
     }
   }
-  if (shown > kMostFailuresShown)
+  if (shown > kMostFailuresShown) {
     text += fmt::format("... and {} more, all in results.json\n", shown - kMostFailuresShown);
+  }
   return text;
 }
 
@@ -76,55 +64,12 @@ std::string unsupported_lines(const Run& run) {
 
 }  // namespace
 
-std::size_t Run::count(Status status) const {
-  return static_cast<std::size_t>(
-      std::count_if(cases.begin(), cases.end(), [&](const CaseResult& c) { return c.outcome.status == status; }));
-}
-
-bool Run::as_expected() const {
-  return count(Status::pass) > 0 && count(Status::fail) == 0 && count(Status::error) == 0;
-}
-
-std::string library_version() { return fmt::format("{}.{}.{}", HN_VERSION_MAJOR, HN_VERSION_MINOR, HN_VERSION_PATCH); }
-
-std::string to_json(const std::vector<Run>& runs) {
-  nlohmann::ordered_json json = {
-      {"schema", 1}, {"version", library_version()}, {"runs", nlohmann::ordered_json::array()}};
-  for (const Run& run : runs) {
-    nlohmann::ordered_json totals;
-    for (const Status status : kStatuses) totals[std::string(name_of(status))] = run.count(status);
-    nlohmann::ordered_json cases = nlohmann::ordered_json::array();
-    for (const CaseResult& result : run.cases) {
-      const Outcome& outcome = result.outcome;
-      cases.push_back({{"id", result.id},
-                       {"status", name_of(outcome.status)},
-                       {"samples", outcome.samples},
-                       {"mismatches", outcome.mismatches},
-                       {"max_abs", outcome.max_abs},
-                       {"max_ulp", outcome.max_ulp},
-                       {"seconds", result.seconds},
-                       {"message", outcome.message}});
-    }
-    nlohmann::ordered_json one = {{"driver", run.driver},
-                                  {"vendor", run.info.vendor},
-                                  {"renderer", run.info.renderer},
-                                  {"gl_version", run.info.gl_version},
-                                  {"glsl_version", run.info.glsl_version},
-                                  {"seed", run.seed},
-                                  {"totals", totals},
-                                  {"cases", std::move(cases)}};
-    if (run.timings) one["timings"] = timings(*run.timings);
-    json["runs"].push_back(std::move(one));
-  }
-  // A driver's log may hold any bytes; those that are no UTF-8 are replaced.
-  return json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-}
-
 Result<void> write_results(const std::filesystem::path& directory, const std::vector<Run>& runs) {
-  return write_file(directory / kResultsFile, to_json(runs));
+  return write_file(directory / kResultsFile, results_text(runs));
 }
 
 std::string summary(const Run& run) {
+  if (!run.absent.empty()) return fmt::format("{} is not here: {}\n", run.driver, run.absent);
   double seconds = 0.0;
   std::uint64_t samples = 0;
   for (const CaseResult& result : run.cases) {
@@ -133,9 +78,17 @@ std::string summary(const Run& run) {
   }
   std::string text = failure_lines(run) + unsupported_lines(run) + error_lines(run);
   text += fmt::format("{} on {}, {}\n", run.driver, run.info.renderer, run.info.gl_version);
-  text += fmt::format("{} passed, {} failed, {} unsupported, {} errors; {} values compared in {:.1f} s\n",
-                      run.count(Status::pass), run.count(Status::fail), run.count(Status::unsupported),
-                      run.count(Status::error), samples, seconds);
+  std::string counts;
+  for (const Status status : kStatuses) {
+    if (const std::size_t count = run.count(status); count != 0 || status == Status::pass) {
+      counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", count, name_of(status));
+    }
+  }
+  const auto excused = std::count_if(run.cases.begin(), run.cases.end(), [](const CaseResult& result) {
+    return is_bad(result.outcome.status) && !result.excuse.empty();
+  });
+  if (excused != 0) counts += fmt::format(" ({} of these excused)", excused);
+  text += fmt::format("{}; {} values compared in {:.1f} s\n", counts, samples, seconds);
   return text;
 }
 

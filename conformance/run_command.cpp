@@ -1,17 +1,26 @@
-// hn-conform drivers, list and run
+// hn-conform drivers, list, run and merge
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <set>
+#include <algorithm>
+#include <nlohmann/json.hpp>
 
-#include "case.hpp"
 #include "command.hpp"
+#include "expectation.hpp"
+#include "journal.hpp"
+#include "merge.hpp"
 #include "output/file.hpp"
 #include "report.hpp"
 #include "runner.hpp"
+#include "scheduler.hpp"
+#include "worker.hpp"
 
 namespace hn {
 namespace {
+
+constexpr std::chrono::milliseconds kDescribeLimit{60000};
+// 25 times what all functions and configurations take on two cores with llvmpipe.
+constexpr std::chrono::milliseconds kTimingsLimit{1000000};
 
 Result<std::vector<Case>> select_cases(const std::vector<std::string>& filters) {
   auto cases = filter_cases(all_cases(), filters);
@@ -20,46 +29,137 @@ Result<std::vector<Case>> select_cases(const std::vector<std::string>& filters) 
                           fmt::join(filters, "' '")));
 }
 
-// Without the driver every case is unsupported, and results.json says why.
-int report_no_driver(const std::vector<Case>& cases, const RunCommand& options, const Error& error) {
-  const std::string reason = fmt::format("the driver {} cannot be used here: {}", options.driver, error.text());
-  Run run{.driver = options.driver, .info = {}, .seed = options.seed, .cases = {}, .timings = {}};
-  for (const Case& test : cases) {
-    run.cases.push_back({test.id, outcome_with(Status::unsupported, {reason, {}}), 0.0});
-  }
-  fmt::print(stderr, "hn-conform: {}\n", reason);
-  if (const auto written = write_results(options.out, {run}); !written) return usage_error(written.error().text());
-  return kNoDriver;
+// Each in a process of its own: what is loaded to find out could crash.
+std::vector<Driver> drivers_here(const std::filesystem::path& directory) {
+  const auto report =
+      report_of({.task = Task::devices, .driver = {}, .suite = {}, .ids = {}}, directory, kDescribeLimit);
+  return all_drivers(report ? report->value("devices", 0) : 0);
 }
 
-// The functions and configurations of the cases, timed against Perlin/Float.
-Result<BenchReport> time_functions(const Context& context, const SourceSet& sources, const ReferenceCompiler& reference,
-                                   const std::vector<Case>& cases) {
-  // "noise2d.perlin.lattice" of "noise2d.perlin.lattice.fast.fragment.gl330.golden"
-  std::set<std::string> wanted;
-  for (const Case& test : cases) {
-    std::size_t end = 0;
-    for (int part = 0; part < 3; ++part) end = test.id.find('.', end + 1);
-    wanted.insert(test.id.substr(0, end));
+struct DriverChoice {
+  std::vector<std::string> names;
+  bool by_name = true;  // each was named, so each must be here
+};
+
+// Names, globs, and "all"; each driver once.
+Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted, const std::filesystem::path& directory) {
+  DriverChoice choice;
+  const auto add = [&](const std::string& name) {
+    if (std::find(choice.names.begin(), choice.names.end(), name) == choice.names.end()) choice.names.push_back(name);
+  };
+  for (const std::string& name : wanted) {
+    if (find_driver(name)) {
+      add(name);
+      continue;
+    }
+    const std::string glob = name == "all" ? "*" : name;
+    const bool is_glob = glob.find_first_of("*?[") != std::string::npos;
+    const std::size_t before = choice.names.size();
+    for (const Driver& driver : is_glob ? drivers_here(directory) : std::vector<Driver>{}) {
+      if (matches_glob(driver.name, glob)) add(driver.name);
+    }
+    if (choice.names.size() == before) {
+      return fail(fmt::format("there is no driver \"{}\"; there are: {}, and all", name, driver_names()));
+    }
+    choice.by_name = false;
   }
-  std::vector<Subject> subjects = library_subjects();
-  std::erase_if(subjects, [&](const Subject& subject) { return !wanted.contains(subject.id); });
-  return run_bench(context, sources, reference, std::move(subjects), {.counts = false}, stderr);
+  return choice;
+}
+
+// What every driver is to do: the cases that need one; and for glslang, which is always asked, the others.
+std::vector<DriverPlan> plan_drivers(const std::vector<std::string>& names, const std::vector<Case>& cases,
+                                     const Shard& shard) {
+  std::vector<DriverPlan> plans;
+  std::vector<std::string> all = names;
+  const std::string reference(kReferenceCompiler);
+  if (std::find(all.begin(), all.end(), reference) == all.end()) all.push_back(reference);
+  for (const std::string& name : all) {
+    DriverPlan plan{.driver = name, .ids = {}};
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      if (cases[i].needs_driver() != (name != reference)) continue;
+      ++plan.whole;
+      if (shard.has(i)) plan.ids.push_back(cases[i].id);
+    }
+    if (!plan.ids.empty()) plans.push_back(std::move(plan));
+  }
+  return plans;
+}
+
+Result<Journal> open_journal(const RunCommand& options, const nlohmann::json& plan) {
+  if (options.resume && Journal::exists(options.out)) return Journal::reopen(options.out, plan);
+  if (options.resume) fmt::print(stderr, "hn-conform: nothing to resume in {}, so this is a new run\n", options.out);
+  return Journal::create(options.out, plan);
+}
+
+void add_timings(std::vector<Run>& runs, const RunPlan& plan, const std::filesystem::path& out) {
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (!runs[i].absent.empty() || runs[i].driver == kReferenceCompiler) continue;
+    const Job job{.task = Task::timings, .driver = runs[i].driver, .suite = plan.suite, .ids = plan.drivers[i].ids};
+    const auto report = report_of(job, out, kTimingsLimit);
+    if (report && report->contains("timings")) {
+      runs[i].timings = report->at("timings").dump();
+    } else {
+      fmt::print(stderr, "hn-conform: the functions cannot be timed on {}: {}\n", runs[i].driver,
+                 report ? "its process has something else to say" : report.error().text());
+    }
+  }
+}
+
+// Writes what there is to say about the runs, and says it: the exit status.
+int conclude(const std::vector<Run>& runs, const std::string& out, bool complete) {
+  if (const auto written = write_results(out, runs); !written) return usage_error(written.error().text());
+  for (const Run& run : runs) fmt::print("{}", summary(run));
+  const bool good = complete && all_as_expected(runs);
+  fmt::print("{}: {}\n", good ? "All as expected" : "NOT AS EXPECTED",
+             (std::filesystem::path(out) / kResultsFile).string());
+  return good ? 0 : kNotAsExpected;
+}
+
+bool is_here(const Run& run) { return run.absent.empty() && run.driver != kReferenceCompiler; }
+
+// Of the drivers that draw: whether enough are here for a verdict.
+bool drivers_suffice(const std::vector<Run>& runs, bool by_name) {
+  const auto is_missing = [](const Run& run) { return !run.absent.empty(); };
+  if (by_name) return std::none_of(runs.begin(), runs.end(), is_missing);
+  return std::any_of(runs.begin(), runs.end(), is_here) || std::none_of(runs.begin(), runs.end(), is_missing);
+}
+
+Result<RunPlan> make_plan(const RunCommand& options, const DriverChoice& choice, const std::vector<Case>& cases) {
+  auto shard = parse_shard(options.shard);
+  if (!shard) return tl::unexpected(shard.error());
+  RunPlan plan{.drivers = plan_drivers(choice.names, cases, *shard),
+               .suite = {.glsl = options.glsl, .golden = options.golden, .seed = options.seed},
+               .shard = options.shard,
+               .jobs = options.jobs,
+               .limit = std::chrono::milliseconds(static_cast<std::int64_t>(options.timeout * 1000.0)),
+               .fail_fast = options.fail_fast};
+  if (plan.drivers.empty()) return fail("there is nothing to do: none of the cases is for one of the drivers");
+  return plan;
+}
+
+Result<std::vector<Expectation>> load_expectations(const std::string& directory) {
+  auto expectations = read_expectations(directory);
+  if (!expectations) return expectations;
+  if (const auto known = check_expectations(*expectations, all_cases()); !known) return tl::unexpected(known.error());
+  return expectations;
 }
 
 }  // namespace
 
 int drivers_command() {
+  const TemporaryDirectory scratch;
   bool usable = false;
-  for (const Driver& driver : all_drivers()) {
-    const auto context = driver.create();
-    fmt::print("{:<12} {}\n", driver.name, driver.description);
-    if (context) {
-      usable = true;
-      const ContextInfo info = describe(**context);
-      fmt::print("             {}; OpenGL {}; GLSL {}\n", info.renderer, info.gl_version, info.glsl_version);
+  for (const Driver& driver : drivers_here(scratch.path())) {
+    fmt::print("{:<18} {}\n", driver.name, driver.description);
+    const Job job{.task = Task::describe, .driver = driver.name, .suite = {}, .ids = {}};
+    const auto report = report_of(job, scratch.path(), kDescribeLimit);
+    if (report && report->contains("ready")) {
+      const ContextInfo info = context_info_from(report->at("ready"));
+      usable = usable || !driver.is_reference_compiler();
+      fmt::print("{:<18} {}; {}{}{}\n", "", info.renderer, info.gl_version, info.glsl_version.empty() ? "" : "; GLSL ",
+                 info.glsl_version);
     } else {
-      fmt::print("             not here: {}\n", context.error().text());
+      fmt::print("{:<18} not here: {}\n", "", report ? "it does not say what it is" : report.error().text());
     }
   }
   return usable ? 0 : kNoDriver;
@@ -73,37 +173,38 @@ int list_command(const std::vector<std::string>& filters) {
 }
 
 int run_command(const RunCommand& options) {
-  const auto driver = find_driver(options.driver);
-  if (!driver) return unknown_driver(options.driver);
   const auto cases = select_cases(options.filters);
   if (!cases) return usage_error(cases.error().text());
-  const auto sources = library_sources(options.glsl);
-  if (!sources) return usage_error(sources.error().text());
+  if (const auto sources = library_sources(options.glsl); !sources) return usage_error(sources.error().text());
+  const auto expectations = load_expectations(options.expect);
+  if (!expectations) return usage_error(expectations.error().text());
   if (const auto ready = prepare_output(options.out, {kResultsFile}); !ready) return usage_error(ready.error().text());
+  const auto choice = choose_drivers(options.drivers, options.out);
+  if (!choice) return usage_error(choice.error().text());
+  const auto plan = make_plan(options, *choice, *cases);
+  if (!plan) return usage_error(plan.error().text());
+  auto journal = open_journal(options, to_json(*plan));
+  if (!journal) return usage_error(journal.error().text());
 
-  const auto context = create_context(*driver);
-  if (!context) return report_no_driver(*cases, options, context.error());
-  const ReferenceCompiler reference;
-  Run result{.driver = options.driver, .info = {}, .seed = options.seed, .cases = {}, .timings = {}};
-  {
-    Session session(**context, *sources, reference, options.golden, options.seed);
-    result.info = session.info;
-    Progress progress(stderr, cases->size());
-    result.cases = run_cases(session, *cases, {options.fail_fast}, progress);
-  }
-  if (options.timings) {
-    auto timed = time_functions(**context, *sources, reference, *cases);
-    if (timed) {
-      result.timings = std::move(*timed);
-    } else {
-      fmt::print(stderr, "hn-conform: the functions cannot be timed: {}\n", timed.error().text());
-    }
-  }
-  if (const auto written = write_results(options.out, {result}); !written) return usage_error(written.error().text());
-  fmt::print("{}", summary(result));
-  fmt::print("{}: {}/results.json\n", result.as_expected() ? "All as expected" : "NOT AS EXPECTED", options.out);
-  const bool timed = !options.timings || result.timings;
-  return result.as_expected() && timed ? 0 : kNotAsExpected;
+  auto runs = run_plan(*plan, options.out, *journal, stderr);
+  if (options.timings) add_timings(runs, *plan, options.out);
+  for (Run& run : runs) apply_expectations(*expectations, run);
+  const auto timed = [](const Run& run) { return !is_here(run) || !run.timings.empty(); };
+  const bool complete = !options.timings || std::all_of(runs.begin(), runs.end(), timed);
+  const int status = conclude(runs, options.out, complete);
+  journal->remove();
+  return drivers_suffice(runs, choice->by_name) ? status : kNoDriver;
+}
+
+int merge_command(const MergeCommand& options) {
+  const auto expectations = load_expectations(options.expect);
+  if (!expectations) return usage_error(expectations.error().text());
+  auto merged = merge_files(options.inputs);
+  if (!merged) return usage_error(merged.error().text());
+  if (const auto ready = prepare_output(options.out, {kResultsFile}); !ready) return usage_error(ready.error().text());
+  for (Run& run : merged->runs) apply_expectations(*expectations, run);
+  for (const std::string& gap : merged->gaps) fmt::print(stderr, "hn-conform: {}\n", gap);
+  return conclude(merged->runs, options.out, merged->gaps.empty());
 }
 
 }  // namespace hn

@@ -1,4 +1,4 @@
-// Runs cases one after the other and says how it goes.
+// Choosing cases, and saying how a run goes.
 #pragma once
 
 #include <cstdio>
@@ -6,11 +6,12 @@
 #include <vector>
 
 #include "case.hpp"
-#include "report.hpp"
 
 namespace hn {
 
-// Whether an id matches one of the globs (as in a shell: * ? [...]), or there is none to match.
+// As in a shell: * ? [...]
+bool matches_glob(const std::string& text, const std::string& glob);
+// Whether an id matches one of the globs, or there is none to match.
 bool matches_any(const std::string& id, const std::vector<std::string>& globs);
 
 // The cases whose id matches_any of the globs.
@@ -29,12 +30,5 @@ class Progress {
   std::size_t total_;
   std::size_t last_tenth_ = 0;
 };
-
-struct RunOptions {
-  bool fail_fast = false;  // stop at the first case that fails
-};
-
-std::vector<CaseResult> run_cases(Session& session, const std::vector<Case>& cases, const RunOptions& options,
-                                  Progress& progress);
 
 }  // namespace hn

@@ -36,8 +36,6 @@ void compare_with_twin(Comparison& comparison, const Function& function, std::sp
 
 namespace {
 
-// A million, and all that a grid takes.
-constexpr std::size_t kTwinPoints = std::size_t{1} << 20;
 // --- Golden ----------------------------------------------------------------------------------------------------------
 
 Words inputs_of(const Golden& golden) {
@@ -90,13 +88,14 @@ Outcome check_golden(Session& session, const Evaluation& evaluation) {
 
 Outcome check_twin(Session& session, const Evaluation& evaluation) {
   const auto& [function, configuration, profile, variant] = evaluation;
-  const Session::PointSet& points = session.twin_points(function, configuration, kTwinPoints);
+  const std::size_t count = session.most_twin_points;
+  const Session::PointSet& points = session.twin_points(function, configuration, count);
   const auto outputs = evaluate(session, evaluation, points.inputs);
   if (!outputs) return outputs.error();
-  Words expected(kTwinPoints * kOutputWords);
+  Words expected(count * kOutputWords);
   evaluate_twin(function, configuration, points.inputs, expected);
   Comparison comparison(function, points.inputs);
-  for (std::size_t i = 0; i < kTwinPoints; ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     const auto in = point(points.inputs, i);
     compare_with_twin(comparison, function, in, result(*outputs, i), result(expected, i), points.allowed[i]);
   }

@@ -14,7 +14,7 @@ readonly log=$build/setup.log
 readonly conform_packages=(
   cmake g++ ninja-build
   glslang-dev glslang-tools spirv-tools
-  python3-glad libboost-math-dev libcli11-dev libexpected-dev libfmt-dev libkainjow-mustache-dev libpng-dev
+  python3-glad libboost-math-dev libcli11-dev libexpected-dev libfccp-dev libfmt-dev libkainjow-mustache-dev libpng-dev
   libvulkan-dev nlohmann-json3-dev
   libegl-dev libglfw3-dev libosmesa6 libegl1 libegl-mesa0 libgl1-mesa-dri
 )

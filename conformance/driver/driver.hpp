@@ -47,6 +47,9 @@ class Context {
   Api api_ = Api::gl;
 };
 
+// Not a driver of OpenGL, but run like one: the cases that ask glslang alone.
+inline constexpr std::string_view kReferenceCompiler = "glslang";
+
 struct Driver {
   std::string name;
   std::string description;
@@ -56,13 +59,15 @@ struct Driver {
   std::function<Result<std::unique_ptr<Context>>()> create = {};
   // Points at which a function is compared with its twin; fewer where evaluating takes long.
   std::size_t twin_points = std::size_t{1} << 20;
+
+  bool is_reference_compiler() const { return name == kReferenceCompiler; }
 };
 
 // Sets the environment of the process, and creates. Once in a process: what Mesa has read stays read.
 Result<std::unique_ptr<Context>> create_context(const Driver& driver);
 
-// Those that every machine may have, and those of each EGL device of this one, which EGL is asked for.
-std::vector<Driver> all_drivers();
+// Those that every machine may have, and those of so many EGL devices.
+std::vector<Driver> all_drivers(int egl_devices);
 // Nothing if there is no driver of that name; egl-device:N is one, whether there is such a device or not.
 std::optional<Driver> find_driver(std::string_view name);
 

@@ -1,8 +1,11 @@
 #include "file.hpp"
 
 #include <fmt/format.h>
+#include <stdlib.h>
 
+#include <cerrno>
 #include <fstream>
+#include <system_error>
 
 namespace hn {
 
@@ -30,6 +33,17 @@ Result<void> prepare_output(const std::filesystem::path& directory, std::initial
     }
   }
   return {};
+}
+
+TemporaryDirectory::TemporaryDirectory() {
+  std::string path = (std::filesystem::temp_directory_path() / "hn-conform-XXXXXX").string();
+  if (!mkdtemp(path.data())) throw std::system_error(errno, std::generic_category(), path);
+  path_ = path;
+}
+
+TemporaryDirectory::~TemporaryDirectory() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
 }
 
 Result<void> write_file(const std::filesystem::path& path, std::string_view bytes) {

@@ -18,6 +18,19 @@ Result<void> prepare_output(const std::filesystem::path& directory, std::initial
 // file.
 Result<void> write_file(const std::filesystem::path& path, std::string_view bytes);
 
+// A folder that is gone with this object. Throws std::system_error if none can be made.
+class TemporaryDirectory {
+ public:
+  TemporaryDirectory();
+  ~TemporaryDirectory();
+  TemporaryDirectory(const TemporaryDirectory&) = delete;
+  TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
 // The bytes of numbers, as they lie in memory.
 template <typename T>
 std::string_view bytes_of(std::span<const T> numbers) {

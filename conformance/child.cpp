@@ -1,0 +1,140 @@
+#include "child.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+#include "process.hpp"
+#include "results.hpp"
+#include "timings.hpp"
+
+namespace hn {
+namespace {
+
+// One line in one write, so that the parent reads whole lines and has them whatever happens next.
+void report(const nlohmann::ordered_json& json) {
+  const std::string line = dump(json) + "\n";
+  for (std::string_view rest = line; !rest.empty();) {
+    const ssize_t written = write(kReportFd, rest.data(), rest.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) _exit(EXIT_FAILURE);  // nobody listens
+    rest.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+bool context_is_lost(const Context& context) {
+  const GladGLContext& gl = context.gl();
+  if (gl.GetGraphicsResetStatus && gl.GetGraphicsResetStatus() != GL_NO_ERROR) return true;
+  constexpr GLenum kContextLost = 0x0507;  // of OpenGL 4.5 and of KHR_robustness
+  for (GLenum error = gl.GetError(); error != GL_NO_ERROR; error = gl.GetError()) {
+    if (error == kContextLost) return true;
+  }
+  return false;
+}
+
+// The cases of the job, in its order.
+std::vector<const Case*> cases_of(const Job& job, const std::vector<Case>& all) {
+  std::map<std::string_view, const Case*> by_id;
+  for (const Case& test : all) by_id[test.id] = &test;
+  std::vector<const Case*> cases;
+  for (const std::string& id : job.ids) cases.push_back(by_id.at(id));
+  return cases;
+}
+
+void run_reference_cases(const Suite& suite, const std::vector<const Case*>& cases) {
+  report({{"ready", to_json(ContextInfo{"Khronos", "glslang", reference_compiler_version(), "", {}})}});
+  for (const Case* test : cases) {
+    report({{"result", to_json(run_case(suite, *test))}});
+  }
+}
+
+void run_driver_cases(const Suite& suite, const Context& context, const Driver& driver,
+                      const std::vector<const Case*>& cases) {
+  Session session(suite, context, driver.twin_points);
+  report({{"ready", to_json(session.info)}});
+  for (const Case* test : cases) {
+    CaseResult result = run_case(session, *test);
+    const bool lost = context_is_lost(context);
+    if (lost) result.outcome = outcome_with(Status::crash, {"the context was lost", {}});
+    report({{"result", to_json(result)}});
+    if (!lost) continue;
+    report({{"lost", true}});
+    _exit(EXIT_SUCCESS);  // to destroy what is lost could hang
+  }
+}
+
+int run_on_driver(const Job& job, const Driver& driver) {
+  const auto sources = library_sources(job.suite.glsl);
+  if (!sources) {
+    report({{"error", sources.error().text()}});
+    return EXIT_FAILURE;
+  }
+  const ReferenceCompiler reference;
+  const Suite suite{*sources, reference, job.suite.golden, job.suite.seed};
+  const std::vector<Case> all = job.task == Task::describe ? std::vector<Case>{} : all_cases();
+  const std::vector<const Case*> cases = cases_of(job, all);
+  if (driver.is_reference_compiler()) {
+    run_reference_cases(suite, cases);
+    return EXIT_SUCCESS;
+  }
+  const auto context = create_context(driver);
+  if (!context) {
+    report({{"absent", context.error().text()}});
+    return EXIT_SUCCESS;
+  }
+  if (job.task == Task::timings) {
+    report(timings_report(**context, *sources, reference, job.ids));
+  } else {
+    run_driver_cases(suite, **context, driver, cases);
+  }
+  return EXIT_SUCCESS;
+}
+
+constexpr std::array<std::string_view, 4> kTasks = {"describe", "cases", "timings", "devices"};
+
+}  // namespace
+
+nlohmann::json to_json(const SuiteOptions& options) {
+  return {{"glsl", options.glsl}, {"golden", options.golden}, {"seed", options.seed}};
+}
+
+nlohmann::json to_json(const Job& job) {
+  return {{"task", kTasks[static_cast<std::size_t>(job.task)]},
+          {"driver", job.driver},
+          {"suite", to_json(job.suite)},
+          {"ids", job.ids}};
+}
+
+Job job_from(const nlohmann::json& json) {
+  const auto task = std::find(kTasks.begin(), kTasks.end(), json.at("task").get<std::string>());
+  const auto& suite = json.at("suite");
+  return {.task = static_cast<Task>(task - kTasks.begin()),
+          .driver = json.at("driver").get<std::string>(),
+          .suite = {.glsl = suite.at("glsl").get<std::string>(),
+                    .golden = suite.at("golden").get<std::string>(),
+                    .seed = suite.at("seed").get<std::uint64_t>()},
+          .ids = json.at("ids").get<std::vector<std::string>>()};
+}
+
+int child_command(const std::filesystem::path& path) {
+  // What this process starts must not hold the pipe open when this process is gone.
+  if (fcntl(kReportFd, F_SETFD, FD_CLOEXEC) != 0) return usage_error("child is called by hn-conform itself only");
+  std::ifstream in(path);
+  const Job job = job_from(nlohmann::json::parse(in));
+  if (job.task == Task::devices) {
+    report({{"devices", egl_device_count()}});
+    return EXIT_SUCCESS;
+  }
+  const auto driver = find_driver(job.driver);
+  if (!driver) return unknown_driver(job.driver);
+  return run_on_driver(job, *driver);
+}
+
+}  // namespace hn

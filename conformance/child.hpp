@@ -1,0 +1,49 @@
+// The process that runs the cases of one driver: what it is told, and what it tells.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "case.hpp"
+
+namespace hn {
+
+enum class Task {
+  describe,  // say what the driver is
+  cases,     // run cases
+  timings,   // time the functions of cases
+  devices,   // say how many EGL devices there are
+};
+
+// The settings that change what a case does; the same for every process of a run.
+struct SuiteOptions {
+  std::string glsl;  // a folder; empty for what is built in
+  std::string golden;
+  std::uint64_t seed = 1;
+};
+
+struct Job {
+  Task task = Task::cases;
+  std::string driver;
+  SuiteOptions suite;
+  std::vector<std::string> ids;  // of cases, in the order in which they are to be run
+};
+
+nlohmann::json to_json(const SuiteOptions& options);
+nlohmann::json to_json(const Job& job);
+Job job_from(const nlohmann::json& json);  // of a text that to_json made
+
+// The reports, a line of JSON each:
+//   {"ready": {context info}}         once, before the first case
+//   {"absent": "why"}                 in place of it: the driver cannot be used here
+//   {"result": {case result}}         for each case
+//   {"lost": true}                    after a result: the context is lost, and the process ends
+//   {"timings": ...} {"devices": N}   of these tasks
+//   {"error": "why"}                  a task cannot be done
+//
+// What the hidden subcommand "child JOB" does, with the path of the job: the exit status of the program.
+int child_command(const std::filesystem::path& job);
+
+}  // namespace hn

@@ -1,0 +1,93 @@
+#include "expectation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#define CSV_IO_NO_THREAD
+#include <libfccp/csv.h>
+
+#include "runner.hpp"
+
+namespace hn {
+namespace {
+
+bool matches(const Expectation& expectation, const Run& run, const CaseResult& result) {
+  // What cannot run is not right, and not wrong.
+  const Status status = result.outcome.status;
+  const bool fits = status == expectation.status || !is_bad(status);
+  return fits && matches_glob(run.driver, expectation.driver) &&
+         matches_glob(run.info.renderer, expectation.renderer) && matches_glob(result.id, expectation.id);
+}
+
+}  // namespace
+
+Result<std::vector<Expectation>> parse_expectations(std::string_view text, const std::string& path) {
+  std::vector<Expectation> expectations;
+  try {
+    io::CSVReader<5, io::trim_chars<' ', '\t'>, io::double_quote_escape<',', '"'>, io::throw_on_overflow,
+                  io::single_line_comment<'#'>>
+        reader(path, text.data(), text.data() + text.size());
+    reader.read_header(io::ignore_no_column, "driver", "renderer", "case", "status", "reason");
+    Expectation row;
+    std::string status;
+    while (reader.read_row(row.driver, row.renderer, row.id, status, row.reason)) {
+      row.place = fmt::format("{}:{}", path, reader.get_file_line());
+      const auto named = status_named(status);
+      if (!named || !is_bad(*named)) {
+        return fail(fmt::format("{}: the status \"{}\" is none of fail, crash, timeout, error", row.place, status));
+      }
+      if (row.driver.empty() || row.renderer.empty() || row.id.empty()) {
+        return fail(fmt::format("{}: driver, renderer and case must not be empty; * stands for any", row.place));
+      }
+      if (row.reason.empty()) return fail(fmt::format("{}: there must be a reason", row.place));
+      row.status = *named;
+      expectations.push_back(row);
+    }
+  } catch (const io::error::base& error) {
+    return fail(error.what());
+  }
+  return expectations;
+}
+
+Result<std::vector<Expectation>> read_expectations(const std::filesystem::path& directory) {
+  std::error_code error;
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(directory, error)) {
+    if (entry.path().extension() == ".csv") files.push_back(entry.path());
+  }
+  if (error) return fail(fmt::format("cannot read the folder {}: {}", directory.string(), error.message()));
+  std::sort(files.begin(), files.end());
+  std::vector<Expectation> expectations;
+  for (const auto& path : files) {
+    std::ifstream in(path, std::ios::binary);
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    if (!in && !in.eof()) return fail(fmt::format("cannot read {}", path.string()));
+    auto rows = parse_expectations(text, path.string());
+    if (!rows) return rows;
+    expectations.insert(expectations.end(), rows->begin(), rows->end());
+  }
+  return expectations;
+}
+
+Result<void> check_expectations(const std::vector<Expectation>& expectations, const std::vector<Case>& cases) {
+  for (const Expectation& expectation : expectations) {
+    const bool known = std::any_of(cases.begin(), cases.end(),
+                                   [&](const Case& test) { return matches_glob(test.id, expectation.id); });
+    if (!known) return fail(fmt::format("{}: no case matches \"{}\"", expectation.place, expectation.id));
+  }
+  return {};
+}
+
+void apply_expectations(const std::vector<Expectation>& expectations, Run& run) {
+  for (CaseResult& result : run.cases) {
+    result.excuse.clear();
+    if (result.outcome.status == Status::unsupported) continue;
+    const auto found = std::find_if(expectations.begin(), expectations.end(),
+                                    [&](const Expectation& expectation) { return matches(expectation, run, result); });
+    if (found != expectations.end()) result.excuse = fmt::format("{} ({})", found->reason, found->place);
+  }
+}
+
+}  // namespace hn

@@ -1,0 +1,35 @@
+// Runs that were split over machines, joined again.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "results.hpp"
+
+namespace hn {
+
+// Every count-th case, from the index-th on.
+struct Shard {
+  std::size_t index = 1;  // from 1
+  std::size_t count = 1;
+
+  bool has(std::size_t number) const { return number % count == index - 1; }
+};
+
+// Of "2/3"; of nothing the whole.
+Result<Shard> parse_shard(const std::string& text);
+
+struct Merged {
+  std::vector<Run> runs;          // cases in the order of all_cases()
+  std::vector<std::string> gaps;  // what is missing of the whole, a sentence each
+};
+
+// Runs of the same driver on the same renderer become one. An error: the same case twice, or runs that do not belong
+// together, since they differ in their seed or in the number of shards.
+Result<Merged> merge_runs(std::vector<Run> runs);
+
+// The same for files named results.json, or for the folders that hold them.
+Result<Merged> merge_files(const std::vector<std::string>& paths);
+
+}  // namespace hn

@@ -1,0 +1,115 @@
+#include "merge.hpp"
+
+#include <gtest/gtest.h>
+
+#include "report.hpp"
+#include "result_support.hpp"
+#include "test_support.hpp"
+
+namespace hn {
+namespace {
+
+std::vector<std::string> some_ids(std::size_t count) {
+  std::vector<std::string> ids;
+  for (const Case& test : all_cases()) {
+    if (ids.size() < count) ids.push_back(test.id);
+  }
+  return ids;
+}
+
+// The cases of a shard of the first ten.
+Run shard_run(const std::string& text) {
+  const auto shard = parse_shard(text);
+  const auto ids = some_ids(10);
+  std::vector<CaseResult> cases;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (shard->has(i)) cases.push_back(result(ids[i], Status::pass));
+  }
+  hn::Run run = run_of(std::move(cases));
+  run.shard = text;
+  run.whole = 10;
+  return run;
+}
+
+TEST(Shards, AreIOfN) {
+  EXPECT_TRUE(parse_shard("")->has(17));
+  EXPECT_EQ(parse_shard("2/3")->index, 2u);
+  EXPECT_EQ(parse_shard("2/3")->count, 3u);
+  for (const char* wrong : {"0/3", "4/3", "1", "/", "1/", "/2", "a/b", "1/2/3", "-1/2", "1/0", "1 /2", "1/99999"}) {
+    const auto shard = parse_shard(wrong);
+    ASSERT_FALSE(shard) << wrong;
+    EXPECT_NE(shard.error().message.find("2/3"), std::string::npos);
+  }
+}
+
+TEST(Shards, HaveEveryCaseOnce) {
+  for (std::size_t number = 0; number < 20; ++number) {
+    int owners = 0;
+    for (const char* shard : {"1/3", "2/3", "3/3"}) owners += parse_shard(shard)->has(number) ? 1 : 0;
+    EXPECT_EQ(owners, 1) << number;
+  }
+}
+
+TEST(Merge, TheUnionOfTheShardsIsTheWhole) {
+  const auto merged = merge_runs({shard_run("3/3"), shard_run("1/3"), shard_run("2/3")});
+  ASSERT_TRUE(merged) << merged.error().text();
+  EXPECT_TRUE(merged->gaps.empty());
+  ASSERT_EQ(merged->runs.size(), 1u);
+  EXPECT_EQ(merged->runs[0].shard, "");
+  std::vector<std::string> ids;
+  for (const CaseResult& c : merged->runs[0].cases) ids.push_back(c.id);
+  EXPECT_EQ(ids, some_ids(10));
+}
+
+TEST(Merge, AMissingShardIsAGap) {
+  const auto merged = merge_runs({shard_run("3/3"), shard_run("1/3")});
+  ASSERT_TRUE(merged);
+  ASSERT_EQ(merged->gaps.size(), 1u);
+  EXPECT_NE(merged->gaps[0].find("3 of 10 cases are missing"), std::string::npos) << merged->gaps[0];
+}
+
+TEST(Merge, WhatDoesNotBelongTogetherIsAnError) {
+  EXPECT_FALSE(merge_runs({shard_run("1/3"), shard_run("1/3")})) << "the same twice";
+  EXPECT_FALSE(merge_runs({shard_run("1/3"), shard_run("2/2")})) << "of other splits";
+  hn::Run other_seed = shard_run("2/3");
+  other_seed.seed = 8;
+  EXPECT_FALSE(merge_runs({shard_run("1/3"), other_seed}));
+  EXPECT_FALSE(merge_runs({run_of({result("no.such.case", Status::pass)})}));
+  hn::Run bad_shard = shard_run("1/3");
+  bad_shard.shard = "x";
+  EXPECT_FALSE(merge_runs({bad_shard, shard_run("2/3")}));
+}
+
+TEST(Merge, OtherDriversAndRenderersStayApart) {
+  hn::Run elsewhere = shard_run("2/3");
+  elsewhere.info.renderer = "another";
+  hn::Run egl = shard_run("2/3");
+  egl.driver = "egl";
+  hn::Run absent;
+  absent.driver = "zink";
+  absent.absent = "why";
+  hn::Run absent_here = absent;
+  absent_here.driver = "egl";
+  const auto merged = merge_runs({shard_run("1/3"), elsewhere, egl, absent, absent, absent_here});
+  ASSERT_TRUE(merged) << merged.error().text();
+  ASSERT_EQ(merged->runs.size(), 4u);
+  EXPECT_EQ(merged->runs[3].absent, "why");
+  EXPECT_EQ(merged->runs[3].driver, "zink");
+}
+
+TEST(Merge, ReadsFilesAndFolders) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(write_results(folder.path() / "one", {shard_run("1/2")}));
+  ASSERT_TRUE(write_results(folder.path() / "two", {shard_run("2/2")}));
+  const auto merged = merge_files({(folder.path() / "one").string(), (folder.path() / "two" / kResultsFile).string()});
+  ASSERT_TRUE(merged) << merged.error().text();
+  EXPECT_EQ(merged->runs.at(0).cases.size(), 10u);
+  EXPECT_FALSE(merge_files({(folder.path() / "three").string()}));
+  folder.write("broken.json", "{\"schema\": 2");
+  const auto broken = merge_files({(folder.path() / "broken.json").string()});
+  ASSERT_FALSE(broken);
+  EXPECT_NE(broken.error().message.find("broken.json"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace hn

@@ -1,0 +1,190 @@
+#include "results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <hashnoise/hashnoise.hpp>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace hn {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kSchema = 2;
+
+Json examples_json(const std::vector<Mismatch>& examples) {
+  Json list = Json::array();
+  for (const Mismatch& mismatch : examples) {
+    list.push_back({{"point", mismatch.point},
+                    {"words", mismatch.words},
+                    {"inputs", mismatch.inputs},
+                    {"got", mismatch.got},
+                    {"expected", mismatch.expected}});
+  }
+  return list;
+}
+
+Mismatch mismatch_from(const nlohmann::json& json) {
+  return {json.at("point").get<std::size_t>(), json.at("words").get<std::vector<std::uint32_t>>(),
+          json.at("inputs").get<std::string>(), json.at("got").get<std::string>(),
+          json.at("expected").get<std::string>()};
+}
+
+Evidence evidence_from(const nlohmann::json& json) {
+  return {json.at("shader").get<std::string>(), json.at("got").get<std::string>(),
+          json.at("reference").get<std::string>(), json.at("difference").get<std::string>()};
+}
+
+Json to_json(const Run& run) {
+  Json one = {{"driver", run.driver}};
+  if (!run.absent.empty()) {
+    one["absent"] = run.absent;
+    return one;
+  }
+  one.update(to_json(run.info));
+  one["seed"] = run.seed;
+  if (!run.shard.empty()) {
+    one["shard"] = run.shard;
+    one["whole"] = run.whole;
+  }
+  Json& totals = one["totals"] = Json::object();
+  for (const Status status : kStatuses) totals[std::string(name_of(status))] = run.count(status);
+  one["as_expected"] = run.as_expected();
+  Json& cases = one["cases"] = Json::array();
+  for (const CaseResult& result : run.cases) cases.push_back(to_json(result));
+  if (!run.timings.empty()) one["timings"] = Json::parse(run.timings);
+  return one;
+}
+
+Run run_from(const nlohmann::json& json) {
+  Run run;
+  run.driver = json.at("driver").get<std::string>();
+  if (json.contains("absent")) {
+    run.absent = json.at("absent").get<std::string>();
+    if (run.absent.empty()) throw std::invalid_argument("\"absent\" does not say why");
+    return run;
+  }
+  run.info = context_info_from(json);
+  run.seed = json.at("seed").get<std::uint64_t>();
+  if (json.contains("shard")) {
+    run.shard = json.at("shard").get<std::string>();
+    run.whole = json.at("whole").get<std::size_t>();
+  }
+  for (const nlohmann::json& result : json.at("cases")) run.cases.push_back(case_result_from(result));
+  if (json.contains("timings")) run.timings = json.at("timings").dump();
+  return run;
+}
+
+}  // namespace
+
+std::size_t Run::count(Status status) const {
+  return static_cast<std::size_t>(
+      std::count_if(cases.begin(), cases.end(), [&](const CaseResult& c) { return c.outcome.status == status; }));
+}
+
+bool Run::as_expected() const {
+  return count(Status::pass) > 0 &&
+         std::all_of(cases.begin(), cases.end(), [](const CaseResult& result) { return hn::as_expected(result); });
+}
+
+bool all_as_expected(const std::vector<Run>& runs) {
+  const auto is_right = [](const CaseResult& result) { return hn::as_expected(result); };
+  return std::any_of(runs.begin(), runs.end(), [](const Run& run) { return run.as_expected(); }) &&
+         std::all_of(runs.begin(), runs.end(),
+                     [&](const Run& run) { return std::all_of(run.cases.begin(), run.cases.end(), is_right); });
+}
+
+std::string library_version() { return fmt::format("{}.{}.{}", HN_VERSION_MAJOR, HN_VERSION_MINOR, HN_VERSION_PATCH); }
+
+std::string dump(const Json& json, int indent) { return json.dump(indent, ' ', false, Json::error_handler_t::replace); }
+
+Json to_json(const ContextInfo& info) {
+  return {{"vendor", info.vendor},
+          {"renderer", info.renderer},
+          {"gl_version", info.gl_version},
+          {"glsl_version", info.glsl_version}};
+}
+
+ContextInfo context_info_from(const nlohmann::json& json) {
+  return {json.at("vendor").get<std::string>(),
+          json.at("renderer").get<std::string>(),
+          json.at("gl_version").get<std::string>(),
+          json.at("glsl_version").get<std::string>(),
+          {}};
+}
+
+Json to_json(const CaseResult& result) {
+  const Outcome& outcome = result.outcome;
+  Json json = {{"id", result.id},
+               {"status", name_of(outcome.status)},
+               {"samples", outcome.samples},
+               {"mismatches", outcome.mismatches},
+               {"max_abs", outcome.max_abs},
+               {"max_ulp", outcome.max_ulp},
+               {"seconds", result.seconds},
+               {"message", outcome.message}};
+  if (!result.excuse.empty()) json["excuse"] = result.excuse;
+  if (!outcome.examples.empty()) json["examples"] = examples_json(outcome.examples);
+  if (const auto& evidence = result.evidence) {
+    json["evidence"] = {{"shader", evidence->shader},
+                        {"got", evidence->got},
+                        {"reference", evidence->reference},
+                        {"difference", evidence->difference}};
+  }
+  return json;
+}
+
+CaseResult case_result_from(const nlohmann::json& json) {
+  CaseResult result;
+  result.id = json.at("id").get<std::string>();
+  const auto name = json.at("status").get<std::string>();
+  const auto status = status_named(name);
+  if (!status) throw std::invalid_argument(fmt::format("\"{}\" is no status", name));
+  result.outcome = {.status = *status,
+                    .samples = json.at("samples").get<std::uint64_t>(),
+                    .mismatches = json.at("mismatches").get<std::uint64_t>(),
+                    .max_abs = json.at("max_abs").get<double>(),
+                    .max_ulp = json.at("max_ulp").get<std::uint64_t>(),
+                    .message = json.at("message").get<std::string>(),
+                    .examples = {}};
+  result.seconds = json.at("seconds").get<double>();
+  if (json.contains("excuse")) result.excuse = json.at("excuse").get<std::string>();
+  if (json.contains("examples")) {
+    for (const nlohmann::json& example : json.at("examples")) result.outcome.examples.push_back(mismatch_from(example));
+  }
+  if (json.contains("evidence")) result.evidence = evidence_from(json.at("evidence"));
+  return result;
+}
+
+std::string results_text(const std::vector<Run>& runs) {
+  Json json = {{"schema", kSchema}, {"version", library_version()}, {"runs", Json::array()}};
+  for (const Run& run : runs) json["runs"].push_back(to_json(run));
+  return dump(json, 1) + "\n";
+}
+
+Result<std::vector<Run>> parse_results(std::string_view text) {
+  std::string where = "the file";
+  try {
+    const auto json = nlohmann::json::parse(text);
+    if (const int schema = json.at("schema").get<int>(); schema != kSchema) {
+      return fail(fmt::format("schema {} is not the one that is known here, {}", schema, kSchema));
+    }
+    if (const auto version = json.at("version").get<std::string>(); version != library_version()) {
+      return fail(fmt::format("it is of version {}, and this is {}", version, library_version()));
+    }
+    std::vector<Run> runs;
+    for (const nlohmann::json& run : json.at("runs")) {
+      where = fmt::format("run {}", runs.size() + 1);
+      runs.push_back(run_from(run));
+    }
+    return runs;
+  } catch (const nlohmann::json::exception& exception) {
+    return fail(fmt::format("{} is no results.json: {}", where, exception.what()));
+  } catch (const std::invalid_argument& exception) {
+    return fail(fmt::format("{} is no results.json: {}", where, exception.what()));
+  }
+}
+
+}  // namespace hn

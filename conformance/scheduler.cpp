@@ -1,0 +1,286 @@
+#include "scheduler.hpp"
+
+#include <fmt/format.h>
+#include <poll.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "runner.hpp"
+#include "worker.hpp"
+
+namespace hn {
+namespace {
+
+// So many processes in a row that end without a result, and the driver is given up.
+constexpr int kMostFutileStarts = 3;
+// So many cases in a row that end their process, and the others will, too.
+constexpr int kMostCrashesInARow = 10;
+constexpr std::size_t kLogEnd = 2000;
+
+// One driver: what is done, what is not, and its process.
+class Lane {
+ public:
+  Lane(const DriverPlan& plan, const RunPlan& whole, std::filesystem::path directory)
+      : plan_(plan), whole_(whole), directory_(std::move(directory)), pending_(plan.ids.begin(), plan.ids.end()) {
+    std::error_code ignored;
+    std::filesystem::remove(launch().log, ignored);
+  }
+
+  const std::string& driver() const { return plan_.driver; }
+  bool over() const { return pending_.empty() || !absent_.empty(); }
+  Worker* worker() { return worker_ ? &*worker_ : nullptr; }
+  std::size_t done() const { return results_.size(); }
+  std::size_t bad() const { return bad_; }
+  // The case that runs, or runs next.
+  std::string current() {
+    while (next_ < plan_.ids.size() && !is_pending(plan_.ids[next_])) ++next_;
+    return next_ < plan_.ids.size() ? plan_.ids[next_] : std::string();
+  }
+
+  void start() {
+    Job job{.task = Task::cases, .driver = plan_.driver, .suite = whole_.suite, .ids = {}};
+    std::copy_if(plan_.ids.begin(), plan_.ids.end(), std::back_inserter(job.ids),
+                 [&](const std::string& id) { return is_pending(id); });
+    progressed_ = ready_ = lost_ = false;
+    auto worker = Worker::start(job, launch());
+    if (worker) {
+      worker_.emplace(std::move(*worker));
+    } else {
+      abandon(Status::error, worker.error().text());
+    }
+  }
+
+  void stop() { worker_.reset(); }
+
+  // What the process said, now or in an earlier run.
+  void take(const nlohmann::json& report) {
+    if (report.contains("absent")) {
+      take_absence(report.at("absent").get<std::string>());
+    } else if (report.contains("ready")) {
+      ready_ = true;
+      info_ = context_info_from(report.at("ready"));
+    } else if (report.contains("lost")) {
+      lost_ = true;
+    } else if (report.contains("result")) {
+      CaseResult result = case_result_from(report.at("result"));
+      progressed_ = true;
+      crashes_in_a_row_ = 0;
+      if (pending_.contains(result.id)) add(std::move(result));
+    } else if (report.contains("error")) {
+      abandon(Status::error, report.at("error").get<std::string>());
+    }
+  }
+
+  // The process ended. Returns what is to be recorded of it.
+  std::optional<CaseResult> take_end() {
+    const Worker::End end = *worker_->end();
+    worker_.reset();
+    if (over()) {
+      remove_empty_log();
+      return std::nullopt;
+    }
+    futile_starts_ = progressed_ ? 0 : futile_starts_ + 1;
+    if (lost_) return std::nullopt;
+    const Status status = end.timed_out ? Status::timeout : Status::crash;
+    const std::string text = end.timed_out
+                                 ? fmt::format("no answer in {} s", std::chrono::duration<double>(whole_.limit).count())
+                                 : fmt::format("the driver's process {}", end.text);
+    if (!ready_) {
+      // Once could be chance.
+      if (!info_ || futile_starts_ >= kMostFutileStarts) {
+        abandon(status, fmt::format("the driver does not start: {}{}", text, log_end()));
+      }
+      return std::nullopt;
+    }
+    CaseResult result{.id = current(), .outcome = outcome_with(status, {text + log_end(), {}})};
+    add(result);
+    if (++crashes_in_a_row_ >= kMostCrashesInARow) {
+      abandon(status, fmt::format("not run, after {} cases in a row ended so: {}", crashes_in_a_row_, text));
+    }
+    return result;
+  }
+
+  Run take_run() {
+    Run run{.driver = plan_.driver,
+            .absent = absent_,
+            .info = info_.value_or(ContextInfo{}),
+            .seed = whole_.suite.seed,
+            .shard = whole_.shard,
+            .whole = plan_.whole,
+            .cases = {},
+            .timings = {}};
+    for (const std::string& id : plan_.ids) {
+      if (const auto found = results_.find(id); found != results_.end()) run.cases.push_back(std::move(found->second));
+    }
+    return run;
+  }
+
+ private:
+  Launch launch() const {
+    return {whole_.program, directory_ / (plan_.driver + ".job"), directory_ / (plan_.driver + ".log"), whole_.limit};
+  }
+  bool is_pending(const std::string& id) const { return pending_.contains(id); }
+
+  void add(CaseResult result) {
+    if (is_bad(result.outcome.status)) ++bad_;
+    pending_.erase(result.id);
+    results_.emplace(result.id, std::move(result));
+  }
+
+  void take_absence(const std::string& why) {
+    if (results_.empty()) {
+      absent_ = why;
+    } else {  // it was there before
+      abandon(Status::crash, fmt::format("the driver did not come back: {}", why));
+    }
+  }
+
+  // Every case that is left ends so.
+  void abandon(Status status, const std::string& why) {
+    for (const std::string& id : std::set<std::string>(pending_)) {
+      add({.id = id, .outcome = outcome_with(status, {why, {}})});
+    }
+  }
+
+  // What the process printed last, which may say why it ended.
+  std::string log_end() const {
+    std::ifstream in(launch().log, std::ios::binary);
+    std::string text(std::istreambuf_iterator<char>(in), {});
+    if (text.size() > kLogEnd) text.erase(0, text.size() - kLogEnd);
+    return text.empty() ? text : "; it printed:\n" + text;
+  }
+
+  void remove_empty_log() const {
+    std::error_code error;
+    if (std::filesystem::file_size(launch().log, error) == 0 && !error) std::filesystem::remove(launch().log, error);
+  }
+
+  const DriverPlan& plan_;
+  const RunPlan& whole_;
+  std::filesystem::path directory_;
+  std::set<std::string> pending_;
+  std::map<std::string, CaseResult> results_;
+  std::optional<ContextInfo> info_;
+  std::string absent_;
+  std::optional<Worker> worker_;
+  std::size_t bad_ = 0;
+  std::size_t next_ = 0;     // all before it are done
+  bool ready_ = false;       // this process
+  bool progressed_ = false;  // this process has finished a case
+  bool lost_ = false;        // this process ends because its context is lost
+  int futile_starts_ = 0;
+  int crashes_in_a_row_ = 0;
+};
+
+class Scheduler {
+ public:
+  Scheduler(const RunPlan& plan, const std::filesystem::path& directory, Journal& journal, std::FILE* progress)
+      : plan_(plan), journal_(journal), progress_(progress, total(plan)) {
+    for (const DriverPlan& driver : plan.drivers) lanes_.emplace_back(driver, plan, directory);
+    for (const Journal::Entry& entry : journal.earlier()) {
+      for (Lane& lane : lanes_) {
+        if (lane.driver() == entry.driver) lane.take(entry.report);
+      }
+    }
+  }
+
+  std::vector<Run> run() {
+    while (start_lanes()) {
+      wait();
+      for (Lane& lane : lanes_) serve(lane);
+      show_progress();
+      if (plan_.fail_fast && bad() > 0) break;
+    }
+    std::vector<Run> runs;
+    for (Lane& lane : lanes_) {
+      lane.stop();
+      runs.push_back(lane.take_run());
+    }
+    return runs;
+  }
+
+ private:
+  static std::size_t total(const RunPlan& plan) {
+    std::size_t count = 0;
+    for (const DriverPlan& driver : plan.drivers) count += driver.ids.size();
+    return count;
+  }
+
+  // Whether any process runs.
+  bool start_lanes() {
+    std::size_t running = 0;
+    for (Lane& lane : lanes_) running += lane.worker() ? 1 : 0;
+    for (Lane& lane : lanes_) {
+      if (running >= plan_.jobs) break;
+      if (lane.worker() || lane.over()) continue;
+      lane.start();
+      if (lane.worker()) ++running;
+    }
+    return running > 0;
+  }
+
+  void wait() {
+    std::vector<pollfd> waiting;
+    SteadyClock::time_point deadline = SteadyClock::now() + std::chrono::seconds(1);
+    for (Lane& lane : lanes_) {
+      if (!lane.worker()) continue;
+      waiting.push_back({lane.worker()->fd(), POLLIN, 0});
+      deadline = std::min(deadline, lane.worker()->deadline());
+    }
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - SteadyClock::now()).count();
+    poll(waiting.data(), waiting.size(), static_cast<int>(std::max<std::int64_t>(left, 0)) + 1);
+  }
+
+  void serve(Lane& lane) {
+    if (!lane.worker()) return;
+    for (const nlohmann::json& report : lane.worker()->read()) {
+      lane.take(report);
+      journal_.add(lane.driver(), report);
+    }
+    if (!lane.worker()->end()) return;
+    if (const auto result = lane.take_end()) journal_.add(lane.driver(), {{"result", to_json(*result)}});
+  }
+
+  std::size_t bad() const {
+    std::size_t count = 0;
+    for (const Lane& lane : lanes_) count += lane.bad();
+    return count;
+  }
+
+  void show_progress() {
+    std::size_t done = 0;
+    std::string current;
+    for (Lane& lane : lanes_) {
+      done += lane.done();
+      if (lane.worker()) current += fmt::format("{}{} {}", current.empty() ? "" : " | ", lane.driver(), lane.current());
+    }
+    progress_.show(done, bad(), current);
+  }
+
+  const RunPlan& plan_;
+  Journal& journal_;
+  Progress progress_;
+  std::vector<Lane> lanes_;
+};
+
+}  // namespace
+
+nlohmann::json to_json(const RunPlan& plan) {
+  nlohmann::json drivers = nlohmann::json::object();
+  for (const DriverPlan& driver : plan.drivers) drivers[driver.driver] = driver.ids;
+  return {{"version", library_version()},
+          {"drivers", std::move(drivers)},
+          {"suite", to_json(plan.suite)},
+          {"shard", plan.shard}};
+}
+
+std::vector<Run> run_plan(const RunPlan& plan, const std::filesystem::path& directory, Journal& journal,
+                          std::FILE* progress) {
+  return Scheduler(plan, directory, journal, progress).run();
+}
+
+}  // namespace hn

@@ -1,0 +1,44 @@
+// Runs the cases of several drivers, each in a process of its own, and survives what they do.
+#pragma once
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "child.hpp"
+#include "journal.hpp"
+#include "process.hpp"
+#include "results.hpp"
+
+namespace hn {
+
+struct DriverPlan {
+  std::string driver;
+  std::vector<std::string> ids;  // of its cases, in their order
+  std::size_t whole = 0;         // how many there are in all shards
+};
+
+struct RunPlan {
+  std::vector<DriverPlan> drivers;
+  SuiteOptions suite;
+  std::string shard;  // "2/3", or empty
+  // What does not change the results:
+  std::size_t jobs = 1;                    // processes at a time
+  std::chrono::milliseconds limit{60000};  // for a case, and for a driver to start
+  bool fail_fast = false;                  // end with the first case that is bad
+  std::filesystem::path program = own_program();
+};
+
+// What a journal has to agree with.
+nlohmann::json to_json(const RunPlan& plan);
+
+// The results, in the order of the plan, less those that the run did not come to because of fail_fast. A case in which
+// the process ends is a crash, one that takes longer than the limit a timeout; the cases after it are run by another
+// process. What the journal has from an earlier run is not run again. Logs of the processes, where they print
+// something, are left as DRIVER.log in the directory.
+std::vector<Run> run_plan(const RunPlan& plan, const std::filesystem::path& directory, Journal& journal,
+                          std::FILE* progress);
+
+}  // namespace hn
