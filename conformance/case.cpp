@@ -69,8 +69,8 @@ Result<Program> Session::build(const Evaluation& evaluation, std::string_view sh
 }
 
 Result<const Program*> Session::evaluation_program(const Evaluation& evaluation) {
-  // A variant, a function that it is compared with, and the same in another stage.
-  constexpr std::size_t kKept = 3;
+  // Those of a function and a configuration: in each version and stage, and a variant.
+  constexpr std::size_t kKept = 8;
   const std::string shader = evaluation_shader(evaluation);
   const std::string key = fmt::format("{} {}", evaluation.profile.name, shader);
   const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const KeptProgram& kept) { return kept.key == key; });

@@ -125,8 +125,8 @@ void Program::set(const char* uniform, std::uint32_t value) const {
   gl_->Uniform1ui(gl_->GetUniformLocation(id_, uniform), value);
 }
 
-std::string unsupported_reason(const Context& context, Stage stage) {
-  return stage == Stage::compute && !context.gl().DispatchCompute ? "this context has no compute shaders" : "";
+std::string unsupported_reason(const GladGLContext& gl, Stage stage) {
+  return stage == Stage::compute && !gl.DispatchCompute ? "this context has no compute shaders" : "";
 }
 
 Result<void> compile_only(const Context& context, const ShaderText& shader, Stage stage) {

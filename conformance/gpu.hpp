@@ -43,7 +43,7 @@ class Program {
 };
 
 // Empty if programs of the stage can be evaluated, whatever their version; else why not.
-std::string unsupported_reason(const Context& context, Stage stage);
+std::string unsupported_reason(const GladGLContext& gl, Stage stage);
 
 // Compiles one shader and throws it away.
 Result<void> compile_only(const Context& context, const ShaderText& shader, Stage stage);

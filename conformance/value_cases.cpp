@@ -17,7 +17,7 @@ tl::expected<Words, Outcome> evaluate(Session& session, const Evaluation& evalua
   if (const auto reason = unsupported_to_run(evaluation.profile, session.info.languages); !reason.empty()) {
     return tl::unexpected(outcome_with(Status::unsupported, {reason, {}}));
   }
-  if (const auto reason = unsupported_reason(session.context, evaluation.stage); !reason.empty()) {
+  if (const auto reason = unsupported_reason(session.context.gl(), evaluation.stage); !reason.empty()) {
     return tl::unexpected(outcome_with(Status::unsupported, {reason, {}}));
   }
   const auto program = session.evaluation_program(evaluation);
