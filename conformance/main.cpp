@@ -64,7 +64,9 @@ void add_run(CLI::App& app, hn::RunCommand& options) {
   command
       .add_option(
           "--inject", options.inject,
-          fmt::format("Make the driver behave as one that has a fault, to see what notices: {}", hn::fault_names()))
+          fmt::format(
+              "Make the driver behave as one that has a fault, to see what notices; \"list\" tells what each does: {}",
+              hn::fault_names()))
       ->type_name("FAULT");
   command.add_flag("--timings", options.timings, "Time the functions of the cases, too, as multiples of Perlin/Float");
 }

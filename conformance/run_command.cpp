@@ -74,6 +74,10 @@ int list_command(const std::vector<std::string>& filters) {
 }
 
 int run_command(const RunCommand& options) {
+  if (options.inject == "list") {
+    fmt::print("{}", fault_list());
+    return 0;
+  }
   const auto driver = find_driver(options.driver);
   if (!driver) return unknown_driver(options.driver);
   const auto cases = select_cases(options.filters);

@@ -28,6 +28,9 @@ struct Fault {
 std::span<const Fault> all_faults();
 const Fault* find_fault(std::string_view name);
 std::string fault_names();  // "abs_int, ..."
+// For people, and for tools/faults: the name of each, and below it lines such as "  injected: abs of an int is the
+// int".
+std::string fault_list();
 
 // The shader with the fault, its lines numbered as before.
 Result<void> inject(const Fault& fault, const Profile& profile, ShaderText& shader);

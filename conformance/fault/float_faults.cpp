@@ -89,7 +89,7 @@ void add_builtins(std::vector<Fault>& faults) {
        .rules = {.functions = {{"sin", "hn_fault_sin"}}}});
   faults.push_back({.name = "fract_returns_one",
                     .fault = "fract returns 1.0",
-                    .reported = "facts of the project: llvmpipe, for fract(-2e-10)",
+                    .reported = "seen on several; llvmpipe, for fract(-2e-10)",
                     .injected = "fract of a whole number is 1",
                     .remark = "for a tiny negative number 1 is x - floor(x), rounded: a warning",
                     .shim =

@@ -41,6 +41,16 @@ std::string fault_names() {
   return names;
 }
 
+std::string fault_list() {
+  std::string text;
+  for (const Fault& fault : all_faults()) {
+    text += fmt::format("{}\n  fault: {}\n  reported in: {}\n  injected: {}\n", fault.name, fault.fault, fault.reported,
+                        fault.injected);
+    if (!fault.remark.empty()) text += fmt::format("  remark: {}\n", fault.remark);
+  }
+  return text;
+}
+
 Result<void> inject(const Fault& fault, const Profile& profile, ShaderText& shader) {
   const ShimLanguage language{profile};
   if (!fault.concerns(language)) return {};

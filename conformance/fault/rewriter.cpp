@@ -245,8 +245,9 @@ class ShaderRewriter {
 
   void condition() {
     if (parser_.peek().is(";")) return;
-    const std::string code = rewrite_expression(rules_, parser_.expression(), place_).whole();
-    out_ += rules_.condition.empty() ? code : fmt::format("({}) {}", code, rules_.condition);
+    const Rewritten written = rewrite_expression(rules_, parser_.expression(), place_);
+    const std::string& added = rules_.condition;
+    out_ += written.space + (added.empty() ? written.code : fmt::format("({}) {}", written.code, added));
   }
 
   void body() {
