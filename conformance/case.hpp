@@ -89,6 +89,7 @@ struct Case {
   std::string id;  // file.function.hash.arithmetic.stage.profile.check
   std::function<Outcome(Session&)> run;
   std::shared_ptr<const Evaluation> evaluation = {};  // if it is about values: for pictures of what failed
+  std::string about = {};  // where it comes from, in lines for hn-conform list --about; mostly nothing
 };
 
 struct CaseResult {

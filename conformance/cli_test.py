@@ -108,6 +108,11 @@ class Cli(unittest.TestCase):
         self.assertEqual(done.returncode, 0)
         self.assertIn("abs_int\n  fault: abs(int) wrong\n", done.stdout)
 
+    def test_list_about_tells_where_a_bug_was_reported(self):
+        done = self.call("list", "--about", "--filter", "bugs.abs_of_int.*gl330*")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("gl330.defined\n  reported in: ANGLE emulate_abs_int_function", done.stdout)
+
     def test_what_the_specification_leaves_open_is_a_warning(self):
         bug = "bugs.modulo_of_negative.any.exact.fragment.gl330.undefined"
         done = self.run_case("--filter", ONE_CASE, case=bug)

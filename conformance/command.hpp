@@ -26,7 +26,7 @@ int unknown_driver(const std::string& name);
 std::string driver_names();
 
 int drivers_command();
-int list_command(const std::vector<std::string>& filters);
+int list_command(const std::vector<std::string>& filters, bool about);
 
 struct RunCommand {
   std::string driver = "osmesa";

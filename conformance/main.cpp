@@ -135,7 +135,10 @@ int dispatch(int argc, char** argv) {
   hn::PaperCommand paper;
   bench.line = paper.line = command_line(argc, argv);
   app.add_subcommand("drivers", "List the drivers, what is behind each here, or why it is missing");
-  add_filter(*app.add_subcommand("list", "List the ids of the cases"), list_filters, "cases");
+  CLI::App& list = *app.add_subcommand("list", "List the ids of the cases");
+  add_filter(list, list_filters, "cases");
+  bool list_about = false;
+  list.add_flag("--about", list_about, "Tell where cases come from, too: where a bug was reported");
   add_run(app, run);
   add_bench(app, bench);
   add_paper(app, paper);
@@ -151,7 +154,7 @@ int dispatch(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : hn::kBadUsage;
   }
   if (app.got_subcommand("drivers")) return hn::drivers_command();
-  if (app.got_subcommand("list")) return hn::list_command(list_filters);
+  if (app.got_subcommand("list")) return hn::list_command(list_filters, list_about);
   if (app.got_subcommand("run")) return hn::run_command(run);
   if (app.got_subcommand("bench")) return hn::bench_command(bench);
   if (app.got_subcommand("paper")) return hn::paper_command(paper);

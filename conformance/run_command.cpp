@@ -66,10 +66,10 @@ int drivers_command() {
   return usable ? 0 : kNoDriver;
 }
 
-int list_command(const std::vector<std::string>& filters) {
+int list_command(const std::vector<std::string>& filters, bool about) {
   const auto cases = select_cases(filters);
   if (!cases) return usage_error(cases.error().text());
-  for (const Case& test : *cases) fmt::print("{}\n", test.id);
+  for (const Case& test : *cases) fmt::print("{}\n{}", test.id, about ? test.about : "");
   return 0;
 }
 

@@ -28,7 +28,7 @@ endforeach()
 
 # Mesa's other software rasterizer: an older OpenGL (3.3), interpreted, with different habits. A part, since it is slow.
 add_test(NAME conform.egl_softpipe
-         COMMAND hn-conform run --driver egl --filter "*.lattice.*golden" --filter "*.any.*golden" --filter "config*"
+         COMMAND hn-conform run --driver egl --filter "*.lattice.*golden" --filter "*.any.*golden" --filter "config*" --filter "bugs*"
                  --out ${CMAKE_CURRENT_BINARY_DIR}/out-softpipe)
 set_tests_properties(conform.egl_softpipe PROPERTIES ENVIRONMENT GALLIUM_DRIVER=softpipe)
 

@@ -61,10 +61,14 @@ void add_cases(std::vector<Case>& cases, const Bug& bug) {
     profiles.remove_prefix(std::min(end + 1, profiles.size()));
     const std::string id =
         fmt::format("{}.any.{}.fragment.{}.{}", bug.function.id, bug.arithmetic(), profile.name, bug.check());
-    cases.push_back({id, [&bug, &profile](Session& session) {
-                       const auto outputs = evaluate(session, evaluation_of(bug, profile), grid_of(bug));
-                       return outputs ? judge_bug(bug, *outputs) : outputs.error();
-                     }});
+    cases.push_back(
+        {.id = id,
+         .run =
+             [&bug, &profile](Session& session) {
+               const auto outputs = evaluate(session, evaluation_of(bug, profile), grid_of(bug));
+               return outputs ? judge_bug(bug, *outputs) : outputs.error();
+             },
+         .about = fmt::format("  reported in: {}\n  specification: {}\n", bug.reference, bug.specification)});
   }
 }
 

@@ -127,6 +127,16 @@ TEST(Rewriter, OnlyConstants) {
   EXPECT_EQ(body("x *= 2.0;", folding), "x *= 2.0;");
 }
 
+// Whatever is missing, it comes to an end.
+TEST(Rewriter, TextThatIsCutOffEnds) {
+  for (const EmbeddedFile& file : kEmbeddedFiles) {
+    for (std::size_t length = 0; length < file.text.size(); length += 13) {
+      const auto code = rewrite(file.text.substr(0, length), kAll);
+      EXPECT_TRUE(code || !code.error().message.empty());
+    }
+  }
+}
+
 TEST(Rewriter, WhatItCannotReadIsAnError) {
   for (const std::string_view code : {"x = a *;", "x = (a;", "x = f(a;", "x = a ? b;", "if a { }", "x = ;"}) {
     EXPECT_TRUE(body(code).starts_with("error: ")) << code;
