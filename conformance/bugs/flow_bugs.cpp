@@ -21,12 +21,13 @@ std::uint32_t iterated(std::uint32_t h, std::int32_t first, std::int32_t end) {
 constexpr std::string_view kLoops =
     "GLSL 4.60 section 6.3: a loop goes on while its condition holds, whatever its count";
 
+// Counts are held to 64 in the shaders: pixels beside the points, which run along with them, may see any words.
 void add_loops(std::vector<Bug>& bugs) {
   bugs.push_back(
       {.function = function("bugs.unary_minus_in_loop", "x:f32 y:i32 count:i32 = sum:f32 whole_sum:i32",
                             "HN_HIGHP float x = float_of(a.x);\nHN_HIGHP int y = int(a.y);\n"
                             "HN_HIGHP float sum = 0.0;\nHN_HIGHP int whole = 0;\n"
-                            "for (HN_HIGHP int i = 0; i < int(a.z); ++i) {\n"
+                            "for (HN_HIGHP int i = 0; i < min(int(a.z), 64); ++i) {\n"
                             "  sum += -x;\n  whole += -y * (i + 1);\n}\n"
                             "return uvec4(bits_of(sum), uint(whole), 0u, 0u);"),
        .reference = "WebGL conformance/glsl/bugs/unary-minus-operator-in-dynamic-loop; ANGLE rewriteUnaryMinusOperator",
@@ -40,16 +41,16 @@ void add_loops(std::vector<Bug>& bugs) {
                           return Words{word(sum), word(-y * (count * (count + 1) / 2))};
                         })});
   bugs.push_back(
-      {.function = function(
-           "bugs.loop_condition", "start:u32 count:i32 = for_loop:u32 while_loop:u32 break_loop:u32",
-           "HN_HIGHP int n = int(a.y);\nHN_HIGHP uint f = a.x;\nHN_HIGHP uint w = a.x;\nHN_HIGHP uint b0 = a.x;\n"
-           "for (HN_HIGHP int i = 0; i < n; ++i) { f = f * 1664525u + 1013904223u + uint(i); }\n"
-           "HN_HIGHP int j = 0;\n"
-           "while (j < n) { w = w * 1664525u + 1013904223u + uint(j); j = j + 1; }\n"
-           "for (HN_HIGHP int k = 0; k < 64; ++k) {\n"
-           "  if (k >= n) { break; }\n"
-           "  b0 = b0 * 1664525u + 1013904223u + uint(k);\n}\n"
-           "return uvec4(f, w, b0, 0u);"),
+      {.function = function("bugs.loop_condition", "start:u32 count:i32 = for_loop:u32 while_loop:u32 break_loop:u32",
+                            "HN_HIGHP int n = min(int(a.y), 64);\nHN_HIGHP uint f = a.x;\nHN_HIGHP uint w = "
+                            "a.x;\nHN_HIGHP uint b0 = a.x;\n"
+                            "for (HN_HIGHP int i = 0; i < n; ++i) { f = f * 1664525u + 1013904223u + uint(i); }\n"
+                            "HN_HIGHP int j = 0;\n"
+                            "while (j < n) { w = w * 1664525u + 1013904223u + uint(j); j = j + 1; }\n"
+                            "for (HN_HIGHP int k = 0; k < 64; ++k) {\n"
+                            "  if (k >= n) { break; }\n"
+                            "  b0 = b0 * 1664525u + 1013904223u + uint(k);\n}\n"
+                            "return uvec4(f, w, b0, 0u);"),
        .reference = "ANGLE add_and_true_to_loop_condition (Intel on macOS)",
        .specification = kLoops,
        .defined = true,
@@ -57,24 +58,23 @@ void add_loops(std::vector<Bug>& bugs) {
          const std::uint32_t h = iterated(in[0], 0, static_cast<std::int32_t>(in[1]));
          return Words{h, h, h};
        })});
-  bugs.push_back(
-      {.function =
-           function("bugs.loop_initializer", "first:i32 end:i32 = for_loop:u32",
-                    "HN_HIGHP uint h = 7u;\n"
-                    "for (HN_HIGHP int i = int(a.x); i < int(a.y); ++i) { h = h * 1664525u + 1013904223u + uint(i); }\n"
-                    "return uvec4(h, 0u, 0u, 0u);"),
-       .reference = "ANGLE dont_use_loops_to_initialize_variables (Qualcomm and others)",
-       .specification = kLoops,
-       .defined = true,
-       .points = points({{0, 3}, {2, 9}, {word(-4), 4}, {5, 5}}, [](const Words& in) {
-         return Words{iterated(7, static_cast<std::int32_t>(in[0]), static_cast<std::int32_t>(in[1]))};
-       })});
+  bugs.push_back({.function = function("bugs.loop_initializer", "first:i32 end:i32 = for_loop:u32",
+                                       "HN_HIGHP uint h = 7u;\n"
+                                       "for (HN_HIGHP int i = max(int(a.x), -64); i < min(int(a.y), 64); ++i) { h = h "
+                                       "* 1664525u + 1013904223u + uint(i); }\n"
+                                       "return uvec4(h, 0u, 0u, 0u);"),
+                  .reference = "ANGLE dont_use_loops_to_initialize_variables (Qualcomm and others)",
+                  .specification = kLoops,
+                  .defined = true,
+                  .points = points({{0, 3}, {2, 9}, {word(-4), 4}, {5, 5}}, [](const Words& in) {
+                    return Words{iterated(7, static_cast<std::int32_t>(in[0]), static_cast<std::int32_t>(in[1]))};
+                  })});
   bugs.push_back({.function = function("bugs.array_initialized_in_loop", "x:u32 index:i32 = element:u32 sum:u32",
                                        "HN_HIGHP uint t[8];\n"
                                        "for (HN_HIGHP int i = 0; i < 8; ++i) { t[i] = a.x + uint(i * i); }\n"
                                        "HN_HIGHP uint sum = 0u;\n"
                                        "for (HN_HIGHP int i = 0; i < 8; ++i) { sum += t[i]; }\n"
-                                       "return uvec4(t[int(a.y)], sum, 0u, 0u);"),
+                                       "return uvec4(t[int(a.y) & 7], sum, 0u, 0u);"),
                   .reference = "ANGLE dont_use_loops_to_initialize_variables (Qualcomm and others)",
                   .specification = "GLSL 4.60 section 5.7: an element keeps what was assigned to it",
                   .defined = true,
@@ -90,7 +90,7 @@ void add_vectors(std::vector<Bug>& bugs) {
       {.function = function("bugs.vector_plus_scalar_in_loop", "x:f32 y:f32 s:f32 count:i32 = x:f32 y:f32 z:u32 w:u32",
                             "HN_HIGHP vec2 v = vec2(float_of(a.x), float_of(a.y));\nHN_HIGHP uvec2 u = uvec2(1u, 2u);\n"
                             "HN_HIGHP float s = float_of(a.z);\n"
-                            "for (HN_HIGHP int i = 0; i < int(a.w); ++i) {\n  v += s;\n  u += 3u;\n}\n"
+                            "for (HN_HIGHP int i = 0; i < min(int(a.w), 64); ++i) {\n  v += s;\n  u += 3u;\n}\n"
                             "return uvec4(bits_of(v.x), bits_of(v.y), u);"),
        .reference = "crbug 772651, WebGL conformance/glsl/bugs/vector-scalar-arithmetic-inside-loop",
        .specification = "GLSL 4.60 section 5.9: a scalar is added to each component; these sums are exact",
