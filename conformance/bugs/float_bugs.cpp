@@ -94,7 +94,7 @@ constexpr std::string_view kQuotientDefined =
     "GLSL 4.60 section 4.7.1: a quotient is off by 2.5 units in the last place at most, and these are far from whole "
     "numbers";
 
-void add_rounding(std::vector<Bug>& bugs) {
+void add_fract(std::vector<Bug>& bugs) {
   constexpr std::string_view kFract = "fract that returns 1.0, seen on several drivers (llvmpipe among them)";
   bugs.push_back(
       {.function = function("bugs.fract_of_small_negative", "x:f32 = fraction:f32",
@@ -115,6 +115,9 @@ void add_rounding(std::vector<Bug>& bugs) {
          const float rest = x - std::floor(x);
          return Words{word(rest), word(rest)};
        })});
+}
+
+void add_quotients(std::vector<Bug>& bugs) {
   constexpr std::string_view kFloorReports =
       "WebGL conformance/glsl/bugs/floored-division-accuracy and floor-div-cos-should-not-truncate";
   bugs.push_back(
@@ -147,6 +150,9 @@ void add_rounding(std::vector<Bug>& bugs) {
                                     {word(343.0f), word(49.0f)},
                                     {word(65535.0f), word(255.0f)}},
                                    [](const Words& in) { return Words{word(as_float(in[0]) / as_float(in[1]))}; })});
+}
+
+void add_mod(std::vector<Bug>& bugs) {
   constexpr std::string_view kModReports =
       "WebGL conformance/glsl/bugs/modulo-arithmetic-accuracy; Kenix3/libultraship 1096 (PowerVR, at integers)";
   bugs.push_back({.function = function("bugs.mod_of_multiple", "x:f32 y:f32 = remainder:f32",
@@ -340,7 +346,9 @@ void add_folding(std::vector<Bug>& bugs) {
 
 void add_float_bugs(std::vector<Bug>& bugs) {
   add_sine(bugs);
-  add_rounding(bugs);
+  add_fract(bugs);
+  add_quotients(bugs);
+  add_mod(bugs);
   add_contraction(bugs);
   add_denormals(bugs);
   add_conversions(bugs);

@@ -58,6 +58,9 @@ void add_loops(std::vector<Bug>& bugs) {
          const std::uint32_t h = iterated(in[0], 0, static_cast<std::int32_t>(in[1]));
          return Words{h, h, h};
        })});
+}
+
+void add_initializers(std::vector<Bug>& bugs) {
   bugs.push_back({.function = function("bugs.loop_initializer", "first:i32 end:i32 = for_loop:u32",
                                        "HN_HIGHP uint h = 7u;\n"
                                        "for (HN_HIGHP int i = max(int(a.x), -64); i < min(int(a.y), 64); ++i) { h = h "
@@ -134,6 +137,7 @@ void add_vectors(std::vector<Bug>& bugs) {
 
 void add_flow_bugs(std::vector<Bug>& bugs) {
   add_loops(bugs);
+  add_initializers(bugs);
   add_vectors(bugs);
 }
 

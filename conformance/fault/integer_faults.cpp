@@ -43,9 +43,7 @@ std::string arithmetic(const ShimLanguage& language, std::string_view ints, std:
   return text;
 }
 
-}  // namespace
-
-void add_integer_faults(std::vector<Fault>& faults) {
+void add_arithmetic(std::vector<Fault>& faults) {
   faults.push_back(
       {.name = "modulo_sign",
        .fault = "negative `%` folded as unsigned, or differing between constant and variable",
@@ -59,13 +57,6 @@ void add_integer_faults(std::vector<Fault>& faults) {
                                 "return a >= 0x80000000u ? 0u - ((0u - a) % b) : a % b;");
            },
        .rules = {.operators = {{"%", "hn_fault_modulo"}}}});
-  faults.push_back({.name = "uint_of_int_shift",
-                    .fault = "`uint(int) >> 31` wrong",
-                    .reported = "KhronosGroup/WebGL 2989 (Adreno 5xx, 6xx)",
-                    .injected = "`uint(x) >> n` shifts the sign of x in",
-                    .remark = "",
-                    .shim = [](const ShimLanguage&) { return std::string(); },
-                    .rules = {.pattern = shift_keeps_sign}});
   faults.push_back(
       {.name = "integers_16_bits",
        .fault = "32-bit integers truncated to 16 bits",
@@ -84,6 +75,16 @@ void add_integer_faults(std::vector<Fault>& faults) {
                           return arithmetic(language, "min(max(x, -65536), 65536)", "min(x, 65536u)");
                         },
                     .rules = {.operators = kArithmetic}});
+}
+
+void add_shifts(std::vector<Fault>& faults) {
+  faults.push_back({.name = "uint_of_int_shift",
+                    .fault = "`uint(int) >> 31` wrong",
+                    .reported = "KhronosGroup/WebGL 2989 (Adreno 5xx, 6xx)",
+                    .injected = "`uint(x) >> n` shifts the sign of x in",
+                    .remark = "",
+                    .shim = [](const ShimLanguage&) { return std::string(); },
+                    .rules = {.pattern = shift_keeps_sign}});
   faults.push_back({.name = "uint_shifted_by_int",
                     .fault = "uint shifted by an int operand",
                     .reported = "ppsspp 16710",
@@ -102,6 +103,9 @@ void add_integer_faults(std::vector<Fault>& faults) {
                     .remark = "a single shift by 32 is undefined: a warning",
                     .shim = [](const ShimLanguage&) { return std::string(); },
                     .rules = {.pattern = shifts_merge}});
+}
+
+void add_functions(std::vector<Fault>& faults) {
   faults.push_back({.name = "abs_int",
                     .fault = "abs(int) wrong",
                     .reported = "ANGLE emulate_abs_int_function (crbug 642227)",
@@ -129,6 +133,14 @@ void add_integer_faults(std::vector<Fault>& faults) {
              return fmt::format("hn_fault_bits(floatBitsToUint({}))", render(node.parts[1]).whole());
            },
            .in_macros = false}});
+}
+
+}  // namespace
+
+void add_integer_faults(std::vector<Fault>& faults) {
+  add_arithmetic(faults);
+  add_shifts(faults);
+  add_functions(faults);
 }
 
 }  // namespace hn
