@@ -100,6 +100,7 @@ struct Case {
   std::string id;  // file.function.hash.arithmetic.stage.profile.check
   std::function<Outcome(Session&)> run;
   std::shared_ptr<const Evaluation> evaluation = {};  // if it is about values: for pictures of what failed
+  std::string about = {};  // where it comes from, in lines for hn-conform list --about; mostly nothing
   std::function<Outcome(const Suite&)> compile = {};  // in place of run, for what the reference compiler alone says
 
   bool needs_driver() const { return run != nullptr; }
@@ -138,6 +139,7 @@ std::vector<Case> all_cases();
 // The parts of all_cases, a file each.
 void add_compile_cases(std::vector<Case>& cases);
 void add_value_cases(std::vector<Case>& cases);
+void add_bug_cases(std::vector<Case>& cases);  // bugs/
 
 // An outcome with the error as its message.
 Outcome outcome_with(Status status, const Error& error);

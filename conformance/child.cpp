@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
+#include "fault/faults.hpp"
 #include "process.hpp"
 #include "results.hpp"
 #include "timings.hpp"
@@ -71,7 +72,7 @@ void run_driver_cases(const Suite& suite, const Context& context, const Driver& 
 }
 
 int run_on_driver(const Job& job, const Driver& driver) {
-  const auto sources = library_sources(job.suite.glsl);
+  const auto sources = suite_sources(job.suite);
   if (!sources) {
     report({{"error", sources.error().text()}});
     return EXIT_FAILURE;
@@ -101,8 +102,15 @@ constexpr std::array<std::string_view, 4> kTasks = {"describe", "cases", "timing
 
 }  // namespace
 
+Result<SourceSet> suite_sources(const SuiteOptions& options) {
+  auto sources = library_sources(options.glsl);
+  if (!sources || options.inject.empty()) return sources;
+  if (const auto done = inject_into(*sources, options.inject); !done) return tl::unexpected(done.error());
+  return sources;
+}
+
 nlohmann::json to_json(const SuiteOptions& options) {
-  return {{"glsl", options.glsl}, {"golden", options.golden}, {"seed", options.seed}};
+  return {{"glsl", options.glsl}, {"golden", options.golden}, {"inject", options.inject}, {"seed", options.seed}};
 }
 
 nlohmann::json to_json(const Job& job) {
@@ -119,6 +127,7 @@ Job job_from(const nlohmann::json& json) {
           .driver = json.at("driver").get<std::string>(),
           .suite = {.glsl = suite.at("glsl").get<std::string>(),
                     .golden = suite.at("golden").get<std::string>(),
+                    .inject = suite.at("inject").get<std::string>(),
                     .seed = suite.at("seed").get<std::uint64_t>()},
           .ids = json.at("ids").get<std::vector<std::string>>()};
 }

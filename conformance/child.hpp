@@ -21,8 +21,12 @@ enum class Task {
 struct SuiteOptions {
   std::string glsl;  // a folder; empty for what is built in
   std::string golden;
+  std::string inject;  // the name of a fault, or nothing
   std::uint64_t seed = 1;
 };
+
+// The library as these options say; an error for a folder or a fault that is none.
+Result<SourceSet> suite_sources(const SuiteOptions& options);
 
 struct Job {
   Task task = Task::cases;

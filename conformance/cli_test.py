@@ -77,6 +77,7 @@ class Cli(unittest.TestCase):
             (["list", "--filter", "nothing*"], "hn-conform list shows the ids"),
             (["run", "--out", self.folder / "file" / "out"], "cannot make the folder"),
             (["run", "--glsl", self.folder], "a copy of every file of glsl/"),
+            (["run", "--inject", "abs_imt"], "there are: modulo_sign"),
             (["run", "--seed", "many"], "many"),
             (["run", "--seed", "-1"], "-1"),
             (["run", "--frobnicate"], "frobnicate"),
@@ -89,6 +90,37 @@ class Cli(unittest.TestCase):
                 done = self.call(*arguments)
                 self.assertEqual(done.returncode, 2, done.stderr)
                 self.assertIn(expected, done.stderr + done.stdout)
+
+    def test_an_injected_fault_turns_the_run_red_and_names_what_suffers(self):
+        bug = "bugs.abs_of_int.any.exact.fragment.gl330.defined"
+        self.assertEqual(self.run_case(case=bug).returncode, 0)
+        done = self.run_case("--inject", "abs_int", case=bug)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn(bug, done.stdout)
+        self.assertIn("emulate_abs_int_function", done.stdout)
+        self.assertEqual(self.run_case("--inject", "abs_int").returncode, 0)  # the noise takes abs of floats alone
+        done = self.run_case("--inject", "integers_16_bits")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn(ONE_CASE, done.stdout)
+
+    def test_inject_list_tells_the_faults(self):
+        done = self.call("run", "--inject", "list")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("abs_int\n  fault: abs(int) wrong\n", done.stdout)
+
+    def test_list_about_tells_where_a_bug_was_reported(self):
+        done = self.call("list", "--about", "--filter", "bugs.abs_of_int.*gl330*")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("gl330.defined\n  reported in: ANGLE emulate_abs_int_function", done.stdout)
+
+    def test_what_the_specification_leaves_open_is_a_warning(self):
+        bug = "bugs.modulo_of_negative.any.exact.fragment.gl330.undefined"
+        done = self.run_case("--filter", ONE_CASE, case=bug)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        case = next(case for case in self.results()["runs"][0]["cases"] if case["id"] == bug)
+        self.assertEqual(case["status"], "warning")
+        self.assertIn("remainder=3 (0x00000003)", case["message"])  # llvmpipe's -1 % 7
+        self.assertIn("gfx-rs/wgpu 9687", case["message"])
 
     def test_help_is_status_0(self):
         for command in ([], ["run"], ["list"], ["drivers"]):

@@ -26,7 +26,7 @@ int unknown_driver(const std::string& name);
 std::string driver_names();
 
 int drivers_command();
-int list_command(const std::vector<std::string>& filters);
+int list_command(const std::vector<std::string>& filters, bool about);
 
 struct RunCommand {
   std::vector<std::string> drivers = {"osmesa"};  // names, globs, "all"
@@ -42,6 +42,7 @@ struct RunCommand {
   bool fail_fast = false;
   bool resume = false;
   bool timings = false;
+  std::string inject;  // the name of a fault, or nothing
 };
 int run_command(const RunCommand& options);
 

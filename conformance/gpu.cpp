@@ -58,6 +58,12 @@ class ShaderObject {
 
 constexpr auto kSide = static_cast<GLsizei>(kGridSide);
 
+// Pixels run in blocks, of 2 x 2 and, in llvmpipe, 4 x 4, and those beside the grid run along. The words of an older
+// grid could send them into a loop of 2^32 turns: a GPU hangs, and llvmpipe ends all the loops of the block after
+// 65,535.
+constexpr GLsizei kBlock = 4;
+GLsizei whole_blocks(GLsizei pixels) { return (pixels + kBlock - 1) / kBlock * kBlock; }
+
 }  // namespace
 
 struct Program::StageText {
@@ -154,7 +160,11 @@ GridRenderer::~GridRenderer() {
   gl_.DeleteVertexArrays(1, &vertex_array_);
 }
 
-void GridRenderer::upload(std::span<const std::uint32_t> inputs, GLsizei width, GLsizei height) {
+// The rest of the last blocks is filled with zeros. A grid of several rows is as wide as the texture, so that the
+// points still lie one after the other.
+void GridRenderer::upload(std::span<const std::uint32_t> inputs, GLsizei grid_width, GLsizei grid_height) {
+  const GLsizei width = whole_blocks(grid_width);
+  const GLsizei height = whole_blocks(grid_height);
   std::vector<std::uint32_t> words(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
   for (std::size_t half = 0; half < 2; ++half) {
     for (std::size_t i = 0; i * kInputWords < inputs.size(); ++i) {

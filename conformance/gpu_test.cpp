@@ -56,6 +56,21 @@ TEST_F(Gpu, WordsTravelUnchanged) {
   expect_words_unchanged(*context_, program);
 }
 
+TEST_F(Gpu, PixelsBesideTheGridSeeNoOldWords) {
+  // A derivative tells what the neighbours in the block have.
+  const auto program = build(std::string(kInputs) +
+                             "void main() { ivec2 at = ivec2(gl_FragCoord.xy);\n"
+                             "float x = float(texelFetch(input_a, at, 0).x + texelFetch(input_b, at, 0).x);\n"
+                             "result = uvec4(uint(abs(dFdx(x))), uint(abs(dFdy(x))), 0u, 0u); }\n");
+  ASSERT_TRUE(program) << program.error().text();
+  GridRenderer grid(*context_);
+  ASSERT_TRUE(grid.evaluate(*program, std::vector<std::uint32_t>(4096 * kInputWords, 1000u)));
+  const auto outputs = grid.evaluate(*program, std::vector<std::uint32_t>(kInputWords, 7u));
+  ASSERT_TRUE(outputs) << outputs.error().text();
+  EXPECT_EQ((*outputs)[0], 14u);
+  EXPECT_EQ((*outputs)[1], 14u);
+}
+
 TEST_F(Gpu, AShaderThatWritesNothingLeavesNoOldResult) {
   const std::vector<std::uint32_t> inputs(4 * kInputWords);
   GridRenderer grid(*context_);

@@ -12,6 +12,7 @@
 #include "bench/amd.hpp"
 #include "child.hpp"
 #include "command.hpp"
+#include "fault/faults.hpp"
 #include "report.hpp"
 
 namespace {
@@ -85,6 +86,13 @@ void add_run(CLI::App& app, hn::RunCommand& options) {
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   command.add_flag("--fail-fast", options.fail_fast, "Stop at the first case that is not as expected");
+  command
+      .add_option(
+          "--inject", options.inject,
+          fmt::format(
+              "Make the driver behave as one that has a fault, to see what notices; \"list\" tells what each does: {}",
+              hn::fault_names()))
+      ->type_name("FAULT");
   command.add_flag("--timings", options.timings, "Time the functions of the cases, too, as multiples of Perlin/Float");
 }
 
@@ -164,7 +172,10 @@ int dispatch(int argc, char** argv) {
   hn::PaperCommand paper;
   bench.line = paper.line = command_line(argc, argv);
   app.add_subcommand("drivers", "List the drivers, what is behind each here, or why it is missing");
-  add_filter(*app.add_subcommand("list", "List the ids of the cases"), list_filters, "cases");
+  CLI::App& list = *app.add_subcommand("list", "List the ids of the cases");
+  add_filter(list, list_filters, "cases");
+  bool list_about = false;
+  list.add_flag("--about", list_about, "Tell where cases come from, too: where a bug was reported");
   add_run(app, run);
   add_merge(app, merge);
   add_bench(app, bench);
@@ -181,7 +192,7 @@ int dispatch(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : hn::kBadUsage;
   }
   if (app.got_subcommand("drivers")) return hn::drivers_command();
-  if (app.got_subcommand("list")) return hn::list_command(list_filters);
+  if (app.got_subcommand("list")) return hn::list_command(list_filters, list_about);
   if (app.got_subcommand("run")) return hn::run_command(run);
   if (app.got_subcommand("merge")) return hn::merge_command(merge);
   if (app.got_subcommand("bench")) return hn::bench_command(bench);

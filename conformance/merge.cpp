@@ -33,8 +33,8 @@ Result<std::size_t> shards_of(const Run& run) {
 }
 
 Result<void> append_cases(Run& to, Run& from) {
-  if (to.seed != from.seed) {
-    return fail(fmt::format("{}: runs with --seed {} and {} do not belong together", name_of(to), to.seed, from.seed));
+  if (to.seed != from.seed || to.injected != from.injected) {
+    return fail(fmt::format("{}: runs that differ in --seed or --inject do not belong together", name_of(to)));
   }
   const auto shards = shards_of(to);
   const auto more = shards_of(from);

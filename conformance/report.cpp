@@ -77,7 +77,8 @@ std::string summary(const Run& run) {
     samples += result.outcome.samples;
   }
   std::string text = failure_lines(run) + unsupported_lines(run) + error_lines(run);
-  text += fmt::format("{} on {}, {}\n", run.driver, run.info.renderer, run.info.gl_version);
+  text += fmt::format("{} on {}, {}{}\n", run.driver, run.info.renderer, run.info.gl_version,
+                      run.injected.empty() ? "" : ", made to have the fault " + run.injected);
   std::string counts;
   for (const Status status : kStatuses) {
     if (const std::size_t count = run.count(status); count != 0 || status == Status::pass) {

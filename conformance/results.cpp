@@ -45,6 +45,7 @@ Json to_json(const Run& run) {
   }
   one.update(to_json(run.info));
   one["seed"] = run.seed;
+  if (!run.injected.empty()) one["injected"] = run.injected;
   if (!run.shard.empty()) {
     one["shard"] = run.shard;
     one["whole"] = run.whole;
@@ -68,6 +69,7 @@ Run run_from(const nlohmann::json& json) {
   }
   run.info = context_info_from(json);
   run.seed = json.at("seed").get<std::uint64_t>();
+  if (json.contains("injected")) run.injected = json.at("injected").get<std::string>();
   if (json.contains("shard")) {
     run.shard = json.at("shard").get<std::string>();
     run.whole = json.at("whole").get<std::size_t>();

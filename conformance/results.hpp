@@ -15,6 +15,7 @@ struct Run {
   std::string absent;  // why the driver cannot be used here; then it has no cases
   ContextInfo info;
   std::uint64_t seed = 0;
+  std::string injected;   // the fault that the driver was made to have, if there is one
   std::string shard;      // "2/3", or empty for the whole
   std::size_t whole = 0;  // how many cases all shards have
   std::vector<CaseResult> cases;

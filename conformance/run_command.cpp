@@ -7,6 +7,7 @@
 
 #include "command.hpp"
 #include "expectation.hpp"
+#include "fault/faults.hpp"
 #include "journal.hpp"
 #include "merge.hpp"
 #include "output/file.hpp"
@@ -27,6 +28,10 @@ Result<std::vector<Case>> select_cases(const std::vector<std::string>& filters) 
   if (!cases.empty()) return cases;
   return fail(fmt::format("no case matches --filter '{}'; hn-conform list shows the ids, and * stands for any part",
                           fmt::join(filters, "' '")));
+}
+
+SuiteOptions suite_options(const RunCommand& options) {
+  return {.glsl = options.glsl, .golden = options.golden, .inject = options.inject, .seed = options.seed};
 }
 
 // Each in a process of its own: what is loaded to find out could crash.
@@ -128,7 +133,7 @@ Result<RunPlan> make_plan(const RunCommand& options, const DriverChoice& choice,
   auto shard = parse_shard(options.shard);
   if (!shard) return tl::unexpected(shard.error());
   RunPlan plan{.drivers = plan_drivers(choice.names, cases, *shard),
-               .suite = {.glsl = options.glsl, .golden = options.golden, .seed = options.seed},
+               .suite = suite_options(options),
                .shard = options.shard,
                .jobs = options.jobs,
                .limit = std::chrono::milliseconds(static_cast<std::int64_t>(options.timeout * 1000.0)),
@@ -165,17 +170,21 @@ int drivers_command() {
   return usable ? 0 : kNoDriver;
 }
 
-int list_command(const std::vector<std::string>& filters) {
+int list_command(const std::vector<std::string>& filters, bool about) {
   const auto cases = select_cases(filters);
   if (!cases) return usage_error(cases.error().text());
-  for (const Case& test : *cases) fmt::print("{}\n", test.id);
+  for (const Case& test : *cases) fmt::print("{}\n{}", test.id, about ? test.about : "");
   return 0;
 }
 
 int run_command(const RunCommand& options) {
+  if (options.inject == "list") {
+    fmt::print("{}", fault_list());
+    return 0;
+  }
   const auto cases = select_cases(options.filters);
   if (!cases) return usage_error(cases.error().text());
-  if (const auto sources = library_sources(options.glsl); !sources) return usage_error(sources.error().text());
+  if (const auto sources = suite_sources(suite_options(options)); !sources) return usage_error(sources.error().text());
   const auto expectations = load_expectations(options.expect);
   if (!expectations) return usage_error(expectations.error().text());
   if (const auto ready = prepare_output(options.out, {kResultsFile}); !ready) return usage_error(ready.error().text());

@@ -109,6 +109,7 @@ class Lane {
             .absent = absent_,
             .info = info_.value_or(ContextInfo{}),
             .seed = whole_.suite.seed,
+            .injected = whole_.suite.inject,
             .shard = whole_.shard,
             .whole = plan_.whole,
             .cases = {},

@@ -6,7 +6,8 @@ include(GoogleTest)
 # --- The parts of hn-conform ---
 add_executable(conform-test
   compare_test.cpp expectation_test.cpp golden_test.cpp gpu_test.cpp merge_test.cpp metamorphic_checks_test.cpp points_test.cpp profile_test.cpp reference_compiler_test.cpp
-  report_test.cpp results_test.cpp runner_test.cpp scheduler_test.cpp source_test.cpp tolerance_test.cpp twin_test.cpp
+  report_test.cpp results_test.cpp runner_test.cpp scheduler_test.cpp source_test.cpp bugs/bugs_test.cpp fault/inject_test.cpp
+  fault/rewriter_test.cpp tolerance_test.cpp twin_test.cpp
   bench/amd_test.cpp bench/bench_test.cpp bench/counts_test.cpp bench/subject_test.cpp bench/tables_test.cpp
   bench/timing_test.cpp output/csv_test.cpp output/number_test.cpp output/page_test.cpp output/png_test.cpp output/svg_test.cpp
   paper/algorithm_test.cpp paper/period_test.cpp paper/published_test.cpp paper/statistics_test.cpp)
@@ -28,18 +29,21 @@ endforeach()
 
 # Mesa's other software rasterizer: an older OpenGL (3.3), interpreted, with different habits. A part, since it is slow.
 add_test(NAME conform.egl_softpipe
-         COMMAND hn-conform run --driver egl --filter "*.lattice.*golden" --filter "*.any.*golden" --filter "config*"
+         COMMAND hn-conform run --driver egl --filter "*.lattice.*golden" --filter "*.any.*golden" --filter "config*" --filter "bugs*"
                  --out ${CMAKE_CURRENT_BINARY_DIR}/out-softpipe)
 set_tests_properties(conform.egl_softpipe PROPERTIES ENVIRONMENT GALLIUM_DRIVER=softpipe)
 
 # --- The oracle and the tools ---
 set(tools ${PROJECT_SOURCE_DIR}/tools)
-foreach(test oracle golden bounds mutate single_file)
+foreach(test oracle golden bounds faults mutate single_file)
   add_test(NAME tools.${test} COMMAND Python3::Interpreter ${tools}/${test}_test.py)
 endforeach()
 add_test(NAME golden.regenerated_is_committed COMMAND Python3::Interpreter ${tools}/golden --check)
 # The suite must notice a changed constant; all of them by command, a few here.
 add_test(NAME mutants.sample COMMAND Python3::Interpreter ${tools}/mutate --program $<TARGET_FILE:hn-conform> --sample 12)
+
+# Every fault that drivers have had turns a run red, and docs/faults.md says by which cases.
+add_test(NAME faults.table_is_committed COMMAND Python3::Interpreter ${tools}/faults --check --program $<TARGET_FILE:hn-conform>)
 
 # --- The C++ twin in other hands ---
 add_test(NAME consumer.find_package
