@@ -116,14 +116,16 @@ std::string seeding_of(const ShaderVariant& variant) {
 
 // Declares at, the point's place in the textures, and result, unless it is an output.
 std::string beginning_of(Stage stage) {
-  const auto at = [](std::string_view index) {
-    return fmt::format("  HN_HIGHP ivec2 at = ivec2({} % {}, {} / {});\n", index, kGridSide, index, kGridSide);
-  };
   switch (stage) {
     case Stage::vertex:
-      return at("gl_VertexID") + "  gl_Position = vec4(0.0);\n";
+      // A draw per row: in a longer one softpipe counts gl_VertexID from 0 again after 4,096 vertices.
+      return "  HN_HIGHP ivec2 at = ivec2(gl_VertexID, row);\n  gl_Position = vec4(0.0);\n";
     case Stage::compute:
-      return "  HN_HIGHP int index = int(gl_GlobalInvocationID.x);\n" + at("index") + "  HN_HIGHP uvec4 result;\n";
+      return fmt::format(
+          "  HN_HIGHP int index = int(gl_GlobalInvocationID.x);\n  HN_HIGHP ivec2 at = ivec2(index % {0}, index / "
+          "{0});\n"
+          "  HN_HIGHP uvec4 result;\n",
+          kGridSide);
     case Stage::fragment:
       break;
   }
@@ -250,7 +252,8 @@ std::string evaluation_shader(const Evaluation& evaluation) {
   if (stage == Stage::compute) {
     text += "layout(std430, binding = 0) buffer Results { HN_HIGHP uvec4 results[]; };\n";
   } else {
-    text += fmt::format("{}out HN_HIGHP uvec4 result;\n", stage == Stage::vertex ? "flat " : "");
+    text +=
+        fmt::format("{}out HN_HIGHP uvec4 result;\n", stage == Stage::vertex ? "uniform HN_HIGHP int row;\nflat " : "");
   }
   if (variant.shape != Shape::inlined) {
     text += fmt::format("HN_HIGHP uvec4 evaluate(HN_HIGHP uvec4 a, HN_HIGHP uvec4 b) {{ {} }}\n", function.body);

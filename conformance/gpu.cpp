@@ -191,7 +191,7 @@ Result<std::vector<std::uint32_t>> GridRenderer::evaluate(const Program& program
   program.set("input_a", 0);
   program.set("input_b", 1);
   gl_.BindVertexArray(vertex_array_);
-  auto words = output_of(program.results_of()).run(points);
+  auto words = output_of(program.results_of()).run(program.id(), points);
   if (!words) return words;
   if (const GLenum error = gl_.GetError(); error != GL_NO_ERROR) {
     return fail(fmt::format("OpenGL error {:#06x} while evaluating {} points", error, points));

@@ -82,10 +82,11 @@ TEST_F(Gpu, AShaderThatWritesNothingLeavesNoOldResult) {
 
 TEST_F(Gpu, WordsTravelUnchangedThroughVertices) {
   const Profile& profile = profile_named("gl330");
-  const auto vertex = expand(sources_, profile,
-                             fmt::format("uniform usampler2D input_a;\nuniform usampler2D input_b;\nout uvec4 result;\n"
-                                         "void main() {{ int index = gl_VertexID;\n{}result = {}}}\n",
-                                         kAt, kSum));
+  const auto vertex =
+      expand(sources_, profile,
+             fmt::format("uniform usampler2D input_a;\nuniform usampler2D input_b;\nout uvec4 result;\n"
+                         "uniform int row;\nvoid main() {{ ivec2 at = ivec2(gl_VertexID, row);\nresult = {}}}\n",
+                         kSum));
   const auto idle = expand(sources_, profile, idle_fragment_shader());
   expect_words_unchanged(*context_, Program::build(*context_, *vertex, *idle, Stage::vertex));
 }
@@ -118,7 +119,7 @@ TEST_F(Gpu, ADrawThatIsLostLeavesNoOldResult) {
   gl.DrawArrays = [](GLenum, GLint, GLsizei) {};
   gl.BeginTransformFeedback = [](GLenum) {};  // which is an error without a program
   gl.EndTransformFeedback = [] {};
-  const auto words = make_stage_output(gl, Stage::vertex)->run(4);
+  const auto words = make_stage_output(gl, Stage::vertex)->run(0, 4);
   ASSERT_TRUE(words) << words.error().text();
   EXPECT_EQ(*words, std::vector<std::uint32_t>(4 * kOutputWords, 0xDEADBEEFu));
 }

@@ -54,11 +54,11 @@ class AFault : public Metamorphic, public testing::WithParamInterface<Way> {
 
 TEST_P(AFault, InANoiseIsCaught) {
   // More than two evaluations may differ by, and less than an eye would see.
-  expect_caught("noise2d.perlin.lattice.fast", "noise2d.glsl", "#define hn_perlin(x) (hn_perlin(x) + 0.00001)");
+  expect_caught("noise2d.perlin.lattice.fast", "noise2d.glsl", "#define hn_perlin(args) (hn_perlin(args) + 0.00001)");
 }
 
 TEST_P(AFault, InTheLastBitOfAHashIsCaught) {
-  expect_caught("hash.lattice3.lattice.exact", "hash.glsl", "#define hn_lattice(x) (hn_lattice(x) ^ 1u)");
+  expect_caught("hash.lattice3.lattice.exact", "hash.glsl", "#define hn_lattice(args) (hn_lattice(args) ^ 1u)");
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST_F(Metamorphic, AVariantNeedsItsSeed) {
   for (const std::string_view check : {"constant_seed", "uniform_seed"}) {
     const auto macro = check == "constant_seed" ? "CASE_CONSTANT_SEED" : "CASE_UNIFORM_SEED";
-    append("noise3d.glsl", fmt::format("#ifdef {}\n#define hn_perlin(x) hn_perlin(p, 0u)\n#endif", macro));
+    append("noise3d.glsl", fmt::format("#ifdef {}\n#define hn_perlin(args) hn_perlin(p, 0u)\n#endif", macro));
     EXPECT_NE(run(fmt::format("noise3d.perlin.lattice.fast.fragment.es300.{}", check)).mismatches, 0u) << check;
   }
 }
@@ -102,19 +102,22 @@ struct Aperiodic {
 TEST_F(Metamorphic, AFunctionWithoutItsPeriodIsCaught) {
   constexpr Aperiodic kFaults[] = {
       {"gradient.lattice2.lattice+period48.exact", "gradient.glsl",
-       "hn_gradient(x) (hn_gradient(x) + float(int(a.x)))"},
+       "hn_gradient(args) (hn_gradient(args) + float(int(a.x)))"},
       {"gradient.sine3.fnv1+sine+period1048576.fast", "gradient.glsl",
-       "hn_gradient(x) (hn_gradient(x) + float(int(a.y)))"},
-      {"noise2d.perlin.lattice+period64.fast", "noise2d.glsl", "hn_perlin(x) (hn_perlin(x) + 0.00001 * p.x)"},
-      {"noise3d.perlin_cell.lattice+period1048576.fast", "noise3d.glsl", "hn_perlin(x) (hn_perlin(x) + float(cell.z))"},
-      {"fbm.clouds3.lattice+period48.fast", "fbm.glsl", "hn_clouds(x) (hn_clouds(x) + 0.00001 * p.z)"}};
+       "hn_gradient(args) (hn_gradient(args) + float(int(a.y)))"},
+      {"noise2d.perlin.lattice+period64.fast", "noise2d.glsl", "hn_perlin(args) (hn_perlin(args) + 0.00001 * p.x)"},
+      {"noise3d.perlin_cell.lattice+period1048576.fast", "noise3d.glsl",
+       "hn_perlin(c, args) (hn_perlin(c, args) + float(cell.z))"},
+      {"fbm.clouds3.lattice+period48.fast", "fbm.glsl",
+       "hn_clouds(q, o, l, args) (hn_clouds(q, o, l, args) + 0.00001 * p.z)"}};
   for (const Aperiodic& fault : kFaults) {
     for (const std::string_view profile : {"gl330", "es300"}) {
       const auto id = fmt::format("{}.fragment.{}.period", fault.id, profile);
       sources_ = SourceSet::embedded();
       EXPECT_EQ(run(id).status, Status::pass) << id;
       append(fault.file, fmt::format("#define {}", fault.fault));
-      EXPECT_NE(run(id).mismatches, 0u) << id;
+      const Outcome wrong = run(id);
+      EXPECT_NE(wrong.mismatches, 0u) << id << ": " << wrong.message;
     }
   }
 }

@@ -15,7 +15,7 @@ class Pixels final : public StageOutput {
  public:
   explicit Pixels(const GladGLContext& gl) : gl_(gl) {}
 
-  Result<Words> run(std::size_t points) override {
+  Result<Words> run(GLuint, std::size_t points) override {
     const auto [width, height] = grid_size(points);
     // A smaller grid takes a corner of the framebuffer, since softpipe goes on with the gl_FragCoord.y of the height
     // that a program was first used with.
@@ -41,14 +41,14 @@ class BufferOutput : public StageOutput {
   BufferOutput(const GladGLContext& gl, GLenum target) : gl_(gl), target_(target) { gl_.GenBuffers(1, &buffer_); }
   ~BufferOutput() override { gl_.DeleteBuffers(1, &buffer_); }
 
-  Result<Words> run(std::size_t points) override {
+  Result<Words> run(GLuint program, std::size_t points) override {
     const std::size_t groups = (points + kComputeGroup - 1) / kComputeGroup;
     Words words(groups * kComputeGroup * kOutputWords, kNothing);
     const auto bytes = static_cast<GLsizeiptr>(words.size() * sizeof(std::uint32_t));
     gl_.BindBuffer(target_, buffer_);
     gl_.BufferData(target_, bytes, words.data(), GL_STREAM_READ);
     gl_.BindBufferBase(target_, 0, buffer_);
-    execute(gl_, groups);
+    execute(gl_, program, groups);
     gl_.BindBufferBase(target_, 0, 0);
     gl_.BindBuffer(target_, buffer_);
     // Not glGetBufferSubData, which ES does not have.
@@ -61,7 +61,7 @@ class BufferOutput : public StageOutput {
   }
 
  private:
-  virtual void execute(const GladGLContext& gl, std::size_t groups) const = 0;
+  virtual void execute(const GladGLContext& gl, GLuint program, std::size_t groups) const = 0;
 
   const GladGLContext& gl_;
   GLenum target_;
@@ -73,10 +73,15 @@ class CapturedVertices final : public BufferOutput {
   explicit CapturedVertices(const GladGLContext& gl) : BufferOutput(gl, GL_TRANSFORM_FEEDBACK_BUFFER) {}
 
  private:
-  void execute(const GladGLContext& gl, std::size_t groups) const override {
+  void execute(const GladGLContext& gl, GLuint program, std::size_t groups) const override {
+    const GLint row = gl.GetUniformLocation(program, "row");
+    const std::size_t vertices = groups * kComputeGroup;
     gl.Enable(GL_RASTERIZER_DISCARD);
     gl.BeginTransformFeedback(GL_POINTS);
-    gl.DrawArrays(GL_POINTS, 0, static_cast<GLsizei>(groups * kComputeGroup));
+    for (std::size_t first = 0; first < vertices; first += kGridSide) {
+      gl.Uniform1i(row, static_cast<GLint>(first / kGridSide));
+      gl.DrawArrays(GL_POINTS, 0, static_cast<GLsizei>(std::min(vertices - first, kGridSide)));
+    }
     gl.EndTransformFeedback();
     gl.Disable(GL_RASTERIZER_DISCARD);
   }
@@ -87,7 +92,7 @@ class StoredInvocations final : public BufferOutput {
   explicit StoredInvocations(const GladGLContext& gl) : BufferOutput(gl, GL_SHADER_STORAGE_BUFFER) {}
 
  private:
-  void execute(const GladGLContext& gl, std::size_t groups) const override {
+  void execute(const GladGLContext& gl, GLuint, std::size_t groups) const override {
     gl.DispatchCompute(static_cast<GLuint>(groups), 1, 1);
     gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   }
