@@ -1,0 +1,196 @@
+#include "web/suite.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "golden.hpp"
+#include "output/file.hpp"
+#include "report.hpp"
+#include "tolerance.hpp"
+#include "web/base64.hpp"
+
+namespace hn {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+static_assert(std::endian::native == std::endian::little, "the page's numbers are little-endian");
+
+// WebGL2 takes GLSL ES 3.00 and 1.00.
+constexpr LanguageSupport kWebGl2 = {.gl_version = 0, .es_version = 300, .gl130 = false, .bit_encoding = false};
+
+// Numbers texts, so that each is stored once.
+class Table {
+ public:
+  std::size_t number_of(const std::string& text) {
+    const auto [entry, added] = numbers_.try_emplace(text, texts_.size());
+    if (added) texts_.push_back(text);
+    return entry->second;
+  }
+  const Json& texts() const { return texts_; }
+
+ private:
+  std::map<std::string, std::size_t> numbers_;
+  Json texts_ = Json::array();
+};
+
+class SuiteWriter {
+ public:
+  SuiteWriter(const SourceSet& sources, const std::filesystem::path& golden) : sources_(sources), golden_(golden) {}
+
+  Json case_json(const Case& test) {
+    auto json = test.compilation ? compilation(*test.compilation) : values(*test.evaluation);
+    if (!json) json = {{"decided", {{"status", name_of(json.error().status)}, {"message", json.error().message}}}};
+    Json with_id = {{"id", test.id}};
+    with_id.update(*json);
+    return with_id;
+  }
+
+  Json finish(Json cases, std::string_view report_to) const {
+    Json suite = {{"schema", 1}, {"version", library_version()}};
+    if (!report_to.empty()) suite["report_to"] = report_to;
+    suite["texts"] = texts_.texts();
+    suite["shaders"] = shaders_;
+    suite["data"] = data_.texts();
+    suite["cases"] = std::move(cases);
+    return suite;
+  }
+
+ private:
+  // What a case is without the browser, if something of its own is wrong: the same as on a driver.
+  using Part = tl::expected<Json, Outcome>;
+
+  // The number of a shader. Its text is cut where files begin and end, since shaders have the files in common.
+  tl::expected<std::size_t, Outcome> shader(const Profile& profile, std::string_view text, Status if_wrong) {
+    const auto expanded = expand(sources_, profile, text);
+    if (!expanded) return tl::unexpected(outcome_with(if_wrong, expanded.error()));
+    Json pieces = Json::array();
+    std::string piece;
+    for (std::string_view rest = expanded->text; !rest.empty();) {
+      const std::string_view line = rest.substr(0, std::min(rest.find('\n'), rest.size() - 1) + 1);
+      rest.remove_prefix(line.size());
+      const bool cut = line.starts_with("#line ");
+      if (cut && !piece.empty()) pieces.push_back(texts_.number_of(std::exchange(piece, {})));
+      piece += line;
+      if (cut) pieces.push_back(texts_.number_of(std::exchange(piece, {})));
+    }
+    if (!piece.empty()) pieces.push_back(texts_.number_of(piece));
+    const Json whole = {{"pieces", pieces}, {"paths", expanded->paths}};
+    const auto [entry, added] = shader_numbers_.try_emplace(whole.dump(), shaders_.size());
+    if (added) shaders_.push_back(whole);
+    return entry->second;
+  }
+
+  Part compilation(const Compilation& compilation) {
+    const bool refused = !compilation.refusal.empty();
+    const auto fragment = shader(compilation.profile, compilation.fragment, refused ? Status::error : Status::fail);
+    if (!fragment) return tl::unexpected(fragment.error());
+    if (refused) {
+      return Json{{"check", "refused"},
+                  {"fragment", *fragment},
+                  {"names", compilation.refusal},
+                  {"too_old", compilation.too_old}};
+    }
+    const auto vertex = shader(compilation.profile, vertex_shader(), Status::error);
+    if (!vertex) return tl::unexpected(vertex.error());
+    return Json{{"check", "compiles"}, {"vertex", *vertex}, {"fragment", *fragment}};
+  }
+
+  Part values(const Evaluation& evaluation) {
+    const auto& [function, configuration, profile, variant] = evaluation;
+    const auto golden = read_golden(golden_path(golden_, function, configuration), function, configuration);
+    if (!golden) return tl::unexpected(outcome_with(Status::error, golden.error()));
+    const auto vertex = shader(profile, vertex_shader(), Status::fail);
+    if (!vertex) return tl::unexpected(vertex.error());
+    const auto fragment = shader(profile, evaluation_shader(evaluation), Status::fail);
+    if (!fragment) return tl::unexpected(fragment.error());
+    Json json = {{"check", "values"},
+                 {"vertex", *vertex},
+                 {"fragment", *fragment},
+                 {"columns", function.columns},
+                 {"exact", function.exact()},
+                 {"inputs", inputs_of(*golden)},
+                 {"expected", expected_of(*golden, function)},
+                 {"allowed", allowed_at(*golden, function, configuration)}};
+    if (golden->digest) json["digest"] = digest_json(*golden->digest);
+    return json;
+  }
+
+  template <typename T>
+  std::size_t data(const std::vector<T>& numbers) {
+    return data_.number_of(base64(bytes_of(std::span<const T>(numbers))));
+  }
+
+  std::size_t inputs_of(const Golden& golden) {
+    std::vector<std::uint32_t> words;
+    for (const GoldenRow& row : golden.rows) words.insert(words.end(), row.inputs.begin(), row.inputs.end());
+    return data(words);
+  }
+
+  // Words if every bit counts, else doubles.
+  std::size_t expected_of(const Golden& golden, const Function& function) {
+    std::vector<std::uint32_t> words;
+    std::vector<double> numbers;
+    for (const GoldenRow& row : golden.rows) {
+      for (const std::uint64_t value : row.values) {
+        words.push_back(static_cast<std::uint32_t>(value));
+        numbers.push_back(std::bit_cast<double>(value));
+      }
+    }
+    return function.exact() ? data(words) : data(numbers);
+  }
+
+  // A number for all points, or data with one for each. (JSON has no infinity.)
+  Json allowed_at(const Golden& golden, const Function& function, const Configuration& configuration) {
+    std::vector<double> allowed;
+    std::vector<std::uint32_t> words(kInputWords);
+    for (const GoldenRow& row : golden.rows) {
+      std::copy(row.inputs.begin(), row.inputs.end(), words.begin());
+      allowed.push_back(tolerance(function, configuration, words));
+    }
+    const bool constant = std::all_of(allowed.begin(), allowed.end(), [&](double a) { return a == allowed.front(); });
+    if (!allowed.empty() && constant && std::isfinite(allowed.front())) return allowed.front();
+    return {{"data", data(allowed)}};
+  }
+
+  static Json digest_json(const GoldenDigest& digest) {
+    return {{"origin", digest.origin},
+            {"size", digest.size},
+            {"seed", digest.seed},
+            {"fnv1a64", fmt::format("{:016x}", digest.fnv1a64)}};
+  }
+
+  const SourceSet& sources_;
+  const std::filesystem::path& golden_;
+  Table texts_;
+  Table data_;
+  std::map<std::string, std::size_t> shader_numbers_;
+  Json shaders_ = Json::array();
+};
+
+bool checks_golden(const Case& test) { return test.evaluation && test.id.ends_with(".golden"); }
+
+}  // namespace
+
+std::string unsupported_in_browser(const Case& test) {
+  if (!test.evaluation && !test.compilation) return "this check is the harness's own: no driver takes part in it";
+  const Profile& profile = test.evaluation ? test.evaluation->profile : test.compilation->profile;
+  if (auto reason = unsupported_reason(profile, kWebGl2); !reason.empty()) return reason;
+  if (test.compilation || checks_golden(test)) return {};
+  return "this check is written in C++, and the page is not";
+}
+
+std::string suite_json(const SourceSet& sources, const std::filesystem::path& golden, std::span<const Case> cases,
+                       std::string_view report_to) {
+  SuiteWriter writer(sources, golden);
+  Json list = Json::array();
+  for (const Case& test : cases) list.push_back(writer.case_json(test));
+  return writer.finish(std::move(list), report_to).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace hn

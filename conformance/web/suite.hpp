@@ -1,0 +1,26 @@
+// The cases that a browser can run, as data: what the page's suite.js reads. docs/internals.md describes the JSON.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "case.hpp"
+#include "source.hpp"
+
+namespace hn {
+
+// Why WebGL2 or the page cannot run a case; empty if they can.
+std::string unsupported_in_browser(const Case& test);
+
+// The JSON text of the cases, of which the page must be able to run each. A case whose golden file or source cannot be
+// read is in it with that verdict. The page posts what happens to report_to, if that is not empty.
+std::string suite_json(const SourceSet& sources, const std::filesystem::path& golden, std::span<const Case> cases,
+                       std::string_view report_to = {});
+
+// The page with a suite in it: one HTML file that needs nothing else, not even a server.
+Result<std::string> web_page(const std::string& suite);
+
+}  // namespace hn
