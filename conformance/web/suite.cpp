@@ -21,9 +21,6 @@ using Json = nlohmann::ordered_json;
 
 static_assert(std::endian::native == std::endian::little, "the page's numbers are little-endian");
 
-// WebGL2 takes GLSL ES 3.00 and 1.00.
-constexpr LanguageSupport kWebGl2 = {.gl_version = 0, .es_version = 300, .gl130 = false, .bit_encoding = false};
-
 // Numbers texts, so that each is stored once.
 class Table {
  public:
@@ -44,10 +41,10 @@ class SuiteWriter {
   SuiteWriter(const SourceSet& sources, const std::filesystem::path& golden) : sources_(sources), golden_(golden) {}
 
   Json case_json(const Case& test) {
-    auto json = test.compilation ? compilation(*test.compilation) : values(*test.evaluation);
-    if (!json) json = {{"decided", {{"status", name_of(json.error().status)}, {"message", json.error().message}}}};
+    auto part = test.compilation ? compilation(*test.compilation) : values(*test.evaluation);
+    if (!part) part = decided(part.error());
     Json with_id = {{"id", test.id}};
-    with_id.update(*json);
+    with_id.update(*part);
     return with_id;
   }
 
@@ -64,6 +61,10 @@ class SuiteWriter {
  private:
   // What a case is without the browser, if something of its own is wrong: the same as on a driver.
   using Part = tl::expected<Json, Outcome>;
+
+  static Json decided(const Outcome& outcome) {
+    return {{"decided", {{"status", name_of(outcome.status)}, {"message", outcome.message}}}};
+  }
 
   // The number of a shader. Its text is cut where files begin and end, since shaders have the files in common.
   tl::expected<std::size_t, Outcome> shader(const Profile& profile, std::string_view text, Status if_wrong) {
@@ -180,7 +181,7 @@ bool checks_golden(const Case& test) { return test.evaluation && test.id.ends_wi
 std::string unsupported_in_browser(const Case& test) {
   if (!test.evaluation && !test.compilation) return "this check is the harness's own: no driver takes part in it";
   const Profile& profile = test.evaluation ? test.evaluation->profile : test.compilation->profile;
-  if (auto reason = unsupported_reason(profile, kWebGl2); !reason.empty()) return reason;
+  if (auto reason = unsupported_reason(profile, kWebGl2Languages); !reason.empty()) return reason;
   if (test.compilation || checks_golden(test)) return {};
   return "this check is written in C++, and the page is not";
 }

@@ -12,6 +12,10 @@
 
 namespace hn {
 
+// WebGL2 takes GLSL ES 3.00 and 1.00.
+inline constexpr LanguageSupport kWebGl2Languages = {
+    .gl_version = 0, .es_version = 300, .gl130 = false, .bit_encoding = false};
+
 // Why WebGL2 or the page cannot run a case; empty if they can.
 std::string unsupported_in_browser(const Case& test);
 
