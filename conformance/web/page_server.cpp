@@ -76,8 +76,9 @@ struct PageServer::State {
       response.status = mailbox.put(request.body) ? 204 : 503;
     });
     server.Get(path + "alive", [this](const httplib::Request&, httplib::Response& response) {
+      // Text would be compressed, which keeps single bytes back.
       response.set_chunked_content_provider(
-          "text/plain",
+          "application/octet-stream",
           [](std::size_t, httplib::DataSink& sink) {
             std::this_thread::sleep_for(kHeartbeat);
             return sink.write(".", 1);
