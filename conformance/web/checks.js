@@ -94,8 +94,7 @@ class Comparison {
 }
 
 function checkCompiles(renderer, suite, test) {
-  const program = renderer.build(suite.shader(test.vertex), suite.shader(test.fragment));
-  renderer.gl.deleteProgram(program);
+  renderer.gl.deleteProgram(renderer.build(suite.program(test.program)).id);
   return outcomeWith("pass", "");
 }
 
@@ -111,9 +110,16 @@ function checkRefused(renderer, suite, test) {
   return outcomeWith("fail", `it compiles; an error that names ${test.names} was due`);
 }
 
-function checkDigest(renderer, program, columns, digest, outcome) {
+// kOutputWords per point.
+function evaluate(renderer, suite, number, inputs) {
+  const program = renderer.kept(number, () => suite.program(number));
+  return renderer.evaluate(program, inputs, suite.uniforms);
+}
+
+function checkDigest(renderer, suite, test, outcome) {
+  const { digest } = test;
   const inputs = digestInputs(digest);
-  const outputs = renderer.evaluate(program, inputs);
+  const outputs = evaluate(renderer, suite, test.program, inputs);
   const values = new Uint32Array(inputs.length / kInputWords);
   for (let i = 0; i < values.length; ++i) values[i] = outputs[i * kOutputWords];
   outcome.samples += values.length;
@@ -121,36 +127,79 @@ function checkDigest(renderer, program, columns, digest, outcome) {
   if (got === digest.fnv1a64) return outcome;
   ++outcome.mismatches;
   outcome.status = "fail";
-  outcome.message = `the digest of ${values.length} points from ${describeInputs(columns.inputs, inputs)} is ${got}, ` +
-                    `expected ${digest.fnv1a64}`;
+  outcome.message = `the digest of ${values.length} points from ` +
+                    `${describeInputs(suite.columns(test).inputs, inputs)} is ${got}, expected ${digest.fnv1a64}`;
   return outcome;
 }
 
+// Against expected values: bits if every bit counts, else exact values as 64-bit floats.
 function checkValues(renderer, suite, test) {
-  const program = renderer.build(suite.shader(test.vertex), suite.shader(test.fragment));
-  try {
-    const columns = suite.columns(test);
-    const inputs = suite.inputs(test);
-    const outputs = renderer.evaluate(program, inputs);
-    const comparison = new Comparison(columns.inputs, inputs);
-    const width = columns.outputs.length;
-    const expected = test.exact ? suite.words(test.expected) : suite.doubles(test.expected);
-    const allowed = suite.allowed(test);
-    for (let i = 0; i < expected.length; ++i) {
-      const point = Math.floor(i / width);
-      const got = outputs[point * kOutputWords + (i % width)];
-      if (test.exact) comparison.bits(point, got, expected[i], columns.outputs[i % width].type);
-      else comparison.number(point, floatOf(got), expected[i], allowed(point));
-    }
-    const outcome = comparison.finish();
-    if (!test.digest || outcome.status !== "pass") return outcome;
-    return checkDigest(renderer, program, columns, test.digest, outcome);
-  } finally {
-    renderer.gl.deleteProgram(program);
+  const columns = suite.columns(test);
+  const inputs = suite.inputs(test, test.inputs);
+  const outputs = evaluate(renderer, suite, test.program, inputs);
+  const comparison = new Comparison(columns.inputs, inputs);
+  const width = columns.outputs.length;
+  const expected = test.exact ? suite.words(test.expected) : suite.doubles(test.expected);
+  const allowed = suite.allowed(test);
+  for (let i = 0; i < expected.length; ++i) {
+    const point = Math.floor(i / width);
+    const got = outputs[point * kOutputWords + (i % width)];
+    if (test.exact) comparison.bits(point, got, expected[i], columns.outputs[i % width].type);
+    else comparison.number(point, floatOf(got), expected[i], allowed(point));
   }
+  const outcome = comparison.finish();
+  return test.digest && outcome.status === "pass" ? checkDigest(renderer, suite, test, outcome) : outcome;
 }
 
-const kChecks = { compiles: checkCompiles, refused: checkRefused, values: checkValues };
+// Against what the same driver finds in another way, or at other inputs. In a loop, each word of the result is of
+// another point: the one at hand, then its neighbours.
+function checkSame(renderer, suite, test) {
+  const columns = suite.columns(test);
+  const inputs = suite.inputs(test, test.inputs);
+  const expected = evaluate(renderer, suite, test.other, suite.inputs(test, test.other_inputs));
+  const outputs = evaluate(renderer, suite, test.program, inputs);
+  const comparison = new Comparison(columns.inputs, inputs);
+  const allowed = suite.allowed(test);
+  const compare = (point, got, wanted, type) => {
+    if (test.exact) comparison.bits(point, got, wanted, type);
+    else comparison.number(point, floatOf(got), floatOf(wanted), allowed(point));
+  };
+  for (let point = 0; point * kInputWords < inputs.length; ++point) {
+    for (let word = 0; word < (test.in_loop ? kOutputWords : columns.outputs.length); ++word) {
+      const got = outputs[point * kOutputWords + word];
+      const other = (test.in_loop ? point ^ word : point) * kOutputWords;
+      const [x, y, z, w] = expected.subarray(other, other + kOutputWords);
+      if (test.in_loop) compare(point ^ word, got, (x ^ y ^ z ^ w) >>> 0, columns.outputs[0].type);
+      else compare(point, got, expected[other + word], columns.outputs[word].type);
+    }
+  }
+  return comparison.finish();
+}
+
+// Against words whose columns tell what they are: floats within what is allowed, all others bit by bit. What a
+// specification leaves open is a warning.
+function checkBug(renderer, suite, test) {
+  const columns = suite.columns(test);
+  const inputs = suite.inputs(test, test.inputs);
+  const outputs = evaluate(renderer, suite, test.program, inputs);
+  const comparison = new Comparison(columns.inputs, inputs);
+  const expected = suite.words(test.expected);
+  const width = columns.outputs.length;
+  for (let i = 0; i < expected.length; ++i) {
+    const point = Math.floor(i / width);
+    const { type } = columns.outputs[i % width];
+    const got = outputs[point * kOutputWords + (i % width)];
+    if (type === "f32") comparison.number(point, floatOf(got), floatOf(expected[i]), test.allowed);
+    else comparison.bits(point, got, expected[i], type);
+  }
+  const outcome = comparison.finish();
+  if (outcome.status !== "fail") return outcome;
+  outcome.status = test.defined ? "fail" : "warning";
+  outcome.message = `${test.defined ? "wrong" : "other than usual, and allowed"}: ${outcome.message}. ${test.note}`;
+  return outcome;
+}
+
+const kChecks = { compiles: checkCompiles, refused: checkRefused, values: checkValues, same: checkSame, bug: checkBug };
 
 // The outcome of a case; whatever happens in it becomes one.
 export function runCase(renderer, suite, test) {

@@ -1,10 +1,12 @@
-// WebGL2: build a program, evaluate it at many points, read back raw bits. As in gpu.cpp: a point is a fragment, its
-// input words come from two RGBA32UI textures, its result goes to a third, and nothing is converted on the way.
+// WebGL2: build a program, evaluate it at many points, read back raw bits. As in gpu.cpp: a point is a fragment or a
+// vertex, its input words come from two RGBA32UI textures, and nothing is converted on the way in or out.
 import { kInputWords, kOutputWords } from "./suite.js";
 
 // Of the textures. A digest, the largest grid, has 16,384 points: 16 rows. Phones have little memory.
 const kWidth = 1024;
 const kHeight = 64;
+// Cases that share a program follow each other: a variant, what it is compared with, and the same in another stage.
+const kKeptPrograms = 3;
 const kNothing = 0xdeadbeef;
 
 // What the driver did wrong, with its log.
@@ -43,11 +45,13 @@ export function describe(gl) {
 export class Renderer {
   constructor(gl) {
     this.gl = gl;
+    this.programs = new Map();
     this.textures = [0, 1, 2].map(() => this.makeTexture());
     this.framebuffer = gl.createFramebuffer();
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
     gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, this.textures[2], 0);
     this.vertexArray = gl.createVertexArray();
+    this.captured = gl.createBuffer();
   }
 
   makeTexture() {
@@ -72,18 +76,47 @@ export class Renderer {
     throw new DriverError(`the driver does not compile the ${stage} shader`, log);
   }
 
-  build(vertex, fragment) {
+  // stage: the one that evaluates, "fragment" or "vertex". A vertex's result is captured by transform feedback.
+  build({ stage, vertex, fragment }) {
     const gl = this.gl;
-    const program = gl.createProgram();
-    for (const [stage, source] of [["vertex", vertex], ["fragment", fragment]]) {
-      const shader = this.compile(stage, source);
-      gl.attachShader(program, shader);
+    const id = gl.createProgram();
+    for (const [name, source] of [["vertex", vertex], ["fragment", fragment]]) {
+      const shader = this.compile(name, source);
+      gl.attachShader(id, shader);
       gl.deleteShader(shader);
     }
-    gl.linkProgram(program);
-    if (gl.getProgramParameter(program, gl.LINK_STATUS)) return program;
+    if (stage === "vertex") gl.transformFeedbackVaryings(id, ["result"], gl.INTERLEAVED_ATTRIBS);
+    gl.linkProgram(id);
+    if (gl.getProgramParameter(id, gl.LINK_STATUS)) return { id, stage };
     throw new DriverError("the driver does not link the program",
-                          fragment.translate(gl.getProgramInfoLog(program) ?? ""));
+                          (stage === "vertex" ? vertex : fragment).translate(gl.getProgramInfoLog(id) ?? ""));
+  }
+
+  // A program by a number of the caller's, built from sources() if it is not among the last few.
+  kept(number, sources) {
+    const found = this.programs.get(number) ?? this.build(sources());
+    this.programs.delete(number);
+    this.programs.set(number, found);  // behind all others
+    if (this.programs.size > kKeptPrograms) {
+      const [oldest, program] = this.programs.entries().next().value;
+      this.programs.delete(oldest);
+      this.gl.deleteProgram(program.id);
+    }
+    return found;
+  }
+
+  // Uniforms that a program may have: {name: {type: "int" or "uint", value}}.
+  setUniforms(program, uniforms) {
+    const gl = this.gl;
+    const set = (name, type, value) => {
+      const place = gl.getUniformLocation(program.id, name);
+      if (type === "uint") gl.uniform1ui(place, value);
+      else gl.uniform1i(place, value);
+    };
+    gl.useProgram(program.id);
+    set("input_a", "int", 0);
+    set("input_b", "int", 1);
+    for (const [name, { type, value }] of Object.entries(uniforms)) set(name, type, value);
   }
 
   upload(inputs, width, height) {
@@ -101,7 +134,7 @@ export class Renderer {
   }
 
   // inputs: kInputWords per point. Returns kOutputWords per point.
-  evaluate(program, inputs) {
+  evaluate(program, inputs, uniforms) {
     const gl = this.gl;
     const points = inputs.length / kInputWords;
     const width = Math.min(points, kWidth);
@@ -113,20 +146,42 @@ export class Renderer {
     }
     while (gl.getError() !== gl.NO_ERROR && !gl.isContextLost()) ;
     this.upload(inputs, width, height);
+    this.setUniforms(program, uniforms);
+    gl.bindVertexArray(this.vertexArray);
+    const words = program.stage === "vertex" ? this.capture(points) : this.draw(width, height);
+    const error = gl.getError();
+    if (error !== gl.NO_ERROR) throw new DriverError(`WebGL error 0x${error.toString(16)} at ${points} points`);
+    return words.subarray(0, points * kOutputWords);
+  }
+
+  draw(width, height) {
+    const gl = this.gl;
     gl.viewport(0, 0, width, height);
     // Clear first, so that a draw that does nothing cannot pass for the one before it.
     gl.clearBufferuiv(gl.COLOR, 0, new Uint32Array(4).fill(kNothing));
-    gl.useProgram(program);
-    gl.uniform1i(gl.getUniformLocation(program, "input_a"), 0);
-    gl.uniform1i(gl.getUniformLocation(program, "input_b"), 1);
-    gl.bindVertexArray(this.vertexArray);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
     const words = new Uint32Array(width * height * kOutputWords).fill(kNothing);
     gl.readPixels(0, 0, width, height, gl.RGBA_INTEGER, gl.UNSIGNED_INT, words);
-    const error = gl.getError();
-    if (error !== gl.NO_ERROR) {
-      throw new DriverError(`WebGL error 0x${error.toString(16)} while rendering ${width} x ${height}`);
-    }
-    return words.subarray(0, points * kOutputWords);
+    return words;
+  }
+
+  capture(points) {
+    const gl = this.gl;
+    const words = new Uint32Array(points * kOutputWords).fill(kNothing);
+    gl.bindBuffer(gl.TRANSFORM_FEEDBACK_BUFFER, this.captured);
+    gl.bufferData(gl.TRANSFORM_FEEDBACK_BUFFER, words, gl.STREAM_READ);
+    gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, this.captured);
+    gl.enable(gl.RASTERIZER_DISCARD);
+    gl.beginTransformFeedback(gl.POINTS);
+    gl.drawArrays(gl.POINTS, 0, points);
+    gl.endTransformFeedback();
+    gl.disable(gl.RASTERIZER_DISCARD);
+    // WebGL reads no buffer that is bound for feedback.
+    gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, null);
+    gl.bindBuffer(gl.TRANSFORM_FEEDBACK_BUFFER, null);
+    gl.bindBuffer(gl.COPY_READ_BUFFER, this.captured);
+    gl.getBufferSubData(gl.COPY_READ_BUFFER, 0, words);
+    gl.bindBuffer(gl.COPY_READ_BUFFER, null);
+    return words;
   }
 }

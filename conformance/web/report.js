@@ -1,6 +1,9 @@
 // What was found: results.json, and the page.
 import { kBadStatuses, kStatuses } from "./checks.js";
 
+// All of them are in results.json.
+const kMostShown = 20;
+
 export function count(results, status) {
   return results.filter((result) => result.status === status).length;
 }
@@ -45,6 +48,8 @@ function wrongCase(result) {
   const counts = result.samples ? `${result.mismatches} of ${result.samples} values are wrong. ` : "";
   const parts = [element("h3", {}, element("span", { class: "bad" }, result.status), ` ${result.id}`)];
   if (counts) parts.push(element("p", {}, counts));
+  // What is not said by the examples.
+  if (result.examples.length && !result.message.startsWith("first at")) parts.push(element("p", {}, result.message));
   parts.push(result.examples.length ? exampleTable(result.examples) : element("pre", {}, result.message));
   return element("section", {}, ...parts);
 }
@@ -109,7 +114,10 @@ export function showResults(version, info, results) {
   offer(resultsJson(version, info, results));
   const found = place("found");
   const wrong = bad(results);
-  if (wrong.length) found.append(element("h2", {}, "What is wrong, and where"), ...wrong.map(wrongCase));
+  if (wrong.length) {
+    found.append(element("h2", {}, "What is wrong, and where"), ...wrong.slice(0, kMostShown).map(wrongCase));
+  }
+  if (wrong.length > kMostShown) found.append(element("p", {}, `… and ${wrong.length - kMostShown} more cases.`));
   for (const [status, title] of [["warning", "Warnings"], ["unsupported", "Not supported here"]]) {
     const rows = byReason(results, status);
     if (rows.length) found.append(element("h2", {}, title), table(["cases", "why"], rows));

@@ -21,19 +21,19 @@ using Json = nlohmann::ordered_json;
 
 static_assert(std::endian::native == std::endian::little, "the page's numbers are little-endian");
 
-// Numbers texts, so that each is stored once.
+// Numbers values, so that each is stored once.
 class Table {
  public:
-  std::size_t number_of(const std::string& text) {
-    const auto [entry, added] = numbers_.try_emplace(text, texts_.size());
-    if (added) texts_.push_back(text);
+  std::size_t number_of(const Json& value) {
+    const auto [entry, added] = numbers_.try_emplace(value.dump(), values_.size());
+    if (added) values_.push_back(value);
     return entry->second;
   }
-  const Json& texts() const { return texts_; }
+  const Json& values() const { return values_; }
 
  private:
   std::map<std::string, std::size_t> numbers_;
-  Json texts_ = Json::array();
+  Json values_ = Json::array();
 };
 
 class SuiteWriter {
@@ -51,9 +51,11 @@ class SuiteWriter {
   Json finish(Json cases, std::string_view report_to) const {
     Json suite = {{"schema", 1}, {"version", library_version()}};
     if (!report_to.empty()) suite["report_to"] = report_to;
-    suite["texts"] = texts_.texts();
-    suite["shaders"] = shaders_;
-    suite["data"] = data_.texts();
+    suite["uniforms"] = Json::object();
+    suite["texts"] = texts_.values();
+    suite["shaders"] = shaders_.values();
+    suite["programs"] = programs_.values();
+    suite["data"] = data_.values();
     suite["cases"] = std::move(cases);
     return suite;
   }
@@ -81,38 +83,41 @@ class SuiteWriter {
       if (cut) pieces.push_back(texts_.number_of(std::exchange(piece, {})));
     }
     if (!piece.empty()) pieces.push_back(texts_.number_of(piece));
-    const Json whole = {{"pieces", pieces}, {"paths", expanded->paths}};
-    const auto [entry, added] = shader_numbers_.try_emplace(whole.dump(), shaders_.size());
-    if (added) shaders_.push_back(whole);
-    return entry->second;
+    return shaders_.number_of({{"pieces", pieces}, {"paths", expanded->paths}});
+  }
+
+  // The number of a program whose fragment stage evaluates, or only compiles.
+  tl::expected<std::size_t, Outcome> program(const Profile& profile, std::string_view fragment_text) {
+    const auto vertex = shader(profile, vertex_shader(), Status::error);
+    if (!vertex) return tl::unexpected(vertex.error());
+    const auto fragment = shader(profile, fragment_text, Status::fail);
+    if (!fragment) return tl::unexpected(fragment.error());
+    return programs_.number_of({{"stage", "fragment"}, {"vertex", *vertex}, {"fragment", *fragment}});
   }
 
   Part compilation(const Compilation& compilation) {
     const bool refused = !compilation.refusal.empty();
-    const auto fragment = shader(compilation.profile, compilation.fragment, refused ? Status::error : Status::fail);
-    if (!fragment) return tl::unexpected(fragment.error());
     if (refused) {
+      const auto fragment = shader(compilation.profile, compilation.fragment, Status::error);
+      if (!fragment) return tl::unexpected(fragment.error());
       return Json{{"check", "refused"},
                   {"fragment", *fragment},
                   {"names", compilation.refusal},
                   {"too_old", compilation.too_old}};
     }
-    const auto vertex = shader(compilation.profile, vertex_shader(), Status::error);
-    if (!vertex) return tl::unexpected(vertex.error());
-    return Json{{"check", "compiles"}, {"vertex", *vertex}, {"fragment", *fragment}};
+    const auto compiled = program(compilation.profile, compilation.fragment);
+    if (!compiled) return tl::unexpected(compiled.error());
+    return Json{{"check", "compiles"}, {"program", *compiled}};
   }
 
   Part values(const Evaluation& evaluation) {
     const auto& [function, configuration, profile, variant] = evaluation;
     const auto golden = read_golden(golden_path(golden_, function, configuration), function, configuration);
     if (!golden) return tl::unexpected(outcome_with(Status::error, golden.error()));
-    const auto vertex = shader(profile, vertex_shader(), Status::fail);
-    if (!vertex) return tl::unexpected(vertex.error());
-    const auto fragment = shader(profile, evaluation_shader(evaluation), Status::fail);
-    if (!fragment) return tl::unexpected(fragment.error());
+    const auto evaluated = program(profile, evaluation_shader(evaluation));
+    if (!evaluated) return tl::unexpected(evaluated.error());
     Json json = {{"check", "values"},
-                 {"vertex", *vertex},
-                 {"fragment", *fragment},
+                 {"program", *evaluated},
                  {"columns", function.columns},
                  {"exact", function.exact()},
                  {"inputs", inputs_of(*golden)},
@@ -170,8 +175,8 @@ class SuiteWriter {
   const std::filesystem::path& golden_;
   Table texts_;
   Table data_;
-  std::map<std::string, std::size_t> shader_numbers_;
-  Json shaders_ = Json::array();
+  Table shaders_;
+  Table programs_;
 };
 
 bool checks_golden(const Case& test) { return test.evaluation && test.id.ends_with(".golden"); }

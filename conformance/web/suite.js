@@ -20,6 +20,7 @@ export class Suite {
   constructor(json) {
     this.version = json.version;
     this.cases = json.cases;
+    this.uniforms = json.uniforms;
     this.reportTo = json.report_to ?? null;
     this.json = json;
   }
@@ -31,6 +32,12 @@ export class Suite {
       text: pieces.map((piece) => this.json.texts[piece]).join(""),
       translate: (log) => translateLog(log, paths),
     };
+  }
+
+  // What Renderer.build takes.
+  program(number) {
+    const { stage, vertex, fragment } = this.json.programs[number];
+    return { stage, vertex: this.shader(vertex), fragment: this.shader(fragment) };
   }
 
   // 32-bit words, and 64-bit floats. The data are little-endian, as every browser's numbers are.
@@ -48,9 +55,9 @@ export class Suite {
     return { inputs, outputs };
   }
 
-  // kInputWords per point, of the words that the columns use.
-  inputs(test) {
-    return spread(this.words(test.inputs), this.columns(test).inputs.length);
+  // kInputWords per point, of data with the words that the columns use.
+  inputs(test, number) {
+    return spread(this.words(number), this.columns(test).inputs.length);
   }
 
   // How far each value may be off, by point.

@@ -30,6 +30,11 @@ Json suite_of(std::string_view id, const std::filesystem::path& golden = HN_GOLD
   return Json::parse(suite_json(SourceSet::embedded(), golden, std::span(&test, 1)));
 }
 
+// The fragment shader of the only case.
+Json fragment_of(const Json& suite) {
+  return suite["programs"][suite["cases"][0]["program"].get<std::size_t>()]["fragment"];
+}
+
 std::string text_of(const Json& suite, const Json& shader) {
   std::string text;
   for (const std::size_t piece : suite["shaders"][shader.get<std::size_t>()]["pieces"]) {
@@ -51,8 +56,8 @@ TEST(Suite, AShaderIsTheOneThatDriversGet) {
     const Case& test = case_named(cases, id);
     const auto expected = expand(SourceSet::embedded(), profile_named("es300"),
                                  test.evaluation ? evaluation_shader(*test.evaluation) : test.compilation->fragment);
-    EXPECT_EQ(text_of(suite, suite["cases"][0]["fragment"]), expected->text) << id;
-    EXPECT_EQ(suite["shaders"][suite["cases"][0]["fragment"].get<std::size_t>()]["paths"], expected->paths) << id;
+    EXPECT_EQ(text_of(suite, fragment_of(suite)), expected->text) << id;
+    EXPECT_EQ(suite["shaders"][fragment_of(suite).get<std::size_t>()]["paths"], expected->paths) << id;
   }
 }
 
