@@ -21,6 +21,7 @@ gtest_discover_tests(conform-test TEST_PREFIX unit.)
 add_test(NAME cli COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli_test.py $<TARGET_FILE:hn-conform>)
 add_test(NAME cli_bench COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/bench_cli_test.py $<TARGET_FILE:hn-conform>)
 add_test(NAME cli_paper COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/paper_cli_test.py $<TARGET_FILE:hn-conform>)
+add_test(NAME cli_web COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/web_cli_test.py $<TARGET_FILE:hn-conform>)
 
 # --- The library on this machine's drivers ---
 foreach(driver osmesa egl)

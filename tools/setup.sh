@@ -14,12 +14,12 @@ readonly log=$build/setup.log
 readonly conform_packages=(
   cmake g++ ninja-build
   glslang-dev glslang-tools spirv-tools
-  python3-glad libboost-math-dev libcli11-dev libexpected-dev libfmt-dev libkainjow-mustache-dev libpng-dev
-  libvulkan-dev nlohmann-json3-dev
+  python3-glad libboost-math-dev libcli11-dev libcpp-httplib-dev libexpected-dev libfmt-dev libkainjow-mustache-dev
+  libpng-dev libvulkan-dev nlohmann-json3-dev pkg-config
   libegl-dev libosmesa6 libegl1 libegl-mesa0 libgl1-mesa-dri
 )
 readonly paper_packages=(libvulkan1 mesa-vulkan-drivers)
-readonly test_packages=("${paper_packages[@]}" clang libgtest-dev python3)
+readonly test_packages=("${paper_packages[@]}" chromium clang libgtest-dev python3)
 
 install_missing() {
   if ! command -v dpkg-query >/dev/null; then

@@ -167,7 +167,7 @@ Result<void> run_in_browser(const Browser& browser, const SourceSet& sources, co
   std::vector<Case> supported = *cases;
   std::erase_if(supported, [](const Case& test) { return !unsupported_in_browser(test).empty(); });
   Conversation conversation(browser, *cases, events);
-  return converse(browser, suite_json(sources, golden, supported, kReportTo), conversation);
+  return converse(browser, make_suite(sources, golden, supported, kReportTo).json, conversation);
 }
 
 Result<ContextInfo> describe_browser(const Browser& browser) {
@@ -175,7 +175,7 @@ Result<ContextInfo> describe_browser(const Browser& browser) {
   const CaseEvents events = {[&](const ContextInfo& info) { found = info; }, [](const std::string&) {},
                              [](const CaseResult&) {}};
   Conversation conversation(browser, {}, events);
-  const auto done = converse(browser, suite_json(SourceSet::embedded(), {}, {}, kReportTo), conversation);
+  const auto done = converse(browser, make_suite(SourceSet::embedded(), {}, {}, kReportTo).json, conversation);
   if (!done) return tl::unexpected(done.error());
   return found;
 }

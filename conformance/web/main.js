@@ -1,7 +1,7 @@
 // The page: runs the suite that it came with, and shows how it goes. If the suite names somebody to report to,
 // hn-conform drives this browser and hears of every event before the next one happens.
 import { bad } from "./report.js";
-import { showContext, showProgress, showResults, showStopped } from "./report.js";
+import { resultsJson, showContext, showProgress, showResults, showStopped } from "./report.js";
 import { NoContext } from "./renderer.js";
 import { runSuite } from "./runner.js";
 import { Suite } from "./suite.js";
@@ -21,6 +21,10 @@ async function stayInTouch(suite) {
   const answer = await fetch("alive");
   const reader = answer.body.getReader();
   while (!(await reader.read()).done) ;
+}
+
+function shownVerdict() {
+  return document.getElementById("verdict").textContent;
 }
 
 async function run(suite) {
@@ -47,7 +51,7 @@ async function run(suite) {
   });
   showResults(suite.version, info, results);
   document.title = `${bad(results).length ? "✗" : "✓"} ${document.title}`;
-  await tell(suite, { type: "done" });
+  await tell(suite, { type: "done", verdict: shownVerdict(), results: resultsJson(suite.version, info, results) });
 }
 
 async function main() {
@@ -58,7 +62,7 @@ async function main() {
   } catch (error) {
     const without = error instanceof NoContext;
     showStopped(without ? "No WebGL2 here" : "The page could not go on", error.message);
-    await tell(suite, { type: "stopped", message: error.message });
+    await tell(suite, { type: "stopped", verdict: shownVerdict(), message: error.message });
   }
 }
 

@@ -42,11 +42,16 @@ class SuiteWriter {
 
   Json case_json(const Case& test) {
     auto part = test.compilation ? compilation(*test.compilation) : values(*test.evaluation);
-    if (!part) part = decided(part.error());
+    if (!part) {
+      defect_ = part.error().message;
+      part = decided(part.error());
+    }
     Json with_id = {{"id", test.id}};
     with_id.update(*part);
     return with_id;
   }
+
+  const std::optional<std::string>& defect() const { return defect_; }
 
   Json finish(Json cases, std::string_view report_to) const {
     Json suite = {{"schema", 1}, {"version", library_version()}};
@@ -173,6 +178,7 @@ class SuiteWriter {
 
   const SourceSet& sources_;
   const std::filesystem::path& golden_;
+  std::optional<std::string> defect_;
   Table texts_;
   Table data_;
   Table shaders_;
@@ -191,12 +197,13 @@ std::string unsupported_in_browser(const Case& test) {
   return "this check is written in C++, and the page is not";
 }
 
-std::string suite_json(const SourceSet& sources, const std::filesystem::path& golden, std::span<const Case> cases,
-                       std::string_view report_to) {
+Suite make_suite(const SourceSet& sources, const std::filesystem::path& golden, std::span<const Case> cases,
+                 std::string_view report_to) {
   SuiteWriter writer(sources, golden);
   Json list = Json::array();
   for (const Case& test : cases) list.push_back(writer.case_json(test));
-  return writer.finish(std::move(list), report_to).dump(-1, ' ', false, Json::error_handler_t::replace);
+  const Json suite = writer.finish(std::move(list), report_to);
+  return {suite.dump(-1, ' ', false, Json::error_handler_t::replace), writer.defect()};
 }
 
 }  // namespace hn

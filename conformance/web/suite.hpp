@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,10 +20,16 @@ inline constexpr LanguageSupport kWebGl2Languages = {
 // Why WebGL2 or the page cannot run a case; empty if they can.
 std::string unsupported_in_browser(const Case& test);
 
-// The JSON text of the cases, of which the page must be able to run each. A case whose golden file or source cannot be
-// read is in it with that verdict. The page posts what happens to report_to, if that is not empty.
-std::string suite_json(const SourceSet& sources, const std::filesystem::path& golden, std::span<const Case> cases,
-                       std::string_view report_to = {});
+struct Suite {
+  std::string json;
+  // Why a case cannot be run, if there is one: its golden file or a source cannot be read. It has that verdict then.
+  std::optional<std::string> defect;
+};
+
+// The JSON text of the cases, of which the page must be able to run each. The page posts what happens to report_to, if
+// that is not empty.
+Suite make_suite(const SourceSet& sources, const std::filesystem::path& golden, std::span<const Case> cases,
+                 std::string_view report_to = {});
 
 // The page with a suite in it: one HTML file that needs nothing else, not even a server.
 Result<std::string> web_page(const std::string& suite);

@@ -27,7 +27,7 @@ const Case& case_named(const std::vector<Case>& cases, std::string_view id) {
 Json suite_of(std::string_view id, const std::filesystem::path& golden = HN_GOLDEN_DIRECTORY) {
   const auto cases = all_cases();
   const Case& test = case_named(cases, id);
-  return Json::parse(suite_json(SourceSet::embedded(), golden, std::span(&test, 1)));
+  return Json::parse(make_suite(SourceSet::embedded(), golden, std::span(&test, 1)).json);
 }
 
 // The fragment shader of the only case.
@@ -127,7 +127,7 @@ TEST(Suite, EveryCaseOfEs300IsInItOrHasAReason) {
 TEST(Suite, ThePageIsOneFileOfAModestSize) {
   std::vector<Case> cases = all_cases();
   std::erase_if(cases, [](const Case& test) { return !unsupported_in_browser(test).empty(); });
-  const auto page = web_page(suite_json(SourceSet::embedded(), HN_GOLDEN_DIRECTORY, cases));
+  const auto page = web_page(make_suite(SourceSet::embedded(), HN_GOLDEN_DIRECTORY, cases).json);
   ASSERT_TRUE(page) << page.error().text();
   EXPECT_LT(page->size(), 3'000'000u);
   EXPECT_EQ(page->find("src="), std::string::npos);

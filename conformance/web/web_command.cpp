@@ -19,7 +19,9 @@ int web_command(const WebCommand& options) {
   std::erase_if(cases, [](const Case& test) { return !unsupported_in_browser(test).empty(); });
   const auto write = [&]() -> Result<void> {
     if (auto ready = prepare_output(options.out, {kPage}); !ready) return ready;
-    const auto page = web_page(suite_json(*sources, options.golden, cases));
+    const Suite suite = make_suite(*sources, options.golden, cases);
+    if (suite.defect) return fail(*suite.defect);
+    const auto page = web_page(suite.json);
     if (!page) return tl::unexpected(page.error());
     return write_file(std::filesystem::path(options.out) / kPage, *page);
   };
