@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "points.hpp"
@@ -57,26 +58,39 @@ Session::Session(const Context& context_, const SourceSet& sources_, const Refer
       seed(seed_),
       grid(context_) {}
 
+Result<Program> Session::build(const Evaluation& evaluation, std::string_view shader) const {
+  const auto text = expand(sources, evaluation.profile, shader);
+  if (!text) return tl::unexpected(text.error());
+  if (evaluation.stage == Stage::compute) return Program::build_compute(context, *text);
+  const bool of_vertices = evaluation.stage == Stage::vertex;
+  const auto other = expand(sources, evaluation.profile, of_vertices ? idle_fragment_shader() : vertex_shader());
+  if (!other) return tl::unexpected(other.error());
+  return Program::build(context, of_vertices ? *text : *other, of_vertices ? *other : *text, evaluation.stage);
+}
+
 Result<const Program*> Session::evaluation_program(const Evaluation& evaluation) {
-  const Profile& profile = evaluation.profile;
-  const std::string key = fmt::format("{} {} {} {} {}", evaluation.function.id, evaluation.configuration.name,
-                                      profile.name, evaluation.variant.seeded, evaluation.variant.knobs);
-  if (kept_ && key == kept_key_) return kept_.get();
-  const auto vertex = expand(sources, profile, vertex_shader());
-  if (!vertex) return tl::unexpected(vertex.error());
-  const auto fragment = expand(sources, profile, evaluation_shader(evaluation));
-  if (!fragment) return tl::unexpected(fragment.error());
-  auto program = Program::build(context, *vertex, *fragment);
+  // Those of a function and a configuration: in each version and stage, and a variant.
+  constexpr std::size_t kKept = 8;
+  const std::string shader = evaluation_shader(evaluation);
+  const std::string key = fmt::format("{} {}", evaluation.profile.name, shader);
+  const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const KeptProgram& kept) { return kept.key == key; });
+  if (found != kept_.end()) {
+    kept_.splice(kept_.begin(), kept_, found);
+    return &kept_.front().program;
+  }
+  auto program = build(evaluation, shader);
   if (!program) return tl::unexpected(program.error());
-  kept_ = std::make_unique<Program>(std::move(*program));
-  kept_key_ = key;
-  return kept_.get();
+  program->set("trips", static_cast<std::int32_t>(kLoopTrips));
+  program->set("variant_seed", kVariantSeed);
+  kept_.push_front({key, std::move(*program)});
+  if (kept_.size() > kKept) kept_.pop_back();
+  return &kept_.front().program;
 }
 
 const Session::PointSet& Session::twin_points(const Function& function, const Configuration& configuration,
                                               std::size_t count) {
   const std::string key = fmt::format("{} {}", function.id, configuration.sine());
-  if (kept_points_of_ == key && kept_points_.allowed.size() == count) return kept_points_;
+  if (kept_points_of_ == key && kept_points_.allowed.size() >= count) return kept_points_;
   kept_points_.inputs = random_points(function, count, Random(seed, function.id));
   kept_points_.allowed.resize(count);
   for (std::size_t i = 0; i < count; ++i) {

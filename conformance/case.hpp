@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -62,25 +63,33 @@ struct Session {
   const ReferenceCompiler& reference;
   std::filesystem::path golden_directory;
   std::uint64_t seed;  // of the random points
+  std::size_t most_twin_points = std::size_t{1}
+                                 << 20;  // a million, and all that a grid takes; a slow driver takes fewer
   GridRenderer grid;
 
   // Random points for a function and how far the driver and the twin may be apart at each; the same for
-  // every hash, and kept until another function asks.
+  // every hash, and kept until another function asks. There may be more than count.
   struct PointSet {
     std::vector<std::uint32_t> inputs;  // kInputWords per point
     std::vector<double> allowed;        // per point
   };
   const PointSet& twin_points(const Function& function, const Configuration& configuration, std::size_t count);
 
-  // The program that evaluates a function; the last one is kept, since cases that share a program follow each other.
+  // The program that evaluates a function. The last few are kept, since cases that share a program follow each other;
+  // what is returned lasts until the next call.
   Result<const Program*> evaluation_program(const Evaluation& evaluation);
 
   Session(const Context& context, const SourceSet& sources, const ReferenceCompiler& reference,
           std::filesystem::path golden_directory, std::uint64_t seed);
 
  private:
-  std::string kept_key_;
-  std::unique_ptr<Program> kept_;
+  Result<Program> build(const Evaluation& evaluation, std::string_view shader) const;
+
+  struct KeptProgram {
+    std::string key;
+    Program program;
+  };
+  std::list<KeptProgram> kept_;  // the last one that was asked for first
   std::string kept_points_of_;
   PointSet kept_points_;
 };

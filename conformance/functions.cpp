@@ -80,6 +80,108 @@ std::string running_preamble(const Profile& profile) {
   return extension + preamble(profile, kBitCasts);
 }
 
+// What the shader is, for the preprocessor.
+std::string case_names(const Evaluation& evaluation) {
+  const auto name_of_shape = [](Shape shape) -> std::string_view {
+    switch (shape) {
+      case Shape::inlined:
+        return "#define CASE_INLINED\n";
+      case Shape::in_loop:
+        return "#define CASE_IN_LOOP\n";
+      case Shape::constant:
+        return "#define CASE_CONSTANT\n";
+      case Shape::called:
+        break;
+    }
+    return "";
+  };
+  const auto name_of_stage = [](Stage stage) -> std::string_view {
+    if (stage == Stage::vertex) return "#define CASE_VERTEX\n";
+    return stage == Stage::compute ? "#define CASE_COMPUTE\n" : "#define CASE_FRAGMENT\n";
+  };
+  const auto name_of_seed = [](SeedFrom seed) -> std::string_view {
+    if (seed == SeedFrom::constant) return "#define CASE_CONSTANT_SEED\n";
+    return seed == SeedFrom::uniform ? "#define CASE_UNIFORM_SEED\n" : "";
+  };
+  return fmt::format("{}{}{}", name_of_stage(evaluation.stage), name_of_shape(evaluation.variant.shape),
+                     name_of_seed(evaluation.variant.seed_from));
+}
+
+// SEEDED, behind the include, since it may need HN_HIGHP.
+std::string seeding_of(const ShaderVariant& variant) {
+  if (!variant.seeded) return std::string(kUnseeded);
+  switch (variant.seed_from) {
+    case SeedFrom::constant:
+      return fmt::format("#define SEEDED(s) , 0x{:08X}u\n", kVariantSeed);
+    case SeedFrom::uniform:
+      return "uniform HN_HIGHP uint variant_seed;\n#define SEEDED(s) , variant_seed\n";
+    case SeedFrom::point:
+      break;
+  }
+  return std::string(kSeeded);
+}
+
+// Declares at, the point's place in the textures, and result, unless it is an output.
+std::string beginning_of(Stage stage) {
+  const auto at = [](std::string_view index) {
+    return fmt::format("  HN_HIGHP ivec2 at = ivec2({} % {}, {} / {});\n", index, kGridSide, index, kGridSide);
+  };
+  switch (stage) {
+    case Stage::vertex:
+      return at("gl_VertexID") + "  gl_Position = vec4(0.0);\n";
+    case Stage::compute:
+      return "  HN_HIGHP int index = int(gl_GlobalInvocationID.x);\n" + at("index") + "  HN_HIGHP uvec4 result;\n";
+    case Stage::fragment:
+      break;
+  }
+  return "  HN_HIGHP ivec2 at = ivec2(gl_FragCoord.xy);\n";
+}
+
+// The body of evaluate, as a part of main.
+std::string inlined(std::string_view body) {
+  constexpr std::string_view kReturn = "return ";  // each body has one, at its end
+  const auto at = body.find(kReturn);
+  return fmt::format("{}result = {}", body.substr(0, at), body.substr(at + kReturn.size()));
+}
+
+// evaluate of constants, where the point at hand is one of them.
+std::string evaluated_constants(std::span<const std::uint32_t> words) {
+  std::string text = "  result = uvec4(0u);\n";
+  for (std::size_t i = 0; i < words.size(); i += kInputWords) {
+    const auto part = [&](std::size_t first) {
+      const auto* const w = &words[i + first];
+      return fmt::format("uvec4(0x{:08X}u, 0x{:08X}u, 0x{:08X}u, 0x{:08X}u)", w[0], w[1], w[2], w[3]);
+    };
+    text += fmt::format("  if (at.x == {}) result = evaluate({}, {});\n", i / kInputWords, part(0), part(4));
+  }
+  return text;
+}
+
+// The part of main that sets result.
+std::string result_of(const Evaluation& evaluation) {
+  switch (evaluation.variant.shape) {
+    case Shape::inlined:
+      return fmt::format(
+          "  HN_HIGHP uvec4 a = texelFetch(input_a, at, 0);\n  HN_HIGHP uvec4 b = texelFetch(input_b, at, 0);\n  {}\n",
+          inlined(evaluation.function.body));
+    case Shape::in_loop:
+      // The words of the last trips move through the result, so that none can be left out.
+      return R"(  HN_HIGHP uvec4 last = uvec4(0u);
+  for (HN_HIGHP int i = 0; i < trips; ++i) {
+    HN_HIGHP ivec2 other = ivec2(at.x ^ i, at.y);
+    HN_HIGHP uvec4 v = evaluate(texelFetch(input_a, other, 0), texelFetch(input_b, other, 0));
+    last = uvec4(last.y, last.z, last.w, v.x ^ v.y ^ v.z ^ v.w);
+  }
+  result = last;
+)";
+    case Shape::constant:
+      return evaluated_constants(evaluation.variant.constants);
+    case Shape::called:
+      break;
+  }
+  return "  result = evaluate(texelFetch(input_a, at, 0), texelFetch(input_b, at, 0));\n";
+}
+
 // glslang knows no GL_ARB_shader_bit_encoding. Where a shader is only compiled, a conversion has the same types.
 std::string compiling_preamble(const Profile& profile) {
   return preamble(profile,
@@ -138,19 +240,23 @@ bool covers(const Configuration& configuration, const Function& function) {
 }
 
 std::string evaluation_shader(const Evaluation& evaluation) {
-  const auto& [function, configuration, profile, variant] = evaluation;
-  return fmt::format(R"({}{}{}#include "{}"
-{}uniform HN_HIGHP usampler2D input_a;
-uniform HN_HIGHP usampler2D input_b;
-out HN_HIGHP uvec4 result;
-HN_HIGHP uvec4 evaluate(HN_HIGHP uvec4 a, HN_HIGHP uvec4 b) {{ {} }}
-void main() {{
-  HN_HIGHP ivec2 at = ivec2(gl_FragCoord.xy);
-  result = evaluate(texelFetch(input_a, at, 0), texelFetch(input_b, at, 0));
-}}
-)",
-                     running_preamble(profile), knobs_of(configuration), variant.knobs, function.file,
-                     variant.seeded ? kSeeded : kUnseeded, function.body);
+  const auto& [function, configuration, profile, variant, stage] = evaluation;
+  std::string text = running_preamble(profile) + case_names(evaluation);
+  if (stage == Stage::compute) text += fmt::format("layout(local_size_x = {}) in;\n", kComputeGroup);
+  text += fmt::format("{}{}#include \"{}\"\n{}", knobs_of(configuration), variant.knobs, function.file,
+                      seeding_of(variant));
+  if (variant.shape == Shape::in_loop) text += "uniform HN_HIGHP int trips;\n";
+  text += "uniform HN_HIGHP usampler2D input_a;\nuniform HN_HIGHP usampler2D input_b;\n";
+  if (stage == Stage::compute) {
+    text += "layout(std430, binding = 0) buffer Results { HN_HIGHP uvec4 results[]; };\n";
+  } else {
+    text += fmt::format("{}out HN_HIGHP uvec4 result;\n", stage == Stage::vertex ? "flat " : "");
+  }
+  if (variant.shape != Shape::inlined) {
+    text += fmt::format("HN_HIGHP uvec4 evaluate(HN_HIGHP uvec4 a, HN_HIGHP uvec4 b) {{ {} }}\n", function.body);
+  }
+  return text + fmt::format("void main() {{\n{}{}{}}}\n", beginning_of(stage), result_of(evaluation),
+                            stage == Stage::compute ? "  results[gl_GlobalInvocationID.x] = result;\n" : "");
 }
 
 std::string vertex_shader() {
@@ -160,6 +266,8 @@ std::string vertex_shader() {
 }
 )";
 }
+
+std::string idle_fragment_shader() { return "void main() {}\n"; }
 
 std::string calling_shader(std::string_view file, const Configuration& configuration, const Profile& profile,
                            Stage stage) {

@@ -56,44 +56,77 @@ class ShaderObject {
   GLuint id_;
 };
 
-// The size of the textures; every OpenGL 3.1 implementation has 1024 at the least. A smaller grid takes a corner of
-// them, since softpipe goes on with the gl_FragCoord.y of the height that a program was first used with.
-constexpr GLsizei kSide = 1024;
+constexpr auto kSide = static_cast<GLsizei>(kGridSide);
 
 }  // namespace
 
-Result<Program> Program::build(const Context& context, const ShaderText& vertex, const ShaderText& fragment) {
+struct Program::StageText {
+  Stage stage;
+  const ShaderText& text;
+};
+
+Result<Program> Program::build(const Context& context, const ShaderText& vertex, const ShaderText& fragment,
+                               Stage results_of) {
+  const std::array<StageText, 2> shaders = {{{Stage::vertex, vertex}, {Stage::fragment, fragment}}};
+  return link(context, shaders, results_of);
+}
+
+Result<Program> Program::build_compute(const Context& context, const ShaderText& compute) {
+  const std::array<StageText, 1> shaders = {{{Stage::compute, compute}}};
+  return link(context, shaders, Stage::compute);
+}
+
+Result<Program> Program::link(const Context& context, std::span<const StageText> shaders, Stage results_of) {
   const GladGLContext& gl = context.gl();
-  const ShaderObject vertex_shader(gl, Stage::vertex);
-  if (auto done = vertex_shader.compile(vertex); !done) return tl::unexpected(done.error());
-  const ShaderObject fragment_shader(gl, Stage::fragment);
-  if (auto done = fragment_shader.compile(fragment); !done) return tl::unexpected(done.error());
-  Program program(gl, gl.CreateProgram());
-  gl.AttachShader(program.id_, vertex_shader.id());
-  gl.AttachShader(program.id_, fragment_shader.id());
-  gl.BindFragDataLocation(program.id_, 0, "result");
+  Program program(gl, gl.CreateProgram(), results_of);
+  for (const StageText& shader : shaders) {
+    const ShaderObject object(gl, shader.stage);
+    if (auto done = object.compile(shader.text); !done) return tl::unexpected(done.error());
+    gl.AttachShader(program.id_, object.id());  // keeps it for as long as the program is
+  }
+  if (results_of == Stage::vertex) {
+    const char* const captured = "result";
+    gl.TransformFeedbackVaryings(program.id_, 1, &captured, GL_INTERLEAVED_ATTRIBS);
+  }
+  if (gl.BindFragDataLocation) gl.BindFragDataLocation(program.id_, 0, "result");  // not in ES, where 0 is the only one
   // For those who count the instructions in it.
   if (gl.ProgramParameteri) gl.ProgramParameteri(program.id_, GL_PROGRAM_BINARY_RETRIEVABLE_HINT, GL_TRUE);
   gl.LinkProgram(program.id_);
   GLint linked = GL_FALSE;
   gl.GetProgramiv(program.id_, GL_LINK_STATUS, &linked);
-  if (!linked) {
-    const std::string log = info_log(gl.GetProgramiv, gl.GetProgramInfoLog, program.id_);
-    return fail("the driver does not link the program", fragment.translate(log));
-  }
-  return program;
+  if (linked) return program;
+  const auto judged =
+      std::find_if(shaders.begin(), shaders.end(), [&](const StageText& shader) { return shader.stage == results_of; });
+  const std::string log = info_log(gl.GetProgramiv, gl.GetProgramInfoLog, program.id_);
+  return fail("the driver does not link the program", judged->text.translate(log));
 }
 
-Program::Program(Program&& other) noexcept : gl_(other.gl_), id_(std::exchange(other.id_, 0)) {}
+Program::Program(Program&& other) noexcept
+    : gl_(other.gl_), id_(std::exchange(other.id_, 0)), results_of_(other.results_of_) {}
 
 Program& Program::operator=(Program&& other) noexcept {
   std::swap(gl_, other.gl_);
   std::swap(id_, other.id_);
+  std::swap(results_of_, other.results_of_);
   return *this;
 }
 
 Program::~Program() {
   if (id_ != 0) gl_->DeleteProgram(id_);
+}
+
+void Program::set(const char* uniform, std::int32_t value) const {
+  gl_->UseProgram(id_);
+  gl_->Uniform1i(gl_->GetUniformLocation(id_, uniform), value);
+}
+
+void Program::set(const char* uniform, std::uint32_t value) const {
+  gl_->UseProgram(id_);
+  gl_->Uniform1ui(gl_->GetUniformLocation(id_, uniform), value);
+}
+
+std::string unsupported_reason(const GladGLContext& gl, Stage stage) {
+  return stage == Stage::compute && !gl.DispatchCompute ? "this context has no compute shaders" : "";
 }
 
 Result<void> compile_only(const Context& context, const ShaderText& shader, Stage stage) {
@@ -136,10 +169,8 @@ void GridRenderer::upload(std::span<const std::uint32_t> inputs, GLsizei width, 
 Result<std::vector<std::uint32_t>> GridRenderer::evaluate(const Program& program,
                                                           std::span<const std::uint32_t> inputs) {
   const std::size_t points = inputs.size() / kInputWords;
-  constexpr std::size_t kRow = kSide;
-  assert(points <= kRow * kRow);
-  const auto width = static_cast<GLsizei>(std::min(points, kRow));
-  const auto height = static_cast<GLsizei>((points + kRow - 1) / kRow);
+  assert(points <= kGridSide * kGridSide);
+  const auto [width, height] = grid_size(points);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
     return fail("this driver does not render to RGBA32UI, which OpenGL 3.0 requires");
@@ -147,24 +178,21 @@ Result<std::vector<std::uint32_t>> GridRenderer::evaluate(const Program& program
   while (gl_.GetError() != GL_NO_ERROR) {
   }
   upload(inputs, width, height);
-  gl_.Viewport(0, 0, width, height);
-  // Clear first, so that a draw that does nothing cannot pass for the one before it.
-  gl_.Enable(GL_SCISSOR_TEST);
-  gl_.Scissor(0, 0, width, height);
-  constexpr GLuint kNothing[4] = {0xDEADBEEF, 0xDEADBEEF, 0xDEADBEEF, 0xDEADBEEF};
-  gl_.ClearBufferuiv(GL_COLOR, 0, kNothing);
-  gl_.UseProgram(program.id());
-  gl_.Uniform1i(gl_.GetUniformLocation(program.id(), "input_a"), 0);
-  gl_.Uniform1i(gl_.GetUniformLocation(program.id(), "input_b"), 1);
+  program.set("input_a", 0);
+  program.set("input_b", 1);
   gl_.BindVertexArray(vertex_array_);
-  gl_.DrawArrays(GL_TRIANGLES, 0, 3);
-  std::vector<std::uint32_t> words(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * kOutputWords);
-  gl_.ReadPixels(0, 0, width, height, GL_RGBA_INTEGER, GL_UNSIGNED_INT, words.data());
+  auto words = output_of(program.results_of()).run(points);
+  if (!words) return words;
   if (const GLenum error = gl_.GetError(); error != GL_NO_ERROR) {
-    return fail(fmt::format("OpenGL error {:#06x} while rendering {} x {}", error, width, height));
+    return fail(fmt::format("OpenGL error {:#06x} while evaluating {} points", error, points));
   }
-  words.resize(points * kOutputWords);
   return words;
+}
+
+StageOutput& GridRenderer::output_of(Stage stage) {
+  auto& output = outputs_[static_cast<std::size_t>(stage)];
+  if (!output) output = make_stage_output(gl_, stage);
+  return *output;
 }
 
 }  // namespace hn

@@ -134,34 +134,6 @@ Outcome check_range(Session& session, const Evaluation& evaluation) {
   return comparison.finish();
 }
 
-// Points a period apart, and opposite corners of it, have the same bits.
-Outcome check_period(Session& session, const Evaluation& evaluation) {
-  const Function& function = evaluation.function;
-  const auto period = static_cast<float>(evaluation.configuration.period());
-  const auto axes = static_cast<std::size_t>(function.seed_word());
-  Random random(session.seed, "period");
-  Words inputs = random_points(function, kPropertyPoints, random);
-  Words others = inputs;
-  for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
-    for (std::size_t axis = i; axis < i + axes; ++axis) {
-      // Multiples of 1/8, so that both positions are floats.
-      const float p = std::floor(random.uniform(-8.0f * period, 8.0f * period)) / 8.0f;
-      const float periods = static_cast<float>(random.below(3)) - 1.0f;
-      inputs[axis] = std::bit_cast<std::uint32_t>(p);
-      others[axis] = std::bit_cast<std::uint32_t>(p + periods * period);
-    }
-  }
-  const auto first = evaluate(session, evaluation, inputs);
-  if (!first) return first.error();
-  const auto second = evaluate(session, evaluation, others);
-  if (!second) return second.error();
-  Comparison comparison(function, others);
-  for (std::size_t i = 0; i < kPropertyPoints; ++i) {
-    comparison.bits(point(others, i), result(*second, i)[0], result(*first, i)[0]);
-  }
-  return comparison.finish();
-}
-
 // Fields of different seeds are uncorrelated: pairs of neighbouring seeds, of seeds that differ in the highest bit, and
 // of the seed of the next octave.
 Outcome check_seeds(Session& session, const Evaluation& evaluation) {

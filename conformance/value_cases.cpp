@@ -1,6 +1,7 @@
 // Cases that evaluate functions on the driver: against the golden files, against the twin, and for properties.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 
 #include "golden.hpp"
@@ -11,8 +12,12 @@
 
 namespace hn {
 
-tl::expected<Words, Outcome> evaluate(Session& session, const Evaluation& evaluation, const Words& inputs) {
+tl::expected<Words, Outcome> evaluate(Session& session, const Evaluation& evaluation,
+                                      std::span<const std::uint32_t> inputs) {
   if (const auto reason = unsupported_to_run(evaluation.profile, session.info.languages); !reason.empty()) {
+    return tl::unexpected(outcome_with(Status::unsupported, {reason, {}}));
+  }
+  if (const auto reason = unsupported_reason(session.context.gl(), evaluation.stage); !reason.empty()) {
     return tl::unexpected(outcome_with(Status::unsupported, {reason, {}}));
   }
   const auto program = session.evaluation_program(evaluation);
@@ -36,8 +41,9 @@ void compare_with_twin(Comparison& comparison, const Function& function, std::sp
 
 namespace {
 
-// A million, and all that a grid takes.
-constexpr std::size_t kTwinPoints = std::size_t{1} << 20;
+// In ES 3.00, which is there for the contexts that have no GLSL 3.30: they are the smaller ones.
+constexpr std::size_t kMostTwinPointsInEs = std::size_t{1} << 16;
+
 // --- Golden ----------------------------------------------------------------------------------------------------------
 
 Words inputs_of(const Golden& golden) {
@@ -66,7 +72,7 @@ Outcome check_digest(Session& session, const Evaluation& evaluation, const Golde
 }
 
 Outcome check_golden(Session& session, const Evaluation& evaluation) {
-  const auto& [function, configuration, profile, variant] = evaluation;
+  const auto& [function, configuration, profile, variant, stage] = evaluation;
   const auto golden =
       read_golden(golden_path(session.golden_directory, function, configuration), function, configuration);
   if (!golden) return outcome_with(Status::error, golden.error());
@@ -89,16 +95,19 @@ Outcome check_golden(Session& session, const Evaluation& evaluation) {
 // --- Twin ------------------------------------------------------------------------------------------------------------
 
 Outcome check_twin(Session& session, const Evaluation& evaluation) {
-  const auto& [function, configuration, profile, variant] = evaluation;
-  const Session::PointSet& points = session.twin_points(function, configuration, kTwinPoints);
-  const auto outputs = evaluate(session, evaluation, points.inputs);
+  const auto& [function, configuration, profile, variant, stage] = evaluation;
+  const std::size_t count =
+      profile.es ? std::min(session.most_twin_points, kMostTwinPointsInEs) : session.most_twin_points;
+  const Session::PointSet& points = session.twin_points(function, configuration, count);
+  const auto inputs = std::span(points.inputs).first(count * kInputWords);
+  const auto outputs = evaluate(session, evaluation, inputs);
   if (!outputs) return outputs.error();
-  Words expected(kTwinPoints * kOutputWords);
-  evaluate_twin(function, configuration, points.inputs, expected);
-  Comparison comparison(function, points.inputs);
-  for (std::size_t i = 0; i < kTwinPoints; ++i) {
-    const auto in = point(points.inputs, i);
-    compare_with_twin(comparison, function, in, result(*outputs, i), result(expected, i), points.allowed[i]);
+  Words expected(count * kOutputWords);
+  evaluate_twin(function, configuration, inputs, expected);
+  Comparison comparison(function, inputs);
+  for (std::size_t i = 0; i < count; ++i) {
+    compare_with_twin(comparison, function, point(inputs, i), result(*outputs, i), result(expected, i),
+                      points.allowed[i]);
   }
   return comparison.finish();
 }
@@ -107,11 +116,7 @@ Outcome check_twin(Session& session, const Evaluation& evaluation) {
 
 void add(std::vector<Case>& cases, const Function& function, const Configuration& configuration, const Profile& profile,
          std::string_view name, Check* check) {
-  const std::string id = fmt::format("{}.{}.{}.fragment.{}.{}", function.id,
-                                     depends_on_configuration(function) ? configuration.name : "any",
-                                     function.exact() ? "exact" : "fast", profile.name, name);
-  const auto evaluation = std::make_shared<const Evaluation>(Evaluation{function, configuration, profile});
-  cases.push_back({id, [=](Session& session) { return check(session, *evaluation); }, evaluation});
+  add_case(cases, {function, configuration, profile}, name, check);
 }
 
 void add_properties(std::vector<Case>& cases, const Function& function, const Configuration& configuration,
@@ -124,33 +129,59 @@ void add_properties(std::vector<Case>& cases, const Function& function, const Co
   add(cases, function, configuration, profile, "range", check_range);
   if (!function.id.ends_with(".perlin")) return;
   add(cases, function, configuration, profile, "zero", check_zero);
-  if (configuration.period() != 0) add(cases, function, configuration, profile, "period", check_period);
   // With the sine gradient a hash is as weak as published, and a period of 48 cells has not room for many points.
   if (!configuration.hash_only()) return;
   add(cases, function, configuration, profile, "seeds", check_seeds);
   add(cases, function, configuration, profile, "mirror", check_mirror);
 }
 
+void add_fragment_cases(std::vector<Case>& cases, const Function& function, const Configuration& configuration) {
+  for (const Profile& profile : run_profiles()) {
+    // The code of an octave sum is the same with every hash, and the noise below it has cases of its own. Of the
+    // periods one is tried in every version.
+    const bool octave_sum = function.input("octaves") >= 0;
+    const bool main_version = profile.name == "gl330";
+    const bool one_period = configuration.period() == 0 || configuration.name == "lattice+period48";
+    const bool everywhere = octave_sum ? configuration.is_default() : one_period;
+    if (main_version || everywhere) add(cases, function, configuration, profile, "golden", check_golden);
+    // Desktop OpenGL and ES are enough for the large sets: golden values tell their versions apart.
+    if (main_version || profile.es) add(cases, function, configuration, profile, "twin", check_twin);
+    if (main_version || (profile.es && configuration.is_default())) {
+      add_properties(cases, function, configuration, profile);
+    }
+  }
+}
+
+// The other stages run the same code through another part of the driver's compiler: every function and every hash, and
+// one of each other knob.
+void add_stage_cases(std::vector<Case>& cases, const Function& function, const Configuration& configuration) {
+  const bool every_hash = configuration.hash_only() && function.input("octaves") < 0;
+  const bool other_knob = configuration.name == "fnv1+sine" || configuration.name == "lattice+period48";
+  if (!configuration.is_default() && !every_hash && !other_knob) return;
+  for (const auto& [stage, profile] : kOtherStages) {
+    add_case(cases, {function, configuration, profile_named(profile), {}, stage}, "golden", check_golden);
+  }
+}
+
 }  // namespace
+
+void add_case(std::vector<Case>& cases, const Evaluation& evaluation, std::string_view name, Check* check) {
+  const Function& function = evaluation.function;
+  const std::string id = fmt::format(
+      "{}.{}.{}.{}.{}.{}", function.id, depends_on_configuration(function) ? evaluation.configuration.name : "any",
+      function.exact() ? "exact" : "fast", name_of(evaluation.stage), evaluation.profile.name, name);
+  const auto kept = std::make_shared<const Evaluation>(evaluation);
+  cases.push_back({id, [=](Session& session) { return check(session, *kept); }, kept});
+}
 
 void add_value_cases(std::vector<Case>& cases) {
   for (const Function& function : all_functions()) {
     for (const Configuration& configuration : all_configurations()) {
-      if (!covers(configuration, function)) continue;
-      for (const Profile& profile : run_profiles()) {
-        // The code of an octave sum is the same with every hash, and the noise below it has cases of its own. Of the
-        // periods one is tried in every version.
-        const bool octave_sum = function.input("octaves") >= 0;
-        const bool main_version = profile.name == "gl330";
-        const bool one_period = configuration.period() == 0 || configuration.name == "lattice+period48";
-        const bool everywhere = octave_sum ? configuration.is_default() : one_period;
-        if (!main_version && !everywhere) continue;
-        add(cases, function, configuration, profile, "golden", check_golden);
-        // One version is enough for the large sets: golden values tell the versions apart.
-        if (!main_version) continue;
-        add(cases, function, configuration, profile, "twin", check_twin);
-        add_properties(cases, function, configuration, profile);
+      if (covers(configuration, function)) {
+        add_fragment_cases(cases, function, configuration);
+        add_stage_cases(cases, function, configuration);
       }
+      add_metamorphic_cases(cases, function, configuration);
     }
   }
 }

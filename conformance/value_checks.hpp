@@ -1,8 +1,10 @@
 // The checks of the cases that evaluate functions on the driver, and what they share.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "case.hpp"
@@ -13,17 +15,19 @@ namespace hn {
 
 using Words = std::vector<std::uint32_t>;
 
-inline std::span<const std::uint32_t> point(const Words& inputs, std::size_t i) {
-  return std::span(inputs).subspan(i * kInputWords, kInputWords);
+inline std::span<const std::uint32_t> point(std::span<const std::uint32_t> inputs, std::size_t i) {
+  return inputs.subspan(i * kInputWords, kInputWords);
 }
 
-inline std::span<const std::uint32_t> result(const Words& outputs, std::size_t i) {
-  return std::span(outputs).subspan(i * kOutputWords, kOutputWords);
+inline std::span<const std::uint32_t> result(std::span<const std::uint32_t> outputs, std::size_t i) {
+  return outputs.subspan(i * kOutputWords, kOutputWords);
 }
 
 // Evaluates on the driver; the outcome of a failure is ready to be returned.
-tl::expected<Words, Outcome> evaluate(Session& session, const Evaluation& evaluation, const Words& inputs);
+tl::expected<Words, Outcome> evaluate(Session& session, const Evaluation& evaluation,
+                                      std::span<const std::uint32_t> inputs);
 
+// Holds a result against another one of the same point: the twin's, or one that the driver got in another way.
 void compare_with_twin(Comparison& comparison, const Function& function, std::span<const std::uint32_t> inputs,
                        std::span<const std::uint32_t> got, std::span<const std::uint32_t> twin, double allowed);
 
@@ -32,10 +36,23 @@ using Check = Outcome(Session& session, const Evaluation& evaluation);
 // property_checks.cpp
 Check check_zero;        // noise is 0 at lattice points
 Check check_range;       // values keep to their range and use it
-Check check_period;      // the same bits a period on
 Check check_seeds;       // fields of different seeds are uncorrelated
 Check check_mirror;      // no quadrant mirrors another
 Check check_unseeded;    // without a seed means with seed 0
 Check check_noise_knob;  // HN_FBM_NOISE2D and HN_FBM_NOISE3D are used
+
+// A case about values; its id comes from the evaluation and the name of the check.
+void add_case(std::vector<Case>& cases, const Evaluation& evaluation, std::string_view name, Check* check);
+
+// The stages beside the fragment stage, each in a version of desktop OpenGL and of ES.
+struct StageProfile {
+  Stage stage;
+  std::string_view profile;
+};
+inline constexpr std::array<StageProfile, 4> kOtherStages = {
+    {{Stage::vertex, "gl330"}, {Stage::vertex, "es300"}, {Stage::compute, "gl430"}, {Stage::compute, "es310"}}};
+
+// metamorphic_checks.cpp: the same values, come by in another way.
+void add_metamorphic_cases(std::vector<Case>& cases, const Function& function, const Configuration& configuration);
 
 }  // namespace hn
