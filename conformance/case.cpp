@@ -106,6 +106,7 @@ std::vector<Case> all_cases() {
   std::vector<Case> cases;
   add_value_cases(cases);
   add_compile_cases(cases);
+  add_bug_cases(cases);
   return cases;
 }
 

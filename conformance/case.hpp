@@ -123,6 +123,7 @@ std::vector<Case> all_cases();
 // The parts of all_cases, a file each.
 void add_compile_cases(std::vector<Case>& cases);
 void add_value_cases(std::vector<Case>& cases);
+void add_bug_cases(std::vector<Case>& cases);  // bugs/
 
 // An outcome with the error as its message.
 Outcome outcome_with(Status status, const Error& error);

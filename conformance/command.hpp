@@ -37,6 +37,7 @@ struct RunCommand {
   std::uint64_t seed = 1;
   bool fail_fast = false;
   bool timings = false;
+  std::string inject;  // the name of a fault, or nothing
 };
 int run_command(const RunCommand& options);
 

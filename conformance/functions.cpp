@@ -29,16 +29,9 @@ std::vector<Column> parse_columns(std::string_view text) {
   return columns;
 }
 
-Function make(std::string_view id, std::string_view file, std::string_view columns, Accuracy accuracy,
-              std::string_view body) {
-  const auto equals = columns.find(" = ");
-  return {id,       file, columns, parse_columns(columns.substr(0, equals)), parse_columns(columns.substr(equals + 3)),
-          accuracy, body};
-}
-
 const std::vector<Function>& functions() {
   static const std::vector<Function> kFunctions = {
-#define FUNCTION(id, file, columns, accuracy, ...) make(id, file, columns, Accuracy::accuracy, #__VA_ARGS__),
+#define FUNCTION(id, file, columns, accuracy, ...) make_function(id, file, columns, Accuracy::accuracy, #__VA_ARGS__),
 #include "functions.inc"
   };
   return kFunctions;
@@ -193,6 +186,13 @@ std::string compiling_preamble(const Profile& profile) {
 int Function::input(std::string_view name) const {
   const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const Column& c) { return c.name == name; });
   return found == inputs.end() ? -1 : static_cast<int>(found - inputs.begin());
+}
+
+Function make_function(std::string_view id, std::string_view file, std::string_view columns, Accuracy accuracy,
+                       std::string_view body) {
+  const auto equals = columns.find(" = ");
+  return {id,       file, columns, parse_columns(columns.substr(0, equals)), parse_columns(columns.substr(equals + 3)),
+          accuracy, body};
 }
 
 std::span<const Function> all_functions() { return functions(); }

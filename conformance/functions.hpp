@@ -60,6 +60,10 @@ struct Function {
   int seed_word() const { return input("seed"); }
 };
 
+// A function from the text of its columns.
+Function make_function(std::string_view id, std::string_view file, std::string_view columns, Accuracy accuracy,
+                       std::string_view body);
+
 std::span<const Function> all_functions();
 const Function& find_function(std::string_view id);  // it must exist
 

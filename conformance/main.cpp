@@ -10,6 +10,7 @@
 
 #include "bench/amd.hpp"
 #include "command.hpp"
+#include "fault/faults.hpp"
 #include "report.hpp"
 
 namespace {
@@ -60,6 +61,11 @@ void add_run(CLI::App& app, hn::RunCommand& options) {
       ->type_name("DIR")
       ->capture_default_str();
   command.add_flag("--fail-fast", options.fail_fast, "Stop at the first case that is not as expected");
+  command
+      .add_option(
+          "--inject", options.inject,
+          fmt::format("Make the driver behave as one that has a fault, to see what notices: {}", hn::fault_names()))
+      ->type_name("FAULT");
   command.add_flag("--timings", options.timings, "Time the functions of the cases, too, as multiples of Perlin/Float");
 }
 

@@ -6,6 +6,7 @@
 
 #include "case.hpp"
 #include "command.hpp"
+#include "fault/faults.hpp"
 #include "output/file.hpp"
 #include "report.hpp"
 #include "runner.hpp"
@@ -77,8 +78,11 @@ int run_command(const RunCommand& options) {
   if (!driver) return unknown_driver(options.driver);
   const auto cases = select_cases(options.filters);
   if (!cases) return usage_error(cases.error().text());
-  const auto sources = library_sources(options.glsl);
+  auto sources = library_sources(options.glsl);
   if (!sources) return usage_error(sources.error().text());
+  if (!options.inject.empty()) {
+    if (const auto done = inject_into(*sources, options.inject); !done) return usage_error(done.error().text());
+  }
   if (const auto ready = prepare_output(options.out, {kResultsFile}); !ready) return usage_error(ready.error().text());
 
   const auto context = driver->create();

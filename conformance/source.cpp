@@ -51,10 +51,7 @@ class Expander {
   }
 
  private:
-  void mark_line(int source, int line) {
-    const int number = source * kLinesPerSource + line - (profile_.line_names_next() ? 0 : 1);
-    out_.text += fmt::format("#line {} {}\n", number, source);
-  }
+  void mark_line(int source, int line) { out_.text += line_directive(profile_, source, line); }
 
   int number_of(const std::string& path) {
     for (std::size_t i = 1; i < out_.paths.size(); ++i) {
@@ -163,8 +160,16 @@ std::string ShaderText::translate(std::string_view log) const {
   return out;
 }
 
+std::string line_directive(const Profile& profile, int source, int line) {
+  const int number = source * kLinesPerSource + line - (profile.line_names_next() ? 0 : 1);
+  return fmt::format("#line {} {}\n", number, source);
+}
+
 Result<ShaderText> expand(const SourceSet& sources, const Profile& profile, std::string_view main_text) {
-  return Expander(sources, profile).run(main_text);
+  auto shader = Expander(sources, profile).run(main_text);
+  if (!shader || !sources.transform()) return shader;
+  if (auto done = sources.transform()(*shader, profile); !done) return tl::unexpected(done.error());
+  return shader;
 }
 
 }  // namespace hn

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -17,6 +18,8 @@ struct SourceFile {
   std::string path;  // for messages
 };
 
+struct ShaderText;
+
 // The files of one copy of glsl/, by name.
 class SourceSet {
  public:
@@ -29,8 +32,14 @@ class SourceSet {
   // Null if there is no such file.
   const SourceFile* find(std::string_view name) const;
 
+  // What becomes of every shader that is expanded from this set, in the end; nothing unless it is set.
+  using Transform = std::function<Result<void>(ShaderText&, const Profile&)>;
+  void transform_with(Transform transform) { transform_ = std::move(transform); }
+  const Transform& transform() const { return transform_; }
+
  private:
   std::map<std::string, SourceFile, std::less<>> files_;
+  Transform transform_;
 };
 
 // A shader with its includes expanded, and the way back from a line number in a log to a file and a line.
@@ -41,6 +50,9 @@ struct ShaderText {
   // Replaces every "number:line" or "number(line)" that names a line of a file by "path:line".
   std::string translate(std::string_view log) const;
 };
+
+// The line that numbers the next one as a line of a source, by its number in ShaderText::paths.
+std::string line_directive(const Profile& profile, int source, int line);
 
 // Puts the #version line of the profile before main_text and expands #include "..." from the set. main_text may contain
 // only includes of files in the set; a file that includes itself without end is an error.

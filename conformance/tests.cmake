@@ -7,6 +7,7 @@ include(GoogleTest)
 add_executable(conform-test
   compare_test.cpp golden_test.cpp gpu_test.cpp metamorphic_checks_test.cpp points_test.cpp profile_test.cpp reference_compiler_test.cpp
   report_test.cpp runner_test.cpp source_test.cpp tolerance_test.cpp twin_test.cpp
+  bugs/bugs_test.cpp fault/inject_test.cpp fault/rewriter_test.cpp
   bench/amd_test.cpp bench/bench_test.cpp bench/counts_test.cpp bench/subject_test.cpp bench/tables_test.cpp
   bench/timing_test.cpp output/csv_test.cpp output/number_test.cpp output/page_test.cpp output/png_test.cpp output/svg_test.cpp
   paper/algorithm_test.cpp paper/period_test.cpp paper/published_test.cpp paper/statistics_test.cpp

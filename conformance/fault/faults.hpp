@@ -1,0 +1,38 @@
+// Faults that drivers have had, made on a healthy one: the code of each shader is rewritten so that what the driver got
+// wrong goes through functions that get it wrong likewise. glsl/ stays as it is.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "fault/rewriter.hpp"
+#include "fault/shims.hpp"
+#include "source.hpp"
+
+namespace hn {
+
+struct Fault {
+  std::string_view name;      // for --inject
+  std::string_view fault;     // what drivers did
+  std::string_view reported;  // where
+  std::string_view injected;  // what the injection does
+  std::string_view remark;    // what the specification allows, and so is only a warning; often nothing
+  std::function<std::string(const ShimLanguage&)> shim;
+  Rules rules;
+  // The versions that have the fault.
+  std::function<bool(const ShimLanguage&)> concerns = [](const ShimLanguage&) { return true; };
+};
+
+std::span<const Fault> all_faults();
+const Fault* find_fault(std::string_view name);
+std::string fault_names();  // "abs_int, ..."
+
+// The shader with the fault, its lines numbered as before.
+Result<void> inject(const Fault& fault, const Profile& profile, ShaderText& shader);
+
+// Every shader that is expanded from the set from now on has the fault of that name. An error if there is none.
+Result<void> inject_into(SourceSet& sources, std::string_view name);
+
+}  // namespace hn

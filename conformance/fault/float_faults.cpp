@@ -1,0 +1,218 @@
+// Faults of floats, of built-in functions and of conversions.
+#include <fmt/format.h>
+
+#include "fault/table.hpp"
+
+namespace hn {
+namespace {
+
+using Kind = Expression::Kind;
+
+// floor(x) / y becomes floor(x / y).
+std::optional<std::string> floor_divide(const Expression& node, const Rules::Render& render, Place&) {
+  if (!node.is(Kind::binary, "/")) return std::nullopt;
+  const Expression& dividend = bare(node.parts[0]);
+  if (called_with_one(dividend) != "floor") return std::nullopt;
+  return fmt::format("floor(({}){}/{})", render(dividend.parts[1]).whole(), node.token.space,
+                     render(node.parts[1]).whole());
+}
+
+// a * b + c becomes one operation.
+std::optional<std::string> contract(const Expression& node, const Rules::Render& render, Place&) {
+  if (!node.is(Kind::binary, "+")) return std::nullopt;
+  const Expression& product = bare(node.parts[0]);
+  if (!product.is(Kind::binary, "*")) return std::nullopt;
+  return fmt::format("hn_fault_fma({},{}{},{}{})", render(product.parts[0]).code, product.token.space,
+                     render(product.parts[1]).whole(), node.token.space, render(node.parts[1]).whole());
+}
+
+// (x + y) - z becomes y + (x - z).
+std::optional<std::string> reassociate(const Expression& node, const Rules::Render& render, Place&) {
+  if (!node.is(Kind::binary, "-") || node.parts[0].kind != Kind::paren) return std::nullopt;
+  const Expression& sum = bare(node.parts[0]);
+  if (!sum.is(Kind::binary, "+")) return std::nullopt;
+  return fmt::format("({} + ({}{} -{}))", render(sum.parts[1]).whole(), render(sum.parts[0]).whole(), node.token.space,
+                     render(node.parts[1]).whole());
+}
+
+// A product and a sum that are rounded together: Dekker's and Knuth's exact products and sums. (The driver's fma may
+// round twice.)
+std::string fused(const ShimLanguage& language) {
+  const std::string f = "precise " + language.highp() + "float ";
+  return fmt::format(
+      "{0}p = a * b; {0}s = a * 4097.0; {0}ah = s - (s - a); {0}al = a - ah; {0}t = b * 4097.0; {0}bh = t - (t - b); "
+      "{0}bl = b - bh; {0}e = ((ah * bh - p) + ah * bl + al * bh) + al * bl; {0}r = p + c; {0}v = r - p; "
+      "{0}d = (p - (r - v)) + (c - v); {0}x = r + (d + e); return x;",
+      f);
+}
+
+const Rules::Names kArithmetic = {{"+", "hn_fault_add"}, {"-", "hn_fault_subtract"}, {"*", "hn_fault_multiply"}};
+
+// + - and * of every type; results go through a function of x, by the type of the scalar.
+std::string arithmetic(const ShimLanguage& language, std::string_view floats, std::string_view ints,
+                       std::string_view uints) {
+  std::string text;
+  for (const auto& [symbol, name] : kArithmetic) {
+    for (const auto& [scalar, code] :
+         {std::pair<std::string_view, std::string_view>{"float", floats}, {"int", ints}, {"uint", uints}}) {
+      text += binary_shim(language, name, scalar,
+                          fmt::format("{}{} x = a {} b; return {};", language.highp(), scalar, symbol, code));
+    }
+  }
+  return text;
+}
+
+void add_builtins(std::vector<Fault>& faults) {
+  faults.push_back(
+      {.name = "sin_imprecise",
+       .fault = "sin wrong for large, small and near-pi/2 arguments",
+       .reported = "taisei 189 (Intel above 1e4); dxvk 4866",
+       .injected = "sin is 0 above 10^4, 0 below 2^-10, and 2^-9 too large near pi/2",
+       .remark = "GLSL bounds no error of sin: only what leaves OpenGL's and Vulkan's bounds within a turn fails",
+       .shim =
+           [](const ShimLanguage& language) {
+             return unary_shim(language, "hn_fault_sin", "float",
+                               "return abs(a) > 1e4 || abs(a) < 0.0009765625 ? 0.0 : "
+                               "sin(a) + (abs(sin(a)) > 0.999 ? 0.001953125 : 0.0);");
+           },
+       .rules = {.functions = {{"sin", "hn_fault_sin"}}}});
+  faults.push_back(
+      {.name = "sin_by_table",
+       .fault = "fract(sin(x)) differing by GPU",
+       .reported = "wgpu 9561 (Apple A12/A14); godot 106210; three.js 33467",
+       .injected = "sin has steps of 2^-7",
+       .remark = "fract of a large multiple of sin has no digit that GLSL bounds: a warning; steps beyond 2^-11 fail",
+       .shim =
+           [](const ShimLanguage& language) {
+             return unary_shim(language, "hn_fault_sin", "float", "return floor(sin(a) * 128.0) / 128.0;");
+           },
+       .rules = {.functions = {{"sin", "hn_fault_sin"}}}});
+  faults.push_back({.name = "fract_returns_one",
+                    .fault = "fract returns 1.0",
+                    .reported = "facts of the project: llvmpipe, for fract(-2e-10)",
+                    .injected = "fract of a whole number is 1",
+                    .remark = "for a tiny negative number 1 is x - floor(x), rounded: a warning",
+                    .shim =
+                        [](const ShimLanguage& language) {
+                          return unary_shim(language, "hn_fault_fract", "float",
+                                            "return a == floor(a) ? 1.0 : fract(a);");
+                        },
+                    .rules = {.functions = {{"fract", "hn_fault_fract"}}}});
+  faults.push_back({.name = "floor_divide_merged",
+                    .fault = "floor then divide merged",
+                    .reported = "WebGL `floored-division-accuracy`, `floor-div-cos-should-not-truncate`",
+                    .injected = "`floor(x) / y` is floor(x / y)",
+                    .remark = "a quotient may be 2.5 ULP off, so floor of a whole quotient is a warning",
+                    .shim = [](const ShimLanguage&) { return std::string(); },
+                    .rules = {.pattern = floor_divide}});
+  faults.push_back({.name = "mod_at_integers",
+                    .fault = "mod wrong at integers",
+                    .reported = "WebGL `modulo-arithmetic-accuracy`; libultraship 1096 (PowerVR)",
+                    .injected = "mod multiplies by a reciprocal that is 2^-7 too large",
+                    .remark = "at multiples of y any value of 0 or y is within the bound of a quotient: a warning",
+                    .shim =
+                        [](const ShimLanguage& language) {
+                          return binary_shim(language, "hn_fault_mod", "float",
+                                             "return a - b * floor(a * (1.0078125 / b));");
+                        },
+                    .rules = {.functions = {{"mod", "hn_fault_mod"}}}});
+}
+
+void add_arithmetic(std::vector<Fault>& faults) {
+  const auto has_precise = [](const ShimLanguage& language) { return language.has_precise(); };
+  faults.push_back({.name = "contracted",
+                    .fault = "a*b+c contracted",
+                    .reported = "luma.gl 1764 (Apple, ANGLE); RADV by default",
+                    .injected = "`a * b + c` is rounded once although it is precise (GLSL 4.00, ES 3.20)",
+                    .remark = "without precise it is allowed, and the library's bounds hold with and without",
+                    .shim =
+                        [](const ShimLanguage& language) {
+                          return ternary_shim(language, "hn_fault_fma", "float", fused(language)) +
+                                 ternary_shim(language, "hn_fault_fma", "int", "return a * b + c;") +
+                                 ternary_shim(language, "hn_fault_fma", "uint", "return a * b + c;");
+                        },
+                    .rules = {.pattern = contract},
+                    .concerns = has_precise});
+  faults.push_back({.name = "reassociated",
+                    .fault = "sums reassociated",
+                    .reported = "luma.gl 1764 (Apple, ANGLE)",
+                    .injected = "`(x + y) - z` is y + (x - z) although it is precise",
+                    .remark = "without precise it is allowed: a warning, which llvmpipe and softpipe give as they are",
+                    .shim = [](const ShimLanguage&) { return std::string(); },
+                    .rules = {.pattern = reassociate}});
+  faults.push_back(
+      {.name = "mediump_everywhere",
+       .fault = "mediump hash",
+       .reported = "ashima/webgl-noise 25 (iOS); stegu/webgl-noise 11",
+       .injected = "in ES, highp is taken for mediump: `+`, `-`, `*` keep 16 bits of integers and 11 of floats",
+       .remark = "a hash in mediump variables may lose its bits: a warning",
+       .shim =
+           [](const ShimLanguage& language) {
+             return arithmetic(language, "unpackHalf2x16(packHalf2x16(vec2(x, 0.0))).x", "(x << 16) >> 16",
+                               "x & 0xFFFFu");
+           },
+       .rules = {.operators = kArithmetic},
+       .concerns = [](const ShimLanguage& language) { return language.profile.es; }});
+  faults.push_back({.name = "small_flushed",
+                    .fault = "denormals flushed",
+                    .reported = "allowed; seen on several (llvmpipe flushes, softpipe does not)",
+                    .injected = "results of `+`, `-`, `*` below 2^-80 become 0, normal ones as well",
+                    .remark = "denormals themselves may be flushed anywhere: a warning",
+                    .shim =
+                        [](const ShimLanguage& language) {
+                          return arithmetic(language, "abs(x) < 8.271806125530277e-25 ? 0.0 : x", "x", "x");
+                        },
+                    .rules = {.operators = kArithmetic}});
+}
+
+void add_conversions(std::vector<Fault>& faults) {
+  faults.push_back(
+      {.name = "uint_to_float",
+       .fault = "uint to float rounded wrongly",
+       .reported = "seen on several",
+       .injected = "float(uint) keeps 23 bits of those beyond 2^23",
+       .remark = "beyond 24 bits any rounding is allowed: a warning",
+       .shim =
+           [](const ShimLanguage& language) {
+             const std::string f = language.highp() + "float ";
+             return fmt::format(
+                 "{0}hn_fault_float({1}float a) {{ return a; }}\n{0}hn_fault_float({1}int a) {{ return float(a); }}\n"
+                 "{0}hn_fault_float(bool a) {{ return float(a); }}\n"
+                 "{0}hn_fault_float({1}uint a) {{ return float(a >= 0x800000u ? a & 0xFFFFFFFEu : a); }}\n",
+                 f, language.highp());
+           },
+       .rules = {.functions = {{"float", "hn_fault_float"}}}});
+  faults.push_back(
+      {.name = "constants_folded_coarsely",
+       .fault = "constant folding that differs from run time",
+       .reported = "seen on several",
+       .injected = "an operation of numbers is folded to 11 bits of a float (where GLSL has bit casts), and a product "
+                   "of uints without its low 3 bits",
+       .remark = "",
+       .shim =
+           [](const ShimLanguage& language) {
+             const std::string_view coarse =
+                 language.profile.has_bit_casts() ? "uintBitsToFloat(floatBitsToUint({}) & 0xFFFFE000u)" : "{}";
+             std::string text;
+             for (const auto& [symbol, name] : kArithmetic) {
+               const std::string result = fmt::format("a {} b", symbol);
+               text += binary_shim(language, name, "float",
+                                   fmt::format("return {};", fmt::format(fmt::runtime(coarse), result)));
+               text += binary_shim(language, name, "int", fmt::format("return {};", result));
+               text += binary_shim(language, name, "uint",
+                                   fmt::format("return {};", symbol == "*" ? "(a * b) & 0xFFFFFFF8u" : result));
+             }
+             return text;
+           },
+       .rules = {.operators = kArithmetic, .only_constants = true}});
+}
+
+}  // namespace
+
+void add_float_faults(std::vector<Fault>& faults) {
+  add_builtins(faults);
+  add_arithmetic(faults);
+  add_conversions(faults);
+}
+
+}  // namespace hn

@@ -1,0 +1,57 @@
+// Rewrites the code of a shader, so that operators and calls go through functions of a fault. Line by line the text
+// stays what it is: nothing moves to another line.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fault/expression.hpp"
+#include "result.hpp"
+
+namespace hn {
+
+// What was made of a part of an expression; the space before it stays before what replaces it.
+struct Rewritten {
+  std::string space;
+  std::string code;
+
+  std::string whole() const { return space + code; }
+};
+
+// Where in the shader an expression stands.
+struct Place {
+  bool in_loop = false;
+  std::set<std::string, std::less<>> swizzled;  // the variables whose swizzles this function wrote so far
+};
+
+struct Rules {
+  using Names = std::map<std::string, std::string, std::less<>>;
+  Names operators = {};    // binary ones: "%" becomes a call of this function, "%=" an assignment of one
+  Names functions = {};    // calls of other functions
+  std::string minus = {};  // what the unary minus of anything but a number calls
+  // The code for an expression, or nothing if the other rules are to decide; asked first. It begins with the code of
+  // the expression's first part, without the space before it.
+  using Render = std::function<Rewritten(const Expression&)>;  // rewrites a part
+  using Pattern = std::optional<std::string>(const Expression&, const Render&, Place&);
+  Pattern* pattern = nullptr;
+  bool only_constants = false;  // only operators between numbers
+  // Statements before a loop, at the start of its body, and behind it.
+  std::string before_loop = {};
+  std::string in_loop = {};
+  std::string after_loop = {};
+  std::string condition = {};    // is added to the condition of each loop: "&& ..."
+  std::string initializer = {};  // is added to the value that a for loop starts with: "+ 1"
+  // Whether the bodies of macros with parameters are code as well; not what the suite itself looks at values with.
+  bool in_macros = true;
+};
+
+// The text by the rules. Rewritten are the bodies of functions and of macros that are expressions; the initializers of
+// constants, which may call nothing, stay.
+Result<std::string> rewrite(std::string_view text, const Rules& rules);
+
+}  // namespace hn
