@@ -38,7 +38,8 @@ function describeFloat(value) {
 }
 
 function describeWord(word, type) {
-  if (type === "f32") return describeFloat(floatOf(word));
+  // f64: the value of a golden file, which a shader has as a float.
+  if (type === "f32" || type === "f64") return describeFloat(floatOf(word));
   return `${type === "i32" ? word | 0 : word} (0x${hex(word)})`;
 }
 

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "golden.hpp"
 #include "test_support.hpp"
@@ -104,6 +105,40 @@ TEST(Suite, ARefusalNamesItsWord) {
   EXPECT_TRUE(text_of(suite, test["fragment"]).starts_with("#version 100\n"));
 }
 
+TEST(Suite, AVertexEvaluatesInItsOwnShader) {
+  const Json suite = suite_of("noise2d.perlin.lattice.fast.vertex.es300.golden");
+  const Json& program = suite["programs"][suite["cases"][0]["program"].get<std::size_t>()];
+  EXPECT_EQ(program["stage"], "vertex");
+  EXPECT_NE(text_of(suite, program["vertex"]).find("evaluate("), std::string::npos);
+  EXPECT_EQ(text_of(suite, program["fragment"]).find("evaluate("), std::string::npos);
+}
+
+TEST(Suite, TwoWaysHaveAProgramEachAndTheirPoints) {
+  const Json suite = suite_of("noise2d.perlin.lattice.fast.fragment.es300.in_loop");
+  const Json& test = suite["cases"][0];
+  EXPECT_EQ(test["check"], "same");
+  EXPECT_EQ(test["in_loop"], true);
+  EXPECT_NE(test["program"], test["other"]);
+  EXPECT_EQ(test["inputs"], test["other_inputs"]);
+  const Json period = suite_of("noise2d.perlin.lattice+period48.fast.fragment.es300.period")["cases"][0];
+  EXPECT_EQ(period["program"], period["other"]);
+  EXPECT_NE(period["inputs"], period["other_inputs"]);
+}
+
+TEST(Suite, ABugComesWithWhereItWasReported) {
+  const auto cases = all_cases();
+  std::size_t bugs = 0;
+  for (const Case& test : cases) {
+    if (!test.id.starts_with("bugs.") || test.id.find(".es300.") == std::string::npos) continue;
+    const Json suite = suite_of(test.id);
+    EXPECT_EQ(suite["cases"][0]["check"], "bug") << test.id;
+    EXPECT_EQ(suite["cases"][0]["defined"], test.id.ends_with(".defined")) << test.id;
+    EXPECT_NE(suite["cases"][0]["note"].get<std::string>().find("Reported in: "), std::string::npos) << test.id;
+    ++bugs;
+  }
+  EXPECT_GT(bugs, 20u);
+}
+
 TEST(Suite, AMissingGoldenFileIsAnErrorOfItsCase) {
   const TemporaryFolder nothing;
   const Json test = suite_of("noise2d.perlin.pcg.fast.fragment.es300.golden", nothing.path())["cases"][0];
@@ -112,13 +147,15 @@ TEST(Suite, AMissingGoldenFileIsAnErrorOfItsCase) {
 }
 
 TEST(Suite, EveryCaseOfEs300IsInItOrHasAReason) {
+  const std::set<std::string> kOnDrivers = {"golden",  "driver",        "refused_by_driver", "inlined",
+                                            "in_loop", "constant_seed", "uniform_seed",      "folded",
+                                            "period",  "as_fragment",   "defined",           "undefined"};
   std::size_t supported = 0;
   for (const Case& test : all_cases()) {
     const std::string reason = unsupported_in_browser(test);
-    const bool on_driver =
-        test.id.ends_with(".golden") || test.id.ends_with(".driver") || test.id.ends_with(".refused_by_driver");
+    const auto last = test.id.rfind('.') + 1;
     const bool es = test.id.find(".es300.") != std::string::npos || test.id.find(".es100.") != std::string::npos;
-    EXPECT_EQ(reason.empty(), on_driver && es) << test.id << ": " << reason;
+    EXPECT_EQ(reason.empty(), kOnDrivers.contains(test.id.substr(last)) && es) << test.id << ": " << reason;
     supported += reason.empty() ? 1 : 0;
   }
   EXPECT_GT(supported, 200u);
