@@ -123,7 +123,7 @@ TEST_P(Injected, TheBugFailsAndWithoutPasses) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Faults, Injected, testing::ValuesIn(kCaught),
-                         [](const auto& info) { return std::string(info.param.fault); });
+                         [](const auto& instance) { return std::string(instance.param.fault); });
 
 }  // namespace
 }  // namespace hn

@@ -7,6 +7,8 @@ const kWidth = 1024;
 const kHeight = 64;
 // Cases that share a program follow each other: a variant, what it is compared with, and the same in another stage.
 const kKeptPrograms = 3;
+// GPUs evaluate blocks of pixels, those beside the grid along with it: they see zeros instead of an earlier case's words.
+const kBlock = 4;
 const kNothing = 0xdeadbeef;
 
 // What the driver did wrong, with its log.
@@ -119,8 +121,9 @@ export class Renderer {
     for (const [name, { type, value }] of Object.entries(uniforms)) set(name, type, value);
   }
 
-  upload(inputs, width, height) {
+  upload(inputs, gridWidth, gridHeight) {
     const gl = this.gl;
+    const [width, height] = [gridWidth, gridHeight].map((length) => Math.ceil(length / kBlock) * kBlock);
     const words = new Uint32Array(width * height * 4);
     for (let half = 0; half < 2; ++half) {
       for (let point = 0; point * kInputWords < inputs.length; ++point) {
