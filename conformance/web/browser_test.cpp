@@ -1,6 +1,7 @@
 // The page in headless Chromium, which the machine must have for these tests.
 #include "web/browser.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -251,6 +252,70 @@ TEST(BrowserFault, ARefusalWithoutItsWordFailsAndSoDoesNone) {
   ASSERT_TRUE(
       run(other, kSome, "webgl2", changed("config.glsl", "#error HN_HASH is none", "// #error HN_HASH is none")));
   EXPECT_EQ(other.outcome(kRefused).status, Status::fail) << other.outcome(kRefused).message;
+}
+
+// A library that is wrong in one variant of the shader only, told by what the shader calls itself.
+TEST(BrowserFault, EachWayThatIsWrongFails) {
+  constexpr std::pair<std::string_view, std::string_view> kWays[] = {
+      {"CASE_VERTEX", "vertex.es300.golden"},
+      {"CASE_VERTEX", "vertex.es300.as_fragment"},
+      {"CASE_INLINED", "fragment.es300.inlined"},
+      {"CASE_IN_LOOP", "fragment.es300.in_loop"},
+      {"CASE_CONSTANT", "fragment.es300.folded"},
+      {"CASE_CONSTANT_SEED", "fragment.es300.constant_seed"},
+      {"CASE_UNIFORM_SEED", "fragment.es300.uniform_seed"}};
+  std::string faults;
+  std::vector<std::string> ids = {kNoise};
+  for (const auto& [name, check] : kWays) {
+    faults += fmt::format("#if defined({}) && !defined(FAULT)\n#define FAULT\n#endif\n", name);
+    ids.push_back(fmt::format("noise2d.perlin.lattice.fast.{}", check));
+  }
+  faults += "#ifdef FAULT\n#define hn_perlin(call) (hn_perlin(call) + 0.001)\n#endif\n";
+  SourceSet sources = SourceSet::embedded();
+  const SourceFile& file = *sources.find("noise2d.glsl");
+  sources.add("noise2d.glsl", file.text + "\n" + faults, file.path);
+  Story story;
+  ASSERT_TRUE(run(story, ids, "webgl2", sources));
+  EXPECT_EQ(story.outcome(kNoise).status, Status::pass) << story.outcome(kNoise).message;
+  for (const std::string& id : std::span(ids).subspan(1)) {
+    EXPECT_EQ(story.outcome(id).status, Status::fail) << id << ": " << story.outcome(id).message;
+    EXPECT_GT(story.outcome(id).mismatches, 0u) << id << ": " << story.outcome(id).message;
+  }
+}
+
+TEST(BrowserFault, ANoiseWithoutItsPeriodFails) {
+  SourceSet sources = SourceSet::embedded();
+  const SourceFile& file = *sources.find("noise2d.glsl");
+  sources.add("noise2d.glsl", file.text + "\n#define hn_perlin(call) (hn_perlin(call) + 0.00001 * p.x)\n", file.path);
+  const std::vector<std::string> ids = {"noise2d.perlin.lattice+period64.fast.fragment.es300.period"};
+  Story story;
+  ASSERT_TRUE(run(story, ids, "webgl2", sources));
+  EXPECT_EQ(story.outcome(ids[0]).status, Status::fail) << story.outcome(ids[0]).message;
+  EXPECT_GT(story.outcome(ids[0]).mismatches, 0u) << story.outcome(ids[0]).message;
+}
+
+// A bug's case fails if the specification says what the value is; else it warns. The same source for both: what is read
+// from the points is changed.
+TEST(BrowserFault, ABugThatIsThereFailsOrWarns) {
+  SourceSet sources = SourceSet::embedded();
+  sources.transform_with([](ShaderText& shader, const Profile&) -> Result<void> {
+    constexpr std::string_view kRead = "result = evaluate(";
+    if (const auto at = shader.text.find(kRead); at != std::string::npos) {
+      shader.text.replace(at, kRead.size(), "result = uvec4(0x12345678u) + evaluate(");
+    }
+    return {};
+  });
+  std::vector<std::string> ids;
+  for (const Case& test : all_cases()) {
+    if (test.id.starts_with("bugs.") && unsupported_in_browser(test).empty()) ids.push_back(test.id);
+  }
+  Story story;
+  ASSERT_TRUE(run(story, ids, "webgl2", sources));
+  for (const CaseResult& result : story.finished) {
+    const Status expected = result.id.ends_with(".defined") ? Status::fail : Status::warning;
+    EXPECT_EQ(result.outcome.status, expected) << result.id << ": " << result.outcome.message;
+    EXPECT_NE(result.outcome.message.find("Reported in: "), std::string::npos) << result.id;
+  }
 }
 
 // --- What can happen to a browser ------------------------------------------------------------------------------------
