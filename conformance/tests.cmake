@@ -11,7 +11,7 @@ add_executable(conform-test
   bench/amd_test.cpp bench/bench_test.cpp bench/counts_test.cpp bench/subject_test.cpp bench/tables_test.cpp
   bench/timing_test.cpp output/csv_test.cpp output/number_test.cpp output/page_test.cpp output/png_test.cpp output/svg_test.cpp
   paper/algorithm_test.cpp paper/period_test.cpp paper/published_test.cpp paper/statistics_test.cpp
-  web/base64_test.cpp web/browser_test.cpp web/suite_test.cpp)
+  web/base64_test.cpp web/browser_loss_test.cpp web/browser_test.cpp web/suite_test.cpp)
 add_dependencies(conform-test hn-conform)  # which counts for AMD in a process of its own
 target_compile_definitions(conform-test PRIVATE HN_CONFORM_PROGRAM="$<TARGET_FILE:hn-conform>")
 target_compile_definitions(conform-test PRIVATE HN_GOLDEN_DIRECTORY="${CMAKE_CURRENT_SOURCE_DIR}/golden")

@@ -3,61 +3,17 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <algorithm>
-#include <chrono>
 #include <fstream>
-#include <map>
-#include <thread>
+#include <utility>
 
 #include "case.hpp"
 #include "test_support.hpp"
+#include "web/browser_story.hpp"
 #include "web/suite.hpp"
 
 namespace hn {
 namespace {
-
-constexpr const char* kHash = "hash.vec2.pcg.exact.fragment.es300.golden";
-constexpr const char* kNoise = "noise2d.perlin.lattice.fast.fragment.es300.golden";
-constexpr const char* kCompiles = "fbm.all.lattice.fast.fragment.es300.driver";
-constexpr const char* kRefused = "config.hash_10.any.fast.fragment.es300.refused_by_driver";
-constexpr const char* kDesktop = "noise2d.perlin.lattice.fast.fragment.gl330.golden";
-constexpr const char* kTwin = "noise2d.perlin.lattice.fast.fragment.gl330.twin";
-const std::vector<std::string> kSome = {kHash, kNoise, kCompiles, kRefused};
-
-// What a run told, in its order.
-struct Story {
-  std::vector<ContextInfo> infos;
-  std::vector<std::string> started;
-  std::vector<CaseResult> finished;
-  std::function<void(const std::string&)> on_start = [](const std::string&) {};
-
-  CaseEvents events() {
-    return {[this](const ContextInfo& info) { infos.push_back(info); },
-            [this](const std::string& id) {
-              started.push_back(id);
-              on_start(id);
-            },
-            [this](const CaseResult& result) { finished.push_back(result); }};
-  }
-  std::vector<std::string> finished_ids() const {
-    std::vector<std::string> ids;
-    for (const CaseResult& result : finished) ids.push_back(result.id);
-    return ids;
-  }
-  const Outcome& outcome(const std::string& id) const {
-    return std::find_if(finished.begin(), finished.end(), [&](const CaseResult& r) { return r.id == id; })->outcome;
-  }
-};
-
-Result<void> run(Story& story, std::span<const std::string> ids, std::string_view browser = "webgl2",
-                 const SourceSet& sources = SourceSet::embedded(),
-                 const std::filesystem::path& golden = HN_GOLDEN_DIRECTORY) {
-  return run_in_browser(*find_browser(browser), sources, golden, ids, story.events());
-}
 
 SourceSet changed(const char* file, std::string_view old, std::string_view with) {
   SourceSet sources = SourceSet::embedded();
@@ -67,44 +23,6 @@ SourceSet changed(const char* file, std::string_view old, std::string_view with)
   if (at == std::string::npos) throw std::invalid_argument(std::string(old));
   sources.add(file, text.replace(at, old.size(), with), original->path);
   return sources;
-}
-
-// The processes whose command line has a text in it.
-std::vector<pid_t> processes_with(std::string_view text) {
-  std::vector<pid_t> found;
-  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
-    const pid_t pid = std::atoi(entry.path().filename().c_str());
-    std::ifstream in(entry.path() / "cmdline", std::ios::binary);
-    const std::string line(std::istreambuf_iterator<char>(in), {});
-    if (pid > 0 && line.find(text) != std::string::npos) found.push_back(pid);
-  }
-  return found;
-}
-
-// The name of the profile folders of a process, in the command line of every process of Chromium that has one.
-std::string folder_of(pid_t owner) { return "hashnoise-browser-" + std::to_string(owner) + "-"; }
-
-bool has_folders(pid_t owner) {
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::temp_directory_path())) {
-    if (entry.path().filename().string().starts_with(folder_of(owner))) return true;
-  }
-  return false;
-}
-
-void kill_chromium(std::string_view type) {
-  for (const pid_t pid : processes_with(folder_of(getpid()))) {
-    const auto typed = processes_with(type);
-    if (std::find(typed.begin(), typed.end(), pid) != typed.end()) kill(pid, SIGKILL);
-  }
-}
-
-void expect_nothing_is_left(pid_t owner) {
-  using namespace std::chrono_literals;
-  const auto deadline = std::chrono::steady_clock::now() + 10s;
-  const auto left = [&] { return has_folders(owner) || !processes_with(folder_of(owner)).empty(); };
-  while (left() && std::chrono::steady_clock::now() < deadline) std::this_thread::sleep_for(50ms);
-  EXPECT_FALSE(has_folders(owner));
-  EXPECT_TRUE(processes_with(folder_of(owner)).empty());
 }
 
 TEST(Browser, ItIsWhatItsNameSays) {
@@ -316,88 +234,6 @@ TEST(BrowserFault, ABugThatIsThereFailsOrWarns) {
     EXPECT_EQ(result.outcome.status, expected) << result.id << ": " << result.outcome.message;
     EXPECT_NE(result.outcome.message.find("Reported in: "), std::string::npos) << result.id;
   }
-}
-
-// --- What can happen to a browser ------------------------------------------------------------------------------------
-
-TEST(BrowserLoss, ALostContextCostsItsCaseAndTheOthersGoOn) {
-  for (const Browser& browser : all_browsers()) {
-    Story story;
-    story.on_start = [](const std::string& id) {
-      if (id == kNoise) kill_chromium("--type=gpu-process");
-    };
-    const auto done = run(story, kSome, browser.name);
-    ASSERT_TRUE(done) << browser.name << ": " << done.error().text();
-    EXPECT_EQ(story.finished_ids(), kSome);
-    for (const std::string& id : kSome) {
-      EXPECT_EQ(story.outcome(id).status, id == kNoise ? Status::crash : Status::pass)
-          << browser.name << ": " << id << ": " << story.outcome(id).message;
-    }
-  }
-}
-
-TEST(BrowserLoss, APageThatIsGoneIsAnErrorThatNamesTheCase) {
-  Story story;
-  story.on_start = [](const std::string& id) {
-    if (id == kNoise) kill_chromium("--type=renderer");
-  };
-  const auto done = run(story, kSome);
-  ASSERT_FALSE(done);
-  EXPECT_NE(done.error().message.find(std::string("while ") + kNoise + " ran"), std::string::npos)
-      << done.error().message;
-  EXPECT_EQ(story.finished_ids(), std::vector<std::string>{kHash});
-  expect_nothing_is_left(getpid());
-}
-
-TEST(BrowserLoss, ABrowserThatIsGoneIsAnErrorThatNamesTheCase) {
-  Story story;
-  story.on_start = [](const std::string& id) {
-    if (id == kNoise) kill_chromium("--headless=new");
-  };
-  const auto done = run(story, kSome);
-  ASSERT_FALSE(done);
-  EXPECT_NE(done.error().message.find(std::string("while ") + kNoise + " ran"), std::string::npos)
-      << done.error().message;
-  expect_nothing_is_left(getpid());
-}
-
-// hn-conform kills what takes too long, and may be killed itself: with its whole group, and while Chromium is stopped.
-TEST(BrowserLoss, NothingOutlivesAProcessThatIsKilled) {
-  std::array<int, 2> running{};
-  ASSERT_EQ(pipe(running.data()), 0);
-  const pid_t child = fork();
-  if (child == 0) {
-    setpgid(0, 0);
-    Story story;
-    story.on_start = [&](const std::string&) {
-      for (const pid_t pid : processes_with(folder_of(getpid()))) kill(pid, SIGSTOP);
-      if (write(running[1], "x", 1) == 1) pause();
-    };
-    const bool ended = run(story, kSome).has_value();
-    _exit(ended ? 0 : 1);
-  }
-  close(running[1]);
-  char byte = 0;
-  EXPECT_EQ(read(running[0], &byte, 1), 1);
-  EXPECT_FALSE(processes_with(folder_of(child)).empty());
-  kill(-child, SIGKILL);
-  int status = 0;
-  EXPECT_EQ(waitpid(child, &status, 0), child);
-  EXPECT_TRUE(WIFSIGNALED(status));
-  expect_nothing_is_left(child);
-  // Chromium and its guard had the other end as well, unless they closed it.
-  EXPECT_EQ(read(running[0], &byte, 1), 0);
-  close(running[0]);
-}
-
-TEST(BrowserLoss, AFolderThatWasLeftIsRemoved) {
-  const pid_t child = fork();
-  if (child == 0) _exit(0);
-  waitpid(child, nullptr, 0);
-  std::filesystem::create_directories(std::filesystem::temp_directory_path() / (folder_of(child) + "left"));
-  ASSERT_TRUE(has_folders(child));
-  ASSERT_TRUE(describe_browser(*find_browser("webgl2")));
-  EXPECT_FALSE(has_folders(child));
 }
 
 }  // namespace

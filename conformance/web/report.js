@@ -119,8 +119,9 @@ export function showResults(version, info, results) {
   }
   if (wrong.length > kMostShown) found.append(element("p", {}, `… and ${wrong.length - kMostShown} more cases.`));
   for (const [status, title] of [["warning", "Warnings"], ["unsupported", "Not supported here"]]) {
-    const rows = byReason(results, status);
-    if (rows.length) found.append(element("h2", {}, title), table(["cases", "why"], rows));
+    const reasons = byReason(results, status).map(
+      ([ids, reason]) => element("section", {}, element("h3", {}, ids), element("p", {}, reason)));
+    if (reasons.length) found.append(element("h2", {}, title), ...reasons);
   }
   const differences = largestDifferences(results);
   if (differences.length) {
