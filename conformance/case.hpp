@@ -96,10 +96,21 @@ struct Session : Suite {
   PointSet kept_points_;
 };
 
+// What a case has the driver compile, and nothing else.
+struct Compilation {
+  const Profile& profile;
+  std::string fragment;  // the shader, before its includes are expanded
+  std::string_view refusal =
+      {};                // the word that the driver's error must have; empty if the shader must compile and link
+  bool too_old = false;  // a driver may refuse the version before it reads the library's words
+};
+
 struct Case {
   std::string id;  // file.function.hash.arithmetic.stage.profile.check
   std::function<Outcome(Session&)> run;
-  std::shared_ptr<const Evaluation> evaluation = {};  // if it is about values: for pictures of what failed
+  // What it is about, for pictures of what failed and for those who run it elsewhere: values or a compilation.
+  std::shared_ptr<const Evaluation> evaluation = {};
+  std::shared_ptr<const Compilation> compilation = {};
   std::string about = {};  // where it comes from, in lines for hn-conform list --about; mostly nothing
   std::function<Outcome(const Suite&)> compile = {};  // in place of run, for what the reference compiler alone says
 

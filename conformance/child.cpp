@@ -15,6 +15,7 @@
 #include "process.hpp"
 #include "results.hpp"
 #include "timings.hpp"
+#include "web/browser.hpp"
 
 namespace hn {
 namespace {
@@ -71,12 +72,42 @@ void run_driver_cases(const Suite& suite, const Context& context, const Driver& 
   }
 }
 
+// A browser that cannot be started is absent; one that ends later has crashed in the case that ran, as this process
+// does.
+int run_browser_cases(const Job& job, const Browser& browser, const SourceSet& sources) {
+  bool ready = false;
+  const CaseEvents events = {.ready =
+                                 [&](const ContextInfo& info) {
+                                   ready = true;
+                                   report({{"ready", to_json(info)}});
+                                 },
+                             .started = [](const std::string&) {},
+                             .finished =
+                                 [](const CaseResult& result) {
+                                   report({{"result", to_json(result)}});
+                                 }};
+  const auto done = run_in_browser(browser, sources, job.suite.golden, job.ids, events);
+  if (done) return EXIT_SUCCESS;
+  if (!ready) report({{"absent", done.error().text()}});
+  fmt::print(stderr, "{}\n", done.error().text());
+  return EXIT_FAILURE;
+}
+
+int describe_in_browser(const Browser& browser) {
+  const auto info = describe_browser(browser);
+  report(info ? nlohmann::ordered_json{{"ready", to_json(*info)}}
+              : nlohmann::ordered_json{{"absent", info.error().text()}});
+  return EXIT_SUCCESS;
+}
+
 int run_on_driver(const Job& job, const Driver& driver) {
   const auto sources = suite_sources(job.suite);
   if (!sources) {
     report({{"error", sources.error().text()}});
     return EXIT_FAILURE;
   }
+  if (driver.browser && job.task == Task::describe) return describe_in_browser(*driver.browser);
+  if (driver.browser && job.task == Task::cases) return run_browser_cases(job, *driver.browser, *sources);
   const ReferenceCompiler reference;
   const Suite suite{*sources, reference, job.suite.golden, job.suite.seed};
   const std::vector<Case> all = job.task == Task::describe ? std::vector<Case>{} : all_cases();

@@ -76,6 +76,13 @@ struct PaperCommand {
 };
 int paper_command(const PaperCommand& options);
 
+struct WebCommand {
+  std::string out = "out";
+  std::string glsl;
+  std::string golden;
+};
+int web_command(const WebCommand& options);
+
 // A context with what stands above every result; or the exit status, after a message, where there is none.
 struct OpenDriver {
   std::unique_ptr<Context> context;

@@ -21,12 +21,13 @@ Outcome check_with_glslang(const Suite& suite, const Profile& profile, const std
                 : outcome_with(Status::fail, source.error());
 }
 
-Outcome check_with_driver(Session& session, const Profile& profile, const std::string& text) {
+Outcome check_with_driver(Session& session, const Compilation& compilation) {
+  const Profile& profile = compilation.profile;
   if (const auto reason = unsupported_reason(profile, session.info.languages); !reason.empty()) {
     return outcome_with(Status::unsupported, {reason, {}});
   }
   const auto vertex = expand(session.sources, profile, vertex_shader());
-  const auto fragment = expand(session.sources, profile, text);
+  const auto fragment = expand(session.sources, profile, compilation.fragment);
   if (!vertex) return outcome_with(Status::error, vertex.error());
   if (!fragment) return outcome_with(Status::fail, fragment.error());
   const auto program = Program::build(session.context, *vertex, *fragment);
@@ -50,10 +51,12 @@ void add_file_cases(std::vector<Case>& cases, std::string_view file, const Confi
   add_glslang(Stage::vertex);
   if (profile.version >= (profile.es ? 310 : 430)) add_glslang(Stage::compute);
   if (profile.spirv) return;
-  cases.push_back({id(Stage::fragment, "driver"), [=, &configuration, &profile](Session& session) {
-                     return check_with_driver(session, profile,
-                                              calling_shader(file, configuration, profile, Stage::fragment));
-                   }});
+  const auto compilation = std::make_shared<const Compilation>(
+      Compilation{profile, calling_shader(file, configuration, profile, Stage::fragment)});
+  cases.push_back({id(Stage::fragment, "driver"),
+                   [=](Session& session) { return check_with_driver(session, *compilation); },
+                   {},
+                   compilation});
 }
 
 // Every hash is other code, and so is each other knob by itself; combinations are not.
@@ -88,40 +91,43 @@ constexpr Refusal kRefusals[] = {
     {"custom_without_function", "gl330", "#define HN_HASH HN_HASH_CUSTOM\n", "HN_HASH_FN"},
 };
 
-Outcome expect_refusal(const Refusal& refusal, const Result<void>& compiled) {
+Outcome expect_refusal(const Compilation& compilation, const Result<void>& compiled) {
+  const std::string_view expected = compilation.refusal;
   if (compiled) {
-    return outcome_with(Status::fail,
-                        {fmt::format("it compiles; an error that names {} was due", refusal.expected), {}});
+    return outcome_with(Status::fail, {fmt::format("it compiles; an error that names {} was due", expected), {}});
   }
-  if (compiled.error().log.find(refusal.expected) != std::string::npos) return {};
+  if (compiled.error().log.find(expected) != std::string::npos) return {};
   return outcome_with(Status::fail,
-                      {fmt::format("it is refused, but nothing names {}", refusal.expected), compiled.error().log});
+                      {fmt::format("it is refused, but nothing names {}", expected), compiled.error().log});
+}
+
+Outcome check_refused_by_driver(Session& session, const Compilation& compilation) {
+  const auto text = expand(session.sources, compilation.profile, compilation.fragment);
+  if (!text) return outcome_with(Status::error, text.error());
+  const auto compiled = compile_only(session.context, *text, Stage::fragment);
+  auto outcome = expect_refusal(compilation, compiled);
+  const bool refused_unread = !compiled && outcome.status == Status::fail && compilation.too_old;
+  if (refused_unread) outcome.status = Status::unsupported;
+  return outcome;
 }
 
 void add_refusal_cases(std::vector<Case>& cases, const Refusal& refusal) {
-  const Profile& profile = profile_named(refusal.profile);
+  const auto compilation = std::make_shared<const Compilation>(Compilation{
+      profile_named(refusal.profile), fmt::format("{}#include \"config.glsl\"\nvoid main() {{}}\n", refusal.knobs),
+      refusal.expected, refusal.name.starts_with("version")});
   const auto id = [&](std::string_view check) {
-    return fmt::format("config.{}.any.fast.fragment.{}.{}", refusal.name, profile.name, check);
+    return fmt::format("config.{}.any.fast.fragment.{}.{}", refusal.name, compilation->profile.name, check);
   };
-  const auto source = [&profile, &refusal](const Suite& suite) {
-    return expand(suite.sources, profile, fmt::format("{}#include \"config.glsl\"\nvoid main() {{}}\n", refusal.knobs));
-  };
-  cases.push_back({.id = id("refused_by_glslang"), .run = {}, .compile = [=, &profile, &refusal](const Suite& suite) {
-                     const auto text = source(suite);
+  cases.push_back({.id = id("refused_by_glslang"), .run = {}, .compile = [=](const Suite& suite) {
+                     const auto text = expand(suite.sources, compilation->profile, compilation->fragment);
                      if (!text) return outcome_with(Status::error, text.error());
-                     return expect_refusal(refusal, suite.reference.check(*text, profile, Stage::fragment));
+                     return expect_refusal(*compilation,
+                                           suite.reference.check(*text, compilation->profile, Stage::fragment));
                    }});
-  cases.push_back({id("refused_by_driver"), [=, &refusal](Session& session) {
-                     const auto text = source(session);
-                     if (!text) return outcome_with(Status::error, text.error());
-                     const auto compiled = compile_only(session.context, *text, Stage::fragment);
-                     auto outcome = expect_refusal(refusal, compiled);
-                     // A driver that does not know so old a version says so before it reads the library's words.
-                     const bool old_version = refusal.name.starts_with("version");
-                     const bool refused_unread = !compiled && outcome.status == Status::fail && old_version;
-                     if (refused_unread) outcome.status = Status::unsupported;
-                     return outcome;
-                   }});
+  cases.push_back({id("refused_by_driver"),
+                   [=](Session& session) { return check_refused_by_driver(session, *compilation); },
+                   {},
+                   compilation});
 }
 
 }  // namespace

@@ -17,7 +17,7 @@
 
 namespace {
 
-constexpr const char* kCommands = "drivers, list, run, merge, bench or paper";
+constexpr const char* kCommands = "drivers, list, run, merge, bench, paper or web";
 
 // Options that several commands have.
 void add_driver(CLI::App& command, std::string& driver) {
@@ -136,6 +136,15 @@ void add_paper(CLI::App& app, hn::PaperCommand& options) {
                    "counted as spirv/ID.spv");
 }
 
+void add_web(CLI::App& app, hn::WebCommand& options) {
+  CLI::App& command = *app.add_subcommand("web", "Write the page that checks a browser: one file, for any web server");
+  add_out(command, options.out, "index.html");
+  add_glsl(command, options.glsl);
+  command.add_option("--golden", options.golden, "The folder of the golden files")
+      ->type_name("DIR")
+      ->capture_default_str();
+}
+
 // As a shell would take it again.
 std::string command_line(int argc, char** argv) {
   std::string line = "hn-conform";
@@ -180,6 +189,9 @@ int dispatch(int argc, char** argv) {
   add_merge(app, merge);
   add_bench(app, bench);
   add_paper(app, paper);
+  hn::WebCommand web;
+  web.golden = HN_GOLDEN_DIRECTORY;
+  add_web(app, web);
 
   try {
     app.parse(argc, argv);
@@ -197,6 +209,7 @@ int dispatch(int argc, char** argv) {
   if (app.got_subcommand("merge")) return hn::merge_command(merge);
   if (app.got_subcommand("bench")) return hn::bench_command(bench);
   if (app.got_subcommand("paper")) return hn::paper_command(paper);
+  if (app.got_subcommand("web")) return hn::web_command(web);
   return hn::usage_error(fmt::format("say what to do: {}; --help tells more", kCommands));
 }
 

@@ -5,157 +5,54 @@
 #include <bit>
 #include <cmath>
 
-#include "points.hpp"
-#include "tolerance.hpp"
+#include "pairing.hpp"
 #include "value_checks.hpp"
 
 namespace hn {
 namespace {
 
-constexpr std::size_t kPoints = std::size_t{1} << 12;
-// A shader with the noise in it so often takes long to compile.
-constexpr std::size_t kConstantPoints = 4;
+// In a loop each trip leaves a word, of the point at hand and of its neighbours; as in the shader: exact functions may
+// have several words, and those that a function has not are 0.
+std::uint32_t left_by_trip(std::span<const std::uint32_t> words) { return words[0] ^ words[1] ^ words[2] ^ words[3]; }
 
-double allowed_between_two(const Evaluation& evaluation, std::span<const std::uint32_t> inputs) {
-  return 2.0 * tolerance(evaluation.function, evaluation.configuration, inputs);
-}
-
-// The same, evaluated as most cases do, so that its program need not be built for this.
-Evaluation plain(const Evaluation& evaluation) {
-  return {evaluation.function, evaluation.configuration, profile_named(evaluation.profile.es ? "es300" : "gl330")};
-}
-
-Words points_for(Session& session, const Evaluation& evaluation, std::size_t count) {
-  const Function& function = evaluation.function;
-  Words inputs = random_points(function, count, Random(session.seed, "metamorphic"));
-  if (evaluation.variant.seed_from != SeedFrom::point) {
-    const auto seed = static_cast<std::size_t>(function.seed_word());
-    for (std::size_t i = seed; i < inputs.size(); i += kInputWords) inputs[i] = kVariantSeed;
-  }
-  return inputs;
-}
-
-Outcome compare_on(Session& session, const Evaluation& evaluation, const Words& inputs) {
-  const auto expected = evaluate(session, plain(evaluation), inputs);
+Outcome compare(Session& session, const Pairing& pairing) {
+  const auto expected = evaluate(session, pairing.other, pairing.other_inputs);
   if (!expected) return expected.error();
-  const auto got = evaluate(session, evaluation, inputs);
+  const auto got = evaluate(session, pairing.evaluation, pairing.inputs);
   if (!got) return got.error();
-  Comparison comparison(evaluation.function, inputs);
-  for (std::size_t i = 0; i * kInputWords < inputs.size(); ++i) {
-    const auto in = point(inputs, i);
-    compare_with_twin(comparison, evaluation.function, in, result(*got, i), result(*expected, i),
-                      allowed_between_two(evaluation, in));
+  const Function& function = pairing.evaluation.function;
+  Comparison comparison(function, pairing.inputs);
+  const auto compare_word = [&](std::size_t i, std::uint32_t word, std::uint32_t other) {
+    const auto in = point(pairing.inputs, i);
+    if (pairing.exact) {
+      comparison.bits(in, word, other);
+    } else {
+      comparison.number(in, std::bit_cast<float>(word), static_cast<double>(std::bit_cast<float>(other)),
+                        pairing.allowed[i]);
+    }
+  };
+  for (std::size_t i = 0; i < pairing.allowed.size(); ++i) {
+    const auto words = result(*got, i);
+    for (std::size_t trip = 0; pairing.in_loop() && trip < kLoopTrips; ++trip) {
+      compare_word(i ^ trip, words[trip], left_by_trip(result(*expected, i ^ trip)));
+    }
+    for (std::size_t word = 0; !pairing.in_loop() && word < function.outputs.size(); ++word) {
+      compare_word(i, words[word], result(*expected, i)[word]);
+    }
   }
   return comparison.finish();
 }
 
-// A variant of the shader, or another stage, against the plain fragment shader.
 Outcome check_variant(Session& session, const Evaluation& evaluation) {
-  return compare_on(session, evaluation, points_for(session, evaluation, kPoints));
+  return compare(session, variant_pairing(evaluation, session.seed));
 }
 
-// Points that are constants in the shader's text, so that the compiler may evaluate the function itself.
 Outcome check_folded(Session& session, const Evaluation& evaluation) {
-  const Words inputs = points_for(session, evaluation, kConstantPoints);
-  Evaluation folded = evaluation;
-  folded.variant.shape = Shape::constant;
-  folded.variant.constants = inputs;
-  return compare_on(session, folded, inputs);
+  return compare(session, folded_pairing(evaluation, session.seed));
 }
 
-// Each trip of the loop leaves a word, of the point at hand and of its neighbours.
-Outcome check_in_loop(Session& session, const Evaluation& evaluation) {
-  const Function& function = evaluation.function;
-  const Words inputs = points_for(session, evaluation, kPoints);
-  const auto expected = evaluate(session, plain(evaluation), inputs);
-  if (!expected) return expected.error();
-  const auto got = evaluate(session, evaluation, inputs);
-  if (!got) return got.error();
-  Comparison comparison(function, inputs);
-  for (std::size_t i = 0; i < kPoints; ++i) {
-    for (std::size_t trip = 0; trip < kLoopTrips; ++trip) {
-      const auto in = point(inputs, i ^ trip);
-      const auto words = result(*expected, i ^ trip);
-      // As in the shader: exact functions may have several words, and those that a function has not are 0.
-      const std::array<std::uint32_t, 1> word = {words[0] ^ words[1] ^ words[2] ^ words[3]};
-      const std::uint32_t left = result(*got, i)[trip];
-      if (function.exact()) {
-        comparison.bits(in, left, word[0]);
-      } else {
-        comparison.number(in, std::bit_cast<float>(left), static_cast<double>(std::bit_cast<float>(word[0])),
-                          allowed_between_two(evaluation, in));
-      }
-    }
-  }
-  return comparison.finish();
-}
-
-// --- Period ----------------------------------------------------------------------------------------------------------
-
-// The columns of coordinates come first, as many as there are axes; those of a cell's fraction keep their values.
-std::size_t axes_of(const Function& function) { return function.id.find('3') == std::string_view::npos ? 2 : 3; }
-
-struct Pair {
-  std::uint32_t here;
-  std::uint32_t there;  // some periods on
-};
-
-Pair coordinates(WordType type, std::uint32_t period, Random& random) {
-  const auto periods = static_cast<std::int32_t>(random.below(3)) - 1;
-  if (type == WordType::i32) {
-    const auto cell = static_cast<std::int32_t>(random.below(1u << 30)) - (1 << 29);
-    // Far apart, since an int has room for it.
-    const std::int32_t step = static_cast<std::int32_t>(period) * 64;
-    return {static_cast<std::uint32_t>(cell), static_cast<std::uint32_t>(cell + periods * step)};
-  }
-  // Multiples of 1/8, so that both positions are floats, and with a whole lacunarity those of all octaves: below
-  // 9 * 48 * 3^4 in units of 1/32.
-  const auto cells = static_cast<float>(period);
-  const float p = std::floor(random.uniform(-8.0f * cells, 8.0f * cells)) / 8.0f;
-  return {std::bit_cast<std::uint32_t>(p), std::bit_cast<std::uint32_t>(p + static_cast<float>(periods) * cells)};
-}
-
-// Points a whole number of periods apart along each axis, opposite corners of it among them. A noise has the same bits
-// there: its cells and its fractions are the same. So does an octave sum if no position is rounded; it is held to its
-// tolerance.
 Outcome check_period(Session& session, const Evaluation& evaluation) {
-  const Function& function = evaluation.function;
-  const bool octave_sum = function.input("octaves") >= 0;
-  Random random(session.seed, "period");
-  Words inputs = random_points(function, kPoints, random);
-  Words others = inputs;
-  for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
-    if (octave_sum) {
-      const auto lacunarity = i + static_cast<std::size_t>(function.input("lacunarity"));
-      inputs[lacunarity] = others[lacunarity] =
-          std::bit_cast<std::uint32_t>(1.0f + static_cast<float>(random.below(3)));
-    }
-    for (std::size_t axis = 0; axis < axes_of(function); ++axis) {
-      const Pair pair = coordinates(function.inputs[axis].type, evaluation.configuration.period(), random);
-      inputs[i + axis] = pair.here;
-      others[i + axis] = pair.there;
-    }
-  }
-  const auto here = evaluate(session, evaluation, inputs);
-  if (!here) return here.error();
-  const auto there = evaluate(session, evaluation, others);
-  if (!there) return there.error();
-  Comparison comparison(function, others);
-  for (std::size_t i = 0; i < kPoints; ++i) {
-    const double allowed = tolerance(function, evaluation.configuration, point(inputs, i)) +
-                           tolerance(function, evaluation.configuration, point(others, i));
-    for (std::size_t word = 0; word < function.outputs.size(); ++word) {
-      const std::uint32_t got = result(*there, i)[word];
-      const std::uint32_t expected = result(*here, i)[word];
-      if (octave_sum) {
-        comparison.number(point(others, i), std::bit_cast<float>(got),
-                          static_cast<double>(std::bit_cast<float>(expected)), allowed);
-      } else {
-        comparison.bits(point(others, i), got, expected);
-      }
-    }
-  }
-  return comparison.finish();
+  return compare(session, period_pairing(evaluation, session.seed));
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -188,7 +85,7 @@ void add_variants(std::vector<Case>& cases, const Function& function, const Conf
     add_case(cases, {function, configuration, profile, variant}, name, check);
   };
   add({.shape = Shape::inlined}, "inlined", check_variant);
-  add({.shape = Shape::in_loop}, "in_loop", check_in_loop);
+  add({.shape = Shape::in_loop}, "in_loop", check_variant);
   add({.seed_from = SeedFrom::constant}, "constant_seed", check_variant);
   add({.seed_from = SeedFrom::uniform}, "uniform_seed", check_variant);
   add({}, "folded", check_folded);

@@ -10,7 +10,8 @@ add_executable(conform-test
   fault/rewriter_test.cpp tolerance_test.cpp twin_test.cpp
   bench/amd_test.cpp bench/bench_test.cpp bench/counts_test.cpp bench/subject_test.cpp bench/tables_test.cpp
   bench/timing_test.cpp output/csv_test.cpp output/number_test.cpp output/page_test.cpp output/png_test.cpp output/svg_test.cpp
-  paper/algorithm_test.cpp paper/period_test.cpp paper/published_test.cpp paper/statistics_test.cpp)
+  paper/algorithm_test.cpp paper/period_test.cpp paper/published_test.cpp paper/statistics_test.cpp
+  web/base64_test.cpp web/browser_loss_test.cpp web/browser_test.cpp web/suite_test.cpp)
 add_dependencies(conform-test hn-conform)  # which counts for AMD in a process of its own
 target_compile_definitions(conform-test PRIVATE HN_CONFORM_PROGRAM="$<TARGET_FILE:hn-conform>")
 target_compile_definitions(conform-test PRIVATE HN_GOLDEN_DIRECTORY="${CMAKE_CURRENT_SOURCE_DIR}/golden")
@@ -21,6 +22,7 @@ gtest_discover_tests(conform-test TEST_PREFIX unit.)
 add_test(NAME cli COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli_test.py $<TARGET_FILE:hn-conform>)
 add_test(NAME cli_bench COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/bench_cli_test.py $<TARGET_FILE:hn-conform>)
 add_test(NAME cli_paper COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/paper_cli_test.py $<TARGET_FILE:hn-conform>)
+add_test(NAME cli_web COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/web_cli_test.py $<TARGET_FILE:hn-conform>)
 
 # --- The library on this machine's drivers ---
 foreach(driver osmesa egl)

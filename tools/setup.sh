@@ -14,13 +14,13 @@ readonly log=$build/setup.log
 readonly conform_packages=(
   cmake g++ ninja-build
   glslang-dev glslang-tools spirv-tools
-  python3-glad libboost-math-dev libcli11-dev libexpected-dev libfccp-dev libfmt-dev libkainjow-mustache-dev libpng-dev
-  libvulkan-dev nlohmann-json3-dev
+  python3-glad libboost-math-dev libcli11-dev libcpp-httplib-dev libexpected-dev libfccp-dev libfmt-dev
+  libkainjow-mustache-dev libpng-dev libvulkan-dev nlohmann-json3-dev pkg-config
   libegl-dev libglfw3-dev libosmesa6 libegl1 libegl-mesa0 libgl1-mesa-dri
 )
 readonly paper_packages=(libvulkan1 mesa-vulkan-drivers)
 # Every driver that a machine without a GPU and a display can have.
-readonly driver_packages=("${paper_packages[@]}" libglfw3 xvfb)
+readonly driver_packages=("${paper_packages[@]}" chromium libglfw3 xvfb)
 readonly test_packages=("${driver_packages[@]}" clang libgtest-dev python3)
 
 install_missing() {

@@ -47,6 +47,8 @@ class Context {
   Api api_ = Api::gl;
 };
 
+struct Browser;  // web/browser.hpp
+
 // Not a driver of OpenGL, but run like one: the cases that ask glslang alone.
 inline constexpr std::string_view kReferenceCompiler = "glslang";
 
@@ -59,6 +61,8 @@ struct Driver {
   std::function<Result<std::unique_ptr<Context>>()> create = {};
   // Points at which a function is compared with its twin; fewer where evaluating takes long.
   std::size_t twin_points = std::size_t{1} << 20;
+  // In place of create: the cases run in its page. Not to be called by anybody else.
+  const Browser* browser = nullptr;
 
   bool is_reference_compiler() const { return name == kReferenceCompiler; }
 };

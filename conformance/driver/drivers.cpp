@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "../vulkan_drivers.hpp"
+#include "../web/browser.hpp"
 #include "driver.hpp"
 
 namespace hn {
@@ -83,6 +84,12 @@ std::vector<Driver> common_drivers() {
       create_egl);
   add_mesa_drivers(drivers);
   add_glfw_drivers(drivers);
+  for (const Browser& browser : all_browsers()) {
+    drivers.push_back({.name = std::string(browser.name),
+                       .description = std::string(browser.description),
+                       .create = [] { return CreatedContext(fail("a browser runs the cases of the suite only")); },
+                       .browser = &browser});
+  }
   return drivers;
 }
 

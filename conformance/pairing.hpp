@@ -1,0 +1,41 @@
+// Two ways to the same values, as data: the metamorphic checks evaluate both on a driver, the page in a browser.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "functions.hpp"
+
+namespace hn {
+
+// What must agree, point by point. evaluation.variant.constants may be a part of inputs.
+struct Pairing {
+  Evaluation evaluation;
+  Evaluation other;                         // what it is held against
+  std::vector<std::uint32_t> inputs;        // kInputWords per point
+  std::vector<std::uint32_t> other_inputs;  // the same for the other; often the same words
+  std::vector<double> allowed;              // by point; 0 if every bit counts
+  bool exact;                               // every bit counts
+
+  // Whether each word of a result is of another point: of the one at hand, and of its neighbours.
+  bool in_loop() const { return evaluation.variant.shape == Shape::in_loop; }
+};
+
+// The points of most metamorphic checks.
+inline constexpr std::size_t kPairingPoints = std::size_t{1} << 12;
+
+// A variant of the shader, or another stage, against the plain fragment shader.
+Pairing variant_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
+// Points that are constants in the shader's text, so that the compiler may evaluate the function itself.
+Pairing folded_pairing(const Evaluation& evaluation, std::uint64_t seed);
+// Points a whole number of periods apart.
+Pairing period_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
+
+// Any of them by the name of the check; nothing if that is no metamorphic check.
+std::optional<Pairing> pairing_of(std::string_view check, const Evaluation& evaluation, std::uint64_t seed,
+                                  std::size_t points);
+
+}  // namespace hn

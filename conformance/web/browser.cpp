@@ -1,0 +1,183 @@
+#include "web/browser.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "web/chromium.hpp"
+#include "web/page_server.hpp"
+#include "web/suite.hpp"
+
+namespace hn {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Json = nlohmann::json;
+
+// Three seconds on two idle cores. How long a case may take is for the caller to say.
+constexpr auto kLongestStart = std::chrono::seconds(60);
+constexpr auto kPoll = std::chrono::milliseconds(100);
+
+ContextInfo info_of(const Json& event) {
+  ContextInfo info{event.at("vendor"), event.at("renderer"), event.at("gl_version"), event.at("glsl_version"), {}};
+  info.languages = kWebGl2Languages;
+  return info;
+}
+
+CaseResult result_of(const Json& event) {
+  CaseResult result{event.at("id"), {}, event.at("seconds")};
+  Outcome& outcome = result.outcome;
+  outcome.status = status_named(event.at("status").get<std::string>()).value_or(Status::error);
+  outcome.samples = event.at("samples");
+  outcome.mismatches = event.at("mismatches");
+  outcome.max_abs = event.at("max_abs");
+  outcome.max_ulp = event.at("max_ulp");
+  outcome.message = event.at("message");
+  for (const Json& example : event.at("examples")) {
+    outcome.examples.push_back(
+        {example.at("point"), example.at("words"), example.at("inputs"), example.at("got"), example.at("expected")});
+  }
+  return result;
+}
+
+// What came of the cases so far, from what the page says.
+class Conversation {
+ public:
+  Conversation(const Browser& browser, std::span<const Case> cases, const CaseEvents& events)
+      : browser_(browser), cases_(cases), events_(events) {}
+
+  // An error in what the page says, or that it gave up, ends the conversation.
+  void hear(const std::string& message) {
+    try {
+      hear(Json::parse(message));
+    } catch (const Json::exception& exception) {
+      error_ = Error{fmt::format("the page says what nobody understands: {}", exception.what()), message};
+    }
+  }
+
+  bool over() const { return done_ || error_; }
+  bool ready() const { return ready_; }
+  const std::string& running() const { return running_; }
+  Result<void> result() const { return error_ ? Result<void>(tl::unexpected(*error_)) : Result<void>(); }
+
+ private:
+  void hear(const Json& event) {
+    const std::string type = event.at("type");
+    if (type == "ready") {
+      meet(info_of(event));
+    } else if (type == "started") {
+      running_ = event.at("id");
+      finish_unsupported_until(running_);
+      events_.started(running_);
+    } else if (type == "finished") {
+      events_.finished(result_of(event));
+      running_.clear();
+      ++next_;
+    } else if (type == "done") {
+      finish_unsupported_until({});
+      done_ = true;
+    } else {
+      error_ = Error{fmt::format("the page could not go on: {}", event.at("message").get<std::string>()), {}};
+    }
+  }
+
+  void meet(const ContextInfo& info) {
+    if (info.renderer.find(browser_.renderer) == std::string::npos) {
+      error_ = Error{fmt::format("Chromium takes \"{}\" instead of {}", info.renderer, browser_.renderer), {}};
+      return;
+    }
+    ready_ = true;
+    events_.ready(info);
+  }
+
+  // Those that the page is not asked for have their verdict in their place among the others.
+  void finish_unsupported_until(std::string_view id) {
+    for (; next_ < cases_.size() && cases_[next_].id != id; ++next_) {
+      const Case& test = cases_[next_];
+      events_.started(test.id);
+      events_.finished({test.id, outcome_with(Status::unsupported, {unsupported_in_browser(test), {}}), 0.0});
+    }
+  }
+
+  const Browser& browser_;
+  std::span<const Case> cases_;
+  const CaseEvents& events_;
+  std::size_t next_ = 0;
+  std::string running_;
+  bool ready_ = false;
+  bool done_ = false;
+  std::optional<Error> error_;
+};
+
+// Why it makes no sense to wait any longer; nothing if it does.
+std::optional<Error> trouble(const GuardedProcess& chromium, const PageServer& server, const Conversation& conversation,
+                             Clock::time_point start) {
+  const std::string when =
+      conversation.running().empty() ? std::string() : fmt::format(" while {} ran", conversation.running());
+  if (const auto end = chromium.ended()) return Error{fmt::format("Chromium {}{}", *end, when), chromium.log()};
+  if (server.page_is_gone()) return Error{fmt::format("the page was gone{}", when), chromium.log()};
+  if (!conversation.ready() && Clock::now() - start > kLongestStart) {
+    return Error{fmt::format("Chromium has not shown the page after {} s", kLongestStart.count()), chromium.log()};
+  }
+  return std::nullopt;
+}
+
+Result<void> converse(const Browser& browser, const std::string& suite, Conversation& conversation) {
+  auto page = web_page(suite);
+  if (!page) return tl::unexpected(page.error());
+  auto server = PageServer::start(std::move(*page));
+  if (!server) return tl::unexpected(server.error());
+  const auto start = Clock::now();
+  const auto chromium = start_chromium(browser, server->url());
+  if (!chromium) return tl::unexpected(chromium.error());
+  while (!conversation.over()) {
+    if (server->handle_next(kPoll, [&](const std::string& message) { conversation.hear(message); })) continue;
+    if (auto error = trouble(*chromium, *server, conversation, start)) return tl::unexpected(std::move(*error));
+  }
+  return conversation.result();
+}
+
+Result<std::vector<Case>> cases_with(std::span<const std::string> ids) {
+  std::map<std::string, Case> all;
+  for (Case& test : all_cases()) {
+    std::string id = test.id;
+    all.emplace(std::move(id), std::move(test));
+  }
+  std::vector<Case> cases;
+  for (const std::string& id : ids) {
+    const auto found = all.find(id);
+    if (found == all.end()) return fail(fmt::format("there is no case {}", id));
+    cases.push_back(found->second);
+  }
+  return cases;
+}
+
+constexpr std::string_view kReportTo = "event";
+
+}  // namespace
+
+Result<void> run_in_browser(const Browser& browser, const SourceSet& sources, const std::filesystem::path& golden,
+                            std::span<const std::string> ids, const CaseEvents& events) {
+  const auto cases = cases_with(ids);
+  if (!cases) return tl::unexpected(cases.error());
+  std::vector<Case> supported = *cases;
+  std::erase_if(supported, [](const Case& test) { return !unsupported_in_browser(test).empty(); });
+  Conversation conversation(browser, *cases, events);
+  return converse(browser, make_suite(sources, golden, supported, kReportTo).json, conversation);
+}
+
+Result<ContextInfo> describe_browser(const Browser& browser) {
+  ContextInfo found;
+  const CaseEvents events = {[&](const ContextInfo& info) { found = info; }, [](const std::string&) {},
+                             [](const CaseResult&) {}};
+  Conversation conversation(browser, {}, events);
+  const auto done = converse(browser, make_suite(SourceSet::embedded(), {}, {}, kReportTo).json, conversation);
+  if (!done) return tl::unexpected(done.error());
+  return found;
+}
+
+}  // namespace hn

@@ -1,0 +1,39 @@
+// The cases in a real browser: headless Chromium, on a page that this process serves.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "context_info.hpp"
+#include "events.hpp"
+#include "result.hpp"
+#include "source.hpp"
+
+namespace hn {
+
+struct Browser {
+  std::string_view name;
+  std::string_view description;
+  std::vector<std::string_view> arguments;    // for Chromium, to take this implementation of OpenGL ES
+  std::vector<std::string_view> environment;  // NAME=value
+  std::string_view renderer;                  // what the renderer's name has in it then
+  std::vector<std::string_view> programs = {"chromium", "chromium-browser", "google-chrome"};  // in PATH
+};
+
+std::span<const Browser> all_browsers();
+const Browser* find_browser(std::string_view name);  // null if there is none
+
+// Runs the cases with these ids, in their order, in a browser of its own, which ends with this function or with this
+// process. A context that is lost costs the case that ran, which is a crash, and the page goes on with a new one.
+// An error says why the browser did not start, or that it went away, with what it said. The case that ran then has
+// been started and not finished.
+Result<void> run_in_browser(const Browser& browser, const SourceSet& sources, const std::filesystem::path& golden,
+                            std::span<const std::string> ids, const CaseEvents& events);
+
+// Who the browser is. An error says why it is not here.
+Result<ContextInfo> describe_browser(const Browser& browser);
+
+}  // namespace hn

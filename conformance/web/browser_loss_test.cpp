@@ -1,0 +1,102 @@
+// What can happen to a browser, and that it leaves nothing behind.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+
+#include "web/browser_story.hpp"
+
+namespace hn {
+namespace {
+
+void kill_chromium(std::string_view type) {
+  for (const pid_t pid : processes_with(folder_of(getpid()))) {
+    const auto typed = processes_with(type);
+    if (std::find(typed.begin(), typed.end(), pid) != typed.end()) kill(pid, SIGKILL);
+  }
+}
+
+TEST(BrowserLoss, ALostContextCostsItsCaseAndTheOthersGoOn) {
+  for (const Browser& browser : all_browsers()) {
+    Story story;
+    story.on_start = [](const std::string& id) {
+      if (id == kNoise) kill_chromium("--type=gpu-process");
+    };
+    const auto done = run(story, kSome, browser.name);
+    ASSERT_TRUE(done) << browser.name << ": " << done.error().text();
+    EXPECT_EQ(story.finished_ids(), kSome);
+    for (const std::string& id : kSome) {
+      EXPECT_EQ(story.outcome(id).status, id == kNoise ? Status::crash : Status::pass)
+          << browser.name << ": " << id << ": " << story.outcome(id).message;
+    }
+  }
+}
+
+TEST(BrowserLoss, APageThatIsGoneIsAnErrorThatNamesTheCase) {
+  Story story;
+  story.on_start = [](const std::string& id) {
+    if (id == kNoise) kill_chromium("--type=renderer");
+  };
+  const auto done = run(story, kSome);
+  ASSERT_FALSE(done);
+  EXPECT_NE(done.error().message.find(std::string("while ") + kNoise + " ran"), std::string::npos)
+      << done.error().message;
+  EXPECT_EQ(story.finished_ids(), std::vector<std::string>{kHash});
+  expect_nothing_is_left(getpid());
+}
+
+TEST(BrowserLoss, ABrowserThatIsGoneIsAnErrorThatNamesTheCase) {
+  Story story;
+  story.on_start = [](const std::string& id) {
+    if (id == kNoise) kill_chromium("--headless=new");
+  };
+  const auto done = run(story, kSome);
+  ASSERT_FALSE(done);
+  EXPECT_NE(done.error().message.find(std::string("while ") + kNoise + " ran"), std::string::npos)
+      << done.error().message;
+  expect_nothing_is_left(getpid());
+}
+
+// hn-conform kills what takes too long, and may be killed itself: with its whole group, and while Chromium is stopped.
+TEST(BrowserLoss, NothingOutlivesAProcessThatIsKilled) {
+  std::array<int, 2> running{};
+  ASSERT_EQ(pipe(running.data()), 0);
+  const pid_t child = fork();
+  if (child == 0) {
+    setpgid(0, 0);
+    Story story;
+    story.on_start = [&](const std::string&) {
+      for (const pid_t pid : processes_with(folder_of(getpid()))) kill(pid, SIGSTOP);
+      if (write(running[1], "x", 1) == 1) pause();
+    };
+    const bool ended = run(story, kSome).has_value();
+    _exit(ended ? 0 : 1);
+  }
+  close(running[1]);
+  char byte = 0;
+  EXPECT_EQ(read(running[0], &byte, 1), 1);
+  EXPECT_FALSE(processes_with(folder_of(child)).empty());
+  kill(-child, SIGKILL);
+  int status = 0;
+  EXPECT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFSIGNALED(status));
+  expect_nothing_is_left(child);
+  // Chromium and its guard had the other end as well, unless they closed it.
+  EXPECT_EQ(read(running[0], &byte, 1), 0);
+  close(running[0]);
+}
+
+TEST(BrowserLoss, AFolderThatWasLeftIsRemoved) {
+  const pid_t child = fork();
+  if (child == 0) _exit(0);
+  waitpid(child, nullptr, 0);
+  std::filesystem::create_directories(std::filesystem::temp_directory_path() / (folder_of(child) + "left"));
+  ASSERT_TRUE(has_folders(child));
+  ASSERT_TRUE(describe_browser(*find_browser("webgl2")));
+  EXPECT_FALSE(has_folders(child));
+}
+
+}  // namespace
+}  // namespace hn

@@ -1,0 +1,91 @@
+// What the tests of browsers share.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "web/browser.hpp"
+
+namespace hn {
+
+inline constexpr const char* kHash = "hash.vec2.pcg.exact.fragment.es300.golden";
+inline constexpr const char* kNoise = "noise2d.perlin.lattice.fast.fragment.es300.golden";
+inline constexpr const char* kCompiles = "fbm.all.lattice.fast.fragment.es300.driver";
+inline constexpr const char* kRefused = "config.hash_10.any.fast.fragment.es300.refused_by_driver";
+inline constexpr const char* kDesktop = "noise2d.perlin.lattice.fast.fragment.gl330.golden";
+inline constexpr const char* kTwin = "noise2d.perlin.lattice.fast.fragment.gl330.twin";
+inline const std::vector<std::string> kSome = {kHash, kNoise, kCompiles, kRefused};
+
+// What a run told, in its order.
+struct Story {
+  std::vector<ContextInfo> infos;
+  std::vector<std::string> started;
+  std::vector<CaseResult> finished;
+  std::function<void(const std::string&)> on_start = [](const std::string&) {};
+
+  CaseEvents events() {
+    return {[this](const ContextInfo& info) { infos.push_back(info); },
+            [this](const std::string& id) {
+              started.push_back(id);
+              on_start(id);
+            },
+            [this](const CaseResult& result) { finished.push_back(result); }};
+  }
+  std::vector<std::string> finished_ids() const {
+    std::vector<std::string> ids;
+    for (const CaseResult& result : finished) ids.push_back(result.id);
+    return ids;
+  }
+  const Outcome& outcome(const std::string& id) const {
+    return std::find_if(finished.begin(), finished.end(), [&](const CaseResult& r) { return r.id == id; })->outcome;
+  }
+};
+
+inline Result<void> run(Story& story, std::span<const std::string> ids, std::string_view browser = "webgl2",
+                        const SourceSet& sources = SourceSet::embedded(),
+                        const std::filesystem::path& golden = HN_GOLDEN_DIRECTORY) {
+  return run_in_browser(*find_browser(browser), sources, golden, ids, story.events());
+}
+
+// The processes whose command line has a text in it.
+inline std::vector<pid_t> processes_with(std::string_view text) {
+  std::vector<pid_t> found;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    const pid_t pid = std::atoi(entry.path().filename().c_str());
+    std::ifstream in(entry.path() / "cmdline", std::ios::binary);
+    const std::string line(std::istreambuf_iterator<char>(in), {});
+    if (pid > 0 && line.find(text) != std::string::npos) found.push_back(pid);
+  }
+  return found;
+}
+
+// The name of the profile folders of a process, in the command line of every process of Chromium that has one.
+inline std::string folder_of(pid_t owner) { return "hashnoise-browser-" + std::to_string(owner) + "-"; }
+
+inline bool has_folders(pid_t owner) {
+  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::temp_directory_path())) {
+    if (entry.path().filename().string().starts_with(folder_of(owner))) return true;
+  }
+  return false;
+}
+
+inline void expect_nothing_is_left(pid_t owner) {
+  using namespace std::chrono_literals;
+  const auto deadline = std::chrono::steady_clock::now() + 10s;
+  const auto left = [&] { return has_folders(owner) || !processes_with(folder_of(owner)).empty(); };
+  while (left() && std::chrono::steady_clock::now() < deadline) std::this_thread::sleep_for(50ms);
+  EXPECT_FALSE(has_folders(owner));
+  EXPECT_TRUE(processes_with(folder_of(owner)).empty());
+}
+
+}  // namespace hn

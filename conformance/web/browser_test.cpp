@@ -1,0 +1,240 @@
+// The page in headless Chromium, which the machine must have for these tests.
+#include "web/browser.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <utility>
+
+#include "case.hpp"
+#include "test_support.hpp"
+#include "web/browser_story.hpp"
+#include "web/suite.hpp"
+
+namespace hn {
+namespace {
+
+SourceSet changed(const char* file, std::string_view old, std::string_view with) {
+  SourceSet sources = SourceSet::embedded();
+  const SourceFile* original = sources.find(file);
+  std::string text = original->text;
+  const auto at = text.find(old);
+  if (at == std::string::npos) throw std::invalid_argument(std::string(old));
+  sources.add(file, text.replace(at, old.size(), with), original->path);
+  return sources;
+}
+
+TEST(Browser, ItIsWhatItsNameSays) {
+  const auto swiftshader = describe_browser(*find_browser("webgl2"));
+  ASSERT_TRUE(swiftshader) << swiftshader.error().text();
+  EXPECT_NE(swiftshader->renderer.find("SwiftShader"), std::string::npos) << swiftshader->renderer;
+  EXPECT_TRUE(swiftshader->gl_version.starts_with("WebGL 2.0")) << swiftshader->gl_version;
+  const auto mesa = describe_browser(*find_browser("webgl2-mesa"));
+  ASSERT_TRUE(mesa) << mesa.error().text();
+  EXPECT_NE(mesa->renderer.find("Mesa"), std::string::npos) << mesa->renderer;
+  EXPECT_EQ(mesa->renderer.find("SwiftShader"), std::string::npos) << mesa->renderer;
+  expect_nothing_is_left(getpid());
+}
+
+TEST(Browser, AnotherRendererThanTheNamedOneIsAnError) {
+  Browser browser = *find_browser("webgl2");
+  browser.renderer = "llvmpipe";
+  const auto info = describe_browser(browser);
+  ASSERT_FALSE(info);
+  EXPECT_NE(info.error().message.find("instead of llvmpipe"), std::string::npos) << info.error().message;
+}
+
+TEST(Browser, WithoutChromiumItSaysSo) {
+  Browser browser = *find_browser("webgl2");
+  browser.programs = {"no-such-browser"};
+  const auto info = describe_browser(browser);
+  ASSERT_FALSE(info);
+  EXPECT_EQ(info.error().message, "there is no no-such-browser in PATH");
+}
+
+TEST(Browser, AProgramThatEndsIsAnError) {
+  Browser browser = *find_browser("webgl2");
+  browser.programs = {"false"};
+  const auto info = describe_browser(browser);
+  ASSERT_FALSE(info);
+  EXPECT_EQ(info.error().message, "Chromium ended with status 1");
+}
+
+TEST(Browser, CasesHaveTheirVerdictsInTheirOrder) {
+  Story story;
+  const std::vector<std::string> ids = {kDesktop, kHash, kTwin, kNoise, kCompiles, kRefused, kDesktop};
+  const auto done = run(story, std::span(ids).first(6));
+  ASSERT_TRUE(done) << done.error().text();
+  EXPECT_EQ(story.infos.size(), 1u);
+  EXPECT_EQ(story.started, std::vector(ids.begin(), ids.end() - 1));
+  EXPECT_EQ(story.finished_ids(), story.started);
+  for (const std::string& id : kSome) EXPECT_EQ(story.outcome(id).status, Status::pass) << story.outcome(id).message;
+  EXPECT_EQ(story.outcome(kHash).samples, 16448u);
+  EXPECT_GT(story.outcome(kNoise).max_abs, 0.0);
+  EXPECT_EQ(story.outcome(kDesktop).status, Status::unsupported);
+  EXPECT_EQ(story.outcome(kDesktop).message, "this context compiles no GLSL");
+}
+
+TEST(Browser, AnUnknownCaseIsAnError) {
+  Story story;
+  const std::vector<std::string> ids = {"no.such.case"};
+  EXPECT_FALSE(run(story, ids));
+}
+
+class EveryCase : public testing::TestWithParam<const char*> {};
+
+TEST_P(EveryCase, IsRightOrUnsupportedWithAReason) {
+  std::vector<std::string> ids;
+  for (const Case& test : all_cases()) ids.push_back(test.id);
+  Story story;
+  const auto done = run(story, ids, GetParam());
+  ASSERT_TRUE(done) << done.error().text();
+  EXPECT_EQ(story.finished_ids(), ids);
+  std::size_t passed = 0;
+  for (const CaseResult& result : story.finished) {
+    EXPECT_FALSE(is_bad(result.outcome.status)) << result.id << ": " << result.outcome.message;
+    EXPECT_EQ(result.outcome.status == Status::pass, result.outcome.message.empty()) << result.id;
+    passed += result.outcome.status == Status::pass ? 1 : 0;
+  }
+  EXPECT_GT(passed, 400u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Browser, EveryCase, testing::Values("webgl2", "webgl2-mesa"), [](const auto& browser) {
+  return std::string(browser.param == std::string_view("webgl2") ? "SwiftShader" : "Mesa");
+});
+
+// --- Each check of the page must report a fault ----------------------------------------------------------------------
+
+TEST(BrowserFault, AWrongHashFailsWhereItIsWrong) {
+  Story story;
+  ASSERT_TRUE(run(story, kSome, "webgl2", changed("hash.glsl", "747796405u", "747796407u")));
+  const Outcome& outcome = story.outcome(kHash);
+  EXPECT_EQ(outcome.status, Status::fail);
+  EXPECT_GT(outcome.mismatches, 1u);
+  ASSERT_FALSE(outcome.examples.empty());
+  EXPECT_NE(outcome.examples[0].inputs.find("x="), std::string::npos) << outcome.examples[0].inputs;
+  EXPECT_NE(outcome.examples[0].got, outcome.examples[0].expected);
+  EXPECT_NE(outcome.message.find("first at"), std::string::npos) << outcome.message;
+  EXPECT_EQ(story.outcome(kNoise).status, Status::pass);
+}
+
+TEST(BrowserFault, AValueThatIsOffByMoreThanTheBoundFails) {
+  const TemporaryFolder golden;
+  std::filesystem::copy(HN_GOLDEN_DIRECTORY, golden.path(), std::filesystem::copy_options::recursive);
+  const auto path = golden.path() / "noise2d.perlin.lattice.golden";
+  std::ifstream in(path);
+  std::string text(std::istreambuf_iterator<char>(in), {});
+  in.close();
+  // The last value: digits 3 to 15 are the fraction of the double, so this one tells 2^-9 to 2^-12 of it.
+  const auto at = text.rfind(" = ") + 3 + 5;
+  text[at] = text[at] == '0' ? 'f' : '0';
+  golden.write("noise2d.perlin.lattice.golden", text);
+  Story story;
+  ASSERT_TRUE(run(story, kSome, "webgl2", SourceSet::embedded(), golden.path()));
+  EXPECT_EQ(story.outcome(kNoise).status, Status::fail);
+  EXPECT_EQ(story.outcome(kNoise).mismatches, 1u);
+  EXPECT_NE(story.outcome(kNoise).message.find(" within "), std::string::npos) << story.outcome(kNoise).message;
+  EXPECT_EQ(story.outcome(kHash).status, Status::pass);
+}
+
+TEST(BrowserFault, AWrongDigestFails) {
+  const TemporaryFolder golden;
+  std::filesystem::copy(HN_GOLDEN_DIRECTORY, golden.path(), std::filesystem::copy_options::recursive);
+  const auto path = golden.path() / "hash.vec2.pcg.golden";
+  std::ifstream in(path);
+  std::string text(std::istreambuf_iterator<char>(in), {});
+  in.close();
+  char& digit = text[text.find_last_not_of("\n")];
+  digit = digit == '0' ? '1' : '0';
+  golden.write("hash.vec2.pcg.golden", text);
+  Story story;
+  ASSERT_TRUE(run(story, kSome, "webgl2", SourceSet::embedded(), golden.path()));
+  EXPECT_EQ(story.outcome(kHash).status, Status::fail);
+  EXPECT_NE(story.outcome(kHash).message.find("the digest of 16384 points"), std::string::npos);
+}
+
+TEST(BrowserFault, AShaderThatDoesNotCompileFailsWithItsFileAndLine) {
+  Story story;
+  ASSERT_TRUE(run(story, kSome, "webgl2", changed("fbm.glsl", "float hn_fbm(", "flaot hn_fbm(")));
+  const Outcome& outcome = story.outcome(kCompiles);
+  EXPECT_EQ(outcome.status, Status::fail);
+  EXPECT_NE(outcome.message.find("glsl/fbm.glsl:"), std::string::npos) << outcome.message;
+}
+
+TEST(BrowserFault, ARefusalWithoutItsWordFailsAndSoDoesNone) {
+  Story story;
+  ASSERT_TRUE(run(story, kSome, "webgl2", changed("config.glsl", "HN_HASH_PARTIAL_JENKINS,", "X,")));
+  EXPECT_EQ(story.outcome(kRefused).status, Status::fail) << story.outcome(kRefused).message;
+  Story other;
+  ASSERT_TRUE(
+      run(other, kSome, "webgl2", changed("config.glsl", "#error HN_HASH is none", "// #error HN_HASH is none")));
+  EXPECT_EQ(other.outcome(kRefused).status, Status::fail) << other.outcome(kRefused).message;
+}
+
+// A library that is wrong in one variant of the shader only, told by what the shader calls itself.
+TEST(BrowserFault, EachWayThatIsWrongFails) {
+  constexpr std::pair<std::string_view, std::string_view> kWays[] = {
+      {"CASE_VERTEX", "vertex.es300.golden"},
+      {"CASE_VERTEX", "vertex.es300.as_fragment"},
+      {"CASE_INLINED", "fragment.es300.inlined"},
+      {"CASE_IN_LOOP", "fragment.es300.in_loop"},
+      {"CASE_CONSTANT", "fragment.es300.folded"},
+      {"CASE_CONSTANT_SEED", "fragment.es300.constant_seed"},
+      {"CASE_UNIFORM_SEED", "fragment.es300.uniform_seed"}};
+  std::string faults;
+  std::vector<std::string> ids = {kNoise};
+  for (const auto& [name, check] : kWays) {
+    faults += fmt::format("#if defined({}) && !defined(FAULT)\n#define FAULT\n#endif\n", name);
+    ids.push_back(fmt::format("noise2d.perlin.lattice.fast.{}", check));
+  }
+  faults += "#ifdef FAULT\n#define hn_perlin(call) (hn_perlin(call) + 0.001)\n#endif\n";
+  SourceSet sources = SourceSet::embedded();
+  const SourceFile& file = *sources.find("noise2d.glsl");
+  sources.add("noise2d.glsl", file.text + "\n" + faults, file.path);
+  Story story;
+  ASSERT_TRUE(run(story, ids, "webgl2", sources));
+  EXPECT_EQ(story.outcome(kNoise).status, Status::pass) << story.outcome(kNoise).message;
+  for (const std::string& id : std::span(ids).subspan(1)) {
+    EXPECT_EQ(story.outcome(id).status, Status::fail) << id << ": " << story.outcome(id).message;
+    EXPECT_GT(story.outcome(id).mismatches, 0u) << id << ": " << story.outcome(id).message;
+  }
+}
+
+TEST(BrowserFault, ANoiseWithoutItsPeriodFails) {
+  SourceSet sources = SourceSet::embedded();
+  const SourceFile& file = *sources.find("noise2d.glsl");
+  sources.add("noise2d.glsl", file.text + "\n#define hn_perlin(call) (hn_perlin(call) + 0.00001 * p.x)\n", file.path);
+  const std::vector<std::string> ids = {"noise2d.perlin.lattice+period64.fast.fragment.es300.period"};
+  Story story;
+  ASSERT_TRUE(run(story, ids, "webgl2", sources));
+  EXPECT_EQ(story.outcome(ids[0]).status, Status::fail) << story.outcome(ids[0]).message;
+  EXPECT_GT(story.outcome(ids[0]).mismatches, 0u) << story.outcome(ids[0]).message;
+}
+
+// A bug's case fails if the specification says what the value is; else it warns. The same source for both: what is read
+// from the points is changed.
+TEST(BrowserFault, ABugThatIsThereFailsOrWarns) {
+  SourceSet sources = SourceSet::embedded();
+  sources.transform_with([](ShaderText& shader, const Profile&) -> Result<void> {
+    constexpr std::string_view kRead = "result = evaluate(";
+    if (const auto at = shader.text.find(kRead); at != std::string::npos) {
+      shader.text.replace(at, kRead.size(), "result = uvec4(0x12345678u) + evaluate(");
+    }
+    return {};
+  });
+  std::vector<std::string> ids;
+  for (const Case& test : all_cases()) {
+    if (test.id.starts_with("bugs.") && unsupported_in_browser(test).empty()) ids.push_back(test.id);
+  }
+  Story story;
+  ASSERT_TRUE(run(story, ids, "webgl2", sources));
+  for (const CaseResult& result : story.finished) {
+    const Status expected = result.id.ends_with(".defined") ? Status::fail : Status::warning;
+    EXPECT_EQ(result.outcome.status, expected) << result.id << ": " << result.outcome.message;
+    EXPECT_NE(result.outcome.message.find("Reported in: "), std::string::npos) << result.id;
+  }
+}
+
+}  // namespace
+}  // namespace hn

@@ -1,0 +1,215 @@
+// What the cases hold against what. As in case.hpp: an outcome is a status, counts, the largest differences, a message
+// and the first values that are wrong.
+import { DriverError } from "./renderer.js";
+import { digestInputs, fnv1a64, hex, kInputWords, kOutputWords } from "./suite.js";
+
+export const kStatuses = ["pass", "warning", "fail", "unsupported", "crash", "timeout", "error"];
+export const kBadStatuses = ["fail", "crash", "timeout", "error"];
+
+// Of one case; more of them tell nothing new.
+const kMostExamples = 8;
+
+const kScratch = new DataView(new ArrayBuffer(4));
+
+function floatOf(bits) {
+  kScratch.setUint32(0, bits);
+  return kScratch.getFloat32(0);
+}
+
+function bitsOf(value) {
+  kScratch.setFloat32(0, value);
+  return kScratch.getUint32(0);
+}
+
+// Maps floats to integers in their order, with -0 and 0 together.
+function ordinal(value) {
+  const bits = bitsOf(value);
+  return bits >>> 31 ? -(bits & 0x7fffffff) : bits;
+}
+
+function ulpDistance(a, b) {
+  if (Number.isNaN(a) || Number.isNaN(b)) return Number.isNaN(a) && Number.isNaN(b) ? 0 : 0xffffffff;
+  return Math.abs(ordinal(a) - ordinal(b));
+}
+
+// As many digits as tell any two floats apart.
+function describeFloat(value) {
+  return `${Number.isFinite(value) ? Number(value.toPrecision(9)) : value} (${hex(bitsOf(value))})`;
+}
+
+function describeWord(word, type) {
+  // f64: the value of a golden file, which a shader has as a float.
+  if (type === "f32" || type === "f64") return describeFloat(floatOf(word));
+  return `${type === "i32" ? word | 0 : word} (0x${hex(word)})`;
+}
+
+function describeInputs(columns, words) {
+  return columns.map(({ name, type }, i) => `${name}=${describeWord(words[i], type)}`).join(" ");
+}
+
+export function outcomeWith(status, message) {
+  return { status, samples: 0, mismatches: 0, max_abs: 0, max_ulp: 0, message, examples: [] };
+}
+
+class Comparison {
+  constructor(columns, inputs) {
+    this.columns = columns;
+    this.inputs = inputs;
+    this.outcome = outcomeWith("pass", "");
+  }
+
+  // Every bit counts.
+  bits(point, got, expected, type) {
+    ++this.outcome.samples;
+    if (got !== expected) this.note(point, describeWord(got, type), describeWord(expected, type));
+  }
+
+  // |got - expected| <= allowed. NaN is never right.
+  number(point, got, expected, allowed) {
+    const outcome = this.outcome;
+    ++outcome.samples;
+    const difference = Math.abs(got - expected);
+    outcome.max_ulp = Math.max(outcome.max_ulp, ulpDistance(got, Math.fround(expected)));
+    // Written so that a NaN difference fails. JSON has no NaN; infinity is recorded as the largest double.
+    if (!(difference <= outcome.max_abs)) {
+      outcome.max_abs = Number.isFinite(difference) ? difference : Number.MAX_VALUE;
+    }
+    if (difference <= allowed) return;
+    const within = `${Number(expected.toPrecision(9))} (${hex(bitsOf(expected))}) within ${Number(allowed.toPrecision(3))}`;
+    this.note(point, describeFloat(got), within);
+  }
+
+  note(point, got, expected) {
+    const outcome = this.outcome;
+    outcome.status = "fail";
+    if (outcome.mismatches++ >= kMostExamples) return;
+    const words = [...this.inputs.subarray(point * kInputWords, (point + 1) * kInputWords)];
+    const inputs = describeInputs(this.columns, words);
+    if (!outcome.examples.length) outcome.message = `first at ${inputs}: got ${got}, expected ${expected}`;
+    outcome.examples.push({ point, words, inputs, got, expected });
+  }
+
+  finish() {
+    return this.outcome.samples ? this.outcome : outcomeWith("error", "nothing was compared");
+  }
+}
+
+function checkCompiles(renderer, suite, test) {
+  renderer.gl.deleteProgram(renderer.build(suite.program(test.program)).id);
+  return outcomeWith("pass", "");
+}
+
+function checkRefused(renderer, suite, test) {
+  try {
+    renderer.gl.deleteShader(renderer.compile("fragment", suite.shader(test.fragment)));
+  } catch (error) {
+    if (!(error instanceof DriverError)) throw error;
+    if (error.log.includes(test.names)) return outcomeWith("pass", "");
+    return outcomeWith(test.too_old ? "unsupported" : "fail",
+                       `it is refused, but nothing names ${test.names}\n${error.log}`);
+  }
+  return outcomeWith("fail", `it compiles; an error that names ${test.names} was due`);
+}
+
+// kOutputWords per point.
+function evaluate(renderer, suite, number, inputs) {
+  const program = renderer.kept(number, () => suite.program(number));
+  return renderer.evaluate(program, inputs, suite.uniforms);
+}
+
+function checkDigest(renderer, suite, test, outcome) {
+  const { digest } = test;
+  const inputs = digestInputs(digest);
+  const outputs = evaluate(renderer, suite, test.program, inputs);
+  const values = new Uint32Array(inputs.length / kInputWords);
+  for (let i = 0; i < values.length; ++i) values[i] = outputs[i * kOutputWords];
+  outcome.samples += values.length;
+  const got = fnv1a64(values);
+  if (got === digest.fnv1a64) return outcome;
+  ++outcome.mismatches;
+  outcome.status = "fail";
+  outcome.message = `the digest of ${values.length} points from ` +
+                    `${describeInputs(suite.columns(test).inputs, inputs)} is ${got}, expected ${digest.fnv1a64}`;
+  return outcome;
+}
+
+// Against expected values: bits if every bit counts, else exact values as 64-bit floats.
+function checkValues(renderer, suite, test) {
+  const columns = suite.columns(test);
+  const inputs = suite.inputs(test, test.inputs);
+  const outputs = evaluate(renderer, suite, test.program, inputs);
+  const comparison = new Comparison(columns.inputs, inputs);
+  const width = columns.outputs.length;
+  const expected = test.exact ? suite.words(test.expected) : suite.doubles(test.expected);
+  const allowed = suite.allowed(test);
+  for (let i = 0; i < expected.length; ++i) {
+    const point = Math.floor(i / width);
+    const got = outputs[point * kOutputWords + (i % width)];
+    if (test.exact) comparison.bits(point, got, expected[i], columns.outputs[i % width].type);
+    else comparison.number(point, floatOf(got), expected[i], allowed(point));
+  }
+  const outcome = comparison.finish();
+  return test.digest && outcome.status === "pass" ? checkDigest(renderer, suite, test, outcome) : outcome;
+}
+
+// Against what the same driver finds in another way, or at other inputs. In a loop, each word of the result is of
+// another point: the one at hand, then its neighbours.
+function checkSame(renderer, suite, test) {
+  const columns = suite.columns(test);
+  const inputs = suite.inputs(test, test.inputs);
+  const expected = evaluate(renderer, suite, test.other, suite.inputs(test, test.other_inputs));
+  const outputs = evaluate(renderer, suite, test.program, inputs);
+  const comparison = new Comparison(columns.inputs, inputs);
+  const allowed = suite.allowed(test);
+  const compare = (point, got, wanted, type) => {
+    if (test.exact) comparison.bits(point, got, wanted, type);
+    else comparison.number(point, floatOf(got), floatOf(wanted), allowed(point));
+  };
+  for (let point = 0; point * kInputWords < inputs.length; ++point) {
+    for (let word = 0; word < (test.in_loop ? kOutputWords : columns.outputs.length); ++word) {
+      const got = outputs[point * kOutputWords + word];
+      const other = (test.in_loop ? point ^ word : point) * kOutputWords;
+      const [x, y, z, w] = expected.subarray(other, other + kOutputWords);
+      if (test.in_loop) compare(point ^ word, got, (x ^ y ^ z ^ w) >>> 0, columns.outputs[0].type);
+      else compare(point, got, expected[other + word], columns.outputs[word].type);
+    }
+  }
+  return comparison.finish();
+}
+
+// Against words whose columns tell what they are: floats within what is allowed, all others bit by bit. What a
+// specification leaves open is a warning.
+function checkBug(renderer, suite, test) {
+  const columns = suite.columns(test);
+  const inputs = suite.inputs(test, test.inputs);
+  const outputs = evaluate(renderer, suite, test.program, inputs);
+  const comparison = new Comparison(columns.inputs, inputs);
+  const expected = suite.words(test.expected);
+  const width = columns.outputs.length;
+  for (let i = 0; i < expected.length; ++i) {
+    const point = Math.floor(i / width);
+    const { type } = columns.outputs[i % width];
+    const got = outputs[point * kOutputWords + (i % width)];
+    if (type === "f32") comparison.number(point, floatOf(got), floatOf(expected[i]), test.allowed);
+    else comparison.bits(point, got, expected[i], type);
+  }
+  const outcome = comparison.finish();
+  if (outcome.status !== "fail") return outcome;
+  outcome.status = test.defined ? "fail" : "warning";
+  outcome.message = `${test.defined ? "wrong" : "other than usual, and allowed"}: ${outcome.message}. ${test.note}`;
+  return outcome;
+}
+
+const kChecks = { compiles: checkCompiles, refused: checkRefused, values: checkValues, same: checkSame, bug: checkBug };
+
+// The outcome of a case; whatever happens in it becomes one.
+export function runCase(renderer, suite, test) {
+  if (test.decided) return outcomeWith(test.decided.status, test.decided.message);
+  try {
+    const check = kChecks[test.check];
+    if (!check) return outcomeWith("error", `the page knows no check "${test.check}"`);
+    return check(renderer, suite, test);
+  } catch (error) {
+    return outcomeWith(error instanceof DriverError ? "fail" : "error", error.message);
+  }
+}

@@ -1,0 +1,146 @@
+#include "web/chromium.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+
+namespace hn {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kFolder = "hashnoise-browser-";  // and the process that made it
+
+// What keeps Chromium from doing anything but show the page.
+constexpr std::array<std::string_view, 18> kArguments = {
+    "--headless=new",
+    "--no-first-run",
+    "--no-default-browser-check",
+    "--no-proxy-server",
+    "--disable-background-networking",
+    "--disable-breakpad",
+    "--disable-component-update",
+    "--disable-default-apps",
+    "--disable-dev-shm-usage",  // it is small in containers
+    "--disable-extensions",
+    "--disable-sync",
+    "--mute-audio",
+    "--password-store=basic",
+    // A page that nobody sees is not to be slowed down.
+    "--disable-background-timer-throttling",
+    "--disable-renderer-backgrounding",
+    // A lost context is a verdict about a case, and must not keep the others from theirs; and how long a case may take
+    // is for hn-conform to say.
+    "--disable-domain-blocking-for-3d-apis",
+    "--disable-gpu-process-crash-limit",
+    "--disable-gpu-watchdog",
+};
+
+// Variables that would choose another driver, or lead Chromium to the user's desktop and files.
+constexpr std::array<std::string_view, 14> kDropped = {
+    "ANGLE_", "CHROMIUM_FLAGS=", "DBUS_",   "DISPLAY=", "EGL_", "GALLIUM_",        "HOME=", "LIBGL_",
+    "LP_",    "MESA_",           "TMPDIR=", "VK_",      "XDG_", "WAYLAND_DISPLAY="};
+
+// On a machine with other drivers as well, EGL would ask those first.
+constexpr const char* kMesaEgl = "/usr/share/glvnd/egl_vendor.d/50_mesa.json";
+
+Result<std::string> find_program(const Browser& browser) {
+  const char* const variable = getenv("PATH");
+  const std::string_view path = variable ? variable : "";
+  for (const std::string_view program : browser.programs) {
+    for (std::size_t start = 0; start < path.size();) {
+      const auto end = std::min(path.find(':', start), path.size());
+      const fs::path candidate = fs::path(path.substr(start, end - start)) / program;
+      if (access(candidate.c_str(), X_OK) == 0 && fs::is_regular_file(candidate)) return candidate.string();
+      start = end + 1;
+    }
+  }
+  return fail(fmt::format("there is no {} in PATH", fmt::join(browser.programs, " or ")));
+}
+
+// Those of processes that were killed together with their guards.
+void remove_left_folders(const fs::path& where) {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(where, error)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(kFolder)) continue;
+    pid_t owner = 0;
+    std::from_chars(name.data() + kFolder.size(), name.data() + name.size(), owner);
+    const bool left = owner > 0 && kill(owner, 0) != 0 && errno == ESRCH;
+    if (left) fs::remove_all(entry.path(), error);
+  }
+}
+
+Result<fs::path> make_folder() {
+  std::error_code error;
+  const fs::path where = fs::temp_directory_path(error);
+  if (error) return fail(fmt::format("there is no folder for temporary files: {}", error.message()));
+  remove_left_folders(where);
+  std::string name = (where / fmt::format("{}{}-XXXXXX", kFolder, getpid())).string();
+  if (mkdtemp(name.data()) == nullptr) return fail(fmt::format("cannot make {}: {}", name, std::strerror(errno)));
+  return fs::path(name);
+}
+
+std::vector<std::string> environment_of(const Browser& browser, const std::string& folder) {
+  std::vector<std::string> variables = {"HOME=" + folder, "TMPDIR=" + folder, "MESA_SHADER_CACHE_DISABLE=true"};
+  for (char** variable = environ; *variable; ++variable) {
+    const std::string_view text = *variable;
+    const auto begins = [&](std::string_view prefix) { return text.starts_with(prefix); };
+    if (std::none_of(kDropped.begin(), kDropped.end(), begins)) variables.emplace_back(text);
+  }
+  variables.insert(variables.end(), browser.environment.begin(), browser.environment.end());
+  return variables;
+}
+
+}  // namespace
+
+std::span<const Browser> all_browsers() {
+  static const std::vector<Browser> kBrowsers = {
+      {"webgl2",
+       "Chromium on SwiftShader, headless",
+       {"--use-angle=swiftshader", "--enable-unsafe-swiftshader"},
+       {},
+       "SwiftShader"},
+      // Chromium keeps WebGL from software drivers by its blocklist. Without it, that the context cannot be "bound to
+      // the current sequence" is all that it says.
+      {"webgl2-mesa",
+       "Chromium on Mesa's llvmpipe, headless",
+       {"--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist"},
+       {"EGL_PLATFORM=surfaceless", "LIBGL_ALWAYS_SOFTWARE=1", "GALLIUM_DRIVER=llvmpipe"},
+       "llvmpipe"},
+  };
+  return kBrowsers;
+}
+
+const Browser* find_browser(std::string_view name) {
+  const auto all = all_browsers();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Browser& b) { return b.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+Result<GuardedProcess> start_chromium(const Browser& browser, const std::string& url) {
+  const auto program = find_program(browser);
+  if (!program) return tl::unexpected(program.error());
+  const auto folder = make_folder();
+  if (!folder) return tl::unexpected(folder.error());
+  std::vector<std::string> command = {*program, fmt::format("--user-data-dir={}", (*folder / "profile").string())};
+  command.insert(command.end(), kArguments.begin(), kArguments.end());
+  command.insert(command.end(), browser.arguments.begin(), browser.arguments.end());
+  if (geteuid() == 0) command.emplace_back("--no-sandbox");  // for root Chromium has none, and refuses to start
+  command.push_back(url);
+  std::vector<std::string> environment = environment_of(browser, folder->string());
+  const bool mesa = std::find(browser.environment.begin(), browser.environment.end(), "EGL_PLATFORM=surfaceless") !=
+                    browser.environment.end();
+  if (mesa && fs::exists(kMesaEgl)) environment.push_back(fmt::format("__EGL_VENDOR_LIBRARY_FILENAMES={}", kMesaEgl));
+  return GuardedProcess::start(std::move(command), std::move(environment), *folder);
+}
+
+}  // namespace hn

@@ -1,0 +1,40 @@
+// A program that does not outlive us, and leaves nothing behind.
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "result.hpp"
+
+namespace hn {
+
+// A program in a process group of its own. Between it and us stands a process that waits for either of us to end: when
+// we do, be it by SIGKILL, it kills the group and removes the folder.
+class GuardedProcess {
+ public:
+  // command[0] is the program's path. Its output goes to folder/log. The folder must exist, and is removed at the end.
+  static Result<GuardedProcess> start(std::vector<std::string> command, std::vector<std::string> environment,
+                                      const std::filesystem::path& folder);
+  GuardedProcess(GuardedProcess&& other) noexcept;
+  GuardedProcess& operator=(GuardedProcess&&) = delete;
+  ~GuardedProcess();  // kills it
+
+  // How it ended, in words; nothing while it runs.
+  std::optional<std::string> ended() const;
+  // The end of what it said.
+  std::string log() const;
+
+ private:
+  GuardedProcess(pid_t guard, int channel, std::filesystem::path folder)
+      : guard_(guard), channel_(channel), folder_(std::move(folder)) {}
+
+  pid_t guard_;
+  int channel_;  // the guard sends how the program ended; that it is closed tells the guard that we are gone
+  std::filesystem::path folder_;
+};
+
+}  // namespace hn

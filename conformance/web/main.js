@@ -1,0 +1,69 @@
+// The page: runs the suite that it came with, and shows how it goes. If the suite names somebody to report to,
+// hn-conform drives this browser and hears of every event before the next one happens.
+import { bad } from "./report.js";
+import { resultsJson, showContext, showProgress, showResults, showStopped } from "./report.js";
+import { NoContext } from "./renderer.js";
+import { runSuite } from "./runner.js";
+import { Suite } from "./suite.js";
+
+// More often than this nobody can read.
+const kMillisecondsBetweenProgress = 100;
+
+async function tell(suite, event) {
+  if (suite.reportTo === null) return;
+  const answer = await fetch(suite.reportTo, { method: "POST", body: JSON.stringify(event) });
+  if (!answer.ok) throw new Error(`hn-conform answers ${answer.status}`);
+}
+
+// A request that lasts as long as this page does: hn-conform sees from its end that the page is gone.
+async function stayInTouch(suite) {
+  if (suite.reportTo === null) return;
+  const answer = await fetch("alive");
+  const reader = answer.body.getReader();
+  while (!(await reader.read()).done) ;
+}
+
+function shownVerdict() {
+  return document.getElementById("verdict").textContent;
+}
+
+async function run(suite) {
+  const results = [];
+  let info = null;
+  let shown = -Infinity;
+  await runSuite(suite, {
+    async ready(context) {
+      info = context;
+      showContext(info);
+      await tell(suite, { type: "ready", ...info });
+    },
+    async started(id) {
+      if (performance.now() - shown > kMillisecondsBetweenProgress) {
+        shown = performance.now();
+        showProgress(results, suite.cases.length, id);
+      }
+      await tell(suite, { type: "started", id });
+    },
+    async finished(result) {
+      results.push(result);
+      await tell(suite, { type: "finished", ...result });
+    },
+  });
+  showResults(suite.version, info, results);
+  document.title = `${bad(results).length ? "✗" : "✓"} ${document.title}`;
+  await tell(suite, { type: "done", verdict: shownVerdict(), results: resultsJson(suite.version, info, results) });
+}
+
+async function main() {
+  const suite = new Suite(JSON.parse(document.getElementById("suite").textContent));
+  try {
+    stayInTouch(suite).catch(() => {});
+    await run(suite);
+  } catch (error) {
+    const without = error instanceof NoContext;
+    showStopped(without ? "No WebGL2 here" : "The page could not go on", error.message);
+    await tell(suite, { type: "stopped", verdict: shownVerdict(), message: error.message });
+  }
+}
+
+main();

@@ -1,0 +1,47 @@
+// The page: index.mustache with the modules and the suite inside.
+#include "output/page.hpp"
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "embedded.hpp"
+#include "report.hpp"
+#include "web/base64.hpp"
+#include "web/suite.hpp"
+
+namespace hn {
+namespace {
+
+constexpr std::array<std::string_view, 6> kModules = {"main.js",   "runner.js", "checks.js",
+                                                      "report.js", "suite.js",  "renderer.js"};
+
+void replace_all(std::string& text, std::string_view old, std::string_view with) {
+  for (auto at = text.find(old); at != std::string::npos; at = text.find(old, at + with.size())) {
+    text.replace(at, old.size(), with);
+  }
+}
+
+// From a file: a browser loads no module but what is in the page; and a module there cannot name another relative to
+// itself. So "./suite.js" becomes "hn/suite.js", which the page maps to the text of the module.
+std::string import_map() {
+  nlohmann::ordered_json imports;
+  for (const std::string_view name : kModules) {
+    std::string text(resource(name));
+    replace_all(text, "from \"./", "from \"hn/");
+    imports["hn/" + std::string(name)] = "data:text/javascript;base64," + base64(text);
+  }
+  return nlohmann::ordered_json{{"imports", imports}}.dump();
+}
+
+}  // namespace
+
+Result<std::string> web_page(const std::string& suite) {
+  std::string data = suite;
+  replace_all(data, "<", "\\u003c");  // so that no text in it can end the script element
+  return render_page(resource("index.mustache"), {{"style", resource("style.mustache")},
+                                                  {"version", library_version()},
+                                                  {"suite", data},
+                                                  {"modules", import_map()}});
+}
+
+}  // namespace hn

@@ -1,0 +1,139 @@
+// What was found: results.json, and the page.
+import { kBadStatuses, kStatuses } from "./checks.js";
+
+// All of them are in results.json.
+const kMostShown = 20;
+
+export function count(results, status) {
+  return results.filter((result) => result.status === status).length;
+}
+
+export function bad(results) {
+  return results.filter((result) => kBadStatuses.includes(result.status));
+}
+
+// Something passed, and nothing was wrong.
+export function asExpected(results) {
+  return count(results, "pass") > 0 && bad(results).length === 0;
+}
+
+// Of the schema that hn-conform writes (docs/internals.md). The page has no random points, hence no seed.
+export function resultsJson(version, info, results) {
+  const totals = Object.fromEntries(kStatuses.map((status) => [status, count(results, status)]));
+  const run = { driver: "webgl2", ...info, seed: 0, totals, cases: results };
+  return JSON.stringify({ schema: 1, version, runs: [run] }, null, 1) + "\n";
+}
+
+// An element with attributes and children; what is text stays text.
+function element(name, attributes = {}, ...children) {
+  const made = document.createElement(name);
+  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
+  made.append(...children);
+  return made;
+}
+
+function table(heads, rows) {
+  const head = element("tr", {}, ...heads.map((text) => element("th", {}, text)));
+  const lines = rows.map((row) => element("tr", {}, ...row.map((cell) => element("td", {}, String(cell)))));
+  return element("div", { class: "table" },
+                 element("table", {}, element("thead", {}, head), element("tbody", {}, ...lines)));
+}
+
+function exampleTable(examples) {
+  return table(["point", "inputs", "got", "expected"],
+               examples.map(({ point, inputs, got, expected }) => [point, inputs, got, expected]));
+}
+
+function wrongCase(result) {
+  const counts = result.samples ? `${result.mismatches} of ${result.samples} values are wrong. ` : "";
+  const parts = [element("h3", {}, element("span", { class: "bad" }, result.status), ` ${result.id}`)];
+  if (counts) parts.push(element("p", {}, counts));
+  // What is not said by the examples.
+  if (result.examples.length && !result.message.startsWith("first at")) parts.push(element("p", {}, result.message));
+  parts.push(result.examples.length ? exampleTable(result.examples) : element("pre", {}, result.message));
+  return element("section", {}, ...parts);
+}
+
+// The largest difference from a golden value, by function.
+function largestDifferences(results) {
+  const largest = new Map();
+  for (const { id, max_abs } of results) {
+    if (!id.endsWith(".golden") || max_abs === 0) continue;
+    const name = id.split(".").slice(0, 2).join(".");
+    largest.set(name, Math.max(largest.get(name) ?? 0, max_abs));
+  }
+  return [...largest].map(([name, value]) => [name, value.toExponential(1)]);
+}
+
+function byReason(results, status) {
+  const reasons = new Map();
+  for (const result of results) {
+    if (result.status === status) reasons.set(result.message, [...(reasons.get(result.message) ?? []), result.id]);
+  }
+  return [...reasons].map(([reason, ids]) => [ids.length > 1 ? `${ids[0]} and ${ids.length - 1} more` : ids[0], reason]);
+}
+
+function totalsText(results) {
+  const parts = kStatuses.map((status) => [status, count(results, status)]).filter(([, number]) => number > 0);
+  return parts.map(([status, number]) => `${number} ${status}`).join(", ");
+}
+
+const place = (id) => document.getElementById(id);
+
+function setVerdict(text, kind) {
+  place("verdict").textContent = text;
+  place("verdict").className = kind;
+}
+
+export function showContext(info) {
+  place("renderer").textContent = `${info.renderer} (${info.vendor})`;
+  place("versions").textContent = `${info.gl_version}; ${info.glsl_version}`;
+}
+
+export function showProgress(results, total, current) {
+  const wrong = bad(results).length;
+  setVerdict(`Checking ${results.length + 1} of ${total}${wrong ? `, ${wrong} failed` : ""} …`, wrong ? "bad" : "");
+  place("progress").max = total;
+  place("progress").value = results.length;
+  place("current").textContent = current;
+}
+
+// Nothing can be checked, or no further.
+export function showStopped(title, message) {
+  setVerdict(title, "bad");
+  place("progress").remove();
+  place("current").textContent = message;
+}
+
+export function showResults(version, info, results) {
+  const good = asExpected(results);
+  setVerdict(good ? "All as expected" : "NOT AS EXPECTED", good ? "good" : "bad");
+  const samples = results.reduce((sum, result) => sum + result.samples, 0);
+  place("progress").remove();
+  place("current").textContent = `${totalsText(results)}; ${samples.toLocaleString("en")} values compared`;
+  offer(resultsJson(version, info, results));
+  const found = place("found");
+  const wrong = bad(results);
+  if (wrong.length) {
+    found.append(element("h2", {}, "What is wrong, and where"), ...wrong.slice(0, kMostShown).map(wrongCase));
+  }
+  if (wrong.length > kMostShown) found.append(element("p", {}, `… and ${wrong.length - kMostShown} more cases.`));
+  for (const [status, title] of [["warning", "Warnings"], ["unsupported", "Not supported here"]]) {
+    const reasons = byReason(results, status).map(
+      ([ids, reason]) => element("section", {}, element("h3", {}, ids), element("p", {}, reason)));
+    if (reasons.length) found.append(element("h2", {}, title), ...reasons);
+  }
+  const differences = largestDifferences(results);
+  if (differences.length) {
+    found.append(element("h2", {}, "Largest difference from the exact values"),
+                 table(["function", "difference"], differences));
+  }
+  found.append(element("details", {}, element("summary", {}, "Every case"),
+                       table(["case", "status", "values"], results.map((r) => [r.id, r.status, r.samples]))));
+}
+
+function offer(json) {
+  const link = place("download");
+  link.href = URL.createObjectURL(new Blob([json], { type: "application/json" }));
+  link.hidden = false;
+}

@@ -1,0 +1,304 @@
+#include "web/suite.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "bugs/bugs.hpp"
+#include "golden.hpp"
+#include "output/file.hpp"
+#include "pairing.hpp"
+#include "report.hpp"
+#include "tolerance.hpp"
+#include "web/base64.hpp"
+
+namespace hn {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+static_assert(std::endian::native == std::endian::little, "the page's numbers are little-endian");
+
+// Of what is random, the page takes a prefix of what other drivers take by default: its size is that of its points.
+constexpr std::uint64_t kPageSeed = 1;
+constexpr std::size_t kPagePoints = 1024;
+
+// The last part of the id.
+std::string_view check_of(const Case& test) { return std::string_view(test.id).substr(test.id.rfind('.') + 1); }
+
+// The last part but one.
+const Profile& profile_of(const Case& test) {
+  const auto end = test.id.rfind('.');
+  const auto start = test.id.rfind('.', end - 1) + 1;
+  return profile_named(std::string_view(test.id).substr(start, end - start));
+}
+
+const Bug* bug_of(const Case& test) {
+  for (const Bug& bug : all_bugs()) {
+    if (test.id.starts_with(std::string(bug.function.id) + ".")) return &bug;
+  }
+  return nullptr;
+}
+
+bool checks_golden(const Case& test) { return test.evaluation && check_of(test) == "golden"; }
+
+bool compares_two(const Case& test) {
+  // One point tells whether there is such a check.
+  return test.evaluation && pairing_of(check_of(test), *test.evaluation, kPageSeed, 1).has_value();
+}
+
+// Numbers values, so that each is stored once.
+class Table {
+ public:
+  std::size_t number_of(const Json& value) {
+    const auto [entry, added] = numbers_.try_emplace(value.dump(), values_.size());
+    if (added) values_.push_back(value);
+    return entry->second;
+  }
+  const Json& values() const { return values_; }
+
+ private:
+  std::map<std::string, std::size_t> numbers_;
+  Json values_ = Json::array();
+};
+
+class SuiteWriter {
+ public:
+  SuiteWriter(const SourceSet& sources, const std::filesystem::path& golden) : sources_(sources), golden_(golden) {}
+
+  Json case_json(const Case& test) {
+    auto part = part_of(test);
+    if (!part) {
+      defect_ = part.error().message;
+      part = decided(part.error());
+    }
+    Json with_id = {{"id", test.id}};
+    with_id.update(*part);
+    return with_id;
+  }
+
+  const std::optional<std::string>& defect() const { return defect_; }
+
+  Json finish(Json cases, std::string_view report_to) const {
+    Json suite = {{"schema", 1}, {"version", library_version()}};
+    if (!report_to.empty()) suite["report_to"] = report_to;
+    suite["uniforms"] = {{"trips", {{"type", "int"}, {"value", kLoopTrips}}},
+                         {"variant_seed", {{"type", "uint"}, {"value", kVariantSeed}}}};
+    suite["texts"] = texts_.values();
+    suite["shaders"] = shaders_.values();
+    suite["programs"] = programs_.values();
+    suite["data"] = data_.values();
+    suite["cases"] = std::move(cases);
+    return suite;
+  }
+
+ private:
+  // What a case is without the browser, if something of its own is wrong: the same as on a driver.
+  using Part = tl::expected<Json, Outcome>;
+
+  Part part_of(const Case& test) {
+    if (test.compilation) return compilation(*test.compilation);
+    if (const Bug* const found = bug_of(test)) return bug(*found, profile_of(test));
+    if (checks_golden(test)) return values(*test.evaluation);
+    return same(*pairing_of(check_of(test), *test.evaluation, kPageSeed, kPagePoints));
+  }
+
+  static Json decided(const Outcome& outcome) {
+    return {{"decided", {{"status", name_of(outcome.status)}, {"message", outcome.message}}}};
+  }
+
+  // The number of a shader. Its text is cut where files begin and end, since shaders have the files in common.
+  tl::expected<std::size_t, Outcome> shader(const Profile& profile, std::string_view text, Status if_wrong) {
+    const auto expanded = expand(sources_, profile, text);
+    if (!expanded) return tl::unexpected(outcome_with(if_wrong, expanded.error()));
+    Json pieces = Json::array();
+    std::string piece;
+    for (std::string_view rest = expanded->text; !rest.empty();) {
+      const std::string_view line = rest.substr(0, std::min(rest.find('\n'), rest.size() - 1) + 1);
+      rest.remove_prefix(line.size());
+      const bool cut = line.starts_with("#line ");
+      if (cut && !piece.empty()) pieces.push_back(texts_.number_of(std::exchange(piece, {})));
+      piece += line;
+      if (cut) pieces.push_back(texts_.number_of(std::exchange(piece, {})));
+    }
+    if (!piece.empty()) pieces.push_back(texts_.number_of(piece));
+    return shaders_.number_of({{"pieces", pieces}, {"paths", expanded->paths}});
+  }
+
+  // The number of a program whose shader of that stage evaluates, or only compiles.
+  tl::expected<std::size_t, Outcome> program(const Profile& profile, std::string_view text, Stage stage) {
+    const bool of_vertices = stage == Stage::vertex;
+    const auto main = shader(profile, text, Status::fail);
+    if (!main) return tl::unexpected(main.error());
+    const auto other = shader(profile, of_vertices ? idle_fragment_shader() : vertex_shader(), Status::error);
+    if (!other) return tl::unexpected(other.error());
+    return programs_.number_of({{"stage", name_of(stage)},
+                                {"vertex", of_vertices ? *main : *other},
+                                {"fragment", of_vertices ? *other : *main}});
+  }
+
+  tl::expected<std::size_t, Outcome> program(const Evaluation& evaluation) {
+    return program(evaluation.profile, evaluation_shader(evaluation), evaluation.stage);
+  }
+
+  Part compilation(const Compilation& compilation) {
+    const bool refused = !compilation.refusal.empty();
+    if (refused) {
+      const auto fragment = shader(compilation.profile, compilation.fragment, Status::error);
+      if (!fragment) return tl::unexpected(fragment.error());
+      return Json{{"check", "refused"},
+                  {"fragment", *fragment},
+                  {"names", compilation.refusal},
+                  {"too_old", compilation.too_old}};
+    }
+    const auto compiled = program(compilation.profile, compilation.fragment, Stage::fragment);
+    if (!compiled) return tl::unexpected(compiled.error());
+    return Json{{"check", "compiles"}, {"program", *compiled}};
+  }
+
+  Part values(const Evaluation& evaluation) {
+    const Function& function = evaluation.function;
+    const Configuration& configuration = evaluation.configuration;
+    const auto golden = read_golden(golden_path(golden_, function, configuration), function, configuration);
+    if (!golden) return tl::unexpected(outcome_with(Status::error, golden.error()));
+    const auto evaluated = program(evaluation);
+    if (!evaluated) return tl::unexpected(evaluated.error());
+    Json json = {{"check", "values"},
+                 {"program", *evaluated},
+                 {"columns", function.columns},
+                 {"exact", function.exact()},
+                 {"inputs", inputs_of(*golden)},
+                 {"expected", expected_of(*golden, function)},
+                 {"allowed", allowed_json(allowed_at(*golden, function, configuration))}};
+    if (golden->digest) json["digest"] = digest_json(*golden->digest);
+    return json;
+  }
+
+  Part same(const Pairing& pairing) {
+    const auto evaluated = program(pairing.evaluation);
+    if (!evaluated) return tl::unexpected(evaluated.error());
+    const auto other = program(pairing.other);
+    if (!other) return tl::unexpected(other.error());
+    const Function& function = pairing.evaluation.function;
+    return Json{{"check", "same"},
+                {"program", *evaluated},
+                {"other", *other},
+                {"columns", function.columns},
+                {"exact", pairing.exact},
+                {"in_loop", pairing.in_loop()},
+                {"inputs", packed(pairing.inputs, function)},
+                {"other_inputs", packed(pairing.other_inputs, function)},
+                {"allowed", pairing.exact ? Json(0.0) : allowed_json(pairing.allowed)}};
+  }
+
+  Part bug(const Bug& bug, const Profile& profile) {
+    const auto evaluated = program(evaluation_of(bug, profile));
+    if (!evaluated) return tl::unexpected(evaluated.error());
+    std::vector<std::uint32_t> inputs;
+    std::vector<std::uint32_t> expected;
+    for (const BugPoint& point : bug.points) {
+      inputs.insert(inputs.end(), point.inputs.begin(), point.inputs.end());
+      expected.insert(expected.end(), point.expected.begin(), point.expected.end());
+    }
+    return Json{{"check", "bug"},
+                {"program", *evaluated},
+                {"columns", bug.function.columns},
+                {"inputs", data(inputs)},
+                {"expected", data(expected)},
+                {"allowed", bug.allowed},
+                {"defined", bug.defined},
+                {"note", fmt::format("{}. Reported in: {}", bug.specification, bug.reference)}};
+  }
+
+  // The words that the function's columns use.
+  std::size_t packed(const std::vector<std::uint32_t>& inputs, const Function& function) {
+    std::vector<std::uint32_t> words;
+    for (auto point = inputs.begin(); point != inputs.end(); point += kInputWords) {
+      words.insert(words.end(), point, point + static_cast<std::ptrdiff_t>(function.inputs.size()));
+    }
+    return data(words);
+  }
+
+  template <typename T>
+  std::size_t data(const std::vector<T>& numbers) {
+    return data_.number_of(base64(bytes_of(std::span<const T>(numbers))));
+  }
+
+  std::size_t inputs_of(const Golden& golden) {
+    std::vector<std::uint32_t> words;
+    for (const GoldenRow& row : golden.rows) words.insert(words.end(), row.inputs.begin(), row.inputs.end());
+    return data(words);
+  }
+
+  // Words if every bit counts, else doubles.
+  std::size_t expected_of(const Golden& golden, const Function& function) {
+    std::vector<std::uint32_t> words;
+    std::vector<double> numbers;
+    for (const GoldenRow& row : golden.rows) {
+      for (const std::uint64_t value : row.values) {
+        words.push_back(static_cast<std::uint32_t>(value));
+        numbers.push_back(std::bit_cast<double>(value));
+      }
+    }
+    return function.exact() ? data(words) : data(numbers);
+  }
+
+  std::vector<double> allowed_at(const Golden& golden, const Function& function, const Configuration& configuration) {
+    std::vector<double> allowed;
+    std::vector<std::uint32_t> words(kInputWords);
+    for (const GoldenRow& row : golden.rows) {
+      std::copy(row.inputs.begin(), row.inputs.end(), words.begin());
+      allowed.push_back(tolerance(function, configuration, words));
+    }
+    return allowed;
+  }
+
+  // A number for all points, or data with one for each. (JSON has no infinity.)
+  Json allowed_json(const std::vector<double>& allowed) {
+    const bool constant = std::all_of(allowed.begin(), allowed.end(), [&](double a) { return a == allowed.front(); });
+    if (!allowed.empty() && constant && std::isfinite(allowed.front())) return allowed.front();
+    return {{"data", data(allowed)}};
+  }
+
+  static Json digest_json(const GoldenDigest& digest) {
+    return {{"origin", digest.origin},
+            {"size", digest.size},
+            {"seed", digest.seed},
+            {"fnv1a64", fmt::format("{:016x}", digest.fnv1a64)}};
+  }
+
+  const SourceSet& sources_;
+  const std::filesystem::path& golden_;
+  std::optional<std::string> defect_;
+  Table texts_;
+  Table data_;
+  Table shaders_;
+  Table programs_;
+};
+
+}  // namespace
+
+std::string unsupported_in_browser(const Case& test) {
+  const bool bug = bug_of(test) != nullptr;
+  if (!bug && !test.evaluation && !test.compilation) {
+    return "this check is the harness's own: no driver takes part in it";
+  }
+  if (auto reason = unsupported_reason(profile_of(test), kWebGl2Languages); !reason.empty()) return reason;
+  if (bug || test.compilation || checks_golden(test) || compares_two(test)) return {};
+  return "this check is written in C++, and the page is not";
+}
+
+PageSuite make_suite(const SourceSet& sources, const std::filesystem::path& golden, std::span<const Case> cases,
+                     std::string_view report_to) {
+  SuiteWriter writer(sources, golden);
+  Json list = Json::array();
+  for (const Case& test : cases) list.push_back(writer.case_json(test));
+  const Json suite = writer.finish(std::move(list), report_to);
+  return {suite.dump(-1, ' ', false, Json::error_handler_t::replace), writer.defect()};
+}
+
+}  // namespace hn

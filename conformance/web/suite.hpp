@@ -1,0 +1,37 @@
+// The cases that a browser can run, as data: what the page's suite.js reads. docs/internals.md describes the JSON.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "case.hpp"
+#include "source.hpp"
+
+namespace hn {
+
+// WebGL2 takes GLSL ES 3.00 and 1.00.
+inline constexpr LanguageSupport kWebGl2Languages = {
+    .gl_version = 0, .es_version = 300, .gl130 = false, .bit_encoding = false};
+
+// Why WebGL2 or the page cannot run a case; empty if they can.
+std::string unsupported_in_browser(const Case& test);
+
+struct PageSuite {
+  std::string json;
+  // Why a case cannot be run, if there is one: its golden file or a source cannot be read. It has that verdict then.
+  std::optional<std::string> defect;
+};
+
+// The JSON text of the cases, of which the page must be able to run each. The page posts what happens to report_to, if
+// that is not empty.
+PageSuite make_suite(const SourceSet& sources, const std::filesystem::path& golden, std::span<const Case> cases,
+                     std::string_view report_to = {});
+
+// The page with a suite in it: one HTML file that needs nothing else, not even a server.
+Result<std::string> web_page(const std::string& suite);
+
+}  // namespace hn

@@ -1,0 +1,175 @@
+#include "web/suite.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "golden.hpp"
+#include "test_support.hpp"
+#include "tolerance.hpp"
+#include "web/base64.hpp"
+
+namespace hn {
+namespace {
+
+using Json = nlohmann::json;
+
+const Case& case_named(const std::vector<Case>& cases, std::string_view id) {
+  const auto found = std::find_if(cases.begin(), cases.end(), [&](const Case& test) { return test.id == id; });
+  if (found == cases.end()) throw std::invalid_argument(std::string(id));
+  return *found;
+}
+
+// The suite of one case.
+Json suite_of(std::string_view id, const std::filesystem::path& golden = HN_GOLDEN_DIRECTORY) {
+  const auto cases = all_cases();
+  const Case& test = case_named(cases, id);
+  return Json::parse(make_suite(SourceSet::embedded(), golden, std::span(&test, 1)).json);
+}
+
+// The fragment shader of the only case.
+Json fragment_of(const Json& suite) {
+  return suite["programs"][suite["cases"][0]["program"].get<std::size_t>()]["fragment"];
+}
+
+std::string text_of(const Json& suite, const Json& shader) {
+  std::string text;
+  for (const std::size_t piece : suite["shaders"][shader.get<std::size_t>()]["pieces"]) {
+    text += suite["texts"][piece].get<std::string>();
+  }
+  return text;
+}
+
+template <typename T>
+std::string packed(const std::vector<T>& numbers) {
+  return base64({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T)});
+}
+
+TEST(Suite, AShaderIsTheOneThatDriversGet) {
+  const auto cases = all_cases();
+  for (const std::string_view id :
+       {"fbm.clouds3.lattice.fast.fragment.es300.golden", "hashnoise.all.pcg.fast.fragment.es300.driver"}) {
+    const Json suite = suite_of(id);
+    const Case& test = case_named(cases, id);
+    const auto expected = expand(SourceSet::embedded(), profile_named("es300"),
+                                 test.evaluation ? evaluation_shader(*test.evaluation) : test.compilation->fragment);
+    EXPECT_EQ(text_of(suite, fragment_of(suite)), expected->text) << id;
+    EXPECT_EQ(suite["shaders"][fragment_of(suite).get<std::size_t>()]["paths"], expected->paths) << id;
+  }
+}
+
+TEST(Suite, ValuesAreThoseOfTheGoldenFile) {
+  const Json suite = suite_of("fbm.fbm2.lattice.fast.fragment.es300.golden");
+  const Function& function = find_function("fbm.fbm2");
+  const Configuration& configuration = default_configuration();
+  const auto golden = read_golden(golden_path(HN_GOLDEN_DIRECTORY, function, configuration), function, configuration);
+  ASSERT_TRUE(golden);
+  std::vector<std::uint32_t> inputs;
+  std::vector<double> expected;
+  std::vector<double> allowed;
+  for (const GoldenRow& row : golden->rows) {
+    inputs.insert(inputs.end(), row.inputs.begin(), row.inputs.end());
+    expected.push_back(std::bit_cast<double>(row.values.at(0)));
+    std::vector<std::uint32_t> words = row.inputs;
+    words.resize(kInputWords);
+    allowed.push_back(tolerance(function, configuration, words));
+  }
+  const Json& test = suite["cases"][0];
+  EXPECT_EQ(test["check"], "values");
+  EXPECT_EQ(test["columns"], function.columns);
+  EXPECT_EQ(test["exact"], false);
+  EXPECT_EQ(suite["data"][test["inputs"].get<std::size_t>()], packed(inputs));
+  EXPECT_EQ(suite["data"][test["expected"].get<std::size_t>()], packed(expected));
+  EXPECT_EQ(suite["data"][test["allowed"]["data"].get<std::size_t>()], packed(allowed));
+  EXPECT_FALSE(test.contains("digest"));
+}
+
+TEST(Suite, AHashComesWithItsDigestAndExactWords) {
+  const Json test = suite_of("hash.vec2.pcg.exact.fragment.es300.golden")["cases"][0];
+  EXPECT_EQ(test["exact"], true);
+  EXPECT_EQ(test["allowed"], 0.0);
+  EXPECT_EQ(test["digest"]["size"].size(), 2u);
+  EXPECT_EQ(test["digest"]["fnv1a64"].get<std::string>().size(), 16u);
+}
+
+TEST(Suite, ARefusalNamesItsWord) {
+  const Json suite = suite_of("config.version_es100.any.fast.fragment.es100.refused_by_driver");
+  const Json& test = suite["cases"][0];
+  EXPECT_EQ(test["check"], "refused");
+  EXPECT_EQ(test["names"], "GLSL ES 3.00");
+  EXPECT_EQ(test["too_old"], true);
+  EXPECT_TRUE(text_of(suite, test["fragment"]).starts_with("#version 100\n"));
+}
+
+TEST(Suite, AVertexEvaluatesInItsOwnShader) {
+  const Json suite = suite_of("noise2d.perlin.lattice.fast.vertex.es300.golden");
+  const Json& program = suite["programs"][suite["cases"][0]["program"].get<std::size_t>()];
+  EXPECT_EQ(program["stage"], "vertex");
+  EXPECT_NE(text_of(suite, program["vertex"]).find("evaluate("), std::string::npos);
+  EXPECT_EQ(text_of(suite, program["fragment"]).find("evaluate("), std::string::npos);
+}
+
+TEST(Suite, TwoWaysHaveAProgramEachAndTheirPoints) {
+  const Json suite = suite_of("noise2d.perlin.lattice.fast.fragment.es300.in_loop");
+  const Json& test = suite["cases"][0];
+  EXPECT_EQ(test["check"], "same");
+  EXPECT_EQ(test["in_loop"], true);
+  EXPECT_NE(test["program"], test["other"]);
+  EXPECT_EQ(test["inputs"], test["other_inputs"]);
+  const Json period = suite_of("noise2d.perlin.lattice+period48.fast.fragment.es300.period")["cases"][0];
+  EXPECT_EQ(period["program"], period["other"]);
+  EXPECT_NE(period["inputs"], period["other_inputs"]);
+}
+
+TEST(Suite, ABugComesWithWhereItWasReported) {
+  const auto cases = all_cases();
+  std::size_t bugs = 0;
+  for (const Case& test : cases) {
+    if (!test.id.starts_with("bugs.") || test.id.find(".es300.") == std::string::npos) continue;
+    const Json suite = suite_of(test.id);
+    EXPECT_EQ(suite["cases"][0]["check"], "bug") << test.id;
+    EXPECT_EQ(suite["cases"][0]["defined"], test.id.ends_with(".defined")) << test.id;
+    EXPECT_NE(suite["cases"][0]["note"].get<std::string>().find("Reported in: "), std::string::npos) << test.id;
+    ++bugs;
+  }
+  EXPECT_GT(bugs, 20u);
+}
+
+TEST(Suite, AMissingGoldenFileIsAnErrorOfItsCase) {
+  const TemporaryFolder nothing;
+  const Json test = suite_of("noise2d.perlin.pcg.fast.fragment.es300.golden", nothing.path())["cases"][0];
+  EXPECT_EQ(test["decided"]["status"], "error");
+  EXPECT_NE(test["decided"]["message"].get<std::string>().find("noise2d.perlin.pcg.golden"), std::string::npos);
+}
+
+TEST(Suite, EveryCaseOfEs300IsInItOrHasAReason) {
+  const std::set<std::string> kOnDrivers = {"golden",  "driver",        "refused_by_driver", "inlined",
+                                            "in_loop", "constant_seed", "uniform_seed",      "folded",
+                                            "period",  "as_fragment",   "defined",           "undefined"};
+  std::size_t supported = 0;
+  for (const Case& test : all_cases()) {
+    const std::string reason = unsupported_in_browser(test);
+    const auto last = test.id.rfind('.') + 1;
+    const bool es = test.id.find(".es300.") != std::string::npos || test.id.find(".es100.") != std::string::npos;
+    EXPECT_EQ(reason.empty(), kOnDrivers.contains(test.id.substr(last)) && es) << test.id << ": " << reason;
+    supported += reason.empty() ? 1 : 0;
+  }
+  EXPECT_GT(supported, 200u);
+}
+
+TEST(Suite, ThePageIsOneFileOfAModestSize) {
+  std::vector<Case> cases = all_cases();
+  std::erase_if(cases, [](const Case& test) { return !unsupported_in_browser(test).empty(); });
+  const auto page = web_page(make_suite(SourceSet::embedded(), HN_GOLDEN_DIRECTORY, cases).json);
+  ASSERT_TRUE(page) << page.error().text();
+  EXPECT_LT(page->size(), 3'000'000u);
+  EXPECT_EQ(page->find("src="), std::string::npos);
+  EXPECT_EQ(page->find("from \"./"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace hn
