@@ -1,6 +1,9 @@
 // Cases that only compile: every file with every hash in every version, by glslang and by the driver; and shaders that
-// the library must refuse.
+// the library must refuse, or must not.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <hashnoise/hashnoise.hpp>
 
 #include "case.hpp"
 #include "embedded.hpp"
@@ -59,6 +62,29 @@ void add_file_cases(std::vector<Case>& cases, std::string_view file, const Confi
                    compilation});
 }
 
+// In ES, what is not declared highp has 16 bits on some machines, and on the others nobody notices. So glslang is asked
+// for the SPIR-V of the ES shader, whose default precision is mediump, and nothing in it may be of relaxed precision.
+Outcome check_highp(const Suite& suite, std::string_view file, const Configuration& configuration) {
+  static constexpr Profile kEsToSpirv{"es310", "#version 310 es", 310, true, true};
+  const auto source =
+      expand(suite.sources, kEsToSpirv, calling_shader(file, configuration, kEsToSpirv, Stage::fragment));
+  if (!source) return outcome_with(Status::fail, source.error());
+  const auto words = suite.reference.spirv(*source, Stage::fragment);
+  if (!words) return outcome_with(Status::fail, words.error());
+  const std::vector<std::string> relaxed = relaxed_precision(*words);
+  if (relaxed.empty()) return {};
+  return outcome_with(
+      Status::fail,
+      {fmt::format("{} values are not highp, of these with a name: {}", relaxed.size(), fmt::join(relaxed, " ")), {}});
+}
+
+void add_highp_case(std::vector<Case>& cases, std::string_view file, const Configuration& configuration) {
+  cases.push_back(
+      {.id = fmt::format("{}.all.{}.fast.fragment.es310.highp", stem(file), configuration.name),
+       .run = {},
+       .compile = [=, &configuration](const Suite& suite) { return check_highp(suite, file, configuration); }});
+}
+
 // Every hash is other code, and so is each other knob by itself; combinations are not.
 bool selects_code(const Configuration& configuration) {
   return configuration.hash_only() || configuration.name == "lattice+sine" ||
@@ -90,6 +116,46 @@ constexpr Refusal kRefusals[] = {
     {"period_too_large", "gl330", "#define HN_PERIOD 1073741825\n", "1073741824"},
     {"custom_without_function", "gl330", "#define HN_HASH HN_HASH_CUSTOM\n", "HN_HASH_FN"},
 };
+
+// What the library must take.
+struct Acceptance {
+  std::string_view name;
+  std::string knobs;       // before the include
+  std::string after = {};  // behind it
+};
+
+std::vector<Acceptance> acceptances() {
+  return {
+      {"period_1", "#define HN_PERIOD 1\n"},
+      {"period_largest_of_any", "#define HN_PERIOD 1048576\n"},
+      {"period_largest_power_of_two", "#define HN_PERIOD 1073741824\n"},
+      // Of the library that this program was built with.
+      {"version", "",
+       fmt::format("#if HN_VERSION_MAJOR != {} || HN_VERSION_MINOR != {} || HN_VERSION_PATCH != {}\n"
+                   "#error this is another version\n#endif\n",
+                   HN_VERSION_MAJOR, HN_VERSION_MINOR, HN_VERSION_PATCH)},
+      // An undefined name in #if is an error by the letter, and 0 in most compilers.
+      {"macros", "",
+       "#if !defined(HN_VERSION_MAJOR) || !defined(HN_VERSION_MINOR) || !defined(HN_VERSION_PATCH)\n#error version\n"
+       "#endif\n#if !defined(HN_I_BITCAST) || !defined(HN_HASH) || !defined(HN_GRADIENT) || !defined(HN_PERIOD)\n"
+       "#error knobs\n#endif\n"},
+  };
+}
+
+void add_acceptance_cases(std::vector<Case>& cases, const Acceptance& acceptance) {
+  for (const std::string_view name : {"gl330", "es300"}) {
+    const Profile& profile = profile_named(name);
+    const auto compilation = std::make_shared<const Compilation>(Compilation{
+        profile,
+        fmt::format("{}#include \"hashnoise.glsl\"\n{}void main() {{}}\n", acceptance.knobs, acceptance.after)});
+    const std::string id = fmt::format("config.{}.any.fast.fragment.{}.", acceptance.name, name);
+    cases.push_back({.id = id + "glslang", .run = {}, .compile = [=](const Suite& suite) {
+                       return check_with_glslang(suite, compilation->profile, compilation->fragment, Stage::fragment);
+                     }});
+    cases.push_back(
+        {id + "driver", [=](Session& session) { return check_with_driver(session, *compilation); }, {}, compilation});
+  }
+}
 
 Outcome expect_refusal(const Compilation& compilation, const Result<void>& compiled) {
   const std::string_view expected = compilation.refusal;
@@ -137,8 +203,10 @@ void add_compile_cases(std::vector<Case>& cases) {
     for (const Configuration& configuration : all_configurations()) {
       if (!selects_code(configuration)) continue;
       for (const Profile& profile : all_profiles()) add_file_cases(cases, file.name, configuration, profile);
+      add_highp_case(cases, file.name, configuration);
     }
   }
+  for (const Acceptance& acceptance : acceptances()) add_acceptance_cases(cases, acceptance);
   for (const Refusal& refusal : kRefusals) add_refusal_cases(cases, refusal);
 }
 

@@ -13,6 +13,7 @@ namespace hn {
 namespace {
 
 constexpr std::size_t kPropertyPoints = std::size_t{1} << 16;
+constexpr std::size_t kWrappedPoints = std::size_t{1} << 12;
 constexpr std::size_t kCorrelationPoints = std::size_t{1} << 14;  // fewer: a check evaluates them many times
 
 struct Range {
@@ -131,6 +132,35 @@ Outcome check_range(Session& session, const Evaluation& evaluation) {
   const bool is_noise = function.input("octaves") < 0;
   comparison.require(!is_noise || largest > 0.6f, point(inputs, 0), largest,
                      "more than 0.6 as the largest of all values");
+  return comparison.finish();
+}
+
+// With a period the gradient at a cell is that of the field without one at the cell modulo the period: for the smallest
+// and the largest periods, powers of two and others beside them.
+Outcome check_wrapped(Session& session, const Evaluation& evaluation) {
+  constexpr std::int64_t kPeriods[] = {1, 2, 3, 63, 1048575, 1048576, 1073741824};
+  const Function& function = evaluation.function;
+  const auto axes = static_cast<std::size_t>(function.seed_word());
+  const Words inputs = random_points(function, kWrappedPoints, Random(session.seed, "wrapped"));
+  Comparison comparison(function, inputs);
+  for (const std::int64_t period : kPeriods) {
+    const std::string knob = fmt::format("#define HN_PERIOD {}\n", period);
+    const auto outputs = evaluate(
+        session, {function, evaluation.configuration, evaluation.profile, {.knobs = knob}, evaluation.stage}, inputs);
+    if (!outputs) return outputs.error();
+    Words wrapped = inputs;
+    for (std::size_t i = 0; i < wrapped.size(); i += kInputWords) {
+      for (std::size_t axis = i; axis < i + axes; ++axis) {
+        const std::int64_t cell = static_cast<std::int32_t>(inputs[axis]);
+        wrapped[axis] = static_cast<std::uint32_t>((cell % period + period) % period);
+      }
+    }
+    Words expected(kWrappedPoints * kOutputWords);
+    evaluate_twin(function, evaluation.configuration, wrapped, expected);
+    for (std::size_t i = 0; i < kWrappedPoints; ++i) {
+      compare_with_twin(comparison, function, point(inputs, i), result(*outputs, i), result(expected, i), 0.0);
+    }
+  }
   return comparison.finish();
 }
 

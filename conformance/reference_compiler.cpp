@@ -5,6 +5,8 @@
 #include <glslang/Public/ShaderLang.h>
 #include <glslang/SPIRV/GlslangToSpv.h>
 
+#include <glslang/SPIRV/spirv.hpp>
+#include <map>
 #include <spirv-tools/libspirv.hpp>
 
 namespace hn {
@@ -61,6 +63,25 @@ Result<void> validate_spirv(std::span<const std::uint32_t> words) {
   });
   if (!tools.Validate(words.data(), words.size())) return fail("spirv-val rejects the SPIR-V", log);
   return {};
+}
+
+std::vector<std::string> relaxed_precision(std::span<const std::uint32_t> words) {
+  constexpr std::size_t kHeader = 5;  // words before the first instruction
+  std::map<std::uint32_t, std::string> names;
+  std::vector<std::uint32_t> relaxed;
+  for (std::size_t at = kHeader; at < words.size();) {
+    const std::size_t length = words[at] >> 16;
+    const auto operation = static_cast<spv::Op>(words[at] & 0xFFFFu);
+    if (length == 0 || at + length > words.size()) break;
+    const auto operands = words.subspan(at + 1, length - 1);
+    if (operation == spv::OpName) names[operands[0]] = reinterpret_cast<const char*>(&operands[1]);
+    const bool relaxes = operation == spv::OpDecorate && operands[1] == spv::DecorationRelaxedPrecision;
+    if (relaxes) relaxed.push_back(operands[0]);
+    at += length;
+  }
+  std::vector<std::string> found;
+  for (const std::uint32_t id : relaxed) found.push_back(names[id]);
+  return found;
 }
 
 std::string reference_compiler_version() {

@@ -125,6 +125,8 @@ void add_properties(std::vector<Case>& cases, const Function& function, const Co
   if (once && function.seed_word() >= 0) add(cases, function, configuration, profile, "unseeded", check_unseeded);
   if (once && function.input("octaves") >= 0)
     add(cases, function, configuration, profile, "noise_knob", check_noise_knob);
+  const bool has_period = function.id.starts_with("gradient.lattice");
+  if (once && has_period) add(cases, function, configuration, profile, "wrapped", check_wrapped);
   if (function.exact()) return;
   add(cases, function, configuration, profile, "range", check_range);
   if (!function.id.ends_with(".perlin")) return;

@@ -36,6 +36,7 @@ using Check = Outcome(Session& session, const Evaluation& evaluation);
 // property_checks.cpp
 Check check_zero;        // noise is 0 at lattice points
 Check check_range;       // values keep to their range and use it
+Check check_wrapped;     // cells with a period are those without one, wrapped
 Check check_seeds;       // fields of different seeds are uncorrelated
 Check check_mirror;      // no quadrant mirrors another
 Check check_unseeded;    // without a seed means with seed 0
