@@ -42,6 +42,7 @@ struct RunCommand {
   bool fail_fast = false;
   bool resume = false;
   bool timings = false;
+  std::string line;  // the command line, for the record
 };
 int run_command(const RunCommand& options);
 
