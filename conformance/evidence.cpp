@@ -18,7 +18,7 @@ namespace hn {
 namespace {
 
 // A second one, since the first of a function's cases may fail for another reason.
-constexpr int kMostPerFunction = 2;
+constexpr std::size_t kMostPerFunction = 2;
 // With its pictures one takes about 50 kB.
 constexpr int kMostPerDriver = 40;
 
@@ -27,6 +27,14 @@ struct Right {
   std::array<std::uint32_t, kOutputWords> words;
   double allowed;
 };
+
+// What fails in one version of the language mostly does so in the others.
+std::string without_version(const std::string& id) {
+  const auto check = id.rfind('.');
+  if (check == std::string::npos || check == 0) return id;
+  const auto version = id.rfind('.', check - 1);
+  return version == std::string::npos ? id : id.substr(0, version) + id.substr(check);
+}
 
 double number(std::uint32_t word) { return static_cast<double>(std::bit_cast<float>(word)); }
 
@@ -243,9 +251,9 @@ EvidenceBudget::EvidenceBudget(const std::vector<std::string>& seen) {
 }
 
 bool EvidenceBudget::take(const std::string& id) {
-  int& of_function = by_function_[std::string(function_of(id))];
-  if (all_ >= kMostPerDriver || of_function >= kMostPerFunction) return false;
-  ++of_function;
+  std::set<std::string>& of_function = by_function_[std::string(function_of(id))];
+  if (all_ >= kMostPerDriver || of_function.size() >= kMostPerFunction) return false;
+  if (!of_function.insert(without_version(id)).second) return false;
   ++all_;
   return true;
 }

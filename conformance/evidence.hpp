@@ -3,6 +3,7 @@
 
 #include <array>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,7 +29,7 @@ class EvidenceBudget {
   bool take(const std::string& id);
 
  private:
-  std::map<std::string, int, std::less<>> by_function_;
+  std::map<std::string, std::set<std::string>, std::less<>> by_function_;  // the cases, whatever their version
   int all_ = 0;
 };
 

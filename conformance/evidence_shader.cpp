@@ -48,7 +48,7 @@ std::string comments(const Evaluation& evaluation, const ShaderFacts& facts) {
 )",
       facts.id, one_line(facts.renderer), describe_inputs(function, facts.inputs),
       describe_outputs(function, facts.got), describe_outputs(function, facts.expected),
-      function.exact() ? "" : fmt::format(", or less than {:.3g} from it", facts.allowed), library_version());
+      function.exact() ? "" : fmt::format(", within {:.3g}", facts.allowed), library_version());
 }
 
 std::string hidden(std::span<const std::uint32_t> words) {

@@ -109,7 +109,29 @@ Json page_case(const CaseResult& result, Shown& shown) {
 
 bool has_failed(const CaseResult& result) { return result.outcome.status == Status::fail && result.excuse.empty(); }
 
-Json page_function(std::string_view function, std::vector<const CaseResult*> failed, std::size_t all, Shown& shown) {
+// The cases of a function on a driver.
+struct Cases {
+  std::string_view function;
+  std::size_t all = 0;
+  std::vector<const CaseResult*> failed;
+};
+
+// In the order of the cases, in which hashes come before what is made of them.
+std::vector<Cases> by_function(const Run& run) {
+  std::vector<Cases> list;
+  std::map<std::string_view, std::size_t> places;
+  for (const CaseResult& result : run.cases) {
+    const auto [place, is_new] = places.try_emplace(function_of(result.id), list.size());
+    if (is_new) list.push_back({function_of(result.id), 0, {}});
+    Cases& cases = list[place->second];
+    ++cases.all;
+    if (has_failed(result)) cases.failed.push_back(&result);
+  }
+  return list;
+}
+
+Json page_function(const Cases& all, Shown& shown) {
+  std::vector<const CaseResult*> failed = all.failed;
   std::stable_sort(failed.begin(), failed.end(), [](const CaseResult* a, const CaseResult* b) {
     return a->evidence.has_value() > b->evidence.has_value();
   });
@@ -120,8 +142,8 @@ Json page_function(std::string_view function, std::vector<const CaseResult*> fai
     cases.push_back(page_case(*result, shown));
   }
   const std::size_t left = failed.size() - cases.size();
-  return {{"function", function},
-          {"count", fmt::format("{} of {} cases fail", failed.size(), all)},
+  return {{"function", all.function},
+          {"count", fmt::format("{} of {} cases fail", failed.size(), all.all)},
           {"open", !cases.empty() && shown.open++ < kMostOpen},
           {"cases", std::move(cases)},
           {"more", more(left, "of this function, in results.json")}};
@@ -175,18 +197,11 @@ Json page_failures(const std::vector<Run>& runs) {
   Json drivers = Json::array();
   Shown shown;
   for (const Run& run : runs) {
-    std::map<std::string_view, std::size_t> all;
-    std::map<std::string_view, std::vector<const CaseResult*>> failed;
-    for (const CaseResult& result : run.cases) {
-      const auto function = function_of(result.id);
-      ++all[function];
-      if (has_failed(result)) failed[function].push_back(&result);
-    }
-    if (failed.empty()) continue;
     Json functions = Json::array();
-    for (const auto& [function, results] : failed) {
-      functions.push_back(page_function(function, results, all[function], shown));
+    for (const Cases& cases : by_function(run)) {
+      if (!cases.failed.empty()) functions.push_back(page_function(cases, shown));
     }
+    if (functions.empty()) continue;
     drivers.push_back({{"driver", run.driver},
                        {"renderer", clean_text(run.info.renderer)},
                        {"gl_version", clean_text(run.info.gl_version)},

@@ -77,8 +77,8 @@ Json page_driver(const Run& run) {
                     : nothing       ? "faint"
                                     : "good"},
           {"renderer", clean_text(run.info.renderer)},
-          {"gl_version", clean_text(run.info.gl_version)},
-          {"glsl_version", clean_text(run.info.glsl_version)},
+          {"version", clean_text(run.info.gl_version) +
+                          (run.info.glsl_version.empty() ? "" : ", GLSL " + clean_text(run.info.glsl_version))},
           {"counts", std::move(counts)},
           {"seconds", fmt::format("{:.1f} s", seconds)}};
 }
@@ -99,22 +99,25 @@ Json names_of(const std::vector<const Run*>& runs) {
 
 // The largest differences from the golden values, of functions that are no exact ones.
 Json page_errors(const std::vector<const Run*>& here) {
-  std::map<std::string_view, std::vector<double>> largest;  // by function: of each run
-  for (std::size_t i = 0; i < here.size(); ++i) {
-    for (const CaseResult& result : here[i]->cases) {
+  std::vector<const Run*> measured;                         // runs that have any
+  std::map<std::string_view, std::vector<double>> largest;  // by function: of each such run
+  for (const Run* run : here) {
+    for (const CaseResult& result : run->cases) {
       if (result.outcome.max_abs == 0.0 || !result.id.ends_with(".golden")) continue;
+      if (measured.empty() || measured.back() != run) measured.push_back(run);
       auto& values = largest[function_of(result.id)];
-      values.resize(here.size(), 0.0);
-      values[i] = std::max(values[i], result.outcome.max_abs);
+      values.resize(measured.size(), 0.0);
+      values.back() = std::max(values.back(), result.outcome.max_abs);
     }
   }
   Json rows = Json::array();
-  for (const auto& [function, values] : largest) {
+  for (auto& [function, values] : largest) {
+    values.resize(measured.size(), 0.0);
     Json cells = Json::array();
-    for (const double value : values) cells.push_back(value == 0.0 ? "" : fmt::format("{:.2g}", value));
+    for (const double value : values) cells.push_back(value == 0.0 ? "" : fmt::format("{:.1e}", value));
     rows.push_back({{"function", function}, {"cells", std::move(cells)}});
   }
-  return {{"any", !rows.empty()}, {"drivers", names_of(here)}, {"rows", rows}};
+  return {{"any", !rows.empty()}, {"drivers", names_of(measured)}, {"rows", rows}};
 }
 
 // --- Counts ----------------------------------------------------------------------------------------------------------

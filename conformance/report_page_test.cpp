@@ -37,7 +37,7 @@ TEST(Page, OfAPassingRunSaysSoFirst) {
   run.commands = {"hn-conform run --filter 'a*'"};
   const std::string page = page_of({run});
   EXPECT_TRUE(has(page, "<h1 class=\"verdict good\">All as expected: 1 case on 1 driver</h1>"));
-  for (const char* part : {"osmesa", "4.5", "0.25", "hn-conform run --filter &#39;a*&#39;", "2026-11-20T10:00:00Z"}) {
+  for (const char* part : {"osmesa", "4.5", "0.25", "hn-conform run --filter &apos;a*&apos;", "2026-11-20T10:00:00Z"}) {
     EXPECT_TRUE(has(page, part));
   }
   for (const char* part : {"What is wrong", "Crashes", "Not here", "Warnings", "Excused", "Unsupported", "Times"}) {
@@ -78,11 +78,17 @@ TEST(Page, HasEveryStatus) {
   timed.whole = 24;
   const std::string page = page_of({timed, absent}, {"the moon is full"});
   for (const char* part :
-       {"6 of 8 cases", "the moon is full", "no Vulkan", "glsl/hash.glsl:7: no", "it printed:\nthe end",
+       {"5 of 8 cases", "the moon is full", "no Vulkan", "glsl/hash.glsl:7: no", "it printed:\nthe end",
         "1 &lt;&lt; 32 is 1", "a known bug", "an old bug", "Excuses that are not needed", "noise2d.perlin.lattice",
         "<svg", "2/3; 24 cases in all", "1 unsupported", "1 timeout"}) {
     EXPECT_TRUE(has(page, part));
   }
+}
+
+// A hash that is wrong makes everything above it wrong, and comes first.
+TEST(Page, KeepsTheOrderOfTheCases) {
+  const std::string page = page_of({run_of({failed("z.hash.x.golden"), failed("a.noise.x.golden")})});
+  EXPECT_LT(page.find("z.hash <span>"), page.find("a.noise <span>"));
 }
 
 TEST(Page, WithAProblemIsNotAsExpected) {

@@ -68,12 +68,7 @@ class Lane {
     } else if (report.contains("lost")) {
       lost_ = true;
     } else if (report.contains("result")) {
-      CaseResult result = case_result_from(report.at("result"));
-      progressed_ = true;
-      crashes_in_a_row_ = 0;
-      examining_ = report.contains("examined");
-      if (examining_) examined_.push_back(result.id);
-      if (pending_.contains(result.id)) add(std::move(result));
+      take_result(report);
     } else if (report.contains("evidence")) {
       examining_ = false;
       take_evidence(report);
@@ -136,6 +131,16 @@ class Lane {
     if (is_bad(result.outcome.status)) ++bad_;
     pending_.erase(result.id);
     results_.emplace(result.id, std::move(result));
+  }
+
+  void take_result(const nlohmann::json& report) {
+    CaseResult result = case_result_from(report.at("result"));
+    if (!is_pending(result.id)) return;
+    progressed_ = true;
+    crashes_in_a_row_ = 0;
+    examining_ = report.contains("examined");
+    if (examining_) examined_.push_back(result.id);
+    add(std::move(result));
   }
 
   void take_evidence(const nlohmann::json& report) {

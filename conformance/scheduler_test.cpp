@@ -20,7 +20,8 @@ std::string says(std::string_view report) { return "echo '" + std::string(report
 
 // Passes every case of the job that is left, but does something else at one of them; $2 is the job.
 std::string script_that(std::string_view at, std::string_view does) {
-  return says(kReady) + "for id in a b c d e; do\n  grep -q \"\\\"$id\\\"\" \"$2\" || continue\n" +  //
+  return says(kReady) +
+         "for id in a b c d e; do\n  grep -o '\"ids\":[^]]*' \"$2\" | grep -q \"\\\"$id\\\"\" || continue\n" +  //
          "  if [ $id = " + std::string(at) + " ]; then " + std::string(does) + "; fi\n" +
          "  echo '{\"result\": {\"id\": \"'$id'\", \"status\": \"pass\", \"samples\": 1, \"mismatches\": 0, "
          "\"max_abs\": 0, "
