@@ -40,7 +40,7 @@ bool is_bad(Status status);
 struct Mismatch {
   std::size_t point = 0;             // its number in the grid: a row of pixels has 1,024
   std::vector<std::uint32_t> words;  // the input words of the point
-  std::string inputs;                // the same, by name: "x=1.5 (3fc00000) seed=0x00000007"
+  std::string inputs;                // the same, by name: "x=1.5 (3fc00000) seed=7 (00000007)"
   std::string got;                   // in decimal and hexadecimal
   std::string expected;
 };
@@ -119,12 +119,14 @@ struct Case {
 
 // What a developer needs to see a fault: made where a case failed.
 struct Evidence {
-  std::string shader;  // a fragment shader that stands alone and shows it
+  std::string shader;  // a fragment shader that stands alone and shows it; empty if none does
   // PNG files in base64: the values, what they should be, and the difference, amplified. Empty if there is nothing to
   // be seen.
   std::string got;
   std::string reference;
   std::string difference;
+  double factor = 0.0;    // by which the difference is amplified
+  std::string note = {};  // what the pictures and the shader show, and what they do not
 
   bool operator==(const Evidence&) const = default;
 };

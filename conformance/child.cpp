@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
+#include "evidence.hpp"
 #include "fault/faults.hpp"
 #include "process.hpp"
 #include "results.hpp"
@@ -57,18 +58,36 @@ void run_reference_cases(const Suite& suite, const std::vector<const Case*>& cas
   }
 }
 
-void run_driver_cases(const Suite& suite, const Context& context, const Driver& driver,
+// A lost context costs the process.
+void end_if(bool lost) {
+  if (!lost) return;
+  report({{"lost", true}});
+  _exit(EXIT_SUCCESS);  // to destroy what is lost could hang
+}
+
+// After the result, so that the verdict is known whatever comes of this.
+void report_evidence(Session& session, const Case& test, const Outcome& outcome) {
+  const auto evidence = make_evidence(session, test, outcome);
+  report({{"evidence", evidence ? to_json(*evidence) : nlohmann::ordered_json()}, {"id", test.id}});
+}
+
+void run_driver_cases(const Suite& suite, const Context& context, const Driver& driver, const Job& job,
                       const std::vector<const Case*>& cases) {
   Session session(suite, context, driver.twin_points);
+  EvidenceBudget budget(job.examined);
   report({{"ready", to_json(session.info)}});
   for (const Case* test : cases) {
     CaseResult result = run_case(session, *test);
     const bool lost = context_is_lost(context);
     if (lost) result.outcome = outcome_with(Status::crash, {"the context was lost", {}});
-    report({{"result", to_json(result)}});
-    if (!lost) continue;
-    report({{"lost", true}});
-    _exit(EXIT_SUCCESS);  // to destroy what is lost could hang
+    const bool examined = result.outcome.status == Status::fail && test->evaluation && budget.take(test->id);
+    nlohmann::ordered_json line = {{"result", to_json(result)}};
+    if (examined) line["examined"] = true;
+    report(line);
+    end_if(lost);
+    if (!examined) continue;
+    report_evidence(session, *test, result.outcome);
+    end_if(context_is_lost(context));
   }
 }
 
@@ -124,7 +143,7 @@ int run_on_driver(const Job& job, const Driver& driver) {
   if (job.task == Task::timings) {
     report(timings_report(**context, *sources, reference, job.ids));
   } else {
-    run_driver_cases(suite, **context, driver, cases);
+    run_driver_cases(suite, **context, driver, job, cases);
   }
   return EXIT_SUCCESS;
 }
@@ -148,7 +167,8 @@ nlohmann::json to_json(const Job& job) {
   return {{"task", kTasks[static_cast<std::size_t>(job.task)]},
           {"driver", job.driver},
           {"suite", to_json(job.suite)},
-          {"ids", job.ids}};
+          {"ids", job.ids},
+          {"examined", job.examined}};
 }
 
 Job job_from(const nlohmann::json& json) {
@@ -160,7 +180,8 @@ Job job_from(const nlohmann::json& json) {
                     .golden = suite.at("golden").get<std::string>(),
                     .inject = suite.at("inject").get<std::string>(),
                     .seed = suite.at("seed").get<std::uint64_t>()},
-          .ids = json.at("ids").get<std::vector<std::string>>()};
+          .ids = json.at("ids").get<std::vector<std::string>>(),
+          .examined = json.at("examined").get<std::vector<std::string>>()};
 }
 
 int child_command(const std::filesystem::path& path) {

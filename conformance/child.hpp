@@ -32,7 +32,8 @@ struct Job {
   Task task = Task::cases;
   std::string driver;
   SuiteOptions suite;
-  std::vector<std::string> ids;  // of cases, in the order in which they are to be run
+  std::vector<std::string> ids;            // of cases, in the order in which they are to be run
+  std::vector<std::string> examined = {};  // of cases that have had their evidence made, or tried
 };
 
 nlohmann::json to_json(const SuiteOptions& options);
@@ -42,8 +43,9 @@ Job job_from(const nlohmann::json& json);  // of a text that to_json made
 // The reports, a line of JSON each:
 //   {"ready": {context info}}         once, before the first case
 //   {"absent": "why"}                 in place of it: the driver cannot be used here
-//   {"result": {case result}}         for each case
-//   {"lost": true}                    after a result: the context is lost, and the process ends
+//   {"result": {case result}}         for each case; with "examined": true if its evidence is made next
+//   {"evidence": {...}, "id": ID}     then; null in place of an object if there is none
+//   {"lost": true}                    after these: the context is lost, and the process ends
 //   {"timings": ...} {"devices": N}   of these tasks
 //   {"error": "why"}                  a task cannot be done
 //

@@ -43,6 +43,7 @@ struct RunCommand {
   bool resume = false;
   bool timings = false;
   std::string inject;  // the name of a fault, or nothing
+  std::string line;    // the command line, for the record
 };
 int run_command(const RunCommand& options);
 

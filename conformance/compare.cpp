@@ -20,6 +20,8 @@ std::int64_t ordinal(float value) {
   return bits >> 31 ? -magnitude : magnitude;
 }
 
+std::string describe(std::uint32_t word) { return fmt::format("{} ({:08x})", word, word); }
+
 std::string describe(float value) { return fmt::format("{:.9g} ({:08x})", value, std::bit_cast<std::uint32_t>(value)); }
 
 }  // namespace
@@ -40,9 +42,9 @@ std::string describe_inputs(const Function& function, std::span<const std::uint3
     if (column.type == WordType::f32) {
       text += fmt::format("{}={}", column.name, describe(std::bit_cast<float>(inputs[i])));
     } else if (column.type == WordType::i32) {
-      text += fmt::format("{}={}", column.name, static_cast<std::int32_t>(inputs[i]));
+      text += fmt::format("{}={} ({:08x})", column.name, static_cast<std::int32_t>(inputs[i]), inputs[i]);
     } else {
-      text += fmt::format("{}=0x{:08x}", column.name, inputs[i]);
+      text += fmt::format("{}={} ({:08x})", column.name, inputs[i], inputs[i]);
     }
   }
   return text;
@@ -51,7 +53,9 @@ std::string describe_inputs(const Function& function, std::span<const std::uint3
 void Comparison::bits(std::span<const std::uint32_t> inputs, std::uint32_t got, std::uint32_t expected) {
   ++outcome_.samples;
   if (got == expected) return;
-  note(inputs, fmt::format("0x{:08x}", got), fmt::format("0x{:08x}", expected));
+  const bool words = function_.outputs.front().type == WordType::u32;
+  const auto text = [&](std::uint32_t word) { return words ? describe(word) : describe(std::bit_cast<float>(word)); };
+  note(inputs, text(got), text(expected));
 }
 
 void Comparison::number(std::span<const std::uint32_t> inputs, float got, double expected, double allowed) {
@@ -63,7 +67,7 @@ void Comparison::number(std::span<const std::uint32_t> inputs, float got, double
     outcome_.max_abs = std::isfinite(difference) ? difference : std::numeric_limits<double>::max();
   }
   if (difference <= allowed) return;
-  note(inputs, describe(got), fmt::format("{:.9g} within {:.3g}", expected, allowed));
+  note(inputs, describe(got), fmt::format("{} within {:.3g}", describe(static_cast<float>(expected)), allowed));
 }
 
 void Comparison::golden(std::span<const std::uint32_t> inputs, std::uint32_t got, std::uint64_t expected,

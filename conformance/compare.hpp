@@ -41,7 +41,7 @@ class Comparison {
   Outcome outcome_;
 };
 
-// "x=1.5 (3fc00000) seed=00000007": the input words of a function, for messages.
+// "x=1.5 (3fc00000) seed=7 (00000007)": the input words of a function, for messages.
 std::string describe_inputs(const Function& function, std::span<const std::uint32_t> inputs);
 
 }  // namespace hn

@@ -30,7 +30,7 @@ TEST(Comparison, OneBitOffFails) {
   EXPECT_EQ(outcome.status, Status::fail);
   EXPECT_EQ(outcome.samples, 2u);
   EXPECT_EQ(outcome.mismatches, 1u);
-  EXPECT_EQ(outcome.message, "first at key=0x00000000: got 0x00000005, expected 0x00000004");
+  EXPECT_EQ(outcome.message, "first at key=0 (00000000): got 5 (00000005), expected 4 (00000004)");
 }
 
 TEST(Comparison, NumbersMayBeOffByWhatIsAllowedAndNoMore) {
@@ -62,7 +62,7 @@ TEST(Comparison, MessagesShowInputsInTheirOwnWay) {
   inputs[0] = 0xFFFFFFFFu;
   inputs[2] = std::bit_cast<std::uint32_t>(0.5f);
   EXPECT_EQ(describe_inputs(find_function("noise2d.perlin_cell"), inputs),
-            "cx=-1 cy=0 fx=0.5 (3f000000) fy=0 (00000000) seed=0x00000000");
+            "cx=-1 (ffffffff) cy=0 (00000000) fx=0.5 (3f000000) fy=0 (00000000) seed=0 (00000000)");
 }
 
 }  // namespace

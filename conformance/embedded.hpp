@@ -13,7 +13,8 @@ struct EmbeddedFile {
 
 // glsl/, in the order of their dependence.
 extern const std::span<const EmbeddedFile> kEmbeddedFiles;
-// What bench and paper need: the shaders they compare with, the paper's table, the templates of their pages.
+// What the report, bench and paper need: the shaders they compare with, the paper's table, the templates of their
+// pages.
 extern const std::span<const EmbeddedFile> kResources;
 
 // The text of one of the resources, which must exist.

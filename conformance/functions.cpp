@@ -306,4 +306,12 @@ std::string calling_shader(std::string_view file, const Configuration& configura
   return text + fmt::format("{}out HN_HIGHP uvec4 result;\nvoid main() {{\n{}  result = r;\n}}\n", layout, start);
 }
 
+std::string shader_that_evaluates(const Evaluation& evaluation, std::string_view rest) {
+  return fmt::format(
+      "{}{}{}{}#include \"{}\"\n{}HN_HIGHP uvec4 evaluate(HN_HIGHP uvec4 a, HN_HIGHP uvec4 b) {{ {} }}\n{}",
+      running_preamble(evaluation.profile), case_names(evaluation), knobs_of(evaluation.configuration),
+      evaluation.variant.knobs, evaluation.function.file, evaluation.variant.seeded ? kSeeded : kUnseeded,
+      evaluation.function.body, rest);
+}
+
 }  // namespace hn

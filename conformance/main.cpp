@@ -56,7 +56,8 @@ void add_expect(CLI::App& command, std::string& directory) {
 }
 
 void add_run(CLI::App& app, hn::RunCommand& options) {
-  CLI::App& command = *app.add_subcommand("run", "Run the cases on drivers and write results.json");
+  CLI::App& command =
+      *app.add_subcommand("run", "Run the cases on drivers and write results.json, junit.xml and index.html");
   command
       .add_option("--driver", options.drivers,
                   "One of those that hn-conform drivers lists, a glob, or all; may be repeated")
@@ -64,7 +65,7 @@ void add_run(CLI::App& app, hn::RunCommand& options) {
       ->allow_extra_args(false)
       ->capture_default_str();
   add_filter(command, options.filters, "cases");
-  add_out(command, options.out, "results.json");
+  add_out(command, options.out, "results.json, junit.xml and index.html");
   command.add_option("--seed", options.seed, "Of the random points")
       ->type_name("N")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{0xFFFFFFFF}))
@@ -101,7 +102,7 @@ void add_merge(CLI::App& app, hn::MergeCommand& options) {
   command.add_option("inputs", options.inputs, "Files results.json, or the folders that hold them")
       ->type_name("PATH")
       ->required();
-  add_out(command, options.out, "results.json");
+  add_out(command, options.out, "results.json, junit.xml and index.html");
   add_expect(command, options.expect);
 }
 
@@ -179,7 +180,7 @@ int dispatch(int argc, char** argv) {
   run.jobs = std::max(1u, std::thread::hardware_concurrency());
   hn::BenchCommand bench;
   hn::PaperCommand paper;
-  bench.line = paper.line = command_line(argc, argv);
+  run.line = bench.line = paper.line = command_line(argc, argv);
   app.add_subcommand("drivers", "List the drivers, what is behind each here, or why it is missing");
   CLI::App& list = *app.add_subcommand("list", "List the ids of the cases");
   add_filter(list, list_filters, "cases");

@@ -47,6 +47,8 @@ Result<void> append_cases(Run& to, Run& from) {
   to.cases.insert(to.cases.end(), std::make_move_iterator(from.cases.begin()),
                   std::make_move_iterator(from.cases.end()));
   if (to.timings.empty()) to.timings = from.timings;
+  to.date = std::max(to.date, from.date);  // of the same length, so in the order of time
+  to.commands.merge(from.commands);
   return {};
 }
 

@@ -50,6 +50,20 @@ TEST(Shards, HaveEveryCaseOnce) {
   }
 }
 
+TEST(Merge, KeepsEveryCommandInWhateverOrder) {
+  hn::Run first = shard_run("1/2");
+  hn::Run second = shard_run("2/2");
+  first.date = "2026-11-20T10:00:00Z";
+  second.date = "2026-11-20T09:00:00Z";
+  first.commands = {"run 1/2"};
+  second.commands = {"run 2/2"};
+  const auto merged = merge_runs({first, second});
+  ASSERT_TRUE(merged);
+  EXPECT_EQ(merged->runs[0].date, "2026-11-20T10:00:00Z");
+  EXPECT_EQ(merged->runs[0].commands, (std::set<std::string>{"run 1/2", "run 2/2"}));
+  EXPECT_EQ(results_text(merge_runs({second, first})->runs), results_text(merged->runs));
+}
+
 TEST(Merge, TheUnionOfTheShardsIsTheWhole) {
   const auto merged = merge_runs({shard_run("3/3"), shard_run("1/3"), shard_run("2/3")});
   ASSERT_TRUE(merged) << merged.error().text();

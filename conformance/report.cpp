@@ -12,11 +12,6 @@ namespace {
 
 constexpr std::size_t kMostFailuresShown = 20;
 
-std::string_view function_of(const std::string& id) {
-  const auto file_end = id.find('.');
-  return std::string_view(id).substr(0, id.find('.', file_end + 1));
-}
-
 // "noise2d.perlin   3.1e-07" per float function: the largest difference from a golden value.
 std::string error_lines(const Run& run) {
   std::map<std::string_view, double> largest;
@@ -64,8 +59,17 @@ std::string unsupported_lines(const Run& run) {
 
 }  // namespace
 
-Result<void> write_results(const std::filesystem::path& directory, const std::vector<Run>& runs) {
-  return write_file(directory / kResultsFile, results_text(runs));
+Result<void> prepare_results(const std::filesystem::path& directory) {
+  return prepare_output(directory, {kResultsFile, kJunitFile, kPageFile});
+}
+
+Result<void> write_results(const std::filesystem::path& directory, const std::vector<Run>& runs,
+                           const std::vector<std::string>& problems) {
+  if (auto done = write_file(directory / kResultsFile, results_text(runs)); !done) return done;
+  if (auto done = write_file(directory / kJunitFile, junit_text(runs)); !done) return done;
+  const auto page = report_page(runs, problems);
+  if (!page) return tl::unexpected(page.error());
+  return write_file(directory / kPageFile, *page);
 }
 
 std::string summary(const Run& run) {

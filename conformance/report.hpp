@@ -1,15 +1,21 @@
-// What a run leaves behind: results.json, and what a person reads in a terminal.
+// What a run leaves behind: results.json, junit.xml, index.html, and what a person reads in a terminal.
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "junit.hpp"
+#include "report_page.hpp"
 #include "results.hpp"
 
 namespace hn {
 
-Result<void> write_results(const std::filesystem::path& directory, const std::vector<Run>& runs);
+// All three files. problems: as for report_page.
+Result<void> write_results(const std::filesystem::path& directory, const std::vector<Run>& runs,
+                           const std::vector<std::string>& problems = {});
+// What it will write can be written, and what an earlier run wrote is gone.
+Result<void> prepare_results(const std::filesystem::path& directory);
 
 // A few lines: totals, the largest errors by function, what failed and why, what was unsupported and why.
 std::string summary(const Run& run);

@@ -32,11 +32,6 @@ Mismatch mismatch_from(const nlohmann::json& json) {
           json.at("expected").get<std::string>()};
 }
 
-Evidence evidence_from(const nlohmann::json& json) {
-  return {json.at("shader").get<std::string>(), json.at("got").get<std::string>(),
-          json.at("reference").get<std::string>(), json.at("difference").get<std::string>()};
-}
-
 Json to_json(const Run& run) {
   Json one = {{"driver", run.driver}};
   if (!run.absent.empty()) {
@@ -46,6 +41,8 @@ Json to_json(const Run& run) {
   one.update(to_json(run.info));
   one["seed"] = run.seed;
   if (!run.injected.empty()) one["injected"] = run.injected;
+  if (!run.date.empty()) one["date"] = run.date;
+  if (!run.commands.empty()) one["commands"] = run.commands;
   if (!run.shard.empty()) {
     one["shard"] = run.shard;
     one["whole"] = run.whole;
@@ -70,6 +67,8 @@ Run run_from(const nlohmann::json& json) {
   run.info = context_info_from(json);
   run.seed = json.at("seed").get<std::uint64_t>();
   if (json.contains("injected")) run.injected = json.at("injected").get<std::string>();
+  if (json.contains("date")) run.date = json.at("date").get<std::string>();
+  if (json.contains("commands")) run.commands = json.at("commands").get<std::set<std::string>>();
   if (json.contains("shard")) {
     run.shard = json.at("shard").get<std::string>();
     run.whole = json.at("whole").get<std::size_t>();
@@ -80,6 +79,8 @@ Run run_from(const nlohmann::json& json) {
 }
 
 }  // namespace
+
+std::string_view function_of(std::string_view id) { return id.substr(0, id.find('.', id.find('.') + 1)); }
 
 std::size_t Run::count(Status status) const {
   return static_cast<std::size_t>(
@@ -117,6 +118,20 @@ ContextInfo context_info_from(const nlohmann::json& json) {
           {}};
 }
 
+Json to_json(const Evidence& evidence) {
+  return {{"shader", evidence.shader},         {"got", evidence.got},       {"reference", evidence.reference},
+          {"difference", evidence.difference}, {"factor", evidence.factor}, {"note", evidence.note}};
+}
+
+Evidence evidence_from(const nlohmann::json& json) {
+  return {.shader = json.at("shader").get<std::string>(),
+          .got = json.at("got").get<std::string>(),
+          .reference = json.at("reference").get<std::string>(),
+          .difference = json.at("difference").get<std::string>(),
+          .factor = json.at("factor").get<double>(),
+          .note = json.at("note").get<std::string>()};
+}
+
 Json to_json(const CaseResult& result) {
   const Outcome& outcome = result.outcome;
   Json json = {{"id", result.id},
@@ -129,12 +144,7 @@ Json to_json(const CaseResult& result) {
                {"message", outcome.message}};
   if (!result.excuse.empty()) json["excuse"] = result.excuse;
   if (!outcome.examples.empty()) json["examples"] = examples_json(outcome.examples);
-  if (const auto& evidence = result.evidence) {
-    json["evidence"] = {{"shader", evidence->shader},
-                        {"got", evidence->got},
-                        {"reference", evidence->reference},
-                        {"difference", evidence->difference}};
-  }
+  if (result.evidence) json["evidence"] = to_json(*result.evidence);
   return json;
 }
 

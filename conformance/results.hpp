@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,12 +20,17 @@ struct Run {
   std::string shard;      // "2/3", or empty for the whole
   std::size_t whole = 0;  // how many cases all shards have
   std::vector<CaseResult> cases;
-  std::string timings;  // JSON, if they were asked for
+  std::string timings;                  // JSON, if they were asked for
+  std::string date = {};                // when it ended: UTC, ISO 8601
+  std::set<std::string> commands = {};  // that made it: several if it was merged
 
   std::size_t count(Status status) const;
   // Everything that could run ran, and was right or is excused; at least one case passed.
   bool as_expected() const;
 };
+
+// "noise2d.perlin", of a case's id.
+std::string_view function_of(std::string_view id);
 
 // Whether no case of any driver is other than expected, and one driver at least is as expected: of the others a filter
 // may have left what they do not support, and some are not here.
@@ -41,9 +47,11 @@ Result<std::vector<Run>> parse_results(std::string_view text);
 
 nlohmann::ordered_json to_json(const CaseResult& result);
 nlohmann::ordered_json to_json(const ContextInfo& info);
+nlohmann::ordered_json to_json(const Evidence& evidence);
 // These throw nlohmann::json::exception or std::invalid_argument for what is none.
 CaseResult case_result_from(const nlohmann::json& json);
 ContextInfo context_info_from(const nlohmann::json& json);
+Evidence evidence_from(const nlohmann::json& json);
 
 // A driver's log may hold any bytes; those that are no UTF-8 are replaced.
 std::string dump(const nlohmann::ordered_json& json, int indent = -1);

@@ -54,11 +54,14 @@ TEST(Json, IsReadAgain) {
   CaseResult bad = result("a.b", Status::timeout);
   bad.excuse = "known";
   bad.outcome.examples = {{3, {1, 2}, "x=1", "0x00000001", "0x00000002"}};
-  bad.evidence = {.shader = "void main() {}", .got = "QQ==", .reference = "", .difference = ""};
+  bad.evidence = {
+      .shader = "void main() {}", .got = "QQ==", .reference = "", .difference = "", .factor = 2.5, .note = "n"};
   hn::Run run = run_of({bad, result("c.d", Status::pass)});
   run.shard = "1/2";
   run.whole = 4;
   run.timings = R"({"clock":"wall"})";
+  run.date = "2026-11-20T10:00:00Z";
+  run.commands = {"hn-conform run", "hn-conform run --shard 2/2"};
   hn::Run absent;
   absent.driver = "zink";
   absent.absent = "no Vulkan";

@@ -110,23 +110,28 @@ void add_timings(std::vector<Run>& runs, const RunPlan& plan, const std::filesys
   }
 }
 
-// Writes what there is to say about the runs, and says it: the exit status.
-int conclude(const std::vector<Run>& runs, const std::string& out, bool complete) {
-  if (const auto written = write_results(out, runs); !written) return usage_error(written.error().text());
+// Writes what there is to say about the runs, and says it: the exit status. problems: what is wrong beside the cases.
+int conclude(const std::vector<Run>& runs, const std::string& out, const std::vector<std::string>& problems) {
+  if (const auto written = write_results(out, runs, problems); !written) return usage_error(written.error().text());
   for (const Run& run : runs) fmt::print("{}", summary(run));
-  const bool good = complete && all_as_expected(runs);
+  for (const std::string& problem : problems) fmt::print(stderr, "hn-conform: {}\n", problem);
+  const bool good = problems.empty() && all_as_expected(runs);
   fmt::print("{}: {}\n", good ? "All as expected" : "NOT AS EXPECTED",
-             (std::filesystem::path(out) / kResultsFile).string());
+             (std::filesystem::path(out) / kPageFile).string());
   return good ? 0 : kNotAsExpected;
 }
 
 bool is_here(const Run& run) { return run.absent.empty() && run.driver != kReferenceCompiler; }
 
-// Of the drivers that draw: whether enough are here for a verdict.
-bool drivers_suffice(const std::vector<Run>& runs, bool by_name) {
-  const auto is_missing = [](const Run& run) { return !run.absent.empty(); };
-  if (by_name) return std::none_of(runs.begin(), runs.end(), is_missing);
-  return std::any_of(runs.begin(), runs.end(), is_here) || std::none_of(runs.begin(), runs.end(), is_missing);
+// Why there can be no verdict: of the drivers that draw, too few are here.
+std::vector<std::string> missing_drivers(const std::vector<Run>& runs, bool by_name) {
+  std::vector<std::string> missing;
+  for (const Run& run : runs) {
+    if (!run.absent.empty()) missing.push_back(fmt::format("the driver {} is not here: {}", run.driver, run.absent));
+  }
+  if (by_name || missing.empty()) return missing;
+  if (std::any_of(runs.begin(), runs.end(), is_here)) return {};
+  return {"none of the drivers is here"};
 }
 
 Result<RunPlan> make_plan(const RunCommand& options, const DriverChoice& choice, const std::vector<Case>& cases) {
@@ -187,7 +192,7 @@ int run_command(const RunCommand& options) {
   if (const auto sources = suite_sources(suite_options(options)); !sources) return usage_error(sources.error().text());
   const auto expectations = load_expectations(options.expect);
   if (!expectations) return usage_error(expectations.error().text());
-  if (const auto ready = prepare_output(options.out, {kResultsFile}); !ready) return usage_error(ready.error().text());
+  if (const auto ready = prepare_results(options.out); !ready) return usage_error(ready.error().text());
   const auto choice = choose_drivers(options.drivers, options.out);
   if (!choice) return usage_error(choice.error().text());
   const auto plan = make_plan(options, *choice, *cases);
@@ -197,12 +202,21 @@ int run_command(const RunCommand& options) {
 
   auto runs = run_plan(*plan, options.out, *journal, stderr);
   if (options.timings) add_timings(runs, *plan, options.out);
-  for (Run& run : runs) apply_expectations(*expectations, run);
-  const auto timed = [](const Run& run) { return !is_here(run) || !run.timings.empty(); };
-  const bool complete = !options.timings || std::all_of(runs.begin(), runs.end(), timed);
-  const int status = conclude(runs, options.out, complete);
+  for (Run& run : runs) {
+    run.date = now();
+    run.commands = {options.line};
+    apply_expectations(*expectations, run);
+  }
+  const auto missing = missing_drivers(runs, choice->by_name);
+  std::vector<std::string> problems = missing;
+  for (const Run& run : runs) {
+    if (options.timings && is_here(run) && run.timings.empty()) {
+      problems.push_back(fmt::format("the functions could not be timed on {}", run.driver));
+    }
+  }
+  const int status = conclude(runs, options.out, problems);
   journal->remove();
-  return drivers_suffice(runs, choice->by_name) ? status : kNoDriver;
+  return missing.empty() ? status : kNoDriver;
 }
 
 int merge_command(const MergeCommand& options) {
@@ -210,10 +224,9 @@ int merge_command(const MergeCommand& options) {
   if (!expectations) return usage_error(expectations.error().text());
   auto merged = merge_files(options.inputs);
   if (!merged) return usage_error(merged.error().text());
-  if (const auto ready = prepare_output(options.out, {kResultsFile}); !ready) return usage_error(ready.error().text());
+  if (const auto ready = prepare_results(options.out); !ready) return usage_error(ready.error().text());
   for (Run& run : merged->runs) apply_expectations(*expectations, run);
-  for (const std::string& gap : merged->gaps) fmt::print(stderr, "hn-conform: {}\n", gap);
-  return conclude(merged->runs, options.out, merged->gaps.empty());
+  return conclude(merged->runs, options.out, merged->gaps);
 }
 
 }  // namespace hn

@@ -35,6 +35,8 @@ class Lane {
   Worker* worker() { return worker_ ? &*worker_ : nullptr; }
   std::size_t done() const { return results_.size(); }
   std::size_t bad() const { return bad_; }
+  // There will be more about the last case.
+  bool examining() const { return worker_ && examining_; }
   // The case that runs, or runs next.
   std::string current() {
     while (next_ < plan_.ids.size() && !is_pending(plan_.ids[next_])) ++next_;
@@ -42,10 +44,10 @@ class Lane {
   }
 
   void start() {
-    Job job{.task = Task::cases, .driver = plan_.driver, .suite = whole_.suite, .ids = {}};
+    Job job{.task = Task::cases, .driver = plan_.driver, .suite = whole_.suite, .ids = {}, .examined = examined_};
     std::copy_if(plan_.ids.begin(), plan_.ids.end(), std::back_inserter(job.ids),
                  [&](const std::string& id) { return is_pending(id); });
-    progressed_ = ready_ = lost_ = false;
+    progressed_ = ready_ = lost_ = examining_ = false;
     auto worker = Worker::start(job, launch());
     if (worker) {
       worker_.emplace(std::move(*worker));
@@ -66,10 +68,10 @@ class Lane {
     } else if (report.contains("lost")) {
       lost_ = true;
     } else if (report.contains("result")) {
-      CaseResult result = case_result_from(report.at("result"));
-      progressed_ = true;
-      crashes_in_a_row_ = 0;
-      if (pending_.contains(result.id)) add(std::move(result));
+      take_result(report);
+    } else if (report.contains("evidence")) {
+      examining_ = false;
+      take_evidence(report);
     } else if (report.contains("error")) {
       abandon(Status::error, report.at("error").get<std::string>());
     }
@@ -84,7 +86,7 @@ class Lane {
       return std::nullopt;
     }
     futile_starts_ = progressed_ ? 0 : futile_starts_ + 1;
-    if (lost_) return std::nullopt;
+    if (lost_ || examining_) return std::nullopt;  // of a case that has its verdict
     const Status status = end.timed_out ? Status::timeout : Status::crash;
     const std::string text = end.timed_out
                                  ? fmt::format("no answer in {} s", std::chrono::duration<double>(whole_.limit).count())
@@ -132,6 +134,22 @@ class Lane {
     results_.emplace(result.id, std::move(result));
   }
 
+  void take_result(const nlohmann::json& report) {
+    CaseResult result = case_result_from(report.at("result"));
+    if (!is_pending(result.id)) return;
+    progressed_ = true;
+    crashes_in_a_row_ = 0;
+    examining_ = report.contains("examined");
+    if (examining_) examined_.push_back(result.id);
+    add(std::move(result));
+  }
+
+  void take_evidence(const nlohmann::json& report) {
+    const auto found = results_.find(report.at("id").get<std::string>());
+    if (found == results_.end() || !report.at("evidence").is_object()) return;
+    found->second.evidence = evidence_from(report.at("evidence"));
+  }
+
   void take_absence(const std::string& why) {
     if (results_.empty()) {
       absent_ = why;
@@ -169,10 +187,12 @@ class Lane {
   std::string absent_;
   std::optional<Worker> worker_;
   std::size_t bad_ = 0;
-  std::size_t next_ = 0;     // all before it are done
-  bool ready_ = false;       // this process
-  bool progressed_ = false;  // this process has finished a case
-  bool lost_ = false;        // this process ends because its context is lost
+  std::size_t next_ = 0;               // all before it are done
+  bool ready_ = false;                 // this process
+  bool progressed_ = false;            // this process has finished a case
+  bool examining_ = false;             // this process makes the evidence of the last case
+  std::vector<std::string> examined_;  // by any process
+  bool lost_ = false;                  // this process ends because its context is lost
   int futile_starts_ = 0;
   int crashes_in_a_row_ = 0;
 };
@@ -194,7 +214,7 @@ class Scheduler {
       wait();
       for (Lane& lane : lanes_) serve(lane);
       show_progress();
-      if (plan_.fail_fast && bad() > 0) break;
+      if (found_enough()) break;
     }
     std::vector<Run> runs;
     for (Lane& lane : lanes_) {
@@ -239,11 +259,18 @@ class Scheduler {
   void serve(Lane& lane) {
     if (!lane.worker()) return;
     for (const nlohmann::json& report : lane.worker()->read()) {
+      if (found_enough()) return;
       lane.take(report);
       journal_.add(lane.driver(), report);
     }
     if (!lane.worker()->end()) return;
     if (const auto result = lane.take_end()) journal_.add(lane.driver(), {{"result", to_json(*result)}});
+  }
+
+  // With fail_fast: a bad case, and all that there is to say about it.
+  bool found_enough() const {
+    const auto examining = [](const Lane& lane) { return lane.examining(); };
+    return plan_.fail_fast && bad() > 0 && std::none_of(lanes_.begin(), lanes_.end(), examining);
   }
 
   std::size_t bad() const {

@@ -20,7 +20,8 @@ std::string says(std::string_view report) { return "echo '" + std::string(report
 
 // Passes every case of the job that is left, but does something else at one of them; $2 is the job.
 std::string script_that(std::string_view at, std::string_view does) {
-  return says(kReady) + "for id in a b c d e; do\n  grep -q \"\\\"$id\\\"\" \"$2\" || continue\n" +  //
+  return says(kReady) +
+         "for id in a b c d e; do\n  grep -o '\"ids\":[^]]*' \"$2\" | grep -q \"\\\"$id\\\"\" || continue\n" +  //
          "  if [ $id = " + std::string(at) + " ]; then " + std::string(does) + "; fi\n" +
          "  echo '{\"result\": {\"id\": \"'$id'\", \"status\": \"pass\", \"samples\": 1, \"mismatches\": 0, "
          "\"max_abs\": 0, "
@@ -93,6 +94,48 @@ TEST_F(SchedulerTest, AfterALostContextAnotherProcessGoesOn) {
                                        "\"mismatches\": 0, \"max_abs\": 0, \"max_ulp\": 0, \"seconds\": 0, "
                                        "\"message\": \"lost\"}}' >&3; echo '{\"lost\": true}' >&3; exit 0");
   EXPECT_EQ(verdicts(run(lost)), "a pass, b crash, c pass, d pass, e pass");
+}
+
+// What a failed case is followed by; $id is the case.
+constexpr std::string_view kFailsAndIsExamined =
+    "echo '{\"result\": {\"id\": \"'$id'\", \"status\": \"fail\", \"samples\": 1, \"mismatches\": 1, \"max_abs\": 0, "
+    "\"max_ulp\": 0, \"seconds\": 0, \"message\": \"\"}, \"examined\": true}' >&3; ";
+
+TEST_F(SchedulerTest, EvidenceBelongsToItsCase) {
+  const std::string evidence =
+      "echo '{\"evidence\": {\"shader\": \"s\", \"got\": \"\", \"reference\": \"\", \"difference\": \"\", "
+      "\"factor\": 2, \"note\": \"n\"}, \"id\": \"b\"}' >&3; continue";
+  const hn::Run result = run(script_that("b", std::string(kFailsAndIsExamined) + evidence));
+  EXPECT_EQ(verdicts(result), "a pass, b fail, c pass, d pass, e pass");
+  ASSERT_TRUE(result.cases[1].evidence);
+  EXPECT_EQ(result.cases[1].evidence->shader, "s");
+  EXPECT_EQ(result.cases[1].evidence->factor, 2.0);
+  EXPECT_FALSE(result.cases[2].evidence);
+
+  const std::string none = "echo '{\"evidence\": null, \"id\": \"b\"}' >&3; continue";
+  EXPECT_FALSE(run(script_that("b", std::string(kFailsAndIsExamined) + none)).cases[1].evidence);
+}
+
+TEST_F(SchedulerTest, ADriverThatCrashesOverTheEvidenceCostsNoVerdict) {
+  for (const char* end : {"kill -SEGV $$", "exec sleep 60"}) {
+    plan_.limit = 2s;
+    const hn::Run result = run("cp \"$2\" \"$0.job\"\n" + script_that("b", std::string(kFailsAndIsExamined) + end));
+    EXPECT_EQ(verdicts(result), "a pass, b fail, c pass, d pass, e pass");
+    std::ifstream job(folder_.path() / "child.job");  // of the process that went on
+    const auto json = nlohmann::json::parse(job);
+    EXPECT_EQ(json.at("ids"), nlohmann::json({"c", "d", "e"}));
+    EXPECT_EQ(json.at("examined"), nlohmann::json({"b"})) << "so that they do not have it again and again";
+  }
+}
+
+TEST_F(SchedulerTest, FailFastWaitsForTheEvidence) {
+  plan_.fail_fast = true;
+  const std::string evidence =
+      "sleep 0.3; echo '{\"evidence\": {\"shader\": \"s\", \"got\": \"\", \"reference\": \"\", \"difference\": "
+      "\"\", \"factor\": 2, \"note\": \"n\"}, \"id\": \"b\"}' >&3; continue";
+  const hn::Run result = run(script_that("b", std::string(kFailsAndIsExamined) + evidence));
+  EXPECT_EQ(verdicts(result), "a pass, b fail");
+  EXPECT_TRUE(result.cases[1].evidence);
 }
 
 TEST_F(SchedulerTest, ADriverThatIsNotHereHasNoCases) {

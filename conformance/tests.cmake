@@ -5,17 +5,18 @@ include(GoogleTest)
 
 # --- The parts of hn-conform ---
 add_executable(conform-test
+  evidence_test.cpp junit_test.cpp report_page_test.cpp output/base64_test.cpp output/text_test.cpp
   compare_test.cpp expectation_test.cpp golden_test.cpp gpu_test.cpp merge_test.cpp metamorphic_checks_test.cpp points_test.cpp profile_test.cpp reference_compiler_test.cpp
   report_test.cpp results_test.cpp runner_test.cpp scheduler_test.cpp source_test.cpp bugs/bugs_test.cpp fault/inject_test.cpp
   fault/rewriter_test.cpp tolerance_test.cpp twin_test.cpp
   bench/amd_test.cpp bench/bench_test.cpp bench/counts_test.cpp bench/subject_test.cpp bench/tables_test.cpp
   bench/timing_test.cpp output/csv_test.cpp output/number_test.cpp output/page_test.cpp output/png_test.cpp output/svg_test.cpp
   paper/algorithm_test.cpp paper/period_test.cpp paper/published_test.cpp paper/statistics_test.cpp
-  web/base64_test.cpp web/browser_loss_test.cpp web/browser_test.cpp web/suite_test.cpp)
+  web/browser_loss_test.cpp web/browser_test.cpp web/suite_test.cpp)
 add_dependencies(conform-test hn-conform)  # which counts for AMD in a process of its own
 target_compile_definitions(conform-test PRIVATE HN_CONFORM_PROGRAM="$<TARGET_FILE:hn-conform>")
 target_compile_definitions(conform-test PRIVATE HN_GOLDEN_DIRECTORY="${CMAKE_CURRENT_SOURCE_DIR}/golden")
-target_link_libraries(conform-test PRIVATE conform-lib GTest::gtest_main)
+target_link_libraries(conform-test PRIVATE conform-lib pugixml::pugixml GTest::gtest_main)
 gtest_discover_tests(conform-test TEST_PREFIX unit.)
 
 # --- The program, as its user meets it ---

@@ -28,6 +28,16 @@ TEST(Png, ReadsBackAsWritten) {
   EXPECT_EQ(read, pixels);
 }
 
+TEST(Png, InMemoryIsThatOfTheFile) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "a.png";
+  const std::vector<std::uint8_t> pixels = {0, 1, 127, 128, 254, 255};
+  ASSERT_TRUE(write_grey_png(path, pixels, 2, 3));
+  std::ifstream in(path, std::ios::binary);
+  EXPECT_EQ(*grey_png(pixels, 2, 3), std::string(std::istreambuf_iterator<char>(in), {}));
+  EXPECT_FALSE(grey_png(pixels, 2, 2));
+}
+
 TEST(Png, AFolderThatIsAbsentIsAnError) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "absent" / "a.png";

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "embedded.hpp"
+#include "output/base64.hpp"
 #include "report.hpp"
-#include "web/base64.hpp"
 #include "web/suite.hpp"
 
 namespace hn {
@@ -28,7 +28,7 @@ std::string import_map() {
   for (const std::string_view name : kModules) {
     std::string text(resource(name));
     replace_all(text, "from \"./", "from \"hn/");
-    imports["hn/" + std::string(name)] = "data:text/javascript;base64," + base64(text);
+    imports["hn/" + std::string(name)] = "data:text/javascript;base64," + to_base64(text);
   }
   return nlohmann::ordered_json{{"imports", imports}}.dump();
 }

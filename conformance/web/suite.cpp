@@ -10,11 +10,11 @@
 
 #include "bugs/bugs.hpp"
 #include "golden.hpp"
+#include "output/base64.hpp"
 #include "output/file.hpp"
 #include "pairing.hpp"
 #include "report.hpp"
 #include "tolerance.hpp"
-#include "web/base64.hpp"
 
 namespace hn {
 namespace {
@@ -225,7 +225,7 @@ class SuiteWriter {
 
   template <typename T>
   std::size_t data(const std::vector<T>& numbers) {
-    return data_.number_of(base64(bytes_of(std::span<const T>(numbers))));
+    return data_.number_of(to_base64(bytes_of(std::span<const T>(numbers))));
   }
 
   std::size_t inputs_of(const Golden& golden) {

@@ -9,9 +9,9 @@
 #include <set>
 
 #include "golden.hpp"
+#include "output/base64.hpp"
 #include "test_support.hpp"
 #include "tolerance.hpp"
-#include "web/base64.hpp"
 
 namespace hn {
 namespace {
@@ -46,7 +46,7 @@ std::string text_of(const Json& suite, const Json& shader) {
 
 template <typename T>
 std::string packed(const std::vector<T>& numbers) {
-  return base64({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T)});
+  return to_base64({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T)});
 }
 
 TEST(Suite, AShaderIsTheOneThatDriversGet) {
