@@ -5,7 +5,7 @@ include(GoogleTest)
 
 # --- The parts of hn-conform ---
 add_executable(conform-test
-  compare_test.cpp expectation_test.cpp golden_test.cpp gpu_test.cpp merge_test.cpp options_test.cpp points_test.cpp profile_test.cpp reference_compiler_test.cpp
+  compare_test.cpp expectation_test.cpp golden_test.cpp gpu_test.cpp journal_test.cpp merge_test.cpp options_test.cpp points_test.cpp profile_test.cpp reference_compiler_test.cpp
   report_test.cpp results_test.cpp runner_test.cpp scheduler_test.cpp source_test.cpp tolerance_test.cpp twin_test.cpp
   bench/amd_test.cpp bench/bench_test.cpp bench/counts_test.cpp bench/subject_test.cpp bench/tables_test.cpp
   bench/timing_test.cpp output/csv_test.cpp output/number_test.cpp output/page_test.cpp output/png_test.cpp output/svg_test.cpp
