@@ -97,6 +97,9 @@ Result<Merged> merge_runs(std::vector<Run> runs, const std::vector<std::string>&
       absent.push_back(std::move(run));
       continue;
     }
+    if (const auto shards = shards_of(run); !shards) {
+      return fail(fmt::format("{}: {}", name_of(run), shards.error().message));
+    }
     const auto same = std::find_if(merged.runs.begin(), merged.runs.end(),
                                    [&](const Run& other) { return name_of(other) == name_of(run); });
     if (same == merged.runs.end()) {
@@ -109,6 +112,10 @@ Result<Merged> merge_runs(std::vector<Run> runs, const std::vector<std::string>&
   for (const std::string& id : ids) order.emplace(id, order.size());
   for (Run& run : merged.runs) {
     if (auto sorted = sort_cases(run, order); !sorted) return tl::unexpected(sorted.error());
+    if (!run.shard.empty() && run.cases.size() > run.whole) {
+      return fail(
+          fmt::format("{}: all shards together have {} cases, says each; here are more", name_of(run), run.whole));
+    }
     if (run.cases.size() < run.whole) {
       merged.gaps.push_back(fmt::format("{}: {} of {} cases are missing; not all of its shards are here", name_of(run),
                                         run.whole - run.cases.size(), run.whole));

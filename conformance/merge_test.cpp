@@ -77,6 +77,10 @@ TEST(Merge, WhatDoesNotBelongTogetherIsAnError) {
   hn::Run bad_shard = shard_run("1/3");
   bad_shard.shard = "x";
   EXPECT_FALSE(merge({bad_shard, shard_run("2/3")}));
+  EXPECT_FALSE(merge({bad_shard})) << "also if there is nothing to merge it with";
+  hn::Run too_many = shard_run("1/3");
+  too_many.whole = 3;
+  EXPECT_FALSE(merge({too_many}));
 }
 
 TEST(Merge, OtherDriversAndRenderersStayApart) {
