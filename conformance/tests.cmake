@@ -34,12 +34,15 @@ set_tests_properties(conform.egl_softpipe PROPERTIES ENVIRONMENT GALLIUM_DRIVER=
 
 # --- The oracle and the tools ---
 set(tools ${PROJECT_SOURCE_DIR}/tools)
-foreach(test oracle golden bounds mutate single_file)
+foreach(test oracle fuzz golden bounds mutate single_file)
   add_test(NAME tools.${test} COMMAND Python3::Interpreter ${tools}/${test}_test.py)
 endforeach()
 add_test(NAME golden.regenerated_is_committed COMMAND Python3::Interpreter ${tools}/golden --check)
 # The suite must notice a changed constant; all of them by command, a few here.
 add_test(NAME mutants.sample COMMAND Python3::Interpreter ${tools}/mutate --program $<TARGET_FILE:hn-conform> --sample 12)
+
+# The parsers take anything: by command for long, a little here. The fuzzers are built on the way.
+add_test(NAME fuzz.corpus COMMAND Python3::Interpreter ${tools}/fuzz --runs 2000 --build ${PROJECT_BINARY_DIR}/fuzz)
 
 # --- The C++ twin in other hands ---
 add_test(NAME consumer.find_package
