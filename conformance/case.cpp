@@ -12,50 +12,6 @@
 
 namespace hn {
 
-std::string_view name_of(Status status) {
-  switch (status) {
-    case Status::pass:
-      return "pass";
-    case Status::warning:
-      return "warning";
-    case Status::fail:
-      return "fail";
-    case Status::unsupported:
-      return "unsupported";
-    case Status::crash:
-      return "crash";
-    case Status::timeout:
-      return "timeout";
-    case Status::error:
-      break;
-  }
-  return "error";
-}
-
-std::optional<Status> status_named(std::string_view name) {
-  for (const Status status : kStatuses) {
-    if (name_of(status) == name) return status;
-  }
-  return std::nullopt;
-}
-
-bool is_bad(Status status) {
-  return status == Status::fail || status == Status::crash || status == Status::timeout || status == Status::error;
-}
-
-Outcome outcome_with(Status status, const Error& error) {
-  Outcome outcome;
-  outcome.status = status;
-  outcome.message = error.text();
-  return outcome;
-}
-
-bool as_expected(const CaseResult& result) {
-  const Status status = result.outcome.status;
-  if (is_bad(status)) return !result.excuse.empty();
-  return result.excuse.empty() || status == Status::unsupported;
-}
-
 Session::Session(const Suite& suite, const Context& context_, std::size_t most_twin_points_)
     : Suite(suite), context(context_), info(describe(context_)), most_twin_points(most_twin_points_), grid(context_) {}
 
@@ -135,6 +91,12 @@ std::vector<Case> all_cases() {
   add_compile_cases(cases);
   add_bug_cases(cases);
   return cases;
+}
+
+std::vector<std::string> ids_of(const std::vector<Case>& cases) {
+  std::vector<std::string> ids;
+  for (const Case& test : cases) ids.push_back(test.id);
+  return ids;
 }
 
 }  // namespace hn

@@ -148,6 +148,7 @@ CaseResult run_case(const Suite& suite, const Case& test);  // of one that needs
 
 // Every case, in the order in which they run.
 std::vector<Case> all_cases();
+std::vector<std::string> ids_of(const std::vector<Case>& cases);
 
 // The parts of all_cases, a file each.
 void add_compile_cases(std::vector<Case>& cases);

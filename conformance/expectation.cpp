@@ -24,11 +24,17 @@ bool matches(const Expectation& expectation, const Run& run, const CaseResult& r
 }  // namespace
 
 Result<std::vector<Expectation>> parse_expectations(std::string_view text, const std::string& path) {
+  // The reader ends a line at a NUL and drops the rest. And it looks at the byte behind the text, which is anything,
+  // unless the text ends with a line.
+  if (const auto nul = text.find('\0'); nul != std::string_view::npos) {
+    return fail(fmt::format("{}:{}: a table has no NUL", path, 1 + std::count(text.begin(), text.begin() + nul, '\n')));
+  }
+  const std::string lines = fmt::format("{}{}", text, text.ends_with('\n') ? "" : "\n");
   std::vector<Expectation> expectations;
   try {
     io::CSVReader<5, io::trim_chars<' ', '\t'>, io::double_quote_escape<',', '"'>, io::throw_on_overflow,
                   io::single_line_comment<'#'>>
-        reader(path, text.data(), text.data() + text.size());
+        reader(path, lines.data(), lines.data() + lines.size());
     reader.read_header(io::ignore_no_column, "driver", "renderer", "case", "status", "reason");
     Expectation row;
     std::string status;

@@ -39,6 +39,20 @@ TEST(Expectations, SayWhatIsWrongAndWhere) {
   EXPECT_NE(error_of(parse_expectations("driver,case,status,reason\n", "x.csv")).find("renderer"), std::string::npos);
 }
 
+TEST(Expectations, NeedNoEndOfTheLastLine) {
+  for (const char* last : {"", "\n", "\n# a comment", "\n# a comment\n", "\r\n"}) {
+    const auto rows = parse("d,r,c,fail,why" + std::string(last));
+    ASSERT_TRUE(rows) << rows.error().text();
+    EXPECT_EQ(rows->size(), 1u) << last;
+  }
+}
+
+TEST(Expectations, WithANulAreNone) {
+  const auto rows = parse(std::string("d,r,c,fail,why\nd,r,c,fail,why\0not", 35));
+  ASSERT_FALSE(rows);
+  EXPECT_EQ(rows.error().message, "x.csv:3: a table has no NUL");
+}
+
 TEST(Expectations, ExcuseOnlyWhatTheyName) {
   const auto rows = parse("osm*,r,a*,fail,known\n");
   ASSERT_TRUE(rows);

@@ -1,8 +1,13 @@
 #include "journal.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <iterator>
+#include <set>
+#include <stdexcept>
+
+#include "json_reader.hpp"
 
 namespace hn {
 namespace {
@@ -11,11 +16,41 @@ std::filesystem::path path_in(const std::filesystem::path& directory) { return d
 
 // The names of what is other in two plans.
 std::string differences(const nlohmann::json& a, const nlohmann::json& b) {
-  std::string names;
-  for (const auto& [name, value] : a.items()) {
-    if (!b.contains(name) || b.at(name) != value) names += fmt::format("{}{}", names.empty() ? "" : ", ", name);
+  std::set<std::string> names;
+  for (const auto& [one, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+    for (const auto& [name, value] : one->items()) {
+      if (!other->contains(name) || other->at(name) != value) names.insert(fmt::format("\"{}\"", name));
+    }
   }
-  return names;
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+// Throws what json_reader.hpp says if a line is no report, of those that child.hpp describes, of a driver.
+Journal::Entry entry_from(std::string_view line) {
+  const nlohmann::json json = parse_json(line);
+  Journal::Entry entry{json.at("driver").get<std::string>(), json.at("report")};
+  const nlohmann::json& report = entry.report;
+  if (!report.is_object()) throw std::invalid_argument("a report is an object");
+  if (report.contains("ready")) context_info_from(report.at("ready"));
+  if (report.contains("result")) case_result_from(report.at("result"));
+  for (const char* why : {"absent", "error"}) {
+    if (report.contains(why) && !report.at(why).is_string()) {
+      throw std::invalid_argument(fmt::format("\"{}\" is no text", why));
+    }
+  }
+  return entry;
+}
+
+// Of the first line. Null if it has none.
+nlohmann::json plan_from(std::string_view line) {
+  try {
+    const nlohmann::json json = parse_json(line);
+    return json.contains("plan") ? json.at("plan") : nlohmann::json();
+  } catch (const nlohmann::json::exception&) {
+    return {};
+  } catch (const std::invalid_argument&) {
+    return {};
+  }
 }
 
 }  // namespace
@@ -25,19 +60,23 @@ Result<std::vector<Journal::Entry>> parse_journal(std::string_view text, const n
   for (std::size_t line = 1; !text.empty(); ++line) {
     const auto end = text.find('\n');
     if (end == std::string_view::npos) break;  // killed while it was written
-    const auto json = nlohmann::json::parse(text.substr(0, end), nullptr, false);
+    const std::string_view current = text.substr(0, end);
     text.remove_prefix(end + 1);
     if (line == 1) {
-      if (!json.is_object() || !json.contains("plan")) return fail("its first line is no plan");
-      if (json.at("plan") != plan) {
-        return fail(fmt::format("it is of a run with other settings: {}", differences(plan, json.at("plan"))));
+      const nlohmann::json earlier = plan_from(current);
+      if (!earlier.is_object()) return fail("its first line is no plan");
+      if (earlier != plan) {
+        return fail(fmt::format("it is of a run with other settings: {}", differences(plan, earlier)));
       }
       continue;
     }
-    const bool known = json.is_object() && json.contains("driver") && json.at("driver").is_string() &&
-                       json.contains("report") && json.at("report").is_object();
-    if (!known) return fail(fmt::format("line {} is no report of a driver", line));
-    entries.push_back({json.at("driver").get<std::string>(), json.at("report")});
+    try {
+      entries.push_back(entry_from(current));
+    } catch (const nlohmann::json::exception& exception) {
+      return fail(fmt::format("line {} is no report of a driver: {}", line, exception.what()));
+    } catch (const std::invalid_argument& exception) {
+      return fail(fmt::format("line {} is no report of a driver: {}", line, exception.what()));
+    }
   }
   return entries;
 }
@@ -73,10 +112,13 @@ Result<Journal> Journal::reopen(const std::filesystem::path& directory, const nl
   return journal;
 }
 
+std::string journal_line(const std::string& driver, const nlohmann::json& report) {
+  return nlohmann::json{{"driver", driver}, {"report", report}}.dump(-1, ' ', false,
+                                                                     nlohmann::json::error_handler_t::replace);
+}
+
 void Journal::add(const std::string& driver, const nlohmann::json& report) {
-  out_ << nlohmann::json{{"driver", driver}, {"report", report}}.dump(-1, ' ', false,
-                                                                      nlohmann::json::error_handler_t::replace)
-       << std::endl;
+  out_ << journal_line(driver, report) << std::endl;
 }
 
 void Journal::remove() {

@@ -41,6 +41,8 @@ class Journal {
   std::vector<Entry> earlier_;
 };
 
+// A line, without its end.
+std::string journal_line(const std::string& driver, const nlohmann::json& report);
 // The lines of a journal, without the last if it is not whole. An error: it is not the journal of this plan.
 Result<std::vector<Journal::Entry>> parse_journal(std::string_view text, const nlohmann::json& plan);
 

@@ -91,13 +91,16 @@ Result<Shard> parse_shard(const std::string& text) {
       fmt::format("\"{}\" is no shard; I/N is, with 1 <= I <= N <= {}: 2/3 is the second of three", text, kMostShards));
 }
 
-Result<Merged> merge_runs(std::vector<Run> runs) {
+Result<Merged> merge_runs(std::vector<Run> runs, const std::vector<std::string>& ids) {
   Merged merged;
   std::vector<Run> absent;
   for (Run& run : runs) {
     if (!run.absent.empty()) {
       absent.push_back(std::move(run));
       continue;
+    }
+    if (const auto shards = shards_of(run); !shards) {
+      return fail(fmt::format("{}: {}", name_of(run), shards.error().message));
     }
     const auto same = std::find_if(merged.runs.begin(), merged.runs.end(),
                                    [&](const Run& other) { return name_of(other) == name_of(run); });
@@ -108,9 +111,13 @@ Result<Merged> merge_runs(std::vector<Run> runs) {
     }
   }
   std::map<std::string, std::size_t> order;
-  for (const Case& test : all_cases()) order.emplace(test.id, order.size());
+  for (const std::string& id : ids) order.emplace(id, order.size());
   for (Run& run : merged.runs) {
     if (auto sorted = sort_cases(run, order); !sorted) return tl::unexpected(sorted.error());
+    if (!run.shard.empty() && run.cases.size() > run.whole) {
+      return fail(
+          fmt::format("{}: all shards together have {} cases, says each; here are more", name_of(run), run.whole));
+    }
     if (run.cases.size() < run.whole) {
       merged.gaps.push_back(fmt::format("{}: {} of {} cases are missing; not all of its shards are here", name_of(run),
                                         run.whole - run.cases.size(), run.whole));
@@ -127,14 +134,14 @@ Result<Merged> merge_runs(std::vector<Run> runs) {
   return merged;
 }
 
-Result<Merged> merge_files(const std::vector<std::string>& paths) {
+Result<Merged> merge_files(const std::vector<std::string>& paths, const std::vector<std::string>& ids) {
   std::vector<Run> runs;
   for (const std::string& path : paths) {
     auto more = read_runs(path);
     if (!more) return tl::unexpected(more.error());
     runs.insert(runs.end(), std::make_move_iterator(more->begin()), std::make_move_iterator(more->end()));
   }
-  return merge_runs(std::move(runs));
+  return merge_runs(std::move(runs), ids);
 }
 
 }  // namespace hn

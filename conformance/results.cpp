@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "json_reader.hpp"
+
 namespace hn {
 namespace {
 
@@ -27,9 +29,8 @@ Json examples_json(const std::vector<Mismatch>& examples) {
 }
 
 Mismatch mismatch_from(const nlohmann::json& json) {
-  return {json.at("point").get<std::size_t>(), json.at("words").get<std::vector<std::uint32_t>>(),
-          json.at("inputs").get<std::string>(), json.at("got").get<std::string>(),
-          json.at("expected").get<std::string>()};
+  return {whole_number_at(json, "point"), words_at(json, "words"), json.at("inputs").get<std::string>(),
+          json.at("got").get<std::string>(), json.at("expected").get<std::string>()};
 }
 
 Json to_json(const Run& run) {
@@ -56,7 +57,9 @@ Json to_json(const Run& run) {
   return one;
 }
 
-Run run_from(const nlohmann::json& json) {
+// Tells in where what it reads.
+Run run_from(const nlohmann::json& json, std::string& where) {
+  const std::string here = where;
   Run run;
   run.driver = json.at("driver").get<std::string>();
   if (json.contains("absent")) {
@@ -65,15 +68,19 @@ Run run_from(const nlohmann::json& json) {
     return run;
   }
   run.info = context_info_from(json);
-  run.seed = json.at("seed").get<std::uint64_t>();
+  run.seed = whole_number_at(json, "seed");
   if (json.contains("injected")) run.injected = json.at("injected").get<std::string>();
   if (json.contains("date")) run.date = json.at("date").get<std::string>();
   if (json.contains("commands")) run.commands = json.at("commands").get<std::set<std::string>>();
   if (json.contains("shard")) {
     run.shard = json.at("shard").get<std::string>();
-    run.whole = json.at("whole").get<std::size_t>();
+    run.whole = whole_number_at(json, "whole");
   }
-  for (const nlohmann::json& result : json.at("cases")) run.cases.push_back(case_result_from(result));
+  for (const nlohmann::json& result : list_at(json, "cases")) {
+    where = fmt::format("{}, case {}", here, run.cases.size() + 1);
+    run.cases.push_back(case_result_from(result));
+  }
+  where = here;
   if (json.contains("timings")) run.timings = json.at("timings").dump();
   return run;
 }
@@ -155,16 +162,17 @@ CaseResult case_result_from(const nlohmann::json& json) {
   const auto status = status_named(name);
   if (!status) throw std::invalid_argument(fmt::format("\"{}\" is no status", name));
   result.outcome = {.status = *status,
-                    .samples = json.at("samples").get<std::uint64_t>(),
-                    .mismatches = json.at("mismatches").get<std::uint64_t>(),
-                    .max_abs = json.at("max_abs").get<double>(),
-                    .max_ulp = json.at("max_ulp").get<std::uint64_t>(),
+                    .samples = whole_number_at(json, "samples"),
+                    .mismatches = whole_number_at(json, "mismatches"),
+                    .max_abs = number_at(json, "max_abs"),
+                    .max_ulp = whole_number_at(json, "max_ulp"),
                     .message = json.at("message").get<std::string>(),
                     .examples = {}};
-  result.seconds = json.at("seconds").get<double>();
+  result.seconds = number_at(json, "seconds");
   if (json.contains("excuse")) result.excuse = json.at("excuse").get<std::string>();
   if (json.contains("examples")) {
-    for (const nlohmann::json& example : json.at("examples")) result.outcome.examples.push_back(mismatch_from(example));
+    for (const nlohmann::json& example : list_at(json, "examples"))
+      result.outcome.examples.push_back(mismatch_from(example));
   }
   if (json.contains("evidence")) result.evidence = evidence_from(json.at("evidence"));
   return result;
@@ -179,17 +187,17 @@ std::string results_text(const std::vector<Run>& runs) {
 Result<std::vector<Run>> parse_results(std::string_view text) {
   std::string where = "the file";
   try {
-    const auto json = nlohmann::json::parse(text);
-    if (const int schema = json.at("schema").get<int>(); schema != kSchema) {
+    const auto json = parse_json(text);
+    if (const auto schema = whole_number_at(json, "schema"); schema != kSchema) {
       return fail(fmt::format("schema {} is not the one that is known here, {}", schema, kSchema));
     }
     if (const auto version = json.at("version").get<std::string>(); version != library_version()) {
       return fail(fmt::format("it is of version {}, and this is {}", version, library_version()));
     }
     std::vector<Run> runs;
-    for (const nlohmann::json& run : json.at("runs")) {
+    for (const nlohmann::json& run : list_at(json, "runs")) {
       where = fmt::format("run {}", runs.size() + 1);
-      runs.push_back(run_from(run));
+      runs.push_back(run_from(run, where));
     }
     return runs;
   } catch (const nlohmann::json::exception& exception) {

@@ -89,6 +89,55 @@ TEST(Json, ThatIsNoneSaysWhatIsWrong) {
   }
 }
 
+TEST(Json, HasWholeNumbersWhereThingsAreCounted) {
+  const std::string good = results_text({run_of({result("a", Status::pass), result("b", Status::pass)})});
+  for (const char* wrong : {"-1", "1.5", "1e300", "true", "null", "\"1\"", "123456789012345678901234567890"}) {
+    for (const std::string key : {"\"samples\": ", "\"max_ulp\": ", "\"seed\": ", "\"schema\": "}) {
+      std::string text = good;
+      const auto at = text.rfind(key) + key.size();
+      text.replace(at, text.find_first_of(",\n", at) - at, wrong);
+      const auto runs = parse_results(text);
+      ASSERT_FALSE(runs) << key << wrong;
+      const std::string where = key == "\"schema\": " ? "the file" : key == "\"seed\": " ? "run 1" : "run 1, case 2";
+      EXPECT_TRUE(runs.error().message.starts_with(where + " is no results.json: ")) << runs.error().message;
+    }
+  }
+}
+
+TEST(Json, HasListsWhereThereAreSeveral) {
+  const std::string head = "{\"schema\": 2, \"version\": \"" + library_version() + "\", \"runs\": ";
+  EXPECT_TRUE(parse_results(head + "[]}"));
+  for (const char* wrong : {"null", "{}", "7", "\"\""}) EXPECT_FALSE(parse_results(head + wrong + "}")) << wrong;
+}
+
+TEST(Json, HasWordsOf32Bits) {
+  CaseResult bad = result("a", Status::fail);
+  bad.outcome.examples = {{3, {4294967295u}, "x=1", "0x00000001", "0x00000002"}};
+  const std::string good = results_text({run_of({bad})});
+  for (const char* wrong : {"-1", "1.5", "4294967296", "4e93", "true", "null"}) {
+    std::string text = good;
+    text.replace(text.find("4294967295"), 10, wrong);
+    EXPECT_FALSE(parse_results(text)) << wrong;
+  }
+}
+
+// To print it, or to copy it, would need more stack than there is.
+TEST(Json, MayNotBeNestedWithoutEnd) {
+  hn::Run run = run_of({result("a", Status::pass)});
+  const auto nested = [&](std::size_t depth) {
+    run.timings = "[]";
+    std::string text = results_text({run});
+    text.replace(text.find("[]"), 2, std::string(depth, '[') + std::string(depth, ']'));
+    return parse_results(text);
+  };
+  EXPECT_TRUE(nested(50));
+  for (const std::size_t depth : {100u, 1000000u}) {
+    const auto runs = nested(depth);
+    ASSERT_FALSE(runs);
+    EXPECT_NE(runs.error().message.find("nested more than 64 deep"), std::string::npos);
+  }
+}
+
 TEST(Verdict, OfSeveralDriversNeedsAllThatAreHere) {
   const hn::Run good = run_of({result("a", Status::pass)});
   const hn::Run bad = run_of({result("a", Status::crash)});

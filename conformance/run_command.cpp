@@ -222,7 +222,7 @@ int run_command(const RunCommand& options) {
 int merge_command(const MergeCommand& options) {
   const auto expectations = load_expectations(options.expect);
   if (!expectations) return usage_error(expectations.error().text());
-  auto merged = merge_files(options.inputs);
+  auto merged = merge_files(options.inputs, ids_of(all_cases()));
   if (!merged) return usage_error(merged.error().text());
   if (const auto ready = prepare_results(options.out); !ready) return usage_error(ready.error().text());
   for (Run& run : merged->runs) apply_expectations(*expectations, run);

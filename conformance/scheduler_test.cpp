@@ -215,7 +215,7 @@ TEST(JournalTest, OfAnotherRunIsRefused) {
   ASSERT_TRUE(Journal::create(folder.path(), {{"seed", 1}, {"shard", ""}}));
   const auto other = Journal::reopen(folder.path(), {{"seed", 2}, {"shard", ""}});
   ASSERT_FALSE(other);
-  EXPECT_NE(other.error().message.find("other settings: seed"), std::string::npos) << other.error().message;
+  EXPECT_NE(other.error().message.find("other settings: \"seed\""), std::string::npos) << other.error().message;
   EXPECT_TRUE(Journal::reopen(folder.path(), {{"seed", 1}, {"shard", ""}}));
   folder.write(kJournalFile, "{}\n");
   EXPECT_FALSE(Journal::reopen(folder.path(), {}));

@@ -20,6 +20,9 @@ namespace {
 constexpr int kLinesPerSource = 10000;
 // The library nests 6 deep; a file that includes itself outside of its guard would go on for ever.
 constexpr int kDeepestInclude = 16;
+// And files that include the next several times multiply with every level. All of the library, twice, has 250,000
+// bytes.
+constexpr std::size_t kLongestText = std::size_t{8} << 20;
 
 std::optional<std::string_view> included_name(std::string_view line) {
   const auto skip_spaces = [&] {
@@ -72,6 +75,9 @@ class Expander {
         continue;
       }
       const std::string where = fmt::format("{}:{}", out_.paths[static_cast<std::size_t>(source)], line);
+      if (out_.text.size() > kLongestText) {
+        return fail(fmt::format("{}: with its includes the shader is longer than {} bytes", where, kLongestText));
+      }
       const SourceFile* file = sources_.find(*name);
       if (!file) return fail(fmt::format("{}: there is no \"{}\" to include", where, *name));
       if (depth == kDeepestInclude) {
@@ -145,9 +151,9 @@ std::string ShaderText::translate(std::string_view log) const {
     const bool starts_word = i == 0 || !std::isalnum(static_cast<unsigned char>(log[i - 1]));
     int line = 0;
     if (starts_word && end + 1 < log.size() && (log[end] == ':' || log[end] == '(') && is_digit(log[end + 1])) {
-      const char* const stop = std::from_chars(&log[end + 1], log.data() + log.size(), line).ptr;
+      const auto [stop, error] = std::from_chars(&log[end + 1], log.data() + log.size(), line);
       const auto source = static_cast<std::size_t>(line / kLinesPerSource);
-      if (source < paths.size()) {
+      if (error == std::errc() && source < paths.size()) {
         out += fmt::format("{}:{}", paths[source], line % kLinesPerSource);
         i = static_cast<std::size_t>(stop - log.data());
         if (log[end] == '(' && i < log.size() && log[i] == ')') ++i;

@@ -1,5 +1,6 @@
 #include "source.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "embedded.hpp"
@@ -54,6 +55,21 @@ TEST(Source, EndlessIncludeIsAnError) {
   EXPECT_NE(shader.error().message.find("nested more than 16 deep"), std::string::npos);
 }
 
+// Eight times as many with every level: 8^10 of the last.
+TEST(Source, IncludesThatMultiplyAreAnError) {
+  SourceSet sources;
+  sources.add("a", "x\n", "glsl/a");
+  for (char name = 'b'; name <= 'k'; ++name) {
+    std::string lines;
+    for (int i = 0; i < 8; ++i) lines += fmt::format("#include \"{}\"\n", static_cast<char>(name - 1));
+    sources.add(std::string(1, name), lines, fmt::format("glsl/{}", name));
+  }
+  const auto shader = expand(sources, profile_named("gl330"), "#include \"k\"\n");
+  ASSERT_FALSE(shader);
+  EXPECT_TRUE(shader.error().message.starts_with("glsl/")) << shader.error().message;
+  EXPECT_NE(shader.error().message.find("longer than"), std::string::npos) << shader.error().message;
+}
+
 TEST(Source, FolderWithoutAFileIsAnError) {
   const TemporaryFolder folder;
   folder.write("config.glsl", "");
@@ -73,7 +89,7 @@ TEST(Source, LogsOfEveryVendorNameTheFile) {
 
 TEST(Source, OtherNumbersInLogsStay) {
   const ShaderText shader{"", {"main"}};
-  for (const char* log : {"", "12", "4.50", "C1008: x", "99999:99999: beyond", "a1:2", "at 3: none"}) {
+  for (const char* log : {"", "12", "4.50", "C1008: x", "99999:99999: beyond", "1:99999999999", "a1:2", "at 3: none"}) {
     EXPECT_EQ(shader.translate(log), log);
   }
 }

@@ -6,7 +6,7 @@ include(GoogleTest)
 # --- The parts of hn-conform ---
 add_executable(conform-test
   evidence_test.cpp junit_test.cpp report_page_test.cpp output/base64_test.cpp output/text_test.cpp
-  compare_test.cpp expectation_test.cpp golden_test.cpp gpu_test.cpp merge_test.cpp metamorphic_checks_test.cpp points_test.cpp profile_test.cpp reference_compiler_test.cpp
+  compare_test.cpp expectation_test.cpp golden_test.cpp gpu_test.cpp journal_test.cpp merge_test.cpp metamorphic_checks_test.cpp options_test.cpp points_test.cpp profile_test.cpp reference_compiler_test.cpp
   report_test.cpp results_test.cpp runner_test.cpp scheduler_test.cpp source_test.cpp bugs/bugs_test.cpp fault/inject_test.cpp
   fault/rewriter_test.cpp tolerance_test.cpp twin_test.cpp
   bench/amd_test.cpp bench/bench_test.cpp bench/counts_test.cpp bench/subject_test.cpp bench/tables_test.cpp
@@ -38,7 +38,7 @@ set_tests_properties(conform.egl_softpipe PROPERTIES ENVIRONMENT GALLIUM_DRIVER=
 
 # --- The oracle and the tools ---
 set(tools ${PROJECT_SOURCE_DIR}/tools)
-foreach(test oracle golden bounds faults mutate single_file)
+foreach(test oracle golden bounds faults fuzz mutate single_file)
   add_test(NAME tools.${test} COMMAND Python3::Interpreter ${tools}/${test}_test.py)
 endforeach()
 add_test(NAME golden.regenerated_is_committed COMMAND Python3::Interpreter ${tools}/golden --check)
@@ -47,6 +47,8 @@ add_test(NAME mutants.sample COMMAND Python3::Interpreter ${tools}/mutate --prog
 
 # Every fault that drivers have had turns a run red, and docs/faults.md says by which cases.
 add_test(NAME faults.table_is_committed COMMAND Python3::Interpreter ${tools}/faults --check --program $<TARGET_FILE:hn-conform>)
+# The parsers take anything: by command for long, a little here. The fuzzers are built on the way.
+add_test(NAME fuzz.corpus COMMAND Python3::Interpreter ${tools}/fuzz --runs 2000 --build ${PROJECT_BINARY_DIR}/fuzz)
 
 # --- The C++ twin in other hands ---
 add_test(NAME consumer.find_package

@@ -21,7 +21,7 @@ readonly conform_packages=(
 readonly paper_packages=(libvulkan1 mesa-vulkan-drivers)
 # Every driver that a machine without a GPU and a display can have.
 readonly driver_packages=("${paper_packages[@]}" chromium libglfw3 xvfb)
-readonly test_packages=("${driver_packages[@]}" clang libgtest-dev python3)
+readonly test_packages=("${driver_packages[@]}" clang libclang-rt-dev libgtest-dev python3)
 
 install_missing() {
   if ! command -v dpkg-query >/dev/null; then

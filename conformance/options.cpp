@@ -1,20 +1,17 @@
-// hn-conform: does the library compute what it promises, on this driver, and at what cost?
+#include "options.hpp"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
-#include <exception>
 #include <span>
+#include <sstream>
 #include <string_view>
 #include <thread>
 
-#include "bench/amd.hpp"
-#include "child.hpp"
-#include "command.hpp"
-#include "fault/faults.hpp"
-#include "report.hpp"
+#include "results.hpp"
 
+namespace hn {
 namespace {
 
 constexpr const char* kCommands = "drivers, list, run, merge, bench, paper or web";
@@ -49,13 +46,23 @@ void add_rounds(CLI::App& command, int& rounds) {
       ->capture_default_str();
 }
 
+// CLI::Range takes "nan".
+CLI::Validator seconds_between(double low, double high) {
+  const auto check = [=](const std::string& text) {
+    double seconds = 0.0;
+    const bool right = CLI::detail::lexical_cast(text, seconds) && seconds >= low && seconds <= high;
+    return right ? std::string() : fmt::format("{} is no number from {} to {}", text, low, high);
+  };
+  return {check, fmt::format("FLOAT in [{} - {}]", low, high)};
+}
+
 void add_expect(CLI::App& command, std::string& directory) {
   command.add_option("--expect", directory, "The folder of the tables of what is expected to fail")
       ->type_name("DIR")
       ->capture_default_str();
 }
 
-void add_run(CLI::App& app, hn::RunCommand& options) {
+void add_run(CLI::App& app, RunCommand& options, const std::string& faults) {
   CLI::App& command =
       *app.add_subcommand("run", "Run the cases on drivers and write results.json, junit.xml and index.html");
   command
@@ -80,7 +87,7 @@ void add_run(CLI::App& app, hn::RunCommand& options) {
   command.add_flag("--resume", options.resume, "Go on with a run that was broken off: what it has is not run again");
   command.add_option("--timeout", options.timeout, "Seconds that a case may take")
       ->type_name("SECONDS")
-      ->check(CLI::Range(0.1, 86400.0))
+      ->check(seconds_between(0.1, 86400.0))
       ->capture_default_str();
   command.add_option("--jobs", options.jobs, "Drivers that run at the same time")
       ->type_name("N")
@@ -92,12 +99,12 @@ void add_run(CLI::App& app, hn::RunCommand& options) {
           "--inject", options.inject,
           fmt::format(
               "Make the driver behave as one that has a fault, to see what notices; \"list\" tells what each does: {}",
-              hn::fault_names()))
+              faults))
       ->type_name("FAULT");
   command.add_flag("--timings", options.timings, "Time the functions of the cases, too, as multiples of Perlin/Float");
 }
 
-void add_merge(CLI::App& app, hn::MergeCommand& options) {
+void add_merge(CLI::App& app, MergeCommand& options) {
   CLI::App& command = *app.add_subcommand("merge", "Join the results of shards, or of several machines");
   command.add_option("inputs", options.inputs, "Files results.json, or the folders that hold them")
       ->type_name("PATH")
@@ -106,7 +113,7 @@ void add_merge(CLI::App& app, hn::MergeCommand& options) {
   add_expect(command, options.expect);
 }
 
-void add_bench(CLI::App& app, hn::BenchCommand& options) {
+void add_bench(CLI::App& app, BenchCommand& options) {
   CLI::App& command = *app.add_subcommand("bench", "Measure what every function, hash and knob costs");
   add_driver(command, options.driver);
   add_filter(command, options.filters, "subjects");
@@ -126,7 +133,7 @@ void add_bench(CLI::App& app, hn::BenchCommand& options) {
   command.add_flag("--dump", options.dump, "Write the SPIR-V that was counted, too: spirv/ID.spv");
 }
 
-void add_paper(CLI::App& app, hn::PaperCommand& options) {
+void add_paper(CLI::App& app, PaperCommand& options) {
   CLI::App& command = *app.add_subcommand("paper", "Reproduce what the paper shows, as a page with pictures and data");
   add_driver(command, options.driver);
   add_out(command, options.out, "index.html, paper.json, the CSV files and the pictures");
@@ -137,7 +144,7 @@ void add_paper(CLI::App& app, hn::PaperCommand& options) {
                    "counted as spirv/ID.spv");
 }
 
-void add_web(CLI::App& app, hn::WebCommand& options) {
+void add_web(CLI::App& app, WebCommand& options) {
   CLI::App& command = *app.add_subcommand("web", "Write the page that checks a browser: one file, for any web server");
   add_out(command, options.out, "index.html");
   add_glsl(command, options.glsl);
@@ -146,8 +153,21 @@ void add_web(CLI::App& app, hn::WebCommand& options) {
       ->capture_default_str();
 }
 
-// As a shell would take it again.
-std::string command_line(int argc, char** argv) {
+tl::unexpected<Stop> wrong_usage(const std::string& message) {
+  return tl::unexpected(Stop{kBadUsage, {}, fmt::format("hn-conform: {}\n", message)});
+}
+
+// Help that was asked for, or what is wrong, in CLI11's words.
+tl::unexpected<Stop> stop_at(const CLI::App& app, const CLI::ParseError& error) {
+  std::ostringstream out;
+  std::ostringstream err;
+  const int status = app.exit(error, out, err) == 0 ? 0 : kBadUsage;
+  return tl::unexpected(Stop{status, out.str(), err.str()});
+}
+
+}  // namespace
+
+std::string command_line(int argc, const char* const* argv) {
   std::string line = "hn-conform";
   for (const std::string_view argument :
        std::span(argv, static_cast<std::size_t>(argc)).subspan(std::min(argc, 1) == 1)) {
@@ -166,64 +186,51 @@ std::string command_line(int argc, char** argv) {
   return line;
 }
 
-int dispatch(int argc, char** argv) {
+tl::expected<Command, Stop> parse_options(int argc, const char* const* argv, const Installation& installation) {
   CLI::App app("Checks that hashnoise computes what it promises on a driver, and measures what it costs.",
                "hn-conform");
-  app.set_version_flag("--version", hn::library_version());
+  app.set_version_flag("--version", library_version());
   app.footer("Exit status: 0 all as expected, 1 something is not, 2 bad usage, 3 no usable driver.");
   app.require_subcommand(0, 1);  // none gets a better message below
-  std::vector<std::string> list_filters;
-  hn::RunCommand run;
-  run.golden = HN_GOLDEN_DIRECTORY;
-  hn::MergeCommand merge;
-  run.expect = merge.expect = HN_EXPECT_DIRECTORY;
+  ListCommand list;
+  RunCommand run;
+  run.golden = installation.golden;
+  MergeCommand merge;
+  run.expect = merge.expect = installation.expect;
   run.jobs = std::max(1u, std::thread::hardware_concurrency());
-  hn::BenchCommand bench;
-  hn::PaperCommand paper;
+  BenchCommand bench;
+  PaperCommand paper;
   run.line = bench.line = paper.line = command_line(argc, argv);
   app.add_subcommand("drivers", "List the drivers, what is behind each here, or why it is missing");
-  CLI::App& list = *app.add_subcommand("list", "List the ids of the cases");
-  add_filter(list, list_filters, "cases");
-  bool list_about = false;
-  list.add_flag("--about", list_about, "Tell where cases come from, too: where a bug was reported");
-  add_run(app, run);
+  CLI::App& list_app = *app.add_subcommand("list", "List the ids of the cases");
+  add_filter(list_app, list.filters, "cases");
+  list_app.add_flag("--about", list.about, "Tell where cases come from, too: where a bug was reported");
+  add_run(app, run, installation.faults);
   add_merge(app, merge);
   add_bench(app, bench);
   add_paper(app, paper);
-  hn::WebCommand web;
-  web.golden = HN_GOLDEN_DIRECTORY;
+  WebCommand web;
+  web.golden = installation.golden;
   add_web(app, web);
 
   try {
     app.parse(argc, argv);
   } catch (const CLI::ExtrasError& error) {
     if (app.get_subcommands().empty()) {
-      return hn::usage_error(fmt::format("{}; there are {}", error.what(), kCommands));
+      return wrong_usage(fmt::format("{}; there are {}", error.what(), kCommands));
     }
-    return app.exit(error) == 0 ? 0 : hn::kBadUsage;
+    return stop_at(app, error);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : hn::kBadUsage;
+    return stop_at(app, error);
   }
-  if (app.got_subcommand("drivers")) return hn::drivers_command();
-  if (app.got_subcommand("list")) return hn::list_command(list_filters, list_about);
-  if (app.got_subcommand("run")) return hn::run_command(run);
-  if (app.got_subcommand("merge")) return hn::merge_command(merge);
-  if (app.got_subcommand("bench")) return hn::bench_command(bench);
-  if (app.got_subcommand("paper")) return hn::paper_command(paper);
-  if (app.got_subcommand("web")) return hn::web_command(web);
-  return hn::usage_error(fmt::format("say what to do: {}; --help tells more", kCommands));
+  if (app.got_subcommand("drivers")) return DriversCommand{};
+  if (app.got_subcommand("list")) return list;
+  if (app.got_subcommand("run")) return run;
+  if (app.got_subcommand("merge")) return merge;
+  if (app.got_subcommand("bench")) return bench;
+  if (app.got_subcommand("paper")) return paper;
+  if (app.got_subcommand("web")) return web;
+  return wrong_usage(fmt::format("say what to do: {}; --help tells more", kCommands));
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  try {
-    // What we start ourselves; not for people.
-    if (argc == 3 && std::string_view(argv[1]) == "child") return hn::child_command(argv[2]);
-    if (argc == 4 && std::string_view(argv[1]) == "amd-counts") return hn::amd_counts_child(argv[2], argv[3]);
-    return dispatch(argc, argv);
-  } catch (const std::exception& exception) {
-    fmt::print(stderr, "hn-conform: {}\n", exception.what());
-    return hn::kNotAsExpected;
-  }
-}
+}  // namespace hn
