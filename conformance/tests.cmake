@@ -34,12 +34,12 @@ set_tests_properties(conform.egl_softpipe PROPERTIES ENVIRONMENT GALLIUM_DRIVER=
 
 # --- The oracle and the tools ---
 set(tools ${PROJECT_SOURCE_DIR}/tools)
-foreach(test oracle golden bounds mutate single_file)
+foreach(test oracle golden bounds mutate mutation_rules single_file)
   add_test(NAME tools.${test} COMMAND Python3::Interpreter ${tools}/${test}_test.py)
 endforeach()
 add_test(NAME golden.regenerated_is_committed COMMAND Python3::Interpreter ${tools}/golden --check)
-# The suite must notice a changed constant; all of them by command, a few here.
-add_test(NAME mutants.sample COMMAND Python3::Interpreter ${tools}/mutate --program $<TARGET_FILE:hn-conform> --sample 12)
+# The suite must notice a change of the library; all of them by command, a few here.
+add_test(NAME mutants.sample COMMAND Python3::Interpreter ${tools}/mutate --program $<TARGET_FILE:hn-conform> --sample 30)
 
 # --- The C++ twin in other hands ---
 add_test(NAME consumer.find_package
