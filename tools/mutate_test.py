@@ -57,7 +57,8 @@ class Library(unittest.TestCase):
             self.assertGreater(count, 0, equivalence)
             for new in equivalence.new:
                 alone = mutate.Equivalence(equivalence.file, equivalence.old, (new,))
-                self.assertEqual(len([m for m in MUTANTS if alone.covers(m)]), count, (equivalence, new))
+                found = len([m for m in MUTANTS if alone.covers(m)])
+                self.assertTrue(0 < found <= count, (equivalence, new))  # less where a piece stands for C++ as well
 
     def test_an_equivalence_covers_nothing_else(self):
         source = "a = f(x - y);\nb = f(x - y) - x - y;\n"
@@ -116,10 +117,11 @@ if status > 1: print("no driver", file=sys.stderr)
 sys.exit(status)
 """
 
-FAILURE = '{"runs": [{"cases": [{"id": "a.b", "status": "pass"}, {"id": "c.d", "status": "fail"}]}]}'
+FAILURE = '{"runs": [{"cases": [{"id": "a.b", "status": "pass"}, {"id": "c.d", "status": "fail", "samples": 9}]}]}'
 CRASH, TIMEOUT = FAILURE.replace("fail", "crash"), FAILURE.replace("fail", "timeout")
 WARNING = FAILURE.replace("fail", "warning")
-UNCOMPILED = FAILURE.replace("c.d", "hash.all.pcg.fast.fragment.gl330.driver")
+UNCOMPILED = '{"runs": [{"cases": [{"id": "c.d", "status": "fail", "samples": 0}]}]}'
+REFUSED = UNCOMPILED.replace("c.d", "config.hash_0.any.fast.fragment.gl330.refused_by_driver")
 ERROR = '{"runs": [{"cases": [{"id": "c.d", "status": "error"}]}]}'
 
 
@@ -162,6 +164,7 @@ class Sweep(unittest.TestCase):
         status, output = self.sweep(results=UNCOMPILED)
         self.assertEqual(status, 0, output)
         self.assertIn("2 killed, of which 2 did not compile", output)
+        self.assertIn("2 killed, of which 0 did not compile", self.sweep(results=REFUSED)[1])
 
     def test_the_sums_by_rule_and_by_file(self):
         output = self.sweep("--file", "hash.glsl", "--sample", "4")[1]
@@ -172,9 +175,9 @@ class Sweep(unittest.TestCase):
         self.assertEqual(rows.count(["all", "4", "4", "0", "0", "0", "0"]), 2)
 
     def test_cheap_cases_of_the_file_run_first_and_the_whole_suite_only_if_they_pass(self):
-        filters = [["noise2d.all.lattice*.gl330.driver", "noise2d.all.lattice.*.gl140.driver",
-                    "noise2d.all.lattice.*.es300.driver", "noise2d.all.fnv1.*.gl330.driver"],
-                   ["noise2d.*.golden", "noise2d.*.unseeded"], ["noise?d.*.golden"], []]
+        filters = [["noise2d.word.*.gl330.golden", "noise2d.*.lattice*.gl330.golden", "noise2d.*.lattice*.gl140.golden",
+                    "noise2d.*.fnv1*.gl330.golden", "noise2d.*.any.*.golden", "noise2d.*.unseeded"],
+                   [mutate.NOISE], ["noise2d.*.golden", "noise?d.*.golden"], []]
 
         def used() -> list[list[str]]:
             lines = self.log.read_text().splitlines()

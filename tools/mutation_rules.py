@@ -272,6 +272,8 @@ COMMUTATIVE = ("min", "max")
 
 def kind_of(code: Code, first: int, last: int) -> str:
     """The type of an expression, as far as its first operand tells; empty if it does not."""
+    while code.token(first).text == "(":
+        first += 1
     token, following = code.token(first), code.token(first + 1).text
     if token.kind == "number":
         return {"u": "uint", "f": "float"}.get(token.text[-1].lower(), "int")
@@ -365,11 +367,12 @@ RULES: dict[str, Rule] = {
 MACRO = re.compile(r"(?P<keyword>[ \t]*#[ \t]*define[ \t]+)(?P<name>\w+(?:\([^)]*\))?)(?P<value>[^\n]*)")
 CONDITION = re.compile(r"[ \t]*#[ \t]*(?:el)?if\b")
 OTHER_KEYWORDS = {"ifdef": "ifndef", "ifndef": "ifdef"}
-# The numbers of the knobs, each with the next.
-OTHER_NUMBERS = {"HN_HASH_" + one: "HN_HASH_" + other for one, other in zip(
+# What a macro may stand for: the numbers of the knobs, each with the next, and a precision.
+OTHER_VALUES = {"HN_HASH_" + one: "HN_HASH_" + other for one, other in zip(
     ("FNV1", "PARTIAL_FNV1", "JENKINS", "PARTIAL_JENKINS", "MURMUR", "PCG", "XXHASH32", "LATTICE", "CUSTOM"),
     ("PARTIAL_FNV1", "JENKINS", "PARTIAL_JENKINS", "MURMUR", "PCG", "XXHASH32", "LATTICE", "CUSTOM", "FNV1"))}
-OTHER_NUMBERS |= {"HN_GRADIENT_OCTAHEDRAL": "HN_GRADIENT_SINE", "HN_GRADIENT_SINE": "HN_GRADIENT_OCTAHEDRAL"}
+OTHER_VALUES |= {"HN_GRADIENT_OCTAHEDRAL": "HN_GRADIENT_SINE", "HN_GRADIENT_SINE": "HN_GRADIENT_OCTAHEDRAL",
+                 "highp": "mediump"}
 
 
 def change_directive(line: str) -> Iterator[Change]:
@@ -393,8 +396,8 @@ def change_expression(code: Code, is_condition: bool) -> Iterator[Change]:
     for rule in (change_constants, change_operators, change_shifts, change_comparisons):
         yield from rule(code)
     for i, token in enumerate(code.tokens):
-        if token.text in OTHER_NUMBERS:
-            yield replaced(token, OTHER_NUMBERS[token.text])
+        if token.text in OTHER_VALUES:
+            yield replaced(token, OTHER_VALUES[token.text])
         if token.text == "!":
             yield replaced(token, "")
         if token.text == "defined" and code.token(i - 1).text != "!" or is_condition and len(code.tokens) == 1:

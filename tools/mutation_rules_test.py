@@ -151,6 +151,7 @@ class Calls(unittest.TestCase):
 
     def test_adjacent_arguments_of_a_type_are_swapped(self):
         self.assertEqual(changed(rules.swap_arguments, "g(a, b, p)", self.HEAD), ["g(b, a, p)"])
+        self.assertEqual(changed(rules.swap_arguments, "g((w >> 1) & 1u, w)", self.HEAD), ["g(w, (w >> 1) & 1u)"])
         self.assertEqual(changed(rules.swap_arguments, "g(p.x + 1.0f,\n  b)", self.HEAD), ["g(b,\n  p.x + 1.0f)"])
         self.assertEqual(changed(rules.swap_arguments, "g(h(1u, c.x), h(w, 2u))", self.HEAD),
                          ["g(h(w, 2u), h(1u, c.x))", "g(h(c.x, 1u), h(w, 2u))", "g(h(1u, c.x), h(2u, w))"])
@@ -177,7 +178,8 @@ class Names(unittest.TestCase):
 
     def test_variables_of_the_type_declared_before_or_next(self):
         head = "float f(float a, vec2 b, vec2 c, float d)"
-        self.assertEqual(changed(rules.change_variables, "return a * c.x;", head), ["return d * c.x;", "return a * b.x;"])
+        self.assertEqual(changed(rules.change_variables, "return a * c.x;", head),
+                         ["return d * c.x;", "return a * b.x;"])
         self.assertEqual(changed(rules.change_variables, "uint m = k; m = m ^ 1u;", "uint f(uint k)"),
                          ["uint m = k; m = k ^ 1u;"])
 
@@ -206,6 +208,7 @@ class Directives(unittest.TestCase):
                          ["", "#define F(x, n) g(x & 0x10)", "#define F(x, n) g(x & 0xE)",
                           "#define F(x, n) g(x | 0xF)"])
         self.assertEqual(self.changed("#define HN_HASH HN_HASH_PCG"), ["", "#define HN_HASH HN_HASH_XXHASH32"])
+        self.assertEqual(self.changed("#define HN_HIGHP highp"), ["", "#define HN_HIGHP mediump"])
 
     def test_conditions(self):
         self.assertEqual(self.changed("#if A < 1 || B"), ["#if A < 2 || B", "#if A < 0 || B", "#if A < 1 && B",
