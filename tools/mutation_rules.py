@@ -218,7 +218,7 @@ def change_constants(code: Code) -> Iterator[Change]:
 
 # --- Operators ---
 
-# With | for a ^ only the bits in common change, with + only those above them: to notice takes more than a few points.
+# With | for a ^ only the bits in common change, with + only what they carry: to notice takes more than a few points.
 OTHER_OPERATORS = {
     "+": ("-",), "-": ("+",), "*": ("+",), "/": ("*",), "%": ("/",), "&": ("|",), "|": ("&",), "^": ("|", "+"),
     "+=": ("-=", "="), "-=": ("+=", "="), "*=": ("+=", "="), "/=": ("*=", "="), "&=": ("|=", "="),
@@ -288,16 +288,18 @@ def kind_of(code: Code, first: int, last: int) -> str:
 def swap_arguments(code: Code) -> Iterator[Change]:
     """Swaps adjacent arguments, unless they are alike, or of different types, or it does not matter."""
     for i in code.calls():
-        arguments = code.arguments(i + 1) if code.token(i).text not in COMMUTATIVE else []
-        for one, other in zip(arguments, arguments[1:]):
-            a, gap, b = (code.text[code.token(start).start:code.token(end).end]
-                         for start, end in (one, (one[1] + 1, one[1] + 1), other))
-            kinds = kind_of(code, *one), kind_of(code, *other)
-            # A call that is not known gives a number for a vector's constructor, otherwise what its neighbour is not.
-            same = kinds[0] == kinds[1] or "" in kinds and bool(TYPE.fullmatch(code.token(i).text))
-            if a != b and same:
-                gap = code.text[code.token(one[1]).end:code.token(other[0]).start]
-                yield Change(code.token(one[0]).start, code.token(other[1]).end, b + gap + a)
+        name = code.token(i).text
+        arguments = code.arguments(i + 1) if name not in COMMUTATIVE else []
+        for (first, first_end), (second, second_end) in zip(arguments, arguments[1:]):
+            start, end = code.token(first).start, code.token(second_end).end
+            one = code.text[start:code.token(first_end).end]
+            gap = code.text[code.token(first_end).end:code.token(second).start]
+            other = code.text[code.token(second).start:end]
+            kinds = kind_of(code, first, first_end), kind_of(code, second, second_end)
+            # What a function returns is not known. A constructor most likely gets it beside numbers, which it is, too.
+            same = kinds[0] == kinds[1] or "" in kinds and bool(TYPE.fullmatch(name))
+            if one != other and same:
+                yield Change(start, end, other + gap + one)
 
 
 OTHER_FUNCTIONS = {
