@@ -12,8 +12,8 @@
 
 namespace hn {
 
-Session::Session(const Suite& suite, const Context& context_, std::size_t most_twin_points_)
-    : Suite(suite), context(context_), info(describe(context_)), most_twin_points(most_twin_points_), grid(context_) {}
+Session::Session(const Suite& suite, const Context& context_, std::size_t most_points_)
+    : Suite(suite), context(context_), info(describe(context_)), most_points(most_points_), grid(context_) {}
 
 Result<Program> Session::build(const Evaluation& evaluation, std::string_view shader) const {
   const auto text = expand(sources, evaluation.profile, shader);

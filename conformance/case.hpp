@@ -67,7 +67,7 @@ struct Suite {
 struct Session : Suite {
   const Context& context;
   const ContextInfo info;
-  std::size_t most_twin_points;  // a grid takes 2^20; a slow driver is given fewer
+  std::size_t most_points;  // of one evaluation: a grid takes 2^20; a slow driver is given fewer
   GridRenderer grid;
 
   // Random points for a function and how far the driver and the twin may be apart at each; the same for
@@ -82,7 +82,7 @@ struct Session : Suite {
   // what is returned lasts until the next call.
   Result<const Program*> evaluation_program(const Evaluation& evaluation);
 
-  Session(const Suite& suite, const Context& context, std::size_t most_twin_points = std::size_t{1} << 20);
+  Session(const Suite& suite, const Context& context, std::size_t most_points = std::size_t{1} << 20);
 
  private:
   Result<Program> build(const Evaluation& evaluation, std::string_view shader) const;

@@ -73,7 +73,7 @@ void report_evidence(Session& session, const Case& test, const Outcome& outcome)
 
 void run_driver_cases(const Suite& suite, const Context& context, const Driver& driver, const Job& job,
                       const std::vector<const Case*>& cases) {
-  Session session(suite, context, driver.twin_points);
+  Session session(suite, context, driver.most_points);
   EvidenceBudget budget(job.examined);
   report({{"ready", to_json(session.info)}});
   for (const Case* test : cases) {

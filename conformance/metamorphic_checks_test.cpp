@@ -128,7 +128,7 @@ TEST_F(Metamorphic, ADriverGetsAsManyTwinPointsAsItsSessionSays) {
   constexpr std::string_view kEs = "hash.word.pcg.exact.fragment.es300.twin";
   EXPECT_EQ(run(session, kGl).samples, 1u << 20);
   EXPECT_EQ(run(session, kEs).samples, 1u << 16);
-  session.most_twin_points = 1000;
+  session.most_points = 1000;
   for (const std::string_view id : {kGl, kEs}) {
     const Outcome outcome = run(session, id);
     EXPECT_EQ(outcome.samples, 1000u);

@@ -12,9 +12,11 @@
 namespace hn {
 namespace {
 
-constexpr std::size_t kPropertyPoints = std::size_t{1} << 16;
+constexpr std::size_t kPropertyPoints = std::size_t{1} << 16;  // or what the driver can do
 constexpr std::size_t kWrappedPoints = std::size_t{1} << 12;
 constexpr std::size_t kCorrelationPoints = std::size_t{1} << 14;  // fewer: a check evaluates them many times
+
+std::size_t property_points(const Session& session) { return std::min(kPropertyPoints, session.most_points); }
 
 struct Range {
   float low;
@@ -54,20 +56,19 @@ double correlation(const Words& first, const Words& second) {
 // For n pairs of independent noise values the correlation has a standard deviation of a little more than 1/sqrt(n),
 // since the variance of the noise depends on the place in the cell: about 1.1/sqrt(n). By chance 6/sqrt(n) is exceeded
 // once in ten million comparisons.
-const double kCorrelationLimit = 6.0 / std::sqrt(static_cast<double>(kCorrelationPoints));
-
 void require_uncorrelated(Comparison& comparison, const Words& inputs, const Words& first, const Words& second,
                           std::string_view what) {
+  const double limit = 6.0 / std::sqrt(static_cast<double>(first.size() / kOutputWords));
   const double value = correlation(first, second);
-  comparison.require(std::fabs(value) < kCorrelationLimit, point(inputs, 0), static_cast<float>(value),
-                     fmt::format("a correlation below {:.3g} between {}", kCorrelationLimit, what));
+  comparison.require(std::fabs(value) < limit, point(inputs, 0), static_cast<float>(value),
+                     fmt::format("a correlation below {:.3g} between {}", limit, what));
 }
 
 // Points for correlations, anywhere within 512 cells of the origin in all quadrants: seldom on a lattice line, where
 // the noise is 0 whatever the hash, and seldom two in one cell. Each has a seed of its own.
 Words scattered_points(Session& session, const Function& function, std::string_view name) {
   Random random(session.seed, name);
-  Words inputs = random_points(function, kCorrelationPoints, random);
+  Words inputs = random_points(function, std::min(kCorrelationPoints, session.most_points), random);
   const auto axes = static_cast<std::size_t>(function.seed_word());
   for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
     for (std::size_t axis = i; axis < i + axes; ++axis) {
@@ -96,7 +97,7 @@ double sum_of_constant_noise(Accuracy accuracy, bool no_octaves) {
 // Noise is 0 at lattice points, near and far.
 Outcome check_zero(Session& session, const Evaluation& evaluation) {
   const Function& function = evaluation.function;
-  Words inputs = random_points(function, kPropertyPoints, Random(session.seed, "zero"));
+  Words inputs = random_points(function, property_points(session), Random(session.seed, "zero"));
   const int axes = function.seed_word();
   for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
     for (std::size_t axis = i; axis < i + static_cast<std::size_t>(axes); ++axis) {
@@ -106,7 +107,7 @@ Outcome check_zero(Session& session, const Evaluation& evaluation) {
   const auto outputs = evaluate(session, evaluation, inputs);
   if (!outputs) return outputs.error();
   Comparison comparison(function, inputs);
-  for (std::size_t i = 0; i < kPropertyPoints; ++i) {
+  for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
     comparison.number(point(inputs, i), std::bit_cast<float>(result(*outputs, i)[0]), 0.0, 0.0);
   }
   return comparison.finish();
@@ -116,14 +117,14 @@ Outcome check_zero(Session& session, const Evaluation& evaluation) {
 // length, no value would be beyond 0.67, and of this few points none beyond 0.6.
 Outcome check_range(Session& session, const Evaluation& evaluation) {
   const Function& function = evaluation.function;
-  const Words inputs = random_points(function, kPropertyPoints, Random(session.seed, "range"));
+  const Words inputs = random_points(function, property_points(session), Random(session.seed, "range"));
   const auto outputs = evaluate(session, evaluation, inputs);
   if (!outputs) return outputs.error();
   const Range range = range_of(function, evaluation.configuration);
   const std::string should = fmt::format("a value in [{}, {}]", range.low, range.high);
   Comparison comparison(function, inputs);
   float largest = 0.0f;
-  for (std::size_t i = 0; i < kPropertyPoints; ++i) {
+  for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
     const float value = std::bit_cast<float>(result(*outputs, i)[0]);
     largest = std::max(largest, std::fabs(value));
     const bool inside = value >= range.low && value <= range.high;
@@ -141,7 +142,8 @@ Outcome check_wrapped(Session& session, const Evaluation& evaluation) {
   constexpr std::int64_t kPeriods[] = {1, 2, 3, 63, 1048575, 1048576, 1073741824};
   const Function& function = evaluation.function;
   const auto axes = static_cast<std::size_t>(function.seed_word());
-  const Words inputs = random_points(function, kWrappedPoints, Random(session.seed, "wrapped"));
+  const Words inputs =
+      random_points(function, std::min(kWrappedPoints, session.most_points), Random(session.seed, "wrapped"));
   Comparison comparison(function, inputs);
   for (const std::int64_t period : kPeriods) {
     const std::string knob = fmt::format("#define HN_PERIOD {}\n", period);
@@ -155,9 +157,9 @@ Outcome check_wrapped(Session& session, const Evaluation& evaluation) {
         wrapped[axis] = static_cast<std::uint32_t>((cell % period + period) % period);
       }
     }
-    Words expected(kWrappedPoints * kOutputWords);
+    Words expected(inputs.size() / kInputWords * kOutputWords);
     evaluate_twin(function, evaluation.configuration, wrapped, expected);
-    for (std::size_t i = 0; i < kWrappedPoints; ++i) {
+    for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
       compare_with_twin(comparison, function, point(inputs, i), result(*outputs, i), result(expected, i), 0.0);
     }
   }
@@ -216,16 +218,16 @@ Outcome check_mirror(Session& session, const Evaluation& evaluation) {
 // Without a seed means with seed 0.
 Outcome check_unseeded(Session& session, const Evaluation& evaluation) {
   const Function& function = evaluation.function;
-  Words inputs = random_points(function, kPropertyPoints, Random(session.seed, "unseeded"));
+  Words inputs = random_points(function, property_points(session), Random(session.seed, "unseeded"));
   const auto seed = static_cast<std::size_t>(function.seed_word());
   for (std::size_t i = seed; i < inputs.size(); i += kInputWords) inputs[i] = 0;
   const auto outputs =
       evaluate(session, {function, evaluation.configuration, evaluation.profile, {.seeded = false}}, inputs);
   if (!outputs) return outputs.error();
-  Words expected(kPropertyPoints * kOutputWords);
+  Words expected(inputs.size() / kInputWords * kOutputWords);
   evaluate_twin(function, evaluation.configuration, inputs, expected);
   Comparison comparison(function, inputs);
-  for (std::size_t i = 0; i < kPropertyPoints; ++i) {
+  for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
     const auto in = point(inputs, i);
     compare_with_twin(comparison, function, in, result(*outputs, i), result(expected, i),
                       2.0 * tolerance(function, evaluation.configuration, in));
@@ -236,7 +238,7 @@ Outcome check_unseeded(Session& session, const Evaluation& evaluation) {
 // HN_FBM_NOISE2D and HN_FBM_NOISE3D are used, but for a few roundings of sum and total.
 Outcome check_noise_knob(Session& session, const Evaluation& evaluation) {
   const Function& function = evaluation.function;
-  Words inputs = random_points(function, kPropertyPoints, Random(session.seed, "knob"));
+  Words inputs = random_points(function, property_points(session), Random(session.seed, "knob"));
   const ShaderVariant with_noise{.knobs =
                                      "#define HN_FBM_NOISE2D(q, seed) (-0.5f + 0.0f * (q).x)\n"
                                      "#define HN_FBM_NOISE3D(q, seed) (-0.5f + 0.0f * (q).z)\n"};
@@ -244,7 +246,7 @@ Outcome check_noise_knob(Session& session, const Evaluation& evaluation) {
   if (!outputs) return outputs.error();
   const auto octaves = static_cast<std::size_t>(function.input("octaves"));
   Comparison comparison(function, inputs);
-  for (std::size_t i = 0; i < kPropertyPoints; ++i) {
+  for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
     const bool no_octaves = static_cast<std::int32_t>(inputs[i * kInputWords + octaves]) < 1;
     const double expected = sum_of_constant_noise(function.accuracy, no_octaves);
     comparison.number(point(inputs, i), std::bit_cast<float>(result(*outputs, i)[0]), expected, 2e-6);

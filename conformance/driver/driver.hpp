@@ -59,8 +59,8 @@ struct Driver {
   std::vector<std::array<std::string, 2>> environment = {};
   // An error says what is missing on this machine.
   std::function<Result<std::unique_ptr<Context>>()> create = {};
-  // Points at which a function is compared with its twin; fewer where evaluating takes long.
-  std::size_t twin_points = std::size_t{1} << 20;
+  // Of one evaluation; fewer where evaluating takes long.
+  std::size_t most_points = std::size_t{1} << 20;
   // In place of create: the cases run in its page. Not to be called by anybody else.
   const Browser* browser = nullptr;
 

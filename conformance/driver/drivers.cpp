@@ -46,7 +46,7 @@ void add_mesa_drivers(std::vector<Driver>& drivers) {
            {.name = "softpipe",
             .description = "Mesa's reference rasterizer, by EGL without a window",
             .environment = {{"GALLIUM_DRIVER", "softpipe"}, {"LIBGL_ALWAYS_SOFTWARE", "true"}},
-            .twin_points = std::size_t{1} << 12},
+            .most_points = std::size_t{1} << 12},
            [](Api api) { return create_mesa(api, "softpipe"); });
   const auto lavapipe = vulkan_drivers("lvp_icd");
   add_both(drivers,

@@ -151,7 +151,7 @@ export class Renderer {
     this.upload(inputs, width, height);
     this.setUniforms(program, uniforms);
     gl.bindVertexArray(this.vertexArray);
-    const words = program.stage === "vertex" ? this.capture(points) : this.draw(width, height);
+    const words = program.stage === "vertex" ? this.capture(program, points) : this.draw(width, height);
     const error = gl.getError();
     if (error !== gl.NO_ERROR) throw new DriverError(`WebGL error 0x${error.toString(16)} at ${points} points`);
     return words.subarray(0, points * kOutputWords);
@@ -168,7 +168,8 @@ export class Renderer {
     return words;
   }
 
-  capture(points) {
+  // A row of the grid at a time, from vertex 0 on: some drivers count vertices wrongly in larger draws.
+  capture(program, points) {
     const gl = this.gl;
     const words = new Uint32Array(points * kOutputWords).fill(kNothing);
     gl.bindBuffer(gl.TRANSFORM_FEEDBACK_BUFFER, this.captured);
@@ -176,7 +177,11 @@ export class Renderer {
     gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, this.captured);
     gl.enable(gl.RASTERIZER_DISCARD);
     gl.beginTransformFeedback(gl.POINTS);
-    gl.drawArrays(gl.POINTS, 0, points);
+    const row = gl.getUniformLocation(program.id, "row");
+    for (let first = 0; first < points; first += kWidth) {
+      gl.uniform1i(row, first / kWidth);
+      gl.drawArrays(gl.POINTS, 0, Math.min(kWidth, points - first));
+    }
     gl.endTransformFeedback();
     gl.disable(gl.RASTERIZER_DISCARD);
     // WebGL reads no buffer that is bound for feedback.
