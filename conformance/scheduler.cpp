@@ -21,17 +21,31 @@ constexpr int kMostFutileStarts = 3;
 constexpr int kMostCrashesInARow = 10;
 constexpr std::size_t kLogEnd = 2000;
 
-// One driver: what is done, what is not, and its process.
+// A process for each would load a driver for a moment's work.
+constexpr std::size_t kFewestCasesPerProcess = 200;
+
+// The cases of a driver, or a part of them: what is done, what is not, and its process.
 class Lane {
  public:
-  Lane(const DriverPlan& plan, const RunPlan& whole, std::filesystem::path directory)
-      : plan_(plan), whole_(whole), directory_(std::move(directory)), pending_(plan.ids.begin(), plan.ids.end()) {
+  // name: of its files.
+  Lane(const DriverPlan& plan, const RunPlan& whole, std::string name, std::filesystem::path directory)
+      : plan_(plan),
+        whole_(whole),
+        name_(std::move(name)),
+        directory_(std::move(directory)),
+        pending_(plan.ids.begin(), plan.ids.end()) {
     std::error_code ignored;
     std::filesystem::remove(launch().log, ignored);
   }
 
   const std::string& driver() const { return plan_.driver; }
   bool over() const { return pending_.empty() || !absent_.empty(); }
+  bool is_absent() const { return !absent_.empty(); }
+  // To another process it was there.
+  void deny_absence() {
+    abandon(Status::crash,
+            fmt::format("the driver cannot be used by a second process: {}", std::exchange(absent_, "")));
+  }
   Worker* worker() { return worker_ ? &*worker_ : nullptr; }
   std::size_t done() const { return results_.size(); }
   std::size_t bad() const { return bad_; }
@@ -124,7 +138,7 @@ class Lane {
 
  private:
   Launch launch() const {
-    return {whole_.program, directory_ / (plan_.driver + ".job"), directory_ / (plan_.driver + ".log"), whole_.limit};
+    return {whole_.program, directory_ / (name_ + ".job"), directory_ / (name_ + ".log"), whole_.limit};
   }
   bool is_pending(const std::string& id) const { return pending_.contains(id); }
 
@@ -180,6 +194,7 @@ class Lane {
 
   const DriverPlan& plan_;
   const RunPlan& whole_;
+  std::string name_;
   std::filesystem::path directory_;
   std::set<std::string> pending_;
   std::map<std::string, CaseResult> results_;
@@ -201,7 +216,12 @@ class Scheduler {
  public:
   Scheduler(const RunPlan& plan, const std::filesystem::path& directory, Journal& journal, std::FILE* progress)
       : plan_(plan), journal_(journal), progress_(progress, total(plan)) {
-    for (const DriverPlan& driver : plan.drivers) lanes_.emplace_back(driver, plan, directory);
+    for (const DriverPlan& driver : plan.drivers) add_parts(driver);
+    std::map<std::string, int> counts;
+    for (const DriverPlan& part : parts_) {
+      const int number = ++counts[part.driver];
+      lanes_.emplace_back(part, plan, number == 1 ? part.driver : fmt::format("{}-{}", part.driver, number), directory);
+    }
     for (const Journal::Entry& entry : journal.earlier()) {
       for (Lane& lane : lanes_) {
         if (lane.driver() == entry.driver) lane.take(entry.report);
@@ -219,16 +239,43 @@ class Scheduler {
     std::vector<Run> runs;
     for (Lane& lane : lanes_) {
       lane.stop();
-      runs.push_back(lane.take_run());
+      if (lane.is_absent() && is_here(lane.driver())) lane.deny_absence();
+      Run run = lane.take_run();
+      if (runs.empty() || runs.back().driver != run.driver) {
+        runs.push_back(std::move(run));
+      } else {
+        std::move(run.cases.begin(), run.cases.end(), std::back_inserter(runs.back().cases));
+      }
     }
     return runs;
   }
 
  private:
+  // If there are fewer drivers than processes may run, the cases of each are split: most of a run is compiling, which
+  // takes one core.
+  void add_parts(const DriverPlan& driver) {
+    const auto draws = [](const DriverPlan& one) { return one.driver != kReferenceCompiler; };
+    const auto drivers = std::count_if(plan_.drivers.begin(), plan_.drivers.end(), draws);
+    const std::size_t most = draws(driver) ? plan_.jobs / static_cast<std::size_t>(drivers) : 1;
+    const std::size_t sensible = driver.ids.size() / kFewestCasesPerProcess;
+    const std::size_t count = std::max<std::size_t>(std::min(most, sensible), 1);
+    for (std::size_t part = 0; part < count; ++part) {
+      const auto begin = driver.ids.begin() + static_cast<std::ptrdiff_t>(driver.ids.size() * part / count);
+      const auto end = driver.ids.begin() + static_cast<std::ptrdiff_t>(driver.ids.size() * (part + 1) / count);
+      parts_.push_back({driver.driver, {begin, end}, driver.whole});
+    }
+  }
+
   static std::size_t total(const RunPlan& plan) {
     std::size_t count = 0;
     for (const DriverPlan& driver : plan.drivers) count += driver.ids.size();
     return count;
+  }
+
+  // To one of its processes at least.
+  bool is_here(const std::string& driver) const {
+    return std::any_of(lanes_.begin(), lanes_.end(),
+                       [&](const Lane& lane) { return lane.driver() == driver && !lane.is_absent(); });
   }
 
   // Whether any process runs.
@@ -290,6 +337,7 @@ class Scheduler {
   }
 
   const RunPlan& plan_;
+  std::vector<DriverPlan> parts_;
   Journal& journal_;
   Progress progress_;
   std::vector<Lane> lanes_;

@@ -1,5 +1,6 @@
 #include "scheduler.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -182,6 +183,39 @@ TEST_F(SchedulerTest, DriversRunSideBySide) {
   ASSERT_EQ(runs.size(), 2u);
   EXPECT_EQ(runs[1].driver, "other");
   EXPECT_EQ(verdicts(runs[1]), "d pass, e pass");
+}
+
+TEST_F(SchedulerTest, TheCasesOfADriverAreSplitWhereProcessesAreLeft) {
+  plan_.drivers[0].ids.clear();
+  for (int i = 0; i < 1000; ++i) plan_.drivers[0].ids.push_back(fmt::format("case{:03}", i));
+  plan_.drivers[0].whole = 1000;
+  plan_.jobs = 3;
+  // Each passes what its job has, and the last of them crashes in its last case.
+  const hn::Run result =
+      run("echo x >>\"$0.starts\"\n" + says(kReady) +
+          "for id in $(grep -o 'case[0-9]*' \"$2\"); do\n  [ $id = case999 ] && exit 1\n  echo '{\"result\": {\"id\": "
+          "\"'$id'\", \"status\": \"pass\", \"samples\": 1, \"mismatches\": 0, \"max_abs\": 0, \"max_ulp\": 0, "
+          "\"seconds\": 0, \"message\": \"\"}}' >&3\ndone\n");
+  std::ifstream starts(folder_.path() / "child.starts");
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(starts), {}).size(), 2u * 3u);
+  ASSERT_EQ(result.cases.size(), 1000u);
+  for (std::size_t i = 0; i < 1000; ++i) EXPECT_EQ(result.cases[i].id, plan_.drivers[0].ids[i]);
+  EXPECT_EQ(result.count(Status::pass), 999u);
+  EXPECT_EQ(result.cases[999].outcome.status, Status::crash);
+}
+
+TEST_F(SchedulerTest, ADriverThatTakesOneProcessOnlyIsNotAbsent) {
+  plan_.drivers[0].ids.clear();
+  for (int i = 0; i < 400; ++i) plan_.drivers[0].ids.push_back(fmt::format("case{:03}", i));
+  plan_.jobs = 2;
+  const hn::Run result =
+      run("grep -q case000 \"$2\" || { " + says(R"({"absent": "one is enough"})") + "exit 0; }\n" + says(kReady) +
+          "for id in $(grep -o 'case[0-9]*' \"$2\"); do echo '{\"result\": {\"id\": "
+          "\"'$id'\", \"status\": \"pass\", \"samples\": 1, \"mismatches\": 0, \"max_abs\": 0, \"max_ulp\": 0, "
+          "\"seconds\": 0, \"message\": \"\"}}' >&3; done\n");
+  EXPECT_EQ(result.absent, "");
+  EXPECT_EQ(result.count(Status::pass), 200u);
+  EXPECT_EQ(result.count(Status::crash), 200u);
 }
 
 TEST_F(SchedulerTest, WhatTheJournalHasIsNotRunAgain) {
