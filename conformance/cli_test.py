@@ -88,7 +88,7 @@ class Cli(unittest.TestCase):
 
     def test_what_failed_has_its_evidence(self):
         glsl = self.changed_glsl("hash.glsl", ("0x2C1B3C6Du", "0x2C1B3C6Fu"))
-        self.run_case("--glsl", glsl, "--filter", "hash.lattice2.lattice.*.gl330.golden")
+        self.run_case("--glsl", glsl, "--filter", "hash.lattice2.lattice.*.fragment.gl330.golden")
         case = self.cases()[ONE_CASE]
         evidence = case["evidence"]
         self.assertIn("The shader is red on this driver", evidence["note"])
@@ -106,7 +106,7 @@ class Cli(unittest.TestCase):
     def test_merging_tells_the_same_again(self):
         for shard in ("1/2", "2/2"):
             out = self.folder / shard[0]
-            self.call("run", "--out", out, "--filter", "noise2d.perlin.lattice.*golden", "--shard", shard)
+            self.call("run", "--out", out, "--filter", "noise2d.perlin.lattice.*fragment*golden", "--shard", shard)
         done = self.call("merge", self.folder / "1", self.folder / "2", "--out", self.out)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("All as expected: 3 cases", self.page())
@@ -116,7 +116,7 @@ class Cli(unittest.TestCase):
         self.assertIn("cases are missing; not all of its shards are here", self.page())
 
     def test_list_filters(self):
-        done = self.call("list", "--filter", "noise2d.perlin.lattice.*.golden")
+        done = self.call("list", "--filter", "noise2d.perlin.lattice.*.fragment.*.golden")
         self.assertEqual(done.returncode, 0)
         self.assertEqual(len(done.stdout.splitlines()), 3)
 
@@ -140,8 +140,8 @@ class Cli(unittest.TestCase):
             (["run", "--frobnicate"], "frobnicate"),
             (["run", "list"], "list"),
             (["run", "--driver", "osmesa", "drivers"], "drivers"),
-            (["dance"], "drivers, list, run, merge, bench or paper"),
-            ([], "drivers, list, run, merge, bench or paper"),
+            (["dance"], "drivers, list, run, merge, bench, paper or web"),
+            ([], "drivers, list, run, merge, bench, paper or web"),
         ):
             with self.subTest(arguments=arguments):
                 done = self.call(*arguments)
@@ -280,7 +280,7 @@ class Cli(unittest.TestCase):
             with self.subTest(at=at):
                 wrong = "0" if text[at] != "0" else "1"
                 path.write_text(text[:at] + wrong + text[at + 1:])
-                done = self.run_case("--golden", golden, case="hash.word.fnv1.*golden")
+                done = self.run_case("--golden", golden, case="hash.word.fnv1.*.fragment.*golden")
                 self.assertEqual(done.returncode, 1)
                 self.assertEqual(self.results()["runs"][0]["totals"]["fail"], 3)
 

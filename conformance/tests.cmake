@@ -23,18 +23,16 @@ gtest_discover_tests(conform-test TEST_PREFIX unit.)
 add_test(NAME cli COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli_test.py $<TARGET_FILE:hn-conform>)
 add_test(NAME cli_bench COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/bench_cli_test.py $<TARGET_FILE:hn-conform>)
 add_test(NAME cli_paper COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/paper_cli_test.py $<TARGET_FILE:hn-conform>)
+add_test(NAME cli_run COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/run_cli_test.py $<TARGET_FILE:hn-conform>)
 add_test(NAME cli_web COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/web_cli_test.py $<TARGET_FILE:hn-conform>)
 
 # --- The library on this machine's drivers ---
-foreach(driver osmesa egl)
-  add_test(NAME conform.${driver} COMMAND hn-conform run --driver ${driver} --out ${CMAKE_CURRENT_BINARY_DIR}/out-${driver})
-endforeach()
-
-# Mesa's other software rasterizer: an older OpenGL (3.3), interpreted, with different habits. A part, since it is slow.
-add_test(NAME conform.egl_softpipe
-         COMMAND hn-conform run --driver egl --filter "*.lattice.*golden" --filter "*.any.*golden" --filter "config*" --filter "bugs*"
-                 --out ${CMAKE_CURRENT_BINARY_DIR}/out-softpipe)
-set_tests_properties(conform.egl_softpipe PROPERTIES ENVIRONMENT GALLIUM_DRIVER=softpipe)
+# Named, so that one that is missing is no success.
+set(drivers osmesa egl egl-gles egl-device:0 egl-device:0-gles softpipe softpipe-gles zink zink-gles
+    glfw glfw-gles glfw-egl glfw-egl-gles glfw-osmesa webgl2 webgl2-mesa)
+list(TRANSFORM drivers PREPEND "--driver=" OUTPUT_VARIABLE driver_options)
+add_test(NAME conform.all COMMAND hn-conform run ${driver_options} --out ${CMAKE_CURRENT_BINARY_DIR}/out-all)
+set_tests_properties(conform.all PROPERTIES TIMEOUT 1200)
 
 # --- The oracle and the tools ---
 set(tools ${PROJECT_SOURCE_DIR}/tools)

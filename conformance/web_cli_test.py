@@ -85,7 +85,7 @@ class Web(unittest.TestCase):
         end = self.open(self.page())
         self.assertEqual(end["verdict"], "All as expected")
         results = json.loads(end["results"])
-        self.assertEqual(results["schema"], 1)
+        self.assertEqual(results["schema"], 2)
         run, = results["runs"]
         self.assertEqual(run["driver"], "webgl2")
         self.assertIn("SwiftShader", run["renderer"])
@@ -94,6 +94,11 @@ class Web(unittest.TestCase):
         listed = subprocess.run([PROGRAM, "list"], capture_output=True, text=True, check=True).stdout.split()
         self.assertLessEqual({case["id"] for case in run["cases"]}, set(listed))
         self.assertGreater(len(run["cases"]), 200)
+        # hn-conform takes them for its own.
+        (self.folder / "results.json").write_text(end["results"])
+        merged = subprocess.run([PROGRAM, "merge", self.folder / "results.json", "--out", self.folder / "merged"],
+                                capture_output=True, text=True, check=False)
+        self.assertEqual(merged.returncode, 0, merged.stderr + merged.stdout)
         for key in ("id", "status", "samples", "mismatches", "max_abs", "max_ulp", "seconds", "message"):
             self.assertTrue(all(key in case for case in run["cases"]), key)
 
@@ -108,6 +113,10 @@ class Web(unittest.TestCase):
         self.assertEqual(end["verdict"], "NOT AS EXPECTED")
         wrong = [case for case in json.loads(end["results"])["runs"][0]["cases"] if case["status"] == "fail"]
         self.assertGreater(len(wrong), 0)
+        (self.folder / "results.json").write_text(end["results"])
+        merged = subprocess.run([PROGRAM, "merge", self.folder / "results.json", "--out", self.folder / "merged"],
+                                capture_output=True, text=True, check=False)
+        self.assertEqual(merged.returncode, 1, merged.stderr + merged.stdout)
         for case in wrong:
             self.assertTrue(case["id"].startswith("hash.lattice2.lattice."), case["id"])
             self.assertEqual(case["mismatches"], 1)

@@ -1,7 +1,8 @@
 # To be sourced: brings a Debian machine to where the project builds.
 #
 #   setup conform   what hn-conform needs, built into build/
-#   setup paper     the same, with the Vulkan driver that counts AMD's instructions
+#   setup drivers   the same, with every driver that a machine without a GPU and a display can have
+#   setup paper     as conform, with the Vulkan driver that counts AMD's instructions
 #   setup test      all of it, with the tests and what they need
 #
 # It names the packages that are missing and installs them; where it cannot, it stops with status 4. On another system
@@ -19,7 +20,6 @@ readonly conform_packages=(
   libegl-dev libglfw3-dev libosmesa6 libegl1 libegl-mesa0 libgl1-mesa-dri
 )
 readonly paper_packages=(libvulkan1 mesa-vulkan-drivers)
-# Every driver that a machine without a GPU and a display can have.
 readonly driver_packages=("${paper_packages[@]}" chromium libglfw3 xvfb)
 readonly test_packages=("${driver_packages[@]}" clang libclang-rt-dev libgtest-dev python3)
 
@@ -63,6 +63,8 @@ setup() {
     # Warnings are errors here, where the compiler is known, and not for users, where it is not.
     configuration+=(-DHASHNOISE_TESTS=ON -DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
     target=()
+  elif [[ $1 == drivers ]]; then
+    packages+=("${driver_packages[@]}")
   elif [[ $1 == paper ]]; then
     packages+=("${paper_packages[@]}")
   fi

@@ -82,28 +82,6 @@ TEST(Browser, AnUnknownCaseIsAnError) {
   EXPECT_FALSE(run(story, ids));
 }
 
-class EveryCase : public testing::TestWithParam<const char*> {};
-
-TEST_P(EveryCase, IsRightOrUnsupportedWithAReason) {
-  std::vector<std::string> ids;
-  for (const Case& test : all_cases()) ids.push_back(test.id);
-  Story story;
-  const auto done = run(story, ids, GetParam());
-  ASSERT_TRUE(done) << done.error().text();
-  EXPECT_EQ(story.finished_ids(), ids);
-  std::size_t passed = 0;
-  for (const CaseResult& result : story.finished) {
-    EXPECT_FALSE(is_bad(result.outcome.status)) << result.id << ": " << result.outcome.message;
-    EXPECT_EQ(result.outcome.status == Status::pass, result.outcome.message.empty()) << result.id;
-    passed += result.outcome.status == Status::pass ? 1 : 0;
-  }
-  EXPECT_GT(passed, 400u);
-}
-
-INSTANTIATE_TEST_SUITE_P(Browser, EveryCase, testing::Values("webgl2", "webgl2-mesa"), [](const auto& browser) {
-  return std::string(browser.param == std::string_view("webgl2") ? "SwiftShader" : "Mesa");
-});
-
 // --- Each check of the page must report a fault ----------------------------------------------------------------------
 
 TEST(BrowserFault, AWrongHashFailsWhereItIsWrong) {

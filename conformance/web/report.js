@@ -17,11 +17,12 @@ export function asExpected(results) {
   return count(results, "pass") > 0 && bad(results).length === 0;
 }
 
-// Of the schema that hn-conform writes (docs/internals.md). The page has no random points, hence no seed.
+// Of the schema that hn-conform writes (docs/internals.md). The page has the random points of seed 1.
 export function resultsJson(version, info, results) {
   const totals = Object.fromEntries(kStatuses.map((status) => [status, count(results, status)]));
-  const run = { driver: "webgl2", ...info, seed: 0, totals, cases: results };
-  return JSON.stringify({ schema: 1, version, runs: [run] }, null, 1) + "\n";
+  const date = new Date().toISOString().replace(/\.\d+Z$/, "Z");
+  const run = { driver: "webgl2", ...info, seed: 1, date, totals, as_expected: asExpected(results), cases: results };
+  return JSON.stringify({ schema: 2, version, runs: [run] }, null, 1) + "\n";
 }
 
 // An element with attributes and children; what is text stays text.

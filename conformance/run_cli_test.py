@@ -1,0 +1,181 @@
+#!/usr/bin/env python3
+"""hn-conform run on several drivers, and what becomes of it when processes are killed, stopped and split.
+
+Usage: run_cli_test.py PATH-OF-HN-CONFORM
+"""
+
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+PROGRAM = ""
+SOME = ("--filter", "noise*.fragment.*.golden", "--filter", "hash.*.fragment.*.golden")
+
+
+def children(pid):
+    """The processes that run cases, by driver."""
+    found = {}
+    for status in pathlib.Path("/proc").glob("[0-9]*/stat"):
+        try:
+            text = status.read_text()
+            command = (status.parent / "cmdline").read_bytes().split(b"\0")
+        except OSError:
+            continue  # it ended in the meantime
+        if int(text[text.rindex(")") + 2:].split()[1]) == pid and len(command) > 2 and command[1] == b"child":
+            found[pathlib.Path(command[2].decode()).stem] = int(status.parent.name)
+    return found
+
+
+class Run(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.out = self.folder / "out"
+
+    def start(self, *arguments, out=None):
+        command = [PROGRAM, "run", "--out", out or self.out, *arguments]
+        process = subprocess.Popen(list(map(str, command)), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(process.stdout.close)
+        self.addCleanup(process.stderr.close)
+        return process
+
+    def run_program(self, *arguments, out=None):
+        process = self.start(*arguments, out=out)
+        process.out, process.err = process.communicate()
+        return process
+
+    def runs(self, out=None):
+        results = json.loads(((out or self.out) / "results.json").read_text())
+        return {run["driver"]: run for run in results["runs"]}
+
+    def statuses(self, driver, out=None):
+        return {case["id"]: case["status"] for case in self.runs(out)[driver]["cases"]}
+
+    def listed(self, *arguments):
+        done = subprocess.run([PROGRAM, "list", *arguments], capture_output=True, text=True, check=True)
+        return done.stdout.split()
+
+    def wait_for_cases(self, count):
+        """Until the journal tells of so many."""
+        deadline = time.monotonic() + 60
+        journal = self.out / "journal.jsonl"
+        while time.monotonic() < deadline:
+            if journal.exists() and journal.read_text().count('"result"') >= count:
+                return
+            time.sleep(0.01)
+        self.fail("the run does not begin")
+
+    def test_a_child_that_is_killed_and_one_that_is_stopped_cost_a_case_each(self):
+        process = self.start("--driver", "osmesa", "--driver", "egl", "--timeout", 3, "--jobs", 2, *SOME)
+        self.wait_for_cases(20)
+        pids = children(process.pid)
+        self.assertEqual(set(pids), {"osmesa", "egl"})
+        os.kill(pids["osmesa"], signal.SIGKILL)
+        os.kill(pids["egl"], signal.SIGSTOP)
+        out, _ = process.communicate(timeout=120)
+        self.assertEqual(process.returncode, 1, out)
+        for driver, status in (("osmesa", "crash"), ("egl", "timeout")):
+            statuses = self.statuses(driver)
+            self.assertEqual(list(statuses), self.listed(*SOME))
+            self.assertEqual([s for s in statuses.values() if s not in ("pass", "unsupported")], [status])
+        self.assertFalse((self.out / "journal.jsonl").exists())
+
+    def test_a_run_that_is_killed_is_resumed(self):
+        process = self.start("--driver", "osmesa", "--jobs", 1, *SOME)
+        self.wait_for_cases(20)
+        pids = children(process.pid)
+        process.kill()
+        process.communicate()
+        deadline = time.monotonic() + 30
+        while any(pathlib.Path(f"/proc/{pid}").exists() for pid in pids.values()) and time.monotonic() < deadline:
+            time.sleep(0.01)
+        self.assertFalse(any(pathlib.Path(f"/proc/{pid}").exists() for pid in pids.values()), "a child is left")
+        lines = (self.out / "journal.jsonl").read_text().splitlines()
+        done = self.run_program("--driver", "osmesa", "--jobs", 1, "--seed", 2, "--resume", *SOME)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("other settings: \"suite\"", done.err)
+        done = self.run_program("--driver", "osmesa", "--jobs", 1, "--resume", *SOME)
+        self.assertEqual(done.returncode, 0, done.out)
+        self.assertEqual(list(self.statuses("osmesa")), self.listed(*SOME))
+        # What was found before stands as it was found, to the time that it took.
+        before = [json.loads(line)["report"]["result"] for line in lines if '"result"' in line and line.endswith("}")]
+        after = {case["id"]: case for case in self.runs()["osmesa"]["cases"]}
+        self.assertGreaterEqual(len(before), 20)
+        for case in before:
+            self.assertEqual(after[case["id"]]["seconds"], case["seconds"])
+
+    def test_resuming_nothing_is_a_new_run(self):
+        done = self.run_program("--resume", "--filter", "noise2d.perlin.lattice.*.fragment.gl330.golden")
+        self.assertEqual(done.returncode, 0, done.err)
+        self.assertIn("nothing to resume", done.err)
+
+    def test_shards_are_the_whole(self):
+        filters = ("--filter", "noise2d.*golden", "--filter", "noise2d.*glslang")
+        self.assertEqual(self.run_program(*filters, out=self.folder / "whole").returncode, 0)
+        shards = []
+        for shard in ("1/3", "2/3", "3/3"):
+            shards.append(self.folder / shard[0])
+            self.assertEqual(self.run_program(*filters, "--shard", shard, out=shards[-1]).returncode, 0)
+        merge = [PROGRAM, "merge", "--out", self.out]
+        done = subprocess.run([*merge, *shards[:2]], capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("cases are missing", done.stderr + done.stdout)
+        done = subprocess.run([*merge, *shards], capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        whole, merged = self.runs(self.folder / "whole"), self.runs()
+        self.assertEqual(set(whole), {"osmesa", "glslang"})
+        for driver, run in whole.items():
+            for case in [*run["cases"], *merged[driver]["cases"]]:
+                del case["seconds"]
+            self.assertEqual(merged[driver]["cases"], run["cases"])
+        done = subprocess.run([*merge, *shards, shards[0]], capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("twice", done.stderr)
+
+    def test_drivers_are_named_globbed_and_may_be_missing(self):
+        one = ("--filter", "noise2d.perlin.lattice.fast.fragment.es300.golden")
+        done = self.run_program("--driver", "egl*", *one)
+        self.assertEqual(done.returncode, 0, done.err + done.out)
+        self.assertLessEqual({"egl", "egl-gles", "egl-device:0"}, set(self.runs()))
+        done = self.run_program("--driver", "osmesa", "--driver", "egl-device:99", *one)
+        self.assertEqual(done.returncode, 3)
+        self.assertIn("no EGL device 99", self.runs()["egl-device:99"]["absent"])
+        self.assertEqual(self.runs()["osmesa"]["totals"]["pass"], 1)
+        done = self.run_program("--driver", "metal", *one)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("glfw-osmesa", done.err)
+
+    def test_only_an_expectation_excuses_and_only_what_needs_it(self):
+        one = ("--filter", "noise2d.perlin.lattice.fast.fragment.gl330.golden")
+        golden = self.folder / "golden"
+        golden.mkdir()  # the file is missing, so the case is an error
+        expect = self.folder / "expect"
+        expect.mkdir()
+        table = expect / "some.csv"
+        row = "driver,renderer,case,status,reason\nosmesa,*,noise2d.perlin.lattice.*.golden,error,no file\n"
+        table.write_text(row)
+        self.assertEqual(self.run_program("--golden", golden, *one).returncode, 1)
+        done = self.run_program("--golden", golden, "--expect", expect, *one)
+        # Nothing passed, so an excuse is not enough.
+        self.assertEqual(done.returncode, 1)
+        more = (*one, "--filter", "noise2d.perlin.lattice.fast.fragment.gl330.zero")
+        self.assertEqual(self.run_program("--golden", golden, "--expect", expect, *more).returncode, 0)
+        done = self.run_program("--expect", expect, *more)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("needs no excuse", done.out)
+        table.write_text(row.replace("noise2d.perlin.lattice", "noise4d"))
+        done = self.run_program("--expect", expect, *more)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(f"{table}:2: no case matches", done.err)
+
+
+if __name__ == "__main__":
+    PROGRAM = sys.argv.pop(1)
+    unittest.main()
