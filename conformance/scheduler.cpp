@@ -15,8 +15,9 @@
 namespace hn {
 namespace {
 
-// So many processes in a row that end without a result, and the driver is given up.
-constexpr int kMostFutileStarts = 3;
+// So many processes in a row that end before they are ready, and the driver is given up: once could be chance. No more,
+// for a hang takes as long as the limit.
+constexpr int kMostFutileStarts = 2;
 // So many cases in a row that end their process, and the others will, too.
 constexpr int kMostCrashesInARow = 10;
 constexpr std::size_t kLogEnd = 2000;
@@ -61,7 +62,7 @@ class Lane {
     Job job{.task = Task::cases, .driver = plan_.driver, .suite = whole_.suite, .ids = {}, .examined = examined_};
     std::copy_if(plan_.ids.begin(), plan_.ids.end(), std::back_inserter(job.ids),
                  [&](const std::string& id) { return is_pending(id); });
-    progressed_ = ready_ = lost_ = examining_ = false;
+    ready_ = lost_ = examining_ = false;
     auto worker = Worker::start(job, launch());
     if (worker) {
       worker_.emplace(std::move(*worker));
@@ -99,22 +100,18 @@ class Lane {
       remove_empty_log();
       return std::nullopt;
     }
-    futile_starts_ = progressed_ ? 0 : futile_starts_ + 1;
     if (lost_ || examining_) return std::nullopt;  // of a case that has its verdict
     const Status status = end.timed_out ? Status::timeout : Status::crash;
     const std::string text = end.timed_out
                                  ? fmt::format("no answer in {} s", std::chrono::duration<double>(whole_.limit).count())
                                  : fmt::format("the driver's process {}", end.text);
-    if (!ready_) {
-      // Once could be chance.
-      if (!info_ || futile_starts_ >= kMostFutileStarts) {
-        abandon(status, fmt::format("the driver does not start: {}{}", text, log_end()));
-      }
-      return std::nullopt;
-    }
-    CaseResult result{.id = current(), .outcome = outcome_with(status, {text + log_end(), {}})};
+    const std::string when = ready_ ? "" : "the driver does not start: ";
+    CaseResult result{.id = current(), .outcome = outcome_with(status, {when + text + log_end(), {}})};
     add(result);
-    if (++crashes_in_a_row_ >= kMostCrashesInARow) {
+    futile_starts_ = ready_ ? 0 : futile_starts_ + 1;
+    if (futile_starts_ >= kMostFutileStarts) {
+      abandon(status, fmt::format("not run, since the driver does not start: {}", text));
+    } else if (++crashes_in_a_row_ >= kMostCrashesInARow) {
       abandon(status, fmt::format("not run, after {} cases in a row ended so: {}", crashes_in_a_row_, text));
     }
     return result;
@@ -151,7 +148,6 @@ class Lane {
   void take_result(const nlohmann::json& report) {
     CaseResult result = case_result_from(report.at("result"));
     if (!is_pending(result.id)) return;
-    progressed_ = true;
     crashes_in_a_row_ = 0;
     examining_ = report.contains("examined");
     if (examining_) examined_.push_back(result.id);
@@ -204,7 +200,6 @@ class Lane {
   std::size_t bad_ = 0;
   std::size_t next_ = 0;               // all before it are done
   bool ready_ = false;                 // this process
-  bool progressed_ = false;            // this process has finished a case
   bool examining_ = false;             // this process makes the evidence of the last case
   std::vector<std::string> examined_;  // by any process
   bool lost_ = false;                  // this process ends because its context is lost
