@@ -7,10 +7,13 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "command.hpp"
+#include "embedded.hpp"
 #include "evidence.hpp"
 #include "fault/faults.hpp"
 #include "process.hpp"
@@ -91,23 +94,25 @@ void run_driver_cases(const Suite& suite, const Context& context, const Driver& 
   }
 }
 
-// A browser that cannot be started is absent; one that ends later has crashed in the case that ran, as this process
-// does.
+// A browser that ends has crashed in the case that ran, as this process does.
 int run_browser_cases(const Job& job, const Browser& browser, const SourceSet& sources) {
-  bool ready = false;
+  bool absent = false;
   const CaseEvents events = {.ready =
-                                 [&](const ContextInfo& info) {
-                                   ready = true;
+                                 [](const ContextInfo& info) {
                                    report({{"ready", to_json(info)}});
                                  },
                              .started = [](const std::string&) {},
                              .finished =
                                  [](const CaseResult& result) {
                                    report({{"result", to_json(result)}});
+                                 },
+                             .absent =
+                                 [&](const std::string& why) {
+                                   absent = true;
+                                   report({{"absent", why}});
                                  }};
   const auto done = run_in_browser(browser, sources, job.suite.golden, job.ids, events);
-  if (done) return EXIT_SUCCESS;
-  if (!ready) report({{"absent", done.error().text()}});
+  if (done || absent) return EXIT_SUCCESS;
   fmt::print(stderr, "{}\n", done.error().text());
   return EXIT_FAILURE;
 }
@@ -157,6 +162,23 @@ Result<SourceSet> suite_sources(const SuiteOptions& options) {
   if (!sources || options.inject.empty()) return sources;
   if (const auto done = inject_into(*sources, options.inject); !done) return tl::unexpected(done.error());
   return sources;
+}
+
+std::string suite_digest(const SuiteOptions& options, const SourceSet& sources) {
+  std::uint64_t digest = 0xCBF29CE484222325u;  // FNV-1a, 64 bit
+  const auto add = [&](std::string_view text) {
+    for (const char c : text) digest = (digest ^ static_cast<unsigned char>(c)) * 0x100000001B3u;
+  };
+  for (const EmbeddedFile& file : kEmbeddedFiles) add(sources.find(file.name)->text);
+  std::set<std::filesystem::path> golden;
+  std::error_code none;  // a folder that is missing is an error of each case
+  for (const auto& entry : std::filesystem::directory_iterator(options.golden, none)) golden.insert(entry.path());
+  for (const std::filesystem::path& path : golden) {
+    std::ifstream in(path, std::ios::binary);
+    add(path.filename().string());
+    add(std::string(std::istreambuf_iterator<char>(in), {}));
+  }
+  return fmt::format("{:016x}", digest);
 }
 
 nlohmann::json to_json(const SuiteOptions& options) {

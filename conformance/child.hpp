@@ -36,6 +36,9 @@ struct Job {
   std::vector<std::string> examined = {};  // of cases that have had their evidence made, or tried
 };
 
+// Of the text of the library and of the golden files: results of other ones do not belong together.
+std::string suite_digest(const SuiteOptions& options, const SourceSet& sources);
+
 nlohmann::json to_json(const SuiteOptions& options);
 nlohmann::json to_json(const Job& job);
 Job job_from(const nlohmann::json& json);  // of a text that to_json made

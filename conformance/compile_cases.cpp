@@ -143,7 +143,7 @@ std::vector<Acceptance> acceptances() {
 }
 
 void add_acceptance_cases(std::vector<Case>& cases, const Acceptance& acceptance) {
-  for (const std::string_view name : {"gl330", "es300"}) {
+  for (const std::string_view name : {"gl140", "gl330", "es300"}) {  // without and with bit casts, and ES
     const Profile& profile = profile_named(name);
     const auto compilation = std::make_shared<const Compilation>(Compilation{
         profile,

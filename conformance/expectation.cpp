@@ -11,18 +11,6 @@
 #include "runner.hpp"
 
 namespace hn {
-namespace {
-
-bool matches(const Expectation& expectation, const Run& run, const CaseResult& result) {
-  // What cannot run is not right, and not wrong.
-  const Status status = result.outcome.status;
-  const bool fits = status == expectation.status || !is_bad(status);
-  return fits && matches_glob(run.driver, expectation.driver) &&
-         matches_glob(run.info.renderer, expectation.renderer) && matches_glob(result.id, expectation.id);
-}
-
-}  // namespace
-
 Result<std::vector<Expectation>> parse_expectations(std::string_view text, const std::string& path) {
   // The reader ends a line at a NUL and drops the rest. And it looks at the byte behind the text, which is anything,
   // unless the text ends with a line.
@@ -86,14 +74,23 @@ Result<void> check_expectations(const std::vector<Expectation>& expectations, co
   return {};
 }
 
-void apply_expectations(const std::vector<Expectation>& expectations, Run& run) {
-  for (CaseResult& result : run.cases) {
-    result.excuse.clear();
-    if (result.outcome.status == Status::unsupported) continue;
-    const auto found = std::find_if(expectations.begin(), expectations.end(),
-                                    [&](const Expectation& expectation) { return matches(expectation, run, result); });
-    if (found != expectations.end()) result.excuse = fmt::format("{} ({})", found->reason, found->place);
+std::string excuse_for(const std::vector<Expectation>& expectations, const std::string& driver,
+                       const std::string& renderer, const CaseResult& result) {
+  // What cannot run is not right, and not wrong.
+  const Status status = result.outcome.status;
+  if (status == Status::unsupported) return {};
+  for (const Expectation& expectation : expectations) {
+    const bool fits = status == expectation.status || !is_bad(status);
+    if (fits && matches_glob(driver, expectation.driver) && matches_glob(renderer, expectation.renderer) &&
+        matches_glob(result.id, expectation.id)) {
+      return fmt::format("{} ({})", expectation.reason, expectation.place);
+    }
   }
+  return {};
+}
+
+void apply_expectations(const std::vector<Expectation>& expectations, Run& run) {
+  for (CaseResult& result : run.cases) result.excuse = excuse_for(expectations, run.driver, run.info.renderer, result);
 }
 
 }  // namespace hn

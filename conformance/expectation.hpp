@@ -29,6 +29,10 @@ Result<std::vector<Expectation>> read_expectations(const std::filesystem::path& 
 // An expectation that names no case is one that will never be missed. The error names the first such.
 Result<void> check_expectations(const std::vector<Expectation>& expectations, const std::vector<Case>& cases);
 
+// The excuse of a case, or nothing: if there is an expectation for it, and it ended so, or right.
+std::string excuse_for(const std::vector<Expectation>& expectations, const std::string& driver,
+                       const std::string& renderer, const CaseResult& result);
+
 // Gives every case for which there is an expectation its excuse: if it ended as the expectation says, or right.
 void apply_expectations(const std::vector<Expectation>& expectations, Run& run);
 

@@ -32,6 +32,8 @@ class Journal {
 
   // In the file before it returns, whatever becomes of this process.
   void add(const std::string& driver, const nlohmann::json& report);
+  // Whether something could not be written.
+  bool broken() const { return !out_; }
   // The run is complete, and its results are written.
   void remove();
 

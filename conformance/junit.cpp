@@ -143,9 +143,27 @@ void add_suite(pugi::xml_node suites, const Run& run) {
   for (const CaseResult& result : run.cases) add_case(suite, result);
 }
 
+// What is wrong beside the cases, as a suite of its own.
+Totals add_problems(pugi::xml_node suites, const std::vector<std::string>& problems) {
+  Totals totals;
+  if (problems.empty()) return totals;
+  totals.tests = totals.errors = problems.size();
+  pugi::xml_node suite = suites.append_child("testsuite");
+  set(suite, "name", "hn-conform");
+  set_totals(suite, totals);
+  for (const std::string& problem : problems) {
+    pugi::xml_node test = suite.append_child("testcase");
+    set(test, "classname", "hn-conform");
+    set(test, "name", "problem");
+    set(test, "time", "0.000");
+    add_remark(test, "error", "problem", problem);
+  }
+  return totals;
+}
+
 }  // namespace
 
-std::string junit_text(const std::vector<Run>& runs) {
+std::string junit_text(const std::vector<Run>& runs, const std::vector<std::string>& problems) {
   pugi::xml_document document;
   pugi::xml_node declaration = document.append_child(pugi::node_declaration);
   declaration.append_attribute("version") = "1.0";
@@ -154,6 +172,7 @@ std::string junit_text(const std::vector<Run>& runs) {
   set(suites, "name", "hashnoise");
   Totals totals;
   for (const Run& run : runs) totals += totals_of(run);
+  totals += add_problems(suites, problems);
   set_totals(suites, totals);
   for (const Run& run : runs) add_suite(suites, run);
   std::ostringstream out;

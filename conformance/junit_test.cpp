@@ -97,5 +97,16 @@ TEST(Junit, OfNothingIsValid) {
   EXPECT_EQ(totals_of(parsed({}).child("testsuites")), "0 tests, 0 failures, 0 errors, 0 skipped");
 }
 
+TEST(Junit, AProblemIsAnErrorSoThatItIsNoGreenFile) {
+  pugi::xml_document document;
+  ASSERT_TRUE(
+      document.load_string(junit_text({run_of({result("a.b.pass", Status::pass)})}, {"1 case is <missing>"}).c_str()));
+  const pugi::xml_node suites = document.child("testsuites");
+  EXPECT_EQ(totals_of(suites), "2 tests, 0 failures, 1 errors, 0 skipped");
+  const pugi::xml_node problem = suites.find_child_by_attribute("name", "hn-conform");
+  EXPECT_NE(std::string(problem.child("testcase").child("error").text().get()).find("1 case is <missing>"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace hn

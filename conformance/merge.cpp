@@ -33,8 +33,11 @@ Result<std::size_t> shards_of(const Run& run) {
 }
 
 Result<void> append_cases(Run& to, Run& from) {
-  if (to.seed != from.seed || to.injected != from.injected) {
-    return fail(fmt::format("{}: runs that differ in --seed or --inject do not belong together", name_of(to)));
+  if (to.seed != from.seed || to.injected != from.injected || to.content != from.content) {
+    return fail(
+        fmt::format("{}: runs that differ in --seed, --inject, the library or the golden files do not belong "
+                    "together",
+                    name_of(to)));
   }
   const auto shards = shards_of(to);
   const auto more = shards_of(from);

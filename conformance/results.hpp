@@ -16,6 +16,7 @@ struct Run {
   std::string absent;  // why the driver cannot be used here; then it has no cases
   ContextInfo info;
   std::uint64_t seed = 0;
+  std::string content;    // a digest of the library and the golden files
   std::string injected;   // the fault that the driver was made to have, if there is one
   std::string shard;      // "2/3", or empty for the whole
   std::size_t whole = 0;  // how many cases all shards have
@@ -24,6 +25,7 @@ struct Run {
   std::string date = {};                // when it ended: UTC, ISO 8601
   std::set<std::string> commands = {};  // that made it: several if it was merged
 
+  bool is_reference() const { return driver == kReferenceCompiler; }
   std::size_t count(Status status) const;
   // Everything that could run ran, and was right or is excused; at least one case passed.
   bool as_expected() const;

@@ -144,6 +144,11 @@ TEST(Verdict, OfSeveralDriversNeedsAllThatAreHere) {
   const hn::Run nothing = run_of({result("a", Status::unsupported)});
   hn::Run absent;
   absent.absent = "why";
+  hn::Run reference = good;
+  reference.driver = kReferenceCompiler;
+  EXPECT_TRUE(all_as_expected({reference}));
+  EXPECT_FALSE(all_as_expected({nothing, reference})) << "glslang says nothing about a driver";
+  EXPECT_FALSE(all_as_expected({absent, reference}));
   EXPECT_TRUE(all_as_expected({good, absent, nothing}));
   EXPECT_FALSE(all_as_expected({good, bad}));
   EXPECT_FALSE(all_as_expected({absent}));

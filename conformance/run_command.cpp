@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "command.hpp"
 #include "expectation.hpp"
@@ -18,6 +19,8 @@
 
 namespace hn {
 namespace {
+
+constexpr int kNotWritten = -1;  // of conclude, and no exit status
 
 constexpr std::chrono::milliseconds kDescribeLimit{60000};
 // 25 times what all functions and configurations take on two cores with llvmpipe.
@@ -34,20 +37,28 @@ SuiteOptions suite_options(const RunCommand& options) {
   return {.glsl = options.glsl, .golden = options.golden, .inject = options.inject, .seed = options.seed};
 }
 
-// Each in a process of its own: what is loaded to find out could crash.
-std::vector<Driver> drivers_here(const std::filesystem::path& directory) {
+struct Devices {
+  int count = 0;
+  std::string problem;  // why EGL does not say
+};
+
+// Asked in a process of its own: what is loaded to find out could crash.
+Devices egl_devices() {
+  const TemporaryDirectory scratch;
   const auto report =
-      report_of({.task = Task::devices, .driver = {}, .suite = {}, .ids = {}}, directory, kDescribeLimit);
-  return all_drivers(report ? report->value("devices", 0) : 0);
+      report_of({.task = Task::devices, .driver = {}, .suite = {}, .ids = {}}, scratch.path(), kDescribeLimit);
+  if (report) return {report->value("devices", 0), {}};
+  return {0, fmt::format("EGL does not say what devices it has: {}", report.error().text())};
 }
 
 struct DriverChoice {
   std::vector<std::string> names;
-  bool by_name = true;  // each was named, so each must be here
+  std::set<std::string> named;  // not by a glob, so they must be here
+  std::vector<std::string> problems;
 };
 
 // Names, globs, and "all"; each driver once.
-Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted, const std::filesystem::path& directory) {
+Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted) {
   DriverChoice choice;
   const auto add = [&](const std::string& name) {
     if (std::find(choice.names.begin(), choice.names.end(), name) == choice.names.end()) choice.names.push_back(name);
@@ -55,18 +66,20 @@ Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted, cons
   for (const std::string& name : wanted) {
     if (find_driver(name)) {
       add(name);
+      choice.named.insert(name);
       continue;
     }
     const std::string glob = name == "all" ? "*" : name;
     const bool is_glob = glob.find_first_of("*?[") != std::string::npos;
-    const std::size_t before = choice.names.size();
-    for (const Driver& driver : is_glob ? drivers_here(directory) : std::vector<Driver>{}) {
-      if (matches_glob(driver.name, glob)) add(driver.name);
+    const Devices devices = is_glob ? egl_devices() : Devices{};
+    if (!devices.problem.empty()) choice.problems.push_back(devices.problem);
+    bool found = false;
+    for (const Driver& driver : is_glob ? all_drivers(devices.count) : std::vector<Driver>{}) {
+      if (!matches_glob(driver.name, glob)) continue;
+      add(driver.name);
+      found = true;
     }
-    if (choice.names.size() == before) {
-      return fail(fmt::format("there is no driver \"{}\"; there are: {}, and all", name, driver_names()));
-    }
-    choice.by_name = false;
+    if (!found) return fail(fmt::format("there is no driver \"{}\"; there are: {}, and all", name, driver_names()));
   }
   return choice;
 }
@@ -96,9 +109,14 @@ Result<Journal> open_journal(const RunCommand& options, const nlohmann::json& pl
   return Journal::create(options.out, plan);
 }
 
+bool can_be_timed(const Run& run) {
+  const auto driver = find_driver(run.driver);
+  return run.absent.empty() && driver && !driver->is_reference_compiler() && !driver->browser;
+}
+
 void add_timings(std::vector<Run>& runs, const RunPlan& plan, const std::filesystem::path& out) {
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (!runs[i].absent.empty() || runs[i].driver == kReferenceCompiler) continue;
+    if (!can_be_timed(runs[i])) continue;
     const Job job{.task = Task::timings, .driver = runs[i].driver, .suite = plan.suite, .ids = plan.drivers[i].ids};
     const auto report = report_of(job, out, kTimingsLimit);
     if (report && report->contains("timings")) {
@@ -112,7 +130,10 @@ void add_timings(std::vector<Run>& runs, const RunPlan& plan, const std::filesys
 
 // Writes what there is to say about the runs, and says it: the exit status. problems: what is wrong beside the cases.
 int conclude(const std::vector<Run>& runs, const std::string& out, const std::vector<std::string>& problems) {
-  if (const auto written = write_results(out, runs, problems); !written) return usage_error(written.error().text());
+  if (const auto written = write_results(out, runs, problems); !written) {
+    fmt::print(stderr, "hn-conform: {}\n", written.error().text());
+    return kNotWritten;
+  }
   for (const Run& run : runs) fmt::print("{}", summary(run));
   for (const std::string& problem : problems) fmt::print(stderr, "hn-conform: {}\n", problem);
   const bool good = problems.empty() && all_as_expected(runs);
@@ -123,15 +144,31 @@ int conclude(const std::vector<Run>& runs, const std::string& out, const std::ve
 
 bool is_here(const Run& run) { return run.absent.empty() && run.driver != kReferenceCompiler; }
 
-// Why there can be no verdict: of the drivers that draw, too few are here.
-std::vector<std::string> missing_drivers(const std::vector<Run>& runs, bool by_name) {
+// Why there can be no verdict: drivers that were named are not here, or none is.
+std::vector<std::string> missing_drivers(const std::vector<Run>& runs, const std::set<std::string>& named) {
   std::vector<std::string> missing;
+  bool any = false;
   for (const Run& run : runs) {
-    if (!run.absent.empty()) missing.push_back(fmt::format("the driver {} is not here: {}", run.driver, run.absent));
+    if (run.absent.empty()) continue;
+    any = true;
+    if (named.contains(run.driver)) {
+      missing.push_back(fmt::format("the driver {} is not here: {}", run.driver, run.absent));
+    }
   }
-  if (by_name || missing.empty()) return missing;
-  if (std::any_of(runs.begin(), runs.end(), is_here)) return {};
+  if (!missing.empty() || !any || std::any_of(runs.begin(), runs.end(), is_here)) return missing;
   return {"none of the drivers is here"};
+}
+
+// Of a run that ended before its end.
+void note_what_was_not_run(const RunPlan& plan, const std::vector<Run>& runs, std::vector<std::string>& problems) {
+  std::size_t planned = 0;
+  std::size_t done = 0;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (!runs[i].absent.empty()) continue;
+    planned += plan.drivers[i].ids.size();
+    done += runs[i].cases.size();
+  }
+  if (done < planned) problems.push_back(fmt::format("{} of {} cases were not run", planned - done, planned));
 }
 
 Result<RunPlan> make_plan(const RunCommand& options, const DriverChoice& choice, const std::vector<Case>& cases) {
@@ -159,7 +196,9 @@ Result<std::vector<Expectation>> load_expectations(const std::string& directory)
 int drivers_command() {
   const TemporaryDirectory scratch;
   bool usable = false;
-  for (const Driver& driver : drivers_here(scratch.path())) {
+  const Devices devices = egl_devices();
+  if (!devices.problem.empty()) fmt::print(stderr, "hn-conform: {}\n", devices.problem);
+  for (const Driver& driver : all_drivers(devices.count)) {
     fmt::print("{:<18} {}\n", driver.name, driver.description);
     const Job job{.task = Task::describe, .driver = driver.name, .suite = {}, .ids = {}};
     const auto report = report_of(job, scratch.path(), kDescribeLimit);
@@ -189,32 +228,38 @@ int run_command(const RunCommand& options) {
   }
   const auto cases = select_cases(options.filters);
   if (!cases) return usage_error(cases.error().text());
-  if (const auto sources = suite_sources(suite_options(options)); !sources) return usage_error(sources.error().text());
+  const auto sources = suite_sources(suite_options(options));
+  if (!sources) return usage_error(sources.error().text());
   const auto expectations = load_expectations(options.expect);
   if (!expectations) return usage_error(expectations.error().text());
-  if (const auto ready = prepare_results(options.out); !ready) return usage_error(ready.error().text());
-  const auto choice = choose_drivers(options.drivers, options.out);
+  const auto choice = choose_drivers(options.drivers);
   if (!choice) return usage_error(choice.error().text());
-  const auto plan = make_plan(options, *choice, *cases);
+  auto plan = make_plan(options, *choice, *cases);
   if (!plan) return usage_error(plan.error().text());
+  plan->content = suite_digest(plan->suite, *sources);
+  plan->expectations = *expectations;
+  if (const auto ready = prepare_results(options.out); !ready) return usage_error(ready.error().text());
   auto journal = open_journal(options, to_json(*plan));
   if (!journal) return usage_error(journal.error().text());
 
-  auto runs = run_plan(*plan, options.out, *journal, stderr);
+  auto [runs, problems] = run_plan(*plan, options.out, *journal, stderr);
   if (options.timings) add_timings(runs, *plan, options.out);
   for (Run& run : runs) {
     run.date = now();
     run.commands = {options.line};
     apply_expectations(*expectations, run);
   }
-  const auto missing = missing_drivers(runs, choice->by_name);
-  std::vector<std::string> problems = missing;
+  const auto missing = missing_drivers(runs, choice->named);
+  problems.insert(problems.end(), missing.begin(), missing.end());
+  problems.insert(problems.end(), choice->problems.begin(), choice->problems.end());
+  note_what_was_not_run(*plan, runs, problems);
   for (const Run& run : runs) {
-    if (options.timings && is_here(run) && run.timings.empty()) {
+    if (options.timings && can_be_timed(run) && run.timings.empty()) {
       problems.push_back(fmt::format("the functions could not be timed on {}", run.driver));
     }
   }
   const int status = conclude(runs, options.out, problems);
+  if (status == kNotWritten) return kNotAsExpected;  // --resume may yet write them
   journal->remove();
   return missing.empty() ? status : kNoDriver;
 }
@@ -226,7 +271,12 @@ int merge_command(const MergeCommand& options) {
   if (!merged) return usage_error(merged.error().text());
   if (const auto ready = prepare_results(options.out); !ready) return usage_error(ready.error().text());
   for (Run& run : merged->runs) apply_expectations(*expectations, run);
-  return conclude(merged->runs, options.out, merged->gaps);
+  std::vector<std::string> problems = merged->gaps;
+  const auto missing = missing_drivers(merged->runs, {});
+  problems.insert(problems.end(), missing.begin(), missing.end());
+  const int status = conclude(merged->runs, options.out, problems);
+  if (status == kNotWritten) return kNotAsExpected;
+  return missing.empty() ? status : kNoDriver;
 }
 
 }  // namespace hn

@@ -18,12 +18,17 @@ namespace {
 // So many processes in a row that end before they are ready, and the driver is given up: once could be chance. No more,
 // for a hang takes as long as the limit.
 constexpr int kMostFutileStarts = 2;
-// So many cases in a row that end their process, and the others will, too.
+// So many cases of a function in a row that end their process, and its others will, too; and so many functions in a
+// row, and the others will.
 constexpr int kMostCrashesInARow = 10;
+constexpr int kMostFunctionsInARow = 3;
 constexpr std::size_t kLogEnd = 2000;
 
 // A process for each would load a driver for a moment's work.
 constexpr std::size_t kFewestCasesPerProcess = 200;
+
+// "noise2d.perlin" of "noise2d.perlin.lattice..."
+std::string_view function_of(std::string_view id) { return id.substr(0, id.find('.', id.find('.') + 1)); }
 
 // The cases of a driver, or a part of them: what is done, what is not, and its process.
 class Lane {
@@ -42,6 +47,7 @@ class Lane {
   const std::string& driver() const { return plan_.driver; }
   bool over() const { return pending_.empty() || !absent_.empty(); }
   bool is_absent() const { return !absent_.empty(); }
+  const std::string& problem() const { return problem_; }
   // To another process it was there.
   void deny_absence() {
     abandon(Status::crash,
@@ -63,6 +69,10 @@ class Lane {
     std::copy_if(plan_.ids.begin(), plan_.ids.end(), std::back_inserter(job.ids),
                  [&](const std::string& id) { return is_pending(id); });
     ready_ = lost_ = examining_ = false;
+    refusal_.clear();
+    std::error_code none;
+    const auto size = std::filesystem::file_size(launch().log, none);
+    log_begin_ = none ? 0 : static_cast<std::streamoff>(size);
     auto worker = Worker::start(job, launch());
     if (worker) {
       worker_.emplace(std::move(*worker));
@@ -97,6 +107,10 @@ class Lane {
     const Worker::End end = *worker_->end();
     worker_.reset();
     if (over()) {
+      if (absent_.empty() && (end.timed_out || end.status != 0)) {
+        problem_ = fmt::format("{}: after its last case the driver's process {}{}", plan_.driver,
+                               end.timed_out ? "did not end" : end.text, log_end());
+      }
       remove_empty_log();
       return std::nullopt;
     }
@@ -105,14 +119,17 @@ class Lane {
     const std::string text = end.timed_out
                                  ? fmt::format("no answer in {} s", std::chrono::duration<double>(whole_.limit).count())
                                  : fmt::format("the driver's process {}", end.text);
-    const std::string when = ready_ ? "" : "the driver does not start: ";
+    const std::string when = ready_ ? "" : fmt::format("the driver does not start: {}", refusal_);
     CaseResult result{.id = current(), .outcome = outcome_with(status, {when + text + log_end(), {}})};
     add(result);
     futile_starts_ = ready_ ? 0 : futile_starts_ + 1;
     if (futile_starts_ >= kMostFutileStarts) {
       abandon(status, fmt::format("not run, since the driver does not start: {}", text));
     } else if (++crashes_in_a_row_ >= kMostCrashesInARow) {
-      abandon(status, fmt::format("not run, after {} cases in a row ended so: {}", crashes_in_a_row_, text));
+      const bool all = ++functions_in_a_row_ >= kMostFunctionsInARow;
+      const std::string_view function = all ? std::string_view() : function_of(result.id);
+      abandon(status, fmt::format("not run, after {} cases in a row ended so: {}", crashes_in_a_row_, text), function);
+      crashes_in_a_row_ = 0;
     }
     return result;
   }
@@ -122,6 +139,7 @@ class Lane {
             .absent = absent_,
             .info = info_.value_or(ContextInfo{}),
             .seed = whole_.suite.seed,
+            .content = whole_.content,
             .injected = whole_.suite.inject,
             .shard = whole_.shard,
             .whole = plan_.whole,
@@ -140,7 +158,9 @@ class Lane {
   bool is_pending(const std::string& id) const { return pending_.contains(id); }
 
   void add(CaseResult result) {
-    if (is_bad(result.outcome.status)) ++bad_;
+    const std::string renderer = info_ ? info_->renderer : "";
+    const bool excused = !excuse_for(whole_.expectations, plan_.driver, renderer, result).empty();
+    if (is_bad(result.outcome.status) && !excused) ++bad_;
     pending_.erase(result.id);
     results_.emplace(result.id, std::move(result));
   }
@@ -148,7 +168,7 @@ class Lane {
   void take_result(const nlohmann::json& report) {
     CaseResult result = case_result_from(report.at("result"));
     if (!is_pending(result.id)) return;
-    crashes_in_a_row_ = 0;
+    crashes_in_a_row_ = functions_in_a_row_ = 0;
     examining_ = report.contains("examined");
     if (examining_) examined_.push_back(result.id);
     add(std::move(result));
@@ -161,23 +181,25 @@ class Lane {
   }
 
   void take_absence(const std::string& why) {
-    if (results_.empty()) {
+    if (results_.empty() && !info_) {
       absent_ = why;
-    } else {  // it was there before
-      abandon(Status::crash, fmt::format("the driver did not come back: {}", why));
+    } else {  // it was there before, so this is a start that failed
+      refusal_ = why + "; ";
     }
   }
 
-  // Every case that is left ends so.
-  void abandon(Status status, const std::string& why) {
+  // Every case that is left ends so; those of a function, if one is named.
+  void abandon(Status status, const std::string& why, std::string_view function = {}) {
     for (const std::string& id : std::set<std::string>(pending_)) {
+      if (!function.empty() && function_of(id) != function) continue;
       add({.id = id, .outcome = outcome_with(status, {why, {}})});
     }
   }
 
-  // What the process printed last, which may say why it ended.
+  // What this process printed last, which may say why it ended.
   std::string log_end() const {
     std::ifstream in(launch().log, std::ios::binary);
+    in.seekg(log_begin_);
     std::string text(std::istreambuf_iterator<char>(in), {});
     if (text.size() > kLogEnd) text.erase(0, text.size() - kLogEnd);
     return text.empty() ? text : "; it printed:\n" + text;
@@ -203,8 +225,12 @@ class Lane {
   bool examining_ = false;             // this process makes the evidence of the last case
   std::vector<std::string> examined_;  // by any process
   bool lost_ = false;                  // this process ends because its context is lost
+  std::string refusal_;                // why this process has no driver
+  std::string problem_;
+  std::streamoff log_begin_ = 0;  // of this process
   int futile_starts_ = 0;
   int crashes_in_a_row_ = 0;
+  int functions_in_a_row_ = 0;
 };
 
 class Scheduler {
@@ -219,12 +245,13 @@ class Scheduler {
     }
     for (const Journal::Entry& entry : journal.earlier()) {
       for (Lane& lane : lanes_) {
-        if (lane.driver() == entry.driver) lane.take(entry.report);
+        // What was not here may be here now.
+        if (lane.driver() == entry.driver && !entry.report.contains("absent")) lane.take(entry.report);
       }
     }
   }
 
-  std::vector<Run> run() {
+  PlanResult run() {
     while (start_lanes()) {
       wait();
       for (Lane& lane : lanes_) serve(lane);
@@ -232,17 +259,21 @@ class Scheduler {
       if (found_enough()) break;
     }
     std::vector<Run> runs;
+    std::vector<std::string> problems;
     for (Lane& lane : lanes_) {
       lane.stop();
+      if (!lane.problem().empty()) problems.push_back(lane.problem());
       if (lane.is_absent() && is_here(lane.driver())) lane.deny_absence();
       Run run = lane.take_run();
       if (runs.empty() || runs.back().driver != run.driver) {
         runs.push_back(std::move(run));
       } else {
+        if (runs.back().info.renderer.empty()) runs.back().info = run.info;
         std::move(run.cases.begin(), run.cases.end(), std::back_inserter(runs.back().cases));
       }
     }
-    return runs;
+    if (journal_.broken()) problems.push_back("the journal could not be written, so the run could not be resumed");
+    return {std::move(runs), std::move(problems)};
   }
 
  private:
@@ -346,11 +377,12 @@ nlohmann::json to_json(const RunPlan& plan) {
   return {{"version", library_version()},
           {"drivers", std::move(drivers)},
           {"suite", to_json(plan.suite)},
+          {"content", plan.content},
           {"shard", plan.shard}};
 }
 
-std::vector<Run> run_plan(const RunPlan& plan, const std::filesystem::path& directory, Journal& journal,
-                          std::FILE* progress) {
+PlanResult run_plan(const RunPlan& plan, const std::filesystem::path& directory, Journal& journal,
+                    std::FILE* progress) {
   return Scheduler(plan, directory, journal, progress).run();
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "child.hpp"
+#include "expectation.hpp"
 #include "journal.hpp"
 #include "process.hpp"
 #include "results.hpp"
@@ -23,11 +24,13 @@ struct DriverPlan {
 struct RunPlan {
   std::vector<DriverPlan> drivers;
   SuiteOptions suite;
-  std::string shard;  // "2/3", or empty
+  std::string content = {};  // a digest of the library and the golden files
+  std::string shard = {};    // "2/3", or empty
   // What does not change the results:
-  std::size_t jobs = 1;                    // processes at a time
-  std::chrono::milliseconds limit{60000};  // for a case, and for a driver to start
-  bool fail_fast = false;                  // end with the first case that is bad
+  std::size_t jobs = 1;                        // processes at a time
+  std::chrono::milliseconds limit{60000};      // for a case, and for a driver to start
+  std::vector<Expectation> expectations = {};  // what does not count for fail_fast
+  bool fail_fast = false;                      // end with the first case that is bad
   std::filesystem::path program = own_program();
 };
 
@@ -38,7 +41,10 @@ nlohmann::json to_json(const RunPlan& plan);
 // the process ends is a crash, one that takes longer than the limit a timeout; the cases after it are run by another
 // process. What the journal has from an earlier run is not run again. Logs of the processes, where they print
 // something, are left as DRIVER.log in the directory.
-std::vector<Run> run_plan(const RunPlan& plan, const std::filesystem::path& directory, Journal& journal,
-                          std::FILE* progress);
+struct PlanResult {
+  std::vector<Run> runs;
+  std::vector<std::string> problems;  // what is wrong beside the cases: a driver that crashes when it is left, say
+};
+PlanResult run_plan(const RunPlan& plan, const std::filesystem::path& directory, Journal& journal, std::FILE* progress);
 
 }  // namespace hn

@@ -38,7 +38,7 @@ class SchedulerTest : public testing::Test {
     std::filesystem::permissions(plan_.program, std::filesystem::perms::owner_all);
     auto journal = Journal::create(folder_.path(), to_json(plan_));
     EXPECT_TRUE(journal);
-    return run_plan(plan_, folder_.path(), *journal, stderr).front();
+    return run_plan(plan_, folder_.path(), *journal, stderr).runs.front();
   }
 
   // "a pass, b crash, ..."
@@ -154,14 +154,54 @@ TEST_F(SchedulerTest, ADriverThatDoesNotStartFailsEveryCase) {
   EXPECT_EQ(verdicts(run("exec sleep 60\n")), "a timeout, b timeout, c timeout, d timeout, e timeout");
 }
 
-TEST_F(SchedulerTest, ADriverThatCrashesAlwaysIsGivenUp) {
+TEST_F(SchedulerTest, AFunctionThatCrashesAlwaysIsGivenUpAndSoIsADriver) {
   plan_.drivers[0].ids.clear();
-  for (int i = 0; i < 40; ++i) plan_.drivers[0].ids.push_back("case" + std::to_string(i));
-  const hn::Run result = run("echo x >>\"$0.starts\"\n" + says(kReady) + "exit 1\n");
-  EXPECT_EQ(result.count(Status::crash), 40u);
-  std::ifstream starts(folder_.path() / "child.starts");
-  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(starts), {}).size(), 2u * 10u);
-  EXPECT_NE(result.cases[39].outcome.message.find("not run, after 10 cases in a row"), std::string::npos);
+  for (const char* function : {"f.a", "f.b", "f.c", "f.d"}) {
+    for (int i = 10; i < 25; ++i) plan_.drivers[0].ids.push_back(fmt::format("{}.{}", function, i));
+  }
+  const auto starts = [&] {
+    std::ifstream file(folder_.path() / "child.starts");
+    return std::string(std::istreambuf_iterator<char>(file), {}).size() / 2;
+  };
+  // Ten cases of each of three functions are tried.
+  const hn::Run all = run("echo x >>\"$0.starts\"\n" + says(kReady) + "exit 1\n");
+  EXPECT_EQ(all.count(Status::crash), 60u);
+  EXPECT_EQ(starts(), 30u);
+  EXPECT_NE(all.cases[59].outcome.message.find("not run, after 10 cases in a row"), std::string::npos);
+  // One function alone does not take the others along.
+  const hn::Run one =
+      run(says(kReady) + "for id in $(grep -o 'f[.][a-d][.][0-9]*' \"$2\"); do\n" +
+          "  case $id in f.b.*) exit 1;; esac\n  echo '{\"result\": {\"id\": \"'$id'\", \"status\": "
+          "\"pass\", \"samples\": 1, \"mismatches\": 0, \"max_abs\": 0, \"max_ulp\": 0, \"seconds\": 0, "
+          "\"message\": \"\"}}' >&3\ndone\n");
+  EXPECT_EQ(one.count(Status::crash), 15u);
+  EXPECT_EQ(one.count(Status::pass), 45u);
+}
+
+TEST_F(SchedulerTest, AnExcusedFailureDoesNotEndAFastRun) {
+  plan_.fail_fast = true;
+  plan_.expectations = {{"any", "*", "b", Status::crash, "known", "x.csv:2"}};
+  EXPECT_EQ(verdicts(run(script_that("b", "exit 1"))), "a pass, b crash, c pass, d pass, e pass");
+}
+
+TEST_F(SchedulerTest, ACrashAfterTheLastCaseIsAProblem) {
+  plan_.program = folder_.path() / "child";
+  for (const auto& [end, problems] : {std::pair{"exit 0\n", 0u}, std::pair{"kill -SEGV $$\n", 1u}}) {
+    folder_.write("child", "#!/bin/sh\n" + script_that("none", ":") + end);
+    std::filesystem::permissions(plan_.program, std::filesystem::perms::owner_all);
+    auto journal = Journal::create(folder_.path(), to_json(plan_));
+    const PlanResult result = run_plan(plan_, folder_.path(), *journal, stderr);
+    EXPECT_EQ(result.runs[0].count(Status::pass), 5u);
+    EXPECT_EQ(result.problems.size(), problems);
+  }
+}
+
+TEST_F(SchedulerTest, ADriverThatIsGoneAfterACrashMayComeBack) {
+  const std::string gone_once = "[ -e $0.crashed ] && [ ! -e $0.back ] && { touch $0.back; " +
+                                says(R"({"absent": "no display"})") + "exit 0; }\n";
+  const hn::Run result = run(gone_once + script_that("b", "touch $0.crashed; exit 1"));
+  EXPECT_EQ(verdicts(result), "a pass, b crash, c crash, d pass, e pass");
+  EXPECT_NE(result.cases[2].outcome.message.find("no display"), std::string::npos) << result.cases[2].outcome.message;
 }
 
 TEST_F(SchedulerTest, WhatIsNoReportIsPassedOver) {
@@ -182,7 +222,7 @@ TEST_F(SchedulerTest, DriversRunSideBySide) {
   plan_.program = folder_.path() / "child";
   std::filesystem::permissions(plan_.program, std::filesystem::perms::owner_all);
   auto journal = Journal::create(folder_.path(), to_json(plan_));
-  const auto runs = run_plan(plan_, folder_.path(), *journal, stderr);
+  const auto runs = run_plan(plan_, folder_.path(), *journal, stderr).runs;
   ASSERT_EQ(runs.size(), 2u);
   EXPECT_EQ(runs[1].driver, "other");
   EXPECT_EQ(verdicts(runs[1]), "d pass, e pass");
@@ -226,7 +266,7 @@ TEST_F(SchedulerTest, WhatTheJournalHasIsNotRunAgain) {
   auto journal = Journal::reopen(folder_.path(), to_json(plan_));
   ASSERT_TRUE(journal) << journal.error().text();
   folder_.write("child", "#!/bin/sh\nkill -KILL $$\n");
-  const hn::Run again = run_plan(plan_, folder_.path(), *journal, stderr).front();
+  const hn::Run again = run_plan(plan_, folder_.path(), *journal, stderr).runs.front();
   EXPECT_EQ(verdicts(again), "a pass, b pass, c crash, d pass, e pass");
 }
 
@@ -241,7 +281,7 @@ TEST_F(SchedulerTest, WhatTheJournalLacksIsRun) {
   ASSERT_TRUE(journal) << journal.error().text();
   ASSERT_EQ(journal->earlier().size(), 3u);  // ready, a, b
   folder_.write("child", "#!/bin/sh\necho \"$2\"; cp \"$2\" \"$0.job\"\n" + script_that("none", ":"));
-  const hn::Run again = run_plan(plan_, folder_.path(), *journal, stderr).front();
+  const hn::Run again = run_plan(plan_, folder_.path(), *journal, stderr).runs.front();
   EXPECT_EQ(verdicts(again), "a pass, b pass, c pass, d pass, e pass");
   std::ifstream job(folder_.path() / "child.job");
   EXPECT_EQ(nlohmann::json::parse(job).at("ids"), nlohmann::json({"c", "d", "e"}));

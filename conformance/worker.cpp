@@ -37,7 +37,7 @@ void Worker::finish(bool timed_out) {
   int status = 0;
   while (waitpid(process_.pid, &status, 0) < 0 && errno == EINTR) {
   }
-  end_ = End{timed_out, describe_end(status)};
+  end_ = End{timed_out, status, describe_end(status)};
   std::error_code ignored;
   std::filesystem::remove(launch_.job, ignored);
 }

@@ -39,6 +39,7 @@ class Worker {
   // Set once the process has ended and all of its reports were read.
   struct End {
     bool timed_out = false;  // it was killed by us
+    int status = 0;          // as waitpid tells it
     std::string text;        // "ended by signal 11 (Segmentation fault)"
   };
   const std::optional<End>& end() const { return end_; }

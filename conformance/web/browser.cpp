@@ -81,13 +81,20 @@ class Conversation {
       finish_unsupported_until({});
       done_ = true;
     } else {
-      error_ = Error{fmt::format("the page could not go on: {}", event.at("message").get<std::string>()), {}};
+      const auto message = event.at("message").get<std::string>();
+      error_ = Error{fmt::format("the page could not go on: {}", message), {}};
+      if (!ready_ && message.find("WebGL2") != std::string::npos) tell_absent();
     }
+  }
+
+  void tell_absent() const {
+    if (events_.absent) events_.absent(error_->text());
   }
 
   void meet(const ContextInfo& info) {
     if (info.renderer.find(browser_.renderer) == std::string::npos) {
       error_ = Error{fmt::format("Chromium takes \"{}\" instead of {}", info.renderer, browser_.renderer), {}};
+      tell_absent();
       return;
     }
     ready_ = true;
@@ -162,6 +169,10 @@ constexpr std::string_view kReportTo = "event";
 
 Result<void> run_in_browser(const Browser& browser, const SourceSet& sources, const std::filesystem::path& golden,
                             std::span<const std::string> ids, const CaseEvents& events) {
+  if (const auto program = find_program(browser); !program) {
+    if (events.absent) events.absent(program.error().text());
+    return tl::unexpected(program.error());
+  }
   const auto cases = cases_with(ids);
   if (!cases) return tl::unexpected(cases.error());
   std::vector<Case> supported = *cases;

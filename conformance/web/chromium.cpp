@@ -52,20 +52,6 @@ constexpr std::array<std::string_view, 14> kDropped = {
 // On a machine with other drivers as well, EGL would ask those first.
 constexpr const char* kMesaEgl = "/usr/share/glvnd/egl_vendor.d/50_mesa.json";
 
-Result<std::string> find_program(const Browser& browser) {
-  const char* const variable = getenv("PATH");
-  const std::string_view path = variable ? variable : "";
-  for (const std::string_view program : browser.programs) {
-    for (std::size_t start = 0; start < path.size();) {
-      const auto end = std::min(path.find(':', start), path.size());
-      const fs::path candidate = fs::path(path.substr(start, end - start)) / program;
-      if (access(candidate.c_str(), X_OK) == 0 && fs::is_regular_file(candidate)) return candidate.string();
-      start = end + 1;
-    }
-  }
-  return fail(fmt::format("there is no {} in PATH", fmt::join(browser.programs, " or ")));
-}
-
 // Those of processes that were killed together with their guards.
 void remove_left_folders(const fs::path& where) {
   std::error_code error;
@@ -101,6 +87,20 @@ std::vector<std::string> environment_of(const Browser& browser, const std::strin
 }
 
 }  // namespace
+
+Result<std::string> find_program(const Browser& browser) {
+  const char* const variable = getenv("PATH");
+  const std::string_view path = variable ? variable : "";
+  for (const std::string_view program : browser.programs) {
+    for (std::size_t start = 0; start < path.size();) {
+      const auto end = std::min(path.find(':', start), path.size());
+      const fs::path candidate = fs::path(path.substr(start, end - start)) / program;
+      if (access(candidate.c_str(), X_OK) == 0 && fs::is_regular_file(candidate)) return candidate.string();
+      start = end + 1;
+    }
+  }
+  return fail(fmt::format("there is no {} in PATH", fmt::join(browser.programs, " or ")));
+}
 
 std::span<const Browser> all_browsers() {
   static const std::vector<Browser> kBrowsers = {
