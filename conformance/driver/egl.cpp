@@ -1,7 +1,6 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
-#include <array>
 #include <utility>
 #include <vector>
 
@@ -72,20 +71,9 @@ class EglContext final : public Context {
     if (!call<decltype(eglBindAPI)>("eglBindAPI")(es ? EGL_OPENGL_ES_API : EGL_OPENGL_API)) {
       return fail(fmt::format("EGL has no {} here", es ? "OpenGL ES" : "desktop OpenGL"));
     }
-    // No configuration and no surface: we draw into framebuffer objects only. A driver may give just the version that
-    // it is asked for, so ask for the highest first.
-    for (const auto& [major_version, minor_version] : versions_of(wanted_)) {
-      // ES has no profiles, and its list ends before them.
-      const std::array attributes = {EGL_CONTEXT_MAJOR_VERSION,
-                                     major_version,
-                                     EGL_CONTEXT_MINOR_VERSION,
-                                     minor_version,
-                                     es ? EGL_NONE : EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                     EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                     EGL_NONE};
-      context_ = call<decltype(eglCreateContext)>("eglCreateContext")(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT,
-                                                                      attributes.data());
-      if (context_ != EGL_NO_CONTEXT) break;
+    // One that tells when it is lost, where the driver has it.
+    for (const bool robust : {true, false}) {
+      if (context_ == EGL_NO_CONTEXT) create(robust);
     }
     if (context_ == EGL_NO_CONTEXT) {
       return fail(fmt::format("EGL makes no {}",
@@ -95,6 +83,26 @@ class EglContext final : public Context {
       return fail("EGL does not make a context current without a surface");
     }
     return load_functions(call<decltype(eglGetProcAddress)>("eglGetProcAddress"), wanted_);
+  }
+
+  // No configuration and no surface: we draw into framebuffer objects only. A driver may give just the version that it
+  // is asked for, so ask for the highest first.
+  void create(bool robust) {
+    for (const auto& [major_version, minor_version] : versions_of(wanted_)) {
+      std::vector<EGLint> attributes = {EGL_CONTEXT_MAJOR_VERSION, major_version, EGL_CONTEXT_MINOR_VERSION,
+                                        minor_version};
+      if (wanted_ == Api::gl) {  // ES has no profiles
+        attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT});
+      }
+      if (robust) {
+        attributes.insert(attributes.end(),
+                          {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY, EGL_LOSE_CONTEXT_ON_RESET});
+      }
+      attributes.push_back(EGL_NONE);
+      context_ = call<decltype(eglCreateContext)>("eglCreateContext")(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT,
+                                                                      attributes.data());
+      if (context_ != EGL_NO_CONTEXT) return;
+    }
   }
 
   Library library_;
