@@ -76,7 +76,9 @@ Json page_driver(const Run& run) {
           {"class", unexpected != 0 ? "bad"
                     : nothing       ? "faint"
                                     : "good"},
-          {"renderer", clean_text(run.info.renderer)},
+          {"renderer", clean_text(run.injected.empty()
+                                      ? run.info.renderer
+                                      : fmt::format("{}, made to have the fault {}", run.info.renderer, run.injected))},
           {"version", clean_text(run.info.gl_version) +
                           (run.info.glsl_version.empty() ? "" : ", GLSL " + clean_text(run.info.glsl_version))},
           {"counts", std::move(counts)},

@@ -8,12 +8,6 @@ namespace {
 
 using Words = std::vector<std::uint32_t>;
 
-float as_float(std::uint32_t value) { return std::bit_cast<float>(value); }
-
-Function function(std::string_view id, std::string_view columns, std::string_view body) {
-  return make_function(id, "config.glsl", columns, Accuracy::exact, body);
-}
-
 // --- sin ---
 
 // Vulkan's bound for sin and cos in [-pi, pi].
@@ -25,8 +19,8 @@ constexpr std::string_view kSineBound =
     "is the wider";
 
 void add_sine(std::vector<Bug>& bugs) {
-  bugs.push_back({.function = function("bugs.sin_within_a_turn", "x:f32 = sine:f32",
-                                       "return uvec4(bits_of(sin(float_of(a.x))), 0u, 0u, 0u);"),
+  bugs.push_back({.function = bug_function("bugs.sin_within_a_turn", "x:f32 = sine:f32",
+                                           "return uvec4(bits_of(sin(float_of(a.x))), 0u, 0u, 0u);"),
                   .reference = kSineReports,
                   .specification = kSineBound,
                   .defined = true,
@@ -36,8 +30,8 @@ void add_sine(std::vector<Bug>& bugs) {
                        1.6f, 2.0f,   2.5f,  3.0f, 3.1415925f, -0.25f, -1.0f, -1.5707963f, -1.6f,      -3.0f},
                       [](float x) { return Words{word(static_cast<float>(std::sin(static_cast<double>(x))))}; })});
   bugs.push_back(
-      {.function =
-           function("bugs.sin_of_large", "x:f32 = sine:f32", "return uvec4(bits_of(sin(float_of(a.x))), 0u, 0u, 0u);"),
+      {.function = bug_function("bugs.sin_of_large", "x:f32 = sine:f32",
+                                "return uvec4(bits_of(sin(float_of(a.x))), 0u, 0u, 0u);"),
        .reference = kSineReports,
        .specification = "GLSL bounds no error of sin, and Vulkan only within [-pi, pi]",
        .defined = false,
@@ -46,8 +40,8 @@ void add_sine(std::vector<Bug>& bugs) {
          return Words{word(static_cast<float>(std::sin(static_cast<double>(x))))};
        })});
   bugs.push_back(
-      {.function = function("bugs.sin_of_small", "x:f32 = sine_over_x:f32",
-                            "HN_HIGHP float x = float_of(a.x);\nreturn uvec4(bits_of(sin(x) / x), 0u, 0u, 0u);"),
+      {.function = bug_function("bugs.sin_of_small", "x:f32 = sine_over_x:f32",
+                                "HN_HIGHP float x = float_of(a.x);\nreturn uvec4(bits_of(sin(x) / x), 0u, 0u, 0u);"),
        .reference = kSineReports,
        .specification =
            "GLSL bounds no error of sin, and Vulkan's is absolute, so that small values may have none right",
@@ -56,8 +50,8 @@ void add_sine(std::vector<Bug>& bugs) {
        .points =
            points_of<float>({0x1p-12f, 0x1p-16f, 0x1p-20f, 1e-9f, 1e-20f}, [](float) { return Words{word(1.0f)}; })});
   bugs.push_back(
-      {.function = function("bugs.fract_of_sin", "x:f32 = noise:f32",
-                            "return uvec4(bits_of(fract(sin(float_of(a.x)) * 43758.547)), 0u, 0u, 0u);"),
+      {.function = bug_function("bugs.fract_of_sin", "x:f32 = noise:f32",
+                                "return uvec4(bits_of(fract(sin(float_of(a.x)) * 43758.547)), 0u, 0u, 0u);"),
        .reference = "gfx-rs/wgpu 9561 (Apple A12, A14); godotengine/godot 106210; mrdoob/three.js 33467",
        .specification =
            "GLSL bounds no error of sin: 43758 times it leaves no digit. Here within 1/64 of the exact sine's",
@@ -68,8 +62,8 @@ void add_sine(std::vector<Bug>& bugs) {
          return Words{word(static_cast<float>(product - std::floor(product)))};
        })});
   bugs.push_back(
-      {.function = function("bugs.cos_of_floor_quotient", "x:f32 y:f32 = cosine:f32",
-                            "return uvec4(bits_of(cos(floor(float_of(a.x)) / float_of(a.y))), 0u, 0u, 0u);"),
+      {.function = bug_function("bugs.cos_of_floor_quotient", "x:f32 y:f32 = cosine:f32",
+                                "return uvec4(bits_of(cos(floor(float_of(a.x)) / float_of(a.y))), 0u, 0u, 0u);"),
        .reference = "WebGL conformance/glsl/bugs/floor-div-cos-should-not-truncate",
        .specification = kSineBound,
        .defined = true,
@@ -97,17 +91,17 @@ constexpr std::string_view kQuotientDefined =
 void add_fract(std::vector<Bug>& bugs) {
   constexpr std::string_view kFract = "fract that returns 1.0, seen on several drivers (llvmpipe among them)";
   bugs.push_back(
-      {.function = function("bugs.fract_of_small_negative", "x:f32 = fraction:f32",
-                            "return uvec4(bits_of(fract(float_of(a.x))), 0u, 0u, 0u);"),
+      {.function = bug_function("bugs.fract_of_small_negative", "x:f32 = fraction:f32",
+                                "return uvec4(bits_of(fract(float_of(a.x))), 0u, 0u, 0u);"),
        .reference = kFract,
        .specification =
            "GLSL 4.60 section 8.3: fract is x - floor(x), which rounds to 1 here; here the largest float below 1",
        .defined = false,
        .points = points_of<float>({-1e-9f, -2e-10f, -1e-20f}, [](float) { return Words{word(0x1.fffffep-1f)}; })});
   bugs.push_back(
-      {.function = function("bugs.fract_of_exact", "x:f32 = fraction:f32 rest:f32",
-                            "HN_HIGHP float x = float_of(a.x);\n"
-                            "return uvec4(bits_of(fract(x)), bits_of(x - floor(x)), 0u, 0u);"),
+      {.function = bug_function("bugs.fract_of_exact", "x:f32 = fraction:f32 rest:f32",
+                                "HN_HIGHP float x = float_of(a.x);\n"
+                                "return uvec4(bits_of(fract(x)), bits_of(x - floor(x)), 0u, 0u);"),
        .reference = kFract,
        .specification = "GLSL 4.60 section 8.3: fract is x - floor(x), and these differences are floats",
        .defined = true,
@@ -121,8 +115,8 @@ void add_quotients(std::vector<Bug>& bugs) {
   constexpr std::string_view kFloorReports =
       "WebGL conformance/glsl/bugs/floored-division-accuracy and floor-div-cos-should-not-truncate";
   bugs.push_back(
-      {.function = function("bugs.quotient_of_floor", "x:f32 y:f32 = quotient:f32",
-                            "return uvec4(bits_of(floor(float_of(a.x)) / float_of(a.y)), 0u, 0u, 0u);"),
+      {.function = bug_function("bugs.quotient_of_floor", "x:f32 y:f32 = quotient:f32",
+                                "return uvec4(bits_of(floor(float_of(a.x)) / float_of(a.y)), 0u, 0u, 0u);"),
        .reference = kFloorReports,
        .specification = kQuotientDefined,
        .defined = true,
@@ -130,8 +124,8 @@ void add_quotients(std::vector<Bug>& bugs) {
        .points = points({{word(7.75f), word(2.0f)}, {word(-7.25f), word(3.0f)}, {word(1023.5f), word(4.0f)}},
                         [](const Words& in) { return Words{word(std::floor(as_float(in[0])) / as_float(in[1]))}; })});
   bugs.push_back(
-      {.function = function("bugs.floor_of_quotient", "x:f32 y:f32 = floor:f32",
-                            "return uvec4(bits_of(floor(float_of(a.x) / float_of(a.y))), 0u, 0u, 0u);"),
+      {.function = bug_function("bugs.floor_of_quotient", "x:f32 y:f32 = floor:f32",
+                                "return uvec4(bits_of(floor(float_of(a.x) / float_of(a.y))), 0u, 0u, 0u);"),
        .reference = kFloorReports,
        .specification = kQuotientDefined,
        .defined = true,
@@ -140,8 +134,8 @@ void add_quotients(std::vector<Bug>& bugs) {
                          {word(-5.0f), word(2.0f)},
                          {word(1000.5f), word(7.0f)}},
                         [](const Words& in) { return Words{word(std::floor(as_float(in[0]) / as_float(in[1])))}; })});
-  bugs.push_back({.function = function("bugs.floor_of_whole_quotient", "x:f32 y:f32 = floor:f32",
-                                       "return uvec4(bits_of(floor(float_of(a.x) / float_of(a.y))), 0u, 0u, 0u);"),
+  bugs.push_back({.function = bug_function("bugs.floor_of_whole_quotient", "x:f32 y:f32 = floor:f32",
+                                           "return uvec4(bits_of(floor(float_of(a.x) / float_of(a.y))), 0u, 0u, 0u);"),
                   .reference = kFloorReports,
                   .specification = kQuotientOpen,
                   .defined = false,
@@ -155,8 +149,8 @@ void add_quotients(std::vector<Bug>& bugs) {
 void add_mod(std::vector<Bug>& bugs) {
   constexpr std::string_view kModReports =
       "WebGL conformance/glsl/bugs/modulo-arithmetic-accuracy; Kenix3/libultraship 1096 (PowerVR, at integers)";
-  bugs.push_back({.function = function("bugs.mod_of_multiple", "x:f32 y:f32 = remainder:f32",
-                                       "return uvec4(bits_of(mod(float_of(a.x), float_of(a.y))), 0u, 0u, 0u);"),
+  bugs.push_back({.function = bug_function("bugs.mod_of_multiple", "x:f32 y:f32 = remainder:f32",
+                                           "return uvec4(bits_of(mod(float_of(a.x), float_of(a.y))), 0u, 0u, 0u);"),
                   .reference = kModReports,
                   .specification = kQuotientOpen,
                   .defined = false,
@@ -165,8 +159,8 @@ void add_mod(std::vector<Bug>& bugs) {
                                     {word(343.0f), word(49.0f)},
                                     {word(-22.0f), word(11.0f)}},
                                    [](const Words&) { return Words{word(0.0f)}; })});
-  bugs.push_back({.function = function("bugs.mod_between_multiples", "x:f32 y:f32 = remainder:f32",
-                                       "return uvec4(bits_of(mod(float_of(a.x), float_of(a.y))), 0u, 0u, 0u);"),
+  bugs.push_back({.function = bug_function("bugs.mod_between_multiples", "x:f32 y:f32 = remainder:f32",
+                                           "return uvec4(bits_of(mod(float_of(a.x), float_of(a.y))), 0u, 0u, 0u);"),
                   .reference = kModReports,
                   .specification = kQuotientDefined,
                   .defined = true,
@@ -206,27 +200,27 @@ std::vector<BugPoint> contraction_points() {
 }
 
 void add_contraction(std::vector<Bug>& bugs) {
-  bugs.push_back({.function = function("bugs.contracted_despite_precise", kContractionColumns,
-                                       "precise HN_HIGHP float x = float_of(a.x);\n"
-                                       "precise HN_HIGHP float y = float_of(a.y);\n"
-                                       "precise HN_HIGHP float large = float_of(a.z);\n"
-                                       "precise HN_HIGHP float product = x * y;\n"
-                                       "precise HN_HIGHP float residue = x * y + (-product);\n"
-                                       "precise HN_HIGHP float rest = (large + x) - large;\n"
-                                       "return uvec4(bits_of(residue), rest != x ? 1u : 0u, 0u, 0u);"),
+  bugs.push_back({.function = bug_function("bugs.contracted_despite_precise", kContractionColumns,
+                                           "precise HN_HIGHP float x = float_of(a.x);\n"
+                                           "precise HN_HIGHP float y = float_of(a.y);\n"
+                                           "precise HN_HIGHP float large = float_of(a.z);\n"
+                                           "precise HN_HIGHP float product = x * y;\n"
+                                           "precise HN_HIGHP float residue = x * y + (-product);\n"
+                                           "precise HN_HIGHP float rest = (large + x) - large;\n"
+                                           "return uvec4(bits_of(residue), rest != x ? 1u : 0u, 0u, 0u);"),
                   .reference = kContractionReports,
                   .specification = kPrecise,
                   .defined = true,
                   .profiles = "gl400 es320",
                   .points = contraction_points()});
-  bugs.push_back({.function = function("bugs.contracted", kContractionColumns,
-                                       "HN_HIGHP float x = float_of(a.x);\n"
-                                       "HN_HIGHP float y = float_of(a.y);\n"
-                                       "HN_HIGHP float large = float_of(a.z);\n"
-                                       "HN_HIGHP float product = x * y;\n"
-                                       "HN_HIGHP float residue = x * y + (-product);\n"
-                                       "HN_HIGHP float rest = (large + x) - large;\n"
-                                       "return uvec4(bits_of(residue), rest != x ? 1u : 0u, 0u, 0u);"),
+  bugs.push_back({.function = bug_function("bugs.contracted", kContractionColumns,
+                                           "HN_HIGHP float x = float_of(a.x);\n"
+                                           "HN_HIGHP float y = float_of(a.y);\n"
+                                           "HN_HIGHP float large = float_of(a.z);\n"
+                                           "HN_HIGHP float product = x * y;\n"
+                                           "HN_HIGHP float residue = x * y + (-product);\n"
+                                           "HN_HIGHP float rest = (large + x) - large;\n"
+                                           "return uvec4(bits_of(residue), rest != x ? 1u : 0u, 0u, 0u);"),
                   .reference = kContractionReports,
                   .specification = kImprecise,
                   .defined = false,
@@ -238,9 +232,9 @@ void add_contraction(std::vector<Bug>& bugs) {
 void add_denormals(std::vector<Bug>& bugs) {
   constexpr std::string_view kReports = "denormals flushed: allowed, and seen on several drivers (llvmpipe among them)";
   bugs.push_back(
-      {.function = function("bugs.denormals_kept", "x:f32 y:f32 = product:f32 sum:f32",
-                            "HN_HIGHP float x = float_of(a.x);\nHN_HIGHP float y = float_of(a.y);\n"
-                            "return uvec4(bits_of(x * y), bits_of(x * y + x * y), 0u, 0u);"),
+      {.function = bug_function("bugs.denormals_kept", "x:f32 y:f32 = product:f32 sum:f32",
+                                "HN_HIGHP float x = float_of(a.x);\nHN_HIGHP float y = float_of(a.y);\n"
+                                "return uvec4(bits_of(x * y), bits_of(x * y + x * y), 0u, 0u);"),
        .reference = kReports,
        .specification = "GLSL 4.60 section 4.7.1: any denormalized value, input or output, may be flushed to 0",
        .defined = false,
@@ -249,9 +243,9 @@ void add_denormals(std::vector<Bug>& bugs) {
          return Words{word(product), word(product + product)};
        })});
   bugs.push_back(
-      {.function = function("bugs.small_normals_kept", "x:f32 y:f32 = product:f32 sum:f32",
-                            "HN_HIGHP float x = float_of(a.x);\nHN_HIGHP float y = float_of(a.y);\n"
-                            "return uvec4(bits_of(x * y), bits_of(x * y + x * y), 0u, 0u);"),
+      {.function = bug_function("bugs.small_normals_kept", "x:f32 y:f32 = product:f32 sum:f32",
+                                "HN_HIGHP float x = float_of(a.x);\nHN_HIGHP float y = float_of(a.y);\n"
+                                "return uvec4(bits_of(x * y), bits_of(x * y + x * y), 0u, 0u);"),
        .reference = kReports,
        .specification =
            "GLSL 4.60 section 4.7.1: what is no denormal is not flushed, and these products and sums are exact",
@@ -268,8 +262,8 @@ void add_denormals(std::vector<Bug>& bugs) {
 
 void add_conversions(std::vector<Bug>& bugs) {
   constexpr std::string_view kReports = "uint to float rounded wrongly, seen on several drivers";
-  bugs.push_back({.function = function("bugs.uint_to_float_exact", "x:u32 = converted:f32 as_int:f32",
-                                       "return uvec4(bits_of(float(a.x)), bits_of(float(int(a.x >> 8))), 0u, 0u);"),
+  bugs.push_back({.function = bug_function("bugs.uint_to_float_exact", "x:u32 = converted:f32 as_int:f32",
+                                           "return uvec4(bits_of(float(a.x)), bits_of(float(int(a.x >> 8))), 0u, 0u);"),
                   .reference = kReports,
                   .specification = "GLSL 4.60 section 4.7.1: float has a 24-bit significand, which these integers fit",
                   .defined = true,
@@ -279,16 +273,16 @@ void add_conversions(std::vector<Bug>& bugs) {
                         return Words{word(static_cast<float>(x)), word(static_cast<float>(x >> 8))};
                       })});
   bugs.push_back(
-      {.function = function("bugs.uint_to_float_rounded", "x:u32 = converted:f32",
-                            "return uvec4(bits_of(float(a.x)), 0u, 0u, 0u);"),
+      {.function = bug_function("bugs.uint_to_float_rounded", "x:u32 = converted:f32",
+                                "return uvec4(bits_of(float(a.x)), 0u, 0u, 0u);"),
        .reference = kReports,
        .specification = "GLSL 4.60 section 4.7.1 leaves the rounding mode open; here to nearest, ties to even",
        .defined = false,
        .points = points_of<std::uint32_t>({16777217u, 16777219u, 0xFFFFFFFFu, 0x80000081u, 0x7FFFFFFFu},
                                           [](std::uint32_t x) { return Words{word(static_cast<float>(x))}; })});
   bugs.push_back(
-      {.function = function("bugs.uint_of_negative_float", "x:f32 = converted:u32",
-                            "return uvec4(uint(float_of(a.x)), 0u, 0u, 0u);"),
+      {.function = bug_function("bugs.uint_of_negative_float", "x:f32 = converted:u32",
+                                "return uvec4(uint(float_of(a.x)), 0u, 0u, 0u);"),
        .reference = "KhronosGroup/WebGL 3101",
        .specification =
            "GLSL 4.60 and GLSL ES 3.00 section 5.4.1: a negative float to uint is undefined; here by way of int",
@@ -296,9 +290,9 @@ void add_conversions(std::vector<Bug>& bugs) {
        .points = points_of<float>({-1.0f, -2.75f, -65536.0f},
                                   [](float x) { return Words{word(static_cast<std::int32_t>(x))}; })});
   bugs.push_back(
-      {.function = function("bugs.int_of_float", "x:f32 = converted:i32 floored:i32",
-                            "HN_HIGHP float x = float_of(a.x);\n"
-                            "return uvec4(uint(int(x)), uint(int(floor(x))), 0u, 0u);"),
+      {.function = bug_function("bugs.int_of_float", "x:f32 = converted:i32 floored:i32",
+                                "HN_HIGHP float x = float_of(a.x);\n"
+                                "return uvec4(uint(int(x)), uint(int(floor(x))), 0u, 0u);"),
        .reference = "Kenix3/libultraship 1096 (PowerVR, at integers)",
        .specification = "GLSL 4.60 section 5.4.1: the fractional part is dropped; floor of a whole number is itself",
        .defined = true,
@@ -309,7 +303,7 @@ void add_conversions(std::vector<Bug>& bugs) {
 
 void add_folding(std::vector<Bug>& bugs) {
   bugs.push_back(
-      {.function = function(
+      {.function = bug_function(
            "bugs.folded_floats", "x:f32 y:f32 = constant:f32 variable:f32 product:f32 variable_product:f32",
            "HN_HIGHP float x = float_of(a.x);\nHN_HIGHP float y = float_of(a.y);\n"
            "HN_HIGHP float difference = 3.0 - 0.0000152587890625;\n"
@@ -325,10 +319,10 @@ void add_folding(std::vector<Bug>& bugs) {
          return Words{difference, difference, product, product};
        })});
   bugs.push_back(
-      {.function = function("bugs.highp_beside_mediump", "x:f32 y:u32 = sum:f32 product:f32 word:u32",
-                            "HN_HIGHP float x = float_of(a.x);\n"
-                            "mediump float one = 1.0;\nmediump uint three = 3u;\n"
-                            "return uvec4(bits_of((x + one) - 1.0), bits_of(x * one), a.y * three, 0u);"),
+      {.function = bug_function("bugs.highp_beside_mediump", "x:f32 y:u32 = sum:f32 product:f32 word:u32",
+                                "HN_HIGHP float x = float_of(a.x);\n"
+                                "mediump float one = 1.0;\nmediump uint three = 3u;\n"
+                                "return uvec4(bits_of((x + one) - 1.0), bits_of(x * one), a.y * three, 0u);"),
        .reference = "ashima/webgl-noise 25 (iOS); stegu/webgl-noise 11",
        .specification = "GLSL ES 3.00 section 4.5.2: an operation has the highest precision of its operands, and "
                         "literals have none; highp has 24 and 32 bits",

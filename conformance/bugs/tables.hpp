@@ -14,6 +14,13 @@ void add_integer_bugs(std::vector<Bug>& bugs);
 void add_float_bugs(std::vector<Bug>& bugs);
 void add_flow_bugs(std::vector<Bug>& bugs);
 
+inline float as_float(std::uint32_t value) { return std::bit_cast<float>(value); }
+
+// What a bug evaluates. It needs nothing of the library but HN_HIGHP.
+inline Function bug_function(std::string_view id, std::string_view columns, std::string_view body) {
+  return make_function(id, "config.glsl", columns, Accuracy::exact, body);
+}
+
 constexpr std::uint32_t word(std::uint32_t value) { return value; }
 constexpr std::uint32_t word(std::int32_t value) { return static_cast<std::uint32_t>(value); }
 constexpr std::uint32_t word(float value) { return std::bit_cast<std::uint32_t>(value); }
