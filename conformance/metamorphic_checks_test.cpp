@@ -126,8 +126,10 @@ TEST_F(Metamorphic, ADriverGetsAsManyTwinPointsAsItsSessionSays) {
   Session session({sources_, reference_, HN_GOLDEN_DIRECTORY, 1}, *context_);
   constexpr std::string_view kGl = "hash.word.pcg.exact.fragment.gl330.twin";
   constexpr std::string_view kEs = "hash.word.pcg.exact.fragment.es300.twin";
-  EXPECT_EQ(run(session, kGl).samples, 1u << 20);
-  EXPECT_EQ(run(session, kEs).samples, 1u << 16);
+  EXPECT_EQ(run(session, "hash.word.lattice.exact.fragment.gl330.twin").samples, 1u << 20);
+  EXPECT_EQ(run(session, "hash.word.lattice.exact.fragment.es300.twin").samples, 1u << 16);
+  EXPECT_EQ(run(session, kGl).samples, 1u << 18);
+  EXPECT_EQ(run(session, kEs).samples, 1u << 14);
   session.most_points = 1000;
   for (const std::string_view id : {kGl, kEs}) {
     const Outcome outcome = run(session, id);
