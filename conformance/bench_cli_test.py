@@ -170,6 +170,7 @@ class BenchCli(unittest.TestCase):
             (["--against", f"v={shader}:1.0", "--against", f"v={shader}:2.0"], "two of the name v"),
             (["--filter", "nothing*"], "no subject matches", "noise2d.perlin.lattice"),
             (["--driver", "voodoo"], "there are: osmesa, egl"),
+            (["--driver", "egl-gles"], "desktop OpenGL"),
             (["--baseline", self.folder / "none.json"], "cannot read the baseline", "none.json"),
             (["--baseline", self.folder / "text.json"], "text.json is no bench.json"),
             (["--baseline", self.folder / "results.json"], "results.json is no bench.json"),

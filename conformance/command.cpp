@@ -9,14 +9,19 @@ int usage_error(const std::string& message) {
   return kBadUsage;
 }
 
-std::string driver_names() {
+std::string driver_names(DriverKind kind) {
   std::string names;
-  for (const Driver& driver : all_drivers(0)) names += fmt::format("{}{}", names.empty() ? "" : ", ", driver.name);
+  for (const Driver& driver : all_drivers(0)) {
+    const bool has_context = !driver.browser && !driver.is_reference_compiler();
+    if (kind == DriverKind::with_context && !has_context) continue;
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", driver.name);
+  }
   return names + ", egl-device:N, egl-device:N-gles";
 }
 
 int unknown_driver(const std::string& name) {
-  return usage_error(fmt::format("there is no driver \"{}\"; there are: {}", name, driver_names()));
+  return usage_error(
+      fmt::format("there is no driver \"{}\"; there are: {}", name, driver_names(DriverKind::with_context)));
 }
 
 tl::expected<OpenDriver, int> open_driver(const std::string& name, const std::string& command_line) {
@@ -29,6 +34,9 @@ tl::expected<OpenDriver, int> open_driver(const std::string& name, const std::st
   if (!context) {
     fmt::print(stderr, "hn-conform: the driver {} cannot be used here: {}\n", name, context.error().text());
     return tl::unexpected(kNoDriver);
+  }
+  if ((*context)->api() != Api::gl) {
+    return tl::unexpected(usage_error(fmt::format("{} is OpenGL ES; what measures needs desktop OpenGL", name)));
   }
   Provenance provenance{now(), command_line, name, describe(**context)};
   return OpenDriver{std::move(*context), std::move(provenance)};

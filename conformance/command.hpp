@@ -22,8 +22,9 @@ constexpr int kNoDriver = 3;
 int usage_error(const std::string& message);
 int unknown_driver(const std::string& name);
 
-// "osmesa, egl, ..."
-std::string driver_names();
+// "osmesa, egl, ..."; of those that give a context, or of all.
+enum class DriverKind { with_context, any };
+std::string driver_names(DriverKind kind);
 
 int drivers_command();
 int list_command(const std::vector<std::string>& filters, bool about);

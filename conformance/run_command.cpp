@@ -79,7 +79,9 @@ Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted) {
       add(driver.name);
       found = true;
     }
-    if (!found) return fail(fmt::format("there is no driver \"{}\"; there are: {}, and all", name, driver_names()));
+    if (!found)
+      return fail(
+          fmt::format("there is no driver \"{}\"; there are: {}, and all", name, driver_names(DriverKind::any)));
   }
   return choice;
 }
