@@ -20,7 +20,8 @@ readonly conform_packages=(
   libegl-dev libglfw3-dev libosmesa6 libegl1 libegl-mesa0 libgl1-mesa-dri
 )
 readonly paper_packages=(libvulkan1 mesa-vulkan-drivers)
-readonly driver_packages=("${paper_packages[@]}" chromium libglfw3 xvfb)
+# GLFW loads the libraries of OpenGL by their names.
+readonly driver_packages=("${paper_packages[@]}" chromium libgl1 libgles2 libglfw3 libglx-mesa0 xvfb)
 readonly test_packages=("${driver_packages[@]}" clang libclang-rt-dev libgtest-dev python3)
 
 install_missing() {
