@@ -38,13 +38,6 @@ Result<Pipe> make_pipe() {
   return made;
 }
 
-std::vector<char*> pointers_to(std::vector<std::string>& texts) {
-  std::vector<char*> pointers;
-  for (std::string& text : texts) pointers.push_back(text.data());
-  pointers.push_back(nullptr);
-  return pointers;
-}
-
 // In the child, between fork and exec, where only async-signal-safe functions may be called. Returns where it failed.
 void become(const char* program, char* const* arguments, char** environment, const char* output, int reports,
             pid_t parent) {
@@ -67,6 +60,13 @@ void become(const char* program, char* const* arguments, char** environment, con
 
 FileDescriptor::~FileDescriptor() {
   if (fd_ >= 0) close(fd_);
+}
+
+std::vector<char*> pointers_to(std::vector<std::string>& texts) {
+  std::vector<char*> pointers;
+  for (std::string& text : texts) pointers.push_back(text.data());
+  pointers.push_back(nullptr);
+  return pointers;
 }
 
 Result<Process> start_process(const ProcessOptions& options) {

@@ -57,6 +57,9 @@ struct Process {
 // The system kills the child when the thread that started it ends (on Linux), however that comes.
 Result<Process> start_process(const ProcessOptions& options);
 
+// The texts as exec takes them, for as long as they are; the last pointer is null.
+std::vector<char*> pointers_to(std::vector<std::string>& texts);
+
 // This program, also while a newer one takes its place in the file system.
 std::filesystem::path own_program();
 

@@ -27,9 +27,6 @@ constexpr std::size_t kLogEnd = 2000;
 // A process for each would load a driver for a moment's work.
 constexpr std::size_t kFewestCasesPerProcess = 200;
 
-// "noise2d.perlin" of "noise2d.perlin.lattice..."
-std::string_view function_of(std::string_view id) { return id.substr(0, id.find('.', id.find('.') + 1)); }
-
 // The cases of a driver, or a part of them: what is done, what is not, and its process.
 class Lane {
  public:

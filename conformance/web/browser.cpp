@@ -7,7 +7,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <stdexcept>
 
+#include "results.hpp"
 #include "web/chromium.hpp"
 #include "web/page_server.hpp"
 #include "web/suite.hpp"
@@ -23,25 +25,9 @@ constexpr auto kLongestStart = std::chrono::seconds(60);
 constexpr auto kPoll = std::chrono::milliseconds(100);
 
 ContextInfo info_of(const Json& event) {
-  ContextInfo info{event.at("vendor"), event.at("renderer"), event.at("gl_version"), event.at("glsl_version"), {}};
+  ContextInfo info = context_info_from(event);
   info.languages = kWebGl2Languages;
   return info;
-}
-
-CaseResult result_of(const Json& event) {
-  CaseResult result{event.at("id"), {}, event.at("seconds")};
-  Outcome& outcome = result.outcome;
-  outcome.status = status_named(event.at("status").get<std::string>()).value_or(Status::error);
-  outcome.samples = event.at("samples");
-  outcome.mismatches = event.at("mismatches");
-  outcome.max_abs = event.at("max_abs");
-  outcome.max_ulp = event.at("max_ulp");
-  outcome.message = event.at("message");
-  for (const Json& example : event.at("examples")) {
-    outcome.examples.push_back(
-        {example.at("point"), example.at("words"), example.at("inputs"), example.at("got"), example.at("expected")});
-  }
-  return result;
 }
 
 // What came of the cases so far, from what the page says.
@@ -55,7 +41,9 @@ class Conversation {
     try {
       hear(Json::parse(message));
     } catch (const Json::exception& exception) {
-      error_ = Error{fmt::format("the page says what nobody understands: {}", exception.what()), message};
+      misunderstand(exception, message);
+    } catch (const std::invalid_argument& exception) {
+      misunderstand(exception, message);
     }
   }
 
@@ -74,7 +62,7 @@ class Conversation {
       finish_unsupported_until(running_);
       events_.started(running_);
     } else if (type == "finished") {
-      events_.finished(result_of(event));
+      events_.finished(case_result_from(event));
       running_.clear();
       ++next_;
     } else if (type == "done") {
@@ -85,6 +73,10 @@ class Conversation {
       error_ = Error{fmt::format("the page could not go on: {}", message), {}};
       if (!ready_ && message.find("WebGL2") != std::string::npos) tell_absent();
     }
+  }
+
+  void misunderstand(const std::exception& exception, const std::string& message) {
+    error_ = Error{fmt::format("the page says what nobody understands: {}", exception.what()), message};
   }
 
   void tell_absent() const {

@@ -17,19 +17,14 @@
 #include <iterator>
 #include <utility>
 
+#include "process.hpp"
+
 namespace hn {
 namespace {
 
 constexpr int kPollMilliseconds = 50;
 // Of a log, for a message: about ten lines.
 constexpr std::size_t kMostOfLog = 2000;
-
-std::vector<char*> pointers_to(std::vector<std::string>& texts) {
-  std::vector<char*> pointers;
-  for (std::string& text : texts) pointers.push_back(text.data());
-  pointers.push_back(nullptr);
-  return pointers;
-}
 
 // What the guard needs; made before it is, since another thread may hold a lock when we fork.
 struct Plan {
