@@ -20,6 +20,14 @@ list(APPEND configurations
   "lattice+period48 HN_PERIOD=48"
   "lattice+period1048576 HN_PERIOD=1048576"
   "fnv1+sine+period1048576 HN_HASH=HN_HASH_FNV1 HN_GRADIENT=HN_GRADIENT_SINE HN_PERIOD=1048576")
+foreach(arithmetic precise fixed)
+  string(TOUPPER ${arithmetic} upper)
+  list(APPEND configurations
+    "lattice+${arithmetic} HN_ARITHMETIC=HN_${upper}"
+    "fnv1+${arithmetic} HN_HASH=HN_HASH_FNV1 HN_ARITHMETIC=HN_${upper}"
+    "lattice+sine+${arithmetic} HN_GRADIENT=HN_GRADIENT_SINE HN_ARITHMETIC=HN_${upper}"
+    "lattice+period48+${arithmetic} HN_PERIOD=48 HN_ARITHMETIC=HN_${upper}")
+endforeach()
 
 set(configurations_inc "")
 set(twins "")

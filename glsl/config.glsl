@@ -7,6 +7,9 @@
 //   HN_HASH_FN(k)    with HN_HASH_CUSTOM: your hash, a uint for a uint.
 //   HN_GRADIENT      what the noise makes of a hash: HN_GRADIENT_OCTAHEDRAL (the default), or HN_GRADIENT_SINE, the
 //                    paper's gradient, for those who want its noise.
+//   HN_ARITHMETIC    what the noise is computed in: HN_FAST (the default), floats, within a stated error; HN_PRECISE,
+//                    floats whose bits are those of IEEE arithmetic, from GLSL 4.00 and GLSL ES 3.20 on; HN_FIXED,
+//                    integers, the same bits on every driver.
 //   HN_PERIOD        after how many cells the noise repeats along each axis: a whole number up to 2^20, or a power of
 //                    two up to 2^30. Default 0: after 2^32.
 //   HN_FBM_NOISE2D(q, seed), HN_FBM_NOISE3D(q, seed)
@@ -17,7 +20,7 @@
 #define HN_CONFIG_GLSL
 
 #define HN_VERSION_MAJOR 0
-#define HN_VERSION_MINOR 1
+#define HN_VERSION_MINOR 2
 #define HN_VERSION_PATCH 0
 
 #ifdef __cplusplus
@@ -88,6 +91,30 @@
 
 #if HN_GRADIENT < 1 || HN_GRADIENT > 2
 #error HN_GRADIENT is neither HN_GRADIENT_OCTAHEDRAL nor HN_GRADIENT_SINE
+#endif
+
+#define HN_FAST 1
+#define HN_PRECISE 2
+#define HN_FIXED 3
+
+#ifndef HN_ARITHMETIC
+#define HN_ARITHMETIC HN_FAST
+#endif
+
+#if HN_ARITHMETIC < 1 || HN_ARITHMETIC > 3
+#error HN_ARITHMETIC is none of HN_FAST, HN_PRECISE, HN_FIXED
+#endif
+
+// Before the type of every float that is computed: each operation is rounded on its own, in the order that is written.
+// The qualifier does not reach through a call, so it stands on the locals of every function.
+#if HN_ARITHMETIC != HN_PRECISE || defined(__cplusplus)
+#define HN_I_PRECISE
+#elif defined(GL_ES) && __VERSION__ < 320
+#error HN_PRECISE needs GLSL ES 3.20 or later: write #version 320 es, or take HN_FIXED
+#elif !defined(GL_ES) && __VERSION__ < 400
+#error HN_PRECISE needs GLSL 4.00 or later: write #version 400, or take HN_FIXED
+#else
+#define HN_I_PRECISE precise
 #endif
 
 #ifndef HN_PERIOD

@@ -11,6 +11,10 @@
 #include "noise2d.glsl"
 #include "noise3d.glsl"
 
+#if HN_ARITHMETIC == HN_FIXED
+#include "fbm_fixed.glsl"
+#else
+
 #ifndef HN_FBM_NOISE2D
 #define HN_FBM_NOISE2D(q, seed) hn_perlin(q, seed)
 #endif
@@ -18,66 +22,87 @@
 #define HN_FBM_NOISE3D(q, seed) hn_perlin(q, seed)
 #endif
 
+#if HN_ARITHMETIC == HN_FAST
+HN_FN HN_HIGHP float hn_i_quotient(HN_HIGHP float sum, HN_HIGHP float total) { return sum / total; }
+#else
+// GLSL leaves the last bits of a division open. So by Newton's method for the reciprocal, from an eighth off: each step
+// squares the error. For a total from 1 to 2^100.
+HN_FN HN_HIGHP float hn_i_quotient(HN_HIGHP float sum, HN_HIGHP float total) {
+  HN_I_PRECISE HN_HIGHP float r = uintBitsToFloat(0x7EF311C7u - floatBitsToUint(total));
+  for (HN_HIGHP int i = 0; i < 4; ++i) r = r * (2.0f - total * r);
+  HN_I_PRECISE HN_HIGHP float quotient = sum * r;
+  return quotient;
+}
+#endif
+
 // The mean of the octaves, or of their absolute values, weighted by gain^i. Each octave has a seed of its own, 2^32
 // divided by the golden ratio further, so that the octaves of nearby seeds do not coincide either. The shift keeps
 // their lattice points, where the noise is 0, from falling together at the origin.
 HN_FN HN_HIGHP float hn_i_octaves(HN_HIGHP vec2 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain,
                                   HN_HIGHP uint seed, bool absolute) {
-  HN_HIGHP float sum = 0.0f;
-  HN_HIGHP float total = 0.0f;
-  HN_HIGHP float amplitude = 1.0f;
+  HN_I_PRECISE HN_HIGHP vec2 q = p;
+  HN_I_PRECISE HN_HIGHP float sum = 0.0f;
+  HN_I_PRECISE HN_HIGHP float total = 0.0f;
+  HN_I_PRECISE HN_HIGHP float amplitude = 1.0f;
   for (HN_HIGHP int i = 0; i < octaves; ++i) {
-    HN_HIGHP float n = HN_FBM_NOISE2D(p, seed);
+    HN_HIGHP float n = HN_FBM_NOISE2D(q, seed);
     sum += amplitude * (absolute ? abs(n) : n);
     total = 1.0f + gain * total;
     amplitude *= gain;
-    p = p * lacunarity + vec2(11.0f / 32.0f, 19.0f / 32.0f);
+    q = q * lacunarity + vec2(11.0f / 32.0f, 19.0f / 32.0f);
     seed += 0x9E3779B9u;
   }
-  return octaves < 1 ? 0.0f : sum / total;
+  return octaves < 1 ? 0.0f : hn_i_quotient(sum, total);
 }
 
 HN_FN HN_HIGHP float hn_i_octaves(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain,
                                   HN_HIGHP uint seed, bool absolute) {
-  HN_HIGHP float sum = 0.0f;
-  HN_HIGHP float total = 0.0f;
-  HN_HIGHP float amplitude = 1.0f;
+  HN_I_PRECISE HN_HIGHP vec3 q = p;
+  HN_I_PRECISE HN_HIGHP float sum = 0.0f;
+  HN_I_PRECISE HN_HIGHP float total = 0.0f;
+  HN_I_PRECISE HN_HIGHP float amplitude = 1.0f;
   for (HN_HIGHP int i = 0; i < octaves; ++i) {
-    HN_HIGHP float n = HN_FBM_NOISE3D(p, seed);
+    HN_HIGHP float n = HN_FBM_NOISE3D(q, seed);
     sum += amplitude * (absolute ? abs(n) : n);
     total = 1.0f + gain * total;
     amplitude *= gain;
-    p = p * lacunarity + vec3(11.0f / 32.0f, 19.0f / 32.0f, 23.0f / 32.0f);
+    q = q * lacunarity + vec3(11.0f / 32.0f, 19.0f / 32.0f, 23.0f / 32.0f);
     seed += 0x9E3779B9u;
   }
-  return octaves < 1 ? 0.0f : sum / total;
+  return octaves < 1 ? 0.0f : hn_i_quotient(sum, total);
 }
 
 // Makes a sky of an fBm: clear where it is below -1/8, dense above 3/8, a smooth step between.
 HN_FN HN_HIGHP float hn_i_cloud_density(HN_HIGHP float fbm) {
-  HN_HIGHP float t = min(max(2.0f * fbm + 0.25f, 0.0f), 1.0f);
-  return t * t * (3.0f - 2.0f * t);
+  HN_I_PRECISE HN_HIGHP float t = min(max(2.0f * fbm + 0.25f, 0.0f), 1.0f);
+  HN_I_PRECISE HN_HIGHP float density = t * t * (3.0f - 2.0f * t);
+  return density;
 }
+
+#endif
 
 // Fractional Brownian motion: octaves of noise, each finer by the lacunarity and weaker by the gain.
 //   p           position, in cells of the first octave; (|p| + 1) * lacunarity^octaves < 2^23, for a lacunarity of 2
 //               or more
 //   octaves     how many; 0 for less than 1
 //   lacunarity  ratio of frequencies, usually 2
-//   gain        ratio of amplitudes, usually 0.5; not negative, and the sum of its powers below 2^126
+//   gain        ratio of amplitudes, usually 0.5; not negative, and the sum of its powers below 2^126 (HN_PRECISE:
+//               2^100)
 //   seed        any uint, 0 if left out; different seeds give independent fields
 //   returns     [-1, 1], mean 0
 //   error       grows with |p| * lacunarity^octaves, since a float rounds the positions (docs/accuracy.md)
 //   cost        1 noise per octave
+//   HN_FIXED    counts a gain above 1 as 1, a lacunarity beyond [0, 255] as 0 or 255, and no octaves beyond 32;
+//               positions repeat after 2^32 cells of any octave, and their error does not grow with |p|
 //   source      Musgrave, in "Texturing and Modeling: A Procedural Approach"
 HN_FN HN_HIGHP float hn_fbm(HN_HIGHP vec2 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain,
                             HN_HIGHP uint seed) {
-  return hn_i_octaves(p, octaves, lacunarity, gain, seed, false);
+  return hn_i_value(hn_i_octaves(p, octaves, lacunarity, gain, seed, false));
 }
 
 HN_FN HN_HIGHP float hn_fbm(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain,
                             HN_HIGHP uint seed) {
-  return hn_i_octaves(p, octaves, lacunarity, gain, seed, false);
+  return hn_i_value(hn_i_octaves(p, octaves, lacunarity, gain, seed, false));
 }
 
 HN_FN HN_HIGHP float hn_fbm(HN_HIGHP vec2 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain) {
@@ -94,12 +119,12 @@ HN_FN HN_HIGHP float hn_fbm(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIGHP floa
 //   source   Perlin, "An image synthesizer", 1985; Valdenegro-Toro and Pincheira, fig. 6
 HN_FN HN_HIGHP float hn_turbulence(HN_HIGHP vec2 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity,
                                    HN_HIGHP float gain, HN_HIGHP uint seed) {
-  return hn_i_octaves(p, octaves, lacunarity, gain, seed, true);
+  return hn_i_value(hn_i_octaves(p, octaves, lacunarity, gain, seed, true));
 }
 
 HN_FN HN_HIGHP float hn_turbulence(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity,
                                    HN_HIGHP float gain, HN_HIGHP uint seed) {
-  return hn_i_octaves(p, octaves, lacunarity, gain, seed, true);
+  return hn_i_value(hn_i_octaves(p, octaves, lacunarity, gain, seed, true));
 }
 
 HN_FN HN_HIGHP float hn_turbulence(HN_HIGHP vec2 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity,
@@ -118,12 +143,12 @@ HN_FN HN_HIGHP float hn_turbulence(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIG
 //   source   after the cloud images of Valdenegro-Toro and Pincheira, fig. 6, which the paper gives no formula for
 HN_FN HN_HIGHP float hn_clouds(HN_HIGHP vec2 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain,
                                HN_HIGHP uint seed) {
-  return hn_i_cloud_density(hn_fbm(p, octaves, lacunarity, gain, seed));
+  return hn_i_value(hn_i_cloud_density(hn_i_octaves(p, octaves, lacunarity, gain, seed, false)));
 }
 
 HN_FN HN_HIGHP float hn_clouds(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain,
                                HN_HIGHP uint seed) {
-  return hn_i_cloud_density(hn_fbm(p, octaves, lacunarity, gain, seed));
+  return hn_i_value(hn_i_cloud_density(hn_i_octaves(p, octaves, lacunarity, gain, seed, false)));
 }
 
 HN_FN HN_HIGHP float hn_clouds(HN_HIGHP vec2 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain) {

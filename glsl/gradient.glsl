@@ -4,10 +4,8 @@
 #ifndef HN_GRADIENT_GLSL
 #define HN_GRADIENT_GLSL
 
+#include "arithmetic.glsl"
 #include "hash.glsl"
-
-// In steps that the corners of a cell share: wrap the coordinates, place them, make a key of x, go on along y and z.
-// HN_GRADIENT decides what each step does.
 
 // A cell's coordinates, wrapped by HN_PERIOD, and those of its far corner.
 #if HN_PERIOD == 0
@@ -36,28 +34,57 @@ HN_FN HN_HIGHP uvec3 hn_i_next(HN_HIGHP uvec3 c) { return uvec3(hn_i_next(c.x), 
 
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
-HN_FN HN_HIGHP uvec2 hn_i_place(HN_HIGHP uvec2 c) { return hn_i_spread(c); }
-HN_FN HN_HIGHP uvec3 hn_i_place(HN_HIGHP uvec3 c) { return hn_i_spread(c); }
-
-// The key of a column (x, and the mixed seed s), and of a row of it.
-HN_FN HN_HIGHP uint hn_i_column(HN_HIGHP uint x, HN_I_UNUSED HN_HIGHP uint s) { return hn_i_key(x); }
-HN_FN HN_HIGHP uint hn_i_row(HN_HIGHP uint column, HN_HIGHP uint y) { return hn_i_key(column, y); }
-
-// The gradient from the last keys and the last coordinate.
-HN_FN HN_HIGHP vec2 hn_i_gradient(HN_HIGHP uint column, HN_HIGHP uint y, HN_HIGHP uint s) {
-  return hn_gradient2(hn_i_mix(hn_i_key(column, y) ^ s));
+// The spread coordinates of a cell's far corner, from those of its near one.
+#if HN_PERIOD == 0
+HN_FN HN_HIGHP uvec2 hn_i_spread_next(HN_HIGHP uvec2 spread, HN_I_UNUSED HN_HIGHP uvec2 c) {
+  return spread + uvec2(0x9E3779B1u, 0x85EBCA77u);
 }
-HN_FN HN_HIGHP vec3 hn_i_gradient(HN_I_UNUSED HN_HIGHP uint column, HN_HIGHP uint row, HN_HIGHP uint z,
-                                  HN_HIGHP uint s) {
-  return hn_gradient3(hn_i_mix(hn_i_key(row, z) ^ s));
+HN_FN HN_HIGHP uvec3 hn_i_spread_next(HN_HIGHP uvec3 spread, HN_I_UNUSED HN_HIGHP uvec3 c) {
+  return spread + uvec3(0x9E3779B1u, 0x85EBCA77u, 0xC2B2AE3Du);
 }
+#else
+HN_FN HN_HIGHP uvec2 hn_i_spread_next(HN_I_UNUSED HN_HIGHP uvec2 spread, HN_HIGHP uvec2 c) {
+  return hn_i_spread(hn_i_next(c));
+}
+HN_FN HN_HIGHP uvec3 hn_i_spread_next(HN_I_UNUSED HN_HIGHP uvec3 spread, HN_HIGHP uvec3 c) {
+  return hn_i_spread(hn_i_next(c));
+}
+#endif
+
+// What a corner adds at a place, given its word.
+#if HN_ARITHMETIC != HN_FIXED
+HN_FN HN_HIGHP float hn_i_ramp(HN_HIGHP uint h, HN_HIGHP float x, HN_HIGHP float y) {
+  HN_HIGHP vec2 g = hn_gradient2(h);
+  HN_I_PRECISE HN_HIGHP float n = g.x * x + g.y * y;
+  return n;
+}
+// u and v are the sum and the difference of x and y, and z is twice that: hn_gradient3 without the turn of p and q to
+// the axes, halved.
+HN_FN HN_HIGHP float hn_i_ramp(HN_HIGHP uint h, HN_HIGHP float u, HN_HIGHP float v, HN_HIGHP float z) {
+  HN_HIGHP float p = hn_i_field3p(h);
+  HN_HIGHP float q = hn_i_field3q(h);
+  HN_I_PRECISE HN_HIGHP float n = p * u + q * v + hn_i_signed(0.5f - max(abs(p), abs(q)), h) * z;
+  return n;
+}
+#else
+// The same with the fields in units of 2^-9. max stands for abs, which drivers got wrong for integers.
+HN_FN HN_HIGHP int hn_i_ramp(HN_HIGHP uint h, HN_HIGHP int x, HN_HIGHP int y) {
+  HN_HIGHP int a = int((h >> 21) & 1022u) - 511;
+  HN_HIGHP int m = 512 - max(a, -a);
+  return a * x + m * ((h & 0x80000000u) != 0u ? -y : y);
+}
+HN_FN HN_HIGHP int hn_i_ramp(HN_HIGHP uint h, HN_HIGHP int u, HN_HIGHP int v, HN_HIGHP int z) {
+  HN_HIGHP int p = int((h >> 22) & 510u) - 255;
+  HN_HIGHP int q = int((h >> 14) & 510u) - 255;
+  HN_HIGHP int m = 256 - max(max(p, -p), max(q, -q));
+  return p * u + q * v + m * ((h & 0x80000000u) != 0u ? -z : z);
+}
+#endif
 
 #else  // HN_GRADIENT_SINE: the coordinates as they are, the hash as published
 
-HN_FN HN_HIGHP uvec2 hn_i_place(HN_HIGHP uvec2 c) { return c; }
-HN_FN HN_HIGHP uvec3 hn_i_place(HN_HIGHP uvec3 c) { return c; }
-
-// The seed comes in behind the first hash: before it, it would only move the field along x.
+// In steps that the corners of a cell share: the key of a column (x, and the mixed seed s), of a row of it, the
+// gradient. The seed comes in behind the first hash: before it, it would only move the field along x.
 HN_FN HN_HIGHP uint hn_i_column(HN_HIGHP uint x, HN_HIGHP uint s) { return hn_hash(x) ^ s; }
 HN_FN HN_HIGHP uint hn_i_row(HN_HIGHP uint column, HN_HIGHP uint y) { return hn_hash(column + y); }
 
@@ -74,38 +101,84 @@ HN_FN HN_HIGHP uint hn_i_excess_bits(HN_HIGHP uint m) {
 #endif
 }
 
-// The paper's sin(float(int)), in radians: of a word as a signed integer, rounded to the 24 bits of a float (to
-// nearest, ties to even). GLSL says neither how that conversion rounds nor what sin makes of so large an argument.
-//   error    below 2^-19
-HN_FN HN_HIGHP float hn_i_sine(HN_HIGHP uint w) {
+// The argument of the paper's sin(float(int)): a word as a signed integer, rounded to the 24 bits of a float (to
+// nearest, ties to even), in turns, modulo 1, in units of 2^-32. GLSL says neither how that conversion rounds nor what
+// sin makes of so large an argument. The result is that of the magnitude.
+HN_FN HN_HIGHP uint hn_i_turns(HN_HIGHP uint w) {
   HN_HIGHP uint m = (w & 0x80000000u) != 0u ? 0u - w : w;
   HN_HIGHP uint k = hn_i_excess_bits(m);
   HN_HIGHP uint unit = 1u << k;
   HN_HIGHP uint rounds = min(k, 1u);
   m = (m + (unit >> 1) - rounds + ((m >> k) & rounds)) & (0u - unit);
-  // In turns, modulo 1, in units of 2^-32: m / 2 pi. 0x28BE60DB9391054A is 2^64 / 2 pi.
+  // m / 2 pi. 0x28BE60DB9391054A is 2^64 / 2 pi.
   HN_HIGHP uint high = m >> 16;
   HN_HIGHP uint low = m & 0xFFFFu;
   HN_HIGHP uint rest = high * 0x054Au + low * 0x9391u;  // in units of 2^-48
-  HN_HIGHP uint turns = m * 0x28BE60DBu + high * 0x9391u + (rest >> 16);
-  // The first quarter of the wave is enough: mirror the second, negate the second half.
+  return m * 0x28BE60DBu + high * 0x9391u + (rest >> 16);
+}
+
+// The first quarter of the wave is enough: mirror the second; the second half is the first, negated. In units of 2^-30
+// of a quarter.
+HN_FN HN_HIGHP uint hn_i_quarter(HN_HIGHP uint turns) {
   HN_HIGHP uint q = turns & 0x7FFFFFFFu;
-  q = min(q, 0x80000000u - q);
-  HN_HIGHP float x = float(q >> 6) * (1.0f / 16777216.0f);
-  HN_HIGHP float t = x * x;
+  return min(q, 0x80000000u - q);
+}
+
+#if HN_ARITHMETIC != HN_FIXED
+// The sine of a word.
+//   error    below 2^-19
+HN_FN HN_HIGHP float hn_i_sine(HN_HIGHP uint w) {
+  HN_HIGHP uint turns = hn_i_turns(w);
+  HN_HIGHP float x = float(hn_i_quarter(turns) >> 6) * (1.0f / 16777216.0f);
+  HN_I_PRECISE HN_HIGHP float t = x * x;
   // sin(x pi / 2) on [0, 1] to 6.3e-7: minimax, held at 1 - 2^-21 at the end so that no rounding takes it beyond 1.
-  HN_HIGHP float sine = x * (1.57079090f + t * (-0.64589171f + t * (0.07943160f + t * -0.00433127f)));
+  HN_I_PRECISE HN_HIGHP float sine = x * (1.57079090f + t * (-0.64589171f + t * (0.07943160f + t * -0.00433127f)));
   return hn_i_signed(sine, turns ^ w);
 }
 
-HN_FN HN_HIGHP vec2 hn_i_gradient(HN_HIGHP uint column, HN_HIGHP uint y, HN_I_UNUSED HN_HIGHP uint s) {
-  HN_HIGHP uint k = hn_hash(column + y);
-  return vec2(hn_i_sine(column + k), hn_i_sine(k + k));
+HN_FN HN_HIGHP float hn_i_ramp(HN_HIGHP vec2 g, HN_HIGHP float x, HN_HIGHP float y) {
+  HN_I_PRECISE HN_HIGHP float n = g.x * x + g.y * y;
+  return n;
 }
-HN_FN HN_HIGHP vec3 hn_i_gradient(HN_HIGHP uint column, HN_HIGHP uint row, HN_HIGHP uint z,
-                                  HN_I_UNUSED HN_HIGHP uint s) {
+HN_FN HN_HIGHP float hn_i_ramp(HN_HIGHP vec3 g, HN_HIGHP float x, HN_HIGHP float y, HN_HIGHP float z) {
+  HN_I_PRECISE HN_HIGHP float n = g.x * x + g.y * y + g.z * z;
+  return n;
+}
+
+HN_FN HN_HIGHP vec2 hn_i_gradient_value(HN_HIGHP vec2 g) { return g; }
+HN_FN HN_HIGHP vec3 hn_i_gradient_value(HN_HIGHP vec3 g) { return g; }
+#else
+// The same polynomial, in units of 2^-16.
+//   error    below 2^-14
+HN_FN HN_HIGHP int hn_i_sine(HN_HIGHP uint w) {
+  HN_HIGHP uint turns = hn_i_turns(w);
+  HN_HIGHP uint x = hn_i_quarter(turns) >> 14;
+  HN_HIGHP uint t = ((x >> 1) * (x >> 1)) >> 14;
+  HN_HIGHP uint y = 102943u - ((t * (42329u - ((t * (5206u - ((t * 284u) >> 16))) >> 16))) >> 16);
+  HN_HIGHP int sine = int((x * (y >> 1) + 16384u) >> 15);
+  return ((turns ^ w) & 0x80000000u) != 0u ? -sine : sine;
+}
+
+// A product of 17 and 21 bits, in units of 2^-28: by the high and by the low byte of g.
+HN_FN HN_HIGHP int hn_i_product(HN_HIGHP int g, HN_HIGHP int x) { return (g >> 8) * x + (((g & 255) * x) >> 8); }
+HN_FN HN_HIGHP int hn_i_ramp(HN_HIGHP ivec2 g, HN_HIGHP int x, HN_HIGHP int y) {
+  return hn_i_product(g.x, x) + hn_i_product(g.y, y);
+}
+HN_FN HN_HIGHP int hn_i_ramp(HN_HIGHP ivec3 g, HN_HIGHP int x, HN_HIGHP int y, HN_HIGHP int z) {
+  return hn_i_product(g.x, x) + hn_i_product(g.y, y) + hn_i_product(g.z, z);
+}
+
+HN_FN HN_HIGHP vec2 hn_i_gradient_value(HN_HIGHP ivec2 g) { return vec2(g) * (1.0f / 65536.0f); }
+HN_FN HN_HIGHP vec3 hn_i_gradient_value(HN_HIGHP ivec3 g) { return vec3(g) * (1.0f / 65536.0f); }
+#endif
+
+HN_FN HN_HIGHP HN_I_NUMBER2 hn_i_gradient(HN_HIGHP uint column, HN_HIGHP uint y) {
+  HN_HIGHP uint k = hn_hash(column + y);
+  return HN_I_NUMBER2(hn_i_sine(column + k), hn_i_sine(k + k));
+}
+HN_FN HN_HIGHP HN_I_NUMBER3 hn_i_gradient(HN_HIGHP uint column, HN_HIGHP uint row, HN_HIGHP uint z) {
   HN_HIGHP uint k = hn_hash(row + z);
-  return vec3(hn_i_sine(k + column), hn_i_sine(k + row), hn_i_sine(k + k));
+  return HN_I_NUMBER3(hn_i_sine(k + column), hn_i_sine(k + row), hn_i_sine(k + k));
 }
 
 #endif
@@ -115,21 +188,34 @@ HN_FN HN_HIGHP vec3 hn_i_gradient(HN_HIGHP uint column, HN_HIGHP uint row, HN_HI
 //   seed     any uint, 0 if left out; different seeds give independent fields
 //   returns  a point of the square or octahedron |x| + |y| (+ |z|) = 1; with HN_GRADIENT_SINE, of the square or cube
 //            [-1, 1]^n
-//   error    none; with HN_GRADIENT_SINE less than 2^-19
-//   period   2^32 along each axis (see hn_lattice), or HN_PERIOD
-//   cost     as hn_lattice; with HN_GRADIENT_SINE 1 hash per axis and a sine of 10 multiplications per component
+//   error    none; with HN_GRADIENT_SINE less than 2^-19 (HN_FIXED: 2^-14)
+//   period   2^32 along each axis, or HN_PERIOD
+//   cost     1 hash (none with HN_HASH_LATTICE), 1 multiplication per axis and 1 more; with HN_GRADIENT_SINE 1 hash per
+//            axis and a sine of 10 multiplications per component
 //   source   for the sine: Valdenegro-Toro and Pincheira, sec. 5
 HN_FN HN_HIGHP vec2 hn_gradient(HN_HIGHP ivec2 cell, HN_HIGHP uint seed) {
-  HN_HIGHP uvec2 c = hn_i_place(hn_i_wrap(cell));
+  HN_HIGHP uvec2 c = hn_i_wrap(cell);
   HN_HIGHP uint s = hn_i_mix(seed);
-  return hn_i_gradient(hn_i_column(c.x, s), c.y, s);
+#if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
+  c = hn_i_spread(c);
+  HN_HIGHP uvec2 j = hn_i_fold(c);
+  return hn_gradient2(hn_i_word(j.x ^ j.y ^ s, hn_i_odd(c.x + c.y + s)));
+#else
+  return hn_i_gradient_value(hn_i_gradient(hn_i_column(c.x, s), c.y));
+#endif
 }
 
 HN_FN HN_HIGHP vec3 hn_gradient(HN_HIGHP ivec3 cell, HN_HIGHP uint seed) {
-  HN_HIGHP uvec3 c = hn_i_place(hn_i_wrap(cell));
+  HN_HIGHP uvec3 c = hn_i_wrap(cell);
   HN_HIGHP uint s = hn_i_mix(seed);
+#if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
+  c = hn_i_spread(c);
+  HN_HIGHP uvec3 j = hn_i_fold(c);
+  return hn_gradient3(hn_i_word(j.x ^ j.y ^ j.z ^ s, hn_i_odd(c.x + c.y + c.z + s)));
+#else
   HN_HIGHP uint column = hn_i_column(c.x, s);
-  return hn_i_gradient(column, hn_i_row(column, c.y), c.z, s);
+  return hn_i_gradient_value(hn_i_gradient(column, hn_i_row(column, c.y), c.z));
+#endif
 }
 
 HN_FN HN_HIGHP vec2 hn_gradient(HN_HIGHP ivec2 cell) { return hn_gradient(cell, 0u); }

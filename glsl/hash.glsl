@@ -105,50 +105,56 @@ HN_FN HN_HIGHP uint hn_hash_xxhash32(HN_HIGHP uint k) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// The hash of a lattice point, in three steps: spread the coordinates, make a key of them, mix.
+// The word of a lattice point.
 
-// Odd multiples (the primes of xxHash) send neighbours far apart, so that what a hash does alike for nearby or mirrored
-// words happens nowhere near the origin. The offset keeps the origin itself from being a word of zeros.
+// The selected hash of one word.
+#if HN_HASH == HN_HASH_FNV1
+HN_FN HN_HIGHP uint hn_i_hash(HN_HIGHP uint k) { return hn_hash_fnv1(k); }
+#elif HN_HASH == HN_HASH_PARTIAL_FNV1
+HN_FN HN_HIGHP uint hn_i_hash(HN_HIGHP uint k) { return hn_hash_partial_fnv1(k); }
+#elif HN_HASH == HN_HASH_JENKINS
+HN_FN HN_HIGHP uint hn_i_hash(HN_HIGHP uint k) { return hn_hash_jenkins(k); }
+#elif HN_HASH == HN_HASH_PARTIAL_JENKINS
+HN_FN HN_HIGHP uint hn_i_hash(HN_HIGHP uint k) { return hn_hash_partial_jenkins(k); }
+#elif HN_HASH == HN_HASH_MURMUR
+HN_FN HN_HIGHP uint hn_i_hash(HN_HIGHP uint k) { return hn_hash_murmur(k); }
+#elif HN_HASH == HN_HASH_PCG
+HN_FN HN_HIGHP uint hn_i_hash(HN_HIGHP uint k) { return hn_hash_pcg(k); }
+#elif HN_HASH == HN_HASH_XXHASH32
+HN_FN HN_HIGHP uint hn_i_hash(HN_HIGHP uint k) { return hn_hash_xxhash32(k); }
+#elif HN_HASH == HN_HASH_CUSTOM
+HN_FN HN_HIGHP uint hn_i_hash(HN_HIGHP uint k) { return HN_HASH_FN(k); }
+#else
+HN_FN HN_HIGHP uint hn_i_hash(HN_HIGHP uint k) { return k; }
+#endif
+
+// Odd multiples (the primes of xxHash) send neighbours far apart. The offset keeps the origin from being a word of
+// zeros.
 HN_FN HN_HIGHP uint hn_i_spread(HN_HIGHP uint x) { return x * 0x9E3779B1u + 0x165667B1u; }
-
 HN_FN HN_HIGHP uvec2 hn_i_spread(HN_HIGHP uvec2 v) { return uvec2(hn_i_spread(v.x), v.y * 0x85EBCA77u); }
-
 HN_FN HN_HIGHP uvec3 hn_i_spread(HN_HIGHP uvec3 v) {
   return uvec3(hn_i_spread(v.x), v.y * 0x85EBCA77u, v.z * 0xC2B2AE3Du);
 }
-
 HN_FN HN_HIGHP uvec4 hn_i_spread(HN_HIGHP uvec4 v) {
   return uvec4(hn_i_spread(v.x), v.y * 0x85EBCA77u, v.z * 0xC2B2AE3Du, v.w * 0x27D4EB2Fu);
 }
 
-// A key is built axis by axis, so that lattice points that share coordinates share the work: hn_i_key starts with x,
-// and hn_i_key with two parameters adds the next coordinate to the key of those before.
-#if HN_HASH == HN_HASH_LATTICE
-// Exclusive or after a rotation. Without the rotation, points opposite each other would often have the same key; a sum
-// would be linear, and repeat along some diagonal.
-HN_FN HN_HIGHP uint hn_i_key(HN_HIGHP uint x) { return x; }
-HN_FN HN_HIGHP uint hn_i_key(HN_HIGHP uint k, HN_HIGHP uint next) { return ((k << 13) | (k >> 19)) ^ next; }
-#else
-#if HN_HASH == HN_HASH_FNV1
-HN_FN HN_HIGHP uint hn_i_key(HN_HIGHP uint x) { return hn_hash_fnv1(x); }
-#elif HN_HASH == HN_HASH_PARTIAL_FNV1
-HN_FN HN_HIGHP uint hn_i_key(HN_HIGHP uint x) { return hn_hash_partial_fnv1(x); }
-#elif HN_HASH == HN_HASH_JENKINS
-HN_FN HN_HIGHP uint hn_i_key(HN_HIGHP uint x) { return hn_hash_jenkins(x); }
-#elif HN_HASH == HN_HASH_PARTIAL_JENKINS
-HN_FN HN_HIGHP uint hn_i_key(HN_HIGHP uint x) { return hn_hash_partial_jenkins(x); }
-#elif HN_HASH == HN_HASH_MURMUR
-HN_FN HN_HIGHP uint hn_i_key(HN_HIGHP uint x) { return hn_hash_murmur(x); }
-#elif HN_HASH == HN_HASH_PCG
-HN_FN HN_HIGHP uint hn_i_key(HN_HIGHP uint x) { return hn_hash_pcg(x); }
-#elif HN_HASH == HN_HASH_XXHASH32
-HN_FN HN_HIGHP uint hn_i_key(HN_HIGHP uint x) { return hn_hash_xxhash32(x); }
-#else
-HN_FN HN_HIGHP uint hn_i_key(HN_HIGHP uint x) { return HN_HASH_FN(x); }
-#endif
-// The paper's chain: each hash feeds the next axis (sec. 5).
-HN_FN HN_HIGHP uint hn_i_key(HN_HIGHP uint k, HN_HIGHP uint next) { return hn_i_key(k + next); }
-#endif
+// The high bits of a spread coordinate, folded onto the low ones: a product passes changes on to higher bits only. Past
+// the middle, so that also the highest bit comes below the lowest that a gradient takes; another shift per axis, so
+// that axes do not cancel.
+HN_FN HN_HIGHP uint hn_i_fold(HN_HIGHP uint x) { return x ^ (x >> 18); }
+HN_FN HN_HIGHP uvec2 hn_i_fold(HN_HIGHP uvec2 v) { return uvec2(hn_i_fold(v.x), v.y ^ (v.y >> 17)); }
+HN_FN HN_HIGHP uvec3 hn_i_fold(HN_HIGHP uvec3 v) { return uvec3(hn_i_fold(v.x), v.y ^ (v.y >> 17), v.z ^ (v.z >> 19)); }
+HN_FN HN_HIGHP uvec4 hn_i_fold(HN_HIGHP uvec4 v) {
+  return uvec4(hn_i_fold(v.x), v.y ^ (v.y >> 17), v.z ^ (v.z >> 19), v.w ^ (v.w >> 20));
+}
+
+// The word of a point is the product of two joins of its coordinates: the exclusive or of the folded ones, hashed, and
+// the sum of the others, made odd so that the product loses nothing. Either alone would repeat itself along some line.
+// Points that share coordinates share the work: a noise steps from corner to corner in both joins. The high bits are
+// good, the low ones are not.
+HN_FN HN_HIGHP uint hn_i_odd(HN_HIGHP uint sum) { return sum * 2u + 1u; }
+HN_FN HN_HIGHP uint hn_i_word(HN_HIGHP uint join, HN_HIGHP uint odd) { return hn_i_hash(join) * odd; }
 
 // Each bit of k changes each bit of the result with a probability near 1/2: "prospector32" of hash-prospector. 0 stays
 // 0.
@@ -165,26 +171,34 @@ HN_FN HN_HIGHP uint hn_i_mix(HN_HIGHP uint k) {
 //   cell     the point: int, ivec2, ivec3 or ivec4
 //   seed     any uint, 0 if left out; different seeds give independent fields
 //   returns  any uint; take bits from anywhere in it
-//   period   2^32 along each axis (HN_HASH_PARTIAL_FNV1: 2^31 along the last axis, half as much along each before)
-//   cost     per axis 1 multiplication and 1 hash (none with HN_HASH_LATTICE); 2 multiplications to mix, and 2 more for
-//            a seed that is no constant
+//   period   2^32 along each axis
+//   cost     1 hash (none with HN_HASH_LATTICE); 1 multiplication per axis and 3 more; 2 more for a seed that is no
+//            constant
 HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP int cell, HN_HIGHP uint seed) {
-  return hn_i_mix(hn_i_key(hn_i_spread(uint(cell))) ^ hn_i_mix(seed));
+  HN_HIGHP uint c = hn_i_spread(uint(cell));
+  HN_HIGHP uint s = hn_i_mix(seed);
+  return hn_i_mix(hn_i_word(hn_i_fold(c) ^ s, hn_i_odd(c + s)));
 }
 
 HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP ivec2 cell, HN_HIGHP uint seed) {
   HN_HIGHP uvec2 c = hn_i_spread(uvec2(cell));
-  return hn_i_mix(hn_i_key(hn_i_key(c.x), c.y) ^ hn_i_mix(seed));
+  HN_HIGHP uvec2 j = hn_i_fold(c);
+  HN_HIGHP uint s = hn_i_mix(seed);
+  return hn_i_mix(hn_i_word(j.x ^ j.y ^ s, hn_i_odd(c.x + c.y + s)));
 }
 
 HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP ivec3 cell, HN_HIGHP uint seed) {
   HN_HIGHP uvec3 c = hn_i_spread(uvec3(cell));
-  return hn_i_mix(hn_i_key(hn_i_key(hn_i_key(c.x), c.y), c.z) ^ hn_i_mix(seed));
+  HN_HIGHP uvec3 j = hn_i_fold(c);
+  HN_HIGHP uint s = hn_i_mix(seed);
+  return hn_i_mix(hn_i_word(j.x ^ j.y ^ j.z ^ s, hn_i_odd(c.x + c.y + c.z + s)));
 }
 
 HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP ivec4 cell, HN_HIGHP uint seed) {
   HN_HIGHP uvec4 c = hn_i_spread(uvec4(cell));
-  return hn_i_mix(hn_i_key(hn_i_key(hn_i_key(hn_i_key(c.x), c.y), c.z), c.w) ^ hn_i_mix(seed));
+  HN_HIGHP uvec4 j = hn_i_fold(c);
+  HN_HIGHP uint s = hn_i_mix(seed);
+  return hn_i_mix(hn_i_word(j.x ^ j.y ^ j.z ^ j.w ^ s, hn_i_odd(c.x + c.y + c.z + c.w + s)));
 }
 
 HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP int cell) { return hn_lattice(cell, 0u); }
@@ -204,10 +218,10 @@ HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uvec2 v) { return hn_lattice(ivec2(v)); }
 HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uvec3 v) { return hn_lattice(ivec3(v)); }
 HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uvec4 v) { return hn_lattice(ivec4(v)); }
 #else
-HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uint x) { return hn_i_key(x); }
-HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uvec2 v) { return hn_i_key(hn_hash(v.x), v.y); }
-HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uvec3 v) { return hn_i_key(hn_hash(uvec2(v.x, v.y)), v.z); }
-HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uvec4 v) { return hn_i_key(hn_hash(uvec3(v.x, v.y, v.z)), v.w); }
+HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uint x) { return hn_i_hash(x); }
+HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uvec2 v) { return hn_i_hash(hn_hash(v.x) + v.y); }
+HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uvec3 v) { return hn_i_hash(hn_hash(uvec2(v.x, v.y)) + v.z); }
+HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uvec4 v) { return hn_i_hash(hn_hash(uvec3(v.x, v.y, v.z)) + v.w); }
 #endif
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -221,16 +235,6 @@ HN_FN HN_HIGHP float hn_unorm(HN_HIGHP uint h) { return float(h >> 8) * (1.0f / 
 //   returns  [-1, 1), a multiple of 2^-23
 HN_FN HN_HIGHP float hn_snorm(HN_HIGHP uint h) { return float(h >> 8) * (1.0f / 8388608.0f) - 1.0f; }
 
-// The odd multiples of 2^-16 in (-1, 1) from the high 16 bits of h: symmetric about 0, never 0.
-HN_FN HN_HIGHP float hn_i_symmetric16(HN_HIGHP uint h) {
-#if HN_I_BITCAST
-  // The bits, put behind the exponent of 2, make a float in [2, 4) without a conversion from integer.
-  return uintBitsToFloat(((h >> 9) & 0x007FFF80u) | 0x40000000u) - (3.0f - 1.0f / 65536.0f);
-#else
-  return float(h >> 16) * (1.0f / 32768.0f) - (1.0f - 1.0f / 65536.0f);
-#endif
-}
-
 // m or, if the highest bit of the word is set, -m; for m >= 0.
 HN_FN HN_HIGHP float hn_i_signed(HN_HIGHP float m, HN_HIGHP uint word) {
 #if HN_I_BITCAST
@@ -240,24 +244,46 @@ HN_FN HN_HIGHP float hn_i_signed(HN_HIGHP float m, HN_HIGHP uint word) {
 #endif
 }
 
-// A gradient in the plane, from the high 17 bits of a hash.
-//   returns  a point of the square |x| + |y| = 1, uniform along its sides; multiples of 2^-16
+// What gradients are made of: bits of a hash as odd multiples of 2^-9, in (-1, 1) for the plane and in (-1/2, 1/2) for
+// space: symmetric about 0, never 0. Below the highest bit, a sign; no bit is used twice. Put behind an exponent, bits
+// make a float without a conversion from integer.
+#if HN_I_BITCAST
+HN_FN HN_HIGHP float hn_i_field2(HN_HIGHP uint h) {
+  return uintBitsToFloat(((h >> 8) & 0x007FC000u) | 0x40000000u) - (3.0f - 1.0f / 512.0f);
+}
+HN_FN HN_HIGHP float hn_i_field3p(HN_HIGHP uint h) {
+  return uintBitsToFloat(((h >> 8) & 0x007F8000u) | 0x3F800000u) - (1.5f - 1.0f / 512.0f);
+}
+HN_FN HN_HIGHP float hn_i_field3q(HN_HIGHP uint h) {
+  return uintBitsToFloat((h & 0x007F8000u) | 0x3F800000u) - (1.5f - 1.0f / 512.0f);
+}
+#else
+HN_FN HN_HIGHP float hn_i_field2(HN_HIGHP uint h) {
+  return float((h >> 22) & 511u) * (1.0f / 256.0f) - (1.0f - 1.0f / 512.0f);
+}
+HN_FN HN_HIGHP float hn_i_field3p(HN_HIGHP uint h) {
+  return float((h >> 23) & 255u) * (1.0f / 256.0f) - (0.5f - 1.0f / 512.0f);
+}
+HN_FN HN_HIGHP float hn_i_field3q(HN_HIGHP uint h) {
+  return float((h >> 15) & 255u) * (1.0f / 256.0f) - (0.5f - 1.0f / 512.0f);
+}
+#endif
+
+// A gradient in the plane, from the high 10 bits of a hash.
+//   returns  a point of the square |x| + |y| = 1, uniform along its sides; multiples of 2^-9
 HN_FN HN_HIGHP vec2 hn_gradient2(HN_HIGHP uint h) {
-  HN_HIGHP float x = hn_i_symmetric16(h);
-  return vec2(x, hn_i_signed(1.0f - abs(x), h << 16));
+  HN_HIGHP float x = hn_i_field2(h);
+  return vec2(x, hn_i_signed(1.0f - abs(x), h));
 }
 
-// A gradient in space, from all bits of a hash.
-//   returns  a point of the octahedron |x| + |y| + |z| = 1, uniform in area; multiples of 2^-16
-//   source   the octahedral map of Meyer et al., "On Floating-Point Normal Vectors", 2010
+// A gradient in space, from the high 17 bits of a hash.
+//   returns  a point of the octahedron |x| + |y| + |z| = 1, uniform in area; multiples of 2^-8
 HN_FN HN_HIGHP vec3 hn_gradient3(HN_HIGHP uint h) {
-  HN_HIGHP float x = hn_i_symmetric16(h);
-  HN_HIGHP float y = hn_i_symmetric16(h << 16);
-  HN_HIGHP float z = 1.0f - abs(x) - abs(y);
-  // Where z is negative, fold: move x and y by t towards 0. x is positive where the highest bit of h is set, y
-  // likewise.
-  HN_HIGHP float t = max(-z, 0.0f);
-  return vec3(x + hn_i_signed(t, h), y + hn_i_signed(t, h << 16), z);
+  // Seen along z the octahedron is a square with corners on the axes. p and q run along its sides, and its height above
+  // a point of it is what the larger of them leaves.
+  HN_HIGHP float p = hn_i_field3p(h);
+  HN_HIGHP float q = hn_i_field3q(h);
+  return vec3(p + q, p - q, hn_i_signed(1.0f - 2.0f * max(abs(p), abs(q)), h));
 }
 
 #endif

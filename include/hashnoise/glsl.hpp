@@ -29,6 +29,12 @@ constexpr int convert<int, float>(float value) {
   return value == value ? static_cast<int>(value) : 0;
 }
 
+template <>
+constexpr uint convert<uint, float>(float value) {
+  if (value >= 4294967296.0f) return std::numeric_limits<uint>::max();
+  return value > 0.0f ? static_cast<uint>(value) : 0u;
+}
+
 }  // namespace detail
 
 template <typename T>
@@ -93,16 +99,24 @@ constexpr vec3 operator+(vec3 a, float b) { return a + vec3(b); }
 constexpr vec3 operator-(vec3 a, float b) { return a - vec3(b); }
 constexpr vec3 operator*(vec3 a, float b) { return a * vec3(b); }
 
-constexpr uvec2 operator+(uvec2 a, uint b) { return {a.x + b, a.y + b}; }
-constexpr uvec3 operator+(uvec3 a, uint b) { return {a.x + b, a.y + b, a.z + b}; }
+constexpr ivec2 operator-(ivec2 a, int b) { return {a.x - b, a.y - b}; }
+constexpr ivec3 operator-(ivec3 a, int b) { return {a.x - b, a.y - b, a.z - b}; }
+
+constexpr uvec2 operator+(uvec2 a, uvec2 b) { return {a.x + b.x, a.y + b.y}; }
+constexpr uvec3 operator+(uvec3 a, uvec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+constexpr uvec2 operator+(uvec2 a, uint b) { return a + uvec2(b); }
+constexpr uvec3 operator+(uvec3 a, uint b) { return a + uvec3(b); }
 
 // In this namespace a call means these, never ::abs(int) or another function that happens to be declared.
 inline float floor(float x) { return std::floor(x); }
 inline vec2 floor(vec2 v) { return {std::floor(v.x), std::floor(v.y)}; }
 inline vec3 floor(vec3 v) { return {std::floor(v.x), std::floor(v.y), std::floor(v.z)}; }
+inline float trunc(float x) { return std::trunc(x); }
 inline float abs(float x) { return std::fabs(x); }
 constexpr float min(float x, float y) { return y < x ? y : x; }
 constexpr float max(float x, float y) { return x < y ? y : x; }
+constexpr int min(int x, int y) { return y < x ? y : x; }
+constexpr int max(int x, int y) { return x < y ? y : x; }
 constexpr uint min(uint x, uint y) { return y < x ? y : x; }
 constexpr uint max(uint x, uint y) { return x < y ? y : x; }
 constexpr float uintBitsToFloat(uint bits) { return std::bit_cast<float>(bits); }

@@ -6,10 +6,10 @@
 //
 // It includes glsl/ by its place in the source tree, ../../glsl; the installed copy of this file says glsl/ instead.
 //
-// Knobs (config.glsl) are macros, to be defined before the include. HN_HASH, HN_GRADIENT and HN_PERIOD name inline
-// namespaces, so that translation units that differ in them may be linked together. What other macros bring in
-// (HN_HASH_FN, HN_FBM_NOISE2D, HN_FBM_NOISE3D) does not: it must be the same in all translation units that have these
-// three alike.
+// Knobs (config.glsl) are macros, to be defined before the include. HN_HASH, HN_GRADIENT, HN_PERIOD and
+// HN_ARITHMETIC name inline namespaces, so that translation units that differ in them may be linked together. What
+// other macros bring in (HN_HASH_FN, HN_FBM_NOISE2D, HN_FBM_NOISE3D) does not: it must be the same in all translation
+// units that have these four alike.
 
 #pragma once
 
@@ -24,7 +24,9 @@ namespace hashnoise {
 inline namespace HN_I_PASTE(hash_, HN_HASH) {
 inline namespace HN_I_PASTE(gradient_, HN_GRADIENT) {
 inline namespace HN_I_PASTE(period_, HN_PERIOD) {
+inline namespace HN_I_PASTE(arithmetic_, HN_ARITHMETIC) {
 #include "../../glsl/hashnoise.glsl"
+}
 }
 }
 }
