@@ -195,24 +195,20 @@ HN_FN HN_HIGHP HN_I_NUMBER3 hn_i_gradient(HN_HIGHP uint column, HN_HIGHP uint ro
 //   source   for the sine: Valdenegro-Toro and Pincheira, sec. 5
 HN_FN HN_HIGHP vec2 hn_gradient(HN_HIGHP ivec2 cell, HN_HIGHP uint seed) {
   HN_HIGHP uvec2 c = hn_i_wrap(cell);
-  HN_HIGHP uint s = hn_i_mix(seed);
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
-  c = hn_i_spread(c);
-  HN_HIGHP uvec2 j = hn_i_fold(c);
-  return hn_gradient2(hn_i_word(j.x ^ j.y ^ s, hn_i_odd(c.x + c.y + s)));
+  return hn_gradient2(hn_i_point(c, seed));
 #else
+  HN_HIGHP uint s = hn_i_mix(seed);
   return hn_i_gradient_value(hn_i_gradient(hn_i_column(c.x, s), c.y));
 #endif
 }
 
 HN_FN HN_HIGHP vec3 hn_gradient(HN_HIGHP ivec3 cell, HN_HIGHP uint seed) {
   HN_HIGHP uvec3 c = hn_i_wrap(cell);
-  HN_HIGHP uint s = hn_i_mix(seed);
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
-  c = hn_i_spread(c);
-  HN_HIGHP uvec3 j = hn_i_fold(c);
-  return hn_gradient3(hn_i_word(j.x ^ j.y ^ j.z ^ s, hn_i_odd(c.x + c.y + c.z + s)));
+  return hn_gradient3(hn_i_point(c, seed));
 #else
+  HN_HIGHP uint s = hn_i_mix(seed);
   HN_HIGHP uint column = hn_i_column(c.x, s);
   return hn_i_gradient_value(hn_i_gradient(column, hn_i_row(column, c.y), c.z));
 #endif

@@ -149,13 +149,6 @@ HN_FN HN_HIGHP uvec4 hn_i_fold(HN_HIGHP uvec4 v) {
   return uvec4(hn_i_fold(v.x), v.y ^ (v.y >> 17), v.z ^ (v.z >> 19), v.w ^ (v.w >> 20));
 }
 
-// The word of a point is the product of two joins of its coordinates: the exclusive or of the folded ones, hashed, and
-// the sum of the others, made odd so that the product loses nothing. Either alone would repeat itself along some line.
-// Points that share coordinates share the work: a noise steps from corner to corner in both joins. The high bits are
-// good, the low ones are not.
-HN_FN HN_HIGHP uint hn_i_odd(HN_HIGHP uint sum) { return sum * 2u + 1u; }
-HN_FN HN_HIGHP uint hn_i_word(HN_HIGHP uint join, HN_HIGHP uint odd) { return hn_i_hash(join) * odd; }
-
 // Each bit of k changes each bit of the result with a probability near 1/2: "prospector32" of hash-prospector. 0 stays
 // 0.
 HN_FN HN_HIGHP uint hn_i_mix(HN_HIGHP uint k) {
@@ -166,6 +159,40 @@ HN_FN HN_HIGHP uint hn_i_mix(HN_HIGHP uint k) {
   return k ^ (k >> 15);
 }
 
+// The word of a point is the product of two joins of its coordinates: the exclusive or of the folded ones, hashed, and
+// the sum of the others, made odd so that the product loses nothing. Either alone would repeat itself along some line.
+// Points that share coordinates share the work: a noise steps from corner to corner in both joins. The high bits are
+// good, the low ones are not.
+HN_FN HN_HIGHP uint hn_i_odd(HN_HIGHP uint sum) { return sum * 2u + 1u; }
+HN_FN HN_HIGHP uint hn_i_word(HN_HIGHP uint join, HN_HIGHP uint odd) { return hn_i_hash(join) * odd; }
+
+HN_FN HN_HIGHP uint hn_i_point(HN_HIGHP uint cell, HN_HIGHP uint seed) {
+  HN_HIGHP uint c = hn_i_spread(cell);
+  HN_HIGHP uint s = hn_i_mix(seed);
+  return hn_i_word(hn_i_fold(c) ^ s, hn_i_odd(c + s));
+}
+
+HN_FN HN_HIGHP uint hn_i_point(HN_HIGHP uvec2 cell, HN_HIGHP uint seed) {
+  HN_HIGHP uvec2 c = hn_i_spread(cell);
+  HN_HIGHP uvec2 j = hn_i_fold(c);
+  HN_HIGHP uint s = hn_i_mix(seed);
+  return hn_i_word(j.x ^ j.y ^ s, hn_i_odd(c.x + c.y + s));
+}
+
+HN_FN HN_HIGHP uint hn_i_point(HN_HIGHP uvec3 cell, HN_HIGHP uint seed) {
+  HN_HIGHP uvec3 c = hn_i_spread(cell);
+  HN_HIGHP uvec3 j = hn_i_fold(c);
+  HN_HIGHP uint s = hn_i_mix(seed);
+  return hn_i_word(j.x ^ j.y ^ j.z ^ s, hn_i_odd(c.x + c.y + c.z + s));
+}
+
+HN_FN HN_HIGHP uint hn_i_point(HN_HIGHP uvec4 cell, HN_HIGHP uint seed) {
+  HN_HIGHP uvec4 c = hn_i_spread(cell);
+  HN_HIGHP uvec4 j = hn_i_fold(c);
+  HN_HIGHP uint s = hn_i_mix(seed);
+  return hn_i_word(j.x ^ j.y ^ j.z ^ j.w ^ s, hn_i_odd(c.x + c.y + c.z + c.w + s));
+}
+
 // Lattice hashing: a well mixed hash of a point of the integer lattice, with any HN_HASH. What the noise is made of;
 // use it to scatter things.
 //   cell     the point: int, ivec2, ivec3 or ivec4
@@ -174,31 +201,15 @@ HN_FN HN_HIGHP uint hn_i_mix(HN_HIGHP uint k) {
 //   period   2^32 along each axis
 //   cost     1 hash (none with HN_HASH_LATTICE); 1 multiplication per axis and 3 more; 2 more for a seed that is no
 //            constant
-HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP int cell, HN_HIGHP uint seed) {
-  HN_HIGHP uint c = hn_i_spread(uint(cell));
-  HN_HIGHP uint s = hn_i_mix(seed);
-  return hn_i_mix(hn_i_word(hn_i_fold(c) ^ s, hn_i_odd(c + s)));
-}
-
+HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP int cell, HN_HIGHP uint seed) { return hn_i_mix(hn_i_point(uint(cell), seed)); }
 HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP ivec2 cell, HN_HIGHP uint seed) {
-  HN_HIGHP uvec2 c = hn_i_spread(uvec2(cell));
-  HN_HIGHP uvec2 j = hn_i_fold(c);
-  HN_HIGHP uint s = hn_i_mix(seed);
-  return hn_i_mix(hn_i_word(j.x ^ j.y ^ s, hn_i_odd(c.x + c.y + s)));
+  return hn_i_mix(hn_i_point(uvec2(cell), seed));
 }
-
 HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP ivec3 cell, HN_HIGHP uint seed) {
-  HN_HIGHP uvec3 c = hn_i_spread(uvec3(cell));
-  HN_HIGHP uvec3 j = hn_i_fold(c);
-  HN_HIGHP uint s = hn_i_mix(seed);
-  return hn_i_mix(hn_i_word(j.x ^ j.y ^ j.z ^ s, hn_i_odd(c.x + c.y + c.z + s)));
+  return hn_i_mix(hn_i_point(uvec3(cell), seed));
 }
-
 HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP ivec4 cell, HN_HIGHP uint seed) {
-  HN_HIGHP uvec4 c = hn_i_spread(uvec4(cell));
-  HN_HIGHP uvec4 j = hn_i_fold(c);
-  HN_HIGHP uint s = hn_i_mix(seed);
-  return hn_i_mix(hn_i_word(j.x ^ j.y ^ j.z ^ j.w ^ s, hn_i_odd(c.x + c.y + c.z + c.w + s)));
+  return hn_i_mix(hn_i_point(uvec4(cell), seed));
 }
 
 HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP int cell) { return hn_lattice(cell, 0u); }
