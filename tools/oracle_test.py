@@ -15,15 +15,13 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 
 sys.dont_write_bytecode = True  # the tree stays clean: no __pycache__ beside the sources
+import golden_rows  # noqa: E402
 import oracle  # noqa: E402
-from test_support import load_script  # noqa: E402
-
-golden = load_script("golden")
 
 
 def generator(name: str):
     """A generator of test inputs of its own for each test."""
-    return golden.Generator(golden.fnv1a64(name.encode()))
+    return golden_rows.Generator(golden_rows.fnv1a64(name.encode()))
 
 
 def murmurhash2(data: bytes, seed: int) -> int:
@@ -118,7 +116,7 @@ class PublishedVectors(unittest.TestCase):
 
     def test_splitmix64(self) -> None:
         # Rosetta Code, "Pseudo-random numbers/Splitmix64".
-        numbers = golden.Generator(1234567)
+        numbers = golden_rows.Generator(1234567)
         self.assertEqual([numbers.next() for _ in range(3)],
                          [6457827717110365317, 3203168211198807973, 9817491932198370423])
 
@@ -126,7 +124,7 @@ class PublishedVectors(unittest.TestCase):
         # test_fnv.c of Landon Curt Noll.
         vectors = {b"": 0xCBF29CE484222325, b"a": 0xAF63DC4C8601EC8C, b"foobar": 0x85944171F73967E8}
         for data, value in vectors.items():
-            self.assertEqual(golden.fnv1a64(data), value, data)
+            self.assertEqual(golden_rows.fnv1a64(data), value, data)
 
 
 class Hashes(unittest.TestCase):
@@ -251,7 +249,7 @@ class NearTheOrigin(unittest.TestCase):
 
 
 class Floats(unittest.TestCase):
-    WORDS = [word for word, in golden.gradient_rows(generator("gradients"))]
+    WORDS = [word for word, in golden_rows.gradient_rows(generator("gradients"))]
 
     def test_gradients_by_hand(self) -> None:
         e = 2.0**-16
@@ -270,7 +268,7 @@ class Floats(unittest.TestCase):
     def test_gradients_are_exact(self) -> None:
         for word in self.WORDS:
             for component in oracle.gradient2(word) + oracle.gradient3(word):
-                self.assertEqual(golden.to_f32(component), component)
+                self.assertEqual(golden_rows.to_f32(component), component)
                 self.assertTrue((component * 2**16).is_integer())
 
     def test_gradients_have_no_zero_but_a_positive_one(self) -> None:
@@ -339,7 +337,7 @@ class Sine(unittest.TestCase):
 
     def test_rounds_as_float32_does(self) -> None:
         for n in self.arcs(300):
-            self.assertEqual(oracle.round24(n), golden.to_f32(n), n)
+            self.assertEqual(oracle.round24(n), golden_rows.to_f32(n), n)
 
     def test_ties_go_to_even(self) -> None:
         ties = {2**24 + 1: 2**24, 2**24 + 3: 2**24 + 4, 2**30 + 64: 2**30, 2**30 + 192: 2**30 + 256,
@@ -397,7 +395,7 @@ class Gradients(unittest.TestCase):
         # The paper's listing with the C library's sine, and float(int) by the conversion to float32 of the machine.
         def component(word: int) -> float:
             word &= oracle.MASK
-            return math.sin(golden.to_f32(word - 2**32 if word >= 2**31 else word))
+            return math.sin(golden_rows.to_f32(word - 2**32 if word >= 2**31 else word))
 
         for hash_name, function in oracle.WORD_HASHES.items():
             name = hash_name + "+sine"
