@@ -129,10 +129,12 @@ def lattice_gradient_rows(n: int, generator: Generator) -> list[Row]:
 
 
 def gradient_rows(generator: Generator) -> list[Row]:
-    """160 words: every pair of halves that are extreme, next to a sign change, or next to the fold of gradient3."""
-    halves = (0, 1, 0x3FFF, 0x4000, 0x7FFF, 0x8000, 0xBFFF, 0xC000, 0xFFFE, 0xFFFF)
-    edges = [high << 16 | low for high in halves for low in halves]
-    return [(word,) for word in edges + [generator.word() for _ in range(60)]]
+    """160 words: the fields of gradient2 and gradient3 extreme, next to a sign change, or (q) as large as p."""
+    signs, fields = (0, 1 << 31), (0, 1, 127, 128, 254, 255)
+    # The bits below the fields are for neither.
+    edges = [sign | p << 23 | q << 15 | (0x7FFF if sign else 0) for sign in signs for p in fields for q in fields]
+    edges += [sign | a << 22 | low for sign in signs for a in (0, 1, 255, 256, 510, 511) for low in (0, 0x3FFFFF)]
+    return [(word,) for word in edges + [generator.word() for _ in range(64)]]
 
 
 def perlin_rows(n: int, generator: Generator) -> list[Row]:
