@@ -6,7 +6,8 @@ noise is exact only here, in rational arithmetic. (A sine is irrational: here it
 little to change the double nearest to it.) Where the contract gives a formula, that formula is what stands here, even
 where a shader would do something faster.
 
-A `name` is that of a hash in sections 2 to 4, and of a configuration in sections 5 to 7: see Configuration.
+A `name` is that of a hash in sections 2 to 4, and of a configuration in sections 5 to 7: see Configuration. Section 8,
+the same in integers, is oracle_fixed.py.
 """
 
 from __future__ import annotations
@@ -209,10 +210,14 @@ Real = Fraction | float
 
 @dataclass(frozen=True)
 class Configuration:
-    """What the noise depends on besides its arguments: HN_HASH, HN_GRADIENT (octahedral or sine) and HN_PERIOD."""
+    """What the noise depends on besides its arguments: HN_HASH, HN_GRADIENT (octahedral or sine) and HN_PERIOD.
+
+    HN_ARITHMETIC says only how it is computed: to the functions of this file `fixed` is nothing.
+    """
     hash: str
     sine: bool = False
     period: int = 0  # 0: none
+    fixed: bool = False
 
     def __post_init__(self) -> None:
         power_of_two = self.period & (self.period - 1) == 0
@@ -222,11 +227,11 @@ class Configuration:
 
 @functools.cache
 def configuration(name: str) -> Configuration:
-    """The configuration of a name: that of the hash, then "+sine" and "+period<N>" where they apply, in this order."""
-    match = re.fullmatch(r"(\w+)(\+sine)?(?:\+period([1-9][0-9]*))?", name, re.ASCII)
+    """The configuration of a name: the hash, then "+sine", "+period<N>", "+fixed" where they apply, in this order."""
+    match = re.fullmatch(r"(\w+)(\+sine)?(?:\+period([1-9][0-9]*))?(\+fixed)?", name, re.ASCII)
     if not match:
         raise ValueError(f"not a name of a configuration: {name}")
-    return Configuration(match[1], match[2] is not None, int(match[3] or 0))
+    return Configuration(match[1], match[2] is not None, int(match[3] or 0), match[4] is not None)
 
 
 def signed(word: int) -> int:

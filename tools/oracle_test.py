@@ -419,10 +419,13 @@ class Configurations(unittest.TestCase):
         self.assertEqual(oracle.configuration("pcg+period48"), oracle.Configuration("pcg", period=48))
         self.assertEqual(oracle.configuration("partial_fnv1+sine+period1073741824"),
                          oracle.Configuration("partial_fnv1", True, 2**30))
+        self.assertEqual(oracle.configuration("pcg+fixed"), oracle.Configuration("pcg", fixed=True))
+        self.assertEqual(oracle.configuration("pcg+sine+period48+fixed"), oracle.Configuration("pcg", True, 48, True))
 
     def test_bad_names(self) -> None:
         for name in ("", "any", "fnv1+", "fnv1+cosine", "fnv1+period", "fnv1+period0", "fnv1+period048",
-                     "fnv1+period48+sine", "fnv1+period-48", "fnv1+period1048577", "fnv1+period2147483648"):
+                     "fnv1+period48+sine", "fnv1+fixed+sine", "fnv1+precise", "fnv1+period-48", "fnv1+period1048577",
+                     "fnv1+period2147483648"):
             with self.assertRaises(ValueError, msg=name):
                 oracle.configuration(name)
 
