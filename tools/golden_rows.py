@@ -187,3 +187,54 @@ def octave_rows(n: int, generator: Generator) -> list[Row]:
         gain = generator.pick((0.5, 0.5, 0.25, 0.75, 1.0, 0.0))
         rows.append(point + (generator.integer(1, 6), lacunarity, gain, generator.seed()))
     return rows
+
+
+# --- Fixed arithmetic has edges of its own, and no end of its domain --------------------------------------------
+
+# Subnormal and other tiny numbers, the step of a fraction, whole numbers and what is next to them, where a float has no
+# fraction, where int ends, and the largest.
+FIXED_COORDINATES = tuple(to_f32(x) for x in (
+    -0.0, 2.0**-149, -2.0**-149, 1e-40, -1e-40, -2.0**-126, 2.0**-33, -2.0**-33, -2.0**-32, 2.0**-21, -2.0**-21,
+    2.0**-20, -2.0**-20, -3 * 2.0**-21, 1 - 2.0**-24, -1 + 2.0**-24, 1 + 2.0**-23, -1 - 2.0**-23, -1.0, 7 - 2.0**-21,
+    48 - 2.0**-18, -48 - 2.0**-18, 2.0**19 + 0.5, 2.0**23 - 0.5, -2.0**23 + 0.5, 2.0**23, -2.0**23 - 1, 2147483520.0,
+    2.0**31, -2.0**31, -2147483904.0, 3e38, -3.4e38))
+FIXED_FRACTIONS = (0.0, -0.0, 2.0**-149, 2.0**-21, 2.0**-20, 2.0**-19 - 2.0**-42, 0.25, 0.5 - 2.0**-25, 0.5,
+                   0.5 + 2.0**-20, 1 - 2.0**-20, 1 - 2.0**-21, 1 - 2.0**-24, 1.0)
+
+
+def anywhere(n: int, generator: Generator) -> tuple[float, ...]:
+    """A point whose coordinates are of any size."""
+    return tuple(to_f32(generator.uniform(-1, 1) * 2.0**generator.integer(-24, 34)) for _ in range(n))
+
+
+def fixed_perlin_rows(n: int, generator: Generator) -> list[Row]:
+    """Points in n dimensions: each edge along each axis and along all, edges with each other, points anywhere."""
+    rows = [tuple(x if i == axis else 0.375 for i in range(n)) + (0,) for axis in range(n) for x in FIXED_COORDINATES]
+    rows += [(x,) * n + (0,) for x in FIXED_COORDINATES]
+    rows += [tuple(generator.pick(FIXED_COORDINATES) for _ in range(n)) + (generator.seed(),) for _ in range(32)]
+    return rows + [anywhere(n, generator) + (generator.seed(),) for _ in range(64)]
+
+
+def fixed_perlin_cell_rows(n: int, generator: Generator) -> list[Row]:
+    """Cells and fractions in n dimensions: each fraction along each axis and along all, then with each other."""
+    cells = (INT_MIN, -1, 0, 47, INT_MAX)
+    rows = [(0,) * n + tuple(f if i == axis else 0.375 for i in range(n)) + (0,)
+            for axis in range(n) for f in FIXED_FRACTIONS]
+    rows += [(cell,) * n + (f,) * n + (0,) for cell in (0, INT_MAX) for f in FIXED_FRACTIONS]
+    for _ in range(64):
+        cell = tuple(generator.pick(cells) for _ in range(n))
+        rows.append(cell + tuple(generator.pick(FIXED_FRACTIONS) for _ in range(n)) + (generator.seed(),))
+    return rows
+
+
+def fixed_octave_rows(n: int, generator: Generator) -> list[Row]:
+    """Octave sums in n dimensions: what is cut off, what is odd, and positions at edges and far."""
+    lacunarities = tuple(map(to_f32, (1.9, 3.7, 0.0, 255.0, 2.0, 1.0, 0.3, 1e-40, -2.0, 300.0)))
+    gains = tuple(map(to_f32, (0.0, 1.0, 1.5, 0.7, 0.5, 1e-40, -1.0)))
+    rows = [anywhere(n, generator) + (octaves, 1.9, 0.7, generator.seed()) for octaves in (-1, 0, 1, 2, 31, 32, 33)]
+    rows += [anywhere(n, generator) + (33, 2.0, 1.0, generator.seed()), (-0.75,) * n + (INT_MAX, 2.0, 0.5, 0)]
+    rows += [(x,) * n + (3, 1.9, 0.7, 0) for x in FIXED_COORDINATES]
+    for lacunarity, gain in itertools.product(lacunarities, gains):
+        point = tuple(generator.uniform(-64, 64) for _ in range(n))
+        rows.append(point + (generator.integer(2, 6), lacunarity, gain, generator.seed()))
+    return [row[:n + 1] + tuple(map(to_f32, row[n + 1:n + 3])) + row[n + 3:] for row in rows]
