@@ -148,14 +148,14 @@ HN_FN HN_HIGHP float hn_i_ramp(HN_HIGHP vec3 g, HN_HIGHP float x, HN_HIGHP float
 HN_FN HN_HIGHP vec2 hn_i_gradient_value(HN_HIGHP vec2 g) { return g; }
 HN_FN HN_HIGHP vec3 hn_i_gradient_value(HN_HIGHP vec3 g) { return g; }
 #else
-// The same polynomial, in units of 2^-16.
+// The same polynomial, in units of 2^-16; at most 1 - 2^-16, so that the noise keeps to its range.
 //   error    below 2^-14
 HN_FN HN_HIGHP int hn_i_sine(HN_HIGHP uint w) {
   HN_HIGHP uint turns = hn_i_turns(w);
   HN_HIGHP uint x = hn_i_quarter(turns) >> 14;
   HN_HIGHP uint t = ((x >> 1) * (x >> 1)) >> 14;
   HN_HIGHP uint y = 102943u - ((t * (42329u - ((t * (5206u - ((t * 284u) >> 16))) >> 16))) >> 16);
-  HN_HIGHP int sine = int((x * (y >> 1) + 16384u) >> 15);
+  HN_HIGHP int sine = int(min((x * (y >> 1) + 16384u) >> 15, 65535u));
   return ((turns ^ w) & 0x80000000u) != 0u ? -sine : sine;
 }
 

@@ -79,7 +79,7 @@ def sine_of_quarter(x: int) -> int:
     """The sine of x, in units of 2^-16 of a quarter turn, up to one; in units of 2^-16."""
     u = word((x >> 1) * (x >> 1)) >> 14
     y = 102943 - (word(u * (42329 - (word(u * (5206 - (word(u * 284) >> 16))) >> 16))) >> 16)
-    return word(x * (y >> 1) + 2**14) >> 15
+    return min(word(x * (y >> 1) + 2**14) >> 15, 65535)
 
 
 def sine_of_word(w: int) -> int:

@@ -116,8 +116,8 @@ class Sine(unittest.TestCase):
         sines = [math.sin(math.pi / 2 * x / 2**16) for x in range(2**16 + 1)]
         errors = [abs(values[x] / 2**16 - sines[end]) for x in range(2**16) for end in (x, x + 1)]
         self.assertLess(max(errors), 5.3e-5)
-        self.assertEqual((values[0], values[2**16]), (0, 2**16))
-        self.assertEqual(max(values), 2**16 + 2)
+        self.assertEqual((values[0], values[2**16]), (0, 2**16 - 1))
+        self.assertEqual(max(values), 2**16 - 1)
 
     def test_is_near_the_exact_sine(self) -> None:
         numbers = generator("sine")
@@ -155,7 +155,7 @@ class Ramps(unittest.TestCase):
         numbers = generator("sine ramps")
         for n in (2, 3):
             for _ in range(500):
-                g = [numbers.integer(-65538, 65538) for _ in range(n)]
+                g = [numbers.integer(-65535, 65535) for _ in range(n)]
                 d = [numbers.integer(-UNIT, UNIT) for _ in range(n)]
                 exact = Fraction(sum(a * b for a, b in zip(g, d)), 2**8)
                 self.assertTrue(-n < fixed.sine_ramp(g, d) - exact <= 0)
@@ -223,7 +223,7 @@ class Noise(unittest.TestCase):
         remaining = iter(signs)
 
         def ramp(knobs: oracle.Configuration, corner: Sequence[int], d: Sequence[int], seed: int) -> int:
-            largest = fixed.sine_ramp([65538 if x > 0 else -65538 for x in d], d) if knobs.sine else 512 * max(
+            largest = fixed.sine_ramp([65535 if x > 0 else -65535 for x in d], d) if knobs.sine else 512 * max(
                 map(abs, d))
             return next(remaining) * largest
 
