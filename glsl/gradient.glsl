@@ -63,7 +63,8 @@ HN_FN HN_HIGHP float hn_i_ramp(HN_HIGHP uint h, HN_HIGHP float x, HN_HIGHP float
 HN_FN HN_HIGHP float hn_i_ramp(HN_HIGHP uint h, HN_HIGHP float u, HN_HIGHP float v, HN_HIGHP float z) {
   HN_HIGHP float p = hn_i_field3p(h);
   HN_HIGHP float q = hn_i_field3q(h);
-  HN_I_PRECISE HN_HIGHP float n = p * u + q * v + hn_i_signed(0.5f - max(abs(p), abs(q)), h) * z;
+  HN_I_PRECISE HN_HIGHP float m = 0.5f - max(abs(p), abs(q));
+  HN_I_PRECISE HN_HIGHP float n = p * u + q * v + hn_i_signed(m, h) * z;
   return n;
 }
 #else

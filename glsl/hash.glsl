@@ -260,23 +260,29 @@ HN_FN HN_HIGHP float hn_i_signed(HN_HIGHP float m, HN_HIGHP uint word) {
 // make a float without a conversion from integer.
 #if HN_I_BITCAST
 HN_FN HN_HIGHP float hn_i_field2(HN_HIGHP uint h) {
-  return uintBitsToFloat(((h >> 8) & 0x007FC000u) | 0x40000000u) - (3.0f - 1.0f / 512.0f);
+  HN_I_PRECISE HN_HIGHP float field = uintBitsToFloat(((h >> 8) & 0x007FC000u) | 0x40000000u) - (3.0f - 1.0f / 512.0f);
+  return field;
 }
 HN_FN HN_HIGHP float hn_i_field3p(HN_HIGHP uint h) {
-  return uintBitsToFloat(((h >> 8) & 0x007F8000u) | 0x3F800000u) - (1.5f - 1.0f / 512.0f);
+  HN_I_PRECISE HN_HIGHP float field = uintBitsToFloat(((h >> 8) & 0x007F8000u) | 0x3F800000u) - (1.5f - 1.0f / 512.0f);
+  return field;
 }
 HN_FN HN_HIGHP float hn_i_field3q(HN_HIGHP uint h) {
-  return uintBitsToFloat((h & 0x007F8000u) | 0x3F800000u) - (1.5f - 1.0f / 512.0f);
+  HN_I_PRECISE HN_HIGHP float field = uintBitsToFloat((h & 0x007F8000u) | 0x3F800000u) - (1.5f - 1.0f / 512.0f);
+  return field;
 }
 #else
 HN_FN HN_HIGHP float hn_i_field2(HN_HIGHP uint h) {
-  return float((h >> 22) & 511u) * (1.0f / 256.0f) - (1.0f - 1.0f / 512.0f);
+  HN_I_PRECISE HN_HIGHP float field = float((h >> 22) & 511u) * (1.0f / 256.0f) - (1.0f - 1.0f / 512.0f);
+  return field;
 }
 HN_FN HN_HIGHP float hn_i_field3p(HN_HIGHP uint h) {
-  return float((h >> 23) & 255u) * (1.0f / 256.0f) - (0.5f - 1.0f / 512.0f);
+  HN_I_PRECISE HN_HIGHP float field = float((h >> 23) & 255u) * (1.0f / 256.0f) - (0.5f - 1.0f / 512.0f);
+  return field;
 }
 HN_FN HN_HIGHP float hn_i_field3q(HN_HIGHP uint h) {
-  return float((h >> 15) & 255u) * (1.0f / 256.0f) - (0.5f - 1.0f / 512.0f);
+  HN_I_PRECISE HN_HIGHP float field = float((h >> 15) & 255u) * (1.0f / 256.0f) - (0.5f - 1.0f / 512.0f);
+  return field;
 }
 #endif
 
@@ -284,7 +290,8 @@ HN_FN HN_HIGHP float hn_i_field3q(HN_HIGHP uint h) {
 //   returns  a point of the square |x| + |y| = 1, uniform along its sides; multiples of 2^-9
 HN_FN HN_HIGHP vec2 hn_gradient2(HN_HIGHP uint h) {
   HN_HIGHP float x = hn_i_field2(h);
-  return vec2(x, hn_i_signed(1.0f - abs(x), h));
+  HN_I_PRECISE HN_HIGHP float y = 1.0f - abs(x);
+  return vec2(x, hn_i_signed(y, h));
 }
 
 // A gradient in space, from the high 17 bits of a hash.
