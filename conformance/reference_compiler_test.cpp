@@ -1,5 +1,6 @@
 #include "reference_compiler.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "test_support.hpp"
@@ -42,6 +43,23 @@ TEST(ReferenceCompiler, SpirvThatIsNoneIsRejected) {
   const std::uint32_t header_only[] = {0x07230203u, 0x00010000u, 0u, 1u, 0u};  // no memory model, no entry point
   EXPECT_FALSE(validate_spirv(header_only));
   EXPECT_FALSE(validate_spirv({}));
+}
+
+// The functions of a shader that calls f(x) in which an operation may be contracted.
+std::vector<std::string> contractible_in(std::string_view function) {
+  const ReferenceCompiler compiler;
+  const auto text = fmt::format(
+      "{}layout(location = 0) in float x;\nlayout(location = 0) out vec4 o;\nvoid main() {{ o = vec4(f(x)); }}\n",
+      function);
+  const auto shader = expand(SourceSet::embedded(), profile_named("vulkan"), text);
+  return contractible(compiler.spirv(shader.value(), Stage::fragment).value());
+}
+
+TEST(ReferenceCompiler, NamesTheFunctionsThatAreNotPrecise) {
+  EXPECT_TRUE(contractible_in("float f(float a) { precise float b = a * a + 1.0; return b; }\n").empty());
+  const auto found = contractible_in("float f(float a) { return a * a + 1.0; }\n");
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0], "f(f1;");
 }
 
 TEST(ReferenceCompiler, LinksAWholeProgram) {
