@@ -28,7 +28,7 @@ the vertices and their second derivatives.
 RANGE. The octahedral gradients of the library leave 1 - library_range of bounds_noise.py, more than FADE, LERP and
 SCALE together (CUT moves a position, not a value out of its range): |hn_perlin| <= 1. Octave sums round by less than 2
 units of 2^-21 an octave (SUMS), 64 in 32 octaves; of the first, whose weight is 2^18, the same room is left.
-With the sine gradient, t <= 1/2 for f <= 1/2 and t >= 1/2 for f >= 1/2 suffice for n/2, as there, up to LERP, RAMP and
+With the sine gradient, t <= 1/2 for f < 1/2 and t >= 1/2 for f > 1/2 suffice for n/2, as there, up to LERP, RAMP and
 SCALE; of components that exceed 1, n/2 times that is added.
 
 SINE. q is within 3 of the exact argument in units of 2^-30 quarter turns, and x = q >> 14: for each of the 2^16 + 1 x
@@ -96,8 +96,8 @@ def overshoot():
 
 
 def fade_keeps_to_its_side():
-    """t <= 1/2 up to the middle, and t >= 1/2 from there."""
-    return fades()[:ONE // 2 + 1].max() <= FADE_ONE // 2 <= fades()[ONE // 2:].min()
+    """t <= 1/2 before the middle of the cell, where any t will do, and t >= 1/2 behind it."""
+    return fades()[:ONE // 2].max() <= FADE_ONE // 2 <= fades()[ONE // 2 + 1:].min()
 
 
 def lerp_roundings():
