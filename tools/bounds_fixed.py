@@ -20,7 +20,8 @@ HN_PERLIN. The fixed value differs from the exact one by five things, which are 
              errors of a and b with the weights 1 - t and t, whose magnitudes make 1 plus what t leaves [0, 1] by,
              twice; so a level adds at most its own rounding.
     RAMP     of the sine gradient only: each axis rounds down by less than 1 unit of 2^-28; and g is off, see below.
-    SCALE    ((n >> 9) * S) >> 9 rounds down by less than 511 S / 2^18 + 1 units of 2^-21 (n >> 7 by less than 1).
+    SCALE    (((n + 256) >> 9) * S + 256) >> 9 is off by at most 256 S / 2^18 + 1/2 units of 2^-21 (n >> 7 by less than
+             1).
 
 In a box the first two are smooth up to the choice of gradients, and bounded as in bounds_noise.py by their values at
 the vertices and their second derivatives.
@@ -31,7 +32,7 @@ units of 2^-21 an octave (SUMS), 64 in 32 octaves; of the first, whose weight is
 With the sine gradient, t <= 1/2 for f < 1/2 and t >= 1/2 for f > 1/2 suffice for n/2, as there, up to LERP, RAMP and
 SCALE; of components that exceed 1, n/2 times that is added.
 
-SINE. q is within 3 of the exact argument in units of 2^-30 quarter turns, and x = q >> 14: for each of the 2^16 + 1 x
+SINE. q is within 3 of the exact argument in units of 2^-30 quarter turns, and x is q * 2^-14, rounded: for each of the 2^16 x
 the sine lies between its values at the ends of x's range of q, and the integers are evaluated.
 
 SUMS. See fixed_octave_tolerance.
@@ -72,10 +73,14 @@ def word(values):
 
 def fixed_fade(fraction):
     """t of the contract, in units of 2^-18."""
-    h = (fraction - 2**19) >> 4
-    s = signed(h * h) >> 14
-    a = word(0xE0000000 - word(s * (81920 - ((6 * s) >> 4)))) >> 16
-    return (fraction >> 2) + (signed(h * a) >> 14)
+    g = np.minimum(fraction, ONE - fraction)
+    x = np.minimum(g + 4, 2**19 - 1) >> 3
+    s = word(x * x)
+    z = word(s + 2**15) >> 16
+    r = word(1572864 - 30 * x + 6 * z) >> 2
+    q = word(s + (word(z * r) >> 2) + 2**15) >> 16
+    t = word(x * q + 2**14) >> 15
+    return np.where(fraction > 2**19, FADE_ONE - t, t)
 
 
 @functools.cache
@@ -191,7 +196,7 @@ def rounding_effect(dims, gradient):
 
 
 def scaling_error(dims, gradient):
-    return (1 if gradient is SINE else 511 * SCALE[dims] * 1024 / 2**18 + 1) * UNIT
+    return (1 if gradient is SINE else 256 * SCALE[dims] * 1024 / 2**18 + 1 / 2) * UNIT
 
 
 @functools.cache
@@ -239,7 +244,7 @@ def largest_intermediates(dims, gradient):
     difference = 2 * value
     t = int(np.abs(fades()).max())
     lerp = (difference / 2**9 + 1) * ((t >> 9) + 1) + (difference / 2**18 + 1) * 511
-    scaled = (value / 2**9 + 1) * 1024 * gradient.scale[dims] if gradient is OCTAHEDRAL else value
+    scaled = (value / 2**9 + 1) * 1024 * gradient.scale[dims] + 256 if gradient is OCTAHEDRAL else value
     # Of an octave sum: v * (A >> 9) + (v >> 9) * (A & 511), A <= 2^18. Where A & 511 is not 0, A >> 9 is at most 511.
     noise = gradient.fixed_limit[dims] * 2**21
     octave = noise * 2**9 + (noise / 2**9 + 1) * 511
@@ -250,10 +255,10 @@ def largest_intermediates(dims, gradient):
 # --- The sine ---------------------------------------------------------------------------------------------------------
 
 def fixed_sine(x):
-    """g of the contract for x in [0, 2^16], in units of 2^-16."""
-    u = word((x >> 1) * (x >> 1)) >> 14
-    inner = 5206 - (word(u * 284) >> 16)
-    inner = 42329 - (word(u * word(inner)) >> 16)
+    """g of the contract for x in [0, 2^16), in units of 2^-16."""
+    u = word(x * x) >> 16
+    inner = 5208 - (word(u * 288) >> 16)
+    inner = 42328 - (word(u * word(inner)) >> 16)
     y = 102943 - (word(u * word(inner)) >> 16)
     return word(x * (word(y) >> 1) + 2**14) >> 15
 
@@ -264,7 +269,7 @@ SINE_REDUCTION = 3  # how far q is off, in units of 2^-30 quarter turns: as in f
 @functools.cache
 def fixed_sines():
     """g of every x."""
-    return fixed_sine(np.arange(2**16 + 1, dtype=np.int64))
+    return fixed_sine(np.arange(2**16, dtype=np.int64))
 
 
 def fixed_sine_largest():
@@ -275,8 +280,9 @@ def fixed_sine_largest():
 @functools.cache
 def fixed_sine_error():
     """A proven upper bound of |S - sin|, from all x."""
-    least = np.arange(2**16 + 1) * 2**14 - SINE_REDUCTION
-    most = np.minimum(least + 2**14 - 1 + 2 * SINE_REDUCTION, 2**30)  # the sine's largest is at 2^30
+    least = np.arange(2**16) * 2**14 - 2**13 - SINE_REDUCTION  # below 0 for x = 0: at worst sin is the other way round
+    most = least + 2**14 - 1 + 2 * SINE_REDUCTION
+    most[-1] = 2**30  # where the sine is largest
     errors = [np.abs(fixed_sines() / 2**16 - np.sin(np.pi / 2 * q / 2**30)).max() for q in (least, most)]
     return float(max(errors)) * SAFE + DOUBLE
 

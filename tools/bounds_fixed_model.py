@@ -66,9 +66,9 @@ def fixed_sine(w):
     high, low = m >> 16, m & 0xFFFF
     turns = u32(m * 0x28BE60DB + high * 0x9391 + (u32(high * 0x054A + low * 0x9391) >> 16))
     q = turns & 0x7FFFFFFF
-    x = np.minimum(q, 0x80000000 - q) >> 14
-    u = ((x >> 1) * (x >> 1)) >> 14
-    y = u32(102943 - (u32(u * (42329 - (u32(u * (5206 - ((u * 284) >> 16))) >> 16))) >> 16))
+    x = np.minimum((np.minimum(q, 0x80000000 - q) + 2**13) >> 14, 65535)
+    u = u32(x * x) >> 16
+    y = u32(102943 - (u32(u * (42328 - (u32(u * (5208 - ((u * 288) >> 16))) >> 16))) >> 16))
     g = u32(x * (y >> 1) + 2**14) >> 15
     return np.where((turns >> 31) ^ (u32(w) >> 31), -g, g)
 
@@ -93,10 +93,14 @@ def exact_at(kind, cells, seed):
 
 
 def fixed_fade(f):
-    h = (f - 2**19) >> 4
-    s = u32(h * h) >> 14
-    a = u32(0xE0000000 - s * (81920 - ((6 * s) >> 4))) >> 16
-    return (f >> 2) + (s32(h * a) >> 14)
+    g = np.minimum(f, 2**20 - f)
+    x = np.minimum(g + 4, 2**19 - 1) >> 3
+    s = u32(x * x)
+    z = u32(s + 2**15) >> 16
+    r = u32(1572864 - 30 * x + 6 * z) >> 2
+    q = u32(s + (u32(z * r) >> 2) + 2**15) >> 16
+    t = u32(x * q + 2**14) >> 15
+    return np.where(f > 2**19, 2**18 - t, t)
 
 
 def fixed_lerp(a, b, t):
@@ -123,7 +127,7 @@ def fixed_noise(kind, parts_of, fractions):
         values = [fixed_lerp(a, b, t) for a, b in zip(values[::2], values[1::2])]
     if kind is SINE:
         return values[0] >> 7
-    return s32((values[0] >> 9) * {2: 1913, 3: 1819}[dims]) >> 9
+    return s32((s32(values[0] + 256) >> 9) * {2: 1913, 3: 1819}[dims] + 256) >> 9
 
 
 def exact_noise(kind, gradient_of, fractions):

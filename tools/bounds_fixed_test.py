@@ -95,21 +95,21 @@ class Noise(unittest.TestCase):
             self.assertEqual(constant, float(f"{constant:.2e}"))
 
     def test_random_points(self):
-        """Their gradients hardly ever conspire: they see 0.26 (sine, 3D) to 0.69 (octahedral, 2D) of the bound."""
+        """Their gradients hardly ever conspire: they see 0.21 (sine, 3D) to 0.53 (octahedral, 2D) of the bound."""
         for kind, dims in NOISES:
             seen = self.largest_error(kind, dims, self.RANDOM[dims], 1)
             self.assertLess(seen, kind.fixed_error[dims])
-            self.assertGreater(seen, kind.fixed_error[dims] / 5)
+            self.assertGreater(seen, kind.fixed_error[dims] / 6)
 
     def test_adverse_gradients(self):
-        """They reach 0.75 to 0.88 of the bound without the error of the sine; there is no cut here, either."""
+        """They reach 0.51 to 0.69 of the bound without the error of the sine; there is no cut here, either."""
         for kind, dims in NOISES:
             value, exact = self.adverse(kind, dims, lambda change: np.where(change > 0, -1, 1), 2)
             parts = bounds.error_parts(dims, kind)
             bound = bounds.fixed_error(dims, kind) - parts["gradient"]
             seen = abs(value - exact).max()
             self.assertLess(seen, bound)
-            self.assertGreater(seen, 0.7 * bound)
+            self.assertGreater(seen, 0.5 * bound)
 
     def test_the_cut(self):
         """A fraction just below the next step."""
@@ -153,7 +153,7 @@ class Integers(unittest.TestCase):
     def test_fade(self):
         f = np.arange(2**20 + 1, dtype=np.int64)
         self.assertTrue(np.array_equal(fixed_fade(f), bounds.fades()))
-        self.assertEqual([fixed_fade(f)[i] for i in (0, 2**19, 2**20)], [0, 2**17, 2**18])
+        self.assertEqual([fixed_fade(f)[i] for i in (0, 2**19, 2**20)], [0, 2**17 - 4, 2**18])
 
     def test_lerp_roundings(self):
         rng = np.random.default_rng(7)

@@ -78,10 +78,10 @@ class Gradient:
 
 OCTAHEDRAL = Gradient("octahedral", max, 0.0, SCALE,
                       {2: 3.51e-6, 3: 5.54e-6}, {2: 4.57, 3: 6.18}, {2: 1.0, 3: 1.0},
-                      {2: 9.27e-5, 3: 1.38e-4}, {2: 1.0, 3: 1.0})
+                      {2: 4.90e-5, 3: 6.03e-5}, {2: 1.0, 3: 1.0})
 SINE = Gradient("sine", sum, 2.0**-19, {2: 1.0, 3: 1.0},
                 {2: 4.58e-6, 3: 8.20e-6}, {2: 3.76, 3: 6.94}, {2: 1.00001, 3: 1.50001},
-                {2: 1.15e-4, 3: 1.92e-4}, {2: 1.00009, 3: 1.50017})
+                {2: 7.98e-5, 3: 1.40e-4}, {2: 1.00001, 3: 1.50002})
 GRADIENTS = (OCTAHEDRAL, SINE)
 
 SAFE = 1 + 1e-9  # a few hundred double operations err by less than 1e-13 relative
