@@ -61,7 +61,7 @@ NoiseBounds noise_bounds(int dimensions, Gradient gradient) {
     return dimensions == 2 ? NoiseBounds{4.36e-6, 4.58e-6, 3.76, 1.00001}
                            : NoiseBounds{7.79e-6, 8.20e-6, 6.94, 1.50001};
   }
-  return dimensions == 2 ? NoiseBounds{3.24e-6, 3.51e-6, 4.57, 1.0} : NoiseBounds{5.06e-6, 5.43e-6, 6.18, 1.0};
+  return dimensions == 2 ? NoiseBounds{3.24e-6, 3.51e-6, 4.57, 1.0} : NoiseBounds{5.18e-6, 5.54e-6, 6.18, 1.0};
 }
 
 double octave_tolerance(OctaveSum kind, int dimensions, const OctaveArguments& arguments, Gradient gradient) {

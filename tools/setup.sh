@@ -22,7 +22,7 @@ readonly conform_packages=(
 readonly paper_packages=(libvulkan1 mesa-vulkan-drivers)
 # GLFW loads the libraries of OpenGL by their names.
 readonly driver_packages=("${paper_packages[@]}" chromium libgl1 libgles2 libglfw3 libglx-mesa0 xvfb)
-readonly test_packages=("${driver_packages[@]}" clang libclang-rt-dev libgtest-dev python3)
+readonly test_packages=("${driver_packages[@]}" clang libclang-rt-dev libgtest-dev python3 python3-numpy)
 
 install_missing() {
   if ! command -v dpkg-query >/dev/null; then
