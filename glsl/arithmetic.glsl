@@ -118,12 +118,17 @@ HN_FN HN_HIGHP ivec3 hn_i_inside(HN_HIGHP vec3 f) {
   return ivec3(hn_i_inside(f.x), hn_i_inside(f.y), hn_i_inside(f.z));
 }
 
-// f + c (7/8 - 5 c^2 + 6 c^4) with c = f - 1/2, in units of 2^-18: the square of c has 18 bits, the bracket 16.
+// In units of 2^-18, rising throughout: with the nearer end at 0, f^3 (10 - 15 f + 6 f^2) as f Q with
+// Q = f^2 (4 + R) and R = 6 - 15 f + 6 f^2; the other half is the mirror image. x has 17 bits, its square 32, and is never
+// 1/2, whose square has one more. The summands 4, 32768 and 16384 round.
 HN_FN HN_HIGHP int hn_i_fade(HN_HIGHP int f) {
-  HN_HIGHP int c = (f - 524288) >> 4;
-  HN_HIGHP uint s = uint(c * c) >> 14;
-  HN_HIGHP uint bracket = 0xE0000000u - s * (81920u - ((6u * s) >> 4));
-  return (f >> 2) + ((c * int(bracket >> 16)) >> 14);
+  HN_HIGHP uint x = uint(min(min(f, 1048576 - f) + 4, 524287)) >> 3;
+  HN_HIGHP uint square = x * x;
+  HN_HIGHP uint z = (square + 32768u) >> 16;
+  HN_HIGHP uint r = (1572864u - 30u * x + 6u * z) >> 2;
+  HN_HIGHP uint q = (square + ((z * r) >> 2) + 32768u) >> 16;
+  HN_HIGHP int t = int((x * q + 16384u) >> 15);
+  return f > 524288 ? 262144 - t : t;
 }
 HN_FN HN_HIGHP ivec2 hn_i_fade(HN_HIGHP ivec2 f) { return ivec2(hn_i_fade(f.x), hn_i_fade(f.y)); }
 HN_FN HN_HIGHP ivec3 hn_i_fade(HN_HIGHP ivec3 f) { return ivec3(hn_i_fade(f.x), hn_i_fade(f.y), hn_i_fade(f.z)); }
@@ -134,8 +139,8 @@ HN_FN HN_HIGHP int hn_i_lerp(HN_HIGHP int a, HN_HIGHP int b, HN_HIGHP int t) {
   return a + ((d >> 9) * (t >> 9) + (d >> 18) * (t & 511));
 }
 
-// From units of 2^-29 to units of 2^-21.
-HN_FN HN_HIGHP int hn_i_scaled(HN_HIGHP int n, HN_HIGHP int s) { return ((n >> 9) * s) >> 9; }
+// From units of 2^-29 to units of 2^-21, rounded.
+HN_FN HN_HIGHP int hn_i_scaled(HN_HIGHP int n, HN_HIGHP int s) { return (((n + 256) >> 9) * s + 256) >> 9; }
 
 // The ramps of the sine gradient are longer: in units of 2^-28.
 HN_FN HN_HIGHP int hn_i_unscaled(HN_HIGHP int n) { return n >> 7; }

@@ -53,7 +53,8 @@ HN_FN HN_HIGHP HN_I_NUMBER hn_i_perlin(HN_HIGHP ivec2 cell, HN_HIGHP HN_I_NUMBER
 //   seed     any uint, 0 if left out; different seeds give independent fields
 //   returns  [-1, 1] (proven bound 0.999985), mean 0, 0 at lattice points, twice continuously differentiable; with
 //            HN_GRADIENT_SINE, which is not scaled, [-1, 1] and the rest alike
-//   error    at most 3.3e-6 against the exact value, in any rounding mode (docs/accuracy.md); HN_GRADIENT_SINE 4.4e-6
+//   error    at most 3.3e-6 against the exact value, in any rounding mode (docs/accuracy.md); HN_GRADIENT_SINE 4.4e-6.
+//            HN_FIXED 4.90e-5; HN_GRADIENT_SINE 7.98e-5
 //   period   HN_PERIOD; without it 2^32 cells per axis (HN_GRADIENT_SINE with HN_HASH_PARTIAL_FNV1: no more than 2^31)
 //   cost     4 hashes (none with HN_HASH_LATTICE) and 4 multiplications; 2 more to spread the coordinates, and 2 more
 //            for a seed that is no constant. HN_GRADIENT_SINE: 6 hashes and 8 sines of 10 multiplications each
@@ -68,7 +69,7 @@ HN_FN HN_HIGHP float hn_perlin(HN_HIGHP ivec2 cell, HN_HIGHP vec2 f) { return hn
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
 //   seed     any uint, 0 if left out
 //   returns  as above
-//   error    at most 3.51e-6; HN_GRADIENT_SINE 4.58e-6
+//   error    at most 3.51e-6; HN_GRADIENT_SINE 4.58e-6. HN_FIXED as above
 //   cost     as above
 HN_FN HN_HIGHP float hn_perlin(HN_HIGHP vec2 p, HN_HIGHP uint seed) {
   return hn_i_value(hn_i_perlin(hn_i_cell(p), hn_i_fraction(p), seed));

@@ -54,10 +54,14 @@ def cell_and_fraction(p: Real) -> tuple[int, int]:
 
 def fade(fraction: int) -> int:
     """The weight of the far corner along one axis, in units of 2^-18."""
-    h = (fraction - 2**19) >> 4
-    s = word(signed(h * h) >> 14)
-    a = word(0xE0000000 - word(s * word(81920 - (6 * s >> 4)))) >> 16
-    return (fraction >> 2) + (signed(h * a) >> 14)
+    g = min(fraction, UNIT - fraction)
+    x = min(g + 4, 2**19 - 1) >> 3
+    s = word(x * x)
+    z = word(s + 2**15) >> 16
+    r = word(1572864 - 30 * x + 6 * z) >> 2
+    q = word(s + (word(z * r) >> 2) + 2**15) >> 16
+    t = word(word(x * q) + 2**14) >> 15
+    return 2**18 - t if fraction > 2**19 else t
 
 
 def lerp(a: int, b: int, t: int) -> int:
@@ -75,11 +79,12 @@ def turns_of(m: int) -> int:
     return (m * 0x28BE60DB + word(high * 0x9391) + (word(high * 0x054A + low * 0x9391) >> 16)) & MASK
 
 
-def sine_of_quarter(x: int) -> int:
-    """The sine of x, in units of 2^-16 of a quarter turn, up to one; in units of 2^-16."""
-    u = word((x >> 1) * (x >> 1)) >> 14
-    y = 102943 - (word(u * (42329 - (word(u * (5206 - (word(u * 284) >> 16))) >> 16))) >> 16)
-    return min(word(x * (y >> 1) + 2**14) >> 15, 65535)
+def sine_of_quarter(q: int) -> int:
+    """The sine of q, in units of 2^-30 of a quarter turn, up to one; in units of 2^-16."""
+    x = min((q + 2**13) >> 14, 65535)
+    u = word(x * x) >> 16
+    y = 102943 - (word(u * (42328 - (word(u * (5208 - (word(u * 288) >> 16))) >> 16))) >> 16)
+    return word(x * (y >> 1) + 2**14) >> 15
 
 
 def sine_of_word(w: int) -> int:
@@ -87,7 +92,7 @@ def sine_of_word(w: int) -> int:
     turns = turns_of(abs(oracle.round24(oracle.signed(w))))
     q = turns & 0x7FFFFFFF
     q = min(q, 0x80000000 - q)
-    g = sine_of_quarter(q >> 14)
+    g = sine_of_quarter(q)
     return -g if turns >> 31 != w >> 31 else g
 
 
@@ -153,7 +158,7 @@ def noise(name: str, cell: Sequence[int], fraction: Sequence[int], seed: int) ->
     if knobs.sine:
         return n >> 7
     _, scale = OCTAHEDRAL[len(cell)]
-    return signed((n >> 9) * scale) >> 9
+    return signed(signed(((n + 256) >> 9) * scale) + 256) >> 9
 
 
 def gradient(name: str, cell: Sequence[int], seed: int = 0) -> tuple[Real, ...]:
