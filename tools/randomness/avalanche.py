@@ -25,9 +25,11 @@ def flips(words: Words, cells: np.ndarray, changes: list[tuple[int, int]], bits:
     single = np.zeros((len(changes), len(bits)))
     double = np.zeros((len(changes), len(bits), len(bits)))
     for i, (axis, bit) in enumerate(changes):
-        other = cells.copy()
-        other[:, axis] ^= 1 << bit
-        single[i], double[i] = _agreement(before ^ words(other), bits)
+        # Only from 0 to 1: from 1 to 0 it would be the same pairs of cells again, where both are among the cells.
+        clear = (cells[:, axis] >> bit & 1) == 0
+        other = cells[clear]
+        other[:, axis] |= 1 << bit
+        single[i], double[i] = _agreement(before[clear] ^ words(other), bits)
     return single, double
 
 
@@ -48,16 +50,17 @@ def judge_flips(words: Words, cells: np.ndarray, width: int, bits: np.ndarray) -
     def named(i):
         return f"{'xyz'[changes[i][0]]} bit {changes[i][1]}"
 
-    # A probability of flipping is (1 - z / sqrt(n)) / 2.
-    return [normal("avalanche", single, len(cells), lambda i, j: f"{named(i)} to bit {bits[j]}",
-                   0.5 / np.sqrt(len(cells))),
-            normal("avalanche: pairs", double, len(cells), lambda i, j, k: f"{named(i)} to bits {bits[j]} and {bits[k]}",
-                   0.5 / np.sqrt(len(cells)))]
+    # A probability of flipping is (1 - z / sqrt(n)) / 2; of about half of the cells the bit is clear.
+    n = len(cells) // 2
+    return [normal("avalanche", single, n, lambda i, j: f"{named(i)} to bit {bits[j]}", 0.5 / np.sqrt(n)),
+            normal("avalanche: pairs", double, n, lambda i, j, k: f"{named(i)} to bits {bits[j]} and {bits[k]}",
+                   0.5 / np.sqrt(n))]
 
 
 def of_twin(twin: Twin, dimensions: int, seed: int, count: int) -> list[Finding]:
-    """Avalanche at random cells of [0, 4096)^n."""
-    cells = np.random.default_rng(dimensions).integers(0, 1 << COORDINATE_BITS, (count, dimensions))
+    """Avalanche at so many random cells of [0, 4096)^n, all different, for each bit that is clear there."""
+    places = np.unique(np.random.default_rng(dimensions).integers(0, 1 << COORDINATE_BITS * dimensions, 2 * count))
+    cells = np.stack([places >> COORDINATE_BITS * axis & (1 << COORDINATE_BITS) - 1 for axis in range(dimensions)], -1)
     findings = judge_flips(lambda c: twin.words(c, seed), cells, COORDINATE_BITS, twin.consumed(dimensions))
     return _at(findings, f"seed {seed}")
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from itertools import product
 from typing import Callable, Iterable
 
 import numpy as np
@@ -19,11 +20,11 @@ from library import Twin
 GOLDEN = 0x9E3779B9  # between the seeds of octaves, docs/contract.md section 7
 WORD = 0xFFFFFFFF
 
+# Around the origin, where people look, and where a hash may mirror; negative; at the end of what hn_perlin takes; and
+# near the ends of int. They do not overlap, so that their values may be summed.
 ORIGINS = {
-    # At the origin; around it, where people look, and where a hash may mirror; negative; far, near the ends of int and
-    # beyond 2^24, from which on neighbours differ in bits that a float would have lost.
-    2: [(0, 0), (-512, -512), (-3000000, -70000), (2000000011, -1900000007)],
-    3: [(0, 0, 0), (-64, -64, -64), (-3000000, -70000, -12345), (2000000011, -1900000007, 30000001)],
+    2: [(-512, -512), (-3000000, -70000), (8387584, 8387584), (2000000011, -1900000007)],
+    3: [(-64, -64, -64), (-3000000, -70000, -12345), (8388480, 8388480, 8388480), (2000000011, -1900000007, 30000001)],
 }
 SIDES = {2: 1024, 3: 128}
 SEEDS = [0, 1, 0xDEADBEEF]
@@ -38,14 +39,20 @@ class Effort:
     samples: int = 1 << 18   # cells of the tests that draw them
     windows: int = 64        # places in which only equal words are looked for
     pairs: int = 8           # of seeds
-    everywhere: bool = True  # the costly tests in every window, else in the first
+    everywhere: bool = True  # every seed at every origin, and the costly tests in every window; else each seed at one
+                             # origin, and the costly tests in the first window
+
+    def windows_of(self, dimensions: int) -> list[tuple[tuple[int, ...], int]]:
+        origins = ORIGINS[dimensions][:self.origins]
+        return list(product(origins, self.seeds) if self.everywhere else zip(origins, self.seeds))
 
 
 FULL = Effort()
-QUICK = Effort(origins=2, seeds=(0, 0xDEADBEEF), samples=1 << 16, windows=16, pairs=3, everywhere=False)
-LEAST = Effort(origins=1, seeds=(7,), sides={2: 512, 3: 64}, samples=1 << 15, windows=8, pairs=1, everywhere=False)
+QUICK = Effort(origins=2, seeds=(0, 0xDEADBEEF), samples=1 << 16, windows=12, pairs=3, everywhere=False)
+LEAST = Effort(origins=1, seeds=(7,), sides={2: 512, 3: 64}, samples=1 << 15, windows=6, pairs=1, everywhere=False)
 
 # In order of their names in the report; the costly ones apart.
+Keep = Callable[[Lattice], None]  # is shown each window whose gradients are judged
 WINDOW_TESTS: list[Callable[[Lattice], list[Finding]]] = [
     fourier.autocorrelation, bits.values, bits.pairs, bits.local, directions.uniformity, copies.duplicates]
 COSTLY_TESTS: list[Callable[[Lattice], list[Finding]]] = [fourier.bit_autocorrelation, bits.bit_pairs, bits.quads]
@@ -77,9 +84,9 @@ def judge_words(words: np.ndarray, twin: Twin) -> list[Finding]:
     return judge_window(lattice) + avalanche.of_window(lattice)
 
 
-def judge_twin(twin: Twin, dimensions: int, effort: Effort) -> list[Finding]:
+def judge_twin(twin: Twin, dimensions: int, effort: Effort, keep: Keep = lambda lattice: None) -> list[Finding]:
     """Everything about a hash in the plane or in space."""
-    findings = list(_measure(twin, dimensions, effort))
+    findings = list(_measure(twin, dimensions, effort, keep))
     return findings + pooled(findings)
 
 
@@ -95,23 +102,24 @@ def pooled(findings: list[Finding]) -> list[Finding]:
     return together
 
 
-def _measure(twin: Twin, dimensions: int, effort: Effort) -> Iterable[Finding]:
+def _measure(twin: Twin, dimensions: int, effort: Effort, keep: Keep) -> Iterable[Finding]:
     side = effort.sides[dimensions]
     shape = (side,) * dimensions
-    first = True
-    for origin in ORIGINS[dimensions][:effort.origins]:
-        for seed in effort.seeds:
-            lattice = sample(twin, shape, origin, seed)
-            yield from judge_window(lattice, effort.everywhere or first)
-            yield _same_stage(lattice, twin)
-            yield directions.on_shape(lattice)
-            first = False
+    for i, (origin, seed) in enumerate(effort.windows_of(dimensions)):
+        lattice = sample(twin, shape, origin, seed)
+        keep(lattice)
+        yield from judge_window(lattice, effort.everywhere or i == 0)
+        yield _same_stage(lattice, twin)
+        yield from _placed([directions.on_shape(lattice)], lattice.place)
     for seed in effort.seeds:
         yield from avalanche.of_twin(twin, dimensions, seed, effort.samples)
         yield from avalanche.far(twin, dimensions, seed, effort.samples)
     yield from avalanche.of_seeds(twin, dimensions, effort.samples)
     for a, b in seed_pairs(effort.pairs):
-        yield from judge_seeds(sample(twin, shape, (0,) * dimensions, a), sample(twin, shape, (0,) * dimensions, b))
+        windows = [sample(twin, shape, ORIGINS[dimensions][0], seed) for seed in (a, b)]
+        for lattice in windows:
+            keep(lattice)
+        yield from judge_seeds(*windows)
     yield from many_windows(twin, dimensions, effort)
 
 

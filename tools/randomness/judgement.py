@@ -33,6 +33,7 @@ class Finding:
     samples: int        # values that each comparison rests on
     comparisons: int    # the statistic is the largest of so many
     where: str = ""
+    lower: float | None = None  # the threshold below, if the statistic may not be too small either
     scores: Sums | None = None  # what may be summed over windows, if that makes sense
 
     @property
@@ -88,16 +89,15 @@ def join(findings: list[Finding]) -> Finding:
 
 
 def two_tails(test: str, statistic: float, null: Any, samples: int, comparisons: int = 1, where: str = "") -> Finding:
-    """A verdict on a value that may be neither too large nor too small: too even is as wrong as too uneven.
-
-    The threshold that is shown is that of the side on which the statistic lies.
-    """
+    """A verdict on a value that may be neither too large nor too small: too even is as wrong as too uneven."""
     statistic = float(statistic)
-    upper = statistic >= null.median()
-    tail = null.sf(statistic) if upper else null.cdf(statistic)
+    # Of a discrete distribution, reaching a value counts, not only exceeding it.
+    discrete = isinstance(null.dist, stats.rv_discrete)
+    reach = null.sf(statistic - 1 if discrete else statistic)
+    tail = min(float(reach), float(null.cdf(statistic)))
     q = ALPHA / 2 / comparisons
-    return Finding(test, statistic, float(null.median()), float(null.isf(q) if upper else null.ppf(q)),
-                   min(1.0, float(tail) * 2 * comparisons), int(samples), int(comparisons), where)
+    return Finding(test, statistic, float(null.median()), float(null.isf(q)), min(1.0, tail * 2 * comparisons),
+                   int(samples), int(comparisons), where, float(null.ppf(q)))
 
 
 def chi_square(test: str, counts: np.ndarray, where=None) -> Finding:
@@ -115,9 +115,4 @@ def chi_square(test: str, counts: np.ndarray, where=None) -> Finding:
 
 def poisson(test: str, count: int, expected: float, samples: int, where: str = "") -> Finding:
     """A verdict on how many rare things happened, of which so many are expected: neither too many nor too few."""
-    null = stats.poisson(expected)
-    upper = count >= null.median()
-    tail = null.sf(count - 1) if upper else null.cdf(count)
-    q = ALPHA / 2
-    return Finding(test, float(count), float(null.median()), float(null.isf(q) if upper else null.ppf(q)),
-                   min(1.0, float(tail) * 2), int(samples), 1, where)
+    return two_tails(test, count, stats.poisson(expected), samples, 1, where)

@@ -34,6 +34,15 @@ def hash_names(include: Path) -> dict[str, int]:
     return names
 
 
+def default_hash(include: Path) -> str:
+    """The hash that is used if HN_HASH is not defined."""
+    config = include.parent / "glsl" / "config.glsl"
+    found = re.search(r"^#define HN_HASH HN_HASH_(\w+)$", config.read_text(encoding="utf-8"), re.MULTILINE)
+    if not found:
+        raise NotBuilt(f"{config} names no default for HN_HASH")
+    return found[1]
+
+
 @dataclass
 class Twin:
     """The library with one setting of its knobs."""
