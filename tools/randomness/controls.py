@@ -100,11 +100,25 @@ def biased_bit(shape: Shape) -> np.ndarray:
 
 
 def copied_line(shape: Shape) -> np.ndarray:
-    """The second half of a row is the first half of another."""
+    """A row is another, moved by two cells."""
     words = random(shape)
-    half = shape[-1] // 2
-    words[(shape[0] // 3,) * (len(shape) - 1) + (slice(half, None),)] = words[(5,) * (len(shape) - 1) + (slice(0, half),)]
+    words[(shape[0] // 3,) * (len(shape) - 1)] = np.roll(words[(5,) * (len(shape) - 1)], 2)
     return words
+
+
+def copied_part(shape: Shape) -> np.ndarray:
+    """Ten cells of a row are those of another."""
+    words = random(shape)
+    words[(shape[0] // 3,) * (len(shape) - 1) + (slice(20, 30),)] = words[(5,) * (len(shape) - 1) + (slice(0, 10),)]
+    return words
+
+
+def alike_bits(shape: Shape) -> np.ndarray:
+    """Two bits of a word agree with a probability of 0.51."""
+    words = random(shape)
+    some = np.random.default_rng(1).random(shape) < 0.02
+    alike = words & np.uint32(0xFFFEFFFF) | (words >> np.uint32(29) & 1) << np.uint32(16)
+    return np.where(some, alike, words)
 
 
 def mirrored_line(shape: Shape) -> np.ndarray:
@@ -175,6 +189,8 @@ WINDOWS: dict[str, tuple[Callable[[Shape], np.ndarray], tuple[str, ...]]] = {
     "stuck_bit": (stuck_bit, ("chi-square of values", "lines")),
     "biased_bit": (biased_bit, ("chi-square of values",)),
     "copied_line": (copied_line, ("copied lines",)),
+    "copied_part": (copied_part, ("copied runs",)),
+    "alike_bits": (alike_bits, ("pairs of bits",)),
     "mirrored_line": (mirrored_line, ("copied lines",)),
     "mirrored_quadrant": (mirrored_quadrant, ("copied lines", "copied runs")),
     "transposed": (transposed, ("copied runs",)),

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from itertools import product
 from typing import Callable, Iterable
 
 import numpy as np
@@ -37,19 +36,23 @@ class Effort:
     seeds: tuple[int, ...] = tuple(SEEDS)
     sides: dict[int, int] = field(default_factory=lambda: dict(SIDES))
     samples: int = 1 << 18   # cells of the tests that draw them
-    windows: int = 64        # places in which only equal words are looked for
-    pairs: int = 8           # of seeds
-    everywhere: bool = True  # every seed at every origin, and the costly tests in every window; else each seed at one
-                             # origin, and the costly tests in the first window
+    windows: int = 32        # places in which only equal words are looked for
+    pairs: int = 6           # of seeds
+    thorough: bool = True    # two of the seeds at each origin, and the costly tests in one of two windows; else one
+                             # seed, and the costly tests in the first window alone
 
-    def windows_of(self, dimensions: int) -> list[tuple[tuple[int, ...], int]]:
-        origins = ORIGINS[dimensions][:self.origins]
-        return list(product(origins, self.seeds) if self.everywhere else zip(origins, self.seeds))
+    def windows_of(self, dimensions: int) -> list[tuple[tuple[int, ...], int, bool]]:
+        """Origin and seed of each window, and whether it has the costly tests."""
+        windows = []
+        for i, origin in enumerate(ORIGINS[dimensions][:self.origins]):
+            for k in range(min(2, len(self.seeds)) if self.thorough else 1):
+                windows.append((origin, self.seeds[(i + k) % len(self.seeds)], k == 0 if self.thorough else i == 0))
+        return windows
 
 
 FULL = Effort()
-QUICK = Effort(origins=2, seeds=(0, 0xDEADBEEF), samples=1 << 16, windows=12, pairs=3, everywhere=False)
-LEAST = Effort(origins=1, seeds=(7,), sides={2: 512, 3: 64}, samples=1 << 15, windows=6, pairs=1, everywhere=False)
+QUICK = Effort(origins=2, seeds=(0, 0xDEADBEEF), samples=1 << 16, windows=12, pairs=3, thorough=False)
+LEAST = Effort(origins=1, seeds=(7,), sides={2: 512, 3: 64}, samples=1 << 15, windows=6, pairs=1, thorough=False)
 
 # In order of their names in the report; the costly ones apart.
 Keep = Callable[[Lattice], None]  # is shown each window whose gradients are judged
@@ -105,10 +108,10 @@ def pooled(findings: list[Finding]) -> list[Finding]:
 def _measure(twin: Twin, dimensions: int, effort: Effort, keep: Keep) -> Iterable[Finding]:
     side = effort.sides[dimensions]
     shape = (side,) * dimensions
-    for i, (origin, seed) in enumerate(effort.windows_of(dimensions)):
+    for origin, seed, costly in effort.windows_of(dimensions):
         lattice = sample(twin, shape, origin, seed)
         keep(lattice)
-        yield from judge_window(lattice, effort.everywhere or i == 0)
+        yield from judge_window(lattice, costly)
         yield _same_stage(lattice, twin)
         yield from _placed([directions.on_shape(lattice)], lattice.place)
     for seed in effort.seeds:

@@ -117,7 +117,8 @@ def with_error(value: float, error: float) -> str:
 def page(results: list[HashResult], rejected: list[HashResult], sine: list[Sine], default: Twin) -> str:
     tests = sum(len(result.findings) for result in results)
     text = texts.HEAD.format(alpha=f"2^-{round(-_log2(ALPHA))}", tests=tests, chance=f"{tests * ALPHA:.2g}",
-                             origins=len(gate.FULL.windows_of(2)) // len(gate.FULL.seeds), seeds=len(gate.FULL.seeds))
+                             origins=gate.FULL.origins, seeds=len(gate.FULL.seeds), pairs=gate.FULL.pairs,
+                             windows=gate.FULL.windows)
     for n in (2, 3):
         some = [result for result in results if result.dimensions == n]
         bits = default.consumed(n)

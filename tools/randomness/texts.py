@@ -10,8 +10,8 @@ is needed to calculate all of this again.
 on such a lattice (SMHasher3's limit for a failure), the number of comparisons in the test taken into account. Nothing else is chosen: *values* and *comparisons* give the *floor*, which a random
 lattice exceeds every second time, and what is *allowed*. All hashes together make {tests} tests; a random library would fail one with a probability of {chance} at most.
 
-The windows are 1024 x 1024 and 128 x 128 x 128 cells at {origins} origins (around 0, negative, at the end of what `hn_perlin` takes, near 2^31), each with {seeds} seeds. The tables show the most
-improbable value over all of them; lines that end in "all" judge the windows together, which shows what is weak everywhere, however little.
+The windows are 1024 x 1024 and 128 x 128 x 128 cells at {origins} origins (around 0, negative, at the end of what `hn_perlin` takes, near 2^31), each with two of {seeds} seeds;
+{pairs} pairs of seeds are compared, and {windows} more windows at random origins are searched for copies. The tables show the most improbable value over all of them; lines that end in "all" judge the windows together, which shows what is weak everywhere, however little.
 
 ![Autocorrelation and spectrum of the default hash and of two that fail](images/quality-lattice.png)
 """
