@@ -19,8 +19,8 @@ Words = Callable[[np.ndarray], np.ndarray]  # the words at cells
 
 
 def flips(words: Words, cells: np.ndarray, changes: list[tuple[int, int]], bits: np.ndarray):
-    """For each change (axis, bit of its coordinate): of each consumed bit how often it flips, and of each pair how often
-    both do or both do not; as standard normal values."""
+    """For each change (axis, bit of its coordinate): of each consumed bit how often it flips, and of each pair how
+    often both do or both do not; as standard normal values."""
     before = words(cells)
     single = np.zeros((len(changes), len(bits)))
     double = np.zeros((len(changes), len(bits), len(bits)))

@@ -1,4 +1,4 @@
-"""Tests of the consumed bits: how often each value comes, alone and with its neighbours, everywhere and in each part."""
+"""Tests of the consumed bits: how often each value comes, alone and with its neighbours, everywhere and in parts."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from lattice import Lattice, neighbours, shifted
 
 WINDOW = 8   # bits: 256 bins. Windows start every four bits, so that each run of five bits is whole in one
 PAIR = 6     # bits of each of two neighbours: 4096 bins
-BLOCK = {2: 32, 3: 16}  # cells along the side of a block: about a thousand blocks of a thousand cells in the full window
+BLOCK = {2: 32, 3: 16}  # cells along the side of a block: 1024 blocks of 1024 cells, 512 of 4096
 CHUNK = 1 << 16         # cells whose bits are spread out at a time
 
 

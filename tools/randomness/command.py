@@ -1,7 +1,7 @@
 """Measures how random the library's hashes are, and judges them.
 
 Without --hash, --hash-fn or --words every hash of the library is judged, and docs/quality.md and its pictures are
-written; with one of them, or with --quick, the verdicts alone are printed.
+written; with one of them, or with --quick and no --out, the verdicts alone are printed.
 """
 
 from __future__ import annotations
@@ -132,11 +132,11 @@ def judge_given(options, folder: Path) -> int:
 
 def parse(arguments: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="tools/quality", description=__doc__.splitlines()[0],
-                                     epilog="Exit status: 0 every hash passes, 1 one does not (or the page is not up to "
-                                     "date), 2 bad usage, 4 it could not be built.")
+                                     epilog="Exit status: 0 every hash passes, 1 one does not (or the page is not "
+                                     "up to date), 2 bad usage, 4 it could not be built.")
     parser.add_argument("--hash", action="append", metavar="NAME", help="only this hash of the library (repeatable)")
     parser.add_argument("--hash-fn", metavar="EXPR", help="judge your own hash: an expression of the uint k")
-    parser.add_argument("--words2", type=Path, metavar="FILE", help="judge a window of words in the plane: .npy, uint32")
+    parser.add_argument("--words2", type=Path, metavar="FILE", help="judge words in the plane: .npy, uint32")
     parser.add_argument("--words3", type=Path, metavar="FILE", help="the same in space")
     parser.add_argument("--include", type=Path, default=library.ROOT / "include", metavar="DIR",
                         help="another copy of include/, with its glsl/ beside it")
@@ -144,7 +144,8 @@ def parse(arguments: list[str]) -> argparse.Namespace:
                         metavar="A,B,...", help="seeds to measure with")
     parser.add_argument("--dump", type=Path, metavar="DIR", help="keep what is judged: the words and gradients of each "
                         "window (.npy; about 800 MB for a hash, 200 MB with --quick), index.json, statistics.json")
-    parser.add_argument("--out", type=Path, default=library.ROOT / "docs", metavar="DIR", help="for the page")
+    parser.add_argument("--out", type=Path, metavar="DIR", help="for the page (default docs; with --quick none is "
+                        "written unless DIR is named)")
     parser.add_argument("--check", action="store_true", help="compare with the page instead of writing it")
     parser.add_argument("--quick", action="store_true", help="the default hash with fewer windows, the others with few "
                         "and small ones; no page")
@@ -155,6 +156,8 @@ def parse(arguments: list[str]) -> argparse.Namespace:
         parser.error("--words2 and --words3 go without --hash, --hash-fn, --quick and --check")
     if options.check and (options.quick or options.hash or options.hash_fn or options.seeds):
         parser.error("--check is of the whole page: it goes without --quick, --hash, --hash-fn and --seeds")
+    if options.out and (options.hash or options.hash_fn or options.words2 or options.words3 or options.seeds):
+        parser.error("--out is of the whole page: it goes without --hash, --hash-fn, --words2, --words3 and --seeds")
     if options.jobs < 1:
         parser.error("--jobs must be 1 or more")
     return options
@@ -182,7 +185,8 @@ def run(options, folder: Path) -> int:
     if options.words2 or options.words3:
         return judge_given(options, folder)
     twins = chosen_twins(options, folder)
-    page = not (options.quick or options.hash or options.hash_fn or options.seeds)
+    page = options.out is not None or not (options.quick or options.hash or options.hash_fn or options.seeds)
+    out = options.out or library.ROOT / "docs"
     if options.dump:
         options.dump.mkdir(parents=True, exist_ok=True)
     tasks = [Task(twin, n, effort_for(options, twin), options.dump, page) for twin in twins for n in DIMENSIONS]
@@ -199,10 +203,10 @@ def run(options, folder: Path) -> int:
     default = next(twin for twin in twins if twin.name == library.default_hash(options.include))
     rejected = control_results(default)
     sine = sine_results(library.hash_names(options.include), options.include, folder)
-    text = report.page(results, rejected, sine, default)
+    text = report.page(results, rejected, sine, default, options.quick)
     if options.check:
-        return 0 if report.same(options.out / "quality.md", text) and passed else 1
-    report.write(options.out, text, results, default)
+        return 0 if report.same(out / "quality.md", text) and passed else 1
+    report.write(out, text, results, default)
     return 0 if passed else 1
 
 

@@ -12,7 +12,9 @@ from lattice import Lattice
 
 ORDERS = {2: 16, 3: 8}  # harmonics up to this order
 CHUNK = 1 << 15  # vectors at a time, so that their harmonics stay in the cache
-STEPS = {2: 1 << 16, 3: 1 << 10}  # of the numerical integration over a side or face: errors below 2^-20, far below 1/sqrt(n)
+# Parts of a side for the numerical integration; in space a face has the square of them. Twice as many change no mean by
+# more than 3e-6, a hundredth of the standard error of the 2^24 gradients of eight windows.
+STEPS = {2: 1 << 16, 3: 1 << 8}
 
 
 def shape_points(dimensions: int) -> np.ndarray:
@@ -22,7 +24,7 @@ def shape_points(dimensions: int) -> np.ndarray:
         side = np.stack([t, 1 - t], axis=-1)
     else:
         # The centres of the small triangles into which parallels to the sides cut a face; both kinds of them.
-        k = STEPS[3] // 4  # 256 along a side: 65536 triangles on each of eight faces
+        k = STEPS[3]
         i, j = np.meshgrid(np.arange(k), np.arange(k), indexing="ij")
         upright = np.stack([i, j], axis=-1)[i + j < k] + 1 / 3
         turned = np.stack([i, j], axis=-1)[i + j < k - 1] + 2 / 3
@@ -36,7 +38,8 @@ def harmonics(vectors: np.ndarray) -> dict[int, np.ndarray]:
     """For each order the harmonics of the vectors' directions, one per column, each of mean square 1 on the circle or
     the sphere."""
     unit = vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)
-    around = [np.ones(len(unit), unit.dtype), unit[:, 0] + 1j * unit[:, 1]]  # powers of x + i y: cosines and sines of multiples
+    # Powers of x + i y: cosines and sines of multiples of the angle, times a power of its distance from the axis.
+    around = [np.ones(len(unit), unit.dtype), unit[:, 0] + 1j * unit[:, 1]]
     while len(around) <= ORDERS[vectors.shape[-1]]:
         around.append(around[-1] * around[1])
     if vectors.shape[-1] == 2:

@@ -1,4 +1,4 @@
-"""From a statistic to a verdict: every threshold comes from the distribution that the statistic has on a random lattice."""
+"""From a statistic to a verdict: every threshold comes from the distribution of the statistic on a random lattice."""
 
 from __future__ import annotations
 
@@ -108,7 +108,8 @@ def chi_square(test: str, counts: np.ndarray, where=None) -> Finding:
     statistics = ((counts - expected) ** 2 / expected).sum(axis=-1).reshape(-1)
     null = stats.chi2(counts.shape[-1] - 1)
     worst = int(np.argmin(np.minimum(null.sf(statistics), null.cdf(statistics))))
-    finding = two_tails(test, statistics[worst], null, int(samples.max()), statistics.size, where(worst) if where else "")
+    finding = two_tails(test, statistics[worst], null, int(samples.max()), statistics.size,
+                        where(worst) if where else "")
     finding.scores = Sums(counts, True, where)
     return finding
 

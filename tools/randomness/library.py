@@ -1,4 +1,4 @@
-"""The hashes that are judged: the library's C++ twin, built once per setting of its knobs, as functions of numpy arrays."""
+"""The hashes that are judged: the library's C++ twin, built once per setting of its knobs, for numpy arrays."""
 
 from __future__ import annotations
 
@@ -51,8 +51,9 @@ class Twin:
     bits: dict[int, np.ndarray] = field(default_factory=dict)
 
     def evaluate(self, quantity: str, dimensions: int, points: np.ndarray) -> np.ndarray:
-        done = subprocess.run([self.program, quantity, str(dimensions)], input=memoryview(np.ascontiguousarray(points)).cast("B"),
-                              stdout=subprocess.PIPE, check=True)
+        given = memoryview(np.ascontiguousarray(points)).cast("B")
+        done = subprocess.run([self.program, quantity, str(dimensions)], input=given, stdout=subprocess.PIPE,
+                              check=True)
         return np.frombuffer(done.stdout, np.uint32 if quantity == "word" else np.float32)
 
     def words(self, cells: np.ndarray, seeds) -> np.ndarray:

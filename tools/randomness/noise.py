@@ -64,7 +64,8 @@ def measure(twin: Twin, dimensions: int, points: int = POINTS) -> Measured:
         field = picture(twin, dimensions, seed)
         power = spectrum(field)
         sectors = np.bincount(sector, power[band], SECTORS) / np.bincount(sector, minlength=SECTORS)
-        radial += np.bincount(ring, power.reshape(-1), len(rings)) / np.bincount(ring, minlength=len(rings)) / power.sum()
+        radial += np.bincount(ring, power.reshape(-1) / power.sum(), len(rings)) / np.bincount(ring,
+                                                                                               minlength=len(rings))
         angular += sectors / sectors.mean() / len(SEEDS)
         for name, value in (("mean", field.mean()), ("variance", field.var()),
                             ("excess kurtosis", stats.kurtosis(field, axis=None)),

@@ -5,11 +5,13 @@ from __future__ import annotations
 import re
 import sys
 from dataclasses import dataclass
+from math import log2
 from pathlib import Path
 
 import controls
 import gate
 import texts
+from directions import shape_harmonics
 from judgement import ALPHA, Finding
 from library import Twin
 from noise import Measured
@@ -114,9 +116,11 @@ def with_error(value: float, error: float) -> str:
     return f"{value:.4f}" if error == 0 else f"{value:.4f} ± {error:.4f}"
 
 
-def page(results: list[HashResult], rejected: list[HashResult], sine: list[Sine], default: Twin) -> str:
+def page(results: list[HashResult], rejected: list[HashResult], sine: list[Sine], default: Twin,
+         quick: bool) -> str:
     tests = sum(len(result.findings) for result in results)
-    text = texts.HEAD.format(alpha=f"2^-{round(-_log2(ALPHA))}", tests=tests, chance=f"{tests * ALPHA:.2g}",
+    text = texts.HEAD.format(remark=texts.QUICK if quick else "",
+                             alpha=f"2^{round(log2(ALPHA))}", tests=tests, chance=f"{tests * ALPHA:.2g}",
                              origins=gate.FULL.origins, seeds=len(gate.FULL.seeds), pairs=gate.FULL.pairs,
                              windows=gate.FULL.windows)
     for n in (2, 3):
@@ -136,18 +140,12 @@ def page(results: list[HashResult], rejected: list[HashResult], sine: list[Sine]
 
 
 def shape_table() -> str:
-    from directions import shape_harmonics
     rows = []
     for n in (2, 3):
         for order, (mean, _) in shape_harmonics(n).items():
             strength = float((mean ** 2).sum() ** 0.5)
             rows.append([f"{n}D", str(order), f"{strength:.4f}" if strength > 1e-2 else "0"])
     return table(["", "order", "strength"], rows)
-
-
-def _log2(x: float) -> float:
-    from math import log2
-    return log2(x)
 
 
 def _verdicts(results: list[HashResult]) -> str:

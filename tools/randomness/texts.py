@@ -2,7 +2,7 @@
 
 HEAD = """# How random the hashes are
 
-Written by `tools/quality`, which samples the C++ twin (the library's own text), and judges every hash that `HN_HASH` offers as the noise uses it: spread, mixed,
+{remark}Written by `tools/quality`, which samples the C++ twin (the library's own text), and judges every hash that `HN_HASH` offers as the noise uses it: spread, mixed,
 and through the gradient stage. `tools/quality --help` tells how to judge your own hash, words from elsewhere, or another copy of the library, and `--dump` keeps what
 is needed to calculate all of this again.
 
@@ -14,6 +14,10 @@ The windows are 1024 x 1024 and 128 x 128 x 128 cells at {origins} origins (arou
 {pairs} pairs of seeds are compared, and {windows} more windows at random origins are searched for copies. The tables show the most improbable value over all of them; lines that end in "all" judge the windows together, which shows what is weak everywhere, however little.
 
 ![Autocorrelation and spectrum of the default hash and of two that fail](images/quality-lattice.png)
+"""
+
+QUICK = """**Of a quick run:** the default hash in one window of each of two origins, the others in one small window.
+
 """
 
 HASHES = """
