@@ -109,8 +109,7 @@ def local(lattice: Lattice) -> list[Finding]:
     return [normal("blocks", z, samples,
                    lambda i, *at: f"{names[i]}, bit {lattice.bits[at[-1]]}, block {','.join(map(str, at[:-1]))}",
                    pool=False),
-            normal("lines", _line_scores(lattice), lattice.words.size // lattice.words.shape[0],
-                   lambda axis, line, bit: f"{'xyz'[axis]} = {line}, bit {lattice.bits[bit]}", pool=False)]
+            lines(lattice)]
 
 
 def _local_words(lattice: Lattice):
@@ -119,13 +118,15 @@ def _local_words(lattice: Lattice):
         yield f"as the next along {'xyz'[axis]}", lattice.words ^ np.roll(lattice.words, -1, axis)
 
 
-def _line_scores(lattice: Lattice) -> np.ndarray:
+def lines(lattice: Lattice) -> Finding:
     """For each axis, each value of its coordinate and each bit: of the cells with that coordinate, how many have it."""
-    scores = []
+    scores, names = [], []
     for axis in range(lattice.dimensions):
         rest = tuple(a for a in range(lattice.dimensions) if a != axis)
         count = lattice.words.size // lattice.words.shape[axis]
-        ones = np.stack([(lattice.words >> np.uint32(bit) & 1).sum(axis=rest, dtype=np.int64) for bit in lattice.bits],
-                        axis=-1)
-        scores.append((2 * ones - count) / np.sqrt(count))
-    return np.stack(scores)
+        for bit in lattice.bits:
+            ones = (lattice.words >> np.uint32(bit) & 1).sum(axis=rest, dtype=np.int64)
+            scores.append((2 * ones - count) / np.sqrt(count))
+            names += [f"{'xyz'[axis]} = {line}, bit {bit}" for line in range(len(ones))]
+    return normal("lines", np.concatenate(scores), lattice.words.size // max(lattice.words.shape), lambda i: names[i],
+                  pool=False)

@@ -7,6 +7,7 @@ written; with one of them, or with --quick and no --out, the verdicts alone are 
 from __future__ import annotations
 
 import argparse
+import importlib.util
 import json
 import os
 import sys
@@ -187,6 +188,8 @@ def run(options, folder: Path) -> int:
     twins = chosen_twins(options, folder)
     page = options.out is not None or not (options.quick or options.hash or options.hash_fn or options.seeds)
     out = options.out or library.ROOT / "docs"
+    if page and not options.check and importlib.util.find_spec("matplotlib") is None:
+        raise library.NotBuilt("the pictures need matplotlib; run it as tools/quality, which finds or installs it")
     if options.dump:
         options.dump.mkdir(parents=True, exist_ok=True)
     tasks = [Task(twin, n, effort_for(options, twin), options.dump, page) for twin in twins for n in DIMENSIONS]

@@ -47,7 +47,7 @@ def linear_xor(shape: Shape) -> np.ndarray:
 
 def mixed_sum(shape: Shape) -> np.ndarray:
     """A sum of small multiples, mixed well: cells on a line across have the same key."""
-    return mix(sum(c * np.uint32(m) for c, m in zip(_cells(shape), (1, 63, 4033))))
+    return mix(sum(c * np.uint32(m) for c, m in zip(_cells(shape), (1, 7, 49))))
 
 
 def _partial_fnv1(k: np.ndarray) -> np.ndarray:
@@ -169,9 +169,9 @@ def correlated_part(shape: Shape) -> np.ndarray:
 
 
 def equal_neighbours(shape: Shape) -> np.ndarray:
-    """One word in two hundred is that of the neighbour."""
+    """One word in a hundred is that of the neighbour."""
     words = random(shape)
-    return np.where(np.random.default_rng(1).random(shape) < 0.005, np.roll(words, 1, 0), words)
+    return np.where(np.random.default_rng(1).random(shape) < 0.01, np.roll(words, 1, 0), words)
 
 
 def counter(shape: Shape) -> np.ndarray:
