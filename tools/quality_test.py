@@ -51,7 +51,8 @@ class Windows(unittest.TestCase):
             for n, shape in SHAPES.items():
                 if n == 3 and name in controls.ONLY_2D:
                     continue
-                missing = set(tests) - rejecting(gate.judge_words(make(shape), TWIN))
+                size = (gate.SIDES[n],) * n if name in controls.FULL_SIZE else shape
+                missing = set(tests) - rejecting(gate.judge_words(make(size), TWIN))
                 self.assertEqual(missing, set(), f"{name} in {n}D")
 
     def test_every_test_of_a_window_has_a_control(self):
