@@ -14,6 +14,7 @@ Shape = tuple[int, ...]
 
 
 def random(shape: Shape, seed: int = 0) -> np.ndarray:
+    """Independent words, by Philox."""
     return np.random.Generator(np.random.Philox(seed)).integers(0, 1 << 32, shape, np.uint32)
 
 
@@ -90,6 +91,7 @@ def fract_sin(shape: Shape) -> np.ndarray:
 
 
 def stuck_bit(shape: Shape) -> np.ndarray:
+    """A bit that is always set."""
     return random(shape) | np.uint32(1 << 30)
 
 
@@ -122,12 +124,14 @@ def alike_bits(shape: Shape) -> np.ndarray:
 
 
 def mirrored_line(shape: Shape) -> np.ndarray:
+    """A row is another, reversed."""
     words = random(shape)
     words[(shape[0] // 3,) * (len(shape) - 1)] = words[(5,) * (len(shape) - 1)][::-1]
     return words
 
 
 def mirrored_quadrant(shape: Shape) -> np.ndarray:
+    """A quadrant is the opposite one, reflected in the middle."""
     words = random(shape)
     half = tuple(slice(0, n // 2) for n in shape)
     other = tuple(slice(n - 1, n - n // 2 - 1, -1) for n in shape)
@@ -258,11 +262,12 @@ def seed_flips(cells, seeds):
 
 
 def seed_loses_a_bit(cells, seeds):
+    """A bit of the seed has no effect."""
     return strong(cells, seeds & np.uint64(0xFFFEFFFF))
 
 
 def seeds_are_alike(cells, seeds):
-    """The high bit is the other seed's once in fifty times."""
+    """A word is that of the other seed once in fifty times."""
     same = strong(cells, 0 * seeds + np.uint64(99)) % np.uint32(50) == 0
     return np.where(same, strong(cells, 0 * seeds), strong(cells, seeds))
 

@@ -147,7 +147,10 @@ def many_windows(twin: Twin, dimensions: int, effort: Effort) -> Iterable[Findin
         lattice = sample_words(twin, shape, origin)
         number, *lines = copies.words(lattice)
         counts.append(int(number.statistic))
-        yield from _placed([line for line, side in zip(lines, shape) if side == max(shape)], lattice.place)
+        longest = [line for line, side in zip(lines, shape) if side == max(shape)]
+        for line in longest:
+            line.test = "copied lines, windows"  # longer lines than those of the others: another threshold
+        yield from _placed(longest, lattice.place)
     yield copies.average(counts, lattice.words.size)
 
 

@@ -16,7 +16,8 @@ The windows are 1024 x 1024 and 128 x 128 x 128 cells at {origins} origins (arou
 ![Autocorrelation and spectrum of the default hash and of two that fail](images/quality-lattice.png)
 """
 
-QUICK = """**Of a quick run:** the default hash in one window of each of two origins, the others in one small window.
+QUICK = """**Of a quick run:** the default hash in one window of each of two origins, the others in one small window;
+*values*, *comparisons*, *floor* and *allowed* are those of the first hash, and larger windows have narrower limits.
 
 """
 
@@ -50,7 +51,8 @@ ROWS = [
     ("gradient of the word", "cells where `hn_gradient(cell)` is not the gradient of the word `hn_lattice(cell)`", "none", "tests that judge something else than the noise"),
     ("equal words", "pairs of equal words in a window", "Poisson, `n (n - 1) / 2^33`; both tails", "copies; a counter in disguise"),
     ("equal values", "chi-square of the consumed bits, if they are fewer than 2^20 values", "chi-square; both tails", "the same in the bits that are used"),
-    ("copied lines", "the largest part of a line whose words another line has at one shift, or reversed", "a correlation between two lines: normal, `1 / sqrt(length)`; peak over pairs and shifts", "duplicate rows, shifted and mirrored; also in windows at many random origins"),
+    ("copied lines", "the largest part of a line whose words another line has at one shift, or reversed", "a correlation between two lines: normal, `1 / sqrt(length)`; peak over pairs and shifts", "duplicate rows, shifted and mirrored"),
+    ("copied lines, windows", "the same in windows with lines of 1024 cells at many random origins", "as above", "columns that are copies in some windows and not in others"),
     ("copied runs", "pairs of equal runs of cells (at least 40 consumed bits), along any axis, in either direction", "Poisson; both tails", "parts of rows that come twice, mirrored or turned"),
     ("equal words, windows on average", "mean number of equal pairs in windows at random origins, over the expected one", "Student's t, by the spread of the windows", "the same elsewhere"),
     ("avalanche", "each of the 12 low bits of each coordinate of cells in [0, 4096)^n is set: how far from 1/2 the probability that a consumed bit flips", "binomial, normal: `0.5 / sqrt(n)`; peak, two sides", "bits that hardly change"),
@@ -73,7 +75,7 @@ harmonics of an order, each of mean square 1 on the circle or sphere; by numeric
 
 CONTROLS = """## What the gate rejects
 
-Each test has a lattice that it must reject, and an independent random one (Philox) that all accept. The lattices are numpy's, in the plane; `quality_test.py` has them in space as well.
+Each test has a lattice that it must reject, and an independent random one (Philox) that all accept. The lattices are numpy's, in the plane; `tools/quality_test.py` has most of them in space as well.
 
 """
 
