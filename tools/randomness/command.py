@@ -144,7 +144,7 @@ def parse(arguments: list[str]) -> argparse.Namespace:
     parser.add_argument("--seeds", type=lambda text: tuple(int(s, 0) & gate.WORD for s in text.split(",")),
                         metavar="A,B,...", help="seeds to measure with")
     parser.add_argument("--dump", type=Path, metavar="DIR", help="keep what is judged: the words and gradients of each "
-                        "window (.npy; about 800 MB for a hash, 200 MB with --quick), index.json, statistics.json")
+                        "window (.npy; some hundred MB for a hash), index.json, statistics.json")
     parser.add_argument("--out", type=Path, metavar="DIR", help="for the page (default docs; with --quick none is "
                         "written unless DIR is named)")
     parser.add_argument("--check", action="store_true", help="compare with the page instead of writing it")
