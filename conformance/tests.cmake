@@ -43,6 +43,10 @@ add_test(NAME golden.regenerated_is_committed COMMAND Python3::Interpreter ${too
 # The suite must notice a change of the library; all of them by command, a few here.
 add_test(NAME mutants.sample COMMAND Python3::Interpreter ${tools}/mutate --program $<TARGET_FILE:hn-conform> --sample 30)
 
+# Each test of the randomness rejects what it should, and every hash passes them all. (In full by command.)
+add_test(NAME tools.quality COMMAND ${tools}/scientific-python ${tools}/quality_test.py)
+add_test(NAME quality.gate COMMAND ${tools}/quality --quick)
+
 # Every fault that drivers have had turns a run red, and docs/faults.md says by which cases.
 add_test(NAME faults.table_is_committed COMMAND Python3::Interpreter ${tools}/faults --check --program $<TARGET_FILE:hn-conform>)
 # The parsers take anything: by command for long, a little here. The fuzzers are built on the way.

@@ -1,0 +1,114 @@
+// Evaluates the C++ twin for tools/quality: reads points, writes raw words. Compiled once per setting of the knobs.
+//   lattice word|gradient|noise|stage 2|3 < points > values
+// word      hn_i_point(cell, seed), of which the gradient is made: a point is the cell and the seed, 32-bit integers; a
+//           value is a word
+// gradient  hn_gradient(cell, seed): the same points; a value is the floats of the gradient
+// noise     hn_perlin(p, seed): a point is the floats of p and the seed; a value is a float
+// stage     hn_gradient2(word), hn_gradient3(word): a point is a word; a value is the floats of the gradient
+// All are little-endian, without anything between them.
+// Exit status: 0 done, 2 bad usage, or input or output that broke off.
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstdio>
+#include <hashnoise/hashnoise.hpp>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little);
+
+using Word = std::uint32_t;
+using hashnoise::ivec2;
+using hashnoise::ivec3;
+using hashnoise::vec2;
+using hashnoise::vec3;
+
+constexpr std::size_t kBatch = 1 << 16;  // points at a time: half a megabyte, which stays in the cache
+
+int integer(Word w) { return std::bit_cast<int>(w); }
+float real(Word w) { return std::bit_cast<float>(w); }
+
+void put(vec2 g, Word* out) {
+  out[0] = std::bit_cast<Word>(g.x);
+  out[1] = std::bit_cast<Word>(g.y);
+}
+
+void put(vec3 g, Word* out) {
+  out[0] = std::bit_cast<Word>(g.x);
+  out[1] = std::bit_cast<Word>(g.y);
+  out[2] = std::bit_cast<Word>(g.z);
+}
+
+struct Quantity {
+  std::string_view name;
+  char dimensions;
+  std::size_t reads, writes;  // words per point and per value
+  void (*evaluate)(const Word* in, Word* out);
+};
+
+constexpr std::array<Quantity, 8> kQuantities = {{
+    {"word", '2', 3, 1,
+     [](const Word* in, Word* out) { *out = hashnoise::hn_i_point(hashnoise::uvec2(in[0], in[1]), in[2]); }},
+    {"word", '3', 4, 1,
+     [](const Word* in, Word* out) {
+       *out = hashnoise::hn_i_point(hashnoise::uvec3(in[0], in[1], in[2]), in[3]);
+     }},
+    {"gradient", '2', 3, 2,
+     [](const Word* in, Word* out) { put(hashnoise::hn_gradient(ivec2(integer(in[0]), integer(in[1])), in[2]), out); }},
+    {"gradient", '3', 4, 3,
+     [](const Word* in, Word* out) {
+       put(hashnoise::hn_gradient(ivec3(integer(in[0]), integer(in[1]), integer(in[2])), in[3]), out);
+     }},
+    {"noise", '2', 3, 1,
+     [](const Word* in, Word* out) {
+       *out = std::bit_cast<Word>(hashnoise::hn_perlin(vec2(real(in[0]), real(in[1])), in[2]));
+     }},
+    {"noise", '3', 4, 1,
+     [](const Word* in, Word* out) {
+       *out = std::bit_cast<Word>(hashnoise::hn_perlin(vec3(real(in[0]), real(in[1]), real(in[2])), in[3]));
+     }},
+    {"stage", '2', 1, 2, [](const Word* in, Word* out) { put(hashnoise::hn_gradient2(*in), out); }},
+    {"stage", '3', 1, 3, [](const Word* in, Word* out) { put(hashnoise::hn_gradient3(*in), out); }},
+}};
+
+const Quantity* find(int argc, char** argv) {
+  if (argc != 3) return nullptr;
+  for (const Quantity& quantity : kQuantities) {
+    if (quantity.name == argv[1] && std::string_view(argv[2]) == std::string_view(&quantity.dimensions, 1)) {
+      return &quantity;
+    }
+  }
+  return nullptr;
+}
+
+// Whether all of the input was whole points and all of the output was written.
+bool stream(const Quantity& quantity) {
+  std::vector<Word> points(kBatch * quantity.reads), values(kBatch * quantity.writes);
+  while (true) {
+    const std::size_t read = std::fread(points.data(), sizeof(Word), points.size(), stdin);
+    const std::size_t count = read / quantity.reads;
+    for (std::size_t i = 0; i < count; ++i) {
+      quantity.evaluate(&points[i * quantity.reads], &values[i * quantity.writes]);
+    }
+    const std::size_t words = count * quantity.writes;
+    if (std::fwrite(values.data(), sizeof(Word), words, stdout) != words) return false;
+    if (read < points.size()) return read % quantity.reads == 0 && !std::ferror(stdin) && std::fflush(stdout) == 0;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const Quantity* quantity = find(argc, argv);
+  if (quantity == nullptr) {
+    std::fputs("usage: lattice word|gradient|noise|stage 2|3 < points > values\n", stderr);
+    return 2;
+  }
+  if (!stream(*quantity)) {
+    std::fputs("lattice: input or output broke off\n", stderr);
+    return 2;
+  }
+  return 0;
+}
