@@ -45,6 +45,7 @@ add_test(NAME mutants.sample COMMAND Python3::Interpreter ${tools}/mutate --prog
 
 # Each test of the randomness rejects what it should, and every hash passes them all. (In full by command.)
 add_test(NAME tools.quality COMMAND ${tools}/scientific-python ${tools}/quality_test.py)
+add_test(NAME tools.default_hash COMMAND ${tools}/scientific-python ${tools}/default_hash_test.py)
 add_test(NAME quality.gate COMMAND ${tools}/quality --quick)
 
 # Every fault that drivers have had turns a run red, and docs/faults.md says by which cases.

@@ -29,12 +29,12 @@ def parse(arguments: list[str]) -> argparse.Namespace:
 def main(arguments: list[str]) -> int:
     options = parse(arguments)
     results = {}
-    for judged, candidates in ((True, HASHES), (False, GRADIENTS)):
+    for gradient, candidates in ((False, HASHES), (True, GRADIENTS)):
         for candidate in candidates:
             if options.only and candidate.name not in options.only:
                 continue
             try:
-                results[candidate.name] = measure(candidate, options.program, options.rounds, judged)
+                results[candidate.name] = measure(candidate, options.program, options.rounds, gradient)
             except (NotMeasured, library.NotBuilt) as error:
                 print(f"tools/default-hash: {error}", file=sys.stderr)
                 return 1

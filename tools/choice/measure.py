@@ -41,14 +41,17 @@ class Result:
     noise: dict[int, dict[str, tuple[float, float]]] | None
 
 
-def measure(candidate: Candidate, program: Path, rounds: int, judged: bool) -> Result:
-    """Judged: by the gate; else the noise is measured, since the words are those of the library."""
+def measure(candidate: Candidate, program: Path, rounds: int, gradient: bool) -> Result:
+    """A hash is judged by the gate, unless it is the library's own, which tools/quality judges; of a gradient the noise is
+    measured."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         include = write(candidate, library.ROOT, folder)
         costs = bench(candidate, program, folder, rounds)
-        twin = library.build(candidate.name, list(candidate.macros), include, folder)
-        if not judged:
+        if candidate.macros:
+            return Result(candidate, costs, None, None, None)
+        twin = library.build(candidate.name, [], include, folder)
+        if gradient:
             return Result(candidate, costs, None, None,
                           {n: noise.measure(twin, n, 1 << 20).numbers for n in (2, 3)})
         findings = {n: gate.judge_twin(twin, n, gate.QUICK) for n in (2, 3)}

@@ -9,7 +9,7 @@ import numpy as np
 from bits import spread_bits
 from judgement import Finding, normal, poisson
 from library import Twin
-from lattice import Lattice
+from lattice import Lattice, varying_bits
 
 COORDINATE_BITS = 12   # coordinates in [0, 4096)
 FAR = 24               # hn_perlin takes positions below 2^23 in magnitude: no two are further apart than 2^24 cells
@@ -100,7 +100,7 @@ def far(twin: Twin, dimensions: int, seed: int, count: int) -> list[Finding]:
             equal += int(np.count_nonzero(changed == 0))
     pairs = count * len(names)
     return _at([normal("far pairs", np.array(z), count, lambda i, j: f"bit {bits[j]}, {names[i]}", 1 / np.sqrt(count)),
-                poisson("far pairs: equal words", equal, pairs * 2.0 ** -32, pairs)], f"seed {seed}")
+                poisson("far pairs: equal words", equal, pairs * 2.0 ** -varying_bits(before), pairs)], f"seed {seed}")
 
 
 def _at(findings: list[Finding], where: str) -> list[Finding]:

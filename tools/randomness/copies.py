@@ -80,9 +80,9 @@ def words(lattice: Lattice) -> list[Finding]:
     """Equal words: how many pairs, and whether several of them are the same distance apart in the same two lines."""
     n = lattice.words.size
     first, second = pairs_of_equals(lattice.words)
-    findings = [poisson("equal words", len(first), n * (n - 1) / 2 * 2.0 ** -32, n)]
+    findings = [poisson("equal words", len(first), n * (n - 1) / 2 * 2.0 ** -lattice.varying, n)]
     for axis in range(lattice.dimensions):
-        findings.append(_copied_lines(lattice.words.shape, first, second, axis))
+        findings.append(_copied_lines(lattice, first, second, axis))
     return findings
 
 
@@ -96,8 +96,9 @@ def pairs_of_equals(values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return order[same], order[same + 1]
 
 
-def _copied_lines(shape: tuple[int, ...], first: np.ndarray, second: np.ndarray, axis: int) -> Finding:
+def _copied_lines(lattice: Lattice, first: np.ndarray, second: np.ndarray, axis: int) -> Finding:
     """The most pairs of equal words that one shift, or one reflection, of a line along the axis onto another makes."""
+    shape = lattice.words.shape
     size, length = int(np.prod(shape)), shape[axis]
     lines = size // length
     at, line = [], []
@@ -110,19 +111,17 @@ def _copied_lines(shape: tuple[int, ...], first: np.ndarray, second: np.ndarray,
     shift = np.where(swap, at[0] - at[1], at[1] - at[0]) + length
     most = max((int(np.unique(lines_key * 4 * length + way, return_counts=True)[1].max())
                 for way in (shift, at[0] + at[1] + 2 * length)), default=0) if len(first) else 0
-    # Two lines, one laid onto the other: length shifts and length reflections. A part of a line that another repeats
-    # correlates the two by as much, so the part is held against what chance correlates lines by. (Fewer equal words
-    # than that may well be too many for chance, as with exclusive or, where they come in twos and fours: no field
-    # shows it.)
+    # Two lines, one laid onto the other: length shifts and length reflections, each with at most length pairs of words,
+    # which are equal as rarely as any. With loc=1, sf is the probability of reaching a number, not of exceeding it.
     ways = lines * (lines + 1) // 2 * 2 * length
-    return peak("copied lines", most / length, stats.norm(scale=1 / np.sqrt(length)), length, ways,
-                f"{most} words along {'xyz'[axis]}")
+    return peak("copied lines", most, stats.poisson(length * 2.0 ** -lattice.varying, loc=1), length, ways,
+                f"along {'xyz'[axis]}")
 
 
-def average(counts: list[int], size: int) -> Finding:
+def average(counts: list[int], size: int, varying: int) -> Finding:
     """Whether windows have as many pairs of equal words on average as they should; by their own spread, since pairs may
     come together in some windows (then lines are copied) without being too many."""
-    expected = size * (size - 1) / 2 * 2.0 ** -32
+    expected = size * (size - 1) / 2 * 2.0 ** -varying
     error = max(np.std(counts, ddof=1), np.sqrt(expected)) / np.sqrt(len(counts))
     return two_tails("equal words, windows on average", np.mean(counts) / expected,
                      stats.t(len(counts) - 1, 1, error / expected), len(counts))
@@ -142,5 +141,5 @@ def between(a: Lattice, b: Lattice) -> list[Finding]:
     length = run_length(bits)
     ours, theirs = run_keys(a.values, length), run_keys(b.values, length)
     expected = expected_runs(ours.size, theirs.size, length, bits, a.dimensions)
-    return [poisson("seeds: common words", shared(a.words, b.words), n * b.words.size * 2.0 ** -32, n),
+    return [poisson("seeds: common words", shared(a.words, b.words), n * b.words.size * 2.0 ** -a.varying, n),
             poisson("seeds: common runs", shared(ours, theirs), expected, ours.size, f"runs of {length} cells")]

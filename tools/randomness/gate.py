@@ -151,7 +151,7 @@ def many_windows(twin: Twin, dimensions: int, effort: Effort) -> Iterable[Findin
         for line in longest:
             line.test = "copied lines, windows"  # longer lines than those of the others: another threshold
         yield from _placed(longest, lattice.place)
-    yield copies.average(counts, lattice.words.size)
+    yield copies.average(counts, lattice.words.size, lattice.varying)
 
 
 def sample_words(twin: Twin, shape: tuple[int, ...], origin: tuple[int, ...]) -> Lattice:

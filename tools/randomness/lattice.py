@@ -27,6 +27,11 @@ class Lattice:
     def place(self) -> str:
         return f"origin {','.join(map(str, self.origin))} seed {self.seed}" if self.origin else "given"
 
+    @property
+    def varying(self) -> int:
+        """How many bits of the words are not the same everywhere; see varying_bits."""
+        return varying_bits(self.words)
+
     @cached_property
     def values(self) -> np.ndarray:
         """The consumed bits alone, as integers."""
@@ -53,6 +58,13 @@ def of_words(words: np.ndarray, twin: Twin) -> Lattice:
     words = np.ascontiguousarray(words, np.uint32)
     gradients = twin.stage(words.reshape(-1), words.ndim).reshape(*words.shape, words.ndim)
     return Lattice(words, gradients, twin.consumed(words.ndim))
+
+
+def varying_bits(words: np.ndarray) -> int:
+    """How many bits of words are not the same in all of them. A bit below those that gradients take may be (that of
+    partial FNV1, which is always odd); then equal words are as likely as with so many bits less. Another test finds it
+    where it is consumed."""
+    return int(np.bitwise_or.reduce(words, axis=None) ^ np.bitwise_and.reduce(words, axis=None)).bit_count()
 
 
 def neighbours(dimensions: int) -> list[tuple[int, ...]]:

@@ -57,7 +57,7 @@ class Twin:
         return np.frombuffer(done.stdout, np.uint32 if quantity == "word" else np.float32)
 
     def words(self, cells: np.ndarray, seeds) -> np.ndarray:
-        """hn_lattice of cells (rows of integers), with one seed or one for each."""
+        """hn_i_point of cells (rows of integers), with one seed or one for each."""
         return self.evaluate("word", cells.shape[1], _points(cells, seeds))
 
     def gradients(self, cells: np.ndarray, seeds) -> np.ndarray:
