@@ -47,6 +47,16 @@ class Coordinates(unittest.TestCase):
         for p, expected in table.items():
             self.assertEqual(fixed.cell_and_fraction(p), expected, p)
 
+    def test_fraction_of_the_caller(self) -> None:
+        table = {0.0: 0, -0.0: 0, 2.0**-149: 0, 2.0**-20: 1, 2.0**-19 - 2.0**-42: 1, 0.75: 3 * 2**18,
+                 1 - 2.0**-24: UNIT - 1, 1.0: UNIT, 1 + 2.0**-23: UNIT, 3e38: UNIT, -2.0**-20: 0, -0.5: 0, -3e38: 0}
+        for f, expected in table.items():
+            self.assertEqual(fixed.fraction_of(f), expected, f)
+        self.assertEqual(fixed.perlin_cell("lattice+fixed", (5, -6), (1.5, -0.5), 7),
+                         fixed.perlin_cell("lattice+fixed", (5, -6), (1.0, 0.0), 7))
+        self.assertEqual(fixed.perlin_cell("lattice+fixed", (5, -6), (-0.5, 0.25), 7),
+                         fixed.perlin_cell("lattice+fixed", (5, -6), (0.0, 0.25), 7))
+
     def test_positions(self) -> None:
         table = {
             1.75: (1, 3 * 2**30), -1.75: (-2, 2**30), -1.0: (-1, 0), -0.0: (0, 0), 2.0**-32: (0, 1), 2.0**-33: (0, 0),
