@@ -44,6 +44,11 @@ def clamp_to_int(c: int) -> int:
     return min(max(c, -2147483648), 2147483520)
 
 
+def fraction_of(f: Real) -> int:
+    """The fraction that a caller gives, in [0, UNIT]."""
+    return math.trunc(min(max(Fraction(f), Fraction(0)), Fraction(1)) * UNIT)
+
+
 def cell_and_fraction(p: Real) -> tuple[int, int]:
     """The cell of a coordinate, and its fraction in [0, UNIT)."""
     exact = Fraction(p)
@@ -172,7 +177,7 @@ def gradient(name: str, cell: Sequence[int], seed: int = 0) -> tuple[Real, ...]:
 
 def perlin_cell(name: str, cell: Sequence[int], fraction: Sequence[Real], seed: int = 0) -> Fraction:
     """hn_perlin(cell, f, seed) in 2D or 3D."""
-    return Fraction(noise(name, cell, [math.trunc(Fraction(f) * UNIT) for f in fraction], seed), NOISE_UNIT)
+    return Fraction(noise(name, cell, list(map(fraction_of, fraction)), seed), NOISE_UNIT)
 
 
 def perlin(name: str, p: Sequence[Real], seed: int = 0) -> Fraction:
