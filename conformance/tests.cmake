@@ -66,6 +66,9 @@ foreach(compiler g++ clang++)
   endforeach()
 endforeach()
 
+add_test(NAME twin.flags COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/twin_flags_test.py
+                                 ${COMPILER_g++} ${COMPILER_clang++})
+
 # --- The README: its picture and its code ---
 add_executable(picture ${tools}/picture.cpp)
 target_compile_options(picture PRIVATE ${warnings} -ffp-contract=off)
