@@ -9,6 +9,7 @@ import contextlib
 import io
 import itertools
 import math
+import struct
 import sys
 import tempfile
 import unittest
@@ -18,6 +19,7 @@ from pathlib import Path
 from unittest import mock
 
 sys.dont_write_bytecode = True  # the tree stays clean: no __pycache__ beside the sources
+import golden_rows  # noqa: E402
 import oracle  # noqa: E402
 from test_support import load_script  # noqa: E402
 
@@ -28,12 +30,12 @@ class GoldenContents(unittest.TestCase):
     FUNCTIONS = {function.name: function for function in golden.functions()}
 
     def rows(self, name: str) -> list[tuple]:
-        return self.FUNCTIONS[name].rows(golden.Generator(golden.fnv1a64(name.encode())))
+        return self.FUNCTIONS[name].rows(golden_rows.Generator(golden_rows.fnv1a64(name.encode())))
 
     def test_format(self) -> None:
         lines = golden.render(self.FUNCTIONS["noise2d.perlin"], "fnv1").split("\n")
         self.assertEqual(lines[:8], [
-            "hashnoise golden 1", "function noise2d.perlin", "hash fnv1", "arithmetic fast", "bits 0.1.0",
+            "hashnoise golden 1", "function noise2d.perlin", "hash fnv1", "arithmetic fast", "bits 0.2.0",
             "columns x:f32 y:f32 seed:u32 = value:f64", "rows 192",
             "c0000000 c0000000 00000000 = 0000000000000000",
         ])
@@ -48,12 +50,64 @@ class GoldenContents(unittest.TestCase):
 
     def test_format_of_other_configurations(self) -> None:
         exact = self.file("gradient.lattice2", "lattice+period48")
-        self.assertEqual(exact[2:6], ["hash lattice+period48", "arithmetic exact", "bits 0.1.0",
+        self.assertEqual(exact[2:6], ["hash lattice+period48", "arithmetic exact", "bits 0.2.0",
                                       "columns x:i32 y:i32 seed:u32 = gx:f32 gy:f32"])
         fast = self.file("gradient.sine3", "fnv1+sine+period1048576")
-        self.assertEqual(fast[2:6], ["hash fnv1+sine+period1048576", "arithmetic fast", "bits 0.1.0",
+        self.assertEqual(fast[2:6], ["hash fnv1+sine+period1048576", "arithmetic fast", "bits 0.2.0",
                                      "columns x:i32 y:i32 z:i32 seed:u32 = gx:f64 gy:f64 gz:f64"])
         self.assertEqual(self.file("noise2d.perlin", "lattice+sine")[5], "columns x:f32 y:f32 seed:u32 = value:f64")
+        fixed = self.file("gradient.sine2", "lattice+sine+fixed")
+        self.assertEqual(fixed[2:4], ["hash lattice+sine+fixed", "arithmetic fixed"])
+
+    def test_fixed_arithmetic_by_hand(self) -> None:
+        # Where a float has no fraction there is no noise.
+        lines = self.file("noise2d.perlin", "lattice+fixed")
+        self.assertIn("80000000 80000000 00000000 = 0000000000000000", lines)
+        self.assertIn("7f61b1e6 7f61b1e6 00000000 = 0000000000000000", lines)  # 3e38
+        clouds = self.file("fbm.clouds2", "lattice+fixed")
+        no_octaves = [line for line in clouds[7:-1] if line.split()[2] in ("00000000", "ffffffff")]
+        self.assertGreaterEqual(len(no_octaves), 4)
+        for line in no_octaves:
+            self.assertEqual(line.split()[-1], "3fc4000000000000", line)  # 5/32
+
+    def test_values_of_fixed_arithmetic_are_floats(self) -> None:
+        for function in golden.functions():
+            for name in function.configurations:
+                if not golden.is_fixed(name):
+                    continue
+                for line in golden.render(function, name).split("\n")[7:-1]:
+                    for pattern in line.split(" = ")[1].split():
+                        value, = struct.unpack(">d", bytes.fromhex(pattern))
+                        self.assertEqual(golden_rows.to_f32(value), value)
+                        self.assertTrue(value != 0 or math.copysign(1, value) == 1)
+
+    def test_fixed_arithmetic_sees_the_other_inputs_first(self) -> None:
+        for function in golden.functions():
+            for name in function.configurations:
+                if golden.is_fixed(name):
+                    rows, others = function.rows_with(name), self.rows(function.name)
+                    self.assertEqual(rows[:len(others)], others)
+                    self.assertEqual(len(rows) > len(others), not function.name.startswith("gradient."), name)
+
+    def test_inputs_of_fixed_arithmetic_reach_every_edge(self) -> None:
+        edges = {-1e-40, -2.0**-21, -2.0**-20, 2.0**-149, 2.0**23, 2.0**31, -2.0**31, 3e38, -3.4e38}
+        edges = set(map(golden_rows.to_f32, edges))
+        for n in (2, 3):
+            points = [row[:n] for row in self.FUNCTIONS[f"noise{n}d.perlin"].rows_with("lattice+fixed")]
+            for axis in range(n):
+                self.assertTrue(edges <= {p[axis] for p in points})
+                self.assertTrue(any(p[axis] == 0 and math.copysign(1, p[axis]) < 0 for p in points))
+                phases = {p[axis] - round(p[axis]) for p in points if abs(p[axis]) < 100}
+                self.assertTrue(any(0 < x < 2**-17 for x in phases) and any(-2**-17 < x < 0 for x in phases))
+            cells = self.FUNCTIONS[f"noise{n}d.perlin_cell"].rows_with("lattice+fixed")
+            for axis in range(n):
+                self.assertTrue({0, 2.0**-149, 0.5, 1 - 2.0**-24, 1} <= {row[n + axis] for row in cells})
+            sums = self.FUNCTIONS[f"fbm.fbm{n}"].rows_with("lattice+fixed")
+            octaves, lacunarities, gains = ({row[n + i] for row in sums} for i in range(3))
+            self.assertTrue({-1, 0, 1, 32, 33} <= octaves)
+            self.assertTrue(set(map(golden_rows.to_f32, (1.9, 3.7, 0, 255))) <= lacunarities)
+            self.assertTrue({0, 1, 1.5} <= gains)
+            self.assertTrue(any(abs(x) >= 2**31 for row in sums for x in row[:n]))
 
     def test_configurations_see_the_same_inputs(self) -> None:
         for function, names in (("noise2d.perlin_cell", ("lattice", "lattice+sine", "lattice+period48")),
@@ -66,9 +120,10 @@ class GoldenContents(unittest.TestCase):
         sine = {f"{name}+sine" for name in ("fnv1", "partial_fnv1", "jenkins", "partial_jenkins", "murmur", "lattice")}
         sine |= {"fnv1+sine+period1048576"}
         periodic = {"lattice+period64", "lattice+period48", "lattice+period1048576"}
-        expected = {"gradient.lattice": {*oracle.HASHES, *periodic}, "gradient.sine": sine,
-                    "noise": {*oracle.HASHES, *sine, *periodic},
-                    "fbm": {*oracle.HASHES, "lattice+sine"}}
+        fixed = {"lattice+fixed", "lattice+sine+fixed"}
+        expected = {"gradient.lattice": {*oracle.HASHES, *periodic}, "gradient.sine": {*sine, "lattice+sine+fixed"},
+                    "noise": {*oracle.HASHES, *sine, *periodic, *fixed, "fnv1+fixed", "lattice+period48+fixed"},
+                    "fbm": {*oracle.HASHES, "lattice+sine", *fixed}}
         for name in self.FUNCTIONS:
             found = [c for function in golden.functions() if function.name == name for c in function.configurations]
             names = next((names for prefix, names in expected.items() if name.startswith(prefix)), None)
@@ -78,7 +133,7 @@ class GoldenContents(unittest.TestCase):
     def test_cell_gradient_rows_reach_every_case(self) -> None:
         for n in (2, 3):
             coordinates = {c for row in self.rows(f"gradient.lattice{n}") for c in row[:n]}
-            self.assertTrue({0, 1, -1, golden.INT_MIN, golden.INT_MAX} <= coordinates)
+            self.assertTrue({0, 1, -1, golden_rows.INT_MIN, golden_rows.INT_MAX} <= coordinates)
             for period in (48, 64, 2**20):
                 for sign, reach in itertools.product((-1, 1), (period, 2**30)):
                     phases = {c % period for c in coordinates if c * sign >= reach}
@@ -89,7 +144,7 @@ class GoldenContents(unittest.TestCase):
             step = 1 << max(n.bit_length() - 24, 0)
             return int(math.copysign((abs(n) + step // 2) // step * step, n))
 
-        for n, name in itertools.product((2, 3), golden.SINE):
+        for n, name in itertools.product((2, 3), golden_rows.SINE):
             cells = [(row[:n], row[n]) for row in self.rows(f"gradient.sine{n}")]
             even = [component for cell in cells for component in oracle.gradient(name, *cell)]
             with mock.patch.object(oracle, "round24", away):
@@ -123,7 +178,7 @@ class GoldenContents(unittest.TestCase):
                                    digest=golden.Digest((1, 2), (2, 3), 4))
         values = b"".join(value.to_bytes(4, "little") for value in (124, 134, 144, 224, 234, 244))
         self.assertEqual(golden.digest_line(function, "any"),
-                         f"digest origin=1,2 size=2,3 seed=4 fnv1a64={golden.fnv1a64(values):016x}")
+                         f"digest origin=1,2 size=2,3 seed=4 fnv1a64={golden_rows.fnv1a64(values):016x}")
 
     def test_digest_wraps(self) -> None:
         for name in oracle.HASHES:
@@ -141,7 +196,7 @@ class GoldenContents(unittest.TestCase):
         self.assertEqual({tuple(x > 0 for x in oracle.gradient2(word)) for word in words},
                          set(itertools.product((False, True), repeat=2)))
         signs = {tuple((x > 0) - (x < 0) for x in oracle.gradient3(word)) for word in words}
-        self.assertEqual(signs, set(itertools.product((-1, 1), (-1, 1), (-1, 0, 1))))
+        self.assertEqual(signs, {(x, y, z) for x, y, z in itertools.product((-1, 0, 1), repeat=3) if z and (x or y)})
 
     def test_perlin_rows_reach_every_case(self) -> None:
         for n in (2, 3):
@@ -164,7 +219,7 @@ class GoldenContents(unittest.TestCase):
             scaled = [x * lacunarity for x in q]
             q = [x + float(shift) for x, shift in zip(scaled, oracle.SHIFT)]
             for x in scaled + q:
-                self.assertEqual(golden.to_f32(x), x)
+                self.assertEqual(golden_rows.to_f32(x), x)
 
     def test_many_clouds_are_neither_clear_nor_full(self) -> None:
         for n in (2, 3):

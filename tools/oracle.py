@@ -6,7 +6,8 @@ noise is exact only here, in rational arithmetic. (A sine is irrational: here it
 little to change the double nearest to it.) Where the contract gives a formula, that formula is what stands here, even
 where a shader would do something faster.
 
-A `name` is that of a hash in sections 2 to 4, and of a configuration in sections 5 to 7: see Configuration.
+A `name` is that of a hash in sections 2 to 4, and of a configuration in sections 5 to 7: see Configuration. Section 8,
+the same in integers, is oracle_fixed.py.
 """
 
 from __future__ import annotations
@@ -132,24 +133,30 @@ def chain(name: str, words: Sequence[int]) -> int:
 
 def spread(point: Sequence[int]) -> list[int]:
     """The coordinates x', y', z', w' (signed ones count as two's complement)."""
-    # Only x has a summand: it keeps the origin, which the factors alone would leave 0, from a key of 0.
+    # Only x has a summand: it keeps the origin, which the factors alone would leave 0, from a word of 0.
     offsets = (PRIMES[4], 0, 0, 0)
     return [(x * prime + offset) & MASK for x, prime, offset in zip(point, PRIMES, offsets)]
 
 
-def rotated_join(words: Sequence[int]) -> int:
-    """The key that LATTICE makes of one to four spread coordinates."""
-    k = 0
-    for word in words:
-        # For the first word k is still 0, so that K1 = x'.
-        k = rotl(k, 13) ^ word
-    return k
+# How far each spread coordinate is shifted to fold it.
+FOLDS = (18, 17, 19, 20)
 
 
-def key(name: str, point: Sequence[int]) -> int:
-    """The key of a lattice point under the hash `name`."""
-    words = spread(point)
-    return rotated_join(words) if name == "lattice" else chain(name, words)
+def fold(words: Sequence[int]) -> list[int]:
+    """The words X, Y, Z, W of the spread coordinates."""
+    return [word ^ word >> shift for word, shift in zip(words, FOLDS)]
+
+
+def point_word(name: str, point: Sequence[int], seed: int = 0) -> int:
+    """The word of a lattice point under the hash `name`."""
+    s = mix(seed)
+    coordinates = spread(point)
+    j = s
+    for folded in fold(coordinates):
+        j ^= folded
+    m = (2 * (sum(coordinates) + s) + 1) & MASK
+    hashed = j if name == "lattice" else WORD_HASHES[name](j)
+    return hashed * m & MASK
 
 
 def hash_words(name: str, words: Sequence[int]) -> int:
@@ -159,7 +166,7 @@ def hash_words(name: str, words: Sequence[int]) -> int:
 
 def lattice(name: str, point: Sequence[int], seed: int = 0) -> int:
     """hn_lattice: the seeded and mixed hash of a lattice point."""
-    return mix(key(name, point) ^ mix(seed))
+    return mix(point_word(name, point, seed))
 
 
 # --- Section 4: from a hash to a float --------------------------------------------------------------------------
@@ -175,25 +182,24 @@ def snorm(h: int) -> float:
     return (h >> 8) / 2**23 - 1
 
 
-def half_to_axis(half: int) -> float:
-    """The contract's `a` (and `b`): sixteen bits as the middle of one of 2^16 equal intervals of [-1, 1]."""
-    return (2 * half + 1) / 65536 - 1
+def middle(i: int, count: int) -> float:
+    """The middle of interval i of `count` equal ones of [-1, 1]: the contract's `a`, `p` and `q`."""
+    return (2 * i + 1) / count - 1
 
 
 def gradient2(h: int) -> tuple[float, float]:
     """hn_gradient2: a point of the square |x| + |y| = 1."""
-    a = half_to_axis(h >> 16)
+    a = middle(h >> 22 & 511, 512)
     m = 1 - abs(a)
-    return (a, -m if h >> 15 & 1 else m)
+    return (a, -m if h >> 31 else m)
 
 
 def gradient3(h: int) -> tuple[float, float, float]:
     """hn_gradient3: a point of the octahedron |x| + |y| + |z| = 1."""
-    a = half_to_axis(h >> 16)
-    b = half_to_axis(h & 0xFFFF)
-    z = 1 - abs(a) - abs(b)
-    t = max(-z, 0.0)
-    return (a + t if a < 0 else a - t, b + t if b < 0 else b - t, z)
+    p = middle(h >> 23 & 255, 256)
+    q = middle(h >> 15 & 255, 256)
+    m = 1 - max(abs(p), abs(q))
+    return ((p + q) / 2, (p - q) / 2, -m if h >> 31 else m)
 
 
 # --- Section 5: the gradient at a lattice point -----------------------------------------------------------------
@@ -204,10 +210,14 @@ Real = Fraction | float
 
 @dataclass(frozen=True)
 class Configuration:
-    """What the noise depends on besides its arguments: HN_HASH, HN_GRADIENT (octahedral or sine) and HN_PERIOD."""
+    """What the noise depends on besides its arguments: HN_HASH, HN_GRADIENT (octahedral or sine) and HN_PERIOD.
+
+    HN_ARITHMETIC says only how it is computed: to the functions of this file `fixed` is nothing.
+    """
     hash: str
     sine: bool = False
     period: int = 0  # 0: none
+    fixed: bool = False
 
     def __post_init__(self) -> None:
         power_of_two = self.period & (self.period - 1) == 0
@@ -217,11 +227,11 @@ class Configuration:
 
 @functools.cache
 def configuration(name: str) -> Configuration:
-    """The configuration of a name: that of the hash, then "+sine" and "+period<N>" where they apply, in this order."""
-    match = re.fullmatch(r"(\w+)(\+sine)?(?:\+period([1-9][0-9]*))?", name, re.ASCII)
+    """The configuration of a name: the hash, then "+sine", "+period<N>", "+fixed" where they apply, in this order."""
+    match = re.fullmatch(r"(\w+)(\+sine)?(?:\+period([1-9][0-9]*))?(\+fixed)?", name, re.ASCII)
     if not match:
         raise ValueError(f"not a name of a configuration: {name}")
-    return Configuration(match[1], match[2] is not None, int(match[3] or 0))
+    return Configuration(match[1], match[2] is not None, int(match[3] or 0), match[4] is not None)
 
 
 def signed(word: int) -> int:
@@ -295,7 +305,7 @@ def gradient(name: str, cell: Sequence[int], seed: int = 0) -> tuple[Real, ...]:
     point = [wrapped(c, knobs.period) for c in cell]
     if knobs.sine:
         return tuple(sine_of_word(word) for word in sine_arguments(knobs.hash, point, seed))
-    return OCTAHEDRAL[len(cell)](lattice(knobs.hash, point, seed))
+    return OCTAHEDRAL[len(cell)](point_word(knobs.hash, point, seed))
 
 
 # --- Section 6: Perlin noise ------------------------------------------------------------------------------------

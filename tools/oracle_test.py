@@ -15,15 +15,13 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 
 sys.dont_write_bytecode = True  # the tree stays clean: no __pycache__ beside the sources
+import golden_rows  # noqa: E402
 import oracle  # noqa: E402
-from test_support import load_script  # noqa: E402
-
-golden = load_script("golden")
 
 
 def generator(name: str):
     """A generator of test inputs of its own for each test."""
-    return golden.Generator(golden.fnv1a64(name.encode()))
+    return golden_rows.Generator(golden_rows.fnv1a64(name.encode()))
 
 
 def murmurhash2(data: bytes, seed: int) -> int:
@@ -118,7 +116,7 @@ class PublishedVectors(unittest.TestCase):
 
     def test_splitmix64(self) -> None:
         # Rosetta Code, "Pseudo-random numbers/Splitmix64".
-        numbers = golden.Generator(1234567)
+        numbers = golden_rows.Generator(1234567)
         self.assertEqual([numbers.next() for _ in range(3)],
                          [6457827717110365317, 3203168211198807973, 9817491932198370423])
 
@@ -126,7 +124,7 @@ class PublishedVectors(unittest.TestCase):
         # test_fnv.c of Landon Curt Noll.
         vectors = {b"": 0xCBF29CE484222325, b"a": 0xAF63DC4C8601EC8C, b"foobar": 0x85944171F73967E8}
         for data, value in vectors.items():
-            self.assertEqual(golden.fnv1a64(data), value, data)
+            self.assertEqual(golden_rows.fnv1a64(data), value, data)
 
 
 class Hashes(unittest.TestCase):
@@ -173,22 +171,53 @@ class Hashes(unittest.TestCase):
         self.assertEqual(oracle.spread((1, 1, 1, 1)), [0xB48DE162, 0x85EBCA77, 0xC2B2AE3D, 0x27D4EB2F])
         self.assertEqual(oracle.spread((-1, -1, -1, -1)), [0x781EEE00, 0x7A143589, 0x3D4D51C3, 0xD82B14D1])
 
-    def test_keys_of_a_lattice_point(self) -> None:
-        for name, function in oracle.WORD_HASHES.items():
-            k = 0
-            for i, word in enumerate(oracle.spread((5, -6, 7, -8)), 1):
-                k = function(k + word & oracle.MASK)
-                self.assertEqual(oracle.key(name, (5, -6, 7, -8)[:i]), k, name)
-        # Rotated as strings of bits: 0xB48DE162 becomes 0xBC2C5691, and so on.
-        keys = (0xB48DE162, 0x39C79CE6, 0x312E6905, 0xEAF44D0A)
-        for i, k in enumerate(keys, 1):
-            self.assertEqual(oracle.key("lattice", (1,) * i), k)
+    def test_fold_by_hand(self) -> None:
+        self.assertEqual(oracle.fold([0xB48DE162, 0x85EBCA77, 0xC2B2AE3D, 0x27D4EB2F]),
+                         [0xB48DCC41, 0x85EB8882, 0xC2B2B66B, 0x27D4E952])
+        self.assertEqual(oracle.fold([0x80000000] * 4), [0x80002000, 0x80004000, 0x80001000, 0x80000800])
 
-    def test_lattice_mixes_key_and_seed(self) -> None:
+    def test_word_of_a_lattice_point_by_hand(self) -> None:
+        # Without a seed, s is 0: J = X, M = 2 x' + 1.
+        self.assertEqual(oracle.point_word("lattice", (1,)), 0xB48DCC41 * 0x691BC2C5 % 2**32)
+        # The exclusive or of the four folded coordinates; the four spread ones add up to 0x225014545.
+        self.assertEqual(oracle.point_word("lattice", (1,) * 4), 0xD4001BFA * 0x4A028A8B % 2**32)
+
+    def test_word_of_a_lattice_point(self) -> None:
+        # Values of a C program written from the contract: of one to four ones, then with signs and a seed.
+        vectors = {
+            ("lattice", (1, 1, 1, 1), 0): (0x99C27005, 0xECF95959, 0x10CCC788, 0xA717F4BE),
+            ("fnv1", (1, 1, 1, 1), 0): (0x1407360D, 0xD76A2009, 0x190DEFD0, 0x2D6F78F0),
+            ("lattice", (5, -6, 7, -8), 0xDEADBEEF): (0x1ED44B3E, 0xD33AE404, 0x6F232CD9, 0x7783C7FA),
+            ("fnv1", (5, -6, 7, -8), 0xDEADBEEF): (0x34754068, 0xB677810E, 0x8DB3BAAA, 0x482BBF26),
+            ("lattice", (0, 0, 0, 0), 0): (0x9CF30FEC,) * 4,
+        }
+        for (name, point, seed), words in vectors.items():
+            found = tuple(oracle.point_word(name, point[:n], seed) for n in (1, 2, 3, 4))
+            self.assertEqual(found, words, (name, point))
+
+    def test_lattice_mixes_the_word(self) -> None:
+        mixed = (0x54FF433B, 0xA6189E7A, 0x9BE6CEA5, 0x7A4B1B15)  # of the same C program
+        self.assertEqual(tuple(oracle.lattice("lattice", (5, -6, 7, -8)[:n], 0xDEADBEEF) for n in (1, 2, 3, 4)), mixed)
         for name in oracle.HASHES:
-            key = oracle.key(name, (1, 2))
-            self.assertEqual(oracle.lattice(name, (1, 2), 3), oracle.mix(key ^ oracle.mix(3)), name)
-            self.assertEqual(oracle.lattice(name, (1, 2)), oracle.mix(key), name)
+            self.assertEqual(oracle.lattice(name, (1, 2), 3), oracle.mix(oracle.point_word(name, (1, 2), 3)), name)
+
+    def test_every_hash_takes_one_join(self) -> None:
+        # With LATTICE the word is J * M; where J is odd, that gives M.
+        for seed in range(8):
+            j = oracle.mix(seed)
+            for folded in oracle.fold(oracle.spread((5, -6, 7))):
+                j ^= folded
+            if j % 2:
+                m = oracle.point_word("lattice", (5, -6, 7), seed) * pow(j, -1, 2**32)
+                for name, function in oracle.WORD_HASHES.items():
+                    self.assertEqual(oracle.point_word(name, (5, -6, 7), seed), function(j) * m % 2**32, name)
+
+    def test_low_bit_is_that_of_the_hash(self) -> None:
+        # Which the contract says not to be good.
+        for x, y in itertools.product(range(8), repeat=2):
+            first, second = oracle.fold(oracle.spread((x, y)))
+            self.assertEqual(oracle.point_word("lattice", (x, y)) % 2, (first ^ second) % 2)
+            self.assertEqual(oracle.point_word("pcg", (x, y)) % 2, oracle.pcg(first ^ second) % 2)
 
     def test_hash_of_words_under_lattice_is_that_of_the_point(self) -> None:
         self.assertEqual(oracle.hash_words("lattice", (1, 2, 3)), oracle.lattice("lattice", (1, 2, 3), 0))
@@ -251,16 +280,25 @@ class NearTheOrigin(unittest.TestCase):
 
 
 class Floats(unittest.TestCase):
-    WORDS = [word for word, in golden.gradient_rows(generator("gradients"))]
+    WORDS = [word for word, in golden_rows.gradient_rows(generator("gradients"))]
 
     def test_gradients_by_hand(self) -> None:
-        e = 2.0**-16
+        # Of 512 intervals in the plane, 256 along p and q in space; e is half an interval.
+        e = 1 / 512
         self.assertEqual(oracle.gradient2(0x00000000), (-1 + e, e))
-        self.assertEqual(oracle.gradient2(0x7FFF8000), (-e, -1 + e))
-        self.assertEqual(oracle.gradient2(0xFFFF7FFF), (1 - e, e))
-        self.assertEqual(oracle.gradient3(0x80007FFF), (e, -e, 1 - 2 * e))
-        self.assertEqual(oracle.gradient3(0xFFFF8000), (1 - e, e, 0))
-        self.assertEqual(oracle.gradient3(0x0000FFFF), (-e, e, -1 + 2 * e))
+        self.assertEqual(oracle.gradient2(0x003FFFFF), (-1 + e, e))
+        self.assertEqual(oracle.gradient2(0x80400000), (-1 + 3 * e, -3 * e))
+        self.assertEqual(oracle.gradient2(0x3FC00000), (-e, 1 - e))
+        self.assertEqual(oracle.gradient2(0xC0000000), (e, -1 + e))
+        self.assertEqual(oracle.gradient2(0x7FFFFFFF), (1 - e, e))
+        e = 1 / 256
+        self.assertEqual(oracle.gradient3(0x00000000), (-1 + e, 0, e))
+        self.assertEqual(oracle.gradient3(0x00007FFF), (-1 + e, 0, e))
+        self.assertEqual(oracle.gradient3(0x00008000), (-1 + 2 * e, -e, e))
+        self.assertEqual(oracle.gradient3(0x80800000), (-1 + 2 * e, e, -e))
+        self.assertEqual(oracle.gradient3(0x7F800000), (0, 1 - e, e))
+        self.assertEqual(oracle.gradient3(0xC03F8000), (0, e, -1 + e))  # p = e, q = -e
+        self.assertEqual(oracle.gradient3(0x40408000), (2 * e, -e, 1 - 3 * e))  # p = e, q = 3 e
 
     def test_gradients_lie_on_the_surface(self) -> None:
         for word in self.WORDS:
@@ -270,16 +308,30 @@ class Floats(unittest.TestCase):
     def test_gradients_are_exact(self) -> None:
         for word in self.WORDS:
             for component in oracle.gradient2(word) + oracle.gradient3(word):
-                self.assertEqual(golden.to_f32(component), component)
-                self.assertTrue((component * 2**16).is_integer())
+                self.assertEqual(golden_rows.to_f32(component), component)
+                self.assertTrue((component * 2**9).is_integer())
+            for component in oracle.gradient3(word):
+                self.assertTrue((component * 2**8).is_integer())
 
     def test_gradients_have_no_zero_but_a_positive_one(self) -> None:
         for word in self.WORDS:
             for component in oracle.gradient2(word) + oracle.gradient3(word):
                 self.assertTrue(component != 0 or math.copysign(1, component) == 1)
 
-    def test_gradient3_is_injective_on_its_fold(self) -> None:
-        self.assertEqual(len({oracle.gradient3(word) for word in self.WORDS}), len(set(self.WORDS)))
+    def test_as_many_gradients_as_the_contract_says(self) -> None:
+        self.assertEqual(len({oracle.gradient2(field << 22) for field in range(2**10)}), 1024)
+        self.assertEqual(len({oracle.gradient3(field << 15) for field in range(2**17)}), 131072)
+
+    def test_gradients_are_uniform(self) -> None:
+        # As many in each quadrant, in each octant (its border, where x or y is 0, apart), and in each half by height.
+        quadrants = Counter(tuple(x > 0 for x in oracle.gradient2(field << 22)) for field in range(2**10))
+        self.assertEqual(set(quadrants.values()), {256})
+        gradients = [oracle.gradient3(field << 15) for field in range(2**17)]
+        octants = Counter(tuple(x > 0 for x in g) for g in gradients if g[0] and g[1])
+        self.assertEqual(len(octants), 8)
+        self.assertEqual(len(set(octants.values())), 1)
+        # Above half the height lies a quarter of the octahedron's faces.
+        self.assertEqual(sum(abs(z) > 0.5 for _, _, z in gradients), 2**15)
 
     def test_unit_ranges(self) -> None:
         self.assertEqual((oracle.unorm(0), oracle.unorm(oracle.MASK)), (0, 1 - 2**-24))
@@ -339,7 +391,7 @@ class Sine(unittest.TestCase):
 
     def test_rounds_as_float32_does(self) -> None:
         for n in self.arcs(300):
-            self.assertEqual(oracle.round24(n), golden.to_f32(n), n)
+            self.assertEqual(oracle.round24(n), golden_rows.to_f32(n), n)
 
     def test_ties_go_to_even(self) -> None:
         ties = {2**24 + 1: 2**24, 2**24 + 3: 2**24 + 4, 2**30 + 64: 2**30, 2**30 + 192: 2**30 + 256,
@@ -367,10 +419,13 @@ class Configurations(unittest.TestCase):
         self.assertEqual(oracle.configuration("pcg+period48"), oracle.Configuration("pcg", period=48))
         self.assertEqual(oracle.configuration("partial_fnv1+sine+period1073741824"),
                          oracle.Configuration("partial_fnv1", True, 2**30))
+        self.assertEqual(oracle.configuration("pcg+fixed"), oracle.Configuration("pcg", fixed=True))
+        self.assertEqual(oracle.configuration("pcg+sine+period48+fixed"), oracle.Configuration("pcg", True, 48, True))
 
     def test_bad_names(self) -> None:
         for name in ("", "any", "fnv1+", "fnv1+cosine", "fnv1+period", "fnv1+period0", "fnv1+period048",
-                     "fnv1+period48+sine", "fnv1+period-48", "fnv1+period1048577", "fnv1+period2147483648"):
+                     "fnv1+period48+sine", "fnv1+fixed+sine", "fnv1+precise", "fnv1+period-48", "fnv1+period1048577",
+                     "fnv1+period2147483648"):
             with self.assertRaises(ValueError, msg=name):
                 oracle.configuration(name)
 
@@ -386,18 +441,18 @@ class Gradients(unittest.TestCase):
         return [(c,) * n for c in EDGE_CELLS] + mixed + [
             tuple(numbers.integer(INT_MIN, INT_MAX) for _ in range(n)) for _ in range(10)]
 
-    def test_octahedral_is_that_of_the_lattice_hash(self) -> None:
+    def test_octahedral_is_that_of_the_word(self) -> None:
         for name in oracle.HASHES:
             for cell in self.cells(2):
-                self.assertEqual(oracle.gradient(name, cell, 7), oracle.gradient2(oracle.lattice(name, cell, 7)))
+                self.assertEqual(oracle.gradient(name, cell, 7), oracle.gradient2(oracle.point_word(name, cell, 7)))
             for cell in self.cells(3):
-                self.assertEqual(oracle.gradient(name, cell, 7), oracle.gradient3(oracle.lattice(name, cell, 7)))
+                self.assertEqual(oracle.gradient(name, cell, 7), oracle.gradient3(oracle.point_word(name, cell, 7)))
 
     def test_sine_without_a_seed_is_the_papers(self) -> None:
         # The paper's listing with the C library's sine, and float(int) by the conversion to float32 of the machine.
         def component(word: int) -> float:
             word &= oracle.MASK
-            return math.sin(golden.to_f32(word - 2**32 if word >= 2**31 else word))
+            return math.sin(golden_rows.to_f32(word - 2**32 if word >= 2**31 else word))
 
         for hash_name, function in oracle.WORD_HASHES.items():
             name = hash_name + "+sine"
@@ -420,9 +475,10 @@ class Gradients(unittest.TestCase):
                                  (oracle.sine_of_word(first + second), oracle.sine_of_word(2 * second)))
 
     def test_hash_of_one_word_under_lattice(self) -> None:
-        for word in (0, 1, 0x80000000, oracle.MASK):
-            spread = word * 0x9E3779B1 + 0x165667B1 & oracle.MASK
-            self.assertEqual(oracle.hash_words("lattice", [word]), oracle.mix(spread))
+        # Values of a C program written from the contract.
+        vectors = {0: 0x67F2B63B, 1: 0x0723F215, 0x80000000: 0xBA25E115, oracle.MASK: 0xAFB9C52F}
+        for word, value in vectors.items():
+            self.assertEqual(oracle.hash_words("lattice", [word]), value)
 
     def test_seed_joins_the_first_word_only(self) -> None:
         seed = 0xDEADBEEF
@@ -594,7 +650,7 @@ class OctaveSums(unittest.TestCase):
 
     def test_clouds_of_fbm(self) -> None:
         seen = set()
-        for seed in range(32):
+        for seed in range(64):
             t = 2 * oracle.fbm("pcg", (0.375, 0.5), 3, 2.0, 0.5, seed) + Fraction(1, 4)
             expected = 0 if t <= 0 else 1 if t >= 1 else 3 * t**2 - 2 * t**3
             self.assertEqual(oracle.clouds("pcg", (0.375, 0.5), 3, 2.0, 0.5, seed), expected)
