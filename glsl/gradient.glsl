@@ -187,7 +187,7 @@ HN_FN HN_HIGHP HN_I_NUMBER3 hn_i_gradient(HN_HIGHP uint column, HN_HIGHP uint ro
 //   cell     the point: ivec2 or ivec3
 //   seed     any uint, 0 if left out; different seeds give independent fields
 //   returns  a point of the square or octahedron |x| + |y| (+ |z|) = 1; with HN_GRADIENT_SINE, of the square or cube
-//            [-1, 1]^n
+//            [-1, 1]^n (HN_FIXED: 2^-15 larger)
 //   error    none; with HN_GRADIENT_SINE less than 2^-19 (HN_FIXED: 2^-14)
 //   period   2^32 along each axis, or HN_PERIOD
 //   cost     1 hash (none with HN_HASH_LATTICE), 1 multiplication per axis and 1 more; with HN_GRADIENT_SINE 1 hash per
