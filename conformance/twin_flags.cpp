@@ -1,5 +1,6 @@
-// Prints a digest of what the C++ twin computes at many points, a line per function. twin_flags_test.py compiles it with
-// many flags, of which some let a compiler make of floats what it likes: so nothing here but the twin computes in them.
+// Prints a digest of what the C++ twin computes at many points, a line per function. twin_flags_test.py compiles it
+// with many flags, of which some let a compiler make of floats what it likes: so nothing here but the twin computes in
+// them.
 #include <bit>
 #include <cstdint>
 #include <cstdio>
