@@ -45,12 +45,15 @@ Result<const Program*> Session::evaluation_program(const Evaluation& evaluation)
 }
 
 const Session::PointSet& Session::twin_points(const Function& function, const Configuration& configuration,
-                                              std::size_t count) {
-  const std::string key = fmt::format("{} {}", function.id, configuration.sine());
+                                              std::size_t count, std::uint64_t batch) {
+  const std::string key =
+      fmt::format("{} {} {} {}", function.id, configuration.sine(), arithmetic_name(function, configuration), batch);
   if (kept_points_of_ == key && kept_points_.allowed.size() >= count) return kept_points_;
-  kept_points_.inputs = random_points(function, count, Random(seed, function.id));
-  kept_points_.allowed.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
+  // A seed has 32 bits.
+  const Random random(seed + (batch << 32), function.id);
+  kept_points_.inputs = random_points(function, count, random, defined_extremes(configuration));
+  kept_points_.allowed.assign(count, 0.0);
+  for (std::size_t i = 0; i < count && !has_same_bits(function, configuration); ++i) {
     // Both the driver and the twin may be off the exact value by the tolerance.
     kept_points_.allowed[i] =
         2.0 * tolerance(function, configuration, std::span(kept_points_.inputs).subspan(i * kInputWords, kInputWords));

@@ -60,7 +60,8 @@ struct Suite {
   const SourceSet& sources;
   const ReferenceCompiler& reference;
   std::filesystem::path golden_directory;
-  std::uint64_t seed;  // of the random points
+  std::uint64_t seed;        // of the random points
+  std::uint64_t points = 0;  // of each comparison with the twin; 0 for what its case says
 };
 
 // What a case on a driver may use besides.
@@ -71,12 +72,17 @@ struct Session : Suite {
   GridRenderer grid;
 
   // Random points for a function and how far the driver and the twin may be apart at each; the same for
-  // every hash, and kept until another function asks. There may be more than count.
+  // every hash, and kept until another function asks. There may be more than count. A batch has other points than the
+  // ones before.
   struct PointSet {
     std::vector<std::uint32_t> inputs;  // kInputWords per point
     std::vector<double> allowed;        // per point
   };
-  const PointSet& twin_points(const Function& function, const Configuration& configuration, std::size_t count);
+  const PointSet& twin_points(const Function& function, const Configuration& configuration, std::size_t count,
+                              std::uint64_t batch = 0);
+
+  // To be called by a case that goes on for long, after each part of its work.
+  std::function<void()> still_alive = [] {};
 
   // The program that evaluates a function. The last few are kept, since cases that share a program follow each other;
   // what is returned lasts until the next call.

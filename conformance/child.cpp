@@ -77,6 +77,7 @@ void report_evidence(Session& session, const Case& test, const Outcome& outcome)
 void run_driver_cases(const Suite& suite, const Context& context, const Driver& driver, const Job& job,
                       const std::vector<const Case*>& cases) {
   Session session(suite, context, driver.most_points);
+  session.still_alive = [] { report({{"alive", true}}); };
   EvidenceBudget budget(job.examined);
   report({{"ready", to_json(session.info)}});
   for (const Case* test : cases) {
@@ -133,7 +134,7 @@ int run_on_driver(const Job& job, const Driver& driver) {
   if (driver.browser && job.task == Task::describe) return describe_in_browser(*driver.browser);
   if (driver.browser && job.task == Task::cases) return run_browser_cases(job, *driver.browser, *sources);
   const ReferenceCompiler reference;
-  const Suite suite{*sources, reference, job.suite.golden, job.suite.seed};
+  const Suite suite{*sources, reference, job.suite.golden, job.suite.seed, job.suite.points};
   const std::vector<Case> all = job.task == Task::describe ? std::vector<Case>{} : all_cases();
   const std::vector<const Case*> cases = cases_of(job, all);
   if (driver.is_reference_compiler()) {
@@ -182,7 +183,11 @@ std::string suite_digest(const SuiteOptions& options, const SourceSet& sources) 
 }
 
 nlohmann::json to_json(const SuiteOptions& options) {
-  return {{"glsl", options.glsl}, {"golden", options.golden}, {"inject", options.inject}, {"seed", options.seed}};
+  return {{"glsl", options.glsl},
+          {"golden", options.golden},
+          {"inject", options.inject},
+          {"seed", options.seed},
+          {"points", options.points}};
 }
 
 nlohmann::json to_json(const Job& job) {
@@ -201,7 +206,8 @@ Job job_from(const nlohmann::json& json) {
           .suite = {.glsl = suite.at("glsl").get<std::string>(),
                     .golden = suite.at("golden").get<std::string>(),
                     .inject = suite.at("inject").get<std::string>(),
-                    .seed = suite.at("seed").get<std::uint64_t>()},
+                    .seed = suite.at("seed").get<std::uint64_t>(),
+                    .points = suite.at("points").get<std::uint64_t>()},
           .ids = json.at("ids").get<std::vector<std::string>>(),
           .examined = json.at("examined").get<std::vector<std::string>>()};
 }

@@ -23,6 +23,7 @@ struct SuiteOptions {
   std::string golden;
   std::string inject;  // the name of a fault, or nothing
   std::uint64_t seed = 1;
+  std::uint64_t points = 0;
 };
 
 // The library as these options say; an error for a folder or a fault that is none.
@@ -48,6 +49,7 @@ Job job_from(const nlohmann::json& json);  // of a text that to_json made
 //   {"absent": "why"}                 in place of it: the driver cannot be used here
 //   {"result": {case result}}         for each case; with "examined": true if its evidence is made next
 //   {"evidence": {...}, "id": ID}     then; null in place of an object if there is none
+//   {"alive": true}                   from a case that takes long: the limit of its time starts again
 //   {"lost": true}                    after these: the context is lost, and the process ends
 //   {"timings": ...} {"devices": N}   of these tasks
 //   {"error": "why"}                  a task cannot be done

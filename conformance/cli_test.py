@@ -106,7 +106,7 @@ class Cli(unittest.TestCase):
     def test_merging_tells_the_same_again(self):
         for shard in ("1/2", "2/2"):
             out = self.folder / shard[0]
-            self.call("run", "--out", out, "--filter", "noise2d.perlin.lattice.*fragment*golden", "--shard", shard)
+            self.call("run", "--out", out, "--filter", "noise2d.perlin.lattice.fast.fragment*golden", "--shard", shard)
         done = self.call("merge", self.folder / "1", self.folder / "2", "--out", self.out)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("All as expected: 3 cases", self.page())
@@ -116,7 +116,7 @@ class Cli(unittest.TestCase):
         self.assertIn("cases are missing; not all of its shards are here", self.page())
 
     def test_list_filters(self):
-        done = self.call("list", "--filter", "noise2d.perlin.lattice.*.fragment.*.golden")
+        done = self.call("list", "--filter", "noise2d.perlin.lattice.fast.fragment.*.golden")
         self.assertEqual(done.returncode, 0)
         self.assertEqual(len(done.stdout.splitlines()), 3)
 
@@ -201,7 +201,7 @@ class Cli(unittest.TestCase):
     def test_a_changed_constant_turns_the_run_red(self):
         for check in ("golden", "twin"):
             with self.subTest(check=check):
-                glsl = self.changed_glsl("hash.glsl", ("0x2C1B3C6Du", "0x2C1B3C6Fu"))
+                glsl = self.changed_glsl("hash.glsl", ("0x85EBCA77u", "0x85EBCA79u"))
                 done = self.run_case("--glsl", glsl, case=f"noise2d.perlin.lattice.fast.fragment.gl330.{check}")
                 self.assertEqual(done.returncode, 1)
                 self.assertIn("NOT AS EXPECTED", done.stdout)
@@ -210,15 +210,21 @@ class Cli(unittest.TestCase):
     def test_every_other_check_can_fail(self):
         perlin = "noise2d.perlin.lattice.fast.fragment.gl330"
         for check, case, name, *changes in (
-            ("range", f"{perlin}.range", "noise2d.glsl", ("1913.0f", "2913.0f")),
-            ("range, little used", f"{perlin}.range", "noise2d.glsl", ("1913.0f", "913.0f")),
-            ("zero", f"{perlin}.zero", "noise2d.glsl", ("p - cell, seed", "p - cell + 0.25f, seed")),
+            ("range", f"{perlin}.range", "noise2d.glsl", ("NUMBER(1913)", "NUMBER(2913)")),
+            ("range, little used", f"{perlin}.range", "noise2d.glsl", ("NUMBER(1913)", "NUMBER(913)")),
+            ("zero", f"{perlin}.zero", "noise2d.glsl", ("hn_i_fraction(p)", "hn_i_fraction(p) + 0.25f")),
             ("seeds", f"{perlin}.seeds", "noise2d.glsl", ("hn_i_mix(seed)", "hn_i_mix(seed & 0u)")),
-            ("mirror", f"{perlin}.mirror", "hash.glsl", ("((k << 13) | (k >> 19)) ^ next", "k ^ next"),
-             (" + 0x165667B1u", "")),
-            ("noise_knob", "fbm.fbm2.*.noise_knob", "fbm.glsl", ("HN_FBM_NOISE2D(p, seed);", "hn_perlin(p, seed);")),
+            ("mirror", f"{perlin}.mirror", "noise2d.glsl",
+             ("hn_i_cell(p), hn_i_fraction(p)", "hn_i_cell(abs(p)), hn_i_fraction(abs(p))")),
+            ("finite", f"{perlin}.finite", "noise2d.glsl", ("hn_i_fraction(p), seed", "hn_i_fraction(p) + 0.25f, seed")),
+            ("noise_knob", "fbm.fbm2.*.fast.*.noise_knob", "fbm.glsl",
+             ("HN_FBM_NOISE2D(q, seed);", "hn_perlin(q, seed);")),
+            ("noise_knob", "fbm.fbm2.*.fixed.*.noise_knob", "fbm_fixed.glsl",
+             ("#ifdef HN_FBM_NOISE2D", "#ifdef HN_FBM_NOISE2D_")),
             ("refused", "config.hash_10.*.gl330.refused_by_glslang", "config.glsl", ("HN_HASH > 9", "HN_HASH > 99")),
             ("refused", "config.hash_10.*.gl330.refused_by_driver", "config.glsl", ("HN_HASH > 9", "HN_HASH > 99")),
+            ("refused", "config.arithmetic_4.*.gl330.*", "config.glsl", ("HN_ARITHMETIC > 3", "HN_ARITHMETIC > 99")),
+            ("refused", "config.precise_too_early.*.gl330.*", "config.glsl", ("__VERSION__ < 400", "__VERSION__ < 300")),
             ("no reason", "config.version_120.*.refused_by_driver", "config.glsl", ("needs GLSL 1.30", "needs more")),
             ("spirv", "hash.all.pcg.fast.fragment.vulkan.spirv", "hash.glsl", ("2891336453u", "2891336453.5")),
         ):
@@ -285,7 +291,7 @@ class Cli(unittest.TestCase):
                 self.assertEqual(self.results()["runs"][0]["totals"]["fail"], 3)
 
     def test_fail_fast_stops(self):
-        glsl = self.changed_glsl("noise2d.glsl", ("1913.0f", "1914.0f"))
+        glsl = self.changed_glsl("noise2d.glsl", ("NUMBER(1913)", "NUMBER(1914)"))
         self.run_case("--glsl", glsl, "--fail-fast", case="noise2d.perlin.*.golden")
         self.assertEqual(len(self.results()["runs"][0]["cases"]), 1)
 
@@ -299,6 +305,14 @@ class Cli(unittest.TestCase):
             self.assertGreaterEqual(run["cases"][0]["samples"], 1000000)
             seen.append(run["cases"][0]["max_ulp"])
         self.assertEqual(seen[0], seen[1])
+
+    def test_points_are_evaluated_in_batches(self):
+        case = "noise2d.perlin.lattice.*.gl330.twin"  # fast and fixed
+        points = 3 * 2**20 + 5  # a grid has 2^20
+        self.assertEqual(self.run_case("--points", points, case=case).returncode, 0)
+        self.assertEqual([case["samples"] for case in self.results()["runs"][0]["cases"]], [points, points])
+        for wrong in ("0", "-1", "1e8", "10000000001", "many"):
+            self.assertEqual(self.run_case("--points", wrong, case=case).returncode, 2, wrong)
 
 
 if __name__ == "__main__":

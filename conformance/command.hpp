@@ -38,7 +38,8 @@ struct RunCommand {
   std::string expect;
   std::string shard;  // "I/N", or empty
   std::uint64_t seed = 1;
-  double timeout = 60.0;  // seconds
+  std::uint64_t points = 0;  // of each comparison with the twin; 0 for what its case says
+  double timeout = 60.0;     // seconds
   std::size_t jobs = 1;
   bool fail_fast = false;
   bool resume = false;

@@ -54,29 +54,30 @@ void Comparison::bits(std::span<const std::uint32_t> inputs, std::uint32_t got, 
   ++outcome_.samples;
   if (got == expected) return;
   const bool words = function_.outputs.front().type == WordType::u32;
+  if (!words) note_difference(std::bit_cast<float>(got), static_cast<double>(std::bit_cast<float>(expected)));
   const auto text = [&](std::uint32_t word) { return words ? describe(word) : describe(std::bit_cast<float>(word)); };
   note(inputs, text(got), text(expected));
 }
 
 void Comparison::number(std::span<const std::uint32_t> inputs, float got, double expected, double allowed) {
   ++outcome_.samples;
-  const double difference = std::fabs(static_cast<double>(got) - expected);
-  outcome_.max_ulp = std::max(outcome_.max_ulp, ulp_distance(got, static_cast<float>(expected)));
-  // Written so that a NaN difference fails. JSON has no NaN; infinity is recorded as the largest double.
-  if (!(difference <= outcome_.max_abs)) {
-    outcome_.max_abs = std::isfinite(difference) ? difference : std::numeric_limits<double>::max();
-  }
-  if (difference <= allowed) return;
+  note_difference(got, expected);
+  // Written so that a NaN difference fails.
+  if (std::fabs(static_cast<double>(got) - expected) <= allowed) return;
   note(inputs, describe(got), fmt::format("{} within {:.3g}", describe(static_cast<float>(expected)), allowed));
 }
 
-void Comparison::golden(std::span<const std::uint32_t> inputs, std::uint32_t got, std::uint64_t expected,
-                        double allowed) {
-  if (function_.exact()) {
-    bits(inputs, got, static_cast<std::uint32_t>(expected));
-  } else {
-    number(inputs, std::bit_cast<float>(got), std::bit_cast<double>(expected), allowed);
-  }
+void Comparison::note_difference(float got, double expected) {
+  const double difference = std::fabs(static_cast<double>(got) - expected);
+  outcome_.max_ulp = std::max(outcome_.max_ulp, ulp_distance(got, static_cast<float>(expected)));
+  // JSON has no NaN; infinity is recorded as the largest double.
+  if (difference <= outcome_.max_abs) return;
+  outcome_.max_abs = std::isfinite(difference) ? difference : std::numeric_limits<double>::max();
+}
+
+void Comparison::next_grid(std::span<const std::uint32_t> grid) {
+  before_ += grid_.size() / kInputWords;
+  grid_ = grid;
 }
 
 void Comparison::require(bool right, std::span<const std::uint32_t> inputs, float got, std::string_view should) {
@@ -86,7 +87,7 @@ void Comparison::require(bool right, std::span<const std::uint32_t> inputs, floa
 
 void Comparison::note(std::span<const std::uint32_t> inputs, std::string got, std::string expected) {
   if (outcome_.mismatches++ >= kMostExamples) return;
-  const auto point = static_cast<std::size_t>(inputs.data() - grid_.data()) / kInputWords;
+  const auto point = before_ + static_cast<std::size_t>(inputs.data() - grid_.data()) / kInputWords;
   Mismatch mismatch{point, {inputs.begin(), inputs.end()}, describe_inputs(function_, inputs), got, expected};
   if (outcome_.examples.empty()) {
     outcome_.message = fmt::format("first at {}: got {}, expected {}", mismatch.inputs, got, expected);

@@ -20,24 +20,27 @@ class Comparison {
   // grid: the input words of all points, of which those of a wrong value are a part.
   Comparison(const Function& function, std::span<const std::uint32_t> grid) : function_(function), grid_(grid) {}
 
-  // For exact functions: every bit counts.
+  // Where every bit counts.
   void bits(std::span<const std::uint32_t> inputs, std::uint32_t got, std::uint32_t expected);
-  // For float functions: |got - expected| <= allowed. NaN is never right.
+  // Else |got - expected| <= allowed. NaN is never right.
   void number(std::span<const std::uint32_t> inputs, float got, double expected, double allowed);
-  // For values of golden files, whose bits mean what the function's accuracy says.
-  void golden(std::span<const std::uint32_t> inputs, std::uint32_t got, std::uint64_t expected, double allowed);
   // For properties: a value that is right or not, with a sentence that says what it should be.
   void require(bool right, std::span<const std::uint32_t> inputs, float got, std::string_view should);
+
+  // Goes on with other points: what is compared from here on is of these, and their numbers follow.
+  void next_grid(std::span<const std::uint32_t> grid);
 
   bool all_right() const { return outcome_.mismatches == 0; }
   // Pass if all values were right, else fail.
   Outcome finish() const;
 
  private:
+  void note_difference(float got, double expected);
   void note(std::span<const std::uint32_t> inputs, std::string got, std::string expected);
 
   const Function& function_;
   std::span<const std::uint32_t> grid_;
+  std::size_t before_ = 0;  // points of the grids before this one
   Outcome outcome_;
 };
 

@@ -43,6 +43,32 @@ TEST(Comparison, NumbersMayBeOffByWhatIsAllowedAndNoMore) {
   EXPECT_EQ(comparison.finish().status, Status::fail);
 }
 
+TEST(Comparison, BitsOfFloatsHaveADifference) {
+  Comparison comparison(find_function("noise2d.perlin"), kInputs);
+  comparison.bits(kInputs, std::bit_cast<std::uint32_t>(0.5f), std::bit_cast<std::uint32_t>(0.5f));
+  comparison.bits(kInputs, std::bit_cast<std::uint32_t>(0.5f), std::bit_cast<std::uint32_t>(0.75f));
+  const Outcome outcome = comparison.finish();
+  EXPECT_EQ(outcome.mismatches, 1u);
+  EXPECT_EQ(outcome.max_abs, 0.25);
+  EXPECT_EQ(outcome.max_ulp, 1u << 22);
+  Comparison zeros(find_function("noise2d.perlin"), kInputs);
+  zeros.bits(kInputs, 0u, 0x80000000u);
+  EXPECT_EQ(zeros.finish().mismatches, 1u) << "-0 has other bits than 0";
+}
+
+TEST(Comparison, PointsOfTheNextGridAreNumberedOn) {
+  const std::vector<std::uint32_t> first(3 * kInputWords, 0u);
+  Comparison comparison(find_function("hash.word"), first);
+  comparison.bits(std::span(first).subspan(2 * kInputWords, kInputWords), 5, 4);
+  const std::vector<std::uint32_t> second(2 * kInputWords, 0u);
+  comparison.next_grid(second);
+  comparison.bits(std::span(second).subspan(kInputWords, kInputWords), 5, 4);
+  const Outcome outcome = comparison.finish();
+  ASSERT_EQ(outcome.examples.size(), 2u);
+  EXPECT_EQ(outcome.examples[0].point, 2u);
+  EXPECT_EQ(outcome.examples[1].point, 4u);
+}
+
 TEST(Comparison, NanAndInfinityAreNeverRight) {
   for (const float wrong : {kNan, std::numeric_limits<float>::infinity()}) {
     Comparison comparison(find_function("noise2d.perlin"), kInputs);

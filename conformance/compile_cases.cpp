@@ -14,6 +14,13 @@ namespace {
 
 std::string_view stem(std::string_view file) { return file.substr(0, file.find('.')); }
 
+// file.all.configuration.arithmetic. No function of theirs is called by itself, so what is exact is not told apart.
+std::string compiled_name(std::string_view file, const Configuration& configuration) {
+  constexpr std::array<std::string_view, 3> kArithmetic = {"fast", "precise", "fixed"};
+  return fmt::format("{}.all.{}.{}", stem(file), configuration.name_without_arithmetic(),
+                     kArithmetic[static_cast<std::size_t>(configuration.arithmetic())]);
+}
+
 Outcome outcome_of(const Result<void>& result) {
   return result ? Outcome{} : outcome_with(Status::fail, result.error());
 }
@@ -37,10 +44,16 @@ Outcome check_with_driver(Session& session, const Compilation& compilation) {
   return program ? Outcome{} : outcome_with(Status::fail, program.error());
 }
 
+// glslang tries every file alone with every arithmetic; drivers, which take longer, all of them together.
+bool is_for_drivers(std::string_view file, const Configuration& configuration) {
+  if (configuration.fast()) return file != "arithmetic.glsl";
+  return file == "hashnoise.glsl" && !configuration.sine();
+}
+
 void add_file_cases(std::vector<Case>& cases, std::string_view file, const Configuration& configuration,
                     const Profile& profile) {
   const auto id = [&](Stage stage, std::string_view check) {
-    return fmt::format("{}.all.{}.fast.{}.{}.{}", stem(file), configuration.name, name_of(stage), profile.name, check);
+    return fmt::format("{}.{}.{}.{}", compiled_name(file, configuration), name_of(stage), profile.name, check);
   };
   const auto add_glslang = [&](Stage stage) {
     cases.push_back({.id = id(stage, profile.spirv ? "spirv" : "glslang"),
@@ -53,7 +66,7 @@ void add_file_cases(std::vector<Case>& cases, std::string_view file, const Confi
   add_glslang(Stage::fragment);
   add_glslang(Stage::vertex);
   if (profile.version >= (profile.es ? 310 : 430)) add_glslang(Stage::compute);
-  if (profile.spirv) return;
+  if (profile.spirv || !is_for_drivers(file, configuration)) return;
   const auto compilation = std::make_shared<const Compilation>(
       Compilation{profile, calling_shader(file, configuration, profile, Stage::fragment)});
   cases.push_back({id(Stage::fragment, "driver"),
@@ -62,12 +75,23 @@ void add_file_cases(std::vector<Case>& cases, std::string_view file, const Confi
                    compilation});
 }
 
+// Elsewhere the library must refuse it.
+bool can_compile(const Configuration& configuration, const Profile& profile) {
+  return configuration.arithmetic() != Arithmetic::precise || profile.version >= (profile.es ? 320 : 400);
+}
+
+// The oldest version of ES that glslang makes SPIR-V of.
+const Profile& es_to_spirv(const Configuration& configuration) {
+  static constexpr Profile kEs310{"es310", "#version 310 es", 310, true, true};
+  static constexpr Profile kEs320{"es320", "#version 320 es", 320, true, true};
+  return can_compile(configuration, kEs310) ? kEs310 : kEs320;
+}
+
 // In ES, what is not declared highp has 16 bits on some machines, and on the others nobody notices. So glslang is asked
 // for the SPIR-V of the ES shader, whose default precision is mediump, and nothing in it may be of relaxed precision.
 Outcome check_highp(const Suite& suite, std::string_view file, const Configuration& configuration) {
-  static constexpr Profile kEsToSpirv{"es310", "#version 310 es", 310, true, true};
-  const auto source =
-      expand(suite.sources, kEsToSpirv, calling_shader(file, configuration, kEsToSpirv, Stage::fragment));
+  const Profile& profile = es_to_spirv(configuration);
+  const auto source = expand(suite.sources, profile, calling_shader(file, configuration, profile, Stage::fragment));
   if (!source) return outcome_with(Status::fail, source.error());
   const auto words = suite.reference.spirv(*source, Stage::fragment);
   if (!words) return outcome_with(Status::fail, words.error());
@@ -80,13 +104,21 @@ Outcome check_highp(const Suite& suite, std::string_view file, const Configurati
 
 void add_highp_case(std::vector<Case>& cases, std::string_view file, const Configuration& configuration) {
   cases.push_back(
-      {.id = fmt::format("{}.all.{}.fast.fragment.es310.highp", stem(file), configuration.name),
+      {.id = fmt::format("{}.fragment.{}.highp", compiled_name(file, configuration), es_to_spirv(configuration).name),
        .run = {},
        .compile = [=, &configuration](const Suite& suite) { return check_highp(suite, file, configuration); }});
 }
 
-// Every hash is other code, and so is each other knob by itself; combinations are not.
-bool selects_code(const Configuration& configuration) {
+// Every hash is other code, and so is each other knob by itself; combinations are not, but for a gradient in another
+// arithmetic. Hashes have no arithmetic, and it has no hashes; fbm_fixed.glsl is for one only.
+bool selects_code(std::string_view file, const Configuration& configuration) {
+  const bool by_arithmetic = configuration.name_without_arithmetic() == "lattice";
+  if (file == "arithmetic.glsl") return by_arithmetic;
+  if (file == "fbm_fixed.glsl") return by_arithmetic && configuration.arithmetic() == Arithmetic::fixed;
+  if (!configuration.fast()) {
+    const bool sine = configuration.name_without_arithmetic() == "lattice+sine";
+    return file != "hash.glsl" && (by_arithmetic || (sine && file == "hashnoise.glsl"));
+  }
   return configuration.hash_only() || configuration.name == "lattice+sine" ||
          configuration.name == "lattice+period48" || configuration.name == "lattice+period64";
 }
@@ -110,6 +142,13 @@ constexpr Refusal kRefusals[] = {
     {"hash_misspelt", "es300", "#define HN_HASH HN_HASH_FNV\n", "HN_HASH"},
     {"gradient_3", "gl330", "#define HN_GRADIENT 3\n", "HN_GRADIENT_SINE"},
     {"gradient_misspelt", "gl330", "#define HN_GRADIENT HN_GRADIENT_SIN\n", "HN_GRADIENT_SINE"},
+    {"arithmetic_0", "gl330", "#define HN_ARITHMETIC 0\n", "HN_FIXED"},
+    {"arithmetic_4", "gl330", "#define HN_ARITHMETIC 4\n", "HN_FIXED"},
+    {"arithmetic_4", "es300", "#define HN_ARITHMETIC 4\n", "HN_FIXED"},
+    {"arithmetic_misspelt", "gl330", "#define HN_ARITHMETIC HN_FIX\n", "HN_FIXED"},
+    {"precise_too_early", "gl330", "#define HN_ARITHMETIC HN_PRECISE\n", "GLSL 4.00"},
+    {"precise_too_early", "es300", "#define HN_ARITHMETIC HN_PRECISE\n", "GLSL ES 3.20"},
+    {"precise_too_early", "es310", "#define HN_ARITHMETIC HN_PRECISE\n", "GLSL ES 3.20"},
     {"period_negative", "gl330", "#define HN_PERIOD -1\n", "1048576"},
     {"period_large_and_no_power_of_two", "gl330", "#define HN_PERIOD 1048577\n", "1048576"},
     {"period_large_and_no_power_of_two", "es300", "#define HN_PERIOD 1048577\n", "1048576"},
@@ -138,7 +177,7 @@ std::vector<Acceptance> acceptances() {
       {"macros", "",
        "#if !defined(HN_VERSION_MAJOR) || !defined(HN_VERSION_MINOR) || !defined(HN_VERSION_PATCH)\n#error version\n"
        "#endif\n#if !defined(HN_I_BITCAST) || !defined(HN_HASH) || !defined(HN_GRADIENT) || !defined(HN_PERIOD)\n"
-       "#error knobs\n#endif\n"},
+       "#error knobs\n#endif\n#if !defined(HN_ARITHMETIC)\n#error knobs\n#endif\n"},
   };
 }
 
@@ -180,7 +219,7 @@ Outcome check_refused_by_driver(Session& session, const Compilation& compilation
 void add_refusal_cases(std::vector<Case>& cases, const Refusal& refusal) {
   const auto compilation = std::make_shared<const Compilation>(Compilation{
       profile_named(refusal.profile), fmt::format("{}#include \"config.glsl\"\nvoid main() {{}}\n", refusal.knobs),
-      refusal.expected, refusal.name.starts_with("version")});
+      refusal.expected, refusal.name.starts_with("version") || refusal.profile == "es310"});
   const auto id = [&](std::string_view check) {
     return fmt::format("config.{}.any.fast.fragment.{}.{}", refusal.name, compilation->profile.name, check);
   };
@@ -201,8 +240,10 @@ void add_refusal_cases(std::vector<Case>& cases, const Refusal& refusal) {
 void add_compile_cases(std::vector<Case>& cases) {
   for (const EmbeddedFile& file : kEmbeddedFiles) {
     for (const Configuration& configuration : all_configurations()) {
-      if (!selects_code(configuration)) continue;
-      for (const Profile& profile : all_profiles()) add_file_cases(cases, file.name, configuration, profile);
+      if (!selects_code(file.name, configuration)) continue;
+      for (const Profile& profile : all_profiles()) {
+        if (can_compile(configuration, profile)) add_file_cases(cases, file.name, configuration, profile);
+      }
       add_highp_case(cases, file.name, configuration);
     }
   }

@@ -22,10 +22,11 @@ constexpr std::size_t kMostPerFunction = 2;
 // With its pictures one takes about 50 kB.
 constexpr int kMostPerDriver = 40;
 
-// What is right at a point, and how far from it a float may be.
+// What is right at a point, and how far from it a float may be unless every bit counts.
 struct Right {
   std::array<std::uint32_t, kOutputWords> words;
   double allowed;
+  bool every_bit;
 };
 
 // What fails in one version of the language mostly does so in the others.
@@ -83,7 +84,9 @@ class Examiner {
 
   // As the twin has it; both may be off the exact value.
   Right right_by_twin(std::size_t i) const {
-    Right right{{}, 2.0 * tolerance(function(), evaluation_.configuration, point(window_, i))};
+    Right right{{},
+                2.0 * tolerance(function(), evaluation_.configuration, point(window_, i)),
+                has_same_bits(function(), evaluation_.configuration)};
     const auto words = result(reference_, i);
     std::copy(words.begin(), words.end(), right.words.begin());
     return right;
@@ -97,12 +100,11 @@ class Examiner {
     const auto words = point(window_, i);
     for (const GoldenRow& row : golden->rows) {
       if (!std::equal(row.inputs.begin(), row.inputs.end(), words.begin())) continue;
-      Right right{{}, tolerance(function(), evaluation_.configuration, words)};
+      Right right{{},
+                  tolerance(function(), evaluation_.configuration, words),
+                  has_exact_values(function(), evaluation_.configuration)};
       for (std::size_t word = 0; word < row.values.size(); ++word) {
-        right.words[word] =
-            function().exact()
-                ? static_cast<std::uint32_t>(row.values[word])
-                : std::bit_cast<std::uint32_t>(static_cast<float>(std::bit_cast<double>(row.values[word])));
+        right.words[word] = result_bits(function().outputs[word], row.values[word]);
       }
       return right;
     }
@@ -112,7 +114,7 @@ class Examiner {
   bool differs(std::size_t i, const Right& right) const {
     for (std::size_t word = 0; word < function().outputs.size(); ++word) {
       const std::uint32_t got = result(got_, i)[word];
-      if (function().exact()) {
+      if (right.every_bit) {
         if (got != right.words[word]) return true;
       } else if (!(std::fabs(number(got) - number(right.words[word])) <= right.allowed)) {
         return true;
@@ -148,7 +150,8 @@ class Examiner {
             .inputs = point(window_, i),
             .got = got_.empty() ? std::span<const std::uint32_t>{} : result(got_, i),
             .expected = right.words,
-            .allowed = right.allowed};
+            .allowed = right.allowed,
+            .every_bit = right.every_bit};
   }
 
   // The shader, if it shows the fault.

@@ -48,7 +48,7 @@ std::string comments(const Evaluation& evaluation, const ShaderFacts& facts) {
 )",
       facts.id, one_line(facts.renderer), describe_inputs(function, facts.inputs),
       describe_outputs(function, facts.got), describe_outputs(function, facts.expected),
-      function.exact() ? "" : fmt::format(", within {:.3g}", facts.allowed), library_version());
+      facts.every_bit ? "" : fmt::format(", within {:.3g}", facts.allowed), library_version());
 }
 
 std::string hidden(std::span<const std::uint32_t> words) {
@@ -61,7 +61,7 @@ std::string main_of(const Function& function, const ShaderFacts& facts) {
   std::string right;
   for (std::size_t i = 0; i < function.outputs.size(); ++i) {
     if (i > 0) right += " && ";
-    if (function.exact()) {
+    if (facts.every_bit) {
       right += fmt::format("got.{0} == expected.{0}", kParts[i]);
     } else {
       right += fmt::format("abs(float_of(got.{0}) - float_of(expected.{0})) <= {1:.9e}", kParts[i], facts.allowed);

@@ -17,7 +17,8 @@ struct ShaderFacts {
   std::span<const std::uint32_t> inputs;
   std::span<const std::uint32_t> got;  // empty if there was no value
   std::array<std::uint32_t, kOutputWords> expected;
-  double allowed;  // how far a float may be off
+  double allowed;  // how far a float may be off,
+  bool every_bit;  // unless every bit counts
 };
 
 // A fragment shader, complete, without textures or attributes: green where the function has the value that is expected,

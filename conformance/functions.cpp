@@ -223,10 +223,37 @@ std::uint32_t Configuration::period() const {
   return cells;
 }
 
+Arithmetic Configuration::arithmetic() const {
+  if (name.ends_with("+precise")) return Arithmetic::precise;
+  return name.ends_with("+fixed") ? Arithmetic::fixed : Arithmetic::fast;
+}
+
+std::string_view Configuration::name_without_arithmetic() const {
+  return fast() ? name : name.substr(0, name.rfind('+'));
+}
+
+std::string_view arithmetic_name(const Function& function, const Configuration& configuration) {
+  constexpr std::array<std::string_view, 3> kNames = {"fast", "precise", "fixed"};
+  return function.exact() ? "exact" : kNames[static_cast<std::size_t>(configuration.arithmetic())];
+}
+
+bool has_exact_values(const Function& function, const Configuration& configuration) {
+  return function.exact() || configuration.arithmetic() == Arithmetic::fixed;
+}
+
+bool has_same_bits(const Function& function, const Configuration& configuration) {
+  return function.exact() || !configuration.fast();
+}
+
 bool depends_on_configuration(const Function& function) {
   constexpr std::array<std::string_view, 4> kIndependent = {"hash.unorm", "hash.snorm", "hash.gradient2",
                                                             "hash.gradient3"};
   return std::find(kIndependent.begin(), kIndependent.end(), function.id) == kIndependent.end();
+}
+
+const Profile& main_profile(const Configuration& configuration, bool es) {
+  if (configuration.arithmetic() == Arithmetic::precise) return profile_named(es ? "es320" : "gl400");
+  return profile_named(es ? "es300" : "gl330");
 }
 
 std::string knobs_of(const Configuration& configuration) {
@@ -234,11 +261,13 @@ std::string knobs_of(const Configuration& configuration) {
 }
 
 bool covers(const Configuration& configuration, const Function& function) {
+  if (function.exact() && !configuration.fast()) return false;
   if (function.id.starts_with("gradient.")) return function.id.starts_with("gradient.sine") == configuration.sine();
   if (configuration.hash_only()) return depends_on_configuration(function) || configuration.is_default();
-  // The octave sums are the same code above any noise, but their bounds depend on it.
-  return function.id.find("perlin") != std::string_view::npos ||
-         (function.file == "fbm.glsl" && configuration.name == "lattice+sine");
+  if (function.id.find("perlin") != std::string_view::npos) return true;
+  // The octave sums are the same code above any noise, but their bounds depend on it; and each arithmetic has its own.
+  const auto name = configuration.name_without_arithmetic();
+  return function.file == "fbm.glsl" && (name == "lattice+sine" || (name == "lattice" && !configuration.fast()));
 }
 
 std::string evaluation_shader(const Evaluation& evaluation) {

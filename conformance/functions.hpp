@@ -67,8 +67,11 @@ Function make_function(std::string_view id, std::string_view file, std::string_v
 std::span<const Function> all_functions();
 const Function& find_function(std::string_view id);  // it must exist
 
+// What HN_ARITHMETIC selects.
+enum class Arithmetic { fast, precise, fixed };
+
 // One setting of the knobs. The names are in case ids and golden files: a hash, and what differs from the default:
-// "partial_fnv1", "fnv1+sine", "lattice+period48".
+// "partial_fnv1", "fnv1+sine", "lattice+period48", "lattice+sine+fixed".
 struct Configuration {
   std::string_view name;
   std::string_view knobs;  // the lines that select it in a shader
@@ -79,10 +82,25 @@ struct Configuration {
   bool sine() const { return name.find("+sine") != std::string_view::npos; }
   // Cells, or 0 for 2^32.
   std::uint32_t period() const;
+  Arithmetic arithmetic() const;
+  bool fast() const { return arithmetic() == Arithmetic::fast; }
+  // The name less the arithmetic, which stands at its end: case ids have a part of their own for it.
+  std::string_view name_without_arithmetic() const;
 };
 
 std::span<const Configuration> all_configurations();
 const Configuration& default_configuration();
+
+// "exact" if a function's values do not depend on the arithmetic, else "fast", "precise" or "fixed".
+std::string_view arithmetic_name(const Function& function, const Configuration& configuration);
+// Whether the contract defines every bit of a function's results: the golden files have these bits.
+bool has_exact_values(const Function& function, const Configuration& configuration);
+// Whether all evaluations of a function must have the same bits: the driver's and the twin's, in any shape and stage.
+bool has_same_bits(const Function& function, const Configuration& configuration);
+
+// The version in which a configuration has most of its cases, of desktop OpenGL or of ES: the lowest that has bit
+// casts, and "precise" where that is needed.
+const Profile& main_profile(const Configuration& configuration, bool es);
 
 // Its knobs, and what they need: the suite's own hash for HN_HASH_CUSTOM.
 std::string knobs_of(const Configuration& configuration);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <charconv>
 #include <fstream>
 #include <iterator>
@@ -15,10 +16,9 @@ constexpr std::size_t kMostDigestPoints = 1u << 20;
 
 int hex_digits(WordType type) { return type == WordType::f64 ? 16 : 8; }
 
-std::string_view arithmetic_of(const Function& function) { return function.exact() ? "exact" : "fast"; }
-
-std::string_view configuration_of(const Function& function, const Configuration& configuration) {
-  return depends_on_configuration(function) ? configuration.name : "any";
+bool is_float(std::uint64_t bits) {
+  const auto value = std::bit_cast<double>(bits);
+  return static_cast<double>(static_cast<float>(value)) == value;
 }
 
 // hn_hash and hn_lattice have one. What comes of a hash is tried well enough by rows.
@@ -93,8 +93,8 @@ class Parser {
 
   Result<void> header(std::size_t& rows) {
     for (const std::string& line : {std::string("hashnoise golden 1"), fmt::format("function {}", function_.id),
-                                    fmt::format("hash {}", configuration_of(function_, configuration_)),
-                                    fmt::format("arithmetic {}", arithmetic_of(function_))}) {
+                                    fmt::format("hash {}", golden_configuration(function_, configuration_)),
+                                    fmt::format("arithmetic {}", golden_arithmetic(function_, configuration_))}) {
       if (auto done = expect(line); !done) return done;
     }
     if (!next_line() || !current_.starts_with("bits ")) return error("\"bits VERSION\" should be here");
@@ -127,6 +127,10 @@ class Parser {
     GoldenRow row{line_, {}, {}};
     if (auto done = words(current_.substr(0, equals), function_.inputs, row.inputs); !done) return done;
     if (auto done = words(current_.substr(equals + 3), function_.outputs, row.values); !done) return done;
+    for (std::size_t i = 0; i < row.values.size() && has_exact_values(function_, configuration_); ++i) {
+      if (function_.outputs[i].type != WordType::f64) continue;
+      if (!is_float(row.values[i])) return error(fmt::format("{:016x} should be a float", row.values[i]));
+    }
     golden_.rows.push_back(std::move(row));
     return {};
   }
@@ -190,9 +194,25 @@ std::vector<std::uint32_t> GoldenDigest::inputs() const {
   return words;
 }
 
+std::uint32_t result_bits(const Column& column, std::uint64_t value) {
+  if (column.type != WordType::f64) return static_cast<std::uint32_t>(value);
+  return std::bit_cast<std::uint32_t>(static_cast<float>(std::bit_cast<double>(value)));
+}
+
+std::string_view golden_arithmetic(const Function& function, const Configuration& configuration) {
+  if (function.exact()) return "exact";
+  return has_exact_values(function, configuration) ? "fixed" : "fast";
+}
+
+std::string_view golden_configuration(const Function& function, const Configuration& configuration) {
+  if (!depends_on_configuration(function)) return "any";
+  const bool fixed = configuration.arithmetic() == Arithmetic::fixed;
+  return fixed ? configuration.name : configuration.name_without_arithmetic();
+}
+
 std::filesystem::path golden_path(const std::filesystem::path& directory, const Function& function,
                                   const Configuration& configuration) {
-  return directory / fmt::format("{}.{}.golden", function.id, configuration_of(function, configuration));
+  return directory / fmt::format("{}.{}.golden", function.id, golden_configuration(function, configuration));
 }
 
 Result<Golden> read_golden(const std::filesystem::path& path, const Function& function,

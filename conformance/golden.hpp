@@ -35,6 +35,14 @@ struct Golden {
   std::optional<GoldenDigest> digest;
 };
 
+// The bits of a result that a golden file gives a value for, where every bit counts.
+std::uint32_t result_bits(const Column& column, std::uint64_t value);
+
+// What a file's lines "arithmetic" and "hash" say. Precise floats are as near to the exact values as fast ones, so they
+// have the same files.
+std::string_view golden_arithmetic(const Function& function, const Configuration& configuration);
+std::string_view golden_configuration(const Function& function, const Configuration& configuration);
+
 // The file's name in the folder of golden files.
 std::filesystem::path golden_path(const std::filesystem::path& directory, const Function& function,
                                   const Configuration& configuration);

@@ -89,6 +89,37 @@ INSTANTIATE_TEST_SUITE_P(
         Corruption{"after_the_end", "cdef\n", "cdef\nmore\n", 11}),
     [](const auto& corruption) { return std::string(corruption.param.name); });
 
+Result<Golden> parse_fixed(std::string_view value) {
+  const std::string text = fmt::format(
+      "hashnoise golden 1\nfunction noise2d.perlin\nhash lattice+fixed\narithmetic fixed\nbits 0.2.0\n"
+      "columns x:f32 y:f32 seed:u32 = value:f64\nrows 1\n3f000000 3f000000 00000007 = {}\n",
+      value);
+  return parse_golden(text, "file.golden", find_function("noise2d.perlin"), configuration_named("lattice+fixed"));
+}
+
+TEST(Golden, AValueOfFixedArithmeticIsAFloat) {
+  const auto golden = parse_fixed("3fe0000000000000");
+  ASSERT_TRUE(golden) << golden.error().text();
+  EXPECT_EQ(result_bits({"value", WordType::f64}, golden->rows[0].values[0]), 0x3F000000u);
+  for (const char* const no_float : {"3fe0000000000001", "7ff8000000000000"}) {
+    const auto refused = parse_fixed(no_float);
+    ASSERT_FALSE(refused) << no_float;
+    EXPECT_TRUE(refused.error().message.starts_with("file.golden:8: ")) << refused.error().message;
+  }
+}
+
+TEST(Golden, FixedArithmeticHasFilesOfItsOwnAndPreciseThoseOfFast) {
+  const Function& perlin = find_function("noise2d.perlin");
+  const auto file = [&](std::string_view name) { return golden_path("", perlin, configuration_named(name)).string(); };
+  EXPECT_EQ(file("lattice+sine"), "noise2d.perlin.lattice+sine.golden");
+  EXPECT_EQ(file("lattice+sine+precise"), "noise2d.perlin.lattice+sine.golden");
+  EXPECT_EQ(file("lattice+sine+fixed"), "noise2d.perlin.lattice+sine+fixed.golden");
+  const auto arithmetic = [&](std::string_view name) { return golden_arithmetic(perlin, configuration_named(name)); };
+  EXPECT_EQ(arithmetic("lattice"), "fast");
+  EXPECT_EQ(arithmetic("lattice+precise"), "fast");
+  EXPECT_EQ(arithmetic("lattice+fixed"), "fixed");
+}
+
 TEST(Golden, EveryTruncationIsAnError) {
   for (std::size_t length = 0; length + 1 < kValid.size(); ++length) {
     EXPECT_FALSE(parse(kValid.substr(0, length))) << length;

@@ -57,17 +57,26 @@ Outcome check_period(Session& session, const Evaluation& evaluation) {
 
 // ---------------------------------------------------------------------------------------------------------------------
 
+// The octave sum that stands for all of them where the arithmetic is not the default.
+constexpr std::string_view kArithmeticSum = "fbm.fbm2";
+
 bool is_noise(const Function& function) { return !function.exact() && function.accuracy != Accuracy::sine; }
+
+bool stands_for_arithmetic(const Configuration& configuration) {
+  return !configuration.fast() && configuration.name_without_arithmetic() == "lattice";
+}
 
 // Every noise, and of the exact functions a hash and a gradient. Each variant is a shader more to compile, and goes the
 // same ways with every hash.
 bool has_variants(const Function& function, const Configuration& configuration) {
+  if (stands_for_arithmetic(configuration)) return function.id == "noise3d.perlin" || function.id == kArithmeticSum;
   if (!configuration.is_default()) return false;
   return is_noise(function) || function.id == "hash.lattice3" || function.id == "gradient.lattice3";
 }
 
 // These, and perlin with every hash: the other stages have the shaders anyway, for the golden files.
 bool has_stages(const Function& function, const Configuration& configuration) {
+  if (!configuration.fast()) return has_stages_of_arithmetic(function, configuration);
   return has_variants(function, configuration) || (function.id.ends_with(".perlin") && configuration.hash_only());
 }
 
@@ -75,6 +84,7 @@ bool has_stages(const Function& function, const Configuration& configuration) {
 // positions would have no fraction left.)
 bool has_period(const Function& function, const Configuration& configuration) {
   if (configuration.period() == 0) return false;
+  if (!configuration.fast() && function.file == "fbm.glsl") return function.id == kArithmeticSum;
   if (function.input("octaves") >= 0) return configuration.name == "lattice+period48";
   return covers(configuration, function);
 }
@@ -93,16 +103,28 @@ void add_variants(std::vector<Case>& cases, const Function& function, const Conf
 
 }  // namespace
 
+std::vector<StageProfile> other_stages(const Configuration& configuration) {
+  if (configuration.arithmetic() == Arithmetic::precise) {
+    return {{Stage::vertex, "gl400"}, {Stage::compute, "gl430"}};
+  }
+  return {{Stage::vertex, "gl330"}, {Stage::vertex, "es300"}, {Stage::compute, "gl430"}, {Stage::compute, "es310"}};
+}
+
+bool has_stages_of_arithmetic(const Function& function, const Configuration& configuration) {
+  return function.id == "noise3d.perlin" && stands_for_arithmetic(configuration);
+}
+
 void add_metamorphic_cases(std::vector<Case>& cases, const Function& function, const Configuration& configuration) {
-  for (const std::string_view name : {"gl330", "es300"}) {
-    const Profile& profile = profile_named(name);
+  for (const bool es : {false, true}) {
+    if (es && !configuration.fast()) continue;  // their shaders are built in few versions
+    const Profile& profile = main_profile(configuration, es);
     if (has_variants(function, configuration)) add_variants(cases, function, configuration, profile);
     if (has_period(function, configuration)) {
       add_case(cases, {function, configuration, profile}, "period", check_period);
     }
   }
   if (!has_stages(function, configuration)) return;
-  for (const auto& [stage, profile] : kOtherStages) {
+  for (const auto& [stage, profile] : other_stages(configuration)) {
     add_case(cases, {function, configuration, profile_named(profile), {}, stage}, "as_fragment", check_variant);
   }
 }

@@ -14,6 +14,8 @@
 namespace hn {
 namespace {
 
+constexpr std::uint64_t kMostPoints = 10'000'000'000;
+
 constexpr const char* kCommands = "drivers, list, run, merge, bench, paper or web";
 
 // Options that several commands have.
@@ -77,6 +79,12 @@ void add_run(CLI::App& app, RunCommand& options, const std::string& faults) {
       ->type_name("N")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{0xFFFFFFFF}))
       ->capture_default_str();
+  command
+      .add_option("--points", options.points,
+                  "Compare each function with the C++ twin at so many random points (the cases *.twin), not at about a "
+                  "million at the most; --timeout is then for each million")
+      ->type_name("N")
+      ->check(CLI::Range(std::uint64_t{1}, kMostPoints));
   add_glsl(command, options.glsl);
   command.add_option("--golden", options.golden, "The folder of the golden files")
       ->type_name("DIR")

@@ -12,11 +12,12 @@ tl::expected<Command, Stop> parse(std::vector<const char*> arguments) {
 
 TEST(Options, OfARunAreTaken) {
   const auto command = parse({"run", "--driver", "egl*", "--driver", "zink", "--seed", "4294967295", "--shard", "2/3",
-                              "--timeout", "0.5", "--resume"});
+                              "--timeout", "0.5", "--resume", "--points", "100000000"});
   ASSERT_TRUE(command) << command.error().err;
   const auto& run = std::get<RunCommand>(*command);
   EXPECT_EQ(run.drivers, (std::vector<std::string>{"egl*", "zink"}));
   EXPECT_EQ(run.seed, 0xFFFFFFFFu);
+  EXPECT_EQ(run.points, 100000000u);
   EXPECT_EQ(run.shard, "2/3");
   EXPECT_EQ(run.timeout, 0.5);
   EXPECT_TRUE(run.resume);
@@ -45,6 +46,10 @@ TEST(Options, ThatAreWrongAreBadUsage) {
                                 {"run", "--seed", "-1"},
                                 {"run", "--seed", "4294967296"},
                                 {"run", "--seed", "1.5"},
+                                {"run", "--points", "0"},
+                                {"run", "--points", "-1"},
+                                {"run", "--points", "1e8"},
+                                {"run", "--points", "10000000001"},
                                 {"run", "--jobs", "0"},
                                 {"run", "--timeout", "0"},
                                 {"run", "--timeout", "inf"},

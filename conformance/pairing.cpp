@@ -19,7 +19,7 @@ constexpr std::size_t kConstantPoints = 4;
 
 // The same, evaluated as most cases do, so that its program need not be built for this.
 Evaluation plain(const Evaluation& evaluation) {
-  return {evaluation.function, evaluation.configuration, profile_named(evaluation.profile.es ? "es300" : "gl330")};
+  return {evaluation.function, evaluation.configuration, main_profile(evaluation.configuration, evaluation.profile.es)};
 }
 
 Words points_for(const Evaluation& evaluation, std::uint64_t seed, std::size_t count) {
@@ -46,7 +46,8 @@ std::vector<double> allowed_between(const Evaluation& evaluation, const Words& i
 
 Pairing pairing_on(const Evaluation& evaluation, Words inputs) {
   std::vector<double> allowed = allowed_between(evaluation, inputs, inputs);
-  return {evaluation, plain(evaluation), inputs, inputs, std::move(allowed), evaluation.function.exact()};
+  return {evaluation, plain(evaluation),  inputs,
+          inputs,     std::move(allowed), has_same_bits(evaluation.function, evaluation.configuration)};
 }
 
 // The columns of coordinates come first, as many as there are axes; those of a cell's fraction keep their values.
@@ -86,7 +87,8 @@ Pairing folded_pairing(const Evaluation& evaluation, std::uint64_t seed) {
 }
 
 // Opposite corners of the period are among the points. A noise has the same bits there: its cells and its fractions are
-// the same. So does an octave sum if no position is rounded; it is held to its tolerance.
+// the same. So does an octave sum, as none of its positions is rounded; but a compiler of fast arithmetic may round the
+// steps to them in another way, so there it is held to its tolerance.
 Pairing period_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
   const Function& function = evaluation.function;
   const bool octave_sum = function.input("octaves") >= 0;
@@ -105,7 +107,8 @@ Pairing period_pairing(const Evaluation& evaluation, std::uint64_t seed, std::si
     }
   }
   std::vector<double> allowed = allowed_between(evaluation, there, here);
-  return {evaluation, evaluation, std::move(there), std::move(here), std::move(allowed), !octave_sum};
+  return {evaluation,      evaluation,         std::move(there),
+          std::move(here), std::move(allowed), !octave_sum || has_same_bits(function, evaluation.configuration)};
 }
 
 std::optional<Pairing> pairing_of(std::string_view check, const Evaluation& evaluation, std::uint64_t seed,

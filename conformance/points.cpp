@@ -16,8 +16,8 @@ std::uint32_t random_word(Random& random) {
 }
 
 // Where a point lies. All coordinates of a point share it.
-enum class Region { near, negative, lattice, far, very_far };
-constexpr std::uint32_t kRegions = 5;
+enum class Region { near, negative, lattice, far, very_far, extreme };
+constexpr std::uint32_t kRegions = 5;  // the extreme one only where it is asked for
 
 std::uint32_t random_cell(Region region, Random& random) {
   switch (region) {
@@ -29,9 +29,35 @@ std::uint32_t random_cell(Region region, Random& random) {
     case Region::far:
       return (random.below(2) == 0 ? 0u : 0u - (3u << 20)) + (1u << 20) + random.below(1u << 20);
     case Region::very_far:
+    case Region::extreme:
       break;
   }
   return random_word(random);
+}
+
+// Of either sign, from 2^low up to and without 2^high: every power of two as often. -127 is where numbers are
+// subnormal.
+float random_magnitude(int low, int high, Random& random) {
+  const auto exponent = static_cast<std::uint32_t>(low + 127) + random.below(static_cast<std::uint32_t>(high - low));
+  return std::bit_cast<float>((exponent << 23) | (random.word() & 0x807FFFFFu));
+}
+
+// What a float can hold and a fraction cannot.
+float random_extreme(int high, Random& random) {
+  switch (random.below(6)) {
+    case 0:
+      return random_magnitude(-127, -126, random);
+    case 1:
+      return random_magnitude(-126, -30, random);
+    case 2:
+      return random_magnitude(-34, -18, random);  // about where HN_PRECISE and HN_FIXED see nothing any more
+    case 3:
+      return -0.0f;
+    case 4:
+      return random_magnitude(0, 32, random);
+    default:
+      return random_magnitude(23, high, random);
+  }
 }
 
 float random_position(Region region, Random& random) {
@@ -52,6 +78,7 @@ float random_position(Region region, Random& random) {
     case Region::far:
       return std::copysign(random.uniform(1048576.0f, 2097152.0f), random.uniform(-1.0f, 1.0f));
     case Region::very_far:
+    case Region::extreme:
       break;
   }
   return std::copysign(random.uniform(2097152.0f, 8388608.0f), random.uniform(-1.0f, 1.0f));
@@ -62,9 +89,23 @@ float random_fraction(Random& random) {
   return random.below(16) == 0 ? kEdges[random.below(kEdges.size())] : random.uniform(0.0f, 1.0f);
 }
 
+float extreme_fraction(Extremes extremes, Random& random) {
+  const float value = random_extreme(128, random);
+  if (extremes == Extremes::integers) return value;
+  const float inside = std::fabs(value) <= 1.0f ? std::fabs(value) : 1.0f / std::fabs(value);
+  return std::signbit(value) && value == 0.0f ? value : inside;
+}
+
 // Few octaves far out, so that the last one still has a fraction.
 std::uint32_t random_octaves(Region region, Random& random) {
   return region == Region::far || region == Region::very_far ? random.below(2) : random.below(6);
+}
+
+// Seldom more than a few: points are drawn in groups, and a group takes as long as the point with the most.
+std::uint32_t extreme_octaves(Extremes extremes, Random& random) {
+  constexpr std::array<std::uint32_t, 6> kEdges = {0xFFFFFFFFu, 0x80000000u, 31u, 32u, 33u, 0x7FFFFFFFu};
+  const bool edge = extremes == Extremes::integers && random.below(512) == 0;
+  return edge ? kEdges[random.below(kEdges.size())] : random.below(6);
 }
 
 // 2 keeps positions of few bits exact, so that nothing but the noise itself may err; the others round.
@@ -81,20 +122,35 @@ float random_gain(Random& random) {
 // A position of few bits: a multiple of 1/32.
 float coarse(float position) { return std::floor(position * 32.0f) * 0.03125f; }
 
-std::uint32_t random_input(const Column& column, Region region, bool octave_sum, Random& random) {
+// Octave sums of integers have values for all settings; those of floats for these.
+float random_setting(std::string_view name, Region region, Extremes extremes, Random& random) {
+  if (region == Region::extreme && extremes == Extremes::integers && random.below(2) == 0) {
+    return random.below(2) == 0 ? random_extreme(128, random) : random.uniform(-1.0f, 256.0f);
+  }
+  return name == "lacunarity" ? random_lacunarity(random) : random_gain(random);
+}
+
+float random_coordinate(Region region, bool octave_sum, Extremes extremes, Random& random) {
+  if (region == Region::extreme) {
+    return random_extreme(octave_sum && extremes == Extremes::floats ? 96 : 128, random);
+  }
+  const float value = random_position(region, random);
+  return octave_sum && region != Region::lattice && extremes == Extremes::none ? coarse(value) : value;
+}
+
+std::uint32_t random_input(const Column& column, Region region, bool octave_sum, Extremes extremes, Random& random) {
   if (column.type == WordType::u32) return random_word(random);
-  if (column.name == "octaves") return random_octaves(region, random);
+  if (column.name == "octaves") {
+    return extremes == Extremes::none ? random_octaves(region, random) : extreme_octaves(extremes, random);
+  }
   if (column.type == WordType::i32) return random_cell(region, random);
   float value = 0.0f;
-  if (column.name == "lacunarity") {
-    value = random_lacunarity(random);
-  } else if (column.name == "gain") {
-    value = random_gain(random);
+  if (column.name == "lacunarity" || column.name == "gain") {
+    value = random_setting(column.name, region, extremes, random);
   } else if (column.name.starts_with("f")) {
-    value = random_fraction(random);
+    value = region == Region::extreme ? extreme_fraction(extremes, random) : random_fraction(random);
   } else {
-    value = random_position(region, random);
-    if (octave_sum && region != Region::lattice) value = coarse(value);
+    value = random_coordinate(region, octave_sum, extremes, random);
   }
   return std::bit_cast<std::uint32_t>(value);
 }
@@ -119,13 +175,27 @@ float Random::uniform(float low, float high) {
   return value < high ? value : std::nextafter(high, low);
 }
 
-std::vector<std::uint32_t> random_points(const Function& function, std::size_t count, Random random) {
+Extremes defined_extremes(const Configuration& configuration) {
+  switch (configuration.arithmetic()) {
+    case Arithmetic::precise:
+      return Extremes::floats;
+    case Arithmetic::fixed:
+      return Extremes::integers;
+    case Arithmetic::fast:
+      break;
+  }
+  return Extremes::none;
+}
+
+std::vector<std::uint32_t> random_points(const Function& function, std::size_t count, Random random,
+                                         Extremes extremes) {
   const bool octave_sum = function.input("octaves") >= 0;
+  const std::uint32_t regions = extremes == Extremes::none ? kRegions : kRegions + 1;
   std::vector<std::uint32_t> words(count * kInputWords);
   for (std::size_t i = 0; i < count; ++i) {
-    const auto region = static_cast<Region>(random.below(kRegions));
+    const auto region = static_cast<Region>(random.below(regions));
     for (std::size_t column = 0; column < function.inputs.size(); ++column) {
-      words[i * kInputWords + column] = random_input(function.inputs[column], region, octave_sum, random);
+      words[i * kInputWords + column] = random_input(function.inputs[column], region, octave_sum, extremes, random);
     }
   }
   return words;

@@ -23,9 +23,19 @@ class Random {
   std::uint64_t state_;
 };
 
+// What is among the points besides those for which every arithmetic has a value that it must be near to.
+enum class Extremes {
+  none,
+  floats,  // coordinates that are subnormal, tiny, -0 or huge (for octave sums below 2^96, so that no float overflows)
+  integers,  // also places beyond a cell, and settings of octave sums that are cut off: only integers have values there
+};
+// Those for which the bits of a configuration's results are defined.
+Extremes defined_extremes(const Configuration& configuration);
+
 // count points for a function, kInputWords words each. Words: edge values and random ones. Cells: near, negative, far
 // and anywhere. Positions: near, negative, at 2^20 cells and more, on lattice lines and next to them. For octave sums
 // also small whole numbers of octaves, and lacunarities with and without rounding of the positions.
-std::vector<std::uint32_t> random_points(const Function& function, std::size_t count, Random random);
+std::vector<std::uint32_t> random_points(const Function& function, std::size_t count, Random random,
+                                         Extremes extremes = Extremes::none);
 
 }  // namespace hn

@@ -40,6 +40,50 @@ TEST(Points, NoPositionIsSubnormal) {
   }
 }
 
+// Counts the coordinates of 10,000 points for which a predicate holds.
+template <typename Predicate>
+int count_coordinates(std::string_view id, Extremes extremes, Predicate predicate) {
+  const Function& function = find_function(id);
+  const auto words = random_points(function, 10000, Random(1, "test"), extremes);
+  int count = 0;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::size_t column = i % kInputWords;
+    const bool coordinate = column < function.inputs.size() && function.inputs[column].type == WordType::f32;
+    if (coordinate && predicate(std::bit_cast<float>(words[i]))) ++count;
+  }
+  return count;
+}
+
+TEST(Points, ExtremesAreSubnormalTinyMinusZeroAndHuge) {
+  for (const std::string_view id : {"noise2d.perlin", "noise3d.perlin"}) {
+    for (const Extremes extremes : {Extremes::floats, Extremes::integers}) {
+      const auto count = [&](auto predicate) { return count_coordinates(id, extremes, predicate); };
+      EXPECT_GT(count([](float x) { return std::fpclassify(x) == FP_SUBNORMAL; }), 300);
+      EXPECT_GT(count([](float x) { return std::isnormal(x) && std::fabs(x) < 0x1p-32f; }), 300);
+      EXPECT_GT(count([](float x) { return std::fabs(x) >= 0x1p-32f && std::fabs(x) < 0x1p-20f; }), 100);
+      EXPECT_GT(count([](float x) { return x == 0.0f && std::signbit(x); }), 300);
+      EXPECT_GT(count([](float x) { return x > 1e30f; }), 50);
+      EXPECT_GT(count([](float x) { return x < -1e30f; }), 50);
+      EXPECT_EQ(count([](float x) { return !std::isfinite(x); }), 0);
+    }
+  }
+}
+
+TEST(Points, ExtremesOfFloatsOverflowNoOctave) {
+  const auto too_large = [](float x) { return std::fabs(x) >= 0x1p96f; };
+  EXPECT_EQ(count_coordinates("fbm.fbm3", Extremes::floats, too_large), 0);
+  EXPECT_GT(count_coordinates("fbm.fbm3", Extremes::integers, too_large), 50);
+}
+
+TEST(Points, OnlyExtremesOfIntegersLieBesideTheirCell) {
+  const auto beside = [](float f) { return f < 0.0f || f > 1.0f; };
+  for (const std::string_view id : {"noise2d.perlin_cell", "noise3d.perlin_cell"}) {
+    EXPECT_EQ(count_coordinates(id, Extremes::floats, beside), 0);
+    EXPECT_GT(count_coordinates(id, Extremes::integers, beside), 500);
+    EXPECT_GT(count_coordinates(id, Extremes::floats, [](float f) { return std::fpclassify(f) == FP_SUBNORMAL; }), 300);
+  }
+}
+
 TEST(Points, FractionsReachBothEnds) {
   const auto words = random_points(find_function("noise2d.perlin_cell"), 10000, Random(1, "test"));
   bool zero = false, one = false;

@@ -1,6 +1,7 @@
 // Checks for properties: what every right implementation has, whatever its values.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -23,11 +24,19 @@ struct Range {
   float high;
 };
 
-Range range_of(const Function& function, const Configuration& configuration) {
+// The largest value that there can be, but for clouds.
+double largest_of(const Function& function, const Configuration& configuration) {
+  const bool fixed = configuration.arithmetic() == Arithmetic::fixed;
+  if (function.accuracy == Accuracy::sine) return fixed ? 1.0 + 0x1p-15 : 1.0;
+  if (!configuration.sine()) return 1.0;
   // The paper's noise is not scaled to [-1, 1], and fBm and turbulence take over its range.
-  const bool of_sine_noise = configuration.sine() && function.accuracy != Accuracy::sine;
   const int dimensions = function.id.find('3') == std::string_view::npos ? 2 : 3;
-  const auto largest = static_cast<float>(of_sine_noise ? noise_bounds(dimensions, Gradient::sine).range : 1.0);
+  if (fixed) return dimensions == 2 ? 1.0001 : 1.5002;
+  return noise_bounds(dimensions, Gradient::sine).range;
+}
+
+Range range_of(const Function& function, const Configuration& configuration) {
+  const auto largest = static_cast<float>(largest_of(function, configuration));
   switch (function.accuracy) {
     case Accuracy::turbulence2:
     case Accuracy::turbulence3:
@@ -76,6 +85,25 @@ Words scattered_points(Session& session, const Function& function, std::string_v
     }
   }
   return inputs;
+}
+
+// Whether a point of a noise lies on no cell's inside along any axis, as its coordinates are too large for a fraction.
+bool is_far_from_fractions(const Function& function, std::span<const std::uint32_t> inputs) {
+  if (!function.id.ends_with(".perlin")) return false;
+  const auto coordinates = inputs.first(static_cast<std::size_t>(function.seed_word()));
+  return std::all_of(coordinates.begin(), coordinates.end(),
+                     [](std::uint32_t word) { return std::fabs(std::bit_cast<float>(word)) >= 8388608.0f; });
+}
+
+// Every float of every fourth point becomes a NaN or an infinity.
+void make_some_no_number(const Function& function, Words& inputs) {
+  constexpr std::uint32_t kNoNumbers[] = {0x7FC00000u, 0x7F800000u, 0xFF800000u};
+  for (std::size_t i = 0; i < inputs.size(); i += 4 * kInputWords) {
+    for (std::size_t word = 0; word < function.inputs.size(); ++word) {
+      const bool is_float = function.inputs[word].type == WordType::f32;
+      if (is_float) inputs[i + word] = kNoNumbers[(i / (4 * kInputWords) + word) % 3];
+    }
+  }
 }
 
 // What an octave sum makes of a constant noise of -1/2.
@@ -136,6 +164,40 @@ Outcome check_range(Session& session, const Evaluation& evaluation) {
   return comparison.finish();
 }
 
+// Wherever a float can point, values are numbers, keep to their range, and are 0 where no axis has a fraction: from
+// 2^23 on. Fixed arithmetic has a number even for what is none.
+Outcome check_finite(Session& session, const Evaluation& evaluation) {
+  const Function& function = evaluation.function;
+  const bool fixed = evaluation.configuration.arithmetic() == Arithmetic::fixed;
+  Words inputs = random_points(function, property_points(session), Random(session.seed, "finite"),
+                               fixed ? Extremes::integers : Extremes::floats);
+  auto outputs = evaluate(session, evaluation, inputs);
+  if (!outputs) return outputs.error();
+  const Range range = range_of(function, evaluation.configuration);
+  const std::string should = fmt::format("a value in [{}, {}]", range.low, range.high);
+  Comparison comparison(function, inputs);
+  for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
+    const auto in = point(inputs, i);
+    const bool far = is_far_from_fractions(function, in);
+    for (std::size_t word = 0; word < function.outputs.size(); ++word) {
+      const float value = std::bit_cast<float>(result(*outputs, i)[word]);
+      const bool inside = value >= range.low && value <= range.high;  // no NaN is
+      comparison.require(inside && (!far || value == 0.0f), in, value, far ? "0" : should);
+    }
+  }
+  if (!fixed) return comparison.finish();
+  make_some_no_number(function, inputs);
+  outputs = evaluate(session, evaluation, inputs);
+  if (!outputs) return outputs.error();
+  for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
+    for (std::size_t word = 0; word < function.outputs.size(); ++word) {
+      const float value = std::bit_cast<float>(result(*outputs, i)[word]);
+      comparison.require(std::isfinite(value), point(inputs, i), value, "a number");
+    }
+  }
+  return comparison.finish();
+}
+
 // With a period the gradient at a cell is that of the field without one at the cell modulo the period: for the smallest
 // and the largest periods, powers of two and others beside them.
 Outcome check_wrapped(Session& session, const Evaluation& evaluation) {
@@ -160,7 +222,7 @@ Outcome check_wrapped(Session& session, const Evaluation& evaluation) {
     Words expected(inputs.size() / kInputWords * kOutputWords);
     evaluate_twin(function, evaluation.configuration, wrapped, expected);
     for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
-      compare_with_twin(comparison, function, point(inputs, i), result(*outputs, i), result(expected, i), 0.0);
+      compare_with_twin(comparison, evaluation, point(inputs, i), result(*outputs, i), result(expected, i), 0.0);
     }
   }
   return comparison.finish();
@@ -229,7 +291,7 @@ Outcome check_unseeded(Session& session, const Evaluation& evaluation) {
   Comparison comparison(function, inputs);
   for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
     const auto in = point(inputs, i);
-    compare_with_twin(comparison, function, in, result(*outputs, i), result(expected, i),
+    compare_with_twin(comparison, evaluation, in, result(*outputs, i), result(expected, i),
                       2.0 * tolerance(function, evaluation.configuration, in));
   }
   return comparison.finish();

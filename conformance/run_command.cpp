@@ -34,7 +34,11 @@ Result<std::vector<Case>> select_cases(const std::vector<std::string>& filters) 
 }
 
 SuiteOptions suite_options(const RunCommand& options) {
-  return {.glsl = options.glsl, .golden = options.golden, .inject = options.inject, .seed = options.seed};
+  return {.glsl = options.glsl,
+          .golden = options.golden,
+          .inject = options.inject,
+          .seed = options.seed,
+          .points = options.points};
 }
 
 struct Devices {

@@ -1,5 +1,6 @@
 #include "runner.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <set>
@@ -35,9 +36,10 @@ TEST(Cases, EveryConfigurationAndFunctionHasGoldenAndTwin) {
   for (const Function& function : all_functions()) {
     for (const Configuration& configuration : all_configurations()) {
       if (!covers(configuration, function)) continue;
-      const std::string start = std::string(function.id) + "." +
-                                std::string(depends_on_configuration(function) ? configuration.name : "any") +
-                                (function.exact() ? ".exact" : ".fast") + ".fragment.gl330.";
+      const auto name = depends_on_configuration(function) ? configuration.name_without_arithmetic() : "any";
+      const bool precise = configuration.arithmetic() == Arithmetic::precise;
+      const std::string start = fmt::format("{}.{}.{}.fragment.{}.", function.id, name,
+                                            arithmetic_name(function, configuration), precise ? "gl400" : "gl330");
       EXPECT_TRUE(seen.contains(start + "golden")) << start;
       EXPECT_TRUE(seen.contains(start + "twin")) << start;
     }

@@ -89,6 +89,14 @@ TEST_F(SchedulerTest, TheLimitIsForACaseAndNotForTheRun) {
   EXPECT_EQ(verdicts(run(script_that("$id", "sleep 0.8"))), "a pass, b pass, c pass, d pass, e pass");
 }
 
+TEST_F(SchedulerTest, ACaseThatSaysThatItIsAliveMayTakeLonger) {
+  plan_.limit = 1s;
+  const std::string alive = "for i in 1 2 3 4; do sleep 0.5; echo '{\"alive\": true}' >&3; done";
+  EXPECT_EQ(verdicts(run(script_that("b", alive))), "a pass, b pass, c pass, d pass, e pass");
+  const std::string then_hangs = "echo '{\"alive\": true}' >&3; exec sleep 60";
+  EXPECT_EQ(verdicts(run(script_that("b", then_hangs))), "a pass, b timeout, c pass, d pass, e pass");
+}
+
 TEST_F(SchedulerTest, AfterALostContextAnotherProcessGoesOn) {
   const std::string lost = script_that("b",
                                        "echo '{\"result\": {\"id\": \"b\", \"status\": \"crash\", \"samples\": 0, "

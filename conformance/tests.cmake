@@ -6,7 +6,7 @@ include(GoogleTest)
 # --- The parts of hn-conform ---
 add_executable(conform-test
   evidence_test.cpp junit_test.cpp report_page_test.cpp output/base64_test.cpp output/text_test.cpp
-  compare_test.cpp expectation_test.cpp golden_test.cpp gpu_test.cpp journal_test.cpp merge_test.cpp metamorphic_checks_test.cpp options_test.cpp points_test.cpp profile_test.cpp reference_compiler_test.cpp
+  compare_test.cpp expectation_test.cpp golden_test.cpp gpu_test.cpp journal_test.cpp merge_test.cpp metamorphic_checks_test.cpp options_test.cpp points_test.cpp profile_test.cpp property_checks_test.cpp reference_compiler_test.cpp
   report_test.cpp results_test.cpp runner_test.cpp scheduler_test.cpp source_test.cpp bugs/bugs_test.cpp fault/inject_test.cpp
   fault/rewriter_test.cpp tolerance_test.cpp twin_test.cpp
   bench/amd_test.cpp bench/bench_test.cpp bench/counts_test.cpp bench/subject_test.cpp bench/tables_test.cpp
@@ -70,6 +70,9 @@ foreach(compiler g++ clang++)
                      ${CMAKE_CURRENT_SOURCE_DIR}/consumer/main.cpp)
   endforeach()
 endforeach()
+
+add_test(NAME twin.flags COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/twin_flags_test.py
+                                 ${COMPILER_g++} ${COMPILER_clang++})
 
 # --- The README: its picture and its code ---
 add_executable(picture ${tools}/picture.cpp)

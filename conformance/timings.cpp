@@ -1,5 +1,7 @@
 #include "timings.hpp"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -19,11 +21,16 @@ nlohmann::ordered_json function_timing(const Measurement& measurement) {
   return json;
 }
 
-// "noise2d.perlin.lattice" of "noise2d.perlin.lattice.fast.fragment.gl330.golden"
+// "noise2d.perlin.lattice" of "noise2d.perlin.lattice.fast.fragment.gl330.golden", and "noise2d.perlin.lattice+fixed"
+// if that says "fixed" in place of "fast"
 std::string subject_of(const std::string& id) {
   std::size_t end = 0;
   for (int part = 0; part < 3; ++part) end = id.find('.', end + 1);
-  return id.substr(0, end);
+  const std::string subject = id.substr(0, end);
+  for (const std::string_view arithmetic : {"precise", "fixed"}) {
+    if (id.find(fmt::format(".{}.", arithmetic), end) == end) return fmt::format("{}+{}", subject, arithmetic);
+  }
+  return subject;
 }
 
 }  // namespace

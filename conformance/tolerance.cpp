@@ -99,6 +99,7 @@ double octave_tolerance(OctaveSum kind, int dimensions, const OctaveArguments& a
 }
 
 double tolerance(const Function& function, const Configuration& configuration, std::span<const std::uint32_t> inputs) {
+  if (has_exact_values(function, configuration)) return 0.0;
   const Gradient gradient = configuration.sine() ? Gradient::sine : Gradient::octahedral;
   switch (function.accuracy) {
     case Accuracy::exact:

@@ -33,7 +33,8 @@ struct OctaveArguments {
 double octave_tolerance(OctaveSum kind, int dimensions, const OctaveArguments& arguments,
                         Gradient gradient = Gradient::octahedral);
 
-// The bound for a function at a point given by its input words; 0 for an exact function.
+// The bound for a function at a point given by its input words; 0 where every bit is defined. (Of what fixed arithmetic
+// is off the real numbers it says nothing: that has golden files of its own.)
 double tolerance(const Function& function, const Configuration& configuration, std::span<const std::uint32_t> inputs);
 
 }  // namespace hn

@@ -5,6 +5,8 @@
 #include <bit>
 #include <limits>
 
+#include "test_support.hpp"
+
 namespace hn {
 namespace {
 
@@ -58,6 +60,16 @@ TEST(Tolerance, ExactFunctionsHaveNone) {
     EXPECT_EQ(tolerance(function, default_configuration(), std::vector<std::uint32_t>(kInputWords)), 0.0)
         << function.id;
   }
+}
+
+TEST(Tolerance, OfFixedArithmeticIsNoneAndOfPreciseThatOfFast) {
+  const Function& fbm = find_function("fbm.fbm2");
+  const auto inputs = fbm2_inputs(1.5f, 4, 1.9f);
+  EXPECT_EQ(tolerance(fbm, configuration_named("lattice+fixed"), inputs), 0.0);
+  EXPECT_EQ(tolerance(fbm, configuration_named("lattice+precise"), inputs),
+            tolerance(fbm, default_configuration(), inputs));
+  EXPECT_EQ(tolerance(fbm, configuration_named("lattice+sine+precise"), inputs),
+            tolerance(fbm, configuration_named("lattice+sine"), inputs));
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 #include "compare.hpp"
 #include "golden.hpp"
 #include "points.hpp"
-#include "tolerance.hpp"
+#include "value_checks.hpp"
 
 namespace hn {
 
@@ -35,9 +35,7 @@ TEST_P(TwinGolden, AgreesWithTheOracle) {
       std::vector<std::uint32_t> got(kOutputWords);
       evaluate_twin(function, configuration, inputs, got);
       Comparison comparison(function, inputs);
-      for (std::size_t word = 0; word < row.values.size(); ++word) {
-        comparison.golden(inputs, got[word], row.values[word], tolerance(function, configuration, inputs));
-      }
+      compare_with_golden(comparison, function, configuration, inputs, got, row.values);
       ASSERT_TRUE(comparison.all_right())
           << function.id << ", line " << row.line << ": " << comparison.finish().message;
     }

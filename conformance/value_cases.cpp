@@ -28,10 +28,10 @@ tl::expected<Words, Outcome> evaluate(Session& session, const Evaluation& evalua
   return *outputs;
 }
 
-void compare_with_twin(Comparison& comparison, const Function& function, std::span<const std::uint32_t> inputs,
+void compare_with_twin(Comparison& comparison, const Evaluation& evaluation, std::span<const std::uint32_t> inputs,
                        std::span<const std::uint32_t> got, std::span<const std::uint32_t> twin, double allowed) {
-  for (std::size_t word = 0; word < function.outputs.size(); ++word) {
-    if (function.exact()) {
+  for (std::size_t word = 0; word < evaluation.function.outputs.size(); ++word) {
+    if (has_same_bits(evaluation.function, evaluation.configuration)) {
       comparison.bits(inputs, got[word], twin[word]);
     } else {
       comparison.number(inputs, std::bit_cast<float>(got[word]), static_cast<double>(std::bit_cast<float>(twin[word])),
@@ -40,15 +40,29 @@ void compare_with_twin(Comparison& comparison, const Function& function, std::sp
   }
 }
 
+void compare_with_golden(Comparison& comparison, const Function& function, const Configuration& configuration,
+                         std::span<const std::uint32_t> inputs, std::span<const std::uint32_t> got,
+                         std::span<const std::uint64_t> values) {
+  const double allowed = tolerance(function, configuration, inputs);
+  for (std::size_t word = 0; word < values.size(); ++word) {
+    if (has_exact_values(function, configuration)) {
+      comparison.bits(inputs, got[word], result_bits(function.outputs[word], values[word]));
+    } else {
+      comparison.number(inputs, std::bit_cast<float>(got[word]), std::bit_cast<double>(values[word]), allowed);
+    }
+  }
+}
+
 namespace {
 
-// With the default knobs a million, and all that a grid takes; with the others a quarter, which are many. In ES 3.00,
-// which is there for the contexts that have no GLSL 3.30, a sixteenth of that.
-std::size_t twin_points(const Session& session, const Evaluation& evaluation) {
-  std::size_t points = std::size_t{1} << 20;
-  if (!evaluation.configuration.is_default()) points /= 4;
-  if (evaluation.profile.es) points /= 16;
-  return std::min(points, session.most_points);
+// With the default knobs a million, and all that a grid takes, in each arithmetic; with the others a quarter, which are
+// many. In ES, which is there for the contexts that have no GLSL 3.30, a sixteenth of that.
+std::uint64_t twin_points(const Session& session, const Evaluation& evaluation) {
+  if (session.points != 0) return session.points;
+  std::uint64_t points = std::uint64_t{1} << 20;
+  if (evaluation.configuration.name_without_arithmetic() != default_configuration().name) points /= 4;
+  if (evaluation.profile.name != main_profile(evaluation.configuration, false).name) points /= 16;
+  return std::min<std::uint64_t>(points, session.most_points);
 }
 
 // --- Golden ----------------------------------------------------------------------------------------------------------
@@ -88,11 +102,8 @@ Outcome check_golden(Session& session, const Evaluation& evaluation) {
   if (!outputs) return outputs.error();
   Comparison comparison(function, inputs);
   for (std::size_t i = 0; i < golden->rows.size(); ++i) {
-    const auto in = point(inputs, i);
-    const auto out = result(*outputs, i);
-    const auto& values = golden->rows[i].values;
-    const double allowed = tolerance(function, configuration, in);
-    for (std::size_t word = 0; word < values.size(); ++word) comparison.golden(in, out[word], values[word], allowed);
+    compare_with_golden(comparison, function, configuration, point(inputs, i), result(*outputs, i),
+                        golden->rows[i].values);
   }
   const Outcome outcome = comparison.finish();
   if (!golden->digest || outcome.status != Status::pass) return outcome;
@@ -101,19 +112,27 @@ Outcome check_golden(Session& session, const Evaluation& evaluation) {
 
 // --- Twin ------------------------------------------------------------------------------------------------------------
 
+// As many as fit are evaluated at a time.
 Outcome check_twin(Session& session, const Evaluation& evaluation) {
   const auto& [function, configuration, profile, variant, stage] = evaluation;
-  const std::size_t count = twin_points(session, evaluation);
-  const Session::PointSet& points = session.twin_points(function, configuration, count);
-  const auto inputs = std::span(points.inputs).first(count * kInputWords);
-  const auto outputs = evaluate(session, evaluation, inputs);
-  if (!outputs) return outputs.error();
-  Words expected(count * kOutputWords);
-  evaluate_twin(function, configuration, inputs, expected);
-  Comparison comparison(function, inputs);
-  for (std::size_t i = 0; i < count; ++i) {
-    compare_with_twin(comparison, function, point(inputs, i), result(*outputs, i), result(expected, i),
-                      points.allowed[i]);
+  const std::uint64_t all = twin_points(session, evaluation);
+  Comparison comparison(function, {});
+  std::uint64_t done = 0;
+  for (std::uint64_t batch = 0; done < all; ++batch) {
+    const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(all - done, session.most_points));
+    const Session::PointSet& points = session.twin_points(function, configuration, count, batch);
+    const auto inputs = std::span(points.inputs).first(count * kInputWords);
+    const auto outputs = evaluate(session, evaluation, inputs);
+    if (!outputs) return outputs.error();
+    Words expected(count * kOutputWords);
+    evaluate_twin(function, configuration, inputs, expected);
+    comparison.next_grid(inputs);
+    for (std::size_t i = 0; i < count; ++i) {
+      compare_with_twin(comparison, evaluation, point(inputs, i), result(*outputs, i), result(expected, i),
+                        points.allowed[i]);
+    }
+    done += count;
+    if (done < all) session.still_alive();
   }
   return comparison.finish();
 }
@@ -125,16 +144,27 @@ void add(std::vector<Case>& cases, const Function& function, const Configuration
   add_case(cases, {function, configuration, profile}, name, check);
 }
 
+// Of what the user names instead of the noise fixed arithmetic makes an integer, on the plane and in space.
+bool takes_other_noise(const Function& function, const Configuration& configuration) {
+  if (configuration.is_default()) return function.input("octaves") >= 0;
+  return configuration.name == "lattice+fixed" && (function.id == "fbm.fbm2" || function.id == "fbm.turbulence3");
+}
+
 void add_properties(std::vector<Case>& cases, const Function& function, const Configuration& configuration,
                     const Profile& profile) {
   const bool once = configuration.is_default();  // for what does not depend on the knobs
   if (once && function.seed_word() >= 0) add(cases, function, configuration, profile, "unseeded", check_unseeded);
-  if (once && function.input("octaves") >= 0)
+  if (takes_other_noise(function, configuration)) {
     add(cases, function, configuration, profile, "noise_knob", check_noise_knob);
+  }
   const bool has_period = function.id.starts_with("gradient.lattice");
   if (once && has_period) add(cases, function, configuration, profile, "wrapped", check_wrapped);
   if (function.exact()) return;
   add(cases, function, configuration, profile, "range", check_range);
+  const auto name = configuration.name_without_arithmetic();
+  if (name == "lattice" || name == "lattice+sine") {
+    add(cases, function, configuration, profile, "finite", check_finite);
+  }
   if (!function.id.ends_with(".perlin")) return;
   add(cases, function, configuration, profile, "zero", check_zero);
   // With the sine gradient a hash is as weak as published, and a period of 48 cells has not room for many points.
@@ -160,6 +190,25 @@ void add_fragment_cases(std::vector<Case>& cases, const Function& function, cons
   }
 }
 
+// Of the other arithmetics the noise of the default hash is tried in every version that there is one for; its sums, if
+// they are fixed, and one other gradient have golden values in ES, for WebGL2; all else goes through the main version
+// only, since most of what a case takes is the time to compile it.
+void add_arithmetic_cases(std::vector<Case>& cases, const Function& function, const Configuration& configuration) {
+  const Profile& main = main_profile(configuration, false);
+  const Profile& es = main_profile(configuration, true);
+  const bool fixed = configuration.arithmetic() == Arithmetic::fixed;
+  const bool octave_sum = function.input("octaves") >= 0;
+  const bool everywhere = configuration.name_without_arithmetic() == "lattice" && !octave_sum;
+  for (const auto& [name, check] : {std::pair("golden", &check_golden), std::pair("twin", &check_twin)}) {
+    add(cases, function, configuration, main, name, check);
+    if (everywhere) add(cases, function, configuration, es, name, check);
+    if (everywhere && fixed) add(cases, function, configuration, profile_named("gl140"), name, check);
+  }
+  const bool in_browsers = configuration.name == "lattice+fixed" || function.accuracy == Accuracy::sine;
+  if (fixed && in_browsers && !everywhere) add(cases, function, configuration, es, "golden", check_golden);
+  add_properties(cases, function, configuration, main);
+}
+
 // The other stages run the same code through another part of the driver's compiler: every function; every hash once as
 // itself, once on the lattice and once in a noise; and one of each other knob. All of them in all would be 600
 // programs, half a minute of compiling.
@@ -168,8 +217,9 @@ void add_stage_cases(std::vector<Case>& cases, const Function& function, const C
   const bool of_every_hash = std::find(kOfEveryHash.begin(), kOfEveryHash.end(), function.id) != kOfEveryHash.end();
   const bool every_hash = configuration.hash_only() && of_every_hash;
   const bool other_knob = configuration.name == "fnv1+sine" || configuration.name == "lattice+period48";
-  if (!configuration.is_default() && !every_hash && !other_knob) return;
-  for (const auto& [stage, profile] : kOtherStages) {
+  const bool arithmetic = has_stages_of_arithmetic(function, configuration);
+  if (!configuration.is_default() && !every_hash && !other_knob && !arithmetic) return;
+  for (const auto& [stage, profile] : other_stages(configuration)) {
     add_case(cases, {function, configuration, profile_named(profile), {}, stage}, "golden", check_golden);
   }
 }
@@ -179,8 +229,9 @@ void add_stage_cases(std::vector<Case>& cases, const Function& function, const C
 void add_case(std::vector<Case>& cases, const Evaluation& evaluation, std::string_view name, Check* check) {
   const Function& function = evaluation.function;
   const std::string id = fmt::format(
-      "{}.{}.{}.{}.{}.{}", function.id, depends_on_configuration(function) ? evaluation.configuration.name : "any",
-      function.exact() ? "exact" : "fast", name_of(evaluation.stage), evaluation.profile.name, name);
+      "{}.{}.{}.{}.{}.{}", function.id,
+      depends_on_configuration(function) ? evaluation.configuration.name_without_arithmetic() : "any",
+      arithmetic_name(function, evaluation.configuration), name_of(evaluation.stage), evaluation.profile.name, name);
   const auto kept = std::make_shared<const Evaluation>(evaluation);
   cases.push_back({id, [=](Session& session) { return check(session, *kept); }, kept});
 }
@@ -189,7 +240,8 @@ void add_value_cases(std::vector<Case>& cases) {
   for (const Function& function : all_functions()) {
     for (const Configuration& configuration : all_configurations()) {
       if (covers(configuration, function)) {
-        add_fragment_cases(cases, function, configuration);
+        const auto add_cases = configuration.fast() ? add_fragment_cases : add_arithmetic_cases;
+        add_cases(cases, function, configuration);
         add_stage_cases(cases, function, configuration);
       }
       add_metamorphic_cases(cases, function, configuration);

@@ -27,9 +27,13 @@ inline std::span<const std::uint32_t> result(std::span<const std::uint32_t> outp
 tl::expected<Words, Outcome> evaluate(Session& session, const Evaluation& evaluation,
                                       std::span<const std::uint32_t> inputs);
 
-// Holds a result against another one of the same point: the twin's, or one that the driver got in another way.
-void compare_with_twin(Comparison& comparison, const Function& function, std::span<const std::uint32_t> inputs,
+// Holds a result against the twin's at the same point.
+void compare_with_twin(Comparison& comparison, const Evaluation& evaluation, std::span<const std::uint32_t> inputs,
                        std::span<const std::uint32_t> got, std::span<const std::uint32_t> twin, double allowed);
+// Holds a result against the values of a golden file.
+void compare_with_golden(Comparison& comparison, const Function& function, const Configuration& configuration,
+                         std::span<const std::uint32_t> inputs, std::span<const std::uint32_t> got,
+                         std::span<const std::uint64_t> values);
 
 using Check = Outcome(Session& session, const Evaluation& evaluation);
 
@@ -39,6 +43,7 @@ Check check_range;       // values keep to their range and use it
 Check check_wrapped;     // cells with a period are those without one, wrapped
 Check check_seeds;       // fields of different seeds are uncorrelated
 Check check_mirror;      // no quadrant mirrors another
+Check check_finite;      // and neither NaN nor infinity at extreme points
 Check check_unseeded;    // without a seed means with seed 0
 Check check_noise_knob;  // HN_FBM_NOISE2D and HN_FBM_NOISE3D are used
 
@@ -50,8 +55,9 @@ struct StageProfile {
   Stage stage;
   std::string_view profile;
 };
-inline constexpr std::array<StageProfile, 4> kOtherStages = {
-    {{Stage::vertex, "gl330"}, {Stage::vertex, "es300"}, {Stage::compute, "gl430"}, {Stage::compute, "es310"}}};
+std::vector<StageProfile> other_stages(const Configuration& configuration);
+// Whether the other stages are tried with this one of an arithmetic that is not the default.
+bool has_stages_of_arithmetic(const Function& function, const Configuration& configuration);
 
 // metamorphic_checks.cpp: the same values, come by in another way.
 void add_metamorphic_cases(std::vector<Case>& cases, const Function& function, const Configuration& configuration);

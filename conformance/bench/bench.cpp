@@ -49,8 +49,13 @@ class Bench {
 
  private:
   void compile(Subject subject) {
+    if (const auto reason = workbench_.unsupported(subject); !reason.empty()) {
+      report_.measurements.push_back({.subject = std::move(subject), .error = Error{reason, {}}, .unsupported = true});
+      programs_.push_back(nullptr);
+      return;
+    }
     const auto start = std::chrono::steady_clock::now();
-    auto program = workbench_.build(loop_shader(subject));
+    auto program = workbench_.build(loop_shader(subject), subject.profile);
     Measurement measurement{.subject = std::move(subject)};
     if (program) {
       stopwatch_.first_draw(*program);
@@ -108,7 +113,7 @@ class Bench {
       }
       const Program* program = nullptr;
       if (counts_programs(workbench_.context)) {
-        auto built = workbench_.build(text);
+        auto built = workbench_.build(text, measurement.subject.profile);
         if (built) program = programs.emplace_back(std::make_unique<Program>(std::move(*built))).get();
       }
       shaders.push_back({std::move(*vulkan), program});

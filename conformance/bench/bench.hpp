@@ -28,6 +28,7 @@ std::string now();
 struct Measurement {
   Subject subject;
   std::optional<Error> error = {};                    // it does not compile, or is no float; then there is nothing else
+  bool unsupported = false;                           // the error is that the context is too old, which nobody can mend
   double compile_seconds = 0.0;                       // until a first draw is done
   Ratio ratio = {};                                   // to Perlin/Float of as many dimensions
   std::optional<double> evaluations_per_second = {};  // unless it takes no longer than an empty shader

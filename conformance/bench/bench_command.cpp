@@ -121,7 +121,7 @@ int conclude(const BenchReport& report, const std::vector<Change>& changes, cons
   for (const Measurement& measurement : report.measurements) {
     if (!measurement.error) continue;
     fmt::print("NOT MEASURED {}\n{}\n", measurement.subject.id, measurement.error->text());
-    status = kNotAsExpected;
+    if (!measurement.unsupported) status = kNotAsExpected;
   }
   for (const Change& change : changes) {
     if (!change.slower) continue;

@@ -93,7 +93,7 @@ std::vector<Subject> library_subjects(const Configuration& configuration) {
     const std::string_view name = depends_on_configuration(function) ? configuration.name : "any";
     subjects.push_back({fmt::format("{}.{}", function.id, name), call.dimensions,
                         fmt::format("{}#include \"{}\"\n", knobs_of(configuration), function.file),
-                        std::string(call.expression)});
+                        std::string(call.expression), main_profile(configuration, false).name});
   }
   return subjects;
 }

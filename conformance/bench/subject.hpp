@@ -12,10 +12,11 @@
 namespace hn {
 
 struct Subject {
-  std::string id;          // "noise2d.perlin.lattice"
-  int dimensions;          // of the position p: 2 or 3
-  std::string prelude;     // macros, includes, declarations
-  std::string expression;  // of p, a vec2 or vec3; its value a float, a uint, a vec2 or a vec3
+  std::string id;                      // "noise2d.perlin.lattice"
+  int dimensions;                      // of the position p: 2 or 3
+  std::string prelude;                 // macros, includes, declarations
+  std::string expression;              // of p, a vec2 or vec3; its value a float, a uint, a vec2 or a vec3
+  std::string_view profile = "gl330";  // the version of its shaders, but for Vulkan's
 };
 
 // The position itself: what a shader costs before there is any noise in it.

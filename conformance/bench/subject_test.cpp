@@ -62,9 +62,9 @@ class SubjectShaders : public OnOsmesa<> {
     sources_.add("against/broken", "float value_noise(vec2 p) {\n  return undeclared;\n}\n", "/home/me/broken.glsl");
   }
 
-  Result<void> link(const std::string& fragment) {
-    const auto vertex_text = expand(sources_, profile_named("gl330"), quad_vertex_shader());
-    const auto fragment_text = expand(sources_, profile_named("gl330"), fragment);
+  Result<void> link(const std::string& fragment, std::string_view profile = "gl330") {
+    const auto vertex_text = expand(sources_, profile_named(profile), quad_vertex_shader());
+    const auto fragment_text = expand(sources_, profile_named(profile), fragment);
     if (!fragment_text) return tl::unexpected(fragment_text.error());
     const auto program = Program::build(*context_, *vertex_text, *fragment_text);
     if (!program) return tl::unexpected(program.error());
@@ -80,7 +80,7 @@ class SubjectShaders : public OnOsmesa<> {
     const auto vulkan = compile_for_vulkan(quad_shader(subject));
     EXPECT_TRUE(vulkan) << subject.id << ": " << vulkan.error().text();
     for (const std::string& text : {quad_shader(subject), loop_shader(subject)}) {
-      const auto linked = link(text);
+      const auto linked = link(text, subject.profile);
       EXPECT_TRUE(linked) << subject.id << ": " << linked.error().text();
     }
   }
@@ -97,7 +97,7 @@ class SubjectShaders : public OnOsmesa<> {
 };
 
 TEST_F(SubjectShaders, OfTheLibraryCompile) {
-  for (const std::string_view name : {"lattice", "custom", "fnv1+sine"}) {
+  for (const std::string_view name : {"lattice", "custom", "fnv1+sine", "lattice+precise", "lattice+fixed"}) {
     ASSERT_EQ(configuration_named(name).name, name);
     for (const Subject& subject : library_subjects(configuration_named(name))) expect_shaders_work(subject);
   }

@@ -1,12 +1,21 @@
 #include "bench/workbench.hpp"
 
+#include "context_info.hpp"
+
 namespace hn {
 
 Workbench::Workbench(const Context& context_, const SourceSet& sources_)
-    : context(context_), sources(with_comparison_shaders(sources_)), tables_(context_) {}
+    : context(context_),
+      sources(with_comparison_shaders(sources_)),
+      languages_(describe(context_).languages),
+      tables_(context_) {}
 
-Result<Program> Workbench::build(const std::string& fragment) {
-  const Profile& profile = profile_named("gl330");
+std::string Workbench::unsupported(const Subject& subject) const {
+  return unsupported_reason(profile_named(subject.profile), languages_);
+}
+
+Result<Program> Workbench::build(const std::string& fragment, std::string_view profile_name) {
+  const Profile& profile = profile_named(profile_name);
   const auto vertex_text = expand(sources, profile, quad_vertex_shader());
   if (!vertex_text) return tl::unexpected(vertex_text.error());
   const auto fragment_text = expand(sources, profile, fragment);

@@ -4,6 +4,7 @@
 #include "bench/subject.hpp"
 #include "bench/tables.hpp"
 #include "gpu.hpp"
+#include "profile.hpp"
 
 namespace hn {
 
@@ -11,13 +12,16 @@ class Workbench {
  public:
   Workbench(const Context& context, const SourceSet& sources);
 
+  // Empty if the context has the version of the language that a subject needs, else why not.
+  std::string unsupported(const Subject& subject) const;
   // The program of a fragment shader of subject.hpp, with the quad's vertex shader; its tables attached.
-  Result<Program> build(const std::string& fragment);
+  Result<Program> build(const std::string& fragment, std::string_view profile = "gl330");
 
   const Context& context;
   const SourceSet sources;
 
  private:
+  const LanguageSupport languages_;
   NoiseTables tables_;
 };
 

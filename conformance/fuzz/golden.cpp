@@ -30,7 +30,7 @@ std::string hex(std::uint64_t word, WordType type) {
 std::string text_of(const Golden& golden, const Function& function, const Configuration& configuration) {
   std::string text =
       fmt::format("hashnoise golden 1\nfunction {}\nhash {}\narithmetic {}\nbits 0\ncolumns {}\nrows {}\n", function.id,
-                  depends_on_configuration(function) ? configuration.name : "any", function.exact() ? "exact" : "fast",
+                  golden_configuration(function, configuration), golden_arithmetic(function, configuration),
                   function.columns, golden.rows.size());
   for (const GoldenRow& row : golden.rows) {
     for (std::size_t i = 0; i < row.inputs.size(); ++i) text += hex(row.inputs[i], function.inputs[i].type) + " ";

@@ -170,9 +170,9 @@ class SuiteWriter {
     Json json = {{"check", "values"},
                  {"program", *evaluated},
                  {"columns", function.columns},
-                 {"exact", function.exact()},
+                 {"exact", has_exact_values(function, configuration)},
                  {"inputs", inputs_of(*golden)},
-                 {"expected", expected_of(*golden, function)},
+                 {"expected", expected_of(*golden, function, configuration)},
                  {"allowed", allowed_json(allowed_at(*golden, function, configuration))}};
     if (golden->digest) json["digest"] = digest_json(*golden->digest);
     return json;
@@ -235,16 +235,16 @@ class SuiteWriter {
   }
 
   // Words if every bit counts, else doubles.
-  std::size_t expected_of(const Golden& golden, const Function& function) {
+  std::size_t expected_of(const Golden& golden, const Function& function, const Configuration& configuration) {
     std::vector<std::uint32_t> words;
     std::vector<double> numbers;
     for (const GoldenRow& row : golden.rows) {
-      for (const std::uint64_t value : row.values) {
-        words.push_back(static_cast<std::uint32_t>(value));
-        numbers.push_back(std::bit_cast<double>(value));
+      for (std::size_t i = 0; i < row.values.size(); ++i) {
+        words.push_back(result_bits(function.outputs[i], row.values[i]));
+        numbers.push_back(std::bit_cast<double>(row.values[i]));
       }
     }
-    return function.exact() ? data(words) : data(numbers);
+    return has_exact_values(function, configuration) ? data(words) : data(numbers);
   }
 
   std::vector<double> allowed_at(const Golden& golden, const Function& function, const Configuration& configuration) {

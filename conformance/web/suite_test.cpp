@@ -88,6 +88,22 @@ TEST(Suite, ValuesAreThoseOfTheGoldenFile) {
   EXPECT_FALSE(test.contains("digest"));
 }
 
+TEST(Suite, ValuesOfFixedArithmeticAreWords) {
+  const Json suite = suite_of("noise2d.perlin.lattice.fixed.fragment.es300.golden");
+  const Function& function = find_function("noise2d.perlin");
+  const Configuration& configuration = configuration_named("lattice+fixed");
+  const auto golden = read_golden(golden_path(HN_GOLDEN_DIRECTORY, function, configuration), function, configuration);
+  ASSERT_TRUE(golden) << golden.error().text();
+  std::vector<float> expected;
+  for (const GoldenRow& row : golden->rows) {
+    expected.push_back(static_cast<float>(std::bit_cast<double>(row.values.at(0))));
+  }
+  const Json& test = suite["cases"][0];
+  EXPECT_EQ(test["exact"], true);
+  EXPECT_EQ(test["allowed"], 0.0);
+  EXPECT_EQ(suite["data"][test["expected"].get<std::size_t>()], packed(expected));
+}
+
 TEST(Suite, AHashComesWithItsDigestAndExactWords) {
   const Json test = suite_of("hash.vec2.pcg.exact.fragment.es300.golden")["cases"][0];
   EXPECT_EQ(test["exact"], true);

@@ -5,8 +5,8 @@ from __future__ import annotations
 from math import log2
 from pathlib import Path
 
+from measure import Cost, Result  # the first: it knows where the others lie
 from judgement import ALPHA
-from measure import Cost, Result
 from report import number, table
 
 HEAD = """# The default hash and gradient, and why
