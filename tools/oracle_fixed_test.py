@@ -85,6 +85,12 @@ class Fade(unittest.TestCase):
         self.assertEqual([fixed.fade(f) for f in fractions],
                          [0, 27136, 2**17 - 4, 2**17 - 4, 2**17 + 4, 2**18 - 27136, 2**18])
 
+    def test_fractions_are_rounded_to_multiples_of_eight(self) -> None:
+        around = [fixed.fade(f) for f in range(2**18 - 12, 2**18 + 12)]
+        self.assertEqual(around, [t for t in around[::8] for _ in range(8)])
+        self.assertLess(around[0], around[8])
+        self.assertLess(around[8], around[16])
+
     def test_all_fractions(self) -> None:
         values = [fixed.fade(f) for f in range(UNIT + 1)]  # raises where an intermediate value does not fit
         self.assertEqual((values[0], values[UNIT]), (0, 2**18))
@@ -239,6 +245,17 @@ class Noise(unittest.TestCase):
                 mixed = [numbers.pick((-1, 1)) for _ in range(2**n)]
                 for signs in ([1] * 2**n, [-1] * 2**n, mixed):
                     self.assertLessEqual(abs(self.noise_of_largest_ramps(name, fraction, signs)), limit)
+
+    def test_scaling_rounds_to_nearest(self) -> None:
+        half = Fraction(1, 2)
+        for n, factor in ((2, 1913), (3, 1819)):
+            # All corners alike, there is nothing to interpolate. 512 steps of the first rounding meet all ends of the
+            # second: both factors are odd.
+            for ramp in (512 * k + low for k in range(-256, 256) for low in (255, 256)):
+                with mock.patch.object(fixed, "corner_ramp", return_value=ramp):
+                    value = fixed.noise("lattice+fixed", (0,) * n, (2**18,) * n, 0)
+                rounded = math.floor(Fraction(ramp, 512) + half)
+                self.assertEqual(value, math.floor(Fraction(rounded * factor, 512) + half), ramp)
 
     def noise_of_largest_ramps(self, name: str, fraction: Sequence[int], signs: Sequence[int]) -> int:
         remaining = iter(signs)
