@@ -26,12 +26,11 @@ struct Range {
 
 // The largest value that there can be, but for clouds.
 double largest_of(const Function& function, const Configuration& configuration) {
-  const bool fixed = configuration.arithmetic() == Arithmetic::fixed;
-  if (function.accuracy == Accuracy::sine) return fixed ? 1.0 + 0x1p-15 : 1.0;
-  if (!configuration.sine()) return 1.0;
+  if (function.accuracy == Accuracy::sine || !configuration.sine()) return 1.0;
   // The paper's noise is not scaled to [-1, 1], and fBm and turbulence take over its range.
   const int dimensions = function.id.find('3') == std::string_view::npos ? 2 : 3;
-  if (fixed) return dimensions == 2 ? 1.0001 : 1.5002;
+  // Roundings may take what is not scaled beyond (docs/accuracy.md).
+  if (configuration.arithmetic() == Arithmetic::fixed) return dimensions == 2 ? 1.00001 : 1.50002;
   return noise_bounds(dimensions, Gradient::sine).range;
 }
 

@@ -86,7 +86,7 @@ class Fade(unittest.TestCase):
                          [0, 27136, 2**17 - 4, 2**17 - 4, 2**17 + 4, 2**18 - 27136, 2**18])
 
     def test_fractions_are_rounded_to_multiples_of_eight(self) -> None:
-        around = [fixed.fade(f) for f in range(2**17 - 12, 2**17 + 12)]
+        around = [fixed.fade(f) for f in range(2**18 - 12, 2**18 + 12)]
         self.assertEqual(around, [t for t in around[::8] for _ in range(8)])
         self.assertLess(around[0], around[8])
         self.assertLess(around[8], around[16])

@@ -54,7 +54,7 @@ def measure(candidate: Candidate, program: Path, rounds: int, gradient: bool) ->
         if gradient:
             return Result(candidate, costs, None, None,
                           {n: noise.measure(twin, n, 1 << 20).numbers for n in (2, 3)})
-        findings = {n: gate.judge_twin(twin, n, gate.QUICK) for n in (2, 3)}
+        findings = {n: gate.judge_twin(twin, n, gate.LEAST) for n in (2, 3)}
         return Result(candidate, costs, {n: min(found, key=lambda f: f.p) for n, found in findings.items()},
                       {n: sorted({f.test for f in found if not f.passed}) for n, found in findings.items()}, None)
 
