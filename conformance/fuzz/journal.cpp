@@ -44,10 +44,10 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text = fuzz::text_of(data, size);
   const nlohmann::json plan = fuzz::plan_in(text);
   const auto entries = parse_journal(text, plan);
-  if (entries) {
-    fuzz::check(*entries, plan);
-  } else {
+  if (!entries) {
     fuzz::check_error(entries.error().message);
+  } else if (plan.is_object()) {  // else its line is broken off, and no run would write it
+    fuzz::check(*entries, plan);
   }
   // And as the journal of another run.
   if (const auto other = parse_journal(text, {{"version", "1"}}); !other) fuzz::check_error(other.error().message);
