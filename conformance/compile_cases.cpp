@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <hashnoise/hashnoise.hpp>
 
 #include "case.hpp"
@@ -107,6 +109,31 @@ void add_highp_case(std::vector<Case>& cases, std::string_view file, const Confi
       {.id = fmt::format("{}.fragment.{}.highp", compiled_name(file, configuration), es_to_spirv(configuration).name),
        .run = {},
        .compile = [=, &configuration](const Suite& suite) { return check_highp(suite, file, configuration); }});
+}
+
+// A driver that contracts shows a forgotten `precise` only if the bits happen to differ, and the software drivers of
+// most machines never contract. So glslang is asked for the SPIR-V, where every operation that rounds must be marked.
+// These functions need no mark: what they compute is exact, contracted or not.
+Outcome check_uncontracted(const Suite& suite, std::string_view file, const Configuration& configuration) {
+  constexpr std::array<std::string_view, 4> kExact = {"hn_unorm(", "hn_snorm(", "hn_gradient2(", "hn_gradient3("};
+  const Profile& profile = profile_named("vulkan");
+  const auto source = expand(suite.sources, profile, calling_shader(file, configuration, profile, Stage::fragment));
+  if (!source) return outcome_with(Status::fail, source.error());
+  const auto words = suite.reference.spirv(*source, Stage::fragment);
+  if (!words) return outcome_with(Status::fail, words.error());
+  std::vector<std::string> found = contractible(*words);
+  std::erase_if(found, [&](const std::string& name) {
+    return std::any_of(kExact.begin(), kExact.end(), [&](std::string_view exact) { return name.starts_with(exact); });
+  });
+  if (found.empty()) return {};
+  return outcome_with(Status::fail, {fmt::format("not precise: {}", fmt::join(found, " ")), {}});
+}
+
+void add_uncontracted_case(std::vector<Case>& cases, std::string_view file, const Configuration& configuration) {
+  cases.push_back(
+      {.id = fmt::format("{}.fragment.vulkan.uncontracted", compiled_name(file, configuration)),
+       .run = {},
+       .compile = [=, &configuration](const Suite& suite) { return check_uncontracted(suite, file, configuration); }});
 }
 
 // Every hash is other code, and so is each other knob by itself; combinations are not, but for a gradient in another
@@ -245,6 +272,7 @@ void add_compile_cases(std::vector<Case>& cases) {
         if (can_compile(configuration, profile)) add_file_cases(cases, file.name, configuration, profile);
       }
       add_highp_case(cases, file.name, configuration);
+      if (configuration.arithmetic() == Arithmetic::precise) add_uncontracted_case(cases, file.name, configuration);
     }
   }
   for (const Acceptance& acceptance : acceptances()) add_acceptance_cases(cases, acceptance);
