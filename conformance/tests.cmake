@@ -17,7 +17,9 @@ add_dependencies(conform-test hn-conform)  # which counts for AMD in a process o
 target_compile_definitions(conform-test PRIVATE HN_CONFORM_PROGRAM="$<TARGET_FILE:hn-conform>")
 target_compile_definitions(conform-test PRIVATE HN_GOLDEN_DIRECTORY="${CMAKE_CURRENT_SOURCE_DIR}/golden")
 target_link_libraries(conform-test PRIVATE conform-lib pugixml::pugixml GTest::gtest_main)
-gtest_discover_tests(conform-test TEST_PREFIX unit.)
+gtest_discover_tests(conform-test TEST_PREFIX unit. TEST_FILTER "-Timing.*:Stopwatched.*")
+gtest_discover_tests(conform-test TEST_PREFIX unit. TEST_FILTER "Timing.*:Stopwatched.*" TEST_LIST timed_tests
+                     PROPERTIES RUN_SERIAL ON)
 
 # --- The program, as its user meets it ---
 add_test(NAME cli COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli_test.py $<TARGET_FILE:hn-conform>)
@@ -52,6 +54,10 @@ add_test(NAME quality.gate COMMAND ${tools}/quality --quick)
 add_test(NAME faults.table_is_committed COMMAND Python3::Interpreter ${tools}/faults --check --program $<TARGET_FILE:hn-conform>)
 # The parsers take anything: by command for long, a little here. The fuzzers are built on the way.
 add_test(NAME fuzz.corpus COMMAND Python3::Interpreter ${tools}/fuzz --runs 2000 --build ${PROJECT_BINARY_DIR}/fuzz)
+
+# tools/test runs as many tests at a time as there are cores. These use all of them by themselves, or measure times.
+set_tests_properties(cli_bench cli_paper cli_run cli_web conform.all mutants.sample faults.table_is_committed quality.gate
+                     PROPERTIES RUN_SERIAL ON)
 
 # --- The C++ twin in other hands ---
 add_test(NAME consumer.find_package
