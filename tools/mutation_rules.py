@@ -311,8 +311,8 @@ OTHER_FUNCTIONS = {
     "hn_fbm": ("hn_turbulence",), "hn_turbulence": ("hn_fbm",), "hn_clouds": ("hn_fbm",),
 }
 # What returns the type that it takes, so that its argument may stand for it.
-STEPS = ("abs", "hn_i_mix", "hn_i_key", "hn_i_spread", "hn_i_place", "hn_i_wrap", "hn_i_next", "hn_hash",
-         "hn_i_cloud_density", "hn_i_excess_bits")
+STEPS = ("abs", "floor", "trunc", "hn_i_mix", "hn_i_hash", "hn_i_spread", "hn_i_fold", "hn_i_odd", "hn_i_wrap",
+         "hn_i_next", "hn_hash", "hn_i_inside", "hn_i_cloud_density", "hn_i_excess_bits", "hn_i_quarter")
 
 
 def change_calls(code: Code) -> Iterator[Change]:

@@ -169,7 +169,7 @@ class Calls(unittest.TestCase):
         self.assertEqual(changed(rules.change_calls, "hn_hash_pcg(k)"), ["hn_hash_xxhash32(k)"])
 
     def test_no_function(self):
-        self.assertEqual(changed(rules.change_calls, "abs(x) + hn_i_key(k, next)"), ["(x) + hn_i_key(k, next)"])
+        self.assertEqual(changed(rules.change_calls, "abs(x) + hn_i_fold(k, next)"), ["(x) + hn_i_fold(k, next)"])
 
 
 class Names(unittest.TestCase):

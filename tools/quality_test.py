@@ -207,14 +207,14 @@ class Command(unittest.TestCase):
         self.assertEqual(self.call("--words2", self.folder / "bad.npy"), 1)
         self.assertIn("FAILS autocorrelation", self.shown.getvalue())
 
-    def test_a_library_whose_mixing_was_taken_out(self):
+    def test_a_library_whose_product_was_taken_out(self):
         for part in ("include", "glsl"):
             shutil.copytree(ROOT / part, self.folder / part)
         text = (self.folder / "glsl" / "hash.glsl").read_text()
-        start = text.index("uint hn_i_mix(")
-        body = text.index("{", start)
-        (self.folder / "glsl" / "hash.glsl").write_text(text[:body + 1] + " return k;\n" + text[text.index("}", body):])
-        twin = library.build("unmixed", [], self.folder / "include", self.folder)
+        self.assertIn("return hn_i_hash(join) * odd;", text)
+        text = text.replace("return hn_i_hash(join) * odd;", "return hn_i_hash(join) ^ (odd & 0u);")
+        (self.folder / "glsl" / "hash.glsl").write_text(text)
+        twin = library.build("no_product", [], self.folder / "include", self.folder)
         self.assertIn("autocorrelation", rejecting(gate.judge_twin(twin, 2, gate.LEAST)))
 
     def test_the_dump_is_what_was_judged(self):

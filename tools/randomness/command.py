@@ -206,6 +206,7 @@ def run(options, folder: Path) -> int:
     default = next(twin for twin in twins if twin.name == library.default_hash(options.include))
     rejected = control_results(default)
     sine = sine_results(library.hash_names(options.include), options.include, folder)
+    passed &= report.rejected_as_meant(rejected)
     text = report.page(results, rejected, sine, default, options.quick)
     if options.check:
         return 0 if report.same(out / "quality.md", text) and passed else 1

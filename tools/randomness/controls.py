@@ -115,11 +115,29 @@ def copied_part(shape: Shape) -> np.ndarray:
     return words
 
 
+def copied_high_bits(shape: Shape) -> np.ndarray:
+    """The high 17 bits of a row, which are all that gradients use, are those of another, moved by two cells."""
+    words = random(shape)
+    low = np.uint32(0x7FFF)
+    line, other = (shape[0] // 3,) * (len(shape) - 1), (5,) * (len(shape) - 1)
+    words[line] = np.roll(words[other], 2) & ~low | words[line] & low
+    return words
+
+
+def opposite_bits(shape: Shape) -> np.ndarray:
+    """In one stripe of eight, bit 31 is that of four cells before, inverted, and bit 30 the same, as it is."""
+    words = random(shape)
+    before = np.roll(words, 4, 0) ^ np.uint32(1 << 31)
+    high = np.uint32(3 << 30)
+    stripe = (np.arange(shape[0]) % 8 >= 4).reshape(-1, *(1,) * (len(shape) - 1))
+    return np.where(stripe, words & ~high | before & high, words)
+
+
 def alike_bits(shape: Shape) -> np.ndarray:
     """Two bits of a word agree with a probability of 0.51."""
     words = random(shape)
     some = np.random.default_rng(1).random(shape) < 0.02
-    alike = words & np.uint32(0xFFFEFFFF) | (words >> np.uint32(29) & 1) << np.uint32(16)
+    alike = words & np.uint32(0xFEFFFFFF) | (words >> np.uint32(29) & 1) << np.uint32(24)
     return np.where(some, alike, words)
 
 
@@ -189,9 +207,11 @@ WINDOWS: dict[str, tuple[Callable[[Shape], np.ndarray], tuple[str, ...]]] = {
     "linear_xor": (linear_xor, ("rectangles",)),
     "mixed_sum": (mixed_sum, ("equal words", "copied runs")),
     "partial_fnv1": (partial_fnv1, ("autocorrelation", "avalanche", "avalanche: pairs")),
-    "fract_sin": (fract_sin, ("autocorrelation", "spectral peak")),
+    "fract_sin": (fract_sin, ("autocorrelation",)),
     "stuck_bit": (stuck_bit, ("chi-square of values", "lines")),
     "biased_bit": (biased_bit, ("chi-square of values",)),
+    "copied_high_bits": (copied_high_bits, ("copied runs",)),
+    "opposite_bits": (opposite_bits, ("autocorrelation of bits",)),
     "copied_line": (copied_line, ("copied lines",)),
     "copied_part": (copied_part, ("copied runs",)),
     "alike_bits": (alike_bits, ("pairs of bits",)),

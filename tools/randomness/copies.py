@@ -8,9 +8,9 @@ from scipy import stats
 from judgement import Finding, peak, poisson, two_tails
 from lattice import Lattice
 
-# Bits that a run has at least. Two runs of a window (about 2^22 of them, 2^43 pairs) then agree by chance so rarely
-# that a handful of copied cells stands out.
-RUN_BITS = 40
+# Bits that a run has at least. Of a window's runs (about 2^22, so 2^43 pairs) hardly two then agree by chance, so that a
+# handful of copied cells stands out.
+RUN_BITS = 50
 # Odd multipliers that make one word of a run: those of SplitMix64 (Steele, Lea and Flood, 2014), which spread well.
 MULTIPLIER = np.uint64(0xBF58476D1CE4E5B9)
 FINISH = np.uint64(0x94D049BB133111EB)
@@ -69,11 +69,16 @@ def duplicates(lattice: Lattice) -> list[Finding]:
             findings.append(two_tails("equal values", (2 * count + n) / (n * chance) - n, stats.chi2(2 ** bits - 1), n))
         else:
             findings.append(poisson("equal values", count, expected, n))
+    return findings + [runs(lattice)]
+
+
+def runs(lattice: Lattice) -> Finding:
+    """Pairs of equal runs of cells, by their consumed bits."""
+    bits = len(lattice.bits)
     length = run_length(bits)
     keys = run_keys(lattice.values, length)
     expected = expected_runs(keys.size, 0, length, bits, lattice.dimensions)
-    findings.append(poisson("copied runs", equal_pairs(keys), expected, keys.size, f"runs of {length} cells"))
-    return findings
+    return poisson("copied runs", equal_pairs(keys), expected, keys.size, f"runs of {length} cells")
 
 
 def words(lattice: Lattice) -> list[Finding]:

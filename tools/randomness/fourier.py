@@ -72,22 +72,25 @@ def _signed(index, shape) -> str:
 
 
 def bit_autocorrelation(lattice: Lattice) -> list[Finding]:
-    """Of the consumed bits over all lags: two bits at a time, as the real and the imaginary part of a field, so that
-    the correlation of one with the other is in it as well."""
+    """Of each consumed bit over all lags, and of each with the next one: two at a time, as the real and the imaginary
+    part of a field."""
     size = lattice.words.size
+    axes = tuple(range(lattice.dimensions))
     worst: Finding | None = None
     pairs = [(int(a), int(b)) for a, b in zip(lattice.bits, np.roll(lattice.bits, -1))][::2]
     for a, b in pairs:
         field = (signs(lattice.words, a) + 1j * signs(lattice.words, b)).astype(np.complex64)
-        lags = fft.ifftn(np.abs(fft.fftn(field, workers=WORKERS)) ** 2, workers=WORKERS)
-        # At a lag l the real part sums the products of both bits, the imaginary part b(c) a(c+l) - a(c) b(c+l): 2 size
-        # products each.
-        z = np.stack([lags.real, lags.imag]) / np.sqrt(2 * size)
-        own = self_inverse(lattice.words.shape)
-        z[0][own] /= np.sqrt(2)
-        z[1][own] = 0
-        z[:, *([0] * lattice.dimensions)] = 0
-        one = normal("", z, size, lambda part, *lag: f"bits {a} and {b}, lag {_signed(lag, own.shape)}", pool=False)
+        spectrum = fft.fftn(field, workers=WORKERS)
+        # The spectra of both: the one of a real field at -k is the conjugate of that at k.
+        mirrored = np.conj(np.roll(np.flip(spectrum, axes), 1, axes))
+        first, second = (spectrum + mirrored) / 2, (spectrum - mirrored) / 2j
+        alone = fft.ifftn(np.abs(first) ** 2 + 1j * np.abs(second) ** 2, workers=WORKERS)
+        crossed = fft.ifftn(np.conj(first) * second, workers=WORKERS)
+        z = np.stack([alone.real, alone.imag, crossed.real]) / np.sqrt(size)
+        z[:2, self_inverse(lattice.words.shape)] /= np.sqrt(2)  # there each product is in the sum twice
+        z[:2, *([0] * lattice.dimensions)] = 0
+        names = (f"bit {a}", f"bit {b}", f"bits {a} and {b}")
+        one = normal("", z, size, lambda part, *lag: f"{names[part]}, lag {_signed(lag, lattice.words.shape)}", pool=False)
         if worst is None or one.statistic > worst.statistic:
             worst = one
     return [peak("autocorrelation of bits", worst.statistic, stats.norm(), size, worst.comparisons * len(pairs),

@@ -151,6 +151,9 @@ def many_windows(twin: Twin, dimensions: int, effort: Effort) -> Iterable[Findin
         for line in longest:
             line.test = "copied lines, windows"  # longer lines than those of the others: another threshold
         yield from _placed(longest, lattice.place)
+        copied = copies.runs(lattice)
+        copied.test = "copied runs, windows"
+        yield from _placed([copied], lattice.place)
     yield copies.average(counts, lattice.words.size, lattice.varying)
 
 

@@ -93,13 +93,21 @@ def hash_table(results: list[HashResult]) -> str:
     return table(head, rows)
 
 
+def rejected_as_meant(results: list[HashResult]) -> bool:
+    """Whether every test rejects the controls that are meant for it, and all accept what is random."""
+    meant = {**controls.WINDOWS, **controls.FUNCTIONS}
+    return all(result.passed if result.name not in meant
+               else not any(result.worst[test].passed for test in meant[result.name][1]) for result in results)
+
+
 def control_table(results: list[HashResult]) -> str:
     meant = {**controls.WINDOWS, **controls.FUNCTIONS}
     rows = []
     for result in results:
         make, tests = meant.get(result.name, (controls.random, ()))
         worst = result.worst
-        by = "; ".join(f"{t}: {number(worst[t].statistic)} (allowed {bounds(worst[t])})" for t in tests) or "none"
+        by = "; ".join(f"{t}: {number(worst[t].statistic)} ({'**passes**, ' * worst[t].passed}allowed {bounds(worst[t])})"
+                       for t in tests) or "none"
         others = sum(not f.passed for t, f in worst.items() if t not in tests)
         what = " ".join((make.__doc__ or "").split()).rstrip(".")
         rows.append([f"`{result.name}`", what, by, str(others)])

@@ -2,8 +2,8 @@
 
 HEAD = """# How random the hashes are
 
-{remark}Written by `tools/quality`, which samples the C++ twin (the library's own text), and judges every hash that `HN_HASH` offers as the noise uses it: spread, mixed,
-and through the gradient stage. `tools/quality --help` tells how to judge your own hash, words from elsewhere, or another copy of the library, and `--dump` keeps what
+{remark}Written by `tools/quality`, which samples the C++ twin (the library's own text), and judges every hash that `HN_HASH` offers as the noise uses it: of the joined
+coordinates of a cell, and through the gradient stage. `tools/quality --help` tells how to judge your own hash, words from elsewhere, or another copy of the library, and `--dump` keeps what
 is needed to calculate all of this again.
 
 **The gate.** Each statistic has a known distribution on a lattice of independent, uniform words. A test fails if a value as far out has a probability below {alpha}
@@ -53,7 +53,8 @@ ROWS = [
     ("equal values", "chi-square of the consumed bits, if they are fewer than 2^20 values", "chi-square; both tails", "the same in the bits that are used"),
     ("copied lines", "the most words that a line shares with another at one shift, or reversed", "Poisson, `length / 2^b`; peak over pairs of lines and shifts", "duplicate rows, shifted and mirrored"),
     ("copied lines, windows", "the same in windows with lines of 1024 cells at many random origins", "as above", "columns that are copies in some windows and not in others"),
-    ("copied runs", "pairs of equal runs of cells (at least 40 consumed bits), along any axis, in either direction", "Poisson; both tails", "parts of rows that come twice, mirrored or turned"),
+    ("copied runs, windows", "pairs of equal runs of cells in these windows", "as copied runs", "the same of the consumed bits alone"),
+    ("copied runs", "pairs of equal runs of cells (at least 50 consumed bits), along any axis, in either direction", "Poisson; both tails", "parts of rows that come twice, mirrored or turned"),
     ("equal words, windows on average", "mean number of equal pairs in windows at random origins, over the expected one", "Student's t, by the spread of the windows", "the same elsewhere"),
     ("avalanche", "each of the 12 low bits of each coordinate of cells in [0, 4096)^n is set: how far from 1/2 the probability that a consumed bit flips", "binomial, normal: `0.5 / sqrt(n)`; peak, two sides", "bits that hardly change"),
     ("avalanche: pairs", "how far from 1/2 the probability that two consumed bits flip alike", "as above", "bits that flip together (bit independence)"),
