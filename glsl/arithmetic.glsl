@@ -119,13 +119,13 @@ HN_FN HN_HIGHP ivec3 hn_i_inside(HN_HIGHP vec3 f) {
 }
 
 // In units of 2^-18, rising throughout: with the nearer end at 0, f^3 (10 - 15 f + 6 f^2) as f Q with
-// Q = f^2 (4 + R) and R = 6 - 15 f + 6 f^2; the other half is the mirror image. x has 17 bits, its square 32, and is never
-// 1/2, whose square has one more. The summands 4, 32768 and 16384 round.
+// Q = f^2 (4 + R) and R = 6 - 15 f + 6 f^2; the other half is the mirror image. x has 16 bits, its square 32, and is never
+// 1/2, which has one more. The summands 4, 32768 and 16384 round.
 HN_FN HN_HIGHP int hn_i_fade(HN_HIGHP int f) {
   HN_HIGHP uint x = uint(min(min(f, 1048576 - f) + 4, 524287)) >> 3;
   HN_HIGHP uint square = x * x;
   HN_HIGHP uint z = (square + 32768u) >> 16;
-  HN_HIGHP uint r = (1572864u - 30u * x + 6u * z) >> 2;
+  HN_HIGHP uint r = (1572864u + 6u * z - 30u * x) >> 2;
   HN_HIGHP uint q = (square + ((z * r) >> 2) + 32768u) >> 16;
   HN_HIGHP int t = int((x * q + 16384u) >> 15);
   return f > 524288 ? 262144 - t : t;
@@ -133,7 +133,7 @@ HN_FN HN_HIGHP int hn_i_fade(HN_HIGHP int f) {
 HN_FN HN_HIGHP ivec2 hn_i_fade(HN_HIGHP ivec2 f) { return ivec2(hn_i_fade(f.x), hn_i_fade(f.y)); }
 HN_FN HN_HIGHP ivec3 hn_i_fade(HN_HIGHP ivec3 f) { return ivec3(hn_i_fade(f.x), hn_i_fade(f.y), hn_i_fade(f.z)); }
 
-// A product of 31 and 18 bits from two that fit 32 each: by the high and by the low half of t.
+// A product of 31 and 19 bits from two that fit 32 each: by the high and by the low half of t.
 HN_FN HN_HIGHP int hn_i_lerp(HN_HIGHP int a, HN_HIGHP int b, HN_HIGHP int t) {
   HN_HIGHP int d = b - a;
   return a + ((d >> 9) * (t >> 9) + (d >> 18) * (t & 511));

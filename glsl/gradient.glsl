@@ -191,7 +191,8 @@ HN_FN HN_HIGHP HN_I_NUMBER3 hn_i_gradient(HN_HIGHP uint column, HN_HIGHP uint ro
 //            [-1, 1]^n
 //   error    none; with HN_GRADIENT_SINE less than 2^-19 (HN_FIXED: 3.7e-5)
 //   period   2^32 along each axis, or HN_PERIOD
-//   cost     1 hash (none with HN_HASH_LATTICE), 1 multiplication per axis and 1 more; with HN_GRADIENT_SINE 1 hash per
+//   cost     1 hash (none with HN_HASH_LATTICE), 1 multiplication per axis and 1 more, 2 more for a
+//            seed that is no constant; with HN_GRADIENT_SINE 1 hash per
 //            axis and a sine of 10 multiplications per component
 //   source   for the sine: Valdenegro-Toro and Pincheira, sec. 5
 HN_FN HN_HIGHP vec2 hn_gradient(HN_HIGHP ivec2 cell, HN_HIGHP uint seed) {

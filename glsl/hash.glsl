@@ -159,8 +159,8 @@ HN_FN HN_HIGHP uint hn_i_mix(HN_HIGHP uint k) {
   return k ^ (k >> 15);
 }
 
-// The word of a point is the product of two joins of its coordinates: the exclusive or of the folded ones, hashed, and
-// the sum of the others, made odd so that the product loses nothing. Either alone would repeat itself along some line.
+// The word of a point is the product of two joins of its coordinates: the exclusive or of them folded, hashed, and the
+// sum of them as they are, made odd so that the product loses nothing. Either alone would repeat itself along some line.
 // Points that share coordinates share the work: a noise steps from corner to corner in both joins. The high bits are
 // good, the low ones are not.
 HN_FN HN_HIGHP uint hn_i_odd(HN_HIGHP uint sum) { return sum * 2u + 1u; }

@@ -47,12 +47,12 @@ HN_FN HN_HIGHP HN_I_NUMBER hn_i_perlin(HN_HIGHP ivec2 cell, HN_HIGHP HN_I_NUMBER
 }
 
 // Gradient noise on the square lattice, from a cell and a position in it: Perlin 2002 interpolant, hashed gradients.
-// Names cells exactly where a float no longer can: c1 out in a large world, or in a world that moves with the viewer.
+// Names cells exactly where a float no longer can: far out in a large world, or in a world that moves with the viewer.
 //   cell     the cell; its corners wrap at 2^32, or HN_PERIOD
 //   f        position in the cell, in [0, 1]
 //   seed     any uint, 0 if left out; different seeds give independent fields
-//   returns  [-1, 1] (proven bound 0.999985), mean 0, 0 at lattice points, twice continuously differentiable; with
-//            HN_GRADIENT_SINE, which is not scaled, [-1, 1] and the rest alike
+//   returns  [-1, 1] (proven bound 0.999985), mean 0, 0 at lattice points, twice continuously differentiable (HN_FIXED:
+//            in steps of 2^-21); with HN_GRADIENT_SINE, which is not scaled, [-1, 1] and the rest alike
 //   error    at most 3.3e-6 against the exact value, in any rounding mode (docs/accuracy.md); HN_GRADIENT_SINE 4.4e-6.
 //            HN_FIXED 4.90e-5; HN_GRADIENT_SINE 7.98e-5
 //   period   HN_PERIOD; without it 2^32 cells per axis (HN_GRADIENT_SINE with HN_HASH_PARTIAL_FNV1: no more than 2^31)

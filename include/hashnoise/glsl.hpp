@@ -1,8 +1,8 @@
 // What the types and built-in functions of GLSL that hashnoise uses mean in C++20. Only what the GLSL text needs.
 // SPDX-License-Identifier: MIT
 //
-// Words wrap at 2^32. A float that does not fit an int becomes the nearest int that there is, and NaN becomes 0, where
-// GLSL leaves the value undefined: nothing here has undefined behaviour.
+// Words wrap at 2^32. A float in a vector that does not fit an int becomes the nearest int that there is, and NaN becomes
+// 0, where GLSL leaves the value undefined. So nothing has undefined behaviour, as long as coordinates are finite.
 
 #pragma once
 

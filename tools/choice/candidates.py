@@ -76,20 +76,19 @@ HASHES = [
 ]
 
 # --- Gradients: from a word to what a corner adds ----------------------------------------------------------------
-# Offsets in space are turned by 45 degrees about z (u and v are the sum and the difference of x and y, z is twice the
-# offset), which is the same to a gradient whose components are independent.
+# The library turns the offsets in space by 45 degrees about z for its gradient; these take them as they are.
 
 FOLDED = """
 HN_FN HN_HIGHP float hn_i_ramp(HN_HIGHP uint h, HN_HIGHP float x, HN_HIGHP float y) {
   HN_HIGHP vec2 g = hn_gradient2(h);
   return g.x * x + g.y * y;
 }
-HN_FN HN_HIGHP float hn_i_ramp(HN_HIGHP uint h, HN_HIGHP float u, HN_HIGHP float v, HN_HIGHP float z) {
-  HN_HIGHP float x = hn_i_field3p(h) * 2.0f;
-  HN_HIGHP float y = hn_i_field3q(h) * 2.0f;
-  HN_HIGHP float up = 1.0f - abs(x) - abs(y);
+HN_FN HN_HIGHP float hn_i_ramp(HN_HIGHP uint h, HN_HIGHP float x, HN_HIGHP float y, HN_HIGHP float z) {
+  HN_HIGHP float a = hn_i_field3p(h) * 2.0f;
+  HN_HIGHP float b = hn_i_field3q(h) * 2.0f;
+  HN_HIGHP float up = 1.0f - abs(a) - abs(b);
   HN_HIGHP float t = max(-up, 0.0f);
-  return ((x < 0.0f ? x + t : x - t) * u + (y < 0.0f ? y + t : y - t) * v + up * z) * 0.5f;
+  return (a < 0.0f ? a + t : a - t) * x + (b < 0.0f ? b + t : b - t) * y + up * z;
 }
 """
 BOX = """
@@ -97,10 +96,10 @@ HN_FN HN_HIGHP float hn_i_third(HN_HIGHP uint h) {
   return uintBitsToFloat(((h << 8) & 0x007F8000u) | 0x3F800000u) - (1.5f - 1.0f / 512.0f);
 }
 HN_FN HN_HIGHP float hn_i_ramp(HN_HIGHP uint h, HN_HIGHP float x, HN_HIGHP float y) {
-  return (hn_i_field3p(h) * x + hn_i_field3q(h) * y) * 2.0f;
+  return hn_i_field3p(h) * x + hn_i_field3q(h) * y;
 }
-HN_FN HN_HIGHP float hn_i_ramp(HN_HIGHP uint h, HN_HIGHP float u, HN_HIGHP float v, HN_HIGHP float z) {
-  return hn_i_field3p(h) * u + hn_i_field3q(h) * v + hn_i_third(h) * z;
+HN_FN HN_HIGHP float hn_i_ramp(HN_HIGHP uint h, HN_HIGHP float x, HN_HIGHP float y, HN_HIGHP float z) {
+  return hn_i_field3p(h) * x + hn_i_field3q(h) * y + hn_i_third(h) * z;
 }
 """
 MAGNITUDE = """
@@ -110,19 +109,24 @@ HN_FN HN_HIGHP float hn_i_magnitude(HN_HIGHP uint h) {
 HN_FN HN_HIGHP float hn_i_ramp(HN_HIGHP uint h, HN_HIGHP float x, HN_HIGHP float y) {
   return hn_i_magnitude(h) * x + hn_i_magnitude(h << 8) * y;
 }
-HN_FN HN_HIGHP float hn_i_ramp(HN_HIGHP uint h, HN_HIGHP float u, HN_HIGHP float v, HN_HIGHP float z) {
-  return (hn_i_magnitude(h) * u + hn_i_magnitude(h << 8) * v + hn_i_magnitude(h << 16) * z) * 0.5f;
+HN_FN HN_HIGHP float hn_i_ramp(HN_HIGHP uint h, HN_HIGHP float x, HN_HIGHP float y, HN_HIGHP float z) {
+  return hn_i_magnitude(h) * x + hn_i_magnitude(h << 8) * y + hn_i_magnitude(h << 16) * z;
 }
 """
+# The arguments of hn_i_ramp in noise3d.glsl, turned and not.
+OFFSETS = {f"{turned}, {up})": f"{plain}, {height})"
+           for turned, plain in (("u, v", "f.x, f.y"), ("u1, v10", "f.x - 1.0f, f.y"), ("u1, v01", "f.x, f.y - 1.0f"),
+                                 ("u2, v", "f.x - 1.0f, f.y - 1.0f"))
+           for up, height in (("w", "f.z"), ("w1", "f.z - 1.0f"))}
 
 GRADIENTS = [
     Candidate("octahedral", "a point of the square or octahedron, from two fields and a sign", {}),
     Candidate("octahedral_folded", "the same in space by folding a square onto the octahedron: that of 0.1",
               {"hn_i_ramp": FOLDED}),
-    Candidate("box", "a point of the square or cube: a field for each component", {"hn_i_ramp": BOX},
-              scales=("1024.0f", "1024.0f / 1.5f")),
+    Candidate("box", "a point of the square or cube: a field for each component, in (-1/2, 1/2)", {"hn_i_ramp": BOX},
+              scales=("2048.0f", "2048.0f / 1.5f")),
     Candidate("magnitude", "for each component a sign and a magnitude in [1/2, 2), without a subtraction",
-              {"hn_i_ramp": MAGNITUDE}, scales=("512.0f", "512.0f / 1.5f")),
+              {"hn_i_ramp": MAGNITUDE}, scales=("512.0f", "512.0f / 1.5f")),  # up to 2
 ]
 
 
@@ -158,6 +162,14 @@ def write(candidate: Candidate, library: Path, folder: Path) -> Path:
     for name, functions in candidate.functions.items():
         path = folder / "glsl" / ("gradient.glsl" if name == "hn_i_ramp" else "hash.glsl")
         path.write_text(replaced(path.read_text(encoding="utf-8"), name, functions), encoding="utf-8")
+    if "hn_i_ramp" in candidate.functions:
+        path = folder / "glsl" / "noise3d.glsl"
+        text = path.read_text(encoding="utf-8")
+        for turned, plain in OFFSETS.items():
+            if text.count(f", {turned};") != 1:
+                raise ValueError(f"there is no {turned} to replace in {path.name}")
+            text = text.replace(f", {turned};", f", {plain};")
+        path.write_text(text, encoding="utf-8")
     for path, old, new in zip(("noise2d.glsl", "noise3d.glsl"), ("1913", "1819"), candidate.scales):
         path = folder / "glsl" / path
         text = path.read_text(encoding="utf-8")

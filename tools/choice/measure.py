@@ -42,8 +42,8 @@ class Result:
 
 
 def measure(candidate: Candidate, program: Path, rounds: int, gradient: bool) -> Result:
-    """A hash is judged by the gate, unless it is the library's own, which tools/quality judges; of a gradient the noise is
-    measured."""
+    """A hash is judged by the gate, unless it is one that HN_HASH names, which tools/quality judges; of a gradient the
+    noise is measured."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         include = write(candidate, library.ROOT, folder)

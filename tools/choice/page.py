@@ -1,4 +1,4 @@
-"""docs/default-hash.md and its picture, from what was measured."""
+"""docs/default-hash.md, from what was measured."""
 
 from __future__ import annotations
 
@@ -9,35 +9,32 @@ from measure import Cost, Result  # the first: it knows where the others lie
 from judgement import ALPHA
 from report import number, table
 
-HEAD = """# The default hash and gradient, and why
+HASHES = """# The default hash and gradient, and why
 
 Written by `tools/default-hash`. Each candidate is the library with the named functions replaced (`tools/choice/candidates.py`) and nothing else changed, so that costs are those of the whole `hn_perlin`.
 
 - **Time** is the ratio to Perlin/Float in the same run of `hn-conform bench`, on Mesa's llvmpipe: smaller is faster.
 - **SPIR-V** counts instructions after `spirv-opt -O`, **NAVI21** is AMD's cost by Mesa's RADV (inverse throughput: cycles of a compute unit for a wave of 64, so that a plain instruction counts 2 and
   a multiplication of 32 bits 8) and, in brackets, its instructions; the empty shader is subtracted from each.
-- **Randomness** is the verdict of the gate (`tools/quality`, [quality.md](quality.md)) on the bits that gradients take: the test with the most improbable result, as p, and how many tests
-  fail. A random lattice fails a test with p below {alpha}.
+- **Randomness** is the verdict of the gate's tests ([quality.md](quality.md)) on the bits that gradients take, in small windows (`LEAST` in `tools/randomness/gate.py`; the library's own hashes are judged at full size by
+  `tools/quality`): the test with the most improbable result, as p, and how many tests fail. A random lattice fails a test with p below {alpha}.
 
 ## Hashes
 
-![Time in space against the most improbable result of the gate](images/default-hash.png)
-
-{front}
+On the front (they pass, and nothing that passes is cheaper in every respect): {front}.
 
 {hashes}
-The default is **`product`**: {verdict} Two joins of the coordinates have 64 bits of state together, so no line of the lattice copies another, as it does in one window or another with every single word of 32 bits;
-and the product needs one operation where rounds of shifts and multiplications need four to eight.
+The default is `product`. Two joins of the coordinates have 64 bits of state together. A single word of 32 bits makes some line of the lattice a copy of another in one window or another, whatever is made of
+it afterwards; so the candidates that mix such a word fail by copied lines. And the product needs one operation where rounds of shifts and multiplications need four to eight.
 
-The other hashes of the library, at the end of the table, cost what they cost on top of it: the product joins them to the lattice as well, and the gate passes each of them.
+"""
 
-## Gradients
+GRADIENTS = """## Gradients
 
 The same hash with each. *Contrast* is the standard deviation of a noise whose largest possible value is 1; *reached* the largest value among a million.
 
 {gradients}
-The default is **`octahedral`**: it has nearly twice the contrast of a box at about its cost. All of these have components without correlation and of equal variance, so that the spectra of their noises are alike
-([quality.md](quality.md)): what sets them apart is contrast and cost.
+The default is `octahedral`. All of these have components without correlation and of equal variance, so that the spectra of their noises are alike ([quality.md](quality.md)): what sets them apart is contrast and cost.
 
 ## What peers cost
 
@@ -83,7 +80,7 @@ def passes(result: Result) -> bool:
 
 
 def dominated(result: Result, others: list[Result]) -> bool:
-    """Whether another that passes is cheaper in both, by time and by AMD's count."""
+    """Whether another that passes is cheaper in every respect: by time and by AMD's count, in 2D and in 3D."""
     def price(r: Result) -> list[float]:
         return [r.costs[n].ratio for n in (2, 3)] + [float(r.costs[n].navi21 or 0) for n in (2, 3)]
 
@@ -92,41 +89,23 @@ def dominated(result: Result, others: list[Result]) -> bool:
 
 
 def write(folder: Path, hashes: list[Result], gradients: list[Result]) -> None:
-    front = [r for r in hashes if passes(r) and not dominated(r, hashes)]
-    rows = [[f"`{r.candidate.name}`", r.candidate.what, *costs(r), judgement(r, 2), judgement(r, 3)] for r in hashes]
-    default = next(r for r in hashes if r.candidate.name == "product")
-    verdict = "it passes, and no candidate that passes is cheaper." if [r for r in front] == [default] else (
-        "it passes." if passes(default) else "**it does not pass.**")
-    shape = [[f"`{r.candidate.name}`", r.candidate.what, *costs(r),
-              *(f"{r.noise[n]['variance'][0] ** 0.5:.3f}" for n in (2, 3)),
-              *(f"{max(-r.noise[n]['lowest value'][0], r.noise[n]['highest value'][0]):.2f}" for n in (2, 3))]
-             for r in gradients]
-    text = HEAD.format(
-        alpha=f"2^{round(log2(ALPHA))}", verdict=verdict,
-        front="On the front (they pass, and nothing that passes is cheaper in every respect): "
-              + ", ".join(f"`{r.candidate.name}`" for r in front) + ".",
-        hashes=table(["hash", "how", *COST_HEAD, "randomness, 2D", "3D"], rows),
-        gradients=table(["gradient", "what", *COST_HEAD, "contrast, 2D", "3D", "reached, 2D", "3D"], shape))
-    (folder / "default-hash.md").write_text(text.replace("\n\n\n", "\n\n"), encoding="utf-8")
-    (folder / "images").mkdir(exist_ok=True)
-    plot(folder / "images" / "default-hash.png", hashes)
+    """The sections that were measured; the other stays as it is."""
+    path = folder / "default-hash.md"
+    old = path.read_text(encoding="utf-8") if path.exists() else ""
+    first, mark, rest = old.partition("## Gradients\n")
+    if hashes:
+        front = [f"`{r.candidate.name}`" for r in hashes if passes(r) and not dominated(r, hashes)]
+        rows = [[f"`{r.candidate.name}`", r.candidate.what, *costs(r), judgement(r, 2), judgement(r, 3)] for r in hashes]
+        first = HASHES.format(alpha=f"2^{round(log2(ALPHA))}", front=", ".join(front),
+                              hashes=table(["hash", "how", *COST_HEAD, "randomness, 2D", "3D"], rows))
+    second = mark + rest
+    if gradients:
+        rows = [[f"`{r.candidate.name}`", r.candidate.what, *costs(r), *contrast(r)] for r in gradients]
+        second = GRADIENTS.format(gradients=table(
+            ["gradient", "what", *COST_HEAD, "contrast, 2D", "3D", "reached, 2D", "3D"], rows))
+    path.write_text((first + second).replace("\n\n\n", "\n\n"), encoding="utf-8")
 
 
-def plot(path: Path, hashes: list[Result]) -> None:
-    import matplotlib
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-
-    least = 2.0 ** -64  # below, it is far off, and no longer matters how far
-    figure, axes = pyplot.subplots(figsize=(8, 4.5), dpi=110)
-    for result in (r for r in hashes if r.worst):
-        p = max(min(f.p for f in result.worst.values()), least)
-        axes.plot(result.costs[3].ratio, -log2(p), "o" if passes(result) else "x", color="C0" if passes(result) else "C3")
-        axes.annotate(result.candidate.name, (result.costs[3].ratio, -log2(p)), textcoords="offset points",
-                      xytext=(4, 4), fontsize=7)
-    axes.axhline(-log2(ALPHA), color="0.5", linewidth=0.8)
-    axes.text(axes.get_xlim()[1], -log2(ALPHA), "the gate ", ha="right", va="bottom", fontsize=8)
-    axes.set_xlabel("time of hn_perlin(vec3), ratio to Perlin/Float (llvmpipe)")
-    axes.set_ylabel("most improbable result, -log2 p (64: or less)")
-    figure.tight_layout()
-    figure.savefig(path)
+def contrast(result: Result) -> list[str]:
+    return [*(f"{result.noise[n]['variance'][0] ** 0.5:.3f}" for n in (2, 3)),
+            *(f"{max(-result.noise[n]['lowest value'][0], result.noise[n]['highest value'][0]):.2f}" for n in (2, 3))]
