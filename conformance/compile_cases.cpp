@@ -137,7 +137,7 @@ void add_uncontracted_case(std::vector<Case>& cases, std::string_view file, cons
 }
 
 // Every hash is other code, and so is each other knob by itself; combinations are not, but for a gradient in another
-// arithmetic. Hashes have no arithmetic, and it has no hashes; fbm_fixed.glsl is for one only.
+// arithmetic. Hashes have no arithmetic, and it has no hashes; fbm_fixed.glsl is empty but for one.
 bool selects_code(std::string_view file, const Configuration& configuration) {
   const bool by_arithmetic = configuration.name_without_arithmetic() == "lattice";
   if (file == "arithmetic.glsl") return by_arithmetic;

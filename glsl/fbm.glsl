@@ -8,12 +8,11 @@
 #ifndef HN_FBM_GLSL
 #define HN_FBM_GLSL
 
+#include "fbm_fixed.glsl"
 #include "noise2d.glsl"
 #include "noise3d.glsl"
 
-#if HN_ARITHMETIC == HN_FIXED
-#include "fbm_fixed.glsl"
-#else
+#if HN_ARITHMETIC != HN_FIXED
 
 #ifndef HN_FBM_NOISE2D
 #define HN_FBM_NOISE2D(q, seed) hn_perlin(q, seed)

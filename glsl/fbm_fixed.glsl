@@ -1,4 +1,4 @@
-// hashnoise: octave sums in integers, for HN_FIXED. Included by fbm.glsl.
+// hashnoise: octave sums in integers, for HN_FIXED; empty without. Included by fbm.glsl.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_FBM_FIXED_GLSL
@@ -6,6 +6,8 @@
 
 #include "noise2d.glsl"
 #include "noise3d.glsl"
+
+#if HN_ARITHMETIC == HN_FIXED
 
 // A position along one axis is a number of 64 bits, in units of 2^-32 cells: x the cell, y its fraction.
 HN_FN HN_HIGHP uvec2 hn_i_long(HN_HIGHP float p) {
@@ -155,5 +157,7 @@ HN_FN HN_HIGHP int hn_i_cloud_density(HN_HIGHP int fbm) {
   HN_HIGHP int c = (min(max(2 * fbm + 524288, 0), 2097152) - 1048576) >> 5;
   return 1048576 + ((c * int((0xC0000000u - uint(c * c)) >> 16)) >> 10);
 }
+
+#endif
 
 #endif
