@@ -165,7 +165,7 @@ class Calls(unittest.TestCase):
 
     def test_other_functions(self):
         self.assertEqual(changed(rules.change_calls, "min(floor(x), max)"),
-                         ["max(floor(x), max)", "min(ceil(x), max)", "min(trunc(x), max)"])
+                         ["max(floor(x), max)", "min(ceil(x), max)", "min(trunc(x), max)", "min((x), max)"])
         self.assertEqual(changed(rules.change_calls, "hn_hash_pcg(k)"), ["hn_hash_xxhash32(k)"])
 
     def test_no_function(self):
