@@ -14,7 +14,7 @@ FUNCTION = r"HN_FN [^;{{}}]*\b{name}\([^{{}}]*\) \{{"  # of a definition, up to 
 class Candidate:
     name: str
     what: str                       # how it joins and mixes, or what it makes of the bits
-    functions: dict[str, str]       # by name, what stands for all definitions of it: the last of them has its place
+    functions: dict[str, str]       # by name, what stands for all definitions of it, in the place of the first
     macros: tuple[str, ...] = ()    # of a hash that the library has already
     scales: tuple[str, str] = ("1913", "1819")  # of noise in 2D and 3D, in 1024ths: what makes the largest value 1
 
