@@ -14,9 +14,11 @@
 
 #include "context_info.hpp"
 #include "gpu.hpp"
+#include "library/shaders.hpp"
 #include "reference_compiler.hpp"
 #include "result.hpp"
 #include "source.hpp"
+#include "targets.hpp"
 
 namespace hn {
 
@@ -119,6 +121,7 @@ struct Case {
   std::shared_ptr<const Compilation> compilation = {};
   std::string about = {};  // where it comes from, in lines for hn-conform list --about; mostly nothing
   std::function<Outcome(const Suite&)> compile = {};  // in place of run, for what the reference compiler alone says
+  Extent extent = Extent::every_driver;
 
   bool needs_driver() const { return run != nullptr; }
 };

@@ -27,7 +27,12 @@ enum class DriverKind { with_context, any };
 std::string driver_names(DriverKind kind);
 
 int drivers_command();
-int list_command(const std::vector<std::string>& filters, bool about);
+struct ListCommand {
+  std::vector<std::string> filters;
+  bool thorough = false;
+  bool about = false;
+};
+int list_command(const ListCommand& options);
 
 struct RunCommand {
   std::vector<std::string> drivers = {"osmesa"};  // names, globs, "all"
@@ -41,6 +46,8 @@ struct RunCommand {
   std::uint64_t points = 0;  // of each comparison with the twin; 0 for what its case says
   double timeout = 60.0;     // seconds
   std::size_t jobs = 1;
+  bool thorough = false;
+  bool deal = false;
   bool fail_fast = false;
   bool resume = false;
   bool timings = false;

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "case.hpp"
-#include "functions.hpp"
+#include "library/functions.hpp"
 
 namespace hn {
 

@@ -9,7 +9,7 @@
 
 #include "case.hpp"
 #include "embedded.hpp"
-#include "functions.hpp"
+#include "library/shaders.hpp"
 
 namespace hn {
 namespace {
@@ -18,9 +18,8 @@ std::string_view stem(std::string_view file) { return file.substr(0, file.find('
 
 // file.all.configuration.arithmetic. No function of theirs is called by itself, so what is exact is not told apart.
 std::string compiled_name(std::string_view file, const Configuration& configuration) {
-  constexpr std::array<std::string_view, 3> kArithmetic = {"fast", "precise", "fixed"};
   return fmt::format("{}.all.{}.{}", stem(file), configuration.name_without_arithmetic(),
-                     kArithmetic[static_cast<std::size_t>(configuration.arithmetic())]);
+                     name_of(configuration.arithmetic));
 }
 
 Outcome outcome_of(const Result<void>& result) {
@@ -52,18 +51,34 @@ bool is_for_drivers(std::string_view file, const Configuration& configuration) {
   return file == "hashnoise.glsl" && !configuration.sine();
 }
 
-void add_file_cases(std::vector<Case>& cases, std::string_view file, const Configuration& configuration,
+// Whether a configuration has most of its cases in this version.
+bool is_main(const Configuration& configuration, const Profile& profile) {
+  return profile.spirv || profile.name == main_profile(configuration, profile.es).name;
+}
+
+// A file of the library with one configuration in one version. number: of the file, among all.
+void add_file_cases(std::vector<Case>& cases, std::size_t number, const Configuration& configuration,
                     const Profile& profile) {
+  const std::string_view file = kEmbeddedFiles[number].name;
   const auto id = [&](Stage stage, std::string_view check) {
     return fmt::format("{}.{}.{}.{}", compiled_name(file, configuration), name_of(stage), profile.name, check);
+  };
+  const bool main = is_main(configuration, profile);
+  const auto extent_in = [&](Stage stage) {
+    const bool chosen = configuration.is_default() || (main && stage == Stage::fragment) ||
+                        has_turn(number, configuration, static_cast<std::size_t>(&profile - all_profiles().data()) +
+                                                            static_cast<std::size_t>(stage));
+    return chosen ? Extent::one_driver : Extent::thorough;
   };
   const auto add_glslang = [&](Stage stage) {
     cases.push_back({.id = id(stage, profile.spirv ? "spirv" : "glslang"),
                      .run = {},
-                     .compile = [=, &configuration, &profile](const Suite& suite) {
-                       return check_with_glslang(suite, profile, calling_shader(file, configuration, profile, stage),
-                                                 stage);
-                     }});
+                     .compile =
+                         [=, &configuration, &profile](const Suite& suite) {
+                           return check_with_glslang(suite, profile,
+                                                     calling_shader(file, configuration, profile, stage), stage);
+                         },
+                     .extent = extent_in(stage)});
   };
   add_glslang(Stage::fragment);
   add_glslang(Stage::vertex);
@@ -71,15 +86,16 @@ void add_file_cases(std::vector<Case>& cases, std::string_view file, const Confi
   if (profile.spirv || !is_for_drivers(file, configuration)) return;
   const auto compilation = std::make_shared<const Compilation>(
       Compilation{profile, calling_shader(file, configuration, profile, Stage::fragment)});
-  cases.push_back({id(Stage::fragment, "driver"),
-                   [=](Session& session) { return check_with_driver(session, *compilation); },
-                   {},
-                   compilation});
+  const bool whole = file == "hashnoise.glsl" && main && configuration.default_but_for_arithmetic();
+  cases.push_back({.id = id(Stage::fragment, "driver"),
+                   .run = [=](Session& session) { return check_with_driver(session, *compilation); },
+                   .compilation = compilation,
+                   .extent = whole ? Extent::every_driver : extent_in(Stage::fragment)});
 }
 
 // Elsewhere the library must refuse it.
 bool can_compile(const Configuration& configuration, const Profile& profile) {
-  return configuration.arithmetic() != Arithmetic::precise || profile.version >= (profile.es ? 320 : 400);
+  return configuration.arithmetic != Arithmetic::precise || profile.version >= (profile.es ? 320 : 400);
 }
 
 // The oldest version of ES that glslang makes SPIR-V of.
@@ -139,9 +155,9 @@ void add_uncontracted_case(std::vector<Case>& cases, std::string_view file, cons
 // Every hash is other code, and so is each other knob by itself; combinations are not, but for a gradient in another
 // arithmetic. Hashes have no arithmetic, and it has no hashes; fbm_fixed.glsl is empty but for one.
 bool selects_code(std::string_view file, const Configuration& configuration) {
-  const bool by_arithmetic = configuration.name_without_arithmetic() == "lattice";
+  const bool by_arithmetic = configuration.default_but_for_arithmetic();
   if (file == "arithmetic.glsl") return by_arithmetic;
-  if (file == "fbm_fixed.glsl") return by_arithmetic && configuration.arithmetic() == Arithmetic::fixed;
+  if (file == "fbm_fixed.glsl") return by_arithmetic && configuration.arithmetic == Arithmetic::fixed;
   if (!configuration.fast()) {
     const bool sine = configuration.name_without_arithmetic() == "lattice+sine";
     return file != "hash.glsl" && (by_arithmetic || (sine && file == "hashnoise.glsl"));
@@ -154,16 +170,19 @@ bool selects_code(std::string_view file, const Configuration& configuration) {
 struct Refusal {
   std::string_view name;
   std::string_view profile;
-  std::string_view knobs;
+  std::string knobs;
   std::string_view expected;  // a word of the message
 };
 
-constexpr Refusal kRefusals[] = {
+// Of the library that this program was built with, whose last hash is the custom one.
+const std::string kHashBeyondTheLast = fmt::format("#define HN_HASH {}\n", HN_HASH_CUSTOM + 1);
+
+const Refusal kRefusals[] = {
     {"version_120", "gl120", "", "GLSL 1.30"},
     {"version_es100", "es100", "", "GLSL ES 3.00"},
     {"hash_0", "gl330", "#define HN_HASH 0\n", "HN_HASH_PARTIAL_JENKINS"},
-    {"hash_10", "gl330", "#define HN_HASH 10\n", "HN_HASH_PARTIAL_JENKINS"},
-    {"hash_10", "es300", "#define HN_HASH 10\n", "HN_HASH_PARTIAL_JENKINS"},
+    {"hash_beyond_the_last", "gl330", kHashBeyondTheLast, "HN_HASH_PARTIAL_JENKINS"},
+    {"hash_beyond_the_last", "es300", kHashBeyondTheLast, "HN_HASH_PARTIAL_JENKINS"},
     {"hash_misspelt", "gl330", "#define HN_HASH HN_HASH_FNV\n", "HN_HASH_PARTIAL_JENKINS"},
     // In ES an undefined name in #if is an error of its own, which names it.
     {"hash_misspelt", "es300", "#define HN_HASH HN_HASH_FNV\n", "HN_HASH"},
@@ -218,8 +237,10 @@ void add_acceptance_cases(std::vector<Case>& cases, const Acceptance& acceptance
     cases.push_back({.id = id + "glslang", .run = {}, .compile = [=](const Suite& suite) {
                        return check_with_glslang(suite, compilation->profile, compilation->fragment, Stage::fragment);
                      }});
-    cases.push_back(
-        {id + "driver", [=](Session& session) { return check_with_driver(session, *compilation); }, {}, compilation});
+    cases.push_back({.id = id + "driver",
+                     .run = [=](Session& session) { return check_with_driver(session, *compilation); },
+                     .compilation = compilation,
+                     .extent = Extent::one_driver});
   }
 }
 
@@ -256,23 +277,24 @@ void add_refusal_cases(std::vector<Case>& cases, const Refusal& refusal) {
                      return expect_refusal(*compilation,
                                            suite.reference.check(*text, compilation->profile, Stage::fragment));
                    }});
-  cases.push_back({id("refused_by_driver"),
-                   [=](Session& session) { return check_refused_by_driver(session, *compilation); },
-                   {},
-                   compilation});
+  cases.push_back({.id = id("refused_by_driver"),
+                   .run = [=](Session& session) { return check_refused_by_driver(session, *compilation); },
+                   .compilation = compilation,
+                   .extent = Extent::one_driver});
 }
 
 }  // namespace
 
 void add_compile_cases(std::vector<Case>& cases) {
-  for (const EmbeddedFile& file : kEmbeddedFiles) {
+  for (std::size_t number = 0; number < kEmbeddedFiles.size(); ++number) {
+    const std::string_view file = kEmbeddedFiles[number].name;
     for (const Configuration& configuration : all_configurations()) {
-      if (!selects_code(file.name, configuration)) continue;
+      if (!selects_code(file, configuration)) continue;
       for (const Profile& profile : all_profiles()) {
-        if (can_compile(configuration, profile)) add_file_cases(cases, file.name, configuration, profile);
+        if (can_compile(configuration, profile)) add_file_cases(cases, number, configuration, profile);
       }
-      add_highp_case(cases, file.name, configuration);
-      if (configuration.arithmetic() == Arithmetic::precise) add_uncontracted_case(cases, file.name, configuration);
+      add_highp_case(cases, file, configuration);
+      if (configuration.arithmetic == Arithmetic::precise) add_uncontracted_case(cases, file, configuration);
     }
   }
   for (const Acceptance& acceptance : acceptances()) add_acceptance_cases(cases, acceptance);

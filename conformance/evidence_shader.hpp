@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "functions.hpp"
+#include "library/shaders.hpp"
 #include "result.hpp"
 #include "source.hpp"
 

@@ -23,7 +23,7 @@ bool is_float(std::uint64_t bits) {
 
 // hn_hash and hn_lattice have one. What comes of a hash is tried well enough by rows.
 bool has_digest(const Function& function) {
-  return function.exact() && depends_on_configuration(function) && function.outputs.front().type == WordType::u32;
+  return function.family == Family::hash && function.outputs.front().type == WordType::u32;
 }
 
 // Takes the text up to the separator off the front.
@@ -205,9 +205,8 @@ std::string_view golden_arithmetic(const Function& function, const Configuration
 }
 
 std::string_view golden_configuration(const Function& function, const Configuration& configuration) {
-  if (!depends_on_configuration(function)) return "any";
-  const bool fixed = configuration.arithmetic() == Arithmetic::fixed;
-  return fixed ? configuration.name : configuration.name_without_arithmetic();
+  const bool fixed = configuration.arithmetic == Arithmetic::fixed;
+  return fixed ? configuration.name : configuration_name(function, configuration);
 }
 
 std::filesystem::path golden_path(const std::filesystem::path& directory, const Function& function,

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "driver/driver.hpp"
-#include "functions.hpp"
+#include "library/shaders.hpp"
 #include "result.hpp"
 #include "source.hpp"
 #include "stage_output.hpp"

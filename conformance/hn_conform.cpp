@@ -14,7 +14,7 @@
 namespace {
 
 int run(const hn::DriversCommand&) { return hn::drivers_command(); }
-int run(const hn::ListCommand& command) { return hn::list_command(command.filters, command.about); }
+int run(const hn::ListCommand& command) { return hn::list_command(command); }
 int run(const hn::RunCommand& command) { return hn::run_command(command); }
 int run(const hn::MergeCommand& command) { return hn::merge_command(command); }
 int run(const hn::BenchCommand& command) { return hn::bench_command(command); }

@@ -2,10 +2,12 @@
 // be off on both. What the values are, other checks tell.
 #include <fmt/format.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 
 #include "pairing.hpp"
+#include "targets.hpp"
 #include "value_checks.hpp"
 
 namespace hn {
@@ -57,76 +59,50 @@ Outcome check_period(Session& session, const Evaluation& evaluation) {
 
 // ---------------------------------------------------------------------------------------------------------------------
 
-// The octave sum that stands for all of them where the arithmetic is not the default.
-constexpr std::string_view kArithmeticSum = "fbm.fbm2";
-
-bool is_noise(const Function& function) { return !function.exact() && function.accuracy != Accuracy::sine; }
-
-bool stands_for_arithmetic(const Configuration& configuration) {
-  return !configuration.fast() && configuration.name_without_arithmetic() == "lattice";
+// Of an exact function one goes the same ways as another: those of three axes and a seed stand for all.
+bool has_variants(const Function& function) {
+  return !function.exact() || (function.axes == 3 && function.seed_word() >= 0);
 }
 
-// Every noise, and of the exact functions a hash and a gradient. Each variant is a shader more to compile, and goes the
-// same ways with every hash.
-bool has_variants(const Function& function, const Configuration& configuration) {
-  if (stands_for_arithmetic(configuration)) return function.id == "noise3d.perlin" || function.id == kArithmeticSum;
-  if (!configuration.is_default()) return false;
-  return is_noise(function) || function.id == "hash.lattice3" || function.id == "gradient.lattice3";
-}
+struct Variant {
+  std::string_view name;
+  ShaderVariant variant;
+  Check* check;
+};
 
-// These, and perlin with every hash: the other stages have the shaders anyway, for the golden files.
-bool has_stages(const Function& function, const Configuration& configuration) {
-  if (!configuration.fast()) return has_stages_of_arithmetic(function, configuration);
-  return has_variants(function, configuration) || (function.id.ends_with(".perlin") && configuration.hash_only());
-}
-
-// Of octave sums, whose code does not depend on the period, with one that is no power of two. (Over 2^20 cells their
-// positions would have no fraction left.)
-bool has_period(const Function& function, const Configuration& configuration) {
-  if (configuration.period() == 0) return false;
-  if (!configuration.fast() && function.file == "fbm.glsl") return function.id == kArithmeticSum;
-  if (function.input("octaves") >= 0) return configuration.name == "lattice+period48";
-  return covers(configuration, function);
-}
-
-void add_variants(std::vector<Case>& cases, const Function& function, const Configuration& configuration,
-                  const Profile& profile) {
-  const auto add = [&](const ShaderVariant& variant, std::string_view name, Check* check) {
-    add_case(cases, {function, configuration, profile, variant}, name, check);
-  };
-  add({.shape = Shape::inlined}, "inlined", check_variant);
-  add({.shape = Shape::in_loop}, "in_loop", check_variant);
-  add({.seed_from = SeedFrom::constant}, "constant_seed", check_variant);
-  add({.seed_from = SeedFrom::uniform}, "uniform_seed", check_variant);
-  add({}, "folded", check_folded);
-}
+constexpr std::array kVariants = {
+    Variant{"inlined", {.shape = Shape::inlined}, check_variant},
+    Variant{"in_loop", {.shape = Shape::in_loop}, check_variant},
+    Variant{"constant_seed", {.seed_from = SeedFrom::constant}, check_variant},
+    Variant{"uniform_seed", {.seed_from = SeedFrom::uniform}, check_variant},
+    Variant{"folded", {}, check_folded},
+};
 
 }  // namespace
 
-std::vector<StageProfile> other_stages(const Configuration& configuration) {
-  if (configuration.arithmetic() == Arithmetic::precise) {
-    return {{Stage::vertex, "gl400"}, {Stage::compute, "gl430"}};
-  }
-  return {{Stage::vertex, "gl330"}, {Stage::vertex, "es300"}, {Stage::compute, "gl430"}, {Stage::compute, "es310"}};
-}
-
-bool has_stages_of_arithmetic(const Function& function, const Configuration& configuration) {
-  return function.id == "noise3d.perlin" && stands_for_arithmetic(configuration);
-}
-
-void add_metamorphic_cases(std::vector<Case>& cases, const Function& function, const Configuration& configuration) {
-  for (const bool es : {false, true}) {
-    if (es && !configuration.fast()) continue;  // their shaders are built in few versions
-    const Profile& profile = main_profile(configuration, es);
-    if (has_variants(function, configuration)) add_variants(cases, function, configuration, profile);
-    if (has_period(function, configuration)) {
-      add_case(cases, {function, configuration, profile}, "period", check_period);
+// A variant of the shader is one more to compile. With the defaults each function has all of them, in one arithmetic and
+// one version or another; a period concerns no hash.
+void add_metamorphic_cases(std::vector<Case>& cases, const Evaluation& evaluation, std::size_t number,
+                           const Target& target, Extent extent) {
+  const auto& [function, configuration, profile, none, stage] = evaluation;
+  const bool defaults = configuration.default_but_for_arithmetic() && covers(configuration, function);
+  if (target.main && defaults && has_variants(function)) {
+    for (std::size_t i = 0; i < kVariants.size(); ++i) {
+      const auto& [name, variant, check] = kVariants[i];
+      const bool all = configuration.is_default() && !profile.es;
+      add_case(cases, {function, configuration, profile, variant}, name, check,
+               all || has_turn(number, configuration, target.number + i) ? Extent::one_driver : Extent::thorough);
     }
   }
-  if (!has_stages(function, configuration)) return;
-  for (const auto& [stage, profile] : other_stages(configuration)) {
-    add_case(cases, {function, configuration, profile_named(profile), {}, stage}, "as_fragment", check_variant);
+  if (!target.main && stage != Stage::fragment && covers(configuration, function)) {
+    add_case(cases, evaluation, "as_fragment", check_variant, extent);
   }
+  // Over 2^20 cells the positions of octave sums have no fraction left. Their code does not depend on the period, and
+  // they have no values of their own with one.
+  const bool has_period = function.is_octave_sum()
+                              ? configuration.period == 48 && !configuration.sine()
+                              : configuration.period != 0 && covers(configuration, function);
+  if (target.main && has_period) add_case(cases, evaluation, "period", check_period, extent);
 }
 
 }  // namespace hn

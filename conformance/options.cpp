@@ -31,6 +31,10 @@ void add_filter(CLI::App& command, std::vector<std::string>& filters, const std:
       ->allow_extra_args(false);
 }
 
+void add_thorough(CLI::App& command, bool& thorough) {
+  command.add_flag("--thorough", thorough, "Every setting of the knobs in every version and stage, not pairs of them");
+}
+
 void add_out(CLI::App& command, std::string& out, const std::string& files) {
   command.add_option("--out", out, fmt::format("The folder for {}; made if it is not there", files))
       ->type_name("DIR")
@@ -74,6 +78,9 @@ void add_run(CLI::App& app, RunCommand& options, const std::string& faults) {
       ->allow_extra_args(false)
       ->capture_default_str();
   add_filter(command, options.filters, "cases");
+  add_thorough(command, options.thorough);
+  command.add_flag("--deal", options.deal,
+                   "Of several drivers: run what each must show on each, and every other case on one that can run it");
   add_out(command, options.out, "results.json, junit.xml and index.html");
   command.add_option("--seed", options.seed, "Of the random points")
       ->type_name("N")
@@ -212,6 +219,7 @@ tl::expected<Command, Stop> parse_options(int argc, const char* const* argv, con
   app.add_subcommand("drivers", "List the drivers, what is behind each here, or why it is missing");
   CLI::App& list_app = *app.add_subcommand("list", "List the ids of the cases");
   add_filter(list_app, list.filters, "cases");
+  add_thorough(list_app, list.thorough);
   list_app.add_flag("--about", list.about, "Tell where cases come from, too: where a bug was reported");
   add_run(app, run, installation.faults);
   add_merge(app, merge);

@@ -12,11 +12,6 @@ namespace hn {
 
 struct DriversCommand {};
 
-struct ListCommand {
-  std::vector<std::string> filters;
-  bool about = false;
-};
-
 using Command =
     std::variant<DriversCommand, ListCommand, RunCommand, MergeCommand, BenchCommand, PaperCommand, WebCommand>;
 

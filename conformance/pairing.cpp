@@ -50,9 +50,6 @@ Pairing pairing_on(const Evaluation& evaluation, Words inputs) {
           inputs,     std::move(allowed), has_same_bits(evaluation.function, evaluation.configuration)};
 }
 
-// The columns of coordinates come first, as many as there are axes; those of a cell's fraction keep their values.
-std::size_t axes_of(const Function& function) { return function.id.find('3') == std::string_view::npos ? 2 : 3; }
-
 struct Pair {
   std::uint32_t here;
   std::uint32_t there;  // some periods on
@@ -91,7 +88,7 @@ Pairing folded_pairing(const Evaluation& evaluation, std::uint64_t seed) {
 // steps to them in another way, so there it is held to its tolerance.
 Pairing period_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
   const Function& function = evaluation.function;
-  const bool octave_sum = function.input("octaves") >= 0;
+  const bool octave_sum = function.is_octave_sum();
   Random random(seed, "period");
   Words here = random_points(function, points, random);
   Words there = here;
@@ -100,8 +97,9 @@ Pairing period_pairing(const Evaluation& evaluation, std::uint64_t seed, std::si
       const auto lacunarity = i + static_cast<std::size_t>(function.input("lacunarity"));
       here[lacunarity] = there[lacunarity] = std::bit_cast<std::uint32_t>(1.0f + static_cast<float>(random.below(3)));
     }
-    for (std::size_t axis = 0; axis < axes_of(function); ++axis) {
-      const Pair pair = coordinates(function.inputs[axis].type, evaluation.configuration.period(), random);
+    // The columns of coordinates come first; those of a cell's fraction keep their values.
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(function.axes); ++axis) {
+      const Pair pair = coordinates(function.inputs[axis].type, evaluation.configuration.period, random);
       here[i + axis] = pair.here;
       there[i + axis] = pair.there;
     }

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "functions.hpp"
+#include "library/shaders.hpp"
 
 namespace hn {
 

@@ -176,7 +176,7 @@ float Random::uniform(float low, float high) {
 }
 
 Extremes defined_extremes(const Configuration& configuration) {
-  switch (configuration.arithmetic()) {
+  switch (configuration.arithmetic) {
     case Arithmetic::precise:
       return Extremes::floats;
     case Arithmetic::fixed:
@@ -189,7 +189,7 @@ Extremes defined_extremes(const Configuration& configuration) {
 
 std::vector<std::uint32_t> random_points(const Function& function, std::size_t count, Random random,
                                          Extremes extremes) {
-  const bool octave_sum = function.input("octaves") >= 0;
+  const bool octave_sum = function.is_octave_sum();
   const std::uint32_t regions = extremes == Extremes::none ? kRegions : kRegions + 1;
   std::vector<std::uint32_t> words(count * kInputWords);
   for (std::size_t i = 0; i < count; ++i) {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cassert>
+#include <stdexcept>
 
 namespace hn {
 namespace {
@@ -51,8 +51,7 @@ const Profile& profile_named(std::string_view name) {
       if (profile.name == name) return profile;
     }
   }
-  assert(false);
-  return kAll.front();
+  throw std::logic_error(fmt::format("there is no profile {}", name));
 }
 
 std::string unsupported_reason(const Profile& profile, const LanguageSupport& support) {

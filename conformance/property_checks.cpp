@@ -26,26 +26,25 @@ struct Range {
 
 // The largest value that there can be, but for clouds.
 double largest_of(const Function& function, const Configuration& configuration) {
-  if (function.accuracy == Accuracy::sine || !configuration.sine()) return 1.0;
-  // The paper's noise is not scaled to [-1, 1], and fBm and turbulence take over its range.
-  const int dimensions = function.id.find('3') == std::string_view::npos ? 2 : 3;
-  // Roundings may take what is not scaled beyond (docs/accuracy.md).
-  if (configuration.arithmetic() == Arithmetic::fixed) return dimensions == 2 ? 1.00001 : 1.50002;
-  return noise_bounds(dimensions, Gradient::sine).range;
+  if (function.family == Family::sine_gradient) return 1.0;
+  // Octave sums take over the range of the noise. Roundings may take what is not scaled beyond (docs/accuracy.md).
+  const NoiseBounds& bounds = noise_bounds(function.is_octave_sum() ? "perlin" : function.bound, function.axes,
+                                           configuration.gradient);
+  return configuration.arithmetic == Arithmetic::fixed ? bounds.fixed_limit : bounds.limit;
 }
 
 Range range_of(const Function& function, const Configuration& configuration) {
   const auto largest = static_cast<float>(largest_of(function, configuration));
-  switch (function.accuracy) {
-    case Accuracy::turbulence2:
-    case Accuracy::turbulence3:
+  if (!function.is_octave_sum()) return {-largest, largest};
+  switch (octave_sum_of(function)) {
+    case OctaveSum::fbm:
+      break;
+    case OctaveSum::turbulence:
       return {0.0f, largest};
-    case Accuracy::clouds2:
-    case Accuracy::clouds3:
+    case OctaveSum::clouds:
       return {0.0f, 1.0f};
-    default:
-      return {-largest, largest};
   }
+  return {-largest, largest};
 }
 
 // The correlation of two columns of values.
@@ -77,7 +76,7 @@ void require_uncorrelated(Comparison& comparison, const Words& inputs, const Wor
 Words scattered_points(Session& session, const Function& function, std::string_view name) {
   Random random(session.seed, name);
   Words inputs = random_points(function, std::min(kCorrelationPoints, session.most_points), random);
-  const auto axes = static_cast<std::size_t>(function.seed_word());
+  const auto axes = static_cast<std::size_t>(function.axes);
   for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
     for (std::size_t axis = i; axis < i + axes; ++axis) {
       inputs[axis] = std::bit_cast<std::uint32_t>(random.uniform(-512.0f, 512.0f));
@@ -88,8 +87,8 @@ Words scattered_points(Session& session, const Function& function, std::string_v
 
 // Whether a point of a noise lies on no cell's inside along any axis, as its coordinates are too large for a fraction.
 bool is_far_from_fractions(const Function& function, std::span<const std::uint32_t> inputs) {
-  if (!function.id.ends_with(".perlin")) return false;
-  const auto coordinates = inputs.first(static_cast<std::size_t>(function.seed_word()));
+  if (function.family != Family::gradient_noise || function.takes_cell()) return false;
+  const auto coordinates = inputs.first(static_cast<std::size_t>(function.axes));
   return std::all_of(coordinates.begin(), coordinates.end(),
                      [](std::uint32_t word) { return std::fabs(std::bit_cast<float>(word)) >= 8388608.0f; });
 }
@@ -106,17 +105,16 @@ void make_some_no_number(const Function& function, Words& inputs) {
 }
 
 // What an octave sum makes of a constant noise of -1/2.
-double sum_of_constant_noise(Accuracy accuracy, bool no_octaves) {
-  switch (accuracy) {
-    case Accuracy::turbulence2:
-    case Accuracy::turbulence3:
+double sum_of_constant_noise(OctaveSum sum, bool no_octaves) {
+  switch (sum) {
+    case OctaveSum::fbm:
+      break;
+    case OctaveSum::turbulence:
       return no_octaves ? 0.0 : 0.5;
-    case Accuracy::clouds2:
-    case Accuracy::clouds3:
+    case OctaveSum::clouds:
       return no_octaves ? 0.15625 : 0.0;
-    default:
-      return no_octaves ? 0.0 : -0.5;
   }
+  return no_octaves ? 0.0 : -0.5;
 }
 
 }  // namespace
@@ -157,8 +155,7 @@ Outcome check_range(Session& session, const Evaluation& evaluation) {
     const bool inside = value >= range.low && value <= range.high;
     comparison.require(inside, point(inputs, i), value, should);
   }
-  const bool is_noise = function.input("octaves") < 0;
-  comparison.require(!is_noise || largest > 0.6f, point(inputs, 0), largest,
+  comparison.require(function.is_octave_sum() || largest > 0.6f, point(inputs, 0), largest,
                      "more than 0.6 as the largest of all values");
   return comparison.finish();
 }
@@ -167,7 +164,7 @@ Outcome check_range(Session& session, const Evaluation& evaluation) {
 // 2^23 on. Fixed arithmetic has a number even for what is none.
 Outcome check_finite(Session& session, const Evaluation& evaluation) {
   const Function& function = evaluation.function;
-  const bool fixed = evaluation.configuration.arithmetic() == Arithmetic::fixed;
+  const bool fixed = evaluation.configuration.arithmetic == Arithmetic::fixed;
   Words inputs = random_points(function, property_points(session), Random(session.seed, "finite"),
                                fixed ? Extremes::integers : Extremes::floats);
   auto outputs = evaluate(session, evaluation, inputs);
@@ -202,7 +199,7 @@ Outcome check_finite(Session& session, const Evaluation& evaluation) {
 Outcome check_wrapped(Session& session, const Evaluation& evaluation) {
   constexpr std::int64_t kPeriods[] = {1, 2, 3, 63, 1048575, 1048576, 1073741824};
   const Function& function = evaluation.function;
-  const auto axes = static_cast<std::size_t>(function.seed_word());
+  const auto axes = static_cast<std::size_t>(function.axes);
   const Words inputs =
       random_points(function, std::min(kWrappedPoints, session.most_points), Random(session.seed, "wrapped"));
   Comparison comparison(function, inputs);
@@ -254,7 +251,7 @@ Outcome check_mirror(Session& session, const Evaluation& evaluation) {
   const Words inputs = scattered_points(session, function, "mirror");
   const auto first = evaluate(session, evaluation, inputs);
   if (!first) return first.error();
-  const auto axes = static_cast<std::size_t>(function.seed_word());
+  const auto axes = static_cast<std::size_t>(function.axes);
   Comparison comparison(function, inputs);
   for (std::size_t reflected = 0; reflected < (std::size_t{1} << axes); ++reflected) {
     for (std::size_t rotated = 0; rotated < axes; ++rotated) {
@@ -309,7 +306,7 @@ Outcome check_noise_knob(Session& session, const Evaluation& evaluation) {
   Comparison comparison(function, inputs);
   for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
     const bool no_octaves = static_cast<std::int32_t>(inputs[i * kInputWords + octaves]) < 1;
-    const double expected = sum_of_constant_noise(function.accuracy, no_octaves);
+    const double expected = sum_of_constant_noise(octave_sum_of(function), no_octaves);
     comparison.number(point(inputs, i), std::bit_cast<float>(result(*outputs, i)[0]), expected, 2e-6);
   }
   return comparison.finish();

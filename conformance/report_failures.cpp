@@ -6,7 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "functions.hpp"
+#include "library/functions.hpp"
 #include "output/text.hpp"
 #include "report_page.hpp"
 

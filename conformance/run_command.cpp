@@ -26,9 +26,12 @@ constexpr std::chrono::milliseconds kDescribeLimit{60000};
 // 25 times what all functions and configurations take on two cores with llvmpipe.
 constexpr std::chrono::milliseconds kTimingsLimit{1000000};
 
-Result<std::vector<Case>> select_cases(const std::vector<std::string>& filters) {
+Result<std::vector<Case>> select_cases(const std::vector<std::string>& filters, bool thorough) {
   auto cases = filter_cases(all_cases(), filters);
+  const bool any = !cases.empty();
+  if (!thorough) std::erase_if(cases, [](const Case& test) { return test.extent == Extent::thorough; });
   if (!cases.empty()) return cases;
+  if (any) return fail(fmt::format("the cases that match '{}' need --thorough", fmt::join(filters, "' '")));
   return fail(fmt::format("no case matches --filter '{}'; hn-conform list shows the ids, and * stands for any part",
                           fmt::join(filters, "' '")));
 }
@@ -220,10 +223,10 @@ int drivers_command() {
   return usable ? 0 : kNoDriver;
 }
 
-int list_command(const std::vector<std::string>& filters, bool about) {
-  const auto cases = select_cases(filters);
+int list_command(const ListCommand& options) {
+  const auto cases = select_cases(options.filters, options.thorough);
   if (!cases) return usage_error(cases.error().text());
-  for (const Case& test : *cases) fmt::print("{}\n{}", test.id, about ? test.about : "");
+  for (const Case& test : *cases) fmt::print("{}\n{}", test.id, options.about ? test.about : "");
   return 0;
 }
 
@@ -232,7 +235,7 @@ int run_command(const RunCommand& options) {
     fmt::print("{}", fault_list());
     return 0;
   }
-  const auto cases = select_cases(options.filters);
+  const auto cases = select_cases(options.filters, options.thorough);
   if (!cases) return usage_error(cases.error().text());
   const auto sources = suite_sources(suite_options(options));
   if (!sources) return usage_error(sources.error().text());

@@ -36,8 +36,8 @@ TEST(Cases, EveryConfigurationAndFunctionHasGoldenAndTwin) {
   for (const Function& function : all_functions()) {
     for (const Configuration& configuration : all_configurations()) {
       if (!covers(configuration, function)) continue;
-      const auto name = depends_on_configuration(function) ? configuration.name_without_arithmetic() : "any";
-      const bool precise = configuration.arithmetic() == Arithmetic::precise;
+      const auto name = configuration_name(function, configuration);
+      const bool precise = configuration.arithmetic == Arithmetic::precise;
       const std::string start = fmt::format("{}.{}.{}.fragment.{}.", function.id, name,
                                             arithmetic_name(function, configuration), precise ? "gl400" : "gl330");
       EXPECT_TRUE(seen.contains(start + "golden")) << start;

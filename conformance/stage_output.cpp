@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "functions.hpp"
+#include "library/shaders.hpp"
 
 namespace hn {
 namespace {

@@ -9,17 +9,9 @@
 #include <string>
 #include <string_view>
 
-#include "functions.hpp"
-#include "profile.hpp"
+#include "library/functions.hpp"
 
 namespace hn {
-
-inline const Configuration& configuration_named(std::string_view name) {
-  for (const Configuration& configuration : all_configurations()) {
-    if (configuration.name == name) return configuration;
-  }
-  return default_configuration();
-}
 
 // A folder that is gone after the test.
 class TemporaryFolder {

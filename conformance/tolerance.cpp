@@ -1,17 +1,37 @@
 #include "tolerance.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <stdexcept>
 
 namespace hn {
 namespace {
 
-constexpr double kSineError = 0x1p-19;  // of a component of the sine gradient
 constexpr double kUnit = 0x1p-23;       // the largest relative error of one operation, in any rounding mode
 constexpr double kTiny = 0x1p-126;      // the largest error of flushing a subnormal to 0
+// The words of bounds.inc.
+constexpr std::optional<Gradient> octahedral = Gradient::octahedral;
+constexpr std::optional<Gradient> sine = Gradient::sine;
+[[maybe_unused]] constexpr std::optional<Gradient> none = std::nullopt;
+constexpr NoiseBounds kNoiseBounds[] = {
+#define NOISE_BOUNDS(...) NoiseBounds{__VA_ARGS__},
+#define SINE_BOUNDS(error, fixed_error)
+#include "expected/bounds.inc"
+#undef NOISE_BOUNDS
+#undef SINE_BOUNDS
+};
+#define NOISE_BOUNDS(...)
+#define SINE_BOUNDS(error, fixed_error) constexpr double kSineError = error;
+#include "expected/bounds.inc"
+#undef NOISE_BOUNDS
+#undef SINE_BOUNDS
+
 // The components of the shift between octaves (docs/contract.md); 2D uses the first two.
 constexpr std::array kShift = {11.0 / 32.0, 19.0 / 32.0, 23.0 / 32.0};
 
@@ -35,39 +55,45 @@ bool positions_are_exact(std::span<const double> position, int octaves, double l
   return true;
 }
 
-double octave_sum_tolerance(OctaveSum kind, const Function& function, Gradient gradient,
-                            std::span<const std::uint32_t> inputs) {
-  const int octaves_word = function.input("octaves");
-  const int dimensions = octaves_word;  // the coordinates come first
-  std::array<double, 3> position{};
+double octave_sum_tolerance(const Function& function, Gradient gradient, std::span<const std::uint32_t> inputs) {
+  std::array<double, 4> position{};
+  const auto axes = static_cast<std::size_t>(function.axes);
   double largest = 0.0;
-  for (int axis = 0; axis < dimensions; ++axis) {
+  for (int axis = 0; axis < function.axes; ++axis) {
     position[static_cast<std::size_t>(axis)] = float_input(inputs, axis);
     largest = std::max(largest, std::fabs(float_input(inputs, axis)));
   }
   const double lacunarity = float_input(inputs, function.input("lacunarity"));
-  const int octaves = static_cast<int>(inputs[static_cast<std::size_t>(octaves_word)]);
-  const std::span<const double> coordinates(position.data(), static_cast<std::size_t>(dimensions));
-  return octave_tolerance(kind, dimensions,
+  const int octaves = static_cast<int>(inputs[static_cast<std::size_t>(function.input("octaves"))]);
+  return octave_tolerance(octave_sum_of(function), function.axes,
                           {largest, octaves, lacunarity, float_input(inputs, function.input("gain")),
-                           positions_are_exact(coordinates, octaves, lacunarity)},
+                           positions_are_exact(std::span(position).first(axes), octaves, lacunarity)},
                           gradient);
 }
 
 }  // namespace
 
-NoiseBounds noise_bounds(int dimensions, Gradient gradient) {
-  if (gradient == Gradient::sine) {
-    return dimensions == 2 ? NoiseBounds{4.36e-6, 4.58e-6, 3.76, 1.00001}
-                           : NoiseBounds{7.79e-6, 8.20e-6, 6.94, 1.50001};
+const NoiseBounds& noise_bounds(std::string_view noise, int axes, Gradient gradient) {
+  const auto found = std::find_if(std::begin(kNoiseBounds), std::end(kNoiseBounds), [&](const NoiseBounds& bounds) {
+    return bounds.noise == noise && bounds.axes == axes && bounds.gradient.value_or(gradient) == gradient;
+  });
+  if (found == std::end(kNoiseBounds)) {
+    throw std::logic_error(fmt::format("bounds.inc has no bounds of {} with {} axes", noise, axes));
   }
-  return dimensions == 2 ? NoiseBounds{3.24e-6, 3.51e-6, 4.57, 1.0} : NoiseBounds{5.18e-6, 5.54e-6, 6.18, 1.0};
+  return *found;
 }
 
-double octave_tolerance(OctaveSum kind, int dimensions, const OctaveArguments& arguments, Gradient gradient) {
-  const NoiseBounds noise = noise_bounds(dimensions, gradient);
+OctaveSum octave_sum_of(const Function& function) {
+  if (function.bound == "fbm") return OctaveSum::fbm;
+  if (function.bound == "turbulence") return OctaveSum::turbulence;
+  if (function.bound == "clouds") return OctaveSum::clouds;
+  throw std::logic_error(fmt::format("{}: '{}' is no octave sum", function.id, function.bound));
+}
+
+double octave_tolerance(OctaveSum kind, int axes, const OctaveArguments& arguments, Gradient gradient) {
+  const NoiseBounds& noise = noise_bounds("perlin", axes, gradient);
   const double lacunarity = std::fabs(arguments.lacunarity);
-  const double shift = dimensions == 2 ? kShift[1] : kShift[2];
+  const double shift = axes == 2 ? kShift[1] : kShift[2];  // the largest
   double position = arguments.largest_coordinate;
   double position_error = 0.0;
   double amplitude = 1.0;
@@ -76,12 +102,12 @@ double octave_tolerance(OctaveSum kind, int dimensions, const OctaveArguments& a
   double total_error = 0.0;
   double sum_error = 0.0;
   for (int i = 0; i < arguments.octaves; ++i) {
-    const double noise_error = std::min(noise.lipschitz * position_error + noise.error, 2.0 * noise.range);
+    const double noise_error = std::min(noise.lipschitz * position_error + noise.error, 2.0 * noise.limit);
     sum_error +=
-        (amplitude + amplitude_error) * (noise_error + kUnit * noise.range) + noise.range * amplitude_error + kTiny;
+        (amplitude + amplitude_error) * (noise_error + kUnit * noise.limit) + noise.limit * amplitude_error + kTiny;
     total_error = arguments.gain * (total_error + kUnit * (total + total_error)) + kTiny;
     total = 1.0 + arguments.gain * total;
-    sum_error += kUnit * (noise.range * total + sum_error);
+    sum_error += kUnit * (noise.limit * total + sum_error);
     total_error += kUnit * (total + total_error);
     const double product_error = lacunarity * (position_error + kUnit * (position + position_error) + kTiny) + kTiny;
     position = lacunarity * position + shift;
@@ -92,39 +118,18 @@ double octave_tolerance(OctaveSum kind, int dimensions, const OctaveArguments& a
   if (total > 0x1p126) return std::numeric_limits<double>::infinity();
   double error = 0.0;
   if (arguments.octaves > 0) {
-    error = (sum_error + noise.range * total_error) / (total - total_error);
-    error += 2.5 * kUnit * (noise.range + error) + kTiny;
+    error = (sum_error + noise.limit * total_error) / (total - total_error);
+    error += 2.5 * kUnit * (noise.limit + error) + kTiny;
   }
   return kind == OctaveSum::clouds ? 1.5 * (2.0 * error + kUnit) + 3.001 * kUnit : error;
 }
 
 double tolerance(const Function& function, const Configuration& configuration, std::span<const std::uint32_t> inputs) {
   if (has_exact_values(function, configuration)) return 0.0;
-  const Gradient gradient = configuration.sine() ? Gradient::sine : Gradient::octahedral;
-  switch (function.accuracy) {
-    case Accuracy::exact:
-      return 0.0;
-    case Accuracy::sine:
-      return kSineError;
-    case Accuracy::perlin2_cell:
-      return noise_bounds(2, gradient).cell_error;
-    case Accuracy::perlin2:
-      return noise_bounds(2, gradient).error;
-    case Accuracy::perlin3_cell:
-      return noise_bounds(3, gradient).cell_error;
-    case Accuracy::perlin3:
-      return noise_bounds(3, gradient).error;
-    case Accuracy::fbm2:
-    case Accuracy::fbm3:
-      return octave_sum_tolerance(OctaveSum::fbm, function, gradient, inputs);
-    case Accuracy::turbulence2:
-    case Accuracy::turbulence3:
-      return octave_sum_tolerance(OctaveSum::turbulence, function, gradient, inputs);
-    case Accuracy::clouds2:
-    case Accuracy::clouds3:
-      return octave_sum_tolerance(OctaveSum::clouds, function, gradient, inputs);
-  }
-  return 0.0;
+  if (function.family == Family::sine_gradient) return kSineError;
+  if (function.is_octave_sum()) return octave_sum_tolerance(function, configuration.gradient, inputs);
+  const NoiseBounds& bounds = noise_bounds(function.bound, function.axes, configuration.gradient);
+  return function.takes_cell() ? bounds.cell_error : bounds.error;
 }
 
 }  // namespace hn

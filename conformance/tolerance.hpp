@@ -1,25 +1,31 @@
-// How far a float result may be from the exact value: the bounds that tools/bounds.py derives (docs/accuracy.md).
+// How far a float result may be from the exact value: the bounds that tools/bounds derives (docs/accuracy.md).
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string_view>
 
-#include "functions.hpp"
+#include "library/functions.hpp"
 
 namespace hn {
 
-// The bounds for hn_perlin from a cell and a fraction and from a position, how fast the noise changes (the error per
-// error of the position), and how large it can be.
+// What is proven of a noise of so many axes (bounds.inc, which tools/bounds writes).
 struct NoiseBounds {
-  double cell_error;
-  double error;
-  double lipschitz;
-  double range;
+  std::string_view noise;
+  int axes;
+  std::optional<Gradient> gradient;  // none if the noise has no gradients
+  double cell_error;                 // of floats, from a cell and a fraction
+  double error;                      // the same from a position
+  double lipschitz;                  // how fast the noise changes: the error per error of the position
+  double limit;                      // how large it can be, computed in floats
+  double fixed_error;                // the same of fixed arithmetic
+  double fixed_limit;
 };
-enum class Gradient { octahedral, sine };
-NoiseBounds noise_bounds(int dimensions, Gradient gradient);
+const NoiseBounds& noise_bounds(std::string_view noise, int axes, Gradient gradient);  // they must exist
 
 enum class OctaveSum { fbm, turbulence, clouds };
+OctaveSum octave_sum_of(const Function& function);
 
 struct OctaveArguments {
   double largest_coordinate;  // the largest |p_i|
@@ -29,8 +35,8 @@ struct OctaveArguments {
   bool exact_positions;  // no octave's position is rounded
 };
 
-// octave_tolerance of tools/bounds.py.
-double octave_tolerance(OctaveSum kind, int dimensions, const OctaveArguments& arguments,
+// octave_tolerance of tools/bounds.
+double octave_tolerance(OctaveSum kind, int axes, const OctaveArguments& arguments,
                         Gradient gradient = Gradient::octahedral);
 
 // The bound for a function at a point given by its input words; 0 where every bit is defined. (Of what fixed arithmetic

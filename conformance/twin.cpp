@@ -1,8 +1,8 @@
 // Compiled once per configuration, with its macros and HN_TWIN, its index, defined: the bodies of functions.inc as C++.
-#define HN_HASH_FN(k) (((k) ^ ((k) >> 16)) * 0x045D9F3Bu)  // used with HN_HASH_CUSTOM only; the same in functions.cpp
+#define HN_HASH_FN(k) (((k) ^ ((k) >> 16u)) * 0x045D9F3Bu)  // used with HN_HASH_CUSTOM only; the same in configurations.cpp
 #include <hashnoise/hashnoise.hpp>
 
-#include "functions.hpp"
+#include "library/shaders.hpp"
 #include "twin_table.hpp"
 
 #define HN_TWIN_PASTE_TOKENS(a, b) a##b
@@ -30,9 +30,9 @@ void evaluate_all(const std::uint32_t* in, std::uint32_t* out, std::size_t point
 }
 
 constexpr hn::TwinEntry kEntries[] = {
-#define FUNCTION(id, file, columns, accuracy, ...) \
+#define FUNCTION(id, file, family, bound, columns, call, ...) \
   {id, evaluate_all<[]([[maybe_unused]] uvec4 a, [[maybe_unused]] uvec4 b) -> uvec4 { __VA_ARGS__ }>},
-#include "functions.inc"
+#include "library/functions.inc"
 };
 
 }  // namespace

@@ -1,8 +1,10 @@
 #include "twin_table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
-#include <cassert>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
@@ -13,11 +15,11 @@ namespace {
 
 std::span<const TwinEntry> entries_for(const Configuration& configuration) {
   constexpr std::array kTables = {
-#define CONFIGURATION(index, name, knobs) twin_entries<index>,
-#include "configurations.inc"
-#undef CONFIGURATION
+#define TWIN(index) twin_entries<index>,
+#include "twins.inc"
+#undef TWIN
   };
-  return kTables[static_cast<std::size_t>(configuration.index)]();
+  return kTables.at(static_cast<std::size_t>(configuration.index))();
 }
 
 // Below this many points per thread, starting the thread costs more than it saves.
@@ -30,7 +32,7 @@ void evaluate_twin(const Function& function, const Configuration& configuration,
   const auto entries = entries_for(configuration);
   const auto entry =
       std::find_if(entries.begin(), entries.end(), [&](const TwinEntry& e) { return e.id == function.id; });
-  assert(entry != entries.end());
+  if (entry == entries.end()) throw std::logic_error(fmt::format("the twin has no function {}", function.id));
   const std::size_t points = inputs.size() / kInputWords;
   const std::size_t most = std::max<std::size_t>(1, points / kFewestPoints);
   const std::size_t parts = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, most);

@@ -16,10 +16,10 @@ struct TwinEntry {
 // The table for a configuration, by its index; twin.cpp defines one each time it is compiled.
 template <int index>
 std::span<const TwinEntry> twin_entries();
-#define CONFIGURATION(index, name, knobs) \
-  template <>                             \
+#define TWIN(index) \
+  template <>       \
   std::span<const TwinEntry> twin_entries<index>();
-#include "configurations.inc"
-#undef CONFIGURATION
+#include "twins.inc"
+#undef TWIN
 
 }  // namespace hn

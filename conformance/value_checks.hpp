@@ -9,7 +9,8 @@
 
 #include "case.hpp"
 #include "compare.hpp"
-#include "functions.hpp"
+#include "library/functions.hpp"
+#include "targets.hpp"
 
 namespace hn {
 
@@ -48,18 +49,11 @@ Check check_unseeded;    // without a seed means with seed 0
 Check check_noise_knob;  // HN_FBM_NOISE2D and HN_FBM_NOISE3D are used
 
 // A case about values; its id comes from the evaluation and the name of the check.
-void add_case(std::vector<Case>& cases, const Evaluation& evaluation, std::string_view name, Check* check);
+void add_case(std::vector<Case>& cases, const Evaluation& evaluation, std::string_view name, Check* check,
+              Extent extent);
 
-// The stages beside the fragment stage, each in a version of desktop OpenGL and of ES.
-struct StageProfile {
-  Stage stage;
-  std::string_view profile;
-};
-std::vector<StageProfile> other_stages(const Configuration& configuration);
-// Whether the other stages are tried with this one of an arithmetic that is not the default.
-bool has_stages_of_arithmetic(const Function& function, const Configuration& configuration);
-
-// metamorphic_checks.cpp: the same values, come by in another way.
-void add_metamorphic_cases(std::vector<Case>& cases, const Function& function, const Configuration& configuration);
+// metamorphic_checks.cpp: the same values, come by in another way. number: of the function, among all.
+void add_metamorphic_cases(std::vector<Case>& cases, const Evaluation& evaluation, std::size_t number,
+                           const Target& target, Extent extent);
 
 }  // namespace hn

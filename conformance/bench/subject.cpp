@@ -10,50 +10,6 @@
 namespace hn {
 namespace {
 
-// How a function of functions.inc is called: with the bits of a position where it takes words, with what people use
-// where it takes settings.
-struct Call {
-  std::string_view function;
-  int dimensions;
-  std::string_view expression;
-};
-
-constexpr std::array kCalls = {
-    Call{"hash.word", 2, "hn_hash(floatBitsToUint(p.x))"},
-    Call{"hash.vec2", 2, "hn_hash(floatBitsToUint(p))"},
-    Call{"hash.vec3", 3, "hn_hash(floatBitsToUint(p))"},
-    Call{"hash.vec4", 3, "hn_hash(uvec4(floatBitsToUint(p), floatBitsToUint(p.x - p.y)))"},
-    Call{"hash.lattice1", 2, "hn_lattice(floatBitsToInt(p.x))"},
-    Call{"hash.lattice2", 2, "hn_lattice(floatBitsToInt(p))"},
-    Call{"hash.lattice3", 3, "hn_lattice(floatBitsToInt(p))"},
-    Call{"hash.lattice4", 3, "hn_lattice(ivec4(floatBitsToInt(p), floatBitsToInt(p.x - p.y)))"},
-    Call{"hash.unorm", 2, "hn_unorm(floatBitsToUint(p.x))"},
-    Call{"hash.snorm", 2, "hn_snorm(floatBitsToUint(p.x))"},
-    Call{"hash.gradient2", 2, "hn_gradient2(floatBitsToUint(p.x))"},
-    Call{"hash.gradient3", 2, "hn_gradient3(floatBitsToUint(p.x))"},
-    Call{"gradient.lattice2", 2, "hn_gradient(floatBitsToInt(p))"},
-    Call{"gradient.lattice3", 3, "hn_gradient(floatBitsToInt(p))"},
-    Call{"gradient.sine2", 2, "hn_gradient(floatBitsToInt(p))"},
-    Call{"gradient.sine3", 3, "hn_gradient(floatBitsToInt(p))"},
-    Call{"noise2d.perlin", 2, "hn_perlin(p)"},
-    Call{"noise2d.perlin_cell", 2, "hn_perlin(ivec2(floor(p)), p - floor(p), floatBitsToUint(p.x))"},
-    Call{"noise3d.perlin", 3, "hn_perlin(p)"},
-    Call{"noise3d.perlin_cell", 3, "hn_perlin(ivec3(floor(p)), p - floor(p), floatBitsToUint(p.x))"},
-    Call{"fbm.fbm2", 2, "hn_fbm(p, 6, 2.0, 0.5)"},
-    Call{"fbm.fbm3", 3, "hn_fbm(p, 6, 2.0, 0.5)"},
-    Call{"fbm.turbulence2", 2, "hn_turbulence(p, 6, 2.0, 0.5)"},
-    Call{"fbm.turbulence3", 3, "hn_turbulence(p, 6, 2.0, 0.5)"},
-    Call{"fbm.clouds2", 2, "hn_clouds(p, 6, 2.0, 0.5)"},
-    Call{"fbm.clouds3", 3, "hn_clouds(p, 6, 2.0, 0.5)"},
-};
-
-const Call& call_of(const Function& function) {
-  const auto found =
-      std::find_if(kCalls.begin(), kCalls.end(), [&](const Call& c) { return c.function == function.id; });
-  if (found == kCalls.end()) throw std::logic_error("call_of: there is no such thing");
-  return *found;
-}
-
 // One float of whatever an expression is. The parts of a vector are added up, so that none of them is idle.
 constexpr std::string_view kValueOf = R"(
 float hn_bench_value(float v) { return v; }
@@ -89,11 +45,10 @@ std::vector<Subject> library_subjects(const Configuration& configuration) {
   std::vector<Subject> subjects;
   for (const Function& function : all_functions()) {
     if (!covers(configuration, function)) continue;
-    const Call& call = call_of(function);
-    const std::string_view name = depends_on_configuration(function) ? configuration.name : "any";
-    subjects.push_back({fmt::format("{}.{}", function.id, name), call.dimensions,
+    const std::string_view name = function.family == Family::independent ? "any" : configuration.name;
+    subjects.push_back({fmt::format("{}.{}", function.id, name), function.axes < 3 ? 2 : 3,
                         fmt::format("{}#include \"{}\"\n", knobs_of(configuration), function.file),
-                        std::string(call.expression), main_profile(configuration, false).name});
+                        std::string(function.call), main_profile(configuration, false).name});
   }
   return subjects;
 }

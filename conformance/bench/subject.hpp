@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "functions.hpp"
+#include "library/shaders.hpp"
 #include "source.hpp"
 
 namespace hn {

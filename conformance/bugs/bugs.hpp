@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "case.hpp"
-#include "functions.hpp"
+#include "library/shaders.hpp"
 
 namespace hn {
 

@@ -18,7 +18,7 @@ inline float as_float(std::uint32_t value) { return std::bit_cast<float>(value);
 
 // What a bug evaluates. It needs nothing of the library but HN_HIGHP.
 inline Function bug_function(std::string_view id, std::string_view columns, std::string_view body) {
-  return make_function(id, "config.glsl", columns, Accuracy::exact, body);
+  return make_function(id, "config.glsl", Family::independent, "exact", columns, "", body);
 }
 
 constexpr std::uint32_t word(std::uint32_t value) { return value; }

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "functions.hpp"
+#include "library/functions.hpp"
 #include "fuzz.hpp"
 
 namespace hn::fuzz {

@@ -21,7 +21,7 @@ namespace hn {
 inline constexpr const char* kHash = "hash.vec2.pcg.exact.fragment.es300.golden";
 inline constexpr const char* kNoise = "noise2d.perlin.lattice.fast.fragment.es300.golden";
 inline constexpr const char* kCompiles = "fbm.all.lattice.fast.fragment.es300.driver";
-inline constexpr const char* kRefused = "config.hash_10.any.fast.fragment.es300.refused_by_driver";
+inline constexpr const char* kRefused = "config.hash_beyond_the_last.any.fast.fragment.es300.refused_by_driver";
 inline constexpr const char* kDesktop = "noise2d.perlin.lattice.fast.fragment.gl330.golden";
 inline constexpr const char* kTwin = "noise2d.perlin.lattice.fast.fragment.gl330.twin";
 inline const std::vector<std::string> kSome = {kHash, kNoise, kCompiles, kRefused};

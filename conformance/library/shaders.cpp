@@ -1,57 +1,49 @@
-#include "functions.hpp"
+#include "library/shaders.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cassert>
-#include <charconv>
+#include <set>
+#include <stdexcept>
+#include <vector>
+
+#include "embedded.hpp"
 
 namespace hn {
 namespace {
 
-WordType type_of(std::string_view name) {
-  if (name == "u32") return WordType::u32;
-  if (name == "i32") return WordType::i32;
-  return name == "f32" ? WordType::f32 : WordType::f64;
+std::string_view library_file(std::string_view name) {
+  const auto found = std::find_if(kEmbeddedFiles.begin(), kEmbeddedFiles.end(),
+                                  [&](const EmbeddedFile& file) { return file.name == name; });
+  if (found == kEmbeddedFiles.end()) throw std::logic_error(fmt::format("the library has no file {}", name));
+  return found->text;
 }
 
-// "x:f32 y:f32" -> columns
-std::vector<Column> parse_columns(std::string_view text) {
-  std::vector<Column> columns;
-  while (!text.empty()) {
-    const auto end = std::min(text.find(' '), text.size());
-    const auto item = text.substr(0, end);
-    const auto colon = item.find(':');
-    if (!item.empty()) columns.push_back({item.substr(0, colon), type_of(item.substr(colon + 1))});
-    text.remove_prefix(std::min(end + 1, text.size()));
+// What a file of the library includes, by itself or by what it includes.
+std::set<std::string_view> included_by(std::string_view file) {
+  constexpr std::string_view kInclude = "\n#include \"";
+  std::set<std::string_view> files;
+  const std::string_view text = library_file(file);
+  for (auto at = text.find(kInclude); at != std::string_view::npos; at = text.find(kInclude, at + 1)) {
+    const auto start = at + kInclude.size();
+    const auto name = text.substr(start, text.find('"', start) - start);
+    files.insert(name);
+    files.merge(included_by(name));
   }
-  return columns;
+  return files;
 }
 
-const std::vector<Function>& functions() {
-  static const std::vector<Function> kFunctions = {
-#define FUNCTION(id, file, columns, accuracy, ...) make_function(id, file, columns, Accuracy::accuracy, #__VA_ARGS__),
-#include "functions.inc"
-  };
-  return kFunctions;
-}
-
-constexpr std::array kConfigurations = {
-#define CONFIGURATION(index, name, knobs) Configuration{name, knobs, index},
-#include "configurations.inc"
-#undef CONFIGURATION
-};
-
-// For HN_HASH_CUSTOM; the same in twin.cpp.
-constexpr std::string_view kCustomHash = "#define HN_HASH_FN(k) (((k) ^ ((k) >> 16)) * 0x045D9F3Bu)\n";
-
-// Whether the shader that tries a file calls a function: those that the file declares, and for the file that only
-// includes the others, one of each.
-bool called_from(std::string_view file, const Function& function) {
-  constexpr std::array<std::string_view, 4> kOneOfEach = {"hash.word", "noise2d.perlin", "noise3d.perlin", "fbm.fbm2"};
-  if (file != "hashnoise.glsl") return function.file == file;
-  return std::find(kOneOfEach.begin(), kOneOfEach.end(), function.id) != kOneOfEach.end();
+// What the shader that tries a file calls: the functions of that file, or of a file that only includes others the first
+// function of each of these.
+std::vector<const Function*> called_from(std::string_view file) {
+  std::vector<const Function*> own;
+  std::vector<const Function*> others;
+  std::set<std::string_view> included = included_by(file);
+  for (const Function& function : all_functions()) {
+    if (function.file == file) own.push_back(&function);
+    if (included.erase(function.file) != 0) others.push_back(&function);
+  }
+  return own.empty() ? others : own;
 }
 
 // What a shader needs before it can use the library. In ES the default precision is the lowest there is, since the
@@ -185,91 +177,6 @@ std::string compiling_preamble(const Profile& profile) {
 
 }  // namespace
 
-int Function::input(std::string_view name) const {
-  const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const Column& c) { return c.name == name; });
-  return found == inputs.end() ? -1 : static_cast<int>(found - inputs.begin());
-}
-
-Function make_function(std::string_view id, std::string_view file, std::string_view columns, Accuracy accuracy,
-                       std::string_view body) {
-  const auto equals = columns.find(" = ");
-  return {id,       file, columns, parse_columns(columns.substr(0, equals)), parse_columns(columns.substr(equals + 3)),
-          accuracy, body};
-}
-
-std::span<const Function> all_functions() { return functions(); }
-
-const Function& find_function(std::string_view id) {
-  const auto& all = functions();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Function& f) { return f.id == id; });
-  assert(found != all.end());
-  return *found;
-}
-
-std::span<const Configuration> all_configurations() { return kConfigurations; }
-
-const Configuration& default_configuration() {
-  return *std::find_if(kConfigurations.begin(), kConfigurations.end(),
-                       [](const Configuration& c) { return c.is_default(); });
-}
-
-std::uint32_t Configuration::period() const {
-  constexpr std::string_view kTag = "+period";
-  const auto tag = name.find(kTag);
-  std::uint32_t cells = 0;
-  if (tag != std::string_view::npos) {
-    std::from_chars(name.data() + tag + kTag.size(), name.data() + name.size(), cells);
-  }
-  return cells;
-}
-
-Arithmetic Configuration::arithmetic() const {
-  if (name.ends_with("+precise")) return Arithmetic::precise;
-  return name.ends_with("+fixed") ? Arithmetic::fixed : Arithmetic::fast;
-}
-
-std::string_view Configuration::name_without_arithmetic() const {
-  return fast() ? name : name.substr(0, name.rfind('+'));
-}
-
-std::string_view arithmetic_name(const Function& function, const Configuration& configuration) {
-  constexpr std::array<std::string_view, 3> kNames = {"fast", "precise", "fixed"};
-  return function.exact() ? "exact" : kNames[static_cast<std::size_t>(configuration.arithmetic())];
-}
-
-bool has_exact_values(const Function& function, const Configuration& configuration) {
-  return function.exact() || configuration.arithmetic() == Arithmetic::fixed;
-}
-
-bool has_same_bits(const Function& function, const Configuration& configuration) {
-  return function.exact() || !configuration.fast();
-}
-
-bool depends_on_configuration(const Function& function) {
-  constexpr std::array<std::string_view, 4> kIndependent = {"hash.unorm", "hash.snorm", "hash.gradient2",
-                                                            "hash.gradient3"};
-  return std::find(kIndependent.begin(), kIndependent.end(), function.id) == kIndependent.end();
-}
-
-const Profile& main_profile(const Configuration& configuration, bool es) {
-  if (configuration.arithmetic() == Arithmetic::precise) return profile_named(es ? "es320" : "gl400");
-  return profile_named(es ? "es300" : "gl330");
-}
-
-std::string knobs_of(const Configuration& configuration) {
-  return fmt::format("{}{}", configuration.knobs, configuration.name == "custom" ? kCustomHash : "");
-}
-
-bool covers(const Configuration& configuration, const Function& function) {
-  if (function.exact() && !configuration.fast()) return false;
-  if (function.id.starts_with("gradient.")) return function.id.starts_with("gradient.sine") == configuration.sine();
-  if (configuration.hash_only()) return depends_on_configuration(function) || configuration.is_default();
-  if (function.id.find("perlin") != std::string_view::npos) return true;
-  // The octave sums are the same code above any noise, but their bounds depend on it; and each arithmetic has its own.
-  const auto name = configuration.name_without_arithmetic();
-  return function.file == "fbm.glsl" && (name == "lattice+sine" || (name == "lattice" && !configuration.fast()));
-}
-
 std::string evaluation_shader(const Evaluation& evaluation) {
   const auto& [function, configuration, profile, variant, stage] = evaluation;
   std::string text = running_preamble(profile) + case_names(evaluation);
@@ -306,15 +213,16 @@ std::string calling_shader(std::string_view file, const Configuration& configura
   std::string text = compiling_preamble(profile);
   if (stage == Stage::compute) text += "layout(local_size_x = 1) in;\n";
   text += fmt::format("{}#include \"{}\"\n#include \"{}\"\n", knobs_of(configuration), file, file);
+  const std::vector<const Function*> called = called_from(file);
   std::string calls;
   int count = 0;
   for (const std::string_view seeding : {kSeeded, kUnseeded}) {
     text += fmt::format("#undef SEEDED\n{}", seeding);
-    for (const Function& function : functions()) {
-      const bool has_variant = function.seed_word() >= 0 && profile.spirv;
-      if (!called_from(file, function) || (seeding == kUnseeded && !has_variant)) continue;
-      text +=
-          fmt::format("HN_HIGHP uvec4 evaluate{}(HN_HIGHP uvec4 a, HN_HIGHP uvec4 b) {{ {} }}\n", count, function.body);
+    for (const Function* const function : called) {
+      const bool has_variant = function->seed_word() >= 0 && profile.spirv;
+      if (seeding == kUnseeded && !has_variant) continue;
+      text += fmt::format("HN_HIGHP uvec4 evaluate{}(HN_HIGHP uvec4 a, HN_HIGHP uvec4 b) {{ {} }}\n", count,
+                          function->body);
       calls += fmt::format("  r ^= evaluate{}(r, r + 1u);\n", count++);
     }
   }

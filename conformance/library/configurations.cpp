@@ -1,0 +1,79 @@
+#include "library/configurations.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+namespace hn {
+namespace {
+
+// The words of configurations.inc.
+constexpr Gradient OCTAHEDRAL = Gradient::octahedral;
+constexpr Gradient SINE = Gradient::sine;
+constexpr Arithmetic FAST = Arithmetic::fast;
+constexpr Arithmetic PRECISE = Arithmetic::precise;
+constexpr Arithmetic FIXED = Arithmetic::fixed;
+
+constexpr unsigned operator|(Family a, Family b) { return static_cast<unsigned>(a) | static_cast<unsigned>(b); }
+constexpr unsigned operator|(unsigned a, Family b) { return a | static_cast<unsigned>(b); }
+
+constexpr auto kConfigurations = [] {
+  using enum Family;
+  std::array configurations = {
+#define CONFIGURATION(name, hash, gradient, period, arithmetic, families) \
+  Configuration{name, #hash, gradient, period, arithmetic, families, 0},
+#include "library/configurations.inc"
+  };
+  int index = 0;
+  for (Configuration& configuration : configurations) configuration.index = index++;
+  return configurations;
+}();
+
+// For HN_HASH_CUSTOM; the same in twin.cpp.
+constexpr std::string_view kCustomHash = "#define HN_HASH_FN(k) (((k) ^ ((k) >> 16u)) * 0x045D9F3Bu)\n";
+
+}  // namespace
+
+std::string_view name_of(Arithmetic arithmetic) {
+  switch (arithmetic) {
+    case Arithmetic::fast:
+      return "fast";
+    case Arithmetic::precise:
+      return "precise";
+    case Arithmetic::fixed:
+      break;
+  }
+  return "fixed";
+}
+
+std::string_view Configuration::name_without_arithmetic() const {
+  return fast() ? name : name.substr(0, name.rfind('+'));
+}
+
+std::span<const Configuration> all_configurations() { return kConfigurations; }
+
+const Configuration& default_configuration() { return configuration_named("lattice"); }
+
+const Configuration& configuration_named(std::string_view name) {
+  const auto found = std::find_if(kConfigurations.begin(), kConfigurations.end(),
+                                  [&](const Configuration& c) { return c.name == name; });
+  if (found == kConfigurations.end()) throw std::logic_error(fmt::format("there is no configuration {}", name));
+  return *found;
+}
+
+std::string knobs_of(const Configuration& configuration) {
+  std::string knobs;
+  if (configuration.hash != default_configuration().hash) {
+    knobs += fmt::format("#define HN_HASH HN_HASH_{}\n", configuration.hash);
+  }
+  if (configuration.sine()) knobs += "#define HN_GRADIENT HN_GRADIENT_SINE\n";
+  if (configuration.period != 0) knobs += fmt::format("#define HN_PERIOD {}\n", configuration.period);
+  if (configuration.arithmetic == Arithmetic::precise) knobs += "#define HN_ARITHMETIC HN_PRECISE\n";
+  if (configuration.arithmetic == Arithmetic::fixed) knobs += "#define HN_ARITHMETIC HN_FIXED\n";
+  if (configuration.hash == "CUSTOM") knobs += kCustomHash;
+  return knobs;
+}
+
+}  // namespace hn

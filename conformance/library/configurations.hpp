@@ -1,0 +1,53 @@
+// The settings of the library's knobs under test (configurations.inc).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace hn {
+
+enum class Gradient { octahedral, sine };    // of HN_GRADIENT
+enum class Arithmetic { fast, precise, fixed };  // of HN_ARITHMETIC
+std::string_view name_of(Arithmetic arithmetic);
+
+// Functions whose values depend on the same knobs. A set of them is their sum.
+enum class Family : unsigned {
+  independent = 1u << 0,     // exact, whatever the knobs
+  hash = 1u << 1,            // exact: of words, and of lattice points
+  gradient = 1u << 2,        // exact: hn_gradient with the octahedral gradient
+  sine_gradient = 1u << 3,   // hn_gradient with the sine gradient
+  gradient_noise = 1u << 4,  // of gradients at lattice points, where it is 0
+  lattice_noise = 1u << 5,   // of the words of lattice points, without gradients
+  octave_sum = 1u << 6,
+};
+
+struct Configuration {
+  std::string_view name;
+  std::string_view hash;  // of HN_HASH_...
+  Gradient gradient;
+  std::uint32_t period;  // in cells, or 0 for 2^32
+  Arithmetic arithmetic;
+  unsigned families;  // that have values with it
+  int index;          // in all_configurations()
+
+  bool is_default() const { return name == "lattice"; }
+  bool hash_only() const { return gradient == Gradient::octahedral && period == 0 && fast(); }
+  bool sine() const { return gradient == Gradient::sine; }
+  bool fast() const { return arithmetic == Arithmetic::fast; }
+  bool covers(Family family) const { return (families & static_cast<unsigned>(family)) != 0; }
+  // The name less the arithmetic: case ids have a part of their own for that.
+  std::string_view name_without_arithmetic() const;
+  // Whether it differs from the default in the arithmetic at most.
+  bool default_but_for_arithmetic() const { return name_without_arithmetic() == "lattice"; }
+};
+
+std::span<const Configuration> all_configurations();
+const Configuration& default_configuration();
+const Configuration& configuration_named(std::string_view name);  // it must exist
+
+// The lines that select it in a shader, and what they need: the suite's own hash for HN_HASH_CUSTOM.
+std::string knobs_of(const Configuration& configuration);
+
+}  // namespace hn

@@ -1,0 +1,102 @@
+#include "library/functions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+namespace hn {
+namespace {
+
+WordType type_of(std::string_view name) {
+  if (name == "u32") return WordType::u32;
+  if (name == "i32") return WordType::i32;
+  if (name == "f32") return WordType::f32;
+  if (name == "f64") return WordType::f64;
+  throw std::logic_error(fmt::format("no column has the type '{}'", name));
+}
+
+// "x:f32 y:f32" -> columns
+std::vector<Column> parse_columns(std::string_view text) {
+  std::vector<Column> columns;
+  while (!text.empty()) {
+    const auto end = std::min(text.find(' '), text.size());
+    const auto item = text.substr(0, end);
+    const auto colon = item.find(':');
+    if (colon == std::string_view::npos) throw std::logic_error(fmt::format("'{}' is no column", item));
+    columns.push_back({item.substr(0, colon), type_of(item.substr(colon + 1))});
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return columns;
+}
+
+// The columns of coordinates come first.
+int axes_of(std::span<const Column> inputs) {
+  constexpr std::array<std::string_view, 4> kPoint = {"x", "y", "z", "w"};
+  constexpr std::array<std::string_view, 4> kCell = {"cx", "cy", "cz", "cw"};
+  const auto& names = !inputs.empty() && inputs.front().name == kCell.front() ? kCell : kPoint;
+  std::size_t axes = 0;
+  while (axes < std::min(inputs.size(), names.size()) && inputs[axes].name == names[axes]) ++axes;
+  return static_cast<int>(axes);
+}
+
+const std::vector<Function>& functions() {
+  using enum Family;
+  static const std::vector<Function> kFunctions = {
+#define FUNCTION(id, file, family, bound, columns, call, ...) \
+  make_function(id, file, family, bound, columns, call, #__VA_ARGS__),
+#include "library/functions.inc"
+  };
+  return kFunctions;
+}
+
+}  // namespace
+
+int Function::input(std::string_view name) const {
+  const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const Column& c) { return c.name == name; });
+  return found == inputs.end() ? -1 : static_cast<int>(found - inputs.begin());
+}
+
+Function make_function(std::string_view id, std::string_view file, Family family, std::string_view bound,
+                       std::string_view columns, std::string_view call, std::string_view body) {
+  constexpr std::string_view kEquals = " = ";
+  const auto equals = columns.find(kEquals);
+  if (equals == std::string_view::npos) throw std::logic_error(fmt::format("{}: no column comes out", id));
+  Function function{id,   file, family, bound, columns, call, body, parse_columns(columns.substr(0, equals)),
+                    parse_columns(columns.substr(equals + kEquals.size())), 0};
+  function.axes = axes_of(function.inputs);
+  return function;
+}
+
+std::span<const Function> all_functions() { return functions(); }
+
+const Function& find_function(std::string_view id) {
+  const auto& all = functions();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Function& f) { return f.id == id; });
+  if (found == all.end()) throw std::logic_error(fmt::format("there is no function {}", id));
+  return *found;
+}
+
+std::string_view arithmetic_name(const Function& function, const Configuration& configuration) {
+  return function.exact() ? "exact" : name_of(configuration.arithmetic);
+}
+
+std::string_view configuration_name(const Function& function, const Configuration& configuration) {
+  return function.family == Family::independent ? "any" : configuration.name_without_arithmetic();
+}
+
+bool has_exact_values(const Function& function, const Configuration& configuration) {
+  return function.exact() || configuration.arithmetic == Arithmetic::fixed;
+}
+
+bool has_same_bits(const Function& function, const Configuration& configuration) {
+  return function.exact() || !configuration.fast();
+}
+
+const Profile& main_profile(const Configuration& configuration, bool es) {
+  if (configuration.arithmetic == Arithmetic::precise) return profile_named(es ? "es320" : "gl400");
+  return profile_named(es ? "es300" : "gl330");
+}
+
+}  // namespace hn
