@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "result.hpp"
+#include "base/result.hpp"
 
 namespace hn {
 

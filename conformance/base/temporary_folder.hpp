@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "functions.hpp"
-#include "profile.hpp"
+#include "library/functions.hpp"
+#include "library/profile.hpp"
 
 namespace hn {
 

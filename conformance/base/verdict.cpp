@@ -1,5 +1,5 @@
 // What case.hpp says of outcomes and statuses; apart from the cases, for those who only read results.
-#include "case.hpp"
+#include "cases/case.hpp"
 
 namespace hn {
 

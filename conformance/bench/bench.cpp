@@ -1,4 +1,4 @@
-#include "bench.hpp"
+#include "bench/bench.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "bench/workbench.hpp"
-#include "runner.hpp"
+#include "run/filter.hpp"
 
 namespace hn {
 namespace {

@@ -4,14 +4,14 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "bench.hpp"
-#include "embedded.hpp"
-#include "output/csv.hpp"
-#include "output/file.hpp"
-#include "output/number.hpp"
-#include "output/page.hpp"
-#include "output/svg.hpp"
-#include "report.hpp"
+#include "bench/bench.hpp"
+#include "base/embedded.hpp"
+#include "base/output/csv.hpp"
+#include "base/output/file.hpp"
+#include "base/output/number.hpp"
+#include "base/output/page.hpp"
+#include "base/output/svg.hpp"
+#include "report/report.hpp"
 
 namespace hn {
 namespace {

@@ -9,8 +9,8 @@
 #include <sstream>
 
 #include "bench/subject.hpp"
-#include "output/file.hpp"
-#include "test_support.hpp"
+#include "base/output/file.hpp"
+#include "base/temporary_folder.hpp"
 
 namespace hn {
 namespace {

@@ -1,11 +1,11 @@
-#include "subject.hpp"
+#include "bench/subject.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <stdexcept>
 
-#include "embedded.hpp"
+#include "base/embedded.hpp"
 
 namespace hn {
 namespace {

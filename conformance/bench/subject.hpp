@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "functions.hpp"
-#include "source.hpp"
+#include "library/functions.hpp"
+#include "library/source.hpp"
 
 namespace hn {
 

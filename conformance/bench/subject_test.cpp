@@ -6,9 +6,9 @@
 #include <set>
 
 #include "bench/counts.hpp"
-#include "gpu.hpp"
-#include "osmesa_fixture.hpp"
-#include "test_support.hpp"
+#include "gpu/gpu.hpp"
+#include "gpu/osmesa_fixture.hpp"
+#include "base/temporary_folder.hpp"
 
 namespace hn {
 namespace {

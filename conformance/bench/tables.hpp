@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "gpu.hpp"
+#include "gpu/gpu.hpp"
 
 namespace hn {
 

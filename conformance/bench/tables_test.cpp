@@ -8,9 +8,9 @@
 #include <cmath>
 #include <set>
 
-#include "osmesa_fixture.hpp"
+#include "gpu/osmesa_fixture.hpp"
 #include "paper/laboratory.hpp"
-#include "points.hpp"
+#include "expected/points.hpp"
 
 namespace hn {
 namespace {

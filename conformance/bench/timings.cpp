@@ -1,4 +1,4 @@
-#include "timings.hpp"
+#include "bench/timings.hpp"
 
 #include <fmt/format.h>
 

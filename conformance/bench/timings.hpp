@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "driver/driver.hpp"
-#include "reference_compiler.hpp"
-#include "source.hpp"
+#include "gpu/driver/driver.hpp"
+#include "gpu/reference_compiler.hpp"
+#include "library/source.hpp"
 
 namespace hn {
 

@@ -1,4 +1,4 @@
-#include "case.hpp"
+#include "cases/case.hpp"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <exception>
 #include <utility>
 
-#include "points.hpp"
-#include "tolerance.hpp"
+#include "expected/points.hpp"
+#include "expected/tolerance.hpp"
 
 namespace hn {
 

@@ -12,11 +12,11 @@
 #include <string_view>
 #include <vector>
 
-#include "context_info.hpp"
-#include "gpu.hpp"
-#include "reference_compiler.hpp"
-#include "result.hpp"
-#include "source.hpp"
+#include "gpu/context_info.hpp"
+#include "gpu/gpu.hpp"
+#include "gpu/reference_compiler.hpp"
+#include "base/result.hpp"
+#include "library/source.hpp"
 
 namespace hn {
 

@@ -7,9 +7,9 @@
 #include <array>
 #include <hashnoise/hashnoise.hpp>
 
-#include "case.hpp"
-#include "embedded.hpp"
-#include "functions.hpp"
+#include "cases/case.hpp"
+#include "base/embedded.hpp"
+#include "library/functions.hpp"
 
 namespace hn {
 namespace {

@@ -1,18 +1,18 @@
-#include "evidence.hpp"
+#include "cases/evidence.hpp"
 
 #include <fmt/format.h>
 
 #include <bit>
 #include <cmath>
 
-#include "evidence_pictures.hpp"
-#include "evidence_shader.hpp"
-#include "golden.hpp"
-#include "points.hpp"
-#include "results.hpp"
-#include "tolerance.hpp"
-#include "twin.hpp"
-#include "value_checks.hpp"
+#include "cases/evidence_pictures.hpp"
+#include "cases/evidence_shader.hpp"
+#include "expected/golden.hpp"
+#include "expected/points.hpp"
+#include "run/results.hpp"
+#include "expected/tolerance.hpp"
+#include "expected/twin.hpp"
+#include "cases/value_checks.hpp"
 
 namespace hn {
 namespace {

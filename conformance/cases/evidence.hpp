@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "case.hpp"
+#include "cases/case.hpp"
 
 namespace hn {
 

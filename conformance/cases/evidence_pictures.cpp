@@ -1,4 +1,4 @@
-#include "evidence_pictures.hpp"
+#include "cases/evidence_pictures.hpp"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "output/base64.hpp"
-#include "output/png.hpp"
+#include "base/output/base64.hpp"
+#include "base/output/png.hpp"
 
 namespace hn {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "value_checks.hpp"
+#include "cases/value_checks.hpp"
 
 namespace hn {
 

@@ -1,12 +1,12 @@
-#include "evidence_shader.hpp"
+#include "cases/evidence_shader.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
 
-#include "compare.hpp"
-#include "results.hpp"
+#include "expected/compare.hpp"
+#include "run/results.hpp"
 
 namespace hn {
 namespace {

@@ -5,9 +5,9 @@
 #include <span>
 #include <string>
 
-#include "functions.hpp"
-#include "result.hpp"
-#include "source.hpp"
+#include "library/functions.hpp"
+#include "base/result.hpp"
+#include "library/source.hpp"
 
 namespace hn {
 

@@ -1,14 +1,14 @@
-#include "evidence.hpp"
+#include "cases/evidence.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <bit>
 
-#include "evidence_pictures.hpp"
-#include "evidence_shader.hpp"
-#include "osmesa_fixture.hpp"
-#include "test_support.hpp"
+#include "cases/evidence_pictures.hpp"
+#include "cases/evidence_shader.hpp"
+#include "gpu/osmesa_fixture.hpp"
+#include "base/temporary_folder.hpp"
 
 namespace hn {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "case.hpp"
-#include "osmesa_fixture.hpp"
+#include "cases/case.hpp"
+#include "gpu/osmesa_fixture.hpp"
 
 namespace hn {
 

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "faulty_library_fixture.hpp"
+#include "cases/faulty_library_fixture.hpp"
 
 namespace hn {
 namespace {

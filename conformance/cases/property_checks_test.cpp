@@ -1,9 +1,9 @@
 // The checks at points where floats end, and the batches of more points than a grid takes, on a library with a fault.
 #include <optional>
 
-#include "faulty_library_fixture.hpp"
-#include "points.hpp"
-#include "value_checks.hpp"
+#include "cases/faulty_library_fixture.hpp"
+#include "expected/points.hpp"
+#include "cases/value_checks.hpp"
 
 namespace hn {
 namespace {

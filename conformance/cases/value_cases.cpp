@@ -5,11 +5,11 @@
 #include <array>
 #include <bit>
 
-#include "golden.hpp"
-#include "points.hpp"
-#include "tolerance.hpp"
-#include "twin.hpp"
-#include "value_checks.hpp"
+#include "expected/golden.hpp"
+#include "expected/points.hpp"
+#include "expected/tolerance.hpp"
+#include "expected/twin.hpp"
+#include "cases/value_checks.hpp"
 
 namespace hn {
 

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "case.hpp"
-#include "compare.hpp"
-#include "functions.hpp"
+#include "cases/case.hpp"
+#include "expected/compare.hpp"
+#include "library/functions.hpp"
 
 namespace hn {
 

@@ -9,9 +9,9 @@
 #include <regex>
 #include <set>
 
-#include "command.hpp"
-#include "output/file.hpp"
-#include "runner.hpp"
+#include "cli/command.hpp"
+#include "base/output/file.hpp"
+#include "run/filter.hpp"
 
 namespace hn {
 namespace {

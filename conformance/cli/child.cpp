@@ -1,4 +1,4 @@
-#include "child.hpp"
+#include "run/job.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -12,13 +12,13 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "command.hpp"
-#include "embedded.hpp"
-#include "evidence.hpp"
+#include "cli/command.hpp"
+#include "base/embedded.hpp"
+#include "cases/evidence.hpp"
 #include "fault/faults.hpp"
-#include "process.hpp"
-#include "results.hpp"
-#include "timings.hpp"
+#include "base/process.hpp"
+#include "run/results.hpp"
+#include "bench/timings.hpp"
 #include "web/browser.hpp"
 
 namespace hn {

@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <utility>
 
-#include "../vulkan_drivers.hpp"
-#include "../web/browser.hpp"
-#include "driver.hpp"
+#include "gpu/vulkan_drivers.hpp"
+#include "web/browser.hpp"
+#include "gpu/driver/driver.hpp"
 
 namespace hn {
 namespace {

@@ -6,10 +6,10 @@
 #include <string_view>
 
 #include "bench/amd.hpp"
-#include "child.hpp"
-#include "command.hpp"
+#include "run/job.hpp"
+#include "cli/command.hpp"
 #include "fault/faults.hpp"
-#include "options.hpp"
+#include "cli/options.hpp"
 
 namespace {
 

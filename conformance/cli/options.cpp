@@ -1,4 +1,4 @@
-#include "options.hpp"
+#include "cli/options.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <string_view>
 #include <thread>
 
-#include "results.hpp"
+#include "run/results.hpp"
 
 namespace hn {
 namespace {

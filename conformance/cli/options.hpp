@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "command.hpp"
+#include "cli/command.hpp"
 
 namespace hn {
 

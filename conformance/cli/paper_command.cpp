@@ -3,11 +3,11 @@
 
 #include <chrono>
 
-#include "command.hpp"
-#include "embedded.hpp"
-#include "output/csv.hpp"
-#include "output/file.hpp"
-#include "output/page.hpp"
+#include "cli/command.hpp"
+#include "base/embedded.hpp"
+#include "base/output/csv.hpp"
+#include "base/output/file.hpp"
+#include "base/output/page.hpp"
 #include "paper/laboratory.hpp"
 
 namespace hn {

@@ -6,16 +6,16 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "command.hpp"
-#include "expectation.hpp"
+#include "cli/command.hpp"
+#include "run/expectation.hpp"
 #include "fault/faults.hpp"
-#include "journal.hpp"
-#include "merge.hpp"
-#include "output/file.hpp"
-#include "report.hpp"
-#include "runner.hpp"
-#include "scheduler.hpp"
-#include "worker.hpp"
+#include "run/journal.hpp"
+#include "run/merge.hpp"
+#include "base/output/file.hpp"
+#include "report/report.hpp"
+#include "run/filter.hpp"
+#include "run/scheduler.hpp"
+#include "run/worker.hpp"
 
 namespace hn {
 namespace {

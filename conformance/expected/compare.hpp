@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
-#include "case.hpp"
-#include "functions.hpp"
+#include "cases/case.hpp"
+#include "library/functions.hpp"
 
 namespace hn {
 

@@ -1,4 +1,4 @@
-#include "compare.hpp"
+#include "expected/compare.hpp"
 
 #include <gtest/gtest.h>
 

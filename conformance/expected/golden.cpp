@@ -1,4 +1,4 @@
-#include "golden.hpp"
+#include "expected/golden.hpp"
 
 #include <fmt/format.h>
 

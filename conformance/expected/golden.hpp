@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "functions.hpp"
-#include "result.hpp"
+#include "library/functions.hpp"
+#include "base/result.hpp"
 
 namespace hn {
 

@@ -1,11 +1,11 @@
-#include "golden.hpp"
+#include "expected/golden.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <functional>
 
-#include "test_support.hpp"
+#include "base/temporary_folder.hpp"
 
 namespace hn {
 namespace {

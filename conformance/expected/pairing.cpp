@@ -1,4 +1,4 @@
-#include "pairing.hpp"
+#include "expected/pairing.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <span>
 
-#include "points.hpp"
-#include "tolerance.hpp"
+#include "expected/points.hpp"
+#include "expected/tolerance.hpp"
 
 namespace hn {
 namespace {

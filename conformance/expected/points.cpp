@@ -1,4 +1,4 @@
-#include "points.hpp"
+#include "expected/points.hpp"
 
 #include <array>
 #include <bit>

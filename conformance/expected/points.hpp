@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "functions.hpp"
+#include "library/functions.hpp"
 
 namespace hn {
 

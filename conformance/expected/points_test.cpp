@@ -1,4 +1,4 @@
-#include "points.hpp"
+#include "expected/points.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tolerance.hpp"
+#include "expected/tolerance.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "functions.hpp"
+#include "library/functions.hpp"
 
 namespace hn {
 

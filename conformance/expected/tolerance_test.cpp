@@ -1,11 +1,11 @@
-#include "tolerance.hpp"
+#include "expected/tolerance.hpp"
 
 #include <gtest/gtest.h>
 
 #include <bit>
 #include <limits>
 
-#include "test_support.hpp"
+#include "base/temporary_folder.hpp"
 
 namespace hn {
 namespace {

@@ -2,8 +2,8 @@
 #define HN_HASH_FN(k) (((k) ^ ((k) >> 16)) * 0x045D9F3Bu)  // used with HN_HASH_CUSTOM only; the same in functions.cpp
 #include <hashnoise/hashnoise.hpp>
 
-#include "functions.hpp"
-#include "twin_table.hpp"
+#include "library/functions.hpp"
+#include "expected/twin_table.hpp"
 
 #define HN_TWIN_PASTE_TOKENS(a, b) a##b
 #define HN_TWIN_PASTE(a, b) HN_TWIN_PASTE_TOKENS(a, b)
@@ -32,7 +32,7 @@ void evaluate_all(const std::uint32_t* in, std::uint32_t* out, std::size_t point
 constexpr hn::TwinEntry kEntries[] = {
 #define FUNCTION(id, file, columns, accuracy, ...) \
   {id, evaluate_all<[]([[maybe_unused]] uvec4 a, [[maybe_unused]] uvec4 b) -> uvec4 { __VA_ARGS__ }>},
-#include "functions.inc"
+#include "library/functions.inc"
 };
 
 }  // namespace

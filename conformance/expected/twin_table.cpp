@@ -1,4 +1,4 @@
-#include "twin_table.hpp"
+#include "expected/twin_table.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-#include "twin.hpp"
+#include "expected/twin.hpp"
 
 namespace hn {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 std::span<const TwinEntry> entries_for(const Configuration& configuration) {
   constexpr std::array kTables = {
 #define CONFIGURATION(index, name, knobs) twin_entries<index>,
-#include "configurations.inc"
+#include "library/configurations.inc"
 #undef CONFIGURATION
   };
   return kTables[static_cast<std::size_t>(configuration.index)]();

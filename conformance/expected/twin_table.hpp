@@ -19,7 +19,7 @@ std::span<const TwinEntry> twin_entries();
 #define CONFIGURATION(index, name, knobs) \
   template <>                             \
   std::span<const TwinEntry> twin_entries<index>();
-#include "configurations.inc"
+#include "library/configurations.inc"
 #undef CONFIGURATION
 
 }  // namespace hn

@@ -1,5 +1,5 @@
 // The C++ twin, and so the library's text, against the golden files, without any driver.
-#include "twin.hpp"
+#include "expected/twin.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 #include <limits>
 #include <ostream>
 
-#include "compare.hpp"
-#include "golden.hpp"
-#include "points.hpp"
-#include "value_checks.hpp"
+#include "expected/compare.hpp"
+#include "expected/golden.hpp"
+#include "expected/points.hpp"
+#include "cases/value_checks.hpp"
 
 namespace hn {
 

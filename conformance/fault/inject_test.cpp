@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "bugs/bugs.hpp"
+#include "cases/bugs/bugs.hpp"
 #include "fault/faults.hpp"
-#include "osmesa_fixture.hpp"
+#include "gpu/osmesa_fixture.hpp"
 
 namespace hn {
 namespace {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "fault/expression.hpp"
-#include "result.hpp"
+#include "base/result.hpp"
 
 namespace hn {
 

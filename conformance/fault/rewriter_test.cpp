@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "embedded.hpp"
+#include "base/embedded.hpp"
 
 namespace hn {
 namespace {

@@ -1,8 +1,8 @@
-#include "context_info.hpp"
+#include "gpu/context_info.hpp"
 
 #include <cstdlib>
 
-#include "gpu.hpp"
+#include "gpu/gpu.hpp"
 
 namespace hn {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "driver/driver.hpp"
-#include "profile.hpp"
+#include "gpu/driver/driver.hpp"
+#include "library/profile.hpp"
 
 namespace hn {
 

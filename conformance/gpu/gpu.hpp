@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "driver/driver.hpp"
-#include "functions.hpp"
-#include "result.hpp"
-#include "source.hpp"
-#include "stage_output.hpp"
+#include "gpu/driver/driver.hpp"
+#include "library/functions.hpp"
+#include "base/result.hpp"
+#include "library/source.hpp"
+#include "gpu/stage_output.hpp"
 
 namespace hn {
 

@@ -1,14 +1,14 @@
 // The parts that need a context, on OSMesa.
-#include "gpu.hpp"
+#include "gpu/gpu.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
-#include "case.hpp"
-#include "osmesa_fixture.hpp"
-#include "test_support.hpp"
+#include "cases/case.hpp"
+#include "gpu/osmesa_fixture.hpp"
+#include "base/temporary_folder.hpp"
 
 namespace hn {
 namespace {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "driver/driver.hpp"
+#include "gpu/driver/driver.hpp"
 
 namespace hn {
 

@@ -1,4 +1,4 @@
-#include "reference_compiler.hpp"
+#include "gpu/reference_compiler.hpp"
 
 #include <fmt/format.h>
 #include <glslang/Public/ResourceLimits.h>

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "profile.hpp"
-#include "result.hpp"
-#include "source.hpp"
+#include "library/profile.hpp"
+#include "base/result.hpp"
+#include "library/source.hpp"
 
 namespace hn {
 

@@ -1,9 +1,9 @@
-#include "reference_compiler.hpp"
+#include "gpu/reference_compiler.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "test_support.hpp"
+#include "base/temporary_folder.hpp"
 
 namespace hn {
 namespace {

@@ -1,8 +1,8 @@
-#include "stage_output.hpp"
+#include "gpu/stage_output.hpp"
 
 #include <algorithm>
 
-#include "functions.hpp"
+#include "library/functions.hpp"
 
 namespace hn {
 namespace {

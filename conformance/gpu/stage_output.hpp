@@ -7,8 +7,8 @@
 #include <memory>
 #include <vector>
 
-#include "profile.hpp"
-#include "result.hpp"
+#include "library/profile.hpp"
+#include "base/result.hpp"
 
 namespace hn {
 

@@ -1,4 +1,4 @@
-#include "vulkan_drivers.hpp"
+#include "gpu/vulkan_drivers.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

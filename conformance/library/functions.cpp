@@ -1,4 +1,4 @@
-#include "functions.hpp"
+#include "library/functions.hpp"
 
 #include <fmt/format.h>
 
@@ -32,14 +32,14 @@ std::vector<Column> parse_columns(std::string_view text) {
 const std::vector<Function>& functions() {
   static const std::vector<Function> kFunctions = {
 #define FUNCTION(id, file, columns, accuracy, ...) make_function(id, file, columns, Accuracy::accuracy, #__VA_ARGS__),
-#include "functions.inc"
+#include "library/functions.inc"
   };
   return kFunctions;
 }
 
 constexpr std::array kConfigurations = {
 #define CONFIGURATION(index, name, knobs) Configuration{name, knobs, index},
-#include "configurations.inc"
+#include "library/configurations.inc"
 #undef CONFIGURATION
 };
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "profile.hpp"
+#include "library/profile.hpp"
 
 namespace hn {
 

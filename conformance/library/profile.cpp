@@ -1,4 +1,4 @@
-#include "profile.hpp"
+#include "library/profile.hpp"
 
 #include <fmt/format.h>
 

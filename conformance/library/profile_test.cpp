@@ -1,8 +1,8 @@
-#include "profile.hpp"
+#include "library/profile.hpp"
 
 #include <gtest/gtest.h>
 
-#include "test_support.hpp"
+#include "base/temporary_folder.hpp"
 
 namespace hn {
 namespace {

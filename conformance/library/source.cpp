@@ -1,4 +1,4 @@
-#include "source.hpp"
+#include "library/source.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "embedded.hpp"
+#include "base/embedded.hpp"
 
 namespace hn {
 namespace {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "profile.hpp"
-#include "result.hpp"
+#include "library/profile.hpp"
+#include "base/result.hpp"
 
 namespace hn {
 

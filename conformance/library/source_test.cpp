@@ -1,10 +1,10 @@
-#include "source.hpp"
+#include "library/source.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "embedded.hpp"
-#include "test_support.hpp"
+#include "base/embedded.hpp"
+#include "base/temporary_folder.hpp"
 
 namespace hn {
 namespace {

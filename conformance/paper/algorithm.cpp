@@ -1,4 +1,4 @@
-#include "algorithm.hpp"
+#include "paper/algorithm.hpp"
 
 #include <fmt/format.h>
 

@@ -6,8 +6,8 @@
 #include <charconv>
 #include <set>
 
-#include "embedded.hpp"
-#include "reference_compiler.hpp"
+#include "base/embedded.hpp"
+#include "gpu/reference_compiler.hpp"
 
 namespace hn {
 namespace {

@@ -1,4 +1,4 @@
-#include "laboratory.hpp"
+#include "paper/laboratory.hpp"
 
 #include <bit>
 #include <utility>

@@ -10,11 +10,11 @@
 #include <memory>
 
 #include "bench/subject.hpp"
-#include "gpu.hpp"
-#include "osmesa_fixture.hpp"
+#include "gpu/gpu.hpp"
+#include "gpu/osmesa_fixture.hpp"
 #include "paper/laboratory.hpp"
-#include "points.hpp"
-#include "test_support.hpp"
+#include "expected/points.hpp"
+#include "base/temporary_folder.hpp"
 
 namespace hn {
 namespace {

@@ -5,9 +5,9 @@
 #include <charconv>
 #include <optional>
 
-#include "embedded.hpp"
-#include "laboratory.hpp"
-#include "output/number.hpp"
+#include "base/embedded.hpp"
+#include "paper/laboratory.hpp"
+#include "base/output/number.hpp"
 
 namespace hn {
 namespace {

@@ -1,4 +1,4 @@
-#include "junit.hpp"
+#include "report/junit.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <pugixml.hpp>
 #include <sstream>
 
-#include "output/number.hpp"
-#include "output/text.hpp"
+#include "base/output/number.hpp"
+#include "base/output/text.hpp"
 
 namespace hn {
 namespace {

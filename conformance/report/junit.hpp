@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "results.hpp"
+#include "run/results.hpp"
 
 namespace hn {
 

@@ -1,10 +1,10 @@
-#include "junit.hpp"
+#include "report/junit.hpp"
 
 #include <gtest/gtest.h>
 
 #include <pugixml.hpp>
 
-#include "result_support.hpp"
+#include "run/result_support.hpp"
 
 namespace hn {
 namespace {

@@ -1,11 +1,11 @@
-#include "report.hpp"
+#include "report/report.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
 
-#include "output/file.hpp"
+#include "base/output/file.hpp"
 
 namespace hn {
 namespace {

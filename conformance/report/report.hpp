@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "junit.hpp"
-#include "report_page.hpp"
-#include "results.hpp"
+#include "report/junit.hpp"
+#include "report/report_page.hpp"
+#include "run/results.hpp"
 
 namespace hn {
 

@@ -6,9 +6,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "functions.hpp"
-#include "output/text.hpp"
-#include "report_page.hpp"
+#include "library/functions.hpp"
+#include "base/output/text.hpp"
+#include "report/report_page.hpp"
 
 namespace hn {
 namespace {

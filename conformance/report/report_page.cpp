@@ -1,4 +1,4 @@
-#include "report_page.hpp"
+#include "report/report_page.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,11 +7,11 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "embedded.hpp"
-#include "output/number.hpp"
-#include "output/page.hpp"
-#include "output/svg.hpp"
-#include "output/text.hpp"
+#include "base/embedded.hpp"
+#include "base/output/number.hpp"
+#include "base/output/page.hpp"
+#include "base/output/svg.hpp"
+#include "base/output/text.hpp"
 
 namespace hn {
 namespace {

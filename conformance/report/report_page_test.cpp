@@ -1,8 +1,8 @@
-#include "report_page.hpp"
+#include "report/report_page.hpp"
 
 #include <gtest/gtest.h>
 
-#include "result_support.hpp"
+#include "run/result_support.hpp"
 
 namespace hn {
 namespace {

@@ -1,13 +1,13 @@
-#include "report.hpp"
+#include "report/report.hpp"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "output/file.hpp"
-#include "result_support.hpp"
-#include "test_support.hpp"
+#include "base/output/file.hpp"
+#include "run/result_support.hpp"
+#include "base/temporary_folder.hpp"
 
 namespace hn {
 namespace {

@@ -1,4 +1,4 @@
-#include "expectation.hpp"
+#include "run/expectation.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #define CSV_IO_NO_THREAD
 #include <libfccp/csv.h>
 
-#include "runner.hpp"
+#include "run/filter.hpp"
 
 namespace hn {
 Result<std::vector<Expectation>> parse_expectations(std::string_view text, const std::string& path) {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "results.hpp"
+#include "run/results.hpp"
 
 namespace hn {
 

@@ -1,9 +1,9 @@
-#include "expectation.hpp"
+#include "run/expectation.hpp"
 
 #include <gtest/gtest.h>
 
-#include "result_support.hpp"
-#include "test_support.hpp"
+#include "run/result_support.hpp"
+#include "base/temporary_folder.hpp"
 
 namespace hn {
 namespace {

@@ -1,4 +1,4 @@
-#include "runner.hpp"
+#include "run/filter.hpp"
 
 #include <fmt/format.h>
 #include <fnmatch.h>

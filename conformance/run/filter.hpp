@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "case.hpp"
+#include "cases/case.hpp"
 
 namespace hn {
 

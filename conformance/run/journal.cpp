@@ -1,4 +1,4 @@
-#include "journal.hpp"
+#include "run/journal.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,7 +7,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "json_reader.hpp"
+#include "base/json_reader.hpp"
 
 namespace hn {
 namespace {

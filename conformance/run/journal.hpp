@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "results.hpp"
+#include "run/results.hpp"
 
 namespace hn {
 

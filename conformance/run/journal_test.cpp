@@ -1,8 +1,8 @@
-#include "journal.hpp"
+#include "run/journal.hpp"
 
 #include <gtest/gtest.h>
 
-#include "result_support.hpp"
+#include "run/result_support.hpp"
 
 namespace hn {
 namespace {

@@ -1,10 +1,10 @@
-#include "merge.hpp"
+#include "run/merge.hpp"
 
 #include <gtest/gtest.h>
 
-#include "report.hpp"
-#include "result_support.hpp"
-#include "test_support.hpp"
+#include "report/report.hpp"
+#include "run/result_support.hpp"
+#include "base/temporary_folder.hpp"
 
 namespace hn {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "results.hpp"
+#include "run/results.hpp"
 
 namespace hn {
 

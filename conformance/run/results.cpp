@@ -1,4 +1,4 @@
-#include "results.hpp"
+#include "run/results.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "json_reader.hpp"
+#include "base/json_reader.hpp"
 
 namespace hn {
 namespace {

@@ -1,10 +1,10 @@
-#include "results.hpp"
+#include "run/results.hpp"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-#include "result_support.hpp"
+#include "run/result_support.hpp"
 
 namespace hn {
 namespace {

@@ -1,4 +1,4 @@
-#include "scheduler.hpp"
+#include "run/scheduler.hpp"
 
 #include <fmt/format.h>
 #include <poll.h>
@@ -9,8 +9,8 @@
 #include <optional>
 #include <set>
 
-#include "runner.hpp"
-#include "worker.hpp"
+#include "run/filter.hpp"
+#include "run/worker.hpp"
 
 namespace hn {
 namespace {

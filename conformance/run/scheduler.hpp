@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "child.hpp"
-#include "expectation.hpp"
-#include "journal.hpp"
-#include "process.hpp"
-#include "results.hpp"
+#include "run/job.hpp"
+#include "run/expectation.hpp"
+#include "run/journal.hpp"
+#include "base/process.hpp"
+#include "run/results.hpp"
 
 namespace hn {
 

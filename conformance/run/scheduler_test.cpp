@@ -1,12 +1,12 @@
-#include "scheduler.hpp"
+#include "run/scheduler.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include "output/file.hpp"
-#include "result_support.hpp"
-#include "test_support.hpp"
+#include "base/output/file.hpp"
+#include "run/result_support.hpp"
+#include "base/temporary_folder.hpp"
 
 namespace hn {
 namespace {

@@ -1,4 +1,4 @@
-#include "worker.hpp"
+#include "run/worker.hpp"
 
 #include <fmt/format.h>
 #include <poll.h>
@@ -9,7 +9,7 @@
 #include <array>
 #include <cerrno>
 
-#include "output/file.hpp"
+#include "base/output/file.hpp"
 
 namespace hn {
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "child.hpp"
-#include "process.hpp"
+#include "run/job.hpp"
+#include "base/process.hpp"
 
 namespace hn {
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "case.hpp"
+#include "cases/case.hpp"
 
 namespace hn {
 

@@ -1,12 +1,12 @@
 // The page: index.mustache with the modules and the suite inside.
-#include "output/page.hpp"
+#include "base/output/page.hpp"
 
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "embedded.hpp"
-#include "output/base64.hpp"
-#include "report.hpp"
+#include "base/embedded.hpp"
+#include "base/output/base64.hpp"
+#include "report/report.hpp"
 #include "web/suite.hpp"
 
 namespace hn {

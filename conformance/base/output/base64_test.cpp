@@ -1,4 +1,4 @@
-#include "output/base64.hpp"
+#include "base/output/base64.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "output/csv.hpp"
+#include "base/output/csv.hpp"
 
 namespace hn {
 namespace {

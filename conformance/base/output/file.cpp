@@ -1,4 +1,4 @@
-#include "file.hpp"
+#include "base/output/file.hpp"
 
 #include <fmt/format.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-#include "output/number.hpp"
+#include "base/output/number.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "output/page.hpp"
+#include "base/output/page.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "output/png.hpp"
+#include "base/output/png.hpp"
 
 #include <gtest/gtest.h>
 #include <png.h>
@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "test_support.hpp"
+#include "base/temporary_folder.hpp"
 
 namespace hn {
 namespace {

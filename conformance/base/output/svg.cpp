@@ -1,4 +1,4 @@
-#include "output/svg.hpp"
+#include "base/output/svg.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "output/text.hpp"
+#include "base/output/text.hpp"
 
 #include <gtest/gtest.h>
 

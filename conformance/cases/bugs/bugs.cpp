@@ -1,4 +1,4 @@
-#include "bugs/bugs.hpp"
+#include "cases/bugs/bugs.hpp"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
-#include "bugs/tables.hpp"
-#include "compare.hpp"
-#include "value_checks.hpp"
+#include "cases/bugs/tables.hpp"
+#include "expected/compare.hpp"
+#include "cases/value_checks.hpp"
 
 namespace hn {
 namespace {

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "case.hpp"
-#include "functions.hpp"
+#include "cases/case.hpp"
+#include "library/functions.hpp"
 
 namespace hn {
 

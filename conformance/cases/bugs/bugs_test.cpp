@@ -1,4 +1,4 @@
-#include "bugs/bugs.hpp"
+#include "cases/bugs/bugs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 #include <set>
 
-#include "bugs/tables.hpp"
+#include "cases/bugs/tables.hpp"
 
 namespace hn {
 namespace {

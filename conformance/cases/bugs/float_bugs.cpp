@@ -1,7 +1,7 @@
 // Bugs of floating-point arithmetic, of built-in functions and of conversions.
 #include <cmath>
 
-#include "bugs/tables.hpp"
+#include "cases/bugs/tables.hpp"
 
 namespace hn {
 namespace {

@@ -1,5 +1,5 @@
 // Bugs of loops, and of assignments to parts of vectors.
-#include "bugs/tables.hpp"
+#include "cases/bugs/tables.hpp"
 
 namespace hn {
 namespace {

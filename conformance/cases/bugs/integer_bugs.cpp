@@ -1,7 +1,7 @@
 // Bugs of integer arithmetic.
 #include <cstdlib>
 
-#include "bugs/tables.hpp"
+#include "cases/bugs/tables.hpp"
 
 namespace hn {
 namespace {

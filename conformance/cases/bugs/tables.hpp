@@ -6,7 +6,7 @@
 #include <initializer_list>
 #include <vector>
 
-#include "bugs/bugs.hpp"
+#include "cases/bugs/bugs.hpp"
 
 namespace hn {
 

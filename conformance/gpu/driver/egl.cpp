@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "driver.hpp"
-#include "library.hpp"
+#include "gpu/driver/driver.hpp"
+#include "gpu/driver/library.hpp"
 
 namespace hn {
 namespace {

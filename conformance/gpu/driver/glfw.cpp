@@ -2,9 +2,9 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include "driver.hpp"
-#include "library.hpp"
-#include "xvfb.hpp"
+#include "gpu/driver/driver.hpp"
+#include "gpu/driver/library.hpp"
+#include "gpu/driver/xvfb.hpp"
 
 namespace hn {
 namespace {

@@ -7,7 +7,7 @@
 #include <initializer_list>
 #include <string>
 
-#include "../result.hpp"
+#include "base/result.hpp"
 
 namespace hn {
 

@@ -1,7 +1,7 @@
 #include <array>
 
-#include "driver.hpp"
-#include "library.hpp"
+#include "gpu/driver/driver.hpp"
+#include "gpu/driver/library.hpp"
 
 namespace hn {
 namespace {

@@ -1,4 +1,4 @@
-#include "xvfb.hpp"
+#include "gpu/driver/xvfb.hpp"
 
 #include <fmt/format.h>
 #include <poll.h>
@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "../process.hpp"
+#include "base/process.hpp"
 
 namespace hn {
 namespace {

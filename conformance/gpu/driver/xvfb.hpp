@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "../result.hpp"
+#include "base/result.hpp"
 
 namespace hn {
 

@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <new>
 
-#include "expectation.hpp"
-#include "fuzz.hpp"
+#include "run/expectation.hpp"
+#include "testing/fuzz/fuzz.hpp"
 
 namespace {
 

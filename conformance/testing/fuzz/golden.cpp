@@ -1,10 +1,10 @@
 // Golden files, of the function and the configuration that they name, if there are such.
-#include "golden.hpp"
+#include "expected/golden.hpp"
 
 #include <fmt/format.h>
 
-#include "functions.hpp"
-#include "fuzz.hpp"
+#include "library/functions.hpp"
+#include "testing/fuzz/fuzz.hpp"
 
 namespace hn::fuzz {
 namespace {

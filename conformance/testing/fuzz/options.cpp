@@ -1,12 +1,12 @@
 // The command line, an argument per line, and shards.
-#include "options.hpp"
+#include "cli/options.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "fuzz.hpp"
-#include "merge.hpp"
+#include "testing/fuzz/fuzz.hpp"
+#include "run/merge.hpp"
 
 namespace hn::fuzz {
 namespace {

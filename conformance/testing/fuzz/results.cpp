@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
-#include "fuzz.hpp"
-#include "merge.hpp"
+#include "testing/fuzz/fuzz.hpp"
+#include "run/merge.hpp"
 
 namespace hn::fuzz {
 namespace {

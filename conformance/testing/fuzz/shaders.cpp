@@ -4,8 +4,8 @@
 
 #include <map>
 
-#include "fuzz.hpp"
-#include "source.hpp"
+#include "testing/fuzz/fuzz.hpp"
+#include "library/source.hpp"
 
 namespace hn::fuzz {
 namespace {
