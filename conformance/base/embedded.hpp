@@ -1,4 +1,5 @@
-// Files as they were when the program was built. embed.cmake generates the definitions.
+// Files as they were when the program was built. embed.cmake generates their definitions, and the header files.hpp of
+// each room that has some.
 #pragma once
 
 #include <span>
@@ -11,13 +12,7 @@ struct EmbeddedFile {
   std::string_view text;
 };
 
-// glsl/, in the order of their dependence.
-extern const std::span<const EmbeddedFile> kEmbeddedFiles;
-// What the report, bench and paper need: the shaders they compare with, the paper's table, the templates of their
-// pages.
-extern const std::span<const EmbeddedFile> kResources;
-
-// The text of one of the resources, which must exist.
-std::string_view resource(std::string_view name);
+// The text of one of the files, which must be among them.
+std::string_view text_of(std::span<const EmbeddedFile> files, std::string_view name);
 
 }  // namespace hn

@@ -1,4 +1,4 @@
-// What several tests need.
+// A place for the files of a test.
 #pragma once
 
 #include <unistd.h>
@@ -9,17 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "library/functions.hpp"
-#include "library/profile.hpp"
-
 namespace hn {
-
-inline const Configuration& configuration_named(std::string_view name) {
-  for (const Configuration& configuration : all_configurations()) {
-    if (configuration.name == name) return configuration;
-  }
-  return default_configuration();
-}
 
 // A folder that is gone after the test.
 class TemporaryFolder {

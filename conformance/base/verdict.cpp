@@ -1,5 +1,4 @@
-// What case.hpp says of outcomes and statuses; apart from the cases, for those who only read results.
-#include "cases/case.hpp"
+#include "base/verdict.hpp"
 
 namespace hn {
 
@@ -46,5 +45,7 @@ bool as_expected(const CaseResult& result) {
   if (is_bad(status)) return !result.excuse.empty();
   return result.excuse.empty() || status == Status::unsupported;
 }
+
+std::string_view function_of(std::string_view id) { return id.substr(0, id.find('.', id.find('.') + 1)); }
 
 }  // namespace hn

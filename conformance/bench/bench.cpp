@@ -7,8 +7,8 @@
 #include <iterator>
 #include <memory>
 
+#include "base/progress.hpp"
 #include "bench/workbench.hpp"
-#include "run/filter.hpp"
 
 namespace hn {
 namespace {

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "gpu/context_info.hpp"
 #include "bench/counts.hpp"
 #include "bench/subject.hpp"
 #include "bench/timing.hpp"
+#include "gpu/context_info.hpp"
 
 namespace hn {
 

@@ -8,9 +8,9 @@
 #include <cstring>
 #include <sstream>
 
-#include "bench/subject.hpp"
 #include "base/output/file.hpp"
 #include "base/temporary_folder.hpp"
+#include "bench/subject.hpp"
 
 namespace hn {
 namespace {

@@ -8,7 +8,7 @@
 #include "bench/counts.hpp"
 #include "gpu/gpu.hpp"
 #include "gpu/osmesa_fixture.hpp"
-#include "base/temporary_folder.hpp"
+#include "library/configuration_named.hpp"
 
 namespace hn {
 namespace {

@@ -1,4 +1,4 @@
-// The textures of the noise that the paper compares with: paper/tables.glsl.
+// The textures of the noise that the paper compares with: tables.glsl.
 #pragma once
 
 #include <array>

@@ -8,7 +8,8 @@
 #include <hashnoise/hashnoise.hpp>
 
 #include "cases/case.hpp"
-#include "base/embedded.hpp"
+#include "gpu/spirv.hpp"
+#include "library/files.hpp"
 #include "library/functions.hpp"
 
 namespace hn {
@@ -265,7 +266,7 @@ void add_refusal_cases(std::vector<Case>& cases, const Refusal& refusal) {
 }  // namespace
 
 void add_compile_cases(std::vector<Case>& cases) {
-  for (const EmbeddedFile& file : kEmbeddedFiles) {
+  for (const EmbeddedFile& file : kLibraryFiles) {
     for (const Configuration& configuration : all_configurations()) {
       if (!selects_code(file.name, configuration)) continue;
       for (const Profile& profile : all_profiles()) {

@@ -7,12 +7,11 @@
 
 #include "cases/evidence_pictures.hpp"
 #include "cases/evidence_shader.hpp"
+#include "cases/value_checks.hpp"
 #include "expected/golden.hpp"
 #include "expected/points.hpp"
-#include "run/results.hpp"
 #include "expected/tolerance.hpp"
 #include "expected/twin.hpp"
-#include "cases/value_checks.hpp"
 
 namespace hn {
 namespace {

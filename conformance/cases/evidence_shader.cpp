@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "base/version.hpp"
 #include "expected/compare.hpp"
-#include "run/results.hpp"
 
 namespace hn {
 namespace {

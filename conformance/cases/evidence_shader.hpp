@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
-#include "library/functions.hpp"
 #include "base/result.hpp"
+#include "library/functions.hpp"
 #include "library/source.hpp"
 
 namespace hn {

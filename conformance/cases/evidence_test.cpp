@@ -8,7 +8,6 @@
 #include "cases/evidence_pictures.hpp"
 #include "cases/evidence_shader.hpp"
 #include "gpu/osmesa_fixture.hpp"
-#include "base/temporary_folder.hpp"
 
 namespace hn {
 namespace {

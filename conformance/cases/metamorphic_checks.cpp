@@ -5,8 +5,8 @@
 #include <bit>
 #include <cmath>
 
-#include "expected/pairing.hpp"
 #include "cases/value_checks.hpp"
+#include "expected/pairing.hpp"
 
 namespace hn {
 namespace {

@@ -5,10 +5,10 @@
 #include <bit>
 #include <cmath>
 
+#include "cases/value_checks.hpp"
 #include "expected/points.hpp"
 #include "expected/tolerance.hpp"
 #include "expected/twin.hpp"
-#include "cases/value_checks.hpp"
 
 namespace hn {
 namespace {

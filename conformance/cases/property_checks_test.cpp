@@ -2,8 +2,8 @@
 #include <optional>
 
 #include "cases/faulty_library_fixture.hpp"
-#include "expected/points.hpp"
 #include "cases/value_checks.hpp"
+#include "expected/points.hpp"
 
 namespace hn {
 namespace {

@@ -5,11 +5,11 @@
 #include <array>
 #include <bit>
 
+#include "cases/value_checks.hpp"
 #include "expected/golden.hpp"
 #include "expected/points.hpp"
 #include "expected/tolerance.hpp"
 #include "expected/twin.hpp"
-#include "cases/value_checks.hpp"
 
 namespace hn {
 
@@ -26,31 +26,6 @@ tl::expected<Words, Outcome> evaluate(Session& session, const Evaluation& evalua
   auto outputs = session.grid.evaluate(**program, inputs);
   if (!outputs) return tl::unexpected(outcome_with(Status::fail, outputs.error()));
   return *outputs;
-}
-
-void compare_with_twin(Comparison& comparison, const Evaluation& evaluation, std::span<const std::uint32_t> inputs,
-                       std::span<const std::uint32_t> got, std::span<const std::uint32_t> twin, double allowed) {
-  for (std::size_t word = 0; word < evaluation.function.outputs.size(); ++word) {
-    if (has_same_bits(evaluation.function, evaluation.configuration)) {
-      comparison.bits(inputs, got[word], twin[word]);
-    } else {
-      comparison.number(inputs, std::bit_cast<float>(got[word]), static_cast<double>(std::bit_cast<float>(twin[word])),
-                        allowed);
-    }
-  }
-}
-
-void compare_with_golden(Comparison& comparison, const Function& function, const Configuration& configuration,
-                         std::span<const std::uint32_t> inputs, std::span<const std::uint32_t> got,
-                         std::span<const std::uint64_t> values) {
-  const double allowed = tolerance(function, configuration, inputs);
-  for (std::size_t word = 0; word < values.size(); ++word) {
-    if (has_exact_values(function, configuration)) {
-      comparison.bits(inputs, got[word], result_bits(function.outputs[word], values[word]));
-    } else {
-      comparison.number(inputs, std::bit_cast<float>(got[word]), std::bit_cast<double>(values[word]), allowed);
-    }
-  }
 }
 
 namespace {

@@ -27,14 +27,6 @@ inline std::span<const std::uint32_t> result(std::span<const std::uint32_t> outp
 tl::expected<Words, Outcome> evaluate(Session& session, const Evaluation& evaluation,
                                       std::span<const std::uint32_t> inputs);
 
-// Holds a result against the twin's at the same point.
-void compare_with_twin(Comparison& comparison, const Evaluation& evaluation, std::span<const std::uint32_t> inputs,
-                       std::span<const std::uint32_t> got, std::span<const std::uint32_t> twin, double allowed);
-// Holds a result against the values of a golden file.
-void compare_with_golden(Comparison& comparison, const Function& function, const Configuration& configuration,
-                         std::span<const std::uint32_t> inputs, std::span<const std::uint32_t> got,
-                         std::span<const std::uint64_t> values);
-
 using Check = Outcome(Session& session, const Evaluation& evaluation);
 
 // property_checks.cpp

@@ -9,8 +9,8 @@
 #include <regex>
 #include <set>
 
-#include "cli/command.hpp"
 #include "base/output/file.hpp"
+#include "cli/command.hpp"
 #include "run/filter.hpp"
 
 namespace hn {

@@ -12,7 +12,7 @@ import unittest
 import xml.etree.ElementTree
 
 PROGRAM = ""
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 ONE_CASE = "noise2d.perlin.lattice.fast.fragment.gl330.golden"
 
 
@@ -58,7 +58,7 @@ class Cli(unittest.TestCase):
 
     def golden_copy(self):
         copy = self.folder / "golden"
-        shutil.copytree(ROOT / "conformance" / "golden", copy)
+        shutil.copytree(ROOT / "conformance" / "expected" / "golden", copy)
         return copy
 
     def test_a_healthy_case_passes(self):

@@ -42,8 +42,4 @@ tl::expected<OpenDriver, int> open_driver(const std::string& name, const std::st
   return OpenDriver{std::move(*context), std::move(provenance)};
 }
 
-Result<SourceSet> library_sources(const std::string& directory) {
-  return directory.empty() ? SourceSet::embedded() : SourceSet::from_directory(directory);
-}
-
 }  // namespace hn

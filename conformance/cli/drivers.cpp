@@ -1,3 +1,5 @@
+#include "cli/drivers.hpp"
+
 #include <fmt/format.h>
 
 #include <charconv>
@@ -5,8 +7,6 @@
 #include <utility>
 
 #include "gpu/vulkan_drivers.hpp"
-#include "web/browser.hpp"
-#include "gpu/driver/driver.hpp"
 
 namespace hn {
 namespace {
@@ -113,21 +113,6 @@ std::optional<int> device_number(std::string_view name) {
 }
 
 }  // namespace
-
-Result<void> Context::load_functions(GLADloadfunc load, Api api) {
-  api_ = api;
-  const bool es = api == Api::gles;
-  const int version = es ? gladLoadGLES2Context(&gl_, load) : gladLoadGLContext(&gl_, load);
-  if (version == 0) return fail("the context was made, but its OpenGL functions cannot be loaded");
-  const int major = GLAD_VERSION_MAJOR(version);
-  const int minor = GLAD_VERSION_MINOR(version);
-  const int lowest_minor = es ? 0 : 1;
-  if (major < 3 || (major == 3 && minor < lowest_minor)) {
-    return fail(fmt::format("the context offers OpenGL{} {}.{}; 3.{} or later is needed", es ? " ES" : "", major, minor,
-                            lowest_minor));
-  }
-  return {};
-}
 
 CreatedContext create_context(const Driver& driver) {
   for (const auto& [name, value] : driver.environment) setenv(name.c_str(), value.c_str(), 1);

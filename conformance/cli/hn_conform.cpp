@@ -6,10 +6,10 @@
 #include <string_view>
 
 #include "bench/amd.hpp"
-#include "run/job.hpp"
 #include "cli/command.hpp"
-#include "fault/faults.hpp"
 #include "cli/options.hpp"
+#include "fault/faults.hpp"
+#include "cli/child.hpp"
 
 namespace {
 

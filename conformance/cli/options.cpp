@@ -9,7 +9,7 @@
 #include <string_view>
 #include <thread>
 
-#include "run/results.hpp"
+#include "base/version.hpp"
 
 namespace hn {
 namespace {

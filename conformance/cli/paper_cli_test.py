@@ -15,7 +15,7 @@ import time
 import unittest
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "paper"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "paper"))
 from check import (Page, chi_square_faults, csv_faults, floats, noise_differences, order_faults, page_faults,
                    picture_faults, spirv_faults, statistics_faults,
                    statistics_faults_of_file, table_faults)  # noqa: E402
@@ -218,7 +218,7 @@ class Broken(unittest.TestCase):
     def test_a_shader_that_does_not_compile_costs_its_rows_and_status_1(self):
         with tempfile.TemporaryDirectory() as folder:
             glsl = pathlib.Path(folder) / "glsl"
-            shutil.copytree(pathlib.Path(__file__).resolve().parent.parent / "glsl", glsl)
+            shutil.copytree(pathlib.Path(__file__).resolve().parent.parent.parent / "glsl", glsl)
             text = (glsl / "noise3d.glsl").read_text()
             (glsl / "noise3d.glsl").write_text(text.replace("#include", "broken;\n#include", 1))
             out = pathlib.Path(folder) / "out"

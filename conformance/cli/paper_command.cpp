@@ -3,11 +3,12 @@
 
 #include <chrono>
 
-#include "cli/command.hpp"
-#include "base/embedded.hpp"
+#include "base/files.hpp"
 #include "base/output/csv.hpp"
 #include "base/output/file.hpp"
 #include "base/output/page.hpp"
+#include "cli/command.hpp"
+#include "paper/files.hpp"
 #include "paper/laboratory.hpp"
 
 namespace hn {
@@ -26,7 +27,7 @@ constexpr Part kParts[] = {{"table", measure_table},
 
 Result<void> write(const std::filesystem::path& out, const nlohmann::json& data, const nlohmann::json& page,
                    const std::vector<Section::Csv>& tables) {
-  const auto html = render_page(resource("paper.mustache"), page);
+  const auto html = render_page(text_of(kPaperFiles, "paper.mustache"), page);
   if (!html) return tl::unexpected(html.error());
   for (const Section::Csv& table : tables) {
     if (auto done = write_file(out / table.name, to_csv(table.header, table.rows)); !done) return done;
@@ -50,7 +51,7 @@ int paper_command(const PaperCommand& options) {
   const ReferenceCompiler reference;
   Laboratory laboratory(*driver->context, *sources, reference, options.out, options.rounds, options.dump);
   nlohmann::json data = to_json(driver->provenance);
-  nlohmann::json page = {{"style", resource("style.mustache")},
+  nlohmann::json page = {{"style", text_of(kBaseFiles, "style.mustache")},
                          {"provenance", data},
                          {"rounds", options.rounds},
                          {"failures", nlohmann::json::array()}};

@@ -6,15 +6,16 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/output/file.hpp"
 #include "cli/command.hpp"
-#include "run/expectation.hpp"
 #include "fault/faults.hpp"
+#include "report/report.hpp"
+#include "run/expectation.hpp"
+#include "run/filter.hpp"
 #include "run/journal.hpp"
 #include "run/merge.hpp"
-#include "base/output/file.hpp"
-#include "report/report.hpp"
-#include "run/filter.hpp"
 #include "run/scheduler.hpp"
+#include "run/shard.hpp"
 #include "run/worker.hpp"
 
 namespace hn {
@@ -193,7 +194,7 @@ Result<RunPlan> make_plan(const RunCommand& options, const DriverChoice& choice,
 Result<std::vector<Expectation>> load_expectations(const std::string& directory) {
   auto expectations = read_expectations(directory);
   if (!expectations) return expectations;
-  if (const auto known = check_expectations(*expectations, all_cases()); !known) return tl::unexpected(known.error());
+  if (const auto known = check_expectations(*expectations, ids_of(all_cases())); !known) return tl::unexpected(known.error());
   return expectations;
 }
 

@@ -15,7 +15,7 @@ import threading
 import unittest
 
 PROGRAM = ""
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 CHROMIUM = ["chromium", "--headless=new", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-first-run",
             "--disable-background-networking", "--disable-dev-shm-usage"]
 SECONDS = 120
@@ -104,7 +104,7 @@ class Web(unittest.TestCase):
 
     def test_one_wrong_expected_value_turns_the_verdict_red(self):
         golden = self.folder / "golden"
-        shutil.copytree(ROOT / "conformance" / "golden", golden)
+        shutil.copytree(ROOT / "conformance" / "expected" / "golden", golden)
         file = golden / "hash.lattice2.lattice.golden"
         lines = file.read_text().split("\n")
         lines[10] = lines[10][:-1] + ("0" if lines[10][-1] != "0" else "1")

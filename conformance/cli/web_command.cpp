@@ -1,8 +1,8 @@
 // hn-conform web
 #include <fmt/format.h>
 
-#include "cli/command.hpp"
 #include "base/output/file.hpp"
+#include "cli/command.hpp"
 #include "web/suite.hpp"
 
 namespace hn {

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "cases/case.hpp"
+#include "base/verdict.hpp"
 #include "library/functions.hpp"
 
 namespace hn {
@@ -46,5 +46,13 @@ class Comparison {
 
 // "x=1.5 (3fc00000) seed=7 (00000007)": the input words of a function, for messages.
 std::string describe_inputs(const Function& function, std::span<const std::uint32_t> inputs);
+
+// Holds a result against the twin's at the same point.
+void compare_with_twin(Comparison& comparison, const Evaluation& evaluation, std::span<const std::uint32_t> inputs,
+                       std::span<const std::uint32_t> got, std::span<const std::uint32_t> twin, double allowed);
+// Holds a result against the values of a golden file.
+void compare_with_golden(Comparison& comparison, const Function& function, const Configuration& configuration,
+                         std::span<const std::uint32_t> inputs, std::span<const std::uint32_t> got,
+                         std::span<const std::uint64_t> values);
 
 }  // namespace hn

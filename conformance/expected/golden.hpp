@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "library/functions.hpp"
 #include "base/result.hpp"
+#include "library/functions.hpp"
 
 namespace hn {
 

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "base/temporary_folder.hpp"
+#include "library/configuration_named.hpp"
 
 namespace hn {
 namespace {

@@ -5,7 +5,7 @@
 #include <bit>
 #include <limits>
 
-#include "base/temporary_folder.hpp"
+#include "library/configuration_named.hpp"
 
 namespace hn {
 namespace {

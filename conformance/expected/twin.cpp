@@ -2,8 +2,8 @@
 #define HN_HASH_FN(k) (((k) ^ ((k) >> 16)) * 0x045D9F3Bu)  // used with HN_HASH_CUSTOM only; the same in functions.cpp
 #include <hashnoise/hashnoise.hpp>
 
-#include "library/functions.hpp"
 #include "expected/twin_table.hpp"
+#include "library/functions.hpp"
 
 #define HN_TWIN_PASTE_TOKENS(a, b) a##b
 #define HN_TWIN_PASTE(a, b) HN_TWIN_PASTE_TOKENS(a, b)

@@ -12,7 +12,6 @@
 #include "expected/compare.hpp"
 #include "expected/golden.hpp"
 #include "expected/points.hpp"
-#include "cases/value_checks.hpp"
 
 namespace hn {
 

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "fault/expression.hpp"
 #include "base/result.hpp"
+#include "fault/expression.hpp"
 
 namespace hn {
 

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "gpu/driver/driver.hpp"
-#include "library/functions.hpp"
 #include "base/result.hpp"
-#include "library/source.hpp"
+#include "gpu/driver/driver.hpp"
 #include "gpu/stage_output.hpp"
+#include "library/functions.hpp"
+#include "library/source.hpp"
 
 namespace hn {
 

@@ -4,11 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <stdexcept>
-
-#include "cases/case.hpp"
 #include "gpu/osmesa_fixture.hpp"
-#include "base/temporary_folder.hpp"
 
 namespace hn {
 namespace {
@@ -140,17 +136,6 @@ TEST_F(Gpu, AnErrorInALibraryFileNamesItsLine) {
 
 TEST_F(Gpu, AProgramThatDoesNotLinkIsAnError) {
   EXPECT_FALSE(build("float f();\nout vec4 o;\nvoid main() { o = vec4(f()); }\n"));
-}
-
-Outcome throws(Session&) { throw std::runtime_error("thrown"); }
-
-TEST_F(Gpu, AnExceptionInACaseIsAnError) {
-  const ReferenceCompiler reference;
-  Session session({sources_, reference, "", 1}, *context_, 1);
-  const CaseResult result = run_case(session, {"a", throws});
-  EXPECT_EQ(result.id, "a");
-  EXPECT_EQ(result.outcome.status, Status::error);
-  EXPECT_EQ(result.outcome.message, "exception: thrown");
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ template <typename Base = testing::Test>
 class OnOsmesa : public Base {
  protected:
   void SetUp() override {
-    auto context = find_driver("osmesa")->create();
+    auto context = create_osmesa();
     ASSERT_TRUE(context) << context.error().text();
     context_ = std::move(*context);
   }

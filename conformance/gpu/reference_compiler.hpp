@@ -2,24 +2,14 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 
-#include "library/profile.hpp"
 #include "base/result.hpp"
+#include "library/profile.hpp"
 #include "library/source.hpp"
 
 namespace hn {
-
-// SPIRV-Tools' verdict, by the rules of Vulkan 1.0.
-Result<void> validate_spirv(std::span<const std::uint32_t> words);
-
-// The results of instructions that may be computed in less than 32 bits: their names, where they have one, else "".
-std::vector<std::string> relaxed_precision(std::span<const std::uint32_t> words);
-
-// The functions in which an operation on floats may be contracted or reassociated with others: their mangled names.
-std::vector<std::string> contractible(std::span<const std::uint32_t> words);
 
 std::string reference_compiler_version();  // of glslang
 

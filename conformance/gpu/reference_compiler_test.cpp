@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "base/temporary_folder.hpp"
+#include "gpu/spirv.hpp"
 
 namespace hn {
 namespace {

@@ -7,8 +7,8 @@
 #include <memory>
 #include <vector>
 
-#include "library/profile.hpp"
 #include "base/result.hpp"
+#include "library/profile.hpp"
 
 namespace hn {
 

@@ -1,6 +1,6 @@
 # The settings of the library's knobs under test: a name, as in case ids and golden files, and the macros that it
 # defines. The default defines nothing, so that the defaults themselves are under test. All of it as configurations.inc:
-# CONFIGURATION(index, name, macros as GLSL); a macro HN_TWIN=index and these macros build the twin of each.
+# CONFIGURATION(index, name, macros as GLSL).
 set(configurations
   "fnv1 HN_HASH=HN_HASH_FNV1"
   "partial_fnv1 HN_HASH=HN_HASH_PARTIAL_FNV1"
@@ -30,7 +30,6 @@ foreach(arithmetic precise fixed)
 endforeach()
 
 set(configurations_inc "")
-set(twins "")
 set(index 0)
 foreach(configuration ${configurations})
   separate_arguments(macros UNIX_COMMAND "${configuration}")
@@ -38,14 +37,6 @@ foreach(configuration ${configurations})
   list(TRANSFORM macros REPLACE "^([^=]*)=(.*)$" "#define \\1 \\2\\\\n" OUTPUT_VARIABLE glsl)
   string(REPLACE ";" "" glsl "${glsl}")
   string(APPEND configurations_inc "CONFIGURATION(${index}, \"${name}\", \"${glsl}\")\n")
-
-  add_library(twin${index} OBJECT twin.cpp)
-  target_compile_definitions(twin${index} PRIVATE HN_TWIN=${index} ${macros})
-  target_include_directories(twin${index} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
-  target_link_libraries(twin${index} PRIVATE hashnoise::hashnoise)
-  # The twin's floats must not depend on the compiler: no a*b+c in one rounding.
-  target_compile_options(twin${index} PRIVATE ${warnings} -ffp-contract=off)
-  list(APPEND twins $<TARGET_OBJECTS:twin${index}>)
   math(EXPR index "${index} + 1")
 endforeach()
-file(CONFIGURE OUTPUT configurations.inc CONTENT "${configurations_inc}" @ONLY)
+file(CONFIGURE OUTPUT ${rooms_directory}/generated/library/library/configurations.inc CONTENT "${configurations_inc}" @ONLY)

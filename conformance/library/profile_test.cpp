@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "base/temporary_folder.hpp"
-
 namespace hn {
 namespace {
 

@@ -8,9 +8,8 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
-#include <stdexcept>
 
-#include "base/embedded.hpp"
+#include "library/files.hpp"
 
 namespace hn {
 namespace {
@@ -99,16 +98,9 @@ class Expander {
 
 }  // namespace
 
-std::string_view resource(std::string_view name) {
-  const auto found =
-      std::find_if(kResources.begin(), kResources.end(), [&](const EmbeddedFile& f) { return f.name == name; });
-  if (found == kResources.end()) throw std::logic_error("resource: there is no such thing");
-  return found->text;
-}
-
 SourceSet SourceSet::embedded() {
   SourceSet set;
-  for (const EmbeddedFile& file : kEmbeddedFiles) {
+  for (const EmbeddedFile& file : kLibraryFiles) {
     set.add(std::string(file.name), std::string(file.text), fmt::format("glsl/{}", file.name));
   }
   return set;
@@ -116,7 +108,7 @@ SourceSet SourceSet::embedded() {
 
 Result<SourceSet> SourceSet::from_directory(const std::filesystem::path& directory) {
   SourceSet set;
-  for (const EmbeddedFile& file : kEmbeddedFiles) {
+  for (const EmbeddedFile& file : kLibraryFiles) {
     const auto path = directory / file.name;
     std::ifstream in(path, std::ios::binary);
     if (!in || !std::filesystem::is_regular_file(path)) {
@@ -126,6 +118,10 @@ Result<SourceSet> SourceSet::from_directory(const std::filesystem::path& directo
     set.add(std::string(file.name), std::string(std::istreambuf_iterator<char>(in), {}), path.string());
   }
   return set;
+}
+
+Result<SourceSet> library_sources(const std::string& directory) {
+  return directory.empty() ? SourceSet::embedded() : SourceSet::from_directory(directory);
 }
 
 void SourceSet::add(std::string name, std::string text, std::string path) {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "library/profile.hpp"
 #include "base/result.hpp"
+#include "library/profile.hpp"
 
 namespace hn {
 
@@ -41,6 +41,9 @@ class SourceSet {
   std::map<std::string, SourceFile, std::less<>> files_;
   Transform transform_;
 };
+
+// Those of a folder, or the embedded ones if none is named.
+Result<SourceSet> library_sources(const std::string& directory);
 
 // A shader with its includes expanded, and the way back from a line number in a log to a file and a line.
 struct ShaderText {

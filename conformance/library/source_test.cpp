@@ -3,15 +3,15 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "base/embedded.hpp"
 #include "base/temporary_folder.hpp"
+#include "library/files.hpp"
 
 namespace hn {
 namespace {
 
 // A copy of the library with one file replaced.
 SourceSet with_file(const TemporaryFolder& folder, std::string_view name, std::string_view text) {
-  for (const EmbeddedFile& file : kEmbeddedFiles) folder.write(file.name, file.text);
+  for (const EmbeddedFile& file : kLibraryFiles) folder.write(file.name, file.text);
   folder.write(name, text);
   return SourceSet::from_directory(folder.path()).value();
 }
@@ -72,7 +72,7 @@ TEST(Source, IncludesThatMultiplyAreAnError) {
 
 TEST(Source, FolderWithoutAFileIsAnError) {
   const TemporaryFolder folder;
-  for (const EmbeddedFile& file : kEmbeddedFiles) {
+  for (const EmbeddedFile& file : kLibraryFiles) {
     if (file.name != "hash.glsl") folder.write(file.name, "");
   }
   const auto sources = SourceSet::from_directory(folder.path());

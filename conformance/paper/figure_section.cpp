@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "paper/laboratory.hpp"
 #include "base/output/png.hpp"
+#include "paper/laboratory.hpp"
 
 namespace hn {
 namespace {

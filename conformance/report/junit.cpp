@@ -8,6 +8,7 @@
 
 #include "base/output/number.hpp"
 #include "base/output/text.hpp"
+#include "base/version.hpp"
 
 namespace hn {
 namespace {

@@ -4,6 +4,7 @@
 
 #include <pugixml.hpp>
 
+#include "base/version.hpp"
 #include "run/result_support.hpp"
 
 namespace hn {

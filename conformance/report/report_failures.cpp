@@ -6,8 +6,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "library/functions.hpp"
 #include "base/output/text.hpp"
+#include "library/functions.hpp"
 #include "report/report_page.hpp"
 
 namespace hn {

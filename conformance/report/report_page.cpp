@@ -7,11 +7,13 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "base/embedded.hpp"
+#include "base/files.hpp"
 #include "base/output/number.hpp"
 #include "base/output/page.hpp"
 #include "base/output/svg.hpp"
 #include "base/output/text.hpp"
+#include "base/version.hpp"
+#include "report/files.hpp"
 
 namespace hn {
 namespace {
@@ -212,7 +214,7 @@ Result<std::string> report_page(const std::vector<Run>& runs, const std::vector<
   for (const Status status : kStatuses) statuses.push_back(name_of(status));
   Json clean_problems = Json::array();
   for (const std::string& problem : problems) clean_problems.push_back(clean_text(problem));
-  const Json data = {{"style", resource("style.mustache")},
+  const Json data = {{"style", text_of(kBaseFiles, "style.mustache")},
                      {"version", library_version()},
                      {"class", good ? "good" : "bad"},
                      {"verdict", verdict_of(here, good)},
@@ -231,7 +233,7 @@ Result<std::string> report_page(const std::vector<Run>& runs, const std::vector<
                      {"timings", page_timings(here)},
                      {"counts", page_counts(here)},
                      {"origins", origins}};
-  return render_page(resource("report.mustache"), data);
+  return render_page(text_of(kReportFiles, "report.mustache"), data);
 }
 
 }  // namespace hn

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/output/file.hpp"
-#include "run/result_support.hpp"
 #include "base/temporary_folder.hpp"
+#include "run/result_support.hpp"
 
 namespace hn {
 namespace {

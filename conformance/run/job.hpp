@@ -1,12 +1,13 @@
 // The process that runs the cases of one driver: what it is told, and what it tells.
 #pragma once
 
-#include <filesystem>
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
-#include "cases/case.hpp"
+#include "base/result.hpp"
+#include "library/source.hpp"
 
 namespace hn {
 
@@ -53,8 +54,5 @@ Job job_from(const nlohmann::json& json);  // of a text that to_json made
 //   {"lost": true}                    after these: the context is lost, and the process ends
 //   {"timings": ...} {"devices": N}   of these tasks
 //   {"error": "why"}                  a task cannot be done
-//
-// What the hidden subcommand "child JOB" does, with the path of the job: the exit status of the program.
-int child_command(const std::filesystem::path& job);
 
 }  // namespace hn

@@ -3,23 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
 
+#include "run/shard.hpp"
+
 namespace hn {
 namespace {
-
-constexpr std::size_t kMostShards = 10000;  // more than there are cases
-
-// The whole of text as a number from 1 on, or 0.
-std::size_t number_of(std::string_view text) {
-  std::size_t number = 0;
-  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc() && stop == text.data() + text.size() && number <= kMostShards ? number : 0;
-}
 
 std::string name_of(const Run& run) {
   return fmt::format("{} on {}, {}", run.driver, run.info.renderer, run.info.gl_version);
@@ -81,18 +73,6 @@ Result<std::vector<Run>> read_runs(const std::string& name) {
 }
 
 }  // namespace
-
-Result<Shard> parse_shard(const std::string& text) {
-  if (text.empty()) return Shard{};
-  const auto slash = text.find('/');
-  const std::string_view whole = text;
-  if (slash != std::string::npos) {
-    const Shard shard{number_of(whole.substr(0, slash)), number_of(whole.substr(slash + 1))};
-    if (shard.index >= 1 && shard.index <= shard.count) return shard;
-  }
-  return fail(
-      fmt::format("\"{}\" is no shard; I/N is, with 1 <= I <= N <= {}: 2/3 is the second of three", text, kMostShards));
-}
 
 Result<Merged> merge_runs(std::vector<Run> runs, const std::vector<std::string>& ids) {
   Merged merged;

@@ -1,24 +1,12 @@
 // Runs that were split over machines, joined again.
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "run/results.hpp"
 
 namespace hn {
-
-// Every count-th case, from the index-th on.
-struct Shard {
-  std::size_t index = 1;  // from 1
-  std::size_t count = 1;
-
-  bool has(std::size_t number) const { return number % count == index - 1; }
-};
-
-// Of "2/3"; of nothing the whole.
-Result<Shard> parse_shard(const std::string& text);
 
 struct Merged {
   std::vector<Run> runs;          // cases in the order of the ids

@@ -2,9 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "report/report.hpp"
-#include "run/result_support.hpp"
+#include "base/output/file.hpp"
 #include "base/temporary_folder.hpp"
+#include "run/result_support.hpp"
+#include "run/shard.hpp"
 
 namespace hn {
 namespace {
@@ -28,25 +29,6 @@ Run shard_run(const std::string& text) {
   run.shard = text;
   run.whole = 10;
   return run;
-}
-
-TEST(Shards, AreIOfN) {
-  EXPECT_TRUE(parse_shard("")->has(17));
-  EXPECT_EQ(parse_shard("2/3")->index, 2u);
-  EXPECT_EQ(parse_shard("2/3")->count, 3u);
-  for (const char* wrong : {"0/3", "4/3", "1", "/", "1/", "/2", "a/b", "1/2/3", "-1/2", "1/0", "1 /2", "1/99999"}) {
-    const auto shard = parse_shard(wrong);
-    ASSERT_FALSE(shard) << wrong;
-    EXPECT_NE(shard.error().message.find("2/3"), std::string::npos);
-  }
-}
-
-TEST(Shards, HaveEveryCaseOnce) {
-  for (std::size_t number = 0; number < 20; ++number) {
-    int owners = 0;
-    for (const char* shard : {"1/3", "2/3", "3/3"}) owners += parse_shard(shard)->has(number) ? 1 : 0;
-    EXPECT_EQ(owners, 1) << number;
-  }
 }
 
 TEST(Merge, KeepsEveryCommandInWhateverOrder) {
@@ -116,8 +98,8 @@ TEST(Merge, OtherDriversAndRenderersStayApart) {
 
 TEST(Merge, ReadsFilesAndFolders) {
   const TemporaryFolder folder;
-  ASSERT_TRUE(write_results(folder.path() / "one", {shard_run("1/2")}));
-  ASSERT_TRUE(write_results(folder.path() / "two", {shard_run("2/2")}));
+  ASSERT_TRUE(write_file(folder.path() / "one" / kResultsFile, results_text({shard_run("1/2")})));
+  ASSERT_TRUE(write_file(folder.path() / "two" / kResultsFile, results_text({shard_run("2/2")})));
   const auto merged =
       merge_files({(folder.path() / "one").string(), (folder.path() / "two" / kResultsFile).string()}, some_ids());
   ASSERT_TRUE(merged) << merged.error().text();

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "base/json_reader.hpp"
+#include "base/version.hpp"
 
 namespace hn {
 namespace {
@@ -89,8 +90,6 @@ Run run_from(const nlohmann::json& json, std::string& where) {
 
 }  // namespace
 
-std::string_view function_of(std::string_view id) { return id.substr(0, id.find('.', id.find('.') + 1)); }
-
 std::size_t Run::count(Status status) const {
   return static_cast<std::size_t>(
       std::count_if(cases.begin(), cases.end(), [&](const CaseResult& c) { return c.outcome.status == status; }));
@@ -110,8 +109,6 @@ bool all_as_expected(const std::vector<Run>& runs) {
            return std::all_of(run.cases.begin(), run.cases.end(), is_right);
          });
 }
-
-std::string library_version() { return fmt::format("{}.{}.{}", HN_VERSION_MAJOR, HN_VERSION_MINOR, HN_VERSION_PATCH); }
 
 std::string dump(const Json& json, int indent) { return json.dump(indent, ' ', false, Json::error_handler_t::replace); }
 

@@ -1,15 +1,20 @@
 // The results of runs: what results.json says, and how it is read again.
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "cases/case.hpp"
+#include "base/verdict.hpp"
+#include "gpu/context_info.hpp"
 
 namespace hn {
+
+// In place of a driver of OpenGL: the cases that ask glslang alone.
+inline constexpr std::string_view kReferenceCompiler = "glslang";
 
 struct Run {
   std::string driver;
@@ -31,14 +36,9 @@ struct Run {
   bool as_expected() const;
 };
 
-// "noise2d.perlin", of a case's id.
-std::string_view function_of(std::string_view id);
-
 // Whether no case of any driver is other than expected, and one driver at least is as expected: of the others a filter
 // may have left what they do not support, and some are not here.
 bool all_as_expected(const std::vector<Run>& runs);
-
-std::string library_version();
 
 constexpr std::string_view kResultsFile = "results.json";
 

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/version.hpp"
 #include "run/result_support.hpp"
 
 namespace hn {

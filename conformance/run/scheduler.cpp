@@ -9,7 +9,8 @@
 #include <optional>
 #include <set>
 
-#include "run/filter.hpp"
+#include "base/version.hpp"
+#include "base/progress.hpp"
 #include "run/worker.hpp"
 
 namespace hn {

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "run/job.hpp"
-#include "run/expectation.hpp"
-#include "run/journal.hpp"
 #include "base/process.hpp"
+#include "run/expectation.hpp"
+#include "run/job.hpp"
+#include "run/journal.hpp"
 #include "run/results.hpp"
 
 namespace hn {

@@ -5,8 +5,8 @@
 #include <signal.h>
 
 #include "base/output/file.hpp"
-#include "run/result_support.hpp"
 #include "base/temporary_folder.hpp"
+#include "run/result_support.hpp"
 
 namespace hn {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "run/job.hpp"
 #include "base/process.hpp"
+#include "run/job.hpp"
 
 namespace hn {
 

@@ -8,12 +8,12 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "cases/bugs/bugs.hpp"
-#include "expected/golden.hpp"
 #include "base/output/base64.hpp"
 #include "base/output/file.hpp"
+#include "base/version.hpp"
+#include "cases/bugs/bugs.hpp"
+#include "expected/golden.hpp"
 #include "expected/pairing.hpp"
-#include "report/report.hpp"
 #include "expected/tolerance.hpp"
 
 namespace hn {

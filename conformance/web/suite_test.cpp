@@ -8,10 +8,11 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "expected/golden.hpp"
 #include "base/output/base64.hpp"
 #include "base/temporary_folder.hpp"
+#include "expected/golden.hpp"
 #include "expected/tolerance.hpp"
+#include "library/configuration_named.hpp"
 
 namespace hn {
 namespace {

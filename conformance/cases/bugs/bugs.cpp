@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "cases/bugs/tables.hpp"
-#include "expected/compare.hpp"
 #include "cases/value_checks.hpp"
+#include "expected/compare.hpp"
 
 namespace hn {
 namespace {

@@ -1,17 +1,11 @@
-// A driver is one way to get a context. Each lives in a file of its own; drivers.cpp lists them.
+// A driver is one way to get a context. Each lives in a file of its own; cli/drivers.cpp lists them.
 #pragma once
 
 #include <glad/gl.h>
 
 #include <array>
-#include <cstddef>
-#include <functional>
 #include <memory>
-#include <optional>
 #include <span>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "base/result.hpp"
 
@@ -46,34 +40,6 @@ class Context {
   GladGLContext gl_{};
   Api api_ = Api::gl;
 };
-
-struct Browser;  // web/browser.hpp
-
-// Not a driver of OpenGL, but run like one: the cases that ask glslang alone.
-inline constexpr std::string_view kReferenceCompiler = "glslang";
-
-struct Driver {
-  std::string name;
-  std::string description;
-  // Of the process in which create is called, set before: Mesa looks at it when it is loaded.
-  std::vector<std::array<std::string, 2>> environment = {};
-  // An error says what is missing on this machine.
-  std::function<Result<std::unique_ptr<Context>>()> create = {};
-  // Of one evaluation; fewer where evaluating takes long.
-  std::size_t most_points = std::size_t{1} << 20;
-  // In place of create: the cases run in its page. Not to be called by anybody else.
-  const Browser* browser = nullptr;
-
-  bool is_reference_compiler() const { return name == kReferenceCompiler; }
-};
-
-// Sets the environment of the process, and creates. Once in a process: what Mesa has read stays read.
-Result<std::unique_ptr<Context>> create_context(const Driver& driver);
-
-// Those that every machine may have, and those of so many EGL devices.
-std::vector<Driver> all_drivers(int egl_devices);
-// Nothing if there is no driver of that name; egl-device:N is one, whether there is such a device or not.
-std::optional<Driver> find_driver(std::string_view name);
 
 // The seam: a function per way to a context, each in a file of its own.
 using CreatedContext = Result<std::unique_ptr<Context>>;

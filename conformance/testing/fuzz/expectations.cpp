@@ -5,7 +5,7 @@
 #include <new>
 
 #include "run/expectation.hpp"
-#include "testing/fuzz/fuzz.hpp"
+#include "fuzz.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "library/functions.hpp"
-#include "testing/fuzz/fuzz.hpp"
+#include "fuzz.hpp"
 
 namespace hn::fuzz {
 namespace {

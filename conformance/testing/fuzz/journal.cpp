@@ -1,8 +1,8 @@
 // The journal of a run, as --resume reads it. The plan is the one that the journal itself names, if it does.
 #include "run/journal.hpp"
 
-#include "testing/fuzz/fuzz.hpp"
 #include "base/json_reader.hpp"
+#include "fuzz.hpp"
 
 namespace hn::fuzz {
 namespace {

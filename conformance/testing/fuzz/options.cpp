@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "testing/fuzz/fuzz.hpp"
-#include "run/merge.hpp"
+#include "run/shard.hpp"
+#include "fuzz.hpp"
 
 namespace hn::fuzz {
 namespace {

@@ -6,8 +6,9 @@
 #include <map>
 #include <set>
 
-#include "testing/fuzz/fuzz.hpp"
+#include "base/version.hpp"
 #include "run/merge.hpp"
+#include "fuzz.hpp"
 
 namespace hn::fuzz {
 namespace {

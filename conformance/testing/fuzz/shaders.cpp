@@ -4,8 +4,8 @@
 
 #include <map>
 
-#include "testing/fuzz/fuzz.hpp"
 #include "library/source.hpp"
+#include "fuzz.hpp"
 
 namespace hn::fuzz {
 namespace {
