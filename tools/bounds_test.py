@@ -156,7 +156,7 @@ class Transcription(unittest.TestCase):
         for kind, dims in NOISES:
             numbers = (self.rounded_up(bounds_float.error_bound(dims, kind), 3), self.as_written(kind.error[dims]),
                        str(kind.lipschitz[dims]), str(kind.limit[dims]))
-            self.assert_states("conformance/tolerance.cpp", f"NoiseBounds{{{', '.join(numbers)}}}")
+            self.assert_states("conformance/expected/tolerance.cpp", f"NoiseBounds{{{', '.join(numbers)}}}")
 
     def test_the_sources_state_the_bounds_of_the_octahedral_gradient(self):
         for dims in DIMS:

@@ -1,4 +1,4 @@
-#include "amd.hpp"
+#include "bench/amd.hpp"
 
 #include <fmt/format.h>
 #include <signal.h>
@@ -18,9 +18,9 @@
 #include <thread>
 #include <utility>
 
-#include "process.hpp"
-#include "radv.hpp"
-#include "vulkan_drivers.hpp"
+#include "base/process.hpp"
+#include "bench/radv.hpp"
+#include "gpu/vulkan_drivers.hpp"
 
 namespace hn {
 

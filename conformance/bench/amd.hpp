@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "result.hpp"
-#include "vulkan_drivers.hpp"
+#include "base/result.hpp"
+#include "gpu/vulkan_drivers.hpp"
 
 namespace hn {
 

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "test_support.hpp"
+#include "base/temporary_folder.hpp"
 
 namespace hn {
 namespace {

@@ -1,4 +1,4 @@
-#include "bench.hpp"
+#include "bench/bench.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -7,8 +7,8 @@
 #include <iterator>
 #include <memory>
 
+#include "base/progress.hpp"
 #include "bench/workbench.hpp"
-#include "runner.hpp"
 
 namespace hn {
 namespace {

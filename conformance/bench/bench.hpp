@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "context_info.hpp"
-#include "counts.hpp"
-#include "subject.hpp"
-#include "timing.hpp"
+#include "bench/counts.hpp"
+#include "bench/subject.hpp"
+#include "bench/timing.hpp"
+#include "gpu/context_info.hpp"
 
 namespace hn {
 

@@ -4,14 +4,15 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "bench.hpp"
-#include "embedded.hpp"
-#include "output/csv.hpp"
-#include "output/file.hpp"
-#include "output/number.hpp"
-#include "output/page.hpp"
-#include "output/svg.hpp"
-#include "report.hpp"
+#include "base/files.hpp"
+#include "base/output/csv.hpp"
+#include "base/output/file.hpp"
+#include "base/output/number.hpp"
+#include "base/output/page.hpp"
+#include "base/output/svg.hpp"
+#include "base/version.hpp"
+#include "bench/bench.hpp"
+#include "bench/files.hpp"
 
 namespace hn {
 namespace {
@@ -123,7 +124,7 @@ nlohmann::json page_changes(const std::vector<Change>& changes) {
 
 Result<std::string> page(const Provenance& provenance, const BenchReport& report, const std::vector<Change>& changes) {
   const nlohmann::json errors = page_errors(report);
-  nlohmann::json data = {{"style", resource("style.mustache")},
+  nlohmann::json data = {{"style", text_of(kBaseFiles, "style.mustache")},
                          {"provenance", to_json(provenance)},
                          {"gate", report.gate.reason},
                          {"clock", name_of(report.gate.clock)},
@@ -140,7 +141,7 @@ Result<std::string> page(const Provenance& provenance, const BenchReport& report
                          {"bars_default", default_bars(report)},
                          {"bars2", bars(report, "noise2d.perlin.", 2, "hn_perlin(vec2), by knobs")},
                          {"bars3", bars(report, "noise3d.perlin.", 3, "hn_perlin(vec3), by knobs")}};
-  return render_page(resource("bench.mustache"), data);
+  return render_page(text_of(kBenchFiles, "bench.mustache"), data);
 }
 
 Ratio ratio_in(const nlohmann::json& subject) {

@@ -1,4 +1,4 @@
-#include "counts.hpp"
+#include "bench/counts.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <glslang/SPIRV/spirv.hpp>
 #include <spirv-tools/optimizer.hpp>
 
-#include "output/file.hpp"
+#include "base/output/file.hpp"
 
 namespace hn {
 namespace {

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "amd.hpp"
-#include "gpu.hpp"
-#include "reference_compiler.hpp"
+#include "bench/amd.hpp"
+#include "gpu/gpu.hpp"
+#include "gpu/reference_compiler.hpp"
 
 namespace hn {
 

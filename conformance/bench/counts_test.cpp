@@ -8,9 +8,9 @@
 #include <cstring>
 #include <sstream>
 
+#include "base/output/file.hpp"
+#include "base/temporary_folder.hpp"
 #include "bench/subject.hpp"
-#include "output/file.hpp"
-#include "test_support.hpp"
 
 namespace hn {
 namespace {

@@ -1,4 +1,4 @@
-#include "radv.hpp"
+#include "bench/radv.hpp"
 
 #define VK_NO_PROTOTYPES
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "driver/library.hpp"
+#include "gpu/driver/library.hpp"
 
 namespace hn {
 namespace {

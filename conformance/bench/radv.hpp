@@ -5,7 +5,7 @@
 #include <memory>
 #include <span>
 
-#include "amd.hpp"
+#include "bench/amd.hpp"
 
 namespace hn {
 

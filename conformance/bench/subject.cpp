@@ -1,11 +1,11 @@
-#include "subject.hpp"
+#include "bench/subject.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <stdexcept>
 
-#include "embedded.hpp"
+#include "bench/files.hpp"
 
 namespace hn {
 namespace {
@@ -135,8 +135,8 @@ void main() {{
 }
 
 SourceSet with_comparison_shaders(SourceSet sources) {
-  for (const std::string_view name : {"tables.glsl", "perlin.glsl", "published.glsl"}) {
-    sources.add(std::string(name), std::string(resource(name)), fmt::format("conformance/paper/{}", name));
+  for (const std::string_view name : {"tables.glsl", "perlin.glsl"}) {
+    sources.add(std::string(name), std::string(text_of(kBenchFiles, name)), fmt::format("conformance/bench/{}", name));
   }
   return sources;
 }

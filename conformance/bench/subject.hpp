@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "library/shaders.hpp"
-#include "source.hpp"
+#include "library/source.hpp"
 
 namespace hn {
 
@@ -22,7 +22,7 @@ struct Subject {
 // The position itself: what a shader costs before there is any noise in it.
 Subject empty_subject(int dimensions);
 
-// Perlin/Float and Perlin/Integer (paper/tables.glsl). Costs are stated relative to the former.
+// Perlin/Float and Perlin/Integer (tables.glsl). Costs are stated relative to the former.
 Subject float_subject(int dimensions);
 Subject integer_subject(int dimensions);
 

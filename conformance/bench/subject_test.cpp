@@ -6,9 +6,9 @@
 #include <set>
 
 #include "bench/counts.hpp"
-#include "gpu.hpp"
-#include "osmesa_fixture.hpp"
-#include "test_support.hpp"
+#include "gpu/gpu.hpp"
+#include "gpu/osmesa_fixture.hpp"
+#include "library/configurations.hpp"
 
 namespace hn {
 namespace {

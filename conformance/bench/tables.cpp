@@ -1,9 +1,9 @@
-#include "tables.hpp"
+#include "bench/tables.hpp"
 
 #include <utility>
 #include <vector>
 
-#include "points.hpp"
+#include "expected/points.hpp"
 
 namespace hn {
 namespace {

@@ -1,9 +1,9 @@
-// The textures of the noise that the paper compares with: paper/tables.glsl.
+// The textures of the noise that the paper compares with: tables.glsl.
 #pragma once
 
 #include <array>
 
-#include "gpu.hpp"
+#include "gpu/gpu.hpp"
 
 namespace hn {
 

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <set>
 
-#include "osmesa_fixture.hpp"
-#include "paper/laboratory.hpp"
-#include "points.hpp"
+#include "bench/sampler.hpp"
+#include "expected/points.hpp"
+#include "gpu/osmesa_fixture.hpp"
 
 namespace hn {
 namespace {
@@ -27,11 +27,11 @@ class TableNoise : public OnOsmesa<testing::TestWithParam<int>> {
   void SetUp() override {
     OnOsmesa::SetUp();
     if (HasFatalFailure()) return;
-    laboratory_ = std::make_unique<Laboratory>(*context_, SourceSet::embedded(), reference_, "", 3, false);
+    sampler_ = std::make_unique<Sampler>(*context_, SourceSet::embedded());
   }
 
   std::vector<float> values(const Subject& subject, const std::vector<Position>& positions) {
-    const auto values = laboratory_->values(subject, positions);
+    const auto values = sampler_->values(subject, positions);
     EXPECT_TRUE(values) << values.error().text();
     return values.value_or(std::vector<float>(positions.size()));
   }
@@ -49,8 +49,7 @@ class TableNoise : public OnOsmesa<testing::TestWithParam<int>> {
     return positions;
   }
 
-  const ReferenceCompiler reference_;
-  std::unique_ptr<Laboratory> laboratory_;
+  std::unique_ptr<Sampler> sampler_;
 };
 
 double largest_difference(const std::vector<float>& a, const std::vector<float>& b) {
@@ -105,7 +104,7 @@ TEST_P(TableNoise, KeepsItsTablesBesideARenderer) {
   const auto at = positions(-4.0f, 4.0f);
   const auto before = values(float_subject(GetParam()), at);
   GridRenderer later(*context_);
-  const auto program = laboratory_->build(value_shader(float_subject(GetParam())));
+  const auto program = sampler_->build(value_shader(float_subject(GetParam())));
   ASSERT_TRUE(program) << program.error().text();
   std::vector<std::uint32_t> inputs(at.size() * kInputWords);
   for (std::size_t i = 0; i < at.size(); ++i) {

@@ -1,4 +1,4 @@
-#include "timing.hpp"
+#include "bench/timing.hpp"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "gpu.hpp"
+#include "gpu/gpu.hpp"
 
 namespace hn {
 

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "bench/subject.hpp"
-#include "osmesa_fixture.hpp"
+#include "gpu/osmesa_fixture.hpp"
 
 namespace hn {
 namespace {

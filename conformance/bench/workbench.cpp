@@ -1,6 +1,6 @@
 #include "bench/workbench.hpp"
 
-#include "context_info.hpp"
+#include "gpu/context_info.hpp"
 
 namespace hn {
 

@@ -3,8 +3,8 @@
 
 #include "bench/subject.hpp"
 #include "bench/tables.hpp"
-#include "gpu.hpp"
-#include "profile.hpp"
+#include "gpu/gpu.hpp"
+#include "library/profile.hpp"
 
 namespace hn {
 

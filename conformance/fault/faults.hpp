@@ -9,7 +9,7 @@
 
 #include "fault/rewriter.hpp"
 #include "fault/shims.hpp"
-#include "source.hpp"
+#include "library/source.hpp"
 
 namespace hn {
 

@@ -1,56 +1,9 @@
-// Faults on a healthy driver, OSMesa's: what has one fails, what has none passes.
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include "bugs/bugs.hpp"
 #include "fault/faults.hpp"
-#include "osmesa_fixture.hpp"
+
+#include <gtest/gtest.h>
 
 namespace hn {
 namespace {
-
-struct Caught {
-  std::string_view fault;
-  std::string_view bug;
-  std::string_view profile = "gl330";
-};
-
-// A bug for each of the faults, that fails if the fault is there.
-constexpr Caught kCaught[] = {
-    {"modulo_sign", "bugs.modulo_of_large_word"},
-    {"uint_of_int_shift", "bugs.uint_of_int_shifted_by_31"},
-    {"integers_16_bits", "bugs.words_wrap_at_32_bits"},
-    {"integers_saturated", "bugs.ints_beyond_65536"},
-    {"uint_shifted_by_int", "bugs.uint_shifted_by_int"},
-    {"shifts_merged", "bugs.shifted_twice_by_16"},
-    {"abs_int", "bugs.abs_of_int"},
-    {"bit_casts_flat", "bugs.bit_cast_hash"},
-    {"sin_imprecise", "bugs.sin_within_a_turn"},
-    {"sin_by_table", "bugs.sin_within_a_turn"},
-    {"fract_returns_one", "bugs.fract_of_exact"},
-    {"floor_divide_merged", "bugs.quotient_of_floor"},
-    {"mod_at_integers", "bugs.mod_between_multiples"},
-    {"contracted", "bugs.contracted_despite_precise", "gl400"},
-    {"reassociated", "bugs.contracted_despite_precise", "gl400"},
-    {"mediump_everywhere", "bugs.highp_beside_mediump", "es300"},
-    {"small_flushed", "bugs.small_normals_kept"},
-    {"uint_to_float", "bugs.uint_to_float_exact"},
-    {"constants_folded_coarsely", "bugs.folded_floats"},
-    {"unary_minus_in_loop", "bugs.unary_minus_in_loop"},
-    {"loop_condition", "bugs.loop_condition"},
-    {"loop_initializer", "bugs.loop_initializer"},
-    {"array_in_loop", "bugs.array_initialized_in_loop"},
-    {"vector_plus_scalar_in_loop", "bugs.vector_plus_scalar_in_loop"},
-    {"swizzle_written_twice", "bugs.swizzle_written_twice"},
-};
-
-TEST(Faults, EachHasABugThatCatchesIt) {
-  for (const Fault& fault : all_faults()) {
-    const bool caught =
-        std::any_of(std::begin(kCaught), std::end(kCaught), [&](const Caught& c) { return c.fault == fault.name; });
-    EXPECT_TRUE(caught) << fault.name;
-  }
-}
 
 TEST(Faults, AWrongNameListsTheRightOnes) {
   SourceSet sources = SourceSet::embedded();
@@ -78,52 +31,6 @@ TEST(Faults, WhatTheyDoNotConcernStays) {
   EXPECT_EQ(expand(sources, profile_named("gl330"), kText)->text,
             expand(SourceSet::embedded(), profile_named("gl330"), kText)->text);
 }
-
-// What an injection adds must be right GLSL: else a run would turn red for another reason.
-TEST(Faults, EachIsRightGlslInEveryVersion) {
-  const ReferenceCompiler compiler;
-  for (const Fault& fault : all_faults()) {
-    SourceSet sources = SourceSet::embedded();
-    ASSERT_TRUE(inject_into(sources, fault.name));
-    for (const std::string_view name : {"gl130", "gl330", "gl460", "es300", "es320", "vulkan"}) {
-      const Profile& profile = profile_named(name);
-      const auto shader =
-          expand(sources, profile, calling_shader("hashnoise.glsl", default_configuration(), profile, Stage::fragment));
-      ASSERT_TRUE(shader) << fault.name << shader.error().text();
-      const auto done = compiler.check(*shader, profile, Stage::fragment);
-      EXPECT_TRUE(done) << fault.name << ' ' << name << ": " << done.error().text();
-    }
-  }
-}
-
-class Injected : public OnOsmesa<testing::TestWithParam<Caught>> {
- protected:
-  Outcome run(const SourceSet& sources) {
-    const ReferenceCompiler reference;
-    Session session({sources, reference, "", 1}, *context_);
-    std::vector<Case> cases;
-    add_bug_cases(cases);
-    const std::string start = fmt::format("{}.any.", GetParam().bug);
-    const std::string end = fmt::format(".{}.defined", GetParam().profile);
-    for (const Case& test : cases) {
-      if (test.id.starts_with(start) && test.id.ends_with(end)) return test.run(session);
-    }
-    return outcome_with(Status::error, {"there is no such case", {}});
-  }
-};
-
-TEST_P(Injected, TheBugFailsAndWithoutPasses) {
-  SourceSet sources = SourceSet::embedded();
-  const Outcome healthy = run(sources);
-  EXPECT_EQ(healthy.status, Status::pass) << healthy.message;
-  ASSERT_TRUE(inject_into(sources, GetParam().fault));
-  const Outcome faulty = run(sources);
-  EXPECT_EQ(faulty.status, Status::fail);
-  EXPECT_GT(faulty.mismatches, 0u) << faulty.message;  // a value is wrong; it did compile
-}
-
-INSTANTIATE_TEST_SUITE_P(Faults, Injected, testing::ValuesIn(kCaught),
-                         [](const auto& instance) { return std::string(instance.param.fault); });
 
 }  // namespace
 }  // namespace hn

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/result.hpp"
 #include "fault/expression.hpp"
-#include "result.hpp"
 
 namespace hn {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "embedded.hpp"
+#include "library/files.hpp"
 
 namespace hn {
 namespace {
@@ -23,7 +23,7 @@ std::string body(std::string_view code, const Rules& rules = kAll) {
 }
 
 TEST(Rewriter, NoRulesChangeNothing) {
-  for (const EmbeddedFile& file : kEmbeddedFiles) {
+  for (const EmbeddedFile& file : kLibraryFiles) {
     const auto same = rewrite(file.text, {});
     ASSERT_TRUE(same) << file.name << ": " << same.error().message;
     EXPECT_EQ(*same, file.text);
@@ -129,7 +129,7 @@ TEST(Rewriter, OnlyConstants) {
 
 // Whatever is missing, it comes to an end.
 TEST(Rewriter, TextThatIsCutOffEnds) {
-  for (const EmbeddedFile& file : kEmbeddedFiles) {
+  for (const EmbeddedFile& file : kLibraryFiles) {
     for (std::size_t length = 0; length < file.text.size(); length += 13) {
       const auto code = rewrite(file.text.substr(0, length), kAll);
       EXPECT_TRUE(code || !code.error().message.empty());

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "profile.hpp"
+#include "library/profile.hpp"
 
 namespace hn {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "library/configurations.hpp"
-#include "profile.hpp"
+#include "library/profile.hpp"
 
 namespace hn {
 

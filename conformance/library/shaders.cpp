@@ -7,15 +7,15 @@
 #include <stdexcept>
 #include <vector>
 
-#include "embedded.hpp"
+#include "library/files.hpp"
 
 namespace hn {
 namespace {
 
 std::string_view library_file(std::string_view name) {
-  const auto found = std::find_if(kEmbeddedFiles.begin(), kEmbeddedFiles.end(),
+  const auto found = std::find_if(kLibraryFiles.begin(), kLibraryFiles.end(),
                                   [&](const EmbeddedFile& file) { return file.name == name; });
-  if (found == kEmbeddedFiles.end()) throw std::logic_error(fmt::format("the library has no file {}", name));
+  if (found == kLibraryFiles.end()) throw std::logic_error(fmt::format("the library has no file {}", name));
   return found->text;
 }
 

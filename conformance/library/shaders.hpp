@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "library/functions.hpp"
-#include "profile.hpp"
+#include "library/profile.hpp"
 
 namespace hn {
 

@@ -1,10 +1,12 @@
-#include "algorithm.hpp"
+#include "paper/algorithm.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+
+#include "paper/files.hpp"
 
 namespace hn {
 namespace {
@@ -100,6 +102,12 @@ Subject subject_of(const Entry& entry, int dimensions, Picture picture, std::str
   text += "#include \"fbm.glsl\"\n";
   return {fmt::format("{}.{}", id, name_of(picture)), dimensions, std::move(text),
           fmt::format("hn_{}(p, 6, 2.0, 0.5)", name_of(picture))};
+}
+
+SourceSet with_published_listings(SourceSet sources) {
+  constexpr std::string_view kName = "published.glsl";
+  sources.add(std::string(kName), std::string(text_of(kPaperFiles, kName)), "conformance/paper/published.glsl");
+  return sources;
 }
 
 }  // namespace hn

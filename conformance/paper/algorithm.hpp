@@ -47,4 +47,7 @@ std::string_view name_of(Picture picture);
 // A picture as a subject: the algorithm's noise, or one of the library's octave sums over it. knobs: further macros.
 Subject subject_of(const Entry& entry, int dimensions, Picture picture = Picture::noise, std::string_view knobs = "");
 
+// The files, and the paper's listings, which the published form includes.
+SourceSet with_published_listings(SourceSet sources);
+
 }  // namespace hn

@@ -6,8 +6,9 @@
 #include <charconv>
 #include <set>
 
-#include "embedded.hpp"
-#include "reference_compiler.hpp"
+#include "gpu/reference_compiler.hpp"
+#include "gpu/spirv.hpp"
+#include "paper/files.hpp"
 
 namespace hn {
 namespace {
@@ -83,21 +84,21 @@ std::set<std::string> missing(std::string_view csv) {
 }
 
 TEST(Algorithm, EveryOneOfThePaperIsInItsTable) {
-  EXPECT_EQ(resource("printed.csv").substr(0, resource("printed.csv").find('\n')),
+  EXPECT_EQ(text_of(kPaperFiles, "printed.csv").substr(0, text_of(kPaperFiles, "printed.csv").find('\n')),
             "algorithm,dimensions,instructions,ms_800x600,ms_1024x768");
-  EXPECT_EQ(printed_lines(resource("printed.csv")).size(), 14u);
-  EXPECT_EQ(missing(resource("printed.csv")), std::set<std::string>{});
+  EXPECT_EQ(printed_lines(text_of(kPaperFiles, "printed.csv")).size(), 14u);
+  EXPECT_EQ(missing(text_of(kPaperFiles, "printed.csv")), std::set<std::string>{});
 }
 
 TEST(Algorithm, ALineThatIsMissingOrTooManyIsSeen) {
-  std::string csv(resource("printed.csv"));
+  std::string csv(text_of(kPaperFiles, "printed.csv"));
   csv.replace(csv.find("murmur,3"), 8, "murmur,4");
   EXPECT_EQ(missing(csv), (std::set<std::string>{"missing: murmur3", "not expected: murmur4"}));
 }
 
 Result<std::vector<std::uint32_t>> spirv_of(const Subject& subject) {
   static const ReferenceCompiler compiler;
-  static const SourceSet sources = with_comparison_shaders(SourceSet::embedded());
+  static const SourceSet sources = with_published_listings(with_comparison_shaders(SourceSet::embedded()));
   const auto text = expand(sources, profile_named("vulkan"), quad_shader(subject));
   return text ? compiler.spirv(*text, Stage::fragment) : tl::unexpected(text.error());
 }

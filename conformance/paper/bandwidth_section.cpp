@@ -6,9 +6,9 @@
 #include <array>
 #include <optional>
 
-#include "laboratory.hpp"
-#include "output/number.hpp"
-#include "output/svg.hpp"
+#include "base/output/number.hpp"
+#include "base/output/svg.hpp"
+#include "paper/laboratory.hpp"
 
 namespace hn {
 namespace {

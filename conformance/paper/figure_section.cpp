@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "laboratory.hpp"
-#include "output/png.hpp"
+#include "base/output/png.hpp"
+#include "paper/laboratory.hpp"
 
 namespace hn {
 namespace {

@@ -7,35 +7,21 @@
 #include <vector>
 
 #include "bench/bench.hpp"
-#include "bench/workbench.hpp"
+#include "bench/sampler.hpp"
 #include "paper/algorithm.hpp"
 
 namespace hn {
 
-struct Position {
-  float x = 0.0f;
-  float y = 0.0f;
-  float z = 0.0f;
-};
-
-class Laboratory : public Workbench {
+class Laboratory : public Sampler {
  public:
   Laboratory(const Context& context, const SourceSet& sources, const ReferenceCompiler& reference,
              std::filesystem::path out, int rounds, bool dump);
-
-  // The subject's values at at most 2^20 positions, as the driver computes them.
-  Result<std::vector<float>> values(const Subject& subject, std::span<const Position> positions);
-  // The same with a program of value_shader, for those who ask more than once.
-  Result<std::vector<float>> values(const Program& program, std::span<const Position> positions);
 
   const ReferenceCompiler& reference;
   const std::filesystem::path out;
   const int rounds;
   const bool dump;
   Stopwatch stopwatch;
-
- private:
-  GridRenderer grid_;
 };
 
 // A section of the report: its numbers for paper.json, the same as text for the page, and as CSV files.

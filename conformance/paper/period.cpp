@@ -1,4 +1,4 @@
-#include "period.hpp"
+#include "paper/period.hpp"
 
 #include <vector>
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <bit>
 
-#include "laboratory.hpp"
+#include "expected/points.hpp"
+#include "paper/laboratory.hpp"
 #include "paper/period.hpp"
-#include "points.hpp"
 
 namespace hn {
 namespace {

@@ -9,12 +9,12 @@
 #include <hashnoise/hashnoise.hpp>
 #include <memory>
 
+#include "base/temporary_folder.hpp"
 #include "bench/subject.hpp"
-#include "gpu.hpp"
-#include "osmesa_fixture.hpp"
+#include "expected/points.hpp"
+#include "gpu/gpu.hpp"
+#include "gpu/osmesa_fixture.hpp"
 #include "paper/laboratory.hpp"
-#include "points.hpp"
-#include "test_support.hpp"
 
 namespace hn {
 namespace {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "laboratory.hpp"
-#include "output/file.hpp"
-#include "output/number.hpp"
-#include "output/svg.hpp"
+#include "base/output/file.hpp"
+#include "base/output/number.hpp"
+#include "base/output/svg.hpp"
+#include "paper/laboratory.hpp"
 #include "paper/statistics.hpp"
 
 namespace hn {

@@ -5,9 +5,9 @@
 #include <charconv>
 #include <optional>
 
-#include "embedded.hpp"
-#include "laboratory.hpp"
-#include "output/number.hpp"
+#include "base/output/number.hpp"
+#include "paper/files.hpp"
+#include "paper/laboratory.hpp"
 
 namespace hn {
 namespace {
@@ -34,7 +34,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 
 // The paper's row: algorithm,dimensions,instructions,ms_800x600,ms_1024x768.
 std::optional<Printed> printed_row(std::string_view algorithm, int dimensions) {
-  for (const std::string_view line : split(resource("printed.csv"), '\n')) {
+  for (const std::string_view line : split(text_of(kPaperFiles, "printed.csv"), '\n')) {
     const auto cells = split(line, ',');
     if (cells.size() != 5 || cells[0] != algorithm || cells[1] != fmt::format("{}", dimensions)) continue;
     const auto number = [](std::string_view text) {

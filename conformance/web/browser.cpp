@@ -9,7 +9,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "results.hpp"
+#include "run/results.hpp"
 #include "web/chromium.hpp"
 #include "web/page_server.hpp"
 #include "web/suite.hpp"

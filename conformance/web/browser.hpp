@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "context_info.hpp"
-#include "events.hpp"
-#include "result.hpp"
-#include "source.hpp"
+#include "base/result.hpp"
+#include "gpu/context_info.hpp"
+#include "library/source.hpp"
+#include "web/events.hpp"
 
 namespace hn {
 

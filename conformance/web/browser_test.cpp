@@ -7,8 +7,8 @@
 #include <fstream>
 #include <utility>
 
-#include "case.hpp"
-#include "test_support.hpp"
+#include "base/temporary_folder.hpp"
+#include "cases/case.hpp"
 #include "web/browser_story.hpp"
 #include "web/suite.hpp"
 

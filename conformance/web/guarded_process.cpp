@@ -17,7 +17,7 @@
 #include <iterator>
 #include <utility>
 
-#include "process.hpp"
+#include "base/process.hpp"
 
 namespace hn {
 namespace {

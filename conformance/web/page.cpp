@@ -1,12 +1,13 @@
 // The page: index.mustache with the modules and the suite inside.
-#include "output/page.hpp"
+#include "base/output/page.hpp"
 
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "embedded.hpp"
-#include "output/base64.hpp"
-#include "report.hpp"
+#include "base/files.hpp"
+#include "base/output/base64.hpp"
+#include "base/version.hpp"
+#include "web/files.hpp"
 #include "web/suite.hpp"
 
 namespace hn {
@@ -26,7 +27,7 @@ void replace_all(std::string& text, std::string_view old, std::string_view with)
 std::string import_map() {
   nlohmann::ordered_json imports;
   for (const std::string_view name : kModules) {
-    std::string text(resource(name));
+    std::string text(text_of(kWebFiles, name));
     replace_all(text, "from \"./", "from \"hn/");
     imports["hn/" + std::string(name)] = "data:text/javascript;base64," + to_base64(text);
   }
@@ -38,7 +39,7 @@ std::string import_map() {
 Result<std::string> web_page(const std::string& suite) {
   std::string data = suite;
   replace_all(data, "<", "\\u003c");  // so that no text in it can end the script element
-  return render_page(resource("index.mustache"), {{"style", resource("style.mustache")},
+  return render_page(text_of(kWebFiles, "index.mustache"), {{"style", text_of(kBaseFiles, "style.mustache")},
                                                   {"version", library_version()},
                                                   {"suite", data},
                                                   {"modules", import_map()}});

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "result.hpp"
+#include "base/result.hpp"
 
 namespace hn {
 

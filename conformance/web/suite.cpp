@@ -8,13 +8,13 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "bugs/bugs.hpp"
-#include "golden.hpp"
-#include "output/base64.hpp"
-#include "output/file.hpp"
-#include "pairing.hpp"
-#include "report.hpp"
-#include "tolerance.hpp"
+#include "base/output/base64.hpp"
+#include "base/output/file.hpp"
+#include "base/version.hpp"
+#include "cases/bugs/bugs.hpp"
+#include "expected/golden.hpp"
+#include "expected/pairing.hpp"
+#include "expected/tolerance.hpp"
 
 namespace hn {
 namespace {

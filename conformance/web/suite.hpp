@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "case.hpp"
-#include "source.hpp"
+#include "cases/case.hpp"
+#include "library/source.hpp"
 
 namespace hn {
 

@@ -8,10 +8,11 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "golden.hpp"
-#include "output/base64.hpp"
-#include "test_support.hpp"
-#include "tolerance.hpp"
+#include "base/output/base64.hpp"
+#include "base/temporary_folder.hpp"
+#include "expected/golden.hpp"
+#include "expected/tolerance.hpp"
+#include "library/configurations.hpp"
 
 namespace hn {
 namespace {

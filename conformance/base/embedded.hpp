@@ -1,0 +1,18 @@
+// Files as they were when the program was built. embed.cmake generates their definitions, and the header files.hpp of
+// each room that has some.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace hn {
+
+struct EmbeddedFile {
+  std::string_view name;
+  std::string_view text;
+};
+
+// The text of one of the files, which must be among them.
+std::string_view text_of(std::span<const EmbeddedFile> files, std::string_view name);
+
+}  // namespace hn

@@ -1,0 +1,48 @@
+#include "base/output/text.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace hn {
+namespace {
+
+constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
+
+// The two characters of three bytes that are valid UTF-8 and no XML: U+FFFE and U+FFFF.
+bool begins_with_non_character(std::string_view text) {
+  return text.starts_with("\xEF\xBF\xBE") || text.starts_with("\xEF\xBF\xBF");
+}
+
+// The library that writes JSON replaces what is no UTF-8.
+std::string valid_utf8(std::string_view bytes) {
+  const std::string json = nlohmann::json(bytes).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return nlohmann::json::parse(json).get<std::string>();
+}
+
+}  // namespace
+
+std::string clean_text(std::string_view bytes) {
+  const std::string text = valid_utf8(bytes);
+  std::string clean;
+  clean.reserve(text.size());
+  for (std::string_view rest = text; !rest.empty();) {
+    const char c = rest.front();
+    const bool forbidden = static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r';
+    if (forbidden || begins_with_non_character(rest)) {
+      clean += kReplacement;
+      rest.remove_prefix(forbidden ? 1 : 3);
+    } else {
+      clean += c;
+      rest.remove_prefix(1);
+    }
+  }
+  return clean;
+}
+
+std::string shortened(std::string_view text, std::size_t most) {
+  if (text.size() <= most) return std::string(text);
+  return fmt::format("{} ... ({} characters more)", text.substr(0, most), text.size() - most);
+}
+
+}  // namespace hn

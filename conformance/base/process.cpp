@@ -1,0 +1,111 @@
+#include "base/process.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+
+namespace hn {
+namespace {
+
+struct Pipe {
+  FileDescriptor read;
+  FileDescriptor write;
+};
+
+Result<Pipe> make_pipe() {
+  std::array<int, 2> ends;
+  if (pipe(ends.data()) != 0) return fail(fmt::format("cannot make a pipe: {}", std::strerror(errno)));
+  // Above kReportFd, so that the child's copy does not land on the other end.
+  Pipe made;
+  for (int& end : ends) {
+    const int moved = fcntl(end, F_DUPFD_CLOEXEC, kReportFd + 1);
+    close(end);
+    end = moved;
+  }
+  made.read = FileDescriptor(ends[0]);
+  made.write = FileDescriptor(ends[1]);
+  if (ends[0] < 0 || ends[1] < 0) return fail(fmt::format("cannot make a pipe: {}", std::strerror(errno)));
+  return made;
+}
+
+// In the child, between fork and exec, where only async-signal-safe functions may be called. Returns where it failed.
+void become(const char* program, char* const* arguments, char** environment, const char* output, int reports,
+            pid_t parent) {
+#ifdef __linux__
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(EXIT_FAILURE);  // it ended before the line above
+#endif
+  const rlimit no_core{0, 0};
+  setrlimit(RLIMIT_CORE, &no_core);  // a crash is what we look for, its dump is of no use
+  const int in = open("/dev/null", O_RDONLY);
+  const int out = open(output, O_WRONLY | O_CREAT | O_APPEND, 0644);
+  if (in < 0 || out < 0) return;
+  if (dup2(in, STDIN_FILENO) < 0 || dup2(out, STDOUT_FILENO) < 0 || dup2(out, STDERR_FILENO) < 0) return;
+  if (dup2(reports, kReportFd) < 0) return;
+  if (environment) environ = environment;
+  execvp(program, arguments);
+}
+
+}  // namespace
+
+FileDescriptor::~FileDescriptor() {
+  if (fd_ >= 0) close(fd_);
+}
+
+std::vector<char*> pointers_to(std::vector<std::string>& texts) {
+  std::vector<char*> pointers;
+  for (std::string& text : texts) pointers.push_back(text.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+Result<Process> start_process(const ProcessOptions& options) {
+  auto reports = make_pipe();
+  auto failure = make_pipe();  // closed by exec, else it brings errno
+  if (!reports) return tl::unexpected(reports.error());
+  if (!failure) return tl::unexpected(failure.error());
+  std::vector<std::string> arguments = {options.name.empty() ? options.program : options.name};
+  arguments.insert(arguments.end(), options.arguments.begin(), options.arguments.end());
+  std::vector<std::string> environment = options.environment.value_or(std::vector<std::string>{});
+  const std::vector<char*> argument_pointers = pointers_to(arguments);
+  std::vector<char*> environment_pointers = pointers_to(environment);
+  const std::string output = options.output.string();
+  const pid_t parent = getpid();
+  const pid_t pid = fork();
+  if (pid < 0) return fail(fmt::format("cannot start a process: {}", std::strerror(errno)));
+  if (pid == 0) {
+    become(options.program.c_str(), argument_pointers.data(),
+           options.environment ? environment_pointers.data() : nullptr, output.c_str(), reports->write.get(), parent);
+    const int error = errno;
+    [[maybe_unused]] const auto written = write(failure->write.get(), &error, sizeof error);
+    _exit(EXIT_FAILURE);
+  }
+  failure->write = FileDescriptor();
+  int error = 0;
+  if (read(failure->read.get(), &error, sizeof error) == sizeof error) {
+    waitpid(pid, nullptr, 0);
+    return fail(fmt::format("cannot start {}: {}", options.program, std::strerror(error)));
+  }
+  return Process{pid, std::move(reports->read)};
+}
+
+std::filesystem::path own_program() { return "/proc/self/exe"; }
+
+std::string describe_end(int status) {
+  if (WIFSIGNALED(status)) {
+    return fmt::format("ended by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)));
+  }
+  return fmt::format("ended with status {}", WEXITSTATUS(status));
+}
+
+}  // namespace hn

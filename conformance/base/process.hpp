@@ -1,0 +1,69 @@
+// Child processes that end with this one, and what they have to report.
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/result.hpp"
+
+namespace hn {
+
+class FileDescriptor {
+ public:
+  FileDescriptor() = default;
+  explicit FileDescriptor(int fd) : fd_(fd) {}
+  FileDescriptor(FileDescriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+  FileDescriptor& operator=(FileDescriptor&& other) noexcept {
+    std::swap(fd_, other.fd_);
+    return *this;
+  }
+  ~FileDescriptor();
+  int get() const { return fd_; }
+
+ private:
+  int fd_ = -1;
+};
+
+// Where a child writes its reports.
+constexpr int kReportFd = 3;
+
+struct ProcessOptions {
+  std::string program;    // searched in PATH if it names no folder
+  std::string name = {};  // as tools show it, if it is not to be the program's
+  std::vector<std::string> arguments = {};
+  std::optional<std::vector<std::string>> environment = {};  // NAME=VALUE; ours if there is none
+  std::filesystem::path output = "/dev/null";                // of its standard output and error
+};
+
+struct Process {
+  Process() = default;
+  Process(pid_t pid_, FileDescriptor reports_) : pid(pid_), reports(std::move(reports_)) {}
+  Process(Process&& other) noexcept : pid(std::exchange(other.pid, 0)), reports(std::move(other.reports)) {}
+  Process& operator=(Process&& other) noexcept {
+    std::swap(pid, other.pid);
+    std::swap(reports, other.reports);
+    return *this;
+  }
+
+  pid_t pid = 0;           // 0 for none
+  FileDescriptor reports;  // what it writes to kReportFd
+};
+
+// The system kills the child when the thread that started it ends (on Linux), however that comes.
+Result<Process> start_process(const ProcessOptions& options);
+
+// The texts as exec takes them, for as long as they are; the last pointer is null.
+std::vector<char*> pointers_to(std::vector<std::string>& texts);
+
+// This program, also while a newer one takes its place in the file system.
+std::filesystem::path own_program();
+
+// "ended by signal 9 (Killed)", "ended with status 1": what waitpid said.
+std::string describe_end(int status);
+
+}  // namespace hn

@@ -1,0 +1,81 @@
+// How a case ended, and what there is to say of it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.hpp"
+
+namespace hn {
+
+enum class Status {
+  pass,
+  warning,  // nothing that the library promises is touched, but somebody should know: what is said is in the message
+  fail,     // the driver, or the library on it, is wrong
+  unsupported,  // the driver cannot, and does not claim to
+  crash,        // the process of the driver ended, or its context was lost
+  timeout,      // the driver did not answer in time
+  error,        // the suite itself could not do its work: a golden file is missing, say
+};
+inline constexpr std::array kStatuses = {Status::pass,  Status::warning, Status::fail, Status::unsupported,
+                                         Status::crash, Status::timeout, Status::error};
+std::string_view name_of(Status status);
+std::optional<Status> status_named(std::string_view name);
+// Whether a case that ended so keeps a run from being as expected, unless an expectation excuses it.
+bool is_bad(Status status);
+
+// A value that is wrong.
+struct Mismatch {
+  std::size_t point = 0;             // its number in the grid: a row of pixels has 1,024
+  std::vector<std::uint32_t> words;  // the input words of the point
+  std::string inputs;                // the same, by name: "x=1.5 (3fc00000) seed=7 (00000007)"
+  std::string got;                   // in decimal and hexadecimal
+  std::string expected;
+};
+
+struct Outcome {
+  Status status = Status::pass;
+  std::uint64_t samples = 0;     // values compared
+  std::uint64_t mismatches = 0;  // values outside of what is allowed
+  double max_abs = 0.0;          // largest difference seen, allowed or not
+  std::uint64_t max_ulp = 0;     // the same, in units in the last place of a float
+  std::string message;
+  std::vector<Mismatch> examples;  // the first of the values that are wrong
+};
+
+// An outcome with the error as its message.
+Outcome outcome_with(Status status, const Error& error);
+
+// What a developer needs to see a fault: made where a case failed.
+struct Evidence {
+  std::string shader;  // a fragment shader that stands alone and shows it; empty if none does
+  // PNG files in base64: the values, what they should be, and the difference, amplified. Empty if there is nothing to
+  // be seen.
+  std::string got;
+  std::string reference;
+  std::string difference;
+  double factor = 0.0;    // by which the difference is amplified
+  std::string note = {};  // what the pictures and the shader show, and what they do not
+
+  bool operator==(const Evidence&) const = default;
+};
+
+struct CaseResult {
+  std::string id;
+  Outcome outcome;
+  double seconds = 0.0;
+  std::optional<Evidence> evidence = {};
+  std::string excuse = {};  // of an expectation; why this case need not be right on this driver
+};
+
+// An excuse is right where the case is bad, and wrong where it is not.
+bool as_expected(const CaseResult& result);
+
+// "noise2d.perlin", of a case's id.
+std::string_view function_of(std::string_view id);
+
+}  // namespace hn

@@ -1,0 +1,53 @@
+// What real drivers have got wrong, a case each: a few lines of GLSL, inputs, and the words that should come out.
+//
+// A bug is data, so that a browser can run the same. Its expected words are computed by C++ that is no GLSL, from what
+// the specification says, when the table is made.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "cases/case.hpp"
+#include "library/shaders.hpp"
+
+namespace hn {
+
+struct BugPoint {
+  std::vector<std::uint32_t> inputs;    // a word for each of the function's inputs
+  std::vector<std::uint32_t> expected;  // a word for each of its outputs
+};
+
+struct Bug {
+  // id ("bugs.abs_of_int"), columns and body as in functions.inc; its file is config.glsl, for HN_HIGHP. The body may
+  // use float_of and bits_of.
+  Function function;
+  std::string_view reference;      // where it was reported
+  std::string_view specification;  // what the language says of it, and where
+  // Whether the specification pins the words down. Where it does not they are the natural ones, and a driver that
+  // differs is none the worse for it: a warning.
+  bool defined;
+  // How far a float may be off, because the specification allows it; 0 if it must be the very number.
+  double allowed = 0.0;
+  // Space-separated names of the profiles in which it runs.
+  std::string_view profiles = "gl330 es300";
+  // What stands before evaluate: an include, and the bug's own functions if it is about functions.
+  std::string_view declarations = "";
+  std::vector<BugPoint> points = {};
+
+  // The check of its cases' ids.
+  std::string_view check() const { return defined ? "defined" : "undefined"; }
+  // Integers, and floats that must be the very number, are exact.
+  std::string_view arithmetic() const { return allowed > 0.0 ? "fast" : "exact"; }
+};
+
+std::span<const Bug> all_bugs();
+const Bug& find_bug(std::string_view id);  // "bugs.abs_of_int"; it must exist
+
+// What evaluation_shader needs to make the bug's shader.
+Evaluation evaluation_of(const Bug& bug, const Profile& profile);
+// Holds what came out, kOutputWords per point of the bug, against what should.
+Outcome judge_bug(const Bug& bug, std::span<const std::uint32_t> outputs);
+
+}  // namespace hn

@@ -1,0 +1,44 @@
+// The parts of the table of bugs, and what they are written with.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <initializer_list>
+#include <vector>
+
+#include "cases/bugs/bugs.hpp"
+
+namespace hn {
+
+void add_integer_bugs(std::vector<Bug>& bugs);
+void add_float_bugs(std::vector<Bug>& bugs);
+void add_flow_bugs(std::vector<Bug>& bugs);
+
+inline float as_float(std::uint32_t value) { return std::bit_cast<float>(value); }
+
+// What a bug evaluates. It needs nothing of the library but HN_HIGHP.
+inline Function bug_function(std::string_view id, std::string_view columns, std::string_view body) {
+  return make_function(id, "config.glsl", Family::independent, "exact", columns, "", body);
+}
+
+constexpr std::uint32_t word(std::uint32_t value) { return value; }
+constexpr std::uint32_t word(std::int32_t value) { return static_cast<std::uint32_t>(value); }
+constexpr std::uint32_t word(float value) { return std::bit_cast<std::uint32_t>(value); }
+
+// A point for each of the inputs, with what expected makes of its words.
+template <typename Expected>
+std::vector<BugPoint> points(std::initializer_list<std::vector<std::uint32_t>> inputs, Expected expected) {
+  std::vector<BugPoint> all;
+  for (const auto& words : inputs) all.push_back({words, expected(words)});
+  return all;
+}
+
+// The same for a single float input or a single integer, which are written as such.
+template <typename Value, typename Expected>
+std::vector<BugPoint> points_of(std::initializer_list<Value> inputs, Expected expected) {
+  std::vector<BugPoint> all;
+  for (const Value value : inputs) all.push_back({{word(value)}, expected(value)});
+  return all;
+}
+
+}  // namespace hn

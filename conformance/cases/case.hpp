@@ -1,0 +1,105 @@
+// A case: one thing that a driver can get right or wrong, with its evidence.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <list>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.hpp"
+#include "base/verdict.hpp"
+#include "cases/targets.hpp"
+#include "gpu/context_info.hpp"
+#include "gpu/gpu.hpp"
+#include "gpu/reference_compiler.hpp"
+#include "library/source.hpp"
+
+namespace hn {
+
+// What every case may use while it runs.
+struct Suite {
+  const SourceSet& sources;
+  const ReferenceCompiler& reference;
+  std::filesystem::path golden_directory;
+  std::uint64_t seed;        // of the random points
+  std::uint64_t points = 0;  // of each comparison with the twin; 0 for what its case says
+};
+
+// What a case on a driver may use besides.
+struct Session : Suite {
+  const Context& context;
+  const ContextInfo info;
+  std::size_t most_points;  // of one evaluation: a grid takes 2^20; a slow driver is given fewer
+  GridRenderer grid;
+
+  // Random points for a function and how far the driver and the twin may be apart at each; the same for
+  // every hash, and kept until another function asks. There may be more than count. A batch has other points than the
+  // ones before.
+  struct PointSet {
+    std::vector<std::uint32_t> inputs;  // kInputWords per point
+    std::vector<double> allowed;        // per point
+  };
+  const PointSet& twin_points(const Function& function, const Configuration& configuration, std::size_t count,
+                              std::uint64_t batch = 0);
+
+  // To be called by a case that goes on for long, after each part of its work.
+  std::function<void()> still_alive = [] {};
+
+  // The program that evaluates a function. The last few are kept, since cases that share a program follow each other;
+  // what is returned lasts until the next call.
+  Result<const Program*> evaluation_program(const Evaluation& evaluation);
+
+  Session(const Suite& suite, const Context& context, std::size_t most_points = std::size_t{1} << 20);
+
+ private:
+  Result<Program> build(const Evaluation& evaluation, std::string_view shader) const;
+
+  struct KeptProgram {
+    std::string key;
+    Program program;
+  };
+  std::list<KeptProgram> kept_;  // the last one that was asked for first
+  std::string kept_points_of_;
+  PointSet kept_points_;
+};
+
+// What a case has the driver compile, and nothing else.
+struct Compilation {
+  const Profile& profile;
+  std::string fragment;  // the shader, before its includes are expanded
+  std::string_view refusal =
+      {};                // the word that the driver's error must have; empty if the shader must compile and link
+  bool too_old = false;  // a driver may refuse the version before it reads the library's words
+};
+
+struct Case {
+  std::string id;  // file.function.hash.arithmetic.stage.profile.check
+  std::function<Outcome(Session&)> run;
+  // What it is about, for pictures of what failed and for those who run it elsewhere: values or a compilation.
+  std::shared_ptr<const Evaluation> evaluation = {};
+  std::shared_ptr<const Compilation> compilation = {};
+  std::string about = {};  // where it comes from, in lines for hn-conform list --about; mostly nothing
+  std::function<Outcome(const Suite&)> compile = {};  // in place of run, for what the reference compiler alone says
+  Extent extent = Extent::every_driver;
+
+  bool needs_driver() const { return run != nullptr; }
+};
+
+// Runs the case, and times it. An exception in it is an error of the suite, and no more.
+CaseResult run_case(Session& session, const Case& test);
+CaseResult run_case(const Suite& suite, const Case& test);  // of one that needs no driver
+
+// Every case, in the order in which they run.
+std::vector<Case> all_cases();
+std::vector<std::string> ids_of(const std::vector<Case>& cases);
+
+// The parts of all_cases, a file each.
+void add_compile_cases(std::vector<Case>& cases);
+void add_value_cases(std::vector<Case>& cases);
+void add_bug_cases(std::vector<Case>& cases);  // bugs/
+
+}  // namespace hn

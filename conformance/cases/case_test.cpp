@@ -1,0 +1,54 @@
+#include "cases/case.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+#include "gpu/osmesa_fixture.hpp"
+
+namespace hn {
+namespace {
+
+TEST(Cases, IdsAreUniqueAndHaveSevenParts) {
+  std::set<std::string> seen;
+  for (const Case& test : all_cases()) {
+    EXPECT_TRUE(seen.insert(test.id).second) << test.id;
+    EXPECT_EQ(std::count(test.id.begin(), test.id.end(), '.'), 6) << test.id;
+  }
+}
+
+TEST(Cases, EveryConfigurationAndFunctionHasGoldenAndTwin) {
+  std::set<std::string> seen;
+  for (const Case& test : all_cases()) seen.insert(test.id);
+  for (const Function& function : all_functions()) {
+    for (const Configuration& configuration : all_configurations()) {
+      if (!covers(configuration, function)) continue;
+      const auto name = configuration_name(function, configuration);
+      const bool precise = configuration.arithmetic == Arithmetic::precise;
+      const std::string start = fmt::format("{}.{}.{}.fragment.{}.", function.id, name,
+                                            arithmetic_name(function, configuration), precise ? "gl400" : "gl330");
+      EXPECT_TRUE(seen.contains(start + "golden")) << start;
+      EXPECT_TRUE(seen.contains(start + "twin")) << start;
+    }
+  }
+}
+
+Outcome throws(Session&) { throw std::runtime_error("thrown"); }
+
+class CasesOnOsmesa : public OnOsmesa<> {};
+
+TEST_F(CasesOnOsmesa, AnExceptionIsAnError) {
+  const SourceSet sources = SourceSet::embedded();
+  const ReferenceCompiler reference;
+  Session session({sources, reference, "", 1}, *context_, 1);
+  const CaseResult result = run_case(session, {"a", throws});
+  EXPECT_EQ(result.id, "a");
+  EXPECT_EQ(result.outcome.status, Status::error);
+  EXPECT_EQ(result.outcome.message, "exception: thrown");
+}
+
+}  // namespace
+}  // namespace hn

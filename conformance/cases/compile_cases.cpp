@@ -1,0 +1,305 @@
+// Cases that only compile: every file with every hash in every version, by glslang and by the driver; and shaders that
+// the library must refuse, or must not.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <hashnoise/hashnoise.hpp>
+
+#include "cases/case.hpp"
+#include "gpu/spirv.hpp"
+#include "library/files.hpp"
+#include "library/shaders.hpp"
+
+namespace hn {
+namespace {
+
+std::string_view stem(std::string_view file) { return file.substr(0, file.find('.')); }
+
+// file.all.configuration.arithmetic. No function of theirs is called by itself, so what is exact is not told apart.
+std::string compiled_name(std::string_view file, const Configuration& configuration) {
+  return fmt::format("{}.all.{}.{}", stem(file), configuration.name_without_arithmetic(),
+                     name_of(configuration.arithmetic));
+}
+
+Outcome outcome_of(const Result<void>& result) {
+  return result ? Outcome{} : outcome_with(Status::fail, result.error());
+}
+
+Outcome check_with_glslang(const Suite& suite, const Profile& profile, const std::string& text, Stage stage) {
+  const auto source = expand(suite.sources, profile, text);
+  return source ? outcome_of(suite.reference.check(*source, profile, stage))
+                : outcome_with(Status::fail, source.error());
+}
+
+Outcome check_with_driver(Session& session, const Compilation& compilation) {
+  const Profile& profile = compilation.profile;
+  if (const auto reason = unsupported_reason(profile, session.info.languages); !reason.empty()) {
+    return outcome_with(Status::unsupported, {reason, {}});
+  }
+  const auto vertex = expand(session.sources, profile, vertex_shader());
+  const auto fragment = expand(session.sources, profile, compilation.fragment);
+  if (!vertex) return outcome_with(Status::error, vertex.error());
+  if (!fragment) return outcome_with(Status::fail, fragment.error());
+  const auto program = Program::build(session.context, *vertex, *fragment);
+  return program ? Outcome{} : outcome_with(Status::fail, program.error());
+}
+
+// glslang tries every file alone with every arithmetic; drivers, which take longer, all of them together.
+bool is_for_drivers(std::string_view file, const Configuration& configuration) {
+  if (configuration.fast()) return file != "arithmetic.glsl";
+  return file == "hashnoise.glsl" && !configuration.sine();
+}
+
+// Whether a configuration has most of its cases in this version.
+bool is_main(const Configuration& configuration, const Profile& profile) {
+  return profile.spirv || profile.name == main_profile(configuration, profile.es).name;
+}
+
+// A file of the library with one configuration in one version. number: of the file, among all.
+void add_file_cases(std::vector<Case>& cases, std::size_t number, const Configuration& configuration,
+                    const Profile& profile) {
+  const std::string_view file = kLibraryFiles[number].name;
+  const auto id = [&](Stage stage, std::string_view check) {
+    return fmt::format("{}.{}.{}.{}", compiled_name(file, configuration), name_of(stage), profile.name, check);
+  };
+  const bool main = is_main(configuration, profile);
+  const auto extent_in = [&](Stage stage) {
+    const bool chosen = configuration.is_default() || (main && stage == Stage::fragment) ||
+                        has_turn(number, configuration, static_cast<std::size_t>(&profile - all_profiles().data()) +
+                                                            static_cast<std::size_t>(stage));
+    return chosen ? Extent::one_driver : Extent::thorough;
+  };
+  const auto add_glslang = [&](Stage stage) {
+    cases.push_back({.id = id(stage, profile.spirv ? "spirv" : "glslang"),
+                     .run = {},
+                     .compile =
+                         [=, &configuration, &profile](const Suite& suite) {
+                           return check_with_glslang(suite, profile,
+                                                     calling_shader(file, configuration, profile, stage), stage);
+                         },
+                     .extent = extent_in(stage)});
+  };
+  add_glslang(Stage::fragment);
+  add_glslang(Stage::vertex);
+  if (profile.version >= (profile.es ? 310 : 430)) add_glslang(Stage::compute);
+  if (profile.spirv || !is_for_drivers(file, configuration)) return;
+  const auto compilation = std::make_shared<const Compilation>(
+      Compilation{profile, calling_shader(file, configuration, profile, Stage::fragment)});
+  const bool whole = file == "hashnoise.glsl" && main && configuration.default_but_for_arithmetic();
+  cases.push_back({.id = id(Stage::fragment, "driver"),
+                   .run = [=](Session& session) { return check_with_driver(session, *compilation); },
+                   .compilation = compilation,
+                   .extent = whole ? Extent::every_driver : extent_in(Stage::fragment)});
+}
+
+// Elsewhere the library must refuse it.
+bool can_compile(const Configuration& configuration, const Profile& profile) {
+  return configuration.arithmetic != Arithmetic::precise || profile.version >= (profile.es ? 320 : 400);
+}
+
+// The oldest version of ES that glslang makes SPIR-V of.
+const Profile& es_to_spirv(const Configuration& configuration) {
+  static constexpr Profile kEs310{"es310", "#version 310 es", 310, true, true};
+  static constexpr Profile kEs320{"es320", "#version 320 es", 320, true, true};
+  return can_compile(configuration, kEs310) ? kEs310 : kEs320;
+}
+
+// In ES, what is not declared highp has 16 bits on some machines, and on the others nobody notices. So glslang is asked
+// for the SPIR-V of the ES shader, whose default precision is mediump, and nothing in it may be of relaxed precision.
+Outcome check_highp(const Suite& suite, std::string_view file, const Configuration& configuration) {
+  const Profile& profile = es_to_spirv(configuration);
+  const auto source = expand(suite.sources, profile, calling_shader(file, configuration, profile, Stage::fragment));
+  if (!source) return outcome_with(Status::fail, source.error());
+  const auto words = suite.reference.spirv(*source, Stage::fragment);
+  if (!words) return outcome_with(Status::fail, words.error());
+  const std::vector<std::string> relaxed = relaxed_precision(*words);
+  if (relaxed.empty()) return {};
+  return outcome_with(
+      Status::fail,
+      {fmt::format("{} values are not highp, of these with a name: {}", relaxed.size(), fmt::join(relaxed, " ")), {}});
+}
+
+void add_highp_case(std::vector<Case>& cases, std::string_view file, const Configuration& configuration) {
+  cases.push_back(
+      {.id = fmt::format("{}.fragment.{}.highp", compiled_name(file, configuration), es_to_spirv(configuration).name),
+       .run = {},
+       .compile = [=, &configuration](const Suite& suite) { return check_highp(suite, file, configuration); }});
+}
+
+// A driver that contracts shows a forgotten `precise` only if the bits happen to differ, and the software drivers of
+// most machines never contract. So glslang is asked for the SPIR-V, where every operation that rounds must be marked.
+// These functions need no mark: what they compute is exact, contracted or not.
+Outcome check_uncontracted(const Suite& suite, std::string_view file, const Configuration& configuration) {
+  constexpr std::array<std::string_view, 4> kExact = {"hn_unorm(", "hn_snorm(", "hn_gradient2(", "hn_gradient3("};
+  const Profile& profile = profile_named("vulkan");
+  const auto source = expand(suite.sources, profile, calling_shader(file, configuration, profile, Stage::fragment));
+  if (!source) return outcome_with(Status::fail, source.error());
+  const auto words = suite.reference.spirv(*source, Stage::fragment);
+  if (!words) return outcome_with(Status::fail, words.error());
+  std::vector<std::string> found = contractible(*words);
+  std::erase_if(found, [&](const std::string& name) {
+    return std::any_of(kExact.begin(), kExact.end(), [&](std::string_view exact) { return name.starts_with(exact); });
+  });
+  if (found.empty()) return {};
+  return outcome_with(Status::fail, {fmt::format("not precise: {}", fmt::join(found, " ")), {}});
+}
+
+void add_uncontracted_case(std::vector<Case>& cases, std::string_view file, const Configuration& configuration) {
+  cases.push_back(
+      {.id = fmt::format("{}.fragment.vulkan.uncontracted", compiled_name(file, configuration)),
+       .run = {},
+       .compile = [=, &configuration](const Suite& suite) { return check_uncontracted(suite, file, configuration); }});
+}
+
+// Every hash is other code, and so is each other knob by itself; combinations are not, but for a gradient in another
+// arithmetic. Hashes have no arithmetic, and it has no hashes; fbm_fixed.glsl is empty but for one.
+bool selects_code(std::string_view file, const Configuration& configuration) {
+  const bool by_arithmetic = configuration.default_but_for_arithmetic();
+  if (file == "arithmetic.glsl") return by_arithmetic;
+  if (file == "fbm_fixed.glsl") return by_arithmetic && configuration.arithmetic == Arithmetic::fixed;
+  if (!configuration.fast()) {
+    const bool sine = configuration.name_without_arithmetic() == "lattice+sine";
+    return file != "hash.glsl" && (by_arithmetic || (sine && file == "hashnoise.glsl"));
+  }
+  return configuration.hash_only() || configuration.name == "lattice+sine" ||
+         configuration.name == "lattice+period48" || configuration.name == "lattice+period64";
+}
+
+// A shader that the library must refuse with an #error that says what would be right.
+struct Refusal {
+  std::string_view name;
+  std::string_view profile;
+  std::string knobs;
+  std::string_view expected;  // a word of the message
+};
+
+// Of the library that this program was built with, whose last hash is the custom one.
+const std::string kHashBeyondTheLast = fmt::format("#define HN_HASH {}\n", HN_HASH_CUSTOM + 1);
+
+const Refusal kRefusals[] = {
+    {"version_120", "gl120", "", "GLSL 1.30"},
+    {"version_es100", "es100", "", "GLSL ES 3.00"},
+    {"hash_0", "gl330", "#define HN_HASH 0\n", "HN_HASH_PARTIAL_JENKINS"},
+    {"hash_beyond_the_last", "gl330", kHashBeyondTheLast, "HN_HASH_PARTIAL_JENKINS"},
+    {"hash_beyond_the_last", "es300", kHashBeyondTheLast, "HN_HASH_PARTIAL_JENKINS"},
+    {"hash_misspelt", "gl330", "#define HN_HASH HN_HASH_FNV\n", "HN_HASH_PARTIAL_JENKINS"},
+    // In ES an undefined name in #if is an error of its own, which names it.
+    {"hash_misspelt", "es300", "#define HN_HASH HN_HASH_FNV\n", "HN_HASH"},
+    {"gradient_3", "gl330", "#define HN_GRADIENT 3\n", "HN_GRADIENT_SINE"},
+    {"gradient_misspelt", "gl330", "#define HN_GRADIENT HN_GRADIENT_SIN\n", "HN_GRADIENT_SINE"},
+    {"arithmetic_0", "gl330", "#define HN_ARITHMETIC 0\n", "HN_FIXED"},
+    {"arithmetic_4", "gl330", "#define HN_ARITHMETIC 4\n", "HN_FIXED"},
+    {"arithmetic_4", "es300", "#define HN_ARITHMETIC 4\n", "HN_FIXED"},
+    {"arithmetic_misspelt", "gl330", "#define HN_ARITHMETIC HN_FIX\n", "HN_FIXED"},
+    {"precise_too_early", "gl330", "#define HN_ARITHMETIC HN_PRECISE\n", "GLSL 4.00"},
+    {"precise_too_early", "es300", "#define HN_ARITHMETIC HN_PRECISE\n", "GLSL ES 3.20"},
+    {"precise_too_early", "es310", "#define HN_ARITHMETIC HN_PRECISE\n", "GLSL ES 3.20"},
+    {"period_negative", "gl330", "#define HN_PERIOD -1\n", "1048576"},
+    {"period_large_and_no_power_of_two", "gl330", "#define HN_PERIOD 1048577\n", "1048576"},
+    {"period_large_and_no_power_of_two", "es300", "#define HN_PERIOD 1048577\n", "1048576"},
+    {"period_too_large", "gl330", "#define HN_PERIOD 1073741825\n", "1073741824"},
+    {"custom_without_function", "gl330", "#define HN_HASH HN_HASH_CUSTOM\n", "HN_HASH_FN"},
+};
+
+// What the library must take.
+struct Acceptance {
+  std::string_view name;
+  std::string knobs;       // before the include
+  std::string after = {};  // behind it
+};
+
+std::vector<Acceptance> acceptances() {
+  return {
+      {"period_1", "#define HN_PERIOD 1\n"},
+      {"period_largest_of_any", "#define HN_PERIOD 1048576\n"},
+      {"period_largest_power_of_two", "#define HN_PERIOD 1073741824\n"},
+      // Of the library that this program was built with.
+      {"version", "",
+       fmt::format("#if HN_VERSION_MAJOR != {} || HN_VERSION_MINOR != {} || HN_VERSION_PATCH != {}\n"
+                   "#error this is another version\n#endif\n",
+                   HN_VERSION_MAJOR, HN_VERSION_MINOR, HN_VERSION_PATCH)},
+      // An undefined name in #if is an error by the letter, and 0 in most compilers.
+      {"macros", "",
+       "#if !defined(HN_VERSION_MAJOR) || !defined(HN_VERSION_MINOR) || !defined(HN_VERSION_PATCH)\n#error version\n"
+       "#endif\n#if !defined(HN_I_BITCAST) || !defined(HN_HASH) || !defined(HN_GRADIENT) || !defined(HN_PERIOD)\n"
+       "#error knobs\n#endif\n#if !defined(HN_ARITHMETIC)\n#error knobs\n#endif\n"},
+  };
+}
+
+void add_acceptance_cases(std::vector<Case>& cases, const Acceptance& acceptance) {
+  for (const std::string_view name : {"gl140", "gl330", "es300"}) {  // without and with bit casts, and ES
+    const Profile& profile = profile_named(name);
+    const auto compilation = std::make_shared<const Compilation>(Compilation{
+        profile,
+        fmt::format("{}#include \"hashnoise.glsl\"\n{}void main() {{}}\n", acceptance.knobs, acceptance.after)});
+    const std::string id = fmt::format("config.{}.any.fast.fragment.{}.", acceptance.name, name);
+    cases.push_back({.id = id + "glslang", .run = {}, .compile = [=](const Suite& suite) {
+                       return check_with_glslang(suite, compilation->profile, compilation->fragment, Stage::fragment);
+                     }});
+    cases.push_back({.id = id + "driver",
+                     .run = [=](Session& session) { return check_with_driver(session, *compilation); },
+                     .compilation = compilation,
+                     .extent = Extent::one_driver});
+  }
+}
+
+Outcome expect_refusal(const Compilation& compilation, const Result<void>& compiled) {
+  const std::string_view expected = compilation.refusal;
+  if (compiled) {
+    return outcome_with(Status::fail, {fmt::format("it compiles; an error that names {} was due", expected), {}});
+  }
+  if (compiled.error().log.find(expected) != std::string::npos) return {};
+  return outcome_with(Status::fail,
+                      {fmt::format("it is refused, but nothing names {}", expected), compiled.error().log});
+}
+
+Outcome check_refused_by_driver(Session& session, const Compilation& compilation) {
+  const auto text = expand(session.sources, compilation.profile, compilation.fragment);
+  if (!text) return outcome_with(Status::error, text.error());
+  const auto compiled = compile_only(session.context, *text, Stage::fragment);
+  auto outcome = expect_refusal(compilation, compiled);
+  const bool refused_unread = !compiled && outcome.status == Status::fail && compilation.too_old;
+  if (refused_unread) outcome.status = Status::unsupported;
+  return outcome;
+}
+
+void add_refusal_cases(std::vector<Case>& cases, const Refusal& refusal) {
+  const auto compilation = std::make_shared<const Compilation>(Compilation{
+      profile_named(refusal.profile), fmt::format("{}#include \"config.glsl\"\nvoid main() {{}}\n", refusal.knobs),
+      refusal.expected, refusal.name.starts_with("version") || refusal.profile == "es310"});
+  const auto id = [&](std::string_view check) {
+    return fmt::format("config.{}.any.fast.fragment.{}.{}", refusal.name, compilation->profile.name, check);
+  };
+  cases.push_back({.id = id("refused_by_glslang"), .run = {}, .compile = [=](const Suite& suite) {
+                     const auto text = expand(suite.sources, compilation->profile, compilation->fragment);
+                     if (!text) return outcome_with(Status::error, text.error());
+                     return expect_refusal(*compilation,
+                                           suite.reference.check(*text, compilation->profile, Stage::fragment));
+                   }});
+  cases.push_back({.id = id("refused_by_driver"),
+                   .run = [=](Session& session) { return check_refused_by_driver(session, *compilation); },
+                   .compilation = compilation,
+                   .extent = Extent::one_driver});
+}
+
+}  // namespace
+
+void add_compile_cases(std::vector<Case>& cases) {
+  for (std::size_t number = 0; number < kLibraryFiles.size(); ++number) {
+    const std::string_view file = kLibraryFiles[number].name;
+    for (const Configuration& configuration : all_configurations()) {
+      if (!selects_code(file, configuration)) continue;
+      for (const Profile& profile : all_profiles()) {
+        if (can_compile(configuration, profile)) add_file_cases(cases, number, configuration, profile);
+      }
+      add_highp_case(cases, file, configuration);
+      if (configuration.arithmetic == Arithmetic::precise) add_uncontracted_case(cases, file, configuration);
+    }
+  }
+  for (const Acceptance& acceptance : acceptances()) add_acceptance_cases(cases, acceptance);
+  for (const Refusal& refusal : kRefusals) add_refusal_cases(cases, refusal);
+}
+
+}  // namespace hn

@@ -1,0 +1,263 @@
+#include "cases/evidence.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+
+#include "cases/evidence_pictures.hpp"
+#include "cases/evidence_shader.hpp"
+#include "cases/value_checks.hpp"
+#include "expected/golden.hpp"
+#include "expected/points.hpp"
+#include "expected/tolerance.hpp"
+#include "expected/twin.hpp"
+
+namespace hn {
+namespace {
+
+// A second one, since the first of a function's cases may fail for another reason.
+constexpr std::size_t kMostPerFunction = 2;
+// With its pictures one takes about 50 kB.
+constexpr int kMostPerDriver = 40;
+
+// What is right at a point, and how far from it a float may be unless every bit counts.
+struct Right {
+  std::array<std::uint32_t, kOutputWords> words;
+  double allowed;
+  bool every_bit;
+};
+
+// What fails in one version of the language mostly does so in the others.
+std::string without_version(const std::string& id) {
+  const auto check = id.rfind('.');
+  if (check == std::string::npos || check == 0) return id;
+  const auto version = id.rfind('.', check - 1);
+  return version == std::string::npos ? id : id.substr(0, version) + id.substr(check);
+}
+
+double number(std::uint32_t word) { return static_cast<double>(std::bit_cast<float>(word)); }
+
+class Examiner {
+ public:
+  Examiner(Session& session, const Case& test, const Outcome& outcome)
+      : session_(session),
+        id_(test.id),
+        outcome_(outcome),
+        // The other shapes and stages of a shader have other results, or no pixels.
+        evaluation_{.function = test.evaluation->function,
+                    .configuration = test.evaluation->configuration,
+                    .profile = test.evaluation->profile,
+                    .variant = {.seeded = test.evaluation->variant.seeded, .knobs = test.evaluation->variant.knobs}} {}
+
+  std::optional<Evidence> run() {
+    const Words first = wrong_point();
+    window_ = window_around(function(), first);
+    reference_.resize(window_.size() / kInputWords * kOutputWords);
+    evaluate_twin(function(), evaluation_.configuration, window_, reference_);
+    const auto got = evaluate(session_, evaluation_, window_);
+    if (!got) return without_values(got.error());
+    got_ = *got;
+    std::size_t wrong = 0;
+    std::size_t at = kMiddle * kPictureSide + kMiddle;
+    const bool middle_is_wrong = is_wrong(at);
+    for (std::size_t i = 0; i < kPictureSide * kPictureSide; ++i) {
+      if (!is_wrong(i)) continue;
+      if (wrong++ == 0 && !middle_is_wrong && !is_off_golden(at)) at = i;
+    }
+    Evidence evidence;
+    if (wrong != 0) add_pictures(evidence, wrong);
+    add_shader(evidence, at);
+    return evidence;
+  }
+
+ private:
+  const Function& function() const { return evaluation_.function; }
+
+  // Where the case failed; or, if it does not say, any.
+  Words wrong_point() const {
+    const bool known = !outcome_.examples.empty() && outcome_.examples.front().words.size() == kInputWords;
+    if (known) return outcome_.examples.front().words;
+    return random_points(function(), 1, Random(session_.seed, id_));
+  }
+
+  // As the twin has it; both may be off the exact value.
+  Right right_by_twin(std::size_t i) const {
+    Right right{{},
+                2.0 * tolerance(function(), evaluation_.configuration, point(window_, i)),
+                has_same_bits(function(), evaluation_.configuration)};
+    const auto words = result(reference_, i);
+    std::copy(words.begin(), words.end(), right.words.begin());
+    return right;
+  }
+
+  // As its golden file has it, if the point is in it.
+  std::optional<Right> right_by_golden(std::size_t i) const {
+    const auto path = golden_path(session_.golden_directory, function(), evaluation_.configuration);
+    const auto golden = read_golden(path, function(), evaluation_.configuration);
+    if (!golden) return std::nullopt;
+    const auto words = point(window_, i);
+    for (const GoldenRow& row : golden->rows) {
+      if (!std::equal(row.inputs.begin(), row.inputs.end(), words.begin())) continue;
+      Right right{{},
+                  tolerance(function(), evaluation_.configuration, words),
+                  has_exact_values(function(), evaluation_.configuration)};
+      for (std::size_t word = 0; word < row.values.size(); ++word) {
+        right.words[word] = result_bits(function().outputs[word], row.values[word]);
+      }
+      return right;
+    }
+    return std::nullopt;
+  }
+
+  bool differs(std::size_t i, const Right& right) const {
+    for (std::size_t word = 0; word < function().outputs.size(); ++word) {
+      const std::uint32_t got = result(got_, i)[word];
+      if (right.every_bit) {
+        if (got != right.words[word]) return true;
+      } else if (!(std::fabs(number(got) - number(right.words[word])) <= right.allowed)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  bool is_wrong(std::size_t i) const { return differs(i, right_by_twin(i)); }
+  bool is_off_golden(std::size_t i) const {
+    const auto right = right_by_golden(i);
+    return right && differs(i, *right);
+  }
+
+  void add_pictures(Evidence& evidence, std::size_t wrong) const {
+    const Pictures pictures = draw_pictures(function(), got_, reference_);
+    evidence.got = pictures.got;
+    evidence.reference = pictures.reference;
+    evidence.difference = pictures.difference;
+    evidence.factor = pictures.factor;
+    evidence.note = fmt::format("{} of the {} points of the pictures are wrong. {} ", wrong,
+                                kPictureSide * kPictureSide, describe_window(function(), window_));
+  }
+
+  Right right_at(std::size_t i) const {
+    const auto golden = right_by_golden(i);
+    return golden ? *golden : right_by_twin(i);
+  }
+
+  ShaderFacts facts_of(std::size_t i, const Right& right) const {
+    return {.id = id_,
+            .renderer = fmt::format("{}, {}", session_.info.renderer, session_.info.gl_version),
+            .inputs = point(window_, i),
+            .got = got_.empty() ? std::span<const std::uint32_t>{} : result(got_, i),
+            .expected = right.words,
+            .allowed = right.allowed,
+            .every_bit = right.every_bit};
+  }
+
+  // The shader, if it shows the fault.
+  void add_shader(Evidence& evidence, std::size_t i) {
+    const Right right = right_at(i);
+    if (!differs(i, right)) {
+      evidence.note +=
+          "At this point and around it the driver agrees with the C++ twin: the fault is between values, or in another "
+          "stage or shape of the shader, and no shader of one point shows it.";
+      return;
+    }
+    auto shader = stand_alone_shader(session_.sources, evaluation_, facts_of(i, right));
+    if (!shader) return;
+    const auto colour = draw(*shader);
+    if (!colour) {
+      evidence.note += fmt::format("The shader could not be drawn here: {}.", colour.error().message);
+    } else if ((*colour)[0] > (*colour)[1]) {
+      evidence.note += "The shader is red on this driver.";
+    } else {
+      evidence.note +=
+          "A shader of this point alone is green on this driver: the fault needs the surroundings of the case.";
+      return;
+    }
+    evidence.shader = std::move(*shader);
+  }
+
+  Result<std::array<std::uint8_t, 4>> draw(const std::string& shader) const {
+    const auto vertex = expand(session_.sources, evaluation_.profile, vertex_shader());
+    if (!vertex) return tl::unexpected(vertex.error());
+    const auto program = Program::build(session_.context, *vertex, {shader, {"the shader"}});
+    if (!program) return tl::unexpected(program.error());
+    return draw_pixel(session_.context, *program);
+  }
+
+  // The driver refuses the shader, or fails to draw with it.
+  std::optional<Evidence> without_values(const Outcome& why) const {
+    if (why.status != Status::fail) return std::nullopt;
+    constexpr std::size_t kAt = kMiddle * kPictureSide + kMiddle;
+    auto shader = stand_alone_shader(session_.sources, evaluation_, facts_of(kAt, right_at(kAt)));
+    if (!shader) return std::nullopt;
+    Evidence evidence;
+    evidence.shader = std::move(*shader);
+    evidence.note = fmt::format("There are no values to show: {}.", why.message.substr(0, why.message.find('\n')));
+    return evidence;
+  }
+
+  Session& session_;
+  const std::string& id_;
+  const Outcome& outcome_;
+  const Evaluation evaluation_;
+  Words window_;
+  Words got_;
+  Words reference_;
+};
+
+}  // namespace
+
+std::optional<Evidence> make_evidence(Session& session, const Case& test, const Outcome& outcome) {
+  if (!test.evaluation || outcome.status != Status::fail) return std::nullopt;
+  try {
+    return Examiner(session, test, outcome).run();
+  } catch (const std::exception&) {
+    return std::nullopt;  // the case has its verdict
+  }
+}
+
+Result<std::array<std::uint8_t, 4>> draw_pixel(const Context& context, const Program& program) {
+  const GladGLContext& gl = context.gl();
+  GLuint texture = 0;
+  GLuint framebuffer = 0;
+  GLuint vertex_array = 0;
+  gl.GenTextures(1, &texture);
+  gl.GenFramebuffers(1, &framebuffer);
+  gl.GenVertexArrays(1, &vertex_array);
+  gl.ActiveTexture(GL_TEXTURE0);
+  gl.BindTexture(GL_TEXTURE_2D, texture);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+  gl.Disable(GL_SCISSOR_TEST);
+  gl.Viewport(0, 0, 1, 1);
+  gl.ClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+  gl.Clear(GL_COLOR_BUFFER_BIT);
+  gl.UseProgram(program.id());
+  gl.BindVertexArray(vertex_array);
+  gl.DrawArrays(GL_TRIANGLES, 0, 3);
+  std::array<std::uint8_t, 4> pixel{};
+  gl.ReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel.data());
+  const GLenum error = gl.GetError();
+  gl.DeleteFramebuffers(1, &framebuffer);
+  gl.DeleteTextures(1, &texture);
+  gl.DeleteVertexArrays(1, &vertex_array);
+  if (error != GL_NO_ERROR) return fail(fmt::format("OpenGL error {:#06x}", error));
+  if (pixel[3] == 0) return fail("nothing was drawn");
+  return pixel;
+}
+
+EvidenceBudget::EvidenceBudget(const std::vector<std::string>& seen) {
+  for (const std::string& id : seen) take(id);
+}
+
+bool EvidenceBudget::take(const std::string& id) {
+  std::set<std::string>& of_function = by_function_[std::string(function_of(id))];
+  if (all_ >= kMostPerDriver || of_function.size() >= kMostPerFunction) return false;
+  if (!of_function.insert(without_version(id)).second) return false;
+  ++all_;
+  return true;
+}
+
+}  // namespace hn

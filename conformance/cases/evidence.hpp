@@ -1,0 +1,36 @@
+// What a developer needs to see a fault: a shader that stands alone, and pictures.
+#pragma once
+
+#include <array>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cases/case.hpp"
+
+namespace hn {
+
+// Evidence for a case that failed, if it is about values. Nothing where there is none to be had; an exception is none,
+// too.
+std::optional<Evidence> make_evidence(Session& session, const Case& test, const Outcome& outcome);
+
+// The colour that a program gives the first pixel of a target of 8 bits per channel: red, green, blue, alpha.
+Result<std::array<std::uint8_t, 4>> draw_pixel(const Context& context, const Program& program);
+
+// Which of the cases that fail get evidence. A function that is wrong is so in many cases, which look alike; and where
+// all are wrong, results.json must stay a file that can be sent.
+class EvidenceBudget {
+ public:
+  // seen: those that have had theirs, in this process or in one before it.
+  explicit EvidenceBudget(const std::vector<std::string>& seen = {});
+  // Whether this one is to have it; if so, it is counted.
+  bool take(const std::string& id);
+
+ private:
+  std::map<std::string, std::set<std::string>, std::less<>> by_function_;  // the cases, whatever their version
+  int all_ = 0;
+};
+
+}  // namespace hn

@@ -1,0 +1,107 @@
+#include "cases/evidence_shader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+
+#include "base/version.hpp"
+#include "expected/compare.hpp"
+
+namespace hn {
+namespace {
+
+std::string describe_outputs(const Function& function, std::span<const std::uint32_t> words) {
+  if (words.empty()) return "no value";
+  std::string text;
+  for (std::size_t i = 0; i < function.outputs.size(); ++i) {
+    const std::string value = function.outputs[i].type == WordType::u32
+                                  ? fmt::format("{}", words[i])
+                                  : fmt::format("{:.9g}", std::bit_cast<float>(words[i]));
+    text += fmt::format("{}{}={} ({:08x})", text.empty() ? "" : " ", function.outputs[i].name, value, words[i]);
+  }
+  return text;
+}
+
+// Names and versions come from drivers; a line break in one would end the comment.
+std::string one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~' || c == '\\'; }, ' ');
+  return text;
+}
+
+std::string comments(const Evaluation& evaluation, const ShaderFacts& facts) {
+  const Function& function = evaluation.function;
+  return fmt::format(
+      R"(// {}
+// fails on {}.
+//
+// at        {}
+// got       {}
+// expected  {}{}
+//
+// To see it: draw with this shader over anything, with any vertex shader, and set no uniform. Green is right, red is
+// wrong. (uniform zero keeps the compiler from evaluating the function itself.) A vertex shader, for three vertices:
+//   void main() {{ gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }}
+//
+// The functions are those of hashnoise {}, without its comments; MIT License.
+)",
+      facts.id, one_line(facts.renderer), describe_inputs(function, facts.inputs),
+      describe_outputs(function, facts.got), describe_outputs(function, facts.expected),
+      facts.every_bit ? "" : fmt::format(", within {:.3g}", facts.allowed), library_version());
+}
+
+std::string hidden(std::span<const std::uint32_t> words) {
+  return fmt::format("uvec4(0x{:08X}u ^ zero, 0x{:08X}u ^ zero, 0x{:08X}u ^ zero, 0x{:08X}u ^ zero)", words[0],
+                     words[1], words[2], words[3]);
+}
+
+std::string main_of(const Function& function, const ShaderFacts& facts) {
+  constexpr std::array<char, kOutputWords> kParts = {'x', 'y', 'z', 'w'};
+  std::string right;
+  for (std::size_t i = 0; i < function.outputs.size(); ++i) {
+    if (i > 0) right += " && ";
+    if (facts.every_bit) {
+      right += fmt::format("got.{0} == expected.{0}", kParts[i]);
+    } else {
+      right += fmt::format("abs(float_of(got.{0}) - float_of(expected.{0})) <= {1:.9e}", kParts[i], facts.allowed);
+    }
+  }
+  return fmt::format(R"(uniform HN_HIGHP uint zero;
+out HN_HIGHP vec4 colour;
+void main() {{
+  HN_HIGHP uvec4 got = evaluate({},
+                                {});
+  HN_HIGHP uvec4 expected = {};
+  colour = {} ? vec4(0.0, 1.0, 0.0, 1.0) : vec4(1.0, 0.0, 0.0, 1.0);
+}}
+)",
+                     hidden(facts.inputs), hidden(facts.inputs.subspan(4)), hidden(facts.expected), right);
+}
+
+}  // namespace
+
+std::string without_comments(std::string_view glsl) {
+  std::string text;
+  while (!glsl.empty()) {
+    std::string_view line = glsl.substr(0, glsl.find('\n'));
+    glsl.remove_prefix(std::min(line.size() + 1, glsl.size()));
+    line = line.substr(0, line.find("//"));  // GLSL has no strings
+    line = line.substr(0, line.find_last_not_of(" \t\r") + 1);
+    if (!line.empty() && !line.starts_with("#line")) text += fmt::format("{}\n", line);
+  }
+  return text;
+}
+
+Result<std::string> stand_alone_shader(const SourceSet& sources, const Evaluation& evaluation,
+                                       const ShaderFacts& facts) {
+  const auto shader =
+      expand(sources, evaluation.profile, shader_that_evaluates(evaluation, main_of(evaluation.function, facts)));
+  if (!shader) return tl::unexpected(shader.error());
+  const std::string text = without_comments(shader->text);
+  // WebGL wants #version in the first line.
+  const auto second_line = text.find('\n') + 1;
+  return text.substr(0, second_line) + comments(evaluation, facts) + text.substr(second_line);
+}
+
+}  // namespace hn

@@ -1,0 +1,219 @@
+#include "cases/evidence.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+
+#include "cases/evidence_pictures.hpp"
+#include "cases/evidence_shader.hpp"
+#include "gpu/osmesa_fixture.hpp"
+
+namespace hn {
+namespace {
+
+constexpr std::string_view kRight = "0x2C1B3C6Du";  // of the lattice hash
+constexpr std::string_view kWrong = "0x2C1B3C6Fu";
+
+std::string replaced(std::string text, std::string_view what, std::string_view by) {
+  const auto at = text.find(what);
+  EXPECT_NE(at, std::string::npos) << what;
+  return at == std::string::npos ? text : text.replace(at, what.size(), by);
+}
+
+SourceSet changed(const std::string& file, std::string_view what, std::string_view by) {
+  SourceSet sources = SourceSet::embedded();
+  sources.add(file, replaced(sources.find(file)->text, what, by), file);
+  return sources;
+}
+
+Case case_named(const std::string& id) {
+  std::vector<Case> cases = all_cases();
+  const auto found = std::find_if(cases.begin(), cases.end(), [&](const Case& test) { return test.id == id; });
+  EXPECT_NE(found, cases.end()) << id;
+  return *found;
+}
+
+class EvidenceOf : public OnOsmesa<> {
+ protected:
+  // Runs the case on a library, and makes its evidence.
+  std::optional<Evidence> evidence(const SourceSet& sources, const std::string& id) {
+    Session session({sources, reference_, HN_GOLDEN_DIRECTORY, 1}, *context_, 4096);
+    const Case test = case_named(id);
+    outcome_ = run_case(session, test).outcome;
+    return make_evidence(session, test, outcome_);
+  }
+
+  // "red", "green", or what is wrong.
+  std::string colour(const std::string& shader, const std::string& profile) {
+    const SourceSet none;
+    const auto vertex = expand(none, profile_named(profile), vertex_shader());
+    const auto program = Program::build(*context_, *vertex, {shader, {"the shader"}});
+    if (!program) return program.error().text();
+    const auto pixel = draw_pixel(*context_, *program);
+    if (!pixel) return pixel.error().text();
+    if (*pixel == std::array<std::uint8_t, 4>{255, 0, 0, 255}) return "red";
+    return *pixel == std::array<std::uint8_t, 4>{0, 255, 0, 255} ? "green" : "another colour";
+  }
+
+  ReferenceCompiler reference_;
+  Outcome outcome_;
+};
+
+TEST_F(EvidenceOf, AWrongConstantIsRedAndTheRightOneGreen) {
+  const SourceSet wrong = changed("hash.glsl", kRight, kWrong);
+  for (const std::string profile : {"gl140", "gl330", "es300"}) {
+    for (const std::string function : {"noise2d.perlin.lattice.fast", "hash.lattice3.lattice.exact",
+                                       "gradient.lattice2.lattice.exact", "fbm.clouds3.lattice.fast"}) {
+      const std::string id = function + ".fragment." + profile + ".golden";
+      SCOPED_TRACE(id);
+      const auto found = evidence(wrong, id);
+      ASSERT_TRUE(found);
+      EXPECT_EQ(outcome_.status, Status::fail);
+      EXPECT_EQ(colour(found->shader, profile), "red") << found->note << found->shader;
+      EXPECT_EQ(colour(replaced(found->shader, kWrong, kRight), profile), "green");
+      EXPECT_NE(found->note.find("The shader is red on this driver"), std::string::npos) << found->note;
+    }
+  }
+}
+
+TEST_F(EvidenceOf, TheShaderSaysWhatItIs) {
+  const auto found =
+      evidence(changed("hash.glsl", kRight, kWrong), "hash.lattice2.lattice.exact.fragment.gl330.golden");
+  ASSERT_TRUE(found);
+  const Mismatch& first = outcome_.examples.front();
+  EXPECT_EQ(found->shader.substr(0, 13), "#version 330\n");
+  for (const std::string& part : {std::string("hash.lattice2.lattice.exact.fragment.gl330.golden"),
+                                  std::string("llvmpipe"), first.inputs, first.got, first.expected}) {
+    EXPECT_NE(found->shader.find(part), std::string::npos) << part << found->shader;
+  }
+  EXPECT_EQ(found->shader.find("#line"), std::string::npos);
+  EXPECT_EQ(found->shader.find("#include"), std::string::npos);
+}
+
+TEST_F(EvidenceOf, ThePicturesShowTheDifference) {
+  const auto found = evidence(changed("hash.glsl", kRight, kWrong), "noise3d.perlin.lattice.fast.fragment.gl330.twin");
+  ASSERT_TRUE(found);
+  for (const std::string& picture : {found->got, found->reference, found->difference}) {
+    EXPECT_EQ(picture.substr(0, 11), "iVBORw0KGgo") << "a PNG's first bytes";
+  }
+  EXPECT_NE(found->got, found->reference);
+  EXPECT_GE(found->factor, 1.0);
+  EXPECT_NE(found->note.find("of the 9216 points of the pictures are wrong"), std::string::npos) << found->note;
+}
+
+// The range of a noise that is too large: no single value tells, but the twin does.
+TEST_F(EvidenceOf, APropertyIsShownByTheTwin) {
+  const auto found = evidence(changed("noise2d.glsl", "NUMBER(1913)", "NUMBER(2913)"),
+                              "noise2d.perlin.lattice.fast.fragment.gl330.range");
+  ASSERT_TRUE(found);
+  EXPECT_EQ(colour(found->shader, "gl330"), "red") << found->note;
+}
+
+TEST_F(EvidenceOf, AShaderThatIsRefusedHasNoPictures) {
+  const auto found =
+      evidence(changed("hash.glsl", kRight, "0x2C1B3C6Dx"), "hash.word.lattice.exact.fragment.gl330.golden");
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->got, "");
+  EXPECT_NE(found->note.find("does not compile"), std::string::npos) << found->note;
+  EXPECT_NE(colour(found->shader, "gl330").find("does not compile"), std::string::npos);
+}
+
+TEST_F(EvidenceOf, WhatIsRightHasNone) {
+  EXPECT_FALSE(evidence(SourceSet::embedded(), "hash.word.fnv1.exact.fragment.gl330.golden"));
+  EXPECT_EQ(outcome_.status, Status::pass);
+  EXPECT_FALSE(evidence(SourceSet::embedded(), "hash.all.pcg.fast.fragment.gl330.driver")) << "not about values";
+}
+
+TEST_F(EvidenceOf, WhatNoValueShowsIsNotClaimed) {
+  const SourceSet sources = SourceSet::embedded();
+  Session session({sources, reference_, HN_GOLDEN_DIRECTORY, 1}, *context_, 4096);
+  Outcome outcome = outcome_with(Status::fail, {"two fields are alike", {}});
+  const Case test = case_named("noise2d.perlin.lattice.fast.fragment.gl330.mirror");
+  for (const std::vector<std::uint32_t>& words : {std::vector<std::uint32_t>{}, {1, 2, 3, 4, 5, 6, 7, 8}}) {
+    outcome.examples = {{0, words, "", "", ""}};
+    const auto found = make_evidence(session, test, outcome);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->shader, "");
+    EXPECT_EQ(found->got, "");
+    EXPECT_NE(found->note.find("agrees with the C++ twin"), std::string::npos) << found->note;
+  }
+}
+
+TEST_F(EvidenceOf, APixelThatIsNotDrawnIsAnError) {
+  EXPECT_EQ(colour("#version 330\nvoid main() { discard; }\n", "gl330"), "nothing was drawn");
+  EXPECT_EQ(colour("#version 330\nout vec4 c; void main() { c = vec4(0.0, 0.0, 1.0, 1.0); }\n", "gl330"),
+            "another colour");
+}
+
+TEST(EvidenceBudget, IsForEachFunctionAndForAll) {
+  EvidenceBudget budget({"a.b.fnv1.fast.fragment.gl330.golden"});
+  EXPECT_FALSE(budget.take("a.b.fnv1.fast.fragment.es300.golden")) << "the same in another version";
+  EXPECT_TRUE(budget.take("a.b.fnv1.fast.fragment.gl330.twin"));
+  EXPECT_FALSE(budget.take("a.b.pcg.fast.fragment.gl330.golden"));
+  int taken = 0;
+  for (int i = 0; i < 1000; ++i) taken += budget.take("f." + std::to_string(i) + ".x.fast.fragment.gl330.twin") ? 1 : 0;
+  EXPECT_EQ(taken, 38);
+}
+
+TEST(Window, HasThePointInTheMiddle) {
+  std::vector<std::uint32_t> words(kInputWords, 0u);
+  words[0] = std::bit_cast<std::uint32_t>(0x1p30f);
+  words[1] = std::bit_cast<std::uint32_t>(-0.5f);
+  words[2] = 7;
+  const Words window = window_around(find_function("noise2d.perlin"), words);
+  ASSERT_EQ(window.size(), kPictureSide * kPictureSide * kInputWords);
+  const std::size_t middle = kMiddle * kPictureSide + kMiddle;
+  EXPECT_TRUE(std::equal(words.begin(), words.end(), point(window, middle).begin()));
+  // Far out, by what a float can tell apart; near 0 by a part of a cell. Upwards is towards the first row.
+  EXPECT_EQ(std::bit_cast<float>(point(window, middle + 1)[0]), 0x1p30f + 128.0f);
+  EXPECT_EQ(std::bit_cast<float>(point(window, middle - kPictureSide)[1]), -0.5f + 0.03125f);
+  EXPECT_EQ(point(window, 0)[2], 7u);
+}
+
+TEST(Window, OfWholeNumbersWrapsAround) {
+  const std::vector<std::uint32_t> words(kInputWords, 0u);
+  const std::size_t middle = kMiddle * kPictureSide + kMiddle;
+  const Words line = window_around(find_function("hash.word"), words);
+  EXPECT_EQ(point(line, middle - 1)[0], 0xFFFFFFFFu);
+  EXPECT_EQ(point(line, middle - kPictureSide)[0], kPictureSide);
+  const Words plane = window_around(find_function("hash.lattice2"), words);
+  EXPECT_EQ(point(plane, middle + kPictureSide)[1], 0xFFFFFFFFu);
+}
+
+TEST(Pictures, OfEqualValuesHaveNoDifference) {
+  const Words zeros(kPictureSide * kPictureSide * kOutputWords, 0u);
+  const Pictures same = draw_pictures(find_function("hash.word"), zeros, zeros);
+  EXPECT_EQ(same.got, same.reference);
+  EXPECT_EQ(same.got, same.difference) << "black, both";
+  EXPECT_EQ(same.factor, 1.0);
+}
+
+// One bit of one word, which no high byte shows.
+TEST(Pictures, AmplifyTheSmallestDifference) {
+  const Words zeros(kPictureSide * kPictureSide * kOutputWords, 0u);
+  Words other = zeros;
+  other[0] = 1;
+  const Pictures pictures = draw_pictures(find_function("hash.word"), other, zeros);
+  EXPECT_EQ(pictures.got, pictures.reference);
+  EXPECT_NE(pictures.difference, pictures.reference);
+  EXPECT_EQ(pictures.factor, 255.0 * 0x1p24);
+}
+
+TEST(Pictures, TakeValuesThatAreNoNumbers) {
+  const Words zeros(kPictureSide * kPictureSide * kOutputWords, 0u);
+  Words other = zeros;
+  other[0] = 0x7FC00000u;
+  other[4] = 0x7F800000u;
+  const Pictures pictures = draw_pictures(find_function("noise2d.perlin"), other, zeros);
+  EXPECT_NE(pictures.difference, draw_pictures(find_function("noise2d.perlin"), zeros, zeros).difference);
+  EXPECT_EQ(pictures.factor, 1.0);
+}
+
+TEST(Shader, LosesItsComments) {
+  EXPECT_EQ(without_comments("a // b\n// c\n\n#line 3 0\n  d;   \ne"), "a\n  d;\ne\n");
+  EXPECT_EQ(without_comments(""), "");
+}
+
+}  // namespace
+}  // namespace hn

@@ -1,0 +1,108 @@
+// Metamorphic checks: the driver must come to the same values on another way, within twice the tolerance, since it may
+// be off on both. What the values are, other checks tell.
+#include <fmt/format.h>
+
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include "cases/targets.hpp"
+#include "cases/value_checks.hpp"
+#include "expected/pairing.hpp"
+
+namespace hn {
+namespace {
+
+// In a loop each trip leaves a word, of the point at hand and of its neighbours; as in the shader: exact functions may
+// have several words, and those that a function has not are 0.
+std::uint32_t left_by_trip(std::span<const std::uint32_t> words) { return words[0] ^ words[1] ^ words[2] ^ words[3]; }
+
+Outcome compare(Session& session, const Pairing& pairing) {
+  const auto expected = evaluate(session, pairing.other, pairing.other_inputs);
+  if (!expected) return expected.error();
+  const auto got = evaluate(session, pairing.evaluation, pairing.inputs);
+  if (!got) return got.error();
+  const Function& function = pairing.evaluation.function;
+  Comparison comparison(function, pairing.inputs);
+  const auto compare_word = [&](std::size_t i, std::uint32_t word, std::uint32_t other) {
+    const auto in = point(pairing.inputs, i);
+    if (pairing.exact) {
+      comparison.bits(in, word, other);
+    } else {
+      comparison.number(in, std::bit_cast<float>(word), static_cast<double>(std::bit_cast<float>(other)),
+                        pairing.allowed[i]);
+    }
+  };
+  for (std::size_t i = 0; i < pairing.allowed.size(); ++i) {
+    const auto words = result(*got, i);
+    for (std::size_t trip = 0; pairing.in_loop() && trip < kLoopTrips; ++trip) {
+      compare_word(i ^ trip, words[trip], left_by_trip(result(*expected, i ^ trip)));
+    }
+    for (std::size_t word = 0; !pairing.in_loop() && word < function.outputs.size(); ++word) {
+      compare_word(i, words[word], result(*expected, i)[word]);
+    }
+  }
+  return comparison.finish();
+}
+
+Outcome check_variant(Session& session, const Evaluation& evaluation) {
+  return compare(session, variant_pairing(evaluation, session.seed));
+}
+
+Outcome check_folded(Session& session, const Evaluation& evaluation) {
+  return compare(session, folded_pairing(evaluation, session.seed));
+}
+
+Outcome check_period(Session& session, const Evaluation& evaluation) {
+  return compare(session, period_pairing(evaluation, session.seed));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+// Of an exact function one goes the same ways as another: those of three axes and a seed stand for all.
+bool has_variants(const Function& function) {
+  return !function.exact() || (function.axes == 3 && function.seed_word() >= 0);
+}
+
+struct Variant {
+  std::string_view name;
+  ShaderVariant variant;
+  Check* check;
+};
+
+constexpr std::array kVariants = {
+    Variant{"inlined", {.shape = Shape::inlined}, check_variant},
+    Variant{"in_loop", {.shape = Shape::in_loop}, check_variant},
+    Variant{"constant_seed", {.seed_from = SeedFrom::constant}, check_variant},
+    Variant{"uniform_seed", {.seed_from = SeedFrom::uniform}, check_variant},
+    Variant{"folded", {}, check_folded},
+};
+
+}  // namespace
+
+// A variant of the shader is one more to compile. With the defaults each function has all of them, in one arithmetic and
+// one version or another; a period concerns no hash.
+void add_metamorphic_cases(std::vector<Case>& cases, const Evaluation& evaluation, std::size_t number,
+                           const Target& target, Extent extent) {
+  const auto& [function, configuration, profile, none, stage] = evaluation;
+  const bool defaults = configuration.default_but_for_arithmetic() && covers(configuration, function);
+  if (target.main && defaults && has_variants(function)) {
+    for (std::size_t i = 0; i < kVariants.size(); ++i) {
+      const auto& [name, variant, check] = kVariants[i];
+      const bool all = configuration.is_default() && !profile.es;
+      add_case(cases, {function, configuration, profile, variant}, name, check,
+               all || has_turn(number, configuration, target.number + i) ? Extent::one_driver : Extent::thorough);
+    }
+  }
+  if (!target.main && stage != Stage::fragment && covers(configuration, function)) {
+    add_case(cases, evaluation, "as_fragment", check_variant, extent);
+  }
+  // Over 2^20 cells the positions of octave sums have no fraction left. Their code does not depend on the period, and
+  // they have no values of their own with one.
+  const bool has_period = function.is_octave_sum()
+                              ? configuration.period == 48 && !configuration.sine()
+                              : configuration.period != 0 && covers(configuration, function);
+  if (target.main && has_period) add_case(cases, evaluation, "period", check_period, extent);
+}
+
+}  // namespace hn

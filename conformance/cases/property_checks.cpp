@@ -1,0 +1,315 @@
+// Checks for properties: what every right implementation has, whatever its values.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "cases/value_checks.hpp"
+#include "expected/points.hpp"
+#include "expected/tolerance.hpp"
+#include "expected/twin.hpp"
+
+namespace hn {
+namespace {
+
+constexpr std::size_t kPropertyPoints = std::size_t{1} << 16;  // or what the driver can do
+constexpr std::size_t kWrappedPoints = std::size_t{1} << 12;
+constexpr std::size_t kCorrelationPoints = std::size_t{1} << 14;  // fewer: a check evaluates them many times
+
+std::size_t property_points(const Session& session) { return std::min(kPropertyPoints, session.most_points); }
+
+struct Range {
+  float low;
+  float high;
+};
+
+// The largest value that there can be, but for clouds.
+double largest_of(const Function& function, const Configuration& configuration) {
+  if (function.family == Family::sine_gradient) return 1.0;
+  // Octave sums take over the range of the noise. Roundings may take what is not scaled beyond (docs/accuracy.md).
+  const NoiseBounds& bounds = noise_bounds(function.is_octave_sum() ? "perlin" : function.bound, function.axes,
+                                           configuration.gradient);
+  return configuration.arithmetic == Arithmetic::fixed ? bounds.fixed_limit : bounds.limit;
+}
+
+Range range_of(const Function& function, const Configuration& configuration) {
+  const auto largest = static_cast<float>(largest_of(function, configuration));
+  if (!function.is_octave_sum()) return {-largest, largest};
+  switch (octave_sum_of(function)) {
+    case OctaveSum::fbm:
+      break;
+    case OctaveSum::turbulence:
+      return {0.0f, largest};
+    case OctaveSum::clouds:
+      return {0.0f, 1.0f};
+  }
+  return {-largest, largest};
+}
+
+// The correlation of two columns of values.
+double correlation(const Words& first, const Words& second) {
+  double products = 0.0;
+  double squares = 0.0;
+  for (std::size_t i = 0; i < first.size(); i += kOutputWords) {
+    const auto a = static_cast<double>(std::bit_cast<float>(first[i]));
+    const auto b = static_cast<double>(std::bit_cast<float>(second[i]));
+    products += a * b;
+    squares += (a * a + b * b) / 2.0;
+  }
+  return squares > 0.0 ? products / squares : 1.0;
+}
+
+// For n pairs of independent noise values the correlation has a standard deviation of a little more than 1/sqrt(n),
+// since the variance of the noise depends on the place in the cell: about 1.1/sqrt(n). By chance 6/sqrt(n) is exceeded
+// once in ten million comparisons.
+void require_uncorrelated(Comparison& comparison, const Words& inputs, const Words& first, const Words& second,
+                          std::string_view what) {
+  const double limit = 6.0 / std::sqrt(static_cast<double>(first.size() / kOutputWords));
+  const double value = correlation(first, second);
+  comparison.require(std::fabs(value) < limit, point(inputs, 0), static_cast<float>(value),
+                     fmt::format("a correlation below {:.3g} between {}", limit, what));
+}
+
+// Points for correlations, anywhere within 512 cells of the origin in all quadrants: seldom on a lattice line, where
+// the noise is 0 whatever the hash, and seldom two in one cell. Each has a seed of its own.
+Words scattered_points(Session& session, const Function& function, std::string_view name) {
+  Random random(session.seed, name);
+  Words inputs = random_points(function, std::min(kCorrelationPoints, session.most_points), random);
+  const auto axes = static_cast<std::size_t>(function.axes);
+  for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
+    for (std::size_t axis = i; axis < i + axes; ++axis) {
+      inputs[axis] = std::bit_cast<std::uint32_t>(random.uniform(-512.0f, 512.0f));
+    }
+  }
+  return inputs;
+}
+
+// Whether a point of a noise lies on no cell's inside along any axis, as its coordinates are too large for a fraction.
+bool is_far_from_fractions(const Function& function, std::span<const std::uint32_t> inputs) {
+  if (function.family != Family::gradient_noise || function.takes_cell()) return false;
+  const auto coordinates = inputs.first(static_cast<std::size_t>(function.axes));
+  return std::all_of(coordinates.begin(), coordinates.end(),
+                     [](std::uint32_t word) { return std::fabs(std::bit_cast<float>(word)) >= 8388608.0f; });
+}
+
+// Every float of every fourth point becomes a NaN or an infinity.
+void make_some_no_number(const Function& function, Words& inputs) {
+  constexpr std::uint32_t kNoNumbers[] = {0x7FC00000u, 0x7F800000u, 0xFF800000u};
+  for (std::size_t i = 0; i < inputs.size(); i += 4 * kInputWords) {
+    for (std::size_t word = 0; word < function.inputs.size(); ++word) {
+      const bool is_float = function.inputs[word].type == WordType::f32;
+      if (is_float) inputs[i + word] = kNoNumbers[(i / (4 * kInputWords) + word) % 3];
+    }
+  }
+}
+
+// What an octave sum makes of a constant noise of -1/2.
+double sum_of_constant_noise(OctaveSum sum, bool no_octaves) {
+  switch (sum) {
+    case OctaveSum::fbm:
+      break;
+    case OctaveSum::turbulence:
+      return no_octaves ? 0.0 : 0.5;
+    case OctaveSum::clouds:
+      return no_octaves ? 0.15625 : 0.0;
+  }
+  return no_octaves ? 0.0 : -0.5;
+}
+
+}  // namespace
+
+// Noise is 0 at lattice points, near and far.
+Outcome check_zero(Session& session, const Evaluation& evaluation) {
+  const Function& function = evaluation.function;
+  Words inputs = random_points(function, property_points(session), Random(session.seed, "zero"));
+  const int axes = function.seed_word();
+  for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
+    for (std::size_t axis = i; axis < i + static_cast<std::size_t>(axes); ++axis) {
+      inputs[axis] = std::bit_cast<std::uint32_t>(std::floor(std::bit_cast<float>(inputs[axis])));
+    }
+  }
+  const auto outputs = evaluate(session, evaluation, inputs);
+  if (!outputs) return outputs.error();
+  Comparison comparison(function, inputs);
+  for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
+    comparison.number(point(inputs, i), std::bit_cast<float>(result(*outputs, i)[0]), 0.0, 0.0);
+  }
+  return comparison.finish();
+}
+
+// Values keep to their range; and, for noise, a good part of it is used: with a gradient that had lost a third of its
+// length, no value would be beyond 0.67, and of this few points none beyond 0.6.
+Outcome check_range(Session& session, const Evaluation& evaluation) {
+  const Function& function = evaluation.function;
+  const Words inputs = random_points(function, property_points(session), Random(session.seed, "range"));
+  const auto outputs = evaluate(session, evaluation, inputs);
+  if (!outputs) return outputs.error();
+  const Range range = range_of(function, evaluation.configuration);
+  const std::string should = fmt::format("a value in [{}, {}]", range.low, range.high);
+  Comparison comparison(function, inputs);
+  float largest = 0.0f;
+  for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
+    const float value = std::bit_cast<float>(result(*outputs, i)[0]);
+    largest = std::max(largest, std::fabs(value));
+    const bool inside = value >= range.low && value <= range.high;
+    comparison.require(inside, point(inputs, i), value, should);
+  }
+  comparison.require(function.is_octave_sum() || largest > 0.6f, point(inputs, 0), largest,
+                     "more than 0.6 as the largest of all values");
+  return comparison.finish();
+}
+
+// Wherever a float can point, values are numbers, keep to their range, and are 0 where no axis has a fraction: from
+// 2^23 on. Fixed arithmetic has a number even for what is none.
+Outcome check_finite(Session& session, const Evaluation& evaluation) {
+  const Function& function = evaluation.function;
+  const bool fixed = evaluation.configuration.arithmetic == Arithmetic::fixed;
+  Words inputs = random_points(function, property_points(session), Random(session.seed, "finite"),
+                               fixed ? Extremes::integers : Extremes::floats);
+  auto outputs = evaluate(session, evaluation, inputs);
+  if (!outputs) return outputs.error();
+  const Range range = range_of(function, evaluation.configuration);
+  const std::string should = fmt::format("a value in [{}, {}]", range.low, range.high);
+  Comparison comparison(function, inputs);
+  for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
+    const auto in = point(inputs, i);
+    const bool far = is_far_from_fractions(function, in);
+    for (std::size_t word = 0; word < function.outputs.size(); ++word) {
+      const float value = std::bit_cast<float>(result(*outputs, i)[word]);
+      const bool inside = value >= range.low && value <= range.high;  // no NaN is
+      comparison.require(inside && (!far || value == 0.0f), in, value, far ? "0" : should);
+    }
+  }
+  if (!fixed) return comparison.finish();
+  make_some_no_number(function, inputs);
+  outputs = evaluate(session, evaluation, inputs);
+  if (!outputs) return outputs.error();
+  for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
+    for (std::size_t word = 0; word < function.outputs.size(); ++word) {
+      const float value = std::bit_cast<float>(result(*outputs, i)[word]);
+      comparison.require(std::isfinite(value), point(inputs, i), value, "a number");
+    }
+  }
+  return comparison.finish();
+}
+
+// With a period the gradient at a cell is that of the field without one at the cell modulo the period: for the smallest
+// and the largest periods, powers of two and others beside them.
+Outcome check_wrapped(Session& session, const Evaluation& evaluation) {
+  constexpr std::int64_t kPeriods[] = {1, 2, 3, 63, 1048575, 1048576, 1073741824};
+  const Function& function = evaluation.function;
+  const auto axes = static_cast<std::size_t>(function.axes);
+  const Words inputs =
+      random_points(function, std::min(kWrappedPoints, session.most_points), Random(session.seed, "wrapped"));
+  Comparison comparison(function, inputs);
+  for (const std::int64_t period : kPeriods) {
+    const std::string knob = fmt::format("#define HN_PERIOD {}\n", period);
+    const auto outputs = evaluate(
+        session, {function, evaluation.configuration, evaluation.profile, {.knobs = knob}, evaluation.stage}, inputs);
+    if (!outputs) return outputs.error();
+    Words wrapped = inputs;
+    for (std::size_t i = 0; i < wrapped.size(); i += kInputWords) {
+      for (std::size_t axis = i; axis < i + axes; ++axis) {
+        const std::int64_t cell = static_cast<std::int32_t>(inputs[axis]);
+        wrapped[axis] = static_cast<std::uint32_t>((cell % period + period) % period);
+      }
+    }
+    Words expected(inputs.size() / kInputWords * kOutputWords);
+    evaluate_twin(function, evaluation.configuration, wrapped, expected);
+    for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
+      compare_with_twin(comparison, evaluation, point(inputs, i), result(*outputs, i), result(expected, i), 0.0);
+    }
+  }
+  return comparison.finish();
+}
+
+// Fields of different seeds are uncorrelated: pairs of neighbouring seeds, of seeds that differ in the highest bit, and
+// of the seed of the next octave.
+Outcome check_seeds(Session& session, const Evaluation& evaluation) {
+  const Function& function = evaluation.function;
+  constexpr std::uint32_t kOffsets[] = {1u, 0x80000000u, 0x9E3779B9u};
+  const auto seed = static_cast<std::size_t>(function.seed_word());
+  const Words inputs = scattered_points(session, function, "seeds");
+  const auto first = evaluate(session, evaluation, inputs);
+  if (!first) return first.error();
+  Comparison comparison(function, inputs);
+  for (const std::uint32_t offset : kOffsets) {
+    Words others = inputs;
+    for (std::size_t i = seed; i < others.size(); i += kInputWords) others[i] += offset;
+    const auto second = evaluate(session, evaluation, others);
+    if (!second) return second.error();
+    require_uncorrelated(comparison, inputs, *first, *second, fmt::format("seeds {:#x} apart", offset));
+  }
+  return comparison.finish();
+}
+
+// No quadrant mirrors another: points are compared with their reflections in every set of axes, and with their
+// coordinates in another order.
+Outcome check_mirror(Session& session, const Evaluation& evaluation) {
+  const Function& function = evaluation.function;
+  const Words inputs = scattered_points(session, function, "mirror");
+  const auto first = evaluate(session, evaluation, inputs);
+  if (!first) return first.error();
+  const auto axes = static_cast<std::size_t>(function.axes);
+  Comparison comparison(function, inputs);
+  for (std::size_t reflected = 0; reflected < (std::size_t{1} << axes); ++reflected) {
+    for (std::size_t rotated = 0; rotated < axes; ++rotated) {
+      if (reflected == 0 && rotated == 0) continue;
+      Words others = inputs;
+      for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
+        for (std::size_t axis = 0; axis < axes; ++axis) {
+          const std::uint32_t sign = (reflected >> axis) & 1 ? 0x80000000u : 0u;
+          others[i + axis] = inputs[i + (axis + rotated) % axes] ^ sign;
+        }
+      }
+      const auto second = evaluate(session, evaluation, others);
+      if (!second) return second.error();
+      require_uncorrelated(
+          comparison, inputs, *first, *second,
+          fmt::format("points and their images (reflected axes {:#b}, rotated by {})", reflected, rotated));
+    }
+  }
+  return comparison.finish();
+}
+
+// Without a seed means with seed 0.
+Outcome check_unseeded(Session& session, const Evaluation& evaluation) {
+  const Function& function = evaluation.function;
+  Words inputs = random_points(function, property_points(session), Random(session.seed, "unseeded"));
+  const auto seed = static_cast<std::size_t>(function.seed_word());
+  for (std::size_t i = seed; i < inputs.size(); i += kInputWords) inputs[i] = 0;
+  const auto outputs =
+      evaluate(session, {function, evaluation.configuration, evaluation.profile, {.seeded = false}}, inputs);
+  if (!outputs) return outputs.error();
+  Words expected(inputs.size() / kInputWords * kOutputWords);
+  evaluate_twin(function, evaluation.configuration, inputs, expected);
+  Comparison comparison(function, inputs);
+  for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
+    const auto in = point(inputs, i);
+    compare_with_twin(comparison, evaluation, in, result(*outputs, i), result(expected, i),
+                      2.0 * tolerance(function, evaluation.configuration, in));
+  }
+  return comparison.finish();
+}
+
+// HN_FBM_NOISE2D and HN_FBM_NOISE3D are used, but for a few roundings of sum and total.
+Outcome check_noise_knob(Session& session, const Evaluation& evaluation) {
+  const Function& function = evaluation.function;
+  Words inputs = random_points(function, property_points(session), Random(session.seed, "knob"));
+  const ShaderVariant with_noise{.knobs =
+                                     "#define HN_FBM_NOISE2D(q, seed) (-0.5f + 0.0f * (q).x)\n"
+                                     "#define HN_FBM_NOISE3D(q, seed) (-0.5f + 0.0f * (q).z)\n"};
+  const auto outputs = evaluate(session, {function, evaluation.configuration, evaluation.profile, with_noise}, inputs);
+  if (!outputs) return outputs.error();
+  const auto octaves = static_cast<std::size_t>(function.input("octaves"));
+  Comparison comparison(function, inputs);
+  for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
+    const bool no_octaves = static_cast<std::int32_t>(inputs[i * kInputWords + octaves]) < 1;
+    const double expected = sum_of_constant_noise(octave_sum_of(function), no_octaves);
+    comparison.number(point(inputs, i), std::bit_cast<float>(result(*outputs, i)[0]), expected, 2e-6);
+  }
+  return comparison.finish();
+}
+
+}  // namespace hn

@@ -1,0 +1,137 @@
+// The checks at points where floats end, and the batches of more points than a grid takes, on a library with a fault.
+#include <optional>
+
+#include "cases/faulty_library_fixture.hpp"
+#include "cases/value_checks.hpp"
+#include "expected/points.hpp"
+
+namespace hn {
+namespace {
+
+class Extreme : public FaultyLibrary {
+ protected:
+  void expect_caught(std::string_view id, std::string_view file, std::string_view fault) {
+    sources_ = SourceSet::embedded();
+    const Outcome right = run(id);
+    EXPECT_EQ(right.status, Status::pass) << id << ": " << right.message;
+    append(file, fmt::format("#define {}", fault));
+    const Outcome wrong = run(id);
+    EXPECT_EQ(wrong.status, Status::fail) << id << ": " << fault << ": " << wrong.message;
+    EXPECT_NE(wrong.mismatches, 0u) << id << ": " << fault;
+  }
+};
+
+constexpr std::string_view kPerlins[] = {"noise2d.perlin.lattice.fast.fragment.gl330.finite",
+                                         "noise2d.perlin.lattice.precise.fragment.gl400.finite",
+                                         "noise2d.perlin.lattice.fixed.fragment.gl330.finite"};
+
+TEST_F(Extreme, NanAndInfinityAreCaught) {
+  for (const std::string_view id : kPerlins) {
+    expect_caught(id, "noise2d.glsl",
+                  "hn_perlin(args) (abs(p.x) > 3.0e38 ? uintBitsToFloat(0x7FC00000u) : hn_perlin(args))");
+    expect_caught(id, "noise2d.glsl",
+                  "hn_perlin(args) (abs(p.x) > 3.0e38 ? uintBitsToFloat(0x7F800000u) : hn_perlin(args))");
+  }
+}
+
+TEST_F(Extreme, ANoiseThatIsNotZeroWhereNoAxisHasAFractionIsCaught) {
+  for (const std::string_view id : kPerlins) {
+    expect_caught(id, "noise2d.glsl",
+                  "hn_perlin(args) (min(abs(p.x), abs(p.y)) > 1.0e9 ? hn_perlin(args) + 1.0e-6 : hn_perlin(args))");
+  }
+}
+
+TEST_F(Extreme, AValueBeyondTheRangeAtATinyPositionIsCaught) {
+  for (const std::string_view id : kPerlins) {
+    expect_caught(id, "noise2d.glsl", "hn_perlin(args) (p.x != 0.0 && abs(p.x) < 1.0e-30 ? 1.5 : hn_perlin(args))");
+  }
+}
+
+TEST_F(Extreme, AnOctaveSumIsHeldToItToo) {
+  for (const std::string_view id :
+       {"fbm.fbm3.lattice.fast.fragment.gl330.finite", "fbm.fbm3.lattice.fixed.fragment.gl330.finite"}) {
+    expect_caught(id, "fbm.glsl",
+                  "hn_fbm(q, o, l, args) (abs(p.x) > 1.0e28 ? uintBitsToFloat(0x7F800000u) : hn_fbm(q, o, l, args))");
+  }
+}
+
+TEST_F(Extreme, FixedArithmeticHasANumberForWhatIsNone) {
+  expect_caught(kPerlins[2], "noise2d.glsl", "hn_perlin(args) (isinf(p.x) ? p.x : hn_perlin(args))");
+}
+
+// What a case would not see at ordinary points: that a subnormal position is seen, that it counts.
+TEST_F(Extreme, TwinPointsOfFixedAndPreciseArithmeticAreExtremeToo) {
+  for (const std::string_view id :
+       {"noise2d.perlin.lattice.fixed.fragment.gl330.twin", "noise2d.perlin.lattice.precise.fragment.gl400.twin"}) {
+    for (const std::string_view where : {"abs(p.x) > 1.0e30", "p.x != 0.0 && abs(p.x) < 1.0e-30"}) {
+      expect_caught(id, "noise2d.glsl", fmt::format("hn_perlin(args) ({} ? 0.123 : hn_perlin(args))", where));
+    }
+  }
+}
+
+constexpr std::string_view kTwin = "noise2d.perlin.lattice.fast.fragment.gl330.twin";
+
+class Batches : public FaultyLibrary {
+ protected:
+  void SetUp() override {
+    FaultyLibrary::SetUp();
+    if (HasFatalFailure()) return;
+    session_.emplace(Suite{sources_, reference_, HN_GOLDEN_DIRECTORY, 1, 2500}, *context_, 1000);
+  }
+
+  // Makes the value wrong, by difference, where x is that of a point.
+  void break_at(const Words& inputs, std::size_t point, double difference) {
+    faults_ += fmt::format("+ (floatBitsToUint(p.x) == {}u ? {:.9f} : 0.0) ", inputs[point * kInputWords], difference);
+    append("noise2d.glsl", fmt::format("#define hn_perlin(args) (hn_perlin(args) {})", faults_));
+  }
+
+  // The points of the batch; copied, since the session keeps those of one batch only.
+  Words points_of(std::uint64_t batch) {
+    const auto& function = find_function("noise2d.perlin");
+    return session_->twin_points(function, default_configuration(), 1000, batch).inputs;
+  }
+
+  std::optional<Session> session_;
+  std::string faults_;
+};
+
+TEST_F(Batches, TogetherHaveAsManyPointsAsWereAskedFor) {
+  int parts = 0;
+  session_->still_alive = [&] { ++parts; };
+  const Outcome outcome = run(*session_, kTwin);
+  EXPECT_EQ(outcome.status, Status::pass) << outcome.message;
+  EXPECT_EQ(outcome.samples, 2500u);
+  EXPECT_EQ(parts, 2);
+  session_->points = 1000;
+  EXPECT_EQ(run(*session_, kTwin).samples, 1000u);
+  session_->points = 1;
+  EXPECT_EQ(run(*session_, kTwin).samples, 1u);
+}
+
+TEST_F(Batches, HavePointsOfTheirOwn) {
+  const Words first = points_of(0);
+  EXPECT_EQ(first, points_of(0));
+  EXPECT_NE(first, points_of(1));
+  EXPECT_NE(points_of(1), points_of(2));
+  // Without --points there is one batch, and it is the first.
+  EXPECT_EQ(first, random_points(find_function("noise2d.perlin"), 1000, Random(1, "noise2d.perlin")));
+}
+
+TEST_F(Batches, AddUpWhatIsWrongAndKeepTheLargestDifference) {
+  const Words first = points_of(0);
+  const Words second = points_of(1);
+  break_at(first, 7, 0.5);
+  break_at(second, 3, 0.25);
+  const Outcome outcome = run(*session_, kTwin);
+  EXPECT_EQ(outcome.status, Status::fail);
+  EXPECT_EQ(outcome.samples, 2500u);
+  EXPECT_EQ(outcome.mismatches, 2u);
+  EXPECT_NEAR(outcome.max_abs, 0.5, 1e-5);
+  ASSERT_EQ(outcome.examples.size(), 2u);
+  EXPECT_EQ(outcome.examples[0].point, 7u);
+  EXPECT_EQ(outcome.examples[1].point, 1003u);
+  EXPECT_EQ(outcome.examples[1].words[0], second[3 * kInputWords]);
+}
+
+}  // namespace
+}  // namespace hn

@@ -1,0 +1,35 @@
+#include "cases/targets.hpp"
+
+#include "library/functions.hpp"
+
+namespace hn {
+
+std::vector<Target> targets_of(const Configuration& configuration) {
+  std::vector<Target> targets;
+  const auto add = [&](const Profile& profile, Stage stage, bool main) {
+    targets.push_back({&profile, stage, main, targets.size()});
+  };
+  add(main_profile(configuration, false), Stage::fragment, true);
+  add(main_profile(configuration, true), Stage::fragment, true);
+  const bool precise = configuration.arithmetic == Arithmetic::precise;
+  if (!precise) add(profile_named("gl140"), Stage::fragment, false);
+  add(main_profile(configuration, false), Stage::vertex, false);
+  if (!precise) add(profile_named("es300"), Stage::vertex, false);
+  add(profile_named("gl430"), Stage::compute, false);
+  if (!precise) add(profile_named("es310"), Stage::compute, false);
+  return targets;
+}
+
+bool has_turn(std::size_t function, const Configuration& configuration, std::size_t number) {
+  return (function + static_cast<std::size_t>(configuration.index) + number) % kTurns == 0;
+}
+
+Extent extent_of(std::size_t function, const Configuration& configuration, const Target& target) {
+  const bool defaults = configuration.default_but_for_arithmetic();
+  if (defaults && target.main) return Extent::every_driver;
+  const bool main_of_desktop = target.main && !target.profile->es;
+  const bool chosen = defaults || main_of_desktop || has_turn(function, configuration, target.number);
+  return chosen ? Extent::one_driver : Extent::thorough;
+}
+
+}  // namespace hn

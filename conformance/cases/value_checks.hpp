@@ -1,0 +1,51 @@
+// The checks of the cases that evaluate functions on the driver, and what they share.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "cases/case.hpp"
+#include "cases/targets.hpp"
+#include "expected/compare.hpp"
+#include "library/functions.hpp"
+
+namespace hn {
+
+using Words = std::vector<std::uint32_t>;
+
+inline std::span<const std::uint32_t> point(std::span<const std::uint32_t> inputs, std::size_t i) {
+  return inputs.subspan(i * kInputWords, kInputWords);
+}
+
+inline std::span<const std::uint32_t> result(std::span<const std::uint32_t> outputs, std::size_t i) {
+  return outputs.subspan(i * kOutputWords, kOutputWords);
+}
+
+// Evaluates on the driver; the outcome of a failure is ready to be returned.
+tl::expected<Words, Outcome> evaluate(Session& session, const Evaluation& evaluation,
+                                      std::span<const std::uint32_t> inputs);
+
+using Check = Outcome(Session& session, const Evaluation& evaluation);
+
+// property_checks.cpp
+Check check_zero;        // noise is 0 at lattice points
+Check check_range;       // values keep to their range and use it
+Check check_wrapped;     // cells with a period are those without one, wrapped
+Check check_seeds;       // fields of different seeds are uncorrelated
+Check check_mirror;      // no quadrant mirrors another
+Check check_finite;      // and neither NaN nor infinity at extreme points
+Check check_unseeded;    // without a seed means with seed 0
+Check check_noise_knob;  // HN_FBM_NOISE2D and HN_FBM_NOISE3D are used
+
+// A case about values; its id comes from the evaluation and the name of the check.
+void add_case(std::vector<Case>& cases, const Evaluation& evaluation, std::string_view name, Check* check,
+              Extent extent);
+
+// metamorphic_checks.cpp: the same values, come by in another way. number: of the function, among all.
+void add_metamorphic_cases(std::vector<Case>& cases, const Evaluation& evaluation, std::size_t number,
+                           const Target& target, Extent extent);
+
+}  // namespace hn

@@ -1,0 +1,169 @@
+#include "cli/child.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "base/process.hpp"
+#include "bench/timings.hpp"
+#include "cases/evidence.hpp"
+#include "cli/command.hpp"
+#include "run/job.hpp"
+#include "run/results.hpp"
+#include "web/browser.hpp"
+
+namespace hn {
+namespace {
+
+// One line in one write, so that the parent reads whole lines and has them whatever happens next.
+void report(const nlohmann::ordered_json& json) {
+  const std::string line = dump(json) + "\n";
+  for (std::string_view rest = line; !rest.empty();) {
+    const ssize_t written = write(kReportFd, rest.data(), rest.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) _exit(EXIT_FAILURE);  // nobody listens
+    rest.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+bool context_is_lost(const Context& context) {
+  const GladGLContext& gl = context.gl();
+  if (gl.GetGraphicsResetStatus && gl.GetGraphicsResetStatus() != GL_NO_ERROR) return true;
+  constexpr GLenum kContextLost = 0x0507;  // of OpenGL 4.5 and of KHR_robustness
+  for (GLenum error = gl.GetError(); error != GL_NO_ERROR; error = gl.GetError()) {
+    if (error == kContextLost) return true;
+  }
+  return false;
+}
+
+// The cases of the job, in its order.
+std::vector<const Case*> cases_of(const Job& job, const std::vector<Case>& all) {
+  std::map<std::string_view, const Case*> by_id;
+  for (const Case& test : all) by_id[test.id] = &test;
+  std::vector<const Case*> cases;
+  for (const std::string& id : job.ids) cases.push_back(by_id.at(id));
+  return cases;
+}
+
+void run_reference_cases(const Suite& suite, const std::vector<const Case*>& cases) {
+  report({{"ready", to_json(ContextInfo{"Khronos", "glslang", reference_compiler_version(), "", {}})}});
+  for (const Case* test : cases) {
+    report({{"result", to_json(run_case(suite, *test))}});
+  }
+}
+
+// A lost context costs the process.
+void end_if(bool lost) {
+  if (!lost) return;
+  report({{"lost", true}});
+  _exit(EXIT_SUCCESS);  // to destroy what is lost could hang
+}
+
+// After the result, so that the verdict is known whatever comes of this.
+void report_evidence(Session& session, const Case& test, const Outcome& outcome) {
+  const auto evidence = make_evidence(session, test, outcome);
+  report({{"evidence", evidence ? to_json(*evidence) : nlohmann::ordered_json()}, {"id", test.id}});
+}
+
+void run_driver_cases(const Suite& suite, const Context& context, const Driver& driver, const Job& job,
+                      const std::vector<const Case*>& cases) {
+  Session session(suite, context, driver.most_points);
+  session.still_alive = [] { report({{"alive", true}}); };
+  EvidenceBudget budget(job.examined);
+  report({{"ready", to_json(session.info)}});
+  for (const Case* test : cases) {
+    CaseResult result = run_case(session, *test);
+    const bool lost = context_is_lost(context);
+    if (lost) result.outcome = outcome_with(Status::crash, {"the context was lost", {}});
+    const bool examined = result.outcome.status == Status::fail && test->evaluation && budget.take(test->id);
+    nlohmann::ordered_json line = {{"result", to_json(result)}};
+    if (examined) line["examined"] = true;
+    report(line);
+    end_if(lost);
+    if (!examined) continue;
+    report_evidence(session, *test, result.outcome);
+    end_if(context_is_lost(context));
+  }
+}
+
+// A browser that ends has crashed in the case that ran, as this process does.
+int run_browser_cases(const Job& job, const Browser& browser, const SourceSet& sources) {
+  bool absent = false;
+  const CaseEvents events = {.ready =
+                                 [](const ContextInfo& info) {
+                                   report({{"ready", to_json(info)}});
+                                 },
+                             .started = [](const std::string&) {},
+                             .finished =
+                                 [](const CaseResult& result) {
+                                   report({{"result", to_json(result)}});
+                                 },
+                             .absent =
+                                 [&](const std::string& why) {
+                                   absent = true;
+                                   report({{"absent", why}});
+                                 }};
+  const auto done = run_in_browser(browser, sources, job.suite.golden, job.ids, events);
+  if (done || absent) return EXIT_SUCCESS;
+  fmt::print(stderr, "{}\n", done.error().text());
+  return EXIT_FAILURE;
+}
+
+int describe_in_browser(const Browser& browser) {
+  const auto info = describe_browser(browser);
+  report(info ? nlohmann::ordered_json{{"ready", to_json(*info)}}
+              : nlohmann::ordered_json{{"absent", info.error().text()}});
+  return EXIT_SUCCESS;
+}
+
+int run_on_driver(const Job& job, const Driver& driver) {
+  const auto sources = suite_sources(job.suite);
+  if (!sources) {
+    report({{"error", sources.error().text()}});
+    return EXIT_FAILURE;
+  }
+  if (driver.browser && job.task == Task::describe) return describe_in_browser(*driver.browser);
+  if (driver.browser && job.task == Task::cases) return run_browser_cases(job, *driver.browser, *sources);
+  const ReferenceCompiler reference;
+  const Suite suite{*sources, reference, job.suite.golden, job.suite.seed, job.suite.points};
+  const std::vector<Case> all = job.task == Task::describe ? std::vector<Case>{} : all_cases();
+  const std::vector<const Case*> cases = cases_of(job, all);
+  if (driver.is_reference_compiler()) {
+    run_reference_cases(suite, cases);
+    return EXIT_SUCCESS;
+  }
+  const auto context = create_context(driver);
+  if (!context) {
+    report({{"absent", context.error().text()}});
+    return EXIT_SUCCESS;
+  }
+  if (job.task == Task::timings) {
+    report(timings_report(**context, *sources, reference, job.ids));
+  } else {
+    run_driver_cases(suite, **context, driver, job, cases);
+  }
+  return EXIT_SUCCESS;
+}
+
+}  // namespace
+
+int child_command(const std::filesystem::path& path) {
+  // What this process starts must not hold the pipe open when this process is gone.
+  if (fcntl(kReportFd, F_SETFD, FD_CLOEXEC) != 0) return usage_error("child is called by hn-conform itself only");
+  std::ifstream in(path);
+  const Job job = job_from(nlohmann::json::parse(in));
+  if (job.task == Task::devices) {
+    report({{"devices", egl_device_count()}});
+    return EXIT_SUCCESS;
+  }
+  const auto driver = find_driver(job.driver);
+  if (!driver) return unknown_driver(job.driver);
+  return run_on_driver(job, *driver);
+}
+
+}  // namespace hn

@@ -1,0 +1,320 @@
+#!/usr/bin/env python3
+"""hn-conform as its user meets it: exit statuses and messages. Usage: cli_test.py PATH-OF-HN-CONFORM"""
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree
+
+PROGRAM = ""
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+ONE_CASE = "noise2d.perlin.lattice.fast.fragment.gl330.golden"
+
+
+class Cli(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.out = self.folder / "out"
+
+    def call(self, *arguments, environment=None):
+        return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True,
+                              env={**os.environ, **(environment or {})}, check=False)
+
+    def run_case(self, *arguments, case=ONE_CASE, environment=None):
+        return self.call("run", "--out", self.out, "--filter", case, *arguments, environment=environment)
+
+    def results(self):
+        return json.loads((self.out / "results.json").read_text())
+
+    def cases(self):
+        return {case["id"]: case for run in self.results()["runs"] for case in run["cases"]}
+
+    def page(self):
+        return (self.out / "index.html").read_text()
+
+    def suites(self):
+        """Of junit.xml, by name."""
+        root = xml.etree.ElementTree.parse(self.out / "junit.xml").getroot()
+        return {suite.get("name"): suite for suite in root.findall("testsuite")}
+
+    def changed_glsl(self, name, *changes):
+        """A copy of glsl/ with (old, new) replaced, once each, in one file."""
+        copy = self.folder / "glsl"
+        shutil.rmtree(copy, ignore_errors=True)
+        shutil.copytree(ROOT / "glsl", copy)
+        text = (copy / name).read_text()
+        for old, new in changes:
+            self.assertIn(old, text)
+            text = text.replace(old, new, 1)
+        (copy / name).write_text(text)
+        return copy
+
+    def golden_copy(self):
+        copy = self.folder / "golden"
+        shutil.copytree(ROOT / "conformance" / "expected" / "golden", copy)
+        return copy
+
+    def test_a_healthy_case_passes(self):
+        done = self.run_case()
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("1 pass; ", done.stdout)
+        case, = self.results()["runs"][0]["cases"]
+        self.assertEqual(case["id"], ONE_CASE)
+        self.assertEqual(case["status"], "pass")
+        self.assertGreater(case["samples"], 100)
+
+    def test_a_run_leaves_a_page_and_a_file_for_build_servers(self):
+        self.run_case("--seed", "5")
+        page = self.page()
+        self.assertIn("All as expected: 1 case on 1 driver", page)
+        self.assertIn(f"hn-conform run --out {self.out} --filter {ONE_CASE} --seed 5", page)
+        self.assertIn("llvmpipe", page)
+        for elsewhere in ("<link", "src=\"http", "href=\"http", "url("):
+            self.assertNotIn(elsewhere, page)
+        suite = self.suites()["osmesa"]
+        self.assertEqual((suite.get("tests"), suite.get("failures"), suite.get("errors")), ("1", "0", "0"))
+        properties = {entry.get("name"): entry.get("value") for entry in suite.find("properties")}
+        self.assertEqual(properties["seed"], "5")
+        self.assertIn("llvmpipe", properties["renderer"])
+        test = suite.find("testcase")
+        self.assertEqual((test.get("classname"), test.get("name")), ("noise2d.perlin", ONE_CASE))
+
+    def test_what_failed_has_its_evidence(self):
+        glsl = self.changed_glsl("hash.glsl", ("0x2C1B3C6Du", "0x2C1B3C6Fu"))
+        self.run_case("--glsl", glsl, "--filter", "hash.lattice2.lattice.*.fragment.gl330.golden")
+        case = self.cases()[ONE_CASE]
+        evidence = case["evidence"]
+        self.assertIn("The shader is red on this driver", evidence["note"])
+        self.assertGreater(evidence["factor"], 0)
+        first = case["examples"][0]
+        page = self.page()
+        for text in (ONE_CASE, first["inputs"], first["got"], first["expected"], evidence["got"], evidence["reference"],
+                     evidence["difference"], "0x2C1B3C6Fu", f"{first['point']}, 0"):
+            self.assertIn(text, page)
+        self.assertIn("evidence", self.cases()["hash.lattice2.lattice.exact.fragment.gl330.golden"])
+        suite = self.suites()["osmesa"]
+        self.assertEqual((suite.get("tests"), suite.get("failures")), ("2", "2"))
+        self.assertIn(first["inputs"], suite.find(f"testcase[@name='{ONE_CASE}']/failure").text)
+
+    def test_merging_tells_the_same_again(self):
+        for shard in ("1/2", "2/2"):
+            out = self.folder / shard[0]
+            self.call("run", "--out", out, "--filter", "noise2d.perlin.lattice.fast.fragment*golden", "--shard", shard)
+        done = self.call("merge", self.folder / "1", self.folder / "2", "--out", self.out)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("All as expected: 3 cases", self.page())
+        self.assertEqual(self.suites()["osmesa"].get("tests"), "3")
+        self.assertEqual(len(self.results()["runs"][0]["commands"]), 2)
+        self.call("merge", self.folder / "1", "--out", self.out)
+        self.assertIn("cases are missing; not all of its shards are here", self.page())
+
+    def test_list_filters(self):
+        done = self.call("list", "--filter", "noise2d.perlin.lattice.fast.fragment.*.golden")
+        self.assertEqual(done.returncode, 0)
+        self.assertEqual(len(done.stdout.splitlines()), 3)
+
+    def test_drivers_names_what_is_here(self):
+        done = self.call("drivers")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("osmesa", done.stdout)
+        self.assertIn("llvmpipe", done.stdout)
+
+    def test_bad_usage_is_status_2_and_says_what_would_be_right(self):
+        (self.folder / "file").write_text("")
+        for arguments, expected in (
+            (["run", "--driver", "voodoo"], "osmesa, egl"),
+            (["run", "--filter", "nothing*"], "hn-conform list shows the ids"),
+            (["list", "--filter", "nothing*"], "hn-conform list shows the ids"),
+            (["run", "--out", self.folder / "file" / "out"], "cannot make the folder"),
+            (["run", "--glsl", self.folder], "a copy of every file of glsl/"),
+            (["run", "--inject", "abs_imt"], "there are: modulo_sign"),
+            (["run", "--seed", "many"], "many"),
+            (["run", "--seed", "-1"], "-1"),
+            (["run", "--frobnicate"], "frobnicate"),
+            (["run", "list"], "list"),
+            (["run", "--driver", "osmesa", "drivers"], "drivers"),
+            (["dance"], "drivers, list, run, merge, bench, paper or web"),
+            ([], "drivers, list, run, merge, bench, paper or web"),
+        ):
+            with self.subTest(arguments=arguments):
+                done = self.call(*arguments)
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertIn(expected, done.stderr + done.stdout)
+
+    def test_an_injected_fault_turns_the_run_red_and_names_what_suffers(self):
+        bug = "bugs.abs_of_int.any.exact.fragment.gl330.defined"
+        self.assertEqual(self.run_case(case=bug).returncode, 0)
+        done = self.run_case("--inject", "abs_int", case=bug)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn(bug, done.stdout)
+        self.assertIn("emulate_abs_int_function", done.stdout)
+        self.assertEqual(self.run_case("--inject", "abs_int").returncode, 0)  # the noise takes abs of floats alone
+        done = self.run_case("--inject", "integers_16_bits")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn(ONE_CASE, done.stdout)
+
+    def test_inject_list_tells_the_faults(self):
+        done = self.call("run", "--inject", "list")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("abs_int\n  fault: abs(int) wrong\n", done.stdout)
+
+    def test_list_about_tells_where_a_bug_was_reported(self):
+        done = self.call("list", "--about", "--filter", "bugs.abs_of_int.*gl330*")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("gl330.defined\n  reported in: ANGLE emulate_abs_int_function", done.stdout)
+
+    def test_what_the_specification_leaves_open_is_a_warning(self):
+        bug = "bugs.modulo_of_negative.any.exact.fragment.gl330.undefined"
+        done = self.run_case("--filter", ONE_CASE, case=bug)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        case = next(case for case in self.results()["runs"][0]["cases"] if case["id"] == bug)
+        self.assertEqual(case["status"], "warning")
+        self.assertIn("remainder=3 (0x00000003)", case["message"])  # llvmpipe's -1 % 7
+        self.assertIn("gfx-rs/wgpu 9687", case["message"])
+
+    def test_help_is_status_0(self):
+        for command in ([], ["run"], ["list"], ["drivers"]):
+            self.assertEqual(self.call(*command, "--help").returncode, 0)
+
+    def test_a_driver_that_is_not_here_is_status_3(self):
+        self.assertEqual(self.run_case().returncode, 0)
+        for name in ("libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"):
+            (self.folder / name).write_text("no library")
+        broken = {"LD_LIBRARY_PATH": str(self.folder)}
+        done = self.run_case(environment=broken)
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("the driver osmesa is not here", done.stderr)
+        run, = self.results()["runs"]  # those of the run before are gone
+        self.assertIn("libOSMesa", run["absent"])
+        self.assertNotIn("cases", run)
+        self.assertIn("the driver osmesa is not here", self.page())
+        self.assertIn("libOSMesa", self.suites()["osmesa"].find("testcase/skipped").text)
+        self.assertIn("not here:", self.call("drivers", environment=broken).stdout)
+
+    def test_a_changed_constant_turns_the_run_red(self):
+        for check in ("golden", "twin"):
+            with self.subTest(check=check):
+                glsl = self.changed_glsl("hash.glsl", ("0x85EBCA77u", "0x85EBCA79u"))
+                done = self.run_case("--glsl", glsl, case=f"noise2d.perlin.lattice.fast.fragment.gl330.{check}")
+                self.assertEqual(done.returncode, 1)
+                self.assertIn("NOT AS EXPECTED", done.stdout)
+                self.assertGreater(self.results()["runs"][0]["cases"][0]["mismatches"], 100)
+
+    def test_every_other_check_can_fail(self):
+        perlin = "noise2d.perlin.lattice.fast.fragment.gl330"
+        for check, case, name, *changes in (
+            ("range", f"{perlin}.range", "noise2d.glsl", ("NUMBER(1913)", "NUMBER(2913)")),
+            ("range, little used", f"{perlin}.range", "noise2d.glsl", ("NUMBER(1913)", "NUMBER(913)")),
+            ("zero", f"{perlin}.zero", "noise2d.glsl", ("hn_i_fraction(p)", "hn_i_fraction(p) + 0.25f")),
+            ("seeds", f"{perlin}.seeds", "noise2d.glsl", ("hn_i_mix(seed)", "hn_i_mix(seed & 0u)")),
+            ("mirror", f"{perlin}.mirror", "noise2d.glsl",
+             ("hn_i_cell(p), hn_i_fraction(p)", "hn_i_cell(abs(p)), hn_i_fraction(abs(p))")),
+            ("finite", f"{perlin}.finite", "noise2d.glsl", ("hn_i_fraction(p), seed", "hn_i_fraction(p) + 0.25f, seed")),
+            ("noise_knob", "fbm.fbm2.*.fast.*.noise_knob", "fbm.glsl",
+             ("HN_FBM_NOISE2D(q, seed);", "hn_perlin(q, seed);")),
+            ("noise_knob", "fbm.fbm2.*.fixed.*.noise_knob", "fbm_fixed.glsl",
+             ("#ifdef HN_FBM_NOISE2D", "#ifdef HN_FBM_NOISE2D_")),
+            ("refused", "config.hash_beyond_the_last.*.gl330.refused_by_glslang", "config.glsl", ("HN_HASH > 9", "HN_HASH > 99")),
+            ("refused", "config.hash_beyond_the_last.*.gl330.refused_by_driver", "config.glsl", ("HN_HASH > 9", "HN_HASH > 99")),
+            ("refused", "config.arithmetic_4.*.gl330.*", "config.glsl", ("HN_ARITHMETIC > 3", "HN_ARITHMETIC > 99")),
+            ("refused", "config.precise_too_early.*.gl330.*", "config.glsl", ("__VERSION__ < 400", "__VERSION__ < 300")),
+            ("no reason", "config.version_120.*.refused_by_driver", "config.glsl", ("needs GLSL 1.30", "needs more")),
+            ("spirv", "hash.all.pcg.fast.fragment.vulkan.spirv", "hash.glsl", ("2891336453u", "2891336453.5")),
+        ):
+            with self.subTest(check=check):
+                done = self.run_case("--glsl", self.changed_glsl(name, *changes), case=case)
+                self.assertEqual(done.returncode, 1, done.stdout)
+                self.assertEqual(self.results()["runs"][0]["totals"]["pass"], 0)
+
+    def test_unsupported_is_neither_passed_nor_failed(self):
+        done = self.run_case(case="hash.all.pcg.fast.fragment.gl460.driver")
+        self.assertEqual(done.returncode, 1)  # a run in which nothing passed shows nothing
+        totals = self.results()["runs"][0]["totals"]
+        self.assertEqual({status: count for status, count in totals.items() if count}, {"unsupported": 1})
+        self.assertIn("GLSL 4.60 is beyond this context's 4.50", done.stdout)
+
+    def test_a_changed_default_seed_turns_the_run_red(self):
+        glsl = self.changed_glsl("noise2d.glsl", ("hn_perlin(p, 0u)", "hn_perlin(p, 1u)"))
+        done = self.run_case("--glsl", glsl, case="noise2d.perlin.*unseeded")
+        self.assertEqual(done.returncode, 1)
+
+    def test_a_shader_that_does_not_compile_shows_file_and_line_and_the_run_goes_on(self):
+        line = 1 + (ROOT / "glsl" / "noise2d.glsl").read_text().splitlines().index("#include \"gradient.glsl\"")
+        glsl = self.changed_glsl("noise2d.glsl", ("#include \"gradient.glsl\"\n",
+                                                   "#include \"gradient.glsl\" \nint x = broken;\n"))
+        done = self.run_case("--glsl", glsl, "--filter", "hash.word.fnv1.*golden", "--filter", "noise2d.all.fnv1.*")
+        self.assertEqual(done.returncode, 1)
+        cases = self.cases()
+        for profile in ("gl140", "gl330", "es300"):
+            for check in ("glslang", "driver"):
+                message = cases[f"noise2d.all.fnv1.fast.fragment.{profile}.{check}"]["message"]
+                self.assertIn(f"{glsl}/noise2d.glsl:{line + 1}", message)
+        self.assertEqual(cases["hash.word.fnv1.exact.fragment.gl330.golden"]["status"], "pass")
+
+    def test_a_missing_golden_file_is_an_error_that_names_it(self):
+        golden = self.golden_copy()
+        (golden / "noise2d.perlin.lattice.golden").unlink()
+        done = self.run_case("--golden", golden)
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(self.results()["runs"][0]["cases"][0]["status"], "error")
+        self.assertIn(f"{golden}/noise2d.perlin.lattice.golden", done.stdout)
+
+    def test_a_corrupt_golden_file_is_an_error_that_names_the_line(self):
+        golden = self.golden_copy()
+        path = golden / "noise2d.perlin.lattice.golden"
+        lines = path.read_text().splitlines()
+        lines[20] = lines[20].replace(" = ", " = z", 1)
+        path.write_text("\n".join(lines) + "\n")
+        done = self.run_case("--golden", golden)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn(f"{path}:21: ", done.stdout)
+
+    def test_a_wrong_golden_value_fails(self):
+        golden = self.golden_copy()
+        path = golden / "hash.word.fnv1.golden"
+        text = path.read_text()
+        digest = text.rindex("fnv1a64=") + 8
+        value = text.index(" = ", text.index("rows ")) + 3
+        for at in (value, digest):
+            with self.subTest(at=at):
+                wrong = "0" if text[at] != "0" else "1"
+                path.write_text(text[:at] + wrong + text[at + 1:])
+                done = self.run_case("--golden", golden, case="hash.word.fnv1.*.fragment.*golden")
+                self.assertEqual(done.returncode, 1)
+                self.assertEqual(self.results()["runs"][0]["totals"]["fail"], 3)
+
+    def test_fail_fast_stops(self):
+        glsl = self.changed_glsl("noise2d.glsl", ("NUMBER(1913)", "NUMBER(1914)"))
+        self.run_case("--glsl", glsl, "--fail-fast", case="noise2d.perlin.*.golden")
+        self.assertEqual(len(self.results()["runs"][0]["cases"]), 1)
+
+    def test_the_seed_chooses_the_points(self):
+        case = "noise3d.perlin.lattice.fast.fragment.gl330.twin"
+        seen = []
+        for seed in (1, 1, 2):
+            self.assertEqual(self.run_case("--seed", seed, case=case).returncode, 0)
+            run = self.results()["runs"][0]
+            self.assertEqual(run["seed"], seed)
+            self.assertGreaterEqual(run["cases"][0]["samples"], 1000000)
+            seen.append(run["cases"][0]["max_ulp"])
+        self.assertEqual(seen[0], seen[1])
+
+    def test_points_are_evaluated_in_batches(self):
+        case = "noise2d.perlin.lattice.*.gl330.twin"  # fast and fixed
+        points = 3 * 2**20 + 5  # a grid has 2^20
+        self.assertEqual(self.run_case("--points", points, case=case).returncode, 0)
+        self.assertEqual([case["samples"] for case in self.results()["runs"][0]["cases"]], [points, points])
+        for wrong in ("0", "-1", "1e8", "10000000001", "many"):
+            self.assertEqual(self.run_case("--points", wrong, case=case).returncode, 2, wrong)
+
+
+if __name__ == "__main__":
+    PROGRAM = sys.argv.pop(1)
+    unittest.main()

@@ -1,0 +1,45 @@
+#include "cli/command.hpp"
+
+#include <cstdlib>
+
+namespace hn {
+
+int usage_error(const std::string& message) {
+  fmt::print(stderr, "hn-conform: {}\n", message);
+  return kBadUsage;
+}
+
+std::string driver_names(DriverKind kind) {
+  std::string names;
+  for (const Driver& driver : all_drivers(0)) {
+    const bool has_context = !driver.browser && !driver.is_reference_compiler();
+    if (kind == DriverKind::with_context && !has_context) continue;
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", driver.name);
+  }
+  return names + ", egl-device:N, egl-device:N-gles";
+}
+
+int unknown_driver(const std::string& name) {
+  return usage_error(
+      fmt::format("there is no driver \"{}\"; there are: {}", name, driver_names(DriverKind::with_context)));
+}
+
+tl::expected<OpenDriver, int> open_driver(const std::string& name, const std::string& command_line) {
+  // Before anything loads a driver: compile times would be those of a look into a cache.
+  setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+  setenv("__GL_SHADER_DISK_CACHE", "0", 1);
+  const auto driver = find_driver(name);
+  if (!driver) return tl::unexpected(unknown_driver(name));
+  auto context = create_context(*driver);
+  if (!context) {
+    fmt::print(stderr, "hn-conform: the driver {} cannot be used here: {}\n", name, context.error().text());
+    return tl::unexpected(kNoDriver);
+  }
+  if ((*context)->api() != Api::gl) {
+    return tl::unexpected(usage_error(fmt::format("{} is OpenGL ES; what measures needs desktop OpenGL", name)));
+  }
+  Provenance provenance{now(), command_line, name, describe(**context)};
+  return OpenDriver{std::move(*context), std::move(provenance)};
+}
+
+}  // namespace hn

@@ -1,0 +1,137 @@
+#include "cli/drivers.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstdlib>
+#include <utility>
+
+#include "gpu/vulkan_drivers.hpp"
+
+namespace hn {
+namespace {
+
+constexpr std::string_view kEglDevice = "egl-device:";
+constexpr std::string_view kGles = "-gles";
+
+// A way to a context that has both APIs, as two drivers.
+template <typename Create>
+void add_both(std::vector<Driver>& drivers, Driver driver, Create create) {
+  Driver gles = driver;
+  gles.name += kGles;
+  gles.description += ", OpenGL ES";
+  driver.create = [create] { return create(Api::gl); };
+  gles.create = [create] { return create(Api::gles); };
+  drivers.push_back(std::move(driver));
+  drivers.push_back(std::move(gles));
+}
+
+// EGL with what the environment asks for; Mesa takes something else where it has not that.
+CreatedContext create_mesa(Api api, std::string_view renderer) {
+  auto context = create_egl(api);
+  if (!context) return context;
+  const auto* got = reinterpret_cast<const char*>((*context)->gl().GetString(GL_RENDERER));
+  if (got && std::string_view(got).find(renderer) != std::string_view::npos) return context;
+  return fail(fmt::format("EGL gives {}, which is not {}", got ? got : "nothing", renderer));
+}
+
+CreatedContext create_zink(Api api, const Result<std::string>& lavapipe) {
+  if (!lavapipe) return fail(fmt::format("Mesa's lavapipe is not here: {}", lavapipe.error().message));
+  return create_mesa(api, "zink");
+}
+
+void add_mesa_drivers(std::vector<Driver>& drivers) {
+  // softpipe interprets a shader: a hundred times as slow as llvmpipe.
+  add_both(drivers,
+           {.name = "softpipe",
+            .description = "Mesa's reference rasterizer, by EGL without a window",
+            .environment = {{"GALLIUM_DRIVER", "softpipe"}, {"LIBGL_ALWAYS_SOFTWARE", "true"}},
+            .most_points = std::size_t{1} << 12},
+           [](Api api) { return create_mesa(api, "softpipe"); });
+  const auto lavapipe = vulkan_drivers("lvp_icd");
+  add_both(drivers,
+           {.name = "zink",
+            .description = "OpenGL on Vulkan on the CPU: Mesa's zink on lavapipe, by EGL without a window",
+            .environment = {{"MESA_LOADER_DRIVER_OVERRIDE", "zink"},
+                            {"LIBGL_ALWAYS_SOFTWARE", "true"},
+                            {"VK_DRIVER_FILES", lavapipe.value_or("")},
+                            {"VK_ICD_FILENAMES", lavapipe.value_or("")},  // the older name
+                            {"NODEVICE_SELECT", "1"}}},  // a layer of Mesa's that asks a display server
+           [lavapipe](Api api) { return create_zink(api, lavapipe); });
+}
+
+void add_glfw_drivers(std::vector<Driver>& drivers) {
+  add_both(drivers, {.name = "glfw", .description = "A hidden window, by GLFW: GLX, WGL or Cocoa"},
+           [](Api api) { return create_glfw(GlfwContext::native, api); });
+  add_both(drivers, {.name = "glfw-egl", .description = "A hidden window, by GLFW and EGL"},
+           [](Api api) { return create_glfw(GlfwContext::egl, api); });
+  drivers.push_back({.name = "glfw-osmesa", .description = "A hidden window, by GLFW and OSMesa", .create = [] {
+                       return create_glfw(GlfwContext::osmesa, Api::gl);
+                     }});
+}
+
+// Those that every machine may have.
+std::vector<Driver> common_drivers() {
+  std::vector<Driver> drivers;
+  drivers.push_back({.name = std::string(kReferenceCompiler),
+                     .description = "Khronos' reference compiler, which draws nothing",
+                     .create = [] { return CreatedContext(fail("glslang draws nothing")); }});
+  drivers.push_back(
+      {.name = "osmesa", .description = "Mesa's off-screen library, rendering on the CPU", .create = create_osmesa});
+  add_both(
+      drivers,
+      {.name = "egl", .description = "EGL without a window: Mesa's surfaceless platform, else the first EGL device"},
+      create_egl);
+  add_mesa_drivers(drivers);
+  add_glfw_drivers(drivers);
+  for (const Browser& browser : all_browsers()) {
+    drivers.push_back({.name = std::string(browser.name),
+                       .description = std::string(browser.description),
+                       .create = [] { return CreatedContext(fail("a browser runs the cases of the suite only")); },
+                       .browser = &browser});
+  }
+  return drivers;
+}
+
+void add_egl_device(std::vector<Driver>& drivers, int number) {
+  add_both(drivers,
+           {.name = fmt::format("{}{}", kEglDevice, number),
+            .description = fmt::format("EGL device {}, without a window", number)},
+           [number](Api api) { return create_egl_device(number, api); });
+}
+
+// The N of "egl-device:N" and "egl-device:N-gles".
+std::optional<int> device_number(std::string_view name) {
+  if (!name.starts_with(kEglDevice)) return std::nullopt;
+  name.remove_prefix(kEglDevice.size());
+  if (name.ends_with(kGles)) name.remove_suffix(kGles.size());
+  int number = 0;
+  const char* const end = name.data() + name.size();
+  const auto [stop, error] = std::from_chars(name.data(), end, number);
+  if (error != std::errc() || stop != end || number < 0) return std::nullopt;
+  return number;
+}
+
+}  // namespace
+
+CreatedContext create_context(const Driver& driver) {
+  for (const auto& [name, value] : driver.environment) setenv(name.c_str(), value.c_str(), 1);
+  return driver.create();
+}
+
+std::vector<Driver> all_drivers(int egl_devices) {
+  std::vector<Driver> drivers = common_drivers();
+  for (int number = 0; number < egl_devices; ++number) add_egl_device(drivers, number);
+  return drivers;
+}
+
+std::optional<Driver> find_driver(std::string_view name) {
+  std::vector<Driver> drivers = common_drivers();
+  if (const auto number = device_number(name)) add_egl_device(drivers, *number);
+  for (Driver& driver : drivers) {
+    if (driver.name == name) return std::move(driver);
+  }
+  return std::nullopt;
+}
+
+}  // namespace hn

@@ -1,0 +1,103 @@
+// The command line: what is to be done.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <tl/expected.hpp>
+#include <variant>
+#include <vector>
+
+namespace hn {
+
+// Exit statuses. 0 is: all as expected.
+constexpr int kNotAsExpected = 1;
+constexpr int kBadUsage = 2;
+constexpr int kNoDriver = 3;
+
+struct DriversCommand {};
+
+struct ListCommand {
+  std::vector<std::string> filters;
+  bool thorough = false;
+  bool about = false;
+};
+
+struct RunCommand {
+  std::vector<std::string> drivers = {"osmesa"};  // names, globs, "all"
+  std::vector<std::string> filters;
+  std::string out = "out";
+  std::string glsl;
+  std::string golden;
+  std::string expect;
+  std::string shard;  // "I/N", or empty
+  std::uint64_t seed = 1;
+  std::uint64_t points = 0;  // of each comparison with the twin; 0 for what its case says
+  double timeout = 60.0;     // seconds
+  std::size_t jobs = 1;
+  bool thorough = false;
+  bool deal = false;
+  bool fail_fast = false;
+  bool resume = false;
+  bool timings = false;
+  std::string inject;  // the name of a fault, or nothing
+  std::string line;    // the command line, for the record
+};
+
+struct MergeCommand {
+  std::vector<std::string> inputs;
+  std::string out = "out";
+  std::string expect;
+};
+
+struct BenchCommand {
+  std::string driver = "osmesa";
+  std::vector<std::string> filters;
+  std::string out = "out";
+  std::string glsl;
+  std::vector<std::string> against;  // NAME=FILE:EXPRESSION
+  std::string baseline;
+  int rounds = 9;
+  bool dump = false;
+  std::string line;  // the command line, for the record
+};
+
+struct PaperCommand {
+  std::string driver = "osmesa";
+  std::string out = "out";
+  std::string glsl;
+  int rounds = 9;
+  bool dump = false;
+  std::string line;
+};
+
+struct WebCommand {
+  std::string out = "out";
+  std::string glsl;
+  std::string golden;
+};
+
+using Command =
+    std::variant<DriversCommand, ListCommand, RunCommand, MergeCommand, BenchCommand, PaperCommand, WebCommand>;
+
+// Where nothing is to be done: help or the version was asked for, or the usage is wrong.
+struct Stop {
+  int status;       // of the program: 0 or kBadUsage
+  std::string out;  // for the standard output
+  std::string err;  // and for the standard error
+};
+
+// What the program comes with.
+struct Installation {
+  std::string golden;  // folders that are taken if no option names others
+  std::string expect;
+  std::string faults = {};  // the names for --inject
+};
+
+// Does nothing but read the arguments, the first of which is the program's name.
+tl::expected<Command, Stop> parse_options(int argc, const char* const* argv, const Installation& installation);
+
+// The arguments after the first, as a shell would take them again, behind "hn-conform".
+std::string command_line(int argc, const char* const* argv);
+
+}  // namespace hn

@@ -1,0 +1,88 @@
+// hn-conform paper
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "base/files.hpp"
+#include "base/output/csv.hpp"
+#include "base/output/file.hpp"
+#include "base/output/page.hpp"
+#include "cli/command.hpp"
+#include "paper/files.hpp"
+#include "paper/laboratory.hpp"
+
+namespace hn {
+namespace {
+
+struct Part {
+  std::string_view name;
+  Result<Section> (*measure)(Laboratory&);
+};
+// The table first: it decides which clock is believed.
+constexpr Part kParts[] = {{"table", measure_table},
+                           {"figures", draw_figures},
+                           {"statistics", measure_statistics},
+                           {"periods", measure_periods},
+                           {"bandwidth", measure_bandwidth}};
+
+Result<void> write(const std::filesystem::path& out, const nlohmann::json& data, const nlohmann::json& page,
+                   const std::vector<Section::Csv>& tables) {
+  const auto html = render_page(text_of(kPaperFiles, "paper.mustache"), page);
+  if (!html) return tl::unexpected(html.error());
+  for (const Section::Csv& table : tables) {
+    if (auto done = write_file(out / table.name, to_csv(table.header, table.rows)); !done) return done;
+  }
+  if (auto done =
+          write_file(out / "paper.json", data.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+      !done)
+    return done;
+  return write_file(out / "index.html", *html);
+}
+
+}  // namespace
+
+int paper_command(const PaperCommand& options) {
+  const auto sources = library_sources(options.glsl);
+  if (!sources) return usage_error(sources.error().text());
+  if (const auto ready = prepare_output(options.out, {"paper.json", "index.html"}); !ready)
+    return usage_error(ready.error().text());
+  const auto driver = open_driver(options.driver, options.line);
+  if (!driver) return driver.error();
+  const ReferenceCompiler reference;
+  Laboratory laboratory(*driver->context, *sources, reference, options.out, options.rounds, options.dump);
+  nlohmann::json data = to_json(driver->provenance);
+  nlohmann::json page = {{"style", text_of(kBaseFiles, "style.mustache")},
+                         {"provenance", data},
+                         {"rounds", options.rounds},
+                         {"failures", nlohmann::json::array()}};
+  data["schema"] = 1;
+  data["rounds"] = options.rounds;
+  std::vector<Section::Csv> tables;
+  bool complete = true;
+  for (const Part& part : kParts) {
+    const auto start = std::chrono::steady_clock::now();
+    auto section = part.measure(laboratory);
+    if (!section) {
+      // The other sections are still worth having.
+      fmt::print(stderr, "hn-conform: {}: {}\n", part.name, section.error().text());
+      data[std::string(part.name)] = {{"error", section.error().text()}};
+      page[std::string(part.name)] = false;
+      page["failures"].push_back({{"section", part.name}, {"text", section.error().text()}});
+      complete = false;
+      continue;
+    }
+    data[std::string(part.name)] = std::move(section->data);
+    page[std::string(part.name)] = std::move(section->page);
+    complete = complete && section->complete;
+    std::move(section->csv.begin(), section->csv.end(), std::back_inserter(tables));
+    fmt::print(stderr, "{}: {:.1f} s\n", part.name,
+               std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+  if (const auto written = write(options.out, data, page, tables); !written) return usage_error(written.error().text());
+  fmt::print("The paper on {}: {}/index.html\n", driver->provenance.info.renderer, options.out);
+  if (complete) return 0;
+  fmt::print("NOT AS EXPECTED: something could not be measured; the page says what\n");
+  return kNotAsExpected;
+}
+
+}  // namespace hn

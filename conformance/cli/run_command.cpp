@@ -1,0 +1,292 @@
+// hn-conform drivers, list, run and merge
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "base/output/file.hpp"
+#include "cli/command.hpp"
+#include "fault/faults.hpp"
+#include "report/report.hpp"
+#include "run/expectation.hpp"
+#include "run/filter.hpp"
+#include "run/journal.hpp"
+#include "run/merge.hpp"
+#include "run/scheduler.hpp"
+#include "run/shard.hpp"
+#include "run/worker.hpp"
+
+namespace hn {
+namespace {
+
+constexpr int kNotWritten = -1;  // of conclude, and no exit status
+
+constexpr std::chrono::milliseconds kDescribeLimit{60000};
+// 25 times what all functions and configurations take on two cores with llvmpipe.
+constexpr std::chrono::milliseconds kTimingsLimit{1000000};
+
+Result<std::vector<Case>> select_cases(const std::vector<std::string>& filters, bool thorough) {
+  auto cases = filter_cases(all_cases(), filters);
+  const bool any = !cases.empty();
+  if (!thorough) std::erase_if(cases, [](const Case& test) { return test.extent == Extent::thorough; });
+  if (!cases.empty()) return cases;
+  if (any) return fail(fmt::format("the cases that match '{}' need --thorough", fmt::join(filters, "' '")));
+  return fail(fmt::format("no case matches --filter '{}'; hn-conform list shows the ids, and * stands for any part",
+                          fmt::join(filters, "' '")));
+}
+
+SuiteOptions suite_options(const RunCommand& options) {
+  return {.glsl = options.glsl,
+          .golden = options.golden,
+          .inject = options.inject,
+          .seed = options.seed,
+          .points = options.points};
+}
+
+struct Devices {
+  int count = 0;
+  std::string problem;  // why EGL does not say
+};
+
+// Asked in a process of its own: what is loaded to find out could crash.
+Devices egl_devices() {
+  const TemporaryDirectory scratch;
+  const auto report =
+      report_of({.task = Task::devices, .driver = {}, .suite = {}, .ids = {}}, scratch.path(), kDescribeLimit);
+  if (report) return {report->value("devices", 0), {}};
+  return {0, fmt::format("EGL does not say what devices it has: {}", report.error().text())};
+}
+
+struct DriverChoice {
+  std::vector<std::string> names;
+  std::set<std::string> named;  // not by a glob, so they must be here
+  std::vector<std::string> problems;
+};
+
+// Names, globs, and "all"; each driver once.
+Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted) {
+  DriverChoice choice;
+  const auto add = [&](const std::string& name) {
+    if (std::find(choice.names.begin(), choice.names.end(), name) == choice.names.end()) choice.names.push_back(name);
+  };
+  for (const std::string& name : wanted) {
+    if (find_driver(name)) {
+      add(name);
+      choice.named.insert(name);
+      continue;
+    }
+    const std::string glob = name == "all" ? "*" : name;
+    const bool is_glob = glob.find_first_of("*?[") != std::string::npos;
+    const Devices devices = is_glob ? egl_devices() : Devices{};
+    if (!devices.problem.empty()) choice.problems.push_back(devices.problem);
+    bool found = false;
+    for (const Driver& driver : is_glob ? all_drivers(devices.count) : std::vector<Driver>{}) {
+      if (!matches_glob(driver.name, glob)) continue;
+      add(driver.name);
+      found = true;
+    }
+    if (!found)
+      return fail(
+          fmt::format("there is no driver \"{}\"; there are: {}, and all", name, driver_names(DriverKind::any)));
+  }
+  return choice;
+}
+
+// What every driver is to do: the cases that need one; and for glslang, which is always asked, the others.
+std::vector<DriverPlan> plan_drivers(const std::vector<std::string>& names, const std::vector<Case>& cases,
+                                     const Shard& shard) {
+  std::vector<DriverPlan> plans;
+  std::vector<std::string> all = names;
+  const std::string reference(kReferenceCompiler);
+  if (std::find(all.begin(), all.end(), reference) == all.end()) all.push_back(reference);
+  for (const std::string& name : all) {
+    DriverPlan plan{.driver = name, .ids = {}};
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      if (cases[i].needs_driver() != (name != reference)) continue;
+      ++plan.whole;
+      if (shard.has(i)) plan.ids.push_back(cases[i].id);
+    }
+    if (!plan.ids.empty()) plans.push_back(std::move(plan));
+  }
+  return plans;
+}
+
+Result<Journal> open_journal(const RunCommand& options, const nlohmann::json& plan) {
+  if (options.resume && Journal::exists(options.out)) return Journal::reopen(options.out, plan);
+  if (options.resume) fmt::print(stderr, "hn-conform: nothing to resume in {}, so this is a new run\n", options.out);
+  return Journal::create(options.out, plan);
+}
+
+bool can_be_timed(const Run& run) {
+  const auto driver = find_driver(run.driver);
+  return run.absent.empty() && driver && !driver->is_reference_compiler() && !driver->browser;
+}
+
+void add_timings(std::vector<Run>& runs, const RunPlan& plan, const std::filesystem::path& out) {
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (!can_be_timed(runs[i])) continue;
+    const Job job{.task = Task::timings, .driver = runs[i].driver, .suite = plan.suite, .ids = plan.drivers[i].ids};
+    const auto report = report_of(job, out, kTimingsLimit);
+    if (report && report->contains("timings")) {
+      runs[i].timings = report->at("timings").dump();
+    } else {
+      fmt::print(stderr, "hn-conform: the functions cannot be timed on {}: {}\n", runs[i].driver,
+                 report ? "its process has something else to say" : report.error().text());
+    }
+  }
+}
+
+// Writes what there is to say about the runs, and says it: the exit status. problems: what is wrong beside the cases.
+int conclude(const std::vector<Run>& runs, const std::string& out, const std::vector<std::string>& problems) {
+  if (const auto written = write_results(out, runs, problems); !written) {
+    fmt::print(stderr, "hn-conform: {}\n", written.error().text());
+    return kNotWritten;
+  }
+  for (const Run& run : runs) fmt::print("{}", summary(run));
+  for (const std::string& problem : problems) fmt::print(stderr, "hn-conform: {}\n", problem);
+  const bool good = problems.empty() && all_as_expected(runs);
+  fmt::print("{}: {}\n", good ? "All as expected" : "NOT AS EXPECTED",
+             (std::filesystem::path(out) / kPageFile).string());
+  return good ? 0 : kNotAsExpected;
+}
+
+bool is_here(const Run& run) { return run.absent.empty() && run.driver != kReferenceCompiler; }
+
+// Why there can be no verdict: drivers that were named are not here, or none is.
+std::vector<std::string> missing_drivers(const std::vector<Run>& runs, const std::set<std::string>& named) {
+  std::vector<std::string> missing;
+  bool any = false;
+  for (const Run& run : runs) {
+    if (run.absent.empty()) continue;
+    any = true;
+    if (named.contains(run.driver)) {
+      missing.push_back(fmt::format("the driver {} is not here: {}", run.driver, run.absent));
+    }
+  }
+  if (!missing.empty() || !any || std::any_of(runs.begin(), runs.end(), is_here)) return missing;
+  return {"none of the drivers is here"};
+}
+
+// Of a run that ended before its end.
+void note_what_was_not_run(const RunPlan& plan, const std::vector<Run>& runs, std::vector<std::string>& problems) {
+  std::size_t planned = 0;
+  std::size_t done = 0;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (!runs[i].absent.empty()) continue;
+    planned += plan.drivers[i].ids.size();
+    done += runs[i].cases.size();
+  }
+  if (done < planned) problems.push_back(fmt::format("{} of {} cases were not run", planned - done, planned));
+}
+
+Result<RunPlan> make_plan(const RunCommand& options, const DriverChoice& choice, const std::vector<Case>& cases) {
+  auto shard = parse_shard(options.shard);
+  if (!shard) return tl::unexpected(shard.error());
+  RunPlan plan{.drivers = plan_drivers(choice.names, cases, *shard),
+               .suite = suite_options(options),
+               .shard = options.shard,
+               .jobs = options.jobs,
+               .limit = std::chrono::milliseconds(static_cast<std::int64_t>(options.timeout * 1000.0)),
+               .fail_fast = options.fail_fast};
+  if (plan.drivers.empty()) return fail("there is nothing to do: none of the cases is for one of the drivers");
+  return plan;
+}
+
+Result<std::vector<Expectation>> load_expectations(const std::string& directory) {
+  auto expectations = read_expectations(directory);
+  if (!expectations) return expectations;
+  if (const auto known = check_expectations(*expectations, ids_of(all_cases())); !known) return tl::unexpected(known.error());
+  return expectations;
+}
+
+}  // namespace
+
+int drivers_command() {
+  const TemporaryDirectory scratch;
+  bool usable = false;
+  const Devices devices = egl_devices();
+  if (!devices.problem.empty()) fmt::print(stderr, "hn-conform: {}\n", devices.problem);
+  for (const Driver& driver : all_drivers(devices.count)) {
+    fmt::print("{:<18} {}\n", driver.name, driver.description);
+    const Job job{.task = Task::describe, .driver = driver.name, .suite = {}, .ids = {}};
+    const auto report = report_of(job, scratch.path(), kDescribeLimit);
+    if (report && report->contains("ready")) {
+      const ContextInfo info = context_info_from(report->at("ready"));
+      usable = usable || !driver.is_reference_compiler();
+      fmt::print("{:<18} {}; {}{}{}\n", "", info.renderer, info.gl_version, info.glsl_version.empty() ? "" : "; GLSL ",
+                 info.glsl_version);
+    } else {
+      fmt::print("{:<18} not here: {}\n", "", report ? "it does not say what it is" : report.error().text());
+    }
+  }
+  return usable ? 0 : kNoDriver;
+}
+
+int list_command(const ListCommand& options) {
+  const auto cases = select_cases(options.filters, options.thorough);
+  if (!cases) return usage_error(cases.error().text());
+  for (const Case& test : *cases) fmt::print("{}\n{}", test.id, options.about ? test.about : "");
+  return 0;
+}
+
+int run_command(const RunCommand& options) {
+  if (options.inject == "list") {
+    fmt::print("{}", fault_list());
+    return 0;
+  }
+  const auto cases = select_cases(options.filters, options.thorough);
+  if (!cases) return usage_error(cases.error().text());
+  const auto sources = suite_sources(suite_options(options));
+  if (!sources) return usage_error(sources.error().text());
+  const auto expectations = load_expectations(options.expect);
+  if (!expectations) return usage_error(expectations.error().text());
+  const auto choice = choose_drivers(options.drivers);
+  if (!choice) return usage_error(choice.error().text());
+  auto plan = make_plan(options, *choice, *cases);
+  if (!plan) return usage_error(plan.error().text());
+  plan->content = suite_digest(plan->suite, *sources);
+  plan->expectations = *expectations;
+  if (const auto ready = prepare_results(options.out); !ready) return usage_error(ready.error().text());
+  auto journal = open_journal(options, to_json(*plan));
+  if (!journal) return usage_error(journal.error().text());
+
+  auto [runs, problems] = run_plan(*plan, options.out, *journal, stderr);
+  if (options.timings) add_timings(runs, *plan, options.out);
+  for (Run& run : runs) {
+    run.date = now();
+    run.commands = {options.line};
+    apply_expectations(*expectations, run);
+  }
+  const auto missing = missing_drivers(runs, choice->named);
+  problems.insert(problems.end(), missing.begin(), missing.end());
+  problems.insert(problems.end(), choice->problems.begin(), choice->problems.end());
+  note_what_was_not_run(*plan, runs, problems);
+  for (const Run& run : runs) {
+    if (options.timings && can_be_timed(run) && run.timings.empty()) {
+      problems.push_back(fmt::format("the functions could not be timed on {}", run.driver));
+    }
+  }
+  const int status = conclude(runs, options.out, problems);
+  if (status == kNotWritten) return kNotAsExpected;  // --resume may yet write them
+  journal->remove();
+  return missing.empty() ? status : kNoDriver;
+}
+
+int merge_command(const MergeCommand& options) {
+  const auto expectations = load_expectations(options.expect);
+  if (!expectations) return usage_error(expectations.error().text());
+  auto merged = merge_files(options.inputs, ids_of(all_cases()));
+  if (!merged) return usage_error(merged.error().text());
+  if (const auto ready = prepare_results(options.out); !ready) return usage_error(ready.error().text());
+  for (Run& run : merged->runs) apply_expectations(*expectations, run);
+  std::vector<std::string> problems = merged->gaps;
+  const auto missing = missing_drivers(merged->runs, {});
+  problems.insert(problems.end(), missing.begin(), missing.end());
+  const int status = conclude(merged->runs, options.out, problems);
+  if (status == kNotWritten) return kNotAsExpected;
+  return missing.empty() ? status : kNoDriver;
+}
+
+}  // namespace hn

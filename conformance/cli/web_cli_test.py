@@ -1,0 +1,145 @@
+#!/usr/bin/env python3
+"""The page that hn-conform web writes, as its user meets it. Usage: web_cli_test.py PATH-OF-HN-CONFORM
+
+Chromium opens it; the page is told to report here what it shows and what it offers for download."""
+
+import http.server
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import threading
+import unittest
+
+PROGRAM = ""
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+CHROMIUM = ["chromium", "--headless=new", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-first-run",
+            "--disable-background-networking", "--disable-dev-shm-usage"]
+SECONDS = 120
+
+
+class Listener(http.server.BaseHTTPRequestHandler):
+    """Serves one page, and keeps what it posts."""
+
+    def do_GET(self):
+        if self.path != "/":
+            self.send_error(404)
+            return
+        self.send_response(200)
+        self.send_header("Content-Type", "text/html; charset=utf-8")
+        self.end_headers()
+        self.wfile.write(self.server.page)
+
+    def do_POST(self):
+        event = json.loads(self.rfile.read(int(self.headers["Content-Length"])))
+        self.send_response(204)
+        self.end_headers()
+        self.server.events.append(event)
+        if event["type"] in ("done", "stopped"):
+            self.server.over.set()
+
+    def log_message(self, *_):
+        pass
+
+
+class Web(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def call(self, *arguments):
+        return subprocess.run([PROGRAM, "web", *map(str, arguments)], capture_output=True, text=True, check=False)
+
+    def page(self, *arguments):
+        done = self.call("--out", self.folder / "page", *arguments)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual([path.name for path in (self.folder / "page").iterdir()], ["index.html"])
+        return (self.folder / "page" / "index.html").read_text()
+
+    def open(self, page, *switches):
+        """What the page says when it is at its end."""
+        self.assertIn('"schema":1,', page)
+        server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Listener)
+        server.page = page.replace('"schema":1,', '"schema":1,"report_to":"event",', 1).encode()
+        server.events, server.over = [], threading.Event()
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        command = [*CHROMIUM, *switches, f"--user-data-dir={self.folder / 'profile'}"]
+        if os.geteuid() == 0:
+            command.append("--no-sandbox")
+        browser = subprocess.Popen([*command, f"http://127.0.0.1:{server.server_port}/"], stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.DEVNULL, start_new_session=True)
+        try:
+            self.assertTrue(server.over.wait(SECONDS), server.events[-1:])
+        finally:
+            browser.terminate()
+            browser.wait()
+            server.shutdown()
+            server.server_close()
+        return server.events[-1]
+
+    def test_all_is_as_expected_and_results_have_the_schema(self):
+        end = self.open(self.page())
+        self.assertEqual(end["verdict"], "All as expected")
+        results = json.loads(end["results"])
+        self.assertEqual(results["schema"], 2)
+        run, = results["runs"]
+        self.assertEqual(run["driver"], "webgl2")
+        self.assertIn("SwiftShader", run["renderer"])
+        self.assertEqual(run["totals"]["fail"], 0)
+        self.assertEqual(run["totals"]["pass"] + run["totals"]["warning"], len(run["cases"]))
+        listed = subprocess.run([PROGRAM, "list"], capture_output=True, text=True, check=True).stdout.split()
+        self.assertLessEqual({case["id"] for case in run["cases"]}, set(listed))
+        self.assertGreater(len(run["cases"]), 200)
+        # hn-conform takes them for its own.
+        (self.folder / "results.json").write_text(end["results"])
+        merged = subprocess.run([PROGRAM, "merge", self.folder / "results.json", "--out", self.folder / "merged"],
+                                capture_output=True, text=True, check=False)
+        self.assertEqual(merged.returncode, 0, merged.stderr + merged.stdout)
+        for key in ("id", "status", "samples", "mismatches", "max_abs", "max_ulp", "seconds", "message"):
+            self.assertTrue(all(key in case for case in run["cases"]), key)
+
+    def test_one_wrong_expected_value_turns_the_verdict_red(self):
+        golden = self.folder / "golden"
+        shutil.copytree(ROOT / "conformance" / "expected" / "golden", golden)
+        file = golden / "hash.lattice2.lattice.golden"
+        lines = file.read_text().split("\n")
+        lines[10] = lines[10][:-1] + ("0" if lines[10][-1] != "0" else "1")
+        file.write_text("\n".join(lines))
+        end = self.open(self.page("--golden", golden))
+        self.assertEqual(end["verdict"], "NOT AS EXPECTED")
+        wrong = [case for case in json.loads(end["results"])["runs"][0]["cases"] if case["status"] == "fail"]
+        self.assertGreater(len(wrong), 0)
+        (self.folder / "results.json").write_text(end["results"])
+        merged = subprocess.run([PROGRAM, "merge", self.folder / "results.json", "--out", self.folder / "merged"],
+                                capture_output=True, text=True, check=False)
+        self.assertEqual(merged.returncode, 1, merged.stderr + merged.stdout)
+        for case in wrong:
+            self.assertTrue(case["id"].startswith("hash.lattice2.lattice."), case["id"])
+            self.assertEqual(case["mismatches"], 1)
+            example, = case["examples"]
+            self.assertNotEqual(example["got"], example["expected"])
+
+    def test_without_webgl_it_says_so(self):
+        end = self.open(self.page(), "--disable-3d-apis")
+        self.assertEqual(end["type"], "stopped")
+        self.assertEqual(end["verdict"], "No WebGL2 here")
+
+    def test_a_folder_that_cannot_be_written_is_named(self):
+        (self.folder / "file").write_text("")
+        done = self.call("--out", self.folder / "file")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(str(self.folder / "file"), done.stderr)
+
+    def test_a_missing_golden_file_keeps_the_page_from_being_written(self):
+        done = self.call("--out", self.folder / "page", "--golden", self.folder)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(".golden", done.stderr)
+
+
+if __name__ == "__main__":
+    PROGRAM = sys.argv.pop(1)
+    unittest.main()

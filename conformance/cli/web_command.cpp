@@ -1,0 +1,34 @@
+// hn-conform web
+#include <fmt/format.h>
+
+#include "base/output/file.hpp"
+#include "cli/command.hpp"
+#include "web/suite.hpp"
+
+namespace hn {
+namespace {
+
+constexpr std::string_view kPage = "index.html";
+
+}  // namespace
+
+int web_command(const WebCommand& options) {
+  const auto sources = library_sources(options.glsl);
+  if (!sources) return usage_error(sources.error().text());
+  std::vector<Case> cases = all_cases();
+  std::erase_if(cases, [](const Case& test) { return !unsupported_in_browser(test).empty(); });
+  const auto write = [&]() -> Result<void> {
+    if (auto ready = prepare_output(options.out, {kPage}); !ready) return ready;
+    const PageSuite suite = make_suite(*sources, options.golden, cases);
+    if (suite.defect) return fail(*suite.defect);
+    const auto page = web_page(suite.json);
+    if (!page) return tl::unexpected(page.error());
+    return write_file(std::filesystem::path(options.out) / kPage, *page);
+  };
+  if (const auto done = write(); !done) return usage_error(done.error().text());
+  fmt::print("{}/{}: {} cases. Open it in a browser, or put it on any web server: python3 -m http.server -d {}\n",
+             options.out, kPage, cases.size(), options.out);
+  return 0;
+}
+
+}  // namespace hn

@@ -1,0 +1,136 @@
+#include "expected/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "expected/golden.hpp"
+#include "expected/tolerance.hpp"
+
+namespace hn {
+namespace {
+
+// Of one case; more of them tell nothing new.
+constexpr std::size_t kMostExamples = 8;
+
+// Maps floats to integers in their order, with -0 and 0 together.
+std::int64_t ordinal(float value) {
+  const auto bits = std::bit_cast<std::uint32_t>(value);
+  const auto magnitude = static_cast<std::int64_t>(bits & 0x7FFFFFFFu);
+  return bits >> 31 ? -magnitude : magnitude;
+}
+
+std::string describe(std::uint32_t word) { return fmt::format("{} ({:08x})", word, word); }
+
+std::string describe(float value) { return fmt::format("{:.9g} ({:08x})", value, std::bit_cast<std::uint32_t>(value)); }
+
+}  // namespace
+
+std::uint64_t ulp_distance(float a, float b) {
+  if (std::isnan(a) || std::isnan(b)) {
+    return std::isnan(a) && std::isnan(b) ? 0 : std::numeric_limits<std::uint32_t>::max();
+  }
+  const std::int64_t difference = ordinal(a) - ordinal(b);
+  return static_cast<std::uint64_t>(difference < 0 ? -difference : difference);
+}
+
+std::string describe_inputs(const Function& function, std::span<const std::uint32_t> inputs) {
+  std::string text;
+  for (std::size_t i = 0; i < function.inputs.size(); ++i) {
+    const Column& column = function.inputs[i];
+    if (!text.empty()) text += ' ';
+    if (column.type == WordType::f32) {
+      text += fmt::format("{}={}", column.name, describe(std::bit_cast<float>(inputs[i])));
+    } else if (column.type == WordType::i32) {
+      text += fmt::format("{}={} ({:08x})", column.name, static_cast<std::int32_t>(inputs[i]), inputs[i]);
+    } else {
+      text += fmt::format("{}={} ({:08x})", column.name, inputs[i], inputs[i]);
+    }
+  }
+  return text;
+}
+
+void Comparison::bits(std::span<const std::uint32_t> inputs, std::uint32_t got, std::uint32_t expected) {
+  ++outcome_.samples;
+  if (got == expected) return;
+  const bool words = function_.outputs.front().type == WordType::u32;
+  if (!words) note_difference(std::bit_cast<float>(got), static_cast<double>(std::bit_cast<float>(expected)));
+  const auto text = [&](std::uint32_t word) { return words ? describe(word) : describe(std::bit_cast<float>(word)); };
+  note(inputs, text(got), text(expected));
+}
+
+void Comparison::number(std::span<const std::uint32_t> inputs, float got, double expected, double allowed) {
+  ++outcome_.samples;
+  note_difference(got, expected);
+  // Written so that a NaN difference fails.
+  if (std::fabs(static_cast<double>(got) - expected) <= allowed) return;
+  note(inputs, describe(got), fmt::format("{} within {:.3g}", describe(static_cast<float>(expected)), allowed));
+}
+
+void Comparison::note_difference(float got, double expected) {
+  const double difference = std::fabs(static_cast<double>(got) - expected);
+  outcome_.max_ulp = std::max(outcome_.max_ulp, ulp_distance(got, static_cast<float>(expected)));
+  // JSON has no NaN; infinity is recorded as the largest double.
+  if (difference <= outcome_.max_abs) return;
+  outcome_.max_abs = std::isfinite(difference) ? difference : std::numeric_limits<double>::max();
+}
+
+void Comparison::next_grid(std::span<const std::uint32_t> grid) {
+  before_ += grid_.size() / kInputWords;
+  grid_ = grid;
+}
+
+void Comparison::require(bool right, std::span<const std::uint32_t> inputs, float got, std::string_view should) {
+  ++outcome_.samples;
+  if (!right) note(inputs, describe(got), std::string(should));
+}
+
+void Comparison::note(std::span<const std::uint32_t> inputs, std::string got, std::string expected) {
+  if (outcome_.mismatches++ >= kMostExamples) return;
+  const auto point = before_ + static_cast<std::size_t>(inputs.data() - grid_.data()) / kInputWords;
+  Mismatch mismatch{point, {inputs.begin(), inputs.end()}, describe_inputs(function_, inputs), got, expected};
+  if (outcome_.examples.empty()) {
+    outcome_.message = fmt::format("first at {}: got {}, expected {}", mismatch.inputs, got, expected);
+  }
+  outcome_.examples.push_back(std::move(mismatch));
+}
+
+Outcome Comparison::finish() const {
+  Outcome outcome = outcome_;
+  if (outcome.mismatches != 0) outcome.status = Status::fail;
+  if (outcome.samples == 0) {
+    outcome.status = Status::error;
+    outcome.message = "nothing was compared";
+  }
+  return outcome;
+}
+
+void compare_with_twin(Comparison& comparison, const Evaluation& evaluation, std::span<const std::uint32_t> inputs,
+                       std::span<const std::uint32_t> got, std::span<const std::uint32_t> twin, double allowed) {
+  for (std::size_t word = 0; word < evaluation.function.outputs.size(); ++word) {
+    if (has_same_bits(evaluation.function, evaluation.configuration)) {
+      comparison.bits(inputs, got[word], twin[word]);
+    } else {
+      comparison.number(inputs, std::bit_cast<float>(got[word]), static_cast<double>(std::bit_cast<float>(twin[word])),
+                        allowed);
+    }
+  }
+}
+
+void compare_with_golden(Comparison& comparison, const Function& function, const Configuration& configuration,
+                         std::span<const std::uint32_t> inputs, std::span<const std::uint32_t> got,
+                         std::span<const std::uint64_t> values) {
+  const double allowed = tolerance(function, configuration, inputs);
+  for (std::size_t word = 0; word < values.size(); ++word) {
+    if (has_exact_values(function, configuration)) {
+      comparison.bits(inputs, got[word], result_bits(function.outputs[word], values[word]));
+    } else {
+      comparison.number(inputs, std::bit_cast<float>(got[word]), std::bit_cast<double>(values[word]), allowed);
+    }
+  }
+}
+
+}  // namespace hn

@@ -1,0 +1,58 @@
+// Holding results against what is expected, word by word.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "base/verdict.hpp"
+#include "library/shaders.hpp"
+
+namespace hn {
+
+// Units in the last place between two floats: how many floats lie between them, plus one if they differ. NaN is as far
+// as can be from everything but NaN.
+std::uint64_t ulp_distance(float a, float b);
+
+// Adds up comparisons; the first value that is off becomes the message, and the first few are kept.
+class Comparison {
+ public:
+  // grid: the input words of all points, of which those of a wrong value are a part.
+  Comparison(const Function& function, std::span<const std::uint32_t> grid) : function_(function), grid_(grid) {}
+
+  // Where every bit counts.
+  void bits(std::span<const std::uint32_t> inputs, std::uint32_t got, std::uint32_t expected);
+  // Else |got - expected| <= allowed. NaN is never right.
+  void number(std::span<const std::uint32_t> inputs, float got, double expected, double allowed);
+  // For properties: a value that is right or not, with a sentence that says what it should be.
+  void require(bool right, std::span<const std::uint32_t> inputs, float got, std::string_view should);
+
+  // Goes on with other points: what is compared from here on is of these, and their numbers follow.
+  void next_grid(std::span<const std::uint32_t> grid);
+
+  bool all_right() const { return outcome_.mismatches == 0; }
+  // Pass if all values were right, else fail.
+  Outcome finish() const;
+
+ private:
+  void note_difference(float got, double expected);
+  void note(std::span<const std::uint32_t> inputs, std::string got, std::string expected);
+
+  const Function& function_;
+  std::span<const std::uint32_t> grid_;
+  std::size_t before_ = 0;  // points of the grids before this one
+  Outcome outcome_;
+};
+
+// "x=1.5 (3fc00000) seed=7 (00000007)": the input words of a function, for messages.
+std::string describe_inputs(const Function& function, std::span<const std::uint32_t> inputs);
+
+// Holds a result against the twin's at the same point.
+void compare_with_twin(Comparison& comparison, const Evaluation& evaluation, std::span<const std::uint32_t> inputs,
+                       std::span<const std::uint32_t> got, std::span<const std::uint32_t> twin, double allowed);
+// Holds a result against the values of a golden file.
+void compare_with_golden(Comparison& comparison, const Function& function, const Configuration& configuration,
+                         std::span<const std::uint32_t> inputs, std::span<const std::uint32_t> got,
+                         std::span<const std::uint64_t> values);
+
+}  // namespace hn

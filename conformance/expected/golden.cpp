@@ -1,0 +1,239 @@
+#include "expected/golden.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <charconv>
+#include <fstream>
+#include <iterator>
+#include <limits>
+
+namespace hn {
+namespace {
+
+constexpr std::size_t kMostRows = 1u << 20;
+constexpr std::size_t kMostDigestPoints = 1u << 20;
+
+int hex_digits(WordType type) { return type == WordType::f64 ? 16 : 8; }
+
+bool is_float(std::uint64_t bits) {
+  const auto value = std::bit_cast<double>(bits);
+  return static_cast<double>(static_cast<float>(value)) == value;
+}
+
+// hn_hash and hn_lattice have one. What comes of a hash is tried well enough by rows.
+bool has_digest(const Function& function) {
+  return function.family == Family::hash && function.outputs.front().type == WordType::u32;
+}
+
+// Takes the text up to the separator off the front.
+std::string_view take(std::string_view& text, char separator) {
+  const auto end = std::min(text.find(separator), text.size());
+  const auto item = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return item;
+}
+
+template <typename T>
+bool parse_number(std::string_view text, T& value, int base = 10) {
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
+  return error == std::errc() && stop == text.data() + text.size();
+}
+
+// "-1,2,3": whole numbers, negative ones in two's complement.
+bool parse_list(std::string_view text, std::vector<std::uint32_t>& list) {
+  while (!text.empty()) {
+    std::int64_t number = 0;
+    if (!parse_number(take(text, ','), number)) return false;
+    if (number < std::numeric_limits<std::int32_t>::min() || number > std::numeric_limits<std::uint32_t>::max()) {
+      return false;
+    }
+    list.push_back(static_cast<std::uint32_t>(number));
+  }
+  return !list.empty();
+}
+
+class Parser {
+ public:
+  Parser(std::string_view text, std::string_view path, const Function& function, const Configuration& configuration)
+      : rest_(text), path_(path), function_(function), configuration_(configuration) {}
+
+  Result<Golden> run() {
+    std::size_t rows = 0;
+    if (auto done = header(rows); !done) return tl::unexpected(done.error());
+    for (std::size_t i = 0; i < rows; ++i) {
+      if (!next_line()) return error(fmt::format("the file ends after {} of {} rows", i, rows));
+      if (auto done = row(); !done) return tl::unexpected(done.error());
+    }
+    if (has_digest(function_)) {
+      if (!next_line()) return error("the file ends where the digest should be");
+      if (auto done = digest(); !done) return tl::unexpected(done.error());
+    }
+    if (next_line()) return error("the file should end before this line");
+    return std::move(golden_);
+  }
+
+ private:
+  tl::unexpected<Error> error(std::string_view what) const {
+    return fail(fmt::format("{}:{}: {}", path_, line_, what));
+  }
+
+  bool next_line() {
+    if (rest_.empty()) return false;
+    current_ = take(rest_, '\n');
+    ++line_;
+    return true;
+  }
+
+  Result<void> expect(std::string_view line) {
+    if (!next_line()) return error(fmt::format("the file ends where \"{}\" should be", line));
+    if (current_ != line) return error(fmt::format("\"{}\" should be \"{}\"", current_, line));
+    return {};
+  }
+
+  Result<void> header(std::size_t& rows) {
+    for (const std::string& line : {std::string("hashnoise golden 1"), fmt::format("function {}", function_.id),
+                                    fmt::format("hash {}", golden_configuration(function_, configuration_)),
+                                    fmt::format("arithmetic {}", golden_arithmetic(function_, configuration_))}) {
+      if (auto done = expect(line); !done) return done;
+    }
+    if (!next_line() || !current_.starts_with("bits ")) return error("\"bits VERSION\" should be here");
+    if (auto done = expect(fmt::format("columns {}", function_.columns)); !done) return done;
+    if (!next_line() || !current_.starts_with("rows ") || !parse_number(current_.substr(5), rows) || rows == 0 ||
+        rows > kMostRows) {
+      return error("\"rows NUMBER\" should be here, with at least one row");
+    }
+    return {};
+  }
+
+  template <typename Word>
+  Result<void> words(std::string_view text, const std::vector<Column>& columns, std::vector<Word>& out) {
+    for (const Column& column : columns) {
+      const auto digits = take(text, ' ');
+      Word value = 0;
+      if (digits.size() != static_cast<std::size_t>(hex_digits(column.type)) || !parse_number(digits, value, 16)) {
+        return error(fmt::format("\"{}\" should be the {} hexadecimal digits of column {}", digits,
+                                 hex_digits(column.type), column.name));
+      }
+      out.push_back(value);
+    }
+    if (!text.empty()) return error(fmt::format("\"{}\" is more than the columns", text));
+    return {};
+  }
+
+  Result<void> row() {
+    const auto equals = current_.find(" = ");
+    if (equals == std::string_view::npos) return error("a row should be \"inputs = values\"");
+    GoldenRow row{line_, {}, {}};
+    if (auto done = words(current_.substr(0, equals), function_.inputs, row.inputs); !done) return done;
+    if (auto done = words(current_.substr(equals + 3), function_.outputs, row.values); !done) return done;
+    for (std::size_t i = 0; i < row.values.size() && has_exact_values(function_, configuration_); ++i) {
+      if (function_.outputs[i].type != WordType::f64) continue;
+      if (!is_float(row.values[i])) return error(fmt::format("{:016x} should be a float", row.values[i]));
+    }
+    golden_.rows.push_back(std::move(row));
+    return {};
+  }
+
+  Result<void> digest() {
+    std::string_view text = current_;
+    GoldenDigest digest;
+    bool valid = take(text, ' ') == "digest";
+    while (valid && !text.empty()) {
+      auto item = take(text, ' ');
+      const auto key = take(item, '=');
+      if (key == "origin")
+        valid = parse_list(item, digest.origin);
+      else if (key == "size")
+        valid = parse_list(item, digest.size);
+      else if (key == "seed")
+        valid = parse_number(item, digest.seed);
+      else if (key == "fnv1a64")
+        valid = item.size() == 16 && parse_number(item, digest.fnv1a64, 16);
+      else
+        valid = false;
+    }
+    const std::size_t axes = function_.inputs.size() - (function_.seed_word() < 0 ? 0 : 1);
+    if (!valid || digest.origin.size() != axes || digest.size.size() != axes || digest.points() == 0 ||
+        digest.points() > kMostDigestPoints || digest.fnv1a64 == 0) {
+      return error("a digest should be \"digest origin=X,.. size=X,.. [seed=N] fnv1a64=16 digits\", an entry per axis");
+    }
+    golden_.digest = std::move(digest);
+    return {};
+  }
+
+  std::string_view rest_;
+  std::string_view path_;
+  const Function& function_;
+  const Configuration& configuration_;
+  std::string_view current_;
+  int line_ = 0;
+  Golden golden_;
+};
+
+}  // namespace
+
+std::size_t GoldenDigest::points() const {
+  std::size_t count = 1;
+  for (const std::uint32_t extent : size) {
+    if (extent > kMostDigestPoints) return kMostDigestPoints + 1;
+    count = std::min<std::size_t>(count * extent, kMostDigestPoints + 1);
+  }
+  return count;
+}
+
+std::vector<std::uint32_t> GoldenDigest::inputs() const {
+  std::vector<std::uint32_t> words(points() * kInputWords);
+  for (std::size_t i = 0; i < points(); ++i) {
+    std::size_t rest = i;
+    for (std::size_t axis = size.size(); axis-- > 0; rest /= size[axis]) {
+      words[i * kInputWords + axis] = origin[axis] + static_cast<std::uint32_t>(rest % size[axis]);
+    }
+    words[i * kInputWords + size.size()] = seed;
+  }
+  return words;
+}
+
+std::uint32_t result_bits(const Column& column, std::uint64_t value) {
+  if (column.type != WordType::f64) return static_cast<std::uint32_t>(value);
+  return std::bit_cast<std::uint32_t>(static_cast<float>(std::bit_cast<double>(value)));
+}
+
+std::string_view golden_arithmetic(const Function& function, const Configuration& configuration) {
+  if (function.exact()) return "exact";
+  return has_exact_values(function, configuration) ? "fixed" : "fast";
+}
+
+std::string_view golden_configuration(const Function& function, const Configuration& configuration) {
+  const bool fixed = configuration.arithmetic == Arithmetic::fixed;
+  return fixed ? configuration.name : configuration_name(function, configuration);
+}
+
+std::filesystem::path golden_path(const std::filesystem::path& directory, const Function& function,
+                                  const Configuration& configuration) {
+  return directory / fmt::format("{}.{}.golden", function.id, golden_configuration(function, configuration));
+}
+
+Result<Golden> read_golden(const std::filesystem::path& path, const Function& function,
+                           const Configuration& configuration) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) return fail(fmt::format("{}: cannot read the golden file; tools/golden writes it", path.string()));
+  const std::string text(std::istreambuf_iterator<char>(in), {});
+  if (in.bad()) return fail(fmt::format("{}: cannot read the golden file", path.string()));
+  return parse_golden(text, path.string(), function, configuration);
+}
+
+Result<Golden> parse_golden(std::string_view text, std::string_view path, const Function& function,
+                            const Configuration& configuration) {
+  return Parser(text, path, function, configuration).run();
+}
+
+std::uint64_t fnv1a64(const std::vector<std::uint32_t>& words) {
+  std::uint64_t hash = 14695981039346656037ull;
+  for (const std::uint32_t word : words) {
+    for (int shift = 0; shift < 32; shift += 8) hash = (hash ^ ((word >> shift) & 255u)) * 1099511628211ull;
+  }
+  return hash;
+}
+
+}  // namespace hn

@@ -1,0 +1,204 @@
+#include "expected/points.hpp"
+
+#include <array>
+#include <bit>
+#include <cmath>
+
+namespace hn {
+namespace {
+
+std::uint32_t random_word(Random& random) {
+  constexpr std::array<std::uint32_t, 12> kEdges = {0u,     1u,      2u,       0x7Fu,       0x80u,       0xFFu,
+                                                    0x100u, 0xFFFFu, 0x10000u, 0x7FFFFFFFu, 0x80000000u, 0xFFFFFFFFu};
+  const std::uint32_t choice = random.below(8);
+  if (choice == 0) return kEdges[random.below(kEdges.size())];
+  return choice == 1 ? 1u << random.below(32) : random.word();
+}
+
+// Where a point lies. All coordinates of a point share it.
+enum class Region { near, negative, lattice, far, very_far, extreme };
+constexpr std::uint32_t kRegions = 5;  // the extreme one only where it is asked for
+
+std::uint32_t random_cell(Region region, Random& random) {
+  switch (region) {
+    case Region::near:
+      return random.below(256);
+    case Region::negative:
+    case Region::lattice:
+      return 0u - random.below(256);
+    case Region::far:
+      return (random.below(2) == 0 ? 0u : 0u - (3u << 20)) + (1u << 20) + random.below(1u << 20);
+    case Region::very_far:
+    case Region::extreme:
+      break;
+  }
+  return random_word(random);
+}
+
+// Of either sign, from 2^low up to and without 2^high: every power of two as often. -127 is where numbers are
+// subnormal.
+float random_magnitude(int low, int high, Random& random) {
+  const auto exponent = static_cast<std::uint32_t>(low + 127) + random.below(static_cast<std::uint32_t>(high - low));
+  return std::bit_cast<float>((exponent << 23) | (random.word() & 0x807FFFFFu));
+}
+
+// What a float can hold and a fraction cannot.
+float random_extreme(int high, Random& random) {
+  switch (random.below(6)) {
+    case 0:
+      return random_magnitude(-127, -126, random);
+    case 1:
+      return random_magnitude(-126, -30, random);
+    case 2:
+      return random_magnitude(-34, -18, random);  // about where HN_PRECISE and HN_FIXED see nothing any more
+    case 3:
+      return -0.0f;
+    case 4:
+      return random_magnitude(0, 32, random);
+    default:
+      return random_magnitude(23, high, random);
+  }
+}
+
+float random_position(Region region, Random& random) {
+  switch (region) {
+    case Region::near:
+      return random.uniform(0.0f, 64.0f);
+    case Region::negative:
+      return random.uniform(-64.0f, 0.0f);
+    case Region::lattice: {
+      // On a lattice line, or one float beside it. Beside 0 that would be a subnormal, which a driver may flush, so
+      // there it is a tiny normal float.
+      const float line = static_cast<float>(random.below(129)) - 64.0f;
+      const std::uint32_t side = random.below(3);
+      if (side == 0) return line;
+      if (line == 0.0f) return side == 1 ? 1e-30f : -1e-30f;
+      return std::nextafter(line, side == 1 ? 100.0f : -100.0f);
+    }
+    case Region::far:
+      return std::copysign(random.uniform(1048576.0f, 2097152.0f), random.uniform(-1.0f, 1.0f));
+    case Region::very_far:
+    case Region::extreme:
+      break;
+  }
+  return std::copysign(random.uniform(2097152.0f, 8388608.0f), random.uniform(-1.0f, 1.0f));
+}
+
+float random_fraction(Random& random) {
+  constexpr std::array kEdges = {0.0f, 1.0f, 0.5f, 5.9604645e-8f, 0.99999994f};
+  return random.below(16) == 0 ? kEdges[random.below(kEdges.size())] : random.uniform(0.0f, 1.0f);
+}
+
+float extreme_fraction(Extremes extremes, Random& random) {
+  const float value = random_extreme(128, random);
+  if (extremes == Extremes::integers) return value;
+  const float inside = std::fabs(value) <= 1.0f ? std::fabs(value) : 1.0f / std::fabs(value);
+  return std::signbit(value) && value == 0.0f ? value : inside;
+}
+
+// Few octaves far out, so that the last one still has a fraction.
+std::uint32_t random_octaves(Region region, Random& random) {
+  return region == Region::far || region == Region::very_far ? random.below(2) : random.below(6);
+}
+
+// Seldom more than a few: points are drawn in groups, and a group takes as long as the point with the most.
+std::uint32_t extreme_octaves(Extremes extremes, Random& random) {
+  constexpr std::array<std::uint32_t, 6> kEdges = {0xFFFFFFFFu, 0x80000000u, 31u, 32u, 33u, 0x7FFFFFFFu};
+  const bool edge = extremes == Extremes::integers && random.below(512) == 0;
+  return edge ? kEdges[random.below(kEdges.size())] : random.below(6);
+}
+
+// 2 keeps positions of few bits exact, so that nothing but the noise itself may err; the others round.
+float random_lacunarity(Random& random) {
+  constexpr std::array kValues = {2.0f, 2.0f, 2.0f, 1.5f, 1.9f, 2.3f};
+  return kValues[random.below(kValues.size())];
+}
+
+float random_gain(Random& random) {
+  constexpr std::array kValues = {0.5f, 0.5f, 0.25f, 0.7f, 1.0f, 0.0f};
+  return kValues[random.below(kValues.size())];
+}
+
+// A position of few bits: a multiple of 1/32.
+float coarse(float position) { return std::floor(position * 32.0f) * 0.03125f; }
+
+// Octave sums of integers have values for all settings; those of floats for these.
+float random_setting(std::string_view name, Region region, Extremes extremes, Random& random) {
+  if (region == Region::extreme && extremes == Extremes::integers && random.below(2) == 0) {
+    return random.below(2) == 0 ? random_extreme(128, random) : random.uniform(-1.0f, 256.0f);
+  }
+  return name == "lacunarity" ? random_lacunarity(random) : random_gain(random);
+}
+
+float random_coordinate(Region region, bool octave_sum, Extremes extremes, Random& random) {
+  if (region == Region::extreme) {
+    return random_extreme(octave_sum && extremes == Extremes::floats ? 96 : 128, random);
+  }
+  const float value = random_position(region, random);
+  return octave_sum && region != Region::lattice && extremes == Extremes::none ? coarse(value) : value;
+}
+
+std::uint32_t random_input(const Column& column, Region region, bool octave_sum, Extremes extremes, Random& random) {
+  if (column.type == WordType::u32) return random_word(random);
+  if (column.name == "octaves") {
+    return extremes == Extremes::none ? random_octaves(region, random) : extreme_octaves(extremes, random);
+  }
+  if (column.type == WordType::i32) return random_cell(region, random);
+  float value = 0.0f;
+  if (column.name == "lacunarity" || column.name == "gain") {
+    value = random_setting(column.name, region, extremes, random);
+  } else if (column.name.starts_with("f")) {
+    value = region == Region::extreme ? extreme_fraction(extremes, random) : random_fraction(random);
+  } else {
+    value = random_coordinate(region, octave_sum, extremes, random);
+  }
+  return std::bit_cast<std::uint32_t>(value);
+}
+
+}  // namespace
+
+Random::Random(std::uint64_t seed, std::string_view name) : state_(seed) {
+  for (const char c : name) state_ = (state_ ^ static_cast<unsigned char>(c)) * 0x100000001B3ull;
+}
+
+std::uint64_t Random::next() {
+  state_ += 0x9E3779B97F4A7C15ull;
+  std::uint64_t z = state_;
+  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ull;
+  z = (z ^ (z >> 27)) * 0x94D049BB133111EBull;
+  return z ^ (z >> 31);
+}
+
+float Random::uniform(float low, float high) {
+  // 24 bits fill a float; the product may still round up to 1, which next below high corrects.
+  const float value = low + (high - low) * (static_cast<float>(next() >> 40) * 0x1p-24f);
+  return value < high ? value : std::nextafter(high, low);
+}
+
+Extremes defined_extremes(const Configuration& configuration) {
+  switch (configuration.arithmetic) {
+    case Arithmetic::precise:
+      return Extremes::floats;
+    case Arithmetic::fixed:
+      return Extremes::integers;
+    case Arithmetic::fast:
+      break;
+  }
+  return Extremes::none;
+}
+
+std::vector<std::uint32_t> random_points(const Function& function, std::size_t count, Random random,
+                                         Extremes extremes) {
+  const bool octave_sum = function.is_octave_sum();
+  const std::uint32_t regions = extremes == Extremes::none ? kRegions : kRegions + 1;
+  std::vector<std::uint32_t> words(count * kInputWords);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto region = static_cast<Region>(random.below(regions));
+    for (std::size_t column = 0; column < function.inputs.size(); ++column) {
+      words[i * kInputWords + column] = random_input(function.inputs[column], region, octave_sum, extremes, random);
+    }
+  }
+  return words;
+}
+
+}  // namespace hn

@@ -1,0 +1,106 @@
+#include "expected/points.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace hn {
+namespace {
+
+TEST(Points, TheSameSeedGivesTheSamePoints) {
+  const Function& function = find_function("noise3d.perlin");
+  EXPECT_EQ(random_points(function, 100, Random(7, "a")), random_points(function, 100, Random(7, "a")));
+  EXPECT_NE(random_points(function, 100, Random(7, "a")), random_points(function, 100, Random(8, "a")));
+  EXPECT_NE(random_points(function, 100, Random(7, "a")), random_points(function, 100, Random(7, "b")));
+}
+
+TEST(Points, PositionsAreNearNegativeFarAndOnLatticeLines) {
+  const auto words = random_points(find_function("noise2d.perlin"), 10000, Random(1, "test"));
+  int near = 0, negative = 0, far = 0, on_line = 0;
+  for (std::size_t i = 0; i < words.size(); i += kInputWords) {
+    const float x = std::bit_cast<float>(words[i]);
+    ASSERT_TRUE(std::isfinite(x));
+    ASSERT_LT(std::fabs(x), 8388608.0f);
+    near += x > 0 && x < 64;
+    negative += x < 0;
+    far += std::fabs(x) >= 1048576.0f;
+    on_line += x == std::floor(x) && std::fabs(x) <= 64;
+  }
+  for (const int count : {near, negative, far, on_line}) EXPECT_GT(count, 500);
+}
+
+TEST(Points, NoPositionIsSubnormal) {
+  const auto words = random_points(find_function("noise3d.perlin"), 100000, Random(1, "test"));
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i % kInputWords < 3) {
+      ASSERT_NE(std::fpclassify(std::bit_cast<float>(words[i])), FP_SUBNORMAL);
+    }
+  }
+}
+
+// Counts the coordinates of 10,000 points for which a predicate holds.
+template <typename Predicate>
+int count_coordinates(std::string_view id, Extremes extremes, Predicate predicate) {
+  const Function& function = find_function(id);
+  const auto words = random_points(function, 10000, Random(1, "test"), extremes);
+  int count = 0;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::size_t column = i % kInputWords;
+    const bool coordinate = column < function.inputs.size() && function.inputs[column].type == WordType::f32;
+    if (coordinate && predicate(std::bit_cast<float>(words[i]))) ++count;
+  }
+  return count;
+}
+
+TEST(Points, ExtremesAreSubnormalTinyMinusZeroAndHuge) {
+  for (const std::string_view id : {"noise2d.perlin", "noise3d.perlin"}) {
+    for (const Extremes extremes : {Extremes::floats, Extremes::integers}) {
+      const auto count = [&](auto predicate) { return count_coordinates(id, extremes, predicate); };
+      EXPECT_GT(count([](float x) { return std::fpclassify(x) == FP_SUBNORMAL; }), 300);
+      EXPECT_GT(count([](float x) { return std::isnormal(x) && std::fabs(x) < 0x1p-32f; }), 300);
+      EXPECT_GT(count([](float x) { return std::fabs(x) >= 0x1p-32f && std::fabs(x) < 0x1p-20f; }), 100);
+      EXPECT_GT(count([](float x) { return x == 0.0f && std::signbit(x); }), 300);
+      EXPECT_GT(count([](float x) { return x > 1e30f; }), 50);
+      EXPECT_GT(count([](float x) { return x < -1e30f; }), 50);
+      EXPECT_EQ(count([](float x) { return !std::isfinite(x); }), 0);
+    }
+  }
+}
+
+TEST(Points, ExtremesOfFloatsOverflowNoOctave) {
+  const auto too_large = [](float x) { return std::fabs(x) >= 0x1p96f; };
+  EXPECT_EQ(count_coordinates("fbm.fbm3", Extremes::floats, too_large), 0);
+  EXPECT_GT(count_coordinates("fbm.fbm3", Extremes::integers, too_large), 50);
+}
+
+TEST(Points, OnlyExtremesOfIntegersLieBesideTheirCell) {
+  const auto beside = [](float f) { return f < 0.0f || f > 1.0f; };
+  for (const std::string_view id : {"noise2d.perlin_cell", "noise3d.perlin_cell"}) {
+    EXPECT_EQ(count_coordinates(id, Extremes::floats, beside), 0);
+    EXPECT_GT(count_coordinates(id, Extremes::integers, beside), 500);
+    EXPECT_GT(count_coordinates(id, Extremes::floats, [](float f) { return std::fpclassify(f) == FP_SUBNORMAL; }), 300);
+  }
+}
+
+TEST(Points, FractionsReachBothEnds) {
+  const auto words = random_points(find_function("noise2d.perlin_cell"), 10000, Random(1, "test"));
+  bool zero = false, one = false;
+  for (std::size_t i = 2; i < words.size(); i += kInputWords) {
+    const float f = std::bit_cast<float>(words[i]);
+    ASSERT_GE(f, 0.0f);
+    ASSERT_LE(f, 1.0f);
+    zero |= f == 0.0f;
+    one |= f == 1.0f;
+  }
+  EXPECT_TRUE(zero && one);
+}
+
+TEST(Random, UniformStaysBelowItsEnd) {
+  Random random(3, "uniform");
+  for (int i = 0; i < 1000000; ++i) ASSERT_LT(random.uniform(-1.0f, 3.0f), 3.0f);
+}
+
+}  // namespace
+}  // namespace hn

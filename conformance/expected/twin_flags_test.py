@@ -1,0 +1,78 @@
+#!/usr/bin/env python3
+"""The C++ twin with HN_FIXED has the same bits whatever compiler and flags it is built with, and no undefined behaviour.
+
+Usage: twin_flags_test.py COMPILER...
+"""
+
+import concurrent.futures
+import itertools
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+COMPILERS = []
+HERE = pathlib.Path(__file__).resolve().parent
+LEVELS = (("-O0",), ("-O2",), ("-O3", "-march=native", "-ffast-math"))
+CONTRACTION = ((), ("-ffp-contract=fast",))
+FLAGS = tuple(level + contraction for level, contraction in itertools.product(LEVELS, CONTRACTION))
+SANITIZED = ("-O1", "-fsanitize=undefined,float-cast-overflow", "-fno-sanitize-recover=all")
+GRADIENTS = ("HN_GRADIENT_OCTAHEDRAL", "HN_GRADIENT_SINE")
+
+
+class Flags(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def digests(self, number, compiler, flags, *macros):
+        """What twin_flags.cpp prints, built so."""
+        program = self.folder / f"twin-{number}"
+        command = [compiler, "-std=c++20", *flags, *(f"-D{macro}" for macro in macros), f"-I{HERE.parent.parent / 'include'}",
+                   str(HERE / "twin_flags.cpp"), "-o", str(program)]
+        subprocess.run(command, check=True)
+        done = subprocess.run([program], capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stderr), (0, ""), " ".join(command))
+        return done.stdout
+
+    def all_digests(self, builds, *macros):
+        """By build, which is a compiler and flags."""
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            found = pool.map(lambda build: self.digests(build[0], *build[1], *macros), enumerate(builds))
+            return dict(zip(builds, found))
+
+    def test_of_fixed_arithmetic_do_not_matter(self):
+        builds = list(itertools.product(COMPILERS, FLAGS))
+        for gradient in GRADIENTS:
+            with self.subTest(gradient=gradient):
+                digests = self.all_digests(builds, f"HN_GRADIENT={gradient}", "HN_ARITHMETIC=HN_FIXED")
+                first = digests[builds[0]]
+                self.assertEqual(len(first.splitlines()), 12)
+                for build, digest in digests.items():
+                    self.assertEqual(digest, first, build)
+
+    def test_of_fast_arithmetic_do(self):
+        """If these agreed, the digests would be of nothing."""
+        builds = [(COMPILERS[0], LEVELS[0]), (COMPILERS[0], LEVELS[2] + CONTRACTION[1])]
+        first, second = self.all_digests(builds, "HN_ARITHMETIC=HN_FAST").values()
+        self.assertNotEqual(first, second)
+
+    def test_show_no_undefined_behaviour(self):
+        for arithmetic, gradient in itertools.product(("HN_FAST", "HN_PRECISE", "HN_FIXED"), GRADIENTS):
+            with self.subTest(arithmetic=arithmetic, gradient=gradient):
+                self.all_digests([(compiler, SANITIZED) for compiler in COMPILERS], f"HN_GRADIENT={gradient}",
+                                 f"HN_ARITHMETIC={arithmetic}")
+
+    def test_show_undefined_behaviour_that_there_is(self):
+        """A planted overflow of int."""
+        with self.assertRaises(AssertionError) as caught:
+            self.all_digests([(COMPILERS[0], SANITIZED)], "HN_ARITHMETIC=HN_FIXED", "HN_TEST_OVERFLOW")
+        self.assertIn("overflow", str(caught.exception))
+
+
+if __name__ == "__main__":
+    COMPILERS = sys.argv[1:]
+    unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,49 @@
+#include "expected/twin_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include "expected/twin.hpp"
+
+namespace hn {
+namespace {
+
+std::span<const TwinEntry> entries_for(const Configuration& configuration) {
+  constexpr std::array kTables = {
+#define TWIN(index) twin_entries<index>,
+#include "expected/twins.inc"
+#undef TWIN
+  };
+  return kTables.at(static_cast<std::size_t>(configuration.index))();
+}
+
+// Below this many points per thread, starting the thread costs more than it saves.
+constexpr std::size_t kFewestPoints = 4096;
+
+}  // namespace
+
+void evaluate_twin(const Function& function, const Configuration& configuration, std::span<const std::uint32_t> inputs,
+                   std::span<std::uint32_t> outputs) {
+  const auto entries = entries_for(configuration);
+  const auto entry =
+      std::find_if(entries.begin(), entries.end(), [&](const TwinEntry& e) { return e.id == function.id; });
+  if (entry == entries.end()) throw std::logic_error(fmt::format("the twin has no function {}", function.id));
+  const std::size_t points = inputs.size() / kInputWords;
+  const std::size_t most = std::max<std::size_t>(1, points / kFewestPoints);
+  const std::size_t parts = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, most);
+  std::vector<std::jthread> threads;
+  for (std::size_t part = 0; part < parts; ++part) {
+    const std::size_t begin = points * part / parts;
+    const std::size_t end = points * (part + 1) / parts;
+    threads.emplace_back([=, evaluate = entry->evaluate] {
+      evaluate(&inputs[begin * kInputWords], &outputs[begin * kOutputWords], end - begin);
+    });
+  }
+}
+
+}  // namespace hn

@@ -1,0 +1,103 @@
+// The C++ twin, and so the library's text, against the golden files, without any driver.
+#include "expected/twin.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <hashnoise/hashnoise.hpp>
+#include <limits>
+#include <ostream>
+
+#include "expected/compare.hpp"
+#include "expected/golden.hpp"
+#include "expected/points.hpp"
+
+namespace hn {
+
+// How GoogleTest shows one; the name is GoogleTest's.
+void PrintTo(const Configuration& configuration, std::ostream* out) { *out << configuration.name; }
+
+namespace {
+
+class TwinGolden : public testing::TestWithParam<Configuration> {};
+
+TEST_P(TwinGolden, AgreesWithTheOracle) {
+  for (const Function& function : all_functions()) {
+    const Configuration& configuration = GetParam();
+    if (!covers(configuration, function)) continue;
+    const auto golden = read_golden(golden_path(HN_GOLDEN_DIRECTORY, function, configuration), function, configuration);
+    ASSERT_TRUE(golden) << golden.error().text();
+    for (const GoldenRow& row : golden->rows) {
+      std::vector<std::uint32_t> inputs(row.inputs);
+      inputs.resize(kInputWords);
+      std::vector<std::uint32_t> got(kOutputWords);
+      evaluate_twin(function, configuration, inputs, got);
+      Comparison comparison(function, inputs);
+      compare_with_golden(comparison, function, configuration, inputs, got, row.values);
+      ASSERT_TRUE(comparison.all_right())
+          << function.id << ", line " << row.line << ": " << comparison.finish().message;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Configurations, TwinGolden, testing::ValuesIn(all_configurations()), [](const auto& instance) {
+  std::string name(instance.param.name);
+  std::replace(name.begin(), name.end(), '+', '_');
+  return name;
+});
+
+// Published vectors: Landon Curt Noll's test_fnv.c has FNV-1 of "foob" and "chon", four bytes each.
+TEST(Twin, Fnv1OfFourBytesIsThePublishedValue) {
+  EXPECT_EQ(hashnoise::hn_hash_fnv1(0x626F6F66u), 0xB4B1178Bu);  // "foob"
+  EXPECT_EQ(hashnoise::hn_hash_fnv1(0x6E6F6863u), 0xFCC8100Fu);  // "chon"
+}
+
+TEST(Twin, UnseededIsSeedZero) {
+  using namespace hashnoise;
+  EXPECT_EQ(hn_lattice(ivec4(1, -2, 3, -4)), hn_lattice(ivec4(1, -2, 3, -4), 0u));
+  EXPECT_EQ(hn_perlin(vec2(1.25f, -7.5f)), hn_perlin(vec2(1.25f, -7.5f), 0u));
+  EXPECT_EQ(hn_clouds(vec3(0.3f), 5, 2.0f, 0.5f), hn_clouds(vec3(0.3f), 5, 2.0f, 0.5f, 0u));
+}
+
+TEST(Twin, PositionAndCellAgree) {
+  using namespace hashnoise;
+  EXPECT_EQ(hn_perlin(vec2(-2.75f, 5.5f), 9u), hn_perlin(ivec2(-3, 5), vec2(0.25f, 0.5f), 9u));
+  EXPECT_EQ(hn_perlin(vec3(-2.75f, 5.5f, 0.125f), 9u), hn_perlin(ivec3(-3, 5, 0), vec3(0.25f, 0.5f, 0.125f), 9u));
+}
+
+// What the README says of the values that one meets: the largest of a million.
+TEST(Twin, RangeIsUsed) {
+  std::size_t count = std::size_t{1} << 20;
+  Random random(1, "range");
+  float largest2 = 0.0f;
+  float largest3 = 0.0f;
+  const auto coordinate = [&] { return random.uniform(-4096.0f, 4096.0f); };
+  for (; count > 0; --count) {
+    largest2 = std::max(largest2, std::fabs(hashnoise::hn_perlin(hashnoise::vec2(coordinate(), coordinate()))));
+    const hashnoise::vec3 p(coordinate(), coordinate(), coordinate());
+    largest3 = std::max(largest3, std::fabs(hashnoise::hn_perlin(p)));
+  }
+  EXPECT_NEAR(largest2, 0.97f, 0.015f);
+  EXPECT_NEAR(largest3, 0.85f, 0.03f);
+}
+
+TEST(Twin, HugePositionsHaveNoUndefinedBehaviour) {
+  using namespace hashnoise;
+  for (const float x : {3e9f, -3e9f, std::numeric_limits<float>::max(), -std::numeric_limits<float>::max()}) {
+    EXPECT_EQ(hn_perlin(vec2(x, x)), 0.0f);
+    EXPECT_EQ(hn_perlin(vec3(x, x, x)), 0.0f);
+  }
+  for (const float x : {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
+    (void)hn_perlin(vec3(x, x, x));  // any value, but no trap and no fault under a sanitizer
+  }
+}
+
+TEST(Shim, FloatsThatFitNoIntAreClamped) {
+  using namespace hashnoise;
+  EXPECT_EQ(ivec2(vec2(3e9f, -3e9f)), ivec2(std::numeric_limits<int>::max(), std::numeric_limits<int>::min()));
+  EXPECT_EQ(ivec2(vec2(std::numeric_limits<float>::quiet_NaN(), -1.5f)), ivec2(0, -1));
+}
+
+}  // namespace
+}  // namespace hn

@@ -1,0 +1,88 @@
+// Contexts of a hidden window, by GLFW: what a game has.
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "gpu/driver/driver.hpp"
+#include "gpu/driver/library.hpp"
+#include "gpu/driver/xvfb.hpp"
+
+namespace hn {
+namespace {
+
+class GlfwWindowContext final : public Context {
+ public:
+  explicit GlfwWindowContext(Library library) : library_(library) {}
+  ~GlfwWindowContext() override {
+    if (window_) call<decltype(glfwDestroyWindow)>("glfwDestroyWindow")(window_);
+    if (initialised_) call<decltype(glfwTerminate)>("glfwTerminate")();
+  }
+
+  Result<void> start(GlfwContext kind, Api api) {
+    auto display = Xvfb::where_no_display();
+    if (!display) return tl::unexpected(display.error());
+    display_ = std::move(*display);
+    if (!call<decltype(glfwInit)>("glfwInit")()) return fail(fmt::format("GLFW does not start: {}", last_error()));
+    initialised_ = true;
+    const auto hint = call<decltype(glfwWindowHint)>("glfwWindowHint");
+    for (const auto& [major, minor] : versions_of(api)) {
+      call<decltype(glfwDefaultWindowHints)>("glfwDefaultWindowHints")();
+      hint(GLFW_VISIBLE, GLFW_FALSE);
+      hint(GLFW_CONTEXT_CREATION_API, creation_api(kind));
+      hint(GLFW_CLIENT_API, api == Api::gles ? GLFW_OPENGL_ES_API : GLFW_OPENGL_API);
+      hint(GLFW_CONTEXT_VERSION_MAJOR, major);
+      hint(GLFW_CONTEXT_VERSION_MINOR, minor);
+      // Profiles came with OpenGL 3.2, and GLFW refuses to be asked for one before.
+      const bool has_profiles = api == Api::gl && (major > 3 || minor >= 2);
+      if (has_profiles) hint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+      if (has_profiles) hint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);  // macOS gives no other
+      window_ = call<decltype(glfwCreateWindow)>("glfwCreateWindow")(kSize, kSize, "hn-conform", nullptr, nullptr);
+      if (window_) break;
+    }
+    if (!window_) return fail(fmt::format("GLFW makes no context: {}", last_error()));
+    call<decltype(glfwMakeContextCurrent)>("glfwMakeContextCurrent")(window_);
+    return load_functions(call<decltype(glfwGetProcAddress)>("glfwGetProcAddress"), api);
+  }
+
+ private:
+  static constexpr int kSize = 16;  // we draw into framebuffer objects
+
+  template <typename Function>
+  Function* call(const char* name) const {
+    return library_.function<Function>(name);
+  }
+
+  static int creation_api(GlfwContext kind) {
+    switch (kind) {
+      case GlfwContext::egl:
+        return GLFW_EGL_CONTEXT_API;
+      case GlfwContext::osmesa:
+        return GLFW_OSMESA_CONTEXT_API;
+      case GlfwContext::native:
+        break;
+    }
+    return GLFW_NATIVE_CONTEXT_API;
+  }
+
+  std::string last_error() const {
+    const char* text = nullptr;
+    call<decltype(glfwGetError)>("glfwGetError")(&text);
+    return text ? text : "it does not say why";
+  }
+
+  Xvfb display_;  // outlives the window
+  Library library_;
+  bool initialised_ = false;
+  GLFWwindow* window_ = nullptr;
+};
+
+}  // namespace
+
+CreatedContext create_glfw(GlfwContext kind, Api api) {
+  auto library = Library::open({"libglfw.so.3", "libglfw.3.dylib"});
+  if (!library) return tl::unexpected(library.error());
+  auto context = std::make_unique<GlfwWindowContext>(*library);
+  if (auto started = context->start(kind, api); !started) return tl::unexpected(started.error());
+  return context;
+}
+
+}  // namespace hn

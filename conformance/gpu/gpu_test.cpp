@@ -1,0 +1,142 @@
+// The parts that need a context, on OSMesa.
+#include "gpu/gpu.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "gpu/osmesa_fixture.hpp"
+
+namespace hn {
+namespace {
+
+class Gpu : public OnOsmesa<> {
+ protected:
+  Result<Program> build(std::string_view fragment) {
+    const Profile& profile = profile_named("gl330");
+    const auto vertex_text = expand(sources_, profile, vertex_shader());
+    const auto fragment_text = expand(sources_, profile, fragment);
+    if (!fragment_text) return tl::unexpected(fragment_text.error());
+    return Program::build(*context_, *vertex_text, *fragment_text);
+  }
+
+  SourceSet sources_ = SourceSet::embedded();
+};
+
+constexpr std::string_view kInputs = "uniform usampler2D input_a;\nuniform usampler2D input_b;\nout uvec4 result;\n";
+
+// 2500 points: more than a row of the texture, and no whole number of rows or groups.
+constexpr std::size_t kSeveralRows = 2500;
+constexpr std::string_view kAt = "ivec2 at = ivec2(index % 1024, index / 1024);\n";
+constexpr std::string_view kSum = "texelFetch(input_a, at, 0) + texelFetch(input_b, at, 0).wzyx;\n";
+constexpr std::string_view kStorage = "layout(std430, binding = 0) buffer Results { uvec4 results[]; };\n";
+
+void expect_words_unchanged(const Context& context, const Result<Program>& program) {
+  ASSERT_TRUE(program) << program.error().text();
+  std::vector<std::uint32_t> inputs(kSeveralRows * kInputWords);
+  for (std::size_t i = 0; i < inputs.size(); ++i) inputs[i] = static_cast<std::uint32_t>(i) * 0x9E3779B9u;
+  GridRenderer grid(context);
+  const auto outputs = grid.evaluate(*program, inputs);
+  ASSERT_TRUE(outputs) << outputs.error().text();
+  ASSERT_EQ(outputs->size(), kSeveralRows * kOutputWords);
+  for (std::size_t i = 0; i < kSeveralRows; ++i) {
+    for (std::size_t word = 0; word < 4; ++word) {
+      ASSERT_EQ((*outputs)[i * 4 + word], inputs[i * 8 + word] + inputs[i * 8 + 7 - word]);
+    }
+  }
+}
+
+TEST_F(Gpu, WordsTravelUnchanged) {
+  const auto program = build(std::string(kInputs) +
+                             "void main() { ivec2 at = ivec2(gl_FragCoord.xy);\n"
+                             "result = texelFetch(input_a, at, 0) + texelFetch(input_b, at, 0).wzyx; }\n");
+  expect_words_unchanged(*context_, program);
+}
+
+TEST_F(Gpu, PixelsBesideTheGridSeeNoOldWords) {
+  // A derivative tells what the neighbours in the block have.
+  const auto program = build(std::string(kInputs) +
+                             "void main() { ivec2 at = ivec2(gl_FragCoord.xy);\n"
+                             "float x = float(texelFetch(input_a, at, 0).x + texelFetch(input_b, at, 0).x);\n"
+                             "result = uvec4(uint(abs(dFdx(x))), uint(abs(dFdy(x))), 0u, 0u); }\n");
+  ASSERT_TRUE(program) << program.error().text();
+  GridRenderer grid(*context_);
+  ASSERT_TRUE(grid.evaluate(*program, std::vector<std::uint32_t>(4096 * kInputWords, 1000u)));
+  const auto outputs = grid.evaluate(*program, std::vector<std::uint32_t>(kInputWords, 7u));
+  ASSERT_TRUE(outputs) << outputs.error().text();
+  EXPECT_EQ((*outputs)[0], 14u);
+  EXPECT_EQ((*outputs)[1], 14u);
+}
+
+TEST_F(Gpu, AShaderThatWritesNothingLeavesNoOldResult) {
+  const std::vector<std::uint32_t> inputs(4 * kInputWords);
+  GridRenderer grid(*context_);
+  const auto right = build(std::string(kInputs) + "void main() { result = uvec4(7u); }\n");
+  EXPECT_EQ(grid.evaluate(*right, inputs)->front(), 7u);
+  const auto silent = build(std::string(kInputs) + "void main() { discard; }\n");
+  EXPECT_EQ(grid.evaluate(*silent, inputs)->front(), 0xDEADBEEFu);
+}
+
+TEST_F(Gpu, WordsTravelUnchangedThroughVertices) {
+  const Profile& profile = profile_named("gl330");
+  const auto vertex =
+      expand(sources_, profile,
+             fmt::format("uniform usampler2D input_a;\nuniform usampler2D input_b;\nout uvec4 result;\n"
+                         "uniform int row;\nvoid main() {{ ivec2 at = ivec2(gl_VertexID, row);\nresult = {}}}\n",
+                         kSum));
+  const auto idle = expand(sources_, profile, idle_fragment_shader());
+  expect_words_unchanged(*context_, Program::build(*context_, *vertex, *idle, Stage::vertex));
+}
+
+TEST_F(Gpu, WordsTravelUnchangedThroughInvocations) {
+  const auto compute =
+      expand(sources_, profile_named("gl430"),
+             fmt::format("layout(local_size_x = 64) in;\n{}uniform usampler2D input_a;\nuniform usampler2D input_b;\n"
+                         "void main() {{ int index = int(gl_GlobalInvocationID.x);\n{}results[index] = {}}}\n",
+                         kStorage, kAt, kSum));
+  expect_words_unchanged(*context_, Program::build_compute(*context_, *compute));
+}
+
+TEST_F(Gpu, InvocationsThatWriteNothingLeaveNoOldResult) {
+  const std::vector<std::uint32_t> inputs(4 * kInputWords);
+  const auto build_compute = [&](std::string_view main) {
+    const auto text =
+        expand(sources_, profile_named("gl430"), fmt::format("layout(local_size_x = 64) in;\n{}{}", kStorage, main));
+    return Program::build_compute(*context_, *text);
+  };
+  GridRenderer grid(*context_);
+  const auto right = build_compute("void main() { results[gl_GlobalInvocationID.x] = uvec4(7u); }\n");
+  EXPECT_EQ(grid.evaluate(*right, inputs)->front(), 7u);
+  const auto silent = build_compute("void main() { if (results.length() == 1) results[0] = uvec4(7u); }\n");
+  EXPECT_EQ(grid.evaluate(*silent, inputs)->front(), 0xDEADBEEFu);
+}
+
+TEST_F(Gpu, ADrawThatIsLostLeavesNoOldResult) {
+  GladGLContext gl = context_->gl();
+  gl.DrawArrays = [](GLenum, GLint, GLsizei) {};
+  gl.BeginTransformFeedback = [](GLenum) {};  // which is an error without a program
+  gl.EndTransformFeedback = [] {};
+  const auto words = make_stage_output(gl, Stage::vertex)->run(0, 4);
+  ASSERT_TRUE(words) << words.error().text();
+  EXPECT_EQ(*words, std::vector<std::uint32_t>(4 * kOutputWords, 0xDEADBEEFu));
+}
+
+TEST_F(Gpu, AContextWithoutComputeShadersSaysSo) {
+  GladGLContext gl = context_->gl();
+  EXPECT_EQ(unsupported_reason(gl, Stage::compute), "");
+  gl.DispatchCompute = nullptr;
+  EXPECT_NE(unsupported_reason(gl, Stage::compute), "");
+  EXPECT_EQ(unsupported_reason(gl, Stage::vertex), "");
+}
+
+TEST_F(Gpu, AnErrorInALibraryFileNamesItsLine) {
+  const auto program = build("#define hn_i_mix 1\n#include \"hash.glsl\"\nvoid main() {}\n");
+  ASSERT_FALSE(program);
+  EXPECT_NE(program.error().log.find("glsl/hash.glsl:"), std::string::npos) << program.error().log;
+}
+
+TEST_F(Gpu, AProgramThatDoesNotLinkIsAnError) {
+  EXPECT_FALSE(build("float f();\nout vec4 o;\nvoid main() { o = vec4(f()); }\n"));
+}
+
+}  // namespace
+}  // namespace hn

@@ -1,0 +1,74 @@
+#include "gpu/reference_compiler.hpp"
+
+#include <fmt/format.h>
+#include <glslang/Public/ResourceLimits.h>
+#include <glslang/Public/ShaderLang.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
+
+#include "gpu/spirv.hpp"
+
+namespace hn {
+namespace {
+
+EShLanguage language_of(Stage stage) {
+  switch (stage) {
+    case Stage::vertex:
+      return EShLangVertex;
+    case Stage::compute:
+      return EShLangCompute;
+    case Stage::fragment:
+      break;
+  }
+  return EShLangFragment;
+}
+
+enum class Warnings { refuse, let_pass };
+
+// Compiles and links; the SPIR-V where the profile has it, else nothing.
+Result<std::vector<std::uint32_t>> compile(const ShaderText& source, const Profile& profile, Stage stage,
+                                           Warnings warnings) {
+  const EShLanguage language = language_of(stage);
+  const auto rules = static_cast<EShMessages>(profile.spirv ? EShMsgSpvRules | EShMsgVulkanRules : EShMsgDefault);
+  glslang::TShader shader(language);
+  const char* const text = source.text.c_str();
+  shader.setStrings(&text, 1);
+  if (profile.spirv) {
+    shader.setEnvInput(glslang::EShSourceGlsl, language, glslang::EShClientVulkan, 100);
+    shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_0);
+    shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_0);
+  }
+  const bool compiled = shader.parse(GetDefaultResources(), profile.version, false, rules);
+  const std::string log = shader.getInfoLog();
+  if (!compiled) return fail("glslang does not compile it", source.translate(log));
+  if (warnings == Warnings::refuse && log.find("WARNING") != std::string::npos) {
+    return fail("glslang warns", source.translate(log));
+  }
+  glslang::TProgram program;
+  program.addShader(&shader);
+  if (!program.link(rules)) return fail("glslang does not link it", source.translate(program.getInfoLog()));
+  std::vector<std::uint32_t> words;
+  if (profile.spirv) glslang::GlslangToSpv(*program.getIntermediate(language), words);
+  return words;
+}
+
+}  // namespace
+
+std::string reference_compiler_version() {
+  const glslang::Version version = glslang::GetVersion();
+  return fmt::format("{}.{}.{}", version.major, version.minor, version.patch);
+}
+
+ReferenceCompiler::ReferenceCompiler() { glslang::InitializeProcess(); }
+ReferenceCompiler::~ReferenceCompiler() { glslang::FinalizeProcess(); }
+
+Result<void> ReferenceCompiler::check(const ShaderText& source, const Profile& profile, Stage stage) const {
+  const auto words = compile(source, profile, stage, Warnings::refuse);
+  if (!words) return tl::unexpected(words.error());
+  return profile.spirv ? validate_spirv(*words) : Result<void>{};
+}
+
+Result<std::vector<std::uint32_t>> ReferenceCompiler::spirv(const ShaderText& source, Stage stage) const {
+  return compile(source, profile_named("vulkan"), stage, Warnings::let_pass);
+}
+
+}  // namespace hn

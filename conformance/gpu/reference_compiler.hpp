@@ -1,0 +1,31 @@
+// Khronos' own opinion on a shader: glslang for the language, SPIRV-Tools for what glslang makes of it for Vulkan.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/result.hpp"
+#include "library/profile.hpp"
+#include "library/source.hpp"
+
+namespace hn {
+
+std::string reference_compiler_version();  // of glslang
+
+class ReferenceCompiler {
+ public:
+  ReferenceCompiler();
+  ~ReferenceCompiler();
+  ReferenceCompiler(const ReferenceCompiler&) = delete;
+  ReferenceCompiler& operator=(const ReferenceCompiler&) = delete;
+
+  // Compiles and links the shader. For the Vulkan profile it also generates SPIR-V and validates it. Warnings are
+  // errors.
+  Result<void> check(const ShaderText& shader, const Profile& profile, Stage stage) const;
+
+  // The SPIR-V of a shader of the Vulkan profile. Warnings are let pass: the shader may be somebody else's.
+  Result<std::vector<std::uint32_t>> spirv(const ShaderText& shader, Stage stage) const;
+};
+
+}  // namespace hn

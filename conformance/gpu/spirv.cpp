@@ -1,0 +1,73 @@
+#include "gpu/spirv.hpp"
+
+#include <fmt/format.h>
+
+#include <glslang/SPIRV/spirv.hpp>
+#include <map>
+#include <set>
+#include <spirv-tools/libspirv.hpp>
+
+namespace hn {
+namespace {
+
+// What is said of the module word by word: each instruction and its operands, from the result on if it has one.
+template <typename Visit>
+void for_each_instruction(std::span<const std::uint32_t> words, Visit visit) {
+  constexpr std::size_t kHeader = 5;  // words before the first instruction
+  for (std::size_t at = kHeader; at < words.size();) {
+    const std::size_t length = words[at] >> 16;
+    if (length == 0 || at + length > words.size()) break;
+    visit(static_cast<spv::Op>(words[at] & 0xFFFFu), words.subspan(at + 1, length - 1));
+    at += length;
+  }
+}
+
+std::string text_of(std::span<const std::uint32_t> operands) { return reinterpret_cast<const char*>(operands.data()); }
+
+bool rounds(spv::Op operation) {
+  return operation == spv::OpFAdd || operation == spv::OpFSub || operation == spv::OpFMul ||
+         operation == spv::OpVectorTimesScalar || operation == spv::OpDot || operation == spv::OpFDiv;
+}
+
+}  // namespace
+
+Result<void> validate_spirv(std::span<const std::uint32_t> words) {
+  spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_0);
+  std::string log;
+  tools.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t& position, const char* message) {
+    log += fmt::format("word {}: {}\n", position.index, message);
+  });
+  if (!tools.Validate(words.data(), words.size())) return fail("spirv-val rejects the SPIR-V", log);
+  return {};
+}
+
+std::vector<std::string> relaxed_precision(std::span<const std::uint32_t> words) {
+  std::map<std::uint32_t, std::string> names;
+  std::vector<std::uint32_t> relaxed;
+  for_each_instruction(words, [&](spv::Op operation, std::span<const std::uint32_t> operands) {
+    if (operation == spv::OpName) names[operands[0]] = text_of(operands.subspan(1));
+    const bool relaxes = operation == spv::OpDecorate && operands[1] == spv::DecorationRelaxedPrecision;
+    if (relaxes) relaxed.push_back(operands[0]);
+  });
+  std::vector<std::string> found;
+  for (const std::uint32_t id : relaxed) found.push_back(names[id]);
+  return found;
+}
+
+std::vector<std::string> contractible(std::span<const std::uint32_t> words) {
+  std::map<std::uint32_t, std::string> names;
+  std::set<std::uint32_t> precise;
+  std::vector<std::string> found;
+  std::string function;
+  for_each_instruction(words, [&](spv::Op operation, std::span<const std::uint32_t> operands) {
+    if (operation == spv::OpName) names[operands[0]] = text_of(operands.subspan(1));
+    const bool forbids = operation == spv::OpDecorate && operands[1] == spv::DecorationNoContraction;
+    if (forbids) precise.insert(operands[0]);
+    if (operation == spv::OpFunction) function = names[operands[1]];
+    const bool free = rounds(operation) && !precise.contains(operands[1]);
+    if (free && (found.empty() || found.back() != function)) found.push_back(function);
+  });
+  return found;
+}
+
+}  // namespace hn

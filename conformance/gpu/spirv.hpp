@@ -1,0 +1,22 @@
+// What there is to say of a module of SPIR-V.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/result.hpp"
+
+namespace hn {
+
+// SPIRV-Tools' verdict, by the rules of Vulkan 1.0.
+Result<void> validate_spirv(std::span<const std::uint32_t> words);
+
+// The results of instructions that may be computed in less than 32 bits: their names, where they have one, else "".
+std::vector<std::string> relaxed_precision(std::span<const std::uint32_t> words);
+
+// The functions in which an operation on floats may be contracted or reassociated with others: their mangled names.
+std::vector<std::string> contractible(std::span<const std::uint32_t> words);
+
+}  // namespace hn

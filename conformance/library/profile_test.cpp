@@ -1,0 +1,35 @@
+#include "library/profile.hpp"
+
+#include <gtest/gtest.h>
+
+namespace hn {
+namespace {
+
+TEST(Profile, LineDirectiveFollowsTheSpecifications) {
+  EXPECT_FALSE(profile_named("gl130").line_names_next());
+  EXPECT_FALSE(profile_named("gl150").line_names_next());
+  EXPECT_TRUE(profile_named("gl330").line_names_next());
+  EXPECT_TRUE(profile_named("es300").line_names_next());
+}
+
+TEST(Profile, WhatAContextCannotCompileHasAReason) {
+  const LanguageSupport desktop{330, 0};
+  EXPECT_EQ(unsupported_reason(profile_named("gl330"), desktop), "");
+  EXPECT_EQ(unsupported_reason(profile_named("gl460"), desktop), "GLSL 4.60 is beyond this context's 3.30");
+  EXPECT_EQ(unsupported_reason(profile_named("es300"), desktop), "this context compiles no GLSL ES");
+  EXPECT_EQ(unsupported_reason(profile_named("es320"), {450, 310}), "GLSL ES 3.20 is beyond this context's 3.10");
+  const LanguageSupport strict_core{450, 0, false, false};
+  EXPECT_EQ(unsupported_reason(profile_named("gl130"), strict_core), "this context takes no GLSL 1.30");
+  EXPECT_EQ(unsupported_reason(profile_named("gl140"), strict_core), "");
+}
+
+TEST(Profile, RunningNeedsBitCasts) {
+  EXPECT_EQ(unsupported_to_run(profile_named("gl140"), {450, 0, true, false}),
+            "the suite needs GL_ARB_shader_bit_encoding in GLSL 1.40");
+  EXPECT_EQ(unsupported_to_run(profile_named("gl140"), {450, 0, true, true}), "");
+  EXPECT_EQ(unsupported_to_run(profile_named("gl330"), {450, 0, true, false}), "");
+  EXPECT_EQ(unsupported_to_run(profile_named("gl330"), {150, 0}), "GLSL 3.30 is beyond this context's 1.50");
+}
+
+}  // namespace
+}  // namespace hn

@@ -1,0 +1,177 @@
+#include "library/source.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+#include "library/files.hpp"
+
+namespace hn {
+namespace {
+
+// Each source gets its own range of line numbers, because Mesa reports source number 0 whatever #line says. No file of
+// the library comes near 10,000 lines.
+constexpr int kLinesPerSource = 10000;
+// The library nests 6 deep; a file that includes itself outside of its guard would go on for ever.
+constexpr int kDeepestInclude = 16;
+// And files that include the next several times multiply with every level. All of the library, twice, has 250,000
+// bytes.
+constexpr std::size_t kLongestText = std::size_t{8} << 20;
+
+std::optional<std::string_view> included_name(std::string_view line) {
+  const auto skip_spaces = [&] {
+    while (!line.empty() && (line.front() == ' ' || line.front() == '\t')) line.remove_prefix(1);
+  };
+  const auto skip = [&](std::string_view word) {
+    skip_spaces();
+    if (!line.starts_with(word)) return false;
+    line.remove_prefix(word.size());
+    return true;
+  };
+  if (!skip("#") || !skip("include") || !skip("\"")) return std::nullopt;
+  const auto end = line.find('"');
+  if (end == std::string_view::npos) return std::nullopt;
+  return line.substr(0, end);
+}
+
+class Expander {
+ public:
+  Expander(const SourceSet& sources, const Profile& profile) : sources_(sources), profile_(profile) {
+    out_.paths.push_back("the case's shader");
+  }
+
+  Result<ShaderText> run(std::string_view main_text) {
+    out_.text = fmt::format("{}\n", profile_.directive);
+    mark_line(0, 2);
+    if (auto done = add(main_text, 0, 2, 0); !done) return tl::unexpected(done.error());
+    return std::move(out_);
+  }
+
+ private:
+  void mark_line(int source, int line) { out_.text += line_directive(profile_, source, line); }
+
+  int number_of(const std::string& path) {
+    for (std::size_t i = 1; i < out_.paths.size(); ++i) {
+      if (out_.paths[i] == path) return static_cast<int>(i);
+    }
+    out_.paths.push_back(path);
+    return static_cast<int>(out_.paths.size()) - 1;
+  }
+
+  Result<void> add(std::string_view text, int source, int line, int depth) {
+    for (; !text.empty(); ++line) {
+      const auto end = std::min(text.find('\n'), text.size() - 1);
+      const std::string_view current = text.substr(0, end + 1);
+      text.remove_prefix(end + 1);
+      const auto name = included_name(current);
+      if (!name) {
+        out_.text += current;
+        continue;
+      }
+      const std::string where = fmt::format("{}:{}", out_.paths[static_cast<std::size_t>(source)], line);
+      if (out_.text.size() > kLongestText) {
+        return fail(fmt::format("{}: with its includes the shader is longer than {} bytes", where, kLongestText));
+      }
+      const SourceFile* file = sources_.find(*name);
+      if (!file) return fail(fmt::format("{}: there is no \"{}\" to include", where, *name));
+      if (depth == kDeepestInclude) {
+        return fail(fmt::format("{}: includes are nested more than {} deep", where, kDeepestInclude));
+      }
+      const int number = number_of(file->path);
+      mark_line(number, 1);
+      if (auto done = add(file->text, number, 1, depth + 1); !done) return done;
+      if (out_.text.back() != '\n') out_.text += '\n';
+      mark_line(source, line + 1);
+    }
+    return {};
+  }
+
+  const SourceSet& sources_;
+  const Profile& profile_;
+  ShaderText out_;
+};
+
+}  // namespace
+
+SourceSet SourceSet::embedded() {
+  SourceSet set;
+  for (const EmbeddedFile& file : kLibraryFiles) {
+    set.add(std::string(file.name), std::string(file.text), fmt::format("glsl/{}", file.name));
+  }
+  return set;
+}
+
+Result<SourceSet> SourceSet::from_directory(const std::filesystem::path& directory) {
+  SourceSet set;
+  for (const EmbeddedFile& file : kLibraryFiles) {
+    const auto path = directory / file.name;
+    std::ifstream in(path, std::ios::binary);
+    if (!in || !std::filesystem::is_regular_file(path)) {
+      return fail(
+          fmt::format("cannot read {}: --glsl wants a folder with a copy of every file of glsl/", path.string()));
+    }
+    set.add(std::string(file.name), std::string(std::istreambuf_iterator<char>(in), {}), path.string());
+  }
+  return set;
+}
+
+Result<SourceSet> library_sources(const std::string& directory) {
+  return directory.empty() ? SourceSet::embedded() : SourceSet::from_directory(directory);
+}
+
+void SourceSet::add(std::string name, std::string text, std::string path) {
+  files_.insert_or_assign(std::move(name), SourceFile{std::move(text), std::move(path)});
+}
+
+const SourceFile* SourceSet::find(std::string_view name) const {
+  const auto found = files_.find(name);
+  return found == files_.end() ? nullptr : &found->second;
+}
+
+std::string ShaderText::translate(std::string_view log) const {
+  std::string out;
+  const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
+  // Looks for <digits> (':' | '(') <digits>; the second number tells file and line.
+  for (std::size_t i = 0; i < log.size();) {
+    std::size_t end = i;
+    while (end < log.size() && is_digit(log[end])) ++end;
+    if (end == i) {
+      out += log[i++];
+      continue;
+    }
+    const bool starts_word = i == 0 || !std::isalnum(static_cast<unsigned char>(log[i - 1]));
+    int line = 0;
+    if (starts_word && end + 1 < log.size() && (log[end] == ':' || log[end] == '(') && is_digit(log[end + 1])) {
+      const auto [stop, error] = std::from_chars(&log[end + 1], log.data() + log.size(), line);
+      const auto source = static_cast<std::size_t>(line / kLinesPerSource);
+      if (error == std::errc() && source < paths.size()) {
+        out += fmt::format("{}:{}", paths[source], line % kLinesPerSource);
+        i = static_cast<std::size_t>(stop - log.data());
+        if (log[end] == '(' && i < log.size() && log[i] == ')') ++i;
+        continue;
+      }
+    }
+    out += log.substr(i, end - i);
+    i = end;
+  }
+  return out;
+}
+
+std::string line_directive(const Profile& profile, int source, int line) {
+  const int number = source * kLinesPerSource + line - (profile.line_names_next() ? 0 : 1);
+  return fmt::format("#line {} {}\n", number, source);
+}
+
+Result<ShaderText> expand(const SourceSet& sources, const Profile& profile, std::string_view main_text) {
+  auto shader = Expander(sources, profile).run(main_text);
+  if (!shader || !sources.transform()) return shader;
+  if (auto done = sources.transform()(*shader, profile); !done) return tl::unexpected(done.error());
+  return shader;
+}
+
+}  // namespace hn

@@ -1,0 +1,64 @@
+// The library's GLSL: where it comes from, and how #include becomes text that any driver takes.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.hpp"
+#include "library/profile.hpp"
+
+namespace hn {
+
+struct SourceFile {
+  std::string text;
+  std::string path;  // for messages
+};
+
+struct ShaderText;
+
+// The files of one copy of glsl/, by name.
+class SourceSet {
+ public:
+  static SourceSet embedded();  // as they were when this program was built
+  static Result<SourceSet> from_directory(const std::filesystem::path& directory);
+
+  // Adds a file that is not the library's, to be included as name and called path in messages.
+  void add(std::string name, std::string text, std::string path);
+
+  // Null if there is no such file.
+  const SourceFile* find(std::string_view name) const;
+
+  // What becomes of every shader that is expanded from this set, in the end; nothing unless it is set.
+  using Transform = std::function<Result<void>(ShaderText&, const Profile&)>;
+  void transform_with(Transform transform) { transform_ = std::move(transform); }
+  const Transform& transform() const { return transform_; }
+
+ private:
+  std::map<std::string, SourceFile, std::less<>> files_;
+  Transform transform_;
+};
+
+// Those of a folder, or the embedded ones if none is named.
+Result<SourceSet> library_sources(const std::string& directory);
+
+// A shader with its includes expanded, and the way back from a line number in a log to a file and a line.
+struct ShaderText {
+  std::string text;
+  std::vector<std::string> paths;  // by source number; 0 is the case's own shader
+
+  // Replaces every "number:line" or "number(line)" that names a line of a file by "path:line".
+  std::string translate(std::string_view log) const;
+};
+
+// The line that numbers the next one as a line of a source, by its number in ShaderText::paths.
+std::string line_directive(const Profile& profile, int source, int line);
+
+// Puts the #version line of the profile before main_text and expands #include "..." from the set. main_text may contain
+// only includes of files in the set; a file that includes itself without end is an error.
+Result<ShaderText> expand(const SourceSet& sources, const Profile& profile, std::string_view main_text);
+
+}  // namespace hn

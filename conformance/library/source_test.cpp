@@ -1,0 +1,100 @@
+#include "library/source.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "base/temporary_folder.hpp"
+#include "library/files.hpp"
+
+namespace hn {
+namespace {
+
+// A copy of the library with one file replaced.
+SourceSet with_file(const TemporaryFolder& folder, std::string_view name, std::string_view text) {
+  for (const EmbeddedFile& file : kLibraryFiles) folder.write(file.name, file.text);
+  folder.write(name, text);
+  return SourceSet::from_directory(folder.path()).value();
+}
+
+TEST(Source, IncludesAreReplacedAndLinesCounted) {
+  const TemporaryFolder folder;
+  const auto sources = with_file(folder, "hash.glsl", "one\ntwo\n");
+  const auto shader = expand(sources, profile_named("gl330"), "a\n#include \"hash.glsl\"\nb\n");
+  ASSERT_TRUE(shader) << shader.error().text();
+  EXPECT_EQ(shader->text, "#version 330\n#line 2 0\na\n#line 10001 1\none\ntwo\n#line 4 0\nb\n");
+}
+
+TEST(Source, BeforeGlsl330LineNumbersAreOneLess) {
+  const TemporaryFolder folder;
+  const auto sources = with_file(folder, "hash.glsl", "one\n");
+  const auto shader = expand(sources, profile_named("gl140"), "#include \"hash.glsl\"\nb\n");
+  EXPECT_EQ(shader->text, "#version 140\n#line 1 0\n#line 10000 1\none\n#line 2 0\nb\n");
+}
+
+TEST(Source, TheEmbeddedLibraryExpandsCompletely) {
+  const auto shader = expand(SourceSet::embedded(), profile_named("es300"), "#include \"hashnoise.glsl\"\n");
+  ASSERT_TRUE(shader);
+  EXPECT_EQ(shader->text.find("#include"), std::string::npos);
+  EXPECT_NE(shader->text.find("hn_turbulence"), std::string::npos);
+}
+
+TEST(Source, MissingIncludeNamesFileAndLine) {
+  const TemporaryFolder folder;
+  const auto sources = with_file(folder, "hash.glsl", "one\n#include \"absent.glsl\"\n");
+  const auto shader = expand(sources, profile_named("gl330"), "#include \"hash.glsl\"\n");
+  ASSERT_FALSE(shader);
+  EXPECT_EQ(shader.error().message,
+            (folder.path() / "hash.glsl").string() + ":2: there is no \"absent.glsl\" to include");
+}
+
+TEST(Source, EndlessIncludeIsAnError) {
+  const TemporaryFolder folder;
+  const auto sources = with_file(folder, "hash.glsl", "#include \"hash.glsl\"\n");
+  const auto shader = expand(sources, profile_named("gl330"), "#include \"hash.glsl\"\n");
+  ASSERT_FALSE(shader);
+  EXPECT_NE(shader.error().message.find("nested more than 16 deep"), std::string::npos);
+}
+
+// Eight times as many with every level: 8^10 of the last.
+TEST(Source, IncludesThatMultiplyAreAnError) {
+  SourceSet sources;
+  sources.add("a", "x\n", "glsl/a");
+  for (char name = 'b'; name <= 'k'; ++name) {
+    std::string lines;
+    for (int i = 0; i < 8; ++i) lines += fmt::format("#include \"{}\"\n", static_cast<char>(name - 1));
+    sources.add(std::string(1, name), lines, fmt::format("glsl/{}", name));
+  }
+  const auto shader = expand(sources, profile_named("gl330"), "#include \"k\"\n");
+  ASSERT_FALSE(shader);
+  EXPECT_TRUE(shader.error().message.starts_with("glsl/")) << shader.error().message;
+  EXPECT_NE(shader.error().message.find("longer than"), std::string::npos) << shader.error().message;
+}
+
+TEST(Source, FolderWithoutAFileIsAnError) {
+  const TemporaryFolder folder;
+  for (const EmbeddedFile& file : kLibraryFiles) {
+    if (file.name != "hash.glsl") folder.write(file.name, "");
+  }
+  const auto sources = SourceSet::from_directory(folder.path());
+  ASSERT_FALSE(sources);
+  EXPECT_NE(sources.error().message.find("/hash.glsl"), std::string::npos);
+}
+
+TEST(Source, LogsOfEveryVendorNameTheFile) {
+  const ShaderText shader{"", {"the case's shader", "glsl/hash.glsl", "glsl/config.glsl"}};
+  // Mesa says source 0 whatever #line says; the line tells the file.
+  EXPECT_EQ(shader.translate("0:10012(14): error: x"), "glsl/hash.glsl:12(14): error: x");
+  EXPECT_EQ(shader.translate("ERROR: 2:20007: 'x'"), "ERROR: glsl/config.glsl:7: 'x'");
+  EXPECT_EQ(shader.translate("1(10012) : error C1008"), "glsl/hash.glsl:12 : error C1008");
+  EXPECT_EQ(shader.translate("ERROR: 0:5: main"), "ERROR: the case's shader:5: main");
+}
+
+TEST(Source, OtherNumbersInLogsStay) {
+  const ShaderText shader{"", {"main"}};
+  for (const char* log : {"", "12", "4.50", "C1008: x", "99999:99999: beyond", "1:99999999999", "a1:2", "at 3: none"}) {
+    EXPECT_EQ(shader.translate(log), log);
+  }
+}
+
+}  // namespace
+}  // namespace hn

@@ -1,0 +1,23 @@
+// What a run leaves behind: results.json, junit.xml, index.html, and what a person reads in a terminal.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "report/junit.hpp"
+#include "report/report_page.hpp"
+#include "run/results.hpp"
+
+namespace hn {
+
+// All three files. problems: as for report_page.
+Result<void> write_results(const std::filesystem::path& directory, const std::vector<Run>& runs,
+                           const std::vector<std::string>& problems = {});
+// What it will write can be written, and what an earlier run wrote is gone.
+Result<void> prepare_results(const std::filesystem::path& directory);
+
+// A few lines: totals, the largest errors by function, what failed and why, what was unsupported and why.
+std::string summary(const Run& run);
+
+}  // namespace hn

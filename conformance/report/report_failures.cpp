@@ -1,0 +1,255 @@
+// The parts of the report that show single cases.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "base/output/text.hpp"
+#include "library/functions.hpp"
+#include "report/report_page.hpp"
+
+namespace hn {
+namespace {
+
+using Json = nlohmann::json;
+
+// So that the page keeps below 5 MB: cases take about 3 kB each, pictures and shaders have a budget of their own.
+constexpr std::size_t kMostCasesPerFunction = 3;
+constexpr std::size_t kMostCases = 400;
+constexpr std::size_t kMostEvidenceBytes = 2'500'000;
+constexpr std::size_t kMostExamples = 4;
+constexpr std::size_t kMostOfMessage = 3000;
+constexpr std::size_t kMostGroups = 100;
+constexpr std::size_t kMostIds = 10;
+constexpr std::size_t kMostWarnings = 300;
+// A page with more than these open is hard to find one's way in.
+constexpr std::size_t kMostOpen = 6;
+
+// Text, and whether there is any, since Mustache cannot ask.
+Json more(std::size_t count, std::string_view what) {
+  return count == 0 ? Json(false) : Json({{"text", fmt::format("{} more {}", count, what)}});
+}
+
+std::string cleaned(std::string_view text, std::size_t most = kMostOfMessage) {
+  return clean_text(shortened(text, most));
+}
+
+Json examples_of(const Outcome& outcome) {
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < std::min(outcome.examples.size(), kMostExamples); ++i) {
+    const Mismatch& mismatch = outcome.examples[i];
+    constexpr std::size_t kRow = 1024;  // pixels; docs/internals.md says so, too
+    rows.push_back({{"pixel", fmt::format("{}, {}", mismatch.point % kRow, mismatch.point / kRow)},
+                    {"inputs", clean_text(mismatch.inputs)},
+                    {"got", clean_text(mismatch.got)},
+                    {"expected", clean_text(mismatch.expected)}});
+  }
+  return rows;
+}
+
+Json evidence_of(const Evidence& evidence) {
+  Json pictures = false;
+  if (!evidence.got.empty()) {
+    pictures = {{"got", evidence.got},
+                {"reference", evidence.reference},
+                {"difference", evidence.difference},
+                {"factor", fmt::format("{:.3g}", evidence.factor)}};
+  }
+  return {{"note", cleaned(evidence.note)},
+          {"pictures", std::move(pictures)},
+          {"shader", evidence.shader.empty() ? Json(false) : Json({{"text", clean_text(evidence.shader)}})}};
+}
+
+std::size_t bytes_of(const Evidence& evidence) {
+  return evidence.shader.size() + evidence.got.size() + evidence.reference.size() + evidence.difference.size();
+}
+
+// How much of it all is shown so far.
+struct Shown {
+  std::size_t cases = 0;
+  std::size_t evidence_bytes = 0;
+  std::size_t open = 0;
+};
+
+std::string measure_of(const Outcome& outcome) {
+  if (outcome.samples == 0) return "";
+  std::string text = fmt::format("{} of {} values are wrong", outcome.mismatches, outcome.samples);
+  if (outcome.max_abs > 0.0) {
+    text +=
+        fmt::format("; the largest difference is {:.3g}, {} units in the last place", outcome.max_abs, outcome.max_ulp);
+  }
+  return text + ".";
+}
+
+Json page_case(const CaseResult& result, Shown& shown) {
+  const Outcome& outcome = result.outcome;
+  Json evidence = false;
+  std::string left_out;
+  if (result.evidence) {
+    const std::size_t bytes = bytes_of(*result.evidence);
+    if (shown.evidence_bytes + bytes <= kMostEvidenceBytes) {
+      shown.evidence_bytes += bytes;
+      evidence = evidence_of(*result.evidence);
+    } else {
+      left_out = "Its pictures and its shader are in results.json only, since this page has enough of them.";
+    }
+  }
+  const Json examples = examples_of(outcome);
+  // With examples the message says nothing more than the first of them.
+  return {{"id", result.id},
+          {"measure", measure_of(outcome)},
+          {"message", examples.empty() ? Json({{"text", cleaned(outcome.message)}}) : Json(false)},
+          {"has_examples", !examples.empty()},
+          {"examples", examples},
+          {"evidence", std::move(evidence)},
+          {"left_out", left_out}};
+}
+
+bool has_failed(const CaseResult& result) { return result.outcome.status == Status::fail && result.excuse.empty(); }
+
+// The cases of a function on a driver.
+struct Cases {
+  std::string_view function;
+  std::size_t all = 0;
+  std::vector<const CaseResult*> failed;
+};
+
+// In the order of the cases, in which hashes come before what is made of them.
+std::vector<Cases> by_function(const Run& run) {
+  std::vector<Cases> list;
+  std::map<std::string_view, std::size_t> places;
+  for (const CaseResult& result : run.cases) {
+    const auto [place, is_new] = places.try_emplace(function_of(result.id), list.size());
+    if (is_new) list.push_back({function_of(result.id), 0, {}});
+    Cases& cases = list[place->second];
+    ++cases.all;
+    if (has_failed(result)) cases.failed.push_back(&result);
+  }
+  return list;
+}
+
+Json page_function(const Cases& all, Shown& shown) {
+  std::vector<const CaseResult*> failed = all.failed;
+  std::stable_sort(failed.begin(), failed.end(), [](const CaseResult* a, const CaseResult* b) {
+    return a->evidence.has_value() > b->evidence.has_value();
+  });
+  Json cases = Json::array();
+  for (const CaseResult* result : failed) {
+    if (cases.size() >= kMostCasesPerFunction || shown.cases >= kMostCases) break;
+    ++shown.cases;
+    cases.push_back(page_case(*result, shown));
+  }
+  const std::size_t left = failed.size() - cases.size();
+  return {{"function", all.function},
+          {"count", fmt::format("{} of {} cases fail", failed.size(), all.all)},
+          {"open", !cases.empty() && shown.open++ < kMostOpen},
+          {"cases", std::move(cases)},
+          {"more", more(left, "of this function, in results.json")}};
+}
+
+// Cases of a driver that belong together, with how many there are and the first of them.
+struct Group {
+  std::string driver;
+  std::string heading;
+  std::string text;
+  std::vector<std::string> ids;
+};
+
+using GroupOf = std::function<std::optional<Group>(const CaseResult&)>;
+
+Json page_groups(const std::vector<Run>& runs, const GroupOf& group_of) {
+  std::vector<Group> groups;  // in the order of their first case
+  std::map<std::string, std::size_t> places;
+  for (const Run& run : runs) {
+    for (const CaseResult& result : run.cases) {
+      auto group = group_of(result);
+      if (!group) continue;
+      const std::string key = fmt::format("{}\n{}\n{}", run.driver, group->heading, group->text);
+      const auto [place, is_new] = places.try_emplace(key, groups.size());
+      if (is_new) {
+        group->driver = run.driver;
+        groups.push_back(std::move(*group));
+      }
+      groups[place->second].ids.push_back(result.id);
+    }
+  }
+  Json list = Json::array();
+  for (const Group& group : groups) {
+    if (list.size() == kMostGroups) break;
+    const std::size_t shown = std::min(group.ids.size(), kMostIds);
+    list.push_back(
+        {{"driver", group.driver},
+         {"heading", group.heading},
+         {"count", fmt::format("{} {}", group.ids.size(), group.ids.size() == 1 ? "case" : "cases")},
+         {"text", cleaned(group.text)},
+         {"ids", std::vector<std::string>(group.ids.begin(), group.ids.begin() + static_cast<std::ptrdiff_t>(shown))},
+         {"more", more(group.ids.size() - shown, "in results.json")}});
+  }
+  const std::size_t left = groups.size() - list.size();
+  return {{"any", !groups.empty()}, {"groups", std::move(list)}, {"more", more(left, "such groups, in results.json")}};
+}
+
+}  // namespace
+
+Json page_failures(const std::vector<Run>& runs) {
+  Json drivers = Json::array();
+  Shown shown;
+  for (const Run& run : runs) {
+    Json functions = Json::array();
+    for (const Cases& cases : by_function(run)) {
+      if (!cases.failed.empty()) functions.push_back(page_function(cases, shown));
+    }
+    if (functions.empty()) continue;
+    drivers.push_back({{"driver", run.driver},
+                       {"renderer", clean_text(run.info.renderer)},
+                       {"gl_version", clean_text(run.info.gl_version)},
+                       {"functions", std::move(functions)}});
+  }
+  return {{"any", !drivers.empty()}, {"drivers", std::move(drivers)}};
+}
+
+Json page_breakdowns(const std::vector<Run>& runs) {
+  return page_groups(runs, [](const CaseResult& result) -> std::optional<Group> {
+    const Status status = result.outcome.status;
+    if (!is_bad(status) || status == Status::fail || !result.excuse.empty()) return std::nullopt;
+    return Group{{}, std::string(name_of(status)), result.outcome.message, {}};
+  });
+}
+
+Json page_unneeded(const std::vector<Run>& runs) {
+  return page_groups(runs, [](const CaseResult& result) -> std::optional<Group> {
+    if (is_bad(result.outcome.status) || as_expected(result)) return std::nullopt;
+    return Group{{}, std::string(name_of(result.outcome.status)), result.excuse, {}};
+  });
+}
+
+Json page_excused(const std::vector<Run>& runs) {
+  return page_groups(runs, [](const CaseResult& result) -> std::optional<Group> {
+    if (!is_bad(result.outcome.status) || result.excuse.empty()) return std::nullopt;
+    return Group{{}, std::string(name_of(result.outcome.status)), result.excuse, {}};
+  });
+}
+
+Json page_unsupported(const std::vector<Run>& runs) {
+  return page_groups(runs, [](const CaseResult& result) -> std::optional<Group> {
+    if (result.outcome.status != Status::unsupported) return std::nullopt;
+    return Group{{}, "unsupported", result.outcome.message, {}};
+  });
+}
+
+Json page_warnings(const std::vector<Run>& runs) {
+  Json list = Json::array();
+  std::size_t all = 0;
+  for (const Run& run : runs) {
+    for (const CaseResult& result : run.cases) {
+      if (result.outcome.status != Status::warning || all++ >= kMostWarnings) continue;
+      list.push_back({{"driver", run.driver}, {"id", result.id}, {"text", cleaned(result.outcome.message)}});
+    }
+  }
+  const std::size_t left = all - list.size();
+  return {{"any", all != 0}, {"list", std::move(list)}, {"more", more(left, "warnings, in results.json")}};
+}
+
+}  // namespace hn

@@ -1,0 +1,143 @@
+#include "report/report_page.hpp"
+
+#include <gtest/gtest.h>
+
+#include "run/result_support.hpp"
+
+namespace hn {
+namespace {
+
+std::string page_of(const std::vector<hn::Run>& runs, const std::vector<std::string>& problems = {}) {
+  const auto page = report_page(runs, problems);
+  EXPECT_TRUE(page) << page.error().text();
+  return page.value_or("");
+}
+
+testing::AssertionResult has(const std::string& page, const std::string& text) {
+  if (page.find(text) != std::string::npos) return testing::AssertionSuccess();
+  return testing::AssertionFailure() << "\"" << text << "\" is not in the page";
+}
+
+CaseResult failed(const std::string& id) {
+  CaseResult bad = result(id, Status::fail);
+  bad.outcome.mismatches = 4;
+  bad.outcome.examples = {{1024 * 3 + 17, {1}, "x=1.5 (3fc00000)", "2 (00000002)", "3 (00000003)"}};
+  bad.evidence = {.shader = "void main() { a < b && c; }",
+                  .got = "R09U",
+                  .reference = "UkVG",
+                  .difference = "RElG",
+                  .factor = 12.5,
+                  .note = "A note."};
+  return bad;
+}
+
+TEST(Page, OfAPassingRunSaysSoFirst) {
+  hn::Run run = run_of({result("a.b.golden", Status::pass)});
+  run.date = "2026-11-20T10:00:00Z";
+  run.commands = {"hn-conform run --filter 'a*'"};
+  const std::string page = page_of({run});
+  EXPECT_TRUE(has(page, "<h1 class=\"verdict good\">All as expected: 1 case on 1 driver</h1>"));
+  for (const char* part : {"osmesa", "4.5", "0.25", "hn-conform run --filter &apos;a*&apos;", "2026-11-20T10:00:00Z"}) {
+    EXPECT_TRUE(has(page, part));
+  }
+  for (const char* part : {"What is wrong", "Crashes", "Not here", "Warnings", "Excused", "Unsupported", "Times"}) {
+    EXPECT_FALSE(has(page, std::string("<h2>") + part));
+  }
+}
+
+TEST(Page, ShowsWhatFailedAndWhere) {
+  const std::string page = page_of({run_of({failed("f.g.x.golden"), result("f.g.y.golden", Status::pass)})});
+  EXPECT_TRUE(has(page, "<h1 class=\"verdict bad\">Not as expected: 1 of 2 cases on 1 of 1 driver</h1>"));
+  for (const char* part :
+       {"f.g <span>- 1 of 2 cases fail", "17, 3", "x=1.5 (3fc00000)", "2 (00000002)", "3 (00000003)", "base64,R09U",
+        "base64,UkVG", "base64,RElG", "times 12.5", "A note.", "a &lt; b &amp;&amp; c;", "4 of 10 values are wrong"}) {
+    EXPECT_TRUE(has(page, part));
+  }
+}
+
+TEST(Page, HasEveryStatus) {
+  CaseResult excused = result("a.b.excused", Status::timeout);
+  excused.excuse = "a known bug";
+  CaseResult unneeded = result("a.b.unneeded", Status::pass);
+  unneeded.excuse = "an old bug";
+  CaseResult warning = result("a.b.warning", Status::warning);
+  warning.outcome.message = "1 << 32 is 1";
+  CaseResult crash = result("a.b.crash", Status::crash);
+  crash.outcome.message = "ended by signal 11; it printed:\nthe end";
+  CaseResult refused = result("a.b.refused", Status::fail);
+  refused.outcome.message = "does not compile\nglsl/hash.glsl:7: no";
+  hn::Run absent;
+  absent.driver = "zink";
+  absent.absent = "no Vulkan";
+  hn::Run timed = run_of({crash, warning, excused, unneeded, refused, result("a.b.unsupported", Status::unsupported),
+                          result("a.b.timeout", Status::timeout), result("a.b.error", Status::error)});
+  timed.timings = R"({"clock": "wall", "rounds": 9, "functions": [
+      {"id": "noise2d.perlin.lattice", "ratio": 0.4, "spread": 0.01}, {"id": "x", "ratio": null, "spread": null},
+      {"id": "y", "error": "none"}]})";
+  timed.shard = "2/3";
+  timed.whole = 24;
+  const std::string page = page_of({timed, absent}, {"the moon is full"});
+  for (const char* part :
+       {"5 of 8 cases", "the moon is full", "no Vulkan", "glsl/hash.glsl:7: no", "it printed:\nthe end",
+        "1 &lt;&lt; 32 is 1", "a known bug", "an old bug", "Excuses that are not needed", "noise2d.perlin.lattice",
+        "<svg", "2/3; 24 cases in all", "1 unsupported", "1 timeout"}) {
+    EXPECT_TRUE(has(page, part));
+  }
+}
+
+// A hash that is wrong makes everything above it wrong, and comes first.
+TEST(Page, KeepsTheOrderOfTheCases) {
+  const std::string page = page_of({run_of({failed("z.hash.x.golden"), failed("a.noise.x.golden")})});
+  EXPECT_LT(page.find("z.hash <span>"), page.find("a.noise <span>"));
+}
+
+TEST(Page, WithAProblemIsNotAsExpected) {
+  EXPECT_TRUE(has(page_of({run_of({result("a.b.golden", Status::pass)})}, {"a shard is missing"}),
+                  "Not as expected, though no case is wrong"));
+  EXPECT_TRUE(has(page_of({}), "Not as expected"));
+  EXPECT_TRUE(has(page_of({run_of({result("a.b.golden", Status::unsupported)})}), "nothing passed"));
+}
+
+TEST(Page, TakesEveryByte) {
+  CaseResult bad = failed("<script>alert(1)</script>.b.c");
+  bad.outcome.examples.clear();
+  bad.outcome.message = "{{verdict}} </pre><script> \xff\x01";
+  hn::Run run = run_of({bad});
+  run.info.renderer = "\xfe";
+  const std::string page = page_of({run});
+  EXPECT_EQ(page.find("<script>alert"), std::string::npos);
+  EXPECT_EQ(page.find("</pre><script>"), std::string::npos);
+  EXPECT_EQ(page.find('\xff'), std::string::npos);
+  EXPECT_EQ(page.find('\xfe'), std::string::npos);
+  EXPECT_TRUE(has(page, "{{verdict}}"));
+}
+
+// What results.json may hold at the most: everything fails, with logs of every length, and all evidence there is.
+TEST(Page, StaysSmallHoweverMuchIsWrong) {
+  std::vector<hn::Run> runs;
+  for (int driver = 0; driver < 4; ++driver) {
+    std::vector<CaseResult> cases;
+    for (int i = 0; i < 18000; ++i) {
+      CaseResult bad = failed("file.function" + std::to_string(i % 26) + ".x." + std::to_string(i) + ".golden");
+      bad.outcome.examples.resize(8, bad.outcome.examples.front());
+      if (i % 5 == 0) bad.outcome.examples.clear();
+      if (i % 7 == 0) bad.outcome.status = Status::crash;
+      if (i % 11 == 0) bad.outcome.status = Status::warning;
+      if (i % 13 == 0) bad.outcome.status = Status::unsupported;
+      bad.outcome.message = std::to_string(i) + std::string(i < 1000 ? 20000 : 100, 'm');
+      if (i >= 32) bad.evidence.reset();
+      if (bad.evidence) bad.evidence->got = bad.evidence->difference = std::string(20000, 'A');
+      cases.push_back(std::move(bad));
+    }
+    runs.push_back(run_of(std::move(cases)));
+  }
+  const std::string page = page_of(runs);
+  EXPECT_LT(page.size(), 5'000'000u);
+  EXPECT_TRUE(has(page, "more of this function, in results.json"));
+  EXPECT_TRUE(has(page, "characters more"));
+  EXPECT_TRUE(has(page, "such groups, in results.json"));
+  EXPECT_TRUE(has(page, "more warnings, in results.json"));
+}
+
+}  // namespace
+}  // namespace hn

@@ -1,0 +1,96 @@
+#include "run/expectation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#define CSV_IO_NO_THREAD
+#include <libfccp/csv.h>
+
+#include "run/filter.hpp"
+
+namespace hn {
+Result<std::vector<Expectation>> parse_expectations(std::string_view text, const std::string& path) {
+  // The reader ends a line at a NUL and drops the rest. And it looks at the byte behind the text, which is anything,
+  // unless the text ends with a line.
+  if (const auto nul = text.find('\0'); nul != std::string_view::npos) {
+    return fail(fmt::format("{}:{}: a table has no NUL", path, 1 + std::count(text.begin(), text.begin() + nul, '\n')));
+  }
+  const std::string lines = fmt::format("{}{}", text, text.ends_with('\n') ? "" : "\n");
+  std::vector<Expectation> expectations;
+  try {
+    io::CSVReader<5, io::trim_chars<' ', '\t'>, io::double_quote_escape<',', '"'>, io::throw_on_overflow,
+                  io::single_line_comment<'#'>>
+        reader(path, lines.data(), lines.data() + lines.size());
+    reader.read_header(io::ignore_no_column, "driver", "renderer", "case", "status", "reason");
+    Expectation row;
+    std::string status;
+    while (reader.read_row(row.driver, row.renderer, row.id, status, row.reason)) {
+      row.place = fmt::format("{}:{}", path, reader.get_file_line());
+      const auto named = status_named(status);
+      if (!named || !is_bad(*named)) {
+        return fail(fmt::format("{}: the status \"{}\" is none of fail, crash, timeout, error", row.place, status));
+      }
+      if (row.driver.empty() || row.renderer.empty() || row.id.empty()) {
+        return fail(fmt::format("{}: driver, renderer and case must not be empty; * stands for any", row.place));
+      }
+      if (row.reason.empty()) return fail(fmt::format("{}: there must be a reason", row.place));
+      row.status = *named;
+      expectations.push_back(row);
+    }
+  } catch (const io::error::base& error) {
+    return fail(error.what());
+  }
+  return expectations;
+}
+
+Result<std::vector<Expectation>> read_expectations(const std::filesystem::path& directory) {
+  std::error_code error;
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(directory, error)) {
+    if (entry.path().extension() == ".csv") files.push_back(entry.path());
+  }
+  if (error) return fail(fmt::format("cannot read the folder {}: {}", directory.string(), error.message()));
+  std::sort(files.begin(), files.end());
+  std::vector<Expectation> expectations;
+  for (const auto& path : files) {
+    std::ifstream in(path, std::ios::binary);
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    if (!in && !in.eof()) return fail(fmt::format("cannot read {}", path.string()));
+    auto rows = parse_expectations(text, path.string());
+    if (!rows) return rows;
+    expectations.insert(expectations.end(), rows->begin(), rows->end());
+  }
+  return expectations;
+}
+
+Result<void> check_expectations(const std::vector<Expectation>& expectations, const std::vector<std::string>& ids) {
+  for (const Expectation& expectation : expectations) {
+    const bool known = std::any_of(ids.begin(), ids.end(),
+                                   [&](const std::string& id) { return matches_glob(id, expectation.id); });
+    if (!known) return fail(fmt::format("{}: no case matches \"{}\"", expectation.place, expectation.id));
+  }
+  return {};
+}
+
+std::string excuse_for(const std::vector<Expectation>& expectations, const std::string& driver,
+                       const std::string& renderer, const CaseResult& result) {
+  // What cannot run is not right, and not wrong.
+  const Status status = result.outcome.status;
+  if (status == Status::unsupported) return {};
+  for (const Expectation& expectation : expectations) {
+    const bool fits = status == expectation.status || !is_bad(status);
+    if (fits && matches_glob(driver, expectation.driver) && matches_glob(renderer, expectation.renderer) &&
+        matches_glob(result.id, expectation.id)) {
+      return fmt::format("{} ({})", expectation.reason, expectation.place);
+    }
+  }
+  return {};
+}
+
+void apply_expectations(const std::vector<Expectation>& expectations, Run& run) {
+  for (CaseResult& result : run.cases) result.excuse = excuse_for(expectations, run.driver, run.info.renderer, result);
+}
+
+}  // namespace hn

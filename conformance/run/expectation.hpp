@@ -1,0 +1,39 @@
+// What is known to go wrong on some drivers, and why that is no reason to call a run wrong.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "run/results.hpp"
+
+namespace hn {
+
+struct Expectation {
+  std::string driver;  // globs: of the driver's name, of its renderer, and of the case's id
+  std::string renderer;
+  std::string id;
+  Status status;       // fail, crash, timeout or error
+  std::string reason;  // never empty
+  std::string place;   // "FILE:LINE"
+};
+
+// A table with the columns driver, renderer, case, status, reason; lines that begin with # are comments. An error names
+// the file and the line.
+Result<std::vector<Expectation>> parse_expectations(std::string_view text, const std::string& path);
+
+// Of every file NAME.csv in the folder.
+Result<std::vector<Expectation>> read_expectations(const std::filesystem::path& directory);
+
+// An expectation that names no case is one that will never be missed. The error names the first such.
+Result<void> check_expectations(const std::vector<Expectation>& expectations, const std::vector<std::string>& ids);
+
+// The excuse of a case, or nothing: if there is an expectation for it, and it ended so, or right.
+std::string excuse_for(const std::vector<Expectation>& expectations, const std::string& driver,
+                       const std::string& renderer, const CaseResult& result);
+
+// Gives every case for which there is an expectation its excuse: if it ended as the expectation says, or right.
+void apply_expectations(const std::vector<Expectation>& expectations, Run& run);
+
+}  // namespace hn

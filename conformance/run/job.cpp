@@ -1,0 +1,78 @@
+#include "run/job.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string_view>
+
+#include "fault/faults.hpp"
+#include "library/files.hpp"
+
+namespace hn {
+namespace {
+
+constexpr std::array<std::string_view, 4> kTasks = {"describe", "cases", "timings", "devices"};
+
+}  // namespace
+
+Result<SourceSet> suite_sources(const SuiteOptions& options) {
+  auto sources = library_sources(options.glsl);
+  if (!sources || options.inject.empty()) return sources;
+  if (const auto done = inject_into(*sources, options.inject); !done) return tl::unexpected(done.error());
+  return sources;
+}
+
+std::string suite_digest(const SuiteOptions& options, const SourceSet& sources) {
+  std::uint64_t digest = 0xCBF29CE484222325u;  // FNV-1a, 64 bit
+  const auto add = [&](std::string_view text) {
+    for (const char c : text) digest = (digest ^ static_cast<unsigned char>(c)) * 0x100000001B3u;
+  };
+  for (const EmbeddedFile& file : kLibraryFiles) add(sources.find(file.name)->text);
+  std::set<std::filesystem::path> golden;
+  std::error_code none;  // a folder that is missing is an error of each case
+  for (const auto& entry : std::filesystem::directory_iterator(options.golden, none)) golden.insert(entry.path());
+  for (const std::filesystem::path& path : golden) {
+    std::ifstream in(path, std::ios::binary);
+    add(path.filename().string());
+    add(std::string(std::istreambuf_iterator<char>(in), {}));
+  }
+  return fmt::format("{:016x}", digest);
+}
+
+nlohmann::json to_json(const SuiteOptions& options) {
+  return {{"glsl", options.glsl},
+          {"golden", options.golden},
+          {"inject", options.inject},
+          {"seed", options.seed},
+          {"points", options.points}};
+}
+
+nlohmann::json to_json(const Job& job) {
+  return {{"task", kTasks[static_cast<std::size_t>(job.task)]},
+          {"driver", job.driver},
+          {"suite", to_json(job.suite)},
+          {"ids", job.ids},
+          {"examined", job.examined}};
+}
+
+Job job_from(const nlohmann::json& json) {
+  const auto task = std::find(kTasks.begin(), kTasks.end(), json.at("task").get<std::string>());
+  const auto& suite = json.at("suite");
+  return {.task = static_cast<Task>(task - kTasks.begin()),
+          .driver = json.at("driver").get<std::string>(),
+          .suite = {.glsl = suite.at("glsl").get<std::string>(),
+                    .golden = suite.at("golden").get<std::string>(),
+                    .inject = suite.at("inject").get<std::string>(),
+                    .seed = suite.at("seed").get<std::uint64_t>(),
+                    .points = suite.at("points").get<std::uint64_t>()},
+          .ids = json.at("ids").get<std::vector<std::string>>(),
+          .examined = json.at("examined").get<std::vector<std::string>>()};
+}
+
+}  // namespace hn

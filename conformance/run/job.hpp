@@ -1,0 +1,58 @@
+// The process that runs the cases of one driver: what it is told, and what it tells.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "base/result.hpp"
+#include "library/source.hpp"
+
+namespace hn {
+
+enum class Task {
+  describe,  // say what the driver is
+  cases,     // run cases
+  timings,   // time the functions of cases
+  devices,   // say how many EGL devices there are
+};
+
+// The settings that change what a case does; the same for every process of a run.
+struct SuiteOptions {
+  std::string glsl;  // a folder; empty for what is built in
+  std::string golden;
+  std::string inject;  // the name of a fault, or nothing
+  std::uint64_t seed = 1;
+  std::uint64_t points = 0;
+};
+
+// The library as these options say; an error for a folder or a fault that is none.
+Result<SourceSet> suite_sources(const SuiteOptions& options);
+
+struct Job {
+  Task task = Task::cases;
+  std::string driver;
+  SuiteOptions suite;
+  std::vector<std::string> ids;            // of cases, in the order in which they are to be run
+  std::vector<std::string> examined = {};  // of cases that have had their evidence made, or tried
+};
+
+// Of the text of the library and of the golden files: results of other ones do not belong together.
+std::string suite_digest(const SuiteOptions& options, const SourceSet& sources);
+
+nlohmann::json to_json(const SuiteOptions& options);
+nlohmann::json to_json(const Job& job);
+Job job_from(const nlohmann::json& json);  // of a text that to_json made
+
+// The reports, a line of JSON each:
+//   {"ready": {context info}}         once, before the first case
+//   {"absent": "why"}                 in place of it: the driver cannot be used here
+//   {"result": {case result}}         for each case; with "examined": true if its evidence is made next
+//   {"evidence": {...}, "id": ID}     then; null in place of an object if there is none
+//   {"alive": true}                   from a case that takes long: the limit of its time starts again
+//   {"lost": true}                    after these: the context is lost, and the process ends
+//   {"timings": ...} {"devices": N}   of these tasks
+//   {"error": "why"}                  a task cannot be done
+
+}  // namespace hn

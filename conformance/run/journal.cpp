@@ -1,0 +1,130 @@
+#include "run/journal.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <iterator>
+#include <set>
+#include <stdexcept>
+
+#include "base/json_reader.hpp"
+
+namespace hn {
+namespace {
+
+std::filesystem::path path_in(const std::filesystem::path& directory) { return directory / kJournalFile; }
+
+// The names of what is other in two plans.
+std::string differences(const nlohmann::json& a, const nlohmann::json& b) {
+  std::set<std::string> names;
+  for (const auto& [one, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+    for (const auto& [name, value] : one->items()) {
+      if (!other->contains(name) || other->at(name) != value) names.insert(fmt::format("\"{}\"", name));
+    }
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+// Throws what json_reader.hpp says if a line is no report, of those that child.hpp describes, of a driver.
+Journal::Entry entry_from(std::string_view line) {
+  const nlohmann::json json = parse_json(line);
+  Journal::Entry entry{json.at("driver").get<std::string>(), json.at("report")};
+  const nlohmann::json& report = entry.report;
+  if (!report.is_object()) throw std::invalid_argument("a report is an object");
+  if (report.contains("ready")) context_info_from(report.at("ready"));
+  if (report.contains("result")) case_result_from(report.at("result"));
+  for (const char* why : {"absent", "error"}) {
+    if (report.contains(why) && !report.at(why).is_string()) {
+      throw std::invalid_argument(fmt::format("\"{}\" is no text", why));
+    }
+  }
+  return entry;
+}
+
+// Of the first line. Null if it has none.
+nlohmann::json plan_from(std::string_view line) {
+  try {
+    const nlohmann::json json = parse_json(line);
+    return json.contains("plan") ? json.at("plan") : nlohmann::json();
+  } catch (const nlohmann::json::exception&) {
+    return {};
+  } catch (const std::invalid_argument&) {
+    return {};
+  }
+}
+
+}  // namespace
+
+Result<std::vector<Journal::Entry>> parse_journal(std::string_view text, const nlohmann::json& plan) {
+  std::vector<Journal::Entry> entries;
+  for (std::size_t line = 1; !text.empty(); ++line) {
+    const auto end = text.find('\n');
+    if (end == std::string_view::npos) break;  // killed while it was written
+    const std::string_view current = text.substr(0, end);
+    text.remove_prefix(end + 1);
+    if (line == 1) {
+      const nlohmann::json earlier = plan_from(current);
+      if (!earlier.is_object()) return fail("its first line is no plan");
+      if (earlier != plan) {
+        return fail(fmt::format("it is of a run with other settings: {}", differences(plan, earlier)));
+      }
+      continue;
+    }
+    try {
+      entries.push_back(entry_from(current));
+    } catch (const nlohmann::json::exception& exception) {
+      return fail(fmt::format("line {} is no report of a driver: {}", line, exception.what()));
+    } catch (const std::invalid_argument& exception) {
+      return fail(fmt::format("line {} is no report of a driver: {}", line, exception.what()));
+    }
+  }
+  return entries;
+}
+
+bool Journal::exists(const std::filesystem::path& directory) { return std::filesystem::exists(path_in(directory)); }
+
+Result<Journal> Journal::create(const std::filesystem::path& directory, const nlohmann::json& plan) {
+  Journal journal;
+  journal.path_ = path_in(directory);
+  journal.out_.open(journal.path_, std::ios::binary | std::ios::trunc);
+  journal.out_ << nlohmann::json{{"plan", plan}} << std::endl;
+  if (!journal.out_) return fail(fmt::format("cannot write {}", journal.path_.string()));
+  return journal;
+}
+
+Result<Journal> Journal::reopen(const std::filesystem::path& directory, const nlohmann::json& plan) {
+  Journal journal;
+  journal.path_ = path_in(directory);
+  std::ifstream in(journal.path_, std::ios::binary);
+  std::string text(std::istreambuf_iterator<char>(in), {});
+  auto entries = parse_journal(text, plan);
+  if (!entries) {
+    return fail(fmt::format("cannot go on with {}: {}", journal.path_.string(), entries.error().message));
+  }
+  journal.earlier_ = std::move(*entries);
+  // A line that was begun is dropped, so that the next does not follow it on the same line.
+  text.resize(text.find_last_of('\n') + 1);
+  std::error_code error;
+  std::filesystem::resize_file(journal.path_, text.size(), error);
+  journal.out_.open(journal.path_, std::ios::binary | std::ios::app);
+  if (error || !journal.out_) return fail(fmt::format("cannot write {}", journal.path_.string()));
+  if (text.empty()) return create(directory, plan);
+  return journal;
+}
+
+std::string journal_line(const std::string& driver, const nlohmann::json& report) {
+  return nlohmann::json{{"driver", driver}, {"report", report}}.dump(-1, ' ', false,
+                                                                     nlohmann::json::error_handler_t::replace);
+}
+
+void Journal::add(const std::string& driver, const nlohmann::json& report) {
+  out_ << journal_line(driver, report) << std::endl;
+}
+
+void Journal::remove() {
+  out_.close();
+  std::error_code ignored;
+  std::filesystem::remove(path_, ignored);
+}
+
+}  // namespace hn

@@ -1,0 +1,51 @@
+// What a run has found so far, on disk as soon as it is found: for --resume.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "run/results.hpp"
+
+namespace hn {
+
+constexpr std::string_view kJournalFile = "journal.jsonl";
+
+// A line of JSON each: first {"plan": what the run is about}, then {"driver": NAME, and what the driver's process
+// reported}.
+class Journal {
+ public:
+  // Begins a new one.
+  static Result<Journal> create(const std::filesystem::path& directory, const nlohmann::json& plan);
+  // Goes on with the one that is there. An error if it is none, or of a run that is about something else.
+  static Result<Journal> reopen(const std::filesystem::path& directory, const nlohmann::json& plan);
+  static bool exists(const std::filesystem::path& directory);
+
+  // What was in it when it was opened.
+  struct Entry {
+    std::string driver;
+    nlohmann::json report;
+  };
+  const std::vector<Entry>& earlier() const { return earlier_; }
+
+  // In the file before it returns, whatever becomes of this process.
+  void add(const std::string& driver, const nlohmann::json& report);
+  // Whether something could not be written.
+  bool broken() const { return !out_; }
+  // The run is complete, and its results are written.
+  void remove();
+
+ private:
+  std::filesystem::path path_;
+  std::ofstream out_;
+  std::vector<Entry> earlier_;
+};
+
+// A line, without its end.
+std::string journal_line(const std::string& driver, const nlohmann::json& report);
+// The lines of a journal, without the last if it is not whole. An error: it is not the journal of this plan.
+Result<std::vector<Journal::Entry>> parse_journal(std::string_view text, const nlohmann::json& plan);
+
+}  // namespace hn

@@ -1,0 +1,212 @@
+#include "run/results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <hashnoise/hashnoise.hpp>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "base/json_reader.hpp"
+#include "base/version.hpp"
+
+namespace hn {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kSchema = 2;
+
+Json examples_json(const std::vector<Mismatch>& examples) {
+  Json list = Json::array();
+  for (const Mismatch& mismatch : examples) {
+    list.push_back({{"point", mismatch.point},
+                    {"words", mismatch.words},
+                    {"inputs", mismatch.inputs},
+                    {"got", mismatch.got},
+                    {"expected", mismatch.expected}});
+  }
+  return list;
+}
+
+Mismatch mismatch_from(const nlohmann::json& json) {
+  return {whole_number_at(json, "point"), words_at(json, "words"), json.at("inputs").get<std::string>(),
+          json.at("got").get<std::string>(), json.at("expected").get<std::string>()};
+}
+
+Json to_json(const Run& run) {
+  Json one = {{"driver", run.driver}};
+  if (!run.absent.empty()) {
+    one["absent"] = run.absent;
+    return one;
+  }
+  one.update(to_json(run.info));
+  one["seed"] = run.seed;
+  if (!run.content.empty()) one["content"] = run.content;
+  if (!run.injected.empty()) one["injected"] = run.injected;
+  if (!run.date.empty()) one["date"] = run.date;
+  if (!run.commands.empty()) one["commands"] = run.commands;
+  if (!run.shard.empty()) {
+    one["shard"] = run.shard;
+    one["whole"] = run.whole;
+  }
+  Json& totals = one["totals"] = Json::object();
+  for (const Status status : kStatuses) totals[std::string(name_of(status))] = run.count(status);
+  one["as_expected"] = run.as_expected();
+  Json& cases = one["cases"] = Json::array();
+  for (const CaseResult& result : run.cases) cases.push_back(to_json(result));
+  if (!run.timings.empty()) one["timings"] = Json::parse(run.timings);
+  return one;
+}
+
+// Tells in where what it reads.
+Run run_from(const nlohmann::json& json, std::string& where) {
+  const std::string here = where;
+  Run run;
+  run.driver = json.at("driver").get<std::string>();
+  if (json.contains("absent")) {
+    run.absent = json.at("absent").get<std::string>();
+    if (run.absent.empty()) throw std::invalid_argument("\"absent\" does not say why");
+    return run;
+  }
+  run.info = context_info_from(json);
+  run.seed = whole_number_at(json, "seed");
+  if (json.contains("content")) run.content = json.at("content").get<std::string>();
+  if (json.contains("injected")) run.injected = json.at("injected").get<std::string>();
+  if (json.contains("date")) run.date = json.at("date").get<std::string>();
+  if (json.contains("commands")) run.commands = json.at("commands").get<std::set<std::string>>();
+  if (json.contains("shard")) {
+    run.shard = json.at("shard").get<std::string>();
+    run.whole = whole_number_at(json, "whole");
+  }
+  for (const nlohmann::json& result : list_at(json, "cases")) {
+    where = fmt::format("{}, case {}", here, run.cases.size() + 1);
+    run.cases.push_back(case_result_from(result));
+  }
+  where = here;
+  if (json.contains("timings")) run.timings = json.at("timings").dump();
+  return run;
+}
+
+}  // namespace
+
+std::size_t Run::count(Status status) const {
+  return static_cast<std::size_t>(
+      std::count_if(cases.begin(), cases.end(), [&](const CaseResult& c) { return c.outcome.status == status; }));
+}
+
+bool Run::as_expected() const {
+  return count(Status::pass) > 0 &&
+         std::all_of(cases.begin(), cases.end(), [](const CaseResult& result) { return hn::as_expected(result); });
+}
+
+bool all_as_expected(const std::vector<Run>& runs) {
+  const auto is_right = [](const CaseResult& result) { return hn::as_expected(result); };
+  // What glslang says is no verdict on a driver, unless nothing else was asked.
+  const bool only_reference = std::all_of(runs.begin(), runs.end(), [](const Run& run) { return run.is_reference(); });
+  const auto decides = [&](const Run& run) { return run.as_expected() && (only_reference || !run.is_reference()); };
+  return std::any_of(runs.begin(), runs.end(), decides) && std::all_of(runs.begin(), runs.end(), [&](const Run& run) {
+           return std::all_of(run.cases.begin(), run.cases.end(), is_right);
+         });
+}
+
+std::string dump(const Json& json, int indent) { return json.dump(indent, ' ', false, Json::error_handler_t::replace); }
+
+Json to_json(const ContextInfo& info) {
+  return {{"vendor", info.vendor},
+          {"renderer", info.renderer},
+          {"gl_version", info.gl_version},
+          {"glsl_version", info.glsl_version}};
+}
+
+ContextInfo context_info_from(const nlohmann::json& json) {
+  return {json.at("vendor").get<std::string>(),
+          json.at("renderer").get<std::string>(),
+          json.at("gl_version").get<std::string>(),
+          json.at("glsl_version").get<std::string>(),
+          {}};
+}
+
+Json to_json(const Evidence& evidence) {
+  return {{"shader", evidence.shader},         {"got", evidence.got},       {"reference", evidence.reference},
+          {"difference", evidence.difference}, {"factor", evidence.factor}, {"note", evidence.note}};
+}
+
+Evidence evidence_from(const nlohmann::json& json) {
+  return {.shader = json.at("shader").get<std::string>(),
+          .got = json.at("got").get<std::string>(),
+          .reference = json.at("reference").get<std::string>(),
+          .difference = json.at("difference").get<std::string>(),
+          .factor = json.at("factor").get<double>(),
+          .note = json.at("note").get<std::string>()};
+}
+
+Json to_json(const CaseResult& result) {
+  const Outcome& outcome = result.outcome;
+  Json json = {{"id", result.id},
+               {"status", name_of(outcome.status)},
+               {"samples", outcome.samples},
+               {"mismatches", outcome.mismatches},
+               {"max_abs", outcome.max_abs},
+               {"max_ulp", outcome.max_ulp},
+               {"seconds", result.seconds},
+               {"message", outcome.message}};
+  if (!result.excuse.empty()) json["excuse"] = result.excuse;
+  if (!outcome.examples.empty()) json["examples"] = examples_json(outcome.examples);
+  if (result.evidence) json["evidence"] = to_json(*result.evidence);
+  return json;
+}
+
+CaseResult case_result_from(const nlohmann::json& json) {
+  CaseResult result;
+  result.id = json.at("id").get<std::string>();
+  const auto name = json.at("status").get<std::string>();
+  const auto status = status_named(name);
+  if (!status) throw std::invalid_argument(fmt::format("\"{}\" is no status", name));
+  result.outcome = {.status = *status,
+                    .samples = whole_number_at(json, "samples"),
+                    .mismatches = whole_number_at(json, "mismatches"),
+                    .max_abs = number_at(json, "max_abs"),
+                    .max_ulp = whole_number_at(json, "max_ulp"),
+                    .message = json.at("message").get<std::string>(),
+                    .examples = {}};
+  result.seconds = number_at(json, "seconds");
+  if (json.contains("excuse")) result.excuse = json.at("excuse").get<std::string>();
+  if (json.contains("examples")) {
+    for (const nlohmann::json& example : list_at(json, "examples"))
+      result.outcome.examples.push_back(mismatch_from(example));
+  }
+  if (json.contains("evidence")) result.evidence = evidence_from(json.at("evidence"));
+  return result;
+}
+
+std::string results_text(const std::vector<Run>& runs) {
+  Json json = {{"schema", kSchema}, {"version", library_version()}, {"runs", Json::array()}};
+  for (const Run& run : runs) json["runs"].push_back(to_json(run));
+  return dump(json, 1) + "\n";
+}
+
+Result<std::vector<Run>> parse_results(std::string_view text) {
+  std::string where = "the file";
+  try {
+    const auto json = parse_json(text);
+    if (const auto schema = whole_number_at(json, "schema"); schema != kSchema) {
+      return fail(fmt::format("schema {} is not the one that is known here, {}", schema, kSchema));
+    }
+    if (const auto version = json.at("version").get<std::string>(); version != library_version()) {
+      return fail(fmt::format("it is of version {}, and this is {}", version, library_version()));
+    }
+    std::vector<Run> runs;
+    for (const nlohmann::json& run : list_at(json, "runs")) {
+      where = fmt::format("run {}", runs.size() + 1);
+      runs.push_back(run_from(run, where));
+    }
+    return runs;
+  } catch (const nlohmann::json::exception& exception) {
+    return fail(fmt::format("{} is no results.json: {}", where, exception.what()));
+  } catch (const std::invalid_argument& exception) {
+    return fail(fmt::format("{} is no results.json: {}", where, exception.what()));
+  }
+}
+
+}  // namespace hn

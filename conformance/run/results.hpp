@@ -1,0 +1,61 @@
+// The results of runs: what results.json says, and how it is read again.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/verdict.hpp"
+#include "gpu/context_info.hpp"
+
+namespace hn {
+
+// In place of a driver of OpenGL: the cases that ask glslang alone.
+inline constexpr std::string_view kReferenceCompiler = "glslang";
+
+struct Run {
+  std::string driver;
+  std::string absent;  // why the driver cannot be used here; then it has no cases
+  ContextInfo info;
+  std::uint64_t seed = 0;
+  std::string content;    // a digest of the library and the golden files
+  std::string injected;   // the fault that the driver was made to have, if there is one
+  std::string shard;      // "2/3", or empty for the whole
+  std::size_t whole = 0;  // how many cases all shards have
+  std::vector<CaseResult> cases;
+  std::string timings;                  // JSON, if they were asked for
+  std::string date = {};                // when it ended: UTC, ISO 8601
+  std::set<std::string> commands = {};  // that made it: several if it was merged
+
+  bool is_reference() const { return driver == kReferenceCompiler; }
+  std::size_t count(Status status) const;
+  // Everything that could run ran, and was right or is excused; at least one case passed.
+  bool as_expected() const;
+};
+
+// Whether no case of any driver is other than expected, and one driver at least is as expected: of the others a filter
+// may have left what they do not support, and some are not here.
+bool all_as_expected(const std::vector<Run>& runs);
+
+constexpr std::string_view kResultsFile = "results.json";
+
+// The text of results.json; docs/internals.md describes it.
+std::string results_text(const std::vector<Run>& runs);
+// An error says what is wrong, and where in the file.
+Result<std::vector<Run>> parse_results(std::string_view text);
+
+nlohmann::ordered_json to_json(const CaseResult& result);
+nlohmann::ordered_json to_json(const ContextInfo& info);
+nlohmann::ordered_json to_json(const Evidence& evidence);
+// These throw nlohmann::json::exception or std::invalid_argument for what is none.
+CaseResult case_result_from(const nlohmann::json& json);
+ContextInfo context_info_from(const nlohmann::json& json);
+Evidence evidence_from(const nlohmann::json& json);
+
+// A driver's log may hold any bytes; those that are no UTF-8 are replaced.
+std::string dump(const nlohmann::ordered_json& json, int indent = -1);
+
+}  // namespace hn

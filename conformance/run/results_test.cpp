@@ -1,0 +1,161 @@
+#include "run/results.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/version.hpp"
+#include "run/result_support.hpp"
+
+namespace hn {
+namespace {
+
+TEST(Run, IsAsExpectedOnlyIfSomethingPassedAndNothingFailed) {
+  const auto pass = result("a", Status::pass);
+  const auto unsupported = result("b", Status::unsupported);
+  EXPECT_TRUE(run_of({pass, unsupported}).as_expected());
+  EXPECT_FALSE(run_of({pass, result("c", Status::fail)}).as_expected());
+  EXPECT_FALSE(run_of({pass, result("c", Status::error)}).as_expected());
+  EXPECT_FALSE(run_of({unsupported}).as_expected());
+  EXPECT_FALSE(run_of({}).as_expected());
+}
+
+TEST(Json, HasTheSchemaOfTheDocumentation) {
+  const auto json =
+      nlohmann::json::parse(results_text({run_of({result("a.b", Status::pass), result("c.d", Status::fail)})}));
+  EXPECT_EQ(json["schema"], 2);
+  EXPECT_EQ(json["version"], library_version());
+  const auto& run = json["runs"].at(0);
+  EXPECT_EQ(run["driver"], "osmesa");
+  EXPECT_EQ(run["vendor"], "v");
+  EXPECT_EQ(run["renderer"], "r");
+  EXPECT_EQ(run["gl_version"], "4.5");
+  EXPECT_EQ(run["glsl_version"], "4.50");
+  EXPECT_EQ(
+      run["totals"],
+      nlohmann::json(
+          {{"pass", 1}, {"warning", 0}, {"fail", 1}, {"unsupported", 0}, {"crash", 0}, {"timeout", 0}, {"error", 0}}));
+  EXPECT_EQ(run["cases"].at(0), nlohmann::json({{"id", "a.b"},
+                                                {"status", "pass"},
+                                                {"samples", 10},
+                                                {"mismatches", 0},
+                                                {"max_abs", 0.25},
+                                                {"max_ulp", 3},
+                                                {"seconds", 0.5},
+                                                {"message", "why"}}));
+}
+
+TEST(Json, TakesALogThatIsNoUtf8) {
+  auto bad = result("a", Status::fail);
+  bad.outcome.message = "\xff\xfe";
+  EXPECT_TRUE(nlohmann::json::accept(results_text({run_of({bad})})));
+}
+
+TEST(Json, IsReadAgain) {
+  CaseResult bad = result("a.b", Status::timeout);
+  bad.excuse = "known";
+  bad.outcome.examples = {{3, {1, 2}, "x=1", "0x00000001", "0x00000002"}};
+  bad.evidence = {
+      .shader = "void main() {}", .got = "QQ==", .reference = "", .difference = "", .factor = 2.5, .note = "n"};
+  hn::Run run = run_of({bad, result("c.d", Status::pass)});
+  run.shard = "1/2";
+  run.whole = 4;
+  run.timings = R"({"clock":"wall"})";
+  run.date = "2026-11-20T10:00:00Z";
+  run.commands = {"hn-conform run", "hn-conform run --shard 2/2"};
+  hn::Run absent;
+  absent.driver = "zink";
+  absent.absent = "no Vulkan";
+  const std::string text = results_text({run, absent});
+  const auto again = parse_results(text);
+  ASSERT_TRUE(again) << again.error().text();
+  EXPECT_EQ(results_text(*again), text);
+}
+
+TEST(Json, ThatIsNoneSaysWhatIsWrong) {
+  const std::string good = results_text({run_of({result("a.b", Status::pass)})});
+  const auto error_with = [&](const std::string& what, const std::string& instead) {
+    std::string text = good;
+    text.replace(text.find(what), what.size(), instead);
+    const auto parsed = parse_results(text);
+    return parsed ? std::string("none") : parsed.error().message;
+  };
+  EXPECT_NE(error_with("\"schema\": 2", "\"schema\": 1").find("schema 1"), std::string::npos);
+  EXPECT_NE(error_with(library_version(), "9.9.9").find("9.9.9"), std::string::npos);
+  EXPECT_NE(error_with("\"pass\",", "\"passed\",").find("\"passed\" is no status"), std::string::npos);
+  EXPECT_NE(error_with("\"seconds\": 0.5", "\"seconds\": \"x\"").find("run 1"), std::string::npos);
+  EXPECT_NE(error_with("\"id\"", "\"ident\"").find("run 1"), std::string::npos);
+  for (const char* text : {"", "[]", "{}", "7", "{\"schema\": 2}", "{\"schema\": 2, \"version\": 1, \"runs\": []}"}) {
+    EXPECT_FALSE(parse_results(text)) << text;
+  }
+}
+
+TEST(Json, HasWholeNumbersWhereThingsAreCounted) {
+  const std::string good = results_text({run_of({result("a", Status::pass), result("b", Status::pass)})});
+  for (const char* wrong : {"-1", "1.5", "1e300", "true", "null", "\"1\"", "123456789012345678901234567890"}) {
+    for (const std::string key : {"\"samples\": ", "\"max_ulp\": ", "\"seed\": ", "\"schema\": "}) {
+      std::string text = good;
+      const auto at = text.rfind(key) + key.size();
+      text.replace(at, text.find_first_of(",\n", at) - at, wrong);
+      const auto runs = parse_results(text);
+      ASSERT_FALSE(runs) << key << wrong;
+      const std::string where = key == "\"schema\": " ? "the file" : key == "\"seed\": " ? "run 1" : "run 1, case 2";
+      EXPECT_TRUE(runs.error().message.starts_with(where + " is no results.json: ")) << runs.error().message;
+    }
+  }
+}
+
+TEST(Json, HasListsWhereThereAreSeveral) {
+  const std::string head = "{\"schema\": 2, \"version\": \"" + library_version() + "\", \"runs\": ";
+  EXPECT_TRUE(parse_results(head + "[]}"));
+  for (const char* wrong : {"null", "{}", "7", "\"\""}) EXPECT_FALSE(parse_results(head + wrong + "}")) << wrong;
+}
+
+TEST(Json, HasWordsOf32Bits) {
+  CaseResult bad = result("a", Status::fail);
+  bad.outcome.examples = {{3, {4294967295u}, "x=1", "0x00000001", "0x00000002"}};
+  const std::string good = results_text({run_of({bad})});
+  for (const char* wrong : {"-1", "1.5", "4294967296", "4e93", "true", "null"}) {
+    std::string text = good;
+    text.replace(text.find("4294967295"), 10, wrong);
+    EXPECT_FALSE(parse_results(text)) << wrong;
+  }
+}
+
+// To print it, or to copy it, would need more stack than there is.
+TEST(Json, MayNotBeNestedWithoutEnd) {
+  hn::Run run = run_of({result("a", Status::pass)});
+  const auto nested = [&](std::size_t depth) {
+    run.timings = "[]";
+    std::string text = results_text({run});
+    text.replace(text.find("[]"), 2, std::string(depth, '[') + std::string(depth, ']'));
+    return parse_results(text);
+  };
+  EXPECT_TRUE(nested(50));
+  for (const std::size_t depth : {100u, 1000000u}) {
+    const auto runs = nested(depth);
+    ASSERT_FALSE(runs);
+    EXPECT_NE(runs.error().message.find("nested more than 64 deep"), std::string::npos);
+  }
+}
+
+TEST(Verdict, OfSeveralDriversNeedsAllThatAreHere) {
+  const hn::Run good = run_of({result("a", Status::pass)});
+  const hn::Run bad = run_of({result("a", Status::crash)});
+  const hn::Run nothing = run_of({result("a", Status::unsupported)});
+  hn::Run absent;
+  absent.absent = "why";
+  hn::Run reference = good;
+  reference.driver = kReferenceCompiler;
+  EXPECT_TRUE(all_as_expected({reference}));
+  EXPECT_FALSE(all_as_expected({nothing, reference})) << "glslang says nothing about a driver";
+  EXPECT_FALSE(all_as_expected({absent, reference}));
+  EXPECT_TRUE(all_as_expected({good, absent, nothing}));
+  EXPECT_FALSE(all_as_expected({good, bad}));
+  EXPECT_FALSE(all_as_expected({absent}));
+  EXPECT_FALSE(all_as_expected({nothing}));
+  EXPECT_FALSE(all_as_expected({}));
+}
+
+}  // namespace
+}  // namespace hn

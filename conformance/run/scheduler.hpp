@@ -1,0 +1,50 @@
+// Runs the cases of several drivers, each in a process of its own, and survives what they do.
+#pragma once
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/process.hpp"
+#include "run/expectation.hpp"
+#include "run/job.hpp"
+#include "run/journal.hpp"
+#include "run/results.hpp"
+
+namespace hn {
+
+struct DriverPlan {
+  std::string driver;
+  std::vector<std::string> ids;  // of its cases, in their order
+  std::size_t whole = 0;         // how many there are in all shards
+};
+
+struct RunPlan {
+  std::vector<DriverPlan> drivers;
+  SuiteOptions suite;
+  std::string content = {};  // a digest of the library and the golden files
+  std::string shard = {};    // "2/3", or empty
+  // What does not change the results:
+  std::size_t jobs = 1;                        // processes at a time
+  std::chrono::milliseconds limit{60000};      // for a case, and for a driver to start
+  std::vector<Expectation> expectations = {};  // what does not count for fail_fast
+  bool fail_fast = false;                      // end with the first case that is bad
+  std::filesystem::path program = own_program();
+};
+
+// What a journal has to agree with.
+nlohmann::json to_json(const RunPlan& plan);
+
+// The results, in the order of the plan, less those that the run did not come to because of fail_fast. A case in which
+// the process ends is a crash, one that takes longer than the limit a timeout; the cases after it are run by another
+// process. What the journal has from an earlier run is not run again. Logs of the processes, where they print
+// something, are left as DRIVER.log in the directory.
+struct PlanResult {
+  std::vector<Run> runs;
+  std::vector<std::string> problems;  // what is wrong beside the cases: a driver that crashes when it is left, say
+};
+PlanResult run_plan(const RunPlan& plan, const std::filesystem::path& directory, Journal& journal, std::FILE* progress);
+
+}  // namespace hn

@@ -1,0 +1,312 @@
+#include "run/scheduler.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include "base/output/file.hpp"
+#include "base/temporary_folder.hpp"
+#include "run/result_support.hpp"
+
+namespace hn {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::string_view kReady =
+    R"({"ready": {"vendor": "v", "renderer": "r", "gl_version": "1", "glsl_version": "2"}})";
+
+// A line of a script that reports so.
+std::string says(std::string_view report) { return "echo '" + std::string(report) + "' >&3\n"; }
+
+// Passes every case of the job that is left, but does something else at one of them; $2 is the job.
+std::string script_that(std::string_view at, std::string_view does) {
+  return says(kReady) +
+         "for id in a b c d e; do\n  grep -o '\"ids\":[^]]*' \"$2\" | grep -q \"\\\"$id\\\"\" || continue\n" +  //
+         "  if [ $id = " + std::string(at) + " ]; then " + std::string(does) + "; fi\n" +
+         "  echo '{\"result\": {\"id\": \"'$id'\", \"status\": \"pass\", \"samples\": 1, \"mismatches\": 0, "
+         "\"max_abs\": 0, "
+         "\"max_ulp\": 0, \"seconds\": 0, \"message\": \"\"}}' >&3\ndone\n";
+}
+
+class SchedulerTest : public testing::Test {
+ protected:
+  // Runs the cases a to e with the script in place of the driver's process.
+  hn::Run run(const std::string& script) {
+    plan_.program = folder_.path() / "child";
+    folder_.write("child", "#!/bin/sh\n" + script);
+    std::filesystem::permissions(plan_.program, std::filesystem::perms::owner_all);
+    auto journal = Journal::create(folder_.path(), to_json(plan_));
+    EXPECT_TRUE(journal);
+    return run_plan(plan_, folder_.path(), *journal, stderr).runs.front();
+  }
+
+  // "a pass, b crash, ..."
+  static std::string verdicts(const hn::Run& run) {
+    std::string text;
+    for (const CaseResult& result : run.cases) {
+      text += (text.empty() ? "" : ", ") + result.id + " " + std::string(name_of(result.outcome.status));
+    }
+    return text;
+  }
+
+  TemporaryFolder folder_;
+  RunPlan plan_{.drivers = {{"any", {"a", "b", "c", "d", "e"}, 5}}, .suite = {}, .shard = {}, .limit = 10s};
+};
+
+TEST_F(SchedulerTest, ADriverThatBehavesHasItsVerdicts) {
+  const hn::Run result = run(script_that("none", ":"));
+  EXPECT_EQ(verdicts(result), "a pass, b pass, c pass, d pass, e pass");
+  EXPECT_EQ(result.info.renderer, "r");
+  EXPECT_EQ(result.absent, "");
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "any.log")) << "nothing was printed";
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "any.job"));
+}
+
+TEST_F(SchedulerTest, ACrashCostsItsCaseAndTheRunGoesOn) {
+  const hn::Run result = run(script_that("c", "echo the end; kill -SEGV $$"));
+  EXPECT_EQ(verdicts(result), "a pass, b pass, c crash, d pass, e pass");
+  EXPECT_EQ(result.cases[2].outcome.message,
+            "the driver's process ended by signal 11 (Segmentation fault); it printed:\nthe end\n");
+}
+
+TEST_F(SchedulerTest, AnEndWithoutAWordIsACrash) {
+  const hn::Run result = run(script_that("b", "exit 7"));
+  EXPECT_EQ(verdicts(result), "a pass, b crash, c pass, d pass, e pass");
+  EXPECT_NE(result.cases[1].outcome.message.find("ended with status 7"), std::string::npos);
+}
+
+TEST_F(SchedulerTest, AHangAndAStopAreTimeouts) {
+  plan_.limit = 500ms;
+  EXPECT_EQ(verdicts(run(script_that("b", "exec sleep 60"))), "a pass, b timeout, c pass, d pass, e pass");
+  const hn::Run stopped = run(script_that("e", "kill -STOP $$"));
+  EXPECT_EQ(verdicts(stopped), "a pass, b pass, c pass, d pass, e timeout");
+  EXPECT_EQ(stopped.cases[4].outcome.message, "no answer in 0.5 s");
+}
+
+TEST_F(SchedulerTest, TheLimitIsForACaseAndNotForTheRun) {
+  plan_.limit = 3s;
+  EXPECT_EQ(verdicts(run(script_that("$id", "sleep 0.8"))), "a pass, b pass, c pass, d pass, e pass");
+}
+
+TEST_F(SchedulerTest, ACaseThatSaysThatItIsAliveMayTakeLonger) {
+  plan_.limit = 1s;
+  const std::string alive = "for i in 1 2 3 4; do sleep 0.5; echo '{\"alive\": true}' >&3; done";
+  EXPECT_EQ(verdicts(run(script_that("b", alive))), "a pass, b pass, c pass, d pass, e pass");
+  const std::string then_hangs = "echo '{\"alive\": true}' >&3; exec sleep 60";
+  EXPECT_EQ(verdicts(run(script_that("b", then_hangs))), "a pass, b timeout, c pass, d pass, e pass");
+}
+
+TEST_F(SchedulerTest, AfterALostContextAnotherProcessGoesOn) {
+  const std::string lost = script_that("b",
+                                       "echo '{\"result\": {\"id\": \"b\", \"status\": \"crash\", \"samples\": 0, "
+                                       "\"mismatches\": 0, \"max_abs\": 0, \"max_ulp\": 0, \"seconds\": 0, "
+                                       "\"message\": \"lost\"}}' >&3; echo '{\"lost\": true}' >&3; exit 0");
+  EXPECT_EQ(verdicts(run(lost)), "a pass, b crash, c pass, d pass, e pass");
+}
+
+// What a failed case is followed by; $id is the case.
+constexpr std::string_view kFailsAndIsExamined =
+    "echo '{\"result\": {\"id\": \"'$id'\", \"status\": \"fail\", \"samples\": 1, \"mismatches\": 1, \"max_abs\": 0, "
+    "\"max_ulp\": 0, \"seconds\": 0, \"message\": \"\"}, \"examined\": true}' >&3; ";
+
+TEST_F(SchedulerTest, EvidenceBelongsToItsCase) {
+  const std::string evidence =
+      "echo '{\"evidence\": {\"shader\": \"s\", \"got\": \"\", \"reference\": \"\", \"difference\": \"\", "
+      "\"factor\": 2, \"note\": \"n\"}, \"id\": \"b\"}' >&3; continue";
+  const hn::Run result = run(script_that("b", std::string(kFailsAndIsExamined) + evidence));
+  EXPECT_EQ(verdicts(result), "a pass, b fail, c pass, d pass, e pass");
+  ASSERT_TRUE(result.cases[1].evidence);
+  EXPECT_EQ(result.cases[1].evidence->shader, "s");
+  EXPECT_EQ(result.cases[1].evidence->factor, 2.0);
+  EXPECT_FALSE(result.cases[2].evidence);
+
+  const std::string none = "echo '{\"evidence\": null, \"id\": \"b\"}' >&3; continue";
+  EXPECT_FALSE(run(script_that("b", std::string(kFailsAndIsExamined) + none)).cases[1].evidence);
+}
+
+TEST_F(SchedulerTest, ADriverThatCrashesOverTheEvidenceCostsNoVerdict) {
+  for (const char* end : {"kill -SEGV $$", "exec sleep 60"}) {
+    plan_.limit = 2s;
+    const hn::Run result = run("cp \"$2\" \"$0.job\"\n" + script_that("b", std::string(kFailsAndIsExamined) + end));
+    EXPECT_EQ(verdicts(result), "a pass, b fail, c pass, d pass, e pass");
+    std::ifstream job(folder_.path() / "child.job");  // of the process that went on
+    const auto json = nlohmann::json::parse(job);
+    EXPECT_EQ(json.at("ids"), nlohmann::json({"c", "d", "e"}));
+    EXPECT_EQ(json.at("examined"), nlohmann::json({"b"})) << "so that they do not have it again and again";
+  }
+}
+
+TEST_F(SchedulerTest, FailFastWaitsForTheEvidence) {
+  plan_.fail_fast = true;
+  const std::string evidence =
+      "sleep 0.3; echo '{\"evidence\": {\"shader\": \"s\", \"got\": \"\", \"reference\": \"\", \"difference\": "
+      "\"\", \"factor\": 2, \"note\": \"n\"}, \"id\": \"b\"}' >&3; continue";
+  const hn::Run result = run(script_that("b", std::string(kFailsAndIsExamined) + evidence));
+  EXPECT_EQ(verdicts(result), "a pass, b fail");
+  EXPECT_TRUE(result.cases[1].evidence);
+}
+
+TEST_F(SchedulerTest, ADriverThatIsNotHereHasNoCases) {
+  const hn::Run result = run(says(R"({"absent": "no such library"})"));
+  EXPECT_EQ(verdicts(result), "");
+  EXPECT_EQ(result.absent, "no such library");
+}
+
+TEST_F(SchedulerTest, ADriverThatDoesNotStartFailsEveryCase) {
+  EXPECT_EQ(verdicts(run("kill -ABRT $$\n")), "a crash, b crash, c crash, d crash, e crash");
+  // Once could be chance, and costs a case.
+  const std::string once = "[ -e $0.once ] || { touch $0.once; kill -KILL $$; }\n";
+  EXPECT_EQ(verdicts(run(once + script_that("none", ":"))), "a crash, b pass, c pass, d pass, e pass");
+  plan_.limit = 200ms;
+  EXPECT_EQ(verdicts(run("exec sleep 60\n")), "a timeout, b timeout, c timeout, d timeout, e timeout");
+}
+
+TEST_F(SchedulerTest, AFunctionThatCrashesAlwaysIsGivenUpAndSoIsADriver) {
+  plan_.drivers[0].ids.clear();
+  for (const char* function : {"f.a", "f.b", "f.c", "f.d"}) {
+    for (int i = 10; i < 25; ++i) plan_.drivers[0].ids.push_back(fmt::format("{}.{}", function, i));
+  }
+  const auto starts = [&] {
+    std::ifstream file(folder_.path() / "child.starts");
+    return std::string(std::istreambuf_iterator<char>(file), {}).size() / 2;
+  };
+  // Ten cases of each of three functions are tried.
+  const hn::Run all = run("echo x >>\"$0.starts\"\n" + says(kReady) + "exit 1\n");
+  EXPECT_EQ(all.count(Status::crash), 60u);
+  EXPECT_EQ(starts(), 30u);
+  EXPECT_NE(all.cases[59].outcome.message.find("not run, after 10 cases in a row"), std::string::npos);
+  // One function alone does not take the others along.
+  const hn::Run one =
+      run(says(kReady) + "for id in $(grep -o 'f[.][a-d][.][0-9]*' \"$2\"); do\n" +
+          "  case $id in f.b.*) exit 1;; esac\n  echo '{\"result\": {\"id\": \"'$id'\", \"status\": "
+          "\"pass\", \"samples\": 1, \"mismatches\": 0, \"max_abs\": 0, \"max_ulp\": 0, \"seconds\": 0, "
+          "\"message\": \"\"}}' >&3\ndone\n");
+  EXPECT_EQ(one.count(Status::crash), 15u);
+  EXPECT_EQ(one.count(Status::pass), 45u);
+}
+
+TEST_F(SchedulerTest, AnExcusedFailureDoesNotEndAFastRun) {
+  plan_.fail_fast = true;
+  plan_.expectations = {{"any", "*", "b", Status::crash, "known", "x.csv:2"}};
+  EXPECT_EQ(verdicts(run(script_that("b", "exit 1"))), "a pass, b crash, c pass, d pass, e pass");
+}
+
+TEST_F(SchedulerTest, ACrashAfterTheLastCaseIsAProblem) {
+  plan_.program = folder_.path() / "child";
+  for (const auto& [end, problems] : {std::pair{"exit 0\n", 0u}, std::pair{"kill -SEGV $$\n", 1u}}) {
+    folder_.write("child", "#!/bin/sh\n" + script_that("none", ":") + end);
+    std::filesystem::permissions(plan_.program, std::filesystem::perms::owner_all);
+    auto journal = Journal::create(folder_.path(), to_json(plan_));
+    const PlanResult result = run_plan(plan_, folder_.path(), *journal, stderr);
+    EXPECT_EQ(result.runs[0].count(Status::pass), 5u);
+    EXPECT_EQ(result.problems.size(), problems);
+  }
+}
+
+TEST_F(SchedulerTest, ADriverThatIsGoneAfterACrashMayComeBack) {
+  const std::string gone_once = "[ -e $0.crashed ] && [ ! -e $0.back ] && { touch $0.back; " +
+                                says(R"({"absent": "no display"})") + "exit 0; }\n";
+  const hn::Run result = run(gone_once + script_that("b", "touch $0.crashed; exit 1"));
+  EXPECT_EQ(verdicts(result), "a pass, b crash, c crash, d pass, e pass");
+  EXPECT_NE(result.cases[2].outcome.message.find("no display"), std::string::npos) << result.cases[2].outcome.message;
+}
+
+TEST_F(SchedulerTest, WhatIsNoReportIsPassedOver) {
+  EXPECT_EQ(verdicts(run("echo '][' >&3; echo 17 >&3\n" + script_that("none", ":"))),
+            "a pass, b pass, c pass, d pass, e pass");
+}
+
+TEST_F(SchedulerTest, FailFastEndsWithTheFirstBadCase) {
+  plan_.fail_fast = true;
+  const hn::Run result = run(script_that("b", "exit 1") + "exec sleep 60\n");
+  EXPECT_EQ(verdicts(result), "a pass, b crash");
+}
+
+TEST_F(SchedulerTest, DriversRunSideBySide) {
+  plan_.drivers.push_back({"other", {"d", "e"}, 2});
+  plan_.jobs = 2;
+  folder_.write("child", "#!/bin/sh\n" + script_that("none", ":"));
+  plan_.program = folder_.path() / "child";
+  std::filesystem::permissions(plan_.program, std::filesystem::perms::owner_all);
+  auto journal = Journal::create(folder_.path(), to_json(plan_));
+  const auto runs = run_plan(plan_, folder_.path(), *journal, stderr).runs;
+  ASSERT_EQ(runs.size(), 2u);
+  EXPECT_EQ(runs[1].driver, "other");
+  EXPECT_EQ(verdicts(runs[1]), "d pass, e pass");
+}
+
+TEST_F(SchedulerTest, TheCasesOfADriverAreSplitWhereProcessesAreLeft) {
+  plan_.drivers[0].ids.clear();
+  for (int i = 0; i < 1000; ++i) plan_.drivers[0].ids.push_back(fmt::format("case{:03}", i));
+  plan_.drivers[0].whole = 1000;
+  plan_.jobs = 3;
+  // Each passes what its job has, and the last of them crashes in its last case.
+  const hn::Run result =
+      run("echo x >>\"$0.starts\"\n" + says(kReady) +
+          "for id in $(grep -o 'case[0-9]*' \"$2\"); do\n  [ $id = case999 ] && exit 1\n  echo '{\"result\": {\"id\": "
+          "\"'$id'\", \"status\": \"pass\", \"samples\": 1, \"mismatches\": 0, \"max_abs\": 0, \"max_ulp\": 0, "
+          "\"seconds\": 0, \"message\": \"\"}}' >&3\ndone\n");
+  std::ifstream starts(folder_.path() / "child.starts");
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(starts), {}).size(), 2u * 3u);
+  ASSERT_EQ(result.cases.size(), 1000u);
+  for (std::size_t i = 0; i < 1000; ++i) EXPECT_EQ(result.cases[i].id, plan_.drivers[0].ids[i]);
+  EXPECT_EQ(result.count(Status::pass), 999u);
+  EXPECT_EQ(result.cases[999].outcome.status, Status::crash);
+}
+
+TEST_F(SchedulerTest, ADriverThatTakesOneProcessOnlyIsNotAbsent) {
+  plan_.drivers[0].ids.clear();
+  for (int i = 0; i < 400; ++i) plan_.drivers[0].ids.push_back(fmt::format("case{:03}", i));
+  plan_.jobs = 2;
+  const hn::Run result =
+      run("grep -q case000 \"$2\" || { " + says(R"({"absent": "one is enough"})") + "exit 0; }\n" + says(kReady) +
+          "for id in $(grep -o 'case[0-9]*' \"$2\"); do echo '{\"result\": {\"id\": "
+          "\"'$id'\", \"status\": \"pass\", \"samples\": 1, \"mismatches\": 0, \"max_abs\": 0, \"max_ulp\": 0, "
+          "\"seconds\": 0, \"message\": \"\"}}' >&3; done\n");
+  EXPECT_EQ(result.absent, "");
+  EXPECT_EQ(result.count(Status::pass), 200u);
+  EXPECT_EQ(result.count(Status::crash), 200u);
+}
+
+TEST_F(SchedulerTest, WhatTheJournalHasIsNotRunAgain) {
+  run(script_that("c", "exit 1"));
+  auto journal = Journal::reopen(folder_.path(), to_json(plan_));
+  ASSERT_TRUE(journal) << journal.error().text();
+  folder_.write("child", "#!/bin/sh\nkill -KILL $$\n");
+  const hn::Run again = run_plan(plan_, folder_.path(), *journal, stderr).runs.front();
+  EXPECT_EQ(verdicts(again), "a pass, b pass, c crash, d pass, e pass");
+}
+
+TEST_F(SchedulerTest, WhatTheJournalLacksIsRun) {
+  run(script_that("none", ":"));
+  // As if it had been killed while it wrote the third case.
+  std::ifstream in(folder_.path() / kJournalFile);
+  std::string text(std::istreambuf_iterator<char>(in), {});
+  text.resize(text.find("\"c\"", text.find("\"result\"")) + 1);
+  folder_.write(kJournalFile, text);
+  auto journal = Journal::reopen(folder_.path(), to_json(plan_));
+  ASSERT_TRUE(journal) << journal.error().text();
+  ASSERT_EQ(journal->earlier().size(), 3u);  // ready, a, b
+  folder_.write("child", "#!/bin/sh\necho \"$2\"; cp \"$2\" \"$0.job\"\n" + script_that("none", ":"));
+  const hn::Run again = run_plan(plan_, folder_.path(), *journal, stderr).runs.front();
+  EXPECT_EQ(verdicts(again), "a pass, b pass, c pass, d pass, e pass");
+  std::ifstream job(folder_.path() / "child.job");
+  EXPECT_EQ(nlohmann::json::parse(job).at("ids"), nlohmann::json({"c", "d", "e"}));
+}
+
+TEST(JournalTest, OfAnotherRunIsRefused) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(Journal::create(folder.path(), {{"seed", 1}, {"shard", ""}}));
+  const auto other = Journal::reopen(folder.path(), {{"seed", 2}, {"shard", ""}});
+  ASSERT_FALSE(other);
+  EXPECT_NE(other.error().message.find("other settings: \"seed\""), std::string::npos) << other.error().message;
+  EXPECT_TRUE(Journal::reopen(folder.path(), {{"seed", 1}, {"shard", ""}}));
+  folder.write(kJournalFile, "{}\n");
+  EXPECT_FALSE(Journal::reopen(folder.path(), {}));
+  folder.write(kJournalFile, "{\"plan\": null}\n{\"driver\": 1}\n");
+  EXPECT_FALSE(Journal::reopen(folder.path(), {}));
+}
+
+}  // namespace
+}  // namespace hn

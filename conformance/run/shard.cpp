@@ -1,0 +1,34 @@
+#include "run/shard.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <string_view>
+
+namespace hn {
+namespace {
+
+constexpr std::size_t kMostShards = 10000;  // more than there are cases
+
+// The whole of text as a number from 1 on, or 0.
+std::size_t number_of(std::string_view text) {
+  std::size_t number = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() && stop == text.data() + text.size() && number <= kMostShards ? number : 0;
+}
+
+}  // namespace
+
+Result<Shard> parse_shard(const std::string& text) {
+  if (text.empty()) return Shard{};
+  const auto slash = text.find('/');
+  const std::string_view whole = text;
+  if (slash != std::string::npos) {
+    const Shard shard{number_of(whole.substr(0, slash)), number_of(whole.substr(slash + 1))};
+    if (shard.index >= 1 && shard.index <= shard.count) return shard;
+  }
+  return fail(
+      fmt::format("\"{}\" is no shard; I/N is, with 1 <= I <= N <= {}: 2/3 is the second of three", text, kMostShards));
+}
+
+}  // namespace hn

@@ -1,0 +1,62 @@
+// The parent's side of a process that does a job: its reports, line by line, and its end.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/process.hpp"
+#include "run/job.hpp"
+
+namespace hn {
+
+using SteadyClock = std::chrono::steady_clock;
+
+// How a process is started.
+struct Launch {
+  std::filesystem::path program;    // answers "child JOB" with child_command
+  std::filesystem::path job;        // a file for what the process is told
+  std::filesystem::path log;        // what it prints
+  std::chrono::milliseconds limit;  // it has so long to make each report, or is killed
+};
+
+class Worker {
+ public:
+  static Result<Worker> start(const Job& job, const Launch& launch);
+  Worker(Worker&&) noexcept = default;
+  Worker& operator=(Worker&&) noexcept = default;
+  ~Worker();  // kills it if it runs
+
+  int fd() const { return process_.reports.get(); }
+  SteadyClock::time_point deadline() const { return deadline_; }
+
+  // What has arrived. Call it when fd() can be read, or the deadline has passed.
+  std::vector<nlohmann::json> read();
+
+  // Set once the process has ended and all of its reports were read.
+  struct End {
+    bool timed_out = false;  // it was killed by us
+    int status = 0;          // as waitpid tells it
+    std::string text;        // "ended by signal 11 (Segmentation fault)"
+  };
+  const std::optional<End>& end() const { return end_; }
+
+ private:
+  Worker() = default;
+  void finish(bool timed_out);
+
+  Launch launch_;
+  Process process_;
+  SteadyClock::time_point deadline_;
+  std::string unfinished_line_;
+  std::optional<End> end_;
+};
+
+// Does a job that has one report, and waits for it. An error: what the process said, or how it ended.
+Result<nlohmann::json> report_of(const Job& job, const std::filesystem::path& directory,
+                                 std::chrono::milliseconds limit);
+
+}  // namespace hn
