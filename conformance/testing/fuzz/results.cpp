@@ -8,6 +8,7 @@
 
 #include "base/version.hpp"
 #include "run/merge.hpp"
+#include "run/shard.hpp"
 #include "fuzz.hpp"
 
 namespace hn::fuzz {
