@@ -41,12 +41,15 @@ Subject integer_subject(int dimensions) {
           "#define TABLE_ARITHMETIC 2\n#include \"tables.glsl\"\n", "table_perlin(p)"};
 }
 
+std::string subject_id(const Function& function, const Configuration& configuration) {
+  return fmt::format("{}.{}", function.id, function.family == Family::independent ? "any" : configuration.name);
+}
+
 std::vector<Subject> library_subjects(const Configuration& configuration) {
   std::vector<Subject> subjects;
   for (const Function& function : all_functions()) {
     if (!covers(configuration, function)) continue;
-    const std::string_view name = function.family == Family::independent ? "any" : configuration.name;
-    subjects.push_back({fmt::format("{}.{}", function.id, name), function.axes < 3 ? 2 : 3,
+    subjects.push_back({subject_id(function, configuration), function.axes < 3 ? 2 : 3,
                         fmt::format("{}#include \"{}\"\n", knobs_of(configuration), function.file),
                         std::string(function.call), main_profile(configuration, false).name});
   }

@@ -26,6 +26,8 @@ Subject empty_subject(int dimensions);
 Subject float_subject(int dimensions);
 Subject integer_subject(int dimensions);
 
+// "noise2d.perlin.lattice+fixed"
+std::string subject_id(const Function& function, const Configuration& configuration);
 // Every function that the configuration covers.
 std::vector<Subject> library_subjects(const Configuration& configuration);
 // Every function with every configuration whose id, or part of it, matches the case ids' "file.function.configuration".

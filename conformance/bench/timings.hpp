@@ -2,8 +2,8 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <set>
 #include <string>
-#include <vector>
 
 #include "gpu/driver/driver.hpp"
 #include "gpu/reference_compiler.hpp"
@@ -11,9 +11,9 @@
 
 namespace hn {
 
-// {"timings": {"clock", "rounds", "functions"}} with the ratio to Perlin/Float of each function and configuration that
-// the ids name, or {"error": "why"}.
+// {"timings": {"clock", "rounds", "functions"}} with the ratio to Perlin/Float of each of the wanted
+// subjects, or {"error": "why"}.
 nlohmann::ordered_json timings_report(const Context& context, const SourceSet& sources,
-                                      const ReferenceCompiler& reference, const std::vector<std::string>& ids);
+                                      const ReferenceCompiler& reference, const std::set<std::string>& wanted);
 
 }  // namespace hn

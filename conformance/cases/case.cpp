@@ -7,6 +7,8 @@
 #include <exception>
 #include <utility>
 
+#include "cases/bugs/bugs.hpp"
+#include "cases/value_checks.hpp"
 #include "expected/points.hpp"
 #include "expected/tolerance.hpp"
 
@@ -64,6 +66,15 @@ const Session::PointSet& Session::twin_points(const Function& function, const Co
 
 namespace {
 
+Outcome run(Session& session, const GoldenKind& kind) { return check_golden(session, kind.evaluation); }
+Outcome run(Session& session, const PairingKind& kind) {
+  return check_pairing(session, kind.make(kind.evaluation, session.seed, kPairingPoints));
+}
+Outcome run(Session& session, const CheckKind& kind) { return kind.check(session, kind.evaluation); }
+Outcome run(Session& session, const BugKind& kind) { return check_bug(session, *kind.bug, *kind.profile); }
+Outcome run(Session& session, const CompilationKind& kind) { return check_compilation(session, kind); }
+Outcome run(Session& session, const ReferenceKind& kind) { return kind.check(session); }
+
 template <typename Run>
 CaseResult timed(const std::string& id, Run run) {
   const auto start = std::chrono::steady_clock::now();
@@ -80,12 +91,37 @@ CaseResult timed(const std::string& id, Run run) {
 
 }  // namespace
 
+std::string CaseName::setting() const {
+  return fmt::format("{}.{}.{}.{}.{}", function, configuration, arithmetic, name_of(stage), profile);
+}
+
+std::string CaseName::id() const { return fmt::format("{}.{}", setting(), check); }
+
+Case::Case(CaseName name_, CaseKind kind_, Extent extent_, std::string about_)
+    : name(std::move(name_)),
+      id(name.id()),
+      kind(std::make_shared<const CaseKind>(std::move(kind_))),
+      extent(extent_),
+      about(std::move(about_)) {}
+
+const Evaluation* Case::evaluation() const {
+  return std::visit(
+      [](const auto& any) -> const Evaluation* {
+        if constexpr (requires { any.evaluation; }) {
+          return &any.evaluation;
+        } else {
+          return nullptr;
+        }
+      },
+      *kind);
+}
+
 CaseResult run_case(Session& session, const Case& test) {
-  return timed(test.id, [&] { return test.run(session); });
+  return timed(test.id, [&] { return std::visit([&](const auto& kind) { return run(session, kind); }, *test.kind); });
 }
 
 CaseResult run_case(const Suite& suite, const Case& test) {
-  return timed(test.id, [&] { return test.compile(suite); });
+  return timed(test.id, [&] { return std::get<ReferenceKind>(*test.kind).check(suite); });
 }
 
 std::vector<Case> all_cases() {

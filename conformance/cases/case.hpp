@@ -8,11 +8,13 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "base/result.hpp"
 #include "base/verdict.hpp"
 #include "cases/targets.hpp"
+#include "expected/pairing.hpp"
 #include "gpu/context_info.hpp"
 #include "gpu/gpu.hpp"
 #include "gpu/reference_compiler.hpp"
@@ -67,26 +69,79 @@ struct Session : Suite {
   PointSet kept_points_;
 };
 
+// The kinds of cases. A kind is data, as far as it can be, so that a browser's page can run the same.
+
+// The function against its golden file.
+struct GoldenKind {
+  Evaluation evaluation;
+};
+
+// Two ways to the same values.
+using MakePairing = Pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points);
+struct PairingKind {
+  Evaluation evaluation;
+  MakePairing* make;
+};
+
+// What is written in C++ alone.
+using Check = Outcome(Session& session, const Evaluation& evaluation);
+struct CheckKind {
+  Evaluation evaluation;
+  Check* check;
+};
+
+struct Bug;  // bugs/bugs.hpp
+struct BugKind {
+  const Bug* bug;
+  const Profile* profile;
+};
+
 // What a case has the driver compile, and nothing else.
-struct Compilation {
-  const Profile& profile;
+struct CompilationKind {
+  const Profile* profile;
   std::string fragment;  // the shader, before its includes are expanded
   std::string_view refusal =
       {};                // the word that the driver's error must have; empty if the shader must compile and link
   bool too_old = false;  // a driver may refuse the version before it reads the library's words
 };
 
-struct Case {
-  std::string id;  // file.function.hash.arithmetic.stage.profile.check
-  std::function<Outcome(Session&)> run;
-  // What it is about, for pictures of what failed and for those who run it elsewhere: values or a compilation.
-  std::shared_ptr<const Evaluation> evaluation = {};
-  std::shared_ptr<const Compilation> compilation = {};
-  std::string about = {};  // where it comes from, in lines for hn-conform list --about; mostly nothing
-  std::function<Outcome(const Suite&)> compile = {};  // in place of run, for what the reference compiler alone says
-  Extent extent = Extent::every_driver;
+// What the reference compiler alone says.
+struct ReferenceKind {
+  std::function<Outcome(const Suite&)> check;
+};
 
-  bool needs_driver() const { return run != nullptr; }
+// The parts of a case's id.
+struct CaseName {
+  std::string function;       // with its file: "noise2d.perlin"; "noise2d.all" is the file as a whole
+  std::string configuration;  // without the arithmetic, or "any"
+  std::string arithmetic;
+  Stage stage;
+  std::string profile;
+  std::string check;
+
+  // All but the check. Cases that have it in common are about one program, or variants of it.
+  std::string setting() const;
+  std::string id() const;
+};
+
+using CaseKind = std::variant<GoldenKind, PairingKind, CheckKind, BugKind, CompilationKind, ReferenceKind>;
+
+struct Case {
+  CaseName name;
+  std::string id;  // of the name
+  std::shared_ptr<const CaseKind> kind;
+  Extent extent;
+  std::string about;  // where it comes from, in lines for hn-conform list --about; mostly nothing
+
+  Case(CaseName name_, CaseKind kind_, Extent extent_ = Extent::every_driver, std::string about_ = {});
+
+  template <typename Kind>
+  bool is() const {
+    return std::holds_alternative<Kind>(*kind);
+  }
+  bool needs_driver() const { return !is<ReferenceKind>(); }
+  // What it evaluates of the library, or null.
+  const Evaluation* evaluation() const;
 };
 
 // Runs the case, and times it. An exception in it is an error of the suite, and no more.

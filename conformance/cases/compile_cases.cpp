@@ -17,10 +17,25 @@ namespace {
 
 std::string_view stem(std::string_view file) { return file.substr(0, file.find('.')); }
 
-// file.all.configuration.arithmetic. No function of theirs is called by itself, so what is exact is not told apart.
-std::string compiled_name(std::string_view file, const Configuration& configuration) {
-  return fmt::format("{}.all.{}.{}", stem(file), configuration.name_without_arithmetic(),
-                     name_of(configuration.arithmetic));
+// No function of a file is called by itself, so what is exact is not told apart.
+CaseName name_of(std::string_view file, const Configuration& configuration, Stage stage, const Profile& profile,
+                 std::string_view check) {
+  return {.function = fmt::format("{}.all", stem(file)),
+          .configuration = std::string(configuration.name_without_arithmetic()),
+          .arithmetic = std::string(name_of(configuration.arithmetic)),
+          .stage = stage,
+          .profile = std::string(profile.name),
+          .check = std::string(check)};
+}
+
+// Of the knobs themselves, whatever else they are.
+CaseName name_of_setting(std::string_view name, std::string_view profile, std::string_view check) {
+  return {.function = fmt::format("config.{}", name),
+          .configuration = "any",
+          .arithmetic = "fast",
+          .stage = Stage::fragment,
+          .profile = std::string(profile),
+          .check = std::string(check)};
 }
 
 Outcome outcome_of(const Result<void>& result) {
@@ -31,19 +46,6 @@ Outcome check_with_glslang(const Suite& suite, const Profile& profile, const std
   const auto source = expand(suite.sources, profile, text);
   return source ? outcome_of(suite.reference.check(*source, profile, stage))
                 : outcome_with(Status::fail, source.error());
-}
-
-Outcome check_with_driver(Session& session, const Compilation& compilation) {
-  const Profile& profile = compilation.profile;
-  if (const auto reason = unsupported_reason(profile, session.info.languages); !reason.empty()) {
-    return outcome_with(Status::unsupported, {reason, {}});
-  }
-  const auto vertex = expand(session.sources, profile, vertex_shader());
-  const auto fragment = expand(session.sources, profile, compilation.fragment);
-  if (!vertex) return outcome_with(Status::error, vertex.error());
-  if (!fragment) return outcome_with(Status::fail, fragment.error());
-  const auto program = Program::build(session.context, *vertex, *fragment);
-  return program ? Outcome{} : outcome_with(Status::fail, program.error());
 }
 
 // glslang tries every file alone with every arithmetic; drivers, which take longer, all of them together.
@@ -61,37 +63,29 @@ bool is_main(const Configuration& configuration, const Profile& profile) {
 void add_file_cases(std::vector<Case>& cases, std::size_t number, const Configuration& configuration,
                     const Profile& profile) {
   const std::string_view file = kLibraryFiles[number].name;
-  const auto id = [&](Stage stage, std::string_view check) {
-    return fmt::format("{}.{}.{}.{}", compiled_name(file, configuration), name_of(stage), profile.name, check);
-  };
-  const bool main = is_main(configuration, profile);
   const auto extent_in = [&](Stage stage) {
-    const bool chosen = configuration.is_default() || (main && stage == Stage::fragment) ||
+    const bool chosen = configuration.is_default() || (is_main(configuration, profile) && stage == Stage::fragment) ||
                         has_turn(number, configuration, static_cast<std::size_t>(&profile - all_profiles().data()) +
                                                             static_cast<std::size_t>(stage));
     return chosen ? Extent::one_driver : Extent::thorough;
   };
   const auto add_glslang = [&](Stage stage) {
-    cases.push_back({.id = id(stage, profile.spirv ? "spirv" : "glslang"),
-                     .run = {},
-                     .compile =
-                         [=, &configuration, &profile](const Suite& suite) {
-                           return check_with_glslang(suite, profile,
-                                                     calling_shader(file, configuration, profile, stage), stage);
-                         },
-                     .extent = extent_in(stage)});
+    cases.push_back({name_of(file, configuration, stage, profile, profile.spirv ? "spirv" : "glslang"),
+                     ReferenceKind{[=, &configuration, &profile](const Suite& suite) {
+                       return check_with_glslang(suite, profile, calling_shader(file, configuration, profile, stage),
+                                                 stage);
+                     }},
+                     extent_in(stage)});
   };
   add_glslang(Stage::fragment);
   add_glslang(Stage::vertex);
   if (profile.version >= (profile.es ? 310 : 430)) add_glslang(Stage::compute);
   if (profile.spirv || !is_for_drivers(file, configuration)) return;
-  const auto compilation = std::make_shared<const Compilation>(
-      Compilation{profile, calling_shader(file, configuration, profile, Stage::fragment)});
-  const bool whole = file == "hashnoise.glsl" && main && configuration.default_but_for_arithmetic();
-  cases.push_back({.id = id(Stage::fragment, "driver"),
-                   .run = [=](Session& session) { return check_with_driver(session, *compilation); },
-                   .compilation = compilation,
-                   .extent = whole ? Extent::every_driver : extent_in(Stage::fragment)});
+  const bool whole =
+      file == "hashnoise.glsl" && is_main(configuration, profile) && configuration.default_but_for_arithmetic();
+  cases.push_back({name_of(file, configuration, Stage::fragment, profile, "driver"),
+                   CompilationKind{&profile, calling_shader(file, configuration, profile, Stage::fragment)},
+                   whole ? Extent::every_driver : extent_in(Stage::fragment)});
 }
 
 // Elsewhere the library must refuse it.
@@ -122,10 +116,10 @@ Outcome check_highp(const Suite& suite, std::string_view file, const Configurati
 }
 
 void add_highp_case(std::vector<Case>& cases, std::string_view file, const Configuration& configuration) {
-  cases.push_back(
-      {.id = fmt::format("{}.fragment.{}.highp", compiled_name(file, configuration), es_to_spirv(configuration).name),
-       .run = {},
-       .compile = [=, &configuration](const Suite& suite) { return check_highp(suite, file, configuration); }});
+  cases.push_back({name_of(file, configuration, Stage::fragment, es_to_spirv(configuration), "highp"),
+                   ReferenceKind{[=, &configuration](const Suite& suite) {
+                     return check_highp(suite, file, configuration);
+                   }}});
 }
 
 // A driver that contracts shows a forgotten `precise` only if the bits happen to differ, and the software drivers of
@@ -147,10 +141,10 @@ Outcome check_uncontracted(const Suite& suite, std::string_view file, const Conf
 }
 
 void add_uncontracted_case(std::vector<Case>& cases, std::string_view file, const Configuration& configuration) {
-  cases.push_back(
-      {.id = fmt::format("{}.fragment.vulkan.uncontracted", compiled_name(file, configuration)),
-       .run = {},
-       .compile = [=, &configuration](const Suite& suite) { return check_uncontracted(suite, file, configuration); }});
+  cases.push_back({name_of(file, configuration, Stage::fragment, profile_named("vulkan"), "uncontracted"),
+                   ReferenceKind{[=, &configuration](const Suite& suite) {
+                     return check_uncontracted(suite, file, configuration);
+                   }}});
 }
 
 // Every hash is other code, and so is each other knob by itself; combinations are not, but for a gradient in another
@@ -229,23 +223,18 @@ std::vector<Acceptance> acceptances() {
 }
 
 void add_acceptance_cases(std::vector<Case>& cases, const Acceptance& acceptance) {
-  for (const std::string_view name : {"gl140", "gl330", "es300"}) {  // without and with bit casts, and ES
-    const Profile& profile = profile_named(name);
-    const auto compilation = std::make_shared<const Compilation>(Compilation{
-        profile,
-        fmt::format("{}#include \"hashnoise.glsl\"\n{}void main() {{}}\n", acceptance.knobs, acceptance.after)});
-    const std::string id = fmt::format("config.{}.any.fast.fragment.{}.", acceptance.name, name);
-    cases.push_back({.id = id + "glslang", .run = {}, .compile = [=](const Suite& suite) {
-                       return check_with_glslang(suite, compilation->profile, compilation->fragment, Stage::fragment);
-                     }});
-    cases.push_back({.id = id + "driver",
-                     .run = [=](Session& session) { return check_with_driver(session, *compilation); },
-                     .compilation = compilation,
-                     .extent = Extent::one_driver});
+  for (const std::string_view profile : {"gl140", "gl330", "es300"}) {  // without and with bit casts, and ES
+    const CompilationKind compilation{
+        &profile_named(profile),
+        fmt::format("{}#include \"hashnoise.glsl\"\n{}void main() {{}}\n", acceptance.knobs, acceptance.after)};
+    cases.push_back({name_of_setting(acceptance.name, profile, "glslang"), ReferenceKind{[=](const Suite& suite) {
+                       return check_with_glslang(suite, *compilation.profile, compilation.fragment, Stage::fragment);
+                     }}});
+    cases.push_back({name_of_setting(acceptance.name, profile, "driver"), compilation, Extent::one_driver});
   }
 }
 
-Outcome expect_refusal(const Compilation& compilation, const Result<void>& compiled) {
+Outcome expect_refusal(const CompilationKind& compilation, const Result<void>& compiled) {
   const std::string_view expected = compilation.refusal;
   if (compiled) {
     return outcome_with(Status::fail, {fmt::format("it compiles; an error that names {} was due", expected), {}});
@@ -255,8 +244,36 @@ Outcome expect_refusal(const Compilation& compilation, const Result<void>& compi
                       {fmt::format("it is refused, but nothing names {}", expected), compiled.error().log});
 }
 
-Outcome check_refused_by_driver(Session& session, const Compilation& compilation) {
-  const auto text = expand(session.sources, compilation.profile, compilation.fragment);
+void add_refusal_cases(std::vector<Case>& cases, const Refusal& refusal) {
+  const CompilationKind compilation{&profile_named(refusal.profile),
+                                    fmt::format("{}#include \"config.glsl\"\nvoid main() {{}}\n", refusal.knobs),
+                                    refusal.expected, refusal.name.starts_with("version") || refusal.profile == "es310"};
+  cases.push_back({name_of_setting(refusal.name, refusal.profile, "refused_by_glslang"),
+                   ReferenceKind{[=](const Suite& suite) {
+                     const auto text = expand(suite.sources, *compilation.profile, compilation.fragment);
+                     if (!text) return outcome_with(Status::error, text.error());
+                     return expect_refusal(compilation,
+                                           suite.reference.check(*text, *compilation.profile, Stage::fragment));
+                   }}});
+  cases.push_back(
+      {name_of_setting(refusal.name, refusal.profile, "refused_by_driver"), compilation, Extent::one_driver});
+}
+
+Outcome check_compiles(Session& session, const CompilationKind& compilation) {
+  const Profile& profile = *compilation.profile;
+  if (const auto reason = unsupported_reason(profile, session.info.languages); !reason.empty()) {
+    return outcome_with(Status::unsupported, {reason, {}});
+  }
+  const auto vertex = expand(session.sources, profile, vertex_shader());
+  const auto fragment = expand(session.sources, profile, compilation.fragment);
+  if (!vertex) return outcome_with(Status::error, vertex.error());
+  if (!fragment) return outcome_with(Status::fail, fragment.error());
+  const auto program = Program::build(session.context, *vertex, *fragment);
+  return program ? Outcome{} : outcome_with(Status::fail, program.error());
+}
+
+Outcome check_refused(Session& session, const CompilationKind& compilation) {
+  const auto text = expand(session.sources, *compilation.profile, compilation.fragment);
   if (!text) return outcome_with(Status::error, text.error());
   const auto compiled = compile_only(session.context, *text, Stage::fragment);
   auto outcome = expect_refusal(compilation, compiled);
@@ -265,26 +282,11 @@ Outcome check_refused_by_driver(Session& session, const Compilation& compilation
   return outcome;
 }
 
-void add_refusal_cases(std::vector<Case>& cases, const Refusal& refusal) {
-  const auto compilation = std::make_shared<const Compilation>(Compilation{
-      profile_named(refusal.profile), fmt::format("{}#include \"config.glsl\"\nvoid main() {{}}\n", refusal.knobs),
-      refusal.expected, refusal.name.starts_with("version") || refusal.profile == "es310"});
-  const auto id = [&](std::string_view check) {
-    return fmt::format("config.{}.any.fast.fragment.{}.{}", refusal.name, compilation->profile.name, check);
-  };
-  cases.push_back({.id = id("refused_by_glslang"), .run = {}, .compile = [=](const Suite& suite) {
-                     const auto text = expand(suite.sources, compilation->profile, compilation->fragment);
-                     if (!text) return outcome_with(Status::error, text.error());
-                     return expect_refusal(*compilation,
-                                           suite.reference.check(*text, compilation->profile, Stage::fragment));
-                   }});
-  cases.push_back({.id = id("refused_by_driver"),
-                   .run = [=](Session& session) { return check_refused_by_driver(session, *compilation); },
-                   .compilation = compilation,
-                   .extent = Extent::one_driver});
-}
-
 }  // namespace
+
+Outcome check_compilation(Session& session, const CompilationKind& compilation) {
+  return compilation.refusal.empty() ? check_compiles(session, compilation) : check_refused(session, compilation);
+}
 
 void add_compile_cases(std::vector<Case>& cases) {
   for (std::size_t number = 0; number < kLibraryFiles.size(); ++number) {

@@ -1,12 +1,7 @@
 #include "cases/deal.hpp"
 
-#include <string_view>
-
 namespace hn {
 namespace {
-
-// All of an id but the check: cases that have it in common share a program.
-std::string_view setting_of(const Case& test) { return std::string_view(test.id).substr(0, test.id.rfind('.')); }
 
 std::vector<std::size_t> able(const Case& test, std::span<const CanRun> drivers) {
   std::vector<std::size_t> able;
@@ -22,7 +17,7 @@ std::vector<std::vector<std::size_t>> deal(std::span<const Case> cases, std::spa
   std::vector<std::vector<std::size_t>> dealt(drivers.size());
   std::size_t turn = 0;
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    if (i > 0 && setting_of(cases[i]) != setting_of(cases[i - 1])) ++turn;
+    if (i > 0 && cases[i].name.setting() != cases[i - 1].name.setting()) ++turn;
     if (cases[i].extent == Extent::every_driver) {
       for (auto& places : dealt) places.push_back(i);
       continue;

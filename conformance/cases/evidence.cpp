@@ -28,14 +28,6 @@ struct Right {
   bool every_bit;
 };
 
-// What fails in one version of the language mostly does so in the others.
-std::string without_version(const std::string& id) {
-  const auto check = id.rfind('.');
-  if (check == std::string::npos || check == 0) return id;
-  const auto version = id.rfind('.', check - 1);
-  return version == std::string::npos ? id : id.substr(0, version) + id.substr(check);
-}
-
 double number(std::uint32_t word) { return static_cast<double>(std::bit_cast<float>(word)); }
 
 class Examiner {
@@ -45,10 +37,11 @@ class Examiner {
         id_(test.id),
         outcome_(outcome),
         // The other shapes and stages of a shader have other results, or no pixels.
-        evaluation_{.function = test.evaluation->function,
-                    .configuration = test.evaluation->configuration,
-                    .profile = test.evaluation->profile,
-                    .variant = {.seeded = test.evaluation->variant.seeded, .knobs = test.evaluation->variant.knobs}} {}
+        evaluation_{.function = test.evaluation()->function,
+                    .configuration = test.evaluation()->configuration,
+                    .profile = test.evaluation()->profile,
+                    .variant = {.seeded = test.evaluation()->variant.seeded,
+                                .knobs = test.evaluation()->variant.knobs}} {}
 
   std::optional<Evidence> run() {
     const Words first = wrong_point();
@@ -209,7 +202,7 @@ class Examiner {
 }  // namespace
 
 std::optional<Evidence> make_evidence(Session& session, const Case& test, const Outcome& outcome) {
-  if (!test.evaluation || outcome.status != Status::fail) return std::nullopt;
+  if (!test.evaluation() || outcome.status != Status::fail) return std::nullopt;
   try {
     return Examiner(session, test, outcome).run();
   } catch (const std::exception&) {
@@ -248,14 +241,13 @@ Result<std::array<std::uint8_t, 4>> draw_pixel(const Context& context, const Pro
   return pixel;
 }
 
-EvidenceBudget::EvidenceBudget(const std::vector<std::string>& seen) {
-  for (const std::string& id : seen) take(id);
-}
-
-bool EvidenceBudget::take(const std::string& id) {
-  std::set<std::string>& of_function = by_function_[std::string(function_of(id))];
+bool EvidenceBudget::take(const CaseName& name) {
+  auto& of_function = by_function_[name.function];
   if (all_ >= kMostPerDriver || of_function.size() >= kMostPerFunction) return false;
-  if (!of_function.insert(without_version(id)).second) return false;
+  // What fails in one version of the language mostly does so in the others.
+  CaseName in_any_version = name;
+  in_any_version.profile.clear();
+  if (!of_function.insert(in_any_version.id()).second) return false;
   ++all_;
   return true;
 }

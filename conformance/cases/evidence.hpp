@@ -23,10 +23,8 @@ Result<std::array<std::uint8_t, 4>> draw_pixel(const Context& context, const Pro
 // all are wrong, results.json must stay a file that can be sent.
 class EvidenceBudget {
  public:
-  // seen: those that have had theirs, in this process or in one before it.
-  explicit EvidenceBudget(const std::vector<std::string>& seen = {});
   // Whether this one is to have it; if so, it is counted.
-  bool take(const std::string& id);
+  bool take(const CaseName& name);
 
  private:
   std::map<std::string, std::set<std::string>, std::less<>> by_function_;  // the cases, whatever their version

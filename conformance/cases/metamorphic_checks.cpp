@@ -17,7 +17,9 @@ namespace {
 // have several words, and those that a function has not are 0.
 std::uint32_t left_by_trip(std::span<const std::uint32_t> words) { return words[0] ^ words[1] ^ words[2] ^ words[3]; }
 
-Outcome compare(Session& session, const Pairing& pairing) {
+}  // namespace
+
+Outcome check_pairing(Session& session, const Pairing& pairing) {
   const auto expected = evaluate(session, pairing.other, pairing.other_inputs);
   if (!expected) return expected.error();
   const auto got = evaluate(session, pairing.evaluation, pairing.inputs);
@@ -45,19 +47,7 @@ Outcome compare(Session& session, const Pairing& pairing) {
   return comparison.finish();
 }
 
-Outcome check_variant(Session& session, const Evaluation& evaluation) {
-  return compare(session, variant_pairing(evaluation, session.seed));
-}
-
-Outcome check_folded(Session& session, const Evaluation& evaluation) {
-  return compare(session, folded_pairing(evaluation, session.seed));
-}
-
-Outcome check_period(Session& session, const Evaluation& evaluation) {
-  return compare(session, period_pairing(evaluation, session.seed));
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
+namespace {
 
 // Of an exact function one goes the same ways as another: those of three axes and a seed stand for all.
 bool has_variants(const Function& function) {
@@ -67,15 +57,15 @@ bool has_variants(const Function& function) {
 struct Variant {
   std::string_view name;
   ShaderVariant variant;
-  Check* check;
+  MakePairing* make;
 };
 
 constexpr std::array kVariants = {
-    Variant{"inlined", {.shape = Shape::inlined}, check_variant},
-    Variant{"in_loop", {.shape = Shape::in_loop}, check_variant},
-    Variant{"constant_seed", {.seed_from = SeedFrom::constant}, check_variant},
-    Variant{"uniform_seed", {.seed_from = SeedFrom::uniform}, check_variant},
-    Variant{"folded", {}, check_folded},
+    Variant{"inlined", {.shape = Shape::inlined}, variant_pairing},
+    Variant{"in_loop", {.shape = Shape::in_loop}, variant_pairing},
+    Variant{"constant_seed", {.seed_from = SeedFrom::constant}, variant_pairing},
+    Variant{"uniform_seed", {.seed_from = SeedFrom::uniform}, variant_pairing},
+    Variant{"folded", {}, folded_pairing},
 };
 
 }  // namespace
@@ -88,21 +78,24 @@ void add_metamorphic_cases(std::vector<Case>& cases, const Evaluation& evaluatio
   const bool defaults = configuration.default_but_for_arithmetic() && covers(configuration, function);
   if (target.main && defaults && has_variants(function)) {
     for (std::size_t i = 0; i < kVariants.size(); ++i) {
-      const auto& [name, variant, check] = kVariants[i];
+      const auto& [name, variant, make] = kVariants[i];
       const bool all = configuration.is_default() && !profile.es;
-      add_case(cases, {function, configuration, profile, variant}, name, check,
-               all || has_turn(number, configuration, target.number + i) ? Extent::one_driver : Extent::thorough);
+      cases.push_back(
+          {name_of(evaluation, name), PairingKind{{function, configuration, profile, variant}, make},
+           all || has_turn(number, configuration, target.number + i) ? Extent::one_driver : Extent::thorough});
     }
   }
   if (!target.main && stage != Stage::fragment && covers(configuration, function)) {
-    add_case(cases, evaluation, "as_fragment", check_variant, extent);
+    cases.push_back({name_of(evaluation, "as_fragment"), PairingKind{evaluation, variant_pairing}, extent});
   }
   // Over 2^20 cells the positions of octave sums have no fraction left. Their code does not depend on the period, and
   // they have no values of their own with one.
   const bool has_period = function.is_octave_sum()
                               ? configuration.period == 48 && !configuration.sine()
                               : configuration.period != 0 && covers(configuration, function);
-  if (target.main && has_period) add_case(cases, evaluation, "period", check_period, extent);
+  if (target.main && has_period) {
+    cases.push_back({name_of(evaluation, "period"), PairingKind{evaluation, period_pairing}, extent});
+  }
 }
 
 }  // namespace hn

@@ -28,8 +28,8 @@ inline std::span<const std::uint32_t> result(std::span<const std::uint32_t> outp
 tl::expected<Words, Outcome> evaluate(Session& session, const Evaluation& evaluation,
                                       std::span<const std::uint32_t> inputs);
 
-using Check = Outcome(Session& session, const Evaluation& evaluation);
-
+Check check_golden;  // against the golden file
+Check check_twin;    // against the C++ twin, at random points
 // property_checks.cpp
 Check check_zero;        // noise is 0 at lattice points
 Check check_range;       // values keep to their range and use it
@@ -40,11 +40,15 @@ Check check_finite;      // and neither NaN nor infinity at extreme points
 Check check_unseeded;    // without a seed means with seed 0
 Check check_noise_knob;  // HN_FBM_NOISE2D and HN_FBM_NOISE3D are used
 
-// A case about values; its id comes from the evaluation and the name of the check.
-void add_case(std::vector<Case>& cases, const Evaluation& evaluation, std::string_view name, Check* check,
-              Extent extent);
+// compile_cases.cpp
+Outcome check_compilation(Session& session, const CompilationKind& compilation);
 
-// metamorphic_checks.cpp: the same values, come by in another way. number: of the function, among all.
+// metamorphic_checks.cpp: the same values, come by in another way.
+Outcome check_pairing(Session& session, const Pairing& pairing);
+
+// The name of a case about values.
+CaseName name_of(const Evaluation& evaluation, std::string_view check);
+// number: of the function, among all.
 void add_metamorphic_cases(std::vector<Case>& cases, const Evaluation& evaluation, std::size_t number,
                            const Target& target, Extent extent);
 

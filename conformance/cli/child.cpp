@@ -8,8 +8,10 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "base/process.hpp"
+#include "bench/subject.hpp"
 #include "bench/timings.hpp"
 #include "cases/evidence.hpp"
 #include "cli/command.hpp"
@@ -41,12 +43,12 @@ bool context_is_lost(const Context& context) {
   return false;
 }
 
-// The cases of the job, in its order.
-std::vector<const Case*> cases_of(const Job& job, const std::vector<Case>& all) {
+// The cases of these ids, in their order.
+std::vector<const Case*> cases_of(const std::vector<std::string>& ids, const std::vector<Case>& all) {
   std::map<std::string_view, const Case*> by_id;
   for (const Case& test : all) by_id[test.id] = &test;
   std::vector<const Case*> cases;
-  for (const std::string& id : job.ids) cases.push_back(by_id.at(id));
+  for (const std::string& id : ids) cases.push_back(by_id.at(id));
   return cases;
 }
 
@@ -55,6 +57,17 @@ void run_reference_cases(const Suite& suite, const std::vector<const Case*>& cas
   for (const Case* test : cases) {
     report({{"result", to_json(run_case(suite, *test))}});
   }
+}
+
+// The subjects of the benchmark that these cases are about.
+std::set<std::string> subjects_of(const std::vector<const Case*>& cases) {
+  std::set<std::string> ids;
+  for (const Case* test : cases) {
+    if (const Evaluation* evaluation = test->evaluation()) {
+      ids.insert(subject_id(evaluation->function, evaluation->configuration));
+    }
+  }
+  return ids;
 }
 
 // A lost context costs the process.
@@ -70,17 +83,18 @@ void report_evidence(Session& session, const Case& test, const Outcome& outcome)
   report({{"evidence", evidence ? to_json(*evidence) : nlohmann::ordered_json()}, {"id", test.id}});
 }
 
-void run_driver_cases(const Suite& suite, const Context& context, const Driver& driver, const Job& job,
-                      const std::vector<const Case*>& cases) {
+void run_driver_cases(const Suite& suite, const Context& context, const Driver& driver,
+                      const std::vector<const Case*>& cases, const std::vector<const Case*>& examined_before) {
   Session session(suite, context, driver.most_points);
   session.still_alive = [] { report({{"alive", true}}); };
-  EvidenceBudget budget(job.examined);
-  report({{"ready", to_json(session.info)}});
+  EvidenceBudget budget;
+  for (const Case* test : examined_before) budget.take(test->name);
+  report({{"ready", to_json(session.info)}, {"languages", to_json(session.info.languages)}});
   for (const Case* test : cases) {
     CaseResult result = run_case(session, *test);
     const bool lost = context_is_lost(context);
     if (lost) result.outcome = outcome_with(Status::crash, {"the context was lost", {}});
-    const bool examined = result.outcome.status == Status::fail && test->evaluation && budget.take(test->id);
+    const bool examined = result.outcome.status == Status::fail && test->evaluation() && budget.take(test->name);
     nlohmann::ordered_json line = {{"result", to_json(result)}};
     if (examined) line["examined"] = true;
     report(line);
@@ -132,7 +146,7 @@ int run_on_driver(const Job& job, const Driver& driver) {
   const ReferenceCompiler reference;
   const Suite suite{*sources, reference, job.suite.golden, job.suite.seed, job.suite.points};
   const std::vector<Case> all = job.task == Task::describe ? std::vector<Case>{} : all_cases();
-  const std::vector<const Case*> cases = cases_of(job, all);
+  const std::vector<const Case*> cases = cases_of(job.ids, all);
   if (driver.is_reference_compiler()) {
     run_reference_cases(suite, cases);
     return EXIT_SUCCESS;
@@ -143,9 +157,9 @@ int run_on_driver(const Job& job, const Driver& driver) {
     return EXIT_SUCCESS;
   }
   if (job.task == Task::timings) {
-    report(timings_report(**context, *sources, reference, job.ids));
+    report(timings_report(**context, *sources, reference, subjects_of(cases)));
   } else {
-    run_driver_cases(suite, **context, driver, job, cases);
+    run_driver_cases(suite, **context, driver, cases, cases_of(job.examined, all));
   }
   return EXIT_SUCCESS;
 }

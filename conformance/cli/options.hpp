@@ -36,7 +36,7 @@ struct RunCommand {
   double timeout = 60.0;     // seconds
   std::size_t jobs = 1;
   bool thorough = false;
-  bool deal = false;
+  bool deal = false;  // each case that not every driver must show on one of them
   bool fail_fast = false;
   bool resume = false;
   bool timings = false;

@@ -3,10 +3,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <set>
 
 #include "base/output/file.hpp"
+#include "cases/deal.hpp"
 #include "cli/command.hpp"
 #include "fault/faults.hpp"
 #include "report/report.hpp"
@@ -17,6 +20,7 @@
 #include "run/scheduler.hpp"
 #include "run/shard.hpp"
 #include "run/worker.hpp"
+#include "web/suite.hpp"
 
 namespace hn {
 namespace {
@@ -94,22 +98,56 @@ Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted) {
   return choice;
 }
 
-// What every driver is to do: the cases that need one; and for glslang, which is always asked, the others.
-std::vector<DriverPlan> plan_drivers(const std::vector<std::string>& names, const std::vector<Case>& cases,
-                                     const Shard& shard) {
-  std::vector<DriverPlan> plans;
-  std::vector<std::string> all = names;
-  const std::string reference(kReferenceCompiler);
-  if (std::find(all.begin(), all.end(), reference) == all.end()) all.push_back(reference);
-  for (const std::string& name : all) {
-    DriverPlan plan{.driver = name, .ids = {}};
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-      if (cases[i].needs_driver() != (name != reference)) continue;
-      ++plan.whole;
-      if (shard.has(i)) plan.ids.push_back(cases[i].id);
-    }
-    if (!plan.ids.empty()) plans.push_back(std::move(plan));
+// What a driver can run, as far as it says. Who is not here can run nothing.
+CanRun can_run_on(const std::string& name) {
+  const TemporaryDirectory scratch;
+  const Job job{.task = Task::describe, .driver = name, .suite = {}, .ids = {}};
+  const auto report = report_of(job, scratch.path(), kDescribeLimit);
+  if (!report || !report->contains("ready")) return [](const Case&) { return false; };
+  if (find_driver(name)->browser) return [](const Case& test) { return unsupported_in_browser(test).empty(); };
+  const LanguageSupport languages = languages_from(report->at("languages"));
+  return [=](const Case& test) {
+    const Profile& profile = profile_named(test.name.profile);
+    return unsupported_to_run(profile, languages).empty() && languages.has_stage(test.name.stage);
+  };
+}
+
+// The cases of each driver, as places in `cases`, all of which need a driver.
+std::vector<std::vector<std::size_t>> cases_by_driver(const std::vector<std::string>& names,
+                                                      const std::vector<Case>& cases, bool dealt) {
+  if (dealt) {
+    std::vector<CanRun> drivers;
+    for (const std::string& name : names) drivers.push_back(can_run_on(name));
+    return deal(cases, drivers);
   }
+  std::vector<std::size_t> all(cases.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return {names.size(), all};
+}
+
+void add_plan(std::vector<DriverPlan>& plans, const std::string& driver, const std::vector<Case>& cases,
+              const std::vector<std::size_t>& places, const Shard& shard) {
+  DriverPlan plan{.driver = driver, .ids = {}, .whole = places.size()};
+  for (const std::size_t place : places) {
+    if (shard.has(place)) plan.ids.push_back(cases[place].id);
+  }
+  if (!plan.ids.empty()) plans.push_back(std::move(plan));
+}
+
+// What every driver is to do: the cases that need one; and for glslang, which is always asked, the others.
+std::vector<DriverPlan> plan_drivers(std::vector<std::string> names, std::vector<Case> cases, const Shard& shard,
+                                     bool dealt) {
+  std::erase(names, std::string(kReferenceCompiler));
+  const auto of_drivers = std::stable_partition(cases.begin(), cases.end(),
+                                                [](const Case& test) { return !test.needs_driver(); });
+  std::vector<Case> for_drivers(std::make_move_iterator(of_drivers), std::make_move_iterator(cases.end()));
+  cases.erase(of_drivers, cases.end());
+  std::vector<DriverPlan> plans;
+  const auto by_driver = cases_by_driver(names, for_drivers, dealt);
+  for (std::size_t i = 0; i < names.size(); ++i) add_plan(plans, names[i], for_drivers, by_driver[i], shard);
+  std::vector<std::size_t> all(cases.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  add_plan(plans, std::string(kReferenceCompiler), cases, all, shard);
   return plans;
 }
 
@@ -184,7 +222,7 @@ void note_what_was_not_run(const RunPlan& plan, const std::vector<Run>& runs, st
 Result<RunPlan> make_plan(const RunCommand& options, const DriverChoice& choice, const std::vector<Case>& cases) {
   auto shard = parse_shard(options.shard);
   if (!shard) return tl::unexpected(shard.error());
-  RunPlan plan{.drivers = plan_drivers(choice.names, cases, *shard),
+  RunPlan plan{.drivers = plan_drivers(choice.names, cases, *shard, options.deal),
                .suite = suite_options(options),
                .shard = options.shard,
                .jobs = options.jobs,

@@ -76,8 +76,8 @@ Pairing variant_pairing(const Evaluation& evaluation, std::uint64_t seed, std::s
   return pairing_on(evaluation, points_for(evaluation, seed, points));
 }
 
-Pairing folded_pairing(const Evaluation& evaluation, std::uint64_t seed) {
-  Pairing pairing = pairing_on(evaluation, points_for(evaluation, seed, kConstantPoints));
+Pairing folded_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
+  Pairing pairing = pairing_on(evaluation, points_for(evaluation, seed, std::min(points, kConstantPoints)));
   pairing.evaluation.variant.shape = Shape::constant;
   pairing.evaluation.variant.constants = pairing.inputs;
   return pairing;
@@ -107,16 +107,6 @@ Pairing period_pairing(const Evaluation& evaluation, std::uint64_t seed, std::si
   std::vector<double> allowed = allowed_between(evaluation, there, here);
   return {evaluation,      evaluation,         std::move(there),
           std::move(here), std::move(allowed), !octave_sum || has_same_bits(function, evaluation.configuration)};
-}
-
-std::optional<Pairing> pairing_of(std::string_view check, const Evaluation& evaluation, std::uint64_t seed,
-                                  std::size_t points) {
-  constexpr std::array<std::string_view, 5> kVariants = {"inlined", "in_loop", "constant_seed", "uniform_seed",
-                                                         "as_fragment"};
-  if (check == "period") return period_pairing(evaluation, seed, points);
-  if (check == "folded") return folded_pairing(evaluation, seed);
-  if (std::find(kVariants.begin(), kVariants.end(), check) == kVariants.end()) return std::nullopt;
-  return variant_pairing(evaluation, seed, points);
 }
 
 }  // namespace hn

@@ -3,8 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <string_view>
 #include <vector>
 
 #include "library/shaders.hpp"
@@ -29,13 +27,10 @@ inline constexpr std::size_t kPairingPoints = std::size_t{1} << 12;
 
 // A variant of the shader, or another stage, against the plain fragment shader.
 Pairing variant_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
-// Points that are constants in the shader's text, so that the compiler may evaluate the function itself.
-Pairing folded_pairing(const Evaluation& evaluation, std::uint64_t seed);
+// Points that are constants in the shader's text, so that the compiler may evaluate the function itself: few of them,
+// whatever is asked for.
+Pairing folded_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
 // Points a whole number of periods apart.
 Pairing period_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
-
-// Any of them by the name of the check; nothing if that is no metamorphic check.
-std::optional<Pairing> pairing_of(std::string_view check, const Evaluation& evaluation, std::uint64_t seed,
-                                  std::size_t points);
 
 }  // namespace hn

@@ -42,6 +42,9 @@ struct LanguageSupport {
   int es_version = 0;        // highest GLSL ES version, 0 for none
   bool gl130 = true;         // a core context need not take GLSL 1.30
   bool bit_encoding = true;  // GL_ARB_shader_bit_encoding
+
+  // Compute shaders came with GLSL 4.30 and GLSL ES 3.10.
+  bool has_stage(Stage stage) const { return stage != Stage::compute || gl_version >= 430 || es_version >= 310; }
 };
 
 // Empty if the profile can be compiled, else why not.

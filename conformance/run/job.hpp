@@ -46,7 +46,7 @@ nlohmann::json to_json(const Job& job);
 Job job_from(const nlohmann::json& json);  // of a text that to_json made
 
 // The reports, a line of JSON each:
-//   {"ready": {context info}}         once, before the first case
+//   {"ready": {context info}}         once, before the first case; with "languages": {...} of a context
 //   {"absent": "why"}                 in place of it: the driver cannot be used here
 //   {"result": {case result}}         for each case; with "examined": true if its evidence is made next
 //   {"evidence": {...}, "id": ID}     then; null in place of an object if there is none

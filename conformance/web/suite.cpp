@@ -27,30 +27,6 @@ static_assert(std::endian::native == std::endian::little, "the page's numbers ar
 constexpr std::uint64_t kPageSeed = 1;
 constexpr std::size_t kPagePoints = 1024;
 
-// The last part of the id.
-std::string_view check_of(const Case& test) { return std::string_view(test.id).substr(test.id.rfind('.') + 1); }
-
-// The last part but one.
-const Profile& profile_of(const Case& test) {
-  const auto end = test.id.rfind('.');
-  const auto start = test.id.rfind('.', end - 1) + 1;
-  return profile_named(std::string_view(test.id).substr(start, end - start));
-}
-
-const Bug* bug_of(const Case& test) {
-  for (const Bug& bug : all_bugs()) {
-    if (test.id.starts_with(std::string(bug.function.id) + ".")) return &bug;
-  }
-  return nullptr;
-}
-
-bool checks_golden(const Case& test) { return test.evaluation && check_of(test) == "golden"; }
-
-bool compares_two(const Case& test) {
-  // One point tells whether there is such a check.
-  return test.evaluation && pairing_of(check_of(test), *test.evaluation, kPageSeed, 1).has_value();
-}
-
 // Numbers values, so that each is stored once.
 class Table {
  public:
@@ -101,11 +77,12 @@ class SuiteWriter {
   using Part = tl::expected<Json, Outcome>;
 
   Part part_of(const Case& test) {
-    if (test.compilation) return compilation(*test.compilation);
-    if (const Bug* const found = bug_of(test)) return bug(*found, profile_of(test));
-    if (checks_golden(test)) return values(*test.evaluation);
-    return same(*pairing_of(check_of(test), *test.evaluation, kPageSeed, kPagePoints));
+    return std::visit([this](const auto& kind) { return part(kind); }, *test.kind);
   }
+
+  Part part(const CheckKind&) { throw std::logic_error("the page has no check that is written in C++"); }
+  Part part(const ReferenceKind&) { throw std::logic_error("the page has no reference compiler"); }
+  Part part(const PairingKind& kind) { return same(kind.make(kind.evaluation, kPageSeed, kPagePoints)); }
 
   static Json decided(const Outcome& outcome) {
     return {{"decided", {{"status", name_of(outcome.status)}, {"message", outcome.message}}}};
@@ -145,22 +122,23 @@ class SuiteWriter {
     return program(evaluation.profile, evaluation_shader(evaluation), evaluation.stage);
   }
 
-  Part compilation(const Compilation& compilation) {
+  Part part(const CompilationKind& compilation) {
     const bool refused = !compilation.refusal.empty();
     if (refused) {
-      const auto fragment = shader(compilation.profile, compilation.fragment, Status::error);
+      const auto fragment = shader(*compilation.profile, compilation.fragment, Status::error);
       if (!fragment) return tl::unexpected(fragment.error());
       return Json{{"check", "refused"},
                   {"fragment", *fragment},
                   {"names", compilation.refusal},
                   {"too_old", compilation.too_old}};
     }
-    const auto compiled = program(compilation.profile, compilation.fragment, Stage::fragment);
+    const auto compiled = program(*compilation.profile, compilation.fragment, Stage::fragment);
     if (!compiled) return tl::unexpected(compiled.error());
     return Json{{"check", "compiles"}, {"program", *compiled}};
   }
 
-  Part values(const Evaluation& evaluation) {
+  Part part(const GoldenKind& kind) {
+    const Evaluation& evaluation = kind.evaluation;
     const Function& function = evaluation.function;
     const Configuration& configuration = evaluation.configuration;
     const auto golden = read_golden(golden_path(golden_, function, configuration), function, configuration);
@@ -195,8 +173,9 @@ class SuiteWriter {
                 {"allowed", pairing.exact ? Json(0.0) : allowed_json(pairing.allowed)}};
   }
 
-  Part bug(const Bug& bug, const Profile& profile) {
-    const auto evaluated = program(evaluation_of(bug, profile));
+  Part part(const BugKind& kind) {
+    const Bug& bug = *kind.bug;
+    const auto evaluated = program(evaluation_of(bug, *kind.profile));
     if (!evaluated) return tl::unexpected(evaluated.error());
     std::vector<std::uint32_t> inputs;
     std::vector<std::uint32_t> expected;
@@ -283,13 +262,11 @@ class SuiteWriter {
 }  // namespace
 
 std::string unsupported_in_browser(const Case& test) {
-  const bool bug = bug_of(test) != nullptr;
-  if (!bug && !test.evaluation && !test.compilation) {
-    return "this check is the harness's own: no driver takes part in it";
+  if (!test.needs_driver()) return "this check is the harness's own: no driver takes part in it";
+  if (auto reason = unsupported_reason(profile_named(test.name.profile), kWebGl2Languages); !reason.empty()) {
+    return reason;
   }
-  if (auto reason = unsupported_reason(profile_of(test), kWebGl2Languages); !reason.empty()) return reason;
-  if (bug || test.compilation || checks_golden(test) || compares_two(test)) return {};
-  return "this check is written in C++, and the page is not";
+  return test.is<CheckKind>() ? "this check is written in C++, and the page is not" : "";
 }
 
 PageSuite make_suite(const SourceSet& sources, const std::filesystem::path& golden, std::span<const Case> cases,

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -59,16 +58,16 @@ void add_cases(std::vector<Case>& cases, const Bug& bug) {
     const auto end = std::min(profiles.find(' '), profiles.size());
     const Profile& profile = profile_named(profiles.substr(0, end));
     profiles.remove_prefix(std::min(end + 1, profiles.size()));
-    const std::string id =
-        fmt::format("{}.any.{}.fragment.{}.{}", bug.function.id, bug.arithmetic(), profile.name, bug.check());
     cases.push_back(
-        {.id = id,
-         .run =
-             [&bug, &profile](Session& session) {
-               const auto outputs = evaluate(session, evaluation_of(bug, profile), grid_of(bug));
-               return outputs ? judge_bug(bug, *outputs) : outputs.error();
-             },
-         .about = fmt::format("  reported in: {}\n  specification: {}\n", bug.reference, bug.specification)});
+        {{.function = std::string(bug.function.id),
+          .configuration = "any",
+          .arithmetic = std::string(bug.arithmetic()),
+          .stage = Stage::fragment,
+          .profile = std::string(profile.name),
+          .check = std::string(bug.check())},
+         BugKind{&bug, &profile},
+         Extent::every_driver,
+         fmt::format("  reported in: {}\n  specification: {}\n", bug.reference, bug.specification)});
   }
 }
 
@@ -85,15 +84,13 @@ std::span<const Bug> all_bugs() {
   return kBugs;
 }
 
-const Bug& find_bug(std::string_view id) {
-  const auto bugs = all_bugs();
-  const auto found = std::find_if(bugs.begin(), bugs.end(), [&](const Bug& bug) { return bug.function.id == id; });
-  assert(found != bugs.end());
-  return *found;
-}
-
 Evaluation evaluation_of(const Bug& bug, const Profile& profile) {
   return {bug.function, default_configuration(), profile, {.knobs = bug.declarations}};
+}
+
+Outcome check_bug(Session& session, const Bug& bug, const Profile& profile) {
+  const auto outputs = evaluate(session, evaluation_of(bug, profile), grid_of(bug));
+  return outputs ? judge_bug(bug, *outputs) : outputs.error();
 }
 
 Outcome judge_bug(const Bug& bug, std::span<const std::uint32_t> outputs) {

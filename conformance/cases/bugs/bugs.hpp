@@ -43,10 +43,10 @@ struct Bug {
 };
 
 std::span<const Bug> all_bugs();
-const Bug& find_bug(std::string_view id);  // "bugs.abs_of_int"; it must exist
 
 // What evaluation_shader needs to make the bug's shader.
 Evaluation evaluation_of(const Bug& bug, const Profile& profile);
+Outcome check_bug(Session& session, const Bug& bug, const Profile& profile);
 // Holds what came out, kOutputWords per point of the bug, against what should.
 Outcome judge_bug(const Bug& bug, std::span<const std::uint32_t> outputs);
 
