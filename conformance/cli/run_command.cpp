@@ -235,7 +235,8 @@ Result<RunPlan> make_plan(const RunCommand& options, const DriverChoice& choice,
 Result<std::vector<Expectation>> load_expectations(const std::string& directory) {
   auto expectations = read_expectations(directory);
   if (!expectations) return expectations;
-  if (const auto known = check_expectations(*expectations, ids_of(all_cases())); !known) return tl::unexpected(known.error());
+  const auto known = check_expectations(*expectations, ids_of(all_cases()));
+  if (!known) return tl::unexpected(known.error());
   return expectations;
 }
 

@@ -31,8 +31,8 @@ class Flags(unittest.TestCase):
     def digests(self, number, compiler, flags, *macros):
         """What twin_flags.cpp prints, built so."""
         program = self.folder / f"twin-{number}"
-        command = [compiler, "-std=c++20", *flags, *(f"-D{macro}" for macro in macros), f"-I{HERE.parent.parent / 'include'}",
-                   str(HERE / "twin_flags.cpp"), "-o", str(program)]
+        command = [compiler, "-std=c++20", *flags, *(f"-D{macro}" for macro in macros),
+                   f"-I{HERE.parent.parent / 'include'}", str(HERE / "twin_flags.cpp"), "-o", str(program)]
         subprocess.run(command, check=True)
         done = subprocess.run([program], capture_output=True, text=True)
         self.assertEqual((done.returncode, done.stderr), (0, ""), " ".join(command))
