@@ -1,4 +1,5 @@
 #include "cases/case.hpp"
+#include "cases/value_checks.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -36,7 +37,7 @@ TEST(Cases, EveryConfigurationAndFunctionHasGoldenAndTwin) {
   }
 }
 
-Outcome throws(Session&) { throw std::runtime_error("thrown"); }
+Outcome throws(Session&, const Evaluation&) { throw std::runtime_error("thrown"); }
 
 class CasesOnOsmesa : public OnOsmesa<> {};
 
@@ -44,8 +45,9 @@ TEST_F(CasesOnOsmesa, AnExceptionIsAnError) {
   const SourceSet sources = SourceSet::embedded();
   const ReferenceCompiler reference;
   Session session({sources, reference, "", 1}, *context_, 1);
-  const CaseResult result = run_case(session, {"a", throws});
-  EXPECT_EQ(result.id, "a");
+  const Evaluation evaluation{find_function("hash.word"), default_configuration(), profile_named("gl330")};
+  const CaseResult result = run_case(session, {name_of(evaluation, "throws"), CheckKind{evaluation, throws}});
+  EXPECT_EQ(result.id, "hash.word.lattice.exact.fragment.gl330.throws");
   EXPECT_EQ(result.outcome.status, Status::error);
   EXPECT_EQ(result.outcome.message, "exception: thrown");
 }

@@ -65,7 +65,7 @@ void add_file_cases(std::vector<Case>& cases, std::size_t number, const Configur
   const std::string_view file = kLibraryFiles[number].name;
   const auto extent_in = [&](Stage stage) {
     const bool chosen = configuration.is_default() || (is_main(configuration, profile) && stage == Stage::fragment) ||
-                        has_turn(number, configuration, static_cast<std::size_t>(&profile - all_profiles().data()) +
+                        has_turn(number, kLibraryFiles.size(), configuration, static_cast<std::size_t>(&profile - all_profiles().data()) +
                                                             static_cast<std::size_t>(stage));
     return chosen ? Extent::one_driver : Extent::thorough;
   };

@@ -147,12 +147,16 @@ TEST_F(EvidenceOf, APixelThatIsNotDrawnIsAnError) {
 }
 
 TEST(EvidenceBudget, IsForEachFunctionAndForAll) {
-  EvidenceBudget budget({"a.b.fnv1.fast.fragment.gl330.golden"});
-  EXPECT_FALSE(budget.take("a.b.fnv1.fast.fragment.es300.golden")) << "the same in another version";
-  EXPECT_TRUE(budget.take("a.b.fnv1.fast.fragment.gl330.twin"));
-  EXPECT_FALSE(budget.take("a.b.pcg.fast.fragment.gl330.golden"));
+  EvidenceBudget budget;
+  EXPECT_TRUE(budget.take({"a.b", "fnv1", "fast", Stage::fragment, "gl330", "golden"}));
+  EXPECT_FALSE(budget.take({"a.b", "fnv1", "fast", Stage::fragment, "es300", "golden"}))
+      << "the same in another version";
+  EXPECT_TRUE(budget.take({"a.b", "fnv1", "fast", Stage::fragment, "gl330", "twin"}));
+  EXPECT_FALSE(budget.take({"a.b", "pcg", "fast", Stage::fragment, "gl330", "golden"}));
   int taken = 0;
-  for (int i = 0; i < 1000; ++i) taken += budget.take("f." + std::to_string(i) + ".x.fast.fragment.gl330.twin") ? 1 : 0;
+  for (int i = 0; i < 1000; ++i) {
+    taken += budget.take({"f." + std::to_string(i), "x", "fast", Stage::fragment, "gl330", "twin"}) ? 1 : 0;
+  }
   EXPECT_EQ(taken, 38);
 }
 

@@ -72,8 +72,8 @@ constexpr std::array kVariants = {
 
 // A variant of the shader is one more to compile. With the defaults each function has all of them, in one arithmetic and
 // one version or another; a period concerns no hash.
-void add_metamorphic_cases(std::vector<Case>& cases, const Evaluation& evaluation, std::size_t number,
-                           const Target& target, Extent extent) {
+void add_metamorphic_cases(std::vector<Case>& cases, const Evaluation& evaluation, const Target& target,
+                           Extent extent) {
   const auto& [function, configuration, profile, none, stage] = evaluation;
   const bool defaults = configuration.default_but_for_arithmetic() && covers(configuration, function);
   if (target.main && defaults && has_variants(function)) {
@@ -82,7 +82,7 @@ void add_metamorphic_cases(std::vector<Case>& cases, const Evaluation& evaluatio
       const bool all = configuration.is_default() && !profile.es;
       cases.push_back(
           {name_of(evaluation, name), PairingKind{{function, configuration, profile, variant}, make},
-           all || has_turn(number, configuration, target.number + i) ? Extent::one_driver : Extent::thorough});
+           all || has_turn(function, configuration, target.number + i) ? Extent::one_driver : Extent::thorough});
     }
   }
   if (!target.main && stage != Stage::fragment && covers(configuration, function)) {

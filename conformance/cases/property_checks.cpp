@@ -13,11 +13,13 @@
 namespace hn {
 namespace {
 
-constexpr std::size_t kPropertyPoints = std::size_t{1} << 16;  // or what the driver can do
+constexpr std::size_t kPropertyPoints = std::size_t{1} << 16;  // or what the driver can do; of octave sums a quarter
 constexpr std::size_t kWrappedPoints = std::size_t{1} << 12;
 constexpr std::size_t kCorrelationPoints = std::size_t{1} << 14;  // fewer: a check evaluates them many times
 
-std::size_t property_points(const Session& session) { return std::min(kPropertyPoints, session.most_points); }
+std::size_t property_points(const Session& session, const Function& function) {
+  return std::min(function.is_octave_sum() ? kPropertyPoints / 4 : kPropertyPoints, session.most_points);
+}
 
 struct Range {
   float low;
@@ -122,7 +124,7 @@ double sum_of_constant_noise(OctaveSum sum, bool no_octaves) {
 // Noise is 0 at lattice points, near and far.
 Outcome check_zero(Session& session, const Evaluation& evaluation) {
   const Function& function = evaluation.function;
-  Words inputs = random_points(function, property_points(session), Random(session.seed, "zero"));
+  Words inputs = random_points(function, property_points(session, function), Random(session.seed, "zero"));
   const int axes = function.seed_word();
   for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
     for (std::size_t axis = i; axis < i + static_cast<std::size_t>(axes); ++axis) {
@@ -142,7 +144,7 @@ Outcome check_zero(Session& session, const Evaluation& evaluation) {
 // length, no value would be beyond 0.67, and of this few points none beyond 0.6.
 Outcome check_range(Session& session, const Evaluation& evaluation) {
   const Function& function = evaluation.function;
-  const Words inputs = random_points(function, property_points(session), Random(session.seed, "range"));
+  const Words inputs = random_points(function, property_points(session, function), Random(session.seed, "range"));
   const auto outputs = evaluate(session, evaluation, inputs);
   if (!outputs) return outputs.error();
   const Range range = range_of(function, evaluation.configuration);
@@ -165,7 +167,7 @@ Outcome check_range(Session& session, const Evaluation& evaluation) {
 Outcome check_finite(Session& session, const Evaluation& evaluation) {
   const Function& function = evaluation.function;
   const bool fixed = evaluation.configuration.arithmetic == Arithmetic::fixed;
-  Words inputs = random_points(function, property_points(session), Random(session.seed, "finite"),
+  Words inputs = random_points(function, property_points(session, function), Random(session.seed, "finite"),
                                fixed ? Extremes::integers : Extremes::floats);
   auto outputs = evaluate(session, evaluation, inputs);
   if (!outputs) return outputs.error();
@@ -276,7 +278,7 @@ Outcome check_mirror(Session& session, const Evaluation& evaluation) {
 // Without a seed means with seed 0.
 Outcome check_unseeded(Session& session, const Evaluation& evaluation) {
   const Function& function = evaluation.function;
-  Words inputs = random_points(function, property_points(session), Random(session.seed, "unseeded"));
+  Words inputs = random_points(function, property_points(session, function), Random(session.seed, "unseeded"));
   const auto seed = static_cast<std::size_t>(function.seed_word());
   for (std::size_t i = seed; i < inputs.size(); i += kInputWords) inputs[i] = 0;
   const auto outputs =
@@ -296,7 +298,7 @@ Outcome check_unseeded(Session& session, const Evaluation& evaluation) {
 // HN_FBM_NOISE2D and HN_FBM_NOISE3D are used, but for a few roundings of sum and total.
 Outcome check_noise_knob(Session& session, const Evaluation& evaluation) {
   const Function& function = evaluation.function;
-  Words inputs = random_points(function, property_points(session), Random(session.seed, "knob"));
+  Words inputs = random_points(function, property_points(session, function), Random(session.seed, "knob"));
   const ShaderVariant with_noise{.knobs =
                                      "#define HN_FBM_NOISE2D(q, seed) (-0.5f + 0.0f * (q).x)\n"
                                      "#define HN_FBM_NOISE3D(q, seed) (-0.5f + 0.0f * (q).z)\n"};

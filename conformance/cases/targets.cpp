@@ -1,6 +1,6 @@
 #include "cases/targets.hpp"
 
-#include "library/functions.hpp"
+#include <algorithm>
 
 namespace hn {
 
@@ -20,11 +20,22 @@ std::vector<Target> targets_of(const Configuration& configuration) {
   return targets;
 }
 
-bool has_turn(std::size_t function, const Configuration& configuration, std::size_t number) {
-  return (function + static_cast<std::size_t>(configuration.index) + number) % kTurns == 0;
+bool has_turn(std::size_t number, std::size_t of, const Configuration& configuration, std::size_t other) {
+  return (number + static_cast<std::size_t>(configuration.index) + other) % std::min(of, kMostTurns) == 0;
 }
 
-Extent extent_of(std::size_t function, const Configuration& configuration, const Target& target) {
+bool has_turn(const Function& function, const Configuration& configuration, std::size_t other) {
+  std::size_t number = 0;  // in its family
+  std::size_t of = 0;
+  for (const Function& relative : all_functions()) {
+    if (relative.family != function.family) continue;
+    if (relative.id == function.id) number = of;
+    ++of;
+  }
+  return has_turn(number, of, configuration, other);
+}
+
+Extent extent_of(const Function& function, const Configuration& configuration, const Target& target) {
   const bool defaults = configuration.default_but_for_arithmetic();
   if (defaults && target.main) return Extent::every_driver;
   const bool main_of_desktop = target.main && !target.profile->es;

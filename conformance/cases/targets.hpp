@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "library/configurations.hpp"
+#include "library/functions.hpp"
 #include "library/profile.hpp"
 
 namespace hn {
@@ -28,11 +28,12 @@ struct Target {
 std::vector<Target> targets_of(const Configuration& configuration);
 
 // Settings are chosen pairwise. Every function meets every configuration in the main version of desktop OpenGL, and with
-// the defaults every target; the third pair, of configuration and target, is met by one function in kTurns. All else is
-// thorough. So a function more has few cases more, and none less for the others.
-inline constexpr std::size_t kTurns = 5;
-Extent extent_of(std::size_t function, const Configuration& configuration, const Target& target);
-// The same for what has but one turn in kTurns.
-bool has_turn(std::size_t function, const Configuration& configuration, std::size_t number);
+// the defaults every target; the third pair, of configuration and target, is met by one function of each family, or by
+// one in kMostTurns of a large one. All else is thorough.
+inline constexpr std::size_t kMostTurns = 5;
+Extent extent_of(const Function& function, const Configuration& configuration, const Target& target);
+// Whether it is this one's turn among so many, with a configuration and something else that is numbered.
+bool has_turn(std::size_t number, std::size_t of, const Configuration& configuration, std::size_t other);
+bool has_turn(const Function& function, const Configuration& configuration, std::size_t other);
 
 }  // namespace hn

@@ -1,12 +1,14 @@
 // The cases that evaluate functions on the driver: which there are follows from the tables of functions and
 // configurations.
+#include <algorithm>
+
 #include "cases/targets.hpp"
 #include "cases/value_checks.hpp"
 
 namespace hn {
 namespace {
 
-// What holds for a function by its row alone.
+// What holds for a function by its row alone. It is the library's doing more than the driver's: one driver is enough.
 void add_properties(std::vector<Case>& cases, const Evaluation& evaluation, Extent extent) {
   const auto& [function, configuration, profile, variant, stage] = evaluation;
   const auto add = [&](std::string_view name, Check* check) {
@@ -43,20 +45,19 @@ CaseName name_of(const Evaluation& evaluation, std::string_view check) {
 }
 
 void add_value_cases(std::vector<Case>& cases) {
-  for (std::size_t number = 0; number < all_functions().size(); ++number) {
-    const Function& function = all_functions()[number];
+  for (const Function& function : all_functions()) {
     for (const Configuration& configuration : all_configurations()) {
       for (const Target& target : targets_of(configuration)) {
         const Evaluation evaluation{function, configuration, *target.profile, {}, target.stage};
-        const Extent extent = extent_of(number, configuration, target);
+        const Extent extent = extent_of(function, configuration, target);
         if (covers(configuration, function)) {
           cases.push_back({name_of(evaluation, "golden"), GoldenKind{evaluation}, extent});
           if (target.stage == Stage::fragment) {
             cases.push_back({name_of(evaluation, "twin"), CheckKind{evaluation, check_twin}, extent});
           }
-          if (target.main) add_properties(cases, evaluation, extent);
+          if (target.main) add_properties(cases, evaluation, std::max(extent, Extent::one_driver));
         }
-        add_metamorphic_cases(cases, evaluation, number, target, extent);
+        add_metamorphic_cases(cases, evaluation, target, extent);
       }
     }
   }

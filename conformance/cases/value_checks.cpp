@@ -30,11 +30,13 @@ tl::expected<Words, Outcome> evaluate(Session& session, const Evaluation& evalua
 
 namespace {
 
-// With the default knobs a million, and all that a grid takes, in each arithmetic; with the others a quarter, which are
-// many. In ES, which is there for the contexts that have no GLSL 3.30, a sixteenth of that.
+// By what they cost: with the default knobs a quarter of a million, in each arithmetic; of octave sums, which are several
+// noises, a quarter of that; with other knobs, which are many, a quarter, too; in ES, which is there for the contexts
+// that have no GLSL 3.30, a sixteenth.
 std::uint64_t twin_points(const Session& session, const Evaluation& evaluation) {
   if (session.points != 0) return session.points;
-  std::uint64_t points = std::uint64_t{1} << 20;
+  std::uint64_t points = std::uint64_t{1} << 18;
+  if (evaluation.function.is_octave_sum()) points /= 4;
   if (!evaluation.configuration.default_but_for_arithmetic()) points /= 4;
   if (evaluation.profile.name != main_profile(evaluation.configuration, false).name) points /= 16;
   return std::min<std::uint64_t>(points, session.most_points);

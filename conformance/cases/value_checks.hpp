@@ -48,8 +48,7 @@ Outcome check_pairing(Session& session, const Pairing& pairing);
 
 // The name of a case about values.
 CaseName name_of(const Evaluation& evaluation, std::string_view check);
-// number: of the function, among all.
-void add_metamorphic_cases(std::vector<Case>& cases, const Evaluation& evaluation, std::size_t number,
-                           const Target& target, Extent extent);
+void add_metamorphic_cases(std::vector<Case>& cases, const Evaluation& evaluation, const Target& target,
+                           Extent extent);
 
 }  // namespace hn

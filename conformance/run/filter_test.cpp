@@ -12,10 +12,16 @@ std::vector<std::string> ids(const std::vector<Case>& cases) {
 }
 
 TEST(Filter, GlobsSelectAndUnite) {
-  const std::vector<Case> cases = {{"a.x.golden", {}}, {"a.y.twin", {}}, {"b.x.golden", {}}};
-  EXPECT_EQ(ids(filter_cases(cases, {})).size(), 3u);
-  EXPECT_EQ(ids(filter_cases(cases, {"*golden"})), (std::vector<std::string>{"a.x.golden", "b.x.golden"}));
-  EXPECT_EQ(ids(filter_cases(cases, {"a.y*", "b.*"})), (std::vector<std::string>{"a.y.twin", "b.x.golden"}));
+  const auto test = [](std::string function, std::string check) {
+    return Case({std::move(function), "c", "fast", Stage::vertex, "es300", std::move(check)}, ReferenceKind{});
+  };
+  const std::vector<Case> cases = {test("a.x", "golden"), test("a.y", "twin"), test("b.x", "golden")};
+  const std::string ax = "a.x.c.fast.vertex.es300.golden";
+  const std::string ay = "a.y.c.fast.vertex.es300.twin";
+  const std::string bx = "b.x.c.fast.vertex.es300.golden";
+  EXPECT_EQ(ids(filter_cases(cases, {})), (std::vector<std::string>{ax, ay, bx}));
+  EXPECT_EQ(ids(filter_cases(cases, {"*golden"})), (std::vector<std::string>{ax, bx}));
+  EXPECT_EQ(ids(filter_cases(cases, {"a.y*", "b.*"})), (std::vector<std::string>{ay, bx}));
   EXPECT_TRUE(filter_cases(cases, {"golden"}).empty());
 }
 

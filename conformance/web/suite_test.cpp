@@ -57,7 +57,8 @@ TEST(Suite, AShaderIsTheOneThatDriversGet) {
     const Json suite = suite_of(id);
     const Case& test = case_named(cases, id);
     const auto expected = expand(SourceSet::embedded(), profile_named("es300"),
-                                 test.evaluation ? evaluation_shader(*test.evaluation) : test.compilation->fragment);
+                                 test.evaluation() ? evaluation_shader(*test.evaluation())
+                                                   : std::get<CompilationKind>(*test.kind).fragment);
     EXPECT_EQ(text_of(suite, fragment_of(suite)), expected->text) << id;
     EXPECT_EQ(suite["shaders"][fragment_of(suite).get<std::size_t>()]["paths"], expected->paths) << id;
   }

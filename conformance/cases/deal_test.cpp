@@ -1,0 +1,74 @@
+#include "cases/deal.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace hn {
+namespace {
+
+Case case_of(std::string function, std::string check, Extent extent) {
+  return {{std::move(function), "lattice", "fast", Stage::fragment, "gl330", std::move(check)}, ReferenceKind{}, extent};
+}
+
+bool anything(const Case&) { return true; }
+bool nothing(const Case&) { return false; }
+
+using Places = std::vector<std::vector<std::size_t>>;
+
+TEST(Deal, WhatEveryDriverMustShowIsForEachAndTheRestForOne) {
+  const std::vector<Case> cases = {case_of("a.a", "golden", Extent::every_driver),
+                                   case_of("a.b", "golden", Extent::one_driver),
+                                   case_of("a.c", "golden", Extent::one_driver)};
+  const std::vector<CanRun> drivers = {anything, anything};
+  EXPECT_EQ(deal(cases, drivers), (Places{{0, 2}, {0, 1}}));
+}
+
+TEST(Deal, WhatSharesAProgramStaysTogether) {
+  const std::vector<Case> cases = {
+      case_of("a.a", "golden", Extent::one_driver), case_of("a.a", "twin", Extent::one_driver),
+      case_of("a.b", "golden", Extent::one_driver), case_of("a.b", "twin", Extent::one_driver)};
+  const std::vector<CanRun> drivers = {anything, anything};
+  EXPECT_EQ(deal(cases, drivers), (Places{{0, 1}, {2, 3}}));
+}
+
+TEST(Deal, ACaseIsForADriverThatCanRunIt) {
+  std::vector<Case> cases;
+  for (int i = 0; i < 8; ++i) cases.push_back(case_of("a." + std::to_string(i), "golden", Extent::one_driver));
+  const std::vector<CanRun> drivers = {nothing, anything};
+  const auto dealt = deal(cases, drivers);
+  EXPECT_TRUE(dealt[0].empty());
+  EXPECT_EQ(dealt[1].size(), cases.size());
+}
+
+TEST(Deal, WhatNoDriverCanRunIsNotLost) {
+  const std::vector<Case> cases = {case_of("a.a", "golden", Extent::one_driver)};
+  const std::vector<CanRun> drivers = {nothing, nothing};
+  EXPECT_EQ(deal(cases, drivers), (Places{{0}, {}}));
+}
+
+// The table of cases: pairs of settings.
+TEST(Extent, EveryFunctionMeetsEveryConfigurationAndEveryTargetMeetsEachOfThem) {
+  std::set<std::string> met;
+  for (const Case& test : all_cases()) {
+    if (test.extent == Extent::thorough || test.name.check != "golden") continue;
+    const auto& [function, configuration, arithmetic, stage, profile, check] = test.name;
+    const std::string target = std::string(name_of(stage)) + " " + profile;
+    met.insert(function + " " + configuration + " " + arithmetic);
+    met.insert(function + " " + target);
+    met.insert(configuration + " " + arithmetic + " " + target);
+  }
+  for (const Case& test : all_cases()) {
+    if (test.name.check != "golden") continue;
+    const auto& [function, configuration, arithmetic, stage, profile, check] = test.name;
+    const std::string target = std::string(name_of(stage)) + " " + profile;
+    for (const std::string& pair : {function + " " + configuration + " " + arithmetic, function + " " + target,
+                                    configuration + " " + arithmetic + " " + target}) {
+      EXPECT_TRUE(met.contains(pair)) << pair;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hn
