@@ -36,28 +36,8 @@ list(TRANSFORM drivers PREPEND "--driver=" OUTPUT_VARIABLE driver_options)
 add_test(NAME conform.all COMMAND hn-conform run ${driver_options} --out ${CMAKE_CURRENT_BINARY_DIR}/out-all)
 set_tests_properties(conform.all PROPERTIES TIMEOUT 1200)
 
-# --- The oracle and the tools ---
-set(tools ${PROJECT_SOURCE_DIR}/tools)
-foreach(test oracle oracle_fixed golden bounds bounds_float bounds_fixed faults fuzz mutate mutation_rules single_file)
-  add_test(NAME tools.${test} COMMAND Python3::Interpreter ${tools}/${test}_test.py)
-endforeach()
-add_test(NAME golden.regenerated_is_committed COMMAND Python3::Interpreter ${tools}/golden --check)
-# The suite must notice a change of the library; all of them by command, a few here.
-add_test(NAME mutants.sample COMMAND Python3::Interpreter ${tools}/mutate --program $<TARGET_FILE:hn-conform> --sample 30)
-
-# Each test of the randomness rejects what it should, and every hash passes them all. (In full by command.)
-add_test(NAME tools.quality COMMAND ${tools}/scientific-python ${tools}/quality_test.py)
-add_test(NAME tools.default_hash COMMAND ${tools}/scientific-python ${tools}/default_hash_test.py)
-add_test(NAME quality.gate COMMAND ${tools}/quality --quick)
-
-# Every fault that drivers have had turns a run red, and docs/faults.md says by which cases.
-add_test(NAME faults.table_is_committed COMMAND Python3::Interpreter ${tools}/faults --check --program $<TARGET_FILE:hn-conform>)
-# The parsers take anything: by command for long, a little here. The fuzzers are built on the way.
-add_test(NAME fuzz.corpus COMMAND Python3::Interpreter ${tools}/fuzz --runs 2000 --build ${PROJECT_BINARY_DIR}/fuzz)
-
 # tools/test runs as many tests at a time as there are cores. These use all of them by themselves, or measure times.
-set_tests_properties(cli_bench cli_paper cli_run cli_web conform.all mutants.sample faults.table_is_committed quality.gate
-                     PROPERTIES RUN_SERIAL ON)
+set_tests_properties(cli_bench cli_paper cli_run cli_web conform.all PROPERTIES RUN_SERIAL ON)
 
 # --- The C++ twin in other hands ---
 add_test(NAME consumer.find_package
@@ -79,9 +59,3 @@ endforeach()
 
 add_test(NAME twin.flags COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/twin_flags_test.py
                                  ${COMPILER_g++} ${COMPILER_clang++})
-
-# --- The README: its picture and its code ---
-add_executable(picture ${tools}/picture.cpp)
-target_compile_options(picture PRIVATE ${warnings} -ffp-contract=off)
-target_link_libraries(picture PRIVATE hashnoise::hashnoise PNG::PNG)
-add_test(NAME readme COMMAND Python3::Interpreter ${tools}/readme_test.py $<TARGET_FILE:picture>)

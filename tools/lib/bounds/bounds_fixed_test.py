@@ -1,21 +1,17 @@
-#!/usr/bin/env python3
-"""Tests tools/bounds_fixed.py: the fixed arithmetic, simulated from docs/contract.md, stays within the bounds."""
+"""Tests fixed.py: the fixed arithmetic, simulated from docs/contract.md, stays within the bounds."""
 
 import math
-import sys
 import unittest
 from unittest import mock
 
 import numpy as np
 
-sys.dont_write_bytecode = True  # the tree stays clean: no __pycache__ beside the sources
-
-import bounds_fixed as bounds
-import bounds_fixed_model
-from bounds_fixed_model import (exact_at, exact_gradient, exact_noise, exact_noise_at, exact_octaves, fixed_clouds,
+from bounds import fixed as bounds
+from bounds import fixed_model as bounds_fixed_model
+from bounds.fixed_model import (exact_at, exact_gradient, exact_noise, exact_noise_at, exact_octaves, fixed_clouds,
                                 fixed_fade, fixed_lerp, fixed_noise, fixed_noise_at, fixed_noise_at_cell, fixed_octaves,
                                 fixed_ramp, fixed_sine, moved, sine_argument, weights)
-from bounds_noise import GRADIENTS, OCTAHEDRAL, SINE, library_range, sine_range
+from bounds.perlin import GRADIENTS, OCTAHEDRAL, SINE, library_range, sine_range
 
 DIMS = (2, 3)
 NOISES = tuple((kind, dims) for kind in GRADIENTS for dims in DIMS)
@@ -246,7 +242,3 @@ class Octaves(unittest.TestCase):
     def test_weights(self):
         for gain in (0.0, 0.3, 0.5, 0.999, 1.0):
             self.assertEqual(weights(32, gain), bounds.fixed_weights(32, gain))
-
-
-if __name__ == "__main__":
-    unittest.main()

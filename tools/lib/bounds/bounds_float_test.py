@@ -1,19 +1,15 @@
-#!/usr/bin/env python3
-"""Tests tools/bounds_float.py: simulated float arithmetic, in any rounding mode, stays within the bounds."""
+"""Tests floats.py: simulated float arithmetic, in any rounding mode, stays within the bounds."""
 
 import itertools
 import math
 import random
 import struct
-import sys
 import unittest
 from unittest import mock
 
-sys.dont_write_bytecode = True  # the tree stays clean: no __pycache__ beside the sources
-
-import bounds_float as bounds
-from bounds_noise import GRADIENTS, OCTAHEDRAL, SINE, corners, lipschitz_bound, steepest_gradients
-from bounds_reference import contract_gradient, exact_noise, exact_noise_at, lattice_gradient
+from bounds import floats as bounds
+from bounds.perlin import GRADIENTS, OCTAHEDRAL, SINE, corners, lipschitz_bound, steepest_gradients
+from bounds.reference import contract_gradient, exact_noise, exact_noise_at, lattice_gradient
 
 NOISES = tuple(itertools.product(GRADIENTS, (2, 3)))
 MODES = ("nearest", "down", "up", "random")
@@ -295,7 +291,3 @@ class Octaves(unittest.TestCase):
         self.assertLess(bounds.octave_tolerance("fbm", 3, 1.0, 200, 2.0, 0.5, False, SINE), 3.001)
         with self.assertRaises(ValueError):
             bounds.octave_tolerance("fog", 2, 1.0, 1, 2.0, 0.5, False)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,21 +1,17 @@
-#!/usr/bin/env python3
-"""Tests tools/bounds_noise.py, and that documents and sources state the numbers that tools/bounds.py derives."""
+"""Tests perlin.py, and that documents and sources state the numbers that tools/bounds derives."""
 
 import itertools
 import math
-import pathlib
 import random
-import sys
 import unittest
 
 import numpy as np
 
-sys.dont_write_bytecode = True  # the tree stays clean: no __pycache__ beside the sources
-
-import bounds_fixed
-import bounds_float
-import bounds_noise as bounds
-from bounds_reference import contract_gradient, exact_noise, exact_noise_at
+from bounds import fixed as bounds_fixed
+from bounds import floats as bounds_float
+from bounds import perlin as bounds
+from bounds.reference import contract_gradient, exact_noise, exact_noise_at
+from tree import ROOT
 
 DIMS = (2, 3)
 NOISES = tuple(itertools.product(bounds.GRADIENTS, DIMS))
@@ -137,7 +133,7 @@ class Transcription(unittest.TestCase):
     """The places outside of these tools that state their numbers."""
 
     def assert_states(self, path, *numbers):
-        text = (pathlib.Path(__file__).resolve().parent.parent / path).read_text()
+        text = (ROOT / path).read_text()
         for number in numbers:
             self.assertTrue(number in text, f"{path} does not state {number}")
 
@@ -210,7 +206,3 @@ class Transcription(unittest.TestCase):
             bounds_fixed.cloud_error())))
         below = math.floor((1 - bounds_float.sine_largest()) * 1e9) / 1e9
         self.assert_states("docs/accuracy.md", self.as_written(below))
-
-
-if __name__ == "__main__":
-    unittest.main()

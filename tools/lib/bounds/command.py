@@ -1,25 +1,21 @@
-#!/usr/bin/env python3
 """Proves the numbers the documentation quotes about hn_perlin and the octave sums: range, Lipschitz constant, errors.
 
-    python3 tools/bounds.py           a table
-    python3 tools/bounds.py --json    the same as JSON
+    tools/bounds           a table
+    tools/bounds --json    the same as JSON
 
-bounds_noise.py proves the range and the Lipschitz constant, bounds_float.py the error of the float arithmetic (HN_FAST
-and HN_PRECISE), bounds_fixed.py that of the fixed (HN_FIXED); each says how.
+perlin.py proves the range and the Lipschitz constant, floats.py the error of the float arithmetic (HN_FAST
+and HN_PRECISE), fixed.py that of the fixed (HN_FIXED); each says how.
 """
 
 import argparse
 import json
 import math
-import sys
 
-sys.dont_write_bytecode = True  # the tree stays clean: no __pycache__ beside the sources
-
-from bounds_fixed import (error_parts, fade_errors, fixed_error, fixed_octave_tolerance, fixed_sine_error,
+from bounds.fixed import (error_parts, fade_errors, fixed_error, fixed_octave_tolerance, fixed_sine_error,
                           fixed_sine_largest, largest_intermediates, overshoot, range_loss)
-from bounds_float import (SINE_ARGUMENT_ERROR, error_bound, octave_tolerance, position_error, sine_bound, sine_largest,
+from bounds.floats import (SINE_ARGUMENT_ERROR, error_bound, octave_tolerance, position_error, sine_bound, sine_largest,
                           sine_truncation_bound)
-from bounds_noise import (GRADIENTS, SCALE, SINE, SLOPE_WITNESS, STEPS, library_range, lipschitz_bound,
+from bounds.perlin import (GRADIENTS, SCALE, SINE, SLOPE_WITNESS, STEPS, library_range, lipschitz_bound,
                           lipschitz_witness, range_bound, range_witness, sine_range)
 
 

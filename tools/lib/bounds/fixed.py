@@ -7,7 +7,7 @@ contract: the fade t of F, and how much an interpolation by t rounds. The rest i
 HN_PERLIN. The fixed value differs from the exact one by five things, which are bounded together, for each box:
 
     CUT      a coordinate is cut to a multiple of 2^-20, by less than that. The noise at the cut position is off by at
-             most L(f) * 2^-20, L(f) being the largest slope at a fraction (LIPSCHITZ in bounds_noise.py, here for all
+             most L(f) * 2^-20, L(f) being the largest slope at a fraction (LIPSCHITZ in perlin.py, here for all
              signs sigma; the way from p to the cut p is in the same box, or beyond the edge of the cell, in the box
              opposite, where L is the same by symmetry).
     FADE     t is off by e(F). At the cut position the ramps are exact, so for given gradients this moves the value by
@@ -23,10 +23,10 @@ HN_PERLIN. The fixed value differs from the exact one by five things, which are 
     SCALE    (((n + 256) >> 9) * S + 256) >> 9 is off by at most 256 S / 2^18 + 1/2 units of 2^-21 (n >> 7 by less than
              1).
 
-In a box the first two are smooth up to the choice of gradients, and bounded as in bounds_noise.py by their values at
+In a box the first two are smooth up to the choice of gradients, and bounded as in perlin.py by their values at
 the vertices and their second derivatives.
 
-RANGE. The octahedral gradients of the library leave 1 - library_range of bounds_noise.py, more than FADE, LERP and
+RANGE. The octahedral gradients of the library leave 1 - library_range of perlin.py, more than FADE, LERP and
 SCALE together (CUT moves a position, not a value out of its range): |hn_perlin| <= 1. Octave sums round by less than 2
 units of 2^-21 an octave (SUMS), 64 in 32 octaves; of the first, whose weight is 2^18, the same room is left.
 With the sine gradient, t <= 1/2 for f < 1/2 and t >= 1/2 for f > 1/2 suffice for n/2, as there, up to LERP, RAMP and
@@ -44,7 +44,7 @@ import math
 
 import numpy as np
 
-from bounds_noise import FADE_1, FADE_2, OCTAHEDRAL, SAFE, SCALE, SHIFT_MAX, SINE, fade, slope_curvature
+from bounds.perlin import FADE_1, FADE_2, OCTAHEDRAL, SAFE, SCALE, SHIFT_MAX, SINE, fade, slope_curvature
 
 ONE = 2**20  # I of the contract: the unit of fractions
 FADE_ONE = 2**18  # the unit of t
@@ -310,7 +310,7 @@ def cloud_error():
 
 
 def fixed_octave_tolerance(kind, dims, p_max, octaves, lacunarity, gain, exact_positions, gradient=OCTAHEDRAL):
-    """As octave_tolerance in bounds_float.py, of the fixed arithmetic; for lacunarity in [0, 255], gain in [0, 1] and
+    """As octave_tolerance in floats.py, of the fixed arithmetic; for lacunarity in [0, 255], gain in [0, 1] and
     at most 32 octaves, which is what it does not cut.
 
     Positions: p is cut to 2^-32 at first, the lacunarity to l, a multiple of 2^-23, and every product is rounded down

@@ -1,11 +1,11 @@
 """docs/contract.md on arrays, with LATTICE: the fixed arithmetic in integers that wrap as the contract says, and the
-exact noise and octave sums in doubles. Written from that page alone, for the tests of bounds_fixed.py."""
+exact noise and octave sums in doubles. Written from that page alone, for the tests of fixed.py."""
 
 import math
 
 import numpy as np
 
-from bounds_noise import SINE, corners
+from bounds.perlin import SINE, corners
 
 SHIFT = (11 / 32, 19 / 32, 23 / 32)
 

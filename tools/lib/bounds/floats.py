@@ -43,7 +43,7 @@ import functools
 import math
 import struct
 
-from bounds_noise import OCTAHEDRAL, SAFE, SHIFT_MAX, SINE, corners, fade, smooth_bound, supremum
+from bounds.perlin import OCTAHEDRAL, SAFE, SHIFT_MAX, SINE, corners, fade, smooth_bound, supremum
 
 UNIT = 2.0**-23  # the largest relative error of a faithfully rounded operation
 TINY = 2.0**-126  # the largest absolute error of flushing a subnormal to 0

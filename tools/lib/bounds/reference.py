@@ -8,7 +8,7 @@ import itertools
 import math
 import zlib
 
-import bounds_noise as noise
+from bounds import perlin as noise
 
 
 def contract_gradient(dims, word):

@@ -1,5 +1,4 @@
-#!/usr/bin/env python3
-"""Tests of tools/faults: python3 tools/faults_test.py
+"""Tests of tools/faults
 
 A script stands in for hn-conform, so that this takes no driver and no time.
 """
@@ -13,8 +12,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-sys.dont_write_bytecode = True  # the tree stays clean: no __pycache__ beside the sources
-from test_support import load_script  # noqa: E402
+from commands.support import load_script
 
 faults = load_script("faults")
 
@@ -92,7 +90,3 @@ class Faults(unittest.TestCase):
         with self.assertRaises(SystemExit) as wrong:
             self.call("three")
         self.assertEqual(wrong.exception.code, 2)
-
-
-if __name__ == "__main__":
-    unittest.main()

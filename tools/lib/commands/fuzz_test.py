@@ -1,4 +1,4 @@
-"""Tests of tools/fuzz: python3 tools/fuzz_test.py
+"""Tests of tools/fuzz
 
 Scripts stand in for the fuzzers, so that this takes no build and no time. That the fuzzers themselves work shows in the
 test fuzz.corpus, and that they find something when something is planted.
@@ -8,14 +8,12 @@ from __future__ import annotations
 
 import contextlib
 import io
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 from unittest import mock
 
-sys.dont_write_bytecode = True  # the tree stays clean: no __pycache__ beside the sources
-from test_support import load_script  # noqa: E402
+from commands.support import load_script
 
 fuzz = load_script("fuzz")
 
@@ -89,7 +87,3 @@ class Corpus(unittest.TestCase):
             for file in files:
                 self.assertLess(file.stat().st_size, 4096, file)
             self.assertTrue((fuzz.FUZZ / "corpus" / f"{target}.dict").exists(), target)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,4 @@
-"""Tests of tools/mutate: python3 tools/mutate_test.py
+"""Tests of tools/mutate
 
 A script stands in for hn-conform, so that this takes no driver and no time.
 """
@@ -13,8 +13,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-sys.dont_write_bytecode = True  # the tree stays clean: no __pycache__ beside the sources
-from test_support import load_script  # noqa: E402
+from commands.support import load_script
 
 mutate = load_script("mutate")
 SOURCES = {path.name: path.read_text(encoding="utf-8") for path in mutate.LIBRARY.glob("*.glsl")}
@@ -48,7 +47,7 @@ class Library(unittest.TestCase):
 
     def test_every_file_and_every_rule_has_mutants(self):
         self.assertEqual({m.file for m in MUTANTS}, set(SOURCES))
-        self.assertEqual({m.rule for m in MUTANTS}, {*mutate.mutation_rules.RULES, "directive"})
+        self.assertEqual({m.rule for m in MUTANTS}, {*mutate.rules.RULES, "directive"})
         self.assertGreaterEqual(len(MUTANTS), 1000)
 
     def test_each_equivalence_is_of_mutants_that_there_are(self):
@@ -235,7 +234,3 @@ class Sweep(unittest.TestCase):
         for arguments in (["--sample", "0"], ["--jobs", "x"], ["--file", "nothing.glsl"], ["--program", os.devnull],
                           ["--list", "--file", "config.glsl", "--rule", "shift"], ["--rule", "x"], ["--unknown"]):
             self.assertEqual(self.main(*arguments)[0], 2, arguments)
-
-
-if __name__ == "__main__":
-    unittest.main()

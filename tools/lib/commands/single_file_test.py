@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """tools/single-file: what it makes compiles by itself, in every language, with nothing but a #version line."""
 
 import pathlib
@@ -7,7 +6,9 @@ import sys
 import tempfile
 import unittest
 
-TOOL = pathlib.Path(__file__).resolve().parent / "single-file"
+from tree import TOOLS
+
+TOOL = TOOLS / "single-file"
 FILES = ("hash.glsl", "noise2d.glsl", "noise3d.glsl", "fbm.glsl", "hashnoise.glsl")
 CALLS = {"hash.glsl": "hn_unorm(hn_hash(7u))", "noise2d.glsl": "hn_perlin(vec2(1.5))",
          "noise3d.glsl": "hn_perlin(vec3(1.5))"}
@@ -57,7 +58,3 @@ class SingleFile(unittest.TestCase):
         done = generate("nope.glsl")
         self.assertEqual(done.returncode, 2)
         self.assertIn("there are: arithmetic.glsl, config.glsl", done.stderr)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """Writes or checks the golden files: inputs, and what the oracle says comes out.
 
     tools/golden [--out DIR] [--check]
@@ -10,7 +9,7 @@ of them. A value that is not exact in a float32 is the double nearest to the exa
 float itself. A digest is the 64-bit FNV-1a of the results as 4 little-endian bytes each, over all points from `origin`,
 the last coordinate running fastest.
 
-The inputs are those of golden_rows.py; their generator is seeded with the function's name alone, so that every
+The inputs are those of rows.py; their generator is seeded with the function's name alone, so that every
 configuration sees the same inputs. Fixed arithmetic has some more behind them.
 """
 
@@ -25,15 +24,15 @@ from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
 
-sys.dont_write_bytecode = True  # the tree stays clean: no __pycache__ beside the sources
-import oracle  # noqa: E402  (it lies next to this script)
-import oracle_fixed  # noqa: E402
-from golden_rows import (PERIODIC, SINE, Generator, Row, fixed_octave_rows, fixed_perlin_cell_rows,  # noqa: E402
+from golden.rows import (PERIODIC, SINE, Generator, Row, fixed_octave_rows, fixed_perlin_cell_rows,
                          fixed_perlin_rows, fnv1a64, gradient_rows, lattice_gradient_rows, lattice_rows, octave_rows,
                          perlin_cell_rows, perlin_rows, to_f32, vec_rows, word_rows)
+from oracle import exact as oracle
+from oracle import fixed as oracle_fixed
+from tree import ROOT
 
 BITS = "0.2.0"  # the version in which the values last changed
-DEFAULT_DIR = Path(__file__).resolve().parent.parent / "conformance" / "golden"
+DEFAULT_DIR = ROOT / "conformance" / "golden"
 
 
 # --- Functions --------------------------------------------------------------------------------------------------
@@ -286,7 +285,3 @@ def main(arguments: Sequence[str] | None = None) -> int:
     messages = differences(options.out, files)
     print("\n".join(messages) if messages else f"{len(files)} golden files are as the oracle says")
     return 1 if messages else 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -1,4 +1,4 @@
-"""Tests of tools/golden: python3 tools/golden_test.py
+"""Tests of tools/golden
 
 What the files say and how, and that `golden --check` notices what differs.
 """
@@ -10,7 +10,6 @@ import io
 import itertools
 import math
 import struct
-import sys
 import tempfile
 import unittest
 from collections.abc import Sequence
@@ -18,12 +17,9 @@ from fractions import Fraction
 from pathlib import Path
 from unittest import mock
 
-sys.dont_write_bytecode = True  # the tree stays clean: no __pycache__ beside the sources
-import golden_rows  # noqa: E402
-import oracle  # noqa: E402
-from test_support import load_script  # noqa: E402
-
-golden = load_script("golden")
+from golden import command as golden
+from golden import rows as golden_rows
+from oracle import exact as oracle
 
 
 class GoldenContents(unittest.TestCase):
@@ -288,7 +284,3 @@ class GoldenCheck(unittest.TestCase):
         with contextlib.redirect_stderr(io.StringIO()), self.assertRaises(SystemExit) as exit_:
             golden.main(["--chekc"])
         self.assertEqual(exit_.exception.code, 2)
-
-
-if __name__ == "__main__":
-    unittest.main()

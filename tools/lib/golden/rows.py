@@ -6,7 +6,7 @@ import itertools
 import struct
 from collections.abc import Sequence
 
-import oracle
+from oracle import exact as oracle
 
 INT_MIN, INT_MAX = -2**31, 2**31 - 1
 SEEDS = (0, 1, 0xFFFFFFFF)

@@ -1,12 +1,10 @@
-"""Tests of tools/mutation_rules.py: python3 tools/mutation_rules_test.py"""
+"""Tests of rules.py."""
 
 from __future__ import annotations
 
-import sys
 import unittest
 
-sys.dont_write_bytecode = True  # the tree stays clean: no __pycache__ beside the sources
-import mutation_rules as rules  # noqa: E402
+from mutation import rules
 
 
 def changed(rule: rules.Rule, body: str, head: str = "") -> list[str]:
@@ -222,7 +220,3 @@ class Directives(unittest.TestCase):
 
     def test_what_only_structures_stays(self):
         self.assertEqual(self.changed("#else") + self.changed("#endif"), [])
-
-
-if __name__ == "__main__":
-    unittest.main()

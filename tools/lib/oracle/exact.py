@@ -7,7 +7,7 @@ little to change the double nearest to it.) Where the contract gives a formula, 
 where a shader would do something faster.
 
 A `name` is that of a hash in sections 2 to 4, and of a configuration in sections 5 to 7: see Configuration. Section 8,
-the same in integers, is oracle_fixed.py.
+the same in integers, is fixed.py.
 """
 
 from __future__ import annotations

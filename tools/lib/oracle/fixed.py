@@ -14,8 +14,8 @@ import math
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 
-import oracle
-from oracle import MASK, Real
+from oracle import exact as oracle
+from oracle.exact import MASK, Real
 
 UNIT = 2**20  # the contract's I, of fractions
 NOISE_UNIT = 2**21

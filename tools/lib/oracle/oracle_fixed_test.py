@@ -1,4 +1,4 @@
-"""Tests of tools/oracle_fixed.py: python3 tools/oracle_fixed_test.py
+"""Tests of fixed.py.
 
 Numbers by hand and of a C program written from the contract, and how far fixed arithmetic is from the exact values.
 """
@@ -7,16 +7,14 @@ from __future__ import annotations
 
 import itertools
 import math
-import sys
 import unittest
 from collections.abc import Sequence
 from fractions import Fraction
 from unittest import mock
 
-sys.dont_write_bytecode = True  # the tree stays clean: no __pycache__ beside the sources
-import golden_rows  # noqa: E402
-import oracle  # noqa: E402
-import oracle_fixed as fixed  # noqa: E402
+from golden import rows as golden_rows
+from oracle import exact as oracle
+from oracle import fixed
 
 UNIT = 2**20
 NAMES = ("lattice+fixed", "fnv1+fixed", "lattice+period48+fixed", "lattice+sine+fixed")
@@ -350,7 +348,3 @@ class OctaveSums(unittest.TestCase):
         second = fixed.perlin("pcg+fixed", (0.75 + 0.34375, -24.5 + 0.59375), next_seed)
         self.assertLess(abs(fixed.fbm("pcg+fixed", (0.375, -12.25), 2, 2.0, 0.25, seed) - (4 * first + second) / 5),
                         2**-20)
-
-
-if __name__ == "__main__":
-    unittest.main()

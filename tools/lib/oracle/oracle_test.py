@@ -1,4 +1,4 @@
-"""Tests of tools/oracle.py: python3 tools/oracle_test.py
+"""Tests of exact.py.
 
 The published vectors say that the hashes are the ones they are named after, the properties that the noise is what the
 contract promises.
@@ -8,15 +8,13 @@ from __future__ import annotations
 
 import itertools
 import math
-import sys
 import unittest
 from collections import Counter
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 
-sys.dont_write_bytecode = True  # the tree stays clean: no __pycache__ beside the sources
-import golden_rows  # noqa: E402
-import oracle  # noqa: E402
+from golden import rows as golden_rows
+from oracle import exact as oracle
 
 
 def generator(name: str):
@@ -691,7 +689,3 @@ class OctaveSums(unittest.TestCase):
 
     def test_seeds_differ(self) -> None:
         self.assertEqual(len({oracle.fbm("pcg", (0.375, 0.5), 4, 2.0, 0.5, seed) for seed in range(32)}), 32)
-
-
-if __name__ == "__main__":
-    unittest.main()

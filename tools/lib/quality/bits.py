@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from judgement import Finding, chi_square, normal
-from lattice import Lattice, neighbours, shifted
+from quality.judgement import Finding, chi_square, normal
+from quality.lattice import Lattice, neighbours, shifted
 
 WINDOW = 8   # bits: 256 bins. Windows start every four bits, so that each run of five bits is whole in one
 PAIR = 6     # bits of each of two neighbours: 4096 bins

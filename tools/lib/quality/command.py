@@ -18,14 +18,15 @@ from pathlib import Path
 
 import numpy as np
 
-import controls
-import gate
-import library
-import noise
-import report
-from judgement import Finding
-from lattice import Lattice, sample
-from report import HashResult
+from quality import controls
+from quality import gate
+from quality import library
+from quality import noise
+from quality import report
+from quality.judgement import Finding
+from quality.lattice import Lattice, sample
+from quality.report import HashResult
+from tree import ROOT
 
 DIMENSIONS = (2, 3)
 
@@ -139,7 +140,7 @@ def parse(arguments: list[str]) -> argparse.Namespace:
     parser.add_argument("--hash-fn", metavar="EXPR", help="judge your own hash: an expression of the uint k")
     parser.add_argument("--words2", type=Path, metavar="FILE", help="judge words in the plane: .npy, uint32")
     parser.add_argument("--words3", type=Path, metavar="FILE", help="the same in space")
-    parser.add_argument("--include", type=Path, default=library.ROOT / "include", metavar="DIR",
+    parser.add_argument("--include", type=Path, default=ROOT / "include", metavar="DIR",
                         help="another copy of include/, with its glsl/ beside it")
     parser.add_argument("--seeds", type=lambda text: tuple(int(s, 0) & gate.WORD for s in text.split(",")),
                         metavar="A,B,...", help="seeds to measure with")
@@ -187,7 +188,7 @@ def run(options, folder: Path) -> int:
         return judge_given(options, folder)
     twins = chosen_twins(options, folder)
     page = options.out is not None or not (options.quick or options.hash or options.hash_fn or options.seeds)
-    out = options.out or library.ROOT / "docs"
+    out = options.out or ROOT / "docs"
     if page and not options.check and importlib.util.find_spec("matplotlib") is None:
         raise library.NotBuilt("the pictures need matplotlib; run it as tools/quality, which finds or installs it")
     if options.dump:

@@ -7,8 +7,8 @@ from typing import Callable
 
 import numpy as np
 
-from lattice import cells_of
-from library import Twin
+from quality.lattice import cells_of
+from quality.library import Twin
 
 Shape = tuple[int, ...]
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from scipy import stats
 
-from judgement import Finding, peak, poisson, two_tails
-from lattice import Lattice
+from quality.judgement import Finding, peak, poisson, two_tails
+from quality.lattice import Lattice
 
 # Bits that a run has at least. Of a window's runs (about 2^22, so 2^43 pairs) hardly two then agree by chance, so that a
 # handful of copied cells stands out.

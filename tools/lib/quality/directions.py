@@ -7,8 +7,8 @@ from functools import lru_cache
 import numpy as np
 from scipy import special, stats
 
-from judgement import Finding, normal, peak
-from lattice import Lattice
+from quality.judgement import Finding, normal, peak
+from quality.lattice import Lattice
 
 ORDERS = {2: 16, 3: 8}  # harmonics up to this order
 CHUNK = 1 << 15  # vectors at a time, so that their harmonics stay in the cache

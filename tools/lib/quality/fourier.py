@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from scipy import fft, stats
 
-from judgement import Finding, normal, peak
-from lattice import Lattice
+from quality.judgement import Finding, normal, peak
+from quality.lattice import Lattice
 
 WORKERS = 1  # the processes share the cores already
 

@@ -7,14 +7,14 @@ from typing import Callable, Iterable
 
 import numpy as np
 
-import avalanche
-import bits
-import copies
-import directions
-import fourier
-from judgement import Finding, join
-from lattice import Lattice, cells_of, of_words, sample
-from library import Twin
+from quality import avalanche
+from quality import bits
+from quality import copies
+from quality import directions
+from quality import fourier
+from quality.judgement import Finding, join
+from quality.lattice import Lattice, cells_of, of_words, sample
+from quality.library import Twin
 
 GOLDEN = 0x9E3779B9  # between the seeds of octaves, docs/contract.md section 7
 WORD = 0xFFFFFFFF

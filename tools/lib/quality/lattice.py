@@ -7,7 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
-from library import Twin
+from quality.library import Twin
 
 
 @dataclass

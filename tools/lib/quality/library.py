@@ -9,8 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-ROOT = Path(__file__).resolve().parent.parent.parent
-SOURCE = ROOT / "tools" / "lattice.cpp"
+SOURCE = Path(__file__).resolve().parent / "lattice.cpp"
 # As the test suite builds the twin: without contraction, so that floats are the same on every machine.
 COMPILER = ("g++", "-std=c++20", "-O2", "-ffp-contract=off")
 STAGE_PROBES = 4096  # words; a bit that the stage uses changes the gradient of about half of them at least

@@ -10,12 +10,12 @@ from PIL import Image  # which matplotlib needs as well
 
 matplotlib.use("Agg")
 
-import matplotlib.pyplot as plt  # noqa: E402  (after the backend is chosen)
+import matplotlib.pyplot as plt
 
-import controls
-import fourier
-from lattice import of_words, sample
-from library import Twin
+from quality import controls
+from quality import fourier
+from quality.lattice import of_words, sample
+from quality.library import Twin
 
 SIDE = 64    # cells: small enough to see single lags
 SHOWN = 8.0  # standard deviations, and spectral ordinates, at which the scales end: what the gate calls a failure

@@ -1,14 +1,9 @@
-#!/usr/bin/env python3
-"""The gate accepts what is random and rejects what is not, by the test meant for it; thresholds are the derived ones.
-
-Run it by tools/scientific-python.
-"""
+"""The gate accepts what is random and rejects what is not, by the test meant for it; thresholds are the derived ones."""
 
 import contextlib
 import io
 import json
 import shutil
-import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -16,20 +11,16 @@ from pathlib import Path
 import numpy as np
 from scipy import stats
 
-import test_support  # noqa: F401  (keeps the tree free of __pycache__)
-
-ROOT = Path(__file__).resolve().parent.parent
-sys.path.insert(0, str(ROOT / "tools" / "randomness"))
-
-import command
-import controls
-import copies
-import directions
-import fourier
-import gate
-import judgement
-import library
-import report
+from quality import command
+from quality import controls
+from quality import copies
+from quality import directions
+from quality import fourier
+from quality import gate
+from quality import judgement
+from quality import library
+from quality import report
+from tree import ROOT
 
 SHAPES = {2: (512, 512), 3: (32, 32, 256)}  # in space, long enough for a line to be told from chance
 FOLDER = tempfile.TemporaryDirectory()
@@ -237,7 +228,3 @@ class Command(unittest.TestCase):
             self.assertFalse(report.same(page, "a 0.125 b 7"))
             self.assertFalse(report.same(page, "c 0.12345 b 7"))
             self.assertFalse(report.same(self.folder / "none.md", ""))
-
-
-if __name__ == "__main__":
-    unittest.main()

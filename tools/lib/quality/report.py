@@ -8,13 +8,13 @@ from dataclasses import dataclass
 from math import log2
 from pathlib import Path
 
-import controls
-import gate
-import texts
-from directions import shape_harmonics
-from judgement import ALPHA, Finding
-from library import Twin
-from noise import Measured
+from quality import controls
+from quality import gate
+from quality import texts
+from quality.directions import shape_harmonics
+from quality.judgement import ALPHA, Finding
+from quality.library import Twin
+from quality.noise import Measured
 
 
 @dataclass

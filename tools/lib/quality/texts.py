@@ -76,7 +76,7 @@ harmonics of an order, each of mean square 1 on the circle or sphere; by numeric
 
 CONTROLS = """## What the gate rejects
 
-Each test has a lattice that it must reject, and an independent random one (Philox) that all accept. The lattices are numpy's, in the plane; `tools/quality_test.py` has most of them in space as well.
+Each test has a lattice that it must reject, and an independent random one (Philox) that all accept. The lattices are numpy's, in the plane; `tools/lib/quality/quality_test.py` has most of them in space as well.
 
 """
 

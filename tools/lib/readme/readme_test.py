@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """The README's picture is what the code draws, its code compiles as it stands there, and its costs were measured.
 
 Usage: readme_test.py PATH-OF-PICTURE
@@ -14,8 +13,9 @@ import tempfile
 import unittest
 import zlib
 
+from tree import ROOT
+
 PICTURE = ""
-ROOT = pathlib.Path(__file__).resolve().parent.parent
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 INCLUDE_PLACE = re.compile(r"^// here: .*$", re.MULTILINE)  # where the README leaves the way of inclusion open
 
