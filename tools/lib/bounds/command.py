@@ -1,125 +1,125 @@
-"""Proves the numbers the documentation quotes about hn_perlin and the octave sums: range, Lipschitz constant, errors.
+"""Proves the numbers that the documentation quotes about noise and octave sums: range, Lipschitz constant, errors.
 
-    tools/bounds           a table
-    tools/bounds --json    the same as JSON
+    tools/bounds            a table
+    tools/bounds --json     the same as JSON
+    tools/bounds --write    conformance/expected/bounds.inc, which the suite includes, and the tables of docs/accuracy.md
+    tools/bounds --check    whether these, and every bound that a comment or a page quotes, are what is derived
 
-perlin.py proves the range and the Lipschitz constant, floats.py the error of the float arithmetic (HN_FAST
-and HN_PRECISE), fixed.py that of the fixed (HN_FIXED); each says how.
+noises/ has what is proven of each noise.
+
+Exit status: 0 all is as derived, 1 something is not: prose and comments are for you to mend; 2 bad usage.
 """
+
+from __future__ import annotations
 
 import argparse
 import json
 import math
+import sys
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import asdict
+from pathlib import Path
 
-from bounds.fixed import (error_parts, fade_errors, fixed_error, fixed_octave_tolerance, fixed_sine_error,
-                          fixed_sine_largest, largest_intermediates, overshoot, range_loss)
-from bounds.floats import (SINE_ARGUMENT_ERROR, error_bound, octave_tolerance, position_error, sine_bound, sine_largest,
-                          sine_truncation_bound)
-from bounds.perlin import (GRADIENTS, SCALE, SINE, SLOPE_WITNESS, STEPS, library_range, lipschitz_bound,
-                          lipschitz_witness, range_bound, range_witness, sine_range)
+from bounds import noises, sine
+from bounds.documents import (ACCURACY, EXAMPLES, Everything, Key, missing_quotes, name_of, sum_tolerances,
+                              with_tables, wrong_comments)
+from bounds.gradients import SINE
+from bounds.integers import fade_errors, overshoot
+from bounds.noises import Derived
+from bounds.table import HEAD, PATH, SineBounds, noise_row, sine_row
+from tree import ROOT
 
 
-def derive(dims, gradient):
-    """All bounds of one dimension and kind of gradient, as a dictionary."""
-    lipschitz = lipschitz_bound(dims, gradient)
-    result = {"scale": gradient.scale[dims]}
-    if gradient is SINE:
-        result["range_at_most"] = sine_range(dims)
+def keys() -> list[Key]:
+    return [(name, dims, gradient) for name in noises.names() for gradient in noises.find(name).GRADIENTS
+            for dims in noises.find(name).DIMENSIONS]
+
+
+def derive_one(index: int) -> Derived:
+    noise, dims, gradient = keys()[index]
+    return noises.find(noise).derive(dims, gradient)
+
+
+def derive() -> Everything:
+    """All of it, on all cores."""
+    with ProcessPoolExecutor() as pool:
+        return dict(zip(keys(), pool.map(derive_one, range(len(keys())))))
+
+
+def rendered(derived: Everything) -> str:
+    """The table that the suite includes."""
+    rows = [noise_row(of_noise.bounds(*key)) for key, of_noise in derived.items()]
+    rows.append(sine_row(SineBounds(SINE.component_error, sine.fixed_sine_error())))
+    return HEAD + "".join(rows)
+
+
+def files(derived: Everything, root: Path = ROOT) -> dict[Path, str]:
+    """What is written, with what should be in it."""
+    page = root / ACCURACY
+    return {root / PATH.relative_to(ROOT): rendered(derived),
+            page: with_tables(page.read_text(encoding="utf-8"), derived)}
+
+
+def differences(derived: Everything, root: Path = ROOT) -> list[str]:
+    """What is not as derived."""
+    old = [f"{path}: not up to date; run tools/bounds --write" for path, text in files(derived, root).items()
+           if not path.is_file() or path.read_text(encoding="utf-8") != text]
+    return old + missing_quotes(derived, root) + wrong_comments(derived, root / "glsl")
+
+
+SUM = ("turbulence", 3, 16.0, 5, 1.9, 0.6, False)  # one that the page does not have
+
+
+def everything_for_a_reader(derived: Everything) -> dict[str, dict]:
+    numbers = {name_of(key): asdict(of_noise) | noises.find(key[0]).describe(*key[1:])
+               for key, of_noise in derived.items()}
+    return numbers | {
+        "the sine of the sine gradient": {
+            "polynomial_error": sine.sine_truncation_bound(),
+            "argument_error": math.pi / 2 * sine.SINE_ARGUMENT_ERROR,
+            "error_any_rounding": sine.sine_bound(),
+            "error_to_nearest": sine.sine_bound(0.5),
+            "error_promised": SINE.component_error,
+            "below_1_by_any_rounding": 1 - sine.sine_largest(),
+            "fixed_error": sine.fixed_sine_error(),
+            "fixed_largest": float(sine.fixed_sine_largest())},
+        "the fixed fade": {"error_from": float(fade_errors().min()), "error_to": float(fade_errors().max()),
+                           "overshoot": overshoot()},
+        "octave sums of kind, dimensions, |p|, octaves, lacunarity, gain, exact positions: octahedral in floats, fixed; "
+        "sine in floats, fixed": {
+            str(tuple(arguments)): [f"{tolerance:.3g}" for tolerance in sum_tolerances(derived, *arguments)]
+            for arguments in (*(example[1:] for example in EXAMPLES), SUM)}}
+
+
+def print_table(numbers: dict[str, dict]) -> None:
+    for title, group in numbers.items():
+        print(title)
+        for name, value in group.items():
+            shown = f"{value:.9g}" if isinstance(value, float) else value
+            print(f"  {name.replace('_', ' '):40} {shown}")
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(prog="bounds", description="Proves the range, slope and errors of noises.")
+    mode = parser.add_mutually_exclusive_group()
+    mode.add_argument("--json", action="store_true", help="print JSON instead of a table")
+    mode.add_argument("--write", action="store_true", help="write the suite's table and those of docs/accuracy.md")
+    mode.add_argument("--check", action="store_true", help="compare all that quotes a bound")
+    options = parser.parse_args()
+    derived = derive()
+    if options.json:
+        print(json.dumps(everything_for_a_reader(derived), indent=2))
+    elif options.write or options.check:
+        if options.write:
+            for path, text in files(derived).items():
+                path.write_text(text, encoding="utf-8")
+        messages = differences(derived)
+        print("\n".join(messages or [f"the bounds of {len(derived)} noises are as derived"]))
+        return 1 if messages else 0
     else:
-        witness, point, gradients = range_witness(dims)
-        result |= {
-            "range_at_most": range_bound(dims, SCALE[dims]),
-            "range_of_the_library_at_most": library_range(dims),
-            "range_attained": float(witness),
-            "range_attained_at": point,
-            "range_attained_with": {str(corner): list(map(float, g)) for corner, g in gradients.items()},
-        }
-    result |= {
-        "lipschitz_at_most": lipschitz,
-        "lipschitz_attained": lipschitz_witness(dims, gradient),
-        "lipschitz_attained_at": SLOPE_WITNESS[gradient][dims],
-    }
-    for name, ulps in (("any_rounding", 1.0), ("to_nearest", 0.5)):
-        cell_error = error_bound(dims, gradient, ulps)
-        result["error_from_cell_" + name] = cell_error
-        result["error_from_position_" + name] = position_error(cell_error, lipschitz, ulps)
-    result["fixed_error"] = fixed_error(dims, gradient)
-    result |= {f"fixed_error_of_{part}": float(error) for part, error in error_parts(dims, gradient).items()}
-    result["fixed_beyond_the_range"] = float(range_loss(dims, gradient))
-    result |= {f"fixed_{name.replace(' ', '_')}_over_2^31": float(value / 2**31)
-               for name, value in largest_intermediates(dims, gradient).items()}
-    return result
-
-
-def derive_fade():
-    """The fixed fade: how far it is off, and how far it leaves [0, 1]."""
-    return {"error_from": float(fade_errors().min()), "error_to": float(fade_errors().max()), "overshoot": overshoot()}
-
-
-def derive_sine():
-    """The bounds of the sine itself."""
-    return {
-        "polynomial_error": sine_truncation_bound(),
-        "argument_error": math.pi / 2 * SINE_ARGUMENT_ERROR,
-        "error_any_rounding": sine_bound(),
-        "error_to_nearest": sine_bound(0.5),
-        "error_promised": SINE.component_error,
-        "below_1_by_any_rounding": 1 - sine_largest(),
-        "fixed_error": fixed_sine_error(),
-        "fixed_largest": float(fixed_sine_largest()),
-    }
-
-
-OCTAVE_EXAMPLES = [  # kind, dims, p_max, octaves, lacunarity, gain, exact_positions
-    ("fbm", 2, 16.0, 5, 2.0, 0.5, True),
-    ("fbm", 2, 16.0, 5, 2.0, 0.5, False),
-    ("fbm", 3, 16.0, 5, 2.0, 0.5, False),
-    ("fbm", 3, 1024.0, 8, 2.0, 0.5, False),
-    ("turbulence", 3, 16.0, 5, 1.9, 0.6, False),
-    ("clouds", 2, 16.0, 5, 2.0, 0.5, False),
-]
-
-
-def print_numbers(result):
-    for name, value in result.items():
-        if isinstance(value, float) and name != "scale":
-            print(f"  {name.replace('_', ' '):36} {value:.9g}")
-
-
-def print_table(results, sine, fixed_fade):
-    for (kind, dims), result in results.items():
-        print(f"hn_perlin {dims}D, {kind} gradient, scale {result['scale'] * 1024:.0f}/1024")
-        print_numbers(result)
-        if "range_attained_at" in result:
-            steps = STEPS[dims]
-            print(f"  {'range attained at':36} {result['range_attained_at']} with the gradients (times {steps})")
-            for corner, gradient in result["range_attained_with"].items():
-                print(f"  {'':36} {corner}: {tuple(round(g * steps) for g in gradient)}")
-        print(f"  {'lipschitz attained at':36} {result['lipschitz_attained_at']}")
-    print("the sine of the sine gradient")
-    print_numbers(sine)
-    print("the fixed fade")
-    print_numbers(fixed_fade)
-    print("octave_tolerance(kind, dims, p_max, octaves, lacunarity, gain, exact_positions), octahedral and sine;")
-    print("fixed_octave_tolerance of the same")
-    for example in OCTAVE_EXAMPLES:
-        tolerances = [of(*example, gradient) for of in (octave_tolerance, fixed_octave_tolerance)
-                      for gradient in GRADIENTS]
-        print(f"  {str(example):52} " + " ".join(f"{tolerance:<9.3g}" for tolerance in tolerances).rstrip())
-
-
-def main():
-    parser = argparse.ArgumentParser(description="Proves the range, Lipschitz constant and errors of hn_perlin.")
-    parser.add_argument("--json", action="store_true", help="print JSON instead of a table")
-    as_json = parser.parse_args().json
-    results = {(gradient.name, dims): derive(dims, gradient) for gradient in GRADIENTS for dims in SCALE}
-    sine, fixed_fade = derive_sine(), derive_fade()
-    if as_json:
-        by_gradient = {g.name: {dims: results[g.name, dims] for dims in SCALE} for g in GRADIENTS}
-        print(json.dumps({**by_gradient, "sine_itself": sine, "fixed_fade": fixed_fade}, indent=2))
-    else:
-        print_table(results, sine, fixed_fade)
+        print_table(everything_for_a_reader(derived))
+    return 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

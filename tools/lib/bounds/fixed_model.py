@@ -1,11 +1,13 @@
 """docs/contract.md on arrays, with LATTICE: the fixed arithmetic in integers that wrap as the contract says, and the
-exact noise and octave sums in doubles. Written from that page alone, for the tests of fixed.py."""
+exact noise and octave sums in doubles. Written from that page alone, for bounds_fixed_test.py."""
 
 import math
 
 import numpy as np
 
-from bounds.perlin import SINE, corners
+from bounds.boxes import corners
+from bounds.gradients import SINE
+from bounds.noises.perlin.exact import SCALE
 
 SHIFT = (11 / 32, 19 / 32, 23 / 32)
 
@@ -136,7 +138,7 @@ def exact_noise(kind, gradient_of, fractions):
     for corner in corners(len(fractions)):
         weight = math.prod(x if o else 1 - x for x, o in zip(s, corner))
         total = total + weight * sum(g * (f - o) for g, f, o in zip(gradient_of(corner), fractions, corner))
-    return kind.scale[len(fractions)] * total
+    return SCALE[kind][len(fractions)] * total
 
 
 def moved(cells, corner):

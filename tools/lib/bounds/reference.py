@@ -8,7 +8,9 @@ import itertools
 import math
 import zlib
 
-from bounds import perlin as noise
+from bounds.boxes import fade
+from bounds.gradients import OCTAHEDRAL, SINE
+from bounds.noises.perlin.exact import SCALE
 
 
 def contract_gradient(dims, word):
@@ -28,19 +30,19 @@ def sine_gradient(dims, word):
 @functools.cache
 def lattice_gradient(kind, cell, seed=0):
     word = zlib.crc32(repr((cell, seed)).encode())
-    return sine_gradient(len(cell), word) if kind is noise.SINE else contract_gradient(len(cell), word)
+    return sine_gradient(len(cell), word) if kind is SINE else contract_gradient(len(cell), word)
 
 
-def exact_noise(f, gradients, kind=noise.OCTAHEDRAL):
+def exact_noise(f, gradients, kind=OCTAHEDRAL):
     """In doubles; `gradients` maps a corner to its gradient."""
     total = 0.0
     for corner in itertools.product((0, 1), repeat=len(f)):
-        weight = math.prod(noise.fade(t) if o else 1 - noise.fade(t) for t, o in zip(f, corner))
+        weight = math.prod(fade(t) if o else 1 - fade(t) for t, o in zip(f, corner))
         total += weight * sum(g * (t - o) for g, t, o in zip(gradients(corner), f, corner))
-    return kind.scale[len(f)] * total
+    return SCALE[kind][len(f)] * total
 
 
-def exact_noise_at(p, seed=0, kind=noise.OCTAHEDRAL):
+def exact_noise_at(p, seed=0, kind=OCTAHEDRAL):
     cell = [math.floor(x) for x in p]
     return exact_noise([x - c for x, c in zip(p, cell)],
                        lambda corner: lattice_gradient(kind, tuple(c + o for c, o in zip(cell, corner)), seed), kind)

@@ -1,8 +1,8 @@
-"""How large hn_perlin can be and how fast it can change, proven; and what the proofs of its errors share.
+"""How large hn_perlin can be and how fast it can change, proven.
 
-Everything is derived from docs/contract.md, and nothing is sampled: a supremum is bounded by branch and bound over
-boxes of fractions, and "attained" values are evaluated at a named point. A corner o of the cell has the weight w and
-the gradient g_o; u_i is s(f_i). The octahedral gradient has |g_o|_1 = 1. The other is treated under SINE GRADIENT.
+Everything is derived from docs/contract.md. "Attained" values are evaluated at a named point. A corner o of the cell has
+the weight w and the gradient g_o; u_i is s(f_i). The octahedral gradient has |g_o|_1 = 1. The other is treated under
+SINE GRADIENT.
 
 RANGE. For a fixed f the value is scale * sum_o w g_o.(f - o), linear in each gradient, and the largest |g.d| is
 max_i |d_i| (the support function of the octahedron): the supremum is scale * sup_f sum_o w max_i |f_i - o_i|. That sum
@@ -44,95 +44,21 @@ gradients is the sum over the axes of
     (1 - u_i) f_i + u_i (1 - f_i) = 1/2 - (1 - 2 f_i) (1 - 2 u_i) / 2 <= 1/2
 
 (the weights of the other axes sum to 1, and u_i <= 1/2 just where f_i <= 1/2), so it is n/2, in the middle of the cell.
-
-The bounds themselves are computed in doubles; SAFE inflates each result by far more than its own rounding errors.
 """
 
 import functools
-import heapq
 import itertools
-import math
-from collections.abc import Callable
-from dataclasses import dataclass
 from fractions import Fraction
 
-SCALE = {2: 1913 / 1024, 3: 1819 / 1024}
-SHIFT_MAX = {2: 19 / 32, 3: 23 / 32}  # the largest component of the shift between octaves
+from bounds.boxes import FADE_1, FADE_2, FADE_3, SAFE, corner_weight, corners, fade, fade_slope, smooth_bound, supremum
+from bounds.gradients import OCTAHEDRAL, SINE
+
+SCALE = {OCTAHEDRAL: {2: 1913 / 1024, 3: 1819 / 1024}, SINE: {2: 1.0, 3: 1.0}}
 STEPS = {2: 512, 3: 256}  # gradients are made of odd multiples of 1 / STEPS
-
-
-@dataclass(frozen=True, eq=False)
-class Gradient:
-    """A kind of gradient, and by the number of dimensions what the bounds of octave sums use of its noise: the bounds
-    derived in bounds_*.py, rounded up to 3 digits, the limits to 6."""
-    name: str
-    support: Callable  # of the |d_i|: the largest |g.d|
-    component_error: float  # of floats
-    scale: dict[int, float]
-    error: dict[int, float]  # in floats, from a position
-    lipschitz: dict[int, float]
-    limit: dict[int, float]  # of |noise|, exact as well as computed in floats
-    fixed_error: dict[int, float]
-    fixed_limit: dict[int, float]  # of |noise|, exact as well as fixed
-
-
-OCTAHEDRAL = Gradient("octahedral", max, 0.0, SCALE,
-                      {2: 3.51e-6, 3: 5.54e-6}, {2: 4.57, 3: 6.18}, {2: 1.0, 3: 1.0},
-                      {2: 4.90e-5, 3: 6.03e-5}, {2: 1.0, 3: 1.0})
-SINE = Gradient("sine", sum, 2.0**-19, {2: 1.0, 3: 1.0},
-                {2: 4.58e-6, 3: 8.20e-6}, {2: 3.76, 3: 6.94}, {2: 1.00001, 3: 1.50001},
-                {2: 7.98e-5, 3: 1.40e-4}, {2: 1.00001, 3: 1.50002})
-GRADIENTS = (OCTAHEDRAL, SINE)
-
-SAFE = 1 + 1e-9  # a few hundred double operations err by less than 1e-13 relative
-
-# The largest |s'|, |s''| (at t = (1 - 1/sqrt(3)) / 2) and |s'''| on [0, 1].
-FADE_1, FADE_2, FADE_3 = 15 / 8, 10 / math.sqrt(3), 60.0
-
 # Where the values called attained are evaluated: near the maximizers. RANGE_WITNESS is exact in 32-bit floats.
 RANGE_WITNESS = {2: (11713438 / 2**25, 0.5), 3: (10965218 / 2**25, 11713438 / 2**25, 0.5)}
 SLOPE_WITNESS = {OCTAHEDRAL: {2: (0.6144139, 0.2900403), 3: (0.5, 0.3973426, 0.6026574)},
                  SINE: {2: (0.5, 0.5), 3: (0.5, 0.5, 0.5)}}
-
-
-def fade(t):
-    return t * t * t * (t * (t * 6 - 15) + 10)
-
-
-def fade_slope(t):
-    return 30 * t * t * (1 - t) * (1 - t)
-
-
-def corners(dims):
-    return itertools.product((0, 1), repeat=dims)
-
-
-def corner_weight(point, corner):
-    return math.prod(fade(f) if o else 1 - fade(f) for f, o in zip(point, corner))
-
-
-def halves(box):
-    """The box cut in two across its widest axis."""
-    axis = max(range(len(box)), key=lambda i: box[i][1] - box[i][0])
-    lo, hi = box[axis]
-    middle = (lo + hi) / 2
-    return [box[:axis] + (part,) + box[axis + 1:] for part in ((lo, middle), (middle, hi))]
-
-
-def supremum(bound, box, splits):
-    """An upper bound over the box, given one for any sub-box: `splits` times halve the sub-box with the largest."""
-    queue = [(-bound(box), box)]
-    for _ in range(splits):
-        _, worst = heapq.heappop(queue)
-        for part in halves(worst):
-            heapq.heappush(queue, (-bound(part), part))
-    return -queue[0][0]
-
-
-def smooth_bound(value, curvature, box):
-    """Bounds `value` over the box, where value is a maximum of functions with |second derivative along an axis| at most
-    `curvature`: multilinear interpolation between the vertices errs by at most curvature h^2 / 8 for each axis."""
-    return max(map(value, itertools.product(*box))) + curvature / 8 * sum((hi - lo) ** 2 for lo, hi in box)
 
 
 # --- Range ------------------------------------------------------------------------------------------------------------
@@ -164,7 +90,7 @@ def library_range(dims):
         return sum(corner_weight(point, corner) * library_support([f - o for f, o in zip(point, corner)])
                    for corner in corners(dims))
     bound = functools.partial(smooth_bound, value, 2 * FADE_2 + 4 * FADE_1)
-    return SCALE[dims] * supremum(bound, ((0.0, 0.5),) * dims, 10000) * SAFE  # symmetric in f_i -> 1 - f_i
+    return SCALE[OCTAHEDRAL][dims] * supremum(bound, ((0.0, 0.5),) * dims, 10000) * SAFE  # symmetric in f_i -> 1 - f_i
 
 
 def steepest_gradients(dims):
@@ -189,7 +115,7 @@ def range_witness(dims):
         ramp, gradient = max((sum(g * d for g, d in zip(g, offset)), g) for g in steepest_gradients(dims))
         value += corner_weight(exact, corner) * ramp
         chosen[corner] = gradient
-    return Fraction(SCALE[dims]) * value, point, chosen
+    return Fraction(SCALE[OCTAHEDRAL][dims]) * value, point, chosen
 
 
 def sine_range(dims):
@@ -232,9 +158,9 @@ def lipschitz_bound(dims, gradient):
         if any(left[1] < right[0] for left, right in itertools.pairwise(box)):
             return 0.0  # no point with f_1 >= f_2 >= ..: axes can be permuted, so another box stands for this one
         return smooth_bound(slope, curvature, box)
-    return gradient.scale[dims] * supremum(bound, ((0.0, 1.0),) * dims, 6000) * SAFE
+    return SCALE[gradient][dims] * supremum(bound, ((0.0, 1.0),) * dims, 6000) * SAFE
 
 
 def lipschitz_witness(dims, gradient):
     """A slope that is attained, at SLOPE_WITNESS, with gradients at vertices of the octahedron or cube."""
-    return gradient.scale[dims] * steepest_slope(SLOPE_WITNESS[gradient][dims], gradient.support)
+    return SCALE[gradient][dims] * steepest_slope(SLOPE_WITNESS[gradient][dims], gradient.support)
