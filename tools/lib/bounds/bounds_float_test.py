@@ -1,5 +1,5 @@
-"""Tests of what is proven of floats, of a noise, the sine and the sums: simulated float arithmetic, in any rounding mode,
-stays within the bounds."""
+"""Tests of what is proven of floats, of a noise, the sine and the sums: simulated float arithmetic, in any rounding
+mode, stays within the bounds."""
 
 import itertools
 import math

@@ -2,7 +2,7 @@
 
     tools/bounds            a table
     tools/bounds --json     the same as JSON
-    tools/bounds --write    conformance/expected/bounds.inc, which the suite includes, and the tables of docs/accuracy.md
+    tools/bounds --write    writes bounds.inc, which the suite includes, and the tables of docs/accuracy.md
     tools/bounds --check    whether these, and every bound that a comment or a page quotes, are what is derived
 
 noises/ has what is proven of each noise.
@@ -85,8 +85,8 @@ def everything_for_a_reader(derived: Everything) -> dict[str, dict]:
             "fixed_largest": float(sine.fixed_sine_largest())},
         "the fixed fade": {"error_from": float(fade_errors().min()), "error_to": float(fade_errors().max()),
                            "overshoot": overshoot()},
-        "octave sums of kind, dimensions, |p|, octaves, lacunarity, gain, exact positions: octahedral in floats, fixed; "
-        "sine in floats, fixed": {
+        "octave sums of (kind, dimensions, |p|, octaves, lacunarity, gain, exact positions):\n"
+        "  octahedral in floats, fixed; sine in floats, fixed": {
             str(tuple(arguments)): [f"{tolerance:.3g}" for tolerance in sum_tolerances(derived, *arguments)]
             for arguments in (*(example[1:] for example in EXAMPLES), SUM)}}
 

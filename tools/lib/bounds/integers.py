@@ -14,8 +14,8 @@ things move the value of every such noise:
              errors of a and b with the weights 1 - t and t, whose magnitudes make 1 plus what t leaves [0, 1] by,
              twice; so a level adds at most its own rounding.
 
-In a box FADE is smooth up to the choice of the corners' values, and bounded as in boxes.py by its values at the vertices
-and its second derivatives.
+In a box FADE is smooth up to the choice of the corners' values, and bounded as in boxes.py by its values at the
+vertices and its second derivatives.
 """
 
 import functools

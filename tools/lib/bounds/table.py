@@ -8,9 +8,9 @@ from functools import cache
 from pathlib import Path
 
 from tables.inc import read_rows
-from tree import ROOT
+from tree import BOUNDS
 
-PATH = ROOT / "conformance" / "expected" / "bounds.inc"
+PATH = BOUNDS
 
 HEAD = """\
 // What is proven of each noise, rounded up. Written by tools/bounds --write; docs/accuracy.md tells what it means.

@@ -6,16 +6,12 @@ import itertools
 import struct
 from collections.abc import Sequence
 
-from oracle import exact as oracle
+from oracle import gradients, words
+from tables.configurations import Configuration
+from tables.functions import Function
 
 INT_MIN, INT_MAX = -2**31, 2**31 - 1
 SEEDS = (0, 1, 0xFFFFFFFF)
-
-# The sine takes the hashes as they are published: those of the paper, and the default. Of the periods one is no power
-# of two, and one is the largest that need not be one.
-SINE = ("fnv1+sine", "partial_fnv1+sine", "jenkins+sine", "partial_jenkins+sine", "murmur+sine", "lattice+sine",
-        "fnv1+sine+period1048576")
-PERIODIC = ("lattice+period48", "lattice+period64", "lattice+period1048576")
 
 Row = tuple  # one value per input column, integers and floats
 
@@ -66,6 +62,11 @@ class Generator:
         return self.pick((*SEEDS, self.word()))
 
 
+def generator_of(name: str) -> Generator:
+    """One of its own for each function, and for each test."""
+    return Generator(fnv1a64(name.encode("ascii")))
+
+
 def word_rows(generator: Generator) -> list[Row]:
     """128 single words."""
     edges = [0, 1, 2, 0x7F, 0x80, 0xFF, 0x100, 0xFFFF, 0x10000, INT_MAX, 0x80000000, 0xFFFFFFFE, 0xFFFFFFFF]
@@ -98,25 +99,25 @@ def lattice_rows(n: int, generator: Generator) -> list[Row]:
 
 def hangs_on_a_tie(word: int) -> bool:
     """Whether the sine of a word would be another one if ties were rounded away from zero."""
-    magnitude = abs(oracle.signed(word))
+    magnitude = abs(words.signed(word))
     half = 1 << max(magnitude.bit_length() - 24, 0) >> 1
     return half > 0 and magnitude % (4 * half) == half  # to an even multiple of 2 * half, which is below
 
 
-def tie_cells(n: int) -> list[Row]:
+def tie_cells(n: int, settings: Sequence[Configuration]) -> list[Row]:
     """For each hash that is used with the sine, the first cell on the diagonal whose gradient hangs on a tie."""
     def hangs(name: str, c: int) -> bool:
-        return any(map(hangs_on_a_tie, oracle.sine_arguments(name, (c,) * n, 0)))
+        return any(map(hangs_on_a_tie, gradients.sine_arguments(name, (c,) * n, 0)))
 
-    names = dict.fromkeys(oracle.configuration(name).hash for name in SINE)
+    names = dict.fromkeys(setting.hash for setting in settings if "sine_gradient" in setting.families)
     return [(next(c for c in itertools.count() if hangs(name, c)),) * n for name in names]
 
 
-def lattice_gradient_rows(n: int, generator: Generator) -> list[Row]:
+def lattice_gradient_rows(n: int, settings: Sequence[Configuration], generator: Generator) -> list[Row]:
     """96 cells of n coordinates, with seeds: the limits, multiples of periods and what is next to them, random ones."""
     rows = [(edge,) * n + (seed,) for seed in SEEDS for edge in (0, 1, -1, INT_MAX, INT_MIN)]
-    rows += [cell + (0,) for cell in tie_cells(n)]
-    for period in (oracle.configuration(name).period for name in PERIODIC):
+    rows += [cell + (0,) for cell in tie_cells(n, settings)]
+    for period in sorted({setting.period for setting in settings} - {0}):
         outermost = INT_MAX // period * period
         for multiple in (period, -period, outermost, -outermost):
             axis, other = generator.integer(0, n - 1), generator.integer(-100, 100)
@@ -137,7 +138,7 @@ def gradient_rows(generator: Generator) -> list[Row]:
     return [(word,) for word in edges + [generator.word() for _ in range(64)]]
 
 
-def perlin_rows(n: int, generator: Generator) -> list[Row]:
+def position_rows(n: int, generator: Generator) -> list[Row]:
     """192 points in n dimensions: a dyadic grid, coordinates next to 0, far points, random points."""
     axes = {
         2: [(-2.0, -1.5, -1.0, -0.25, 0.0, 0.5, 1.0, 1.75)] * 2,
@@ -157,7 +158,7 @@ def perlin_rows(n: int, generator: Generator) -> list[Row]:
     return rows
 
 
-def perlin_cell_rows(n: int, generator: Generator) -> list[Row]:
+def cell_rows(n: int, generator: Generator) -> list[Row]:
     """192 cells and fractions in n dimensions; at INT_MAX the far corners wrap to INT_MIN."""
     cells = (INT_MIN, INT_MIN + 1, -1, 0, 1, INT_MAX - 1, INT_MAX)
     fractions = (0.0, 2.0**-24, 0.25, 0.5, 0.75, 1 - 2.0**-24, 1.0)
@@ -207,7 +208,7 @@ def anywhere(n: int, generator: Generator) -> tuple[float, ...]:
     return tuple(to_f32(generator.uniform(-1, 1) * 2.0**generator.integer(-24, 34)) for _ in range(n))
 
 
-def fixed_perlin_rows(n: int, generator: Generator) -> list[Row]:
+def fixed_position_rows(n: int, generator: Generator) -> list[Row]:
     """Points in n dimensions: each edge along each axis and along all, edges with each other, points anywhere."""
     rows = [tuple(x if i == axis else 0.375 for i in range(n)) + (0,) for axis in range(n) for x in FIXED_COORDINATES]
     rows += [(x,) * n + (0,) for x in FIXED_COORDINATES]
@@ -215,7 +216,7 @@ def fixed_perlin_rows(n: int, generator: Generator) -> list[Row]:
     return rows + [anywhere(n, generator) + (generator.seed(),) for _ in range(64)]
 
 
-def fixed_perlin_cell_rows(n: int, generator: Generator) -> list[Row]:
+def fixed_cell_rows(n: int, generator: Generator) -> list[Row]:
     """Cells and fractions in n dimensions: each fraction along each axis and along all, then with each other."""
     cells = (INT_MIN, -1, 0, 47, INT_MAX)
     rows = [(0,) * n + tuple(f if i == axis else 0.375 for i in range(n)) + (0,)
@@ -238,3 +239,23 @@ def fixed_octave_rows(n: int, generator: Generator) -> list[Row]:
         point = tuple(generator.uniform(-64, 64) for _ in range(n))
         rows.append(point + (generator.integer(2, 6), lacunarity, gain, generator.seed()))
     return [row[:n + 1] + tuple(map(to_f32, row[n + 1:n + 3])) + row[n + 3:] for row in rows]
+
+
+# --- Which rows a function has ----------------------------------------------------------------------------------
+
+
+def rows_of(function: Function, fixed: bool, settings: Sequence[Configuration], generator: Generator) -> list[Row]:
+    """Of a function; `settings` are all configurations, since gradients have rows for their hashes and periods."""
+    n, form = function.axes, function.form
+    if form == "words":
+        if function.family == "independent" and " " in function.outputs:
+            return gradient_rows(generator)
+        return word_rows(generator) if n == 1 else vec_rows(n, generator)
+    if form == "point":
+        if function.family == "hash":
+            return lattice_rows(n, generator)
+        return lattice_gradient_rows(n, settings, generator)
+    plain, of_fixed = {"position": (position_rows, fixed_position_rows), "cell": (cell_rows, fixed_cell_rows),
+                       "sum": (octave_rows, fixed_octave_rows)}[form]
+    rows = plain(n, generator)
+    return rows + of_fixed(n, generator) if fixed else rows

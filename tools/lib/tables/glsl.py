@@ -6,9 +6,9 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-from tree import ROOT
+from tree import GLSL
 
-LIBRARY = ROOT / "glsl"
+LIBRARY = GLSL
 FUNCTION = re.compile(r"^HN_FN\s+(?:HN_HIGHP\s+)?\w+\s+(hn_(?!i_)\w+)\(([^()]*)\)\s*\{", re.MULTILINE)
 
 

@@ -101,7 +101,8 @@ def _expanded(text: str, names: set[str], macros: dict[str, Macro], where: Row) 
     while text.strip():
         used = re.match(r"\s*(\w+)\(", text)
         if not used or (used[1] not in names and used[1] not in macros):
-            raise where.error(f"{text.split()[0]} is neither {' nor '.join(sorted(names))} nor a macro that is defined above")
+            known = " nor ".join(sorted(names))
+            raise where.error(f"{text.split()[0]} is neither {known} nor a macro that is defined above")
         arguments, text = _arguments(text[used.end():], where)
         if used[1] in names:
             rows.append(Row(where.path, where.line, used[1], arguments))
@@ -110,7 +111,8 @@ def _expanded(text: str, names: set[str], macros: dict[str, Macro], where: Row) 
         if len(arguments) != len(macro.parameters):
             raise where.error(f"{used[1]} has {len(arguments)} arguments instead of {len(macro.parameters)}")
         values = dict(zip(macro.parameters, arguments))
-        rows += _expanded("".join(values.get(token, token) for token in TOKEN.findall(macro.body)), names, macros, where)
+        body = "".join(values.get(token, token) for token in TOKEN.findall(macro.body))
+        rows += _expanded(body, names, macros, where)
     return rows
 
 
