@@ -59,6 +59,30 @@ class Function:
         return self.name.removesuffix("_cell")
 
 
+    @property
+    def calls(self) -> str:
+        """The function of the library that its body calls."""
+        names = set(re.findall(r"\b(hn_\w+)\(", self.row.arguments[6]))
+        if len(names) != 1:
+            raise self.row.error(f"{self.id} calls {len(names)} functions of the library instead of one")
+        return names.pop()
+
+    @property
+    def types(self) -> tuple[str, ...]:
+        """Of its arguments, without the seed."""
+        def vector(prefix: str, scalar: str) -> str:
+            return f"{prefix}vec{self.axes}" if self.axes > 1 else scalar
+
+        return {"words": (vector("u", "uint"),), "point": (vector("i", "int"),), "position": (vector("", "float"),),
+                "cell": (vector("i", "int"), vector("", "float")),
+                "sum": (vector("", "float"), "int", "float", "float")}[self.form]
+
+    @property
+    def overloads(self) -> tuple[tuple[str, ...], ...]:
+        """The types without a seed, and with one."""
+        return (self.types,) if self.form == "words" else (self.types, (*self.types, "uint"))
+
+
 def _function(row: Row) -> Function:
     family, columns = row.word(2), row.text(4)
     if family not in FAMILIES:

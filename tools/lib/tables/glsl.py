@@ -19,6 +19,12 @@ class Comment:
     lines: tuple[str, ...]
 
 
+    @property
+    def headings(self) -> set[str]:
+        """Of its lines: returns, error, cost and so on."""
+        return {match[1] for line in self.lines if (match := re.match(r" {2,3}(\w+) {2}", line))}
+
+
 @dataclass(frozen=True)
 class Declaration:
     """A public function, and the block of comment over it or over the overload before it."""
@@ -35,14 +41,6 @@ class Declaration:
     def place(self) -> str:
         return f"{self.path}:{self.line}"
 
-    @property
-    def seeded(self) -> bool:
-        return self.types[-1] == "uint" and len(self.types) > 1
-
-    @property
-    def without_seed(self) -> tuple[str, ...]:
-        return self.types[:-1] if self.seeded else self.types
-
 
 def _type(argument: str) -> str:
     """Of an argument like "HN_HIGHP vec2 p" or "hn_vec2 p"."""
@@ -50,7 +48,9 @@ def _type(argument: str) -> str:
 
 
 def _comment_above(lines: list[str], line: int) -> Comment | None:
-    """The comment that ends above a line, which is counted from 1."""
+    """The comment that ends above a line, which is counted from 1, and above the directives that select it."""
+    while line > 1 and lines[line - 2].startswith("#if"):
+        line -= 1
     first = line
     while first > 1 and lines[first - 2].startswith("//"):
         first -= 1

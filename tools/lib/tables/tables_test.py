@@ -38,7 +38,11 @@ class Tables(unittest.TestCase):
                                        ("fbm.clouds3", "sum", 3, "octave_sum")):
             function = functions[id]
             self.assertEqual((function.form, function.axes, function.family), (form, axes, family), id)
-        self.assertEqual(functions["noise3d.perlin_cell"].noise, "perlin")
+        cell, word = functions["noise3d.perlin_cell"], functions["hash.word"]
+        self.assertEqual((cell.noise, cell.calls), ("perlin", "hn_perlin"))
+        self.assertEqual(cell.overloads, (("ivec3", "vec3"), ("ivec3", "vec3", "uint")))
+        self.assertEqual((word.calls, word.overloads), ("hn_hash", (("uint",),)))
+        self.assertEqual(functions["fbm.fbm2"].types, ("vec2", "int", "float", "float"))
         self.assertEqual([functions[id].exact for id in ("hash.word", "gradient.lattice2", "gradient.sine2")],
                          [True, True, False])
 
@@ -90,8 +94,8 @@ HN_FN hn_float hn_i_three(hn_vec3 p) { return 0.0f; }
         first, second, third = glsl.declarations(self.folder)
         self.assertEqual([str(f) for f in (first, second, third)],
                          ["hn_one(ivec2, vec2, uint)", "hn_one(ivec2, vec2)", "hn_two(vec3)"])
-        self.assertEqual((first.line, first.seeded, second.seeded, third.seeded), (4, True, False, False))
-        self.assertEqual(first.without_seed, second.types)
+        self.assertEqual((first.line, second.line, third.line), (4, 7, 8))
         self.assertEqual(first.comment, glsl.Comment(2, (" What it is.", "   seed     any")))
+        self.assertEqual(first.comment.headings, {"seed"})
         self.assertIs(second.comment, first.comment)  # an overload without one of its own
         self.assertIsNone(third.comment)
