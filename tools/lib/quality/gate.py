@@ -89,7 +89,7 @@ def judge_words(words: np.ndarray, twin: Twin) -> list[Finding]:
 
 def judge_twin(twin: Twin, dimensions: int, effort: Effort, keep: Keep = lambda lattice: None) -> list[Finding]:
     """Everything about a hash in the plane or in space."""
-    findings = list(_measure(twin, dimensions, effort, keep))
+    findings = list(each_finding(twin, dimensions, effort, keep))
     return findings + pooled(findings)
 
 
@@ -105,7 +105,8 @@ def pooled(findings: list[Finding]) -> list[Finding]:
     return together
 
 
-def _measure(twin: Twin, dimensions: int, effort: Effort, keep: Keep) -> Iterable[Finding]:
+def each_finding(twin: Twin, dimensions: int, effort: Effort,
+                 keep: Keep = lambda lattice: None) -> Iterable[Finding]:
     side = effort.sides[dimensions]
     shape = (side,) * dimensions
     for origin, seed, costly in effort.windows_of(dimensions):
