@@ -95,7 +95,8 @@ def noises_without_entries(tree: Tree) -> Iterator[str]:
         if (noise, function.axes) not in bounds:
             yield missing(f"{BOUNDS.relative_to(ROOT)} has no {noise} in {function.axes}D: run tools/bounds --write")
         if not re.search(rf"^    {function.calls}\({function.types[0]}\b", contract, re.MULTILINE):
-            yield missing(f"define {function.calls}({', '.join(function.types)}) in docs/contract.md, in an indented line of its own")
+            yield missing(f"define {function.calls}({', '.join(function.types)}) in docs/contract.md, in an indented "
+                          "line of its own")
 
 
 def noises_without_comments(tree: Tree) -> Iterator[str]:

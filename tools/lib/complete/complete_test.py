@@ -55,7 +55,7 @@ class Deletions(unittest.TestCase):
 
     def test_a_row_of_a_function(self) -> None:
         self.change(TABLE, r'^FUNCTION\("hash\.lattice3"(.|\n)*?;\)\n')
-        self.noticed(r"^glsl/\w+\.glsl:\d+: hn_lattice\(ivec3, uint\) has no row: add a FUNCTION .* to .*functions\.inc$",
+        self.noticed(r"^glsl/\w+\.glsl:\d+: hn_lattice\(ivec3, uint\) has no row: add a FUNCTION .* to .*\.inc$",
                      r"hn_lattice\(ivec3\) has no row")
 
     def test_the_rows_of_a_noise(self) -> None:

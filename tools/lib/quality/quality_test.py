@@ -1,4 +1,4 @@
-"""The gate accepts what is random and rejects what is not, by the test meant for it; thresholds are the derived ones."""
+"""The gate accepts what is random and rejects what is not, by the test meant for it; thresholds are derived."""
 
 import contextlib
 import io
@@ -46,7 +46,8 @@ def missing(meant, findings):
 def of_window(words):
     """As judge_words has it, one by one."""
     window = gate.of_words(words, TWIN)
-    return (finding for test in (*gate.WINDOW_TESTS, *gate.COSTLY_TESTS, avalanche.of_window) for finding in test(window))
+    tests = (*gate.WINDOW_TESTS, *gate.COSTLY_TESTS, avalanche.of_window)
+    return (finding for test in tests for finding in test(window))
 
 
 class Windows(unittest.TestCase):
@@ -230,8 +231,9 @@ class Command(unittest.TestCase):
 
     def test_the_dump_is_what_was_judged(self):
         library_default = library.default_hash(ROOT / "include")
-        with mock.patch.object(gate, "QUICK", replace(gate.LEAST, windows=1)):  # it forks, so that the workers have it, too
-            self.call("--quick", "--hash", library_default, "--seeds", "3", "--dump", self.folder / "dump", "--jobs", "1")
+        with mock.patch.object(gate, "QUICK", replace(gate.LEAST, windows=1)):  # the worker is a fork, which has it, too
+            self.call("--quick", "--hash", library_default, "--seeds", "3", "--dump", self.folder / "dump",
+                      "--jobs", "1")
         entries = json.loads((self.folder / "dump" / "index.json").read_text())
         table = json.loads((self.folder / "dump" / "statistics.json").read_text())
         entry = next(e for e in entries if e["quantity"] == "gradient" and e["dimensions"] == 2 and e["seed"] == 3)
