@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import itertools
 import math
 from collections.abc import Callable, Sequence
@@ -15,14 +16,20 @@ def smooth(t: Fraction) -> Fraction:
     return 6 * t**5 - 15 * t**4 + 10 * t**3
 
 
+@functools.lru_cache(maxsize=4096)  # the golden files of all configurations have the same fractions
+def corner_weights(f: tuple[Fraction, ...]) -> list[tuple[tuple[int, ...], Fraction]]:
+    """The corners of a cell, with their weights."""
+    near_and_far = [(1 - smooth(x), smooth(x)) for x in f]
+    return [(corner, math.prod(weights[o] for weights, o in zip(near_and_far, corner)))
+            for corner in itertools.product((0, 1), repeat=len(f))]
+
+
 def weighted_sum(cell: Sequence[int], f: Sequence[Fraction],
                  value: Callable[[Sequence[int], Sequence[Fraction]], Fraction]) -> Fraction:
     """Over the corners of the cell, of the `value` at a corner and at an offset from it."""
-    near_and_far = [(1 - smooth(x), smooth(x)) for x in f]
     total = Fraction(0)
-    for corner in itertools.product((0, 1), repeat=len(f)):
-        of_corner = value([c + o for c, o in zip(cell, corner)], [x - o for x, o in zip(f, corner)])
-        total += of_corner * math.prod(weights[o] for weights, o in zip(near_and_far, corner))
+    for corner, weight in corner_weights(tuple(f)):
+        total += weight * value([c + o for c, o in zip(cell, corner)], [x - o for x, o in zip(f, corner)])
     return total
 
 
