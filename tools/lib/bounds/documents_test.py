@@ -1,10 +1,11 @@
 """Tests of documents.py, table.py and command.py: what quotes a bound follows the derivation, and another number is an
-error with its place. The derivation itself is not run: RAW is what it gave."""
+error with its place. The derivation itself is not run: RAW is what it gave of one noise, and others are left out."""
 
 import shutil
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 from bounds import command, documents, noises, table
 from bounds.gradients import OCTAHEDRAL, SINE
@@ -42,9 +43,15 @@ class Tree(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.root = Path(folder.name)
+        others = [name for name in noises.names() if name != "perlin"]
+        patch = mock.patch.object(noises, "names", return_value=["perlin"])
+        patch.start()
+        self.addCleanup(patch.stop)
         for part in ("glsl", "docs/accuracy.md", "README.md", str(table.PATH.relative_to(ROOT))):
             (self.root / part).parent.mkdir(parents=True, exist_ok=True)
             (shutil.copytree if (ROOT / part).is_dir() else shutil.copy)(ROOT / part, self.root / part)
+        for path in (path for name in others for path in (self.root / "glsl").glob(f"{name}*.glsl")):
+            path.unlink()
         self.write()  # what depends on RAW's parts
 
     def write(self):
@@ -130,7 +137,7 @@ class Entries(unittest.TestCase):
 
     def test_the_table_is_read_as_it_is_written(self):
         rounded = [of_noise.bounds(*key).rounded() for key, of_noise in RAW.items()]
-        self.assertCountEqual(table.read(), rounded)
+        self.assertEqual([bounds for bounds in table.read() if bounds.noise == "perlin"], rounded)
         self.assertEqual(table.read_sine(), table.SineBounds(2.0**-19, 3.66e-5))
 
     def test_every_example_of_a_sum_is_in_its_table(self):

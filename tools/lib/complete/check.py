@@ -165,9 +165,12 @@ def _is_plain(configuration: Configuration, hash: str) -> bool:
 
 def missing_golden_files(tree: Tree) -> Iterator[str]:
     folder = tree.at(GOLDEN)
+    missing: dict[str, list[str]] = {}
     for file in golden_files(tree.functions, tree.configurations):
         if not (folder / file.name).is_file():
-            yield f"{folder / file.name}: it is missing: run tools/golden"
+            missing.setdefault(file.function.id, []).append(file.configuration_name)
+    for function, configurations in missing.items():
+        yield f"{folder}: {function} has no golden files with {', '.join(configurations)}: run tools/golden"
 
 
 CHECKS = (functions_without_a_row, rows_without_a_function, functions_without_words, noises_without_entries,
