@@ -19,6 +19,8 @@ RAW = {("perlin", dims, gradient): Derived(*numbers, {"cut": 4.35e-6}) for dims,
     (2, SINE, (1.0, 1.0, 3.7500001, 4.35114336e-06, 4.57466078e-06, 1.00000458, 7.9792903e-05, 1.00000809)),
     (3, SINE, (1.5, 1.5, 6.9375197, 7.78083655e-06, 8.19434495e-06, 1.5000082, 0.000139288989, 1.5000119)))}
 
+OTHERS = [name for name in noises.names() if name != "perlin"]
+
 
 class Rounding(unittest.TestCase):
     def test_is_up(self):
@@ -43,14 +45,13 @@ class Tree(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.root = Path(folder.name)
-        others = [name for name in noises.names() if name != "perlin"]
         patch = mock.patch.object(noises, "names", return_value=["perlin"])
         patch.start()
         self.addCleanup(patch.stop)
         for part in ("glsl", "docs/accuracy.md", "README.md", str(table.PATH.relative_to(ROOT))):
             (self.root / part).parent.mkdir(parents=True, exist_ok=True)
             (shutil.copytree if (ROOT / part).is_dir() else shutil.copy)(ROOT / part, self.root / part)
-        for path in (path for name in others for path in (self.root / "glsl").glob(f"{name}*.glsl")):
+        for path in (path for name in OTHERS for path in (self.root / "glsl").glob(f"{name}*.glsl")):
             path.unlink()
         self.write()  # what depends on RAW's parts
 
