@@ -39,6 +39,11 @@ class Tree:
         return [function for function in self.functions if function.family in NOISES]
 
 
+def lacks(function: Function, what: str) -> str:
+    """A message with the place of its row."""
+    return str(function.row.error(f"{function.id}: {what}"))
+
+
 # --- Functions --------------------------------------------------------------------------------------------------
 
 
@@ -61,8 +66,7 @@ def rows_without_a_function(tree: Tree) -> Iterator[str]:
     for function in tree.functions:
         for types in function.overloads:
             if (function.calls, types) not in declared:
-                yield str(function.row.error(f"{function.id} needs {function.calls}({', '.join(types)}): declare it "
-                                             f"in {GLSL.name}/"))
+                yield lacks(function, f"declare {function.calls}({', '.join(types)}) in {GLSL.name}/")
 
 
 def functions_without_words(tree: Tree) -> Iterator[str]:
@@ -83,20 +87,18 @@ def noises_without_entries(tree: Tree) -> Iterator[str]:
     bounds = {(row.noise, row.dimensions) for row in table.read(tree.at(BOUNDS))}
     contract = tree.text("docs/contract.md")
     for function in tree.noises:
-        def missing(what: str, function: Function = function) -> str:
-            return str(function.row.error(f"{function.id}: {what}"))
-
         noise = function.noise
         for of, what in (("oracle", "its exact and its fixed value, from docs/contract.md"),
                          ("bounds", "what is proven of it")):
             module = tree.root / ENTRIES.format(of, noise)
             if not module.is_file() and not (module.with_suffix("") / "__init__.py").is_file():
-                yield missing(f"write {ENTRIES.format(of, noise)}, {what}")
+                yield lacks(function, f"write {ENTRIES.format(of, noise)}, {what}")
         if (noise, function.axes) not in bounds:
-            yield missing(f"{BOUNDS.relative_to(ROOT)} has no {noise} in {function.axes}D: run tools/bounds --write")
+            yield lacks(function, f"{BOUNDS.relative_to(ROOT)} has no {noise} in {function.axes}D: run "
+                        "tools/bounds --write")
         if not re.search(rf"^    {function.calls}\({function.types[0]}\b", contract, re.MULTILINE):
-            yield missing(f"define {function.calls}({', '.join(function.types)}) in docs/contract.md, in an indented "
-                          "line of its own")
+            yield lacks(function, f"define {function.calls}({', '.join(function.types)}) in docs/contract.md, in an "
+                        "indented line of its own")
 
 
 def noises_without_comments(tree: Tree) -> Iterator[str]:

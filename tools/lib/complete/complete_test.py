@@ -71,11 +71,11 @@ class Deletions(unittest.TestCase):
 
     def test_a_function_of_a_row(self) -> None:
         self.change("glsl/*.glsl", r"\bhn_unorm\(", "hn_i_unorm(")
-        self.noticed(rf"^{TABLE}:\d+: hash\.unorm needs hn_unorm\(uint\): declare it in glsl/")
+        self.noticed(rf"^{TABLE}:\d+: hash\.unorm: declare hn_unorm\(uint\) in glsl/")
 
     def test_an_overload_without_a_seed(self) -> None:
         self.change("glsl/*.glsl", r"^HN_FN .*\bhn_perlin\((HN_HIGHP |hn_)vec3 p\) \{.*\n")
-        self.noticed(rf"^{TABLE}:\d+: noise3d\.perlin needs hn_perlin\(vec3\): declare it in glsl/")
+        self.noticed(rf"^{TABLE}:\d+: noise3d\.perlin: declare hn_perlin\(vec3\) in glsl/")
 
     def test_the_oracle(self) -> None:
         (self.root / f"{PERLIN.format('oracle')}.py").unlink()
