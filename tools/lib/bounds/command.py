@@ -1,0 +1,125 @@
+"""Proves the numbers that the documentation quotes about noise and octave sums: range, Lipschitz constant, errors.
+
+    tools/bounds            a table
+    tools/bounds --json     the same as JSON
+    tools/bounds --write    writes bounds.inc, which the suite includes, and the tables of docs/accuracy.md
+    tools/bounds --check    whether these, and every bound that a comment or a page quotes, are what is derived
+
+noises/ has what is proven of each noise.
+
+Exit status: 0 all is as derived, 1 something is not: prose and comments are for you to mend; 2 bad usage.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import sys
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import asdict
+from pathlib import Path
+
+from bounds import noises, sine
+from bounds.documents import (ACCURACY, EXAMPLES, Everything, Key, missing_quotes, name_of, sum_tolerances,
+                              with_tables, wrong_comments)
+from bounds.gradients import SINE
+from bounds.integers import fade_errors, overshoot
+from bounds.noises import Derived
+from bounds.table import HEAD, PATH, SineBounds, noise_row, sine_row
+from tree import ROOT
+
+
+def keys() -> list[Key]:
+    return [(name, dims, gradient) for name in noises.names() for gradient in noises.find(name).GRADIENTS
+            for dims in noises.find(name).DIMENSIONS]
+
+
+def derive_one(index: int) -> Derived:
+    noise, dims, gradient = keys()[index]
+    return noises.find(noise).derive(dims, gradient)
+
+
+def derive() -> Everything:
+    """All of it, on all cores."""
+    with ProcessPoolExecutor() as pool:
+        return dict(zip(keys(), pool.map(derive_one, range(len(keys())))))
+
+
+def rendered(derived: Everything) -> str:
+    """The table that the suite includes."""
+    rows = [noise_row(of_noise.bounds(*key)) for key, of_noise in derived.items()]
+    rows.append(sine_row(SineBounds(SINE.component_error, sine.fixed_sine_error())))
+    return HEAD + "".join(rows)
+
+
+def files(derived: Everything, root: Path = ROOT) -> dict[Path, str]:
+    """What is written, with what should be in it."""
+    page = root / ACCURACY
+    return {root / PATH.relative_to(ROOT): rendered(derived),
+            page: with_tables(page.read_text(encoding="utf-8"), derived)}
+
+
+def differences(derived: Everything, root: Path = ROOT) -> list[str]:
+    """What is not as derived."""
+    old = [f"{path}: not up to date; run tools/bounds --write" for path, text in files(derived, root).items()
+           if not path.is_file() or path.read_text(encoding="utf-8") != text]
+    return old + missing_quotes(derived, root) + wrong_comments(derived, root / "glsl")
+
+
+SUM = ("turbulence", 3, 16.0, 5, 1.9, 0.6, False)  # one that the page does not have
+
+
+def everything_for_a_reader(derived: Everything) -> dict[str, dict]:
+    numbers = {name_of(key): asdict(of_noise) | noises.find(key[0]).describe(*key[1:])
+               for key, of_noise in derived.items()}
+    return numbers | {
+        "the sine of the sine gradient": {
+            "polynomial_error": sine.sine_truncation_bound(),
+            "argument_error": math.pi / 2 * sine.SINE_ARGUMENT_ERROR,
+            "error_any_rounding": sine.sine_bound(),
+            "error_to_nearest": sine.sine_bound(0.5),
+            "error_promised": SINE.component_error,
+            "below_1_by_any_rounding": 1 - sine.sine_largest(),
+            "fixed_error": sine.fixed_sine_error(),
+            "fixed_largest": float(sine.fixed_sine_largest())},
+        "the fixed fade": {"error_from": float(fade_errors().min()), "error_to": float(fade_errors().max()),
+                           "overshoot": overshoot()},
+        "octave sums of (kind, dimensions, |p|, octaves, lacunarity, gain, exact positions):\n"
+        "  octahedral in floats, fixed; sine in floats, fixed": {
+            str(tuple(arguments)): [f"{tolerance:.3g}" for tolerance in sum_tolerances(derived, *arguments)]
+            for arguments in (*(example[1:] for example in EXAMPLES), SUM)}}
+
+
+def print_table(numbers: dict[str, dict]) -> None:
+    for title, group in numbers.items():
+        print(title)
+        for name, value in group.items():
+            shown = f"{value:.9g}" if isinstance(value, float) else value
+            print(f"  {name.replace('_', ' '):40} {shown}")
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(prog="bounds", description="Proves the range, slope and errors of noises.")
+    mode = parser.add_mutually_exclusive_group()
+    mode.add_argument("--json", action="store_true", help="print JSON instead of a table")
+    mode.add_argument("--write", action="store_true", help="write the suite's table and those of docs/accuracy.md")
+    mode.add_argument("--check", action="store_true", help="compare all that quotes a bound")
+    options = parser.parse_args()
+    derived = derive()
+    if options.json:
+        print(json.dumps(everything_for_a_reader(derived), indent=2))
+    elif options.write or options.check:
+        if options.write:
+            for path, text in files(derived).items():
+                path.write_text(text, encoding="utf-8")
+        messages = differences(derived)
+        print("\n".join(messages or [f"the bounds of {len(derived)} noises are as derived"]))
+        return 1 if messages else 0
+    else:
+        print_table(everything_for_a_reader(derived))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,185 @@
+"""What quotes the bounds: tables in docs/accuracy.md, which are written from here, and numbers in prose and in the
+comments of the library, which are compared."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+from bounds import noises, sine, sums
+from bounds.floats import UNIT as FLOAT_UNIT
+from bounds.gradients import GRADIENTS, SINE, Gradient
+from bounds.integers import fade_errors
+from bounds.noises import Derived
+from bounds.table import scientific, shortest
+from tables import glsl
+from tree import ROOT
+
+ACCURACY = "docs/accuracy.md"
+Key = tuple[str, int, Gradient | None]  # a noise, the number of its dimensions, a kind of gradient
+Everything = dict[Key, Derived]
+NOISE_OF_SUMS = "perlin"  # unless the user names another
+
+# --- Tables -----------------------------------------------------------------------------------------------------------
+
+
+def name_of(key: Key) -> str:
+    noise, dims, gradient = key
+    return f"`hn_{noise}(vec{dims})`" + (f", {gradient.name}" if gradient else "")
+
+
+def table(head: tuple[str, ...], rows: list[list[str]]) -> str:
+    lines = [head, ["---"] * len(head), *rows]
+    return "".join(f"| {' | '.join(line)} |\n".replace("|  |", "| |") for line in lines)
+
+
+def noise_table(derived: Everything) -> str:
+    rows = []
+    for key, of_noise in derived.items():
+        row = of_noise.bounds(*key).rounded()
+        rows.append([name_of(key), shortest(of_noise.range, 6), f"{row.lipschitz:.2f}", scientific(of_noise.cell_error),
+                     scientific(of_noise.error), f"{row.limit:g}", scientific(of_noise.fixed_error),
+                     f"{row.fixed_limit:g}"])
+    return table(("", "range, exact", "L", "fast and precise: from a cell", "from a position", "largest value",
+                  "fixed: error", "largest value"), rows)
+
+
+EXAMPLES = (  # of octave sums: a title, then kind, dimensions, p_max, octaves, lacunarity, gain, exact_positions
+    ("`hn_fbm(vec2)`, exact positions", "fbm", 2, 16.0, 5, 2.0, 0.5, True),
+    ("`hn_fbm(vec2)`", "fbm", 2, 16.0, 5, 2.0, 0.5, False),
+    ("`hn_fbm(vec3)`", "fbm", 3, 16.0, 5, 2.0, 0.5, False),
+    ("`hn_clouds(vec2)`", "clouds", 2, 16.0, 5, 2.0, 0.5, False),
+    ("`hn_fbm(vec3)` further out", "fbm", 3, 1024.0, 8, 2.0, 0.5, False))
+
+
+def sum_tolerances(derived: Everything, kind: str, dims: int, *arguments: float) -> list[float]:
+    """In floats and fixed, for each kind of gradient."""
+    keys = [(NOISE_OF_SUMS, dims, gradient) for gradient in GRADIENTS]
+    return [tolerance(kind, derived[key].bounds(*key).rounded(), *arguments) for key in keys
+            for tolerance in (sums.octave_tolerance, sums.fixed_octave_tolerance)]
+
+
+def sums_table(derived: Everything) -> str:
+    rows = [[title] + [scientific(tolerance, 2) for tolerance in sum_tolerances(derived, *arguments)]
+            for title, *arguments in EXAMPLES]
+    head = [f"{gradient.name}, {arithmetic}" for gradient in GRADIENTS for arithmetic in ("fast and precise", "fixed")]
+    return table(("", *head), rows)
+
+
+def parts_table(derived: Everything) -> str:
+    """In units of 1e-6."""
+    def number(value: float) -> str:
+        return f"{math.ceil(value * 1e7) / 10:.1f}" if value else ""
+
+    parts = list(dict.fromkeys(part for of_noise in derived.values() for part in of_noise.fixed_parts))
+    return table(("", *parts), [[name_of(key), *(number(of_noise.fixed_parts.get(part, 0.0)) for part in parts)]
+                                for key, of_noise in derived.items()])
+
+
+TABLES: dict[str, Callable[[Everything], str]] = {"noises": noise_table, "sums": sums_table, "parts": parts_table}
+
+
+def with_tables(text: str, derived: Everything) -> str:
+    """The page with its tables written anew."""
+    for name, write in TABLES.items():
+        start, end = f"<!-- tools/bounds: {name} -->\n", "<!-- end -->\n"
+        before, found, rest = text.partition(start)
+        if not found or end not in rest:
+            raise LookupError(f"{ACCURACY} has no {start.strip()} with {end.strip()} after it")
+        text = before + start + write(derived) + rest[rest.index(end):]
+    return text
+
+
+# --- Prose ------------------------------------------------------------------------------------------------------------
+
+
+def quotes(derived: Everything) -> list[tuple[str, str]]:
+    """Pairs of a file and what must stand in it."""
+    plane, space = (derived[NOISE_OF_SUMS, dims, GRADIENTS[0]] for dims in (2, 3))
+    stated = [("README.md", f"| {scientific(plane.error)} | {scientific(space.error)} |"),
+              ("README.md", f"| {scientific(plane.fixed_error)} | {scientific(space.fixed_error)} |"),
+              ("README.md", f"with `HN_FIXED` within {scientific(sine.fixed_sine_error(), 2)}")]
+    limits = [f"{derived[NOISE_OF_SUMS, dims, SINE].bounds('', dims, SINE).rounded().limit:g} in {dims}D"
+              for dims in (2, 3)]
+    stated.append((ACCURACY, f"in floats at most {limits[0]}, {limits[1]}"))
+    stated += [(ACCURACY, text) for text in (
+        f"{scientific(-fade_errors().min())} too small", f"{scientific(fade_errors().max())} too large",
+        *(f"{c:.8f}" for c in sine.SINE_DECIMALS), f"{round(sine.SINE_ARGUMENT_ERROR * 2**30)} / 2^30",
+        f"times that, {scientific(math.pi / 2 * sine.SINE_ARGUMENT_ERROR)}",
+        f"\n{scientific(sine.sine_truncation_bound())} at most", f"|s - sin| <= {scientific(sine.sine_bound())}",
+        f"2^-19 = {scientific(SINE.component_error)}", f"which is {scientific(sine.fixed_sine_error())}:",
+        f"at most 1 - {math.floor((1 - sine.sine_largest()) * 1e9) / 1e9:.2e}".replace("e-0", "e-"),
+        f"adds {scientific(sums.cloud_error())} ")]
+    return stated + [quote for name in noises.names() for quote in noises.find(name).quotes()]
+
+
+def missing_quotes(derived: Everything, root: Path = ROOT) -> list[str]:
+    texts: dict[str, str] = {}
+    messages = []
+    for path, text in quotes(derived):
+        if path not in texts:
+            texts[path] = (root / path).read_text(encoding="utf-8")
+        if text not in texts[path]:
+            messages.append(f"{path}: it must state {text.strip()!r}")
+    return messages
+
+
+# --- The comments of the library --------------------------------------------------------------------------------------
+
+# What a number belongs to, in reading order: a heading, a knob, or a number.
+WORD = re.compile(r"^   ?(?P<heading>[a-z]+)  |HN_FIXED|HN_GRADIENT_SINE|(?P<error>\d\.\d+e-\d+)|(?P<range>\d\.\d{3,})",
+                  re.MULTILINE)
+
+
+def derived_for(function: glsl.Declaration, kind: str, fixed: bool, gradient: Gradient,
+                derived: Everything) -> float | None:
+    """What a number in the comment of a function should be, rounded up: an "error", or the end of a "range"."""
+    noise = function.name.removeprefix("hn_")
+    if noise in noises.names():
+        dims, takes_cell = int(function.types[0][-1]), function.types[0].startswith("i")
+        of_noise = derived.get((noise, dims, gradient)) or derived[noise, dims, None]
+        if kind == "range":
+            return of_noise.range
+        return of_noise.fixed_error if fixed else of_noise.cell_error if takes_cell else of_noise.error
+    if function.name == "hn_gradient" and kind == "error":
+        return sine.fixed_sine_error() if fixed else SINE.component_error
+    if function.name == "hn_clouds" and kind == "error":
+        return sums.cloud_error() if fixed else sums.FLOAT_CLOUD_ERROR
+    return None
+
+
+def wrong_numbers(function: glsl.Declaration, derived: Everything) -> dict[tuple, str]:
+    """What is wrong in the comment over a function, by the line, the number and what is right."""
+    messages, fixed, gradient = {}, False, GRADIENTS[0]
+    for offset, text in enumerate(function.comment.lines):
+        for word in WORD.finditer(text):
+            if word["heading"]:
+                fixed, gradient = False, GRADIENTS[0]
+            elif word[0] == "HN_FIXED":
+                fixed, gradient = True, GRADIENTS[0]
+            elif word[0] == "HN_GRADIENT_SINE":
+                gradient = SINE
+            else:
+                kind = "error" if word["error"] else "range"
+                value, digits = derived_for(function, kind, fixed, gradient, derived), len(_significant(word[0]))
+                right = value and (scientific(value, digits) if kind == "error" else shortest(value, digits))
+                if word[0] != right:
+                    place = f"{function.path}:{function.comment.line + offset}"
+                    messages[place, word[0], right] = (f"{place}: {word[0]} of {function} "
+                                                       + (f"should be {right}" if right else "is derived nowhere"))
+    return messages
+
+
+def _significant(number: str) -> str:
+    """Its significant digits."""
+    return number.partition("e")[0].replace(".", "").lstrip("0")
+
+
+def wrong_comments(derived: Everything, library: Path = glsl.LIBRARY) -> list[str]:
+    messages: dict[tuple, str] = {}  # overloads share a comment
+    for function in glsl.declarations(library):
+        if function.comment:
+            messages = wrong_numbers(function, derived) | messages
+    return list(messages.values())

@@ -1,0 +1,48 @@
+"""What is proven of each noise. A noise is a module of this package, under its name, with
+
+    GRADIENTS           the kinds of gradient that change its values; (None,) if it has no gradients
+    DIMENSIONS          in which it exists
+    derive(dimensions, gradient) -> Derived
+    quotes()            numbers in prose: pairs of a file and a text that must stand in it
+    describe(dimensions, gradient) -> dict    more numbers for the reader of tools/bounds
+"""
+
+from __future__ import annotations
+
+import importlib
+import pkgutil
+from dataclasses import dataclass
+from types import ModuleType
+
+from bounds.gradients import Gradient
+from bounds.table import Bounds
+
+
+@dataclass(frozen=True)
+class Derived:
+    """What is proven of a noise in a number of dimensions, with a kind of gradient, as it comes out."""
+    promise: float  # of the contract: the range of |noise|
+    range: float  # of the exact noise
+    lipschitz: float
+    cell_error: float
+    error: float
+    largest: float  # computed in floats
+    fixed_error: float
+    fixed_largest: float
+    fixed_parts: dict[str, float]  # of fixed_error, each at its largest
+
+    def bounds(self, noise: str, dimensions: int, gradient: Gradient | None) -> Bounds:
+        """Its row of the table. A limit is what the contract promises, unless rounding takes a value beyond."""
+        return Bounds(noise, dimensions, gradient.name if gradient else "none", self.cell_error, self.error,
+                      self.lipschitz, max(self.promise, self.largest), self.fixed_error,
+                      max(self.promise, self.fixed_largest))
+
+
+def names() -> list[str]:
+    return [module.name for module in pkgutil.iter_modules(__path__)]
+
+
+def find(name: str) -> ModuleType:
+    if name not in names():
+        raise LookupError(f"there are no bounds of {name}: write tools/lib/bounds/noises/{name}.py")
+    return importlib.import_module(f"{__name__}.{name}")

@@ -1,0 +1,117 @@
+"""The sine of the sine gradient, in floats and in integers: how far it is off, proven.
+
+IN FLOATS. In quarter turns the argument is y, and sin(pi/2 y) is evaluated as follows; its sign is exact:
+
+    x = float(q >> 6) * 2^-24;  t = x*x;  s = x*(c1 + t*(c3 + t*(c5 + t*c7)))
+
+q is an integer in [0, 2^30] and within 3 of y * 2^30, the shift drops up to 63 more, and q >> 6, at most 2^24, is a
+float: so x is in [0, 1], and |x - y| <= 66 / 2^30. As the sine's slope is at most pi/2, |s - sin(pi/2 y)| is at most
+the float error of s at x, plus the polynomial's distance from sin(pi/2 x), plus pi/2 * 66 / 2^30: the first two by
+branch and bound over x. s <= 1, since before its last rounding it is at most 1, and no rounding crosses a float.
+
+IN INTEGERS. q is within 3 of the exact argument in units of 2^-30 quarter turns, and x is q * 2^-14, rounded: for each
+of the 2^16 x the sine lies between its values at the ends of x's range of q, and the integers are evaluated.
+"""
+
+import functools
+import math
+
+import numpy as np
+
+from bounds.boxes import SAFE, smooth_bound, supremum
+from bounds.floats import Approx, to_float
+from bounds.integers import DOUBLE, word
+
+
+# --- In floats --------------------------------------------------------------------------------------------------------
+
+SINE_DECIMALS = (1.57079090, -0.64589171, 0.07943160, -0.00433127)  # of x, x^3, x^5, x^7
+SINE_COEFFICIENTS = tuple(map(to_float, SINE_DECIMALS))
+SINE_ARGUMENT_ERROR = (3 + 2**6 - 1) / 2**30  # of x in quarter turns: 3 units of the reduction, 63 of the shift
+DOUBLE_SINE = 2.0**-48  # more than the rounding errors of the few double operations below, on numbers up to 2
+
+
+def sine_polynomial(x):
+    c1, c3, c5, c7 = SINE_COEFFICIENTS
+    return x * (c1 + x * x * (c3 + x * x * (c5 + x * x * c7)))
+
+
+def sine_truncation(point):
+    """What the polynomial, in exact arithmetic, is off by."""
+    return abs(sine_polynomial(point[0]) - math.sin(math.pi / 2 * point[0]))
+
+
+def sine_curvature():
+    """Of the polynomial, and of its difference from the sine: bounds of the second derivative on [0, 1]."""
+    polynomial = sum(k * (k - 1) * abs(c) for k, c in zip((1, 3, 5, 7), SINE_COEFFICIENTS))
+    return polynomial, polynomial + (math.pi / 2) ** 2
+
+
+def approx_sine_factors(box, ulps):
+    """x, and the bracket that it is multiplied with last."""
+    x = Approx(*box[0], 0.0, ulps)
+    t = x.times(x).clipped(box[0][0] ** 2, box[0][1] ** 2)
+    c1, c3, c5, c7 = SINE_COEFFICIENTS
+    inner = t.times(Approx(c7, c7, 0.0, ulps)).plus(c5)
+    return x, t.times(t.times(inner).plus(c3)).plus(c1)
+
+
+def sine_bound(ulps=1.0):
+    """A proven upper bound of |s - sin| for the sine of the gradient, at the exact argument."""
+    curvature = sine_curvature()[1]
+
+    def bound(box):
+        x, bracket = approx_sine_factors(box, ulps)
+        return x.times(bracket).err + smooth_bound(sine_truncation, curvature, box)
+    return supremum(bound, ((0.0, 1.0),), 4000) * SAFE + math.pi / 2 * SINE_ARGUMENT_ERROR + DOUBLE_SINE
+
+
+def sine_truncation_bound():
+    """A proven upper bound of what the polynomial alone is off by."""
+    bound = functools.partial(smooth_bound, sine_truncation, sine_curvature()[1])
+    return supremum(bound, ((0.0, 1.0),), 4000) * SAFE + DOUBLE_SINE
+
+
+def sine_largest(ulps=1.0):
+    """A proven upper bound of s before its last rounding. If that is at most 1, which is a float, then so is s."""
+    curvature = sine_curvature()[0]
+
+    def bound(box):
+        x, bracket = approx_sine_factors(box, ulps)
+        return smooth_bound(lambda point: sine_polynomial(point[0]), curvature, box) + x.hi * bracket.err
+    return supremum(bound, ((0.0, 1.0),), 4000) + DOUBLE_SINE
+
+
+# --- In integers ------------------------------------------------------------------------------------------------------
+
+def fixed_sine(x):
+    """g of the contract for x in [0, 2^16), in units of 2^-16."""
+    u = word(x * x) >> 16
+    inner = 5208 - (word(u * 288) >> 16)
+    inner = 42328 - (word(u * word(inner)) >> 16)
+    y = 102943 - (word(u * word(inner)) >> 16)
+    return word(x * (word(y) >> 1) + 2**14) >> 15
+
+
+SINE_REDUCTION = 3  # how far q is off, in units of 2^-30 quarter turns: as in floats
+
+
+@functools.cache
+def fixed_sines():
+    """g of every x."""
+    return fixed_sine(np.arange(2**16, dtype=np.int64))
+
+
+def fixed_sine_largest():
+    """1, or what a component exceeds it to."""
+    return max(1.0, fixed_sines().max() / 2**16)
+
+
+@functools.cache
+def fixed_sine_error():
+    """A proven upper bound of |S - sin|, from all x."""
+    least = np.arange(2**16) * 2**14 - 2**13 - SINE_REDUCTION  # below 0 for x = 0: at worst sin is the other way round
+    most = least + 2**14 - 1 + 2 * SINE_REDUCTION
+    most[-1] = 2**30  # where the sine is largest
+    errors = [np.abs(fixed_sines() / 2**16 - np.sin(np.pi / 2 * q / 2**30)).max() for q in (least, most)]
+    return float(max(errors)) * SAFE + DOUBLE

@@ -1,0 +1,92 @@
+"""Tests of tools/faults
+
+A script stands in for hn-conform, so that this takes no driver and no time.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from commands.support import load_script
+
+faults = load_script("faults")
+
+STAND_IN = '''#!{python}
+import json, pathlib, sys
+if sys.argv[1:] == ["run", "--inject", "list"]:
+    print("one\\n  fault: it is wrong\\n  reported in: a place: 1\\n  injected: this\\n  remark: some")
+    print("two\\n  fault: it too\\n  reported in: nowhere\\n  injected: that")
+    sys.exit()
+if sys.argv[1] == "list":
+    for version in "gl330", "es300":
+        print(f"bugs.abs.any.exact.fragment.{{version}}.defined\\n  reported in: a place: 2\\n  specification: none")
+    sys.exit()
+fault = sys.argv[sys.argv.index("--inject") + 1] if "--inject" in sys.argv else ""
+status, cases = {{"": {healthy}, "one": {one}, "two": {two}}}[fault]
+out = pathlib.Path(sys.argv[sys.argv.index("--out") + 1])
+results = [dict(id=id, status=status, mismatches=mismatches, message="why") for id, status, mismatches in cases]
+(out / "results.json").write_text(json.dumps(dict(runs=[dict(cases=results)])))
+sys.exit(status)
+'''
+
+PASS = (0, [("hash.word.x", "pass", 0), ("bugs.a.x", "warning", 1)])
+RED = (1, [("hash.word.x", "fail", 3), ("hash.vec2.x", "fail", 1), ("bugs.a.x", "warning", 1), ("bugs.b.x", "warning", 2)])
+NOT_COMPILED = (1, [("hash.word.x", "fail", 0), ("hash.vec2.x", "fail", 1)])
+UNNOTICED = (1, [("hash.word.x", "pass", 0)])
+
+
+class Faults(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        self.table = self.folder / "faults.md"
+
+    def call(self, *arguments, healthy=PASS, one=RED, two=RED):
+        program = self.folder / "hn-conform"
+        program.write_text(STAND_IN.format(python=sys.executable, healthy=healthy, one=one, two=two))
+        program.chmod(0o755)
+        self.shown = io.StringIO()
+        with contextlib.redirect_stdout(self.shown), contextlib.redirect_stderr(self.shown):
+            return faults.main(["--program", str(program), "--out", str(self.table), *arguments])
+
+    def test_the_table_tells_what_failed_and_what_else_warned(self):
+        self.assertEqual(self.call(), 0)
+        text = self.table.read_text()
+        self.assertIn("| `one`: it is wrong | a place: 1 | this (some) | **hash** word, vec2 | **bugs** b |\n", text)
+        self.assertIn("warnings are given by **bugs** a.", text)
+        self.assertIn("| `abs` | gl330, es300 | defined | a place: 2 | none |\n", text)
+
+    def test_an_old_table_is_noticed(self):
+        self.assertEqual(self.call("--check"), 1)
+        self.assertFalse(self.table.exists())
+        self.call()
+        self.assertEqual(self.call("--check"), 0)
+        self.table.write_text(self.table.read_text().replace("vec2", "vec3"))
+        self.assertEqual(self.call("--check"), 1)
+
+    def test_a_fault_that_nothing_notices(self):
+        for two in (UNNOTICED, PASS):
+            self.assertEqual(self.call(two=two), 1)
+            self.assertIn("two: NOT NOTICED", self.shown.getvalue())
+        self.assertFalse(self.table.exists())
+
+    def test_a_shader_that_does_not_compile_notices_nothing(self):
+        self.assertEqual(self.call(one=NOT_COMPILED), 1)
+        self.assertIn("one: NOT JUDGED: hash.word.x: why", self.shown.getvalue())
+
+    def test_the_healthy_driver_must_pass(self):
+        self.assertEqual(self.call(healthy=RED), 3)
+        self.assertEqual(self.call(one=(2, [])), 3)
+
+    def test_some_faults_leave_the_table(self):
+        self.assertEqual(self.call("two", one=UNNOTICED), 0)
+        self.assertFalse(self.table.exists())
+        with self.assertRaises(SystemExit) as wrong:
+            self.call("three")
+        self.assertEqual(wrong.exception.code, 2)

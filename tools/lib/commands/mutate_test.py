@@ -1,0 +1,236 @@
+"""Tests of tools/mutate
+
+A script stands in for hn-conform, so that this takes no driver and no time.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import os
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from commands.support import load_script
+
+mutate = load_script("mutate")
+SOURCES = {path.name: path.read_text(encoding="utf-8") for path in mutate.LIBRARY.glob("*.glsl")}
+MUTANTS = mutate.all_mutants(SOURCES)
+
+
+class Library(unittest.TestCase):
+    def found(self, file: str, text: str) -> set[tuple[str, str]]:
+        """The changes in the lines which contain the text."""
+        lines = SOURCES[file].split("\n")
+        return {(m.old, m.new) for m in MUTANTS if m.file == file and text in lines[m.line - 1]}
+
+    def test_known_places_are_changed(self):
+        self.assertLessEqual({("1913", "1914"), ("1913", "1912"), ("", "-")}, self.found("noise2d.glsl", "return hn_i_scaled("))
+        self.assertLessEqual({("*", "+"), ("+", "-"), ("b", "a")}, self.found("arithmetic.glsl", "n = a + t * (b - a)"))
+        self.assertLessEqual({("0x85EBCA77u", "0x85EBCA76u"), ("0x85EBCA77u", "0x05EBCA77u")},
+                             self.found("hash.glsl", "uvec2 hn_i_spread("))
+        self.assertLessEqual({("0x9E3779B9u", "0x1E3779B9u"), ("+=", "-="), ("seed += 0x9E3779B9u;", "")},
+                             self.found("fbm.glsl", "seed += "))
+        self.assertLessEqual({("<<", ">>"), (">>", "<<"), ("17", "18")},
+                             self.found("hash.glsl", "h << 17"))
+        self.assertLessEqual({("f.x, f.y", "f.y, f.x"), ("k0, c.y", "c.y, k0"), ("", "-")},
+                             self.found("noise2d.glsl", "n00 = hn_i_ramp(hn_i_gradient("))
+        self.assertLessEqual({("floor", "ceil"), ("floor", "trunc")},
+                             self.found("arithmetic.glsl", "ivec3(floor(p))"))
+        self.assertLessEqual({("==", "!="), ("HN_HASH_PCG", "HN_HASH_XXHASH32")},
+                             self.found("hash.glsl", "#elif HN_HASH == HN_HASH_PCG"))
+        self.assertLessEqual({("<", "<="), ("||", "&&"), ("9", "10")}, self.found("config.glsl", "#if HN_HASH < 1"))
+        self.assertIn(("3.0f", "3.046875f"), self.found("hash.glsl", "uintBitsToFloat(((h"))  # with HN_I_BITCAST
+        self.assertIn((">>", "<<"), self.found("hash.glsl", "float((h >> 22)"))  # and without
+
+    def test_every_file_and_every_rule_has_mutants(self):
+        self.assertEqual({m.file for m in MUTANTS}, set(SOURCES))
+        self.assertEqual({m.rule for m in MUTANTS}, {*mutate.rules.RULES, "directive"})
+        self.assertGreaterEqual(len(MUTANTS), 1000)
+
+    def test_each_equivalence_is_of_mutants_that_there_are(self):
+        for equivalence in mutate.EQUIVALENT:
+            count = SOURCES[equivalence.file].count(equivalence.old)
+            self.assertGreater(count, 0, equivalence)
+            for new in equivalence.new:
+                alone = mutate.Equivalence(equivalence.file, equivalence.old, (new,))
+                found = len([m for m in MUTANTS if alone.covers(m)])
+                self.assertTrue(0 < found <= count, (equivalence, new))  # less where a piece stands for C++ as well
+
+    def test_an_equivalence_covers_nothing_else(self):
+        source = "a = f(x - y);\nb = f(x - y) - x - y;\n"
+        equivalence = mutate.Equivalence("a", "x - y)", ("x + y)", "y - x)"))
+
+        def covered(file: str, start: int, end: int, new: str) -> bool:
+            return equivalence.covers(mutate.Mutant(1, file, "rule", source, start, end, new))
+
+        self.assertTrue(covered("a", 8, 9, "+"))
+        self.assertTrue(covered("a", 6, 11, "y - x"))
+        self.assertTrue(covered("a", 22, 23, "+"))
+        self.assertFalse(covered("a", 8, 9, "*"))
+        self.assertFalse(covered("b", 8, 9, "+"))
+        self.assertFalse(covered("a", 31, 32, "+"))
+
+    def test_each_mutant_has_one_change(self):
+        self.assertEqual(len({(m.file, m.source) for m in MUTANTS}), len(MUTANTS))
+        for mutant in MUTANTS:
+            self.assertNotEqual(mutant.source, SOURCES[mutant.file], mutant)
+            self.assertEqual(mutant.source[:mutant.start] + mutant.old + mutant.source[mutant.start + len(mutant.new):],
+                             SOURCES[mutant.file])
+
+    def test_a_mutant_tells_its_place_and_its_change(self):
+        source = "int f(int a) {\n  return a +\n a;\n}\n"
+        for start, end, new, expected in ((26, 27, "-", "   1  a:2:12                + -> -"),
+                                          (24, 24, "-", "   1  a:2:10                a -> -a"),
+                                          (24, 30, "", "   1  a:2:10                a + a -> nothing")):
+            self.assertEqual(str(mutate.Mutant(1, "a", "rule", source, start, end, new)), expected)
+
+    def test_numbers_are_those_of_the_list(self):
+        self.assertEqual([m.number for m in MUTANTS], list(range(1, len(MUTANTS) + 1)))
+
+    def test_a_sample_is_reproducible_and_spread(self):
+        chosen = mutate.sample(MUTANTS, 20, 1)
+        self.assertEqual(chosen, mutate.sample(MUTANTS, 20, 1))
+        self.assertNotEqual(chosen, mutate.sample(MUTANTS, 20, 2))
+        for i, mutant in enumerate(chosen):
+            self.assertIn(mutant, MUTANTS[i * len(MUTANTS) // 20:(i + 1) * len(MUTANTS) // 20])
+        self.assertEqual(mutate.sample(MUTANTS, 10**6, 1), MUTANTS)
+
+
+# What stands in for hn-conform: `unchanged` is its exit status for the library as it is, the others those for a mutant.
+FAKE = """#!{python} -IS
+import pathlib, sys
+arguments = sys.argv[1:]
+with open({log!r}, "a") as log: log.write(" ".join(arguments) + "\\n")
+def value(name): return pathlib.Path(arguments[arguments.index(name) + 1])
+changed = any(path.read_bytes() != (pathlib.Path({library!r}) / path.name).read_bytes()
+              for path in value("--glsl").iterdir())
+status = {unchanged}
+if changed:
+    status = {with_filter} if "--filter" in arguments else {without}
+value("--out").mkdir(exist_ok=True)
+if status == 1: (value("--out") / "results.json").write_text('''{results}''')
+if status > 1: print("no driver", file=sys.stderr)
+sys.exit(status)
+"""
+
+FAILURE = '{"runs": [{"cases": [{"id": "a.b", "status": "pass"}, {"id": "c.d", "status": "fail", "samples": 9}]}]}'
+CRASH, TIMEOUT = FAILURE.replace("fail", "crash"), FAILURE.replace("fail", "timeout")
+WARNING = FAILURE.replace("fail", "warning")
+UNCOMPILED = '{"runs": [{"cases": [{"id": "c.d", "status": "fail", "samples": 0}]}]}'
+REFUSED = UNCOMPILED.replace("c.d", "config.hash_0.any.fast.fragment.gl330.refused_by_driver")
+ERROR = '{"runs": [{"cases": [{"id": "c.d", "status": "error"}]}]}'
+
+
+class Sweep(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.program = Path(scratch.name, "fake")
+        self.log = Path(scratch.name, "log")
+
+    def sweep(self, *arguments: str, unchanged=0, with_filter=1, without=1, results=FAILURE) -> tuple[int, str]:
+        """Exit status and output with a program that ends so."""
+        self.program.write_text(FAKE.format(
+            python=sys.executable, log=str(self.log), library=str(mutate.LIBRARY), unchanged=unchanged,
+            with_filter=with_filter, without=without, results=results), encoding="utf-8")
+        self.program.chmod(0o755)
+        return self.main("--program", str(self.program), "--file", "noise2d.glsl", "--sample", "2", *arguments)
+
+    def main(self, *arguments: str) -> tuple[int, str]:
+        output = io.StringIO()
+        with contextlib.redirect_stdout(output), contextlib.redirect_stderr(output):
+            try:
+                status = mutate.main(arguments)
+            except SystemExit as stop:
+                status = stop.code
+        return status, output.getvalue()
+
+    def test_all_killed(self):
+        status, output = self.sweep()
+        self.assertEqual(status, 0, output)
+        self.assertEqual(output.count("killed by c.d\n"), 2)
+        self.assertIn("2 mutants: 2 killed, of which 0 did not compile, 0 survived, 0 equivalent, 0 errors", output)
+
+    def test_a_crash_and_a_timeout_kill_but_a_warning_does_not(self):
+        for results in (CRASH, TIMEOUT):
+            self.assertEqual(self.sweep(results=results)[0], 0)
+        self.assertEqual(self.sweep(results=WARNING)[0], 3)
+
+    def test_what_does_not_compile_is_counted_apart(self):
+        status, output = self.sweep(results=UNCOMPILED)
+        self.assertEqual(status, 0, output)
+        self.assertIn("2 killed, of which 2 did not compile", output)
+        self.assertIn("2 killed, of which 0 did not compile", self.sweep(results=REFUSED)[1])
+
+    def test_the_sums_by_rule_and_by_file(self):
+        output = self.sweep("--file", "hash.glsl", "--sample", "4")[1]
+        rows = [line.split() for line in output.splitlines()]
+        self.assertIn(["file", "mutants", *mutate.KINDS], rows)
+        self.assertIn(["hash.glsl", "3", "3", "0", "0", "0", "0"], rows)
+        self.assertIn(["noise2d.glsl", "1", "1", "0", "0", "0", "0"], rows)
+        self.assertEqual(rows.count(["all", "4", "4", "0", "0", "0", "0"]), 2)
+
+    def test_cheap_cases_of_the_file_run_first_and_the_whole_suite_only_if_they_pass(self):
+        filters = [["noise2d.word.*.gl330.golden", "noise2d.*.lattice*.gl330.golden", "noise2d.*.lattice*.gl400.golden", "noise2d.*.lattice*.gl140.golden",
+                    "noise2d.*.fnv1*.gl330.golden", "noise2d.*.any.*.golden", "noise2d.*.unseeded"],
+                   [mutate.NOISE],
+                   ["noise2d.*.golden", "noise?d.*.golden", "noise2d.all.lattice*.fragment.*"], []]
+
+        def used() -> list[list[str]]:
+            lines = self.log.read_text().splitlines()
+            self.log.unlink()
+            return [line.split(" --filter ")[1:] for line in lines]
+
+        self.sweep("--jobs", "1", with_filter=1)
+        self.assertEqual(used(), [[], filters[0], filters[0]])
+        status, output = self.sweep("--jobs", "1", with_filter=0, without=1)
+        self.assertEqual((status, output.count("killed by c.d\n")), (0, 2))
+        self.assertEqual(used(), [[]] + filters * 2)
+
+    def test_files_without_functions_have_cases_of_their_own(self):
+        for file in ("config.glsl", "hashnoise.glsl"):
+            self.assertEqual(mutate.stages_of(file, SOURCES[file])[0], (f"{file[:-5]}.*",))
+
+    def test_survivors(self):
+        status, output = self.sweep(with_filter=0, without=0)
+        self.assertEqual(status, 1, output)
+        self.assertEqual(output.count("SURVIVED\n"), 2)
+        self.assertEqual(len(output.partition("Survivors:\n")[2].splitlines()), 3)  # two, and the sum
+
+    def test_a_program_that_cannot_judge_is_an_error(self):
+        status, output = self.sweep(with_filter=3)
+        self.assertEqual(status, 3, output)
+        self.assertEqual(output.count("ERROR: exit status 3: no driver\n"), 2)
+
+    def test_a_case_with_an_error_does_not_kill(self):
+        self.assertEqual(self.sweep(results=ERROR)[0], 3)
+        self.assertEqual(self.sweep(results="{")[0], 3)
+
+    def test_the_unchanged_library_must_pass(self):
+        status, output = self.sweep(unchanged=1)
+        self.assertEqual(status, 3)
+        self.assertIn("the unchanged library does not pass", output)
+        self.assertEqual(len(self.log.read_text().splitlines()), 1)
+
+    def test_listing_runs_nothing(self):
+        status, output = self.main("--list", "--program", "/nowhere", "--file", "noise3d.glsl", "--file", "fbm.glsl")
+        self.assertEqual(status, 0)
+        self.assertEqual([int(line.split()[0]) for line in output.splitlines()],
+                         [m.number for m in MUTANTS if m.file in ("noise3d.glsl", "fbm.glsl")])
+
+    def test_only_one_rule(self):
+        status, output = self.main("--list", "--program", "/nowhere", "--rule", "shift")
+        self.assertEqual((status, len(output.splitlines())), (0, sum(m.rule == "shift" for m in MUTANTS)))
+
+    def test_a_sample_has_no_equivalent_mutants(self):
+        output = self.main("--list", "--program", "/nowhere", "--sample", "1000000")[1]
+        numbers = {int(line.split()[0]) for line in output.splitlines()}
+        self.assertEqual(numbers, {m.number for m in MUTANTS if not mutate.is_equivalent(m)})
+
+    def test_bad_usage(self):
+        for arguments in (["--sample", "0"], ["--jobs", "x"], ["--file", "nothing.glsl"], ["--program", os.devnull],
+                          ["--list", "--file", "config.glsl", "--rule", "shift"], ["--rule", "x"], ["--unknown"]):
+            self.assertEqual(self.main(*arguments)[0], 2, arguments)

@@ -1,0 +1,60 @@
+"""tools/single-file: what it makes compiles by itself, in every language, with nothing but a #version line."""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from tree import TOOLS
+
+TOOL = TOOLS / "single-file"
+FILES = ("hash.glsl", "noise2d.glsl", "noise3d.glsl", "fbm.glsl", "hashnoise.glsl")
+CALLS = {"hash.glsl": "hn_unorm(hn_hash(7u))", "noise2d.glsl": "hn_perlin(vec2(1.5))",
+         "noise3d.glsl": "hn_perlin(vec3(1.5))"}
+
+
+def generate(*arguments):
+    return subprocess.run([sys.executable, TOOL, *arguments], capture_output=True, text=True, check=False)
+
+
+def compile_shader(text):
+    """glslang's opinion: the output of a compilation, and whether it went well."""
+    with tempfile.NamedTemporaryFile("w", suffix=".frag") as shader:
+        shader.write(text)
+        shader.flush()
+        done = subprocess.run(["glslangValidator", shader.name], capture_output=True, text=True, check=False)
+    return done.returncode == 0, done.stdout
+
+
+class SingleFile(unittest.TestCase):
+    def test_each_file_compiles_by_itself(self):
+        for name in FILES:
+            body = generate(name).stdout
+            self.assertNotIn("#include", body)
+            call = CALLS.get(name, "hn_clouds(vec3(1.5), 5, 2.0, 0.5)")
+            for version in ("130", "460", "300 es"):
+                precision = "precision mediump float;\n" if version.endswith("es") else ""
+                shader = f"#version {version}\n{precision}{body}\nout vec4 o;\nvoid main() {{ o = vec4({call}); }}\n"
+                with self.subTest(name=name, version=version):
+                    right, log = compile_shader(shader)
+                    self.assertTrue(right, log)
+
+    def test_the_compilation_can_fail(self):
+        right, _ = compile_shader("#version 460\n" + generate("hash.glsl").stdout + "\nvoid main() { absent(); }\n")
+        self.assertFalse(right)
+
+    def test_no_file_stands_in_it_twice(self):
+        self.assertEqual(generate().stdout.count("float hn_unorm("), 1)
+
+    def test_it_writes_a_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "one.glsl"
+            self.assertEqual(generate("--out", str(path)).returncode, 0)
+            self.assertEqual(path.read_text(), generate().stdout)
+            self.assertEqual(generate("--out", str(path / "below")).returncode, 2)
+
+    def test_an_unknown_file_is_named(self):
+        done = generate("nope.glsl")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("there are: arithmetic.glsl, config.glsl", done.stderr)

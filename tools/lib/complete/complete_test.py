@@ -1,0 +1,137 @@
+"""The tree is complete, and whatever is left out is noticed: each kind of entry is deleted in a copy of the tree.
+
+If test_the_tree_is_complete fails, its message says what to write, and where.
+"""
+
+from __future__ import annotations
+
+import re
+import shutil
+import tempfile
+import unittest
+from pathlib import Path
+
+from complete.check import problems
+from tree import BOUNDS, CONFIGURATIONS, FUNCTIONS, GLSL, GOLDEN, ROOT
+
+BOUNDS_FILE, SETTINGS_FILE, TABLE = (str(path.relative_to(ROOT)) for path in (BOUNDS, CONFIGURATIONS, FUNCTIONS))
+PERLIN = "tools/lib/{}/noises/perlin"
+
+
+class Complete(unittest.TestCase):
+    def test_the_tree_is_complete(self) -> None:
+        found = problems()
+        self.assertEqual(found, [], "\n" + "\n".join(found))
+
+
+class Deletions(unittest.TestCase):
+    def setUp(self) -> None:
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = Path(folder.name)
+        for path in (GLSL, ROOT / "README.md", ROOT / "docs" / "contract.md", FUNCTIONS, CONFIGURATIONS, BOUNDS,
+                     ROOT / "tools" / "lib" / "oracle" / "noises", ROOT / "tools" / "lib" / "bounds" / "noises"):
+            target = self.root / path.relative_to(ROOT)
+            target.parent.mkdir(parents=True, exist_ok=True)
+            (shutil.copytree if path.is_dir() else shutil.copy)(path, target)
+        self.golden = self.root / GOLDEN.relative_to(ROOT)
+        self.golden.parent.mkdir(parents=True, exist_ok=True)
+        self.golden.symlink_to(GOLDEN)
+
+    def change(self, path: str, pattern: str, new: str = "") -> None:
+        """Replaces what a pattern finds in a file, or in the one of the library that has it."""
+        files = [file for file in sorted(self.root.glob(path)) if re.search(pattern, file.read_text(), re.MULTILINE)]
+        self.assertTrue(files, f"{pattern} is not in {path}")
+        text = files[0].read_text()
+        files[0].write_text(re.sub(pattern, new, text, flags=re.MULTILINE))
+
+    def noticed(self, *messages: str) -> None:
+        found = problems(self.root)
+        for message in messages:
+            self.assertTrue(any(re.search(message, text) for text in found), f"{message} is not in {found}")
+
+    def test_the_copy_is_complete(self) -> None:
+        self.assertEqual(problems(self.root), [])
+
+    def test_a_row_of_a_function(self) -> None:
+        self.change(TABLE, r'^FUNCTION\("hash\.lattice3"(.|\n)*?;\)\n')
+        self.noticed(r"^glsl/\w+\.glsl:\d+: hn_lattice\(ivec3, uint\) has no row: add a FUNCTION .* to .*\.inc$",
+                     r"hn_lattice\(ivec3\) has no row")
+
+    def test_the_rows_of_a_noise(self) -> None:
+        self.change(TABLE, r'^NOISE\("perlin".*\n')
+        self.noticed(r"hn_perlin\(vec2\) has no row: add a FUNCTION",
+                     r"^tools/lib/oracle/noises/perlin\.py: no function is the noise perlin",
+                     r"^tools/lib/bounds/noises/perlin: no function is the noise perlin")
+
+    def test_a_function_that_nobody_knows(self) -> None:
+        self.change("glsl/*.glsl", r"^(// Gradient noise on the square lattice)",
+                    "// New.\n//   returns  0\nHN_FN hn_float hn_merlin(hn_vec4 p, hn_uint seed) {\n}\n\n\\1")
+        self.noticed(r"^glsl/\w+\.glsl:\d+: hn_merlin\(vec4, uint\) has no row: add a FUNCTION that calls it")
+
+    def test_a_function_of_a_row(self) -> None:
+        self.change("glsl/*.glsl", r"\bhn_unorm\(", "hn_i_unorm(")
+        self.noticed(rf"^{TABLE}:\d+: hash\.unorm: declare hn_unorm\(uint\) in glsl/")
+
+    def test_an_overload_without_a_seed(self) -> None:
+        self.change("glsl/*.glsl", r"^HN_FN .*\bhn_perlin\((HN_HIGHP |hn_)vec3 p\) \{.*\n")
+        self.noticed(rf"^{TABLE}:\d+: noise3d\.perlin: declare hn_perlin\(vec3\) in glsl/")
+
+    def test_the_oracle(self) -> None:
+        (self.root / f"{PERLIN.format('oracle')}.py").unlink()
+        self.noticed(rf"^{TABLE}:\d+: noise2d\.perlin: write tools/lib/oracle/noises/perlin\.py, its exact")
+
+    def test_the_bounds(self) -> None:
+        shutil.rmtree(self.root / PERLIN.format("bounds"))
+        self.noticed(rf"^{TABLE}:\d+: noise3d\.perlin_cell: write tools/lib/bounds/noises/perlin\.py, what is proven")
+
+    def test_a_row_of_the_bounds(self) -> None:
+        self.change(BOUNDS_FILE, r'^NOISE_BOUNDS\("perlin", 3.*\n')
+        self.noticed(r"noise3d\.perlin: .*bounds\.inc has no perlin in 3D: run tools/bounds --write")
+
+    def test_the_contract(self) -> None:
+        self.change("docs/contract.md", r"^    hn_perlin\(ivec3.*\n")
+        self.noticed(r"noise3d\.perlin_cell: define hn_perlin\(ivec3, vec3\) in docs/contract\.md")
+
+    def test_the_readme(self) -> None:
+        self.change("README.md", r"^\| `hn_perlin\(.*\n")
+        self.noticed(r"^README\.md: no line for hn_perlin: add one to the table of functions")
+
+    def test_a_comment(self) -> None:
+        self.change("glsl/*.glsl", r"^(//.*\n)+(HN_FN .*\bhn_snorm\()", "\\2")
+        self.noticed(r"^glsl/\w+\.glsl:\d+: hn_snorm\(uint\) has no comment that says what it returns: write one")
+
+    def test_lines_of_a_comment(self) -> None:
+        for heading in ("error", "cost"):
+            with self.subTest(heading=heading):
+                self.change("glsl/*2d.glsl", rf"^//   {heading} .*\n")
+                self.noticed(rf"^glsl/\w+2d\.glsl:\d+: the comment over hn_perlin\(.*has no line `{heading}`")
+        self.change("glsl/*3d.glsl", r"^//   period .*\n")
+        self.noticed(r"^glsl/\w+3d\.glsl: no comment over its functions has a line `period`")
+
+    def test_a_setting(self) -> None:
+        for setting, left, message in (
+                (r'^CONFIGURATION\("lattice\+sine\+fixed".*\n', "", "sine_gradient to .* configuration with FIXED"),
+                (r'^CONFIGURATION\("fnv1\+sine\+period1048576".*\n', "", "sine_gradient to .* with a period"),
+                (r'^CONFIGURATION\("pcg".*\n', "", "HN_HASH_PCG is under .* add CONFIGURATION..pcg., PCG"),
+                (r"(PRECISE, .*) \| octave_sum", "\\1", "octave_sum to .* configuration with PRECISE")):
+            with self.subTest(setting=setting):
+                self.setUp()
+                self.change(SETTINGS_FILE, setting, left)
+                self.noticed(rf"^{SETTINGS_FILE}: .*{message}")
+
+    def test_a_hash(self) -> None:
+        self.change("glsl/config.glsl", r"^(#define HN_HASH_PCG 6)", "\\1\n#define HN_HASH_MD5 10")
+        self.noticed(r"configurations\.inc: HN_HASH_MD5 is under test with no default",
+                     r"^tools/lib/oracle/words\.py: HN_HASH_MD5 is not among the hashes",
+                     r"^docs/contract\.md: no line for HN_HASH_MD5", r"^README\.md: the knob .* HN_HASH_MD5")
+
+    def test_a_hash_by_its_name(self) -> None:
+        self.change(SETTINGS_FILE, r'^CONFIGURATION\("pcg".*\n')
+        self.noticed(r"^glsl/\w+\.glsl:\d+: hn_hash_pcg\(uint\) is the hash of no configuration: add CONFIGURATION")
+
+    def test_a_golden_file(self) -> None:
+        missing = "noise2d.perlin.lattice+fixed.golden"
+        self.golden.unlink()
+        shutil.copytree(GOLDEN, self.golden, ignore=shutil.ignore_patterns(missing))
+        self.noticed(r"golden: noise2d\.perlin has no golden files with lattice\+fixed: run tools/golden$")

@@ -1,0 +1,305 @@
+"""Tests of tools/golden
+
+What the files say and how, and that `golden --check` notices what differs.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import itertools
+import math
+import struct
+import tempfile
+import unittest
+from collections.abc import Sequence
+from dataclasses import replace
+from fractions import Fraction
+from pathlib import Path
+from unittest import mock
+
+from golden import command as golden
+from golden import rows
+from golden.files import Digest, GoldenFile, golden_files, line
+from oracle import gradients, words
+from oracle.functions import knobs_of
+from oracle.sums import SHIFT
+from tables.configurations import read_configurations
+from tables.functions import NOISES, read_functions
+from tables.inc import TableError
+
+
+FUNCTIONS = {function.id: function for function in read_functions()}
+SETTINGS = read_configurations()
+FILES = {file.name: file for file in golden_files(list(FUNCTIONS.values()), SETTINGS)}
+
+
+def rows_with(id: str, configuration: str = "") -> list[tuple]:
+    """The rows of a function, with a configuration, or with the first that has it."""
+    return next(file for file in FILES.values()
+                if file.function.id == id and configuration in ("", file.configuration_name)).rows()
+
+
+class GoldenContents(unittest.TestCase):
+    def test_format(self) -> None:
+        lines = self.file("noise2d.perlin", "fnv1")
+        self.assertEqual(lines[:8], [
+            "hashnoise golden 1", "function noise2d.perlin", "hash fnv1", "arithmetic fast", "bits 0.2.0",
+            "columns x:f32 y:f32 seed:u32 = value:f64", "rows 192",
+            "c0000000 c0000000 00000000 = 0000000000000000",
+        ])
+        self.assertEqual(len(lines), 7 + 192 + 1)
+        self.assertEqual(lines[-1], "")
+
+    def file(self, function: str, configuration: str) -> list[str]:
+        """The lines of a golden file."""
+        return FILES[f"{function}.{configuration}.golden"].text().split("\n")
+
+    def test_format_of_other_configurations(self) -> None:
+        exact = self.file("gradient.lattice2", "lattice+period48")
+        self.assertEqual(exact[2:6], ["hash lattice+period48", "arithmetic exact", "bits 0.2.0",
+                                      "columns x:i32 y:i32 seed:u32 = gx:f32 gy:f32"])
+        fast = self.file("gradient.sine3", "fnv1+sine+period1048576")
+        self.assertEqual(fast[2:6], ["hash fnv1+sine+period1048576", "arithmetic fast", "bits 0.2.0",
+                                     "columns x:i32 y:i32 z:i32 seed:u32 = gx:f64 gy:f64 gz:f64"])
+        self.assertEqual(self.file("noise2d.perlin", "lattice+sine")[5], "columns x:f32 y:f32 seed:u32 = value:f64")
+        fixed = self.file("gradient.sine2", "lattice+sine+fixed")
+        self.assertEqual(fixed[2:4], ["hash lattice+sine+fixed", "arithmetic fixed"])
+
+    def test_fixed_arithmetic_by_hand(self) -> None:
+        # Where a float has no fraction there is no noise.
+        lines = self.file("noise2d.perlin", "lattice+fixed")
+        self.assertIn("80000000 80000000 00000000 = 0000000000000000", lines)
+        self.assertIn("7f61b1e6 7f61b1e6 00000000 = 0000000000000000", lines)  # 3e38
+        clouds = self.file("fbm.clouds2", "lattice+fixed")
+        no_octaves = [line for line in clouds[7:-1] if line.split()[2] in ("00000000", "ffffffff")]
+        self.assertGreaterEqual(len(no_octaves), 4)
+        for line in no_octaves:
+            self.assertEqual(line.split()[-1], "3fc4000000000000", line)  # 5/32
+
+    def test_values_of_fixed_arithmetic_are_floats(self) -> None:
+        for file in FILES.values():
+            if not file.configuration.fixed:
+                continue
+            for line in file.text().split("\n")[7:-1]:
+                for pattern in line.split(" = ")[1].split():
+                    value, = struct.unpack(">d", bytes.fromhex(pattern))
+                    self.assertEqual(rows.to_f32(value), value)
+                    self.assertTrue(value != 0 or math.copysign(1, value) == 1)
+
+    def test_fixed_arithmetic_sees_the_other_inputs_first(self) -> None:
+        for file in FILES.values():
+            if file.configuration.fixed:
+                found, others = file.rows(), rows_with(file.function.id)
+                self.assertEqual(found[:len(others)], others)
+                self.assertEqual(len(found) > len(others), file.function.form != "point", file.name)
+
+    def test_inputs_of_fixed_arithmetic_reach_every_edge(self) -> None:
+        edges = {-1e-40, -2.0**-21, -2.0**-20, 2.0**-149, 2.0**23, 2.0**31, -2.0**31, 3e38, -3.4e38}
+        edges = set(map(rows.to_f32, edges))
+        for n in (2, 3):
+            points = [row[:n] for row in rows_with(f"noise{n}d.perlin", "lattice+fixed")]
+            for axis in range(n):
+                self.assertTrue(edges <= {p[axis] for p in points})
+                self.assertTrue(any(p[axis] == 0 and math.copysign(1, p[axis]) < 0 for p in points))
+                phases = {p[axis] - round(p[axis]) for p in points if abs(p[axis]) < 100}
+                self.assertTrue(any(0 < x < 2**-17 for x in phases) and any(-2**-17 < x < 0 for x in phases))
+            cells = rows_with(f"noise{n}d.perlin_cell", "lattice+fixed")
+            for axis in range(n):
+                self.assertTrue({0, 2.0**-149, 0.5, 1 - 2.0**-24, 1} <= {row[n + axis] for row in cells})
+            sums = rows_with(f"fbm.fbm{n}", "lattice+fixed")
+            octaves, lacunarities, gains = ({row[n + i] for row in sums} for i in range(3))
+            self.assertTrue({-1, 0, 1, 32, 33} <= octaves)
+            self.assertTrue(set(map(rows.to_f32, (1.9, 3.7, 0, 255))) <= lacunarities)
+            self.assertTrue({0, 1, 1.5} <= gains)
+            self.assertTrue(any(abs(x) >= 2**31 for row in sums for x in row[:n]))
+
+    def test_configurations_see_the_same_inputs(self) -> None:
+        for function, names in (("noise2d.perlin_cell", ("lattice", "lattice+sine", "lattice+period48")),
+                                ("gradient.lattice2", ("lattice", "fnv1", "lattice+period48")),
+                                ("gradient.sine2", ("lattice+sine", "fnv1+sine+period1048576"))):
+            inputs = [[line.split(" = ")[0] for line in self.file(function, name)[7:]] for name in names]
+            self.assertTrue(all(other == inputs[0] for other in inputs))
+
+    def test_there_are_files_for_what_the_tables_say(self) -> None:
+        for name in ("hash.word.fnv1", "hash.unorm.any", "gradient.lattice2.lattice+period48",
+                     "gradient.sine3.fnv1+sine", "noise3d.perlin_cell.lattice+period48+fixed",
+                     "fbm.clouds2.lattice+sine+fixed"):
+            self.assertIn(f"{name}.golden", FILES)
+        for name in ("hash.unorm.lattice", "hash.word.lattice+fixed", "gradient.lattice2.lattice+sine",
+                     "noise2d.perlin.lattice+precise", "fbm.fbm2.fnv1+sine"):
+            self.assertNotIn(f"{name}.golden", FILES)
+
+    def test_a_row_that_is_left_out_takes_its_files_with_it(self) -> None:
+        others = [setting for setting in SETTINGS if setting.name != "lattice+fixed"]
+        left_out = {name for name in FILES} - {file.name for file in golden_files(list(FUNCTIONS.values()), others)}
+        self.assertEqual({name.removesuffix(".lattice+fixed.golden") for name in left_out},
+                         {function.id for function in FUNCTIONS.values()
+                          if function.family in (*NOISES, "octave_sum")})
+
+    def test_a_function_that_the_oracle_does_not_have(self) -> None:
+        function = FUNCTIONS["noise2d.perlin"]
+        for change, message in (({"id": "noise2d.merlin"}, r"functions\.inc:\d+: .*write .*/oracle/noises/merlin\.py"),
+                                ({"family": "octave_sum"}, r"functions\.inc:\d+: the oracle has no noise2d\.perlin")):
+            file = GoldenFile(replace(function, **change), SETTINGS[0], SETTINGS)
+            with self.assertRaisesRegex(TableError, message):
+                file.text()
+
+    def test_cell_gradient_rows_reach_every_case(self) -> None:
+        for n in (2, 3):
+            coordinates = {c for row in rows_with(f"gradient.lattice{n}") for c in row[:n]}
+            self.assertTrue({0, 1, -1, rows.INT_MIN, rows.INT_MAX} <= coordinates)
+            for period in (48, 64, 2**20):
+                for sign, reach in itertools.product((-1, 1), (period, 2**30)):
+                    phases = {c % period for c in coordinates if c * sign >= reach}
+                    self.assertTrue({0, 1, period - 1} <= phases, (n, period, sign, reach))
+
+    def test_a_tie_matters_to_every_sine_gradient(self) -> None:
+        def away(n: int) -> int:
+            step = 1 << max(n.bit_length() - 24, 0)
+            return int(math.copysign((abs(n) + step // 2) // step * step, n))
+
+        sine = [setting for setting in SETTINGS if setting.gradient == "sine" and setting.arithmetic == "fast"]
+        for n, knobs in itertools.product((2, 3), map(knobs_of, sine)):
+            cells = [(row[:n], row[n]) for row in rows_with(f"gradient.sine{n}")]
+            even = [component for cell in cells for component in gradients.gradient(knobs, *cell)]
+            with mock.patch.object(gradients, "round24", away):
+                other = [component for cell in cells for component in gradients.gradient(knobs, *cell)]
+            # By more than the contract allows.
+            self.assertGreater(max(abs(a - b) for a, b in zip(even, other)), 2**-19, (n, knobs))
+
+    def test_the_sine_is_exact_enough_for_the_nearest_double(self) -> None:
+        # The weights of the components of a noise sum to n / 2 at most; clouds are up to three times as steep as it.
+        margin = 3 * Fraction(3, 2) * gradients.SINE_ERROR
+        for file in FILES.values():
+            if file.configuration.name == "lattice+sine":
+                for row in file.rows():
+                    for value in file.evaluate(row):
+                        if value not in (0, 1):
+                            self.assertEqual(float(value - margin), float(value + margin), (file.name, row))
+
+    def test_patterns(self) -> None:
+        self.assertEqual(line("a:i32 b:u32 c:f32 d:f64", (-2, 255, -1.5, 0.5)),
+                         "fffffffe 000000ff bfc00000 3fe0000000000000")
+        self.assertEqual(line("a:f64", (Fraction(1, 3),)), "3fd5555555555555")
+        self.assertEqual(line("a:f64", (Fraction(0),)), "0000000000000000")
+        with self.assertRaises(ValueError):
+            line("a:f32", (0.1,))
+        with self.assertRaises(ValueError):
+            line("a:u32 b:u32", (1,))
+
+    def test_digest_runs_over_the_last_coordinate_first(self) -> None:
+        file = FILES["hash.lattice2.lattice.golden"]
+        with mock.patch.object(words, "lattice", lambda _, point, seed: 100 * point[0] + 10 * point[1] + seed):
+            found = file.digest(Digest((1, 2), (2, 3), 4))
+        values = b"".join(value.to_bytes(4, "little") for value in (124, 134, 144, 224, 234, 244))
+        self.assertEqual(found, f"digest origin=1,2 size=2,3 seed=4 fnv1a64={rows.fnv1a64(values):016x}")
+
+    def test_digest_wraps(self) -> None:
+        for name in words.HASHES:
+            self.assertEqual(words.hash_words(name, (2**32, 2**32 + 1)), words.hash_words(name, (0, 1)), name)
+
+    def test_row_counts(self) -> None:
+        least = {"hash.word": 64, "hash.gradient2": 128, "hash.gradient3": 128,
+                 "gradient.lattice2": 96, "gradient.lattice3": 96, "gradient.sine2": 96, "gradient.sine3": 96}
+        for name in FUNCTIONS:
+            expected = least.get(name, 192 if name.startswith("noise") else 64)
+            self.assertGreaterEqual(len(rows_with(name)), expected, name)
+
+    def test_gradient_rows_reach_every_case(self) -> None:
+        words = [word for word, in rows_with("hash.gradient3")]
+        self.assertEqual({tuple(x > 0 for x in gradients.gradient2(word)) for word in words},
+                         set(itertools.product((False, True), repeat=2)))
+        signs = {tuple((x > 0) - (x < 0) for x in gradients.gradient3(word)) for word in words}
+        self.assertEqual(signs, {(x, y, z) for x, y, z in itertools.product((-1, 0, 1), repeat=3) if z and (x or y)})
+
+    def test_perlin_rows_reach_every_case(self) -> None:
+        for n in (2, 3):
+            points = [row[:n] for row in rows_with(f"noise{n}d.perlin")]
+            self.assertTrue(any(all(x == math.floor(x) for x in p) and min(p) < 0 for p in points))
+            self.assertTrue(any(all(x * 2 % 2 == 1 for x in p) for p in points))
+            for far in (2**20, 2**22):
+                self.assertTrue(any(all(abs(abs(x) - far) <= 4 and x % 1 for x in p) for p in points))
+
+    def test_octave_positions_are_exact_in_float32(self) -> None:
+        for name, n in (("fbm.fbm2", 2), ("fbm.clouds3", 3)):
+            for row in rows_with(name):
+                octaves, lacunarity = row[n:n + 2]
+                if lacunarity != 1.90625:
+                    self.assert_exact_positions(row[:n], octaves, lacunarity)
+
+    def assert_exact_positions(self, q: Sequence[float], octaves: int, lacunarity: float) -> None:
+        # From each octave to the next, with and without a fused multiply-add.
+        for _ in range(octaves - 1):
+            scaled = [x * lacunarity for x in q]
+            q = [x + float(shift) for x, shift in zip(scaled, SHIFT)]
+            for x in scaled + q:
+                self.assertEqual(rows.to_f32(x), x)
+
+    def test_many_clouds_are_neither_clear_nor_full(self) -> None:
+        for n in (2, 3):
+            values = [FILES[f"fbm.clouds{n}.lattice.golden"].evaluate(row)[0]
+                      for row in rows_with(f"fbm.clouds{n}")]
+            self.assertGreaterEqual(sum(0 < value < 1 for value in values), len(values) / 2)
+            self.assertIn(0, values)
+
+
+class GoldenCheck(unittest.TestCase):
+    """What --check must notice, on a few files in a directory of its own."""
+
+    def setUp(self) -> None:
+        directory = tempfile.TemporaryDirectory()
+        self.addCleanup(directory.cleanup)
+        self.directory = Path(directory.name) / "golden"
+        self.files = {name: file.text() for name, file in FILES.items() if file.function.family == "independent"}
+        golden.write(self.directory, self.files)
+
+    def run_main(self, *arguments: str) -> tuple[int, str]:
+        """The exit status and what was printed, with `generate` cut down to the few files."""
+        out = io.StringIO()
+        with mock.patch.object(golden, "generate", return_value=self.files), contextlib.redirect_stdout(out):
+            return golden.main([*arguments, "--out", str(self.directory)]), out.getvalue()
+
+    def test_untouched_files_pass(self) -> None:
+        self.assertEqual(self.run_main("--check")[0], 0)
+
+    def test_flipped_digit_is_noticed(self) -> None:
+        path = self.directory / "hash.unorm.any.golden"
+        lines = path.read_text().split("\n")
+        lines[9] = lines[9][:-1] + ("1" if lines[9][-1] == "0" else "0")
+        path.write_text("\n".join(lines))
+        status, output = self.run_main("--check")
+        self.assertEqual(status, 1)
+        self.assertRegex(output, r"^hash\.unorm\.any\.golden: differs, line 10: expected .*, found .*\n$")
+
+    def test_line_ends_and_truncation_are_noticed(self) -> None:
+        path = self.directory / "hash.snorm.any.golden"
+        whole = path.read_bytes()
+        for damaged in (whole.replace(b"\n", b"\r\n"), whole[:-1], whole + b"\n", b"", whole[:-2] + b"\xff\n"):
+            path.write_bytes(damaged)
+            status, output = self.run_main("--check")
+            self.assertEqual((status, output.count("\n")), (1, 1), output)
+
+    def test_missing_file_is_noticed(self) -> None:
+        (self.directory / "hash.gradient3.any.golden").unlink()
+        self.assertEqual(self.run_main("--check"), (1, "hash.gradient3.any.golden: missing\n"))
+
+    def test_missing_directory_is_noticed(self) -> None:
+        self.directory = self.directory / "none"
+        self.assertEqual(self.run_main("--check")[0], 1)
+
+    def test_extra_file_is_noticed(self) -> None:
+        (self.directory / "hash.old.any.golden").write_text("")
+        self.assertEqual(self.run_main("--check"), (1, "hash.old.any.golden: extra\n"))
+
+    def test_writing_removes_stale_files_only(self) -> None:
+        (self.directory / "hash.old.any.golden").write_text("")
+        (self.directory / "README.md").write_text("")
+        self.assertEqual(self.run_main()[0], 0)
+        self.assertEqual({path.name for path in self.directory.iterdir()}, {*self.files, "README.md"})
+        self.assertEqual(self.run_main("--check")[0], 0)
+
+    def test_bad_usage(self) -> None:
+        with contextlib.redirect_stderr(io.StringIO()), self.assertRaises(SystemExit) as exit_:
+            golden.main(["--chekc"])
+        self.assertEqual(exit_.exception.code, 2)

@@ -1,0 +1,222 @@
+"""Tests of rules.py."""
+
+from __future__ import annotations
+
+import unittest
+
+from mutation import rules
+
+
+def changed(rule: rules.Rule, body: str, head: str = "") -> list[str]:
+    """The body after each change."""
+    return [body[:change.start] + change.new + body[change.end:] for change in rule(rules.Code(body, head))]
+
+
+class Reading(unittest.TestCase):
+    SOURCE = """// 1 { 2 }
+#define ONE(x) { \\
+  3 }
+const int outside = 4;
+/* 5 {
+   6 */ int f(int x) {
+#if x > 8  // { 9
+  if (y) { return 11; }  // 12
+#else
+  return 13;
+#endif
+}
+#ifdef __cplusplus
+int h() { return 15; }
+#endif
+int g() { return 14; }
+"""
+
+    def test_only_bodies_and_directives_are_changed_in_every_branch_that_a_shader_sees(self):
+        found = [(self.SOURCE.count("\n", 0, change.start) + 1, change.new)
+                 for rule, change in rules.changes(self.SOURCE) if rule == "constant"]
+        self.assertEqual(found, [(8, "12"), (8, "10"), (10, "14"), (10, "12"), (16, "15"), (16, "13")])
+        lines = {self.SOURCE.count("\n", 0, change.start) + 1
+                 for rule, change in rules.changes(self.SOURCE) if rule == "directive"}
+        self.assertEqual(lines, {2, 3, 7, 13})
+
+    def test_blanking_keeps_every_offset(self):
+        for blanked in (rules.without_comments, rules.without_directives, rules.without_cpp):
+            self.assertEqual([len(line) for line in blanked(self.SOURCE).split("\n")],
+                             [len(line) for line in self.SOURCE.split("\n")])
+
+    def test_a_function_knows_its_parameters(self):
+        (start, code), *_ = rules.functions("int a; float f(HN_HIGHP vec2 p, int n) { return p.x; }")
+        self.assertEqual(start, 40)
+        self.assertEqual([name for _, name, _ in code.variables], ["a", "p", "n"])
+        self.assertEqual(code.type_of(1), "vec2")
+        self.assertEqual(code.type_of(3), "")  # a component is no variable
+
+    def test_what_only_cpp_sees_is_blank(self):
+        text = "#ifdef __cplusplus\na\n#if 1\nb\n#else\nc\n#endif\n#elif defined(GL_ES)\nd\n#else\ne\n#endif\nf"
+        self.assertEqual("".join(line for line in rules.without_cpp(text).split("\n") if line[:1] != "#").split(),
+                         ["def"])
+
+    def test_braces_that_do_not_match_are_an_error(self):
+        with self.assertRaises(ValueError):
+            list(rules.functions("f() { {"))
+
+
+class Constants(unittest.TestCase):
+    def changed(self, body: str) -> list[str]:
+        return changed(rules.change_constants, body)
+
+    def test_small_integers_get_their_neighbours(self):
+        self.assertEqual(self.changed("a + 1u"), ["a + 2u", "a + 0u"])
+        self.assertEqual(self.changed("a + 0"), ["a + 1"])
+        self.assertEqual(self.changed("a & 0xFFu"), ["a & 0x100u", "a & 0xFEu"])
+        self.assertEqual(self.changed("a & 0xF"), ["a & 0x10", "a & 0xE"])
+
+    def test_shifts_stay_below_the_word(self):
+        self.assertEqual(self.changed("a << 31"), ["a << 30"])
+        self.assertEqual(self.changed("a >>= 0x1F"), ["a >>= 0x1E"])
+
+    def test_words_get_their_lowest_and_their_highest_bit_flipped(self):
+        self.assertEqual(self.changed("k *= 0xFFFFFFFFu"), ["k *= 0xFFFFFFFEu", "k *= 0x7FFFFFFFu"])
+        self.assertEqual(self.changed("k & 0x007FFF80u"), ["k & 0x007FFF81u", "k & 0x003FFF80u"])
+        self.assertEqual(self.changed("k * 16777619u"), ["k * 16777618u", "k * 403u"])
+
+    def test_floats_move_by_a_sixty_fourth(self):
+        self.assertEqual(self.changed("0.0f"), ["0.015625f"])
+        self.assertEqual(self.changed("f * 128.0f"), ["f * 130.0f"])
+        self.assertEqual(self.changed("-1e2"), ["-101.5625"])
+
+    def test_terms_of_quotients_move_by_one_unless_that_could_be_rounded_away(self):
+        self.assertEqual(self.changed("1913.0f / 1024.0f"), ["1914.0f / 1024.0f", "1913.0f / 1025.0f"])
+        self.assertEqual(self.changed("x / 65536.0f"), ["x / 66560.0f"])
+
+    def test_digits_in_names_are_no_constants(self):
+        self.assertEqual(self.changed("k1 = vec2(h00, d.x3).x_4"), [])
+
+    def test_truth(self):
+        self.assertEqual(self.changed("f(true, false)"), ["f(false, false)", "f(true, true)"])
+
+
+class Operators(unittest.TestCase):
+    def test_binary_operators(self):
+        self.assertEqual(changed(rules.change_operators, "a + b"), ["a - b"])
+        self.assertEqual(changed(rules.change_operators, "(a) - b[0] * -c"), ["(a) + b[0] * -c", "(a) - b[0] + -c"])
+        self.assertEqual(changed(rules.change_operators, "a / b % c"), ["a * b % c", "a / b / c"])
+        self.assertEqual(changed(rules.change_operators, "a & b | c ^ 1"),
+                         ["a | b | c ^ 1", "a & b & c ^ 1", "a & b | c | 1", "a & b | c + 1"])
+        self.assertEqual(changed(rules.change_operators, "a && b || !c"), ["a || b || !c", "a && b && !c"])
+
+    def test_compound_assignments(self):
+        self.assertEqual(changed(rules.change_operators, "a ^= b;"), ["a |= b;", "a += b;", "a = b;"])
+        self.assertEqual(changed(rules.change_operators, "a += b; c *= d"),
+                         ["a -= b; c *= d", "a = b; c *= d", "a += b; c += d", "a += b; c = d"])
+        self.assertEqual(changed(rules.change_operators, "++i"), ["--i"])
+
+    def test_a_sign_is_no_operator(self):
+        self.assertEqual(changed(rules.change_operators, "return -a;"), [])
+        self.assertEqual(changed(rules.change_operators, "a = -b, (-c)"), [])
+
+    def test_shifts(self):
+        self.assertEqual(changed(rules.change_shifts, "a << 3 + b >> 4"), ["a >> 3 + b >> 4", "a << 3 + b << 4"])
+        self.assertEqual(changed(rules.change_shifts, "a >>= 3"), ["a <<= 3", "a = 3"])
+
+    def test_comparisons(self):
+        self.assertEqual(changed(rules.change_comparisons, "a < b"), ["a <= b", "a >= b"])
+        self.assertEqual(changed(rules.change_comparisons, "a >= b == c"), ["a > b == c", "a < b == c", "a >= b != c"])
+        self.assertEqual(changed(rules.change_comparisons, "a <<= b << c"), [])
+
+
+class Signs(unittest.TestCase):
+    HEAD = "float f(float m, uint w, bool b, ivec2 c)"
+
+    def test_a_minus_is_dropped(self):
+        self.assertEqual(changed(rules.change_signs, "a * -b - c"), ["a * b - c"])
+        self.assertEqual(changed(rules.change_signs, "!a"), ["a"])
+
+    def test_what_stands_first_is_negated(self):
+        self.assertEqual(changed(rules.change_signs, "return m + 1.0f;", self.HEAD), ["return -m + 1.0f;"])
+        self.assertEqual(changed(rules.change_signs, "g(ivec2(c), m)", self.HEAD),
+                         ["g(ivec2(-c), m)", "g(ivec2(c), -m)"])
+        self.assertEqual(changed(rules.change_signs, "return b ? abs(m) : m;", self.HEAD),
+                         ["return !b ? abs(m) : m;", "return b ? -abs(m) : m;", "return b ? abs(-m) : m;",
+                          "return b ? abs(m) : -m;"])
+
+    def test_words_and_targets_have_no_sign(self):
+        self.assertEqual(changed(rules.change_signs, "float x = 1.0f; m = (w);", self.HEAD), [])
+
+
+class Calls(unittest.TestCase):
+    HEAD = "float f(vec2 p, float a, float b, uint w, uvec2 c)"
+
+    def test_adjacent_arguments_of_a_type_are_swapped(self):
+        self.assertEqual(changed(rules.swap_arguments, "g(a, b, p)", self.HEAD), ["g(b, a, p)"])
+        self.assertEqual(changed(rules.swap_arguments, "g((w >> 1) & 1u, w)", self.HEAD), ["g(w, (w >> 1) & 1u)"])
+        self.assertEqual(changed(rules.swap_arguments, "g(p.x + 1.0f,\n  b)", self.HEAD), ["g(b,\n  p.x + 1.0f)"])
+        self.assertEqual(changed(rules.swap_arguments, "g(h(1u, c.x), h(w, 2u))", self.HEAD),
+                         ["g(h(w, 2u), h(1u, c.x))", "g(h(c.x, 1u), h(w, 2u))", "g(h(1u, c.x), h(2u, w))"])
+
+    def test_what_would_not_compile_or_not_matter_is_left(self):
+        for text in ("g(p, a)", "g(p.x, w)", "g(h(p), a)", "g(a, a)", "min(a, b)", "if (a, b)", "g()", "g(2, w)"):
+            self.assertEqual(changed(rules.swap_arguments, text, self.HEAD), [], text)
+
+    def test_a_constructor_takes_what_is_not_known_as_well(self):
+        self.assertEqual(changed(rules.swap_arguments, "vec2(a, h(w))", self.HEAD), ["vec2(h(w), a)"])
+
+    def test_other_functions(self):
+        self.assertEqual(changed(rules.change_calls, "min(floor(x), max)"),
+                         ["max(floor(x), max)", "min(ceil(x), max)", "min(trunc(x), max)", "min((x), max)"])
+        self.assertEqual(changed(rules.change_calls, "hn_hash_pcg(k)"), ["hn_hash_xxhash32(k)"])
+
+    def test_no_function(self):
+        self.assertEqual(changed(rules.change_calls, "abs(x) + hn_i_fold(k, next)"), ["(x) + hn_i_fold(k, next)"])
+
+
+class Names(unittest.TestCase):
+    def test_components(self):
+        self.assertEqual(changed(rules.change_components, "x * v.x + v.w"), ["x * v.y + v.w", "x * v.x + v.x"])
+
+    def test_variables_of_the_type_declared_before_or_next(self):
+        head = "float f(float a, vec2 b, vec2 c, float d)"
+        self.assertEqual(changed(rules.change_variables, "return a * c.x;", head),
+                         ["return d * c.x;", "return a * b.x;"])
+        self.assertEqual(changed(rules.change_variables, "uint m = k; m = m ^ 1u;", "uint f(uint k)"),
+                         ["uint m = k; m = k ^ 1u;"])
+
+    def test_a_variable_without_another_stays(self):
+        self.assertEqual(changed(rules.change_variables, "return a.x;", "float f(vec2 a, uint b)"), [])
+
+
+class Statements(unittest.TestCase):
+    def test_assignments_are_dropped(self):
+        self.assertEqual(changed(rules.drop_statements, "float a = 1; a += 2; for (int i = 0; i < a; ++i) { a = i; }"),
+                         ["float a = 1;  for (int i = 0; i < a; ++i) { a = i; }",
+                          "float a = 1; a += 2; for (int i = 0; i < a; ++i) {  }"])
+
+
+class Directives(unittest.TestCase):
+    def changed(self, line: str) -> list[str]:
+        return [line[:change.start] + change.new + line[change.end:] for change in rules.change_directive(line)]
+
+    def test_lines_are_dropped(self):
+        for line in ('#include "hash.glsl"', "#error too small", "  #define NAME"):
+            self.assertEqual([text.strip() for text in self.changed(line)], [""])
+
+    def test_values_of_macros(self):
+        self.assertEqual(self.changed("#define N 3"), ["", "#define N 4", "#define N 2"])
+        self.assertEqual(self.changed("#define F(x, n) g(x & 0xF)"),
+                         ["", "#define F(x, n) g(x & 0x10)", "#define F(x, n) g(x & 0xE)",
+                          "#define F(x, n) g(x | 0xF)"])
+        self.assertEqual(self.changed("#define HN_HASH HN_HASH_PCG"), ["", "#define HN_HASH HN_HASH_XXHASH32"])
+        self.assertEqual(self.changed("#define HN_HIGHP highp"), ["", "#define HN_HIGHP mediump"])
+
+    def test_conditions(self):
+        self.assertEqual(self.changed("#if A < 1 || B"), ["#if A < 2 || B", "#if A < 0 || B", "#if A < 1 && B",
+                                                          "#if A <= 1 || B", "#if A >= 1 || B"])
+        self.assertEqual(self.changed("#elif A == 0"), ["#elif A == 1", "#elif A != 0"])
+        self.assertEqual(self.changed("#if KNOB"), ["#if !KNOB"])
+        self.assertEqual(self.changed("#ifdef A"), ["#ifndef A"])
+        self.assertEqual(self.changed("#ifndef A"), ["#ifdef A"])
+        self.assertEqual(self.changed("#if !defined(A)"), ["#if defined(A)"])
+        self.assertEqual(self.changed("#elif defined(A)"), ["#elif !defined(A)"])
+
+    def test_what_only_structures_stays(self):
+        self.assertEqual(self.changed("#else") + self.changed("#endif"), [])

@@ -1,0 +1,46 @@
+"""What the noises of a lattice share: a value at each corner of a cell, weighted (docs/contract.md, 6 and 8)."""
+
+from __future__ import annotations
+
+import functools
+import itertools
+import math
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+
+from oracle.integers import UNIT, fade, lerp
+
+
+def smooth(t: Fraction) -> Fraction:
+    """s(t), the weight of the far corner along one axis."""
+    return 6 * t**5 - 15 * t**4 + 10 * t**3
+
+
+@functools.lru_cache(maxsize=4096)  # the golden files of all configurations have the same fractions
+def corner_weights(f: tuple[Fraction, ...]) -> list[tuple[tuple[int, ...], Fraction]]:
+    """The corners of a cell, with their weights."""
+    near_and_far = [(1 - smooth(x), smooth(x)) for x in f]
+    return [(corner, math.prod(weights[o] for weights, o in zip(near_and_far, corner)))
+            for corner in itertools.product((0, 1), repeat=len(f))]
+
+
+def weighted_sum(cell: Sequence[int], f: Sequence[Fraction],
+                 value: Callable[[Sequence[int], Sequence[Fraction]], Fraction]) -> Fraction:
+    """Over the corners of the cell, of the `value` at a corner and at an offset from it."""
+    total = Fraction(0)
+    for corner, weight in corner_weights(tuple(f)):
+        total += weight * value([c + o for c, o in zip(cell, corner)], [x - o for x, o in zip(f, corner)])
+    return total
+
+
+def interpolated(cell: Sequence[int], fraction: Sequence[int],
+                 value: Callable[[Sequence[int], Sequence[int]], int]) -> int:
+    """The same in fixed arithmetic: first along x, then y, then z."""
+    values = [value([c + o for c, o in zip(cell, corner)], [f - o * UNIT for f, o in zip(fraction, corner)])
+              for corner in itertools.product((0, 1), repeat=len(cell))]
+    # Of the corners the first half has o = 0 along x, the second o = 1; so it goes on with y and z.
+    for f in fraction:
+        half = len(values) // 2
+        values = [lerp(a, b, fade(f)) for a, b in zip(values[:half], values[half:])]
+    n, = values
+    return n

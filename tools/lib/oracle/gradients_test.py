@@ -1,0 +1,253 @@
+"""Tests of gradients.py: values by hand, and the properties that the contract promises."""
+
+from __future__ import annotations
+
+import itertools
+import math
+import unittest
+from collections import Counter
+from dataclasses import replace
+from fractions import Fraction
+
+from golden import rows
+from golden.rows import generator_of
+from oracle import gradients, words
+from oracle.gradients import Knobs
+
+INT_MIN, INT_MAX = -2**31, 2**31 - 1
+
+EDGE_CELLS = (0, 1, -1, 47, 48, -48, -49, 2**20, -2**20 - 1, 2**30, -2**30 + 1, INT_MIN, INT_MIN + 1, INT_MAX - 1,
+              INT_MAX)
+
+
+def unit_vector(n: int, bits: int) -> tuple[int, int]:
+    """(cos n, sin n) in fixed point as a power of (cos 1, sin 1), without any pi; n >= 0."""
+    one = 1 << bits
+    inverse_factorials = [one]
+    while inverse_factorials[-1]:
+        inverse_factorials.append(inverse_factorials[-1] // len(inverse_factorials))
+    x, y = (sum(inverse_factorials[i::4]) - sum(inverse_factorials[i + 2::4]) for i in (0, 1))
+    c, s = one, 0
+    while n:
+        if n & 1:
+            c, s = (c * x - s * y) >> bits, (c * y + s * x) >> bits
+        x, y = (x * x - y * y) >> bits, x * y >> bits - 1
+        n >>= 1
+    return c, s
+
+
+class Floats(unittest.TestCase):
+    WORDS = [word for word, in rows.gradient_rows(generator_of("gradients"))]
+
+    def test_gradients_by_hand(self) -> None:
+        # Of 512 intervals in the plane, 256 along p and q in space; e is half an interval.
+        e = 1 / 512
+        self.assertEqual(gradients.gradient2(0x00000000), (-1 + e, e))
+        self.assertEqual(gradients.gradient2(0x003FFFFF), (-1 + e, e))
+        self.assertEqual(gradients.gradient2(0x80400000), (-1 + 3 * e, -3 * e))
+        self.assertEqual(gradients.gradient2(0x3FC00000), (-e, 1 - e))
+        self.assertEqual(gradients.gradient2(0xC0000000), (e, -1 + e))
+        self.assertEqual(gradients.gradient2(0x7FFFFFFF), (1 - e, e))
+        e = 1 / 256
+        self.assertEqual(gradients.gradient3(0x00000000), (-1 + e, 0, e))
+        self.assertEqual(gradients.gradient3(0x00007FFF), (-1 + e, 0, e))
+        self.assertEqual(gradients.gradient3(0x00008000), (-1 + 2 * e, -e, e))
+        self.assertEqual(gradients.gradient3(0x80800000), (-1 + 2 * e, e, -e))
+        self.assertEqual(gradients.gradient3(0x7F800000), (0, 1 - e, e))
+        self.assertEqual(gradients.gradient3(0xC03F8000), (0, e, -1 + e))  # p = e, q = -e
+        self.assertEqual(gradients.gradient3(0x40408000), (2 * e, -e, 1 - 3 * e))  # p = e, q = 3 e
+
+    def test_gradients_lie_on_the_surface(self) -> None:
+        for word in self.WORDS:
+            self.assertEqual(sum(map(abs, gradients.gradient2(word))), 1)
+            self.assertEqual(sum(map(abs, gradients.gradient3(word))), 1)
+
+    def test_gradients_are_exact(self) -> None:
+        for word in self.WORDS:
+            for component in gradients.gradient2(word) + gradients.gradient3(word):
+                self.assertEqual(rows.to_f32(component), component)
+                self.assertTrue((component * 2**9).is_integer())
+            for component in gradients.gradient3(word):
+                self.assertTrue((component * 2**8).is_integer())
+
+    def test_gradients_have_no_zero_but_a_positive_one(self) -> None:
+        for word in self.WORDS:
+            for component in gradients.gradient2(word) + gradients.gradient3(word):
+                self.assertTrue(component != 0 or math.copysign(1, component) == 1)
+
+    def test_as_many_gradients_as_the_contract_says(self) -> None:
+        self.assertEqual(len({gradients.gradient2(field << 22) for field in range(2**10)}), 1024)
+        self.assertEqual(len({gradients.gradient3(field << 15) for field in range(2**17)}), 131072)
+
+    def test_gradients_are_uniform(self) -> None:
+        # As many in each quadrant, in each octant (its border, where x or y is 0, apart), and in each half by height.
+        quadrants = Counter(tuple(x > 0 for x in gradients.gradient2(field << 22)) for field in range(2**10))
+        self.assertEqual(set(quadrants.values()), {256})
+        in_space = [gradients.gradient3(field << 15) for field in range(2**17)]
+        octants = Counter(tuple(x > 0 for x in g) for g in in_space if g[0] and g[1])
+        self.assertEqual(len(octants), 8)
+        self.assertEqual(len(set(octants.values())), 1)
+        # Above half the height lies a quarter of the octahedron's faces.
+        self.assertEqual(sum(abs(z) > 0.5 for _, _, z in in_space), 2**15)
+
+    def test_unit_ranges(self) -> None:
+        self.assertEqual((gradients.unorm(0), gradients.unorm(words.MASK)), (0, 1 - 2**-24))
+        self.assertEqual((gradients.snorm(0), gradients.snorm(2**31), gradients.snorm(words.MASK)), (-1, 0, 1 - 2**-23))
+
+
+class Sine(unittest.TestCase):
+    def arcs(self, count: int) -> list[int]:
+        """Edge cases, and as many others of each size."""
+        numbers = generator_of("arcs")
+        random = [numbers.integer(-2**bits, 2**bits) for bits in range(1, 32) for _ in range(count)]
+        # The numerators of convergents of pi, up to the largest: the sine is as small as it gets.
+        near_multiples = [3, 22, 355, 245850922, 411557987, 1068966896, -1068966896]
+        return [0, 1, -1, INT_MAX, INT_MIN, 2**31] + near_multiples + random
+
+    def test_pi(self) -> None:
+        self.assertEqual(float(Fraction(gradients.PI, 2**gradients.SINE_BITS)), math.pi)
+
+    def test_is_that_of_the_c_library(self) -> None:
+        # Which reduces exactly, and is off by less than one unit in the last place.
+        for n in self.arcs(300):
+            expected = math.sin(n)
+            self.assertLessEqual(abs(float(gradients.sine(n)) - expected), math.ulp(expected), n)
+
+    def test_is_as_exact_as_it_says(self) -> None:
+        for n in self.arcs(10):
+            _, s = unit_vector(abs(n), 256)
+            self.assertLess(abs(gradients.sine(n) - math.copysign(1, n) * Fraction(s, 2**256)), gradients.SINE_ERROR, n)
+
+    def test_the_nearest_double_is_certain(self) -> None:
+        for n in self.arcs(100):
+            value = gradients.sine(n)
+            if n != 0:
+                self.assertEqual(float(value - gradients.SINE_ERROR), float(value + gradients.SINE_ERROR), n)
+        self.assertEqual(gradients.sine(0), 0)
+
+    def test_rounds_as_float32_does(self) -> None:
+        for n in self.arcs(300):
+            self.assertEqual(gradients.round24(n), rows.to_f32(n), n)
+
+    def test_ties_go_to_even(self) -> None:
+        ties = {2**24 + 1: 2**24, 2**24 + 3: 2**24 + 4, 2**30 + 64: 2**30, 2**30 + 192: 2**30 + 256,
+                2**31 - 64: 2**31, 2**31 - 192: 2**31 - 256}
+        for n, even in ties.items():
+            for sign in (1, -1):
+                self.assertEqual(gradients.round24(sign * n), sign * even)
+                self.assertEqual(gradients.sine_of_word(sign * n & words.MASK), gradients.sine(sign * even))
+
+    def test_ties_away_from_zero_would_show(self) -> None:
+        for n, away in {2**24 + 1: 2**24 + 2, 2**30 + 64: 2**30 + 128, 2**31 - 192: 2**31 - 128}.items():
+            for sign in (1, -1):
+                of_word = gradients.sine_of_word(sign * n & words.MASK)
+                self.assertGreater(abs(of_word - gradients.sine(sign * away)), 2**-5)
+
+    def test_words_are_signed(self) -> None:
+        # INT_MAX rounds to 2^31.
+        for word, opposite in ((0xFFFFFFFF, 1), (0x80000000, INT_MAX), (0x80000001, INT_MAX), (0xFF000001, 0xFFFFFF)):
+            self.assertEqual(float(gradients.sine_of_word(word)), -float(gradients.sine_of_word(opposite)))
+
+
+class Settings(unittest.TestCase):
+    def test_those_of_the_library(self) -> None:
+        Knobs("fnv1", period=2**20 - 1)
+        Knobs("partial_fnv1", sine=True, period=2**30)
+
+    def test_others(self) -> None:
+        for name, period in (("", 0), ("any", 0), ("fnv2", 0), ("fnv1", -48), ("fnv1", 2**20 + 1), ("fnv1", 2**31)):
+            with self.assertRaises(ValueError, msg=name):
+                Knobs(name, period=period)
+
+
+class Gradients(unittest.TestCase):
+    PERIODS = (1, 48, 2**20 - 1, 2**20, 2**30)
+    KINDS = (Knobs("lattice"), Knobs("pcg"), Knobs("custom"), Knobs("lattice", sine=True), Knobs("fnv1", sine=True),
+             Knobs("partial_jenkins", sine=True))
+
+    def cells(self, n: int) -> list[tuple[int, ...]]:
+        """Edge cases alone and with each other, and random ones."""
+        numbers = generator_of("cells")
+        mixed = [tuple(numbers.pick(EDGE_CELLS) for _ in range(n)) for _ in range(10)]
+        return [(c,) * n for c in EDGE_CELLS] + mixed + [
+            tuple(numbers.integer(INT_MIN, INT_MAX) for _ in range(n)) for _ in range(10)]
+
+    def test_octahedral_is_that_of_the_word(self) -> None:
+        for name in words.HASHES:
+            for n, of_word in ((2, gradients.gradient2), (3, gradients.gradient3)):
+                for cell in self.cells(n):
+                    self.assertEqual(gradients.gradient(Knobs(name), cell, 7), of_word(words.point_word(name, cell, 7)))
+
+    def test_sine_without_a_seed_is_the_papers(self) -> None:
+        # The paper's listing with the C library's sine, and float(int) by the conversion to float32 of the machine.
+        def component(word: int) -> float:
+            word &= words.MASK
+            return math.sin(rows.to_f32(word - 2**32 if word >= 2**31 else word))
+
+        for hash_name, function in words.WORD_HASHES.items():
+            knobs = Knobs(hash_name, sine=True)
+            for x, y, z in self.cells(3):
+                hx = function(x & words.MASK)
+                hy = function(hx + y & words.MASK)
+                hz = function(hy + z & words.MASK)
+                pairs = list(zip(gradients.gradient(knobs, (x, y)), (component(hx + hy), component(hy + hy))))
+                pairs += zip(gradients.gradient(knobs, (x, y, z)),
+                             (component(hz + hx), component(hz + hy), component(hz + hz)))
+                for value, expected in pairs:
+                    self.assertAlmostEqual(float(value), expected, delta=2**-53)
+
+    def test_sine_words_are_chained_hashes(self) -> None:
+        for name in words.HASHES:
+            for x, y in self.cells(2):
+                first = words.hash_words(name, [x & words.MASK])
+                second = words.hash_words(name, [first + y & words.MASK])
+                self.assertEqual(gradients.gradient(Knobs(name, sine=True), (x, y)),
+                                 (gradients.sine_of_word(first + second), gradients.sine_of_word(2 * second)))
+
+    def test_hash_of_one_word_under_lattice(self) -> None:
+        # Values of a C program written from the contract.
+        vectors = {0: 0x67F2B63B, 1: 0x0723F215, 0x80000000: 0xBA25E115, words.MASK: 0xAFB9C52F}
+        for word, value in vectors.items():
+            self.assertEqual(words.hash_words("lattice", [word]), value)
+
+    def test_seed_joins_the_first_word_only(self) -> None:
+        seed = 0xDEADBEEF
+        first = words.pcg(5) ^ words.mix(seed)
+        second = words.pcg(first - 6 & words.MASK)
+        third = words.pcg(second + 7 & words.MASK)
+        expected = tuple(gradients.sine_of_word(third + word) for word in (first, second, third))
+        self.assertEqual(gradients.gradient(Knobs("pcg", sine=True), (5, -6, 7), seed), expected)
+        self.assertNotEqual(gradients.gradient(Knobs("pcg", sine=True), (5, -6, 7)), expected)
+
+    def test_a_period_leaves_the_cells_from_0_on(self) -> None:
+        for kind, period, n in itertools.product(self.KINDS, self.PERIODS, (2, 3)):
+            for cell in self.cells(n):
+                base = [c % period for c in cell]
+                self.assertEqual(gradients.gradient(replace(kind, period=period), cell, 3),
+                                 gradients.gradient(kind, base, 3))
+
+    def test_gradients_repeat_after_a_period_and_not_before(self) -> None:
+        for kind, period, n, axis in itertools.product(self.KINDS, self.PERIODS, (2, 3), (0, 1)):
+            knobs = replace(kind, period=period)
+            for start in (0, -1, INT_MIN, INT_MAX - period, -period, 3 * period // 2):
+                def at(c: int) -> tuple:
+                    return gradients.gradient(knobs, [c if i == axis else 5 for i in range(n)], 3)
+                self.assertEqual(at(start), at(start + period), (knobs, start))
+                if period > 1:
+                    self.assertNotEqual(at(start), at(start + period // 2), (knobs, start))
+
+    def test_wrapping_by_hand(self) -> None:
+        # 2^31 = 48 * 44739242 + 32.
+        by_period = {1: (0, 0, 0), 48: (47, 16, 31), 2**20: (2**20 - 1, 0, 2**20 - 1), 2**30: (2**30 - 1, 0, 2**30 - 1)}
+        for period, expected in by_period.items():
+            self.assertEqual(tuple(gradients.wrapped(c, period) for c in (-1, INT_MIN, INT_MAX)), expected)
+
+    def test_beyond_the_largest_cell_lies_the_smallest(self) -> None:
+        for knobs in (Knobs("lattice"), Knobs("fnv1", sine=True), Knobs("fnv1", sine=True, period=2**20)):
+            self.assertEqual(gradients.gradient(knobs, (2**31, 5)), gradients.gradient(knobs, (INT_MIN, 5)))
+
+    def test_the_period_goes_on_to_the_last_cell(self) -> None:
+        # INT_MAX is 31 modulo 48; its far corner is 32, where the cell after it, INT_MIN, is 16.
+        self.assertEqual(gradients.wrapped(2**31 - 1, 48), 31)
+        self.assertEqual(gradients.wrapped(2**31, 48), 32)
+        self.assertEqual(gradients.wrapped(INT_MIN, 48), 16)

@@ -1,0 +1,111 @@
+"""Section 8 of docs/contract.md, what noises in fixed arithmetic share: coordinates, fade, interpolation, the sine.
+
+The formulas are those of the contract, in Python's integers. Those never overflow, so that the contract's words of 32
+bits need two checks: `signed` and `word` raise where a value would not fit. What should wrap is masked where it stands.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from fractions import Fraction
+
+from oracle import gradients, words
+from oracle.gradients import Knobs, Real
+from oracle.words import MASK
+
+UNIT = 2**20  # the contract's I, of fractions
+NOISE_UNIT = 2**21
+SINE_UNIT = 2**16
+
+
+def signed(n: int) -> int:
+    """The number itself, which must be a signed integer of 32 bits."""
+    if not -2**31 <= n < 2**31:
+        raise OverflowError(f"{n} does not fit a signed integer")
+    return n
+
+
+def word(n: int) -> int:
+    """The number itself, which must be a word."""
+    if not 0 <= n <= MASK:
+        raise OverflowError(f"{n} does not fit a word")
+    return n
+
+
+# --- Coordinates, the fade, interpolation ------------------------------------------------------------------------
+
+
+def clamp_to_int(c: int) -> int:
+    """A whole coordinate within the range of int: at most the largest float there."""
+    return min(max(c, -2147483648), 2147483520)
+
+
+def fraction_of(f: Real) -> int:
+    """The fraction that a caller gives, in [0, UNIT]."""
+    return math.trunc(min(max(Fraction(f), Fraction(0)), Fraction(1)) * UNIT)
+
+
+def cell_and_fraction(p: Real) -> tuple[int, int]:
+    """The cell of a coordinate, and its fraction in [0, UNIT)."""
+    exact = Fraction(p)
+    c = math.trunc(exact)
+    k = math.trunc((exact - c) * UNIT)
+    return signed(clamp_to_int(c) + (k >> 20)), k & (UNIT - 1)
+
+
+def fade(fraction: int) -> int:
+    """The weight of the far corner along one axis, in units of 2^-18."""
+    g = min(fraction, UNIT - fraction)
+    x = min(g + 4, 2**19 - 1) >> 3
+    s = word(x * x)
+    z = word(s + 2**15) >> 16
+    r = word(1572864 - 30 * x + 6 * z) >> 2
+    q = word(s + (word(z * r) >> 2) + 2**15) >> 16
+    t = word(word(x * q) + 2**14) >> 15
+    return 2**18 - t if fraction > 2**19 else t
+
+
+def lerp(a: int, b: int, t: int) -> int:
+    """The interpolation from a to b by t, in units of 2^-18."""
+    d = signed(b - a)
+    return signed(a + signed(signed((d >> 9) * (t >> 9)) + signed((d >> 18) * (t & 511))))
+
+
+# --- The sine ----------------------------------------------------------------------------------------------------
+
+
+def turns_of(m: int) -> int:
+    """The arc of m radians, 0 <= m <= 2^31, in units of 2^-32 of a turn; whole turns are left out."""
+    high, low = m >> 16, m & 0xFFFF
+    return (m * 0x28BE60DB + word(high * 0x9391) + (word(high * 0x054A + low * 0x9391) >> 16)) & MASK
+
+
+def sine_of_quarter(q: int) -> int:
+    """The sine of q, in units of 2^-30 of a quarter turn, up to one; in units of 2^-16."""
+    x = min((q + 2**13) >> 14, 65535)
+    u = word(x * x) >> 16
+    y = 102943 - (word(u * (42328 - (word(u * (5208 - (word(u * 288) >> 16))) >> 16))) >> 16)
+    return word(x * (y >> 1) + 2**14) >> 15
+
+
+def sine_of_word(w: int) -> int:
+    """S(w) in units of 2^-16."""
+    turns = turns_of(abs(gradients.round24(words.signed(w))))
+    q = turns & 0x7FFFFFFF
+    q = min(q, 0x80000000 - q)
+    g = sine_of_quarter(q)
+    return -g if turns >> 31 != w >> 31 else g
+
+
+def sine_gradient(knobs: Knobs, point: Sequence[int], seed: int) -> tuple[int, ...]:
+    """The components of the sine gradient at a point of the lattice that is already wrapped, in units of 2^-16."""
+    return tuple(map(sine_of_word, gradients.sine_arguments(knobs.hash, point, seed)))
+
+
+def gradient(knobs: Knobs, cell: Sequence[int], seed: int = 0) -> tuple[Real, ...]:
+    """hn_gradient in 2D or 3D."""
+    if not knobs.sine:
+        return gradients.gradient(knobs, cell, seed)
+    point = [gradients.wrapped(c, knobs.period) for c in cell]
+    return tuple(Fraction(g, SINE_UNIT) for g in sine_gradient(knobs, point, seed))

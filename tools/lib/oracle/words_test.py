@@ -1,0 +1,252 @@
+"""Tests of words.py: the published vectors say that the hashes are the ones they are named after."""
+
+from __future__ import annotations
+
+import itertools
+import math
+import unittest
+from collections import Counter
+from collections.abc import Callable
+
+from golden import rows
+from golden.rows import generator_of
+from oracle import words
+
+
+def murmurhash2(data: bytes, seed: int) -> int:
+    """MurmurHash2, 32 bit, after Appleby; only to pin the oracle's murmur to it."""
+    m = 0x5BD1E995
+    h = seed ^ len(data)
+    tail = len(data) // 4 * 4
+    for i in range(0, tail, 4):
+        k = int.from_bytes(data[i:i + 4], "little") * m & words.MASK
+        h = h * m & words.MASK ^ (k ^ k >> 24) * m & words.MASK
+    if tail < len(data):
+        h = (h ^ int.from_bytes(data[tail:], "little")) * m & words.MASK
+    return murmurhash2_avalanche(h)
+
+
+def murmurhash2_avalanche(h: int) -> int:
+    """The last three lines of MurmurHash2."""
+    h = (h ^ h >> 13) * 0x5BD1E995 & words.MASK
+    return h ^ h >> 15
+
+
+def smhasher_verification(function: Callable[[bytes, int], int]) -> int:
+    """SMHasher's VerificationTest of a 32-bit hash: the hash of its hashes of (), (0), (0, 1), ... with 256 seeds."""
+    hashes = b"".join(words.word_bytes(function(bytes(range(i)), 256 - i)) for i in range(256))
+    return function(hashes, 0)
+
+
+class PublishedVectors(unittest.TestCase):
+    def test_fnv1(self) -> None:
+        # test_fnv.c of Landon Curt Noll; also php-src, ext/hash/tests/fnv132.phpt.
+        vectors = {
+            b"": 0x811C9DC5, b"a": 0x050C5D7E, b"foo": 0x408F5E13, b"foob": 0xB4B1178B, b"foobar": 0x31F0B262,
+            b"foo\0": 0xB4B117E9, b"chon": 0xFCC8100F, b"cho\0": 0xFCC81061, b"curd": 0xE184FF97,
+            b"chongo was here!\n": 0xDD002F35,
+        }
+        for data, value in vectors.items():
+            self.assertEqual(words.fnv1(data), value, data)
+
+    def test_one_at_a_time(self) -> None:
+        # Wikipedia, "Jenkins hash function".
+        self.assertEqual(words.one_at_a_time(b"a"), 0xCA2E9442)
+        self.assertEqual(words.one_at_a_time(b"The quick brown fox jumps over the lazy dog"), 0x519E91F5)
+
+    def test_xxh32(self) -> None:
+        # Cyan4973/xxHash, cli/xsum_sanity_check.c: (length, seed, value) on its test buffer.
+        prime32, prime64 = 2654435761, 11400714785074694797
+        buffer = bytes(prime32 * prime64**i >> 56 & 0xFF for i in range(14))
+        vectors = [
+            (0, 0, 0x02CC5D05), (0, prime32, 0x36B78AE7), (1, 0, 0xCF65B03E), (1, prime32, 0xB4545AA4),
+            (14, 0, 0x1208E7E2), (14, prime32, 0x6AF1D1FE),
+        ]
+        for length, seed, value in vectors:
+            self.assertEqual(words.xxh32(buffer[:length], seed), value, (length, seed))
+
+    def test_xxh32_of_text(self) -> None:
+        # pierrec/lz4, internal/xxh32/xxh32zero_test.go.
+        vectors = {
+            b"a": 0x550D7456, b"ab": 0x4999FC53, b"abc": 0x32D153FF, b"abcd": 0xA3643705, b"abcde": 0x9738F19B,
+            b"abcdefgh": 0x0BB3C6BB, b"abcdefghij": 0x8B988CFE,
+        }
+        for data, value in vectors.items():
+            self.assertEqual(words.xxh32(data), value, data)
+
+    def test_murmurhash2(self) -> None:
+        # aappleby/smhasher, main.cpp: the verification value of MurmurHash2.
+        self.assertEqual(smhasher_verification(murmurhash2), 0x27864C1E)
+
+    def test_pcg(self) -> None:
+        # imneme/pcg-c, test-low/expected/check-oneseq-32-rxs-m-xs-32.out: the generator seeded with 42. pcg_hash(k)
+        # is the output of the state that follows k; seeding ends with adding 42 to the increment, and one step.
+        state, values = 2891336453 + 42, []
+        for _ in range(6):
+            values.append(words.pcg(state))
+            state = (state * 747796405 + 2891336453) & words.MASK
+        self.assertEqual(values, [0x256B5357, 0xA5EFAD32, 0x170B7830, 0x334A5B22, 0x3DE5C680, 0x9B47B7B3])
+
+    def test_splitmix64(self) -> None:
+        # Rosetta Code, "Pseudo-random numbers/Splitmix64".
+        numbers = rows.Generator(1234567)
+        self.assertEqual([numbers.next() for _ in range(3)],
+                         [6457827717110365317, 3203168211198807973, 9817491932198370423])
+
+    def test_fnv1a64(self) -> None:
+        # test_fnv.c of Landon Curt Noll.
+        vectors = {b"": 0xCBF29CE484222325, b"a": 0xAF63DC4C8601EC8C, b"foobar": 0x85944171F73967E8}
+        for data, value in vectors.items():
+            self.assertEqual(rows.fnv1a64(data), value, data)
+
+
+class Hashes(unittest.TestCase):
+    def test_byte_order(self) -> None:
+        for name, function in (("fnv1", words.fnv1), ("jenkins", words.one_at_a_time), ("xxhash32", words.xxh32)):
+            self.assertEqual(words.hash_words(name, [0x04030201]), function(b"\1\2\3\4"), name)
+
+    def test_partial_hashes_agree_with_whole_ones_on_bytes(self) -> None:
+        for byte in range(256):
+            self.assertEqual(words.hash_words("partial_jenkins", [byte]), words.one_at_a_time(bytes([byte])))
+            self.assertEqual(words.hash_words("partial_fnv1", [byte]), words.fnv1(bytes([byte, byte])))
+
+    def test_murmur_is_murmurhash2_before_its_avalanche(self) -> None:
+        numbers = generator_of("murmur")
+        for word in [0, 1, words.MASK] + [numbers.word() for _ in range(100)]:
+            expected = murmurhash2(words.word_bytes(word), 10 ^ 4)
+            self.assertEqual(murmurhash2_avalanche(words.murmur(word)), expected)
+
+    def test_xxh32_of_a_word_in_one_formula(self) -> None:
+        # The contract gives this form as well.
+        numbers = generator_of("xxh32")
+        for word in [0, 1, words.MASK] + [numbers.word() for _ in range(100)]:
+            h = words.rotl((374761397 + word * 3266489917) & words.MASK, 17) * 668265263 & words.MASK
+            h = (h ^ h >> 15) * 2246822519 & words.MASK
+            h = (h ^ h >> 13) * 3266489917 & words.MASK
+            self.assertEqual(words.hash_words("xxhash32", [word]), h ^ h >> 16)
+
+    def test_no_long_xxh32(self) -> None:
+        with self.assertRaises(ValueError):
+            words.xxh32(bytes(16))
+
+    def test_custom(self) -> None:
+        self.assertEqual(words.custom(1), 0x045D9F3B)
+        self.assertEqual(words.custom(0x10000), 0xA3989F3B)
+
+    def test_mixer(self) -> None:
+        # Values of a C program around the published lines of prospector32.
+        vectors = {0x00000001: 0xED345605, 0x80000000: 0x12F4F1B9, 0xDEADBEEF: 0xB19C7922}
+        for word, value in vectors.items():
+            self.assertEqual(words.mix(word), value)
+
+    def test_spread_by_hand(self) -> None:
+        self.assertEqual(words.spread((0, 0, 0, 0)), [0x165667B1, 0, 0, 0])
+        self.assertEqual(words.spread((1, 1, 1, 1)), [0xB48DE162, 0x85EBCA77, 0xC2B2AE3D, 0x27D4EB2F])
+        self.assertEqual(words.spread((-1, -1, -1, -1)), [0x781EEE00, 0x7A143589, 0x3D4D51C3, 0xD82B14D1])
+
+    def test_fold_by_hand(self) -> None:
+        self.assertEqual(words.fold([0xB48DE162, 0x85EBCA77, 0xC2B2AE3D, 0x27D4EB2F]),
+                         [0xB48DCC41, 0x85EB8882, 0xC2B2B66B, 0x27D4E952])
+        self.assertEqual(words.fold([0x80000000] * 4), [0x80002000, 0x80004000, 0x80001000, 0x80000800])
+
+    def test_word_of_a_lattice_point_by_hand(self) -> None:
+        # Without a seed, s is 0: J = X, M = 2 x' + 1.
+        self.assertEqual(words.point_word("lattice", (1,)), 0xB48DCC41 * 0x691BC2C5 % 2**32)
+        # The exclusive or of the four folded coordinates; the four spread ones add up to 0x225014545.
+        self.assertEqual(words.point_word("lattice", (1,) * 4), 0xD4001BFA * 0x4A028A8B % 2**32)
+
+    def test_word_of_a_lattice_point(self) -> None:
+        # Values of a C program written from the contract: of one to four ones, then with signs and a seed.
+        vectors = {
+            ("lattice", (1, 1, 1, 1), 0): (0x99C27005, 0xECF95959, 0x10CCC788, 0xA717F4BE),
+            ("fnv1", (1, 1, 1, 1), 0): (0x1407360D, 0xD76A2009, 0x190DEFD0, 0x2D6F78F0),
+            ("lattice", (5, -6, 7, -8), 0xDEADBEEF): (0x1ED44B3E, 0xD33AE404, 0x6F232CD9, 0x7783C7FA),
+            ("fnv1", (5, -6, 7, -8), 0xDEADBEEF): (0x34754068, 0xB677810E, 0x8DB3BAAA, 0x482BBF26),
+            ("lattice", (0, 0, 0, 0), 0): (0x9CF30FEC,) * 4,
+        }
+        for (name, point, seed), expected in vectors.items():
+            found = tuple(words.point_word(name, point[:n], seed) for n in (1, 2, 3, 4))
+            self.assertEqual(found, expected, (name, point))
+
+    def test_lattice_mixes_the_word(self) -> None:
+        mixed = (0x54FF433B, 0xA6189E7A, 0x9BE6CEA5, 0x7A4B1B15)  # of the same C program
+        self.assertEqual(tuple(words.lattice("lattice", (5, -6, 7, -8)[:n], 0xDEADBEEF) for n in (1, 2, 3, 4)), mixed)
+        for name in words.HASHES:
+            self.assertEqual(words.lattice(name, (1, 2), 3), words.mix(words.point_word(name, (1, 2), 3)), name)
+
+    def test_every_hash_takes_one_join(self) -> None:
+        # With LATTICE the word is J * M; where J is odd, that gives M.
+        for seed in range(8):
+            j = words.mix(seed)
+            for folded in words.fold(words.spread((5, -6, 7))):
+                j ^= folded
+            if j % 2:
+                m = words.point_word("lattice", (5, -6, 7), seed) * pow(j, -1, 2**32)
+                for name, function in words.WORD_HASHES.items():
+                    self.assertEqual(words.point_word(name, (5, -6, 7), seed), function(j) * m % 2**32, name)
+
+    def test_low_bit_is_that_of_the_hash(self) -> None:
+        # Which the contract says not to be good.
+        for x, y in itertools.product(range(8), repeat=2):
+            first, second = words.fold(words.spread((x, y)))
+            self.assertEqual(words.point_word("lattice", (x, y)) % 2, (first ^ second) % 2)
+            self.assertEqual(words.point_word("pcg", (x, y)) % 2, words.pcg(first ^ second) % 2)
+
+    def test_hash_of_words_under_lattice_is_that_of_the_point(self) -> None:
+        self.assertEqual(words.hash_words("lattice", (1, 2, 3)), words.lattice("lattice", (1, 2, 3), 0))
+
+    def test_bijections_do_not_collide(self) -> None:
+        # A random function would collide here about eight times.
+        keys = range(2**18)
+        for function in (words.pcg, words.murmur, words.mix):
+            self.assertEqual(len(set(map(function, keys))), len(keys), function.__name__)
+
+    def test_words_chain(self) -> None:
+        for name, function in words.WORD_HASHES.items():
+            last = function(function(function(function(5) + 6 & words.MASK) + 7 & words.MASK) + 8 & words.MASK)
+            self.assertEqual(words.hash_words(name, (5, 6, 7, 8)), last, name)
+
+    def test_coordinates_are_twos_complement_and_wrap(self) -> None:
+        for name in words.HASHES:
+            self.assertEqual(words.lattice(name, (-1, 2**31), 3), words.lattice(name, (2**32 - 1, -2**31), 3))
+
+    def test_order_of_coordinates_matters(self) -> None:
+        for name in words.HASHES:
+            self.assertNotEqual(words.lattice(name, (1, 2)), words.lattice(name, (2, 1)), name)
+
+    def test_seeds_differ(self) -> None:
+        for name in words.HASHES:
+            self.assertEqual(len({words.lattice(name, (1, 2, 3), seed) for seed in range(256)}), 256, name)
+
+    def test_results_are_words(self) -> None:
+        numbers = generator_of("words")
+        for name in words.HASHES:
+            for _ in range(100):
+                self.assertIn(words.hash_words(name, [numbers.word() for _ in range(4)]), range(2**32))
+
+
+class NearTheOrigin(unittest.TestCase):
+    """Why a lattice point is spread: people look at the origin, and there no hash may show its weakness."""
+
+    # Of n = 4096 values of a random function, n (n - 1) / 2 / 2^32 = 0.002 pairs are equal; that three are, by chance
+    # 0.002^3 / 6, a billionth, would be a weakness.
+    SIDE, LIMIT = range(-32, 32), 2
+
+    def values(self, name: str) -> dict[tuple[int, int], int]:
+        """The hashes of the points of all four quadrants."""
+        return {point: words.lattice(name, point) for point in itertools.product(self.SIDE, repeat=2)}
+
+    def test_few_points_collide(self) -> None:
+        for name in words.HASHES:
+            counts = Counter(self.values(name).values())
+            self.assertLessEqual(sum(math.comb(count, 2) for count in counts.values()), self.LIMIT, name)
+
+    def test_opposite_points_differ(self) -> None:
+        for name in words.HASHES:
+            values = self.values(name)
+            equal = sum(values.get((-x, -y)) == value for (x, y), value in values.items() if (x, y) > (0, 0))
+            self.assertLessEqual(equal, self.LIMIT, name)
+
+    def test_origin_is_not_zero(self) -> None:
+        for name, n in itertools.product(words.HASHES, (1, 2, 3, 4)):
+            self.assertNotEqual(words.lattice(name, (0,) * n, 0), 0, (name, n))

@@ -1,0 +1,99 @@
+"""The hashes that are judged: the library's C++ twin, built once per setting of its knobs, for numpy arrays."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+SOURCE = Path(__file__).resolve().parent / "lattice.cpp"
+# As the test suite builds the twin: without contraction, so that floats are the same on every machine.
+COMPILER = ("g++", "-std=c++20", "-O2", "-ffp-contract=off")
+STAGE_PROBES = 4096  # words; a bit that the stage uses changes the gradient of about half of them at least
+
+
+class NotBuilt(Exception):
+    pass
+
+
+def hash_names(include: Path) -> dict[str, int]:
+    """The hashes that a library offers, by their numbers in its config.glsl; without the user's own."""
+    config = include.parent / "glsl" / "config.glsl"
+    try:
+        text = config.read_text(encoding="utf-8")
+    except OSError as error:
+        raise NotBuilt(f"{include} is no library: {error}") from error
+    names = {name: int(number) for name, number in re.findall(r"^#define HN_HASH_(\w+) (\d+)$", text, re.MULTILINE)}
+    names.pop("CUSTOM", None)
+    if not names:
+        raise NotBuilt(f"{config} names no hash")
+    return names
+
+
+def default_hash(include: Path) -> str:
+    """The hash that is used if HN_HASH is not defined."""
+    config = include.parent / "glsl" / "config.glsl"
+    found = re.search(r"^#define HN_HASH HN_HASH_(\w+)$", config.read_text(encoding="utf-8"), re.MULTILINE)
+    if not found:
+        raise NotBuilt(f"{config} names no default for HN_HASH")
+    return found[1]
+
+
+@dataclass
+class Twin:
+    """The library with one setting of its knobs."""
+    name: str
+    program: Path
+    bits: dict[int, np.ndarray] = field(default_factory=dict)
+
+    def evaluate(self, quantity: str, dimensions: int, points: np.ndarray) -> np.ndarray:
+        given = memoryview(np.ascontiguousarray(points)).cast("B")
+        done = subprocess.run([self.program, quantity, str(dimensions)], input=given, stdout=subprocess.PIPE,
+                              check=True)
+        return np.frombuffer(done.stdout, np.uint32 if quantity == "word" else np.float32)
+
+    def words(self, cells: np.ndarray, seeds) -> np.ndarray:
+        """hn_i_point of cells (rows of integers), with one seed or one for each."""
+        return self.evaluate("word", cells.shape[1], _points(cells, seeds))
+
+    def gradients(self, cells: np.ndarray, seeds) -> np.ndarray:
+        return self.evaluate("gradient", cells.shape[1], _points(cells, seeds)).reshape(cells.shape)
+
+    def noise(self, positions: np.ndarray, seed: int) -> np.ndarray:
+        return self.evaluate("noise", positions.shape[1], _points(positions.astype(np.float32).view(np.uint32), seed))
+
+    def stage(self, words: np.ndarray, dimensions: int) -> np.ndarray:
+        """hn_gradient2 or hn_gradient3 of words."""
+        return self.evaluate("stage", dimensions, words).reshape(*words.shape, dimensions)
+
+    def consumed(self, dimensions: int) -> np.ndarray:
+        """The bits of a word that the gradient stage uses, highest first: found by changing each."""
+        if dimensions not in self.bits:
+            words = np.random.default_rng(0).integers(0, 1 << 32, STAGE_PROBES, np.uint32)
+            before = self.stage(words, dimensions)
+            self.bits[dimensions] = np.array([bit for bit in range(31, -1, -1) if np.any(
+                self.stage(words ^ np.uint32(1 << bit), dimensions) != before)])
+        return self.bits[dimensions]
+
+
+def _points(cells: np.ndarray, seeds) -> np.ndarray:
+    points = np.empty((cells.shape[0], cells.shape[1] + 1), np.uint32)
+    points[:, :-1] = cells.astype(np.int64, copy=False) & 0xFFFFFFFF
+    points[:, -1] = seeds
+    return points
+
+
+def build(name: str, macros: list[str], include: Path, folder: Path) -> Twin:
+    """Compiles a twin into a folder; macros are like HN_HASH=1."""
+    program = folder / re.sub(r"\W", "_", name)
+    command = [*COMPILER, *(f"-D{macro}" for macro in macros), "-I", str(include), str(SOURCE), "-o", str(program)]
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+    except OSError as error:
+        raise NotBuilt(f"g++ did not run: {error}") from error
+    if done.returncode != 0:
+        raise NotBuilt(f"{name} does not compile: {' '.join(command)}\n{done.stderr}")
+    return Twin(name, program)

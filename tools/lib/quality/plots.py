@@ -1,0 +1,70 @@
+"""The pictures of docs/quality.md."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import matplotlib
+import numpy as np
+from PIL import Image  # which matplotlib needs as well
+
+matplotlib.use("Agg")
+
+import matplotlib.pyplot as plt
+
+from quality import controls
+from quality import fourier
+from quality.lattice import of_words, sample
+from quality.library import Twin
+
+SIDE = 64    # cells: small enough to see single lags
+SHOWN = 8.0  # standard deviations, and spectral ordinates, at which the scales end: what the gate calls a failure
+
+
+def lattices(path: Path, default: Twin) -> None:
+    """Autocorrelation and periodogram of the x component: of the default hash, and of two that fail."""
+    shape = (SIDE, SIDE)
+    shown = [(f"hashnoise, {default.name}", sample(default, shape, (0, 0), 0)),
+             ("partial FNV1, as published", of_words(controls.partial_fnv1(shape), default)),
+             ("a sum of multiples", of_words(controls.linear_sum(shape), default))]
+    figure, axes = plt.subplots(2, 3, figsize=(8, 5.6), layout="constrained")
+    for column, (name, window) in zip(axes.T, shown):
+        power = fourier.power(fourier.component(window, 0))
+        lags = np.fft.fftshift(fourier.lag_scores(fourier.correlation(power)))
+        column[0].imshow(lags.T, cmap="RdBu", vmin=-SHOWN, vmax=SHOWN, extent=[-SIDE / 2, SIDE / 2] * 2, origin="lower",
+                         interpolation="nearest")
+        column[0].set_title(name, fontsize=10)
+        below = column[1].imshow(np.fft.fftshift(power).T, cmap="magma", vmin=0, vmax=SHOWN, extent=[-0.5, 0.5] * 2,
+                                 origin="lower", interpolation="nearest")
+        column[1].set_xlabel("cycles per cell, x")
+        column[0].set_xlabel("lag, x")
+    axes[0][0].set_ylabel("lag, y")
+    axes[1][0].set_ylabel("cycles per cell, y")
+    figure.colorbar(axes[0][2].images[0], ax=axes[0], label="standard deviations", shrink=0.8)
+    figure.colorbar(below, ax=axes[1], label="power / mean", shrink=0.8)
+    save(figure, path)
+
+
+def noise(path: Path, results: list) -> None:
+    """Of the default hash: power by frequency, and by direction."""
+    figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6), layout="constrained")
+    for result in results:
+        measured = result.noise
+        left.semilogy(measured.radius, measured.radial / measured.radial.max(), label=f"{result.dimensions}D")
+        degrees = (np.arange(len(measured.angular)) + 0.5) * 180 / len(measured.angular)
+        right.plot(degrees, measured.angular, "o-", markersize=3, label=f"{result.dimensions}D")
+    left.set(xlabel="cycles per cell", ylabel="power density / highest", xlim=(0, 4), ylim=(1e-9, 2))
+    right.set(xlabel="direction, degrees", ylabel="power / mean, 0.3 to 1.2 cycles per cell", ylim=(0.5, 1.5))
+    right.set_xticks(range(0, 181, 45))
+    for axis in (left, right):
+        axis.grid(alpha=0.3)
+        axis.legend(frameon=False)
+    save(figure, path)
+
+
+def save(figure, path: Path) -> None:
+    figure.canvas.draw()
+    picture = Image.fromarray(np.asarray(figure.canvas.buffer_rgba())[..., :3])
+    # 64 colours, without dithering: a quarter of the size, and as far as the eye can tell the same.
+    picture.quantize(64, dither=Image.Dither.NONE).save(path, optimize=True)
+    plt.close(figure)

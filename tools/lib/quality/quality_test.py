@@ -1,0 +1,253 @@
+"""The gate accepts what is random and rejects what is not, by the test meant for it; thresholds are derived."""
+
+import contextlib
+import io
+import json
+import shutil
+import tempfile
+import unittest
+from dataclasses import replace
+from pathlib import Path
+from unittest import mock
+
+import numpy as np
+from scipy import stats
+
+from quality import avalanche, command
+from quality import controls
+from quality import copies
+from quality import directions
+from quality import fourier
+from quality import gate
+from quality import judgement
+from quality import library
+from quality import report
+from tree import ROOT
+
+SHAPES = {2: (512, 512), 3: (32, 32, 256)}  # in space, long enough for a line to be told from chance
+FOLDER = tempfile.TemporaryDirectory()
+TWIN = library.build("LATTICE", [], ROOT / "include", Path(FOLDER.name))
+
+
+def rejecting(findings):
+    return {finding.test for finding in findings if not finding.passed}
+
+
+def missing(meant, findings):
+    """The tests that were meant to reject and do not; no more findings are made than it takes."""
+    left = set(meant)
+    for finding in findings:
+        left -= rejecting([finding])
+        if not left:
+            break
+    return left
+
+
+def of_window(words):
+    """As judge_words has it, one by one."""
+    window = gate.of_words(words, TWIN)
+    tests = (*gate.WINDOW_TESTS, *gate.COSTLY_TESTS, avalanche.of_window)
+    return (finding for test in tests for finding in test(window))
+
+
+class Windows(unittest.TestCase):
+    def test_random_words_are_accepted(self):
+        for n, shape in SHAPES.items():
+            for seed in range(3):
+                self.assertEqual(rejecting(gate.judge_words(controls.random(shape, seed), TWIN)), set(), (n, seed))
+
+    def test_each_control_is_rejected_by_the_tests_meant_for_it(self):
+        for name, (make, tests) in controls.WINDOWS.items():
+            for n, shape in SHAPES.items():
+                if n == 3 and name in controls.ONLY_2D:
+                    continue
+                size = (gate.SIDES[n],) * n if name in controls.FULL_SIZE else shape
+                self.assertEqual(missing(tests, of_window(make(size))), set(), f"{name} in {n}D")
+
+    def test_what_is_not_rejected_is_missing(self):
+        self.assertEqual(missing({"lines"}, of_window(controls.random(SHAPES[2]))), {"lines"})
+
+    def test_every_test_of_a_window_has_a_control(self):
+        meant = {test for _, tests in controls.WINDOWS.values() for test in tests}
+        made = {finding.test for finding in gate.judge_words(controls.random(SHAPES[2]), TWIN)}
+        # What 2D's fewer bits have of "equal words"; the next test is its control.
+        self.assertEqual(made - meant, {"equal values"})
+
+    def test_values_that_are_too_few(self):
+        self.assertIn("equal values", rejecting(copies.duplicates(gate.of_words(controls.stuck_bit(SHAPES[2]), TWIN))))
+
+
+class Functions(unittest.TestCase):
+    """What chooses its cells and seeds: avalanche, far pairs, seeds."""
+
+    def judge(self, function, n):
+        return gate.judge_twin(controls.Function("control", TWIN.program, {}, function), n, gate.LEAST)
+
+    def test_a_strong_hash_is_accepted(self):
+        for n in (2, 3):
+            self.assertEqual(rejecting(self.judge(controls.strong, n)), set())
+
+    def test_each_control_is_rejected_by_the_tests_meant_for_it(self):
+        for name, (function, tests) in controls.FUNCTIONS.items():
+            control = controls.Function("control", TWIN.program, {}, function)
+            self.assertEqual(missing(tests, gate.each_finding(control, 2, gate.LEAST)), set(), name)
+
+    def test_weakness_everywhere_shows_in_the_windows_together(self):
+        rng = np.random.default_rng(5)
+
+        def finding():
+            return judgement.normal("t", rng.normal(4.0 * (np.arange(100) == 7), 1), 1000, lambda i: f"at {i}")
+
+        findings = [finding() for _ in range(12)]
+        joined, = gate.pooled(findings)
+        self.assertFalse(joined.passed)
+        self.assertIn("at 7", joined.where)
+
+    def test_gradients_that_are_not_those_of_the_words(self):
+        class Another(controls.Function):
+            def gradients(self, cells, seeds):
+                return 2 * super().gradients(cells + 1, seeds)
+
+        found = rejecting(gate.judge_twin(Another("another", TWIN.program, {}, controls.strong), 2, gate.LEAST))
+        self.assertLessEqual({"gradient of the word", "directions: on the shape"}, found)
+
+
+class Thresholds(unittest.TestCase):
+    """They follow from the distribution and the size, as scipy has them."""
+
+    def test_a_peak(self):
+        for n, m in ((1000, 10), (1 << 20, 1 << 20)):
+            found = judgement.normal("t", np.zeros(m), n, None, 1 / np.sqrt(n))
+            self.assertAlmostEqual(found.threshold, stats.norm.isf(2.0 ** -20 / m / 2) / n ** 0.5, 12)
+            self.assertAlmostEqual(2 * stats.norm.sf(found.floor * n ** 0.5), 1 - 0.5 ** (1 / m), 9)
+
+    def test_the_verdict_is_that_of_the_threshold(self):
+        for null, two_sided in ((stats.norm(), True), (stats.expon(), False)):
+            limit = judgement.peak("t", 0, null, 1, 100, "", two_sided).threshold
+            self.assertTrue(judgement.peak("t", limit * 0.999, null, 1, 100, "", two_sided).passed)
+            self.assertFalse(judgement.peak("t", limit * 1.001, null, 1, 100, "", two_sided).passed)
+        self.assertFalse(judgement.peak("t", np.nan, stats.norm(), 1, 100).passed)
+
+    def test_counts_may_be_neither_too_many_nor_too_few(self):
+        for expected in (0.001, 8, 128, 4000):
+            found = judgement.poisson("t", int(expected), expected, 1)
+            self.assertTrue(found.passed)
+            self.assertTrue(judgement.poisson("t", int(found.threshold), expected, 1).passed)
+            self.assertFalse(judgement.poisson("t", int(found.threshold) + 2, expected, 1).passed)
+            if expected > 100:
+                self.assertFalse(judgement.poisson("t", int(found.lower) - 1, expected, 1).passed)
+
+    def test_too_even_tables_are_rejected(self):
+        rng = np.random.default_rng(3)
+        self.assertTrue(judgement.chi_square("t", rng.multinomial(100000, [1 / 256] * 256)).passed)
+        self.assertFalse(judgement.chi_square("t", np.full(256, 400)).passed)
+        self.assertFalse(judgement.chi_square("t", np.arange(256) + 200).passed)
+
+    def test_random_lattices_come_above_the_floor_every_second_time(self):
+        above = {"autocorrelation": 0, "spectral peak": 0}
+        for seed in range(40):
+            window = gate.of_words(controls.random((64, 64), seed), TWIN)
+            for finding in fourier.autocorrelation(window):
+                above[finding.test] += finding.statistic > finding.floor
+        # Opposite lags are the same, which halves the comparisons: a little less than half of the time.
+        for count in above.values():
+            self.assertGreater(stats.binom.cdf(count, 40, 0.5), 1e-4)
+            self.assertLess(stats.binom.cdf(count, 40, 0.5), 1 - 1e-4)
+
+
+class Parts(unittest.TestCase):
+    def test_the_bits_that_the_stage_uses(self):
+        for n in (2, 3):
+            used = sum(1 << int(bit) for bit in TWIN.consumed(n))
+            words = controls.random((1000,))
+            self.assertTrue(np.array_equal(TWIN.stage(words, n), TWIN.stage(words & np.uint32(used), n)))
+
+    def test_equal_pairs(self):
+        self.assertEqual(copies.equal_pairs(np.array([3, 1, 3, 3, 2, 1], np.uint32)), 4)
+        self.assertEqual(copies.shared(np.array([1, 1, 2]), np.array([1, 2, 2, 5])), 4)
+
+    def test_a_run_and_its_reverse_are_the_same(self):
+        values = controls.random((3, 50))
+        keys, mirrored = (np.sort(copies.run_keys(v, 3)) for v in (values, values[:, ::-1]))
+        self.assertTrue(np.array_equal(keys, mirrored))
+
+    def test_the_shape_has_the_moments_that_integrals_give(self):
+        for n, square in ((2, 1 / 3), (3, 1 / 6)):  # of x^2 over |x| + |y| (+ |z|) = 1
+            mean, _ = directions.shape_moments(n)
+            self.assertAlmostEqual(mean[n], square, 5)
+            strengths = {order: np.abs(m).max() for order, (m, _) in directions.shape_harmonics(n).items()}
+            self.assertTrue(all(strengths[o] < 1e-9 for o in (1, 2, 3, 5)), strengths)
+            self.assertGreater(strengths[4], 0.1)
+
+    def test_the_twin_takes_every_cell_and_seed(self):
+        cells = np.array([[-1, 2 ** 31 - 1], [-2 ** 31, 0]])
+        one = TWIN.words(cells, 5)
+        self.assertTrue(np.array_equal(one, TWIN.words(cells, np.array([5, 5]))))
+        self.assertFalse(np.array_equal(one, TWIN.words(cells, 6)))
+
+
+class Command(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def call(self, *arguments):
+        self.shown = io.StringIO()
+        with contextlib.redirect_stdout(self.shown), contextlib.redirect_stderr(self.shown):
+            try:
+                return command.main([str(a) for a in arguments])
+            except SystemExit as end:
+                return end.code
+
+    def test_bad_usage(self):
+        np.save(self.folder / "wrong.npy", np.zeros((4, 4), np.uint32))
+        for arguments in (["--hash", "MD5"], ["--words2", self.folder / "none.npy"],
+                          ["--words2", self.folder / "wrong.npy"], ["--words3", self.folder / "wrong.npy"],
+                          ["--quick", "--check"], ["--jobs", "0"], ["--seeds", "x"], ["--nothing"]):
+            self.assertEqual(self.call(*arguments), 2, arguments)
+
+    def test_what_cannot_be_built(self):
+        self.assertEqual(self.call("--quick", "--hash-fn", "k +"), 4)
+        self.assertIn("does not compile", self.shown.getvalue())
+        self.assertEqual(self.call("--include", self.folder), 4)
+
+    def test_words_from_a_file(self):
+        np.save(self.folder / "good.npy", controls.random((128, 128)))
+        np.save(self.folder / "bad.npy", controls.linear_sum((128, 128)))
+        self.assertEqual(self.call("--words2", self.folder / "good.npy"), 0, self.shown.getvalue())
+        self.assertEqual(self.call("--words2", self.folder / "bad.npy"), 1)
+        self.assertIn("FAILS autocorrelation", self.shown.getvalue())
+
+    def test_a_library_whose_product_was_taken_out(self):
+        for part in ("include", "glsl"):
+            shutil.copytree(ROOT / part, self.folder / part)
+        text = (self.folder / "glsl" / "hash.glsl").read_text()
+        self.assertIn("return hn_i_hash(join) * odd;", text)
+        text = text.replace("return hn_i_hash(join) * odd;", "return hn_i_hash(join) ^ (odd & 0u);")
+        (self.folder / "glsl" / "hash.glsl").write_text(text)
+        twin = library.build("no_product", [], self.folder / "include", self.folder)
+        self.assertIn("autocorrelation", rejecting(gate.judge_twin(twin, 2, gate.LEAST)))
+
+    def test_the_dump_is_what_was_judged(self):
+        library_default = library.default_hash(ROOT / "include")
+        with mock.patch.object(gate, "QUICK", replace(gate.LEAST, windows=1)):  # the worker is a fork, which has it, too
+            self.call("--quick", "--hash", library_default, "--seeds", "3", "--dump", self.folder / "dump",
+                      "--jobs", "1")
+        entries = json.loads((self.folder / "dump" / "index.json").read_text())
+        table = json.loads((self.folder / "dump" / "statistics.json").read_text())
+        entry = next(e for e in entries if e["quantity"] == "gradient" and e["dimensions"] == 2 and e["seed"] == 3)
+        said = next(row for row in table if row["test"] == "autocorrelation" and row["dimensions"] == 2)
+        axis, lag = said["where"].split(";")[0].split(", lag ")
+        g = np.load(self.folder / "dump" / entry["file"])[..., "xyz".index(axis)].astype(float)
+        moved = np.roll(g, [-int(d) for d in lag.split(",")], (0, 1))
+        self.assertAlmostEqual(abs((g * moved).sum() / (g * g).sum()), said["statistic"], 5)
+
+    def test_an_old_page_is_noticed(self):
+        page = self.folder / "quality.md"
+        page.write_text("a 0.12345 b 7")
+        with contextlib.redirect_stderr(io.StringIO()):
+            self.assertTrue(report.same(page, "a 0.12346 b 7"))
+            self.assertFalse(report.same(page, "a 0.125 b 7"))
+            self.assertFalse(report.same(page, "c 0.12345 b 7"))
+            self.assertFalse(report.same(self.folder / "none.md", ""))

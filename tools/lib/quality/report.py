@@ -1,0 +1,190 @@
+"""The page: docs/quality.md, from what was measured."""
+
+from __future__ import annotations
+
+import re
+import sys
+from dataclasses import dataclass
+from math import log2
+from pathlib import Path
+
+from quality import controls
+from quality import gate
+from quality import texts
+from quality.directions import shape_harmonics
+from quality.judgement import ALPHA, Finding
+from quality.library import Twin
+from quality.noise import Measured
+
+
+@dataclass
+class HashResult:
+    """What is known of a hash in the plane or in space."""
+    name: str
+    dimensions: int
+    findings: list[Finding]
+    noise: Measured | None
+
+    @property
+    def passed(self) -> bool:
+        return all(finding.passed for finding in self.findings)
+
+    @property
+    def worst(self) -> dict[str, Finding]:
+        """By test, the most improbable finding over origins and seeds."""
+        worst: dict[str, Finding] = {}
+        for finding in self.findings:
+            if finding.test not in worst or finding.p < worst[finding.test].p:
+                worst[finding.test] = finding
+        return worst
+
+
+@dataclass
+class Sine:
+    """The paper's gradient with a hash: measured, not judged."""
+    name: str
+    dimensions: int
+    findings: list[Finding]
+    noise: Measured
+
+
+def number(value: float) -> str:
+    return f"{value:.4g}"
+
+
+def bounds(finding: Finding) -> str:
+    high = number(finding.threshold)
+    return high if finding.lower is None else f"{number(finding.lower)} to {high}"
+
+
+def verdict(result: HashResult) -> str:
+    """Lines for the terminal: each test that fails, or the one that came nearest."""
+    head = f"{result.name} {result.dimensions}D: "
+    wrong = [f for f in result.worst.values() if not f.passed]
+    if not wrong:
+        near = min(result.findings, key=lambda f: f.p)
+        return f"{head}passes {len(result.findings)} tests; the nearest is {describe(near)}"
+    return "\n".join(f"{head}FAILS {describe(f)}" for f in wrong)
+
+
+def describe(f: Finding) -> str:
+    return f"{f.test}: {number(f.statistic)} (allowed {bounds(f)}, p = {f.p:.2g}; {f.where})"
+
+
+def cell(finding: Finding | None) -> str:
+    if finding is None:
+        return ""
+    return number(finding.statistic) if finding.passed else f"**{number(finding.statistic)}** (p = {finding.p:.1g})"
+
+
+def table(head: list[str], rows: list[list[str]]) -> str:
+    lines = [head, ["---"] * len(head), *rows]
+    return "".join(f"| {' | '.join(line)} |\n" for line in lines) + "\n"
+
+
+def hash_table(results: list[HashResult]) -> str:
+    """Tests down, hashes across."""
+    worst = [result.worst for result in results]
+    rows = []
+    for test, first in worst[0].items():
+        values = [cell(w.get(test)) for w in worst]
+        rows.append([test, str(first.samples), str(first.comparisons), number(first.floor), bounds(first), *values])
+    head = ["test", "values", "comparisons", "floor", "allowed", *(f"`{r.name}`" for r in results)]
+    return table(head, rows)
+
+
+def rejected_as_meant(results: list[HashResult]) -> bool:
+    """Whether every test rejects the controls that are meant for it, and all accept what is random."""
+    meant = {**controls.WINDOWS, **controls.FUNCTIONS}
+    return all(result.passed if result.name not in meant
+               else not any(result.worst[test].passed for test in meant[result.name][1]) for result in results)
+
+
+def control_table(results: list[HashResult]) -> str:
+    meant = {**controls.WINDOWS, **controls.FUNCTIONS}
+    rows = []
+    for result in results:
+        make, tests = meant.get(result.name, (controls.random, ()))
+        worst = result.worst
+        by = "; ".join(f"{t}: {number(worst[t].statistic)} ({'**passes**, ' * worst[t].passed}allowed {bounds(worst[t])})"
+                       for t in tests) or "none"
+        others = sum(not f.passed for t, f in worst.items() if t not in tests)
+        what = " ".join((make.__doc__ or "").split()).rstrip(".")
+        rows.append([f"`{result.name}`", what, by, str(others)])
+    return table(["lattice", "what it is", "rejected by", "and by so many other tests"], rows)
+
+
+def noise_table(results: list, label) -> str:
+    names = list(results[0].noise.numbers)
+    rows = [[label(r), *(with_error(*r.noise.numbers[name]) for name in names)] for r in results]
+    return table(["hash", *names], rows)
+
+
+def with_error(value: float, error: float) -> str:
+    return f"{value:.4f}" if error == 0 else f"{value:.4f} ± {error:.4f}"
+
+
+def page(results: list[HashResult], rejected: list[HashResult], sine: list[Sine], default: Twin,
+         quick: bool) -> str:
+    tests = sum(len(result.findings) for result in results)
+    text = texts.HEAD.format(remark=texts.QUICK if quick else "",
+                             alpha=f"2^{round(log2(ALPHA))}", tests=tests, chance=f"{tests * ALPHA:.2g}",
+                             origins=gate.FULL.origins, seeds=len(gate.FULL.seeds), pairs=gate.FULL.pairs,
+                             windows=gate.FULL.windows)
+    for n in (2, 3):
+        some = [result for result in results if result.dimensions == n]
+        bits = default.consumed(n)
+        text += texts.HASHES.format(dimensions=n, verdict=_verdicts(some), bits=len(bits), high=bits[0], low=bits[-1])
+        text += hash_table(some)
+    text += texts.TESTS + table(["test", "statistic", "on a random lattice", "what it finds"],
+                                [list(row) for row in texts.ROWS])
+    text += texts.SHAPE + shape_table() + texts.CONTROLS + control_table(rejected) + texts.NOISE
+    text += noise_table(results, lambda r: f"`{r.name}` {r.dimensions}D")
+    rows = [[f"`{s.name}` {s.dimensions}D", *(number(f.statistic) for f in s.findings),
+             *(number(f.threshold) for f in s.findings)] for s in sine]
+    text += texts.SINE + table(["hash", "peak autocorrelation", "spectral peak", "allowed for the first",
+                                "allowed for the second"], rows)
+    return text + noise_table(sine, lambda r: f"`{r.name}` {r.dimensions}D").rstrip("\n") + "\n"
+
+
+def shape_table() -> str:
+    rows = []
+    for n in (2, 3):
+        for order, (mean, _) in shape_harmonics(n).items():
+            strength = float((mean ** 2).sum() ** 0.5)
+            rows.append([f"{n}D", str(order), f"{strength:.4f}" if strength > 1e-2 else "0"])
+    return table(["", "order", "strength"], rows)
+
+
+def _verdicts(results: list[HashResult]) -> str:
+    failed = [f"`{result.name}`" for result in results if not result.passed]
+    return f"**These do not pass: {', '.join(failed)}.**" if failed else "All pass."
+
+
+NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
+
+
+def same(path: Path, text: str) -> bool:
+    """Whether a page says this, but for the last digits of its numbers, in which versions of numpy may differ."""
+    try:
+        old = path.read_text(encoding="utf-8")
+    except OSError as error:
+        print(f"tools/quality: {error}", file=sys.stderr)
+        return False
+    ours, theirs = NUMBER.findall(text), NUMBER.findall(old)
+    if NUMBER.sub("#", old) == NUMBER.sub("#", text) and all(map(_near, ours, theirs)):
+        return True
+    print(f"tools/quality: {path} is not what is measured now: run tools/quality", file=sys.stderr)
+    return False
+
+
+def _near(a: str, b: str) -> bool:
+    return a == b or abs(float(a) - float(b)) <= 2e-3 * max(abs(float(a)), abs(float(b)))  # two units of four digits
+
+
+def write(out: Path, text: str, results: list[HashResult], default: Twin) -> None:
+    import plots  # which needs matplotlib; nothing else does
+    (out / "images").mkdir(parents=True, exist_ok=True)
+    (out / "quality.md").write_text(text, encoding="utf-8")
+    plots.lattices(out / "images" / "quality-lattice.png", default)
+    plots.noise(out / "images" / "quality-noise.png", [r for r in results if r.name == default.name])

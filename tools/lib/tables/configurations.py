@@ -1,0 +1,63 @@
+"""The settings of the knobs under test, and which functions have values with each: configurations.inc."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from tables.functions import FAMILIES, Function
+from tables.inc import Row, read_rows
+from tree import CONFIGURATIONS
+
+GRADIENTS = ("octahedral", "sine")
+ARITHMETICS = ("fast", "precise", "fixed")
+
+
+@dataclass(frozen=True)
+class Configuration:
+    """A row of the table. Words are in lower case: `lattice` for HN_HASH_LATTICE."""
+    row: Row
+    name: str
+    hash: str
+    gradient: str
+    period: int
+    arithmetic: str
+    families: tuple[str, ...]
+
+    @property
+    def fixed(self) -> bool:
+        return self.arithmetic == "fixed"
+
+    @property
+    def has_golden_files(self) -> bool:
+        """HN_PRECISE has the exact values of HN_FAST."""
+        return self.arithmetic != "precise"
+
+    def covers(self, function: Function) -> bool:
+        return function.family in self.families
+
+
+def _one_of(row: Row, index: int, choices: tuple[str, ...]) -> str:
+    word = row.word(index).lower()
+    if word not in choices:
+        raise row.error(f"{row.word(index)} is none of {', '.join(choices).upper()}")
+    return word
+
+
+def _configuration(row: Row) -> Configuration:
+    families = tuple(family.strip() for family in row.arguments[5].split("|"))
+    for family in families:
+        if family not in FAMILIES:
+            raise row.error(f"{family} is no family; there are {', '.join(FAMILIES)}")
+    configuration = Configuration(row, row.text(0), row.word(1).lower(), _one_of(row, 2, GRADIENTS), int(row.word(3)),
+                                  _one_of(row, 4, ARITHMETICS), families)
+    name = configuration.hash + "+sine" * (configuration.gradient == "sine")
+    name += f"+period{configuration.period}" * (configuration.period != 0)
+    name += f"+{configuration.arithmetic}" * (configuration.arithmetic != "fast")
+    if configuration.name != name:
+        raise row.error(f"{configuration.name} should be {name}, after its settings")
+    return configuration
+
+
+def read_configurations(path: Path = CONFIGURATIONS) -> list[Configuration]:
+    return [_configuration(row) for row in read_rows(path, "CONFIGURATION", 6)]

@@ -1,0 +1,101 @@
+"""Tests of functions.py, configurations.py and glsl.py: they read the real tables, and refuse what they do not know."""
+
+from __future__ import annotations
+
+import tempfile
+import unittest
+from collections.abc import Callable
+from pathlib import Path
+
+from tables import glsl
+from tables.configurations import read_configurations
+from tables.functions import FAMILIES, read_functions
+from tables.inc import TableError
+
+FUNCTION = 'FUNCTION("noise2d.perlin", "noise2d.glsl", gradient_noise, "perlin", "{columns}", "f(p)", return a;)\n'
+CONFIGURATION = 'CONFIGURATION("{name}", FNV1, {gradient}, 48, FIXED, {families})\n'
+
+
+class Tables(unittest.TestCase):
+    def setUp(self) -> None:
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.path = Path(folder.name) / "table.inc"
+
+    def refused(self, read: Callable, text: str, message: str) -> None:
+        self.path.write_text(text)
+        with self.assertRaisesRegex(TableError, rf"table\.inc:\d+: .*{message}"):
+            read(self.path)
+
+    def test_functions(self) -> None:
+        functions = {function.id: function for function in read_functions()}
+        self.assertEqual({function.family for function in functions.values()} - set(FAMILIES), set())
+        for id, form, axes, family in (("hash.word", "words", 1, "hash"), ("hash.vec4", "words", 4, "hash"),
+                                       ("hash.unorm", "words", 1, "independent"), ("hash.lattice1", "point", 1, "hash"),
+                                       ("gradient.sine3", "point", 3, "sine_gradient"),
+                                       ("noise2d.perlin", "position", 2, "gradient_noise"),
+                                       ("noise3d.perlin_cell", "cell", 3, "gradient_noise"),
+                                       ("fbm.clouds3", "sum", 3, "octave_sum")):
+            function = functions[id]
+            self.assertEqual((function.form, function.axes, function.family), (form, axes, family), id)
+        cell, word = functions["noise3d.perlin_cell"], functions["hash.word"]
+        self.assertEqual((cell.noise, cell.calls), ("perlin", "hn_perlin"))
+        self.assertEqual(cell.overloads, (("ivec3", "vec3"), ("ivec3", "vec3", "uint")))
+        self.assertEqual((word.calls, word.overloads), ("hn_hash", (("uint",),)))
+        self.assertEqual(functions["fbm.fbm2"].types, ("vec2", "int", "float", "float"))
+        self.assertEqual([functions[id].exact for id in ("hash.word", "gradient.lattice2", "gradient.sine2")],
+                         [True, True, False])
+
+    def test_unknown_columns_and_families(self) -> None:
+        good = FUNCTION.format(columns="x:f32 y:f32 seed:u32 = value:f64")
+        self.path.write_text(good)
+        self.assertEqual(len(read_functions(self.path)), 1)
+        for columns in ("x:f32 y:f32 = value:f64", "x:f32 cy:f32 seed:u32 = value:f64",
+                        "x:f32 y:f32 seed:u32 = value:f16",
+                        "x:f32 y:f32 seed:u32"):
+            self.refused(read_functions, FUNCTION.format(columns=columns), "are no columns that the tools know")
+        self.refused(read_functions, good.replace("gradient_noise", "cell_noise"), "cell_noise is no family")
+        self.refused(read_functions, good + good, "noise2d.perlin is there already")
+
+    def test_configurations(self) -> None:
+        configurations = {configuration.name: configuration for configuration in read_configurations()}
+        fixed = configurations["lattice+period48+fixed"]
+        self.assertEqual((fixed.hash, fixed.gradient, fixed.period, fixed.fixed), ("lattice", "octahedral", 48, True))
+        self.assertFalse(configurations["lattice+precise"].has_golden_files)
+        self.assertIn("independent", configurations["lattice"].families)
+
+    def test_wrong_configurations(self) -> None:
+        row = {"name": "fnv1+sine+period48+fixed", "gradient": "SINE", "families": "hash | octave_sum"}
+        self.path.write_text(CONFIGURATION.format(**row))
+        self.assertEqual(read_configurations(self.path)[0].families, ("hash", "octave_sum"))
+        for change, message in (({"name": "fnv1+sine+fixed"}, "should be fnv1.sine.period48.fixed"),
+                                ({"gradient": "COSINE"}, "COSINE is none of OCTAHEDRAL, SINE"),
+                                ({"families": "hash | noise"}, "noise is no family")):
+            self.refused(read_configurations, CONFIGURATION.format(**row | change), message)
+
+
+class Library(unittest.TestCase):
+    def setUp(self) -> None:
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def test_both_spellings_of_types(self) -> None:
+        (self.folder / "a.glsl").write_text("""
+// What it is.
+//   seed     any
+HN_FN HN_HIGHP float hn_one(HN_HIGHP ivec2 cell, HN_HIGHP vec2 f,
+                            HN_HIGHP uint seed) {
+}
+HN_FN hn_float hn_one(hn_ivec2 cell, hn_vec2 f) { return hn_i_none(hn_one(cell, f, 0u)); }
+HN_FN hn_float hn_two(hn_vec3 p) { return 0.0f; }
+HN_FN hn_float hn_i_three(hn_vec3 p) { return 0.0f; }
+""")
+        first, second, third = glsl.declarations(self.folder)
+        self.assertEqual([str(f) for f in (first, second, third)],
+                         ["hn_one(ivec2, vec2, uint)", "hn_one(ivec2, vec2)", "hn_two(vec3)"])
+        self.assertEqual((first.line, second.line, third.line), (4, 7, 8))
+        self.assertEqual(first.comment, glsl.Comment(2, (" What it is.", "   seed     any")))
+        self.assertEqual(first.comment.headings, {"seed"})
+        self.assertIs(second.comment, first.comment)  # an overload without one of its own
+        self.assertIsNone(third.comment)
