@@ -1,10 +1,12 @@
-// Prints a digest of what the C++ twin computes at many points, a line per function. twin_flags_test.py compiles it
+// Prints a digest of what the C++ twin computes at many points, a line per function of functions.inc that depends on the
+// arithmetic, or on compilers' ways with floats. twin_flags_test.py compiles it
 // with many flags, of which some let a compiler make of floats what it likes: so nothing here but the twin computes in
 // them.
 #include <bit>
 #include <cstdint>
 #include <cstdio>
 #include <hashnoise/hashnoise.hpp>
+#include <string_view>
 
 namespace {
 
@@ -46,101 +48,54 @@ float coordinate() {
 // In [0, 1], or anywhere.
 float fraction() { return word() % 4 == 0 ? coordinate() : std::bit_cast<float>(word() % 0x3F800001u); }
 
-vec2 position2() {
-  const float x = coordinate();
-  return {x, coordinate()};
-}
-vec3 position3() {
-  const float x = coordinate();
-  const float y = coordinate();
-  return {x, y, coordinate()};
-}
-ivec2 cell2() {
-  const int x = static_cast<int>(word());
-  return {x, static_cast<int>(word())};
-}
-ivec3 cell3() {
-  const int x = static_cast<int>(word());
-  const int y = static_cast<int>(word());
-  return {x, y, static_cast<int>(word())};
+// The settings of an octave sum: what people use, and anything.
+float setting(std::string_view name) {
+  if (word() % 2 == 0) return name == "gain" ? 0.5f : 2.0f;
+  return name == "gain" ? number(110, 128) : number(120, 135);
 }
 
-struct Settings {
-  int octaves;
-  float lacunarity;
-  float gain;
-};
-Settings settings() {
-  const int octaves = static_cast<int>(word() % 8) - 1;
-  const float lacunarity = word() % 2 == 0 ? 2.0f : number(120, 135);
-  return {octaves, lacunarity, word() % 2 == 0 ? 0.5f : number(110, 128)};
+// An input word of a column, "x:f32" say.
+uint input(std::string_view column) {
+  const auto colon = column.find(':');
+  const std::string_view name = column.substr(0, colon);
+  if (column.substr(colon) != ":f32") return name == "octaves" ? word() % 8 - 1u : word();
+  if (name == "gain" || name == "lacunarity") return std::bit_cast<uint>(setting(name));
+  return std::bit_cast<uint>(name.front() == 'f' ? fraction() : coordinate());
 }
 
-uint bits(float value) { return std::bit_cast<uint>(value); }
-uint bits(vec2 v) { return bits(v.x) * 31u + bits(v.y); }
-uint bits(vec3 v) { return (bits(v.x) * 31u + bits(v.y)) * 31u + bits(v.z); }
+float float_of(uint bits) { return std::bit_cast<float>(bits); }
+uint bits_of(float value) { return std::bit_cast<uint>(value); }
 
 template <typename Evaluate>
-void digest(const char* name, Evaluate evaluate) {
+void digest(std::string_view id, std::string_view family, std::string_view columns, Evaluate evaluate) {
+  // What is exact has no arithmetic, and of the two kinds of gradients the one that is selected is evaluated.
+  if (family == "independent" || family == "hash" || family == "sine_gradient") return;
+  const std::string_view inputs = columns.substr(0, columns.find(" = "));
   std::uint64_t hash = 14695981039346656037u;
-  for (int i = 0; i < kPoints; ++i) hash = (hash ^ bits(evaluate())) * 1099511628211u;
-  std::printf("%s %016llx\n", name, static_cast<unsigned long long>(hash));
-}
-
-template <typename Position>
-void digest_sums(const char* fbm, const char* turbulence, const char* clouds, Position position) {
-  digest(fbm, [=] {
-    const auto p = position();
-    const auto [octaves, lacunarity, gain] = settings();
-    return hn_fbm(p, octaves, lacunarity, gain, word());
-  });
-  digest(turbulence, [=] {
-    const auto p = position();
-    const auto [octaves, lacunarity, gain] = settings();
-    return hn_turbulence(p, octaves, lacunarity, gain, word());
-  });
-  digest(clouds, [=] {
-    const auto p = position();
-    const auto [octaves, lacunarity, gain] = settings();
-    return hn_clouds(p, octaves, lacunarity, gain, word());
-  });
+  for (int i = 0; i < kPoints; ++i) {
+    uint words[8] = {};
+    std::size_t count = 0;
+    for (std::string_view rest = inputs; !rest.empty(); ++count) {
+      const auto end = rest.find(' ') < rest.size() ? rest.find(' ') : rest.size();
+      words[count] = input(rest.substr(0, end));
+      rest.remove_prefix(end < rest.size() ? end + 1 : end);
+    }
+    const uvec4 value = evaluate(uvec4(words[0], words[1], words[2], words[3]),
+                                 uvec4(words[4], words[5], words[6], words[7]));
+    for (const uint bits : {value.x, value.y, value.z, value.w}) hash = (hash ^ bits) * 1099511628211u;
+  }
+  std::printf("%.*s %016llx\n", static_cast<int>(id.size()), id.data(), static_cast<unsigned long long>(hash));
 }
 
 }  // namespace
+
+#define SEEDED(s) , s
 
 int main() {
 #ifdef HN_TEST_OVERFLOW
   std::printf("%d\n", static_cast<int>(word() >> 1) * static_cast<int>(word() >> 1));
 #endif
-  digest("gradient2", [] {
-    const ivec2 cell = cell2();
-    return hn_gradient(cell, word());
-  });
-  digest("gradient3", [] {
-    const ivec3 cell = cell3();
-    return hn_gradient(cell, word());
-  });
-  digest("perlin2", [] {
-    const vec2 p = position2();
-    return hn_perlin(p, word());
-  });
-  digest("perlin3", [] {
-    const vec3 p = position3();
-    return hn_perlin(p, word());
-  });
-  digest("perlin_cell2", [] {
-    const ivec2 cell = cell2();
-    const float x = fraction();
-    const float y = fraction();
-    return hn_perlin(cell, vec2(x, y), word());
-  });
-  digest("perlin_cell3", [] {
-    const ivec3 cell = cell3();
-    const float x = fraction();
-    const float y = fraction();
-    const float z = fraction();
-    return hn_perlin(cell, vec3(x, y, z), word());
-  });
-  digest_sums("fbm2", "turbulence2", "clouds2", position2);
-  digest_sums("fbm3", "turbulence3", "clouds3", position3);
+#define FUNCTION(id, file, family, bound, columns, call, ...) \
+  digest(id, #family, columns, []([[maybe_unused]] uvec4 a, [[maybe_unused]] uvec4 b) -> uvec4 { __VA_ARGS__ });
+#include "library/functions.inc"
 }
