@@ -56,12 +56,27 @@
 #define HN_I_UNUSED
 #endif
 
-// Before every type. GLSL ES has three precisions and int is mediump, 16 bits, in fragment shaders unless it is told
-// otherwise; your own default precision stays as it is. Elsewhere nothing is needed, and glslang would warn.
+// The types in declarations; constructors are GLSL's own, and in C++ glsl.hpp has these names. GLSL ES has three
+// precisions, and int is mediump, 16 bits, in fragment shaders unless it is told otherwise. Your own default precision
+// stays as it is. Elsewhere nothing is needed, and glslang would warn.
+#ifndef __cplusplus
 #ifdef GL_ES
-#define HN_HIGHP highp
+#define HN_I_HIGHP highp
 #else
-#define HN_HIGHP
+#define HN_I_HIGHP
+#endif
+#define hn_float HN_I_HIGHP float
+#define hn_vec2 HN_I_HIGHP vec2
+#define hn_vec3 HN_I_HIGHP vec3
+#define hn_vec4 HN_I_HIGHP vec4
+#define hn_int HN_I_HIGHP int
+#define hn_ivec2 HN_I_HIGHP ivec2
+#define hn_ivec3 HN_I_HIGHP ivec3
+#define hn_ivec4 HN_I_HIGHP ivec4
+#define hn_uint HN_I_HIGHP uint
+#define hn_uvec2 HN_I_HIGHP uvec2
+#define hn_uvec3 HN_I_HIGHP uvec3
+#define hn_uvec4 HN_I_HIGHP uvec4
 #endif
 
 #define HN_HASH_FNV1 1

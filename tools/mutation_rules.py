@@ -17,7 +17,7 @@ from functools import cached_property
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 DIRECTIVE = re.compile(r"^[ \t]*#(?:\\\n|[^\n])*", re.MULTILINE)
 CONDITIONAL = re.compile(r"[ \t]*#[ \t]*(if\w*|el\w+|endif)\b[ \t]*([^\n]*)")
-TYPE = re.compile(r"float|int|uint|bool|[iu]?vec[234]")
+TYPE = re.compile(r"(?:hn_)?(float|int|uint|bool|[iu]?vec[234]|num[234]?)")  # without its prefix
 TOKEN = re.compile(r"(?P<number>(?:0[xX][0-9a-fA-F]+|(?:\d+\.\d*|\.\d+|\d+)(?:[eE][+-]?\d+)?)[uUfF]?)|"
                    r"(?P<name>[A-Za-z_]\w*)|"
                    r"(?P<operator><<=|>>=|[-+*/%&|^<>=!]=|<<|>>|&&|\|\||\+\+|--|[^\w\s])")
@@ -76,8 +76,9 @@ def variables_of(tokens: Sequence[Token]) -> Iterator[tuple[int, str, str]]:
     """The variables that are declared: the index of the name, the name and the type."""
     for i, (kind, name) in enumerate(zip(tokens, tokens[1:]), 1):
         following = tokens[i + 1].text if i + 1 < len(tokens) else ""
-        if TYPE.fullmatch(kind.text) and name.kind == "name" and following != "(":
-            yield i, name.text, kind.text
+        kind_name = TYPE.fullmatch(kind.text)
+        if kind_name and name.kind == "name" and following != "(":
+            yield i, name.text, kind_name[1]
 
 
 @dataclass(frozen=True)
@@ -281,7 +282,7 @@ def kind_of(code: Code, first: int, last: int) -> str:
         return token.text if TYPE.fullmatch(token.text) else ""
     kind = code.type_of(first)
     if following == "." and first < last:
-        return {"i": "int", "u": "uint"}.get(kind[:1], "float") if kind else ""
+        return {"i": "int", "u": "uint", "n": "num"}.get(kind[:1], "float") if kind else ""
     return kind
 
 

@@ -1,8 +1,9 @@
 // What the types and built-in functions of GLSL that hashnoise uses mean in C++20. Only what the GLSL text needs.
 // SPDX-License-Identifier: MIT
 //
-// Words wrap at 2^32. A float in a vector that does not fit an int becomes the nearest int that there is, and NaN becomes
-// 0, where GLSL leaves the value undefined. So nothing has undefined behaviour, as long as coordinates are finite.
+// Words wrap at 2^32. A float in a vector that does not fit an int becomes the nearest int that there is, and NaN
+// becomes 0, where GLSL leaves the value undefined. So nothing has undefined behaviour, as long as coordinates are
+// finite.
 
 #pragma once
 
@@ -84,6 +85,20 @@ using ivec4 = Vector4<int>;
 using uvec2 = Vector2<uint>;
 using uvec3 = Vector3<uint>;
 using uvec4 = Vector4<uint>;
+
+// What declarations of the library say; in GLSL these carry the precision.
+using hn_float = float;
+using hn_vec2 = vec2;
+using hn_vec3 = vec3;
+using hn_vec4 = vec4;
+using hn_int = int;
+using hn_ivec2 = ivec2;
+using hn_ivec3 = ivec3;
+using hn_ivec4 = ivec4;
+using hn_uint = uint;
+using hn_uvec2 = uvec2;
+using hn_uvec3 = uvec3;
+using hn_uvec4 = uvec4;
 
 constexpr vec2 operator+(vec2 a, vec2 b) { return {a.x + b.x, a.y + b.y}; }
 constexpr vec2 operator-(vec2 a, vec2 b) { return {a.x - b.x, a.y - b.y}; }

@@ -6,7 +6,8 @@
 //
 // It includes glsl/ by its place in the source tree, ../../glsl; the installed copy of this file says glsl/ instead.
 //
-// HN_FIXED has the same bits under any compiler's flags. The floats of HN_PRECISE need -ffp-contract=off, and no fast-math.
+// HN_FIXED has the same bits under any compiler's flags. The floats of HN_PRECISE need -ffp-contract=off, and no
+// fast-math.
 //
 // Knobs (config.glsl) are macros, to be defined before the include. HN_HASH, HN_GRADIENT, HN_PERIOD and
 // HN_ARITHMETIC name inline namespaces, so that translation units that differ in them may be linked together. What

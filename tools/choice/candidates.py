@@ -22,19 +22,19 @@ class Candidate:
 # --- Hashes: from the spread coordinates of a point and the mixed seed to its word ------------------------------
 
 PLAIN = """
-HN_FN HN_HIGHP uint hn_i_fold(HN_HIGHP uint x) { return x; }
-HN_FN HN_HIGHP uvec2 hn_i_fold(HN_HIGHP uvec2 v) { return v; }
-HN_FN HN_HIGHP uvec3 hn_i_fold(HN_HIGHP uvec3 v) { return v; }
-HN_FN HN_HIGHP uvec4 hn_i_fold(HN_HIGHP uvec4 v) { return v; }
+HN_FN hn_uint hn_i_fold(hn_uint x) { return x; }
+HN_FN hn_uvec2 hn_i_fold(hn_uvec2 v) { return v; }
+HN_FN hn_uvec3 hn_i_fold(hn_uvec3 v) { return v; }
+HN_FN hn_uvec4 hn_i_fold(hn_uvec4 v) { return v; }
 """
 TURNED = """
-HN_FN HN_HIGHP uint hn_i_turned(HN_HIGHP uint x, HN_HIGHP int by) { return (x << by) | (x >> (32 - by)); }
-HN_FN HN_HIGHP uint hn_i_fold(HN_HIGHP uint x) { return x; }
-HN_FN HN_HIGHP uvec2 hn_i_fold(HN_HIGHP uvec2 v) { return uvec2(hn_i_turned(v.x, 13), v.y); }
-HN_FN HN_HIGHP uvec3 hn_i_fold(HN_HIGHP uvec3 v) {
+HN_FN hn_uint hn_i_turned(hn_uint x, hn_int by) { return (x << by) | (x >> (32 - by)); }
+HN_FN hn_uint hn_i_fold(hn_uint x) { return x; }
+HN_FN hn_uvec2 hn_i_fold(hn_uvec2 v) { return uvec2(hn_i_turned(v.x, 13), v.y); }
+HN_FN hn_uvec3 hn_i_fold(hn_uvec3 v) {
   return uvec3(hn_i_turned(v.x, 26), hn_i_turned(v.y, 13), v.z);
 }
-HN_FN HN_HIGHP uvec4 hn_i_fold(HN_HIGHP uvec4 v) {
+HN_FN hn_uvec4 hn_i_fold(hn_uvec4 v) {
   return uvec4(hn_i_turned(v.x, 7), hn_i_turned(v.y, 26), hn_i_turned(v.z, 13), v.w);
 }
 """
@@ -42,7 +42,7 @@ HN_FN HN_HIGHP uvec4 hn_i_fold(HN_HIGHP uvec4 v) {
 
 def word(body: str) -> str:
     return f"""
-HN_FN HN_HIGHP uint hn_i_word(HN_HIGHP uint k, HN_I_UNUSED HN_HIGHP uint odd) {{ {body} }}
+HN_FN hn_uint hn_i_word(hn_uint k, HN_I_UNUSED hn_uint odd) {{ {body} }}
 """
 
 
@@ -79,37 +79,37 @@ HASHES = [
 # The library turns the offsets in space by 45 degrees about z for its gradient; these take them as they are.
 
 FOLDED = """
-HN_FN HN_HIGHP float hn_i_ramp(HN_HIGHP uint h, HN_HIGHP float x, HN_HIGHP float y) {
-  HN_HIGHP vec2 g = hn_gradient2(h);
+HN_FN hn_float hn_i_ramp(hn_uint h, hn_float x, hn_float y) {
+  hn_vec2 g = hn_gradient2(h);
   return g.x * x + g.y * y;
 }
-HN_FN HN_HIGHP float hn_i_ramp(HN_HIGHP uint h, HN_HIGHP float x, HN_HIGHP float y, HN_HIGHP float z) {
-  HN_HIGHP float a = hn_i_field3p(h) * 2.0f;
-  HN_HIGHP float b = hn_i_field3q(h) * 2.0f;
-  HN_HIGHP float up = 1.0f - abs(a) - abs(b);
-  HN_HIGHP float t = max(-up, 0.0f);
+HN_FN hn_float hn_i_ramp(hn_uint h, hn_float x, hn_float y, hn_float z) {
+  hn_float a = hn_i_field3p(h) * 2.0f;
+  hn_float b = hn_i_field3q(h) * 2.0f;
+  hn_float up = 1.0f - abs(a) - abs(b);
+  hn_float t = max(-up, 0.0f);
   return (a < 0.0f ? a + t : a - t) * x + (b < 0.0f ? b + t : b - t) * y + up * z;
 }
 """
 BOX = """
-HN_FN HN_HIGHP float hn_i_third(HN_HIGHP uint h) {
+HN_FN hn_float hn_i_third(hn_uint h) {
   return uintBitsToFloat(((h << 8) & 0x007F8000u) | 0x3F800000u) - (1.5f - 1.0f / 512.0f);
 }
-HN_FN HN_HIGHP float hn_i_ramp(HN_HIGHP uint h, HN_HIGHP float x, HN_HIGHP float y) {
+HN_FN hn_float hn_i_ramp(hn_uint h, hn_float x, hn_float y) {
   return hn_i_field3p(h) * x + hn_i_field3q(h) * y;
 }
-HN_FN HN_HIGHP float hn_i_ramp(HN_HIGHP uint h, HN_HIGHP float x, HN_HIGHP float y, HN_HIGHP float z) {
+HN_FN hn_float hn_i_ramp(hn_uint h, hn_float x, hn_float y, hn_float z) {
   return hn_i_field3p(h) * x + hn_i_field3q(h) * y + hn_i_third(h) * z;
 }
 """
 MAGNITUDE = """
-HN_FN HN_HIGHP float hn_i_magnitude(HN_HIGHP uint h) {
+HN_FN hn_float hn_i_magnitude(hn_uint h) {
   return uintBitsToFloat((h & 0x80FFFFFFu) | 0x3F000000u);
 }
-HN_FN HN_HIGHP float hn_i_ramp(HN_HIGHP uint h, HN_HIGHP float x, HN_HIGHP float y) {
+HN_FN hn_float hn_i_ramp(hn_uint h, hn_float x, hn_float y) {
   return hn_i_magnitude(h) * x + hn_i_magnitude(h << 8) * y;
 }
-HN_FN HN_HIGHP float hn_i_ramp(HN_HIGHP uint h, HN_HIGHP float x, HN_HIGHP float y, HN_HIGHP float z) {
+HN_FN hn_float hn_i_ramp(hn_uint h, hn_float x, hn_float y, hn_float z) {
   return hn_i_magnitude(h) * x + hn_i_magnitude(h << 8) * y + hn_i_magnitude(h << 16) * z;
 }
 """
@@ -173,7 +173,7 @@ def write(candidate: Candidate, library: Path, folder: Path) -> Path:
     for path, old, new in zip(("noise2d.glsl", "noise3d.glsl"), ("1913", "1819"), candidate.scales):
         path = folder / "glsl" / path
         text = path.read_text(encoding="utf-8")
-        if f"HN_I_NUMBER({old})" not in text:
-            raise ValueError(f"there is no HN_I_NUMBER({old}) to replace in {path.name}")
-        path.write_text(text.replace(f"HN_I_NUMBER({old})", f"HN_I_NUMBER({new})"), encoding="utf-8")
+        if f", {old});" not in text:
+            raise ValueError(f"there is no {old} to replace in {path.name}")
+        path.write_text(text.replace(f", {old});", f", {new});"), encoding="utf-8")
     return folder / "include"
