@@ -38,7 +38,7 @@ set_tests_properties(conform.all PROPERTIES TIMEOUT 1200)
 
 # --- The oracle and the tools ---
 set(tools ${PROJECT_SOURCE_DIR}/tools)
-foreach(test oracle oracle_fixed golden bounds bounds_float bounds_fixed faults fuzz mutate mutation_rules single_file)
+foreach(test oracle oracle_fixed golden bounds bounds_float bounds_fixed faults fuzz mutate mutation_rules single_file umbrella)
   add_test(NAME tools.${test} COMMAND Python3::Interpreter ${tools}/${test}_test.py)
 endforeach()
 add_test(NAME golden.regenerated_is_committed COMMAND Python3::Interpreter ${tools}/golden --check)

@@ -21,34 +21,21 @@
 #define HN_FBM_NOISE3D(q, seed) hn_perlin(q, seed)
 #endif
 
-#if HN_ARITHMETIC == HN_FAST
-HN_FN hn_float hn_i_quotient(hn_float sum, hn_float total) { return sum / total; }
-#else
-// GLSL leaves the last bits of a division open. So by Newton's method for the reciprocal, from an eighth off: each step
-// squares the error. For a total from 1 to 2^100.
-HN_FN hn_float hn_i_quotient(hn_float sum, hn_float total) {
-  HN_I_PRECISE hn_float r = uintBitsToFloat(0x7EF311C7u - floatBitsToUint(total));
-  for (hn_int i = 0; i < 4; ++i) r = r * (2.0f - total * r);
-  HN_I_PRECISE hn_float quotient = sum * r;
-  return quotient;
-}
-#endif
-
 // The mean of the octaves, or of their absolute values, weighted by gain^i. Each octave has a seed of its own, 2^32
 // divided by the golden ratio further, so that the octaves of nearby seeds do not coincide either. The shift keeps
 // their lattice points, where the noise is 0, from falling together at the origin.
 HN_FN hn_float hn_i_octaves(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed,
                             bool absolute) {
-  HN_I_PRECISE hn_vec2 q = p;
-  HN_I_PRECISE hn_float sum = 0.0f;
-  HN_I_PRECISE hn_float total = 0.0f;
-  HN_I_PRECISE hn_float amplitude = 1.0f;
+  hn_vec2 q = p;
+  hn_float sum = 0.0f;
+  hn_float total = 0.0f;
+  hn_float weight = 1.0f;
   for (hn_int i = 0; i < octaves; ++i) {
     hn_float n = HN_FBM_NOISE2D(q, seed);
-    sum += amplitude * (absolute ? abs(n) : n);
-    total = 1.0f + gain * total;
-    amplitude *= gain;
-    q = q * lacunarity + vec2(11.0f / 32.0f, 19.0f / 32.0f);
+    sum = hn_i_times_plus(weight, hn_i_select(absolute, abs(n), n), sum);
+    total = hn_i_times_plus(gain, total, 1.0f);
+    weight = hn_i_times(weight, gain);
+    q = hn_i_times_plus(q, lacunarity, vec2(11.0f / 32.0f, 19.0f / 32.0f));
     seed += 0x9E3779B9u;
   }
   return octaves < 1 ? 0.0f : hn_i_quotient(sum, total);
@@ -56,16 +43,16 @@ HN_FN hn_float hn_i_octaves(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_f
 
 HN_FN hn_float hn_i_octaves(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed,
                             bool absolute) {
-  HN_I_PRECISE hn_vec3 q = p;
-  HN_I_PRECISE hn_float sum = 0.0f;
-  HN_I_PRECISE hn_float total = 0.0f;
-  HN_I_PRECISE hn_float amplitude = 1.0f;
+  hn_vec3 q = p;
+  hn_float sum = 0.0f;
+  hn_float total = 0.0f;
+  hn_float weight = 1.0f;
   for (hn_int i = 0; i < octaves; ++i) {
     hn_float n = HN_FBM_NOISE3D(q, seed);
-    sum += amplitude * (absolute ? abs(n) : n);
-    total = 1.0f + gain * total;
-    amplitude *= gain;
-    q = q * lacunarity + vec3(11.0f / 32.0f, 19.0f / 32.0f, 23.0f / 32.0f);
+    sum = hn_i_times_plus(weight, hn_i_select(absolute, abs(n), n), sum);
+    total = hn_i_times_plus(gain, total, 1.0f);
+    weight = hn_i_times(weight, gain);
+    q = hn_i_times_plus(q, lacunarity, vec3(11.0f / 32.0f, 19.0f / 32.0f, 23.0f / 32.0f));
     seed += 0x9E3779B9u;
   }
   return octaves < 1 ? 0.0f : hn_i_quotient(sum, total);
@@ -73,9 +60,7 @@ HN_FN hn_float hn_i_octaves(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_f
 
 // Makes a sky of an fBm: clear where it is below -1/8, dense above 3/8, a smooth step between.
 HN_FN hn_float hn_i_cloud_density(hn_float fbm) {
-  HN_I_PRECISE hn_float t = min(max(2.0f * fbm + 0.25f, 0.0f), 1.0f);
-  HN_I_PRECISE hn_float density = t * t * (3.0f - 2.0f * t);
-  return density;
+  return hn_i_smooth(min(max(hn_i_times_plus(2.0f, fbm, 0.25f), 0.0f), 1.0f));
 }
 
 #endif

@@ -15,7 +15,7 @@ HN_FN hn_uvec2 hn_i_long(hn_float p) {
   // In (-1, 1). Cut off towards 0, so that it does not matter whether subnormal numbers are flushed.
   hn_uint u = uint(abs(rest) * 4294967296.0f);
   hn_uint cell = uint(hn_i_whole_cell(p));
-  return rest < 0.0f && u != 0u ? uvec2(cell - 1u, 0u - u) : uvec2(cell, u);
+  return uvec2(cell - uint(rest < 0.0f && u != 0u), hn_i_select(rest < 0.0f, 0u - u, u));
 }
 
 HN_FN hn_float hn_i_short(hn_uvec2 q) { return float(int(q.x)) + float(q.y >> 8) * (1.0f / 16777216.0f); }
@@ -41,7 +41,7 @@ HN_FN hn_uvec2 hn_i_next_octave(hn_uvec2 q, hn_uint lacunarity, hn_uint shift) {
   } else {
     hn_uint low = q.x * lacunarity;
     hn_uint high = hn_i_multiply_high(q.x, lacunarity);
-    high -= (q.x & 0x80000000u) != 0u ? lacunarity : 0u;  // the cell is signed
+    high -= hn_i_select((q.x & 0x80000000u) != 0u, lacunarity, 0u);  // the cell is signed
     hn_uint part = hn_i_multiply_high(q.y, lacunarity);
     cell = ((high << 9) | (low >> 23)) + (part >> 23);
     rest = low << 9;
@@ -97,7 +97,7 @@ HN_FN hn_int hn_i_mean(hn_int sum, hn_int total) {
     rest -= digits * divisor;
     quotient = (quotient << 9) | digits;
   }
-  return sum < 0 ? -int(quotient) : int(quotient);
+  return hn_i_select(sum < 0, -int(quotient), int(quotient));
 }
 
 HN_FN hn_uint hn_i_lacunarity(hn_float lacunarity) { return uint(min(max(lacunarity, 0.0f), 255.0f) * 8388608.0f); }
@@ -113,7 +113,7 @@ HN_FN hn_int hn_i_octaves(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_flo
   hn_int weight = 262144;
   for (hn_int i = 0; i < min(octaves, 32); ++i) {
     hn_int n = hn_i_octave(x, y, seed);
-    sum += hn_i_weighted(absolute ? max(n, -n) : n, weight);
+    sum += hn_i_weighted(hn_i_select(absolute, max(n, -n), n), weight);
     total += weight;
     weight = hn_i_next_weight(weight, fall);
     x = hn_i_next_octave(x, ratio, 0x58000000u);
@@ -134,7 +134,7 @@ HN_FN hn_int hn_i_octaves(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_flo
   hn_int weight = 262144;
   for (hn_int i = 0; i < min(octaves, 32); ++i) {
     hn_int n = hn_i_octave(x, y, z, seed);
-    sum += hn_i_weighted(absolute ? max(n, -n) : n, weight);
+    sum += hn_i_weighted(hn_i_select(absolute, max(n, -n), n), weight);
     total += weight;
     weight = hn_i_next_weight(weight, fall);
     x = hn_i_next_octave(x, ratio, 0x58000000u);

@@ -1,4 +1,4 @@
-// hashnoise: the gradient at a lattice point.
+// hashnoise: gradients: of a word, of a lattice point, and what they add at a place in a cell.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_GRADIENT_GLSL
@@ -6,75 +6,105 @@
 
 #include "arithmetic.glsl"
 #include "hash.glsl"
+#include "lattice.glsl"
 
-// A cell's coordinates, wrapped by HN_PERIOD, and those of its far corner.
-#if HN_PERIOD == 0
-HN_FN hn_uvec2 hn_i_wrap(hn_ivec2 cell) { return uvec2(cell); }
-HN_FN hn_uvec3 hn_i_wrap(hn_ivec3 cell) { return uvec3(cell); }
-HN_FN hn_uvec2 hn_i_next(hn_uvec2 c) { return c + 1u; }
-HN_FN hn_uvec3 hn_i_next(hn_uvec3 c) { return c + 1u; }
-#else
-#if (HN_PERIOD & (HN_PERIOD - 1)) == 0
-HN_FN hn_uint hn_i_wrap(hn_int c) { return uint(c) & uint(HN_PERIOD - 1); }
-HN_FN hn_uint hn_i_next(hn_uint c) { return (c + 1u) & uint(HN_PERIOD - 1); }
-#else
-// The remainder of floored division. GLSL leaves % of negative numbers undefined, so those count back from -1.
-HN_FN hn_uint hn_i_wrap(hn_int c) {
-  return c < 0 ? uint(HN_PERIOD - 1) - uint(-1 - c) % uint(HN_PERIOD) : uint(c) % uint(HN_PERIOD);
+// What gradients are made of: bits of a hash as odd multiples of 2^-9, in (-1, 1) for the plane and in (-1/2, 1/2) for
+// space: symmetric about 0, never 0. Below the highest bit, a sign; no bit is used twice. Put behind an exponent, bits
+// make a float without a conversion from integer.
+#if HN_I_BITCAST
+HN_FN hn_float hn_i_field2(hn_uint h) {
+  return hn_i_minus(uintBitsToFloat(((h >> 8) & 0x007FC000u) | 0x40000000u), 3.0f - 1.0f / 512.0f);
 }
-HN_FN hn_uint hn_i_next(hn_uint c) { return c == uint(HN_PERIOD - 1) ? 0u : c + 1u; }
+HN_FN hn_float hn_i_field3p(hn_uint h) {
+  return hn_i_minus(uintBitsToFloat(((h >> 8) & 0x007F8000u) | 0x3F800000u), 1.5f - 1.0f / 512.0f);
+}
+HN_FN hn_float hn_i_field3q(hn_uint h) {
+  return hn_i_minus(uintBitsToFloat((h & 0x007F8000u) | 0x3F800000u), 1.5f - 1.0f / 512.0f);
+}
+#else
+HN_FN hn_float hn_i_field2(hn_uint h) {
+  return hn_i_minus(float((h >> 22) & 511u) * (1.0f / 256.0f), 1.0f - 1.0f / 512.0f);
+}
+HN_FN hn_float hn_i_field3p(hn_uint h) {
+  return hn_i_minus(float((h >> 23) & 255u) * (1.0f / 256.0f), 0.5f - 1.0f / 512.0f);
+}
+HN_FN hn_float hn_i_field3q(hn_uint h) {
+  return hn_i_minus(float((h >> 15) & 255u) * (1.0f / 256.0f), 0.5f - 1.0f / 512.0f);
+}
 #endif
-HN_FN hn_uvec2 hn_i_wrap(hn_ivec2 cell) { return uvec2(hn_i_wrap(cell.x), hn_i_wrap(cell.y)); }
-HN_FN hn_uvec3 hn_i_wrap(hn_ivec3 cell) { return uvec3(hn_i_wrap(cell.x), hn_i_wrap(cell.y), hn_i_wrap(cell.z)); }
-HN_FN hn_uvec2 hn_i_next(hn_uvec2 c) { return uvec2(hn_i_next(c.x), hn_i_next(c.y)); }
-HN_FN hn_uvec3 hn_i_next(hn_uvec3 c) { return uvec3(hn_i_next(c.x), hn_i_next(c.y), hn_i_next(c.z)); }
-#endif
+
+// A gradient in the plane, from the high 10 bits of a hash.
+//   returns  a point of the square |x| + |y| = 1, uniform along its sides; multiples of 2^-9
+HN_FN hn_vec2 hn_gradient2(hn_uint h) {
+  hn_float x = hn_i_field2(h);
+  return vec2(x, hn_i_signed(hn_i_minus(1.0f, abs(x)), h));
+}
+
+// A gradient in space, from the high 17 bits of a hash.
+//   returns  a point of the octahedron |x| + |y| + |z| = 1, uniform in area; multiples of 2^-8
+HN_FN hn_vec3 hn_gradient3(hn_uint h) {
+  // Seen along z the octahedron is a square with corners on the axes. p and q run along its sides, and its height above
+  // a point of it is what the larger of them leaves.
+  hn_float p = hn_i_field3p(h);
+  hn_float q = hn_i_field3q(h);
+  return vec3(p + q, p - q, hn_i_signed(1.0f - 2.0f * max(abs(p), abs(q)), h));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// What either HN_GRADIENT offers to a noise:
+//
+//   hn_i_ramps(c, f, seed)      what the corners 00, 10, 01, 11 of the cell with the near corner c add at the place f of it;
+//                               in space those of the face that has the z of c, at the offset f from c
+//   hn_i_scaled2(n), ...3(n)    what is interpolated between ramps, scaled to [-1, 1]
 
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
-// The spread coordinates of a cell's far corner, from those of its near one.
-#if HN_PERIOD == 0
-HN_FN hn_uvec2 hn_i_spread_next(hn_uvec2 spread, HN_I_UNUSED hn_uvec2 c) {
-  return spread + uvec2(0x9E3779B1u, 0x85EBCA77u);
-}
-HN_FN hn_uvec3 hn_i_spread_next(hn_uvec3 spread, HN_I_UNUSED hn_uvec3 c) {
-  return spread + uvec3(0x9E3779B1u, 0x85EBCA77u, 0xC2B2AE3Du);
-}
-#else
-HN_FN hn_uvec2 hn_i_spread_next(HN_I_UNUSED hn_uvec2 spread, hn_uvec2 c) { return hn_i_spread(hn_i_next(c)); }
-HN_FN hn_uvec3 hn_i_spread_next(HN_I_UNUSED hn_uvec3 spread, hn_uvec3 c) { return hn_i_spread(hn_i_next(c)); }
-#endif
-
-// What a corner adds at a place, given its word.
+// What a corner adds, given its word.
 #if HN_ARITHMETIC != HN_FIXED
-HN_FN hn_float hn_i_ramp(hn_uint h, hn_float x, hn_float y) {
-  hn_vec2 g = hn_gradient2(h);
-  HN_I_PRECISE hn_float n = g.x * x + g.y * y;
-  return n;
-}
+HN_FN hn_float hn_i_ramp(hn_uint h, hn_float x, hn_float y) { return hn_i_dot(hn_gradient2(h), x, y); }
 // u and v are the sum and the difference of x and y, and z is twice that: hn_gradient3 without the turn of p and q to
 // the axes, halved.
 HN_FN hn_float hn_i_ramp(hn_uint h, hn_float u, hn_float v, hn_float z) {
   hn_float p = hn_i_field3p(h);
   hn_float q = hn_i_field3q(h);
-  HN_I_PRECISE hn_float m = 0.5f - max(abs(p), abs(q));
-  HN_I_PRECISE hn_float n = p * u + q * v + hn_i_signed(m, h) * z;
-  return n;
+  hn_float m = hn_i_minus(0.5f, max(abs(p), abs(q)));
+  return hn_i_dot(vec3(p, q, hn_i_signed(m, h)), u, v, z);
 }
 #else
 // The same with the fields in units of 2^-9. max stands for abs, which drivers got wrong for integers.
 HN_FN hn_int hn_i_ramp(hn_uint h, hn_int x, hn_int y) {
   hn_int a = int((h >> 21) & 1022u) - 511;
   hn_int m = 512 - max(a, -a);
-  return a * x + m * ((h & 0x80000000u) != 0u ? -y : y);
+  return a * x + m * hn_i_signed(y, h);
 }
 HN_FN hn_int hn_i_ramp(hn_uint h, hn_int u, hn_int v, hn_int z) {
   hn_int p = int((h >> 22) & 510u) - 255;
   hn_int q = int((h >> 14) & 510u) - 255;
   hn_int m = 256 - max(max(p, -p), max(q, -q));
-  return p * u + q * v + m * ((h & 0x80000000u) != 0u ? -z : z);
+  return p * u + q * v + m * hn_i_signed(z, h);
 }
 #endif
+
+HN_FN hn_num4 hn_i_ramps(hn_uvec2 c, hn_num2 f, hn_uint seed) {
+  hn_uvec4 h = hn_i_corners(c, seed);
+  hn_num x = hn_i_far(f.x);
+  hn_num y = hn_i_far(f.y);
+  return hn_i_num(hn_i_ramp(h.x, f.x, f.y), hn_i_ramp(h.y, x, f.y), hn_i_ramp(h.z, f.x, y), hn_i_ramp(h.w, x, y));
+}
+
+HN_FN hn_num4 hn_i_ramps(hn_uvec3 c, hn_num3 f, hn_uint seed) {
+  hn_uvec4 h = hn_i_corners(c, seed);
+  hn_num u = hn_i_plus(f.x, f.y);
+  hn_num v = hn_i_minus(f.x, f.y);
+  hn_num w = hn_i_plus(f.z, f.z);
+  hn_num u1 = hn_i_minus(u, HN_I_ONE);
+  return hn_i_num(hn_i_ramp(h.x, u, v, w), hn_i_ramp(h.y, u1, hn_i_minus(v, HN_I_ONE), w),
+                  hn_i_ramp(h.z, u1, hn_i_plus(v, HN_I_ONE), w), hn_i_ramp(h.w, hn_i_minus(u, HN_I_TWO), v, w));
+}
+
+// 1 / 0.535276 and 1 / 0.562902, rounded down: the largest that sums of ramps of such gradients can be (tools/bounds.py).
+HN_FN hn_num hn_i_scaled2(hn_num n) { return hn_i_scaled(n, 1913); }
+HN_FN hn_num hn_i_scaled3(hn_num n) { return hn_i_scaled(n, 1819); }
 
 #else  // HN_GRADIENT_SINE: the coordinates as they are, the hash as published
 
@@ -100,7 +130,7 @@ HN_FN hn_uint hn_i_excess_bits(hn_uint m) {
 // nearest, ties to even), in turns, modulo 1, in units of 2^-32. GLSL says neither how that conversion rounds nor what
 // sin makes of so large an argument. The result is that of the magnitude.
 HN_FN hn_uint hn_i_turns(hn_uint w) {
-  hn_uint m = (w & 0x80000000u) != 0u ? 0u - w : w;
+  hn_uint m = hn_i_select((w & 0x80000000u) != 0u, 0u - w, w);
   hn_uint k = hn_i_excess_bits(m);
   hn_uint unit = 1u << k;
   hn_uint rounds = min(k, 1u);
@@ -119,51 +149,12 @@ HN_FN hn_uint hn_i_quarter(hn_uint turns) {
   return min(q, 0x80000000u - q);
 }
 
-#if HN_ARITHMETIC != HN_FIXED
 // The sine of a word.
-//   error    below 2^-19
-HN_FN hn_float hn_i_sine(hn_uint w) {
+//   error    below 2^-19 (HN_FIXED: 2^-14)
+HN_FN hn_num hn_i_sine(hn_uint w) {
   hn_uint turns = hn_i_turns(w);
-  hn_float x = float(hn_i_quarter(turns) >> 6) * (1.0f / 16777216.0f);
-  HN_I_PRECISE hn_float t = x * x;
-  // sin(x pi / 2) on [0, 1] to 6.3e-7: minimax, held at 1 - 2^-21 at the end so that no rounding takes it beyond 1.
-  HN_I_PRECISE hn_float sine = x * (1.57079090f + t * (-0.64589171f + t * (0.07943160f + t * -0.00433127f)));
-  return hn_i_signed(sine, turns ^ w);
+  return hn_i_signed(hn_i_quarter_sine(hn_i_quarter(turns)), turns ^ w);
 }
-
-HN_FN hn_float hn_i_ramp(hn_vec2 g, hn_float x, hn_float y) {
-  HN_I_PRECISE hn_float n = g.x * x + g.y * y;
-  return n;
-}
-HN_FN hn_float hn_i_ramp(hn_vec3 g, hn_float x, hn_float y, hn_float z) {
-  HN_I_PRECISE hn_float n = g.x * x + g.y * y + g.z * z;
-  return n;
-}
-
-HN_FN hn_vec2 hn_i_gradient_value(hn_vec2 g) { return g; }
-HN_FN hn_vec3 hn_i_gradient_value(hn_vec3 g) { return g; }
-#else
-// Nearly the same polynomial, in units of 2^-16; no larger than 1.
-//   error    below 2^-14
-HN_FN hn_int hn_i_sine(hn_uint w) {
-  hn_uint turns = hn_i_turns(w);
-  hn_uint x = min((hn_i_quarter(turns) + 8192u) >> 14, 65535u);
-  hn_uint t = (x * x) >> 16;
-  hn_uint y = 102943u - ((t * (42328u - ((t * (5208u - ((t * 288u) >> 16))) >> 16))) >> 16);
-  hn_int sine = int((x * (y >> 1) + 16384u) >> 15);
-  return ((turns ^ w) & 0x80000000u) != 0u ? -sine : sine;
-}
-
-// A product of 17 and 21 bits, in units of 2^-28: by the high and by the low byte of g.
-HN_FN hn_int hn_i_product(hn_int g, hn_int x) { return (g >> 8) * x + (((g & 255) * x) >> 8); }
-HN_FN hn_int hn_i_ramp(hn_ivec2 g, hn_int x, hn_int y) { return hn_i_product(g.x, x) + hn_i_product(g.y, y); }
-HN_FN hn_int hn_i_ramp(hn_ivec3 g, hn_int x, hn_int y, hn_int z) {
-  return hn_i_product(g.x, x) + hn_i_product(g.y, y) + hn_i_product(g.z, z);
-}
-
-HN_FN hn_vec2 hn_i_gradient_value(hn_ivec2 g) { return vec2(g) * (1.0f / 65536.0f); }
-HN_FN hn_vec3 hn_i_gradient_value(hn_ivec3 g) { return vec3(g) * (1.0f / 65536.0f); }
-#endif
 
 HN_FN hn_num2 hn_i_gradient(hn_uint column, hn_uint y) {
   hn_uint k = hn_hash(column + y);
@@ -173,6 +164,34 @@ HN_FN hn_num3 hn_i_gradient(hn_uint column, hn_uint row, hn_uint z) {
   hn_uint k = hn_hash(row + z);
   return hn_i_num(hn_i_sine(k + column), hn_i_sine(k + row), hn_i_sine(k + k));
 }
+
+HN_FN hn_num4 hn_i_ramps(hn_uvec2 c, hn_num2 f, hn_uint seed) {
+  hn_uint s = hn_i_mix(seed);
+  hn_uint k0 = hn_i_column(c.x, s);
+  hn_uint k1 = hn_i_column(hn_i_next(c.x), s);
+  hn_uint cy = hn_i_next(c.y);
+  hn_num x = hn_i_far(f.x);
+  hn_num y = hn_i_far(f.y);
+  return hn_i_num(hn_i_dot(hn_i_gradient(k0, c.y), f.x, f.y), hn_i_dot(hn_i_gradient(k1, c.y), x, f.y),
+                  hn_i_dot(hn_i_gradient(k0, cy), f.x, y), hn_i_dot(hn_i_gradient(k1, cy), x, y));
+}
+
+HN_FN hn_num4 hn_i_ramps(hn_uvec3 c, hn_num3 f, hn_uint seed) {
+  hn_uint s = hn_i_mix(seed);
+  hn_uint k0 = hn_i_column(c.x, s);
+  hn_uint k1 = hn_i_column(hn_i_next(c.x), s);
+  hn_uint cy = hn_i_next(c.y);
+  hn_num x = hn_i_far(f.x);
+  hn_num y = hn_i_far(f.y);
+  return hn_i_num(hn_i_dot(hn_i_gradient(k0, hn_i_row(k0, c.y), c.z), f.x, f.y, f.z),
+                  hn_i_dot(hn_i_gradient(k1, hn_i_row(k1, c.y), c.z), x, f.y, f.z),
+                  hn_i_dot(hn_i_gradient(k0, hn_i_row(k0, cy), c.z), f.x, y, f.z),
+                  hn_i_dot(hn_i_gradient(k1, hn_i_row(k1, cy), c.z), x, y, f.z));
+}
+
+// Not scaled, as in the paper.
+HN_FN hn_num hn_i_scaled2(hn_num n) { return hn_i_unscaled(n); }
+HN_FN hn_num hn_i_scaled3(hn_num n) { return hn_i_unscaled(n); }
 
 #endif
 
@@ -193,7 +212,7 @@ HN_FN hn_vec2 hn_gradient(hn_ivec2 cell, hn_uint seed) {
   return hn_gradient2(hn_i_point(c, seed));
 #else
   hn_uint s = hn_i_mix(seed);
-  return hn_i_gradient_value(hn_i_gradient(hn_i_column(c.x, s), c.y));
+  return hn_i_components(hn_i_gradient(hn_i_column(c.x, s), c.y));
 #endif
 }
 
@@ -204,7 +223,7 @@ HN_FN hn_vec3 hn_gradient(hn_ivec3 cell, hn_uint seed) {
 #else
   hn_uint s = hn_i_mix(seed);
   hn_uint column = hn_i_column(c.x, s);
-  return hn_i_gradient_value(hn_i_gradient(column, hn_i_row(column, c.y), c.z));
+  return hn_i_components(hn_i_gradient(column, hn_i_row(column, c.y), c.z));
 #endif
 }
 

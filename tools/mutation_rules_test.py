@@ -163,6 +163,9 @@ class Calls(unittest.TestCase):
                          ["g(h(w, 2u), h(1u, c.x))", "g(h(c.x, 1u), h(w, 2u))", "g(h(1u, c.x), h(2u, w))"])
 
     def test_what_would_not_compile_or_not_matter_is_left(self):
+        self.assertEqual(changed(rules.swap_arguments, "g(a < b, b, a)", self.HEAD), ["g(a < b, a, b)"])
+        self.assertEqual(changed(rules.swap_arguments, "hn_i_times_plus(a, b, 1.0f)", self.HEAD),
+                         ["hn_i_times_plus(a, 1.0f, b)"])
         for text in ("g(p, a)", "g(p.x, w)", "g(h(p), a)", "g(a, a)", "min(a, b)", "if (a, b)", "g()", "g(2, w)"):
             self.assertEqual(changed(rules.swap_arguments, text, self.HEAD), [], text)
 

@@ -113,11 +113,11 @@ HN_FN hn_float hn_i_ramp(hn_uint h, hn_float x, hn_float y, hn_float z) {
   return hn_i_magnitude(h) * x + hn_i_magnitude(h << 8) * y + hn_i_magnitude(h << 16) * z;
 }
 """
-# The arguments of hn_i_ramp in noise3d.glsl, turned and not.
-OFFSETS = {f"{turned}, {up})": f"{plain}, {height})"
-           for turned, plain in (("u, v", "f.x, f.y"), ("u1, v10", "f.x - 1.0f, f.y"), ("u1, v01", "f.x, f.y - 1.0f"),
-                                 ("u2, v", "f.x - 1.0f, f.y - 1.0f"))
-           for up, height in (("w", "f.z"), ("w1", "f.z - 1.0f"))}
+# The arguments of hn_i_ramp in space, turned and not.
+OFFSETS = {"(h.x, u, v, w)": "(h.x, f.x, f.y, f.z)",
+           "(h.y, u1, hn_i_minus(v, HN_I_ONE), w)": "(h.y, f.x - 1.0f, f.y, f.z)",
+           "(h.z, u1, hn_i_plus(v, HN_I_ONE), w)": "(h.z, f.x, f.y - 1.0f, f.z)",
+           "(h.w, hn_i_minus(u, HN_I_TWO), v, w)": "(h.w, f.x - 1.0f, f.y - 1.0f, f.z)"}
 
 GRADIENTS = [
     Candidate("octahedral", "a point of the square or octahedron, from two fields and a sign", {}),
@@ -162,18 +162,15 @@ def write(candidate: Candidate, library: Path, folder: Path) -> Path:
     for name, functions in candidate.functions.items():
         path = folder / "glsl" / ("gradient.glsl" if name == "hn_i_ramp" else "hash.glsl")
         path.write_text(replaced(path.read_text(encoding="utf-8"), name, functions), encoding="utf-8")
+    changes = {f"hn_i_scaled(n, {old})": f"n * ({new} / 1024.0f)"
+               for old, new in zip(("1913", "1819"), candidate.scales)}
     if "hn_i_ramp" in candidate.functions:
-        path = folder / "glsl" / "noise3d.glsl"
-        text = path.read_text(encoding="utf-8")
-        for turned, plain in OFFSETS.items():
-            if text.count(f", {turned};") != 1:
-                raise ValueError(f"there is no {turned} to replace in {path.name}")
-            text = text.replace(f", {turned};", f", {plain};")
-        path.write_text(text, encoding="utf-8")
-    for path, old, new in zip(("noise2d.glsl", "noise3d.glsl"), ("1913", "1819"), candidate.scales):
-        path = folder / "glsl" / path
-        text = path.read_text(encoding="utf-8")
-        if f", {old});" not in text:
+        changes |= OFFSETS
+    path = folder / "glsl" / "gradient.glsl"
+    text = path.read_text(encoding="utf-8")
+    for old, new in changes.items():
+        if text.count(old) != 1:
             raise ValueError(f"there is no {old} to replace in {path.name}")
-        path.write_text(text.replace(f", {old});", f", {new});"), encoding="utf-8")
+        text = text.replace(old, new)
+    path.write_text(text, encoding="utf-8")
     return folder / "include"
