@@ -53,9 +53,10 @@ HN_FN hn_vec3 hn_gradient3(hn_uint h) {
 // ---------------------------------------------------------------------------------------------------------------------
 // What either HN_GRADIENT offers to a noise:
 //
-//   hn_i_ramps(c, f, seed)      what the corners 00, 10, 01, 11 of the cell with the near corner c add at the place f of it;
-//                               in space those of the face that has the z of c, at the offset f from c
-//   hn_i_scaled2(n), ...3(n)    what is interpolated between ramps, scaled to [-1, 1]
+//   hn_i_ramps(c, f, seed)       what the corners 00, 10, 01, 11 of the cell with the near corner c add at the place f in it
+//   hn_i_ramps(c, f, back, seed)  in space, those of its front or its back face along z
+//   hn_i_scaled2(n), hn_i_scaled3(n)
+//                                what is interpolated between ramps, scaled to [-1, 1]
 
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
@@ -92,11 +93,12 @@ HN_FN hn_num4 hn_i_ramps(hn_uvec2 c, hn_num2 f, hn_uint seed) {
   return hn_i_num(hn_i_ramp(h.x, f.x, f.y), hn_i_ramp(h.y, x, f.y), hn_i_ramp(h.z, f.x, y), hn_i_ramp(h.w, x, y));
 }
 
-HN_FN hn_num4 hn_i_ramps(hn_uvec3 c, hn_num3 f, hn_uint seed) {
-  hn_uvec4 h = hn_i_corners(c, seed);
+HN_FN hn_num4 hn_i_ramps(hn_uvec3 c, hn_num3 f, bool back, hn_uint seed) {
+  hn_uvec4 h = hn_i_corners(c, back, seed);
   hn_num u = hn_i_plus(f.x, f.y);
   hn_num v = hn_i_minus(f.x, f.y);
-  hn_num w = hn_i_plus(f.z, f.z);
+  hn_num w0 = hn_i_plus(f.z, f.z);
+  hn_num w = hn_i_select(back, hn_i_minus(w0, HN_I_TWO), w0);
   hn_num u1 = hn_i_minus(u, HN_I_ONE);
   return hn_i_num(hn_i_ramp(h.x, u, v, w), hn_i_ramp(h.y, u1, hn_i_minus(v, HN_I_ONE), w),
                   hn_i_ramp(h.z, u1, hn_i_plus(v, HN_I_ONE), w), hn_i_ramp(h.w, hn_i_minus(u, HN_I_TWO), v, w));
@@ -176,17 +178,19 @@ HN_FN hn_num4 hn_i_ramps(hn_uvec2 c, hn_num2 f, hn_uint seed) {
                   hn_i_dot(hn_i_gradient(k0, cy), f.x, y), hn_i_dot(hn_i_gradient(k1, cy), x, y));
 }
 
-HN_FN hn_num4 hn_i_ramps(hn_uvec3 c, hn_num3 f, hn_uint seed) {
+HN_FN hn_num4 hn_i_ramps(hn_uvec3 c, hn_num3 f, bool back, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
   hn_uint k0 = hn_i_column(c.x, s);
   hn_uint k1 = hn_i_column(hn_i_next(c.x), s);
   hn_uint cy = hn_i_next(c.y);
   hn_num x = hn_i_far(f.x);
   hn_num y = hn_i_far(f.y);
-  return hn_i_num(hn_i_dot(hn_i_gradient(k0, hn_i_row(k0, c.y), c.z), f.x, f.y, f.z),
-                  hn_i_dot(hn_i_gradient(k1, hn_i_row(k1, c.y), c.z), x, f.y, f.z),
-                  hn_i_dot(hn_i_gradient(k0, hn_i_row(k0, cy), c.z), f.x, y, f.z),
-                  hn_i_dot(hn_i_gradient(k1, hn_i_row(k1, cy), c.z), x, y, f.z));
+  hn_uint cz = hn_i_select(back, hn_i_next(c.z), c.z);
+  hn_num z = hn_i_select(back, hn_i_far(f.z), f.z);
+  return hn_i_num(hn_i_dot(hn_i_gradient(k0, hn_i_row(k0, c.y), cz), f.x, f.y, z),
+                  hn_i_dot(hn_i_gradient(k1, hn_i_row(k1, c.y), cz), x, f.y, z),
+                  hn_i_dot(hn_i_gradient(k0, hn_i_row(k0, cy), cz), f.x, y, z),
+                  hn_i_dot(hn_i_gradient(k1, hn_i_row(k1, cy), cz), x, y, z));
 }
 
 // Not scaled, as in the paper.
