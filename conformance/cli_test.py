@@ -224,7 +224,7 @@ class Cli(unittest.TestCase):
             ("refused", "config.hash_10.*.gl330.refused_by_glslang", "config.glsl", ("HN_HASH > 9", "HN_HASH > 99")),
             ("refused", "config.hash_10.*.gl330.refused_by_driver", "config.glsl", ("HN_HASH > 9", "HN_HASH > 99")),
             ("refused", "config.arithmetic_4.*.gl330.*", "config.glsl", ("HN_ARITHMETIC > 3", "HN_ARITHMETIC > 99")),
-            ("refused", "config.precise_too_early.*.gl330.*", "config.glsl", ("__VERSION__ < 400", "__VERSION__ < 300")),
+            ("refused", "config.precise_too_early.*.gl330.*", "config.glsl", ("HN_I_VERSION >= 400", "HN_I_VERSION >= 300")),
             ("no reason", "config.version_120.*.refused_by_driver", "config.glsl", ("needs GLSL 1.30", "needs more")),
             ("spirv", "hash.all.pcg.fast.fragment.vulkan.spirv", "hash.glsl", ("2891336453u", "2891336453.5")),
         ):

@@ -152,7 +152,7 @@ HN_FN hn_float hn_i_smooth(hn_float t) {
 // sin(x pi / 2) of a word of [0, 2^30] that stands for [0, 1].
 //   error    6.3e-7: minimax, held at 1 - 2^-21 at the end so that no rounding takes it beyond 1
 HN_FN hn_float hn_i_quarter_sine(hn_uint q) {
-  hn_float x = float(q >> 6) * (1.0f / 16777216.0f);
+  hn_float x = float(q >> 6u) * (1.0f / 16777216.0f);
   HN_I_PRECISE hn_float t = x * x;
   HN_I_PRECISE hn_float sine = x * (1.57079090f + t * (-0.64589171f + t * (0.07943160f + t * -0.00433127f)));
   return sine;
@@ -224,12 +224,12 @@ HN_FN hn_int hn_i_dot(hn_ivec3 g, hn_int x, hn_int y, hn_int z) {
 // Q = f^2 (4 + R) and R = 6 - 15 f + 6 f^2; the other half is the mirror image. x has 16 bits, its square 32, and is never
 // 1/2, which has one more. The summands 4, 32768 and 16384 round.
 HN_FN hn_int hn_i_fade(hn_int f) {
-  hn_uint x = uint(min(min(f, 1048576 - f) + 4, 524287)) >> 3;
+  hn_uint x = uint(min(min(f, 1048576 - f) + 4, 524287)) >> 3u;
   hn_uint square = x * x;
-  hn_uint z = (square + 32768u) >> 16;
-  hn_uint r = (1572864u + 6u * z - 30u * x) >> 2;
-  hn_uint q = (square + ((z * r) >> 2) + 32768u) >> 16;
-  hn_int t = int((x * q + 16384u) >> 15);
+  hn_uint z = (square + 32768u) >> 16u;
+  hn_uint r = (1572864u + 6u * z - 30u * x) >> 2u;
+  hn_uint q = (square + ((z * r) >> 2u) + 32768u) >> 16u;
+  hn_int t = int((x * q + 16384u) >> 15u);
   return hn_i_select(f > 524288, 262144 - t, t);
 }
 HN_FN hn_ivec2 hn_i_fade(hn_ivec2 f) { return ivec2(hn_i_fade(f.x), hn_i_fade(f.y)); }
@@ -237,10 +237,10 @@ HN_FN hn_ivec3 hn_i_fade(hn_ivec3 f) { return ivec3(hn_i_fade(f.x), hn_i_fade(f.
 
 // Nearly the polynomial of the floats, in units of 2^-16; no larger than 1.
 HN_FN hn_int hn_i_quarter_sine(hn_uint q) {
-  hn_uint x = min((q + 8192u) >> 14, 65535u);
-  hn_uint t = (x * x) >> 16;
-  hn_uint y = 102943u - ((t * (42328u - ((t * (5208u - ((t * 288u) >> 16))) >> 16))) >> 16);
-  return int((x * (y >> 1) + 16384u) >> 15);
+  hn_uint x = min((q + 8192u) >> 14u, 65535u);
+  hn_uint t = (x * x) >> 16u;
+  hn_uint y = 102943u - ((t * (42328u - ((t * (5208u - ((t * 288u) >> 16u))) >> 16u))) >> 16u);
+  return int((x * (y >> 1u) + 16384u) >> 15u);
 }
 
 // The floats of a gradient of such sines.

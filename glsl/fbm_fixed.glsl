@@ -18,16 +18,16 @@ HN_FN hn_uvec2 hn_i_long(hn_float p) {
   return uvec2(cell - uint(rest < 0.0f && u != 0u), hn_i_select(rest < 0.0f, 0u - u, u));
 }
 
-HN_FN hn_float hn_i_short(hn_uvec2 q) { return float(int(q.x)) + float(q.y >> 8) * (1.0f / 16777216.0f); }
+HN_FN hn_float hn_i_short(hn_uvec2 q) { return float(int(q.x)) + float(q.y >> 8u) * (1.0f / 16777216.0f); }
 
 // The high word of a product of two words. umulExtended is not in GLSL 1.30.
 HN_FN hn_uint hn_i_multiply_high(hn_uint a, hn_uint b) {
   hn_uint a0 = a & 0xFFFFu;
-  hn_uint a1 = a >> 16;
+  hn_uint a1 = a >> 16u;
   hn_uint b0 = b & 0xFFFFu;
-  hn_uint b1 = b >> 16;
-  hn_uint middle = a1 * b0 + ((a0 * b0) >> 16);
-  return a1 * b1 + (middle >> 16) + ((a0 * b1 + (middle & 0xFFFFu)) >> 16);
+  hn_uint b1 = b >> 16u;
+  hn_uint middle = a1 * b0 + ((a0 * b0) >> 16u);
+  return a1 * b1 + (middle >> 16u) + ((a0 * b1 + (middle & 0xFFFFu)) >> 16u);
 }
 
 // Times lacunarity (in units of 2^-23, below 2^31), plus shift (in units of 2^-32).
@@ -36,16 +36,16 @@ HN_FN hn_uvec2 hn_i_next_octave(hn_uvec2 q, hn_uint lacunarity, hn_uint shift) {
   hn_uint rest;
   hn_uint more = 0u;
   if (lacunarity == 16777216u) {  // 2, which nearly everybody takes
-    cell = (q.x << 1) | (q.y >> 31);
-    rest = q.y << 1;
+    cell = (q.x << 1u) | (q.y >> 31u);
+    rest = q.y << 1u;
   } else {
     hn_uint low = q.x * lacunarity;
     hn_uint high = hn_i_multiply_high(q.x, lacunarity);
     high -= hn_i_select((q.x & 0x80000000u) != 0u, lacunarity, 0u);  // the cell is signed
     hn_uint part = hn_i_multiply_high(q.y, lacunarity);
-    cell = ((high << 9) | (low >> 23)) + (part >> 23);
-    rest = low << 9;
-    more = (part << 9) | ((q.y * lacunarity) >> 23);
+    cell = ((high << 9u) | (low >> 23u)) + (part >> 23u);
+    rest = low << 9u;
+    more = (part << 9u) | ((q.y * lacunarity) >> 23u);
   }
   // Each of the two sums carries where it comes out below what was added.
   rest += more;
@@ -63,7 +63,7 @@ HN_FN hn_int hn_i_octave(hn_uvec2 x, hn_uvec2 y, hn_uint seed) {
 }
 #else
 HN_FN hn_int hn_i_octave(hn_uvec2 x, hn_uvec2 y, hn_uint seed) {
-  return hn_i_perlin(ivec2(int(x.x), int(y.x)), ivec2(int(x.y >> 12), int(y.y >> 12)), seed);
+  return hn_i_perlin(ivec2(int(x.x), int(y.x)), ivec2(int(x.y >> 12u), int(y.y >> 12u)), seed);
 }
 #endif
 #ifdef HN_FBM_NOISE3D
@@ -73,7 +73,8 @@ HN_FN hn_int hn_i_octave(hn_uvec2 x, hn_uvec2 y, hn_uvec2 z, hn_uint seed) {
 }
 #else
 HN_FN hn_int hn_i_octave(hn_uvec2 x, hn_uvec2 y, hn_uvec2 z, hn_uint seed) {
-  return hn_i_perlin(ivec3(int(x.x), int(y.x), int(z.x)), ivec3(int(x.y >> 12), int(y.y >> 12), int(z.y >> 12)), seed);
+  return hn_i_perlin(ivec3(int(x.x), int(y.x), int(z.x)), ivec3(int(x.y >> 12u), int(y.y >> 12u), int(z.y >> 12u)),
+                     seed);
 }
 #endif
 
@@ -92,10 +93,10 @@ HN_FN hn_int hn_i_mean(hn_int sum, hn_int total) {
   hn_uint quotient = rest / divisor;
   rest -= quotient * divisor;
   for (hn_int i = 0; i < 2; ++i) {
-    rest <<= 9;
+    rest <<= 9u;
     hn_uint digits = rest / divisor;
     rest -= digits * divisor;
-    quotient = (quotient << 9) | digits;
+    quotient = (quotient << 9u) | digits;
   }
   return hn_i_select(sum < 0, -int(quotient), int(quotient));
 }
@@ -149,7 +150,7 @@ HN_FN hn_int hn_i_octaves(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_flo
 // with c half way from -1/2 to 1/2 in units of 2^-16.
 HN_FN hn_int hn_i_cloud_density(hn_int fbm) {
   hn_int c = (min(max(2 * fbm + 524288, 0), 2097152) - 1048576) >> 5;
-  return 1048576 + ((c * int((0xC0000000u - uint(c * c)) >> 16)) >> 10);
+  return 1048576 + ((c * int((0xC0000000u - uint(c * c)) >> 16u)) >> 10);
 }
 
 #endif

@@ -13,23 +13,23 @@
 // make a float without a conversion from integer.
 #if HN_I_BITCAST
 HN_FN hn_float hn_i_field2(hn_uint h) {
-  return hn_i_minus(uintBitsToFloat(((h >> 8) & 0x007FC000u) | 0x40000000u), 3.0f - 1.0f / 512.0f);
+  return hn_i_minus(uintBitsToFloat(((h >> 8u) & 0x007FC000u) | 0x40000000u), 3.0f - 1.0f / 512.0f);
 }
 HN_FN hn_float hn_i_field3p(hn_uint h) {
-  return hn_i_minus(uintBitsToFloat(((h >> 8) & 0x007F8000u) | 0x3F800000u), 1.5f - 1.0f / 512.0f);
+  return hn_i_minus(uintBitsToFloat(((h >> 8u) & 0x007F8000u) | 0x3F800000u), 1.5f - 1.0f / 512.0f);
 }
 HN_FN hn_float hn_i_field3q(hn_uint h) {
   return hn_i_minus(uintBitsToFloat((h & 0x007F8000u) | 0x3F800000u), 1.5f - 1.0f / 512.0f);
 }
 #else
 HN_FN hn_float hn_i_field2(hn_uint h) {
-  return hn_i_minus(float((h >> 22) & 511u) * (1.0f / 256.0f), 1.0f - 1.0f / 512.0f);
+  return hn_i_minus(float((h >> 22u) & 511u) * (1.0f / 256.0f), 1.0f - 1.0f / 512.0f);
 }
 HN_FN hn_float hn_i_field3p(hn_uint h) {
-  return hn_i_minus(float((h >> 23) & 255u) * (1.0f / 256.0f), 0.5f - 1.0f / 512.0f);
+  return hn_i_minus(float((h >> 23u) & 255u) * (1.0f / 256.0f), 0.5f - 1.0f / 512.0f);
 }
 HN_FN hn_float hn_i_field3q(hn_uint h) {
-  return hn_i_minus(float((h >> 15) & 255u) * (1.0f / 256.0f), 0.5f - 1.0f / 512.0f);
+  return hn_i_minus(float((h >> 15u) & 255u) * (1.0f / 256.0f), 0.5f - 1.0f / 512.0f);
 }
 #endif
 
@@ -74,13 +74,13 @@ HN_FN hn_float hn_i_ramp(hn_uint h, hn_float u, hn_float v, hn_float z) {
 #else
 // The same with the fields in units of 2^-9. max stands for abs, which drivers got wrong for integers.
 HN_FN hn_int hn_i_ramp(hn_uint h, hn_int x, hn_int y) {
-  hn_int a = int((h >> 21) & 1022u) - 511;
+  hn_int a = int((h >> 21u) & 1022u) - 511;
   hn_int m = 512 - max(a, -a);
   return a * x + m * hn_i_signed(y, h);
 }
 HN_FN hn_int hn_i_ramp(hn_uint h, hn_int u, hn_int v, hn_int z) {
-  hn_int p = int((h >> 22) & 510u) - 255;
-  hn_int q = int((h >> 14) & 510u) - 255;
+  hn_int p = int((h >> 22u) & 510u) - 255;
+  hn_int q = int((h >> 14u) & 510u) - 255;
   hn_int m = 256 - max(max(p, -p), max(q, -q));
   return p * u + q * v + m * hn_i_signed(z, h);
 }
@@ -119,10 +119,10 @@ HN_FN hn_uint hn_i_row(hn_uint column, hn_uint y) { return hn_hash(column + y); 
 HN_FN hn_uint hn_i_excess_bits(hn_uint m) {
 #if HN_I_BITCAST
   // m >> 8 is exact in a float; 142 is the biased exponent of 2^15, which stands for 2^23, the last with no excess.
-  return max(floatBitsToUint(float(m >> 8)) >> 23, 142u) - 142u;
+  return max(floatBitsToUint(float(m >> 8u)) >> 23u, 142u) - 142u;
 #else
   // The length of the highest byte; 2^31, which alone has its highest bit, is the same rounded to 7 or to 8 bits less.
-  hn_uint b = m >> 24;
+  hn_uint b = m >> 24u;
   return uint(b >= 1u) + uint(b >= 2u) + uint(b >= 4u) + uint(b >= 8u) + uint(b >= 16u) + uint(b >= 32u) +
          uint(b >= 64u);
 #endif
@@ -136,12 +136,12 @@ HN_FN hn_uint hn_i_turns(hn_uint w) {
   hn_uint k = hn_i_excess_bits(m);
   hn_uint unit = 1u << k;
   hn_uint rounds = min(k, 1u);
-  m = (m + (unit >> 1) - rounds + ((m >> k) & rounds)) & (0u - unit);
+  m = (m + (unit >> 1u) - rounds + ((m >> k) & rounds)) & (0u - unit);
   // m / 2 pi. 0x28BE60DB9391054A is 2^64 / 2 pi.
-  hn_uint high = m >> 16;
+  hn_uint high = m >> 16u;
   hn_uint low = m & 0xFFFFu;
   hn_uint rest = high * 0x054Au + low * 0x9391u;  // in units of 2^-48
-  return m * 0x28BE60DBu + high * 0x9391u + (rest >> 16);
+  return m * 0x28BE60DBu + high * 0x9391u + (rest >> 16u);
 }
 
 // The first quarter of the wave is enough: mirror the second; the second half is the first, negated. In units of 2^-30

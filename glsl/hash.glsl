@@ -18,9 +18,9 @@
 HN_FN hn_uint hn_hash_fnv1(hn_uint k) {
   hn_uint h = 2166136261u;
   h = (h * 16777619u) ^ (k & 255u);
-  h = (h * 16777619u) ^ ((k >> 8) & 255u);
-  h = (h * 16777619u) ^ ((k >> 16) & 255u);
-  h = (h * 16777619u) ^ (k >> 24);
+  h = (h * 16777619u) ^ ((k >> 8u) & 255u);
+  h = (h * 16777619u) ^ ((k >> 16u) & 255u);
+  h = (h * 16777619u) ^ (k >> 24u);
   return h;
 }
 
@@ -38,14 +38,14 @@ HN_FN hn_uint hn_hash_partial_fnv1(hn_uint k) {
 
 HN_FN hn_uint hn_i_jenkins_step(hn_uint h, hn_uint add) {
   h += add;
-  h += h << 10;
-  return h ^ (h >> 6);
+  h += h << 10u;
+  return h ^ (h >> 6u);
 }
 
 HN_FN hn_uint hn_i_jenkins_end(hn_uint h) {
-  h += h << 3;
-  h ^= h >> 11;
-  return h + (h << 15);
+  h += h << 3u;
+  h ^= h >> 11u;
+  return h + (h << 15u);
 }
 
 // Jenkins one-at-a-time of the four bytes of k, lowest first.
@@ -55,9 +55,9 @@ HN_FN hn_uint hn_i_jenkins_end(hn_uint h) {
 HN_FN hn_uint hn_hash_jenkins(hn_uint k) {
   hn_uint h = 0u;
   h = hn_i_jenkins_step(h, k & 255u);
-  h = hn_i_jenkins_step(h, (k >> 8) & 255u);
-  h = hn_i_jenkins_step(h, (k >> 16) & 255u);
-  h = hn_i_jenkins_step(h, k >> 24);
+  h = hn_i_jenkins_step(h, (k >> 8u) & 255u);
+  h = hn_i_jenkins_step(h, (k >> 16u) & 255u);
+  h = hn_i_jenkins_step(h, k >> 24u);
   return hn_i_jenkins_end(h);
 }
 
@@ -74,7 +74,7 @@ HN_FN hn_uint hn_hash_partial_jenkins(hn_uint k) { return hn_i_jenkins_end(hn_i_
 HN_FN hn_uint hn_hash_murmur(hn_uint k) {
   hn_uint m = 1540483477u;
   k *= m;
-  k ^= k >> 24;
+  k ^= k >> 24u;
   k *= m;
   return (10u * m) ^ k;
 }
@@ -85,8 +85,8 @@ HN_FN hn_uint hn_hash_murmur(hn_uint k) {
 //   source   O'Neill; Jarzynski and Olano 2020, pcg_hash
 HN_FN hn_uint hn_hash_pcg(hn_uint k) {
   hn_uint s = k * 747796405u + 2891336453u;
-  hn_uint w = ((s >> ((s >> 28) + 4u)) ^ s) * 277803737u;
-  return (w >> 22) ^ w;
+  hn_uint w = ((s >> ((s >> 28u) + 4u)) ^ s) * 277803737u;
+  return (w >> 22u) ^ w;
 }
 
 // XXH32 of the four bytes of k with seed 0.
@@ -95,12 +95,12 @@ HN_FN hn_uint hn_hash_pcg(hn_uint k) {
 //   source   Collet, xxHash specification; 374761397 is its fifth prime plus the length, 4
 HN_FN hn_uint hn_hash_xxhash32(hn_uint k) {
   hn_uint h = 374761397u + k * 3266489917u;
-  h = ((h << 17) | (h >> 15)) * 668265263u;
-  h ^= h >> 15;
+  h = ((h << 17u) | (h >> 15u)) * 668265263u;
+  h ^= h >> 15u;
   h *= 2246822519u;
-  h ^= h >> 13;
+  h ^= h >> 13u;
   h *= 3266489917u;
-  return h ^ (h >> 16);
+  return h ^ (h >> 16u);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -139,21 +139,21 @@ HN_FN hn_uvec4 hn_i_spread(hn_uvec4 v) {
 // The high bits of a spread coordinate, folded onto the low ones: a product passes changes on to higher bits only. Past
 // the middle, so that also the highest bit comes below the lowest that a gradient takes; another shift per axis, so
 // that axes do not cancel.
-HN_FN hn_uint hn_i_fold(hn_uint x) { return x ^ (x >> 18); }
-HN_FN hn_uvec2 hn_i_fold(hn_uvec2 v) { return uvec2(hn_i_fold(v.x), v.y ^ (v.y >> 17)); }
-HN_FN hn_uvec3 hn_i_fold(hn_uvec3 v) { return uvec3(hn_i_fold(v.x), v.y ^ (v.y >> 17), v.z ^ (v.z >> 19)); }
+HN_FN hn_uint hn_i_fold(hn_uint x) { return x ^ (x >> 18u); }
+HN_FN hn_uvec2 hn_i_fold(hn_uvec2 v) { return uvec2(hn_i_fold(v.x), v.y ^ (v.y >> 17u)); }
+HN_FN hn_uvec3 hn_i_fold(hn_uvec3 v) { return uvec3(hn_i_fold(v.x), v.y ^ (v.y >> 17u), v.z ^ (v.z >> 19u)); }
 HN_FN hn_uvec4 hn_i_fold(hn_uvec4 v) {
-  return uvec4(hn_i_fold(v.x), v.y ^ (v.y >> 17), v.z ^ (v.z >> 19), v.w ^ (v.w >> 20));
+  return uvec4(hn_i_fold(v.x), v.y ^ (v.y >> 17u), v.z ^ (v.z >> 19u), v.w ^ (v.w >> 20u));
 }
 
 // Each bit of k changes each bit of the result with a probability near 1/2: "prospector32" of hash-prospector. 0 stays
 // 0.
 HN_FN hn_uint hn_i_mix(hn_uint k) {
-  k ^= k >> 15;
+  k ^= k >> 15u;
   k *= 0x2C1B3C6Du;
-  k ^= k >> 12;
+  k ^= k >> 12u;
   k *= 0x297A2D39u;
-  return k ^ (k >> 15);
+  return k ^ (k >> 15u);
 }
 
 // The word of a point is the product of two joins of its coordinates: the exclusive or of them folded, hashed, and the
@@ -231,10 +231,10 @@ HN_FN hn_uint hn_hash(hn_uvec4 v) { return hn_i_hash(hn_hash(uvec3(v.x, v.y, v.z
 
 // A float of the high 24 bits of a hash.
 //   returns  [0, 1), a multiple of 2^-24
-HN_FN hn_float hn_unorm(hn_uint h) { return float(h >> 8) * (1.0f / 16777216.0f); }
+HN_FN hn_float hn_unorm(hn_uint h) { return float(h >> 8u) * (1.0f / 16777216.0f); }
 
 // A signed float of the high 24 bits of a hash.
 //   returns  [-1, 1), a multiple of 2^-23
-HN_FN hn_float hn_snorm(hn_uint h) { return float(h >> 8) * (1.0f / 8388608.0f) - 1.0f; }
+HN_FN hn_float hn_snorm(hn_uint h) { return float(h >> 8u) * (1.0f / 8388608.0f) - 1.0f; }
 
 #endif

@@ -38,14 +38,15 @@ def without_cpp(source: str) -> str:
     only_cpp: list[bool] = []  # of each #if around the line
     for i, line in enumerate(lines):
         conditional = CONDITIONAL.match(line)
-        if not conditional:
-            if any(only_cpp):
-                lines[i] = blank(line)
-        elif conditional[1].startswith("if"):
+        is_start = conditional is not None and conditional[1].startswith("if")
+        # What a conditional stands in is around it, whether it opens, goes on or closes.
+        if any(only_cpp[:-1] if conditional and not is_start else only_cpp):
+            lines[i] = blank(line)
+        if is_start:
             only_cpp.append(conditional[0].split() == ["#ifdef", "__cplusplus"])
-        elif conditional[1] == "endif":
+        elif conditional and conditional[1] == "endif":
             only_cpp.pop()
-        else:
+        elif conditional:
             only_cpp[-1] = False
     return "\n".join(lines)
 

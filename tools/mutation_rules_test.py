@@ -63,6 +63,8 @@ int g() { return 14; }
         text = "#ifdef __cplusplus\na\n#if 1\nb\n#else\nc\n#endif\n#elif defined(GL_ES)\nd\n#else\ne\n#endif\nf"
         self.assertEqual("".join(line for line in rules.without_cpp(text).split("\n") if line[:1] != "#").split(),
                          ["def"])
+        self.assertNotIn("#if 1", rules.without_cpp(text))
+        self.assertIn("#elif defined(GL_ES)", rules.without_cpp(text))
 
     def test_braces_that_do_not_match_are_an_error(self):
         with self.assertRaises(ValueError):
