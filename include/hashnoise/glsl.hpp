@@ -23,11 +23,15 @@ constexpr To convert(From value) {
   return static_cast<To>(value);
 }
 
+// Without a branch and a comparison of floats, so that compilers make vectors of it.
 template <>
 constexpr int convert<int, float>(float value) {
-  if (value >= 2147483648.0f) return std::numeric_limits<int>::max();
-  if (value < -2147483648.0f) return std::numeric_limits<int>::min();
-  return value == value ? static_cast<int>(value) : 0;
+  const uint bits = std::bit_cast<uint>(value);
+  const uint magnitude = bits & 0x7FFFFFFFu;
+  const bool fits = magnitude < 0x4F000000u;  // 2^31
+  const int whole = static_cast<int>(std::bit_cast<float>(fits ? bits : 0u));
+  const uint nearest = magnitude > 0x7F800000u ? 0u : 0x7FFFFFFFu + (bits >> 31u);
+  return fits ? whole : static_cast<int>(nearest);
 }
 
 template <>
@@ -47,6 +51,12 @@ struct Vector2 {
   template <typename U>
   constexpr explicit Vector2(Vector2<U> v) : x(detail::convert<T>(v.x)), y(detail::convert<T>(v.y)) {}
   friend constexpr bool operator==(Vector2, Vector2) = default;
+  friend constexpr Vector2 operator+(Vector2 a, Vector2 b) { return {a.x + b.x, a.y + b.y}; }
+  friend constexpr Vector2 operator-(Vector2 a, Vector2 b) { return {a.x - b.x, a.y - b.y}; }
+  friend constexpr Vector2 operator*(Vector2 a, Vector2 b) { return {a.x * b.x, a.y * b.y}; }
+  friend constexpr Vector2 operator+(Vector2 a, T b) { return a + Vector2(b); }
+  friend constexpr Vector2 operator-(Vector2 a, T b) { return a - Vector2(b); }
+  friend constexpr Vector2 operator*(Vector2 a, T b) { return a * Vector2(b); }
 };
 
 template <typename T>
@@ -59,6 +69,12 @@ struct Vector3 {
   constexpr explicit Vector3(Vector3<U> v)
       : x(detail::convert<T>(v.x)), y(detail::convert<T>(v.y)), z(detail::convert<T>(v.z)) {}
   friend constexpr bool operator==(Vector3, Vector3) = default;
+  friend constexpr Vector3 operator+(Vector3 a, Vector3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+  friend constexpr Vector3 operator-(Vector3 a, Vector3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  friend constexpr Vector3 operator*(Vector3 a, Vector3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+  friend constexpr Vector3 operator+(Vector3 a, T b) { return a + Vector3(b); }
+  friend constexpr Vector3 operator-(Vector3 a, T b) { return a - Vector3(b); }
+  friend constexpr Vector3 operator*(Vector3 a, T b) { return a * Vector3(b); }
 };
 
 template <typename T>
@@ -86,7 +102,7 @@ using uvec2 = Vector2<uint>;
 using uvec3 = Vector3<uint>;
 using uvec4 = Vector4<uint>;
 
-// What declarations of the library say; in GLSL these carry the precision.
+// What the declarations of the library say; in GLSL ES these names carry the precision.
 using hn_float = float;
 using hn_vec2 = vec2;
 using hn_vec3 = vec3;
@@ -99,28 +115,6 @@ using hn_uint = uint;
 using hn_uvec2 = uvec2;
 using hn_uvec3 = uvec3;
 using hn_uvec4 = uvec4;
-
-constexpr vec2 operator+(vec2 a, vec2 b) { return {a.x + b.x, a.y + b.y}; }
-constexpr vec2 operator-(vec2 a, vec2 b) { return {a.x - b.x, a.y - b.y}; }
-constexpr vec2 operator*(vec2 a, vec2 b) { return {a.x * b.x, a.y * b.y}; }
-constexpr vec2 operator+(vec2 a, float b) { return a + vec2(b); }
-constexpr vec2 operator-(vec2 a, float b) { return a - vec2(b); }
-constexpr vec2 operator*(vec2 a, float b) { return a * vec2(b); }
-
-constexpr vec3 operator+(vec3 a, vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-constexpr vec3 operator-(vec3 a, vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-constexpr vec3 operator*(vec3 a, vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
-constexpr vec3 operator+(vec3 a, float b) { return a + vec3(b); }
-constexpr vec3 operator-(vec3 a, float b) { return a - vec3(b); }
-constexpr vec3 operator*(vec3 a, float b) { return a * vec3(b); }
-
-constexpr ivec2 operator-(ivec2 a, int b) { return {a.x - b, a.y - b}; }
-constexpr ivec3 operator-(ivec3 a, int b) { return {a.x - b, a.y - b, a.z - b}; }
-
-constexpr uvec2 operator+(uvec2 a, uvec2 b) { return {a.x + b.x, a.y + b.y}; }
-constexpr uvec3 operator+(uvec3 a, uvec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-constexpr uvec2 operator+(uvec2 a, uint b) { return a + uvec2(b); }
-constexpr uvec3 operator+(uvec3 a, uint b) { return a + uvec3(b); }
 
 // In this namespace a call means these, never ::abs(int) or another function that happens to be declared.
 inline float floor(float x) { return std::floor(x); }
