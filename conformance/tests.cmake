@@ -77,6 +77,11 @@ foreach(compiler g++ clang++)
   endforeach()
 endforeach()
 
+# The text in other languages, and over other numbers.
+add_test(NAME text.hlsl COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/testing/hlsl_test.py)
+add_test(NAME text.lanes COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/testing/lanes_test.py
+                                 ${COMPILER_g++} ${COMPILER_clang++})
+
 add_test(NAME twin.flags COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/twin_flags_test.py
                                  ${COMPILER_g++} ${COMPILER_clang++})
 

@@ -50,7 +50,7 @@ struct Vector2 {
   constexpr explicit Vector2(T s) : x(s), y(s) {}
   template <typename U>
   constexpr explicit Vector2(Vector2<U> v) : x(detail::convert<T>(v.x)), y(detail::convert<T>(v.y)) {}
-  friend constexpr bool operator==(Vector2, Vector2) = default;
+  friend bool operator==(Vector2, Vector2) = default;  // constexpr where that of T is
   friend constexpr Vector2 operator+(Vector2 a, Vector2 b) { return {a.x + b.x, a.y + b.y}; }
   friend constexpr Vector2 operator-(Vector2 a, Vector2 b) { return {a.x - b.x, a.y - b.y}; }
   friend constexpr Vector2 operator*(Vector2 a, Vector2 b) { return {a.x * b.x, a.y * b.y}; }
@@ -68,7 +68,7 @@ struct Vector3 {
   template <typename U>
   constexpr explicit Vector3(Vector3<U> v)
       : x(detail::convert<T>(v.x)), y(detail::convert<T>(v.y)), z(detail::convert<T>(v.z)) {}
-  friend constexpr bool operator==(Vector3, Vector3) = default;
+  friend bool operator==(Vector3, Vector3) = default;  // constexpr where that of T is
   friend constexpr Vector3 operator+(Vector3 a, Vector3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
   friend constexpr Vector3 operator-(Vector3 a, Vector3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
   friend constexpr Vector3 operator*(Vector3 a, Vector3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
@@ -89,7 +89,7 @@ struct Vector4 {
         y(detail::convert<T>(v.y)),
         z(detail::convert<T>(v.z)),
         w(detail::convert<T>(v.w)) {}
-  friend constexpr bool operator==(Vector4, Vector4) = default;
+  friend bool operator==(Vector4, Vector4) = default;  // constexpr where that of T is
 };
 
 using vec2 = Vector2<float>;
