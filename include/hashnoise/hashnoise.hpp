@@ -6,6 +6,9 @@
 //
 // It includes glsl/ by its place in the source tree, ../../glsl; the installed copy of this file says glsl/ instead.
 //
+// Every function is forced inline, so that compilers make vectors of a loop over a noise: Clang with -O3, GCC with -O3
+// -fno-trapping-math; either with -march for the machine.
+//
 // HN_FIXED has the same bits under any compiler's flags. The floats of HN_PRECISE need -ffp-contract=off, and no
 // fast-math.
 //
