@@ -16,7 +16,7 @@
 //   hn_i_cell(p)            the cell of a position
 //   hn_i_fraction(p)        the place in that cell
 //   hn_i_inside(f)          the same of what the caller says is a place in a cell
-//   hn_i_plus(a, b), hn_i_minus(a, b)
+//   hn_i_plus(a, b), hn_i_minus(a, b); of floats also hn_i_times(a, b), hn_i_times_plus(a, b, c), hn_i_quotient(a, b)
 //   hn_i_far(f)             f - 1: the offset from the far corner
 //   hn_i_dot(g, x, y, ...)  a gradient times an offset
 //   hn_i_signed(m, word)    m, or -m if the highest bit of the word is set
@@ -25,8 +25,9 @@
 //   hn_i_lerp(n, x, y)      between four corners 00, 10, 01, 11
 //   hn_i_scaled(n, s)       a noise of ramps, times s / 1024; hn_i_unscaled(n), as it is
 //   hn_i_value(n)           the float that a noise is
+//   hn_i_select(c, a, b)    a where the condition holds, else b; both are computed
 
-// a where the condition holds, else b. Both are computed. (Where numbers are vectors of many points, ?: cannot do it.)
+// In C++ numbers may be vectors of many points, for which there is no ?:.
 HN_FN hn_float hn_i_select(bool condition, hn_float a, hn_float b) { return condition ? a : b; }
 HN_FN hn_int hn_i_select(bool condition, hn_int a, hn_int b) { return condition ? a : b; }
 HN_FN hn_uint hn_i_select(bool condition, hn_uint a, hn_uint b) { return condition ? a : b; }

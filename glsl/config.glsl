@@ -30,11 +30,11 @@
 //   HN_I_BITCAST       whether there is uintBitsToFloat; else the same values are computed by exact arithmetic
 //   HN_I_HAS_PRECISE   whether HN_PRECISE can be had, by HN_I_KEYWORD before what is rounded on its own
 //   HN_I_HIGHP         stands before every type. GLSL ES has three precisions, and int is mediump, 16 bits, in fragment
-//                      shaders unless it is told otherwise. Your own default precision stays as it is. Elsewhere nothing
-//                      is needed, and glslang would warn
+//                      shaders unless it is told otherwise. Your own default precision stays as it is. Elsewhere
+//                      nothing is needed, and glslang would warn
 //
-// __VERSION__ is looked at only where it is a number: HLSL's may be a string, and a compiler that has none counts as a new
-// one. glslang, which defines the GL_GOOGLE name, has one that is not "defined".
+// __VERSION__ is looked at only where it is a number: HLSL's may be a string, and a compiler that has none counts as a
+// new one. glslang, which defines the GL_GOOGLE name, has one that is not "defined".
 
 #ifdef __cplusplus
 // A loop over a noise becomes vectors only if all of the noise is in it.

@@ -53,10 +53,9 @@ HN_FN hn_vec3 hn_gradient3(hn_uint h) {
 // ---------------------------------------------------------------------------------------------------------------------
 // What either HN_GRADIENT offers to a noise:
 //
-//   hn_i_ramps(c, f, seed)       what the corners 00, 10, 01, 11 of the cell with the near corner c add at the place f in it
-//   hn_i_ramps(c, f, back, seed)  in space, those of its front or its back face along z
-//   hn_i_scaled2(n), hn_i_scaled3(n)
-//                                what is interpolated between ramps, scaled to [-1, 1]
+//   hn_i_ramps(c, f, seed)        what the corners 00, 10, 01, 11 of a cell add at the place f in it; c is the first
+//   hn_i_ramps(c, f, back, seed)  in space, those of its front or of its back face along z
+//   hn_i_scaled2(n)               noise that is interpolated between ramps, scaled to [-1, 1]; in space hn_i_scaled3(n)
 
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
@@ -104,7 +103,8 @@ HN_FN hn_num4 hn_i_ramps(hn_uvec3 c, hn_num3 f, bool back, hn_uint seed) {
                   hn_i_ramp(h.z, u1, hn_i_plus(v, HN_I_ONE), w), hn_i_ramp(h.w, hn_i_minus(u, HN_I_TWO), v, w));
 }
 
-// 1 / 0.535276 and 1 / 0.562902, rounded down: the largest that sums of ramps of such gradients can be (tools/bounds.py).
+// 1 / 0.535276 and 1 / 0.562902, rounded down: the largest that a sum of ramps of such gradients can be, on the plane
+// and in space (tools/bounds.py).
 HN_FN hn_num hn_i_scaled2(hn_num n) { return hn_i_scaled(n, 1913); }
 HN_FN hn_num hn_i_scaled3(hn_num n) { return hn_i_scaled(n, 1819); }
 
