@@ -6,147 +6,268 @@
 
 #include "config.glsl"
 
-// The text of a noise is the same for all three. It is written in
+// The text of a noise is the same for all three. It is written in these steps, not in operators, so that HN_PRECISE can
+// say in each what is rounded on its own:
 //
-//   HN_I_NUMBER        a fraction of a cell, and what is made of it: a float, or an integer in units of 2^-20 and, further
-//                      on, of others (docs/contract.md, section 8); HN_I_NUMBER2 and HN_I_NUMBER3 are vectors of it
-//   HN_I_ONE           1 as a fraction
-//   hn_i_cell(p)       the cell of a position
-//   hn_i_fraction(p)   the place in that cell
-//   hn_i_inside(f)     the same of what the caller says is a place in a cell
-//   hn_i_fade(f)       6 f^5 - 15 f^4 + 10 f^3, along each axis
-//   hn_i_lerp(a, b, t) from a to b by such a t
-//   hn_i_scaled(n, s)  a noise of ramps, times s / 1024; hn_i_unscaled(n), as it is
-//   hn_i_value(n)      the float that a noise is
+//   hn_num                  a fraction of a cell, and what is made of it: a float, or an integer in units of 2^-20 and,
+//                           further on, of others (docs/contract.md, section 8); hn_num2 to hn_num4 are vectors of it
+//   hn_i_num(x, y, ...)     such a vector
+//   HN_I_ONE, HN_I_TWO      1 and 2 as a fraction
+//   hn_i_cell(p)            the cell of a position
+//   hn_i_fraction(p)        the place in that cell
+//   hn_i_inside(f)          the same of what the caller says is a place in a cell
+//   hn_i_plus(a, b), hn_i_minus(a, b); of floats also hn_i_times(a, b), hn_i_times_plus(a, b, c), hn_i_quotient(a, b)
+//   hn_i_far(f)             f - 1: the offset from the far corner
+//   hn_i_dot(g, x, y, ...)  a gradient times an offset
+//   hn_i_signed(m, word)    m, or -m if the highest bit of the word is set
+//   hn_i_fade(f)            6 f^5 - 15 f^4 + 10 f^3, along each axis
+//   hn_i_lerp(a, b, t)      from a to b by such a t
+//   hn_i_lerp(n, x, y)      between four corners 00, 10, 01, 11
+//   hn_i_scaled(n, s)       a noise of ramps, times s / 1024; hn_i_unscaled(n), as it is
+//   hn_i_value(n)           the float that a noise is
+//   hn_i_select(c, a, b)    a where the condition holds, else b; both are computed
+
+// In C++ numbers may be vectors of many points, for which there is no ?:.
+HN_FN hn_float hn_i_select(bool condition, hn_float a, hn_float b) { return condition ? a : b; }
+HN_FN hn_int hn_i_select(bool condition, hn_int a, hn_int b) { return condition ? a : b; }
+HN_FN hn_uint hn_i_select(bool condition, hn_uint a, hn_uint b) { return condition ? a : b; }
+
+HN_FN hn_float hn_i_minus(hn_float a, hn_float b) {
+  HN_I_PRECISE hn_float n = a - b;
+  return n;
+}
+
+// For m >= 0.
+HN_FN hn_float hn_i_signed(hn_float m, hn_uint word) {
+#if HN_I_BITCAST
+  return uintBitsToFloat(floatBitsToUint(m) | (word & 0x80000000u));
+#else
+  return hn_i_select((word & 0x80000000u) != 0u, -m, m);
+#endif
+}
 
 #if HN_ARITHMETIC != HN_FIXED
 
-#define HN_I_NUMBER float
-#define HN_I_NUMBER2 vec2
-#define HN_I_NUMBER3 vec3
+#define hn_num hn_float
+#define hn_num2 hn_vec2
+#define hn_num3 hn_vec3
+#define hn_num4 hn_vec4
 #define HN_I_ONE 1.0f
+#define HN_I_TWO 2.0f
+
+HN_FN hn_vec2 hn_i_num(hn_float x, hn_float y) { return vec2(x, y); }
+HN_FN hn_vec3 hn_i_num(hn_float x, hn_float y, hn_float z) { return vec3(x, y, z); }
+HN_FN hn_vec4 hn_i_num(hn_float x, hn_float y, hn_float z, hn_float w) { return vec4(x, y, z, w); }
 
 #if HN_ARITHMETIC == HN_FAST
 
-HN_FN HN_HIGHP ivec2 hn_i_cell(HN_HIGHP vec2 p) { return ivec2(floor(p)); }
-HN_FN HN_HIGHP ivec3 hn_i_cell(HN_HIGHP vec3 p) { return ivec3(floor(p)); }
-HN_FN HN_HIGHP vec2 hn_i_fraction(HN_HIGHP vec2 p) { return p - floor(p); }
-HN_FN HN_HIGHP vec3 hn_i_fraction(HN_HIGHP vec3 p) { return p - floor(p); }
-HN_FN HN_HIGHP vec2 hn_i_inside(HN_HIGHP vec2 f) { return f; }
-HN_FN HN_HIGHP vec3 hn_i_inside(HN_HIGHP vec3 f) { return f; }
+HN_FN hn_ivec2 hn_i_cell(hn_vec2 p) { return ivec2(floor(p)); }
+HN_FN hn_ivec3 hn_i_cell(hn_vec3 p) { return ivec3(floor(p)); }
+HN_FN hn_vec2 hn_i_fraction(hn_vec2 p) { return p - floor(p); }
+HN_FN hn_vec3 hn_i_fraction(hn_vec3 p) { return p - floor(p); }
+HN_FN hn_vec2 hn_i_inside(hn_vec2 f) { return f; }
+HN_FN hn_vec3 hn_i_inside(hn_vec3 f) { return f; }
+
+HN_FN hn_float hn_i_quotient(hn_float a, hn_float b) { return a / b; }
 
 #else  // HN_PRECISE
 
 // Without what is so small that a product of it could be subnormal: drivers may flush those to 0.
-HN_FN HN_HIGHP float hn_i_inside(HN_HIGHP float x) { return abs(x) < (1.0f / 4294967296.0f) ? 0.0f : x; }
-HN_FN HN_HIGHP vec2 hn_i_inside(HN_HIGHP vec2 f) { return vec2(hn_i_inside(f.x), hn_i_inside(f.y)); }
-HN_FN HN_HIGHP vec3 hn_i_inside(HN_HIGHP vec3 f) { return vec3(hn_i_inside(f.x), hn_i_inside(f.y), hn_i_inside(f.z)); }
+HN_FN hn_float hn_i_inside(hn_float x) { return hn_i_select(abs(x) < (1.0f / 4294967296.0f), 0.0f, x); }
+HN_FN hn_vec2 hn_i_inside(hn_vec2 f) { return vec2(hn_i_inside(f.x), hn_i_inside(f.y)); }
+HN_FN hn_vec3 hn_i_inside(hn_vec3 f) { return vec3(hn_i_inside(f.x), hn_i_inside(f.y), hn_i_inside(f.z)); }
 
 // The conversion of a float that is no int is undefined: 2147483520 is the largest float below 2^31.
-HN_FN HN_HIGHP int hn_i_cell(HN_HIGHP float p) {
-  return int(min(max(floor(hn_i_inside(p)), -2147483648.0f), 2147483520.0f));
-}
-HN_FN HN_HIGHP ivec2 hn_i_cell(HN_HIGHP vec2 p) { return ivec2(hn_i_cell(p.x), hn_i_cell(p.y)); }
-HN_FN HN_HIGHP ivec3 hn_i_cell(HN_HIGHP vec3 p) { return ivec3(hn_i_cell(p.x), hn_i_cell(p.y), hn_i_cell(p.z)); }
+HN_FN hn_int hn_i_cell(hn_float p) { return int(min(max(floor(hn_i_inside(p)), -2147483648.0f), 2147483520.0f)); }
+HN_FN hn_ivec2 hn_i_cell(hn_vec2 p) { return ivec2(hn_i_cell(p.x), hn_i_cell(p.y)); }
+HN_FN hn_ivec3 hn_i_cell(hn_vec3 p) { return ivec3(hn_i_cell(p.x), hn_i_cell(p.y), hn_i_cell(p.z)); }
 
-HN_FN HN_HIGHP float hn_i_fraction(HN_HIGHP float p) {
-  HN_HIGHP float q = hn_i_inside(p);
-  HN_I_PRECISE HN_HIGHP float f = q - floor(q);
-  return f;
+HN_FN hn_float hn_i_fraction(hn_float p) {
+  hn_float q = hn_i_inside(p);
+  return hn_i_minus(q, floor(q));
 }
-HN_FN HN_HIGHP vec2 hn_i_fraction(HN_HIGHP vec2 p) { return vec2(hn_i_fraction(p.x), hn_i_fraction(p.y)); }
-HN_FN HN_HIGHP vec3 hn_i_fraction(HN_HIGHP vec3 p) {
-  return vec3(hn_i_fraction(p.x), hn_i_fraction(p.y), hn_i_fraction(p.z));
+HN_FN hn_vec2 hn_i_fraction(hn_vec2 p) { return vec2(hn_i_fraction(p.x), hn_i_fraction(p.y)); }
+HN_FN hn_vec3 hn_i_fraction(hn_vec3 p) { return vec3(hn_i_fraction(p.x), hn_i_fraction(p.y), hn_i_fraction(p.z)); }
+
+// GLSL leaves the last bits of a division open. So by Newton's method for the reciprocal, from an eighth off: each step
+// squares the error. For b from 1 to 2^100.
+HN_FN hn_float hn_i_quotient(hn_float a, hn_float b) {
+  HN_I_PRECISE hn_float r = uintBitsToFloat(0x7EF311C7u - floatBitsToUint(b));
+  for (hn_int i = 0; i < 4; ++i) r = r * (2.0f - b * r);
+  HN_I_PRECISE hn_float quotient = a * r;
+  return quotient;
 }
 
 #endif
 
-// Without the cancellation of the usual form.
-HN_FN HN_HIGHP vec2 hn_i_fade(HN_HIGHP vec2 f) {
-  HN_I_PRECISE HN_HIGHP vec2 d = f - 1.0f;
-  HN_I_PRECISE HN_HIGHP vec2 t = f * f * f * (d * (f * 6.0f - 9.0f) + 1.0f);
-  return t;
+HN_FN hn_float hn_i_plus(hn_float a, hn_float b) {
+  HN_I_PRECISE hn_float n = a + b;
+  return n;
 }
-HN_FN HN_HIGHP vec3 hn_i_fade(HN_HIGHP vec3 f) {
-  HN_I_PRECISE HN_HIGHP vec3 d = f - 1.0f;
-  HN_I_PRECISE HN_HIGHP vec3 t = f * f * f * (d * (f * 6.0f - 9.0f) + 1.0f);
-  return t;
-}
-
-HN_FN HN_HIGHP float hn_i_lerp(HN_HIGHP float a, HN_HIGHP float b, HN_HIGHP float t) {
-  HN_I_PRECISE HN_HIGHP float n = a + t * (b - a);
+HN_FN hn_float hn_i_times(hn_float a, hn_float b) {
+  HN_I_PRECISE hn_float n = a * b;
   return n;
 }
 
-HN_FN HN_HIGHP float hn_i_scaled(HN_HIGHP float n, HN_HIGHP float s) {
-  HN_I_PRECISE HN_HIGHP float scaled = n * (s * (1.0f / 1024.0f));
+// a * b + c
+HN_FN hn_float hn_i_times_plus(hn_float a, hn_float b, hn_float c) {
+  HN_I_PRECISE hn_float n = a * b + c;
+  return n;
+}
+HN_FN hn_vec2 hn_i_times_plus(hn_vec2 a, hn_float b, hn_vec2 c) {
+  HN_I_PRECISE hn_vec2 n = a * b + c;
+  return n;
+}
+HN_FN hn_vec3 hn_i_times_plus(hn_vec3 a, hn_float b, hn_vec3 c) {
+  HN_I_PRECISE hn_vec3 n = a * b + c;
+  return n;
+}
+
+HN_FN hn_float hn_i_dot(hn_vec2 g, hn_float x, hn_float y) {
+  HN_I_PRECISE hn_float n = g.x * x + g.y * y;
+  return n;
+}
+HN_FN hn_float hn_i_dot(hn_vec3 g, hn_float x, hn_float y, hn_float z) {
+  HN_I_PRECISE hn_float n = g.x * x + g.y * y + g.z * z;
+  return n;
+}
+
+// Without the cancellation of the usual form.
+HN_FN hn_vec2 hn_i_fade(hn_vec2 f) {
+  HN_I_PRECISE hn_vec2 d = f - 1.0f;
+  HN_I_PRECISE hn_vec2 t = f * f * f * (d * (f * 6.0f - 9.0f) + 1.0f);
+  return t;
+}
+HN_FN hn_vec3 hn_i_fade(hn_vec3 f) {
+  HN_I_PRECISE hn_vec3 d = f - 1.0f;
+  HN_I_PRECISE hn_vec3 t = f * f * f * (d * (f * 6.0f - 9.0f) + 1.0f);
+  return t;
+}
+
+// 3 t^2 - 2 t^3
+HN_FN hn_float hn_i_smooth(hn_float t) {
+  HN_I_PRECISE hn_float n = t * t * (3.0f - 2.0f * t);
+  return n;
+}
+
+// sin(x pi / 2) of a word of [0, 2^30] that stands for [0, 1].
+//   error    6.3e-7: minimax, held at 1 - 2^-21 at the end so that no rounding takes it beyond 1
+HN_FN hn_float hn_i_quarter_sine(hn_uint q) {
+  hn_float x = float(q >> 6u) * (1.0f / 16777216.0f);
+  HN_I_PRECISE hn_float t = x * x;
+  HN_I_PRECISE hn_float sine = x * (1.57079090f + t * (-0.64589171f + t * (0.07943160f + t * -0.00433127f)));
+  return sine;
+}
+
+// The floats of a gradient of such sines.
+HN_FN hn_vec2 hn_i_components(hn_vec2 g) { return g; }
+HN_FN hn_vec3 hn_i_components(hn_vec3 g) { return g; }
+
+HN_FN hn_float hn_i_lerp(hn_float a, hn_float b, hn_float t) {
+  HN_I_PRECISE hn_float n = a + t * (b - a);
+  return n;
+}
+
+HN_FN hn_float hn_i_scaled(hn_float n, hn_int s) {
+  HN_I_PRECISE hn_float scaled = n * (float(s) * (1.0f / 1024.0f));
   return scaled;
 }
 
-HN_FN HN_HIGHP float hn_i_unscaled(HN_HIGHP float n) { return n; }
+HN_FN hn_float hn_i_unscaled(hn_float n) { return n; }
 
-HN_FN HN_HIGHP float hn_i_value(HN_HIGHP float n) { return n; }
+HN_FN hn_float hn_i_value(hn_float n) { return n; }
 
 #else  // HN_FIXED
 
-#define HN_I_NUMBER int
-#define HN_I_NUMBER2 ivec2
-#define HN_I_NUMBER3 ivec3
+#define hn_num hn_int
+#define hn_num2 hn_ivec2
+#define hn_num3 hn_ivec3
+#define hn_num4 hn_ivec4
 #define HN_I_ONE 1048576
+#define HN_I_TWO 2097152
+
+HN_FN hn_ivec2 hn_i_num(hn_int x, hn_int y) { return ivec2(x, y); }
+HN_FN hn_ivec3 hn_i_num(hn_int x, hn_int y, hn_int z) { return ivec3(x, y, z); }
+HN_FN hn_ivec4 hn_i_num(hn_int x, hn_int y, hn_int z, hn_int w) { return ivec4(x, y, z, w); }
 
 // Every step up to the integers is exact in floats, so that neither rounding, contraction nor flushed subnormal numbers
 // can change it. p - floor(p) would not be: for a small negative p it has too many bits. So the whole part is cut off
 // towards 0, and what is left, in (-1, 1), may be negative.
-HN_FN HN_HIGHP int hn_i_rest(HN_HIGHP float p) { return int((p - trunc(p)) * 1048576.0f); }
+HN_FN hn_int hn_i_rest(hn_float p) { return int((p - trunc(p)) * 1048576.0f); }
 
 // The conversion of a float that is no int is undefined: 2147483520 is the largest float below 2^31.
-HN_FN HN_HIGHP int hn_i_whole_cell(HN_HIGHP float p) { return int(min(max(trunc(p), -2147483648.0f), 2147483520.0f)); }
+HN_FN hn_int hn_i_whole_cell(hn_float p) { return int(min(max(trunc(p), -2147483648.0f), 2147483520.0f)); }
 
-HN_FN HN_HIGHP int hn_i_cell(HN_HIGHP float p) { return hn_i_whole_cell(p) + (hn_i_rest(p) >> 20); }
-HN_FN HN_HIGHP ivec2 hn_i_cell(HN_HIGHP vec2 p) { return ivec2(hn_i_cell(p.x), hn_i_cell(p.y)); }
-HN_FN HN_HIGHP ivec3 hn_i_cell(HN_HIGHP vec3 p) { return ivec3(hn_i_cell(p.x), hn_i_cell(p.y), hn_i_cell(p.z)); }
+HN_FN hn_int hn_i_cell(hn_float p) { return hn_i_whole_cell(p) + (hn_i_rest(p) >> 20); }
+HN_FN hn_ivec2 hn_i_cell(hn_vec2 p) { return ivec2(hn_i_cell(p.x), hn_i_cell(p.y)); }
+HN_FN hn_ivec3 hn_i_cell(hn_vec3 p) { return ivec3(hn_i_cell(p.x), hn_i_cell(p.y), hn_i_cell(p.z)); }
 
-HN_FN HN_HIGHP int hn_i_fraction(HN_HIGHP float p) { return hn_i_rest(p) & 1048575; }
-HN_FN HN_HIGHP ivec2 hn_i_fraction(HN_HIGHP vec2 p) { return ivec2(hn_i_fraction(p.x), hn_i_fraction(p.y)); }
-HN_FN HN_HIGHP ivec3 hn_i_fraction(HN_HIGHP vec3 p) {
-  return ivec3(hn_i_fraction(p.x), hn_i_fraction(p.y), hn_i_fraction(p.z));
-}
+HN_FN hn_int hn_i_fraction(hn_float p) { return hn_i_rest(p) & 1048575; }
+HN_FN hn_ivec2 hn_i_fraction(hn_vec2 p) { return ivec2(hn_i_fraction(p.x), hn_i_fraction(p.y)); }
+HN_FN hn_ivec3 hn_i_fraction(hn_vec3 p) { return ivec3(hn_i_fraction(p.x), hn_i_fraction(p.y), hn_i_fraction(p.z)); }
 
-HN_FN HN_HIGHP int hn_i_inside(HN_HIGHP float f) { return int(min(max(f, 0.0f), 1.0f) * 1048576.0f); }
-HN_FN HN_HIGHP ivec2 hn_i_inside(HN_HIGHP vec2 f) { return ivec2(hn_i_inside(f.x), hn_i_inside(f.y)); }
-HN_FN HN_HIGHP ivec3 hn_i_inside(HN_HIGHP vec3 f) {
-  return ivec3(hn_i_inside(f.x), hn_i_inside(f.y), hn_i_inside(f.z));
+HN_FN hn_int hn_i_inside(hn_float f) { return int(min(max(f, 0.0f), 1.0f) * 1048576.0f); }
+HN_FN hn_ivec2 hn_i_inside(hn_vec2 f) { return ivec2(hn_i_inside(f.x), hn_i_inside(f.y)); }
+HN_FN hn_ivec3 hn_i_inside(hn_vec3 f) { return ivec3(hn_i_inside(f.x), hn_i_inside(f.y), hn_i_inside(f.z)); }
+
+HN_FN hn_int hn_i_plus(hn_int a, hn_int b) { return a + b; }
+HN_FN hn_int hn_i_minus(hn_int a, hn_int b) { return a - b; }
+HN_FN hn_int hn_i_signed(hn_int m, hn_uint word) { return hn_i_select((word & 0x80000000u) != 0u, -m, m); }
+
+// A product of 17 and 21 bits, in units of 2^-28: by the high and by the low byte of g.
+HN_FN hn_int hn_i_product(hn_int g, hn_int x) { return (g >> 8) * x + (((g & 255) * x) >> 8); }
+HN_FN hn_int hn_i_dot(hn_ivec2 g, hn_int x, hn_int y) { return hn_i_product(g.x, x) + hn_i_product(g.y, y); }
+HN_FN hn_int hn_i_dot(hn_ivec3 g, hn_int x, hn_int y, hn_int z) {
+  return hn_i_product(g.x, x) + hn_i_product(g.y, y) + hn_i_product(g.z, z);
 }
 
 // In units of 2^-18, rising throughout: with the nearer end at 0, f^3 (10 - 15 f + 6 f^2) as f Q with
 // Q = f^2 (4 + R) and R = 6 - 15 f + 6 f^2; the other half is the mirror image. x has 16 bits, its square 32, and is never
 // 1/2, which has one more. The summands 4, 32768 and 16384 round.
-HN_FN HN_HIGHP int hn_i_fade(HN_HIGHP int f) {
-  HN_HIGHP uint x = uint(min(min(f, 1048576 - f) + 4, 524287)) >> 3;
-  HN_HIGHP uint square = x * x;
-  HN_HIGHP uint z = (square + 32768u) >> 16;
-  HN_HIGHP uint r = (1572864u + 6u * z - 30u * x) >> 2;
-  HN_HIGHP uint q = (square + ((z * r) >> 2) + 32768u) >> 16;
-  HN_HIGHP int t = int((x * q + 16384u) >> 15);
-  return f > 524288 ? 262144 - t : t;
+HN_FN hn_int hn_i_fade(hn_int f) {
+  hn_uint x = uint(min(min(f, 1048576 - f) + 4, 524287)) >> 3u;
+  hn_uint square = x * x;
+  hn_uint z = (square + 32768u) >> 16u;
+  hn_uint r = (1572864u + 6u * z - 30u * x) >> 2u;
+  hn_uint q = (square + ((z * r) >> 2u) + 32768u) >> 16u;
+  hn_int t = int((x * q + 16384u) >> 15u);
+  return hn_i_select(f > 524288, 262144 - t, t);
 }
-HN_FN HN_HIGHP ivec2 hn_i_fade(HN_HIGHP ivec2 f) { return ivec2(hn_i_fade(f.x), hn_i_fade(f.y)); }
-HN_FN HN_HIGHP ivec3 hn_i_fade(HN_HIGHP ivec3 f) { return ivec3(hn_i_fade(f.x), hn_i_fade(f.y), hn_i_fade(f.z)); }
+HN_FN hn_ivec2 hn_i_fade(hn_ivec2 f) { return ivec2(hn_i_fade(f.x), hn_i_fade(f.y)); }
+HN_FN hn_ivec3 hn_i_fade(hn_ivec3 f) { return ivec3(hn_i_fade(f.x), hn_i_fade(f.y), hn_i_fade(f.z)); }
+
+// Nearly the polynomial of the floats, in units of 2^-16; no larger than 1.
+HN_FN hn_int hn_i_quarter_sine(hn_uint q) {
+  hn_uint x = min((q + 8192u) >> 14u, 65535u);
+  hn_uint t = (x * x) >> 16u;
+  hn_uint y = 102943u - ((t * (42328u - ((t * (5208u - ((t * 288u) >> 16u))) >> 16u))) >> 16u);
+  return int((x * (y >> 1u) + 16384u) >> 15u);
+}
+
+// The floats of a gradient of such sines.
+HN_FN hn_vec2 hn_i_components(hn_ivec2 g) { return vec2(g) * (1.0f / 65536.0f); }
+HN_FN hn_vec3 hn_i_components(hn_ivec3 g) { return vec3(g) * (1.0f / 65536.0f); }
 
 // A product of 31 and 19 bits from two that fit 32 each: by the high and by the low half of t.
-HN_FN HN_HIGHP int hn_i_lerp(HN_HIGHP int a, HN_HIGHP int b, HN_HIGHP int t) {
-  HN_HIGHP int d = b - a;
+HN_FN hn_int hn_i_lerp(hn_int a, hn_int b, hn_int t) {
+  hn_int d = b - a;
   return a + ((d >> 9) * (t >> 9) + (d >> 18) * (t & 511));
 }
 
 // From units of 2^-29 to units of 2^-21, rounded.
-HN_FN HN_HIGHP int hn_i_scaled(HN_HIGHP int n, HN_HIGHP int s) { return (((n + 256) >> 9) * s + 256) >> 9; }
+HN_FN hn_int hn_i_scaled(hn_int n, hn_int s) { return (((n + 256) >> 9) * s + 256) >> 9; }
 
 // The ramps of the sine gradient are longer: in units of 2^-28.
-HN_FN HN_HIGHP int hn_i_unscaled(HN_HIGHP int n) { return n >> 7; }
+HN_FN hn_int hn_i_unscaled(hn_int n) { return n >> 7; }
 
-HN_FN HN_HIGHP float hn_i_value(HN_HIGHP int n) { return float(n) * (1.0f / 2097152.0f); }
+HN_FN hn_float hn_i_value(hn_int n) { return float(n) * (1.0f / 2097152.0f); }
 
 #endif
+
+HN_FN hn_num hn_i_far(hn_num f) { return hn_i_minus(f, HN_I_ONE); }
+
+HN_FN hn_num hn_i_lerp(hn_num4 n, hn_num x, hn_num y) {
+  return hn_i_lerp(hn_i_lerp(n.x, n.y, x), hn_i_lerp(n.z, n.w, x), y);
+}
 
 #endif

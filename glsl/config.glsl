@@ -23,46 +23,74 @@
 #define HN_VERSION_MINOR 2
 #define HN_VERSION_PATCH 0
 
+// ---------------------------------------------------------------------------------------------------------------------
+// The language and its version are told apart here, and nowhere else:
+//
+//   HN_FN              stands before every function, and HN_I_UNUSED before a parameter that only some knobs need
+//   HN_I_BITCAST       whether there is uintBitsToFloat; else the same values are computed by exact arithmetic
+//   HN_I_HAS_PRECISE   whether HN_PRECISE can be had, by HN_I_KEYWORD before what is rounded on its own
+//   HN_I_HIGHP         stands before every type. GLSL ES has three precisions, and int is mediump, 16 bits, in fragment
+//                      shaders unless it is told otherwise. Your own default precision stays as it is. Elsewhere
+//                      nothing is needed, and glslang would warn
+//
+// __VERSION__ is looked at only where it is a number: HLSL's may be a string, and a compiler that has none counts as a
+// new one. glslang, which defines the GL_GOOGLE name, has one that is not "defined".
+
 #ifdef __cplusplus
+// A loop over a noise becomes vectors only if all of the noise is in it.
+#ifdef _MSC_VER
+#define HN_FN __forceinline
+#else
+#define HN_FN [[gnu::always_inline]] inline
+#endif
+#define HN_I_UNUSED [[maybe_unused]]
 #define HN_I_BITCAST 1
-#elif defined(GL_ES)
-#if __VERSION__ < 300
+#define HN_I_HAS_PRECISE 1
+#define HN_I_KEYWORD  // the compiler's flags decide
+#else
+#define HN_FN
+#define HN_I_UNUSED
+#define HN_I_KEYWORD precise
+#if (!defined(__VERSION__) && !defined(GL_GOOGLE_cpp_style_line_directive)) || defined(__HLSL_VERSION)
+#define HN_I_VERSION 460
+#else
+#define HN_I_VERSION __VERSION__
+#endif
+#ifdef GL_ES
+#if HN_I_VERSION < 300
 #error hashnoise needs GLSL ES 3.00 or later: write #version 300 es
 #endif
 #define HN_I_BITCAST 1
+#define HN_I_HAS_PRECISE (HN_I_VERSION >= 320)
+#define HN_I_HIGHP highp
 #else
-#if __VERSION__ < 130
+#if HN_I_VERSION < 130
 #error hashnoise needs GLSL 1.30 or later: write #version 130
 #endif
-// uintBitsToFloat is in the language from GLSL 3.30 on. Before, the same values are computed by exact arithmetic.
-#if __VERSION__ >= 330
-#define HN_I_BITCAST 1
-#else
-#define HN_I_BITCAST 0
+#define HN_I_BITCAST (HN_I_VERSION >= 330)
+#define HN_I_HAS_PRECISE (HN_I_VERSION >= 400)
+#define HN_I_HIGHP
 #endif
 #endif
 
-// Before every function. C++ needs "inline"; GLSL needs nothing.
-#ifdef __cplusplus
-#define HN_FN inline
-#else
-#define HN_FN
+// The types in declarations; constructors are GLSL's own. In C++ glsl.hpp has these names.
+#ifndef __cplusplus
+#define hn_float HN_I_HIGHP float
+#define hn_vec2 HN_I_HIGHP vec2
+#define hn_vec3 HN_I_HIGHP vec3
+#define hn_vec4 HN_I_HIGHP vec4
+#define hn_int HN_I_HIGHP int
+#define hn_ivec2 HN_I_HIGHP ivec2
+#define hn_ivec3 HN_I_HIGHP ivec3
+#define hn_ivec4 HN_I_HIGHP ivec4
+#define hn_uint HN_I_HIGHP uint
+#define hn_uvec2 HN_I_HIGHP uvec2
+#define hn_uvec3 HN_I_HIGHP uvec3
+#define hn_uvec4 HN_I_HIGHP uvec4
 #endif
 
-// Before a parameter that only some of the knobs need.
-#ifdef __cplusplus
-#define HN_I_UNUSED [[maybe_unused]]
-#else
-#define HN_I_UNUSED
-#endif
-
-// Before every type. GLSL ES has three precisions and int is mediump, 16 bits, in fragment shaders unless it is told
-// otherwise; your own default precision stays as it is. Elsewhere nothing is needed, and glslang would warn.
-#ifdef GL_ES
-#define HN_HIGHP highp
-#else
-#define HN_HIGHP
-#endif
+// ---------------------------------------------------------------------------------------------------------------------
+// The knobs.
 
 #define HN_HASH_FNV1 1
 #define HN_HASH_PARTIAL_FNV1 2
@@ -105,16 +133,16 @@
 #error HN_ARITHMETIC is none of HN_FAST, HN_PRECISE, HN_FIXED
 #endif
 
+#if HN_ARITHMETIC == HN_PRECISE && !HN_I_HAS_PRECISE
+#error HN_PRECISE needs GLSL 4.00 or GLSL ES 3.20: write #version 400 or #version 320 es, or take HN_FIXED
+#endif
+
 // Before the type of every float that is computed: each operation is rounded on its own, in the order that is written.
-// The qualifier does not reach through a call, so it stands on the locals of every function.
-#if HN_ARITHMETIC != HN_PRECISE || defined(__cplusplus)
-#define HN_I_PRECISE
-#elif defined(GL_ES) && __VERSION__ < 320
-#error HN_PRECISE needs GLSL ES 3.20 or later: write #version 320 es, or take HN_FIXED
-#elif !defined(GL_ES) && __VERSION__ < 400
-#error HN_PRECISE needs GLSL 4.00 or later: write #version 400, or take HN_FIXED
+// The qualifier does not reach through a call, so it stands on the locals of every step.
+#if HN_ARITHMETIC == HN_PRECISE
+#define HN_I_PRECISE HN_I_KEYWORD
 #else
-#define HN_I_PRECISE precise
+#define HN_I_PRECISE
 #endif
 
 #ifndef HN_PERIOD

@@ -21,61 +21,46 @@
 #define HN_FBM_NOISE3D(q, seed) hn_perlin(q, seed)
 #endif
 
-#if HN_ARITHMETIC == HN_FAST
-HN_FN HN_HIGHP float hn_i_quotient(HN_HIGHP float sum, HN_HIGHP float total) { return sum / total; }
-#else
-// GLSL leaves the last bits of a division open. So by Newton's method for the reciprocal, from an eighth off: each step
-// squares the error. For a total from 1 to 2^100.
-HN_FN HN_HIGHP float hn_i_quotient(HN_HIGHP float sum, HN_HIGHP float total) {
-  HN_I_PRECISE HN_HIGHP float r = uintBitsToFloat(0x7EF311C7u - floatBitsToUint(total));
-  for (HN_HIGHP int i = 0; i < 4; ++i) r = r * (2.0f - total * r);
-  HN_I_PRECISE HN_HIGHP float quotient = sum * r;
-  return quotient;
-}
-#endif
-
 // The mean of the octaves, or of their absolute values, weighted by gain^i. Each octave has a seed of its own, 2^32
 // divided by the golden ratio further, so that the octaves of nearby seeds do not coincide either. The shift keeps
 // their lattice points, where the noise is 0, from falling together at the origin.
-HN_FN HN_HIGHP float hn_i_octaves(HN_HIGHP vec2 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain,
-                                  HN_HIGHP uint seed, bool absolute) {
-  HN_I_PRECISE HN_HIGHP vec2 q = p;
-  HN_I_PRECISE HN_HIGHP float sum = 0.0f;
-  HN_I_PRECISE HN_HIGHP float total = 0.0f;
-  HN_I_PRECISE HN_HIGHP float amplitude = 1.0f;
-  for (HN_HIGHP int i = 0; i < octaves; ++i) {
-    HN_HIGHP float n = HN_FBM_NOISE2D(q, seed);
-    sum += amplitude * (absolute ? abs(n) : n);
-    total = 1.0f + gain * total;
-    amplitude *= gain;
-    q = q * lacunarity + vec2(11.0f / 32.0f, 19.0f / 32.0f);
+HN_FN hn_float hn_i_octaves(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed,
+                            bool absolute) {
+  hn_vec2 q = p;
+  hn_float sum = 0.0f;
+  hn_float total = 0.0f;
+  hn_float weight = 1.0f;
+  for (hn_int i = 0; i < octaves; ++i) {
+    hn_float n = HN_FBM_NOISE2D(q, seed);
+    sum = hn_i_times_plus(weight, hn_i_select(absolute, abs(n), n), sum);
+    total = hn_i_times_plus(gain, total, 1.0f);
+    weight = hn_i_times(weight, gain);
+    q = hn_i_times_plus(q, lacunarity, vec2(11.0f / 32.0f, 19.0f / 32.0f));
     seed += 0x9E3779B9u;
   }
   return octaves < 1 ? 0.0f : hn_i_quotient(sum, total);
 }
 
-HN_FN HN_HIGHP float hn_i_octaves(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain,
-                                  HN_HIGHP uint seed, bool absolute) {
-  HN_I_PRECISE HN_HIGHP vec3 q = p;
-  HN_I_PRECISE HN_HIGHP float sum = 0.0f;
-  HN_I_PRECISE HN_HIGHP float total = 0.0f;
-  HN_I_PRECISE HN_HIGHP float amplitude = 1.0f;
-  for (HN_HIGHP int i = 0; i < octaves; ++i) {
-    HN_HIGHP float n = HN_FBM_NOISE3D(q, seed);
-    sum += amplitude * (absolute ? abs(n) : n);
-    total = 1.0f + gain * total;
-    amplitude *= gain;
-    q = q * lacunarity + vec3(11.0f / 32.0f, 19.0f / 32.0f, 23.0f / 32.0f);
+HN_FN hn_float hn_i_octaves(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed,
+                            bool absolute) {
+  hn_vec3 q = p;
+  hn_float sum = 0.0f;
+  hn_float total = 0.0f;
+  hn_float weight = 1.0f;
+  for (hn_int i = 0; i < octaves; ++i) {
+    hn_float n = HN_FBM_NOISE3D(q, seed);
+    sum = hn_i_times_plus(weight, hn_i_select(absolute, abs(n), n), sum);
+    total = hn_i_times_plus(gain, total, 1.0f);
+    weight = hn_i_times(weight, gain);
+    q = hn_i_times_plus(q, lacunarity, vec3(11.0f / 32.0f, 19.0f / 32.0f, 23.0f / 32.0f));
     seed += 0x9E3779B9u;
   }
   return octaves < 1 ? 0.0f : hn_i_quotient(sum, total);
 }
 
 // Makes a sky of an fBm: clear where it is below -1/8, dense above 3/8, a smooth step between.
-HN_FN HN_HIGHP float hn_i_cloud_density(HN_HIGHP float fbm) {
-  HN_I_PRECISE HN_HIGHP float t = min(max(2.0f * fbm + 0.25f, 0.0f), 1.0f);
-  HN_I_PRECISE HN_HIGHP float density = t * t * (3.0f - 2.0f * t);
-  return density;
+HN_FN hn_float hn_i_cloud_density(hn_float fbm) {
+  return hn_i_smooth(min(max(hn_i_times_plus(2.0f, fbm, 0.25f), 0.0f), 1.0f));
 }
 
 #endif
@@ -94,21 +79,19 @@ HN_FN HN_HIGHP float hn_i_cloud_density(HN_HIGHP float fbm) {
 //   HN_FIXED    counts a gain above 1 as 1, a lacunarity beyond [0, 255] as 0 or 255, and no octaves beyond 32;
 //               positions repeat after 2^32 cells of any octave, and their error does not grow with |p|
 //   source      Musgrave, in "Texturing and Modeling: A Procedural Approach"
-HN_FN HN_HIGHP float hn_fbm(HN_HIGHP vec2 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain,
-                            HN_HIGHP uint seed) {
+HN_FN hn_float hn_fbm(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   return hn_i_value(hn_i_octaves(p, octaves, lacunarity, gain, seed, false));
 }
 
-HN_FN HN_HIGHP float hn_fbm(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain,
-                            HN_HIGHP uint seed) {
+HN_FN hn_float hn_fbm(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   return hn_i_value(hn_i_octaves(p, octaves, lacunarity, gain, seed, false));
 }
 
-HN_FN HN_HIGHP float hn_fbm(HN_HIGHP vec2 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain) {
+HN_FN hn_float hn_fbm(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain) {
   return hn_fbm(p, octaves, lacunarity, gain, 0u);
 }
 
-HN_FN HN_HIGHP float hn_fbm(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain) {
+HN_FN hn_float hn_fbm(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain) {
   return hn_fbm(p, octaves, lacunarity, gain, 0u);
 }
 
@@ -116,23 +99,19 @@ HN_FN HN_HIGHP float hn_fbm(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIGHP floa
 //   (parameters, cost and error as for hn_fbm)
 //   returns  [0, 1]
 //   source   Perlin, "An image synthesizer", 1985; Valdenegro-Toro and Pincheira, fig. 6
-HN_FN HN_HIGHP float hn_turbulence(HN_HIGHP vec2 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity,
-                                   HN_HIGHP float gain, HN_HIGHP uint seed) {
+HN_FN hn_float hn_turbulence(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   return hn_i_value(hn_i_octaves(p, octaves, lacunarity, gain, seed, true));
 }
 
-HN_FN HN_HIGHP float hn_turbulence(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity,
-                                   HN_HIGHP float gain, HN_HIGHP uint seed) {
+HN_FN hn_float hn_turbulence(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   return hn_i_value(hn_i_octaves(p, octaves, lacunarity, gain, seed, true));
 }
 
-HN_FN HN_HIGHP float hn_turbulence(HN_HIGHP vec2 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity,
-                                   HN_HIGHP float gain) {
+HN_FN hn_float hn_turbulence(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain) {
   return hn_turbulence(p, octaves, lacunarity, gain, 0u);
 }
 
-HN_FN HN_HIGHP float hn_turbulence(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity,
-                                   HN_HIGHP float gain) {
+HN_FN hn_float hn_turbulence(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain) {
   return hn_turbulence(p, octaves, lacunarity, gain, 0u);
 }
 
@@ -140,21 +119,19 @@ HN_FN HN_HIGHP float hn_turbulence(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIG
 //   (parameters and cost as for hn_fbm; error 3 times that, and 5.4e-7; HN_FIXED 2.6e-5)
 //   returns  [0, 1]: 0 is clear, 1 is dense
 //   source   after the cloud images of Valdenegro-Toro and Pincheira, fig. 6, which the paper gives no formula for
-HN_FN HN_HIGHP float hn_clouds(HN_HIGHP vec2 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain,
-                               HN_HIGHP uint seed) {
+HN_FN hn_float hn_clouds(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   return hn_i_value(hn_i_cloud_density(hn_i_octaves(p, octaves, lacunarity, gain, seed, false)));
 }
 
-HN_FN HN_HIGHP float hn_clouds(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain,
-                               HN_HIGHP uint seed) {
+HN_FN hn_float hn_clouds(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   return hn_i_value(hn_i_cloud_density(hn_i_octaves(p, octaves, lacunarity, gain, seed, false)));
 }
 
-HN_FN HN_HIGHP float hn_clouds(HN_HIGHP vec2 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain) {
+HN_FN hn_float hn_clouds(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain) {
   return hn_clouds(p, octaves, lacunarity, gain, 0u);
 }
 
-HN_FN HN_HIGHP float hn_clouds(HN_HIGHP vec3 p, HN_HIGHP int octaves, HN_HIGHP float lacunarity, HN_HIGHP float gain) {
+HN_FN hn_float hn_clouds(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain) {
   return hn_clouds(p, octaves, lacunarity, gain, 0u);
 }
 

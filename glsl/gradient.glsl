@@ -1,4 +1,4 @@
-// hashnoise: the gradient at a lattice point.
+// hashnoise: gradients: of a word, of a lattice point, and what they add at a place in a cell.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_GRADIENT_GLSL
@@ -6,97 +6,123 @@
 
 #include "arithmetic.glsl"
 #include "hash.glsl"
+#include "lattice.glsl"
 
-// A cell's coordinates, wrapped by HN_PERIOD, and those of its far corner.
-#if HN_PERIOD == 0
-HN_FN HN_HIGHP uvec2 hn_i_wrap(HN_HIGHP ivec2 cell) { return uvec2(cell); }
-HN_FN HN_HIGHP uvec3 hn_i_wrap(HN_HIGHP ivec3 cell) { return uvec3(cell); }
-HN_FN HN_HIGHP uvec2 hn_i_next(HN_HIGHP uvec2 c) { return c + 1u; }
-HN_FN HN_HIGHP uvec3 hn_i_next(HN_HIGHP uvec3 c) { return c + 1u; }
-#else
-#if (HN_PERIOD & (HN_PERIOD - 1)) == 0
-HN_FN HN_HIGHP uint hn_i_wrap(HN_HIGHP int c) { return uint(c) & uint(HN_PERIOD - 1); }
-HN_FN HN_HIGHP uint hn_i_next(HN_HIGHP uint c) { return (c + 1u) & uint(HN_PERIOD - 1); }
-#else
-// The remainder of floored division. GLSL leaves % of negative numbers undefined, so those count back from -1.
-HN_FN HN_HIGHP uint hn_i_wrap(HN_HIGHP int c) {
-  return c < 0 ? uint(HN_PERIOD - 1) - uint(-1 - c) % uint(HN_PERIOD) : uint(c) % uint(HN_PERIOD);
+// What gradients are made of: bits of a hash as odd multiples of 2^-9, in (-1, 1) for the plane and in (-1/2, 1/2) for
+// space: symmetric about 0, never 0. Below the highest bit, a sign; no bit is used twice. Put behind an exponent, bits
+// make a float without a conversion from integer.
+#if HN_I_BITCAST
+HN_FN hn_float hn_i_field2(hn_uint h) {
+  return hn_i_minus(uintBitsToFloat(((h >> 8u) & 0x007FC000u) | 0x40000000u), 3.0f - 1.0f / 512.0f);
 }
-HN_FN HN_HIGHP uint hn_i_next(HN_HIGHP uint c) { return c == uint(HN_PERIOD - 1) ? 0u : c + 1u; }
-#endif
-HN_FN HN_HIGHP uvec2 hn_i_wrap(HN_HIGHP ivec2 cell) { return uvec2(hn_i_wrap(cell.x), hn_i_wrap(cell.y)); }
-HN_FN HN_HIGHP uvec3 hn_i_wrap(HN_HIGHP ivec3 cell) {
-  return uvec3(hn_i_wrap(cell.x), hn_i_wrap(cell.y), hn_i_wrap(cell.z));
+HN_FN hn_float hn_i_field3p(hn_uint h) {
+  return hn_i_minus(uintBitsToFloat(((h >> 8u) & 0x007F8000u) | 0x3F800000u), 1.5f - 1.0f / 512.0f);
 }
-HN_FN HN_HIGHP uvec2 hn_i_next(HN_HIGHP uvec2 c) { return uvec2(hn_i_next(c.x), hn_i_next(c.y)); }
-HN_FN HN_HIGHP uvec3 hn_i_next(HN_HIGHP uvec3 c) { return uvec3(hn_i_next(c.x), hn_i_next(c.y), hn_i_next(c.z)); }
+HN_FN hn_float hn_i_field3q(hn_uint h) {
+  return hn_i_minus(uintBitsToFloat((h & 0x007F8000u) | 0x3F800000u), 1.5f - 1.0f / 512.0f);
+}
+#else
+HN_FN hn_float hn_i_field2(hn_uint h) {
+  return hn_i_minus(float((h >> 22u) & 511u) * (1.0f / 256.0f), 1.0f - 1.0f / 512.0f);
+}
+HN_FN hn_float hn_i_field3p(hn_uint h) {
+  return hn_i_minus(float((h >> 23u) & 255u) * (1.0f / 256.0f), 0.5f - 1.0f / 512.0f);
+}
+HN_FN hn_float hn_i_field3q(hn_uint h) {
+  return hn_i_minus(float((h >> 15u) & 255u) * (1.0f / 256.0f), 0.5f - 1.0f / 512.0f);
+}
 #endif
+
+// A gradient in the plane, from the high 10 bits of a hash.
+//   returns  a point of the square |x| + |y| = 1, uniform along its sides; multiples of 2^-9
+HN_FN hn_vec2 hn_gradient2(hn_uint h) {
+  hn_float x = hn_i_field2(h);
+  return vec2(x, hn_i_signed(hn_i_minus(1.0f, abs(x)), h));
+}
+
+// A gradient in space, from the high 17 bits of a hash.
+//   returns  a point of the octahedron |x| + |y| + |z| = 1, uniform in area; multiples of 2^-8
+HN_FN hn_vec3 hn_gradient3(hn_uint h) {
+  // Seen along z the octahedron is a square with corners on the axes. p and q run along its sides, and its height above
+  // a point of it is what the larger of them leaves.
+  hn_float p = hn_i_field3p(h);
+  hn_float q = hn_i_field3q(h);
+  return vec3(p + q, p - q, hn_i_signed(1.0f - 2.0f * max(abs(p), abs(q)), h));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// What either HN_GRADIENT offers to a noise:
+//
+//   hn_i_ramps(c, f, seed)        what the corners 00, 10, 01, 11 of a cell add at the place f in it; c is the first
+//   hn_i_ramps(c, f, back, seed)  in space, those of its front or of its back face along z
+//   hn_i_scaled2(n)               noise that is interpolated between ramps, scaled to [-1, 1]; in space hn_i_scaled3(n)
 
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
-// The spread coordinates of a cell's far corner, from those of its near one.
-#if HN_PERIOD == 0
-HN_FN HN_HIGHP uvec2 hn_i_spread_next(HN_HIGHP uvec2 spread, HN_I_UNUSED HN_HIGHP uvec2 c) {
-  return spread + uvec2(0x9E3779B1u, 0x85EBCA77u);
-}
-HN_FN HN_HIGHP uvec3 hn_i_spread_next(HN_HIGHP uvec3 spread, HN_I_UNUSED HN_HIGHP uvec3 c) {
-  return spread + uvec3(0x9E3779B1u, 0x85EBCA77u, 0xC2B2AE3Du);
-}
-#else
-HN_FN HN_HIGHP uvec2 hn_i_spread_next(HN_I_UNUSED HN_HIGHP uvec2 spread, HN_HIGHP uvec2 c) {
-  return hn_i_spread(hn_i_next(c));
-}
-HN_FN HN_HIGHP uvec3 hn_i_spread_next(HN_I_UNUSED HN_HIGHP uvec3 spread, HN_HIGHP uvec3 c) {
-  return hn_i_spread(hn_i_next(c));
-}
-#endif
-
-// What a corner adds at a place, given its word.
+// What a corner adds, given its word.
 #if HN_ARITHMETIC != HN_FIXED
-HN_FN HN_HIGHP float hn_i_ramp(HN_HIGHP uint h, HN_HIGHP float x, HN_HIGHP float y) {
-  HN_HIGHP vec2 g = hn_gradient2(h);
-  HN_I_PRECISE HN_HIGHP float n = g.x * x + g.y * y;
-  return n;
-}
+HN_FN hn_float hn_i_ramp(hn_uint h, hn_float x, hn_float y) { return hn_i_dot(hn_gradient2(h), x, y); }
 // u and v are the sum and the difference of x and y, and z is twice that: hn_gradient3 without the turn of p and q to
 // the axes, halved.
-HN_FN HN_HIGHP float hn_i_ramp(HN_HIGHP uint h, HN_HIGHP float u, HN_HIGHP float v, HN_HIGHP float z) {
-  HN_HIGHP float p = hn_i_field3p(h);
-  HN_HIGHP float q = hn_i_field3q(h);
-  HN_I_PRECISE HN_HIGHP float m = 0.5f - max(abs(p), abs(q));
-  HN_I_PRECISE HN_HIGHP float n = p * u + q * v + hn_i_signed(m, h) * z;
-  return n;
+HN_FN hn_float hn_i_ramp(hn_uint h, hn_float u, hn_float v, hn_float z) {
+  hn_float p = hn_i_field3p(h);
+  hn_float q = hn_i_field3q(h);
+  hn_float m = hn_i_minus(0.5f, max(abs(p), abs(q)));
+  return hn_i_dot(vec3(p, q, hn_i_signed(m, h)), u, v, z);
 }
 #else
 // The same with the fields in units of 2^-9. max stands for abs, which drivers got wrong for integers.
-HN_FN HN_HIGHP int hn_i_ramp(HN_HIGHP uint h, HN_HIGHP int x, HN_HIGHP int y) {
-  HN_HIGHP int a = int((h >> 21) & 1022u) - 511;
-  HN_HIGHP int m = 512 - max(a, -a);
-  return a * x + m * ((h & 0x80000000u) != 0u ? -y : y);
+HN_FN hn_int hn_i_ramp(hn_uint h, hn_int x, hn_int y) {
+  hn_int a = int((h >> 21u) & 1022u) - 511;
+  hn_int m = 512 - max(a, -a);
+  return a * x + m * hn_i_signed(y, h);
 }
-HN_FN HN_HIGHP int hn_i_ramp(HN_HIGHP uint h, HN_HIGHP int u, HN_HIGHP int v, HN_HIGHP int z) {
-  HN_HIGHP int p = int((h >> 22) & 510u) - 255;
-  HN_HIGHP int q = int((h >> 14) & 510u) - 255;
-  HN_HIGHP int m = 256 - max(max(p, -p), max(q, -q));
-  return p * u + q * v + m * ((h & 0x80000000u) != 0u ? -z : z);
+HN_FN hn_int hn_i_ramp(hn_uint h, hn_int u, hn_int v, hn_int z) {
+  hn_int p = int((h >> 22u) & 510u) - 255;
+  hn_int q = int((h >> 14u) & 510u) - 255;
+  hn_int m = 256 - max(max(p, -p), max(q, -q));
+  return p * u + q * v + m * hn_i_signed(z, h);
 }
 #endif
+
+HN_FN hn_num4 hn_i_ramps(hn_uvec2 c, hn_num2 f, hn_uint seed) {
+  hn_uvec4 h = hn_i_corners(c, seed);
+  hn_num x = hn_i_far(f.x);
+  hn_num y = hn_i_far(f.y);
+  return hn_i_num(hn_i_ramp(h.x, f.x, f.y), hn_i_ramp(h.y, x, f.y), hn_i_ramp(h.z, f.x, y), hn_i_ramp(h.w, x, y));
+}
+
+HN_FN hn_num4 hn_i_ramps(hn_uvec3 c, hn_num3 f, bool back, hn_uint seed) {
+  hn_uvec4 h = hn_i_corners(c, back, seed);
+  hn_num u = hn_i_plus(f.x, f.y);
+  hn_num v = hn_i_minus(f.x, f.y);
+  hn_num w0 = hn_i_plus(f.z, f.z);
+  hn_num w = hn_i_select(back, hn_i_minus(w0, HN_I_TWO), w0);
+  hn_num u1 = hn_i_minus(u, HN_I_ONE);
+  return hn_i_num(hn_i_ramp(h.x, u, v, w), hn_i_ramp(h.y, u1, hn_i_minus(v, HN_I_ONE), w),
+                  hn_i_ramp(h.z, u1, hn_i_plus(v, HN_I_ONE), w), hn_i_ramp(h.w, hn_i_minus(u, HN_I_TWO), v, w));
+}
+
+// 1 / 0.535276 and 1 / 0.562902, rounded down: the largest that a sum of ramps of such gradients can be, on the plane
+// and in space (tools/bounds.py).
+HN_FN hn_num hn_i_scaled2(hn_num n) { return hn_i_scaled(n, 1913); }
+HN_FN hn_num hn_i_scaled3(hn_num n) { return hn_i_scaled(n, 1819); }
 
 #else  // HN_GRADIENT_SINE: the coordinates as they are, the hash as published
 
 // In steps that the corners of a cell share: the key of a column (x, and the mixed seed s), of a row of it, the
 // gradient. The seed comes in behind the first hash: before it, it would only move the field along x.
-HN_FN HN_HIGHP uint hn_i_column(HN_HIGHP uint x, HN_HIGHP uint s) { return hn_hash(x) ^ s; }
-HN_FN HN_HIGHP uint hn_i_row(HN_HIGHP uint column, HN_HIGHP uint y) { return hn_hash(column + y); }
+HN_FN hn_uint hn_i_column(hn_uint x, hn_uint s) { return hn_hash(x) ^ s; }
+HN_FN hn_uint hn_i_row(hn_uint column, hn_uint y) { return hn_hash(column + y); }
 
 // How many low bits of m a float has no room for, for m <= 2^31.
-HN_FN HN_HIGHP uint hn_i_excess_bits(HN_HIGHP uint m) {
+HN_FN hn_uint hn_i_excess_bits(hn_uint m) {
 #if HN_I_BITCAST
   // m >> 8 is exact in a float; 142 is the biased exponent of 2^15, which stands for 2^23, the last with no excess.
-  return max(floatBitsToUint(float(m >> 8)) >> 23, 142u) - 142u;
+  return max(floatBitsToUint(float(m >> 8u)) >> 23u, 142u) - 142u;
 #else
   // The length of the highest byte; 2^31, which alone has its highest bit, is the same rounded to 7 or to 8 bits less.
-  HN_HIGHP uint b = m >> 24;
+  hn_uint b = m >> 24u;
   return uint(b >= 1u) + uint(b >= 2u) + uint(b >= 4u) + uint(b >= 8u) + uint(b >= 16u) + uint(b >= 32u) +
          uint(b >= 64u);
 #endif
@@ -105,82 +131,71 @@ HN_FN HN_HIGHP uint hn_i_excess_bits(HN_HIGHP uint m) {
 // The argument of the paper's sin(float(int)): a word as a signed integer, rounded to the 24 bits of a float (to
 // nearest, ties to even), in turns, modulo 1, in units of 2^-32. GLSL says neither how that conversion rounds nor what
 // sin makes of so large an argument. The result is that of the magnitude.
-HN_FN HN_HIGHP uint hn_i_turns(HN_HIGHP uint w) {
-  HN_HIGHP uint m = (w & 0x80000000u) != 0u ? 0u - w : w;
-  HN_HIGHP uint k = hn_i_excess_bits(m);
-  HN_HIGHP uint unit = 1u << k;
-  HN_HIGHP uint rounds = min(k, 1u);
-  m = (m + (unit >> 1) - rounds + ((m >> k) & rounds)) & (0u - unit);
+HN_FN hn_uint hn_i_turns(hn_uint w) {
+  hn_uint m = hn_i_select((w & 0x80000000u) != 0u, 0u - w, w);
+  hn_uint k = hn_i_excess_bits(m);
+  hn_uint unit = 1u << k;
+  hn_uint rounds = min(k, 1u);
+  m = (m + (unit >> 1u) - rounds + ((m >> k) & rounds)) & (0u - unit);
   // m / 2 pi. 0x28BE60DB9391054A is 2^64 / 2 pi.
-  HN_HIGHP uint high = m >> 16;
-  HN_HIGHP uint low = m & 0xFFFFu;
-  HN_HIGHP uint rest = high * 0x054Au + low * 0x9391u;  // in units of 2^-48
-  return m * 0x28BE60DBu + high * 0x9391u + (rest >> 16);
+  hn_uint high = m >> 16u;
+  hn_uint low = m & 0xFFFFu;
+  hn_uint rest = high * 0x054Au + low * 0x9391u;  // in units of 2^-48
+  return m * 0x28BE60DBu + high * 0x9391u + (rest >> 16u);
 }
 
 // The first quarter of the wave is enough: mirror the second; the second half is the first, negated. In units of 2^-30
 // of a quarter.
-HN_FN HN_HIGHP uint hn_i_quarter(HN_HIGHP uint turns) {
-  HN_HIGHP uint q = turns & 0x7FFFFFFFu;
+HN_FN hn_uint hn_i_quarter(hn_uint turns) {
+  hn_uint q = turns & 0x7FFFFFFFu;
   return min(q, 0x80000000u - q);
 }
 
-#if HN_ARITHMETIC != HN_FIXED
 // The sine of a word.
-//   error    below 2^-19
-HN_FN HN_HIGHP float hn_i_sine(HN_HIGHP uint w) {
-  HN_HIGHP uint turns = hn_i_turns(w);
-  HN_HIGHP float x = float(hn_i_quarter(turns) >> 6) * (1.0f / 16777216.0f);
-  HN_I_PRECISE HN_HIGHP float t = x * x;
-  // sin(x pi / 2) on [0, 1] to 6.3e-7: minimax, held at 1 - 2^-21 at the end so that no rounding takes it beyond 1.
-  HN_I_PRECISE HN_HIGHP float sine = x * (1.57079090f + t * (-0.64589171f + t * (0.07943160f + t * -0.00433127f)));
-  return hn_i_signed(sine, turns ^ w);
+//   error    below 2^-19 (HN_FIXED: 2^-14)
+HN_FN hn_num hn_i_sine(hn_uint w) {
+  hn_uint turns = hn_i_turns(w);
+  return hn_i_signed(hn_i_quarter_sine(hn_i_quarter(turns)), turns ^ w);
 }
 
-HN_FN HN_HIGHP float hn_i_ramp(HN_HIGHP vec2 g, HN_HIGHP float x, HN_HIGHP float y) {
-  HN_I_PRECISE HN_HIGHP float n = g.x * x + g.y * y;
-  return n;
+HN_FN hn_num2 hn_i_gradient(hn_uint column, hn_uint y) {
+  hn_uint k = hn_hash(column + y);
+  return hn_i_num(hn_i_sine(column + k), hn_i_sine(k + k));
 }
-HN_FN HN_HIGHP float hn_i_ramp(HN_HIGHP vec3 g, HN_HIGHP float x, HN_HIGHP float y, HN_HIGHP float z) {
-  HN_I_PRECISE HN_HIGHP float n = g.x * x + g.y * y + g.z * z;
-  return n;
-}
-
-HN_FN HN_HIGHP vec2 hn_i_gradient_value(HN_HIGHP vec2 g) { return g; }
-HN_FN HN_HIGHP vec3 hn_i_gradient_value(HN_HIGHP vec3 g) { return g; }
-#else
-// Nearly the same polynomial, in units of 2^-16; no larger than 1.
-//   error    below 2^-14
-HN_FN HN_HIGHP int hn_i_sine(HN_HIGHP uint w) {
-  HN_HIGHP uint turns = hn_i_turns(w);
-  HN_HIGHP uint x = min((hn_i_quarter(turns) + 8192u) >> 14, 65535u);
-  HN_HIGHP uint t = (x * x) >> 16;
-  HN_HIGHP uint y = 102943u - ((t * (42328u - ((t * (5208u - ((t * 288u) >> 16))) >> 16))) >> 16);
-  HN_HIGHP int sine = int((x * (y >> 1) + 16384u) >> 15);
-  return ((turns ^ w) & 0x80000000u) != 0u ? -sine : sine;
+HN_FN hn_num3 hn_i_gradient(hn_uint column, hn_uint row, hn_uint z) {
+  hn_uint k = hn_hash(row + z);
+  return hn_i_num(hn_i_sine(k + column), hn_i_sine(k + row), hn_i_sine(k + k));
 }
 
-// A product of 17 and 21 bits, in units of 2^-28: by the high and by the low byte of g.
-HN_FN HN_HIGHP int hn_i_product(HN_HIGHP int g, HN_HIGHP int x) { return (g >> 8) * x + (((g & 255) * x) >> 8); }
-HN_FN HN_HIGHP int hn_i_ramp(HN_HIGHP ivec2 g, HN_HIGHP int x, HN_HIGHP int y) {
-  return hn_i_product(g.x, x) + hn_i_product(g.y, y);
-}
-HN_FN HN_HIGHP int hn_i_ramp(HN_HIGHP ivec3 g, HN_HIGHP int x, HN_HIGHP int y, HN_HIGHP int z) {
-  return hn_i_product(g.x, x) + hn_i_product(g.y, y) + hn_i_product(g.z, z);
+HN_FN hn_num4 hn_i_ramps(hn_uvec2 c, hn_num2 f, hn_uint seed) {
+  hn_uint s = hn_i_mix(seed);
+  hn_uint k0 = hn_i_column(c.x, s);
+  hn_uint k1 = hn_i_column(hn_i_next(c.x), s);
+  hn_uint cy = hn_i_next(c.y);
+  hn_num x = hn_i_far(f.x);
+  hn_num y = hn_i_far(f.y);
+  return hn_i_num(hn_i_dot(hn_i_gradient(k0, c.y), f.x, f.y), hn_i_dot(hn_i_gradient(k1, c.y), x, f.y),
+                  hn_i_dot(hn_i_gradient(k0, cy), f.x, y), hn_i_dot(hn_i_gradient(k1, cy), x, y));
 }
 
-HN_FN HN_HIGHP vec2 hn_i_gradient_value(HN_HIGHP ivec2 g) { return vec2(g) * (1.0f / 65536.0f); }
-HN_FN HN_HIGHP vec3 hn_i_gradient_value(HN_HIGHP ivec3 g) { return vec3(g) * (1.0f / 65536.0f); }
-#endif
+HN_FN hn_num4 hn_i_ramps(hn_uvec3 c, hn_num3 f, bool back, hn_uint seed) {
+  hn_uint s = hn_i_mix(seed);
+  hn_uint k0 = hn_i_column(c.x, s);
+  hn_uint k1 = hn_i_column(hn_i_next(c.x), s);
+  hn_uint cy = hn_i_next(c.y);
+  hn_num x = hn_i_far(f.x);
+  hn_num y = hn_i_far(f.y);
+  hn_uint cz = hn_i_select(back, hn_i_next(c.z), c.z);
+  hn_num z = hn_i_select(back, hn_i_far(f.z), f.z);
+  return hn_i_num(hn_i_dot(hn_i_gradient(k0, hn_i_row(k0, c.y), cz), f.x, f.y, z),
+                  hn_i_dot(hn_i_gradient(k1, hn_i_row(k1, c.y), cz), x, f.y, z),
+                  hn_i_dot(hn_i_gradient(k0, hn_i_row(k0, cy), cz), f.x, y, z),
+                  hn_i_dot(hn_i_gradient(k1, hn_i_row(k1, cy), cz), x, y, z));
+}
 
-HN_FN HN_HIGHP HN_I_NUMBER2 hn_i_gradient(HN_HIGHP uint column, HN_HIGHP uint y) {
-  HN_HIGHP uint k = hn_hash(column + y);
-  return HN_I_NUMBER2(hn_i_sine(column + k), hn_i_sine(k + k));
-}
-HN_FN HN_HIGHP HN_I_NUMBER3 hn_i_gradient(HN_HIGHP uint column, HN_HIGHP uint row, HN_HIGHP uint z) {
-  HN_HIGHP uint k = hn_hash(row + z);
-  return HN_I_NUMBER3(hn_i_sine(k + column), hn_i_sine(k + row), hn_i_sine(k + k));
-}
+// Not scaled, as in the paper.
+HN_FN hn_num hn_i_scaled2(hn_num n) { return hn_i_unscaled(n); }
+HN_FN hn_num hn_i_scaled3(hn_num n) { return hn_i_unscaled(n); }
 
 #endif
 
@@ -195,28 +210,28 @@ HN_FN HN_HIGHP HN_I_NUMBER3 hn_i_gradient(HN_HIGHP uint column, HN_HIGHP uint ro
 //            seed that is no constant; with HN_GRADIENT_SINE 1 hash per
 //            axis and a sine of 10 multiplications per component
 //   source   for the sine: Valdenegro-Toro and Pincheira, sec. 5
-HN_FN HN_HIGHP vec2 hn_gradient(HN_HIGHP ivec2 cell, HN_HIGHP uint seed) {
-  HN_HIGHP uvec2 c = hn_i_wrap(cell);
+HN_FN hn_vec2 hn_gradient(hn_ivec2 cell, hn_uint seed) {
+  hn_uvec2 c = hn_i_wrap(cell);
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
   return hn_gradient2(hn_i_point(c, seed));
 #else
-  HN_HIGHP uint s = hn_i_mix(seed);
-  return hn_i_gradient_value(hn_i_gradient(hn_i_column(c.x, s), c.y));
+  hn_uint s = hn_i_mix(seed);
+  return hn_i_components(hn_i_gradient(hn_i_column(c.x, s), c.y));
 #endif
 }
 
-HN_FN HN_HIGHP vec3 hn_gradient(HN_HIGHP ivec3 cell, HN_HIGHP uint seed) {
-  HN_HIGHP uvec3 c = hn_i_wrap(cell);
+HN_FN hn_vec3 hn_gradient(hn_ivec3 cell, hn_uint seed) {
+  hn_uvec3 c = hn_i_wrap(cell);
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
   return hn_gradient3(hn_i_point(c, seed));
 #else
-  HN_HIGHP uint s = hn_i_mix(seed);
-  HN_HIGHP uint column = hn_i_column(c.x, s);
-  return hn_i_gradient_value(hn_i_gradient(column, hn_i_row(column, c.y), c.z));
+  hn_uint s = hn_i_mix(seed);
+  hn_uint column = hn_i_column(c.x, s);
+  return hn_i_components(hn_i_gradient(column, hn_i_row(column, c.y), c.z));
 #endif
 }
 
-HN_FN HN_HIGHP vec2 hn_gradient(HN_HIGHP ivec2 cell) { return hn_gradient(cell, 0u); }
-HN_FN HN_HIGHP vec3 hn_gradient(HN_HIGHP ivec3 cell) { return hn_gradient(cell, 0u); }
+HN_FN hn_vec2 hn_gradient(hn_ivec2 cell) { return hn_gradient(cell, 0u); }
+HN_FN hn_vec3 hn_gradient(hn_ivec3 cell) { return hn_gradient(cell, 0u); }
 
 #endif

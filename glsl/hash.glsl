@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 //
 // Everything in this file is exact: the same bits on every driver. docs/contract.md defines each value.
-// HN_HIGHP stands on every declaration because GLSL ES makes int and uint mediump (16 bits) in fragment shaders.
 
 #ifndef HN_HASH_GLSL
 #define HN_HASH_GLSL
@@ -16,12 +15,12 @@
 //   returns  any uint
 //   cost     3 multiplications (the first is of constants)
 //   source   Fowler, Noll, Vo; paper fig. 1
-HN_FN HN_HIGHP uint hn_hash_fnv1(HN_HIGHP uint k) {
-  HN_HIGHP uint h = 2166136261u;
+HN_FN hn_uint hn_hash_fnv1(hn_uint k) {
+  hn_uint h = 2166136261u;
   h = (h * 16777619u) ^ (k & 255u);
-  h = (h * 16777619u) ^ ((k >> 8) & 255u);
-  h = (h * 16777619u) ^ ((k >> 16) & 255u);
-  h = (h * 16777619u) ^ (k >> 24);
+  h = (h * 16777619u) ^ ((k >> 8u) & 255u);
+  h = (h * 16777619u) ^ ((k >> 16u) & 255u);
+  h = (h * 16777619u) ^ (k >> 24u);
   return h;
 }
 
@@ -30,35 +29,35 @@ HN_FN HN_HIGHP uint hn_hash_fnv1(HN_HIGHP uint k) {
 //   returns  any uint
 //   cost     1 multiplication (the first is of constants)
 //   source   Valdenegro-Toro and Pincheira, sec. 7
-HN_FN HN_HIGHP uint hn_hash_partial_fnv1(HN_HIGHP uint k) {
-  HN_HIGHP uint h = 2166136261u;
+HN_FN hn_uint hn_hash_partial_fnv1(hn_uint k) {
+  hn_uint h = 2166136261u;
   h = (h * 16777619u) ^ k;
   h = (h * 16777619u) ^ k;
   return h;
 }
 
-HN_FN HN_HIGHP uint hn_i_jenkins_step(HN_HIGHP uint h, HN_HIGHP uint add) {
+HN_FN hn_uint hn_i_jenkins_step(hn_uint h, hn_uint add) {
   h += add;
-  h += h << 10;
-  return h ^ (h >> 6);
+  h += h << 10u;
+  return h ^ (h >> 6u);
 }
 
-HN_FN HN_HIGHP uint hn_i_jenkins_end(HN_HIGHP uint h) {
-  h += h << 3;
-  h ^= h >> 11;
-  return h + (h << 15);
+HN_FN hn_uint hn_i_jenkins_end(hn_uint h) {
+  h += h << 3u;
+  h ^= h >> 11u;
+  return h + (h << 15u);
 }
 
 // Jenkins one-at-a-time of the four bytes of k, lowest first.
 //   returns  any uint
 //   cost     no multiplication; 14 shifts, 14 additions and exclusive ors
 //   source   Jenkins, "A hash function for hash table lookup"; paper fig. 2
-HN_FN HN_HIGHP uint hn_hash_jenkins(HN_HIGHP uint k) {
-  HN_HIGHP uint h = 0u;
+HN_FN hn_uint hn_hash_jenkins(hn_uint k) {
+  hn_uint h = 0u;
   h = hn_i_jenkins_step(h, k & 255u);
-  h = hn_i_jenkins_step(h, (k >> 8) & 255u);
-  h = hn_i_jenkins_step(h, (k >> 16) & 255u);
-  h = hn_i_jenkins_step(h, k >> 24);
+  h = hn_i_jenkins_step(h, (k >> 8u) & 255u);
+  h = hn_i_jenkins_step(h, (k >> 16u) & 255u);
+  h = hn_i_jenkins_step(h, k >> 24u);
   return hn_i_jenkins_end(h);
 }
 
@@ -66,16 +65,16 @@ HN_FN HN_HIGHP uint hn_hash_jenkins(HN_HIGHP uint k) {
 //   returns  any uint
 //   cost     no multiplication; 5 shifts, 5 additions and exclusive ors
 //   source   Valdenegro-Toro and Pincheira, sec. 7
-HN_FN HN_HIGHP uint hn_hash_partial_jenkins(HN_HIGHP uint k) { return hn_i_jenkins_end(hn_i_jenkins_step(0u, k)); }
+HN_FN hn_uint hn_hash_partial_jenkins(hn_uint k) { return hn_i_jenkins_end(hn_i_jenkins_step(0u, k)); }
 
 // The paper's Murmur: the body of MurmurHash2 for one word, without its final avalanche.
 //   returns  any uint
 //   cost     2 multiplications
 //   source   Appleby; paper fig. 3
-HN_FN HN_HIGHP uint hn_hash_murmur(HN_HIGHP uint k) {
-  HN_HIGHP uint m = 1540483477u;
+HN_FN hn_uint hn_hash_murmur(hn_uint k) {
+  hn_uint m = 1540483477u;
   k *= m;
-  k ^= k >> 24;
+  k ^= k >> 24u;
   k *= m;
   return (10u * m) ^ k;
 }
@@ -84,24 +83,24 @@ HN_FN HN_HIGHP uint hn_hash_murmur(HN_HIGHP uint k) {
 //   returns  any uint; a bijection
 //   cost     2 multiplications, 1 shift by a variable
 //   source   O'Neill; Jarzynski and Olano 2020, pcg_hash
-HN_FN HN_HIGHP uint hn_hash_pcg(HN_HIGHP uint k) {
-  HN_HIGHP uint s = k * 747796405u + 2891336453u;
-  HN_HIGHP uint w = ((s >> ((s >> 28) + 4u)) ^ s) * 277803737u;
-  return (w >> 22) ^ w;
+HN_FN hn_uint hn_hash_pcg(hn_uint k) {
+  hn_uint s = k * 747796405u + 2891336453u;
+  hn_uint w = ((s >> ((s >> 28u) + 4u)) ^ s) * 277803737u;
+  return (w >> 22u) ^ w;
 }
 
 // XXH32 of the four bytes of k with seed 0.
 //   returns  any uint; a bijection
 //   cost     4 multiplications
 //   source   Collet, xxHash specification; 374761397 is its fifth prime plus the length, 4
-HN_FN HN_HIGHP uint hn_hash_xxhash32(HN_HIGHP uint k) {
-  HN_HIGHP uint h = 374761397u + k * 3266489917u;
-  h = ((h << 17) | (h >> 15)) * 668265263u;
-  h ^= h >> 15;
+HN_FN hn_uint hn_hash_xxhash32(hn_uint k) {
+  hn_uint h = 374761397u + k * 3266489917u;
+  h = ((h << 17u) | (h >> 15u)) * 668265263u;
+  h ^= h >> 15u;
   h *= 2246822519u;
-  h ^= h >> 13;
+  h ^= h >> 13u;
   h *= 3266489917u;
-  return h ^ (h >> 16);
+  return h ^ (h >> 16u);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -109,87 +108,85 @@ HN_FN HN_HIGHP uint hn_hash_xxhash32(HN_HIGHP uint k) {
 
 // The selected hash of one word.
 #if HN_HASH == HN_HASH_FNV1
-HN_FN HN_HIGHP uint hn_i_hash(HN_HIGHP uint k) { return hn_hash_fnv1(k); }
+HN_FN hn_uint hn_i_hash(hn_uint k) { return hn_hash_fnv1(k); }
 #elif HN_HASH == HN_HASH_PARTIAL_FNV1
-HN_FN HN_HIGHP uint hn_i_hash(HN_HIGHP uint k) { return hn_hash_partial_fnv1(k); }
+HN_FN hn_uint hn_i_hash(hn_uint k) { return hn_hash_partial_fnv1(k); }
 #elif HN_HASH == HN_HASH_JENKINS
-HN_FN HN_HIGHP uint hn_i_hash(HN_HIGHP uint k) { return hn_hash_jenkins(k); }
+HN_FN hn_uint hn_i_hash(hn_uint k) { return hn_hash_jenkins(k); }
 #elif HN_HASH == HN_HASH_PARTIAL_JENKINS
-HN_FN HN_HIGHP uint hn_i_hash(HN_HIGHP uint k) { return hn_hash_partial_jenkins(k); }
+HN_FN hn_uint hn_i_hash(hn_uint k) { return hn_hash_partial_jenkins(k); }
 #elif HN_HASH == HN_HASH_MURMUR
-HN_FN HN_HIGHP uint hn_i_hash(HN_HIGHP uint k) { return hn_hash_murmur(k); }
+HN_FN hn_uint hn_i_hash(hn_uint k) { return hn_hash_murmur(k); }
 #elif HN_HASH == HN_HASH_PCG
-HN_FN HN_HIGHP uint hn_i_hash(HN_HIGHP uint k) { return hn_hash_pcg(k); }
+HN_FN hn_uint hn_i_hash(hn_uint k) { return hn_hash_pcg(k); }
 #elif HN_HASH == HN_HASH_XXHASH32
-HN_FN HN_HIGHP uint hn_i_hash(HN_HIGHP uint k) { return hn_hash_xxhash32(k); }
+HN_FN hn_uint hn_i_hash(hn_uint k) { return hn_hash_xxhash32(k); }
 #elif HN_HASH == HN_HASH_CUSTOM
-HN_FN HN_HIGHP uint hn_i_hash(HN_HIGHP uint k) { return HN_HASH_FN(k); }
+HN_FN hn_uint hn_i_hash(hn_uint k) { return HN_HASH_FN(k); }
 #else
-HN_FN HN_HIGHP uint hn_i_hash(HN_HIGHP uint k) { return k; }
+HN_FN hn_uint hn_i_hash(hn_uint k) { return k; }
 #endif
 
 // Odd multiples (the primes of xxHash) send neighbours far apart. The offset keeps the origin from being a word of
 // zeros.
-HN_FN HN_HIGHP uint hn_i_spread(HN_HIGHP uint x) { return x * 0x9E3779B1u + 0x165667B1u; }
-HN_FN HN_HIGHP uvec2 hn_i_spread(HN_HIGHP uvec2 v) { return uvec2(hn_i_spread(v.x), v.y * 0x85EBCA77u); }
-HN_FN HN_HIGHP uvec3 hn_i_spread(HN_HIGHP uvec3 v) {
-  return uvec3(hn_i_spread(v.x), v.y * 0x85EBCA77u, v.z * 0xC2B2AE3Du);
-}
-HN_FN HN_HIGHP uvec4 hn_i_spread(HN_HIGHP uvec4 v) {
+HN_FN hn_uint hn_i_spread(hn_uint x) { return x * 0x9E3779B1u + 0x165667B1u; }
+HN_FN hn_uvec2 hn_i_spread(hn_uvec2 v) { return uvec2(hn_i_spread(v.x), v.y * 0x85EBCA77u); }
+HN_FN hn_uvec3 hn_i_spread(hn_uvec3 v) { return uvec3(hn_i_spread(v.x), v.y * 0x85EBCA77u, v.z * 0xC2B2AE3Du); }
+HN_FN hn_uvec4 hn_i_spread(hn_uvec4 v) {
   return uvec4(hn_i_spread(v.x), v.y * 0x85EBCA77u, v.z * 0xC2B2AE3Du, v.w * 0x27D4EB2Fu);
 }
 
 // The high bits of a spread coordinate, folded onto the low ones: a product passes changes on to higher bits only. Past
 // the middle, so that also the highest bit comes below the lowest that a gradient takes; another shift per axis, so
 // that axes do not cancel.
-HN_FN HN_HIGHP uint hn_i_fold(HN_HIGHP uint x) { return x ^ (x >> 18); }
-HN_FN HN_HIGHP uvec2 hn_i_fold(HN_HIGHP uvec2 v) { return uvec2(hn_i_fold(v.x), v.y ^ (v.y >> 17)); }
-HN_FN HN_HIGHP uvec3 hn_i_fold(HN_HIGHP uvec3 v) { return uvec3(hn_i_fold(v.x), v.y ^ (v.y >> 17), v.z ^ (v.z >> 19)); }
-HN_FN HN_HIGHP uvec4 hn_i_fold(HN_HIGHP uvec4 v) {
-  return uvec4(hn_i_fold(v.x), v.y ^ (v.y >> 17), v.z ^ (v.z >> 19), v.w ^ (v.w >> 20));
+HN_FN hn_uint hn_i_fold(hn_uint x) { return x ^ (x >> 18u); }
+HN_FN hn_uvec2 hn_i_fold(hn_uvec2 v) { return uvec2(hn_i_fold(v.x), v.y ^ (v.y >> 17u)); }
+HN_FN hn_uvec3 hn_i_fold(hn_uvec3 v) { return uvec3(hn_i_fold(v.x), v.y ^ (v.y >> 17u), v.z ^ (v.z >> 19u)); }
+HN_FN hn_uvec4 hn_i_fold(hn_uvec4 v) {
+  return uvec4(hn_i_fold(v.x), v.y ^ (v.y >> 17u), v.z ^ (v.z >> 19u), v.w ^ (v.w >> 20u));
 }
 
 // Each bit of k changes each bit of the result with a probability near 1/2: "prospector32" of hash-prospector. 0 stays
 // 0.
-HN_FN HN_HIGHP uint hn_i_mix(HN_HIGHP uint k) {
-  k ^= k >> 15;
+HN_FN hn_uint hn_i_mix(hn_uint k) {
+  k ^= k >> 15u;
   k *= 0x2C1B3C6Du;
-  k ^= k >> 12;
+  k ^= k >> 12u;
   k *= 0x297A2D39u;
-  return k ^ (k >> 15);
+  return k ^ (k >> 15u);
 }
 
 // The word of a point is the product of two joins of its coordinates: the exclusive or of them folded, hashed, and the
 // sum of them as they are, made odd so that the product loses nothing. Either alone would repeat itself along some line.
 // Points that share coordinates share the work: a noise steps from corner to corner in both joins. The high bits are
 // good, the low ones are not.
-HN_FN HN_HIGHP uint hn_i_odd(HN_HIGHP uint sum) { return sum * 2u + 1u; }
-HN_FN HN_HIGHP uint hn_i_word(HN_HIGHP uint join, HN_HIGHP uint odd) { return hn_i_hash(join) * odd; }
+HN_FN hn_uint hn_i_odd(hn_uint sum) { return sum * 2u + 1u; }
+HN_FN hn_uint hn_i_word(hn_uint join, hn_uint odd) { return hn_i_hash(join) * odd; }
 
-HN_FN HN_HIGHP uint hn_i_point(HN_HIGHP uint cell, HN_HIGHP uint seed) {
-  HN_HIGHP uint c = hn_i_spread(cell);
-  HN_HIGHP uint s = hn_i_mix(seed);
+HN_FN hn_uint hn_i_point(hn_uint cell, hn_uint seed) {
+  hn_uint c = hn_i_spread(cell);
+  hn_uint s = hn_i_mix(seed);
   return hn_i_word(hn_i_fold(c) ^ s, hn_i_odd(c + s));
 }
 
-HN_FN HN_HIGHP uint hn_i_point(HN_HIGHP uvec2 cell, HN_HIGHP uint seed) {
-  HN_HIGHP uvec2 c = hn_i_spread(cell);
-  HN_HIGHP uvec2 j = hn_i_fold(c);
-  HN_HIGHP uint s = hn_i_mix(seed);
+HN_FN hn_uint hn_i_point(hn_uvec2 cell, hn_uint seed) {
+  hn_uvec2 c = hn_i_spread(cell);
+  hn_uvec2 j = hn_i_fold(c);
+  hn_uint s = hn_i_mix(seed);
   return hn_i_word(j.x ^ j.y ^ s, hn_i_odd(c.x + c.y + s));
 }
 
-HN_FN HN_HIGHP uint hn_i_point(HN_HIGHP uvec3 cell, HN_HIGHP uint seed) {
-  HN_HIGHP uvec3 c = hn_i_spread(cell);
-  HN_HIGHP uvec3 j = hn_i_fold(c);
-  HN_HIGHP uint s = hn_i_mix(seed);
+HN_FN hn_uint hn_i_point(hn_uvec3 cell, hn_uint seed) {
+  hn_uvec3 c = hn_i_spread(cell);
+  hn_uvec3 j = hn_i_fold(c);
+  hn_uint s = hn_i_mix(seed);
   return hn_i_word(j.x ^ j.y ^ j.z ^ s, hn_i_odd(c.x + c.y + c.z + s));
 }
 
-HN_FN HN_HIGHP uint hn_i_point(HN_HIGHP uvec4 cell, HN_HIGHP uint seed) {
-  HN_HIGHP uvec4 c = hn_i_spread(cell);
-  HN_HIGHP uvec4 j = hn_i_fold(c);
-  HN_HIGHP uint s = hn_i_mix(seed);
+HN_FN hn_uint hn_i_point(hn_uvec4 cell, hn_uint seed) {
+  hn_uvec4 c = hn_i_spread(cell);
+  hn_uvec4 j = hn_i_fold(c);
+  hn_uint s = hn_i_mix(seed);
   return hn_i_word(j.x ^ j.y ^ j.z ^ j.w ^ s, hn_i_odd(c.x + c.y + c.z + c.w + s));
 }
 
@@ -201,21 +198,15 @@ HN_FN HN_HIGHP uint hn_i_point(HN_HIGHP uvec4 cell, HN_HIGHP uint seed) {
 //   period   2^32 along each axis
 //   cost     1 hash (none with HN_HASH_LATTICE); 1 multiplication per axis and 3 more; 2 more for a seed that is no
 //            constant
-HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP int cell, HN_HIGHP uint seed) { return hn_i_mix(hn_i_point(uint(cell), seed)); }
-HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP ivec2 cell, HN_HIGHP uint seed) {
-  return hn_i_mix(hn_i_point(uvec2(cell), seed));
-}
-HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP ivec3 cell, HN_HIGHP uint seed) {
-  return hn_i_mix(hn_i_point(uvec3(cell), seed));
-}
-HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP ivec4 cell, HN_HIGHP uint seed) {
-  return hn_i_mix(hn_i_point(uvec4(cell), seed));
-}
+HN_FN hn_uint hn_lattice(hn_int cell, hn_uint seed) { return hn_i_mix(hn_i_point(uint(cell), seed)); }
+HN_FN hn_uint hn_lattice(hn_ivec2 cell, hn_uint seed) { return hn_i_mix(hn_i_point(uvec2(cell), seed)); }
+HN_FN hn_uint hn_lattice(hn_ivec3 cell, hn_uint seed) { return hn_i_mix(hn_i_point(uvec3(cell), seed)); }
+HN_FN hn_uint hn_lattice(hn_ivec4 cell, hn_uint seed) { return hn_i_mix(hn_i_point(uvec4(cell), seed)); }
 
-HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP int cell) { return hn_lattice(cell, 0u); }
-HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP ivec2 cell) { return hn_lattice(cell, 0u); }
-HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP ivec3 cell) { return hn_lattice(cell, 0u); }
-HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP ivec4 cell) { return hn_lattice(cell, 0u); }
+HN_FN hn_uint hn_lattice(hn_int cell) { return hn_lattice(cell, 0u); }
+HN_FN hn_uint hn_lattice(hn_ivec2 cell) { return hn_lattice(cell, 0u); }
+HN_FN hn_uint hn_lattice(hn_ivec3 cell) { return hn_lattice(cell, 0u); }
+HN_FN hn_uint hn_lattice(hn_ivec4 cell) { return hn_lattice(cell, 0u); }
 
 // ---------------------------------------------------------------------------------------------------------------------
 // The selected hash as published, of 1 to 4 words: H(x), H(H(x) + y), and so on. HN_HASH_LATTICE has no published form;
@@ -224,15 +215,15 @@ HN_FN HN_HIGHP uint hn_lattice(HN_HIGHP ivec4 cell) { return hn_lattice(cell, 0u
 //   cost     1 hash per word (HN_HASH_LATTICE: as hn_lattice)
 //   source   Valdenegro-Toro and Pincheira, sec. 5
 #if HN_HASH == HN_HASH_LATTICE
-HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uint x) { return hn_lattice(int(x)); }
-HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uvec2 v) { return hn_lattice(ivec2(v)); }
-HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uvec3 v) { return hn_lattice(ivec3(v)); }
-HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uvec4 v) { return hn_lattice(ivec4(v)); }
+HN_FN hn_uint hn_hash(hn_uint x) { return hn_lattice(int(x)); }
+HN_FN hn_uint hn_hash(hn_uvec2 v) { return hn_lattice(ivec2(v)); }
+HN_FN hn_uint hn_hash(hn_uvec3 v) { return hn_lattice(ivec3(v)); }
+HN_FN hn_uint hn_hash(hn_uvec4 v) { return hn_lattice(ivec4(v)); }
 #else
-HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uint x) { return hn_i_hash(x); }
-HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uvec2 v) { return hn_i_hash(hn_hash(v.x) + v.y); }
-HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uvec3 v) { return hn_i_hash(hn_hash(uvec2(v.x, v.y)) + v.z); }
-HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uvec4 v) { return hn_i_hash(hn_hash(uvec3(v.x, v.y, v.z)) + v.w); }
+HN_FN hn_uint hn_hash(hn_uint x) { return hn_i_hash(x); }
+HN_FN hn_uint hn_hash(hn_uvec2 v) { return hn_i_hash(hn_hash(v.x) + v.y); }
+HN_FN hn_uint hn_hash(hn_uvec3 v) { return hn_i_hash(hn_hash(uvec2(v.x, v.y)) + v.z); }
+HN_FN hn_uint hn_hash(hn_uvec4 v) { return hn_i_hash(hn_hash(uvec3(v.x, v.y, v.z)) + v.w); }
 #endif
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -240,68 +231,10 @@ HN_FN HN_HIGHP uint hn_hash(HN_HIGHP uvec4 v) { return hn_i_hash(hn_hash(uvec3(v
 
 // A float of the high 24 bits of a hash.
 //   returns  [0, 1), a multiple of 2^-24
-HN_FN HN_HIGHP float hn_unorm(HN_HIGHP uint h) { return float(h >> 8) * (1.0f / 16777216.0f); }
+HN_FN hn_float hn_unorm(hn_uint h) { return float(h >> 8u) * (1.0f / 16777216.0f); }
 
 // A signed float of the high 24 bits of a hash.
 //   returns  [-1, 1), a multiple of 2^-23
-HN_FN HN_HIGHP float hn_snorm(HN_HIGHP uint h) { return float(h >> 8) * (1.0f / 8388608.0f) - 1.0f; }
-
-// m or, if the highest bit of the word is set, -m; for m >= 0.
-HN_FN HN_HIGHP float hn_i_signed(HN_HIGHP float m, HN_HIGHP uint word) {
-#if HN_I_BITCAST
-  return uintBitsToFloat(floatBitsToUint(m) | (word & 0x80000000u));
-#else
-  return (word & 0x80000000u) != 0u ? -m : m;
-#endif
-}
-
-// What gradients are made of: bits of a hash as odd multiples of 2^-9, in (-1, 1) for the plane and in (-1/2, 1/2) for
-// space: symmetric about 0, never 0. Below the highest bit, a sign; no bit is used twice. Put behind an exponent, bits
-// make a float without a conversion from integer.
-#if HN_I_BITCAST
-HN_FN HN_HIGHP float hn_i_field2(HN_HIGHP uint h) {
-  HN_I_PRECISE HN_HIGHP float field = uintBitsToFloat(((h >> 8) & 0x007FC000u) | 0x40000000u) - (3.0f - 1.0f / 512.0f);
-  return field;
-}
-HN_FN HN_HIGHP float hn_i_field3p(HN_HIGHP uint h) {
-  HN_I_PRECISE HN_HIGHP float field = uintBitsToFloat(((h >> 8) & 0x007F8000u) | 0x3F800000u) - (1.5f - 1.0f / 512.0f);
-  return field;
-}
-HN_FN HN_HIGHP float hn_i_field3q(HN_HIGHP uint h) {
-  HN_I_PRECISE HN_HIGHP float field = uintBitsToFloat((h & 0x007F8000u) | 0x3F800000u) - (1.5f - 1.0f / 512.0f);
-  return field;
-}
-#else
-HN_FN HN_HIGHP float hn_i_field2(HN_HIGHP uint h) {
-  HN_I_PRECISE HN_HIGHP float field = float((h >> 22) & 511u) * (1.0f / 256.0f) - (1.0f - 1.0f / 512.0f);
-  return field;
-}
-HN_FN HN_HIGHP float hn_i_field3p(HN_HIGHP uint h) {
-  HN_I_PRECISE HN_HIGHP float field = float((h >> 23) & 255u) * (1.0f / 256.0f) - (0.5f - 1.0f / 512.0f);
-  return field;
-}
-HN_FN HN_HIGHP float hn_i_field3q(HN_HIGHP uint h) {
-  HN_I_PRECISE HN_HIGHP float field = float((h >> 15) & 255u) * (1.0f / 256.0f) - (0.5f - 1.0f / 512.0f);
-  return field;
-}
-#endif
-
-// A gradient in the plane, from the high 10 bits of a hash.
-//   returns  a point of the square |x| + |y| = 1, uniform along its sides; multiples of 2^-9
-HN_FN HN_HIGHP vec2 hn_gradient2(HN_HIGHP uint h) {
-  HN_HIGHP float x = hn_i_field2(h);
-  HN_I_PRECISE HN_HIGHP float y = 1.0f - abs(x);
-  return vec2(x, hn_i_signed(y, h));
-}
-
-// A gradient in space, from the high 17 bits of a hash.
-//   returns  a point of the octahedron |x| + |y| + |z| = 1, uniform in area; multiples of 2^-8
-HN_FN HN_HIGHP vec3 hn_gradient3(HN_HIGHP uint h) {
-  // Seen along z the octahedron is a square with corners on the axes. p and q run along its sides, and its height above
-  // a point of it is what the larger of them leaves.
-  HN_HIGHP float p = hn_i_field3p(h);
-  HN_HIGHP float q = hn_i_field3q(h);
-  return vec3(p + q, p - q, hn_i_signed(1.0f - 2.0f * max(abs(p), abs(q)), h));
-}
+HN_FN hn_float hn_snorm(hn_uint h) { return float(h >> 8u) * (1.0f / 8388608.0f) - 1.0f; }
 
 #endif

@@ -1,11 +1,10 @@
-// hashnoise: all of it.
+// hashnoise: all of it. Made by tools/umbrella.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_HASHNOISE_GLSL
 #define HN_HASHNOISE_GLSL
 
 #include "fbm.glsl"
-#include "hash.glsl"
 #include "noise2d.glsl"
 #include "noise3d.glsl"
 

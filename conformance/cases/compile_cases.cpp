@@ -148,11 +148,13 @@ void add_uncontracted_case(std::vector<Case>& cases, std::string_view file, cons
 }
 
 // Every hash is other code, and so is each other knob by itself; combinations are not, but for a gradient in another
-// arithmetic. Hashes have no arithmetic, and it has no hashes; fbm_fixed.glsl is empty but for one.
+// arithmetic. Hashes have no arithmetic; what no function of the table names is tried in full by what includes it;
+// fbm_fixed.glsl is empty but for one arithmetic.
 bool selects_code(std::string_view file, const Configuration& configuration) {
   const bool by_arithmetic = configuration.default_but_for_arithmetic();
-  if (file == "arithmetic.glsl") return by_arithmetic;
+  const auto names_it = [&](const Function& function) { return function.file == file; };
   if (file == "fbm_fixed.glsl") return by_arithmetic && configuration.arithmetic == Arithmetic::fixed;
+  if (file != "hashnoise.glsl" && std::ranges::none_of(all_functions(), names_it)) return by_arithmetic;
   if (!configuration.fast()) {
     const bool sine = configuration.name_without_arithmetic() == "lattice+sine";
     return file != "hash.glsl" && (by_arithmetic || (sine && file == "hashnoise.glsl"));

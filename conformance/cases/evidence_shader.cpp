@@ -67,12 +67,12 @@ std::string main_of(const Function& function, const ShaderFacts& facts) {
       right += fmt::format("abs(float_of(got.{0}) - float_of(expected.{0})) <= {1:.9e}", kParts[i], facts.allowed);
     }
   }
-  return fmt::format(R"(uniform HN_HIGHP uint zero;
-out HN_HIGHP vec4 colour;
+  return fmt::format(R"(uniform hn_uint zero;
+out hn_vec4 colour;
 void main() {{
-  HN_HIGHP uvec4 got = evaluate({},
+  hn_uvec4 got = evaluate({},
                                 {});
-  HN_HIGHP uvec4 expected = {};
+  hn_uvec4 expected = {};
   colour = {} ? vec4(0.0, 1.0, 0.0, 1.0) : vec4(1.0, 0.0, 0.0, 1.0);
 }}
 )",

@@ -210,13 +210,13 @@ class Cli(unittest.TestCase):
     def test_every_other_check_can_fail(self):
         perlin = "noise2d.perlin.lattice.fast.fragment.gl330"
         for check, case, name, *changes in (
-            ("range", f"{perlin}.range", "noise2d.glsl", ("NUMBER(1913)", "NUMBER(2913)")),
-            ("range, little used", f"{perlin}.range", "noise2d.glsl", ("NUMBER(1913)", "NUMBER(913)")),
-            ("zero", f"{perlin}.zero", "noise2d.glsl", ("hn_i_fraction(p)", "hn_i_fraction(p) + 0.25f")),
-            ("seeds", f"{perlin}.seeds", "noise2d.glsl", ("hn_i_mix(seed)", "hn_i_mix(seed & 0u)")),
-            ("mirror", f"{perlin}.mirror", "noise2d.glsl",
+            ("range", f"{perlin}.range", "gradient.glsl", ("n, 1913)", "n, 2913)")),
+            ("range, little used", f"{perlin}.range", "gradient.glsl", ("n, 1913)", "n, 913)")),
+            ("zero", f"{perlin}.zero", "perlin2d.glsl", ("hn_i_fraction(p)", "hn_i_fraction(p) + 0.25f")),
+            ("seeds", f"{perlin}.seeds", "lattice.glsl", ("hn_i_mix(seed)", "hn_i_mix(seed & 0u)")),
+            ("mirror", f"{perlin}.mirror", "perlin2d.glsl",
              ("hn_i_cell(p), hn_i_fraction(p)", "hn_i_cell(abs(p)), hn_i_fraction(abs(p))")),
-            ("finite", f"{perlin}.finite", "noise2d.glsl", ("hn_i_fraction(p), seed", "hn_i_fraction(p) + 0.25f, seed")),
+            ("finite", f"{perlin}.finite", "perlin2d.glsl", ("hn_i_fraction(p), seed", "hn_i_fraction(p) + 0.25f, seed")),
             ("noise_knob", "fbm.fbm2.*.fast.*.noise_knob", "fbm.glsl",
              ("HN_FBM_NOISE2D(q, seed);", "hn_perlin(q, seed);")),
             ("noise_knob", "fbm.fbm2.*.fixed.*.noise_knob", "fbm_fixed.glsl",
@@ -224,7 +224,7 @@ class Cli(unittest.TestCase):
             ("refused", "config.hash_beyond_the_last.*.gl330.refused_by_glslang", "config.glsl", ("HN_HASH > 9", "HN_HASH > 99")),
             ("refused", "config.hash_beyond_the_last.*.gl330.refused_by_driver", "config.glsl", ("HN_HASH > 9", "HN_HASH > 99")),
             ("refused", "config.arithmetic_4.*.gl330.*", "config.glsl", ("HN_ARITHMETIC > 3", "HN_ARITHMETIC > 99")),
-            ("refused", "config.precise_too_early.*.gl330.*", "config.glsl", ("__VERSION__ < 400", "__VERSION__ < 300")),
+            ("refused", "config.precise_too_early.*.gl330.*", "config.glsl", ("HN_I_VERSION >= 400", "HN_I_VERSION >= 300")),
             ("no reason", "config.version_120.*.refused_by_driver", "config.glsl", ("needs GLSL 1.30", "needs more")),
             ("spirv", "hash.all.pcg.fast.fragment.vulkan.spirv", "hash.glsl", ("2891336453u", "2891336453.5")),
         ):
@@ -241,14 +241,14 @@ class Cli(unittest.TestCase):
         self.assertIn("GLSL 4.60 is beyond this context's 4.50", done.stdout)
 
     def test_a_changed_default_seed_turns_the_run_red(self):
-        glsl = self.changed_glsl("noise2d.glsl", ("hn_perlin(p, 0u)", "hn_perlin(p, 1u)"))
+        glsl = self.changed_glsl("perlin2d.glsl", ("hn_perlin(p, 0u)", "hn_perlin(p, 1u)"))
         done = self.run_case("--glsl", glsl, case="noise2d.perlin.*unseeded")
         self.assertEqual(done.returncode, 1)
 
     def test_a_shader_that_does_not_compile_shows_file_and_line_and_the_run_goes_on(self):
-        line = 1 + (ROOT / "glsl" / "noise2d.glsl").read_text().splitlines().index("#include \"gradient.glsl\"")
-        glsl = self.changed_glsl("noise2d.glsl", ("#include \"gradient.glsl\"\n",
-                                                   "#include \"gradient.glsl\" \nint x = broken;\n"))
+        line = 1 + (ROOT / "glsl" / "noise2d.glsl").read_text().splitlines().index("#include \"perlin2d.glsl\"")
+        glsl = self.changed_glsl("noise2d.glsl", ("#include \"perlin2d.glsl\"\n",
+                                                   "#include \"perlin2d.glsl\" \nint x = broken;\n"))
         done = self.run_case("--glsl", glsl, "--filter", "hash.word.fnv1.*golden", "--filter", "noise2d.all.fnv1.*")
         self.assertEqual(done.returncode, 1)
         cases = self.cases()
@@ -291,7 +291,7 @@ class Cli(unittest.TestCase):
                 self.assertEqual(self.results()["runs"][0]["totals"]["fail"], 3)
 
     def test_fail_fast_stops(self):
-        glsl = self.changed_glsl("noise2d.glsl", ("NUMBER(1913)", "NUMBER(1914)"))
+        glsl = self.changed_glsl("gradient.glsl", ("n, 1913)", "n, 1914)"))
         self.run_case("--glsl", glsl, "--fail-fast", case="noise2d.perlin.*.golden")
         self.assertEqual(len(self.results()["runs"][0]["cases"]), 1)
 

@@ -72,7 +72,7 @@ TEST(Rewriter, TernariesAndBranches) {
 
 TEST(Rewriter, Declarations) {
   EXPECT_EQ(body("highp uint a = b * c, d = e >> 1;"), "highp uint a = MUL(b , c), d = SHR(e , 1);");
-  EXPECT_EQ(body("HN_HIGHP uint k = a % b;"), "HN_HIGHP uint k = MOD(a , b);");
+  EXPECT_EQ(body("hn_uint k = a % b;"), "hn_uint k = MOD(a , b);");
   EXPECT_EQ(body("const float k = 2.0 * 3.0;"), "const float k = 2.0 * 3.0;");  // may call nothing
   EXPECT_EQ(*rewrite("const int n = 2 * 3;\nuniform float u;\n", kAll), "const int n = 2 * 3;\nuniform float u;\n");
   EXPECT_EQ(*rewrite("struct S { float a; };\nfloat f(float x) { return x * x; }\n", kAll),

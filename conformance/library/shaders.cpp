@@ -92,14 +92,14 @@ std::string case_names(const Evaluation& evaluation) {
                      name_of_seed(evaluation.variant.seed_from));
 }
 
-// SEEDED, behind the include, since it may need HN_HIGHP.
+// SEEDED, behind the include, since it may need hn_uint.
 std::string seeding_of(const ShaderVariant& variant) {
   if (!variant.seeded) return std::string(kUnseeded);
   switch (variant.seed_from) {
     case SeedFrom::constant:
       return fmt::format("#define SEEDED(s) , 0x{:08X}u\n", kVariantSeed);
     case SeedFrom::uniform:
-      return "uniform HN_HIGHP uint variant_seed;\n#define SEEDED(s) , variant_seed\n";
+      return "uniform hn_uint variant_seed;\n#define SEEDED(s) , variant_seed\n";
     case SeedFrom::point:
       break;
   }
@@ -111,17 +111,17 @@ std::string beginning_of(Stage stage) {
   switch (stage) {
     case Stage::vertex:
       // A draw per row: in a longer one softpipe counts gl_VertexID from 0 again after 4,096 vertices.
-      return "  HN_HIGHP ivec2 at = ivec2(gl_VertexID, row);\n  gl_Position = vec4(0.0);\n";
+      return "  hn_ivec2 at = ivec2(gl_VertexID, row);\n  gl_Position = vec4(0.0);\n";
     case Stage::compute:
       return fmt::format(
-          "  HN_HIGHP int index = int(gl_GlobalInvocationID.x);\n  HN_HIGHP ivec2 at = ivec2(index % {0}, index / "
+          "  hn_int index = int(gl_GlobalInvocationID.x);\n  hn_ivec2 at = ivec2(index % {0}, index / "
           "{0});\n"
-          "  HN_HIGHP uvec4 result;\n",
+          "  hn_uvec4 result;\n",
           kGridSide);
     case Stage::fragment:
       break;
   }
-  return "  HN_HIGHP ivec2 at = ivec2(gl_FragCoord.xy);\n";
+  return "  hn_ivec2 at = ivec2(gl_FragCoord.xy);\n";
 }
 
 // The body of evaluate, as a part of main.
@@ -149,14 +149,14 @@ std::string result_of(const Evaluation& evaluation) {
   switch (evaluation.variant.shape) {
     case Shape::inlined:
       return fmt::format(
-          "  HN_HIGHP uvec4 a = texelFetch(input_a, at, 0);\n  HN_HIGHP uvec4 b = texelFetch(input_b, at, 0);\n  {}\n",
+          "  hn_uvec4 a = texelFetch(input_a, at, 0);\n  hn_uvec4 b = texelFetch(input_b, at, 0);\n  {}\n",
           inlined(evaluation.function.body));
     case Shape::in_loop:
       // The words of the last trips move through the result, so that none can be left out.
-      return R"(  HN_HIGHP uvec4 last = uvec4(0u);
-  for (HN_HIGHP int i = 0; i < trips; ++i) {
-    HN_HIGHP ivec2 other = ivec2(at.x ^ i, at.y);
-    HN_HIGHP uvec4 v = evaluate(texelFetch(input_a, other, 0), texelFetch(input_b, other, 0));
+      return R"(  hn_uvec4 last = uvec4(0u);
+  for (hn_int i = 0; i < trips; ++i) {
+    hn_ivec2 other = ivec2(at.x ^ i, at.y);
+    hn_uvec4 v = evaluate(texelFetch(input_a, other, 0), texelFetch(input_b, other, 0));
     last = uvec4(last.y, last.z, last.w, v.x ^ v.y ^ v.z ^ v.w);
   }
   result = last;
@@ -183,16 +183,15 @@ std::string evaluation_shader(const Evaluation& evaluation) {
   if (stage == Stage::compute) text += fmt::format("layout(local_size_x = {}) in;\n", kComputeGroup);
   text += fmt::format("{}{}#include \"{}\"\n{}", knobs_of(configuration), variant.knobs, function.file,
                       seeding_of(variant));
-  if (variant.shape == Shape::in_loop) text += "uniform HN_HIGHP int trips;\n";
-  text += "uniform HN_HIGHP usampler2D input_a;\nuniform HN_HIGHP usampler2D input_b;\n";
+  if (variant.shape == Shape::in_loop) text += "uniform hn_int trips;\n";
+  text += fmt::format("uniform {0}usampler2D input_a;\nuniform {0}usampler2D input_b;\n", profile.es ? "highp " : "");
   if (stage == Stage::compute) {
-    text += "layout(std430, binding = 0) buffer Results { HN_HIGHP uvec4 results[]; };\n";
+    text += "layout(std430, binding = 0) buffer Results { hn_uvec4 results[]; };\n";
   } else {
-    text +=
-        fmt::format("{}out HN_HIGHP uvec4 result;\n", stage == Stage::vertex ? "uniform HN_HIGHP int row;\nflat " : "");
+    text += fmt::format("{}out hn_uvec4 result;\n", stage == Stage::vertex ? "uniform hn_int row;\nflat " : "");
   }
   if (variant.shape != Shape::inlined) {
-    text += fmt::format("HN_HIGHP uvec4 evaluate(HN_HIGHP uvec4 a, HN_HIGHP uvec4 b) {{ {} }}\n", function.body);
+    text += fmt::format("hn_uvec4 evaluate(hn_uvec4 a, hn_uvec4 b) {{ {} }}\n", function.body);
   }
   return text + fmt::format("void main() {{\n{}{}{}}}\n", beginning_of(stage), result_of(evaluation),
                             stage == Stage::compute ? "  results[gl_GlobalInvocationID.x] = result;\n" : "");
@@ -221,34 +220,32 @@ std::string calling_shader(std::string_view file, const Configuration& configura
     for (const Function* const function : called) {
       const bool has_variant = function->seed_word() >= 0 && profile.spirv;
       if (seeding == kUnseeded && !has_variant) continue;
-      text += fmt::format("HN_HIGHP uvec4 evaluate{}(HN_HIGHP uvec4 a, HN_HIGHP uvec4 b) {{ {} }}\n", count,
-                          function->body);
+      text += fmt::format("hn_uvec4 evaluate{}(hn_uvec4 a, hn_uvec4 b) {{ {} }}\n", count, function->body);
       calls += fmt::format("  r ^= evaluate{}(r, r + 1u);\n", count++);
     }
   }
-  const std::string start = fmt::format("  HN_HIGHP uvec4 r = uvec4(uint(HN_VERSION_MAJOR), 2u, 3u, 4u);\n{}", calls);
+  const std::string start = fmt::format("  hn_uvec4 r = uvec4(uint(HN_VERSION_MAJOR), 2u, 3u, 4u);\n{}", calls);
   const std::string_view layout = profile.spirv ? "layout(location = 0) " : "";
   if (stage == Stage::compute) {
     const std::string_view binding =
         profile.spirv ? "layout(std430, set = 0, binding = 0)" : "layout(std430, binding = 0)";
-    return text + fmt::format("{} buffer Out {{ HN_HIGHP uvec4 result; }};\nvoid main() {{\n{}  result = r;\n}}\n",
-                              binding, start);
+    return text +
+           fmt::format("{} buffer Out {{ hn_uvec4 result; }};\nvoid main() {{\n{}  result = r;\n}}\n", binding, start);
   }
   if (stage == Stage::vertex) {
     return text + fmt::format(
-                      "{}flat out HN_HIGHP uvec4 result;\nvoid main() {{\n{}  result = r;\n"
+                      "{}flat out hn_uvec4 result;\nvoid main() {{\n{}  result = r;\n"
                       "  gl_Position = vec4(0.0);\n}}\n",
                       layout, start);
   }
-  return text + fmt::format("{}out HN_HIGHP uvec4 result;\nvoid main() {{\n{}  result = r;\n}}\n", layout, start);
+  return text + fmt::format("{}out hn_uvec4 result;\nvoid main() {{\n{}  result = r;\n}}\n", layout, start);
 }
 
 std::string shader_that_evaluates(const Evaluation& evaluation, std::string_view rest) {
-  return fmt::format(
-      "{}{}{}{}#include \"{}\"\n{}HN_HIGHP uvec4 evaluate(HN_HIGHP uvec4 a, HN_HIGHP uvec4 b) {{ {} }}\n{}",
-      running_preamble(evaluation.profile), case_names(evaluation), knobs_of(evaluation.configuration),
-      evaluation.variant.knobs, evaluation.function.file, evaluation.variant.seeded ? kSeeded : kUnseeded,
-      evaluation.function.body, rest);
+  return fmt::format("{}{}{}{}#include \"{}\"\n{}hn_uvec4 evaluate(hn_uvec4 a, hn_uvec4 b) {{ {} }}\n{}",
+                     running_preamble(evaluation.profile), case_names(evaluation), knobs_of(evaluation.configuration),
+                     evaluation.variant.knobs, evaluation.function.file,
+                     evaluation.variant.seeded ? kSeeded : kUnseeded, evaluation.function.body, rest);
 }
 
 }  // namespace hn

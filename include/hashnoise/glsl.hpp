@@ -1,8 +1,9 @@
 // What the types and built-in functions of GLSL that hashnoise uses mean in C++20. Only what the GLSL text needs.
 // SPDX-License-Identifier: MIT
 //
-// Words wrap at 2^32. A float in a vector that does not fit an int becomes the nearest int that there is, and NaN becomes
-// 0, where GLSL leaves the value undefined. So nothing has undefined behaviour, as long as coordinates are finite.
+// Words wrap at 2^32. A float in a vector that does not fit an int becomes the nearest int that there is, and NaN
+// becomes 0, where GLSL leaves the value undefined. So nothing has undefined behaviour, as long as coordinates are
+// finite.
 
 #pragma once
 
@@ -22,11 +23,15 @@ constexpr To convert(From value) {
   return static_cast<To>(value);
 }
 
+// Without a branch and a comparison of floats, so that compilers make vectors of it.
 template <>
 constexpr int convert<int, float>(float value) {
-  if (value >= 2147483648.0f) return std::numeric_limits<int>::max();
-  if (value < -2147483648.0f) return std::numeric_limits<int>::min();
-  return value == value ? static_cast<int>(value) : 0;
+  const uint bits = std::bit_cast<uint>(value);
+  const uint magnitude = bits & 0x7FFFFFFFu;
+  const bool fits = magnitude < 0x4F000000u;  // 2^31
+  const int whole = static_cast<int>(std::bit_cast<float>(fits ? bits : 0u));
+  const uint nearest = magnitude > 0x7F800000u ? 0u : 0x7FFFFFFFu + (bits >> 31u);
+  return fits ? whole : static_cast<int>(nearest);
 }
 
 template <>
@@ -45,7 +50,13 @@ struct Vector2 {
   constexpr explicit Vector2(T s) : x(s), y(s) {}
   template <typename U>
   constexpr explicit Vector2(Vector2<U> v) : x(detail::convert<T>(v.x)), y(detail::convert<T>(v.y)) {}
-  friend constexpr bool operator==(Vector2, Vector2) = default;
+  friend bool operator==(Vector2, Vector2) = default;  // constexpr where that of T is
+  friend constexpr Vector2 operator+(Vector2 a, Vector2 b) { return {a.x + b.x, a.y + b.y}; }
+  friend constexpr Vector2 operator-(Vector2 a, Vector2 b) { return {a.x - b.x, a.y - b.y}; }
+  friend constexpr Vector2 operator*(Vector2 a, Vector2 b) { return {a.x * b.x, a.y * b.y}; }
+  friend constexpr Vector2 operator+(Vector2 a, T b) { return a + Vector2(b); }
+  friend constexpr Vector2 operator-(Vector2 a, T b) { return a - Vector2(b); }
+  friend constexpr Vector2 operator*(Vector2 a, T b) { return a * Vector2(b); }
 };
 
 template <typename T>
@@ -57,7 +68,13 @@ struct Vector3 {
   template <typename U>
   constexpr explicit Vector3(Vector3<U> v)
       : x(detail::convert<T>(v.x)), y(detail::convert<T>(v.y)), z(detail::convert<T>(v.z)) {}
-  friend constexpr bool operator==(Vector3, Vector3) = default;
+  friend bool operator==(Vector3, Vector3) = default;  // constexpr where that of T is
+  friend constexpr Vector3 operator+(Vector3 a, Vector3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+  friend constexpr Vector3 operator-(Vector3 a, Vector3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  friend constexpr Vector3 operator*(Vector3 a, Vector3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+  friend constexpr Vector3 operator+(Vector3 a, T b) { return a + Vector3(b); }
+  friend constexpr Vector3 operator-(Vector3 a, T b) { return a - Vector3(b); }
+  friend constexpr Vector3 operator*(Vector3 a, T b) { return a * Vector3(b); }
 };
 
 template <typename T>
@@ -72,7 +89,7 @@ struct Vector4 {
         y(detail::convert<T>(v.y)),
         z(detail::convert<T>(v.z)),
         w(detail::convert<T>(v.w)) {}
-  friend constexpr bool operator==(Vector4, Vector4) = default;
+  friend bool operator==(Vector4, Vector4) = default;  // constexpr where that of T is
 };
 
 using vec2 = Vector2<float>;
@@ -85,27 +102,19 @@ using uvec2 = Vector2<uint>;
 using uvec3 = Vector3<uint>;
 using uvec4 = Vector4<uint>;
 
-constexpr vec2 operator+(vec2 a, vec2 b) { return {a.x + b.x, a.y + b.y}; }
-constexpr vec2 operator-(vec2 a, vec2 b) { return {a.x - b.x, a.y - b.y}; }
-constexpr vec2 operator*(vec2 a, vec2 b) { return {a.x * b.x, a.y * b.y}; }
-constexpr vec2 operator+(vec2 a, float b) { return a + vec2(b); }
-constexpr vec2 operator-(vec2 a, float b) { return a - vec2(b); }
-constexpr vec2 operator*(vec2 a, float b) { return a * vec2(b); }
-
-constexpr vec3 operator+(vec3 a, vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-constexpr vec3 operator-(vec3 a, vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-constexpr vec3 operator*(vec3 a, vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
-constexpr vec3 operator+(vec3 a, float b) { return a + vec3(b); }
-constexpr vec3 operator-(vec3 a, float b) { return a - vec3(b); }
-constexpr vec3 operator*(vec3 a, float b) { return a * vec3(b); }
-
-constexpr ivec2 operator-(ivec2 a, int b) { return {a.x - b, a.y - b}; }
-constexpr ivec3 operator-(ivec3 a, int b) { return {a.x - b, a.y - b, a.z - b}; }
-
-constexpr uvec2 operator+(uvec2 a, uvec2 b) { return {a.x + b.x, a.y + b.y}; }
-constexpr uvec3 operator+(uvec3 a, uvec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-constexpr uvec2 operator+(uvec2 a, uint b) { return a + uvec2(b); }
-constexpr uvec3 operator+(uvec3 a, uint b) { return a + uvec3(b); }
+// What the declarations of the library say; in GLSL ES these names carry the precision.
+using hn_float = float;
+using hn_vec2 = vec2;
+using hn_vec3 = vec3;
+using hn_vec4 = vec4;
+using hn_int = int;
+using hn_ivec2 = ivec2;
+using hn_ivec3 = ivec3;
+using hn_ivec4 = ivec4;
+using hn_uint = uint;
+using hn_uvec2 = uvec2;
+using hn_uvec3 = uvec3;
+using hn_uvec4 = uvec4;
 
 // In this namespace a call means these, never ::abs(int) or another function that happens to be declared.
 inline float floor(float x) { return std::floor(x); }

@@ -6,7 +6,11 @@
 //
 // It includes glsl/ by its place in the source tree, ../../glsl; the installed copy of this file says glsl/ instead.
 //
-// HN_FIXED has the same bits under any compiler's flags. The floats of HN_PRECISE need -ffp-contract=off, and no fast-math.
+// Every function is forced inline, so that compilers make vectors of a loop over a noise: Clang with -O3, GCC with -O3
+// -fno-trapping-math; either with -march for the machine.
+//
+// HN_FIXED has the same bits under any compiler's flags. The floats of HN_PRECISE need -ffp-contract=off, and no
+// fast-math.
 //
 // Knobs (config.glsl) are macros, to be defined before the include. HN_HASH, HN_GRADIENT, HN_PERIOD and
 // HN_ARITHMETIC name inline namespaces, so that translation units that differ in them may be linked together. What

@@ -20,8 +20,8 @@ struct BugPoint {
 };
 
 struct Bug {
-  // id ("bugs.abs_of_int"), columns and body as in functions.inc; its file is config.glsl, for HN_HIGHP. The body may
-  // use float_of and bits_of.
+  // id ("bugs.abs_of_int"), columns and body as in functions.inc; its file is config.glsl, for its names of types. The
+  // body may use float_of and bits_of.
   Function function;
   std::string_view reference;      // where it was reported
   std::string_view specification;  // what the language says of it, and where

@@ -41,7 +41,7 @@ void add_sine(std::vector<Bug>& bugs) {
        })});
   bugs.push_back(
       {.function = bug_function("bugs.sin_of_small", "x:f32 = sine_over_x:f32",
-                                "HN_HIGHP float x = float_of(a.x);\nreturn uvec4(bits_of(sin(x) / x), 0u, 0u, 0u);"),
+                                "hn_float x = float_of(a.x);\nreturn uvec4(bits_of(sin(x) / x), 0u, 0u, 0u);"),
        .reference = kSineReports,
        .specification =
            "GLSL bounds no error of sin, and Vulkan's is absolute, so that small values may have none right",
@@ -100,7 +100,7 @@ void add_fract(std::vector<Bug>& bugs) {
        .points = points_of<float>({-1e-9f, -2e-10f, -1e-20f}, [](float) { return Words{word(0x1.fffffep-1f)}; })});
   bugs.push_back(
       {.function = bug_function("bugs.fract_of_exact", "x:f32 = fraction:f32 rest:f32",
-                                "HN_HIGHP float x = float_of(a.x);\n"
+                                "hn_float x = float_of(a.x);\n"
                                 "return uvec4(bits_of(fract(x)), bits_of(x - floor(x)), 0u, 0u);"),
        .reference = kFract,
        .specification = "GLSL 4.60 section 8.3: fract is x - floor(x), and these differences are floats",
@@ -201,12 +201,12 @@ std::vector<BugPoint> contraction_points() {
 
 void add_contraction(std::vector<Bug>& bugs) {
   bugs.push_back({.function = bug_function("bugs.contracted_despite_precise", kContractionColumns,
-                                           "precise HN_HIGHP float x = float_of(a.x);\n"
-                                           "precise HN_HIGHP float y = float_of(a.y);\n"
-                                           "precise HN_HIGHP float large = float_of(a.z);\n"
-                                           "precise HN_HIGHP float product = x * y;\n"
-                                           "precise HN_HIGHP float residue = x * y + (-product);\n"
-                                           "precise HN_HIGHP float rest = (large + x) - large;\n"
+                                           "precise hn_float x = float_of(a.x);\n"
+                                           "precise hn_float y = float_of(a.y);\n"
+                                           "precise hn_float large = float_of(a.z);\n"
+                                           "precise hn_float product = x * y;\n"
+                                           "precise hn_float residue = x * y + (-product);\n"
+                                           "precise hn_float rest = (large + x) - large;\n"
                                            "return uvec4(bits_of(residue), rest != x ? 1u : 0u, 0u, 0u);"),
                   .reference = kContractionReports,
                   .specification = kPrecise,
@@ -214,12 +214,12 @@ void add_contraction(std::vector<Bug>& bugs) {
                   .profiles = "gl400 es320",
                   .points = contraction_points()});
   bugs.push_back({.function = bug_function("bugs.contracted", kContractionColumns,
-                                           "HN_HIGHP float x = float_of(a.x);\n"
-                                           "HN_HIGHP float y = float_of(a.y);\n"
-                                           "HN_HIGHP float large = float_of(a.z);\n"
-                                           "HN_HIGHP float product = x * y;\n"
-                                           "HN_HIGHP float residue = x * y + (-product);\n"
-                                           "HN_HIGHP float rest = (large + x) - large;\n"
+                                           "hn_float x = float_of(a.x);\n"
+                                           "hn_float y = float_of(a.y);\n"
+                                           "hn_float large = float_of(a.z);\n"
+                                           "hn_float product = x * y;\n"
+                                           "hn_float residue = x * y + (-product);\n"
+                                           "hn_float rest = (large + x) - large;\n"
                                            "return uvec4(bits_of(residue), rest != x ? 1u : 0u, 0u, 0u);"),
                   .reference = kContractionReports,
                   .specification = kImprecise,
@@ -233,7 +233,7 @@ void add_denormals(std::vector<Bug>& bugs) {
   constexpr std::string_view kReports = "denormals flushed: allowed, and seen on several drivers (llvmpipe among them)";
   bugs.push_back(
       {.function = bug_function("bugs.denormals_kept", "x:f32 y:f32 = product:f32 sum:f32",
-                                "HN_HIGHP float x = float_of(a.x);\nHN_HIGHP float y = float_of(a.y);\n"
+                                "hn_float x = float_of(a.x);\nhn_float y = float_of(a.y);\n"
                                 "return uvec4(bits_of(x * y), bits_of(x * y + x * y), 0u, 0u);"),
        .reference = kReports,
        .specification = "GLSL 4.60 section 4.7.1: any denormalized value, input or output, may be flushed to 0",
@@ -244,7 +244,7 @@ void add_denormals(std::vector<Bug>& bugs) {
        })});
   bugs.push_back(
       {.function = bug_function("bugs.small_normals_kept", "x:f32 y:f32 = product:f32 sum:f32",
-                                "HN_HIGHP float x = float_of(a.x);\nHN_HIGHP float y = float_of(a.y);\n"
+                                "hn_float x = float_of(a.x);\nhn_float y = float_of(a.y);\n"
                                 "return uvec4(bits_of(x * y), bits_of(x * y + x * y), 0u, 0u);"),
        .reference = kReports,
        .specification =
@@ -291,7 +291,7 @@ void add_conversions(std::vector<Bug>& bugs) {
                                   [](float x) { return Words{word(static_cast<std::int32_t>(x))}; })});
   bugs.push_back(
       {.function = bug_function("bugs.int_of_float", "x:f32 = converted:i32 floored:i32",
-                                "HN_HIGHP float x = float_of(a.x);\n"
+                                "hn_float x = float_of(a.x);\n"
                                 "return uvec4(uint(int(x)), uint(int(floor(x))), 0u, 0u);"),
        .reference = "Kenix3/libultraship 1096 (PowerVR, at integers)",
        .specification = "GLSL 4.60 section 5.4.1: the fractional part is dropped; floor of a whole number is itself",
@@ -305,9 +305,9 @@ void add_folding(std::vector<Bug>& bugs) {
   bugs.push_back(
       {.function = bug_function(
            "bugs.folded_floats", "x:f32 y:f32 = constant:f32 variable:f32 product:f32 variable_product:f32",
-           "HN_HIGHP float x = float_of(a.x);\nHN_HIGHP float y = float_of(a.y);\n"
-           "HN_HIGHP float difference = 3.0 - 0.0000152587890625;\n"
-           "HN_HIGHP float product = 4095.5 * 0.75;\n"
+           "hn_float x = float_of(a.x);\nhn_float y = float_of(a.y);\n"
+           "hn_float difference = 3.0 - 0.0000152587890625;\n"
+           "hn_float product = 4095.5 * 0.75;\n"
            "return uvec4(bits_of(difference), bits_of(x - 0.0000152587890625), bits_of(product), bits_of(y * 0.75));"),
        .reference = "constant folding that differs from run time, seen on several drivers",
        .specification = "GLSL 4.60 section 4.3.3: constants fold to the value of run time; these results are floats, "
@@ -320,7 +320,7 @@ void add_folding(std::vector<Bug>& bugs) {
        })});
   bugs.push_back(
       {.function = bug_function("bugs.highp_beside_mediump", "x:f32 y:u32 = sum:f32 product:f32 word:u32",
-                                "HN_HIGHP float x = float_of(a.x);\n"
+                                "hn_float x = float_of(a.x);\n"
                                 "mediump float one = 1.0;\nmediump uint three = 3u;\n"
                                 "return uvec4(bits_of((x + one) - 1.0), bits_of(x * one), a.y * three, 0u);"),
        .reference = "ashima/webgl-noise 25 (iOS); stegu/webgl-noise 11",

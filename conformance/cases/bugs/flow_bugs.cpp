@@ -19,9 +19,9 @@ constexpr std::string_view kLoops =
 void add_loops(std::vector<Bug>& bugs) {
   bugs.push_back(
       {.function = bug_function("bugs.unary_minus_in_loop", "x:f32 y:i32 count:i32 = sum:f32 whole_sum:i32",
-                                "HN_HIGHP float x = float_of(a.x);\nHN_HIGHP int y = int(a.y);\n"
-                                "HN_HIGHP float sum = 0.0;\nHN_HIGHP int whole = 0;\n"
-                                "for (HN_HIGHP int i = 0; i < min(int(a.z), 64); ++i) {\n"
+                                "hn_float x = float_of(a.x);\nhn_int y = int(a.y);\n"
+                                "hn_float sum = 0.0;\nhn_int whole = 0;\n"
+                                "for (hn_int i = 0; i < min(int(a.z), 64); ++i) {\n"
                                 "  sum += -x;\n  whole += -y * (i + 1);\n}\n"
                                 "return uvec4(bits_of(sum), uint(whole), 0u, 0u);"),
        .reference = "WebGL conformance/glsl/bugs/unary-minus-operator-in-dynamic-loop; ANGLE rewriteUnaryMinusOperator",
@@ -36,12 +36,12 @@ void add_loops(std::vector<Bug>& bugs) {
                         })});
   bugs.push_back({.function = bug_function(
                       "bugs.loop_condition", "start:u32 count:i32 = for_loop:u32 while_loop:u32 break_loop:u32",
-                      "HN_HIGHP int n = min(int(a.y), 64);\nHN_HIGHP uint f = a.x;\nHN_HIGHP uint w = "
-                      "a.x;\nHN_HIGHP uint b0 = a.x;\n"
-                      "for (HN_HIGHP int i = 0; i < n; ++i) { f = f * 1664525u + 1013904223u + uint(i); }\n"
-                      "HN_HIGHP int j = 0;\n"
+                      "hn_int n = min(int(a.y), 64);\nhn_uint f = a.x;\nhn_uint w = "
+                      "a.x;\nhn_uint b0 = a.x;\n"
+                      "for (hn_int i = 0; i < n; ++i) { f = f * 1664525u + 1013904223u + uint(i); }\n"
+                      "hn_int j = 0;\n"
                       "while (j < n) { w = w * 1664525u + 1013904223u + uint(j); j = j + 1; }\n"
-                      "for (HN_HIGHP int k = 0; k < 64; ++k) {\n"
+                      "for (hn_int k = 0; k < 64; ++k) {\n"
                       "  if (k >= n) { break; }\n"
                       "  b0 = b0 * 1664525u + 1013904223u + uint(k);\n}\n"
                       "return uvec4(f, w, b0, 0u);"),
@@ -55,23 +55,22 @@ void add_loops(std::vector<Bug>& bugs) {
 }
 
 void add_initializers(std::vector<Bug>& bugs) {
-  bugs.push_back(
-      {.function = bug_function("bugs.loop_initializer", "first:i32 end:i32 = for_loop:u32",
-                                "HN_HIGHP uint h = 7u;\n"
-                                "for (HN_HIGHP int i = max(int(a.x), -64); i < min(int(a.y), 64); ++i) { h = h "
-                                "* 1664525u + 1013904223u + uint(i); }\n"
-                                "return uvec4(h, 0u, 0u, 0u);"),
-       .reference = "ANGLE dont_use_loops_to_initialize_variables (Qualcomm and others)",
-       .specification = kLoops,
-       .defined = true,
-       .points = points({{0, 3}, {2, 9}, {word(-4), 4}, {5, 5}}, [](const Words& in) {
-         return Words{iterated(7, static_cast<std::int32_t>(in[0]), static_cast<std::int32_t>(in[1]))};
-       })});
+  bugs.push_back({.function = bug_function("bugs.loop_initializer", "first:i32 end:i32 = for_loop:u32",
+                                           "hn_uint h = 7u;\n"
+                                           "for (hn_int i = max(int(a.x), -64); i < min(int(a.y), 64); ++i) { h = h "
+                                           "* 1664525u + 1013904223u + uint(i); }\n"
+                                           "return uvec4(h, 0u, 0u, 0u);"),
+                  .reference = "ANGLE dont_use_loops_to_initialize_variables (Qualcomm and others)",
+                  .specification = kLoops,
+                  .defined = true,
+                  .points = points({{0, 3}, {2, 9}, {word(-4), 4}, {5, 5}}, [](const Words& in) {
+                    return Words{iterated(7, static_cast<std::int32_t>(in[0]), static_cast<std::int32_t>(in[1]))};
+                  })});
   bugs.push_back({.function = bug_function("bugs.array_initialized_in_loop", "x:u32 index:i32 = element:u32 sum:u32",
-                                           "HN_HIGHP uint t[8];\n"
-                                           "for (HN_HIGHP int i = 0; i < 8; ++i) { t[i] = a.x + uint(i * i); }\n"
-                                           "HN_HIGHP uint sum = 0u;\n"
-                                           "for (HN_HIGHP int i = 0; i < 8; ++i) { sum += t[i]; }\n"
+                                           "hn_uint t[8];\n"
+                                           "for (hn_int i = 0; i < 8; ++i) { t[i] = a.x + uint(i * i); }\n"
+                                           "hn_uint sum = 0u;\n"
+                                           "for (hn_int i = 0; i < 8; ++i) { sum += t[i]; }\n"
                                            "return uvec4(t[int(a.y) & 7], sum, 0u, 0u);"),
                   .reference = "ANGLE dont_use_loops_to_initialize_variables (Qualcomm and others)",
                   .specification = "GLSL 4.60 section 5.7: an element keeps what was assigned to it",
@@ -86,9 +85,9 @@ void add_initializers(std::vector<Bug>& bugs) {
 void add_vectors(std::vector<Bug>& bugs) {
   bugs.push_back({.function = bug_function(
                       "bugs.vector_plus_scalar_in_loop", "x:f32 y:f32 s:f32 count:i32 = x:f32 y:f32 z:u32 w:u32",
-                      "HN_HIGHP vec2 v = vec2(float_of(a.x), float_of(a.y));\nHN_HIGHP uvec2 u = uvec2(1u, 2u);\n"
-                      "HN_HIGHP float s = float_of(a.z);\n"
-                      "for (HN_HIGHP int i = 0; i < min(int(a.w), 64); ++i) {\n  v += s;\n  u += 3u;\n}\n"
+                      "hn_vec2 v = vec2(float_of(a.x), float_of(a.y));\nhn_uvec2 u = uvec2(1u, 2u);\n"
+                      "hn_float s = float_of(a.z);\n"
+                      "for (hn_int i = 0; i < min(int(a.w), 64); ++i) {\n  v += s;\n  u += 3u;\n}\n"
                       "return uvec4(bits_of(v.x), bits_of(v.y), u);"),
                   .reference = "crbug 772651, WebGL conformance/glsl/bugs/vector-scalar-arithmetic-inside-loop",
                   .specification = "GLSL 4.60 section 5.9: a scalar is added to each component; these sums are exact",
@@ -111,7 +110,7 @@ void add_vectors(std::vector<Bug>& bugs) {
        .specification = kAssignments,
        .defined = true,
        .declarations = "#include \"config.glsl\"\n"
-                       "HN_HIGHP uvec4 hn_bug_swap(HN_HIGHP uvec4 v) {\n"
+                       "hn_uvec4 hn_bug_swap(hn_uvec4 v) {\n"
                        "  v.xy = v.yx;\n  v.zw = v.xy;\n  v.xy = v.xy + v.ww;\n  return v;\n}\n",
        .points = points({{1, 2, 3, 4}, {0xFFFFFFFFu, 7, 0, 5}}, [](const Words& in) {
          return Words{in[1] + in[0], in[0] + in[0], in[1], in[0]};
@@ -123,8 +122,8 @@ void add_vectors(std::vector<Bug>& bugs) {
        .specification = kAssignments,
        .defined = true,
        .declarations = "#include \"config.glsl\"\n"
-                       "HN_HIGHP uvec4 hn_bug_chain(HN_HIGHP uvec4 v) {\n"
-                       "  HN_HIGHP uvec4 r = uvec4(9u);\n  r.zw = r.xy = v.yx;\n  return r;\n}\n",
+                       "hn_uvec4 hn_bug_chain(hn_uvec4 v) {\n"
+                       "  hn_uvec4 r = uvec4(9u);\n  r.zw = r.xy = v.yx;\n  return r;\n}\n",
        .points = points({{1, 2, 3, 4}, {0xFFFFFFFFu, 7, 0, 5}}, [](const Words& in) {
          return Words{in[1], in[0], in[1], in[0]};
        })});

@@ -25,7 +25,7 @@ void add_modulo(std::vector<Bug>& bugs) {
                   .points = points({{word(-1), 7}, {word(-7), 3}, {7, word(-3)}, {word(-2147483647), 48}},
                                    [](const Words& in) { return Words{word(as_int(in[0]) % as_int(in[1]))}; })});
   bugs.push_back({.function = bug_function("bugs.modulo_of_negative_constant", "x:i32 = constant:i32 variable:i32",
-                                           "HN_HIGHP int constant = (-7) % 3;\n"
+                                           "hn_int constant = (-7) % 3;\n"
                                            "return uvec4(uint(constant), uint(int(a.x) % 3), 0u, 0u);"),
                   .reference = kModuloReports,
                   .specification = kModuloOpen,
@@ -66,7 +66,7 @@ void add_shifts(std::vector<Bug>& bugs) {
   constexpr std::string_view kUintOfInt =
       "KhronosGroup/WebGL 2989 (Adreno 5xx and 6xx), its test conformance2/glsl3/uint-int-shift-bug";
   bugs.push_back({.function = bug_function("bugs.uint_of_int_shifted_by_31", "x:i32 = sign:u32",
-                                           "HN_HIGHP int x = int(a.x);\nreturn uvec4(uint(x) >> 31, 0u, 0u, 0u);"),
+                                           "hn_int x = int(a.x);\nreturn uvec4(uint(x) >> 31, 0u, 0u, 0u);"),
                   .reference = kUintOfInt,
                   .specification = kShiftDefined,
                   .defined = true,
@@ -74,7 +74,7 @@ void add_shifts(std::vector<Bug>& bugs) {
                                                      [](std::uint32_t x) { return Words{x >> 31}; })});
   bugs.push_back(
       {.function = bug_function("bugs.uint_of_int_shifted", "x:i32 count:u32 = shifted:u32",
-                                "HN_HIGHP int x = int(a.x);\nreturn uvec4(uint(x) >> a.y, 0u, 0u, 0u);"),
+                                "hn_int x = int(a.x);\nreturn uvec4(uint(x) >> a.y, 0u, 0u, 0u);"),
        .reference = kUintOfInt,
        .specification = kShiftDefined,
        .defined = true,
@@ -82,7 +82,7 @@ void add_shifts(std::vector<Bug>& bugs) {
                         [](const Words& in) { return Words{in[0] >> in[1]}; })});
   bugs.push_back(
       {.function = bug_function("bugs.int_shift_extends_sign", "x:i32 count:i32 = shifted:i32 by_constant:i32",
-                                "HN_HIGHP int x = int(a.x);\n"
+                                "hn_int x = int(a.x);\n"
                                 "return uvec4(uint(x >> int(a.y)), uint(x >> 4), 0u, 0u);"),
        .reference = kUintOfInt,
        .specification = kShiftDefined,
@@ -110,7 +110,7 @@ void add_shifts(std::vector<Bug>& bugs) {
                     return Words{in[0] << (in[1] & 31u), in[0] >> (in[1] & 31u)};
                   })});
   bugs.push_back({.function = bug_function("bugs.shift_by_constant_32", "x:u32 = left:u32 right:u32",
-                                           "HN_HIGHP uint n = 32u;\nreturn uvec4(a.x << n, a.x >> n, 0u, 0u);"),
+                                           "hn_uint n = 32u;\nreturn uvec4(a.x << n, a.x >> n, 0u, 0u);"),
                   .reference = kFolded,
                   .specification = kShiftOpen,
                   .defined = false,
@@ -148,7 +148,7 @@ void add_widths(std::vector<Bug>& bugs) {
                           return Words{in[0] + in[1], in[0] - in[1], in[0] * in[1], 0u - in[0]};
                         })});
   bugs.push_back({.function = bug_function("bugs.ints_beyond_65536", "x:i32 = next:i32 twice:i32 scaled:i32",
-                                           "HN_HIGHP int x = int(a.x);\n"
+                                           "hn_int x = int(a.x);\n"
                                            "return uvec4(uint(x + 1), uint(x * 2), uint(x * 1000 - 7), 0u);"),
                   .reference = kAdrenoIntegers,
                   .specification = kWrap,
@@ -168,8 +168,8 @@ void add_widths(std::vector<Bug>& bugs) {
                                                      })});
   bugs.push_back(
       {.function = bug_function("bugs.precision_side_effects", "x:u32 y:u32 = flag:i32 product:i32",
-                                "HN_HIGHP int flag = int(a.x == a.x);\n"
-                                "HN_HIGHP int x = int(a.y);\n"
+                                "hn_int flag = int(a.x == a.x);\n"
+                                "hn_int x = int(a.y);\n"
                                 "return uvec4(uint(0 | (flag * 0x8000)), uint(0 | (x * 0x8000)), 0u, 0u);"),
        .reference =
            "KhronosGroup/WebGL 3192, its test conformance2/glsl3/precision-side-effects-bug (Adreno, crbug 1155942)",
@@ -204,7 +204,7 @@ void add_others(std::vector<Bug>& bugs) {
                   })});
   bugs.push_back(
       {.function = bug_function("bugs.bit_cast_hash", "x:f32 y:f32 = hash:u32",
-                                "HN_HIGHP uint h = floatBitsToUint(float_of(a.x) + float_of(a.y));\n"
+                                "hn_uint h = floatBitsToUint(float_of(a.x) + float_of(a.y));\n"
                                 "h = h * 747796405u + 2891336453u;\nreturn uvec4(h ^ (h >> 16), 0u, 0u, 0u);"),
        .reference = "popojan/goban 35 (Intel UHD 620 on Windows: the noise goes flat)",
        .specification =
@@ -223,8 +223,8 @@ void add_others(std::vector<Bug>& bugs) {
   bugs.push_back(
       {.function =
            bug_function("bugs.folded_words", "x:u32 y:u32 = constant:u32 variable:u32 shifted:u32 shifted_variable:u32",
-                        "HN_HIGHP uint constant = (2166136261u * 16777619u) ^ 97u;\n"
-                        "HN_HIGHP uint shifted = (0xDEADBEEFu << 7) | (0xDEADBEEFu >> 25);\n"
+                        "hn_uint constant = (2166136261u * 16777619u) ^ 97u;\n"
+                        "hn_uint shifted = (0xDEADBEEFu << 7) | (0xDEADBEEFu >> 25);\n"
                         "return uvec4(constant, (a.x * 16777619u) ^ 97u, shifted, (a.y << 7) | (a.y >> 25));"),
        .reference = "constant folding that differs from run time, seen on several drivers",
        .specification =

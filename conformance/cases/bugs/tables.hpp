@@ -16,7 +16,7 @@ void add_flow_bugs(std::vector<Bug>& bugs);
 
 inline float as_float(std::uint32_t value) { return std::bit_cast<float>(value); }
 
-// What a bug evaluates. It needs nothing of the library but HN_HIGHP.
+// What a bug evaluates. It needs nothing of the library but the names of types.
 inline Function bug_function(std::string_view id, std::string_view columns, std::string_view body) {
   return make_function(id, "config.glsl", Family::independent, "exact", columns, "", body);
 }

@@ -45,16 +45,24 @@ int g() { return 14; }
                              [len(line) for line in self.SOURCE.split("\n")])
 
     def test_a_function_knows_its_parameters(self):
-        (start, code), *_ = rules.functions("int a; float f(HN_HIGHP vec2 p, int n) { return p.x; }")
-        self.assertEqual(start, 40)
+        (start, code), *_ = rules.functions("int a; float f(hn_vec2 p, int n) { return p.x; }")
+        self.assertEqual(start, 34)
         self.assertEqual([name for _, name, _ in code.variables], ["a", "p", "n"])
         self.assertEqual(code.type_of(1), "vec2")
         self.assertEqual(code.type_of(3), "")  # a component is no variable
+
+    def test_the_types_of_the_library_are_types(self):
+        head = "hn_num f(hn_num2 p, hn_float a, float b, hn_num n)"
+        self.assertEqual([kind for _, _, kind in rules.Code("", head).variables], ["num2", "float", "float", "num"])
+        self.assertEqual(changed(rules.swap_arguments, "g(a, b, p.x, n, p)", head),
+                         ["g(b, a, p.x, n, p)", "g(a, b, n, p.x, p)"])
 
     def test_what_only_cpp_sees_is_blank(self):
         text = "#ifdef __cplusplus\na\n#if 1\nb\n#else\nc\n#endif\n#elif defined(GL_ES)\nd\n#else\ne\n#endif\nf"
         self.assertEqual("".join(line for line in rules.without_cpp(text).split("\n") if line[:1] != "#").split(),
                          ["def"])
+        self.assertNotIn("#if 1", rules.without_cpp(text))
+        self.assertIn("#elif defined(GL_ES)", rules.without_cpp(text))
 
     def test_braces_that_do_not_match_are_an_error(self):
         with self.assertRaises(ValueError):
@@ -155,6 +163,9 @@ class Calls(unittest.TestCase):
                          ["g(h(w, 2u), h(1u, c.x))", "g(h(c.x, 1u), h(w, 2u))", "g(h(1u, c.x), h(2u, w))"])
 
     def test_what_would_not_compile_or_not_matter_is_left(self):
+        self.assertEqual(changed(rules.swap_arguments, "g(a < b, b, a)", self.HEAD), ["g(a < b, a, b)"])
+        self.assertEqual(changed(rules.swap_arguments, "hn_i_times_plus(a, b, 1.0f)", self.HEAD),
+                         ["hn_i_times_plus(a, 1.0f, b)"])
         for text in ("g(p, a)", "g(p.x, w)", "g(h(p), a)", "g(a, a)", "min(a, b)", "if (a, b)", "g()", "g(2, w)"):
             self.assertEqual(changed(rules.swap_arguments, text, self.HEAD), [], text)
 
@@ -206,7 +217,7 @@ class Directives(unittest.TestCase):
                          ["", "#define F(x, n) g(x & 0x10)", "#define F(x, n) g(x & 0xE)",
                           "#define F(x, n) g(x | 0xF)"])
         self.assertEqual(self.changed("#define HN_HASH HN_HASH_PCG"), ["", "#define HN_HASH HN_HASH_XXHASH32"])
-        self.assertEqual(self.changed("#define HN_HIGHP highp"), ["", "#define HN_HIGHP mediump"])
+        self.assertEqual(self.changed("#define HN_I_HIGHP highp"), ["", "#define HN_I_HIGHP mediump"])
 
     def test_conditions(self):
         self.assertEqual(self.changed("#if A < 1 || B"), ["#if A < 2 || B", "#if A < 0 || B", "#if A < 1 && B",

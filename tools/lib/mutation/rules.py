@@ -17,7 +17,7 @@ from functools import cached_property
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 DIRECTIVE = re.compile(r"^[ \t]*#(?:\\\n|[^\n])*", re.MULTILINE)
 CONDITIONAL = re.compile(r"[ \t]*#[ \t]*(if\w*|el\w+|endif)\b[ \t]*([^\n]*)")
-TYPE = re.compile(r"float|int|uint|bool|[iu]?vec[234]")
+TYPE = re.compile(r"(?:hn_)?(float|int|uint|bool|[iu]?vec[234]|num[234]?)")  # without its prefix
 TOKEN = re.compile(r"(?P<number>(?:0[xX][0-9a-fA-F]+|(?:\d+\.\d*|\.\d+|\d+)(?:[eE][+-]?\d+)?)[uUfF]?)|"
                    r"(?P<name>[A-Za-z_]\w*)|"
                    r"(?P<operator><<=|>>=|[-+*/%&|^<>=!]=|<<|>>|&&|\|\||\+\+|--|[^\w\s])")
@@ -38,14 +38,15 @@ def without_cpp(source: str) -> str:
     only_cpp: list[bool] = []  # of each #if around the line
     for i, line in enumerate(lines):
         conditional = CONDITIONAL.match(line)
-        if not conditional:
-            if any(only_cpp):
-                lines[i] = blank(line)
-        elif conditional[1].startswith("if"):
+        is_start = conditional is not None and conditional[1].startswith("if")
+        # What a conditional stands in is around it, whether it opens, goes on or closes.
+        if any(only_cpp[:-1] if conditional and not is_start else only_cpp):
+            lines[i] = blank(line)
+        if is_start:
             only_cpp.append(conditional[0].split() == ["#ifdef", "__cplusplus"])
-        elif conditional[1] == "endif":
+        elif conditional and conditional[1] == "endif":
             only_cpp.pop()
-        else:
+        elif conditional:
             only_cpp[-1] = False
     return "\n".join(lines)
 
@@ -76,8 +77,9 @@ def variables_of(tokens: Sequence[Token]) -> Iterator[tuple[int, str, str]]:
     """The variables that are declared: the index of the name, the name and the type."""
     for i, (kind, name) in enumerate(zip(tokens, tokens[1:]), 1):
         following = tokens[i + 1].text if i + 1 < len(tokens) else ""
-        if TYPE.fullmatch(kind.text) and name.kind == "name" and following != "(":
-            yield i, name.text, kind.text
+        kind_name = TYPE.fullmatch(kind.text)
+        if kind_name and name.kind == "name" and following != "(":
+            yield i, name.text, kind_name[1]
 
 
 @dataclass(frozen=True)
@@ -267,11 +269,23 @@ def change_signs(code: Code) -> Iterator[Change]:
 
 # --- Calls ---
 
-COMMUTATIVE = ("min", "max")
+COMMUTATIVE = ("min", "max", "hn_i_plus", "hn_i_times", "hn_i_times_plus")  # in the first two arguments
+
+
+def is_condition(code: Code, first: int, last: int) -> bool:
+    """Whether an expression compares, outside of brackets."""
+    depth = 0
+    for token in code.tokens[first:last + 1]:
+        depth += {"(": 1, ")": -1}.get(token.text, 0)
+        if depth == 0 and (token.text in OTHER_COMPARISONS or token.text in ("&&", "||")):
+            return True
+    return False
 
 
 def kind_of(code: Code, first: int, last: int) -> str:
     """The type of an expression, as far as its first operand tells; empty if it does not."""
+    if is_condition(code, first, last):
+        return "bool"
     while code.token(first).text == "(":
         first += 1
     token, following = code.token(first), code.token(first + 1).text
@@ -281,7 +295,7 @@ def kind_of(code: Code, first: int, last: int) -> str:
         return token.text if TYPE.fullmatch(token.text) else ""
     kind = code.type_of(first)
     if following == "." and first < last:
-        return {"i": "int", "u": "uint"}.get(kind[:1], "float") if kind else ""
+        return {"i": "int", "u": "uint", "n": "num"}.get(kind[:1], "float") if kind else ""
     return kind
 
 
@@ -289,7 +303,7 @@ def swap_arguments(code: Code) -> Iterator[Change]:
     """Swaps adjacent arguments, unless they are alike, or of different types, or it does not matter."""
     for i in code.calls():
         name = code.token(i).text
-        arguments = code.arguments(i + 1) if name not in COMMUTATIVE else []
+        arguments = code.arguments(i + 1)[name in COMMUTATIVE:]
         for (first, first_end), (second, second_end) in zip(arguments, arguments[1:]):
             start, end = code.token(first).start, code.token(second_end).end
             one = code.text[start:code.token(first_end).end]
@@ -297,7 +311,7 @@ def swap_arguments(code: Code) -> Iterator[Change]:
             other = code.text[code.token(second).start:end]
             kinds = kind_of(code, first, first_end), kind_of(code, second, second_end)
             # What a function returns is not known. A constructor most likely gets it beside numbers, which it is, too.
-            same = kinds[0] == kinds[1] or "" in kinds and bool(TYPE.fullmatch(name))
+            same = kinds[0] == kinds[1] or "" in kinds and bool(TYPE.fullmatch(name) or name == "hn_i_num")
             if one != other and same:
                 yield Change(start, end, other + gap + one)
 
@@ -308,11 +322,13 @@ OTHER_FUNCTIONS = {
     "hn_hash_jenkins": ("hn_hash_partial_jenkins",), "hn_hash_partial_jenkins": ("hn_hash_jenkins",),
     "hn_hash_murmur": ("hn_hash_pcg",), "hn_hash_pcg": ("hn_hash_xxhash32",), "hn_hash_xxhash32": ("hn_hash_murmur",),
     "hn_gradient2": ("hn_gradient3",), "hn_gradient3": ("hn_gradient2",),
+    "hn_i_plus": ("hn_i_minus",), "hn_i_minus": ("hn_i_plus",),
+    "hn_i_scaled2": ("hn_i_scaled3",), "hn_i_scaled3": ("hn_i_scaled2",),
     "hn_fbm": ("hn_turbulence",), "hn_turbulence": ("hn_fbm",), "hn_clouds": ("hn_fbm",),
 }
 # What returns the type that it takes, so that its argument may stand for it.
 STEPS = ("abs", "floor", "trunc", "hn_i_mix", "hn_i_hash", "hn_i_spread", "hn_i_fold", "hn_i_odd", "hn_i_wrap",
-         "hn_i_next", "hn_hash", "hn_i_inside", "hn_i_cloud_density", "hn_i_excess_bits", "hn_i_quarter")
+         "hn_i_next", "hn_hash", "hn_i_inside", "hn_i_far", "hn_i_cloud_density", "hn_i_excess_bits", "hn_i_quarter")
 
 
 def change_calls(code: Code) -> Iterator[Change]:

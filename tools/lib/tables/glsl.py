@@ -9,7 +9,7 @@ from pathlib import Path
 from tree import GLSL
 
 LIBRARY = GLSL
-FUNCTION = re.compile(r"^HN_FN\s+(?:HN_HIGHP\s+)?\w+\s+(hn_(?!i_)\w+)\(([^()]*)\)\s*\{", re.MULTILINE)
+FUNCTION = re.compile(r"^HN_FN\s+\w+\s+(hn_(?!i_)\w+)\(([^()]*)\)\s*\{", re.MULTILINE)
 
 
 @dataclass(frozen=True)
@@ -43,7 +43,7 @@ class Declaration:
 
 
 def _type(argument: str) -> str:
-    """Of an argument like "HN_HIGHP vec2 p" or "hn_vec2 p"."""
+    """Of an argument like "hn_vec2 p"."""
     return argument.split()[-2].removeprefix("hn_")
 
 

@@ -80,12 +80,12 @@ class Library(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)
 
-    def test_both_spellings_of_types(self) -> None:
+    def test_finds_overloads_and_their_comments(self) -> None:
         (self.folder / "a.glsl").write_text("""
 // What it is.
 //   seed     any
-HN_FN HN_HIGHP float hn_one(HN_HIGHP ivec2 cell, HN_HIGHP vec2 f,
-                            HN_HIGHP uint seed) {
+HN_FN hn_float hn_one(hn_ivec2 cell, hn_vec2 f,
+                      hn_uint seed) {
 }
 HN_FN hn_float hn_one(hn_ivec2 cell, hn_vec2 f) { return hn_i_none(hn_one(cell, f, 0u)); }
 HN_FN hn_float hn_two(hn_vec3 p) { return 0.0f; }

@@ -1,0 +1,143 @@
+// Prints digests of what the functions of the library are at random points, with the scalar twin or, if LANES is
+// defined, with four points at a time. The two print the same. (lanes_test.py compiles it with both.)
+#include <cstdio>
+
+#ifdef LANES
+#include "../../glsl/config.glsl"
+#include "lanes.hpp"
+
+namespace lanes {
+namespace text {
+using uint = Uint;
+using vec2 = hashnoise::Vector2<Float>;
+using vec3 = hashnoise::Vector3<Float>;
+using vec4 = hashnoise::Vector4<Float>;
+using ivec2 = hashnoise::Vector2<Int>;
+using ivec3 = hashnoise::Vector3<Int>;
+using ivec4 = hashnoise::Vector4<Int>;
+using uvec2 = hashnoise::Vector2<Uint>;
+using uvec3 = hashnoise::Vector3<Uint>;
+using uvec4 = hashnoise::Vector4<Uint>;
+using hn_float = Float;
+using hn_vec2 = vec2;
+using hn_vec3 = vec3;
+using hn_vec4 = vec4;
+using hn_int = Int;
+using hn_ivec2 = ivec2;
+using hn_ivec3 = ivec3;
+using hn_ivec4 = ivec4;
+using hn_uint = Uint;
+using hn_uvec2 = uvec2;
+using hn_uvec3 = uvec3;
+using hn_uvec4 = uvec4;
+
+// The constructors of scalars are keywords of C++.
+#define float Float
+#define int Int
+#include "../../glsl/hashnoise.glsl"
+#ifdef UNFIT
+HN_FN hn_uint unfit(hn_uint x, HN_I_UNUSED hn_uint y) { return UNFIT; }
+#endif
+#undef float
+#undef int
+}  // namespace text
+}  // namespace lanes
+
+using namespace lanes::text;
+using lanes::kLanes;
+
+float lane(hn_float value, int i) { return value.v[i]; }
+template <typename Number, typename Function>
+Number points(Function function) {
+  Number numbers = Number::each([&](int) { return function(); });
+#ifdef FAULTY_LANE
+  numbers.v[3] = numbers.v[2];
+#endif
+  return numbers;
+}
+#else
+#include <hashnoise/hashnoise.hpp>
+
+using namespace hashnoise;
+constexpr int kLanes = 1;
+
+float lane(hn_float value, int) { return value; }
+template <typename Number, typename Function>
+Number points(Function function) {
+  return function();
+}
+#endif
+
+namespace {
+
+constexpr int kPoints = 1 << 16;
+
+// Each number has a generator of its own, so that it does not matter how many points are taken at a time.
+class Generator {
+ public:
+  explicit Generator(std::uint32_t state) : state_(state) {}
+  std::uint32_t word() {
+    state_ ^= state_ << 13u;
+    state_ ^= state_ >> 17u;
+    return state_ ^= state_ << 5u;
+  }
+  float position() {
+    return static_cast<float>(static_cast<std::int32_t>(word())) * (1.0f / 4194304.0f);
+  }  // [-512, 512)
+  float fraction() { return static_cast<float>(word() >> 8u) * (1.0f / 16777216.0f); }
+
+ private:
+  std::uint32_t state_;
+};
+
+struct Point {
+  hn_float x, y, z;
+  hn_int cx, cy, cz;
+  hn_float fx, fy, fz;
+  hn_uint seed;
+};
+
+// FNV-1a of the words of a float at each point.
+template <typename Function>
+void print_digest(const char* name, Function function) {
+  Generator x(1u), y(2u), z(3u), cx(4u), cy(5u), cz(6u), fx(7u), fy(8u), fz(9u), seed(10u);
+  std::uint64_t digest = 0xCBF29CE484222325u;
+  const auto cell_of = [](Generator& g) { return points<hn_int>([&] { return static_cast<std::int32_t>(g.word()); }); };
+  const auto position_of = [](Generator& g) { return points<hn_float>([&] { return g.position(); }); };
+  const auto fraction_of = [](Generator& g) { return points<hn_float>([&] { return g.fraction(); }); };
+  for (int first = 0; first < kPoints; first += kLanes) {
+    const Point point{position_of(x),  position_of(y),
+                      position_of(z),  cell_of(cx),
+                      cell_of(cy),     cell_of(cz),
+                      fraction_of(fx), fraction_of(fy),
+                      fraction_of(fz), points<hn_uint>([&] { return seed.word(); })};
+    const hn_float value = function(point);
+    for (int i = 0; i < kLanes; ++i) {
+      digest = (digest ^ std::bit_cast<std::uint32_t>(lane(value, i))) * 0x100000001B3u;
+    }
+  }
+  std::printf("%s %016llx\n", name, static_cast<unsigned long long>(digest));
+}
+
+}  // namespace
+
+int main() {
+#ifdef UNFIT
+  print_digest("unfit", [](const Point& p) { return hn_unorm(unfit(p.seed, p.seed * 3u)); });
+#endif
+  print_digest("perlin2", [](const Point& p) { return hn_perlin(hn_vec2(p.x, p.y), p.seed); });
+  print_digest("perlin3", [](const Point& p) { return hn_perlin(hn_vec3(p.x, p.y, p.z), p.seed); });
+  print_digest("perlin2_cell",
+               [](const Point& p) { return hn_perlin(hn_ivec2(p.cx, p.cy), hn_vec2(p.fx, p.fy), p.seed); });
+  print_digest("perlin3_cell",
+               [](const Point& p) { return hn_perlin(hn_ivec3(p.cx, p.cy, p.cz), hn_vec3(p.fx, p.fy, p.fz), p.seed); });
+  print_digest("gradient3", [](const Point& p) {
+    const hn_vec3 gradient = hn_gradient(hn_ivec3(p.cx, p.cy, p.cz), p.seed);
+    return gradient.x + gradient.y * gradient.z;
+  });
+  print_digest("hash", [](const Point& p) { return hn_unorm(hn_hash(p.seed) ^ hn_lattice(hn_ivec2(p.cx, p.cy))); });
+  print_digest("fbm2", [](const Point& p) { return hn_fbm(hn_vec2(p.x, p.y), 4, 2.0f, 0.5f, p.seed); });
+  print_digest("turbulence3",
+               [](const Point& p) { return hn_turbulence(hn_vec3(p.x, p.y, p.z), 3, 2.1f, 0.7f, p.seed); });
+  print_digest("clouds2", [](const Point& p) { return hn_clouds(hn_vec2(p.x, p.y), 3, 1.9f, 0.5f, p.seed); });
+}

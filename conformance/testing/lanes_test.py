@@ -1,0 +1,60 @@
+"""The text of the library over a type of four numbers: python3 lanes_test.py COMPILER...
+
+It can be instantiated, and has the values of the scalar twin bit by bit. lanes.hpp says what it needs for that.
+"""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+INCLUDE = HERE.parent.parent / "include"
+COMPILERS = sys.argv[1:]
+SETTINGS = (["HN_ARITHMETIC=HN_FAST"],
+            ["HN_ARITHMETIC=HN_PRECISE", "HN_HASH=HN_HASH_FNV1", "HN_GRADIENT=HN_GRADIENT_SINE", "HN_PERIOD=48"],
+            ["HN_ARITHMETIC=HN_FIXED", "HN_HASH=HN_HASH_PCG", "HN_PERIOD=64"])
+
+
+class Lanes(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.program = Path(folder.name, "lanes")
+
+    def compiled(self, compiler: str, *macros: str) -> str:
+        """What the compiler says; nothing if it compiles."""
+        command = [compiler, "-std=c++20", "-O1", "-ffp-contract=off", "-Wall", "-Wextra", "-Werror", "-I", str(INCLUDE),
+                   *(f"-D{macro}" for macro in macros), str(HERE / "lanes.cpp"), "-o", str(self.program)]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        return "" if done.returncode == 0 else f"exit status {done.returncode}: {done.stderr}"
+
+    def digests(self, compiler: str, *macros: str) -> list[str]:
+        self.assertEqual(self.compiled(compiler, *macros), "")
+        lines = subprocess.run([self.program], capture_output=True, text=True, check=True).stdout.splitlines()
+        self.assertGreater(len(lines), 5)
+        return lines
+
+    def test_the_values_are_those_of_the_scalar_twin(self):
+        for compiler in COMPILERS:
+            for setting in SETTINGS:
+                with self.subTest(compiler=compiler, setting=setting):
+                    self.assertEqual(self.digests(compiler, *setting, "LANES"), self.digests(compiler, *setting))
+
+    def test_a_lane_that_takes_the_value_of_another_is_noticed(self):
+        faulty = self.digests(COMPILERS[0], "LANES", "FAULTY_LANE")
+        self.assertEqual([line for line in self.digests(COMPILERS[0]) if line in faulty], [])
+
+    def test_what_lanes_cannot_do_is_noticed(self):
+        for use in ("x >> 8", "x + 1"):
+            self.assertIn("error", self.compiled(COMPILERS[0], "LANES", f"UNFIT={use}"), use)
+        for use, works in (("x > y ? x : y", False), ("hn_i_select(x > y, x, y)", True)):
+            self.assertEqual(self.compiled(COMPILERS[0], "LANES", f"UNFIT={use}"), "")
+            self.assertEqual(subprocess.run([self.program], capture_output=True, check=False).returncode == 0, works, use)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

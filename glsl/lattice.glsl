@@ -1,0 +1,77 @@
+// hashnoise: the cell that a noise is in: its coordinates, wrapped by HN_PERIOD, and the words of its corners.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_LATTICE_GLSL
+#define HN_LATTICE_GLSL
+
+#include "arithmetic.glsl"
+#include "hash.glsl"
+
+// The coordinates of a cell's near corner, and along an axis that of its far one.
+#if HN_PERIOD == 0
+HN_FN hn_uvec2 hn_i_wrap(hn_ivec2 cell) { return uvec2(cell); }
+HN_FN hn_uvec3 hn_i_wrap(hn_ivec3 cell) { return uvec3(cell); }
+HN_FN hn_uint hn_i_next(hn_uint c) { return c + 1u; }
+#else
+#if (HN_PERIOD & (HN_PERIOD - 1)) == 0
+HN_FN hn_uint hn_i_wrap(hn_int c) { return uint(c) & uint(HN_PERIOD - 1); }
+HN_FN hn_uint hn_i_next(hn_uint c) { return (c + 1u) & uint(HN_PERIOD - 1); }
+#else
+// The remainder of floored division. GLSL leaves % of negative numbers undefined, so those count back from -1.
+HN_FN hn_uint hn_i_wrap(hn_int c) {
+  hn_uint rest = uint(hn_i_select(c < 0, -1 - c, c)) % uint(HN_PERIOD);
+  return hn_i_select(c < 0, uint(HN_PERIOD - 1) - rest, rest);
+}
+HN_FN hn_uint hn_i_next(hn_uint c) { return hn_i_select(c == uint(HN_PERIOD - 1), 0u, c + 1u); }
+#endif
+HN_FN hn_uvec2 hn_i_wrap(hn_ivec2 cell) { return uvec2(hn_i_wrap(cell.x), hn_i_wrap(cell.y)); }
+HN_FN hn_uvec3 hn_i_wrap(hn_ivec3 cell) { return uvec3(hn_i_wrap(cell.x), hn_i_wrap(cell.y), hn_i_wrap(cell.z)); }
+#endif
+
+// The spread coordinates of a cell's far corner, from those of its near one.
+#if HN_PERIOD == 0
+HN_FN hn_uvec2 hn_i_spread_next(hn_uvec2 spread, HN_I_UNUSED hn_uvec2 c) {
+  return spread + uvec2(0x9E3779B1u, 0x85EBCA77u);
+}
+HN_FN hn_uvec3 hn_i_spread_next(hn_uvec3 spread, HN_I_UNUSED hn_uvec3 c) {
+  return spread + uvec3(0x9E3779B1u, 0x85EBCA77u, 0xC2B2AE3Du);
+}
+#else
+HN_FN hn_uvec2 hn_i_spread_next(HN_I_UNUSED hn_uvec2 spread, hn_uvec2 c) {
+  return hn_i_spread(uvec2(hn_i_next(c.x), hn_i_next(c.y)));
+}
+HN_FN hn_uvec3 hn_i_spread_next(HN_I_UNUSED hn_uvec3 spread, hn_uvec3 c) {
+  return hn_i_spread(uvec3(hn_i_next(c.x), hn_i_next(c.y), hn_i_next(c.z)));
+}
+#endif
+
+// The words of the corners 00, 10, 01, 11 of a square, given what the other axes and the seed contribute: to the one
+// join of coordinates (hash.glsl), to the sum that is made odd, and more of it, which is even.
+HN_FN hn_uvec4 hn_i_corners(hn_uvec2 c, hn_uint join, hn_uint sum, hn_uint more) {
+  hn_uvec2 c0 = hn_i_spread(c);
+  hn_uvec2 c1 = hn_i_spread_next(c0, c);
+  hn_uvec2 a = hn_i_fold(c0);
+  hn_uvec2 b = hn_i_fold(c1);
+  a.x ^= join;
+  b.x ^= join;
+  hn_uint odd = hn_i_odd(c0.x + c0.y + sum) + more;
+  hn_uint x = (c1.x - c0.x) * 2u;
+  hn_uint y = (c1.y - c0.y) * 2u;
+  return uvec4(hn_i_word(a.x ^ a.y, odd), hn_i_word(b.x ^ a.y, odd + x), hn_i_word(a.x ^ b.y, odd + y),
+               hn_i_word(b.x ^ b.y, odd + (x + y)));
+}
+
+// Of the cell with the near corner c; in space of its front or its back face along z.
+HN_FN hn_uvec4 hn_i_corners(hn_uvec2 c, hn_uint seed) {
+  hn_uint s = hn_i_mix(seed);
+  return hn_i_corners(c, s, s, 0u);
+}
+HN_FN hn_uvec4 hn_i_corners(hn_uvec3 c, bool back, hn_uint seed) {
+  hn_uvec3 c0 = hn_i_spread(c);
+  hn_uvec3 c1 = hn_i_spread_next(c0, c);
+  hn_uint s = hn_i_mix(seed);
+  hn_uint join = hn_i_select(back, hn_i_fold(c1).z, hn_i_fold(c0).z) ^ s;
+  return hn_i_corners(uvec2(c.x, c.y), join, c0.z + s, hn_i_select(back, (c1.z - c0.z) * 2u, 0u));
+}
+
+#endif
