@@ -14,7 +14,17 @@ namespace {
 constexpr std::size_t kMostRows = 1u << 20;
 constexpr std::size_t kMostDigestPoints = 1u << 20;
 
-int hex_digits(WordType type) { return type == WordType::f64 ? 16 : 8; }
+int hex_digits(WordType type) {
+  switch (type) {
+    case WordType::u32:
+    case WordType::i32:
+    case WordType::f32:
+      break;
+    case WordType::f64:
+      return 16;
+  }
+  return 8;
+}
 
 bool is_float(std::uint64_t bits) {
   const auto value = std::bit_cast<double>(bits);

@@ -1,8 +1,11 @@
 #include "expected/points.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <bit>
 #include <cmath>
+#include <stdexcept>
 
 namespace hn {
 namespace {
@@ -138,21 +141,31 @@ float random_coordinate(Region region, bool octave_sum, Extremes extremes, Rando
   return octave_sum && region != Region::lattice && extremes == Extremes::none ? coarse(value) : value;
 }
 
-std::uint32_t random_input(const Column& column, Region region, bool octave_sum, Extremes extremes, Random& random) {
-  if (column.type == WordType::u32) return random_word(random);
-  if (column.name == "octaves") {
-    return extremes == Extremes::none ? random_octaves(region, random) : extreme_octaves(extremes, random);
-  }
-  if (column.type == WordType::i32) return random_cell(region, random);
-  float value = 0.0f;
+std::uint32_t random_whole(const Column& column, Region region, Extremes extremes, Random& random) {
+  if (column.name != "octaves") return random_cell(region, random);
+  return extremes == Extremes::none ? random_octaves(region, random) : extreme_octaves(extremes, random);
+}
+
+float random_float(const Column& column, Region region, bool octave_sum, Extremes extremes, Random& random) {
   if (column.name == "lacunarity" || column.name == "gain") {
-    value = random_setting(column.name, region, extremes, random);
-  } else if (column.name.starts_with("f")) {
-    value = region == Region::extreme ? extreme_fraction(extremes, random) : random_fraction(random);
-  } else {
-    value = random_coordinate(region, octave_sum, extremes, random);
+    return random_setting(column.name, region, extremes, random);
   }
-  return std::bit_cast<std::uint32_t>(value);
+  if (!column.name.starts_with("f")) return random_coordinate(region, octave_sum, extremes, random);
+  return region == Region::extreme ? extreme_fraction(extremes, random) : random_fraction(random);
+}
+
+std::uint32_t random_input(const Column& column, Region region, bool octave_sum, Extremes extremes, Random& random) {
+  switch (column.type) {
+    case WordType::u32:
+      return random_word(random);
+    case WordType::i32:
+      return random_whole(column, region, extremes, random);
+    case WordType::f32:
+      return std::bit_cast<std::uint32_t>(random_float(column, region, octave_sum, extremes, random));
+    case WordType::f64:
+      break;
+  }
+  throw std::logic_error(fmt::format("no point has a column of the type of {}", column.name));
 }
 
 }  // namespace

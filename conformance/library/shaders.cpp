@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 #include <stdexcept>
 #include <vector>
@@ -65,6 +66,12 @@ std::string running_preamble(const Profile& profile) {
   return extension + preamble(profile, kBitCasts);
 }
 
+std::string in_upper_case(std::string_view text) {
+  std::string upper(text);
+  std::ranges::transform(upper, upper.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return upper;
+}
+
 // What the shader is, for the preprocessor.
 std::string case_names(const Evaluation& evaluation) {
   const auto name_of_shape = [](Shape shape) -> std::string_view {
@@ -80,16 +87,12 @@ std::string case_names(const Evaluation& evaluation) {
     }
     return "";
   };
-  const auto name_of_stage = [](Stage stage) -> std::string_view {
-    if (stage == Stage::vertex) return "#define CASE_VERTEX\n";
-    return stage == Stage::compute ? "#define CASE_COMPUTE\n" : "#define CASE_FRAGMENT\n";
-  };
   const auto name_of_seed = [](SeedFrom seed) -> std::string_view {
     if (seed == SeedFrom::constant) return "#define CASE_CONSTANT_SEED\n";
     return seed == SeedFrom::uniform ? "#define CASE_UNIFORM_SEED\n" : "";
   };
-  return fmt::format("{}{}{}", name_of_stage(evaluation.stage), name_of_shape(evaluation.variant.shape),
-                     name_of_seed(evaluation.variant.seed_from));
+  return fmt::format("#define CASE_{}\n{}{}", in_upper_case(name_of(evaluation.stage)),
+                     name_of_shape(evaluation.variant.shape), name_of_seed(evaluation.variant.seed_from));
 }
 
 // SEEDED, behind the include, since it may need hn_uint.
@@ -106,22 +109,57 @@ std::string seeding_of(const ShaderVariant& variant) {
   return std::string(kSeeded);
 }
 
-// Declares at, the point's place in the textures, and result, unless it is an output.
-std::string beginning_of(Stage stage) {
+// What the stages of a shader that evaluates differ in.
+struct StageText {
+  std::string layout;       // before everything
+  std::string declaration;  // of where results go
+  std::string beginning;    // of main: declares at, the point's place in the textures, and result if it is no output
+  std::string end;          // of main
+};
+
+StageText text_of(Stage stage) {
   switch (stage) {
     case Stage::vertex:
       // A draw per row: in a longer one softpipe counts gl_VertexID from 0 again after 4,096 vertices.
-      return "  hn_ivec2 at = ivec2(gl_VertexID, row);\n  gl_Position = vec4(0.0);\n";
+      return {.layout = {},
+              .declaration = "uniform hn_int row;\nflat out hn_uvec4 result;\n",
+              .beginning = "  hn_ivec2 at = ivec2(gl_VertexID, row);\n  gl_Position = vec4(0.0);\n",
+              .end = {}};
     case Stage::compute:
-      return fmt::format(
-          "  hn_int index = int(gl_GlobalInvocationID.x);\n  hn_ivec2 at = ivec2(index % {0}, index / "
-          "{0});\n"
-          "  hn_uvec4 result;\n",
-          kGridSide);
+      return {.layout = fmt::format("layout(local_size_x = {}) in;\n", kComputeGroup),
+              .declaration = "layout(std430, binding = 0) buffer Results { hn_uvec4 results[]; };\n",
+              .beginning = fmt::format("  hn_int index = int(gl_GlobalInvocationID.x);\n"
+                                       "  hn_ivec2 at = ivec2(index % {0}, index / {0});\n  hn_uvec4 result;\n",
+                                       kGridSide),
+              .end = "  results[gl_GlobalInvocationID.x] = result;\n"};
     case Stage::fragment:
       break;
   }
-  return "  hn_ivec2 at = ivec2(gl_FragCoord.xy);\n";
+  return {.layout = {},
+          .declaration = "out hn_uvec4 result;\n",
+          .beginning = "  hn_ivec2 at = ivec2(gl_FragCoord.xy);\n",
+          .end = {}};
+}
+
+// The same of a shader that is only compiled: where its one result goes. Vulkan wants a place for it.
+StageText compiled_text_of(Stage stage, bool vulkan) {
+  const std::string_view location = vulkan ? "layout(location = 0) " : "";
+  switch (stage) {
+    case Stage::vertex:
+      return {.layout = {},
+              .declaration = fmt::format("{}flat out hn_uvec4 result;\n", location),
+              .beginning = {},
+              .end = "  gl_Position = vec4(0.0);\n"};
+    case Stage::compute:
+      return {.layout = "layout(local_size_x = 1) in;\n",
+              .declaration = fmt::format("layout(std430, {}binding = 0) buffer Out {{ hn_uvec4 result; }};\n",
+                                         vulkan ? "set = 0, " : ""),
+              .beginning = {},
+              .end = {}};
+    case Stage::fragment:
+      break;
+  }
+  return {.layout = {}, .declaration = fmt::format("{}out hn_uvec4 result;\n", location), .beginning = {}, .end = {}};
 }
 
 // The body of evaluate, as a part of main.
@@ -179,22 +217,17 @@ std::string compiling_preamble(const Profile& profile) {
 
 std::string evaluation_shader(const Evaluation& evaluation) {
   const auto& [function, configuration, profile, variant, stage] = evaluation;
-  std::string text = running_preamble(profile) + case_names(evaluation);
-  if (stage == Stage::compute) text += fmt::format("layout(local_size_x = {}) in;\n", kComputeGroup);
+  const StageText of_stage = text_of(stage);
+  std::string text = running_preamble(profile) + case_names(evaluation) + of_stage.layout;
   text += fmt::format("{}{}#include \"{}\"\n{}", knobs_of(configuration), variant.knobs, function.file,
                       seeding_of(variant));
   if (variant.shape == Shape::in_loop) text += "uniform hn_int trips;\n";
   text += fmt::format("uniform {0}usampler2D input_a;\nuniform {0}usampler2D input_b;\n", profile.es ? "highp " : "");
-  if (stage == Stage::compute) {
-    text += "layout(std430, binding = 0) buffer Results { hn_uvec4 results[]; };\n";
-  } else {
-    text += fmt::format("{}out hn_uvec4 result;\n", stage == Stage::vertex ? "uniform hn_int row;\nflat " : "");
-  }
+  text += of_stage.declaration;
   if (variant.shape != Shape::inlined) {
     text += fmt::format("hn_uvec4 evaluate(hn_uvec4 a, hn_uvec4 b) {{ {} }}\n", function.body);
   }
-  return text + fmt::format("void main() {{\n{}{}{}}}\n", beginning_of(stage), result_of(evaluation),
-                            stage == Stage::compute ? "  results[gl_GlobalInvocationID.x] = result;\n" : "");
+  return text + fmt::format("void main() {{\n{}{}{}}}\n", of_stage.beginning, result_of(evaluation), of_stage.end);
 }
 
 std::string vertex_shader() {
@@ -209,8 +242,8 @@ std::string idle_fragment_shader() { return "void main() {}\n"; }
 
 std::string calling_shader(std::string_view file, const Configuration& configuration, const Profile& profile,
                            Stage stage) {
-  std::string text = compiling_preamble(profile);
-  if (stage == Stage::compute) text += "layout(local_size_x = 1) in;\n";
+  const StageText of_stage = compiled_text_of(stage, profile.spirv);
+  std::string text = compiling_preamble(profile) + of_stage.layout;
   text += fmt::format("{}#include \"{}\"\n#include \"{}\"\n", knobs_of(configuration), file, file);
   const std::vector<const Function*> called = called_from(file);
   std::string calls;
@@ -224,21 +257,9 @@ std::string calling_shader(std::string_view file, const Configuration& configura
       calls += fmt::format("  r ^= evaluate{}(r, r + 1u);\n", count++);
     }
   }
-  const std::string start = fmt::format("  hn_uvec4 r = uvec4(uint(HN_VERSION_MAJOR), 2u, 3u, 4u);\n{}", calls);
-  const std::string_view layout = profile.spirv ? "layout(location = 0) " : "";
-  if (stage == Stage::compute) {
-    const std::string_view binding =
-        profile.spirv ? "layout(std430, set = 0, binding = 0)" : "layout(std430, binding = 0)";
-    return text +
-           fmt::format("{} buffer Out {{ hn_uvec4 result; }};\nvoid main() {{\n{}  result = r;\n}}\n", binding, start);
-  }
-  if (stage == Stage::vertex) {
-    return text + fmt::format(
-                      "{}flat out hn_uvec4 result;\nvoid main() {{\n{}  result = r;\n"
-                      "  gl_Position = vec4(0.0);\n}}\n",
-                      layout, start);
-  }
-  return text + fmt::format("{}out hn_uvec4 result;\nvoid main() {{\n{}  result = r;\n}}\n", layout, start);
+  return text + fmt::format(
+                    "{}void main() {{\n  hn_uvec4 r = uvec4(uint(HN_VERSION_MAJOR), 2u, 3u, 4u);\n{}  result = r;\n{}}}\n",
+                    of_stage.declaration, calls, of_stage.end);
 }
 
 std::string shader_that_evaluates(const Evaluation& evaluation, std::string_view rest) {
