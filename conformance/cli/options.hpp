@@ -73,6 +73,7 @@ struct PaperCommand {
 
 struct WebCommand {
   std::string out = "out";
+  bool thorough = false;
   std::string glsl;
   std::string golden;
 };

@@ -16,7 +16,9 @@ int web_command(const WebCommand& options) {
   const auto sources = library_sources(options.glsl);
   if (!sources) return usage_error(sources.error().text());
   std::vector<Case> cases = all_cases();
-  std::erase_if(cases, [](const Case& test) { return !unsupported_in_browser(test).empty(); });
+  std::erase_if(cases, [&](const Case& test) {
+    return !unsupported_in_browser(test).empty() || (test.extent == Extent::thorough && !options.thorough);
+  });
   const auto write = [&]() -> Result<void> {
     if (auto ready = prepare_output(options.out, {kPage}); !ready) return ready;
     const PageSuite suite = make_suite(*sources, options.golden, cases);
