@@ -93,12 +93,11 @@ std::vector<std::string> child_environment(std::string_view family, const std::s
 Result<pid_t> start_child(const fs::path& program, const Exchange& files, std::vector<std::string> environment) {
   std::error_code none;
   fs::remove(files.log(), none);
-  const auto process = start_process({.program = program.string(),
-                                      .arguments = {"amd-counts", files.job().string(), files.result().string()},
-                                      .environment = std::move(environment),
-                                      .output = files.log()});
-  if (!process) return tl::unexpected(process.error());
-  return process->pid;
+  HN_TRY(const auto process, start_process({.program = program.string(),
+                                            .arguments = {"amd-counts", files.job().string(), files.result().string()},
+                                            .environment = std::move(environment),
+                                            .output = files.log()}));
+  return process.pid;
 }
 
 // How the child ended, in words. It is killed when nothing new has been in its result for as long as the limit.
@@ -154,9 +153,8 @@ Result<Results> next_results(std::span<const Shader> shaders, const Exchange& fi
                              const std::vector<std::string>& environment) {
   std::ofstream(files.job()) << nlohmann::json(shaders);
   std::ofstream(files.result());  // empties it
-  const auto child = start_child(source.program, files, environment);
-  if (!child) return tl::unexpected(child.error());
-  const std::string end = wait_for(*child, files.result(), source.limit);
+  HN_TRY(const auto child, start_child(source.program, files, environment));
+  const std::string end = wait_for(child, files.result(), source.limit);
 
   std::string log = text_of(files.log());
   if (log.size() > kLogEnd) log.erase(0, log.size() - kLogEnd);
@@ -177,12 +175,11 @@ std::span<const std::string_view> amd_families() { return kFamilies; }
 Result<Results> amd_counts(std::string_view family, std::span<const Shader> shaders, const AmdSource& source) {
   const auto drivers = vulkan_drivers("radeon_icd", source.icd_directories);
   if (!drivers) return fail(fmt::format("Mesa's RADV is not here: {}", drivers.error().message));
-  const auto files = Exchange::make();
-  if (!files) return tl::unexpected(files.error());
+  HN_TRY(const auto files, Exchange::make());
   const std::vector<std::string> environment = child_environment(family, *drivers);
   Results results;
   while (results.size() < shaders.size()) {
-    auto next = next_results(shaders.subspan(results.size()), *files, source, environment);
+    auto next = next_results(shaders.subspan(results.size()), files, source, environment);
     if (!next && results.empty()) return tl::unexpected(next.error());
     if (!next) {  // after a crash; what came before it is good
       results.resize(shaders.size(), tl::unexpected(next.error()));

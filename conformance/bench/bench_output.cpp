@@ -228,17 +228,16 @@ Result<void> write_bench(const std::filesystem::path& directory, const Provenanc
   json.update(to_json(report));
   std::vector<std::vector<std::string>> rows;
   for (const Measurement& measurement : report.measurements) rows.push_back(row_of(measurement, report.absent));
-  const auto html = page(provenance, report, changes);
-  if (!html) return tl::unexpected(html.error());
+  HN_TRY(const auto html, page(provenance, report, changes));
   // A driver's log may hold any bytes; those that are no UTF-8 are replaced.
   const std::string dumped = json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
   for (const auto& [name, text] : {std::pair{"bench.json", dumped}, std::pair{"bench.csv", to_csv(kHeader, rows)},
-                                   std::pair{"index.html", *html}}) {
-    if (auto done = write_file(directory / name, text); !done) return done;
+                                   std::pair{"index.html", html}}) {
+    HN_DO(write_file(directory / name, text));
   }
   if (!dump) return {};
   for (const Measurement& measurement : report.measurements) {
-    if (auto done = write_spirv(directory, measurement.subject.id, measurement.counts); !done) return done;
+    HN_DO(write_spirv(directory, measurement.subject.id, measurement.counts));
   }
   return {};
 }

@@ -220,9 +220,8 @@ void note_what_was_not_run(const RunPlan& plan, const std::vector<Run>& runs, st
 }
 
 Result<RunPlan> make_plan(const RunCommand& options, const DriverChoice& choice, const std::vector<Case>& cases) {
-  auto shard = parse_shard(options.shard);
-  if (!shard) return tl::unexpected(shard.error());
-  RunPlan plan{.drivers = plan_drivers(choice.names, cases, *shard, options.deal),
+  HN_TRY(auto shard, parse_shard(options.shard));
+  RunPlan plan{.drivers = plan_drivers(choice.names, cases, shard, options.deal),
                .suite = suite_options(options),
                .shard = options.shard,
                .jobs = options.jobs,
@@ -233,10 +232,8 @@ Result<RunPlan> make_plan(const RunCommand& options, const DriverChoice& choice,
 }
 
 Result<std::vector<Expectation>> load_expectations(const std::string& directory) {
-  auto expectations = read_expectations(directory);
-  if (!expectations) return expectations;
-  const auto known = check_expectations(*expectations, ids_of(all_cases()));
-  if (!known) return tl::unexpected(known.error());
+  HN_TRY(auto expectations, read_expectations(directory));
+  HN_DO(check_expectations(expectations, ids_of(all_cases())));
   return expectations;
 }
 

@@ -60,14 +60,14 @@ class Parser {
 
   Result<Golden> run() {
     std::size_t rows = 0;
-    if (auto done = header(rows); !done) return tl::unexpected(done.error());
+    HN_DO(header(rows));
     for (std::size_t i = 0; i < rows; ++i) {
       if (!next_line()) return error(fmt::format("the file ends after {} of {} rows", i, rows));
-      if (auto done = row(); !done) return tl::unexpected(done.error());
+      HN_DO(row());
     }
     if (has_digest(function_)) {
       if (!next_line()) return error("the file ends where the digest should be");
-      if (auto done = digest(); !done) return tl::unexpected(done.error());
+      HN_DO(digest());
     }
     if (next_line()) return error("the file should end before this line");
     return std::move(golden_);
@@ -95,10 +95,10 @@ class Parser {
     for (const std::string& line : {std::string("hashnoise golden 1"), fmt::format("function {}", function_.id),
                                     fmt::format("hash {}", golden_configuration(function_, configuration_)),
                                     fmt::format("arithmetic {}", golden_arithmetic(function_, configuration_))}) {
-      if (auto done = expect(line); !done) return done;
+      HN_DO(expect(line));
     }
     if (!next_line() || !current_.starts_with("bits ")) return error("\"bits VERSION\" should be here");
-    if (auto done = expect(fmt::format("columns {}", function_.columns)); !done) return done;
+    HN_DO(expect(fmt::format("columns {}", function_.columns)));
     if (!next_line() || !current_.starts_with("rows ") || !parse_number(current_.substr(5), rows) || rows == 0 ||
         rows > kMostRows) {
       return error("\"rows NUMBER\" should be here, with at least one row");
@@ -125,8 +125,8 @@ class Parser {
     const auto equals = current_.find(" = ");
     if (equals == std::string_view::npos) return error("a row should be \"inputs = values\"");
     GoldenRow row{line_, {}, {}};
-    if (auto done = words(current_.substr(0, equals), function_.inputs, row.inputs); !done) return done;
-    if (auto done = words(current_.substr(equals + 3), function_.outputs, row.values); !done) return done;
+    HN_DO(words(current_.substr(0, equals), function_.inputs, row.inputs));
+    HN_DO(words(current_.substr(equals + 3), function_.outputs, row.values));
     for (std::size_t i = 0; i < row.values.size() && has_exact_values(function_, configuration_); ++i) {
       if (function_.outputs[i].type != WordType::f64) continue;
       if (!is_float(row.values[i])) return error(fmt::format("{:016x} should be a float", row.values[i]));

@@ -87,7 +87,7 @@ Result<Program> Program::link(const Context& context, std::span<const StageText>
   Program program(gl, gl.CreateProgram(), results_of);
   for (const StageText& shader : shaders) {
     const ShaderObject object(gl, shader.stage);
-    if (auto done = object.compile(shader.text); !done) return tl::unexpected(done.error());
+    HN_DO(object.compile(shader.text));
     gl.AttachShader(program.id_, object.id());  // keeps it for as long as the program is
   }
   if (results_of == Stage::vertex) {

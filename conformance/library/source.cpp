@@ -48,7 +48,7 @@ class Expander {
   Result<ShaderText> run(std::string_view main_text) {
     out_.text = fmt::format("{}\n", profile_.directive);
     mark_line(0, 2);
-    if (auto done = add(main_text, 0, 2, 0); !done) return tl::unexpected(done.error());
+    HN_DO(add(main_text, 0, 2, 0));
     return std::move(out_);
   }
 
@@ -84,7 +84,7 @@ class Expander {
       }
       const int number = number_of(file->path);
       mark_line(number, 1);
-      if (auto done = add(file->text, number, 1, depth + 1); !done) return done;
+      HN_DO(add(file->text, number, 1, depth + 1));
       if (out_.text.back() != '\n') out_.text += '\n';
       mark_line(source, line + 1);
     }
@@ -170,7 +170,7 @@ std::string line_directive(const Profile& profile, int source, int line) {
 Result<ShaderText> expand(const SourceSet& sources, const Profile& profile, std::string_view main_text) {
   auto shader = Expander(sources, profile).run(main_text);
   if (!shader || !sources.transform()) return shader;
-  if (auto done = sources.transform()(*shader, profile); !done) return tl::unexpected(done.error());
+  HN_DO(sources.transform()(*shader, profile));
   return shader;
 }
 

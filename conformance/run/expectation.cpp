@@ -58,9 +58,8 @@ Result<std::vector<Expectation>> read_expectations(const std::filesystem::path& 
     std::ifstream in(path, std::ios::binary);
     const std::string text(std::istreambuf_iterator<char>(in), {});
     if (!in && !in.eof()) return fail(fmt::format("cannot read {}", path.string()));
-    auto rows = parse_expectations(text, path.string());
-    if (!rows) return rows;
-    expectations.insert(expectations.end(), rows->begin(), rows->end());
+    HN_TRY(const auto rows, parse_expectations(text, path.string()));
+    expectations.insert(expectations.end(), rows.begin(), rows.end());
   }
   return expectations;
 }

@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, 4> kTasks = {"describe", "cases", "timing
 Result<SourceSet> suite_sources(const SuiteOptions& options) {
   auto sources = library_sources(options.glsl);
   if (!sources || options.inject.empty()) return sources;
-  if (const auto done = inject_into(*sources, options.inject); !done) return tl::unexpected(done.error());
+  HN_DO(inject_into(*sources, options.inject));
   return sources;
 }
 

@@ -14,15 +14,14 @@
 namespace hn {
 
 Result<Worker> Worker::start(const Job& job, const Launch& launch) {
-  if (auto written = write_file(launch.job, to_json(job).dump()); !written) return tl::unexpected(written.error());
-  auto process = start_process({.program = launch.program.string(),
-                                .name = "hn-conform",
-                                .arguments = {"child", launch.job.string()},
-                                .output = launch.log});
-  if (!process) return tl::unexpected(process.error());
+  HN_DO(write_file(launch.job, to_json(job).dump()));
+  HN_TRY(auto process, start_process({.program = launch.program.string(),
+                                      .name = "hn-conform",
+                                      .arguments = {"child", launch.job.string()},
+                                      .output = launch.log}));
   Worker worker;
   worker.launch_ = launch;
-  worker.process_ = std::move(*process);
+  worker.process_ = std::move(process);
   worker.deadline_ = SteadyClock::now() + launch.limit;
   return worker;
 }
@@ -70,24 +69,23 @@ std::vector<nlohmann::json> Worker::read() {
 
 Result<nlohmann::json> report_of(const Job& job, const std::filesystem::path& directory,
                                  std::chrono::milliseconds limit) {
-  auto worker = Worker::start(job, {own_program(), directory / "job.json", "/dev/null", limit});
-  if (!worker) return tl::unexpected(worker.error());
-  while (!worker->end()) {
-    pollfd waiting{worker->fd(), POLLIN, 0};
+  HN_TRY(auto worker, Worker::start(job, {own_program(), directory / "job.json", "/dev/null", limit}));
+  while (!worker.end()) {
+    pollfd waiting{worker.fd(), POLLIN, 0};
     const auto left =
-        std::chrono::duration_cast<std::chrono::milliseconds>(worker->deadline() - SteadyClock::now()).count();
+        std::chrono::duration_cast<std::chrono::milliseconds>(worker.deadline() - SteadyClock::now()).count();
     poll(&waiting, 1, static_cast<int>(std::max<std::int64_t>(left, 0)) + 1);
-    for (const nlohmann::json& report : worker->read()) {
+    for (const nlohmann::json& report : worker.read()) {
       for (const char* wrong : {"absent", "error"}) {
         if (report.contains(wrong)) return fail(report.at(wrong).get<std::string>());
       }
       return report;
     }
   }
-  if (worker->end()->timed_out) {
+  if (worker.end()->timed_out) {
     return fail(fmt::format("its process did not answer in {} s", std::chrono::duration<double>(limit).count()));
   }
-  return fail(fmt::format("its process {}", worker->end()->text));
+  return fail(fmt::format("its process {}", worker.end()->text));
 }
 
 }  // namespace hn

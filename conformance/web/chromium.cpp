@@ -127,20 +127,18 @@ const Browser* find_browser(std::string_view name) {
 }
 
 Result<GuardedProcess> start_chromium(const Browser& browser, const std::string& url) {
-  const auto program = find_program(browser);
-  if (!program) return tl::unexpected(program.error());
-  const auto folder = make_folder();
-  if (!folder) return tl::unexpected(folder.error());
-  std::vector<std::string> command = {*program, fmt::format("--user-data-dir={}", (*folder / "profile").string())};
+  HN_TRY(const auto program, find_program(browser));
+  HN_TRY(const auto folder, make_folder());
+  std::vector<std::string> command = {program, fmt::format("--user-data-dir={}", (folder / "profile").string())};
   command.insert(command.end(), kArguments.begin(), kArguments.end());
   command.insert(command.end(), browser.arguments.begin(), browser.arguments.end());
   if (geteuid() == 0) command.emplace_back("--no-sandbox");  // for root Chromium has none, and refuses to start
   command.push_back(url);
-  std::vector<std::string> environment = environment_of(browser, folder->string());
+  std::vector<std::string> environment = environment_of(browser, folder.string());
   const bool mesa = std::find(browser.environment.begin(), browser.environment.end(), "EGL_PLATFORM=surfaceless") !=
                     browser.environment.end();
   if (mesa && fs::exists(kMesaEgl)) environment.push_back(fmt::format("__EGL_VENDOR_LIBRARY_FILENAMES={}", kMesaEgl));
-  return GuardedProcess::start(std::move(command), std::move(environment), *folder);
+  return GuardedProcess::start(std::move(command), std::move(environment), folder);
 }
 
 }  // namespace hn
