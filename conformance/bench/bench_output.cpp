@@ -6,7 +6,7 @@
 
 #include "base/files.hpp"
 #include "base/output/csv.hpp"
-#include "base/output/file.hpp"
+#include "base/file.hpp"
 #include "base/output/number.hpp"
 #include "base/output/page.hpp"
 #include "base/output/svg.hpp"

@@ -7,7 +7,7 @@
 #include <glslang/SPIRV/spirv.hpp>
 #include <spirv-tools/optimizer.hpp>
 
-#include "base/output/file.hpp"
+#include "base/file.hpp"
 
 namespace hn {
 namespace {

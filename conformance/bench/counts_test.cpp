@@ -8,7 +8,7 @@
 #include <cstring>
 #include <sstream>
 
-#include "base/output/file.hpp"
+#include "base/file.hpp"
 #include "base/temporary_folder.hpp"
 #include "bench/subject.hpp"
 

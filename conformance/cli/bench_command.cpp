@@ -9,7 +9,7 @@
 #include <regex>
 #include <set>
 
-#include "base/output/file.hpp"
+#include "base/file.hpp"
 #include "cli/command.hpp"
 #include "run/filter.hpp"
 

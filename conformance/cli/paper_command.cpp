@@ -5,7 +5,7 @@
 
 #include "base/files.hpp"
 #include "base/output/csv.hpp"
-#include "base/output/file.hpp"
+#include "base/file.hpp"
 #include "base/output/page.hpp"
 #include "cli/command.hpp"
 #include "paper/files.hpp"

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <set>
 
-#include "base/output/file.hpp"
+#include "base/file.hpp"
 #include "cases/deal.hpp"
 #include "cli/command.hpp"
 #include "fault/faults.hpp"
@@ -19,7 +19,7 @@
 #include "run/merge.hpp"
 #include "run/scheduler.hpp"
 #include "run/shard.hpp"
-#include "run/worker.hpp"
+#include "base/worker.hpp"
 #include "web/suite.hpp"
 
 namespace hn {

@@ -1,7 +1,7 @@
 // hn-conform web
 #include <fmt/format.h>
 
-#include "base/output/file.hpp"
+#include "base/file.hpp"
 #include "cli/command.hpp"
 #include "web/suite.hpp"
 

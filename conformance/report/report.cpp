@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "base/output/file.hpp"
+#include "base/file.hpp"
 
 namespace hn {
 namespace {

@@ -7,7 +7,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "base/json_reader.hpp"
+#include "base/json.hpp"
 
 namespace hn {
 namespace {
@@ -25,7 +25,7 @@ std::string differences(const nlohmann::json& a, const nlohmann::json& b) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-// Throws what json_reader.hpp says if a line is no report, of those that run/job.hpp describes, of a driver.
+// Throws what json.hpp says if a line is no report, of those that run/job.hpp describes, of a driver.
 Journal::Entry entry_from(std::string_view line) {
   const nlohmann::json json = parse_json(line);
   Journal::Entry entry{json.at("driver").get<std::string>(), json.at("report")};

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "base/json_reader.hpp"
+#include "base/json.hpp"
 #include "base/version.hpp"
 
 namespace hn {

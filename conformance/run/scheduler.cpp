@@ -11,7 +11,7 @@
 
 #include "base/version.hpp"
 #include "base/progress.hpp"
-#include "run/worker.hpp"
+#include "base/worker.hpp"
 
 namespace hn {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include "base/output/file.hpp"
+#include "base/file.hpp"
 #include "base/temporary_folder.hpp"
 #include "run/result_support.hpp"
 

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/output/base64.hpp"
-#include "base/output/file.hpp"
+#include "base/file.hpp"
 #include "base/version.hpp"
 #include "cases/bugs/bugs.hpp"
 #include "expected/golden.hpp"

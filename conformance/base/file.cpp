@@ -1,4 +1,4 @@
-#include "base/output/file.hpp"
+#include "base/file.hpp"
 
 #include <fmt/format.h>
 #include <stdlib.h>

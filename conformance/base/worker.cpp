@@ -1,4 +1,4 @@
-#include "run/worker.hpp"
+#include "base/worker.hpp"
 
 #include <fmt/format.h>
 #include <poll.h>
@@ -9,7 +9,7 @@
 #include <array>
 #include <cerrno>
 
-#include "base/output/file.hpp"
+#include "base/file.hpp"
 
 namespace hn {
 
