@@ -1,7 +1,6 @@
 // bench.json and what is made of it: CSV, the page, and the comparison with an earlier one.
 #include <fmt/format.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "base/files.hpp"
@@ -193,11 +192,10 @@ nlohmann::json absent_sources(const std::map<std::string, std::string>& absent) 
 }
 
 Result<Baseline> read_baseline(const std::filesystem::path& path) {
-  std::ifstream in(path);
-  if (!in) return fail(fmt::format("cannot read the baseline {}", path.string()));
+  HN_TRY(const auto text, read_file(path, "--baseline wants a bench.json"));
   Baseline baseline;
   try {
-    const auto json = nlohmann::json::parse(in);
+    const auto json = nlohmann::json::parse(text);
     if (json.at("schema").get<int>() != kSchema) throw std::runtime_error("another schema");
     baseline.renderer = json.value("renderer", "");
     for (const nlohmann::json& subject : json.at("subjects").get_ref<const nlohmann::json::array_t&>()) {

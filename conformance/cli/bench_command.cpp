@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
-#include <iterator>
 #include <regex>
 #include <set>
 
@@ -50,9 +48,7 @@ Result<Foreign> parse_foreign(const std::string& argument) {
 
 // The text of a shader file, fit to stand behind a #version line of ours.
 Result<std::string> read_foreign(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return fail(fmt::format("cannot read {}", path));
-  std::string text(std::istreambuf_iterator<char>(in), {});
+  HN_TRY(const auto text, read_file(path));
   static const std::regex kVersion("(^|\n)([ \t]*#[ \t]*version)");
   return std::regex_replace(text, kVersion, "$1//$2");
 }

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <set>
 
-#include "base/file.hpp"
+#include "base/temporary_folder.hpp"
 #include "cases/deal.hpp"
 #include "cli/command.hpp"
 #include "fault/faults.hpp"
@@ -56,7 +56,7 @@ struct Devices {
 
 // Asked in a process of its own: what is loaded to find out could crash.
 Devices egl_devices() {
-  const TemporaryDirectory scratch;
+  const TemporaryFolder scratch;
   const auto report =
       report_of({.task = Task::devices, .driver = {}, .suite = {}, .ids = {}}, scratch.path(), kDescribeLimit);
   if (report) return {report->value("devices", 0), {}};
@@ -100,7 +100,7 @@ Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted) {
 
 // What a driver can run, as far as it says. Who is not here can run nothing.
 CanRun can_run_on(const std::string& name) {
-  const TemporaryDirectory scratch;
+  const TemporaryFolder scratch;
   const Job job{.task = Task::describe, .driver = name, .suite = {}, .ids = {}};
   const auto report = report_of(job, scratch.path(), kDescribeLimit);
   if (!report || !report->contains("ready")) return [](const Case&) { return false; };
@@ -240,7 +240,7 @@ Result<std::vector<Expectation>> load_expectations(const std::string& directory)
 }  // namespace
 
 int drivers_command() {
-  const TemporaryDirectory scratch;
+  const TemporaryFolder scratch;
   bool usable = false;
   const Devices devices = egl_devices();
   if (!devices.problem.empty()) fmt::print(stderr, "hn-conform: {}\n", devices.problem);

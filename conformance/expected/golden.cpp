@@ -4,9 +4,10 @@
 
 #include <bit>
 #include <charconv>
-#include <fstream>
-#include <iterator>
 #include <limits>
+
+#include "base/digest.hpp"
+#include "base/file.hpp"
 
 namespace hn {
 namespace {
@@ -216,10 +217,7 @@ std::filesystem::path golden_path(const std::filesystem::path& directory, const 
 
 Result<Golden> read_golden(const std::filesystem::path& path, const Function& function,
                            const Configuration& configuration) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return fail(fmt::format("{}: cannot read the golden file; tools/golden writes it", path.string()));
-  const std::string text(std::istreambuf_iterator<char>(in), {});
-  if (in.bad()) return fail(fmt::format("{}: cannot read the golden file", path.string()));
+  HN_TRY(const auto text, read_file(path, "it is a golden file, and tools/golden writes it"));
   return parse_golden(text, path.string(), function, configuration);
 }
 
@@ -229,11 +227,7 @@ Result<Golden> parse_golden(std::string_view text, std::string_view path, const 
 }
 
 std::uint64_t fnv1a64(const std::vector<std::uint32_t>& words) {
-  std::uint64_t hash = 14695981039346656037ull;
-  for (const std::uint32_t word : words) {
-    for (int shift = 0; shift < 32; shift += 8) hash = (hash ^ ((word >> shift) & 255u)) * 1099511628211ull;
-  }
-  return hash;
+  return fnv1a64(bytes_of(std::span(words)));
 }
 
 }  // namespace hn

@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <fstream>
-#include <iterator>
 #include <optional>
 
+#include "base/file.hpp"
 #include "library/files.hpp"
 
 namespace hn {
@@ -110,12 +109,8 @@ Result<SourceSet> SourceSet::from_directory(const std::filesystem::path& directo
   SourceSet set;
   for (const EmbeddedFile& file : kLibraryFiles) {
     const auto path = directory / file.name;
-    std::ifstream in(path, std::ios::binary);
-    if (!in || !std::filesystem::is_regular_file(path)) {
-      return fail(
-          fmt::format("cannot read {}: --glsl wants a folder with a copy of every file of glsl/", path.string()));
-    }
-    set.add(std::string(file.name), std::string(std::istreambuf_iterator<char>(in), {}), path.string());
+    HN_TRY(auto text, read_file(path, "--glsl wants a folder with a copy of every file of glsl/"));
+    set.add(std::string(file.name), std::move(text), path.string());
   }
   return set;
 }

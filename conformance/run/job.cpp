@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string_view>
 
+#include "base/digest.hpp"
+#include "base/file.hpp"
 #include "fault/faults.hpp"
 #include "library/files.hpp"
 
@@ -29,18 +29,15 @@ Result<SourceSet> suite_sources(const SuiteOptions& options) {
 }
 
 std::string suite_digest(const SuiteOptions& options, const SourceSet& sources) {
-  std::uint64_t digest = 0xCBF29CE484222325u;  // FNV-1a, 64 bit
-  const auto add = [&](std::string_view text) {
-    for (const char c : text) digest = (digest ^ static_cast<unsigned char>(c)) * 0x100000001B3u;
-  };
+  std::uint64_t digest = kEmptyDigest;
+  const auto add = [&](std::string_view text) { digest = fnv1a64(text, digest); };
   for (const EmbeddedFile& file : kLibraryFiles) add(sources.find(file.name)->text);
   std::set<std::filesystem::path> golden;
   std::error_code none;  // a folder that is missing is an error of each case
   for (const auto& entry : std::filesystem::directory_iterator(options.golden, none)) golden.insert(entry.path());
   for (const std::filesystem::path& path : golden) {
-    std::ifstream in(path, std::ios::binary);
     add(path.filename().string());
-    add(std::string(std::istreambuf_iterator<char>(in), {}));
+    add(read_file(path).value_or(""));
   }
   return fmt::format("{:016x}", digest);
 }

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <iterator>
 #include <set>
 #include <stdexcept>
 
+#include "base/file.hpp"
 #include "base/json.hpp"
 
 namespace hn {
@@ -95,8 +95,7 @@ Result<Journal> Journal::create(const std::filesystem::path& directory, const nl
 Result<Journal> Journal::reopen(const std::filesystem::path& directory, const nlohmann::json& plan) {
   Journal journal;
   journal.path_ = path_in(directory);
-  std::ifstream in(journal.path_, std::ios::binary);
-  std::string text(std::istreambuf_iterator<char>(in), {});
+  HN_TRY(std::string text, read_file(journal.path_));
   auto entries = parse_journal(text, plan);
   if (!entries) {
     return fail(fmt::format("cannot go on with {}: {}", journal.path_.string(), entries.error().message));

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <map>
 
+#include "base/file.hpp"
 #include "run/shard.hpp"
 
 namespace hn {
@@ -62,9 +62,8 @@ Result<void> sort_cases(Run& run, const std::map<std::string, std::size_t>& orde
 Result<std::vector<Run>> read_runs(const std::string& name) {
   std::filesystem::path path = name;
   if (std::filesystem::is_directory(path)) path /= kResultsFile;
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return fail(fmt::format("cannot read {}", path.string()));
-  auto runs = parse_results(std::string(std::istreambuf_iterator<char>(in), {}));
+  HN_TRY(const auto text, read_file(path));
+  auto runs = parse_results(text);
   if (!runs) return fail(fmt::format("{}: {}", path.string(), runs.error().message));
   return runs;
 }
