@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -95,6 +96,16 @@ Result<Process> start_process(const ProcessOptions& options) {
     return fail(fmt::format("cannot start {}: {}", options.program, std::strerror(error)));
   }
   return Process{pid, std::move(reports.read)};
+}
+
+std::vector<std::string> environment_without(std::span<const std::string_view> beginnings) {
+  std::vector<std::string> kept;
+  for (char** variable = environ; *variable; ++variable) {
+    const std::string_view text = *variable;
+    const auto begins = [&](std::string_view beginning) { return text.starts_with(beginning); };
+    if (std::none_of(beginnings.begin(), beginnings.end(), begins)) kept.emplace_back(text);
+  }
+  return kept;
 }
 
 std::filesystem::path own_program() { return "/proc/self/exe"; }

@@ -6,18 +6,22 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 
 #include "base/file.hpp"
+#include "base/json.hpp"
 
 namespace hn {
 
-Result<Worker> Worker::start(const Job& job, const Launch& launch) {
-  HN_DO(write_file(launch.job, to_json(job).dump()));
+Result<Worker> Worker::start(const nlohmann::json& job, const Launch& launch) {
+  HN_DO(write_file(launch.job, job.dump()));
   HN_TRY(auto process, start_process({.program = launch.program.string(),
                                       .name = "hn-conform",
-                                      .arguments = {"child", launch.job.string()},
+                                      .arguments = {launch.command, launch.job.string()},
+                                      .environment = launch.environment,
                                       .output = launch.log}));
   Worker worker;
   worker.launch_ = launch;
@@ -36,7 +40,10 @@ void Worker::finish(bool timed_out) {
   int status = 0;
   while (waitpid(process_.pid, &status, 0) < 0 && errno == EINTR) {
   }
-  end_ = End{timed_out, status, describe_end(status)};
+  const std::string text = timed_out ? fmt::format("was killed, with no answer in {} s",
+                                                   std::chrono::duration<double>(launch_.limit).count())
+                                     : describe_end(status);
+  end_ = End{timed_out, status, text};
   std::error_code ignored;
   std::filesystem::remove(launch_.job, ignored);
 }
@@ -67,25 +74,25 @@ std::vector<nlohmann::json> Worker::read() {
   return reports;
 }
 
-Result<nlohmann::json> report_of(const Job& job, const std::filesystem::path& directory,
-                                 std::chrono::milliseconds limit) {
-  HN_TRY(auto worker, Worker::start(job, {own_program(), directory / "job.json", "/dev/null", limit}));
-  while (!worker.end()) {
-    pollfd waiting{worker.fd(), POLLIN, 0};
-    const auto left =
-        std::chrono::duration_cast<std::chrono::milliseconds>(worker.deadline() - SteadyClock::now()).count();
-    poll(&waiting, 1, static_cast<int>(std::max<std::int64_t>(left, 0)) + 1);
-    for (const nlohmann::json& report : worker.read()) {
-      for (const char* wrong : {"absent", "error"}) {
-        if (report.contains(wrong)) return fail(report.at(wrong).get<std::string>());
-      }
-      return report;
-    }
+std::vector<nlohmann::json> Worker::wait() {
+  pollfd waiting{fd(), POLLIN, 0};
+  poll(&waiting, 1, milliseconds_until(deadline_));
+  return read();
+}
+
+int milliseconds_until(SteadyClock::time_point deadline) {
+  const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - SteadyClock::now()).count();
+  return static_cast<int>(std::max<std::int64_t>(left, 0)) + 1;
+}
+
+void report(const nlohmann::ordered_json& json) {
+  const std::string line = dump(json) + "\n";
+  for (std::string_view rest = line; !rest.empty();) {
+    const ssize_t written = write(kReportFd, rest.data(), rest.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) _exit(EXIT_FAILURE);  // nobody listens
+    rest.remove_prefix(static_cast<std::size_t>(written));
   }
-  if (worker.end()->timed_out) {
-    return fail(fmt::format("its process did not answer in {} s", std::chrono::duration<double>(limit).count()));
-  }
-  return fail(fmt::format("its process {}", worker.end()->text));
 }
 
 }  // namespace hn

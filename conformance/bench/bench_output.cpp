@@ -3,9 +3,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/files.hpp"
-#include "base/output/csv.hpp"
 #include "base/file.hpp"
+#include "base/files.hpp"
+#include "base/json.hpp"
+#include "base/output/csv.hpp"
 #include "base/output/number.hpp"
 #include "base/output/page.hpp"
 #include "base/output/svg.hpp"
@@ -17,14 +18,6 @@ namespace hn {
 namespace {
 
 constexpr int kSchema = 1;
-
-nlohmann::json to_json(const AmdStatistics& amd) {
-  return {{"instructions", amd.instructions},
-          {"inverse_throughput", amd.inverse_throughput},
-          {"latency", amd.latency},
-          {"vgprs", amd.vgprs},
-          {"code_size", amd.code_size}};
-}
 
 nlohmann::json to_json(const Measurement& measurement) {
   nlohmann::json json = {{"id", measurement.subject.id},
@@ -163,7 +156,7 @@ nlohmann::json to_json(const Provenance& provenance) {
 nlohmann::json to_json(const Counts& counts) {
   nlohmann::json json = nlohmann::json::object();
   if (counts.spirv) json["spirv"] = *counts.spirv;
-  for (const auto& [family, statistics] : counts.amd) json[family] = to_json(statistics);
+  for (const auto& [family, statistics] : counts.amd) json[family] = statistics;
   if (counts.nvidia) json["nvidia"] = *counts.nvidia;
   if (!counts.problems.empty()) json["problems"] = counts.problems;
   return json;
@@ -227,8 +220,7 @@ Result<void> write_bench(const std::filesystem::path& directory, const Provenanc
   std::vector<std::vector<std::string>> rows;
   for (const Measurement& measurement : report.measurements) rows.push_back(row_of(measurement, report.absent));
   HN_TRY(const auto html, page(provenance, report, changes));
-  // A driver's log may hold any bytes; those that are no UTF-8 are replaced.
-  const std::string dumped = json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  const std::string dumped = hn::dump(json, 1) + "\n";
   for (const auto& [name, text] : {std::pair{"bench.json", dumped}, std::pair{"bench.csv", to_csv(kHeader, rows)},
                                    std::pair{"index.html", html}}) {
     HN_DO(write_file(directory / name, text));

@@ -3,9 +3,10 @@
 
 #include <chrono>
 
-#include "base/files.hpp"
-#include "base/output/csv.hpp"
 #include "base/file.hpp"
+#include "base/files.hpp"
+#include "base/json.hpp"
+#include "base/output/csv.hpp"
 #include "base/output/page.hpp"
 #include "cli/command.hpp"
 #include "paper/files.hpp"
@@ -31,7 +32,7 @@ Result<void> write(const std::filesystem::path& out, const nlohmann::json& data,
   for (const Section::Csv& table : tables) {
     HN_DO(write_file(out / table.name, to_csv(table.header, table.rows)));
   }
-  HN_DO(write_file(out / "paper.json", data.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"));
+  HN_DO(write_file(out / "paper.json", dump(data, 1) + "\n"));
   return write_file(out / "index.html", html);
 }
 

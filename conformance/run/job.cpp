@@ -11,6 +11,7 @@
 
 #include "base/digest.hpp"
 #include "base/file.hpp"
+#include "base/worker.hpp"
 #include "fault/faults.hpp"
 #include "library/files.hpp"
 
@@ -70,6 +71,21 @@ Job job_from(const nlohmann::json& json) {
                     .points = suite.at("points").get<std::uint64_t>()},
           .ids = json.at("ids").get<std::vector<std::string>>(),
           .examined = json.at("examined").get<std::vector<std::string>>()};
+}
+
+Result<nlohmann::json> report_of(const Job& job, const std::filesystem::path& directory,
+                                 std::chrono::milliseconds limit) {
+  HN_TRY(auto worker,
+         Worker::start(to_json(job), {own_program(), kChildCommand, directory / "job.json", "/dev/null", limit}));
+  while (!worker.end()) {
+    for (const nlohmann::json& report : worker.wait()) {
+      for (const char* wrong : {"absent", "error"}) {
+        if (report.contains(wrong)) return fail(report.at(wrong).get<std::string>());
+      }
+      return report;
+    }
+  }
+  return fail(fmt::format("its process {}", worker.end()->text));
 }
 
 }  // namespace hn

@@ -112,8 +112,7 @@ Result<Journal> Journal::reopen(const std::filesystem::path& directory, const nl
 }
 
 std::string journal_line(const std::string& driver, const nlohmann::json& report) {
-  return nlohmann::json{{"driver", driver}, {"report", report}}.dump(-1, ' ', false,
-                                                                     nlohmann::json::error_handler_t::replace);
+  return dump(nlohmann::json{{"driver", driver}, {"report", report}});
 }
 
 void Journal::add(const std::string& driver, const nlohmann::json& report) {

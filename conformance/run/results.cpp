@@ -110,8 +110,6 @@ bool all_as_expected(const std::vector<Run>& runs) {
          });
 }
 
-std::string dump(const Json& json, int indent) { return json.dump(indent, ' ', false, Json::error_handler_t::replace); }
-
 Json to_json(const ContextInfo& info) {
   return {{"vendor", info.vendor},
           {"renderer", info.renderer},

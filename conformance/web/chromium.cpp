@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 
+#include "base/process.hpp"
+
 namespace hn {
 namespace {
 
@@ -47,12 +49,8 @@ constexpr std::array<std::string_view, 14> kDropped = {
 constexpr const char* kMesaEgl = "/usr/share/glvnd/egl_vendor.d/50_mesa.json";
 
 std::vector<std::string> environment_of(const Browser& browser, const std::string& folder) {
-  std::vector<std::string> variables = {"HOME=" + folder, "TMPDIR=" + folder, "MESA_SHADER_CACHE_DISABLE=true"};
-  for (char** variable = environ; *variable; ++variable) {
-    const std::string_view text = *variable;
-    const auto begins = [&](std::string_view prefix) { return text.starts_with(prefix); };
-    if (std::none_of(kDropped.begin(), kDropped.end(), begins)) variables.emplace_back(text);
-  }
+  std::vector<std::string> variables = environment_without(kDropped);
+  variables.insert(variables.end(), {"HOME=" + folder, "TMPDIR=" + folder, "MESA_SHADER_CACHE_DISABLE=true"});
   variables.insert(variables.end(), browser.environment.begin(), browser.environment.end());
   return variables;
 }

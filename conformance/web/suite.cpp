@@ -8,8 +8,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "base/output/base64.hpp"
 #include "base/file.hpp"
+#include "base/json.hpp"
+#include "base/output/base64.hpp"
 #include "base/version.hpp"
 #include "cases/bugs/bugs.hpp"
 #include "expected/golden.hpp"
@@ -266,7 +267,7 @@ PageSuite make_suite(const SourceSet& sources, const std::filesystem::path& gold
   Json list = Json::array();
   for (const Case& test : cases) list.push_back(writer.case_json(test));
   const Json suite = writer.finish(std::move(list), report_to);
-  return {suite.dump(-1, ' ', false, Json::error_handler_t::replace), writer.defect()};
+  return {dump(suite), writer.defect()};
 }
 
 }  // namespace hn
