@@ -11,6 +11,7 @@
 #include "base/file.hpp"
 #include "base/temporary_folder.hpp"
 #include "bench/subject.hpp"
+#include "gpu/spirv.hpp"
 
 namespace hn {
 namespace {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
+#include <stdexcept>
 #include <utility>
 
 namespace hn {
@@ -179,7 +179,7 @@ void GridRenderer::upload(std::span<const std::uint32_t> inputs, GLsizei grid_wi
 Result<std::vector<std::uint32_t>> GridRenderer::evaluate(const Program& program,
                                                           std::span<const std::uint32_t> inputs) {
   const std::size_t points = inputs.size() / kInputWords;
-  assert(points <= kGridSide * kGridSide);
+  if (points > kGridSide * kGridSide) throw std::logic_error(fmt::format("no grid has {} points", points));
   const auto [width, height] = grid_size(points);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {

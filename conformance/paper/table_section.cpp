@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <optional>
+#include <stdexcept>
 
 #include "base/output/number.hpp"
 #include "paper/files.hpp"
@@ -99,7 +100,7 @@ const Row& row_named(const std::vector<Row>& rows, std::string_view algorithm, i
   for (const Row& row : rows) {
     if (row.algorithm == algorithm && row.subject.dimensions == dimensions) return row;
   }
-  return rows.front();
+  throw std::logic_error(fmt::format("there is no row {} of {} dimensions", algorithm, dimensions));
 }
 
 void relate(std::vector<Row>& rows) {
