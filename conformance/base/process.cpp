@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -70,10 +71,8 @@ std::vector<char*> pointers_to(std::vector<std::string>& texts) {
 }
 
 Result<Process> start_process(const ProcessOptions& options) {
-  auto reports = make_pipe();
-  auto failure = make_pipe();  // closed by exec, else it brings errno
-  if (!reports) return tl::unexpected(reports.error());
-  if (!failure) return tl::unexpected(failure.error());
+  HN_TRY(Pipe reports, make_pipe());
+  HN_TRY(Pipe failure, make_pipe());  // closed by exec, else it brings errno
   std::vector<std::string> arguments = {options.name.empty() ? options.program : options.name};
   arguments.insert(arguments.end(), options.arguments.begin(), options.arguments.end());
   std::vector<std::string> environment = options.environment.value_or(std::vector<std::string>{});
@@ -85,18 +84,28 @@ Result<Process> start_process(const ProcessOptions& options) {
   if (pid < 0) return fail(fmt::format("cannot start a process: {}", std::strerror(errno)));
   if (pid == 0) {
     become(options.program.c_str(), argument_pointers.data(),
-           options.environment ? environment_pointers.data() : nullptr, output.c_str(), reports->write.get(), parent);
+           options.environment ? environment_pointers.data() : nullptr, output.c_str(), reports.write.get(), parent);
     const int error = errno;
-    [[maybe_unused]] const auto written = write(failure->write.get(), &error, sizeof error);
+    [[maybe_unused]] const auto written = write(failure.write.get(), &error, sizeof error);
     _exit(EXIT_FAILURE);
   }
-  failure->write = FileDescriptor();
+  failure.write = FileDescriptor();
   int error = 0;
-  if (read(failure->read.get(), &error, sizeof error) == sizeof error) {
+  if (read(failure.read.get(), &error, sizeof error) == sizeof error) {
     waitpid(pid, nullptr, 0);
     return fail(fmt::format("cannot start {}: {}", options.program, std::strerror(error)));
   }
-  return Process{pid, std::move(reports->read)};
+  return Process{pid, std::move(reports.read)};
+}
+
+std::vector<std::string> environment_without(std::span<const std::string_view> beginnings) {
+  std::vector<std::string> kept;
+  for (char** variable = environ; *variable; ++variable) {
+    const std::string_view text = *variable;
+    const auto begins = [&](std::string_view beginning) { return text.starts_with(beginning); };
+    if (std::none_of(beginnings.begin(), beginnings.end(), begins)) kept.emplace_back(text);
+  }
+  return kept;
 }
 
 std::filesystem::path own_program() { return "/proc/self/exe"; }

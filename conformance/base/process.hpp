@@ -5,7 +5,9 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -59,6 +61,9 @@ Result<Process> start_process(const ProcessOptions& options);
 
 // The texts as exec takes them, for as long as they are; the last pointer is null.
 std::vector<char*> pointers_to(std::vector<std::string>& texts);
+
+// Our variables, as NAME=VALUE, less those that begin with any of these.
+std::vector<std::string> environment_without(std::span<const std::string_view> beginnings);
 
 // This program, also while a newer one takes its place in the file system.
 std::filesystem::path own_program();

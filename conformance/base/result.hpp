@@ -22,3 +22,17 @@ inline tl::unexpected<Error> fail(std::string message, std::string log = {}) {
 }
 
 }  // namespace hn
+
+// HN_TRY(const auto words, compile(text)); declares what a result holds, or returns its error from the function.
+// HN_DO(write_file(path, text)); does so for a result that holds nothing.
+#define HN_TRY(declaration, ...) HN_TRY_BY(HN_JOIN(result_, __LINE__), declaration, __VA_ARGS__)
+#define HN_TRY_BY(result, declaration, ...)                      \
+  auto result = (__VA_ARGS__);                                   \
+  if (!result) return tl::unexpected(std::move(result).error()); \
+  declaration = *std::move(result)
+#define HN_DO(...)                                                                              \
+  do {                                                                                          \
+    if (auto result = (__VA_ARGS__); !result) return tl::unexpected(std::move(result).error()); \
+  } while (false)
+#define HN_JOIN(a, b) HN_JOIN_NOW(a, b)
+#define HN_JOIN_NOW(a, b) a##b

@@ -1,36 +1,33 @@
-// A place for the files of a test.
+// A place for files that nobody needs afterwards.
 #pragma once
 
-#include <unistd.h>
+#include <sys/types.h>
 
-#include <atomic>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <string_view>
 
 namespace hn {
 
-// A folder that is gone after the test.
+// A folder that is gone with this object. Throws std::system_error if none can be made.
 class TemporaryFolder {
  public:
-  TemporaryFolder() {
-    static std::atomic<int> count = 0;
-    path_ = std::filesystem::temp_directory_path() /
-            ("hashnoise-test-" + std::to_string(::getpid()) + "-" + std::to_string(count++));
-    std::filesystem::create_directories(path_);
-  }
-  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  TemporaryFolder();
+  TemporaryFolder(TemporaryFolder&& other) noexcept;
+  TemporaryFolder& operator=(TemporaryFolder&&) = delete;
+  ~TemporaryFolder();
 
   const std::filesystem::path& path() const { return path_; }
-  void write(std::string_view name, std::string_view text) const {
-    std::ofstream(path_ / name, std::ios::binary) << text;
-  }
+  void write(std::string_view name, std::string_view text) const;
+
+  // What the names of a process's folders begin with.
+  static std::string prefix(pid_t owner);
 
  private:
-  std::filesystem::path path_;
+  std::filesystem::path path_;  // empty once it is moved from
 };
+
+// Removes the folders of processes that were killed.
+void remove_left_folders();
 
 }  // namespace hn

@@ -4,11 +4,12 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <string_view>
 #include <vector>
 
-#include "base/result.hpp"
+#include "base/process.hpp"
 #include "gpu/vulkan_drivers.hpp"
 
 namespace hn {
@@ -23,10 +24,11 @@ struct AmdStatistics {
 
   bool operator==(const AmdStatistics&) const = default;
 };
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AmdStatistics, instructions, inverse_throughput, latency, vgprs, code_size)
 
 // Where the counts come from; tests put other things here.
 struct AmdSource {
-  std::filesystem::path program = "/proc/self/exe";  // answers "amd-counts JOB RESULT" with amd_counts_child
+  std::filesystem::path program = own_program();  // answers kAmdCommand with amd_counts_child
   std::vector<std::filesystem::path> icd_directories = kVulkanDriverDirectories;
   std::chrono::milliseconds limit = std::chrono::seconds(120);  // without a new result
 };
@@ -43,7 +45,8 @@ Result<std::vector<Result<AmdStatistics>>> amd_counts(std::string_view family,
                                                       std::span<const std::vector<std::uint32_t>> shaders,
                                                       const AmdSource& source = {});
 
-// What the child does, the hidden subcommand "amd-counts JOB RESULT": the exit status of the program.
-int amd_counts_child(const std::filesystem::path& job, const std::filesystem::path& result);
+// What the child does, the hidden subcommand "amd-counts JOB": the exit status of the program.
+constexpr const char* kAmdCommand = "amd-counts";
+int amd_counts_child(const std::filesystem::path& job);
 
 }  // namespace hn

@@ -21,7 +21,7 @@ using Shader = std::vector<std::uint32_t>;
 using std::chrono::seconds;
 using std::chrono::steady_clock;
 
-const AmdSource kHere{.program = HN_CONFORM_PROGRAM};
+const AmdSource kHere{.program = HN_AMD_PROGRAM};
 const Shader kGarbage = {0x07230203, 0x00010000, 0, 8, 0, 0xDEADBEEF, 0x12345678};
 
 Shader spirv_of(const std::string& body) {
@@ -71,13 +71,13 @@ const std::vector<Shader> kThree = {{1}, {2}, {3}};
 
 // Answers with the shader's only word as every statistic. Before shader 2, it does something else.
 std::string script_with(const std::string& before_two) {
-  return "echo '{\"ready\": true}' >>\"$3\"\n"
+  return "echo '{\"ready\": true}' >&3\n"
          "for word in $(tr -cs 0-9 ' ' <\"$2\"); do\n"
          "  if [ $word = 2 ]; then " +
          before_two +
          "; fi\n"
          "  echo '{\"statistics\": {\"instructions\": W, \"inverse_throughput\": W, \"latency\": W, \"vgprs\": W,"
-         " \"code_size\": W}}' | sed s/W/$word/g >>\"$3\"\n"
+         " \"code_size\": W}}' | sed s/W/$word/g >&3\n"
          "done\n";
 }
 
@@ -105,11 +105,11 @@ TEST_F(AmdChild, ThatHangsOnAShaderIsKilled) {
 }
 
 TEST_F(AmdChild, ThatLeavesHalfALineCostsOneCount) {
-  expect_only_two_fails(source(script_with("printf '{\"statistics\": {\"inst' >>\"$3\"; exit 0")), "status 0");
+  expect_only_two_fails(source(script_with("printf '{\"statistics\": {\"inst' >&3; exit 0")), "status 0");
 }
 
 TEST_F(AmdChild, ThatRefusesAShaderGoesOn) {
-  expect_only_two_fails(source(script_with("echo '{\"error\": \"too hard\"}' >>\"$3\"; continue")), "too hard");
+  expect_only_two_fails(source(script_with("echo '{\"error\": \"too hard\"}' >&3; continue")), "too hard");
 }
 
 TEST_F(AmdChild, ThatNeverAnswersIsNoSource) {
@@ -122,7 +122,7 @@ TEST_F(AmdChild, ThatNeverAnswersIsNoSource) {
 }
 
 TEST_F(AmdChild, ThatSaysWhyThereIsNoSourceIsBelieved) {
-  const auto counts = amd_counts("navi21", kThree, source("echo '{\"error\": \"no libvulkan\"}' >>\"$3\"\n"));
+  const auto counts = amd_counts("navi21", kThree, source("echo '{\"error\": \"no libvulkan\"}' >&3\n"));
   ASSERT_FALSE(counts);
   EXPECT_EQ(counts.error().message, "no libvulkan");
 }
@@ -158,7 +158,7 @@ TEST_F(AmdChild, SeesTheFamilyAndNoOtherSettingsOfRadv) {
 
 TEST(Amd, WithoutADriverNamesWhatIsMissing) {
   const TemporaryFolder empty;
-  const auto counts = amd_counts("navi21", kThree, {.program = HN_CONFORM_PROGRAM, .icd_directories = {empty.path()}});
+  const auto counts = amd_counts("navi21", kThree, {.program = HN_AMD_PROGRAM, .icd_directories = {empty.path()}});
   ASSERT_FALSE(counts);
   EXPECT_NE(counts.error().message.find("radeon_icd"), std::string::npos);
   EXPECT_NE(counts.error().message.find(empty.path().string()), std::string::npos);

@@ -42,7 +42,7 @@ class Bench {
     for (std::size_t i = 0; i < kReferences; ++i) {
       if (report_.measurements[i].error) return tl::unexpected(*report_.measurements[i].error);
     }
-    if (auto done = time(options); !done) return tl::unexpected(done.error());
+    HN_DO(time(options));
     if (options.counts) count();
     return std::move(report_);
   }
@@ -69,29 +69,27 @@ class Bench {
   }
 
   Result<void> time(const BenchOptions& options) {
-    const auto load = stopwatch_.sufficient_load(*programs_[float_index(2)]);
-    if (!load) return tl::unexpected(load.error());
-    report_.gate = stopwatch_.choose_clock(*load);
+    HN_TRY(const auto load, stopwatch_.sufficient_load(*programs_[float_index(2)]));
+    report_.gate = stopwatch_.choose_clock(load);
     report_.rounds = options.rounds;
-    report_.side = load->width;
-    report_.iterations = load->iterations;
+    report_.side = load.width;
+    report_.iterations = load.iterations;
     std::vector<Workload> workloads;
     std::vector<std::size_t> owners;
     for (std::size_t i = 0; i < programs_.size(); ++i) {
       if (!programs_[i]) continue;
-      workloads.push_back(*load);
+      workloads.push_back(load);
       workloads.back().program = programs_[i].get();
       owners.push_back(i);
     }
-    const auto timings = stopwatch_.measure(workloads, options.rounds);
-    if (!timings) return tl::unexpected(timings.error());
-    const double evaluations = static_cast<double>(load->width) * load->height * load->iterations;
+    HN_TRY(const auto timings, stopwatch_.measure(workloads, options.rounds));
+    const double evaluations = static_cast<double>(load.width) * load.height * load.iterations;
     for (std::size_t i = 0; i < owners.size(); ++i) {
       Measurement& measurement = report_.measurements[owners[i]];
       const int dimensions = measurement.subject.dimensions;
-      const Timing& empty = (*timings)[empty_index(dimensions)];
-      measurement.ratio = ratio((*timings)[i], (*timings)[float_index(dimensions)], empty);
-      const double seconds = (*timings)[i].median() - empty.median();
+      const Timing& empty = timings[empty_index(dimensions)];
+      measurement.ratio = ratio(timings[i], timings[float_index(dimensions)], empty);
+      const double seconds = timings[i].median() - empty.median();
       // The spread of the empty shader's own time is what can be told apart from nothing.
       if (seconds > empty.spread()) measurement.evaluations_per_second = evaluations / seconds;
     }

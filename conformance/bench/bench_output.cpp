@@ -1,12 +1,12 @@
 // bench.json and what is made of it: CSV, the page, and the comparison with an earlier one.
 #include <fmt/format.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "base/file.hpp"
 #include "base/files.hpp"
+#include "base/json.hpp"
 #include "base/output/csv.hpp"
-#include "base/output/file.hpp"
 #include "base/output/number.hpp"
 #include "base/output/page.hpp"
 #include "base/output/svg.hpp"
@@ -18,14 +18,6 @@ namespace hn {
 namespace {
 
 constexpr int kSchema = 1;
-
-nlohmann::json to_json(const AmdStatistics& amd) {
-  return {{"instructions", amd.instructions},
-          {"inverse_throughput", amd.inverse_throughput},
-          {"latency", amd.latency},
-          {"vgprs", amd.vgprs},
-          {"code_size", amd.code_size}};
-}
 
 nlohmann::json to_json(const Measurement& measurement) {
   nlohmann::json json = {{"id", measurement.subject.id},
@@ -164,7 +156,7 @@ nlohmann::json to_json(const Provenance& provenance) {
 nlohmann::json to_json(const Counts& counts) {
   nlohmann::json json = nlohmann::json::object();
   if (counts.spirv) json["spirv"] = *counts.spirv;
-  for (const auto& [family, statistics] : counts.amd) json[family] = to_json(statistics);
+  for (const auto& [family, statistics] : counts.amd) json[family] = statistics;
   if (counts.nvidia) json["nvidia"] = *counts.nvidia;
   if (!counts.problems.empty()) json["problems"] = counts.problems;
   return json;
@@ -193,11 +185,10 @@ nlohmann::json absent_sources(const std::map<std::string, std::string>& absent) 
 }
 
 Result<Baseline> read_baseline(const std::filesystem::path& path) {
-  std::ifstream in(path);
-  if (!in) return fail(fmt::format("cannot read the baseline {}", path.string()));
+  HN_TRY(const auto text, read_file(path, "--baseline wants a bench.json"));
   Baseline baseline;
   try {
-    const auto json = nlohmann::json::parse(in);
+    const auto json = nlohmann::json::parse(text);
     if (json.at("schema").get<int>() != kSchema) throw std::runtime_error("another schema");
     baseline.renderer = json.value("renderer", "");
     for (const nlohmann::json& subject : json.at("subjects").get_ref<const nlohmann::json::array_t&>()) {
@@ -228,17 +219,15 @@ Result<void> write_bench(const std::filesystem::path& directory, const Provenanc
   json.update(to_json(report));
   std::vector<std::vector<std::string>> rows;
   for (const Measurement& measurement : report.measurements) rows.push_back(row_of(measurement, report.absent));
-  const auto html = page(provenance, report, changes);
-  if (!html) return tl::unexpected(html.error());
-  // A driver's log may hold any bytes; those that are no UTF-8 are replaced.
-  const std::string dumped = json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  HN_TRY(const auto html, page(provenance, report, changes));
+  const std::string dumped = hn::dump(json, 1) + "\n";
   for (const auto& [name, text] : {std::pair{"bench.json", dumped}, std::pair{"bench.csv", to_csv(kHeader, rows)},
-                                   std::pair{"index.html", *html}}) {
-    if (auto done = write_file(directory / name, text); !done) return done;
+                                   std::pair{"index.html", html}}) {
+    HN_DO(write_file(directory / name, text));
   }
   if (!dump) return {};
   for (const Measurement& measurement : report.measurements) {
-    if (auto done = write_spirv(directory, measurement.subject.id, measurement.counts); !done) return done;
+    HN_DO(write_spirv(directory, measurement.subject.id, measurement.counts));
   }
   return {};
 }

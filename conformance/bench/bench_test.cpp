@@ -132,7 +132,7 @@ TEST_F(BaselineFile, ThatIsNoneIsAnErrorThatNamesIt) {
 TEST_F(BaselineFile, ThatIsMissingIsAnErrorThatNamesIt) {
   const auto baseline = read_baseline(folder_.path() / "none.json");
   ASSERT_FALSE(baseline);
-  EXPECT_NE(baseline.error().message.find("cannot read the baseline"), std::string::npos);
+  EXPECT_NE(baseline.error().message.find("cannot read"), std::string::npos);
   EXPECT_NE(baseline.error().message.find("none.json"), std::string::npos);
   EXPECT_FALSE(read_baseline(folder_.path()));
 }

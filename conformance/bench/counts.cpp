@@ -4,16 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <glslang/SPIRV/spirv.hpp>
 #include <spirv-tools/optimizer.hpp>
 
-#include "base/output/file.hpp"
+#include "base/file.hpp"
+#include "gpu/spirv.hpp"
 
 namespace hn {
 namespace {
-
-// Behind the magic number, the version, the generator, the bound and the schema.
-constexpr std::size_t kHeaderWords = 5;
 
 // What the declarations and options of NVIDIA's assembly begin with: the grammar of NV_gpu_program4 and 5,
 // NV_fragment_program4 and those that add to them. All else that ends in a semicolon is an instruction.
@@ -107,21 +104,6 @@ Result<std::vector<std::uint32_t>> optimise_spirv(std::span<const std::uint32_t>
   std::vector<std::uint32_t> optimised;
   if (!optimizer.Run(words.data(), words.size(), &optimised)) return fail("spirv-opt fails", log);
   return optimised;
-}
-
-std::int64_t count_spirv(std::span<const std::uint32_t> words) {
-  std::int64_t count = 0;
-  bool inside = false;
-  for (std::size_t i = kHeaderWords; i < words.size();) {
-    const auto opcode = static_cast<spv::Op>(words[i] & spv::OpCodeMask);
-    const std::uint32_t length = words[i] >> spv::WordCountShift;
-    if (length == 0) break;  // no SPIR-V
-    if (opcode == spv::OpFunctionEnd) inside = false;
-    if (inside && opcode != spv::OpLabel && opcode != spv::OpFunctionParameter) ++count;
-    if (opcode == spv::OpFunction) inside = true;
-    i += length;
-  }
-  return count;
 }
 
 std::optional<std::int64_t> count_nvidia(std::string_view binary) {

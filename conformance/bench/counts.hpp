@@ -18,9 +18,6 @@ namespace hn {
 // What spirv-opt -O makes of SPIR-V.
 Result<std::vector<std::uint32_t>> optimise_spirv(std::span<const std::uint32_t> words);
 
-// The instructions between OpFunction and OpFunctionEnd, without OpFunctionParameter and OpLabel, which do nothing.
-std::int64_t count_spirv(std::span<const std::uint32_t> words);
-
 // The instructions of NVIDIA's assembly text in a program binary: the statements of its fragment program, without the
 // declarations and labels. Nothing if there is no such text from its header to its END.
 std::optional<std::int64_t> count_nvidia(std::string_view binary);

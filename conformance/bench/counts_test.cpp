@@ -8,9 +8,10 @@
 #include <cstring>
 #include <sstream>
 
-#include "base/output/file.hpp"
+#include "base/file.hpp"
 #include "base/temporary_folder.hpp"
 #include "bench/subject.hpp"
+#include "gpu/spirv.hpp"
 
 namespace hn {
 namespace {

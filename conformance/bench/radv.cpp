@@ -188,9 +188,8 @@ class RadvDevice final : public Radv {
   }
 
   Result<AmdStatistics> compile(std::span<const std::uint32_t> fragment_shader) override {
-    const auto fragment = create_module(fragment_shader);
-    if (!fragment) return tl::unexpected(fragment.error());
-    const PipelineState state(vertex_.get(), fragment->get(), layout_.get(), pass_.get());
+    HN_TRY(const auto fragment, create_module(fragment_shader));
+    const PipelineState state(vertex_.get(), fragment.get(), layout_.get(), pass_.get());
     VkPipeline pipeline = VK_NULL_HANDLE;
     const VkResult made = call<PFN_vkCreateGraphicsPipelines>("vkCreateGraphicsPipelines")(
         device_, VK_NULL_HANDLE, 1, &state.info, nullptr, &pipeline);
@@ -278,10 +277,9 @@ class RadvDevice final : public Radv {
     auto set_info = of_type<VkDescriptorSetLayoutCreateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO);
     set_info.bindingCount = kSamplers;
     set_info.pBindings = bindings.data();
-    auto set = create<VkDescriptorSetLayout, PFN_vkCreateDescriptorSetLayout, PFN_vkDestroyDescriptorSetLayout>(
-        "vkCreateDescriptorSetLayout", "vkDestroyDescriptorSetLayout", set_info);
-    if (!set) return tl::unexpected(set.error());
-    set_layout_ = std::move(*set);
+    HN_TRY(auto set, create<VkDescriptorSetLayout, PFN_vkCreateDescriptorSetLayout, PFN_vkDestroyDescriptorSetLayout>(
+                         "vkCreateDescriptorSetLayout", "vkDestroyDescriptorSetLayout", set_info));
+    set_layout_ = std::move(set);
 
     const VkDescriptorSetLayout set_layout = set_layout_.get();
     const VkPushConstantRange range{VK_SHADER_STAGE_FRAGMENT_BIT, 0, kPushConstantBytes};
@@ -387,8 +385,7 @@ Result<std::unique_ptr<Radv>> Radv::open() {
   const auto library = Library::open({"libvulkan.so.1", "libvulkan.so"});
   if (!library) return fail("libvulkan is not here: " + library.error().message);
   auto device = std::make_unique<RadvDevice>(*library);
-  const auto started = device->start();
-  if (!started) return tl::unexpected(started.error());
+  HN_DO(device->start());
   return device;
 }
 

@@ -8,9 +8,8 @@ Sampler::Sampler(const Context& context_, const SourceSet& sources_)
     : Workbench(context_, sources_), grid_(context_) {}
 
 Result<std::vector<float>> Sampler::values(const Subject& subject, std::span<const Position> positions) {
-  const auto program = build(value_shader(subject));
-  if (!program) return tl::unexpected(program.error());
-  return values(*program, positions);
+  HN_TRY(const auto program, build(value_shader(subject)));
+  return values(program, positions);
 }
 
 Result<std::vector<float>> Sampler::values(const Program& program, std::span<const Position> positions) {
@@ -20,10 +19,9 @@ Result<std::vector<float>> Sampler::values(const Program& program, std::span<con
     inputs[i * kInputWords + 1] = std::bit_cast<std::uint32_t>(positions[i].y);
     inputs[i * kInputWords + 2] = std::bit_cast<std::uint32_t>(positions[i].z);
   }
-  const auto words = grid_.evaluate(program, inputs);
-  if (!words) return tl::unexpected(words.error());
+  HN_TRY(const auto words, grid_.evaluate(program, inputs));
   std::vector<float> values(positions.size());
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::bit_cast<float>((*words)[i * kOutputWords]);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::bit_cast<float>(words[i * kOutputWords]);
   return values;
 }
 

@@ -8,6 +8,7 @@
 #include "bench/counts.hpp"
 #include "gpu/gpu.hpp"
 #include "gpu/osmesa_fixture.hpp"
+#include "gpu/spirv.hpp"
 #include "library/configurations.hpp"
 
 namespace hn {

@@ -16,11 +16,9 @@ std::string Workbench::unsupported(const Subject& subject) const {
 
 Result<Program> Workbench::build(const std::string& fragment, std::string_view profile_name) {
   const Profile& profile = profile_named(profile_name);
-  const auto vertex_text = expand(sources, profile, quad_vertex_shader());
-  if (!vertex_text) return tl::unexpected(vertex_text.error());
-  const auto fragment_text = expand(sources, profile, fragment);
-  if (!fragment_text) return tl::unexpected(fragment_text.error());
-  auto program = Program::build(context, *vertex_text, *fragment_text);
+  HN_TRY(const auto vertex_text, expand(sources, profile, quad_vertex_shader()));
+  HN_TRY(const auto fragment_text, expand(sources, profile, fragment));
+  auto program = Program::build(context, vertex_text, fragment_text);
   if (program) tables_.attach(*program);
   return program;
 }

@@ -18,13 +18,11 @@ Session::Session(const Suite& suite, const Context& context_, std::size_t most_p
     : Suite(suite), context(context_), info(describe(context_)), most_points(most_points_), grid(context_) {}
 
 Result<Program> Session::build(const Evaluation& evaluation, std::string_view shader) const {
-  const auto text = expand(sources, evaluation.profile, shader);
-  if (!text) return tl::unexpected(text.error());
-  if (evaluation.stage == Stage::compute) return Program::build_compute(context, *text);
+  HN_TRY(const auto text, expand(sources, evaluation.profile, shader));
+  if (evaluation.stage == Stage::compute) return Program::build_compute(context, text);
   const bool of_vertices = evaluation.stage == Stage::vertex;
-  const auto other = expand(sources, evaluation.profile, of_vertices ? idle_fragment_shader() : vertex_shader());
-  if (!other) return tl::unexpected(other.error());
-  return Program::build(context, of_vertices ? *text : *other, of_vertices ? *other : *text, evaluation.stage);
+  HN_TRY(const auto other, expand(sources, evaluation.profile, of_vertices ? idle_fragment_shader() : vertex_shader()));
+  return Program::build(context, of_vertices ? text : other, of_vertices ? other : text, evaluation.stage);
 }
 
 Result<const Program*> Session::evaluation_program(const Evaluation& evaluation) {
@@ -37,11 +35,10 @@ Result<const Program*> Session::evaluation_program(const Evaluation& evaluation)
     kept_.splice(kept_.begin(), kept_, found);
     return &kept_.front().program;
   }
-  auto program = build(evaluation, shader);
-  if (!program) return tl::unexpected(program.error());
-  program->set("trips", static_cast<std::int32_t>(kLoopTrips));
-  program->set("variant_seed", kVariantSeed);
-  kept_.push_front({key, std::move(*program)});
+  HN_TRY(auto program, build(evaluation, shader));
+  program.set("trips", static_cast<std::int32_t>(kLoopTrips));
+  program.set("variant_seed", kVariantSeed);
+  kept_.push_front({key, std::move(program)});
   if (kept_.size() > kKept) kept_.pop_back();
   return &kept_.front().program;
 }

@@ -171,11 +171,9 @@ class Examiner {
   }
 
   Result<std::array<std::uint8_t, 4>> draw(const std::string& shader) const {
-    const auto vertex = expand(session_.sources, evaluation_.profile, vertex_shader());
-    if (!vertex) return tl::unexpected(vertex.error());
-    const auto program = Program::build(session_.context, *vertex, {shader, {"the shader"}});
-    if (!program) return tl::unexpected(program.error());
-    return draw_pixel(session_.context, *program);
+    HN_TRY(const auto vertex, expand(session_.sources, evaluation_.profile, vertex_shader()));
+    HN_TRY(const auto program, Program::build(session_.context, vertex, {shader, {"the shader"}}));
+    return draw_pixel(session_.context, program);
   }
 
   // The driver refuses the shader, or fails to draw with it.

@@ -95,10 +95,9 @@ std::string without_comments(std::string_view glsl) {
 
 Result<std::string> stand_alone_shader(const SourceSet& sources, const Evaluation& evaluation,
                                        const ShaderFacts& facts) {
-  const auto shader =
-      expand(sources, evaluation.profile, shader_that_evaluates(evaluation, main_of(evaluation.function, facts)));
-  if (!shader) return tl::unexpected(shader.error());
-  const std::string text = without_comments(shader->text);
+  HN_TRY(const auto shader,
+         expand(sources, evaluation.profile, shader_that_evaluates(evaluation, main_of(evaluation.function, facts))));
+  const std::string text = without_comments(shader.text);
   // WebGL wants #version in the first line.
   const auto second_line = text.find('\n') + 1;
   return text.substr(0, second_line) + comments(evaluation, facts) + text.substr(second_line);

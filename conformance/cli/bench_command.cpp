@@ -4,12 +4,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
-#include <iterator>
 #include <regex>
 #include <set>
 
-#include "base/output/file.hpp"
+#include "base/file.hpp"
 #include "cli/command.hpp"
 #include "run/filter.hpp"
 
@@ -50,9 +48,7 @@ Result<Foreign> parse_foreign(const std::string& argument) {
 
 // The text of a shader file, fit to stand behind a #version line of ours.
 Result<std::string> read_foreign(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return fail(fmt::format("cannot read {}", path));
-  std::string text(std::istreambuf_iterator<char>(in), {});
+  HN_TRY(const auto text, read_file(path));
   static const std::regex kVersion("(^|\n)([ \t]*#[ \t]*version)");
   return std::regex_replace(text, kVersion, "$1//$2");
 }
@@ -91,18 +87,16 @@ Result<Selection> select(const BenchCommand& options, SourceSet& sources) {
   }
   std::set<std::string> names;
   for (const std::string& argument : options.against) {
-    auto foreign = parse_foreign(argument);
-    if (!foreign) return tl::unexpected(foreign.error());
-    if (!names.insert(foreign->name).second)
-      return fail(fmt::format("--against: there are two of the name {}", foreign->name));
-    const auto text = read_foreign(foreign->file);
-    if (!text) return tl::unexpected(text.error());
-    const std::string included = fmt::format("against/{}", foreign->name);
-    sources.add(included, *text, foreign->file);
+    HN_TRY(auto foreign, parse_foreign(argument));
+    if (!names.insert(foreign.name).second)
+      return fail(fmt::format("--against: there are two of the name {}", foreign.name));
+    HN_TRY(const auto text, read_foreign(foreign.file));
+    const std::string included = fmt::format("against/{}", foreign.name);
+    sources.add(included, text, foreign.file);
     for (const int dimensions : {2, 3}) {
-      selection.subjects.push_back(foreign_subject(foreign->name, included, foreign->expression, dimensions));
+      selection.subjects.push_back(foreign_subject(foreign.name, included, foreign.expression, dimensions));
     }
-    selection.foreigns.push_back(std::move(*foreign));
+    selection.foreigns.push_back(std::move(foreign));
   }
   return selection;
 }

@@ -5,12 +5,12 @@
 #include <unistd.h>
 
 #include <cstdlib>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "base/process.hpp"
+#include "base/file.hpp"
+#include "base/worker.hpp"
 #include "bench/subject.hpp"
 #include "bench/timings.hpp"
 #include "cases/evidence.hpp"
@@ -21,17 +21,6 @@
 
 namespace hn {
 namespace {
-
-// One line in one write, so that the parent reads whole lines and has them whatever happens next.
-void report(const nlohmann::ordered_json& json) {
-  const std::string line = dump(json) + "\n";
-  for (std::string_view rest = line; !rest.empty();) {
-    const ssize_t written = write(kReportFd, rest.data(), rest.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) _exit(EXIT_FAILURE);  // nobody listens
-    rest.remove_prefix(static_cast<std::size_t>(written));
-  }
-}
 
 bool context_is_lost(const Context& context) {
   const GladGLContext& gl = context.gl();
@@ -169,8 +158,9 @@ int run_on_driver(const Job& job, const Driver& driver) {
 int child_command(const std::filesystem::path& path) {
   // What this process starts must not hold the pipe open when this process is gone.
   if (fcntl(kReportFd, F_SETFD, FD_CLOEXEC) != 0) return usage_error("child is called by hn-conform itself only");
-  std::ifstream in(path);
-  const Job job = job_from(nlohmann::json::parse(in));
+  const auto text = read_file(path);
+  if (!text) return usage_error(text.error().text());
+  const Job job = job_from(nlohmann::json::parse(*text));
   if (job.task == Task::devices) {
     report({{"devices", egl_device_count()}});
     return EXIT_SUCCESS;

@@ -6,10 +6,11 @@
 #include <string_view>
 
 #include "bench/amd.hpp"
+#include "cli/child.hpp"
 #include "cli/command.hpp"
 #include "cli/options.hpp"
 #include "fault/faults.hpp"
-#include "cli/child.hpp"
+#include "run/job.hpp"
 
 namespace {
 
@@ -35,8 +36,8 @@ int dispatch(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     // What we start ourselves; not for people.
-    if (argc == 3 && std::string_view(argv[1]) == "child") return hn::child_command(argv[2]);
-    if (argc == 4 && std::string_view(argv[1]) == "amd-counts") return hn::amd_counts_child(argv[2], argv[3]);
+    if (argc == 3 && argv[1] == std::string_view(hn::kChildCommand)) return hn::child_command(argv[2]);
+    if (argc == 3 && argv[1] == std::string_view(hn::kAmdCommand)) return hn::amd_counts_child(argv[2]);
     return dispatch(argc, argv);
   } catch (const std::exception& exception) {
     fmt::print(stderr, "hn-conform: {}\n", exception.what());

@@ -3,9 +3,10 @@
 
 #include <chrono>
 
+#include "base/file.hpp"
 #include "base/files.hpp"
+#include "base/json.hpp"
 #include "base/output/csv.hpp"
-#include "base/output/file.hpp"
 #include "base/output/page.hpp"
 #include "cli/command.hpp"
 #include "paper/files.hpp"
@@ -27,16 +28,12 @@ constexpr Part kParts[] = {{"table", measure_table},
 
 Result<void> write(const std::filesystem::path& out, const nlohmann::json& data, const nlohmann::json& page,
                    const std::vector<Section::Csv>& tables) {
-  const auto html = render_page(text_of(kPaperFiles, "paper.mustache"), page);
-  if (!html) return tl::unexpected(html.error());
+  HN_TRY(const auto html, render_page(text_of(kPaperFiles, "paper.mustache"), page));
   for (const Section::Csv& table : tables) {
-    if (auto done = write_file(out / table.name, to_csv(table.header, table.rows)); !done) return done;
+    HN_DO(write_file(out / table.name, to_csv(table.header, table.rows)));
   }
-  if (auto done =
-          write_file(out / "paper.json", data.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-      !done)
-    return done;
-  return write_file(out / "index.html", *html);
+  HN_DO(write_file(out / "paper.json", dump(data, 1) + "\n"));
+  return write_file(out / "index.html", html);
 }
 
 }  // namespace

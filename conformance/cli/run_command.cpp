@@ -8,7 +8,7 @@
 #include <numeric>
 #include <set>
 
-#include "base/output/file.hpp"
+#include "base/temporary_folder.hpp"
 #include "cases/deal.hpp"
 #include "cli/command.hpp"
 #include "fault/faults.hpp"
@@ -19,7 +19,7 @@
 #include "run/merge.hpp"
 #include "run/scheduler.hpp"
 #include "run/shard.hpp"
-#include "run/worker.hpp"
+#include "base/worker.hpp"
 #include "web/suite.hpp"
 
 namespace hn {
@@ -56,7 +56,7 @@ struct Devices {
 
 // Asked in a process of its own: what is loaded to find out could crash.
 Devices egl_devices() {
-  const TemporaryDirectory scratch;
+  const TemporaryFolder scratch;
   const auto report =
       report_of({.task = Task::devices, .driver = {}, .suite = {}, .ids = {}}, scratch.path(), kDescribeLimit);
   if (report) return {report->value("devices", 0), {}};
@@ -100,7 +100,7 @@ Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted) {
 
 // What a driver can run, as far as it says. Who is not here can run nothing.
 CanRun can_run_on(const std::string& name) {
-  const TemporaryDirectory scratch;
+  const TemporaryFolder scratch;
   const Job job{.task = Task::describe, .driver = name, .suite = {}, .ids = {}};
   const auto report = report_of(job, scratch.path(), kDescribeLimit);
   if (!report || !report->contains("ready")) return [](const Case&) { return false; };
@@ -220,9 +220,8 @@ void note_what_was_not_run(const RunPlan& plan, const std::vector<Run>& runs, st
 }
 
 Result<RunPlan> make_plan(const RunCommand& options, const DriverChoice& choice, const std::vector<Case>& cases) {
-  auto shard = parse_shard(options.shard);
-  if (!shard) return tl::unexpected(shard.error());
-  RunPlan plan{.drivers = plan_drivers(choice.names, cases, *shard, options.deal),
+  HN_TRY(auto shard, parse_shard(options.shard));
+  RunPlan plan{.drivers = plan_drivers(choice.names, cases, shard, options.deal),
                .suite = suite_options(options),
                .shard = options.shard,
                .jobs = options.jobs,
@@ -233,17 +232,15 @@ Result<RunPlan> make_plan(const RunCommand& options, const DriverChoice& choice,
 }
 
 Result<std::vector<Expectation>> load_expectations(const std::string& directory) {
-  auto expectations = read_expectations(directory);
-  if (!expectations) return expectations;
-  const auto known = check_expectations(*expectations, ids_of(all_cases()));
-  if (!known) return tl::unexpected(known.error());
+  HN_TRY(auto expectations, read_expectations(directory));
+  HN_DO(check_expectations(expectations, ids_of(all_cases())));
   return expectations;
 }
 
 }  // namespace
 
 int drivers_command() {
-  const TemporaryDirectory scratch;
+  const TemporaryFolder scratch;
   bool usable = false;
   const Devices devices = egl_devices();
   if (!devices.problem.empty()) fmt::print(stderr, "hn-conform: {}\n", devices.problem);

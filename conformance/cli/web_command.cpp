@@ -1,7 +1,7 @@
 // hn-conform web
 #include <fmt/format.h>
 
-#include "base/output/file.hpp"
+#include "base/file.hpp"
 #include "cli/command.hpp"
 #include "web/suite.hpp"
 
@@ -20,12 +20,11 @@ int web_command(const WebCommand& options) {
     return !unsupported_in_browser(test).empty() || (test.extent == Extent::thorough && !options.thorough);
   });
   const auto write = [&]() -> Result<void> {
-    if (auto ready = prepare_output(options.out, {kPage}); !ready) return ready;
+    HN_DO(prepare_output(options.out, {kPage}));
     const PageSuite suite = make_suite(*sources, options.golden, cases);
     if (suite.defect) return fail(*suite.defect);
-    const auto page = web_page(suite.json);
-    if (!page) return tl::unexpected(page.error());
-    return write_file(std::filesystem::path(options.out) / kPage, *page);
+    HN_TRY(const auto page, web_page(suite.json));
+    return write_file(std::filesystem::path(options.out) / kPage, page);
   };
   if (const auto done = write(); !done) return usage_error(done.error().text());
   fmt::print("{}/{}: {} cases. Open it in a browser, or put it on any web server: python3 -m http.server -d {}\n",

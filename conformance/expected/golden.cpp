@@ -4,9 +4,10 @@
 
 #include <bit>
 #include <charconv>
-#include <fstream>
-#include <iterator>
 #include <limits>
+
+#include "base/digest.hpp"
+#include "base/file.hpp"
 
 namespace hn {
 namespace {
@@ -70,14 +71,14 @@ class Parser {
 
   Result<Golden> run() {
     std::size_t rows = 0;
-    if (auto done = header(rows); !done) return tl::unexpected(done.error());
+    HN_DO(header(rows));
     for (std::size_t i = 0; i < rows; ++i) {
       if (!next_line()) return error(fmt::format("the file ends after {} of {} rows", i, rows));
-      if (auto done = row(); !done) return tl::unexpected(done.error());
+      HN_DO(row());
     }
     if (has_digest(function_)) {
       if (!next_line()) return error("the file ends where the digest should be");
-      if (auto done = digest(); !done) return tl::unexpected(done.error());
+      HN_DO(digest());
     }
     if (next_line()) return error("the file should end before this line");
     return std::move(golden_);
@@ -105,10 +106,10 @@ class Parser {
     for (const std::string& line : {std::string("hashnoise golden 1"), fmt::format("function {}", function_.id),
                                     fmt::format("hash {}", golden_configuration(function_, configuration_)),
                                     fmt::format("arithmetic {}", golden_arithmetic(function_, configuration_))}) {
-      if (auto done = expect(line); !done) return done;
+      HN_DO(expect(line));
     }
     if (!next_line() || !current_.starts_with("bits ")) return error("\"bits VERSION\" should be here");
-    if (auto done = expect(fmt::format("columns {}", function_.columns)); !done) return done;
+    HN_DO(expect(fmt::format("columns {}", function_.columns)));
     if (!next_line() || !current_.starts_with("rows ") || !parse_number(current_.substr(5), rows) || rows == 0 ||
         rows > kMostRows) {
       return error("\"rows NUMBER\" should be here, with at least one row");
@@ -135,8 +136,8 @@ class Parser {
     const auto equals = current_.find(" = ");
     if (equals == std::string_view::npos) return error("a row should be \"inputs = values\"");
     GoldenRow row{line_, {}, {}};
-    if (auto done = words(current_.substr(0, equals), function_.inputs, row.inputs); !done) return done;
-    if (auto done = words(current_.substr(equals + 3), function_.outputs, row.values); !done) return done;
+    HN_DO(words(current_.substr(0, equals), function_.inputs, row.inputs));
+    HN_DO(words(current_.substr(equals + 3), function_.outputs, row.values));
     for (std::size_t i = 0; i < row.values.size() && has_exact_values(function_, configuration_); ++i) {
       if (function_.outputs[i].type != WordType::f64) continue;
       if (!is_float(row.values[i])) return error(fmt::format("{:016x} should be a float", row.values[i]));
@@ -226,10 +227,7 @@ std::filesystem::path golden_path(const std::filesystem::path& directory, const 
 
 Result<Golden> read_golden(const std::filesystem::path& path, const Function& function,
                            const Configuration& configuration) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return fail(fmt::format("{}: cannot read the golden file; tools/golden writes it", path.string()));
-  const std::string text(std::istreambuf_iterator<char>(in), {});
-  if (in.bad()) return fail(fmt::format("{}: cannot read the golden file", path.string()));
+  HN_TRY(const auto text, read_file(path, "it is a golden file, and tools/golden writes it"));
   return parse_golden(text, path.string(), function, configuration);
 }
 
@@ -239,11 +237,7 @@ Result<Golden> parse_golden(std::string_view text, std::string_view path, const 
 }
 
 std::uint64_t fnv1a64(const std::vector<std::uint32_t>& words) {
-  std::uint64_t hash = 14695981039346656037ull;
-  for (const std::uint32_t word : words) {
-    for (int shift = 0; shift < 32; shift += 8) hash = (hash ^ ((word >> shift) & 255u)) * 1099511628211ull;
-  }
-  return hash;
+  return fnv1a64(bytes_of(std::span(words)));
 }
 
 }  // namespace hn

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/digest.hpp"
+
 namespace hn {
 namespace {
 
@@ -170,9 +172,7 @@ std::uint32_t random_input(const Column& column, Region region, bool octave_sum,
 
 }  // namespace
 
-Random::Random(std::uint64_t seed, std::string_view name) : state_(seed) {
-  for (const char c : name) state_ = (state_ ^ static_cast<unsigned char>(c)) * 0x100000001B3ull;
-}
+Random::Random(std::uint64_t seed, std::string_view name) : state_(fnv1a64(name, seed)) {}
 
 std::uint64_t Random::next() {
   state_ += 0x9E3779B97F4A7C15ull;

@@ -1,13 +1,11 @@
 #include "expected/twin_table.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
-#include <stdexcept>
 #include <thread>
 #include <vector>
 
+#include "base/entry_named.hpp"
 #include "expected/twin.hpp"
 
 namespace hn {
@@ -29,10 +27,7 @@ constexpr std::size_t kFewestPoints = 4096;
 
 void evaluate_twin(const Function& function, const Configuration& configuration, std::span<const std::uint32_t> inputs,
                    std::span<std::uint32_t> outputs) {
-  const auto entries = entries_for(configuration);
-  const auto entry =
-      std::find_if(entries.begin(), entries.end(), [&](const TwinEntry& e) { return e.id == function.id; });
-  if (entry == entries.end()) throw std::logic_error(fmt::format("the twin has no function {}", function.id));
+  const TwinEntry& entry = entry_named(entries_for(configuration), &TwinEntry::id, function.id, "function of the twin");
   const std::size_t points = inputs.size() / kInputWords;
   const std::size_t most = std::max<std::size_t>(1, points / kFewestPoints);
   const std::size_t parts = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, most);
@@ -40,7 +35,7 @@ void evaluate_twin(const Function& function, const Configuration& configuration,
   for (std::size_t part = 0; part < parts; ++part) {
     const std::size_t begin = points * part / parts;
     const std::size_t end = points * (part + 1) / parts;
-    threads.emplace_back([=, evaluate = entry->evaluate] {
+    threads.emplace_back([=, evaluate = entry.evaluate] {
       evaluate(&inputs[begin * kInputWords], &outputs[begin * kOutputWords], end - begin);
     });
   }

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
+#include <stdexcept>
 #include <utility>
 
 namespace hn {
@@ -87,7 +87,7 @@ Result<Program> Program::link(const Context& context, std::span<const StageText>
   Program program(gl, gl.CreateProgram(), results_of);
   for (const StageText& shader : shaders) {
     const ShaderObject object(gl, shader.stage);
-    if (auto done = object.compile(shader.text); !done) return tl::unexpected(done.error());
+    HN_DO(object.compile(shader.text));
     gl.AttachShader(program.id_, object.id());  // keeps it for as long as the program is
   }
   if (results_of == Stage::vertex) {
@@ -179,7 +179,7 @@ void GridRenderer::upload(std::span<const std::uint32_t> inputs, GLsizei grid_wi
 Result<std::vector<std::uint32_t>> GridRenderer::evaluate(const Program& program,
                                                           std::span<const std::uint32_t> inputs) {
   const std::size_t points = inputs.size() / kInputWords;
-  assert(points <= kGridSide * kGridSide);
+  if (points > kGridSide * kGridSide) throw std::logic_error(fmt::format("no grid has {} points", points));
   const auto [width, height] = grid_size(points);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {

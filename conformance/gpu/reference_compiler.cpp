@@ -62,9 +62,8 @@ ReferenceCompiler::ReferenceCompiler() { glslang::InitializeProcess(); }
 ReferenceCompiler::~ReferenceCompiler() { glslang::FinalizeProcess(); }
 
 Result<void> ReferenceCompiler::check(const ShaderText& source, const Profile& profile, Stage stage) const {
-  const auto words = compile(source, profile, stage, Warnings::refuse);
-  if (!words) return tl::unexpected(words.error());
-  return profile.spirv ? validate_spirv(*words) : Result<void>{};
+  HN_TRY(const auto words, compile(source, profile, stage, Warnings::refuse));
+  return profile.spirv ? validate_spirv(words) : Result<void>{};
 }
 
 Result<std::vector<std::uint32_t>> ReferenceCompiler::spirv(const ShaderText& source, Stage stage) const {

@@ -41,6 +41,17 @@ Result<void> validate_spirv(std::span<const std::uint32_t> words) {
   return {};
 }
 
+std::int64_t count_spirv(std::span<const std::uint32_t> words) {
+  std::int64_t count = 0;
+  bool inside = false;
+  for_each_instruction(words, [&](spv::Op operation, std::span<const std::uint32_t>) {
+    if (operation == spv::OpFunctionEnd) inside = false;
+    if (inside && operation != spv::OpLabel && operation != spv::OpFunctionParameter) ++count;
+    if (operation == spv::OpFunction) inside = true;
+  });
+  return count;
+}
+
 std::vector<std::string> relaxed_precision(std::span<const std::uint32_t> words) {
   std::map<std::uint32_t, std::string> names;
   std::vector<std::uint32_t> relaxed;

@@ -13,6 +13,9 @@ namespace hn {
 // SPIRV-Tools' verdict, by the rules of Vulkan 1.0.
 Result<void> validate_spirv(std::span<const std::uint32_t> words);
 
+// The instructions between OpFunction and OpFunctionEnd, without OpFunctionParameter and OpLabel, which do nothing.
+std::int64_t count_spirv(std::span<const std::uint32_t> words);
+
 // The results of instructions that may be computed in less than 32 bits: their names, where they have one, else "".
 std::vector<std::string> relaxed_precision(std::span<const std::uint32_t> words);
 

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <stdexcept>
+
+#include "base/entry_named.hpp"
 
 namespace hn {
 namespace {
@@ -57,10 +57,7 @@ std::span<const Configuration> all_configurations() { return kConfigurations; }
 const Configuration& default_configuration() { return configuration_named("lattice"); }
 
 const Configuration& configuration_named(std::string_view name) {
-  const auto found = std::find_if(kConfigurations.begin(), kConfigurations.end(),
-                                  [&](const Configuration& c) { return c.name == name; });
-  if (found == kConfigurations.end()) throw std::logic_error(fmt::format("there is no configuration {}", name));
-  return *found;
+  return entry_named(kConfigurations, &Configuration::name, name, "configuration");
 }
 
 std::string knobs_of(const Configuration& configuration) {

@@ -6,6 +6,8 @@
 #include <array>
 #include <stdexcept>
 
+#include "base/entry_named.hpp"
+
 namespace hn {
 namespace {
 
@@ -71,12 +73,7 @@ Function make_function(std::string_view id, std::string_view file, Family family
 
 std::span<const Function> all_functions() { return functions(); }
 
-const Function& find_function(std::string_view id) {
-  const auto& all = functions();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Function& f) { return f.id == id; });
-  if (found == all.end()) throw std::logic_error(fmt::format("there is no function {}", id));
-  return *found;
-}
+const Function& find_function(std::string_view id) { return entry_named(functions(), &Function::id, id, "function"); }
 
 std::string_view arithmetic_name(const Function& function, const Configuration& configuration) {
   return function.exact() ? "exact" : name_of(configuration.arithmetic);

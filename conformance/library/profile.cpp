@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <stdexcept>
+
+#include "base/entry_named.hpp"
 
 namespace hn {
 namespace {
@@ -46,12 +48,8 @@ std::span<const Profile> run_profiles() { return kRun; }
 std::span<const Profile> refused_profiles() { return kRefused; }
 
 const Profile& profile_named(std::string_view name) {
-  for (const auto profiles : {all_profiles(), refused_profiles()}) {
-    for (const Profile& profile : profiles) {
-      if (profile.name == name) return profile;
-    }
-  }
-  throw std::logic_error(fmt::format("there is no profile {}", name));
+  const auto refused = std::ranges::find(kRefused, name, &Profile::name);
+  return refused != std::end(kRefused) ? *refused : entry_named(kAll, &Profile::name, name, "profile");
 }
 
 std::string unsupported_reason(const Profile& profile, const LanguageSupport& support) {

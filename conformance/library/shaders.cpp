@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cctype>
 #include <set>
-#include <stdexcept>
 #include <vector>
 
 #include "library/files.hpp"
@@ -13,18 +12,11 @@
 namespace hn {
 namespace {
 
-std::string_view library_file(std::string_view name) {
-  const auto found = std::find_if(kLibraryFiles.begin(), kLibraryFiles.end(),
-                                  [&](const EmbeddedFile& file) { return file.name == name; });
-  if (found == kLibraryFiles.end()) throw std::logic_error(fmt::format("the library has no file {}", name));
-  return found->text;
-}
-
 // What a file of the library includes, by itself or by what it includes.
 std::set<std::string_view> included_by(std::string_view file) {
   constexpr std::string_view kInclude = "\n#include \"";
   std::set<std::string_view> files;
-  const std::string_view text = library_file(file);
+  const std::string_view text = text_of(kLibraryFiles, file);
   for (auto at = text.find(kInclude); at != std::string_view::npos; at = text.find(kInclude, at + 1)) {
     const auto start = at + kInclude.size();
     const auto name = text.substr(start, text.find('"', start) - start);

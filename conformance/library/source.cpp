@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <fstream>
-#include <iterator>
 #include <optional>
 
+#include "base/file.hpp"
 #include "library/files.hpp"
 
 namespace hn {
@@ -48,7 +47,7 @@ class Expander {
   Result<ShaderText> run(std::string_view main_text) {
     out_.text = fmt::format("{}\n", profile_.directive);
     mark_line(0, 2);
-    if (auto done = add(main_text, 0, 2, 0); !done) return tl::unexpected(done.error());
+    HN_DO(add(main_text, 0, 2, 0));
     return std::move(out_);
   }
 
@@ -84,7 +83,7 @@ class Expander {
       }
       const int number = number_of(file->path);
       mark_line(number, 1);
-      if (auto done = add(file->text, number, 1, depth + 1); !done) return done;
+      HN_DO(add(file->text, number, 1, depth + 1));
       if (out_.text.back() != '\n') out_.text += '\n';
       mark_line(source, line + 1);
     }
@@ -110,12 +109,8 @@ Result<SourceSet> SourceSet::from_directory(const std::filesystem::path& directo
   SourceSet set;
   for (const EmbeddedFile& file : kLibraryFiles) {
     const auto path = directory / file.name;
-    std::ifstream in(path, std::ios::binary);
-    if (!in || !std::filesystem::is_regular_file(path)) {
-      return fail(
-          fmt::format("cannot read {}: --glsl wants a folder with a copy of every file of glsl/", path.string()));
-    }
-    set.add(std::string(file.name), std::string(std::istreambuf_iterator<char>(in), {}), path.string());
+    HN_TRY(auto text, read_file(path, "--glsl wants a folder with a copy of every file of glsl/"));
+    set.add(std::string(file.name), std::move(text), path.string());
   }
   return set;
 }
@@ -170,7 +165,7 @@ std::string line_directive(const Profile& profile, int source, int line) {
 Result<ShaderText> expand(const SourceSet& sources, const Profile& profile, std::string_view main_text) {
   auto shader = Expander(sources, profile).run(main_text);
   if (!shader || !sources.transform()) return shader;
-  if (auto done = sources.transform()(*shader, profile); !done) return tl::unexpected(done.error());
+  HN_DO(sources.transform()(*shader, profile));
   return shader;
 }
 

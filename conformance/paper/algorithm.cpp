@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <stdexcept>
 
+#include "base/entry_named.hpp"
 #include "paper/files.hpp"
 
 namespace hn {
@@ -63,10 +62,7 @@ std::string_view title_of(Form form) {
 std::span<const Algorithm> all_algorithms() { return kAlgorithms; }
 
 const Algorithm& algorithm_named(std::string_view name) {
-  const auto found =
-      std::find_if(kAlgorithms.begin(), kAlgorithms.end(), [&](const Algorithm& a) { return a.name == name; });
-  if (found == kAlgorithms.end()) throw std::logic_error("algorithm_named: there is no such thing");
-  return *found;
+  return entry_named(kAlgorithms, &Algorithm::name, name, "algorithm");
 }
 
 std::string Entry::id() const { return fmt::format("{}.{}", algorithm->name, name_of(form)); }

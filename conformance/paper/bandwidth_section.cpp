@@ -124,10 +124,8 @@ Result<std::vector<Curve>> sweep(Laboratory& laboratory, int dimensions) {
     curve.program = std::move(*program);
     for (const int fetches : kFetches) workloads.push_back({&*curve.program, kWidth, kHeight, fetches});
   }
-  auto timings = laboratory.stopwatch.measure(workloads, std::min(laboratory.rounds, 5));
-  if (!timings) return tl::unexpected(timings.error());
-  for (std::size_t i = 0; i < timings->size(); ++i)
-    curves[i / kFetches.size()].timings.push_back(std::move((*timings)[i]));
+  HN_TRY(auto timings, laboratory.stopwatch.measure(workloads, std::min(laboratory.rounds, 5)));
+  for (std::size_t i = 0; i < timings.size(); ++i) curves[i / kFetches.size()].timings.push_back(std::move(timings[i]));
   return curves;
 }
 
@@ -209,9 +207,8 @@ Result<Section> measure_bandwidth(Laboratory& laboratory) {
   const LargeTexture texture(laboratory.context.gl());
   Section::Csv csv{"bandwidth.csv", {"noise", "dimensions", "fetches", "milliseconds"}, {}};
   for (const int dimensions : {2, 3}) {
-    const auto curves = sweep(laboratory, dimensions);
-    if (!curves) return tl::unexpected(curves.error());
-    add_curves(section, csv, *curves, dimensions);
+    HN_TRY(const auto curves, sweep(laboratory, dimensions));
+    add_curves(section, csv, curves, dimensions);
   }
   section.csv.push_back(std::move(csv));
   return section;

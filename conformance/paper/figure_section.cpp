@@ -57,11 +57,10 @@ std::uint8_t grey(float value, Picture picture) {
 using Pixels = std::vector<std::uint8_t>;
 
 Result<Pixels> draw(Laboratory& laboratory, const Entry& entry, Picture picture) {
-  const auto values = laboratory.values(subject_of(entry, 2, picture),
-                                        positions(picture == Picture::noise ? kNoiseCells : kOctaveCells));
-  if (!values) return tl::unexpected(values.error());
-  Pixels pixels(values->size());
-  std::transform(values->begin(), values->end(), pixels.begin(), [&](float value) { return grey(value, picture); });
+  HN_TRY(const auto values, laboratory.values(subject_of(entry, 2, picture),
+                                              positions(picture == Picture::noise ? kNoiseCells : kOctaveCells)));
+  Pixels pixels(values.size());
+  std::transform(values.begin(), values.end(), pixels.begin(), [&](float value) { return grey(value, picture); });
   return pixels;
 }
 
@@ -77,12 +76,10 @@ Result<nlohmann::json> draw_row(Laboratory& laboratory, const Entry& entry, Pixe
   nlohmann::json figures = nlohmann::json::array();
   for (std::size_t column = 0; column < kPictures.size(); ++column) {
     const Picture picture = kPictures[column];
-    const auto pixels = draw(laboratory, entry, picture);
-    if (!pixels) return tl::unexpected(pixels.error());
-    place(sheet, *pixels, row, column);
+    HN_TRY(const auto pixels, draw(laboratory, entry, picture));
+    place(sheet, pixels, row, column);
     const std::string file = fmt::format("{}.{}.png", entry.id(), name_of(picture));
-    if (auto done = write_grey_png(laboratory.out / file, *pixels, kSide, kSide); !done)
-      return tl::unexpected(done.error());
+    HN_DO(write_grey_png(laboratory.out / file, pixels, kSide, kSide));
     figures.push_back({{"file", file}, {"title", fmt::format("{}, {}", entry.algorithm->title, name_of(picture))}});
   }
   return figures;
@@ -101,9 +98,8 @@ Result<nlohmann::json> draw_sheet(Laboratory& laboratory, const Sheet& sheet, Se
     rows.push_back({{"title", entry.algorithm->title}, {"figures", figures ? *figures : nlohmann::json::array()}});
   }
   const std::string file = fmt::format("sheet.{}.png", name_of(sheet.form));
-  const auto written = write_grey_png(laboratory.out / file, pixels, static_cast<int>(kSide * kPictures.size()),
-                                      static_cast<int>(kSide * kInFigure.size()));
-  if (!written) return tl::unexpected(written.error());
+  HN_DO(write_grey_png(laboratory.out / file, pixels, static_cast<int>(kSide * kPictures.size()),
+                       static_cast<int>(kSide * kInFigure.size())));
   return nlohmann::json{{"title", sheet.title}, {"file", file}, {"rows", rows}};
 }
 
@@ -117,9 +113,8 @@ Result<Section> draw_figures(Laboratory& laboratory) {
                   {"sheets", nlohmann::json::array()},
                   {"errors", nlohmann::json::array()}};
   for (const Sheet& sheet : kSheets) {
-    auto drawn = draw_sheet(laboratory, sheet, section);
-    if (!drawn) return tl::unexpected(drawn.error());
-    section.data["sheets"].push_back(std::move(*drawn));
+    HN_TRY(auto drawn, draw_sheet(laboratory, sheet, section));
+    section.data["sheets"].push_back(std::move(drawn));
   }
   section.page = section.data;
   return section;

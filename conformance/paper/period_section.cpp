@@ -67,14 +67,12 @@ std::vector<Position> scattered(int dimensions, std::uint32_t period) {
 // How many values differ in a bit from those a period on along an axis.
 Result<std::size_t> differences(Laboratory& laboratory, const Program& program, const Claim& claim, int axis) {
   std::vector<Position> points = scattered(claim.subject.dimensions, claim.period);
-  const auto here = laboratory.values(program, points);
-  if (!here) return tl::unexpected(here.error());
+  HN_TRY(const auto here, laboratory.values(program, points));
   for (Position& point : points) axis_of(point, axis) += static_cast<float>(claim.period);
-  const auto there = laboratory.values(program, points);
-  if (!there) return tl::unexpected(there.error());
+  HN_TRY(const auto there, laboratory.values(program, points));
   std::size_t count = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (std::bit_cast<std::uint32_t>((*here)[i]) != std::bit_cast<std::uint32_t>((*there)[i])) ++count;
+    if (std::bit_cast<std::uint32_t>(here[i]) != std::bit_cast<std::uint32_t>(there[i])) ++count;
   }
   return count;
 }
@@ -86,10 +84,9 @@ Result<std::size_t> shortest(Laboratory& laboratory, const Program& program, con
     points[i] = {5.375f, 7.625f, 3.125f};
     axis_of(points[i], axis) = static_cast<float>(i) + 0.375f;
   }
-  const auto values = laboratory.values(program, points);
-  if (!values) return tl::unexpected(values.error());
-  std::vector<std::uint32_t> bits(values->size());
-  std::transform(values->begin(), values->end(), bits.begin(), [](float v) { return std::bit_cast<std::uint32_t>(v); });
+  HN_TRY(const auto values, laboratory.values(program, points));
+  std::vector<std::uint32_t> bits(values.size());
+  std::transform(values.begin(), values.end(), bits.begin(), [](float v) { return std::bit_cast<std::uint32_t>(v); });
   return shortest_cyclic_repeat(bits);
 }
 

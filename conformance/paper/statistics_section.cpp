@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/output/file.hpp"
+#include "base/file.hpp"
 #include "base/output/number.hpp"
 #include "base/output/svg.hpp"
 #include "paper/laboratory.hpp"

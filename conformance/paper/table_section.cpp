@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <optional>
+#include <stdexcept>
 
 #include "base/output/number.hpp"
 #include "paper/files.hpp"
@@ -90,9 +91,8 @@ Result<void> time(Laboratory& laboratory, std::vector<Row>& rows) {
       targets.push_back(&row.timing[size]);
     }
   }
-  auto timings = laboratory.stopwatch.measure(workloads, laboratory.rounds);
-  if (!timings) return tl::unexpected(timings.error());
-  for (std::size_t i = 0; i < targets.size(); ++i) *targets[i] = std::move((*timings)[i]);
+  HN_TRY(auto timings, laboratory.stopwatch.measure(workloads, laboratory.rounds));
+  for (std::size_t i = 0; i < targets.size(); ++i) *targets[i] = std::move(timings[i]);
   return {};
 }
 
@@ -100,7 +100,7 @@ const Row& row_named(const std::vector<Row>& rows, std::string_view algorithm, i
   for (const Row& row : rows) {
     if (row.algorithm == algorithm && row.subject.dimensions == dimensions) return row;
   }
-  return rows.front();
+  throw std::logic_error(fmt::format("there is no row {} of {} dimensions", algorithm, dimensions));
 }
 
 void relate(std::vector<Row>& rows) {
@@ -268,22 +268,19 @@ Section to_section(const std::vector<Row>& rows, const std::map<std::string, std
 }  // namespace
 
 Result<Section> measure_table(Laboratory& laboratory) {
-  auto reference = laboratory.build(loop_shader(float_subject(2)));
-  if (!reference) return tl::unexpected(reference.error());
-  const auto load = laboratory.stopwatch.sufficient_load(*reference);
-  if (!load) return tl::unexpected(load.error());
-  laboratory.stopwatch.choose_clock(*load);
+  HN_TRY(auto reference, laboratory.build(loop_shader(float_subject(2))));
+  HN_TRY(const auto load, laboratory.stopwatch.sufficient_load(reference));
+  laboratory.stopwatch.choose_clock(load);
 
   std::vector<Row> rows = rows_of(2);
   for (Row& row : rows_of(3)) rows.push_back(std::move(row));
   build(laboratory, rows);
-  if (auto done = time(laboratory, rows); !done) return tl::unexpected(done.error());
+  HN_DO(time(laboratory, rows));
   relate(rows);
   const auto absent = count(laboratory, rows);
   if (laboratory.dump) {
     for (const Row& row : rows) {
-      if (auto done = write_spirv(laboratory.out, row.subject.id, row.counts); !done)
-        return tl::unexpected(done.error());
+      HN_DO(write_spirv(laboratory.out, row.subject.id, row.counts));
     }
   }
   Section section = to_section(rows, absent);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "base/output/file.hpp"
+#include "base/file.hpp"
 
 namespace hn {
 namespace {
@@ -65,11 +65,10 @@ Result<void> prepare_results(const std::filesystem::path& directory) {
 
 Result<void> write_results(const std::filesystem::path& directory, const std::vector<Run>& runs,
                            const std::vector<std::string>& problems) {
-  if (auto done = write_file(directory / kResultsFile, results_text(runs)); !done) return done;
-  if (auto done = write_file(directory / kJunitFile, junit_text(runs, problems)); !done) return done;
-  const auto page = report_page(runs, problems);
-  if (!page) return tl::unexpected(page.error());
-  return write_file(directory / kPageFile, *page);
+  HN_DO(write_file(directory / kResultsFile, results_text(runs)));
+  HN_DO(write_file(directory / kJunitFile, junit_text(runs, problems)));
+  HN_TRY(const auto page, report_page(runs, problems));
+  return write_file(directory / kPageFile, page);
 }
 
 std::string summary(const Run& run) {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/output/text.hpp"
-#include "library/functions.hpp"
+#include "library/shaders.hpp"
 #include "report/report_page.hpp"
 
 namespace hn {
@@ -40,8 +40,7 @@ Json examples_of(const Outcome& outcome) {
   Json rows = Json::array();
   for (std::size_t i = 0; i < std::min(outcome.examples.size(), kMostExamples); ++i) {
     const Mismatch& mismatch = outcome.examples[i];
-    constexpr std::size_t kRow = 1024;  // pixels; docs/internals.md says so, too
-    rows.push_back({{"pixel", fmt::format("{}, {}", mismatch.point % kRow, mismatch.point / kRow)},
+    rows.push_back({{"pixel", fmt::format("{}, {}", mismatch.point % kGridSide, mismatch.point / kGridSide)},
                     {"inputs", clean_text(mismatch.inputs)},
                     {"got", clean_text(mismatch.got)},
                     {"expected", clean_text(mismatch.expected)}});

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "base/output/file.hpp"
+#include "base/file.hpp"
 #include "base/temporary_folder.hpp"
 #include "run/result_support.hpp"
 

@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #define CSV_IO_NO_THREAD
 #include <libfccp/csv.h>
 
+#include "base/file.hpp"
 #include "run/filter.hpp"
 
 namespace hn {
@@ -55,12 +54,9 @@ Result<std::vector<Expectation>> read_expectations(const std::filesystem::path& 
   std::sort(files.begin(), files.end());
   std::vector<Expectation> expectations;
   for (const auto& path : files) {
-    std::ifstream in(path, std::ios::binary);
-    const std::string text(std::istreambuf_iterator<char>(in), {});
-    if (!in && !in.eof()) return fail(fmt::format("cannot read {}", path.string()));
-    auto rows = parse_expectations(text, path.string());
-    if (!rows) return rows;
-    expectations.insert(expectations.end(), rows->begin(), rows->end());
+    HN_TRY(const auto text, read_file(path));
+    HN_TRY(const auto rows, parse_expectations(text, path.string()));
+    expectations.insert(expectations.end(), rows.begin(), rows.end());
   }
   return expectations;
 }

@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string_view>
 
+#include "base/digest.hpp"
+#include "base/file.hpp"
+#include "base/worker.hpp"
 #include "fault/faults.hpp"
 #include "library/files.hpp"
 
@@ -24,23 +25,20 @@ constexpr std::array<std::string_view, 4> kTasks = {"describe", "cases", "timing
 Result<SourceSet> suite_sources(const SuiteOptions& options) {
   auto sources = library_sources(options.glsl);
   if (!sources || options.inject.empty()) return sources;
-  if (const auto done = inject_into(*sources, options.inject); !done) return tl::unexpected(done.error());
+  HN_DO(inject_into(*sources, options.inject));
   return sources;
 }
 
 std::string suite_digest(const SuiteOptions& options, const SourceSet& sources) {
-  std::uint64_t digest = 0xCBF29CE484222325u;  // FNV-1a, 64 bit
-  const auto add = [&](std::string_view text) {
-    for (const char c : text) digest = (digest ^ static_cast<unsigned char>(c)) * 0x100000001B3u;
-  };
+  std::uint64_t digest = kEmptyDigest;
+  const auto add = [&](std::string_view text) { digest = fnv1a64(text, digest); };
   for (const EmbeddedFile& file : kLibraryFiles) add(sources.find(file.name)->text);
   std::set<std::filesystem::path> golden;
   std::error_code none;  // a folder that is missing is an error of each case
   for (const auto& entry : std::filesystem::directory_iterator(options.golden, none)) golden.insert(entry.path());
   for (const std::filesystem::path& path : golden) {
-    std::ifstream in(path, std::ios::binary);
     add(path.filename().string());
-    add(std::string(std::istreambuf_iterator<char>(in), {}));
+    add(read_file(path).value_or(""));
   }
   return fmt::format("{:016x}", digest);
 }
@@ -73,6 +71,21 @@ Job job_from(const nlohmann::json& json) {
                     .points = suite.at("points").get<std::uint64_t>()},
           .ids = json.at("ids").get<std::vector<std::string>>(),
           .examined = json.at("examined").get<std::vector<std::string>>()};
+}
+
+Result<nlohmann::json> report_of(const Job& job, const std::filesystem::path& directory,
+                                 std::chrono::milliseconds limit) {
+  HN_TRY(auto worker,
+         Worker::start(to_json(job), {own_program(), kChildCommand, directory / "job.json", "/dev/null", limit}));
+  while (!worker.end()) {
+    for (const nlohmann::json& report : worker.wait()) {
+      for (const char* wrong : {"absent", "error"}) {
+        if (report.contains(wrong)) return fail(report.at(wrong).get<std::string>());
+      }
+      return report;
+    }
+  }
+  return fail(fmt::format("its process {}", worker.end()->text));
 }
 
 }  // namespace hn

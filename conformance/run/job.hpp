@@ -1,7 +1,9 @@
 // The process that runs the cases of one driver: what it is told, and what it tells.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -44,6 +46,13 @@ std::string suite_digest(const SuiteOptions& options, const SourceSet& sources);
 nlohmann::json to_json(const SuiteOptions& options);
 nlohmann::json to_json(const Job& job);
 Job job_from(const nlohmann::json& json);  // of a text that to_json made
+
+// The hidden subcommand that does a job.
+constexpr const char* kChildCommand = "child";
+
+// Does a job that has one report, and waits for it. An error: what the process said, or how it ended.
+Result<nlohmann::json> report_of(const Job& job, const std::filesystem::path& directory,
+                                 std::chrono::milliseconds limit);
 
 // The reports, a line of JSON each:
 //   {"ready": {context info}}         once, before the first case; with "languages": {...} of a context

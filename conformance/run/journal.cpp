@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <iterator>
 #include <set>
 #include <stdexcept>
 
-#include "base/json_reader.hpp"
+#include "base/file.hpp"
+#include "base/json.hpp"
 
 namespace hn {
 namespace {
@@ -25,7 +25,7 @@ std::string differences(const nlohmann::json& a, const nlohmann::json& b) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-// Throws what json_reader.hpp says if a line is no report, of those that run/job.hpp describes, of a driver.
+// Throws what json.hpp says if a line is no report, of those that run/job.hpp describes, of a driver.
 Journal::Entry entry_from(std::string_view line) {
   const nlohmann::json json = parse_json(line);
   Journal::Entry entry{json.at("driver").get<std::string>(), json.at("report")};
@@ -95,8 +95,7 @@ Result<Journal> Journal::create(const std::filesystem::path& directory, const nl
 Result<Journal> Journal::reopen(const std::filesystem::path& directory, const nlohmann::json& plan) {
   Journal journal;
   journal.path_ = path_in(directory);
-  std::ifstream in(journal.path_, std::ios::binary);
-  std::string text(std::istreambuf_iterator<char>(in), {});
+  HN_TRY(std::string text, read_file(journal.path_));
   auto entries = parse_journal(text, plan);
   if (!entries) {
     return fail(fmt::format("cannot go on with {}: {}", journal.path_.string(), entries.error().message));
@@ -113,8 +112,7 @@ Result<Journal> Journal::reopen(const std::filesystem::path& directory, const nl
 }
 
 std::string journal_line(const std::string& driver, const nlohmann::json& report) {
-  return nlohmann::json{{"driver", driver}, {"report", report}}.dump(-1, ' ', false,
-                                                                     nlohmann::json::error_handler_t::replace);
+  return dump(nlohmann::json{{"driver", driver}, {"report", report}});
 }
 
 void Journal::add(const std::string& driver, const nlohmann::json& report) {

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <map>
 
+#include "base/file.hpp"
 #include "run/shard.hpp"
 
 namespace hn {
@@ -19,9 +19,8 @@ std::string name_of(const Run& run) {
 
 // Of how many shards a run is one.
 Result<std::size_t> shards_of(const Run& run) {
-  const auto shard = parse_shard(run.shard);
-  if (!shard) return tl::unexpected(shard.error());
-  return shard->count;
+  HN_TRY(const auto shard, parse_shard(run.shard));
+  return shard.count;
 }
 
 Result<void> append_cases(Run& to, Run& from) {
@@ -31,13 +30,11 @@ Result<void> append_cases(Run& to, Run& from) {
                     "together",
                     name_of(to)));
   }
-  const auto shards = shards_of(to);
-  const auto more = shards_of(from);
-  if (!shards) return tl::unexpected(shards.error());
-  if (!more) return tl::unexpected(more.error());
-  if (*shards != *more || to.whole != from.whole) {
+  HN_TRY(const auto shards, shards_of(to));
+  HN_TRY(const auto more, shards_of(from));
+  if (shards != more || to.whole != from.whole) {
     return fail(fmt::format("{}: one of {} shards with {} cases in all and one of {} with {} do not belong together",
-                            name_of(to), *shards, to.whole, *more, from.whole));
+                            name_of(to), shards, to.whole, more, from.whole));
   }
   to.cases.insert(to.cases.end(), std::make_move_iterator(from.cases.begin()),
                   std::make_move_iterator(from.cases.end()));
@@ -65,9 +62,8 @@ Result<void> sort_cases(Run& run, const std::map<std::string, std::size_t>& orde
 Result<std::vector<Run>> read_runs(const std::string& name) {
   std::filesystem::path path = name;
   if (std::filesystem::is_directory(path)) path /= kResultsFile;
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return fail(fmt::format("cannot read {}", path.string()));
-  auto runs = parse_results(std::string(std::istreambuf_iterator<char>(in), {}));
+  HN_TRY(const auto text, read_file(path));
+  auto runs = parse_results(text);
   if (!runs) return fail(fmt::format("{}: {}", path.string(), runs.error().message));
   return runs;
 }
@@ -89,14 +85,14 @@ Result<Merged> merge_runs(std::vector<Run> runs, const std::vector<std::string>&
                                    [&](const Run& other) { return name_of(other) == name_of(run); });
     if (same == merged.runs.end()) {
       merged.runs.push_back(std::move(run));
-    } else if (auto appended = append_cases(*same, run); !appended) {
-      return tl::unexpected(appended.error());
+    } else {
+      HN_DO(append_cases(*same, run));
     }
   }
   std::map<std::string, std::size_t> order;
   for (const std::string& id : ids) order.emplace(id, order.size());
   for (Run& run : merged.runs) {
-    if (auto sorted = sort_cases(run, order); !sorted) return tl::unexpected(sorted.error());
+    HN_DO(sort_cases(run, order));
     if (!run.shard.empty() && run.cases.size() > run.whole) {
       return fail(
           fmt::format("{}: all shards together have {} cases, says each; here are more", name_of(run), run.whole));
@@ -120,9 +116,8 @@ Result<Merged> merge_runs(std::vector<Run> runs, const std::vector<std::string>&
 Result<Merged> merge_files(const std::vector<std::string>& paths, const std::vector<std::string>& ids) {
   std::vector<Run> runs;
   for (const std::string& path : paths) {
-    auto more = read_runs(path);
-    if (!more) return tl::unexpected(more.error());
-    runs.insert(runs.end(), std::make_move_iterator(more->begin()), std::make_move_iterator(more->end()));
+    HN_TRY(auto more, read_runs(path));
+    runs.insert(runs.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   }
   return merge_runs(std::move(runs), ids);
 }

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/output/file.hpp"
+#include "base/file.hpp"
 #include "base/temporary_folder.hpp"
 #include "run/result_support.hpp"
 #include "run/shard.hpp"

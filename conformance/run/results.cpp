@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "base/json_reader.hpp"
+#include "base/json.hpp"
 #include "base/version.hpp"
 
 namespace hn {
@@ -109,8 +109,6 @@ bool all_as_expected(const std::vector<Run>& runs) {
            return std::all_of(run.cases.begin(), run.cases.end(), is_right);
          });
 }
-
-std::string dump(const Json& json, int indent) { return json.dump(indent, ' ', false, Json::error_handler_t::replace); }
 
 Json to_json(const ContextInfo& info) {
   return {{"vendor", info.vendor},

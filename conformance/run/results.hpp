@@ -57,7 +57,4 @@ ContextInfo context_info_from(const nlohmann::json& json);
 LanguageSupport languages_from(const nlohmann::json& json);
 Evidence evidence_from(const nlohmann::json& json);
 
-// A driver's log may hold any bytes; those that are no UTF-8 are replaced.
-std::string dump(const nlohmann::ordered_json& json, int indent = -1);
-
 }  // namespace hn

@@ -4,14 +4,14 @@
 #include <poll.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <set>
 
-#include "base/version.hpp"
+#include "base/file.hpp"
 #include "base/progress.hpp"
-#include "run/worker.hpp"
+#include "base/version.hpp"
+#include "base/worker.hpp"
 
 namespace hn {
 namespace {
@@ -70,8 +70,8 @@ class Lane {
     refusal_.clear();
     std::error_code none;
     const auto size = std::filesystem::file_size(launch().log, none);
-    log_begin_ = none ? 0 : static_cast<std::streamoff>(size);
-    auto worker = Worker::start(job, launch());
+    log_begin_ = none ? 0 : size;
+    auto worker = Worker::start(to_json(job), launch());
     if (worker) {
       worker_.emplace(std::move(*worker));
     } else {
@@ -106,17 +106,14 @@ class Lane {
     worker_.reset();
     if (over()) {
       if (absent_.empty() && (end.timed_out || end.status != 0)) {
-        problem_ = fmt::format("{}: after its last case the driver's process {}{}", plan_.driver,
-                               end.timed_out ? "did not end" : end.text, log_end());
+        problem_ = fmt::format("{}: after its last case the driver's process {}{}", plan_.driver, end.text, log_end());
       }
       remove_empty_log();
       return std::nullopt;
     }
     if (lost_ || examining_) return std::nullopt;  // of a case that has its verdict
     const Status status = end.timed_out ? Status::timeout : Status::crash;
-    const std::string text = end.timed_out
-                                 ? fmt::format("no answer in {} s", std::chrono::duration<double>(whole_.limit).count())
-                                 : fmt::format("the driver's process {}", end.text);
+    const std::string text = fmt::format("the driver's process {}", end.text);
     const std::string when = ready_ ? "" : fmt::format("the driver does not start: {}", refusal_);
     CaseResult result{.id = current(), .outcome = outcome_with(status, {when + text + log_end(), {}})};
     add(result);
@@ -151,7 +148,7 @@ class Lane {
 
  private:
   Launch launch() const {
-    return {whole_.program, directory_ / (name_ + ".job"), directory_ / (name_ + ".log"), whole_.limit};
+    return {whole_.program, kChildCommand, directory_ / (name_ + ".job"), directory_ / (name_ + ".log"), whole_.limit};
   }
   bool is_pending(const std::string& id) const { return pending_.contains(id); }
 
@@ -196,10 +193,7 @@ class Lane {
 
   // What this process printed last, which may say why it ended.
   std::string log_end() const {
-    std::ifstream in(launch().log, std::ios::binary);
-    in.seekg(log_begin_);
-    std::string text(std::istreambuf_iterator<char>(in), {});
-    if (text.size() > kLogEnd) text.erase(0, text.size() - kLogEnd);
+    const std::string text = end_of_log(launch().log, kLogEnd, log_begin_);
     return text.empty() ? text : "; it printed:\n" + text;
   }
 
@@ -225,7 +219,7 @@ class Lane {
   bool lost_ = false;                  // this process ends because its context is lost
   std::string refusal_;                // why this process has no driver
   std::string problem_;
-  std::streamoff log_begin_ = 0;  // of this process
+  std::size_t log_begin_ = 0;  // of this process
   int futile_starts_ = 0;
   int crashes_in_a_row_ = 0;
   int functions_in_a_row_ = 0;
@@ -323,8 +317,7 @@ class Scheduler {
       waiting.push_back({lane.worker()->fd(), POLLIN, 0});
       deadline = std::min(deadline, lane.worker()->deadline());
     }
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - SteadyClock::now()).count();
-    poll(waiting.data(), waiting.size(), static_cast<int>(std::max<std::int64_t>(left, 0)) + 1);
+    poll(waiting.data(), waiting.size(), milliseconds_until(deadline));
   }
 
   void serve(Lane& lane) {

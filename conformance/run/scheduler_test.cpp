@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include "base/output/file.hpp"
+#include "base/file.hpp"
 #include "base/temporary_folder.hpp"
 #include "run/result_support.hpp"
 
@@ -81,7 +81,7 @@ TEST_F(SchedulerTest, AHangAndAStopAreTimeouts) {
   EXPECT_EQ(verdicts(run(script_that("b", "exec sleep 60"))), "a pass, b timeout, c pass, d pass, e pass");
   const hn::Run stopped = run(script_that("e", "kill -STOP $$"));
   EXPECT_EQ(verdicts(stopped), "a pass, b pass, c pass, d pass, e timeout");
-  EXPECT_EQ(stopped.cases[4].outcome.message, "no answer in 0.5 s");
+  EXPECT_EQ(stopped.cases[4].outcome.message, "the driver's process was killed, with no answer in 0.5 s");
 }
 
 TEST_F(SchedulerTest, TheLimitIsForACaseAndNotForTheRun) {

@@ -126,16 +126,13 @@ std::optional<Error> trouble(const GuardedProcess& chromium, const PageServer& s
 }
 
 Result<void> converse(const Browser& browser, const std::string& suite, Conversation& conversation) {
-  auto page = web_page(suite);
-  if (!page) return tl::unexpected(page.error());
-  auto server = PageServer::start(std::move(*page));
-  if (!server) return tl::unexpected(server.error());
+  HN_TRY(auto page, web_page(suite));
+  HN_TRY(auto server, PageServer::start(std::move(page)));
   const auto start = Clock::now();
-  const auto chromium = start_chromium(browser, server->url());
-  if (!chromium) return tl::unexpected(chromium.error());
+  HN_TRY(const auto chromium, start_chromium(browser, server.url()));
   while (!conversation.over()) {
-    if (server->handle_next(kPoll, [&](const std::string& message) { conversation.hear(message); })) continue;
-    if (auto error = trouble(*chromium, *server, conversation, start)) return tl::unexpected(std::move(*error));
+    if (server.handle_next(kPoll, [&](const std::string& message) { conversation.hear(message); })) continue;
+    if (auto error = trouble(chromium, server, conversation, start)) return tl::unexpected(std::move(*error));
   }
   return conversation.result();
 }
@@ -165,11 +162,10 @@ Result<void> run_in_browser(const Browser& browser, const SourceSet& sources, co
     if (events.absent) events.absent(program.error().text());
     return tl::unexpected(program.error());
   }
-  const auto cases = cases_with(ids);
-  if (!cases) return tl::unexpected(cases.error());
-  std::vector<Case> supported = *cases;
+  HN_TRY(const auto cases, cases_with(ids));
+  std::vector<Case> supported = cases;
   std::erase_if(supported, [](const Case& test) { return !unsupported_in_browser(test).empty(); });
-  Conversation conversation(browser, *cases, events);
+  Conversation conversation(browser, cases, events);
   return converse(browser, make_suite(sources, golden, supported, kReportTo).json, conversation);
 }
 
@@ -178,8 +174,7 @@ Result<ContextInfo> describe_browser(const Browser& browser) {
   const CaseEvents events = {[&](const ContextInfo& info) { found = info; }, [](const std::string&) {},
                              [](const CaseResult&) {}};
   Conversation conversation(browser, {}, events);
-  const auto done = converse(browser, make_suite(SourceSet::embedded(), {}, {}, kReportTo).json, conversation);
-  if (!done) return tl::unexpected(done.error());
+  HN_DO(converse(browser, make_suite(SourceSet::embedded(), {}, {}, kReportTo).json, conversation));
   return found;
 }
 

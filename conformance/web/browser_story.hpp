@@ -14,6 +14,7 @@
 #include <thread>
 #include <vector>
 
+#include "base/temporary_folder.hpp"
 #include "web/browser.hpp"
 
 namespace hn {
@@ -69,8 +70,8 @@ inline std::vector<pid_t> processes_with(std::string_view text) {
   return found;
 }
 
-// The name of the profile folders of a process, in the command line of every process of Chromium that has one.
-inline std::string folder_of(pid_t owner) { return "hashnoise-browser-" + std::to_string(owner) + "-"; }
+// What the names of a process's folders begin with, in the command line of every process of Chromium that has one.
+inline std::string folder_of(pid_t owner) { return TemporaryFolder::prefix(owner); }
 
 inline bool has_folders(pid_t owner) {
   for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::temp_directory_path())) {

@@ -2,22 +2,18 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <charconv>
-#include <cstring>
+
+#include "base/process.hpp"
 
 namespace hn {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::string_view kFolder = "hashnoise-browser-";  // and the process that made it
 
 // What keeps Chromium from doing anything but show the page.
 constexpr std::array<std::string_view, 18> kArguments = {
@@ -52,36 +48,9 @@ constexpr std::array<std::string_view, 14> kDropped = {
 // On a machine with other drivers as well, EGL would ask those first.
 constexpr const char* kMesaEgl = "/usr/share/glvnd/egl_vendor.d/50_mesa.json";
 
-// Those of processes that were killed together with their guards.
-void remove_left_folders(const fs::path& where) {
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(where, error)) {
-    const std::string name = entry.path().filename().string();
-    if (!name.starts_with(kFolder)) continue;
-    pid_t owner = 0;
-    std::from_chars(name.data() + kFolder.size(), name.data() + name.size(), owner);
-    const bool left = owner > 0 && kill(owner, 0) != 0 && errno == ESRCH;
-    if (left) fs::remove_all(entry.path(), error);
-  }
-}
-
-Result<fs::path> make_folder() {
-  std::error_code error;
-  const fs::path where = fs::temp_directory_path(error);
-  if (error) return fail(fmt::format("there is no folder for temporary files: {}", error.message()));
-  remove_left_folders(where);
-  std::string name = (where / fmt::format("{}{}-XXXXXX", kFolder, getpid())).string();
-  if (mkdtemp(name.data()) == nullptr) return fail(fmt::format("cannot make {}: {}", name, std::strerror(errno)));
-  return fs::path(name);
-}
-
 std::vector<std::string> environment_of(const Browser& browser, const std::string& folder) {
-  std::vector<std::string> variables = {"HOME=" + folder, "TMPDIR=" + folder, "MESA_SHADER_CACHE_DISABLE=true"};
-  for (char** variable = environ; *variable; ++variable) {
-    const std::string_view text = *variable;
-    const auto begins = [&](std::string_view prefix) { return text.starts_with(prefix); };
-    if (std::none_of(kDropped.begin(), kDropped.end(), begins)) variables.emplace_back(text);
-  }
+  std::vector<std::string> variables = environment_without(kDropped);
+  variables.insert(variables.end(), {"HOME=" + folder, "TMPDIR=" + folder, "MESA_SHADER_CACHE_DISABLE=true"});
   variables.insert(variables.end(), browser.environment.begin(), browser.environment.end());
   return variables;
 }
@@ -127,20 +96,19 @@ const Browser* find_browser(std::string_view name) {
 }
 
 Result<GuardedProcess> start_chromium(const Browser& browser, const std::string& url) {
-  const auto program = find_program(browser);
-  if (!program) return tl::unexpected(program.error());
-  const auto folder = make_folder();
-  if (!folder) return tl::unexpected(folder.error());
-  std::vector<std::string> command = {*program, fmt::format("--user-data-dir={}", (*folder / "profile").string())};
+  HN_TRY(const auto program, find_program(browser));
+  remove_left_folders();  // of processes that were killed together with their guards
+  TemporaryFolder folder;
+  std::vector<std::string> command = {program, fmt::format("--user-data-dir={}", (folder.path() / "profile").string())};
   command.insert(command.end(), kArguments.begin(), kArguments.end());
   command.insert(command.end(), browser.arguments.begin(), browser.arguments.end());
   if (geteuid() == 0) command.emplace_back("--no-sandbox");  // for root Chromium has none, and refuses to start
   command.push_back(url);
-  std::vector<std::string> environment = environment_of(browser, folder->string());
+  std::vector<std::string> environment = environment_of(browser, folder.path().string());
   const bool mesa = std::find(browser.environment.begin(), browser.environment.end(), "EGL_PLATFORM=surfaceless") !=
                     browser.environment.end();
   if (mesa && fs::exists(kMesaEgl)) environment.push_back(fmt::format("__EGL_VENDOR_LIBRARY_FILENAMES={}", kMesaEgl));
-  return GuardedProcess::start(std::move(command), std::move(environment), *folder);
+  return GuardedProcess::start(std::move(command), std::move(environment), std::move(folder));
 }
 
 }  // namespace hn

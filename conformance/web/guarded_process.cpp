@@ -9,14 +9,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <utility>
 
+#include "base/file.hpp"
 #include "base/process.hpp"
 
 namespace hn {
@@ -31,7 +30,7 @@ struct Plan {
   std::vector<char*> command;
   std::vector<char*> environment;
   std::string log;
-  const std::filesystem::path& folder;
+  const std::filesystem::path& folder;  // to be removed
 };
 
 [[noreturn]] void become_program(const Plan& plan) {
@@ -89,8 +88,8 @@ void end_all(pid_t program) {
 }  // namespace
 
 Result<GuardedProcess> GuardedProcess::start(std::vector<std::string> command, std::vector<std::string> environment,
-                                             const std::filesystem::path& folder) {
-  const Plan plan = {pointers_to(command), pointers_to(environment), (folder / "log").string(), folder};
+                                             TemporaryFolder folder) {
+  const Plan plan = {pointers_to(command), pointers_to(environment), (folder.path() / "log").string(), folder.path()};
   std::array<int, 2> channel{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, channel.data()) != 0) {
     return fail(fmt::format("cannot make a socket: {}", std::strerror(errno)));
@@ -98,7 +97,7 @@ Result<GuardedProcess> GuardedProcess::start(std::vector<std::string> command, s
   const pid_t pid = fork();
   if (pid == 0) guard(plan, channel[1]);
   close(channel[1]);
-  if (pid > 0) return GuardedProcess(pid, channel[0], folder);
+  if (pid > 0) return GuardedProcess(pid, channel[0], std::move(folder));
   close(channel[0]);
   return fail(fmt::format("cannot make a process: {}", std::strerror(errno)));
 }
@@ -118,14 +117,11 @@ std::optional<std::string> GuardedProcess::ended() const {
   const ssize_t size = recv(channel_, &status, sizeof status, MSG_DONTWAIT | MSG_PEEK);
   if (size < 0) return std::nullopt;
   if (size == 0) return "was lost: its guard is gone";
-  if (WIFSIGNALED(status)) return fmt::format("ended by signal {}", strsignal(WTERMSIG(status)));
-  return fmt::format("ended with status {}", WEXITSTATUS(status));
+  return describe_end(status);
 }
 
 std::string GuardedProcess::log() const {
-  std::ifstream in(folder_ / "log", std::ios::binary);
-  const std::string text(std::istreambuf_iterator<char>(in), {});
-  return text.substr(text.size() - std::min(text.size(), kMostOfLog));
+  return end_of_log(folder_.path() / "log", kMostOfLog);
 }
 
 }  // namespace hn

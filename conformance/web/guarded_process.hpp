@@ -3,12 +3,12 @@
 
 #include <sys/types.h>
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/result.hpp"
+#include "base/temporary_folder.hpp"
 
 namespace hn {
 
@@ -16,9 +16,9 @@ namespace hn {
 // we do, be it by SIGKILL, it kills the group and removes the folder.
 class GuardedProcess {
  public:
-  // command[0] is the program's path. Its output goes to folder/log. The folder must exist, and is removed at the end.
+  // command[0] is the program's path. Its output goes to folder/log.
   static Result<GuardedProcess> start(std::vector<std::string> command, std::vector<std::string> environment,
-                                      const std::filesystem::path& folder);
+                                      TemporaryFolder folder);
   GuardedProcess(GuardedProcess&& other) noexcept;
   GuardedProcess& operator=(GuardedProcess&&) = delete;
   ~GuardedProcess();  // kills it
@@ -29,12 +29,12 @@ class GuardedProcess {
   std::string log() const;
 
  private:
-  GuardedProcess(pid_t guard, int channel, std::filesystem::path folder)
+  GuardedProcess(pid_t guard, int channel, TemporaryFolder folder)
       : guard_(guard), channel_(channel), folder_(std::move(folder)) {}
 
   pid_t guard_;
   int channel_;  // the guard sends how the program ended; that it is closed tells the guard that we are gone
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
 };
 
 }  // namespace hn

@@ -8,8 +8,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "base/file.hpp"
+#include "base/json.hpp"
 #include "base/output/base64.hpp"
-#include "base/output/file.hpp"
 #include "base/version.hpp"
 #include "cases/bugs/bugs.hpp"
 #include "expected/golden.hpp"
@@ -109,13 +110,10 @@ class SuiteWriter {
   // The number of a program whose shader of that stage evaluates, or only compiles.
   tl::expected<std::size_t, Outcome> program(const Profile& profile, std::string_view text, Stage stage) {
     const bool of_vertices = stage == Stage::vertex;
-    const auto main = shader(profile, text, Status::fail);
-    if (!main) return tl::unexpected(main.error());
-    const auto other = shader(profile, of_vertices ? idle_fragment_shader() : vertex_shader(), Status::error);
-    if (!other) return tl::unexpected(other.error());
-    return programs_.number_of({{"stage", name_of(stage)},
-                                {"vertex", of_vertices ? *main : *other},
-                                {"fragment", of_vertices ? *other : *main}});
+    HN_TRY(const auto main, shader(profile, text, Status::fail));
+    HN_TRY(const auto other, shader(profile, of_vertices ? idle_fragment_shader() : vertex_shader(), Status::error));
+    return programs_.number_of(
+        {{"stage", name_of(stage)}, {"vertex", of_vertices ? main : other}, {"fragment", of_vertices ? other : main}});
   }
 
   tl::expected<std::size_t, Outcome> program(const Evaluation& evaluation) {
@@ -125,16 +123,14 @@ class SuiteWriter {
   Part part(const CompilationKind& compilation) {
     const bool refused = !compilation.refusal.empty();
     if (refused) {
-      const auto fragment = shader(*compilation.profile, compilation.fragment, Status::error);
-      if (!fragment) return tl::unexpected(fragment.error());
+      HN_TRY(const auto fragment, shader(*compilation.profile, compilation.fragment, Status::error));
       return Json{{"check", "refused"},
-                  {"fragment", *fragment},
+                  {"fragment", fragment},
                   {"names", compilation.refusal},
                   {"too_old", compilation.too_old}};
     }
-    const auto compiled = program(*compilation.profile, compilation.fragment, Stage::fragment);
-    if (!compiled) return tl::unexpected(compiled.error());
-    return Json{{"check", "compiles"}, {"program", *compiled}};
+    HN_TRY(const auto compiled, program(*compilation.profile, compilation.fragment, Stage::fragment));
+    return Json{{"check", "compiles"}, {"program", compiled}};
   }
 
   Part part(const GoldenKind& kind) {
@@ -143,10 +139,9 @@ class SuiteWriter {
     const Configuration& configuration = evaluation.configuration;
     const auto golden = read_golden(golden_path(golden_, function, configuration), function, configuration);
     if (!golden) return tl::unexpected(outcome_with(Status::error, golden.error()));
-    const auto evaluated = program(evaluation);
-    if (!evaluated) return tl::unexpected(evaluated.error());
+    HN_TRY(const auto evaluated, program(evaluation));
     Json json = {{"check", "values"},
-                 {"program", *evaluated},
+                 {"program", evaluated},
                  {"columns", function.columns},
                  {"exact", has_exact_values(function, configuration)},
                  {"inputs", inputs_of(*golden)},
@@ -157,14 +152,12 @@ class SuiteWriter {
   }
 
   Part same(const Pairing& pairing) {
-    const auto evaluated = program(pairing.evaluation);
-    if (!evaluated) return tl::unexpected(evaluated.error());
-    const auto other = program(pairing.other);
-    if (!other) return tl::unexpected(other.error());
+    HN_TRY(const auto evaluated, program(pairing.evaluation));
+    HN_TRY(const auto other, program(pairing.other));
     const Function& function = pairing.evaluation.function;
     return Json{{"check", "same"},
-                {"program", *evaluated},
-                {"other", *other},
+                {"program", evaluated},
+                {"other", other},
                 {"columns", function.columns},
                 {"exact", pairing.exact},
                 {"in_loop", pairing.in_loop()},
@@ -175,8 +168,7 @@ class SuiteWriter {
 
   Part part(const BugKind& kind) {
     const Bug& bug = *kind.bug;
-    const auto evaluated = program(evaluation_of(bug, *kind.profile));
-    if (!evaluated) return tl::unexpected(evaluated.error());
+    HN_TRY(const auto evaluated, program(evaluation_of(bug, *kind.profile)));
     std::vector<std::uint32_t> inputs;
     std::vector<std::uint32_t> expected;
     for (const BugPoint& point : bug.points) {
@@ -184,7 +176,7 @@ class SuiteWriter {
       expected.insert(expected.end(), point.expected.begin(), point.expected.end());
     }
     return Json{{"check", "bug"},
-                {"program", *evaluated},
+                {"program", evaluated},
                 {"columns", bug.function.columns},
                 {"inputs", data(inputs)},
                 {"expected", data(expected)},
@@ -275,7 +267,7 @@ PageSuite make_suite(const SourceSet& sources, const std::filesystem::path& gold
   Json list = Json::array();
   for (const Case& test : cases) list.push_back(writer.case_json(test));
   const Json suite = writer.finish(std::move(list), report_to);
-  return {suite.dump(-1, ' ', false, Json::error_handler_t::replace), writer.defect()};
+  return {dump(suite), writer.defect()};
 }
 
 }  // namespace hn

@@ -22,12 +22,11 @@ Result<png_image> image_of(std::span<const std::uint8_t> pixels, int width, int 
 }  // namespace
 
 Result<std::string> grey_png(std::span<const std::uint8_t> pixels, int width, int height) {
-  auto image = image_of(pixels, width, height);
-  if (!image) return tl::unexpected(image.error());
-  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(*image);
+  HN_TRY(auto image, image_of(pixels, width, height));
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
   std::string bytes(size, '\0');
-  if (png_image_write_to_memory(&*image, bytes.data(), &size, 0, pixels.data(), 0, nullptr) == 0) {
-    return fail(image->message);
+  if (png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels.data(), 0, nullptr) == 0) {
+    return fail(image.message);
   }
   bytes.resize(size);
   return bytes;

@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "base/file.hpp"
 #include "base/temporary_folder.hpp"
 
 namespace hn {
@@ -33,8 +34,7 @@ TEST(Png, InMemoryIsThatOfTheFile) {
   const auto path = folder.path() / "a.png";
   const std::vector<std::uint8_t> pixels = {0, 1, 127, 128, 254, 255};
   ASSERT_TRUE(write_grey_png(path, pixels, 2, 3));
-  std::ifstream in(path, std::ios::binary);
-  EXPECT_EQ(*grey_png(pixels, 2, 3), std::string(std::istreambuf_iterator<char>(in), {}));
+  EXPECT_EQ(*grey_png(pixels, 2, 3), read_file(path).value());
   EXPECT_FALSE(grey_png(pixels, 2, 2));
 }
 

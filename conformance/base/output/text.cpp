@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
+#include "base/json.hpp"
 
 namespace hn {
 namespace {
@@ -16,7 +16,7 @@ bool begins_with_non_character(std::string_view text) {
 
 // The library that writes JSON replaces what is no UTF-8.
 std::string valid_utf8(std::string_view bytes) {
-  const std::string json = nlohmann::json(bytes).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  const std::string json = dump(nlohmann::json(bytes));
   return nlohmann::json::parse(json).get<std::string>();
 }
 

@@ -25,12 +25,11 @@ class EglContext final : public Context {
   Result<void> start_surfaceless() { return start_on(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY); }
 
   Result<void> start_on_device(int number) {
-    const auto devices = find_devices();
-    if (!devices) return tl::unexpected(devices.error());
-    if (number >= static_cast<int>(devices->size())) {
-      return fail(fmt::format("there is no EGL device {}; EGL finds {}", number, devices->size()));
+    HN_TRY(const auto devices, find_devices());
+    if (number >= static_cast<int>(devices.size())) {
+      return fail(fmt::format("there is no EGL device {}; EGL finds {}", number, devices.size()));
     }
-    return start_on(EGL_PLATFORM_DEVICE_EXT, (*devices)[static_cast<std::size_t>(number)]);
+    return start_on(EGL_PLATFORM_DEVICE_EXT, devices[static_cast<std::size_t>(number)]);
   }
 
   Result<void> start_on_first_device() { return start_on_device(0); }
@@ -116,10 +115,9 @@ Result<Library> open_egl() { return Library::open({"libEGL.so.1", "libEGL.so"});
 }  // namespace
 
 CreatedContext create_egl_device(int number, Api api) {
-  auto library = open_egl();
-  if (!library) return tl::unexpected(library.error());
-  auto context = std::make_unique<EglContext>(*library, api);
-  if (auto started = context->start_on_device(number); !started) return tl::unexpected(started.error());
+  HN_TRY(auto library, open_egl());
+  auto context = std::make_unique<EglContext>(library, api);
+  HN_DO(context->start_on_device(number));
   return context;
 }
 
@@ -131,12 +129,11 @@ int egl_device_count() {
 }
 
 CreatedContext create_egl(Api api) {
-  auto library = open_egl();
-  if (!library) return tl::unexpected(library.error());
+  HN_TRY(auto library, open_egl());
   std::string why;
   for (const auto& [name, start] : {std::pair{"surfaceless", &EglContext::start_surfaceless},
                                     std::pair{"device", &EglContext::start_on_first_device}}) {
-    auto context = std::make_unique<EglContext>(*library, api);
+    auto context = std::make_unique<EglContext>(library, api);
     const auto started = (*context.*start)();
     if (started) return context;
     why += fmt::format("{}{}: {}", why.empty() ? "" : "; ", name, started.error().message);

@@ -18,9 +18,8 @@ class GlfwWindowContext final : public Context {
   }
 
   Result<void> start(GlfwContext kind, Api api) {
-    auto display = Xvfb::where_no_display();
-    if (!display) return tl::unexpected(display.error());
-    display_ = std::move(*display);
+    HN_TRY(auto display, Xvfb::where_no_display());
+    display_ = std::move(display);
     if (!call<decltype(glfwInit)>("glfwInit")()) return fail(fmt::format("GLFW does not start: {}", last_error()));
     initialised_ = true;
     const auto hint = call<decltype(glfwWindowHint)>("glfwWindowHint");
@@ -78,10 +77,9 @@ class GlfwWindowContext final : public Context {
 }  // namespace
 
 CreatedContext create_glfw(GlfwContext kind, Api api) {
-  auto library = Library::open({"libglfw.so.3", "libglfw.3.dylib"});
-  if (!library) return tl::unexpected(library.error());
-  auto context = std::make_unique<GlfwWindowContext>(*library);
-  if (auto started = context->start(kind, api); !started) return tl::unexpected(started.error());
+  HN_TRY(auto library, Library::open({"libglfw.so.3", "libglfw.3.dylib"}));
+  auto context = std::make_unique<GlfwWindowContext>(library);
+  HN_DO(context->start(kind, api));
   return context;
 }
 

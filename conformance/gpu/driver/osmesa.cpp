@@ -56,10 +56,9 @@ class OsmesaDriverContext final : public Context {
 }  // namespace
 
 CreatedContext create_osmesa() {
-  auto library = Library::open({"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"});
-  if (!library) return tl::unexpected(library.error());
-  auto context = std::make_unique<OsmesaDriverContext>(*library);
-  if (auto started = context->start(); !started) return tl::unexpected(started.error());
+  HN_TRY(auto library, Library::open({"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"}));
+  auto context = std::make_unique<OsmesaDriverContext>(library);
+  HN_DO(context->start());
   return context;
 }
 

@@ -1,7 +1,7 @@
 // The journal of a run, as --resume reads it. The plan is the one that the journal itself names, if it does.
 #include "run/journal.hpp"
 
-#include "base/json_reader.hpp"
+#include "base/json.hpp"
 #include "fuzz.hpp"
 
 namespace hn::fuzz {

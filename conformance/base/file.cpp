@@ -1,9 +1,11 @@
-#include "base/output/file.hpp"
+#include "base/file.hpp"
 
 #include <fmt/format.h>
-#include <stdlib.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <system_error>
 
@@ -35,15 +37,18 @@ Result<void> prepare_output(const std::filesystem::path& directory, std::initial
   return {};
 }
 
-TemporaryDirectory::TemporaryDirectory() {
-  std::string path = (std::filesystem::temp_directory_path() / "hn-conform-XXXXXX").string();
-  if (!mkdtemp(path.data())) throw std::system_error(errno, std::generic_category(), path);
-  path_ = path;
+Result<std::string> read_file(const std::filesystem::path& path, std::string_view hint) {
+  std::ifstream in(path, std::ios::binary);
+  std::string bytes;
+  std::array<char, 65536> part;
+  while (in.read(part.data(), part.size()) || in.gcount() > 0) bytes.append(part.data(), static_cast<std::size_t>(in.gcount()));
+  if (in.eof()) return bytes;
+  return fail(fmt::format("cannot read {}: {}{}{}", path.string(), std::strerror(errno), hint.empty() ? "" : "; ", hint));
 }
 
-TemporaryDirectory::~TemporaryDirectory() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
+std::string end_of_log(const std::filesystem::path& path, std::size_t most, std::size_t from) {
+  std::string text = read_file(path).value_or("");
+  return text.substr(std::max(std::min(from, text.size()), text.size() - std::min(most, text.size())));
 }
 
 Result<void> write_file(const std::filesystem::path& path, std::string_view bytes) {

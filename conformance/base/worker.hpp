@@ -1,4 +1,4 @@
-// The parent's side of a process that does a job: its reports, line by line, and its end.
+// A process that does a job: its reports, line by line, and its end.
 #pragma once
 
 #include <chrono>
@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "base/process.hpp"
-#include "run/job.hpp"
 
 namespace hn {
 
@@ -17,15 +16,18 @@ using SteadyClock = std::chrono::steady_clock;
 
 // How a process is started.
 struct Launch {
-  std::filesystem::path program;    // answers "child JOB" with child_command
+  std::filesystem::path program;
+  std::string command;              // The program answers "COMMAND JOB".
   std::filesystem::path job;        // a file for what the process is told
   std::filesystem::path log;        // what it prints
   std::chrono::milliseconds limit;  // it has so long to make each report, or is killed
+  std::optional<std::vector<std::string>> environment = {};  // as in ProcessOptions
 };
 
+// The parent's side.
 class Worker {
  public:
-  static Result<Worker> start(const Job& job, const Launch& launch);
+  static Result<Worker> start(const nlohmann::json& job, const Launch& launch);
   Worker(Worker&&) noexcept = default;
   Worker& operator=(Worker&&) noexcept = default;
   ~Worker();  // kills it if it runs
@@ -35,6 +37,8 @@ class Worker {
 
   // What has arrived. Call it when fd() can be read, or the deadline has passed.
   std::vector<nlohmann::json> read();
+  // Waits for that, and reads.
+  std::vector<nlohmann::json> wait();
 
   // Set once the process has ended and all of its reports were read.
   struct End {
@@ -55,8 +59,10 @@ class Worker {
   std::optional<End> end_;
 };
 
-// Does a job that has one report, and waits for it. An error: what the process said, or how it ended.
-Result<nlohmann::json> report_of(const Job& job, const std::filesystem::path& directory,
-                                 std::chrono::milliseconds limit);
+// The milliseconds until then, as poll takes them.
+int milliseconds_until(SteadyClock::time_point deadline);
+
+// The child's side: one line in one write, so that the parent reads whole lines and has them whatever happens next.
+void report(const nlohmann::ordered_json& json);
 
 }  // namespace hn

@@ -1,9 +1,11 @@
-// Writing whole files.
+// Reading and writing whole files.
 #pragma once
 
+#include <bit>
 #include <filesystem>
 #include <initializer_list>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "base/result.hpp"
@@ -18,22 +20,16 @@ Result<void> prepare_output(const std::filesystem::path& directory, std::initial
 // file.
 Result<void> write_file(const std::filesystem::path& path, std::string_view bytes);
 
-// A folder that is gone with this object. Throws std::system_error if none can be made.
-class TemporaryDirectory {
- public:
-  TemporaryDirectory();
-  ~TemporaryDirectory();
-  TemporaryDirectory(const TemporaryDirectory&) = delete;
-  TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
-  const std::filesystem::path& path() const { return path_; }
+// The bytes of a file. An error names it, and ends with the hint: what the file should be, or where it comes from.
+Result<std::string> read_file(const std::filesystem::path& path, std::string_view hint = {});
 
- private:
-  std::filesystem::path path_;
-};
+// The last bytes of a log, so many at the most, of what was written from a place on. Empty if it cannot be read.
+std::string end_of_log(const std::filesystem::path& path, std::size_t most, std::size_t from = 0);
 
-// The bytes of numbers, as they lie in memory.
+// The bytes of numbers, as they lie in memory: little-endian, as every format of ours wants them.
 template <typename T>
 std::string_view bytes_of(std::span<const T> numbers) {
+  static_assert(std::endian::native == std::endian::little);
   return {reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes()};
 }
 

@@ -1,0 +1,55 @@
+#include "base/file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/temporary_folder.hpp"
+
+namespace hn {
+namespace {
+
+TEST(File, IsReadAsItWasWritten) {
+  const TemporaryFolder folder;
+  for (const std::string& bytes : {std::string(), std::string("a\r\n\0b", 5), std::string(200000, 'x')}) {
+    ASSERT_TRUE(write_file(folder.path() / "some" / "file", bytes));
+    EXPECT_EQ(read_file(folder.path() / "some" / "file").value(), bytes);
+  }
+}
+
+TEST(File, ThatCannotBeReadIsAnErrorThatNamesIt) {
+  const TemporaryFolder folder;
+  const auto folder_itself = read_file(folder.path());
+  ASSERT_FALSE(folder_itself);
+  EXPECT_EQ(folder_itself.error().text(), "cannot read " + folder.path().string() + ": Is a directory");
+  const auto absent = read_file(folder.path() / "absent", "it should be here");
+  ASSERT_FALSE(absent);
+  EXPECT_EQ(absent.error().text(),
+            "cannot read " + (folder.path() / "absent").string() + ": No such file or directory; it should be here");
+}
+
+TEST(File, EndsOfLogsAreAsLongAsTheyMayBe) {
+  const TemporaryFolder folder;
+  folder.write("log", "0123456789");
+  const auto end = [&](std::size_t most, std::size_t from) { return end_of_log(folder.path() / "log", most, from); };
+  EXPECT_EQ(end(3, 0), "789");
+  EXPECT_EQ(end(100, 0), "0123456789");
+  EXPECT_EQ(end(100, 8), "89");
+  EXPECT_EQ(end(1, 8), "9");
+  EXPECT_EQ(end(100, 11), "");
+  EXPECT_EQ(end_of_log(folder.path() / "absent", 3), "");
+}
+
+TEST(TemporaryFolder, IsGoneAfterItsLastOwner) {
+  std::filesystem::path path;
+  {
+    TemporaryFolder first;
+    path = first.path();
+    first.write("file", "x");
+    const TemporaryFolder second = std::move(first);
+    EXPECT_EQ(second.path(), path);
+    EXPECT_TRUE(std::filesystem::exists(path / "file"));
+  }
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+}  // namespace
+}  // namespace hn
