@@ -31,10 +31,10 @@ HN_FN hn_uvec3 hn_i_wrap(hn_ivec3 cell) { return uvec3(hn_i_wrap(cell.x), hn_i_w
 // The spread coordinates of a cell's far corner, from those of its near one.
 #if HN_PERIOD == 0
 HN_FN hn_uvec2 hn_i_spread_next(hn_uvec2 spread, HN_I_UNUSED hn_uvec2 c) {
-  return spread + uvec2(0x9E3779B1u, 0x85EBCA77u);
+  return uvec2(spread.x + 0x9E3779B1u, spread.y + 0x85EBCA77u);
 }
 HN_FN hn_uvec3 hn_i_spread_next(hn_uvec3 spread, HN_I_UNUSED hn_uvec3 c) {
-  return spread + uvec3(0x9E3779B1u, 0x85EBCA77u, 0xC2B2AE3Du);
+  return uvec3(spread.x + 0x9E3779B1u, spread.y + 0x85EBCA77u, spread.z + 0xC2B2AE3Du);
 }
 #else
 HN_FN hn_uvec2 hn_i_spread_next(HN_I_UNUSED hn_uvec2 spread, hn_uvec2 c) {
@@ -46,7 +46,8 @@ HN_FN hn_uvec3 hn_i_spread_next(HN_I_UNUSED hn_uvec3 spread, hn_uvec3 c) {
 #endif
 
 // The words of the corners 00, 10, 01, 11 of a square, given what the other axes and the seed contribute: to the one
-// join of coordinates (hash.glsl), to the sum that is made odd, and more of it, which is even.
+// join of coordinates (hash.glsl), to the sum that is made odd, and more of it, which is even. Without a period more
+// and the steps along x and y are constants, so they are added up first.
 HN_FN hn_uvec4 hn_i_corners(hn_uvec2 c, hn_uint join, hn_uint sum, hn_uint more) {
   hn_uvec2 c0 = hn_i_spread(c);
   hn_uvec2 c1 = hn_i_spread_next(c0, c);
@@ -54,11 +55,11 @@ HN_FN hn_uvec4 hn_i_corners(hn_uvec2 c, hn_uint join, hn_uint sum, hn_uint more)
   hn_uvec2 b = hn_i_fold(c1);
   a.x ^= join;
   b.x ^= join;
-  hn_uint odd = hn_i_odd(c0.x + c0.y + sum) + more;
+  hn_uint odd = hn_i_odd(c0.x + c0.y + sum);
   hn_uint x = (c1.x - c0.x) * 2u;
   hn_uint y = (c1.y - c0.y) * 2u;
-  return uvec4(hn_i_word(a.x ^ a.y, odd), hn_i_word(b.x ^ a.y, odd + x), hn_i_word(a.x ^ b.y, odd + y),
-               hn_i_word(b.x ^ b.y, odd + (x + y)));
+  return uvec4(hn_i_word(a.x ^ a.y, odd + more), hn_i_word(b.x ^ a.y, odd + (x + more)),
+               hn_i_word(a.x ^ b.y, odd + (y + more)), hn_i_word(b.x ^ b.y, odd + (x + y + more)));
 }
 
 // Of the cell with the near corner c; in space of its front or its back face along z.
