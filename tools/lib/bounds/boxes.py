@@ -29,6 +29,16 @@ def corner_weight(point, corner):
     return math.prod(fade(f) if o else 1 - fade(f) for f, o in zip(point, corner))
 
 
+def weights_and_slopes(point):
+    """Of each corner: its weight, and how fast that grows along (1, .., 1)."""
+    factors = [((1 - fade(f), -fade_slope(f)), (fade(f), fade_slope(f))) for f in point]
+    for corner in corners(len(point)):
+        weight, slope = 1.0, 0.0
+        for factor, factor_slope in (factors[i][o] for i, o in enumerate(corner)):
+            weight, slope = weight * factor, slope * factor + weight * factor_slope
+        yield corner, weight, slope
+
+
 def halves(box):
     """The box cut in two across its widest axis."""
     axis = max(range(len(box)), key=lambda i: box[i][1] - box[i][0])
@@ -51,3 +61,12 @@ def smooth_bound(value, curvature, box):
     """Bounds `value` over the box, where value is a maximum of functions with |second derivative along an axis| at most
     `curvature`: multilinear interpolation between the vertices errs by at most curvature h^2 / 8 for each axis."""
     return max(map(value, itertools.product(*box))) + curvature / 8 * sum((hi - lo) ** 2 for lo, hi in box)
+
+
+def slope_supremum(slope, curvature, dims):
+    """The largest `slope` in a cell, given as for smooth_bound, which permuting the axes must not change."""
+    def bound(box):
+        if any(left[1] < right[0] for left, right in itertools.pairwise(box)):
+            return 0.0  # no point with f_1 >= f_2 >= ..: another box stands for this one
+        return smooth_bound(slope, curvature, box)
+    return supremum(bound, ((0.0, 1.0),) * dims, 6000) * SAFE

@@ -50,7 +50,8 @@ import functools
 import itertools
 from fractions import Fraction
 
-from bounds.boxes import FADE_1, FADE_2, FADE_3, SAFE, corner_weight, corners, fade, fade_slope, smooth_bound, supremum
+from bounds.boxes import (FADE_1, FADE_2, FADE_3, SAFE, corner_weight, corners, fade, slope_supremum, smooth_bound,
+                          supremum, weights_and_slopes)
 from bounds.gradients import OCTAHEDRAL, SINE
 
 SCALE = {OCTAHEDRAL: {2: 1913 / 1024, 3: 1819 / 1024}, SINE: {2: 1.0, 3: 1.0}}
@@ -128,14 +129,8 @@ def sine_range(dims):
 @functools.cache
 def steepest_slope(point, support):
     """sum_o support |w + (D w) (f_i - o_i)|: the largest slope along (1, .., 1) that gradients give here, unscaled."""
-    weights = [((1 - fade(f), -fade_slope(f)), (fade(f), fade_slope(f))) for f in point]
-    total = 0.0
-    for corner in corners(len(point)):
-        weight, slope = 1.0, 0.0
-        for factor, factor_slope in (weights[i][o] for i, o in enumerate(corner)):
-            weight, slope = weight * factor, slope * factor + weight * factor_slope
-        total += support(abs(weight + slope * (f - o)) for f, o in zip(point, corner))
-    return total
+    return sum(support(abs(weight + slope * (f - o)) for f, o in zip(point, corner))
+               for corner, weight, slope in weights_and_slopes(point))
 
 
 def slope_curvature(dims, support):
@@ -153,12 +148,7 @@ def lipschitz_bound(dims, gradient):
     """A proven upper bound of the L1 norm of the noise's gradient."""
     curvature = slope_curvature(dims, gradient.support)
     slope = functools.partial(steepest_slope, support=gradient.support)
-
-    def bound(box):
-        if any(left[1] < right[0] for left, right in itertools.pairwise(box)):
-            return 0.0  # no point with f_1 >= f_2 >= ..: axes can be permuted, so another box stands for this one
-        return smooth_bound(slope, curvature, box)
-    return SCALE[gradient][dims] * supremum(bound, ((0.0, 1.0),) * dims, 6000) * SAFE
+    return SCALE[gradient][dims] * slope_supremum(slope, curvature, dims)
 
 
 def lipschitz_witness(dims, gradient):
