@@ -70,8 +70,13 @@ def differences(derived: Everything, root: Path = ROOT) -> list[str]:
 SUM = ("turbulence", 3, 16.0, 5, 1.9, 0.6, False)  # one that the page does not have
 
 
+def intermediates(key: Key) -> dict[str, float]:
+    largest = noises.find(key[0]).largest_intermediates(*key[1:])
+    return {f"fixed_{name}_over_2^31": value / 2**31 for name, value in largest.items()}
+
+
 def everything_for_a_reader(derived: Everything) -> dict[str, dict]:
-    numbers = {name_of(key): asdict(of_noise) | noises.find(key[0]).describe(*key[1:])
+    numbers = {name_of(key): asdict(of_noise) | noises.find(key[0]).describe(*key[1:]) | intermediates(key)
                for key, of_noise in derived.items()}
     return numbers | {
         "the sine of the sine gradient": {

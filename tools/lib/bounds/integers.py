@@ -147,3 +147,16 @@ def rounding_effect(dims, of_corner=0):
     """For each box, a bound of LERP in units of the corners' values, which are themselves rounded by `of_corner`."""
     lerps = sum(grids(by_box(lerp_roundings(), BOXES[dims], np.maximum), dims))
     return (lerps + of_corner) * (1 + 2 * overshoot()) ** dims
+
+
+# --- Overflow ---------------------------------------------------------------------------------------------------------
+
+def interpolation_intermediates(corner, dims):
+    """By name, bounds of the magnitudes in the interpolation of corners' values of at most `corner`. Interpolated
+    values stay as large, with LERP. The first product is at most (|d| / 2^9 + 1) (t >> 9), the second half of the
+    interpolation below (|d| / 2^18 + 1) * 511; their sum may be taken of both magnitudes."""
+    value = corner + dims * lerp_roundings().max() + 2 * corner * overshoot() * dims
+    difference = 2 * value
+    t = int(np.abs(fades()).max())
+    lerp = (difference / 2**9 + 1) * ((t >> 9) + 1) + (difference / 2**18 + 1) * 511
+    return {"value": value, "difference": difference, "lerp": lerp}

@@ -3,6 +3,8 @@
     GRADIENTS           the kinds of gradient that change its values; (None,) if it has no gradients
     DIMENSIONS          in which it exists
     derive(dimensions, gradient) -> Derived
+    largest_intermediates(dimensions, gradient) -> dict
+                        of fixed arithmetic: by name, bounds of the magnitudes that must stay below 2^31
     quotes()            numbers in prose: pairs of a file and a text that must stand in it
     describe(dimensions, gradient) -> dict    more numbers for the reader of tools/bounds
 """

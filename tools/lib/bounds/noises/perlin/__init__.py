@@ -43,7 +43,7 @@ def describe(dims: int, gradient: Gradient) -> dict[str, object]:
         "lipschitz_attained_at": SLOPE_WITNESS[gradient][dims],
         "error_from_cell_to_nearest": error_bound(dims, gradient, 0.5),
         "fixed_beyond_the_range": range_loss(dims, gradient),
-    } | {f"fixed_{name}_over_2^31": value / 2**31 for name, value in largest_intermediates(dims, gradient).items()}
+    }
     if gradient is OCTAHEDRAL:
         witness, point, gradients = range_witness(dims)
         numbers |= {"range_of_the_library_at_most": library_range(dims), "range_attained": float(witness),

@@ -30,8 +30,8 @@ import numpy as np
 
 from bounds.boxes import SAFE, fade
 from bounds.gradients import OCTAHEDRAL, SINE
-from bounds.integers import (BOXES, FADE_ONE, ONE, UNIT, fade_effect, fade_keeps_to_its_side, fades, grids,
-                             lerp_roundings, overshoot, rounding_effect, vertices_max)
+from bounds.integers import (BOXES, ONE, UNIT, fade_effect, fade_keeps_to_its_side, grids, interpolation_intermediates,
+                             overshoot, rounding_effect, vertices_max)
 from bounds.noises.perlin.exact import SCALE, slope_curvature
 from bounds.sine import fixed_sine_error, fixed_sine_largest
 
@@ -118,15 +118,12 @@ def range_loss(dims, gradient):
 # --- Overflow ---------------------------------------------------------------------------------------------------------
 
 def largest_intermediates(dims, gradient):
-    """By name, bounds of the magnitudes that must stay below 2^31. (The fade and the sine are checked as evaluated.)
-    A ramp is at most its one: 2^29 for the octahedron, as |a| |D| + |m| |D'| <= 512 * 2^20, and of the partial sums in
-    space |p (Dx + Dy) + q (Dx - Dy)| <= P * 2 max |D| <= 255 * 2^21; n * 2^28 and a rounding for the cube. So are
-    interpolated values, with LERP. The first product is at most (|d| / 2^9 + 1) (t >> 9), the second half of the
-    interpolation below (|d| / 2^18 + 1) * 511; their sum may be taken of both magnitudes."""
+    """(The fade and the sine are checked as evaluated.) A ramp is at most its one: 2^29 for the octahedron, as
+    |a| |D| + |m| |D'| <= 512 * 2^20, and of the partial sums in space
+    |p (Dx + Dy) + q (Dx - Dy)| <= P * 2 max |D| <= 255 * 2^21; n * 2^28 and a rounding for the cube."""
     largest = RAMP_ONE[gradient] if gradient is OCTAHEDRAL else dims * (RAMP_ONE[gradient] * fixed_sine_largest() + 1)
-    value = largest + dims * lerp_roundings().max() + 2 * largest * overshoot() * dims
-    difference = 2 * value
-    t = int(np.abs(fades()).max())
-    lerp = (difference / 2**9 + 1) * ((t >> 9) + 1) + (difference / 2**18 + 1) * 511
-    scaled = (value / 2**9 + 1) * 1024 * SCALE[gradient][dims] + 256 if gradient is OCTAHEDRAL else value
-    return {"ramp": largest, "difference": difference, "lerp": lerp, "scaled": scaled}
+    between = interpolation_intermediates(largest, dims)
+    scaled = between["value"]
+    if gradient is OCTAHEDRAL:
+        scaled = (scaled / 2**9 + 1) * 1024 * SCALE[gradient][dims] + 256
+    return {"ramp": largest, **between, "scaled": scaled}
