@@ -29,7 +29,7 @@ class AFault : public Metamorphic, public testing::WithParamInterface<Way> {
 
 TEST_P(AFault, InANoiseIsCaught) {
   // More than two evaluations may differ by, and less than an eye would see.
-  expect_caught("noise2d.perlin.lattice.fast", "noise2d.glsl", "#define hn_perlin(args) (hn_perlin(args) + 0.00001)");
+  expect_caught("noise2d.perlin.lattice.fast", "perlin2d.glsl", "#define hn_perlin(args) (hn_perlin(args) + 0.00001)");
 }
 
 TEST_P(AFault, InTheLastBitOfAHashIsCaught) {
@@ -68,7 +68,7 @@ TEST_F(Metamorphic, InPreciseAndFixedArithmeticEveryBitCounts) {
     const Outcome right = run(id);
     EXPECT_EQ(right.status, Status::pass) << id << ": " << right.message;
     EXPECT_EQ(right.max_ulp, 0u) << id;
-    append("noise3d.glsl",
+    append("perlin3d.glsl",
            fmt::format("#ifdef {}\n#define hn_perlin(args) uintBitsToFloat(floatBitsToUint(hn_perlin(args)) + 1u)\n"
                        "#endif",
                        name));
@@ -82,7 +82,7 @@ TEST_F(Metamorphic, InPreciseAndFixedArithmeticEveryBitCounts) {
 TEST_F(Metamorphic, AVariantNeedsItsSeed) {
   for (const std::string_view check : {"constant_seed", "uniform_seed"}) {
     const auto macro = check == "constant_seed" ? "CASE_CONSTANT_SEED" : "CASE_UNIFORM_SEED";
-    append("noise3d.glsl", fmt::format("#ifdef {}\n#define hn_perlin(args) hn_perlin(p, 0u)\n#endif", macro));
+    append("perlin3d.glsl", fmt::format("#ifdef {}\n#define hn_perlin(args) hn_perlin(p, 0u)\n#endif", macro));
     EXPECT_NE(run(fmt::format("noise3d.perlin.lattice.fast.fragment.es300.{}", check)).mismatches, 0u) << check;
   }
 }
@@ -112,8 +112,8 @@ TEST_F(Metamorphic, AFunctionWithoutItsPeriodIsCaught) {
        "hn_gradient(args) (hn_gradient(args) + float(int(a.x)))"},
       {"gradient.sine3.fnv1+sine+period1048576.fast", "gradient.glsl",
        "hn_gradient(args) (hn_gradient(args) + float(int(a.y)))"},
-      {"noise2d.perlin.lattice+period64.fast", "noise2d.glsl", "hn_perlin(args) (hn_perlin(args) + 0.00001 * p.x)"},
-      {"noise3d.perlin_cell.lattice+period1048576.fast", "noise3d.glsl",
+      {"noise2d.perlin.lattice+period64.fast", "perlin2d.glsl", "hn_perlin(args) (hn_perlin(args) + 0.00001 * p.x)"},
+      {"noise3d.perlin_cell.lattice+period1048576.fast", "perlin3d.glsl",
        "hn_perlin(c, args) (hn_perlin(c, args) + float(cell.z))"},
       {"fbm.clouds3.lattice+period48.fast", "fbm.glsl",
        "hn_clouds(q, o, l, args) (hn_clouds(q, o, l, args) + 0.00001 * p.z)"},

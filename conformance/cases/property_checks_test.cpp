@@ -27,23 +27,23 @@ constexpr std::string_view kPerlins[] = {"noise2d.perlin.lattice.fast.fragment.g
 
 TEST_F(Extreme, NanAndInfinityAreCaught) {
   for (const std::string_view id : kPerlins) {
-    expect_caught(id, "noise2d.glsl",
+    expect_caught(id, "perlin2d.glsl",
                   "hn_perlin(args) (abs(p.x) > 3.0e38 ? uintBitsToFloat(0x7FC00000u) : hn_perlin(args))");
-    expect_caught(id, "noise2d.glsl",
+    expect_caught(id, "perlin2d.glsl",
                   "hn_perlin(args) (abs(p.x) > 3.0e38 ? uintBitsToFloat(0x7F800000u) : hn_perlin(args))");
   }
 }
 
 TEST_F(Extreme, ANoiseThatIsNotZeroWhereNoAxisHasAFractionIsCaught) {
   for (const std::string_view id : kPerlins) {
-    expect_caught(id, "noise2d.glsl",
+    expect_caught(id, "perlin2d.glsl",
                   "hn_perlin(args) (min(abs(p.x), abs(p.y)) > 1.0e9 ? hn_perlin(args) + 1.0e-6 : hn_perlin(args))");
   }
 }
 
 TEST_F(Extreme, AValueBeyondTheRangeAtATinyPositionIsCaught) {
   for (const std::string_view id : kPerlins) {
-    expect_caught(id, "noise2d.glsl", "hn_perlin(args) (p.x != 0.0 && abs(p.x) < 1.0e-30 ? 1.5 : hn_perlin(args))");
+    expect_caught(id, "perlin2d.glsl", "hn_perlin(args) (p.x != 0.0 && abs(p.x) < 1.0e-30 ? 1.5 : hn_perlin(args))");
   }
 }
 
@@ -56,7 +56,7 @@ TEST_F(Extreme, AnOctaveSumIsHeldToItToo) {
 }
 
 TEST_F(Extreme, FixedArithmeticHasANumberForWhatIsNone) {
-  expect_caught(kPerlins[2], "noise2d.glsl", "hn_perlin(args) (isinf(p.x) ? p.x : hn_perlin(args))");
+  expect_caught(kPerlins[2], "perlin2d.glsl", "hn_perlin(args) (isinf(p.x) ? p.x : hn_perlin(args))");
 }
 
 // What a case would not see at ordinary points: that a subnormal position is seen, that it counts.
@@ -64,7 +64,7 @@ TEST_F(Extreme, TwinPointsOfFixedAndPreciseArithmeticAreExtremeToo) {
   for (const std::string_view id :
        {"noise2d.perlin.lattice.fixed.fragment.gl330.twin", "noise2d.perlin.lattice.precise.fragment.gl400.twin"}) {
     for (const std::string_view where : {"abs(p.x) > 1.0e30", "p.x != 0.0 && abs(p.x) < 1.0e-30"}) {
-      expect_caught(id, "noise2d.glsl", fmt::format("hn_perlin(args) ({} ? 0.123 : hn_perlin(args))", where));
+      expect_caught(id, "perlin2d.glsl", fmt::format("hn_perlin(args) ({} ? 0.123 : hn_perlin(args))", where));
     }
   }
 }
@@ -82,7 +82,7 @@ class Batches : public FaultyLibrary {
   // Makes the value wrong, by difference, where x is that of a point.
   void break_at(const Words& inputs, std::size_t point, double difference) {
     faults_ += fmt::format("+ (floatBitsToUint(p.x) == {}u ? {:.9f} : 0.0) ", inputs[point * kInputWords], difference);
-    append("noise2d.glsl", fmt::format("#define hn_perlin(args) (hn_perlin(args) {})", faults_));
+    append("perlin2d.glsl", fmt::format("#define hn_perlin(args) (hn_perlin(args) {})", faults_));
   }
 
   // The points of the batch; copied, since the session keeps those of one batch only.

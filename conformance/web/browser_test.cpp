@@ -168,8 +168,8 @@ TEST(BrowserFault, EachWayThatIsWrongFails) {
   }
   faults += "#ifdef FAULT\n#define hn_perlin(call) (hn_perlin(call) + 0.001)\n#endif\n";
   SourceSet sources = SourceSet::embedded();
-  const SourceFile& file = *sources.find("noise2d.glsl");
-  sources.add("noise2d.glsl", file.text + "\n" + faults, file.path);
+  const SourceFile& file = *sources.find("perlin2d.glsl");
+  sources.add("perlin2d.glsl", file.text + "\n" + faults, file.path);
   Story story;
   ASSERT_TRUE(run(story, ids, "webgl2", sources));
   EXPECT_EQ(story.outcome(kNoise).status, Status::pass) << story.outcome(kNoise).message;
@@ -181,8 +181,8 @@ TEST(BrowserFault, EachWayThatIsWrongFails) {
 
 TEST(BrowserFault, ANoiseWithoutItsPeriodFails) {
   SourceSet sources = SourceSet::embedded();
-  const SourceFile& file = *sources.find("noise2d.glsl");
-  sources.add("noise2d.glsl", file.text + "\n#define hn_perlin(call) (hn_perlin(call) + 0.00001 * p.x)\n", file.path);
+  const SourceFile& file = *sources.find("perlin2d.glsl");
+  sources.add("perlin2d.glsl", file.text + "\n#define hn_perlin(call) (hn_perlin(call) + 0.00001 * p.x)\n", file.path);
   const std::vector<std::string> ids = {"noise2d.perlin.lattice+period64.fast.fragment.es300.period"};
   Story story;
   ASSERT_TRUE(run(story, ids, "webgl2", sources));

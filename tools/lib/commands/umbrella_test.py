@@ -34,11 +34,11 @@ class Umbrella(unittest.TestCase):
         self.assertEqual(self.run_main("--check"), (0, []))
 
     def test_a_new_noise_is_included_by_its_dimension(self):
-        (self.glsl / "value2d.glsl").write_text("// a noise\n")
+        (self.glsl / "waves2d.glsl").write_text("// a noise\n")
         self.assertEqual(self.run_main("--check"), (1, ["noise2d.glsl"]))
         self.assertEqual(self.run_main(), (0, []))
-        self.assertIn('#include "perlin2d.glsl"\n#include "value2d.glsl"\n', (self.glsl / "noise2d.glsl").read_text())
-        self.assertNotIn("value2d", (self.glsl / "noise3d.glsl").read_text())
+        self.assertIn('#include "waves2d.glsl"\n', (self.glsl / "noise2d.glsl").read_text())
+        self.assertNotIn("waves2d", (self.glsl / "noise3d.glsl").read_text())
         self.assertEqual(self.run_main("--check"), (0, []))
 
     def test_the_whole_library_has_what_no_other_file_includes(self):
@@ -49,7 +49,9 @@ class Umbrella(unittest.TestCase):
                          ["noise2d.glsl", "noise3d.glsl", "warp.glsl"])
 
     def test_a_new_dimension_has_a_file_and_an_old_one_none(self):
-        (self.glsl / "perlin3d.glsl").rename(self.glsl / "perlin4d.glsl")
+        for noise in self.glsl.glob("*3d.glsl"):
+            if noise.name != "noise3d.glsl":
+                noise.rename(self.glsl / noise.name.replace("3d", "4d"))
         self.assertEqual(self.run_main("--check"), (1, ["hashnoise.glsl", "noise3d.glsl", "noise4d.glsl"]))
         self.assertEqual(self.run_main(), (0, []))
         self.assertIn('#include "perlin4d.glsl"\n', (self.glsl / "noise4d.glsl").read_text())
