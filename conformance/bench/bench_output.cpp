@@ -38,8 +38,11 @@ nlohmann::json to_json(const Measurement& measurement) {
 }
 
 // The columns of the table, on the page and as CSV.
-const std::vector<std::string> kHeader = {"id",     "ratio",  "spread", "evaluations_per_second", "compile_ms", "spirv",
-                                          "navi21", "vega10", "nvidia"};
+const std::vector<std::string> kHeader = [] {
+  std::vector<std::string> names = {"id", "ratio", "spread", "evaluations_per_second", "compile_ms"};
+  for (const std::string& source : count_sources()) names.push_back(source);
+  return names;
+}();
 
 std::vector<std::string> row_of(const Measurement& measurement, const std::map<std::string, std::string>& absent) {
   std::vector<std::string> row = {measurement.subject.id};
@@ -53,7 +56,7 @@ std::vector<std::string> row_of(const Measurement& measurement, const std::map<s
   row.push_back(measurement.evaluations_per_second ? fmt::format("{:.3g}", *measurement.evaluations_per_second)
                                                    : "too fast to tell");
   row.push_back(fmt::format("{:.1f}", measurement.compile_seconds * 1e3));
-  for (const std::string_view source : count_sources()) row.push_back(count_text(measurement.counts, source, absent));
+  for (const std::string& source : count_sources()) row.push_back(count_text(measurement.counts, source, absent));
   return row;
 }
 
@@ -155,9 +158,8 @@ nlohmann::json to_json(const Provenance& provenance) {
 
 nlohmann::json to_json(const Counts& counts) {
   nlohmann::json json = nlohmann::json::object();
-  if (counts.spirv) json["spirv"] = *counts.spirv;
+  for (const auto& [source, instructions] : counts.instructions) json[source] = instructions;
   for (const auto& [family, statistics] : counts.amd) json[family] = statistics;
-  if (counts.nvidia) json["nvidia"] = *counts.nvidia;
   if (!counts.problems.empty()) json["problems"] = counts.problems;
   return json;
 }

@@ -162,7 +162,7 @@ TEST_F(BaselineFile, OfAReportIsThatReport) {
 
 TEST_F(BaselineFile, PagesAndTablesNameEverySubject) {
   BenchReport report = report_of({measured("noise2d.perlin.lattice", 0.5, 0.25), failed("broken<2>")});
-  report.measurements[0].counts.spirv = 123456;
+  report.measurements[0].counts.instructions = {{"spirv", 123456}};
   report.measurements[0].counts.problems = {"navi21: the shader is <too> hard"};
   report.absent = {{"nvidia", "it is not NVIDIA's"}};
   const Provenance provenance{"2026-01-02T03:04:05Z", "hn-conform bench --filter '*'", "voodoo", {}};

@@ -19,6 +19,7 @@ constexpr auto kDeclarations = std::to_array<std::string_view>(
      "STORAGE", "COUNTER", "SUBROUTINETYPE", "SUBROUTINE",
      // and the modifiers before some of them
      "SHORT", "LONG", "INT", "UINT", "FLOAT", "FLAT", "CENTROID", "NOPERSPECTIVE", "SAMPLE"});
+constexpr const char* kNvidiaSource = "nvidia";
 constexpr std::string_view kBlanks = " \t\r\n";
 
 // Comments run from "#" to the end of the line.
@@ -85,6 +86,7 @@ void add_amd(CountReport& report, std::string_view family) {
     Counts& counts = report.counts[owners[i]];
     const auto& one = (*statistics)[i];
     if (one) {
+      counts.instructions.emplace(family, one->instructions);
       counts.amd.emplace(family, *one);
     } else {
       counts.problems.push_back(fmt::format("{}: {}", family, one.error().text()));
@@ -123,18 +125,17 @@ std::optional<std::int64_t> count_nvidia(std::string_view binary) {
   }
 }
 
-std::span<const std::string_view> count_sources() {
-  static constexpr std::string_view kSources[] = {"spirv", "navi21", "vega10", "nvidia"};
-  return kSources;
+std::vector<std::string> count_sources() {
+  std::vector<std::string> sources = {kSpirvSource};
+  sources.insert(sources.end(), amd_families().begin(), amd_families().end());
+  sources.push_back(kNvidiaSource);
+  return sources;
 }
 
 std::string count_text(const Counts& counts, std::string_view source,
                        const std::map<std::string, std::string>& absent) {
-  std::optional<std::int64_t> number;
-  if (source == "spirv") number = counts.spirv;
-  if (source == "nvidia") number = counts.nvidia;
-  if (const auto found = counts.amd.find(source); found != counts.amd.end()) number = found->second.instructions;
-  if (number) return fmt::format("{}", *number);
+  const auto found = counts.instructions.find(source);
+  if (found != counts.instructions.end()) return fmt::format("{}", found->second);
   return absent.contains(std::string(source)) ? "not here" : "failed";
 }
 
@@ -148,20 +149,22 @@ bool counts_programs(const Context& context) { return nvidia_absence(context.gl(
 CountReport count_instructions(const Context& context, const ReferenceCompiler& reference,
                                std::span<const CountedShader> shaders) {
   CountReport report;
-  if (auto reason = nvidia_absence(context.gl()); !reason.empty()) report.absent.emplace("nvidia", std::move(reason));
+  const std::string no_nvidia = nvidia_absence(context.gl());
+  if (!no_nvidia.empty()) report.absent.emplace(kNvidiaSource, no_nvidia);
   for (const CountedShader& shader : shaders) {
     Counts counts;
     const auto spirv = reference.spirv(shader.vulkan, Stage::fragment);
     const auto optimised = spirv ? optimise_spirv(*spirv) : spirv;
     if (optimised) {
       counts.optimised = *optimised;
-      counts.spirv = count_spirv(*optimised);
+      counts.instructions.emplace(kSpirvSource, count_spirv(*optimised));
     } else {
       counts.problems.push_back(fmt::format("SPIR-V: {}", optimised.error().text()));
     }
-    if (shader.program && !report.absent.contains("nvidia")) {
-      counts.nvidia = count_nvidia(program_binary(context.gl(), *shader.program));
-      if (!counts.nvidia) counts.problems.push_back("nvidia: the program binary has no assembly text");
+    if (shader.program && no_nvidia.empty()) {
+      const auto count = count_nvidia(program_binary(context.gl(), *shader.program));
+      if (count) counts.instructions.emplace(kNvidiaSource, *count);
+      if (!count) counts.problems.push_back(fmt::format("{}: the program binary has no assembly text", kNvidiaSource));
     }
     report.counts.push_back(std::move(counts));
   }

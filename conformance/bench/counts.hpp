@@ -23,9 +23,8 @@ Result<std::vector<std::uint32_t>> optimise_spirv(std::span<const std::uint32_t>
 std::optional<std::int64_t> count_nvidia(std::string_view binary);
 
 struct Counts {
-  std::optional<std::int64_t> spirv;
-  std::map<std::string, AmdStatistics, std::less<>> amd;  // by family
-  std::optional<std::int64_t> nvidia;
+  std::map<std::string, std::int64_t, std::less<>> instructions;  // by source
+  std::map<std::string, AmdStatistics, std::less<>> amd;          // by family: what else there is to know
   std::vector<std::string> problems;  // why one of them is missing, for this shader alone
   std::vector<std::uint32_t> optimised;
 };
@@ -41,8 +40,9 @@ struct CountReport {
   std::map<std::string, std::string> absent;  // by source: why it is not here at all
 };
 
-// The sources, in the order in which they are shown: "spirv", AMD's families, "nvidia".
-std::span<const std::string_view> count_sources();
+constexpr const char* kSpirvSource = "spirv";
+// Every source, in the order in which they are shown: SPIR-V, AMD's families, NVIDIA.
+std::vector<std::string> count_sources();
 
 // A shader's count from a source as text: "not here" if there is no such source, "failed" if it could not count this
 // shader.

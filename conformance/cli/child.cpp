@@ -78,7 +78,7 @@ void run_driver_cases(const Suite& suite, const Context& context, const Driver& 
   session.still_alive = [] { report({{"alive", true}}); };
   EvidenceBudget budget;
   for (const Case* test : examined_before) budget.take(test->name);
-  report({{"ready", to_json(session.info)}, {"languages", to_json(session.info.languages)}});
+  report({{"ready", to_json(session.info)}, {"languages", nlohmann::json(session.info.languages)}});
   for (const Case* test : cases) {
     CaseResult result = run_case(session, *test);
     const bool lost = context_is_lost(context);
@@ -160,7 +160,7 @@ int child_command(const std::filesystem::path& path) {
   if (fcntl(kReportFd, F_SETFD, FD_CLOEXEC) != 0) return usage_error("child is called by hn-conform itself only");
   const auto text = read_file(path);
   if (!text) return usage_error(text.error().text());
-  const Job job = job_from(nlohmann::json::parse(*text));
+  const auto job = nlohmann::json::parse(*text).get<Job>();
   if (job.task == Task::devices) {
     report({{"devices", egl_device_count()}});
     return EXIT_SUCCESS;

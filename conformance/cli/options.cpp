@@ -45,6 +45,10 @@ void add_glsl(CLI::App& command, std::string& directory) {
   command.add_option("--glsl", directory, "Take this copy of glsl/ instead of the one built in")->type_name("DIR");
 }
 
+void add_golden(CLI::App& command, std::string& directory) {
+  command.add_option("--golden", directory, "The folder of the golden files")->type_name("DIR")->capture_default_str();
+}
+
 void add_rounds(CLI::App& command, int& rounds) {
   command.add_option("--rounds", rounds, "Samples of each time")
       ->type_name("N")
@@ -82,20 +86,18 @@ void add_run(CLI::App& app, RunCommand& options, const std::string& faults) {
   command.add_flag("--deal", options.deal,
                    "Of several drivers: run what each must show on each, and every other case on one that can run it");
   add_out(command, options.out, "results.json, junit.xml and index.html");
-  command.add_option("--seed", options.seed, "Of the random points")
+  command.add_option("--seed", options.suite.seed, "Of the random points")
       ->type_name("N")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{0xFFFFFFFF}))
       ->capture_default_str();
   command
-      .add_option("--points", options.points,
+      .add_option("--points", options.suite.points,
                   "Compare each function with the C++ twin at so many random points (the cases *.twin), not at about a "
                   "million at the most; --timeout is then for each million")
       ->type_name("N")
       ->check(CLI::Range(std::uint64_t{1}, kMostPoints));
-  add_glsl(command, options.glsl);
-  command.add_option("--golden", options.golden, "The folder of the golden files")
-      ->type_name("DIR")
-      ->capture_default_str();
+  add_glsl(command, options.suite.glsl);
+  add_golden(command, options.suite.golden);
   add_expect(command, options.expect);
   command.add_option("--shard", options.shard, "Only the Ith of N parts of the cases: 2/3 is the second of three")
       ->type_name("I/N");
@@ -111,7 +113,7 @@ void add_run(CLI::App& app, RunCommand& options, const std::string& faults) {
   command.add_flag("--fail-fast", options.fail_fast, "Stop at the first case that is not as expected");
   command
       .add_option(
-          "--inject", options.inject,
+          "--inject", options.suite.inject,
           fmt::format(
               "Make the driver behave as one that has a fault, to see what notices; \"list\" tells what each does: {}",
               faults))
@@ -164,9 +166,7 @@ void add_web(CLI::App& app, WebCommand& options) {
   add_out(command, options.out, "index.html");
   add_thorough(command, options.thorough);
   add_glsl(command, options.glsl);
-  command.add_option("--golden", options.golden, "The folder of the golden files")
-      ->type_name("DIR")
-      ->capture_default_str();
+  add_golden(command, options.golden);
 }
 
 tl::unexpected<Stop> wrong_usage(const std::string& message) {
@@ -210,7 +210,7 @@ tl::expected<Command, Stop> parse_options(int argc, const char* const* argv, con
   app.require_subcommand(0, 1);  // none gets a better message below
   ListCommand list;
   RunCommand run;
-  run.golden = installation.golden;
+  run.suite.golden = installation.golden;
   MergeCommand merge;
   run.expect = merge.expect = installation.expect;
   run.jobs = std::max(1u, std::thread::hardware_concurrency());

@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "run/job.hpp"
+
 namespace hn {
 
 // Exit statuses. 0 is: all as expected.
@@ -27,12 +29,9 @@ struct RunCommand {
   std::vector<std::string> drivers = {"osmesa"};  // names, globs, "all"
   std::vector<std::string> filters;
   std::string out = "out";
-  std::string glsl;
-  std::string golden;
+  SuiteOptions suite;
   std::string expect;
-  std::string shard;  // "I/N", or empty
-  std::uint64_t seed = 1;
-  std::uint64_t points = 0;  // of each comparison with the twin; 0 for what its case says
+  std::string shard;         // "I/N", or empty
   double timeout = 60.0;     // seconds
   std::size_t jobs = 1;
   bool thorough = false;
@@ -40,7 +39,6 @@ struct RunCommand {
   bool fail_fast = false;
   bool resume = false;
   bool timings = false;
-  std::string inject;  // the name of a fault, or nothing
   std::string line;    // the command line, for the record
 };
 

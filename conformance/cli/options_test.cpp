@@ -16,12 +16,12 @@ TEST(Options, OfARunAreTaken) {
   ASSERT_TRUE(command) << command.error().err;
   const auto& run = std::get<RunCommand>(*command);
   EXPECT_EQ(run.drivers, (std::vector<std::string>{"egl*", "zink"}));
-  EXPECT_EQ(run.seed, 0xFFFFFFFFu);
-  EXPECT_EQ(run.points, 100000000u);
+  EXPECT_EQ(run.suite.seed, 0xFFFFFFFFu);
+  EXPECT_EQ(run.suite.points, 100000000u);
   EXPECT_EQ(run.shard, "2/3");
   EXPECT_EQ(run.timeout, 0.5);
   EXPECT_TRUE(run.resume);
-  EXPECT_EQ(run.golden, "golden");
+  EXPECT_EQ(run.suite.golden, "golden");
   EXPECT_EQ(run.expect, "expect");
   EXPECT_GE(run.jobs, 1u);
 }

@@ -41,14 +41,6 @@ Result<std::vector<Case>> select_cases(const std::vector<std::string>& filters, 
                           fmt::join(filters, "' '")));
 }
 
-SuiteOptions suite_options(const RunCommand& options) {
-  return {.glsl = options.glsl,
-          .golden = options.golden,
-          .inject = options.inject,
-          .seed = options.seed,
-          .points = options.points};
-}
-
 struct Devices {
   int count = 0;
   std::string problem;  // why EGL does not say
@@ -105,7 +97,7 @@ CanRun can_run_on(const std::string& name) {
   const auto report = report_of(job, scratch.path(), kDescribeLimit);
   if (!report || !report->contains("ready")) return [](const Case&) { return false; };
   if (find_driver(name)->browser) return [](const Case& test) { return unsupported_in_browser(test).empty(); };
-  const LanguageSupport languages = languages_from(report->at("languages"));
+  const LanguageSupport languages = report->at("languages").get<LanguageSupport>();
   return [=](const Case& test) {
     const Profile& profile = profile_named(test.name.profile);
     return unsupported_to_run(profile, languages).empty() && languages.has_stage(test.name.stage);
@@ -222,7 +214,7 @@ void note_what_was_not_run(const RunPlan& plan, const std::vector<Run>& runs, st
 Result<RunPlan> make_plan(const RunCommand& options, const DriverChoice& choice, const std::vector<Case>& cases) {
   HN_TRY(auto shard, parse_shard(options.shard));
   RunPlan plan{.drivers = plan_drivers(choice.names, cases, shard, options.deal),
-               .suite = suite_options(options),
+               .suite = options.suite,
                .shard = options.shard,
                .jobs = options.jobs,
                .limit = std::chrono::milliseconds(static_cast<std::int64_t>(options.timeout * 1000.0)),
@@ -268,13 +260,13 @@ int list_command(const ListCommand& options) {
 }
 
 int run_command(const RunCommand& options) {
-  if (options.inject == "list") {
+  if (options.suite.inject == "list") {
     fmt::print("{}", fault_list());
     return 0;
   }
   const auto cases = select_cases(options.filters, options.thorough);
   if (!cases) return usage_error(cases.error().text());
-  const auto sources = suite_sources(suite_options(options));
+  const auto sources = suite_sources(options.suite);
   if (!sources) return usage_error(sources.error().text());
   const auto expectations = load_expectations(options.expect);
   if (!expectations) return usage_error(expectations.error().text());

@@ -23,9 +23,15 @@ std::int64_t ordinal(float value) {
   return bits >> 31 ? -magnitude : magnitude;
 }
 
-std::string describe(std::uint32_t word) { return fmt::format("{} ({:08x})", word, word); }
+bool is_float(WordType type) { return type == WordType::f32 || type == WordType::f64; }
 
 std::string describe(float value) { return fmt::format("{:.9g} ({:08x})", value, std::bit_cast<std::uint32_t>(value)); }
+
+std::string describe(WordType type, std::uint32_t word) {
+  if (is_float(type)) return describe(std::bit_cast<float>(word));
+  if (type == WordType::i32) return fmt::format("{} ({:08x})", static_cast<std::int32_t>(word), word);
+  return fmt::format("{} ({:08x})", word, word);
+}
 
 }  // namespace
 
@@ -42,32 +48,27 @@ std::string describe_inputs(const Function& function, std::span<const std::uint3
   for (std::size_t i = 0; i < function.inputs.size(); ++i) {
     const Column& column = function.inputs[i];
     if (!text.empty()) text += ' ';
-    if (column.type == WordType::f32) {
-      text += fmt::format("{}={}", column.name, describe(std::bit_cast<float>(inputs[i])));
-    } else if (column.type == WordType::i32) {
-      text += fmt::format("{}={} ({:08x})", column.name, static_cast<std::int32_t>(inputs[i]), inputs[i]);
-    } else {
-      text += fmt::format("{}={} ({:08x})", column.name, inputs[i], inputs[i]);
-    }
+    text += fmt::format("{}={}", column.name, describe(column.type, inputs[i]));
   }
   return text;
 }
 
-void Comparison::bits(std::span<const std::uint32_t> inputs, std::uint32_t got, std::uint32_t expected) {
+void Comparison::bits(std::span<const std::uint32_t> inputs, std::uint32_t got, std::uint32_t expected,
+                      std::optional<std::size_t> column) {
   ++outcome_.samples;
   if (got == expected) return;
-  const bool words = function_.outputs.front().type == WordType::u32;
-  if (!words) note_difference(std::bit_cast<float>(got), static_cast<double>(std::bit_cast<float>(expected)));
-  const auto text = [&](std::uint32_t word) { return words ? describe(word) : describe(std::bit_cast<float>(word)); };
-  note(inputs, text(got), text(expected));
+  const WordType type = function_.outputs[column.value_or(0)].type;
+  if (is_float(type)) note_difference(std::bit_cast<float>(got), static_cast<double>(std::bit_cast<float>(expected)));
+  note(inputs, column, describe(type, got), describe(type, expected));
 }
 
-void Comparison::number(std::span<const std::uint32_t> inputs, float got, double expected, double allowed) {
+void Comparison::number(std::span<const std::uint32_t> inputs, float got, double expected, double allowed,
+                        std::optional<std::size_t> column) {
   ++outcome_.samples;
   note_difference(got, expected);
   // Written so that a NaN difference fails.
   if (std::fabs(static_cast<double>(got) - expected) <= allowed) return;
-  note(inputs, describe(got), fmt::format("{} within {:.3g}", describe(static_cast<float>(expected)), allowed));
+  note(inputs, column, describe(got), fmt::format("{} within {:.3g}", describe(static_cast<float>(expected)), allowed));
 }
 
 void Comparison::note_difference(float got, double expected) {
@@ -85,15 +86,22 @@ void Comparison::next_grid(std::span<const std::uint32_t> grid) {
 
 void Comparison::require(bool right, std::span<const std::uint32_t> inputs, float got, std::string_view should) {
   ++outcome_.samples;
-  if (!right) note(inputs, describe(got), std::string(should));
+  if (!right) note(inputs, std::nullopt, describe(got), std::string(should));
 }
 
-void Comparison::note(std::span<const std::uint32_t> inputs, std::string got, std::string expected) {
+void Comparison::note(std::span<const std::uint32_t> inputs, std::optional<std::size_t> column, std::string_view got,
+                      std::string expected) {
   if (outcome_.mismatches++ >= kMostExamples) return;
   const auto point = before_ + static_cast<std::size_t>(inputs.data() - grid_.data()) / kInputWords;
-  Mismatch mismatch{point, {inputs.begin(), inputs.end()}, describe_inputs(function_, inputs), got, expected};
+  const bool named = column && function_.outputs.size() > 1;
+  Mismatch mismatch{point,
+                    {inputs.begin(), inputs.end()},
+                    describe_inputs(function_, inputs),
+                    named ? fmt::format("{}={}", function_.outputs[*column].name, got) : std::string(got),
+                    std::move(expected)};
   if (outcome_.examples.empty()) {
-    outcome_.message = fmt::format("first at {}: got {}, expected {}", mismatch.inputs, got, expected);
+    outcome_.message =
+        fmt::format("first at {}: got {}, expected {}", mismatch.inputs, mismatch.got, mismatch.expected);
   }
   outcome_.examples.push_back(std::move(mismatch));
 }
@@ -112,10 +120,10 @@ void compare_with_twin(Comparison& comparison, const Evaluation& evaluation, std
                        std::span<const std::uint32_t> got, std::span<const std::uint32_t> twin, double allowed) {
   for (std::size_t word = 0; word < evaluation.function.outputs.size(); ++word) {
     if (has_same_bits(evaluation.function, evaluation.configuration)) {
-      comparison.bits(inputs, got[word], twin[word]);
+      comparison.bits(inputs, got[word], twin[word], word);
     } else {
       comparison.number(inputs, std::bit_cast<float>(got[word]), static_cast<double>(std::bit_cast<float>(twin[word])),
-                        allowed);
+                        allowed, word);
     }
   }
 }
@@ -126,9 +134,9 @@ void compare_with_golden(Comparison& comparison, const Function& function, const
   const double allowed = tolerance(function, configuration, inputs);
   for (std::size_t word = 0; word < values.size(); ++word) {
     if (has_exact_values(function, configuration)) {
-      comparison.bits(inputs, got[word], result_bits(function.outputs[word], values[word]));
+      comparison.bits(inputs, got[word], result_bits(function.outputs[word], values[word]), word);
     } else {
-      comparison.number(inputs, std::bit_cast<float>(got[word]), std::bit_cast<double>(values[word]), allowed);
+      comparison.number(inputs, std::bit_cast<float>(got[word]), std::bit_cast<double>(values[word]), allowed, word);
     }
   }
 }

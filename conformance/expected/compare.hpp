@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -20,10 +21,12 @@ class Comparison {
   // grid: the input words of all points, of which those of a wrong value are a part.
   Comparison(const Function& function, std::span<const std::uint32_t> grid) : function_(function), grid_(grid) {}
 
-  // Where every bit counts.
-  void bits(std::span<const std::uint32_t> inputs, std::uint32_t got, std::uint32_t expected);
+  // Where every bit counts. column: the output of the function that it is, if it is one.
+  void bits(std::span<const std::uint32_t> inputs, std::uint32_t got, std::uint32_t expected,
+            std::optional<std::size_t> column = {});
   // Else |got - expected| <= allowed. NaN is never right.
-  void number(std::span<const std::uint32_t> inputs, float got, double expected, double allowed);
+  void number(std::span<const std::uint32_t> inputs, float got, double expected, double allowed,
+              std::optional<std::size_t> column = {});
   // For properties: a value that is right or not, with a sentence that says what it should be.
   void require(bool right, std::span<const std::uint32_t> inputs, float got, std::string_view should);
 
@@ -36,7 +39,8 @@ class Comparison {
 
  private:
   void note_difference(float got, double expected);
-  void note(std::span<const std::uint32_t> inputs, std::string got, std::string expected);
+  void note(std::span<const std::uint32_t> inputs, std::optional<std::size_t> column, std::string_view got,
+            std::string expected);
 
   const Function& function_;
   std::span<const std::uint32_t> grid_;

@@ -56,6 +56,12 @@ TEST(Comparison, BitsOfFloatsHaveADifference) {
   EXPECT_EQ(zeros.finish().mismatches, 1u) << "-0 has other bits than 0";
 }
 
+TEST(Comparison, OneOfSeveralOutputsIsNamed) {
+  Comparison comparison(find_function("hash.gradient2"), kInputs);
+  comparison.number(kInputs, 0.5f, 0.25, 0.0, 1);
+  EXPECT_EQ(comparison.finish().examples.at(0).got, "y=0.5 (3f000000)");
+}
+
 TEST(Comparison, PointsOfTheNextGridAreNumberedOn) {
   const std::vector<std::uint32_t> first(3 * kInputWords, 0u);
   Comparison comparison(find_function("hash.word"), first);

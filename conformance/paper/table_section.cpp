@@ -155,7 +155,7 @@ nlohmann::json data_of(const Row& row) {
 
 std::vector<std::string> cells_of(const Row& row, const std::map<std::string, std::string>& absent) {
   std::vector<std::string> cells;
-  for (const std::string_view source : count_sources())
+  for (const std::string& source : count_sources())
     cells.push_back(row.error.empty() ? count_text(row.counts, source, absent) : "failed");
   const auto printed = printed_row(row.algorithm, row.subject.dimensions);
   const auto of_float = printed_row("float", row.subject.dimensions);
@@ -173,7 +173,7 @@ std::vector<std::string> cells_of(const Row& row, const std::map<std::string, st
 // The table as numbers, for programs; words only where there is no number.
 std::vector<std::string> csv_header() {
   std::vector<std::string> header = {"algorithm", "form", "dimensions"};
-  for (const std::string_view source : count_sources()) header.emplace_back(source);
+  for (const std::string& source : count_sources()) header.emplace_back(source);
   header.emplace_back("paper_instructions");
   for (const Size& size : kSizes) {
     for (const std::string_view what : {"ms", "ratio", "spread", "paper_ms"}) {
@@ -186,7 +186,7 @@ std::vector<std::string> csv_header() {
 std::vector<std::string> csv_of(const Row& row, const std::map<std::string, std::string>& absent) {
   std::vector<std::string> cells = {row.algorithm, row.form, fmt::format("{}", row.subject.dimensions)};
   const bool measured = row.error.empty();
-  for (const std::string_view source : count_sources()) {
+  for (const std::string& source : count_sources()) {
     cells.push_back(measured ? count_text(row.counts, source, absent) : "failed");
   }
   const auto printed = printed_row(row.algorithm, row.subject.dimensions);
@@ -227,9 +227,11 @@ nlohmann::json claims(const std::vector<Row>& rows) {
   for (const int dimensions : {2, 3}) {
     std::string text;
     for (const Row& row : rows) {
-      if (row.form != title_of(Form::published) || row.subject.dimensions != dimensions || !row.counts.spirv) continue;
+      const auto count = row.counts.instructions.find(kSpirvSource);
+      const bool counted = count != row.counts.instructions.end();
+      if (row.form != title_of(Form::published) || row.subject.dimensions != dimensions || !counted) continue;
       text += fmt::format("{}{} {:+d}", text.empty() ? "" : ", ", row.title,
-                          *row.counts.spirv - printed_row(row.algorithm, dimensions)->instructions);
+                          count->second - printed_row(row.algorithm, dimensions)->instructions);
     }
     list.push_back(
         fmt::format("Instructions of the listings in {}D, SPIR-V against the paper's column: {}.", dimensions, text));

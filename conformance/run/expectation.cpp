@@ -1,6 +1,7 @@
 #include "run/expectation.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #define CSV_IO_NO_THREAD
@@ -10,6 +11,18 @@
 #include "run/filter.hpp"
 
 namespace hn {
+namespace {
+
+std::string bad_statuses() {
+  std::vector<std::string_view> names;
+  for (const Status status : kStatuses) {
+    if (is_bad(status)) names.push_back(name_of(status));
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+}  // namespace
+
 Result<std::vector<Expectation>> parse_expectations(std::string_view text, const std::string& path) {
   // The reader ends a line at a NUL and drops the rest. And it looks at the byte behind the text, which is anything,
   // unless the text ends with a line.
@@ -29,7 +42,7 @@ Result<std::vector<Expectation>> parse_expectations(std::string_view text, const
       row.place = fmt::format("{}:{}", path, reader.get_file_line());
       const auto named = status_named(status);
       if (!named || !is_bad(*named)) {
-        return fail(fmt::format("{}: the status \"{}\" is none of fail, crash, timeout, error", row.place, status));
+        return fail(fmt::format("{}: the status \"{}\" is none of {}", row.place, status, bad_statuses()));
       }
       if (row.driver.empty() || row.renderer.empty() || row.id.empty()) {
         return fail(fmt::format("{}: driver, renderer and case must not be empty; * stands for any", row.place));

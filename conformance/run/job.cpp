@@ -2,10 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <string_view>
 
@@ -16,11 +13,6 @@
 #include "library/files.hpp"
 
 namespace hn {
-namespace {
-
-constexpr std::array<std::string_view, 4> kTasks = {"describe", "cases", "timings", "devices"};
-
-}  // namespace
 
 Result<SourceSet> suite_sources(const SuiteOptions& options) {
   auto sources = library_sources(options.glsl);
@@ -43,40 +35,9 @@ std::string suite_digest(const SuiteOptions& options, const SourceSet& sources) 
   return fmt::format("{:016x}", digest);
 }
 
-nlohmann::json to_json(const SuiteOptions& options) {
-  return {{"glsl", options.glsl},
-          {"golden", options.golden},
-          {"inject", options.inject},
-          {"seed", options.seed},
-          {"points", options.points}};
-}
-
-nlohmann::json to_json(const Job& job) {
-  return {{"task", kTasks[static_cast<std::size_t>(job.task)]},
-          {"driver", job.driver},
-          {"suite", to_json(job.suite)},
-          {"ids", job.ids},
-          {"examined", job.examined}};
-}
-
-Job job_from(const nlohmann::json& json) {
-  const auto task = std::find(kTasks.begin(), kTasks.end(), json.at("task").get<std::string>());
-  const auto& suite = json.at("suite");
-  return {.task = static_cast<Task>(task - kTasks.begin()),
-          .driver = json.at("driver").get<std::string>(),
-          .suite = {.glsl = suite.at("glsl").get<std::string>(),
-                    .golden = suite.at("golden").get<std::string>(),
-                    .inject = suite.at("inject").get<std::string>(),
-                    .seed = suite.at("seed").get<std::uint64_t>(),
-                    .points = suite.at("points").get<std::uint64_t>()},
-          .ids = json.at("ids").get<std::vector<std::string>>(),
-          .examined = json.at("examined").get<std::vector<std::string>>()};
-}
-
 Result<nlohmann::json> report_of(const Job& job, const std::filesystem::path& directory,
                                  std::chrono::milliseconds limit) {
-  HN_TRY(auto worker,
-         Worker::start(to_json(job), {own_program(), kChildCommand, directory / "job.json", "/dev/null", limit}));
+  HN_TRY(auto worker, Worker::start(job, {own_program(), kChildCommand, directory / "job.json", "/dev/null", limit}));
   while (!worker.end()) {
     for (const nlohmann::json& report : worker.wait()) {
       for (const char* wrong : {"absent", "error"}) {

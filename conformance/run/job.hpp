@@ -4,11 +4,12 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "base/result.hpp"
+#include "library/profile.hpp"
 #include "library/source.hpp"
 
 namespace hn {
@@ -19,6 +20,10 @@ enum class Task {
   timings,   // time the functions of cases
   devices,   // say how many EGL devices there are
 };
+NLOHMANN_JSON_SERIALIZE_ENUM(Task, {{Task::describe, "describe"},
+                                    {Task::cases, "cases"},
+                                    {Task::timings, "timings"},
+                                    {Task::devices, "devices"}})
 
 // The settings that change what a case does; the same for every process of a run.
 struct SuiteOptions {
@@ -26,8 +31,9 @@ struct SuiteOptions {
   std::string golden;
   std::string inject;  // the name of a fault, or nothing
   std::uint64_t seed = 1;
-  std::uint64_t points = 0;
+  std::uint64_t points = 0;  // of each comparison with the twin; 0 for what its case says
 };
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SuiteOptions, glsl, golden, inject, seed, points)
 
 // The library as these options say; an error for a folder or a fault that is none.
 Result<SourceSet> suite_sources(const SuiteOptions& options);
@@ -39,13 +45,10 @@ struct Job {
   std::vector<std::string> ids;            // of cases, in the order in which they are to be run
   std::vector<std::string> examined = {};  // of cases that have had their evidence made, or tried
 };
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Job, task, driver, suite, ids, examined)
 
 // Of the text of the library and of the golden files: results of other ones do not belong together.
 std::string suite_digest(const SuiteOptions& options, const SourceSet& sources);
-
-nlohmann::json to_json(const SuiteOptions& options);
-nlohmann::json to_json(const Job& job);
-Job job_from(const nlohmann::json& json);  // of a text that to_json made
 
 // The hidden subcommand that does a job.
 constexpr const char* kChildCommand = "child";
@@ -53,6 +56,8 @@ constexpr const char* kChildCommand = "child";
 // Does a job that has one report, and waits for it. An error: what the process said, or how it ended.
 Result<nlohmann::json> report_of(const Job& job, const std::filesystem::path& directory,
                                  std::chrono::milliseconds limit);
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LanguageSupport, gl_version, es_version, gl130, bit_encoding)
 
 // The reports, a line of JSON each:
 //   {"ready": {context info}}         once, before the first case; with "languages": {...} of a context

@@ -125,20 +125,6 @@ ContextInfo context_info_from(const nlohmann::json& json) {
           {}};
 }
 
-Json to_json(const LanguageSupport& languages) {
-  return {{"gl_version", languages.gl_version},
-          {"es_version", languages.es_version},
-          {"gl130", languages.gl130},
-          {"bit_encoding", languages.bit_encoding}};
-}
-
-LanguageSupport languages_from(const nlohmann::json& json) {
-  return {.gl_version = json.at("gl_version").get<int>(),
-          .es_version = json.at("es_version").get<int>(),
-          .gl130 = json.at("gl130").get<bool>(),
-          .bit_encoding = json.at("bit_encoding").get<bool>()};
-}
-
 Json to_json(const Evidence& evidence) {
   return {{"shader", evidence.shader},         {"got", evidence.got},       {"reference", evidence.reference},
           {"difference", evidence.difference}, {"factor", evidence.factor}, {"note", evidence.note}};

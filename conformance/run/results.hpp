@@ -49,12 +49,10 @@ Result<std::vector<Run>> parse_results(std::string_view text);
 
 nlohmann::ordered_json to_json(const CaseResult& result);
 nlohmann::ordered_json to_json(const ContextInfo& info);
-nlohmann::ordered_json to_json(const LanguageSupport& languages);
 nlohmann::ordered_json to_json(const Evidence& evidence);
 // These throw nlohmann::json::exception or std::invalid_argument for what is none.
 CaseResult case_result_from(const nlohmann::json& json);
 ContextInfo context_info_from(const nlohmann::json& json);
-LanguageSupport languages_from(const nlohmann::json& json);
 Evidence evidence_from(const nlohmann::json& json);
 
 }  // namespace hn

@@ -71,7 +71,7 @@ class Lane {
     std::error_code none;
     const auto size = std::filesystem::file_size(launch().log, none);
     log_begin_ = none ? 0 : size;
-    auto worker = Worker::start(to_json(job), launch());
+    auto worker = Worker::start(job, launch());
     if (worker) {
       worker_.emplace(std::move(*worker));
     } else {
@@ -368,7 +368,7 @@ nlohmann::json to_json(const RunPlan& plan) {
   for (const DriverPlan& driver : plan.drivers) drivers[driver.driver] = driver.ids;
   return {{"version", library_version()},
           {"drivers", std::move(drivers)},
-          {"suite", to_json(plan.suite)},
+          {"suite", plan.suite},
           {"content", plan.content},
           {"shard", plan.shard}};
 }

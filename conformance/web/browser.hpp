@@ -24,7 +24,6 @@ struct Browser {
 };
 
 std::span<const Browser> all_browsers();
-const Browser* find_browser(std::string_view name);  // null if there is none
 
 // Runs the cases with these ids, in their order, in a browser of its own, which ends with this function or with this
 // process. A context that is lost costs the case that ran, which is a crash, and the page goes on with a new one.

@@ -94,7 +94,7 @@ TEST(BrowserLoss, AFolderThatWasLeftIsRemoved) {
   waitpid(child, nullptr, 0);
   std::filesystem::create_directories(std::filesystem::temp_directory_path() / (folder_of(child) + "left"));
   ASSERT_TRUE(has_folders(child));
-  ASSERT_TRUE(describe_browser(*find_browser("webgl2")));
+  ASSERT_TRUE(describe_browser(browser_named("webgl2")));
   EXPECT_FALSE(has_folders(child));
 }
 

@@ -14,6 +14,7 @@
 #include <thread>
 #include <vector>
 
+#include "base/entry_named.hpp"
 #include "base/temporary_folder.hpp"
 #include "web/browser.hpp"
 
@@ -52,10 +53,14 @@ struct Story {
   }
 };
 
+inline const Browser& browser_named(std::string_view name) {
+  return entry_named(all_browsers(), &Browser::name, name, "browser");
+}
+
 inline Result<void> run(Story& story, std::span<const std::string> ids, std::string_view browser = "webgl2",
                         const SourceSet& sources = SourceSet::embedded(),
                         const std::filesystem::path& golden = HN_GOLDEN_DIRECTORY) {
-  return run_in_browser(*find_browser(browser), sources, golden, ids, story.events());
+  return run_in_browser(browser_named(browser), sources, golden, ids, story.events());
 }
 
 // The processes whose command line has a text in it.

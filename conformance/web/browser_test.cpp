@@ -26,11 +26,11 @@ SourceSet changed(const char* file, std::string_view old, std::string_view with)
 }
 
 TEST(Browser, ItIsWhatItsNameSays) {
-  const auto swiftshader = describe_browser(*find_browser("webgl2"));
+  const auto swiftshader = describe_browser(browser_named("webgl2"));
   ASSERT_TRUE(swiftshader) << swiftshader.error().text();
   EXPECT_NE(swiftshader->renderer.find("SwiftShader"), std::string::npos) << swiftshader->renderer;
   EXPECT_TRUE(swiftshader->gl_version.starts_with("WebGL 2.0")) << swiftshader->gl_version;
-  const auto mesa = describe_browser(*find_browser("webgl2-mesa"));
+  const auto mesa = describe_browser(browser_named("webgl2-mesa"));
   ASSERT_TRUE(mesa) << mesa.error().text();
   EXPECT_NE(mesa->renderer.find("Mesa"), std::string::npos) << mesa->renderer;
   EXPECT_EQ(mesa->renderer.find("SwiftShader"), std::string::npos) << mesa->renderer;
@@ -38,7 +38,7 @@ TEST(Browser, ItIsWhatItsNameSays) {
 }
 
 TEST(Browser, AnotherRendererThanTheNamedOneIsAnError) {
-  Browser browser = *find_browser("webgl2");
+  Browser browser = browser_named("webgl2");
   browser.renderer = "llvmpipe";
   const auto info = describe_browser(browser);
   ASSERT_FALSE(info);
@@ -46,7 +46,7 @@ TEST(Browser, AnotherRendererThanTheNamedOneIsAnError) {
 }
 
 TEST(Browser, WithoutChromiumItSaysSo) {
-  Browser browser = *find_browser("webgl2");
+  Browser browser = browser_named("webgl2");
   browser.programs = {"no-such-browser"};
   const auto info = describe_browser(browser);
   ASSERT_FALSE(info);
@@ -54,7 +54,7 @@ TEST(Browser, WithoutChromiumItSaysSo) {
 }
 
 TEST(Browser, AProgramThatEndsIsAnError) {
-  Browser browser = *find_browser("webgl2");
+  Browser browser = browser_named("webgl2");
   browser.programs = {"false"};
   const auto info = describe_browser(browser);
   ASSERT_FALSE(info);

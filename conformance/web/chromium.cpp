@@ -89,12 +89,6 @@ std::span<const Browser> all_browsers() {
   return kBrowsers;
 }
 
-const Browser* find_browser(std::string_view name) {
-  const auto all = all_browsers();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Browser& b) { return b.name == name; });
-  return found == all.end() ? nullptr : &*found;
-}
-
 Result<GuardedProcess> start_chromium(const Browser& browser, const std::string& url) {
   HN_TRY(const auto program, find_program(browser));
   remove_left_folders();  // of processes that were killed together with their guards

@@ -1,5 +1,7 @@
 #include "web/suite.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,6 +15,7 @@
 #include "expected/golden.hpp"
 #include "expected/tolerance.hpp"
 #include "library/configurations.hpp"
+#include "web/files.hpp"
 
 namespace hn {
 namespace {
@@ -48,6 +51,20 @@ std::string text_of(const Json& suite, const Json& shader) {
 template <typename T>
 std::string packed(const std::vector<T>& numbers) {
   return to_base64({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T)});
+}
+
+TEST(Suite, ThePageKnowsEveryStatusAndWhichAreBad) {
+  std::vector<std::string_view> all;
+  std::vector<std::string_view> bad;
+  for (const Status status : kStatuses) {
+    all.push_back(name_of(status));
+    if (is_bad(status)) bad.push_back(name_of(status));
+  }
+  const std::string_view module = text_of(kWebFiles, "checks.js");
+  for (const auto& [name, statuses] : {std::pair("kStatuses", all), std::pair("kBadStatuses", bad)}) {
+    const std::string line = fmt::format("export const {} = [\"{}\"];\n", name, fmt::join(statuses, "\", \""));
+    EXPECT_NE(module.find(line), std::string_view::npos) << "checks.js lacks " << line;
+  }
 }
 
 TEST(Suite, AShaderIsTheOneThatDriversGet) {

@@ -3,8 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <bit>
 
 #include "cases/bugs/tables.hpp"
 #include "cases/value_checks.hpp"
@@ -13,29 +12,6 @@
 namespace hn {
 namespace {
 
-// A word as its type has it, and its bits.
-std::string describe(WordType type, std::uint32_t word) {
-  if (type == WordType::f32) return fmt::format("{:.9g} (0x{:08x})", std::bit_cast<float>(word), word);
-  if (type == WordType::i32) return fmt::format("{} (0x{:08x})", static_cast<std::int32_t>(word), word);
-  return fmt::format("{} (0x{:08x})", word, word);
-}
-
-// Adds the difference of two floats to the outcome; whether it is allowed. NaN never is, and -0 is 0.
-bool is_near(Outcome& outcome, float got, float expected, double allowed) {
-  const double difference = std::fabs(static_cast<double>(got) - static_cast<double>(expected));
-  outcome.max_ulp = std::max(outcome.max_ulp, ulp_distance(got, expected));
-  if (!(difference <= outcome.max_abs)) {
-    outcome.max_abs = std::isfinite(difference) ? difference : std::numeric_limits<double>::max();
-  }
-  return difference <= allowed;
-}
-
-bool is_right(Outcome& outcome, const Bug& bug, WordType type, std::uint32_t got, std::uint32_t expected) {
-  ++outcome.samples;
-  if (type != WordType::f32) return got == expected;
-  return is_near(outcome, std::bit_cast<float>(got), std::bit_cast<float>(expected), bug.allowed);
-}
-
 std::vector<std::uint32_t> grid_of(const Bug& bug) {
   std::vector<std::uint32_t> words(bug.points.size() * kInputWords);
   for (std::size_t i = 0; i < bug.points.size(); ++i) {
@@ -43,13 +19,6 @@ std::vector<std::uint32_t> grid_of(const Bug& bug) {
               words.begin() + static_cast<std::ptrdiff_t>(i * kInputWords));
   }
   return words;
-}
-
-std::string message_of(const Bug& bug, const Outcome& outcome) {
-  const Mismatch& first = outcome.examples.front();
-  return fmt::format("{} at {}: got {}, expected {}. {}. Reported in: {}",
-                     bug.defined ? "wrong" : "other than usual, and allowed", first.inputs, first.got, first.expected,
-                     bug.specification, bug.reference);
 }
 
 void add_cases(std::vector<Case>& cases, const Bug& bug) {
@@ -94,23 +63,26 @@ Outcome check_bug(Session& session, const Bug& bug, const Profile& profile) {
 }
 
 Outcome judge_bug(const Bug& bug, std::span<const std::uint32_t> outputs) {
-  Outcome outcome;
+  const auto grid = grid_of(bug);
+  Comparison comparison(bug.function, grid);
   for (std::size_t i = 0; i < bug.points.size(); ++i) {
-    const auto& [inputs, expected] = bug.points[i];
+    const auto inputs = std::span(grid).subspan(i * kInputWords, kInputWords);
     for (std::size_t column = 0; column < bug.function.outputs.size(); ++column) {
-      const auto& [name, type] = bug.function.outputs[column];
       const std::uint32_t got = outputs[i * kOutputWords + column];
-      if (is_right(outcome, bug, type, got, expected[column])) continue;
-      ++outcome.mismatches;
-      std::vector<std::uint32_t> words = inputs;
-      words.resize(kInputWords);
-      outcome.examples.push_back({i, words, describe_inputs(bug.function, words),
-                                  fmt::format("{}={}", name, describe(type, got)), describe(type, expected[column])});
+      const std::uint32_t expected = bug.points[i].expected[column];
+      if (bug.function.outputs[column].type == WordType::f32) {
+        comparison.number(inputs, std::bit_cast<float>(got), static_cast<double>(std::bit_cast<float>(expected)),
+                          bug.allowed, column);
+      } else {
+        comparison.bits(inputs, got, expected, column);
+      }
     }
   }
-  if (outcome.mismatches == 0) return outcome;
-  outcome.status = bug.defined ? Status::fail : Status::warning;
-  outcome.message = message_of(bug, outcome);
+  Outcome outcome = comparison.finish();
+  if (outcome.status != Status::fail) return outcome;
+  if (!bug.defined) outcome.status = Status::warning;
+  outcome.message = fmt::format("{}: {}. {}. Reported in: {}", bug.defined ? "wrong" : "other than usual, and allowed",
+                                outcome.message, bug.specification, bug.reference);
   return outcome;
 }
 

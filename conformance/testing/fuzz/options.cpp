@@ -43,7 +43,7 @@ void check(const ListCommand&) {}
 void check(const WebCommand& web) { require(!web.golden.empty(), "there are golden files"); }
 
 void check(const RunCommand& run) {
-  require(run.seed <= 0xFFFFFFFFu, "a seed has 32 bits");
+  require(run.suite.seed <= 0xFFFFFFFFu, "a seed has 32 bits");
   require(std::isfinite(run.timeout) && run.timeout >= 0.1 && run.timeout <= 86400.0, "a time limit is in its range");
   require(run.jobs >= 1 && run.jobs <= 256, "the jobs are in their range");
   require(!run.drivers.empty(), "there is a driver");

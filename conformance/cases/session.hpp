@@ -1,0 +1,68 @@
+// What a case may use while it runs.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.hpp"
+#include "gpu/context_info.hpp"
+#include "gpu/gpu.hpp"
+#include "gpu/reference_compiler.hpp"
+#include "library/shaders.hpp"
+#include "library/source.hpp"
+
+namespace hn {
+
+// What every case may use.
+struct Suite {
+  const SourceSet& sources;
+  const ReferenceCompiler& reference;
+  std::filesystem::path golden_directory;
+  std::uint64_t seed;        // of the random points
+  std::uint64_t points = 0;  // of each comparison with the twin; 0 for what its case says
+};
+
+// What a case on a driver may use besides.
+struct Session : Suite {
+  const Context& context;
+  const ContextInfo info;
+  std::size_t most_points;  // of one evaluation: a grid takes 2^20; a slow driver is given fewer
+  GridRenderer grid;
+
+  // Random points for a function and how far the driver and the twin may be apart at each; the same for
+  // every hash, and kept until another function asks. There may be more than count. A batch has other points than the
+  // ones before.
+  struct PointSet {
+    std::vector<std::uint32_t> inputs;  // kInputWords per point
+    std::vector<double> allowed;        // per point
+  };
+  const PointSet& twin_points(const Function& function, const Configuration& configuration, std::size_t count,
+                              std::uint64_t batch = 0);
+
+  // To be called by a case that goes on for long, after each part of its work.
+  std::function<void()> still_alive = [] {};
+
+  // The program that evaluates a function. The last few are kept, since cases that share a program follow each other;
+  // what is returned lasts until the next call.
+  Result<const Program*> evaluation_program(const Evaluation& evaluation);
+
+  Session(const Suite& suite, const Context& context, std::size_t most_points = std::size_t{1} << 20);
+
+ private:
+  Result<Program> build(const Evaluation& evaluation, std::string_view shader) const;
+
+  struct KeptProgram {
+    std::string key;
+    Program program;
+  };
+  std::list<KeptProgram> kept_;  // the last one that was asked for first
+  std::string kept_points_of_;
+  PointSet kept_points_;
+};
+
+}  // namespace hn
