@@ -23,6 +23,8 @@
 //   hn_i_fade(f)            6 f^5 - 15 f^4 + 10 f^3, along each axis
 //   hn_i_lerp(a, b, t)      from a to b by such a t
 //   hn_i_lerp(n, x, y)      between four corners 00, 10, 01, 11
+//   hn_i_number(word)       the high 16 bits of a word as an odd multiple of 2^-16 in (-1, 1); hn_i_of_numbers(n), what is
+//                           interpolated between such numbers, as a noise
 //   hn_i_scaled(n, s)       a noise of ramps, times s / 1024; hn_i_unscaled(n), as it is
 //   hn_i_value(n)           the float that a noise is
 //   hn_i_select(c, a, b)    a where the condition holds, else b; both are computed
@@ -175,6 +177,18 @@ HN_FN hn_float hn_i_scaled(hn_float n, hn_int s) {
 
 HN_FN hn_float hn_i_unscaled(hn_float n) { return n; }
 
+#if HN_I_BITCAST
+HN_FN hn_float hn_i_number(hn_uint word) {
+  return hn_i_minus(uintBitsToFloat(((word >> 9u) & 0x007FFF80u) | 0x40000000u), 3.0f - 1.0f / 65536.0f);
+}
+#else
+HN_FN hn_float hn_i_number(hn_uint word) {
+  return hn_i_minus(float(word >> 16u) * (1.0f / 32768.0f), 1.0f - 1.0f / 65536.0f);
+}
+#endif
+
+HN_FN hn_float hn_i_of_numbers(hn_float n) { return n; }
+
 HN_FN hn_float hn_i_value(hn_float n) { return n; }
 
 #else  // HN_FIXED
@@ -259,6 +273,10 @@ HN_FN hn_int hn_i_scaled(hn_int n, hn_int s) { return (((n + 256) >> 9) * s + 25
 
 // The ramps of the sine gradient are longer: in units of 2^-28.
 HN_FN hn_int hn_i_unscaled(hn_int n) { return n >> 7; }
+
+// In units of 2^-29, and the same from these to units of 2^-21, rounded.
+HN_FN hn_int hn_i_number(hn_uint word) { return int((word >> 2u) & 0x3FFFC000u) - 536862720; }
+HN_FN hn_int hn_i_of_numbers(hn_int n) { return (n + 128) >> 8; }
 
 HN_FN hn_float hn_i_value(hn_int n) { return float(n) * (1.0f / 2097152.0f); }
 
