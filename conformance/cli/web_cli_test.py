@@ -35,9 +35,9 @@ class Listener(http.server.BaseHTTPRequestHandler):
 
     def do_POST(self):
         event = json.loads(self.rfile.read(int(self.headers["Content-Length"])))
+        self.server.events.append(event)  # before the page goes on, whose next event another thread takes
         self.send_response(204)
         self.end_headers()
-        self.server.events.append(event)
         if event["type"] in ("done", "stopped"):
             self.server.over.set()
 
