@@ -4,6 +4,7 @@
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -250,12 +251,12 @@ class Cli(unittest.TestCase):
         glsl = self.changed_glsl("noise2d.glsl", ("#include \"perlin2d.glsl\"\n",
                                                    "#include \"perlin2d.glsl\" \nint x = broken;\n"))
         done = self.run_case("--glsl", glsl, "--thorough", "--filter", "hash.word.fnv1.*golden", "--filter",
-                             "noise2d.all.fnv1.*")
+                             "noise2d.all.lattice.*")
         self.assertEqual(done.returncode, 1)
         cases = self.cases()
         for profile in ("gl140", "gl330", "es300"):
             for check in ("glslang", "driver"):
-                message = cases[f"noise2d.all.fnv1.fast.fragment.{profile}.{check}"]["message"]
+                message = cases[f"noise2d.all.lattice.fast.fragment.{profile}.{check}"]["message"]
                 self.assertIn(f"{glsl}/noise2d.glsl:{line + 1}", message)
         self.assertEqual(cases["hash.word.fnv1.exact.fragment.gl330.golden"]["status"], "pass")
 
@@ -295,6 +296,32 @@ class Cli(unittest.TestCase):
         glsl = self.changed_glsl("gradient.glsl", ("n, 1913)", "n, 1914)"))
         self.run_case("--glsl", glsl, "--fail-fast", case="noise2d.perlin.*.golden")
         self.assertEqual(len(self.results()["runs"][0]["cases"]), 1)
+
+    def test_every_check_is_explained(self):
+        checks = {case.rsplit(".", 1)[1] for case in self.call("list", "--thorough").stdout.split()}
+        text = (ROOT / "docs" / "internals.md").read_text()
+        table = text[text.index("| check | what it holds"):]
+        names = {name for line in table.splitlines()[2:] if line.startswith("| `")
+                 for name in re.findall(r"`(\w+)`", line.split("|")[1])}
+        self.assertEqual(checks - names, set(), "docs/internals.md has no row for these")
+        self.assertIn("golden", names)
+
+    def test_thorough_cases_say_what_they_need(self):
+        case = "hash.word.pcg.*.vertex.gl330.golden"
+        self.assertEqual(len(self.call("list", "--thorough", "--filter", case).stdout.split()), 1)
+        done = self.run_case(case=case)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("--thorough", done.stderr)
+        self.assertEqual(self.run_case("--thorough", case=case).returncode, 0)
+
+    def test_a_case_is_dealt_to_one_driver_and_what_each_must_show_to_both(self):
+        self.call("run", "--out", self.out, "--deal", "--driver", "osmesa", "--driver", "egl", "--filter",
+                  "hash.word.*.fragment.gl330.golden")
+        runs = {run["driver"]: [case["id"] for case in run["cases"]] for run in self.results()["runs"]}
+        both = set(runs["osmesa"]) & set(runs["egl"])
+        self.assertEqual(both, {"hash.word.lattice.exact.fragment.gl330.golden"})
+        listed = self.call("list", "--filter", "hash.word.*.fragment.gl330.golden").stdout.split()
+        self.assertEqual(sorted({*runs["osmesa"], *runs["egl"]}), sorted(listed))
 
     def test_the_seed_chooses_the_points(self):
         case = "noise3d.perlin.lattice.fast.fragment.gl330.twin"
