@@ -55,6 +55,25 @@ class Faults(unittest.TestCase):
         with contextlib.redirect_stdout(self.shown), contextlib.redirect_stderr(self.shown):
             return faults.main(["--program", str(program), "--out", str(self.table), *arguments])
 
+    def test_a_sample_takes_the_other_rows_from_the_file(self):
+        self.assertEqual(self.call(), 0)
+        self.assertEqual(self.call("--check", "--sample", "1", two=UNNOTICED), 0)
+        self.assertEqual(self.call("--check", "two", one=UNNOTICED), 0)
+        other = (1, [("hash.word.x", "fail", 3)])
+        self.assertEqual(self.call("--check", "--sample", "1", one=other), 1)
+        self.assertEqual(self.call("--check", "two", two=other), 1)
+        text = self.table.read_text()
+        self.table.write_text("".join(line for line in text.splitlines(keepends=True) if not line.startswith("| `two`")))
+        self.assertEqual(self.call("--check", "--sample", "1"), 1, "a fault without a row")
+        self.table.write_text(text)
+        self.assertEqual(self.call("--check", "--sample", "2"), 0)
+
+    def test_a_sample_is_for_checking(self):
+        for arguments in (("--sample", "1"), ("--check", "--sample", "0"), ("--check", "--sample", "1", "one")):
+            with self.subTest(arguments=arguments), self.assertRaises(SystemExit) as stop:
+                self.call(*arguments)
+            self.assertEqual(stop.exception.code, 2)
+
     def test_the_table_tells_what_failed_and_what_else_warned(self):
         self.assertEqual(self.call(), 0)
         text = self.table.read_text()
