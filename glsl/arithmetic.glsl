@@ -25,7 +25,7 @@
 //   hn_i_lerp(n, x, y)      between four corners 00, 10, 01, 11
 //   hn_i_number(word)       the high 16 bits of a word as an odd multiple of 2^-16 in (-1, 1); hn_i_of_numbers(n), what is
 //                           interpolated between such numbers, as a noise
-//   hn_i_scaled(n, s)       a noise of ramps, times s / 1024; hn_i_unscaled(n), as it is
+//   hn_i_scaled(n, s)       a noise of ramps, times s / 1024
 //   hn_i_value(n)           the float that a noise is
 //   hn_i_select(c, a, b)    a where the condition holds, else b; both are computed
 
@@ -152,19 +152,6 @@ HN_FN hn_float hn_i_smooth(hn_float t) {
   return n;
 }
 
-// sin(x pi / 2) of a word of [0, 2^30] that stands for [0, 1].
-//   error    6.3e-7: minimax, held at 1 - 2^-21 at the end so that no rounding takes it beyond 1
-HN_FN hn_float hn_i_quarter_sine(hn_uint q) {
-  hn_float x = float(q >> 6u) * (1.0f / 16777216.0f);
-  HN_I_PRECISE hn_float t = x * x;
-  HN_I_PRECISE hn_float sine = x * (1.57079090f + t * (-0.64589171f + t * (0.07943160f + t * -0.00433127f)));
-  return sine;
-}
-
-// The floats of a gradient of such sines.
-HN_FN hn_vec2 hn_i_components(hn_vec2 g) { return g; }
-HN_FN hn_vec3 hn_i_components(hn_vec3 g) { return g; }
-
 HN_FN hn_float hn_i_lerp(hn_float a, hn_float b, hn_float t) {
   HN_I_PRECISE hn_float n = a + t * (b - a);
   return n;
@@ -174,8 +161,6 @@ HN_FN hn_float hn_i_scaled(hn_float n, hn_int s) {
   HN_I_PRECISE hn_float scaled = n * (float(s) * (1.0f / 1024.0f));
   return scaled;
 }
-
-HN_FN hn_float hn_i_unscaled(hn_float n) { return n; }
 
 #if HN_I_BITCAST
 HN_FN hn_float hn_i_number(hn_uint word) {
@@ -228,13 +213,6 @@ HN_FN hn_int hn_i_plus(hn_int a, hn_int b) { return a + b; }
 HN_FN hn_int hn_i_minus(hn_int a, hn_int b) { return a - b; }
 HN_FN hn_int hn_i_signed(hn_int m, hn_uint word) { return hn_i_select((word & 0x80000000u) != 0u, -m, m); }
 
-// A product of 17 and 21 bits, in units of 2^-28: by the high and by the low byte of g.
-HN_FN hn_int hn_i_product(hn_int g, hn_int x) { return (g >> 8) * x + (((g & 255) * x) >> 8); }
-HN_FN hn_int hn_i_dot(hn_ivec2 g, hn_int x, hn_int y) { return hn_i_product(g.x, x) + hn_i_product(g.y, y); }
-HN_FN hn_int hn_i_dot(hn_ivec3 g, hn_int x, hn_int y, hn_int z) {
-  return hn_i_product(g.x, x) + hn_i_product(g.y, y) + hn_i_product(g.z, z);
-}
-
 // In units of 2^-18, rising throughout: with the nearer end at 0, f^3 (10 - 15 f + 6 f^2) as f Q with
 // Q = f^2 (4 + R) and R = 6 - 15 f + 6 f^2; the other half is the mirror image. x has 16 bits, its square 32, and is never
 // 1/2, which has one more. The summands 4, 32768 and 16384 round.
@@ -250,18 +228,6 @@ HN_FN hn_int hn_i_fade(hn_int f) {
 HN_FN hn_ivec2 hn_i_fade(hn_ivec2 f) { return ivec2(hn_i_fade(f.x), hn_i_fade(f.y)); }
 HN_FN hn_ivec3 hn_i_fade(hn_ivec3 f) { return ivec3(hn_i_fade(f.x), hn_i_fade(f.y), hn_i_fade(f.z)); }
 
-// Nearly the polynomial of the floats, in units of 2^-16; no larger than 1.
-HN_FN hn_int hn_i_quarter_sine(hn_uint q) {
-  hn_uint x = min((q + 8192u) >> 14u, 65535u);
-  hn_uint t = (x * x) >> 16u;
-  hn_uint y = 102943u - ((t * (42328u - ((t * (5208u - ((t * 288u) >> 16u))) >> 16u))) >> 16u);
-  return int((x * (y >> 1u) + 16384u) >> 15u);
-}
-
-// The floats of a gradient of such sines.
-HN_FN hn_vec2 hn_i_components(hn_ivec2 g) { return vec2(g) * (1.0f / 65536.0f); }
-HN_FN hn_vec3 hn_i_components(hn_ivec3 g) { return vec3(g) * (1.0f / 65536.0f); }
-
 // A product of 31 and 19 bits from two that fit 32 each: by the high and by the low half of t.
 HN_FN hn_int hn_i_lerp(hn_int a, hn_int b, hn_int t) {
   hn_int d = b - a;
@@ -270,9 +236,6 @@ HN_FN hn_int hn_i_lerp(hn_int a, hn_int b, hn_int t) {
 
 // From units of 2^-29 to units of 2^-21, rounded.
 HN_FN hn_int hn_i_scaled(hn_int n, hn_int s) { return (((n + 256) >> 9) * s + 256) >> 9; }
-
-// The ramps of the sine gradient are longer: in units of 2^-28.
-HN_FN hn_int hn_i_unscaled(hn_int n) { return n >> 7; }
 
 // In units of 2^-29, and the same from these to units of 2^-21, rounded.
 HN_FN hn_int hn_i_number(hn_uint word) { return int((word >> 2u) & 0x3FFFC000u) - 536862720; }
@@ -287,5 +250,53 @@ HN_FN hn_num hn_i_far(hn_num f) { return hn_i_minus(f, HN_I_ONE); }
 HN_FN hn_num hn_i_lerp(hn_num4 n, hn_num x, hn_num y) {
   return hn_i_lerp(hn_i_lerp(n.x, n.y, x), hn_i_lerp(n.z, n.w, x), y);
 }
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The steps of the sine gradient.
+
+#if HN_GRADIENT == HN_GRADIENT_SINE
+#if HN_ARITHMETIC != HN_FIXED
+
+// sin(x pi / 2) of a word of [0, 2^30] that stands for [0, 1].
+//   error    6.3e-7: minimax, held at 1 - 2^-21 at the end so that no rounding takes it beyond 1
+HN_FN hn_float hn_i_quarter_sine(hn_uint q) {
+  hn_float x = float(q >> 6u) * (1.0f / 16777216.0f);
+  HN_I_PRECISE hn_float t = x * x;
+  HN_I_PRECISE hn_float sine = x * (1.57079090f + t * (-0.64589171f + t * (0.07943160f + t * -0.00433127f)));
+  return sine;
+}
+
+// The floats of a gradient of such sines.
+HN_FN hn_vec2 hn_i_components(hn_vec2 g) { return g; }
+HN_FN hn_vec3 hn_i_components(hn_vec3 g) { return g; }
+
+HN_FN hn_float hn_i_unscaled(hn_float n) { return n; }
+
+#else
+
+// Nearly the polynomial of the floats, in units of 2^-16; no larger than 1.
+HN_FN hn_int hn_i_quarter_sine(hn_uint q) {
+  hn_uint x = min((q + 8192u) >> 14u, 65535u);
+  hn_uint t = (x * x) >> 16u;
+  hn_uint y = 102943u - ((t * (42328u - ((t * (5208u - ((t * 288u) >> 16u))) >> 16u))) >> 16u);
+  return int((x * (y >> 1u) + 16384u) >> 15u);
+}
+
+// The floats of a gradient of such sines.
+HN_FN hn_vec2 hn_i_components(hn_ivec2 g) { return vec2(g) * (1.0f / 65536.0f); }
+HN_FN hn_vec3 hn_i_components(hn_ivec3 g) { return vec3(g) * (1.0f / 65536.0f); }
+
+// A product of 17 and 21 bits, in units of 2^-28: by the high and by the low byte of g.
+HN_FN hn_int hn_i_product(hn_int g, hn_int x) { return (g >> 8) * x + (((g & 255) * x) >> 8); }
+HN_FN hn_int hn_i_dot(hn_ivec2 g, hn_int x, hn_int y) { return hn_i_product(g.x, x) + hn_i_product(g.y, y); }
+HN_FN hn_int hn_i_dot(hn_ivec3 g, hn_int x, hn_int y, hn_int z) {
+  return hn_i_product(g.x, x) + hn_i_product(g.y, y) + hn_i_product(g.z, z);
+}
+
+// The ramps of the sine gradient are longer: in units of 2^-28.
+HN_FN hn_int hn_i_unscaled(hn_int n) { return n >> 7; }
+
+#endif
+#endif
 
 #endif

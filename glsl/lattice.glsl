@@ -45,12 +45,10 @@ HN_FN hn_uvec3 hn_i_spread_next(HN_I_UNUSED hn_uvec3 spread, hn_uvec3 c) {
 }
 #endif
 
-// The words of the corners 00, 10, 01, 11 of a square, given what the other axes and the seed contribute: to the one
-// join of coordinates (hash.glsl), to the sum that is made odd, and more of it, which is even. Without a period more
-// and the steps along x and y are constants, so they are added up first.
-HN_FN hn_uvec4 hn_i_corners(hn_uvec2 c, hn_uint join, hn_uint sum, hn_uint more) {
-  hn_uvec2 c0 = hn_i_spread(c);
-  hn_uvec2 c1 = hn_i_spread_next(c0, c);
+// The words of the corners 00, 10, 01, 11 of a square, given the spread coordinates of the first and the last, and what
+// the other axes and the seed contribute: to the one join of coordinates (hash.glsl), to the sum that is made odd, and
+// more of it, which is even. Without a period more and the steps along x and y are constants, so they are added up first.
+HN_FN hn_uvec4 hn_i_corners(hn_uvec2 c0, hn_uvec2 c1, hn_uint join, hn_uint sum, hn_uint more) {
   hn_uvec2 a = hn_i_fold(c0);
   hn_uvec2 b = hn_i_fold(c1);
   a.x ^= join;
@@ -64,15 +62,17 @@ HN_FN hn_uvec4 hn_i_corners(hn_uvec2 c, hn_uint join, hn_uint sum, hn_uint more)
 
 // Of the cell with the near corner c; in space of its front or its back face along z.
 HN_FN hn_uvec4 hn_i_corners(hn_uvec2 c, hn_uint seed) {
+  hn_uvec2 c0 = hn_i_spread(c);
   hn_uint s = hn_i_mix(seed);
-  return hn_i_corners(c, s, s, 0u);
+  return hn_i_corners(c0, hn_i_spread_next(c0, c), s, s, 0u);
 }
 HN_FN hn_uvec4 hn_i_corners(hn_uvec3 c, bool back, hn_uint seed) {
   hn_uvec3 c0 = hn_i_spread(c);
   hn_uvec3 c1 = hn_i_spread_next(c0, c);
+  hn_uvec3 face = hn_i_fold(uvec3(c0.x, c0.y, hn_i_select(back, c1.z, c0.z)));
   hn_uint s = hn_i_mix(seed);
-  hn_uint join = hn_i_select(back, hn_i_fold(c1).z, hn_i_fold(c0).z) ^ s;
-  return hn_i_corners(uvec2(c.x, c.y), join, c0.z + s, hn_i_select(back, (c1.z - c0.z) * 2u, 0u));
+  hn_uint more = hn_i_select(back, (c1.z - c0.z) * 2u, 0u);
+  return hn_i_corners(uvec2(c0.x, c0.y), uvec2(c1.x, c1.y), face.z ^ s, c0.z + s, more);
 }
 
 #endif
