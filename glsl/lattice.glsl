@@ -69,10 +69,10 @@ HN_FN hn_uvec4 hn_i_corners(hn_uvec2 c, hn_uint seed) {
 HN_FN hn_uvec4 hn_i_corners(hn_uvec3 c, bool back, hn_uint seed) {
   hn_uvec3 c0 = hn_i_spread(c);
   hn_uvec3 c1 = hn_i_spread_next(c0, c);
-  hn_uvec3 face = hn_i_fold(uvec3(c0.x, c0.y, hn_i_select(back, c1.z, c0.z)));
   hn_uint s = hn_i_mix(seed);
+  hn_uint join = hn_i_select(back, hn_i_fold(c1).z, hn_i_fold(c0).z) ^ s;
   hn_uint more = hn_i_select(back, (c1.z - c0.z) * 2u, 0u);
-  return hn_i_corners(uvec2(c0.x, c0.y), uvec2(c1.x, c1.y), face.z ^ s, c0.z + s, more);
+  return hn_i_corners(uvec2(c0.x, c0.y), uvec2(c1.x, c1.y), join, c0.z + s, more);
 }
 
 #endif
