@@ -30,7 +30,18 @@ std::optional<Status> status_named(std::string_view name) {
 }
 
 bool is_bad(Status status) {
-  return status == Status::fail || status == Status::crash || status == Status::timeout || status == Status::error;
+  switch (status) {
+    case Status::pass:
+    case Status::warning:
+    case Status::unsupported:
+      return false;
+    case Status::fail:
+    case Status::crash:
+    case Status::timeout:
+    case Status::error:
+      break;
+  }
+  return true;
 }
 
 Outcome outcome_with(Status status, const Error& error) {

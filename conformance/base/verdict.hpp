@@ -23,6 +23,7 @@ enum class Status {
 };
 inline constexpr std::array kStatuses = {Status::pass,  Status::warning, Status::fail, Status::unsupported,
                                          Status::crash, Status::timeout, Status::error};
+static_assert(kStatuses.size() == static_cast<std::size_t>(Status::error) + 1, "every status, in their order");
 std::string_view name_of(Status status);
 std::optional<Status> status_named(std::string_view name);
 // Whether a case that ended so keeps a run from being as expected, unless an expectation excuses it.

@@ -54,19 +54,36 @@ bool is_for_drivers(std::string_view file, const Configuration& configuration) {
   return file == "hashnoise.glsl" && !configuration.sine();
 }
 
+// Every hash is other code, and so is each other knob by itself; combinations are not, but for a gradient in another
+// arithmetic. Hashes have no arithmetic; what no function of the table names is tried in full by what includes it;
+// fbm_fixed.glsl is empty but for one arithmetic.
+bool selects_code(std::string_view file, const Configuration& configuration) {
+  const bool by_arithmetic = configuration.default_but_for_arithmetic();
+  const auto names_it = [&](const Function& function) { return function.file == file; };
+  if (file == "fbm_fixed.glsl") return by_arithmetic && configuration.arithmetic == Arithmetic::fixed;
+  if (file != "hashnoise.glsl" && std::ranges::none_of(all_functions(), names_it)) return by_arithmetic;
+  if (!configuration.fast()) {
+    const bool sine = configuration.name_without_arithmetic() == "lattice+sine";
+    return file != "hash.glsl" && (by_arithmetic || (sine && file == "hashnoise.glsl"));
+  }
+  return configuration.hash_only() || configuration.name == "lattice+sine" ||
+         configuration.name == "lattice+period48" || configuration.name == "lattice+period64";
+}
+
 // Whether a configuration has most of its cases in this version.
 bool is_main(const Configuration& configuration, const Profile& profile) {
   return profile.spirv || profile.name == main_profile(configuration, profile.es).name;
 }
 
-// A file of the library with one configuration in one version. number: of the file, among all.
-void add_file_cases(std::vector<Case>& cases, std::size_t number, const Configuration& configuration,
+// A file of the library with one configuration in one version. Chosen are the pairs of two of these: the library as a
+// whole meets every configuration in every version and stage, and a file every configuration, and every version and
+// stage.
+void add_file_cases(std::vector<Case>& cases, std::string_view file, const Configuration& configuration,
                     const Profile& profile) {
-  const std::string_view file = kLibraryFiles[number].name;
   const auto extent_in = [&](Stage stage) {
-    const bool chosen = configuration.is_default() || (is_main(configuration, profile) && stage == Stage::fragment) ||
-                        has_turn(number, kLibraryFiles.size(), configuration, static_cast<std::size_t>(&profile - all_profiles().data()) +
-                                                            static_cast<std::size_t>(stage));
+    const bool plain = configuration.is_default() || !selects_code(file, default_configuration());
+    const bool chosen =
+        plain || file == "hashnoise.glsl" || (is_main(configuration, profile) && stage == Stage::fragment);
     return chosen ? Extent::one_driver : Extent::thorough;
   };
   const auto add_glslang = [&](Stage stage) {
@@ -145,22 +162,6 @@ void add_uncontracted_case(std::vector<Case>& cases, std::string_view file, cons
                    ReferenceKind{[=, &configuration](const Suite& suite) {
                      return check_uncontracted(suite, file, configuration);
                    }}});
-}
-
-// Every hash is other code, and so is each other knob by itself; combinations are not, but for a gradient in another
-// arithmetic. Hashes have no arithmetic; what no function of the table names is tried in full by what includes it;
-// fbm_fixed.glsl is empty but for one arithmetic.
-bool selects_code(std::string_view file, const Configuration& configuration) {
-  const bool by_arithmetic = configuration.default_but_for_arithmetic();
-  const auto names_it = [&](const Function& function) { return function.file == file; };
-  if (file == "fbm_fixed.glsl") return by_arithmetic && configuration.arithmetic == Arithmetic::fixed;
-  if (file != "hashnoise.glsl" && std::ranges::none_of(all_functions(), names_it)) return by_arithmetic;
-  if (!configuration.fast()) {
-    const bool sine = configuration.name_without_arithmetic() == "lattice+sine";
-    return file != "hash.glsl" && (by_arithmetic || (sine && file == "hashnoise.glsl"));
-  }
-  return configuration.hash_only() || configuration.name == "lattice+sine" ||
-         configuration.name == "lattice+period48" || configuration.name == "lattice+period64";
 }
 
 // A shader that the library must refuse with an #error that says what would be right.
@@ -291,12 +292,11 @@ Outcome check_compilation(Session& session, const CompilationKind& compilation) 
 }
 
 void add_compile_cases(std::vector<Case>& cases) {
-  for (std::size_t number = 0; number < kLibraryFiles.size(); ++number) {
-    const std::string_view file = kLibraryFiles[number].name;
+  for (const auto& [file, text] : kLibraryFiles) {
     for (const Configuration& configuration : all_configurations()) {
       if (!selects_code(file, configuration)) continue;
       for (const Profile& profile : all_profiles()) {
-        if (can_compile(configuration, profile)) add_file_cases(cases, number, configuration, profile);
+        if (can_compile(configuration, profile)) add_file_cases(cases, file, configuration, profile);
       }
       add_highp_case(cases, file, configuration);
       if (configuration.arithmetic == Arithmetic::precise) add_uncontracted_case(cases, file, configuration);

@@ -15,6 +15,7 @@ std::vector<std::size_t> able(const Case& test, std::span<const CanRun> drivers)
 
 std::vector<std::vector<std::size_t>> deal(std::span<const Case> cases, std::span<const CanRun> drivers) {
   std::vector<std::vector<std::size_t>> dealt(drivers.size());
+  if (drivers.empty()) return dealt;
   std::size_t turn = 0;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     if (i > 0 && cases[i].name.setting() != cases[i - 1].name.setting()) ++turn;

@@ -1,4 +1,4 @@
-// Which driver of a run runs which case, if no case is to be run twice.
+// Deals cases to the drivers of a run: each driver gets every case that all must show; every other case goes to one.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,7 @@ namespace hn {
 
 using CanRun = std::function<bool(const Case&)>;
 
-// The cases of each driver, as places in `cases`: what every driver must show, and of what one driver shows its part.
-// Cases that share a program stay together. What no driver can run goes to the first, which says why.
+// By driver, the indices in `cases` of those that it runs. Cases that share a program stay together. What no driver can run goes to the first, which says why.
 std::vector<std::vector<std::size_t>> deal(std::span<const Case> cases, std::span<const CanRun> drivers);
 
 }  // namespace hn

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <set>
+#include <string>
 
 namespace hn {
 namespace {
@@ -42,30 +44,68 @@ TEST(Deal, ACaseIsForADriverThatCanRunIt) {
   EXPECT_EQ(dealt[1].size(), cases.size());
 }
 
+TEST(Deal, WithoutADriverThereIsNothingToDeal) {
+  const std::vector<Case> cases = {case_of("a.a", "golden", Extent::one_driver)};
+  EXPECT_TRUE(deal(cases, {}).empty());
+}
+
 TEST(Deal, WhatNoDriverCanRunIsNotLost) {
   const std::vector<Case> cases = {case_of("a.a", "golden", Extent::one_driver)};
   const std::vector<CanRun> drivers = {nothing, nothing};
   EXPECT_EQ(deal(cases, drivers), (Places{{0}, {}}));
 }
 
-// The table of cases: pairs of settings.
-TEST(Extent, EveryFunctionMeetsEveryConfigurationAndEveryTargetMeetsEachOfThem) {
+std::string target_of(const CaseName& name) { return std::string(name_of(name.stage)) + " " + name.profile; }
+std::string setting_of(const CaseName& name) { return name.configuration + " " + name.arithmetic; }
+
+using Pairs = std::vector<std::string> (*)(const CaseName& name);
+
+// What is met by the cases that are not thorough alone, of those that there are.
+void expect_all_met(std::initializer_list<std::string_view> checks, Pairs pairs_of) {
   std::set<std::string> met;
+  std::set<std::string> all;
   for (const Case& test : all_cases()) {
-    if (test.extent == Extent::thorough || test.name.check != "golden") continue;
-    const auto& [function, configuration, arithmetic, stage, profile, check] = test.name;
-    const std::string target = std::string(name_of(stage)) + " " + profile;
-    met.insert(function + " " + configuration + " " + arithmetic);
-    met.insert(function + " " + target);
-    met.insert(configuration + " " + arithmetic + " " + target);
+    if (std::find(checks.begin(), checks.end(), test.name.check) == checks.end()) continue;
+    for (const std::string& pair : pairs_of(test.name)) {
+      all.insert(pair);
+      if (test.extent != Extent::thorough) met.insert(pair);
+    }
   }
-  for (const Case& test : all_cases()) {
-    if (test.name.check != "golden") continue;
-    const auto& [function, configuration, arithmetic, stage, profile, check] = test.name;
-    const std::string target = std::string(name_of(stage)) + " " + profile;
-    for (const std::string& pair : {function + " " + configuration + " " + arithmetic, function + " " + target,
-                                    configuration + " " + arithmetic + " " + target}) {
-      EXPECT_TRUE(met.contains(pair)) << pair;
+  EXPECT_FALSE(all.empty());
+  for (const std::string& pair : all) EXPECT_TRUE(met.contains(pair)) << pair;
+}
+
+TEST(Extent, GoldenValuesMeetEveryPair) {
+  expect_all_met({"golden"}, [](const CaseName& name) -> std::vector<std::string> {
+    return {name.function + " " + setting_of(name), name.function + " " + target_of(name),
+            setting_of(name) + " " + target_of(name)};
+  });
+}
+
+TEST(Extent, CompilationsMeetEveryPair) {
+  const Pairs pairs = [](const CaseName& name) -> std::vector<std::string> {
+    return {name.function + " " + setting_of(name), name.function + " " + target_of(name),
+            setting_of(name) + " " + target_of(name)};
+  };
+  expect_all_met({"glslang", "spirv"}, pairs);
+  expect_all_met({"driver"}, pairs);
+}
+
+TEST(Extent, VariantsMeetEveryFunctionAndEveryVersion) {
+  expect_all_met({"inlined", "in_loop", "constant_seed", "uniform_seed", "folded"},
+                 [](const CaseName& name) -> std::vector<std::string> {
+                   return {name.check + " " + name.function, name.check + " " + name.arithmetic + " " + name.profile};
+                 });
+}
+
+TEST(Extent, EveryStageHasCases) {
+  for (const Stage stage : {Stage::fragment, Stage::vertex, Stage::compute}) {
+    for (const std::string_view check : {"golden", "glslang"}) {
+      const auto cases = all_cases();
+      EXPECT_TRUE(std::any_of(cases.begin(), cases.end(), [&](const Case& test) {
+        return test.name.stage == stage && test.name.check == check;
+      })) << name_of(stage) << " "
+          << check;
     }
   }
 }

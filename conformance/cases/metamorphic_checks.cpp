@@ -79,7 +79,7 @@ void add_metamorphic_cases(std::vector<Case>& cases, const Evaluation& evaluatio
   if (target.main && defaults && has_variants(function)) {
     for (std::size_t i = 0; i < kVariants.size(); ++i) {
       const auto& [name, variant, make] = kVariants[i];
-      const bool all = configuration.is_default() && !profile.es;
+      const bool all = configuration.is_default() && (!profile.es || function.exact());
       cases.push_back(
           {name_of(evaluation, name), PairingKind{{function, configuration, profile, variant}, make},
            all || has_turn(function, configuration, target.number + i) ? Extent::one_driver : Extent::thorough});

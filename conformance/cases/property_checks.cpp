@@ -125,9 +125,9 @@ double sum_of_constant_noise(OctaveSum sum, bool no_octaves) {
 Outcome check_zero(Session& session, const Evaluation& evaluation) {
   const Function& function = evaluation.function;
   Words inputs = random_points(function, property_points(session, function), Random(session.seed, "zero"));
-  const int axes = function.seed_word();
+  const auto axes = static_cast<std::size_t>(function.axes);
   for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
-    for (std::size_t axis = i; axis < i + static_cast<std::size_t>(axes); ++axis) {
+    for (std::size_t axis = i; axis < i + axes; ++axis) {
       inputs[axis] = std::bit_cast<std::uint32_t>(std::floor(std::bit_cast<float>(inputs[axis])));
     }
   }

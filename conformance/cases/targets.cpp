@@ -20,10 +20,6 @@ std::vector<Target> targets_of(const Configuration& configuration) {
   return targets;
 }
 
-bool has_turn(std::size_t number, std::size_t of, const Configuration& configuration, std::size_t other) {
-  return (number + static_cast<std::size_t>(configuration.index) + other) % std::min(of, kMostTurns) == 0;
-}
-
 bool has_turn(const Function& function, const Configuration& configuration, std::size_t other) {
   std::size_t number = 0;  // in its family
   std::size_t of = 0;
@@ -32,7 +28,7 @@ bool has_turn(const Function& function, const Configuration& configuration, std:
     if (relative.id == function.id) number = of;
     ++of;
   }
-  return has_turn(number, of, configuration, other);
+  return (number + static_cast<std::size_t>(configuration.index) + other) % std::min(of, kMostTurns) == 0;
 }
 
 Extent extent_of(const Function& function, const Configuration& configuration, const Target& target) {

@@ -27,13 +27,12 @@ struct Target {
 // Those of a configuration: its main versions, GLSL without bit casts, and the other stages.
 std::vector<Target> targets_of(const Configuration& configuration);
 
-// Settings are chosen pairwise. Every function meets every configuration in the main version of desktop OpenGL, and with
-// the defaults every target; the third pair, of configuration and target, is met by one function of each family, or by
-// one in kMostTurns of a large one. All else is thorough.
+// Settings are chosen pairwise. Every pair of a function and a configuration is run, in the main version of desktop
+// OpenGL; and every pair of a function and a target, with the defaults. A pair of a configuration and a target is run with
+// at least one function of each family, one in kMostTurns of a large family. The rest is thorough.
 inline constexpr std::size_t kMostTurns = 5;
 Extent extent_of(const Function& function, const Configuration& configuration, const Target& target);
-// Whether it is this one's turn among so many, with a configuration and something else that is numbered.
-bool has_turn(std::size_t number, std::size_t of, const Configuration& configuration, std::size_t other);
+// Whether a function takes its turn in its family with this configuration, and the target or variant `other`.
 bool has_turn(const Function& function, const Configuration& configuration, std::size_t other);
 
 }  // namespace hn

@@ -3,9 +3,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <iterator>
 #include <nlohmann/json.hpp>
-#include <numeric>
+#include <optional>
 #include <set>
 
 #include "base/temporary_folder.hpp"
@@ -90,40 +89,50 @@ Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted) {
   return choice;
 }
 
-// What a driver can run, as far as it says. Who is not here can run nothing.
-CanRun can_run_on(const std::string& name) {
+// What a driver can run, as far as it says; nothing if it does not say.
+std::optional<CanRun> can_run_on(const std::string& name) {
   const TemporaryFolder scratch;
   const Job job{.task = Task::describe, .driver = name, .suite = {}, .ids = {}};
   const auto report = report_of(job, scratch.path(), kDescribeLimit);
-  if (!report || !report->contains("ready")) return [](const Case&) { return false; };
+  if (!report || !report->contains("ready")) return std::nullopt;
   if (find_driver(name)->browser) return [](const Case& test) { return unsupported_in_browser(test).empty(); };
   const LanguageSupport languages = report->at("languages").get<LanguageSupport>();
   return [=](const Case& test) {
     const Profile& profile = profile_named(test.name.profile);
-    return unsupported_to_run(profile, languages).empty() && languages.has_stage(test.name.stage);
+    const bool only_compiled = test.is<CompilationKind>();
+    const auto reason = only_compiled ? unsupported_reason(profile, languages) : unsupported_to_run(profile, languages);
+    return reason.empty() && languages.has_stage(test.name.stage);
   };
 }
 
-// The cases of each driver, as places in `cases`, all of which need a driver.
-std::vector<std::vector<std::size_t>> cases_by_driver(const std::vector<std::string>& names,
-                                                      const std::vector<Case>& cases, bool dealt) {
-  if (dealt) {
-    std::vector<CanRun> drivers;
-    for (const std::string& name : names) drivers.push_back(can_run_on(name));
-    return deal(cases, drivers);
+// The part of a driver, of cases that are all for it or not.
+DriverPlan plan_of(const std::string& driver, const std::vector<Case>& cases, const Shard& shard) {
+  DriverPlan plan{.driver = driver, .ids = {}, .whole = cases.size()};
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (shard.has(i)) plan.ids.push_back(cases[i].id);
   }
-  std::vector<std::size_t> all(cases.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  return {names.size(), all};
+  return plan;
 }
 
-void add_plan(std::vector<DriverPlan>& plans, const std::string& driver, const std::vector<Case>& cases,
-              const std::vector<std::size_t>& places, const Shard& shard) {
-  DriverPlan plan{.driver = driver, .ids = {}, .whole = places.size()};
-  for (const std::size_t place : places) {
-    if (shard.has(place)) plan.ids.push_back(cases[place].id);
+// Who does not say what it can run has all cases, as without a deal: its run tells why it is not here.
+std::vector<DriverPlan> deal_plans(const std::vector<std::string>& names, const std::vector<Case>& cases) {
+  std::vector<DriverPlan> plans;
+  std::vector<CanRun> drivers;
+  std::vector<std::size_t> dealt_to;  // of the drivers, places in plans
+  for (const std::string& name : names) {
+    plans.push_back(plan_of(name, cases, Shard{}));
+    if (auto can_run = can_run_on(name)) {
+      drivers.push_back(std::move(*can_run));
+      dealt_to.push_back(plans.size() - 1);
+    }
   }
-  if (!plan.ids.empty()) plans.push_back(std::move(plan));
+  const auto dealt = deal(cases, drivers);
+  for (std::size_t i = 0; i < drivers.size(); ++i) {
+    DriverPlan& plan = plans[dealt_to[i]];
+    plan = {.driver = plan.driver, .ids = {}, .whole = dealt[i].size(), .dealt = true};
+    for (const std::size_t place : dealt[i]) plan.ids.push_back(cases[place].id);
+  }
+  return plans;
 }
 
 // What every driver is to do: the cases that need one; and for glslang, which is always asked, the others.
@@ -132,14 +141,16 @@ std::vector<DriverPlan> plan_drivers(std::vector<std::string> names, std::vector
   std::erase(names, std::string(kReferenceCompiler));
   const auto of_drivers = std::stable_partition(cases.begin(), cases.end(),
                                                 [](const Case& test) { return !test.needs_driver(); });
-  std::vector<Case> for_drivers(std::make_move_iterator(of_drivers), std::make_move_iterator(cases.end()));
+  const std::vector<Case> for_drivers(of_drivers, cases.end());
   cases.erase(of_drivers, cases.end());
   std::vector<DriverPlan> plans;
-  const auto by_driver = cases_by_driver(names, for_drivers, dealt);
-  for (std::size_t i = 0; i < names.size(); ++i) add_plan(plans, names[i], for_drivers, by_driver[i], shard);
-  std::vector<std::size_t> all(cases.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  add_plan(plans, std::string(kReferenceCompiler), cases, all, shard);
+  if (dealt) {
+    plans = deal_plans(names, for_drivers);
+  } else {
+    for (const std::string& name : names) plans.push_back(plan_of(name, for_drivers, shard));
+  }
+  plans.push_back(plan_of(std::string(kReferenceCompiler), cases, shard));
+  std::erase_if(plans, [](const DriverPlan& plan) { return plan.ids.empty(); });
   return plans;
 }
 
@@ -204,7 +215,8 @@ void note_what_was_not_run(const RunPlan& plan, const std::vector<Run>& runs, st
   std::size_t planned = 0;
   std::size_t done = 0;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (!runs[i].absent.empty()) continue;
+    // Who is not here leaves nothing out, unless others rely on it.
+    if (!runs[i].absent.empty() && !plan.drivers[i].dealt) continue;
     planned += plan.drivers[i].ids.size();
     done += runs[i].cases.size();
   }
@@ -213,6 +225,9 @@ void note_what_was_not_run(const RunPlan& plan, const std::vector<Run>& runs, st
 
 Result<RunPlan> make_plan(const RunCommand& options, const DriverChoice& choice, const std::vector<Case>& cases) {
   HN_TRY(auto shard, parse_shard(options.shard));
+  if (options.deal && !options.shard.empty()) {
+    return fail("--deal and --shard do not go together: each machine would deal to its own drivers");
+  }
   RunPlan plan{.drivers = plan_drivers(choice.names, cases, shard, options.deal),
                .suite = options.suite,
                .shard = options.shard,

@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """The C++ twin with HN_FIXED has the same bits whatever compiler and flags it is built with, and no undefined behaviour.
 
-Usage: twin_flags_test.py COMPILER...
+Usage: twin_flags_test.py [--thorough] COMPILER...
+
+Compilers, flags, gradients and arithmetics are tried in pairs; with --thorough all of them together.
 """
 
 import concurrent.futures
@@ -14,6 +16,7 @@ import tempfile
 import unittest
 
 COMPILERS = []
+THOROUGH = False
 HERE = pathlib.Path(__file__).resolve().parent
 LEVELS = (("-O0",), ("-O2",), ("-O3", "-march=native", "-ffast-math"))
 CONTRACTION = ((), ("-ffp-contract=fast",))
@@ -24,7 +27,8 @@ GRADIENTS = ("HN_GRADIENT_OCTAHEDRAL", "HN_GRADIENT_SINE")
 def every_second(*choices):
     """Half of the product of choices: each pair of two choices is in it."""
     numbered = itertools.product(*(enumerate(choice) for choice in choices))
-    return [tuple(value for _, value in row) for row in numbered if sum(number for number, _ in row) % 2 == 0]
+    return [tuple(value for _, value in row) for row in numbered
+            if THOROUGH or sum(number for number, _ in row) % 2 == 0]
 
 
 class Flags(unittest.TestCase):
@@ -66,7 +70,7 @@ class Flags(unittest.TestCase):
     def test_are_tried_in_pairs(self):
         choices = (("a", "b"), (1, 2, 3), ("x", "y"))
         rows = every_second(*choices)
-        self.assertEqual(len(rows), 6)
+        self.assertEqual(len(rows), 12 if THOROUGH else 6)
         for i, j in itertools.combinations(range(3), 2):
             self.assertEqual({(row[i], row[j]) for row in rows}, set(itertools.product(choices[i], choices[j])))
 
@@ -90,5 +94,6 @@ class Flags(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    COMPILERS = sys.argv[1:]
+    THOROUGH = "--thorough" in sys.argv
+    COMPILERS = [argument for argument in sys.argv[1:] if argument != "--thorough"]
     unittest.main(argv=sys.argv[:1])

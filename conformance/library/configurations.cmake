@@ -3,7 +3,15 @@
 set(table ${CMAKE_CURRENT_LIST_DIR}/configurations.inc)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${table})
 file(READ ${table} rows)
-string(REGEX MATCHALL "\nCONFIGURATION\\(\"[^\"]+\", [A-Z0-9_]+, [A-Z]+, [0-9]+, [A-Z]+," rows "${rows}")
+string(REGEX MATCHALL "\nCONFIGURATION" all "${rows}")
+# The families, in small letters, end what concerns the macros.
+string(REGEX MATCHALL "\nCONFIGURATION\\(\"[^\"]+\", [A-Z0-9_]+, [A-Z]+, [0-9]+, [A-Z]+,[ \n]+[a-z]" rows "${rows}")
+list(LENGTH all count)
+list(LENGTH rows read)
+if(NOT count EQUAL read)
+  message(FATAL_ERROR "${table} has ${count} rows, of which ${read} can be read here: a row is CONFIGURATION(\"name\", HASH, "
+                      "GRADIENT, PERIOD, ARITHMETIC, families), with all but the families on its first line")
+endif()
 
 set(configurations "")
 foreach(row IN LISTS rows)

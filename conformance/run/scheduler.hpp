@@ -19,6 +19,7 @@ struct DriverPlan {
   std::string driver;
   std::vector<std::string> ids;  // of its cases, in their order
   std::size_t whole = 0;         // how many there are in all shards
+  bool dealt = false;            // whether some are no other driver's
 };
 
 struct RunPlan {
