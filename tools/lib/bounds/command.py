@@ -7,7 +7,8 @@
 
 noises/ has what is proven of each noise.
 
-Exit status: 0 all is as derived, 1 something is not: prose and comments are for you to mend; 2 bad usage.
+Exit status: 0 all is as derived, 1 something is not: prose and comments are for you to mend; 2 bad usage, or a table or
+page that cannot be read; 4 numpy and scipy are missing, and could not be installed (tools/scientific-python).
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ import argparse
 import json
 import math
 import sys
+from collections.abc import Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import asdict
 from pathlib import Path
@@ -27,6 +29,7 @@ from bounds.gradients import SINE
 from bounds.integers import fade_errors, overshoot
 from bounds.noises import Derived
 from bounds.table import HEAD, PATH, SineBounds, noise_row, sine_row
+from tables.inc import TableError
 from tree import ROOT
 
 
@@ -104,13 +107,7 @@ def print_table(numbers: dict[str, dict]) -> None:
             print(f"  {name.replace('_', ' '):40} {shown}")
 
 
-def main() -> int:
-    parser = argparse.ArgumentParser(prog="bounds", description="Proves the range, slope and errors of noises.")
-    mode = parser.add_mutually_exclusive_group()
-    mode.add_argument("--json", action="store_true", help="print JSON instead of a table")
-    mode.add_argument("--write", action="store_true", help="write the suite's table and those of docs/accuracy.md")
-    mode.add_argument("--check", action="store_true", help="compare all that quotes a bound")
-    options = parser.parse_args()
+def run(options: argparse.Namespace) -> int:
     derived = derive()
     if options.json:
         print(json.dumps(everything_for_a_reader(derived), indent=2))
@@ -124,6 +121,22 @@ def main() -> int:
     else:
         print_table(everything_for_a_reader(derived))
     return 0
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    parser = argparse.ArgumentParser(prog="bounds", description="Proves the range, slope and errors of noises.")
+    mode = parser.add_mutually_exclusive_group()
+    mode.add_argument("--json", action="store_true", help="print JSON instead of a table")
+    mode.add_argument("--write", action="store_true", help="write the suite's table and those of docs/accuracy.md")
+    mode.add_argument("--check", action="store_true", help="compare all that quotes a bound")
+    options = parser.parse_args(arguments)
+    try:
+        return run(options)
+    except (KeyError, IndexError):
+        raise  # these are look-ups too, but mistakes of the program
+    except (TableError, LookupError) as error:
+        print(error, file=sys.stderr)
+        return 2
 
 
 if __name__ == "__main__":

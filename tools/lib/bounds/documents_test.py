@@ -1,6 +1,8 @@
 """Tests of documents.py, table.py and command.py: what quotes a bound follows the derivation, and another number is an
 error with its place. The derivation itself is not run: RAW is what it gave of one noise, and others are left out."""
 
+import contextlib
+import io
 import shutil
 import tempfile
 import unittest
@@ -11,6 +13,7 @@ from bounds import command, documents, noises, table
 from bounds.gradients import OCTAHEDRAL, SINE
 from bounds.noises import Derived
 from bounds.table import rounded_up, scientific, shortest
+from tables.inc import TableError
 from tree import ROOT
 
 RAW = {("perlin", dims, gradient): Derived(*numbers, {"cut": 4.35e-6}) for dims, gradient, numbers in (
@@ -124,6 +127,23 @@ class Tree(unittest.TestCase):
                 self.change(path, old, new)
                 found, = self.differences()
                 self.assertRegex(found, rf"^{path}:{self.line(path, new)}: .*{message}")
+
+
+class Command(unittest.TestCase):
+    def check(self, problem: Exception) -> tuple[int, str]:
+        """The status of --check and its message, if the comparison ends so."""
+        shown = io.StringIO()
+        with mock.patch.object(command, "derive", return_value=RAW), contextlib.redirect_stderr(shown), \
+                mock.patch.object(command, "differences", side_effect=problem):
+            return command.main(["--check"]), shown.getvalue()
+
+    def test_a_broken_table_or_page_is_a_message(self):
+        for problem in (TableError("bounds.inc:3: x is no word"), LookupError("accuracy.md has no marks")):
+            self.assertEqual(self.check(problem), (2, f"{problem}\n"))
+
+    def test_a_mistake_of_the_program_is_not(self):
+        with self.assertRaises(KeyError):
+            self.check(KeyError("x"))
 
 
 class Entries(unittest.TestCase):

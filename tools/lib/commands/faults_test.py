@@ -68,6 +68,16 @@ class Faults(unittest.TestCase):
         self.table.write_text(text)
         self.assertEqual(self.call("--check", "--sample", "2"), 0)
 
+    def test_a_sample_compares_what_is_told_of_the_others(self):
+        self.assertEqual(self.call(), 0)
+        text = self.table.read_text()
+        for old, new in (("it too", "it also"), ("nowhere", "somewhere"), ("| that |", "| this |")):
+            with self.subTest(new=new):
+                self.assertIn(old, text)
+                self.table.write_text(text.replace(old, new))
+                self.assertEqual(self.call("--check", "--sample", "1"), 1)
+                self.assertEqual(self.call("--check", "one"), 1)
+
     def test_a_sample_is_for_checking(self):
         for arguments in (("--sample", "1"), ("--check", "--sample", "0"), ("--check", "--sample", "1", "one")):
             with self.subTest(arguments=arguments), self.assertRaises(SystemExit) as stop:

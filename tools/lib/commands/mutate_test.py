@@ -8,12 +8,14 @@ from __future__ import annotations
 import contextlib
 import io
 import os
+import re
 import sys
 import tempfile
 import unittest
 from pathlib import Path
 
 from commands.support import load_script
+from tree import ROOT
 
 mutate = load_script("mutate")
 SOURCES = {path.name: path.read_text(encoding="utf-8") for path in mutate.LIBRARY.glob("*.glsl")}
@@ -122,6 +124,22 @@ WARNING = FAILURE.replace("fail", "warning")
 UNCOMPILED = '{"runs": [{"cases": [{"id": "c.d", "status": "fail", "samples": 0}]}]}'
 REFUSED = UNCOMPILED.replace("c.d", "config.hash_0.any.fast.fragment.gl330.refused_by_driver")
 ERROR = '{"runs": [{"cases": [{"id": "c.d", "status": "error"}]}]}'
+
+
+class Statuses(unittest.TestCase):
+    def body(self, function: str) -> str:
+        """Of a function of the suite."""
+        text = (ROOT / "conformance" / "base" / "verdict.cpp").read_text(encoding="utf-8")
+        found = re.search(rf"^[^ ].*\b{function}\(.*\{{\n((?:  .*\n|\n)*)\}}", text, re.MULTILINE)
+        self.assertIsNotNone(found, f"verdict.cpp has no function {function} that can be read")
+        return found[1]
+
+    def test_all_that_are_bad_kill_but_error(self):
+        names = set(re.findall(r'return "(\w+)";', self.body("name_of")))
+        bad = set(re.findall(r"Status::(\w+)", self.body("is_bad")))
+        self.assertLessEqual({"pass", "error"}, names - set(mutate.KILLING))
+        self.assertLessEqual(bad, names, "a status has another name in results.json than in C++")
+        self.assertEqual(set(mutate.KILLING), bad - {"error"})
 
 
 class Sweep(unittest.TestCase):

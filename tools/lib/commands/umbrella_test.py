@@ -34,12 +34,13 @@ class Umbrella(unittest.TestCase):
         self.assertEqual(self.run_main("--check"), (0, []))
 
     def test_a_new_noise_is_included_by_its_dimension(self):
-        (self.glsl / "waves2d.glsl").write_text("// a noise\n")
-        self.assertEqual(self.run_main("--check"), (1, ["noise2d.glsl"]))
-        self.assertEqual(self.run_main(), (0, []))
-        self.assertIn('#include "waves2d.glsl"\n', (self.glsl / "noise2d.glsl").read_text())
-        self.assertNotIn("waves2d", (self.glsl / "noise3d.glsl").read_text())
-        self.assertEqual(self.run_main("--check"), (0, []))
+        for noise in ("waves2d", "simplex2_fast2d", "simplex22d"):
+            (self.glsl / f"{noise}.glsl").write_text("// a noise\n")
+            self.assertEqual(self.run_main("--check"), (1, ["noise2d.glsl"]))
+            self.assertEqual(self.run_main(), (0, []))
+            self.assertIn(f'#include "{noise}.glsl"\n', (self.glsl / "noise2d.glsl").read_text())
+            self.assertNotIn(noise, (self.glsl / "noise3d.glsl").read_text())
+            self.assertEqual(self.run_main("--check"), (0, []))
 
     def test_the_whole_library_has_what_no_other_file_includes(self):
         (self.glsl / "warp.glsl").write_text('#include "fbm.glsl"\n')

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import re
 from collections.abc import Iterator
 from pathlib import Path
@@ -26,6 +27,7 @@ class Tree:
         self.root = root
         self.functions = read_functions(self.at(FUNCTIONS))
         self.configurations = read_configurations(self.at(CONFIGURATIONS))
+        self.config = self.text("glsl/config.glsl")
         self.declarations = glsl.declarations(self.at(GLSL))
 
     def at(self, path: Path) -> Path:
@@ -61,6 +63,12 @@ def functions_without_a_row(tree: Tree) -> Iterator[str]:
                    f"{FUNCTIONS.relative_to(ROOT)}")
 
 
+def functions_in_another_form(tree: Tree) -> Iterator[str]:
+    for function in glsl.overlooked(tree.at(GLSL)):
+        yield (f"{function} is not written as the tools read public functions: begin its first line with HN_FN, then "
+               "its type, one word, and its name")
+
+
 def rows_without_a_function(tree: Tree) -> Iterator[str]:
     declared = {(declaration.name, declaration.types) for declaration in tree.declarations}
     for function in tree.functions:
@@ -70,14 +78,17 @@ def rows_without_a_function(tree: Tree) -> Iterator[str]:
 
 
 def functions_without_words(tree: Tree) -> Iterator[str]:
-    """In the comments of the library, and in the README."""
+    """In the comments of the library, in the README, and in the contract."""
     first_cells = [line.split(" | ")[0] for line in tree.text("README.md").split("\n") if line.startswith("|")]
+    contract = tree.text("docs/contract.md")
     for declared in tree.declarations:
         if not declared.comment or "returns" not in declared.comment.headings:
             yield f"{declared.place}: {declared} has no comment that says what it returns: write one over it"
     for name in sorted({function.calls for function in tree.functions}):
         if not any(f"`{name}(" in cell for cell in first_cells):
             yield f"README.md: no line for {name}: add one to the table of functions"
+        if not re.search(rf"\b{name}\(", contract):
+            yield f"docs/contract.md: no word of {name}(...): say what its value is"
 
 
 # --- Noises -----------------------------------------------------------------------------------------------------
@@ -145,10 +156,88 @@ def families_without_settings(tree: Tree) -> Iterator[str]:
             yield f"{where}: add {family} to the families of a configuration with a period"
 
 
+def hashes_of_unlike_families(tree: Tree) -> Iterator[str]:
+    """With the other knobs at their defaults, every hash is tested with the same functions."""
+    plain = [configuration for configuration in tree.configurations
+             if (configuration.arithmetic, configuration.gradient, configuration.period) == ("fast", "octahedral", 0)]
+    # What depends on no knob is tested once.
+    families = {family for configuration in plain for family in configuration.families} - {"independent"}
+    default = re.search(r"^#define HN_HASH HN_HASH_(\w+)", tree.config, re.MULTILINE)
+    for configuration in plain:
+        expected = families | ({"independent"} if default and configuration.hash == default[1].lower() else set())
+        yield from _wrong_families(configuration, expected, "as with the other hashes")
+
+
+def arithmetics_of_unlike_settings(tree: Tree) -> Iterator[str]:
+    """HN_PRECISE has no golden files that could be missed, so it is held against HN_FIXED, and the other way round."""
+    def settings(arithmetic: str) -> dict[tuple[str, str, int], Configuration]:
+        return {(configuration.hash, configuration.gradient, configuration.period): configuration
+                for configuration in tree.configurations if configuration.arithmetic == arithmetic}
+
+    for arithmetic, other in (("precise", "fixed"), ("fixed", "precise")):
+        present = settings(arithmetic)
+        for key, configuration in settings(other).items():
+            families = set(configuration.families)
+            if key in present:
+                yield from _wrong_families(present[key], families | set(present[key].families),
+                                           f"as in {configuration.name}")
+            else:
+                hash, gradient, period = key
+                name = configuration.name.replace(f"+{other}", f"+{arithmetic}")
+                yield (f"{CONFIGURATIONS.relative_to(ROOT)}: {configuration.name} is there without {name}: add "
+                       f"CONFIGURATION(\"{name}\", {hash.upper()}, {gradient.upper()}, {period}, "
+                       f"{arithmetic.upper()}, {' | '.join(configuration.families)})")
+
+
+def _wrong_families(configuration: Configuration, expected: set[str], why: str) -> Iterator[str]:
+    """A message for each family that a row lacks, or has beyond what is expected."""
+    for family in sorted(expected.symmetric_difference(configuration.families)):
+        what = f"add {family} to" if family in expected else f"take {family} from"
+        yield str(configuration.row.error(f"{configuration.name}: {what} its families, {why}"))
+
+
+def knobs_without_entries(tree: Tree) -> Iterator[str]:
+    """A knob is a macro of config.glsl with a default."""
+    header = tree.text("include/hashnoise/hashnoise.hpp")
+    table_of_knobs = tree.text("README.md").partition("| knob |")[2].partition("\n\n")[0]
+    rows = re.search(r"^// +CONFIGURATION\(([\w, ]+)\)$", tree.at(CONFIGURATIONS).read_text(), re.MULTILINE)
+    arguments = rows[1].split(", ") if rows else []
+    fields = {field.name for field in dataclasses.fields(Configuration)}
+    for knob in knobs_of(tree.config):
+        field = knob.removeprefix("HN_").lower()
+        if not re.search(rf"inline namespace HN_I_PASTE\(\w+, {knob}\)", header):
+            yield (f"include/hashnoise/hashnoise.hpp: {knob} names no inline namespace: add inline namespace "
+                   f"HN_I_PASTE({field}_, {knob}), so that settings can be linked together")
+        if f"| `{knob}` |" not in table_of_knobs:
+            yield f"README.md: no line for {knob}: add one to the table of knobs"
+        if field not in arguments:
+            yield (f"{CONFIGURATIONS.relative_to(ROOT)}: {knob} is no argument of CONFIGURATION: add {field} to the "
+                   "comment at the top, and to each row")
+        if field not in fields:
+            yield f"tools/lib/tables/configurations.py: {knob} is not in Configuration: add {field}"
+
+
+def knobs_of(config: str) -> list[str]:
+    defaults = set(re.findall(r"^#define (HN_(?!I_)\w+) +[^\s/]", config, re.MULTILINE))
+    return [name for name in re.findall(r"^#ifndef (\w+)", config, re.MULTILINE) if name in defaults]
+
+
+def values_without_settings(tree: Tree) -> Iterator[str]:
+    """A value of a knob has its name in front, as HN_GRADIENT_SINE, or is an arithmetic. Hashes have more entries."""
+    knobs = knobs_of(tree.config)
+    numbers = re.findall(r"^#define (HN_(?!I_|HASH_|VERSION_)\w+) \d+\b", tree.config, re.MULTILINE)
+    for name in (name for name in numbers if name not in knobs):
+        knob = next((knob for knob in knobs if name.startswith(f"{knob}_")), None)
+        field = (knob or "HN_ARITHMETIC").removeprefix("HN_").lower()
+        word = name.removeprefix(f"{knob}_" if knob else "HN_")
+        if not any(getattr(configuration, field, None) == word.lower() for configuration in tree.configurations):
+            yield (f"{CONFIGURATIONS.relative_to(ROOT)}: {name} is under test nowhere: add a CONFIGURATION with "
+                   f"{word} as its {field}")
+
+
 def hashes_without_entries(tree: Tree) -> Iterator[str]:
     contract, readme = tree.text("docs/contract.md"), tree.text("README.md")
-    names = re.findall(r"^#define HN_HASH_(\w+) \d+$", (tree.at(GLSL) / "config.glsl").read_text(), re.MULTILINE)
-    for name in names:
+    for name in re.findall(r"^#define HN_HASH_(\w+) \d+\b", tree.config, re.MULTILINE):
         macro, word = f"HN_HASH_{name}", name.lower()
         if not any(_is_plain(configuration, word) for configuration in tree.configurations):
             yield (f"{CONFIGURATIONS.relative_to(ROOT)}: {macro} is under test with no default gradient and period: "
@@ -175,9 +264,10 @@ def missing_golden_files(tree: Tree) -> Iterator[str]:
         yield f"{folder}: {function} has no golden files with {', '.join(configurations)}: run tools/golden"
 
 
-CHECKS = (functions_without_a_row, rows_without_a_function, functions_without_words, noises_without_entries,
-          noises_without_comments, entries_without_a_noise, families_without_settings, hashes_without_entries,
-          missing_golden_files)
+CHECKS = (functions_without_a_row, functions_in_another_form, rows_without_a_function, functions_without_words,
+          noises_without_entries, noises_without_comments, entries_without_a_noise, families_without_settings,
+          hashes_of_unlike_families, arithmetics_of_unlike_settings, knobs_without_entries, values_without_settings,
+          hashes_without_entries, missing_golden_files)
 
 
 def problems(root: Path = ROOT) -> list[str]:

@@ -29,8 +29,9 @@ class Deletions(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.root = Path(folder.name)
-        for path in (GLSL, ROOT / "README.md", ROOT / "docs" / "contract.md", FUNCTIONS, CONFIGURATIONS, BOUNDS,
-                     ROOT / "tools" / "lib" / "oracle" / "noises", ROOT / "tools" / "lib" / "bounds" / "noises"):
+        for path in (GLSL, ROOT / "include" / "hashnoise", ROOT / "README.md", ROOT / "docs" / "contract.md",
+                     FUNCTIONS, CONFIGURATIONS, BOUNDS, ROOT / "tools" / "lib" / "oracle" / "noises",
+                     ROOT / "tools" / "lib" / "bounds" / "noises"):
             target = self.root / path.relative_to(ROOT)
             target.parent.mkdir(parents=True, exist_ok=True)
             (shutil.copytree if path.is_dir() else shutil.copy)(path, target)
@@ -69,6 +70,10 @@ class Deletions(unittest.TestCase):
                     "// New.\n//   returns  0\nHN_FN hn_float hn_merlin(hn_vec4 p, hn_uint seed) {\n}\n\n\\1")
         self.noticed(r"^glsl/\w+\.glsl:\d+: hn_merlin\(vec4, uint\) has no row: add a FUNCTION that calls it")
 
+    def test_a_function_in_another_form(self) -> None:
+        self.change("glsl/*.glsl", r"^HN_FN (hn_float hn_snorm\()", "  \\1")
+        self.noticed(r"^glsl/\w+\.glsl:\d+: hn_snorm is not written as .*: begin its first line with HN_FN")
+
     def test_a_function_of_a_row(self) -> None:
         self.change("glsl/*.glsl", r"\bhn_unorm\(", "hn_i_unorm(")
         self.noticed(rf"^{TABLE}:\d+: hash\.unorm: declare hn_unorm\(uint\) in glsl/")
@@ -93,6 +98,10 @@ class Deletions(unittest.TestCase):
         self.change("docs/contract.md", r"^    hn_perlin\(ivec3.*\n")
         self.noticed(r"noise3d\.perlin_cell: define hn_perlin\(ivec3, vec3\) in docs/contract\.md")
 
+    def test_the_contract_of_a_function(self) -> None:
+        self.change("docs/contract.md", r"^\| `hn_unorm\(.*\n")
+        self.noticed(r"^docs/contract\.md: no word of hn_unorm\(\.\.\.\): say what its value is")
+
     def test_the_readme(self) -> None:
         self.change("README.md", r"^\| `hn_perlin\(.*\n")
         self.noticed(r"^README\.md: no line for hn_perlin: add one to the table of functions")
@@ -114,14 +123,59 @@ class Deletions(unittest.TestCase):
                 (r'^CONFIGURATION\("lattice\+sine\+fixed".*\n', "", "sine_gradient to .* configuration with FIXED"),
                 (r'^CONFIGURATION\("fnv1\+sine\+period1048576".*\n', "", "sine_gradient to .* with a period"),
                 (r'^CONFIGURATION\("pcg".*\n', "", "HN_HASH_PCG is under .* add CONFIGURATION..pcg., PCG"),
-                (r"(PRECISE, .*) \| octave_sum", "\\1", "octave_sum to .* configuration with PRECISE")):
+                (r"(PRECISE, .*) \| octave_sum", "\\1", "octave_sum to .* configuration with PRECISE"),
+                (r'^CONFIGURATION\("fnv1\+precise".*\n', "", 'add CONFIGURATION."fnv1.precise", FNV1, OCTAHEDRAL, 0, '
+                 r"PRECISE, gradient_noise \| lattice_noise\)$"),
+                (r'^CONFIGURATION\("lattice\+period48\+precise".*\n', "", "add .*LATTICE, OCTAHEDRAL, 48, PRECISE, "),
+                (r'^CONFIGURATION\("fnv1\+fixed".*\n', "", "fnv1.precise is there without fnv1.fixed: add ")):
             with self.subTest(setting=setting):
                 self.setUp()
                 self.change(SETTINGS_FILE, setting, left)
                 self.noticed(rf"^{SETTINGS_FILE}: .*{message}")
 
+    def test_a_family_of_a_row(self) -> None:
+        for row, left, message in (
+                (r'^(CONFIGURATION\("lattice\+precise", .*) gradient_noise \|', "\\1", r"lattice\+precise: add "
+                 r"gradient_noise to its families, as in lattice\+fixed"),
+                (r'^(CONFIGURATION\("fnv1\+fixed", .*) \| lattice_noise', "\\1", r"fnv1\+fixed: add lattice_noise to "
+                 r"its families, as in fnv1\+precise"),
+                (r'^(CONFIGURATION\("pcg", .* FAST, hash) .*\)$', "\\1)", "pcg: add octave_sum to its families"),
+                (r"independent \| ", "", "lattice: add independent to its families"),
+                (r'^(CONFIGURATION\("pcg", .* FAST,)', "\\1 independent |", "pcg: take independent from its families")):
+            with self.subTest(row=row):
+                self.setUp()
+                self.change(SETTINGS_FILE, row, left)
+                self.noticed(rf"^{SETTINGS_FILE}:\d+: {message}")
+
+    def test_a_knob(self) -> None:
+        self.change("glsl/config.glsl", r"^(#ifndef HN_PERIOD)",
+                    "#ifndef HN_WARP\n#define HN_WARP HN_WARP_NONE  // new\n#endif\n\\1")
+        self.noticed(r"^include/hashnoise/hashnoise\.hpp: HN_WARP names no inline namespace: add .*\(warp_, HN_WARP\)",
+                     r"^README\.md: no line for HN_WARP: add one to the table of knobs",
+                     rf"^{SETTINGS_FILE}: HN_WARP is no argument of CONFIGURATION: add warp to",
+                     r"^tools/lib/tables/configurations\.py: HN_WARP is not in Configuration: add warp")
+
+    def test_the_entries_of_a_knob(self) -> None:
+        for path, entry, left, message in (
+                ("include/hashnoise/*.hpp", r"^inline namespace .*HN_ARITHMETIC\) \{\n", "",
+                 r"include/hashnoise/hashnoise\.hpp: HN_ARITHMETIC names no inline namespace"),
+                ("README.md", r"^\| `HN_ARITHMETIC` \| `HN_FAST`.*\n", "", r"README\.md: no line for HN_ARITHMETIC"),
+                (SETTINGS_FILE, r"^(//   CONFIGURATION\(.*) period,", "\\1", r".*: HN_PERIOD is no argument of CONF")):
+            with self.subTest(path=path):
+                self.setUp()
+                self.change(path, entry, left)
+                self.noticed(f"^{message}")
+
+    def test_a_value_of_a_knob(self) -> None:
+        for after, name, message in (
+                ("HN_GRADIENT_SINE 2", "HN_GRADIENT_CUBE", "add a CONFIGURATION with CUBE as its gradient"),
+                ("HN_FIXED 3", "HN_EXACT", "add a CONFIGURATION with EXACT as its arithmetic")):
+            with self.subTest(name=name):
+                self.change("glsl/config.glsl", rf"^(#define {after})", rf"\1\n#define {name} 4  // new")
+                self.noticed(rf"^{SETTINGS_FILE}: {name} is under test nowhere: {message}$")
+
     def test_a_hash(self) -> None:
-        self.change("glsl/config.glsl", r"^(#define HN_HASH_PCG 6)", "\\1\n#define HN_HASH_MD5 10")
+        self.change("glsl/config.glsl", r"^(#define HN_HASH_PCG 6)", "\\1\n#define HN_HASH_MD5 10  // new")
         self.noticed(r"configurations\.inc: HN_HASH_MD5 is under test with no default",
                      r"^tools/lib/oracle/words\.py: HN_HASH_MD5 is not among the hashes",
                      r"^docs/contract\.md: no line for HN_HASH_MD5", r"^README\.md: the knob .* HN_HASH_MD5")

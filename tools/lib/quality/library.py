@@ -26,7 +26,7 @@ def hash_names(include: Path) -> dict[str, int]:
         text = config.read_text(encoding="utf-8")
     except OSError as error:
         raise NotBuilt(f"{include} is no library: {error}") from error
-    names = {name: int(number) for name, number in re.findall(r"^#define HN_HASH_(\w+) (\d+)$", text, re.MULTILINE)}
+    names = {name: int(number) for name, number in re.findall(r"^#define HN_HASH_(\w+) (\d+)\b", text, re.MULTILINE)}
     names.pop("CUSTOM", None)
     if not names:
         raise NotBuilt(f"{config} names no hash")
@@ -36,7 +36,7 @@ def hash_names(include: Path) -> dict[str, int]:
 def default_hash(include: Path) -> str:
     """The hash that is used if HN_HASH is not defined."""
     config = include.parent / "glsl" / "config.glsl"
-    found = re.search(r"^#define HN_HASH HN_HASH_(\w+)$", config.read_text(encoding="utf-8"), re.MULTILINE)
+    found = re.search(r"^#define HN_HASH HN_HASH_(\w+)", config.read_text(encoding="utf-8"), re.MULTILINE)
     if not found:
         raise NotBuilt(f"{config} names no default for HN_HASH")
     return found[1]

@@ -219,6 +219,14 @@ class Command(unittest.TestCase):
         self.assertEqual(self.call("--words2", self.folder / "bad.npy"), 1)
         self.assertIn("FAILS autocorrelation", self.shown.getvalue())
 
+    def test_a_comment_behind_the_number_of_a_hash(self):
+        shutil.copytree(ROOT / "glsl", self.folder / "glsl")
+        config = self.folder / "glsl" / "config.glsl"
+        text = config.read_text().replace("#define HN_HASH_PCG 6", "#define HN_HASH_PCG 6  // O'Neill's")
+        config.write_text(text.replace("#define HN_HASH HN_HASH_LATTICE", "#define HN_HASH HN_HASH_LATTICE  // ours"))
+        self.assertEqual(library.hash_names(self.folder / "include"), library.hash_names(ROOT / "include"))
+        self.assertEqual(library.default_hash(self.folder / "include"), library.default_hash(ROOT / "include"))
+
     def test_a_library_whose_product_was_taken_out(self):
         for part in ("include", "glsl"):
             shutil.copytree(ROOT / part, self.folder / part)

@@ -10,6 +10,9 @@ from tree import GLSL
 
 LIBRARY = GLSL
 FUNCTION = re.compile(r"^HN_FN\s+\w+\s+(hn_(?!i_)\w+)\(([^()]*)\)\s*\{", re.MULTILINE)
+# What defines a public function in whatever way, where no comment, no directive and no body is.
+ANY_FUNCTION = re.compile(r"\b(hn_(?!i_)\w+)\s*\([^;{}]*\{")
+NO_CODE = re.compile(r"//[^\n]*|/\*.*?\*/|^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", re.MULTILINE | re.DOTALL)
 
 
 @dataclass(frozen=True)
@@ -72,4 +75,29 @@ def declarations(library: Path = LIBRARY) -> list[Declaration]:
                 comment = last.comment
             last = Declaration(path, line, name, types, comment)
             found.append(last)
+    return found
+
+
+def _blank(text: str) -> str:
+    return re.sub(r"[^\n]", " ", text)
+
+
+def file_scope(text: str) -> str:
+    """The text with blanks for comments, directives and bodies, so that what is left stays in its place."""
+    text, depth, kept = NO_CODE.sub(lambda match: _blank(match[0]), text), 0, []
+    for character in text:
+        depth -= character == "}"
+        kept.append(character if depth == 0 else _blank(character))
+        depth += character == "{"
+    return "".join(kept)
+
+
+def overlooked(library: Path = LIBRARY) -> list[str]:
+    """The public functions that declarations() does not find, with their places."""
+    found = []
+    for path in sorted(library.glob("*.glsl")):
+        text = path.read_text(encoding="utf-8")
+        known = {match.start(1) for match in FUNCTION.finditer(text)}
+        found += [f"{path}:{text.count(chr(10), 0, match.start(1)) + 1}: {match[1]}"
+                  for match in ANY_FUNCTION.finditer(file_scope(text)) if match.start(1) not in known]
     return found

@@ -99,3 +99,27 @@ HN_FN hn_float hn_i_three(hn_vec3 p) { return 0.0f; }
         self.assertEqual(first.comment.headings, {"seed"})
         self.assertIs(second.comment, first.comment)  # an overload without one of its own
         self.assertIsNone(third.comment)
+
+    def test_a_second_look_finds_what_is_written_in_another_way(self) -> None:
+        (self.folder / "a.glsl").write_text("""
+HN_FN hn_float hn_one(hn_vec2 p) { return hn_two(p) + hn_three(p); }
+hn_float hn_two(hn_vec2 p) {
+  if (hn_one(p) > 0.0f) { return 0.0f; }
+  return 1.0f;
+}
+  HN_FN hn_float hn_three(hn_vec2 p) { return 0.0f; }
+// hn_float hn_four(hn_vec2 p) {
+#define MACRO(p) \\
+  hn_five(p) {}
+HN_FN hn_float hn_six(hn_vec2 p);
+HN_FN hn_float hn_i_seven(hn_vec2 p) { return 0.0f; }
+HN_FN HN_I_HIGHP float hn_eight(hn_vec2 p) {
+}
+""")
+        self.assertEqual([str(f) for f in glsl.declarations(self.folder)], ["hn_one(vec2)"])
+        self.assertEqual([text.replace(f"{self.folder}/", "") for text in glsl.overlooked(self.folder)],
+                         ["a.glsl:3: hn_two", "a.glsl:7: hn_three", "a.glsl:13: hn_eight"])
+
+    def test_the_bodies_of_the_library_are_closed(self) -> None:
+        for path in sorted(glsl.LIBRARY.glob("*.glsl")):
+            self.assertTrue(glsl.file_scope(path.read_text() + "// end\nend").endswith("end"), path)
