@@ -8,28 +8,28 @@
 #include "hash.glsl"
 
 // The coordinates of a cell's near corner, and along an axis that of its far one.
-#if HN_PERIOD == 0
+#if (HN_PERIOD) == 0
 HN_FN hn_uvec2 hn_i_wrap(hn_ivec2 cell) { return uvec2(cell); }
 HN_FN hn_uvec3 hn_i_wrap(hn_ivec3 cell) { return uvec3(cell); }
 HN_FN hn_uint hn_i_next(hn_uint c) { return c + 1u; }
 #else
-#if (HN_PERIOD & (HN_PERIOD - 1)) == 0
-HN_FN hn_uint hn_i_wrap(hn_int c) { return uint(c) & uint(HN_PERIOD - 1); }
-HN_FN hn_uint hn_i_next(hn_uint c) { return (c + 1u) & uint(HN_PERIOD - 1); }
+#if ((HN_PERIOD) & ((HN_PERIOD) - 1)) == 0
+HN_FN hn_uint hn_i_wrap(hn_int c) { return uint(c) & uint((HN_PERIOD) - 1); }
+HN_FN hn_uint hn_i_next(hn_uint c) { return (c + 1u) & uint((HN_PERIOD) - 1); }
 #else
 // The remainder of floored division. GLSL leaves % of negative numbers undefined, so those count back from -1.
 HN_FN hn_uint hn_i_wrap(hn_int c) {
   hn_uint rest = uint(hn_i_select(c < 0, -1 - c, c)) % uint(HN_PERIOD);
-  return hn_i_select(c < 0, uint(HN_PERIOD - 1) - rest, rest);
+  return hn_i_select(c < 0, uint((HN_PERIOD) - 1) - rest, rest);
 }
-HN_FN hn_uint hn_i_next(hn_uint c) { return hn_i_select(c == uint(HN_PERIOD - 1), 0u, c + 1u); }
+HN_FN hn_uint hn_i_next(hn_uint c) { return hn_i_select(c == uint((HN_PERIOD) - 1), 0u, c + 1u); }
 #endif
 HN_FN hn_uvec2 hn_i_wrap(hn_ivec2 cell) { return uvec2(hn_i_wrap(cell.x), hn_i_wrap(cell.y)); }
 HN_FN hn_uvec3 hn_i_wrap(hn_ivec3 cell) { return uvec3(hn_i_wrap(cell.x), hn_i_wrap(cell.y), hn_i_wrap(cell.z)); }
 #endif
 
 // The spread coordinates of a cell's far corner, from those of its near one.
-#if HN_PERIOD == 0
+#if (HN_PERIOD) == 0
 HN_FN hn_uvec2 hn_i_spread_next(hn_uvec2 spread, HN_I_UNUSED hn_uvec2 c) {
   return uvec2(spread.x + 0x9E3779B1u, spread.y + 0x85EBCA77u);
 }
