@@ -119,7 +119,7 @@ HN_FN hn_float hn_turbulence(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_
 // Clouds: the density of a sky, from an fBm.
 //   (parameters, period and cost as for hn_fbm)
 //   returns  [0, 1]: 0 is clear, 1 is dense; with less than 1 octave 5/32
-//   error    3 times that of hn_fbm, plus 5.4e-7; HN_FIXED plus 2.6e-5
+//   error    3 times that of hn_fbm, plus 5.4e-7 (HN_FIXED 2.6e-5)
 //   source   after the cloud images of Valdenegro-Toro and Pincheira, fig. 6, which the paper gives no formula for
 HN_FN hn_float hn_clouds(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   return hn_i_value(hn_i_cloud_density(hn_i_octaves(p, octaves, lacunarity, gain, seed, false)));

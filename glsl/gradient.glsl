@@ -158,8 +158,7 @@ HN_FN hn_uint hn_i_quarter(hn_uint turns) {
   return min(q, 0x80000000u - q);
 }
 
-// The sine of a word.
-//   error    less than 2^-19 (HN_FIXED: 3.7e-5)
+// The sine of a word. The comment over hn_gradient tells its error.
 HN_FN hn_num hn_i_sine(hn_uint w) {
   hn_uint turns = hn_i_turns(w);
   return hn_i_signed(hn_i_quarter_sine(hn_i_quarter(turns)), turns ^ w);
