@@ -6,28 +6,36 @@
 
 #include "config.glsl"
 
-// The text of a noise is the same for all three. It is written in these steps, not in operators, so that HN_PRECISE can
-// say in each what is rounded on its own:
+// A noise has one text for all three arithmetics. It is written in these steps, not in operators, so that HN_PRECISE
+// can say in each what is rounded on its own:
 //
 //   hn_num                  a fraction of a cell, and what is made of it: a float, or an integer in units of 2^-20 and,
 //                           further on, of others (docs/contract.md, section 8); hn_num2 to hn_num4 are vectors of it
 //   hn_i_num(x, y, ...)     such a vector
 //   HN_I_ONE, HN_I_TWO      1 and 2 as a fraction
-//   hn_i_cell(p)            the cell of a position
+//   hn_i_cell(p)            the cell of a position; p is a vector, as is f of the next two
 //   hn_i_fraction(p)        the place in that cell
 //   hn_i_inside(f)          the same of what the caller says is a place in a cell
+//   hn_i_whole_cell(p)      in HN_FIXED, p cut off towards 0, as an int
 //   hn_i_plus(a, b), hn_i_minus(a, b); of floats also hn_i_times(a, b), hn_i_times_plus(a, b, c), hn_i_quotient(a, b)
 //   hn_i_far(f)             f - 1: the offset from the far corner
 //   hn_i_dot(g, x, y, ...)  a gradient times an offset
-//   hn_i_signed(m, word)    m, or -m if the highest bit of the word is set
+//   hn_i_signed(m, word)    m, or -m if the highest bit of the word is set; floats: m >= 0
 //   hn_i_fade(f)            6 f^5 - 15 f^4 + 10 f^3, along each axis
+//   hn_i_smooth(t)          of floats, 3 t^2 - 2 t^3
 //   hn_i_lerp(a, b, t)      from a to b by such a t
 //   hn_i_lerp(n, x, y)      between four corners 00, 10, 01, 11
-//   hn_i_number(word)       the high 16 bits of a word as an odd multiple of 2^-16 in (-1, 1); hn_i_of_numbers(n), what is
-//                           interpolated between such numbers, as a noise
+//   hn_i_number(word)       the high 16 bits of a word as an odd multiple of 2^-16 in (-1, 1)
+//   hn_i_of_numbers(n)      what is interpolated between such numbers, as a noise
 //   hn_i_scaled(n, s)       a noise of ramps, times s / 1024
 //   hn_i_value(n)           the float that a noise is
 //   hn_i_select(c, a, b)    a where the condition holds, else b; both are computed
+//
+// With HN_GRADIENT_SINE there are three more:
+//
+//   hn_i_quarter_sine(q)    sin(x pi / 2) of a word of [0, 2^30] that stands for x in [0, 1]
+//   hn_i_components(g)      the floats of a gradient of such sines
+//   hn_i_unscaled(n)        a noise of the ramps of such gradients
 
 // In C++ numbers may be vectors of many points, for which there is no ?:.
 HN_FN hn_float hn_i_select(bool condition, hn_float a, hn_float b) { return condition ? a : b; }
@@ -39,7 +47,6 @@ HN_FN hn_float hn_i_minus(hn_float a, hn_float b) {
   return n;
 }
 
-// For m >= 0.
 HN_FN hn_float hn_i_signed(hn_float m, hn_uint word) {
 #if HN_I_BITCAST
   return uintBitsToFloat(floatBitsToUint(m) | (word & 0x80000000u));
@@ -74,7 +81,7 @@ HN_FN hn_float hn_i_quotient(hn_float a, hn_float b) { return a / b; }
 
 #else  // HN_PRECISE
 
-// Without what is so small that a product of it could be subnormal: drivers may flush those to 0.
+// Replaces what is so small that a product could be subnormal by 0, since drivers may flush subnormal numbers to 0.
 HN_FN hn_float hn_i_inside(hn_float x) { return hn_i_select(abs(x) < (1.0f / 4294967296.0f), 0.0f, x); }
 HN_FN hn_vec2 hn_i_inside(hn_vec2 f) { return vec2(hn_i_inside(f.x), hn_i_inside(f.y)); }
 HN_FN hn_vec3 hn_i_inside(hn_vec3 f) { return vec3(hn_i_inside(f.x), hn_i_inside(f.y), hn_i_inside(f.z)); }
@@ -91,8 +98,8 @@ HN_FN hn_float hn_i_fraction(hn_float p) {
 HN_FN hn_vec2 hn_i_fraction(hn_vec2 p) { return vec2(hn_i_fraction(p.x), hn_i_fraction(p.y)); }
 HN_FN hn_vec3 hn_i_fraction(hn_vec3 p) { return vec3(hn_i_fraction(p.x), hn_i_fraction(p.y), hn_i_fraction(p.z)); }
 
-// GLSL leaves the last bits of a division open. So by Newton's method for the reciprocal, from an eighth off: each step
-// squares the error. For b from 1 to 2^100.
+// GLSL leaves the last bits of a division open. So a/b is a times a reciprocal by Newton's method; the first guess is
+// at most 1/8 off, and each step squares the error. b is from 1 to 2^100.
 HN_FN hn_float hn_i_quotient(hn_float a, hn_float b) {
   HN_I_PRECISE hn_float r = uintBitsToFloat(0x7EF311C7u - floatBitsToUint(b));
   for (hn_int i = 0; i < 4; ++i) r = r * (2.0f - b * r);
@@ -134,7 +141,7 @@ HN_FN hn_float hn_i_dot(hn_vec3 g, hn_float x, hn_float y, hn_float z) {
   return n;
 }
 
-// Without the cancellation of the usual form.
+// Arranged so that it does not cancel as the usual form does.
 HN_FN hn_vec2 hn_i_fade(hn_vec2 f) {
   HN_I_PRECISE hn_vec2 d = f - 1.0f;
   HN_I_PRECISE hn_vec2 t = f * f * f * (d * (f * 6.0f - 9.0f) + 1.0f);
@@ -146,7 +153,6 @@ HN_FN hn_vec3 hn_i_fade(hn_vec3 f) {
   return t;
 }
 
-// 3 t^2 - 2 t^3
 HN_FN hn_float hn_i_smooth(hn_float t) {
   HN_I_PRECISE hn_float n = t * t * (3.0f - 2.0f * t);
   return n;
@@ -257,8 +263,8 @@ HN_FN hn_num hn_i_lerp(hn_num4 n, hn_num x, hn_num y) {
 #if HN_GRADIENT == HN_GRADIENT_SINE
 #if HN_ARITHMETIC != HN_FIXED
 
-// sin(x pi / 2) of a word of [0, 2^30] that stands for [0, 1].
-//   error    6.3e-7: minimax, held at 1 - 2^-21 at the end so that no rounding takes it beyond 1
+// The polynomial is minimax, and held at 1 - 2^-21 at the end so that no rounding takes it beyond 1. It is off by
+// 6.4e-7 at most.
 HN_FN hn_float hn_i_quarter_sine(hn_uint q) {
   hn_float x = float(q >> 6u) * (1.0f / 16777216.0f);
   HN_I_PRECISE hn_float t = x * x;
@@ -266,7 +272,6 @@ HN_FN hn_float hn_i_quarter_sine(hn_uint q) {
   return sine;
 }
 
-// The floats of a gradient of such sines.
 HN_FN hn_vec2 hn_i_components(hn_vec2 g) { return g; }
 HN_FN hn_vec3 hn_i_components(hn_vec3 g) { return g; }
 
@@ -282,7 +287,6 @@ HN_FN hn_int hn_i_quarter_sine(hn_uint q) {
   return int((x * (y >> 1u) + 16384u) >> 15u);
 }
 
-// The floats of a gradient of such sines.
 HN_FN hn_vec2 hn_i_components(hn_ivec2 g) { return vec2(g) * (1.0f / 65536.0f); }
 HN_FN hn_vec3 hn_i_components(hn_ivec3 g) { return vec3(g) * (1.0f / 65536.0f); }
 

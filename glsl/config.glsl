@@ -150,7 +150,7 @@
 #endif
 
 // Beyond 2^20 only masks are offered, and beyond 2^30 a preprocessor with 32-bit integers could not check.
-#if HN_PERIOD < 0 || HN_PERIOD > 1073741824 || (HN_PERIOD > 1048576 && (HN_PERIOD & (HN_PERIOD - 1)) != 0)
+#if (HN_PERIOD) < 0 || (HN_PERIOD) > 1073741824 || ((HN_PERIOD) > 1048576 && ((HN_PERIOD) & ((HN_PERIOD) - 1)) != 0)
 #error HN_PERIOD is neither a whole number from 1 to 1048576 nor a power of two up to 1073741824 (0: 2^32 cells)
 #endif
 

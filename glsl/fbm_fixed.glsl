@@ -104,6 +104,7 @@ HN_FN hn_int hn_i_mean(hn_int sum, hn_int total) {
 HN_FN hn_uint hn_i_lacunarity(hn_float lacunarity) { return uint(min(max(lacunarity, 0.0f), 255.0f) * 8388608.0f); }
 HN_FN hn_int hn_i_gain(hn_float gain) { return int(min(max(gain, 0.0f), 1.0f) * 262144.0f); }
 
+// The sums of fbm.glsl. 0x58000000, 0x98000000 and 0xB8000000 are 11/32, 19/32 and 23/32 of a cell, as there.
 HN_FN hn_int hn_i_octaves(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed, bool absolute) {
   hn_uvec2 x = hn_i_long(p.x);
   hn_uvec2 y = hn_i_long(p.y);
@@ -147,7 +148,7 @@ HN_FN hn_int hn_i_octaves(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_flo
 }
 
 // Makes a sky of an fBm: clear where it is below -1/8, dense above 3/8, a smooth step between: 1/2 + c (3/2 - 2 c^2)
-// with c half way from -1/2 to 1/2 in units of 2^-16.
+// with c = 2 fbm - 1/4, held in [-1/2, 1/2], in units of 2^-16.
 HN_FN hn_int hn_i_cloud_density(hn_int fbm) {
   hn_int c = (min(max(2 * fbm + 524288, 0), 2097152) - 1048576) >> 5;
   return 1048576 + ((c * int((0xC0000000u - uint(c * c)) >> 16u)) >> 10);

@@ -9,8 +9,8 @@
 #include "lattice.glsl"
 
 // What gradients are made of: bits of a hash as odd multiples of 2^-9, in (-1, 1) for the plane and in (-1/2, 1/2) for
-// space: symmetric about 0, never 0. Below the highest bit, a sign; no bit is used twice. Put behind an exponent, bits
-// make a float without a conversion from integer.
+// space: symmetric about 0, never 0. The highest bit is a sign; these fields are taken from the bits below it, and no
+// bit twice. Put behind an exponent, bits make a float without a conversion from integer.
 #if HN_I_BITCAST
 HN_FN hn_float hn_i_field2(hn_uint h) {
   return hn_i_minus(uintBitsToFloat(((h >> 8u) & 0x007FC000u) | 0x40000000u), 3.0f - 1.0f / 512.0f);
@@ -34,14 +34,22 @@ HN_FN hn_float hn_i_field3q(hn_uint h) {
 #endif
 
 // A gradient in the plane, from the high 10 bits of a hash.
+//   h        any uint
 //   returns  a point of the square |x| + |y| = 1, uniform along its sides; multiples of 2^-9
+//   error    none
+//   cost     no multiplication (GLSL before 3.30: 1 of floats)
+//   source   docs/contract.md, section 4
 HN_FN hn_vec2 hn_gradient2(hn_uint h) {
   hn_float x = hn_i_field2(h);
   return vec2(x, hn_i_signed(hn_i_minus(1.0f, abs(x)), h));
 }
 
 // A gradient in space, from the high 17 bits of a hash.
+//   h        any uint
 //   returns  a point of the octahedron |x| + |y| + |z| = 1, uniform in area; multiples of 2^-8
+//   error    none
+//   cost     1 multiplication of floats (GLSL before 3.30: 3)
+//   source   docs/contract.md, section 4
 HN_FN hn_vec3 hn_gradient3(hn_uint h) {
   // Seen along z the octahedron is a square with corners on the axes. p and q run along its sides, and its height above
   // a point of it is what the larger of them leaves.
@@ -62,8 +70,7 @@ HN_FN hn_vec3 hn_gradient3(hn_uint h) {
 // What a corner adds, given its word.
 #if HN_ARITHMETIC != HN_FIXED
 HN_FN hn_float hn_i_ramp(hn_uint h, hn_float x, hn_float y) { return hn_i_dot(hn_gradient2(h), x, y); }
-// u and v are the sum and the difference of x and y, and z is twice that: hn_gradient3 without the turn of p and q to
-// the axes, halved.
+// u = x + y, v = x - y, z is doubled: hn_gradient3 without turning p and q to the axes, with its height m halved.
 HN_FN hn_float hn_i_ramp(hn_uint h, hn_float u, hn_float v, hn_float z) {
   hn_float p = hn_i_field3p(h);
   hn_float q = hn_i_field3q(h);
@@ -104,7 +111,7 @@ HN_FN hn_num4 hn_i_ramps(hn_uvec3 c, hn_num3 f, bool back, hn_uint seed) {
 }
 
 // 1 / 0.535276 and 1 / 0.562902, rounded down: the largest that a sum of ramps of such gradients can be, on the plane
-// and in space (tools/bounds.py).
+// and in space (tools/bounds).
 HN_FN hn_num hn_i_scaled2(hn_num n) { return hn_i_scaled(n, 1913); }
 HN_FN hn_num hn_i_scaled3(hn_num n) { return hn_i_scaled(n, 1819); }
 
@@ -151,8 +158,7 @@ HN_FN hn_uint hn_i_quarter(hn_uint turns) {
   return min(q, 0x80000000u - q);
 }
 
-// The sine of a word.
-//   error    below 2^-19 (HN_FIXED: 2^-14)
+// The sine of a word. The comment over hn_gradient tells its error.
 HN_FN hn_num hn_i_sine(hn_uint w) {
   hn_uint turns = hn_i_turns(w);
   return hn_i_signed(hn_i_quarter_sine(hn_i_quarter(turns)), turns ^ w);
@@ -206,10 +212,10 @@ HN_FN hn_num hn_i_scaled3(hn_num n) { return hn_i_unscaled(n); }
 //            [-1, 1]^n
 //   error    none; with HN_GRADIENT_SINE less than 2^-19 (HN_FIXED: 3.7e-5)
 //   period   2^32 along each axis, or HN_PERIOD
-//   cost     1 hash (none with HN_HASH_LATTICE), 1 multiplication per axis and 1 more, 2 more for a
-//            seed that is no constant; with HN_GRADIENT_SINE 1 hash per
-//            axis and a sine of 10 multiplications per component
-//   source   for the sine: Valdenegro-Toro and Pincheira, sec. 5
+//   cost     1 hash (none with HN_HASH_LATTICE), 1 multiplication per axis and 1 more, and 2 more for a seed that is no
+//            constant; with HN_GRADIENT_SINE 1 hash per axis and a sine of 10 multiplications, 6 of them of floats, per
+//            component
+//   source   docs/contract.md, section 4; for the sine: Valdenegro-Toro and Pincheira, sec. 5
 HN_FN hn_vec2 hn_gradient(hn_ivec2 cell, hn_uint seed) {
   hn_uvec2 c = hn_i_wrap(cell);
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL

@@ -1,7 +1,9 @@
-// hashnoise: integer hashes, the hash of a lattice point, and what becomes of a hash: a float or a gradient.
+// hashnoise: integer hashes, the hash of a lattice point, and the float of a hash.
 // SPDX-License-Identifier: MIT
 //
 // Everything in this file is exact: the same bits on every driver. docs/contract.md defines each value.
+//
+// In all files a cost counts multiplications, of words unless it says otherwise; ramps and interpolation do not count.
 
 #ifndef HN_HASH_GLSL
 #define HN_HASH_GLSL
@@ -12,6 +14,7 @@
 // Word hashes: a uint for a uint, whatever HN_HASH says.
 
 // FNV-1, 32 bit, of the four bytes of k, lowest first.
+//   k        any uint
 //   returns  any uint
 //   cost     3 multiplications (the first is of constants)
 //   source   Fowler, Noll, Vo; paper fig. 1
@@ -26,6 +29,7 @@ HN_FN hn_uint hn_hash_fnv1(hn_uint k) {
 
 // FNV-1's step, twice with the whole word. Weak: 31 of 32 words k have the same hash as -2 - k, and the low 8 bits
 // repeat with a period of 256.
+//   k        any uint
 //   returns  any uint
 //   cost     1 multiplication (the first is of constants)
 //   source   Valdenegro-Toro and Pincheira, sec. 7
@@ -49,6 +53,7 @@ HN_FN hn_uint hn_i_jenkins_end(hn_uint h) {
 }
 
 // Jenkins one-at-a-time of the four bytes of k, lowest first.
+//   k        any uint
 //   returns  any uint
 //   cost     no multiplication; 14 shifts, 14 additions and exclusive ors
 //   source   Jenkins, "A hash function for hash table lookup"; paper fig. 2
@@ -62,12 +67,14 @@ HN_FN hn_uint hn_hash_jenkins(hn_uint k) {
 }
 
 // One-at-a-time with a single step that takes the whole word.
+//   k        any uint
 //   returns  any uint
 //   cost     no multiplication; 5 shifts, 5 additions and exclusive ors
 //   source   Valdenegro-Toro and Pincheira, sec. 7
 HN_FN hn_uint hn_hash_partial_jenkins(hn_uint k) { return hn_i_jenkins_end(hn_i_jenkins_step(0u, k)); }
 
 // The paper's Murmur: the body of MurmurHash2 for one word, without its final avalanche.
+//   k        any uint
 //   returns  any uint
 //   cost     2 multiplications
 //   source   Appleby; paper fig. 3
@@ -80,6 +87,7 @@ HN_FN hn_uint hn_hash_murmur(hn_uint k) {
 }
 
 // PCG, output permutation RXS-M-XS of a 32-bit congruential step.
+//   k        any uint
 //   returns  any uint; a bijection
 //   cost     2 multiplications, 1 shift by a variable
 //   source   O'Neill; Jarzynski and Olano 2020, pcg_hash
@@ -90,6 +98,7 @@ HN_FN hn_uint hn_hash_pcg(hn_uint k) {
 }
 
 // XXH32 of the four bytes of k with seed 0.
+//   k        any uint
 //   returns  any uint; a bijection
 //   cost     4 multiplications
 //   source   Collet, xxHash specification; 374761397 is its fifth prime plus the length, 4
@@ -136,9 +145,9 @@ HN_FN hn_uvec4 hn_i_spread(hn_uvec4 v) {
   return uvec4(hn_i_spread(v.x), v.y * 0x85EBCA77u, v.z * 0xC2B2AE3Du, v.w * 0x27D4EB2Fu);
 }
 
-// The high bits of a spread coordinate, folded onto the low ones: a product passes changes on to higher bits only. Past
-// the middle, so that also the highest bit comes below the lowest that a gradient takes; another shift per axis, so
-// that axes do not cancel.
+// Folds the high bits of a spread coordinate onto the low ones, since a product carries changes upwards only. The
+// shifts pass the middle, so that bit 31 lands below every bit that a gradient takes; they differ by axis, so that axes
+// do not cancel.
 HN_FN hn_uint hn_i_fold(hn_uint x) { return x ^ (x >> 18u); }
 HN_FN hn_uvec2 hn_i_fold(hn_uvec2 v) { return uvec2(hn_i_fold(v.x), v.y ^ (v.y >> 17u)); }
 HN_FN hn_uvec3 hn_i_fold(hn_uvec3 v) { return uvec3(hn_i_fold(v.x), v.y ^ (v.y >> 17u), v.z ^ (v.z >> 19u)); }
@@ -211,6 +220,7 @@ HN_FN hn_uint hn_lattice(hn_ivec4 cell) { return hn_lattice(cell, 0u); }
 // ---------------------------------------------------------------------------------------------------------------------
 // The selected hash as published, of 1 to 4 words: H(x), H(H(x) + y), and so on. HN_HASH_LATTICE has no published form;
 // with it this is hn_lattice.
+//   x, v     the words: uint, uvec2, uvec3 or uvec4
 //   returns  any uint; as good, or as weak, as the hash is
 //   cost     1 hash per word (HN_HASH_LATTICE: as hn_lattice)
 //   source   Valdenegro-Toro and Pincheira, sec. 5
@@ -230,11 +240,17 @@ HN_FN hn_uint hn_hash(hn_uvec4 v) { return hn_i_hash(hn_hash(uvec3(v.x, v.y, v.z
 // From a hash to a float. Every step below is exact in a 32-bit float, however it is rounded or contracted.
 
 // A float of the high 24 bits of a hash.
+//   h        any uint
 //   returns  [0, 1), a multiple of 2^-24
+//   error    none
+//   cost     1 multiplication of floats
 HN_FN hn_float hn_unorm(hn_uint h) { return float(h >> 8u) * (1.0f / 16777216.0f); }
 
 // A signed float of the high 24 bits of a hash.
+//   h        any uint
 //   returns  [-1, 1), a multiple of 2^-23
+//   error    none
+//   cost     1 multiplication of floats
 HN_FN hn_float hn_snorm(hn_uint h) { return float(h >> 8u) * (1.0f / 8388608.0f) - 1.0f; }
 
 #endif

@@ -7,29 +7,29 @@
 #include "arithmetic.glsl"
 #include "hash.glsl"
 
-// The coordinates of a cell's near corner, and along an axis that of its far one.
-#if HN_PERIOD == 0
+// hn_i_wrap: the near corner's coordinates; hn_i_next: the far corner's along one axis.
+#if (HN_PERIOD) == 0
 HN_FN hn_uvec2 hn_i_wrap(hn_ivec2 cell) { return uvec2(cell); }
 HN_FN hn_uvec3 hn_i_wrap(hn_ivec3 cell) { return uvec3(cell); }
 HN_FN hn_uint hn_i_next(hn_uint c) { return c + 1u; }
 #else
-#if (HN_PERIOD & (HN_PERIOD - 1)) == 0
-HN_FN hn_uint hn_i_wrap(hn_int c) { return uint(c) & uint(HN_PERIOD - 1); }
-HN_FN hn_uint hn_i_next(hn_uint c) { return (c + 1u) & uint(HN_PERIOD - 1); }
+#if ((HN_PERIOD) & ((HN_PERIOD) - 1)) == 0
+HN_FN hn_uint hn_i_wrap(hn_int c) { return uint(c) & uint((HN_PERIOD) - 1); }
+HN_FN hn_uint hn_i_next(hn_uint c) { return (c + 1u) & uint((HN_PERIOD) - 1); }
 #else
 // The remainder of floored division. GLSL leaves % of negative numbers undefined, so those count back from -1.
 HN_FN hn_uint hn_i_wrap(hn_int c) {
   hn_uint rest = uint(hn_i_select(c < 0, -1 - c, c)) % uint(HN_PERIOD);
-  return hn_i_select(c < 0, uint(HN_PERIOD - 1) - rest, rest);
+  return hn_i_select(c < 0, uint((HN_PERIOD) - 1) - rest, rest);
 }
-HN_FN hn_uint hn_i_next(hn_uint c) { return hn_i_select(c == uint(HN_PERIOD - 1), 0u, c + 1u); }
+HN_FN hn_uint hn_i_next(hn_uint c) { return hn_i_select(c == uint((HN_PERIOD) - 1), 0u, c + 1u); }
 #endif
 HN_FN hn_uvec2 hn_i_wrap(hn_ivec2 cell) { return uvec2(hn_i_wrap(cell.x), hn_i_wrap(cell.y)); }
 HN_FN hn_uvec3 hn_i_wrap(hn_ivec3 cell) { return uvec3(hn_i_wrap(cell.x), hn_i_wrap(cell.y), hn_i_wrap(cell.z)); }
 #endif
 
 // The spread coordinates of a cell's far corner, from those of its near one.
-#if HN_PERIOD == 0
+#if (HN_PERIOD) == 0
 HN_FN hn_uvec2 hn_i_spread_next(hn_uvec2 spread, HN_I_UNUSED hn_uvec2 c) {
   return uvec2(spread.x + 0x9E3779B1u, spread.y + 0x85EBCA77u);
 }
@@ -45,9 +45,10 @@ HN_FN hn_uvec3 hn_i_spread_next(HN_I_UNUSED hn_uvec3 spread, hn_uvec3 c) {
 }
 #endif
 
-// The words of the corners 00, 10, 01, 11 of a square, given the spread coordinates of the first and the last, and what
-// the other axes and the seed contribute: to the one join of coordinates (hash.glsl), to the sum that is made odd, and
-// more of it, which is even. Without a period more and the steps along x and y are constants, so they are added up first.
+// The words of the corners 00, 10, 01, 11 of a square; c0 and c1 are the spread coordinates of the first and the last.
+// `join`, `sum` and `more` are what z and the seed add: to the exclusive or, to the sum before it is made odd, and to
+// the odd number (`more` is even). Without a period `more` and the steps along x and y are constants, so they are added
+// first.
 HN_FN hn_uvec4 hn_i_corners(hn_uvec2 c0, hn_uvec2 c1, hn_uint join, hn_uint sum, hn_uint more) {
   hn_uvec2 a = hn_i_fold(c0);
   hn_uvec2 b = hn_i_fold(c1);
@@ -60,7 +61,7 @@ HN_FN hn_uvec4 hn_i_corners(hn_uvec2 c0, hn_uvec2 c1, hn_uint join, hn_uint sum,
                hn_i_word(a.x ^ b.y, odd + (y + more)), hn_i_word(b.x ^ b.y, odd + (x + y + more)));
 }
 
-// Of the cell with the near corner c; in space of its front or its back face along z.
+// The same for the cell at c; in space for its front or back face.
 HN_FN hn_uvec4 hn_i_corners(hn_uvec2 c, hn_uint seed) {
   hn_uvec2 c0 = hn_i_spread(c);
   hn_uint s = hn_i_mix(seed);

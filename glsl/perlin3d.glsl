@@ -18,15 +18,16 @@ HN_FN hn_num hn_i_perlin(hn_ivec3 cell, hn_num3 f, hn_uint seed) {
 // Gradient noise on the cubic lattice, from a cell and a position in it: Perlin 2002 interpolant, hashed gradients.
 // Names cells exactly where a float no longer can: far out in a large world, or in a world that moves with the viewer.
 //   cell     the cell; its corners wrap at 2^32, or HN_PERIOD
-//   f        position in the cell, in [0, 1]
+//   f        position in the cell, in [0, 1]; beyond it HN_FIXED takes the nearer end, and floats extrapolate
 //   seed     any uint, 0 if left out; different seeds give independent fields
 //   returns  [-1, 1] (proven bound 0.99992), mean 0, 0 at lattice points, twice continuously differentiable (HN_FIXED:
 //            in steps of 2^-21); with HN_GRADIENT_SINE, which is not scaled, [-3/2, 3/2] and the rest alike
 //   error    at most 5.2e-6 against the exact value, in any rounding mode (docs/accuracy.md); HN_GRADIENT_SINE 7.8e-6.
 //            HN_FIXED 6.03e-5; HN_GRADIENT_SINE 1.40e-4
 //   period   HN_PERIOD; without it 2^32 cells per axis (HN_GRADIENT_SINE with HN_HASH_PARTIAL_FNV1: no more than 2^31)
-//   cost     8 hashes (none with HN_HASH_LATTICE) and 8 multiplications; 3 more to spread the coordinates, and 2 more
-//            for a seed that is no constant. HN_GRADIENT_SINE: 14 hashes and 24 sines of 10 multiplications each
+//   cost     8 hashes (none with HN_HASH_LATTICE) and 8 multiplications; 3 more to spread the coordinates (6 with
+//            HN_PERIOD, of the far corner too), and 2 more for a seed that is no constant. HN_GRADIENT_SINE: 14 hashes
+//            and 24 sines of 10 multiplications each, 6 of them of floats
 //   source   Valdenegro-Toro and Pincheira, sec. 5; Perlin, "Improving noise", 2002
 HN_FN hn_float hn_perlin(hn_ivec3 cell, hn_vec3 f, hn_uint seed) {
   return hn_i_value(hn_i_perlin(cell, hn_i_inside(f), seed));
@@ -39,7 +40,9 @@ HN_FN hn_float hn_perlin(hn_ivec3 cell, hn_vec3 f) { return hn_perlin(cell, f, 0
 //   seed     any uint, 0 if left out
 //   returns  as above
 //   error    at most 5.54e-6; HN_GRADIENT_SINE 8.2e-6. HN_FIXED as above
+//   period   as above
 //   cost     as above
+//   source   as above
 HN_FN hn_float hn_perlin(hn_vec3 p, hn_uint seed) {
   return hn_i_value(hn_i_perlin(hn_i_cell(p), hn_i_fraction(p), seed));
 }

@@ -41,7 +41,7 @@ class Cli(unittest.TestCase):
         return (self.out / "index.html").read_text()
 
     def suites(self):
-        """Of junit.xml, by name."""
+        """The suites of junit.xml, by name."""
         root = xml.etree.ElementTree.parse(self.out / "junit.xml").getroot()
         return {suite.get("name"): suite for suite in root.findall("testsuite")}
 

@@ -92,8 +92,8 @@ void add_run(CLI::App& app, RunCommand& options, const std::string& faults) {
       ->capture_default_str();
   command
       .add_option("--points", options.suite.points,
-                  "Compare each function with the C++ twin at so many random points (the cases *.twin), not at about a "
-                  "million at the most; --timeout is then for each million")
+                  "Compare each function with the C++ twin at so many random points (the cases *.twin), not at "
+                  "262,144 at the most; --timeout is then for each million")
       ->type_name("N")
       ->check(CLI::Range(std::uint64_t{1}, kMostPoints));
   add_glsl(command, options.suite.glsl);

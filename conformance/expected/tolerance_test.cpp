@@ -10,7 +10,7 @@
 namespace hn {
 namespace {
 
-// The table that tools/bounds.py prints, which derives the formula.
+// The table that tools/bounds prints, which derives the formula.
 TEST(OctaveTolerance, AgreesWithItsDerivation) {
   const auto near = [](double got, double expected) { EXPECT_NEAR(got / expected, 1.0, 0.005); };
   near(octave_tolerance(OctaveSum::fbm, 2, {16.0, 5, 2.0, 0.5, true}), 4.84e-06);

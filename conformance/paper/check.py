@@ -247,7 +247,7 @@ def statistics_faults_of_file(sample, path):
 
 
 def chi_square_faults(comparison, samples):
-    """Of two histograms, over the bins that have 20 values or more in both together."""
+    """What is wrong with the chi-square of two histograms, over the bins with 20 values or more in both together."""
     both = zip(samples[comparison["full"]]["histogram"], samples[comparison["partial"]]["histogram"])
     terms = [(a - b) ** 2 / (a + b) for a, b in both if a + b >= 20]
     right = len(terms) - 1 == comparison["degrees"] and math.isclose(math.fsum(terms), comparison["chi_square"])
@@ -293,7 +293,7 @@ HASHES = {"fnv1": fnv1, "partial_fnv1": partial_fnv1,
 
 
 def sine(word):
-    """Of float(int(word))."""
+    """The sine of float(int(word))."""
     word &= WORD
     signed = word - (1 << 32) if word >> 31 else word
     return math.sin(struct.unpack("<f", struct.pack("<f", signed))[0])

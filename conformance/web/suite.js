@@ -1,4 +1,5 @@
-// The data that the page comes with (docs/internals.md, suite.json): shaders, input words and expected values.
+// The data that the page comes with (docs/internals.md, "The page and its suite"): shaders, input words and expected
+// values.
 
 // Words that go into and come out of one evaluation, as in functions.hpp.
 export const kInputWords = 8;

@@ -36,7 +36,7 @@ def random_positions(rng, dims, count, reach=64.0):
 
 
 def steep_parts(dims, axis, sign, last_sign):
-    """Of the library's gradients, the one nearest to sign * e_axis; `last_sign` is that of the last offset."""
+    """The gradient of the library nearest to sign * e_axis; `last_sign` is that of the last offset."""
     if dims == 2:
         return [np.where(axis == 0, 511 * sign, 1), np.where(axis == 0, last_sign, 511 * sign)]
     return [np.where(axis == 2, 1, 255 * sign), np.where(axis == 2, 1, np.where(axis == 0, 255 * sign, -255 * sign)),

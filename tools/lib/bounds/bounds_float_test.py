@@ -119,7 +119,7 @@ class Shader:
                           lambda corner: lattice_gradient(kind, tuple(c + o for c, o in zip(cell, corner)), seed), kind)
 
     def sine(self, q):
-        """Of q / 2^32 turns, at most a quarter."""
+        """The sine of q / 2^32 turns, at most a quarter."""
         x = (q >> 6) / 2**24
         t = self.round(x * x)
         c1, c3, c5, c7 = sine.SINE_COEFFICIENTS

@@ -20,7 +20,7 @@ NOISES = tuple(itertools.product(GRADIENTS, DIMS))
 
 
 def proven(kind, dims):
-    """What perlin.inc has of hn_perlin."""
+    """What bounds.inc has of hn_perlin."""
     return bounds_of("perlin", dims, kind.name)
 
 

@@ -30,7 +30,7 @@ def corner_weight(point, corner):
 
 
 def weights_and_slopes(point):
-    """Of each corner: its weight, and how fast that grows along (1, .., 1)."""
+    """The weight of each corner, and how fast it grows along (1, .., 1)."""
     factors = [((1 - fade(f), -fade_slope(f)), (fade(f), fade_slope(f))) for f in point]
     for corner in corners(len(point)):
         weight, slope = 1.0, 0.0

@@ -27,7 +27,7 @@ def mix(k):
 
 
 def lattice_word(cells, seed):
-    """Of section 3, with LATTICE."""
+    """The word of a lattice point (docs/contract.md, section 3, with LATTICE)."""
     spread = [u32(u32(c) * prime) for c, prime in zip(cells, (0x9E3779B1, 0x85EBCA77, 0xC2B2AE3D))]
     spread[0] = u32(spread[0] + 0x165667B1)
     join = total = mix(seed)
@@ -150,7 +150,7 @@ def fixed_noise_at_cell(kind, cells, fractions, seed=np.int64(0)):
 
 
 def fixed_noise_at(kind, p):
-    """Of floats p."""
+    """The fixed noise at a position of floats."""
     c = [np.trunc(x) for x in p]
     k = [np.trunc((x - whole) * 2.0**20).astype(np.int64) for x, whole in zip(p, c)]
     cells = [whole.astype(np.int64) + (part >> 20) for whole, part in zip(c, k)]

@@ -41,7 +41,7 @@ class Approx:
         self.lo, self.hi, self.err, self.ulps = lo, hi, err, ulps
 
     def size(self):
-        """Of the exact value."""
+        """The largest magnitude of the exact value."""
         return max(abs(self.lo), abs(self.hi))
 
     def rounded(self):
@@ -105,7 +105,7 @@ def approx_lerp(a, b, t):
 
 
 def approx_interpolation(values, fractions):
-    """Of the values of the corners, x varying fastest, which each level interpolates along an axis."""
+    """The interpolation of the values of the corners, x varying fastest, each level along an axis."""
     for fraction in fractions:
         weight = approx_fade(fraction)
         values = [approx_lerp(a, b, weight) for a, b in zip(values[::2], values[1::2])]

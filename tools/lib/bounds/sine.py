@@ -42,7 +42,7 @@ def sine_truncation(point):
 
 
 def sine_curvature():
-    """Of the polynomial, and of its difference from the sine: bounds of the second derivative on [0, 1]."""
+    """Bounds of the second derivative on [0, 1]: of the polynomial, and of its difference from the sine."""
     polynomial = sum(k * (k - 1) * abs(c) for k, c in zip((1, 3, 5, 7), SINE_COEFFICIENTS))
     return polynomial, polynomial + (math.pi / 2) ** 2
 

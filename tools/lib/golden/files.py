@@ -58,7 +58,7 @@ class GoldenFile:
         return "exact" if self.function.exact else self.configuration.arithmetic
 
     def rows(self) -> list[Row]:
-        """Of a generator that is seeded with the function's name alone."""
+        """The rows, from a generator that is seeded with the function's name alone."""
         return rows_of(self.function, self.configuration.fixed, self.settings, generator_of(self.function.id))
 
     def evaluate(self, row: Row) -> tuple[Real, ...]:

@@ -245,7 +245,8 @@ def fixed_octave_rows(n: int, generator: Generator) -> list[Row]:
 
 
 def rows_of(function: Function, fixed: bool, settings: Sequence[Configuration], generator: Generator) -> list[Row]:
-    """Of a function; `settings` are all configurations, since gradients have rows for their hashes and periods."""
+    """The rows of a function; `settings` are all configurations, since gradients have rows for their hashes and
+    periods."""
     n, form = function.axes, function.form
     if form == "words":
         if function.family == "independent" and " " in function.outputs:

@@ -126,7 +126,7 @@ class Code:
         return len(self.tokens) - 1
 
     def arguments(self, i: int) -> list[tuple[int, int]]:
-        """Of the call whose "(" is token i: the first and the last token of each argument."""
+        """The first and the last token of each argument of the call whose "(" is token i."""
         found, first, k, end = [], i + 1, i + 1, self.close(i)
         while k < end:
             if self.tokens[k].text == "(":

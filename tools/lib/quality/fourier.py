@@ -54,7 +54,7 @@ def component(lattice: Lattice, axis: int) -> np.ndarray:
 
 
 def autocorrelation(lattice: Lattice) -> list[Finding]:
-    """Of each gradient component, and their spectral peaks."""
+    """The autocorrelation of each gradient component, and their spectral peaks."""
     spectra = [power(component(lattice, axis)) for axis in range(lattice.dimensions)]
     size = lattice.words.size
     z = np.stack([lag_scores(correlation(s)) for s in spectra])
@@ -72,8 +72,8 @@ def _signed(index, shape) -> str:
 
 
 def bit_autocorrelation(lattice: Lattice) -> list[Finding]:
-    """Of each consumed bit over all lags, and of each with the next one: two at a time, as the real and the imaginary
-    part of a field."""
+    """The correlation of each consumed bit over all lags, and of each with the next one: two at a time, as the real and
+    the imaginary part of a field."""
     size = lattice.words.size
     axes = tuple(range(lattice.dimensions))
     worst: Finding | None = None
@@ -103,7 +103,7 @@ def signs(words: np.ndarray, bit: int) -> np.ndarray:
 
 
 def cross_correlation(a: Lattice, b: Lattice) -> Finding:
-    """Of two windows over all shifts: gradient against gradient, and against the reflected window."""
+    """The correlation of two windows over all shifts: gradient against gradient, and against the reflected window."""
     size, n = a.words.size, a.dimensions
     axes = tuple(range(n))
     of_a = fft.fftn(a.gradients, axes=axes, workers=WORKERS)

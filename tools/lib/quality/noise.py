@@ -44,7 +44,7 @@ def spectrum(field: np.ndarray) -> np.ndarray:
 
 
 def frequencies() -> tuple[np.ndarray, np.ndarray]:
-    """Of each entry of a spectrum: cycles per cell, and direction in [0, pi)."""
+    """The cycles per cell of each entry of a spectrum, and its direction in [0, pi)."""
     f = np.fft.fftfreq(SIDE, 1 / PER_CELL)
     fx, fy = np.meshgrid(f, f, indexing="ij")
     return np.hypot(fx, fy), np.arctan2(fy, fx) % np.pi

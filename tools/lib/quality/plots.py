@@ -46,7 +46,7 @@ def lattices(path: Path, default: Twin) -> None:
 
 
 def noise(path: Path, results: list) -> None:
-    """Of the default hash: power by frequency, and by direction."""
+    """The plot of the default hash: power by frequency, and by direction."""
     figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6), layout="constrained")
     for result in results:
         measured = result.noise

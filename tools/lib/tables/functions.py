@@ -69,7 +69,7 @@ class Function:
 
     @property
     def types(self) -> tuple[str, ...]:
-        """Of its arguments, without the seed."""
+        """The types of its arguments, without the seed."""
         def vector(prefix: str, scalar: str) -> str:
             return f"{prefix}vec{self.axes}" if self.axes > 1 else scalar
 

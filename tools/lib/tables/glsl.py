@@ -24,7 +24,7 @@ class Comment:
 
     @property
     def headings(self) -> set[str]:
-        """Of its lines: returns, error, cost and so on."""
+        """The headings of its lines: returns, error, cost and so on."""
         return {match[1] for line in self.lines if (match := re.match(r" {2,3}(\w+) {2}", line))}
 
 
@@ -46,7 +46,7 @@ class Declaration:
 
 
 def _type(argument: str) -> str:
-    """Of an argument like "hn_vec2 p"."""
+    """The type of an argument like "hn_vec2 p": "vec2"."""
     return argument.split()[-2].removeprefix("hn_")
 
 

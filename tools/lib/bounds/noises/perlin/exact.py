@@ -134,7 +134,7 @@ def steepest_slope(point, support):
 
 
 def slope_curvature(dims, support):
-    """Of sum_o (+-) (w + (D w) (f_i - o_i)), any signs and any i at each corner, a bound of the second derivative along
+    """A bound of the second derivative of sum_o (+-) (w + (D w) (f_i - o_i)), any signs and any i at each corner, along
     an axis j: sum_o |d_jj w| + |d_jj D w| + 2 |d_j D w|. In such a sum an axis along which w is not differentiated
     gives the factor 1 (its two weights), another gives twice the largest derivative of s. Where a gradient's support is
     the sum, there is one such term for each i."""

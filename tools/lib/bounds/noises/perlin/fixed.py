@@ -39,7 +39,7 @@ RAMP_ONE = {OCTAHEDRAL: 2**29, SINE: 2**28}
 
 
 def largest_ramp(offsets):
-    """Of octahedral gradients."""
+    """The largest that a ramp of an octahedral gradient can be."""
     return functools.reduce(np.maximum, map(np.abs, offsets))
 
 
