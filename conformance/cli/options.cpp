@@ -164,6 +164,7 @@ void add_paper(CLI::App& app, PaperCommand& options) {
 void add_web(CLI::App& app, WebCommand& options) {
   CLI::App& command = *app.add_subcommand("web", "Write the page that checks a browser: one file, for any web server");
   add_out(command, options.out, "index.html");
+  add_filter(command, options.filters, "cases");
   add_thorough(command, options.thorough);
   add_glsl(command, options.glsl);
   add_golden(command, options.golden);

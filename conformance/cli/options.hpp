@@ -71,6 +71,7 @@ struct PaperCommand {
 
 struct WebCommand {
   std::string out = "out";
+  std::vector<std::string> filters;
   bool thorough = false;
   std::string glsl;
   std::string golden;

@@ -3,6 +3,7 @@
 
 #include "base/file.hpp"
 #include "cli/command.hpp"
+#include "run/filter.hpp"
 #include "web/suite.hpp"
 
 namespace hn {
@@ -17,8 +18,10 @@ int web_command(const WebCommand& options) {
   if (!sources) return usage_error(sources.error().text());
   std::vector<Case> cases = all_cases();
   std::erase_if(cases, [&](const Case& test) {
-    return !unsupported_in_browser(test).empty() || (test.extent == Extent::thorough && !options.thorough);
+    return !unsupported_in_browser(test).empty() || (test.extent == Extent::thorough && !options.thorough) ||
+           !matches_any(test.id, options.filters);
   });
+  if (cases.empty()) return usage_error("no case of the page matches --filter; hn-conform list shows the ids");
   const auto write = [&]() -> Result<void> {
     HN_DO(prepare_output(options.out, {kPage}));
     const PageSuite suite = make_suite(*sources, options.golden, cases);
