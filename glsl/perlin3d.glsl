@@ -9,10 +9,10 @@
 // The noise in the numbers of HN_ARITHMETIC.
 HN_FN hn_num hn_i_perlin(hn_ivec3 cell, hn_num3 f, hn_uint seed) {
   hn_uvec3 c = hn_i_wrap(cell);
-  hn_num4 front = hn_i_ramps(c, f, false, seed);
-  hn_num4 back = hn_i_ramps(c, f, true, seed);
   hn_num3 t = hn_i_fade(f);
-  return hn_i_scaled3(hn_i_lerp(hn_i_lerp(front, t.x, t.y), hn_i_lerp(back, t.x, t.y), t.z));
+  hn_num front = hn_i_lerp(hn_i_ramps(c, f, false, seed), t.x, t.y);
+  hn_num back = hn_i_lerp(hn_i_ramps(c, f, true, seed), t.x, t.y);
+  return hn_i_scaled3(hn_i_lerp(front, back, t.z));
 }
 
 // Gradient noise on the cubic lattice, from a cell and a position in it: Perlin 2002 interpolant, hashed gradients.
