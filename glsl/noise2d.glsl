@@ -5,5 +5,6 @@
 #define HN_NOISE2D_GLSL
 
 #include "perlin2d.glsl"
+#include "value2d.glsl"
 
 #endif

@@ -5,5 +5,6 @@
 #define HN_NOISE3D_GLSL
 
 #include "perlin3d.glsl"
+#include "value3d.glsl"
 
 #endif
