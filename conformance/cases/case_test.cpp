@@ -1,4 +1,5 @@
 #include "cases/case.hpp"
+#include "cases/checks.hpp"
 #include "cases/value_checks.hpp"
 
 #include <fmt/format.h>
@@ -19,6 +20,17 @@ TEST(Cases, IdsAreUniqueAndHaveSevenParts) {
     EXPECT_TRUE(seen.insert(test.id).second) << test.id;
     EXPECT_EQ(std::count(test.id.begin(), test.id.end(), '.'), 6) << test.id;
   }
+}
+
+TEST(Cases, EveryCheckIsDescribed) {
+  std::set<std::string_view> described;
+  for (const CheckDescription& description : check_descriptions()) {
+    EXPECT_TRUE(described.insert(description.check).second) << description.check << " is described twice";
+  }
+  std::set<std::string_view> checks;
+  const std::vector<Case> cases = all_cases();
+  for (const Case& test : cases) checks.insert(test.name.check);
+  EXPECT_EQ(described, checks) << "write what it holds against what into cases/checks.cpp";
 }
 
 TEST(Cases, EveryConfigurationAndFunctionHasGoldenAndTwin) {

@@ -297,14 +297,16 @@ class Cli(unittest.TestCase):
         self.run_case("--glsl", glsl, "--fail-fast", case="noise2d.perlin.*.golden")
         self.assertEqual(len(self.results()["runs"][0]["cases"]), 1)
 
-    def test_every_check_is_explained(self):
-        checks = {case.rsplit(".", 1)[1] for case in self.call("list", "--thorough").stdout.split()}
-        text = (ROOT / "docs" / "internals.md").read_text()
-        table = text[text.index("| check | what it holds"):].split("\n\n")[0]
-        names = {name for line in table.splitlines()[2:] if line.startswith("| `")
-                 for name in re.findall(r"`(\w+)`", line.split("|")[1].split("(")[0])}
-        self.assertEqual(checks - names, set(), "docs/internals.md has no row for these")
-        self.assertEqual(names - checks, set(), "docs/internals.md has a row for these, and there are none")
+    def test_the_page_of_checks_is_what_it_prints(self):
+        page = (ROOT / "docs" / "checks.md").read_text()
+        self.assertEqual(self.call("list", "--checks").stdout, page, "run hn-conform list --checks > docs/checks.md")
+
+    def test_every_option_is_in_the_documents(self):
+        for command, page in (("run", "conformance.md"), ("bench", "measuring.md")):
+            options = set(re.findall(r"^  (?:-\w,)?(--[\w-]+)", self.call(command, "--help").stdout, re.MULTILINE))
+            text = (ROOT / "docs" / page).read_text()
+            self.assertEqual({option for option in options - {"--help"} if f"`{option}" not in text}, set(),
+                             f"docs/{page} does not tell of these options of {command}")
 
     def test_thorough_cases_say_what_they_need(self):
         case = "hash.word.pcg.*.vertex.gl330.golden"

@@ -23,6 +23,7 @@ struct ListCommand {
   std::vector<std::string> filters;
   bool thorough = false;
   bool about = false;
+  bool checks = false;  // what each check is, instead
 };
 
 struct RunCommand {

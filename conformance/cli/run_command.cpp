@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/temporary_folder.hpp"
+#include "cases/checks.hpp"
 #include "cases/deal.hpp"
 #include "cli/command.hpp"
 #include "fault/faults.hpp"
@@ -267,7 +268,20 @@ int drivers_command() {
   return usable ? 0 : kNoDriver;
 }
 
+// docs/checks.md.
+std::string page_of_checks() {
+  std::string page =
+      "# Checks\n\nThe last part of a case's id says what the case checks. `hn-conform list --checks` prints this page.\n\n"
+      "| check | what holds if it passes |\n| --- | --- |\n";
+  for (const auto& [check, text] : check_descriptions()) page += fmt::format("| `{}` | {} |\n", check, text);
+  return page;
+}
+
 int list_command(const ListCommand& options) {
+  if (options.checks) {
+    fmt::print("{}", page_of_checks());
+    return 0;
+  }
   const auto cases = select_cases(options.filters, options.thorough);
   if (!cases) return usage_error(cases.error().text());
   for (const Case& test : *cases) fmt::print("{}\n{}", test.id, options.about ? test.about : "");

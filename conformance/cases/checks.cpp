@@ -1,0 +1,64 @@
+#include "cases/checks.hpp"
+
+#include <array>
+
+namespace hn {
+namespace {
+
+constexpr auto kDescriptions = std::to_array<CheckDescription>({
+    {"golden",
+     "64 to 192 points have the oracle's values. For `hn_hash` and `hn_lattice` so has the digest of 16,384 more."},
+    {"twin",
+     "Random points have the values of the C++ twin: 262,144 with the defaults in the main version of desktop OpenGL, a "
+     "quarter of them for octave sums and for other settings, a sixteenth in other versions. On softpipe there are "
+     "4,096, with `--points N` there are N. The points are near, negative, at 2^20 cells and more, on lattice lines "
+     "and beside them; for `precise` and `fixed` also subnormal, tiny, -0 and huge."},
+    {"range",
+     "65,536 values (16,384 of octave sums) lie in the range that the library promises, and reach into its ends."},
+    {"zero", "At as many lattice points the noise is 0."},
+    {"finite",
+     "At the points of `range`, and at subnormal, tiny and huge coordinates up to 3.4e38 (2^96 for octave sums of "
+     "floats), values are numbers in their range. Settings that are cut off are among the points, and for `fixed` NaN "
+     "and infinities. Where all coordinates are 2^23 or more, a gradient noise is 0."},
+    {"seeds", "Fields of different seeds do not correlate, at 16,384 points."},
+    {"mirror", "A field does not correlate with its reflections, at 16,384 points."},
+    {"wrapped",
+     "Gradients with periods from 1 to 2^30 are those without a period, at the cell modulo the period."},
+    {"period",
+     "Points that are whole periods apart have the same bits. For octave sums of a whole lacunarity so have they, "
+     "within the tolerance if they are `fast`."},
+    {"unseeded", "The overload without a seed has the values of seed 0, at as many points as `range` takes."},
+    {"noise_knob", "An octave sum takes the noise that the user names, at as many points as `range` takes."},
+    {"inlined",
+     "4,096 random points have the same values when the function's body stands in main. For this check and the next "
+     "five, `fast` values agree within twice the tolerance, all others bit by bit."},
+    {"in_loop",
+     "So they have in a loop whose number of trips is a uniform. Each trip leaves one word of the result."},
+    {"constant_seed", "So they have when the seed is a constant of the shader."},
+    {"uniform_seed", "So they have when the seed is a uniform."},
+    {"folded", "4 points have the same values when they are constants of the shader, which the compiler may evaluate."},
+    {"as_fragment",
+     "4,096 random points have the same values in the vertex or the compute stage as in the fragment stage of GLSL "
+     "3.30 or ES 3.00."},
+    {"glslang", "The file, included twice, compiles without a warning from glslang."},
+    {"spirv", "The file, included twice, compiles to SPIR-V that spirv-val accepts."},
+    {"driver", "The file, included twice, compiles and links on the driver."},
+    {"highp",
+     "In the SPIR-V of the ES 3.10 shaders, whose default precision is mediump, nothing has relaxed precision."},
+    {"uncontracted",
+     "In the SPIR-V of the Vulkan shaders with `HN_PRECISE`, NoContraction marks every operation on floats that "
+     "rounds."},
+    {"refused_by_glslang", "Too old a version or a wrong knob is an `#error` of glslang that says what would be right."},
+    {"refused_by_driver", "Too old a version or a wrong knob is an `#error` of the driver that says what would be right."},
+    {"defined",
+     "A few lines of GLSL that some driver got wrong have the words that the specification fixes (in the file "
+     "`bugs`)."},
+    {"undefined",
+     "A few lines of GLSL whose words the specification leaves open have the natural ones. A difference is a warning."},
+});
+
+}  // namespace
+
+std::span<const CheckDescription> check_descriptions() { return kDescriptions; }
+
+}  // namespace hn
