@@ -15,6 +15,7 @@ from bounds.integers import fade_errors
 from bounds.noises import Derived
 from bounds.table import scientific, shortest
 from tables import glsl
+from tables.markdown import table, with_section
 from tree import ROOT
 
 ACCURACY = "docs/accuracy.md"
@@ -28,11 +29,6 @@ NOISE_OF_SUMS = "perlin"  # unless the user names another
 def name_of(key: Key) -> str:
     noise, dims, gradient = key
     return f"`hn_{noise}(vec{dims})`" + (f", {gradient.name}" if gradient else "")
-
-
-def table(head: tuple[str, ...], rows: list[list[str]]) -> str:
-    lines = [head, ["---"] * len(head), *rows]
-    return "".join(f"| {' | '.join(line)} |\n".replace("|  |", "| |") for line in lines)
 
 
 def noise_table(derived: Everything) -> str:
@@ -84,11 +80,7 @@ TABLES: dict[str, Callable[[Everything], str]] = {"noises": noise_table, "sums":
 def with_tables(text: str, derived: Everything) -> str:
     """The page with its tables written anew."""
     for name, write in TABLES.items():
-        start, end = f"<!-- tools/bounds: {name} -->\n", "<!-- end -->\n"
-        before, found, rest = text.partition(start)
-        if not found or end not in rest:
-            raise LookupError(f"{ACCURACY} has no {start.strip()} with {end.strip()} after it")
-        text = before + start + write(derived) + rest[rest.index(end):]
+        text = with_section(ACCURACY, text, f"tools/bounds: {name}", write(derived))
     return text
 
 

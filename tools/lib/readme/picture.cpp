@@ -1,14 +1,15 @@
-// Draws the picture of the README with the C++ twin: noise, fBm, turbulence and clouds, side by side.
+// Draws the picture of the README with the C++ twin: a tile for each line of tiles.inc, which picture.py makes of the
+// README.
 //   picture OUT.png            draws it
 //   picture --check FILE.png   exit status 1 if the file shows another picture
 // Exit status: 0 done, 1 another picture, 2 bad usage or a file that cannot be read or written.
 #include <png.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <cstring>
 #include <hashnoise/hashnoise.hpp>
+#include <iterator>
 #include <vector>
 
 namespace {
@@ -16,35 +17,30 @@ namespace {
 using hashnoise::vec2;
 using hashnoise::vec3;
 
-constexpr int kTile = 256;      // pixels along the side of a tile
-constexpr int kBorder = 4;      // pixels between tiles
-constexpr float kCells = 8.0f;  // lattice cells along the side of a tile
+constexpr int kTile = 256;  // pixels along the side of a tile
+constexpr int kBorder = 4;  // pixels between tiles
 
-vec3 grey(float value) { return vec3(value); }
-vec3 signed_grey(float value) { return grey(0.5f + 0.5f * value); }
+// GLSL's, which the library has no need of.
+vec3 mix(vec3 from, vec3 to, float t) { return from * (1.0f - t) + to * t; }
 
-// From a blue sky to white clouds.
-vec3 sky(float density) { return vec3(0.25f, 0.45f, 0.78f) * (1.0f - density) + vec3(density); }
-
-using Tile = vec3 (*)(vec2 p);
-constexpr std::array<Tile, 4> kTiles = {
-    [](vec2 p) { return signed_grey(hashnoise::hn_perlin(p)); },
-    [](vec2 p) { return signed_grey(hashnoise::hn_fbm(p * 0.5f, 6, 2.0f, 0.5f)); },
-    [](vec2 p) { return grey(hashnoise::hn_turbulence(p * 0.5f, 6, 2.0f, 0.5f) * 1.5f); },
-    [](vec2 p) { return sky(hashnoise::hn_clouds(p * 0.4f, 7, 2.0f, 0.5f)); },
+using Tile = vec3 (*)(vec2 uv);
+constexpr Tile kTiles[] = {
+#define TILE(...) [](vec2 uv) -> vec3 { using namespace hashnoise; return __VA_ARGS__; },
+#include "tiles.inc"
 };
 
 png_byte to_byte(float value) { return static_cast<png_byte>(std::clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f); }
 
-constexpr int kWidth = static_cast<int>(kTiles.size()) * (kTile + kBorder) - kBorder;
+constexpr int kWidth = static_cast<int>(std::size(kTiles)) * (kTile + kBorder) - kBorder;
 
 std::vector<png_byte> draw() {
   std::vector<png_byte> pixels(std::size_t{kWidth} * kTile * 3, 255);
-  for (int tile = 0; tile < static_cast<int>(kTiles.size()); ++tile) {
+  for (int tile = 0; tile < static_cast<int>(std::size(kTiles)); ++tile) {
     for (int y = 0; y < kTile; ++y) {
       for (int x = 0; x < kTile; ++x) {
-        const vec2 p = vec2(static_cast<float>(x), static_cast<float>(y)) * (kCells / static_cast<float>(kTile));
-        const vec3 colour = kTiles[static_cast<std::size_t>(tile)](p);
+        // As a shader sees a square: the middle of the pixel, and y upwards.
+        const vec2 uv = vec2(static_cast<float>(2 * x + 1), static_cast<float>(2 * (kTile - y) - 1)) * (0.5f / kTile);
+        const vec3 colour = kTiles[static_cast<std::size_t>(tile)](uv);
         const int column = tile * (kTile + kBorder) + x;
         const auto at = (static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(column)) * 3;
         pixels[at] = to_byte(colour.x);
@@ -82,7 +78,7 @@ int check(const char* path) {
   std::vector<png_byte> pixels(PNG_IMAGE_SIZE(image));
   png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr);
   if (pixels == draw()) return 0;
-  std::fprintf(stderr, "picture: %s shows another picture; draw it again\n", path);
+  std::fprintf(stderr, "picture: %s shows another picture; draw it again by tools/picture\n", path);
   return 1;
 }
 

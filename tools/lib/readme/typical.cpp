@@ -1,0 +1,55 @@
+// Prints what the functions of the library return at 2^20 random points within 4096 cells of the origin, a line each:
+// its name, the axes, then mean, deviation, and the values below which 1 and 99 of 100 lie.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <hashnoise/hashnoise.hpp>
+#include <random>
+#include <vector>
+
+namespace {
+
+using hashnoise::vec2;
+using hashnoise::vec3;
+
+constexpr std::size_t kPoints = std::size_t{1} << 20;
+
+template <typename Noise>
+void print_typical(const char* name, int axes, Noise noise) {
+  std::mt19937 random(1);
+  // Not std::uniform_real_distribution, whose values each standard library chooses.
+  const auto coordinate = [&] { return static_cast<float>(random()) * (8192.0f / 4294967296.0f) - 4096.0f; };
+  std::vector<float> values(kPoints);
+  double sum = 0.0;
+  double squares = 0.0;
+  for (float& value : values) {
+    const float x = coordinate();
+    const float y = coordinate();
+    value = noise(vec3(x, y, coordinate()));
+    sum += static_cast<double>(value);
+    squares += static_cast<double>(value) * static_cast<double>(value);
+  }
+  std::sort(values.begin(), values.end());
+  const double mean = sum / kPoints;
+  const float low = values[kPoints / 100];
+  const float high = values[kPoints - 1 - kPoints / 100];
+  std::printf("%s %d %.4f %.4f %.4f %.4f\n", name, axes, mean, std::sqrt(squares / kPoints - mean * mean),
+              static_cast<double>(low), static_cast<double>(high));
+}
+
+vec2 plane(vec3 p) { return vec2(p.x, p.y); }
+
+}  // namespace
+
+#define PRINT(name, ...)                                                                                \
+  print_typical(#name, 2, [](vec3 p) { return hashnoise::name(plane(p) __VA_OPT__(, ) __VA_ARGS__); }); \
+  print_typical(#name, 3, [](vec3 p) { return hashnoise::name(p __VA_OPT__(, ) __VA_ARGS__); })
+
+int main() {
+  PRINT(hn_perlin);
+  PRINT(hn_value);
+  PRINT(hn_fbm, 6, 2.0f, 0.5f);
+  PRINT(hn_turbulence, 6, 2.0f, 0.5f);
+  PRINT(hn_clouds, 6, 2.0f, 0.5f);
+}
