@@ -6,7 +6,9 @@
 #   setup test      all of it, with the tests and what they need
 #
 # It names the packages that are missing and installs them; where it cannot, it stops with status 4. On another system
-# it names what is needed and tries to build.
+# it names what is needed and tries to build. Who asks for help is shown it before any of that:
+#
+#   help_if_asked PROGRAM [ARGUMENT...] -- "$@"     the program has the options of the command
 
 readonly root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 readonly build=$root/build
@@ -27,6 +29,25 @@ readonly test_packages=("${driver_packages[@]}" clang libclang-rt-dev libgtest-d
 # Of tools/quality, which has no need of hn-conform.
 readonly quality_packages=(g++ python3 python3-numpy python3-scipy)
 readonly plot_packages=(python3-matplotlib)
+
+# If the arguments behind -- ask for help, prints the comment at the top of the command, and what the program says of its
+# options, and stops.
+help_if_asked() {
+  local -a program=()
+  while [[ $1 != -- ]]; do
+    program+=("$1")
+    shift
+  done
+  shift
+  [[ ${1-} == help || " $* " == *' --help '* || " $* " == *' -h '* ]] || return 0
+  sed -n '2,/^[^#]/s/^# \{0,1\}//p' "${BASH_SOURCE[1]}"
+  if ! command -v "${program[0]}" >/dev/null; then
+    printf '\n%s\n' "${program[0]} is not there yet; once it is, its options are listed here. README.md has them, too."
+    exit 0
+  fi
+  echo
+  exec "${program[@]}" --help
+}
 
 install_missing() {
   if ! command -v dpkg-query >/dev/null; then

@@ -71,7 +71,8 @@ std::vector<Subject> library_subjects() {
   return subjects;
 }
 
-Subject foreign_subject(std::string_view name, std::string_view file, std::string_view expression, int dimensions) {
+Subject foreign_subject(std::string_view name, std::string_view file, std::string_view expression, int dimensions,
+                        std::string_view profile) {
   // A function of our own insists on a float. GLSL would make one of a whole number.
   constexpr std::string_view kOnlyFloat =
       "struct hn_bench_no_float { int bits; };\n"
@@ -81,7 +82,7 @@ Subject foreign_subject(std::string_view name, std::string_view file, std::strin
   return {fmt::format("{}{}", name, dimensions), dimensions,
           fmt::format("#include \"{}\"\n{}float hn_bench_foreign(vec{} p) {{\n  return hn_bench_float({}\n  );\n}}\n",
                       file, kOnlyFloat, dimensions, expression),
-          "hn_bench_foreign(p)"};
+          "hn_bench_foreign(p)", profile};
 }
 
 std::string quad_shader(const Subject& subject) {

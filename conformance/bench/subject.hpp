@@ -34,7 +34,8 @@ std::vector<Subject> library_subjects(const Configuration& configuration);
 std::vector<Subject> library_subjects();
 
 // Somebody else's: an expression of p after the text of a file. It must be a float.
-Subject foreign_subject(std::string_view name, std::string_view file, std::string_view expression, int dimensions);
+Subject foreign_subject(std::string_view name, std::string_view file, std::string_view expression, int dimensions,
+                        std::string_view profile = "gl330");
 
 // Fragment shaders, before their includes are expanded.
 // One evaluation per pixel at the coordinate of a textured quad, as grey: for counting, and for the paper's table. Also

@@ -5,9 +5,11 @@
 #include <exception>
 #include <string_view>
 
+#include "base/process.hpp"
 #include "bench/amd.hpp"
 #include "cli/child.hpp"
 #include "cli/command.hpp"
+#include "cli/data_folder.hpp"
 #include "cli/options.hpp"
 #include "fault/faults.hpp"
 #include "run/job.hpp"
@@ -23,8 +25,9 @@ int run(const hn::PaperCommand& command) { return hn::paper_command(command); }
 int run(const hn::WebCommand& command) { return hn::web_command(command); }
 
 int dispatch(int argc, char** argv) {
+  const auto data = hn::data_folder_of(hn::own_program());
   const auto command = hn::parse_options(
-      argc, argv, {.golden = HN_GOLDEN_DIRECTORY, .expect = HN_EXPECT_DIRECTORY, .faults = hn::fault_names()});
+      argc, argv, {.golden = data / "golden", .expect = data / "expect", .faults = hn::fault_names()});
   if (command) return std::visit([](const auto& chosen) { return run(chosen); }, *command);
   fmt::print("{}", command.error().out);
   fmt::print(stderr, "{}", command.error().err);

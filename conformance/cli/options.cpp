@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "base/version.hpp"
+#include "cli/closest.hpp"
 
 namespace hn {
 namespace {
@@ -17,6 +18,10 @@ namespace {
 constexpr std::uint64_t kMostPoints = 10'000'000'000;
 
 constexpr const char* kCommands = "drivers, list, run, merge, bench, paper or web";
+
+void add_statuses(CLI::App& command, const std::string& statuses) {
+  command.footer(fmt::format("Exit status: {}.", statuses));
+}
 
 // Options that several commands have.
 void add_driver(CLI::App& command, std::string& driver) {
@@ -132,15 +137,15 @@ void add_merge(CLI::App& app, MergeCommand& options) {
 
 void add_bench(CLI::App& app, BenchCommand& options) {
   CLI::App& command = *app.add_subcommand("bench", "Measure what every function, hash and knob costs");
+  add_statuses(command, "0 done, 1 something could not be measured or became slower, 2 bad usage, 3 no usable driver");
   add_driver(command, options.driver);
   add_filter(command, options.filters, "subjects");
   add_out(command, options.out, "bench.json, bench.csv and index.html");
   command
-      .add_option(
-          "--against", options.against,
-          "Measure a shader file as well: NAME=FILE:EXPRESSION, a float of p, as in s=other.glsl:snoise(p); may "
-          "be repeated")
-      ->type_name("WHAT")
+      .add_option("--against", options.against,
+                  "Measure a shader file as well: the expression is a float of p, a vec2 or a vec3, as in "
+                  "s=other.glsl:snoise(p); s@420=... asks for GLSL 4.20; may be repeated")
+      ->type_name("NAME=FILE:EXPRESSION")
       ->allow_extra_args(false);
   command
       .add_option("--baseline", options.baseline, "A bench.json to compare with; status 1 if something became slower")
@@ -152,6 +157,7 @@ void add_bench(CLI::App& app, BenchCommand& options) {
 
 void add_paper(CLI::App& app, PaperCommand& options) {
   CLI::App& command = *app.add_subcommand("paper", "Reproduce what the paper shows, as a page with pictures and data");
+  add_statuses(command, "0 done, 1 something could not be measured, 2 bad usage, 3 no usable driver");
   add_driver(command, options.driver);
   add_out(command, options.out, "index.html, paper.json, the CSV files and the pictures");
   add_rounds(command, options.rounds);
@@ -163,6 +169,7 @@ void add_paper(CLI::App& app, PaperCommand& options) {
 
 void add_web(CLI::App& app, WebCommand& options) {
   CLI::App& command = *app.add_subcommand("web", "Write the page that checks a browser: one file, for any web server");
+  add_statuses(command, "0 done, 2 bad usage");
   add_out(command, options.out, "index.html");
   add_filter(command, options.filters, "cases");
   add_thorough(command, options.thorough);
@@ -174,12 +181,100 @@ tl::unexpected<Stop> wrong_usage(const std::string& message) {
   return tl::unexpected(Stop{kBadUsage, {}, fmt::format("hn-conform: {}\n", message)});
 }
 
+std::vector<const CLI::App*> commands_of(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
+std::vector<std::string> names_of_commands(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* const command : commands_of(app)) names.push_back(command->get_name());
+  return names;
+}
+
+std::vector<std::string> names_of_options(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* const option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back(fmt::format("--{}", name));
+  }
+  return names;
+}
+
+// What to say of a word that is not one of the names.
+std::string suggestion(std::string_view word, const std::vector<std::string>& names) {
+  const std::string meant = closest(word, names);
+  return meant.empty() ? std::string() : fmt::format(" (did you mean {}?)", meant);
+}
+
+tl::unexpected<Stop> unknown_command(const CLI::App& app, const std::string& word) {
+  return wrong_usage(fmt::format("there is no command \"{}\"{}; there are {}", word,
+                                 suggestion(word, names_of_commands(app)), kCommands));
+}
+
+// The command that the arguments name, or the program itself.
+const CLI::App& chosen_command(const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  return chosen.empty() ? app : *chosen.front();
+}
+
+// "hn-conform run"
+std::string full_name(const CLI::App& app, const CLI::App& command) {
+  return &command == &app ? app.get_name() : fmt::format("{} {}", app.get_name(), command.get_name());
+}
+
+bool has_option(const CLI::App& command, const std::string& name) {
+  return std::ranges::count(names_of_options(command), name) != 0;
+}
+
+// The first argument that a command did not take; "--" says of the others that they are no options.
+std::string first_left_over(const CLI::App& command) {
+  const auto left = command.remaining();
+  const auto first = std::ranges::find_if(left, [](const std::string& argument) { return argument != "--"; });
+  return first == left.end() ? std::string() : *first;
+}
+
+// Where the arguments have a word that the chosen command does not take.
+tl::unexpected<Stop> unexpected_argument(const CLI::App& app) {
+  const std::string before = first_left_over(app);
+  const CLI::App& command = before.empty() ? chosen_command(app) : app;
+  const std::string argument = before.empty() ? first_left_over(command) : before;
+  const std::string word = argument.substr(0, argument.find('='));
+  const bool is_option = argument.starts_with('-');
+  const auto wrong = [&](const std::string& what) {
+    return wrong_usage(fmt::format("{}; {} --help tells more", what, full_name(app, command)));
+  };
+  if (!is_option) {
+    return &command == &app ? unknown_command(app, argument)
+                            : wrong(fmt::format("\"{}\" is one argument too many", argument));
+  }
+  for (const CLI::App* const other : commands_of(app)) {
+    if (&command != &app || !has_option(*other, word)) continue;
+    return wrong(fmt::format("{} stands behind a command, as in {} {}", word, full_name(app, *other), word));
+  }
+  return wrong(fmt::format("there is no option {}{}", word, suggestion(word, names_of_options(command))));
+}
+
+// Help for the command of this name, or for the program if it is empty.
+tl::unexpected<Stop> help_with(const CLI::App& app, const std::string& topic) {
+  // App::help would describe the command that was chosen, which is "help".
+  if (topic.empty()) {
+    return tl::unexpected(
+        Stop{0, app.get_formatter()->make_help(&app, app.get_name(), CLI::AppFormatMode::Normal), {}});
+  }
+  for (const CLI::App* const command : commands_of(app)) {
+    if (command->get_name() == topic) return tl::unexpected(Stop{0, command->help(app.get_name()), {}});
+  }
+  return unknown_command(app, topic);
+}
+
 // Help that was asked for, or what is wrong, in CLI11's words.
 tl::unexpected<Stop> stop_at(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() != 0) {
+    return wrong_usage(fmt::format("{}; {} --help tells more", error.what(), full_name(app, chosen_command(app))));
+  }
   std::ostringstream out;
   std::ostringstream err;
-  const int status = app.exit(error, out, err) == 0 ? 0 : kBadUsage;
-  return tl::unexpected(Stop{status, out.str(), err.str()});
+  app.exit(error, out, err);
+  return tl::unexpected(Stop{0, out.str(), err.str()});
 }
 
 }  // namespace
@@ -207,7 +302,10 @@ tl::expected<Command, Stop> parse_options(int argc, const char* const* argv, con
   CLI::App app("Checks that hashnoise computes what it promises on a driver, and measures what it costs.",
                "hn-conform");
   app.set_version_flag("--version", library_version());
-  app.footer("Exit status: 0 all as expected, 1 something is not, 2 bad usage, 3 no usable driver.");
+  add_statuses(
+      app,
+      "0 all as expected, 1 something is not, 2 bad usage, 3 no usable driver; of tools/conform and tools/paper "
+      "also 4, it could not be built");
   app.require_subcommand(0, 1);  // none gets a better message below
   ListCommand list;
   RunCommand run;
@@ -218,8 +316,10 @@ tl::expected<Command, Stop> parse_options(int argc, const char* const* argv, con
   BenchCommand bench;
   PaperCommand paper;
   run.line = bench.line = paper.line = command_line(argc, argv);
-  app.add_subcommand("drivers", "List the drivers, what is behind each here, or why it is missing");
+  add_statuses(*app.add_subcommand("drivers", "List the drivers, what is behind each here, or why it is missing"),
+               "0 there is a usable driver, 2 bad usage, 3 there is none");
   CLI::App& list_app = *app.add_subcommand("list", "List the ids of the cases");
+  add_statuses(list_app, "0 done, 2 bad usage");
   add_filter(list_app, list.filters, "cases");
   add_thorough(list_app, list.thorough);
   list_app.add_flag("--about", list.about, "Tell where cases come from, too: where a bug was reported");
@@ -231,17 +331,19 @@ tl::expected<Command, Stop> parse_options(int argc, const char* const* argv, con
   WebCommand web;
   web.golden = installation.golden;
   add_web(app, web);
+  std::string topic;
+  CLI::App& help_app = *app.add_subcommand("help", "Tell what a command does, as its option --help does");
+  add_statuses(help_app, "0 done, 2 bad usage");
+  help_app.add_option("COMMAND", topic, "One of the others")->type_name("");
 
   try {
     app.parse(argc, argv);
-  } catch (const CLI::ExtrasError& error) {
-    if (app.get_subcommands().empty()) {
-      return wrong_usage(fmt::format("{}; there are {}", error.what(), kCommands));
-    }
-    return stop_at(app, error);
+  } catch (const CLI::ExtrasError&) {
+    return unexpected_argument(app);
   } catch (const CLI::ParseError& error) {
     return stop_at(app, error);
   }
+  if (app.got_subcommand("help")) return help_with(app, topic);
   if (app.got_subcommand("drivers")) return DriversCommand{};
   if (app.got_subcommand("list")) return list;
   if (app.got_subcommand("run")) return run;

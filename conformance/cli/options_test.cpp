@@ -36,6 +36,43 @@ TEST(Options, HelpAndVersionAreNoErrors) {
   }
 }
 
+TEST(Options, HelpIsACommandToo) {
+  EXPECT_EQ(parse({"help"}).error().out, parse({"--help"}).error().out);
+  for (const char* const command : {"drivers", "list", "run", "merge", "bench", "paper", "web", "help"}) {
+    const auto help = parse({"help", command});
+    ASSERT_FALSE(help);
+    EXPECT_EQ(help.error().status, 0);
+    EXPECT_EQ(help.error().out, parse({command, "--help"}).error().out);
+    EXPECT_NE(help.error().out.find("\nExit status: 0 "), std::string::npos) << help.error().out;
+  }
+  EXPECT_NE(parse({"help"}).error().out.find("also 4, it could not be built"), std::string::npos);
+  EXPECT_NE(parse({"run", "--help"}).error().out.find("also 4, it could not be built"), std::string::npos);
+}
+
+TEST(Options, ThatAreMisspeltAreSuggested) {
+  using Arguments = std::vector<const char*>;
+  for (const auto& [arguments, expected] :
+       {std::pair<Arguments, std::string>{{"runn"},
+                                          "there is no command \"runn\" (did you mean run?); there are drivers"},
+        {{"help", "bnech"}, "there is no command \"bnech\" (did you mean bench?)"},
+        {{"dance"}, "there is no command \"dance\"; there are drivers"},
+        {{"run", "--diver", "x"},
+         "there is no option --diver (did you mean --driver?); hn-conform run --help tells more"},
+        {{"run", "--out=a", "--diver=x"}, "there is no option --diver (did you mean --driver?)"},
+        {{"bench", "--agianst", "x"}, "there is no option --agianst (did you mean --against?)"},
+        {{"run", "--walk"}, "there is no option --walk; hn-conform run --help tells more"},
+        {{"run", "-x"}, "there is no option -x; hn-conform run"},
+        {{"--verison"}, "there is no option --verison (did you mean --version?); hn-conform --help tells more"},
+        {{"--driver", "zink", "run"}, "--driver stands behind a command, as in hn-conform run --driver"},
+        {{"list", "noise2d"}, "\"noise2d\" is one argument too many; hn-conform list --help tells more"},
+        {{"run", "--seed", "-1"}, "; hn-conform run --help tells more"}}) {
+    const auto command = parse(arguments);
+    ASSERT_FALSE(command) << expected;
+    EXPECT_EQ(command.error().status, kBadUsage);
+    EXPECT_NE(command.error().err.find(expected), std::string::npos) << command.error().err;
+  }
+}
+
 TEST(Options, ThatAreWrongAreBadUsage) {
   for (const auto& arguments : {std::vector<const char*>{},
                                 {"walk"},

@@ -14,7 +14,7 @@ namespace hn {
 namespace {
 
 // Each source gets its own range of line numbers, because Mesa reports source number 0 whatever #line says. No file of
-// the library comes near 10,000 lines.
+// the library comes near so many.
 constexpr int kLinesPerSource = 10000;
 // The library nests 6 deep; a file that includes itself outside of its guard would go on for ever.
 constexpr int kDeepestInclude = 16;
@@ -22,20 +22,14 @@ constexpr int kDeepestInclude = 16;
 // bytes.
 constexpr std::size_t kLongestText = std::size_t{8} << 20;
 
-std::optional<std::string_view> included_name(std::string_view line) {
-  const auto skip_spaces = [&] {
-    while (!line.empty() && (line.front() == ' ' || line.front() == '\t')) line.remove_prefix(1);
-  };
-  const auto skip = [&](std::string_view word) {
-    skip_spaces();
-    if (!line.starts_with(word)) return false;
-    line.remove_prefix(word.size());
-    return true;
-  };
-  if (!skip("#") || !skip("include") || !skip("\"")) return std::nullopt;
-  const auto end = line.find('"');
-  if (end == std::string_view::npos) return std::nullopt;
-  return line.substr(0, end);
+void skip_spaces(std::string_view& text) {
+  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+}
+
+// Whether the preprocessor may have skipped what stands before this line.
+bool ends_a_branch(std::string_view line) {
+  const auto directive = directive_of(line);
+  return directive && (directive->word == "endif" || directive->word == "else" || directive->word == "elif");
 }
 
 class Expander {
@@ -63,15 +57,23 @@ class Expander {
   }
 
   Result<void> add(std::string_view text, int source, int line, int depth) {
+    bool included = false;
     for (; !text.empty(); ++line) {
+      if (line == kLinesPerSource) {
+        return fail(fmt::format("{}: a file may have {} lines at the most",
+                                out_.paths[static_cast<std::size_t>(source)], line - 1));
+      }
       const auto end = std::min(text.find('\n'), text.size() - 1);
       const std::string_view current = text.substr(0, end + 1);
       text.remove_prefix(end + 1);
       const auto name = included_name(current);
       if (!name) {
         out_.text += current;
+        // In a branch that is skipped, the lines of an include count and its #line does not.
+        if (included && ends_a_branch(current) && current.ends_with('\n')) mark_line(source, line + 1);
         continue;
       }
+      included = true;
       const std::string where = fmt::format("{}:{}", out_.paths[static_cast<std::size_t>(source)], line);
       if (out_.text.size() > kLongestText) {
         return fail(fmt::format("{}: with its includes the shader is longer than {} bytes", where, kLongestText));
@@ -96,6 +98,26 @@ class Expander {
 };
 
 }  // namespace
+
+std::optional<Directive> directive_of(std::string_view line) {
+  skip_spaces(line);
+  if (!line.starts_with('#')) return std::nullopt;
+  line.remove_prefix(1);
+  skip_spaces(line);
+  const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  const auto end = static_cast<std::size_t>(std::ranges::find_if_not(line, is_letter) - line.begin());
+  Directive directive{line.substr(0, end), line.substr(end)};
+  skip_spaces(directive.rest);
+  return directive;
+}
+
+std::optional<std::string_view> included_name(std::string_view line) {
+  const auto directive = directive_of(line);
+  if (!directive || directive->word != "include" || !directive->rest.starts_with('"')) return std::nullopt;
+  const auto end = directive->rest.find('"', 1);
+  if (end == std::string_view::npos) return std::nullopt;
+  return directive->rest.substr(1, end - 1);
+}
 
 SourceSet SourceSet::embedded() {
   SourceSet set;

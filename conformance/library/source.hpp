@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,16 @@ class SourceSet {
   std::map<std::string, SourceFile, std::less<>> files_;
   Transform transform_;
 };
+
+// A line for the preprocessor: the word behind its #, and what follows that word.
+struct Directive {
+  std::string_view word;
+  std::string_view rest;  // begins with no space
+};
+// Nothing if the line is no such line.
+std::optional<Directive> directive_of(std::string_view line);
+// The name in #include "name"; nothing for any other line.
+std::optional<std::string_view> included_name(std::string_view line);
 
 // Those of a folder, or the embedded ones if none is named.
 Result<SourceSet> library_sources(const std::string& directory);

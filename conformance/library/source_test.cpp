@@ -24,6 +24,32 @@ TEST(Source, IncludesAreReplacedAndLinesCounted) {
   EXPECT_EQ(shader->text, "#version 330\n#line 2 0\na\n#line 10001 1\none\ntwo\n#line 4 0\nb\n");
 }
 
+// What an include put into a branch that is skipped counts as lines, and the #line behind it says nothing.
+TEST(Source, LinesAreCountedAgainBehindABranchWithAnInclude) {
+  SourceSet sources;
+  sources.add("one", "1\n", "one");
+  const std::string_view text = "#if 0\n#include \"one\"\n#else\na\n#endif\n#if 0\n#endif";
+  const auto shader = expand(sources, profile_named("gl330"), text);
+  ASSERT_TRUE(shader) << shader.error().text();
+  EXPECT_EQ(shader->text,
+            "#version 330\n#line 2 0\n#if 0\n#line 10001 1\n1\n#line 4 0\n#else\n#line 5 0\na\n#endif\n#line 7 0\n"
+            "#if 0\n#endif");
+}
+
+TEST(Source, AFileOfTooManyLinesIsAnError) {
+  SourceSet sources;
+  const auto expand_lines = [&](std::size_t lines) {
+    std::string text;
+    for (std::size_t i = 0; i < lines; ++i) text += '\n';
+    sources.add("long", text, "the long one");
+    return expand(sources, profile_named("gl330"), "#include \"long\"\n");
+  };
+  EXPECT_TRUE(expand_lines(9999));
+  const auto shader = expand_lines(10000);
+  ASSERT_FALSE(shader);
+  EXPECT_EQ(shader.error().message, "the long one: a file may have 9999 lines at the most");
+}
+
 TEST(Source, BeforeGlsl330LineNumbersAreOneLess) {
   const TemporaryFolder folder;
   const auto sources = with_file(folder, "hash.glsl", "one\n");

@@ -1,0 +1,28 @@
+// Other people's shaders, as bench --against names them.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bench/workbench.hpp"
+
+namespace hn {
+
+struct Foreign {
+  std::string argument;                // as it was given, for messages
+  std::string name;                    // of its subjects: NAME2 and NAME3
+  std::string file;                    // as the sources know it
+  std::string expression;              // what includes it, as the sources know it
+  std::string_view profile = "gl330";  // its version of GLSL
+};
+
+// Reads NAME[@VERSION]=FILE:EXPRESSION. Adds the file to the sources, and what it includes: an include is a file beside
+// the one that says it, or else one of the library's. The version is VERSION, or that of the file's #version line if it
+// is later than GLSL 3.30.
+Result<Foreign> read_foreign(const std::string& argument, SourceSet& sources);
+
+// Its subjects: of a position in the plane, in space, or both, whichever compiles. An error if neither does.
+Result<std::vector<Subject>> foreign_subjects(Workbench& workbench, const Foreign& foreign);
+
+}  // namespace hn
