@@ -39,6 +39,14 @@ void TemporaryFolder::write(std::string_view name, std::string_view text) const 
 
 std::string TemporaryFolder::prefix(pid_t owner) { return fmt::format("{}{}-", kPrefix, owner); }
 
+void remove_folders_of(pid_t owner) {
+  std::error_code error;
+  const std::string prefix = TemporaryFolder::prefix(owner);
+  for (const auto& entry : fs::directory_iterator(fs::temp_directory_path(error), error)) {
+    if (entry.path().filename().string().starts_with(prefix)) fs::remove_all(entry.path(), error);
+  }
+}
+
 void remove_left_folders() {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(fs::temp_directory_path(), error)) {
