@@ -34,6 +34,7 @@ class Worker {
 
   int fd() const { return process_.reports.get(); }
   SteadyClock::time_point deadline() const { return deadline_; }
+  void postpone_deadline(SteadyClock::duration by) { deadline_ += by; }
 
   // What has arrived. Call it when fd() can be read, or the deadline has passed.
   std::vector<nlohmann::json> read();

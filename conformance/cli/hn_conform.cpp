@@ -47,7 +47,7 @@ int dispatch(int argc, char** argv, hn::Interruption& interruption) {
 void say_farewell(int signal, bool again) {
   if (isatty(STDERR_FILENO) != 0) std::fputs("\n", stderr);  // below a line of progress, or ^C
   hn::complain(fmt::format("ended by {}{}", again ? "a second " : "", hn::name_of_signal(signal)) +
-               (again ? "" : "; there are no results"));
+               (again ? "" : "; no results are written"));
   hn::remove_folders_of(getpid());
 }
 

@@ -171,8 +171,8 @@ void add_timings(std::vector<Run>& runs, const RunPlan& plan, const std::filesys
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (!can_be_timed(runs[i])) continue;
     const Job job{.task = Task::timings, .driver = runs[i].driver, .suite = plan.suite, .ids = plan.drivers[i].ids};
-    if (can_be_read(plan.stop_fd)) return;
     const auto report = report_of(job, out, kTimingsLimit, plan.stop_fd);
+    if (!report && can_be_read(plan.stop_fd)) return;
     if (report && report->contains("timings")) {
       runs[i].timings = report->at("timings").dump();
     } else {

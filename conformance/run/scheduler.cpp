@@ -24,6 +24,8 @@ constexpr int kMostFutileStarts = 2;
 constexpr int kMostCrashesInARow = 10;
 constexpr int kMostFunctionsInARow = 3;
 constexpr std::size_t kLogEnd = 2000;
+// By so much we wake up too late only if we were stopped.
+constexpr auto kLate = std::chrono::milliseconds(500);
 
 // A process for each would load a driver for a moment's work.
 constexpr std::size_t kFewestCasesPerProcess = 200;
@@ -316,7 +318,8 @@ class Scheduler {
 
   void wait() {
     std::vector<pollfd> waiting = {{plan_.stop_fd, POLLIN, 0}};  // poll passes over -1
-    SteadyClock::time_point deadline = SteadyClock::now() + std::chrono::seconds(1);
+    const SteadyClock::time_point start = SteadyClock::now();
+    SteadyClock::time_point deadline = start + std::chrono::seconds(1);
     for (Lane& lane : lanes_) {
       if (!lane.worker()) continue;
       waiting.push_back({lane.worker()->fd(), POLLIN, 0});
@@ -324,6 +327,12 @@ class Scheduler {
     }
     poll(waiting.data(), waiting.size(), milliseconds_until(deadline));
     stopping_ = waiting.front().revents != 0;
+    // Ctrl-Z stops the drivers as well as us. That time is not theirs.
+    const SteadyClock::time_point now = SteadyClock::now();
+    if (now - deadline < kLate) return;
+    for (Lane& lane : lanes_) {
+      if (lane.worker()) lane.worker()->postpone_deadline(now - start);
+    }
   }
 
   void serve(Lane& lane) {
