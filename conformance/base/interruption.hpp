@@ -17,14 +17,14 @@ namespace hn {
 inline constexpr std::array kEndingSignals = {SIGINT, SIGTERM, SIGHUP};
 std::string_view name_of_signal(int signal);  // "SIGINT"
 
-// While there is one of these, a thread waits for the signals that ask the program to end. It says farewell and ends the
-// program by the signal; but once the program has said that it takes care of that itself, the first signal is only
+// While there is one of these, a thread waits for the signals that ask the program to end. It says farewell and ends
+// the program by the signal; but once the program has said that it takes care of that itself, the first signal is only
 // noted. Signals that are ignored stay so (those of nohup, say).
 //
 // Make it before any other thread: they must hold the signals back as well.
 class Interruption {
  public:
-  // farewell(signal, again) is called before the program ends, in another thread: again is whether one was noted before.
+  // farewell(signal, again) is called before the program ends, in another thread; again: one was noted before.
   using Farewell = std::function<void(int signal, bool again)>;
   explicit Interruption(Farewell farewell);
   Interruption(const Interruption&) = delete;

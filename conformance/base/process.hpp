@@ -25,7 +25,7 @@ struct ProcessOptions {
   std::vector<std::string> arguments = {};
   std::optional<std::vector<std::string>> environment = {};  // NAME=VALUE; ours if there is none
   std::filesystem::path output = "/dev/null";                // of its standard output and error
-  bool is_server = false;  // It cleans up when it is asked to end, so it is asked (SIGTERM) when we end, and not killed.
+  bool is_server = false;  // it cleans up when it is asked to end, so it is asked (SIGTERM) when we end, not killed
 };
 
 struct Process {

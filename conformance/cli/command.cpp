@@ -17,6 +17,8 @@ int usage_error(const std::string& message) {
   return kBadUsage;
 }
 
+std::string farewell(int signal) { return fmt::format("ended by {}; no results are written", name_of_signal(signal)); }
+
 std::string driver_names(DriverKind kind) {
   std::string names;
   for (const Driver& driver : all_drivers(0)) {

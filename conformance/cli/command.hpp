@@ -19,14 +19,15 @@ void say(const std::string& text);
 // On the standard error, with the program's name.
 void complain(const std::string& message);
 int usage_error(const std::string& message);
+std::string farewell(int signal);  // where there are no results
 int unknown_driver(const std::string& name);
 
 // "osmesa, egl, ..."; of those that give a context, or of all.
 enum class DriverKind { with_context, any };
 std::string driver_names(DriverKind kind);
 
-// A signal ends them before they write; once they do, they end themselves, so that what is written is whole.
-int drivers_command();
+// They note a signal where they have begun what they end themselves, so that what is written is whole.
+int drivers_command(Interruption& interruption);
 int list_command(const ListCommand& options);
 int run_command(const RunCommand& options, Interruption& interruption);
 int merge_command(const MergeCommand& options, Interruption& interruption);

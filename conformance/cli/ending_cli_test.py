@@ -19,7 +19,7 @@ import unittest
 
 PROGRAM = ""
 ONE = ("--filter", "noise2d.perlin.lattice.fast.fragment.gl330.golden")
-MANY = ("--filter", "noise*.golden")
+MANY = ("--filter", "noise*.golden", "--filter", "noise*.twin", "--filter", "noise*.range")  # some seconds
 
 
 def wait_until(condition, what):
@@ -127,7 +127,7 @@ class Ending(unittest.TestCase):
     def test_ctrl_c_on_a_terminal(self):
         pid, terminal = pty.fork()
         if pid == 0:
-            os.execv(PROGRAM, [PROGRAM, "run", "--out", str(self.out), *MANY])
+            os.execv(PROGRAM, [PROGRAM, "run", "--out", str(self.out)])
         self.addCleanup(os.close, terminal)
         said = b""
         pressed = False
@@ -193,10 +193,11 @@ class Ending(unittest.TestCase):
         self.assertIn("timings", json.loads((self.out / "results.json").read_text())["runs"][0])
 
     def test_a_stop_costs_no_case(self):
-        process = self.start("run", "--out", self.out, "--timeout", 1, "--jobs", 1, *MANY)
+        process = self.start("run", "--out", self.out, "--timeout", 2, *MANY)
         self.wait_for_cases(20)
         os.killpg(process.pid, signal.SIGSTOP)  # Ctrl-Z
         time.sleep(3)
+        self.assertIsNone(process.poll())
         self.ended(process, signal.SIGCONT)
         self.assertEqual(process.returncode, 0, process.err)
 

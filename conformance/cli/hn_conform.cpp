@@ -20,9 +20,11 @@
 
 namespace {
 
-int run(const hn::DriversCommand&, hn::Interruption&) { return hn::drivers_command(); }
+int run(const hn::DriversCommand&, hn::Interruption& interruption) { return hn::drivers_command(interruption); }
 int run(const hn::ListCommand& command, hn::Interruption&) { return hn::list_command(command); }
-int run(const hn::RunCommand& command, hn::Interruption& interruption) { return hn::run_command(command, interruption); }
+int run(const hn::RunCommand& command, hn::Interruption& interruption) {
+  return hn::run_command(command, interruption);
+}
 int run(const hn::MergeCommand& command, hn::Interruption& interruption) {
   return hn::merge_command(command, interruption);
 }
@@ -32,7 +34,9 @@ int run(const hn::BenchCommand& command, hn::Interruption& interruption) {
 int run(const hn::PaperCommand& command, hn::Interruption& interruption) {
   return hn::paper_command(command, interruption);
 }
-int run(const hn::WebCommand& command, hn::Interruption& interruption) { return hn::web_command(command, interruption); }
+int run(const hn::WebCommand& command, hn::Interruption& interruption) {
+  return hn::web_command(command, interruption);
+}
 
 int dispatch(int argc, char** argv, hn::Interruption& interruption) {
   const auto command = hn::parse_options(
@@ -46,8 +50,7 @@ int dispatch(int argc, char** argv, hn::Interruption& interruption) {
 // Before a signal ends the program.
 void say_farewell(int signal, bool again) {
   if (isatty(STDERR_FILENO) != 0) std::fputs("\n", stderr);  // below a line of progress, or ^C
-  hn::complain(fmt::format("ended by {}{}", again ? "a second " : "", hn::name_of_signal(signal)) +
-               (again ? "" : "; no results are written"));
+  hn::complain(again ? fmt::format("ended by a second {}", hn::name_of_signal(signal)) : hn::farewell(signal));
   hn::remove_folders_of(getpid());
 }
 

@@ -208,8 +208,8 @@ tl::expected<Command, Stop> parse_options(int argc, const char* const* argv, con
                "hn-conform");
   app.set_version_flag("--version", library_version());
   app.footer(
-      "Exit status: 0 all as expected, 1 something is not, 2 bad usage, 3 no usable driver, 130 ended by Ctrl-C (SIGINT), "
-      "143 by SIGTERM, 129 by SIGHUP.");
+      "Exit status: 0 all as expected, 1 something is not, 2 bad usage, 3 no usable driver, "
+      "130 ended by Ctrl-C (SIGINT), 143 by SIGTERM, 129 by SIGHUP.");
   app.require_subcommand(0, 1);  // none gets a better message below
   ListCommand list;
   RunCommand run;

@@ -42,16 +42,28 @@ Result<std::vector<Case>> select_cases(const std::vector<std::string>& filters, 
                           fmt::join(filters, "' '")));
 }
 
+// Asks drivers in processes of their own: what is loaded to find out could crash.
+class Inquiry {
+ public:
+  explicit Inquiry(int stop_fd) : stop_fd_(stop_fd) {}
+
+  Result<nlohmann::json> ask(Task task, const std::string& driver) const {
+    const TemporaryFolder scratch;
+    const Job job{.task = task, .driver = driver, .suite = {}, .ids = {}};
+    return report_of(job, scratch.path(), kDescribeLimit, stop_fd_);
+  }
+
+ private:
+  int stop_fd_;
+};
+
 struct Devices {
   int count = 0;
   std::string problem;  // why EGL does not say
 };
 
-// Asked in a process of its own: what is loaded to find out could crash.
-Devices egl_devices() {
-  const TemporaryFolder scratch;
-  const auto report =
-      report_of({.task = Task::devices, .driver = {}, .suite = {}, .ids = {}}, scratch.path(), kDescribeLimit);
+Devices egl_devices(const Inquiry& inquiry) {
+  const auto report = inquiry.ask(Task::devices, "");
   if (report) return {report->value("devices", 0), {}};
   return {0, fmt::format("EGL does not say what devices it has: {}", report.error().text())};
 }
@@ -63,7 +75,7 @@ struct DriverChoice {
 };
 
 // Names, globs, and "all"; each driver once.
-Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted) {
+Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted, const Inquiry& inquiry) {
   DriverChoice choice;
   const auto add = [&](const std::string& name) {
     if (std::find(choice.names.begin(), choice.names.end(), name) == choice.names.end()) choice.names.push_back(name);
@@ -76,7 +88,7 @@ Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted) {
     }
     const std::string glob = name == "all" ? "*" : name;
     const bool is_glob = glob.find_first_of("*?[") != std::string::npos;
-    const Devices devices = is_glob ? egl_devices() : Devices{};
+    const Devices devices = is_glob ? egl_devices(inquiry) : Devices{};
     if (!devices.problem.empty()) choice.problems.push_back(devices.problem);
     bool found = false;
     for (const Driver& driver : is_glob ? all_drivers(devices.count) : std::vector<Driver>{}) {
@@ -92,10 +104,8 @@ Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted) {
 }
 
 // What a driver can run, as far as it says; nothing if it does not say.
-std::optional<CanRun> can_run_on(const std::string& name) {
-  const TemporaryFolder scratch;
-  const Job job{.task = Task::describe, .driver = name, .suite = {}, .ids = {}};
-  const auto report = report_of(job, scratch.path(), kDescribeLimit);
+std::optional<CanRun> can_run_on(const std::string& name, const Inquiry& inquiry) {
+  const auto report = inquiry.ask(Task::describe, name);
   if (!report || !report->contains("ready")) return std::nullopt;
   if (find_driver(name)->browser) return [](const Case& test) { return unsupported_in_browser(test).empty(); };
   const LanguageSupport languages = report->at("languages").get<LanguageSupport>();
@@ -117,13 +127,14 @@ DriverPlan plan_of(const std::string& driver, const std::vector<Case>& cases, co
 }
 
 // Who does not say what it can run has all cases, as without a deal: its run tells why it is not here.
-std::vector<DriverPlan> deal_plans(const std::vector<std::string>& names, const std::vector<Case>& cases) {
+std::vector<DriverPlan> deal_plans(const std::vector<std::string>& names, const std::vector<Case>& cases,
+                                   const Inquiry& inquiry) {
   std::vector<DriverPlan> plans;
   std::vector<CanRun> drivers;
   std::vector<std::size_t> dealt_to;  // of the drivers, places in plans
   for (const std::string& name : names) {
     plans.push_back(plan_of(name, cases, Shard{}));
-    if (auto can_run = can_run_on(name)) {
+    if (auto can_run = can_run_on(name, inquiry)) {
       drivers.push_back(std::move(*can_run));
       dealt_to.push_back(plans.size() - 1);
     }
@@ -139,7 +150,7 @@ std::vector<DriverPlan> deal_plans(const std::vector<std::string>& names, const 
 
 // What every driver is to do: the cases that need one; and for glslang, which is always asked, the others.
 std::vector<DriverPlan> plan_drivers(std::vector<std::string> names, std::vector<Case> cases, const Shard& shard,
-                                     bool dealt) {
+                                     bool dealt, const Inquiry& inquiry) {
   std::erase(names, std::string(kReferenceCompiler));
   const auto of_drivers = std::stable_partition(cases.begin(), cases.end(),
                                                 [](const Case& test) { return !test.needs_driver(); });
@@ -147,7 +158,7 @@ std::vector<DriverPlan> plan_drivers(std::vector<std::string> names, std::vector
   cases.erase(of_drivers, cases.end());
   std::vector<DriverPlan> plans;
   if (dealt) {
-    plans = deal_plans(names, for_drivers);
+    plans = deal_plans(names, for_drivers, inquiry);
   } else {
     for (const std::string& name : names) plans.push_back(plan_of(name, for_drivers, shard));
   }
@@ -244,12 +255,13 @@ bool note_what_was_not_timed(const std::vector<Run>& runs, const std::string& wh
   return any;
 }
 
-Result<RunPlan> make_plan(const RunCommand& options, const DriverChoice& choice, const std::vector<Case>& cases) {
+Result<RunPlan> make_plan(const RunCommand& options, const DriverChoice& choice, const std::vector<Case>& cases,
+                          const Inquiry& inquiry) {
   HN_TRY(auto shard, parse_shard(options.shard));
   if (options.deal && !options.shard.empty()) {
     return fail("--deal and --shard do not go together: each machine would deal to its own drivers");
   }
-  RunPlan plan{.drivers = plan_drivers(choice.names, cases, shard, options.deal),
+  RunPlan plan{.drivers = plan_drivers(choice.names, cases, shard, options.deal, inquiry),
                .suite = options.suite,
                .shard = options.shard,
                .jobs = options.jobs,
@@ -293,6 +305,11 @@ int run_to_the_end(const RunCommand& options, const RunPlan& plan, const DriverC
   return missing.empty() ? status : kNoDriver;
 }
 
+int ended_before_results(const Interruption& interruption) {
+  complain(farewell(interruption.signal()));
+  return kSignalled + interruption.signal();
+}
+
 Result<std::vector<Expectation>> load_expectations(const std::string& directory) {
   HN_TRY(auto expectations, read_expectations(directory));
   HN_DO(check_expectations(expectations, ids_of(all_cases())));
@@ -301,15 +318,17 @@ Result<std::vector<Expectation>> load_expectations(const std::string& directory)
 
 }  // namespace
 
-int drivers_command() {
-  const TemporaryFolder scratch;
+int drivers_command(Interruption& interruption) {
+  interruption.note_the_first();
+  const Inquiry inquiry(interruption.fd());
   bool usable = false;
-  const Devices devices = egl_devices();
+  const Devices devices = egl_devices(inquiry);
+  if (interruption.signal() != 0) return ended_before_results(interruption);
   if (!devices.problem.empty()) complain(devices.problem);
   for (const Driver& driver : all_drivers(devices.count)) {
     fmt::print("{:<18} {}\n", driver.name, driver.description);
-    const Job job{.task = Task::describe, .driver = driver.name, .suite = {}, .ids = {}};
-    const auto report = report_of(job, scratch.path(), kDescribeLimit);
+    const auto report = inquiry.ask(Task::describe, driver.name);
+    if (interruption.signal() != 0) return ended_before_results(interruption);
     if (report && report->contains("ready")) {
       const ContextInfo info = context_info_from(report->at("ready"));
       usable = usable || !driver.is_reference_compiler();
@@ -341,14 +360,15 @@ int run_command(const RunCommand& options, Interruption& interruption) {
   if (const auto golden = check_golden_folder(options.suite.golden); !golden) return usage_error(golden.error().text());
   const auto expectations = load_expectations(options.expect);
   if (!expectations) return usage_error(expectations.error().text());
-  const auto choice = choose_drivers(options.drivers);
+  interruption.note_the_first();
+  const Inquiry inquiry(interruption.fd());
+  const auto choice = choose_drivers(options.drivers, inquiry);
   if (!choice) return usage_error(choice.error().text());
-  auto plan = make_plan(options, *choice, *cases);
+  auto plan = make_plan(options, *choice, *cases, inquiry);
+  if (interruption.signal() != 0) return ended_before_results(interruption);
   if (!plan) return usage_error(plan.error().text());
   plan->content = suite_digest(plan->suite, *sources);
   plan->expectations = *expectations;
-  // From here on there is something to be kept.
-  interruption.note_the_first();
   plan->stop_fd = interruption.fd();
   const auto folder = prepare_results(options.out);
   if (!folder) return usage_error(folder.error().text());

@@ -244,7 +244,8 @@ Result<void> check_golden_folder(const std::filesystem::path& directory) {
 
 std::filesystem::path golden_path(const std::filesystem::path& directory, const Function& function,
                                   const Configuration& configuration) {
-  return directory / fmt::format("{}.{}{}", function.id, golden_configuration(function, configuration), kGoldenExtension);
+  return directory /
+         fmt::format("{}.{}{}", function.id, golden_configuration(function, configuration), kGoldenExtension);
 }
 
 Result<Golden> read_golden(const std::filesystem::path& path, const Function& function,

@@ -50,8 +50,8 @@ Result<void> check_golden_folder(const std::filesystem::path& directory);
 std::filesystem::path golden_path(const std::filesystem::path& directory, const Function& function,
                                   const Configuration& configuration);
 
-// Reads a file and holds it against what the function's table says. Errors name the file and the line, what is wrong and
-// what would be right, and can be printed whatever the bytes are.
+// Reads a file and holds it against what the function's table says. Errors name the file and the line, what is wrong
+// and what would be right, and can be printed whatever the bytes are.
 Result<Golden> read_golden(const std::filesystem::path& path, const Function& function,
                            const Configuration& configuration);
 Result<Golden> parse_golden(std::string_view text, std::string_view path, const Function& function,

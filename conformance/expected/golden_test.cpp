@@ -92,8 +92,10 @@ INSTANTIATE_TEST_SUITE_P(
         Corruption{"digest_huge", "size=2,3", "size=4000000000,4000000000", 10},
         Corruption{"digest_value", "fnv1a64=0123456789abcdef", "fnv1a64=0123", 10},
         Corruption{"digest_missing", " fnv1a64=0123456789abcdef", "", 10},
-        Corruption{"carriage_return", "golden 1\n", "golden 1\r\n", 1}, Corruption{"bytes", "golden 1", "\x1b[2J\xff", 1},
-        Corruption{"bytes_in_a_row", "ffffffff 0", "\xc2\x9b 0", 8}, Corruption{"bytes_for_a_row", "00000001 f", "\x80\n", 8},
+        Corruption{"carriage_return", "golden 1\n", "golden 1\r\n", 1},
+        Corruption{"bytes", "golden 1", "\x1b[2J\xff", 1},
+        Corruption{"bytes_in_a_row", "ffffffff 0", "\xc2\x9b 0", 8},
+        Corruption{"bytes_for_a_row", "00000001 f", "\x80\n", 8},
         Corruption{"bytes_in_the_digest", "seed=5", "seed=\a", 10}, Corruption{"bytes_in_bits", "bits", "\x8f", 5},
         Corruption{"after_the_end", "cdef\n", "cdef\nmore\n", 11}),
     [](const auto& corruption) { return std::string(corruption.param.name); });
@@ -148,7 +150,8 @@ TEST(Golden, OneBrokenFileIsNamedWithTheToolThatWritesIt) {
   ASSERT_FALSE(golden);
   const std::string& message = golden.error().message;
   EXPECT_NE(message.find("x.golden:1: \"\\x00"), std::string::npos) << message;
-  EXPECT_NE(message.find("2985 bytes more should be \"hashnoise golden 1\"; tools/golden"), std::string::npos) << message;
+  EXPECT_NE(message.find("2985 bytes more should be \"hashnoise golden 1\"; tools/golden"), std::string::npos)
+      << message;
   EXPECT_FALSE(read_golden(folder.path(), find_function("hash.word"), configuration_named("pcg")));
 }
 
@@ -162,7 +165,8 @@ TEST(Golden, AFolderWithoutGoldenFilesIsRefused) {
   };
   EXPECT_NE(refusal(folder.path()).find("there is no golden file in "), std::string::npos) << refusal(folder.path());
   EXPECT_NE(refusal(folder.path() / "file").find("Not a directory"), std::string::npos);
-  EXPECT_NE(refusal(folder.path() / "absent").find("absent: No such file or directory; --golden wants"), std::string::npos);
+  const std::string absent = refusal(folder.path() / "absent");
+  EXPECT_NE(absent.find("absent: No such file or directory; --golden wants"), std::string::npos) << absent;
   folder.write("x.golden", "");
   EXPECT_TRUE(check_golden_folder(folder.path()));
 }

@@ -318,8 +318,8 @@ class Scheduler {
 
   void wait() {
     std::vector<pollfd> waiting = {{plan_.stop_fd, POLLIN, 0}};  // poll passes over -1
-    const SteadyClock::time_point start = SteadyClock::now();
-    SteadyClock::time_point deadline = start + std::chrono::seconds(1);
+    excuse_absence(looked_at_);
+    SteadyClock::time_point deadline = looked_at_ + std::chrono::seconds(1);
     for (Lane& lane : lanes_) {
       if (!lane.worker()) continue;
       waiting.push_back({lane.worker()->fd(), POLLIN, 0});
@@ -327,12 +327,16 @@ class Scheduler {
     }
     poll(waiting.data(), waiting.size(), milliseconds_until(deadline));
     stopping_ = waiting.front().revents != 0;
-    // Ctrl-Z stops the drivers as well as us. That time is not theirs.
+    excuse_absence(deadline);
+  }
+
+  // Ctrl-Z stops the drivers as well as us. That time is not theirs.
+  void excuse_absence(SteadyClock::time_point expected) {
     const SteadyClock::time_point now = SteadyClock::now();
-    if (now - deadline < kLate) return;
     for (Lane& lane : lanes_) {
-      if (lane.worker()) lane.worker()->postpone_deadline(now - start);
+      if (now - expected >= kLate && lane.worker()) lane.worker()->postpone_deadline(now - looked_at_);
     }
+    looked_at_ = now;
   }
 
   void serve(Lane& lane) {
@@ -376,6 +380,7 @@ class Scheduler {
   Progress progress_;
   std::vector<Lane> lanes_;
   bool stopping_ = false;
+  SteadyClock::time_point looked_at_ = SteadyClock::now();
 };
 
 }  // namespace
