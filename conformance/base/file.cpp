@@ -5,37 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <system_error>
 
 namespace hn {
-
-namespace {
-
-std::filesystem::path draft_of(const std::filesystem::path& path) { return path.string() + ".part"; }
-
-}  // namespace
-
-Result<void> prepare_output(const std::filesystem::path& directory, std::initializer_list<std::string_view> names) {
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error) {
-    return fail(fmt::format("cannot make the folder {}: {}; --out wants a folder that can be written",
-                            directory.string(), error.message()));
-  }
-  for (const std::string_view name : names) {
-    // Results of an earlier run must not pass for those of one that ends before it has any.
-    const auto path = directory / name;
-    if (!std::filesystem::is_directory(path)) std::filesystem::remove(path, error);
-    const bool writable = !std::filesystem::exists(path) && std::ofstream(draft_of(path)).good();
-    std::filesystem::remove(draft_of(path), error);
-    if (!writable) {
-      return fail(fmt::format("cannot write {}; --out wants a folder that can be written", path.string()));
-    }
-  }
-  return {};
-}
 
 Result<std::string> read_file(const std::filesystem::path& path, std::string_view hint) {
   std::ifstream in(path, std::ios::binary);
@@ -54,13 +29,19 @@ std::string end_of_log(const std::filesystem::path& path, std::size_t most, std:
 Result<void> write_file(const std::filesystem::path& path, std::string_view bytes) {
   std::error_code error;
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
-  {
-    std::ofstream out(draft_of(path), std::ios::binary | std::ios::trunc);
-    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    if (!out.flush()) return fail(fmt::format("cannot write {}", draft_of(path).string()));
-  }
-  std::filesystem::rename(draft_of(path), path, error);
-  if (error) return fail(fmt::format("cannot write {}: {}", path.string(), error.message()));
+  const std::filesystem::path draft = path.string() + ".part";
+  const auto cannot = [&](const std::string& why) {
+    std::filesystem::remove(draft, error);
+    return fail(fmt::format("cannot write {}: {}", path.string(), why));
+  };
+  std::FILE* const out = std::fopen(draft.c_str(), "wb");
+  if (!out) return cannot(std::strerror(errno));
+  // Some file systems tell only when a file is closed that they are full.
+  int problem = std::fwrite(bytes.data(), 1, bytes.size(), out) == bytes.size() ? 0 : errno;
+  if (std::fclose(out) != 0 && problem == 0) problem = errno;
+  if (problem != 0) return cannot(std::strerror(problem));
+  std::filesystem::rename(draft, path, error);
+  if (error) return cannot(error.message());
   return {};
 }
 

@@ -3,7 +3,6 @@
 
 #include <bit>
 #include <filesystem>
-#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,12 +11,8 @@
 
 namespace hn {
 
-// Creates a folder for results, removes earlier files of these names from it, and makes sure that new ones can be
-// written: before the work rather than after it.
-Result<void> prepare_output(const std::filesystem::path& directory, std::initializer_list<std::string_view> names);
-
 // Writes a file, in a folder that is made if it is not there; beside it first and renamed, so that nobody reads half a
-// file.
+// file. An error says why, and leaves what was there.
 Result<void> write_file(const std::filesystem::path& path, std::string_view bytes);
 
 // The bytes of a file. An error names it, and ends with the hint: what the file should be, or where it comes from.

@@ -1,6 +1,8 @@
 #include "base/file.hpp"
 
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
 
 #include "base/temporary_folder.hpp"
 
@@ -24,6 +26,28 @@ TEST(File, ThatCannotBeReadIsAnErrorThatNamesIt) {
   ASSERT_FALSE(absent);
   EXPECT_EQ(absent.error().text(),
             "cannot read " + (folder.path() / "absent").string() + ": No such file or directory; it should be here");
+}
+
+TEST(File, ThatCannotBeWrittenSaysWhyAndIsAsItWas) {
+  const TemporaryFolder folder;
+  folder.write("file", "before");
+  const auto problem = [](const std::filesystem::path& path, std::string_view bytes) {
+    const auto written = write_file(path, bytes);
+    return written ? "" : written.error().text();
+  };
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{1000, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
+  const std::string too_large = problem(folder.path() / "file", std::string(200000, 'x'));
+  setrlimit(RLIMIT_FSIZE, &before);
+  EXPECT_EQ(too_large, "cannot write " + (folder.path() / "file").string() + ": File too large");
+  EXPECT_EQ(read_file(folder.path() / "file").value(), "before");
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "file.part"));
+  EXPECT_EQ(problem(folder.path(), "x"), "cannot write " + folder.path().string() + ": Is a directory");
+  EXPECT_EQ(problem(folder.path() / "file" / "below", "x"),
+            "cannot write " + (folder.path() / "file" / "below").string() + ": Not a directory");
 }
 
 TEST(File, EndsOfLogsAreAsLongAsTheyMayBe) {

@@ -11,6 +11,8 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+
+#include "base/interruption.hpp"
 #ifdef __linux__
 #include <sys/prctl.h>
 #endif
@@ -41,11 +43,18 @@ Result<Pipe> make_pipe() {
 
 // In the child, between fork and exec, where only async-signal-safe functions may be called. Returns where it failed.
 void become(const char* program, char* const* arguments, char** environment, const char* output, int reports,
-            pid_t parent) {
+            bool is_server, pid_t parent) {
 #ifdef __linux__
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  prctl(PR_SET_PDEATHSIG, is_server ? SIGTERM : SIGKILL);
   if (getppid() != parent) _exit(EXIT_FAILURE);  // it ended before the line above
 #endif
+  // A server takes signals as it likes, so it is where a terminal's do not come. The others stay in our group: what
+  // stops us (Ctrl-Z) stops them.
+  if (is_server) setpgid(0, 0);
+  for (const int signal : kEndingSignals) ::signal(signal, SIG_IGN);
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);  // ours may hold signals back
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);  // a crash is what we look for, its dump is of no use
   const int in = open("/dev/null", O_RDONLY);
@@ -58,10 +67,6 @@ void become(const char* program, char* const* arguments, char** environment, con
 }
 
 }  // namespace
-
-FileDescriptor::~FileDescriptor() {
-  if (fd_ >= 0) close(fd_);
-}
 
 std::vector<char*> pointers_to(std::vector<std::string>& texts) {
   std::vector<char*> pointers;
@@ -84,7 +89,8 @@ Result<Process> start_process(const ProcessOptions& options) {
   if (pid < 0) return fail(fmt::format("cannot start a process: {}", std::strerror(errno)));
   if (pid == 0) {
     become(options.program.c_str(), argument_pointers.data(),
-           options.environment ? environment_pointers.data() : nullptr, output.c_str(), reports.write.get(), parent);
+           options.environment ? environment_pointers.data() : nullptr, output.c_str(), reports.write.get(),
+           options.is_server, parent);
     const int error = errno;
     [[maybe_unused]] const auto written = write(failure.write.get(), &error, sizeof error);
     _exit(EXIT_FAILURE);

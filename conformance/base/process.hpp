@@ -11,25 +11,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/file_descriptor.hpp"
 #include "base/result.hpp"
 
 namespace hn {
-
-class FileDescriptor {
- public:
-  FileDescriptor() = default;
-  explicit FileDescriptor(int fd) : fd_(fd) {}
-  FileDescriptor(FileDescriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
-  FileDescriptor& operator=(FileDescriptor&& other) noexcept {
-    std::swap(fd_, other.fd_);
-    return *this;
-  }
-  ~FileDescriptor();
-  int get() const { return fd_; }
-
- private:
-  int fd_ = -1;
-};
 
 // Where a child writes its reports.
 constexpr int kReportFd = 3;
@@ -40,6 +25,7 @@ struct ProcessOptions {
   std::vector<std::string> arguments = {};
   std::optional<std::vector<std::string>> environment = {};  // NAME=VALUE; ours if there is none
   std::filesystem::path output = "/dev/null";                // of its standard output and error
+  bool is_server = false;  // it cleans up when it is asked to end, so it is asked (SIGTERM) when we end, not killed
 };
 
 struct Process {
@@ -56,7 +42,8 @@ struct Process {
   FileDescriptor reports;  // what it writes to kReportFd
 };
 
-// The system kills the child when the thread that started it ends (on Linux), however that comes.
+// The system kills the child when the thread that started it ends (on Linux), however that comes. Nobody else ends it:
+// Ctrl-C and its like are meant for us, and it does not get them or ignores them.
 Result<Process> start_process(const ProcessOptions& options);
 
 // The texts as exec takes them, for as long as they are; the last pointer is null.

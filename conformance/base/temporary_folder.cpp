@@ -17,6 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kPrefix = "hashnoise-";
+constexpr int kMostAttempts = 10;
 
 }  // namespace
 
@@ -38,6 +39,20 @@ void TemporaryFolder::write(std::string_view name, std::string_view text) const 
 }
 
 std::string TemporaryFolder::prefix(pid_t owner) { return fmt::format("{}{}-", kPrefix, owner); }
+
+void remove_folders_of(pid_t owner) {
+  std::error_code error;
+  const std::string prefix = TemporaryFolder::prefix(owner);
+  bool any = true;
+  for (int attempt = 0; any && attempt < kMostAttempts; ++attempt) {  // it may still write into them
+    any = false;
+    for (const auto& entry : fs::directory_iterator(fs::temp_directory_path(error), error)) {
+      if (!entry.path().filename().string().starts_with(prefix)) continue;
+      fs::remove_all(entry.path(), error);
+      any = true;
+    }
+  }
+}
 
 void remove_left_folders() {
   std::error_code error;

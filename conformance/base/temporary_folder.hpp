@@ -29,5 +29,7 @@ class TemporaryFolder {
 
 // Removes the folders of processes that were killed.
 void remove_left_folders();
+// Removes those of a process that ends without its destructors.
+void remove_folders_of(pid_t owner);
 
 }  // namespace hn

@@ -50,9 +50,8 @@ void Worker::finish(bool timed_out) {
 
 std::vector<nlohmann::json> Worker::read() {
   std::array<char, 65536> bytes;
-  pollfd waiting{fd(), POLLIN, 0};
   bool closed = false;
-  while (!closed && poll(&waiting, 1, 0) > 0) {
+  while (!closed && can_be_read(fd())) {
     const ssize_t count = ::read(fd(), bytes.data(), bytes.size());
     closed = count == 0 || (count < 0 && errno != EINTR);
     if (count > 0) unfinished_line_.append(bytes.data(), static_cast<std::size_t>(count));
@@ -74,10 +73,15 @@ std::vector<nlohmann::json> Worker::read() {
   return reports;
 }
 
-std::vector<nlohmann::json> Worker::wait() {
-  pollfd waiting{fd(), POLLIN, 0};
-  poll(&waiting, 1, milliseconds_until(deadline_));
+std::vector<nlohmann::json> Worker::wait(int other_fd) {
+  std::array<pollfd, 2> waiting = {{{fd(), POLLIN, 0}, {other_fd, POLLIN, 0}}};  // poll passes over -1
+  poll(waiting.data(), waiting.size(), milliseconds_until(deadline_));
   return read();
+}
+
+bool can_be_read(int fd) {
+  pollfd waiting{fd, POLLIN, 0};
+  return poll(&waiting, 1, 0) > 0;
 }
 
 int milliseconds_until(SteadyClock::time_point deadline) {

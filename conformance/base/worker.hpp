@@ -34,11 +34,12 @@ class Worker {
 
   int fd() const { return process_.reports.get(); }
   SteadyClock::time_point deadline() const { return deadline_; }
+  void postpone_deadline(SteadyClock::duration by) { deadline_ += by; }
 
   // What has arrived. Call it when fd() can be read, or the deadline has passed.
   std::vector<nlohmann::json> read();
-  // Waits for that, and reads.
-  std::vector<nlohmann::json> wait();
+  // Waits for that, or until something can be read from another file as well, and reads.
+  std::vector<nlohmann::json> wait(int other_fd = -1);
 
   // Set once the process has ended and all of its reports were read.
   struct End {
@@ -58,6 +59,9 @@ class Worker {
   std::string unfinished_line_;
   std::optional<End> end_;
 };
+
+// Whether something can be read from a file now; never from -1.
+bool can_be_read(int fd);
 
 // The milliseconds until then, as poll takes them.
 int milliseconds_until(SteadyClock::time_point deadline);

@@ -190,7 +190,7 @@ Result<Baseline> read_baseline(const std::filesystem::path& path) {
   HN_TRY(const auto text, read_file(path, "--baseline wants a bench.json"));
   Baseline baseline;
   try {
-    const auto json = nlohmann::json::parse(text);
+    const auto json = parse_json(text);
     if (json.at("schema").get<int>() != kSchema) throw std::runtime_error("another schema");
     baseline.renderer = json.value("renderer", "");
     for (const nlohmann::json& subject : json.at("subjects").get_ref<const nlohmann::json::array_t&>()) {

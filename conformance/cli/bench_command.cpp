@@ -6,6 +6,8 @@
 #include <set>
 
 #include "base/file.hpp"
+#include "base/output/text.hpp"
+#include "base/output_folder.hpp"
 #include "bench/foreign.hpp"
 #include "cli/command.hpp"
 #include "run/filter.hpp"
@@ -66,7 +68,7 @@ int conclude(const BenchReport& report, const std::vector<Change>& changes, cons
   int status = 0;
   for (const Measurement& measurement : report.measurements) {
     if (!measurement.error) continue;
-    fmt::print("NOT MEASURED {}\n{}\n", measurement.subject.id, measurement.error->text());
+    fmt::print("NOT MEASURED {}\n{}\n", measurement.subject.id, printable(measurement.error->text()));
     if (!measurement.unsupported) status = kNotAsExpected;
   }
   for (const Change& change : changes) {
@@ -83,14 +85,14 @@ int conclude(const BenchReport& report, const std::vector<Change>& changes, cons
 
 }  // namespace
 
-int bench_command(const BenchCommand& options) {
+int bench_command(const BenchCommand& options, Interruption& interruption) {
   auto sources = library_sources(options.glsl);
   if (!sources) return usage_error(sources.error().text());
   auto selection = select(options, *sources);
   if (!selection) return usage_error(selection.error().text());
   Baseline baseline;
   if (!options.baseline.empty()) {
-    // Before the run rather than after it; it may be the very file that prepare_output removes.
+    // Before the run rather than after it; it may be one of the files that are removed from the folder.
     auto read = read_baseline(options.baseline);
     if (!read) return usage_error(read.error().text());
     baseline = std::move(*read);
@@ -98,17 +100,18 @@ int bench_command(const BenchCommand& options) {
   const auto driver = open_driver(options.driver, options.line);
   if (!driver) return driver.error();
   if (!add_foreigns(*driver->context, *sources, *selection)) return kBadUsage;
-  if (const auto ready = prepare_output(options.out, {"bench.json", "bench.csv", "index.html"}); !ready)
-    return usage_error(ready.error().text());
+  const auto folder = OutputFolder::prepare(options.out, {"bench.json", "bench.csv", "index.html"});
+  if (!folder) return usage_error(folder.error().text());
   const ReferenceCompiler reference;
   auto report = run_bench(*driver->context, *sources, reference, std::move(selection->subjects),
                           {.rounds = options.rounds}, stderr);
   if (!report) {
-    fmt::print(stderr, "hn-conform: {}\n", report.error().text());
+    complain(report.error().text());
     return kNotAsExpected;
   }
   const std::vector<Change> changes = compare_with_baseline(baseline, *report);
   if (!options.baseline.empty()) describe_comparison(baseline, changes, driver->provenance.info.renderer);
+  interruption.note_the_first();
   if (const auto written = write_bench(options.out, driver->provenance, *report, changes, options.dump); !written) {
     return usage_error(written.error().text());
   }

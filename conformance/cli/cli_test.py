@@ -9,11 +9,13 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import unicodedata
 import unittest
 import xml.etree.ElementTree
 
 PROGRAM = ""
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+BYTES = b"\xff\x1b[2J\x00\x9b1m\xc2\x9b\x07\r\x7f" * 300
 ONE_CASE = "noise2d.perlin.lattice.fast.fragment.gl330.golden"
 
 
@@ -56,6 +58,10 @@ class Cli(unittest.TestCase):
             text = text.replace(old, new, 1)
         (copy / name).write_text(text)
         return copy
+
+    def assert_printable(self, text):
+        """Nothing in it moves the cursor of a terminal, or changes its colours."""
+        self.assertEqual([c for c in text if unicodedata.category(c) == "Cc" and c not in "\n\t"], [])
 
     def golden_copy(self):
         copy = self.folder / "golden"
@@ -129,12 +135,35 @@ class Cli(unittest.TestCase):
 
     def test_bad_usage_is_status_2_and_says_what_would_be_right(self):
         (self.folder / "file").write_text("")
+        (self.folder / "bytes").write_bytes(BYTES)
+        taken = self.folder / "taken"
+        (taken / "results.json").mkdir(parents=True)
+        damaged = self.folder / "damaged"
+        damaged.mkdir()
+        (damaged / "journal.jsonl").write_bytes(BYTES + b"\n")
         for arguments, expected in (
             (["run", "--driver", "voodoo"], "osmesa, egl"),
             (["run", "--filter", "nothing*"], "hn-conform list shows the ids"),
             (["list", "--filter", "nothing*"], "hn-conform list shows the ids"),
             (["run", "--out", self.folder / "file" / "out"], "cannot make the folder"),
+            (["run", "--out", self.folder / "file"], "file: Not a directory; --out wants a folder"),
+            (["run", "--out", taken], "results.json: it is a folder; --out wants a folder"),
             (["run", "--glsl", self.folder], "a copy of every file of glsl/"),
+            (["run", "--glsl", self.folder / "absent"], "/arithmetic.glsl: No such file or directory; --glsl wants"),
+            (["run", "--glsl", self.folder / "file"], "file/arithmetic.glsl: Not a directory; --glsl wants"),
+            (["run", "--golden", self.folder / "absent"], "absent: No such file or directory; --golden wants"),
+            (["run", "--golden", self.folder / "file"], "file: Not a directory; --golden wants the folder"),
+            (["run", "--golden", self.folder], f"there is no golden file in {self.folder}; --golden wants the folder"),
+            (["web", "--golden", self.folder, "--out", self.out], f"there is no golden file in {self.folder};"),
+            (["run", "--expect", self.folder / "absent"], "absent: No such file or directory; --expect wants"),
+            (["run", "--expect", self.folder / "file"], "file: Not a directory; --expect wants the folder"),
+            (["run", "--resume", "--out", damaged], "journal.jsonl: its first line is no plan"),
+            (["merge", self.folder / "absent"], "absent: No such file or directory; merge wants files results.json"),
+            (["merge", self.folder], "results.json: No such file or directory; merge wants files results.json"),
+            (["merge", taken], "results.json: Is a directory; merge wants files results.json"),
+            (["merge", self.folder / "bytes"], "bytes: the file is no results.json: "),
+            (["bench", "--baseline", self.folder], "Is a directory; --baseline wants a bench.json"),
+            (["bench", "--baseline", self.folder / "bytes"], "bytes is no bench.json of this program: "),
             (["run", "--inject", "abs_imt"], "there are: modulo_sign"),
             (["run", "--seed", "many"], "many"),
             (["run", "--seed", "-1"], "-1"),
@@ -148,6 +177,7 @@ class Cli(unittest.TestCase):
                 done = self.call(*arguments)
                 self.assertEqual(done.returncode, 2, done.stderr)
                 self.assertIn(expected, done.stderr + done.stdout)
+                self.assert_printable(done.stderr + done.stdout)
 
     def test_an_injected_fault_turns_the_run_red_and_names_what_suffers(self):
         bug = "bugs.abs_of_int.any.exact.fragment.gl330.defined"
@@ -277,6 +307,46 @@ class Cli(unittest.TestCase):
         done = self.run_case("--golden", golden)
         self.assertEqual(done.returncode, 1)
         self.assertIn(f"{path}:21: ", done.stdout)
+
+    def test_whatever_a_golden_file_is_its_case_is_an_error_that_can_be_printed(self):
+        golden = self.golden_copy()
+        path = golden / "noise2d.perlin.lattice.golden"
+        text = path.read_text()
+        value = text.index(" = ", text.index("rows ")) + 3
+        good = "noise3d.perlin.lattice.fast.fragment.gl330.golden"
+        for name, content, expected in (
+            ("random bytes", BYTES, f"{path}:1: \"\\xff\\x1b[2J"),
+            ("zeros", bytes(100000), f"{path}:1: \"\\x00"),
+            ("nothing", b"", f"{path}:0: the file ends where \"hashnoise golden 1\" should be"),
+            ("of Windows", text.replace("\n", "\r\n").encode(), f"{path}:1: \"hashnoise golden 1\\r\" should be "),
+            ("of another function", text.replace("perlin", "value").encode(),
+             f"{path}:2: \"function noise2d.value\" should be \"function noise2d.perlin\""),
+            ("bytes in a row", text[:value].encode() + b"\x9b1m\x07" + text[value:].encode(),
+             f"{path}:8: \"\\x9b1m\\x07"),
+            ("cut off", text[:-20].encode(), f"{path}:199: \""),
+            ("a folder", None, f"cannot read {path}: Is a directory; it is a golden file, and tools/golden writes it"),
+        ):
+            with self.subTest(name):
+                path.unlink()
+                if content is None:
+                    path.mkdir()
+                else:
+                    path.write_bytes(content)
+                done = self.run_case("--golden", golden, "--filter", good)
+                self.assertEqual(done.returncode, 1)
+                self.assertEqual({id: case["status"] for id, case in self.cases().items()},
+                                 {ONE_CASE: "error", good: "pass"})
+                self.assertIn(expected, done.stdout)
+                self.assertIn("tools/golden", self.cases()[ONE_CASE]["message"])
+                self.assert_printable(done.stdout + done.stderr + self.cases()[ONE_CASE]["message"])
+                self.assertLess(len(self.cases()[ONE_CASE]["message"]), 500)
+
+    def test_a_shader_of_any_bytes_leaves_the_terminal_alone(self):
+        glsl = self.changed_glsl("perlin2d.glsl")
+        (glsl / "perlin2d.glsl").write_bytes(BYTES)
+        done = self.run_case("--glsl", glsl)
+        self.assertEqual(done.returncode, 1)
+        self.assert_printable(done.stdout + done.stderr)
 
     def test_a_wrong_golden_value_fails(self):
         golden = self.golden_copy()

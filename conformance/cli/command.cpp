@@ -2,12 +2,22 @@
 
 #include <cstdlib>
 
+#include "base/output/text.hpp"
+
 namespace hn {
 
+void say(const std::string& text) { std::fputs(text.c_str(), stdout); }
+
+void complain(const std::string& message) {
+  std::fputs(fmt::format("hn-conform: {}\n", printable(message)).c_str(), stderr);
+}
+
 int usage_error(const std::string& message) {
-  fmt::print(stderr, "hn-conform: {}\n", message);
+  complain(message);
   return kBadUsage;
 }
+
+std::string farewell(int signal) { return fmt::format("ended by {}; no results are written", name_of_signal(signal)); }
 
 std::string driver_names(DriverKind kind) {
   std::string names;
@@ -32,7 +42,7 @@ tl::expected<OpenDriver, int> open_driver(const std::string& name, const std::st
   if (!driver) return tl::unexpected(unknown_driver(name));
   auto context = create_context(*driver);
   if (!context) {
-    fmt::print(stderr, "hn-conform: the driver {} cannot be used here: {}\n", name, context.error().text());
+    complain(fmt::format("the driver {} cannot be used here: {}", name, context.error().text()));
     return tl::unexpected(kNoDriver);
   }
   if ((*context)->api() != Api::gl) {

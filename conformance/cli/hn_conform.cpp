@@ -1,11 +1,17 @@
 // hn-conform: does the library compute what it promises, on this driver, and at what cost?
 #include <fmt/format.h>
+#include <signal.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <string_view>
 
+#include "base/interruption.hpp"
 #include "base/process.hpp"
+#include "base/temporary_folder.hpp"
 #include "bench/amd.hpp"
 #include "cli/child.hpp"
 #include "cli/command.hpp"
@@ -16,34 +22,67 @@
 
 namespace {
 
-int run(const hn::DriversCommand&) { return hn::drivers_command(); }
-int run(const hn::ListCommand& command) { return hn::list_command(command); }
-int run(const hn::RunCommand& command) { return hn::run_command(command); }
-int run(const hn::MergeCommand& command) { return hn::merge_command(command); }
-int run(const hn::BenchCommand& command) { return hn::bench_command(command); }
-int run(const hn::PaperCommand& command) { return hn::paper_command(command); }
-int run(const hn::WebCommand& command) { return hn::web_command(command); }
+int run(const hn::DriversCommand&, hn::Interruption& interruption) { return hn::drivers_command(interruption); }
+int run(const hn::ListCommand& command, hn::Interruption&) { return hn::list_command(command); }
+int run(const hn::RunCommand& command, hn::Interruption& interruption) {
+  return hn::run_command(command, interruption);
+}
+int run(const hn::MergeCommand& command, hn::Interruption& interruption) {
+  return hn::merge_command(command, interruption);
+}
+int run(const hn::BenchCommand& command, hn::Interruption& interruption) {
+  return hn::bench_command(command, interruption);
+}
+int run(const hn::PaperCommand& command, hn::Interruption& interruption) {
+  return hn::paper_command(command, interruption);
+}
+int run(const hn::WebCommand& command, hn::Interruption& interruption) {
+  return hn::web_command(command, interruption);
+}
 
-int dispatch(int argc, char** argv) {
+int dispatch(int argc, char** argv, hn::Interruption& interruption) {
   const auto data = hn::data_folder_of(hn::own_program());
   const auto command = hn::parse_options(
       argc, argv, {.golden = data / "golden", .expect = data / "expect", .faults = hn::fault_names()});
-  if (command) return std::visit([](const auto& chosen) { return run(chosen); }, *command);
+  if (command) return std::visit([&](const auto& chosen) { return run(chosen, interruption); }, *command);
   fmt::print("{}", command.error().out);
   fmt::print(stderr, "{}", command.error().err);
   return command.error().status;
 }
 
-}  // namespace
+// Before a signal ends the program.
+void say_farewell(int signal, bool again) {
+  if (isatty(STDERR_FILENO) != 0) std::fputs("\n", stderr);  // below a line of progress, or ^C
+  hn::complain(again ? fmt::format("ended by a second {}", hn::name_of_signal(signal)) : hn::farewell(signal));
+  hn::remove_folders_of(getpid());
+}
 
-int main(int argc, char** argv) {
+// What was printed may not have arrived: on a full disk, say.
+int status_once_printed(int status) {
+  const bool flushed = std::fflush(stdout) == 0;
+  if (flushed && std::ferror(stdout) == 0) return status;
+  hn::complain(fmt::format("cannot write the standard output: {}", std::strerror(flushed ? EIO : errno)));
+  return status == 0 ? hn::kNotAsExpected : status;
+}
+
+int run_program(int argc, char** argv) {
   try {
     // What we start ourselves; not for people.
     if (argc == 3 && argv[1] == std::string_view(hn::kChildCommand)) return hn::child_command(argv[2]);
     if (argc == 3 && argv[1] == std::string_view(hn::kAmdCommand)) return hn::amd_counts_child(argv[2]);
-    return dispatch(argc, argv);
+    hn::Interruption interruption(say_farewell);
+    signal(SIGXFSZ, SIG_IGN);  // a file that is longer than allowed is an error, like a full disk
+    return status_once_printed(dispatch(argc, argv, interruption));
   } catch (const std::exception& exception) {
-    fmt::print(stderr, "hn-conform: {}\n", exception.what());
+    hn::complain(exception.what());
     return hn::kNotAsExpected;
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int status = run_program(argc, argv);
+  if (status > hn::kSignalled) hn::Interruption::end_by(status - hn::kSignalled);
+  return status;
 }

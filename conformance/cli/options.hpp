@@ -16,6 +16,7 @@ namespace hn {
 constexpr int kNotAsExpected = 1;
 constexpr int kBadUsage = 2;
 constexpr int kNoDriver = 3;
+constexpr int kSignalled = 128;  // and the number of the signal that ended it, as a shell says it
 
 struct DriversCommand {};
 

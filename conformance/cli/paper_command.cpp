@@ -8,6 +8,7 @@
 #include "base/json.hpp"
 #include "base/output/csv.hpp"
 #include "base/output/page.hpp"
+#include "base/output_folder.hpp"
 #include "cli/command.hpp"
 #include "paper/files.hpp"
 #include "paper/laboratory.hpp"
@@ -38,11 +39,11 @@ Result<void> write(const std::filesystem::path& out, const nlohmann::json& data,
 
 }  // namespace
 
-int paper_command(const PaperCommand& options) {
+int paper_command(const PaperCommand& options, Interruption& interruption) {
   const auto sources = library_sources(options.glsl);
   if (!sources) return usage_error(sources.error().text());
-  if (const auto ready = prepare_output(options.out, {"paper.json", "index.html"}); !ready)
-    return usage_error(ready.error().text());
+  const auto folder = OutputFolder::prepare(options.out, {"paper.json", "index.html"});
+  if (!folder) return usage_error(folder.error().text());
   const auto driver = open_driver(options.driver, options.line);
   if (!driver) return driver.error();
   const ReferenceCompiler reference;
@@ -61,7 +62,7 @@ int paper_command(const PaperCommand& options) {
     auto section = part.measure(laboratory);
     if (!section) {
       // The other sections are still worth having.
-      fmt::print(stderr, "hn-conform: {}: {}\n", part.name, section.error().text());
+      complain(fmt::format("{}: {}", part.name, section.error().text()));
       data[std::string(part.name)] = {{"error", section.error().text()}};
       page[std::string(part.name)] = false;
       page["failures"].push_back({{"section", part.name}, {"text", section.error().text()}});
@@ -75,6 +76,7 @@ int paper_command(const PaperCommand& options) {
     fmt::print(stderr, "{}: {:.1f} s\n", part.name,
                std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
+  interruption.note_the_first();
   if (const auto written = write(options.out, data, page, tables); !written) return usage_error(written.error().text());
   fmt::print("The paper on {}: {}/index.html\n", driver->provenance.info.renderer, options.out);
   if (complete) return 0;

@@ -155,7 +155,8 @@ class Run(unittest.TestCase):
     def test_only_an_expectation_excuses_and_only_what_needs_it(self):
         one = ("--filter", "noise2d.perlin.lattice.fast.fragment.gl330.golden")
         golden = self.folder / "golden"
-        golden.mkdir()  # the file is missing, so the case is an error
+        golden.mkdir()
+        (golden / "other.golden").write_text("")  # the file is missing, so the case is an error
         expect = self.folder / "expect"
         expect.mkdir()
         table = expect / "some.csv"

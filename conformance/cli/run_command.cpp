@@ -7,10 +7,13 @@
 #include <optional>
 #include <set>
 
+#include "base/output/text.hpp"
 #include "base/temporary_folder.hpp"
+#include "base/worker.hpp"
 #include "cases/checks.hpp"
 #include "cases/deal.hpp"
 #include "cli/command.hpp"
+#include "expected/golden.hpp"
 #include "fault/faults.hpp"
 #include "report/report.hpp"
 #include "run/expectation.hpp"
@@ -19,7 +22,6 @@
 #include "run/merge.hpp"
 #include "run/scheduler.hpp"
 #include "run/shard.hpp"
-#include "base/worker.hpp"
 #include "web/suite.hpp"
 
 namespace hn {
@@ -41,16 +43,28 @@ Result<std::vector<Case>> select_cases(const std::vector<std::string>& filters, 
                           fmt::join(filters, "' '")));
 }
 
+// Asks drivers in processes of their own: what is loaded to find out could crash.
+class Inquiry {
+ public:
+  explicit Inquiry(int stop_fd) : stop_fd_(stop_fd) {}
+
+  Result<nlohmann::json> ask(Task task, const std::string& driver) const {
+    const TemporaryFolder scratch;
+    const Job job{.task = task, .driver = driver, .suite = {}, .ids = {}};
+    return report_of(job, scratch.path(), kDescribeLimit, stop_fd_);
+  }
+
+ private:
+  int stop_fd_;
+};
+
 struct Devices {
   int count = 0;
   std::string problem;  // why EGL does not say
 };
 
-// Asked in a process of its own: what is loaded to find out could crash.
-Devices egl_devices() {
-  const TemporaryFolder scratch;
-  const auto report =
-      report_of({.task = Task::devices, .driver = {}, .suite = {}, .ids = {}}, scratch.path(), kDescribeLimit);
+Devices egl_devices(const Inquiry& inquiry) {
+  const auto report = inquiry.ask(Task::devices, "");
   if (report) return {report->value("devices", 0), {}};
   return {0, fmt::format("EGL does not say what devices it has: {}", report.error().text())};
 }
@@ -62,7 +76,7 @@ struct DriverChoice {
 };
 
 // Names, globs, and "all"; each driver once.
-Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted) {
+Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted, const Inquiry& inquiry) {
   DriverChoice choice;
   const auto add = [&](const std::string& name) {
     if (std::find(choice.names.begin(), choice.names.end(), name) == choice.names.end()) choice.names.push_back(name);
@@ -75,7 +89,7 @@ Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted) {
     }
     const std::string glob = name == "all" ? "*" : name;
     const bool is_glob = glob.find_first_of("*?[") != std::string::npos;
-    const Devices devices = is_glob ? egl_devices() : Devices{};
+    const Devices devices = is_glob ? egl_devices(inquiry) : Devices{};
     if (!devices.problem.empty()) choice.problems.push_back(devices.problem);
     bool found = false;
     for (const Driver& driver : is_glob ? all_drivers(devices.count) : std::vector<Driver>{}) {
@@ -91,10 +105,8 @@ Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted) {
 }
 
 // What a driver can run, as far as it says; nothing if it does not say.
-std::optional<CanRun> can_run_on(const std::string& name) {
-  const TemporaryFolder scratch;
-  const Job job{.task = Task::describe, .driver = name, .suite = {}, .ids = {}};
-  const auto report = report_of(job, scratch.path(), kDescribeLimit);
+std::optional<CanRun> can_run_on(const std::string& name, const Inquiry& inquiry) {
+  const auto report = inquiry.ask(Task::describe, name);
   if (!report || !report->contains("ready")) return std::nullopt;
   if (find_driver(name)->browser) return [](const Case& test) { return unsupported_in_browser(test).empty(); };
   const LanguageSupport languages = report->at("languages").get<LanguageSupport>();
@@ -116,13 +128,14 @@ DriverPlan plan_of(const std::string& driver, const std::vector<Case>& cases, co
 }
 
 // Who does not say what it can run has all cases, as without a deal: its run tells why it is not here.
-std::vector<DriverPlan> deal_plans(const std::vector<std::string>& names, const std::vector<Case>& cases) {
+std::vector<DriverPlan> deal_plans(const std::vector<std::string>& names, const std::vector<Case>& cases,
+                                   const Inquiry& inquiry) {
   std::vector<DriverPlan> plans;
   std::vector<CanRun> drivers;
   std::vector<std::size_t> dealt_to;  // of the drivers, places in plans
   for (const std::string& name : names) {
     plans.push_back(plan_of(name, cases, Shard{}));
-    if (auto can_run = can_run_on(name)) {
+    if (auto can_run = can_run_on(name, inquiry)) {
       drivers.push_back(std::move(*can_run));
       dealt_to.push_back(plans.size() - 1);
     }
@@ -138,7 +151,7 @@ std::vector<DriverPlan> deal_plans(const std::vector<std::string>& names, const 
 
 // What every driver is to do: the cases that need one; and for glslang, which is always asked, the others.
 std::vector<DriverPlan> plan_drivers(std::vector<std::string> names, std::vector<Case> cases, const Shard& shard,
-                                     bool dealt) {
+                                     bool dealt, const Inquiry& inquiry) {
   std::erase(names, std::string(kReferenceCompiler));
   const auto of_drivers = std::stable_partition(cases.begin(), cases.end(),
                                                 [](const Case& test) { return !test.needs_driver(); });
@@ -146,7 +159,7 @@ std::vector<DriverPlan> plan_drivers(std::vector<std::string> names, std::vector
   cases.erase(of_drivers, cases.end());
   std::vector<DriverPlan> plans;
   if (dealt) {
-    plans = deal_plans(names, for_drivers);
+    plans = deal_plans(names, for_drivers, inquiry);
   } else {
     for (const std::string& name : names) plans.push_back(plan_of(name, for_drivers, shard));
   }
@@ -157,7 +170,7 @@ std::vector<DriverPlan> plan_drivers(std::vector<std::string> names, std::vector
 
 Result<Journal> open_journal(const RunCommand& options, const nlohmann::json& plan) {
   if (options.resume && Journal::exists(options.out)) return Journal::reopen(options.out, plan);
-  if (options.resume) fmt::print(stderr, "hn-conform: nothing to resume in {}, so this is a new run\n", options.out);
+  if (options.resume) complain(fmt::format("nothing to resume in {}, so this is a new run", options.out));
   return Journal::create(options.out, plan);
 }
 
@@ -170,27 +183,31 @@ void add_timings(std::vector<Run>& runs, const RunPlan& plan, const std::filesys
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (!can_be_timed(runs[i])) continue;
     const Job job{.task = Task::timings, .driver = runs[i].driver, .suite = plan.suite, .ids = plan.drivers[i].ids};
-    const auto report = report_of(job, out, kTimingsLimit);
+    const auto report = report_of(job, out, kTimingsLimit, plan.stop_fd);
+    if (!report && can_be_read(plan.stop_fd)) return;
     if (report && report->contains("timings")) {
       runs[i].timings = report->at("timings").dump();
     } else {
-      fmt::print(stderr, "hn-conform: the functions cannot be timed on {}: {}\n", runs[i].driver,
-                 report ? "its process has something else to say" : report.error().text());
+      complain(fmt::format("the functions cannot be timed on {}: {}", runs[i].driver,
+                           report ? "its process has something else to say" : report.error().text()));
     }
   }
 }
 
 // Writes what there is to say about the runs, and says it: the exit status. problems: what is wrong beside the cases.
 int conclude(const std::vector<Run>& runs, const std::string& out, const std::vector<std::string>& problems) {
-  if (const auto written = write_results(out, runs, problems); !written) {
-    fmt::print(stderr, "hn-conform: {}\n", written.error().text());
+  const auto written = write_results(out, runs, problems);
+  for (const Run& run : runs) say(printable(summary(run)));
+  for (const std::string& problem : problems) complain(problem);
+  if (!written) {
+    complain(written.error().text());
     return kNotWritten;
   }
-  for (const Run& run : runs) fmt::print("{}", summary(run));
-  for (const std::string& problem : problems) fmt::print(stderr, "hn-conform: {}\n", problem);
   const bool good = problems.empty() && all_as_expected(runs);
-  fmt::print("{}: {}\n", good ? "All as expected" : "NOT AS EXPECTED",
-             (std::filesystem::path(out) / kPageFile).string());
+  const std::string_view verdict = good                    ? "All as expected"
+                                   : only_unfinished(runs) ? "NOT THE WHOLE RUN"
+                                                           : "NOT AS EXPECTED";
+  say(fmt::format("{}: {}\n", verdict, (std::filesystem::path(out) / kPageFile).string()));
   return good ? 0 : kNotAsExpected;
 }
 
@@ -211,8 +228,10 @@ std::vector<std::string> missing_drivers(const std::vector<Run>& runs, const std
   return {"none of the drivers is here"};
 }
 
-// Of a run that ended before its end.
-void note_what_was_not_run(const RunPlan& plan, const std::vector<Run>& runs, std::vector<std::string>& problems) {
+// Of a run that ended before its end. why: a part of a sentence, or nothing where a case says it.
+// Whether it did.
+bool note_what_was_not_run(const RunPlan& plan, const std::vector<Run>& runs, const std::string& why,
+                           std::vector<std::string>& problems) {
   std::size_t planned = 0;
   std::size_t done = 0;
   for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -221,15 +240,29 @@ void note_what_was_not_run(const RunPlan& plan, const std::vector<Run>& runs, st
     planned += plan.drivers[i].ids.size();
     done += runs[i].cases.size();
   }
-  if (done < planned) problems.push_back(fmt::format("{} of {} cases were not run", planned - done, planned));
+  if (done == planned) return false;
+  problems.push_back(fmt::format("{}{} of {} cases were not run", why, planned - done, planned));
+  return true;
 }
 
-Result<RunPlan> make_plan(const RunCommand& options, const DriverChoice& choice, const std::vector<Case>& cases) {
+// The same for times.
+bool note_what_was_not_timed(const std::vector<Run>& runs, const std::string& why, std::vector<std::string>& problems) {
+  bool any = false;
+  for (const Run& run : runs) {
+    if (!can_be_timed(run) || !run.timings.empty()) continue;
+    problems.push_back(fmt::format("{}the functions could not be timed on {}", why, run.driver));
+    any = true;
+  }
+  return any;
+}
+
+Result<RunPlan> make_plan(const RunCommand& options, const DriverChoice& choice, const std::vector<Case>& cases,
+                          const Inquiry& inquiry) {
   HN_TRY(auto shard, parse_shard(options.shard));
   if (options.deal && !options.shard.empty()) {
     return fail("--deal and --shard do not go together: each machine would deal to its own drivers");
   }
-  RunPlan plan{.drivers = plan_drivers(choice.names, cases, shard, options.deal),
+  RunPlan plan{.drivers = plan_drivers(choice.names, cases, shard, options.deal, inquiry),
                .suite = options.suite,
                .shard = options.shard,
                .jobs = options.jobs,
@@ -237,6 +270,45 @@ Result<RunPlan> make_plan(const RunCommand& options, const DriverChoice& choice,
                .fail_fast = options.fail_fast};
   if (plan.drivers.empty()) return fail("there is nothing to do: none of the cases is for one of the drivers");
   return plan;
+}
+
+// Why a run may have ended too early, as the beginning of a sentence. Nothing if there is no reason but a case.
+std::string reason_to_end(const Journal& journal, int signal) {
+  if (signal != 0) return fmt::format("{} ended the run; ", name_of_signal(signal));
+  return journal.problem().empty() ? "" : journal.problem() + "; ";
+}
+
+// The cases, what is made of their results, and the exit status.
+int run_to_the_end(const RunCommand& options, const RunPlan& plan, const DriverChoice& choice, Journal& journal,
+                   const Interruption& interruption) {
+  auto [runs, problems] = run_plan(plan, options.out, journal, stderr);
+  if (options.timings && journal.problem().empty()) add_timings(runs, plan, options.out);
+  for (Run& run : runs) {
+    run.date = now();
+    run.commands = {options.line};
+    apply_expectations(plan.expectations, run);
+  }
+  const auto missing = missing_drivers(runs, choice.named);
+  problems.insert(problems.end(), missing.begin(), missing.end());
+  problems.insert(problems.end(), choice.problems.begin(), choice.problems.end());
+  const int signal = interruption.signal();
+  const std::string reason = reason_to_end(journal, signal);
+  bool whole = !note_what_was_not_run(plan, runs, reason, problems);
+  whole = !(options.timings && note_what_was_not_timed(runs, reason, problems)) && whole;
+  const int status = conclude(runs, options.out, problems);
+  const bool ended_early = !whole && !reason.empty();
+  if (ended_early || status == kNotWritten) {
+    complain(fmt::format("what was found is kept in {}; the same command with --resume goes on from there",
+                         (std::filesystem::path(options.out) / kJournalFile).string()));
+    return ended_early && signal != 0 ? kSignalled + signal : kNotAsExpected;
+  }
+  journal.remove();
+  return missing.empty() ? status : kNoDriver;
+}
+
+int ended_before_results(const Interruption& interruption) {
+  complain(farewell(interruption.signal()));
+  return kSignalled + interruption.signal();
 }
 
 Result<std::vector<Expectation>> load_expectations(const std::string& directory) {
@@ -247,15 +319,17 @@ Result<std::vector<Expectation>> load_expectations(const std::string& directory)
 
 }  // namespace
 
-int drivers_command() {
-  const TemporaryFolder scratch;
+int drivers_command(Interruption& interruption) {
+  interruption.note_the_first();
+  const Inquiry inquiry(interruption.fd());
   bool usable = false;
-  const Devices devices = egl_devices();
-  if (!devices.problem.empty()) fmt::print(stderr, "hn-conform: {}\n", devices.problem);
+  const Devices devices = egl_devices(inquiry);
+  if (interruption.signal() != 0) return ended_before_results(interruption);
+  if (!devices.problem.empty()) complain(devices.problem);
   for (const Driver& driver : all_drivers(devices.count)) {
     fmt::print("{:<18} {}\n", driver.name, driver.description);
-    const Job job{.task = Task::describe, .driver = driver.name, .suite = {}, .ids = {}};
-    const auto report = report_of(job, scratch.path(), kDescribeLimit);
+    const auto report = inquiry.ask(Task::describe, driver.name);
+    if (interruption.signal() != 0) return ended_before_results(interruption);
     if (report && report->contains("ready")) {
       const ContextInfo info = context_info_from(report->at("ready"));
       usable = usable || !driver.is_reference_compiler();
@@ -284,11 +358,11 @@ int list_command(const ListCommand& options) {
   }
   const auto cases = select_cases(options.filters, options.thorough);
   if (!cases) return usage_error(cases.error().text());
-  for (const Case& test : *cases) fmt::print("{}\n{}", test.id, options.about ? test.about : "");
+  for (const Case& test : *cases) say(fmt::format("{}\n{}", test.id, options.about ? test.about : ""));
   return 0;
 }
 
-int run_command(const RunCommand& options) {
+int run_command(const RunCommand& options, Interruption& interruption) {
   if (options.suite.inject == "list") {
     fmt::print("{}", fault_list());
     return 0;
@@ -297,46 +371,34 @@ int run_command(const RunCommand& options) {
   if (!cases) return usage_error(cases.error().text());
   const auto sources = suite_sources(options.suite);
   if (!sources) return usage_error(sources.error().text());
+  if (const auto golden = check_golden_folder(options.suite.golden); !golden) return usage_error(golden.error().text());
   const auto expectations = load_expectations(options.expect);
   if (!expectations) return usage_error(expectations.error().text());
-  const auto choice = choose_drivers(options.drivers);
+  interruption.note_the_first();
+  const Inquiry inquiry(interruption.fd());
+  const auto choice = choose_drivers(options.drivers, inquiry);
   if (!choice) return usage_error(choice.error().text());
-  auto plan = make_plan(options, *choice, *cases);
+  auto plan = make_plan(options, *choice, *cases, inquiry);
+  if (interruption.signal() != 0) return ended_before_results(interruption);
   if (!plan) return usage_error(plan.error().text());
   plan->content = suite_digest(plan->suite, *sources);
   plan->expectations = *expectations;
-  if (const auto ready = prepare_results(options.out); !ready) return usage_error(ready.error().text());
+  plan->stop_fd = interruption.fd();
+  const auto folder = prepare_results(options.out);
+  if (!folder) return usage_error(folder.error().text());
   auto journal = open_journal(options, to_json(*plan));
   if (!journal) return usage_error(journal.error().text());
-
-  auto [runs, problems] = run_plan(*plan, options.out, *journal, stderr);
-  if (options.timings) add_timings(runs, *plan, options.out);
-  for (Run& run : runs) {
-    run.date = now();
-    run.commands = {options.line};
-    apply_expectations(*expectations, run);
-  }
-  const auto missing = missing_drivers(runs, choice->named);
-  problems.insert(problems.end(), missing.begin(), missing.end());
-  problems.insert(problems.end(), choice->problems.begin(), choice->problems.end());
-  note_what_was_not_run(*plan, runs, problems);
-  for (const Run& run : runs) {
-    if (options.timings && can_be_timed(run) && run.timings.empty()) {
-      problems.push_back(fmt::format("the functions could not be timed on {}", run.driver));
-    }
-  }
-  const int status = conclude(runs, options.out, problems);
-  if (status == kNotWritten) return kNotAsExpected;  // --resume may yet write them
-  journal->remove();
-  return missing.empty() ? status : kNoDriver;
+  return run_to_the_end(options, *plan, *choice, *journal, interruption);
 }
 
-int merge_command(const MergeCommand& options) {
+int merge_command(const MergeCommand& options, Interruption& interruption) {
   const auto expectations = load_expectations(options.expect);
   if (!expectations) return usage_error(expectations.error().text());
   auto merged = merge_files(options.inputs, ids_of(all_cases()));
   if (!merged) return usage_error(merged.error().text());
-  if (const auto ready = prepare_results(options.out); !ready) return usage_error(ready.error().text());
+  interruption.note_the_first();
+  const auto folder = prepare_results(options.out);
+  if (!folder) return usage_error(folder.error().text());
   for (Run& run : merged->runs) apply_expectations(*expectations, run);
   std::vector<std::string> problems = merged->gaps;
   const auto missing = missing_drivers(merged->runs, {});

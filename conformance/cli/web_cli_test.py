@@ -146,9 +146,10 @@ class Web(unittest.TestCase):
         self.assertIn(str(self.folder / "file"), done.stderr)
 
     def test_a_missing_golden_file_keeps_the_page_from_being_written(self):
+        (self.folder / "other.golden").write_text("")
         done = self.call("--out", self.folder / "page", "--golden", self.folder)
         self.assertEqual(done.returncode, 2)
-        self.assertIn(".golden", done.stderr)
+        self.assertIn("clouds3.lattice+fixed.golden: No such file or directory", done.stderr)
 
 
 if __name__ == "__main__":

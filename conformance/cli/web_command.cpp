@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include "base/file.hpp"
+#include "base/output_folder.hpp"
 #include "cli/command.hpp"
+#include "expected/golden.hpp"
 #include "run/filter.hpp"
 #include "web/suite.hpp"
 
@@ -13,9 +15,10 @@ constexpr std::string_view kPage = "index.html";
 
 }  // namespace
 
-int web_command(const WebCommand& options) {
+int web_command(const WebCommand& options, Interruption& interruption) {
   const auto sources = library_sources(options.glsl);
   if (!sources) return usage_error(sources.error().text());
+  if (const auto golden = check_golden_folder(options.golden); !golden) return usage_error(golden.error().text());
   std::vector<Case> cases = all_cases();
   std::erase_if(cases, [&](const Case& test) {
     return !unsupported_in_browser(test).empty() || (test.extent == Extent::thorough && !options.thorough) ||
@@ -23,10 +26,11 @@ int web_command(const WebCommand& options) {
   });
   if (cases.empty()) return usage_error("no case of the page matches --filter; hn-conform list shows the ids");
   const auto write = [&]() -> Result<void> {
-    HN_DO(prepare_output(options.out, {kPage}));
+    HN_TRY(const auto folder, OutputFolder::prepare(options.out, {kPage}));
     const PageSuite suite = make_suite(*sources, options.golden, cases);
     if (suite.defect) return fail(*suite.defect);
     HN_TRY(const auto page, web_page(suite.json));
+    interruption.note_the_first();
     return write_file(std::filesystem::path(options.out) / kPage, page);
   };
   if (const auto done = write(); !done) return usage_error(done.error().text());

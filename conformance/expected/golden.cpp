@@ -2,16 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <limits>
 
 #include "base/digest.hpp"
 #include "base/file.hpp"
+#include "base/output/text.hpp"
 
 namespace hn {
 namespace {
 
+constexpr std::string_view kGoldenExtension = ".golden";
 constexpr std::size_t kMostRows = 1u << 20;
 constexpr std::size_t kMostDigestPoints = 1u << 20;
 
@@ -80,7 +83,7 @@ class Parser {
       if (!next_line()) return error("the file ends where the digest should be");
       HN_DO(digest());
     }
-    if (next_line()) return error("the file should end before this line");
+    if (next_line()) return error(fmt::format("the file should end before {}", in_quotes(current_)));
     return std::move(golden_);
   }
 
@@ -96,25 +99,29 @@ class Parser {
     return true;
   }
 
-  Result<void> expect(std::string_view line) {
-    if (!next_line()) return error(fmt::format("the file ends where \"{}\" should be", line));
-    if (current_ != line) return error(fmt::format("\"{}\" should be \"{}\"", current_, line));
+  // The next line is there, and is right: what it should be.
+  template <typename Predicate>
+  Result<void> expect(std::string_view what, Predicate is_right) {
+    if (!next_line()) return error(fmt::format("the file ends where {} should be", what));
+    if (!is_right(current_)) return error(fmt::format("{} should be {}", in_quotes(current_), what));
     return {};
+  }
+
+  Result<void> expect_line(std::string_view line) {
+    return expect(fmt::format("\"{}\"", line), [&](std::string_view current) { return current == line; });
   }
 
   Result<void> header(std::size_t& rows) {
     for (const std::string& line : {std::string("hashnoise golden 1"), fmt::format("function {}", function_.id),
                                     fmt::format("hash {}", golden_configuration(function_, configuration_)),
                                     fmt::format("arithmetic {}", golden_arithmetic(function_, configuration_))}) {
-      HN_DO(expect(line));
+      HN_DO(expect_line(line));
     }
-    if (!next_line() || !current_.starts_with("bits ")) return error("\"bits VERSION\" should be here");
-    HN_DO(expect(fmt::format("columns {}", function_.columns)));
-    if (!next_line() || !current_.starts_with("rows ") || !parse_number(current_.substr(5), rows) || rows == 0 ||
-        rows > kMostRows) {
-      return error("\"rows NUMBER\" should be here, with at least one row");
-    }
-    return {};
+    HN_DO(expect("\"bits VERSION\"", [](std::string_view line) { return line.starts_with("bits "); }));
+    HN_DO(expect_line(fmt::format("columns {}", function_.columns)));
+    return expect(fmt::format("\"rows NUMBER\", from 1 to {}", kMostRows), [&](std::string_view line) {
+      return line.starts_with("rows ") && parse_number(line.substr(5), rows) && rows != 0 && rows <= kMostRows;
+    });
   }
 
   template <typename Word>
@@ -123,18 +130,20 @@ class Parser {
       const auto digits = take(text, ' ');
       Word value = 0;
       if (digits.size() != static_cast<std::size_t>(hex_digits(column.type)) || !parse_number(digits, value, 16)) {
-        return error(fmt::format("\"{}\" should be the {} hexadecimal digits of column {}", digits,
+        return error(fmt::format("{} should be the {} hexadecimal digits of column {}", in_quotes(digits),
                                  hex_digits(column.type), column.name));
       }
       out.push_back(value);
     }
-    if (!text.empty()) return error(fmt::format("\"{}\" is more than the columns", text));
+    if (!text.empty()) return error(fmt::format("{} is more than the columns", in_quotes(text)));
     return {};
   }
 
   Result<void> row() {
     const auto equals = current_.find(" = ");
-    if (equals == std::string_view::npos) return error("a row should be \"inputs = values\"");
+    if (equals == std::string_view::npos) {
+      return error(fmt::format("{} should be a row, \"inputs = values\"", in_quotes(current_)));
+    }
     GoldenRow row{line_, {}, {}};
     HN_DO(words(current_.substr(0, equals), function_.inputs, row.inputs));
     HN_DO(words(current_.substr(equals + 3), function_.outputs, row.values));
@@ -167,7 +176,8 @@ class Parser {
     const std::size_t axes = function_.inputs.size() - (function_.seed_word() < 0 ? 0 : 1);
     if (!valid || digest.origin.size() != axes || digest.size.size() != axes || digest.points() == 0 ||
         digest.points() > kMostDigestPoints || digest.fnv1a64 == 0) {
-      return error("a digest should be \"digest origin=X,.. size=X,.. [seed=N] fnv1a64=16 digits\", an entry per axis");
+      return error(fmt::format("{} should be \"digest origin=X,.. size=X,.. [seed=N] fnv1a64=16 digits\", with {} axes",
+                               in_quotes(current_), axes));
     }
     golden_.digest = std::move(digest);
     return {};
@@ -220,15 +230,30 @@ std::string_view golden_configuration(const Function& function, const Configurat
   return fixed ? configuration.name : configuration_name(function, configuration);
 }
 
+Result<void> check_golden_folder(const std::filesystem::path& directory) {
+  constexpr std::string_view kHint = "--golden wants the folder of the golden files, which tools/golden writes";
+  std::error_code error;
+  std::filesystem::directory_iterator entries(directory, error);
+  if (error) return fail(fmt::format("cannot read the folder {}: {}; {}", directory.string(), error.message(), kHint));
+  const bool any = std::any_of(begin(entries), end(entries), [](const auto& entry) {
+    return entry.path().extension() == kGoldenExtension;
+  });
+  if (!any) return fail(fmt::format("there is no golden file in {}; {}", directory.string(), kHint));
+  return {};
+}
+
 std::filesystem::path golden_path(const std::filesystem::path& directory, const Function& function,
                                   const Configuration& configuration) {
-  return directory / fmt::format("{}.{}.golden", function.id, golden_configuration(function, configuration));
+  return directory /
+         fmt::format("{}.{}{}", function.id, golden_configuration(function, configuration), kGoldenExtension);
 }
 
 Result<Golden> read_golden(const std::filesystem::path& path, const Function& function,
                            const Configuration& configuration) {
   HN_TRY(const auto text, read_file(path, "it is a golden file, and tools/golden writes it"));
-  return parse_golden(text, path.string(), function, configuration);
+  auto golden = parse_golden(text, path.string(), function, configuration);
+  if (!golden) return fail(fmt::format("{}; tools/golden writes golden files", golden.error().message));
+  return golden;
 }
 
 Result<Golden> parse_golden(std::string_view text, std::string_view path, const Function& function,

@@ -43,11 +43,15 @@ std::uint32_t result_bits(const Column& column, std::uint64_t value);
 std::string_view golden_arithmetic(const Function& function, const Configuration& configuration);
 std::string_view golden_configuration(const Function& function, const Configuration& configuration);
 
+// An error if there is no such folder, or no golden file in it.
+Result<void> check_golden_folder(const std::filesystem::path& directory);
+
 // The file's name in the folder of golden files.
 std::filesystem::path golden_path(const std::filesystem::path& directory, const Function& function,
                                   const Configuration& configuration);
 
-// Reads a file and holds it against what the function's table says. Errors name the file and the line.
+// Reads a file and holds it against what the function's table says. Errors name the file and the line, what is wrong
+// and what would be right, and can be printed whatever the bytes are.
 Result<Golden> read_golden(const std::filesystem::path& path, const Function& function,
                            const Configuration& configuration);
 Result<Golden> parse_golden(std::string_view text, std::string_view path, const Function& function,

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 
+#include "base/temporary_folder.hpp"
 #include "library/configurations.hpp"
 
 namespace hn {
@@ -66,8 +68,12 @@ TEST_P(CorruptGolden, IsAnErrorThatNamesTheLine) {
   text.replace(at, std::string_view(corruption.from).size(), corruption.to);
   const auto golden = parse(text);
   ASSERT_FALSE(golden);
-  EXPECT_TRUE(golden.error().message.starts_with(fmt::format("file.golden:{}: ", corruption.line)))
-      << golden.error().message;
+  const std::string& message = golden.error().message;
+  EXPECT_TRUE(message.starts_with(fmt::format("file.golden:{}: ", corruption.line))) << message;
+  EXPECT_TRUE(message.find(" should ") != std::string::npos || message.find("more than") != std::string::npos ||
+              message.find("the file ends") != std::string::npos)
+      << message << " says what would be right";
+  EXPECT_TRUE(std::all_of(message.begin(), message.end(), [](char c) { return c >= ' ' && c <= '~'; })) << message;
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -86,6 +92,11 @@ INSTANTIATE_TEST_SUITE_P(
         Corruption{"digest_huge", "size=2,3", "size=4000000000,4000000000", 10},
         Corruption{"digest_value", "fnv1a64=0123456789abcdef", "fnv1a64=0123", 10},
         Corruption{"digest_missing", " fnv1a64=0123456789abcdef", "", 10},
+        Corruption{"carriage_return", "golden 1\n", "golden 1\r\n", 1},
+        Corruption{"bytes", "golden 1", "\x1b[2J\xff", 1},
+        Corruption{"bytes_in_a_row", "ffffffff 0", "\xc2\x9b 0", 8},
+        Corruption{"bytes_for_a_row", "00000001 f", "\x80\n", 8},
+        Corruption{"bytes_in_the_digest", "seed=5", "seed=\a", 10}, Corruption{"bytes_in_bits", "bits", "\x8f", 5},
         Corruption{"after_the_end", "cdef\n", "cdef\nmore\n", 11}),
     [](const auto& corruption) { return std::string(corruption.param.name); });
 
@@ -130,6 +141,34 @@ TEST(Golden, AMissingFileIsAnErrorThatNamesIt) {
   const auto golden = read_golden("/nowhere/x.golden", find_function("hash.word"), configuration_named("pcg"));
   ASSERT_FALSE(golden);
   EXPECT_NE(golden.error().message.find("/nowhere/x.golden"), std::string::npos);
+}
+
+TEST(Golden, OneBrokenFileIsNamedWithTheToolThatWritesIt) {
+  const TemporaryFolder folder;
+  folder.write("x.golden", std::string(3000, '\0'));
+  const auto golden = read_golden(folder.path() / "x.golden", find_function("hash.word"), configuration_named("pcg"));
+  ASSERT_FALSE(golden);
+  const std::string& message = golden.error().message;
+  EXPECT_NE(message.find("x.golden:1: \"\\x00"), std::string::npos) << message;
+  EXPECT_NE(message.find("2985 bytes more should be \"hashnoise golden 1\"; tools/golden"), std::string::npos)
+      << message;
+  EXPECT_FALSE(read_golden(folder.path(), find_function("hash.word"), configuration_named("pcg")));
+}
+
+TEST(Golden, AFolderWithoutGoldenFilesIsRefused) {
+  EXPECT_TRUE(check_golden_folder(HN_GOLDEN_DIRECTORY));
+  const TemporaryFolder folder;
+  folder.write("file", "");
+  const auto refusal = [](const std::filesystem::path& path) {
+    const auto refused = check_golden_folder(path);
+    return refused ? "" : refused.error().message;
+  };
+  EXPECT_NE(refusal(folder.path()).find("there is no golden file in "), std::string::npos) << refusal(folder.path());
+  EXPECT_NE(refusal(folder.path() / "file").find("Not a directory"), std::string::npos);
+  const std::string absent = refusal(folder.path() / "absent");
+  EXPECT_NE(absent.find("absent: No such file or directory; --golden wants"), std::string::npos) << absent;
+  folder.write("x.golden", "");
+  EXPECT_TRUE(check_golden_folder(folder.path()));
 }
 
 TEST(Golden, DigestFunctionIsFnv1a) {

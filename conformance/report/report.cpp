@@ -59,8 +59,8 @@ std::string unsupported_lines(const Run& run) {
 
 }  // namespace
 
-Result<void> prepare_results(const std::filesystem::path& directory) {
-  return prepare_output(directory, {kResultsFile, kJunitFile, kPageFile});
+Result<OutputFolder> prepare_results(const std::filesystem::path& directory) {
+  return OutputFolder::prepare(directory, {kResultsFile, kJunitFile, kPageFile});
 }
 
 Result<void> write_results(const std::filesystem::path& directory, const std::vector<Run>& runs,
@@ -73,6 +73,9 @@ Result<void> write_results(const std::filesystem::path& directory, const std::ve
 
 std::string summary(const Run& run) {
   if (!run.absent.empty()) return fmt::format("{} is not here: {}\n", run.driver, run.absent);
+  if (run.cases.empty() && run.not_run != 0) {
+    return fmt::format("{}: {} cases, none of which was run\n", run.driver, run.not_run);
+  }
   double seconds = 0.0;
   std::uint64_t samples = 0;
   for (const CaseResult& result : run.cases) {
@@ -92,6 +95,7 @@ std::string summary(const Run& run) {
     return is_bad(result.outcome.status) && !result.excuse.empty();
   });
   if (excused != 0) counts += fmt::format(" ({} of these excused)", excused);
+  if (run.not_run != 0) counts += fmt::format(", {} not run", run.not_run);
   text += fmt::format("{}; {} values compared in {:.1f} s\n", counts, samples, seconds);
   return text;
 }

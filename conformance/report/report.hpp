@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/output_folder.hpp"
 #include "report/junit.hpp"
 #include "report/report_page.hpp"
 #include "run/results.hpp"
@@ -15,7 +16,7 @@ namespace hn {
 Result<void> write_results(const std::filesystem::path& directory, const std::vector<Run>& runs,
                            const std::vector<std::string>& problems = {});
 // What it will write can be written, and what an earlier run wrote is gone.
-Result<void> prepare_results(const std::filesystem::path& directory);
+Result<OutputFolder> prepare_results(const std::filesystem::path& directory);
 
 // A few lines: totals, the largest errors by function, what failed and why, what was unsupported and why.
 std::string summary(const Run& run);

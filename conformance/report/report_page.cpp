@@ -41,14 +41,20 @@ std::string verdict_of(const std::vector<const Run*>& here, bool good) {
   std::size_t cases = 0;
   std::size_t unexpected = 0;
   std::size_t drivers = 0;
+  std::size_t not_run = 0;
   for (const Run* run : here) {
     const std::size_t here_unexpected = unexpected_in(*run);
     cases += run->cases.size();
+    not_run += run->not_run;
     unexpected += here_unexpected;
     drivers += here_unexpected != 0 ? 1 : 0;
   }
   const std::string all = fmt::format("{} on {}", plural(cases, "case"), plural(here.size(), "driver"));
   if (good) return fmt::format("All as expected: {}", all);
+  if (unexpected == 0 && not_run != 0) {
+    return fmt::format("Not the whole run: {} of {} on {}", cases, plural(cases + not_run, "case"),
+                       plural(here.size(), "driver"));
+  }
   if (unexpected == 0) return fmt::format("Not as expected, though no case is wrong: {}", all);
   return fmt::format("Not as expected: {} of {} on {} of {}", unexpected, plural(cases, "case"), drivers,
                      plural(here.size(), "driver"));
@@ -70,12 +76,13 @@ Json page_driver(const Run& run) {
   }
   counts.push_back({{"text", std::to_string(excused)}, {"class", excused == 0 ? "faint" : ""}});
   const std::size_t unexpected = unexpected_in(run);
-  const bool nothing = unexpected == 0 && !run.as_expected();
+  const bool nothing = unexpected == 0 && run.not_run == 0 && !run.as_expected();
   return {{"driver", run.driver},
           {"verdict", unexpected != 0 ? fmt::format("{} not as expected", unexpected)
+                      : run.not_run != 0 ? fmt::format("{} not run", run.not_run)
                       : nothing       ? "nothing passed"
                                       : "as expected"},
-          {"class", unexpected != 0 ? "bad"
+          {"class", unexpected != 0 || run.not_run != 0 ? "bad"
                     : nothing       ? "faint"
                                     : "good"},
           {"renderer", clean_text(run.injected.empty()

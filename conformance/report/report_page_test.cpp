@@ -55,6 +55,17 @@ TEST(Page, ShowsWhatFailedAndWhere) {
   }
 }
 
+TEST(Page, OfARunThatEndedTooEarlySaysSoFirst) {
+  hn::Run run = run_of({result("a.b.golden", Status::pass)});
+  run.not_run = 4;
+  const std::string page = page_of({run}, {"SIGINT ended the run; 4 of 5 cases were not run"});
+  EXPECT_TRUE(has(page, "<h1 class=\"verdict bad\">Not the whole run: 1 of 5 cases on 1 driver</h1>"));
+  EXPECT_TRUE(has(page, "SIGINT ended the run"));
+  EXPECT_TRUE(has(page, "<td class=\"name bad\">4 not run</td>"));
+  run.cases.push_back(failed("f.g.x.golden"));
+  EXPECT_TRUE(has(page_of({run}, {"why"}), "Not as expected: 1 of 2 cases on 1 of 1 driver"));
+}
+
 TEST(Page, HasEveryStatus) {
   CaseResult excused = result("a.b.excused", Status::timeout);
   excused.excuse = "a known bug";

@@ -53,5 +53,15 @@ TEST(Summary, NamesWhatFailedAndWhatIsUnsupported) {
   EXPECT_NE(text.find("1 pass, 1 fail, 1 unsupported"), std::string::npos) << text;
 }
 
+TEST(Summary, SaysWhatWasNotRun) {
+  hn::Run run = run_of({result("a.b.golden", Status::pass)});
+  run.not_run = 4;
+  EXPECT_NE(summary(run).find("1 pass, 4 not run;"), std::string::npos) << summary(run);
+  hn::Run not_begun;
+  not_begun.driver = "zink";
+  not_begun.not_run = 5;
+  EXPECT_EQ(summary(not_begun), "zink: 5 cases, none of which was run\n");
+}
+
 }  // namespace
 }  // namespace hn

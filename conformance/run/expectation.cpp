@@ -63,7 +63,10 @@ Result<std::vector<Expectation>> read_expectations(const std::filesystem::path& 
   for (const auto& entry : std::filesystem::directory_iterator(directory, error)) {
     if (entry.path().extension() == ".csv") files.push_back(entry.path());
   }
-  if (error) return fail(fmt::format("cannot read the folder {}: {}", directory.string(), error.message()));
+  if (error) {
+    return fail(fmt::format("cannot read the folder {}: {}; --expect wants the folder of the tables of what may fail",
+                            directory.string(), error.message()));
+  }
   std::sort(files.begin(), files.end());
   std::vector<Expectation> expectations;
   for (const auto& path : files) {

@@ -36,15 +36,16 @@ std::string suite_digest(const SuiteOptions& options, const SourceSet& sources) 
 }
 
 Result<nlohmann::json> report_of(const Job& job, const std::filesystem::path& directory,
-                                 std::chrono::milliseconds limit) {
+                                 std::chrono::milliseconds limit, int stop_fd) {
   HN_TRY(auto worker, Worker::start(job, {own_program(), kChildCommand, directory / "job.json", "/dev/null", limit}));
   while (!worker.end()) {
-    for (const nlohmann::json& report : worker.wait()) {
+    for (const nlohmann::json& report : worker.wait(stop_fd)) {
       for (const char* wrong : {"absent", "error"}) {
         if (report.contains(wrong)) return fail(report.at(wrong).get<std::string>());
       }
       return report;
     }
+    if (can_be_read(stop_fd)) return fail("the run was ended");
   }
   return fail(fmt::format("its process {}", worker.end()->text));
 }

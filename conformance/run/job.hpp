@@ -53,9 +53,10 @@ std::string suite_digest(const SuiteOptions& options, const SourceSet& sources);
 // The hidden subcommand that does a job.
 constexpr const char* kChildCommand = "child";
 
-// Does a job that has one report, and waits for it. An error: what the process said, or how it ended.
+// Does a job that has one report, and waits for it. An error: what the process said, or how it ended; or that it was
+// not waited for, since there is something to be read from stop_fd.
 Result<nlohmann::json> report_of(const Job& job, const std::filesystem::path& directory,
-                                 std::chrono::milliseconds limit);
+                                 std::chrono::milliseconds limit, int stop_fd = -1);
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LanguageSupport, gl_version, es_version, gl130, bit_encoding)
 

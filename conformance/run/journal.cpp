@@ -1,8 +1,12 @@
 #include "run/journal.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
 #include <set>
 #include <stdexcept>
 
@@ -83,12 +87,32 @@ Result<std::vector<Journal::Entry>> parse_journal(std::string_view text, const n
 
 bool Journal::exists(const std::filesystem::path& directory) { return std::filesystem::exists(path_in(directory)); }
 
+Result<void> Journal::open(int flags) {
+  out_ = FileDescriptor(::open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | flags, 0666));
+  if (out_.get() < 0) return fail(fmt::format("cannot write {}: {}", path_.string(), std::strerror(errno)));
+  return {};
+}
+
+void Journal::write(std::string line) {
+  if (!problem_.empty()) return;
+  line += '\n';
+  for (std::string_view rest = line; !rest.empty();) {
+    const ssize_t written = ::write(out_.get(), rest.data(), rest.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) {
+      problem_ = fmt::format("cannot write {}: {}", path_.string(), std::strerror(errno));
+      return;
+    }
+    rest.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
 Result<Journal> Journal::create(const std::filesystem::path& directory, const nlohmann::json& plan) {
   Journal journal;
   journal.path_ = path_in(directory);
-  journal.out_.open(journal.path_, std::ios::binary | std::ios::trunc);
-  journal.out_ << nlohmann::json{{"plan", plan}} << std::endl;
-  if (!journal.out_) return fail(fmt::format("cannot write {}", journal.path_.string()));
+  HN_DO(journal.open(O_TRUNC));
+  journal.write(nlohmann::json{{"plan", plan}}.dump());
+  if (!journal.problem_.empty()) return fail(journal.problem_);
   return journal;
 }
 
@@ -103,11 +127,11 @@ Result<Journal> Journal::reopen(const std::filesystem::path& directory, const nl
   journal.earlier_ = std::move(*entries);
   // A line that was begun is dropped, so that the next does not follow it on the same line.
   text.resize(text.find_last_of('\n') + 1);
+  if (text.empty()) return create(directory, plan);
   std::error_code error;
   std::filesystem::resize_file(journal.path_, text.size(), error);
-  journal.out_.open(journal.path_, std::ios::binary | std::ios::app);
-  if (error || !journal.out_) return fail(fmt::format("cannot write {}", journal.path_.string()));
-  if (text.empty()) return create(directory, plan);
+  if (error) return fail(fmt::format("cannot write {}: {}", journal.path_.string(), error.message()));
+  HN_DO(journal.open(0));
   return journal;
 }
 
@@ -115,12 +139,10 @@ std::string journal_line(const std::string& driver, const nlohmann::json& report
   return dump(nlohmann::json{{"driver", driver}, {"report", report}});
 }
 
-void Journal::add(const std::string& driver, const nlohmann::json& report) {
-  out_ << journal_line(driver, report) << std::endl;
-}
+void Journal::add(const std::string& driver, const nlohmann::json& report) { write(journal_line(driver, report)); }
 
 void Journal::remove() {
-  out_.close();
+  out_ = FileDescriptor();
   std::error_code ignored;
   std::filesystem::remove(path_, ignored);
 }

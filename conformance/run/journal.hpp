@@ -2,11 +2,11 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "base/file_descriptor.hpp"
 #include "run/results.hpp"
 
 namespace hn {
@@ -32,14 +32,18 @@ class Journal {
 
   // In the file before it returns, whatever becomes of this process.
   void add(const std::string& driver, const nlohmann::json& report);
-  // Whether something could not be written.
-  bool broken() const { return !out_; }
+  // Why something could not be written; nothing is written after that.
+  const std::string& problem() const { return problem_; }
   // The run is complete, and its results are written.
   void remove();
 
  private:
+  Result<void> open(int flags);
+  void write(std::string line);
+
   std::filesystem::path path_;
-  std::ofstream out_;
+  FileDescriptor out_;
+  std::string problem_;
   std::vector<Entry> earlier_;
 };
 

@@ -38,6 +38,7 @@ Result<void> append_cases(Run& to, Run& from) {
   }
   to.cases.insert(to.cases.end(), std::make_move_iterator(from.cases.begin()),
                   std::make_move_iterator(from.cases.end()));
+  to.not_run += from.not_run;
   if (to.timings.empty()) to.timings = from.timings;
   to.date = std::max(to.date, from.date);  // of the same length, so in the order of time
   to.commands.merge(from.commands);
@@ -61,8 +62,9 @@ Result<void> sort_cases(Run& run, const std::map<std::string, std::size_t>& orde
 
 Result<std::vector<Run>> read_runs(const std::string& name) {
   std::filesystem::path path = name;
-  if (std::filesystem::is_directory(path)) path /= kResultsFile;
-  HN_TRY(const auto text, read_file(path));
+  std::error_code none;
+  if (std::filesystem::is_directory(path, none)) path /= kResultsFile;
+  HN_TRY(const auto text, read_file(path, "merge wants files results.json, or the folders that hold them"));
   auto runs = parse_results(text);
   if (!runs) return fail(fmt::format("{}: {}", path.string(), runs.error().message));
   return runs;
@@ -97,9 +99,14 @@ Result<Merged> merge_runs(std::vector<Run> runs, const std::vector<std::string>&
       return fail(
           fmt::format("{}: all shards together have {} cases, says each; here are more", name_of(run), run.whole));
     }
-    if (run.cases.size() < run.whole) {
+    if (run.not_run != 0) {
+      merged.gaps.push_back(fmt::format("{}: {} cases were not run; run again with --resume what was ended too early",
+                                        name_of(run), run.not_run));
+    }
+    const std::size_t without = run.whole - std::min(run.whole, run.cases.size());
+    if (without > run.not_run) {
       merged.gaps.push_back(fmt::format("{}: {} of {} cases are missing; not all of its shards are here", name_of(run),
-                                        run.whole - run.cases.size(), run.whole));
+                                        without - run.not_run, run.whole));
     } else {
       run.shard.clear();  // it is whole
     }

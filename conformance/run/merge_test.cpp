@@ -56,6 +56,25 @@ TEST(Merge, TheUnionOfTheShardsIsTheWhole) {
   EXPECT_EQ(ids, some_ids());
 }
 
+TEST(Merge, WhatARunDidNotComeToIsAGap) {
+  hn::Run whole = run_of({result("b", Status::pass), result("c", Status::pass)});
+  whole.not_run = 8;
+  hn::Run shard = shard_run("1/2");
+  shard.cases.pop_back();
+  shard.not_run = 1;
+  for (const std::vector<hn::Run>& runs : {std::vector{whole}, std::vector{shard, shard_run("2/2")}}) {
+    const auto merged = merge(runs);
+    ASSERT_TRUE(merged) << merged.error().text();
+    ASSERT_EQ(merged->gaps.size(), 1u);
+    EXPECT_NE(merged->gaps[0].find(runs.size() == 1 ? "8 cases were not run" : "1 cases were not run"),
+              std::string::npos)
+        << merged->gaps[0];
+    EXPECT_FALSE(all_as_expected(merged->runs));
+    EXPECT_EQ(merged->runs[0].shard, "");
+  }
+  EXPECT_EQ(merge({shard})->gaps.size(), 2u) << "that, and the shard that is not here";
+}
+
 TEST(Merge, AMissingShardIsAGap) {
   const auto merged = merge({shard_run("3/3"), shard_run("1/3")});
   ASSERT_TRUE(merged);

@@ -50,6 +50,7 @@ Json to_json(const Run& run) {
     one["shard"] = run.shard;
     one["whole"] = run.whole;
   }
+  if (run.not_run != 0) one["not_run"] = run.not_run;
   Json& totals = one["totals"] = Json::object();
   for (const Status status : kStatuses) totals[std::string(name_of(status))] = run.count(status);
   one["as_expected"] = run.as_expected();
@@ -79,6 +80,7 @@ Run run_from(const nlohmann::json& json, std::string& where) {
     run.shard = json.at("shard").get<std::string>();
     run.whole = whole_number_at(json, "whole");
   }
+  if (json.contains("not_run")) run.not_run = whole_number_at(json, "not_run");
   for (const nlohmann::json& result : list_at(json, "cases")) {
     where = fmt::format("{}, case {}", here, run.cases.size() + 1);
     run.cases.push_back(case_result_from(result));
@@ -86,6 +88,11 @@ Run run_from(const nlohmann::json& json, std::string& where) {
   where = here;
   if (json.contains("timings")) run.timings = json.at("timings").dump();
   return run;
+}
+
+bool cases_are_right(const Run& run) {
+  return std::all_of(run.cases.begin(), run.cases.end(),
+                     [](const CaseResult& result) { return hn::as_expected(result); });
 }
 
 }  // namespace
@@ -96,17 +103,20 @@ std::size_t Run::count(Status status) const {
 }
 
 bool Run::as_expected() const {
-  return count(Status::pass) > 0 &&
-         std::all_of(cases.begin(), cases.end(), [](const CaseResult& result) { return hn::as_expected(result); });
+  return not_run == 0 && count(Status::pass) > 0 && cases_are_right(*this);
+}
+
+bool only_unfinished(const std::vector<Run>& runs) {
+  return std::any_of(runs.begin(), runs.end(), [](const Run& run) { return run.not_run != 0; }) &&
+         std::all_of(runs.begin(), runs.end(), cases_are_right);
 }
 
 bool all_as_expected(const std::vector<Run>& runs) {
-  const auto is_right = [](const CaseResult& result) { return hn::as_expected(result); };
   // What glslang says is no verdict on a driver, unless nothing else was asked.
   const bool only_reference = std::all_of(runs.begin(), runs.end(), [](const Run& run) { return run.is_reference(); });
   const auto decides = [&](const Run& run) { return run.as_expected() && (only_reference || !run.is_reference()); };
   return std::any_of(runs.begin(), runs.end(), decides) && std::all_of(runs.begin(), runs.end(), [&](const Run& run) {
-           return std::all_of(run.cases.begin(), run.cases.end(), is_right);
+           return run.not_run == 0 && cases_are_right(run);
          });
 }
 

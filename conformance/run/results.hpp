@@ -25,6 +25,7 @@ struct Run {
   std::string injected;   // the fault that the driver was made to have, if there is one
   std::string shard;      // "2/3", or empty for the whole
   std::size_t whole = 0;  // how many cases all shards have
+  std::size_t not_run = 0;  // how many the run did not come to, since it was ended before
   std::vector<CaseResult> cases;
   std::string timings;                  // JSON, if they were asked for
   std::string date = {};                // when it ended: UTC, ISO 8601
@@ -36,9 +37,12 @@ struct Run {
   bool as_expected() const;
 };
 
-// Whether no case of any driver is other than expected, and one driver at least is as expected: of the others a filter
-// may have left what they do not support, and some are not here.
+// Whether every case was run, none of any driver is other than expected, and one driver at least is as expected: of the
+// others a filter may have left what they do not support, and some are not here.
 bool all_as_expected(const std::vector<Run>& runs);
+
+// Whether cases were not run, and what was run is right: not the whole, but no fault either.
+bool only_unfinished(const std::vector<Run>& runs);
 
 constexpr std::string_view kResultsFile = "results.json";
 

@@ -20,6 +20,23 @@ TEST(Run, IsAsExpectedOnlyIfSomethingPassedAndNothingFailed) {
   EXPECT_FALSE(run_of({}).as_expected());
 }
 
+TEST(Run, ThatEndedTooEarlyIsNoPass) {
+  hn::Run run = run_of({result("a", Status::pass)});
+  EXPECT_TRUE(all_as_expected({run}));
+  EXPECT_FALSE(only_unfinished({run}));
+  run.not_run = 3;
+  EXPECT_FALSE(run.as_expected());
+  EXPECT_FALSE(all_as_expected({run}));
+  EXPECT_FALSE(all_as_expected({run, run_of({result("a", Status::pass)})}));
+  EXPECT_TRUE(only_unfinished({run}));
+  const auto json = nlohmann::json::parse(results_text({run})).at("runs").at(0);
+  EXPECT_EQ(json.at("not_run"), 3);
+  EXPECT_EQ(json.at("as_expected"), false);
+  EXPECT_EQ(parse_results(results_text({run})).value()[0].not_run, 3u);
+  run.cases.push_back(result("b", Status::fail));
+  EXPECT_FALSE(only_unfinished({run}));
+}
+
 TEST(Json, HasTheSchemaOfTheDocumentation) {
   const auto json =
       nlohmann::json::parse(results_text({run_of({result("a.b", Status::pass), result("c.d", Status::fail)})}));

@@ -24,6 +24,8 @@ constexpr int kMostFutileStarts = 2;
 constexpr int kMostCrashesInARow = 10;
 constexpr int kMostFunctionsInARow = 3;
 constexpr std::size_t kLogEnd = 2000;
+// By so much we wake up too late only if we were stopped.
+constexpr auto kLate = std::chrono::milliseconds(500);
 
 // A process for each would load a driver for a moment's work.
 constexpr std::size_t kFewestCasesPerProcess = 200;
@@ -79,7 +81,11 @@ class Lane {
     }
   }
 
-  void stop() { worker_.reset(); }
+  void stop() {
+    if (!worker_) return;
+    worker_.reset();
+    remove_empty_log();
+  }
 
   // What the process said, now or in an earlier run.
   void take(const nlohmann::json& report) {
@@ -138,6 +144,7 @@ class Lane {
             .injected = whole_.suite.inject,
             .shard = whole_.shard,
             .whole = plan_.whole,
+            .not_run = absent_.empty() ? pending_.size() : 0,
             .cases = {},
             .timings = {}};
     for (const std::string& id : plan_.ids) {
@@ -248,7 +255,7 @@ class Scheduler {
       wait();
       for (Lane& lane : lanes_) serve(lane);
       show_progress();
-      if (found_enough()) break;
+      if (stopping_ || found_enough() || !journal_.problem().empty()) break;
     }
     std::vector<Run> runs;
     std::vector<std::string> problems;
@@ -261,10 +268,10 @@ class Scheduler {
         runs.push_back(std::move(run));
       } else {
         if (runs.back().info.renderer.empty()) runs.back().info = run.info;
+        runs.back().not_run += run.not_run;
         std::move(run.cases.begin(), run.cases.end(), std::back_inserter(runs.back().cases));
       }
     }
-    if (journal_.broken()) problems.push_back("the journal could not be written, so the run could not be resumed");
     return {std::move(runs), std::move(problems)};
   }
 
@@ -310,14 +317,26 @@ class Scheduler {
   }
 
   void wait() {
-    std::vector<pollfd> waiting;
-    SteadyClock::time_point deadline = SteadyClock::now() + std::chrono::seconds(1);
+    std::vector<pollfd> waiting = {{plan_.stop_fd, POLLIN, 0}};  // poll passes over -1
+    excuse_absence(looked_at_);
+    SteadyClock::time_point deadline = looked_at_ + std::chrono::seconds(1);
     for (Lane& lane : lanes_) {
       if (!lane.worker()) continue;
       waiting.push_back({lane.worker()->fd(), POLLIN, 0});
       deadline = std::min(deadline, lane.worker()->deadline());
     }
     poll(waiting.data(), waiting.size(), milliseconds_until(deadline));
+    stopping_ = waiting.front().revents != 0;
+    excuse_absence(deadline);
+  }
+
+  // Ctrl-Z stops the drivers as well as us. That time is not theirs.
+  void excuse_absence(SteadyClock::time_point expected) {
+    const SteadyClock::time_point now = SteadyClock::now();
+    for (Lane& lane : lanes_) {
+      if (now - expected >= kLate && lane.worker()) lane.worker()->postpone_deadline(now - looked_at_);
+    }
+    looked_at_ = now;
   }
 
   void serve(Lane& lane) {
@@ -329,6 +348,7 @@ class Scheduler {
       journal_.add(lane.driver(), report);
     }
     if (!lane.worker()->end()) return;
+    if (stopping_) return;  // who stops us may have ended it
     if (const auto result = lane.take_end()) journal_.add(lane.driver(), {{"result", to_json(*result)}});
   }
 
@@ -359,6 +379,8 @@ class Scheduler {
   Journal& journal_;
   Progress progress_;
   std::vector<Lane> lanes_;
+  bool stopping_ = false;
+  SteadyClock::time_point looked_at_ = SteadyClock::now();
 };
 
 }  // namespace

@@ -32,16 +32,18 @@ struct RunPlan {
   std::chrono::milliseconds limit{60000};      // for a case, and for a driver to start
   std::vector<Expectation> expectations = {};  // what does not count for fail_fast
   bool fail_fast = false;                      // end with the first case that is bad
+  int stop_fd = -1;                            // end once something can be read from this file
   std::filesystem::path program = own_program();
 };
 
 // What a journal has to agree with.
 nlohmann::json to_json(const RunPlan& plan);
 
-// The results, in the order of the plan, less those that the run did not come to because of fail_fast. A case in which
-// the process ends is a crash, one that takes longer than the limit a timeout; the cases after it are run by another
-// process. What the journal has from an earlier run is not run again. Logs of the processes, where they print
-// something, are left as DRIVER.log in the directory.
+// The results, in the order of the plan, less those that the run did not come to: because of fail_fast, because it was
+// stopped, or because the journal could not be written, so that more results could be lost. A case in which the process
+// ends is a crash, one that takes longer than the limit a timeout; the cases after it are run by another process. What
+// the journal has from an earlier run is not run again. Logs of the processes, where they print something, are left as
+// DRIVER.log in the directory.
 struct PlanResult {
   std::vector<Run> runs;
   std::vector<std::string> problems;  // what is wrong beside the cases: a driver that crashes when it is left, say

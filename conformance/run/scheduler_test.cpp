@@ -3,6 +3,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/eventfd.h>
+#include <sys/resource.h>
+
+#include <fstream>
+#include <thread>
 
 #include "base/file.hpp"
 #include "base/temporary_folder.hpp"
@@ -221,6 +226,58 @@ TEST_F(SchedulerTest, FailFastEndsWithTheFirstBadCase) {
   plan_.fail_fast = true;
   const hn::Run result = run(script_that("b", "exit 1") + "exec sleep 60\n");
   EXPECT_EQ(verdicts(result), "a pass, b crash");
+}
+
+TEST_F(SchedulerTest, WhatStopsTheRunCostsNoVerdict) {
+  const FileDescriptor stop(eventfd(0, EFD_CLOEXEC));
+  plan_.stop_fd = stop.get();
+  std::thread later([&] {
+    while (!std::filesystem::exists(folder_.path() / "child.c")) std::this_thread::sleep_for(1ms);
+    eventfd_write(stop.get(), 1);
+  });
+  const hn::Run result = run(script_that("c", "touch \"$0.c\"; exec sleep 60"));
+  later.join();
+  EXPECT_EQ(verdicts(result), "a pass, b pass");
+  EXPECT_EQ(result.not_run, 3u);
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "any.job"));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "any.log"));
+  // And the next goes on.
+  plan_.stop_fd = -1;
+  auto journal = Journal::reopen(folder_.path(), to_json(plan_));
+  ASSERT_TRUE(journal) << journal.error().text();
+  EXPECT_EQ(journal->earlier().size(), 3u);  // ready, a, b
+  folder_.write("child", "#!/bin/sh\n" + script_that("none", ":"));
+  const hn::Run whole = run_plan(plan_, folder_.path(), *journal, stderr).runs.front();
+  EXPECT_EQ(verdicts(whole), "a pass, b pass, c pass, d pass, e pass");
+  EXPECT_EQ(whole.not_run, 0u);
+}
+
+TEST_F(SchedulerTest, ARunThatWasStoppedBeforeItBeganHasNoVerdicts) {
+  const FileDescriptor stop(eventfd(1, EFD_CLOEXEC));
+  plan_.stop_fd = stop.get();
+  const hn::Run result = run("exec sleep 60\n");
+  EXPECT_EQ(verdicts(result), "");
+  EXPECT_EQ(result.not_run, 5u);
+}
+
+// As on a full disk.
+TEST_F(SchedulerTest, AJournalThatCannotBeWrittenEndsTheRun) {
+  signal(SIGXFSZ, SIG_IGN);
+  plan_.program = folder_.path() / "child";
+  folder_.write("child", "#!/bin/sh\n" + script_that("none", ":") + "exec sleep 60\n");
+  std::filesystem::permissions(plan_.program, std::filesystem::perms::owner_all);
+  auto journal = Journal::create(folder_.path(), to_json(plan_));
+  ASSERT_TRUE(journal);
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit small{std::filesystem::file_size(folder_.path() / kJournalFile) + 500, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
+  const PlanResult result = run_plan(plan_, folder_.path(), *journal, stderr);
+  setrlimit(RLIMIT_FSIZE, &before);
+  EXPECT_EQ(journal->problem(), "cannot write " + (folder_.path() / kJournalFile).string() + ": File too large");
+  const auto again = Journal::reopen(folder_.path(), to_json(plan_));
+  ASSERT_TRUE(again) << again.error().text();
+  EXPECT_GE(again->earlier().size(), 2u);
 }
 
 TEST_F(SchedulerTest, DriversRunSideBySide) {

@@ -10,6 +10,13 @@ namespace hn {
 // bytes.
 std::string clean_text(std::string_view bytes);
 
+// The same for a terminal: without what moves its cursor or changes its colours, too.
+std::string printable(std::string_view bytes);
+
+// Bytes from elsewhere as a part of a message: in quotes, with \xNN for every one that is no printable ASCII, cut after
+// about so many characters.
+std::string in_quotes(std::string_view bytes, std::size_t most = 60);
+
 // At most so many bytes, with a remark where more are left out.
 std::string shortened(std::string_view text, std::size_t most);
 

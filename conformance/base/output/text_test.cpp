@@ -24,6 +24,19 @@ TEST(CleanText, ReplacesWhatXmlForbids) {
   EXPECT_EQ(clean_text("end\xE2\x82"), "end"s + kReplaced);
 }
 
+TEST(Printable, LeavesTheTerminalAlone) {
+  EXPECT_EQ(printable("a\tb\n\xC3\xA4 \xC2\xA0"), "a\tb\n\xC3\xA4 \xC2\xA0");
+  EXPECT_EQ(printable("\x1b[2J\x7f\xC2\x9b"), kReplaced + "[2J"s + kReplaced + kReplaced);
+  EXPECT_EQ(printable("over\rwritten\r\n"), "overwritten\n");
+}
+
+TEST(InQuotes, IsPrintableAndNotLong) {
+  EXPECT_EQ(in_quotes("rows 2"), "\"rows 2\"");
+  EXPECT_EQ(in_quotes("a\0\r\x1b\xff\xC3\xA4"s), R"("a\x00\r\x1b\xff\xc3\xa4")");
+  EXPECT_EQ(in_quotes("abcde", 3), "\"abc\" and 2 bytes more");
+  EXPECT_EQ(in_quotes(""), "\"\"");
+}
+
 TEST(Shortened, SaysWhatIsLeftOut) {
   EXPECT_EQ(shortened("abc", 3), "abc");
   EXPECT_EQ(shortened("abcde", 3), "abc ... (2 characters more)");

@@ -41,7 +41,8 @@ Result<Xvfb> Xvfb::where_no_display() {
   if (const char* display = getenv("DISPLAY"); display && *display) return Xvfb();
   auto server = start_process(
       {.program = "Xvfb",
-       .arguments = {"-displayfd", std::to_string(kReportFd), "-screen", "0", "640x480x24", "-nolisten", "tcp"}});
+       .arguments = {"-displayfd", std::to_string(kReportFd), "-screen", "0", "640x480x24", "-nolisten", "tcp"},
+       .is_server = true});
   if (!server) return fail("there is no display (DISPLAY is not set), and no Xvfb to make one", server.error().text());
   Xvfb started(server->pid);
   const std::string number = read_number(server->reports.get());
