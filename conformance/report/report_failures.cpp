@@ -72,16 +72,6 @@ struct Shown {
   std::size_t open = 0;
 };
 
-std::string measure_of(const Outcome& outcome) {
-  if (outcome.samples == 0) return "";
-  std::string text = fmt::format("{} of {} values are wrong", outcome.mismatches, outcome.samples);
-  if (outcome.max_abs > 0.0) {
-    text +=
-        fmt::format("; the largest difference is {:.3g}, {} units in the last place", outcome.max_abs, outcome.max_ulp);
-  }
-  return text + ".";
-}
-
 Json page_case(const CaseResult& result, Shown& shown) {
   const Outcome& outcome = result.outcome;
   Json evidence = false;
@@ -98,7 +88,7 @@ Json page_case(const CaseResult& result, Shown& shown) {
   const Json examples = examples_of(outcome);
   // With examples the message says nothing more than the first of them.
   return {{"id", result.id},
-          {"measure", measure_of(outcome)},
+          {"measure", outcome.samples == 0 ? "" : measure_of(outcome) + "."},
           {"message", examples.empty() ? Json({{"text", cleaned(outcome.message)}}) : Json(false)},
           {"has_examples", !examples.empty()},
           {"examples", examples},

@@ -1,5 +1,5 @@
 // What was found: results.json, and the page.
-import { kBadStatuses, kStatuses } from "./checks.js";
+import { kBadStatuses, kStatuses, measureOf } from "./checks.js";
 
 // All of them are in results.json.
 const kMostShown = 20;
@@ -46,7 +46,7 @@ function exampleTable(examples) {
 }
 
 function wrongCase(result) {
-  const counts = result.samples ? `${result.mismatches} of ${result.samples} values are wrong. ` : "";
+  const counts = result.samples ? `${measureOf(result)}. ` : "";
   const parts = [element("h3", {}, element("span", { class: "bad" }, result.status), ` ${result.id}`)];
   if (counts) parts.push(element("p", {}, counts));
   // What is not said by the examples.
