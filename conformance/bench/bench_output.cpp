@@ -121,6 +121,7 @@ Result<std::string> page(const Provenance& provenance, const BenchReport& report
   const nlohmann::json errors = page_errors(report);
   nlohmann::json data = {{"style", text_of(kBaseFiles, "style.mustache")},
                          {"provenance", to_json(provenance)},
+                         {"library", library_text(provenance.library)},
                          {"gate", report.gate.reason},
                          {"clock", name_of(report.gate.clock)},
                          {"rounds", report.rounds},
@@ -146,14 +147,16 @@ Ratio ratio_in(const nlohmann::json& subject) {
 }  // namespace
 
 nlohmann::json to_json(const Provenance& provenance) {
-  return {{"version", library_version()},
-          {"date", provenance.date},
-          {"command", provenance.command},
-          {"driver", provenance.driver},
-          {"vendor", provenance.info.vendor},
-          {"renderer", provenance.info.renderer},
-          {"gl_version", provenance.info.gl_version},
-          {"glsl_version", provenance.info.glsl_version}};
+  nlohmann::json json = {{"version", library_version()},
+                         {"date", provenance.date},
+                         {"command", provenance.command},
+                         {"driver", provenance.driver},
+                         {"vendor", provenance.info.vendor},
+                         {"renderer", provenance.info.renderer},
+                         {"gl_version", provenance.info.gl_version},
+                         {"glsl_version", provenance.info.glsl_version}};
+  if (provenance.library) json["library"] = to_json(*provenance.library);
+  return json;
 }
 
 nlohmann::json to_json(const Counts& counts) {

@@ -157,7 +157,9 @@ int bench_command(const BenchCommand& options) {
   settle_foreigns(*report, selection->foreigns);
   const std::vector<Change> changes = compare_with_baseline(baseline, *report);
   if (!options.baseline.empty()) describe_comparison(baseline, changes, driver->provenance.info.renderer);
-  if (const auto written = write_bench(options.out, driver->provenance, *report, changes, options.dump); !written) {
+  Provenance provenance = driver->provenance;
+  provenance.library = sources->edited();
+  if (const auto written = write_bench(options.out, provenance, *report, changes, options.dump); !written) {
     return usage_error(written.error().text());
   }
   return conclude(*report, changes, options.out);

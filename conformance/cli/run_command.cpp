@@ -186,6 +186,7 @@ int conclude(const std::vector<Run>& runs, const std::string& out, const std::ve
     return kNotWritten;
   }
   for (const Run& run : runs) fmt::print("{}", summary(run));
+  fmt::print("{}", edited_libraries(runs));
   for (const std::string& problem : problems) fmt::print(stderr, "hn-conform: {}\n", problem);
   const bool good = problems.empty() && all_as_expected(runs);
   fmt::print("{}: {}\n", good ? "All as expected" : "NOT AS EXPECTED",
@@ -299,6 +300,7 @@ int run_command(const RunCommand& options) {
   if (options.timings) add_timings(runs, *plan, options.out);
   for (Run& run : runs) {
     run.date = now();
+    run.library = sources->edited();
     run.commands = {options.line};
     apply_expectations(*expectations, run);
   }

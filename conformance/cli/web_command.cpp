@@ -26,7 +26,7 @@ int web_command(const WebCommand& options) {
     HN_DO(prepare_output(options.out, {kPage}));
     const PageSuite suite = make_suite(*sources, options.golden, cases);
     if (suite.defect) return fail(*suite.defect);
-    HN_TRY(const auto page, web_page(suite.json));
+    HN_TRY(const auto page, web_page(suite.json, sources->edited()));
     return write_file(std::filesystem::path(options.out) / kPage, page);
   };
   if (const auto done = write(); !done) return usage_error(done.error().text());

@@ -1,9 +1,11 @@
 #include "report/report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "base/file.hpp"
 
@@ -69,6 +71,14 @@ Result<void> write_results(const std::filesystem::path& directory, const std::ve
   HN_DO(write_file(directory / kJunitFile, junit_text(runs, problems)));
   HN_TRY(const auto page, report_page(runs, problems));
   return write_file(directory / kPageFile, page);
+}
+
+std::string edited_libraries(const std::vector<Run>& runs) {
+  std::set<std::string> texts;
+  for (const Run& run : runs) {
+    if (run.library) texts.insert(fmt::format("What was tested is {}\n", library_text(run.library)));
+  }
+  return fmt::format("{}", fmt::join(texts, ""));
 }
 
 std::string summary(const Run& run) {

@@ -194,6 +194,7 @@ Json page_failures(const std::vector<Run>& runs) {
     drivers.push_back({{"driver", run.driver},
                        {"renderer", clean_text(run.info.renderer)},
                        {"gl_version", clean_text(run.info.gl_version)},
+                       {"here", run.library ? "the edited library" : "this driver"},
                        {"functions", std::move(functions)}});
   }
   return {{"any", !drivers.empty()}, {"drivers", std::move(drivers)}};

@@ -43,6 +43,7 @@ Json to_json(const Run& run) {
   one.update(to_json(run.info));
   one["seed"] = run.seed;
   if (!run.content.empty()) one["content"] = run.content;
+  if (run.library) one["library"] = hn::to_json(*run.library);
   if (!run.injected.empty()) one["injected"] = run.injected;
   if (!run.date.empty()) one["date"] = run.date;
   if (!run.commands.empty()) one["commands"] = run.commands;
@@ -72,6 +73,7 @@ Run run_from(const nlohmann::json& json, std::string& where) {
   run.info = context_info_from(json);
   run.seed = whole_number_at(json, "seed");
   if (json.contains("content")) run.content = json.at("content").get<std::string>();
+  if (json.contains("library")) run.library = edited_library_from(json.at("library"));
   if (json.contains("injected")) run.injected = json.at("injected").get<std::string>();
   if (json.contains("date")) run.date = json.at("date").get<std::string>();
   if (json.contains("commands")) run.commands = json.at("commands").get<std::set<std::string>>();

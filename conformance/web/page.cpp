@@ -6,7 +6,6 @@
 
 #include "base/files.hpp"
 #include "base/output/base64.hpp"
-#include "base/version.hpp"
 #include "web/files.hpp"
 #include "web/suite.hpp"
 
@@ -36,13 +35,13 @@ std::string import_map() {
 
 }  // namespace
 
-Result<std::string> web_page(const std::string& suite) {
+Result<std::string> web_page(const std::string& suite, const std::optional<EditedLibrary>& library) {
   std::string data = suite;
   replace_all(data, "<", "\\u003c");  // so that no text in it can end the script element
   return render_page(text_of(kWebFiles, "index.mustache"), {{"style", text_of(kBaseFiles, "style.mustache")},
-                                                  {"version", library_version()},
-                                                  {"suite", data},
-                                                  {"modules", import_map()}});
+                                                            {"library", library_text(library)},
+                                                            {"suite", data},
+                                                            {"modules", import_map()}});
 }
 
 }  // namespace hn

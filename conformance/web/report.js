@@ -18,10 +18,12 @@ export function asExpected(results) {
 }
 
 // Of the schema that hn-conform writes (docs/internals.md). The page has the random points of seed 1.
-export function resultsJson(version, info, results) {
+export function resultsJson({ version, library }, info, results) {
   const totals = Object.fromEntries(kStatuses.map((status) => [status, count(results, status)]));
   const date = new Date().toISOString().replace(/\.\d+Z$/, "Z");
-  const run = { driver: "webgl2", ...info, seed: 1, date, totals, as_expected: asExpected(results), cases: results };
+  const tested = library === null ? {} : { library };
+  const run = { driver: "webgl2", ...info, seed: 1, ...tested, date, totals, as_expected: asExpected(results),
+                cases: results };
   return JSON.stringify({ schema: 2, version, runs: [run] }, null, 1) + "\n";
 }
 
@@ -106,13 +108,13 @@ export function showStopped(title, message) {
   place("current").textContent = message;
 }
 
-export function showResults(version, info, results) {
+export function showResults(suite, info, results) {
   const good = asExpected(results);
   setVerdict(good ? "All as expected" : "NOT AS EXPECTED", good ? "good" : "bad");
   const samples = results.reduce((sum, result) => sum + result.samples, 0);
   place("progress").remove();
   place("current").textContent = `${totalsText(results)}; ${samples.toLocaleString("en")} values compared`;
-  offer(resultsJson(version, info, results));
+  offer(resultsJson(suite, info, results));
   const found = place("found");
   const wrong = bad(results);
   if (wrong.length) {

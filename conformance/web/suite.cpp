@@ -62,6 +62,7 @@ class SuiteWriter {
 
   Json finish(Json cases, std::string_view report_to) const {
     Json suite = {{"schema", 1}, {"version", library_version()}};
+    if (sources_.edited()) suite["library"] = to_json(*sources_.edited());
     if (!report_to.empty()) suite["report_to"] = report_to;
     suite["uniforms"] = {{"trips", {{"type", "int"}, {"value", kLoopTrips}}},
                          {"variant_seed", {{"type", "uint"}, {"value", kVariantSeed}}}};

@@ -20,6 +20,7 @@ function columnsOf(text) {
 export class Suite {
   constructor(json) {
     this.version = json.version;
+    this.library = json.library ?? null;
     this.cases = json.cases;
     this.uniforms = json.uniforms;
     this.reportTo = json.report_to ?? null;
