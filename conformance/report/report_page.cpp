@@ -74,9 +74,13 @@ Json page_driver(const Run& run) {
   Json counts = Json::array();
   for (const Status status : kStatuses) {
     const std::size_t count = run.count(status);
-    counts.push_back({{"text", std::to_string(count)}, {"class", count == 0 ? "faint" : is_bad(status) ? "bad" : ""}});
+    counts.push_back({{"text", std::to_string(count)},
+                      {"label", name_of(status)},
+                      {"class", count == 0       ? "faint"
+                                : is_bad(status) ? "bad"
+                                                 : ""}});
   }
-  counts.push_back({{"text", std::to_string(excused)}, {"class", excused == 0 ? "faint" : ""}});
+  counts.push_back({{"text", std::to_string(excused)}, {"label", "excused"}, {"class", excused == 0 ? "faint" : ""}});
   const std::size_t unexpected = unexpected_in(run);
   const bool nothing = unexpected == 0 && !run.as_expected();
   return {{"driver", run.driver},

@@ -55,6 +55,41 @@ TEST(Page, ShowsWhatFailedAndWhere) {
   }
 }
 
+TEST(Page, SaysWhatFailuresHaveInCommon) {
+  CaseResult second = failed("noise2d.perlin.fnv1.fixed.vertex.es300.twin");
+  second.outcome.max_abs = 0.7;
+  second.outcome.allowed = 3.5e-6;
+  const std::string page = page_of({run_of({failed("noise2d.perlin.lattice.fixed.fragment.gl330.golden"), second,
+                                            result("noise2d.perlin.lattice.fast.fragment.gl330.golden", Status::pass),
+                                            result("noise2d.perlin.lattice.fast.fragment.gl330.twin", Status::pass)})});
+  EXPECT_TRUE(has(page, "<p>Every failing case is with HN_FIXED; all 2 with HN_FAST pass.</p>"));
+  EXPECT_TRUE(has(page, "the furthest off by 0.7, where 3.5e-06 is allowed."));
+  EXPECT_FALSE(has(page, "units in the last place"));
+}
+
+// A defect of one file is an error in every function: it is shown once.
+TEST(Page, ShowsTheSameErrorOnce) {
+  const auto refused = [](const std::string& id) {
+    CaseResult bad = result(id, Status::fail);
+    bad.outcome.message = "does not compile\nglsl/hash.glsl:7: no";
+    return bad;
+  };
+  const std::string page = page_of({run_of({refused("f.g.x"), refused("f.h.x"), refused("f.i.x")})});
+  EXPECT_TRUE(has(page, "does not compile <span>- 3 cases"));
+  EXPECT_TRUE(has(page, "2 more of the kind, in results.json"));
+  const auto first = page.find("glsl/hash.glsl:7");
+  EXPECT_EQ(page.find("glsl/hash.glsl:7", first + 1), std::string::npos);
+}
+
+TEST(Page, NamesTheEditedLibrary) {
+  hn::Run run = run_of({failed("f.g.x.golden")});
+  EXPECT_TRUE(has(page_of({run}), "Conformance of hashnoise "));
+  EXPECT_TRUE(has(page_of({run}), "<figcaption>this driver</figcaption>"));
+  run.library = {.folder = "my/<copy>", .digest = "0123", .changed = {"hash.glsl"}};
+  EXPECT_TRUE(has(page_of({run}), "Conformance of the library in my/&lt;copy&gt; (hash.glsl differs from hashnoise "));
+  EXPECT_TRUE(has(page_of({run}), "<figcaption>the edited library</figcaption>"));
+}
+
 TEST(Page, HasEveryStatus) {
   CaseResult excused = result("a.b.excused", Status::timeout);
   excused.excuse = "a known bug";

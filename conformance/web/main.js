@@ -51,7 +51,8 @@ async function run(suite) {
   });
   showResults(suite, info, results);
   document.title = `${bad(results).length ? "✗" : "✓"} ${document.title}`;
-  await tell(suite, { type: "done", verdict: shownVerdict(), results: resultsJson(suite, info, results) });
+  const found = document.getElementById("found").innerText;
+  await tell(suite, { type: "done", verdict: shownVerdict(), found, results: resultsJson(suite, info, results) });
 }
 
 async function main() {

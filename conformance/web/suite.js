@@ -27,6 +27,11 @@ export class Suite {
     this.json = json;
   }
 
+  // What the names of the cases say of them, by id: texts, as in facets.hpp.
+  facets() {
+    return new Map(this.json.cases.map(({ id, facets }) => [id, facets.map((number) => this.json.facets[number])]));
+  }
+
   // {text, translate}: translate turns the line numbers of a driver's log into files and lines.
   shader(number) {
     const { pieces, paths } = this.json.shaders[number];
