@@ -38,16 +38,18 @@ function element(name, attributes = {}, ...children) {
   return made;
 }
 
-function table(heads, rows) {
+// On a phone each row becomes a block, each cell a line with its head, if it is to fold.
+function table(heads, rows, kind = "table") {
   const head = element("tr", {}, ...heads.map((text) => element("th", {}, text)));
-  const lines = rows.map((row) => element("tr", {}, ...row.map((cell) => element("td", {}, String(cell)))));
-  return element("div", { class: "table" },
+  const lines = rows.map((row) => element("tr", {}, ...row.map(
+    (cell, i) => element("td", { "data-label": heads[i] }, String(cell)))));
+  return element("div", { class: kind },
                  element("table", {}, element("thead", {}, head), element("tbody", {}, ...lines)));
 }
 
 function exampleTable(examples) {
   return table(["point", "inputs", "got", "expected"],
-               examples.map(({ point, inputs, got, expected }) => [point, inputs, got, expected]));
+               examples.map(({ point, inputs, got, expected }) => [point, inputs, got, expected]), "table fold");
 }
 
 function wrongCase(result) {
