@@ -95,21 +95,35 @@ bool is_in_a_frame(const Measurement& measurement) {
   });
 }
 
-const Measurement* default_perlin(const BenchReport& report, int dimensions) {
-  const std::string id = fmt::format("noise{}d.perlin.{}", dimensions, default_configuration().name);
-  for (const Measurement& measurement : report.measurements) {
-    if (measurement.subject.id == id && !measurement.error && measurement.ratio.known()) return &measurement;
+// What the others are compared with. Its time is told from nothing.
+struct Yardstick {
+  std::string name = {};
+  const Measurement* measurement = nullptr;
+};
+
+// hn_perlin, or Perlin/Float, which is always measured, if hn_perlin is not.
+Yardstick yardstick_of(const BenchReport& report, int dimensions) {
+  const Yardstick wanted[] = {
+      {fmt::format("noise{}d.perlin.{}", dimensions, default_configuration().name)},
+      {fmt::format("table.float{}", dimensions)},
+  };
+  for (const Yardstick& one : wanted) {
+    for (const Measurement& measurement : report.measurements) {
+      if (measurement.subject.id != one.name || measurement.error) continue;
+      if (!(measurement.ratio.value > measurement.ratio.spread)) continue;
+      return {is_of_others(measurement) ? "Perlin/Float" : "hn_perlin", &measurement};
+    }
   }
-  return nullptr;
+  return {"hn_perlin", nullptr};
 }
 
 // Both ratios are to the same shader, in the same rounds.
-std::string against(const Measurement& measurement, const Measurement* perlin) {
-  if (perlin == nullptr) return "not measured";
-  if (&measurement == perlin) return "1";
-  if (!measurement.ratio.known() || !(perlin->ratio.value > perlin->ratio.spread)) return "cannot be told";
-  const double quotient = measurement.ratio.value / perlin->ratio.value;
-  const double spread = (measurement.ratio.spread + std::abs(quotient) * perlin->ratio.spread) / perlin->ratio.value;
+std::string against(const Measurement& measurement, const Measurement* yardstick) {
+  if (&measurement == yardstick) return "1";
+  if (yardstick == nullptr || !measurement.ratio.known()) return "cannot be told";
+  const Ratio& unit = yardstick->ratio;
+  const double quotient = measurement.ratio.value / unit.value;
+  const double spread = (measurement.ratio.spread + std::abs(quotient) * unit.spread) / unit.value;
   return text_of(Ratio{quotient, spread});
 }
 
@@ -122,16 +136,16 @@ Json page_frames(const BenchReport& report) {
     }
     if (subjects.empty()) continue;
     sort_by_cost(subjects);
-    const Measurement* const perlin = default_perlin(report, dimensions);
+    const Yardstick yardstick = yardstick_of(report, dimensions);
     Json rows = Json::array();
     for (const Measurement* subject : subjects) {
       const bool own = !is_of_others(*subject);
       rows.push_back({{"what", own ? subject->subject.expression : title_of_others(subject->subject.id)},
                       {"class", own ? "own" : ""},
                       {"milliseconds", milliseconds_text(*subject)},
-                      {"against", against(*subject, perlin)}});
+                      {"against", against(*subject, yardstick.measurement)}});
     }
-    list.push_back({{"dimensions", dimensions}, {"rows", std::move(rows)}});
+    list.push_back({{"dimensions", dimensions}, {"yardstick", yardstick.name}, {"rows", std::move(rows)}});
   }
   return list;
 }
@@ -173,6 +187,8 @@ std::string default_bars(const BenchReport& report) {
 
 // --- Tables ----------------------------------------------------------------------------------------------------------
 
+std::string precise_text(const Ratio& ratio) { return fmt::format("{:.3f} ± {:.3f}", ratio.value, ratio.spread); }
+
 Json page_header() {
   std::vector<std::string> names = {"ms a frame", "ratio", "ms to compile"};
   for (const std::string& source : count_sources()) names.push_back(source);
@@ -185,7 +201,7 @@ std::vector<std::string> cells_of(const Measurement& measurement, const std::map
     cells.resize(page_header().size(), "failed");
     return cells;
   }
-  cells.push_back(measurement.ratio.known() ? text_of(measurement.ratio) : "cannot be told");
+  cells.push_back(measurement.ratio.known() ? precise_text(measurement.ratio) : "cannot be told");
   cells.push_back(fmt::format("{:.1f}", measurement.compile_seconds * 1e3));
   for (const std::string& source : count_sources()) cells.push_back(count_text(measurement.counts, source, absent));
   return cells;
@@ -198,7 +214,7 @@ Json page_rows(const BenchReport& report) {
   Json rows = Json::array();
   for (const Measurement* subject : subjects) {
     rows.push_back({{"id", subject->subject.id},
-                    {"mark", is_default(*subject) ? "default" : ""},
+                    {"default", is_default(*subject)},
                     {"numbers", cells_of(*subject, report.absent)}});
   }
   return rows;
@@ -219,8 +235,8 @@ Json page_changes(const std::vector<Change>& changes) {
   Json rows = Json::array();
   for (const Change& change : changes) {
     rows.push_back({{"id", change.id},
-                    {"before", fmt::format("{:.3f} ± {:.3f}", change.before.value, change.before.spread)},
-                    {"now", fmt::format("{:.3f} ± {:.3f}", change.now.value, change.now.spread)},
+                    {"before", precise_text(change.before)},
+                    {"now", precise_text(change.now)},
                     {"slower", change.slower}});
   }
   return rows;

@@ -233,11 +233,14 @@ TEST(BenchPage, SaysWhatCannotBeTold) {
   Measurement fast = costing("simplex2", 2, 2.0);
   fast.evaluations_per_second.reset();
   std::string page = page_of(report_of({perlin, fast}));
+  EXPECT_EQ(page.find("<th>noise2d.perlin.lattice</th>"), std::string::npos) << "it is the default";
+  EXPECT_NE(page.find("<th>simplex2</th>"), std::string::npos) << "it is not";
   EXPECT_NE(
       page.find("simplex2</code></th><td class=\"number\">too fast to tell</td><td class=\"number\">cannot be told"),
       std::string::npos);
-  page = page_of(report_of({costing("simplex2", 2, 2.0)}));
-  EXPECT_NE(page.find("<td class=\"number\">not measured</td>"), std::string::npos);
+  page = page_of(report_of({costing("simplex2", 2, 2.0), costing("table.float2", 2, 4.0)}));
+  EXPECT_NE(page.find("times Perlin/Float</th>"), std::string::npos);
+  EXPECT_NE(page.find("<td class=\"number\">0.50 ± 0.06</td>"), std::string::npos) << page;
   EXPECT_EQ(page_of(report_of({costing("hash.word.fnv1", 2, 2.0)})).find("A frame of"), std::string::npos);
 }
 
