@@ -1,6 +1,15 @@
 #include "base/verdict.hpp"
 
+#include <fmt/format.h>
+
+#include <limits>
+
 namespace hn {
+namespace {
+
+constexpr std::uint64_t kMostUlpsTold = 1000;
+
+}  // namespace
 
 std::string_view name_of(Status status) {
   switch (status) {
@@ -42,6 +51,23 @@ bool is_bad(Status status) {
       break;
   }
   return true;
+}
+
+std::string measure_of(const Outcome& outcome) {
+  if (outcome.samples == 0) return "";
+  const std::string wrong = fmt::format("{} of {} values are wrong", outcome.mismatches, outcome.samples);
+  if (outcome.max_abs == 0.0) return wrong;
+  if (outcome.max_abs == std::numeric_limits<double>::max()) return wrong + ", some of them infinite or no number";
+  if (!outcome.allowed || *outcome.allowed >= outcome.max_abs)
+    return wrong;  // where less is allowed, they are off by less
+  if (*outcome.allowed > 0.0) {
+    return fmt::format("{}, the furthest off by {:.3g}, where {:.3g} is allowed", wrong, outcome.max_abs,
+                       *outcome.allowed);
+  }
+  const bool few = outcome.max_ulp != 0 && outcome.max_ulp <= kMostUlpsTold;
+  const std::string units =
+      few ? fmt::format(" ({} {} in the last place)", outcome.max_ulp, outcome.max_ulp == 1 ? "unit" : "units") : "";
+  return fmt::format("{}, the furthest off by {:.3g}{}, where every bit counts", wrong, outcome.max_abs, units);
 }
 
 Outcome outcome_with(Status status, const Error& error) {

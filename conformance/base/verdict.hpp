@@ -40,13 +40,18 @@ struct Mismatch {
 
 struct Outcome {
   Status status = Status::pass;
-  std::uint64_t samples = 0;     // values compared
-  std::uint64_t mismatches = 0;  // values outside of what is allowed
-  double max_abs = 0.0;          // largest difference seen, allowed or not
-  std::uint64_t max_ulp = 0;     // the same, in units in the last place of a float
+  std::uint64_t samples = 0;           // values compared
+  std::uint64_t mismatches = 0;        // values outside of what is allowed
+  double max_abs = 0.0;                // largest difference seen, allowed or not
+  std::optional<double> allowed = {};  // where it was seen, if any was; 0 where every bit counts
+  std::uint64_t max_ulp = 0;           // the same, in units in the last place of a float
   std::string message;
   std::vector<Mismatch> examples;  // the first of the values that are wrong
 };
+
+// "123 of 192 values are wrong, the furthest off by 0.389, where 3.51e-06 is allowed": of values that were compared.
+// Units in the last place are told where every bit counts and they are few: many of them say nothing to anybody.
+std::string measure_of(const Outcome& outcome);
 
 // An outcome with the error as its message.
 Outcome outcome_with(Status status, const Error& error);

@@ -12,6 +12,7 @@
 #include "bench/subject.hpp"
 #include "bench/timing.hpp"
 #include "gpu/context_info.hpp"
+#include "library/edited.hpp"
 
 namespace hn {
 
@@ -21,6 +22,7 @@ struct Provenance {
   std::string command;
   std::string driver;
   ContextInfo info;
+  std::optional<EditedLibrary> library = {};  // what was measured in place of the program's own
 };
 nlohmann::json to_json(const Provenance& provenance);
 std::string now();

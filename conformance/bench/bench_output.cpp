@@ -1,18 +1,15 @@
-// bench.json and what is made of it: CSV, the page, and the comparison with an earlier one.
+// bench.json and what is made of it: CSV, and the comparison with an earlier one.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
 #include "base/file.hpp"
-#include "base/files.hpp"
 #include "base/json.hpp"
 #include "base/output/csv.hpp"
 #include "base/output/number.hpp"
-#include "base/output/page.hpp"
-#include "base/output/svg.hpp"
 #include "base/version.hpp"
 #include "bench/bench.hpp"
-#include "bench/files.hpp"
+#include "bench/bench_page.hpp"
 
 namespace hn {
 namespace {
@@ -37,7 +34,7 @@ nlohmann::json to_json(const Measurement& measurement) {
   return json;
 }
 
-// The columns of the table, on the page and as CSV.
+// The columns of bench.csv.
 const std::vector<std::string> kHeader = [] {
   std::vector<std::string> names = {"id", "ratio", "spread", "evaluations_per_second", "compile_ms"};
   for (const std::string& source : count_sources()) names.push_back(source);
@@ -60,85 +57,6 @@ std::vector<std::string> row_of(const Measurement& measurement, const std::map<s
   return row;
 }
 
-nlohmann::json page_rows(const BenchReport& report) {
-  nlohmann::json rows = nlohmann::json::array();
-  for (const Measurement& measurement : report.measurements) {
-    const auto cells = row_of(measurement, report.absent);
-    rows.push_back({{"id", cells[0]}, {"numbers", std::vector<std::string>(cells.begin() + 1, cells.end())}});
-  }
-  return rows;
-}
-
-// Bars of what has the prefix, with the table noises of as many dimensions and what is not the library's.
-std::string bars(const BenchReport& report, std::string_view prefix, int dimensions, const std::string& title) {
-  std::vector<Bar> bars;
-  for (const Measurement& measurement : report.measurements) {
-    const std::string& id = measurement.subject.id;
-    if (measurement.error || measurement.subject.dimensions != dimensions || id.starts_with("empty")) continue;
-    const bool others = id.find('.') == std::string::npos || id.starts_with("table.");
-    if (!others && !id.starts_with(prefix)) continue;
-    bars.push_back({others ? id : id.substr(prefix.size()), measurement.ratio.value, measurement.ratio.spread});
-  }
-  return bar_plot({title, "time, as a multiple of Perlin/Float's", ""}, bars);
-}
-
-// Bars of every function with the default knobs.
-std::string default_bars(const BenchReport& report) {
-  std::vector<Bar> bars;
-  for (const Measurement& measurement : report.measurements) {
-    const std::string_view id = measurement.subject.id;
-    const auto knobs = id.rfind('.') + 1;
-    if (measurement.error || (id.substr(knobs) != default_configuration().name && id.substr(knobs) != "any")) continue;
-    bars.push_back({std::string(id.substr(0, knobs - 1)), measurement.ratio.value, measurement.ratio.spread});
-  }
-  return bar_plot({"every function, default knobs", "time, as a multiple of Perlin/Float's of as many dimensions", ""},
-                  bars);
-}
-
-nlohmann::json page_errors(const BenchReport& report) {
-  nlohmann::json errors = nlohmann::json::array();
-  for (const Measurement& measurement : report.measurements) {
-    if (measurement.error) errors.push_back({{"id", measurement.subject.id}, {"text", measurement.error->text()}});
-    for (const std::string& problem : measurement.counts.problems) {
-      errors.push_back({{"id", measurement.subject.id}, {"text", problem}});
-    }
-  }
-  return errors;
-}
-
-nlohmann::json page_changes(const std::vector<Change>& changes) {
-  nlohmann::json rows = nlohmann::json::array();
-  for (const Change& change : changes) {
-    rows.push_back({{"id", change.id},
-                    {"before", fmt::format("{:.3f} ± {:.3f}", change.before.value, change.before.spread)},
-                    {"now", fmt::format("{:.3f} ± {:.3f}", change.now.value, change.now.spread)},
-                    {"slower", change.slower}});
-  }
-  return rows;
-}
-
-Result<std::string> page(const Provenance& provenance, const BenchReport& report, const std::vector<Change>& changes) {
-  const nlohmann::json errors = page_errors(report);
-  nlohmann::json data = {{"style", text_of(kBaseFiles, "style.mustache")},
-                         {"provenance", to_json(provenance)},
-                         {"gate", report.gate.reason},
-                         {"clock", name_of(report.gate.clock)},
-                         {"rounds", report.rounds},
-                         {"side", report.side},
-                         {"iterations", report.iterations},
-                         {"header", std::vector<std::string>(kHeader.begin() + 1, kHeader.end())},
-                         {"rows", page_rows(report)},
-                         {"absent", absent_sources(report.absent)},
-                         {"errors", errors},
-                         {"has_errors", !errors.empty()},
-                         {"changes", page_changes(changes)},
-                         {"has_changes", !changes.empty()},
-                         {"bars_default", default_bars(report)},
-                         {"bars2", bars(report, "noise2d.perlin.", 2, "hn_perlin(vec2), by knobs")},
-                         {"bars3", bars(report, "noise3d.perlin.", 3, "hn_perlin(vec3), by knobs")}};
-  return render_page(text_of(kBenchFiles, "bench.mustache"), data);
-}
-
 Ratio ratio_in(const nlohmann::json& subject) {
   return {subject.at("ratio").get<double>(), subject.at("spread").get<double>()};
 }
@@ -146,14 +64,16 @@ Ratio ratio_in(const nlohmann::json& subject) {
 }  // namespace
 
 nlohmann::json to_json(const Provenance& provenance) {
-  return {{"version", library_version()},
-          {"date", provenance.date},
-          {"command", provenance.command},
-          {"driver", provenance.driver},
-          {"vendor", provenance.info.vendor},
-          {"renderer", provenance.info.renderer},
-          {"gl_version", provenance.info.gl_version},
-          {"glsl_version", provenance.info.glsl_version}};
+  nlohmann::json json = {{"version", library_version()},
+                         {"date", provenance.date},
+                         {"command", provenance.command},
+                         {"driver", provenance.driver},
+                         {"vendor", provenance.info.vendor},
+                         {"renderer", provenance.info.renderer},
+                         {"gl_version", provenance.info.gl_version},
+                         {"glsl_version", provenance.info.glsl_version}};
+  if (provenance.library) json["library"] = to_json(*provenance.library);
+  return json;
 }
 
 nlohmann::json to_json(const Counts& counts) {
@@ -221,7 +141,7 @@ Result<void> write_bench(const std::filesystem::path& directory, const Provenanc
   json.update(to_json(report));
   std::vector<std::vector<std::string>> rows;
   for (const Measurement& measurement : report.measurements) rows.push_back(row_of(measurement, report.absent));
-  HN_TRY(const auto html, page(provenance, report, changes));
+  HN_TRY(const auto html, bench_page(provenance, report, changes));
   const std::string dumped = hn::dump(json, 1) + "\n";
   for (const auto& [name, text] : {std::pair{"bench.json", dumped}, std::pair{"bench.csv", to_csv(kHeader, rows)},
                                    std::pair{"index.html", html}}) {

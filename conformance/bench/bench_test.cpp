@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/temporary_folder.hpp"
+#include "bench/bench_page.hpp"
 
 namespace hn {
 namespace {
@@ -180,10 +181,88 @@ TEST_F(BaselineFile, PagesAndTablesNameEverySubject) {
     EXPECT_NE(page.find(part), std::string::npos) << part;
   }
   EXPECT_EQ(page.find("<2>"), std::string::npos);
+  EXPECT_NE(page.find("<dd>hashnoise "), std::string::npos);
   const std::string csv = text_of("bench.csv");
   EXPECT_NE(csv.find("\nnoise2d.perlin.lattice,0.500,0.250,"), std::string::npos) << csv;
   EXPECT_NE(csv.find("\nbroken<2>,"), std::string::npos) << csv;
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "spirv"));
+}
+
+// Of 10^9 evaluations in a second a frame has 2.07 milliseconds' worth.
+Measurement costing(const std::string& id, int dimensions, double cost) {
+  Measurement measurement = measured(id, cost / 4.0, cost / 64.0);
+  measurement.subject.dimensions = dimensions;
+  measurement.subject.expression = "call_of_" + id;
+  measurement.evaluations_per_second = 1e9 / cost;
+  return measurement;
+}
+
+std::string page_of(const BenchReport& report, const Provenance& provenance = {}) {
+  const auto page = bench_page(provenance, report, {});
+  EXPECT_TRUE(page) << page.error().text();
+  return page.value_or("");
+}
+
+TEST(BenchPage, BeginsWithAFrameOfWhatPeopleUse) {
+  const std::string page = page_of(report_of(
+      {costing("empty2", 2, 0.5), costing("table.float2", 2, 4.0), costing("fbm.fbm2.lattice", 2, 8.0),
+       costing("noise2d.perlin.lattice", 2, 2.0), costing("noise2d.perlin.fnv1", 2, 3.0), costing("simplex2", 2, 5.0),
+       costing("noise2d.perlin_cell.lattice", 2, 1.0), costing("hash.word.lattice", 2, 0.25),
+       costing("noise3d.perlin.lattice", 3, 6.0), failed("fbm.clouds2.lattice")}));
+  const std::string frames = page.substr(page.find("A frame of"), page.find("<h2>") - page.find("A frame of"));
+  std::size_t at = 0;
+  for (const std::string row :
+       {"call_of_noise2d.perlin.lattice</code></th><td class=\"number\">4.15</td><td class=\"number\">1</td>",
+        "Perlin/Float, tables in textures</code></th><td class=\"number\">8.29</td><td class=\"number\">2.00 ± "
+        "0.25</td>",
+        "simplex2</code></th><td class=\"number\">10.4</td><td class=\"number\">2.50 ± 0.31</td>",
+        "call_of_fbm.fbm2.lattice</code></th><td class=\"number\">16.6</td><td class=\"number\">4.00 ± 0.50</td>",
+        "3D: p is a vec3", "call_of_noise3d.perlin.lattice</code></th><td class=\"number\">12.4</td>"}) {
+    const auto found = frames.find(row, at);
+    ASSERT_NE(found, std::string::npos) << row << " is not behind the row before it in\n" << frames;
+    at = found;
+  }
+  for (const char* absent : {">empty", "fnv1", "cell", "hash.word", "clouds"}) {
+    EXPECT_EQ(frames.find(absent), std::string::npos) << absent;
+  }
+}
+
+TEST(BenchPage, SaysWhatCannotBeTold) {
+  Measurement perlin = costing("noise2d.perlin.lattice", 2, 2.0);
+  perlin.ratio.spread = perlin.ratio.value;
+  Measurement fast = costing("simplex2", 2, 2.0);
+  fast.evaluations_per_second.reset();
+  std::string page = page_of(report_of({perlin, fast}));
+  EXPECT_EQ(page.find("<th>noise2d.perlin.lattice</th>"), std::string::npos) << "it is the default";
+  EXPECT_NE(page.find("<th>simplex2</th>"), std::string::npos) << "it is not";
+  EXPECT_NE(
+      page.find("simplex2</code></th><td class=\"number\">too fast to tell</td><td class=\"number\">cannot be told"),
+      std::string::npos);
+  page = page_of(report_of({costing("simplex2", 2, 2.0), costing("table.float2", 2, 4.0)}));
+  EXPECT_NE(page.find("times Perlin/Float</th>"), std::string::npos);
+  EXPECT_NE(page.find("<td class=\"number\">0.50 ± 0.06</td>"), std::string::npos) << page;
+  EXPECT_EQ(page_of(report_of({costing("hash.word.fnv1", 2, 2.0)})).find("A frame of"), std::string::npos);
+}
+
+TEST(BenchPage, IsSortedAndMarksTheDefault) {
+  const std::string page =
+      page_of(report_of({failed("noise2d.perlin.pcg"), costing("noise2d.perlin.murmur", 2, 3.0),
+                         costing("noise2d.perlin.lattice", 2, 2.0), costing("noise2d.perlin.fnv1", 2, 1.0)}));
+  const std::string table = page.substr(page.find("<h2>Everything"));
+  EXPECT_LT(table.find("perlin.fnv1"), table.find("perlin.lattice <span class=\"mark\">default</span>"));
+  EXPECT_LT(table.find("perlin.lattice"), table.find("perlin.murmur</th>"));
+  EXPECT_LT(table.find("perlin.murmur"), table.find("perlin.pcg</th>"));
+  EXPECT_LT(page.find(">fnv1<"), page.find(">lattice (default)<"));
+  EXPECT_LT(page.find(">lattice (default)<"), page.find(">murmur<"));
+}
+
+TEST(BenchPage, NamesTheEditedLibrary) {
+  Provenance provenance;
+  provenance.library = {.folder = "my/copy", .digest = "0123", .changed = {"hash.glsl"}};
+  EXPECT_NE(
+      page_of(report_of({costing("simplex2", 2, 2.0)}), provenance).find("the library in my/copy (hash.glsl differs"),
+      std::string::npos);
+  EXPECT_EQ(to_json(provenance).at("library").at("digest"), "0123");
 }
 
 }  // namespace

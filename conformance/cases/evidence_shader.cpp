@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <bit>
 
-#include "base/version.hpp"
 #include "expected/compare.hpp"
 
 namespace hn {
@@ -30,7 +29,7 @@ std::string one_line(std::string text) {
   return text;
 }
 
-std::string comments(const Evaluation& evaluation, const ShaderFacts& facts) {
+std::string comments(const SourceSet& sources, const Evaluation& evaluation, const ShaderFacts& facts) {
   const Function& function = evaluation.function;
   return fmt::format(
       R"(// {}
@@ -44,11 +43,11 @@ std::string comments(const Evaluation& evaluation, const ShaderFacts& facts) {
 // wrong. (uniform zero keeps the compiler from evaluating the function itself.) A vertex shader, for three vertices:
 //   void main() {{ gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }}
 //
-// The functions are those of hashnoise {}, without its comments; MIT License.
+// The functions are those of {}, without the comments; MIT License.
 )",
       facts.id, one_line(facts.renderer), describe_inputs(function, facts.inputs),
       describe_outputs(function, facts.got), describe_outputs(function, facts.expected),
-      facts.every_bit ? "" : fmt::format(", within {:.3g}", facts.allowed), library_version());
+      facts.every_bit ? "" : fmt::format(", within {:.3g}", facts.allowed), one_line(library_text(sources.edited())));
 }
 
 std::string hidden(std::span<const std::uint32_t> words) {
@@ -100,7 +99,7 @@ Result<std::string> stand_alone_shader(const SourceSet& sources, const Evaluatio
   const std::string text = without_comments(shader.text);
   // WebGL wants #version in the first line.
   const auto second_line = text.find('\n') + 1;
-  return text.substr(0, second_line) + comments(evaluation, facts) + text.substr(second_line);
+  return text.substr(0, second_line) + comments(sources, evaluation, facts) + text.substr(second_line);
 }
 
 }  // namespace hn

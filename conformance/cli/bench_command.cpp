@@ -111,8 +111,10 @@ int bench_command(const BenchCommand& options, Interruption& interruption) {
   }
   const std::vector<Change> changes = compare_with_baseline(baseline, *report);
   if (!options.baseline.empty()) describe_comparison(baseline, changes, driver->provenance.info.renderer);
+  Provenance provenance = driver->provenance;
+  provenance.library = sources->edited();
   interruption.note_the_first();
-  if (const auto written = write_bench(options.out, driver->provenance, *report, changes, options.dump); !written) {
+  if (const auto written = write_bench(options.out, provenance, *report, changes, options.dump); !written) {
     return usage_error(written.error().text());
   }
   return conclude(*report, changes, options.out);

@@ -48,9 +48,12 @@ int paper_command(const PaperCommand& options, Interruption& interruption) {
   if (!driver) return driver.error();
   const ReferenceCompiler reference;
   Laboratory laboratory(*driver->context, *sources, reference, options.out, options.rounds, options.dump);
-  nlohmann::json data = to_json(driver->provenance);
+  Provenance provenance = driver->provenance;
+  provenance.library = sources->edited();
+  nlohmann::json data = to_json(provenance);
   nlohmann::json page = {{"style", text_of(kBaseFiles, "style.mustache")},
                          {"provenance", data},
+                         {"library", library_text(provenance.library)},
                          {"rounds", options.rounds},
                          {"failures", nlohmann::json::array()}};
   data["schema"] = 1;

@@ -198,6 +198,7 @@ void add_timings(std::vector<Run>& runs, const RunPlan& plan, const std::filesys
 int conclude(const std::vector<Run>& runs, const std::string& out, const std::vector<std::string>& problems) {
   const auto written = write_results(out, runs, problems);
   for (const Run& run : runs) say(printable(summary(run)));
+  say(printable(edited_libraries(runs)));
   for (const std::string& problem : problems) complain(problem);
   if (!written) {
     complain(written.error().text());
@@ -279,12 +280,13 @@ std::string reason_to_end(const Journal& journal, int signal) {
 }
 
 // The cases, what is made of their results, and the exit status.
-int run_to_the_end(const RunCommand& options, const RunPlan& plan, const DriverChoice& choice, Journal& journal,
-                   const Interruption& interruption) {
+int run_to_the_end(const RunCommand& options, const RunPlan& plan, const SourceSet& sources, const DriverChoice& choice,
+                   Journal& journal, const Interruption& interruption) {
   auto [runs, problems] = run_plan(plan, options.out, journal, stderr);
   if (options.timings && journal.problem().empty()) add_timings(runs, plan, options.out);
   for (Run& run : runs) {
     run.date = now();
+    run.library = sources.edited();
     run.commands = {options.line};
     apply_expectations(plan.expectations, run);
   }
@@ -388,7 +390,7 @@ int run_command(const RunCommand& options, Interruption& interruption) {
   if (!folder) return usage_error(folder.error().text());
   auto journal = open_journal(options, to_json(*plan));
   if (!journal) return usage_error(journal.error().text());
-  return run_to_the_end(options, *plan, *choice, *journal, interruption);
+  return run_to_the_end(options, *plan, *sources, *choice, *journal, interruption);
 }
 
 int merge_command(const MergeCommand& options, Interruption& interruption) {

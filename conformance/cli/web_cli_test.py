@@ -129,6 +129,34 @@ class Web(unittest.TestCase):
             example, = case["examples"]
             self.assertNotEqual(example["got"], example["expected"])
 
+    def test_an_edited_library_is_named_and_its_failures_are_told_in_the_words_of_the_report(self):
+        copy = self.folder / "copy"
+        shutil.copytree(ROOT / "glsl", copy)
+        file = copy / "perlin2d.glsl"
+        before = file.read_text()
+        file.write_text(before.replace("t = hn_i_fade(f)", "t = f"))
+        self.assertNotEqual(file.read_text(), before)
+        page = self.page("--glsl", copy, *FEW)
+        self.assertIn(f"the library in {copy} (perlin2d.glsl differs from hashnoise ", page)
+        end = self.open(page)
+        self.assertEqual(end["verdict"], "NOT AS EXPECTED")
+        run, = json.loads(end["results"])["runs"]
+        self.assertEqual((run["library"]["folder"], run["library"]["changed"]), (str(copy), ["perlin2d.glsl"]))
+        (self.folder / "results.json").write_text(end["results"])
+        merged = subprocess.run([PROGRAM, "merge", self.folder / "results.json", "--out", self.folder / "merged"],
+                                capture_output=True, text=True, check=False)
+        self.assertEqual(merged.returncode, 1, merged.stderr + merged.stdout)
+        self.assertIn(f"What was tested is the library in {copy} (", merged.stdout)
+        lines = merged.stdout.splitlines()
+        said = [line for line in lines if line.startswith("Every failing case is ")]
+        groups = [line.removeprefix("FAIL").strip() for line in lines if line.startswith("FAIL") and " cases of " in line]
+        self.assertIn("Every failing case is in 2D; ", said[0] + said[-1])
+        self.assertGreater(len(groups), 1)
+        for words in (*said, *groups):
+            self.assertIn(words, end["found"])
+        measures = [line.strip() for line in lines if " values are wrong" in line]
+        self.assertIn(f"{measures[0]}.", end["found"])
+
     def test_a_filter_that_nothing_matches_is_bad_usage(self):
         done = self.call("--out", self.folder / "page", "--filter", "nothing*")
         self.assertEqual(done.returncode, 2)

@@ -29,7 +29,7 @@ int web_command(const WebCommand& options, Interruption& interruption) {
     HN_TRY(const auto folder, OutputFolder::prepare(options.out, {kPage}));
     const PageSuite suite = make_suite(*sources, options.golden, cases);
     if (suite.defect) return fail(*suite.defect);
-    HN_TRY(const auto page, web_page(suite.json));
+    HN_TRY(const auto page, web_page(suite.json, sources->edited()));
     interruption.note_the_first();
     return write_file(std::filesystem::path(options.out) / kPage, page);
   };

@@ -58,25 +58,28 @@ void Comparison::bits(std::span<const std::uint32_t> inputs, std::uint32_t got, 
   ++outcome_.samples;
   if (got == expected) return;
   const WordType type = function_.outputs[column.value_or(0)].type;
-  if (is_float(type)) note_difference(std::bit_cast<float>(got), static_cast<double>(std::bit_cast<float>(expected)));
+  if (is_float(type))
+    note_difference(std::bit_cast<float>(got), static_cast<double>(std::bit_cast<float>(expected)), 0.0);
   note(inputs, column, describe(type, got), describe(type, expected));
 }
 
 void Comparison::number(std::span<const std::uint32_t> inputs, float got, double expected, double allowed,
                         std::optional<std::size_t> column) {
   ++outcome_.samples;
-  note_difference(got, expected);
+  note_difference(got, expected, allowed);
   // Written so that a NaN difference fails.
   if (std::fabs(static_cast<double>(got) - expected) <= allowed) return;
   note(inputs, column, describe(got), fmt::format("{} within {:.3g}", describe(static_cast<float>(expected)), allowed));
 }
 
-void Comparison::note_difference(float got, double expected) {
+void Comparison::note_difference(float got, double expected, double allowed) {
   const double difference = std::fabs(static_cast<double>(got) - expected);
   outcome_.max_ulp = std::max(outcome_.max_ulp, ulp_distance(got, static_cast<float>(expected)));
   // JSON has no NaN; infinity is recorded as the largest double.
   if (difference <= outcome_.max_abs) return;
-  outcome_.max_abs = std::isfinite(difference) ? difference : std::numeric_limits<double>::max();
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  outcome_.max_abs = std::isfinite(difference) ? difference : kLargest;
+  outcome_.allowed = std::min(allowed, kLargest);
 }
 
 void Comparison::next_grid(std::span<const std::uint32_t> grid) {

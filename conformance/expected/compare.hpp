@@ -38,7 +38,7 @@ class Comparison {
   Outcome finish() const;
 
  private:
-  void note_difference(float got, double expected);
+  void note_difference(float got, double expected, double allowed);
   void note(std::span<const std::uint32_t> inputs, std::optional<std::size_t> column, std::string_view got,
             std::string expected);
 

@@ -41,6 +41,17 @@ TEST(Comparison, NumbersMayBeOffByWhatIsAllowedAndNoMore) {
   EXPECT_EQ(comparison.finish().max_ulp, 16u);
   comparison.number(kInputs, 0.5f, 0.5 + 0x1.1p-20, 0x1p-20);
   EXPECT_EQ(comparison.finish().status, Status::fail);
+  EXPECT_EQ(comparison.finish().allowed, 0x1p-20);
+}
+
+TEST(Comparison, WhatIsAllowedIsThatOfTheLargestDifference) {
+  Comparison comparison(find_function("noise2d.perlin"), kInputs);
+  EXPECT_FALSE(comparison.finish().allowed);
+  comparison.number(kInputs, 0.5f, 0.75, 0.125);
+  comparison.number(kInputs, 0.5f, 0.625, 0.0625);
+  EXPECT_EQ(comparison.finish().allowed, 0.125);
+  comparison.number(kInputs, 0.5f, 2.5, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(comparison.finish().allowed, std::numeric_limits<double>::max()) << "JSON has no infinity";
 }
 
 TEST(Comparison, BitsOfFloatsHaveADifference) {
@@ -51,6 +62,7 @@ TEST(Comparison, BitsOfFloatsHaveADifference) {
   EXPECT_EQ(outcome.mismatches, 1u);
   EXPECT_EQ(outcome.max_abs, 0.25);
   EXPECT_EQ(outcome.max_ulp, 1u << 22);
+  EXPECT_EQ(outcome.allowed, 0.0);
   Comparison zeros(find_function("noise2d.perlin"), kInputs);
   zeros.bits(kInputs, 0u, 0x80000000u);
   EXPECT_EQ(zeros.finish().mismatches, 1u) << "-0 has other bits than 0";

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <optional>
 
+#include "base/digest.hpp"
 #include "base/file.hpp"
 #include "library/files.hpp"
 
@@ -129,11 +130,17 @@ SourceSet SourceSet::embedded() {
 
 Result<SourceSet> SourceSet::from_directory(const std::filesystem::path& directory) {
   SourceSet set;
+  EditedLibrary edited{.folder = directory.string(), .digest = {}, .changed = {}};
+  std::uint64_t digest = kEmptyDigest;
   for (const EmbeddedFile& file : kLibraryFiles) {
     const auto path = directory / file.name;
     HN_TRY(auto text, read_file(path, "--glsl wants a folder with a copy of every file of glsl/"));
+    digest = fnv1a64(text, digest);
+    if (text != file.text) edited.changed.emplace_back(file.name);
     set.add(std::string(file.name), std::move(text), path.string());
   }
+  edited.digest = fmt::format("{:016x}", digest);
+  set.edited_ = std::move(edited);
   return set;
 }
 

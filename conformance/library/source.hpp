@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/result.hpp"
+#include "library/edited.hpp"
 #include "library/profile.hpp"
 
 namespace hn {
@@ -30,6 +31,9 @@ class SourceSet {
   // Adds a file that is not the library's, to be included as name and called path in messages.
   void add(std::string name, std::string text, std::string path);
 
+  // What a folder has in place of the library that this program was built with; nothing of an embedded one.
+  const std::optional<EditedLibrary>& edited() const { return edited_; }
+
   // Null if there is no such file.
   const SourceFile* find(std::string_view name) const;
 
@@ -40,6 +44,7 @@ class SourceSet {
 
  private:
   std::map<std::string, SourceFile, std::less<>> files_;
+  std::optional<EditedLibrary> edited_;
   Transform transform_;
 };
 

@@ -75,7 +75,7 @@ void add_properties(pugi::xml_node suite, const Run& run) {
   add("renderer", run.info.renderer);
   add("gl_version", run.info.gl_version);
   add("glsl_version", run.info.glsl_version);
-  add("hashnoise", library_version());
+  add("hashnoise", run.library ? library_text(run.library) : library_version());
   add("seed", std::to_string(run.seed));
   if (!run.injected.empty()) add("injected fault", run.injected);
 }

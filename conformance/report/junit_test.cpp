@@ -76,6 +76,15 @@ TEST(Junit, SaysWhereItRan) {
   EXPECT_EQ(value("hashnoise"), library_version());
 }
 
+TEST(Junit, NamesTheEditedLibrary) {
+  hn::Run run = run_of({result("a.b.c", Status::pass)});
+  run.library = {.folder = "my/copy", .digest = "0123", .changed = {"hash.glsl"}};
+  const auto document = parsed({run});
+  const auto properties = document.child("testsuites").child("testsuite").child("properties");
+  EXPECT_EQ(properties.find_child_by_attribute("name", "hashnoise").attribute("value").value(),
+            library_text(run.library));
+}
+
 TEST(Junit, TakesEveryByte) {
   CaseResult bad = result("a.b.<&\"'>]]>", Status::fail);
   bad.outcome.message = "]]> & <tag>\n";

@@ -1,16 +1,22 @@
 #include "report/report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "base/file.hpp"
+#include "base/output/text.hpp"
+#include "run/failures.hpp"
 
 namespace hn {
 namespace {
 
-constexpr std::size_t kMostFailuresShown = 20;
+constexpr std::size_t kMostGroupsShown = 20;
+constexpr std::size_t kMostLinesShown = 6;
+constexpr std::size_t kMostOfTitle = 60;
 
 // "noise2d.perlin   3.1e-07" per float function: the largest difference from a golden value.
 std::string error_lines(const Run& run) {
@@ -26,23 +32,69 @@ std::string error_lines(const Run& run) {
   return text;
 }
 
-// "FAIL id", and what there is to say, of every case that is not as expected.
+std::string upper_case(std::string_view name) {
+  std::string upper(name);
+  std::transform(upper.begin(), upper.end(), upper.begin(), [](char c) { return c >= 'a' ? c - 'a' + 'A' : c; });
+  return upper;
+}
+
+// The first lines, indented, and a word on how many there are besides.
+std::string indented(std::string_view text) {
+  std::string lines;
+  std::size_t count = 0;
+  for (; !text.empty(); ++count) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    if (count < kMostLinesShown) lines += fmt::format("  {}\n", line);
+  }
+  if (count > kMostLinesShown) lines += fmt::format("  ({} more lines in results.json)\n", count - kMostLinesShown);
+  return lines;
+}
+
+// "FAIL 3 of 7 cases of noise2d.perlin (only with HN_FIXED)", an example, and what there is to say of it.
+std::string group_lines(const FailureGroup& group) {
+  const CaseResult& example = *group.cases.front();
+  const bool alone = group.cases.size() == 1;
+  std::string text = fmt::format("{:<7} {}\n", upper_case(name_of(group.status)), alone ? example.id : group.text());
+  if (!alone) text += fmt::format("  such as {}\n", example.id);
+  if (group.of_function()) text += fmt::format("  {}\n", measure_of(example.outcome));
+  std::string_view message = example.outcome.message;
+  // The heading has the first line.
+  if (!alone && !group.of_function()) message.remove_prefix(std::min(group.title.size() + 1, message.size()));
+  return text + indented(message);
+}
+
+// What is wrong: what that has in common, then group by group; of those that are too many the names and numbers.
 std::string failure_lines(const Run& run) {
-  std::string text;
-  std::size_t shown = 0;
-  for (const CaseResult& result : run.cases) {
-    if (as_expected(result) || shown++ >= kMostFailuresShown) continue;
-    std::string status(name_of(result.outcome.status));
-    std::transform(status.begin(), status.end(), status.begin(), [](char c) { return c >= 'a' ? c - 'a' + 'A' : c; });
-    text += fmt::format("{:<7} {}\n", status, result.id);
-    if (!is_bad(result.outcome.status)) {
-      text += fmt::format("  it is excused ({}), and needs no excuse: take it from the expectations\n", result.excuse);
+  const Failures failures = failures_of(run);
+  if (failures.failed == 0) return {};
+  std::string text = fmt::format("{} of {} cases are wrong on {}.\n", failures.failed, failures.ran, run.driver);
+  for (const std::string& sentence : failures.common) text += fmt::format("{}\n", sentence);
+  std::vector<std::string> rest;
+  for (std::size_t i = 0; i < failures.groups.size(); ++i) {
+    const FailureGroup& group = failures.groups[i];
+    if (i < kMostGroupsShown) {
+      text += group_lines(group);
     } else {
-      text += fmt::format("  {}\n", result.outcome.message);
+      rest.push_back(fmt::format("{} ({})", shortened(group.title, kMostOfTitle), group.cases.size()));
     }
   }
-  if (shown > kMostFailuresShown) {
-    text += fmt::format("... and {} more, all in results.json\n", shown - kMostFailuresShown);
+  if (rest.empty()) return text;
+  return text + fmt::format("... and {} more groups, with the numbers of their cases: {}; all are in results.json\n",
+                            rest.size(), fmt::join(rest, ", "));
+}
+
+// Excuses of cases that are right.
+std::string unneeded_lines(const Run& run) {
+  std::map<std::string_view, std::vector<const CaseResult*>> by_excuse;
+  for (const CaseResult& result : run.cases) {
+    if (!as_expected(result) && !is_bad(result.outcome.status)) by_excuse[result.excuse].push_back(&result);
+  }
+  std::string text;
+  for (const auto& [excuse, cases] : by_excuse) {
+    text += fmt::format("{:<7} {}{}\n", upper_case(name_of(cases.front()->outcome.status)), cases.front()->id,
+                        cases.size() == 1 ? "" : fmt::format(" and {} more", cases.size() - 1));
+    text += fmt::format("  it is excused ({}), and needs no excuse: take it from the expectations\n", excuse);
   }
   return text;
 }
@@ -71,6 +123,14 @@ Result<void> write_results(const std::filesystem::path& directory, const std::ve
   return write_file(directory / kPageFile, page);
 }
 
+std::string edited_libraries(const std::vector<Run>& runs) {
+  std::set<std::string> texts;
+  for (const Run& run : runs) {
+    if (run.library) texts.insert(fmt::format("What was tested is {}\n", library_text(run.library)));
+  }
+  return fmt::format("{}", fmt::join(texts, ""));
+}
+
 std::string summary(const Run& run) {
   if (!run.absent.empty()) return fmt::format("{} is not here: {}\n", run.driver, run.absent);
   if (run.cases.empty() && run.not_run != 0) {
@@ -82,7 +142,7 @@ std::string summary(const Run& run) {
     seconds += result.seconds;
     samples += result.outcome.samples;
   }
-  std::string text = failure_lines(run) + unsupported_lines(run) + error_lines(run);
+  std::string text = failure_lines(run) + unneeded_lines(run) + unsupported_lines(run) + error_lines(run);
   text += fmt::format("{} on {}, {}{}\n", run.driver, run.info.renderer, run.info.gl_version,
                       run.injected.empty() ? "" : ", made to have the fault " + run.injected);
   std::string counts;

@@ -18,7 +18,10 @@ Result<void> write_results(const std::filesystem::path& directory, const std::ve
 // What it will write can be written, and what an earlier run wrote is gone.
 Result<OutputFolder> prepare_results(const std::filesystem::path& directory);
 
-// A few lines: totals, the largest errors by function, what failed and why, what was unsupported and why.
+// A line for each copy of the library that was tested in place of the program's own; mostly nothing.
+std::string edited_libraries(const std::vector<Run>& runs);
+// A few lines: what failed, what that has in common and an example of each kind; what was unsupported and why; the
+// largest errors by function, and totals.
 std::string summary(const Run& run);
 
 }  // namespace hn

@@ -9,6 +9,7 @@
 #include "base/output/text.hpp"
 #include "library/shaders.hpp"
 #include "report/report_page.hpp"
+#include "run/failures.hpp"
 
 namespace hn {
 namespace {
@@ -23,6 +24,7 @@ constexpr std::size_t kMostExamples = 4;
 constexpr std::size_t kMostOfMessage = 3000;
 constexpr std::size_t kMostGroups = 100;
 constexpr std::size_t kMostIds = 10;
+constexpr std::size_t kMostOfTitle = 200;
 constexpr std::size_t kMostWarnings = 300;
 // A page with more than these open is hard to find one's way in.
 constexpr std::size_t kMostOpen = 6;
@@ -72,16 +74,6 @@ struct Shown {
   std::size_t open = 0;
 };
 
-std::string measure_of(const Outcome& outcome) {
-  if (outcome.samples == 0) return "";
-  std::string text = fmt::format("{} of {} values are wrong", outcome.mismatches, outcome.samples);
-  if (outcome.max_abs > 0.0) {
-    text +=
-        fmt::format("; the largest difference is {:.3g}, {} units in the last place", outcome.max_abs, outcome.max_ulp);
-  }
-  return text + ".";
-}
-
 Json page_case(const CaseResult& result, Shown& shown) {
   const Outcome& outcome = result.outcome;
   Json evidence = false;
@@ -98,7 +90,7 @@ Json page_case(const CaseResult& result, Shown& shown) {
   const Json examples = examples_of(outcome);
   // With examples the message says nothing more than the first of them.
   return {{"id", result.id},
-          {"measure", measure_of(outcome)},
+          {"measure", outcome.samples == 0 ? "" : measure_of(outcome) + "."},
           {"message", examples.empty() ? Json({{"text", cleaned(outcome.message)}}) : Json(false)},
           {"has_examples", !examples.empty()},
           {"examples", examples},
@@ -106,46 +98,49 @@ Json page_case(const CaseResult& result, Shown& shown) {
           {"left_out", left_out}};
 }
 
-bool has_failed(const CaseResult& result) { return result.outcome.status == Status::fail && result.excuse.empty(); }
-
-// The cases of a function on a driver.
-struct Cases {
-  std::string_view function;
-  std::size_t all = 0;
-  std::vector<const CaseResult*> failed;
-};
-
-// In the order of the cases, in which hashes come before what is made of them.
-std::vector<Cases> by_function(const Run& run) {
-  std::vector<Cases> list;
-  std::map<std::string_view, std::size_t> places;
-  for (const CaseResult& result : run.cases) {
-    const auto [place, is_new] = places.try_emplace(function_of(result.id), list.size());
-    if (is_new) list.push_back({function_of(result.id), 0, {}});
-    Cases& cases = list[place->second];
-    ++cases.all;
-    if (has_failed(result)) cases.failed.push_back(&result);
-  }
-  return list;
-}
-
-Json page_function(const Cases& all, Shown& shown) {
-  std::vector<const CaseResult*> failed = all.failed;
+Json page_group(const FailureGroup& group, Shown& shown) {
+  std::vector<const CaseResult*> failed = group.cases;
   std::stable_sort(failed.begin(), failed.end(), [](const CaseResult* a, const CaseResult* b) {
     return a->evidence.has_value() > b->evidence.has_value();
   });
   Json cases = Json::array();
+  // Those that say the same are shown once.
+  const std::size_t most = group.of_function() ? kMostCasesPerFunction : 1;
   for (const CaseResult* result : failed) {
-    if (cases.size() >= kMostCasesPerFunction || shown.cases >= kMostCases) break;
+    if (cases.size() >= most || shown.cases >= kMostCases) break;
     ++shown.cases;
     cases.push_back(page_case(*result, shown));
   }
   const std::size_t left = failed.size() - cases.size();
-  return {{"function", all.function},
-          {"count", fmt::format("{} of {} cases fail", failed.size(), all.all)},
-          {"open", !cases.empty() && shown.open++ < kMostOpen},
-          {"cases", std::move(cases)},
-          {"more", more(left, "of this function, in results.json")}};
+  const std::string count = group.of_function()
+                                ? fmt::format("{} of {} cases fail", failed.size(), group.ran)
+                                : fmt::format("{} {}", failed.size(), failed.size() == 1 ? "case" : "cases");
+  return {
+      {"title", cleaned(group.title, kMostOfTitle)},
+      {"count", group.only.empty() ? count : fmt::format("{}, {}", count, group.only)},
+      {"open", !cases.empty() && shown.open++ < kMostOpen},
+      {"cases", std::move(cases)},
+      {"more", more(left, group.of_function() ? "of this function, in results.json" : "of the kind, in results.json")}};
+}
+
+Json page_run(const Run& run, const Failures& failures, Shown& shown) {
+  Json groups = Json::array();
+  std::size_t left = 0;
+  for (const FailureGroup& group : failures.groups) {
+    if (group.status != Status::fail) continue;  // page_breakdowns has it
+    if (groups.size() < kMostGroups) {
+      groups.push_back(page_group(group, shown));
+    } else {
+      ++left;
+    }
+  }
+  return {{"driver", run.driver},
+          {"renderer", clean_text(run.info.renderer)},
+          {"gl_version", clean_text(run.info.gl_version)},
+          {"here", run.library ? "the edited library" : "this driver"},
+          {"common", failures.common},
+          {"functions", std::move(groups)},
+          {"left_out", more(left, "such groups, in results.json")}};
 }
 
 // Cases of a driver that belong together, with how many there are and the first of them.
@@ -196,15 +191,8 @@ Json page_failures(const std::vector<Run>& runs) {
   Json drivers = Json::array();
   Shown shown;
   for (const Run& run : runs) {
-    Json functions = Json::array();
-    for (const Cases& cases : by_function(run)) {
-      if (!cases.failed.empty()) functions.push_back(page_function(cases, shown));
-    }
-    if (functions.empty()) continue;
-    drivers.push_back({{"driver", run.driver},
-                       {"renderer", clean_text(run.info.renderer)},
-                       {"gl_version", clean_text(run.info.gl_version)},
-                       {"functions", std::move(functions)}});
+    const Failures failures = failures_of(run);
+    if (failures.failed != 0) drivers.push_back(page_run(run, failures, shown));
   }
   return {{"any", !drivers.empty()}, {"drivers", std::move(drivers)}};
 }

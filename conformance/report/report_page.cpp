@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "base/files.hpp"
 #include "base/output/number.hpp"
 #include "base/output/page.hpp"
 #include "base/output/svg.hpp"
 #include "base/output/text.hpp"
-#include "base/version.hpp"
 #include "report/files.hpp"
 
 namespace hn {
@@ -35,6 +35,14 @@ std::size_t unexpected_in(const Run& run) {
 
 std::string plural(std::size_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+// What was tested. Runs of several machines may be of several copies.
+std::string libraries_of(const std::vector<const Run*>& here) {
+  std::set<std::string> libraries;
+  for (const Run* run : here) libraries.insert(library_text(run->library));
+  if (libraries.empty()) libraries.insert(library_text({}));
+  return fmt::format("{}", fmt::join(libraries, "; "));
 }
 
 std::string verdict_of(const std::vector<const Run*>& here, bool good) {
@@ -72,9 +80,13 @@ Json page_driver(const Run& run) {
   Json counts = Json::array();
   for (const Status status : kStatuses) {
     const std::size_t count = run.count(status);
-    counts.push_back({{"text", std::to_string(count)}, {"class", count == 0 ? "faint" : is_bad(status) ? "bad" : ""}});
+    counts.push_back({{"text", std::to_string(count)},
+                      {"label", name_of(status)},
+                      {"class", count == 0       ? "faint"
+                                : is_bad(status) ? "bad"
+                                                 : ""}});
   }
-  counts.push_back({{"text", std::to_string(excused)}, {"class", excused == 0 ? "faint" : ""}});
+  counts.push_back({{"text", std::to_string(excused)}, {"label", "excused"}, {"class", excused == 0 ? "faint" : ""}});
   const std::size_t unexpected = unexpected_in(run);
   const bool nothing = unexpected == 0 && run.not_run == 0 && !run.as_expected();
   return {{"driver", run.driver},
@@ -222,7 +234,7 @@ Result<std::string> report_page(const std::vector<Run>& runs, const std::vector<
   Json clean_problems = Json::array();
   for (const std::string& problem : problems) clean_problems.push_back(clean_text(problem));
   const Json data = {{"style", text_of(kBaseFiles, "style.mustache")},
-                     {"version", library_version()},
+                     {"library", clean_text(libraries_of(here))},
                      {"class", good ? "good" : "bad"},
                      {"verdict", verdict_of(here, good)},
                      {"problems", clean_problems},

@@ -48,9 +48,9 @@ TEST(Page, OfAPassingRunSaysSoFirst) {
 TEST(Page, ShowsWhatFailedAndWhere) {
   const std::string page = page_of({run_of({failed("f.g.x.golden"), result("f.g.y.golden", Status::pass)})});
   EXPECT_TRUE(has(page, "<h1 class=\"verdict bad\">Not as expected: 1 of 2 cases on 1 of 1 driver</h1>"));
-  for (const char* part :
-       {"f.g <span>- 1 of 2 cases fail", "17, 3", "x=1.5 (3fc00000)", "2 (00000002)", "3 (00000003)", "base64,R09U",
-        "base64,UkVG", "base64,RElG", "times 12.5", "A note.", "a &lt; b &amp;&amp; c;", "4 of 10 values are wrong"}) {
+  for (const char* part : {"f.g <span class=\"faint\">- 1 of 2 cases fail", "17, 3", "x=1.5 (3fc00000)", "2 (00000002)",
+                           "3 (00000003)", "base64,R09U", "base64,UkVG", "base64,RElG", "times 12.5", "A note.",
+                           "a &lt; b &amp;&amp; c;", "4 of 10 values are wrong"}) {
     EXPECT_TRUE(has(page, part));
   }
 }
@@ -64,6 +64,41 @@ TEST(Page, OfARunThatEndedTooEarlySaysSoFirst) {
   EXPECT_TRUE(has(page, "<td class=\"name bad\">4 not run</td>"));
   run.cases.push_back(failed("f.g.x.golden"));
   EXPECT_TRUE(has(page_of({run}, {"why"}), "Not as expected: 1 of 2 cases on 1 of 1 driver"));
+}
+
+TEST(Page, SaysWhatFailuresHaveInCommon) {
+  CaseResult second = failed("noise2d.perlin.fnv1.fixed.vertex.es300.twin");
+  second.outcome.max_abs = 0.7;
+  second.outcome.allowed = 3.5e-6;
+  const std::string page = page_of({run_of({failed("noise2d.perlin.lattice.fixed.fragment.gl330.golden"), second,
+                                            result("noise2d.perlin.lattice.fast.fragment.gl330.golden", Status::pass),
+                                            result("noise2d.perlin.lattice.fast.fragment.gl330.twin", Status::pass)})});
+  EXPECT_TRUE(has(page, "<p>Every failing case is with HN_FIXED; all 2 with HN_FAST pass.</p>"));
+  EXPECT_TRUE(has(page, "the furthest off by 0.7, where 3.5e-06 is allowed."));
+  EXPECT_FALSE(has(page, "units in the last place"));
+}
+
+// A defect of one file is an error in every function: it is shown once.
+TEST(Page, ShowsTheSameErrorOnce) {
+  const auto refused = [](const std::string& id) {
+    CaseResult bad = result(id, Status::fail);
+    bad.outcome.message = "does not compile\nglsl/hash.glsl:7: no";
+    return bad;
+  };
+  const std::string page = page_of({run_of({refused("f.g.x"), refused("f.h.x"), refused("f.i.x")})});
+  EXPECT_TRUE(has(page, "does not compile <span class=\"faint\">- 3 cases"));
+  EXPECT_TRUE(has(page, "2 more of the kind, in results.json"));
+  const auto first = page.find("glsl/hash.glsl:7");
+  EXPECT_EQ(page.find("glsl/hash.glsl:7", first + 1), std::string::npos);
+}
+
+TEST(Page, NamesTheEditedLibrary) {
+  hn::Run run = run_of({failed("f.g.x.golden")});
+  EXPECT_TRUE(has(page_of({run}), "Conformance of hashnoise "));
+  EXPECT_TRUE(has(page_of({run}), "<figcaption>this driver</figcaption>"));
+  run.library = {.folder = "my/<copy>", .digest = "0123", .changed = {"hash.glsl"}};
+  EXPECT_TRUE(has(page_of({run}), "Conformance of the library in my/&lt;copy&gt; (hash.glsl differs from hashnoise "));
+  EXPECT_TRUE(has(page_of({run}), "<figcaption>the edited library</figcaption>"));
 }
 
 TEST(Page, HasEveryStatus) {
@@ -99,7 +134,7 @@ TEST(Page, HasEveryStatus) {
 // A hash that is wrong makes everything above it wrong, and comes first.
 TEST(Page, KeepsTheOrderOfTheCases) {
   const std::string page = page_of({run_of({failed("z.hash.x.golden"), failed("a.noise.x.golden")})});
-  EXPECT_LT(page.find("z.hash <span>"), page.find("a.noise <span>"));
+  EXPECT_LT(page.find("z.hash <span"), page.find("a.noise <span"));
 }
 
 TEST(Page, WithAProblemIsNotAsExpected) {

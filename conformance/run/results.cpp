@@ -43,6 +43,7 @@ Json to_json(const Run& run) {
   one.update(to_json(run.info));
   one["seed"] = run.seed;
   if (!run.content.empty()) one["content"] = run.content;
+  if (run.library) one["library"] = hn::to_json(*run.library);
   if (!run.injected.empty()) one["injected"] = run.injected;
   if (!run.date.empty()) one["date"] = run.date;
   if (!run.commands.empty()) one["commands"] = run.commands;
@@ -73,6 +74,7 @@ Run run_from(const nlohmann::json& json, std::string& where) {
   run.info = context_info_from(json);
   run.seed = whole_number_at(json, "seed");
   if (json.contains("content")) run.content = json.at("content").get<std::string>();
+  if (json.contains("library")) run.library = edited_library_from(json.at("library"));
   if (json.contains("injected")) run.injected = json.at("injected").get<std::string>();
   if (json.contains("date")) run.date = json.at("date").get<std::string>();
   if (json.contains("commands")) run.commands = json.at("commands").get<std::set<std::string>>();
@@ -159,6 +161,7 @@ Json to_json(const CaseResult& result) {
                {"max_ulp", outcome.max_ulp},
                {"seconds", result.seconds},
                {"message", outcome.message}};
+  if (outcome.allowed) json["allowed"] = *outcome.allowed;
   if (!result.excuse.empty()) json["excuse"] = result.excuse;
   if (!outcome.examples.empty()) json["examples"] = examples_json(outcome.examples);
   if (result.evidence) json["evidence"] = to_json(*result.evidence);
@@ -179,6 +182,7 @@ CaseResult case_result_from(const nlohmann::json& json) {
                     .message = json.at("message").get<std::string>(),
                     .examples = {}};
   result.seconds = number_at(json, "seconds");
+  if (json.contains("allowed")) result.outcome.allowed = number_at(json, "allowed");
   if (json.contains("excuse")) result.excuse = json.at("excuse").get<std::string>();
   if (json.contains("examples")) {
     for (const nlohmann::json& example : list_at(json, "examples"))

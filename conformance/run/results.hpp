@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -10,6 +11,7 @@
 
 #include "base/verdict.hpp"
 #include "gpu/context_info.hpp"
+#include "library/edited.hpp"
 
 namespace hn {
 
@@ -21,11 +23,12 @@ struct Run {
   std::string absent;  // why the driver cannot be used here; then it has no cases
   ContextInfo info;
   std::uint64_t seed = 0;
-  std::string content;    // a digest of the library and the golden files
-  std::string injected;   // the fault that the driver was made to have, if there is one
-  std::string shard;      // "2/3", or empty for the whole
-  std::size_t whole = 0;  // how many cases all shards have
-  std::size_t not_run = 0;  // how many the run did not come to, since it was ended before
+  std::string content;                        // a digest of the library and the golden files
+  std::optional<EditedLibrary> library = {};  // what is under test in place of the program's own
+  std::string injected;                       // the fault that the driver was made to have, if there is one
+  std::string shard;                          // "2/3", or empty for the whole
+  std::size_t whole = 0;                      // how many cases all shards have
+  std::size_t not_run = 0;                    // how many the run did not come to, since it was ended before
   std::vector<CaseResult> cases;
   std::string timings;                  // JSON, if they were asked for
   std::string date = {};                // when it ended: UTC, ISO 8601

@@ -78,6 +78,7 @@ TEST(Json, IsReadAgain) {
   run.shard = "1/2";
   run.whole = 4;
   run.timings = R"({"clock":"wall"})";
+  run.library = {.folder = "my/copy", .digest = "0123", .changed = {"hash.glsl"}};
   run.date = "2026-11-20T10:00:00Z";
   run.commands = {"hn-conform run", "hn-conform run --shard 2/2"};
   hn::Run absent;
@@ -87,6 +88,7 @@ TEST(Json, IsReadAgain) {
   const auto again = parse_results(text);
   ASSERT_TRUE(again) << again.error().text();
   EXPECT_EQ(results_text(*again), text);
+  EXPECT_EQ(again->at(0).library, run.library);
 }
 
 TEST(Json, ThatIsNoneSaysWhatIsWrong) {

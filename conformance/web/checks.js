@@ -37,6 +37,13 @@ function describeFloat(value) {
   return `${Number.isFinite(value) ? Number(value.toPrecision(9)) : value} (${hex(bitsOf(value))})`;
 }
 
+// Three digits, as {:.3g} of fmt writes them: "0.389", "3.51e-06".
+function shortNumber(value) {
+  const [digits, exponent] = value.toExponential(2).split("e").map(Number);
+  if (value === 0 || (exponent >= -4 && exponent < 3)) return String(Number(value.toPrecision(3)));
+  return `${digits}e${exponent < 0 ? "-" : "+"}${String(Math.abs(exponent)).padStart(2, "0")}`;
+}
+
 function describeWord(word, type) {
   // f64: the value of a golden file, which a shader has as a float.
   if (type === "f32" || type === "f64") return describeFloat(floatOf(word));
@@ -51,6 +58,21 @@ export function outcomeWith(status, message) {
   return { status, samples: 0, mismatches: 0, max_abs: 0, max_ulp: 0, message, examples: [] };
 }
 
+const kMostUlpsTold = 1000;
+
+// As in verdict.hpp.
+export function measureOf({ samples, mismatches, max_abs, max_ulp, allowed }) {
+  const wrong = `${mismatches} of ${samples} values are wrong`;
+  if (max_abs === 0) return wrong;
+  if (max_abs === Number.MAX_VALUE) return `${wrong}, some of them infinite or no number`;
+  if (allowed === undefined || allowed >= max_abs) return wrong;
+  const off = `${wrong}, the furthest off by ${shortNumber(max_abs)}`;
+  if (allowed > 0) return `${off}, where ${shortNumber(allowed)} is allowed`;
+  const few = max_ulp !== 0 && max_ulp <= kMostUlpsTold;
+  const units = few ? ` (${max_ulp} ${max_ulp === 1 ? "unit" : "units"} in the last place)` : "";
+  return `${off}${units}, where every bit counts`;
+}
+
 class Comparison {
   constructor(columns, inputs) {
     this.columns = columns;
@@ -61,22 +83,28 @@ class Comparison {
   // Every bit counts.
   bits(point, got, expected, type) {
     ++this.outcome.samples;
-    if (got !== expected) this.note(point, describeWord(got, type), describeWord(expected, type));
+    if (got === expected) return;
+    if (type === "f32" || type === "f64") this.noteDifference(floatOf(got), floatOf(expected), 0);
+    this.note(point, describeWord(got, type), describeWord(expected, type));
   }
 
   // |got - expected| <= allowed. NaN is never right.
   number(point, got, expected, allowed) {
+    ++this.outcome.samples;
+    this.noteDifference(got, expected, allowed);
+    if (Math.abs(got - expected) <= allowed) return;
+    const within = `${Number(expected.toPrecision(9))} (${hex(bitsOf(expected))}) within ${shortNumber(allowed)}`;
+    this.note(point, describeFloat(got), within);
+  }
+
+  noteDifference(got, expected, allowed) {
     const outcome = this.outcome;
-    ++outcome.samples;
     const difference = Math.abs(got - expected);
     outcome.max_ulp = Math.max(outcome.max_ulp, ulpDistance(got, Math.fround(expected)));
-    // Written so that a NaN difference fails. JSON has no NaN; infinity is recorded as the largest double.
-    if (!(difference <= outcome.max_abs)) {
-      outcome.max_abs = Number.isFinite(difference) ? difference : Number.MAX_VALUE;
-    }
-    if (difference <= allowed) return;
-    const within = `${Number(expected.toPrecision(9))} (${hex(bitsOf(expected))}) within ${Number(allowed.toPrecision(3))}`;
-    this.note(point, describeFloat(got), within);
+    // Written so that a NaN is noted. JSON has none; infinity is recorded as the largest double.
+    if (difference <= outcome.max_abs) return;
+    outcome.max_abs = Number.isFinite(difference) ? difference : Number.MAX_VALUE;
+    outcome.allowed = Math.min(allowed, Number.MAX_VALUE);
   }
 
   note(point, got, expected) {

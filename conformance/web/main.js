@@ -49,9 +49,10 @@ async function run(suite) {
       await tell(suite, { type: "finished", ...result });
     },
   });
-  showResults(suite.version, info, results);
+  showResults(suite, info, results);
   document.title = `${bad(results).length ? "✗" : "✓"} ${document.title}`;
-  await tell(suite, { type: "done", verdict: shownVerdict(), results: resultsJson(suite.version, info, results) });
+  const found = document.getElementById("found").innerText;
+  await tell(suite, { type: "done", verdict: shownVerdict(), found, results: resultsJson(suite, info, results) });
 }
 
 async function main() {

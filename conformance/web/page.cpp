@@ -6,15 +6,14 @@
 
 #include "base/files.hpp"
 #include "base/output/base64.hpp"
-#include "base/version.hpp"
 #include "web/files.hpp"
 #include "web/suite.hpp"
 
 namespace hn {
 namespace {
 
-constexpr std::array<std::string_view, 6> kModules = {"main.js",   "runner.js", "checks.js",
-                                                      "report.js", "suite.js",  "renderer.js"};
+constexpr std::array<std::string_view, 7> kModules = {"main.js",     "runner.js", "checks.js",  "report.js",
+                                                      "failures.js", "suite.js",  "renderer.js"};
 
 void replace_all(std::string& text, std::string_view old, std::string_view with) {
   for (auto at = text.find(old); at != std::string::npos; at = text.find(old, at + with.size())) {
@@ -36,13 +35,13 @@ std::string import_map() {
 
 }  // namespace
 
-Result<std::string> web_page(const std::string& suite) {
+Result<std::string> web_page(const std::string& suite, const std::optional<EditedLibrary>& library) {
   std::string data = suite;
   replace_all(data, "<", "\\u003c");  // so that no text in it can end the script element
   return render_page(text_of(kWebFiles, "index.mustache"), {{"style", text_of(kBaseFiles, "style.mustache")},
-                                                  {"version", library_version()},
-                                                  {"suite", data},
-                                                  {"modules", import_map()}});
+                                                            {"library", library_text(library)},
+                                                            {"suite", data},
+                                                            {"modules", import_map()}});
 }
 
 }  // namespace hn

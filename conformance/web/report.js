@@ -1,8 +1,11 @@
 // What was found: results.json, and the page.
-import { kBadStatuses, kStatuses } from "./checks.js";
+import { kBadStatuses, kStatuses, measureOf } from "./checks.js";
+import { failuresOf, functionOf } from "./failures.js";
 
 // All of them are in results.json.
-const kMostShown = 20;
+const kMostGroupsShown = 20;
+const kMostCasesShown = 3;
+const kMostOpen = 6;
 
 export function count(results, status) {
   return results.filter((result) => result.status === status).length;
@@ -18,10 +21,12 @@ export function asExpected(results) {
 }
 
 // Of the schema that hn-conform writes (docs/internals.md). The page has the random points of seed 1.
-export function resultsJson(version, info, results) {
+export function resultsJson({ version, library }, info, results) {
   const totals = Object.fromEntries(kStatuses.map((status) => [status, count(results, status)]));
   const date = new Date().toISOString().replace(/\.\d+Z$/, "Z");
-  const run = { driver: "webgl2", ...info, seed: 1, date, totals, as_expected: asExpected(results), cases: results };
+  const tested = library === null ? {} : { library };
+  const run = { driver: "webgl2", ...info, seed: 1, ...tested, date, totals, as_expected: asExpected(results),
+                cases: results };
   return JSON.stringify({ schema: 2, version, runs: [run] }, null, 1) + "\n";
 }
 
@@ -33,26 +38,48 @@ function element(name, attributes = {}, ...children) {
   return made;
 }
 
-function table(heads, rows) {
+// On a phone each row becomes a block, each cell a line with its head, if it is to fold.
+function table(heads, rows, kind = "table") {
   const head = element("tr", {}, ...heads.map((text) => element("th", {}, text)));
-  const lines = rows.map((row) => element("tr", {}, ...row.map((cell) => element("td", {}, String(cell)))));
-  return element("div", { class: "table" },
+  const lines = rows.map((row) => element("tr", {}, ...row.map(
+    (cell, i) => element("td", { "data-label": heads[i] }, String(cell)))));
+  return element("div", { class: kind },
                  element("table", {}, element("thead", {}, head), element("tbody", {}, ...lines)));
 }
 
 function exampleTable(examples) {
   return table(["point", "inputs", "got", "expected"],
-               examples.map(({ point, inputs, got, expected }) => [point, inputs, got, expected]));
+               examples.map(({ point, inputs, got, expected }) => [point, inputs, got, expected]), "table fold");
 }
 
 function wrongCase(result) {
-  const counts = result.samples ? `${result.mismatches} of ${result.samples} values are wrong. ` : "";
-  const parts = [element("h3", {}, element("span", { class: "bad" }, result.status), ` ${result.id}`)];
-  if (counts) parts.push(element("p", {}, counts));
+  const parts = [element("h4", {}, element("code", {}, result.id))];
+  if (result.samples) parts.push(element("p", {}, `${measureOf(result)}.`));
   // What is not said by the examples.
   if (result.examples.length && !result.message.startsWith("first at")) parts.push(element("p", {}, result.message));
   parts.push(result.examples.length ? exampleTable(result.examples) : element("pre", {}, result.message));
-  return element("section", {}, ...parts);
+  return element("article", {}, ...parts);
+}
+
+// Those that say the same are shown once.
+function wrongGroup(group, open) {
+  const shown = group.results.slice(0, group.ofFunction ? kMostCasesShown : 1);
+  const left = group.results.length - shown.length;
+  const parts = [element("summary", {}, element("span", { class: "bad" }, group.status), ` ${group.text}`),
+                 ...shown.map(wrongCase)];
+  if (left) parts.push(element("p", { class: "faint" }, `${left} more, in results.json.`));
+  return element("details", { class: "group", ...(open ? { open: "" } : {}) }, ...parts);
+}
+
+function wrongParts(failures) {
+  const shown = failures.groups.slice(0, kMostGroupsShown);
+  const rest = failures.groups.slice(kMostGroupsShown).map(({ status, text }) => element("li", {}, `${status}: ${text}`));
+  const parts = [element("h2", {}, "What is wrong, and where"),
+                 element("p", {}, `${failures.failed} of ${failures.ran} cases are wrong.`),
+                 ...failures.common.map((sentence) => element("p", {}, sentence)),
+                 ...shown.map((group, place) => wrongGroup(group, place < kMostOpen))];
+  if (rest.length) parts.push(element("p", {}, "And, in results.json:"), element("ul", {}, ...rest));
+  return parts;
 }
 
 // The largest difference from a golden value, by function.
@@ -60,7 +87,7 @@ function largestDifferences(results) {
   const largest = new Map();
   for (const { id, max_abs } of results) {
     if (!id.endsWith(".golden") || max_abs === 0) continue;
-    const name = id.split(".").slice(0, 2).join(".");
+    const name = functionOf(id);
     largest.set(name, Math.max(largest.get(name) ?? 0, max_abs));
   }
   return [...largest].map(([name, value]) => [name, value.toExponential(1)]);
@@ -106,19 +133,15 @@ export function showStopped(title, message) {
   place("current").textContent = message;
 }
 
-export function showResults(version, info, results) {
+export function showResults(suite, info, results) {
   const good = asExpected(results);
   setVerdict(good ? "All as expected" : "NOT AS EXPECTED", good ? "good" : "bad");
   const samples = results.reduce((sum, result) => sum + result.samples, 0);
   place("progress").remove();
   place("current").textContent = `${totalsText(results)}; ${samples.toLocaleString("en")} values compared`;
-  offer(resultsJson(version, info, results));
+  offer(resultsJson(suite, info, results));
   const found = place("found");
-  const wrong = bad(results);
-  if (wrong.length) {
-    found.append(element("h2", {}, "What is wrong, and where"), ...wrong.slice(0, kMostShown).map(wrongCase));
-  }
-  if (wrong.length > kMostShown) found.append(element("p", {}, `… and ${wrong.length - kMostShown} more cases.`));
+  if (bad(results).length) found.append(...wrongParts(failuresOf(results, suite.facets())));
   for (const [status, title] of [["warning", "Warnings"], ["unsupported", "Not supported here"]]) {
     const reasons = byReason(results, status).map(
       ([ids, reason]) => element("section", {}, element("h3", {}, ids), element("p", {}, reason)));

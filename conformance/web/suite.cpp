@@ -13,6 +13,7 @@
 #include "base/output/base64.hpp"
 #include "base/version.hpp"
 #include "cases/bugs/bugs.hpp"
+#include "cases/facets.hpp"
 #include "expected/golden.hpp"
 #include "expected/pairing.hpp"
 #include "expected/tolerance.hpp"
@@ -53,7 +54,7 @@ class SuiteWriter {
       defect_ = part.error().message;
       part = decided(part.error());
     }
-    Json with_id = {{"id", test.id}};
+    Json with_id = {{"id", test.id}, {"facets", facets_json(test.id)}};
     with_id.update(*part);
     return with_id;
   }
@@ -62,9 +63,11 @@ class SuiteWriter {
 
   Json finish(Json cases, std::string_view report_to) const {
     Json suite = {{"schema", 1}, {"version", library_version()}};
+    if (sources_.edited()) suite["library"] = to_json(*sources_.edited());
     if (!report_to.empty()) suite["report_to"] = report_to;
     suite["uniforms"] = {{"trips", {{"type", "int"}, {"value", kLoopTrips}}},
                          {"variant_seed", {{"type", "uint"}, {"value", kVariantSeed}}}};
+    suite["facets"] = facets_.values();
     suite["texts"] = texts_.values();
     suite["shaders"] = shaders_.values();
     suite["programs"] = programs_.values();
@@ -242,9 +245,17 @@ class SuiteWriter {
             {"fnv1a64", fmt::format("{:016x}", digest.fnv1a64)}};
   }
 
+  // A number for each text; the page says with these words what failures have in common.
+  Json facets_json(const std::string& id) {
+    Json numbers = Json::array();
+    for (const std::string& text : facets_of(id)) numbers.push_back(facets_.number_of(text));
+    return numbers;
+  }
+
   const SourceSet& sources_;
   const std::filesystem::path& golden_;
   std::optional<std::string> defect_;
+  Table facets_;
   Table texts_;
   Table data_;
   Table shaders_;

@@ -31,7 +31,8 @@ struct PageSuite {
 PageSuite make_suite(const SourceSet& sources, const std::filesystem::path& golden, std::span<const Case> cases,
                      std::string_view report_to = {});
 
-// The page with a suite in it: one HTML file that needs nothing else, not even a server.
-Result<std::string> web_page(const std::string& suite);
+// The page with a suite in it, of the library or an edited one: one HTML file that needs nothing else, not even a
+// server.
+Result<std::string> web_page(const std::string& suite, const std::optional<EditedLibrary>& library = {});
 
 }  // namespace hn

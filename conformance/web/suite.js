@@ -20,10 +20,16 @@ function columnsOf(text) {
 export class Suite {
   constructor(json) {
     this.version = json.version;
+    this.library = json.library ?? null;
     this.cases = json.cases;
     this.uniforms = json.uniforms;
     this.reportTo = json.report_to ?? null;
     this.json = json;
+  }
+
+  // What the names of the cases say of them, by id: texts, as in facets.hpp.
+  facets() {
+    return new Map(this.json.cases.map(({ id, facets }) => [id, facets.map((number) => this.json.facets[number])]));
   }
 
   // {text, translate}: translate turns the line numbers of a driver's log into files and lines.

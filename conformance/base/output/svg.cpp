@@ -203,7 +203,7 @@ std::string bar_row(const Bar& bar, std::size_t index, const Axis& x) {
   const double begin = x.at(std::min(bar.value, 0.0));
   const double end = x.at(std::max(bar.value, 0.0));
   body += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"18\" fill=\"{}\"/>\n", px(begin), px(middle - 9),
-                      px(end - begin), kColours[0]);
+                      px(end - begin), kColours[bar.marked ? 1 : 0]);
   if (drawable(bar.spread) && bar.spread > 0.0) {
     const double low = x.at(bar.value - bar.spread);
     const double high = x.at(bar.value + bar.spread);

@@ -32,6 +32,7 @@ struct Bar {
   std::string name;
   double value = 0.0;
   double spread = 0.0;  // the whisker reaches from value - spread to value + spread; 0 for none
+  bool marked = false;  // in another colour, since it is the one to look at
 };
 
 // Horizontal bars, a row each, with a guide line at 1. A bar without a finite value keeps its row and says so.

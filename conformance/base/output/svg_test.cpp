@@ -117,6 +117,13 @@ TEST(Svg, BarsHaveWhiskersFiguresAndTheGuide) {
   EXPECT_EQ(count(svg, "<rect"), 3);
 }
 
+TEST(Svg, AMarkedBarHasAnotherColour) {
+  const std::string svg = bar_plot({}, std::vector<Bar>{{"a", 1.0, 0.0}, {"b", 2.0, 0.0, true}, {"c", 3.0, 0.0}});
+  expect_sound(svg);
+  EXPECT_EQ(count(svg, "fill=\"#0072B2\""), 2);
+  EXPECT_EQ(count(svg, "fill=\"#D55E00\""), 1);
+}
+
 TEST(Svg, BarsBelowOneStillHaveTheGuide) {
   const std::string svg = bar_plot({}, std::vector<Bar>{{"a", 0.25, 0.0}, {"b", -0.5, 0.0}});
   expect_sound(svg);

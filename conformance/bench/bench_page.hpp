@@ -1,0 +1,14 @@
+// The page for people: what it costs here.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/bench.hpp"
+
+namespace hn {
+
+Result<std::string> bench_page(const Provenance& provenance, const BenchReport& report,
+                               const std::vector<Change>& changes);
+
+}  // namespace hn

@@ -1,0 +1,107 @@
+#include "cases/facets.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <vector>
+
+#include "base/verdict.hpp"
+#include "library/functions.hpp"
+
+namespace hn {
+namespace {
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const auto end = text.find(separator);
+    parts.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+std::string upper_case(std::string_view text) {
+  std::string upper(text);
+  std::transform(upper.begin(), upper.end(), upper.begin(),
+                 [](char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); });
+  return upper;
+}
+
+// Null for what is no function: a file as a whole, a setting, a known bug.
+const Function* known_function(std::string_view id) {
+  const auto functions = all_functions();
+  const auto found = std::find_if(functions.begin(), functions.end(), [&](const Function& f) { return f.id == id; });
+  return found == functions.end() ? nullptr : &*found;
+}
+
+std::string kind_of(std::string_view id, const Function* function) {
+  if (function != nullptr) {
+    if (function->is_noise()) return fmt::format("of {} noise", function->bound);
+    if (function->is_octave_sum()) return "of octave sums";
+    return id.starts_with("hash.") ? "of hashes" : "of gradients";
+  }
+  if (id.starts_with("bugs.")) return "of what drivers are known to get wrong";
+  return id.starts_with("config.") ? "of the settings" : "";  // files as a whole are none of a kind
+}
+
+std::string dimensions_of(std::string_view id, const Function* function) {
+  if (function != nullptr) return function->axes == 0 ? "" : fmt::format("in {}D", function->axes);
+  const std::string_view file = id.substr(0, id.find('.'));
+  return file.ends_with("2d") ? "in 2D" : file.ends_with("3d") ? "in 3D" : "";
+}
+
+// "lattice+sine+period48": the hash, and what is other than the defaults.
+struct Knobs {
+  std::string hash;
+  std::string gradient;
+  std::string any_period;
+  std::string period;
+};
+
+Knobs knobs_in(std::string_view configuration) {
+  if (configuration == "any") return {};
+  const auto parts = split(configuration, '+');
+  Knobs knobs{fmt::format("with HN_HASH_{}", upper_case(parts[0])), "without HN_GRADIENT_SINE", "without HN_PERIOD",
+              "without HN_PERIOD"};
+  for (const std::string_view part : parts) {
+    if (part == "sine") knobs.gradient = "with HN_GRADIENT_SINE";
+    if (!part.starts_with("period")) continue;
+    knobs.any_period = "with HN_PERIOD";
+    knobs.period = fmt::format("with HN_PERIOD {}", part.substr(part.find_first_of("0123456789")));
+  }
+  return knobs;
+}
+
+std::string language_of(std::string_view profile) {
+  return profile == "vulkan" ? "in Vulkan's GLSL" : profile.starts_with("es") ? "in GLSL ES" : "in desktop GLSL";
+}
+
+}  // namespace
+
+Facets facets_of(std::string_view id) {
+  const std::string_view name = function_of(id);
+  const Function* const function = known_function(name);
+  Facets facets;
+  facets[0] = kind_of(name, function);
+  facets[1] = dimensions_of(name, function);
+  facets[10] = fmt::format("of {}", name);
+  // file.function.configuration.arithmetic.stage.profile.check
+  const auto parts = split(id, '.');
+  if (parts.size() != 7) return facets;
+  const Knobs knobs = knobs_in(parts[2]);
+  facets[2] = parts[3] == "exact" ? "" : fmt::format("with HN_{}", upper_case(parts[3]));
+  facets[3] = knobs.hash;
+  facets[4] = knobs.gradient;
+  facets[5] = knobs.any_period;
+  facets[6] = knobs.period;
+  facets[7] = fmt::format("in the {} stage", parts[4]);
+  facets[8] = language_of(parts[5]);
+  facets[9] = fmt::format("in {}", parts[5]);
+  // These two hold values against what is right. The others look for something special, and say what they found.
+  if (parts[6] != "golden" && parts[6] != "twin") facets[11] = fmt::format("of the check {}", parts[6]);
+  return facets;
+}
+
+}  // namespace hn

@@ -1,0 +1,19 @@
+// What a case's id says of it, in words: what cases that fail may have in common.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace hn {
+
+inline constexpr std::size_t kFacets = 12;
+
+// One text for each way to look at a case, to stand behind "every failing case is": "of perlin noise", "in 2D", "with
+// HN_HASH_PCG", "in the vertex stage". A text is empty where the id does not say, or where it does not matter. What is
+// general comes before what is special.
+using Facets = std::array<std::string, kFacets>;
+Facets facets_of(std::string_view id);
+
+}  // namespace hn

@@ -1,0 +1,45 @@
+#include "cases/facets.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "cases/case.hpp"
+
+namespace hn {
+namespace {
+
+TEST(Facets, SayWhatTheNameSays) {
+  EXPECT_EQ(facets_of("noise2d.perlin.lattice+sine+period48.fixed.vertex.es300.golden"),
+            (Facets{"of perlin noise", "in 2D", "with HN_FIXED", "with HN_HASH_LATTICE", "with HN_GRADIENT_SINE",
+                    "with HN_PERIOD", "with HN_PERIOD 48", "in the vertex stage", "in GLSL ES", "in es300",
+                    "of noise2d.perlin", ""}));
+  EXPECT_EQ(facets_of("fbm.fbm3.partial_fnv1.fast.fragment.gl330.twin"),
+            (Facets{"of octave sums", "in 3D", "with HN_FAST", "with HN_HASH_PARTIAL_FNV1", "without HN_GRADIENT_SINE",
+                    "without HN_PERIOD", "without HN_PERIOD", "in the fragment stage", "in desktop GLSL", "in gl330",
+                    "of fbm.fbm3", ""}));
+}
+
+TEST(Facets, AreEmptyWhereTheNameSaysNothing) {
+  EXPECT_EQ(facets_of("hash.unorm.any.exact.compute.gl430.golden"),
+            (Facets{"of hashes", "", "", "", "", "", "", "in the compute stage", "in desktop GLSL", "in gl430",
+                    "of hash.unorm", ""}));
+  EXPECT_EQ(facets_of("value3d.all.lattice.fast.vertex.vulkan.spirv"),
+            (Facets{"", "in 3D", "with HN_FAST", "with HN_HASH_LATTICE", "without HN_GRADIENT_SINE",
+                    "without HN_PERIOD", "without HN_PERIOD", "in the vertex stage", "in Vulkan's GLSL", "in vulkan",
+                    "of value3d.all", "of the check spirv"}));
+  EXPECT_EQ(facets_of("a.b.c"), (Facets{"", "", "", "", "", "", "", "", "", "", "of a.b", ""}));
+}
+
+TEST(Facets, KnowEveryCase) {
+  for (const Case& test : all_cases()) {
+    const Facets facets = facets_of(test.id);
+    EXPECT_NE(facets[9], "") << test.id;
+    if (test.evaluation() != nullptr && test.evaluation()->function.axes != 0) {
+      EXPECT_NE(facets[1], "") << test.id;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hn

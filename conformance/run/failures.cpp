@@ -1,0 +1,266 @@
+#include "run/failures.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <string_view>
+#include <unordered_map>
+
+#include "cases/facets.hpp"
+
+namespace hn {
+namespace {
+
+// More values than these name nothing that is common.
+constexpr std::size_t kMostCommon = 2;
+// More of those that passed are called the others.
+constexpr std::size_t kMostNamed = 3;
+// What is true of nearly all that passed, too, tells little: of so many of them one must be told apart.
+constexpr std::size_t kToldOfAll = 20;
+constexpr std::size_t kToldOfGroup = 4;
+
+enum class End { failed, passed, warned, excused };
+
+std::optional<End> end_of(const CaseResult& result) {
+  switch (result.outcome.status) {
+    case Status::unsupported:
+      return std::nullopt;  // it did not run
+    case Status::pass:
+      return End::passed;
+    case Status::warning:
+      return End::warned;
+    case Status::fail:
+    case Status::crash:
+    case Status::timeout:
+    case Status::error:
+      break;
+  }
+  return result.excuse.empty() ? End::failed : End::excused;
+}
+
+// A case that ran, with the numbers of the texts of its facets; 0 is the empty text.
+struct Row {
+  const CaseResult* result;
+  End end;
+  std::array<std::size_t, kFacets> values;
+};
+
+using Rows = std::vector<const Row*>;
+using Values = std::set<std::size_t>;
+
+class Texts {
+ public:
+  std::size_t number_of(const std::string& text) {
+    const auto [entry, is_new] = numbers_.try_emplace(text, texts_.size());
+    if (is_new) texts_.push_back(text);
+    return entry->second;
+  }
+
+  std::string listed(const Values& values) const {
+    std::vector<std::string_view> list;
+    for (const std::size_t value : values) list.push_back(texts_[value]);
+    std::sort(list.begin(), list.end());
+    const std::string_view last = list.back();
+    list.pop_back();
+    return list.empty() ? std::string(last) : fmt::format("{} or {}", fmt::join(list, ", "), last);
+  }
+
+ private:
+  std::unordered_map<std::string, std::size_t> numbers_ = {{"", 0}};
+  std::vector<std::string> texts_ = {""};
+};
+
+Values values_in(const Rows& rows, std::size_t facet) {
+  Values values;
+  for (const Row* row : rows) values.insert(row->values[facet]);
+  return values;
+}
+
+// What the facet of a set of cases says of those that failed: they have one of few values, or all but one.
+struct Trait {
+  std::size_t facet;
+  bool by_absence;  // values are what none of them has
+  Values values;
+
+  bool has(const Row& row) const { return values.contains(row.values[facet]) != by_absence; }
+};
+
+std::optional<Trait> trait_of(std::size_t facet, const Rows& failed, const Rows& others) {
+  const Values bad = values_in(failed, facet);
+  if (bad.contains(0)) return std::nullopt;
+  Values good = values_in(others, facet);
+  good.erase(0);
+  for (const std::size_t value : bad) good.erase(value);
+  if (good.empty()) return std::nullopt;
+  if (bad.size() <= kMostCommon) return Trait{facet, false, bad};
+  if (good.size() == 1) return Trait{facet, true, good};
+  return std::nullopt;
+}
+
+std::size_t told_apart(const Trait& trait, const Rows& others) {
+  return static_cast<std::size_t>(
+      std::count_if(others.begin(), others.end(), [&](const Row* row) { return !trait.has(*row); }));
+}
+
+// Those that together tell what failed from most of what did not; each tells as much as there is left to tell. One
+// value is simpler than two, which must tell more than twice as much.
+std::vector<Trait> traits_of(const Rows& failed, Rows others, std::size_t share) {
+  std::vector<Trait> chosen;
+  while (failed.size() > 1 && !others.empty()) {
+    std::optional<Trait> best;
+    double best_score = 0.0;
+    for (std::size_t facet = 0; facet < kFacets; ++facet) {
+      auto trait = trait_of(facet, failed, others);
+      const std::size_t told = trait ? told_apart(*trait, others) : 0;
+      if (told <= others.size() / share) continue;
+      const double score = static_cast<double>(told) / static_cast<double>(trait->values.size());
+      if (score <= best_score) continue;
+      best_score = score;
+      best = std::move(trait);
+    }
+    if (!best) break;
+    std::erase_if(others, [&](const Row* row) { return !best->has(*row); });
+    chosen.push_back(std::move(*best));
+  }
+  return chosen;
+}
+
+// "all 1311 in 3D pass": of cases that did not fail unless that is excused.
+std::string success_of(const Rows& rows, std::string_view which, std::string_view one) {
+  const auto count = [&](End end) {
+    return std::count_if(rows.begin(), rows.end(), [&](const Row* row) { return row->end == end; });
+  };
+  const auto excused = count(End::excused);
+  const auto good = static_cast<std::ptrdiff_t>(rows.size()) - excused;
+  if (excused != 0) {
+    return fmt::format("none of the {} {} fails, apart from {} that {} excused", rows.size(), which, excused,
+                       excused == 1 ? "is" : "are");
+  }
+  if (count(End::warned) != 0) return fmt::format("none of the {} {} fails", good, which);
+  return good == 1 ? fmt::format("the {} passes", one) : fmt::format("all {} {} pass", good, which);
+}
+
+// Of all cases that ran, so that it is true whatever else is said.
+std::string sentence_of(const Trait& trait, const Rows& others, const Texts& texts) {
+  Rows apart;
+  for (const Row* row : others) {
+    if (!trait.has(*row)) apart.push_back(row);
+  }
+  if (trait.by_absence) {
+    return fmt::format("No failing case is {}; {}.", texts.listed(trait.values),
+                       success_of(apart, "such cases", "one such case"));
+  }
+  Values good = values_in(apart, trait.facet);
+  good.erase(0);
+  std::string which = "others";
+  std::string one = "other one";
+  if (good.size() <= kMostNamed) {
+    std::erase_if(apart, [&](const Row* row) { return row->values[trait.facet] == 0; });
+    which = texts.listed(good);
+    one = "one " + which;
+  }
+  return fmt::format("Every failing case is {}; {}.", texts.listed(trait.values), success_of(apart, which, one));
+}
+
+std::string first_line(std::string_view text) { return std::string(text.substr(0, text.find('\n'))); }
+
+class Sorter {
+ public:
+  explicit Sorter(const Run& run) {
+    for (const CaseResult& result : run.cases) {
+      const auto end = end_of(result);
+      if (!end) continue;
+      Row row{&result, *end, {}};
+      const Facets facets = facets_of(result.id);
+      for (std::size_t i = 0; i < kFacets; ++i) row.values[i] = texts_.number_of(facets[i]);
+      rows_.push_back(row);
+    }
+    for (const Row& row : rows_) {
+      (row.end == End::failed ? failed_ : others_).push_back(&row);
+      by_function_[function_of(row.result->id)].push_back(&row);
+    }
+  }
+
+  Failures sorted() const {
+    Failures failures{.failed = failed_.size(), .ran = rows_.size(), .common = {}, .groups = {}};
+    const std::vector<Trait> traits = traits_of(failed_, others_, kToldOfAll);
+    for (const Trait& trait : traits) failures.common.push_back(sentence_of(trait, others_, texts_));
+    if (failed_.size() > 1 && traits.empty()) {
+      failures.common.emplace_back(others_.empty() ? "Every case that ran fails."
+                                                   : "The names of the failing cases have nothing in common.");
+    }
+    for (const Rows& rows : grouped()) failures.groups.push_back(group_of(rows, traits));
+    return failures;
+  }
+
+ private:
+  static bool has_values(const CaseResult& result) {
+    return result.outcome.status == Status::fail && result.outcome.mismatches != 0;
+  }
+
+  std::vector<Rows> grouped() const {
+    std::vector<Rows> groups;
+    std::map<std::string, std::size_t> places;
+    for (const Row* row : failed_) {
+      const CaseResult& result = *row->result;
+      const std::string key = has_values(result)
+                                  ? std::string(function_of(result.id))
+                                  : fmt::format("{}\n{}", name_of(result.outcome.status), result.outcome.message);
+      const auto [place, is_new] = places.try_emplace(key, groups.size());
+      if (is_new) groups.emplace_back();
+      groups[place->second].push_back(row);
+    }
+    return groups;
+  }
+
+  FailureGroup group_of(const Rows& rows, const std::vector<Trait>& of_all) const {
+    const CaseResult& first = *rows.front()->result;
+    FailureGroup group{.status = first.outcome.status, .title = {}, .ran = 0, .only = {}, .cases = {}};
+    for (const Row* row : rows) group.cases.push_back(row->result);
+    // Held against those that have what all that failed has: the rest is said already.
+    Rows others;
+    if (has_values(first)) {
+      const Rows& of_function = by_function_.at(function_of(first.id));
+      group.title = function_of(first.id);
+      group.ran = of_function.size();
+      std::copy_if(of_function.begin(), of_function.end(), std::back_inserter(others),
+                   [](const Row* row) { return row->end != End::failed; });
+    } else {
+      group.title = first_line(first.outcome.message);
+      others = others_;
+    }
+    std::erase_if(others, [&](const Row* row) {
+      return !std::all_of(of_all.begin(), of_all.end(), [&](const Trait& trait) { return trait.has(*row); });
+    });
+    for (const Trait& trait : traits_of(rows, others, kToldOfGroup)) {
+      group.only += fmt::format("{}{} {}", group.only.empty() ? "" : ", ", trait.by_absence ? "never" : "only",
+                                texts_.listed(trait.values));
+    }
+    return group;
+  }
+
+  Texts texts_;
+  std::vector<Row> rows_;
+  Rows failed_;
+  Rows others_;
+  std::map<std::string_view, Rows> by_function_;
+};
+
+}  // namespace
+
+std::string FailureGroup::text() const {
+  const std::string_view noun = (of_function() ? ran : cases.size()) == 1 ? "case" : "cases";
+  const std::string what = of_function() ? fmt::format("{} of {} {} of {}", cases.size(), ran, noun, title)
+                                         : fmt::format("{} {}: {}", cases.size(), noun, title);
+  return only.empty() ? what : fmt::format("{} ({})", what, only);
+}
+
+Failures failures_of(const Run& run) { return Sorter(run).sorted(); }
+
+}  // namespace hn

@@ -1,0 +1,36 @@
+// The cases of a run that are wrong, put together: what fails, and what that has in common.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "run/results.hpp"
+
+namespace hn {
+
+// Cases that belong together: wrong values of a function; or what ends alike, with the same words.
+struct FailureGroup {
+  Status status;
+  std::string title;    // the function; or the first line of what they say
+  std::size_t ran = 0;  // of a function: how many of its cases ran; else 0
+  std::string only;  // "only with HN_FIXED, only in the vertex stage": what they have in common beyond all that fails
+  std::vector<const CaseResult*> cases;  // in their order; at least one
+
+  bool of_function() const { return ran != 0; }
+  // "129 of 267 cases of noise2d.perlin", "3 cases: does not compile"; and what they have in common.
+  std::string text() const;
+};
+
+// What is bad and has no excuse.
+struct Failures {
+  std::size_t failed = 0;
+  std::size_t ran = 0;  // cases that are not unsupported
+  // Sentences that are true of all that failed and not of what passed, the one that tells most first: "Every failing
+  // case is in 2D; all 1311 in 3D pass." One sentence that says so if there is nothing of the kind. Empty if fewer than
+  // two cases failed.
+  std::vector<std::string> common;
+  std::vector<FailureGroup> groups;  // in the order of their first cases
+};
+Failures failures_of(const Run& run);
+
+}  // namespace hn

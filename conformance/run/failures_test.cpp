@@ -1,0 +1,183 @@
+#include "run/failures.hpp"
+
+#include <gtest/gtest.h>
+
+#include "run/result_support.hpp"
+
+namespace hn {
+namespace {
+
+CaseResult wrong(std::string id) {
+  CaseResult bad = result(std::move(id), Status::fail);
+  bad.outcome.mismatches = 4;
+  return bad;
+}
+
+CaseResult right(std::string id) { return result(std::move(id), Status::pass); }
+
+std::vector<std::string> common_in(std::vector<CaseResult> cases) {
+  return failures_of(run_of(std::move(cases))).common;
+}
+
+using Sentences = std::vector<std::string>;
+
+TEST(Common, IsWhatAllFailuresAreAndOthersAreNot) {
+  EXPECT_EQ(
+      common_in(
+          {wrong("noise2d.perlin.pcg.fast.fragment.gl330.golden"), wrong("fbm.fbm2.lattice.fixed.vertex.es300.twin"),
+           right("noise3d.perlin.pcg.fast.fragment.gl330.golden"), right("fbm.fbm3.lattice.fixed.vertex.es300.twin")}),
+      Sentences{"Every failing case is in 2D; all 2 in 3D pass."});
+}
+
+TEST(Common, NamesKnobs) {
+  const std::vector<CaseResult> cases = {wrong("noise2d.perlin.lattice.fixed.fragment.gl330.golden"),
+                                         wrong("fbm.fbm3.lattice+sine.fixed.vertex.es300.twin"),
+                                         right("noise2d.perlin.lattice.fast.fragment.gl330.golden"),
+                                         right("fbm.fbm3.lattice+sine.precise.vertex.es300.twin"),
+                                         right("hash.word.pcg.exact.vertex.es300.twin")};
+  EXPECT_EQ(common_in(cases),
+            Sentences{"Every failing case is with HN_FIXED; all 2 with HN_FAST or with HN_PRECISE pass."})
+      << "the arithmetic does not matter to the hash, which is not counted";
+  EXPECT_EQ(common_in({wrong("noise2d.value.lattice+period48.fast.fragment.gl330.golden"),
+                       wrong("gradient.lattice3.lattice+period48.exact.vertex.es300.twin"),
+                       right("noise2d.value.lattice+period64.fast.fragment.gl330.golden"),
+                       right("gradient.lattice3.lattice+period1048576.exact.vertex.es300.twin"),
+                       right("noise2d.value.lattice.fast.fragment.gl330.golden"),
+                       right("gradient.lattice3.lattice.exact.vertex.es300.twin")}),
+            Sentences{"Every failing case is with HN_PERIOD 48; all 4 with HN_PERIOD 1048576, with HN_PERIOD 64 or "
+                      "without HN_PERIOD pass."});
+}
+
+TEST(Common, IsSaidOneAfterTheOtherWhileItTellsMore) {
+  EXPECT_EQ(common_in({wrong("noise2d.perlin.lattice.fast.vertex.gl330.golden"),
+                       wrong("noise2d.perlin.fnv1.precise.vertex.es300.twin"),
+                       right("noise2d.perlin.lattice.fast.fragment.gl330.golden"),
+                       right("noise2d.perlin.fnv1.precise.fragment.es300.twin"),
+                       right("noise2d.perlin.fnv1.fixed.fragment.gl330.range"),
+                       right("noise3d.value.lattice.fast.vertex.gl330.golden"),
+                       right("noise3d.value.fnv1.precise.vertex.es300.twin")}),
+            (Sentences{"Every failing case is in the vertex stage; all 3 in the fragment stage pass.",
+                       "Every failing case is of perlin noise; all 2 of value noise pass."}));
+}
+
+TEST(Common, CallsManyTheOthers) {
+  std::vector<CaseResult> cases = {
+      wrong("hash.lattice2.pcg.exact.fragment.gl330.golden"), wrong("noise2d.value.murmur.fast.fragment.es300.golden"),
+      right("hash.lattice1.pcg.exact.fragment.gl330.golden"), right("hash.lattice3.pcg.exact.fragment.es300.golden"),
+      right("noise3d.value.murmur.fast.fragment.es300.golden")};
+  EXPECT_EQ(common_in(cases), Sentences{"Every failing case is in 2D; all 3 in 1D or in 3D pass."});
+  cases.push_back(right("hash.lattice4.pcg.exact.fragment.gl330.golden"));
+  EXPECT_EQ(common_in(cases), Sentences{"Every failing case is in 2D; all 4 in 1D, in 3D or in 4D pass."});
+  cases.push_back(right("hash.word.pcg.exact.fragment.gl330.golden"));
+  EXPECT_EQ(common_in(cases), Sentences{"Every failing case is in 2D; all 4 in 1D, in 3D or in 4D pass."})
+      << "it has no dimension";
+}
+
+TEST(Common, MayBeWhatNoneOfThemIs) {
+  std::vector<CaseResult> cases;
+  for (const char* kind : {"hash.word.pcg.exact", "gradient.lattice2.pcg.exact", "noise2d.perlin.fnv1.fast",
+                           "noise3d.value.murmur.precise", "fbm.fbm3.lattice+sine.fast"}) {
+    for (const char* profile : {"gl330", "gl140", "es300", "es310"}) {
+      const std::string id = std::string(kind) + ".fragment." + profile + ".golden";
+      const bool fails = std::string_view(kind) != "fbm.fbm3.lattice+sine.fast";
+      cases.push_back(fails ? wrong(id) : right(id));
+    }
+  }
+  EXPECT_EQ(common_in(cases), Sentences{"No failing case is of octave sums; all 4 such cases pass."});
+}
+
+TEST(Common, IsNotClaimedWhereThereIsNone) {
+  EXPECT_EQ(
+      common_in({wrong("noise2d.perlin.pcg.fast.fragment.gl330.golden"),
+                 wrong("fbm.fbm3.lattice.fixed.vertex.es300.twin"), wrong("hash.word.fnv1.exact.compute.gl430.golden"),
+                 right("noise2d.perlin.lattice.fixed.vertex.es300.twin"),
+                 right("hash.word.fnv1.exact.fragment.gl330.golden")}),
+      Sentences{"The names of the failing cases have nothing in common."});
+}
+
+// A case with which the sentence would be false takes it away.
+TEST(Common, IsHeldAgainstEveryFailure) {
+  const auto cases = [](Status of_third) {
+    CaseResult third = result("hash.lattice3.murmur.exact.compute.gl430.golden", of_third);
+    return std::vector{wrong("noise2d.value.fnv1.fast.fragment.gl330.golden"),
+                       wrong("noise2d.perlin.pcg.fixed.vertex.es300.twin"), third,
+                       right("noise3d.value.fnv1.fast.fragment.gl330.golden"),
+                       right("noise3d.perlin.pcg.fixed.vertex.es300.twin")};
+  };
+  EXPECT_EQ(common_in(cases(Status::pass)), Sentences{"Every failing case is in 2D; all 3 in 3D pass."});
+  EXPECT_EQ(common_in(cases(Status::crash)), Sentences{"The names of the failing cases have nothing in common."});
+}
+
+TEST(Common, CountsWhatRanAndNothingElse) {
+  CaseResult excused = wrong("noise3d.perlin.fnv1.fast.fragment.gl330.golden");
+  excused.excuse = "known";
+  const std::vector<CaseResult> cases = {wrong("noise2d.perlin.pcg.fast.fragment.gl330.golden"),
+                                         wrong("noise2d.perlin.fnv1.fast.fragment.gl330.golden"),
+                                         result("noise3d.perlin.pcg.fast.fragment.gl330.golden", Status::unsupported)};
+  const auto with = [&](std::vector<CaseResult> more) {
+    more.insert(more.begin(), cases.begin(), cases.end());
+    return common_in(more);
+  };
+  EXPECT_EQ(with({}), Sentences{"Every case that ran fails."});
+  const CaseResult passed = right("noise3d.perlin.pcg.fast.fragment.gl330.twin");
+  const CaseResult warned = result("noise3d.perlin.pcg.fast.fragment.gl330.range", Status::warning);
+  EXPECT_EQ(with({passed, warned}), Sentences{"Every failing case is in 2D; none of the 2 in 3D fails."});
+  EXPECT_EQ(with({passed, excused}),
+            Sentences{"Every failing case is in 2D; none of the 2 in 3D fails, apart from 1 that is excused."});
+}
+
+TEST(Common, IsNothingOfOneCase) {
+  EXPECT_EQ(common_in({wrong("noise2d.perlin.pcg.fast.fragment.gl330.golden"),
+                       right("noise3d.perlin.pcg.fast.fragment.gl330.golden")}),
+            Sentences{});
+  EXPECT_EQ(common_in({}), Sentences{});
+}
+
+TEST(Groups, AreByFunctionWhereValuesAreWrong) {
+  const auto failures = failures_of(run_of({wrong("noise2d.perlin.lattice.fixed.fragment.gl330.golden"),
+                                            wrong("noise2d.perlin.fnv1.fixed.vertex.es300.twin"),
+                                            wrong("noise3d.perlin.lattice.fast.fragment.gl330.golden"),
+                                            right("noise2d.perlin.lattice.fast.fragment.gl330.golden"),
+                                            right("noise2d.perlin.fnv1.precise.vertex.es300.twin")}));
+  EXPECT_EQ(failures.failed, 3u);
+  EXPECT_EQ(failures.ran, 5u);
+  ASSERT_EQ(failures.groups.size(), 2u);
+  EXPECT_EQ(failures.groups[0].text(), "2 of 4 cases of noise2d.perlin (only with HN_FIXED)");
+  EXPECT_EQ(failures.groups[1].text(), "1 of 1 case of noise3d.perlin");
+}
+
+TEST(Groups, AreByWhatIsSaidWhereThereAreNoValues) {
+  const auto says = [](std::string id, Status status, const char* message) {
+    CaseResult bad = result(std::move(id), status);
+    bad.outcome.message = message;
+    return bad;
+  };
+  const auto failures =
+      failures_of(run_of({says("noise2d.perlin.lattice.fast.fragment.gl330.golden", Status::fail, "no\n2"),
+                          says("fbm.fbm3.fnv1.fixed.fragment.gl330.twin", Status::fail, "no\n2"),
+                          says("fbm.fbm3.lattice.fast.fragment.gl330.twin", Status::crash, "no\n2"),
+                          right("fbm.fbm3.lattice.fast.vertex.es300.twin")}));
+  ASSERT_EQ(failures.groups.size(), 2u);
+  EXPECT_EQ(failures.groups[0].text(), "2 cases: no");
+  EXPECT_EQ(failures.groups[1].status, Status::crash);
+  EXPECT_EQ(failures.groups[1].text(), "1 case: no");
+}
+
+TEST(Groups, LoseNoCase) {
+  std::vector<CaseResult> cases;
+  for (int i = 0; i < 300; ++i) {
+    CaseResult bad = i % 3 == 0 ? wrong("f.g" + std::to_string(i % 70) + ".x." + std::to_string(i))
+                                : result("f.h.x." + std::to_string(i), i % 2 == 0 ? Status::timeout : Status::fail);
+    bad.outcome.message = std::to_string(i % 11);
+    cases.push_back(std::move(bad));
+  }
+  const hn::Run run = run_of(std::move(cases));
+  const Failures failures = failures_of(run);
+  std::size_t grouped = 0;
+  for (const FailureGroup& group : failures.groups) grouped += group.cases.size();
+  EXPECT_EQ(grouped, 300u);
+  EXPECT_EQ(failures.failed, 300u);
+}
+
+}  // namespace
+}  // namespace hn
