@@ -25,7 +25,7 @@
 // their lattice points, where the noise is 0, from falling together at the origin.
 HN_FN hn_float hn_i_octaves(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed,
                             bool absolute) {
-  hn_vec2 q = p;
+  hn_vec2 q = hn_i_start(p);
   hn_float sum = 0.0f;
   hn_float total = 0.0f;
   hn_float weight = 1.0f;
@@ -42,7 +42,7 @@ HN_FN hn_float hn_i_octaves(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_f
 
 HN_FN hn_float hn_i_octaves(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed,
                             bool absolute) {
-  hn_vec3 q = p;
+  hn_vec3 q = hn_i_start(p);
   hn_float sum = 0.0f;
   hn_float total = 0.0f;
   hn_float weight = 1.0f;
