@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The noise is hn_perlin unless you name another: define HN_FBM_NOISE2D(q, seed) for the functions of a vec2,
-// HN_FBM_NOISE3D(q, seed) for those of a vec3. It must be in [-1, 1] for the ranges below to hold.
+// HN_FBM_NOISE3D(q, seed) for those of a vec3, before the first include. It must be in [-1, 1] for the ranges below to
+// hold.
 
 #ifndef HN_FBM_GLSL
 #define HN_FBM_GLSL
@@ -11,14 +12,16 @@
 #include "noise2d.glsl"
 #include "noise3d.glsl"
 
-#if HN_ARITHMETIC != HN_FIXED
-
+// Behind the include another noise would change nothing. As these stay defined, a compiler says so: it is a second
+// definition. (HN_FIXED has no other use for them.)
 #ifndef HN_FBM_NOISE2D
-#define HN_FBM_NOISE2D(q, seed) hn_perlin(q, seed)
+#define HN_FBM_NOISE2D(q, seed) hn_perlin(q, seed)  // yours: define it before the include
 #endif
 #ifndef HN_FBM_NOISE3D
-#define HN_FBM_NOISE3D(q, seed) hn_perlin(q, seed)
+#define HN_FBM_NOISE3D(q, seed) hn_perlin(q, seed)  // yours: define it before the include
 #endif
+
+#if HN_ARITHMETIC != HN_FIXED
 
 // The mean of the octaves, or of their absolute values, weighted by gain^i. Each octave has a seed of its own, 2^32
 // divided by the golden ratio further, so that the octaves of nearby seeds do not coincide either. The shift keeps
