@@ -8,6 +8,7 @@
 #include <hashnoise/hashnoise.hpp>
 #include <limits>
 #include <ostream>
+#include <type_traits>
 
 #ifdef __SSE2__
 #include <xmmintrin.h>
@@ -136,6 +137,43 @@ TEST(Shim, FloatsThatFitNoIntAreClamped) {
   using namespace hashnoise;
   EXPECT_EQ(ivec2(vec2(3e9f, -3e9f)), ivec2(std::numeric_limits<int>::max(), std::numeric_limits<int>::min()));
   EXPECT_EQ(ivec2(vec2(std::numeric_limits<float>::quiet_NaN(), -1.5f)), ivec2(0, -1));
+}
+
+// As in GLSL 5.4.2: every order of scalars and vectors, of any types.
+TEST(Shim, VectorsAreMadeOfSmallerOnesAndOfScalars) {
+  using namespace hashnoise;
+  EXPECT_EQ(vec3(vec2(1.0f, 2.0f), 3.0f), vec3(1.0f, 2.0f, 3.0f));
+  EXPECT_EQ(vec3(1.0f, vec2(2.0f, 3.0f)), vec3(1.0f, 2.0f, 3.0f));
+  const vec4 counted(1.0f, 2.0f, 3.0f, 4.0f);
+  EXPECT_EQ(vec4(vec2(1.0f, 2.0f), vec2(3.0f, 4.0f)), counted);
+  EXPECT_EQ(vec4(vec2(1.0f, 2.0f), 3.0f, 4.0f), counted);
+  EXPECT_EQ(vec4(1.0f, vec2(2.0f, 3.0f), 4.0f), counted);
+  EXPECT_EQ(vec4(1.0f, 2.0f, vec2(3.0f, 4.0f)), counted);
+  EXPECT_EQ(vec4(vec3(1.0f, 2.0f, 3.0f), 4.0f), counted);
+  EXPECT_EQ(vec4(1.0f, vec3(2.0f, 3.0f, 4.0f)), counted);
+  // What is left of the last argument is dropped.
+  EXPECT_EQ(vec2(counted), vec2(1.0f, 2.0f));
+  EXPECT_EQ(vec3(counted), vec3(1.0f, 2.0f, 3.0f));
+  EXPECT_EQ(vec3(vec2(1.0f, 2.0f), vec2(3.0f, 4.0f)), vec3(1.0f, 2.0f, 3.0f));
+}
+
+TEST(Shim, ConstructorsConvert) {
+  using namespace hashnoise;
+  EXPECT_EQ(vec3(ivec2(-1, 2), 3u), vec3(-1.0f, 2.0f, 3.0f));
+  EXPECT_EQ(ivec4(vec2(-1.75f, 1.75f), uvec2(3u, 0xFFFFFFFFu)), ivec4(-1, 1, 3, -1));
+  EXPECT_EQ(uvec3(ivec3(-1, 2, 3)), uvec3(0xFFFFFFFFu, 2u, 3u));
+  EXPECT_EQ(ivec3(2.5f), ivec3(2, 2, 2));
+  EXPECT_EQ(ivec2(vec3(3e9f, -3e9f, 0.0f)), ivec2(std::numeric_limits<int>::max(), std::numeric_limits<int>::min()));
+  EXPECT_EQ(uvec2(true, false), uvec2(1u, 0u));
+}
+
+TEST(Shim, ConstructorsTakeAsManyComponentsAsThereAre) {
+  using namespace hashnoise;
+  static_assert(!std::is_constructible_v<vec3, vec2>);
+  static_assert(!std::is_constructible_v<vec4, vec2, float>);
+  static_assert(!std::is_constructible_v<vec2, vec2, float>);
+  static_assert(!std::is_constructible_v<vec3, vec2, float, float>);
+  static_assert(!std::is_convertible_v<vec3, vec2> && !std::is_convertible_v<float, vec2>);
 }
 
 }  // namespace
