@@ -71,6 +71,14 @@ TEST(Twin, PositionAndCellAgree) {
   EXPECT_EQ(hn_perlin(vec3(-2.75f, 5.5f, 0.125f), 9u), hn_perlin(ivec3(-3, 5, 0), vec3(0.25f, 0.5f, 0.125f), 9u));
 }
 
+// -2^31 fits an int, 2^31 does not.
+TEST(Twin, TheSmallestCellIsThatOfAPosition) {
+  using namespace hashnoise;
+  constexpr int kSmallest = std::numeric_limits<int>::min();
+  EXPECT_EQ(hn_perlin(vec2(-0x1p31f, 0.25f), 9u), hn_perlin(ivec2(kSmallest, 0), vec2(0.0f, 0.25f), 9u));
+  EXPECT_EQ(hn_value(vec3(0.5f, -0x1p31f, 0.25f), 9u), hn_value(ivec3(0, kSmallest, 0), vec3(0.5f, 0.0f, 0.25f), 9u));
+}
+
 // What the README says of the values that one meets: the largest of a million.
 TEST(Twin, RangeIsUsed) {
   std::size_t count = std::size_t{1} << 20;

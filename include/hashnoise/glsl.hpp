@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Words wrap at 2^32. A float in a vector that does not fit an int becomes the nearest int that there is, and NaN
-// becomes 0, where GLSL leaves the value undefined. So nothing has undefined behaviour, as long as coordinates are
-// finite.
+// becomes 0, where GLSL leaves the value undefined. So nothing has undefined behaviour, as long as coordinates and the
+// settings of octave sums are finite.
 
 #pragma once
 
