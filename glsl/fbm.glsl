@@ -74,11 +74,12 @@ HN_FN hn_float hn_i_cloud_density(hn_float fbm) {
 //   lacunarity  ratio of frequencies, usually 2
 //   gain        ratio of amplitudes, usually 0.5; not negative, and the sum of its powers below 2^126 (HN_PRECISE:
 //               2^100)
-//   seed        any uint, 0 if left out; different seeds give independent fields
+//   seed        any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   returns     [-1, 1], mean 0; with HN_GRADIENT_SINE in space [-3/2, 3/2]
 //   error       grows with |p| * lacunarity^octaves, since a float rounds the positions (docs/accuracy.md)
-//   period      HN_PERIOD, with a whole lacunarity; without it HN_FIXED repeats after 2^32 cells of any octave, and
-//               floats do not reach so far
+//   period      HN_PERIOD, with a whole lacunarity (HN_FIXED: with a period that is no power of two, only up to 2^31
+//               cells of the last octave); without it HN_FIXED repeats after 2^32 cells of any octave, and floats do
+//               not reach so far
 //   cost        1 noise per octave
 //   HN_FIXED    counts a gain above 1 as 1, a lacunarity beyond [0, 255] as 0 or 255, and no octaves beyond 32; the
 //               error does not grow with |p|
