@@ -17,6 +17,7 @@
 //   hn_i_fraction(p)        the place in that cell
 //   hn_i_inside(f)          the same of what the caller says is a place in a cell
 //   hn_i_whole_cell(p)      in HN_FIXED, p cut off towards 0, as an int
+//   hn_i_start(p)           of floats, the position of the first octave of a sum
 //   hn_i_plus(a, b), hn_i_minus(a, b); of floats also hn_i_times(a, b), hn_i_times_plus(a, b, c), hn_i_quotient(a, b)
 //   hn_i_far(f)             f - 1: the offset from the far corner
 //   hn_i_dot(g, x, y, ...)  a gradient times an offset
@@ -76,6 +77,8 @@ HN_FN hn_vec2 hn_i_fraction(hn_vec2 p) { return p - floor(p); }
 HN_FN hn_vec3 hn_i_fraction(hn_vec3 p) { return p - floor(p); }
 HN_FN hn_vec2 hn_i_inside(hn_vec2 f) { return f; }
 HN_FN hn_vec3 hn_i_inside(hn_vec3 f) { return f; }
+HN_FN hn_vec2 hn_i_start(hn_vec2 p) { return p; }
+HN_FN hn_vec3 hn_i_start(hn_vec3 p) { return p; }
 
 HN_FN hn_float hn_i_quotient(hn_float a, hn_float b) { return a / b; }
 
@@ -85,6 +88,12 @@ HN_FN hn_float hn_i_quotient(hn_float a, hn_float b) { return a / b; }
 HN_FN hn_float hn_i_inside(hn_float x) { return hn_i_select(abs(x) < (1.0f / 4294967296.0f), 0.0f, x); }
 HN_FN hn_vec2 hn_i_inside(hn_vec2 f) { return vec2(hn_i_inside(f.x), hn_i_inside(f.y)); }
 HN_FN hn_vec3 hn_i_inside(hn_vec3 f) { return vec3(hn_i_inside(f.x), hn_i_inside(f.y), hn_i_inside(f.z)); }
+
+// Replaces a subnormal number by 0, since a huge lacunarity could make it large. No later octave needs this: the shift
+// between octaves leaves a position that is 0 or at least 2^-25.
+HN_FN hn_float hn_i_start(hn_float p) { return hn_i_select((floatBitsToUint(p) & 0x7F800000u) == 0u, 0.0f, p); }
+HN_FN hn_vec2 hn_i_start(hn_vec2 p) { return vec2(hn_i_start(p.x), hn_i_start(p.y)); }
+HN_FN hn_vec3 hn_i_start(hn_vec3 p) { return vec3(hn_i_start(p.x), hn_i_start(p.y), hn_i_start(p.z)); }
 
 // The conversion of a float that is no int is undefined: 2147483520 is the largest float below 2^31.
 HN_FN hn_int hn_i_cell(hn_float p) { return int(min(max(floor(hn_i_inside(p)), -2147483648.0f), 2147483520.0f)); }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The noise is hn_perlin unless you name another: define HN_FBM_NOISE2D(q, seed) for the functions of a vec2,
-// HN_FBM_NOISE3D(q, seed) for those of a vec3. It must be in [-1, 1] for the ranges below to hold.
+// HN_FBM_NOISE3D(q, seed) for those of a vec3, before the first include. It must be in [-1, 1] for the ranges below to
+// hold.
 
 #ifndef HN_FBM_GLSL
 #define HN_FBM_GLSL
@@ -11,21 +12,23 @@
 #include "noise2d.glsl"
 #include "noise3d.glsl"
 
-#if HN_ARITHMETIC != HN_FIXED
-
+// Behind the include another noise would change nothing. As these stay defined, a compiler says so: it is a second
+// definition. (HN_FIXED has no other use for them.)
 #ifndef HN_FBM_NOISE2D
-#define HN_FBM_NOISE2D(q, seed) hn_perlin(q, seed)
+#define HN_FBM_NOISE2D(q, seed) hn_perlin(q, seed)  // yours: define it before the include
 #endif
 #ifndef HN_FBM_NOISE3D
-#define HN_FBM_NOISE3D(q, seed) hn_perlin(q, seed)
+#define HN_FBM_NOISE3D(q, seed) hn_perlin(q, seed)  // yours: define it before the include
 #endif
+
+#if HN_ARITHMETIC != HN_FIXED
 
 // The mean of the octaves, or of their absolute values, weighted by gain^i. Each octave has a seed of its own, 2^32
 // divided by the golden ratio further, so that the octaves of nearby seeds do not coincide either. The shift keeps
 // their lattice points, where the noise is 0, from falling together at the origin.
 HN_FN hn_float hn_i_octaves(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed,
                             bool absolute) {
-  hn_vec2 q = p;
+  hn_vec2 q = hn_i_start(p);
   hn_float sum = 0.0f;
   hn_float total = 0.0f;
   hn_float weight = 1.0f;
@@ -42,7 +45,7 @@ HN_FN hn_float hn_i_octaves(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_f
 
 HN_FN hn_float hn_i_octaves(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed,
                             bool absolute) {
-  hn_vec3 q = p;
+  hn_vec3 q = hn_i_start(p);
   hn_float sum = 0.0f;
   hn_float total = 0.0f;
   hn_float weight = 1.0f;
@@ -71,11 +74,12 @@ HN_FN hn_float hn_i_cloud_density(hn_float fbm) {
 //   lacunarity  ratio of frequencies, usually 2
 //   gain        ratio of amplitudes, usually 0.5; not negative, and the sum of its powers below 2^126 (HN_PRECISE:
 //               2^100)
-//   seed        any uint, 0 if left out; different seeds give independent fields
+//   seed        any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   returns     [-1, 1], mean 0; with HN_GRADIENT_SINE in space [-3/2, 3/2]
 //   error       grows with |p| * lacunarity^octaves, since a float rounds the positions (docs/accuracy.md)
-//   period      HN_PERIOD, with a whole lacunarity; without it HN_FIXED repeats after 2^32 cells of any octave, and
-//               floats do not reach so far
+//   period      HN_PERIOD, with a whole lacunarity (HN_FIXED: with a period that is no power of two, only up to 2^31
+//               cells of the last octave); without it HN_FIXED repeats after 2^32 cells of any octave, and floats do
+//               not reach so far
 //   cost        1 noise per octave
 //   HN_FIXED    counts a gain above 1 as 1, a lacunarity beyond [0, 255] as 0 or 255, and no octaves beyond 32; the
 //               error does not grow with |p|

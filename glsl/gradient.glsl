@@ -207,7 +207,7 @@ HN_FN hn_num hn_i_scaled3(hn_num n) { return hn_i_unscaled(n); }
 
 // The gradient of the noise at a lattice point.
 //   cell     the point: ivec2 or ivec3
-//   seed     any uint, 0 if left out; different seeds give independent fields
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   returns  a point of the square or octahedron |x| + |y| (+ |z|) = 1; with HN_GRADIENT_SINE, of the square or cube
 //            [-1, 1]^n
 //   error    none; with HN_GRADIENT_SINE less than 2^-19 (HN_FIXED: 3.7e-5)

@@ -3,6 +3,8 @@
 //
 // Everything in this file is exact: the same bits on every driver. docs/contract.md defines each value.
 //
+// A word is a uint, and so is a seed: hn_hash(7u). For 7, an int, most versions of GLSL find no overload.
+//
 // In all files a cost counts multiplications, of words unless it says otherwise; ramps and interpolation do not count.
 
 #ifndef HN_HASH_GLSL
@@ -202,7 +204,7 @@ HN_FN hn_uint hn_i_point(hn_uvec4 cell, hn_uint seed) {
 // Lattice hashing: a well mixed hash of a point of the integer lattice, with any HN_HASH. What the noise is made of;
 // use it to scatter things.
 //   cell     the point: int, ivec2, ivec3 or ivec4
-//   seed     any uint, 0 if left out; different seeds give independent fields
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   returns  any uint; take bits from anywhere in it
 //   period   2^32 along each axis
 //   cost     1 hash (none with HN_HASH_LATTICE); 1 multiplication per axis and 3 more; 2 more for a seed that is no

@@ -17,7 +17,7 @@ HN_FN hn_num hn_i_perlin(hn_ivec2 cell, hn_num2 f, hn_uint seed) {
 // Names cells exactly where a float no longer can: far out in a large world, or in a world that moves with the viewer.
 //   cell     the cell; its corners wrap at 2^32, or HN_PERIOD
 //   f        position in the cell, in [0, 1]; beyond it HN_FIXED takes the nearer end, and floats extrapolate
-//   seed     any uint, 0 if left out; different seeds give independent fields
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   returns  [-1, 1] (proven bound 0.999985), mean 0, 0 at lattice points, twice continuously differentiable (HN_FIXED:
 //            in steps of 2^-21); with HN_GRADIENT_SINE, which is not scaled, [-1, 1] and the rest alike
 //   error    at most 3.3e-6 against the exact value, in any rounding mode (docs/accuracy.md); HN_GRADIENT_SINE 4.4e-6.
@@ -35,7 +35,7 @@ HN_FN hn_float hn_perlin(hn_ivec2 cell, hn_vec2 f) { return hn_perlin(cell, f, 0
 
 // The same at a position.
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   seed     any uint, 0 if left out
+//   seed     any uint: 7u, not 7; 0 if left out
 //   returns  as above
 //   error    at most 3.51e-6; HN_GRADIENT_SINE 4.58e-6. HN_FIXED as above
 //   period   as above

@@ -19,7 +19,7 @@ HN_FN hn_num hn_i_perlin(hn_ivec3 cell, hn_num3 f, hn_uint seed) {
 // Names cells exactly where a float no longer can: far out in a large world, or in a world that moves with the viewer.
 //   cell     the cell; its corners wrap at 2^32, or HN_PERIOD
 //   f        position in the cell, in [0, 1]; beyond it HN_FIXED takes the nearer end, and floats extrapolate
-//   seed     any uint, 0 if left out; different seeds give independent fields
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   returns  [-1, 1] (proven bound 0.99992), mean 0, 0 at lattice points, twice continuously differentiable (HN_FIXED:
 //            in steps of 2^-21); with HN_GRADIENT_SINE, which is not scaled, [-3/2, 3/2] and the rest alike
 //   error    at most 5.2e-6 against the exact value, in any rounding mode (docs/accuracy.md); HN_GRADIENT_SINE 7.8e-6.
@@ -37,7 +37,7 @@ HN_FN hn_float hn_perlin(hn_ivec3 cell, hn_vec3 f) { return hn_perlin(cell, f, 0
 
 // The same at a position.
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   seed     any uint, 0 if left out
+//   seed     any uint: 7u, not 7; 0 if left out
 //   returns  as above
 //   error    at most 5.54e-6; HN_GRADIENT_SINE 8.2e-6. HN_FIXED as above
 //   period   as above

@@ -25,7 +25,7 @@ HN_FN hn_num hn_i_value_noise(hn_ivec3 cell, hn_num3 f, hn_uint seed) {
 // Cheaper than gradient noise, and coarser: its values are large at lattice points.
 //   cell     the cell; its corners wrap at 2^32, or HN_PERIOD
 //   f        position in the cell, in [0, 1]; beyond it HN_FIXED takes the nearer end, and floats extrapolate
-//   seed     any uint, 0 if left out; different seeds give independent fields
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   returns  [-1, 1] (proven bound 0.999985), mean 0, at lattice points any odd multiple of 2^-16, twice continuously
 //            differentiable (HN_FIXED: in steps of 2^-21)
 //   error    at most 3.92e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 5.58e-5
@@ -41,7 +41,7 @@ HN_FN hn_float hn_value(hn_ivec3 cell, hn_vec3 f) { return hn_value(cell, f, 0u)
 
 // The same at a position.
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   seed     any uint, 0 if left out
+//   seed     any uint: 7u, not 7; 0 if left out
 //   returns  as above
 //   error    at most 4.25e-6. HN_FIXED as above
 //   period   as above

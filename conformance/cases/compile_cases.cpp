@@ -164,16 +164,23 @@ void add_uncontracted_case(std::vector<Case>& cases, std::string_view file, cons
                    }}});
 }
 
-// A shader that the library must refuse with an #error that says what would be right.
+// A shader that must be refused: by the library, with an #error that says what would be right; or by the compiler, since
+// it defines a knob a second time.
 struct Refusal {
   std::string_view name;
   std::string_view profile;
   std::string knobs;
   std::string_view expected;  // a word of the message
+  std::string after = {};     // behind the include
 };
 
 // Of the library that this program was built with, whose last hash is the custom one.
 const std::string kHashBeyondTheLast = fmt::format("#define HN_HASH {}\n", HN_HASH_CUSTOM + 1);
+
+const std::string kFixed = "#define HN_ARITHMETIC HN_FIXED\n";
+const std::string kOtherHash = "#define HN_HASH HN_HASH_PCG\n";
+const std::string kOtherNoise2D = "#define HN_FBM_NOISE2D(q, seed) hn_value(q, seed)\n";
+const std::string kOtherNoise3D = "#define HN_FBM_NOISE3D(q, seed) hn_value(q, seed)\n";
 
 const Refusal kRefusals[] = {
     {"version_120", "gl120", "", "GLSL 1.30"},
@@ -198,6 +205,14 @@ const Refusal kRefusals[] = {
     {"period_large_and_no_power_of_two", "es300", "#define HN_PERIOD 1048577\n", "1048576"},
     {"period_too_large", "gl330", "#define HN_PERIOD 1073741825\n", "1073741824"},
     {"custom_without_function", "gl330", "#define HN_HASH HN_HASH_CUSTOM\n", "HN_HASH_FN"},
+    // Behind the include they would change nothing.
+    {"hash_after_the_include", "gl330", "", "HN_HASH", kOtherHash},
+    {"noise2d_after_the_include", "gl330", "", "HN_FBM_NOISE2D", kOtherNoise2D},
+    {"noise2d_after_the_include", "es300", "", "HN_FBM_NOISE2D", kOtherNoise2D},
+    {"noise3d_after_the_include", "gl330", "", "HN_FBM_NOISE3D", kOtherNoise3D},
+    {"fixed_noise2d_after_the_include", "gl330", kFixed, "HN_FBM_NOISE2D", kOtherNoise2D},
+    {"fixed_noise2d_after_the_include", "es300", kFixed, "HN_FBM_NOISE2D", kOtherNoise2D},
+    {"fixed_noise3d_after_the_include", "gl330", kFixed, "HN_FBM_NOISE3D", kOtherNoise3D},
 };
 
 // What the library must take.
@@ -212,6 +227,11 @@ std::vector<Acceptance> acceptances() {
       {"period_1", "#define HN_PERIOD 1\n"},
       {"period_largest_of_any", "#define HN_PERIOD 1048576\n"},
       {"period_largest_power_of_two", "#define HN_PERIOD 1073741824\n"},
+      // The same definition once more is none.
+      {"noise_before_the_include", kOtherNoise2D + kOtherNoise3D,
+       "#include \"hashnoise.glsl\"\n" + kOtherNoise2D + kOtherNoise3D},
+      {"fixed_noise_before_the_include", kFixed + kOtherNoise2D + kOtherNoise3D,
+       "#include \"hashnoise.glsl\"\n" + kOtherNoise2D + kOtherNoise3D},
       // Of the library that this program was built with.
       {"version", "",
        fmt::format("#if HN_VERSION_MAJOR != {} || HN_VERSION_MINOR != {} || HN_VERSION_PATCH != {}\n"
@@ -249,7 +269,8 @@ Outcome expect_refusal(const CompilationKind& compilation, const Result<void>& c
 
 void add_refusal_cases(std::vector<Case>& cases, const Refusal& refusal) {
   const CompilationKind compilation{&profile_named(refusal.profile),
-                                    fmt::format("{}#include \"config.glsl\"\nvoid main() {{}}\n", refusal.knobs),
+                                    fmt::format("{}#include \"{}\"\n{}void main() {{}}\n", refusal.knobs,
+                                                refusal.after.empty() ? "config.glsl" : "hashnoise.glsl", refusal.after),
                                     refusal.expected, refusal.name.starts_with("version") || refusal.profile == "es310"};
   cases.push_back({name_of_setting(refusal.name, refusal.profile, "refused_by_glslang"),
                    ReferenceKind{[=](const Suite& suite) {

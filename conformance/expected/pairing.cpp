@@ -55,6 +55,10 @@ struct Pair {
   std::uint32_t there;  // some periods on
 };
 
+// As many octaves as keep the cells of fixed arithmetic within an int, below 9 * 48 * 3^14 and a little more for the
+// shift between octaves (docs/contract.md, section 8).
+constexpr std::uint32_t kFixedOctaves = 15;
+
 Pair coordinates(WordType type, std::uint32_t period, Random& random) {
   const auto periods = static_cast<std::int32_t>(random.below(3)) - 1;
   if (type == WordType::i32) {
@@ -93,6 +97,10 @@ Pairing period_pairing(const Evaluation& evaluation, std::uint64_t seed, std::si
   Words here = random_points(function, points, random);
   Words there = here;
   for (std::size_t i = 0; i < here.size(); i += kInputWords) {
+    const std::size_t octaves = i + static_cast<std::size_t>(std::max(function.input("octaves"), 0));
+    if (octave_sum && evaluation.configuration.arithmetic == Arithmetic::fixed) {
+      here[octaves] = there[octaves] = random.below(kFixedOctaves + 1);
+    }
     if (octave_sum) {
       const auto lacunarity = i + static_cast<std::size_t>(function.input("lacunarity"));
       here[lacunarity] = there[lacunarity] = std::bit_cast<std::uint32_t>(1.0f + static_cast<float>(random.below(3)));

@@ -21,8 +21,15 @@ std::uint32_t random_word(Random& random) {
 }
 
 // Where a point lies. All coordinates of a point share it.
-enum class Region { near, negative, lattice, far, very_far, extreme };
-constexpr std::uint32_t kRegions = 5;  // the extreme one only where it is asked for
+enum class Region { near, negative, lattice, far, very_far, extreme, steep };
+// The last two only where they are asked for. A steep point is one of an octave sum: a tiny position, which a huge
+// lacunarity makes large.
+constexpr std::uint32_t kRegions = 5;
+
+std::uint32_t regions_of(bool octave_sum, Extremes extremes) {
+  if (extremes == Extremes::none) return kRegions;
+  return octave_sum && extremes == Extremes::floats ? kRegions + 2 : kRegions + 1;
+}
 
 std::uint32_t random_cell(Region region, Random& random) {
   switch (region) {
@@ -35,6 +42,7 @@ std::uint32_t random_cell(Region region, Random& random) {
       return (random.below(2) == 0 ? 0u : 0u - (3u << 20)) + (1u << 20) + random.below(1u << 20);
     case Region::very_far:
     case Region::extreme:
+    case Region::steep:
       break;
   }
   return random_word(random);
@@ -65,6 +73,11 @@ float random_extreme(int high, Random& random) {
   }
 }
 
+// So small that no lacunarity below 2^126 takes the next octave to 2^96.
+float random_tiny(Random& random) {
+  return random.below(2) == 0 ? random_magnitude(-127, -126, random) : random_magnitude(-126, -30, random);
+}
+
 float random_position(Region region, Random& random) {
   switch (region) {
     case Region::near:
@@ -84,6 +97,7 @@ float random_position(Region region, Random& random) {
       return std::copysign(random.uniform(1048576.0f, 2097152.0f), random.uniform(-1.0f, 1.0f));
     case Region::very_far:
     case Region::extreme:
+    case Region::steep:
       break;
   }
   return std::copysign(random.uniform(2097152.0f, 8388608.0f), random.uniform(-1.0f, 1.0f));
@@ -127,8 +141,10 @@ float random_gain(Random& random) {
 // A position of few bits: a multiple of 1/32.
 float coarse(float position) { return std::floor(position * 32.0f) * 0.03125f; }
 
-// Octave sums of integers have values for all settings; those of floats for these.
+// Octave sums of integers have values for all settings; those of floats for these, and at a tiny position for a
+// lacunarity of any size.
 float random_setting(std::string_view name, Region region, Extremes extremes, Random& random) {
+  if (region == Region::steep && name == "lacunarity") return random_magnitude(20, 126, random);
   if (region == Region::extreme && extremes == Extremes::integers && random.below(2) == 0) {
     return random.below(2) == 0 ? random_extreme(128, random) : random.uniform(-1.0f, 256.0f);
   }
@@ -136,6 +152,7 @@ float random_setting(std::string_view name, Region region, Extremes extremes, Ra
 }
 
 float random_coordinate(Region region, bool octave_sum, Extremes extremes, Random& random) {
+  if (region == Region::steep) return random_tiny(random);
   if (region == Region::extreme) {
     return random_extreme(octave_sum && extremes == Extremes::floats ? 96 : 128, random);
   }
@@ -145,6 +162,7 @@ float random_coordinate(Region region, bool octave_sum, Extremes extremes, Rando
 
 std::uint32_t random_whole(const Column& column, Region region, Extremes extremes, Random& random) {
   if (column.name != "octaves") return random_cell(region, random);
+  if (region == Region::steep) return 1 + random.below(2);  // the position of a third octave would overflow
   return extremes == Extremes::none ? random_octaves(region, random) : extreme_octaves(extremes, random);
 }
 
@@ -203,7 +221,7 @@ Extremes defined_extremes(const Configuration& configuration) {
 std::vector<std::uint32_t> random_points(const Function& function, std::size_t count, Random random,
                                          Extremes extremes) {
   const bool octave_sum = function.is_octave_sum();
-  const std::uint32_t regions = extremes == Extremes::none ? kRegions : kRegions + 1;
+  const std::uint32_t regions = regions_of(octave_sum, extremes);
   std::vector<std::uint32_t> words(count * kInputWords);
   for (std::size_t i = 0; i < count; ++i) {
     const auto region = static_cast<Region>(random.below(regions));

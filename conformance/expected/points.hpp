@@ -26,7 +26,9 @@ class Random {
 // What is among the points besides those for which every arithmetic has a value that it must be near to.
 enum class Extremes {
   none,
-  floats,  // coordinates that are subnormal, tiny, -0 or huge (for octave sums below 2^96, so that no float overflows)
+  // Coordinates that are subnormal, tiny, -0 or huge. For octave sums they are below 2^96, so that no float overflows, and
+  // some of the tiny ones come with a huge lacunarity.
+  floats,
   integers,  // also places beyond a cell, and settings of octave sums that are cut off: only integers have values there
 };
 // Those for which the bits of a configuration's results are defined.

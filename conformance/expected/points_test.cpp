@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace hn {
 namespace {
@@ -48,8 +49,9 @@ int count_coordinates(std::string_view id, Extremes extremes, Predicate predicat
   int count = 0;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::size_t column = i % kInputWords;
-    const bool coordinate = column < function.inputs.size() && function.inputs[column].type == WordType::f32;
-    if (coordinate && predicate(std::bit_cast<float>(words[i]))) ++count;
+    if (column >= function.inputs.size() || function.inputs[column].type != WordType::f32) continue;
+    const bool setting = function.inputs[column].name == "lacunarity" || function.inputs[column].name == "gain";
+    if (!setting && predicate(std::bit_cast<float>(words[i]))) ++count;
   }
   return count;
 }
@@ -73,6 +75,31 @@ TEST(Points, ExtremesOfFloatsOverflowNoOctave) {
   const auto too_large = [](float x) { return std::fabs(x) >= 0x1p96f; };
   EXPECT_EQ(count_coordinates("fbm.fbm3", Extremes::floats, too_large), 0);
   EXPECT_GT(count_coordinates("fbm.fbm3", Extremes::integers, too_large), 50);
+}
+
+// Counts the points of an octave sum whose lacunarity is huge, and those of them with a subnormal coordinate.
+std::pair<int, int> count_steep(std::string_view id, Extremes extremes) {
+  const Function& function = find_function(id);
+  const auto words = random_points(function, 10000, Random(1, "test"), extremes);
+  std::pair<int, int> counts;
+  for (std::size_t i = 0; i < words.size(); i += kInputWords) {
+    const auto number = [&](int column) { return std::bit_cast<float>(words[i + static_cast<std::size_t>(column)]); };
+    if (std::fabs(number(function.input("lacunarity"))) < 0x1p20f) continue;
+    ++counts.first;
+    counts.second += std::fpclassify(number(0)) == FP_SUBNORMAL;
+    EXPECT_LE(words[i + static_cast<std::size_t>(function.input("octaves"))], 2u);
+    for (int axis = 0; axis < function.axes; ++axis) EXPECT_LT(std::fabs(number(axis)), 0x1p-30f);
+  }
+  return counts;
+}
+
+TEST(Points, OnlyTinyPositionsOfFloatsHaveAHugeLacunarity) {
+  for (const std::string_view id : {"fbm.fbm2", "fbm.clouds3"}) {
+    const auto [steep, subnormal] = count_steep(id, Extremes::floats);
+    EXPECT_GT(steep, 1000);
+    EXPECT_GT(subnormal, 400);
+    EXPECT_EQ(count_steep(id, Extremes::none).first, 0);
+  }
 }
 
 TEST(Points, OnlyExtremesOfIntegersLieBesideTheirCell) {

@@ -8,6 +8,11 @@
 #include <hashnoise/hashnoise.hpp>
 #include <limits>
 #include <ostream>
+#include <type_traits>
+
+#ifdef __SSE2__
+#include <xmmintrin.h>
+#endif
 
 #include "expected/compare.hpp"
 #include "expected/golden.hpp"
@@ -66,6 +71,14 @@ TEST(Twin, PositionAndCellAgree) {
   EXPECT_EQ(hn_perlin(vec3(-2.75f, 5.5f, 0.125f), 9u), hn_perlin(ivec3(-3, 5, 0), vec3(0.25f, 0.5f, 0.125f), 9u));
 }
 
+// -2^31 fits an int, 2^31 does not.
+TEST(Twin, TheSmallestCellIsThatOfAPosition) {
+  using namespace hashnoise;
+  constexpr int kSmallest = std::numeric_limits<int>::min();
+  EXPECT_EQ(hn_perlin(vec2(-0x1p31f, 0.25f), 9u), hn_perlin(ivec2(kSmallest, 0), vec2(0.0f, 0.25f), 9u));
+  EXPECT_EQ(hn_value(vec3(0.5f, -0x1p31f, 0.25f), 9u), hn_value(ivec3(0, kSmallest, 0), vec3(0.5f, 0.0f, 0.25f), 9u));
+}
+
 // What the README says of the values that one meets: the largest of a million.
 TEST(Twin, RangeIsUsed) {
   std::size_t count = std::size_t{1} << 20;
@@ -93,10 +106,82 @@ TEST(Twin, HugePositionsHaveNoUndefinedBehaviour) {
   }
 }
 
+#ifdef __SSE2__
+// While it lives, subnormal numbers are 0 as operands and as results, as they are on many drivers. Threads that start
+// take it over.
+class FlushedSubnormals {
+ public:
+  FlushedSubnormals() : before_(_mm_getcsr()) { _mm_setcsr(before_ | 0x8040u); }  // flush to zero, denormals are zero
+  ~FlushedSubnormals() { _mm_setcsr(before_); }
+  FlushedSubnormals(const FlushedSubnormals&) = delete;
+  FlushedSubnormals& operator=(const FlushedSubnormals&) = delete;
+
+ private:
+  unsigned before_;
+};
+
+std::vector<std::uint32_t> twin_of(const Function& function, const Configuration& configuration,
+                                   const std::vector<std::uint32_t>& inputs) {
+  std::vector<std::uint32_t> values(inputs.size() / kInputWords * kOutputWords);
+  evaluate_twin(function, configuration, inputs, values);
+  return values;
+}
+
+TEST(Twin, BitsOfPreciseAndFixedDoNotDependOnSubnormals) {
+  for (const Configuration& configuration : all_configurations()) {
+    if (configuration.fast()) continue;
+    for (const Function& function : all_functions()) {
+      if (!covers(configuration, function)) continue;
+      const auto inputs = random_points(function, 20000, Random(1, function.id), defined_extremes(configuration));
+      const auto values = twin_of(function, configuration, inputs);
+      const FlushedSubnormals flushed;
+      EXPECT_TRUE(values == twin_of(function, configuration, inputs)) << function.id << " " << configuration.name;
+    }
+  }
+}
+#endif
+
 TEST(Shim, FloatsThatFitNoIntAreClamped) {
   using namespace hashnoise;
   EXPECT_EQ(ivec2(vec2(3e9f, -3e9f)), ivec2(std::numeric_limits<int>::max(), std::numeric_limits<int>::min()));
   EXPECT_EQ(ivec2(vec2(std::numeric_limits<float>::quiet_NaN(), -1.5f)), ivec2(0, -1));
+}
+
+// As in GLSL 5.4.2: every order of scalars and vectors, of any types.
+TEST(Shim, VectorsAreMadeOfSmallerOnesAndOfScalars) {
+  using namespace hashnoise;
+  EXPECT_EQ(vec3(vec2(1.0f, 2.0f), 3.0f), vec3(1.0f, 2.0f, 3.0f));
+  EXPECT_EQ(vec3(1.0f, vec2(2.0f, 3.0f)), vec3(1.0f, 2.0f, 3.0f));
+  const vec4 counted(1.0f, 2.0f, 3.0f, 4.0f);
+  EXPECT_EQ(vec4(vec2(1.0f, 2.0f), vec2(3.0f, 4.0f)), counted);
+  EXPECT_EQ(vec4(vec2(1.0f, 2.0f), 3.0f, 4.0f), counted);
+  EXPECT_EQ(vec4(1.0f, vec2(2.0f, 3.0f), 4.0f), counted);
+  EXPECT_EQ(vec4(1.0f, 2.0f, vec2(3.0f, 4.0f)), counted);
+  EXPECT_EQ(vec4(vec3(1.0f, 2.0f, 3.0f), 4.0f), counted);
+  EXPECT_EQ(vec4(1.0f, vec3(2.0f, 3.0f, 4.0f)), counted);
+  // What is left of the last argument is dropped.
+  EXPECT_EQ(vec2(counted), vec2(1.0f, 2.0f));
+  EXPECT_EQ(vec3(counted), vec3(1.0f, 2.0f, 3.0f));
+  EXPECT_EQ(vec3(vec2(1.0f, 2.0f), vec2(3.0f, 4.0f)), vec3(1.0f, 2.0f, 3.0f));
+}
+
+TEST(Shim, ConstructorsConvert) {
+  using namespace hashnoise;
+  EXPECT_EQ(vec3(ivec2(-1, 2), 3u), vec3(-1.0f, 2.0f, 3.0f));
+  EXPECT_EQ(ivec4(vec2(-1.75f, 1.75f), uvec2(3u, 0xFFFFFFFFu)), ivec4(-1, 1, 3, -1));
+  EXPECT_EQ(uvec3(ivec3(-1, 2, 3)), uvec3(0xFFFFFFFFu, 2u, 3u));
+  EXPECT_EQ(ivec3(2.5f), ivec3(2, 2, 2));
+  EXPECT_EQ(ivec2(vec3(3e9f, -3e9f, 0.0f)), ivec2(std::numeric_limits<int>::max(), std::numeric_limits<int>::min()));
+  EXPECT_EQ(uvec2(true, false), uvec2(1u, 0u));
+}
+
+TEST(Shim, ConstructorsTakeAsManyComponentsAsThereAre) {
+  using namespace hashnoise;
+  static_assert(!std::is_constructible_v<vec3, vec2>);
+  static_assert(!std::is_constructible_v<vec4, vec2, float>);
+  static_assert(!std::is_constructible_v<vec2, vec2, float>);
+  static_assert(!std::is_constructible_v<vec3, vec2, float, float>);
+  static_assert(!std::is_convertible_v<vec3, vec2> && !std::is_convertible_v<float, vec2>);
 }
 
 }  // namespace

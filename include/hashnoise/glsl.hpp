@@ -1,11 +1,17 @@
-// What the types and built-in functions of GLSL that hashnoise uses mean in C++20. Only what the GLSL text needs.
+// What the types and built-in functions of GLSL that hashnoise uses mean in C++20: only what the GLSL text needs, and
+// GLSL's constructors of vectors.
 // SPDX-License-Identifier: MIT
 //
 // Words wrap at 2^32. A float in a vector that does not fit an int becomes the nearest int that there is, and NaN
-// becomes 0, where GLSL leaves the value undefined. So nothing has undefined behaviour, as long as coordinates are
-// finite.
+// becomes 0, where GLSL leaves the value undefined. So nothing has undefined behaviour, as long as coordinates and the
+// settings of octave sums are finite.
 
 #pragma once
+
+// MSVC tells the version by a name of its own.
+#if __cplusplus < 202002L && (!defined(_MSVC_LANG) || _MSVC_LANG < 202002L)
+#error hashnoise needs C++20: compile with -std=c++20, or with /std:c++20
+#endif
 
 #include <bit>
 #include <cmath>
@@ -15,6 +21,13 @@
 namespace hashnoise {
 
 using uint = std::uint32_t;
+
+template <typename T>
+struct Vector2;
+template <typename T>
+struct Vector3;
+template <typename T>
+struct Vector4;
 
 namespace detail {
 
@@ -40,16 +53,61 @@ constexpr uint convert<uint, float>(float value) {
   return value > 0.0f ? static_cast<uint>(value) : 0u;
 }
 
+// How many components an argument of a constructor has.
+template <typename Argument>
+constexpr int kComponents = 1;
+template <typename T>
+constexpr int kComponents<Vector2<T>> = 2;
+template <typename T>
+constexpr int kComponents<Vector3<T>> = 3;
+template <typename T>
+constexpr int kComponents<Vector4<T>> = 4;
+
+// Whether arguments fill a vector of so many components. The last may have some to spare, but none may go unused.
+template <int Count, typename... Arguments>
+constexpr bool fill() {
+  int found = 0;
+  bool all_used = true;
+  ((all_used = all_used && found < Count, found += kComponents<Arguments>), ...);
+  return all_used && found >= Count;
+}
+
+template <int Index, typename First, typename... Rest>
+constexpr auto component([[maybe_unused]] const First& first, [[maybe_unused]] const Rest&... rest) {
+  constexpr int count = kComponents<First>;
+  if constexpr (Index >= count) {
+    return component<Index - count>(rest...);
+  } else if constexpr (count == 1) {
+    return first;
+  } else if constexpr (Index == 0) {
+    return first.x;
+  } else if constexpr (Index == 1) {
+    return first.y;
+  } else if constexpr (Index == 2) {
+    return first.z;
+  } else {
+    return first.w;
+  }
+}
+
 }  // namespace detail
 
+// As in GLSL, a constructor takes scalars and vectors of any type in any order, as long as they have enough components.
 template <typename T>
 struct Vector2 {
   T x, y;
   constexpr Vector2() : x(), y() {}
   constexpr Vector2(T x_, T y_) : x(x_), y(y_) {}
-  constexpr explicit Vector2(T s) : x(s), y(s) {}
+  template <typename Scalar>
+  requires(detail::kComponents<Scalar> == 1)
+  constexpr explicit Vector2(Scalar s) : Vector2(detail::convert<T>(s), detail::convert<T>(s)) {}
   template <typename U>
   constexpr explicit Vector2(Vector2<U> v) : x(detail::convert<T>(v.x)), y(detail::convert<T>(v.y)) {}
+  template <typename... Arguments>
+  requires(detail::fill<2, Arguments...>())
+  constexpr explicit(sizeof...(Arguments) != 2) Vector2(const Arguments&... arguments)
+      : x(detail::convert<T>(detail::component<0>(arguments...))),
+        y(detail::convert<T>(detail::component<1>(arguments...))) {}
   friend bool operator==(Vector2, Vector2) = default;  // constexpr where that of T is
   friend constexpr Vector2 operator+(Vector2 a, Vector2 b) { return {a.x + b.x, a.y + b.y}; }
   friend constexpr Vector2 operator-(Vector2 a, Vector2 b) { return {a.x - b.x, a.y - b.y}; }
@@ -64,10 +122,18 @@ struct Vector3 {
   T x, y, z;
   constexpr Vector3() : x(), y(), z() {}
   constexpr Vector3(T x_, T y_, T z_) : x(x_), y(y_), z(z_) {}
-  constexpr explicit Vector3(T s) : x(s), y(s), z(s) {}
+  template <typename Scalar>
+  requires(detail::kComponents<Scalar> == 1)
+  constexpr explicit Vector3(Scalar s) : Vector3(detail::convert<T>(s), detail::convert<T>(s), detail::convert<T>(s)) {}
   template <typename U>
   constexpr explicit Vector3(Vector3<U> v)
       : x(detail::convert<T>(v.x)), y(detail::convert<T>(v.y)), z(detail::convert<T>(v.z)) {}
+  template <typename... Arguments>
+  requires(detail::fill<3, Arguments...>())
+  constexpr explicit(sizeof...(Arguments) != 3) Vector3(const Arguments&... arguments)
+      : x(detail::convert<T>(detail::component<0>(arguments...))),
+        y(detail::convert<T>(detail::component<1>(arguments...))),
+        z(detail::convert<T>(detail::component<2>(arguments...))) {}
   friend bool operator==(Vector3, Vector3) = default;  // constexpr where that of T is
   friend constexpr Vector3 operator+(Vector3 a, Vector3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
   friend constexpr Vector3 operator-(Vector3 a, Vector3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
@@ -82,13 +148,22 @@ struct Vector4 {
   T x, y, z, w;
   constexpr Vector4() : x(), y(), z(), w() {}
   constexpr Vector4(T x_, T y_, T z_, T w_) : x(x_), y(y_), z(z_), w(w_) {}
-  constexpr explicit Vector4(T s) : x(s), y(s), z(s), w(s) {}
+  template <typename Scalar>
+  requires(detail::kComponents<Scalar> == 1)
+  constexpr explicit Vector4(Scalar s) : Vector4(detail::convert<T>(s), detail::convert<T>(s), detail::convert<T>(s), detail::convert<T>(s)) {}
   template <typename U>
   constexpr explicit Vector4(Vector4<U> v)
       : x(detail::convert<T>(v.x)),
         y(detail::convert<T>(v.y)),
         z(detail::convert<T>(v.z)),
         w(detail::convert<T>(v.w)) {}
+  template <typename... Arguments>
+  requires(detail::fill<4, Arguments...>())
+  constexpr explicit(sizeof...(Arguments) != 4) Vector4(const Arguments&... arguments)
+      : x(detail::convert<T>(detail::component<0>(arguments...))),
+        y(detail::convert<T>(detail::component<1>(arguments...))),
+        z(detail::convert<T>(detail::component<2>(arguments...))),
+        w(detail::convert<T>(detail::component<3>(arguments...))) {}
   friend bool operator==(Vector4, Vector4) = default;  // constexpr where that of T is
 };
 

@@ -19,8 +19,9 @@
 
 #pragma once
 
+#include "glsl.hpp"  // the first, since it refuses what is older than C++20
+
 #include "../../glsl/config.glsl"
-#include "glsl.hpp"
 
 #define HN_I_PASTE_TOKENS(a, b) a##b
 #define HN_I_PASTE(a, b) HN_I_PASTE_TOKENS(a, b)

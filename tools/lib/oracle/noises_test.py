@@ -36,9 +36,10 @@ def points(bounds: Bounds, numbers: Generator, count: int = POINTS) -> Iterator[
 
 class EveryNoise(unittest.TestCase):
     def check_position(self, noise: Noise, bounds: Bounds) -> None:
-        """A position is a cell and a fraction."""
+        """A position is a cell and a fraction, down to the smallest cell."""
+        smallest = [Fraction(-2**31)] + [Fraction(1, 4)] * (bounds.dimensions - 1)
         for knobs in settings(bounds):
-            for p, seed in points(bounds, generator_of("position"), 8):
+            for p, seed in [*points(bounds, generator_of("position"), 8), (smallest, 3)]:
                 cell = [math.floor(x) for x in p]
                 f = [x - c for x, c in zip(p, cell)]
                 self.assertEqual(noise.exact(knobs, p, seed), noise.exact_cell(knobs, cell, f, seed))

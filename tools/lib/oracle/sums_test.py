@@ -180,6 +180,33 @@ class FixedSums(unittest.TestCase):
             values = [function(Knobs("lattice", period=48), (x, 7.75), 3, 2.0, 0.5, 3) for x in (5.125, 5.125 - 96)]
             self.assertEqual(*values)
 
+    def test_a_period_that_is_no_power_of_two_ends_where_a_cell_fits_no_int(self) -> None:
+        def repeats(period: int, x: float, octaves: int) -> bool:
+            one, other = (fixed_fbm(Knobs("lattice", period=period), (at, 7.75), octaves, 3.0, 1.0, 3)
+                          for at in (x, x + period))
+            return one == other
+
+        for x, octaves, whole in ((-49.0, 17, True), (1.0, 17, True), (2.0, 17, False), (101.0, 16, True),
+                                  (103.0, 16, False), (1.0, 18, False)):
+            self.assertEqual(repeats(48, x, octaves), whole, (x, octaves))
+            self.assertTrue(repeats(64, x, octaves))
+        self.assertTrue(repeats(64, 1.0, 32))
+
+    def test_the_product_of_a_position_is_exact(self) -> None:
+        """95 bits: the largest position and lacunarity, and every low bit set."""
+        for position in (2**63 - 1, -2**63, -2**63 + 1, 0x123456789ABCDEF0 | 1):
+            for lacunarity in (255 * 2**23, 255 * 2**23 - 1, 2**24 + 1, 1):
+                exact = (Fraction(position * lacunarity, 2**23).__floor__() + 2**63) % 2**64 - 2**63
+                self.assertEqual(sums.next_position(position, lacunarity, Fraction(0)), exact)
+
+    def test_what_is_no_number_has_no_value(self) -> None:
+        for no_number in (float("nan"), float("inf")):
+            for p, lacunarity, gain in (((no_number, 0.5), 2.0, 0.5), ((0.25, 0.5), no_number, 0.5),
+                                        ((0.25, 0.5), 2.0, no_number)):
+                for function in (fbm, fixed_fbm, turbulence, fixed_turbulence, clouds, fixed_clouds):
+                    with self.assertRaises((ValueError, OverflowError)):
+                        function(Knobs("lattice"), p, 2, lacunarity, gain, 3)
+
     def test_seeds_step(self) -> None:
         seed, next_seed = 0xFFFFFFFF, 0x9E3779B8
         first = PERLIN.fixed(Knobs("pcg"), (0.375, -12.25), seed)
