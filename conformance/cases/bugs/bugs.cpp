@@ -48,6 +48,7 @@ std::span<const Bug> all_bugs() {
     add_integer_bugs(bugs);
     add_float_bugs(bugs);
     add_flow_bugs(bugs);
+    add_position_bugs(bugs);
     return bugs;
   }();
   return kBugs;

@@ -13,6 +13,7 @@ namespace hn {
 void add_integer_bugs(std::vector<Bug>& bugs);
 void add_float_bugs(std::vector<Bug>& bugs);
 void add_flow_bugs(std::vector<Bug>& bugs);
+void add_position_bugs(std::vector<Bug>& bugs);
 
 inline float as_float(std::uint32_t value) { return std::bit_cast<float>(value); }
 

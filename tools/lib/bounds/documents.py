@@ -19,6 +19,7 @@ from tables.markdown import table, with_section
 from tree import ROOT
 
 ACCURACY = "docs/accuracy.md"
+KNOBS = "docs/knobs.md"
 Key = tuple[str, int, Gradient | None]  # a noise, the number of its dimensions, a kind of gradient
 Everything = dict[Key, Derived]
 NOISE_OF_SUMS = "perlin"  # unless the user names another
@@ -90,9 +91,9 @@ def with_tables(text: str, derived: Everything) -> str:
 def quotes(derived: Everything) -> list[tuple[str, str]]:
     """Pairs of a file and what must stand in it."""
     plane, space = (derived[NOISE_OF_SUMS, dims, GRADIENTS[0]] for dims in (2, 3))
-    stated = [("README.md", f"| {scientific(plane.error)} | {scientific(space.error)} |"),
-              ("README.md", f"| {scientific(plane.fixed_error)} | {scientific(space.fixed_error)} |"),
-              ("README.md", f"with `HN_FIXED` within {scientific(sine.fixed_sine_error(), 2)}")]
+    stated = [(KNOBS, f"| {scientific(plane.error)} | {scientific(space.error)} |"),
+              (KNOBS, f"| {scientific(plane.fixed_error)} | {scientific(space.fixed_error)} |"),
+              (KNOBS, f"with `HN_FIXED` within {scientific(sine.fixed_sine_error(), 2)}")]
     limits = [f"{derived[NOISE_OF_SUMS, dims, SINE].bounds('', dims, SINE).rounded().limit:g} in {dims}D"
               for dims in (2, 3)]
     stated.append((ACCURACY, f"in floats at most {limits[0]}, {limits[1]}"))

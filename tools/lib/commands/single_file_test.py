@@ -1,6 +1,8 @@
 """tools/single-file: what it makes compiles by itself, in every language, with nothing but a #version line."""
 
+import itertools
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -29,20 +31,31 @@ def compile_shader(text):
 
 class SingleFile(unittest.TestCase):
     def test_each_file_compiles_by_itself(self):
-        for name in FILES:
-            body = generate(name).stdout
+        for name, options in itertools.product(FILES, ([], ["--strip"])):
+            body = generate(*options, name).stdout
             self.assertNotIn("#include", body)
             call = CALLS.get(name, "hn_clouds(vec3(1.5), 5, 2.0, 0.5)")
             for version in ("130", "460", "300 es"):
                 precision = "precision mediump float;\n" if version.endswith("es") else ""
                 shader = f"#version {version}\n{precision}{body}\nout vec4 o;\nvoid main() {{ o = vec4({call}); }}\n"
-                with self.subTest(name=name, version=version):
+                with self.subTest(name=name, options=options, version=version):
                     right, log = compile_shader(shader)
                     self.assertTrue(right, log)
 
     def test_the_compilation_can_fail(self):
         right, _ = compile_shader("#version 460\n" + generate("hash.glsl").stdout + "\nvoid main() { absent(); }\n")
         self.assertFalse(right)
+
+    def test_stripped_it_is_the_same_code(self):
+        def tokens(text):
+            return re.sub(r"//.*", "", text).split()
+
+        whole, stripped = generate().stdout, generate("--strip").stdout
+        self.assertEqual(tokens(whole), tokens(stripped))
+        self.assertLess(len(stripped), len(whole) * 2 / 3)
+        comments = [line for line in stripped.splitlines() if "//" in line]
+        self.assertEqual(len(comments), 2, comments)  # where it is from, and its licence
+        self.assertIn("MIT License", comments[1])
 
     def test_no_file_stands_in_it_twice(self):
         self.assertEqual(generate().stdout.count("float hn_unorm("), 1)

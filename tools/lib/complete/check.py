@@ -15,6 +15,7 @@ from tables.configurations import ARITHMETICS, Configuration, read_configuration
 from tables.functions import NOISES, Function, read_functions
 from tree import BOUNDS, CONFIGURATIONS, FUNCTIONS, GLSL, GOLDEN, ROOT
 
+KNOBS = "docs/knobs.md"
 ENTRIES = "tools/lib/{}/noises/{}.py"
 OF_A_NOISE = {"returns", "error", "cost"}  # in each comment; and in one of its comments
 OF_A_NOISE_ONCE = OF_A_NOISE | {"period", "source"}
@@ -199,7 +200,7 @@ def _wrong_families(configuration: Configuration, expected: set[str], why: str) 
 def knobs_without_entries(tree: Tree) -> Iterator[str]:
     """A knob is a macro of config.glsl with a default."""
     header = tree.text("include/hashnoise/hashnoise.hpp")
-    table_of_knobs = tree.text("README.md").partition("| knob |")[2].partition("\n\n")[0]
+    table_of_knobs = tree.text(KNOBS).partition("| knob |")[2].partition("\n\n")[0]
     rows = re.search(r"^// +CONFIGURATION\(([\w, ]+)\)$", tree.at(CONFIGURATIONS).read_text(), re.MULTILINE)
     arguments = rows[1].split(", ") if rows else []
     fields = {field.name for field in dataclasses.fields(Configuration)}
@@ -209,7 +210,7 @@ def knobs_without_entries(tree: Tree) -> Iterator[str]:
             yield (f"include/hashnoise/hashnoise.hpp: {knob} names no inline namespace: add inline namespace "
                    f"HN_I_PASTE({field}_, {knob}), so that settings can be linked together")
         if f"| `{knob}` |" not in table_of_knobs:
-            yield f"README.md: no line for {knob}: add one to the table of knobs"
+            yield f"{KNOBS}: no line for {knob}: add one to the table of knobs"
         if field not in arguments:
             yield (f"{CONFIGURATIONS.relative_to(ROOT)}: {knob} is no argument of CONFIGURATION: add {field} to the "
                    "comment at the top, and to each row")
@@ -236,7 +237,7 @@ def values_without_settings(tree: Tree) -> Iterator[str]:
 
 
 def hashes_without_entries(tree: Tree) -> Iterator[str]:
-    contract, readme = tree.text("docs/contract.md"), tree.text("README.md")
+    contract, page = tree.text("docs/contract.md"), tree.text(KNOBS)
     for name in re.findall(r"^#define HN_HASH_(\w+) \d+\b", tree.config, re.MULTILINE):
         macro, word = f"HN_HASH_{name}", name.lower()
         if not any(_is_plain(configuration, word) for configuration in tree.configurations):
@@ -246,8 +247,8 @@ def hashes_without_entries(tree: Tree) -> Iterator[str]:
             yield f"tools/lib/oracle/words.py: {macro} is not among the hashes: add it from docs/contract.md"
         if f"| `{name}`" not in contract:
             yield f"docs/contract.md: no line for {macro}: add one to its table of hashes"
-        if f"`{macro}`" not in readme:
-            yield f"README.md: the knob HN_HASH does not offer {macro}: add it to its line"
+        if f"`{macro}`" not in page:
+            yield f"{KNOBS}: the knob HN_HASH does not offer {macro}: add it to its line"
 
 
 def _is_plain(configuration: Configuration, hash: str) -> bool:

@@ -30,7 +30,7 @@ class Deletions(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.root = Path(folder.name)
         for path in (GLSL, ROOT / "include" / "hashnoise", ROOT / "README.md", ROOT / "docs" / "contract.md",
-                     FUNCTIONS, CONFIGURATIONS, BOUNDS, ROOT / "tools" / "lib" / "oracle" / "noises",
+                     ROOT / "docs" / "knobs.md", FUNCTIONS, CONFIGURATIONS, BOUNDS, ROOT / "tools" / "lib" / "oracle" / "noises",
                      ROOT / "tools" / "lib" / "bounds" / "noises"):
             target = self.root / path.relative_to(ROOT)
             target.parent.mkdir(parents=True, exist_ok=True)
@@ -151,7 +151,7 @@ class Deletions(unittest.TestCase):
         self.change("glsl/config.glsl", r"^(#ifndef HN_PERIOD)",
                     "#ifndef HN_WARP\n#define HN_WARP HN_WARP_NONE  // new\n#endif\n\\1")
         self.noticed(r"^include/hashnoise/hashnoise\.hpp: HN_WARP names no inline namespace: add .*\(warp_, HN_WARP\)",
-                     r"^README\.md: no line for HN_WARP: add one to the table of knobs",
+                     r"^docs/knobs\.md: no line for HN_WARP: add one to the table of knobs",
                      rf"^{SETTINGS_FILE}: HN_WARP is no argument of CONFIGURATION: add warp to",
                      r"^tools/lib/tables/configurations\.py: HN_WARP is not in Configuration: add warp")
 
@@ -159,7 +159,7 @@ class Deletions(unittest.TestCase):
         for path, entry, left, message in (
                 ("include/hashnoise/*.hpp", r"^inline namespace .*HN_ARITHMETIC\) \{\n", "",
                  r"include/hashnoise/hashnoise\.hpp: HN_ARITHMETIC names no inline namespace"),
-                ("README.md", r"^\| `HN_ARITHMETIC` \| `HN_FAST`.*\n", "", r"README\.md: no line for HN_ARITHMETIC"),
+                ("docs/knobs.md", r"^\| `HN_ARITHMETIC` \| `HN_FAST`.*\n", "", r"docs/knobs\.md: no line for HN_ARITHMETIC"),
                 (SETTINGS_FILE, r"^(//   CONFIGURATION\(.*) period,", "\\1", r".*: HN_PERIOD is no argument of CONF")):
             with self.subTest(path=path):
                 self.setUp()
@@ -178,7 +178,7 @@ class Deletions(unittest.TestCase):
         self.change("glsl/config.glsl", r"^(#define HN_HASH_PCG 6)", "\\1\n#define HN_HASH_MD5 10  // new")
         self.noticed(r"configurations\.inc: HN_HASH_MD5 is under test with no default",
                      r"^tools/lib/oracle/words\.py: HN_HASH_MD5 is not among the hashes",
-                     r"^docs/contract\.md: no line for HN_HASH_MD5", r"^README\.md: the knob .* HN_HASH_MD5")
+                     r"^docs/contract\.md: no line for HN_HASH_MD5", r"^docs/knobs\.md: the knob .* HN_HASH_MD5")
 
     def test_a_hash_by_its_name(self) -> None:
         self.change(SETTINGS_FILE, r'^CONFIGURATION\("pcg".*\n')

@@ -50,8 +50,8 @@ ROWS = ("table.float", "table.integer", "lattice", "lattice+precise", "lattice+f
         "partial_jenkins", "fnv1", "jenkins", "lattice+period64", "fnv1+sine")
 
 
-def costs(path: Path = BENCH) -> Costs:
-    with open(path, newline="", encoding="utf-8") as file:
+def costs() -> Costs:
+    with open(BENCH, newline="", encoding="utf-8") as file:
         return {row["id"]: row for row in csv.DictReader(file)}
 
 

@@ -1,42 +1,54 @@
-"""The README's picture is what the code draws, its code compiles as it stands there, and its costs were measured.
+"""What the pages show is true: their code compiles and runs as it stands there, and tools/readme makes the rest."""
 
-Usage: readme_test.py PATH-OF-PICTURE
-"""
-
+import contextlib
 import csv
+import io
 import pathlib
 import re
 import struct
 import subprocess
-import sys
 import tempfile
 import unittest
 import zlib
+from unittest import mock
 
-from tree import ROOT
+from readme import command, numbers, picture
+from tree import ROOT, TOOLS
 
-PICTURE = ""
+PAGES = ("README.md", "docs/knobs.md", "docs/same-bits.md")
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
-INCLUDE_PLACE = re.compile(r"^// here: .*$", re.MULTILINE)  # where the README leaves the way of inclusion open
+INCLUDE_PLACE = re.compile(r'^// here: #include "(\w+\.glsl)".*$', re.MULTILINE)  # the way of inclusion is left open
 
 
-def blocks(language):
-    return [code for name, code in BLOCK.findall((ROOT / "README.md").read_text()) if name == language]
+def blocks(language, pages=PAGES):
+    return [code for page in pages for name, code in BLOCK.findall((ROOT / page).read_text()) if name == language]
 
 
-def run(*command):
-    return subprocess.run(command, capture_output=True, text=True, check=False)
+def commands(start, page="README.md"):
+    """The commands of a page that begin so, without their comments."""
+    return [line.partition("  #")[0].split() for line in (ROOT / page).read_text().splitlines()
+            if line.startswith(f"    {start}")]
+
+
+def run(*arguments, **options):
+    return subprocess.run(arguments, capture_output=True, text=True, check=False, **options)
+
+
+def single_file(*arguments):
+    return run(str(TOOLS / "single-file"), *arguments).stdout
 
 
 def compile_glsl(code):
-    """As the README says for Vulkan; for others with what tools/single-file makes in the place of the include."""
+    """As the README says; what leaves the way of inclusion open with what tools/single-file makes in that place."""
     with tempfile.TemporaryDirectory() as folder:
         shader = pathlib.Path(folder) / "shader.frag"
-        if "#include" in INCLUDE_PLACE.sub("", code):
-            shader.write_text(code)
-            return run("glslangValidator", "-V", f"-I{ROOT / 'glsl'}", "-o", f"{folder}/shader.spv", str(shader))
-        single = run(str(ROOT / "tools" / "single-file"), "noise2d.glsl").stdout
-        shader.write_text(INCLUDE_PLACE.sub(lambda _: single, code))
+        shader.write_text(INCLUDE_PLACE.sub(lambda place: single_file("--strip", place[1]), code))
+        if "#include" in shader.read_text():
+            (pathlib.Path(folder) / "glsl").symlink_to(ROOT / "glsl")
+            command, = commands("glslangValidator")
+            if "layout(location" in code:  # Vulkan's
+                command[command.index("-l")] = "-V"
+            return run(*command, cwd=folder)
         return run("glslangValidator", str(shader))
 
 
@@ -58,62 +70,118 @@ def black_pixel():
 
 
 class Picture(unittest.TestCase):
-    def test_it_is_what_the_code_draws(self):
-        done = run(PICTURE, "--check", str(ROOT / "docs" / "images" / "noise.png"))
-        self.assertEqual(done.returncode, 0, done.stderr)
-
-    def test_another_picture_is_noticed(self):
-        with tempfile.NamedTemporaryFile(suffix=".png") as other:
-            other.write(black_pixel())
-            other.flush()
-            self.assertEqual(run(PICTURE, "--check", other.name).returncode, 1)
-        self.assertEqual(run(PICTURE, "--check", "/nowhere.png").returncode, 2)
-
-
-def costs(readme, rows):
-    """The rows of the table of costs that do not say what the CSV file does: (what, what it should be)."""
-    table = re.search(r"^\| noise \|.*\n\|[- |]+\|\n((?:\|.*\n)+)", readme, re.MULTILINE)[1]
-    for line in table.splitlines():
-        name = re.search(r"`([^`]+)`", line)[1]
-        ids = [f"{name}{n}" if name.startswith("table.") else f"noise{n}d.perlin.{name}" for n in (2, 3)]
-        right = [f"{float(rows[i]['ratio']):.2f}" for i in ids] + [rows[i]["navi21"] for i in ids]
-        if [cell.strip() for cell in line.split("|")[2:-1]] != right:
-            yield line, right
-
-
-class Costs(unittest.TestCase):
     def setUp(self):
         self.readme = (ROOT / "README.md").read_text()
-        with open(ROOT / "docs" / "results" / "llvmpipe" / "bench.csv", newline="") as file:
-            self.rows = {row["id"]: row for row in csv.DictReader(file)}
+        self.tiles = picture.tiles(self.readme)
 
-    def test_they_are_those_of_the_recorded_run(self):
-        self.assertEqual(list(costs(self.readme, self.rows)), [])
+    def test_a_changed_function_and_another_picture_are_noticed(self):
+        with contextlib.redirect_stderr(io.StringIO()):
+            self.assertEqual(picture.draw([*self.tiles[:3], self.tiles[3].replace("6,", "5,")], check=True), 1)
+            with tempfile.NamedTemporaryFile(suffix=".png") as other:
+                other.write(black_pixel())
+                other.flush()
+                self.assertEqual(picture.draw(self.tiles, pathlib.Path(other.name), check=True), 1)
+            self.assertEqual(picture.draw(self.tiles, pathlib.Path("/nowhere.png"), check=True), 2)
 
-    def test_another_number_is_noticed(self):
-        self.rows["noise2d.perlin.lattice"]["ratio"] = "9.999"
-        self.assertEqual(len(list(costs(self.readme, self.rows))), 1)
+    def test_its_code_is_glsl(self):
+        lines = "".join(f"  color = vec4({tile}, 1.0);\n" for tile in self.tiles)
+        shader = f"#version 330\n{single_file('--strip')}in vec2 uv;\nout vec4 color;\nvoid main() {{\n{lines}}}\n"
+        self.assertEqual(compile_glsl(shader).returncode, 0)
+
+    def test_code_that_does_not_compile_is_told(self):
+        with self.assertRaisesRegex(ValueError, "(?s)does not compile.*hn_merlin"):
+            picture.draw(["vec3(hn_merlin(uv))"], check=True)
+        with self.assertRaisesRegex(ValueError, "no code below its picture"):
+            picture.tiles(self.readme.replace("    vec3(", "vec3("))
+
+
+class Numbers(unittest.TestCase):
+    """tools/readme --check, and that it can fail."""
+
+    def check(self):
+        output = io.StringIO()
+        with contextlib.redirect_stderr(output):
+            status = command.main(["--check"])
+        return status, output.getvalue()
+
+    def test_picture_and_numbers_are_what_they_should_be(self):
+        self.assertEqual(self.check(), (0, ""))
+
+    def test_other_numbers_are_noticed(self):
+        typical = numbers.typical()
+        typical["hn_fbm", 3][1] += 0.1
+        costs = {**numbers.costs()}
+        costs["noise2d.perlin.lattice"] = {**costs["noise2d.perlin.lattice"], "ratio": "9.999"}
+        with mock.patch.object(numbers, "typical", return_value=typical), \
+                mock.patch.object(numbers, "costs", return_value=costs):
+            status, output = self.check()
+        self.assertEqual(status, 1)
+        self.assertRegex(output, r"README\.md: a table is not what it should be")
+        self.assertRegex(output, r"docs/measuring\.md: a table is not what it should be")
+        self.assertRegex(output, r"README\.md: it must state 'takes 0\.1 times as long")
+
+    def test_a_record_without_a_row_is_told(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".csv") as record:
+            csv.writer(record).writerow(["id", "ratio", "navi21"])
+            record.flush()
+            with mock.patch.object(numbers, "BENCH", pathlib.Path(record.name)), self.assertRaises(SystemExit) as stop:
+                self.check()
+            self.assertEqual(stop.exception.code, 2)
 
 
 class Code(unittest.TestCase):
     def test_shaders_compile_without_a_warning(self):
-        self.assertGreaterEqual(len(blocks("glsl")), 3)
+        self.assertGreaterEqual(len(blocks("glsl")), 5)
         for code in blocks("glsl"):
-            done = compile_glsl(code)
-            self.assertEqual(done.returncode, 0, code + done.stdout)
-            self.assertNotIn("WARNING", done.stdout)
+            with self.subTest(code=code):
+                done = compile_glsl(code)
+                self.assertEqual(done.returncode, 0, done.stdout)
+                self.assertNotIn("WARNING", done.stdout)
 
     def test_cpp_compiles(self):
-        self.assertGreaterEqual(len(blocks("cpp")), 2)
+        self.assertGreaterEqual(len(blocks("cpp")), 3)
         for code in blocks("cpp"):
-            done = compile_cpp(code)
-            self.assertEqual(done.returncode, 0, code + done.stderr)
+            with self.subTest(code=code):
+                done = compile_cpp(code)
+                self.assertEqual(done.returncode, 0, done.stderr)
 
     def test_both_compilations_can_fail(self):
-        self.assertNotEqual(compile_glsl(blocks("glsl")[0].replace("hn_perlin", "hn_merlin")).returncode, 0)
+        self.assertNotEqual(compile_glsl(blocks("glsl")[0].replace("hn_fbm", "hn_fmb")).returncode, 0)
         self.assertNotEqual(compile_cpp(blocks("cpp")[0].replace("hn_fbm", "hn_fmb")).returncode, 0)
+
+    def test_commands_that_make_single_files_work(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(len(commands("tools/single-file")), 2)
+            for line in commands("tools/single-file"):
+                done = run(str(ROOT / line[0]), *line[1:], cwd=folder)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertTrue((pathlib.Path(folder) / line[line.index("--out") + 1]).is_file())
+
+    def test_a_project_that_fetches_it_builds(self):
+        fetch, = blocks("cmake", ["README.md"])
+        source = re.sub(r"GIT_REPOSITORY \S+ GIT_TAG \S+\)", f'SOURCE_DIR "{ROOT}")', fetch)
+        self.assertNotEqual(source, fetch)
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            (folder / "CMakeLists.txt").write_text(
+                "cmake_minimum_required(VERSION 3.25)\nproject(game LANGUAGES CXX)\nadd_library(game height.cpp)\n"
+                f"{source}if(NOT EXISTS ${{hashnoise_GLSL_DIR}}/hashnoise.glsl)\n  message(FATAL_ERROR no)\nendif()\n")
+            (folder / "height.cpp").write_text(blocks("cpp", ["README.md"])[0])
+            for line in (["cmake", "-S", name, "-B", f"{name}/build"], ["cmake", "--build", f"{name}/build"]):
+                done = run(*line)
+                self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+
+class Readme(unittest.TestCase):
+    def test_it_is_short(self):
+        self.assertLess(len((ROOT / "README.md").read_bytes()), 9000)
+
+    def test_links_lead_somewhere(self):
+        for page in [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *(ROOT / "docs").rglob("*.md")]:
+            for target in re.findall(r"\]\(([^)#\s]+)(?:#[\w-]+)?\)", page.read_text()):
+                if "://" not in target:
+                    self.assertTrue((page.parent / target).exists(), f"{page.name}: {target}")
 
 
 if __name__ == "__main__":
-    PICTURE = sys.argv.pop(1)
     unittest.main()

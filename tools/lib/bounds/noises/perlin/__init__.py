@@ -30,8 +30,8 @@ def quotes() -> list[tuple[str, str]]:
     exact = [shortest(range_bound(dims, SCALE[OCTAHEDRAL][dims]), digits) for dims, digits in ((2, 6), (3, 5))]
     library = [str(rounded_up(library_range(dims), 5)) for dims in DIMENSIONS]
     witness = [str(-rounded_up(-float(range_witness(dims)[0]), 5)) for dims in DIMENSIONS]
-    return [("README.md", f"2D noise stays below {exact[0]} and 3D noise below {exact[1]}."),
-            ("README.md", f"gradients that reach {' and '.join(witness)};"),
+    return [("docs/knobs.md", f"2D noise stays below {exact[0]} and 3D noise below {exact[1]}."),
+            ("docs/knobs.md", f"gradients that reach {' and '.join(witness)};"),
             ("docs/accuracy.md", f"the noise stays below {' and '.join(library)};"),
             ("docs/accuracy.md", f"it reaches {' and '.join(witness)}.")]
 
