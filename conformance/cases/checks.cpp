@@ -12,7 +12,8 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
      "Random points have the values of the C++ twin: 262,144 with the defaults in the main version of desktop OpenGL, a "
      "quarter of them for octave sums and for other settings, a sixteenth in other versions. On softpipe there are "
      "4,096, with `--points N` there are N. The points are near, negative, at 2^20 cells and more, on lattice lines "
-     "and beside them; for `precise` and `fixed` also subnormal, tiny, -0 and huge."},
+     "and beside them; for `precise` and `fixed` also subnormal, tiny, -0 and huge, and for octave sums of `precise` "
+     "tiny with a lacunarity of 2^20 to 2^126."},
     {"range",
      "65,536 values (16,384 of octave sums) lie in the range that the library promises, and reach into its ends."},
     {"zero", "At as many lattice points the noise is 0."},
@@ -25,8 +26,8 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
     {"wrapped",
      "Gradients with periods from 1 to 2^30 are those without a period, at the cell modulo the period."},
     {"period",
-     "Points that are whole periods apart have the same bits. For octave sums of a whole lacunarity so have they, "
-     "within the tolerance if they are `fast`."},
+     "Points that are whole periods apart have the same bits. So have octave sums of a whole lacunarity, `fixed` ones "
+     "of up to 15 octaves; `fast` ones are the same within the tolerance."},
     {"unseeded", "The overload without a seed has the values of seed 0, at as many points as `range` takes."},
     {"noise_knob", "An octave sum takes the noise that the user names, at as many points as `range` takes."},
     {"inlined",
@@ -48,8 +49,8 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
     {"uncontracted",
      "In the SPIR-V of the Vulkan shaders with `HN_PRECISE`, NoContraction marks every operation on floats that "
      "rounds."},
-    {"refused_by_glslang", "Too old a version or a wrong knob is an `#error` of glslang that says what would be right."},
-    {"refused_by_driver", "Too old a version or a wrong knob is an `#error` of the driver that says what would be right."},
+    {"refused_by_glslang", "Too old a version, a wrong knob, or one that is defined after the include, is an error of glslang that says so."},
+    {"refused_by_driver", "The same, by the driver."},
     {"defined",
      "A few lines of GLSL that some driver got wrong have the words that the specification fixes (in the file "
      "`bugs`)."},

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from tree import TOOLS
 
-COMMANDS = {"conform": "run --help", "paper": "paper --help"}
+COMMANDS = {"bench": "bench --help", "conform": "run --help", "paper": "paper --help"}
 
 
 class Help(unittest.TestCase):
