@@ -42,7 +42,7 @@ help_if_asked() {
   [[ ${1-} == help || " $* " == *' --help '* || " $* " == *' -h '* ]] || return 0
   sed -n '2,/^[^#]/s/^# \{0,1\}//p' "${BASH_SOURCE[1]}"
   if ! command -v "${program[0]}" >/dev/null; then
-    printf '\n%s\n' "${program[0]} is not there yet; once it is, its options are listed here. README.md has them, too."
+    printf '\n%s\n' "${program[0]} is not there yet; once it is, its options are listed here. docs/conformance.md and docs/measuring.md have them, too."
     exit 0
   fi
   echo
