@@ -17,7 +17,7 @@ from tree import ROOT, TOOLS
 
 PAGES = ("README.md", "docs/knobs.md", "docs/same-bits.md")
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
-INCLUDE_PLACE = re.compile(r'^// here: #include "(\w+\.glsl)".*$', re.MULTILINE)  # the way of inclusion is left open
+SINGLE_FILE = re.compile(r"^// here: what tools/single-file makes of (\w+\.glsl)$", re.MULTILINE)
 
 
 def blocks(language, pages=PAGES):
@@ -39,10 +39,10 @@ def single_file(*arguments):
 
 
 def compile_glsl(code):
-    """As the README says; what leaves the way of inclusion open with what tools/single-file makes in that place."""
+    """By the command of the README, and with single files where they belong."""
     with tempfile.TemporaryDirectory() as folder:
         shader = pathlib.Path(folder) / "shader.frag"
-        shader.write_text(INCLUDE_PLACE.sub(lambda place: single_file("--strip", place[1]), code))
+        shader.write_text(SINGLE_FILE.sub(lambda place: single_file("--strip", place[1]), code))
         if "#include" in shader.read_text():
             (pathlib.Path(folder) / "glsl").symlink_to(ROOT / "glsl")
             command, = commands("glslangValidator")
@@ -156,10 +156,19 @@ class Code(unittest.TestCase):
                 done = run(str(ROOT / line[0]), *line[1:], cwd=folder)
                 self.assertEqual(done.returncode, 0, done.stderr)
                 self.assertTrue((pathlib.Path(folder) / line[line.index("--out") + 1]).is_file())
+            size = round((pathlib.Path(folder) / "hashnoise.single.glsl").stat().st_size / 1000)
+            self.assertIn(f"everything, {size} kB without comments", (ROOT / "README.md").read_text())
+
+    def test_single_files_around_a_noise_of_ones_own(self):
+        code, = (code for code in blocks("glsl", ["docs/knobs.md"]) if "ridged" in code)
+        code = re.sub(r"^#extension.*\n", "", code, flags=re.MULTILINE).replace('"fbm.glsl"', '"hashnoise.glsl"')
+        code = re.sub(r'^#include "(.*)"$', lambda name: single_file("--strip", name[1]), code, flags=re.MULTILINE)
+        code = re.sub(r"layout\(location = 0\) ", "", code).replace("#version 450", "#version 330")
+        self.assertEqual(compile_glsl(code).returncode, 0)
 
     def test_a_project_that_fetches_it_builds(self):
         fetch, = blocks("cmake", ["README.md"])
-        source = re.sub(r"GIT_REPOSITORY \S+ GIT_TAG \S+\)", f'SOURCE_DIR "{ROOT}")', fetch)
+        source = fetch.replace("GIT_REPOSITORY ${hashnoise_url} GIT_TAG main", f'SOURCE_DIR "{ROOT}"')
         self.assertNotEqual(source, fetch)
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)

@@ -81,7 +81,7 @@ def site(material: str) -> dict[str, bytes]:
     library = subprocess.run([TOOLS / "single-file", "--strip"], capture_output=True, text=True, check=True).stdout
     page = PAGE.replace("SIDE", str(TILE)).replace("LEFT", str(SECOND_TILE))
     return {"/": page.encode(), "/material.js": material.encode(),
-            "/hashnoise.glsl?raw": f"export default {json.dumps(library)};".encode(),
+            "/hashnoise.single.glsl?raw": f"export default {json.dumps(library)};".encode(),
             "/noise.png": (ROOT / "docs" / "images" / "noise.png").read_bytes()}
 
 
