@@ -13,8 +13,9 @@
 //   HN_PERIOD        after how many cells the noise repeats along each axis: a whole number up to 2^20, or a power of
 //                    two up to 2^30. Default 0: after 2^32.
 //   HN_FBM_NOISE2D(q, seed), HN_FBM_NOISE3D(q, seed)
-//                    the noise that fbm.glsl sums: a float for a vec2 or vec3 and a uint, which should be in
-//                    [-1, 1]. Default hn_perlin(q, seed). What it calls must be declared before fbm.glsl is included.
+//                    the noise that fbm2d.glsl and fbm3d.glsl sum: a float for a vec2 or vec3 and a uint, which should
+//                    be in [-1, 1]. Default hn_perlin(q, seed). What it calls must be declared before these are
+//                    included.
 
 #ifndef HN_CONFIG_GLSL
 #define HN_CONFIG_GLSL

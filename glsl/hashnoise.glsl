@@ -4,8 +4,8 @@
 #ifndef HN_HASHNOISE_GLSL
 #define HN_HASHNOISE_GLSL
 
-#include "fbm.glsl"
 #include "noise2d.glsl"
 #include "noise3d.glsl"
+#include "fbm.glsl"
 
 #endif

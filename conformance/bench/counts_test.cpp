@@ -75,7 +75,7 @@ const std::array kSubjects = {
     integer_subject(2),
     Subject{"hash", 2, "#include \"hash.glsl\"\n", "hn_hash(floatBitsToUint(p))"},
     Subject{"noise", 3, "#include \"noise3d.glsl\"\n", "hn_perlin(p)"},
-    Subject{"sum", 2, "#include \"fbm.glsl\"\n", "hn_fbm(p, int(p.x), 2.0, 0.5)"},
+    Subject{"sum", 2, "#include \"fbm2d.glsl\"\n", "hn_fbm(p, int(p.x), 2.0, 0.5)"},
 };
 
 TEST_F(SpirvTools, AgreeOnTheNumberOfInstructions) {

@@ -62,11 +62,11 @@ std::vector<Subject> library_subjects() {
     for (Subject& subject : library_subjects(configuration)) subjects.push_back(std::move(subject));
   }
   // A noise of the user's own, which costs nothing: what is left is the sum itself.
-  constexpr std::string_view kOwnNoise =
-      "#define HN_FBM_NOISE2D(q, seed) (q).x\n#define HN_FBM_NOISE3D(q, seed) (q).x\n#include \"fbm.glsl\"\n";
   for (const int dimensions : {2, 3}) {
     subjects.push_back(
-        {fmt::format("fbm.fbm{}.own_noise", dimensions), dimensions, std::string(kOwnNoise), "hn_fbm(p, 6, 2.0, 0.5)"});
+        {fmt::format("fbm.fbm{}.own_noise", dimensions), dimensions,
+         fmt::format("#define HN_FBM_NOISE{0}D(q, seed) (q).x\n#include \"fbm{0}d.glsl\"\n", dimensions),
+         "hn_fbm(p, 6, 2.0, 0.5)"});
   }
   return subjects;
 }

@@ -55,12 +55,10 @@ bool is_for_drivers(std::string_view file, const Configuration& configuration) {
 }
 
 // Every hash is other code, and so is each other knob by itself; combinations are not, but for a gradient in another
-// arithmetic. Hashes have no arithmetic; what no function of the table names is tried in full by what includes it;
-// fbm_fixed.glsl is empty but for one arithmetic.
+// arithmetic. Hashes have no arithmetic; what no function of the table names is tried in full by what includes it.
 bool selects_code(std::string_view file, const Configuration& configuration) {
   const bool by_arithmetic = configuration.default_but_for_arithmetic();
   const auto names_it = [&](const Function& function) { return function.file == file; };
-  if (file == "fbm_fixed.glsl") return by_arithmetic && configuration.arithmetic == Arithmetic::fixed;
   if (file != "hashnoise.glsl" && std::ranges::none_of(all_functions(), names_it)) return by_arithmetic;
   if (!configuration.fast()) {
     const bool sine = configuration.name_without_arithmetic() == "lattice+sine";

@@ -115,12 +115,12 @@ TEST_F(Metamorphic, AFunctionWithoutItsPeriodIsCaught) {
       {"noise2d.perlin.lattice+period64.fast", "perlin2d.glsl", "hn_perlin(args) (hn_perlin(args) + 0.00001 * p.x)"},
       {"noise3d.perlin_cell.lattice+period1048576.fast", "perlin3d.glsl",
        "hn_perlin(c, args) (hn_perlin(c, args) + float(cell.z))"},
-      {"fbm.clouds3.lattice+period48.fast", "fbm.glsl",
+      {"fbm.clouds3.lattice+period48.fast", "fbm3d.glsl",
        "hn_clouds(q, o, l, args) (hn_clouds(q, o, l, args) + 0.00001 * p.z)"},
-      {"fbm.fbm2.lattice+period48.fixed", "fbm.glsl",
+      {"fbm.fbm2.lattice+period48.fixed", "fbm2d.glsl",
        "hn_fbm(q, o, l, args) (hn_fbm(q, o, l, args) + 0.0000005 * p.x)"},
       // Only many octaves come to so large a cell.
-      {"fbm.fbm2.lattice+period48.fixed", "noise3d.glsl",
+      {"fbm.fbm2.lattice+period48.fixed", "perlin2d.glsl",
        "hn_i_perlin(cell, f, seed) hn_i_perlin(clamp(cell, -8388608, 8388607), f, seed)"}};
   for (const Aperiodic& fault : kFaults) {
     for (const std::string_view profile : {"gl330", "es300"}) {

@@ -50,7 +50,7 @@ TEST_F(Extreme, AValueBeyondTheRangeAtATinyPositionIsCaught) {
 TEST_F(Extreme, AnOctaveSumIsHeldToItToo) {
   for (const std::string_view id :
        {"fbm.fbm3.lattice.fast.fragment.gl330.finite", "fbm.fbm3.lattice.fixed.fragment.gl330.finite"}) {
-    expect_caught(id, "fbm.glsl",
+    expect_caught(id, "fbm3d.glsl",
                   "hn_fbm(q, o, l, args) (abs(p.x) > 1.0e28 ? uintBitsToFloat(0x7F800000u) : hn_fbm(q, o, l, args))");
   }
 }

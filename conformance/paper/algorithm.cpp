@@ -93,9 +93,9 @@ Subject subject_of(const Entry& entry, int dimensions, Picture picture, std::str
   if (picture == Picture::noise) return {id, dimensions, std::move(text), fmt::format("{}(p)", noise)};
   // The table noises and the listings have no seed; their octaves are all of the same field.
   if (noise != "hn_perlin") {
-    text += fmt::format("#define HN_FBM_NOISE2D(q, seed) {}(q)\n#define HN_FBM_NOISE3D(q, seed) {}(q)\n", noise, noise);
+    text += fmt::format("#define HN_FBM_NOISE{}D(q, seed) {}(q)\n", dimensions, noise);
   }
-  text += "#include \"fbm.glsl\"\n";
+  text += fmt::format("#include \"fbm{}d.glsl\"\n", dimensions);
   return {fmt::format("{}.{}", id, name_of(picture)), dimensions, std::move(text),
           fmt::format("hn_{}(p, 6, 2.0, 0.5)", name_of(picture))};
 }

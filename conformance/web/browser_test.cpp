@@ -134,10 +134,10 @@ TEST(BrowserFault, AWrongDigestFails) {
 
 TEST(BrowserFault, AShaderThatDoesNotCompileFailsWithItsFileAndLine) {
   Story story;
-  ASSERT_TRUE(run(story, kSome, "webgl2", changed("fbm.glsl", "float hn_fbm(", "flaot hn_fbm(")));
+  ASSERT_TRUE(run(story, kSome, "webgl2", changed("fbm2d.glsl", "float hn_fbm(", "flaot hn_fbm(")));
   const Outcome& outcome = story.outcome(kCompiles);
   EXPECT_EQ(outcome.status, Status::fail);
-  EXPECT_NE(outcome.message.find("glsl/fbm.glsl:"), std::string::npos) << outcome.message;
+  EXPECT_NE(outcome.message.find("glsl/fbm2d.glsl:"), std::string::npos) << outcome.message;
 }
 
 TEST(BrowserFault, ARefusalWithoutItsWordFailsAndSoDoesNone) {

@@ -107,8 +107,8 @@ class Tree(unittest.TestCase):
                 self.assertRegex(message, rf"^{path}: it must state .*{old.split()[-1]}")
 
     def test_comments_are_compared(self):
-        noise2d = self.comment_over("*2d.glsl", " hn_perlin(")
-        noise3d = self.comment_over("*3d.glsl", " hn_perlin(")
+        noise2d = self.comment_over("*2d.glsl", " hn_perlin(hn_")
+        noise3d = self.comment_over("*3d.glsl", " hn_perlin(hn_")
         gradient = self.comment_over("*.glsl", " hn_gradient(")
         clouds = self.comment_over("*.glsl", " hn_clouds(")
         cases = (

@@ -34,7 +34,7 @@ class Library(unittest.TestCase):
         self.assertLessEqual({("0x85EBCA77u", "0x85EBCA76u"), ("0x85EBCA77u", "0x05EBCA77u")},
                              self.found("hash.glsl", "uvec2 hn_i_spread("))
         self.assertLessEqual({("0x9E3779B9u", "0x1E3779B9u"), ("+=", "-="), ("seed += 0x9E3779B9u;", "")},
-                             self.found("fbm.glsl", "seed += "))
+                             self.found("fbm2d.glsl", "seed += "))
         self.assertLessEqual({("<<", ">>"), (">>", "<<"), ("17u", "18u")},
                              self.found("hash.glsl", "h << 17"))
         self.assertLessEqual({("f.x, f.y", "f.y, f.x"), ("k0, c.y", "c.y, k0")},
@@ -234,10 +234,10 @@ class Sweep(unittest.TestCase):
         self.assertEqual(len(self.log.read_text().splitlines()), 1)
 
     def test_listing_runs_nothing(self):
-        status, output = self.main("--list", "--program", "/nowhere", "--file", "perlin3d.glsl", "--file", "fbm.glsl")
+        status, output = self.main("--list", "--program", "/nowhere", "--file", "perlin3d.glsl", "--file", "fbm2d.glsl")
         self.assertEqual(status, 0)
         self.assertEqual([int(line.split()[0]) for line in output.splitlines()],
-                         [m.number for m in MUTANTS if m.file in ("perlin3d.glsl", "fbm.glsl")])
+                         [m.number for m in MUTANTS if m.file in ("perlin3d.glsl", "fbm2d.glsl")])
 
     def test_only_one_rule(self):
         status, output = self.main("--list", "--program", "/nowhere", "--rule", "shift")

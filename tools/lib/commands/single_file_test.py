@@ -11,9 +11,9 @@ import unittest
 from tree import TOOLS
 
 TOOL = TOOLS / "single-file"
-FILES = ("hash.glsl", "noise2d.glsl", "noise3d.glsl", "fbm.glsl", "hashnoise.glsl")
+FILES = ("hash.glsl", "noise2d.glsl", "noise3d.glsl", "fbm2d.glsl", "fbm3d.glsl", "fbm.glsl", "hashnoise.glsl")
 CALLS = {"hash.glsl": "hn_unorm(hn_hash(7u))", "noise2d.glsl": "hn_perlin(vec2(1.5))",
-         "noise3d.glsl": "hn_perlin(vec3(1.5))"}
+         "noise3d.glsl": "hn_perlin(vec3(1.5))", "fbm2d.glsl": "hn_clouds(vec2(1.5), 5, 2.0, 0.5)"}
 
 
 def generate(*arguments):
@@ -59,6 +59,17 @@ class SingleFile(unittest.TestCase):
 
     def test_no_file_stands_in_it_twice(self):
         self.assertEqual(generate().stdout.count("float hn_unorm("), 1)
+
+    def test_the_sums_of_a_dimension_have_no_noise_of_the_other(self):
+        for own, other in (("2", "3"), ("3", "2")):
+            with self.subTest(dimension=own):
+                text = generate(f"fbm{own}d.glsl").stdout
+                for function in ("hn_i_perlin(hn_ivec", "hn_perlin(hn_vec", "hn_fbm(hn_vec", "hn_i_octaves(hn_vec"):
+                    self.assertIn(f"{function}{own} ", text)
+                    self.assertNotIn(f"{function}{other} ", text)
+
+    def test_the_help_names_the_sums_on_the_plane(self):
+        self.assertIn("fbm2d.glsl the octave sums on the plane", " ".join(generate("--help").stdout.split()))
 
     def test_it_writes_a_file(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -30,6 +30,9 @@ class Umbrella(unittest.TestCase):
                 status = stop.code
         return status, [line.split()[0] for line in output.getvalue().splitlines()]
 
+    def includes(self, file: str) -> list[str]:
+        return umbrella.INCLUDE.findall((self.glsl / file).read_text())
+
     def test_the_library_has_what_it_makes(self):
         self.assertEqual(self.run_main("--check"), (0, []))
 
@@ -42,24 +45,57 @@ class Umbrella(unittest.TestCase):
             self.assertNotIn(noise, (self.glsl / "noise3d.glsl").read_text())
             self.assertEqual(self.run_main("--check"), (0, []))
 
+    def test_what_is_built_on_noise_is_in_a_file_of_its_own(self):
+        for dimension in ("2", "3"):
+            (self.glsl / f"warp{dimension}d.glsl").write_text(f'#include "perlin{dimension}d.glsl"\n')
+        self.assertEqual(self.run_main("--check"), (1, ["hashnoise.glsl", "warp.glsl"]))
+        self.assertEqual(self.run_main(), (0, []))
+        self.assertEqual(self.includes("warp.glsl"), ["warp2d.glsl", "warp3d.glsl"])
+        self.assertEqual(self.includes("hashnoise.glsl"), ["noise2d.glsl", "noise3d.glsl", "fbm.glsl", "warp.glsl"])
+        self.assertEqual(self.run_main("--check"), (0, []))
+
+        (self.glsl / "warp3d.glsl").unlink()
+        self.assertEqual(self.run_main("--check"), (1, ["warp.glsl"]))
+        self.assertEqual(self.run_main(), (0, []))
+        self.assertEqual(self.includes("warp.glsl"), ["warp2d.glsl"])
+
+        # Without an include of its own dimension it is a noise.
+        (self.glsl / "warp2d.glsl").write_text('#include "gradient.glsl"\n#include "perlin3d.glsl"\n')
+        self.assertEqual(self.run_main("--check"), (1, ["hashnoise.glsl", "noise2d.glsl", "warp.glsl"]))
+        self.assertEqual(self.run_main(), (0, []))
+        self.assertIn("warp2d.glsl", self.includes("noise2d.glsl"))
+        self.assertFalse((self.glsl / "warp.glsl").exists())
+
+    def test_every_noise_is_declared_before_what_is_built_on_noise(self):
+        (self.glsl / "a_sum2d.glsl").write_text('#include "perlin2d.glsl"\n')
+        self.assertEqual(self.run_main(), (0, []))
+        self.assertEqual(self.includes("hashnoise.glsl"), ["noise2d.glsl", "noise3d.glsl", "a_sum.glsl", "fbm.glsl"])
+
+    def test_the_sums_are_built_on_noise(self):
+        self.assertEqual(self.includes("fbm.glsl"), ["fbm2d.glsl", "fbm3d.glsl"])
+        for dimension in ("2", "3"):
+            self.assertNotIn(f"fbm{dimension}d.glsl", self.includes(f"noise{dimension}d.glsl"))
+
     def test_the_whole_library_has_what_no_other_file_includes(self):
         (self.glsl / "warp.glsl").write_text('#include "fbm.glsl"\n')
         self.assertEqual(self.run_main("--check"), (1, ["hashnoise.glsl"]))
         self.assertEqual(self.run_main(), (0, []))
-        self.assertEqual(umbrella.INCLUDE.findall((self.glsl / "hashnoise.glsl").read_text()),
-                         ["noise2d.glsl", "noise3d.glsl", "warp.glsl"])
+        self.assertEqual(self.includes("hashnoise.glsl"), ["noise2d.glsl", "noise3d.glsl", "warp.glsl"])
 
     def test_a_new_dimension_has_a_file_and_an_old_one_none(self):
-        for noise in self.glsl.glob("*3d.glsl"):
-            if noise.name != "noise3d.glsl":
-                noise.rename(self.glsl / noise.name.replace("3d", "4d"))
-        self.assertEqual(self.run_main("--check"), (1, ["hashnoise.glsl", "noise3d.glsl", "noise4d.glsl"]))
+        for file in sorted(self.glsl.glob("*3d.glsl")):
+            if file.name != "noise3d.glsl":
+                text = file.read_text().replace('3d.glsl"', '4d.glsl"')
+                (self.glsl / file.name.replace("3d", "4d")).write_text(text)
+                file.unlink()
+        self.assertEqual(self.run_main("--check"), (1, ["fbm.glsl", "hashnoise.glsl", "noise3d.glsl", "noise4d.glsl"]))
         self.assertEqual(self.run_main(), (0, []))
         self.assertIn('#include "perlin4d.glsl"\n', (self.glsl / "noise4d.glsl").read_text())
+        self.assertEqual(self.includes("fbm.glsl"), ["fbm2d.glsl", "fbm4d.glsl"])
         self.assertFalse((self.glsl / "noise3d.glsl").exists())
 
     def test_a_change_by_hand_is_told(self):
-        for file in ("noise2d.glsl", "noise3d.glsl", "hashnoise.glsl"):
+        for file in ("fbm.glsl", "noise2d.glsl", "noise3d.glsl", "hashnoise.glsl"):
             with self.subTest(file=file):
                 path = self.glsl / file
                 path.write_text(path.read_text() + "\n")

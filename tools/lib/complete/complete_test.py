@@ -113,10 +113,10 @@ class Deletions(unittest.TestCase):
     def test_lines_of_a_comment(self) -> None:
         for heading in ("error", "cost"):
             with self.subTest(heading=heading):
-                self.change("glsl/*2d.glsl", rf"^//   {heading} .*\n")
-                self.noticed(rf"^glsl/\w+2d\.glsl:\d+: the comment over hn_perlin\(.*has no line `{heading}`")
-        self.change("glsl/*3d.glsl", r"^//   period .*\n")
-        self.noticed(r"^glsl/\w+3d\.glsl: no comment over its functions has a line `period`")
+                self.change("glsl/perlin2d.glsl", rf"^//   {heading} .*\n")
+                self.noticed(rf"^glsl/perlin2d\.glsl:\d+: the comment over hn_perlin\(.*has no line `{heading}`")
+        self.change("glsl/perlin3d.glsl", r"^//   period .*\n")
+        self.noticed(r"^glsl/perlin3d\.glsl: no comment over its functions has a line `period`")
 
     def test_a_setting(self) -> None:
         for setting, left, message in (

@@ -1,11 +1,14 @@
-// hashnoise: octave sums in integers, for HN_FIXED; empty without. Included by fbm.glsl.
+// hashnoise: what the octave sums on the plane and in space have in common.
 // SPDX-License-Identifier: MIT
+//
+// A sum is the mean of the octaves, or of their absolute values, weighted by gain^i. Each octave has a seed of its own,
+// 2^32 divided by the golden ratio further, so that the octaves of nearby seeds do not coincide either. The shift keeps
+// their lattice points, where the noise is 0, from falling together at the origin.
 
-#ifndef HN_FBM_FIXED_GLSL
-#define HN_FBM_FIXED_GLSL
+#ifndef HN_OCTAVES_GLSL
+#define HN_OCTAVES_GLSL
 
-#include "noise2d.glsl"
-#include "noise3d.glsl"
+#include "arithmetic.glsl"
 
 #if HN_ARITHMETIC == HN_FIXED
 
@@ -55,29 +58,6 @@ HN_FN hn_uvec2 hn_i_next_octave(hn_uvec2 q, hn_uint lacunarity, hn_uint shift) {
   return uvec2(cell, rest);
 }
 
-// The noise of an octave, in units of 2^-21.
-#ifdef HN_FBM_NOISE2D
-HN_FN hn_int hn_i_octave(hn_uvec2 x, hn_uvec2 y, hn_uint seed) {
-  hn_float n = HN_FBM_NOISE2D(vec2(hn_i_short(x), hn_i_short(y)), seed);
-  return int(min(max(n, -1.0f), 1.0f) * 2097152.0f);
-}
-#else
-HN_FN hn_int hn_i_octave(hn_uvec2 x, hn_uvec2 y, hn_uint seed) {
-  return hn_i_perlin(ivec2(int(x.x), int(y.x)), ivec2(int(x.y >> 12u), int(y.y >> 12u)), seed);
-}
-#endif
-#ifdef HN_FBM_NOISE3D
-HN_FN hn_int hn_i_octave(hn_uvec2 x, hn_uvec2 y, hn_uvec2 z, hn_uint seed) {
-  hn_float n = HN_FBM_NOISE3D(vec3(hn_i_short(x), hn_i_short(y), hn_i_short(z)), seed);
-  return int(min(max(n, -1.0f), 1.0f) * 2097152.0f);
-}
-#else
-HN_FN hn_int hn_i_octave(hn_uvec2 x, hn_uvec2 y, hn_uvec2 z, hn_uint seed) {
-  return hn_i_perlin(ivec3(int(x.x), int(y.x), int(z.x)), ivec3(int(x.y >> 12u), int(y.y >> 12u), int(z.y >> 12u)),
-                     seed);
-}
-#endif
-
 // Times a weight in units of 2^-18.
 HN_FN hn_int hn_i_weighted(hn_int n, hn_int weight) { return (n * (weight >> 9) + (n >> 9) * (weight & 511)) >> 9; }
 
@@ -104,54 +84,18 @@ HN_FN hn_int hn_i_mean(hn_int sum, hn_int total) {
 HN_FN hn_uint hn_i_lacunarity(hn_float lacunarity) { return uint(min(max(lacunarity, 0.0f), 255.0f) * 8388608.0f); }
 HN_FN hn_int hn_i_gain(hn_float gain) { return int(min(max(gain, 0.0f), 1.0f) * 262144.0f); }
 
-// The sums of fbm.glsl. 0x58000000, 0x98000000 and 0xB8000000 are 11/32, 19/32 and 23/32 of a cell, as there.
-HN_FN hn_int hn_i_octaves(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed, bool absolute) {
-  hn_uvec2 x = hn_i_long(p.x);
-  hn_uvec2 y = hn_i_long(p.y);
-  hn_uint ratio = hn_i_lacunarity(lacunarity);
-  hn_int fall = hn_i_gain(gain);
-  hn_int sum = 0;
-  hn_int total = 0;
-  hn_int weight = 262144;
-  for (hn_int i = 0; i < min(octaves, 32); ++i) {
-    hn_int n = hn_i_octave(x, y, seed);
-    sum += hn_i_weighted(hn_i_select(absolute, max(n, -n), n), weight);
-    total += weight;
-    weight = hn_i_next_weight(weight, fall);
-    x = hn_i_next_octave(x, ratio, 0x58000000u);
-    y = hn_i_next_octave(y, ratio, 0x98000000u);
-    seed += 0x9E3779B9u;
-  }
-  return octaves < 1 ? 0 : hn_i_mean(sum, total);
-}
-
-HN_FN hn_int hn_i_octaves(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed, bool absolute) {
-  hn_uvec2 x = hn_i_long(p.x);
-  hn_uvec2 y = hn_i_long(p.y);
-  hn_uvec2 z = hn_i_long(p.z);
-  hn_uint ratio = hn_i_lacunarity(lacunarity);
-  hn_int fall = hn_i_gain(gain);
-  hn_int sum = 0;
-  hn_int total = 0;
-  hn_int weight = 262144;
-  for (hn_int i = 0; i < min(octaves, 32); ++i) {
-    hn_int n = hn_i_octave(x, y, z, seed);
-    sum += hn_i_weighted(hn_i_select(absolute, max(n, -n), n), weight);
-    total += weight;
-    weight = hn_i_next_weight(weight, fall);
-    x = hn_i_next_octave(x, ratio, 0x58000000u);
-    y = hn_i_next_octave(y, ratio, 0x98000000u);
-    z = hn_i_next_octave(z, ratio, 0xB8000000u);
-    seed += 0x9E3779B9u;
-  }
-  return octaves < 1 ? 0 : hn_i_mean(sum, total);
-}
-
 // Makes a sky of an fBm: clear where it is below -1/8, dense above 3/8, a smooth step between: 1/2 + c (3/2 - 2 c^2)
 // with c = 2 fbm - 1/4, held in [-1/2, 1/2], in units of 2^-16.
 HN_FN hn_int hn_i_cloud_density(hn_int fbm) {
   hn_int c = (min(max(2 * fbm + 524288, 0), 2097152) - 1048576) >> 5;
   return 1048576 + ((c * int((0xC0000000u - uint(c * c)) >> 16u)) >> 10);
+}
+
+#else
+
+// Makes a sky of an fBm: clear where it is below -1/8, dense above 3/8, a smooth step between.
+HN_FN hn_float hn_i_cloud_density(hn_float fbm) {
+  return hn_i_smooth(min(max(hn_i_times_plus(2.0f, fbm, 0.25f), 0.0f), 1.0f));
 }
 
 #endif

@@ -1,0 +1,131 @@
+// hashnoise: octave sums over a noise in space.
+// SPDX-License-Identifier: MIT
+//
+// The noise is hn_perlin unless you name another: define HN_FBM_NOISE3D(q, seed) before the first include. It must be
+// in [-1, 1] for the ranges below to hold.
+
+#ifndef HN_FBM3D_GLSL
+#define HN_FBM3D_GLSL
+
+#include "octaves.glsl"
+#include "perlin3d.glsl"
+
+#if HN_ARITHMETIC == HN_FIXED
+
+// The noise of an octave, in units of 2^-21.
+#ifdef HN_FBM_NOISE3D
+HN_FN hn_int hn_i_octave(hn_uvec2 x, hn_uvec2 y, hn_uvec2 z, hn_uint seed) {
+  hn_float n = HN_FBM_NOISE3D(vec3(hn_i_short(x), hn_i_short(y), hn_i_short(z)), seed);
+  return int(min(max(n, -1.0f), 1.0f) * 2097152.0f);
+}
+#else
+HN_FN hn_int hn_i_octave(hn_uvec2 x, hn_uvec2 y, hn_uvec2 z, hn_uint seed) {
+  return hn_i_perlin(ivec3(int(x.x), int(y.x), int(z.x)), ivec3(int(x.y >> 12u), int(y.y >> 12u), int(z.y >> 12u)),
+                     seed);
+}
+#endif
+
+// The sum in integers. 0x58000000, 0x98000000 and 0xB8000000 are 11/32, 19/32 and 23/32 of a cell, as below.
+HN_FN hn_int hn_i_octaves(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed, bool absolute) {
+  hn_uvec2 x = hn_i_long(p.x);
+  hn_uvec2 y = hn_i_long(p.y);
+  hn_uvec2 z = hn_i_long(p.z);
+  hn_uint ratio = hn_i_lacunarity(lacunarity);
+  hn_int fall = hn_i_gain(gain);
+  hn_int sum = 0;
+  hn_int total = 0;
+  hn_int weight = 262144;
+  for (hn_int i = 0; i < min(octaves, 32); ++i) {
+    hn_int n = hn_i_octave(x, y, z, seed);
+    sum += hn_i_weighted(hn_i_select(absolute, max(n, -n), n), weight);
+    total += weight;
+    weight = hn_i_next_weight(weight, fall);
+    x = hn_i_next_octave(x, ratio, 0x58000000u);
+    y = hn_i_next_octave(y, ratio, 0x98000000u);
+    z = hn_i_next_octave(z, ratio, 0xB8000000u);
+    seed += 0x9E3779B9u;
+  }
+  return octaves < 1 ? 0 : hn_i_mean(sum, total);
+}
+
+#endif
+
+// Behind the include another noise would change nothing. As this one stays defined, a compiler says so: it is a second
+// definition. (HN_FIXED has no other use for it.)
+#ifndef HN_FBM_NOISE3D
+#define HN_FBM_NOISE3D(q, seed) hn_perlin(q, seed)  // yours: define it before the include
+#endif
+
+#if HN_ARITHMETIC != HN_FIXED
+
+// The sum that octaves.glsl describes.
+HN_FN hn_float hn_i_octaves(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed,
+                            bool absolute) {
+  hn_vec3 q = hn_i_start(p);
+  hn_float sum = 0.0f;
+  hn_float total = 0.0f;
+  hn_float weight = 1.0f;
+  for (hn_int i = 0; i < octaves; ++i) {
+    hn_float n = HN_FBM_NOISE3D(q, seed);
+    sum = hn_i_times_plus(weight, hn_i_select(absolute, abs(n), n), sum);
+    total = hn_i_times_plus(gain, total, 1.0f);
+    weight = hn_i_times(weight, gain);
+    q = hn_i_times_plus(q, lacunarity, vec3(11.0f / 32.0f, 19.0f / 32.0f, 23.0f / 32.0f));
+    seed += 0x9E3779B9u;
+  }
+  return octaves < 1 ? 0.0f : hn_i_quotient(sum, total);
+}
+
+#endif
+
+// Fractional Brownian motion: octaves of noise, each finer by the lacunarity and weaker by the gain.
+//   p           position, in cells of the first octave; (|p| + 1) * lacunarity^octaves < 2^23, for a lacunarity of 2
+//               or more
+//   octaves     how many; with less than 1 the sum is 0
+//   lacunarity  ratio of frequencies, usually 2
+//   gain        ratio of amplitudes, usually 0.5; not negative, and the sum of its powers below 2^126 (HN_PRECISE:
+//               2^100)
+//   seed        any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns     [-1, 1], mean 0; with HN_GRADIENT_SINE [-3/2, 3/2]
+//   error       grows with |p| * lacunarity^octaves, since a float rounds the positions (docs/accuracy.md)
+//   period      HN_PERIOD, with a whole lacunarity (HN_FIXED: with a period that is no power of two, only up to 2^31
+//               cells of the last octave); without it HN_FIXED repeats after 2^32 cells of any octave, and floats do
+//               not reach so far
+//   cost        1 noise per octave
+//   HN_FIXED    counts a gain above 1 as 1, a lacunarity beyond [0, 255] as 0 or 255, and no octaves beyond 32; the
+//               error does not grow with |p|
+//   source      Musgrave, in "Texturing and Modeling: A Procedural Approach"
+HN_FN hn_float hn_fbm(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_value(hn_i_octaves(p, octaves, lacunarity, gain, seed, false));
+}
+
+HN_FN hn_float hn_fbm(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain) {
+  return hn_fbm(p, octaves, lacunarity, gain, 0u);
+}
+
+// Turbulence: the octaves' absolute values, which crease where the noise passes 0. Marble, fire, billows.
+//   (parameters, error, period and cost as for hn_fbm)
+//   returns  [0, 1]; with HN_GRADIENT_SINE [0, 3/2]
+//   source   Perlin, "An image synthesizer", 1985; Valdenegro-Toro and Pincheira, fig. 6
+HN_FN hn_float hn_turbulence(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_value(hn_i_octaves(p, octaves, lacunarity, gain, seed, true));
+}
+
+HN_FN hn_float hn_turbulence(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain) {
+  return hn_turbulence(p, octaves, lacunarity, gain, 0u);
+}
+
+// Clouds: the density of a sky, from an fBm.
+//   (parameters, period and cost as for hn_fbm)
+//   returns  [0, 1]: 0 is clear, 1 is dense; with less than 1 octave 5/32
+//   error    3 times that of hn_fbm, plus 5.4e-7 (HN_FIXED 2.6e-5)
+//   source   after the cloud images of Valdenegro-Toro and Pincheira, fig. 6, which the paper gives no formula for
+HN_FN hn_float hn_clouds(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_value(hn_i_cloud_density(hn_i_octaves(p, octaves, lacunarity, gain, seed, false)));
+}
+
+HN_FN hn_float hn_clouds(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain) {
+  return hn_clouds(p, octaves, lacunarity, gain, 0u);
+}
+
+#endif
