@@ -285,7 +285,8 @@ void add_conversions(std::vector<Bug>& bugs) {
                                 "return uvec4(uint(float_of(a.x)), 0u, 0u, 0u);"),
        .reference = "KhronosGroup/WebGL 3101",
        .specification =
-           "GLSL 4.60 and GLSL ES 3.00 section 5.4.1: converting a negative float to uint is undefined; here by way of int",
+           "GLSL 4.60 and GLSL ES 3.00 section 5.4.1: converting a negative float to uint is undefined; here by way "
+           "of int",
        .defined = false,
        .points = points_of<float>({-1.0f, -2.75f, -65536.0f},
                                   [](float x) { return Words{word(static_cast<std::int32_t>(x))}; })});
