@@ -1,4 +1,4 @@
-// hashnoise: what HN_ARITHMETIC means: the numbers that noise is computed in, and the steps that depend on them.
+// hashnoise: the meaning of HN_ARITHMETIC: the numbers that a noise computes with, and the steps that depend on them.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_ARITHMETIC_GLSL
@@ -6,39 +6,40 @@
 
 #include "config.glsl"
 
-// A noise has one text for all three arithmetics. It is written in these steps, not in operators, so that HN_PRECISE
-// can say in each what is rounded on its own:
+// A noise has one text for all three arithmetics. It is written in these steps, not in operators, so that with
+// HN_PRECISE each step can say what is rounded on its own:
 //
-//   hn_num                  a fraction of a cell, and what is made of it: a float, or an integer in units of 2^-20 and,
-//                           further on, of others (docs/contract.md, section 8); hn_num2 to hn_num4 are vectors of it
+//   hn_num                  a fraction of a cell, and what is computed from it: a float, or an integer. The fraction is
+//                           in units of 2^-20, and later numbers have other units (docs/contract.md, section 8).
+//                           hn_num2 to hn_num4 are vectors of it
 //   hn_i_num(x, y, ...)     such a vector
 //   HN_I_ONE, HN_I_TWO      1 and 2 as a fraction
-//   hn_i_cell(p)            the cell of a position; p is a vector, as is f of the next two
+//   hn_i_cell(p)            the cell of a position; p is a vector, and so is f in the next two
 //   hn_i_fraction(p)        the place in that cell
-//   hn_i_inside(f)          the same of what the caller says is a place in a cell
+//   hn_i_inside(f)          the same from a place in a cell that the caller passes
 //   hn_i_whole_cell(p)      in HN_FIXED, p cut off towards 0, as an int
-//   hn_i_start(p)           of floats, the position of the first octave of a sum
-//   hn_i_plus(a, b), hn_i_minus(a, b); of floats also hn_i_times(a, b), hn_i_times_plus(a, b, c), hn_i_quotient(a, b)
+//   hn_i_start(p)           floats only: the position of the first octave of a sum
+//   hn_i_plus(a, b), hn_i_minus(a, b); floats only: hn_i_times(a, b), hn_i_times_plus(a, b, c), hn_i_quotient(a, b)
 //   hn_i_far(f)             f - 1: the offset from the far corner
 //   hn_i_dot(g, x, y, ...)  a gradient times an offset
 //   hn_i_signed(m, word)    m, or -m if the highest bit of the word is set; floats: m >= 0
 //   hn_i_fade(f)            6 f^5 - 15 f^4 + 10 f^3, along each axis
-//   hn_i_smooth(t)          of floats, 3 t^2 - 2 t^3
-//   hn_i_lerp(a, b, t)      from a to b by such a t
+//   hn_i_smooth(t)          floats only: 3 t^2 - 2 t^3
+//   hn_i_lerp(a, b, t)      interpolates from a to b by a fade t
 //   hn_i_lerp(n, x, y)      between four corners 00, 10, 01, 11
 //   hn_i_number(word)       the high 16 bits of a word as an odd multiple of 2^-16 in (-1, 1)
-//   hn_i_of_numbers(n)      what is interpolated between such numbers, as a noise
-//   hn_i_scaled(n, s)       a noise of ramps, times s / 1024
-//   hn_i_value(n)           the float that a noise is
+//   hn_i_of_numbers(n)      a noise, from an interpolation between such numbers
+//   hn_i_scaled(n, s)       a noise, from an interpolation between ramps, times s / 1024
+//   hn_i_value(n)           the float of a noise
 //   hn_i_select(c, a, b)    a where the condition holds, else b; both are computed
 //
 // With HN_GRADIENT_SINE there are three more:
 //
 //   hn_i_quarter_sine(q)    sin(x pi / 2) of a word of [0, 2^30] that stands for x in [0, 1]
 //   hn_i_components(g)      the floats of a gradient of such sines
-//   hn_i_unscaled(n)        a noise of the ramps of such gradients
+//   hn_i_unscaled(n)        a noise, from an interpolation between ramps of such gradients
 
-// In C++ numbers may be vectors of many points, for which there is no ?:.
+// In C++ numbers may be vectors of many points, and these have no ?: operator.
 HN_FN hn_float hn_i_select(bool condition, hn_float a, hn_float b) { return condition ? a : b; }
 HN_FN hn_int hn_i_select(bool condition, hn_int a, hn_int b) { return condition ? a : b; }
 HN_FN hn_uint hn_i_select(bool condition, hn_uint a, hn_uint b) { return condition ? a : b; }
@@ -84,7 +85,7 @@ HN_FN hn_float hn_i_quotient(hn_float a, hn_float b) { return a / b; }
 
 #else  // HN_PRECISE
 
-// Replaces what is so small that a product could be subnormal by 0, since drivers may flush subnormal numbers to 0.
+// Replaces a number by 0 if it is so small that a product could be subnormal: drivers may flush subnormal numbers to 0.
 HN_FN hn_float hn_i_inside(hn_float x) { return hn_i_select(abs(x) < (1.0f / 4294967296.0f), 0.0f, x); }
 HN_FN hn_vec2 hn_i_inside(hn_vec2 f) { return vec2(hn_i_inside(f.x), hn_i_inside(f.y)); }
 HN_FN hn_vec3 hn_i_inside(hn_vec3 f) { return vec3(hn_i_inside(f.x), hn_i_inside(f.y), hn_i_inside(f.z)); }
@@ -95,7 +96,7 @@ HN_FN hn_float hn_i_start(hn_float p) { return hn_i_select((floatBitsToUint(p) &
 HN_FN hn_vec2 hn_i_start(hn_vec2 p) { return vec2(hn_i_start(p.x), hn_i_start(p.y)); }
 HN_FN hn_vec3 hn_i_start(hn_vec3 p) { return vec3(hn_i_start(p.x), hn_i_start(p.y), hn_i_start(p.z)); }
 
-// The conversion of a float that is no int is undefined: 2147483520 is the largest float below 2^31.
+// Converting a float that does not fit an int is undefined. 2147483520 is the largest float below 2^31.
 HN_FN hn_int hn_i_cell(hn_float p) { return int(min(max(floor(hn_i_inside(p)), -2147483648.0f), 2147483520.0f)); }
 HN_FN hn_ivec2 hn_i_cell(hn_vec2 p) { return ivec2(hn_i_cell(p.x), hn_i_cell(p.y)); }
 HN_FN hn_ivec3 hn_i_cell(hn_vec3 p) { return ivec3(hn_i_cell(p.x), hn_i_cell(p.y), hn_i_cell(p.z)); }
@@ -107,8 +108,8 @@ HN_FN hn_float hn_i_fraction(hn_float p) {
 HN_FN hn_vec2 hn_i_fraction(hn_vec2 p) { return vec2(hn_i_fraction(p.x), hn_i_fraction(p.y)); }
 HN_FN hn_vec3 hn_i_fraction(hn_vec3 p) { return vec3(hn_i_fraction(p.x), hn_i_fraction(p.y), hn_i_fraction(p.z)); }
 
-// GLSL leaves the last bits of a division open. So a/b is a times a reciprocal by Newton's method; the first guess is
-// at most 1/8 off, and each step squares the error. b is from 1 to 2^100.
+// GLSL leaves the last bits of a division open. So a/b is computed as a times a reciprocal, by Newton's method. The
+// first guess is at most 1/8 off, and each step squares the error. b is from 1 to 2^100.
 HN_FN hn_float hn_i_quotient(hn_float a, hn_float b) {
   HN_I_PRECISE hn_float r = uintBitsToFloat(0x7EF311C7u - floatBitsToUint(b));
   for (hn_int i = 0; i < 4; ++i) r = r * (2.0f - b * r);
@@ -150,7 +151,7 @@ HN_FN hn_float hn_i_dot(hn_vec3 g, hn_float x, hn_float y, hn_float z) {
   return n;
 }
 
-// Arranged so that it does not cancel as the usual form does.
+// This form avoids the cancellation of the usual one.
 HN_FN hn_vec2 hn_i_fade(hn_vec2 f) {
   HN_I_PRECISE hn_vec2 d = f - 1.0f;
   HN_I_PRECISE hn_vec2 t = f * f * f * (d * (f * 6.0f - 9.0f) + 1.0f);
@@ -204,12 +205,12 @@ HN_FN hn_ivec2 hn_i_num(hn_int x, hn_int y) { return ivec2(x, y); }
 HN_FN hn_ivec3 hn_i_num(hn_int x, hn_int y, hn_int z) { return ivec3(x, y, z); }
 HN_FN hn_ivec4 hn_i_num(hn_int x, hn_int y, hn_int z, hn_int w) { return ivec4(x, y, z, w); }
 
-// Every step up to the integers is exact in floats, so that neither rounding, contraction nor flushed subnormal numbers
-// can change it. p - floor(p) would not be: for a small negative p it has too many bits. So the whole part is cut off
-// towards 0, and what is left, in (-1, 1), may be negative.
+// Every step up to the integers is exact in floats, so rounding, contraction and flushed subnormal numbers cannot
+// change it. p - floor(p) would not be exact: for a small negative p it has too many bits. So the whole part is cut off
+// towards 0, and the rest, in (-1, 1), may be negative.
 HN_FN hn_int hn_i_rest(hn_float p) { return int((p - trunc(p)) * 1048576.0f); }
 
-// The conversion of a float that is no int is undefined: 2147483520 is the largest float below 2^31.
+// Converting a float that does not fit an int is undefined. 2147483520 is the largest float below 2^31.
 HN_FN hn_int hn_i_whole_cell(hn_float p) { return int(min(max(trunc(p), -2147483648.0f), 2147483520.0f)); }
 
 HN_FN hn_int hn_i_cell(hn_float p) { return hn_i_whole_cell(p) + (hn_i_rest(p) >> 20); }
@@ -228,9 +229,9 @@ HN_FN hn_int hn_i_plus(hn_int a, hn_int b) { return a + b; }
 HN_FN hn_int hn_i_minus(hn_int a, hn_int b) { return a - b; }
 HN_FN hn_int hn_i_signed(hn_int m, hn_uint word) { return hn_i_select((word & 0x80000000u) != 0u, -m, m); }
 
-// In units of 2^-18, rising throughout: with the nearer end at 0, f^3 (10 - 15 f + 6 f^2) as f Q with
-// Q = f^2 (4 + R) and R = 6 - 15 f + 6 f^2; the other half is the mirror image. x has 16 bits, its square 32, and is never
-// 1/2, which has one more. The summands 4, 32768 and 16384 round.
+// The result is in units of 2^-18 and never falls. With the nearer end at 0, f^3 (10 - 15 f + 6 f^2) is computed as f Q
+// with Q = f^2 (4 + R) and R = 6 - 15 f + 6 f^2. The other half is the mirror image. x has 16 bits and its square 32. x
+// is never 1/2, which has one bit more. The summands 4, 32768 and 16384 round.
 HN_FN hn_int hn_i_fade(hn_int f) {
   hn_uint x = uint(min(min(f, 1048576 - f) + 4, 524287)) >> 3u;
   hn_uint square = x * x;
@@ -243,7 +244,8 @@ HN_FN hn_int hn_i_fade(hn_int f) {
 HN_FN hn_ivec2 hn_i_fade(hn_ivec2 f) { return ivec2(hn_i_fade(f.x), hn_i_fade(f.y)); }
 HN_FN hn_ivec3 hn_i_fade(hn_ivec3 f) { return ivec3(hn_i_fade(f.x), hn_i_fade(f.y), hn_i_fade(f.z)); }
 
-// A product of 31 and 19 bits from two that fit 32 each: by the high and by the low half of t.
+// Computes a product of 31 and 19 bits from two products that fit 32 bits: one by the high and one by the low half of
+// t.
 HN_FN hn_int hn_i_lerp(hn_int a, hn_int b, hn_int t) {
   hn_int d = b - a;
   return a + ((d >> 9) * (t >> 9) + (d >> 18) * (t & 511));
@@ -252,7 +254,7 @@ HN_FN hn_int hn_i_lerp(hn_int a, hn_int b, hn_int t) {
 // From units of 2^-29 to units of 2^-21, rounded.
 HN_FN hn_int hn_i_scaled(hn_int n, hn_int s) { return (((n + 256) >> 9) * s + 256) >> 9; }
 
-// In units of 2^-29, and the same from these to units of 2^-21, rounded.
+// A number is in units of 2^-29. From there the noise is rounded to units of 2^-21.
 HN_FN hn_int hn_i_number(hn_uint word) { return int((word >> 2u) & 0x3FFFC000u) - 536862720; }
 HN_FN hn_int hn_i_of_numbers(hn_int n) { return (n + 128) >> 8; }
 
@@ -272,7 +274,7 @@ HN_FN hn_num hn_i_lerp(hn_num4 n, hn_num x, hn_num y) {
 #if HN_GRADIENT == HN_GRADIENT_SINE
 #if HN_ARITHMETIC != HN_FIXED
 
-// The polynomial is minimax, and held at 1 - 2^-21 at the end so that no rounding takes it beyond 1. It is off by
+// The polynomial is minimax. At the end it is held at 1 - 2^-21, so that no rounding takes it beyond 1. It is off by
 // 6.4e-7 at most.
 HN_FN hn_float hn_i_quarter_sine(hn_uint q) {
   hn_float x = float(q >> 6u) * (1.0f / 16777216.0f);
@@ -288,7 +290,7 @@ HN_FN hn_float hn_i_unscaled(hn_float n) { return n; }
 
 #else
 
-// Nearly the polynomial of the floats, in units of 2^-16; no larger than 1.
+// This is nearly the polynomial of the floats, in units of 2^-16. It is at most 1.
 HN_FN hn_int hn_i_quarter_sine(hn_uint q) {
   hn_uint x = min((q + 8192u) >> 14u, 65535u);
   hn_uint t = (x * x) >> 16u;
@@ -299,14 +301,14 @@ HN_FN hn_int hn_i_quarter_sine(hn_uint q) {
 HN_FN hn_vec2 hn_i_components(hn_ivec2 g) { return vec2(g) * (1.0f / 65536.0f); }
 HN_FN hn_vec3 hn_i_components(hn_ivec3 g) { return vec3(g) * (1.0f / 65536.0f); }
 
-// A product of 17 and 21 bits, in units of 2^-28: by the high and by the low byte of g.
+// Computes a product of 17 and 21 bits, in units of 2^-28: by the high part and by the low byte of g.
 HN_FN hn_int hn_i_product(hn_int g, hn_int x) { return (g >> 8) * x + (((g & 255) * x) >> 8); }
 HN_FN hn_int hn_i_dot(hn_ivec2 g, hn_int x, hn_int y) { return hn_i_product(g.x, x) + hn_i_product(g.y, y); }
 HN_FN hn_int hn_i_dot(hn_ivec3 g, hn_int x, hn_int y, hn_int z) {
   return hn_i_product(g.x, x) + hn_i_product(g.y, y) + hn_i_product(g.z, z);
 }
 
-// The ramps of the sine gradient are longer: in units of 2^-28.
+// The ramps of the sine gradient are in units of 2^-28, because they are longer.
 HN_FN hn_int hn_i_unscaled(hn_int n) { return n >> 7; }
 
 #endif

@@ -4,18 +4,18 @@
 // Knobs are macros that you may define before the first include of any hashnoise file.
 //
 //   HN_HASH          which hash: one of the HN_HASH_... below. Default HN_HASH_LATTICE.
-//   HN_HASH_FN(k)    with HN_HASH_CUSTOM: your hash, a uint for a uint.
-//   HN_GRADIENT      what the noise makes of a hash: HN_GRADIENT_OCTAHEDRAL (the default), or HN_GRADIENT_SINE, the
-//                    paper's gradient, for those who want its noise.
-//   HN_ARITHMETIC    what the noise is computed in: HN_FAST (the default), floats, within a stated error; HN_PRECISE,
-//                    floats whose bits are those of IEEE arithmetic, from GLSL 4.00 and GLSL ES 3.20 on; HN_FIXED,
-//                    integers, the same bits on every driver.
+//   HN_HASH_FN(k)    with HN_HASH_CUSTOM: your hash, which takes and returns a uint.
+//   HN_GRADIENT      how the noise makes a gradient from a hash: HN_GRADIENT_OCTAHEDRAL (the default), or
+//                    HN_GRADIENT_SINE, the paper's gradient, for those who want its noise.
+//   HN_ARITHMETIC    how the noise is computed. HN_FAST (the default): in floats, within a stated error. HN_PRECISE:
+//                    in floats with the bits of IEEE arithmetic, from GLSL 4.00 and GLSL ES 3.20 on. HN_FIXED: in
+//                    integers, with the same bits on every driver.
 //   HN_PERIOD        after how many cells the noise repeats along each axis: a whole number up to 2^20, or a power of
 //                    two up to 2^30. Default 0: after 2^32.
 //   HN_FBM_NOISE2D(q, seed), HN_FBM_NOISE3D(q, seed)
-//                    the noise that fbm2d.glsl and fbm3d.glsl sum: a float for a vec2 or vec3 and a uint, which should
-//                    be in [-1, 1]. Default hn_perlin(q, seed). What it calls must be declared before these are
-//                    included.
+//                    the noise that fbm2d.glsl and fbm3d.glsl sum. It takes a vec2 or vec3 and a uint, and returns a
+//                    float that should be in [-1, 1]. Default hn_perlin(q, seed). Declare the functions that it calls
+//                    before you include these files.
 
 #ifndef HN_CONFIG_GLSL
 #define HN_CONFIG_GLSL
@@ -28,17 +28,17 @@
 // The language and its version are told apart here, and nowhere else:
 //
 //   HN_FN              stands before every function, and HN_I_UNUSED before a parameter that only some knobs need
-//   HN_I_BITCAST       whether there is uintBitsToFloat; else the same values are computed by exact arithmetic
-//   HN_I_HAS_PRECISE   whether HN_PRECISE can be had, by HN_I_KEYWORD before what is rounded on its own
-//   HN_I_HIGHP         stands before every type. GLSL ES has three precisions, and int is mediump, 16 bits, in fragment
-//                      shaders unless it is told otherwise. Your own default precision stays as it is. Elsewhere
-//                      nothing is needed, and glslang would warn
+//   HN_I_BITCAST       whether uintBitsToFloat exists; else the same values are computed by exact arithmetic
+//   HN_I_HAS_PRECISE   whether HN_PRECISE is possible. HN_I_KEYWORD then stands before what is rounded on its own
+//   HN_I_HIGHP         stands before every type. GLSL ES has three precisions. In fragment shaders an int is mediump,
+//                      with 16 bits, unless the declaration says otherwise. Your own default precision stays as it is.
+//                      Elsewhere it is empty: nothing is needed, and glslang would warn
 //
-// __VERSION__ is looked at only where it is a number: HLSL's may be a string, and a compiler that has none counts as a
-// new one. glslang, which defines the GL_GOOGLE name, has one that is not "defined".
+// __VERSION__ is read only where it is a number. In HLSL it may be a string, and a compiler without it counts as a new
+// one. In glslang, which defines the GL_GOOGLE name, it has a value although it is not "defined".
 
 #ifdef __cplusplus
-// A loop over a noise becomes vectors only if all of the noise is in it.
+// Compilers vectorize a loop over a noise only if the whole noise is inlined into it.
 #ifdef _MSC_VER
 #define HN_FN __forceinline
 #else
@@ -74,7 +74,7 @@
 #endif
 #endif
 
-// The types in declarations; constructors are GLSL's own. In C++ glsl.hpp has these names.
+// The types in declarations. Constructors have GLSL's own names. In C++ glsl.hpp defines these names.
 #ifndef __cplusplus
 #define hn_float HN_I_HIGHP float
 #define hn_vec2 HN_I_HIGHP vec2
@@ -108,7 +108,7 @@
 #endif
 
 #if HN_HASH < 1 || HN_HASH > 9
-#error HN_HASH is none of HN_HASH_FNV1, HN_HASH_PARTIAL_FNV1, HN_HASH_JENKINS, HN_HASH_PARTIAL_JENKINS, HN_HASH_MURMUR, HN_HASH_PCG, HN_HASH_XXHASH32, HN_HASH_LATTICE, HN_HASH_CUSTOM
+#error HN_HASH must be one of HN_HASH_FNV1, HN_HASH_PARTIAL_FNV1, HN_HASH_JENKINS, HN_HASH_PARTIAL_JENKINS, HN_HASH_MURMUR, HN_HASH_PCG, HN_HASH_XXHASH32, HN_HASH_LATTICE, HN_HASH_CUSTOM
 #endif
 
 #define HN_GRADIENT_OCTAHEDRAL 1
@@ -119,7 +119,7 @@
 #endif
 
 #if HN_GRADIENT < 1 || HN_GRADIENT > 2
-#error HN_GRADIENT is neither HN_GRADIENT_OCTAHEDRAL nor HN_GRADIENT_SINE
+#error HN_GRADIENT must be HN_GRADIENT_OCTAHEDRAL or HN_GRADIENT_SINE
 #endif
 
 #define HN_FAST 1
@@ -131,14 +131,14 @@
 #endif
 
 #if HN_ARITHMETIC < 1 || HN_ARITHMETIC > 3
-#error HN_ARITHMETIC is none of HN_FAST, HN_PRECISE, HN_FIXED
+#error HN_ARITHMETIC must be one of HN_FAST, HN_PRECISE, HN_FIXED
 #endif
 
 #if HN_ARITHMETIC == HN_PRECISE && !HN_I_HAS_PRECISE
 #error HN_PRECISE needs GLSL 4.00 or GLSL ES 3.20: write #version 400 or #version 320 es, or take HN_FIXED
 #endif
 
-// Before the type of every float that is computed: each operation is rounded on its own, in the order that is written.
+// Stands before the type of every computed float: each operation is rounded on its own, in the order that is written.
 // The qualifier does not reach through a call, so it stands on the locals of every step.
 #if HN_ARITHMETIC == HN_PRECISE
 #define HN_I_PRECISE HN_I_KEYWORD
@@ -150,13 +150,13 @@
 #define HN_PERIOD 0
 #endif
 
-// Beyond 2^20 only masks are offered, and beyond 2^30 a preprocessor with 32-bit integers could not check.
+// Beyond 2^20 only masks are offered. Beyond 2^30 a preprocessor with 32-bit integers could not check the value.
 #if (HN_PERIOD) < 0 || (HN_PERIOD) > 1073741824 || ((HN_PERIOD) > 1048576 && ((HN_PERIOD) & ((HN_PERIOD) - 1)) != 0)
-#error HN_PERIOD is neither a whole number from 1 to 1048576 nor a power of two up to 1073741824 (0: 2^32 cells)
+#error HN_PERIOD must be a whole number from 1 to 1048576, a power of two up to 1073741824, or 0 for 2^32 cells
 #endif
 
 #if HN_HASH == HN_HASH_CUSTOM && !defined(HN_HASH_FN)
-#error HN_HASH_CUSTOM needs your hash: define HN_HASH_FN(k), a uint for a uint, before the include
+#error HN_HASH_CUSTOM needs your hash: define HN_HASH_FN(k), which takes and returns a uint, before the include
 #endif
 
 #endif

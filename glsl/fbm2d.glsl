@@ -78,19 +78,19 @@ HN_FN hn_float hn_i_octaves(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_f
 // Fractional Brownian motion: octaves of noise, each finer by the lacunarity and weaker by the gain.
 //   p           position, in cells of the first octave; (|p| + 1) * lacunarity^octaves < 2^23, for a lacunarity of 2
 //               or more
-//   octaves     how many; with less than 1 the sum is 0
+//   octaves     how many; with fewer than 1 the sum is 0
 //   lacunarity  ratio of frequencies, usually 2
 //   gain        ratio of amplitudes, usually 0.5; not negative, and the sum of its powers below 2^126 (HN_PRECISE:
 //               2^100)
 //   seed        any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   returns     [-1, 1], mean 0
 //   error       grows with |p| * lacunarity^octaves, since a float rounds the positions (docs/accuracy.md)
-//   period      HN_PERIOD, with a whole lacunarity (HN_FIXED: with a period that is no power of two, only up to 2^31
-//               cells of the last octave); without it HN_FIXED repeats after 2^32 cells of any octave, and floats do
-//               not reach so far
+//   period      HN_PERIOD, with a whole lacunarity (HN_FIXED: with a period that is not a power of two, only up to
+//               2^31 cells of the last octave). Without HN_PERIOD, HN_FIXED repeats after 2^32 cells of any octave, and
+//               floats do not reach so far
 //   cost        1 noise per octave
-//   HN_FIXED    counts a gain above 1 as 1, a lacunarity beyond [0, 255] as 0 or 255, and no octaves beyond 32; the
-//               error does not grow with |p|
+//   HN_FIXED    takes a gain above 1 as 1, a lacunarity outside [0, 255] as 0 or 255, and more than 32 octaves as 32.
+//               The error does not grow with |p|
 //   source      Musgrave, in "Texturing and Modeling: A Procedural Approach"
 HN_FN hn_float hn_fbm(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   return hn_i_value(hn_i_octaves(p, octaves, lacunarity, gain, seed, false));
@@ -100,7 +100,8 @@ HN_FN hn_float hn_fbm(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float g
   return hn_fbm(p, octaves, lacunarity, gain, 0u);
 }
 
-// Turbulence: the octaves' absolute values, which crease where the noise passes 0. Marble, fire, billows.
+// Turbulence: the mean of the octaves' absolute values, which have creases where the noise passes 0. Use it for marble,
+// fire and billows.
 //   (parameters, error, period and cost as for hn_fbm)
 //   returns  [0, 1]
 //   source   Perlin, "An image synthesizer", 1985; Valdenegro-Toro and Pincheira, fig. 6
@@ -114,9 +115,9 @@ HN_FN hn_float hn_turbulence(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_
 
 // Clouds: the density of a sky, from an fBm.
 //   (parameters, period and cost as for hn_fbm)
-//   returns  [0, 1]: 0 is clear, 1 is dense; with less than 1 octave 5/32
+//   returns  [0, 1]: 0 is clear, 1 is dense; with fewer than 1 octave 5/32
 //   error    3 times that of hn_fbm, plus 5.4e-7 (HN_FIXED 2.6e-5)
-//   source   after the cloud images of Valdenegro-Toro and Pincheira, fig. 6, which the paper gives no formula for
+//   source   after the cloud images of Valdenegro-Toro and Pincheira, fig. 6; the paper has no formula for them
 HN_FN hn_float hn_clouds(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   return hn_i_value(hn_i_cloud_density(hn_i_octaves(p, octaves, lacunarity, gain, seed, false)));
 }

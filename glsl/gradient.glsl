@@ -1,4 +1,4 @@
-// hashnoise: gradients: of a word, of a lattice point, and what they add at a place in a cell.
+// hashnoise: the gradient of a word, the gradient of a lattice point, and what gradients add at a place in a cell.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_GRADIENT_GLSL
@@ -8,9 +8,9 @@
 #include "hash.glsl"
 #include "lattice.glsl"
 
-// What gradients are made of: bits of a hash as odd multiples of 2^-9, in (-1, 1) for the plane and in (-1/2, 1/2) for
-// space: symmetric about 0, never 0. The highest bit is a sign; these fields are taken from the bits below it, and no
-// bit twice. Put behind an exponent, bits make a float without a conversion from integer.
+// Gradients are made of fields: bits of a hash as odd multiples of 2^-9, in (-1, 1) for the plane and in (-1/2, 1/2)
+// for space. They are symmetric about 0 and never 0. The highest bit is a sign. The fields are taken from the bits
+// below it, and no bit is used twice. Bits behind an exponent make a float without a conversion from integer.
 #if HN_I_BITCAST
 HN_FN hn_float hn_i_field2(hn_uint h) {
   return hn_i_minus(uintBitsToFloat(((h >> 8u) & 0x007FC000u) | 0x40000000u), 3.0f - 1.0f / 512.0f);
@@ -51,18 +51,18 @@ HN_FN hn_vec2 hn_gradient2(hn_uint h) {
 //   cost     1 multiplication of floats (GLSL before 3.30: 3)
 //   source   docs/contract.md, section 4
 HN_FN hn_vec3 hn_gradient3(hn_uint h) {
-  // Seen along z the octahedron is a square with corners on the axes. p and q run along its sides, and its height above
-  // a point of it is what the larger of them leaves.
+  // Seen along z the octahedron is a square with corners on the axes. p and q run along its sides. The height above a
+  // point of the square is 1 minus twice the larger of |p| and |q|.
   hn_float p = hn_i_field3p(h);
   hn_float q = hn_i_field3q(h);
   return vec3(p + q, p - q, hn_i_signed(1.0f - 2.0f * max(abs(p), abs(q)), h));
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// What either HN_GRADIENT offers to a noise:
+// Each HN_GRADIENT offers these functions to a noise:
 //
 //   hn_i_ramps(c, f, seed)        what the corners 00, 10, 01, 11 of a cell add at the place f in it; c is the first
-//   hn_i_ramps(c, f, back, seed)  in space, those of its front or of its back face along z
+//   hn_i_ramps(c, f, back, seed)  in space, the same for the corners of its front face or of its back face along z
 //   hn_i_scaled2(n)               noise that is interpolated between ramps, scaled to [-1, 1]; in space hn_i_scaled3(n)
 
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
@@ -70,7 +70,8 @@ HN_FN hn_vec3 hn_gradient3(hn_uint h) {
 // What a corner adds, given its word.
 #if HN_ARITHMETIC != HN_FIXED
 HN_FN hn_float hn_i_ramp(hn_uint h, hn_float x, hn_float y) { return hn_i_dot(hn_gradient2(h), x, y); }
-// u = x + y, v = x - y, z is doubled: hn_gradient3 without turning p and q to the axes, with its height m halved.
+// u = x + y, v = x - y, and z is doubled. This is hn_gradient3 without turning p and q to the axes; m is half its
+// height.
 HN_FN hn_float hn_i_ramp(hn_uint h, hn_float u, hn_float v, hn_float z) {
   hn_float p = hn_i_field3p(h);
   hn_float q = hn_i_field3q(h);
@@ -110,34 +111,36 @@ HN_FN hn_num4 hn_i_ramps(hn_uvec3 c, hn_num3 f, bool back, hn_uint seed) {
                   hn_i_ramp(h.z, u1, hn_i_plus(v, HN_I_ONE), w), hn_i_ramp(h.w, hn_i_minus(u, HN_I_TWO), v, w));
 }
 
-// 1 / 0.535276 and 1 / 0.562902, rounded down: the largest that a sum of ramps of such gradients can be, on the plane
-// and in space (tools/bounds).
+// 1913 / 1024 and 1819 / 1024 are 1 / 0.535276 and 1 / 0.562902, rounded down. These are the largest values that a
+// noise has before it is scaled, on the plane and in space (tools/bounds).
 HN_FN hn_num hn_i_scaled2(hn_num n) { return hn_i_scaled(n, 1913); }
 HN_FN hn_num hn_i_scaled3(hn_num n) { return hn_i_scaled(n, 1819); }
 
-#else  // HN_GRADIENT_SINE: the coordinates as they are, the hash as published
+#else  // HN_GRADIENT_SINE takes the coordinates as they are and the hash as published
 
-// In steps that the corners of a cell share: the key of a column (x, and the mixed seed s), of a row of it, the
-// gradient. The seed comes in behind the first hash: before it, it would only move the field along x.
+// The corners of a cell share these steps: the key of a column (from x and the mixed seed s), the key of a row in it,
+// and the gradient. The seed is added after the first hash, since before it the seed would only move the field along x.
 HN_FN hn_uint hn_i_column(hn_uint x, hn_uint s) { return hn_hash(x) ^ s; }
 HN_FN hn_uint hn_i_row(hn_uint column, hn_uint y) { return hn_hash(column + y); }
 
-// How many low bits of m a float has no room for, for m <= 2^31.
+// The number of low bits of m that do not fit into a float, for m <= 2^31.
 HN_FN hn_uint hn_i_excess_bits(hn_uint m) {
 #if HN_I_BITCAST
-  // m >> 8 is exact in a float; 142 is the biased exponent of 2^15, which stands for 2^23, the last with no excess.
+  // m >> 8 is exact in a float. 142 is the biased exponent of 2^15: the m that it stands for, from 2^23 on, are the
+  // last without excess bits.
   return max(floatBitsToUint(float(m >> 8u)) >> 23u, 142u) - 142u;
 #else
-  // The length of the highest byte; 2^31, which alone has its highest bit, is the same rounded to 7 or to 8 bits less.
+  // The length of the highest byte, without its bit 7: only 2^31 has that bit, and it is the same with 7 or 8 bits
+  // less.
   hn_uint b = m >> 24u;
   return uint(b >= 1u) + uint(b >= 2u) + uint(b >= 4u) + uint(b >= 8u) + uint(b >= 16u) + uint(b >= 32u) +
          uint(b >= 64u);
 #endif
 }
 
-// The argument of the paper's sin(float(int)): a word as a signed integer, rounded to the 24 bits of a float (to
-// nearest, ties to even), in turns, modulo 1, in units of 2^-32. GLSL says neither how that conversion rounds nor what
-// sin makes of so large an argument. The result is that of the magnitude.
+// The argument of the paper's sin(float(int)), in turns, modulo 1, in units of 2^-32. The word is taken as a signed
+// integer and rounded to the 24 bits of a float (to nearest, ties to even). GLSL does not define how that conversion
+// rounds, or the sine of so large an argument. The result is that of the magnitude.
 HN_FN hn_uint hn_i_turns(hn_uint w) {
   hn_uint m = hn_i_select((w & 0x80000000u) != 0u, 0u - w, w);
   hn_uint k = hn_i_excess_bits(m);
@@ -151,8 +154,8 @@ HN_FN hn_uint hn_i_turns(hn_uint w) {
   return m * 0x28BE60DBu + high * 0x9391u + (rest >> 16u);
 }
 
-// The first quarter of the wave is enough: mirror the second; the second half is the first, negated. In units of 2^-30
-// of a quarter.
+// The first quarter of the wave is enough: the second is its mirror image, and the second half is the first, negated.
+// The result is in units of 2^-30 of a quarter.
 HN_FN hn_uint hn_i_quarter(hn_uint turns) {
   hn_uint q = turns & 0x7FFFFFFFu;
   return min(q, 0x80000000u - q);
@@ -199,7 +202,7 @@ HN_FN hn_num4 hn_i_ramps(hn_uvec3 c, hn_num3 f, bool back, hn_uint seed) {
                   hn_i_dot(hn_i_gradient(k1, hn_i_row(k1, cy), cz), x, y, z));
 }
 
-// Not scaled, as in the paper.
+// The noise is not scaled, as in the paper.
 HN_FN hn_num hn_i_scaled2(hn_num n) { return hn_i_unscaled(n); }
 HN_FN hn_num hn_i_scaled3(hn_num n) { return hn_i_unscaled(n); }
 
@@ -212,9 +215,9 @@ HN_FN hn_num hn_i_scaled3(hn_num n) { return hn_i_unscaled(n); }
 //            [-1, 1]^n
 //   error    none; with HN_GRADIENT_SINE less than 2^-19 (HN_FIXED: 3.7e-5)
 //   period   2^32 along each axis, or HN_PERIOD
-//   cost     1 hash (none with HN_HASH_LATTICE), 1 multiplication per axis and 1 more, and 2 more for a seed that is no
-//            constant; with HN_GRADIENT_SINE 1 hash per axis and a sine of 10 multiplications, 6 of them of floats, per
-//            component
+//   cost     1 hash (none with HN_HASH_LATTICE), 1 multiplication per axis and 1 more, and 2 more for a seed that
+//            is not constant; with HN_GRADIENT_SINE 1 hash per axis and a sine of 10 multiplications, 6 of them of
+//            floats, per component
 //   source   docs/contract.md, section 4; for the sine: Valdenegro-Toro and Pincheira, sec. 5
 HN_FN hn_vec2 hn_gradient(hn_ivec2 cell, hn_uint seed) {
   hn_uvec2 c = hn_i_wrap(cell);

@@ -5,7 +5,8 @@
 //
 // A word is a uint, and so is a seed: hn_hash(7u). For 7, an int, most versions of GLSL find no overload.
 //
-// In all files a cost counts multiplications, of words unless it says otherwise; ramps and interpolation do not count.
+// In all files a cost counts multiplications. They are of words unless it says otherwise. Ramps and interpolation do
+// not count.
 
 #ifndef HN_HASH_GLSL
 #define HN_HASH_GLSL
@@ -13,7 +14,7 @@
 #include "config.glsl"
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Word hashes: a uint for a uint, whatever HN_HASH says.
+// Word hashes take a uint and return a uint. They do not depend on HN_HASH.
 
 // FNV-1, 32 bit, of the four bytes of k, lowest first.
 //   k        any uint
@@ -138,8 +139,8 @@ HN_FN hn_uint hn_i_hash(hn_uint k) { return HN_HASH_FN(k); }
 HN_FN hn_uint hn_i_hash(hn_uint k) { return k; }
 #endif
 
-// Odd multiples (the primes of xxHash) send neighbours far apart. The offset keeps the origin from being a word of
-// zeros.
+// Multiplying by an odd number (a prime of xxHash) sends neighbours far apart. The offset keeps the origin from being a
+// word of zeros.
 HN_FN hn_uint hn_i_spread(hn_uint x) { return x * 0x9E3779B1u + 0x165667B1u; }
 HN_FN hn_uvec2 hn_i_spread(hn_uvec2 v) { return uvec2(hn_i_spread(v.x), v.y * 0x85EBCA77u); }
 HN_FN hn_uvec3 hn_i_spread(hn_uvec3 v) { return uvec3(hn_i_spread(v.x), v.y * 0x85EBCA77u, v.z * 0xC2B2AE3Du); }
@@ -148,8 +149,8 @@ HN_FN hn_uvec4 hn_i_spread(hn_uvec4 v) {
 }
 
 // Folds the high bits of a spread coordinate onto the low ones, since a product carries changes upwards only. The
-// shifts pass the middle, so that bit 31 lands below every bit that a gradient takes; they differ by axis, so that axes
-// do not cancel.
+// shifts are longer than half a word, so that bit 31 lands below every bit that a gradient takes. They differ by axis,
+// so that axes do not cancel.
 HN_FN hn_uint hn_i_fold(hn_uint x) { return x ^ (x >> 18u); }
 HN_FN hn_uvec2 hn_i_fold(hn_uvec2 v) { return uvec2(hn_i_fold(v.x), v.y ^ (v.y >> 17u)); }
 HN_FN hn_uvec3 hn_i_fold(hn_uvec3 v) { return uvec3(hn_i_fold(v.x), v.y ^ (v.y >> 17u), v.z ^ (v.z >> 19u)); }
@@ -157,8 +158,8 @@ HN_FN hn_uvec4 hn_i_fold(hn_uvec4 v) {
   return uvec4(hn_i_fold(v.x), v.y ^ (v.y >> 17u), v.z ^ (v.z >> 19u), v.w ^ (v.w >> 20u));
 }
 
-// Each bit of k changes each bit of the result with a probability near 1/2: "prospector32" of hash-prospector. 0 stays
-// 0.
+// Each bit of k changes each bit of the result with a probability near 1/2. This is "prospector32" of hash-prospector.
+// The result for 0 is 0.
 HN_FN hn_uint hn_i_mix(hn_uint k) {
   k ^= k >> 15u;
   k *= 0x2C1B3C6Du;
@@ -167,10 +168,10 @@ HN_FN hn_uint hn_i_mix(hn_uint k) {
   return k ^ (k >> 15u);
 }
 
-// The word of a point is the product of two joins of its coordinates: the exclusive or of them folded, hashed, and the
-// sum of them as they are, made odd so that the product loses nothing. Either alone would repeat itself along some line.
-// Points that share coordinates share the work: a noise steps from corner to corner in both joins. The high bits are
-// good, the low ones are not.
+// The word of a point is the product of two joins of its spread coordinates. One is the hash of the exclusive or of the
+// folded coordinates. The other is the sum of the unfolded ones, made odd so that the product loses nothing. Either
+// alone would repeat itself along some line. Points that share coordinates share the work: a noise steps from corner to
+// corner in both joins. The high bits are good, the low ones are not.
 HN_FN hn_uint hn_i_odd(hn_uint sum) { return sum * 2u + 1u; }
 HN_FN hn_uint hn_i_word(hn_uint join, hn_uint odd) { return hn_i_hash(join) * odd; }
 
@@ -201,13 +202,13 @@ HN_FN hn_uint hn_i_point(hn_uvec4 cell, hn_uint seed) {
   return hn_i_word(j.x ^ j.y ^ j.z ^ j.w ^ s, hn_i_odd(c.x + c.y + c.z + c.w + s));
 }
 
-// Lattice hashing: a well mixed hash of a point of the integer lattice, with any HN_HASH. What the noise is made of;
-// use it to scatter things.
+// Lattice hashing: a well mixed hash of a point of the integer lattice, with any HN_HASH. The noise starts from the
+// same word before its last mixing. Use the hash to scatter things.
 //   cell     the point: int, ivec2, ivec3 or ivec4
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   returns  any uint; take bits from anywhere in it
 //   period   2^32 along each axis
-//   cost     1 hash (none with HN_HASH_LATTICE); 1 multiplication per axis and 3 more; 2 more for a seed that is no
+//   cost     1 hash (none with HN_HASH_LATTICE); 1 multiplication per axis and 3 more; 2 more for a seed that is not
 //            constant
 HN_FN hn_uint hn_lattice(hn_int cell, hn_uint seed) { return hn_i_mix(hn_i_point(uint(cell), seed)); }
 HN_FN hn_uint hn_lattice(hn_ivec2 cell, hn_uint seed) { return hn_i_mix(hn_i_point(uvec2(cell), seed)); }
@@ -220,10 +221,10 @@ HN_FN hn_uint hn_lattice(hn_ivec3 cell) { return hn_lattice(cell, 0u); }
 HN_FN hn_uint hn_lattice(hn_ivec4 cell) { return hn_lattice(cell, 0u); }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// The selected hash as published, of 1 to 4 words: H(x), H(H(x) + y), and so on. HN_HASH_LATTICE has no published form;
-// with it this is hn_lattice.
+// The selected hash as published, of 1 to 4 words: H(x), H(H(x) + y), and so on. HN_HASH_LATTICE has no published form,
+// and with it this is hn_lattice.
 //   x, v     the words: uint, uvec2, uvec3 or uvec4
-//   returns  any uint; as good, or as weak, as the hash is
+//   returns  any uint; it is as good or as weak as the hash
 //   cost     1 hash per word (HN_HASH_LATTICE: as hn_lattice)
 //   source   Valdenegro-Toro and Pincheira, sec. 5
 #if HN_HASH == HN_HASH_LATTICE

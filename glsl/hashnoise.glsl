@@ -1,4 +1,4 @@
-// hashnoise: all of it. Made by tools/umbrella.
+// hashnoise: the whole library. Made by tools/umbrella.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_HASHNOISE_GLSL

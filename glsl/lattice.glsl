@@ -7,7 +7,7 @@
 #include "arithmetic.glsl"
 #include "hash.glsl"
 
-// hn_i_wrap: the near corner's coordinates; hn_i_next: the far corner's along one axis.
+// hn_i_wrap returns the coordinates of the near corner, and hn_i_next that of the far corner along one axis.
 #if (HN_PERIOD) == 0
 HN_FN hn_uvec2 hn_i_wrap(hn_ivec2 cell) { return uvec2(cell); }
 HN_FN hn_uvec3 hn_i_wrap(hn_ivec3 cell) { return uvec3(cell); }
@@ -17,7 +17,7 @@ HN_FN hn_uint hn_i_next(hn_uint c) { return c + 1u; }
 HN_FN hn_uint hn_i_wrap(hn_int c) { return uint(c) & uint((HN_PERIOD) - 1); }
 HN_FN hn_uint hn_i_next(hn_uint c) { return (c + 1u) & uint((HN_PERIOD) - 1); }
 #else
-// The remainder of floored division. GLSL leaves % of negative numbers undefined, so those count back from -1.
+// The remainder of floored division. GLSL leaves % of negative numbers undefined, so these count back from -1.
 HN_FN hn_uint hn_i_wrap(hn_int c) {
   hn_uint rest = uint(hn_i_select(c < 0, -1 - c, c)) % uint(HN_PERIOD);
   return hn_i_select(c < 0, uint((HN_PERIOD) - 1) - rest, rest);
@@ -46,9 +46,8 @@ HN_FN hn_uvec3 hn_i_spread_next(HN_I_UNUSED hn_uvec3 spread, hn_uvec3 c) {
 #endif
 
 // The words of the corners 00, 10, 01, 11 of a square; c0 and c1 are the spread coordinates of the first and the last.
-// `join`, `sum` and `more` are what z and the seed add: to the exclusive or, to the sum before it is made odd, and to
-// the odd number (`more` is even). Without a period `more` and the steps along x and y are constants, so they are added
-// first.
+// z and the seed add `join` to the exclusive or, `sum` to the sum before it is made odd, and `more` to the odd number
+// (`more` is even). Without a period `more` and the steps along x and y are constants, so they are added first.
 HN_FN hn_uvec4 hn_i_corners(hn_uvec2 c0, hn_uvec2 c1, hn_uint join, hn_uint sum, hn_uint more) {
   hn_uvec2 a = hn_i_fold(c0);
   hn_uvec2 b = hn_i_fold(c1);

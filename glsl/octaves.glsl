@@ -15,7 +15,7 @@
 // A position along one axis is a number of 64 bits, in units of 2^-32 cells: x the cell, y its fraction.
 HN_FN hn_uvec2 hn_i_long(hn_float p) {
   hn_float rest = p - trunc(p);
-  // In (-1, 1). Cut off towards 0, so that it does not matter whether subnormal numbers are flushed.
+  // The rest is in (-1, 1). It is cut off towards 0, so that it does not matter whether subnormal numbers are flushed.
   hn_uint u = uint(abs(rest) * 4294967296.0f);
   hn_uint cell = uint(hn_i_whole_cell(p));
   return uvec2(cell - uint(rest < 0.0f && u != 0u), hn_i_select(rest < 0.0f, 0u - u, u));
@@ -38,7 +38,7 @@ HN_FN hn_uvec2 hn_i_next_octave(hn_uvec2 q, hn_uint lacunarity, hn_uint shift) {
   hn_uint cell;
   hn_uint rest;
   hn_uint more = 0u;
-  if (lacunarity == 16777216u) {  // 2, which nearly everybody takes
+  if (lacunarity == 16777216u) {  // 2, the usual value
     cell = (q.x << 1u) | (q.y >> 31u);
     rest = q.y << 1u;
   } else {
@@ -50,7 +50,7 @@ HN_FN hn_uvec2 hn_i_next_octave(hn_uvec2 q, hn_uint lacunarity, hn_uint shift) {
     rest = low << 9u;
     more = (part << 9u) | ((q.y * lacunarity) >> 23u);
   }
-  // Each of the two sums carries where it comes out below what was added.
+  // Each of the two sums carries if the result is smaller than the summand.
   rest += more;
   cell += uint(rest < more);
   rest += shift;
@@ -65,8 +65,8 @@ HN_FN hn_int hn_i_next_weight(hn_int weight, hn_int gain) {
   return ((weight >> 9) * gain + (((weight & 511) * gain) >> 9)) >> 9;
 }
 
-// sum * 2^18 / total, cut off towards 0, by long division: the whole part, then 9 bits, then 9 more, since a rest of 23
-// bits leaves room for no more.
+// sum * 2^18 / total, cut off towards 0, by long division: the whole part, then 9 bits, then 9 more. A rest of 23 bits
+// leaves room for only 9 bits at a time.
 HN_FN hn_int hn_i_mean(hn_int sum, hn_int total) {
   hn_uint divisor = uint(total);
   hn_uint rest = uint(max(sum, -sum));
@@ -84,8 +84,8 @@ HN_FN hn_int hn_i_mean(hn_int sum, hn_int total) {
 HN_FN hn_uint hn_i_lacunarity(hn_float lacunarity) { return uint(min(max(lacunarity, 0.0f), 255.0f) * 8388608.0f); }
 HN_FN hn_int hn_i_gain(hn_float gain) { return int(min(max(gain, 0.0f), 1.0f) * 262144.0f); }
 
-// Makes a sky of an fBm: clear where it is below -1/8, dense above 3/8, a smooth step between: 1/2 + c (3/2 - 2 c^2)
-// with c = 2 fbm - 1/4, held in [-1/2, 1/2], in units of 2^-16.
+// Makes a sky from an fBm: it is clear below -1/8 and dense above 3/8, with a smooth step between. The density is
+// 1/2 + c (3/2 - 2 c^2) with c = 2 fbm - 1/4, clamped to [-1/2, 1/2], in units of 2^-16.
 HN_FN hn_int hn_i_cloud_density(hn_int fbm) {
   hn_int c = (min(max(2 * fbm + 524288, 0), 2097152) - 1048576) >> 5;
   return 1048576 + ((c * int((0xC0000000u - uint(c * c)) >> 16u)) >> 10);
@@ -93,7 +93,7 @@ HN_FN hn_int hn_i_cloud_density(hn_int fbm) {
 
 #else
 
-// Makes a sky of an fBm: clear where it is below -1/8, dense above 3/8, a smooth step between.
+// Makes a sky from an fBm: it is clear below -1/8 and dense above 3/8, with a smooth step between.
 HN_FN hn_float hn_i_cloud_density(hn_float fbm) {
   return hn_i_smooth(min(max(hn_i_times_plus(2.0f, fbm, 0.25f), 0.0f), 1.0f));
 }

@@ -16,9 +16,9 @@ HN_FN hn_num hn_i_perlin(hn_ivec3 cell, hn_num3 f, hn_uint seed) {
 }
 
 // Gradient noise on the cubic lattice, from a cell and a position in it: Perlin 2002 interpolant, hashed gradients.
-// Names cells exactly where a float no longer can: far out in a large world, or in a world that moves with the viewer.
+// It names cells exactly where a float no longer can: far out in a large world, or in one that moves with the viewer.
 //   cell     the cell; its corners wrap at 2^32, or HN_PERIOD
-//   f        position in the cell, in [0, 1]; beyond it HN_FIXED takes the nearer end, and floats extrapolate
+//   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats extrapolate
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   returns  [-1, 1] (proven bound 0.99992), mean 0, 0 at lattice points, twice continuously differentiable (HN_FIXED:
 //            in steps of 2^-21); with HN_GRADIENT_SINE, which is not scaled, [-3/2, 3/2] and the rest alike
@@ -26,8 +26,8 @@ HN_FN hn_num hn_i_perlin(hn_ivec3 cell, hn_num3 f, hn_uint seed) {
 //            HN_FIXED 6.03e-5; HN_GRADIENT_SINE 1.40e-4
 //   period   HN_PERIOD; without it 2^32 cells per axis (HN_GRADIENT_SINE with HN_HASH_PARTIAL_FNV1: no more than 2^31)
 //   cost     8 hashes (none with HN_HASH_LATTICE) and 8 multiplications; 3 more to spread the coordinates (6 with
-//            HN_PERIOD, of the far corner too), and 2 more for a seed that is no constant. HN_GRADIENT_SINE: 14 hashes
-//            and 24 sines of 10 multiplications each, 6 of them of floats
+//            HN_PERIOD, of the far corner too), and 2 more for a seed that is not constant. HN_GRADIENT_SINE:
+//            14 hashes and 24 sines of 10 multiplications each, 6 of them of floats
 //   source   Valdenegro-Toro and Pincheira, sec. 5; Perlin, "Improving noise", 2002
 HN_FN hn_float hn_perlin(hn_ivec3 cell, hn_vec3 f, hn_uint seed) {
   return hn_i_value(hn_i_perlin(cell, hn_i_inside(f), seed));

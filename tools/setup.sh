@@ -42,7 +42,7 @@ help_if_asked() {
   [[ ${1-} == help || " $* " == *' --help '* || " $* " == *' -h '* ]] || return 0
   sed -n '2,/^[^#]/s/^# \{0,1\}//p' "${BASH_SOURCE[1]}"
   if ! command -v "${program[0]}" >/dev/null; then
-    printf '\n%s\n' "${program[0]} is not there yet; once it is, its options are listed here. docs/conformance.md and docs/measuring.md have them, too."
+    printf '\n%s\n' "${program[0]} does not exist yet. When it does, its options are listed here. docs/ has them, too."
     exit 0
   fi
   echo
@@ -51,7 +51,7 @@ help_if_asked() {
 
 install_missing() {
   if ! command -v dpkg-query >/dev/null; then
-    echo "This is no Debian. The build needs what these Debian packages provide: $*" >&2
+    echo "This system is not Debian. The build needs what these Debian packages provide: $*" >&2
     return 0
   fi
   local missing=() package
@@ -63,7 +63,7 @@ install_missing() {
   local sudo=()
   if ((EUID != 0)); then sudo=(sudo -n); fi
   if ! command -v apt-get >/dev/null || ! "${sudo[@]}" true 2>/dev/null; then
-    echo "They cannot be installed from here. Install them, then run this again." >&2
+    echo "This command cannot install them. Install them yourself, then run it again." >&2
     exit 4
   fi
   echo "Installing them." >&2

@@ -1,4 +1,4 @@
-// Looking up a name in a table of ours.
+// Looking up a name in one of our own tables.
 #pragma once
 
 #include <fmt/format.h>
@@ -9,7 +9,8 @@
 
 namespace hn {
 
-// The entry whose member has this value. Throws std::logic_error if there is none, which says of what: "profile".
+// The entry whose member has this value. Throws std::logic_error if there is none; `what` says in its message what is
+// missing: "profile".
 template <typename Table, typename Member>
 const auto& entry_named(const Table& table, Member member, std::string_view name, std::string_view what) {
   const auto found = std::ranges::find(table, name, member);

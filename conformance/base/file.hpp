@@ -11,17 +11,17 @@
 
 namespace hn {
 
-// Writes a file, in a folder that is made if it is not there; beside it first and renamed, so that nobody reads half a
-// file. An error says why, and leaves what was there.
+// Writes a file, and makes its folder if it is missing. It writes beside the file and renames, so that nobody reads
+// half a file. An error says why, and leaves the old file as it was.
 Result<void> write_file(const std::filesystem::path& path, std::string_view bytes);
 
 // The bytes of a file. An error names it, and ends with the hint: what the file should be, or where it comes from.
 Result<std::string> read_file(const std::filesystem::path& path, std::string_view hint = {});
 
-// The last bytes of a log, so many at the most, of what was written from a place on. Empty if it cannot be read.
+// The last bytes of what was written to a log from a place on, with a limit. Empty if it cannot be read.
 std::string end_of_log(const std::filesystem::path& path, std::size_t most, std::size_t from = 0);
 
-// The bytes of numbers, as they lie in memory: little-endian, as every format of ours wants them.
+// The bytes of numbers as they lie in memory: little-endian, as all of our formats require.
 template <typename T>
 std::string_view bytes_of(std::span<const T> numbers) {
   static_assert(std::endian::native == std::endian::little);

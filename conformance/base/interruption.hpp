@@ -17,9 +17,9 @@ namespace hn {
 inline constexpr std::array kEndingSignals = {SIGINT, SIGTERM, SIGHUP};
 std::string_view name_of_signal(int signal);  // "SIGINT"
 
-// While there is one of these, a thread waits for the signals that ask the program to end. It says farewell and ends
-// the program by the signal; but once the program has said that it takes care of that itself, the first signal is only
-// noted. Signals that are ignored stay so (those of nohup, say).
+// While such an object exists, a thread waits for the signals that ask the program to end. It says farewell and ends
+// the program by the signal. Once the program has said that it handles this itself, the first signal is only noted.
+// Signals that are ignored stay ignored (for example by nohup).
 //
 // Make it before any other thread: they must hold the signals back as well.
 class Interruption {
@@ -37,7 +37,7 @@ class Interruption {
   int signal() const { return noted_; }       // that was noted, or 0
   int fd() const { return readable_.get(); }  // can be read once one was noted
 
-  // Ends the program as the signal does where nobody takes it: who started us sees why.
+  // Ends the program as the signal does without a handler, so that the process that started us sees why.
   [[noreturn]] static void end_by(int signal);
 
  private:

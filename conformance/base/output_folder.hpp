@@ -10,12 +10,12 @@
 
 namespace hn {
 
-// A folder that is ours alone for as long as this object lives; the system gives it free when the process ends, however
-// that comes.
+// A folder that no other process may use while this object lives. The system releases it when the process ends, in
+// whatever way.
 class OutputFolder {
  public:
   // Makes the folder, removes earlier files of these names from it, and makes sure that new ones can be written: before
-  // the work rather than after it. An error if another process has it, which is named.
+  // the work rather than after it. If another process uses the folder, the error names it.
   static Result<OutputFolder> prepare(const std::filesystem::path& directory,
                                       std::initializer_list<std::string_view> names);
 

@@ -42,8 +42,8 @@ struct Process {
   FileDescriptor reports;  // what it writes to kReportFd
 };
 
-// The system kills the child when the thread that started it ends (on Linux), however that comes. Nobody else ends it:
-// Ctrl-C and its like are meant for us, and it does not get them or ignores them.
+// The system kills the child when the thread that started it ends (on Linux), in whatever way. Ctrl-C and similar
+// signals are meant for us: the child does not get them, or ignores them.
 Result<Process> start_process(const ProcessOptions& options);
 
 // The texts as exec takes them, for as long as they are; the last pointer is null.
@@ -52,7 +52,7 @@ std::vector<char*> pointers_to(std::vector<std::string>& texts);
 // Our variables, as NAME=VALUE, less those that begin with any of these.
 std::vector<std::string> environment_without(std::span<const std::string_view> beginnings);
 
-// This program, also while a newer one takes its place in the file system.
+// The file of this program, even while a newer one replaces it in the file system.
 std::filesystem::path own_program();
 
 // "ended by signal 9 (Killed)", "ended with status 1": what waitpid said.

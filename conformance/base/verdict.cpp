@@ -57,17 +57,17 @@ std::string measure_of(const Outcome& outcome) {
   if (outcome.samples == 0) return "";
   const std::string wrong = fmt::format("{} of {} values are wrong", outcome.mismatches, outcome.samples);
   if (outcome.max_abs == 0.0) return wrong;
-  if (outcome.max_abs == std::numeric_limits<double>::max()) return wrong + ", some of them infinite or no number";
+  if (outcome.max_abs == std::numeric_limits<double>::max()) return wrong + ", some of them infinite or not a number";
   if (!outcome.allowed || *outcome.allowed >= outcome.max_abs)
     return wrong;  // where less is allowed, they are off by less
   if (*outcome.allowed > 0.0) {
-    return fmt::format("{}, the furthest off by {:.3g}, where {:.3g} is allowed", wrong, outcome.max_abs,
+    return fmt::format("{}; the largest difference is {:.3g}, and {:.3g} is allowed", wrong, outcome.max_abs,
                        *outcome.allowed);
   }
   const bool few = outcome.max_ulp != 0 && outcome.max_ulp <= kMostUlpsTold;
   const std::string units =
       few ? fmt::format(" ({} {} in the last place)", outcome.max_ulp, outcome.max_ulp == 1 ? "unit" : "units") : "";
-  return fmt::format("{}, the furthest off by {:.3g}{}, where every bit counts", wrong, outcome.max_abs, units);
+  return fmt::format("{}; the largest difference is {:.3g}{}, and none is allowed", wrong, outcome.max_abs, units);
 }
 
 Outcome outcome_with(Status status, const Error& error) {

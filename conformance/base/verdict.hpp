@@ -1,4 +1,4 @@
-// How a case ended, and what there is to say of it.
+// How a case ended, and what to say about it.
 #pragma once
 
 #include <array>
@@ -49,8 +49,8 @@ struct Outcome {
   std::vector<Mismatch> examples;  // the first of the values that are wrong
 };
 
-// "123 of 192 values are wrong, the furthest off by 0.389, where 3.51e-06 is allowed": of values that were compared.
-// Units in the last place are told where every bit counts and they are few: many of them say nothing to anybody.
+// "123 of 192 values are wrong; the largest difference is 0.389, and 3.51e-06 is allowed": of compared values. Units in
+// the last place are told where no difference is allowed and they are few: a large number of them helps nobody.
 std::string measure_of(const Outcome& outcome);
 
 // An outcome with the error as its message.
@@ -81,7 +81,7 @@ struct CaseResult {
 // An excuse is right where the case is bad, and wrong where it is not.
 bool as_expected(const CaseResult& result);
 
-// "noise2d.perlin", of a case's id.
+// "noise2d.perlin": the function in a case's id.
 std::string_view function_of(std::string_view id);
 
 }  // namespace hn

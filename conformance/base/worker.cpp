@@ -40,7 +40,7 @@ void Worker::finish(bool timed_out) {
   int status = 0;
   while (waitpid(process_.pid, &status, 0) < 0 && errno == EINTR) {
   }
-  const std::string text = timed_out ? fmt::format("was killed, with no answer in {} s",
+  const std::string text = timed_out ? fmt::format("was killed, because it gave no answer for {} s",
                                                    std::chrono::duration<double>(launch_.limit).count())
                                      : describe_end(status);
   end_ = End{timed_out, status, text};

@@ -60,13 +60,13 @@ class Worker {
   std::optional<End> end_;
 };
 
-// Whether something can be read from a file now; never from -1.
+// Whether something can be read from a file now; false for -1.
 bool can_be_read(int fd);
 
 // The milliseconds until then, as poll takes them.
 int milliseconds_until(SteadyClock::time_point deadline);
 
-// The child's side: one line in one write, so that the parent reads whole lines and has them whatever happens next.
+// The child's side. It writes each line in one call, so that the parent reads whole lines even if the child dies next.
 void report(const nlohmann::ordered_json& json);
 
 }  // namespace hn

@@ -1,4 +1,4 @@
-// Instruction counts for AMD's GPUs, from Mesa's RADV, which also compiles for a GPU that is not there.
+// Instruction counts for AMD's GPUs, from Mesa's RADV, which also compiles for a GPU that the machine lacks.
 #pragma once
 
 #include <chrono>
@@ -26,7 +26,7 @@ struct AmdStatistics {
 };
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AmdStatistics, instructions, inverse_throughput, latency, vgprs, code_size)
 
-// Where the counts come from; tests put other things here.
+// Where the counts come from. Tests set other sources.
 struct AmdSource {
   std::filesystem::path program = own_program();  // answers kAmdCommand with amd_counts_child
   std::vector<std::filesystem::path> icd_directories = kVulkanDriverDirectories;
@@ -45,7 +45,7 @@ Result<std::vector<Result<AmdStatistics>>> amd_counts(std::string_view family,
                                                       std::span<const std::vector<std::uint32_t>> shaders,
                                                       const AmdSource& source = {});
 
-// What the child does, the hidden subcommand "amd-counts JOB": the exit status of the program.
+// Runs the hidden subcommand "amd-counts JOB", which the child does. Returns the exit status of the program.
 constexpr const char* kAmdCommand = "amd-counts";
 int amd_counts_child(const std::filesystem::path& job);
 

@@ -16,7 +16,7 @@
 
 namespace hn {
 
-// Where and how numbers came to be: what stands above every result.
+// Where and how numbers were measured. It stands above every result.
 struct Provenance {
   std::string date;  // UTC, ISO 8601
   std::string command;
@@ -67,7 +67,7 @@ struct Baseline {
   std::string renderer;
   std::map<std::string, Ratio> ratios;  // by subject
 };
-// Reads them from its bench.json. An error: the file cannot be read, or is no such file.
+// Reads them from its bench.json. An error: the file cannot be read, or is not such a file.
 Result<Baseline> read_baseline(const std::filesystem::path& path);
 
 // How a subject compares with an earlier run.
@@ -77,7 +77,7 @@ struct Change {
   Ratio now;
   bool slower = false;  // by more than both spreads
 };
-// Of what is in both.
+// Compares the subjects that are in both.
 std::vector<Change> compare_with_baseline(const Baseline& baseline, const BenchReport& report);
 
 // bench.json, bench.csv, index.html, and with dump the optimised SPIR-V that was counted as spirv/<id>.spv.

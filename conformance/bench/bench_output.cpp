@@ -118,7 +118,7 @@ Result<Baseline> read_baseline(const std::filesystem::path& path) {
         baseline.ratios.emplace(subject.at("id").get<std::string>(), ratio_in(subject));
     }
   } catch (const std::exception& problem) {
-    return fail(fmt::format("{} is no bench.json of this program: {}", path.string(), problem.what()));
+    return fail(fmt::format("{} is not a bench.json of this program: {}", path.string(), problem.what()));
   }
   return baseline;
 }

@@ -1,4 +1,4 @@
-// The page for people: what it costs here.
+// The page for people: what everything costs on this driver.
 #pragma once
 
 #include <string>

@@ -22,7 +22,7 @@ Measurement measured(const std::string& id, double value, double spread) {
 
 Measurement failed(const std::string& id) {
   Measurement measurement = measured(id, 0.0, 0.0);
-  measurement.error = Error{"it does not compile", "a.glsl:1: \xFF is no UTF-8"};
+  measurement.error = Error{"it does not compile", "a.glsl:1: \xFF is not UTF-8"};
   return measurement;
 }
 
@@ -125,7 +125,7 @@ TEST_F(BaselineFile, ThatIsNoneIsAnErrorThatNamesIt) {
        }) {
     const auto baseline = read(text);
     ASSERT_FALSE(baseline) << text;
-    EXPECT_NE(baseline.error().message.find(path_.string() + " is no bench.json"), std::string::npos)
+    EXPECT_NE(baseline.error().message.find(path_.string() + " is not a bench.json"), std::string::npos)
         << baseline.error().message;
   }
 }

@@ -69,7 +69,7 @@ Result<std::string_view> profile_of(std::string_view number, const std::string& 
     numbers.push_back(std::to_string(profile.version));
     if (numbers.back() == number) return profile.name;
   }
-  return fail(fmt::format("{}: \"{}\" is no version of GLSL that can be measured; there are {}", where, number,
+  return fail(fmt::format("{}: \"{}\" is not a version of GLSL that can be measured; there are {}", where, number,
                           fmt::join(numbers, ", ")));
 }
 
@@ -213,7 +213,7 @@ Result<std::vector<Subject>> foreign_subjects(Workbench& workbench, const Foreig
       logs[0] == logs[1] ? logs[0] : fmt::format("With a vec2 as p:\n{}With a vec3 as p:\n{}", logs[0], logs[1]);
   const Profile& profile = profile_named(foreign.profile);
   return fail(fmt::format("--against {}: this does not compile with {}, neither for a vec2 nor for a vec3; the "
-                          "expression must be a float of p, and NAME@450=FILE:EXPRESSION asks for GLSL 4.50",
+                          "expression must be a float from p, and NAME@450=FILE:EXPRESSION asks for GLSL 4.50",
                           foreign.argument, profile.directive),
               log);
 }

@@ -59,7 +59,7 @@ TEST_F(Foreigns, IncludeTheLibraryUnlessANeighbourHasTheName) {
   expect_refused("own", "own.glsl:hn_perlin(p)", "hn_perlin");
 }
 
-// The tables that are measured as well are no files of the library.
+// The tables that are measured as well are not files of the library.
 TEST_F(Foreigns, DoNotIncludeWhatIsOurs) {
   folder_.write("own.glsl", "\n#include \"perlin.glsl\"\n");
   expect_refused("own", "own.glsl:p.x", path("own.glsl:2"));

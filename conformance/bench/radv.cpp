@@ -234,7 +234,7 @@ class RadvDevice final : public Radv {
     if ((found != VK_SUCCESS && found != VK_INCOMPLETE) || count == 0) return fail("RADV offers no GPU");
     VkPhysicalDeviceProperties properties{};
     call<PFN_vkGetPhysicalDeviceProperties>("vkGetPhysicalDeviceProperties")(gpu_, &properties);
-    if (properties.vendorID != kAmd) return fail(fmt::format("{} is no AMD GPU", properties.deviceName));
+    if (properties.vendorID != kAmd) return fail(fmt::format("{} is not an AMD GPU", properties.deviceName));
 
     const auto list = call<PFN_vkEnumerateDeviceExtensionProperties>("vkEnumerateDeviceExtensionProperties");
     std::uint32_t extension_count = 0;

@@ -19,7 +19,7 @@ struct Subject {
   std::string_view profile = "gl330";  // the version of its shaders, but for Vulkan's
 };
 
-// The position itself: what a shader costs before there is any noise in it.
+// The position itself: the cost of a shader without any noise.
 Subject empty_subject(int dimensions);
 
 // Perlin/Float and Perlin/Integer (tables.glsl). Costs are stated relative to the former.
@@ -33,7 +33,7 @@ std::vector<Subject> library_subjects(const Configuration& configuration);
 // Every function with every configuration whose id, or part of it, matches the case ids' "file.function.configuration".
 std::vector<Subject> library_subjects();
 
-// Somebody else's: an expression of p after the text of a file. It must be a float.
+// A subject from another library: an expression with p after the text of a file. It must be a float.
 Subject foreign_subject(std::string_view name, std::string_view file, std::string_view expression, int dimensions,
                         std::string_view profile = "gl330");
 

@@ -56,7 +56,7 @@ Gate judge_query(double pixels, double iterations, double draws) {
   return {believed ? Clock::query : Clock::wall, pixels, iterations, draws,
           fmt::format("by GL_TIME_ELAPSED 4 times the pixels take {:.3g} times as long, 4 times the iterations {:.3g} "
                       "times, 4 draws {:.3g} times; it is {}",
-                      pixels, iterations, draws, believed ? "believed" : "not believed, which would take 3 to 5 each")};
+                      pixels, iterations, draws, believed ? "believed" : "not believed: each should be 3 to 5")};
 }
 
 Stopwatch::Stopwatch(const Context& context) : gl_(context.gl()) {

@@ -26,7 +26,7 @@ struct Timing {
   double spread() const;  // half the distance between the quartiles
 };
 
-// A quotient and half the distance between the quartiles of its samples; NaN where it cannot be told.
+// A quotient, and half the distance between the quartiles of its samples. NaN where it is unknown.
 struct Ratio {
   double value = std::numeric_limits<double>::quiet_NaN();
   double spread = std::numeric_limits<double>::quiet_NaN();

@@ -23,14 +23,14 @@ struct GoldenKind {
   Evaluation evaluation;
 };
 
-// Two ways to the same values.
+// Two ways to compute the same values.
 using MakePairing = Pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points);
 struct PairingKind {
   Evaluation evaluation;
   MakePairing* make;
 };
 
-// What is written in C++ alone.
+// A check that exists only in C++.
 using Check = Outcome(Session& session, const Evaluation& evaluation);
 struct CheckKind {
   Evaluation evaluation;
@@ -43,7 +43,7 @@ struct BugKind {
   const Profile* profile;
 };
 
-// What a case has the driver compile, and nothing else.
+// A case that only makes the driver compile something.
 struct CompilationKind {
   const Profile* profile;
   std::string fragment;  // the shader, before its includes are expanded
@@ -52,7 +52,7 @@ struct CompilationKind {
   bool too_old = false;  // a driver may refuse the version before it reads the library's words
 };
 
-// What the reference compiler alone says.
+// A case that asks only the reference compiler.
 struct ReferenceKind {
   std::function<Outcome(const Suite&)> check;
 };
@@ -66,7 +66,7 @@ struct CaseName {
   std::string profile;
   std::string check;
 
-  // All but the check. Cases that have it in common are about one program, or variants of it.
+  // All but the check. Cases with the same subject use one program, or variants of it.
   std::string setting() const;
   std::string id() const;
 };
@@ -91,7 +91,7 @@ struct Case {
   const Evaluation* evaluation() const;
 };
 
-// Runs the case, and times it. An exception in it is an error of the suite, and no more.
+// Runs the case, and times it. An exception in it gives the status `error`.
 CaseResult run_case(Session& session, const Case& test);
 CaseResult run_case(const Suite& suite, const Case& test);  // of one that needs no driver
 

@@ -1,4 +1,4 @@
-// What each check holds against what, in words: docs/checks.md.
+// What each check demands, in words: docs/checks.md.
 #pragma once
 
 #include <span>

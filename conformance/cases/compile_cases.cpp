@@ -258,7 +258,7 @@ void add_acceptance_cases(std::vector<Case>& cases, const Acceptance& acceptance
 Outcome expect_refusal(const CompilationKind& compilation, const Result<void>& compiled) {
   const std::string_view expected = compilation.refusal;
   if (compiled) {
-    return outcome_with(Status::fail, {fmt::format("it compiles; an error that names {} was due", expected), {}});
+    return outcome_with(Status::fail, {fmt::format("it compiles, but an error should name {}", expected), {}});
   }
   if (compiled.error().log.find(expected) != std::string::npos) return {};
   return outcome_with(Status::fail,

@@ -12,7 +12,8 @@ namespace hn {
 
 using CanRun = std::function<bool(const Case&)>;
 
-// By driver, the indices in `cases` of those that it runs. Cases that share a program stay together. What no driver can run goes to the first, which says why.
+// For each driver, the indices in `cases` of those that it runs. Cases that share a program stay together. A case that
+// no driver can run goes to the first, which says why.
 std::vector<std::vector<std::size_t>> deal(std::span<const Case> cases, std::span<const CanRun> drivers);
 
 }  // namespace hn

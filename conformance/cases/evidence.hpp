@@ -12,18 +12,18 @@
 
 namespace hn {
 
-// Evidence for a case that failed, if it is about values. Nothing where there is none to be had; an exception is none,
-// too.
+// Evidence for a case that failed, if it is about values. Nothing where evidence is impossible, or
+// where making it throws.
 std::optional<Evidence> make_evidence(Session& session, const Case& test, const Outcome& outcome);
 
 // The colour that a program gives the first pixel of a target of 8 bits per channel: red, green, blue, alpha.
 Result<std::array<std::uint8_t, 4>> draw_pixel(const Context& context, const Program& program);
 
-// Which of the cases that fail get evidence. A function that is wrong is so in many cases, which look alike; and where
-// all are wrong, results.json must stay a file that can be sent.
+// Decides which of the failed cases get evidence. A wrong function fails in many cases that look alike, and
+// results.json must stay small enough to send even if all cases fail.
 class EvidenceBudget {
  public:
-  // Whether this one is to have it; if so, it is counted.
+  // Whether this case gets evidence. If so, it is counted.
   bool take(const CaseName& name);
 
  private:

@@ -46,7 +46,7 @@ double grey_of(const Function& function, std::uint32_t word) {
   return (static_cast<double>(std::bit_cast<float>(word)) + 1.0) * 127.5;
 }
 
-// In the same units, but with all bits of a word. Infinity where one of the values is no number.
+// In the same units, but with all bits of a word. Infinity where one of the values is not a number.
 double difference_of(const Function& function, std::uint32_t got, std::uint32_t reference) {
   if (got == reference) return 0.0;
   if (is_word(function)) return std::fabs(static_cast<double>(got) - static_cast<double>(reference)) / 0x1p24;
@@ -100,7 +100,7 @@ std::string describe_window(const Function& function, const Words& window) {
   }
   return fmt::format("{}; the point where the case failed is in the middle. {}", axes,
                      is_word(function) ? "Words are shown by their high byte."
-                                       : "-1 and less is black, 1 and more is white, of the first result.");
+                                       : "The first result is shown: -1 and less is black, 1 and more is white.");
 }
 
 Pictures draw_pictures(const Function& function, const Words& got, const Words& reference) {

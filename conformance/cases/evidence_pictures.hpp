@@ -17,14 +17,14 @@ Words window_around(const Function& function, std::span<const std::uint32_t> wor
 // A sentence or two for people: what the window is, and what its greys are.
 std::string describe_window(const Function& function, const Words& window);
 
-// PNG files in base64, and by what the difference is multiplied: so that the largest is white.
+// PNG files in base64, and the factor that multiplies the difference, so that the largest is white.
 struct Pictures {
   std::string got;
   std::string reference;
   std::string difference;
   double factor = 0.0;
 };
-// Of the first result of the function at each point of a window.
+// Draws the first result of the function at each point of a window.
 Pictures draw_pictures(const Function& function, const Words& got, const Words& reference);
 
 }  // namespace hn

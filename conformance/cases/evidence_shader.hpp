@@ -21,8 +21,8 @@ struct ShaderFacts {
   bool every_bit;  // unless every bit counts
 };
 
-// A fragment shader, complete, without textures or attributes: green where the function has the value that is expected,
-// red where it has not. The point is hidden from the compiler behind a uniform that nobody needs to set, so that it
+// A fragment shader, complete, without textures or attributes: green where the function has the expected value,
+// else red. The point is hidden from the compiler behind a uniform that nobody needs to set, so that it
 // evaluates the function on the device. Comments say what it is.
 Result<std::string> stand_alone_shader(const SourceSet& sources, const Evaluation& evaluation,
                                        const ShaderFacts& facts);

@@ -29,7 +29,7 @@ std::string upper_case(std::string_view text) {
   return upper;
 }
 
-// Null for what is no function: a file as a whole, a setting, a known bug.
+// Null for what is not a function: a file as a whole, a setting, a known bug.
 const Function* known_function(std::string_view id) {
   const auto functions = all_functions();
   const auto found = std::find_if(functions.begin(), functions.end(), [&](const Function& f) { return f.id == id; });

@@ -1,4 +1,4 @@
-// For tests that give the library a fault, and look what cases say of it.
+// For tests that give the library a fault, and look what cases say about it.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@ namespace hn {
 
 class FaultyLibrary : public OnOsmesa<> {
  protected:
-  // Lets everything behind the include of a file see these lines.
+  // Appends lines to a file, so that all code after its include sees them.
   void append(std::string_view file, std::string_view lines) {
     sources_.add(std::string(file), fmt::format("{}\n{}\n", SourceSet::embedded().find(file)->text, lines),
                  std::string(file));

@@ -158,7 +158,7 @@ Outcome check_range(Session& session, const Evaluation& evaluation) {
     comparison.require(inside, point(inputs, i), value, should);
   }
   comparison.require(function.is_octave_sum() || largest > 0.6f, point(inputs, 0), largest,
-                     "more than 0.6 as the largest of all values");
+                     "a largest value of more than 0.6");
   return comparison.finish();
 }
 

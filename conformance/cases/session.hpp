@@ -34,9 +34,8 @@ struct Session : Suite {
   std::size_t most_points;  // of one evaluation: a grid takes 2^20; a slow driver is given fewer
   GridRenderer grid;
 
-  // Random points for a function and how far the driver and the twin may be apart at each; the same for
-  // every hash, and kept until another function asks. There may be more than count. A batch has other points than the
-  // ones before.
+  // Random points for a function, and how far the driver and the twin may differ at each. They are the same for every
+  // hash, and are kept until another function needs points. There may be more than count. Each batch has other points.
   struct PointSet {
     std::vector<std::uint32_t> inputs;  // kInputWords per point
     std::vector<double> allowed;        // per point
@@ -44,7 +43,7 @@ struct Session : Suite {
   const PointSet& twin_points(const Function& function, const Configuration& configuration, std::size_t count,
                               std::uint64_t batch = 0);
 
-  // To be called by a case that goes on for long, after each part of its work.
+  // A long case calls this after each part of its work.
   std::function<void()> still_alive = [] {};
 
   // The program that evaluates a function. The last few are kept, since cases that share a program follow each other;

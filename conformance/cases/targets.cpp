@@ -32,7 +32,7 @@ bool has_turn(const Function& function, const Configuration& configuration, std:
 }
 
 Extent extent_of(const Function& function, const Configuration& configuration, const Target& target) {
-  // The sine gradient is no default, but its functions have nothing that is nearer to one.
+  // The sine gradient is not the default, but its functions have nothing that is nearer to one.
   const bool defaults = configuration.default_but_for_arithmetic() ||
                         (function.family == Family::sine_gradient &&
                          configuration.name_without_arithmetic() == "lattice+sine");

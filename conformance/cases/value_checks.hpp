@@ -43,7 +43,7 @@ Check check_noise_knob;  // HN_FBM_NOISE2D and HN_FBM_NOISE3D are used
 // compile_cases.cpp
 Outcome check_compilation(Session& session, const CompilationKind& compilation);
 
-// metamorphic_checks.cpp: the same values, come by in another way.
+// metamorphic_checks.cpp: the same values, computed in another way.
 Outcome check_pairing(Session& session, const Pairing& pairing);
 
 // The name of a case about values.

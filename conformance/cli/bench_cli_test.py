@@ -125,7 +125,7 @@ class BenchCli(unittest.TestCase):
                                         "versions2")
         for name, subject in self.subjects().items():
             self.assertNotIn("error", subject, name)
-        # It is no empty shader that was measured.
+        # It is not an empty shader that was measured.
         self.assertGreater(self.subjects()["both2"]["instructions"]["spirv"],
                            self.subjects()["empty2"]["instructions"]["spirv"] + 10)
 
@@ -173,7 +173,7 @@ class BenchCli(unittest.TestCase):
             (["--against", f"v={shader}: "], "there is no expression", "write NAME=FILE:EXPRESSION"),
             (["--against", f"v={self.folder}/none.glsl:value_noise(p)"], f"there is no file \"{self.folder}/none.glsl\""),
             (["--against", f"v={self.folder}:value_noise(p)"], f"there is no file \"{self.folder}\""),
-            (["--against", f"v@425={shader}:value_noise(p)"], "\"425\" is no version", "there are 330, 400"),
+            (["--against", f"v@425={shader}:value_noise(p)"], "\"425\" is not a version", "there are 330, 400"),
             (["--against", f"@420={shader}:value_noise(p)"], "there is no name"),
             (["--against", f"a.b={shader}:value_noise(p)"], "a name is a word", "a.b"),
             (["--against", f"../a={shader}:value_noise(p)"], "a name is a word", "../a"),
@@ -183,8 +183,8 @@ class BenchCli(unittest.TestCase):
             (["--driver", "voodoo"], "there are: osmesa, egl"),
             (["--driver", "egl-gles"], "desktop OpenGL"),
             (["--baseline", self.folder / "none.json"], "cannot read", "none.json", "--baseline wants a bench.json"),
-            (["--baseline", self.folder / "text.json"], "text.json is no bench.json"),
-            (["--baseline", self.folder / "results.json"], "results.json is no bench.json"),
+            (["--baseline", self.folder / "text.json"], "text.json is not a bench.json"),
+            (["--baseline", self.folder / "results.json"], "results.json is not a bench.json"),
             (["--baseline", self.folder], "cannot read", "--baseline wants a bench.json"),
             (["--out", self.folder / "file" / "out"], "cannot make the folder", "--out wants a folder"),
             (["--out", self.folder / "file"], "cannot make the folder", "--out wants a folder"),

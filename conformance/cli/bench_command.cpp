@@ -32,7 +32,7 @@ Result<Selection> select(const BenchCommand& options, SourceSet& sources) {
   for (const std::string& argument : options.against) {
     HN_TRY(auto foreign, read_foreign(argument, sources));
     if (!names.insert(foreign.name).second)
-      return fail(fmt::format("--against: there are two of the name {}", foreign.name));
+      return fail(fmt::format("--against: the name {} is used twice", foreign.name));
     selection.foreigns.push_back(std::move(foreign));
   }
   return selection;

@@ -5,7 +5,7 @@
 
 namespace hn {
 
-// What the hidden subcommand "child JOB" does, with the path of the job: the exit status of the program.
+// Runs the hidden subcommand "child JOB" with the path of the job. Returns the exit status of the program.
 int child_command(const std::filesystem::path& job);
 
 }  // namespace hn

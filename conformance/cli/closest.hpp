@@ -1,4 +1,4 @@
-// What was meant by a word that is none of those that there are.
+// The known name that a user probably meant by an unknown word.
 #pragma once
 
 #include <span>
@@ -7,8 +7,8 @@
 
 namespace hn {
 
-// The name that a few slips of the fingers turn into the word: a letter too many, too few, wrong, or two exchanged.
-// Empty if it takes more than a third of the word.
+// The name that a few typing errors turn into the word: a letter too many, too few, wrong, or two exchanged. Empty if
+// that takes more errors than a third of the letters.
 std::string closest(std::string_view word, std::span<const std::string> names);
 
 }  // namespace hn

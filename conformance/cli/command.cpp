@@ -46,7 +46,7 @@ tl::expected<OpenDriver, int> open_driver(const std::string& name, const std::st
     return tl::unexpected(kNoDriver);
   }
   if ((*context)->api() != Api::gl) {
-    return tl::unexpected(usage_error(fmt::format("{} is OpenGL ES; what measures needs desktop OpenGL", name)));
+    return tl::unexpected(usage_error(fmt::format("{} is OpenGL ES; measuring needs desktop OpenGL", name)));
   }
   Provenance provenance{now(), command_line, name, describe(**context)};
   return OpenDriver{std::move(*context), std::move(provenance)};

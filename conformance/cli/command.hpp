@@ -14,19 +14,19 @@
 
 namespace hn {
 
-// On the standard output. That it could not be written is told in the end, and ends nothing before.
+// Writes to the standard output. A failure to write is reported at the end, and stops nothing before.
 void say(const std::string& text);
-// On the standard error, with the program's name.
+// Writes to the standard error, with the program's name.
 void complain(const std::string& message);
 int usage_error(const std::string& message);
 std::string farewell(int signal);  // where there are no results
 int unknown_driver(const std::string& name);
 
-// "osmesa, egl, ..."; of those that give a context, or of all.
+// "osmesa, egl, ...": the drivers that give a context, or all.
 enum class DriverKind { with_context, any };
 std::string driver_names(DriverKind kind);
 
-// They note a signal where they have begun what they end themselves, so that what is written is whole.
+// They only note a signal while they do something that they must finish themselves, so that files are whole.
 int drivers_command(Interruption& interruption);
 int list_command(const ListCommand& options);
 int run_command(const RunCommand& options, Interruption& interruption);
@@ -35,7 +35,7 @@ int bench_command(const BenchCommand& options, Interruption& interruption);
 int paper_command(const PaperCommand& options, Interruption& interruption);
 int web_command(const WebCommand& options, Interruption& interruption);
 
-// A context with what stands above every result; or the exit status, after a message, where there is none.
+// A context, and the provenance that stands above every result. Without a context: the exit status, after a message.
 struct OpenDriver {
   std::unique_ptr<Context> context;
   Provenance provenance;

@@ -5,8 +5,8 @@
 
 namespace hn {
 
-// The folder that holds them, found from the program's own path, so that both can be moved: the one beside the program,
-// where the build has them, or the one that an installed program has. The latter if there is none.
+// The folder that holds them. It is found from the program's own path, so that both can be moved. It is the folder
+// beside the program, as in a build; if that is missing, it is the folder of an installed program.
 std::filesystem::path data_folder_of(const std::filesystem::path& program);
 
 }  // namespace hn

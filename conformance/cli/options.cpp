@@ -25,7 +25,7 @@ void add_statuses(CLI::App& command, const std::string& statuses) {
 
 // Options that several commands have.
 void add_driver(CLI::App& command, std::string& driver) {
-  command.add_option("--driver", driver, "One of those that hn-conform drivers lists")
+  command.add_option("--driver", driver, "A driver that hn-conform drivers lists")
       ->type_name("NAME")
       ->capture_default_str();
 }
@@ -37,17 +37,17 @@ void add_filter(CLI::App& command, std::vector<std::string>& filters, const std:
 }
 
 void add_thorough(CLI::App& command, bool& thorough) {
-  command.add_flag("--thorough", thorough, "Every setting of the knobs in every version and stage, not pairs of them");
+  command.add_flag("--thorough", thorough, "Run every setting of the knobs in every version and stage, not pairs only");
 }
 
 void add_out(CLI::App& command, std::string& out, const std::string& files) {
-  command.add_option("--out", out, fmt::format("The folder for {}; made if it is not there", files))
+  command.add_option("--out", out, fmt::format("The folder for {}; it is created if it does not exist", files))
       ->type_name("DIR")
       ->capture_default_str();
 }
 
 void add_glsl(CLI::App& command, std::string& directory) {
-  command.add_option("--glsl", directory, "Take this copy of glsl/ instead of the one built in")->type_name("DIR");
+  command.add_option("--glsl", directory, "Use this copy of glsl/ instead of the built-in one")->type_name("DIR");
 }
 
 void add_golden(CLI::App& command, std::string& directory) {
@@ -55,7 +55,7 @@ void add_golden(CLI::App& command, std::string& directory) {
 }
 
 void add_rounds(CLI::App& command, int& rounds) {
-  command.add_option("--rounds", rounds, "Samples of each time")
+  command.add_option("--rounds", rounds, "How many samples of each time")
       ->type_name("N")
       ->check(CLI::Range(3, 1000))
       ->capture_default_str();
@@ -66,13 +66,13 @@ CLI::Validator seconds_between(double low, double high) {
   const auto check = [=](const std::string& text) {
     double seconds = 0.0;
     const bool right = CLI::detail::lexical_cast(text, seconds) && seconds >= low && seconds <= high;
-    return right ? std::string() : fmt::format("{} is no number from {} to {}", text, low, high);
+    return right ? std::string() : fmt::format("{} is not a number from {} to {}", text, low, high);
   };
   return {check, fmt::format("FLOAT in [{} - {}]", low, high)};
 }
 
 void add_expect(CLI::App& command, std::string& directory) {
-  command.add_option("--expect", directory, "The folder of the tables of what is expected to fail")
+  command.add_option("--expect", directory, "The folder of the tables of expected failures")
       ->type_name("DIR")
       ->capture_default_str();
 }
@@ -82,23 +82,23 @@ void add_run(CLI::App& app, RunCommand& options, const std::string& faults) {
       *app.add_subcommand("run", "Run the cases on drivers and write results.json, junit.xml and index.html");
   command
       .add_option("--driver", options.drivers,
-                  "One of those that hn-conform drivers lists, a glob, or all; may be repeated")
+                  "A driver that hn-conform drivers lists, a glob, or all; may be repeated")
       ->type_name("NAME")
       ->allow_extra_args(false)
       ->capture_default_str();
   add_filter(command, options.filters, "cases");
   add_thorough(command, options.thorough);
   command.add_flag("--deal", options.deal,
-                   "Of several drivers: run what each must show on each, and every other case on one that can run it");
+                   "With several drivers: run on each what every driver must show, and each other case on one");
   add_out(command, options.out, "results.json, junit.xml and index.html");
-  command.add_option("--seed", options.suite.seed, "Of the random points")
+  command.add_option("--seed", options.suite.seed, "The seed of the random points")
       ->type_name("N")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{0xFFFFFFFF}))
       ->capture_default_str();
   command
       .add_option("--points", options.suite.points,
-                  "Compare each function with the C++ twin at so many random points (the cases *.twin), not at "
-                  "262,144 at the most; --timeout is then for each million")
+                  "How many random points the cases *.twin compare with the C++ twin, instead of at most "
+                  "262,144; --timeout is then for each million")
       ->type_name("N")
       ->check(CLI::Range(std::uint64_t{1}, kMostPoints));
   add_glsl(command, options.suite.glsl);
@@ -106,12 +106,12 @@ void add_run(CLI::App& app, RunCommand& options, const std::string& faults) {
   add_expect(command, options.expect);
   command.add_option("--shard", options.shard, "Only the Ith of N parts of the cases: 2/3 is the second of three")
       ->type_name("I/N");
-  command.add_flag("--resume", options.resume, "Go on with a run that was broken off: what it has is not run again");
+  command.add_flag("--resume", options.resume, "Continue a run that was interrupted; finished cases are not run again");
   command.add_option("--timeout", options.timeout, "Seconds that a case may take")
       ->type_name("SECONDS")
       ->check(seconds_between(0.1, 86400.0))
       ->capture_default_str();
-  command.add_option("--jobs", options.jobs, "Drivers that run at the same time")
+  command.add_option("--jobs", options.jobs, "How many drivers run at the same time")
       ->type_name("N")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
@@ -120,10 +120,10 @@ void add_run(CLI::App& app, RunCommand& options, const std::string& faults) {
       .add_option(
           "--inject", options.suite.inject,
           fmt::format(
-              "Make the driver behave as one that has a fault, to see what notices; \"list\" tells what each does: {}",
+              "Make the driver behave as if it had a fault, to see what notices it; \"list\" tells what each does: {}",
               faults))
       ->type_name("FAULT");
-  command.add_flag("--timings", options.timings, "Time the functions of the cases, too, as multiples of Perlin/Float");
+  command.add_flag("--timings", options.timings, "Also time the functions of the cases, as multiples of Perlin/Float");
 }
 
 void add_merge(CLI::App& app, MergeCommand& options) {
@@ -143,7 +143,7 @@ void add_bench(CLI::App& app, BenchCommand& options) {
   add_out(command, options.out, "bench.json, bench.csv and index.html");
   command
       .add_option("--against", options.against,
-                  "Measure a shader file as well: the expression is a float of p, a vec2 or a vec3, as in "
+                  "Also measure a shader file: the expression is a float from p, a vec2 or a vec3, as in "
                   "s=other.glsl:snoise(p); s@420=... asks for GLSL 4.20; may be repeated")
       ->type_name("NAME=FILE:EXPRESSION")
       ->allow_extra_args(false);
@@ -152,7 +152,7 @@ void add_bench(CLI::App& app, BenchCommand& options) {
       ->type_name("FILE");
   add_rounds(command, options.rounds);
   add_glsl(command, options.glsl);
-  command.add_flag("--dump", options.dump, "Write the SPIR-V that was counted, too: spirv/ID.spv");
+  command.add_flag("--dump", options.dump, "Also write the SPIR-V that was counted: spirv/ID.spv");
 }
 
 void add_paper(CLI::App& app, PaperCommand& options) {
@@ -163,8 +163,8 @@ void add_paper(CLI::App& app, PaperCommand& options) {
   add_rounds(command, options.rounds);
   add_glsl(command, options.glsl);
   command.add_flag("--dump", options.dump,
-                   "Write what was measured, too: the values of the statistics as grids/ID.f32, the SPIR-V that was "
-                   "counted as spirv/ID.spv");
+                   "Also write what was measured: the values of the statistics as grids/ID.f32, and the SPIR-V that "
+                   "was counted as spirv/ID.spv");
 }
 
 void add_web(CLI::App& app, WebCommand& options) {
@@ -225,7 +225,7 @@ bool has_option(const CLI::App& command, const std::string& name) {
   return std::ranges::count(names_of_options(command), name) != 0;
 }
 
-// The first argument that a command did not take; "--" says of the others that they are no options.
+// The first argument that a command did not take; "--" says of the others that they are not options.
 std::string first_left_over(const CLI::App& command) {
   const auto left = command.remaining();
   const auto first = std::ranges::find_if(left, [](const std::string& argument) { return argument != "--"; });
@@ -248,7 +248,7 @@ tl::unexpected<Stop> unexpected_argument(const CLI::App& app) {
   }
   for (const CLI::App* const other : commands_of(app)) {
     if (&command != &app || !has_option(*other, word)) continue;
-    return wrong(fmt::format("{} stands behind a command, as in {} {}", word, full_name(app, *other), word));
+    return wrong(fmt::format("{} belongs after a command, as in {} {}", word, full_name(app, *other), word));
   }
   return wrong(fmt::format("there is no option {}{}", word, suggestion(word, names_of_options(command))));
 }
@@ -321,8 +321,8 @@ tl::expected<Command, Stop> parse_options(int argc, const char* const* argv, con
   add_statuses(list_app, "0 done, 2 bad usage");
   add_filter(list_app, list.filters, "cases");
   add_thorough(list_app, list.thorough);
-  list_app.add_flag("--about", list.about, "Tell where cases come from, too: where a bug was reported");
-  list_app.add_flag("--checks", list.checks, "Tell what each check holds against what, as docs/checks.md")->excludes("--filter");
+  list_app.add_flag("--about", list.about, "Also tell where cases come from: where a bug was reported");
+  list_app.add_flag("--checks", list.checks, "Tell what each check demands (docs/checks.md)")->excludes("--filter");
   add_run(app, run, installation.faults);
   add_merge(app, merge);
   add_bench(app, bench);
@@ -333,7 +333,7 @@ tl::expected<Command, Stop> parse_options(int argc, const char* const* argv, con
   std::string topic;
   CLI::App& help_app = *app.add_subcommand("help", "Tell what a command does, as its option --help does");
   add_statuses(help_app, "0 done, 2 bad usage");
-  help_app.add_option("COMMAND", topic, "One of the others")->type_name("");
+  help_app.add_option("COMMAND", topic, "One of the other commands")->type_name("");
 
   try {
     app.parse(argc, argv);

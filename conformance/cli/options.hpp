@@ -12,7 +12,7 @@
 
 namespace hn {
 
-// Exit statuses. 0 is: all as expected.
+// Exit statuses. 0 means that all is as expected.
 constexpr int kNotAsExpected = 1;
 constexpr int kBadUsage = 2;
 constexpr int kNoDriver = 3;
@@ -82,7 +82,7 @@ struct WebCommand {
 using Command =
     std::variant<DriversCommand, ListCommand, RunCommand, MergeCommand, BenchCommand, PaperCommand, WebCommand>;
 
-// Where nothing is to be done: help or the version was asked for, or the usage is wrong.
+// There is nothing to do: help or the version was requested, or the usage is wrong.
 struct Stop {
   int status;       // of the program: 0 or kBadUsage
   std::string out;  // for the standard output
@@ -96,10 +96,10 @@ struct Installation {
   std::string faults = {};  // the names for --inject
 };
 
-// Does nothing but read the arguments, the first of which is the program's name.
+// Only reads the arguments. The first is the program's name.
 tl::expected<Command, Stop> parse_options(int argc, const char* const* argv, const Installation& installation);
 
-// The arguments after the first, as a shell would take them again, behind "hn-conform".
+// The arguments after the first, quoted for a shell, after "hn-conform".
 std::string command_line(int argc, const char* const* argv);
 
 }  // namespace hn

@@ -189,7 +189,7 @@ void add_timings(std::vector<Run>& runs, const RunPlan& plan, const std::filesys
       runs[i].timings = report->at("timings").dump();
     } else {
       complain(fmt::format("the functions cannot be timed on {}: {}", runs[i].driver,
-                           report ? "its process has something else to say" : report.error().text()));
+                           report ? "its process sent an unexpected report" : report.error().text()));
     }
   }
 }
@@ -261,7 +261,7 @@ Result<RunPlan> make_plan(const RunCommand& options, const DriverChoice& choice,
                           const Inquiry& inquiry) {
   HN_TRY(auto shard, parse_shard(options.shard));
   if (options.deal && !options.shard.empty()) {
-    return fail("--deal and --shard do not go together: each machine would deal to its own drivers");
+    return fail("--deal and --shard cannot be combined: each machine would deal to its own drivers");
   }
   RunPlan plan{.drivers = plan_drivers(choice.names, cases, shard, options.deal, inquiry),
                .suite = options.suite,
@@ -269,7 +269,7 @@ Result<RunPlan> make_plan(const RunCommand& options, const DriverChoice& choice,
                .jobs = options.jobs,
                .limit = std::chrono::milliseconds(static_cast<std::int64_t>(options.timeout * 1000.0)),
                .fail_fast = options.fail_fast};
-  if (plan.drivers.empty()) return fail("there is nothing to do: none of the cases is for one of the drivers");
+  if (plan.drivers.empty()) return fail("there is nothing to do: no case is for one of these drivers");
   return plan;
 }
 

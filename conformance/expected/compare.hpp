@@ -1,4 +1,4 @@
-// Holding results against what is expected, word by word.
+// Comparing results with the expected ones, word by word.
 #pragma once
 
 #include <cstdint>
@@ -11,17 +11,17 @@
 
 namespace hn {
 
-// Units in the last place between two floats: how many floats lie between them, plus one if they differ. NaN is as far
-// as can be from everything but NaN.
+// Units in the last place between two floats: how many floats lie between them, plus one if they differ. NaN has the
+// largest distance from everything but NaN.
 std::uint64_t ulp_distance(float a, float b);
 
 // Adds up comparisons; the first value that is off becomes the message, and the first few are kept.
 class Comparison {
  public:
-  // grid: the input words of all points, of which those of a wrong value are a part.
+  // grid: the input words of all points. The words of a wrong value's point are taken from it.
   Comparison(const Function& function, std::span<const std::uint32_t> grid) : function_(function), grid_(grid) {}
 
-  // Where every bit counts. column: the output of the function that it is, if it is one.
+  // For values that must agree in every bit. column: the output of the function, if the value is one.
   void bits(std::span<const std::uint32_t> inputs, std::uint32_t got, std::uint32_t expected,
             std::optional<std::size_t> column = {});
   // Else |got - expected| <= allowed. NaN is never right.
@@ -30,7 +30,7 @@ class Comparison {
   // For properties: a value that is right or not, with a sentence that says what it should be.
   void require(bool right, std::span<const std::uint32_t> inputs, float got, std::string_view should);
 
-  // Goes on with other points: what is compared from here on is of these, and their numbers follow.
+  // Continues with other points: later comparisons belong to these, and their numbers follow the earlier ones.
   void next_grid(std::span<const std::uint32_t> grid);
 
   bool all_right() const { return outcome_.mismatches == 0; }
@@ -51,10 +51,10 @@ class Comparison {
 // "x=1.5 (3fc00000) seed=7 (00000007)": the input words of a function, for messages.
 std::string describe_inputs(const Function& function, std::span<const std::uint32_t> inputs);
 
-// Holds a result against the twin's at the same point.
+// Compares a result with the twin's at the same point.
 void compare_with_twin(Comparison& comparison, const Evaluation& evaluation, std::span<const std::uint32_t> inputs,
                        std::span<const std::uint32_t> got, std::span<const std::uint32_t> twin, double allowed);
-// Holds a result against the values of a golden file.
+// Compares a result with the values of a golden file.
 void compare_with_golden(Comparison& comparison, const Function& function, const Configuration& configuration,
                          std::span<const std::uint32_t> inputs, std::span<const std::uint32_t> got,
                          std::span<const std::uint64_t> values);

@@ -135,7 +135,7 @@ class Parser {
       }
       out.push_back(value);
     }
-    if (!text.empty()) return error(fmt::format("{} is more than the columns", in_quotes(text)));
+    if (!text.empty()) return error(fmt::format("{} follows after the last column", in_quotes(text)));
     return {};
   }
 

@@ -1,4 +1,5 @@
-// Two ways to the same values, as data: the metamorphic checks evaluate both on a driver, the page in a browser.
+// Two ways to compute the same values, as data: the metamorphic checks evaluate both on a driver, the page in a
+// browser.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +19,7 @@ struct Pairing {
   std::vector<double> allowed;              // by point; 0 if every bit counts
   bool exact;                               // every bit counts
 
-  // Whether each word of a result is of another point: of the one at hand, and of its neighbours.
+  // Whether each word of a result belongs to another point: to the point itself, and to its neighbours.
   bool in_loop() const { return evaluation.variant.shape == Shape::in_loop; }
 };
 
@@ -28,7 +29,7 @@ inline constexpr std::size_t kPairingPoints = std::size_t{1} << 12;
 // A variant of the shader, or another stage, against the plain fragment shader.
 Pairing variant_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
 // Points that are constants in the shader's text, so that the compiler may evaluate the function itself: few of them,
-// whatever is asked for.
+// whatever count is given.
 Pairing folded_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
 // Points a whole number of periods apart.
 Pairing period_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);

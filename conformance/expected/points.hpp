@@ -23,15 +23,15 @@ class Random {
   std::uint64_t state_;
 };
 
-// What is among the points besides those for which every arithmetic has a value that it must be near to.
+// The points besides those at which every arithmetic must be near a defined value.
 enum class Extremes {
   none,
-  // Coordinates that are subnormal, tiny, -0 or huge. For octave sums they are below 2^96, so that no float overflows, and
-  // some of the tiny ones come with a huge lacunarity.
+  // Coordinates that are subnormal, tiny, -0 or huge. For octave sums they are below 2^96, so that no float overflows,
+  // and some of the tiny ones come with a huge lacunarity.
   floats,
   integers,  // also places beyond a cell, and settings of octave sums that are cut off: only integers have values there
 };
-// Those for which the bits of a configuration's results are defined.
+// The special points at which the bits of a configuration's results are defined.
 Extremes defined_extremes(const Configuration& configuration);
 
 // count points for a function, kInputWords words each. Words: edge values and random ones. Cells: near, negative, far

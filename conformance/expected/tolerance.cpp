@@ -87,7 +87,7 @@ OctaveSum octave_sum_of(const Function& function) {
   if (function.bound == "fbm") return OctaveSum::fbm;
   if (function.bound == "turbulence") return OctaveSum::turbulence;
   if (function.bound == "clouds") return OctaveSum::clouds;
-  throw std::logic_error(fmt::format("{}: '{}' is no octave sum", function.id, function.bound));
+  throw std::logic_error(fmt::format("{}: '{}' is not an octave sum", function.id, function.bound));
 }
 
 double octave_tolerance(OctaveSum kind, int axes, const OctaveArguments& arguments, Gradient gradient) {

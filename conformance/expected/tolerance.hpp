@@ -39,8 +39,8 @@ struct OctaveArguments {
 double octave_tolerance(OctaveSum kind, int axes, const OctaveArguments& arguments,
                         Gradient gradient = Gradient::octahedral);
 
-// The bound for a function at a point given by its input words; 0 where every bit is defined. (Of what fixed arithmetic
-// is off the real numbers it says nothing: that has golden files of its own.)
+// The bound for a function at a point given by its input words; 0 where every bit is defined. (It does not
+// bound the difference of fixed arithmetic from the real numbers: golden files of its own check that arithmetic.)
 double tolerance(const Function& function, const Configuration& configuration, std::span<const std::uint32_t> inputs);
 
 }  // namespace hn

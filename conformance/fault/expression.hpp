@@ -37,7 +37,7 @@ struct Expression {
 const Expression& bare(const Expression& expression);
 // Whether it is made of numbers alone.
 bool is_constant(const Expression& expression);
-// "floor" of floor(x) with one argument; empty if it is no such call.
+// "floor" of floor(x) with one argument; empty if it is not such a call.
 std::string_view called_with_one(const Expression& expression);
 
 // Reads expressions from a row of tokens.
@@ -47,7 +47,7 @@ class ExpressionParser {
 
   const Token& peek(std::size_t ahead = 0) const;
   Token take();
-  // What was found where something else should be; empty if all went well. After an error only ends are read.
+  // What was found in a wrong place; empty if all went well. After an error only ends are read.
   const std::string& error() const { return error_; }
   Token expect(std::string_view what);
 

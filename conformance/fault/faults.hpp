@@ -1,5 +1,5 @@
-// Faults that drivers have had, made on a healthy one: the code of each shader is rewritten so that what the driver got
-// wrong goes through functions that get it wrong likewise. glsl/ stays as it is.
+// Faults that drivers have had, made on a healthy one: the code of each shader is rewritten. What the driver got wrong
+// then goes through functions that make the same mistake. glsl/ stays as it is.
 #pragma once
 
 #include <functional>
@@ -28,8 +28,8 @@ struct Fault {
 std::span<const Fault> all_faults();
 const Fault* find_fault(std::string_view name);
 std::string fault_names();  // "abs_int, ..."
-// For people, and for tools/faults: the name of each, and below it lines such as "  injected: abs of an int is the
-// int".
+// For people, and for tools/faults: the name of each, and below it lines such as "  injected: abs returns an int as
+// it is".
 std::string fault_list();
 
 // The shader with the fault, its lines numbered as before.

@@ -68,7 +68,7 @@ void add_builtins(std::vector<Fault>& faults) {
        .fault = "sin wrong for large, small and near-pi/2 arguments",
        .reported = "taisei 189 (Intel above 1e4); dxvk 4866",
        .injected = "sin is 0 above 10^4, 0 below 2^-10, and 2^-9 too large near pi/2",
-       .remark = "GLSL bounds no error of sin: only what leaves OpenGL's and Vulkan's bounds within a turn fails",
+       .remark = "GLSL states no bound for sin: only an error beyond OpenGL's and Vulkan's bounds within a turn fails",
        .shim =
            [](const ShimLanguage& language) {
              return unary_shim(language, "hn_fault_sin", "float",
@@ -81,7 +81,7 @@ void add_builtins(std::vector<Fault>& faults) {
        .fault = "fract(sin(x)) differing by GPU",
        .reported = "wgpu 9561 (Apple A12/A14); godot 106210; three.js 33467",
        .injected = "sin has steps of 2^-7",
-       .remark = "fract of a large multiple of sin has no digit that GLSL bounds: a warning; steps beyond 2^-11 fail",
+       .remark = "GLSL bounds no digit of the fract of a large multiple of sin: a warning; steps beyond 2^-11 fail",
        .shim =
            [](const ShimLanguage& language) {
              return unary_shim(language, "hn_fault_sin", "float", "return floor(sin(a) * 128.0) / 128.0;");
@@ -109,7 +109,7 @@ void add_builtins(std::vector<Fault>& faults) {
                     .fault = "mod wrong at integers",
                     .reported = "WebGL `modulo-arithmetic-accuracy`; libultraship 1096 (PowerVR)",
                     .injected = "mod multiplies by a reciprocal that is 2^-7 too large",
-                    .remark = "at multiples of y any value of 0 or y is within the bound of a quotient: a warning",
+                    .remark = "at multiples of y both 0 and y are within the bound of a quotient: a warning",
                     .shim =
                         [](const ShimLanguage& language) {
                           return binary_shim(language, "hn_fault_mod", "float",
@@ -144,7 +144,7 @@ void add_arithmetic(std::vector<Fault>& faults) {
       {.name = "mediump_everywhere",
        .fault = "mediump hash",
        .reported = "ashima/webgl-noise 25 (iOS); stegu/webgl-noise 11",
-       .injected = "in ES, highp is taken for mediump: `+`, `-`, `*` keep 16 bits of integers and 11 of floats",
+       .injected = "in ES, highp is treated as mediump: `+`, `-`, `*` keep 16 bits of integers and 11 of floats",
        .remark = "a hash in mediump variables may lose its bits: a warning",
        .shim =
            [](const ShimLanguage& language) {
@@ -170,7 +170,7 @@ void add_conversions(std::vector<Fault>& faults) {
       {.name = "uint_to_float",
        .fault = "uint to float rounded wrongly",
        .reported = "seen on several",
-       .injected = "float(uint) keeps 23 bits of those beyond 2^23",
+       .injected = "float(uint) keeps 23 bits of numbers beyond 2^23",
        .remark = "beyond 24 bits any rounding is allowed: a warning",
        .shim =
            [](const ShimLanguage& language) {

@@ -48,8 +48,8 @@ void add_arithmetic(std::vector<Fault>& faults) {
       {.name = "modulo_sign",
        .fault = "negative `%` folded as unsigned, or differing between constant and variable",
        .reported = "gfx-rs/wgpu 9687 (NVIDIA); godot 78429; dolphin 3509",
-       .injected = "`%` takes an int for a uint, and a uint for an int",
-       .remark = "`%` of a negative int is undefined, so that alone is a warning; of a large uint it is not",
+       .injected = "`%` treats an int as a uint, and a uint as an int",
+       .remark = "`%` of a negative int is undefined and only a warning; `%` of a large uint is defined",
        .shim =
            [](const ShimLanguage& language) {
              return binary_shim(language, "hn_fault_modulo", "int", "return int(uint(a) % uint(b));") +
@@ -109,7 +109,7 @@ void add_functions(std::vector<Fault>& faults) {
   faults.push_back({.name = "abs_int",
                     .fault = "abs(int) wrong",
                     .reported = "ANGLE emulate_abs_int_function (crbug 642227)",
-                    .injected = "abs of an int is the int",
+                    .injected = "abs returns an int as it is",
                     .remark = "",
                     .shim =
                         [](const ShimLanguage& language) {

@@ -1,5 +1,5 @@
-// Rewrites the code of a shader, so that operators and calls go through functions of a fault. Line by line the text
-// stays what it is: nothing moves to another line.
+// Rewrites the code of a shader, so that operators and calls go through functions of a fault. Nothing moves to
+// another line.
 #pragma once
 
 #include <functional>

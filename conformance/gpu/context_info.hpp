@@ -1,4 +1,4 @@
-// What a context says of itself, and which versions of the language it takes.
+// What a context says about itself, and which versions of the language it accepts.
 #pragma once
 
 #include <string>

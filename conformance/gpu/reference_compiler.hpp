@@ -1,4 +1,5 @@
-// Khronos' own opinion on a shader: glslang for the language, SPIRV-Tools for what glslang makes of it for Vulkan.
+// Khronos' own opinion on a shader: glslang judges the language, and SPIRV-Tools the SPIR-V that glslang makes for
+// Vulkan.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +25,7 @@ class ReferenceCompiler {
   // errors.
   Result<void> check(const ShaderText& shader, const Profile& profile, Stage stage) const;
 
-  // The SPIR-V of a shader of the Vulkan profile. Warnings are let pass: the shader may be somebody else's.
+  // The SPIR-V of a shader of the Vulkan profile. Warnings are allowed: the shader may be somebody else's.
   Result<std::vector<std::uint32_t>> spirv(const ShaderText& shader, Stage stage) const;
 };
 

@@ -1,4 +1,4 @@
-// What there is to say of a module of SPIR-V.
+// What can be said about a module of SPIR-V.
 #pragma once
 
 #include <cstdint>

@@ -16,7 +16,7 @@ struct GridSize {
   GLsizei width;
   GLsizei height;
 };
-// Of a grid that holds so many points.
+// The size of a grid that holds this number of points.
 GridSize grid_size(std::size_t points);
 
 // The results of the fragment stage are pixels, those of the vertex stage are captured by transform feedback, a draw

@@ -37,9 +37,9 @@ struct Configuration {
   bool sine() const { return gradient == Gradient::sine; }
   bool fast() const { return arithmetic == Arithmetic::fast; }
   bool covers(Family family) const { return (families & static_cast<unsigned>(family)) != 0; }
-  // The name less the arithmetic: case ids have a part of their own for that.
+  // The name without the arithmetic, which has its own part in case ids.
   std::string_view name_without_arithmetic() const;
-  // Whether it differs from the default in the arithmetic at most.
+  // Whether it is the default, apart from the arithmetic.
   bool default_but_for_arithmetic() const { return name_without_arithmetic() == "lattice"; }
 };
 

@@ -26,7 +26,7 @@ std::vector<Column> parse_columns(std::string_view text) {
     const auto end = std::min(text.find(' '), text.size());
     const auto item = text.substr(0, end);
     const auto colon = item.find(':');
-    if (colon == std::string_view::npos) throw std::logic_error(fmt::format("'{}' is no column", item));
+    if (colon == std::string_view::npos) throw std::logic_error(fmt::format("'{}' is not a column", item));
     columns.push_back({item.substr(0, colon), type_of(item.substr(colon + 1))});
     text.remove_prefix(std::min(end + 1, text.size()));
   }
@@ -64,7 +64,7 @@ Function make_function(std::string_view id, std::string_view file, Family family
                        std::string_view columns, std::string_view call, std::string_view body) {
   constexpr std::string_view kEquals = " = ";
   const auto equals = columns.find(kEquals);
-  if (equals == std::string_view::npos) throw std::logic_error(fmt::format("{}: no column comes out", id));
+  if (equals == std::string_view::npos) throw std::logic_error(fmt::format("{}: it has no output column", id));
   Function function{id,   file, family, bound, columns, call, body, parse_columns(columns.substr(0, equals)),
                     parse_columns(columns.substr(equals + kEquals.size())), 0};
   function.axes = axes_of(function.inputs);

@@ -44,7 +44,7 @@ struct Function {
   int seed_word() const { return input("seed"); }
 };
 
-// What a row of the table says. Throws if the columns are no columns.
+// What a row of the table says. Throws if the columns are not columns.
 Function make_function(std::string_view id, std::string_view file, Family family, std::string_view bound,
                        std::string_view columns, std::string_view call, std::string_view body);
 

@@ -19,7 +19,7 @@ TEST(Profile, WhatAContextCannotCompileHasAReason) {
   EXPECT_EQ(unsupported_reason(profile_named("es300"), desktop), "this context compiles no GLSL ES");
   EXPECT_EQ(unsupported_reason(profile_named("es320"), {450, 310}), "GLSL ES 3.20 is beyond this context's 3.10");
   const LanguageSupport strict_core{450, 0, false, false};
-  EXPECT_EQ(unsupported_reason(profile_named("gl130"), strict_core), "this context takes no GLSL 1.30");
+  EXPECT_EQ(unsupported_reason(profile_named("gl130"), strict_core), "this context does not accept GLSL 1.30");
   EXPECT_EQ(unsupported_reason(profile_named("gl140"), strict_core), "");
 }
 

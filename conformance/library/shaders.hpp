@@ -55,7 +55,7 @@ struct Evaluation {
 std::string evaluation_shader(const Evaluation& evaluation);
 std::string vertex_shader();         // for evaluation in the fragment stage
 std::string idle_fragment_shader();  // for evaluation in the vertex stage
-// The same for a shader that is no case: evaluate(uvec4 a, uvec4 b) is declared, and what follows is the caller's.
+// The same for a shader that is not a case: evaluate(uvec4 a, uvec4 b) is declared, and what follows is the caller's.
 std::string shader_that_evaluates(const Evaluation& evaluation, std::string_view rest);
 // A shader of any stage that includes a file, twice, and calls what it declares.
 std::string calling_shader(std::string_view file, const Configuration& configuration, const Profile& profile,

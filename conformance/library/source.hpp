@@ -31,13 +31,13 @@ class SourceSet {
   // Adds a file that is not the library's, to be included as name and called path in messages.
   void add(std::string name, std::string text, std::string path);
 
-  // What a folder has in place of the library that this program was built with; nothing of an embedded one.
+  // How a folder's library differs from the one that this program was built with. Nothing for the embedded one.
   const std::optional<EditedLibrary>& edited() const { return edited_; }
 
   // Null if there is no such file.
   const SourceFile* find(std::string_view name) const;
 
-  // What becomes of every shader that is expanded from this set, in the end; nothing unless it is set.
+  // The last step for every shader that is expanded from this set. There is none unless it is set.
   using Transform = std::function<Result<void>(ShaderText&, const Profile&)>;
   void transform_with(Transform transform) { transform_ = std::move(transform); }
   const Transform& transform() const { return transform_; }
@@ -53,12 +53,12 @@ struct Directive {
   std::string_view word;
   std::string_view rest;  // begins with no space
 };
-// Nothing if the line is no such line.
+// Nothing if the line is not such a line.
 std::optional<Directive> directive_of(std::string_view line);
 // The name in #include "name"; nothing for any other line.
 std::optional<std::string_view> included_name(std::string_view line);
 
-// Those of a folder, or the embedded ones if none is named.
+// The files of a folder, or the embedded ones if no folder is named.
 Result<SourceSet> library_sources(const std::string& directory);
 
 // A shader with its includes expanded, and the way back from a line number in a log to a file and a line.

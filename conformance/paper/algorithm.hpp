@@ -27,7 +27,7 @@ struct Algorithm {
   bool printed;            // the paper has it
 };
 
-// In the paper's order; the library's default hash, which it has not, comes last.
+// In the paper's order. The library's default hash is not in the paper and comes last.
 std::span<const Algorithm> all_algorithms();
 const Algorithm& algorithm_named(std::string_view name);  // it must exist
 

@@ -221,7 +221,7 @@ def statistics_faults(sample, data):
     values = floats(data)
     count = len(values)
     if count != 1 << 20 or not all(map(math.isfinite, values)):
-        return [f"{sample['id']}: {count} values, or some that are no numbers"]
+        return [f"{sample['id']}: {count} values, or some that are not numbers"]
     mean = math.fsum(values) / count
     first = [value - mean for value in values]
     second = list(map(operator.mul, first, first))

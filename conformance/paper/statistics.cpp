@@ -38,7 +38,7 @@ double z_of_kurtosis(double kurtosis, double n) {
 }  // namespace
 
 Result<Moments> moments(std::span<const float> values) {
-  if (values.empty()) return fail("there are no moments of no values");
+  if (values.empty()) return fail("without values there are no moments");
   const auto odd = std::find_if(values.begin(), values.end(), [](float value) { return !std::isfinite(value); });
   if (odd != values.end()) {
     return fail(fmt::format("there are no moments: value {} of {} is {}", odd - values.begin(), values.size(), *odd));
@@ -75,10 +75,10 @@ std::vector<std::uint64_t> histogram(std::span<const float> values, double low, 
 Result<NormalityTest> normality_test(const Moments& sample) {
   constexpr std::size_t kFewest = 8;  // as scipy: below, the fit to the skewness is undefined
   if (sample.count < kFewest) {
-    return fail(fmt::format("the normality test wants {} values or more, not {}", kFewest, sample.count));
+    return fail(fmt::format("the normality test needs {} values or more, not {}", kFewest, sample.count));
   }
   if (!std::isfinite(sample.skewness) || !std::isfinite(sample.excess_kurtosis)) {
-    return fail("the normality test wants values that are not all the same");
+    return fail("the normality test needs values that are not all the same");
   }
   const auto n = static_cast<double>(sample.count);
   NormalityTest result;

@@ -77,11 +77,11 @@ TEST(Statistics, ValuesAllTheSameHaveNoShape) {
   EXPECT_TRUE(std::isnan(result->excess_kurtosis));
   const auto test = normality_test(*result);
   ASSERT_FALSE(test);
-  EXPECT_EQ(test.error().message, "the normality test wants values that are not all the same");
+  EXPECT_EQ(test.error().message, "the normality test needs values that are not all the same");
 }
 
 TEST(Statistics, MomentsOfNothingOrOfNanAreAnError) {
-  EXPECT_EQ(moments({}).error().message, "there are no moments of no values");
+  EXPECT_EQ(moments({}).error().message, "without values there are no moments");
   const auto nan = moments(std::array{1.0f, std::numeric_limits<float>::quiet_NaN(), 2.0f});
   ASSERT_FALSE(nan);
   EXPECT_EQ(nan.error().message, "there are no moments: value 1 of 3 is nan");

@@ -91,7 +91,7 @@ void add_remark(pugi::xml_node test, const char* element, std::string_view type,
 std::string failure_text(const CaseResult& result) {
   const Outcome& outcome = result.outcome;
   if (!is_bad(outcome.status)) {
-    return fmt::format("it is excused ({}) and needs no excuse: take it from the expectations", result.excuse);
+    return fmt::format("it is excused ({}) and needs no excuse: remove it from the expected failures", result.excuse);
   }
   std::string text = outcome.message;
   for (const Mismatch& mismatch : outcome.examples) {

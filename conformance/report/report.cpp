@@ -94,7 +94,7 @@ std::string unneeded_lines(const Run& run) {
   for (const auto& [excuse, cases] : by_excuse) {
     text += fmt::format("{:<7} {}{}\n", upper_case(name_of(cases.front()->outcome.status)), cases.front()->id,
                         cases.size() == 1 ? "" : fmt::format(" and {} more", cases.size() - 1));
-    text += fmt::format("  it is excused ({}), and needs no excuse: take it from the expectations\n", excuse);
+    text += fmt::format("  it is excused ({}), and needs no excuse: remove it from the expected failures\n", excuse);
   }
   return text;
 }
@@ -134,7 +134,7 @@ std::string edited_libraries(const std::vector<Run>& runs) {
 std::string summary(const Run& run) {
   if (!run.absent.empty()) return fmt::format("{} is not here: {}\n", run.driver, run.absent);
   if (run.cases.empty() && run.not_run != 0) {
-    return fmt::format("{}: {} cases, none of which was run\n", run.driver, run.not_run);
+    return fmt::format("{}: none of its {} cases was run\n", run.driver, run.not_run);
   }
   double seconds = 0.0;
   std::uint64_t samples = 0;

@@ -15,7 +15,7 @@ namespace hn {
 // All three files. problems: as for report_page.
 Result<void> write_results(const std::filesystem::path& directory, const std::vector<Run>& runs,
                            const std::vector<std::string>& problems = {});
-// What it will write can be written, and what an earlier run wrote is gone.
+// Makes sure that the files can be written, and removes those of an earlier run.
 Result<OutputFolder> prepare_results(const std::filesystem::path& directory);
 
 // A line for each copy of the library that was tested in place of the program's own; mostly nothing.

@@ -84,7 +84,7 @@ Json page_case(const CaseResult& result, Shown& shown) {
       shown.evidence_bytes += bytes;
       evidence = evidence_of(*result.evidence);
     } else {
-      left_out = "Its pictures and its shader are in results.json only, since this page has enough of them.";
+      left_out = "Its pictures and its shader are in results.json only, since this page shows only a limited number.";
     }
   }
   const Json examples = examples_of(outcome);

@@ -120,7 +120,7 @@ Json names_of(const std::vector<const Run*>& runs) {
   return names;
 }
 
-// The largest differences from the golden values, of functions that are no exact ones.
+// The largest differences from the golden values, of functions that are not exact ones.
 Json page_errors(const std::vector<const Run*>& here) {
   std::vector<const Run*> measured;                         // runs that have any
   std::map<std::string_view, std::vector<double>> largest;  // by function: of each such run

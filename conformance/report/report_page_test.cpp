@@ -74,7 +74,7 @@ TEST(Page, SaysWhatFailuresHaveInCommon) {
                                             result("noise2d.perlin.lattice.fast.fragment.gl330.golden", Status::pass),
                                             result("noise2d.perlin.lattice.fast.fragment.gl330.twin", Status::pass)})});
   EXPECT_TRUE(has(page, "<p>Every failing case is with HN_FIXED; all 2 with HN_FAST pass.</p>"));
-  EXPECT_TRUE(has(page, "the furthest off by 0.7, where 3.5e-06 is allowed."));
+  EXPECT_TRUE(has(page, "the largest difference is 0.7, and 3.5e-06 is allowed."));
   EXPECT_FALSE(has(page, "units in the last place"));
 }
 

@@ -60,7 +60,7 @@ TEST(Summary, SaysWhatWasNotRun) {
   hn::Run not_begun;
   not_begun.driver = "zink";
   not_begun.not_run = 5;
-  EXPECT_EQ(summary(not_begun), "zink: 5 cases, none of which was run\n");
+  EXPECT_EQ(summary(not_begun), "zink: none of its 5 cases was run\n");
 }
 
 CaseResult wrong(const std::string& id) {
@@ -85,7 +85,7 @@ TEST(Summary, SaysEachThingOnce) {
       "Every failing case is in 2D; the one in 3D passes.\n"
       "FAIL    2 of 3 cases of noise2d.perlin (only with HN_FIXED)\n"
       "  such as noise2d.perlin.lattice.fixed.fragment.gl330.golden\n"
-      "  4 of 10 values are wrong, the furthest off by 0.7, where 3.5e-06 is allowed\n"
+      "  4 of 10 values are wrong; the largest difference is 0.7, and 3.5e-06 is allowed\n"
       "  first at x=1.5 (3fc00000): got 0.7 (3f333333), expected 0 (00000000) within 3.5e-06\n"
       "CRASH   fbm.fbm2.lattice.fast.fragment.gl330.twin\n"
       "  ended by signal 11; it printed:\n"

@@ -27,7 +27,8 @@ Result<std::vector<Expectation>> parse_expectations(std::string_view text, const
   // The reader ends a line at a NUL and drops the rest. And it looks at the byte behind the text, which is anything,
   // unless the text ends with a line.
   if (const auto nul = text.find('\0'); nul != std::string_view::npos) {
-    return fail(fmt::format("{}:{}: a table has no NUL", path, 1 + std::count(text.begin(), text.begin() + nul, '\n')));
+    const auto line = 1 + std::count(text.begin(), text.begin() + nul, '\n');
+    return fail(fmt::format("{}:{}: a table must not contain NUL", path, line));
   }
   const std::string lines = fmt::format("{}{}", text, text.ends_with('\n') ? "" : "\n");
   std::vector<Expectation> expectations;
@@ -42,7 +43,7 @@ Result<std::vector<Expectation>> parse_expectations(std::string_view text, const
       row.place = fmt::format("{}:{}", path, reader.get_file_line());
       const auto named = status_named(status);
       if (!named || !is_bad(*named)) {
-        return fail(fmt::format("{}: the status \"{}\" is none of {}", row.place, status, bad_statuses()));
+        return fail(fmt::format("{}: the status \"{}\" is not one of {}", row.place, status, bad_statuses()));
       }
       if (row.driver.empty() || row.renderer.empty() || row.id.empty()) {
         return fail(fmt::format("{}: driver, renderer and case must not be empty; * stands for any", row.place));
@@ -64,7 +65,7 @@ Result<std::vector<Expectation>> read_expectations(const std::filesystem::path& 
     if (entry.path().extension() == ".csv") files.push_back(entry.path());
   }
   if (error) {
-    return fail(fmt::format("cannot read the folder {}: {}; --expect wants the folder of the tables of what may fail",
+    return fail(fmt::format("cannot read the folder {}: {}; --expect wants the folder with tables of what may fail",
                             directory.string(), error.message()));
   }
   std::sort(files.begin(), files.end());

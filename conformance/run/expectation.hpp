@@ -1,4 +1,4 @@
-// What is known to go wrong on some drivers, and why that is no reason to call a run wrong.
+// What is known to go wrong on some drivers, and why that is not a reason to call a run wrong.
 #pragma once
 
 #include <filesystem>
@@ -23,10 +23,10 @@ struct Expectation {
 // the file and the line.
 Result<std::vector<Expectation>> parse_expectations(std::string_view text, const std::string& path);
 
-// Of every file NAME.csv in the folder.
+// The expectations of every file NAME.csv in the folder.
 Result<std::vector<Expectation>> read_expectations(const std::filesystem::path& directory);
 
-// An expectation that names no case is one that will never be missed. The error names the first such.
+// Every expectation must match a case. The error names the first that does not.
 Result<void> check_expectations(const std::vector<Expectation>& expectations, const std::vector<std::string>& ids);
 
 // The excuse of a case, or nothing: if there is an expectation for it, and it ended so, or right.

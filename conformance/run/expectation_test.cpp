@@ -50,7 +50,7 @@ TEST(Expectations, NeedNoEndOfTheLastLine) {
 TEST(Expectations, WithANulAreNone) {
   const auto rows = parse(std::string("d,r,c,fail,why\nd,r,c,fail,why\0not", 35));
   ASSERT_FALSE(rows);
-  EXPECT_EQ(rows.error().message, "x.csv:3: a table has no NUL");
+  EXPECT_EQ(rows.error().message, "x.csv:3: a table must not contain NUL");
 }
 
 TEST(Expectations, ExcuseOnlyWhatTheyName) {
@@ -61,7 +61,7 @@ TEST(Expectations, ExcuseOnlyWhatTheyName) {
   apply_expectations(*rows, run);
   EXPECT_EQ(run.cases[0].excuse, "known (x.csv:2)");
   EXPECT_TRUE(as_expected(run.cases[0]));
-  EXPECT_FALSE(as_expected(run.cases[1])) << "a crash is no failure";
+  EXPECT_FALSE(as_expected(run.cases[1])) << "a crash is not a failure";
   EXPECT_FALSE(as_expected(run.cases[2]));
   EXPECT_TRUE(as_expected(run.cases[3]));
   hn::Run elsewhere = run_of({result("a1", Status::fail)});

@@ -1,4 +1,4 @@
-// The cases of a run that are wrong, put together: what fails, and what that has in common.
+// The wrong cases of a run in groups: what fails, and what the failures have in common.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace hn {
 
-// Cases that belong together: wrong values of a function; or what ends alike, with the same words.
+// Cases that belong together: wrong values of a function, or cases with the same status and message.
 struct FailureGroup {
   Status status;
   std::string title;    // the function; or the first line of what they say
@@ -21,13 +21,13 @@ struct FailureGroup {
   std::string text() const;
 };
 
-// What is bad and has no excuse.
+// The bad cases without an excuse.
 struct Failures {
   std::size_t failed = 0;
   std::size_t ran = 0;  // cases that are not unsupported
-  // Sentences that are true of all that failed and not of what passed, the one that tells most first: "Every failing
-  // case is in 2D; all 1311 in 3D pass." One sentence that says so if there is nothing of the kind. Empty if fewer than
-  // two cases failed.
+  // Sentences that are true of all failed cases and not of those that passed, the most telling first: "Every failing
+  // case is in 2D; all 1311 in 3D pass." If there is none, one sentence says so. Empty if fewer than two
+  // cases failed.
   std::vector<std::string> common;
   std::vector<FailureGroup> groups;  // in the order of their first cases
 };

@@ -35,7 +35,7 @@ struct SuiteOptions {
 };
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SuiteOptions, glsl, golden, inject, seed, points)
 
-// The library as these options say; an error for a folder or a fault that is none.
+// The library that these options select. An error if the folder or the fault does not exist.
 Result<SourceSet> suite_sources(const SuiteOptions& options);
 
 struct Job {
@@ -47,14 +47,14 @@ struct Job {
 };
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Job, task, driver, suite, ids, examined)
 
-// Of the text of the library and of the golden files: results of other ones do not belong together.
+// Digests of the text of the library and of the golden files. Results with different digests do not belong together.
 std::string suite_digest(const SuiteOptions& options, const SourceSet& sources);
 
 // The hidden subcommand that does a job.
 constexpr const char* kChildCommand = "child";
 
-// Does a job that has one report, and waits for it. An error: what the process said, or how it ended; or that it was
-// not waited for, since there is something to be read from stop_fd.
+// Does a job that has one report, and waits for it. An error says what the process said or how it ended. It is
+// also an error if stop_fd can be read: then this does not wait any longer.
 Result<nlohmann::json> report_of(const Job& job, const std::filesystem::path& directory,
                                  std::chrono::milliseconds limit, int stop_fd = -1);
 
@@ -67,7 +67,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LanguageSupport, gl_version, es_version, gl13
 //   {"evidence": {...}, "id": ID}     then; null in place of an object if there is none
 //   {"alive": true}                   from a case that takes long: the limit of its time starts again
 //   {"lost": true}                    after these: the context is lost, and the process ends
-//   {"timings": ...} {"devices": N}   of these tasks
+//   {"timings": ...} {"devices": N}   from these tasks
 //   {"error": "why"}                  a task cannot be done
 
 }  // namespace hn

@@ -29,7 +29,7 @@ std::string differences(const nlohmann::json& a, const nlohmann::json& b) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-// Throws what json.hpp says if a line is no report, of those that run/job.hpp describes, of a driver.
+// Throws what json.hpp says if a line is not a report, of those that run/job.hpp describes, of a driver.
 Journal::Entry entry_from(std::string_view line) {
   const nlohmann::json json = parse_json(line);
   Journal::Entry entry{json.at("driver").get<std::string>(), json.at("report")};
@@ -39,7 +39,7 @@ Journal::Entry entry_from(std::string_view line) {
   if (report.contains("result")) case_result_from(report.at("result"));
   for (const char* why : {"absent", "error"}) {
     if (report.contains(why) && !report.at(why).is_string()) {
-      throw std::invalid_argument(fmt::format("\"{}\" is no text", why));
+      throw std::invalid_argument(fmt::format("\"{}\" is not a text", why));
     }
   }
   return entry;
@@ -68,18 +68,18 @@ Result<std::vector<Journal::Entry>> parse_journal(std::string_view text, const n
     text.remove_prefix(end + 1);
     if (line == 1) {
       const nlohmann::json earlier = plan_from(current);
-      if (!earlier.is_object()) return fail("its first line is no plan");
+      if (!earlier.is_object()) return fail("its first line is not a plan");
       if (earlier != plan) {
-        return fail(fmt::format("it is of a run with other settings: {}", differences(plan, earlier)));
+        return fail(fmt::format("it belongs to a run with other settings: {}", differences(plan, earlier)));
       }
       continue;
     }
     try {
       entries.push_back(entry_from(current));
     } catch (const nlohmann::json::exception& exception) {
-      return fail(fmt::format("line {} is no report of a driver: {}", line, exception.what()));
+      return fail(fmt::format("line {} is not a report of a driver: {}", line, exception.what()));
     } catch (const std::invalid_argument& exception) {
-      return fail(fmt::format("line {} is no report of a driver: {}", line, exception.what()));
+      return fail(fmt::format("line {} is not a report of a driver: {}", line, exception.what()));
     }
   }
   return entries;

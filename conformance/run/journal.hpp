@@ -17,9 +17,9 @@ constexpr std::string_view kJournalFile = "journal.jsonl";
 // reported}.
 class Journal {
  public:
-  // Begins a new one.
+  // Begins a new journal.
   static Result<Journal> create(const std::filesystem::path& directory, const nlohmann::json& plan);
-  // Goes on with the one that is there. An error if it is none, or of a run that is about something else.
+  // Continues the journal that is there. An error if the file is not a journal, or belongs to another run.
   static Result<Journal> reopen(const std::filesystem::path& directory, const nlohmann::json& plan);
   static bool exists(const std::filesystem::path& directory);
 
@@ -30,7 +30,7 @@ class Journal {
   };
   const std::vector<Entry>& earlier() const { return earlier_; }
 
-  // In the file before it returns, whatever becomes of this process.
+  // The line is in the file before this returns, whatever happens to this process.
   void add(const std::string& driver, const nlohmann::json& report);
   // Why something could not be written; nothing is written after that.
   const std::string& problem() const { return problem_; }

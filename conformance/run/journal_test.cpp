@@ -31,12 +31,13 @@ TEST(Journal, GivesTheReportsInTheirOrder) {
 
 TEST(Journal, OfAnotherRunSaysWhatIsOther) {
   EXPECT_EQ(error_of("{\"plan\": {\"version\": \"1\", \"drivers\": 7}}\n"),
-            "it is of a run with other settings: \"drivers\"");
+            "it belongs to a run with other settings: \"drivers\"");
   nlohmann::json more = kPlan;
   more["more"] = 1;
-  EXPECT_EQ(error_of(nlohmann::json{{"plan", more}}.dump() + "\n"), "it is of a run with other settings: \"more\"");
+  EXPECT_EQ(error_of(nlohmann::json{{"plan", more}}.dump() + "\n"),
+            "it belongs to a run with other settings: \"more\"");
   for (const char* line : {"\n", "x\n", "{}\n", "[]\n", "7\n", "{\"plan\": null}\n", "{\"plan\": [1]}\n"}) {
-    EXPECT_EQ(error_of(line), "its first line is no plan") << line;
+    EXPECT_EQ(error_of(line), "its first line is not a plan") << line;
   }
 }
 
@@ -46,18 +47,18 @@ TEST(Journal, WithAWrongReportNamesTheLine) {
   for (const char* report : {"{\"result\": {\"id\": 7}}", "{\"result\": null}", "{\"ready\": {}}", "{\"absent\": 7}",
                              "{\"error\": null}", "[]", "null"}) {
     const std::string line = "{\"driver\": \"egl\", \"report\": " + std::string(report) + "}\n";
-    EXPECT_TRUE(error_of(text_with(good + line)).starts_with("line 3 is no report of a driver: ")) << line;
+    EXPECT_TRUE(error_of(text_with(good + line)).starts_with("line 3 is not a report of a driver: ")) << line;
   }
   for (const char* line : {"\n", "x\n", "[]\n", "{\"driver\": 7, \"report\": {}}\n", "{\"driver\": \"egl\"}\n"}) {
-    EXPECT_TRUE(error_of(text_with(line)).starts_with("line 2 is no report of a driver: ")) << line;
+    EXPECT_TRUE(error_of(text_with(line)).starts_with("line 2 is not a report of a driver: ")) << line;
   }
 }
 
 TEST(Journal, MayNotBeNestedWithoutEnd) {
   const std::string deep = std::string(1000000, '[') + std::string(1000000, ']');
-  EXPECT_EQ(error_of("{\"plan\": " + deep + "}\n"), "its first line is no plan");
+  EXPECT_EQ(error_of("{\"plan\": " + deep + "}\n"), "its first line is not a plan");
   EXPECT_TRUE(error_of(text_with("{\"driver\": \"egl\", \"report\": {\"timings\": " + deep + "}}\n"))
-                  .starts_with("line 2 is no report of a driver: it is nested"));
+                  .starts_with("line 2 is not a report of a driver: it is nested"));
 }
 
 }  // namespace

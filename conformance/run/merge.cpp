@@ -33,7 +33,7 @@ Result<void> append_cases(Run& to, Run& from) {
   HN_TRY(const auto shards, shards_of(to));
   HN_TRY(const auto more, shards_of(from));
   if (shards != more || to.whole != from.whole) {
-    return fail(fmt::format("{}: one of {} shards with {} cases in all and one of {} with {} do not belong together",
+    return fail(fmt::format("{}: a shard of {} with {} cases in all and a shard of {} with {} do not belong together",
                             name_of(to), shards, to.whole, more, from.whole));
   }
   to.cases.insert(to.cases.end(), std::make_move_iterator(from.cases.begin()),
@@ -56,7 +56,7 @@ Result<void> sort_cases(Run& run, const std::map<std::string, std::size_t>& orde
             [&](const CaseResult& a, const CaseResult& b) { return order.at(a.id) < order.at(b.id); });
   const auto twice = std::adjacent_find(run.cases.begin(), run.cases.end(),
                                         [](const CaseResult& a, const CaseResult& b) { return a.id == b.id; });
-  if (twice != run.cases.end()) return fail(fmt::format("{}: {} is there twice", name_of(run), twice->id));
+  if (twice != run.cases.end()) return fail(fmt::format("{}: {} occurs twice", name_of(run), twice->id));
   return {};
 }
 
@@ -97,10 +97,10 @@ Result<Merged> merge_runs(std::vector<Run> runs, const std::vector<std::string>&
     HN_DO(sort_cases(run, order));
     if (!run.shard.empty() && run.cases.size() > run.whole) {
       return fail(
-          fmt::format("{}: all shards together have {} cases, says each; here are more", name_of(run), run.whole));
+          fmt::format("{}: each shard says that all have {} cases, but here are more", name_of(run), run.whole));
     }
     if (run.not_run != 0) {
-      merged.gaps.push_back(fmt::format("{}: {} cases were not run; run again with --resume what was ended too early",
+      merged.gaps.push_back(fmt::format("{}: {} cases were not run; --resume continues a run that ended early",
                                         name_of(run), run.not_run));
     }
     const std::size_t without = run.whole - std::min(run.whole, run.cases.size());

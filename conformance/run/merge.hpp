@@ -13,9 +13,9 @@ struct Merged {
   std::vector<std::string> gaps;  // what is missing of the whole, a sentence each
 };
 
-// Runs of the same driver on the same renderer become one. The ids are those of all cases, in their order. An error: a
-// case that is none of them, the same case twice, or runs that do not belong together, since they differ in their seed
-// or in the number of shards.
+// Runs of the same driver on the same renderer become one. The ids are those of all cases, in their order. An error: an
+// unknown case, the same case twice, or runs that do not belong together because they differ in their seed or in the
+// number of shards.
 Result<Merged> merge_runs(std::vector<Run> runs, const std::vector<std::string>& ids);
 
 // The same for files named results.json, or for the folders that hold them.

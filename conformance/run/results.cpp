@@ -114,7 +114,7 @@ bool only_unfinished(const std::vector<Run>& runs) {
 }
 
 bool all_as_expected(const std::vector<Run>& runs) {
-  // What glslang says is no verdict on a driver, unless nothing else was asked.
+  // What glslang says is not a verdict on a driver, unless nothing else was asked.
   const bool only_reference = std::all_of(runs.begin(), runs.end(), [](const Run& run) { return run.is_reference(); });
   const auto decides = [&](const Run& run) { return run.as_expected() && (only_reference || !run.is_reference()); };
   return std::any_of(runs.begin(), runs.end(), decides) && std::all_of(runs.begin(), runs.end(), [&](const Run& run) {
@@ -173,7 +173,7 @@ CaseResult case_result_from(const nlohmann::json& json) {
   result.id = json.at("id").get<std::string>();
   const auto name = json.at("status").get<std::string>();
   const auto status = status_named(name);
-  if (!status) throw std::invalid_argument(fmt::format("\"{}\" is no status", name));
+  if (!status) throw std::invalid_argument(fmt::format("\"{}\" is not a status", name));
   result.outcome = {.status = *status,
                     .samples = whole_number_at(json, "samples"),
                     .mismatches = whole_number_at(json, "mismatches"),
@@ -203,10 +203,10 @@ Result<std::vector<Run>> parse_results(std::string_view text) {
   try {
     const auto json = parse_json(text);
     if (const auto schema = whole_number_at(json, "schema"); schema != kSchema) {
-      return fail(fmt::format("schema {} is not the one that is known here, {}", schema, kSchema));
+      return fail(fmt::format("its schema is {}, and this program knows schema {}", schema, kSchema));
     }
     if (const auto version = json.at("version").get<std::string>(); version != library_version()) {
-      return fail(fmt::format("it is of version {}, and this is {}", version, library_version()));
+      return fail(fmt::format("it was written by version {}, and this is version {}", version, library_version()));
     }
     std::vector<Run> runs;
     for (const nlohmann::json& run : list_at(json, "runs")) {
@@ -215,9 +215,9 @@ Result<std::vector<Run>> parse_results(std::string_view text) {
     }
     return runs;
   } catch (const nlohmann::json::exception& exception) {
-    return fail(fmt::format("{} is no results.json: {}", where, exception.what()));
+    return fail(fmt::format("{} is not a results.json: {}", where, exception.what()));
   } catch (const std::invalid_argument& exception) {
-    return fail(fmt::format("{} is no results.json: {}", where, exception.what()));
+    return fail(fmt::format("{} is not a results.json: {}", where, exception.what()));
   }
 }
 

@@ -15,7 +15,7 @@
 
 namespace hn {
 
-// In place of a driver of OpenGL: the cases that ask glslang alone.
+// This stands in place of an OpenGL driver for the cases that ask only glslang.
 inline constexpr std::string_view kReferenceCompiler = "glslang";
 
 struct Run {
@@ -40,16 +40,16 @@ struct Run {
   bool as_expected() const;
 };
 
-// Whether every case was run, none of any driver is other than expected, and one driver at least is as expected: of the
-// others a filter may have left what they do not support, and some are not here.
+// Whether every case was run, every case of every driver is as expected, and at least one driver is as expected. On the
+// others a filter may leave only unsupported cases, and some drivers may be absent.
 bool all_as_expected(const std::vector<Run>& runs);
 
-// Whether cases were not run, and what was run is right: not the whole, but no fault either.
+// Whether some cases were not run, and those that were run are right: the run is incomplete, but shows no fault.
 bool only_unfinished(const std::vector<Run>& runs);
 
 constexpr std::string_view kResultsFile = "results.json";
 
-// The text of results.json; docs/internals.md describes it.
+// The text of results.json; docs/formats.md describes it.
 std::string results_text(const std::vector<Run>& runs);
 // An error says what is wrong, and where in the file.
 Result<std::vector<Run>> parse_results(std::string_view text);
@@ -57,7 +57,7 @@ Result<std::vector<Run>> parse_results(std::string_view text);
 nlohmann::ordered_json to_json(const CaseResult& result);
 nlohmann::ordered_json to_json(const ContextInfo& info);
 nlohmann::ordered_json to_json(const Evidence& evidence);
-// These throw nlohmann::json::exception or std::invalid_argument for what is none.
+// These throw nlohmann::json::exception or std::invalid_argument for anything else.
 CaseResult case_result_from(const nlohmann::json& json);
 ContextInfo context_info_from(const nlohmann::json& json);
 Evidence evidence_from(const nlohmann::json& json);

@@ -101,7 +101,7 @@ TEST(Json, ThatIsNoneSaysWhatIsWrong) {
   };
   EXPECT_NE(error_with("\"schema\": 2", "\"schema\": 1").find("schema 1"), std::string::npos);
   EXPECT_NE(error_with(library_version(), "9.9.9").find("9.9.9"), std::string::npos);
-  EXPECT_NE(error_with("\"pass\",", "\"passed\",").find("\"passed\" is no status"), std::string::npos);
+  EXPECT_NE(error_with("\"pass\",", "\"passed\",").find("\"passed\" is not a status"), std::string::npos);
   EXPECT_NE(error_with("\"seconds\": 0.5", "\"seconds\": \"x\"").find("run 1"), std::string::npos);
   EXPECT_NE(error_with("\"id\"", "\"ident\"").find("run 1"), std::string::npos);
   for (const char* text : {"", "[]", "{}", "7", "{\"schema\": 2}", "{\"schema\": 2, \"version\": 1, \"runs\": []}"}) {
@@ -119,7 +119,7 @@ TEST(Json, HasWholeNumbersWhereThingsAreCounted) {
       const auto runs = parse_results(text);
       ASSERT_FALSE(runs) << key << wrong;
       const std::string where = key == "\"schema\": " ? "the file" : key == "\"seed\": " ? "run 1" : "run 1, case 2";
-      EXPECT_TRUE(runs.error().message.starts_with(where + " is no results.json: ")) << runs.error().message;
+      EXPECT_TRUE(runs.error().message.starts_with(where + " is not a results.json: ")) << runs.error().message;
     }
   }
 }

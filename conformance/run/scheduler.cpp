@@ -129,7 +129,8 @@ class Lane {
     } else if (++crashes_in_a_row_ >= kMostCrashesInARow) {
       const bool all = ++functions_in_a_row_ >= kMostFunctionsInARow;
       const std::string_view function = all ? std::string_view() : function_of(result.id);
-      abandon(status, fmt::format("not run, after {} cases in a row ended so: {}", crashes_in_a_row_, text), function);
+      abandon(status, fmt::format("not run, after {} cases in a row ended like this: {}", crashes_in_a_row_, text),
+              function);
       crashes_in_a_row_ = 0;
     }
     return result;

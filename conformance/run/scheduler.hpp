@@ -1,4 +1,4 @@
-// Runs the cases of several drivers, each in a process of its own, and survives what they do.
+// Runs the cases of several drivers, each in its own process, and survives their crashes.
 #pragma once
 
 #include <chrono>
@@ -39,7 +39,7 @@ struct RunPlan {
 // What a journal has to agree with.
 nlohmann::json to_json(const RunPlan& plan);
 
-// The results, in the order of the plan, less those that the run did not come to: because of fail_fast, because it was
+// The results, in the order of the plan. Some are missing if the run ended early: because of fail_fast, because it was
 // stopped, or because the journal could not be written, so that more results could be lost. A case in which the process
 // ends is a crash, one that takes longer than the limit a timeout; the cases after it are run by another process. What
 // the journal has from an earlier run is not run again. Logs of the processes, where they print something, are left as

@@ -27,8 +27,8 @@ Result<Shard> parse_shard(const std::string& text) {
     const Shard shard{number_of(whole.substr(0, slash)), number_of(whole.substr(slash + 1))};
     if (shard.index >= 1 && shard.index <= shard.count) return shard;
   }
-  return fail(
-      fmt::format("\"{}\" is no shard; I/N is, with 1 <= I <= N <= {}: 2/3 is the second of three", text, kMostShards));
+  return fail(fmt::format("\"{}\" is not a shard: write I/N with 1 <= I <= N <= {}; 2/3 is the second of three", text,
+                          kMostShards));
 }
 
 }  // namespace hn

@@ -16,7 +16,7 @@ struct Shard {
   bool has(std::size_t number) const { return number % count == index - 1; }
 };
 
-// Of "2/3"; of nothing the whole.
+// The shard of "2/3". An empty text means the whole.
 Result<Shard> parse_shard(const std::string& text);
 
 }  // namespace hn

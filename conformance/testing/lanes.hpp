@@ -1,6 +1,6 @@
-// Four numbers as one, by the vector extensions of GCC and Clang: what the text of the library is instantiated over to
-// see that it can be. A literal must have the type of the numbers beside it, and a condition of an if or a loop must be
-// the same for all four; where it is not, the text has to say hn_i_select.
+// Four numbers as one, by the vector extensions of GCC and Clang: the tests compile the text of the library for
+// this type. A literal must have the type of the numbers beside it, and a condition of an if or a loop must be
+// the same for all four; where it differs, the text must use hn_i_select.
 #pragma once
 
 #include <concepts>

@@ -76,7 +76,7 @@ class Conversation {
   }
 
   void misunderstand(const std::exception& exception, const std::string& message) {
-    error_ = Error{fmt::format("the page says what nobody understands: {}", exception.what()), message};
+    error_ = Error{fmt::format("the page sent an unknown message: {}", exception.what()), message};
   }
 
   void tell_absent() const {
@@ -85,7 +85,7 @@ class Conversation {
 
   void meet(const ContextInfo& info) {
     if (info.renderer.find(browser_.renderer) == std::string::npos) {
-      error_ = Error{fmt::format("Chromium takes \"{}\" instead of {}", info.renderer, browser_.renderer), {}};
+      error_ = Error{fmt::format("Chromium uses \"{}\" instead of {}", info.renderer, browser_.renderer), {}};
       tell_absent();
       return;
     }

@@ -26,13 +26,13 @@ struct Browser {
 std::span<const Browser> all_browsers();
 
 // Runs the cases with these ids, in their order, in a browser of its own, which ends with this function or with this
-// process. A context that is lost costs the case that ran, which is a crash, and the page goes on with a new one.
+// process. If the context is lost, the case that ran is a crash, and the page continues with a new context.
 // An error says why the browser did not start, or that it went away, with what it said. The case that ran then has
 // been started and not finished.
 Result<void> run_in_browser(const Browser& browser, const SourceSet& sources, const std::filesystem::path& golden,
                             std::span<const std::string> ids, const CaseEvents& events);
 
-// Who the browser is. An error says why it is not here.
+// The browser's information. An error says why it is missing.
 Result<ContextInfo> describe_browser(const Browser& browser);
 
 }  // namespace hn

@@ -146,7 +146,7 @@ TEST(BrowserFault, ARefusalWithoutItsWordFailsAndSoDoesNone) {
   EXPECT_EQ(story.outcome(kRefused).status, Status::fail) << story.outcome(kRefused).message;
   Story other;
   ASSERT_TRUE(
-      run(other, kSome, "webgl2", changed("config.glsl", "#error HN_HASH is none", "// #error HN_HASH is none")));
+      run(other, kSome, "webgl2", changed("config.glsl", "#error HN_HASH must", "// #error HN_HASH must")));
   EXPECT_EQ(other.outcome(kRefused).status, Status::fail) << other.outcome(kRefused).message;
 }
 

@@ -64,13 +64,13 @@ const kMostUlpsTold = 1000;
 export function measureOf({ samples, mismatches, max_abs, max_ulp, allowed }) {
   const wrong = `${mismatches} of ${samples} values are wrong`;
   if (max_abs === 0) return wrong;
-  if (max_abs === Number.MAX_VALUE) return `${wrong}, some of them infinite or no number`;
+  if (max_abs === Number.MAX_VALUE) return `${wrong}, some of them infinite or not a number`;
   if (allowed === undefined || allowed >= max_abs) return wrong;
-  const off = `${wrong}, the furthest off by ${shortNumber(max_abs)}`;
+  const off = `${wrong}; the largest difference is ${shortNumber(max_abs)}`;
   if (allowed > 0) return `${off}, where ${shortNumber(allowed)} is allowed`;
   const few = max_ulp !== 0 && max_ulp <= kMostUlpsTold;
   const units = few ? ` (${max_ulp} ${max_ulp === 1 ? "unit" : "units"} in the last place)` : "";
-  return `${off}${units}, where every bit counts`;
+  return `${off}${units}, and none is allowed`;
 }
 
 class Comparison {
@@ -136,7 +136,7 @@ function checkRefused(renderer, suite, test) {
     return outcomeWith(test.too_old ? "unsupported" : "fail",
                        `it is refused, but nothing names ${test.names}\n${error.log}`);
   }
-  return outcomeWith("fail", `it compiles; an error that names ${test.names} was due`);
+  return outcomeWith("fail", `it compiles, but an error should name ${test.names}`);
 }
 
 // kOutputWords per point.
@@ -224,7 +224,7 @@ function checkBug(renderer, suite, test) {
   const outcome = comparison.finish();
   if (outcome.status !== "fail") return outcome;
   outcome.status = test.defined ? "fail" : "warning";
-  outcome.message = `${test.defined ? "wrong" : "other than usual, and allowed"}: ${outcome.message}. ${test.note}`;
+  outcome.message = `${test.defined ? "wrong" : "not the usual value, but allowed"}: ${outcome.message}. ${test.note}`;
   return outcome;
 }
 

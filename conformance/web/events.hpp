@@ -1,4 +1,4 @@
-// What somebody who runs cases tells while it does.
+// What a runner of cases reports while it runs.
 #pragma once
 
 #include <functional>
@@ -8,8 +8,8 @@
 
 namespace hn {
 
-// In this order: once who the driver is, or why it cannot be used here; then for each case that it begins and how it
-// ended.
+// The order is: once the driver's information, or why it cannot be used here; then, for each case, that it begins and
+// how it ended.
 struct CaseEvents {
   std::function<void(const ContextInfo& info)> ready;
   std::function<void(const std::string& id)> started;

@@ -12,8 +12,8 @@
 
 namespace hn {
 
-// A program in a process group of its own. Between it and us stands a process that waits for either of us to end: when
-// we do, be it by SIGKILL, it kills the group and removes the folder.
+// A program in a process group of its own. Between it and us stands a process that waits for either of us to end. When
+// we end, even by SIGKILL, it kills the group and removes the folder.
 class GuardedProcess {
  public:
   // command[0] is the program's path. Its output goes to folder/log.
@@ -25,7 +25,7 @@ class GuardedProcess {
 
   // How it ended, in words; nothing while it runs.
   std::optional<std::string> ended() const;
-  // The end of what it said.
+  // The end of its output.
   std::string log() const;
 
  private:

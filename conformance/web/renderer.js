@@ -29,7 +29,7 @@ export function openContext() {
   const gl = canvas.getContext("webgl2", {
     alpha: false, antialias: false, depth: false, powerPreference: "high-performance",
   });
-  if (!gl) throw new NoContext(reason || "this browser gives no WebGL2 context");
+  if (!gl) throw new NoContext(reason || "this browser does not give a WebGL2 context");
   return gl;
 }
 

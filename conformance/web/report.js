@@ -20,7 +20,7 @@ export function asExpected(results) {
   return count(results, "pass") > 0 && bad(results).length === 0;
 }
 
-// Of the schema that hn-conform writes (docs/internals.md). The page has the random points of seed 1.
+// Of the schema that hn-conform writes (docs/formats.md). The page has the random points of seed 1.
 export function resultsJson({ version, library }, info, results) {
   const totals = Object.fromEntries(kStatuses.map((status) => [status, count(results, status)]));
   const date = new Date().toISOString().replace(/\.\d+Z$/, "Z");

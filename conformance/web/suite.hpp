@@ -1,4 +1,4 @@
-// The cases that a browser can run, as data: what the page's suite.js reads. docs/internals.md describes the JSON.
+// The cases that a browser can run, as data: what the page's suite.js reads. docs/formats.md describes the JSON.
 #pragma once
 
 #include <filesystem>
@@ -22,11 +22,11 @@ std::string unsupported_in_browser(const Case& test);
 
 struct PageSuite {
   std::string json;
-  // Why a case cannot be run, if there is one: its golden file or a source cannot be read. It has that verdict then.
+  // Why a case cannot be run, if so: its golden file or a source cannot be read. This is then its verdict.
   std::optional<std::string> defect;
 };
 
-// The JSON text of the cases, of which the page must be able to run each. The page posts what happens to report_to, if
+// The JSON text of the cases. The page must be able to run each of them. The page posts what happens to report_to, if
 // that is not empty.
 PageSuite make_suite(const SourceSet& sources, const std::filesystem::path& golden, std::span<const Case> cases,
                      std::string_view report_to = {});

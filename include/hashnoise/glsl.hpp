@@ -1,14 +1,14 @@
-// What the types and built-in functions of GLSL that hashnoise uses mean in C++20: only what the GLSL text needs, and
-// GLSL's constructors of vectors.
+// The types and built-in functions of GLSL in C++20: those that the GLSL text of hashnoise uses, and GLSL's
+// constructors of vectors.
 // SPDX-License-Identifier: MIT
 //
-// Words wrap at 2^32. A float in a vector that does not fit an int becomes the nearest int that there is, and NaN
-// becomes 0, where GLSL leaves the value undefined. So nothing has undefined behaviour, as long as coordinates and the
-// settings of octave sums are finite.
+// Words wrap at 2^32. If a float in a vector does not fit an int, it becomes the nearest int. NaN becomes 0. (GLSL
+// leaves these values undefined.) So nothing has undefined behaviour, as long as coordinates and the settings of octave
+// sums are finite.
 
 #pragma once
 
-// MSVC tells the version by a name of its own.
+// MSVC has its own macro for the version.
 #if __cplusplus < 202002L && (!defined(_MSVC_LANG) || _MSVC_LANG < 202002L)
 #error hashnoise needs C++20: compile with -std=c++20, or with /std:c++20
 #endif
@@ -36,7 +36,7 @@ constexpr To convert(From value) {
   return static_cast<To>(value);
 }
 
-// Without a branch and a comparison of floats, so that compilers make vectors of it.
+// There is no branch and no comparison of floats, so that compilers can vectorize it.
 template <>
 constexpr int convert<int, float>(float value) {
   const uint bits = std::bit_cast<uint>(value);
@@ -63,7 +63,8 @@ constexpr int kComponents<Vector3<T>> = 3;
 template <typename T>
 constexpr int kComponents<Vector4<T>> = 4;
 
-// Whether arguments fill a vector of so many components. The last may have some to spare, but none may go unused.
+// Whether the arguments fill a vector of `Count` components. The last argument may have more components than are
+// needed, but every argument must be used.
 template <int Count, typename... Arguments>
 constexpr bool fill() {
   int found = 0;
@@ -177,7 +178,7 @@ using uvec2 = Vector2<uint>;
 using uvec3 = Vector3<uint>;
 using uvec4 = Vector4<uint>;
 
-// What the declarations of the library say; in GLSL ES these names carry the precision.
+// The declarations of the library use these names. In GLSL ES they carry the precision.
 using hn_float = float;
 using hn_vec2 = vec2;
 using hn_vec3 = vec3;
@@ -191,7 +192,7 @@ using hn_uvec2 = uvec2;
 using hn_uvec3 = uvec3;
 using hn_uvec4 = uvec4;
 
-// In this namespace a call means these, never ::abs(int) or another function that happens to be declared.
+// In this namespace a call means one of these, never ::abs(int) or another function that happens to be declared.
 inline float floor(float x) { return std::floor(x); }
 inline vec2 floor(vec2 v) { return {std::floor(v.x), std::floor(v.y)}; }
 inline vec3 floor(vec3 v) { return {std::floor(v.x), std::floor(v.y), std::floor(v.z)}; }

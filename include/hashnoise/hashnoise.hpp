@@ -4,22 +4,22 @@
 //   #include <hashnoise/hashnoise.hpp>
 //   float height = hashnoise::hn_perlin(hashnoise::vec2(3.25f, 7.5f));
 //
-// It includes glsl/ by its place in the source tree, ../../glsl; the installed copy of this file says glsl/ instead.
+// It includes glsl/ from its place in the source tree, ../../glsl. The installed copy of this file says glsl/ instead.
 //
-// Every function is forced inline, so that compilers make vectors of a loop over a noise: Clang with -O3, GCC with -O3
-// -fno-trapping-math; either with -march for the machine.
+// Every function is forced inline, so that compilers can vectorize a loop over a noise. Clang does so with -O3, and GCC
+// with -O3 -fno-trapping-math. Give either the -march of the machine.
 //
 // HN_FIXED has the same bits under any compiler's flags. The floats of HN_PRECISE need -ffp-contract=off, and no
 // fast-math.
 //
 // Knobs (config.glsl) are macros, to be defined before the include. HN_HASH, HN_GRADIENT, HN_PERIOD and
-// HN_ARITHMETIC name inline namespaces, so that translation units that differ in them may be linked together. What
-// other macros bring in (HN_HASH_FN, HN_FBM_NOISE2D, HN_FBM_NOISE3D) does not: it must be the same in all translation
-// units that have these four alike.
+// HN_ARITHMETIC name inline namespaces, so that translation units that differ in them may be linked together. The
+// other macros (HN_HASH_FN, HN_FBM_NOISE2D, HN_FBM_NOISE3D) do not: their meaning must be the same in all translation
+// units in which these four are the same.
 
 #pragma once
 
-#include "glsl.hpp"  // the first, since it refuses what is older than C++20
+#include "glsl.hpp"  // the first, since it refuses compilers before C++20
 
 #include "../../glsl/config.glsl"
 

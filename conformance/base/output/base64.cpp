@@ -7,7 +7,7 @@ namespace hn {
 
 std::string to_base64(std::string_view bytes) {
   using namespace boost::archive::iterators;
-  // The iterators look at a byte too many where the number of bytes is no multiple of 3.
+  // The iterators look at a byte too many where the number of bytes is not a multiple of 3.
   constexpr std::size_t kGroup = 3;
   const std::size_t padding = (kGroup - bytes.size() % kGroup) % kGroup;
   std::string whole(bytes);

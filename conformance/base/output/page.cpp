@@ -57,11 +57,11 @@ class StrictContext : public kainjow::mustache::context<std::string> {
 
 Result<std::string> render_page(std::string_view mustache_template, const nlohmann::json& data) {
   kainjow::mustache::mustache page{std::string(mustache_template)};
-  if (!page.is_valid()) return fail("the template is no Mustache: " + page.error_message());
+  if (!page.is_valid()) return fail("the template is not Mustache: " + page.error_message());
   const Data values = to_mustache(data);
   StrictContext context(&values);
   std::string text = page.render(context);
-  if (!page.is_valid()) return fail("the template is no Mustache: " + page.error_message());
+  if (!page.is_valid()) return fail("the template is not Mustache: " + page.error_message());
   if (context.missing().empty()) return text;
   std::string tags;
   for (const std::string& tag : context.missing()) tags += fmt::format("{}{{{{{}}}}}", tags.empty() ? "" : ", ", tag);

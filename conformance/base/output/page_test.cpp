@@ -57,10 +57,10 @@ TEST(Page, TagsWithoutDataInSectionsAndPartialsAreNamed) {
 }
 
 TEST(Page, BrokenTemplatesAreErrors) {
-  EXPECT_EQ(page("{{#a}}x", {{"a", true}}), "error: the template is no Mustache: Unclosed section \"a\" at 0");
-  EXPECT_EQ(page("x {{a", {{"a", 1}}), "error: the template is no Mustache: Unclosed tag at 2");
+  EXPECT_EQ(page("{{#a}}x", {{"a", true}}), "error: the template is not Mustache: Unclosed section \"a\" at 0");
+  EXPECT_EQ(page("x {{a", {{"a", 1}}), "error: the template is not Mustache: Unclosed tag at 2");
   EXPECT_EQ(page("{{> part}}", {{"part", "{{#a}}"}, {"a", true}}),
-            "error: the template is no Mustache: Unclosed section \"a\" at 0");
+            "error: the template is not Mustache: Unclosed section \"a\" at 0");
 }
 
 }  // namespace

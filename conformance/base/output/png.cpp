@@ -9,7 +9,7 @@ namespace {
 Result<png_image> image_of(std::span<const std::uint8_t> pixels, int width, int height) {
   if (width < 1 || height < 1 || pixels.size() / static_cast<std::size_t>(width) != static_cast<std::size_t>(height) ||
       pixels.size() % static_cast<std::size_t>(width) != 0) {
-    return fail(fmt::format("{} pixels are no picture of {} x {}", pixels.size(), width, height));
+    return fail(fmt::format("{} pixels do not fill a picture of {} x {}", pixels.size(), width, height));
   }
   png_image image{};
   image.version = PNG_IMAGE_VERSION;

@@ -51,7 +51,7 @@ TEST(Png, PixelsThatDoNotFillThePictureAreAnError) {
   const auto path = folder.path() / "a.png";
   const std::array<std::uint8_t, 5> pixels = {};
   EXPECT_EQ(write_grey_png(path, pixels, 3, 2).error().message,
-            "cannot write " + path.string() + ": 5 pixels are no picture of 3 x 2");
+            "cannot write " + path.string() + ": 5 pixels do not fill a picture of 3 x 2");
   for (const auto& [width, height] : {std::pair{2, 2}, {0, 5}, {5, 0}, {-1, -5}, {2, 3}}) {
     EXPECT_FALSE(write_grey_png(path, pixels, width, height)) << width << " x " << height;
   }

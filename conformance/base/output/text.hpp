@@ -6,18 +6,18 @@
 
 namespace hn {
 
-// UTF-8 without the characters that XML 1.0 forbids; in place of what is none, U+FFFD. A driver's log may hold any
-// bytes.
+// UTF-8 without the characters that XML 1.0 forbids. Bytes that are not UTF-8 become U+FFFD: a driver's log may hold
+// any bytes.
 std::string clean_text(std::string_view bytes);
 
 // The same for a terminal: without what moves its cursor or changes its colours, too.
 std::string printable(std::string_view bytes);
 
-// Bytes from elsewhere as a part of a message: in quotes, with \xNN for every one that is no printable ASCII, cut after
+// Bytes from elsewhere as a part of a message: in quotes, with \xNN for each that is not printable ASCII, cut after
 // about so many characters.
 std::string in_quotes(std::string_view bytes, std::size_t most = 60);
 
-// At most so many bytes, with a remark where more are left out.
+// The text with a limit of bytes, and with a remark if some are left out.
 std::string shortened(std::string_view text, std::size_t most);
 
 }  // namespace hn

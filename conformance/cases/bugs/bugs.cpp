@@ -82,7 +82,8 @@ Outcome judge_bug(const Bug& bug, std::span<const std::uint32_t> outputs) {
   Outcome outcome = comparison.finish();
   if (outcome.status != Status::fail) return outcome;
   if (!bug.defined) outcome.status = Status::warning;
-  outcome.message = fmt::format("{}: {}. {}. Reported in: {}", bug.defined ? "wrong" : "other than usual, and allowed",
+  outcome.message = fmt::format("{}: {}. {}. Reported in: {}",
+                                bug.defined ? "wrong" : "not the usual value, but allowed",
                                 outcome.message, bug.specification, bug.reference);
   return outcome;
 }

@@ -1,6 +1,6 @@
 // What real drivers have got wrong, a case each: a few lines of GLSL, inputs, and the words that should come out.
 //
-// A bug is data, so that a browser can run the same. Its expected words are computed by C++ that is no GLSL, from what
+// A bug is data, so that a browser can run the same. Its expected words are computed by C++ that is not GLSL, from what
 // the specification says, when the table is made.
 #pragma once
 

@@ -33,7 +33,7 @@ void add_sine(std::vector<Bug>& bugs) {
       {.function = bug_function("bugs.sin_of_large", "x:f32 = sine:f32",
                                 "return uvec4(bits_of(sin(float_of(a.x))), 0u, 0u, 0u);"),
        .reference = kSineReports,
-       .specification = "GLSL bounds no error of sin, and Vulkan only within [-pi, pi]",
+       .specification = "GLSL states no bound for sin, and Vulkan only within [-pi, pi]",
        .defined = false,
        .allowed = kSineError,
        .points = points_of<float>({4.0f, 100.0f, 9999.0f, 10001.0f, 12345.67f, 1e5f, 1e6f, 1e8f}, [](float x) {
@@ -44,7 +44,7 @@ void add_sine(std::vector<Bug>& bugs) {
                                 "hn_float x = float_of(a.x);\nreturn uvec4(bits_of(sin(x) / x), 0u, 0u, 0u);"),
        .reference = kSineReports,
        .specification =
-           "GLSL bounds no error of sin, and Vulkan's is absolute, so that small values may have none right",
+           "GLSL states no bound for sin, and Vulkan's is absolute, so no digit of a small value need be right",
        .defined = false,
        .allowed = kSineError,
        .points =
@@ -54,7 +54,7 @@ void add_sine(std::vector<Bug>& bugs) {
                                 "return uvec4(bits_of(fract(sin(float_of(a.x)) * 43758.547)), 0u, 0u, 0u);"),
        .reference = "gfx-rs/wgpu 9561 (Apple A12, A14); godotengine/godot 106210; mrdoob/three.js 33467",
        .specification =
-           "GLSL bounds no error of sin: 43758 times it leaves no digit. Here within 1/64 of the exact sine's",
+           "GLSL states no bound for sin, and 43758 times it has no certain digit; here within 1/64 of the exact one",
        .defined = false,
        .allowed = 0x1p-6,
        .points = points_of<float>({0.5f, 1.25f, 12.9898f, 78.233f, 1234.5f}, [](float x) {
@@ -248,7 +248,7 @@ void add_denormals(std::vector<Bug>& bugs) {
                                 "return uvec4(bits_of(x * y), bits_of(x * y + x * y), 0u, 0u);"),
        .reference = kReports,
        .specification =
-           "GLSL 4.60 section 4.7.1: what is no denormal is not flushed, and these products and sums are exact",
+           "GLSL 4.60 section 4.7.1: only denormals may be flushed, and these products and sums are exact",
        .defined = true,
        .points = points({{word(0x1p-126f), word(2.0f)},
                          {word(0x1p-60f), word(0x1.8p-60f)},
@@ -285,7 +285,8 @@ void add_conversions(std::vector<Bug>& bugs) {
                                 "return uvec4(uint(float_of(a.x)), 0u, 0u, 0u);"),
        .reference = "KhronosGroup/WebGL 3101",
        .specification =
-           "GLSL 4.60 and GLSL ES 3.00 section 5.4.1: a negative float to uint is undefined; here by way of int",
+           "GLSL 4.60 and GLSL ES 3.00 section 5.4.1: converting a negative float to uint is undefined; here by way "
+           "of int",
        .defined = false,
        .points = points_of<float>({-1.0f, -2.75f, -65536.0f},
                                   [](float x) { return Words{word(static_cast<std::int32_t>(x))}; })});

@@ -13,8 +13,8 @@ std::int32_t as_int(std::uint32_t value) { return static_cast<std::int32_t>(valu
 constexpr std::string_view kModuloReports =
     "gfx-rs/wgpu 9687 (NVIDIA folds it as unsigned); godotengine/godot 78429; dolphin-emu/dolphin 3509";
 constexpr std::string_view kModuloOpen =
-    "GLSL 4.60 and GLSL ES 3.00 section 5.9: the result of % is undefined if an operand is negative; this is C++'s, "
-    "whose sign is the dividend's";
+    "GLSL 4.60 and GLSL ES 3.00 section 5.9: the result of % is undefined if an operand is negative; here that of C++, "
+    "with the sign of the dividend";
 
 void add_modulo(std::vector<Bug>& bugs) {
   bugs.push_back({.function = bug_function("bugs.modulo_of_negative", "x:i32 y:i32 = remainder:i32",

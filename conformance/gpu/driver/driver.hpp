@@ -28,12 +28,12 @@ class Context {
  public:
   virtual ~Context() = default;
 
-  // A function that the context has not is null.
+  // A function that the context lacks is null.
   const GladGLContext& gl() const { return gl_; }
   Api api() const { return api_; }
 
  protected:
-  // To be called by the derived class once its context is current.
+  // The derived class calls this once its context is current.
   Result<void> load_functions(GLADloadfunc load, Api api = Api::gl);
 
  private:

@@ -75,7 +75,7 @@ class EglContext final : public Context {
       if (context_ == EGL_NO_CONTEXT) create(robust);
     }
     if (context_ == EGL_NO_CONTEXT) {
-      return fail(fmt::format("EGL makes no {}",
+      return fail(fmt::format("EGL does not create a {}",
                               es ? "context of OpenGL ES 3.0 or later" : "core context of OpenGL 3.1 or later"));
     }
     if (!call<decltype(eglMakeCurrent)>("eglMakeCurrent")(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {

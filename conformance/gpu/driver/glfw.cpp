@@ -37,7 +37,7 @@ class GlfwWindowContext final : public Context {
       window_ = call<decltype(glfwCreateWindow)>("glfwCreateWindow")(kSize, kSize, "hn-conform", nullptr, nullptr);
       if (window_) break;
     }
-    if (!window_) return fail(fmt::format("GLFW makes no context: {}", last_error()));
+    if (!window_) return fail(fmt::format("GLFW does not create a context: {}", last_error()));
     call<decltype(glfwMakeContextCurrent)>("glfwMakeContextCurrent")(window_);
     return load_functions(call<decltype(glfwGetProcAddress)>("glfwGetProcAddress"), api);
   }

@@ -40,7 +40,7 @@ class OsmesaDriverContext final : public Context {
       context_ = create(attributes.data(), nullptr);
       if (context_) break;
     }
-    if (!context_) return fail("libOSMesa makes no core context of OpenGL 3.1 or later");
+    if (!context_) return fail("libOSMesa does not create a core context of OpenGL 3.1 or later");
     if (!make_current(context_, image_.data(), GL_UNSIGNED_BYTE, kSize, kSize)) {
       return fail("OSMesaMakeCurrent failed");
     }

@@ -1,4 +1,4 @@
-// A display for windows that nobody is to see, on a machine that has none.
+// A display for invisible windows, on a machine without a display.
 #pragma once
 
 #include <sys/types.h>

@@ -16,8 +16,8 @@ nlohmann::json plan_in(std::string_view text) {
 }
 
 void check_error(const std::string& message) {
-  const bool has_place = message.starts_with("its first line is no plan") || message.starts_with("line ") ||
-                         message.starts_with("it is of a run with other settings: \"");
+  const bool has_place = message.starts_with("its first line is not a plan") || message.starts_with("line ") ||
+                         message.starts_with("it belongs to a run with other settings: \"");
   require(has_place && message.size() > 10, "an error says where and what", message);
 }
 

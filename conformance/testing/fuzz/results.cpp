@@ -16,7 +16,7 @@ namespace {
 
 void check_error(const std::string& message) {
   const bool has_place = message.starts_with("the file") || message.starts_with("run ") ||
-                         message.starts_with("schema ") || message.starts_with("it is of version ");
+                         message.starts_with("its schema is ") || message.starts_with("it was written by version ");
   require(has_place && message.size() > 20, "an error says where and what", message);
 }
 

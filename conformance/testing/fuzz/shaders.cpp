@@ -41,7 +41,7 @@ void check_translation(const std::string& log) {
     // It could be a line behind a colon, and a source before one.
     const bool is_short = end - at <= 10;
     const bool is_source = end < log.size() && (log[end] == ':' || log[end] == '(');
-    require(is_short || is_source || translated.find(log.substr(at, end - at)) != log.npos, "what is no line stays",
+    require(is_short || is_source || translated.find(log.substr(at, end - at)) != log.npos, "what is not a line stays",
             log);
     at = log.find_first_of("123456789", end);
   }

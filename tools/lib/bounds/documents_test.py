@@ -138,7 +138,7 @@ class Command(unittest.TestCase):
             return command.main(["--check"]), shown.getvalue()
 
     def test_a_broken_table_or_page_is_a_message(self):
-        for problem in (TableError("bounds.inc:3: x is no word"), LookupError("accuracy.md has no marks")):
+        for problem in (TableError("bounds.inc:3: x is not a word"), LookupError("accuracy.md has no marks")):
             self.assertEqual(self.check(problem), (2, f"{problem}\n"))
 
     def test_a_mistake_of_the_program_is_not(self):

@@ -50,7 +50,7 @@ class Help(unittest.TestCase):
                     done = self.call(name, *arguments)
                     self.assert_helped(done)
                     self.assertIn(f"tools/{name} [options of hn-conform", done.stdout)
-                    self.assertIn("is not there yet", done.stdout)
+                    self.assertIn("does not exist yet", done.stdout)
                     self.assertNotIn("#", done.stdout)
                     self.assertFalse((self.root / "build").exists())
 

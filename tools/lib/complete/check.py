@@ -212,8 +212,8 @@ def knobs_without_entries(tree: Tree) -> Iterator[str]:
         if f"| `{knob}` |" not in table_of_knobs:
             yield f"{KNOBS}: no line for {knob}: add one to the table of knobs"
         if field not in arguments:
-            yield (f"{CONFIGURATIONS.relative_to(ROOT)}: {knob} is no argument of CONFIGURATION: add {field} to the "
-                   "comment at the top, and to each row")
+            yield (f"{CONFIGURATIONS.relative_to(ROOT)}: {knob} is not an argument of CONFIGURATION: add {field} to "
+                   "the comment at the top, and to each row")
         if field not in fields:
             yield f"tools/lib/tables/configurations.py: {knob} is not in Configuration: add {field}"
 

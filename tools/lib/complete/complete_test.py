@@ -152,15 +152,15 @@ class Deletions(unittest.TestCase):
                     "#ifndef HN_WARP\n#define HN_WARP HN_WARP_NONE  // new\n#endif\n\\1")
         self.noticed(r"^include/hashnoise/hashnoise\.hpp: HN_WARP names no inline namespace: add .*\(warp_, HN_WARP\)",
                      r"^docs/knobs\.md: no line for HN_WARP: add one to the table of knobs",
-                     rf"^{SETTINGS_FILE}: HN_WARP is no argument of CONFIGURATION: add warp to",
+                     rf"^{SETTINGS_FILE}: HN_WARP is not an argument of CONFIGURATION: add warp to",
                      r"^tools/lib/tables/configurations\.py: HN_WARP is not in Configuration: add warp")
 
     def test_the_entries_of_a_knob(self) -> None:
         for path, entry, left, message in (
                 ("include/hashnoise/*.hpp", r"^inline namespace .*HN_ARITHMETIC\) \{\n", "",
                  r"include/hashnoise/hashnoise\.hpp: HN_ARITHMETIC names no inline namespace"),
-                ("docs/knobs.md", r"^\| `HN_ARITHMETIC` \| `HN_FAST`.*\n", "", r"docs/knobs\.md: no line for HN_ARITHMETIC"),
-                (SETTINGS_FILE, r"^(//   CONFIGURATION\(.*) period,", "\\1", r".*: HN_PERIOD is no argument of CONF")):
+                ("docs/knobs.md", r"^\| `HN_ARITHMETIC` \| `HN_FAST`.*\n", "", r"docs/knobs\.md: no line for HN_ARITH"),
+                (SETTINGS_FILE, r"^(//   CONFIGURATION\(.*) period,", "\\1", r".*: HN_PERIOD is not an argument of C")):
             with self.subTest(path=path):
                 self.setUp()
                 self.change(path, entry, left)

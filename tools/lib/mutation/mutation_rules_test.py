@@ -49,7 +49,7 @@ int g() { return 14; }
         self.assertEqual(start, 34)
         self.assertEqual([name for _, name, _ in code.variables], ["a", "p", "n"])
         self.assertEqual(code.type_of(1), "vec2")
-        self.assertEqual(code.type_of(3), "")  # a component is no variable
+        self.assertEqual(code.type_of(3), "")  # a component is not a variable
 
     def test_the_types_of_the_library_are_types(self):
         head = "hn_num f(hn_num2 p, hn_float a, float b, hn_num n)"

@@ -46,7 +46,7 @@ class Coordinates(unittest.TestCase):
 class Fade(unittest.TestCase):
     def test_by_hand(self) -> None:
         # At 1/4: x = 2^15, s = 2^30, z = 2^14, R = 172032, Q = 16384 + 10752; s(1/4) is 27136 / 2^18, too. At 1/2 x is
-        # 65535, since the square of 2^16 is no word: z = 65534, R = 4, Q = 65535, t = 65535 * 65535 >> 15, cut.
+        # 65535, since the square of 2^16 is not a word: z = 65534, R = 4, Q = 65535, t = 65535 * 65535 >> 15, cut.
         fractions = (0, 2**18, 2**19 - 1, 2**19, 2**19 + 1, 3 * 2**18, UNIT)
         self.assertEqual([integers.fade(f) for f in fractions],
                          [0, 27136, 2**17 - 4, 2**17 - 4, 2**17 + 4, 2**18 - 27136, 2**18])

@@ -124,7 +124,7 @@ def judge_given(options, folder: Path) -> int:
         except (OSError, ValueError) as error:
             options.parser.error(f"{path} cannot be read: {error}")
         if words.ndim != n or words.dtype not in (np.uint32, np.int32) or min(words.shape) < 64:
-            options.parser.error(f"{path} is no array of 32-bit words with {n} axes of 64 or more: it has "
+            options.parser.error(f"{path} is not an array of 32-bit words with {n} axes of 64 or more: it has "
                                  f"{words.dtype} and the shape {words.shape}")
         result = HashResult(str(path), n, gate.judge_words(words.view(np.uint32), twin), None)
         print(report.verdict(result))

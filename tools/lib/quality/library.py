@@ -25,7 +25,7 @@ def hash_names(include: Path) -> dict[str, int]:
     try:
         text = config.read_text(encoding="utf-8")
     except OSError as error:
-        raise NotBuilt(f"{include} is no library: {error}") from error
+        raise NotBuilt(f"{include} is not a library: {error}") from error
     names = {name: int(number) for name, number in re.findall(r"^#define HN_HASH_(\w+) (\d+)\b", text, re.MULTILINE)}
     names.pop("CUSTOM", None)
     if not names:

@@ -2,35 +2,35 @@
 
 HEAD = """# How random the hashes are
 
-{remark}Written by `tools/quality`, which samples the C++ twin (the library's own text), and judges every hash that `HN_HASH` offers as the noise uses it: of the joined
-coordinates of a cell, and through the gradient stage. `tools/quality --help` tells how to judge your own hash, words from elsewhere, or another copy of the library, and `--dump` keeps what
+{remark}`tools/quality` writes this page. It samples the C++ twin (the library's own text), and judges every hash that `HN_HASH` offers as the noise uses it: with the joined
+coordinates of a cell, and through the gradient stage. `tools/quality --help` tells how to judge your own hash, words from elsewhere, or another copy of the library. `--dump` keeps what
 is needed to calculate all of this again.
 
 **The gate.** Each statistic has a known distribution on a lattice of independent, uniform words. A test fails if a value as far out has a probability below {alpha}
-on such a lattice (SMHasher3's limit for a failure), the number of comparisons in the test taken into account. Nothing else is chosen: *values* and *comparisons* give the *floor*, which a random
-lattice exceeds every second time, and what is *allowed*. All hashes together make {tests} tests; a random library would fail one with a probability of {chance} at most.
+on such a lattice (SMHasher3's limit for a failure). The number of comparisons in the test is taken into account. Nothing else is chosen: *values* and *comparisons* give the *floor*, which a random
+lattice exceeds every second time, and the *allowed* limit. All hashes together make {tests} tests; a random library would fail one with a probability of {chance} at most.
 
 The windows are 1024 x 1024 and 128 x 128 x 128 cells at {origins} origins (around 0, negative, at the end of what `hn_perlin` takes, near 2^31), each with two of {seeds} seeds;
-{pairs} pairs of seeds are compared, and {windows} more windows at random origins are searched for copies. The tables show the most improbable value over all of them; lines that end in "all" judge the windows together, which shows what is weak everywhere, however little.
+{pairs} pairs of seeds are compared, and {windows} more windows at random origins are searched for copies. The tables show the most improbable value over all of them. Lines that end in "all" judge the windows together: they show a weakness that is everywhere, even a small one.
 
 ![Autocorrelation and spectrum of the default hash and of two that fail](images/quality-lattice.png)
 """
 
-QUICK = """**Of a quick run:** the default hash in one window of each of two origins, the others in one small window;
-*values*, *comparisons*, *floor* and *allowed* are those of the first hash, and larger windows have narrower limits.
+QUICK = """**This is a quick run.** It judges the default hash in one window at each of two origins, and the others in one small window.
+*values*, *comparisons*, *floor* and *allowed* are those of the first hash. Larger windows have narrower limits.
 
 """
 
 HASHES = """
 ## Hashes in {dimensions}D
 
-{verdict} The gradient stage uses {bits} bits of a word, {high} to {low}; tests of "consumed" bits are of these.
+{verdict} The gradient stage uses {bits} bits of a word, {high} to {low}, and tests of "consumed" bits judge these.
 
 """
 
 TESTS = """## The tests
 
-`n` is the number of values, `m` that of comparisons, `a` = 2^-20. `peak(D, m)`: the largest of `m` values of the distribution `D` may be `D.isf(a / m)`; with two sides,
+`n` is the number of values, `m` is the number of comparisons, and `a` = 2^-20. `peak(D, m)`: the largest of `m` values of the distribution `D` may be `D.isf(a / m)`; with two sides,
 `D.isf(a / 2m)`. Windows wrap: the neighbour of the last cell is the first.
 
 """
@@ -38,53 +38,53 @@ TESTS = """## The tests
 ROWS = [
     ("autocorrelation", "`sum g(c) g(c + lag) / sum g^2` of each gradient component, over all lags", "normal, standard deviation `1 / sqrt(n)`; peak, two sides", "periods, stripes, linear keys"),
     ("spectral peak", "largest ordinate of the periodogram of each component, over their mean", "exponential; peak", "waves"),
-    ("autocorrelation of bits", "the same of the consumed bits (-1, 1), two at a time as the parts of a complex field, in standard deviations", "normal; peak, two sides", "the same in a single bit"),
+    ("autocorrelation of bits", "the same for the consumed bits (-1, 1), two at a time as the parts of a complex field, in standard deviations", "normal; peak, two sides", "the same in a single bit"),
     ("chi-square of values", "fields of 8 consumed bits, each fourth start", "chi-square, 255 degrees of freedom; both tails", "uneven values, and too even ones"),
     ("chi-square of neighbours", "6 high or low consumed bits of a cell with 6 of each neighbour, diagonal ones as well", "chi-square, 4095; both tails", "neighbours that depend on each other"),
-    ("pairs of bits", "agreement of each two consumed bits of a word, and of a word and its neighbours, in standard deviations", "normal; peak, two sides", "bits that depend on each other"),
+    ("pairs of bits", "agreement of any two consumed bits of a word, and of a word and its neighbours, in standard deviations", "normal; peak, two sides", "bits that depend on each other"),
     ("rectangles", "each bit of the second difference (exclusive or; subtraction) over the corners of rectangles of 1, 2, 4, ... cells, in standard deviations", "normal; peak, two sides", "keys that are sums or exclusive ors"),
-    ("blocks", "each consumed bit in each block of 32^2 or 16^3 cells: how often set, how often as the next along each axis, in standard deviations", "normal (binomial); peak, two sides", "a weak part of the window"),
+    ("blocks", "each consumed bit in each block of 32^2 or 16^3 cells: how often it is set, and how often it equals the next one along each axis, in standard deviations", "normal (binomial); peak, two sides", "a weak part of the window"),
     ("lines", "each consumed bit over the cells that have a coordinate in common", "normal (binomial); peak, two sides", "weak rows"),
     ("directions: harmonics", "mean harmonics of the direction (to order 16 in 2D, spherical to 8 in 3D) minus those of the shape, as `-log p` of the chi-square of each order", "exponential; peak over the orders", "directions that are preferred"),
     ("directions: moments", "means of `x, x^2, x^4, xy`, ... minus those of the shape, in standard deviations", "normal; peak, two sides", "a bias, unequal axes"),
     ("directions: on the shape", "largest deviation of `abs(x) + abs(y) (+ abs(z))` from 1", "the rounding of three floats", "gradients of another length"),
-    ("gradient of the word", "cells where `hn_gradient(cell)` is not the gradient of its word", "none", "tests that judge something else than the noise"),
+    ("gradient of the word", "cells where `hn_gradient(cell)` is not the gradient of its word", "none", "tests that judge something other than the noise"),
     ("equal words", "pairs of equal words in a window", "Poisson, `n (n - 1) / 2 / 2^b`, with b the bits that are not the same in all words; both tails", "copies; a counter in disguise"),
-    ("equal values", "chi-square of the consumed bits, if they are fewer than 2^20 values", "chi-square; both tails", "the same in the bits that are used"),
+    ("equal values", "chi-square of the consumed bits, if they have fewer than 2^20 values", "chi-square; both tails", "the same in the bits that are used"),
     ("copied lines", "the most words that a line shares with another at one shift, or reversed", "Poisson, `length / 2^b`; peak over pairs of lines and shifts", "duplicate rows, shifted and mirrored"),
     ("copied lines, windows", "the same in windows with lines of 1024 cells at many random origins", "as above", "columns that are copies in some windows and not in others"),
     ("copied runs, windows", "pairs of equal runs of cells in these windows", "as copied runs", "the same of the consumed bits alone"),
-    ("copied runs", "pairs of equal runs of cells (at least 50 consumed bits), along any axis, in either direction", "Poisson; both tails", "parts of rows that come twice, mirrored or turned"),
+    ("copied runs", "pairs of equal runs of cells (at least 50 consumed bits), along any axis, in either direction", "Poisson; both tails", "parts of rows that occur twice, mirrored or turned"),
     ("equal words, windows on average", "mean number of equal pairs in windows at random origins, over the expected one", "Student's t, by the spread of the windows", "the same elsewhere"),
-    ("avalanche", "each of the 12 low bits of each coordinate of cells in [0, 4096)^n is set: how far from 1/2 the probability that a consumed bit flips", "binomial, normal: `0.5 / sqrt(n)`; peak, two sides", "bits that hardly change"),
-    ("avalanche: pairs", "how far from 1/2 the probability that two consumed bits flip alike", "as above", "bits that flip together (bit independence)"),
-    ("far pairs", "bits of random cells against those 1, 2, 4, ... 2^24 cells further", "normal, `1 / sqrt(n)`; peak, two sides", "long periods"),
+    ("avalanche", "each of the 12 low bits of each coordinate of cells in [0, 4096)^n is set: how far the probability that a consumed bit flips is from 1/2", "binomial, normal: `0.5 / sqrt(n)`; peak, two sides", "bits that hardly change"),
+    ("avalanche: pairs", "how far the probability that two consumed bits flip alike is from 1/2", "as above", "bits that flip together (bit independence)"),
+    ("far pairs", "bits of random cells against those of cells 1, 2, 4, ... 2^24 further", "normal, `1 / sqrt(n)`; peak, two sides", "long periods"),
     ("far pairs: equal words", "equal words among these pairs", "Poisson; both tails", "long periods"),
     ("seeds: correlation", "gradients of two seeds at all shifts, and reflected", "normal; peak, two sides", "seeds that only move or reflect the field"),
-    ("seeds: pairs of bits", "agreement of each two bits of the words of two seeds", "normal; peak, two sides", "seeds that flip bits"),
-    ("seeds: common words", "pairs of equal words, one of each seed's window", "Poisson, `n^2 / 2^b`; both tails", "seeds that permute the field"),
-    ("seeds: common runs", "pairs of equal runs, one of each", "Poisson; both tails", "copied parts"),
-    ("seeds: avalanche", "each of the 32 bits of the seed flips: as avalanche", "as avalanche", "bits of the seed without effect"),
+    ("seeds: pairs of bits", "agreement of any two bits of the words of two seeds", "normal; peak, two sides", "seeds that flip bits"),
+    ("seeds: common words", "pairs of equal words, one from each seed's window", "Poisson, `n^2 / 2^b`; both tails", "seeds that permute the field"),
+    ("seeds: common runs", "pairs of equal runs, one from each seed's window", "Poisson; both tails", "copied parts"),
+    ("seeds: avalanche", "as avalanche, where each of the 32 bits of the seed flips", "as avalanche", "bits of the seed without effect"),
 ]
 
 SHAPE = """## The shape's own directions
 
-Gradients are uniform on the square or octahedron, whose corners are no accident: the harmonics that its symmetry allows have these strengths (the root of the sum of squared means of the
-harmonics of an order, each of mean square 1 on the circle or sphere; by numerical integration). Measured ones are held against these.
+Gradients are uniform on the square or octahedron, and its corners are intended. So the harmonics that its symmetry allows have these strengths, found by numerical integration. A strength is the root of the sum of squared means of the
+harmonics of an order, each of mean square 1 on the circle or sphere. Measured harmonics are compared with these.
 
 """
 
 CONTROLS = """## What the gate rejects
 
-Each test has a lattice that it must reject, and an independent random one (Philox) that all accept. The lattices are numpy's, in the plane; `tools/lib/quality/quality_test.py` has most of them in space as well.
+Each test has a lattice that it must reject, and all tests accept an independent random lattice (Philox). The lattices are made by numpy, in the plane. `tools/lib/quality/quality_test.py` has most of them in space as well.
 
 """
 
 NOISE = """## The noise
 
-Over 1024 x 1024 samples, 8 per cell (in 3D of a slice), for 8 seeds, with the standard error of the mean over these; the attained range over 2^22 random points. The spectrum is taken under a Hann window; directions are
-those between 0.3 and 1.2 cycles per cell, in sectors of 10 degrees. The strongest direction against the weakest is above 1 for any noise, since sectors fluctuate. Axes and diagonals are within 10 degrees of them; a lattice of squares favours
-its axes a little.
+The statistics are those of 1024 x 1024 samples, 8 per cell (in 3D of a slice), for 8 seeds, with the standard error of the mean over the seeds. The attained range is that of 2^22 random points. The spectrum is taken under a Hann window. Directions are
+those between 0.3 and 1.2 cycles per cell, in sectors of 10 degrees. The ratio of the strongest direction to the weakest is above 1 for any noise, since sectors fluctuate. "Axes" and "diagonals" are the directions within 10 degrees of them. A lattice of
+squares favours its axes a little.
 
 ![Spectrum by frequency and by direction](images/quality-noise.png)
 
@@ -92,6 +92,6 @@ its axes a little.
 
 SINE = """## For comparison: the sine gradient
 
-`HN_GRADIENT_SINE` is the paper's gradient: the hash as published, neither spread nor mixed, and as weak as published. It is measured here at the origin with seed 0, not judged.
+`HN_GRADIENT_SINE` is the paper's gradient: the hash as published, neither spread nor mixed, and as weak as published. Here it is measured at the origin with seed 0. It is not judged.
 
 """

@@ -48,7 +48,7 @@ def _configuration(row: Row) -> Configuration:
     families = tuple(family.strip() for family in row.arguments[5].split("|"))
     for family in families:
         if family not in FAMILIES:
-            raise row.error(f"{family} is no family; there are {', '.join(FAMILIES)}")
+            raise row.error(f"{family} is not a family; there are {', '.join(FAMILIES)}")
     configuration = Configuration(row, row.text(0), row.word(1).lower(), _one_of(row, 2, GRADIENTS), int(row.word(3)),
                                   _one_of(row, 4, ARITHMETICS), families)
     name = configuration.hash + "+sine" * (configuration.gradient == "sine")

@@ -86,11 +86,11 @@ class Function:
 def _function(row: Row) -> Function:
     family, columns = row.word(2), row.text(4)
     if family not in FAMILIES:
-        raise row.error(f"{family} is no family; there are {', '.join(FAMILIES)}")
+        raise row.error(f"{family} is not a family; there are {', '.join(FAMILIES)}")
     inputs, separator, outputs = columns.partition(" = ")
     form = next((form for form, pattern in FORMS.items() if pattern.fullmatch(inputs)), None)
     if not form or not re.fullmatch(r"\w+:(u32|f32|f64)( \w+:(u32|f32|f64))*", outputs):
-        raise row.error(f"{columns} are no columns that the tools know; tools/lib/tables/functions.py has the forms")
+        raise row.error(f"{columns} are not columns that the tools know; tools/lib/tables/functions.py has the forms")
     return Function(row, row.text(0), family, row.text(3), inputs, outputs, form)
 
 

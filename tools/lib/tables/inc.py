@@ -30,12 +30,12 @@ class Row:
         """An argument that is a string, or several, which C++ joins."""
         parts = re.findall(STRING, self.arguments[index])
         if not parts or re.sub(STRING, "", self.arguments[index]).strip():
-            raise self.error(f"{self.arguments[index]} is no string")
+            raise self.error(f"{self.arguments[index]} is not a string")
         return "".join(part[1:-1] for part in parts)
 
     def word(self, index: int) -> str:
         if not re.fullmatch(r"\w+", self.arguments[index]):
-            raise self.error(f"{self.arguments[index]} is no word")
+            raise self.error(f"{self.arguments[index]} is not a word")
         return self.arguments[index]
 
 

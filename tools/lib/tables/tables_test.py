@@ -54,7 +54,7 @@ class Tables(unittest.TestCase):
                         "x:f32 y:f32 seed:u32 = value:f16",
                         "x:f32 y:f32 seed:u32"):
             self.refused(read_functions, FUNCTION.format(columns=columns), "are no columns that the tools know")
-        self.refused(read_functions, good.replace("gradient_noise", "cell_noise"), "cell_noise is no family")
+        self.refused(read_functions, good.replace("gradient_noise", "cell_noise"), "cell_noise is not a family")
         self.refused(read_functions, good + good, "noise2d.perlin is there already")
 
     def test_configurations(self) -> None:
@@ -70,7 +70,7 @@ class Tables(unittest.TestCase):
         self.assertEqual(read_configurations(self.path)[0].families, ("hash", "octave_sum"))
         for change, message in (({"name": "fnv1+sine+fixed"}, "should be fnv1.sine.period48.fixed"),
                                 ({"gradient": "COSINE"}, "COSINE is none of OCTAHEDRAL, SINE"),
-                                ({"families": "hash | noise"}, "noise is no family")):
+                                ({"families": "hash | noise"}, "noise is not a family")):
             self.refused(read_configurations, CONFIGURATION.format(**row | change), message)
 
 
