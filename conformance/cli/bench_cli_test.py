@@ -178,7 +178,7 @@ class BenchCli(unittest.TestCase):
             (["--against", f"a.b={shader}:value_noise(p)"], "a name is a word", "a.b"),
             (["--against", f"../a={shader}:value_noise(p)"], "a name is a word", "../a"),
             (["--against", f"empty={shader}:value_noise(p)"], "empty"),
-            (["--against", f"v={shader}:1.0", "--against", f"v={shader}:2.0"], "two of the name v"),
+            (["--against", f"v={shader}:1.0", "--against", f"v={shader}:2.0"], "the name v is used twice"),
             (["--filter", "nothing*"], "no subject matches", "noise2d.perlin.lattice"),
             (["--driver", "voodoo"], "there are: osmesa, egl"),
             (["--driver", "egl-gles"], "desktop OpenGL"),

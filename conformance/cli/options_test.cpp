@@ -63,7 +63,7 @@ TEST(Options, ThatAreMisspeltAreSuggested) {
         {{"run", "--walk"}, "there is no option --walk; hn-conform run --help tells more"},
         {{"run", "-x"}, "there is no option -x; hn-conform run"},
         {{"--verison"}, "there is no option --verison (did you mean --version?); hn-conform --help tells more"},
-        {{"--driver", "zink", "run"}, "--driver stands behind a command, as in hn-conform run --driver"},
+        {{"--driver", "zink", "run"}, "--driver belongs after a command, as in hn-conform run --driver"},
         {{"list", "noise2d"}, "\"noise2d\" is one argument too many; hn-conform list --help tells more"},
         {{"run", "--seed", "-1"}, "; hn-conform run --help tells more"}}) {
     const auto command = parse(arguments);

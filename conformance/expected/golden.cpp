@@ -135,7 +135,7 @@ class Parser {
       }
       out.push_back(value);
     }
-    if (!text.empty()) return error(fmt::format("{} follows after the last column", in_quotes(text)));
+    if (!text.empty()) return error(fmt::format("{} should not follow the last column", in_quotes(text)));
     return {};
   }
 

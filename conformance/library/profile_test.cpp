@@ -16,7 +16,7 @@ TEST(Profile, WhatAContextCannotCompileHasAReason) {
   const LanguageSupport desktop{330, 0};
   EXPECT_EQ(unsupported_reason(profile_named("gl330"), desktop), "");
   EXPECT_EQ(unsupported_reason(profile_named("gl460"), desktop), "GLSL 4.60 is beyond this context's 3.30");
-  EXPECT_EQ(unsupported_reason(profile_named("es300"), desktop), "this context compiles no GLSL ES");
+  EXPECT_EQ(unsupported_reason(profile_named("es300"), desktop), "this context does not compile GLSL ES");
   EXPECT_EQ(unsupported_reason(profile_named("es320"), {450, 310}), "GLSL ES 3.20 is beyond this context's 3.10");
   const LanguageSupport strict_core{450, 0, false, false};
   EXPECT_EQ(unsupported_reason(profile_named("gl130"), strict_core), "this context does not accept GLSL 1.30");

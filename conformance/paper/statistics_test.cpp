@@ -140,7 +140,7 @@ TEST(Statistics, TheFewestValuesThatCanBeTested) {
   EXPECT_NEAR(test.p_value, 0.7717727812605265, 1e-12);
   const auto seven = normality_test(moments(near(7)).value());
   ASSERT_FALSE(seven);
-  EXPECT_EQ(seven.error().message, "the normality test wants 8 values or more, not 7");
+  EXPECT_EQ(seven.error().message, "the normality test needs 8 values or more, not 7");
 }
 
 // 1 - cdf would be 0 here.

@@ -86,7 +86,7 @@ TEST_F(SchedulerTest, AHangAndAStopAreTimeouts) {
   EXPECT_EQ(verdicts(run(script_that("b", "exec sleep 60"))), "a pass, b timeout, c pass, d pass, e pass");
   const hn::Run stopped = run(script_that("e", "kill -STOP $$"));
   EXPECT_EQ(verdicts(stopped), "a pass, b pass, c pass, d pass, e timeout");
-  EXPECT_EQ(stopped.cases[4].outcome.message, "the driver's process was killed, with no answer in 0.5 s");
+  EXPECT_EQ(stopped.cases[4].outcome.message, "the driver's process was killed, because it gave no answer for 0.5 s");
 }
 
 TEST_F(SchedulerTest, TheLimitIsForACaseAndNotForTheRun) {
