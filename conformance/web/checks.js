@@ -67,7 +67,7 @@ export function measureOf({ samples, mismatches, max_abs, max_ulp, allowed }) {
   if (max_abs === Number.MAX_VALUE) return `${wrong}, some of them infinite or not a number`;
   if (allowed === undefined || allowed >= max_abs) return wrong;
   const off = `${wrong}; the largest difference is ${shortNumber(max_abs)}`;
-  if (allowed > 0) return `${off}, where ${shortNumber(allowed)} is allowed`;
+  if (allowed > 0) return `${off}, and ${shortNumber(allowed)} is allowed`;
   const few = max_ulp !== 0 && max_ulp <= kMostUlpsTold;
   const units = few ? ` (${max_ulp} ${max_ulp === 1 ? "unit" : "units"} in the last place)` : "";
   return `${off}${units}, and none is allowed`;

@@ -53,7 +53,7 @@ class Tables(unittest.TestCase):
         for columns in ("x:f32 y:f32 = value:f64", "x:f32 cy:f32 seed:u32 = value:f64",
                         "x:f32 y:f32 seed:u32 = value:f16",
                         "x:f32 y:f32 seed:u32"):
-            self.refused(read_functions, FUNCTION.format(columns=columns), "are no columns that the tools know")
+            self.refused(read_functions, FUNCTION.format(columns=columns), "are not columns that the tools know")
         self.refused(read_functions, good.replace("gradient_noise", "cell_noise"), "cell_noise is not a family")
         self.refused(read_functions, good + good, "noise2d.perlin is there already")
 
