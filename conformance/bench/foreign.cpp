@@ -144,6 +144,11 @@ class Reader {
     const auto included = included_name(line);
     // In a comment an include is not one, and "//" changes nothing.
     if ((directive && directive->word == "version") || (included && in_comment)) return fmt::format("//{}", line);
+    // Ours are put in already; drivers do not know glslang's extension.
+    if (directive && directive->word == "extension" &&
+        directive->rest.find("GL_GOOGLE_include_directive") != std::string_view::npos) {
+      return fmt::format("//{}", line);
+    }
     if (!included) return std::string(line);
     const auto neighbour = (path.parent_path() / *included).lexically_normal();
     if (is_file(neighbour)) {

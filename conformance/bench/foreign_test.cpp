@@ -132,6 +132,15 @@ TEST_F(Foreigns, HaveTheVersionThatTheyAskFor) {
   }
 }
 
+// As the README's shaders have it.
+TEST_F(Foreigns, MayAskForIncludesAsGlslangWantsIt) {
+  folder_.write("helper.glsl", "float help(vec2 p) { return p.y; }\n");
+  folder_.write("asks.glsl",
+                "#extension GL_GOOGLE_include_directive : require\n#include \"helper.glsl\"\n"
+                "float f(vec2 p) { return help(p); }\n");
+  expect_compiles("asks", "asks.glsl:f(p)");
+}
+
 // GLSL 4.20 has initializers in braces, which 3.30 has not.
 TEST_F(Foreigns, CompileInTheVersionThatTheyAskFor) {
   folder_.write("braces.glsl", "const float kTwo[] = { 1.0, 2.0 };\nfloat f(vec2 p) { return kTwo[int(p.x) & 1]; }\n");

@@ -115,7 +115,8 @@ int bench_command(const BenchCommand& options, Interruption& interruption) {
   provenance.library = sources->edited();
   interruption.note_the_first();
   if (const auto written = write_bench(options.out, provenance, *report, changes, options.dump); !written) {
-    return usage_error(written.error().text());
+    complain(written.error().text());
+    return kNotAsExpected;
   }
   return conclude(*report, changes, options.out);
 }

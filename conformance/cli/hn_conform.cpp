@@ -59,9 +59,13 @@ void say_farewell(int signal, bool again) {
 
 // What was printed may not have arrived: on a full disk, say.
 int status_once_printed(int status) {
-  const bool flushed = std::fflush(stdout) == 0;
-  if (flushed && std::ferror(stdout) == 0) return status;
-  hn::complain(fmt::format("cannot write the standard output: {}", std::strerror(flushed ? EIO : errno)));
+  if (std::fflush(stdout) == 0) {
+    if (std::ferror(stdout) == 0) return status;
+    // Something before failed, and why is forgotten. It will fail again.
+    std::clearerr(stdout);
+    errno = std::fputc('\n', stdout) == EOF || std::fflush(stdout) != 0 ? errno : EIO;
+  }
+  hn::complain(fmt::format("cannot write the standard output: {}", std::strerror(errno)));
   return status == 0 ? hn::kNotAsExpected : status;
 }
 

@@ -80,7 +80,10 @@ int paper_command(const PaperCommand& options, Interruption& interruption) {
                std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
   interruption.note_the_first();
-  if (const auto written = write(options.out, data, page, tables); !written) return usage_error(written.error().text());
+  if (const auto written = write(options.out, data, page, tables); !written) {
+    complain(written.error().text());
+    return kNotAsExpected;
+  }
   fmt::print("The paper on {}: {}/index.html\n", driver->provenance.info.renderer, options.out);
   if (complete) return 0;
   fmt::print("NOT AS EXPECTED: something could not be measured; the page says what\n");

@@ -116,6 +116,15 @@ class Run(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.err)
         self.assertIn("nothing to resume", done.err)
 
+    def test_a_new_run_says_that_it_removes_what_could_be_resumed(self):
+        journal = pathlib.Path(self.out) / "journal.jsonl"
+        journal.parent.mkdir(parents=True, exist_ok=True)
+        journal.write_text("kept\n")
+        done = self.run_program("--filter", "noise2d.perlin.lattice.*.fragment.gl330.golden")
+        self.assertEqual(done.returncode, 0, done.err)
+        self.assertIn(f"what an earlier run left in {journal} for --resume is removed", done.err)
+        self.assertFalse(journal.exists())
+
     def test_shards_are_the_whole(self):
         filters = ("--filter", "noise2d.*golden", "--filter", "noise2d.*glslang")
         self.assertEqual(self.run_program(*filters, out=self.folder / "whole").returncode, 0)

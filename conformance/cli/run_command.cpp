@@ -171,6 +171,10 @@ std::vector<DriverPlan> plan_drivers(std::vector<std::string> names, std::vector
 Result<Journal> open_journal(const RunCommand& options, const nlohmann::json& plan) {
   if (options.resume && Journal::exists(options.out)) return Journal::reopen(options.out, plan);
   if (options.resume) complain(fmt::format("nothing to resume in {}, so this is a new run", options.out));
+  if (Journal::exists(options.out)) {
+    complain(fmt::format("a new run: what an earlier run left in {} for --resume is removed",
+                         (std::filesystem::path(options.out) / kJournalFile).string()));
+  }
   return Journal::create(options.out, plan);
 }
 

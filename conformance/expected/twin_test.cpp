@@ -151,6 +151,8 @@ TEST(Shim, FloatsThatFitNoIntAreClamped) {
 TEST(Shim, VectorsAreMadeOfSmallerOnesAndOfScalars) {
   using namespace hashnoise;
   EXPECT_EQ(vec3(vec2(1.0f, 2.0f), 3.0f), vec3(1.0f, 2.0f, 3.0f));
+  EXPECT_EQ(8.0f * vec2(1.0f, 2.0f) / 2.0f, vec2(4.0f, 8.0f));
+  EXPECT_EQ(8.0f * vec3(1.0f, 2.0f, 3.0f) / vec3(2.0f, 4.0f, 8.0f), vec3(4.0f, 4.0f, 3.0f));
   EXPECT_EQ(vec3(1.0f, vec2(2.0f, 3.0f)), vec3(1.0f, 2.0f, 3.0f));
   const vec4 counted(1.0f, 2.0f, 3.0f, 4.0f);
   EXPECT_EQ(vec4(vec2(1.0f, 2.0f), vec2(3.0f, 4.0f)), counted);

@@ -191,11 +191,12 @@ class Sorter {
     Failures failures{.failed = failed_.size(), .ran = rows_.size(), .common = {}, .groups = {}};
     const std::vector<Trait> traits = traits_of(failed_, others_, kToldOfAll);
     for (const Trait& trait : traits) failures.common.push_back(sentence_of(trait, others_, texts_));
-    if (failed_.size() > 1 && traits.empty()) {
+    for (const Rows& rows : grouped()) failures.groups.push_back(group_of(rows, traits));
+    // A single group says by itself what its cases have in common.
+    if (failed_.size() > 1 && traits.empty() && (others_.empty() || failures.groups.size() > 1)) {
       failures.common.emplace_back(others_.empty() ? "Every case that ran fails."
                                                    : "The names of the failing cases have nothing in common.");
     }
-    for (const Rows& rows : grouped()) failures.groups.push_back(group_of(rows, traits));
     return failures;
   }
 

@@ -95,6 +95,14 @@ TEST(Common, IsNotClaimedWhereThereIsNone) {
       Sentences{"The names of the failing cases have nothing in common."});
 }
 
+TEST(Common, IsNotDeniedOfASingleGroup) {
+  EXPECT_EQ(common_in({wrong("noise2d.perlin.pcg.fast.fragment.gl330.golden"),
+                       wrong("noise2d.perlin.fnv1.fixed.vertex.es300.twin"),
+                       right("noise2d.perlin.pcg.fixed.vertex.es300.twin"),
+                       right("noise2d.perlin.fnv1.fast.fragment.gl330.golden")}),
+            Sentences{});
+}
+
 // A case with which the sentence would be false takes it away.
 TEST(Common, IsHeldAgainstEveryFailure) {
   const auto cases = [](Status of_third) {

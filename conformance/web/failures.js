@@ -120,9 +120,10 @@ export function failuresOf(results, facets) {
   const others = ran.filter(({ result }) => !isBad(result));
   const traits = traitsOf(failed, others, kToldOfAll);
   const common = traits.map((trait) => sentenceOf(trait, others));
-  if (failed.length > 1 && traits.length === 0) {
+  const groups = grouped(failed).map((rows) => groupOf(rows, ran, traits));
+  // A single group says by itself what its cases have in common.
+  if (failed.length > 1 && traits.length === 0 && (!others.length || groups.length > 1)) {
     common.push(others.length ? "The names of the failing cases have nothing in common." : "Every case that ran fails.");
   }
-  return { failed: failed.length, ran: ran.length, common,
-           groups: grouped(failed).map((rows) => groupOf(rows, ran, traits)) };
+  return { failed: failed.length, ran: ran.length, common, groups };
 }

@@ -116,6 +116,9 @@ struct Vector2 {
   friend constexpr Vector2 operator+(Vector2 a, T b) { return a + Vector2(b); }
   friend constexpr Vector2 operator-(Vector2 a, T b) { return a - Vector2(b); }
   friend constexpr Vector2 operator*(Vector2 a, T b) { return a * Vector2(b); }
+  friend constexpr Vector2 operator*(T a, Vector2 b) { return Vector2(a) * b; }
+  friend constexpr Vector2 operator/(Vector2 a, Vector2 b) { return {a.x / b.x, a.y / b.y}; }
+  friend constexpr Vector2 operator/(Vector2 a, T b) { return a / Vector2(b); }
 };
 
 template <typename T>
@@ -142,6 +145,9 @@ struct Vector3 {
   friend constexpr Vector3 operator+(Vector3 a, T b) { return a + Vector3(b); }
   friend constexpr Vector3 operator-(Vector3 a, T b) { return a - Vector3(b); }
   friend constexpr Vector3 operator*(Vector3 a, T b) { return a * Vector3(b); }
+  friend constexpr Vector3 operator*(T a, Vector3 b) { return Vector3(a) * b; }
+  friend constexpr Vector3 operator/(Vector3 a, Vector3 b) { return {a.x / b.x, a.y / b.y, a.z / b.z}; }
+  friend constexpr Vector3 operator/(Vector3 a, T b) { return a / Vector3(b); }
 };
 
 template <typename T>
