@@ -262,7 +262,7 @@ Outcome expect_refusal(const CompilationKind& compilation, const Result<void>& c
   }
   if (compiled.error().log.find(expected) != std::string::npos) return {};
   return outcome_with(Status::fail,
-                      {fmt::format("it is refused, but nothing names {}", expected), compiled.error().log});
+                      {fmt::format("the shader is refused, but no message names {}", expected), compiled.error().log});
 }
 
 void add_refusal_cases(std::vector<Case>& cases, const Refusal& refusal) {

@@ -231,7 +231,7 @@ std::string_view golden_configuration(const Function& function, const Configurat
 }
 
 Result<void> check_golden_folder(const std::filesystem::path& directory) {
-  constexpr std::string_view kHint = "--golden wants the folder of the golden files, which tools/golden writes";
+  constexpr std::string_view kHint = "--golden wants the folder of the golden files, which is installed with the program";
   std::error_code error;
   std::filesystem::directory_iterator entries(directory, error);
   if (error) return fail(fmt::format("cannot read the folder {}: {}; {}", directory.string(), error.message(), kHint));

@@ -68,7 +68,10 @@ std::string group_lines(const FailureGroup& group) {
 std::string failure_lines(const Run& run) {
   const Failures failures = failures_of(run);
   if (failures.failed == 0) return {};
-  std::string text = fmt::format("{} of {} cases are wrong on {}.\n", failures.failed, failures.ran, run.driver);
+  const bool only_errors = std::all_of(failures.groups.begin(), failures.groups.end(),
+                                       [](const FailureGroup& group) { return group.status == Status::error; });
+  std::string text = fmt::format("{} of {} cases {} on {}.\n", failures.failed, failures.ran,
+                                 only_errors ? "could not be checked" : "are wrong", run.driver);
   for (const std::string& sentence : failures.common) text += fmt::format("{}\n", sentence);
   std::vector<std::string> rest;
   for (std::size_t i = 0; i < failures.groups.size(); ++i) {

@@ -53,6 +53,14 @@ TEST(Summary, NamesWhatFailedAndWhatIsUnsupported) {
   EXPECT_NE(text.find("1 pass, 1 fail, 1 unsupported"), std::string::npos) << text;
 }
 
+// An error is the suite's, not the driver's.
+TEST(Summary, BlamesNoDriverForErrors) {
+  CaseResult error = result("a.b.golden", Status::error);
+  error.outcome.message = "golden/a.b:1: no";
+  EXPECT_EQ(summary(run_of({error, result("a.c.golden", Status::pass)})).find("1 of 2 cases could not be checked on osmesa."),
+            0u);
+}
+
 TEST(Summary, SaysWhatWasNotRun) {
   hn::Run run = run_of({result("a.b.golden", Status::pass)});
   run.not_run = 4;

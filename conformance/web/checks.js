@@ -134,7 +134,7 @@ function checkRefused(renderer, suite, test) {
     if (!(error instanceof DriverError)) throw error;
     if (error.log.includes(test.names)) return outcomeWith("pass", "");
     return outcomeWith(test.too_old ? "unsupported" : "fail",
-                       `it is refused, but nothing names ${test.names}\n${error.log}`);
+                       `the shader is refused, but no message names ${test.names}\n${error.log}`);
   }
   return outcomeWith("fail", `it compiles, but an error should name ${test.names}`);
 }

@@ -269,7 +269,7 @@ std::string unsupported_in_browser(const Case& test) {
   if (auto reason = unsupported_reason(profile_named(test.name.profile), kWebGl2Languages); !reason.empty()) {
     return reason;
   }
-  return test.is<CheckKind>() ? "this check is written in C++, and the page is not" : "";
+  return test.is<CheckKind>() ? "this check runs in the program only, not in a browser" : "";
 }
 
 PageSuite make_suite(const SourceSet& sources, const std::filesystem::path& golden, std::span<const Case> cases,
