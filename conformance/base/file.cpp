@@ -16,9 +16,11 @@ Result<std::string> read_file(const std::filesystem::path& path, std::string_vie
   std::ifstream in(path, std::ios::binary);
   std::string bytes;
   std::array<char, 65536> part;
-  while (in.read(part.data(), part.size()) || in.gcount() > 0) bytes.append(part.data(), static_cast<std::size_t>(in.gcount()));
+  while (in.read(part.data(), part.size()) || in.gcount() > 0)
+    bytes.append(part.data(), static_cast<std::size_t>(in.gcount()));
   if (in.eof()) return bytes;
-  return fail(fmt::format("cannot read {}: {}{}{}", path.string(), std::strerror(errno), hint.empty() ? "" : "; ", hint));
+  return fail(
+      fmt::format("cannot read {}: {}{}{}", path.string(), std::strerror(errno), hint.empty() ? "" : "; ", hint));
 }
 
 std::string end_of_log(const std::filesystem::path& path, std::size_t most, std::size_t from) {

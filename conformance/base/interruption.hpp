@@ -45,10 +45,10 @@ class Interruption {
   void take(int signal);
 
   Farewell farewell_;
-  sigset_t earlier_;           // held back before
-  FileDescriptor signals_;     // where those arrive
-  FileDescriptor readable_;    // fd()
-  FileDescriptor over_;        // ends the thread
+  sigset_t earlier_;         // held back before
+  FileDescriptor signals_;   // where those arrive
+  FileDescriptor readable_;  // fd()
+  FileDescriptor over_;      // ends the thread
   std::atomic<bool> noting_ = false;
   std::atomic<int> noted_ = 0;
   std::chrono::steady_clock::time_point noted_at_;

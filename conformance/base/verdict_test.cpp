@@ -24,14 +24,12 @@ TEST(Measure, SaysWhatIsAllowedWhereSomethingIs) {
 }
 
 TEST(Measure, TellsUnitsInTheLastPlaceWhereEveryBitCountsAndTheyAreFew) {
-  EXPECT_EQ(
-      measure_of(wrong_values(1.1920929e-7, 0.0, 1)),
-      "123 of 192 values are wrong; "
-      "the largest difference is 1.19e-07 (1 unit in the last place), and none is allowed");
-  EXPECT_EQ(
-      measure_of(wrong_values(2.3841858e-7, 0.0, 2)),
-      "123 of 192 values are wrong; "
-      "the largest difference is 2.38e-07 (2 units in the last place), and none is allowed");
+  EXPECT_EQ(measure_of(wrong_values(1.1920929e-7, 0.0, 1)),
+            "123 of 192 values are wrong; "
+            "the largest difference is 1.19e-07 (1 unit in the last place), and none is allowed");
+  EXPECT_EQ(measure_of(wrong_values(2.3841858e-7, 0.0, 2)),
+            "123 of 192 values are wrong; "
+            "the largest difference is 2.38e-07 (2 units in the last place), and none is allowed");
   EXPECT_EQ(measure_of(wrong_values(0.7, 0.0, 2080170303)),
             "123 of 192 values are wrong; the largest difference is 0.7, and none is allowed");
 }

@@ -4,8 +4,7 @@
 
 namespace hn {
 
-Sampler::Sampler(const Context& context_, const SourceSet& sources_)
-    : Workbench(context_, sources_), grid_(context_) {}
+Sampler::Sampler(const Context& context_, const SourceSet& sources_) : Workbench(context_, sources_), grid_(context_) {}
 
 Result<std::vector<float>> Sampler::values(const Subject& subject, std::span<const Position> positions) {
   HN_TRY(const auto program, build(value_shader(subject), subject.profile));

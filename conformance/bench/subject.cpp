@@ -63,10 +63,9 @@ std::vector<Subject> library_subjects() {
   }
   // A noise of the user's own, which costs nothing: what is left is the sum itself.
   for (const int dimensions : {2, 3}) {
-    subjects.push_back(
-        {fmt::format("fbm.fbm{}.own_noise", dimensions), dimensions,
-         fmt::format("#define HN_FBM_NOISE{0}D(q, seed) (q).x\n#include \"fbm{0}d.glsl\"\n", dimensions),
-         "hn_fbm(p, 6, 2.0, 0.5)"});
+    subjects.push_back({fmt::format("fbm.fbm{}.own_noise", dimensions), dimensions,
+                        fmt::format("#define HN_FBM_NOISE{0}D(q, seed) (q).x\n#include \"fbm{0}d.glsl\"\n", dimensions),
+                        "hn_fbm(p, 6, 2.0, 0.5)"});
   }
   return subjects;
 }

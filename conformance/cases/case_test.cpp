@@ -1,6 +1,4 @@
 #include "cases/case.hpp"
-#include "cases/checks.hpp"
-#include "cases/value_checks.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -9,6 +7,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "cases/checks.hpp"
+#include "cases/value_checks.hpp"
 #include "gpu/osmesa_fixture.hpp"
 
 namespace hn {

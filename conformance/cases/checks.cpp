@@ -9,7 +9,8 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
     {"golden",
      "64 to 192 points have the oracle's values. For `hn_hash` and `hn_lattice` so has the digest of 16,384 more."},
     {"twin",
-     "Random points have the values of the C++ twin: 262,144 with the defaults in the main version of desktop OpenGL, a "
+     "Random points have the values of the C++ twin: 262,144 with the defaults in the main version of desktop OpenGL, "
+     "a "
      "quarter of them for octave sums and for other settings, a sixteenth in other versions. On softpipe there are "
      "4,096, with `--points N` there are N. The points are near, negative, at 2^20 cells and more, on lattice lines "
      "and beside them; for `precise` and `fixed` also subnormal, tiny, -0 and huge, and for octave sums of `precise` "
@@ -23,8 +24,7 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
      "and infinities. Where all coordinates are 2^23 or more, a gradient noise is 0."},
     {"seeds", "Fields of different seeds do not correlate, at 16,384 points."},
     {"mirror", "A field does not correlate with its reflections, at 16,384 points."},
-    {"wrapped",
-     "Gradients with periods from 1 to 2^30 are those without a period, at the cell modulo the period."},
+    {"wrapped", "Gradients with periods from 1 to 2^30 are those without a period, at the cell modulo the period."},
     {"period",
      "Points that are whole periods apart have the same bits. So have octave sums of a whole lacunarity, `fixed` ones "
      "of up to 15 octaves; `fast` ones are the same within the tolerance."},
@@ -33,8 +33,7 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
     {"inlined",
      "4,096 random points have the same values when the function's body stands in main. For this check and the next "
      "five, `fast` values agree within twice the tolerance, all others bit by bit."},
-    {"in_loop",
-     "So they have in a loop whose number of trips is a uniform. Each trip leaves one word of the result."},
+    {"in_loop", "So they have in a loop whose number of trips is a uniform. Each trip leaves one word of the result."},
     {"constant_seed", "So they have when the seed is a constant of the shader."},
     {"uniform_seed", "So they have when the seed is a uniform."},
     {"folded", "4 points have the same values when they are constants of the shader, which the compiler may evaluate."},
@@ -49,7 +48,8 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
     {"uncontracted",
      "In the SPIR-V of the Vulkan shaders with `HN_PRECISE`, NoContraction marks every operation on floats that "
      "rounds."},
-    {"refused_by_glslang", "Too old a version, a wrong knob, or one that is defined after the include, is an error of glslang that says so."},
+    {"refused_by_glslang",
+     "Too old a version, a wrong knob, or one that is defined after the include, is an error of glslang that says so."},
     {"refused_by_driver", "The same, by the driver."},
     {"defined",
      "A few lines of GLSL that some driver got wrong have the words that the specification fixes (in the file "

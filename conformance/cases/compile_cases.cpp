@@ -131,10 +131,9 @@ Outcome check_highp(const Suite& suite, std::string_view file, const Configurati
 }
 
 void add_highp_case(std::vector<Case>& cases, std::string_view file, const Configuration& configuration) {
-  cases.push_back({name_of(file, configuration, Stage::fragment, es_to_spirv(configuration), "highp"),
-                   ReferenceKind{[=, &configuration](const Suite& suite) {
-                     return check_highp(suite, file, configuration);
-                   }}});
+  cases.push_back(
+      {name_of(file, configuration, Stage::fragment, es_to_spirv(configuration), "highp"),
+       ReferenceKind{[=, &configuration](const Suite& suite) { return check_highp(suite, file, configuration); }}});
 }
 
 // A driver that contracts shows a forgotten `precise` only if the bits happen to differ, and the software drivers of
@@ -162,8 +161,8 @@ void add_uncontracted_case(std::vector<Case>& cases, std::string_view file, cons
                    }}});
 }
 
-// A shader that must be refused: by the library, with an #error that says what would be right; or by the compiler, since
-// it defines a knob a second time.
+// A shader that must be refused: by the library, with an #error that says what would be right; or by the compiler,
+// since it defines a knob a second time.
 struct Refusal {
   std::string_view name;
   std::string_view profile;
@@ -266,17 +265,17 @@ Outcome expect_refusal(const CompilationKind& compilation, const Result<void>& c
 }
 
 void add_refusal_cases(std::vector<Case>& cases, const Refusal& refusal) {
-  const CompilationKind compilation{&profile_named(refusal.profile),
-                                    fmt::format("{}#include \"{}\"\n{}void main() {{}}\n", refusal.knobs,
-                                                refusal.after.empty() ? "config.glsl" : "hashnoise.glsl", refusal.after),
-                                    refusal.expected, refusal.name.starts_with("version") || refusal.profile == "es310"};
-  cases.push_back({name_of_setting(refusal.name, refusal.profile, "refused_by_glslang"),
-                   ReferenceKind{[=](const Suite& suite) {
-                     const auto text = expand(suite.sources, *compilation.profile, compilation.fragment);
-                     if (!text) return outcome_with(Status::error, text.error());
-                     return expect_refusal(compilation,
-                                           suite.reference.check(*text, *compilation.profile, Stage::fragment));
-                   }}});
+  const CompilationKind compilation{
+      &profile_named(refusal.profile),
+      fmt::format("{}#include \"{}\"\n{}void main() {{}}\n", refusal.knobs,
+                  refusal.after.empty() ? "config.glsl" : "hashnoise.glsl", refusal.after),
+      refusal.expected, refusal.name.starts_with("version") || refusal.profile == "es310"};
+  cases.push_back(
+      {name_of_setting(refusal.name, refusal.profile, "refused_by_glslang"), ReferenceKind{[=](const Suite& suite) {
+         const auto text = expand(suite.sources, *compilation.profile, compilation.fragment);
+         if (!text) return outcome_with(Status::error, text.error());
+         return expect_refusal(compilation, suite.reference.check(*text, *compilation.profile, Stage::fragment));
+       }}});
   cases.push_back(
       {name_of_setting(refusal.name, refusal.profile, "refused_by_driver"), compilation, Extent::one_driver});
 }

@@ -22,7 +22,8 @@ class FaultyLibrary : public OnOsmesa<> {
   Outcome run(Session& session, std::string_view id) {
     const auto found = std::find_if(cases_.begin(), cases_.end(), [&](const Case& test) { return test.id == id; });
     EXPECT_NE(found, cases_.end()) << id;
-    return found == cases_.end() ? outcome_with(Status::error, {"no such case", {}}) : run_case(session, *found).outcome;
+    return found == cases_.end() ? outcome_with(Status::error, {"no such case", {}})
+                                 : run_case(session, *found).outcome;
   }
 
   Outcome run(std::string_view id) {

@@ -30,8 +30,8 @@ struct Range {
 double largest_of(const Function& function, const Configuration& configuration) {
   if (function.family == Family::sine_gradient) return 1.0;
   // Octave sums take over the range of the noise. Roundings may take what is not scaled beyond (docs/accuracy.md).
-  const NoiseBounds& bounds = noise_bounds(function.is_octave_sum() ? "perlin" : function.bound, function.axes,
-                                           configuration.gradient);
+  const NoiseBounds& bounds =
+      noise_bounds(function.is_octave_sum() ? "perlin" : function.bound, function.axes, configuration.gradient);
   return configuration.arithmetic == Arithmetic::fixed ? bounds.fixed_limit : bounds.limit;
 }
 

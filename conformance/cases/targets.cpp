@@ -33,9 +33,9 @@ bool has_turn(const Function& function, const Configuration& configuration, std:
 
 Extent extent_of(const Function& function, const Configuration& configuration, const Target& target) {
   // The sine gradient is not the default, but its functions have nothing that is nearer to one.
-  const bool defaults = configuration.default_but_for_arithmetic() ||
-                        (function.family == Family::sine_gradient &&
-                         configuration.name_without_arithmetic() == "lattice+sine");
+  const bool defaults =
+      configuration.default_but_for_arithmetic() ||
+      (function.family == Family::sine_gradient && configuration.name_without_arithmetic() == "lattice+sine");
   if (defaults && target.main) return Extent::every_driver;
   const bool main_of_desktop = target.main && !target.profile->es;
   const bool chosen = defaults || main_of_desktop || has_turn(function, configuration, target.number);

@@ -48,7 +48,6 @@ Outcome check_pairing(Session& session, const Pairing& pairing);
 
 // The name of a case about values.
 CaseName name_of(const Evaluation& evaluation, std::string_view check);
-void add_metamorphic_cases(std::vector<Case>& cases, const Evaluation& evaluation, const Target& target,
-                           Extent extent);
+void add_metamorphic_cases(std::vector<Case>& cases, const Evaluation& evaluation, const Target& target, Extent extent);
 
 }  // namespace hn

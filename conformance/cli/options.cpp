@@ -302,9 +302,10 @@ tl::expected<Command, Stop> parse_options(int argc, const char* const* argv, con
   CLI::App app("Checks that hashnoise computes what it promises on a driver, and measures what it costs.",
                "hn-conform");
   app.set_version_flag("--version", library_version());
-  add_statuses(app,
-               "0 all as expected, 1 something is not, 2 bad usage, 3 no usable driver, 130 ended by Ctrl-C (SIGINT), "
-               "143 by SIGTERM, 129 by SIGHUP; of tools/bench, tools/conform and tools/paper also 4, it could not be built");
+  add_statuses(
+      app,
+      "0 all as expected, 1 something is not, 2 bad usage, 3 no usable driver, 130 ended by Ctrl-C (SIGINT), "
+      "143 by SIGTERM, 129 by SIGHUP; of tools/bench, tools/conform and tools/paper also 4, it could not be built");
   app.require_subcommand(0, 1);  // none gets a better message below
   ListCommand list;
   RunCommand run;

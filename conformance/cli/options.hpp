@@ -33,15 +33,15 @@ struct RunCommand {
   std::string out = "out";
   SuiteOptions suite;
   std::string expect;
-  std::string shard;         // "I/N", or empty
-  double timeout = 60.0;     // seconds
+  std::string shard;      // "I/N", or empty
+  double timeout = 60.0;  // seconds
   std::size_t jobs = 1;
   bool thorough = false;
   bool deal = false;  // each case that not every driver must show on one of them
   bool fail_fast = false;
   bool resume = false;
   bool timings = false;
-  std::string line;    // the command line, for the record
+  std::string line;  // the command line, for the record
 };
 
 struct MergeCommand {

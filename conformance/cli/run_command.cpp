@@ -153,8 +153,8 @@ std::vector<DriverPlan> deal_plans(const std::vector<std::string>& names, const 
 std::vector<DriverPlan> plan_drivers(std::vector<std::string> names, std::vector<Case> cases, const Shard& shard,
                                      bool dealt, const Inquiry& inquiry) {
   std::erase(names, std::string(kReferenceCompiler));
-  const auto of_drivers = std::stable_partition(cases.begin(), cases.end(),
-                                                [](const Case& test) { return !test.needs_driver(); });
+  const auto of_drivers =
+      std::stable_partition(cases.begin(), cases.end(), [](const Case& test) { return !test.needs_driver(); });
   const std::vector<Case> for_drivers(of_drivers, cases.end());
   cases.erase(of_drivers, cases.end());
   std::vector<DriverPlan> plans;
@@ -351,7 +351,8 @@ int drivers_command(Interruption& interruption) {
 // docs/checks.md.
 std::string page_of_checks() {
   std::string page =
-      "# Checks\n\nThe last part of a case's id says what the case checks. `hn-conform list --checks` prints this page.\n\n"
+      "# Checks\n\nThe last part of a case's id says what the case checks. `hn-conform list --checks` prints this "
+      "page.\n\n"
       "| check | what holds if it passes |\n| --- | --- |\n";
   for (const auto& [check, text] : check_descriptions()) page += fmt::format("| `{}` | {} |\n", check, text);
   return page;

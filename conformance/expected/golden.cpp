@@ -231,13 +231,13 @@ std::string_view golden_configuration(const Function& function, const Configurat
 }
 
 Result<void> check_golden_folder(const std::filesystem::path& directory) {
-  constexpr std::string_view kHint = "--golden wants the folder of the golden files, which is installed with the program";
+  constexpr std::string_view kHint =
+      "--golden wants the folder of the golden files, which is installed with the program";
   std::error_code error;
   std::filesystem::directory_iterator entries(directory, error);
   if (error) return fail(fmt::format("cannot read the folder {}: {}; {}", directory.string(), error.message(), kHint));
-  const bool any = std::any_of(begin(entries), end(entries), [](const auto& entry) {
-    return entry.path().extension() == kGoldenExtension;
-  });
+  const bool any = std::any_of(begin(entries), end(entries),
+                               [](const auto& entry) { return entry.path().extension() == kGoldenExtension; });
   if (!any) return fail(fmt::format("there is no golden file in {}; {}", directory.string(), kHint));
   return {};
 }
@@ -261,8 +261,6 @@ Result<Golden> parse_golden(std::string_view text, std::string_view path, const 
   return Parser(text, path, function, configuration).run();
 }
 
-std::uint64_t fnv1a64(const std::vector<std::uint32_t>& words) {
-  return fnv1a64(bytes_of(std::span(words)));
-}
+std::uint64_t fnv1a64(const std::vector<std::uint32_t>& words) { return fnv1a64(bytes_of(std::span(words))); }
 
 }  // namespace hn

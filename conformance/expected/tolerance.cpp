@@ -13,8 +13,8 @@
 namespace hn {
 namespace {
 
-constexpr double kUnit = 0x1p-23;       // the largest relative error of one operation, in any rounding mode
-constexpr double kTiny = 0x1p-126;      // the largest error of flushing a subnormal to 0
+constexpr double kUnit = 0x1p-23;   // the largest relative error of one operation, in any rounding mode
+constexpr double kTiny = 0x1p-126;  // the largest error of flushing a subnormal to 0
 // The words of bounds.inc.
 constexpr std::optional<Gradient> octahedral = Gradient::octahedral;
 constexpr std::optional<Gradient> sine = Gradient::sine;

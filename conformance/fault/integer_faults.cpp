@@ -44,19 +44,18 @@ std::string arithmetic(const ShimLanguage& language, std::string_view ints, std:
 }
 
 void add_arithmetic(std::vector<Fault>& faults) {
-  faults.push_back(
-      {.name = "modulo_sign",
-       .fault = "negative `%` folded as unsigned, or differing between constant and variable",
-       .reported = "gfx-rs/wgpu 9687 (NVIDIA); godot 78429; dolphin 3509",
-       .injected = "`%` treats an int as a uint, and a uint as an int",
-       .remark = "`%` of a negative int is undefined and only a warning; `%` of a large uint is defined",
-       .shim =
-           [](const ShimLanguage& language) {
-             return binary_shim(language, "hn_fault_modulo", "int", "return int(uint(a) % uint(b));") +
-                    binary_shim(language, "hn_fault_modulo", "uint",
-                                "return a >= 0x80000000u ? 0u - ((0u - a) % b) : a % b;");
-           },
-       .rules = {.operators = {{"%", "hn_fault_modulo"}}}});
+  faults.push_back({.name = "modulo_sign",
+                    .fault = "negative `%` folded as unsigned, or differing between constant and variable",
+                    .reported = "gfx-rs/wgpu 9687 (NVIDIA); godot 78429; dolphin 3509",
+                    .injected = "`%` treats an int as a uint, and a uint as an int",
+                    .remark = "`%` of a negative int is undefined and only a warning; `%` of a large uint is defined",
+                    .shim =
+                        [](const ShimLanguage& language) {
+                          return binary_shim(language, "hn_fault_modulo", "int", "return int(uint(a) % uint(b));") +
+                                 binary_shim(language, "hn_fault_modulo", "uint",
+                                             "return a >= 0x80000000u ? 0u - ((0u - a) % b) : a % b;");
+                        },
+                    .rules = {.operators = {{"%", "hn_fault_modulo"}}}});
   faults.push_back(
       {.name = "integers_16_bits",
        .fault = "32-bit integers truncated to 16 bits",

@@ -8,7 +8,7 @@
 
 namespace hn {
 
-enum class Gradient { octahedral, sine };    // of HN_GRADIENT
+enum class Gradient { octahedral, sine };        // of HN_GRADIENT
 enum class Arithmetic { fast, precise, fixed };  // of HN_ARITHMETIC
 std::string_view name_of(Arithmetic arithmetic);
 

@@ -90,13 +90,13 @@ Json page_driver(const Run& run) {
   const std::size_t unexpected = unexpected_in(run);
   const bool nothing = unexpected == 0 && run.not_run == 0 && !run.as_expected();
   return {{"driver", run.driver},
-          {"verdict", unexpected != 0 ? fmt::format("{} not as expected", unexpected)
+          {"verdict", unexpected != 0    ? fmt::format("{} not as expected", unexpected)
                       : run.not_run != 0 ? fmt::format("{} not run", run.not_run)
-                      : nothing       ? "nothing passed"
-                                      : "as expected"},
+                      : nothing          ? "nothing passed"
+                                         : "as expected"},
           {"class", unexpected != 0 || run.not_run != 0 ? "bad"
-                    : nothing       ? "faint"
-                                    : "good"},
+                    : nothing                           ? "faint"
+                                                        : "good"},
           {"renderer", clean_text(run.injected.empty()
                                       ? run.info.renderer
                                       : fmt::format("{}, made to have the fault {}", run.info.renderer, run.injected))},

@@ -57,8 +57,9 @@ TEST(Summary, NamesWhatFailedAndWhatIsUnsupported) {
 TEST(Summary, BlamesNoDriverForErrors) {
   CaseResult error = result("a.b.golden", Status::error);
   error.outcome.message = "golden/a.b:1: no";
-  EXPECT_EQ(summary(run_of({error, result("a.c.golden", Status::pass)})).find("1 of 2 cases could not be checked on osmesa."),
-            0u);
+  EXPECT_EQ(
+      summary(run_of({error, result("a.c.golden", Status::pass)})).find("1 of 2 cases could not be checked on osmesa."),
+      0u);
 }
 
 TEST(Summary, SaysWhatWasNotRun) {

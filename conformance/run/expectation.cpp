@@ -80,8 +80,8 @@ Result<std::vector<Expectation>> read_expectations(const std::filesystem::path& 
 
 Result<void> check_expectations(const std::vector<Expectation>& expectations, const std::vector<std::string>& ids) {
   for (const Expectation& expectation : expectations) {
-    const bool known = std::any_of(ids.begin(), ids.end(),
-                                   [&](const std::string& id) { return matches_glob(id, expectation.id); });
+    const bool known =
+        std::any_of(ids.begin(), ids.end(), [&](const std::string& id) { return matches_glob(id, expectation.id); });
     if (!known) return fail(fmt::format("{}: no case matches \"{}\"", expectation.place, expectation.id));
   }
   return {};

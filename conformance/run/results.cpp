@@ -104,9 +104,7 @@ std::size_t Run::count(Status status) const {
       std::count_if(cases.begin(), cases.end(), [&](const CaseResult& c) { return c.outcome.status == status; }));
 }
 
-bool Run::as_expected() const {
-  return not_run == 0 && count(Status::pass) > 0 && cases_are_right(*this);
-}
+bool Run::as_expected() const { return not_run == 0 && count(Status::pass) > 0 && cases_are_right(*this); }
 
 bool only_unfinished(const std::vector<Run>& runs) {
   return std::any_of(runs.begin(), runs.end(), [](const Run& run) { return run.not_run != 0; }) &&

@@ -145,8 +145,7 @@ TEST(BrowserFault, ARefusalWithoutItsWordFailsAndSoDoesNone) {
   ASSERT_TRUE(run(story, kSome, "webgl2", changed("config.glsl", "HN_HASH_PARTIAL_JENKINS,", "X,")));
   EXPECT_EQ(story.outcome(kRefused).status, Status::fail) << story.outcome(kRefused).message;
   Story other;
-  ASSERT_TRUE(
-      run(other, kSome, "webgl2", changed("config.glsl", "#error HN_HASH must", "// #error HN_HASH must")));
+  ASSERT_TRUE(run(other, kSome, "webgl2", changed("config.glsl", "#error HN_HASH must", "// #error HN_HASH must")));
   EXPECT_EQ(other.outcome(kRefused).status, Status::fail) << other.outcome(kRefused).message;
 }
 

@@ -157,7 +157,8 @@ struct Vector4 {
   constexpr Vector4(T x_, T y_, T z_, T w_) : x(x_), y(y_), z(z_), w(w_) {}
   template <typename Scalar>
   requires(detail::kComponents<Scalar> == 1)
-  constexpr explicit Vector4(Scalar s) : Vector4(detail::convert<T>(s), detail::convert<T>(s), detail::convert<T>(s), detail::convert<T>(s)) {}
+  constexpr explicit Vector4(Scalar s)
+      : Vector4(detail::convert<T>(s), detail::convert<T>(s), detail::convert<T>(s), detail::convert<T>(s)) {}
   template <typename U>
   constexpr explicit Vector4(Vector4<U> v)
       : x(detail::convert<T>(v.x)),

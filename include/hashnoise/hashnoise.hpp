@@ -19,9 +19,10 @@
 
 #pragma once
 
+// clang-format off
 #include "glsl.hpp"  // the first, since it refuses compilers before C++20
-
 #include "../../glsl/config.glsl"
+// clang-format on
 
 #define HN_I_PASTE_TOKENS(a, b) a##b
 #define HN_I_PASTE(a, b) HN_I_PASTE_TOKENS(a, b)

@@ -27,16 +27,15 @@ void add_cases(std::vector<Case>& cases, const Bug& bug) {
     const auto end = std::min(profiles.find(' '), profiles.size());
     const Profile& profile = profile_named(profiles.substr(0, end));
     profiles.remove_prefix(std::min(end + 1, profiles.size()));
-    cases.push_back(
-        {{.function = std::string(bug.function.id),
-          .configuration = "any",
-          .arithmetic = std::string(bug.arithmetic()),
-          .stage = Stage::fragment,
-          .profile = std::string(profile.name),
-          .check = std::string(bug.check())},
-         BugKind{&bug, &profile},
-         Extent::every_driver,
-         fmt::format("  reported in: {}\n  specification: {}\n", bug.reference, bug.specification)});
+    cases.push_back({{.function = std::string(bug.function.id),
+                      .configuration = "any",
+                      .arithmetic = std::string(bug.arithmetic()),
+                      .stage = Stage::fragment,
+                      .profile = std::string(profile.name),
+                      .check = std::string(bug.check())},
+                     BugKind{&bug, &profile},
+                     Extent::every_driver,
+                     fmt::format("  reported in: {}\n  specification: {}\n", bug.reference, bug.specification)});
   }
 }
 
@@ -82,9 +81,9 @@ Outcome judge_bug(const Bug& bug, std::span<const std::uint32_t> outputs) {
   Outcome outcome = comparison.finish();
   if (outcome.status != Status::fail) return outcome;
   if (!bug.defined) outcome.status = Status::warning;
-  outcome.message = fmt::format("{}: {}. {}. Reported in: {}",
-                                bug.defined ? "wrong" : "not the usual value, but allowed",
-                                outcome.message, bug.specification, bug.reference);
+  outcome.message =
+      fmt::format("{}: {}. {}. Reported in: {}", bug.defined ? "wrong" : "not the usual value, but allowed",
+                  outcome.message, bug.specification, bug.reference);
   return outcome;
 }
 

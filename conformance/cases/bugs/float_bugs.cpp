@@ -247,8 +247,7 @@ void add_denormals(std::vector<Bug>& bugs) {
                                 "hn_float x = float_of(a.x);\nhn_float y = float_of(a.y);\n"
                                 "return uvec4(bits_of(x * y), bits_of(x * y + x * y), 0u, 0u);"),
        .reference = kReports,
-       .specification =
-           "GLSL 4.60 section 4.7.1: only denormals may be flushed, and these products and sums are exact",
+       .specification = "GLSL 4.60 section 4.7.1: only denormals may be flushed, and these products and sums are exact",
        .defined = true,
        .points = points({{word(0x1p-126f), word(2.0f)},
                          {word(0x1p-60f), word(0x1.8p-60f)},

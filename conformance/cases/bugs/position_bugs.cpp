@@ -23,10 +23,11 @@ std::vector<BugPoint> whole_points(const std::function<std::vector<std::uint32_t
 
 void add_position_bugs(std::vector<Bug>& bugs) {
   bugs.push_back(
-      {.function = bug_function("bugs.position_of_cell", "units:i32 = cell:i32 fraction:f32 eighths:f32",
-                                "hn_int units = int(a.x);\n"
-                                "hn_float fraction = float(units & 1023) * 0.0009765625;\n"
-                                "return uvec4(uint(units >> 10), bits_of(fraction), bits_of(float(units) * 0.125), 0u);"),
+      {.function =
+           bug_function("bugs.position_of_cell", "units:i32 = cell:i32 fraction:f32 eighths:f32",
+                        "hn_int units = int(a.x);\n"
+                        "hn_float fraction = float(units & 1023) * 0.0009765625;\n"
+                        "return uvec4(uint(units >> 10), bits_of(fraction), bits_of(float(units) * 0.125), 0u);"),
        .reference = kReports,
        .specification = "GLSL 4.60 sections 5.9 and 4.7.1: >> repeats the sign, and a product that is a float is exact",
        .defined = true,
@@ -34,23 +35,20 @@ void add_position_bugs(std::vector<Bug>& bugs) {
          return std::vector{word(units >> 10), word(static_cast<float>(units & 1023) * 0x1p-10f),
                             word(static_cast<float>(units) * 0.125f)};
        })});
-  bugs.push_back({.function = bug_function("bugs.position_in_eighths", "units:i32 = position:f32",
-                                           "return uvec4(bits_of(float(int(a.x)) / 8.0), 0u, 0u, 0u);"),
-                  .reference = kReports,
-                  .specification =
-                      "GLSL 4.60 section 4.7.1: a quotient may be off by 2.5 units in the last place, even this one",
-                  .defined = false,
-                  .points = whole_points([](std::int32_t units) {
-                    return std::vector{word(static_cast<float>(units) / 8.0f)};
-                  })});
-  bugs.push_back({.function = bug_function("bugs.position_in_sevenths", "units:i32 = position:f32",
-                                           "return uvec4(bits_of(float(int(a.x)) / 7.0), 0u, 0u, 0u);"),
-                  .reference = kReports,
-                  .specification = "GLSL 4.60 section 4.7.1: a quotient may be off by 2.5 units in the last place",
-                  .defined = false,
-                  .points = whole_points([](std::int32_t units) {
-                    return std::vector{word(static_cast<float>(units) / 7.0f)};
-                  })});
+  bugs.push_back(
+      {.function = bug_function("bugs.position_in_eighths", "units:i32 = position:f32",
+                                "return uvec4(bits_of(float(int(a.x)) / 8.0), 0u, 0u, 0u);"),
+       .reference = kReports,
+       .specification = "GLSL 4.60 section 4.7.1: a quotient may be off by 2.5 units in the last place, even this one",
+       .defined = false,
+       .points = whole_points([](std::int32_t units) { return std::vector{word(static_cast<float>(units) / 8.0f)}; })});
+  bugs.push_back(
+      {.function = bug_function("bugs.position_in_sevenths", "units:i32 = position:f32",
+                                "return uvec4(bits_of(float(int(a.x)) / 7.0), 0u, 0u, 0u);"),
+       .reference = kReports,
+       .specification = "GLSL 4.60 section 4.7.1: a quotient may be off by 2.5 units in the last place",
+       .defined = false,
+       .points = whole_points([](std::int32_t units) { return std::vector{word(static_cast<float>(units) / 7.0f)}; })});
 }
 
 }  // namespace hn

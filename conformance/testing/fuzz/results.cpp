@@ -7,9 +7,9 @@
 #include <set>
 
 #include "base/version.hpp"
+#include "fuzz.hpp"
 #include "run/merge.hpp"
 #include "run/shard.hpp"
-#include "fuzz.hpp"
 
 namespace hn::fuzz {
 namespace {

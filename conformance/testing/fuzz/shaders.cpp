@@ -4,8 +4,8 @@
 
 #include <map>
 
-#include "library/source.hpp"
 #include "fuzz.hpp"
+#include "library/source.hpp"
 
 namespace hn::fuzz {
 namespace {

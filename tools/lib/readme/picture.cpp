@@ -25,7 +25,11 @@ vec3 mix(vec3 from, vec3 to, float t) { return from * (1.0f - t) + to * t; }
 
 using Tile = vec3 (*)(vec2 uv);
 constexpr Tile kTiles[] = {
-#define TILE(...) [](vec2 uv) -> vec3 { using namespace hashnoise; return __VA_ARGS__; },
+#define TILE(...)              \
+  [](vec2 uv) -> vec3 {        \
+    using namespace hashnoise; \
+    return __VA_ARGS__;        \
+  },
 #include "tiles.inc"
 };
 
