@@ -3,31 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
-#include <vector>
 
+#include "base/strings.hpp"
 #include "base/verdict.hpp"
 #include "library/functions.hpp"
 
 namespace hn {
 namespace {
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (;;) {
-    const auto end = text.find(separator);
-    parts.push_back(text.substr(0, end));
-    if (end == std::string_view::npos) return parts;
-    text.remove_prefix(end + 1);
-  }
-}
-
-std::string upper_case(std::string_view text) {
-  std::string upper(text);
-  std::transform(upper.begin(), upper.end(), upper.begin(),
-                 [](char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); });
-  return upper;
-}
 
 // Null for what is not a function: a file as a whole, a setting, a known bug.
 const Function* known_function(std::string_view id) {
@@ -63,7 +45,7 @@ struct Knobs {
 Knobs knobs_in(std::string_view configuration) {
   if (configuration == "any") return {};
   const auto parts = split(configuration, '+');
-  Knobs knobs{fmt::format("with HN_HASH_{}", upper_case(parts[0])), "without HN_GRADIENT_SINE", "without HN_PERIOD",
+  Knobs knobs{fmt::format("with HN_HASH_{}", in_upper_case(parts[0])), "without HN_GRADIENT_SINE", "without HN_PERIOD",
               "without HN_PERIOD"};
   for (const std::string_view part : parts) {
     if (part == "sine") knobs.gradient = "with HN_GRADIENT_SINE";
@@ -91,7 +73,7 @@ Facets facets_of(std::string_view id) {
   const auto parts = split(id, '.');
   if (parts.size() != 7) return facets;
   const Knobs knobs = knobs_in(parts[2]);
-  facets[2] = parts[3] == "exact" ? "" : fmt::format("with HN_{}", upper_case(parts[3]));
+  facets[2] = parts[3] == "exact" ? "" : fmt::format("with HN_{}", in_upper_case(parts[3]));
   facets[3] = knobs.hash;
   facets[4] = knobs.gradient;
   facets[5] = knobs.any_period;

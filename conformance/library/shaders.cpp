@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <set>
 #include <vector>
 
+#include "base/strings.hpp"
 #include "library/files.hpp"
 
 namespace hn {
@@ -56,12 +56,6 @@ constexpr std::string_view kUnseeded = "#define SEEDED(s)\n";
 std::string running_preamble(const Profile& profile) {
   const std::string extension = profile.has_bit_casts() ? "" : "#extension GL_ARB_shader_bit_encoding : require\n";
   return extension + preamble(profile, kBitCasts);
-}
-
-std::string in_upper_case(std::string_view text) {
-  std::string upper(text);
-  std::ranges::transform(upper, upper.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return upper;
 }
 
 // What the shader is, for the preprocessor.

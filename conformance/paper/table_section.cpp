@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "base/output/number.hpp"
+#include "base/strings.hpp"
 #include "paper/files.hpp"
 #include "paper/laboratory.hpp"
 
@@ -23,15 +24,6 @@ struct Printed {
   int instructions;
   double milliseconds[kSizes.size()];
 };
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  while (!text.empty()) {
-    parts.push_back(text.substr(0, text.find(separator)));
-    text.remove_prefix(std::min(parts.back().size() + 1, text.size()));
-  }
-  return parts;
-}
 
 // The paper's row: algorithm,dimensions,instructions,ms_800x600,ms_1024x768.
 std::optional<Printed> printed_row(std::string_view algorithm, int dimensions) {

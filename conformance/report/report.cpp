@@ -9,6 +9,7 @@
 
 #include "base/file.hpp"
 #include "base/output/text.hpp"
+#include "base/strings.hpp"
 #include "run/failures.hpp"
 
 namespace hn {
@@ -32,12 +33,6 @@ std::string error_lines(const Run& run) {
   return text;
 }
 
-std::string upper_case(std::string_view name) {
-  std::string upper(name);
-  std::transform(upper.begin(), upper.end(), upper.begin(), [](char c) { return c >= 'a' ? c - 'a' + 'A' : c; });
-  return upper;
-}
-
 // The first lines, indented, and a word on how many there are besides.
 std::string indented(std::string_view text) {
   std::string lines;
@@ -55,7 +50,7 @@ std::string indented(std::string_view text) {
 std::string group_lines(const FailureGroup& group) {
   const CaseResult& example = *group.cases.front();
   const bool alone = group.cases.size() == 1;
-  std::string text = fmt::format("{:<7} {}\n", upper_case(name_of(group.status)), alone ? example.id : group.text());
+  std::string text = fmt::format("{:<7} {}\n", in_upper_case(name_of(group.status)), alone ? example.id : group.text());
   if (!alone) text += fmt::format("  such as {}\n", example.id);
   if (group.of_function()) text += fmt::format("  {}\n", measure_of(example.outcome));
   std::string_view message = example.outcome.message;
@@ -95,7 +90,7 @@ std::string unneeded_lines(const Run& run) {
   }
   std::string text;
   for (const auto& [excuse, cases] : by_excuse) {
-    text += fmt::format("{:<7} {}{}\n", upper_case(name_of(cases.front()->outcome.status)), cases.front()->id,
+    text += fmt::format("{:<7} {}{}\n", in_upper_case(name_of(cases.front()->outcome.status)), cases.front()->id,
                         cases.size() == 1 ? "" : fmt::format(" and {} more", cases.size() - 1));
     text += fmt::format("  it is excused ({}), and needs no excuse: remove it from the expected failures\n", excuse);
   }
