@@ -19,6 +19,16 @@ std::vector<BugPoint> whole_points(const std::function<std::vector<std::uint32_t
   return all;
 }
 
+void add_quotient(std::vector<Bug>& bugs, std::string_view id, float divisor, std::string_view body,
+                  std::string_view specification) {
+  bugs.push_back({.function = bug_function(id, "units:i32 = position:f32", body),
+                  .reference = kReports,
+                  .specification = specification,
+                  .defined = false,
+                  .points = whole_points(
+                      [=](std::int32_t units) { return std::vector{word(static_cast<float>(units) / divisor)}; })});
+}
+
 }  // namespace
 
 void add_position_bugs(std::vector<Bug>& bugs) {
@@ -35,20 +45,10 @@ void add_position_bugs(std::vector<Bug>& bugs) {
          return std::vector{word(units >> 10), word(static_cast<float>(units & 1023) * 0x1p-10f),
                             word(static_cast<float>(units) * 0.125f)};
        })});
-  bugs.push_back(
-      {.function = bug_function("bugs.position_in_eighths", "units:i32 = position:f32",
-                                "return uvec4(bits_of(float(int(a.x)) / 8.0), 0u, 0u, 0u);"),
-       .reference = kReports,
-       .specification = "GLSL 4.60 section 4.7.1: a quotient may be off by 2.5 units in the last place, even this one",
-       .defined = false,
-       .points = whole_points([](std::int32_t units) { return std::vector{word(static_cast<float>(units) / 8.0f)}; })});
-  bugs.push_back(
-      {.function = bug_function("bugs.position_in_sevenths", "units:i32 = position:f32",
-                                "return uvec4(bits_of(float(int(a.x)) / 7.0), 0u, 0u, 0u);"),
-       .reference = kReports,
-       .specification = "GLSL 4.60 section 4.7.1: a quotient may be off by 2.5 units in the last place",
-       .defined = false,
-       .points = whole_points([](std::int32_t units) { return std::vector{word(static_cast<float>(units) / 7.0f)}; })});
+  add_quotient(bugs, "bugs.position_in_eighths", 8.0f, "return uvec4(bits_of(float(int(a.x)) / 8.0), 0u, 0u, 0u);",
+               "GLSL 4.60 section 4.7.1: a quotient may be off by 2.5 units in the last place, even this one");
+  add_quotient(bugs, "bugs.position_in_sevenths", 7.0f, "return uvec4(bits_of(float(int(a.x)) / 7.0), 0u, 0u, 0u);",
+               "GLSL 4.60 section 4.7.1: a quotient may be off by 2.5 units in the last place");
 }
 
 }  // namespace hn
