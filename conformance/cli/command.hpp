@@ -9,6 +9,7 @@
 
 #include "base/interruption.hpp"
 #include "bench/bench.hpp"
+#include "cases/case.hpp"
 #include "cli/drivers.hpp"
 #include "cli/options.hpp"
 
@@ -25,6 +26,10 @@ int unknown_driver(const std::string& name);
 // "osmesa, egl, ...": the drivers that give a context, or all.
 enum class DriverKind { with_context, any };
 std::string driver_names(DriverKind kind);
+
+// The cases that match one of the filters, or all; without thorough, less those that it takes. An error says why none
+// is left. (list_command.cpp)
+Result<std::vector<Case>> select_cases(const std::vector<std::string>& filters, bool thorough);
 
 // They only note a signal while they do something that they must finish themselves, so that files are whole.
 int drivers_command(Interruption& interruption);

@@ -1,6 +1,5 @@
-// hn-conform drivers, list, run and merge
+// hn-conform drivers, run and merge
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -10,7 +9,6 @@
 #include "base/output/text.hpp"
 #include "base/temporary_folder.hpp"
 #include "base/worker.hpp"
-#include "cases/checks.hpp"
 #include "cases/deal.hpp"
 #include "cli/command.hpp"
 #include "expected/golden.hpp"
@@ -32,16 +30,6 @@ constexpr int kNotWritten = -1;  // of conclude, and no exit status
 constexpr std::chrono::milliseconds kDescribeLimit{60000};
 // 25 times what all functions and configurations take on two cores with llvmpipe.
 constexpr std::chrono::milliseconds kTimingsLimit{1000000};
-
-Result<std::vector<Case>> select_cases(const std::vector<std::string>& filters, bool thorough) {
-  auto cases = filter_cases(all_cases(), filters);
-  const bool any = !cases.empty();
-  if (!thorough) std::erase_if(cases, [](const Case& test) { return test.extent == Extent::thorough; });
-  if (!cases.empty()) return cases;
-  if (any) return fail(fmt::format("the cases that match '{}' need --thorough", fmt::join(filters, "' '")));
-  return fail(fmt::format("no case matches --filter '{}'; hn-conform list shows the ids, and * stands for any part",
-                          fmt::join(filters, "' '")));
-}
 
 // Asks drivers in processes of their own: what is loaded to find out could crash.
 class Inquiry {
@@ -346,27 +334,6 @@ int drivers_command(Interruption& interruption) {
     }
   }
   return usable ? 0 : kNoDriver;
-}
-
-// docs/checks.md.
-std::string page_of_checks() {
-  std::string page =
-      "# Checks\n\nThe last part of a case's id says what the case checks. `hn-conform list --checks` prints this "
-      "page.\n\n"
-      "| check | what holds if it passes |\n| --- | --- |\n";
-  for (const auto& [check, text] : check_descriptions()) page += fmt::format("| `{}` | {} |\n", check, text);
-  return page;
-}
-
-int list_command(const ListCommand& options) {
-  if (options.checks) {
-    fmt::print("{}", page_of_checks());
-    return 0;
-  }
-  const auto cases = select_cases(options.filters, options.thorough);
-  if (!cases) return usage_error(cases.error().text());
-  for (const Case& test : *cases) say(fmt::format("{}\n{}", test.id, options.about ? test.about : ""));
-  return 0;
 }
 
 int run_command(const RunCommand& options, Interruption& interruption) {

@@ -1,0 +1,47 @@
+// hn-conform list
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "cases/checks.hpp"
+#include "cli/command.hpp"
+#include "run/filter.hpp"
+
+namespace hn {
+namespace {
+
+// docs/checks.md.
+std::string page_of_checks() {
+  std::string page =
+      "# Checks\n\nThe last part of a case's id says what the case checks. `hn-conform list --checks` prints this "
+      "page.\n\n"
+      "| check | what holds if it passes |\n| --- | --- |\n";
+  for (const auto& [check, text] : check_descriptions()) page += fmt::format("| `{}` | {} |\n", check, text);
+  return page;
+}
+
+}  // namespace
+
+Result<std::vector<Case>> select_cases(const std::vector<std::string>& filters, bool thorough) {
+  auto cases = filter_cases(all_cases(), filters);
+  const bool any = !cases.empty();
+  if (!thorough) std::erase_if(cases, [](const Case& test) { return test.extent == Extent::thorough; });
+  if (!cases.empty()) return cases;
+  if (any) return fail(fmt::format("the cases that match '{}' need --thorough", fmt::join(filters, "' '")));
+  return fail(fmt::format("no case matches --filter '{}'; hn-conform list shows the ids, and * stands for any part",
+                          fmt::join(filters, "' '")));
+}
+
+int list_command(const ListCommand& options) {
+  if (options.checks) {
+    say(page_of_checks());
+    return 0;
+  }
+  const auto cases = select_cases(options.filters, options.thorough);
+  if (!cases) return usage_error(cases.error().text());
+  for (const Case& test : *cases) say(fmt::format("{}\n{}", test.id, options.about ? test.about : ""));
+  return 0;
+}
+
+}  // namespace hn
