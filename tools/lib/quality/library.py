@@ -9,14 +9,10 @@ from pathlib import Path
 
 import numpy as np
 
+from twin import NotBuilt, compile_program
+
 SOURCE = Path(__file__).resolve().parent / "lattice.cpp"
-# As the test suite builds the twin: without contraction, so that floats are the same on every machine.
-COMPILER = ("g++", "-std=c++20", "-O2", "-ffp-contract=off")
 STAGE_PROBES = 4096  # words; a bit that the stage uses changes the gradient of about half of them at least
-
-
-class NotBuilt(Exception):
-    pass
 
 
 def hash_names(include: Path) -> dict[str, int]:
@@ -89,11 +85,5 @@ def _points(cells: np.ndarray, seeds) -> np.ndarray:
 def build(name: str, macros: list[str], include: Path, folder: Path) -> Twin:
     """Compiles a twin into a folder; macros are like HN_HASH=1."""
     program = folder / re.sub(r"\W", "_", name)
-    command = [*COMPILER, *(f"-D{macro}" for macro in macros), "-I", str(include), str(SOURCE), "-o", str(program)]
-    try:
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
-    except OSError as error:
-        raise NotBuilt(f"g++ did not run: {error}") from error
-    if done.returncode != 0:
-        raise NotBuilt(f"{name} does not compile: {' '.join(command)}\n{done.stderr}")
+    compile_program(name, SOURCE, program, include=include, macros=macros)
     return Twin(name, program)

@@ -24,12 +24,25 @@ README = "README.md"
 MEASURING = "docs/measuring.md"
 
 
-def pages() -> dict[str, str]:
-    """What should be in each page, by its path."""
-    texts = {path: (ROOT / path).read_text(encoding="utf-8") for path in (README, MEASURING)}
-    typical, costs = numbers.typical_table(numbers.typical()), numbers.cost_table(numbers.costs())
-    return {README: with_section(README, texts[README], "tools/readme: typical values", typical),
-            MEASURING: with_section(MEASURING, texts[MEASURING], "tools/readme: costs", costs)}
+def tables(costs: numbers.Costs) -> dict[str, tuple[str, str]]:
+    """What each page has between its marks: the name of the marks, and the table."""
+    return {README: ("tools/readme: typical values", numbers.typical_table(numbers.typical())),
+            MEASURING: ("tools/readme: costs", numbers.cost_table(costs))}
+
+
+def problems(check: bool) -> list[str]:
+    """What is not as it should be, after the tables are written, or with check as they are."""
+    found, costs = [], numbers.costs()
+    for path, (name, table) in tables(costs).items():
+        page = (ROOT / path).read_text(encoding="utf-8")
+        right = with_section(path, page, name, table)
+        if not check:
+            (ROOT / path).write_text(right, encoding="utf-8")
+        elif page != right:
+            found.append(f"{path}: a table is not what it should be; run tools/readme")
+        if path == README and (quote := numbers.cost_quote(costs)) not in page:
+            found.append(f"{README}: it must state {quote!r}")
+    return found
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -38,18 +51,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--check", action="store_true", help="write nothing")
     options = parser.parse_args(arguments)
     try:
-        wrong = []
-        for path, text in pages().items():
-            if options.check and (ROOT / path).read_text(encoding="utf-8") != text:
-                wrong.append(f"{path}: a table is not what it should be; run tools/readme")
-            elif not options.check:
-                (ROOT / path).write_text(text, encoding="utf-8")
-        readme = (ROOT / README).read_text(encoding="utf-8")
-        quote = numbers.cost_quote(numbers.costs())
-        if quote not in readme:
-            wrong.append(f"{README}: it must state {quote!r}")
-        print("\n".join(wrong), end="\n" if wrong else "", file=sys.stderr)
-        return max(picture.draw(picture.tiles(readme), check=options.check), 1 if wrong else 0)
+        found = problems(options.check)
+        for problem in found:
+            print(problem, file=sys.stderr)
+        tiles = picture.tiles((ROOT / README).read_text(encoding="utf-8"))
+        return max(picture.draw(tiles, check=options.check), 1 if found else 0)
     except (OSError, LookupError, ValueError) as error:
         parser.exit(2, f"tools/readme: {error}\n")
 

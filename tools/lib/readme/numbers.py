@@ -6,10 +6,11 @@ import csv
 import subprocess
 from collections.abc import Mapping
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
-from readme.twin import program
 from tables.markdown import table
 from tree import ROOT
+from twin import compile_program
 
 BENCH = ROOT / "docs" / "results" / "llvmpipe" / "bench.csv"
 Costs = Mapping[str, Mapping[str, str]]  # the rows of bench.csv, by id
@@ -19,8 +20,10 @@ Costs = Mapping[str, Mapping[str, str]]  # the rows of bench.csv, by id
 
 def typical() -> dict[tuple[str, int], list[float]]:
     """Mean, deviation, 1st and 99th percentile, by function and number of axes."""
-    with program(Path(__file__).with_name("typical.cpp")) as measures:
-        lines = subprocess.run([measures], capture_output=True, text=True, check=True).stdout.splitlines()
+    with TemporaryDirectory() as folder:
+        program = Path(folder) / "typical"
+        compile_program("typical.cpp", Path(__file__).with_name("typical.cpp"), program)
+        lines = subprocess.run([program], capture_output=True, text=True, check=True).stdout.splitlines()
     return {(name, int(axes)): [float(value) for value in values] for name, axes, *values in map(str.split, lines)}
 
 

@@ -6,9 +6,10 @@ import re
 import subprocess
 from collections.abc import Sequence
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
-from readme.twin import program
 from tree import ROOT
+from twin import compile_program
 
 PICTURE = ROOT / "docs" / "images" / "noise.png"
 BELOW_THE_PICTURE = re.compile(r"^!\[[^\]]*\]\(docs/images/noise\.png\)\n\n(?:\S.*\n)*\n((?:    \S.*\n)+)", re.MULTILINE)
@@ -26,5 +27,9 @@ def tiles(readme: str) -> list[str]:
 def draw(expressions: Sequence[str], path: Path = PICTURE, check: bool = False) -> int:
     """Draws the tiles into a PNG file, or checks that this is what it shows; the exit status of picture.cpp."""
     lines = [f"TILE({FLOAT.sub(lambda number: f'{number[0]}f', code)})\n" for code in expressions]
-    with program(Path(__file__).with_name("picture.cpp"), "-lpng", files={"tiles.inc": "".join(lines)}) as draws:
-        return subprocess.run([draws, *(["--check"] if check else []), path], check=False).returncode
+    with TemporaryDirectory() as name:
+        folder = Path(name)
+        (folder / "tiles.inc").write_text("".join(lines), encoding="utf-8")
+        compile_program("the code below the README's picture", Path(__file__).with_name("picture.cpp"),
+                        folder / "picture", "-I", name, "-lpng")
+        return subprocess.run([folder / "picture", *(["--check"] if check else []), path], check=False).returncode
