@@ -13,8 +13,8 @@
 //                           in units of 2^-20, and later numbers have other units (docs/contract.md, section 8).
 //                           hn_num2 to hn_num4 are vectors of it
 //   hn_i_num(x, y, ...)     such a vector
-//   HN_I_ONE, HN_I_TWO      1 and 2 as a fraction
-//   hn_i_cell(p)            the cell of a position; p is a vector, and so is f in the next two
+//   HN_I_ONE                1 as a fraction
+//   hn_i_cell(p)            the cell of a position; p is a float or a vector, and so is f in the next two
 //   hn_i_fraction(p)        the place in that cell
 //   hn_i_inside(f)          the same from a place in a cell that the caller passes
 //   hn_i_whole_cell(p)      in HN_FIXED, p cut off towards 0, as an int
@@ -23,14 +23,30 @@
 //   hn_i_far(f)             f - 1: the offset from the far corner
 //   hn_i_dot(g, x, y, ...)  a gradient times an offset
 //   hn_i_signed(m, word)    m, or -m if the highest bit of the word is set; floats: m >= 0
+//   hn_i_flipped(x, word)   x, or -x if the highest bit of the word is set, for any x
+//   hn_i_lengthened(n, m)   n times 1 + m; the integers of m are in units of 2^-9, and n loses its last 9 bits there
 //   hn_i_fade(f)            6 f^5 - 15 f^4 + 10 f^3, along each axis
+//   hn_i_spline(f)          the weights of a uniform cubic B-spline at f, for the points -1, 0, 1 and 2
+//   hn_i_blend(n, w)        the sum of four numbers, each times its weight
 //   hn_i_smooth(t)          floats only: 3 t^2 - 2 t^3
 //   hn_i_lerp(a, b, t)      interpolates from a to b by a fade t
 //   hn_i_lerp(n, x, y)      between four corners 00, 10, 01, 11
-//   hn_i_number(word)       the high 16 bits of a word as an odd multiple of 2^-16 in (-1, 1)
-//   hn_i_of_numbers(n)      a noise, from an interpolation between such numbers
+//   hn_i_number(word)       the high bits of a word as a number in [-1, 1), with an offset: see hn_i_of_numbers
+//   hn_i_numbers(words)     the same of four words
+//   hn_i_of_numbers(n)      a noise, from an interpolation between such numbers; hn_i_of_rises(n), its derivative
 //   hn_i_scaled(n, s)       a noise, from an interpolation between ramps, times s / 1024
 //   hn_i_value(n)           the float of a noise
+//
+//   Derivatives, too, are numbers. Those that are interpolated have units four times as large:
+//
+//   hn_i_slope(f)           the derivative of the fade, 30 f^2 (1 - f)^2, along each axis
+//   hn_i_rise(a, b)         b - a, of what a derivative is made of
+//   hn_i_climb(r, s)        a rise times the slope of a fade: what the fade adds to a derivative
+//   hn_i_climb(g, r, s)     the same, with what an interpolated gradient adds
+//   hn_i_lerp_d(n, t, s)    like hn_i_lerp between four corners, with the derivatives along x and y; t are the fades, s
+//                           their slopes
+//   hn_i_derivative(n)      the float of a derivative
+//
 //   hn_i_select(c, a, b)    a where the condition holds, else b; both are computed
 //
 // With HN_GRADIENT_SINE there are three more:
@@ -49,6 +65,14 @@ HN_FN hn_float hn_i_minus(hn_float a, hn_float b) {
   return n;
 }
 
+HN_FN hn_float hn_i_flipped(hn_float x, hn_uint word) {
+#if HN_I_BITCAST
+  return uintBitsToFloat(floatBitsToUint(x) ^ (word & 0x80000000u));
+#else
+  return hn_i_select((word & 0x80000000u) != 0u, -x, x);
+#endif
+}
+
 HN_FN hn_float hn_i_signed(hn_float m, hn_uint word) {
 #if HN_I_BITCAST
   return uintBitsToFloat(floatBitsToUint(m) | (word & 0x80000000u));
@@ -64,7 +88,6 @@ HN_FN hn_float hn_i_signed(hn_float m, hn_uint word) {
 #define hn_num3 hn_vec3
 #define hn_num4 hn_vec4
 #define HN_I_ONE 1.0f
-#define HN_I_TWO 2.0f
 
 HN_FN hn_vec2 hn_i_num(hn_float x, hn_float y) { return vec2(x, y); }
 HN_FN hn_vec3 hn_i_num(hn_float x, hn_float y, hn_float z) { return vec3(x, y, z); }
@@ -72,14 +95,22 @@ HN_FN hn_vec4 hn_i_num(hn_float x, hn_float y, hn_float z, hn_float w) { return 
 
 #if HN_ARITHMETIC == HN_FAST
 
+// The constructor of a vector, since in C++ it has a result for a float that does not fit, too.
+HN_FN hn_int hn_i_cell(hn_float p) { return ivec2(floor(p), 0.0f).x; }
 HN_FN hn_ivec2 hn_i_cell(hn_vec2 p) { return ivec2(floor(p)); }
 HN_FN hn_ivec3 hn_i_cell(hn_vec3 p) { return ivec3(floor(p)); }
+HN_FN hn_ivec4 hn_i_cell(hn_vec4 p) { return ivec4(floor(p)); }
+HN_FN hn_float hn_i_fraction(hn_float p) { return p - floor(p); }
 HN_FN hn_vec2 hn_i_fraction(hn_vec2 p) { return p - floor(p); }
 HN_FN hn_vec3 hn_i_fraction(hn_vec3 p) { return p - floor(p); }
+HN_FN hn_vec4 hn_i_fraction(hn_vec4 p) { return p - floor(p); }
+HN_FN hn_float hn_i_inside(hn_float f) { return f; }
 HN_FN hn_vec2 hn_i_inside(hn_vec2 f) { return f; }
 HN_FN hn_vec3 hn_i_inside(hn_vec3 f) { return f; }
+HN_FN hn_vec4 hn_i_inside(hn_vec4 f) { return f; }
 HN_FN hn_vec2 hn_i_start(hn_vec2 p) { return p; }
 HN_FN hn_vec3 hn_i_start(hn_vec3 p) { return p; }
+HN_FN hn_float hn_i_settled(hn_float n) { return n; }
 
 HN_FN hn_float hn_i_quotient(hn_float a, hn_float b) { return a / b; }
 
@@ -89,6 +120,15 @@ HN_FN hn_float hn_i_quotient(hn_float a, hn_float b) { return a / b; }
 HN_FN hn_float hn_i_inside(hn_float x) { return hn_i_select(abs(x) < (1.0f / 4294967296.0f), 0.0f, x); }
 HN_FN hn_vec2 hn_i_inside(hn_vec2 f) { return vec2(hn_i_inside(f.x), hn_i_inside(f.y)); }
 HN_FN hn_vec3 hn_i_inside(hn_vec3 f) { return vec3(hn_i_inside(f.x), hn_i_inside(f.y), hn_i_inside(f.z)); }
+HN_FN hn_vec4 hn_i_inside(hn_vec4 f) {
+  return vec4(hn_i_inside(f.x), hn_i_inside(f.y), hn_i_inside(f.z), hn_i_inside(f.w));
+}
+
+// Replaces a result by 0 if it is so small that flushed subnormal numbers could have changed it: what they lose is at
+// most 2^-126, which is less than half of the last bit of any larger result.
+HN_FN hn_float hn_i_settled(hn_float n) {
+  return hn_i_select(abs(n) < (1.0f / 4294967296.0f) * (1.0f / 4294967296.0f) * (1.0f / 4294967296.0f), 0.0f, n);
+}
 
 // Replaces a subnormal number by 0, since a huge lacunarity could make it large. No later octave needs this: the shift
 // between octaves leaves a position that is 0 or at least 2^-25.
@@ -100,6 +140,7 @@ HN_FN hn_vec3 hn_i_start(hn_vec3 p) { return vec3(hn_i_start(p.x), hn_i_start(p.
 HN_FN hn_int hn_i_cell(hn_float p) { return int(min(max(floor(hn_i_inside(p)), -2147483648.0f), 2147483520.0f)); }
 HN_FN hn_ivec2 hn_i_cell(hn_vec2 p) { return ivec2(hn_i_cell(p.x), hn_i_cell(p.y)); }
 HN_FN hn_ivec3 hn_i_cell(hn_vec3 p) { return ivec3(hn_i_cell(p.x), hn_i_cell(p.y), hn_i_cell(p.z)); }
+HN_FN hn_ivec4 hn_i_cell(hn_vec4 p) { return ivec4(hn_i_cell(p.x), hn_i_cell(p.y), hn_i_cell(p.z), hn_i_cell(p.w)); }
 
 HN_FN hn_float hn_i_fraction(hn_float p) {
   hn_float q = hn_i_inside(p);
@@ -107,6 +148,9 @@ HN_FN hn_float hn_i_fraction(hn_float p) {
 }
 HN_FN hn_vec2 hn_i_fraction(hn_vec2 p) { return vec2(hn_i_fraction(p.x), hn_i_fraction(p.y)); }
 HN_FN hn_vec3 hn_i_fraction(hn_vec3 p) { return vec3(hn_i_fraction(p.x), hn_i_fraction(p.y), hn_i_fraction(p.z)); }
+HN_FN hn_vec4 hn_i_fraction(hn_vec4 p) {
+  return vec4(hn_i_fraction(p.x), hn_i_fraction(p.y), hn_i_fraction(p.z), hn_i_fraction(p.w));
+}
 
 // GLSL leaves the last bits of a division open. So a/b is computed as a times a reciprocal, by Newton's method. The
 // first guess is at most 1/8 off, and each step squares the error. b is from 1 to 2^100.
@@ -152,6 +196,11 @@ HN_FN hn_float hn_i_dot(hn_vec3 g, hn_float x, hn_float y, hn_float z) {
 }
 
 // This form avoids the cancellation of the usual one.
+HN_FN hn_float hn_i_fade(hn_float f) {
+  HN_I_PRECISE hn_float d = f - 1.0f;
+  HN_I_PRECISE hn_float t = f * f * f * (d * (f * 6.0f - 9.0f) + 1.0f);
+  return t;
+}
 HN_FN hn_vec2 hn_i_fade(hn_vec2 f) {
   HN_I_PRECISE hn_vec2 d = f - 1.0f;
   HN_I_PRECISE hn_vec2 t = f * f * f * (d * (f * 6.0f - 9.0f) + 1.0f);
@@ -161,6 +210,47 @@ HN_FN hn_vec3 hn_i_fade(hn_vec3 f) {
   HN_I_PRECISE hn_vec3 d = f - 1.0f;
   HN_I_PRECISE hn_vec3 t = f * f * f * (d * (f * 6.0f - 9.0f) + 1.0f);
   return t;
+}
+HN_FN hn_vec4 hn_i_fade(hn_vec4 f) {
+  HN_I_PRECISE hn_vec4 d = f - 1.0f;
+  HN_I_PRECISE hn_vec4 t = f * f * f * (d * (f * 6.0f - 9.0f) + 1.0f);
+  return t;
+}
+
+HN_FN hn_float hn_i_slope(hn_float f) {
+  HN_I_PRECISE hn_float q = f - f * f;
+  HN_I_PRECISE hn_float s = q * q * 30.0f;
+  return s;
+}
+HN_FN hn_vec2 hn_i_slope(hn_vec2 f) {
+  HN_I_PRECISE hn_vec2 q = f - f * f;
+  HN_I_PRECISE hn_vec2 s = q * q * 30.0f;
+  return s;
+}
+HN_FN hn_vec3 hn_i_slope(hn_vec3 f) {
+  HN_I_PRECISE hn_vec3 q = f - f * f;
+  HN_I_PRECISE hn_vec3 s = q * q * 30.0f;
+  return s;
+}
+HN_FN hn_vec4 hn_i_slope(hn_vec4 f) {
+  HN_I_PRECISE hn_vec4 q = f - f * f;
+  HN_I_PRECISE hn_vec4 s = q * q * 30.0f;
+  return s;
+}
+
+// The weights of the points 2 and 0 mirror those of -1 and 1. The sum of all is 1.
+HN_FN hn_vec4 hn_i_spline(hn_float f) {
+  HN_I_PRECISE hn_float g = 1.0f - f;
+  HN_I_PRECISE hn_float first = g * g * g * (1.0f / 6.0f);
+  HN_I_PRECISE hn_float last = f * f * f * (1.0f / 6.0f);
+  HN_I_PRECISE hn_float second = last * 3.0f + (2.0f / 3.0f - f * f);
+  HN_I_PRECISE hn_float third = first * 3.0f + (2.0f / 3.0f - g * g);
+  return vec4(first, second, third, last);
+}
+
+HN_FN hn_float hn_i_blend(hn_vec4 n, hn_vec4 w) {
+  HN_I_PRECISE hn_float sum = n.x * w.x + n.y * w.y + n.z * w.z + n.w * w.w;
+  return sum;
 }
 
 HN_FN hn_float hn_i_smooth(hn_float t) {
@@ -173,24 +263,32 @@ HN_FN hn_float hn_i_lerp(hn_float a, hn_float b, hn_float t) {
   return n;
 }
 
+HN_FN hn_float hn_i_lengthened(hn_float n, hn_float more) { return hn_i_times_plus(n, more, n); }
+
+HN_FN hn_float hn_i_rise(hn_float a, hn_float b) { return hn_i_minus(b, a); }
+HN_FN hn_float hn_i_climb(hn_float rise, hn_float slope) { return hn_i_times(rise, slope); }
+HN_FN hn_float hn_i_climb(hn_float g, hn_float rise, hn_float slope) { return hn_i_times_plus(rise, slope, g); }
+
 HN_FN hn_float hn_i_scaled(hn_float n, hn_int s) {
   HN_I_PRECISE hn_float scaled = n * (float(s) * (1.0f / 1024.0f));
   return scaled;
 }
 
+// The high 23 bits of a word, behind the exponent of 2, are a float in [2, 4): that costs two operations. The 3 that
+// are too many stay in until the end, since weights sum to 1 and derivatives do not see them.
+HN_FN hn_float hn_i_number(hn_uint word) {
 #if HN_I_BITCAST
-HN_FN hn_float hn_i_number(hn_uint word) {
-  return hn_i_minus(uintBitsToFloat(((word >> 9u) & 0x007FFF80u) | 0x40000000u), 3.0f - 1.0f / 65536.0f);
-}
+  return uintBitsToFloat((word >> 9u) | 0x40000000u);
 #else
-HN_FN hn_float hn_i_number(hn_uint word) {
-  return hn_i_minus(float(word >> 16u) * (1.0f / 32768.0f), 1.0f - 1.0f / 65536.0f);
-}
+  return float(word >> 9u) * (1.0f / 4194304.0f) + 2.0f;
 #endif
+}
 
-HN_FN hn_float hn_i_of_numbers(hn_float n) { return n; }
+HN_FN hn_float hn_i_of_numbers(hn_float n) { return hn_i_minus(n, 3.0f); }
+HN_FN hn_float hn_i_of_rises(hn_float n) { return n; }
 
-HN_FN hn_float hn_i_value(hn_float n) { return n; }
+HN_FN hn_float hn_i_value(hn_float n) { return hn_i_settled(n); }
+HN_FN hn_float hn_i_derivative(hn_float n) { return hn_i_settled(n); }
 
 #else  // HN_FIXED
 
@@ -199,7 +297,6 @@ HN_FN hn_float hn_i_value(hn_float n) { return n; }
 #define hn_num3 hn_ivec3
 #define hn_num4 hn_ivec4
 #define HN_I_ONE 1048576
-#define HN_I_TWO 2097152
 
 HN_FN hn_ivec2 hn_i_num(hn_int x, hn_int y) { return ivec2(x, y); }
 HN_FN hn_ivec3 hn_i_num(hn_int x, hn_int y, hn_int z) { return ivec3(x, y, z); }
@@ -216,14 +313,21 @@ HN_FN hn_int hn_i_whole_cell(hn_float p) { return int(min(max(trunc(p), -2147483
 HN_FN hn_int hn_i_cell(hn_float p) { return hn_i_whole_cell(p) + (hn_i_rest(p) >> 20); }
 HN_FN hn_ivec2 hn_i_cell(hn_vec2 p) { return ivec2(hn_i_cell(p.x), hn_i_cell(p.y)); }
 HN_FN hn_ivec3 hn_i_cell(hn_vec3 p) { return ivec3(hn_i_cell(p.x), hn_i_cell(p.y), hn_i_cell(p.z)); }
+HN_FN hn_ivec4 hn_i_cell(hn_vec4 p) { return ivec4(hn_i_cell(p.x), hn_i_cell(p.y), hn_i_cell(p.z), hn_i_cell(p.w)); }
 
 HN_FN hn_int hn_i_fraction(hn_float p) { return hn_i_rest(p) & 1048575; }
 HN_FN hn_ivec2 hn_i_fraction(hn_vec2 p) { return ivec2(hn_i_fraction(p.x), hn_i_fraction(p.y)); }
 HN_FN hn_ivec3 hn_i_fraction(hn_vec3 p) { return ivec3(hn_i_fraction(p.x), hn_i_fraction(p.y), hn_i_fraction(p.z)); }
+HN_FN hn_ivec4 hn_i_fraction(hn_vec4 p) {
+  return ivec4(hn_i_fraction(p.x), hn_i_fraction(p.y), hn_i_fraction(p.z), hn_i_fraction(p.w));
+}
 
 HN_FN hn_int hn_i_inside(hn_float f) { return int(min(max(f, 0.0f), 1.0f) * 1048576.0f); }
 HN_FN hn_ivec2 hn_i_inside(hn_vec2 f) { return ivec2(hn_i_inside(f.x), hn_i_inside(f.y)); }
 HN_FN hn_ivec3 hn_i_inside(hn_vec3 f) { return ivec3(hn_i_inside(f.x), hn_i_inside(f.y), hn_i_inside(f.z)); }
+HN_FN hn_ivec4 hn_i_inside(hn_vec4 f) {
+  return ivec4(hn_i_inside(f.x), hn_i_inside(f.y), hn_i_inside(f.z), hn_i_inside(f.w));
+}
 
 HN_FN hn_int hn_i_plus(hn_int a, hn_int b) { return a + b; }
 HN_FN hn_int hn_i_minus(hn_int a, hn_int b) { return a - b; }
@@ -243,22 +347,69 @@ HN_FN hn_int hn_i_fade(hn_int f) {
 }
 HN_FN hn_ivec2 hn_i_fade(hn_ivec2 f) { return ivec2(hn_i_fade(f.x), hn_i_fade(f.y)); }
 HN_FN hn_ivec3 hn_i_fade(hn_ivec3 f) { return ivec3(hn_i_fade(f.x), hn_i_fade(f.y), hn_i_fade(f.z)); }
+HN_FN hn_ivec4 hn_i_fade(hn_ivec4 f) { return ivec4(hn_i_fade(f.x), hn_i_fade(f.y), hn_i_fade(f.z), hn_i_fade(f.w)); }
 
-// Computes a product of 31 and 19 bits from two products that fit 32 bits: one by the high and one by the low half of
-// t.
-HN_FN hn_int hn_i_lerp(hn_int a, hn_int b, hn_int t) {
-  hn_int d = b - a;
-  return a + ((d >> 9) * (t >> 9) + (d >> 18) * (t & 511));
+// The result is in units of 2^-18. x is that of the fade, in units of 2^-17, and q = x (1 - x) is at most 1/4, in units
+// of 2^-18.
+HN_FN hn_int hn_i_slope(hn_int f) {
+  hn_uint x = uint(min(min(f, 1048576 - f) + 4, 524287)) >> 3u;
+  hn_uint q = (x * (131072u - x)) >> 16u;
+  return int((((q * q) >> 4u) * 15u + 4096u) >> 13u);
+}
+HN_FN hn_ivec2 hn_i_slope(hn_ivec2 f) { return ivec2(hn_i_slope(f.x), hn_i_slope(f.y)); }
+HN_FN hn_ivec3 hn_i_slope(hn_ivec3 f) { return ivec3(hn_i_slope(f.x), hn_i_slope(f.y), hn_i_slope(f.z)); }
+HN_FN hn_ivec4 hn_i_slope(hn_ivec4 f) {
+  return ivec4(hn_i_slope(f.x), hn_i_slope(f.y), hn_i_slope(f.z), hn_i_slope(f.w));
+}
+
+// Computes a product of 31 and 19 bits, divided by 2^18, from two products that fit 32 bits: one by the high and one by
+// the low half of t.
+HN_FN hn_int hn_i_part(hn_int d, hn_int t) { return (d >> 9) * (t >> 9) + (d >> 18) * (t & 511); }
+
+HN_FN hn_int hn_i_lerp(hn_int a, hn_int b, hn_int t) { return a + hn_i_part(b - a, t); }
+
+HN_FN hn_int hn_i_lengthened(hn_int n, hn_int more) { return n + (n >> 9) * more; }
+
+// Rises are in units of 2^-27, and so is what is made of them: there is room for the slope of a fade, up to 15/8.
+HN_FN hn_int hn_i_rise(hn_int a, hn_int b) { return (b - a) >> 2; }
+HN_FN hn_int hn_i_climb(hn_int rise, hn_int slope) { return hn_i_part(rise, slope); }
+HN_FN hn_int hn_i_climb(hn_int g, hn_int rise, hn_int slope) { return (g >> 2) + hn_i_part(rise, slope); }
+
+// A sixth of a cube, in units of 2^-30, of x in units of 2^-15: by the high and by the low bits of the square.
+HN_FN hn_uint hn_i_sixth_of_cube(hn_uint x) {
+  hn_uint square = x * x;
+  return ((square >> 15u) * x + (((square & 32767u) * x) >> 15u)) / 6u;
+}
+
+// The weights are in units of 2^-18, and their sum is 2^18. 715829931 is 2/3 in units of 2^-30, and 2048 that round.
+HN_FN hn_ivec4 hn_i_spline(hn_int f) {
+  hn_uint x = uint(f + 16) >> 5u;
+  hn_uint before = hn_i_sixth_of_cube(32768u - x);
+  hn_uint after = hn_i_sixth_of_cube(x);
+  hn_int first = int((before + 2048u) >> 12u);
+  hn_int last = int((after + 2048u) >> 12u);
+  hn_int second = int((715829931u + 3u * after - x * x) >> 12u);
+  return ivec4(first, second, 262144 - first - second - last, last);
+}
+
+HN_FN hn_int hn_i_blend(hn_ivec4 n, hn_ivec4 w) {
+  return hn_i_part(n.x, w.x) + hn_i_part(n.y, w.y) + hn_i_part(n.z, w.z) + hn_i_part(n.w, w.w);
 }
 
 // From units of 2^-29 to units of 2^-21, rounded.
 HN_FN hn_int hn_i_scaled(hn_int n, hn_int s) { return (((n + 256) >> 9) * s + 256) >> 9; }
 
-// A number is in units of 2^-29. From there the noise is rounded to units of 2^-21.
-HN_FN hn_int hn_i_number(hn_uint word) { return int((word >> 2u) & 0x3FFFC000u) - 536862720; }
+// A number is in units of 2^-29 and has no offset. From there the noise is rounded to units of 2^-21.
+HN_FN hn_int hn_i_number(hn_uint word) { return int(word >> 2u) - 536870912; }
 HN_FN hn_int hn_i_of_numbers(hn_int n) { return (n + 128) >> 8; }
+HN_FN hn_int hn_i_of_rises(hn_int n) { return (n + 128) >> 8; }
 
 HN_FN hn_float hn_i_value(hn_int n) { return float(n) * (1.0f / 2097152.0f); }
+
+// The steps that make a noise of units of 2^-29 make a derivative of units of 2^-27, in units of 2^-19.
+HN_FN hn_float hn_i_derivative(hn_int n) { return float(n) * (1.0f / 524288.0f); }
+
+HN_FN hn_int hn_i_flipped(hn_int x, hn_uint word) { return hn_i_select((word & 0x80000000u) != 0u, -x, x); }
 
 #endif
 
@@ -266,6 +417,17 @@ HN_FN hn_num hn_i_far(hn_num f) { return hn_i_minus(f, HN_I_ONE); }
 
 HN_FN hn_num hn_i_lerp(hn_num4 n, hn_num x, hn_num y) {
   return hn_i_lerp(hn_i_lerp(n.x, n.y, x), hn_i_lerp(n.z, n.w, x), y);
+}
+
+HN_FN hn_num3 hn_i_lerp_d(hn_num4 n, hn_num2 t, hn_num2 s) {
+  hn_num lower = hn_i_lerp(n.x, n.y, t.x);
+  hn_num upper = hn_i_lerp(n.z, n.w, t.x);
+  hn_num along_x = hn_i_lerp(hn_i_rise(n.x, n.y), hn_i_rise(n.z, n.w), t.y);
+  return hn_i_num(hn_i_lerp(lower, upper, t.y), hn_i_climb(along_x, s.x), hn_i_climb(hn_i_rise(lower, upper), s.y));
+}
+
+HN_FN hn_num4 hn_i_numbers(hn_uvec4 h) {
+  return hn_i_num(hn_i_number(h.x), hn_i_number(h.y), hn_i_number(h.z), hn_i_number(h.w));
 }
 
 // ---------------------------------------------------------------------------------------------------------------------

@@ -10,8 +10,6 @@
 //   HN_ARITHMETIC    how the noise is computed. HN_FAST (the default): in floats, within a stated error. HN_PRECISE:
 //                    in floats with the bits of IEEE arithmetic, from GLSL 4.00 and GLSL ES 3.20 on. HN_FIXED: in
 //                    integers, with the same bits on every driver.
-//   HN_PERIOD        after how many cells the noise repeats along each axis: a whole number up to 2^20, or a power of
-//                    two up to 2^30. Default 0: after 2^32.
 //   HN_FBM_NOISE2D(q, seed), HN_FBM_NOISE3D(q, seed)
 //                    the noise that fbm2d.glsl and fbm3d.glsl sum. It takes a vec2 or vec3 and a uint, and returns a
 //                    float that should be in [-1, 1]. Default hn_perlin(q, seed). Declare the functions that it calls
@@ -21,15 +19,16 @@
 #define HN_CONFIG_GLSL
 
 #define HN_VERSION_MAJOR 0
-#define HN_VERSION_MINOR 2
+#define HN_VERSION_MINOR 3
 #define HN_VERSION_PATCH 0
 
 // ---------------------------------------------------------------------------------------------------------------------
 // The language and its version are told apart here, and nowhere else:
 //
-//   HN_FN              stands before every function, and HN_I_UNUSED before a parameter that only some knobs need
+//   HN_FN              stands before every function
 //   HN_I_BITCAST       whether uintBitsToFloat exists; else the same values are computed by exact arithmetic
 //   HN_I_HAS_PRECISE   whether HN_PRECISE is possible. HN_I_KEYWORD then stands before what is rounded on its own
+//   HN_I_OUT(type)     a parameter that the function sets
 //   HN_I_HIGHP         stands before every type. GLSL ES has three precisions. In fragment shaders an int is mediump,
 //                      with 16 bits, unless the declaration says otherwise. Your own default precision stays as it is.
 //                      Elsewhere it is empty: nothing is needed, and glslang would warn
@@ -44,13 +43,13 @@
 #else
 #define HN_FN [[gnu::always_inline]] inline
 #endif
-#define HN_I_UNUSED [[maybe_unused]]
+#define HN_I_OUT(type) type&
 #define HN_I_BITCAST 1
 #define HN_I_HAS_PRECISE 1
 #define HN_I_KEYWORD  // the compiler's flags decide
 #else
 #define HN_FN
-#define HN_I_UNUSED
+#define HN_I_OUT(type) out type
 #define HN_I_KEYWORD precise
 #if (!defined(__VERSION__) && !defined(GL_GOOGLE_cpp_style_line_directive)) || defined(__HLSL_VERSION)
 #define HN_I_VERSION 460
@@ -144,15 +143,6 @@
 #define HN_I_PRECISE HN_I_KEYWORD
 #else
 #define HN_I_PRECISE
-#endif
-
-#ifndef HN_PERIOD
-#define HN_PERIOD 0
-#endif
-
-// Beyond 2^20 only masks are offered. Beyond 2^30 a preprocessor with 32-bit integers could not check the value.
-#if (HN_PERIOD) < 0 || (HN_PERIOD) > 1073741824 || ((HN_PERIOD) > 1048576 && ((HN_PERIOD) & ((HN_PERIOD) - 1)) != 0)
-#error HN_PERIOD must be a whole number from 1 to 1048576, a power of two up to 1073741824, or 0 for 2^32 cells
 #endif
 
 #if HN_HASH == HN_HASH_CUSTOM && !defined(HN_HASH_FN)

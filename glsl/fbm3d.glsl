@@ -25,18 +25,31 @@ HN_FN hn_int hn_i_octave(hn_uvec2 x, hn_uvec2 y, hn_uvec2 z, hn_uint seed) {
 }
 #endif
 
+HN_FN hn_int hn_i_tiled_octave(hn_uvec2 x, hn_uvec2 y, hn_uvec2 z, hn_ivec3 period, hn_uint seed) {
+  hn_ivec3 cell = ivec3(int(x.x), int(y.x), int(z.x));
+  return hn_i_perlin(cell, ivec3(int(x.y >> 12u), int(y.y >> 12u), int(z.y >> 12u)), period, seed);
+}
+
 // The sum in integers. 0x58000000, 0x98000000 and 0xB8000000 are 11/32, 19/32 and 23/32 of a cell, as below.
-HN_FN hn_int hn_i_octaves(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed, bool absolute) {
+HN_FN hn_int hn_i_octaves(hn_vec3 p, hn_ivec3 period, bool tiled, hn_int octaves, hn_float lacunarity, hn_float gain,
+                          hn_uint seed, bool absolute) {
   hn_uvec2 x = hn_i_long(p.x);
   hn_uvec2 y = hn_i_long(p.y);
   hn_uvec2 z = hn_i_long(p.z);
   hn_uint ratio = hn_i_lacunarity(lacunarity);
+  if (tiled) ratio &= 0xFF800000u;  // a whole number
   hn_int fall = hn_i_gain(gain);
   hn_int sum = 0;
   hn_int total = 0;
   hn_int weight = 262144;
   for (hn_int i = 0; i < min(octaves, 32); ++i) {
-    hn_int n = hn_i_octave(x, y, z, seed);
+    hn_int n;
+    if (tiled) {
+      n = hn_i_tiled_octave(x, y, z, period, seed);
+      period = ivec3(uvec3(period) * (ratio >> 23u));
+    } else {
+      n = hn_i_octave(x, y, z, seed);
+    }
     sum += hn_i_weighted(hn_i_select(absolute, max(n, -n), n), weight);
     total += weight;
     weight = hn_i_next_weight(weight, fall);
@@ -59,18 +72,26 @@ HN_FN hn_int hn_i_octaves(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_flo
 #if HN_ARITHMETIC != HN_FIXED
 
 // The sum that octaves.glsl describes.
-HN_FN hn_float hn_i_octaves(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed,
-                            bool absolute) {
+HN_FN hn_float hn_i_octaves(hn_vec3 p, hn_ivec3 period, bool tiled, hn_int octaves, hn_float lacunarity, hn_float gain,
+                            hn_uint seed, bool absolute) {
   hn_vec3 q = hn_i_start(p);
+  hn_float ratio = lacunarity;
+  if (tiled) ratio = hn_i_whole(lacunarity);
   hn_float sum = 0.0f;
   hn_float total = 0.0f;
   hn_float weight = 1.0f;
   for (hn_int i = 0; i < octaves; ++i) {
-    hn_float n = HN_FBM_NOISE3D(q, seed);
+    hn_float n;
+    if (tiled) {
+      n = hn_perlin(q, period, seed);
+      period = ivec3(uvec3(period) * uint(ratio));
+    } else {
+      n = HN_FBM_NOISE3D(q, seed);
+    }
     sum = hn_i_times_plus(weight, hn_i_select(absolute, abs(n), n), sum);
     total = hn_i_times_plus(gain, total, 1.0f);
     weight = hn_i_times(weight, gain);
-    q = hn_i_times_plus(q, lacunarity, vec3(11.0f / 32.0f, 19.0f / 32.0f, 23.0f / 32.0f));
+    q = hn_i_times_plus(q, ratio, vec3(11.0f / 32.0f, 19.0f / 32.0f, 23.0f / 32.0f));
     seed += 0x9E3779B9u;
   }
   return octaves < 1 ? 0.0f : hn_i_quotient(sum, total);
@@ -88,19 +109,28 @@ HN_FN hn_float hn_i_octaves(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_f
 //   seed        any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   returns     [-1, 1], mean 0; with HN_GRADIENT_SINE [-3/2, 3/2]
 //   error       grows with |p| * lacunarity^octaves, since a float rounds the positions (docs/accuracy.md)
-//   period      HN_PERIOD, with a whole lacunarity (HN_FIXED: with a period that is not a power of two, only up to
-//               2^31 cells of the last octave). Without HN_PERIOD, HN_FIXED repeats after 2^32 cells of any octave, and
-//               floats do not reach so far
+//   period      none that floats reach. HN_FIXED repeats after 2^32 cells of any octave
 //   cost        1 noise per octave
 //   HN_FIXED    takes a gain above 1 as 1, a lacunarity outside [0, 255] as 0 or 255, and more than 32 octaves as 32.
 //               The error does not grow with |p|
 //   source      Musgrave, in "Texturing and Modeling: A Procedural Approach"
 HN_FN hn_float hn_fbm(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
-  return hn_i_value(hn_i_octaves(p, octaves, lacunarity, gain, seed, false));
+  return hn_i_value(hn_i_octaves(p, ivec3(0), false, octaves, lacunarity, gain, seed, false));
 }
 
 HN_FN hn_float hn_fbm(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain) {
   return hn_fbm(p, octaves, lacunarity, gain, 0u);
+}
+
+// The same with a period: octave i repeats after period * lacunarity^i of its cells, so the sum repeats after the
+// period, and no sooner. The octaves are hn_perlin, whatever HN_FBM_NOISE3D names.
+//   period      cells of the first octave along each axis, any ivec3; 0 for none along that axis;
+//               period * lacunarity^octaves < 2^31
+//   lacunarity  a whole number from 1 to 255; others are rounded down
+//   error       that of hn_perlin at positions that a float rounds; HN_FIXED as above
+//   cost        1 noise with a period per octave
+HN_FN hn_float hn_fbm(hn_vec3 p, hn_ivec3 period, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_value(hn_i_octaves(p, period, true, octaves, lacunarity, gain, seed, false));
 }
 
 // Turbulence: the mean of the octaves' absolute values, which have creases where the noise passes 0. Use it for marble,
@@ -109,11 +139,16 @@ HN_FN hn_float hn_fbm(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float g
 //   returns  [0, 1]; with HN_GRADIENT_SINE [0, 3/2]
 //   source   Perlin, "An image synthesizer", 1985; Valdenegro-Toro and Pincheira, fig. 6
 HN_FN hn_float hn_turbulence(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
-  return hn_i_value(hn_i_octaves(p, octaves, lacunarity, gain, seed, true));
+  return hn_i_value(hn_i_octaves(p, ivec3(0), false, octaves, lacunarity, gain, seed, true));
 }
 
 HN_FN hn_float hn_turbulence(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain) {
   return hn_turbulence(p, octaves, lacunarity, gain, 0u);
+}
+
+HN_FN hn_float hn_turbulence(hn_vec3 p, hn_ivec3 period, hn_int octaves, hn_float lacunarity, hn_float gain,
+                             hn_uint seed) {
+  return hn_i_value(hn_i_octaves(p, period, true, octaves, lacunarity, gain, seed, true));
 }
 
 // Clouds: the density of a sky, from an fBm.
@@ -122,11 +157,15 @@ HN_FN hn_float hn_turbulence(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_
 //   error    3 times that of hn_fbm, plus 5.4e-7 (HN_FIXED 2.6e-5)
 //   source   after the cloud images of Valdenegro-Toro and Pincheira, fig. 6; the paper has no formula for them
 HN_FN hn_float hn_clouds(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
-  return hn_i_value(hn_i_cloud_density(hn_i_octaves(p, octaves, lacunarity, gain, seed, false)));
+  return hn_i_value(hn_i_cloud_density(hn_i_octaves(p, ivec3(0), false, octaves, lacunarity, gain, seed, false)));
 }
 
 HN_FN hn_float hn_clouds(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain) {
   return hn_clouds(p, octaves, lacunarity, gain, 0u);
+}
+
+HN_FN hn_float hn_clouds(hn_vec3 p, hn_ivec3 period, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_value(hn_i_cloud_density(hn_i_octaves(p, period, true, octaves, lacunarity, gain, seed, false)));
 }
 
 #endif

@@ -4,8 +4,11 @@
 #ifndef HN_HASHNOISE_GLSL
 #define HN_HASHNOISE_GLSL
 
+#include "noise1d.glsl"
 #include "noise2d.glsl"
 #include "noise3d.glsl"
+#include "noise4d.glsl"
 #include "fbm.glsl"
+#include "position.glsl"
 
 #endif

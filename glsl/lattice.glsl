@@ -1,4 +1,4 @@
-// hashnoise: the cell that a noise is in: its coordinates, wrapped by HN_PERIOD, and the words of its corners.
+// hashnoise: the cell that a noise is in: where its corners are, with or without a period, and their words.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_LATTICE_GLSL
@@ -7,47 +7,70 @@
 #include "arithmetic.glsl"
 #include "hash.glsl"
 
-// hn_i_wrap returns the coordinates of the near corner, and hn_i_next that of the far corner along one axis.
-#if (HN_PERIOD) == 0
-HN_FN hn_uvec2 hn_i_wrap(hn_ivec2 cell) { return uvec2(cell); }
-HN_FN hn_uvec3 hn_i_wrap(hn_ivec3 cell) { return uvec3(cell); }
-HN_FN hn_uint hn_i_next(hn_uint c) { return c + 1u; }
-#else
-#if ((HN_PERIOD) & ((HN_PERIOD) - 1)) == 0
-HN_FN hn_uint hn_i_wrap(hn_int c) { return uint(c) & uint((HN_PERIOD) - 1); }
-HN_FN hn_uint hn_i_next(hn_uint c) { return (c + 1u) & uint((HN_PERIOD) - 1); }
-#else
-// The remainder of floored division. GLSL leaves % of negative numbers undefined, so these count back from -1.
-HN_FN hn_uint hn_i_wrap(hn_int c) {
-  hn_uint rest = uint(hn_i_select(c < 0, -1 - c, c)) % uint(HN_PERIOD);
-  return hn_i_select(c < 0, uint((HN_PERIOD) - 1) - rest, rest);
-}
-HN_FN hn_uint hn_i_next(hn_uint c) { return hn_i_select(c == uint((HN_PERIOD) - 1), 0u, c + 1u); }
-#endif
-HN_FN hn_uvec2 hn_i_wrap(hn_ivec2 cell) { return uvec2(hn_i_wrap(cell.x), hn_i_wrap(cell.y)); }
-HN_FN hn_uvec3 hn_i_wrap(hn_ivec3 cell) { return uvec3(hn_i_wrap(cell.x), hn_i_wrap(cell.y), hn_i_wrap(cell.z)); }
-#endif
+// A cell is known by the spread coordinates of its first corner and of its last, the opposite one. Along an axis the
+// last is one step further. Without a period a step adds a constant.
+HN_FN hn_uint hn_i_first(hn_int cell) { return hn_i_spread(uint(cell)); }
+HN_FN hn_uvec2 hn_i_first(hn_ivec2 cell) { return hn_i_spread(uvec2(cell)); }
+HN_FN hn_uvec3 hn_i_first(hn_ivec3 cell) { return hn_i_spread(uvec3(cell)); }
+HN_FN hn_uvec4 hn_i_first(hn_ivec4 cell) { return hn_i_spread(uvec4(cell)); }
 
-// The spread coordinates of a cell's far corner, from those of its near one.
-#if (HN_PERIOD) == 0
-HN_FN hn_uvec2 hn_i_spread_next(hn_uvec2 spread, HN_I_UNUSED hn_uvec2 c) {
-  return uvec2(spread.x + 0x9E3779B1u, spread.y + 0x85EBCA77u);
+HN_FN hn_uint hn_i_last(hn_uint first) { return first + 0x9E3779B1u; }
+HN_FN hn_uvec2 hn_i_last(hn_uvec2 first) { return uvec2(hn_i_last(first.x), first.y + 0x85EBCA77u); }
+HN_FN hn_uvec3 hn_i_last(hn_uvec3 first) {
+  return uvec3(hn_i_last(first.x), first.y + 0x85EBCA77u, first.z + 0xC2B2AE3Du);
 }
-HN_FN hn_uvec3 hn_i_spread_next(hn_uvec3 spread, HN_I_UNUSED hn_uvec3 c) {
-  return uvec3(spread.x + 0x9E3779B1u, spread.y + 0x85EBCA77u, spread.z + 0xC2B2AE3Du);
+HN_FN hn_uvec4 hn_i_last(hn_uvec4 first) {
+  return uvec4(hn_i_last(first.x), first.y + 0x85EBCA77u, first.z + 0xC2B2AE3Du, first.w + 0x27D4EB2Fu);
 }
-#else
-HN_FN hn_uvec2 hn_i_spread_next(HN_I_UNUSED hn_uvec2 spread, hn_uvec2 c) {
-  return hn_i_spread(uvec2(hn_i_next(c.x), hn_i_next(c.y)));
+
+// A coordinate in [0, period); without a period (0, or less) the coordinate as it is. For a power of two it is a mask,
+// and for no period, too. For others it is the remainder of floored division. GLSL leaves % of negative numbers
+// undefined, so these count back from -1. If the period is a constant, then one of the two is left.
+HN_FN hn_uint hn_i_wrap(hn_int c, hn_int period) {
+  hn_uint size = uint(max(period, 0));
+  hn_uint mask = size - 1u;
+  hn_uint rest = uint(hn_i_select(c < 0, -1 - c, c)) % max(size, 1u);
+  rest = hn_i_select(c < 0, mask - rest, rest);
+  return hn_i_select((size & mask) == 0u, uint(c) & mask, rest);
 }
-HN_FN hn_uvec3 hn_i_spread_next(HN_I_UNUSED hn_uvec3 spread, hn_uvec3 c) {
-  return hn_i_spread(uvec3(hn_i_next(c.x), hn_i_next(c.y), hn_i_next(c.z)));
+HN_FN hn_uvec2 hn_i_wrap(hn_ivec2 c, hn_ivec2 period) {
+  return uvec2(hn_i_wrap(c.x, period.x), hn_i_wrap(c.y, period.y));
 }
-#endif
+HN_FN hn_uvec3 hn_i_wrap(hn_ivec3 c, hn_ivec3 period) {
+  return uvec3(hn_i_wrap(c.x, period.x), hn_i_wrap(c.y, period.y), hn_i_wrap(c.z, period.z));
+}
+HN_FN hn_uvec4 hn_i_wrap(hn_ivec4 c, hn_ivec4 period) {
+  return uvec4(hn_i_wrap(c.x, period.x), hn_i_wrap(c.y, period.y), hn_i_wrap(c.z, period.z), hn_i_wrap(c.w, period.w));
+}
+
+// The spread coordinate of a last corner, given that without a period: behind the seam it is that of 0, which is
+// `zero`.
+HN_FN hn_uint hn_i_behind(hn_uint last, hn_uint c, hn_int period, hn_uint zero) {
+  return hn_i_select(c + 1u == uint(max(period, 0)), zero, last);
+}
+
+// The first corner of a cell with a period, from its wrapped coordinates, is hn_i_spread(c). This is its last.
+HN_FN hn_uint hn_i_last(hn_uint first, hn_uint c, hn_int period) {
+  return hn_i_behind(hn_i_last(first), c, period, 0x165667B1u);
+}
+HN_FN hn_uvec2 hn_i_last(hn_uvec2 first, hn_uvec2 c, hn_ivec2 period) {
+  hn_uvec2 last = hn_i_last(first);
+  return uvec2(hn_i_last(first.x, c.x, period.x), hn_i_behind(last.y, c.y, period.y, 0u));
+}
+HN_FN hn_uvec3 hn_i_last(hn_uvec3 first, hn_uvec3 c, hn_ivec3 period) {
+  hn_uvec3 last = hn_i_last(first);
+  return uvec3(hn_i_last(first.x, c.x, period.x), hn_i_behind(last.y, c.y, period.y, 0u),
+               hn_i_behind(last.z, c.z, period.z, 0u));
+}
+HN_FN hn_uvec4 hn_i_last(hn_uvec4 first, hn_uvec4 c, hn_ivec4 period) {
+  hn_uvec4 last = hn_i_last(first);
+  return uvec4(hn_i_last(first.x, c.x, period.x), hn_i_behind(last.y, c.y, period.y, 0u),
+               hn_i_behind(last.z, c.z, period.z, 0u), hn_i_behind(last.w, c.w, period.w, 0u));
+}
 
 // The words of the corners 00, 10, 01, 11 of a square; c0 and c1 are the spread coordinates of the first and the last.
-// z and the seed add `join` to the exclusive or, `sum` to the sum before it is made odd, and `more` to the odd number
-// (`more` is even). Without a period `more` and the steps along x and y are constants, so they are added first.
+// Other axes and the seed add `join` to the exclusive or, `sum` to the sum before it is made odd, and `more` to the odd
+// number (`more` is even). Without a period `more` and the steps along x and y are constants, so they are added first.
 HN_FN hn_uvec4 hn_i_corners(hn_uvec2 c0, hn_uvec2 c1, hn_uint join, hn_uint sum, hn_uint more) {
   hn_uvec2 a = hn_i_fold(c0);
   hn_uvec2 b = hn_i_fold(c1);
@@ -60,19 +83,30 @@ HN_FN hn_uvec4 hn_i_corners(hn_uvec2 c0, hn_uvec2 c1, hn_uint join, hn_uint sum,
                hn_i_word(a.x ^ b.y, odd + (y + more)), hn_i_word(b.x ^ b.y, odd + (x + y + more)));
 }
 
-// The same for the cell at c; in space for its front or back face.
-HN_FN hn_uvec4 hn_i_corners(hn_uvec2 c, hn_uint seed) {
-  hn_uvec2 c0 = hn_i_spread(c);
+// The same for the cell between first and last: both ends of a line, a square, the front or back face of a cube along
+// z, and in four dimensions the square that z and w choose.
+HN_FN hn_uvec2 hn_i_corners(hn_uint first, hn_uint last, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
-  return hn_i_corners(c0, hn_i_spread_next(c0, c), s, s, 0u);
+  hn_uint odd = hn_i_odd(first + s);
+  return uvec2(hn_i_word(hn_i_fold(first) ^ s, odd), hn_i_word(hn_i_fold(last) ^ s, odd + (last - first) * 2u));
 }
-HN_FN hn_uvec4 hn_i_corners(hn_uvec3 c, bool back, hn_uint seed) {
-  hn_uvec3 c0 = hn_i_spread(c);
-  hn_uvec3 c1 = hn_i_spread_next(c0, c);
+HN_FN hn_uvec4 hn_i_corners(hn_uvec2 first, hn_uvec2 last, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
-  hn_uint join = hn_i_select(back, hn_i_fold(c1).z, hn_i_fold(c0).z) ^ s;
-  hn_uint more = hn_i_select(back, (c1.z - c0.z) * 2u, 0u);
-  return hn_i_corners(uvec2(c0.x, c0.y), uvec2(c1.x, c1.y), join, c0.z + s, more);
+  return hn_i_corners(first, last, s, s, 0u);
+}
+HN_FN hn_uvec4 hn_i_corners(hn_uvec3 first, hn_uvec3 last, bool back, hn_uint seed) {
+  hn_uint s = hn_i_mix(seed);
+  hn_uint join = hn_i_select(back, hn_i_fold(last).z, hn_i_fold(first).z) ^ s;
+  hn_uint more = hn_i_select(back, (last.z - first.z) * 2u, 0u);
+  return hn_i_corners(uvec2(first.x, first.y), uvec2(last.x, last.y), join, first.z + s, more);
+}
+HN_FN hn_uvec4 hn_i_corners(hn_uvec4 first, hn_uvec4 last, bool far_z, bool far_w, hn_uint seed) {
+  hn_uint s = hn_i_mix(seed);
+  hn_uvec4 near = hn_i_fold(first);
+  hn_uvec4 far = hn_i_fold(last);
+  hn_uint join = hn_i_select(far_z, far.z, near.z) ^ hn_i_select(far_w, far.w, near.w) ^ s;
+  hn_uint more = hn_i_select(far_z, (last.z - first.z) * 2u, 0u) + hn_i_select(far_w, (last.w - first.w) * 2u, 0u);
+  return hn_i_corners(uvec2(first.x, first.y), uvec2(last.x, last.y), join, first.z + first.w + s, more);
 }
 
 #endif

@@ -5,6 +5,9 @@
 #define HN_NOISE2D_GLSL
 
 #include "perlin2d.glsl"
+#include "perlin_d2d.glsl"
 #include "value2d.glsl"
+#include "value_cubic2d.glsl"
+#include "value_d2d.glsl"
 
 #endif

@@ -5,6 +5,9 @@
 #define HN_NOISE3D_GLSL
 
 #include "perlin3d.glsl"
+#include "perlin_d3d.glsl"
 #include "value3d.glsl"
+#include "value_cubic3d.glsl"
+#include "value_d3d.glsl"
 
 #endif

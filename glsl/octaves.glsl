@@ -93,6 +93,9 @@ HN_FN hn_int hn_i_cloud_density(hn_int fbm) {
 
 #else
 
+// A lacunarity with which a tile stays a tile.
+HN_FN hn_float hn_i_whole(hn_float lacunarity) { return floor(min(max(lacunarity, 0.0f), 255.0f)); }
+
 // Makes a sky from an fBm: it is clear below -1/8 and dense above 3/8, with a smooth step between.
 HN_FN hn_float hn_i_cloud_density(hn_float fbm) {
   return hn_i_smooth(min(max(hn_i_times_plus(2.0f, fbm, 0.25f), 0.0f), 1.0f));

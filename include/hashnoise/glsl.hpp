@@ -173,6 +173,15 @@ struct Vector4 {
         z(detail::convert<T>(detail::component<2>(arguments...))),
         w(detail::convert<T>(detail::component<3>(arguments...))) {}
   friend bool operator==(Vector4, Vector4) = default;  // constexpr where that of T is
+  friend constexpr Vector4 operator+(Vector4 a, Vector4 b) { return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w}; }
+  friend constexpr Vector4 operator-(Vector4 a, Vector4 b) { return {a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w}; }
+  friend constexpr Vector4 operator*(Vector4 a, Vector4 b) { return {a.x * b.x, a.y * b.y, a.z * b.z, a.w * b.w}; }
+  friend constexpr Vector4 operator+(Vector4 a, T b) { return a + Vector4(b); }
+  friend constexpr Vector4 operator-(Vector4 a, T b) { return a - Vector4(b); }
+  friend constexpr Vector4 operator*(Vector4 a, T b) { return a * Vector4(b); }
+  friend constexpr Vector4 operator*(T a, Vector4 b) { return Vector4(a) * b; }
+  friend constexpr Vector4 operator/(Vector4 a, Vector4 b) { return {a.x / b.x, a.y / b.y, a.z / b.z, a.w / b.w}; }
+  friend constexpr Vector4 operator/(Vector4 a, T b) { return a / Vector4(b); }
 };
 
 using vec2 = Vector2<float>;
@@ -203,6 +212,7 @@ using hn_uvec4 = uvec4;
 inline float floor(float x) { return std::floor(x); }
 inline vec2 floor(vec2 v) { return {std::floor(v.x), std::floor(v.y)}; }
 inline vec3 floor(vec3 v) { return {std::floor(v.x), std::floor(v.y), std::floor(v.z)}; }
+inline vec4 floor(vec4 v) { return {std::floor(v.x), std::floor(v.y), std::floor(v.z), std::floor(v.w)}; }
 inline float trunc(float x) { return std::trunc(x); }
 inline float abs(float x) { return std::fabs(x); }
 constexpr float min(float x, float y) { return y < x ? y : x; }

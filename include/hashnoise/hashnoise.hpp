@@ -12,10 +12,10 @@
 // HN_FIXED has the same bits under any compiler's flags. The floats of HN_PRECISE need -ffp-contract=off, and no
 // fast-math.
 //
-// Knobs (config.glsl) are macros, to be defined before the include. HN_HASH, HN_GRADIENT, HN_PERIOD and
-// HN_ARITHMETIC name inline namespaces, so that translation units that differ in them may be linked together. The
-// other macros (HN_HASH_FN, HN_FBM_NOISE2D, HN_FBM_NOISE3D) do not: their meaning must be the same in all translation
-// units in which these four are the same.
+// Knobs (config.glsl) are macros, to be defined before the include. HN_HASH, HN_GRADIENT and HN_ARITHMETIC name inline
+// namespaces, so that translation units that differ in them may be linked together. The other macros (HN_HASH_FN,
+// HN_FBM_NOISE2D, HN_FBM_NOISE3D) do not: their meaning must be the same in all translation units in which these three
+// are the same.
 
 #pragma once
 
@@ -31,10 +31,8 @@
 namespace hashnoise {
 inline namespace HN_I_PASTE(hash_, HN_HASH) {
 inline namespace HN_I_PASTE(gradient_, HN_GRADIENT) {
-inline namespace HN_I_PASTE(period_, HN_PERIOD) {
 inline namespace HN_I_PASTE(arithmetic_, HN_ARITHMETIC) {
 #include "../../glsl/hashnoise.glsl"
-}
 }
 }
 }

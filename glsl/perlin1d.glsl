@@ -1,0 +1,75 @@
+// hashnoise: Perlin noise on the line.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_PERLIN1D_GLSL
+#define HN_PERLIN1D_GLSL
+
+#include "gradient.glsl"
+
+// The paper's gradient has no noise on the line.
+#if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
+
+// The noise in the numbers of HN_ARITHMETIC.
+HN_FN hn_num hn_i_perlin(hn_uint first, hn_uint last, hn_num f, hn_uint seed) {
+  hn_uvec2 h = hn_i_corners(first, last, seed);
+  hn_num left = hn_i_ramp(hn_i_gradient1(h.x), f);
+  hn_num right = hn_i_ramp(hn_i_gradient1(h.y), hn_i_far(f));
+  return hn_i_scaled1(hn_i_lerp(left, right, hn_i_fade(f)));
+}
+HN_FN hn_num hn_i_perlin(hn_int cell, hn_num f, hn_uint seed) {
+  hn_uint first = hn_i_first(cell);
+  return hn_i_perlin(first, hn_i_last(first), f, seed);
+}
+HN_FN hn_num hn_i_perlin(hn_int cell, hn_num f, hn_int period, hn_uint seed) {
+  hn_uint c = hn_i_wrap(cell, period);
+  hn_uint first = hn_i_spread(c);
+  return hn_i_perlin(first, hn_i_last(first, c, period), f, seed);
+}
+
+// Gradient noise on the integers, from a cell and a position in it: Perlin 2002 interpolant, hashed gradients.
+// It names cells exactly where a float no longer can: far out in a large world, or in one that moves with the viewer.
+//   cell     the cell; its corners wrap at 2^32
+//   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats extrapolate
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  [-1, 1] (proven bound 0.99805), mean 0, 0 at lattice points, twice continuously differentiable (HN_FIXED:
+//            in steps of 2^-21)
+//   error    at most 1.46e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 3.71e-5
+//   period   2^32 cells
+//   cost     2 hashes (none with HN_HASH_LATTICE) and 2 multiplications; 1 more to spread the coordinate, and 2 more
+//            for a seed that is not constant
+//   source   Perlin, "Improving noise", 2002
+HN_FN hn_float hn_perlin(hn_int cell, hn_float f, hn_uint seed) {
+  return hn_i_value(hn_i_perlin(cell, hn_i_inside(f), seed));
+}
+
+HN_FN hn_float hn_perlin(hn_int cell, hn_float f) { return hn_perlin(cell, f, 0u); }
+
+// The same at a position.
+//   p        position, in cells; |p| < 2^23 (beyond, a float has no fraction)
+//   seed     any uint: 7u, not 7; 0 if left out
+//   returns  as above
+//   error    at most 1.62e-6. HN_FIXED as above
+//   period   as above
+//   cost     as above
+//   source   as above
+HN_FN hn_float hn_perlin(hn_float p, hn_uint seed) {
+  return hn_i_value(hn_i_perlin(hn_i_cell(p), hn_i_fraction(p), seed));
+}
+
+HN_FN hn_float hn_perlin(hn_float p) { return hn_perlin(p, 0u); }
+
+// Both with a period: the field repeats after that many cells. Its values are those at the corners modulo the period.
+//   period   cells, any int; 0 for none. Less than 0 is none, too
+//   seed     any uint: 7u, not 7
+//   error    as without a period
+//   cost     a mask more for a constant power of two; else a division. Each axis has one comparison more
+HN_FN hn_float hn_perlin(hn_int cell, hn_float f, hn_int period, hn_uint seed) {
+  return hn_i_value(hn_i_perlin(cell, hn_i_inside(f), period, seed));
+}
+
+HN_FN hn_float hn_perlin(hn_float p, hn_int period, hn_uint seed) {
+  return hn_i_value(hn_i_perlin(hn_i_cell(p), hn_i_fraction(p), period, seed));
+}
+
+#endif
+#endif

@@ -1,0 +1,74 @@
+// hashnoise: Perlin noise and its derivatives on the line.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_PERLIN_D1D_GLSL
+#define HN_PERLIN_D1D_GLSL
+
+#include "gradient.glsl"
+
+// The paper's gradient has no noise of this kind.
+#if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
+
+// The noise and its derivative.
+HN_FN hn_vec2 hn_i_perlin_d(hn_uint first, hn_uint last, hn_num f, hn_uint seed) {
+  hn_uvec2 h = hn_i_corners(first, last, seed);
+  hn_num a = hn_i_gradient1(h.x);
+  hn_num b = hn_i_gradient1(h.y);
+  hn_num left = hn_i_ramp(a, f);
+  hn_num right = hn_i_ramp(b, hn_i_far(f));
+  hn_num t = hn_i_fade(f);
+  hn_num slope = hn_i_climb(hn_i_lerp(a, b, t), hn_i_rise(left, right), hn_i_slope(f));
+  return vec2(hn_i_value(hn_i_scaled1(hn_i_lerp(left, right, t))), hn_i_derivative(hn_i_scaled1(slope)));
+}
+HN_FN hn_vec2 hn_i_perlin_d(hn_int cell, hn_num f, hn_uint seed) {
+  hn_uint first = hn_i_first(cell);
+  return hn_i_perlin_d(first, hn_i_last(first), f, seed);
+}
+HN_FN hn_vec2 hn_i_perlin_d(hn_int cell, hn_num f, hn_int period, hn_uint seed) {
+  hn_uint c = hn_i_wrap(cell, period);
+  hn_uint first = hn_i_spread(c);
+  return hn_i_perlin_d(first, hn_i_last(first, c, period), f, seed);
+}
+
+// Perlin noise on the line and how steep it is, from a cell and a position in it. The value is that of hn_perlin.
+//   cell     the cell; its corners wrap at 2^32
+//   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats extrapolate
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  the value and its derivative. A derivative is per cell, in [-2.69, 2.69], once continuously differentiable
+//            (HN_FIXED: in steps of 2^-19)
+//   error    that of hn_perlin, and of a derivative at most 6.93e-6 against the exact value, in any rounding mode
+//            (docs/accuracy.md). HN_FIXED 1.76e-4
+//   period   2^32 cells
+//   cost     the hashes of hn_perlin, which are most of its cost, and about twice the rest
+//   source   the product rule on the interpolation; docs/contract.md, section 10
+HN_FN hn_vec2 hn_perlin_d(hn_int cell, hn_float f, hn_uint seed) { return hn_i_perlin_d(cell, hn_i_inside(f), seed); }
+
+HN_FN hn_vec2 hn_perlin_d(hn_int cell, hn_float f) { return hn_perlin_d(cell, f, 0u); }
+
+// The same at a position.
+//   p        position, in cells; |p| < 2^23 (beyond, a float has no fraction)
+//   seed     any uint: 7u, not 7; 0 if left out
+//   returns  as above
+//   error    of a derivative at most 7.83e-6. The rest is as above
+//   period   as above
+//   cost     as above
+//   source   as above
+HN_FN hn_vec2 hn_perlin_d(hn_float p, hn_uint seed) { return hn_i_perlin_d(hn_i_cell(p), hn_i_fraction(p), seed); }
+
+HN_FN hn_vec2 hn_perlin_d(hn_float p) { return hn_perlin_d(p, 0u); }
+
+// Both with a period: the field repeats after that many cells. Its values are those at the corners modulo the period.
+//   period   cells, any int; 0 for none. Less than 0 is none, too
+//   seed     any uint: 7u, not 7
+//   error    as without a period
+//   cost     a mask more for a constant power of two; else a division. Each axis has one comparison more
+HN_FN hn_vec2 hn_perlin_d(hn_int cell, hn_float f, hn_int period, hn_uint seed) {
+  return hn_i_perlin_d(cell, hn_i_inside(f), period, seed);
+}
+
+HN_FN hn_vec2 hn_perlin_d(hn_float p, hn_int period, hn_uint seed) {
+  return hn_i_perlin_d(hn_i_cell(p), hn_i_fraction(p), period, seed);
+}
+
+#endif
+#endif

@@ -1,0 +1,97 @@
+// hashnoise: Perlin noise and its derivatives in space.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_PERLIN_D3D_GLSL
+#define HN_PERLIN_D3D_GLSL
+
+#include "gradient.glsl"
+
+// The paper's gradient has no noise of this kind.
+#if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
+
+// What two corners of a cell along x make of the noise: the interpolated ramp, its derivative along x, and what the
+// gradients' other components add.
+HN_FN hn_num4 hn_i_edge_d(hn_num a, hn_num b, hn_num3 g, hn_num3 h, hn_num t, hn_num s) {
+  return hn_i_num(hn_i_lerp(a, b, t), hn_i_climb(hn_i_lerp(g.x, h.x, t), hn_i_rise(a, b), s), hn_i_lerp(g.y, h.y, t),
+                  hn_i_lerp(g.z, h.z, t));
+}
+
+// The same of the front or back face: the interpolated ramp, its derivatives along x and y, and what the gradients'
+// last components add.
+HN_FN hn_num4 hn_i_face_d(hn_uvec3 first, hn_uvec3 last, hn_num3 f, bool back, hn_num3 t, hn_num3 s, hn_uint seed) {
+  hn_uvec4 h = hn_i_corners(first, last, back, seed);
+  hn_num4 d00 = hn_i_direction3(h.x);
+  hn_num4 d10 = hn_i_direction3(h.y);
+  hn_num4 d01 = hn_i_direction3(h.z);
+  hn_num4 d11 = hn_i_direction3(h.w);
+  hn_num4 r = hn_i_ramps(d00, d10, d01, d11, f, back);
+  hn_num4 n0 = hn_i_edge_d(r.x, r.y, hn_i_gradient(d00), hn_i_gradient(d10), t.x, s.x);
+  hn_num4 n1 = hn_i_edge_d(r.z, r.w, hn_i_gradient(d01), hn_i_gradient(d11), t.x, s.x);
+  return hn_i_num(hn_i_lerp(n0.x, n1.x, t.y), hn_i_lerp(n0.y, n1.y, t.y),
+                  hn_i_climb(hn_i_lerp(n0.z, n1.z, t.y), hn_i_rise(n0.x, n1.x), s.y), hn_i_lerp(n0.w, n1.w, t.y));
+}
+
+// The noise and its derivatives.
+HN_FN hn_vec4 hn_i_perlin_d(hn_uvec3 first, hn_uvec3 last, hn_num3 f, hn_uint seed) {
+  hn_num3 t = hn_i_fade(f);
+  hn_num3 s = hn_i_slope(f);
+  hn_num4 front = hn_i_face_d(first, last, f, false, t, s, seed);
+  hn_num4 back = hn_i_face_d(first, last, f, true, t, s, seed);
+  hn_num dz = hn_i_climb(hn_i_lerp(front.w, back.w, t.z), hn_i_rise(front.x, back.x), s.z);
+  return vec4(hn_i_value(hn_i_scaled3(hn_i_lerp(front.x, back.x, t.z))),
+              hn_i_derivative(hn_i_scaled3(hn_i_lerp(front.y, back.y, t.z))),
+              hn_i_derivative(hn_i_scaled3(hn_i_lerp(front.z, back.z, t.z))), hn_i_derivative(hn_i_scaled3(dz)));
+}
+HN_FN hn_vec4 hn_i_perlin_d(hn_ivec3 cell, hn_num3 f, hn_uint seed) {
+  hn_uvec3 first = hn_i_first(cell);
+  return hn_i_perlin_d(first, hn_i_last(first), f, seed);
+}
+HN_FN hn_vec4 hn_i_perlin_d(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_uint seed) {
+  hn_uvec3 c = hn_i_wrap(cell, period);
+  hn_uvec3 first = hn_i_spread(c);
+  return hn_i_perlin_d(first, hn_i_last(first, c, period), f, seed);
+}
+
+// Perlin noise in space and how steep it is, from a cell and a position in it. The value is that of hn_perlin.
+//   cell     the cell; its corners wrap at 2^32
+//   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats extrapolate
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  the value and its derivatives along x, y and z. A derivative is per cell, in [-3.38, 3.38], once
+//            continuously differentiable (HN_FIXED: in steps of 2^-19)
+//   error    that of hn_perlin, and of a derivative at most 2.11e-5 against the exact value, in any rounding mode
+//            (docs/accuracy.md). HN_FIXED 2.25e-4
+//   period   2^32 cells per axis
+//   cost     the hashes of hn_perlin, which are most of its cost, and about twice the rest
+//   source   the product rule on the interpolation; docs/contract.md, section 10
+HN_FN hn_vec4 hn_perlin_d(hn_ivec3 cell, hn_vec3 f, hn_uint seed) { return hn_i_perlin_d(cell, hn_i_inside(f), seed); }
+
+HN_FN hn_vec4 hn_perlin_d(hn_ivec3 cell, hn_vec3 f) { return hn_perlin_d(cell, f, 0u); }
+
+// The same at a position.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   seed     any uint: 7u, not 7; 0 if left out
+//   returns  as above
+//   error    of a derivative at most 2.21e-5. The rest is as above
+//   period   as above
+//   cost     as above
+//   source   as above
+HN_FN hn_vec4 hn_perlin_d(hn_vec3 p, hn_uint seed) { return hn_i_perlin_d(hn_i_cell(p), hn_i_fraction(p), seed); }
+
+HN_FN hn_vec4 hn_perlin_d(hn_vec3 p) { return hn_perlin_d(p, 0u); }
+
+// Both with a period: the field repeats after that many cells. Its values are those at the corners modulo the period.
+//   period   cells along each axis, any ivec3; 0 for none along that axis. Less than 0 is none, too
+//   seed     any uint: 7u, not 7
+//   error    as without a period
+//   cost     a mask along each axis more for a constant power of two; else a division. Each axis has one comparison
+//            more
+HN_FN hn_vec4 hn_perlin_d(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_uint seed) {
+  return hn_i_perlin_d(cell, hn_i_inside(f), period, seed);
+}
+
+HN_FN hn_vec4 hn_perlin_d(hn_vec3 p, hn_ivec3 period, hn_uint seed) {
+  return hn_i_perlin_d(hn_i_cell(p), hn_i_fraction(p), period, seed);
+}
+
+#endif
+#endif

@@ -1,0 +1,78 @@
+// hashnoise: positions that are integers, as a cell and the place in it.
+// SPDX-License-Identifier: MIT
+//
+// A float that was divided or multiplied need not have the same bits on two machines, and then not even HN_FIXED can
+// return the same noise on both. These functions compute in integers, so a server and its clients agree:
+//
+//   hn_perlin(hn_cell(p, 3, 100), hn_fraction(p, 3, 100), seed)    // p counts units; 3 cells are 100 units long
+
+#ifndef HN_POSITION_GLSL
+#define HN_POSITION_GLSL
+
+#include "config.glsl"
+
+// Along one axis: the cell, and what is left in units of 1 / units of a cell. The division is rounded down. GLSL leaves
+// / and % of negative numbers open, so these count back from -1.
+HN_FN hn_uvec2 hn_i_place(hn_int position, hn_int cells, hn_int units) {
+  hn_uint scale = uint(min(max(cells, 1), 65536));
+  hn_uint size = uint(min(max(units, 1), 65536));
+  hn_uint sign = uint(position >> 31);  // all bits of a negative number
+  hn_uint m = uint(position) ^ sign;
+  hn_uint whole = m / size;
+  hn_uint rest = m - whole * size;
+  rest = (rest ^ sign) + (size & sign);
+  rest *= scale;  // below 2^32
+  hn_uint more = rest / size;
+  return uvec2((whole ^ sign) * scale + more, rest - more * size);
+}
+
+// A rest below 2^16 as a fraction, in two digits of 12 bits, since a division of floats is not exact in GLSL.
+HN_FN hn_float hn_i_place_in_cell(hn_uint rest, hn_int units) {
+  hn_uint size = uint(min(max(units, 1), 65536));
+  hn_uint high = (rest << 12u) / size;
+  hn_uint low = (((rest << 12u) - high * size) << 12u) / size;
+  return float((high << 12u) | low) * (1.0f / 16777216.0f);
+}
+
+// The cell of a position that is a whole number of units, in a world where `cells` cells are `units` units long.
+//   position  in units: int, ivec2, ivec3 or ivec4
+//   cells     1 to 65536; a number outside of it counts as the nearer end
+//   units     the same
+//   returns   floor(position * cells / units), modulo 2^32
+//   error     none: integers on every driver, and the same in C++
+//   cost      2 divisions of integers per axis; with constants, compilers make products or shifts of them
+//   source    docs/contract.md, section 12
+HN_FN hn_int hn_cell(hn_int position, hn_int cells, hn_int units) { return int(hn_i_place(position, cells, units).x); }
+HN_FN hn_ivec2 hn_cell(hn_ivec2 position, hn_int cells, hn_int units) {
+  return ivec2(hn_cell(position.x, cells, units), hn_cell(position.y, cells, units));
+}
+HN_FN hn_ivec3 hn_cell(hn_ivec3 position, hn_int cells, hn_int units) {
+  return ivec3(hn_cell(position.x, cells, units), hn_cell(position.y, cells, units), hn_cell(position.z, cells, units));
+}
+HN_FN hn_ivec4 hn_cell(hn_ivec4 position, hn_int cells, hn_int units) {
+  return ivec4(hn_cell(position.x, cells, units), hn_cell(position.y, cells, units), hn_cell(position.z, cells, units),
+               hn_cell(position.w, cells, units));
+}
+
+// The place of such a position in its cell.
+//   (parameters as for hn_cell)
+//   returns   what position * cells / units is beyond its floor, cut off to a multiple of 2^-24, in [0, 1)
+//   error     less than 2^-24, and the same bits everywhere
+//   cost      2 more divisions of integers per axis
+//   source    docs/contract.md, section 12
+HN_FN hn_float hn_fraction(hn_int position, hn_int cells, hn_int units) {
+  return hn_i_place_in_cell(hn_i_place(position, cells, units).y, units);
+}
+HN_FN hn_vec2 hn_fraction(hn_ivec2 position, hn_int cells, hn_int units) {
+  return vec2(hn_fraction(position.x, cells, units), hn_fraction(position.y, cells, units));
+}
+HN_FN hn_vec3 hn_fraction(hn_ivec3 position, hn_int cells, hn_int units) {
+  return vec3(hn_fraction(position.x, cells, units), hn_fraction(position.y, cells, units),
+              hn_fraction(position.z, cells, units));
+}
+HN_FN hn_vec4 hn_fraction(hn_ivec4 position, hn_int cells, hn_int units) {
+  return vec4(hn_fraction(position.x, cells, units), hn_fraction(position.y, cells, units),
+              hn_fraction(position.z, cells, units), hn_fraction(position.w, cells, units));
+}
+
+#endif

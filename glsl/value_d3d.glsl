@@ -1,0 +1,73 @@
+// hashnoise: value noise and its derivatives in space.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_VALUE_D3D_GLSL
+#define HN_VALUE_D3D_GLSL
+
+#include "lattice.glsl"
+
+// The noise and its derivatives.
+HN_FN hn_vec4 hn_i_value_d(hn_uvec3 first, hn_uvec3 last, hn_num3 f, hn_uint seed) {
+  hn_num3 t = hn_i_fade(f);
+  hn_num3 s = hn_i_slope(f);
+  hn_num2 t2 = hn_i_num(t.x, t.y);
+  hn_num2 s2 = hn_i_num(s.x, s.y);
+  hn_num3 front = hn_i_lerp_d(hn_i_numbers(hn_i_corners(first, last, false, seed)), t2, s2);
+  hn_num3 back = hn_i_lerp_d(hn_i_numbers(hn_i_corners(first, last, true, seed)), t2, s2);
+  return vec4(hn_i_value(hn_i_of_numbers(hn_i_lerp(front.x, back.x, t.z))),
+              hn_i_derivative(hn_i_of_rises(hn_i_lerp(front.y, back.y, t.z))),
+              hn_i_derivative(hn_i_of_rises(hn_i_lerp(front.z, back.z, t.z))),
+              hn_i_derivative(hn_i_of_rises(hn_i_climb(hn_i_rise(front.x, back.x), s.z))));
+}
+HN_FN hn_vec4 hn_i_value_d(hn_ivec3 cell, hn_num3 f, hn_uint seed) {
+  hn_uvec3 first = hn_i_first(cell);
+  return hn_i_value_d(first, hn_i_last(first), f, seed);
+}
+HN_FN hn_vec4 hn_i_value_d(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_uint seed) {
+  hn_uvec3 c = hn_i_wrap(cell, period);
+  hn_uvec3 first = hn_i_spread(c);
+  return hn_i_value_d(first, hn_i_last(first, c, period), f, seed);
+}
+
+// Value noise in space and how steep it is, from a cell and a position in it. The value is that of hn_value.
+//   cell     the cell; its corners wrap at 2^32
+//   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats extrapolate
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  the value and its derivatives along x, y and z. A derivative is per cell, in [-3.76, 3.76], once
+//            continuously differentiable (HN_FIXED: in steps of 2^-19)
+//   error    that of hn_value, and of a derivative at most 1.76e-5 against the exact value, in any rounding mode
+//            (docs/accuracy.md). HN_FIXED 3.19e-4
+//   period   2^32 cells per axis
+//   cost     the hashes of hn_value, which are most of its cost, and about twice the rest
+//   source   the product rule on the interpolation; docs/contract.md, section 10
+HN_FN hn_vec4 hn_value_d(hn_ivec3 cell, hn_vec3 f, hn_uint seed) { return hn_i_value_d(cell, hn_i_inside(f), seed); }
+
+HN_FN hn_vec4 hn_value_d(hn_ivec3 cell, hn_vec3 f) { return hn_value_d(cell, f, 0u); }
+
+// The same at a position.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   seed     any uint: 7u, not 7; 0 if left out
+//   returns  as above
+//   error    of a derivative at most 1.87e-5. The rest is as above
+//   period   as above
+//   cost     as above
+//   source   as above
+HN_FN hn_vec4 hn_value_d(hn_vec3 p, hn_uint seed) { return hn_i_value_d(hn_i_cell(p), hn_i_fraction(p), seed); }
+
+HN_FN hn_vec4 hn_value_d(hn_vec3 p) { return hn_value_d(p, 0u); }
+
+// Both with a period: the field repeats after that many cells. Its values are those at the corners modulo the period.
+//   period   cells along each axis, any ivec3; 0 for none along that axis. Less than 0 is none, too
+//   seed     any uint: 7u, not 7
+//   error    as without a period
+//   cost     a mask along each axis more for a constant power of two; else a division. Each axis has one comparison
+//            more
+HN_FN hn_vec4 hn_value_d(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_uint seed) {
+  return hn_i_value_d(cell, hn_i_inside(f), period, seed);
+}
+
+HN_FN hn_vec4 hn_value_d(hn_vec3 p, hn_ivec3 period, hn_uint seed) {
+  return hn_i_value_d(hn_i_cell(p), hn_i_fraction(p), period, seed);
+}
+
+#endif

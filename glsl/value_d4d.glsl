@@ -1,0 +1,88 @@
+// hashnoise: value noise and its derivatives in four dimensions.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_VALUE_D4D_GLSL
+#define HN_VALUE_D4D_GLSL
+
+#include "lattice.glsl"
+
+// The same between the two squares along z that w chooses: the value, and the derivatives along x, y and z.
+HN_FN hn_num4 hn_i_value_cube_d(hn_uvec4 first, hn_uvec4 last, bool far_w, hn_num4 t, hn_num4 s, hn_uint seed) {
+  hn_num2 t2 = hn_i_num(t.x, t.y);
+  hn_num2 s2 = hn_i_num(s.x, s.y);
+  hn_num3 front = hn_i_lerp_d(hn_i_numbers(hn_i_corners(first, last, false, far_w, seed)), t2, s2);
+  hn_num3 back = hn_i_lerp_d(hn_i_numbers(hn_i_corners(first, last, true, far_w, seed)), t2, s2);
+  return hn_i_num(hn_i_lerp(front.x, back.x, t.z), hn_i_lerp(front.y, back.y, t.z), hn_i_lerp(front.z, back.z, t.z),
+                  hn_i_climb(hn_i_rise(front.x, back.x), s.z));
+}
+
+// The noise and its gradient.
+HN_FN hn_float hn_i_value_d(hn_uvec4 first, hn_uvec4 last, hn_num4 f, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
+  hn_num4 t = hn_i_fade(f);
+  hn_num4 s = hn_i_slope(f);
+  hn_num4 a = hn_i_value_cube_d(first, last, false, t, s, seed);
+  hn_num4 b = hn_i_value_cube_d(first, last, true, t, s, seed);
+  gradient = vec4(hn_i_derivative(hn_i_of_rises(hn_i_lerp(a.y, b.y, t.w))),
+                  hn_i_derivative(hn_i_of_rises(hn_i_lerp(a.z, b.z, t.w))),
+                  hn_i_derivative(hn_i_of_rises(hn_i_lerp(a.w, b.w, t.w))),
+                  hn_i_derivative(hn_i_of_rises(hn_i_climb(hn_i_rise(a.x, b.x), s.w))));
+  return hn_i_value(hn_i_of_numbers(hn_i_lerp(a.x, b.x, t.w)));
+}
+HN_FN hn_float hn_i_value_d(hn_ivec4 cell, hn_num4 f, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
+  hn_uvec4 first = hn_i_first(cell);
+  return hn_i_value_d(first, hn_i_last(first), f, seed, gradient);
+}
+HN_FN hn_float hn_i_value_d(hn_ivec4 cell, hn_num4 f, hn_ivec4 period, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
+  hn_uvec4 c = hn_i_wrap(cell, period);
+  hn_uvec4 first = hn_i_spread(c);
+  return hn_i_value_d(first, hn_i_last(first, c, period), f, seed, gradient);
+}
+
+// Value noise in four dimensions and how steep it is, from a cell and a position in it. The value is that of hn_value.
+//   cell     the cell; its corners wrap at 2^32
+//   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats extrapolate
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  the value; `gradient` is set to its derivatives along x, y, z and w. A derivative is per cell, in [-3.76,
+//            3.76], once continuously differentiable (HN_FIXED: in steps of 2^-19)
+//   error    that of hn_value, and of a derivative at most 2.59e-5 against the exact value, in any rounding mode
+//            (docs/accuracy.md). HN_FIXED 3.65e-4
+//   period   2^32 cells per axis
+//   cost     the hashes of hn_value, which are most of its cost, and about twice the rest
+//   source   the product rule on the interpolation; docs/contract.md, section 10
+HN_FN hn_float hn_value_d(hn_ivec4 cell, hn_vec4 f, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
+  return hn_i_value_d(cell, hn_i_inside(f), seed, gradient);
+}
+
+HN_FN hn_float hn_value_d(hn_ivec4 cell, hn_vec4 f, HN_I_OUT(hn_vec4) gradient) {
+  return hn_value_d(cell, f, 0u, gradient);
+}
+
+// The same at a position.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   seed     any uint: 7u, not 7; 0 if left out
+//   returns  as above
+//   error    of a derivative at most 2.71e-5. The rest is as above
+//   period   as above
+//   cost     as above
+//   source   as above
+HN_FN hn_float hn_value_d(hn_vec4 p, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
+  return hn_i_value_d(hn_i_cell(p), hn_i_fraction(p), seed, gradient);
+}
+
+HN_FN hn_float hn_value_d(hn_vec4 p, HN_I_OUT(hn_vec4) gradient) { return hn_value_d(p, 0u, gradient); }
+
+// Both with a period: the field repeats after that many cells. Its values are those at the corners modulo the period.
+//   period   cells along each axis, any ivec4; 0 for none along that axis. Less than 0 is none, too
+//   seed     any uint: 7u, not 7
+//   error    as without a period
+//   cost     a mask along each axis more for a constant power of two; else a division. Each axis has one comparison
+//            more
+HN_FN hn_float hn_value_d(hn_ivec4 cell, hn_vec4 f, hn_ivec4 period, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
+  return hn_i_value_d(cell, hn_i_inside(f), period, seed, gradient);
+}
+
+HN_FN hn_float hn_value_d(hn_vec4 p, hn_ivec4 period, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
+  return hn_i_value_d(hn_i_cell(p), hn_i_fraction(p), period, seed, gradient);
+}
+
+#endif
