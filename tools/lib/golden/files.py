@@ -7,13 +7,14 @@ import struct
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from golden.rows import Row, fnv1a64, generator_of, rows_of, to_f32
+from golden.generator import Row, fnv1a64, generator_of, to_f32
+from golden.rows import rows_of
 from oracle.functions import evaluator, knobs_of
 from oracle.gradients import Real
 from tables.configurations import Configuration
 from tables.functions import Function
 
-BITS = "0.2.0"  # the version in which the values last changed
+BITS = "0.3.0"  # the version in which the values last changed
 
 
 @dataclass(frozen=True)

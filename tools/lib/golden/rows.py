@@ -3,68 +3,13 @@
 from __future__ import annotations
 
 import itertools
-import struct
 from collections.abc import Sequence
 
+from golden import period_rows
+from golden.generator import INT_MAX, INT_MIN, SEEDS, Generator, Row, to_f32
 from oracle import gradients, words
 from tables.configurations import Configuration
 from tables.functions import Function
-
-INT_MIN, INT_MAX = -2**31, 2**31 - 1
-SEEDS = (0, 1, 0xFFFFFFFF)
-
-Row = tuple  # one value per input column, integers and floats
-
-
-def fnv1a64(data: bytes) -> int:
-    """FNV-1a, 64 bit: seeds the generator, and makes the digests."""
-    h = 14695981039346656037
-    for byte in data:
-        h = (h ^ byte) * 1099511628211 & 0xFFFFFFFFFFFFFFFF
-    return h
-
-
-def to_f32(value: float) -> float:
-    """The float32 nearest to `value`."""
-    return struct.unpack("<f", struct.pack("<f", value))[0]
-
-
-class Generator:
-    """SplitMix64 (Steele, Lea and Flood 2014), with the few kinds of draw that the rows need."""
-
-    def __init__(self, seed: int) -> None:
-        self.state = seed
-
-    def next(self) -> int:
-        """The next 64 bits."""
-        self.state = (self.state + 0x9E3779B97F4A7C15) & 0xFFFFFFFFFFFFFFFF
-        z = self.state
-        z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9 & 0xFFFFFFFFFFFFFFFF
-        z = (z ^ z >> 27) * 0x94D049BB133111EB & 0xFFFFFFFFFFFFFFFF
-        return z ^ z >> 31
-
-    def word(self) -> int:
-        return self.next() >> 32
-
-    def integer(self, low: int, high: int) -> int:
-        """An integer from `low` to `high`, both included."""
-        return low + self.next() % (high - low + 1)
-
-    def pick(self, choices: Sequence) -> object:
-        return choices[self.integer(0, len(choices) - 1)]
-
-    def uniform(self, low: float, high: float) -> float:
-        """A float32 in [low, high]."""
-        return to_f32(low + (high - low) * (self.next() >> 11) / 2**53)
-
-    def seed(self) -> int:
-        """A noise seed: one of the edge cases, or any word."""
-        return self.pick((*SEEDS, self.word()))
-
-
-def generator_of(name: str) -> Generator:
-    """One of its own for each function, and for each test."""
-    return Generator(fnv1a64(name.encode("ascii")))
 
 
 def word_rows(generator: Generator) -> list[Row]:
@@ -114,15 +59,13 @@ def tie_cells(n: int, settings: Sequence[Configuration]) -> list[Row]:
 
 
 def lattice_gradient_rows(n: int, settings: Sequence[Configuration], generator: Generator) -> list[Row]:
-    """96 cells of n coordinates, with seeds: the limits, multiples of periods and what is next to them, random ones."""
+    """96 cells of n coordinates, with seeds: the limits, cells beside multiples of 2^20, random ones."""
     rows = [(edge,) * n + (seed,) for seed in SEEDS for edge in (0, 1, -1, INT_MAX, INT_MIN)]
     rows += [cell + (0,) for cell in tie_cells(n, settings)]
-    for period in sorted({setting.period for setting in settings} - {0}):
-        outermost = INT_MAX // period * period
-        for multiple in (period, -period, outermost, -outermost):
-            axis, other = generator.integer(0, n - 1), generator.integer(-100, 100)
-            for c in (multiple - 1, multiple, multiple + 1):
-                rows.append(tuple(c if i == axis else other for i in range(n)) + (generator.seed(),))
+    for multiple in (2**20, -2**20, 2047 * 2**20, -2047 * 2**20):
+        axis, other = generator.integer(0, n - 1), generator.integer(-100, 100)
+        for c in (multiple - 1, multiple, multiple + 1):
+            rows.append(tuple(c if i == axis else other for i in range(n)) + (generator.seed(),))
     rows += [tuple(generator.integer(-100, 100) for _ in range(n)) + (generator.seed(),) for _ in range(16)]
     while len(rows) < 96:
         rows.append(tuple(generator.integer(INT_MIN, INT_MAX) for _ in range(n)) + (generator.seed(),))
@@ -130,43 +73,52 @@ def lattice_gradient_rows(n: int, settings: Sequence[Configuration], generator: 
 
 
 def gradient_rows(generator: Generator) -> list[Row]:
-    """160 words: the fields of gradient2 and gradient3 extreme, next to a sign change, or (q) as large as p."""
+    """213 words: the fields of the gradients extreme, next to a sign change, or (q) as large as p; in four dimensions
+    the first and the last words of each pairing, with each pair and sign."""
     signs, fields = (0, 1 << 31), (0, 1, 127, 128, 254, 255)
     # The bits below the fields are for neither.
     edges = [sign | p << 23 | q << 15 | (0x7FFF if sign else 0) for sign in signs for p in fields for q in fields]
     edges += [sign | a << 22 | low for sign in signs for a in (0, 1, 255, 256, 510, 511) for low in (0, 0x3FFFFF)]
-    return [(word,) for word in edges + [generator.word() for _ in range(64)]]
+    thirds = [0, 0x55555554, 0x55555555, 0x55555556, 0xAAAAAAA9, 0xAAAAAAAA, 0xAAAAAAAB, 0xFFFFFFFF]
+    # Bits 18 to 20 choose the pair and the signs.
+    edges += [third & ~(7 << 18) | bits << 18 for third in (0, 0x55600000, 0xAAC00000) for bits in range(8)]
+    return [(word,) for word in edges + thirds + [generator.word() for _ in range(85)]]
 
 
 def position_rows(n: int, generator: Generator) -> list[Row]:
-    """192 points in n dimensions: a dyadic grid, coordinates next to 0, far points, random points."""
+    """192 points in n dimensions: a dyadic grid, coordinates next to 0, far points, random points. 96 of four, whose
+    exact values take long."""
     axes = {
+        1: [tuple(i / 16 for i in range(-32, 32))],
         2: [(-2.0, -1.5, -1.0, -0.25, 0.0, 0.5, 1.0, 1.75)] * 2,
         3: [(-1.5, -1.0, 0.0, 0.75), (-2.0, -0.25, 0.5, 1.0), (-0.5, 0.0, 1.0, 1.25)],
+        4: [(-1.5, 0.0, 0.75), (-2.0, 0.5), (-0.25, 1.0), (-1.0, 1.25)],
     }[n]
     rows = [point + (0,) for point in itertools.product(*axes)]
     # The fraction of the negative ones is so near to 1 that a float32 cannot hold it.
     tiny = (2.0**-30, -2.0**-30, 2.0**-126, -2.0**-126)
     rows += [tuple(x if i == axis else 0.5 for i in range(n)) + (0,) for axis in range(n) for x in tiny]
-    while len(rows) < 116:
+    far_end, end = (58, 96) if n == 4 else (116, 192)
+    while len(rows) < far_end:
         far = generator.pick((2.0**20, 2.0**22, -2.0**20, -2.0**22))
         point = tuple(generator.pick((far, -far)) + generator.integer(-32, 32) / 8 for _ in range(n))
         rows.append(tuple(to_f32(x) for x in point) + (generator.seed(),))
-    while len(rows) < 192:
+    while len(rows) < end:
         reach = generator.pick((4, 64, 4096))
         rows.append(tuple(generator.uniform(-reach, reach) for _ in range(n)) + (generator.seed(),))
     return rows
 
 
 def cell_rows(n: int, generator: Generator) -> list[Row]:
-    """192 cells and fractions in n dimensions; at INT_MAX the far corners wrap to INT_MIN."""
+    """192 cells and fractions in n dimensions, 96 in four; at INT_MAX the far corners wrap to INT_MIN."""
     cells = (INT_MIN, INT_MIN + 1, -1, 0, 1, INT_MAX - 1, INT_MAX)
-    fractions = (0.0, 2.0**-24, 0.25, 0.5, 0.75, 1 - 2.0**-24, 1.0)
+    fractions = (0.0, 2.0**-126, 2.0**-24, 2.0**-10, 0.25, 0.5, 0.75, 1 - 2.0**-10, 1 - 2.0**-24, 1.0)
+    edges_end, end = (64, 96) if n == 4 else (112, 192)
     rows = [(cell,) * n + (fraction,) * n + (0,) for cell in cells for fraction in (0.0, 0.375, 0.5, 1.0)]
-    while len(rows) < 112:
+    while len(rows) < edges_end:
         cell = tuple(generator.pick(cells) for _ in range(n))
         rows.append(cell + tuple(generator.pick(fractions) for _ in range(n)) + (generator.seed(),))
-    while len(rows) < 192:
+    while len(rows) < end:
         cell = tuple(generator.integer(INT_MIN, INT_MAX) for _ in range(n))
         rows.append(cell + tuple(generator.uniform(0, 1) for _ in range(n)) + (generator.seed(),))
     return rows
@@ -188,6 +140,29 @@ def octave_rows(n: int, generator: Generator) -> list[Row]:
         gain = generator.pick((0.5, 0.5, 0.25, 0.75, 1.0, 0.0))
         rows.append(point + (generator.integer(1, 6), lacunarity, gain, generator.seed()))
     return rows
+
+
+# --- Positions that are whole numbers ---------------------------------------------------------------------------
+
+SCALES = (1, 2, 3, 7, 100, 1024, 4096, 65535, 65536)
+SCALES_BEYOND = (0, -1, 65537, INT_MAX, INT_MIN)  # they count as the nearer end
+
+
+def place_rows(n: int, seeded: bool, generator: Generator) -> list[Row]:
+    """160 positions of n whole numbers, with cells and units: edges with each other, then random ones."""
+    edges = (0, 1, -1, 99, -100, 65535, -65536, INT_MAX - 1, INT_MAX, INT_MIN + 1, INT_MIN)
+    rows = [(edge,) * n + scale for edge in edges
+            for scale in ((1, 1), (3, 100), (100, 3), (65536, 1), (1, 65536), (65535, 65536))]
+    for beyond in SCALES_BEYOND:
+        rows += [(-1234567,) * n + (beyond, 7), (1234567,) * n + (7, beyond)]
+    while len(rows) < 96:
+        point = tuple(generator.pick(edges) for _ in range(n))
+        rows.append((*point, generator.pick(SCALES + SCALES_BEYOND), generator.pick(SCALES + SCALES_BEYOND)))
+    while len(rows) < 160:
+        reach = generator.pick((1000, INT_MAX))
+        point = tuple(generator.integer(-reach, reach) for _ in range(n))
+        rows.append((*point, generator.integer(1, 65536), generator.integer(1, 65536)))
+    return [(*row, generator.seed()) for row in rows] if seeded else rows
 
 
 # --- Fixed arithmetic has edges of its own, and no end of its domain --------------------------------------------
@@ -245,18 +220,26 @@ def fixed_octave_rows(n: int, generator: Generator) -> list[Row]:
 
 
 def rows_of(function: Function, fixed: bool, settings: Sequence[Configuration], generator: Generator) -> list[Row]:
-    """The rows of a function; `settings` are all configurations, since gradients have rows for their hashes and
-    periods."""
+    """The rows of a function; `settings` are all configurations, since gradients have rows for their hashes."""
     n, form = function.axes, function.form
     if form == "words":
-        if function.family == "independent" and " " in function.outputs:
+        if function.name.startswith("gradient"):
             return gradient_rows(generator)
         return word_rows(generator) if n == 1 else vec_rows(n, generator)
     if form == "point":
         if function.family == "hash":
             return lattice_rows(n, generator)
         return lattice_gradient_rows(n, settings, generator)
+    if form in ("place", "place_of_noise"):
+        return place_rows(n, form == "place_of_noise", generator)
     plain, of_fixed = {"position": (position_rows, fixed_position_rows), "cell": (cell_rows, fixed_cell_rows),
                        "sum": (octave_rows, fixed_octave_rows)}[form]
+    if function.has_period:
+        plain = {"position": period_rows.positions, "cell": period_rows.cells, "sum": period_rows.octaves}[form]
     rows = plain(n, generator)
-    return rows + of_fixed(n, generator) if fixed else rows
+    if not fixed:
+        return rows
+    more = of_fixed(n, generator)
+    if function.has_period:
+        more = period_rows.inserted(more, n, 2 * n if form == "cell" else n, generator)
+    return rows + more

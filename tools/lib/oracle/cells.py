@@ -5,10 +5,16 @@ from __future__ import annotations
 import functools
 import itertools
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
+from typing import TypeVar
 
 from oracle.integers import UNIT, fade, lerp
+
+Value = TypeVar("Value")
+
+
+# --- Exact -------------------------------------------------------------------------------------------------------
 
 
 def smooth(t: Fraction) -> Fraction:
@@ -33,14 +39,26 @@ def weighted_sum(cell: Sequence[int], f: Sequence[Fraction],
     return total
 
 
+# --- Fixed -------------------------------------------------------------------------------------------------------
+
+
+def corners(cell: Sequence[int], fraction: Sequence[int]) -> Iterator[tuple[list[int], list[int]]]:
+    """The corners of a cell, those with o = 0 along x first, and the offset from each."""
+    for corner in itertools.product((0, 1), repeat=len(cell)):
+        yield [c + o for c, o in zip(cell, corner)], [f - o * UNIT for f, o in zip(fraction, corner)]
+
+
+def halves(values: Sequence[Value]) -> Iterator[tuple[Value, Value]]:
+    """What lies at o = 0 and at o = 1 of the next axis: x, then y, z, w."""
+    half = len(values) // 2
+    return zip(values[:half], values[half:])
+
+
 def interpolated(cell: Sequence[int], fraction: Sequence[int],
                  value: Callable[[Sequence[int], Sequence[int]], int]) -> int:
-    """The same in fixed arithmetic: first along x, then y, then z."""
-    values = [value([c + o for c, o in zip(cell, corner)], [f - o * UNIT for f, o in zip(fraction, corner)])
-              for corner in itertools.product((0, 1), repeat=len(cell))]
-    # Of the corners the first half has o = 0 along x, the second o = 1; so it goes on with y and z.
+    """The same in fixed arithmetic: first along x, then y, z, w."""
+    values = [value(corner, offset) for corner, offset in corners(cell, fraction)]
     for f in fraction:
-        half = len(values) // 2
-        values = [lerp(a, b, fade(f)) for a, b in zip(values[:half], values[half:])]
+        values = [lerp(a, b, fade(f)) for a, b in halves(values)]
     n, = values
     return n

@@ -4,24 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from oracle import gradients, integers, noises, words
+from oracle import gradients, integers, noises, positions, words
 from oracle.gradients import Knobs, Real
 from oracle.sums import SUMS
 from tables.configurations import Configuration
-from tables.functions import NOISES, Function
+from tables.functions import NOISES, OCTAVE_SUMS, Function
 
 Evaluate = Callable[[Knobs, Sequence[Real]], tuple[Real, ...]]
 
 # Whatever the knobs: of a word.
 OF_A_WORD: dict[str, Callable[[int], tuple[float, ...]]] = {
     "unorm": lambda h: (gradients.unorm(h),), "snorm": lambda h: (gradients.snorm(h),),
-    "gradient2": gradients.gradient2, "gradient3": gradients.gradient3}
+    "gradient1": gradients.gradient1, "gradient2": gradients.gradient2, "gradient3": gradients.gradient3,
+    "gradient4": gradients.gradient4}
+# Of a position that is a whole number, along one axis, with cells and units.
+OF_A_PLACE: dict[str, Callable[[int, int, int], Real]] = {"cell": positions.cell, "fraction": positions.fraction}
 
 NOISE_OF_SUMS = "perlin"  # unless the user names another
 
 
 def knobs_of(configuration: Configuration) -> Knobs:
-    return Knobs(configuration.hash, configuration.gradient == "sine", configuration.period)
+    return Knobs(configuration.hash, configuration.gradient == "sine")
 
 
 def evaluator(function: Function, fixed: bool) -> Evaluate:
@@ -29,6 +32,9 @@ def evaluator(function: Function, fixed: bool) -> Evaluate:
     n, family = function.axes, function.family
     if family == "independent" and function.name in OF_A_WORD:
         return lambda _, row: OF_A_WORD[function.name](*row)
+    if function.form == "place":
+        along_axis = OF_A_PLACE[function.name.rstrip("1234")]
+        return lambda _, row: tuple(along_axis(x, *row[n:]) for x in row[:n])
     if family == "hash" and function.form == "words":
         return lambda knobs, row: (words.hash_words(knobs.hash, row),)
     if family == "hash" and function.form == "point":
@@ -36,12 +42,17 @@ def evaluator(function: Function, fixed: bool) -> Evaluate:
     if family in ("gradient", "sine_gradient") and function.form == "point":
         gradient = integers.gradient if fixed else gradients.gradient
         return lambda knobs, row: gradient(knobs, row[:n], row[n])
-    if family in NOISES and function.form in ("position", "cell"):
+    if family in NOISES and function.form in ("position", "cell", "place_of_noise"):
         return _noise_evaluator(function, fixed)
-    if family == "octave_sum" and function.bound in SUMS:
-        octave_sum, noise = SUMS[function.bound][fixed], noises.find(NOISE_OF_SUMS)
-        return lambda knobs, row: (octave_sum(noise, knobs, row[:n], *row[n:]),)
+    if family in OCTAVE_SUMS and function.bound in SUMS:
+        return _sum_evaluator(function, fixed)
     raise function.row.error(f"the oracle has no {function.id}: tools/lib/oracle/functions.py finds what it evaluates")
+
+
+def _of_a_place(position: Sequence[int], cells: int, units: int) -> tuple[list[int], list[float]]:
+    """The cell and the fraction of a position that is a whole number."""
+    return ([positions.cell(x, cells, units) for x in position],
+            [positions.fraction(x, cells, units) for x in position])
 
 
 def _noise_evaluator(function: Function, fixed: bool) -> Evaluate:
@@ -50,8 +61,29 @@ def _noise_evaluator(function: Function, fixed: bool) -> Evaluate:
         noise = noises.find(function.noise)
     except LookupError as error:
         raise function.row.error(str(error)) from error
-    if function.form == "cell":
-        in_cell = noise.fixed_cell if fixed else noise.exact_cell
-        return lambda knobs, row: (in_cell(knobs, row[:n], row[n:2 * n], row[2 * n]),)
-    at_position = noise.fixed if fixed else noise.exact
-    return lambda knobs, row: (at_position(knobs, row[:n], row[n]),)
+    at_position, in_cell = (noise.fixed, noise.fixed_cell) if fixed else (noise.exact, noise.exact_cell)
+
+    def values(knobs: Knobs, row: Sequence[Real]) -> tuple[Real, ...]:
+        *numbers, seed = row
+        if function.form == "place_of_noise":
+            return in_cell(knobs, *_of_a_place(numbers[:n], *numbers[n:]), seed)
+        if function.form == "cell":
+            return in_cell(knobs, numbers[:n], numbers[n:2 * n], seed, numbers[2 * n:])
+        return at_position(knobs, numbers[:n], seed, numbers[n:])
+
+    # In four dimensions the value and the derivatives have a row each.
+    outputs = ["value", "dx", "dy", "dz", "dw"]
+    indices = [outputs.index(column.split(":")[0]) for column in function.outputs.split()]
+
+    def evaluate(knobs: Knobs, row: Sequence[Real]) -> tuple[Real, ...]:
+        found = values(knobs, row)
+        return tuple(found[i] for i in indices)
+
+    return evaluate
+
+
+def _sum_evaluator(function: Function, fixed: bool) -> Evaluate:
+    n = function.axes
+    octave_sum, noise = SUMS[function.bound][fixed], noises.find(NOISE_OF_SUMS)
+    settings = 2 * n if function.has_period else n  # where they begin
+    return lambda knobs, row: (octave_sum(noise, knobs, row[:n], *row[settings:], row[n:settings]),)

@@ -32,19 +32,51 @@ def middle(i: int, count: int) -> float:
     return (2 * i + 1) / count - 1
 
 
-def gradient2(h: int) -> tuple[float, float]:
-    """hn_gradient2: a point of the square |x| + |y| = 1."""
+def gradient1(h: int) -> tuple[float]:
+    """hn_gradient1: a slope in (-1, 1)."""
+    return (middle(h >> 22 & 511, 512),)
+
+
+def direction2(h: int) -> tuple[float, float]:
+    """A point of the square |x| + |y| = 1."""
     a = middle(h >> 22 & 511, 512)
     m = 1 - abs(a)
     return (a, -m if h >> 31 else m)
 
 
-def gradient3(h: int) -> tuple[float, float, float]:
-    """hn_gradient3: a point of the octahedron |x| + |y| + |z| = 1."""
+def direction3(h: int) -> tuple[float, float, float]:
+    """A point of the octahedron |x| + |y| + |z| = 1."""
     p = middle(h >> 23 & 255, 256)
     q = middle(h >> 15 & 255, 256)
     m = 1 - max(abs(p), abs(q))
     return ((p + q) / 2, (p - q) / 2, -m if h >> 31 else m)
+
+
+def gradient2(h: int) -> tuple[float, float]:
+    """hn_gradient2: a direction, lengthened where it lies far from the axes."""
+    x, y = direction2(h)
+    length = 1 + min(abs(x), abs(y))
+    return (x * length, y * length)
+
+
+def gradient3(h: int) -> tuple[float, float, float]:
+    """hn_gradient3: likewise."""
+    x, y, z = direction3(h)
+    length = 2 - max(abs(x), abs(y), abs(z))
+    return (x * length, y * length, z * length)
+
+
+# The two pairs of axes into which the third of the words splits the four: the one with x first.
+PAIRS = (((0, 1), (2, 3)), ((0, 2), (1, 3)), ((0, 3), (1, 2)))
+
+
+def gradient4(h: int) -> tuple[float, float, float, float]:
+    """hn_gradient4: a corner of the 24-cell."""
+    first, second = PAIRS[(h >= 0x55555555) + (h >= 0xAAAAAAAA)][h >> 20 & 1]
+    g = [0.0] * 4
+    g[first] = -1.0 if h >> 19 & 1 else 1.0
+    g[second] = -1.0 if h >> 18 & 1 else 1.0
+    return tuple(g)
 
 
 # --- Section 5: the gradient at a lattice point ------------------------------------------------------------------
@@ -56,22 +88,18 @@ Real = Fraction | float
 
 @dataclass(frozen=True)
 class Knobs:
-    """What the noise depends on besides its arguments: HN_HASH, HN_GRADIENT (octahedral or sine) and HN_PERIOD.
-    HN_ARITHMETIC says only how it is computed."""
+    """What the noise depends on besides its arguments: HN_HASH and HN_GRADIENT (octahedral or sine). HN_ARITHMETIC says
+    only how it is computed."""
     hash: str
     sine: bool = False
-    period: int = 0  # 0: none
 
     def __post_init__(self) -> None:
-        power_of_two = self.period & (self.period - 1) == 0
-        if self.hash not in HASHES or not 0 <= self.period <= (2**30 if power_of_two else 2**20):
+        if self.hash not in HASHES:
             raise ValueError(f"no setting of the library: {self}")
 
-
-def wrapped(coordinate: int, period: int) -> int:
-    """A coordinate of a cell, moved into [0, period) if there is a period."""
-    # The far corner of the cell at INT_MAX is at 2^31: it wraps where there is no period.
-    return coordinate - period * (coordinate // period) if period else signed(coordinate)
+    def sine_in(self, dimensions: int) -> bool:
+        """Whether the gradient is the paper's, which is one of two or three dimensions."""
+        return self.sine and dimensions in (2, 3)
 
 
 def round24(n: int) -> int:
@@ -84,9 +112,10 @@ def round24(n: int) -> int:
 
 
 # The fixed point of the sine. PI is off by less than 2^9 units (16 times 1/2 for each of its 42 terms, little more),
-# and reducing an arc of 2^31 takes it less than 2^30 times: 2^39 units. That leaves nearly three times a double's bits.
-SINE_BITS = 192
-SINE_ERROR = Fraction(1, 2**150)
+# and reducing an arc of 2^31 takes it less than 2^30 times: 2^39 units. That leaves a double's bits even of a noise
+# whose fractions are 2^-126.
+SINE_BITS = 256
+SINE_ERROR = Fraction(1, 2**214)
 
 
 def arctan_inverse(n: int) -> int:
@@ -128,12 +157,12 @@ def sine_arguments(name: str, cell: Sequence[int], seed: int) -> list[int]:
 
 
 # By the number of dimensions.
-OCTAHEDRAL: dict[int, Callable[[int], tuple[float, ...]]] = {2: gradient2, 3: gradient3}
+OCTAHEDRAL: dict[int, Callable[[int], tuple[float, ...]]] = {
+    1: gradient1, 2: gradient2, 3: gradient3, 4: gradient4}
 
 
 def gradient(knobs: Knobs, cell: Sequence[int], seed: int = 0) -> tuple[Real, ...]:
-    """hn_gradient in 2D or 3D."""
-    point = [wrapped(c, knobs.period) for c in cell]
-    if knobs.sine:
-        return tuple(sine_of_word(word) for word in sine_arguments(knobs.hash, point, seed))
-    return OCTAHEDRAL[len(cell)](point_word(knobs.hash, point, seed))
+    """hn_gradient."""
+    if knobs.sine_in(len(cell)):
+        return tuple(sine_of_word(word) for word in sine_arguments(knobs.hash, cell, seed))
+    return OCTAHEDRAL[len(cell)](point_word(knobs.hash, cell, seed))

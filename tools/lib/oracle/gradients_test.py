@@ -6,15 +6,12 @@ import itertools
 import math
 import unittest
 from collections import Counter
-from dataclasses import replace
 from fractions import Fraction
 
 from golden import rows
-from golden.rows import generator_of
+from golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
 from oracle import gradients, words
 from oracle.gradients import Knobs
-
-INT_MIN, INT_MAX = -2**31, 2**31 - 1
 
 EDGE_CELLS = (0, 1, -1, 47, 48, -48, -49, 2**20, -2**20 - 1, 2**30, -2**30 + 1, INT_MIN, INT_MIN + 1, INT_MAX - 1,
               INT_MAX)
@@ -39,41 +36,71 @@ def unit_vector(n: int, bits: int) -> tuple[int, int]:
 class Floats(unittest.TestCase):
     WORDS = [word for word, in rows.gradient_rows(generator_of("gradients"))]
 
-    def test_gradients_by_hand(self) -> None:
+    def test_directions_by_hand(self) -> None:
         # Of 512 intervals in the plane, 256 along p and q in space; e is half an interval.
         e = 1 / 512
-        self.assertEqual(gradients.gradient2(0x00000000), (-1 + e, e))
-        self.assertEqual(gradients.gradient2(0x003FFFFF), (-1 + e, e))
-        self.assertEqual(gradients.gradient2(0x80400000), (-1 + 3 * e, -3 * e))
-        self.assertEqual(gradients.gradient2(0x3FC00000), (-e, 1 - e))
-        self.assertEqual(gradients.gradient2(0xC0000000), (e, -1 + e))
-        self.assertEqual(gradients.gradient2(0x7FFFFFFF), (1 - e, e))
+        self.assertEqual(gradients.direction2(0x00000000), (-1 + e, e))
+        self.assertEqual(gradients.direction2(0x003FFFFF), (-1 + e, e))
+        self.assertEqual(gradients.direction2(0x80400000), (-1 + 3 * e, -3 * e))
+        self.assertEqual(gradients.direction2(0x3FC00000), (-e, 1 - e))
+        self.assertEqual(gradients.direction2(0xC0000000), (e, -1 + e))
+        self.assertEqual(gradients.direction2(0x7FFFFFFF), (1 - e, e))
         e = 1 / 256
-        self.assertEqual(gradients.gradient3(0x00000000), (-1 + e, 0, e))
-        self.assertEqual(gradients.gradient3(0x00007FFF), (-1 + e, 0, e))
-        self.assertEqual(gradients.gradient3(0x00008000), (-1 + 2 * e, -e, e))
-        self.assertEqual(gradients.gradient3(0x80800000), (-1 + 2 * e, e, -e))
-        self.assertEqual(gradients.gradient3(0x7F800000), (0, 1 - e, e))
-        self.assertEqual(gradients.gradient3(0xC03F8000), (0, e, -1 + e))  # p = e, q = -e
-        self.assertEqual(gradients.gradient3(0x40408000), (2 * e, -e, 1 - 3 * e))  # p = e, q = 3 e
+        self.assertEqual(gradients.direction3(0x00000000), (-1 + e, 0, e))
+        self.assertEqual(gradients.direction3(0x00007FFF), (-1 + e, 0, e))
+        self.assertEqual(gradients.direction3(0x00008000), (-1 + 2 * e, -e, e))
+        self.assertEqual(gradients.direction3(0x80800000), (-1 + 2 * e, e, -e))
+        self.assertEqual(gradients.direction3(0x7F800000), (0, 1 - e, e))
+        self.assertEqual(gradients.direction3(0xC03F8000), (0, e, -1 + e))  # p = e, q = -e
+        self.assertEqual(gradients.direction3(0x40408000), (2 * e, -e, 1 - 3 * e))  # p = e, q = 3 e
 
-    def test_gradients_lie_on_the_surface(self) -> None:
+    def test_gradients_by_hand(self) -> None:
+        e = 1 / 512
+        self.assertEqual([gradients.gradient1(h) for h in (0, 0x003FFFFF, 0xC0000000, 0x7FFFFFFF)],
+                         [(-1 + e,), (-1 + e,), (e,), (1 - e,)])
+        self.assertEqual(gradients.gradient2(0x80400000), ((-1 + 3 * e) * (1 + 3 * e), -3 * e * (1 + 3 * e)))
+        self.assertEqual(gradients.gradient2(0x60000000), ((1 / 2 + e) * (3 / 2 - e), (1 / 2 - e) * (3 / 2 - e)))
+        e = 1 / 256
+        self.assertEqual(gradients.gradient3(0x00008000), ((-1 + 2 * e) * (1 + 2 * e), -e * (1 + 2 * e),
+                                                           e * (1 + 2 * e)))
+        self.assertEqual(gradients.gradient3(0x40408000), (2 * e * (1 + 3 * e), -e * (1 + 3 * e),
+                                                           (1 - 3 * e) * (1 + 3 * e)))
+
+    def test_corners_of_the_24_cell_by_hand(self) -> None:
+        # The axes that get a component, by the third of the words and by bit 20; bits 19 and 18 are their signs.
+        table = {0x00000000: (1, 1, 0, 0), 0x00100000: (0, 0, 1, 1), 0x00080000: (-1, 1, 0, 0),
+                 0x00040000: (1, -1, 0, 0), 0x001C0000: (0, 0, -1, -1), 0x55455554: (1, -1, 0, 0),
+                 0x55555554: (0, 0, 1, -1), 0x55555555: (0, 1, 0, -1), 0x55400000: (1, 1, 0, 0),
+                 0x55600000: (1, 0, 1, 0), 0xAAAAAAA9: (-1, 0, 1, 0), 0xAAAAAAAA: (-1, 0, 0, 1),
+                 0xFFFFFFFF: (0, -1, -1, 0), 0xFFF00000: (0, 1, 1, 0), 0xFFE40000: (1, 0, 0, -1)}
+        for h, expected in table.items():
+            self.assertEqual(gradients.gradient4(h), expected, hex(h))
+        self.assertEqual(len({gradients.gradient4(word) for word in self.WORDS}), 24)
+
+    def test_directions_lie_on_the_surface(self) -> None:
         for word in self.WORDS:
-            self.assertEqual(sum(map(abs, gradients.gradient2(word))), 1)
-            self.assertEqual(sum(map(abs, gradients.gradient3(word))), 1)
+            self.assertEqual(sum(map(abs, gradients.direction2(word))), 1)
+            self.assertEqual(sum(map(abs, gradients.direction3(word))), 1)
+
+    def test_gradients_are_nearly_as_long_as_each_other(self) -> None:
+        # In space the shortest has the direction (1/2, 1/4, 1/4) and the length sqrt(6) / 4 * 3 / 2.
+        for least, gradients_there in ((0.98, (gradients.gradient2(field << 22) for field in range(2**10))),
+                                       (0.918, (gradients.gradient3(field << 15) for field in range(0, 2**17, 3)))):
+            lengths = [math.hypot(*g) for g in gradients_there]
+            self.assertTrue(least < min(lengths) < least + 0.01 and 1.05 < max(lengths) < 1.07)
 
     def test_gradients_are_exact(self) -> None:
         for word in self.WORDS:
-            for component in gradients.gradient2(word) + gradients.gradient3(word):
-                self.assertEqual(rows.to_f32(component), component)
-                self.assertTrue((component * 2**9).is_integer())
-            for component in gradients.gradient3(word):
-                self.assertTrue((component * 2**8).is_integer())
+            for of_word, bits in ((gradients.gradient1, 9), (gradients.gradient2, 18), (gradients.gradient3, 16)):
+                for component in of_word(word):
+                    self.assertEqual(to_f32(component), component)
+                    self.assertTrue((component * 2**bits).is_integer())
 
     def test_gradients_have_no_zero_but_a_positive_one(self) -> None:
         for word in self.WORDS:
-            for component in gradients.gradient2(word) + gradients.gradient3(word):
-                self.assertTrue(component != 0 or math.copysign(1, component) == 1)
+            for of_word in gradients.OCTAHEDRAL.values():
+                for component in of_word(word):
+                    self.assertTrue(component != 0 or math.copysign(1, component) == 1)
 
     def test_as_many_gradients_as_the_contract_says(self) -> None:
         self.assertEqual(len({gradients.gradient2(field << 22) for field in range(2**10)}), 1024)
@@ -88,7 +115,7 @@ class Floats(unittest.TestCase):
         self.assertEqual(len(octants), 8)
         self.assertEqual(len(set(octants.values())), 1)
         # Above half the height lies a quarter of the octahedron's faces.
-        self.assertEqual(sum(abs(z) > 0.5 for _, _, z in in_space), 2**15)
+        self.assertEqual(sum(abs(gradients.direction3(field << 15)[2]) > 0.5 for field in range(2**17)), 2**15)
 
     def test_unit_ranges(self) -> None:
         self.assertEqual((gradients.unorm(0), gradients.unorm(words.MASK)), (0, 1 - 2**-24))
@@ -115,8 +142,8 @@ class Sine(unittest.TestCase):
 
     def test_is_as_exact_as_it_says(self) -> None:
         for n in self.arcs(10):
-            _, s = unit_vector(abs(n), 256)
-            self.assertLess(abs(gradients.sine(n) - math.copysign(1, n) * Fraction(s, 2**256)), gradients.SINE_ERROR, n)
+            _, s = unit_vector(abs(n), 320)
+            self.assertLess(abs(gradients.sine(n) - math.copysign(1, n) * Fraction(s, 2**320)), gradients.SINE_ERROR, n)
 
     def test_the_nearest_double_is_certain(self) -> None:
         for n in self.arcs(100):
@@ -127,7 +154,7 @@ class Sine(unittest.TestCase):
 
     def test_rounds_as_float32_does(self) -> None:
         for n in self.arcs(300):
-            self.assertEqual(gradients.round24(n), rows.to_f32(n), n)
+            self.assertEqual(gradients.round24(n), to_f32(n), n)
 
     def test_ties_go_to_even(self) -> None:
         ties = {2**24 + 1: 2**24, 2**24 + 3: 2**24 + 4, 2**30 + 64: 2**30, 2**30 + 192: 2**30 + 256,
@@ -150,21 +177,13 @@ class Sine(unittest.TestCase):
 
 
 class Settings(unittest.TestCase):
-    def test_those_of_the_library(self) -> None:
-        Knobs("fnv1", period=2**20 - 1)
-        Knobs("partial_fnv1", sine=True, period=2**30)
-
-    def test_others(self) -> None:
-        for name, period in (("", 0), ("any", 0), ("fnv2", 0), ("fnv1", -48), ("fnv1", 2**20 + 1), ("fnv1", 2**31)):
+    def test_others_than_those_of_the_library(self) -> None:
+        for name in ("", "any", "fnv2"):
             with self.assertRaises(ValueError, msg=name):
-                Knobs(name, period=period)
+                Knobs(name)
 
 
 class Gradients(unittest.TestCase):
-    PERIODS = (1, 48, 2**20 - 1, 2**20, 2**30)
-    KINDS = (Knobs("lattice"), Knobs("pcg"), Knobs("custom"), Knobs("lattice", sine=True), Knobs("fnv1", sine=True),
-             Knobs("partial_jenkins", sine=True))
-
     def cells(self, n: int) -> list[tuple[int, ...]]:
         """Edge cases alone and with each other, and random ones."""
         numbers = generator_of("cells")
@@ -174,15 +193,21 @@ class Gradients(unittest.TestCase):
 
     def test_octahedral_is_that_of_the_word(self) -> None:
         for name in words.HASHES:
-            for n, of_word in ((2, gradients.gradient2), (3, gradients.gradient3)):
+            for n, of_word in enumerate((gradients.gradient1, gradients.gradient2, gradients.gradient3,
+                                         gradients.gradient4), 1):
                 for cell in self.cells(n):
                     self.assertEqual(gradients.gradient(Knobs(name), cell, 7), of_word(words.point_word(name, cell, 7)))
+
+    def test_the_sine_is_in_two_and_three_dimensions(self) -> None:
+        for n, same in ((1, True), (2, False), (3, False), (4, True)):
+            plain, sine = (gradients.gradient(Knobs("pcg", sine), (5,) * n, 7) for sine in (False, True))
+            self.assertEqual(plain == sine, same, n)
 
     def test_sine_without_a_seed_is_the_papers(self) -> None:
         # The paper's listing with the C library's sine, and float(int) by the conversion to float32 of the machine.
         def component(word: int) -> float:
             word &= words.MASK
-            return math.sin(rows.to_f32(word - 2**32 if word >= 2**31 else word))
+            return math.sin(to_f32(word - 2**32 if word >= 2**31 else word))
 
         for hash_name, function in words.WORD_HASHES.items():
             knobs = Knobs(hash_name, sine=True)
@@ -219,35 +244,6 @@ class Gradients(unittest.TestCase):
         self.assertEqual(gradients.gradient(Knobs("pcg", sine=True), (5, -6, 7), seed), expected)
         self.assertNotEqual(gradients.gradient(Knobs("pcg", sine=True), (5, -6, 7)), expected)
 
-    def test_a_period_leaves_the_cells_from_0_on(self) -> None:
-        for kind, period, n in itertools.product(self.KINDS, self.PERIODS, (2, 3)):
-            for cell in self.cells(n):
-                base = [c % period for c in cell]
-                self.assertEqual(gradients.gradient(replace(kind, period=period), cell, 3),
-                                 gradients.gradient(kind, base, 3))
-
-    def test_gradients_repeat_after_a_period_and_not_before(self) -> None:
-        for kind, period, n, axis in itertools.product(self.KINDS, self.PERIODS, (2, 3), (0, 1)):
-            knobs = replace(kind, period=period)
-            for start in (0, -1, INT_MIN, INT_MAX - period, -period, 3 * period // 2):
-                def at(c: int) -> tuple:
-                    return gradients.gradient(knobs, [c if i == axis else 5 for i in range(n)], 3)
-                self.assertEqual(at(start), at(start + period), (knobs, start))
-                if period > 1:
-                    self.assertNotEqual(at(start), at(start + period // 2), (knobs, start))
-
-    def test_wrapping_by_hand(self) -> None:
-        # 2^31 = 48 * 44739242 + 32.
-        by_period = {1: (0, 0, 0), 48: (47, 16, 31), 2**20: (2**20 - 1, 0, 2**20 - 1), 2**30: (2**30 - 1, 0, 2**30 - 1)}
-        for period, expected in by_period.items():
-            self.assertEqual(tuple(gradients.wrapped(c, period) for c in (-1, INT_MIN, INT_MAX)), expected)
-
     def test_beyond_the_largest_cell_lies_the_smallest(self) -> None:
-        for knobs in (Knobs("lattice"), Knobs("fnv1", sine=True), Knobs("fnv1", sine=True, period=2**20)):
+        for knobs in (Knobs("lattice"), Knobs("fnv1", sine=True)):
             self.assertEqual(gradients.gradient(knobs, (2**31, 5)), gradients.gradient(knobs, (INT_MIN, 5)))
-
-    def test_the_period_goes_on_to_the_last_cell(self) -> None:
-        # INT_MAX is 31 modulo 48; its far corner is 32, where the cell after it, INT_MIN, is 16.
-        self.assertEqual(gradients.wrapped(2**31 - 1, 48), 31)
-        self.assertEqual(gradients.wrapped(2**31, 48), 32)
-        self.assertEqual(gradients.wrapped(INT_MIN, 48), 16)

@@ -6,6 +6,7 @@ bits need two checks: `signed` and `word` raise where a value would not fit. Wha
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Sequence
 from fractions import Fraction
@@ -16,6 +17,7 @@ from oracle.words import MASK
 
 UNIT = 2**20  # the contract's I, of fractions
 NOISE_UNIT = 2**21
+SLOPE_UNIT = 2**19  # of derivatives
 SINE_UNIT = 2**16
 
 
@@ -54,6 +56,7 @@ def cell_and_fraction(p: Real) -> tuple[int, int]:
     return signed(clamp_to_int(c) + (k >> 20)), k & (UNIT - 1)
 
 
+@functools.cache
 def fade(fraction: int) -> int:
     """The weight of the far corner along one axis, in units of 2^-18."""
     g = min(fraction, UNIT - fraction)
@@ -66,10 +69,14 @@ def fade(fraction: int) -> int:
     return 2**18 - t if fraction > 2**19 else t
 
 
+def part(d: int, t: int) -> int:
+    """The part t of d, in units of 2^-18."""
+    return signed(signed((d >> 9) * (t >> 9)) + signed((d >> 18) * (t & 511)))
+
+
 def lerp(a: int, b: int, t: int) -> int:
     """The interpolation from a to b by t, in units of 2^-18."""
-    d = signed(b - a)
-    return signed(a + signed(signed((d >> 9) * (t >> 9)) + signed((d >> 18) * (t & 511))))
+    return signed(a + part(signed(b - a), t))
 
 
 # --- The sine ----------------------------------------------------------------------------------------------------
@@ -99,13 +106,12 @@ def sine_of_word(w: int) -> int:
 
 
 def sine_gradient(knobs: Knobs, point: Sequence[int], seed: int) -> tuple[int, ...]:
-    """The components of the sine gradient at a point of the lattice that is already wrapped, in units of 2^-16."""
+    """The components of the sine gradient at a point of the lattice, in units of 2^-16."""
     return tuple(map(sine_of_word, gradients.sine_arguments(knobs.hash, point, seed)))
 
 
 def gradient(knobs: Knobs, cell: Sequence[int], seed: int = 0) -> tuple[Real, ...]:
-    """hn_gradient in 2D or 3D."""
-    if not knobs.sine:
+    """hn_gradient."""
+    if not knobs.sine_in(len(cell)):
         return gradients.gradient(knobs, cell, seed)
-    point = [gradients.wrapped(c, knobs.period) for c in cell]
-    return tuple(Fraction(g, SINE_UNIT) for g in sine_gradient(knobs, point, seed))
+    return tuple(Fraction(g, SINE_UNIT) for g in sine_gradient(knobs, cell, seed))

@@ -8,7 +8,7 @@ import math
 import unittest
 from fractions import Fraction
 
-from golden.rows import generator_of
+from golden.generator import generator_of
 from oracle import gradients, integers, noises, words
 from oracle.gradients import Knobs
 
@@ -73,6 +73,13 @@ class Fade(unittest.TestCase):
 
 
 class Lerp(unittest.TestCase):
+    def test_part_by_hand(self) -> None:
+        self.assertEqual(integers.part(2**20, 2**17), 2**19)
+        self.assertEqual(integers.part(2**20, 513), 2048 + 4 * 1)
+        self.assertEqual(integers.part(-2**20, 513), -2048 - 4)
+        self.assertEqual(integers.part(-1, 3), -3)  # d >> 18 is -1, and t >> 9 is 0
+        self.assertEqual(integers.part(2**28, 491520), 15 * 2**25)  # beyond 1: a slope
+
     def test_by_hand(self) -> None:
         self.assertEqual(integers.lerp(100, 100 + 2560, 2**17), 100 + 1280)
         self.assertEqual(integers.lerp(-2**29, 2**29, 2**18), 2**29)

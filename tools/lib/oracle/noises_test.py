@@ -5,6 +5,7 @@ A noise that is added needs no test here. Each check must find the fault that is
 
 from __future__ import annotations
 
+import itertools
 import math
 import unittest
 from collections.abc import Callable, Iterator
@@ -13,10 +14,11 @@ from fractions import Fraction
 
 from bounds import table
 from bounds.table import Bounds
-from golden.rows import Generator, generator_of
+from golden.generator import Generator, generator_of
 from oracle import noises
 from oracle.gradients import Knobs
 from oracle.integers import NOISE_UNIT, UNIT
+from oracle.lattice import Lattice
 from oracle.noises import Noise
 
 PERIOD = 48
@@ -25,7 +27,7 @@ POINTS = 24
 
 def settings(bounds: Bounds) -> list[Knobs]:
     sine = bounds.gradient == "sine"
-    return [Knobs("lattice", sine), Knobs("fnv1", sine), Knobs("lattice", sine, PERIOD)]
+    return [Knobs("lattice", sine), Knobs("fnv1", sine)]
 
 
 def points(bounds: Bounds, numbers: Generator, count: int = POINTS) -> Iterator[tuple[list[Fraction], int]]:
@@ -38,40 +40,49 @@ class EveryNoise(unittest.TestCase):
     def check_position(self, noise: Noise, bounds: Bounds) -> None:
         """A position is a cell and a fraction, down to the smallest cell."""
         smallest = [Fraction(-2**31)] + [Fraction(1, 4)] * (bounds.dimensions - 1)
-        for knobs in settings(bounds):
+        for knobs, period in itertools.product(settings(bounds), (0, PERIOD)):
             for p, seed in [*points(bounds, generator_of("position"), 8), (smallest, 3)]:
                 cell = [math.floor(x) for x in p]
                 f = [x - c for x, c in zip(p, cell)]
-                self.assertEqual(noise.exact(knobs, p, seed), noise.exact_cell(knobs, cell, f, seed))
-                self.assertEqual(noise.fixed(knobs, p, seed), noise.fixed_cell(knobs, cell, f, seed))
+                arguments = (seed, (period,) * bounds.dimensions)
+                self.assertEqual(noise.exact(knobs, p, *arguments), noise.exact_cell(knobs, cell, f, *arguments))
+                self.assertEqual(noise.fixed(knobs, p, *arguments), noise.fixed_cell(knobs, cell, f, *arguments))
 
     def check_fixed(self, noise: Noise, bounds: Bounds) -> None:
         """Fixed arithmetic is within its bound, and gives floats."""
         for knobs in settings(bounds):
             for p, seed in points(bounds, generator_of("fixed")):
-                value = noise.fixed(knobs, p, seed)
-                self.assertLessEqual(abs(value - noise.exact(knobs, p, seed)), bounds.fixed_error)
+                value = noise.fixed(knobs, p, seed)[0]
+                self.assertLessEqual(abs(value - noise.exact(knobs, p, seed)[0]), bounds.fixed_error)
                 self.assertEqual((value * NOISE_UNIT).denominator, 1)
 
     def check_range(self, noise: Noise, bounds: Bounds) -> None:
         """Values are in their range, and use it."""
         for knobs in settings(bounds):
             sample = list(points(bounds, generator_of("range"), 2 * POINTS))
-            exact = [noise.exact(knobs, p, seed) for p, seed in sample]
-            fixed = [noise.fixed(knobs, p, seed) for p, seed in sample]
+            exact = [noise.exact(knobs, p, seed)[0] for p, seed in sample]
+            fixed = [noise.fixed(knobs, p, seed)[0] for p, seed in sample]
             for values, limit in ((exact, bounds.limit), (fixed, bounds.fixed_limit)):
                 self.assertLessEqual(max(map(abs, values)), limit)
                 self.assertGreater(max(values) - min(values), 0.5 * limit)
 
     def check_period(self, noise: Noise, bounds: Bounds) -> None:
-        """With a period a noise repeats along each axis, without one it does not."""
-        for knobs in settings(bounds):
+        """Along the axis that has a period a noise repeats, along the others it does not."""
+        for knobs, with_period in itertools.product(settings(bounds), range(bounds.dimensions)):
+            periods = [PERIOD if i == with_period else -PERIOD for i in range(bounds.dimensions)]
             for axis in range(bounds.dimensions):
-                repeated = []
-                for p, seed in points(bounds, generator_of("period"), 4):
+                for p, seed in points(bounds, generator_of("period"), 2):
                     moved = [x + PERIOD * (i == axis) for i, x in enumerate(p)]
-                    repeated += [of(knobs, p, seed) == of(knobs, moved, seed) for of in (noise.exact, noise.fixed)]
-                self.assertEqual(all(repeated), knobs.period == PERIOD, knobs)
+                    for of in (noise.exact, noise.fixed):
+                        same = of(knobs, p, seed, periods) == of(knobs, moved, seed, periods)
+                        self.assertEqual(same, axis == with_period, knobs)
+
+    def check_no_period(self, noise: Noise, bounds: Bounds) -> None:
+        """Where no point is moved, a period changes nothing."""
+        for knobs, (p, seed) in itertools.product(settings(bounds), points(bounds, generator_of("no period"), 4)):
+            inside = [abs(x) % 8 + 1 for x in p]
+            for of, period in itertools.product((noise.exact, noise.fixed), (0, -1, 2**31 - 1, 11)):
+                self.assertEqual(of(knobs, inside, seed), of(knobs, inside, seed, (period,) * bounds.dimensions))
 
     def check_seeds(self, noise: Noise, bounds: Bounds) -> None:
         """Every seed gives another field."""
@@ -82,7 +93,7 @@ class EveryNoise(unittest.TestCase):
 
     def check_hashes(self, noise: Noise, bounds: Bounds) -> None:
         """So does every hash."""
-        lattice, fnv1, _ = settings(bounds)
+        lattice, fnv1 = settings(bounds)
         for p, seed in points(bounds, generator_of("hashes"), 4):
             for of in (noise.exact, noise.fixed):
                 self.assertNotEqual(of(lattice, p, seed), of(fnv1, p, seed))
@@ -107,6 +118,9 @@ class EveryNoise(unittest.TestCase):
     def test_a_period_takes_effect(self) -> None:
         self.on_every_noise(self.check_period)
 
+    def test_a_period_changes_nothing_else(self) -> None:
+        self.on_every_noise(self.check_no_period)
+
     def test_seeds_take_effect(self) -> None:
         self.on_every_noise(self.check_seeds)
 
@@ -120,27 +134,27 @@ class EveryNoise(unittest.TestCase):
 
         class Rounding(Noise):
             """It takes the nearest cell."""
-            def exact(self, knobs, p, seed=0):
+            def exact(self, knobs, p, seed=0, periods=()):
                 cell = [round(x) for x in p]
-                return self.exact_in_cell(knobs, cell, [abs(x - c) for x, c in zip(p, cell)], seed)
+                return self.exact_cell(knobs, cell, [abs(x - c) for x, c in zip(p, cell)], seed, periods)
 
-        def with_knobs(**change) -> list[Noise]:
-            """One that ignores a knob, in exact and in fixed arithmetic."""
+        def on_lattice(change: Callable[[Lattice], dict]) -> list[Noise]:
+            """One on another lattice, in exact and in fixed arithmetic."""
             def ignoring(of: Callable) -> Callable:
-                return lambda knobs, *args: of(replace(knobs, **change), *args)
+                return lambda lattice, *args: of(replace(lattice, **change(lattice)), *args)
             return [replace(perlin, exact_in_cell=ignoring(exact)), replace(perlin, fixed_in_cell=ignoring(fixed))]
 
         for check, faults in (
                 (self.check_position, [Rounding("rounding", exact, fixed)]),
-                (self.check_fixed, [replace(perlin, fixed_in_cell=lambda *args: fixed(*args) + two_bounds)]),
-                (self.check_range, [replace(perlin, exact_in_cell=lambda *args: 3 * exact(*args)),
-                                    replace(perlin, fixed_in_cell=lambda *args: 3 * fixed(*args)),
-                                    replace(perlin, exact_in_cell=lambda *args: exact(*args) / 4)]),
-                (self.check_period, [*with_knobs(period=0), replace(perlin, exact_in_cell=lambda *args: 0,
-                                                                    fixed_in_cell=lambda *args: 0)]),
-                (self.check_seeds, [replace(perlin, exact_in_cell=lambda *args: exact(*args[:-1], 0)),
-                                    replace(perlin, fixed_in_cell=lambda *args: fixed(*args[:-1], 0))]),
-                (self.check_hashes, with_knobs(hash="pcg"))):
+                (self.check_fixed, [replace(perlin, fixed_in_cell=lambda *args: (fixed(*args)[0] + two_bounds,))]),
+                (self.check_range, [replace(perlin, exact_in_cell=lambda *args: (3 * exact(*args)[0],)),
+                                    replace(perlin, fixed_in_cell=lambda *args: (3 * fixed(*args)[0],)),
+                                    replace(perlin, exact_in_cell=lambda *args: (exact(*args)[0] / 4,))]),
+                (self.check_period, [*on_lattice(lambda lattice: {"periods": ()}),
+                                     *on_lattice(lambda lattice: {"periods": (PERIOD, PERIOD)})]),
+                (self.check_no_period, on_lattice(lambda lattice: {"periods": tuple(p - 7 for p in lattice.periods)})),
+                (self.check_seeds, on_lattice(lambda lattice: {"seed": 0})),
+                (self.check_hashes, on_lattice(lambda lattice: {"knobs": Knobs("pcg")}))):
             for fault in faults:
                 with self.assertRaises(AssertionError, msg=check.__doc__):
                     check(fault, bounds)

@@ -8,23 +8,32 @@ from fractions import Fraction
 
 from oracle.gradients import Knobs, Real
 from oracle.integers import NOISE_UNIT, clamp_to_int, signed, word
+from oracle.lattice import Lattice
 from oracle.noises import Noise
-from oracle.words import MASK
+from oracle.words import MASK, signed as wrapped
 
 SHIFT = (Fraction(11, 32), Fraction(19, 32), Fraction(23, 32))
+
+
+def clamped(lacunarity: Real) -> Fraction:
+    """As with fixed arithmetic and with periods."""
+    return min(max(Fraction(lacunarity), Fraction(0)), Fraction(255))
 
 
 # --- Exact -------------------------------------------------------------------------------------------------------
 
 
-def octave_terms(noise: Noise, knobs: Knobs, p: Sequence[Real], octaves: int, lacunarity: Real, gain: Real,
-                 seed: int) -> list[tuple[Fraction, Fraction]]:
+def octave_terms(noise: Noise, knobs: Knobs, p: Sequence[Real], octaves: int, lacunarity: Real, gain: Real, seed: int,
+                 periods: Sequence[int] = ()) -> list[tuple[Fraction, Fraction]]:
     """The weight and the noise of each octave."""
     terms = []
     q = [Fraction(x) for x in p]
+    factor = Fraction(math.floor(clamped(lacunarity))) if periods else Fraction(lacunarity)
     for i in range(octaves):
-        terms.append((Fraction(gain)**i, noise.exact(knobs, q, seed)))
-        q = [x * Fraction(lacunarity) + shift for x, shift in zip(q, SHIFT)]
+        value, *_ = noise.exact(knobs, q, seed, periods)
+        terms.append((Fraction(gain)**i, value))
+        q = [x * factor + shift for x, shift in zip(q, SHIFT)]
+        periods = [int(period * factor) for period in periods]
         seed = (seed + 0x9E3779B9) & MASK
     return terms
 
@@ -38,22 +47,23 @@ def weighted_mean(terms: Sequence[tuple[Fraction, Fraction]]) -> Fraction:
 
 
 def fbm(noise: Noise, knobs: Knobs, p: Sequence[Real], octaves: int, lacunarity: Real, gain: Real,
-        seed: int = 0) -> Fraction:
+        seed: int = 0, periods: Sequence[int] = ()) -> Fraction:
     """hn_fbm: in the range of the noise."""
-    return weighted_mean(octave_terms(noise, knobs, p, octaves, lacunarity, gain, seed))
+    return weighted_mean(octave_terms(noise, knobs, p, octaves, lacunarity, gain, seed, periods))
 
 
 def turbulence(noise: Noise, knobs: Knobs, p: Sequence[Real], octaves: int, lacunarity: Real, gain: Real,
-               seed: int = 0) -> Fraction:
+               seed: int = 0, periods: Sequence[int] = ()) -> Fraction:
     """hn_turbulence: from 0 to the largest the noise can be."""
-    terms = octave_terms(noise, knobs, p, octaves, lacunarity, gain, seed)
+    terms = octave_terms(noise, knobs, p, octaves, lacunarity, gain, seed, periods)
     return weighted_mean([(weight, abs(value)) for weight, value in terms])
 
 
 def clouds(noise: Noise, knobs: Knobs, p: Sequence[Real], octaves: int, lacunarity: Real, gain: Real,
-           seed: int = 0) -> Fraction:
+           seed: int = 0, periods: Sequence[int] = ()) -> Fraction:
     """hn_clouds: in [0, 1]."""
-    t = min(max(2 * fbm(noise, knobs, p, octaves, lacunarity, gain, seed) + Fraction(1, 4), Fraction(0)), Fraction(1))
+    t = 2 * fbm(noise, knobs, p, octaves, lacunarity, gain, seed, periods) + Fraction(1, 4)
+    t = min(max(t, Fraction(0)), Fraction(1))
     return t * t * (3 - 2 * t)
 
 
@@ -87,16 +97,19 @@ def weights(octaves: int, gain: Real) -> list[int]:
     return values
 
 
-def fixed_values(noise: Noise, knobs: Knobs, p: Sequence[Real], octaves: int, lacunarity: Real,
-                 seed: int) -> list[int]:
+def fixed_values(noise: Noise, knobs: Knobs, p: Sequence[Real], octaves: int, lacunarity: Real, seed: int,
+                 periods: Sequence[int] = ()) -> list[int]:
     """The noise of each octave, in units of 2^-21."""
-    multiplier = math.trunc(min(max(Fraction(lacunarity), Fraction(0)), Fraction(255)) * 2**23)
+    factor = clamped(lacunarity)
+    multiplier = math.floor(factor) * 2**23 if periods else math.trunc(factor * 2**23)
     positions = list(map(position_of, p))
     values = []
     for _ in range(octaves):
-        values.append(noise.fixed_in_cell(knobs, [q >> 32 for q in positions], [(q & MASK) >> 12 for q in positions],
-                                          seed))
+        lattice = Lattice(knobs, seed, tuple(periods))
+        value, *_ = noise.fixed_in_cell(lattice, [q >> 32 for q in positions], [(q & MASK) >> 12 for q in positions])
+        values.append(value)
         positions = [next_position(q, multiplier, shift) for q, shift in zip(positions, SHIFT)]
+        periods = [wrapped(period * math.floor(factor)) for period in periods]
         seed = (seed + 0x9E3779B9) & MASK
     return values
 
@@ -110,10 +123,10 @@ def fixed_mean(values: Sequence[int], value_weights: Sequence[int]) -> int:
 
 
 def fixed_sum(noise: Noise, knobs: Knobs, p: Sequence[Real], octaves: int, lacunarity: Real, gain: Real, seed: int,
-              of_noise: Callable[[int], int] = int) -> int:
+              periods: Sequence[int], of_noise: Callable[[int], int] = int) -> int:
     """The weighted mean of `of_noise` of the noise, in units of 2^-21."""
     value_weights = weights(octaves, gain)
-    values = fixed_values(noise, knobs, p, len(value_weights), lacunarity, seed)
+    values = fixed_values(noise, knobs, p, len(value_weights), lacunarity, seed, periods)
     return fixed_mean(list(map(of_noise, values)), value_weights)
 
 
@@ -125,18 +138,18 @@ def density(v: int) -> int:
 
 
 def fixed_fbm(noise: Noise, knobs: Knobs, p: Sequence[Real], octaves: int, lacunarity: Real, gain: Real,
-              seed: int = 0) -> Fraction:
-    return Fraction(fixed_sum(noise, knobs, p, octaves, lacunarity, gain, seed), NOISE_UNIT)
+              seed: int = 0, periods: Sequence[int] = ()) -> Fraction:
+    return Fraction(fixed_sum(noise, knobs, p, octaves, lacunarity, gain, seed, periods), NOISE_UNIT)
 
 
 def fixed_turbulence(noise: Noise, knobs: Knobs, p: Sequence[Real], octaves: int, lacunarity: Real, gain: Real,
-                     seed: int = 0) -> Fraction:
-    return Fraction(fixed_sum(noise, knobs, p, octaves, lacunarity, gain, seed, abs), NOISE_UNIT)
+                     seed: int = 0, periods: Sequence[int] = ()) -> Fraction:
+    return Fraction(fixed_sum(noise, knobs, p, octaves, lacunarity, gain, seed, periods, abs), NOISE_UNIT)
 
 
 def fixed_clouds(noise: Noise, knobs: Knobs, p: Sequence[Real], octaves: int, lacunarity: Real, gain: Real,
-                 seed: int = 0) -> Fraction:
-    return Fraction(density(fixed_sum(noise, knobs, p, octaves, lacunarity, gain, seed)), NOISE_UNIT)
+                 seed: int = 0, periods: Sequence[int] = ()) -> Fraction:
+    return Fraction(density(fixed_sum(noise, knobs, p, octaves, lacunarity, gain, seed, periods)), NOISE_UNIT)
 
 
 # By name: the exact sum, and the fixed one.

@@ -6,16 +6,28 @@ import itertools
 import unittest
 from fractions import Fraction
 from functools import partial
+from unittest import mock
 
-from golden.rows import generator_of
+from golden.generator import generator_of
 from oracle import noises, sums
 from oracle.gradients import Knobs
+from oracle.lattice import Lattice
 
 PERLIN = noises.find("perlin")
 (fbm, fixed_fbm), (turbulence, fixed_turbulence), (clouds, fixed_clouds) = (
     tuple(partial(function, PERLIN) for function in pair) for pair in sums.SUMS.values())
 
-SETTINGS = (Knobs("lattice"), Knobs("fnv1"), Knobs("lattice", period=48), Knobs("lattice", sine=True))
+SETTINGS = (Knobs("lattice"), Knobs("fnv1"), Knobs("lattice", sine=True))
+
+
+def exact_noise(*args) -> Fraction:
+    value, = PERLIN.exact(*args)
+    return value
+
+
+def fixed_noise(*args) -> Fraction:
+    value, = PERLIN.fixed(*args)
+    return value
 
 
 class OctaveSums(unittest.TestCase):
@@ -23,25 +35,25 @@ class OctaveSums(unittest.TestCase):
 
     def test_one_octave_is_the_noise(self) -> None:
         for point in self.POINTS:
-            noise = PERLIN.exact(Knobs("lattice"), point, 3)
+            noise = exact_noise(Knobs("lattice"), point, 3)
             self.assertEqual(fbm(Knobs("lattice"), point, 1, 2.0, 0.5, 3), noise)
             self.assertEqual(turbulence(Knobs("lattice"), point, 1, 2.0, 0.5, 3), abs(noise))
 
     def test_gain_zero_leaves_the_first_octave(self) -> None:
         for point in self.POINTS:
-            self.assertEqual(fbm(Knobs("pcg"), point, 6, 2.0, 0.0, 3), PERLIN.exact(Knobs("pcg"), point, 3))
+            self.assertEqual(fbm(Knobs("pcg"), point, 6, 2.0, 0.0, 3), exact_noise(Knobs("pcg"), point, 3))
 
     def test_two_octaves_by_hand(self) -> None:
         seed, next_seed = 0xFFFFFFFF, 0x9E3779B8
-        first = PERLIN.exact(Knobs("pcg"), (0.375, -12.25), seed)
-        second = PERLIN.exact(Knobs("pcg"), (0.75 + 0.34375, -24.5 + 0.59375), next_seed)
+        first = exact_noise(Knobs("pcg"), (0.375, -12.25), seed)
+        second = exact_noise(Knobs("pcg"), (0.75 + 0.34375, -24.5 + 0.59375), next_seed)
         self.assertEqual(fbm(Knobs("pcg"), (0.375, -12.25), 2, 2.0, 0.25, seed), (4 * first + second) / 5)
         self.assertEqual(turbulence(Knobs("pcg"), (0.375, -12.25), 2, 2.0, 0.25, seed),
                          (4 * abs(first) + abs(second)) / 5)
 
     def test_third_axis_is_shifted_too(self) -> None:
         terms = sums.octave_terms(PERLIN, Knobs("pcg"), (1.0, 2.0, 3.0), 2, 2.0, 0.5, 0)
-        self.assertEqual(terms[1], (0.5, PERLIN.exact(Knobs("pcg"), (2.34375, 4.59375, 6.71875), 0x9E3779B9)))
+        self.assertEqual(terms[1], (0.5, exact_noise(Knobs("pcg"), (2.34375, 4.59375, 6.71875), 0x9E3779B9)))
 
     def test_clouds_of_fbm(self) -> None:
         seen = set()
@@ -77,15 +89,29 @@ class OctaveSums(unittest.TestCase):
                 self.assertTrue(abs(fbm(*arguments)) <= turbulence(*arguments) <= Fraction(n, 2))
                 self.assertTrue(0 <= clouds(*arguments) <= 1)
 
-    def test_repeat_after_a_period_with_a_whole_lacunarity(self) -> None:
-        for knobs, lacunarity, repeats in ((Knobs("lattice", period=48), 2.0, True),
-                                           (Knobs("lattice", sine=True, period=48), 3.0, True),
-                                           (Knobs("lattice", period=48), 1.5, False)):
+    def test_repeat_after_a_period(self) -> None:
+        # With any lacunarity, since it is rounded down.
+        for knobs, lacunarity in ((Knobs("lattice"), 2.0), (Knobs("lattice", sine=True), 3.0), (Knobs("lattice"), 1.5)):
             for point in self.POINTS:
                 moved = [x - 48 for x in point]
-                for function in (fbm, turbulence):
+                for function in (fbm, turbulence, clouds):
+                    values = [function(knobs, p, 3, lacunarity, 0.5, 3, (48,) * len(p)) for p in (point, moved)]
+                    self.assertEqual(*values)
                     values = [function(knobs, p, 3, lacunarity, 0.5, 3) for p in (point, moved)]
-                    self.assertEqual(values[0] == values[1], repeats, (knobs, lacunarity))
+                    self.assertTrue(values[0] != values[1] or function is clouds)
+
+    def test_periods_by_hand(self) -> None:
+        # The second octave has twice the period along x, and none along y. 2.9 is rounded down.
+        seed, next_seed = 0xFFFFFFFF, 0x9E3779B8
+        first = exact_noise(Knobs("pcg"), (0.375, -12.25), seed, (5, -5))
+        second = exact_noise(Knobs("pcg"), (0.75 + 0.34375, -24.5 + 0.59375), next_seed, (10, 0))
+        self.assertEqual(fbm(Knobs("pcg"), (0.375, -12.25), 2, 2.9, 0.25, seed, (5, -5)), (4 * first + second) / 5)
+
+    def test_the_lacunarity_is_cut_with_a_period(self) -> None:
+        for lacunarity, same in ((2.9, 2.0), (-1.5, 0.0), (0.75, 0.0), (300.0, 255.0)):
+            for function in (fbm, fixed_fbm):
+                found = [function(Knobs("pcg"), (0.375, 0.5), 2, x, 0.5, 3, (48, 0)) for x in (lacunarity, same)]
+                self.assertEqual(*found)
 
     def test_seeds_differ(self) -> None:
         self.assertEqual(len({fbm(Knobs("pcg"), (0.375, 0.5), 4, 2.0, 0.5, seed) for seed in range(32)}), 32)
@@ -150,12 +176,12 @@ class FixedSums(unittest.TestCase):
 
     def test_one_octave_is_the_noise_where_nothing_is_cut_off(self) -> None:
         for p in ((0.375, -12.25), (5.125, 7.75, -0.625)):
-            self.assertEqual(fixed_fbm(Knobs("lattice"), p, 1, 2.0, 0.5, 3), PERLIN.fixed(Knobs("lattice"), p, 3))
+            self.assertEqual(fixed_fbm(Knobs("lattice"), p, 1, 2.0, 0.5, 3), fixed_noise(Knobs("lattice"), p, 3))
         # Else a position is rounded down, a coordinate of the noise towards 0.
-        self.assertEqual(PERLIN.fixed(Knobs("lattice"), (-0.5 - 2.0**-24, 0.25), 3),
-                         PERLIN.fixed(Knobs("lattice"), (-0.5, 0.25), 3))
+        self.assertEqual(fixed_noise(Knobs("lattice"), (-0.5 - 2.0**-24, 0.25), 3),
+                         fixed_noise(Knobs("lattice"), (-0.5, 0.25), 3))
         self.assertEqual(fixed_fbm(Knobs("lattice"), (-0.5 - 2.0**-24, 0.25), 1, 2.0, 0.5, 3),
-                         PERLIN.fixed(Knobs("lattice"), (-0.5 - 2.0**-20, 0.25), 3))
+                         fixed_noise(Knobs("lattice"), (-0.5 - 2.0**-20, 0.25), 3))
 
     def test_arguments_are_cut(self) -> None:
         p = (0.375, -12.25)
@@ -171,26 +197,36 @@ class FixedSums(unittest.TestCase):
                 p = [numbers.integer(-4096, 4096) / 64 for _ in range(n)]
                 arguments = (knobs, p, octaves, 2.0, gain, numbers.word())
                 for name, limit in (("fbm", 1), ("turbulence", 1), ("clouds", 4)):
-                    exact, fixed = (function(PERLIN, *arguments) for function in sums.SUMS[name])
-                    difference = fixed - exact
-                    self.assertLess(abs(difference), limit * 2**-15)
+                    for periods in ((), (48, 7, 0)[:n]):
+                        exact, fixed = (function(PERLIN, *arguments, periods) for function in sums.SUMS[name])
+                        self.assertLess(abs(fixed - exact), limit * 2**-15)
 
-    def test_repeat_after_a_period_with_a_whole_lacunarity(self) -> None:
+    def test_repeat_after_a_period(self) -> None:
         for function in (fixed_fbm, fixed_turbulence, fixed_clouds):
-            values = [function(Knobs("lattice", period=48), (x, 7.75), 3, 2.0, 0.5, 3) for x in (5.125, 5.125 - 96)]
+            values = [function(Knobs("lattice"), (x, 7.75), 3, 2.5, 0.5, 3, (48, 0)) for x in (5.125, 5.125 - 96)]
             self.assertEqual(*values)
 
     def test_a_period_that_is_no_power_of_two_ends_where_a_cell_fits_no_int(self) -> None:
-        def repeats(period: int, x: float, octaves: int) -> bool:
-            one, other = (fixed_fbm(Knobs("lattice", period=period), (at, 7.75), octaves, 3.0, 1.0, 3)
+        def repeats(period: int, x: float, octaves: int, lacunarity: float = 3.0) -> bool:
+            one, other = (fixed_fbm(Knobs("lattice"), (at, 7.75), octaves, lacunarity, 1.0, 3, (period, period))
                           for at in (x, x + period))
             return one == other
 
-        for x, octaves, whole in ((-49.0, 17, True), (1.0, 17, True), (2.0, 17, False), (101.0, 16, True),
-                                  (103.0, 16, False), (1.0, 18, False)):
+        # 48 * 3^16 = 2066242608 is below 2^31, and with the position of the last octave it is or is not.
+        for x, octaves, whole in ((-49.0, 17, True), (1.0, 17, True), (2.0, 17, False)):
             self.assertEqual(repeats(48, x, octaves), whole, (x, octaves))
-            self.assertTrue(repeats(64, x, octaves))
-        self.assertTrue(repeats(64, 1.0, 32))
+        # Powers of two repeat up to the octave whose period is 2^31.
+        for octaves in (17, 25):
+            self.assertTrue(repeats(64, 2.0, octaves, 2.0), octaves)
+
+    def test_periods_keep_their_low_bits(self) -> None:
+        # 2^30 * 2 is -2^31, which is none; twice that is 0. 3 * 2^29 * 3 is 2^29 modulo 2^32, a period again.
+        self.assertEqual([sums.wrapped(2**30 * 2), sums.wrapped(-2**31 * 2), sums.wrapped(3 * 2**29 * 3)],
+                         [-2**31, 0, 2**29])
+        found = []
+        with mock.patch.object(sums, "Lattice", lambda knobs, seed, periods: found.append(periods) or Lattice(knobs)):
+            fixed_fbm(Knobs("lattice"), (0.5, 0.5), 4, 3.0, 0.5, 3, (3 * 2**29, -5))
+        self.assertEqual(found, [(3 * 2**29, -5), (2**29, -15), (3 * 2**29, -45), (2**29, -135)])
 
     def test_the_product_of_a_position_is_exact(self) -> None:
         """95 bits: the largest position and lacunarity, and every low bit set."""
@@ -209,7 +245,7 @@ class FixedSums(unittest.TestCase):
 
     def test_seeds_step(self) -> None:
         seed, next_seed = 0xFFFFFFFF, 0x9E3779B8
-        first = PERLIN.fixed(Knobs("pcg"), (0.375, -12.25), seed)
-        second = PERLIN.fixed(Knobs("pcg"), (0.75 + 0.34375, -24.5 + 0.59375), next_seed)
+        first = fixed_noise(Knobs("pcg"), (0.375, -12.25), seed)
+        second = fixed_noise(Knobs("pcg"), (0.75 + 0.34375, -24.5 + 0.59375), next_seed)
         self.assertLess(abs(fixed_fbm(Knobs("pcg"), (0.375, -12.25), 2, 2.0, 0.25, seed) - (4 * first + second) / 5),
                         2**-20)

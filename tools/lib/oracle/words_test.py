@@ -8,8 +8,7 @@ import unittest
 from collections import Counter
 from collections.abc import Callable
 
-from golden import rows
-from golden.rows import generator_of
+from golden.generator import Generator, fnv1a64, generator_of
 from oracle import words
 
 
@@ -89,7 +88,7 @@ class PublishedVectors(unittest.TestCase):
 
     def test_splitmix64(self) -> None:
         # Rosetta Code, "Pseudo-random numbers/Splitmix64".
-        numbers = rows.Generator(1234567)
+        numbers = Generator(1234567)
         self.assertEqual([numbers.next() for _ in range(3)],
                          [6457827717110365317, 3203168211198807973, 9817491932198370423])
 
@@ -97,7 +96,7 @@ class PublishedVectors(unittest.TestCase):
         # test_fnv.c of Landon Curt Noll.
         vectors = {b"": 0xCBF29CE484222325, b"a": 0xAF63DC4C8601EC8C, b"foobar": 0x85944171F73967E8}
         for data, value in vectors.items():
-            self.assertEqual(rows.fnv1a64(data), value, data)
+            self.assertEqual(fnv1a64(data), value, data)
 
 
 class Hashes(unittest.TestCase):

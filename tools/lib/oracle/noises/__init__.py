@@ -1,7 +1,10 @@
 """The noises. Each is a module of this package, under its name, with its two definitions side by side:
 
-    exact(knobs, cell, f, seed) -> Fraction             sections 5 to 7 of docs/contract.md; f are fractions
-    fixed(knobs, cell, fraction, seed) -> int           section 8; fractions in units of 2^-20, in units of 2^-21
+    exact(lattice, cell, f) -> tuple[Fraction, ...]         sections 6 and 9 to 11 of docs/contract.md; f are fractions
+    fixed(lattice, cell, fraction) -> tuple[int, ...]       with HN_FIXED; fractions in units of 2^-20
+
+What they return is the value, and after it the derivatives along x, y, z, w of a noise that has them. A fixed value is
+in units of 2^-21, a fixed derivative in units of 2^-19.
 """
 
 from __future__ import annotations
@@ -14,29 +17,39 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from oracle.gradients import Knobs, Real
-from oracle.integers import NOISE_UNIT, cell_and_fraction, fraction_of
+from oracle.integers import NOISE_UNIT, SLOPE_UNIT, cell_and_fraction, fraction_of
+from oracle.lattice import Lattice
+
+
+def in_units(value: int, *derivatives: int) -> tuple[Fraction, ...]:
+    """The numbers of fixed arithmetic."""
+    return (Fraction(value, NOISE_UNIT), *(Fraction(d, SLOPE_UNIT) for d in derivatives))
 
 
 @dataclass(frozen=True)
 class Noise:
     """A noise at a position, and from a cell and a fraction, in exact and in fixed arithmetic."""
     name: str
-    exact_in_cell: Callable[[Knobs, Sequence[int], Sequence[Fraction], int], Fraction]
-    fixed_in_cell: Callable[[Knobs, Sequence[int], Sequence[int], int], int]
+    exact_in_cell: Callable[[Lattice, Sequence[int], Sequence[Fraction]], tuple[Fraction, ...]]
+    fixed_in_cell: Callable[[Lattice, Sequence[int], Sequence[int]], tuple[int, ...]]
 
-    def exact(self, knobs: Knobs, p: Sequence[Real], seed: int = 0) -> Fraction:
+    def exact(self, knobs: Knobs, p: Sequence[Real], seed: int = 0,
+              periods: Sequence[int] = ()) -> tuple[Fraction, ...]:
         cell = [math.floor(x) for x in p]
-        return self.exact_in_cell(knobs, cell, [Fraction(x) - c for x, c in zip(p, cell)], seed)
+        return self.exact_cell(knobs, cell, [Fraction(x) - c for x, c in zip(p, cell)], seed, periods)
 
-    def exact_cell(self, knobs: Knobs, cell: Sequence[int], f: Sequence[Real], seed: int = 0) -> Fraction:
-        return self.exact_in_cell(knobs, cell, list(map(Fraction, f)), seed)
+    def exact_cell(self, knobs: Knobs, cell: Sequence[int], f: Sequence[Real], seed: int = 0,
+                   periods: Sequence[int] = ()) -> tuple[Fraction, ...]:
+        return self.exact_in_cell(Lattice(knobs, seed, tuple(periods)), cell, list(map(Fraction, f)))
 
-    def fixed(self, knobs: Knobs, p: Sequence[Real], seed: int = 0) -> Fraction:
+    def fixed(self, knobs: Knobs, p: Sequence[Real], seed: int = 0,
+              periods: Sequence[int] = ()) -> tuple[Fraction, ...]:
         cell, fraction = zip(*map(cell_and_fraction, p))
-        return Fraction(self.fixed_in_cell(knobs, cell, fraction, seed), NOISE_UNIT)
+        return in_units(*self.fixed_in_cell(Lattice(knobs, seed, tuple(periods)), cell, fraction))
 
-    def fixed_cell(self, knobs: Knobs, cell: Sequence[int], f: Sequence[Real], seed: int = 0) -> Fraction:
-        return Fraction(self.fixed_in_cell(knobs, cell, list(map(fraction_of, f)), seed), NOISE_UNIT)
+    def fixed_cell(self, knobs: Knobs, cell: Sequence[int], f: Sequence[Real], seed: int = 0,
+                   periods: Sequence[int] = ()) -> tuple[Fraction, ...]:
+        return in_units(*self.fixed_in_cell(Lattice(knobs, seed, tuple(periods)), cell, list(map(fraction_of, f))))
 
 
 def names() -> list[str]:

@@ -6,26 +6,28 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from oracle.cells import interpolated, weighted_sum
-from oracle.gradients import Knobs, wrapped
 from oracle.integers import signed
-from oracle.words import point_word
+from oracle.lattice import Lattice
 
 
-def high_bits(knobs: Knobs, corner: Sequence[int], seed: int) -> int:
-    """The high 16 bits of the word of a corner: what its number is made of."""
-    return point_word(knobs.hash, [wrapped(c, knobs.period) for c in corner], seed) >> 16
+def number(lattice: Lattice, corner: Sequence[int]) -> Fraction:
+    """V(h) of a lattice point."""
+    return Fraction(lattice.word(corner) >> 9, 2**22) - 1
 
 
-def exact(knobs: Knobs, cell: Sequence[int], f: Sequence[Fraction], seed: int) -> Fraction:
-    def number(corner: Sequence[int], _: Sequence[Fraction]) -> Fraction:
-        return Fraction(2 * high_bits(knobs, corner, seed) + 1, 2**16) - 1
-
-    return weighted_sum(cell, f, number)
+def fixed_number(lattice: Lattice, corner: Sequence[int]) -> int:
+    """N(h), in units of 2^-29: of more bits of the word."""
+    return signed((lattice.word(corner) >> 2) - 2**29)
 
 
-def fixed(knobs: Knobs, cell: Sequence[int], fraction: Sequence[int], seed: int) -> int:
-    """Section 9 with HN_FIXED."""
-    def number(corner: Sequence[int], _: Sequence[int]) -> int:
-        return signed(signed(2**14 * high_bits(knobs, corner, seed)) - 65535 * 2**13)
+def rounded(n: int) -> int:
+    """The result of the interpolation, in units 2^8 times as large."""
+    return signed(n + 128) >> 8
 
-    return signed(interpolated(cell, fraction, number) + 128) >> 8
+
+def exact(lattice: Lattice, cell: Sequence[int], f: Sequence[Fraction]) -> tuple[Fraction]:
+    return (weighted_sum(cell, f, lambda corner, _: number(lattice, corner)),)
+
+
+def fixed(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> tuple[int]:
+    return (rounded(interpolated(cell, fraction, lambda corner, _: fixed_number(lattice, corner))),)

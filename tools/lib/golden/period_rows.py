@@ -1,0 +1,74 @@
+"""The inputs of functions with periods: each period along an axis of its own, at seams and far from them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from golden.generator import INT_MAX, INT_MIN, Generator, Row, to_f32
+
+# 0 and less are none.
+PERIODS = (0, 1, 2, 3, 5, 7, 48, 64, 1000003, 2**20, 2**30, INT_MAX, -1, -48, INT_MIN)
+
+
+def sets_of_periods(n: int, generator: Generator) -> list[tuple[int, ...]]:
+    """For 96 rows, in four dimensions for 48: each period along all axes, then each with others."""
+    alike, count = (1, 48) if n == 4 else (3, 96)
+    sets = [(period,) * n for period in PERIODS for _ in range(alike)]
+    return sets + [tuple(generator.pick(PERIODS) for _ in range(n)) for _ in range(count - len(sets))]
+
+
+def near_seam(period: int, reach: int, generator: Generator) -> int:
+    """A cell next to a multiple of the period, up to `reach` from 0: mostly the one with points on both sides."""
+    step = period if 0 < period <= reach else 1
+    return step * generator.integer(-(reach // step), reach // step) + generator.pick((-2, -1, -1, 0, 1))
+
+
+def positions(n: int, generator: Generator) -> list[Row]:
+    """Positions with an eighth's fraction, or any; near seams where the domain has some."""
+    rows = []
+    for index, periods in enumerate(sets_of_periods(n, generator)):
+        reach = (8, 200, 2**20)[index % 3]
+        fraction = generator.pick((0.0, 0.125, 0.875, generator.uniform(0, 1)))
+        p = tuple(to_f32(near_seam(period, reach, generator) + fraction) for period in periods)
+        rows.append(p + periods + (generator.seed(),))
+    return rows
+
+
+def cells(n: int, generator: Generator) -> list[Row]:
+    """Cells near seams up to the ends of int, where the corners of the last cells lie beyond it."""
+    ends = (INT_MIN, INT_MIN + 1, INT_MAX - 1, INT_MAX)
+    fractions = (0.0, 2.0**-126, 2.0**-24, 0.375, 0.5, 1 - 2.0**-24, 1.0)
+    rows = []
+    for index, periods in enumerate(sets_of_periods(n, generator)):
+        reach = (8, 200, 2**31 - 8)[index % 3]
+        cell = tuple(generator.pick((near_seam(period, reach, generator), near_seam(period, reach, generator),
+                                     generator.pick(ends))) for period in periods)
+        f = tuple(generator.pick((*fractions, generator.uniform(0, 1))) for _ in range(n))
+        rows.append(cell + f + periods + (generator.seed(),))
+    return rows
+
+
+def octaves(n: int, generator: Generator) -> list[Row]:
+    """64 sums. Coordinates are multiples of 1/64 and the lacunarity is rounded down to a whole number, so that the
+    position of every octave is exact in float32."""
+    rows = []
+    for lacunarity, count in ((2.0, 6), (2.0, 4), (3.0, 5), (2.96875, 4), (1.5, 3), (0.75, 2), (255.0, 2), (300.0, 2)):
+        for _ in range(8):
+            periods = tuple(period if largest_of_sum(period, lacunarity, count) < 2**31 else 48
+                            for period in (generator.pick(PERIODS) for _ in range(n)))
+            reach = 1 if lacunarity > 3 else 64
+            point = tuple(to_f32(near_seam(period, reach, generator) + generator.integer(0, 63) / 64)
+                          for period in periods)
+            rows.append(point + periods + (generator.integer(1, count), lacunarity, generator.pick((0.5, 0.75, 1.0)),
+                                           generator.seed()))
+    return rows
+
+
+def largest_of_sum(period: int, lacunarity: float, count: int) -> int:
+    """What has to be below 2^31."""
+    return abs(period) * int(min(lacunarity, 255))**count
+
+
+def inserted(rows: Sequence[Row], n: int, place: int, generator: Generator) -> list[Row]:
+    """Rows of the form without periods, with some at their place: behind the position, or behind the fraction."""
+    return [row[:place] + tuple(generator.pick(PERIODS) for _ in range(n)) + row[place:] for row in rows]

@@ -1,0 +1,40 @@
+"""Section 10 of docs/contract.md: Perlin noise with its derivatives."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from oracle.cells import corners, halves, weighted_sum
+from oracle.integers import fade
+from oracle.lattice import Lattice
+from oracle.noises import perlin
+from oracle.slopes import Ramp, fade_slope, interpolated_ramp, weight_derivatives
+
+
+def check(lattice: Lattice) -> None:
+    if lattice.knobs.sine:
+        raise ValueError("with the sine gradient there is no hn_perlin_d")
+
+
+def exact(lattice: Lattice, cell: Sequence[int], f: Sequence[Fraction]) -> tuple[Fraction, ...]:
+    check(lattice)
+    of_weights = weight_derivatives(cell, f, lambda corner, offset: perlin.ramp(lattice, corner, offset))
+    of_ramps = [weighted_sum(cell, f, lambda corner, _: Fraction(lattice.gradient(corner)[axis]))
+                for axis in range(len(f))]
+    scale = perlin.scale(lattice.knobs, len(f))
+    return (*perlin.exact(lattice, cell, f), *(scale * (a + b) for a, b in zip(of_weights, of_ramps)))
+
+
+def fixed(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> tuple[int, ...]:
+    check(lattice)
+    n = len(cell)
+    unit = perlin.RAMP_UNITS[n]
+    ramps = []
+    for corner, offset in corners(cell, fraction):
+        gradient = tuple(int(g * unit) for g in lattice.gradient(corner))  # exact: the units are fine enough
+        ramps.append(Ramp(perlin.fixed_ramp(lattice, corner, offset), (), gradient))
+    for f in fraction:
+        ramps = [interpolated_ramp(a, b, fade(f), fade_slope(f)) for a, b in halves(ramps)]
+    result, = ramps
+    return tuple(perlin.scaled(x, n) for x in (result.value, *result.derivatives))

@@ -1,0 +1,81 @@
+"""Fixed arithmetic gives the values of a C program that was written from the contract, on integers that wrap."""
+
+from __future__ import annotations
+
+import unittest
+from fractions import Fraction
+
+from golden.generator import INT_MAX, INT_MIN, to_f32
+from oracle import noises, sums
+from oracle.gradients import Knobs
+from oracle.integers import NOISE_UNIT, SLOPE_UNIT
+
+POINT, SEED = tuple(map(to_f32, (-12.34375, 5.7, 0.8125, -3.3))), 0xDEADBEEF
+CELL, FRACTION, CELL_SEED = (INT_MAX, INT_MIN, -7, 46), tuple(map(to_f32, (0.1875, 1.0, 0.640625, 0.9))), 5
+PERIODS = (48, 1000003, 7, 3)
+# Octaves, lacunarity and gain.
+SUMS = ((5, to_f32(1.9), to_f32(0.7)), (33, 3.5, to_f32(0.9)))
+
+# By hash, dimensions, and whether there are periods. Of a noise what it returns at the point, then what it returns for
+# the cell and the fraction; of the sums fBm, turbulence and clouds, with either settings.
+VECTORS: dict[tuple[str, int, bool], dict[str, tuple[int, ...]]] = {
+    ("lattice", 1, False): {"perlin": (561088, 597288), "value": (-934681, 2055314), "value_cubic": (-833097,
+        1834182), "perlin_d": (561088, -639448, 597288, 415032), "value_d": (-934681, -335743, 2055314,
+        -35276)},
+    ("lattice", 1, True): {"perlin": (1194380, -473912), "value": (47804, -1811046), "value_cubic": (-97209,
+        -1170154), "perlin_d": (1194380, -610360, -473912, -247068), "value_d": (47804, 284345, -1811046,
+        360419)},
+    ("lattice", 2, False): {"perlin": (576409, -230064), "value": (1189463, -1444589), "value_cubic": (982048,
+        -659906), "perlin_d": (576409, -286149, 169511, -230064, -189514, 598230), "value_d": (1189463, -151464,
+        68628, -1444589, 23189, 0), "sums": (173698, 417765, 785753, -125294, 442454, 97853)},
+    ("lattice", 2, True): {"perlin": (851237, 313681), "value": (687629, -291964), "value_cubic": (298922,
+        61218), "perlin_d": (851237, 325856, -580861, 313681, 129502, 354921), "value_d": (687629, -93103,
+        568796, -291964, 417448, 0), "sums": (42459, 598898, 428066, 18802, 589743, 370973)},
+    ("lattice", 3, False): {"perlin": (-277372, 259050), "value": (-193137, 1584299), "value_cubic": (420690,
+        574709), "perlin_d": (-277372, -285982, 63254, 365659, 259050, -73726, 475963, 127949), "value_d":
+        (-193137, -504363, -718417, -253001, 1584299, -420511, 0, -12581), "sums": (-428111, 542934, 0, -71459,
+        340343, 182811)},
+    ("lattice", 3, True): {"perlin": (-558150, 688579), "value": (-615266, 1024542), "value_cubic": (-224660,
+        389037), "perlin_d": (-558150, -244449, 334697, 407850, 688579, -112053, 169394, -15650), "value_d":
+        (-615266, 103333, -117831, -238416, 1024542, -248330, 0, 697700), "sums": (130160, 532710, 660993,
+        -49043, 398059, 224629)},
+    ("lattice", 4, False): {"perlin": (-131600, -297913), "value": (-1502453, 947589), "perlin_d": (-131600,
+        -281187, 459443, -27276, 284716, -297913, -103382, 367918, -173286, 167289), "value_d": (-1502453,
+        35752, -431406, -513654, -166590, 947589, -2760, 0, 1152953, 19440)},
+    ("lattice", 4, True): {"perlin": (-1065975, 673883), "value": (-729676, 572672), "perlin_d": (-1065975,
+        -235097, 314717, -116035, 148843, 673883, -333282, -341263, -342633, 43425), "value_d": (-729676, -4912,
+        -126664, -211421, 232028, 572672, -142741, 0, 299817, -49843)},
+    ("fnv1", 2, False): {"perlin": (-195787, 356492), "value": (559055, 1556863), "value_cubic": (48842,
+        708018), "perlin_d": (-195787, 807547, -361690, 356492, 285488, -353108), "value_d": (559055, 1102169,
+        110794, 1556863, -402571, 0), "sums": (529377, 670583, 1780838, -186867, 392670, 30872)},
+    ("fnv1", 2, True): {"perlin": (-597462, -370637), "value": (247330, 90533), "value_cubic": (221465,
+        -407159), "perlin_d": (-597462, -516759, 336203, -370637, -194014, -146860), "value_d": (247330,
+        -399335, -17038, 90533, -384872, 0), "sums": (98212, 548772, 572797, 83241, 446936, 532675)},
+}
+
+
+def units(value: Fraction, *derivatives: Fraction) -> tuple[Fraction, ...]:
+    """As the integers that they are."""
+    return (value * NOISE_UNIT, *(d * SLOPE_UNIT for d in derivatives))
+
+
+class Vectors(unittest.TestCase):
+    def test_noises(self) -> None:
+        for (hash_name, n, has_periods), vectors in VECTORS.items():
+            periods = PERIODS[:n] if has_periods else ()
+            for name in vectors.keys() - {"sums"}:
+                noise, knobs = noises.find(name), Knobs(hash_name)
+                found = (*units(*noise.fixed(knobs, POINT[:n], SEED, periods)),
+                         *units(*noise.fixed_cell(knobs, CELL[:n], FRACTION[:n], CELL_SEED, periods)))
+                self.assertEqual(found, vectors[name], (name, hash_name, n, periods))
+
+    def test_sums(self) -> None:
+        for (hash_name, n, has_periods), vectors in VECTORS.items():
+            if "sums" in vectors:
+                periods = PERIODS[:n] if has_periods else ()
+                found = [fixed(noises.find("perlin"), Knobs(hash_name), POINT[:n], *settings, SEED, periods)
+                         for settings in SUMS for _, fixed in sums.SUMS.values()]
+                self.assertEqual(tuple(x * NOISE_UNIT for x in found), vectors["sums"], (hash_name, n, periods))
+
+    def test_every_noise_has_some(self) -> None:
+        self.assertEqual({name for vectors in VECTORS.values() for name in vectors}, {*noises.names(), "sums"})
