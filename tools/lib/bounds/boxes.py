@@ -1,72 +1,141 @@
-"""What is proven for a cell, box by box: the interpolation of a lattice noise, and suprema by branch and bound.
+"""What is proven of a cell, box by box: the fade and its derivatives, and suprema by branch and bound.
 
-Nothing is sampled: a supremum is bounded by branch and bound over boxes of fractions. Bounds are computed in doubles;
-SAFE inflates each result by far more than their own rounding errors.
+Nothing is sampled: a supremum is bounded by branch and bound over boxes of fractions. Bounds are computed in doubles,
+for many boxes at a time; SAFE inflates each result by far more than their own rounding errors.
 """
 
-import heapq
+from __future__ import annotations
+
 import itertools
 import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
 
 SAFE = 1 + 1e-9  # a few hundred double operations err by less than 1e-13 relative
-# The largest |s'|, |s''| (at t = (1 - 1/sqrt(3)) / 2) and |s'''| on [0, 1].
-FADE_1, FADE_2, FADE_3 = 15 / 8, 10 / math.sqrt(3), 60.0
+# The largest |s'|, |s''| (at t = (1 - 1/sqrt(3)) / 2), |s'''|, |s''''| and |s'''''| on [0, 1], by their order.
+FADE_MAX = (1.0, 15 / 8, 10 / math.sqrt(3), 60.0, 360.0, 720.0)
 
 
 def fade(t):
     return t * t * t * (t * (t * 6 - 15) + 10)
 
 
-def fade_slope(t):
-    return 30 * t * t * (1 - t) * (1 - t)
+def fade_derivative(order, t):
+    """Of order 0 (the fade itself) to 4."""
+    if order == 0:
+        return fade(t)
+    if order == 1:
+        return 30 * (t * (1 - t)) ** 2
+    return {2: 60 * t * (1 - t) * (1 - 2 * t), 3: 60 - 360 * t * (1 - t), 4: 720 * t - 360}[order]
+
+
+def largest_derivative(order, lo, hi):
+    """A bound of |s^(order)|, for order 1 to 4, on [lo, hi]: it is off a straight line by at most its own second
+    derivative times (hi - lo)^2 / 8."""
+    curvature = FADE_MAX[order + 2] if order < 4 else 0.0
+    ends = np.maximum(abs(fade_derivative(order, lo)), abs(fade_derivative(order, hi)))
+    return np.minimum(ends + curvature / 8 * (hi - lo) ** 2, FADE_MAX[order])
 
 
 def corners(dims):
     return itertools.product((0, 1), repeat=dims)
 
 
-def corner_weight(point, corner):
-    return math.prod(fade(f) if o else 1 - fade(f) for f, o in zip(point, corner))
+# --- Branch and bound -------------------------------------------------------------------------------------------------
+
+CHUNK = 1 << 14  # boxes at a time: so the numbers of a few stay in the processor's cache
 
 
-def weights_and_slopes(point):
-    """The weight of each corner, and how fast it grows along (1, .., 1)."""
-    factors = [((1 - fade(f), -fade_slope(f)), (fade(f), fade_slope(f))) for f in point]
-    for corner in corners(len(point)):
-        weight, slope = 1.0, 0.0
-        for factor, factor_slope in (factors[i][o] for i, o in enumerate(corner)):
-            weight, slope = weight * factor, slope * factor + weight * factor_slope
-        yield corner, weight, slope
+@dataclass(frozen=True)
+class Boxes:
+    """Boxes with sides of 2^-level. The index of a box, times that, is its lower end along each axis."""
+    level: int
+    index: np.ndarray  # axes by boxes
+
+    @property
+    def side(self) -> float:
+        return 0.5 ** self.level
+
+    @property
+    def lo(self) -> np.ndarray:
+        return self.index * self.side
+
+    @property
+    def hi(self) -> np.ndarray:
+        return (self.index + 1) * self.side
+
+    @property
+    def dims(self) -> int:
+        return self.index.shape[0]
+
+    def vertices(self) -> Iterator[np.ndarray]:
+        """Each end of all the boxes in turn."""
+        for corner in corners(self.dims):
+            yield (self.index + np.array(corner)[:, None]) * self.side
+
+    def only(self, which) -> Boxes:
+        return Boxes(self.level, self.index[:, which])
+
+    def halved(self) -> Boxes:
+        """Each cut in two along each axis."""
+        parts = [2 * self.index + np.array(corner)[:, None] for corner in corners(self.dims)]
+        return Boxes(self.level + 1, np.concatenate(parts, axis=1))
+
+    def sorted_from(self, axis: int) -> Boxes:
+        """Only those that have points with f_axis <= .. <= f_n: each other point is such a one with axes exchanged."""
+        index = self.index[axis:]
+        return self.only((index[:-1] <= index[1:]).all(axis=0))
 
 
-def halves(box):
-    """The box cut in two across its widest axis."""
-    axis = max(range(len(box)), key=lambda i: box[i][1] - box[i][0])
-    lo, hi = box[axis]
-    middle = (lo + hi) / 2
-    return [box[:axis] + (part,) + box[axis + 1:] for part in ((lo, middle), (middle, hi))]
+def cell(dims: int, half: bool = False) -> Boxes:
+    """[0, 1]^dims as one box, or [0, 1/2]^dims."""
+    return Boxes(1 if half else 0, np.zeros((dims, 1), np.int64))
 
 
-def supremum(bound, box, splits):
-    """An upper bound over the box, given one for any sub-box: `splits` times halve the sub-box with the largest."""
-    queue = [(-bound(box), box)]
-    for _ in range(splits):
-        _, worst = heapq.heappop(queue)
-        for part in halves(worst):
-            heapq.heappush(queue, (-bound(part), part))
-    return -queue[0][0]
+def grid(dims: int, level: int) -> Boxes:
+    """The boxes of [0, 1/2]^dims of that level."""
+    boxes = cell(dims, half=True)
+    while boxes.level < level:
+        boxes = boxes.halved()
+    return boxes
 
 
-def smooth_bound(value, curvature, box):
-    """Bounds `value` over the box, where value is a maximum of functions with |second derivative along an axis| at most
-    `curvature`: multilinear interpolation between the vertices errs by at most curvature h^2 / 8 for each axis."""
-    return max(map(value, itertools.product(*box))) + curvature / 8 * sum((hi - lo) ** 2 for lo, hi in box)
+Bound = Callable[[Boxes], tuple[np.ndarray, ...]]
 
 
-def slope_supremum(slope, curvature, dims):
-    """The largest `slope` in a cell, given as for smooth_bound, which permuting the axes must not change."""
-    def bound(box):
-        if any(left[1] < right[0] for left, right in itertools.pairwise(box)):
-            return 0.0  # no point with f_1 >= f_2 >= ..: another box stands for this one
-        return smooth_bound(slope, curvature, box)
-    return supremum(bound, ((0.0, 1.0),) * dims, 6000) * SAFE
+def in_chunks(bound: Bound, boxes: Boxes) -> list[np.ndarray]:
+    """What `bound` gives for all of the boxes."""
+    count = boxes.index.shape[1]
+    chunks = [bound(boxes.only(slice(start, start + CHUNK))) for start in range(0, count, CHUNK)]
+    return [np.concatenate(column) for column in zip(*chunks)]
+
+
+def supremum(bound: Bound, boxes: Boxes, levels: int, tolerance: float = 1e-6, exchange: int | None = None,
+             most: int = 200_000) -> float:
+    """An upper bound over the boxes. `bound` gives one for each box, and what the supremum is at least: a box
+    whose bound is above the largest of these by more than the tolerance is halved, down to a level or until there are
+    too many boxes. Every box that is not halved counts with its bound. From the axis `exchange` on, axes may be
+    exchanged."""
+    settled = best = 0.0
+    while True:
+        if exchange is not None:
+            boxes = boxes.sorted_from(exchange)
+        upper, lower = in_chunks(bound, boxes)
+        best = max(best, float(lower.max()))
+        rest = upper > best * (1 + tolerance)
+        if not rest.any() or boxes.level >= levels or rest.sum() << boxes.dims > most:
+            return max(settled, float(upper.max())) * SAFE
+        settled = max(settled, float(upper[~rest].max(initial=0.0)))
+        boxes = boxes.only(rest).halved()
+
+
+def smooth(value: Callable[[np.ndarray], np.ndarray], curvature: Callable[[Boxes], np.ndarray]) -> Bound:
+    """The bound of a value that is a maximum of smooth functions whose second derivatives along the axes, on a box, are
+    in magnitude at most curvatures of which `curvature` gives the sum: multilinear interpolation between the vertices
+    errs by at most 1/8 of that times the side squared."""
+    def bound(boxes: Boxes) -> tuple[np.ndarray, np.ndarray]:
+        attained = np.maximum.reduce([value(point) for point in boxes.vertices()])
+        return attained + curvature(boxes) / 8 * boxes.side ** 2, attained
+    return bound

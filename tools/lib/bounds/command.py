@@ -28,14 +28,13 @@ from bounds.documents import (ACCURACY, EXAMPLES, Everything, Key, missing_quote
 from bounds.gradients import SINE
 from bounds.integers import fade_errors, overshoot
 from bounds.noises import Derived
-from bounds.table import HEAD, PATH, SineBounds, noise_row, sine_row
+from bounds.table import HEAD, PATH, SineBounds, noise_row, sine_row, slope_row
 from tables.inc import TableError
 from tree import ROOT
 
 
 def keys() -> list[Key]:
-    return [(name, dims, gradient) for name in noises.names() for gradient in noises.find(name).GRADIENTS
-            for dims in noises.find(name).DIMENSIONS]
+    return [(name, dims, gradient) for name in noises.names() for dims, gradient in noises.find(name).CASES]
 
 
 def derive_one(index: int) -> Derived:
@@ -52,6 +51,7 @@ def derive() -> Everything:
 def rendered(derived: Everything) -> str:
     """The table that the suite includes."""
     rows = [noise_row(of_noise.bounds(*key)) for key, of_noise in derived.items()]
+    rows += [slope_row(of_noise.slope.bounds(*key)) for key, of_noise in derived.items() if of_noise.slope]
     rows.append(sine_row(SineBounds(SINE.component_error, sine.fixed_sine_error())))
     return HEAD + "".join(rows)
 

@@ -9,11 +9,10 @@ from collections.abc import Callable
 from pathlib import Path
 
 from bounds import noises, sine, sums
-from bounds.floats import UNIT as FLOAT_UNIT
 from bounds.gradients import GRADIENTS, SINE, Gradient
-from bounds.integers import fade_errors
+from bounds.integers import fade_errors, slope_errors, spline_weight_error
 from bounds.noises import Derived
-from bounds.table import scientific, shortest
+from bounds.table import rounded_up, scientific, shortest
 from tables import glsl
 from tables.markdown import table, with_section
 from tree import ROOT
@@ -29,18 +28,37 @@ NOISE_OF_SUMS = "perlin"  # unless the user names another
 
 def name_of(key: Key) -> str:
     noise, dims, gradient = key
-    return f"`hn_{noise}(vec{dims})`" + (f", {gradient.name}" if gradient else "")
+    position = f"vec{dims}" if dims > 1 else "float"
+    return f"`hn_{noise}({position})`" + (f", {gradient.name}" if gradient else "")
 
 
-def noise_table(derived: Everything) -> str:
+def values_of(derived: Everything) -> Everything:
+    """Without the noises that return derivatives: their values are those of another."""
+    return {key: of_noise for key, of_noise in derived.items() if not of_noise.slope}
+
+
+def slopes_of(derived: Everything) -> Everything:
+    """The derivatives."""
+    return {key: of_noise.slope for key, of_noise in derived.items() if of_noise.slope}
+
+
+def _bounds_table(derived: Everything, largest: str) -> str:
     rows = []
     for key, of_noise in derived.items():
         row = of_noise.bounds(*key).rounded()
         rows.append([name_of(key), shortest(of_noise.range, 6), f"{row.lipschitz:.2f}", scientific(of_noise.cell_error),
                      scientific(of_noise.error), f"{row.limit:g}", scientific(of_noise.fixed_error),
                      f"{row.fixed_limit:g}"])
-    return table(("", "range, exact", "L", "fast and precise: from a cell", "from a position", "largest value",
-                  "fixed: error", "largest value"), rows)
+    return table(("", "range, exact", "L", "fast and precise: from a cell", "from a position", largest,
+                  "fixed: error", largest), rows)
+
+
+def noise_table(derived: Everything) -> str:
+    return _bounds_table(values_of(derived), "largest value")
+
+
+def slope_table(derived: Everything) -> str:
+    return _bounds_table(slopes_of(derived), "largest derivative")
 
 
 EXAMPLES = (  # of octave sums: a title, then kind, dimensions, p_max, octaves, lacunarity, gain, exact_positions
@@ -65,7 +83,7 @@ def sums_table(derived: Everything) -> str:
     return table(("", *head), rows)
 
 
-def parts_table(derived: Everything) -> str:
+def _parts_table(derived: Everything) -> str:
     """In units of 1e-6."""
     def number(value: float) -> str:
         return f"{math.ceil(value * 1e7) / 10:.1f}" if value else ""
@@ -75,7 +93,17 @@ def parts_table(derived: Everything) -> str:
                                 for key, of_noise in derived.items()])
 
 
-TABLES: dict[str, Callable[[Everything], str]] = {"noises": noise_table, "sums": sums_table, "parts": parts_table}
+def parts_table(derived: Everything) -> str:
+    return _parts_table(values_of(derived))
+
+
+def slope_parts_table(derived: Everything) -> str:
+    return _parts_table(slopes_of(derived))
+
+
+TABLES: dict[str, Callable[[Everything], str]] = {
+    "noises": noise_table, "derivatives": slope_table, "sums": sums_table, "parts": parts_table,
+    "parts of derivatives": slope_parts_table}
 
 
 def with_tables(text: str, derived: Everything) -> str:
@@ -88,6 +116,13 @@ def with_tables(text: str, derived: Everything) -> str:
 # --- Prose ------------------------------------------------------------------------------------------------------------
 
 
+def overflow() -> float:
+    """How much of 2^31 the largest of the intermediates that are not checked as evaluated takes."""
+    largest = max(value for name in noises.names() for case in noises.find(name).CASES
+                  for value in noises.find(name).largest_intermediates(*case).values())
+    return float(rounded_up(largest / 2**31, 2))
+
+
 def quotes(derived: Everything) -> list[tuple[str, str]]:
     """Pairs of a file and what must stand in it."""
     plane, space = (derived[NOISE_OF_SUMS, dims, GRADIENTS[0]] for dims in (2, 3))
@@ -98,7 +133,10 @@ def quotes(derived: Everything) -> list[tuple[str, str]]:
               for dims in (2, 3)]
     stated.append((ACCURACY, f"in floats at most {limits[0]}, {limits[1]}"))
     stated += [(ACCURACY, text) for text in (
-        f"{scientific(-fade_errors().min())} too small", f"{scientific(fade_errors().max())} too large",
+        f"by -{scientific(-slope_errors().min())} to {scientific(slope_errors().max())},",
+        f"the sum {scientific(spline_weight_error())} along",
+        f"in 3D: {overflow():g} * 2^31", f"{scientific(-fade_errors().min())} too small",
+        f"{scientific(fade_errors().max())} too large",
         *(f"{c:.8f}" for c in sine.SINE_DECIMALS), f"{round(sine.SINE_ARGUMENT_ERROR * 2**30)} / 2^30",
         f"times that, {scientific(math.pi / 2 * sine.SINE_ARGUMENT_ERROR)}",
         f"\n{scientific(sine.sine_truncation_bound())} at most", f"|s - sin| <= {scientific(sine.sine_bound())}",
@@ -122,8 +160,16 @@ def missing_quotes(derived: Everything, root: Path = ROOT) -> list[str]:
 # --- The comments of the library --------------------------------------------------------------------------------------
 
 # What a number belongs to, in reading order: a heading, a knob, or a number.
-WORD = re.compile(r"^   ?(?P<heading>[a-z]+)  |HN_FIXED|HN_GRADIENT_SINE|(?P<error>\d\.\d+e-\d+)|(?P<range>\d\.\d{3,})",
-                  re.MULTILINE)
+# The range of a derivative has few decimals, and is known by its brackets.
+WORD = re.compile(r"^   ?(?P<heading>[a-z]+)  |HN_FIXED|HN_GRADIENT_SINE|(?P<error>\d\.\d+e-\d+)"
+                  r"|(?P<range>\d\.\d{3,}|(?<=\[-)\d\.\d+|\d\.\d+(?=\]))", re.MULTILINE)
+REFERS = re.compile(r"^   ?error  +as ", re.MULTILINE)  # to another comment, instead of a number
+
+
+def of_function(function: glsl.Declaration, gradient: Gradient, derived: Everything) -> Derived:
+    noise, position = function.name.removeprefix("hn_"), function.types[0]
+    dims = int(position[-1]) if position[-1].isdigit() else 1
+    return derived.get((noise, dims, gradient)) or derived[noise, dims, None]
 
 
 def derived_for(function: glsl.Declaration, kind: str, fixed: bool, gradient: Gradient,
@@ -131,8 +177,12 @@ def derived_for(function: glsl.Declaration, kind: str, fixed: bool, gradient: Gr
     """What a number in the comment of a function should be, rounded up: an "error", or the end of a "range"."""
     noise = function.name.removeprefix("hn_")
     if noise in noises.names():
-        dims, takes_cell = int(function.types[0][-1]), function.types[0].startswith("i")
-        of_noise = derived.get((noise, dims, gradient)) or derived[noise, dims, None]
+        takes_cell = function.types[0].startswith("i")
+        of_noise = of_function(function, gradient, derived)
+        if of_noise.slope:  # the value is that of another noise
+            of_noise = of_noise.slope
+            if kind == "range":
+                return max(of_noise.largest, of_noise.fixed_largest)
         if kind == "range":
             return of_noise.range
         return of_noise.fixed_error if fixed else of_noise.cell_error if takes_cell else of_noise.error
@@ -146,6 +196,11 @@ def derived_for(function: glsl.Declaration, kind: str, fixed: bool, gradient: Gr
 def wrong_numbers(function: glsl.Declaration, derived: Everything) -> dict[tuple, str]:
     """What is wrong in the comment over a function, by the line, the number and what is right."""
     messages, fixed, gradient = {}, False, GRADIENTS[0]
+    text = "\n".join(function.comment.lines)
+    if (function.name.removeprefix("hn_") in noises.names() and not REFERS.search(text)
+            and not any(word["error"] for word in WORD.finditer(text))):
+        place = f"{function.path}:{function.comment.line}"
+        messages[place, "", ""] = f"{place}: the comment over {function} states no error"
     for offset, text in enumerate(function.comment.lines):
         for word in WORD.finditer(text):
             if word["heading"]:

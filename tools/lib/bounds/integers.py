@@ -1,8 +1,8 @@
-"""What the fixed arithmetic (HN_FIXED, docs/contract.md, section 8) does to a noise of lattice points.
+"""What the fixed arithmetic (HN_FIXED, docs/contract.md, sections 8 to 11) does to a noise of lattice points.
 
 What depends on a single fraction is computed here for each of the 2^20 + 1 fractions F, in the integers of the
-contract: the fade t of F, and how much an interpolation by t rounds. The rest is proven over boxes of fractions. Two
-things move the value of every such noise:
+contract: the fade t of F, its slope, the weights of the spline, and how much a product with each of them rounds. The
+rest is proven over boxes of fractions. Two things move the value of every interpolated noise:
 
     FADE     t is off by e(F). The corners' values n_o being given, this moves the noise by sum_o (w_o(t) - w_o(s)) n_o,
              and by at most sum_o |w_o(t) - w_o(s)| h(d_o), h the largest that n_o can be at the offset d_o. Along e_j
@@ -14,9 +14,15 @@ things move the value of every such noise:
              errors of a and b with the weights 1 - t and t, whose magnitudes make 1 plus what t leaves [0, 1] by,
              twice; so a level adds at most its own rounding.
 
-In a box FADE is smooth up to the choice of the corners' values, and bounded as in boxes.py by its values at the
-vertices and its second derivatives.
+In a derivative the slope of a fade is off, too, by e'(F). It is sum_o g_o.v_o with the v_o of SLOPE in suprema.py, so
+FADE moves it by at most sum_o h(change of v_o), which is convex along each e_j and along e'.
+
+In a box FADE is smooth up to the choice of the corners' values, and bounded as in suprema.py by its values at the
+vertices and its second derivatives. The change of the weights is a sum over the non-empty sets of axes whose factor is
++-e_i instead of a weight. At 1 - f the fade is off by -e and its slope by e', so half of the cell is enough.
 """
+
+from __future__ import annotations
 
 import functools
 import itertools
@@ -24,13 +30,13 @@ import math
 
 import numpy as np
 
-from bounds.boxes import FADE_1, FADE_2, corners, fade
+from bounds.boxes import SAFE, Boxes, corners, fade, fade_derivative, grid, in_chunks, largest_derivative
+from bounds.gradients import Gradient
 
 ONE = 2**20  # I of the contract: the unit of fractions
-FADE_ONE = 2**18  # the unit of t
+FADE_ONE = 2**18  # the unit of t, of slopes and of the weights of the spline
 UNIT = 2.0**-21  # of a result
-BOXES = {2: 512, 3: 128}  # along an axis
-SLAB = 4  # of them at a time: so few stay in the processor's cache
+SLOPE_UNIT = 2.0**-19  # of a derivative
 DOUBLE = 1e-15  # more than the rounding error of the exact fade in doubles
 
 
@@ -49,12 +55,21 @@ def word(values):
     return checked(values, 0, 2**32)
 
 
-# --- The fade ---------------------------------------------------------------------------------------------------------
+# --- Of each fraction -------------------------------------------------------------------------------------------------
+
+@functools.cache
+def fractions():
+    return np.arange(ONE + 1, dtype=np.int64)
+
+
+def nearer_end(fraction):
+    """x of the contract, in units of 2^-17."""
+    return np.minimum(np.minimum(fraction, ONE - fraction) + 4, 2**19 - 1) >> 3
+
 
 def fixed_fade(fraction):
     """t of the contract, in units of 2^-18."""
-    g = np.minimum(fraction, ONE - fraction)
-    x = np.minimum(g + 4, 2**19 - 1) >> 3
+    x = nearer_end(fraction)
     s = word(x * x)
     z = word(s + 2**15) >> 16
     r = word(1572864 - 30 * x + 6 * z) >> 2
@@ -63,16 +78,52 @@ def fixed_fade(fraction):
     return np.where(fraction > 2**19, FADE_ONE - t, t)
 
 
+def fixed_slope(fraction):
+    """The slope of the fade, in units of 2^-18."""
+    x = nearer_end(fraction)
+    q = word(x * (2**17 - x)) >> 16
+    return word((word(q * q) >> 4) * 15 + 4096) >> 13
+
+
+def sixth_of_cube(x):
+    square = word(x * x)
+    return word((square >> 15) * x + (word((square & 32767) * x) >> 15)) // 6
+
+
+def fixed_spline(fraction):
+    """b_-1 to b_2 of the contract, in units of 2^-18."""
+    x = word(fraction + 16) >> 5
+    before, after = sixth_of_cube(2**15 - x), sixth_of_cube(x)
+    first, last = word(before + 2**11) >> 12, word(after + 2**11) >> 12
+    second = word(word(715829931 + 3 * after) - word(x * x)) >> 12
+    return np.array([first, second, FADE_ONE - first - second - last, last])
+
+
 @functools.cache
 def fades():
     """t of every fraction."""
-    return fixed_fade(np.arange(ONE + 1, dtype=np.int64))
+    return fixed_fade(fractions())
+
+
+@functools.cache
+def slopes():
+    return fixed_slope(fractions())
+
+
+@functools.cache
+def splines():
+    return fixed_spline(fractions())
 
 
 @functools.cache
 def fade_errors():
     """t - s(f) of every fraction."""
-    return fades() / FADE_ONE - fade(np.arange(ONE + 1) / ONE)
+    return fades() / FADE_ONE - fade(fractions() / ONE)
+
+
+@functools.cache
+def slope_errors():
+    return slopes() / FADE_ONE - fade_derivative(1, fractions() / ONE)
 
 
 def overshoot():
@@ -85,78 +136,239 @@ def fade_keeps_to_its_side():
     return fades()[:ONE // 2].max() <= FADE_ONE // 2 <= fades()[ONE // 2 + 1:].min()
 
 
+def part_roundings(factors):
+    """How far a product of the contract, part(d, t), rounds, in units of d: down, or up where t < 0."""
+    return 511 / 512 * np.abs(factors >> 9) + (factors & 511)
+
+
+@functools.cache
 def lerp_roundings():
-    """For every fraction, how far an interpolation by its t rounds, in units of a ramp: down, or up where t < 0."""
-    high, low = fades() >> 9, fades() & 511
-    return 511 / 512 * np.abs(high) + low
+    """For every fraction, how far an interpolation by its t rounds."""
+    return part_roundings(fades())
+
+
+@functools.cache
+def mirrored_lerp_roundings():
+    """The larger one of those of f and 1 - f."""
+    return np.maximum(lerp_roundings(), lerp_roundings()[::-1])
 
 
 # --- Boxes ------------------------------------------------------------------------------------------------------------
 
-def by_box(values, boxes, reduce):
-    """min or max (`reduce`) of the values over the fractions of each of the boxes along an axis, ends included."""
-    inner = reduce.reduce(values[:-1].reshape(boxes, -1), axis=1)
-    return reduce(inner, values[ONE // boxes::ONE // boxes])
+# The levels of boxes: of all of them, and of those that are nearly the worst.
+COARSE, FINE = {1: 12, 2: 8, 3: 6, 4: 5}, {1: 14, 2: 12, 3: 8, 4: 7}
+SLOPE_COARSE, SLOPE_FINE = {1: 12, 2: 8, 3: 5, 4: 4}, {1: 14, 2: 9, 3: 7, 4: 5}
+NEARLY = 0.92
 
 
-def grids(values, dims):
-    """The values along each axis, to be combined by broadcasting."""
-    return np.meshgrid(*[values] * dims, indexing="ij", sparse=True)
+@functools.cache
+def by_level(values, level):
+    """The least and the largest of values() over the fractions of each of 2^level boxes along an axis, ends
+    included."""
+    boxes = 2**level
+    inner = values()[:-1].reshape(boxes, -1)
+    last = values()[ONE // boxes::ONE // boxes]
+    return np.minimum(inner.min(axis=1), last), np.maximum(inner.max(axis=1), last)
 
 
-def vertices_max(values):
-    """For each box the largest of the values at its vertices."""
-    for axis in range(values.ndim):
-        count = values.shape[axis] - 1
-        values = np.maximum(values.take(range(count), axis), values.take(range(1, count + 1), axis))
-    return values
+def ends(values, boxes: Boxes) -> list[np.ndarray]:
+    """Both, along each axis of the boxes."""
+    return [of_box[boxes.index] for of_box in by_level(values, boxes.level)]
 
 
 def weight(corner, fade_values):
     return math.prod(s if o else 1 - s for o, s in zip(corner, fade_values))
 
 
-@functools.cache
-def fade_effect(dims, largest):
-    """For each box, a bound of FADE. `largest` maps offsets to h, the maximum of affine functions of them. Of
-    sum_o +-(w_o(s + e) - w_o(s)) (f_i - o_i), for any signs and any i at each corner, the second derivative along an
-    axis j is at most (2 FADE_2 + 4 FADE_1) times the product over the other axes of 1 + 2 |e_i|, less 1: the change of
-    the weights is a sum over the non-empty sets of axes whose factor is +-e_i instead of a weight, j not among them."""
-    boxes = BOXES[dims]
-    ends = [grids(by_box(fade_errors(), boxes, reduce), dims) for reduce in (np.minimum, np.maximum)]
-    effect = np.zeros([boxes] * dims)
-    for vertex, start in itertools.product(corners(dims), range(0, boxes, SLAB)):
-        slab = slice(start, start + SLAB)
-        f = [x + v / boxes for x, v in zip(grids(np.arange(boxes) / boxes, dims), vertex)]
-        f[0] = f[0][slab]
-        s = [fade(x) for x in f]
-        of_corners = [(corner, weight(corner, s), largest([x - o for x, o in zip(f, corner)]))
-                      for corner in corners(dims)]
+def _magnitudes(boxes: Boxes, values=fade_errors):
+    return np.maximum.reduce([abs(end) for end in ends(values, boxes)])
+
+
+def _but(product, *axes):
+    """The product over the other axes."""
+    kept = [factor for axis, factor in enumerate(product) if axis not in axes]
+    return math.prod(kept) if kept else 1.0
+
+
+def _largest(boxes: Boxes) -> list[np.ndarray | None]:
+    """Bounds of the derivatives of s in each box, by their order, from 1 to 3."""
+    return [None, *(largest_derivative(order, boxes.lo, boxes.hi) for order in (1, 2, 3))]
+
+
+def fade_effect(boxes: Boxes, gradient: Gradient | None) -> np.ndarray:
+    """For each box, a bound of FADE, with gradients or with numbers within +-1."""
+    errors, dims, effect = ends(fade_errors, boxes), boxes.dims, 0.0
+    for point in boxes.vertices():
+        s = fade(point)
+        h = {corner: gradient.support(point - np.array(corner)[:, None]) if gradient else 1.0
+             for corner in corners(dims)}
+        exact = {corner: weight(corner, s) for corner in corners(dims)}
         for pick in corners(dims):
-            errors = [ends[end][axis] for axis, end in enumerate(pick)]
-            moved = [x + e for x, e in zip(s, [errors[0][slab], *errors[1:]])]
-            change = sum(np.abs(weight(corner, moved) - exact) * h for corner, exact, h in of_corners)
-            effect[slab] = np.maximum(effect[slab], change)
-    error = np.abs(fade_errors()).max()
-    curvature = (2 * FADE_2 + 4 * FADE_1) * ((1 + 2 * error) ** (dims - 1) - 1) * largest([1.0] * dims)
+            t = [s[axis] + errors[end][axis] for axis, end in enumerate(pick)]
+            change = sum(np.abs(weight(corner, t) - exact[corner]) * h[corner] for corner in corners(dims))
+            effect = np.maximum(effect, change)
+    grown, slope, curve = 1 + 2 * _magnitudes(boxes), *_largest(boxes)[1:3]
+    curvature = 0.0
+    for axis in range(dims):
+        others = _but(grown, axis) - 1
+        curvature = curvature + 2 * curve[axis] * others * (gradient.reach(dims) if gradient else 1.0)
+        if gradient:
+            curvature = curvature + 4 * slope[axis] * others
     # DOUBLE * 2^n corners: what the rounding of the exact fade may add.
-    return effect + curvature / 8 * dims / boxes**2 + DOUBLE * 2**dims * dims
+    return effect + curvature / 8 * boxes.side**2 + DOUBLE * 2**dims * dims
 
 
-def rounding_effect(dims, of_corner=0):
+def slope_fade_effect(boxes: Boxes, gradient: Gradient) -> np.ndarray:
+    """For each box, a bound of FADE of the derivative along the first axis."""
+    errors, dims, effect = ends(fade_errors, boxes), boxes.dims, 0.0
+    slope_ends = [end[0] for end in ends(slope_errors, boxes)]
+    for point in boxes.vertices():
+        s, ds = fade(point), fade_derivative(1, point[0])
+        exact = {corner: weight(corner, s) for corner in corners(dims)}
+        offsets = {corner: point - np.array(corner)[:, None] for corner in corners(dims)}
+        for pick, slope_end in itertools.product(corners(dims), slope_ends):
+            t = [s[axis] + errors[end][axis] for axis, end in enumerate(pick)]
+            change = 0.0
+            for corner in corners(dims):
+                sign, rest = 2 * corner[0] - 1, corner[1:]
+                climb = sign * ((ds + slope_end) * weight(rest, t[1:]) - ds * weight(rest, s[1:]))
+                v = climb * offsets[corner]
+                v[0] += weight(corner, t) - exact[corner]
+                change = change + gradient.support(v)
+            effect = np.maximum(effect, change)
+    return effect + _slope_fade_curvature(boxes, gradient.reach(dims)) / 8 * boxes.side**2 + DOUBLE * 4**dims * dims
+
+
+def _slope_fade_curvature(boxes: Boxes, reach: float) -> np.ndarray:
+    """The second derivatives of sum_o g_o.(change of v_o). With v_o = (d_1 w) d + w e and offsets d that grow by 1, it
+    is h(1, .., 1) times the second derivative of d_1 w, and twice its first, and the second of w. Along the first axis
+    s' of d_1 w is differentiated, of which the change has the factor of the others; along another the change has the
+    factors s' + e' and 1 + 2 e, less what is exact."""
+    grown, slope_error = 1 + 2 * _magnitudes(boxes), _magnitudes(boxes, slope_errors)[0]
+    largest, total = _largest(boxes), 0.0
+    for axis in range(boxes.dims):
+        if axis == 0:
+            first, second = (2 * largest[order][0] * (_but(grown, 0) - 1) for order in (2, 3))
+        else:
+            others = 2 * ((largest[1][0] + slope_error) * _but(grown, 0, axis) - largest[1][0])
+            first, second = (2 * largest[order][axis] * others for order in (1, 2))
+        total = total + reach * second + 2 * first + 2 * largest[2][axis] * (_but(grown, axis) - 1)
+    return total
+
+
+def rounding_effect(boxes: Boxes, of_corner: float = 0) -> np.ndarray:
     """For each box, a bound of LERP in units of the corners' values, which are themselves rounded by `of_corner`."""
-    lerps = sum(grids(by_box(lerp_roundings(), BOXES[dims], np.maximum), dims))
-    return (lerps + of_corner) * (1 + 2 * overshoot()) ** dims
+    lerps = ends(mirrored_lerp_roundings, boxes)[1].sum(axis=0)
+    return (lerps + of_corner) * (1 + 2 * overshoot()) ** boxes.dims
+
+
+def largest_effect(of_boxes, dims: int, exchange: int = 0, coarse=None, fine=None) -> float:
+    """The largest of what is given for each box. Those with nearly the largest are halved, to be tighter."""
+    coarse, fine = coarse or COARSE, fine or FINE
+    boxes, settled = grid(dims, coarse[dims]).sorted_from(min(exchange, dims - 1)), 0.0
+    while boxes.level < fine[dims]:
+        of_box, = in_chunks(lambda some: (of_boxes(some),), boxes)
+        nearly = of_box > NEARLY * of_box.max()
+        settled = max(settled, float(of_box[~nearly].max(initial=0.0)))
+        boxes = boxes.only(nearly).halved().sorted_from(min(exchange, dims - 1))
+    return max(settled, float(in_chunks(lambda some: (of_boxes(some),), boxes)[0].max())) * SAFE
+
+
+@functools.cache
+def largest_fade_effect(dims: int, gradient: Gradient | None) -> float:
+    return largest_effect(functools.partial(fade_effect, gradient=gradient), dims) if dims else 0.0
+
+
+@functools.cache
+def largest_slope_fade_effect(dims: int, gradient: Gradient) -> float:
+    effect = functools.partial(slope_fade_effect, gradient=gradient)
+    return largest_effect(effect, dims, 1, SLOPE_COARSE, SLOPE_FINE)
+
+
+@functools.cache
+def largest_joint_effect(dims: int, gradient: Gradient | None, one: int, of_corner: float = 0) -> float:
+    """Of FADE and LERP together; `one` is the unit of the corners' values."""
+    def both(boxes):
+        return fade_effect(boxes, gradient) + rounding_effect(boxes, of_corner) / one
+    return largest_effect(both, dims)
+
+
+def largest_rounding(dims: int, of_corner: float = 0) -> float:
+    """Of LERP alone."""
+    return (dims * float(lerp_roundings().max()) + of_corner) * (1 + 2 * overshoot()) ** dims
+
+
+# --- Derivatives ------------------------------------------------------------------------------------------------------
+
+def slope_rounding(dims: int, of_corner: float, gradients: bool) -> float:
+    """A bound of what derivatives round by, in units four times as large as those of the ramps, or numbers. Every shift
+    by 2 rounds down by at most 3/4. After k interpolations a ramp is rounded down by at most k lambda, lambda the
+    largest rounding of LERP, and that of the corner, and so a rise is off by that at most, up or down; what is
+    interpolated of the gradient by lambda more, along its own axis. The product with the slope has its own rounding,
+    and what is made is interpolated along the axes behind. For numbers, the rise along x is first interpolated along
+    y."""
+    lerp, product = float(lerp_roundings().max()), float(part_roundings(slopes()).max())
+    steepest, worst = slopes().max() / FADE_ONE, 0.0
+    for axis in range(dims):
+        behind = dims - 1 - axis
+        rise = (axis * lerp + of_corner) / 4 + 3 / 4
+        if gradients:
+            own = ((axis + 1) * lerp) / 4 + 3 / 4
+        else:
+            own = 0.0
+            if axis == 0 and dims > 1:
+                rise, behind = rise + lerp, behind - 1
+        worst = max(worst, own + steepest * rise + product + behind * lerp)
+    return worst * (1 + 2 * overshoot()) ** dims
+
+
+# --- The spline -------------------------------------------------------------------------------------------------------
+
+SPLINE_STEP = 2.0**-15  # the unit of x
+
+
+@functools.cache
+def spline_weight_error() -> float:
+    """The sum of the four |errors| of the weights at x, at its largest over all x."""
+    x = np.arange(2**15 + 1) * SPLINE_STEP
+    y = 1 - x
+    exact = np.array([y**3 / 6, 2 / 3 - x**2 + x**3 / 2, 2 / 3 - y**2 + y**3 / 2, x**3 / 6])
+    fixed = fixed_spline(np.arange(2**15 + 1, dtype=np.int64) << 5) / FADE_ONE
+    return float(np.abs(fixed - exact).sum(axis=0).max()) + 4 * DOUBLE
+
+
+@functools.cache
+def spline_rounding() -> float:
+    """What four products with the weights of a fraction round down by, at most."""
+    return float(part_roundings(splines()).sum(axis=0).max())
 
 
 # --- Overflow ---------------------------------------------------------------------------------------------------------
 
-def interpolation_intermediates(corner, dims):
+def part_intermediate(value: float, factors) -> float:
+    """The magnitude of part(d, t) for |d| up to `value`: the first product is at most (|d| / 2^9 + 1) (t >> 9), the
+    second below (|d| / 2^18 + 1) * 511; their sum may be taken of both magnitudes."""
+    return (value / 2**9 + 1) * ((int(np.abs(factors).max()) >> 9) + 1) + (value / 2**18 + 1) * 511
+
+
+def interpolation_intermediates(corner: float, dims: int) -> dict[str, float]:
     """By name, bounds of the magnitudes in the interpolation of corners' values of at most `corner`. Interpolated
-    values stay as large, with LERP. The first product is at most (|d| / 2^9 + 1) (t >> 9), the second half of the
-    interpolation below (|d| / 2^18 + 1) * 511; their sum may be taken of both magnitudes."""
+    values stay as large, with LERP."""
     value = corner + dims * lerp_roundings().max() + 2 * corner * overshoot() * dims
     difference = 2 * value
-    t = int(np.abs(fades()).max())
-    lerp = (difference / 2**9 + 1) * ((t >> 9) + 1) + (difference / 2**18 + 1) * 511
-    return {"value": value, "difference": difference, "lerp": lerp}
+    return {"value": value, "difference": difference, "lerp": part_intermediate(difference, fades())}
+
+
+def slope_intermediates(corner: float, gradient: float, dims: int) -> dict[str, float]:
+    """The same of the derivatives that are interpolated with the values; components of gradients are at most
+    `gradient`. (A rise is a difference of interpolation_intermediates, shifted.)"""
+    rise = interpolation_intermediates(corner, dims)["difference"] / 4 + 1
+    climb = part_intermediate(rise, slopes())
+    made = (gradient + dims * lerp_roundings().max()) / 4 + 1 + climb
+    return {"climb": climb, **{f"derivative's {name}": value for name, value in
+                               interpolation_intermediates(made, dims).items()}}
+
+
+def scaled_intermediate(value: float, scale: int) -> float:
+    """((n + 256) >> 9) * S + 256."""
+    return (value / 2**9 + 1) * scale + 256

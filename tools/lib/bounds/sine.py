@@ -18,7 +18,7 @@ import math
 
 import numpy as np
 
-from bounds.boxes import SAFE, smooth_bound, supremum
+from bounds.boxes import SAFE, Bound, Boxes, cell, smooth, supremum
 from bounds.floats import Approx, to_float
 from bounds.integers import DOUBLE, word
 
@@ -38,7 +38,7 @@ def sine_polynomial(x):
 
 def sine_truncation(point):
     """What the polynomial, in exact arithmetic, is off by."""
-    return abs(sine_polynomial(point[0]) - math.sin(math.pi / 2 * point[0]))
+    return abs(sine_polynomial(point[0]) - np.sin(math.pi / 2 * point[0]))
 
 
 def sine_curvature():
@@ -47,39 +47,49 @@ def sine_curvature():
     return polynomial, polynomial + (math.pi / 2) ** 2
 
 
-def approx_sine_factors(box, ulps):
+def approx_sine_factors(lo, hi, ulps):
     """x, and the bracket that it is multiplied with last."""
-    x = Approx(*box[0], 0.0, ulps)
-    t = x.times(x).clipped(box[0][0] ** 2, box[0][1] ** 2)
+    x = Approx(lo, hi, 0.0, ulps)
+    t = x.times(x).clipped(lo**2, hi**2)
     c1, c3, c5, c7 = SINE_COEFFICIENTS
     inner = t.times(Approx(c7, c7, 0.0, ulps)).plus(c5)
     return x, t.times(t.times(inner).plus(c3)).plus(c1)
 
 
+def _largest(bound: Bound) -> float:
+    return supremum(bound, cell(1), 24, 1e-4)
+
+
+def _float_error(lo, hi, ulps):
+    x, bracket = approx_sine_factors(lo, hi, ulps)
+    return x.times(bracket).err
+
+
 def sine_bound(ulps=1.0):
     """A proven upper bound of |s - sin| for the sine of the gradient, at the exact argument."""
-    curvature = sine_curvature()[1]
+    truncation = smooth(sine_truncation, lambda boxes: sine_curvature()[1])
 
-    def bound(box):
-        x, bracket = approx_sine_factors(box, ulps)
-        return x.times(bracket).err + smooth_bound(sine_truncation, curvature, box)
-    return supremum(bound, ((0.0, 1.0),), 4000) * SAFE + math.pi / 2 * SINE_ARGUMENT_ERROR + DOUBLE_SINE
+    def bound(boxes: Boxes):
+        middle = (boxes.lo + boxes.hi) / 2
+        return (truncation(boxes)[0] + _float_error(boxes.lo[0], boxes.hi[0], ulps),
+                sine_truncation(middle) + _float_error(middle[0], middle[0], ulps))
+    return _largest(bound) + math.pi / 2 * SINE_ARGUMENT_ERROR + DOUBLE_SINE
 
 
 def sine_truncation_bound():
     """A proven upper bound of what the polynomial alone is off by."""
-    bound = functools.partial(smooth_bound, sine_truncation, sine_curvature()[1])
-    return supremum(bound, ((0.0, 1.0),), 4000) * SAFE + DOUBLE_SINE
+    return _largest(smooth(sine_truncation, lambda boxes: sine_curvature()[1])) + DOUBLE_SINE
 
 
 def sine_largest(ulps=1.0):
     """A proven upper bound of s before its last rounding. If that is at most 1, which is a float, then so is s."""
-    curvature = sine_curvature()[0]
+    polynomial = smooth(lambda point: sine_polynomial(point[0]), lambda boxes: sine_curvature()[0])
 
-    def bound(box):
-        x, bracket = approx_sine_factors(box, ulps)
-        return smooth_bound(lambda point: sine_polynomial(point[0]), curvature, box) + x.hi * bracket.err
-    return supremum(bound, ((0.0, 1.0),), 4000) + DOUBLE_SINE
+    def bound(boxes: Boxes):
+        x, bracket = approx_sine_factors(boxes.lo[0], boxes.hi[0], ulps)
+        upper, lower = polynomial(boxes)
+        return upper + x.hi * bracket.err, lower
+    return supremum(bound, cell(1), 24, 0.0) + DOUBLE_SINE
 
 
 # --- In integers ------------------------------------------------------------------------------------------------------

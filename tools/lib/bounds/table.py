@@ -7,7 +7,7 @@ from decimal import ROUND_CEILING, Decimal
 from functools import cache
 from pathlib import Path
 
-from tables.inc import read_rows
+from tables.inc import Row, read_rows
 from tree import BOUNDS
 
 PATH = BOUNDS
@@ -23,6 +23,8 @@ HEAD = """\
 //   limit         how large it can be, exact as well as computed in floats
 //   fixed_...     the same of fixed arithmetic
 //
+//   SLOPE_BOUNDS(the same fields)      of each component of a derivative, with its own units
+//
 //   SINE_BOUNDS(error, fixed_error)    of a component of the sine gradient
 
 """
@@ -30,7 +32,7 @@ HEAD = """\
 
 @dataclass(frozen=True)
 class Bounds:
-    """A row of the table: a noise in a number of dimensions, with a kind of gradient."""
+    """A row of the table: a noise in a number of dimensions, with a kind of gradient, or its derivatives."""
     noise: str
     dimensions: int
     gradient: str
@@ -73,36 +75,54 @@ def shortest(value: float, digits: int) -> str:
     return text.rstrip("0").rstrip(".") if "." in text else text
 
 
-def noise_row(bounds: Bounds) -> str:
+def _row(macro: str, bounds: Bounds) -> str:
     """A line of the table, of bounds that are not rounded yet."""
     fields = [f'"{bounds.noise}"', str(bounds.dimensions), bounds.gradient, scientific(bounds.cell_error),
               scientific(bounds.error), str(rounded_up(bounds.lipschitz, 3)), str(bounds.rounded().limit),
               scientific(bounds.fixed_error), str(bounds.rounded().fixed_limit)]
-    return f"NOISE_BOUNDS({', '.join(fields)})\n"
+    return f"{macro}({', '.join(fields)})\n"
+
+
+def noise_row(bounds: Bounds) -> str:
+    return _row("NOISE_BOUNDS", bounds)
+
+
+def slope_row(bounds: Bounds) -> str:
+    return _row("SLOPE_BOUNDS", bounds)
 
 
 def sine_row(bounds: SineBounds) -> str:
     return f"SINE_BOUNDS({bounds.error.hex().replace('1.0000000000000p', '1p')}, {scientific(bounds.fixed_error)})\n"
 
 
-def read(path: Path = PATH) -> list[Bounds]:
-    """The rows of the table, which hold rounded numbers."""
-    lines = []
-    for row in read_rows(path, "NOISE_BOUNDS", 9, frozenset({"SINE_BOUNDS"})):
-        lines.append(Bounds(row.text(0), int(row.word(1)), row.word(2), *map(float, row.arguments[3:])))
-    return lines
+ROWS = {"NOISE_BOUNDS": 9, "SLOPE_BOUNDS": 9, "SINE_BOUNDS": 2}  # with the number of their fields
+
+
+def _rows(path: Path, macro: str) -> list[Row]:
+    return read_rows(path, macro, ROWS[macro], frozenset(ROWS) - {macro})
+
+
+def read(path: Path = PATH, macro: str = "NOISE_BOUNDS") -> list[Bounds]:
+    """The rows of the table, which hold rounded numbers: of values, or with SLOPE_BOUNDS of derivatives."""
+    return [Bounds(row.text(0), int(row.word(1)), row.word(2), *map(float, row.arguments[3:]))
+            for row in _rows(path, macro)]
 
 
 def read_sine(path: Path = PATH) -> SineBounds:
-    row, = read_rows(path, "SINE_BOUNDS", 2, frozenset({"NOISE_BOUNDS"}))
+    row, = _rows(path, "SINE_BOUNDS")
     return SineBounds(float.fromhex(row.arguments[0]), float(row.arguments[1]))
 
 
 @cache
-def bounds_of(noise: str, dimensions: int, gradient: str) -> Bounds:
+def bounds_of(noise: str, dimensions: int, gradient: str, macro: str = "NOISE_BOUNDS") -> Bounds:
     """The row of a noise with a kind of gradient, or of a noise that has none."""
-    for bounds in read():
+    for bounds in read(macro=macro):
         if (bounds.noise, bounds.dimensions) == (noise, dimensions) and bounds.gradient in (gradient, "none"):
             return bounds
     raise LookupError(f"{PATH} has no bounds of {noise} in {dimensions}D with the gradient {gradient}: write "
                       f"tools/lib/bounds/noises/{noise}.py, then run tools/bounds --write")
+
+
+def slope_bounds_of(noise: str, dimensions: int) -> Bounds:
+    """The row of the derivatives of a noise."""
+    return bounds_of(noise, dimensions, "octahedral", "SLOPE_BOUNDS")

@@ -1,7 +1,6 @@
 """What is proven of each noise. A noise is a module of this package, under its name, with
 
-    GRADIENTS           the kinds of gradient that change its values; (None,) if it has no gradients
-    DIMENSIONS          in which it exists
+    CASES               in which it exists: pairs of a number of dimensions and a kind of gradient, None if it has none
     derive(dimensions, gradient) -> Derived
     largest_intermediates(dimensions, gradient) -> dict
                         of fixed arithmetic: by name, bounds of the magnitudes that must stay below 2^31
@@ -32,6 +31,7 @@ class Derived:
     fixed_error: float
     fixed_largest: float
     fixed_parts: dict[str, float]  # of fixed_error, each at its largest
+    slope: Derived | None = None  # the same of each of its derivatives, if it returns them; they have no promise
 
     def bounds(self, noise: str, dimensions: int, gradient: Gradient | None) -> Bounds:
         """Its row of the table. A limit is what the contract promises, unless rounding takes a value beyond."""

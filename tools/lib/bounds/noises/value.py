@@ -1,88 +1,109 @@
-"""hn_value: what is proven of it, from docs/contract.md, section 9.
+"""hn_value: what is proven of it, from docs/contract.md, section 9, and of the derivatives of hn_value_d, from section
+10, which has its entry in value_d.py.
 
-RANGE. The number of a corner is an odd multiple of 2^-16 in (-1, 1), so at most LARGEST. The weights are not negative
-and sum to 1, so the value is at most LARGEST, too, and reaches it at a lattice point. That leaves 2^-16 up to 1.
+RANGE. The number of a corner is within +-1, and -1 occurs. The weights are not negative and sum to 1, so the value is
+within +-1, too. A derivative is s'(f_1) times an interpolation of differences of two numbers: at most
+15/8 * 2.
 
-LIPSCHITZ. The noise is continuously differentiable, so |value(p) - value(q)| <= L max_i |p_i - q_i|, where L is the
-largest L1 norm of its gradient: of sum_j sigma_j d/df_j, over the signs sigma. Reflecting axes makes all signs +1. With
-D = sum_j d/df_j and a corner's number free within +-LARGEST, L = LARGEST * sup_f sum_o |D w_o|. For any one choice of
-signs of the D w_o that sum is smooth. Its second derivative along an axis j is at most sum_o |d_jjj w_o| + the sum over
-the other axes i of sum_o |d_jj d_i w_o|. An axis along which w is not differentiated gives the factor 1 (its two
-weights), another twice the largest derivative of s.
+LIPSCHITZ. See suprema.py. At a corner's number within +-1, L is the largest sum_o |D w_o|.
 
-FLOATS. The numbers are floats, exactly: they have 16 bits. Their interpolation is that of floats.py of the folder
-above. The computed value is LARGEST plus the error at most, which is less than 1.
+FLOATS. A number is computed with 3 added: it has 23 bits in [2, 4), exactly, and the difference of two is exact, too.
+Their interpolation is that of floats.py of the folder above. A value from 2 to 4 less 3 is exact, and so it is where it
+was rounded beyond. The computed value may be beyond +-1 by its error.
 
-FIXED. The numbers are exact in units of 2^-29. The fixed value differs from the exact one by four things:
+FIXED. The fixed value differs from the exact one by five things. FADE and LERP are bounded together, for each box:
 
     CUT      a coordinate is cut to a multiple of 2^-20, by less than that: at most L * 2^-20.
-    FADE     see integers.py. A corner's number is at most LARGEST at any offset.
+    NUMBER   a number has 7 bits more, and so it is larger by less than 2^-22.
+    FADE     see integers.py. A corner's number is at most 1 at any offset.
     LERP     see integers.py.
     SCALE    (n + 128) >> 8 rounds to nearest, by 1/2 unit of 2^-21 at most.
 
-FADE and LERP are bounded together, for each box. Only LERP and SCALE, and t where it leaves [0, 1], take a value out of
-the range of the exact noise, by less than the 2^-16 that are left.
+Of a derivative, the slope s'(f_1) is off by e', and the differences of numbers, at most 2, are interpolated along the
+other axes. With sum_o |change of w_o| over these, which is FADE in one dimension less, that comes to
+2 (|e'| + slope * FADE). NUMBER is at most 15/8 * 2^-22, since the numbers of one side only are too large.
 """
 
 from __future__ import annotations
 
 import functools
 
-from bounds.boxes import FADE_1, FADE_2, FADE_3, SAFE, slope_supremum, supremum, weights_and_slopes
-from bounds.floats import Approx, approx_interpolation, approx_offsets, position_error
+import numpy as np
+
+from bounds import suprema
+from bounds.boxes import FADE_MAX, SAFE
+from bounds.floats import (Approx, approx_interpolation, approx_number_derivatives, approx_offsets, error_supremum,
+                           position_error)
 from bounds.gradients import Gradient
-from bounds.integers import ONE, UNIT, fade_effect, interpolation_intermediates, overshoot, rounding_effect
+from bounds.integers import (FADE_ONE, ONE, SLOPE_UNIT, UNIT, interpolation_intermediates, largest_fade_effect,
+                             largest_joint_effect, largest_rounding, overshoot, slope_errors, slope_intermediates,
+                             slope_rounding, slopes)
 from bounds.noises import Derived
 
-GRADIENTS = (None,)
-DIMENSIONS = (2, 3)
+CASES = tuple((dims, None) for dims in (1, 2, 3, 4))
 
-PROMISE = 1.0  # of the contract
-LARGEST = 1 - 2.0**-16  # a corner's number
+OFFSET = 3.0  # of numbers in floats
 NUMBER_ONE = 2**29  # the unit of such a number in fixed arithmetic
+MORE_BITS = 2.0**-22  # what a fixed number may be larger by
+STEEPEST = 2 * FADE_MAX[1]
 
 
-@functools.cache
-def steepest_slope(point: tuple[float, ...]) -> float:
-    """The largest slope along (1, .., 1) that corners within +-1 give here."""
-    return sum(abs(slope) for _, _, slope in weights_and_slopes(point))
+def numbers_and_fractions(lo, hi, ulps):
+    """Those of the corners, without the offset."""
+    numbers = [Approx(-1.0, 1.0, 0.0, ulps)] * 2 ** len(lo)
+    return numbers, [approx_offsets(a, b, ulps)[0] for a, b in zip(lo, hi)]
 
 
-@functools.cache
-def lipschitz_bound(dims: int) -> float:
-    curvature = 2 * FADE_3 + (dims - 1) * 2 * FADE_2 * 2 * FADE_1
-    return LARGEST * slope_supremum(steepest_slope, curvature, dims)
+def value_error(lo, hi, ulps):
+    """The largest error in floats from a cell and a fraction in each box, given by its ends along each axis."""
+    return approx_interpolation(*numbers_and_fractions(lo, hi, ulps), OFFSET).err
 
 
-def value_error(box: tuple[tuple[float, float], ...], ulps: float) -> float:
-    """The largest error in floats from a cell and a fraction in the box."""
-    numbers = [Approx(-LARGEST, LARGEST, 0.0, ulps)] * 2 ** len(box)
-    return approx_interpolation(numbers, [approx_offsets(lo, hi, ulps)[0] for lo, hi in box]).err
+def slope_error(lo, hi, ulps):
+    derivatives = approx_number_derivatives(*numbers_and_fractions(lo, hi, ulps), OFFSET)
+    return functools.reduce(np.maximum, (derivative.err for derivative in derivatives))
 
 
 @functools.cache
 def error_bound(dims: int, ulps: float = 1.0) -> float:
-    return supremum(functools.partial(value_error, ulps=ulps), ((0.0, 1.0),) * dims, 3000) * SAFE
+    return error_supremum(functools.partial(value_error, ulps=ulps), dims)
 
 
-def largest_number(_: object) -> float:
-    """At any offset."""
-    return LARGEST
+@functools.cache
+def slope_error_bound(dims: int, ulps: float = 1.0) -> float:
+    return error_supremum(functools.partial(slope_error, ulps=ulps), dims)
 
 
 def derive(dims: int, _: Gradient | None) -> Derived:
-    lipschitz, cell_error = lipschitz_bound(dims), error_bound(dims)
+    lipschitz, cell_error = suprema.largest(suprema.LIPSCHITZ, dims, None), error_bound(dims)
     error = position_error(cell_error, lipschitz)
-    fade, lerp, scaling = fade_effect(dims, largest_number), rounding_effect(dims) / NUMBER_ONE, UNIT / 2
-    fixed_error = (lipschitz / ONE + (fade + lerp).max() + scaling) * SAFE
-    fixed_largest = (LARGEST * (1 + 2 * overshoot()) ** dims + lerp.max() + scaling) * SAFE
-    parts = {"cut": lipschitz / ONE, "fade": fade.max(), "interpolation": lerp.max(), "scaling": scaling}
-    return Derived(PROMISE, LARGEST, lipschitz, cell_error, error, LARGEST + error, fixed_error, fixed_largest, parts)
+    lerp = largest_rounding(dims) / NUMBER_ONE
+    parts = {"cut": lipschitz / ONE, "number": MORE_BITS, "fade": largest_fade_effect(dims, None),
+             "interpolation": lerp, "scaling": UNIT / 2}
+    fixed_error = lipschitz / ONE + MORE_BITS + largest_joint_effect(dims, None, NUMBER_ONE) + UNIT / 2
+    fixed_largest = (1 + 2 * overshoot()) ** dims + lerp + UNIT / 2
+    return Derived(1.0, 1.0, lipschitz, cell_error, error, 1.0 + error, fixed_error * SAFE, fixed_largest * SAFE, parts)
+
+
+def derive_slope(dims: int) -> Derived:
+    lipschitz, cell_error = suprema.largest(suprema.SLOPE_LIPSCHITZ, dims, None), slope_error_bound(dims)
+    error = position_error(cell_error, lipschitz)
+    others = largest_fade_effect(dims - 1, None)
+    parts = {"cut": lipschitz / ONE, "number": FADE_MAX[1] * MORE_BITS,
+             "fade": 2 * (float(np.abs(slope_errors()).max()) + slopes().max() / FADE_ONE * others),
+             "interpolation": slope_rounding(dims, 0, gradients=False) / (NUMBER_ONE / 4), "scaling": SLOPE_UNIT / 2}
+    fixed_error = sum(parts.values()) * SAFE
+    return Derived(0.0, STEEPEST, lipschitz, cell_error, error, STEEPEST + error, fixed_error,
+                   STEEPEST + fixed_error, parts)
 
 
 def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
-    """A number is the difference of one below 2^30 and one below 2^29; rounding at the end adds 128."""
-    return {"number": 2.0**30} | interpolation_intermediates(LARGEST * NUMBER_ONE, dims)
+    """A number is the difference of one below 2^30 and one at 2^29; rounding at the end adds 128."""
+    return {"number": 2.0**30} | interpolation_intermediates(NUMBER_ONE, dims)
+
+
+def largest_slope_intermediates(dims: int) -> dict[str, float]:
+    return slope_intermediates(NUMBER_ONE, 0, dims)
 
 
 def quotes() -> list[tuple[str, str]]:

@@ -1,22 +1,22 @@
-"""The error of hn_perlin in fixed arithmetic (docs/contract.md, section 8), proven; that it stays in range, and that what
-must not wrap does not.
+"""The error of hn_perlin and of the derivatives of hn_perlin_d in fixed arithmetic (docs/contract.md, sections 8 and
+10), proven; that the noise stays in range, and that what must not wrap does not.
 
-HN_PERLIN. The fixed value differs from the exact one by five things, which are bounded together, for each box:
+HN_PERLIN. The fixed value differs from the exact one by five things. FADE, LERP and RAMP are bounded together, for each
+box:
 
-    CUT      a coordinate is cut to a multiple of 2^-20, by less than that. The noise at the cut position is off by at
-             most L(f) * 2^-20, L(f) being the largest slope at a fraction (LIPSCHITZ in exact.py, here for all
-             signs sigma; the way from p to the cut p is in the same box, or beyond the edge of the cell, in the box
-             opposite, where L is the same by symmetry).
+    CUT      a coordinate is cut to a multiple of 2^-20, by less than that: at most L * 2^-20.
     FADE     see integers.py. At the cut position the ramps are exact.
     LERP     see integers.py.
-    RAMP     of the sine gradient only: each axis rounds down by less than 1 unit of 2^-28; and g is off, see below.
+    RAMP     of the octahedral gradient in 2D and 3D: (r >> 9) * E rounds down by less than E units, which is at most
+             1/2 (2/3 in 3D) in units of 2^-9. Of the sine gradient: each axis rounds down by less than 1 unit of 2^-28;
+             and g is off, see below.
     SCALE    (((n + 256) >> 9) * S + 256) >> 9 is off by at most 256 S / 2^18 + 1/2 units of 2^-21 (n >> 7 by less than
              1).
 
-CUT is smooth in a box up to the choice of gradients, and bounded by its values at the vertices and its second
-derivatives.
+HN_PERLIN_D. A derivative is off by the same: by L of the derivative times 2^-20, and FADE with the slope of a fade.
+What it rounds by is in integers.py (slope_rounding). Its unit is 2^-19.
 
-RANGE. The octahedral gradients of the library leave 1 - library_range of exact.py, more than FADE, LERP and
+RANGE. The scales of the octahedral gradient leave 1 less the range of exact.py, more than FADE, LERP, RAMP and
 SCALE together (CUT moves a position, not a value out of its range): |hn_perlin| <= 1. Octave sums round by less than 2
 units of 2^-21 an octave (sums.py), 64 in 32 octaves; of the first, whose weight is 2^18, the same room is left.
 With the sine gradient, t <= 1/2 for f < 1/2 and t >= 1/2 for f > 1/2 suffice for n/2, as there, up to LERP, RAMP and
@@ -24,106 +24,116 @@ SCALE; of components that exceed 1, n/2 times that is added.
 """
 
 import functools
-import itertools
 
-import numpy as np
-
-from bounds.boxes import SAFE, fade
+from bounds.boxes import SAFE
 from bounds.gradients import OCTAHEDRAL, SINE
-from bounds.integers import (BOXES, ONE, UNIT, fade_effect, fade_keeps_to_its_side, grids, interpolation_intermediates,
-                             overshoot, rounding_effect, vertices_max)
-from bounds.noises.perlin.exact import SCALE, slope_curvature
+from bounds.integers import (ONE, SLOPE_UNIT, UNIT, fade_keeps_to_its_side, interpolation_intermediates,
+                             largest_fade_effect, largest_joint_effect, largest_rounding, largest_slope_fade_effect,
+                             overshoot, scaled_intermediate, slope_intermediates, slope_rounding)
+from bounds.noises.perlin.exact import (SCALE, lipschitz_bound, range_bound, slope_bound, slope_lipschitz_bound)
 from bounds.sine import fixed_sine_error, fixed_sine_largest
 
-RAMP_ONE = {OCTAHEDRAL: 2**29, SINE: 2**28}
+RAMP_ONE = {OCTAHEDRAL: {1: 2**29, 2: 2**29, 3: 2**29, 4: 2**28}, SINE: {2: 2**28, 3: 2**28}}
+RAMP_ROUNDING = {OCTAHEDRAL: {1: 0, 2: 256, 3: 342, 4: 0}, SINE: {2: 2, 3: 3}}  # in these units
 
 
-def largest_ramp(offsets):
-    """The largest that a ramp of an octahedral gradient can be."""
-    return functools.reduce(np.maximum, map(np.abs, offsets))
+def fixed_scale(dims):
+    """S of the contract; the ramps in 4D have units twice as large."""
+    return round(SCALE[OCTAHEDRAL][dims] * 1024) * (2**29 // RAMP_ONE[OCTAHEDRAL][dims])
 
 
-def largest_sine_ramp(offsets):
-    return sum(map(np.abs, offsets))
-
-
-LARGEST_RAMP = {OCTAHEDRAL: largest_ramp, SINE: largest_sine_ramp}
+def scaling_error(dims, gradient, unit=UNIT):
+    return (1 if gradient is SINE else 256 * fixed_scale(dims) / 2**18 + 1 / 2) * unit
 
 
 @functools.cache
-def slopes(dims, gradient):
-    """For each box, a bound of L(f), unscaled."""
-    f = grids(np.linspace(0, 1, BOXES[dims] + 1), dims)
-    s, ds = [fade(x) for x in f], [30 * (x * (1 - x)) ** 2 for x in f]
-    largest = np.zeros([BOXES[dims] + 1] * dims)
-    for signs in itertools.product((1, -1), repeat=dims - 1):
-        signs, total = (1, *signs), 0.0
-        for corner in itertools.product((0, 1), repeat=dims):
-            weight, slope = 1.0, 0.0
-            for i, o in enumerate(corner):
-                factor, factor_slope = (s[i], signs[i] * ds[i]) if o else (1 - s[i], -signs[i] * ds[i])
-                weight, slope = weight * factor, slope * factor + weight * factor_slope
-            total = total + LARGEST_RAMP[gradient]([sign * weight + slope * (x - o)
-                                               for sign, x, o in zip(signs, f, corner)])
-        largest = np.maximum(largest, total)
-    return vertices_max(largest) + slope_curvature(dims, gradient.support) / 8 * dims / BOXES[dims] ** 2
+def joint_effect(dims, gradient):
+    """FADE, LERP and RAMP."""
+    one, of_corner = RAMP_ONE[gradient][dims], RAMP_ROUNDING[gradient][dims]
+    return SCALE[gradient][dims] * largest_joint_effect(dims, gradient, one, of_corner)
 
 
-def ramp_fade_effect(dims, gradient):
-    """For each box, a bound of FADE, unscaled."""
-    return fade_effect(dims, LARGEST_RAMP[gradient])
+def rounding_effect(dims, gradient):
+    """LERP and RAMP alone."""
+    rounding = largest_rounding(dims, RAMP_ROUNDING[gradient][dims])
+    return SCALE[gradient][dims] * rounding / RAMP_ONE[gradient][dims]
 
 
-def ramp_rounding_effect(dims, gradient):
-    """For each box, a bound of LERP and RAMP, unscaled."""
-    return rounding_effect(dims, dims if gradient is SINE else 0) / RAMP_ONE[gradient]
-
-
-def scaling_error(dims, gradient):
-    return (1 if gradient is SINE else 256 * SCALE[gradient][dims] * 1024 / 2**18 + 1 / 2) * UNIT
+def fade_effect(dims, gradient):
+    return SCALE[gradient][dims] * largest_fade_effect(dims, gradient)
 
 
 @functools.cache
 def fixed_error(dims, gradient):
     """A proven upper bound of the error of hn_perlin in fixed arithmetic, from a position or a cell and a fraction."""
-    boxes = slopes(dims, gradient) / ONE + ramp_fade_effect(dims, gradient) + ramp_rounding_effect(dims, gradient)
-    total = SCALE[gradient][dims] * boxes.max() + scaling_error(dims, gradient)
+    total = lipschitz_bound(dims, gradient) / ONE + joint_effect(dims, gradient) + scaling_error(dims, gradient)
     if gradient is SINE:  # sum_o w_o(s) sum_i |d_i| <= n/2; FADE moved the fixed gradients, which may exceed 1
-        total += fixed_sine_error() * dims / 2 + ramp_fade_effect(dims, gradient).max() * (fixed_sine_largest() - 1)
+        total += fixed_sine_error() * dims / 2 + fade_effect(dims, gradient) * (fixed_sine_largest() - 1)
     return total * SAFE
 
 
 def error_parts(dims, gradient):
     """The largest of each part, for a reader: they are not attained together."""
-    scale = SCALE[gradient][dims]
-    return {"cut": scale * slopes(dims, gradient).max() / ONE, "fade": scale * ramp_fade_effect(dims, gradient).max(),
-            "interpolation": scale * ramp_rounding_effect(dims, gradient).max(), "scaling": scaling_error(dims, gradient),
+    return {"cut": lipschitz_bound(dims, gradient) / ONE, "fade": fade_effect(dims, gradient),
+            "interpolation": rounding_effect(dims, gradient), "scaling": scaling_error(dims, gradient),
             "gradient": fixed_sine_error() * dims / 2 if gradient is SINE else 0.0}
 
 
 @functools.cache
 def range_loss(dims, gradient):
     """How far FADE, LERP, RAMP and SCALE can take a value beyond the largest exact one."""
-    boxes = ramp_rounding_effect(dims, gradient)
     if gradient is OCTAHEDRAL:
-        boxes = boxes + ramp_fade_effect(dims, gradient)
-    elif not fade_keeps_to_its_side():
+        return (joint_effect(dims, gradient) + scaling_error(dims, gradient)) * SAFE
+    if not fade_keeps_to_its_side():
         raise ValueError("the fade is on the other side of 1/2 than the fraction")
-    loss = SCALE[gradient][dims] * boxes.max() + scaling_error(dims, gradient)
-    if gradient is SINE:  # components that exceed 1, weights of other axes that leave [0, 1]
-        loss += dims / 2 * (fixed_sine_largest() * (1 + 2 * overshoot()) ** dims - 1)
-    return loss * SAFE
+    loss = rounding_effect(dims, gradient) + scaling_error(dims, gradient)
+    # Components that exceed 1, weights of other axes that leave [0, 1].
+    return (loss + dims / 2 * (fixed_sine_largest() * (1 + 2 * overshoot()) ** dims - 1)) * SAFE
+
+
+# --- Derivatives ------------------------------------------------------------------------------------------------------
+
+def slope_error_parts(dims):
+    scale, one, of_corner = (of[OCTAHEDRAL][dims] for of in (SCALE, RAMP_ONE, RAMP_ROUNDING))
+    return {"cut": slope_lipschitz_bound(dims) / ONE, "fade": scale * largest_slope_fade_effect(dims, OCTAHEDRAL),
+            "interpolation": scale * slope_rounding(dims, of_corner, gradients=True) / (one / 4),
+            "scaling": scaling_error(dims, OCTAHEDRAL, SLOPE_UNIT)}
+
+
+def slope_error(dims):
+    """A proven upper bound of the error of a derivative."""
+    return sum(slope_error_parts(dims).values()) * SAFE
+
+
+def slope_range_loss(dims):
+    parts = slope_error_parts(dims)
+    return (sum(parts.values()) - parts["cut"]) * SAFE
 
 
 # --- Overflow ---------------------------------------------------------------------------------------------------------
 
 def largest_intermediates(dims, gradient):
-    """(The fade and the sine are checked as evaluated.) A ramp is at most its one: 2^29 for the octahedron, as
+    """(The fade and the sine are checked as evaluated.) The directions' part of a ramp is at most its one, as
     |a| |D| + |m| |D'| <= 512 * 2^20, and of the partial sums in space
-    |p (Dx + Dy) + q (Dx - Dy)| <= P * 2 max |D| <= 255 * 2^21; n * 2^28 and a rounding for the cube."""
-    largest = RAMP_ONE[gradient] if gradient is OCTAHEDRAL else dims * (RAMP_ONE[gradient] * fixed_sine_largest() + 1)
-    between = interpolation_intermediates(largest, dims)
+    |p (Dx + Dy) + q (Dx - Dy)| <= P * 2 max |D| <= 255 * 2^21. A ramp is at most h(1, .., 1) times its one; with the
+    sine gradient n * 2^28 and a rounding. What is scaled is an interpolated value: the range before the scale, with
+    what fixed arithmetic may add."""
+    one = RAMP_ONE[gradient][dims]
+    if gradient is SINE:
+        ramp = dims * (one * fixed_sine_largest() + 1)
+    else:
+        ramp = gradient.reach(dims) * one + RAMP_ROUNDING[gradient][dims]
+    between = interpolation_intermediates(ramp, dims)
     scaled = between["value"]
     if gradient is OCTAHEDRAL:
-        scaled = (scaled / 2**9 + 1) * 1024 * SCALE[gradient][dims] + 256
-    return {"ramp": largest, **between, "scaled": scaled}
+        largest = (range_bound(dims, gradient) + range_loss(dims, gradient)) / SCALE[gradient][dims] * one
+        scaled = scaled_intermediate(largest, fixed_scale(dims))
+    return {"ramp": ramp, **between, "scaled": scaled}
+
+
+def largest_slope_intermediates(dims):
+    one = RAMP_ONE[OCTAHEDRAL][dims]
+    ramp = OCTAHEDRAL.reach(dims) * one + RAMP_ROUNDING[OCTAHEDRAL][dims]
+    largest = (slope_bound(dims) + slope_range_loss(dims)) / SCALE[OCTAHEDRAL][dims] * one / 4
+    scaled = scaled_intermediate(largest, fixed_scale(dims))
+    return {**slope_intermediates(ramp, one, dims), "scaled derivative": scaled}

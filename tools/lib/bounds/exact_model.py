@@ -1,0 +1,187 @@
+"""docs/contract.md on arrays, with LATTICE, in doubles: words, gradients and numbers of lattice points, and the exact
+noises, their derivatives and octave sums. Written from that page alone, for the tests of the bounds.
+
+A noise takes the fractions along its axes, and a function from a corner of the cell (0 and 1 along each axis; -1 to 2
+in cubic noise) to its words: an array, or with the sine gradient one for each component.
+"""
+
+import itertools
+import math
+
+import numpy as np
+
+from bounds.boxes import corners
+from bounds.gradients import OCTAHEDRAL, SINE
+
+SCALE = {OCTAHEDRAL: {1: 2048 / 1024, 2: 1365 / 1024, 3: 1228 / 1024, 4: 953 / 1024}, SINE: {2: 1.0, 3: 1.0}}
+SHIFT = (11 / 32, 19 / 32, 23 / 32)
+
+
+# --- Words ------------------------------------------------------------------------------------------------------------
+
+def u32(x):
+    return x & 0xFFFFFFFF
+
+
+def s32(x):
+    return ((x + 2**31) & 0xFFFFFFFF) - 2**31
+
+
+def mix(k):
+    for shift, factor in ((15, 0x2C1B3C6D), (12, 0x297A2D39)):
+        k = u32((k ^ (k >> shift)) * factor)
+    return k ^ (k >> 15)
+
+
+def lattice_word(cells, seed):
+    """The word of a lattice point (section 3, with LATTICE)."""
+    spread = [u32(u32(c) * prime) for c, prime in zip(cells, (0x9E3779B1, 0x85EBCA77, 0xC2B2AE3D, 0x27D4EB2F))]
+    spread[0] = u32(spread[0] + 0x165667B1)
+    join = total = mix(seed)
+    for word, shift in zip(spread, (18, 17, 19, 20)):
+        join, total = join ^ word ^ (word >> shift), u32(total + word)
+    return u32(join * u32(2 * total + 1))
+
+
+def hash_word(word):
+    return mix(lattice_word([word], np.int64(0)))
+
+
+def sine_words(cells, seed):
+    words = [hash_word(u32(cells[0])) ^ mix(seed)]
+    for c in cells[1:]:
+        words.append(hash_word(u32(words[-1] + c)))
+    return [u32(words[-1] + word) for word in words]
+
+
+def words_at(kind, cells, seed=np.int64(0)):
+    """From a corner to its words, in a cell at these coordinates."""
+    def words(corner):
+        moved = [c + o for c, o in zip(cells, corner)]
+        return sine_words(moved, seed) if kind is SINE else lattice_word(moved, seed)
+    return words
+
+
+# --- Gradients and numbers --------------------------------------------------------------------------------------------
+
+def field(h, shift, bits):
+    """2 * bits of the word + 1, less their number: odd."""
+    return 2 * ((h >> shift) & (2**bits - 1)) + 1 - 2**bits
+
+
+def direction(dims, h):
+    """(a, m) in units of 2^-9, (p, q, m) in units of 2^-8."""
+    parts, one = ([field(h, 22, 9)], 512) if dims == 2 else ([field(h, 23, 8), field(h, 15, 8)], 256)
+    m = one - np.maximum.reduce([abs(part) for part in parts])
+    return [*parts, np.where(h >> 31, -m, m)]
+
+
+def corner_of_the_24_cell(h):
+    """Its components, of which two are 0."""
+    pairing = np.where(h < 0x55555555, 0, np.where(h >= 0xAAAAAAAA, 2, 1))
+    pair = 2 * pairing + ((h >> 20) & 1)
+    first, second = (np.array(axes)[pair] for axes in ((0, 2, 0, 1, 0, 1), (1, 3, 2, 3, 3, 2)))
+    a, b = (1 - 2 * ((h >> bit) & 1) for bit in (19, 18))
+    return [np.where(first == axis, a, 0) + np.where(second == axis, b, 0) for axis in range(4)]
+
+
+def sine_argument(w):
+    """The word as a signed integer of 24 significant bits."""
+    return s32(w).astype(np.float32).astype(np.int64)
+
+
+def gradient(kind, dims, words):
+    if kind is SINE:
+        return [np.sin(sine_argument(w).astype(float)) for w in words]
+    if dims == 1:
+        return [field(words, 22, 9) / 512]
+    if dims == 4:
+        return [g.astype(float) for g in corner_of_the_24_cell(words)]
+    if dims == 2:
+        g = [part / 512 for part in direction(2, words)]
+    else:
+        p, q, m = (part / 256 for part in direction(3, words))
+        g = [(p + q) / 2, (p - q) / 2, m]
+    length = 2 - np.maximum.reduce([abs(x) for x in g])
+    return [x * length for x in g]
+
+
+def number(h):
+    return (h >> 9) / 2**22 - 1
+
+
+# --- Noises -----------------------------------------------------------------------------------------------------------
+
+def fade(f):
+    return f**3 * (f * (f * 6 - 15) + 10)
+
+
+def slope(f):
+    return 30 * f**2 * (1 - f) ** 2
+
+
+def weights(corner, fractions):
+    """The weight of a corner, and its derivatives along the axes."""
+    factors = [fade(f) if o else 1 - fade(f) for f, o in zip(fractions, corner)]
+    slopes = [slope(f) if o else -slope(f) for f, o in zip(fractions, corner)]
+    along = [math.prod(slopes[i] if i == axis else factor for i, factor in enumerate(factors))
+             for axis in range(len(factors))]
+    return math.prod(factors), along
+
+
+def perlin(kind, words_of, fractions):
+    """The value, and the derivatives."""
+    dims = len(fractions)
+    value, derivatives = 0.0, [0.0] * dims
+    for corner in corners(dims):
+        g = gradient(kind, dims, words_of(corner))
+        ramp = sum(component * (f - o) for component, f, o in zip(g, fractions, corner))
+        weight, along = weights(corner, fractions)
+        value = value + weight * ramp
+        derivatives = [d + weight * component + change * ramp for d, component, change in zip(derivatives, g, along)]
+    scale = SCALE[kind][dims]
+    return scale * value, [scale * d for d in derivatives]
+
+
+def value(words_of, fractions):
+    """The value of value noise, and the derivatives."""
+    total, derivatives = 0.0, [0.0] * len(fractions)
+    for corner in corners(len(fractions)):
+        weight, along = weights(corner, fractions)
+        n = number(words_of(corner))
+        total = total + weight * n
+        derivatives = [d + change * n for d, change in zip(derivatives, along)]
+    return total, derivatives
+
+
+def spline(f):
+    g = 1 - f
+    return g**3 / 6, 2 / 3 - f**2 + f**3 / 2, 2 / 3 - g**2 + g**3 / 2, f**3 / 6
+
+
+def value_cubic(words_of, fractions):
+    along = [spline(f) for f in fractions]
+    return sum(math.prod(b[o + 1] for b, o in zip(along, point)) * number(words_of(point))
+               for point in itertools.product((-1, 0, 1, 2), repeat=len(fractions)))
+
+
+def cells_and_fractions(p):
+    cells = [np.floor(x) for x in p]
+    return [c.astype(np.int64) for c in cells], [x - c for x, c in zip(p, cells)]
+
+
+def perlin_at(kind, p, seed=np.int64(0)):
+    cells, fractions = cells_and_fractions(p)
+    return perlin(kind, words_at(kind, cells, seed), fractions)
+
+
+def octaves(kind, name, p, count, lacunarity, gain):
+    """An octave sum: name is fbm, turbulence or clouds."""
+    total, weight, seed = 0.0, sum(gain**i for i in range(count)), 0
+    for i in range(count):
+        n = perlin_at(kind, p, np.int64(seed))[0]
+        total = total + gain**i / weight * (abs(n) if name == "turbulence" else n)
+        p = [x * lacunarity + shift for x, shift in zip(p, SHIFT)]
+        seed = u32(seed + 0x9E3779B9)
+    t = np.clip(2 * total + 0.25, 0, 1)
+    return t * t * (3 - 2 * t) if name == "clouds" else total
