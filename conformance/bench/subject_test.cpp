@@ -26,7 +26,8 @@ TEST(Subjects, CoverEveryFunctionInEachConfiguration) {
     for (const Function& function : all_functions()) {
       const std::string any = std::string(function.id) + ".any";
       const std::string own = std::string(function.id) + "." + std::string(configuration.name);
-      const bool covered = covers(configuration, function);
+      // A row without a call is measured by another.
+      const bool covered = covers(configuration, function) && !function.call.empty();
       expected += covered ? 1 : 0;
       EXPECT_EQ(has(subjects, function.family == Family::independent ? any : own), covered) << own;
       EXPECT_EQ(has(all, function.family == Family::independent ? any : own),

@@ -9,7 +9,7 @@ namespace hn {
 namespace {
 
 constexpr int kSize = 256;
-constexpr GLuint kFirstUnit = 2;  // 0 and 1 are the grid renderer's
+constexpr GLuint kFirstUnit = kInputWords / 4;  // the first ones are the grid renderer's
 
 // In the order of the texture units.
 constexpr std::array kNames = {"table_gradient2",   "table_permutation2", "table_gradient3",

@@ -10,13 +10,14 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
      "64 to 192 points have the oracle's values. For `hn_hash` and `hn_lattice` so has the digest of 16,384 more."},
     {"twin",
      "Random points have the values of the C++ twin: 262,144 with the defaults in the main version of desktop OpenGL, "
-     "a "
-     "quarter of them for octave sums and for other settings, a sixteenth in other versions. On softpipe there are "
+     "a quarter of them for octave sums, derivatives, noises in 4D and for other settings, a sixteenth in other "
+     "versions. On softpipe there are "
      "4,096, with `--points N` there are N. The points are near, negative, at 2^20 cells and more, on lattice lines "
      "and beside them; for `precise` and `fixed` also subnormal, tiny, -0 and huge, and for octave sums of `precise` "
      "tiny with a lacunarity of 2^20 to 2^126."},
     {"range",
-     "65,536 values (16,384 of octave sums) lie in the range that the library promises, and reach into its ends."},
+     "65,536 values (16,384 of octave sums, derivatives and noises in 4D) lie in the range that the library promises, "
+     "and those of noises reach into its ends."},
     {"zero", "At as many lattice points the noise is 0."},
     {"finite",
      "At the points of `range`, and at subnormal, tiny and huge coordinates up to 3.4e38 (2^96 for octave sums of "
@@ -24,10 +25,24 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
      "and infinities. Where all coordinates are 2^23 or more, a gradient noise is 0."},
     {"seeds", "Fields of different seeds do not correlate, at 16,384 points."},
     {"mirror", "A field does not correlate with its reflections, at 16,384 points."},
-    {"wrapped", "Gradients with periods from 1 to 2^30 are those without a period, at the cell modulo the period."},
+    {"derivative",
+     "At 512 points derivatives are those of the polynomial that the noise is along each axis of a cell, through seven "
+     "values of the noise on the same driver, within the errors of both. A third of the points lie at an end of the "
+     "cell."},
+    {"derivative_value",
+     "The value that comes with a derivative is that of the noise, at 4,096 points: bit by bit, or for `fast` within "
+     "the tolerances of both."},
     {"period",
-     "Points that are whole periods apart have the same bits. So have octave sums of a whole lacunarity, `fixed` ones "
-     "of up to 15 octaves; `fast` ones are the same within the tolerance."},
+     "4,096 points that are whole periods apart have the same bits, in cells beside the seam and anywhere, with "
+     "periods from 1 to 2^31 - 1 and none. So have octave sums of a whole lacunarity, `fixed` ones of up to 15 octaves; "
+     "`fast` ones are the same within the tolerance."},
+    {"wrapped",
+     "Without a period along any axis, and where a cell reaches no seam, the form with periods has the values of the "
+     "form without, at the cell modulo the period: bit by bit, or for `fast` within the tolerances of both. Octave "
+     "sums are tried without periods alone."},
+    {"constant_period",
+     "4,096 points have the same values when the periods are constants of the shader, within twice the tolerance for "
+     "`fast`."},
     {"unseeded", "The overload without a seed has the values of seed 0, at as many points as `range` takes."},
     {"noise_knob", "An octave sum takes the noise that the user names, at as many points as `range` takes."},
     {"inlined",

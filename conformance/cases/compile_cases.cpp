@@ -64,8 +64,7 @@ bool selects_code(std::string_view file, const Configuration& configuration) {
     const bool sine = configuration.name_without_arithmetic() == "lattice+sine";
     return file != "hash.glsl" && (by_arithmetic || (sine && file == "hashnoise.glsl"));
   }
-  return configuration.hash_only() || configuration.name == "lattice+sine" ||
-         configuration.name == "lattice+period48" || configuration.name == "lattice+period64";
+  return configuration.hash_only() || configuration.name == "lattice+sine";
 }
 
 // Whether a configuration has most of its cases in this version.
@@ -140,7 +139,8 @@ void add_highp_case(std::vector<Case>& cases, std::string_view file, const Confi
 // most machines never contract. So glslang is asked for the SPIR-V, where every operation that rounds must be marked.
 // These functions need no mark: what they compute is exact, contracted or not.
 Outcome check_uncontracted(const Suite& suite, std::string_view file, const Configuration& configuration) {
-  constexpr std::array<std::string_view, 4> kExact = {"hn_unorm(", "hn_snorm(", "hn_gradient2(", "hn_gradient3("};
+  constexpr std::array<std::string_view, 5> kExact = {"hn_unorm(", "hn_snorm(", "hn_gradient2(", "hn_gradient3(",
+                                                      "hn_i_place_in_cell("};
   const Profile& profile = profile_named("vulkan");
   const auto source = expand(suite.sources, profile, calling_shader(file, configuration, profile, Stage::fragment));
   if (!source) return outcome_with(Status::fail, source.error());
@@ -197,10 +197,6 @@ const Refusal kRefusals[] = {
     {"precise_too_early", "gl330", "#define HN_ARITHMETIC HN_PRECISE\n", "GLSL 4.00"},
     {"precise_too_early", "es300", "#define HN_ARITHMETIC HN_PRECISE\n", "GLSL ES 3.20"},
     {"precise_too_early", "es310", "#define HN_ARITHMETIC HN_PRECISE\n", "GLSL ES 3.20"},
-    {"period_negative", "gl330", "#define HN_PERIOD -1\n", "1048576"},
-    {"period_large_and_no_power_of_two", "gl330", "#define HN_PERIOD 1048577\n", "1048576"},
-    {"period_large_and_no_power_of_two", "es300", "#define HN_PERIOD 1048577\n", "1048576"},
-    {"period_too_large", "gl330", "#define HN_PERIOD 1073741825\n", "1073741824"},
     {"custom_without_function", "gl330", "#define HN_HASH HN_HASH_CUSTOM\n", "HN_HASH_FN"},
     // Behind the include they would change nothing.
     {"hash_after_the_include", "gl330", "", "HN_HASH", kOtherHash},
@@ -221,9 +217,6 @@ struct Acceptance {
 
 std::vector<Acceptance> acceptances() {
   return {
-      {"period_1", "#define HN_PERIOD 1\n"},
-      {"period_largest_of_any", "#define HN_PERIOD 1048576\n"},
-      {"period_largest_power_of_two", "#define HN_PERIOD 1073741824\n"},
       // The same definition once more is none.
       {"noise_before_the_include", kOtherNoise2D + kOtherNoise3D,
        "#include \"hashnoise.glsl\"\n" + kOtherNoise2D + kOtherNoise3D},
@@ -237,7 +230,7 @@ std::vector<Acceptance> acceptances() {
       // An undefined name in #if is an error by the letter, and 0 in most compilers.
       {"macros", "",
        "#if !defined(HN_VERSION_MAJOR) || !defined(HN_VERSION_MINOR) || !defined(HN_VERSION_PATCH)\n#error version\n"
-       "#endif\n#if !defined(HN_I_BITCAST) || !defined(HN_HASH) || !defined(HN_GRADIENT) || !defined(HN_PERIOD)\n"
+       "#endif\n#if !defined(HN_I_BITCAST) || !defined(HN_HASH) || !defined(HN_GRADIENT)\n"
        "#error knobs\n#endif\n#if !defined(HN_ARITHMETIC)\n#error knobs\n#endif\n"},
   };
 }

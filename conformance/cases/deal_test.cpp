@@ -1,5 +1,6 @@
 #include "cases/deal.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -58,6 +59,16 @@ TEST(Deal, WhatNoDriverCanRunIsNotLost) {
 std::string target_of(const CaseName& name) { return std::string(name_of(name.stage)) + " " + name.profile; }
 std::string setting_of(const CaseName& name) { return name.configuration + " " + name.arithmetic; }
 
+// The function; but of further ones the family, whose functions take turns.
+std::string turn_of(const CaseName& name) {
+  for (const Function& function : all_functions()) {
+    if (function.id == name.function && function.is_further()) {
+      return fmt::format("family {}", static_cast<unsigned>(function.family));
+    }
+  }
+  return name.function;
+}
+
 using Pairs = std::vector<std::string> (*)(const CaseName& name);
 
 // What is met by the cases that are not thorough alone, of those that there are.
@@ -77,7 +88,7 @@ void expect_all_met(std::initializer_list<std::string_view> checks, Pairs pairs_
 
 TEST(Extent, GoldenValuesMeetEveryPair) {
   expect_all_met({"golden"}, [](const CaseName& name) -> std::vector<std::string> {
-    return {name.function + " " + setting_of(name), name.function + " " + target_of(name),
+    return {name.function + " " + setting_of(name), turn_of(name) + " " + target_of(name),
             setting_of(name) + " " + target_of(name)};
   });
 }
@@ -94,7 +105,7 @@ TEST(Extent, CompilationsMeetEveryPair) {
 TEST(Extent, VariantsMeetEveryFunctionAndEveryVersion) {
   expect_all_met({"inlined", "in_loop", "constant_seed", "uniform_seed", "folded"},
                  [](const CaseName& name) -> std::vector<std::string> {
-                   return {name.check + " " + name.function, name.check + " " + name.arithmetic + " " + name.profile};
+                   return {name.check + " " + turn_of(name), name.check + " " + name.arithmetic + " " + name.profile};
                  });
 }
 

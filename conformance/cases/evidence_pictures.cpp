@@ -38,7 +38,10 @@ std::uint32_t moved(const Column& column, std::uint32_t word, double steps) {
   return word + static_cast<std::uint32_t>(static_cast<std::int64_t>(by));
 }
 
-bool is_word(const Function& function) { return function.outputs.front().type == WordType::u32; }
+bool is_word(const Function& function) {
+  const WordType type = function.outputs.front().type;
+  return type == WordType::u32 || type == WordType::i32;
+}
 
 // 0 is black and 255 is white. A word is shown by its high byte, a float from -1 to 1.
 double grey_of(const Function& function, std::uint32_t word) {

@@ -10,14 +10,29 @@
 namespace hn {
 namespace {
 
+std::string shown(WordType type, std::uint32_t word) {
+  if (type == WordType::u32) return fmt::format("{}", word);
+  if (type == WordType::i32) return fmt::format("{}", static_cast<std::int32_t>(word));
+  return fmt::format("{:.9g}", std::bit_cast<float>(word));
+}
+
 std::string describe_outputs(const Function& function, std::span<const std::uint32_t> words) {
   if (words.empty()) return "no value";
   std::string text;
   for (std::size_t i = 0; i < function.outputs.size(); ++i) {
-    const std::string value = function.outputs[i].type == WordType::u32
-                                  ? fmt::format("{}", words[i])
-                                  : fmt::format("{:.9g}", std::bit_cast<float>(words[i]));
+    const std::string value = shown(function.outputs[i].type, words[i]);
     text += fmt::format("{}{}={} ({:08x})", text.empty() ? "" : " ", function.outputs[i].name, value, words[i]);
+  }
+  return text;
+}
+
+std::string describe_allowed(const Function& function, std::span<const double> allowed) {
+  const auto used = allowed.first(function.outputs.size());
+  const bool constant = std::all_of(used.begin(), used.end(), [&](double number) { return number == used.front(); });
+  if (constant) return fmt::format(", within {:.3g}", allowed.front());
+  std::string text;
+  for (std::size_t i = 0; i < function.outputs.size(); ++i) {
+    text += fmt::format("{} {} within {:.3g}", i == 0 ? "," : " and", function.outputs[i].name, allowed[i]);
   }
   return text;
 }
@@ -47,7 +62,7 @@ std::string comments(const SourceSet& sources, const Evaluation& evaluation, con
 )",
       facts.id, one_line(facts.renderer), describe_inputs(function, facts.inputs),
       describe_outputs(function, facts.got), describe_outputs(function, facts.expected),
-      facts.every_bit ? "" : fmt::format(", within {:.3g}", facts.allowed), one_line(library_text(sources.edited())));
+      facts.every_bit ? "" : describe_allowed(function, facts.allowed), one_line(library_text(sources.edited())));
 }
 
 std::string hidden(std::span<const std::uint32_t> words) {
@@ -57,25 +72,26 @@ std::string hidden(std::span<const std::uint32_t> words) {
 
 std::string main_of(const Function& function, const ShaderFacts& facts) {
   constexpr std::array<char, kOutputWords> kParts = {'x', 'y', 'z', 'w'};
+  const auto argument = [&](std::size_t i) { return hidden(facts.inputs.subspan(4 * i)); };
+  constexpr std::string_view kNextLine = ",\n                                ";
   std::string right;
   for (std::size_t i = 0; i < function.outputs.size(); ++i) {
     if (i > 0) right += " && ";
     if (facts.every_bit) {
       right += fmt::format("got.{0} == expected.{0}", kParts[i]);
     } else {
-      right += fmt::format("abs(float_of(got.{0}) - float_of(expected.{0})) <= {1:.9e}", kParts[i], facts.allowed);
+      right += fmt::format("abs(float_of(got.{0}) - float_of(expected.{0})) <= {1:.9e}", kParts[i], facts.allowed[i]);
     }
   }
   return fmt::format(R"(uniform hn_uint zero;
 out hn_vec4 colour;
 void main() {{
-  hn_uvec4 got = evaluate({},
-                                {});
+  hn_uvec4 got = evaluate({});
   hn_uvec4 expected = {};
   colour = {} ? vec4(0.0, 1.0, 0.0, 1.0) : vec4(1.0, 0.0, 0.0, 1.0);
 }}
 )",
-                     hidden(facts.inputs), hidden(facts.inputs.subspan(4)), hidden(facts.expected), right);
+                     arguments_of(function, argument, kNextLine), hidden(facts.expected), right);
 }
 
 }  // namespace

@@ -17,8 +17,8 @@ struct ShaderFacts {
   std::span<const std::uint32_t> inputs;
   std::span<const std::uint32_t> got;  // empty if there was no value
   std::array<std::uint32_t, kOutputWords> expected;
-  double allowed;  // how far a float may be off,
-  bool every_bit;  // unless every bit counts
+  std::array<double, kOutputWords> allowed;  // how far each float may be off,
+  bool every_bit;                            // unless every bit counts
 };
 
 // A fragment shader, complete, without textures or attributes: green where the function has the expected value,

@@ -22,6 +22,7 @@ std::string kind_of(std::string_view id, const Function* function) {
   if (function != nullptr) {
     if (function->is_noise()) return fmt::format("of {} noise", function->bound);
     if (function->is_octave_sum()) return "of octave sums";
+    if (id.starts_with("position.")) return "of positions";
     return id.starts_with("hash.") ? "of hashes" : "of gradients";
   }
   if (id.starts_with("bugs.")) return "of what drivers are known to get wrong";
@@ -31,29 +32,29 @@ std::string kind_of(std::string_view id, const Function* function) {
 std::string dimensions_of(std::string_view id, const Function* function) {
   if (function != nullptr) return function->axes == 0 ? "" : fmt::format("in {}D", function->axes);
   const std::string_view file = id.substr(0, id.find('.'));
-  return file.ends_with("2d") ? "in 2D" : file.ends_with("3d") ? "in 3D" : "";
+  const auto digit = file.find_last_of("1234");
+  const bool has_dimension = digit != std::string_view::npos && file.substr(digit + 1) == "d";
+  return has_dimension ? fmt::format("in {}D", file[digit]) : "";
 }
 
-// "lattice+sine+period48": the hash, and what is other than the defaults.
+// "lattice+sine": the hash, and what is other than the defaults.
 struct Knobs {
   std::string hash;
   std::string gradient;
-  std::string any_period;
-  std::string period;
 };
 
 Knobs knobs_in(std::string_view configuration) {
   if (configuration == "any") return {};
   const auto parts = split(configuration, '+');
-  Knobs knobs{fmt::format("with HN_HASH_{}", in_upper_case(parts[0])), "without HN_GRADIENT_SINE", "without HN_PERIOD",
-              "without HN_PERIOD"};
-  for (const std::string_view part : parts) {
-    if (part == "sine") knobs.gradient = "with HN_GRADIENT_SINE";
-    if (!part.starts_with("period")) continue;
-    knobs.any_period = "with HN_PERIOD";
-    knobs.period = fmt::format("with HN_PERIOD {}", part.substr(part.find_first_of("0123456789")));
-  }
-  return knobs;
+  const bool sine = std::ranges::find(parts, "sine") != parts.end();
+  return {fmt::format("with HN_HASH_{}", in_upper_case(parts[0])),
+          sine ? "with HN_GRADIENT_SINE" : "without HN_GRADIENT_SINE"};
+}
+
+// Of what has forms with and without.
+std::string periods_of(const Function* function) {
+  if (function == nullptr || !(function->is_noise() || function->is_octave_sum())) return "";
+  return function->takes_period() ? "with a period" : "without a period";
 }
 
 std::string language_of(std::string_view profile) {
@@ -68,7 +69,7 @@ Facets facets_of(std::string_view id) {
   Facets facets;
   facets[0] = kind_of(name, function);
   facets[1] = dimensions_of(name, function);
-  facets[10] = fmt::format("of {}", name);
+  facets[9] = fmt::format("of {}", name);
   // file.function.configuration.arithmetic.stage.profile.check
   const auto parts = split(id, '.');
   if (parts.size() != 7) return facets;
@@ -76,13 +77,12 @@ Facets facets_of(std::string_view id) {
   facets[2] = parts[3] == "exact" ? "" : fmt::format("with HN_{}", in_upper_case(parts[3]));
   facets[3] = knobs.hash;
   facets[4] = knobs.gradient;
-  facets[5] = knobs.any_period;
-  facets[6] = knobs.period;
-  facets[7] = fmt::format("in the {} stage", parts[4]);
-  facets[8] = language_of(parts[5]);
-  facets[9] = fmt::format("in {}", parts[5]);
+  facets[5] = periods_of(function);
+  facets[6] = fmt::format("in the {} stage", parts[4]);
+  facets[7] = language_of(parts[5]);
+  facets[8] = fmt::format("in {}", parts[5]);
   // These two hold values against what is right. The others look for something special, and say what they found.
-  if (parts[6] != "golden" && parts[6] != "twin") facets[11] = fmt::format("of the check {}", parts[6]);
+  if (parts[6] != "golden" && parts[6] != "twin") facets[10] = fmt::format("of the check {}", parts[6]);
   return facets;
 }
 

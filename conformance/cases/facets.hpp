@@ -8,7 +8,7 @@
 
 namespace hn {
 
-inline constexpr std::size_t kFacets = 12;
+inline constexpr std::size_t kFacets = 11;
 
 // One text for each way to look at a case, to stand behind "every failing case is": "of perlin noise", "in 2D", "with
 // HN_HASH_PCG", "in the vertex stage". A text is empty where the id does not say, or where it does not matter. General

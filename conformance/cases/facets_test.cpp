@@ -10,25 +10,25 @@ namespace hn {
 namespace {
 
 TEST(Facets, SayWhatTheNameSays) {
-  EXPECT_EQ(facets_of("noise2d.perlin.lattice+sine+period48.fixed.vertex.es300.golden"),
+  EXPECT_EQ(facets_of("noise2d.perlin_cell_period.lattice+sine.fixed.vertex.es300.golden"),
             (Facets{"of perlin noise", "in 2D", "with HN_FIXED", "with HN_HASH_LATTICE", "with HN_GRADIENT_SINE",
-                    "with HN_PERIOD", "with HN_PERIOD 48", "in the vertex stage", "in GLSL ES", "in es300",
-                    "of noise2d.perlin", ""}));
+                    "with a period", "in the vertex stage", "in GLSL ES", "in es300", "of noise2d.perlin_cell_period",
+                    ""}));
   EXPECT_EQ(facets_of("fbm.fbm3.partial_fnv1.fast.fragment.gl330.twin"),
             (Facets{"of octave sums", "in 3D", "with HN_FAST", "with HN_HASH_PARTIAL_FNV1", "without HN_GRADIENT_SINE",
-                    "without HN_PERIOD", "without HN_PERIOD", "in the fragment stage", "in desktop GLSL", "in gl330",
-                    "of fbm.fbm3", ""}));
+                    "without a period", "in the fragment stage", "in desktop GLSL", "in gl330", "of fbm.fbm3",
+                    ""}));
 }
 
 TEST(Facets, AreEmptyWhereTheNameSaysNothing) {
   EXPECT_EQ(facets_of("hash.unorm.any.exact.compute.gl430.golden"),
-            (Facets{"of hashes", "", "", "", "", "", "", "in the compute stage", "in desktop GLSL", "in gl430",
+            (Facets{"of hashes", "", "", "", "", "", "in the compute stage", "in desktop GLSL", "in gl430",
                     "of hash.unorm", ""}));
   EXPECT_EQ(facets_of("value3d.all.lattice.fast.vertex.vulkan.spirv"),
-            (Facets{"", "in 3D", "with HN_FAST", "with HN_HASH_LATTICE", "without HN_GRADIENT_SINE",
-                    "without HN_PERIOD", "without HN_PERIOD", "in the vertex stage", "in Vulkan's GLSL", "in vulkan",
-                    "of value3d.all", "of the check spirv"}));
-  EXPECT_EQ(facets_of("a.b.c"), (Facets{"", "", "", "", "", "", "", "", "", "", "of a.b", ""}));
+            (Facets{"", "in 3D", "with HN_FAST", "with HN_HASH_LATTICE", "without HN_GRADIENT_SINE", "",
+                    "in the vertex stage", "in Vulkan's GLSL", "in vulkan", "of value3d.all", "of the check spirv"}));
+  EXPECT_EQ(facets_of("position.cell4.any.exact.vertex.es300.golden")[0], "of positions");
+  EXPECT_EQ(facets_of("a.b.c"), (Facets{"", "", "", "", "", "", "", "", "", "of a.b", ""}));
 }
 
 TEST(Facets, KnowEveryCase) {

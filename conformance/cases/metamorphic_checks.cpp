@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <optional>
 
 #include "cases/targets.hpp"
 #include "cases/value_checks.hpp"
@@ -13,8 +14,8 @@
 namespace hn {
 namespace {
 
-// In a loop each trip leaves a word, of the point at hand and of its neighbours; as in the shader: exact functions may
-// have several words, and those that a function has not are 0.
+// In a loop each trip leaves a word, of the point at hand and of its neighbours; as in the shader: functions may have
+// several words if every bit counts, and those that a function has not are 0.
 std::uint32_t left_by_trip(std::span<const std::uint32_t> words) { return words[0] ^ words[1] ^ words[2] ^ words[3]; }
 
 }  // namespace
@@ -24,24 +25,25 @@ Outcome check_pairing(Session& session, const Pairing& pairing) {
   if (!expected) return expected.error();
   const auto got = evaluate(session, pairing.evaluation, pairing.inputs);
   if (!got) return got.error();
-  const Function& function = pairing.evaluation.function;
-  Comparison comparison(function, pairing.inputs);
-  const auto compare_word = [&](std::size_t i, std::uint32_t word, std::uint32_t other) {
+  Comparison comparison(pairing.evaluation.function, pairing.inputs);
+  // column: the output that the word is; nothing for what a trip leaves of all of them.
+  const auto compare_word = [&](std::size_t i, std::optional<std::size_t> column, std::uint32_t word,
+                                std::uint32_t other) {
     const auto in = point(pairing.inputs, i);
     if (pairing.exact) {
-      comparison.bits(in, word, other);
+      comparison.bits(in, word, other, column);
     } else {
       comparison.number(in, std::bit_cast<float>(word), static_cast<double>(std::bit_cast<float>(other)),
-                        pairing.allowed[i]);
+                        pairing.allowed[i * pairing.words() + column.value_or(0)], column);
     }
   };
-  for (std::size_t i = 0; i < pairing.allowed.size(); ++i) {
+  for (std::size_t i = 0; i < pairing.inputs.size() / kInputWords; ++i) {
     const auto words = result(*got, i);
     for (std::size_t trip = 0; pairing.in_loop() && trip < kLoopTrips; ++trip) {
-      compare_word(i ^ trip, words[trip], left_by_trip(result(*expected, i ^ trip)));
+      compare_word(i ^ trip, std::nullopt, words[trip], left_by_trip(result(*expected, i ^ trip)));
     }
-    for (std::size_t word = 0; !pairing.in_loop() && word < function.outputs.size(); ++word) {
-      compare_word(i, words[word], result(*expected, i)[word]);
+    for (std::size_t word = 0; !pairing.in_loop() && word < pairing.words(); ++word) {
+      compare_word(i, word, words[word], result(*expected, i)[word]);
     }
   }
   return comparison.finish();
@@ -60,6 +62,11 @@ struct Variant {
   MakePairing* make;
 };
 
+// It is held against the noise without a derivative.
+bool has_value_with_derivative(const Function& function) {
+  return function.bound.ends_with("_d") && function.outputs.front().name == "value";
+}
+
 constexpr std::array kVariants = {
     Variant{"inlined", {.shape = Shape::inlined}, variant_pairing},
     Variant{"in_loop", {.shape = Shape::in_loop}, variant_pairing},
@@ -70,8 +77,8 @@ constexpr std::array kVariants = {
 
 }  // namespace
 
-// A variant of the shader is one more to compile. With the defaults each function has all of them, in one arithmetic and
-// one version or another; a period concerns no hash.
+// A variant of the shader is one more to compile. With the defaults each function has all of them, in one arithmetic
+// and one version or another; of further functions some.
 void add_metamorphic_cases(std::vector<Case>& cases, const Evaluation& evaluation, const Target& target,
                            Extent extent) {
   const auto& [function, configuration, profile, none, stage] = evaluation;
@@ -79,23 +86,30 @@ void add_metamorphic_cases(std::vector<Case>& cases, const Evaluation& evaluatio
   if (target.main && defaults && has_variants(function)) {
     for (std::size_t i = 0; i < kVariants.size(); ++i) {
       const auto& [name, variant, make] = kVariants[i];
-      const bool all = configuration.is_default() && (!profile.es || function.exact());
-      cases.push_back(
-          {name_of(evaluation, name), PairingKind{{function, configuration, profile, variant}, make},
-           all || has_turn(function, configuration, target.number + i) ? Extent::one_driver : Extent::thorough});
+      // Of several words that are near the right ones nothing can be said by what a trip leaves of them.
+      if (name == "in_loop" && function.outputs.size() > 1 && !has_same_bits(function, configuration)) continue;
+      const bool all = configuration.is_default() && !function.is_further() && (!profile.es || function.exact());
+      const bool some = has_turn(function, configuration, target.number + i) && !(function.is_further() && profile.es);
+      cases.push_back({name_of(evaluation, name), PairingKind{{function, configuration, profile, variant}, make},
+                       all || some ? Extent::one_driver : Extent::thorough});
     }
   }
   if (!target.main && stage != Stage::fragment && covers(configuration, function)) {
     cases.push_back({name_of(evaluation, "as_fragment"), PairingKind{evaluation, variant_pairing}, extent});
   }
-  // Over 2^20 cells the positions of octave sums have no fraction left. Their code does not depend on the period, and
-  // they have no values of their own with one.
-  const bool has_period = function.is_octave_sum()
-                              ? configuration.period == 48 && !configuration.sine()
-                              : configuration.period != 0 && covers(configuration, function);
-  if (target.main && has_period) {
-    cases.push_back({name_of(evaluation, "period"), PairingKind{evaluation, period_pairing}, extent});
+  if (!target.main || !covers(configuration, function)) return;
+  const auto add = [&](std::string_view name, MakePairing* make) {
+    cases.push_back({name_of(evaluation, name), PairingKind{evaluation, make}, std::max(extent, Extent::one_driver)});
+  };
+  if (function.takes_period()) {
+    add("period", period_pairing);
+    add("wrapped", wrapped_pairing);
+    // One more shader to compile.
+    const bool chosen = configuration.is_default() && !profile.es;
+    cases.push_back({name_of(evaluation, "constant_period"), PairingKind{evaluation, constant_period_pairing},
+                     chosen ? Extent::one_driver : Extent::thorough});
   }
+  if (function.is_noise() && has_value_with_derivative(function)) add("derivative_value", derivative_value_pairing);
 }
 
 }  // namespace hn

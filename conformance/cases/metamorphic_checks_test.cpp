@@ -100,39 +100,155 @@ TEST_F(Metamorphic, EveryTripOfTheLoopCounts) {
   }
 }
 
+// Every point of a check of periods must be able to show a fault; so each is tried on the ways that a noise can go.
 struct Aperiodic {
-  std::string_view id;  // without check
+  std::string_view id;  // without stage
+  std::string_view check;
   std::string_view file;
   std::string_view fault;
 };
 
-TEST_F(Metamorphic, AFunctionWithoutItsPeriodIsCaught) {
-  constexpr Aperiodic kFaults[] = {
-      {"gradient.lattice2.lattice+period48.exact", "gradient.glsl",
-       "hn_gradient(args) (hn_gradient(args) + float(int(a.x)))"},
-      {"gradient.sine3.fnv1+sine+period1048576.fast", "gradient.glsl",
-       "hn_gradient(args) (hn_gradient(args) + float(int(a.y)))"},
-      {"noise2d.perlin.lattice+period64.fast", "perlin2d.glsl", "hn_perlin(args) (hn_perlin(args) + 0.00001 * p.x)"},
-      {"noise3d.perlin_cell.lattice+period1048576.fast", "perlin3d.glsl",
-       "hn_perlin(c, args) (hn_perlin(c, args) + float(cell.z))"},
-      {"fbm.clouds3.lattice+period48.fast", "fbm3d.glsl",
-       "hn_clouds(q, o, l, args) (hn_clouds(q, o, l, args) + 0.00001 * p.z)"},
-      {"fbm.fbm2.lattice+period48.fixed", "fbm2d.glsl",
-       "hn_fbm(q, o, l, args) (hn_fbm(q, o, l, args) + 0.0000005 * p.x)"},
-      // Only many octaves come to so large a cell.
-      {"fbm.fbm2.lattice+period48.fixed", "perlin2d.glsl",
-       "hn_i_perlin(cell, f, seed) hn_i_perlin(clamp(cell, -8388608, 8388607), f, seed)"}};
-  for (const Aperiodic& fault : kFaults) {
-    for (const std::string_view profile : {"gl330", "es300"}) {
-      if (fault.id.ends_with(".fixed") && profile == "es300") continue;  // it has no such case
-      const auto id = fmt::format("{}.fragment.{}.period", fault.id, profile);
-      sources_ = SourceSet::embedded();
-      EXPECT_EQ(run(id).status, Status::pass) << id;
-      append(fault.file, fmt::format("#define {}", fault.fault));
-      const Outcome wrong = run(id);
-      EXPECT_NE(wrong.mismatches, 0u) << id << ": " << wrong.message;
-    }
+struct Replaced {
+  std::string_view id;
+  std::string_view file;
+  std::string_view text;  // of the library
+  std::string_view fault;
+};
+
+class Periods : public Metamorphic {
+ protected:
+  void expect_caught(const Aperiodic& fault) {
+    const auto id = fmt::format("{}.{}", fault.id, fault.check);
+    sources_ = SourceSet::embedded();
+    const Outcome right = run(id);
+    EXPECT_EQ(right.status, Status::pass) << id << ": " << right.message;
+    append(fault.file, fmt::format("#define {}", fault.fault));
+    const Outcome wrong = run(id);
+    EXPECT_EQ(wrong.status, Status::fail) << id << ": " << fault.fault << ": " << wrong.message;
+    EXPECT_NE(wrong.mismatches, 0u) << id << ": " << fault.fault;
   }
+
+  void expect_replaced_caught(const Replaced& fault) {
+    sources_ = SourceSet::embedded();
+    const Outcome right = run(fault.id);
+    EXPECT_EQ(right.status, Status::pass) << fault.id << ": " << right.message;
+    std::string text = SourceSet::embedded().find(fault.file)->text;
+    auto at = text.find(fault.text);
+    ASSERT_NE(at, std::string::npos) << fault.file << ": " << fault.text;
+    for (; at != std::string::npos; at = text.find(fault.text, at + fault.fault.size())) {
+      text.replace(at, fault.text.size(), fault.fault);
+    }
+    sources_.add(std::string(fault.file), text, std::string(fault.file));
+    const Outcome wrong = run(fault.id);
+    EXPECT_EQ(wrong.status, Status::fail) << fault.id << ": " << wrong.message;
+    EXPECT_NE(wrong.mismatches, 0u) << fault.id << ": " << wrong.message;
+  }
+};
+
+TEST_F(Periods, AFunctionThatDoesNotRepeatIsCaught) {
+  constexpr Aperiodic kFaults[] = {
+      {"noise2d.perlin_period.lattice.fast.fragment.gl330", "period", "perlin2d.glsl",
+       "hn_perlin(p, q, args) (hn_perlin(p, q, args) + 0.00001 * p.x)"},
+      {"noise2d.perlin_period.lattice.fast.fragment.es300", "period", "perlin2d.glsl",
+       "hn_perlin(p, q, args) (hn_perlin(p, q, args) + 0.00001 * p.x)"},
+      {"noise3d.perlin_cell_period.lattice.fast.fragment.gl330", "period", "perlin3d.glsl",
+       "hn_perlin(c, f, q, args) (hn_perlin(c, f, q, args) + float(cell.z))"},
+      {"noise2d.perlin_cell_period.lattice+sine.fast.fragment.gl330", "period", "perlin2d.glsl",
+       "hn_perlin(c, f, q, args) (hn_perlin(c, f, q, args) + 0.001 * float(cell.y & 64))"},
+      // A seam that is one cell late.
+      {"noise1d.value_cell_period.lattice.fixed.fragment.gl330", "period", "value1d.glsl",
+       "hn_value(c, f, q, args) hn_value(c, f, q + int(q > 0), args)"},
+      {"noise4d.perlin_d_cell_period.lattice.fast.fragment.gl330", "period", "perlin_d4d.glsl",
+       "hn_perlin_d(c, f, q, s, g) hn_perlin_d(c, f, ivec4(q.x, q.y, q.z, 0), s, g)"},
+      {"fbm.clouds3_period.lattice.fast.fragment.gl330", "period", "fbm3d.glsl",
+       "hn_clouds(q, r, o, l, g, args) (hn_clouds(q, r, o, l, g, args) + 0.00001 * p.z)"},
+      {"fbm.fbm2_period.lattice.fixed.fragment.gl330", "period", "fbm2d.glsl",
+       "hn_fbm(q, r, o, l, g, args) (hn_fbm(q, r, o, l, g, args) + 0.0000005 * p.x)"}};
+  for (const Aperiodic& fault : kFaults) expect_caught(fault);
+  // Only many octaves come to so large a cell.
+  expect_replaced_caught({"fbm.fbm2_period.lattice.fixed.fragment.gl330.period", "fbm2d.glsl",
+                          "ivec2(int(x.x), int(y.x));", "clamp(ivec2(int(x.x), int(y.x)), -8388608, 8388607);"});
+}
+
+// The form without periods is under test as well, so that only what the other calls may be wrong.
+TEST_F(Periods, AFormThatIsNotTheOneWithoutPeriodsIsCaught) {
+  constexpr Replaced kFaults[] = {
+      // A period of 0 that is one of 2^20, and a large one that counts as none.
+      {"noise2d.perlin_cell_period.lattice.fast.fragment.gl330.wrapped", "perlin2d.glsl", "hn_i_inside(f), period,",
+       "hn_i_inside(f), ivec2(period.x == 0 ? 1048576 : period.x, period.y),"},
+      {"noise3d.value_cell_period.lattice.fixed.fragment.gl330.wrapped", "value3d.glsl", "hn_i_inside(f), period,",
+       "hn_i_inside(f), ivec3(period.x, period.y, period.z > 1073741824 ? 0 : period.z),"},
+      // Cells below 0 count towards it.
+      {"noise2d.value_cubic_cell_period.lattice.precise.fragment.gl400.wrapped", "lattice.glsl",
+       "hn_i_select(c < 0, mask - rest, rest)", "rest"},
+      {"noise1d.perlin_d_period.lattice.fast.fragment.gl330.wrapped", "perlin_d1d.glsl", "hn_i_fraction(p), period,",
+       "hn_i_fraction(p) + 0.001, period,"},
+      {"fbm.turbulence2_period.lattice.fixed.fragment.gl330.wrapped", "fbm2d.glsl", "hn_i_octaves(p, period, true,",
+       "hn_i_octaves(p, period + 65536 * int(period.x == 0), true,"}};
+  for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
+}
+
+TEST_F(Periods, AConstantPeriodThatCountsOtherwiseIsCaught) {
+  constexpr std::string_view kFault =
+      "#ifdef CASE_CONSTANT_PERIOD\n#define hn_perlin(c, f, q, args) hn_perlin(c, f, q + 1, args)\n#endif";
+  constexpr std::string_view kIds[] = {"noise3d.perlin_cell_period.lattice.fast.fragment.gl330.constant_period",
+                                       "noise3d.perlin_cell_period.lattice.fixed.fragment.gl330.constant_period"};
+  for (const std::string_view id : kIds) {
+    sources_ = SourceSet::embedded();
+    const Outcome right = run(id);
+    EXPECT_EQ(right.status, Status::pass) << id << ": " << right.message;
+    append("perlin3d.glsl", kFault);
+    EXPECT_EQ(run(id).status, Status::fail) << id;
+  }
+}
+
+class Derivatives : public Periods {};
+
+// In every dimension and arithmetic: a sign, a factor, components in another order, and what the slope of the fade
+// curve adds.
+TEST_F(Derivatives, FaultsAreCaught) {
+  constexpr Aperiodic kFaults[] = {
+      {"noise1d.perlin_d.lattice.fast.fragment.gl330", "derivative", "perlin_d1d.glsl",
+       "hn_perlin_d(args) (vec2(1.0, -1.0) * hn_perlin_d(args))"},
+      {"noise2d.value_d.lattice.fast.fragment.gl330", "derivative", "value_d2d.glsl",
+       "hn_value_d(args) (vec3(1.0, 1.0, 1.01) * hn_value_d(args))"},
+      {"noise2d.perlin_d_cell.lattice.fixed.fragment.gl330", "derivative", "perlin_d2d.glsl",
+       "hn_perlin_d(c, args) (vec3(1.0, 1.01, 1.0) * hn_perlin_d(c, args))"},
+      {"noise3d.perlin_d.lattice.precise.fragment.gl400", "derivative", "perlin_d3d.glsl",
+       "hn_perlin_d(args) hn_perlin_d(args).xzyw"},
+      {"noise3d.value_d_cell_period.lattice.fixed.fragment.gl330", "derivative", "value_d3d.glsl",
+       "hn_value_d(c, f, q, args) hn_value_d(c, f, q, args).xzyw"},
+      {"noise4d.perlin_d.lattice.fast.fragment.gl330", "derivative", "arithmetic.glsl",
+       "hn_i_slope(f) (0.0 * hn_i_slope(f))"},
+      {"noise2d.perlin_d.lattice.fast.fragment.gl330", "derivative", "arithmetic.glsl",
+       "hn_i_slope(f) (0.0 * hn_i_slope(f))"},
+      {"noise3d.value_d.lattice.fixed.fragment.gl330", "derivative", "arithmetic.glsl",
+       "hn_i_slope(f) (hn_i_slope(f) / 128 * 127)"}};
+  for (const Aperiodic& fault : kFaults) expect_caught(fault);
+}
+
+TEST_F(Derivatives, AnotherValueIsCaught) {
+  constexpr Aperiodic kFaults[] = {
+      {"noise2d.perlin_d.lattice.fast.fragment.gl330", "derivative_value", "perlin_d2d.glsl",
+       "hn_perlin_d(args) (vec3(0.0001, 0.0, 0.0) + hn_perlin_d(args))"},
+      {"noise3d.value_d_cell.lattice.fixed.fragment.gl330", "derivative_value", "value_d3d.glsl",
+       "hn_value_d(c, args) (vec4(0.0000005, 0.0, 0.0, 0.0) + hn_value_d(c, args))"},
+      {"noise4d.perlin_d_period_value.lattice.precise.fragment.gl400", "derivative_value", "perlin_d4d.glsl",
+       "hn_perlin_d(p, q, s, g) uintBitsToFloat(floatBitsToUint(hn_perlin_d(p, q, s, g)) ^ 1u)"}};
+  for (const Aperiodic& fault : kFaults) expect_caught(fault);
+}
+
+// The polynomial through a cell's values has the derivative of the noise on both sides of a border.
+TEST_F(Derivatives, AJumpAtTheBorderOfACellIsCaught) {
+  expect_caught({"noise2d.value_d_cell.lattice.fast.fragment.gl330", "derivative", "value_d2d.glsl",
+                 "hn_value_d(c, args) (hn_value_d(c, args) + vec3(0.0, f.x == 1.0 ? 0.02 : 0.0, 0.0))"});
+}
+
+TEST_F(Derivatives, NoiseThatIsNotZeroAtLatticePointsIsCaught) {
+  expect_caught({"noise1d.perlin.lattice.fast.fragment.gl330", "zero", "perlin1d.glsl",
+                 "hn_perlin(args) (hn_perlin(args) + 0.00001)"});
+  expect_caught({"noise4d.perlin_d_value.lattice.fixed.fragment.gl330", "zero", "perlin_d4d.glsl",
+                 "hn_perlin_d(p, g) (hn_perlin_d(p, g) + 0.00001)"});
 }
 
 TEST_F(Metamorphic, ADriverGetsAsManyTwinPointsAsItsSessionSays) {

@@ -44,15 +44,15 @@ const Session::PointSet& Session::twin_points(const Function& function, const Co
                                               std::size_t count, std::uint64_t batch) {
   const std::string key =
       fmt::format("{} {} {} {}", function.id, configuration.sine(), arithmetic_name(function, configuration), batch);
-  if (kept_points_of_ == key && kept_points_.allowed.size() >= count) return kept_points_;
+  if (kept_points_of_ == key && kept_points_.inputs.size() >= count * kInputWords) return kept_points_;
   // A seed has 32 bits.
   const Random random(seed + (batch << 32), function.id);
   kept_points_.inputs = random_points(function, count, random, defined_extremes(configuration));
-  kept_points_.allowed.assign(count, 0.0);
-  for (std::size_t i = 0; i < count && !has_same_bits(function, configuration); ++i) {
+  kept_points_.allowed.assign(count * function.outputs.size(), 0.0);
+  for (std::size_t i = 0; i < kept_points_.allowed.size() && !has_same_bits(function, configuration); ++i) {
     // Both the driver and the twin may be off the exact value by the tolerance.
-    kept_points_.allowed[i] =
-        2.0 * tolerance(function, configuration, std::span(kept_points_.inputs).subspan(i * kInputWords, kInputWords));
+    const auto inputs = std::span(kept_points_.inputs).subspan(i / function.outputs.size() * kInputWords, kInputWords);
+    kept_points_.allowed[i] = 2.0 * tolerance(function, configuration, inputs, i % function.outputs.size());
   }
   kept_points_of_ = key;
   return kept_points_;

@@ -36,8 +36,16 @@ Extent extent_of(const Function& function, const Configuration& configuration, c
   const bool defaults =
       configuration.default_but_for_arithmetic() ||
       (function.family == Family::sine_gradient && configuration.name_without_arithmetic() == "lattice+sine");
-  if (defaults && target.main) return Extent::every_driver;
   const bool main_of_desktop = target.main && !target.profile->es;
+  if (function.is_further()) {
+    // Many functions, whose code is that of others for the most part: what differs, one version and stage shows. Every
+    // driver shows the bits of the noises themselves; their other forms are compiled and run by one.
+    const bool form = function.takes_cell() || function.takes_period();
+    const bool promised = defaults && configuration.arithmetic == Arithmetic::fixed && !form;
+    if (main_of_desktop) return promised ? Extent::every_driver : Extent::one_driver;
+    return has_turn(function, configuration, target.number) ? Extent::one_driver : Extent::thorough;
+  }
+  if (defaults && target.main) return Extent::every_driver;
   const bool chosen = defaults || main_of_desktop || has_turn(function, configuration, target.number);
   return chosen ? Extent::one_driver : Extent::thorough;
 }

@@ -28,8 +28,9 @@ struct Target {
 std::vector<Target> targets_of(const Configuration& configuration);
 
 // Settings are chosen pairwise. Every pair of a function and a configuration is run, in the main version of desktop
-// OpenGL; and every pair of a function and a target, with the defaults. A pair of a configuration and a target is run with
-// at least one function of each family, one in kMostTurns of a large family. The rest is thorough.
+// OpenGL; and every pair of a function and a target, with the defaults. A pair of a configuration and a target is run
+// with at least one function of each family, one in kMostTurns of a large family. Of further functions, the pairs of a
+// function and a target are run for one in kMostTurns. The rest is thorough.
 inline constexpr std::size_t kMostTurns = 5;
 Extent extent_of(const Function& function, const Configuration& configuration, const Target& target);
 // Whether a function takes its turn in its family with this configuration, and the target or variant `other`.

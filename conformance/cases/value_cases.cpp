@@ -15,19 +15,24 @@ void add_properties(std::vector<Case>& cases, const Evaluation& evaluation, Exte
     cases.push_back({name_of(evaluation, name), CheckKind{evaluation, check}, extent});
   };
   const bool once = configuration.is_default();  // for what does not depend on the knobs
-  if (once && function.seed_word() >= 0) add("unseeded", check_unseeded);
+  if (once && function.has_unseeded()) add("unseeded", check_unseeded);
   // HN_FIXED converts a noise that the user names to an integer.
   const bool names_noise = once || configuration.name == "lattice+fixed";
-  if (names_noise && function.is_octave_sum()) add("noise_knob", check_noise_knob);
-  if (once && function.family == Family::gradient) add("wrapped", check_wrapped);
-  if (function.exact()) return;
+  if (names_noise && function.family == Family::octave_sum) add("noise_knob", check_noise_knob);
+  // With periods the field has no values but those that it has without.
+  if (function.exact() || function.takes_period()) {
+    if (function.has_slopes()) add("derivative", check_derivative);
+    return;
+  }
   add("range", check_range);
-  // A period and a hash change no value's size.
-  if (configuration.period == 0 && configuration.hash == default_configuration().hash) add("finite", check_finite);
-  if (!function.is_noise() || function.takes_cell()) return;
-  if (function.family == Family::gradient_noise) add("zero", check_zero);
-  // With the sine gradient a hash is as weak as published, and a period of 48 cells has not room for many points.
-  if (!configuration.hash_only()) return;
+  // A hash changes no value's size.
+  if (configuration.hash == default_configuration().hash) add("finite", check_finite);
+  if (!function.is_noise()) return;
+  if (function.has_slopes()) add("derivative", check_derivative);
+  if (function.starts_from_integers()) return;
+  if (function.is_gradient_noise() && !function.is_slope(0)) add("zero", check_zero);
+  // With the sine gradient a hash is as weak as published. With derivatives the field is the same.
+  if (!configuration.hash_only() || function.bound.ends_with("_d")) return;
   add("seeds", check_seeds);
   add("mirror", check_mirror);
 }

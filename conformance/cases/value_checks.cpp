@@ -30,13 +30,13 @@ tl::expected<Words, Outcome> evaluate(Session& session, const Evaluation& evalua
 
 namespace {
 
-// By what they cost: with the default knobs a quarter of a million, in each arithmetic; of octave sums, which are several
-// noises, a quarter of that; with other knobs, which are many, a quarter, too; in ES, which is there for the contexts
-// that have no GLSL 3.30, a sixteenth.
+// By what they cost: with the default knobs a quarter of a million, in each arithmetic; of octave sums, which are
+// several noises, of derivatives and in 4D a quarter of that; with other knobs, which are many, a quarter, too; in ES,
+// which is there for the contexts that have no GLSL 3.30, a sixteenth.
 std::uint64_t twin_points(const Session& session, const Evaluation& evaluation) {
   if (session.points != 0) return session.points;
   std::uint64_t points = std::uint64_t{1} << 18;
-  if (evaluation.function.is_octave_sum()) points /= 4;
+  if (evaluation.function.is_costly()) points /= 4;
   if (!evaluation.configuration.default_but_for_arithmetic()) points /= 4;
   if (evaluation.profile.name != main_profile(evaluation.configuration, false).name) points /= 16;
   return std::min<std::uint64_t>(points, session.most_points);
@@ -104,7 +104,7 @@ Outcome check_twin(Session& session, const Evaluation& evaluation) {
     comparison.next_grid(inputs);
     for (std::size_t i = 0; i < count; ++i) {
       compare_with_twin(comparison, evaluation, point(inputs, i), result(*outputs, i), result(expected, i),
-                        points.allowed[i]);
+                        std::span(points.allowed).subspan(i * function.outputs.size()));
     }
     done += count;
     if (done < all) session.still_alive();

@@ -33,12 +33,14 @@ Check check_twin;    // against the C++ twin, at random points
 // property_checks.cpp
 Check check_zero;        // noise is 0 at lattice points
 Check check_range;       // values keep to their range and use it
-Check check_wrapped;     // cells with a period are those without one, wrapped
 Check check_seeds;       // fields of different seeds are uncorrelated
 Check check_mirror;      // no quadrant mirrors another
 Check check_finite;      // and neither NaN nor infinity at extreme points
 Check check_unseeded;    // without a seed means with seed 0
 Check check_noise_knob;  // HN_FBM_NOISE2D and HN_FBM_NOISE3D are used
+
+// derivative_check.cpp
+Check check_derivative;  // derivatives are those of the noise
 
 // compile_cases.cpp
 Outcome check_compilation(Session& session, const CompilationKind& compilation);

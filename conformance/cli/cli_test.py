@@ -241,10 +241,10 @@ class Cli(unittest.TestCase):
     def test_every_other_check_can_fail(self):
         perlin = "noise2d.perlin.lattice.fast.fragment.gl330"
         for check, case, name, *changes in (
-            ("range", f"{perlin}.range", "gradient.glsl", ("n, 1913)", "n, 2913)")),
-            ("range, little used", f"{perlin}.range", "gradient.glsl", ("n, 1913)", "n, 913)")),
+            ("range", f"{perlin}.range", "gradient.glsl", ("n, 1365)", "n, 2365)")),
+            ("range, little used", f"{perlin}.range", "gradient.glsl", ("n, 1365)", "n, 365)")),
             ("zero", f"{perlin}.zero", "perlin2d.glsl", ("hn_i_fraction(p)", "hn_i_fraction(p) + 0.25f")),
-            ("seeds", f"{perlin}.seeds", "lattice.glsl", ("hn_i_mix(seed)", "hn_i_mix(seed & 0u)")),
+            ("seeds", f"{perlin}.seeds", "lattice.glsl", ("first, last, s, s, 0u)", "first, last, 0u, 0u, 0u)")),
             ("mirror", f"{perlin}.mirror", "perlin2d.glsl",
              ("hn_i_cell(p), hn_i_fraction(p)", "hn_i_cell(abs(p)), hn_i_fraction(abs(p))")),
             ("finite", f"{perlin}.finite", "perlin2d.glsl", ("hn_i_fraction(p), seed", "hn_i_fraction(p) + 0.25f, seed")),
@@ -363,7 +363,7 @@ class Cli(unittest.TestCase):
                 self.assertEqual(self.results()["runs"][0]["totals"]["fail"], 3)
 
     def test_fail_fast_stops(self):
-        glsl = self.changed_glsl("gradient.glsl", ("n, 1913)", "n, 1914)"))
+        glsl = self.changed_glsl("gradient.glsl", ("n, 1365)", "n, 1366)"))
         self.run_case("--glsl", glsl, "--fail-fast", case="noise2d.perlin.*.golden")
         self.assertEqual(len(self.results()["runs"][0]["cases"]), 1)
 

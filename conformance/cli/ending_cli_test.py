@@ -226,7 +226,7 @@ class Ending(unittest.TestCase):
             self.assertEqual(self.call("run", "--out", self.out, *ONE).returncode, 0)
 
     def test_a_disk_that_is_full_during_the_run_ends_it_and_says_why(self):
-        done = self.call("run", "--out", self.out, *MANY, most_bytes=100_000)
+        done = self.call("run", "--out", self.out, *MANY, most_bytes=400_000)
         self.assertEqual(done.returncode, 1)
         self.assertRegex(done.err, rf"cannot write {self.journal}: File too large; \d+ of \d+ cases were not run\n")
         self.assertIn(f"{self.journal}; the same command with --resume goes on from there", done.err)

@@ -180,7 +180,7 @@ class Run(unittest.TestCase):
         done = self.run_program("--expect", expect, *more)
         self.assertEqual(done.returncode, 1)
         self.assertIn("needs no excuse", done.out)
-        table.write_text(row.replace("noise2d.perlin.lattice", "noise4d"))
+        table.write_text(row.replace("noise2d.perlin.lattice", "noise5d"))
         done = self.run_program("--expect", expect, *more)
         self.assertEqual(done.returncode, 2)
         self.assertIn(f"{table}:2: no case matches", done.err)

@@ -120,13 +120,14 @@ Outcome Comparison::finish() const {
 }
 
 void compare_with_twin(Comparison& comparison, const Evaluation& evaluation, std::span<const std::uint32_t> inputs,
-                       std::span<const std::uint32_t> got, std::span<const std::uint32_t> twin, double allowed) {
+                       std::span<const std::uint32_t> got, std::span<const std::uint32_t> twin,
+                       std::span<const double> allowed) {
   for (std::size_t word = 0; word < evaluation.function.outputs.size(); ++word) {
     if (has_same_bits(evaluation.function, evaluation.configuration)) {
       comparison.bits(inputs, got[word], twin[word], word);
     } else {
       comparison.number(inputs, std::bit_cast<float>(got[word]), static_cast<double>(std::bit_cast<float>(twin[word])),
-                        allowed, word);
+                        allowed[word], word);
     }
   }
 }
@@ -134,12 +135,12 @@ void compare_with_twin(Comparison& comparison, const Evaluation& evaluation, std
 void compare_with_golden(Comparison& comparison, const Function& function, const Configuration& configuration,
                          std::span<const std::uint32_t> inputs, std::span<const std::uint32_t> got,
                          std::span<const std::uint64_t> values) {
-  const double allowed = tolerance(function, configuration, inputs);
   for (std::size_t word = 0; word < values.size(); ++word) {
     if (has_exact_values(function, configuration)) {
       comparison.bits(inputs, got[word], result_bits(function.outputs[word], values[word]), word);
     } else {
-      comparison.number(inputs, std::bit_cast<float>(got[word]), std::bit_cast<double>(values[word]), allowed, word);
+      comparison.number(inputs, std::bit_cast<float>(got[word]), std::bit_cast<double>(values[word]),
+                        tolerance(function, configuration, inputs, word), word);
     }
   }
 }

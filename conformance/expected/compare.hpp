@@ -51,9 +51,11 @@ class Comparison {
 // "x=1.5 (3fc00000) seed=7 (00000007)": the input words of a function, for messages.
 std::string describe_inputs(const Function& function, std::span<const std::uint32_t> inputs);
 
-// Compares a result with the twin's at the same point.
+// Compares a result with the twin's at the same point. allowed: how far each output may be off, unless every bit
+// counts.
 void compare_with_twin(Comparison& comparison, const Evaluation& evaluation, std::span<const std::uint32_t> inputs,
-                       std::span<const std::uint32_t> got, std::span<const std::uint32_t> twin, double allowed);
+                       std::span<const std::uint32_t> got, std::span<const std::uint32_t> twin,
+                       std::span<const double> allowed);
 // Compares a result with the values of a golden file.
 void compare_with_golden(Comparison& comparison, const Function& function, const Configuration& configuration,
                          std::span<const std::uint32_t> inputs, std::span<const std::uint32_t> got,

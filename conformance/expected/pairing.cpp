@@ -33,45 +33,104 @@ Words points_for(const Evaluation& evaluation, std::uint64_t seed, std::size_t c
 }
 
 // The driver may be off on both ways.
-std::vector<double> allowed_between(const Evaluation& evaluation, const Words& inputs, const Words& others) {
-  const auto allowed_at = [&](const Words& words, std::size_t start) {
-    return tolerance(evaluation.function, evaluation.configuration, std::span(words).subspan(start, kInputWords));
+Pairing pairing_of(const Evaluation& evaluation, const Evaluation& other, Words inputs, Words other_inputs,
+                   bool exact) {
+  Pairing pairing{evaluation, other, std::move(inputs), std::move(other_inputs), {}, exact};
+  const auto allowed_at = [](const Evaluation& way, const Words& words, std::size_t start, std::size_t output) {
+    return tolerance(way.function, way.configuration, std::span(words).subspan(start, kInputWords), output);
   };
-  std::vector<double> allowed;
-  for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
-    allowed.push_back(allowed_at(inputs, i) + allowed_at(others, i));
+  for (std::size_t i = 0; i < pairing.inputs.size(); i += kInputWords) {
+    for (std::size_t output = 0; output < pairing.words(); ++output) {
+      pairing.allowed.push_back(allowed_at(evaluation, pairing.inputs, i, output) +
+                                allowed_at(other, pairing.other_inputs, i, output));
+    }
   }
-  return allowed;
+  return pairing;
 }
 
 Pairing pairing_on(const Evaluation& evaluation, Words inputs) {
-  std::vector<double> allowed = allowed_between(evaluation, inputs, inputs);
-  return {evaluation, plain(evaluation),  inputs,
-          inputs,     std::move(allowed), has_same_bits(evaluation.function, evaluation.configuration)};
+  return pairing_of(evaluation, plain(evaluation), inputs, inputs,
+                    has_same_bits(evaluation.function, evaluation.configuration));
 }
 
-struct Pair {
-  std::uint32_t here;
-  std::uint32_t there;  // some periods on
-};
+// The words of another function's columns, which the function has, too.
+Words inputs_for(const Function& other, const Function& function, const Words& inputs) {
+  Words words(inputs.size());
+  for (std::size_t column = 0; column < other.inputs.size(); ++column) {
+    const auto from = static_cast<std::size_t>(function.input(other.inputs[column].name));
+    for (std::size_t i = 0; i < inputs.size(); i += kInputWords) words[i + column] = inputs[i + from];
+  }
+  return words;
+}
+
+// --- Periods ---
 
 // As many octaves as keep the cells of fixed arithmetic within an int, below 9 * 48 * 3^14 and a little more for the
 // shift between octaves (docs/contract.md, section 8).
 constexpr std::uint32_t kFixedOctaves = 15;
 
-Pair coordinates(WordType type, std::uint32_t period, Random& random) {
-  const auto periods = static_cast<std::int32_t>(random.below(3)) - 1;
-  if (type == WordType::i32) {
-    const auto cell = static_cast<std::int32_t>(random.below(1u << 30)) - (1 << 29);
-    // Far apart, since an int has room for it.
-    const std::int32_t step = static_cast<std::int32_t>(period) * 64;
-    return {static_cast<std::uint32_t>(cell), static_cast<std::uint32_t>(cell + periods * step)};
+// Of cells an int is enough for any period. Positions are multiples of 1/8 that are floats a period on, too. Octave
+// sums have few cells: with a whole lacunarity the positions of all octaves are multiples of 1/32 and floats.
+std::int32_t chosen_period(const Function& function, Random& random) {
+  constexpr std::array<std::int32_t, 13> kPeriods = {0,  1,       2,       3,       5,         7,         48,
+                                                     64, 1000003, 1 << 20, 1 << 30, 0x7FFFFFFF, -3};
+  const std::uint32_t count = function.is_octave_sum() ? 7 : function.starts_from_integers() ? 13 : 10;
+  return kPeriods[random.below(count)];
+}
+
+// The floored quotient's rest.
+std::int64_t rest_of(std::int64_t cell, std::int64_t period) { return (cell % period + period) % period; }
+
+// Where a point lies along an axis: in cells, and for positions in eighths of a cell besides.
+struct Place {
+  std::int64_t cell;
+  std::int64_t eighths;
+
+  std::uint32_t word(WordType type) const {
+    if (type == WordType::i32) return static_cast<std::uint32_t>(cell);
+    return std::bit_cast<std::uint32_t>(static_cast<float>(cell) + static_cast<float>(eighths) / 8.0f);
   }
-  // Multiples of 1/8, so that both positions are floats, and with a whole lacunarity those of all octaves: below
-  // 9 * 48 * 3^4 in units of 1/32.
-  const auto cells = static_cast<float>(period);
-  const float p = std::floor(random.uniform(-8.0f * cells, 8.0f * cells)) / 8.0f;
-  return {std::bit_cast<std::uint32_t>(p), std::bit_cast<std::uint32_t>(p + static_cast<float>(periods) * cells)};
+};
+
+// Within a period of the origin or, of cells, anywhere; every other one beside a multiple of the period.
+Place random_place(WordType type, std::int64_t period, Random& random) {
+  const auto eighths = static_cast<std::int64_t>(random.below(8));
+  const std::int64_t reach = type == WordType::i32 ? std::int64_t{1} << 30 : std::max<std::int64_t>(period, 64);
+  const auto anywhere = static_cast<std::int64_t>(random.below(static_cast<std::uint32_t>(2 * reach))) - reach;
+  if (period <= 0 || random.below(2) == 0) return {anywhere, eighths};
+  const std::int64_t multiple = anywhere - rest_of(anywhere, period);
+  const std::int64_t beside = multiple + static_cast<std::int64_t>(random.below(3)) - 1;
+  return {beside < -reach || beside >= reach ? anywhere : beside, eighths};
+}
+
+// Some periods on. Cells, which have room for it, go far, as long as they are ints.
+Place moved(const Place& place, WordType type, std::int64_t period, Random& random) {
+  if (period <= 0) return place;
+  std::int64_t periods = static_cast<std::int64_t>(random.below(3)) - 1;
+  if (type == WordType::i32) periods *= random.below(2) == 0 ? 64 : 1;
+  for (; periods != 0; periods /= 2) {
+    const std::int64_t cell = place.cell + periods * period;
+    if (cell == static_cast<std::int32_t>(cell)) return {cell, place.eighths};
+  }
+  return place;
+}
+
+// A cell whose noise reaches no seam, and its like within the period; hn_value_cubic takes one lattice point more on
+// each side.
+bool is_inside(const Function& function, std::int64_t rest, std::int64_t period) {
+  const std::int64_t more = function.bound == "value_cubic" ? 1 : 0;
+  return rest >= more && rest + 1 + more < period;
+}
+
+// What the points of pairings with periods have apart from their places and periods.
+void settle_octaves(const Evaluation& evaluation, std::span<std::uint32_t> words, Random& random) {
+  const Function& function = evaluation.function;
+  if (!function.is_octave_sum()) return;
+  const auto at = [&](std::string_view name) -> std::uint32_t& {
+    return words[static_cast<std::size_t>(function.input(name))];
+  };
+  if (evaluation.configuration.arithmetic == Arithmetic::fixed) at("octaves") = random.below(kFixedOctaves + 1);
+  at("lacunarity") = std::bit_cast<std::uint32_t>(1.0f + static_cast<float>(random.below(3)));
 }
 
 }  // namespace
@@ -87,34 +146,86 @@ Pairing folded_pairing(const Evaluation& evaluation, std::uint64_t seed, std::si
   return pairing;
 }
 
-// Opposite corners of the period are among the points. A noise has the same bits there: its cells and its fractions are
-// the same. So does an octave sum, as none of its positions is rounded; but a compiler of fast arithmetic may round the
-// steps to them in another way, so there it is held to its tolerance.
+// Points beside the seam are among them. A noise has the same bits there: its cells and its fractions are the same. So
+// does an octave sum, as none of its positions is rounded; but a compiler of fast arithmetic may round the steps to
+// them in another way, so there it is held to its tolerance.
 Pairing period_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
   const Function& function = evaluation.function;
-  const bool octave_sum = function.is_octave_sum();
   Random random(seed, "period");
   Words here = random_points(function, points, random);
   Words there = here;
   for (std::size_t i = 0; i < here.size(); i += kInputWords) {
-    const std::size_t octaves = i + static_cast<std::size_t>(std::max(function.input("octaves"), 0));
-    if (octave_sum && evaluation.configuration.arithmetic == Arithmetic::fixed) {
-      here[octaves] = there[octaves] = random.below(kFixedOctaves + 1);
-    }
-    if (octave_sum) {
-      const auto lacunarity = i + static_cast<std::size_t>(function.input("lacunarity"));
-      here[lacunarity] = there[lacunarity] = std::bit_cast<std::uint32_t>(1.0f + static_cast<float>(random.below(3)));
-    }
+    settle_octaves(evaluation, std::span(here).subspan(i, kInputWords), random);
+    std::copy_n(&here[i], kInputWords, &there[i]);
     // The columns of coordinates come first; those of a cell's fraction keep their values.
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(function.axes); ++axis) {
-      const Pair pair = coordinates(function.inputs[axis].type, evaluation.configuration.period, random);
-      here[i + axis] = pair.here;
-      there[i + axis] = pair.there;
+      const std::int32_t period = chosen_period(function, random);
+      const WordType type = function.inputs[axis].type;
+      const Place place = random_place(type, period, random);
+      here[i + axis] = place.word(type);
+      there[i + axis] = moved(place, type, period, random).word(type);
+      const std::size_t word = i + static_cast<std::size_t>(function.period_word()) + axis;
+      here[word] = there[word] = static_cast<std::uint32_t>(period);
     }
   }
-  std::vector<double> allowed = allowed_between(evaluation, there, here);
-  return {evaluation,      evaluation,         std::move(there),
-          std::move(here), std::move(allowed), !octave_sum || has_same_bits(function, evaluation.configuration)};
+  const bool exact = !function.is_octave_sum() || has_same_bits(function, evaluation.configuration);
+  return pairing_of(evaluation, evaluation, std::move(there), std::move(here), exact);
+}
+
+// Without a period, or where a cell reaches no seam, the noise is that of the form without periods. Octave sums, whose
+// octaves have seams of their own, are tried without periods alone.
+Pairing wrapped_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
+  const Function& function = evaluation.function;
+  const Evaluation other{without(function, "period"), evaluation.configuration, evaluation.profile};
+  Random random(seed, "wrapped");
+  Words here = random_points(function, points, random);
+  Words there = here;
+  for (std::size_t i = 0; i < here.size(); i += kInputWords) {
+    const bool no_periods = function.is_octave_sum() || random.below(4) == 0;
+    settle_octaves(evaluation, std::span(here).subspan(i, kInputWords), random);
+    std::copy_n(&here[i], kInputWords, &there[i]);
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(function.axes); ++axis) {
+      const WordType type = function.inputs[axis].type;
+      std::int32_t period = no_periods ? 0 : chosen_period(function, random);
+      const Place place = random_place(type, period, random);
+      here[i + axis] = place.word(type);
+      there[i + axis] = here[i + axis];
+      const std::int64_t rest = period > 0 ? rest_of(place.cell, period) : 0;
+      if (period > 0 && is_inside(function, rest, period)) {
+        there[i + axis] = Place{rest, place.eighths}.word(type);
+      } else {
+        period = 0;
+      }
+      here[i + static_cast<std::size_t>(function.period_word()) + axis] = static_cast<std::uint32_t>(period);
+    }
+  }
+  Words others = inputs_for(other.function, function, there);
+  return pairing_of(evaluation, other, std::move(here), std::move(others),
+                    has_same_bits(function, evaluation.configuration));
+}
+
+// One period that is no power of two, and one that is; the smallest, and none.
+Pairing constant_period_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
+  static constexpr std::array<std::int32_t, 4> kPeriods = {48, 64, 1, 0};
+  const Function& function = evaluation.function;
+  Words inputs = points_for(evaluation, seed, points);
+  for (std::size_t i = static_cast<std::size_t>(function.period_word()); i < inputs.size(); i += kInputWords) {
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(function.axes); ++axis) {
+      inputs[i + axis] = static_cast<std::uint32_t>(kPeriods[axis]);
+    }
+  }
+  Pairing pairing = pairing_on(evaluation, std::move(inputs));
+  pairing.evaluation.variant.periods = kPeriods;
+  return pairing;
+}
+
+Pairing derivative_value_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
+  const Function& function = evaluation.function;
+  const Evaluation other{plain_noise_of(function), evaluation.configuration, evaluation.profile};
+  Words inputs = points_for(evaluation, seed, points);
+  Words others = inputs_for(other.function, function, inputs);
+  return pairing_of(evaluation, other, std::move(inputs), std::move(others),
+                    has_same_bits(function, evaluation.configuration));
 }
 
 }  // namespace hn

@@ -2,6 +2,7 @@
 // browser.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -16,8 +17,11 @@ struct Pairing {
   Evaluation other;                         // what it is held against
   std::vector<std::uint32_t> inputs;        // kInputWords per point
   std::vector<std::uint32_t> other_inputs;  // the same for the other; often the same words
-  std::vector<double> allowed;              // by point; 0 if every bit counts
+  std::vector<double> allowed;              // for each of words() of each point; 0 if every bit counts
   bool exact;                               // every bit counts
+
+  // How many words of a result are compared: as many as both have.
+  std::size_t words() const { return std::min(evaluation.function.outputs.size(), other.function.outputs.size()); }
 
   // Whether each word of a result belongs to another point: to the point itself, and to its neighbours.
   bool in_loop() const { return evaluation.variant.shape == Shape::in_loop; }
@@ -31,7 +35,13 @@ Pairing variant_pairing(const Evaluation& evaluation, std::uint64_t seed, std::s
 // Points that are constants in the shader's text, so that the compiler may evaluate the function itself: few of them,
 // whatever count is given.
 Pairing folded_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
-// Points a whole number of periods apart.
+// Of functions with periods: points a whole number of periods apart,
 Pairing period_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
+// points against the form without periods, whose cell is the remainder, and which is the same where it reaches no seam,
+Pairing wrapped_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
+// and periods that are constants in the shader's text.
+Pairing constant_period_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
+// The value that comes with a derivative, against the noise without one.
+Pairing derivative_value_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
 
 }  // namespace hn

@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 
 #include "base/digest.hpp"
@@ -160,7 +161,26 @@ float random_coordinate(Region region, bool octave_sum, Extremes extremes, Rando
   return octave_sum && region != Region::lattice && extremes == Extremes::none ? coarse(value) : value;
 }
 
-std::uint32_t random_whole(const Column& column, Region region, Extremes extremes, Random& random) {
+bool is_period(const Column& column) { return column.name.size() == 2 && column.name.front() == 'p'; }
+
+// None, the smallest, powers of two and others, up to the largest; now and then a negative number, which is none. Those
+// of octave sums grow with each octave.
+std::uint32_t random_period(bool octave_sum, Random& random) {
+  constexpr std::array<std::uint32_t, 12> kPeriods = {0,  1,  2,       3,       7,        5,
+                                                      64, 48, 1000003, 1 << 20, 1u << 30, 0x7FFFFFFFu};
+  if (random.below(32) == 0) return 0x80000000u | random.word();
+  return kPeriods[random.below(octave_sum ? 8 : kPeriods.size())];
+}
+
+// Of whole-numbered positions: how many cells are how many units long.
+std::uint32_t random_scale(Random& random) {
+  constexpr std::array<std::uint32_t, 8> kScales = {1, 2, 3, 7, 100, 1024, 65535, 65536};
+  return random.below(2) == 0 ? kScales[random.below(kScales.size())] : 1 + random.below(65536);
+}
+
+std::uint32_t random_whole(const Column& column, Region region, bool octave_sum, Extremes extremes, Random& random) {
+  if (is_period(column)) return random_period(octave_sum, random);
+  if (column.name == "cells" || column.name == "units") return random_scale(random);
   if (column.name != "octaves") return random_cell(region, random);
   if (region == Region::steep) return 1 + random.below(2);  // the position of a third octave would overflow
   return extremes == Extremes::none ? random_octaves(region, random) : extreme_octaves(extremes, random);
@@ -179,7 +199,7 @@ std::uint32_t random_input(const Column& column, Region region, bool octave_sum,
     case WordType::u32:
       return random_word(random);
     case WordType::i32:
-      return random_whole(column, region, extremes, random);
+      return random_whole(column, region, octave_sum, extremes, random);
     case WordType::f32:
       return std::bit_cast<std::uint32_t>(random_float(column, region, octave_sum, extremes, random));
     case WordType::f64:
@@ -218,6 +238,26 @@ Extremes defined_extremes(const Configuration& configuration) {
   return Extremes::none;
 }
 
+namespace {
+
+// Every other coordinate with a period goes beside a multiple of it, where the seam is.
+void go_to_seams(const Function& function, std::span<std::uint32_t> words, Random& random) {
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(function.axes); ++axis) {
+    const auto period = static_cast<std::int32_t>(words[static_cast<std::size_t>(function.period_word()) + axis]);
+    if (period <= 0 || random.below(2) == 0) continue;
+    if (function.starts_from_integers()) {
+      // Wherever that is, modulo 2^32: with a large period, few multiples are ints.
+      const std::uint32_t multiple = static_cast<std::uint32_t>(period) * (random.below(9) - 4u);
+      words[axis] = multiple + random.below(3) - 1u;
+    } else if (period <= 1 << 20) {
+      const float multiple = static_cast<float>(period) * (static_cast<float>(random.below(9)) - 4.0f);
+      words[axis] = std::bit_cast<std::uint32_t>(multiple + coarse(random.uniform(-1.0f, 1.0f)));
+    }
+  }
+}
+
+}  // namespace
+
 std::vector<std::uint32_t> random_points(const Function& function, std::size_t count, Random random,
                                          Extremes extremes) {
   const bool octave_sum = function.is_octave_sum();
@@ -227,6 +267,9 @@ std::vector<std::uint32_t> random_points(const Function& function, std::size_t c
     const auto region = static_cast<Region>(random.below(regions));
     for (std::size_t column = 0; column < function.inputs.size(); ++column) {
       words[i * kInputWords + column] = random_input(function.inputs[column], region, octave_sum, extremes, random);
+    }
+    if (function.takes_period() && region != Region::extreme && region != Region::steep) {
+      go_to_seams(function, std::span(words).subspan(i * kInputWords, kInputWords), random);
     }
   }
   return words;

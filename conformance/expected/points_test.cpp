@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace hn {
@@ -109,6 +110,36 @@ TEST(Points, OnlyExtremesOfIntegersLieBesideTheirCell) {
     EXPECT_GT(count_coordinates(id, Extremes::integers, beside), 500);
     EXPECT_GT(count_coordinates(id, Extremes::floats, [](float f) { return std::fpclassify(f) == FP_SUBNORMAL; }), 300);
   }
+}
+
+// The periods of an axis, and how many of the points lie in the last cell before a multiple of theirs.
+std::pair<std::set<std::int32_t>, int> periods_of(std::string_view id, std::size_t axis) {
+  const Function& function = find_function(id);
+  const auto words = random_points(function, 10000, Random(1, "test"));
+  std::pair<std::set<std::int32_t>, int> found;
+  for (std::size_t i = 0; i < words.size(); i += kInputWords) {
+    const auto period = static_cast<std::int32_t>(words[i + static_cast<std::size_t>(function.period_word()) + axis]);
+    found.first.insert(std::max(period, -1));
+    const double cell = function.starts_from_integers()
+                            ? static_cast<double>(static_cast<std::int32_t>(words[i + axis]))
+                            : std::floor(static_cast<double>(std::bit_cast<float>(words[i + axis])));
+    if (period > 7 && std::fmod(cell + 1.0, static_cast<double>(period)) == 0.0) ++found.second;
+  }
+  return found;
+}
+
+TEST(Points, PeriodsAreOfAllKindsAndPointsLieAtTheirSeams) {
+  const std::set<std::int32_t> kAll = {-1, 0, 1, 2, 3, 5, 7, 48, 64, 1000003, 1 << 20, 1 << 30, 0x7FFFFFFF};
+  for (const std::string_view id :
+       {"noise1d.value_cell_period", "noise4d.perlin_period", "noise3d.value_d_cell_period"}) {
+    const auto axis = static_cast<std::size_t>(find_function(id).axes - 1);
+    const auto [periods, at_seams] = periods_of(id, axis);
+    EXPECT_EQ(periods, kAll) << id;
+    EXPECT_GT(at_seams, 500) << id;
+  }
+  const auto [periods, at_seams] = periods_of("fbm.fbm2_period", 1);
+  EXPECT_EQ(periods, (std::set<std::int32_t>{-1, 0, 1, 2, 3, 5, 7, 48, 64}));  // they grow with each octave
+  EXPECT_GT(at_seams, 300);
 }
 
 TEST(Points, FractionsReachBothEnds) {

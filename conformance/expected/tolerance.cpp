@@ -6,9 +6,9 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 namespace hn {
 namespace {
@@ -19,17 +19,30 @@ constexpr double kTiny = 0x1p-126;  // the largest error of flushing a subnormal
 constexpr std::optional<Gradient> octahedral = Gradient::octahedral;
 constexpr std::optional<Gradient> sine = Gradient::sine;
 [[maybe_unused]] constexpr std::optional<Gradient> none = std::nullopt;
-constexpr NoiseBounds kNoiseBounds[] = {
+const std::vector<NoiseBounds> kNoiseBounds = {
 #define NOISE_BOUNDS(...) NoiseBounds{__VA_ARGS__},
+#define SLOPE_BOUNDS(...)
 #define SINE_BOUNDS(error, fixed_error)
 #include "expected/bounds.inc"
 #undef NOISE_BOUNDS
+#undef SLOPE_BOUNDS
+#undef SINE_BOUNDS
+};
+const std::vector<NoiseBounds> kSlopeBounds = {
+#define NOISE_BOUNDS(...)
+#define SLOPE_BOUNDS(...) NoiseBounds{__VA_ARGS__},
+#define SINE_BOUNDS(error, fixed_error)
+#include "expected/bounds.inc"
+#undef NOISE_BOUNDS
+#undef SLOPE_BOUNDS
 #undef SINE_BOUNDS
 };
 #define NOISE_BOUNDS(...)
+#define SLOPE_BOUNDS(...)
 #define SINE_BOUNDS(error, fixed_error) constexpr double kSineError = error;
 #include "expected/bounds.inc"
 #undef NOISE_BOUNDS
+#undef SLOPE_BOUNDS
 #undef SINE_BOUNDS
 
 // The components of the shift between octaves (docs/contract.md); 2D uses the first two.
@@ -55,6 +68,17 @@ bool positions_are_exact(std::span<const double> position, int octaves, double l
   return true;
 }
 
+const NoiseBounds& bounds_in(const std::vector<NoiseBounds>& table, std::string_view noise, int axes,
+                             Gradient gradient) {
+  const auto found = std::find_if(table.begin(), table.end(), [&](const NoiseBounds& bounds) {
+    return bounds.noise == noise && bounds.axes == axes && bounds.gradient.value_or(gradient) == gradient;
+  });
+  if (found == table.end()) {
+    throw std::logic_error(fmt::format("bounds.inc has no bounds of {} with {} axes", noise, axes));
+  }
+  return *found;
+}
+
 double octave_sum_tolerance(const Function& function, Gradient gradient, std::span<const std::uint32_t> inputs) {
   std::array<double, 4> position{};
   const auto axes = static_cast<std::size_t>(function.axes);
@@ -63,7 +87,8 @@ double octave_sum_tolerance(const Function& function, Gradient gradient, std::sp
     position[static_cast<std::size_t>(axis)] = float_input(inputs, axis);
     largest = std::max(largest, std::fabs(float_input(inputs, axis)));
   }
-  const double lacunarity = float_input(inputs, function.input("lacunarity"));
+  double lacunarity = float_input(inputs, function.input("lacunarity"));
+  if (function.takes_period()) lacunarity = std::floor(std::clamp(lacunarity, 0.0, 255.0));  // a tile stays a tile
   const int octaves = static_cast<int>(inputs[static_cast<std::size_t>(function.input("octaves"))]);
   return octave_tolerance(octave_sum_of(function), function.axes,
                           {largest, octaves, lacunarity, float_input(inputs, function.input("gain")),
@@ -74,13 +99,23 @@ double octave_sum_tolerance(const Function& function, Gradient gradient, std::sp
 }  // namespace
 
 const NoiseBounds& noise_bounds(std::string_view noise, int axes, Gradient gradient) {
-  const auto found = std::find_if(std::begin(kNoiseBounds), std::end(kNoiseBounds), [&](const NoiseBounds& bounds) {
-    return bounds.noise == noise && bounds.axes == axes && bounds.gradient.value_or(gradient) == gradient;
-  });
-  if (found == std::end(kNoiseBounds)) {
-    throw std::logic_error(fmt::format("bounds.inc has no bounds of {} with {} axes", noise, axes));
-  }
-  return *found;
+  return bounds_in(kNoiseBounds, noise, axes, gradient);
+}
+
+const NoiseBounds& slope_bounds(std::string_view noise, int axes, Gradient gradient) {
+  return bounds_in(kSlopeBounds, noise, axes, gradient);
+}
+
+const NoiseBounds& bounds_of(const Function& function, const Configuration& configuration, std::size_t output) {
+  if (function.is_octave_sum()) return noise_bounds("perlin", function.axes, configuration.gradient);
+  const auto& table = function.is_slope(output) ? kSlopeBounds : kNoiseBounds;
+  return bounds_in(table, function.bound, function.axes, configuration.gradient);
+}
+
+double error_of(const Function& function, const Configuration& configuration, std::size_t output) {
+  const NoiseBounds& bounds = bounds_of(function, configuration, output);
+  if (configuration.arithmetic == Arithmetic::fixed) return bounds.fixed_error;
+  return function.starts_from_integers() ? bounds.cell_error : bounds.error;
 }
 
 OctaveSum octave_sum_of(const Function& function) {
@@ -124,12 +159,12 @@ double octave_tolerance(OctaveSum kind, int axes, const OctaveArguments& argumen
   return kind == OctaveSum::clouds ? 1.5 * (2.0 * error + kUnit) + 3.001 * kUnit : error;
 }
 
-double tolerance(const Function& function, const Configuration& configuration, std::span<const std::uint32_t> inputs) {
+double tolerance(const Function& function, const Configuration& configuration, std::span<const std::uint32_t> inputs,
+                 std::size_t output) {
   if (has_exact_values(function, configuration)) return 0.0;
   if (function.family == Family::sine_gradient) return kSineError;
   if (function.is_octave_sum()) return octave_sum_tolerance(function, configuration.gradient, inputs);
-  const NoiseBounds& bounds = noise_bounds(function.bound, function.axes, configuration.gradient);
-  return function.takes_cell() ? bounds.cell_error : bounds.error;
+  return error_of(function, configuration, output);
 }
 
 }  // namespace hn

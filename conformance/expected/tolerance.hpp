@@ -10,7 +10,8 @@
 
 namespace hn {
 
-// What is proven of a noise of so many axes (bounds.inc, which tools/bounds writes).
+// What is proven of a noise of so many axes, or of a component of its derivative (bounds.inc, which tools/bounds
+// writes).
 struct NoiseBounds {
   std::string_view noise;
   int axes;
@@ -22,7 +23,13 @@ struct NoiseBounds {
   double fixed_error;                // the same of fixed arithmetic
   double fixed_limit;
 };
-const NoiseBounds& noise_bounds(std::string_view noise, int axes, Gradient gradient);  // they must exist
+// They must exist.
+const NoiseBounds& noise_bounds(std::string_view noise, int axes, Gradient gradient);
+const NoiseBounds& slope_bounds(std::string_view noise, int axes, Gradient gradient);
+// Those of an output of a noise, or of the noise that an octave sum adds up.
+const NoiseBounds& bounds_of(const Function& function, const Configuration& configuration, std::size_t output = 0);
+// How far a result may be from the exact one, the real number, in the arithmetic of the configuration.
+double error_of(const Function& function, const Configuration& configuration, std::size_t output);
 
 enum class OctaveSum { fbm, turbulence, clouds };
 OctaveSum octave_sum_of(const Function& function);
@@ -39,8 +46,9 @@ struct OctaveArguments {
 double octave_tolerance(OctaveSum kind, int axes, const OctaveArguments& arguments,
                         Gradient gradient = Gradient::octahedral);
 
-// The bound for a function at a point given by its input words; 0 where every bit is defined. (It does not
+// The bound for an output of a function at a point given by its input words; 0 where every bit is defined. (It does not
 // bound the difference of fixed arithmetic from the real numbers: golden files of its own check that arithmetic.)
-double tolerance(const Function& function, const Configuration& configuration, std::span<const std::uint32_t> inputs);
+double tolerance(const Function& function, const Configuration& configuration, std::span<const std::uint32_t> inputs,
+                 std::size_t output);
 
 }  // namespace hn

@@ -17,11 +17,13 @@ float float_of(uint bits) { return uintBitsToFloat(bits); }
 uint bits_of(float value) { return floatBitsToUint(value); }
 
 #define SEEDED(s) , s
+#define SEED(s) s
 
 template <auto body>
 void evaluate_all(const std::uint32_t* in, std::uint32_t* out, std::size_t points) {
   for (std::size_t i = 0; i < points; ++i, in += hn::kInputWords, out += hn::kOutputWords) {
-    const uvec4 result = body(uvec4(in[0], in[1], in[2], in[3]), uvec4(in[4], in[5], in[6], in[7]));
+    const uvec4 result = body(uvec4(in[0], in[1], in[2], in[3]), uvec4(in[4], in[5], in[6], in[7]),
+                              uvec4(in[8], in[9], in[10], in[11]), uvec4(in[12], in[13], in[14], in[15]));
     out[0] = result.x;
     out[1] = result.y;
     out[2] = result.z;
@@ -29,9 +31,39 @@ void evaluate_all(const std::uint32_t* in, std::uint32_t* out, std::size_t point
   }
 }
 
+using enum hn::Family;
+constexpr unsigned kFamilies[] = {
+#define CONFIGURATION(name, hash, gradient, arithmetic, families) families,
+#include "library/configurations.inc"
+};
+
+// Only what has values with the configuration is compiled to code.
+constexpr bool is_covered(hn::Family family) { return (kFamilies[HN_TWIN] & static_cast<unsigned>(family)) != 0; }
+
+#define HN_TWIN_ENTRY(id, family, ...)                                                            \
+  {id, is_covered(family)                                                                         \
+           ? evaluate_all<[]([[maybe_unused]] uvec4 a, [[maybe_unused]] uvec4 b,                  \
+                             [[maybe_unused]] uvec4 c, [[maybe_unused]] uvec4 d) -> uvec4 { __VA_ARGS__ }> \
+           : nullptr},
+// By family, since some are not even declared with the sine gradient (hn::is_declared).
+#if HN_GRADIENT == HN_GRADIENT_SINE
+#define HN_TWIN_octahedral_noise(...)
+#else
+#define HN_TWIN_octahedral_noise HN_TWIN_ENTRY
+#endif
+#define HN_TWIN_independent HN_TWIN_ENTRY
+#define HN_TWIN_hash HN_TWIN_ENTRY
+#define HN_TWIN_gradient HN_TWIN_ENTRY
+#define HN_TWIN_sine_gradient HN_TWIN_ENTRY
+#define HN_TWIN_gradient_noise HN_TWIN_ENTRY
+#define HN_TWIN_lattice_noise HN_TWIN_ENTRY
+#define HN_TWIN_octave_sum HN_TWIN_ENTRY
+#define HN_TWIN_further_gradient_noise HN_TWIN_ENTRY
+#define HN_TWIN_further_lattice_noise HN_TWIN_ENTRY
+#define HN_TWIN_further_octave_sum HN_TWIN_ENTRY
+
 constexpr hn::TwinEntry kEntries[] = {
-#define FUNCTION(id, file, family, bound, columns, call, ...) \
-  {id, evaluate_all<[]([[maybe_unused]] uvec4 a, [[maybe_unused]] uvec4 b) -> uvec4 { __VA_ARGS__ }>},
+#define FUNCTION(id, file, family, bound, columns, call, ...) HN_TWIN_##family(id, family, __VA_ARGS__)
 #include "library/functions.inc"
 };
 

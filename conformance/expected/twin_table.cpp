@@ -1,7 +1,10 @@
 #include "expected/twin_table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
@@ -28,6 +31,9 @@ constexpr std::size_t kFewestPoints = 4096;
 void evaluate_twin(const Function& function, const Configuration& configuration, std::span<const std::uint32_t> inputs,
                    std::span<std::uint32_t> outputs) {
   const TwinEntry& entry = entry_named(entries_for(configuration), &TwinEntry::id, function.id, "function of the twin");
+  if (entry.evaluate == nullptr) {
+    throw std::logic_error(fmt::format("the twin has no {} with {}", function.id, configuration.name));
+  }
   const std::size_t points = inputs.size() / kInputWords;
   const std::size_t most = std::max<std::size_t>(1, points / kFewestPoints);
   const std::size_t parts = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, most);

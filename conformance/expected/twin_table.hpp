@@ -10,6 +10,7 @@ namespace hn {
 
 struct TwinEntry {
   std::string_view id;
+  // Null if the function has no values with the configuration.
   void (*evaluate)(const std::uint32_t* inputs, std::uint32_t* outputs, std::size_t points);
 };
 

@@ -95,7 +95,7 @@ TEST(Rewriter, Loops) {
 
 TEST(Rewriter, PreprocessorLinesStayAndMacrosThatAreExpressionsDoNot) {
   constexpr std::string_view kSame =
-      "#if (HN_PERIOD & (HN_PERIOD * 1)) == 0\n#define N (2 * 3)\n#define ARGS(s) , s * s\n"
+      "#if (HN_HASH & (HN_HASH * 1)) == 0\n#define N (2 * 3)\n#define ARGS(s) , s * s\n"
       "#define NOTHING(s)\n#error a * b\n#endif\n";
   EXPECT_EQ(*rewrite(kSame, kAll), kSame);
   EXPECT_EQ(*rewrite("#define HASH(k) (((k) ^ ((k) >> 16)) * 0x045D9F3Bu)\n", kAll),

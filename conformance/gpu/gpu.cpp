@@ -64,6 +64,17 @@ constexpr auto kSide = static_cast<GLsizei>(kGridSide);
 constexpr GLsizei kBlock = 4;
 GLsizei whole_blocks(GLsizei pixels) { return (pixels + kBlock - 1) / kBlock * kBlock; }
 
+// A grid of four words a point, bound to the unit at hand.
+GLuint make_texture(const GladGLContext& gl) {
+  GLuint texture = 0;
+  gl.GenTextures(1, &texture);
+  gl.BindTexture(GL_TEXTURE_2D, texture);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32UI, kSide, kSide, 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, nullptr);
+  return texture;
+}
+
 }  // namespace
 
 struct Program::StageText {
@@ -121,6 +132,8 @@ Program::~Program() {
   if (id_ != 0) gl_->DeleteProgram(id_);
 }
 
+bool Program::reads(const char* uniform) const { return gl_->GetUniformLocation(id_, uniform) >= 0; }
+
 void Program::set(const char* uniform, std::int32_t value) const {
   gl_->UseProgram(id_);
   gl_->Uniform1i(gl_->GetUniformLocation(id_, uniform), value);
@@ -141,39 +154,34 @@ Result<void> compile_only(const Context& context, const ShaderText& shader, Stag
 
 GridRenderer::GridRenderer(const Context& context) : gl_(context.gl()) {
   gl_.GenVertexArrays(1, &vertex_array_);
-  gl_.GenTextures(3, textures_);
   gl_.ActiveTexture(GL_TEXTURE0);  // the other units are other people's
-  for (const GLuint texture : textures_) {
-    gl_.BindTexture(GL_TEXTURE_2D, texture);
-    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32UI, kSide, kSide, 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, nullptr);
-  }
+  output_texture_ = make_texture(gl_);
   gl_.GenFramebuffers(1, &framebuffer_);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-  gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, textures_[2], 0);
+  gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, output_texture_, 0);
 }
 
 GridRenderer::~GridRenderer() {
   gl_.DeleteFramebuffers(1, &framebuffer_);
-  gl_.DeleteTextures(3, textures_);
+  gl_.DeleteTextures(static_cast<GLsizei>(textures_.size()), textures_.data());  // 0 is none
+  gl_.DeleteTextures(1, &output_texture_);
   gl_.DeleteVertexArrays(1, &vertex_array_);
 }
 
 // The rest of the last blocks is filled with zeros. A grid of several rows is as wide as the texture, so that the
 // points still lie one after the other.
-void GridRenderer::upload(std::span<const std::uint32_t> inputs, GLsizei grid_width, GLsizei grid_height) {
+void GridRenderer::upload(std::size_t texture, std::span<const std::uint32_t> inputs, GLsizei grid_width,
+                          GLsizei grid_height) {
   const GLsizei width = whole_blocks(grid_width);
   const GLsizei height = whole_blocks(grid_height);
   std::vector<std::uint32_t> words(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
-  for (std::size_t half = 0; half < 2; ++half) {
-    for (std::size_t i = 0; i * kInputWords < inputs.size(); ++i) {
-      std::copy_n(&inputs[i * kInputWords + half * 4], 4, &words[i * 4]);
-    }
-    gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(half));
-    gl_.BindTexture(GL_TEXTURE_2D, textures_[half]);
-    gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA_INTEGER, GL_UNSIGNED_INT, words.data());
+  for (std::size_t i = 0; i * kInputWords < inputs.size(); ++i) {
+    std::copy_n(&inputs[i * kInputWords + texture * 4], 4, &words[i * 4]);
   }
+  gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(texture));
+  if (textures_[texture] == 0) textures_[texture] = make_texture(gl_);
+  gl_.BindTexture(GL_TEXTURE_2D, textures_[texture]);
+  gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA_INTEGER, GL_UNSIGNED_INT, words.data());
 }
 
 Result<std::vector<std::uint32_t>> GridRenderer::evaluate(const Program& program,
@@ -187,9 +195,13 @@ Result<std::vector<std::uint32_t>> GridRenderer::evaluate(const Program& program
   }
   while (gl_.GetError() != GL_NO_ERROR) {
   }
-  upload(inputs, width, height);
-  program.set("input_a", 0);
-  program.set("input_b", 1);
+  constexpr std::array<const char*, kInputWords / 4> kInputs = {"input_a", "input_b", "input_c", "input_d"};
+  for (std::size_t i = 0; i < kInputs.size(); ++i) {
+    if (!program.reads(kInputs[i])) continue;
+    upload(i, inputs, width, height);
+    program.set(kInputs[i], static_cast<std::int32_t>(i));
+  }
+  gl_.UseProgram(program.id());
   gl_.BindVertexArray(vertex_array_);
   auto words = output_of(program.results_of()).run(program.id(), points);
   if (!words) return words;

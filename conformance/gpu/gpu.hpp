@@ -29,6 +29,7 @@ class Program {
 
   GLuint id() const { return id_; }
   Stage results_of() const { return results_of_; }
+  bool reads(const char* uniform) const;
   // Sets a uniform, if the program has it.
   void set(const char* uniform, std::int32_t value) const;
   void set(const char* uniform, std::uint32_t value) const;
@@ -49,7 +50,7 @@ std::string unsupported_reason(const GladGLContext& gl, Stage stage);
 Result<void> compile_only(const Context& context, const ShaderText& shader, Stage stage);
 
 // Evaluates a program at many points: a fragment, vertex or invocation per point, its input words in the textures
-// "input_a" and "input_b", its result in a uvec4. Nothing is converted on the way in or out.
+// "input_a" to "input_d" as far as it reads them, its result in a uvec4. Nothing is converted on the way in or out.
 class GridRenderer {
  public:
   explicit GridRenderer(const Context& context);
@@ -61,14 +62,15 @@ class GridRenderer {
   Result<std::vector<std::uint32_t>> evaluate(const Program& program, std::span<const std::uint32_t> inputs);
 
  private:
-  void upload(std::span<const std::uint32_t> inputs, GLsizei width, GLsizei height);
+  void upload(std::size_t texture, std::span<const std::uint32_t> inputs, GLsizei width, GLsizei height);
 
   StageOutput& output_of(Stage stage);
 
   const GladGLContext& gl_;
   GLuint vertex_array_ = 0;
   GLuint framebuffer_ = 0;
-  GLuint textures_[3] = {};                              // input a, input b, output
+  GLuint output_texture_ = 0;
+  std::array<GLuint, kInputWords / 4> textures_ = {};    // of the inputs; 0 for what no program has read yet
   std::array<std::unique_ptr<StageOutput>, 3> outputs_;  // by stage; made when they are first needed
 };
 

@@ -22,12 +22,18 @@ class Gpu : public OnOsmesa<> {
   SourceSet sources_ = SourceSet::embedded();
 };
 
-constexpr std::string_view kInputs = "uniform usampler2D input_a;\nuniform usampler2D input_b;\nout uvec4 result;\n";
+constexpr std::string_view kTextures =
+    "uniform usampler2D input_a;\nuniform usampler2D input_b;\nuniform usampler2D input_c;\n"
+    "uniform usampler2D input_d;\n";
+const std::string kInputs = std::string(kTextures) + "out uvec4 result;\n";
 
 // 2500 points: more than a row of the texture, and no whole number of rows or groups.
 constexpr std::size_t kSeveralRows = 2500;
 constexpr std::string_view kAt = "ivec2 at = ivec2(index % 1024, index / 1024);\n";
-constexpr std::string_view kSum = "texelFetch(input_a, at, 0) + texelFetch(input_b, at, 0).wzyx;\n";
+// Every word counts.
+constexpr std::string_view kSum =
+    "texelFetch(input_a, at, 0) + texelFetch(input_b, at, 0).wzyx + 3u * texelFetch(input_c, at, 0) + 5u * "
+    "texelFetch(input_d, at, 0);\n";
 constexpr std::string_view kStorage = "layout(std430, binding = 0) buffer Results { uvec4 results[]; };\n";
 
 void expect_words_unchanged(const Context& context, const Result<Program>& program) {
@@ -40,21 +46,21 @@ void expect_words_unchanged(const Context& context, const Result<Program>& progr
   ASSERT_EQ(outputs->size(), kSeveralRows * kOutputWords);
   for (std::size_t i = 0; i < kSeveralRows; ++i) {
     for (std::size_t word = 0; word < 4; ++word) {
-      ASSERT_EQ((*outputs)[i * 4 + word], inputs[i * 8 + word] + inputs[i * 8 + 7 - word]);
+      const std::uint32_t* const in = &inputs[i * kInputWords];
+      ASSERT_EQ((*outputs)[i * 4 + word], in[word] + in[7 - word] + 3u * in[8 + word] + 5u * in[12 + word]);
     }
   }
 }
 
 TEST_F(Gpu, WordsTravelUnchanged) {
-  const auto program = build(std::string(kInputs) +
-                             "void main() { ivec2 at = ivec2(gl_FragCoord.xy);\n"
-                             "result = texelFetch(input_a, at, 0) + texelFetch(input_b, at, 0).wzyx; }\n");
+  const auto program =
+      build(fmt::format("{}void main() {{ ivec2 at = ivec2(gl_FragCoord.xy);\nresult = {} }}\n", kInputs, kSum));
   expect_words_unchanged(*context_, program);
 }
 
 TEST_F(Gpu, PixelsBesideTheGridSeeNoOldWords) {
   // A derivative tells what the neighbours in the block have.
-  const auto program = build(std::string(kInputs) +
+  const auto program = build(kInputs +
                              "void main() { ivec2 at = ivec2(gl_FragCoord.xy);\n"
                              "float x = float(texelFetch(input_a, at, 0).x + texelFetch(input_b, at, 0).x);\n"
                              "result = uvec4(uint(abs(dFdx(x))), uint(abs(dFdy(x))), 0u, 0u); }\n");
@@ -70,19 +76,29 @@ TEST_F(Gpu, PixelsBesideTheGridSeeNoOldWords) {
 TEST_F(Gpu, AShaderThatWritesNothingLeavesNoOldResult) {
   const std::vector<std::uint32_t> inputs(4 * kInputWords);
   GridRenderer grid(*context_);
-  const auto right = build(std::string(kInputs) + "void main() { result = uvec4(7u); }\n");
+  const auto right = build(kInputs + "void main() { result = uvec4(7u); }\n");
   EXPECT_EQ(grid.evaluate(*right, inputs)->front(), 7u);
-  const auto silent = build(std::string(kInputs) + "void main() { discard; }\n");
+  const auto silent = build(kInputs + "void main() { discard; }\n");
   EXPECT_EQ(grid.evaluate(*silent, inputs)->front(), 0xDEADBEEFu);
+}
+
+TEST_F(Gpu, AProgramThatReadsNoInputIsNotTheOneBefore) {
+  const std::vector<std::uint32_t> inputs(4 * kInputWords);
+  GridRenderer grid(*context_);
+  const auto first = build(kInputs + "void main() { result = uvec4(7u); }\n");
+  const auto second = build(kInputs + "void main() { result = uvec4(8u); }\n");
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_EQ(grid.evaluate(*first, inputs)->front(), 7u);
+    EXPECT_EQ(grid.evaluate(*second, inputs)->front(), 8u);
+  }
 }
 
 TEST_F(Gpu, WordsTravelUnchangedThroughVertices) {
   const Profile& profile = profile_named("gl330");
   const auto vertex =
       expand(sources_, profile,
-             fmt::format("uniform usampler2D input_a;\nuniform usampler2D input_b;\nout uvec4 result;\n"
-                         "uniform int row;\nvoid main() {{ ivec2 at = ivec2(gl_VertexID, row);\nresult = {}}}\n",
-                         kSum));
+             fmt::format("{}uniform int row;\nvoid main() {{ ivec2 at = ivec2(gl_VertexID, row);\nresult = {}}}\n",
+                         kInputs, kSum));
   const auto idle = expand(sources_, profile, idle_fragment_shader());
   expect_words_unchanged(*context_, Program::build(*context_, *vertex, *idle, Stage::vertex));
 }
@@ -90,9 +106,9 @@ TEST_F(Gpu, WordsTravelUnchangedThroughVertices) {
 TEST_F(Gpu, WordsTravelUnchangedThroughInvocations) {
   const auto compute =
       expand(sources_, profile_named("gl430"),
-             fmt::format("layout(local_size_x = 64) in;\n{}uniform usampler2D input_a;\nuniform usampler2D input_b;\n"
+             fmt::format("layout(local_size_x = 64) in;\n{}{}"
                          "void main() {{ int index = int(gl_GlobalInvocationID.x);\n{}results[index] = {}}}\n",
-                         kStorage, kAt, kSum));
+                         kStorage, kTextures, kAt, kSum));
   expect_words_unchanged(*context_, Program::build_compute(*context_, *compute));
 }
 

@@ -16,14 +16,11 @@ constexpr Arithmetic FAST = Arithmetic::fast;
 constexpr Arithmetic PRECISE = Arithmetic::precise;
 constexpr Arithmetic FIXED = Arithmetic::fixed;
 
-constexpr unsigned operator|(Family a, Family b) { return static_cast<unsigned>(a) | static_cast<unsigned>(b); }
-constexpr unsigned operator|(unsigned a, Family b) { return a | static_cast<unsigned>(b); }
-
 constexpr auto kConfigurations = [] {
   using enum Family;
   std::array configurations = {
-#define CONFIGURATION(name, hash, gradient, period, arithmetic, families) \
-  Configuration{name, #hash, gradient, period, arithmetic, families, 0},
+#define CONFIGURATION(name, hash, gradient, arithmetic, families) \
+  Configuration{name, #hash, gradient, arithmetic, families, 0},
 #include "library/configurations.inc"
   };
   int index = 0;
@@ -66,7 +63,6 @@ std::string knobs_of(const Configuration& configuration) {
     knobs += fmt::format("#define HN_HASH HN_HASH_{}\n", configuration.hash);
   }
   if (configuration.sine()) knobs += "#define HN_GRADIENT HN_GRADIENT_SINE\n";
-  if (configuration.period != 0) knobs += fmt::format("#define HN_PERIOD {}\n", configuration.period);
   if (configuration.arithmetic == Arithmetic::precise) knobs += "#define HN_ARITHMETIC HN_PRECISE\n";
   if (configuration.arithmetic == Arithmetic::fixed) knobs += "#define HN_ARITHMETIC HN_FIXED\n";
   if (configuration.hash == "CUSTOM") knobs += kCustomHash;

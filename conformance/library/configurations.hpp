@@ -21,19 +21,26 @@ enum class Family : unsigned {
   gradient_noise = 1u << 4,  // of gradients at lattice points, where it is 0
   lattice_noise = 1u << 5,   // of the words of lattice points, without gradients
   octave_sum = 1u << 6,
+  // The same code as above in other dimensions and forms, so that few settings have values of them.
+  further_gradient_noise = 1u << 7,
+  octahedral_noise = 1u << 8,  // gradient noise that is not declared with the sine gradient
+  further_lattice_noise = 1u << 9,
+  further_octave_sum = 1u << 10,
 };
+
+constexpr unsigned operator|(Family a, Family b) { return static_cast<unsigned>(a) | static_cast<unsigned>(b); }
+constexpr unsigned operator|(unsigned a, Family b) { return a | static_cast<unsigned>(b); }
 
 struct Configuration {
   std::string_view name;
   std::string_view hash;  // of HN_HASH_...
   Gradient gradient;
-  std::uint32_t period;  // in cells, or 0 for 2^32
   Arithmetic arithmetic;
   unsigned families;  // that have values with it
   int index;          // in all_configurations()
 
   bool is_default() const { return name == "lattice"; }
-  bool hash_only() const { return gradient == Gradient::octahedral && period == 0 && fast(); }
+  bool hash_only() const { return gradient == Gradient::octahedral && fast(); }
   bool sine() const { return gradient == Gradient::sine; }
   bool fast() const { return arithmetic == Arithmetic::fast; }
   bool covers(Family family) const { return (families & static_cast<unsigned>(family)) != 0; }

@@ -60,6 +60,48 @@ int Function::input(std::string_view name) const {
   return found == inputs.end() ? -1 : static_cast<int>(found - inputs.begin());
 }
 
+namespace {
+
+bool is_one_of(Family family, std::initializer_list<Family> families) {
+  return std::ranges::find(families, family) != families.end();
+}
+
+// "a_b_c" without "b" is "a_c".
+std::string id_without(std::string_view text, std::string_view part) {
+  std::string id(text);
+  const std::string suffix = fmt::format("_{}", part);
+  for (auto at = id.find(suffix); at != std::string::npos; at = id.find(suffix, at + 1)) {
+    const auto end = at + suffix.size();
+    if (end == id.size() || id[end] == '_') return id.erase(at, suffix.size());
+  }
+  throw std::logic_error(fmt::format("{} has no part {}", text, part));
+}
+
+}  // namespace
+
+bool Function::is_noise() const {
+  return is_gradient_noise() || is_one_of(family, {Family::lattice_noise, Family::further_lattice_noise});
+}
+
+bool Function::is_gradient_noise() const {
+  return is_one_of(family, {Family::gradient_noise, Family::further_gradient_noise, Family::octahedral_noise});
+}
+
+bool Function::is_octave_sum() const {
+  return is_one_of(family, {Family::octave_sum, Family::further_octave_sum});
+}
+
+bool Function::is_further() const {
+  return is_one_of(family, {Family::further_gradient_noise, Family::octahedral_noise, Family::further_lattice_noise,
+                            Family::further_octave_sum});
+}
+
+// dx, dy, dz, dw
+bool Function::is_slope(std::size_t output) const {
+  const std::string_view name = outputs[output].name;
+  return name.size() == 2 && name.front() == 'd';
+}
+
 Function make_function(std::string_view id, std::string_view file, Family family, std::string_view bound,
                        std::string_view columns, std::string_view call, std::string_view body) {
   constexpr std::string_view kEquals = " = ";
@@ -74,6 +116,20 @@ Function make_function(std::string_view id, std::string_view file, Family family
 std::span<const Function> all_functions() { return functions(); }
 
 const Function& find_function(std::string_view id) { return entry_named(functions(), &Function::id, id, "function"); }
+
+const Function& without(const Function& function, std::string_view part) {
+  return find_function(id_without(function.id, part));
+}
+
+// In four dimensions value and derivative are two rows: perlin_d_value and perlin_d.
+const Function& plain_noise_of(const Function& function) {
+  const bool is_value = function.id.find("_d_") != std::string_view::npos && function.id.ends_with("_value");
+  return find_function(id_without(is_value ? id_without(function.id, "value") : function.id, "d"));
+}
+
+bool is_declared(const Function& function, const Configuration& configuration) {
+  return !configuration.sine() || function.family != Family::octahedral_noise;
+}
 
 std::string_view arithmetic_name(const Function& function, const Configuration& configuration) {
   return function.exact() ? "exact" : name_of(configuration.arithmetic);

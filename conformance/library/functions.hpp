@@ -1,6 +1,7 @@
 // The library's functions, as the suite sees them (functions.inc).
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -12,8 +13,9 @@
 
 namespace hn {
 
-// Words that go into and come out of one evaluation of a function.
-constexpr std::size_t kInputWords = 8;
+// Words that go into and come out of one evaluation of a function. The largest has a cell, a fraction and periods of
+// four axes, and a seed.
+constexpr std::size_t kInputWords = 16;
 constexpr std::size_t kOutputWords = 4;
 
 enum class WordType { u32, i32, f32, f64 };
@@ -36,12 +38,25 @@ struct Function {
   int axes;  // of the lattice point, position or cell that it takes; 0 if it takes none. They come first
 
   bool exact() const { return bound == "exact"; }
-  bool is_noise() const { return family == Family::gradient_noise || family == Family::lattice_noise; }
-  bool is_octave_sum() const { return family == Family::octave_sum; }
+  bool is_noise() const;
+  bool is_gradient_noise() const;  // it is 0 at lattice points
+  bool is_octave_sum() const;
+  bool is_further() const;                              // it is of a family that few settings have values of
   bool takes_cell() const { return input("cx") >= 0; }  // and the fraction in it, in place of a position
+  bool takes_period() const { return period_word() >= 0; }
+  // Whether rounding is no part of the way to its cell: it takes a cell, or whole numbers that become one.
+  bool starts_from_integers() const { return inputs.front().type == WordType::i32; }
+  bool is_slope(std::size_t output) const;  // whether an output is a derivative
+  bool has_slopes() const { return is_slope(outputs.size() - 1); }
+  bool is_costly() const { return is_octave_sum() || (is_noise() && (has_slopes() || axes == 4)); }
+  // Whether there is an overload without a seed.
+  bool has_unseeded() const { return body.find("SEEDED(") != std::string_view::npos; }
   // The input word of that name, or -1.
   int input(std::string_view name) const;
   int seed_word() const { return input("seed"); }
+  int period_word() const { return input("px"); }  // that of the first axis; those of the others follow
+  // The parameters of its evaluate: a uvec4 for each four input words, and at least two.
+  std::size_t parameters() const { return std::max<std::size_t>((inputs.size() + 3) / 4, 2); }
 };
 
 // What a row of the table says. Throws if the columns are not columns.
@@ -50,6 +65,13 @@ Function make_function(std::string_view id, std::string_view file, Family family
 
 std::span<const Function> all_functions();
 const Function& find_function(std::string_view id);  // it must exist
+// The function whose id has one part less: "noise2d.perlin_cell" is without(noise2d.perlin_cell_period, "period"). It
+// must exist.
+const Function& without(const Function& function, std::string_view part);
+// The noise whose derivative, or whose value beside it, a function is. It must exist.
+const Function& plain_noise_of(const Function& function);
+// Whether the library declares it with these knobs.
+bool is_declared(const Function& function, const Configuration& configuration);
 
 // What case ids say of the arithmetic: "exact" if a function's values do not depend on it.
 std::string_view arithmetic_name(const Function& function, const Configuration& configuration);

@@ -26,17 +26,20 @@ std::set<std::string_view> included_by(std::string_view file) {
   return files;
 }
 
-// What the shader that tries a file calls: the functions of that file, or of a file that only includes others the first
-// function of each of these.
+// What the shader that tries a file calls: the functions of that file, but not twice a function that has two rows (bench
+// calls it once). Of the files that it includes it calls the first function of each family, if the file has no function
+// of its own or is the whole library: each of them is tried alone as well, and a driver takes long to compile them all.
 std::vector<const Function*> called_from(std::string_view file) {
   std::vector<const Function*> own;
   std::vector<const Function*> others;
   std::set<std::string_view> included = included_by(file);
+  std::set<Family> families;
   for (const Function& function : all_functions()) {
-    if (function.file == file) own.push_back(&function);
-    if (included.erase(function.file) != 0) others.push_back(&function);
+    if (function.file == file && !function.call.empty()) own.push_back(&function);
+    if (included.contains(function.file) && families.insert(function.family).second) others.push_back(&function);
   }
-  return own.empty() ? others : own;
+  if (own.empty() || file == "hashnoise.glsl") own.insert(own.end(), others.begin(), others.end());
+  return own;
 }
 
 // What a shader needs before it can use the library. In ES the default precision is the lowest there is, since the
@@ -50,8 +53,8 @@ std::string preamble(const Profile& profile, std::string_view bit_casts) {
 constexpr std::string_view kBitCasts =
     "#define float_of(u) uintBitsToFloat(u)\n#define bits_of(f) floatBitsToUint(f)\n";
 
-constexpr std::string_view kSeeded = "#define SEEDED(s) , s\n";
-constexpr std::string_view kUnseeded = "#define SEEDED(s)\n";
+constexpr std::string_view kSeeded = "#define SEEDED(s) , s\n#define SEED(s) s\n";
+constexpr std::string_view kUnseeded = "#define SEEDED(s)\n#define SEED(s) s\n";
 
 std::string running_preamble(const Profile& profile) {
   const std::string extension = profile.has_bit_casts() ? "" : "#extension GL_ARB_shader_bit_encoding : require\n";
@@ -77,8 +80,9 @@ std::string case_names(const Evaluation& evaluation) {
     if (seed == SeedFrom::constant) return "#define CASE_CONSTANT_SEED\n";
     return seed == SeedFrom::uniform ? "#define CASE_UNIFORM_SEED\n" : "";
   };
-  return fmt::format("#define CASE_{}\n{}{}", in_upper_case(name_of(evaluation.stage)),
-                     name_of_shape(evaluation.variant.shape), name_of_seed(evaluation.variant.seed_from));
+  return fmt::format("#define CASE_{}\n{}{}{}", in_upper_case(name_of(evaluation.stage)),
+                     name_of_shape(evaluation.variant.shape), name_of_seed(evaluation.variant.seed_from),
+                     evaluation.variant.periods.empty() ? "" : "#define CASE_CONSTANT_PERIOD\n");
 }
 
 // SEEDED, behind the include, since it may need hn_uint.
@@ -86,9 +90,9 @@ std::string seeding_of(const ShaderVariant& variant) {
   if (!variant.seeded) return std::string(kUnseeded);
   switch (variant.seed_from) {
     case SeedFrom::constant:
-      return fmt::format("#define SEEDED(s) , 0x{:08X}u\n", kVariantSeed);
+      return fmt::format("#define SEEDED(s) , 0x{0:08X}u\n#define SEED(s) 0x{0:08X}u\n", kVariantSeed);
     case SeedFrom::uniform:
-      return "uniform hn_uint variant_seed;\n#define SEEDED(s) , variant_seed\n";
+      return "uniform hn_uint variant_seed;\n#define SEEDED(s) , variant_seed\n#define SEED(s) variant_seed\n";
     case SeedFrom::point:
       break;
   }
@@ -155,42 +159,86 @@ std::string inlined(std::string_view body) {
   return fmt::format("{}result = {}", body.substr(0, at), body.substr(at + kReturn.size()));
 }
 
+// The names of evaluate's parameters.
+char name_of_parameter(std::size_t i) { return static_cast<char>('a' + i); }
+
+// Constants in place of the words of the periods.
+std::string constant_periods(const Function& function, std::span<const std::int32_t> periods) {
+  std::string text;
+  for (std::size_t axis = 0; axis < std::min(periods.size(), static_cast<std::size_t>(function.axes)); ++axis) {
+    const std::size_t word = static_cast<std::size_t>(function.period_word()) + axis;
+    text += fmt::format("{}.{} = 0x{:08X}u; ", name_of_parameter(word / 4), "xyzw"[word % 4],
+                        static_cast<std::uint32_t>(periods[axis]));
+  }
+  return text;
+}
+
+std::string declared_evaluate(const Function& function, std::string_view name,
+                              std::span<const std::int32_t> periods = {}) {
+  const auto parameter = [](std::size_t i) { return fmt::format("hn_uvec4 {}", name_of_parameter(i)); };
+  return fmt::format("hn_uvec4 {}({}) {{ {}{} }}\n", name, arguments_of(function, parameter),
+                     constant_periods(function, periods), function.body);
+}
+
+std::string declared_inputs(const Evaluation& evaluation) {
+  std::string text;
+  for (std::size_t i = 0; i < evaluation.function.parameters(); ++i) {
+    text +=
+        fmt::format("uniform {}usampler2D input_{};\n", evaluation.profile.es ? "highp " : "", name_of_parameter(i));
+  }
+  return text;
+}
+
+// evaluate of the words of a point of the grid.
+std::string evaluated(const Function& function, std::string_view at) {
+  const auto fetched = [&](std::size_t i) {
+    return fmt::format("texelFetch(input_{}, {}, 0)", name_of_parameter(i), at);
+  };
+  return fmt::format("evaluate({})", arguments_of(function, fetched));
+}
+
 // evaluate of constants, where the point at hand is one of them.
-std::string evaluated_constants(std::span<const std::uint32_t> words) {
+std::string evaluated_constants(const Function& function, std::span<const std::uint32_t> words) {
   std::string text = "  result = uvec4(0u);\n";
   for (std::size_t i = 0; i < words.size(); i += kInputWords) {
-    const auto part = [&](std::size_t first) {
-      const auto* const w = &words[i + first];
+    const auto part = [&](std::size_t parameter) {
+      const auto* const w = &words[i + parameter * 4];
       return fmt::format("uvec4(0x{:08X}u, 0x{:08X}u, 0x{:08X}u, 0x{:08X}u)", w[0], w[1], w[2], w[3]);
     };
-    text += fmt::format("  if (at.x == {}) result = evaluate({}, {});\n", i / kInputWords, part(0), part(4));
+    text +=
+        fmt::format("  if (at.x == {}) result = evaluate({});\n", i / kInputWords, arguments_of(function, part));
   }
   return text;
 }
 
 // The part of main that sets result.
 std::string result_of(const Evaluation& evaluation) {
+  const Function& function = evaluation.function;
   switch (evaluation.variant.shape) {
-    case Shape::inlined:
-      return fmt::format(
-          "  hn_uvec4 a = texelFetch(input_a, at, 0);\n  hn_uvec4 b = texelFetch(input_b, at, 0);\n  {}\n",
-          inlined(evaluation.function.body));
+    case Shape::inlined: {
+      std::string text;
+      for (std::size_t i = 0; i < function.parameters(); ++i) {
+        text += fmt::format("  hn_uvec4 {0} = texelFetch(input_{0}, at, 0);\n", name_of_parameter(i));
+      }
+      return text + fmt::format("  {}\n", inlined(function.body));
+    }
     case Shape::in_loop:
       // The words of the last trips move through the result, so that none can be left out.
-      return R"(  hn_uvec4 last = uvec4(0u);
-  for (hn_int i = 0; i < trips; ++i) {
+      return fmt::format(R"(  hn_uvec4 last = uvec4(0u);
+  for (hn_int i = 0; i < trips; ++i) {{
     hn_ivec2 other = ivec2(at.x ^ i, at.y);
-    hn_uvec4 v = evaluate(texelFetch(input_a, other, 0), texelFetch(input_b, other, 0));
+    hn_uvec4 v = {};
     last = uvec4(last.y, last.z, last.w, v.x ^ v.y ^ v.z ^ v.w);
-  }
+  }}
   result = last;
-)";
+)",
+                         evaluated(function, "other"));
     case Shape::constant:
-      return evaluated_constants(evaluation.variant.constants);
+      return evaluated_constants(function, evaluation.variant.constants);
     case Shape::called:
       break;
   }
-  return "  result = evaluate(texelFetch(input_a, at, 0), texelFetch(input_b, at, 0));\n";
+  return fmt::format("  result = {};\n", evaluated(function, "at"));
 }
 
 // glslang knows no GL_ARB_shader_bit_encoding. Where a shader is only compiled, a conversion has the same types.
@@ -208,11 +256,8 @@ std::string evaluation_shader(const Evaluation& evaluation) {
   text += fmt::format("{}{}#include \"{}\"\n{}", knobs_of(configuration), variant.knobs, function.file,
                       seeding_of(variant));
   if (variant.shape == Shape::in_loop) text += "uniform hn_int trips;\n";
-  text += fmt::format("uniform {0}usampler2D input_a;\nuniform {0}usampler2D input_b;\n", profile.es ? "highp " : "");
-  text += of_stage.declaration;
-  if (variant.shape != Shape::inlined) {
-    text += fmt::format("hn_uvec4 evaluate(hn_uvec4 a, hn_uvec4 b) {{ {} }}\n", function.body);
-  }
+  text += declared_inputs(evaluation) + of_stage.declaration;
+  if (variant.shape != Shape::inlined) text += declared_evaluate(function, "evaluate", variant.periods);
   return text + fmt::format("void main() {{\n{}{}{}}}\n", of_stage.beginning, result_of(evaluation), of_stage.end);
 }
 
@@ -235,12 +280,14 @@ std::string calling_shader(std::string_view file, const Configuration& configura
   std::string calls;
   int count = 0;
   for (const std::string_view seeding : {kSeeded, kUnseeded}) {
-    text += fmt::format("#undef SEEDED\n{}", seeding);
+    text += fmt::format("#undef SEEDED\n#undef SEED\n{}", seeding);
     for (const Function* const function : called) {
-      const bool has_variant = function->seed_word() >= 0 && profile.spirv;
-      if (seeding == kUnseeded && !has_variant) continue;
-      text += fmt::format("hn_uvec4 evaluate{}(hn_uvec4 a, hn_uvec4 b) {{ {} }}\n", count, function->body);
-      calls += fmt::format("  r ^= evaluate{}(r, r + 1u);\n", count++);
+      if (!is_declared(*function, configuration)) continue;
+      if (seeding == kUnseeded && !(function->has_unseeded() && profile.spirv)) continue;
+      const auto argument = [](std::size_t i) { return i == 0 ? std::string("r") : fmt::format("r + {}u", i); };
+      const std::string name = fmt::format("evaluate{}", count++);
+      text += declared_evaluate(*function, name);
+      calls += fmt::format("  r ^= {}({});\n", name, arguments_of(*function, argument));
     }
   }
   return text + fmt::format(
@@ -249,10 +296,10 @@ std::string calling_shader(std::string_view file, const Configuration& configura
 }
 
 std::string shader_that_evaluates(const Evaluation& evaluation, std::string_view rest) {
-  return fmt::format("{}{}{}{}#include \"{}\"\n{}hn_uvec4 evaluate(hn_uvec4 a, hn_uvec4 b) {{ {} }}\n{}",
-                     running_preamble(evaluation.profile), case_names(evaluation), knobs_of(evaluation.configuration),
-                     evaluation.variant.knobs, evaluation.function.file,
-                     evaluation.variant.seeded ? kSeeded : kUnseeded, evaluation.function.body, rest);
+  return fmt::format("{}{}{}{}#include \"{}\"\n{}{}{}", running_preamble(evaluation.profile), case_names(evaluation),
+                     knobs_of(evaluation.configuration), evaluation.variant.knobs, evaluation.function.file,
+                     evaluation.variant.seeded ? kSeeded : kUnseeded,
+                     declared_evaluate(evaluation.function, "evaluate", evaluation.variant.periods), rest);
 }
 
 }  // namespace hn

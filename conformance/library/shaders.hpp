@@ -39,6 +39,7 @@ struct ShaderVariant {
   Shape shape = Shape::called;
   SeedFrom seed_from = SeedFrom::point;
   std::span<const std::uint32_t> constants = {};  // of Shape::constant: kInputWords per point, of a row of the grid
+  std::span<const std::int32_t> periods = {};     // of each axis, as constants of the shader; else from the point
 };
 
 // What is to be evaluated, and how.
@@ -53,9 +54,19 @@ struct Evaluation {
 // The shaders of the cases, before their includes are expanded. A shader evaluates the function at the point of its
 // pixel, vertex or invocation, and names what it is (CASE_VERTEX, CASE_IN_LOOP, ...) for faults that concern only that.
 std::string evaluation_shader(const Evaluation& evaluation);
+// What stands between evaluate's parentheses: the text for each parameter, by its number.
+template <typename Text>
+std::string arguments_of(const Function& function, Text text_of, std::string_view separator = ", ") {
+  std::string arguments;
+  for (std::size_t i = 0; i < function.parameters(); ++i) {
+    arguments += std::string(i == 0 ? "" : separator) + text_of(i);
+  }
+  return arguments;
+}
 std::string vertex_shader();         // for evaluation in the fragment stage
 std::string idle_fragment_shader();  // for evaluation in the vertex stage
-// The same for a shader that is not a case: evaluate(uvec4 a, uvec4 b) is declared, and what follows is the caller's.
+// The same for a shader that is not a case: evaluate is declared, with the function's parameters, and what follows is
+// the caller's.
 std::string shader_that_evaluates(const Evaluation& evaluation, std::string_view rest);
 // A shader of any stage that includes a file, twice, and calls what it declares.
 std::string calling_shader(std::string_view file, const Configuration& configuration, const Profile& profile,

@@ -33,7 +33,7 @@ std::string prelude(const Entry& entry) {
       return fmt::format("#define TABLE_ARITHMETIC {}\n#include \"tables.glsl\"\n", macro);
     case Form::intended:
       return fmt::format(
-          "#define HN_HASH HN_HASH_{}\n#define HN_GRADIENT HN_GRADIENT_SINE\n#define HN_PERIOD 1048576\n"
+          "#define HN_HASH HN_HASH_{}\n#define HN_GRADIENT HN_GRADIENT_SINE\n"
           "#include \"noise2d.glsl\"\n#include \"noise3d.glsl\"\n",
           macro);
     case Form::ours:
@@ -42,9 +42,14 @@ std::string prelude(const Entry& entry) {
   return fmt::format("#define HN_HASH HN_HASH_{}\n#include \"noise2d.glsl\"\n#include \"noise3d.glsl\"\n", macro);
 }
 
-std::string_view noise_of(Form form) {
-  if (form == Form::published) return "paper_perlin";
-  return form == Form::table ? "table_perlin" : "hn_perlin";
+// The noise at a position. The table noises and the listings have no seed, and periods of their own.
+std::string noise_at(std::string_view position, const Entry& entry, int dimensions, std::uint32_t period,
+                     std::string_view seed) {
+  if (entry.form == Form::published) return fmt::format("paper_perlin({})", position);
+  if (entry.form == Form::table) return fmt::format("table_perlin({})", position);
+  const std::uint32_t cells = entry.form == Form::intended ? kPaperPeriod : period;
+  if (cells == 0) return fmt::format("hn_perlin({})", position);
+  return fmt::format("hn_perlin({}, ivec{}({}), {})", position, dimensions, cells, seed);
 }
 
 }  // namespace
@@ -86,14 +91,16 @@ std::string_view name_of(Picture picture) {
   return kNames[static_cast<std::size_t>(picture)];
 }
 
-Subject subject_of(const Entry& entry, int dimensions, Picture picture, std::string_view knobs) {
-  const std::string_view noise = noise_of(entry.form);
+Subject subject_of(const Entry& entry, int dimensions, Picture picture, std::uint32_t period) {
   const std::string id = fmt::format("{}.{}d", entry.id(), dimensions);
-  std::string text = fmt::format("{}{}", knobs, prelude(entry));
-  if (picture == Picture::noise) return {id, dimensions, std::move(text), fmt::format("{}(p)", noise)};
-  // The table noises and the listings have no seed; their octaves are all of the same field.
-  if (noise != "hn_perlin") {
-    text += fmt::format("#define HN_FBM_NOISE{}D(q, seed) {}(q)\n", dimensions, noise);
+  std::string text = prelude(entry);
+  if (picture == Picture::noise) {
+    return {id, dimensions, std::move(text), noise_at("p", entry, dimensions, period, "0u")};
+  }
+  // Without a seed the octaves are all of the same field.
+  if (entry.form != Form::ours || period != 0) {
+    text += fmt::format("#define HN_FBM_NOISE{}D(q, seed) {}\n", dimensions,
+                        noise_at("q", entry, dimensions, period, "seed"));
   }
   text += fmt::format("#include \"fbm{}d.glsl\"\n", dimensions);
   return {fmt::format("{}.{}", id, name_of(picture)), dimensions, std::move(text),

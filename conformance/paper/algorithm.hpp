@@ -1,6 +1,7 @@
 // The paper's seven algorithms, each hash in three forms.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -44,8 +45,11 @@ std::vector<Entry> all_entries();
 enum class Picture { noise, turbulence, clouds };
 std::string_view name_of(Picture picture);
 
-// A picture as a subject: the algorithm's noise, or one of the library's octave sums over it. knobs: further macros.
-Subject subject_of(const Entry& entry, int dimensions, Picture picture = Picture::noise, std::string_view knobs = "");
+// What the paper limits the period to, in cells.
+inline constexpr std::uint32_t kPaperPeriod = std::uint32_t{1} << 20;
+// A picture as a subject: the algorithm's noise, or one of the library's octave sums over it. period: of the library's
+// noise in our form, in cells; 0 for none.
+Subject subject_of(const Entry& entry, int dimensions, Picture picture = Picture::noise, std::uint32_t period = 0);
 
 // The files, and the paper's listings, which the published form includes.
 SourceSet with_published_listings(SourceSet sources);

@@ -45,10 +45,11 @@ TEST(Algorithm, SubjectsHaveIdsOfTheirOwn) {
   EXPECT_EQ(texts.size(), 18u * 2u * 3u);
 }
 
-TEST(Algorithm, KnobsComeFirst) {
-  const Subject subject = subject_of(all_entries().back(), 2, Picture::clouds, "#define HN_PERIOD 48\n");
+TEST(Algorithm, APeriodIsTheNoises) {
+  EXPECT_EQ(subject_of(all_entries().back(), 3, Picture::noise, 48).expression, "hn_perlin(p, ivec3(48), 0u)");
+  const Subject subject = subject_of(all_entries().back(), 2, Picture::clouds, 48);
   EXPECT_EQ(subject.id, "lattice.ours.2d.clouds");
-  EXPECT_EQ(subject.prelude.find("#define HN_PERIOD 48\n"), 0u);
+  EXPECT_NE(subject.prelude.find("#define HN_FBM_NOISE2D(q, seed) hn_perlin(q, ivec2(48), seed)\n"), std::string::npos);
   EXPECT_EQ(subject.expression, "hn_clouds(p, 6, 2.0, 0.5)");
 }
 

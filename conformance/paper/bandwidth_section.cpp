@@ -20,7 +20,7 @@ constexpr int kTextureSide = 4096;  // of 16 bytes each: 256 MiB, more than the 
 constexpr int kMegabytes = kTextureSide / 1024 * kTextureSide * 16 / 1024;
 constexpr int kAcross = kTextureSide / kWidth;
 constexpr int kTiles = kAcross * (kTextureSide / kHeight);
-constexpr int kTextureUnit = 8;  // behind those of the tables
+constexpr int kTextureUnit = 10;  // behind those of the tables
 constexpr std::array kFetches = {0, 1, 2, 4, 8, 16, 32};
 static_assert(kFetches.back() <= kTiles);
 

@@ -36,7 +36,7 @@ using hn_uvec4 = uvec4;
 #define int Int
 #include "../../glsl/hashnoise.glsl"
 #ifdef UNFIT
-HN_FN hn_uint unfit(hn_uint x, HN_I_UNUSED hn_uint y) { return UNFIT; }
+HN_FN hn_uint unfit(hn_uint x, [[maybe_unused]] hn_uint y) { return UNFIT; }
 #endif
 #undef float
 #undef int
@@ -131,6 +131,24 @@ int main() {
                [](const Point& p) { return hn_perlin(hn_ivec2(p.cx, p.cy), hn_vec2(p.fx, p.fy), p.seed); });
   print_digest("perlin3_cell",
                [](const Point& p) { return hn_perlin(hn_ivec3(p.cx, p.cy, p.cz), hn_vec3(p.fx, p.fy, p.fz), p.seed); });
+  print_digest("value1_cell", [](const Point& p) { return hn_value(p.cx, p.fx, p.seed); });
+  print_digest("value4", [](const Point& p) { return hn_value(hn_vec4(p.x, p.y, p.z, p.fx), p.seed); });
+  print_digest("value_cubic3", [](const Point& p) { return hn_value_cubic(hn_vec3(p.x, p.y, p.z), p.seed); });
+  print_digest("value_d3", [](const Point& p) { return hn_value_d(hn_vec3(p.x, p.y, p.z), p.seed).z; });
+  print_digest("perlin2_period",
+               [](const Point& p) { return hn_perlin(hn_vec2(p.x, p.y), hn_ivec2(p.cx, p.cy), p.seed); });
+  print_digest("cell",
+               [](const Point& p) { return hn_fraction(p.cx, p.cy, p.cz) + hn_unorm(hn_uint(hn_cell(p.cx, 3, 7))); });
+#if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
+  print_digest("perlin1", [](const Point& p) { return hn_perlin(p.x, p.seed); });
+  print_digest("perlin4", [](const Point& p) { return hn_perlin(hn_vec4(p.x, p.y, p.z, p.fx), p.seed); });
+  print_digest("perlin_d3", [](const Point& p) { return hn_perlin_d(hn_vec3(p.x, p.y, p.z), p.seed).z; });
+  print_digest("perlin_d4", [](const Point& p) {
+    hn_vec4 gradient;
+    hn_float value = hn_perlin_d(hn_vec4(p.x, p.y, p.z, p.fx), p.seed, gradient);
+    return value + gradient.w;
+  });
+#endif
   print_digest("gradient3", [](const Point& p) {
     const hn_vec3 gradient = hn_gradient(hn_ivec3(p.cx, p.cy, p.cz), p.seed);
     return gradient.x + gradient.y * gradient.z;

@@ -103,5 +103,8 @@ inline Uint floatBitsToUint(Float value) { return Uint::of((Uint::Vector)value.v
 
 inline hashnoise::Vector2<Float> floor(hashnoise::Vector2<Float> v) { return {floor(v.x), floor(v.y)}; }
 inline hashnoise::Vector3<Float> floor(hashnoise::Vector3<Float> v) { return {floor(v.x), floor(v.y), floor(v.z)}; }
+inline hashnoise::Vector4<Float> floor(hashnoise::Vector4<Float> v) {
+  return {floor(v.x), floor(v.y), floor(v.z), floor(v.w)};
+}
 
 }  // namespace lanes

@@ -181,8 +181,9 @@ TEST(BrowserFault, EachWayThatIsWrongFails) {
 TEST(BrowserFault, ANoiseWithoutItsPeriodFails) {
   SourceSet sources = SourceSet::embedded();
   const SourceFile& file = *sources.find("perlin2d.glsl");
-  sources.add("perlin2d.glsl", file.text + "\n#define hn_perlin(call) (hn_perlin(call) + 0.00001 * p.x)\n", file.path);
-  const std::vector<std::string> ids = {"noise2d.perlin.lattice+period64.fast.fragment.es300.period"};
+  constexpr std::string_view kFault = "#define hn_perlin(p, period, seed) (hn_perlin(p, period, seed) + 0.00001 * p.x)";
+  sources.add("perlin2d.glsl", fmt::format("{}\n{}\n", file.text, kFault), file.path);
+  const std::vector<std::string> ids = {"noise2d.perlin_period.lattice.fast.fragment.es300.period"};
   Story story;
   ASSERT_TRUE(run(story, ids, "webgl2", sources));
   EXPECT_EQ(story.outcome(ids[0]).status, Status::fail) << story.outcome(ids[0]).message;

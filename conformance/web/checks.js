@@ -157,14 +157,14 @@ function checkDigest(renderer, suite, test, outcome) {
   ++outcome.mismatches;
   outcome.status = "fail";
   outcome.message = `the digest of ${values.length} points from ` +
-                    `${describeInputs(suite.columns(test).inputs, inputs)} is ${got}, expected ${digest.fnv1a64}`;
+                    `${describeInputs(suite.columns(test.columns).inputs, inputs)} is ${got}, expected ${digest.fnv1a64}`;
   return outcome;
 }
 
 // Against expected values: bits if every bit counts, else exact values as 64-bit floats.
 function checkValues(renderer, suite, test) {
-  const columns = suite.columns(test);
-  const inputs = suite.inputs(test, test.inputs);
+  const columns = suite.columns(test.columns);
+  const inputs = suite.inputs(columns, test.inputs);
   const outputs = evaluate(renderer, suite, test.program, inputs);
   const comparison = new Comparison(columns.inputs, inputs);
   const width = columns.outputs.length;
@@ -174,7 +174,7 @@ function checkValues(renderer, suite, test) {
     const point = Math.floor(i / width);
     const got = outputs[point * kOutputWords + (i % width)];
     if (test.exact) comparison.bits(point, got, expected[i], columns.outputs[i % width].type);
-    else comparison.number(point, floatOf(got), expected[i], allowed(point));
+    else comparison.number(point, floatOf(got), expected[i], allowed(i));
   }
   const outcome = comparison.finish();
   return test.digest && outcome.status === "pass" ? checkDigest(renderer, suite, test, outcome) : outcome;
@@ -183,23 +183,25 @@ function checkValues(renderer, suite, test) {
 // Against what the same driver finds in another way, or at other inputs. In a loop, each word of the result is of
 // another point: the one at hand, then its neighbours.
 function checkSame(renderer, suite, test) {
-  const columns = suite.columns(test);
-  const inputs = suite.inputs(test, test.inputs);
-  const expected = evaluate(renderer, suite, test.other, suite.inputs(test, test.other_inputs));
+  const columns = suite.columns(test.columns);
+  const inputs = suite.inputs(columns, test.inputs);
+  const others = suite.columns(test.other_columns);
+  const expected = evaluate(renderer, suite, test.other, suite.inputs(others, test.other_inputs));
   const outputs = evaluate(renderer, suite, test.program, inputs);
   const comparison = new Comparison(columns.inputs, inputs);
   const allowed = suite.allowed(test);
-  const compare = (point, got, wanted, type) => {
-    if (test.exact) comparison.bits(point, got, wanted, type);
-    else comparison.number(point, floatOf(got), floatOf(wanted), allowed(point));
+  const width = Math.min(columns.outputs.length, others.outputs.length);  // what both have
+  const compare = (point, word, got, wanted) => {
+    if (test.exact) comparison.bits(point, got, wanted, columns.outputs[word].type);
+    else comparison.number(point, floatOf(got), floatOf(wanted), allowed(point * width + word));
   };
   for (let point = 0; point * kInputWords < inputs.length; ++point) {
-    for (let word = 0; word < (test.in_loop ? kOutputWords : columns.outputs.length); ++word) {
+    for (let word = 0; word < (test.in_loop ? kOutputWords : width); ++word) {
       const got = outputs[point * kOutputWords + word];
       const other = (test.in_loop ? point ^ word : point) * kOutputWords;
       const [x, y, z, w] = expected.subarray(other, other + kOutputWords);
-      if (test.in_loop) compare(point ^ word, got, (x ^ y ^ z ^ w) >>> 0, columns.outputs[0].type);
-      else compare(point, got, expected[other + word], columns.outputs[word].type);
+      if (test.in_loop) compare(point ^ word, 0, got, (x ^ y ^ z ^ w) >>> 0);
+      else compare(point, word, got, expected[other + word]);
     }
   }
   return comparison.finish();
@@ -208,8 +210,8 @@ function checkSame(renderer, suite, test) {
 // Against words whose columns tell what they are: floats within what is allowed, all others bit by bit. What a
 // specification leaves open is a warning.
 function checkBug(renderer, suite, test) {
-  const columns = suite.columns(test);
-  const inputs = suite.inputs(test, test.inputs);
+  const columns = suite.columns(test.columns);
+  const inputs = suite.inputs(columns, test.inputs);
   const outputs = evaluate(renderer, suite, test.program, inputs);
   const comparison = new Comparison(columns.inputs, inputs);
   const expected = suite.words(test.expected);

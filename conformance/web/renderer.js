@@ -1,5 +1,5 @@
 // WebGL2: build a program, evaluate it at many points, read back raw bits. As in gpu.cpp: a point is a fragment or a
-// vertex, its input words come from two RGBA32UI textures, and nothing is converted on the way in or out.
+// vertex, its input words come from up to four RGBA32UI textures, and nothing is converted on the way in or out.
 import { kInputWords, kOutputWords } from "./suite.js";
 
 // Of the textures. A digest, the largest grid, has 16,384 points: 16 rows. Phones have little memory.
@@ -10,6 +10,8 @@ const kKeptPrograms = 3;
 // GPUs evaluate blocks of pixels, those beside the grid along with it: they see zeros instead of an earlier case's words.
 const kBlock = 4;
 const kNothing = 0xdeadbeef;
+// The textures, as far as a program reads them.
+const kInputs = ["input_a", "input_b", "input_c", "input_d"];
 
 // What the driver did wrong, with its log.
 export class DriverError extends Error {
@@ -48,10 +50,11 @@ export class Renderer {
   constructor(gl) {
     this.gl = gl;
     this.programs = new Map();
-    this.textures = [0, 1, 2].map(() => this.makeTexture());
+    this.output = this.makeTexture();
+    this.textures = [];  // of the inputs, when a program reads them first
     this.framebuffer = gl.createFramebuffer();
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
-    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, this.textures[2], 0);
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, this.output, 0);
     this.vertexArray = gl.createVertexArray();
     this.captured = gl.createBuffer();
   }
@@ -116,24 +119,22 @@ export class Renderer {
       else gl.uniform1i(place, value);
     };
     gl.useProgram(program.id);
-    set("input_a", "int", 0);
-    set("input_b", "int", 1);
+    kInputs.forEach((name, unit) => set(name, "int", unit));
     for (const [name, { type, value }] of Object.entries(uniforms)) set(name, type, value);
   }
 
-  upload(inputs, gridWidth, gridHeight) {
+  upload(number, inputs, gridWidth, gridHeight) {
     const gl = this.gl;
     const [width, height] = [gridWidth, gridHeight].map((length) => Math.ceil(length / kBlock) * kBlock);
     const words = new Uint32Array(width * height * 4);
-    for (let half = 0; half < 2; ++half) {
-      for (let point = 0; point * kInputWords < inputs.length; ++point) {
-        const start = point * kInputWords + half * 4;
-        words.set(inputs.subarray(start, start + 4), point * 4);
-      }
-      gl.activeTexture(gl.TEXTURE0 + half);
-      gl.bindTexture(gl.TEXTURE_2D, this.textures[half]);
-      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RGBA_INTEGER, gl.UNSIGNED_INT, words);
+    for (let point = 0; point * kInputWords < inputs.length; ++point) {
+      const start = point * kInputWords + number * 4;
+      words.set(inputs.subarray(start, start + 4), point * 4);
     }
+    gl.activeTexture(gl.TEXTURE0 + number);
+    this.textures[number] ??= this.makeTexture();
+    gl.bindTexture(gl.TEXTURE_2D, this.textures[number]);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RGBA_INTEGER, gl.UNSIGNED_INT, words);
   }
 
   // inputs: kInputWords per point. Returns kOutputWords per point.
@@ -148,7 +149,9 @@ export class Renderer {
       throw new DriverError("this driver does not render to RGBA32UI, which WebGL2 requires");
     }
     while (gl.getError() !== gl.NO_ERROR && !gl.isContextLost()) ;
-    this.upload(inputs, width, height);
+    kInputs.forEach((name, number) => {
+      if (gl.getUniformLocation(program.id, name)) this.upload(number, inputs, width, height);
+    });
     this.setUniforms(program, uniforms);
     gl.bindVertexArray(this.vertexArray);
     const words = program.stage === "vertex" ? this.capture(program, points) : this.draw(width, height);

@@ -28,6 +28,7 @@ static_assert(std::endian::native == std::endian::little, "the page's numbers ar
 // Of what is random, the page takes a prefix of what other drivers take by default: its size is that of its points.
 constexpr std::uint64_t kPageSeed = 1;
 constexpr std::size_t kPagePoints = 1024;
+constexpr std::size_t kFurtherPagePoints = 128;  // of further functions, which are many
 
 // Numbers values, so that each is stored once.
 class Table {
@@ -86,7 +87,10 @@ class SuiteWriter {
 
   Part part(const CheckKind&) { throw std::logic_error("the page has no check that is written in C++"); }
   Part part(const ReferenceKind&) { throw std::logic_error("the page has no reference compiler"); }
-  Part part(const PairingKind& kind) { return same(kind.make(kind.evaluation, kPageSeed, kPagePoints)); }
+  Part part(const PairingKind& kind) {
+    const bool further = kind.evaluation.function.is_further();
+    return same(kind.make(kind.evaluation, kPageSeed, further ? kFurtherPagePoints : kPagePoints));
+  }
 
   static Json decided(const Outcome& outcome) {
     return {{"decided", {{"status", name_of(outcome.status)}, {"message", outcome.message}}}};
@@ -162,10 +166,11 @@ class SuiteWriter {
                 {"program", evaluated},
                 {"other", other},
                 {"columns", function.columns},
+                {"other_columns", pairing.other.function.columns},
                 {"exact", pairing.exact},
                 {"in_loop", pairing.in_loop()},
                 {"inputs", packed(pairing.inputs, function)},
-                {"other_inputs", packed(pairing.other_inputs, function)},
+                {"other_inputs", packed(pairing.other_inputs, pairing.other.function)},
                 {"allowed", pairing.exact ? Json(0.0) : allowed_json(pairing.allowed)}};
   }
 
@@ -226,12 +231,14 @@ class SuiteWriter {
     std::vector<std::uint32_t> words(kInputWords);
     for (const GoldenRow& row : golden.rows) {
       std::copy(row.inputs.begin(), row.inputs.end(), words.begin());
-      allowed.push_back(tolerance(function, configuration, words));
+      for (std::size_t output = 0; output < row.values.size(); ++output) {
+        allowed.push_back(tolerance(function, configuration, words, output));
+      }
     }
     return allowed;
   }
 
-  // A number for all points, or data with one for each. (JSON has no infinity.)
+  // A number for all values, or data with one for each. (JSON has no infinity.)
   Json allowed_json(const std::vector<double>& allowed) {
     const bool constant = std::all_of(allowed.begin(), allowed.end(), [&](double a) { return a == allowed.front(); });
     if (!allowed.empty() && constant && std::isfinite(allowed.front())) return allowed.front();

@@ -2,7 +2,7 @@
 // values.
 
 // Words that go into and come out of one evaluation, as in functions.hpp.
-export const kInputWords = 8;
+export const kInputWords = 16;
 export const kOutputWords = 4;
 
 function bytesOf(base64) {
@@ -57,21 +57,21 @@ export class Suite {
   }
 
   // The columns of a function: "x:f32 seed:u32 = value:f64".
-  columns(test) {
-    const [inputs, outputs] = test.columns.split(" = ").map(columnsOf);
+  columns(text) {
+    const [inputs, outputs] = text.split(" = ").map(columnsOf);
     return { inputs, outputs };
   }
 
   // kInputWords per point, of data with the words that the columns use.
-  inputs(test, number) {
-    return spread(this.words(number), this.columns(test).inputs.length);
+  inputs(columns, number) {
+    return spread(this.words(number), columns.inputs.length);
   }
 
-  // How far each value may be off, by point.
+  // How far each value may be off, by its number.
   allowed(test) {
     if (typeof test.allowed === "number") return () => test.allowed;
     const values = this.doubles(test.allowed.data);
-    return (point) => values[point];
+    return (value) => values[value];
   }
 }
 

@@ -65,7 +65,7 @@ void match(const std::vector<Expectation>& expectations) {
   run.info.renderer = "llvmpipe (LLVM 15.0.6, 256 bits)";
   for (const Status status : kStatuses) {
     CaseResult result;
-    result.id = "noise2d.perlin_cell.fnv1+sine+period1048576.fast.fragment.es300.golden";
+    result.id = "noise2d.perlin_cell.partial_jenkins+sine.fast.fragment.es300.golden";
     result.outcome.status = status;
     run.cases.push_back(std::move(result));
   }
