@@ -12,13 +12,13 @@ from golden.files import golden_files
 from oracle import words
 from tables import glsl
 from tables.configurations import ARITHMETICS, Configuration, read_configurations
-from tables.functions import NOISES, Function, read_functions
+from tables.functions import FURTHER, NOISES, Function, read_functions
 from tree import BOUNDS, CONFIGURATIONS, FUNCTIONS, GLSL, GOLDEN, ROOT
 
 KNOBS = "docs/knobs.md"
 ENTRIES = "tools/lib/{}/noises/{}.py"
-OF_A_NOISE = {"returns", "error", "cost"}  # in each comment; and in one of its comments
-OF_A_NOISE_ONCE = OF_A_NOISE | {"period", "source"}
+OF_A_NOISE = {"error", "cost"}  # in each comment; and in one of its comments
+OF_A_NOISE_ONCE = OF_A_NOISE | {"returns", "period", "source"}
 
 
 class Tree:
@@ -82,14 +82,26 @@ def functions_without_words(tree: Tree) -> Iterator[str]:
     """In the comments of the library, in the README, and in the contract."""
     first_cells = [line.split(" | ")[0] for line in tree.text("README.md").split("\n") if line.startswith("|")]
     contract = tree.text("docs/contract.md")
+    said = set()  # a form with periods says only what is other than in the forms above it
     for declared in tree.declarations:
-        if not declared.comment or "returns" not in declared.comment.headings:
+        form = (declared.path, declared.name)
+        if declared.comment and ("returns" in declared.comment.headings or
+                                 ("period" in declared.comment.headings and form in said)):
+            said.add(form)
+        else:
             yield f"{declared.place}: {declared} has no comment that says what it returns: write one over it"
     for name in sorted({function.calls for function in tree.functions}):
-        if not any(f"`{name}(" in cell for cell in first_cells):
+        if not any(is_named(name, cell) for cell in first_cells):
             yield f"README.md: no line for {name}: add one to the table of functions"
-        if not re.search(rf"\b{name}\(", contract):
+        if not re.search(rf"`{name}\b", contract):
             yield f"docs/contract.md: no word of {name}(...): say what its value is"
+
+
+def is_named(name: str, cell: str) -> bool:
+    """Whether a cell of a table has a call of it, by itself or in a series: `hn_gradient1(h)` to `hn_gradient4(h)`."""
+    series = re.search(r"`(\w+?)(\d)\(.*` to `\1(\d)\(", cell)
+    return f"`{name}(" in cell or (series is not None and
+                                   name in {f"{series[1]}{i}" for i in range(int(series[2]), int(series[3]) + 1)})
 
 
 # --- Noises -----------------------------------------------------------------------------------------------------
@@ -108,9 +120,9 @@ def noises_without_entries(tree: Tree) -> Iterator[str]:
         if (noise, function.axes) not in bounds:
             yield lacks(function, f"{BOUNDS.relative_to(ROOT)} has no {noise} in {function.axes}D: run "
                         "tools/bounds --write")
-        if not re.search(rf"^    {function.calls}\({function.types[0]}\b", contract, re.MULTILINE):
-            yield lacks(function, f"define {function.calls}({', '.join(function.types)}) in docs/contract.md, in an "
-                        "indented line of its own")
+        if not re.search(rf"`{function.calls}`[^.]* (?:takes positions of|have the forms of)", contract):
+            yield lacks(function, f"say in docs/contract.md that `{function.calls}` takes positions of {function.axes} "
+                        "dimensions, and what its value is")
 
 
 def noises_without_comments(tree: Tree) -> Iterator[str]:
@@ -140,7 +152,7 @@ def entries_without_a_noise(tree: Tree) -> Iterator[str]:
 
 
 def families_without_settings(tree: Tree) -> Iterator[str]:
-    """Each arithmetic that concerns a family, and a period where it has one."""
+    """Each arithmetic that concerns a family. What is further has values with one more gradient, in one arithmetic."""
     def covered(family: str, **setting: object) -> bool:
         return any(family in configuration.families
                    and all(getattr(configuration, name) == value for name, value in setting.items())
@@ -152,27 +164,26 @@ def families_without_settings(tree: Tree) -> Iterator[str]:
         for arithmetic in ("fast",) if exact else ARITHMETICS:
             if not covered(family, arithmetic=arithmetic):
                 yield f"{where}: add {family} to the families of a configuration with {arithmetic.upper()}"
-        if (family in NOISES or family.endswith("gradient")) and not any(
-                configuration.period and family in configuration.families for configuration in tree.configurations):
-            yield f"{where}: add {family} to the families of a configuration with a period"
 
 
 def hashes_of_unlike_families(tree: Tree) -> Iterator[str]:
-    """With the other knobs at their defaults, every hash is tested with the same functions."""
+    """With the other knobs at their defaults, every hash is tested with the same functions, but for further ones."""
     plain = [configuration for configuration in tree.configurations
-             if (configuration.arithmetic, configuration.gradient, configuration.period) == ("fast", "octahedral", 0)]
+             if (configuration.arithmetic, configuration.gradient) == ("fast", "octahedral")]
     # What depends on no knob is tested once.
-    families = {family for configuration in plain for family in configuration.families} - {"independent"}
+    families = {family for configuration in plain for family in configuration.families} - {"independent", *FURTHER}
     default = re.search(r"^#define HN_HASH HN_HASH_(\w+)", tree.config, re.MULTILINE)
     for configuration in plain:
-        expected = families | ({"independent"} if default and configuration.hash == default[1].lower() else set())
+        expected = families | (set(FURTHER) & set(configuration.families))
+        if default and configuration.hash == default[1].lower():
+            expected |= {"independent", *FURTHER}
         yield from _wrong_families(configuration, expected, "as with the other hashes")
 
 
 def arithmetics_of_unlike_settings(tree: Tree) -> Iterator[str]:
     """HN_PRECISE has no golden files that could be missed, so it is held against HN_FIXED, and the other way round."""
-    def settings(arithmetic: str) -> dict[tuple[str, str, int], Configuration]:
-        return {(configuration.hash, configuration.gradient, configuration.period): configuration
+    def settings(arithmetic: str) -> dict[tuple[str, str], Configuration]:
+        return {(configuration.hash, configuration.gradient): configuration
                 for configuration in tree.configurations if configuration.arithmetic == arithmetic}
 
     for arithmetic, other in (("precise", "fixed"), ("fixed", "precise")):
@@ -183,10 +194,10 @@ def arithmetics_of_unlike_settings(tree: Tree) -> Iterator[str]:
                 yield from _wrong_families(present[key], families | set(present[key].families),
                                            f"as in {configuration.name}")
             else:
-                hash, gradient, period = key
+                hash, gradient = key
                 name = configuration.name.replace(f"+{other}", f"+{arithmetic}")
                 yield (f"{CONFIGURATIONS.relative_to(ROOT)}: {configuration.name} is there without {name}: add "
-                       f"CONFIGURATION(\"{name}\", {hash.upper()}, {gradient.upper()}, {period}, "
+                       f"CONFIGURATION(\"{name}\", {hash.upper()}, {gradient.upper()}, "
                        f"{arithmetic.upper()}, {' | '.join(configuration.families)})")
 
 
@@ -241,8 +252,8 @@ def hashes_without_entries(tree: Tree) -> Iterator[str]:
     for name in re.findall(r"^#define HN_HASH_(\w+) \d+\b", tree.config, re.MULTILINE):
         macro, word = f"HN_HASH_{name}", name.lower()
         if not any(_is_plain(configuration, word) for configuration in tree.configurations):
-            yield (f"{CONFIGURATIONS.relative_to(ROOT)}: {macro} is under test with no default gradient and period: "
-                   f"add CONFIGURATION(\"{word}\", {name}, OCTAHEDRAL, 0, FAST, ...)")
+            yield (f"{CONFIGURATIONS.relative_to(ROOT)}: {macro} is under test with no default gradient: "
+                   f"add CONFIGURATION(\"{word}\", {name}, OCTAHEDRAL, FAST, ...)")
         if word not in words.HASHES:
             yield f"tools/lib/oracle/words.py: {macro} is not among the hashes: add it from docs/contract.md"
         if f"| `{name}`" not in contract:

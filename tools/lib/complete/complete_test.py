@@ -60,10 +60,10 @@ class Deletions(unittest.TestCase):
                      r"hn_lattice\(ivec3\) has no row")
 
     def test_the_rows_of_a_noise(self) -> None:
-        self.change(TABLE, r'^NOISE\("perlin".*\n')
-        self.noticed(r"hn_perlin\(vec2\) has no row: add a FUNCTION",
-                     r"^tools/lib/oracle/noises/perlin\.py: no function is the noise perlin",
-                     r"^tools/lib/bounds/noises/perlin: no function is the noise perlin")
+        self.change(TABLE, r'^NOISE_3\("value_cubic".*\n')
+        self.noticed(r"hn_value_cubic\(vec2\) has no row: add a FUNCTION",
+                     r"^tools/lib/oracle/noises/value_cubic\.py: no function is the noise value_cubic",
+                     r"^tools/lib/bounds/noises/value_cubic\S*: no function is the noise value_cubic")
 
     def test_a_function_that_nobody_knows(self) -> None:
         self.change("glsl/*.glsl", r"^(// Gradient noise on the square lattice)",
@@ -95,8 +95,8 @@ class Deletions(unittest.TestCase):
         self.noticed(r"noise3d\.perlin: .*bounds\.inc has no perlin in 3D: run tools/bounds --write")
 
     def test_the_contract(self) -> None:
-        self.change("docs/contract.md", r"^    hn_perlin\(ivec3.*\n")
-        self.noticed(r"noise3d\.perlin_cell: define hn_perlin\(ivec3, vec3\) in docs/contract\.md")
+        self.change("docs/contract.md", r"^`hn_value_cubic` takes positions of")
+        self.noticed(r"noise3d\.value_cubic_cell: say in docs/contract\.md that `hn_value_cubic` takes positions of 3 dim")
 
     def test_the_contract_of_a_function(self) -> None:
         self.change("docs/contract.md", r"^\| `hn_unorm\(.*\n")
@@ -121,12 +121,11 @@ class Deletions(unittest.TestCase):
     def test_a_setting(self) -> None:
         for setting, left, message in (
                 (r'^CONFIGURATION\("lattice\+sine\+fixed".*\n', "", "sine_gradient to .* configuration with FIXED"),
-                (r'^CONFIGURATION\("fnv1\+sine\+period1048576".*\n', "", "sine_gradient to .* with a period"),
-                (r'^CONFIGURATION\("pcg".*\n', "", "HN_HASH_PCG is under .* add CONFIGURATION..pcg., PCG"),
+                (r'^CONFIGURATION\("pcg".*\n.*\n', "", "HN_HASH_PCG is under .* add CONFIGURATION..pcg., PCG"),
                 (r"(PRECISE, .*) \| octave_sum", "\\1", "octave_sum to .* configuration with PRECISE"),
-                (r'^CONFIGURATION\("fnv1\+precise".*\n', "", 'add CONFIGURATION."fnv1.precise", FNV1, OCTAHEDRAL, 0, '
+                (r'^CONFIGURATION\("fnv1\+precise".*\n', "", 'add CONFIGURATION."fnv1.precise", FNV1, OCTAHEDRAL, '
                  r"PRECISE, gradient_noise \| lattice_noise\)$"),
-                (r'^CONFIGURATION\("lattice\+period48\+precise".*\n', "", "add .*LATTICE, OCTAHEDRAL, 48, PRECISE, "),
+                (r'^CONFIGURATION\("lattice\+sine\+precise".*\n', "", "add .*LATTICE, SINE, PRECISE, "),
                 (r'^CONFIGURATION\("fnv1\+fixed".*\n', "", "fnv1.precise is there without fnv1.fixed: add ")):
             with self.subTest(setting=setting):
                 self.setUp()
@@ -139,7 +138,7 @@ class Deletions(unittest.TestCase):
                  r"gradient_noise to its families, as in lattice\+fixed"),
                 (r'^(CONFIGURATION\("fnv1\+fixed", .*) \| lattice_noise', "\\1", r"fnv1\+fixed: add lattice_noise to "
                  r"its families, as in fnv1\+precise"),
-                (r'^(CONFIGURATION\("pcg", .* FAST, hash) .*\)$', "\\1)", "pcg: add octave_sum to its families"),
+                (r'^(CONFIGURATION\("fnv1", .* FAST, hash) .*\)$', "\\1)", "fnv1: add octave_sum to its families"),
                 (r"independent \| ", "", "lattice: add independent to its families"),
                 (r'^(CONFIGURATION\("pcg", .* FAST,)', "\\1 independent |", "pcg: take independent from its families")):
             with self.subTest(row=row):
@@ -148,7 +147,7 @@ class Deletions(unittest.TestCase):
                 self.noticed(rf"^{SETTINGS_FILE}:\d+: {message}")
 
     def test_a_knob(self) -> None:
-        self.change("glsl/config.glsl", r"^(#ifndef HN_PERIOD)",
+        self.change("glsl/config.glsl", r"^(#ifndef HN_ARITHMETIC)",
                     "#ifndef HN_WARP\n#define HN_WARP HN_WARP_NONE  // new\n#endif\n\\1")
         self.noticed(r"^include/hashnoise/hashnoise\.hpp: HN_WARP names no inline namespace: add .*\(warp_, HN_WARP\)",
                      r"^docs/knobs\.md: no line for HN_WARP: add one to the table of knobs",
@@ -160,7 +159,7 @@ class Deletions(unittest.TestCase):
                 ("include/hashnoise/*.hpp", r"^inline namespace .*HN_ARITHMETIC\) \{\n", "",
                  r"include/hashnoise/hashnoise\.hpp: HN_ARITHMETIC names no inline namespace"),
                 ("docs/knobs.md", r"^\| `HN_ARITHMETIC` \| `HN_FAST`.*\n", "", r"docs/knobs\.md: no line for HN_ARITH"),
-                (SETTINGS_FILE, r"^(//   CONFIGURATION\(.*) period,", "\\1", r".*: HN_PERIOD is not an argument of C")):
+                (SETTINGS_FILE, r"^(//   CONFIGURATION\(.*) gradient,", "\\1", r".*: HN_GRADIENT is not an argument of C")):
             with self.subTest(path=path):
                 self.setUp()
                 self.change(path, entry, left)
@@ -181,8 +180,8 @@ class Deletions(unittest.TestCase):
                      r"^docs/contract\.md: no line for HN_HASH_MD5", r"^docs/knobs\.md: the knob .* HN_HASH_MD5")
 
     def test_a_hash_by_its_name(self) -> None:
-        self.change(SETTINGS_FILE, r'^CONFIGURATION\("pcg".*\n')
-        self.noticed(r"^glsl/\w+\.glsl:\d+: hn_hash_pcg\(uint\) is the hash of no configuration: add CONFIGURATION")
+        self.change(SETTINGS_FILE, r'^CONFIGURATION\("xxhash32".*\n')
+        self.noticed(r"^glsl/\w+\.glsl:\d+: hn_hash_xxhash32\(uint\) is the hash of no configuration: add CONFIGURATION")
 
     def test_a_golden_file(self) -> None:
         missing = "noise2d.perlin.lattice+fixed.golden"

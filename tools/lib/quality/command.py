@@ -20,6 +20,7 @@ import numpy as np
 
 from quality import controls
 from quality import gate
+from quality import isotropy
 from quality import library
 from quality import noise
 from quality import report
@@ -76,7 +77,7 @@ def measure_all(tasks: list[Task], jobs: int) -> tuple[list[HashResult], list[di
 
 
 def control_results(twin: library.Twin) -> list[HashResult]:
-    """Every control in the plane, small, and a random lattice, which passes."""
+    """Every control in the plane, small, and a random lattice and random gradients, which pass."""
     side = gate.SIDES[2]
     results = [HashResult("random", 2, gate.judge_words(controls.random((side, side)), twin), None)]
     for name, (make, _) in controls.WINDOWS.items():
@@ -84,7 +85,20 @@ def control_results(twin: library.Twin) -> list[HashResult]:
     for name, (function, _) in controls.FUNCTIONS.items():
         stand_in = controls.Function(name, twin.program, twin.bits, function)
         results.append(HashResult(name, 2, gate.judge_twin(stand_in, 2, gate.LEAST), None))
+    for name, (make, _) in controls.GRADIENTS.items():
+        window = controls.of_gradients(make(controls.GRADIENT_SHAPES[2]))
+        results.append(HashResult(name, 2, gate.judge_gradients(window), None))
     return results
+
+
+def preferences() -> list[report.Preference]:
+    """How isotropic the noise of each shape of gradients is."""
+    rows = []
+    for make, _ in controls.GRADIENTS.values():
+        for n in DIMENSIONS:
+            window = controls.of_gradients(make(controls.GRADIENT_SHAPES[n]))
+            rows.append(report.Preference(make.__doc__, n, isotropy.of_window(window)))
+    return rows
 
 
 def sine_results(names: dict[str, int], include: Path, folder: Path) -> list[report.Sine]:
@@ -208,7 +222,7 @@ def run(options, folder: Path) -> int:
     rejected = control_results(default)
     sine = sine_results(library.hash_names(options.include), options.include, folder)
     passed &= report.rejected_as_meant(rejected)
-    text = report.page(results, rejected, sine, default, options.quick)
+    text = report.page(results, rejected, sine, preferences(), default, options.quick)
     if options.check:
         return 0 if report.same(out / "quality.md", text) and passed else 1
     report.write(out, text, results, default)

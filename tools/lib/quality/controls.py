@@ -7,7 +7,9 @@ from typing import Callable
 
 import numpy as np
 
-from quality.lattice import cells_of
+from quality import isotropy
+from quality.directions import lengthened
+from quality.lattice import Lattice, cells_of
 from quality.library import Twin
 
 Shape = tuple[int, ...]
@@ -230,6 +232,58 @@ ONLY_2D = {"chain", "counter"}
 FULL_SIZE = {"counter", "harmonic"}
 
 
+def _octahedron(shape: Shape, dimensions: int) -> np.ndarray:
+    rng = np.random.default_rng(2)
+    points = rng.dirichlet(np.ones(dimensions), shape)
+    return points * rng.choice([-1.0, 1.0], points.shape)
+
+
+def as_the_library(shape: Shape) -> np.ndarray:
+    """The library's shape."""
+    return lengthened(_octahedron(shape, len(shape)))
+
+
+def on_octahedron(shape: Shape) -> np.ndarray:
+    """Gradients on the square or octahedron `abs(x) + abs(y) (+ abs(z)) = 1`, not lengthened."""
+    return _octahedron(shape, len(shape))
+
+
+def on_cube(shape: Shape) -> np.ndarray:
+    """Gradients on a square or cube with sides along the axes."""
+    rng = np.random.default_rng(2)
+    points = rng.uniform(-1, 1, (*shape, len(shape)))
+    side = rng.integers(0, len(shape), (*shape, 1))
+    np.put_along_axis(points, side, rng.choice([-1.0, 1.0], side.shape), -1)
+    return points
+
+
+def diagonals(shape: Shape) -> np.ndarray:
+    """Gradients along the diagonals alone, 4 or 8 of them."""
+    return np.random.default_rng(2).choice([-1.0, 1.0], (*shape, len(shape)))
+
+
+def on_circle(shape: Shape) -> np.ndarray:
+    """Gradients of length 1 in uniform directions."""
+    points = np.random.default_rng(2).normal(size=(*shape, len(shape)))
+    return points / np.linalg.norm(points, axis=-1, keepdims=True)
+
+
+GRADIENTS: dict[str, tuple[Callable[[Shape], np.ndarray], tuple[str, ...]]] = {
+    "as_the_library": (as_the_library, ()),
+    "on_octahedron": (on_octahedron, ("isotropy", "directions: on the shape")),
+    "on_circle": (on_circle, ("directions: harmonics", "directions: on the shape")),
+    "on_cube": (on_cube, ("isotropy", "directions: harmonics")),
+    "diagonals": (diagonals, ("isotropy", "directions: harmonics")),
+}
+# Windows of as many blocks as isotropy takes, or more.
+GRADIENT_SHAPES = {2: (512, 512), 3: (64, 64, 64)}
+
+
+def of_gradients(gradients: np.ndarray) -> Lattice:
+    """A lattice of gradients that belong to no words."""
+    return Lattice(np.zeros(gradients.shape[:-1], np.uint32), gradients.astype(np.float32), np.empty(0, int))
+
+
 @dataclass
 class Function(Twin):
     """A hash in numpy in the place of the library's: for the tests that choose their cells and seeds."""
@@ -241,6 +295,17 @@ class Function(Twin):
 
     def gradients(self, cells, seeds):
         return self.stage(self.words(cells, seeds), cells.shape[1])
+
+    def noise(self, positions, seed):
+        """That of its own gradients, or else it would be the library's: the ramps of all corners, by their weights."""
+        cells = np.floor(positions)
+        place = positions - cells
+        fade = isotropy.fade(place)
+        values = np.zeros(len(positions))
+        for corner in np.ndindex((2,) * positions.shape[1]):
+            ramps = (self.gradients(cells + corner, seed) * (place - corner)).sum(axis=-1)
+            values += ramps * np.where(corner, fade, 1 - fade).prod(axis=-1)
+        return values
 
 
 def strong(cells: np.ndarray, seeds: np.ndarray) -> np.ndarray:

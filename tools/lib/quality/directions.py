@@ -1,4 +1,4 @@
-"""Tests of the gradients: where they point, held against the shape that they should be uniform on."""
+"""Tests of the gradients: where they point, and how long they are, held against the shape that they should have."""
 
 from __future__ import annotations
 
@@ -16,9 +16,18 @@ CHUNK = 1 << 15  # vectors at a time, so that their harmonics stay in the cache
 # more than 3e-6, a hundredth of the standard error of the 2^24 gradients of eight windows.
 STEPS = {2: 1 << 16, 3: 1 << 8}
 
+def lengthened(points: np.ndarray) -> np.ndarray:
+    """The gradients that the library makes of points of |x| + |y| (+ |z|) = 1: docs/contract.md, section 4."""
+    return points * (2 - np.abs(points).max(axis=-1, keepdims=True))
+
+
+def shortened(gradients: np.ndarray) -> np.ndarray:
+    """The points of |x| + |y| (+ |z|) = 1 in the same directions."""
+    return gradients / np.abs(gradients).sum(axis=-1, keepdims=True)
+
 
 def shape_points(dimensions: int) -> np.ndarray:
-    """Points that stand for equal parts of the surface |x| + |y| (+ |z|) = 1."""
+    """Gradients that stand for equal parts of the surface |x| + |y| (+ |z|) = 1."""
     t = (np.arange(STEPS[dimensions]) + 0.5) / STEPS[dimensions]
     if dimensions == 2:
         side = np.stack([t, 1 - t], axis=-1)
@@ -31,7 +40,7 @@ def shape_points(dimensions: int) -> np.ndarray:
         ab = np.concatenate([upright, turned]) / k
         side = np.concatenate([ab, 1 - ab.sum(axis=-1, keepdims=True)], axis=-1)
     corners = np.stack(np.meshgrid(*[[1, -1]] * dimensions, indexing="ij"), axis=-1).reshape(-1, 1, dimensions)
-    return (corners * side).reshape(-1, dimensions)
+    return lengthened((corners * side).reshape(-1, dimensions))
 
 
 def harmonics(vectors: np.ndarray) -> dict[int, np.ndarray]:
@@ -115,11 +124,13 @@ MOMENTS = {2: ["x", "y", "x^2", "y^2", "x^4", "y^4", "xy"],
 
 
 def on_shape(lattice: Lattice) -> Finding:
-    """How far a gradient is from the shape: exactly on it, but for the rounding of floats."""
-    away = np.abs(np.abs(lattice.gradients.astype(float)).sum(axis=-1) - 1)
+    """How far a gradient is from the one that the shape has in its direction, but for the rounding of floats."""
+    gradients = lattice.gradients.astype(float)
+    away = np.abs(gradients - lengthened(shortened(gradients))).max(axis=-1)
     return Finding("directions: on the shape", float(away.max()), 0.0, ROUNDING, float(away.max() <= ROUNDING),
                    lattice.words.size, 1)
 
 
-# The sum of three components below 1, each rounded to a float with an error of at most 2^-25.
-ROUNDING = 3 * 2.0 ** -25
+# Three components of at most 1 are each rounded to a float, with an error of at most 2^-25. Their sum has three of
+# these errors, a component of the point one more, and lengthening at most doubles the four. The gradient has the ninth.
+ROUNDING = 9 * 2.0 ** -25

@@ -12,6 +12,7 @@ from quality import bits
 from quality import copies
 from quality import directions
 from quality import fourier
+from quality import isotropy
 from quality.judgement import Finding, join
 from quality.lattice import Lattice, cells_of, of_words, sample
 from quality.library import Twin
@@ -87,6 +88,13 @@ def judge_words(words: np.ndarray, twin: Twin) -> list[Finding]:
     return judge_window(lattice) + avalanche.of_window(lattice)
 
 
+def judge_gradients(lattice: Lattice) -> list[Finding]:
+    """Everything that can be said of the gradients of a window, for gradients that are not the library's."""
+    findings = [*fourier.autocorrelation(lattice), *directions.uniformity(lattice), directions.on_shape(lattice),
+                isotropy.judge(isotropy.of_window(lattice), lattice.dimensions)]
+    return _placed(findings, lattice.place)
+
+
 def judge_twin(twin: Twin, dimensions: int, effort: Effort, keep: Keep = lambda lattice: None) -> list[Finding]:
     """Everything about a hash in the plane or in space."""
     findings = list(each_finding(twin, dimensions, effort, keep))
@@ -109,12 +117,16 @@ def each_finding(twin: Twin, dimensions: int, effort: Effort,
                  keep: Keep = lambda lattice: None) -> Iterable[Finding]:
     side = effort.sides[dimensions]
     shape = (side,) * dimensions
+    preferences = []
     for origin, seed, costly in effort.windows_of(dimensions):
         lattice = sample(twin, shape, origin, seed)
         keep(lattice)
         yield from judge_window(lattice, costly)
         yield _same_stage(lattice, twin)
         yield from _placed([directions.on_shape(lattice)], lattice.place)
+        preferences += isotropy.of_window(lattice)
+    yield isotropy.judge(preferences, dimensions)
+    yield isotropy.same_noise(twin, dimensions, effort.seeds[0])
     for seed in effort.seeds:
         yield from avalanche.of_twin(twin, dimensions, seed, effort.samples)
         yield from avalanche.far(twin, dimensions, seed, effort.samples)

@@ -13,11 +13,16 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
 from quality import controls
+from quality import directions
 from quality import fourier
+from quality import isotropy
 from quality.lattice import of_words, sample
 from quality.library import Twin
 
 SIDE = 64    # cells: small enough to see single lags
+PATCH = 24   # cells of noise in a picture
+PER_CELL = 10  # samples of it
+SECTORS = 36  # of 5 degrees
 SHOWN = 8.0  # standard deviations, and spectral ordinates, at which the scales end: what the gate calls a failure
 
 
@@ -42,6 +47,30 @@ def lattices(path: Path, default: Twin) -> None:
     axes[1][0].set_ylabel("cycles per cell, y")
     figure.colorbar(axes[0][2].images[0], ax=axes[0], label="standard deviations", shrink=0.8)
     figure.colorbar(below, ax=axes[1], label="power / mean", shrink=0.8)
+    save(figure, path)
+
+
+def isotropy_of_shapes(path: Path, default: Twin) -> None:
+    """The same words as gradients of three shapes: the noise, and how often its structures have which direction."""
+    window = sample(default, (2 * isotropy.SIDES[2],) * 2, (0, 0), 0)
+    angle = window.words * (2 * np.pi / 2 ** 32)
+    shown = [("on the square", directions.shortened(window.gradients), "--"), ("hashnoise", window.gradients, "-"),
+             ("on the circle", np.stack([np.cos(angle), np.sin(angle)], axis=-1), ":")]
+    figure, axes = plt.subplots(1, 4, figsize=(10.4, 2.7), layout="constrained")
+    for axis, (name, gradients, line) in zip(axes, shown):
+        field = isotropy.noise(gradients[:PATCH, :PATCH], PER_CELL)
+        axis.imshow(field.T, cmap="gray", vmin=-2.5 * field.std(), vmax=2.5 * field.std(), origin="lower")
+        axis.set(xticks=[], yticks=[])
+        found = [isotropy.across(isotropy.structure(isotropy.noise(block))) for block in isotropy.blocks(gradients)]
+        axis.set_title(f"{name}: {np.mean([isotropy.mean_preference(*f) for f in found]):+.2f}", fontsize=10)
+        vectors, weights = map(np.concatenate, zip(*found))
+        degrees = np.degrees(np.arctan2(vectors[:, 1], vectors[:, 0])) % 180
+        density, edges = np.histogram(degrees, SECTORS, (0, 180), weights=weights)
+        axes[3].plot((edges[1:] + edges[:-1]) / 2, density / density.mean(), line, label=name)
+    axes[3].set(xlabel="direction across structures, degrees", ylabel="weight / mean", xticks=range(0, 181, 45),
+                ylim=(0, 3))
+    axes[3].grid(alpha=0.3)
+    axes[3].legend(frameon=False, fontsize=8)
     save(figure, path)
 
 

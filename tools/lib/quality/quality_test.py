@@ -172,7 +172,8 @@ class Parts(unittest.TestCase):
         self.assertTrue(np.array_equal(keys, mirrored))
 
     def test_the_shape_has_the_moments_that_integrals_give(self):
-        for n, square in ((2, 1 / 3), (3, 1 / 6)):  # of x^2 over |x| + |y| (+ |z|) = 1
+        # Of x^2 (2 - L)^2 over |x| + |y| (+ |z|) = 1, with L its largest component.
+        for n, square in ((2, 241 / 480), (3, 2003 / 6480)):
             mean, _ = directions.shape_moments(n)
             self.assertAlmostEqual(mean[n], square, 5)
             strengths = {order: np.abs(m).max() for order, (m, _) in directions.shape_harmonics(n).items()}

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from quality import controls
 from quality import gate
+from quality import isotropy
 from quality import texts
 from quality.directions import shape_harmonics
 from quality.judgement import ALPHA, Finding
@@ -46,6 +47,14 @@ class Sine:
     dimensions: int
     findings: list[Finding]
     noise: Measured
+
+
+@dataclass
+class Preference:
+    """What the blocks of a window of gradients say of the directions in their noise."""
+    gradients: str
+    dimensions: int
+    values: list[float]
 
 
 def number(value: float) -> str:
@@ -93,24 +102,29 @@ def hash_table(results: list[HashResult]) -> str:
     return table(head, rows)
 
 
+CONTROLS = {**controls.WINDOWS, **controls.FUNCTIONS, **controls.GRADIENTS}
+
+
 def rejected_as_meant(results: list[HashResult]) -> bool:
     """Whether every test rejects the controls that are meant for it, and all accept what is random."""
-    meant = {**controls.WINDOWS, **controls.FUNCTIONS}
+    meant = {name: tests for name, (_, tests) in CONTROLS.items() if tests}
     return all(result.passed if result.name not in meant
-               else not any(result.worst[test].passed for test in meant[result.name][1]) for result in results)
+               else not any(result.worst[test].passed for test in meant[result.name]) for result in results)
+
+
+def sentence(text: str | None) -> str:
+    return " ".join((text or "").split()).rstrip(".")
 
 
 def control_table(results: list[HashResult]) -> str:
-    meant = {**controls.WINDOWS, **controls.FUNCTIONS}
     rows = []
     for result in results:
-        make, tests = meant.get(result.name, (controls.random, ()))
+        make, tests = CONTROLS.get(result.name, (controls.random, ()))
         worst = result.worst
         by = "; ".join(f"{t}: {number(worst[t].statistic)} ({'**passes**, ' * worst[t].passed}allowed {bounds(worst[t])})"
                        for t in tests) or "none"
         others = sum(not f.passed for t, f in worst.items() if t not in tests)
-        what = " ".join((make.__doc__ or "").split()).rstrip(".")
-        rows.append([f"`{result.name}`", what, by, str(others)])
+        rows.append([f"`{result.name}`", sentence(make.__doc__), by, str(others)])
     return table(["lattice", "what it is", "rejected by", "and by so many other tests"], rows)
 
 
@@ -124,8 +138,18 @@ def with_error(value: float, error: float) -> str:
     return f"{value:.4f}" if error == 0 else f"{value:.4f} ± {error:.4f}"
 
 
-def page(results: list[HashResult], rejected: list[HashResult], sine: list[Sine], default: Twin,
-         quick: bool) -> str:
+def preference_table(preferences: list[Preference]) -> str:
+    """Shapes down, dimensions across."""
+    rows: dict[str, list[str]] = {}
+    for p in preferences:
+        error = isotropy.SPREAD[p.dimensions] / len(p.values) ** 0.5
+        rows.setdefault(sentence(p.gradients), []).append(with_error(sum(p.values) / len(p.values), error))
+    return table(["gradients", *(f"{n}D" for n in sorted({p.dimensions for p in preferences}))],
+                 [[name, *values] for name, values in rows.items()])
+
+
+def page(results: list[HashResult], rejected: list[HashResult], sine: list[Sine], preferences: list[Preference],
+         default: Twin, quick: bool) -> str:
     tests = sum(len(result.findings) for result in results)
     text = texts.HEAD.format(remark=texts.QUICK if quick else "",
                              alpha=f"2^{round(log2(ALPHA))}", tests=tests, chance=f"{tests * ALPHA:.2g}",
@@ -140,6 +164,7 @@ def page(results: list[HashResult], rejected: list[HashResult], sine: list[Sine]
                                 [list(row) for row in texts.ROWS])
     text += texts.SHAPE + shape_table() + texts.CONTROLS + control_table(rejected) + texts.NOISE
     text += noise_table(results, lambda r: f"`{r.name}` {r.dimensions}D")
+    text += texts.ISOTROPY.format(aim=number(isotropy.AIM)) + preference_table(preferences)
     rows = [[f"`{s.name}` {s.dimensions}D", *(number(f.statistic) for f in s.findings),
              *(number(f.threshold) for f in s.findings)] for s in sine]
     text += texts.SINE + table(["hash", "peak autocorrelation", "spectral peak", "allowed for the first",
@@ -183,8 +208,9 @@ def _near(a: str, b: str) -> bool:
 
 
 def write(out: Path, text: str, results: list[HashResult], default: Twin) -> None:
-    import plots  # which needs matplotlib; nothing else does
+    from quality import plots  # which needs matplotlib; nothing else does
     (out / "images").mkdir(parents=True, exist_ok=True)
     (out / "quality.md").write_text(text, encoding="utf-8")
     plots.lattices(out / "images" / "quality-lattice.png", default)
+    plots.isotropy_of_shapes(out / "images" / "isotropy.png", default)
     plots.noise(out / "images" / "quality-noise.png", [r for r in results if r.name == default.name])

@@ -47,7 +47,9 @@ ROWS = [
     ("lines", "each consumed bit over the cells that have a coordinate in common", "normal (binomial); peak, two sides", "weak rows"),
     ("directions: harmonics", "mean harmonics of the direction (to order 16 in 2D, spherical to 8 in 3D) minus those of the shape, as `-log p` of the chi-square of each order", "exponential; peak over the orders", "directions that are preferred"),
     ("directions: moments", "means of `x, x^2, x^4, xy`, ... minus those of the shape, in standard deviations", "normal; peak, two sides", "a bias, unequal axes"),
-    ("directions: on the shape", "largest deviation of `abs(x) + abs(y) (+ abs(z))` from 1", "the rounding of three floats", "gradients of another length"),
+    ("directions: on the shape", "largest deviation of a component from that of the shape in the same direction", "the rounding of floats", "gradients of another length"),
+    ("isotropy", "mean preference of the structures of the noise for the axes (positive) or the diagonals (negative), as defined below", "normal, around the aim, by the spread of blocks; peak, two sides", "gradients whose shape shows in the noise"),
+    ("noise of the gradients", "largest deviation of `hn_perlin` from a multiple of what its gradients give when they are interpolated", "the rounding of floats", "an isotropy of something other than the noise"),
     ("gradient of the word", "cells where `hn_gradient(cell)` is not the gradient of its word", "none", "tests that judge something other than the noise"),
     ("equal words", "pairs of equal words in a window", "Poisson, `n (n - 1) / 2 / 2^b`, with b the bits that are not the same in all words; both tails", "copies; a counter in disguise"),
     ("equal values", "chi-square of the consumed bits, if they have fewer than 2^20 values", "chi-square; both tails", "the same in the bits that are used"),
@@ -69,7 +71,7 @@ ROWS = [
 
 SHAPE = """## The shape's own directions
 
-Gradients are uniform on the square or octahedron, and its corners are intended. So the harmonics that its symmetry allows have these strengths, found by numerical integration. A strength is the root of the sum of squared means of the
+The directions of gradients are those of points that are uniform on a square or octahedron with corners on the axes. So more of them are near the axes; the gradients between the axes are longer than the points instead. The harmonics that the symmetry allows have these strengths, found by numerical integration. A strength is the root of the sum of squared means of the
 harmonics of an order, each of mean square 1 on the circle or sphere. Measured harmonics are compared with these.
 
 """
@@ -87,6 +89,22 @@ those between 0.3 and 1.2 cycles per cell, in sectors of 10 degrees. The ratio o
 squares favours its axes a little.
 
 ![Spectrum by frequency and by direction](images/quality-noise.png)
+
+"""
+
+ISOTROPY = """
+### Do its structures have directions?
+
+The spectrum cannot tell: it is the same for all gradients that have the same mean square along each axis. The eye sees bars and chains of blobs, and these are judged. The structure tensor of the noise (products of its derivatives,
+smoothed by a Gaussian of 3/4 cell) has a main axis at each place, across the structure there. `((n + 2) sum x^4 - 3) / (n - 1)` of its direction, in n dimensions, is 1 along the axes and has the mean 0 over all directions. In the plane it is the
+cosine of four times the angle, and -1 along the diagonals. The mean is taken over the half of all places where the slopes are steepest, weighted by the cube of the difference of the two largest eigenvalues over the sum of all. The noise is made of the
+gradients of blocks of 256 x 256 or 32 x 32 x 32 cells, which wrap.
+
+Any noise on a lattice of squares favours its axes and its diagonals; the gradients decide which of them more. The magnitude may be {aim} at most. Gradients of length 1 in uniform directions have about as much in the plane, and they are the usual
+choice where directions must not show. To ask for zero would not be better founded: the number moves by as much if all places count. These are the values for some shapes of gradients, made by numpy, with the standard error. The picture shows the first
+three of them with the same words of the default hash.
+
+![Noise of gradients on the square, of the library, and on the circle, and the directions across its structures](images/isotropy.png)
 
 """
 

@@ -1,10 +1,10 @@
-"""Makes what the pages show of the library: the README's picture, its table of typical values, and the table of costs.
+"""Makes what the pages show of the library: their pictures, the table of typical values, and the tables of costs.
 
     tools/readme            writes them
     tools/readme --check    whether they are what they should be, and the README states the costs
 
-The picture is drawn from the code below it, which the C++ twin evaluates at each pixel of a tile. The typical values are
-those of a million points. The costs are those of docs/results/llvmpipe/bench.csv, which hn-conform bench writes.
+A picture is drawn from the code below it, which the C++ twin evaluates at each pixel of a tile. The typical values are
+those of a million points. The costs are those of docs/results/llvmpipe/bench.csv, which hn-conform bench writes, and of peers.csv beside it, which tools/peers writes.
 
 Exit status: 0 all is as it should be, 1 something is not: prose is for you to mend; 2 bad usage, the code does not
 compile, or a page cannot be read.
@@ -24,24 +24,26 @@ README = "README.md"
 MEASURING = "docs/measuring.md"
 
 
-def tables(costs: numbers.Costs) -> dict[str, tuple[str, str]]:
-    """What each page has between its marks: the name of the marks, and the table."""
-    return {README: ("tools/readme: typical values", numbers.typical_table(numbers.typical())),
-            MEASURING: ("tools/readme: costs", numbers.cost_table(costs))}
+def tables(costs: numbers.Costs) -> list[tuple[str, str, str]]:
+    """What pages have between marks: the page, the name of the marks, and the table."""
+    return [(README, "tools/readme: typical values", numbers.typical_table(numbers.typical())),
+            (MEASURING, "tools/readme: costs", numbers.cost_table(costs)),
+            (MEASURING, "tools/readme: noises", numbers.form_table(costs)),
+            (MEASURING, "tools/readme: peers", numbers.peer_table(numbers.peer_costs()))]
 
 
 def problems(check: bool) -> list[str]:
     """What is not as it should be, after the tables are written, or with check as they are."""
     found, costs = [], numbers.costs()
-    for path, (name, table) in tables(costs).items():
+    for path, name, table in tables(costs):
         page = (ROOT / path).read_text(encoding="utf-8")
         right = with_section(path, page, name, table)
         if not check:
             (ROOT / path).write_text(right, encoding="utf-8")
         elif page != right:
             found.append(f"{path}: a table is not what it should be; run tools/readme")
-        if path == README and (quote := numbers.cost_quote(costs)) not in page:
-            found.append(f"{README}: it must state {quote!r}")
+    if (quote := numbers.cost_quote(costs)) not in (ROOT / README).read_text(encoding="utf-8"):
+        found.append(f"{README}: it must state {quote!r}")
     return found
 
 
@@ -54,8 +56,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
         found = problems(options.check)
         for problem in found:
             print(problem, file=sys.stderr)
-        tiles = picture.tiles((ROOT / README).read_text(encoding="utf-8"))
-        return max(picture.draw(tiles, check=options.check), 1 if found else 0)
+        for name, page in picture.PICTURES.items():
+            tiles = picture.tiles((ROOT / page).read_text(encoding="utf-8"), name)
+            if status := picture.draw(tiles, picture.path_of(name), options.check):
+                return status
+        return 1 if found else 0
     except (OSError, LookupError, ValueError) as error:
         parser.exit(2, f"tools/readme: {error}\n")
 

@@ -9,10 +9,12 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from tables.markdown import table
+from tables.peers import CALLS, PEERS, dimensions, subject
 from tree import ROOT
 from twin import compile_program
 
 BENCH = ROOT / "docs" / "results" / "llvmpipe" / "bench.csv"
+PEERS_RECORD = BENCH.with_name("peers.csv")
 Costs = Mapping[str, Mapping[str, str]]  # the rows of bench.csv, by id
 
 # --- Typical values -----------------------------------------------------------------------------------------------------
@@ -50,11 +52,20 @@ NOISES = {  # what stands in the table, by the end of its ids
     "fnv1+sine": "`fnv1+sine`, the paper's",
 }
 ROWS = ("table.float", "table.integer", "lattice", "lattice+precise", "lattice+fixed", "partial_fnv1", "murmur",
-        "partial_jenkins", "fnv1", "jenkins", "lattice+period64", "fnv1+sine")
+        "partial_jenkins", "fnv1", "jenkins", "fnv1+sine")
+FORMS = ("perlin", "perlin_cell", "perlin_period", "perlin_d", "value", "value_d", "value_cubic")
 
 
 def costs() -> Costs:
-    with open(BENCH, newline="", encoding="utf-8") as file:
+    return record(BENCH)
+
+
+def peer_costs() -> Costs:
+    return record(PEERS_RECORD)
+
+
+def record(path: Path) -> Costs:
+    with open(path, newline="", encoding="utf-8") as file:
         return {row["id"]: row for row in csv.DictReader(file)}
 
 
@@ -67,6 +78,33 @@ def cost_table(rows: Costs) -> str:
     lines = [[NOISES.get(noise, f"`{noise}`"), *(f"{float(rows[id]['ratio']):.2f}" for id in ids(noise)),
               *(rows[id]["navi21"] for id in ids(noise))] for noise in ROWS]
     return table(("noise", "2D", "3D", "instructions on AMD's NAVI21, 2D", "3D"), lines)
+
+
+def form_table(rows: Costs) -> str:
+    """What each noise costs, by its dimensions and arithmetic."""
+    def cells(form: str, arithmetic: str) -> list[str]:
+        found = [rows.get(f"noise{n}d.{form}.lattice{arithmetic}") for n in range(1, 5)]
+        return [_cost(row) if row else "" for row in found]
+
+    lines = [[f"`hn_{form}`" if not arithmetic else f"`hn_{form}`, {arithmetic[1:]}", *cells(form, arithmetic)]
+             for form in FORMS for arithmetic in ("", "+fixed")]
+    return table(("noise", "1D", "2D", "3D", "4D"), lines)
+
+
+def peer_table(rows: Costs) -> str:
+    """Ours beside other libraries', from peers.csv."""
+    lines = []
+    for noise in dict.fromkeys(call.noise for call in CALLS):
+        calls = {call.peer: call for call in CALLS if call.noise == noise}
+        ours = next(iter(calls.values())).ours
+        lines.append([noise, _cost(rows[f"{ours}.lattice"]),
+                      *(_cost(rows[f"{subject(calls[peer.option])}{dimensions(calls[peer.option])}"])
+                        if peer.option in calls else "" for peer in PEERS)])
+    return table(("noise", "hashnoise", *(peer.title for peer in PEERS)), lines)
+
+
+def _cost(row: Mapping[str, str]) -> str:
+    return f"{float(row['ratio']):.2f} · {row['navi21']}"
 
 
 def cost_quote(rows: Costs) -> str:

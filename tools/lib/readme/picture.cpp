@@ -1,5 +1,4 @@
-// Draws the picture of the README with the C++ twin: a tile for each line of tiles.inc, which picture.py makes of the
-// README.
+// Draws a picture of a page with the C++ twin: a tile for each line of tiles.inc, which picture.py makes of the page.
 //   picture OUT.png            draws it
 //   picture --check FILE.png   exit status 1 if the file shows another picture
 // Exit status: 0 done, 1 another picture, 2 bad usage or a file that cannot be read or written.

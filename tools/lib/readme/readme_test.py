@@ -15,7 +15,7 @@ from unittest import mock
 from readme import command, numbers, picture
 from tree import ROOT, TOOLS
 
-PAGES = ("README.md", "docs/knobs.md", "docs/same-bits.md")
+PAGES = ("README.md", "docs/knobs.md", "docs/noises.md", "docs/same-bits.md")
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 SINGLE_FILE = re.compile(r"^// here: what tools/single-file makes of (\w+\.glsl)$", re.MULTILINE)
 
@@ -72,11 +72,12 @@ def black_pixel():
 class Picture(unittest.TestCase):
     def setUp(self):
         self.readme = (ROOT / "README.md").read_text()
-        self.tiles = picture.tiles(self.readme)
+        self.tiles = picture.tiles(self.readme, "noise.png")
+        self.path = picture.path_of("noise.png")
 
     def test_a_changed_function_and_another_picture_are_noticed(self):
         with contextlib.redirect_stderr(io.StringIO()):
-            self.assertEqual(picture.draw([*self.tiles[:3], self.tiles[3].replace("6,", "5,")], check=True), 1)
+            self.assertEqual(picture.draw([*self.tiles[:3], self.tiles[3].replace("6,", "5,")], self.path, check=True), 1)
             with tempfile.NamedTemporaryFile(suffix=".png") as other:
                 other.write(black_pixel())
                 other.flush()
@@ -84,15 +85,16 @@ class Picture(unittest.TestCase):
             self.assertEqual(picture.draw(self.tiles, pathlib.Path("/nowhere.png"), check=True), 2)
 
     def test_its_code_is_glsl(self):
-        lines = "".join(f"  color = vec4({tile}, 1.0);\n" for tile in self.tiles)
+        pages = [(name, (ROOT / page).read_text()) for name, page in picture.PICTURES.items()]
+        lines = "".join(f"  color = vec4({tile}, 1.0);\n" for name, page in pages for tile in picture.tiles(page, name))
         shader = f"#version 330\n{single_file('--strip')}in vec2 uv;\nout vec4 color;\nvoid main() {{\n{lines}}}\n"
         self.assertEqual(compile_glsl(shader).returncode, 0)
 
     def test_code_that_does_not_compile_is_told(self):
         with self.assertRaisesRegex(ValueError, "(?s)does not compile.*hn_merlin"):
-            picture.draw(["vec3(hn_merlin(uv))"], check=True)
-        with self.assertRaisesRegex(ValueError, "no code below its picture"):
-            picture.tiles(self.readme.replace("    vec3(", "vec3("))
+            picture.draw(["vec3(hn_merlin(uv))"], self.path, check=True)
+        with self.assertRaisesRegex(ValueError, "no code below its picture noise.png"):
+            picture.tiles(self.readme.replace("    vec3(", "vec3("), "noise.png")
 
 
 class Numbers(unittest.TestCase):

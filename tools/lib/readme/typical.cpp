@@ -49,6 +49,7 @@ vec2 plane(vec3 p) { return vec2(p.x, p.y); }
 int main() {
   PRINT(hn_perlin);
   PRINT(hn_value);
+  PRINT(hn_value_cubic);
   PRINT(hn_fbm, 6, 2.0f, 0.5f);
   PRINT(hn_turbulence, 6, 2.0f, 0.5f);
   PRINT(hn_clouds, 6, 2.0f, 0.5f);

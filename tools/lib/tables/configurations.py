@@ -20,7 +20,6 @@ class Configuration:
     name: str
     hash: str
     gradient: str
-    period: int
     arithmetic: str
     families: tuple[str, ...]
 
@@ -45,14 +44,13 @@ def _one_of(row: Row, index: int, choices: tuple[str, ...]) -> str:
 
 
 def _configuration(row: Row) -> Configuration:
-    families = tuple(family.strip() for family in row.arguments[5].split("|"))
+    families = tuple(family.strip() for family in row.arguments[4].split("|"))
     for family in families:
         if family not in FAMILIES:
             raise row.error(f"{family} is not a family; there are {', '.join(FAMILIES)}")
-    configuration = Configuration(row, row.text(0), row.word(1).lower(), _one_of(row, 2, GRADIENTS), int(row.word(3)),
-                                  _one_of(row, 4, ARITHMETICS), families)
+    configuration = Configuration(row, row.text(0), row.word(1).lower(), _one_of(row, 2, GRADIENTS),
+                                  _one_of(row, 3, ARITHMETICS), families)
     name = configuration.hash + "+sine" * (configuration.gradient == "sine")
-    name += f"+period{configuration.period}" * (configuration.period != 0)
     name += f"+{configuration.arithmetic}" * (configuration.arithmetic != "fast")
     if configuration.name != name:
         raise row.error(f"{configuration.name} should be {name}, after its settings")
@@ -60,4 +58,4 @@ def _configuration(row: Row) -> Configuration:
 
 
 def read_configurations(path: Path = CONFIGURATIONS) -> list[Configuration]:
-    return [_configuration(row) for row in read_rows(path, "CONFIGURATION", 6)]
+    return [_configuration(row) for row in read_rows(path, "CONFIGURATION", 5)]

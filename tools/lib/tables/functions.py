@@ -10,16 +10,23 @@ from tables.inc import Row, read_rows
 from tree import FUNCTIONS
 
 # Functions whose values depend on the same knobs.
-FAMILIES = ("independent", "hash", "gradient", "sine_gradient", "gradient_noise", "lattice_noise", "octave_sum")
-NOISES = ("gradient_noise", "lattice_noise")
+FAMILIES = ("independent", "hash", "gradient", "sine_gradient", "gradient_noise", "lattice_noise", "octave_sum",
+            "further_gradient_noise", "octahedral_noise", "further_lattice_noise", "further_octave_sum")
+NOISES = ("gradient_noise", "lattice_noise", "further_gradient_noise", "octahedral_noise", "further_lattice_noise")
+OCTAVE_SUMS = ("octave_sum", "further_octave_sum")
+# Few settings have values of these.
+FURTHER = ("further_gradient_noise", "octahedral_noise", "further_lattice_noise", "further_octave_sum")
 
 # What the names of the inputs say that a function takes; n of them have an axis.
 FORMS = {
     "words": re.compile(r"(?:key|h):u32|(?:[xyzw]:u32 ?)+"),
     "point": re.compile(r"(?:[xyzw]:i32 )+seed:u32"),
-    "position": re.compile(r"(?:[xyzw]:f32 )+seed:u32"),
-    "cell": re.compile(r"(?:c[xyzw]:i32 )+(?:f[xyzw]:f32 )+seed:u32"),
-    "sum": re.compile(r"(?:[xyzw]:f32 )+octaves:i32 lacunarity:f32 gain:f32 seed:u32"),
+    "position": re.compile(r"(?:[xyzw]:f32 )+(?:p[xyzw]:i32 )*seed:u32"),
+    "cell": re.compile(r"(?:c[xyzw]:i32 )+(?:f[xyzw]:f32 )+(?:p[xyzw]:i32 )*seed:u32"),
+    "sum": re.compile(r"(?:[xyzw]:f32 )+(?:p[xyzw]:i32 )*octaves:i32 lacunarity:f32 gain:f32 seed:u32"),
+    # A position that is a whole number of units: where it is, and the noise there.
+    "place": re.compile(r"(?:[xyzw]:i32 )+cells:i32 units:i32"),
+    "place_of_noise": re.compile(r"(?:[xyzw]:i32 )+cells:i32 units:i32 seed:u32"),
 }
 
 
@@ -50,37 +57,51 @@ class Function:
         return len(re.findall(rf"\b{prefix}[xyzw]:", self.inputs)) or 1
 
     @property
+    def has_period(self) -> bool:
+        """Whether it takes periods, behind the position or the fraction."""
+        return "px:" in self.inputs
+
+    @property
     def exact(self) -> bool:
         return "f64" not in self.outputs
 
     @property
     def noise(self) -> str:
-        """The noise that it is, as perlin for noise2d.perlin_cell."""
-        return self.name.removesuffix("_cell")
-
+        """The noise that it is, as perlin for noise2d.perlin_cell, and perlin_d for one with derivatives."""
+        return self.bound
 
     @property
     def calls(self) -> str:
         """The function of the library that its body calls."""
         names = set(re.findall(r"\b(hn_\w+)\(", self.row.arguments[6]))
+        if self.form == "place_of_noise":
+            names -= {"hn_cell", "hn_fraction"}
         if len(names) != 1:
             raise self.row.error(f"{self.id} calls {len(names)} functions of the library instead of one")
         return names.pop()
 
     @property
     def types(self) -> tuple[str, ...]:
-        """The types of its arguments, without the seed."""
+        """The types of its arguments, without the seed and what it sets."""
         def vector(prefix: str, scalar: str) -> str:
             return f"{prefix}vec{self.axes}" if self.axes > 1 else scalar
 
-        return {"words": (vector("u", "uint"),), "point": (vector("i", "int"),), "position": (vector("", "float"),),
-                "cell": (vector("i", "int"), vector("", "float")),
-                "sum": (vector("", "float"), "int", "float", "float")}[self.form]
+        period = (vector("i", "int"),) * self.has_period
+        cell = (vector("i", "int"), vector("", "float"), *period)
+        return {"words": (vector("u", "uint"),), "point": (vector("i", "int"),),
+                "position": (vector("", "float"), *period), "cell": cell, "place_of_noise": cell,
+                "sum": (vector("", "float"), *period, "int", "float", "float"),
+                "place": (vector("i", "int"), "int", "int")}[self.form]
 
     @property
     def overloads(self) -> tuple[tuple[str, ...], ...]:
-        """The types without a seed, and with one."""
-        return (self.types,) if self.form == "words" else (self.types, (*self.types, "uint"))
+        """The types without a seed, and with one. Where there are periods, there is always a seed."""
+        # A vec4 has no room for a value and four derivatives.
+        out = ("out vec4",) * (self.bound.endswith("_d") and self.axes == 4)
+        if self.form in ("words", "place"):
+            return (self.types,)
+        seeded = (*self.types, "uint", *out)
+        return (seeded,) if self.has_period else ((*self.types, *out), seeded)
 
 
 def _function(row: Row) -> Function:
@@ -89,7 +110,7 @@ def _function(row: Row) -> Function:
         raise row.error(f"{family} is not a family; there are {', '.join(FAMILIES)}")
     inputs, separator, outputs = columns.partition(" = ")
     form = next((form for form, pattern in FORMS.items() if pattern.fullmatch(inputs)), None)
-    if not form or not re.fullmatch(r"\w+:(u32|f32|f64)( \w+:(u32|f32|f64))*", outputs):
+    if not form or not re.fullmatch(r"\w+:(u32|i32|f32|f64)( \w+:(u32|i32|f32|f64))*", outputs):
         raise row.error(f"{columns} are not columns that the tools know; tools/lib/tables/functions.py has the forms")
     return Function(row, row.text(0), family, row.text(3), inputs, outputs, form)
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from tree import GLSL
 
 LIBRARY = GLSL
-FUNCTION = re.compile(r"^HN_FN\s+\w+\s+(hn_(?!i_)\w+)\(([^()]*)\)\s*\{", re.MULTILINE)
+FUNCTION = re.compile(r"^HN_FN\s+\w+\s+(hn_(?!i_)\w+)\(((?:[^()]|\([^()]*\))*)\)\s*\{", re.MULTILINE)
 # What defines a public function in whatever way, where no comment, no directive and no body is.
 ANY_FUNCTION = re.compile(r"\b(hn_(?!i_)\w+)\s*\([^;{}]*\{")
 NO_CODE = re.compile(r"//[^\n]*|/\*.*?\*/|^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", re.MULTILINE | re.DOTALL)
@@ -46,8 +46,10 @@ class Declaration:
 
 
 def _type(argument: str) -> str:
-    """The type of an argument like "hn_vec2 p": "vec2"."""
-    return argument.split()[-2].removeprefix("hn_")
+    """The type of an argument like "hn_vec2 p": "vec2"; "out vec2" of one that the function sets."""
+    written = argument.split()[-2]
+    out = re.fullmatch(r"HN_I_OUT\((\w+)\)", written)
+    return f"out {out[1].removeprefix('hn_')}" if out else written.removeprefix("hn_")
 
 
 def _comment_above(lines: list[str], line: int) -> Comment | None:

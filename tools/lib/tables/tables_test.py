@@ -13,7 +13,7 @@ from tables.functions import FAMILIES, read_functions
 from tables.inc import TableError
 
 FUNCTION = 'FUNCTION("noise2d.perlin", "noise2d.glsl", gradient_noise, "perlin", "{columns}", "f(p)", return a;)\n'
-CONFIGURATION = 'CONFIGURATION("{name}", FNV1, {gradient}, 48, FIXED, {families})\n'
+CONFIGURATION = 'CONFIGURATION("{name}", FNV1, {gradient}, FIXED, {families})\n'
 
 
 class Tables(unittest.TestCase):
@@ -35,6 +35,11 @@ class Tables(unittest.TestCase):
                                        ("gradient.sine3", "point", 3, "sine_gradient"),
                                        ("noise2d.perlin", "position", 2, "gradient_noise"),
                                        ("noise3d.perlin_cell", "cell", 3, "gradient_noise"),
+                                       ("noise4d.perlin_d_cell_period", "cell", 4, "octahedral_noise"),
+                                       ("noise1d.value_period", "position", 1, "further_lattice_noise"),
+                                       ("position.cell3", "place", 3, "independent"),
+                                       ("position.perlin2", "place_of_noise", 2, "further_gradient_noise"),
+                                       ("fbm.clouds3_period", "sum", 3, "further_octave_sum"),
                                        ("fbm.clouds3", "sum", 3, "octave_sum")):
             function = functions[id]
             self.assertEqual((function.form, function.axes, function.family), (form, axes, family), id)
@@ -42,6 +47,11 @@ class Tables(unittest.TestCase):
         self.assertEqual((cell.noise, cell.calls), ("perlin", "hn_perlin"))
         self.assertEqual(cell.overloads, (("ivec3", "vec3"), ("ivec3", "vec3", "uint")))
         self.assertEqual((word.calls, word.overloads), ("hn_hash", (("uint",),)))
+        self.assertEqual(functions["noise2d.perlin_cell_period"].overloads, (("ivec2", "vec2", "ivec2", "uint"),))
+        self.assertEqual(functions["noise4d.value_d"].overloads, (("vec4", "out vec4"), ("vec4", "uint", "out vec4")))
+        self.assertEqual(functions["noise4d.value_d_value"].noise, "value_d")
+        self.assertEqual((functions["position.perlin2"].calls, functions["position.perlin2"].types),
+                         ("hn_perlin", ("ivec2", "vec2")))
         self.assertEqual(functions["fbm.fbm2"].types, ("vec2", "int", "float", "float"))
         self.assertEqual([functions[id].exact for id in ("hash.word", "gradient.lattice2", "gradient.sine2")],
                          [True, True, False])
@@ -59,16 +69,16 @@ class Tables(unittest.TestCase):
 
     def test_configurations(self) -> None:
         configurations = {configuration.name: configuration for configuration in read_configurations()}
-        fixed = configurations["lattice+period48+fixed"]
-        self.assertEqual((fixed.hash, fixed.gradient, fixed.period, fixed.fixed), ("lattice", "octahedral", 48, True))
+        fixed = configurations["lattice+sine+fixed"]
+        self.assertEqual((fixed.hash, fixed.gradient, fixed.fixed), ("lattice", "sine", True))
         self.assertFalse(configurations["lattice+precise"].has_golden_files)
         self.assertIn("independent", configurations["lattice"].families)
 
     def test_wrong_configurations(self) -> None:
-        row = {"name": "fnv1+sine+period48+fixed", "gradient": "SINE", "families": "hash | octave_sum"}
+        row = {"name": "fnv1+sine+fixed", "gradient": "SINE", "families": "hash | octave_sum"}
         self.path.write_text(CONFIGURATION.format(**row))
         self.assertEqual(read_configurations(self.path)[0].families, ("hash", "octave_sum"))
-        for change, message in (({"name": "fnv1+sine+fixed"}, "should be fnv1.sine.period48.fixed"),
+        for change, message in (({"name": "fnv1+fixed"}, "should be fnv1.sine.fixed"),
                                 ({"gradient": "COSINE"}, "COSINE is none of OCTAHEDRAL, SINE"),
                                 ({"families": "hash | noise"}, "noise is not a family")):
             self.refused(read_configurations, CONFIGURATION.format(**row | change), message)
@@ -90,11 +100,13 @@ HN_FN hn_float hn_one(hn_ivec2 cell, hn_vec2 f,
 HN_FN hn_float hn_one(hn_ivec2 cell, hn_vec2 f) { return hn_i_none(hn_one(cell, f, 0u)); }
 HN_FN hn_float hn_two(hn_vec3 p) { return 0.0f; }
 HN_FN hn_float hn_i_three(hn_vec3 p) { return 0.0f; }
+HN_FN hn_float hn_four(hn_vec4 p, HN_I_OUT(hn_vec4) gradient) { return 0.0f; }
 """)
-        first, second, third = glsl.declarations(self.folder)
+        first, second, third, fourth = glsl.declarations(self.folder)
         self.assertEqual([str(f) for f in (first, second, third)],
                          ["hn_one(ivec2, vec2, uint)", "hn_one(ivec2, vec2)", "hn_two(vec3)"])
         self.assertEqual((first.line, second.line, third.line), (4, 7, 8))
+        self.assertEqual(str(fourth), "hn_four(vec4, out vec4)")
         self.assertEqual(first.comment, glsl.Comment(2, (" What it is.", "   seed     any")))
         self.assertEqual(first.comment.headings, {"seed"})
         self.assertIs(second.comment, first.comment)  # an overload without one of its own

@@ -1,0 +1,63 @@
+"""Other libraries' noise beside ours: how bench calls it, and where it stands in the table of docs/measuring.md."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+
+class Peer(NamedTuple):
+    option: str  # of tools/peers
+    what: str  # of its value, for help
+    title: str  # in the table
+    version: str  # of GLSL, if 3.30 will not do
+
+
+class Call(NamedTuple):
+    noise: str  # the row of the table
+    ours: str  # the subject of bench
+    peer: str  # the option of the peer
+    file: str  # below the path that is given
+    expression: str  # of a position p, a float
+
+
+PEERS = (
+    Peer("fastnoiselite", "FastNoiseLite.glsl", "FastNoiseLite", "420"),
+    Peer("wombat", "the folder of Wombat", "Wombat", ""),
+    Peer("materialx", "the folder libraries/stdlib/genglsl/lib of MaterialX", "MaterialX", ""),
+)
+
+# The parts of a vector are added up, as bench does with those of ours.
+CALLS = (
+    Call("Perlin 2D", "noise2d.perlin", "fastnoiselite", "", "_fnlSinglePerlin2D(0, p.x, p.y)"),
+    Call("Perlin 3D", "noise3d.perlin", "fastnoiselite", "", "_fnlSinglePerlin3D(0, p.x, p.y, p.z)"),
+    Call("Perlin 2D", "noise2d.perlin", "wombat", "Perlin2D.glsl", "Perlin2D(p)"),
+    Call("Perlin 3D", "noise3d.perlin", "wombat", "Perlin3D.glsl", "Perlin3D(p)"),
+    Call("Perlin 4D", "noise4d.perlin", "wombat", "Perlin4D.glsl", "Perlin4D(vec4(p, p.x))"),
+    Call("Perlin 2D", "noise2d.perlin", "materialx", "mx_noise.glsl", "mx_perlin_noise_float(p)"),
+    Call("Perlin 3D", "noise3d.perlin", "materialx", "mx_noise.glsl", "mx_perlin_noise_float(p)"),
+    Call("Perlin 2D with derivatives", "noise2d.perlin_d", "wombat", "Perlin2D_Deriv.glsl",
+         "dot(Perlin2D_Deriv(p), vec3(1.0))"),
+    Call("Perlin 3D with derivatives", "noise3d.perlin_d", "wombat", "Perlin3D_Deriv.glsl",
+         "dot(Perlin3D_Deriv(p), vec4(1.0))"),
+    Call("value 2D", "noise2d.value", "fastnoiselite", "", "_fnlSingleValue2D(0, p.x, p.y)"),
+    Call("value 3D", "noise3d.value", "fastnoiselite", "", "_fnlSingleValue3D(0, p.x, p.y, p.z)"),
+    Call("value 2D", "noise2d.value", "wombat", "Value2D.glsl", "Value2D(p)"),
+    Call("value 3D", "noise3d.value", "wombat", "Value3D.glsl", "Value3D(p)"),
+    Call("value 4D", "noise4d.value", "wombat", "Value4D.glsl", "Value4D(vec4(p, p.x))"),
+    Call("value 2D with derivatives", "noise2d.value_d", "wombat", "Value2D_Deriv.glsl",
+         "dot(Value2D_Deriv(p), vec3(1.0))"),
+    Call("value 3D with derivatives", "noise3d.value_d", "wombat", "Value3D_Deriv.glsl",
+         "dot(Value3D_Deriv(p), vec4(1.0))"),
+    Call("cubic value 2D", "noise2d.value_cubic", "fastnoiselite", "", "_fnlSingleValueCubic2D(0, p.x, p.y)"),
+    Call("cubic value 3D", "noise3d.value_cubic", "fastnoiselite", "", "_fnlSingleValueCubic3D(0, p.x, p.y, p.z)"),
+)
+
+
+def subject(call: Call) -> str:
+    """The name that bench is given for it. Bench adds the number of dimensions."""
+    return f"{call.peer}-{call.noise.lower().replace(' ', '-')}-"
+
+
+def dimensions(call: Call) -> int:
+    """Of the position that bench offers: a vec2 or a vec3."""
+    return 2 if "2D" in call.noise else 3
