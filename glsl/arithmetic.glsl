@@ -26,34 +26,19 @@
 //   hn_i_flipped(x, word)   x, or -x if the highest bit of the word is set, for any x
 //   hn_i_lengthened(n, m)   n times 1 + m; the integers of m are in units of 2^-9, and n loses its last 9 bits there
 //   hn_i_fade(f)            6 f^5 - 15 f^4 + 10 f^3, along each axis
-//   hn_i_spline(f)          the weights of a uniform cubic B-spline at f, for the points -1, 0, 1 and 2
-//   hn_i_blend(n, w)        the sum of four numbers, each times its weight
 //   hn_i_smooth(t)          floats only: 3 t^2 - 2 t^3
 //   hn_i_lerp(a, b, t)      interpolates from a to b by a fade t
 //   hn_i_lerp(n, x, y)      between four corners 00, 10, 01, 11
 //   hn_i_number(word)       the high bits of a word as a number in [-1, 1), with an offset: see hn_i_of_numbers
 //   hn_i_numbers(words)     the same of four words
-//   hn_i_of_numbers(n)      a noise, from an interpolation between such numbers; hn_i_of_rises(n), its derivative
+//   hn_i_of_numbers(n)      a noise, from an interpolation between such numbers
 //   hn_i_scaled(n, s)       a noise, from an interpolation between ramps, times s / 1024
-//   hn_i_value(n)           the float of a noise
-//
-//   Derivatives, too, are numbers. Those that are interpolated have units four times as large:
-//
-//   hn_i_slope(f)           the derivative of the fade, 30 f^2 (1 - f)^2, along each axis
-//   hn_i_rise(a, b)         b - a, of what a derivative is made of
-//   hn_i_climb(r, s)        a rise times the slope of a fade: what the fade adds to a derivative
-//   hn_i_climb(g, r, s)     the same, with what an interpolated gradient adds
-//   hn_i_lerp_d(n, t, s)    like hn_i_lerp between four corners, with the derivatives along x and y; t are the fades, s
-//                           their slopes
-//   hn_i_derivative(n)      the float of a derivative
-//
+//   hn_i_settled(n)         floats only: n, or 0 where subnormal numbers could have changed it
+//   hn_i_value(n)           the float of a noise; hn_i_derivative(n), that of a derivative
 //   hn_i_select(c, a, b)    a where the condition holds, else b; both are computed
 //
-// With HN_GRADIENT_SINE there are three more:
-//
-//   hn_i_quarter_sine(q)    sin(x pi / 2) of a word of [0, 2^30] that stands for x in [0, 1]
-//   hn_i_components(g)      the floats of a gradient of such sines
-//   hn_i_unscaled(n)        a noise, from an interpolation between ramps of such gradients
+// slope.glsl has those of derivatives, cubic.glsl those of splines, turn.glsl those of turned gradients, and
+// kernel.glsl those of simplex noise.
 
 // In C++ numbers may be vectors of many points, and these have no ?: operator.
 HN_FN hn_float hn_i_select(bool condition, hn_float a, hn_float b) { return condition ? a : b; }
@@ -116,8 +101,10 @@ HN_FN hn_float hn_i_quotient(hn_float a, hn_float b) { return a / b; }
 
 #else  // HN_PRECISE
 
+#define HN_I_TINY (1.0f / 4294967296.0f)  // 2^-32
+
 // Replaces a number by 0 if it is so small that a product could be subnormal: drivers may flush subnormal numbers to 0.
-HN_FN hn_float hn_i_inside(hn_float x) { return hn_i_select(abs(x) < (1.0f / 4294967296.0f), 0.0f, x); }
+HN_FN hn_float hn_i_inside(hn_float x) { return hn_i_select(abs(x) < HN_I_TINY, 0.0f, x); }
 HN_FN hn_vec2 hn_i_inside(hn_vec2 f) { return vec2(hn_i_inside(f.x), hn_i_inside(f.y)); }
 HN_FN hn_vec3 hn_i_inside(hn_vec3 f) { return vec3(hn_i_inside(f.x), hn_i_inside(f.y), hn_i_inside(f.z)); }
 HN_FN hn_vec4 hn_i_inside(hn_vec4 f) {
@@ -127,7 +114,7 @@ HN_FN hn_vec4 hn_i_inside(hn_vec4 f) {
 // Replaces a result by 0 if it is so small that flushed subnormal numbers could have changed it: what they lose is at
 // most 2^-126, which is less than half of the last bit of any larger result.
 HN_FN hn_float hn_i_settled(hn_float n) {
-  return hn_i_select(abs(n) < (1.0f / 4294967296.0f) * (1.0f / 4294967296.0f) * (1.0f / 4294967296.0f), 0.0f, n);
+  return hn_i_select(abs(n) < HN_I_TINY * HN_I_TINY * HN_I_TINY, 0.0f, n);
 }
 
 // Replaces a subnormal number by 0, since a huge lacunarity could make it large. No later octave needs this: the shift
@@ -217,42 +204,6 @@ HN_FN hn_vec4 hn_i_fade(hn_vec4 f) {
   return t;
 }
 
-HN_FN hn_float hn_i_slope(hn_float f) {
-  HN_I_PRECISE hn_float q = f - f * f;
-  HN_I_PRECISE hn_float s = q * q * 30.0f;
-  return s;
-}
-HN_FN hn_vec2 hn_i_slope(hn_vec2 f) {
-  HN_I_PRECISE hn_vec2 q = f - f * f;
-  HN_I_PRECISE hn_vec2 s = q * q * 30.0f;
-  return s;
-}
-HN_FN hn_vec3 hn_i_slope(hn_vec3 f) {
-  HN_I_PRECISE hn_vec3 q = f - f * f;
-  HN_I_PRECISE hn_vec3 s = q * q * 30.0f;
-  return s;
-}
-HN_FN hn_vec4 hn_i_slope(hn_vec4 f) {
-  HN_I_PRECISE hn_vec4 q = f - f * f;
-  HN_I_PRECISE hn_vec4 s = q * q * 30.0f;
-  return s;
-}
-
-// The weights of the points 2 and 0 mirror those of -1 and 1. The sum of all is 1.
-HN_FN hn_vec4 hn_i_spline(hn_float f) {
-  HN_I_PRECISE hn_float g = 1.0f - f;
-  HN_I_PRECISE hn_float first = g * g * g * (1.0f / 6.0f);
-  HN_I_PRECISE hn_float last = f * f * f * (1.0f / 6.0f);
-  HN_I_PRECISE hn_float second = last * 3.0f + (2.0f / 3.0f - f * f);
-  HN_I_PRECISE hn_float third = first * 3.0f + (2.0f / 3.0f - g * g);
-  return vec4(first, second, third, last);
-}
-
-HN_FN hn_float hn_i_blend(hn_vec4 n, hn_vec4 w) {
-  HN_I_PRECISE hn_float sum = n.x * w.x + n.y * w.y + n.z * w.z + n.w * w.w;
-  return sum;
-}
-
 HN_FN hn_float hn_i_smooth(hn_float t) {
   HN_I_PRECISE hn_float n = t * t * (3.0f - 2.0f * t);
   return n;
@@ -264,10 +215,6 @@ HN_FN hn_float hn_i_lerp(hn_float a, hn_float b, hn_float t) {
 }
 
 HN_FN hn_float hn_i_lengthened(hn_float n, hn_float more) { return hn_i_times_plus(n, more, n); }
-
-HN_FN hn_float hn_i_rise(hn_float a, hn_float b) { return hn_i_minus(b, a); }
-HN_FN hn_float hn_i_climb(hn_float rise, hn_float slope) { return hn_i_times(rise, slope); }
-HN_FN hn_float hn_i_climb(hn_float g, hn_float rise, hn_float slope) { return hn_i_times_plus(rise, slope, g); }
 
 HN_FN hn_float hn_i_scaled(hn_float n, hn_int s) {
   HN_I_PRECISE hn_float scaled = n * (float(s) * (1.0f / 1024.0f));
@@ -285,7 +232,6 @@ HN_FN hn_float hn_i_number(hn_uint word) {
 }
 
 HN_FN hn_float hn_i_of_numbers(hn_float n) { return hn_i_minus(n, 3.0f); }
-HN_FN hn_float hn_i_of_rises(hn_float n) { return n; }
 
 HN_FN hn_float hn_i_value(hn_float n) { return hn_i_settled(n); }
 HN_FN hn_float hn_i_derivative(hn_float n) { return hn_i_settled(n); }
@@ -333,11 +279,15 @@ HN_FN hn_int hn_i_plus(hn_int a, hn_int b) { return a + b; }
 HN_FN hn_int hn_i_minus(hn_int a, hn_int b) { return a - b; }
 HN_FN hn_int hn_i_signed(hn_int m, hn_uint word) { return hn_i_select((word & 0x80000000u) != 0u, -m, m); }
 
+// The distance of a fraction from the nearer end, in units of 2^-17, rounded. It has 16 bits, so it is never 1/2, which
+// has one bit more.
+HN_FN hn_uint hn_i_from_end(hn_int f) { return uint(min(min(f, 1048576 - f) + 4, 524287)) >> 3u; }
+
 // The result is in units of 2^-18 and never falls. With the nearer end at 0, f^3 (10 - 15 f + 6 f^2) is computed as f Q
-// with Q = f^2 (4 + R) and R = 6 - 15 f + 6 f^2. The other half is the mirror image. x has 16 bits and its square 32. x
-// is never 1/2, which has one bit more. The summands 4, 32768 and 16384 round.
+// with Q = f^2 (4 + R) and R = 6 - 15 f + 6 f^2. The other half is the mirror image. x has 16 bits and its square 32.
+// The summands 32768 and 16384 round.
 HN_FN hn_int hn_i_fade(hn_int f) {
-  hn_uint x = uint(min(min(f, 1048576 - f) + 4, 524287)) >> 3u;
+  hn_uint x = hn_i_from_end(f);
   hn_uint square = x * x;
   hn_uint z = (square + 32768u) >> 16u;
   hn_uint r = (1572864u + 6u * z - 30u * x) >> 2u;
@@ -349,19 +299,6 @@ HN_FN hn_ivec2 hn_i_fade(hn_ivec2 f) { return ivec2(hn_i_fade(f.x), hn_i_fade(f.
 HN_FN hn_ivec3 hn_i_fade(hn_ivec3 f) { return ivec3(hn_i_fade(f.x), hn_i_fade(f.y), hn_i_fade(f.z)); }
 HN_FN hn_ivec4 hn_i_fade(hn_ivec4 f) { return ivec4(hn_i_fade(f.x), hn_i_fade(f.y), hn_i_fade(f.z), hn_i_fade(f.w)); }
 
-// The result is in units of 2^-18. x is that of the fade, in units of 2^-17, and q = x (1 - x) is at most 1/4, in units
-// of 2^-18.
-HN_FN hn_int hn_i_slope(hn_int f) {
-  hn_uint x = uint(min(min(f, 1048576 - f) + 4, 524287)) >> 3u;
-  hn_uint q = (x * (131072u - x)) >> 16u;
-  return int((((q * q) >> 4u) * 15u + 4096u) >> 13u);
-}
-HN_FN hn_ivec2 hn_i_slope(hn_ivec2 f) { return ivec2(hn_i_slope(f.x), hn_i_slope(f.y)); }
-HN_FN hn_ivec3 hn_i_slope(hn_ivec3 f) { return ivec3(hn_i_slope(f.x), hn_i_slope(f.y), hn_i_slope(f.z)); }
-HN_FN hn_ivec4 hn_i_slope(hn_ivec4 f) {
-  return ivec4(hn_i_slope(f.x), hn_i_slope(f.y), hn_i_slope(f.z), hn_i_slope(f.w));
-}
-
 // Computes a product of 31 and 19 bits, divided by 2^18, from two products that fit 32 bits: one by the high and one by
 // the low half of t.
 HN_FN hn_int hn_i_part(hn_int d, hn_int t) { return (d >> 9) * (t >> 9) + (d >> 18) * (t & 511); }
@@ -370,39 +307,12 @@ HN_FN hn_int hn_i_lerp(hn_int a, hn_int b, hn_int t) { return a + hn_i_part(b - 
 
 HN_FN hn_int hn_i_lengthened(hn_int n, hn_int more) { return n + (n >> 9) * more; }
 
-// Rises are in units of 2^-27, and so is what is made of them: there is room for the slope of a fade, up to 15/8.
-HN_FN hn_int hn_i_rise(hn_int a, hn_int b) { return (b - a) >> 2; }
-HN_FN hn_int hn_i_climb(hn_int rise, hn_int slope) { return hn_i_part(rise, slope); }
-HN_FN hn_int hn_i_climb(hn_int g, hn_int rise, hn_int slope) { return (g >> 2) + hn_i_part(rise, slope); }
-
-// A sixth of a cube, in units of 2^-30, of x in units of 2^-15: by the high and by the low bits of the square.
-HN_FN hn_uint hn_i_sixth_of_cube(hn_uint x) {
-  hn_uint square = x * x;
-  return ((square >> 15u) * x + (((square & 32767u) * x) >> 15u)) / 6u;
-}
-
-// The weights are in units of 2^-18, and their sum is 2^18. 715829931 is 2/3 in units of 2^-30, and 2048 that round.
-HN_FN hn_ivec4 hn_i_spline(hn_int f) {
-  hn_uint x = uint(f + 16) >> 5u;
-  hn_uint before = hn_i_sixth_of_cube(32768u - x);
-  hn_uint after = hn_i_sixth_of_cube(x);
-  hn_int first = int((before + 2048u) >> 12u);
-  hn_int last = int((after + 2048u) >> 12u);
-  hn_int second = int((715829931u + 3u * after - x * x) >> 12u);
-  return ivec4(first, second, 262144 - first - second - last, last);
-}
-
-HN_FN hn_int hn_i_blend(hn_ivec4 n, hn_ivec4 w) {
-  return hn_i_part(n.x, w.x) + hn_i_part(n.y, w.y) + hn_i_part(n.z, w.z) + hn_i_part(n.w, w.w);
-}
-
 // From units of 2^-29 to units of 2^-21, rounded.
 HN_FN hn_int hn_i_scaled(hn_int n, hn_int s) { return (((n + 256) >> 9) * s + 256) >> 9; }
 
 // A number is in units of 2^-29 and has no offset. From there the noise is rounded to units of 2^-21.
 HN_FN hn_int hn_i_number(hn_uint word) { return int(word >> 2u) - 536870912; }
 HN_FN hn_int hn_i_of_numbers(hn_int n) { return (n + 128) >> 8; }
-HN_FN hn_int hn_i_of_rises(hn_int n) { return (n + 128) >> 8; }
 
 HN_FN hn_float hn_i_value(hn_int n) { return float(n) * (1.0f / 2097152.0f); }
 
@@ -419,61 +329,8 @@ HN_FN hn_num hn_i_lerp(hn_num4 n, hn_num x, hn_num y) {
   return hn_i_lerp(hn_i_lerp(n.x, n.y, x), hn_i_lerp(n.z, n.w, x), y);
 }
 
-HN_FN hn_num3 hn_i_lerp_d(hn_num4 n, hn_num2 t, hn_num2 s) {
-  hn_num lower = hn_i_lerp(n.x, n.y, t.x);
-  hn_num upper = hn_i_lerp(n.z, n.w, t.x);
-  hn_num along_x = hn_i_lerp(hn_i_rise(n.x, n.y), hn_i_rise(n.z, n.w), t.y);
-  return hn_i_num(hn_i_lerp(lower, upper, t.y), hn_i_climb(along_x, s.x), hn_i_climb(hn_i_rise(lower, upper), s.y));
-}
-
 HN_FN hn_num4 hn_i_numbers(hn_uvec4 h) {
   return hn_i_num(hn_i_number(h.x), hn_i_number(h.y), hn_i_number(h.z), hn_i_number(h.w));
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// The steps of the sine gradient.
-
-#if HN_GRADIENT == HN_GRADIENT_SINE
-#if HN_ARITHMETIC != HN_FIXED
-
-// The polynomial is minimax. At the end it is held at 1 - 2^-21, so that no rounding takes it beyond 1. It is off by
-// 6.4e-7 at most.
-HN_FN hn_float hn_i_quarter_sine(hn_uint q) {
-  hn_float x = float(q >> 6u) * (1.0f / 16777216.0f);
-  HN_I_PRECISE hn_float t = x * x;
-  HN_I_PRECISE hn_float sine = x * (1.57079090f + t * (-0.64589171f + t * (0.07943160f + t * -0.00433127f)));
-  return sine;
-}
-
-HN_FN hn_vec2 hn_i_components(hn_vec2 g) { return g; }
-HN_FN hn_vec3 hn_i_components(hn_vec3 g) { return g; }
-
-HN_FN hn_float hn_i_unscaled(hn_float n) { return n; }
-
-#else
-
-// This is nearly the polynomial of the floats, in units of 2^-16. It is at most 1.
-HN_FN hn_int hn_i_quarter_sine(hn_uint q) {
-  hn_uint x = min((q + 8192u) >> 14u, 65535u);
-  hn_uint t = (x * x) >> 16u;
-  hn_uint y = 102943u - ((t * (42328u - ((t * (5208u - ((t * 288u) >> 16u))) >> 16u))) >> 16u);
-  return int((x * (y >> 1u) + 16384u) >> 15u);
-}
-
-HN_FN hn_vec2 hn_i_components(hn_ivec2 g) { return vec2(g) * (1.0f / 65536.0f); }
-HN_FN hn_vec3 hn_i_components(hn_ivec3 g) { return vec3(g) * (1.0f / 65536.0f); }
-
-// Computes a product of 17 and 21 bits, in units of 2^-28: by the high part and by the low byte of g.
-HN_FN hn_int hn_i_product(hn_int g, hn_int x) { return (g >> 8) * x + (((g & 255) * x) >> 8); }
-HN_FN hn_int hn_i_dot(hn_ivec2 g, hn_int x, hn_int y) { return hn_i_product(g.x, x) + hn_i_product(g.y, y); }
-HN_FN hn_int hn_i_dot(hn_ivec3 g, hn_int x, hn_int y, hn_int z) {
-  return hn_i_product(g.x, x) + hn_i_product(g.y, y) + hn_i_product(g.z, z);
-}
-
-// The ramps of the sine gradient are in units of 2^-28, because they are longer.
-HN_FN hn_int hn_i_unscaled(hn_int n) { return n >> 7; }
-
-#endif
-#endif
 
 #endif

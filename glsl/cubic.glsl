@@ -1,10 +1,55 @@
-// hashnoise: the four lattice points along each axis that a cubic spline joins.
+// hashnoise: the steps of a cubic spline, and the four lattice points along each axis that it joins.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_CUBIC_GLSL
 #define HN_CUBIC_GLSL
 
 #include "lattice.glsl"
+
+//   hn_i_spline(f)     the weights of a uniform cubic B-spline at f, for the points -1, 0, 1 and 2
+//   hn_i_blend(n, w)   the sum of four numbers, each times its weight
+
+#if HN_ARITHMETIC != HN_FIXED
+
+// The weights of the points 2 and 0 mirror those of -1 and 1. The sum of all is 1.
+HN_FN hn_vec4 hn_i_spline(hn_float f) {
+  HN_I_PRECISE hn_float g = 1.0f - f;
+  HN_I_PRECISE hn_float first = g * g * g * (1.0f / 6.0f);
+  HN_I_PRECISE hn_float last = f * f * f * (1.0f / 6.0f);
+  HN_I_PRECISE hn_float second = last * 3.0f + (2.0f / 3.0f - f * f);
+  HN_I_PRECISE hn_float third = first * 3.0f + (2.0f / 3.0f - g * g);
+  return vec4(first, second, third, last);
+}
+
+HN_FN hn_float hn_i_blend(hn_vec4 n, hn_vec4 w) {
+  HN_I_PRECISE hn_float sum = n.x * w.x + n.y * w.y + n.z * w.z + n.w * w.w;
+  return sum;
+}
+
+#else
+
+// A sixth of a cube, in units of 2^-30, of x in units of 2^-15: by the high and by the low bits of the square.
+HN_FN hn_uint hn_i_sixth_of_cube(hn_uint x) {
+  hn_uint square = x * x;
+  return ((square >> 15u) * x + (((square & 32767u) * x) >> 15u)) / 6u;
+}
+
+// The weights are in units of 2^-18, and their sum is 2^18. 715829931 is 2/3 in units of 2^-30, and 2048 that round.
+HN_FN hn_ivec4 hn_i_spline(hn_int f) {
+  hn_uint x = uint(f + 16) >> 5u;
+  hn_uint before = hn_i_sixth_of_cube(32768u - x);
+  hn_uint after = hn_i_sixth_of_cube(x);
+  hn_int first = int((before + 2048u) >> 12u);
+  hn_int last = int((after + 2048u) >> 12u);
+  hn_int second = int((715829931u + 3u * after - x * x) >> 12u);
+  return ivec4(first, second, 262144 - first - second - last, last);
+}
+
+HN_FN hn_int hn_i_blend(hn_ivec4 n, hn_ivec4 w) {
+  return hn_i_part(n.x, w.x) + hn_i_part(n.y, w.y) + hn_i_part(n.z, w.z) + hn_i_part(n.w, w.w);
+}
+
+#endif
 
 // The spread coordinates of the points -1, 0, 1 and 2 along one axis, from that of point 0. `step` is the factor that
 // spreads the axis.

@@ -7,6 +7,7 @@
 #include "arithmetic.glsl"
 #include "hash.glsl"
 #include "lattice.glsl"
+#include "turn.glsl"
 
 // Gradients are made of fields: bits of a hash as odd multiples of 2^-9 for the plane, and of 2^-8 for space, in
 // (-1, 1). They are symmetric about 0 and never 0. The highest bit is a sign. The fields are taken from the bits
@@ -63,14 +64,18 @@ HN_FN hn_vec3 hn_i_gradient(hn_vec4 d) {
               hn_i_lengthened(d.z, d.w));
 }
 
-// What a corner adds. In space u = (x + y) / 2, v = (x - y) / 2, and w = z.
-HN_FN hn_float hn_i_ramp(hn_vec3 d, hn_float x, hn_float y) {
-  return hn_i_lengthened(hn_i_dot(vec2(d.x, d.y), x, y), d.z);
-}
-HN_FN hn_float hn_i_ramp(hn_vec4 d, hn_float u, hn_float v, hn_float w) {
-  return hn_i_lengthened(hn_i_dot(vec3(d.x, d.y, d.z), u, v, w), d.w);
+// A direction times an offset. In space u = (x + y) / 2, v = (x - y) / 2, and w = z.
+HN_FN hn_float hn_i_straight(hn_vec3 d, hn_float x, hn_float y) { return hn_i_dot(vec2(d.x, d.y), x, y); }
+HN_FN hn_float hn_i_straight(hn_vec4 d, hn_float u, hn_float v, hn_float w) {
+  return hn_i_dot(vec3(d.x, d.y, d.z), u, v, w);
 }
 HN_FN hn_float hn_i_ramp(hn_float g, hn_float x) { return hn_i_times(g, x); }
+
+// a x - b y
+HN_FN hn_float hn_i_cross(hn_float a, hn_float x, hn_float b, hn_float y) {
+  HN_I_PRECISE hn_float n = a * x - b * y;
+  return n;
+}
 HN_FN hn_float hn_i_of_offset(hn_float x) { return x; }
 
 // The offsets as ramps in space take them: u and v are made of halves.
@@ -104,11 +109,10 @@ HN_FN hn_ivec3 hn_i_gradient(hn_ivec4 d) {
   return ivec3((d.x + d.y) * s, (d.x - d.y) * s, (d.z + d.z) * s);
 }
 
-HN_FN hn_int hn_i_ramp(hn_ivec3 d, hn_int x, hn_int y) { return hn_i_lengthened(d.x * x + d.y * y, d.z); }
-HN_FN hn_int hn_i_ramp(hn_ivec4 d, hn_int u, hn_int v, hn_int w) {
-  return hn_i_lengthened(d.x * u + d.y * v + d.z * w, d.w);
-}
+HN_FN hn_int hn_i_straight(hn_ivec3 d, hn_int x, hn_int y) { return d.x * x + d.y * y; }
+HN_FN hn_int hn_i_straight(hn_ivec4 d, hn_int u, hn_int v, hn_int w) { return d.x * u + d.y * v + d.z * w; }
 HN_FN hn_int hn_i_ramp(hn_int g, hn_int x) { return (g >> 20) * x; }
+HN_FN hn_int hn_i_cross(hn_int a, hn_int x, hn_int b, hn_int y) { return a * x - b * y; }
 
 // In four dimensions ramps are in units of 2^-28, since two offsets of a cell fill 30 bits.
 HN_FN hn_int hn_i_of_offset(hn_int x) { return x * 256; }
@@ -118,6 +122,53 @@ HN_FN hn_int hn_i_turned(hn_int x) { return x; }
 HN_FN hn_int hn_i_upright(hn_int z) { return z + z; }
 
 #endif
+
+// What a corner adds.
+HN_FN hn_num hn_i_ramp(hn_num3 d, hn_num x, hn_num y) { return hn_i_lengthened(hn_i_straight(d, x, y), d.z); }
+HN_FN hn_num hn_i_ramp(hn_num4 d, hn_num u, hn_num v, hn_num w) {
+  return hn_i_lengthened(hn_i_straight(d, u, v, w), d.w);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Gradients that turn with a phase. On the plane all turn alike. In space each turns in the plane of the two axes along
+// which it is longest; its component along the third shrinks to nothing in a quarter of a turn, and comes back negative.
+
+// Along which axis a direction in space is shortest: chooses among what belongs to x, to y and to z.
+HN_FN hn_num hn_i_by_shortest(hn_num4 d, hn_num x, hn_num y, hn_num z) {
+  hn_num a = hn_i_plus(d.x, d.y);   // twice the direction along x
+  hn_num b = hn_i_minus(d.x, d.y);  // along y
+  hn_num along_x = max(a, -a);
+  hn_num along_y = max(b, -b);
+  hn_num along_z = hn_i_plus(max(d.z, -d.z), max(d.z, -d.z));
+  return hn_i_select(along_z <= min(along_x, along_y), z, hn_i_select(along_y <= along_x, y, x));
+}
+
+HN_FN hn_num hn_i_ramp(hn_num3 d, hn_num x, hn_num y, hn_num2 rotation) {
+  return hn_i_lengthened(hn_i_mixed(rotation, hn_i_straight(d, x, y), hn_i_cross(d.x, y, d.y, x)), d.z);
+}
+HN_FN hn_num hn_i_ramp(hn_num4 d, hn_num x, hn_num y, hn_num z, hn_num2 rotation) {
+  hn_num u = hn_i_turned(x);
+  hn_num v = hn_i_turned(y);
+  hn_num w = hn_i_turned(z);
+  hn_num a = hn_i_plus(d.x, d.y);
+  hn_num b = hn_i_minus(d.x, d.y);
+  hn_num m = hn_i_plus(d.z, d.z);
+  hn_num turned = hn_i_by_shortest(d, hn_i_cross(b, w, m, v), hn_i_cross(m, u, a, w), hn_i_cross(a, v, b, u));
+  return hn_i_lengthened(
+      hn_i_mixed(rotation, hn_i_straight(d, hn_i_plus(u, v), hn_i_minus(u, v), hn_i_upright(z)), turned), d.w);
+}
+
+HN_FN hn_num2 hn_i_gradient(hn_num3 d, hn_num2 rotation) {
+  hn_num2 g = hn_i_gradient(d);
+  return hn_i_num(hn_i_mixed(rotation, g.x, -g.y), hn_i_mixed(rotation, g.y, g.x));
+}
+HN_FN hn_num3 hn_i_gradient(hn_num4 d, hn_num2 rotation) {
+  hn_num3 g = hn_i_gradient(d);
+  hn_num none = hn_i_minus(HN_I_ONE, HN_I_ONE);
+  return hn_i_num(hn_i_mixed(rotation, g.x, hn_i_by_shortest(d, none, g.z, -g.y)),
+                  hn_i_mixed(rotation, g.y, hn_i_by_shortest(d, -g.z, none, g.x)),
+                  hn_i_mixed(rotation, g.z, hn_i_by_shortest(d, g.y, -g.x, none)));
+}
 
 // In four dimensions a gradient is one of the 24 corners of the 24-cell: two components are 1 or -1, and two are 0. The
 // 24 are as isotropic as a sphere up to the fifth harmonic. The size of the word chooses one of three ways to pair the
@@ -208,13 +259,9 @@ HN_FN hn_vec4 hn_gradient4(hn_uint h) {
 
 // 1365 / 1024 and 1228 / 1024 are 1 / 0.75 and 1 / 0.833334, rounded down. These are the largest values that a noise
 // has before it is scaled, on the plane and in space (tools/bounds). On the line it is 1/2, and in four dimensions
-// 1.073455. There ramps are in units of 2^-28, so the scale is doubled.
+// 1.073455.
 HN_FN hn_num hn_i_scaled1(hn_num n) { return hn_i_scaled(n, 2048); }
-#if HN_ARITHMETIC != HN_FIXED
-HN_FN hn_num hn_i_scaled4(hn_num n) { return hn_i_scaled(n, 953); }
-#else
-HN_FN hn_num hn_i_scaled4(hn_num n) { return hn_i_scaled(n, 1906); }
-#endif
+HN_FN hn_num hn_i_scaled4(hn_num n) { return hn_i_scaled_ramps(n, 953); }
 
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
@@ -285,17 +332,9 @@ HN_FN hn_uint hn_i_turns(hn_uint w) {
   return m * 0x28BE60DBu + high * 0x9391u + (rest >> 16u);
 }
 
-// The first quarter of the wave is enough: the second is its mirror image, and the second half is the first, negated.
-// The result is in units of 2^-30 of a quarter.
-HN_FN hn_uint hn_i_quarter(hn_uint turns) {
-  hn_uint q = turns & 0x7FFFFFFFu;
-  return min(q, 0x80000000u - q);
-}
-
 // The sine of a word. The comment over hn_gradient tells its error.
 HN_FN hn_num hn_i_sine(hn_uint w) {
-  hn_uint turns = hn_i_turns(w);
-  return hn_i_signed(hn_i_quarter_sine(hn_i_quarter(turns)), turns ^ w);
+  return hn_i_wave(hn_i_turns(w), w);
 }
 
 HN_FN hn_num2 hn_i_gradient(hn_uint column, hn_uint y) {
@@ -342,8 +381,13 @@ HN_FN hn_num4 hn_i_ramps(hn_uvec3 first, hn_uvec3 last, hn_num3 f, bool back, hn
 }
 
 // The noise is not scaled, as in the paper.
-HN_FN hn_num hn_i_scaled2(hn_num n) { return hn_i_unscaled(n); }
-HN_FN hn_num hn_i_scaled3(hn_num n) { return hn_i_unscaled(n); }
+#if HN_ARITHMETIC != HN_FIXED
+HN_FN hn_float hn_i_scaled2(hn_float n) { return n; }
+HN_FN hn_float hn_i_scaled3(hn_float n) { return n; }
+#else
+HN_FN hn_int hn_i_scaled2(hn_int n) { return n >> 7; }
+HN_FN hn_int hn_i_scaled3(hn_int n) { return n >> 7; }
+#endif
 
 #endif
 
@@ -351,8 +395,7 @@ HN_FN hn_num hn_i_scaled3(hn_num n) { return hn_i_unscaled(n); }
 //   cell     the point: int, ivec2, ivec3 or ivec4
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   returns  a vector of hn_gradient1, hn_gradient2, hn_gradient3 or hn_gradient4; with HN_GRADIENT_SINE, in 2D and 3D,
-//   a
-//            point of the square or cube [-1, 1]^n
+//            a point of the square or cube [-1, 1]^n
 //   error    none; with HN_GRADIENT_SINE less than 2^-19 (HN_FIXED: 3.7e-5)
 //   period   2^32 along each axis
 //   cost     1 hash (none with HN_HASH_LATTICE), 1 multiplication per axis and 1 more, 2 more for a seed that is not

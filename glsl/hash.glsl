@@ -175,31 +175,37 @@ HN_FN hn_uint hn_i_mix(hn_uint k) {
 HN_FN hn_uint hn_i_odd(hn_uint sum) { return sum * 2u + 1u; }
 HN_FN hn_uint hn_i_word(hn_uint join, hn_uint odd) { return hn_i_hash(join) * odd; }
 
+// The word of a point, from its spread coordinates. Other axes and the seed add `join` to the exclusive or, and `sum` to
+// the sum before it is made odd.
+HN_FN hn_uint hn_i_word(hn_uvec2 c, hn_uint join, hn_uint sum) {
+  hn_uvec2 j = hn_i_fold(c);
+  return hn_i_word(j.x ^ j.y ^ join, hn_i_odd(c.x + c.y + sum));
+}
+HN_FN hn_uint hn_i_word(hn_uvec3 c, hn_uint join, hn_uint sum) {
+  hn_uvec3 j = hn_i_fold(c);
+  return hn_i_word(j.x ^ j.y ^ j.z ^ join, hn_i_odd(c.x + c.y + c.z + sum));
+}
+HN_FN hn_uint hn_i_word(hn_uvec4 c, hn_uint join, hn_uint sum) {
+  hn_uvec4 j = hn_i_fold(c);
+  return hn_i_word(j.x ^ j.y ^ j.z ^ j.w ^ join, hn_i_odd(c.x + c.y + c.z + c.w + sum));
+}
+
 HN_FN hn_uint hn_i_point(hn_uint cell, hn_uint seed) {
   hn_uint c = hn_i_spread(cell);
   hn_uint s = hn_i_mix(seed);
   return hn_i_word(hn_i_fold(c) ^ s, hn_i_odd(c + s));
 }
-
 HN_FN hn_uint hn_i_point(hn_uvec2 cell, hn_uint seed) {
-  hn_uvec2 c = hn_i_spread(cell);
-  hn_uvec2 j = hn_i_fold(c);
   hn_uint s = hn_i_mix(seed);
-  return hn_i_word(j.x ^ j.y ^ s, hn_i_odd(c.x + c.y + s));
+  return hn_i_word(hn_i_spread(cell), s, s);
 }
-
 HN_FN hn_uint hn_i_point(hn_uvec3 cell, hn_uint seed) {
-  hn_uvec3 c = hn_i_spread(cell);
-  hn_uvec3 j = hn_i_fold(c);
   hn_uint s = hn_i_mix(seed);
-  return hn_i_word(j.x ^ j.y ^ j.z ^ s, hn_i_odd(c.x + c.y + c.z + s));
+  return hn_i_word(hn_i_spread(cell), s, s);
 }
-
 HN_FN hn_uint hn_i_point(hn_uvec4 cell, hn_uint seed) {
-  hn_uvec4 c = hn_i_spread(cell);
-  hn_uvec4 j = hn_i_fold(c);
   hn_uint s = hn_i_mix(seed);
-  return hn_i_word(j.x ^ j.y ^ j.z ^ j.w ^ s, hn_i_odd(c.x + c.y + c.z + c.w + s));
+  return hn_i_word(hn_i_spread(cell), s, s);
 }
 
 // Lattice hashing: a well mixed hash of a point of the integer lattice, with any HN_HASH. The noise starts from the

@@ -8,6 +8,7 @@
 #include "noise2d.glsl"
 #include "noise3d.glsl"
 #include "noise4d.glsl"
+#include "curl.glsl"
 #include "fbm.glsl"
 #include "position.glsl"
 

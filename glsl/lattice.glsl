@@ -102,9 +102,9 @@ HN_FN hn_uvec4 hn_i_corners(hn_uvec3 first, hn_uvec3 last, bool back, hn_uint se
 }
 HN_FN hn_uvec4 hn_i_corners(hn_uvec4 first, hn_uvec4 last, bool far_z, bool far_w, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
-  hn_uvec4 near = hn_i_fold(first);
-  hn_uvec4 far = hn_i_fold(last);
-  hn_uint join = hn_i_select(far_z, far.z, near.z) ^ hn_i_select(far_w, far.w, near.w) ^ s;
+  hn_uvec4 a = hn_i_fold(first);
+  hn_uvec4 b = hn_i_fold(last);
+  hn_uint join = hn_i_select(far_z, b.z, a.z) ^ hn_i_select(far_w, b.w, a.w) ^ s;
   hn_uint more = hn_i_select(far_z, (last.z - first.z) * 2u, 0u) + hn_i_select(far_w, (last.w - first.w) * 2u, 0u);
   return hn_i_corners(uvec2(first.x, first.y), uvec2(last.x, last.y), join, first.z + first.w + s, more);
 }

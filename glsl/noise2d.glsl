@@ -6,6 +6,11 @@
 
 #include "perlin2d.glsl"
 #include "perlin_d2d.glsl"
+#include "perlin_phase2d.glsl"
+#include "simplex2d.glsl"
+#include "simplex_d2d.glsl"
+#include "simplex_phase2d.glsl"
+#include "simplex_smooth2d.glsl"
 #include "value2d.glsl"
 #include "value_cubic2d.glsl"
 #include "value_d2d.glsl"

@@ -6,6 +6,11 @@
 
 #include "perlin3d.glsl"
 #include "perlin_d3d.glsl"
+#include "perlin_phase3d.glsl"
+#include "simplex3d.glsl"
+#include "simplex_d3d.glsl"
+#include "simplex_phase3d.glsl"
+#include "simplex_smooth3d.glsl"
 #include "value3d.glsl"
 #include "value_cubic3d.glsl"
 #include "value_d3d.glsl"

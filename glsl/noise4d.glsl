@@ -6,6 +6,8 @@
 
 #include "perlin4d.glsl"
 #include "perlin_d4d.glsl"
+#include "simplex4d.glsl"
+#include "simplex_d4d.glsl"
 #include "value4d.glsl"
 #include "value_d4d.glsl"
 

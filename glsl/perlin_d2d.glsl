@@ -5,15 +5,10 @@
 #define HN_PERLIN_D2D_GLSL
 
 #include "gradient.glsl"
+#include "slope.glsl"
 
 // The paper's gradient has no noise of this kind.
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
-
-// What two corners of a cell along x make of the noise: the interpolated ramp, its derivative along x, and what the
-// gradients' other component adds.
-HN_FN hn_num3 hn_i_edge_d(hn_num a, hn_num b, hn_num2 g, hn_num2 h, hn_num t, hn_num s) {
-  return hn_i_num(hn_i_lerp(a, b, t), hn_i_climb(hn_i_lerp(g.x, h.x, t), hn_i_rise(a, b), s), hn_i_lerp(g.y, h.y, t));
-}
 
 // The noise and its derivatives.
 HN_FN hn_vec3 hn_i_perlin_d(hn_uvec2 first, hn_uvec2 last, hn_num2 f, hn_uint seed) {
@@ -24,15 +19,10 @@ HN_FN hn_vec3 hn_i_perlin_d(hn_uvec2 first, hn_uvec2 last, hn_num2 f, hn_uint se
   hn_num3 d11 = hn_i_direction2(h.w);
   hn_num x = hn_i_far(f.x);
   hn_num y = hn_i_far(f.y);
-  hn_num2 t = hn_i_fade(f);
-  hn_num2 s = hn_i_slope(f);
-  hn_num3 n0 =
-      hn_i_edge_d(hn_i_ramp(d00, f.x, f.y), hn_i_ramp(d10, x, f.y), hn_i_gradient(d00), hn_i_gradient(d10), t.x, s.x);
-  hn_num3 n1 =
-      hn_i_edge_d(hn_i_ramp(d01, f.x, y), hn_i_ramp(d11, x, y), hn_i_gradient(d01), hn_i_gradient(d11), t.x, s.x);
-  hn_num dy = hn_i_climb(hn_i_lerp(n0.z, n1.z, t.y), hn_i_rise(n0.x, n1.x), s.y);
-  return vec3(hn_i_value(hn_i_scaled2(hn_i_lerp(n0.x, n1.x, t.y))),
-              hn_i_derivative(hn_i_scaled2(hn_i_lerp(n0.y, n1.y, t.y))), hn_i_derivative(hn_i_scaled2(dy)));
+  hn_num4 r = hn_i_num(hn_i_ramp(d00, f.x, f.y), hn_i_ramp(d10, x, f.y), hn_i_ramp(d01, f.x, y), hn_i_ramp(d11, x, y));
+  hn_num3 n = hn_i_face_d(r, hn_i_gradient(d00), hn_i_gradient(d10), hn_i_gradient(d01), hn_i_gradient(d11),
+                          hn_i_fade(f), hn_i_slope(f));
+  return vec3(hn_i_value(hn_i_scaled2(n.x)), hn_i_derivative(hn_i_scaled2(n.y)), hn_i_derivative(hn_i_scaled2(n.z)));
 }
 HN_FN hn_vec3 hn_i_perlin_d(hn_ivec2 cell, hn_num2 f, hn_uint seed) {
   hn_uvec2 first = hn_i_first(cell);

@@ -5,18 +5,12 @@
 #define HN_PERLIN_D3D_GLSL
 
 #include "gradient.glsl"
+#include "slope.glsl"
 
 // The paper's gradient has no noise of this kind.
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
-// What two corners of a cell along x make of the noise: the interpolated ramp, its derivative along x, and what the
-// gradients' other components add.
-HN_FN hn_num4 hn_i_edge_d(hn_num a, hn_num b, hn_num3 g, hn_num3 h, hn_num t, hn_num s) {
-  return hn_i_num(hn_i_lerp(a, b, t), hn_i_climb(hn_i_lerp(g.x, h.x, t), hn_i_rise(a, b), s), hn_i_lerp(g.y, h.y, t),
-                  hn_i_lerp(g.z, h.z, t));
-}
-
-// The same of the front or back face: the interpolated ramp, its derivatives along x and y, and what the gradients'
+// What the corners of the front or back face make of the noise: the interpolated ramp, its derivatives along x and y, and what the gradients'
 // last components add.
 HN_FN hn_num4 hn_i_face_d(hn_uvec3 first, hn_uvec3 last, hn_num3 f, bool back, hn_num3 t, hn_num3 s, hn_uint seed) {
   hn_uvec4 h = hn_i_corners(first, last, back, seed);
@@ -25,10 +19,7 @@ HN_FN hn_num4 hn_i_face_d(hn_uvec3 first, hn_uvec3 last, hn_num3 f, bool back, h
   hn_num4 d01 = hn_i_direction3(h.z);
   hn_num4 d11 = hn_i_direction3(h.w);
   hn_num4 r = hn_i_ramps(d00, d10, d01, d11, f, back);
-  hn_num4 n0 = hn_i_edge_d(r.x, r.y, hn_i_gradient(d00), hn_i_gradient(d10), t.x, s.x);
-  hn_num4 n1 = hn_i_edge_d(r.z, r.w, hn_i_gradient(d01), hn_i_gradient(d11), t.x, s.x);
-  return hn_i_num(hn_i_lerp(n0.x, n1.x, t.y), hn_i_lerp(n0.y, n1.y, t.y),
-                  hn_i_climb(hn_i_lerp(n0.z, n1.z, t.y), hn_i_rise(n0.x, n1.x), s.y), hn_i_lerp(n0.w, n1.w, t.y));
+  return hn_i_face_d(r, hn_i_gradient(d00), hn_i_gradient(d10), hn_i_gradient(d01), hn_i_gradient(d11), t, s);
 }
 
 // The noise and its derivatives.

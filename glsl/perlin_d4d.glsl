@@ -5,6 +5,7 @@
 #define HN_PERLIN_D4D_GLSL
 
 #include "gradient.glsl"
+#include "slope.glsl"
 
 // The paper's gradient has no noise of this kind.
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL

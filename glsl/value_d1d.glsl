@@ -5,6 +5,7 @@
 #define HN_VALUE_D1D_GLSL
 
 #include "lattice.glsl"
+#include "slope.glsl"
 
 // The noise and its derivative.
 HN_FN hn_vec2 hn_i_value_d(hn_uint first, hn_uint last, hn_num f, hn_uint seed) {

@@ -5,6 +5,7 @@
 #define HN_VALUE_D2D_GLSL
 
 #include "lattice.glsl"
+#include "slope.glsl"
 
 // The noise and its derivatives.
 HN_FN hn_vec3 hn_i_value_d(hn_uvec2 first, hn_uvec2 last, hn_num2 f, hn_uint seed) {

@@ -5,6 +5,7 @@
 #define HN_VALUE_D3D_GLSL
 
 #include "lattice.glsl"
+#include "slope.glsl"
 
 // The noise and its derivatives.
 HN_FN hn_vec4 hn_i_value_d(hn_uvec3 first, hn_uvec3 last, hn_num3 f, hn_uint seed) {

@@ -5,8 +5,9 @@
 #define HN_VALUE_D4D_GLSL
 
 #include "lattice.glsl"
+#include "slope.glsl"
 
-// The same between the two squares along z that w chooses: the value, and the derivatives along x, y and z.
+// What the two squares along z that w chooses make of the noise: the value, and its derivatives along x, y and z.
 HN_FN hn_num4 hn_i_value_cube_d(hn_uvec4 first, hn_uvec4 last, bool far_w, hn_num4 t, hn_num4 s, hn_uint seed) {
   hn_num2 t2 = hn_i_num(t.x, t.y);
   hn_num2 s2 = hn_i_num(s.x, s.y);

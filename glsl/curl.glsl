@@ -1,0 +1,10 @@
+// hashnoise: curl in 2D and 3D. Made by tools/umbrella.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_CURL_GLSL
+#define HN_CURL_GLSL
+
+#include "curl2d.glsl"
+#include "curl3d.glsl"
+
+#endif

@@ -1,0 +1,78 @@
+// hashnoise: curl noise in space.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_CURL3D_GLSL
+#define HN_CURL3D_GLSL
+
+#include "simplex_d3d.glsl"
+
+// The seed of the second noise.
+HN_FN hn_uint hn_i_other_seed(hn_uint seed) { return hn_i_mix(seed + 0x9E3779B9u); }
+
+#if HN_ARITHMETIC != HN_FIXED
+
+HN_FN hn_float hn_i_velocity(hn_float a, hn_float b, hn_float c, hn_float d) { return hn_i_cross(a, b, c, d); }
+HN_FN hn_float hn_i_crossed(hn_float n) { return hn_i_settled(n); }
+HN_FN hn_float hn_i_uncrossed(hn_float d) { return d; }
+
+#else
+
+// A product of derivatives in units of 2^-19, in units of 2^-20, without that of the low digits of 9 bits.
+HN_FN hn_int hn_i_product_of(hn_int a, hn_int b) {
+  return (a >> 9) * (b >> 9) + (((a >> 9) * (b & 511) + (a & 511) * (b >> 9)) >> 9);
+}
+HN_FN hn_int hn_i_velocity(hn_int a, hn_int b, hn_int c, hn_int d) {
+  return (hn_i_product_of(a, b) - hn_i_product_of(c, d) + 8) >> 4;
+}
+HN_FN hn_float hn_i_crossed(hn_int n) { return float(n) * (1.0f / 65536.0f); }
+HN_FN hn_int hn_i_uncrossed(hn_float d) { return int(d * 524288.0f); }
+
+#endif
+
+HN_FN hn_vec3 hn_i_curl(hn_vec4 n, hn_vec4 m) {
+  hn_num3 a = hn_i_num(hn_i_uncrossed(n.y), hn_i_uncrossed(n.z), hn_i_uncrossed(n.w));
+  hn_num3 b = hn_i_num(hn_i_uncrossed(m.y), hn_i_uncrossed(m.z), hn_i_uncrossed(m.w));
+  return vec3(hn_i_crossed(hn_i_velocity(a.y, b.z, a.z, b.y)), hn_i_crossed(hn_i_velocity(a.z, b.x, a.x, b.z)),
+              hn_i_crossed(hn_i_velocity(a.x, b.y, a.y, b.x)));
+}
+
+// The cross product of the gradients of two simplex noises, from a cell and a position in it: a field of velocities that
+// neither flows together nor apart. What it carries stays on the surfaces on which both noises are constant.
+//   cell     the cell; its points wrap at 2^32
+//   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats have no promise
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  each component in [-@C3, @C3], in squared noise per squared cell, once continuously differentiable
+//            (HN_FIXED: in steps of 2^-16)
+//   error    at most @CE3 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED @CF3
+//   period   2^32 cells per axis
+//   cost     twice that of hn_simplex_d
+//   source   DeWolf, "Divergence-free noise", 2005; docs/contract.md, section 15
+HN_FN hn_vec3 hn_curl(hn_ivec3 cell, hn_vec3 f, hn_uint seed) {
+  return hn_i_curl(hn_simplex_d(cell, f, seed), hn_simplex_d(cell, f, hn_i_other_seed(seed)));
+}
+
+HN_FN hn_vec3 hn_curl(hn_ivec3 cell, hn_vec3 f) { return hn_curl(cell, f, 0u); }
+
+// The same at a position.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   seed     any uint: 7u, not 7; 0 if left out
+//   (everything else as above)
+HN_FN hn_vec3 hn_curl(hn_vec3 p, hn_uint seed) {
+  return hn_i_curl(hn_simplex_d(p, seed), hn_simplex_d(p, hn_i_other_seed(seed)));
+}
+
+HN_FN hn_vec3 hn_curl(hn_vec3 p) { return hn_curl(p, 0u); }
+
+// Both with a period: the field repeats after that many cells.
+//   period   cells along each axis, any ivec3; 0 for none along that axis. Less than 0 is none, too
+//   seed     any uint: 7u, not 7
+//   (everything else as above)
+HN_FN hn_vec3 hn_curl(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_uint seed) {
+  return hn_i_curl(hn_simplex_d(cell, f, period, seed), hn_simplex_d(cell, f, period, hn_i_other_seed(seed)));
+}
+
+HN_FN hn_vec3 hn_curl(hn_vec3 p, hn_ivec3 period, hn_uint seed) {
+  return hn_i_curl(hn_simplex_d(p, period, seed), hn_simplex_d(p, period, hn_i_other_seed(seed)));
+}
+
+#endif

@@ -1,0 +1,104 @@
+// hashnoise: Perlin noise on the plane whose gradients turn with a phase.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_PERLIN_PHASE2D_GLSL
+#define HN_PERLIN_PHASE2D_GLSL
+
+#include "gradient.glsl"
+#include "slope.glsl"
+
+// The paper's gradient has no noise of this kind.
+#if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
+
+// What the corners add.
+HN_FN hn_num4 hn_i_turned_ramps(hn_uvec4 h, hn_num2 f, hn_num2 rotation) {
+  hn_num x = hn_i_far(f.x);
+  hn_num y = hn_i_far(f.y);
+  return hn_i_num(hn_i_ramp(hn_i_direction2(h.x), f.x, f.y, rotation), hn_i_ramp(hn_i_direction2(h.y), x, f.y, rotation),
+                  hn_i_ramp(hn_i_direction2(h.z), f.x, y, rotation), hn_i_ramp(hn_i_direction2(h.w), x, y, rotation));
+}
+
+// The noise in the numbers of HN_ARITHMETIC.
+HN_FN hn_num hn_i_perlin_turned(hn_uvec2 first, hn_uvec2 last, hn_num2 f, hn_num2 rotation, hn_uint seed) {
+  hn_num2 t = hn_i_fade(f);
+  return hn_i_scaled2(hn_i_lerp(hn_i_turned_ramps(hn_i_corners(first, last, seed), f, rotation), t.x, t.y));
+}
+HN_FN hn_num hn_i_perlin_turned(hn_ivec2 cell, hn_num2 f, hn_num2 rotation, hn_uint seed) {
+  hn_uvec2 first = hn_i_first(cell);
+  return hn_i_perlin_turned(first, hn_i_last(first), f, rotation, seed);
+}
+HN_FN hn_num hn_i_perlin_turned(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_num2 rotation, hn_uint seed) {
+  hn_uvec2 c = hn_i_wrap(cell, period);
+  hn_uvec2 first = hn_i_spread(c);
+  return hn_i_perlin_turned(first, hn_i_last(first, c, period), f, rotation, seed);
+}
+
+// The noise and its derivatives.
+HN_FN hn_vec3 hn_i_perlin_turned_d(hn_uvec2 first, hn_uvec2 last, hn_num2 f, hn_num2 rotation, hn_uint seed) {
+  hn_uvec4 h = hn_i_corners(first, last, seed);
+  hn_num3 n = hn_i_face_d(hn_i_turned_ramps(h, f, rotation), hn_i_gradient(hn_i_direction2(h.x), rotation),
+                          hn_i_gradient(hn_i_direction2(h.y), rotation), hn_i_gradient(hn_i_direction2(h.z), rotation),
+                          hn_i_gradient(hn_i_direction2(h.w), rotation), hn_i_fade(f), hn_i_slope(f));
+  return vec3(hn_i_value(hn_i_scaled2(n.x)), hn_i_derivative(hn_i_scaled2(n.y)), hn_i_derivative(hn_i_scaled2(n.z)));
+}
+HN_FN hn_vec3 hn_i_perlin_turned_d(hn_ivec2 cell, hn_num2 f, hn_num2 rotation, hn_uint seed) {
+  hn_uvec2 first = hn_i_first(cell);
+  return hn_i_perlin_turned_d(first, hn_i_last(first), f, rotation, seed);
+}
+HN_FN hn_vec3 hn_i_perlin_turned_d(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_num2 rotation, hn_uint seed) {
+  hn_uvec2 c = hn_i_wrap(cell, period);
+  hn_uvec2 first = hn_i_spread(c);
+  return hn_i_perlin_turned_d(first, hn_i_last(first, c, period), f, rotation, seed);
+}
+
+// Perlin noise on the plane whose gradients turn: the field changes in place, and loops after one turn. All gradients turn alike.
+//   p        position, in cells; |p| < 2^23 along each axis. Or:
+//   cell, f  the cell and the position in it, in [0, 1]
+//   period   cells along each axis, any ivec2; 0 or less for none along that axis
+//   phase    in turns, any float: the field of phase + 1 has the same bits, and that of phase + 1/2 is the negative
+//            (HN_FIXED: but for the last bits). A float far from 0 has few bits left for the turn: wrap it yourself
+//   seed     any uint: 7u, not 7; different seeds give independent fields
+//   returns  [-1, 1] (proven bound @P2T), mean 0, 0 at lattice points, twice continuously differentiable, and smooth in
+//            the phase. With a phase of 0 it is hn_perlin, within the error.
+//   error    at most @P2TE against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED @P2TF
+//   cost     the hashes of hn_perlin, a sine and a cosine of 6 multiplications of floats each, and twice the rest
+//   source   Perlin and Neyret, "Flow noise", 2001; docs/contract.md, section 14
+HN_FN hn_float hn_perlin(hn_ivec2 cell, hn_vec2 f, hn_float phase, hn_uint seed) {
+  return hn_i_value(hn_i_perlin_turned(cell, hn_i_inside(f), hn_i_rotation(phase), seed));
+}
+
+HN_FN hn_float hn_perlin(hn_vec2 p, hn_float phase, hn_uint seed) {
+  return hn_i_value(hn_i_perlin_turned(hn_i_cell(p), hn_i_fraction(p), hn_i_rotation(phase), seed));
+}
+
+HN_FN hn_float hn_perlin(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_float phase, hn_uint seed) {
+  return hn_i_value(hn_i_perlin_turned(cell, hn_i_inside(f), period, hn_i_rotation(phase), seed));
+}
+
+HN_FN hn_float hn_perlin(hn_vec2 p, hn_ivec2 period, hn_float phase, hn_uint seed) {
+  return hn_i_value(hn_i_perlin_turned(hn_i_cell(p), hn_i_fraction(p), period, hn_i_rotation(phase), seed));
+}
+
+// The same with the derivatives along x and y, as of hn_perlin_d. The value is as above.
+//   returns  the value and its derivatives, per cell, in [-@P2D, @P2D]
+//   error    of a derivative at most @P2DE. HN_FIXED @P2DF
+//   cost     as above, and about twice the rest
+//   (everything else as above)
+HN_FN hn_vec3 hn_perlin_d(hn_ivec2 cell, hn_vec2 f, hn_float phase, hn_uint seed) {
+  return hn_i_perlin_turned_d(cell, hn_i_inside(f), hn_i_rotation(phase), seed);
+}
+
+HN_FN hn_vec3 hn_perlin_d(hn_vec2 p, hn_float phase, hn_uint seed) {
+  return hn_i_perlin_turned_d(hn_i_cell(p), hn_i_fraction(p), hn_i_rotation(phase), seed);
+}
+
+HN_FN hn_vec3 hn_perlin_d(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_float phase, hn_uint seed) {
+  return hn_i_perlin_turned_d(cell, hn_i_inside(f), period, hn_i_rotation(phase), seed);
+}
+
+HN_FN hn_vec3 hn_perlin_d(hn_vec2 p, hn_ivec2 period, hn_float phase, hn_uint seed) {
+  return hn_i_perlin_turned_d(hn_i_cell(p), hn_i_fraction(p), period, hn_i_rotation(phase), seed);
+}
+
+#endif
+#endif

@@ -1,0 +1,80 @@
+// hashnoise: simplex noise and its derivatives in space.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_SIMPLEX_D3D_GLSL
+#define HN_SIMPLEX_D3D_GLSL
+
+#include "centred.glsl"
+
+// What a point adds to the noise and to its derivatives.
+HN_FN hn_num4 hn_i_bump_d(hn_uint h, hn_num x, hn_num y, hn_num z, hn_num t) {
+  return hn_i_bump_d(hn_i_ramp_of(h, x, y, z), hn_i_gradient(hn_i_direction3(h)), x, y, z, t, 2);
+}
+
+// The noise and its derivatives.
+HN_FN hn_vec4 hn_i_simplex_d(hn_uvec3 first, hn_uvec3 last, hn_uvec3 before, hn_num3 f, hn_uint seed) {
+  hn_num4 x;
+  hn_num4 y;
+  hn_num4 z;
+  hn_num4 t;
+  hn_uvec4 h = hn_i_four_points(first, last, before, f, seed, x, y, z, t);
+  hn_num4 corners = hn_i_added(hn_i_bump_d(h.x, x.x, y.x, z.x, t.x), hn_i_bump_d(h.y, x.y, y.y, z.y, t.y));
+  hn_num4 n = hn_i_added(hn_i_added(corners, hn_i_bump_d(h.z, x.z, y.z, z.z, t.z)),
+                         hn_i_bump_d(h.w, x.w, y.w, z.w, t.w));
+  return vec4(hn_i_value(hn_i_scaled(n.x, 5036)), hn_i_derivative(hn_i_scaled(n.y, 5036)),
+              hn_i_derivative(hn_i_scaled(n.z, 5036)), hn_i_derivative(hn_i_scaled(n.w, 5036)));
+}
+HN_FN hn_vec4 hn_i_simplex_d(hn_ivec3 cell, hn_num3 f, hn_uint seed) {
+  hn_uvec3 first = hn_i_first(cell);
+  return hn_i_simplex_d(first, hn_i_last(first), hn_i_before(first), f, seed);
+}
+HN_FN hn_vec4 hn_i_simplex_d(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_uint seed) {
+  hn_uvec3 c = hn_i_wrap(cell, period);
+  hn_uvec3 first = hn_i_spread(c);
+  return hn_i_simplex_d(first, hn_i_last(first, c, period), hn_i_before(c, period), f, seed);
+}
+
+// Simplex noise in space and how steep it is, from a cell and a position in it. The value is that of hn_simplex.
+//   cell     the cell; its points wrap at 2^32
+//   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats have no promise
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  the value and its derivatives along x, y and z. A derivative is per cell, in [-@D3, @D3], once
+//            continuously differentiable (HN_FIXED: in steps of 2^-19)
+//   error    that of hn_simplex, and of a derivative at most @DE3 against the exact value, in any rounding mode
+//            (docs/accuracy.md). HN_FIXED @DF3
+//   period   2^32 cells per axis
+//   cost     the hashes of hn_simplex, which are most of its cost, and about twice the rest
+//   source   the product rule on weight and ramp; docs/contract.md, section 13
+HN_FN hn_vec4 hn_simplex_d(hn_ivec3 cell, hn_vec3 f, hn_uint seed) {
+  return hn_i_simplex_d(cell, hn_i_inside(f), seed);
+}
+
+HN_FN hn_vec4 hn_simplex_d(hn_ivec3 cell, hn_vec3 f) { return hn_simplex_d(cell, f, 0u); }
+
+// The same at a position.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   seed     any uint: 7u, not 7; 0 if left out
+//   returns  as above
+//   error    of a derivative at most @DP3. The rest is as above
+//   period   as above
+//   cost     as above
+//   source   as above
+HN_FN hn_vec4 hn_simplex_d(hn_vec3 p, hn_uint seed) { return hn_i_simplex_d(hn_i_cell(p), hn_i_fraction(p), seed); }
+
+HN_FN hn_vec4 hn_simplex_d(hn_vec3 p) { return hn_simplex_d(p, 0u); }
+
+// Both with a period: the field repeats after that many cells. Its values are those at the points modulo the period.
+//   period   cells along each axis, any ivec3; 0 for none along that axis. Less than 0 is none, too
+//   seed     any uint: 7u, not 7
+//   error    as without a period
+//   cost     a mask along each axis more for a constant power of two; else a division. Each axis has three comparisons and a
+//            multiplication more
+HN_FN hn_vec4 hn_simplex_d(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_uint seed) {
+  return hn_i_simplex_d(cell, hn_i_inside(f), period, seed);
+}
+
+HN_FN hn_vec4 hn_simplex_d(hn_vec3 p, hn_ivec3 period, hn_uint seed) {
+  return hn_i_simplex_d(hn_i_cell(p), hn_i_fraction(p), period, seed);
+}
+
+#endif

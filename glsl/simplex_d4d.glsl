@@ -1,0 +1,95 @@
+// hashnoise: simplex noise and its derivatives in four dimensions.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_SIMPLEX_D4D_GLSL
+#define HN_SIMPLEX_D4D_GLSL
+
+#include "centred.glsl"
+
+// What a point adds to the derivatives of the noise. r is its weighted ramp's part without the weight.
+HN_FN hn_num4 hn_i_bump_d(hn_uint h, hn_num x, hn_num y, hn_num z, hn_num w, hn_num t) {
+  hn_num k = hn_i_falling(hn_i_ramp(h, x, y, z, w), t, 2);
+  hn_num weight = hn_i_weight(t);
+  hn_num4 g = hn_i_gradient4(h);
+  return hn_i_num(hn_i_lean(g.x, weight, k, x), hn_i_lean(g.y, weight, k, y), hn_i_lean(g.z, weight, k, z),
+                  hn_i_lean(g.w, weight, k, w));
+}
+
+// The noise and its gradient.
+HN_FN hn_float hn_i_simplex_d(hn_uvec4 first, hn_uvec4 last, hn_uvec4 before, hn_num4 f, hn_uint seed,
+                              HN_I_OUT(hn_vec4) gradient) {
+  hn_num4 x;
+  hn_num4 y;
+  hn_num4 z;
+  hn_num4 w;
+  hn_num4 t;
+  hn_uvec4 h = hn_i_four_points(first, last, before, f, seed, x, y, z, w, t);
+  hn_num4 corners = hn_i_added(hn_i_bump_d(h.x, x.x, y.x, z.x, w.x, t.x), hn_i_bump_d(h.y, x.y, y.y, z.y, w.y, t.y));
+  hn_num4 d = hn_i_added(hn_i_added(corners, hn_i_bump_d(h.z, x.z, y.z, z.z, w.z, t.z)),
+                         hn_i_bump_d(h.w, x.w, y.w, z.w, w.w, t.w));
+  gradient = vec4(hn_i_derivative(hn_i_scaled_ramps(d.x, 4298)), hn_i_derivative(hn_i_scaled_ramps(d.y, 4298)),
+                  hn_i_derivative(hn_i_scaled_ramps(d.z, 4298)), hn_i_derivative(hn_i_scaled_ramps(d.w, 4298)));
+  hn_num n = hn_i_attenuated(hn_i_ramp(h.x, x.x, y.x, z.x, w.x), hn_i_weight(t.x));
+  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(h.y, x.y, y.y, z.y, w.y), hn_i_weight(t.y)));
+  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(h.z, x.z, y.z, z.z, w.z), hn_i_weight(t.z)));
+  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(h.w, x.w, y.w, z.w, w.w), hn_i_weight(t.w)));
+  return hn_i_value(hn_i_scaled_ramps(n, 4298));
+}
+HN_FN hn_float hn_i_simplex_d(hn_ivec4 cell, hn_num4 f, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
+  hn_uvec4 first = hn_i_first(cell);
+  return hn_i_simplex_d(first, hn_i_last(first), hn_i_before(first), f, seed, gradient);
+}
+HN_FN hn_float hn_i_simplex_d(hn_ivec4 cell, hn_num4 f, hn_ivec4 period, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
+  hn_uvec4 c = hn_i_wrap(cell, period);
+  hn_uvec4 first = hn_i_spread(c);
+  return hn_i_simplex_d(first, hn_i_last(first, c, period), hn_i_before(c, period), f, seed, gradient);
+}
+
+// Simplex noise in four dimensions and how steep it is, from a cell and a position in it. The value is that of hn_simplex.
+//   cell     the cell; its points wrap at 2^32
+//   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats have no promise
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  the value; `gradient` is set to its derivatives along x, y, z and w. A derivative is per cell, in [-@D4, @D4], once
+//            continuously differentiable (HN_FIXED: in steps of 2^-19)
+//   error    that of hn_simplex, and of a derivative at most @DE4 against the exact value, in any rounding mode
+//            (docs/accuracy.md). HN_FIXED @DF4
+//   period   2^32 cells per axis
+//   cost     the hashes of hn_simplex, which are most of its cost, and about twice the rest
+//   source   the product rule on weight and ramp; docs/contract.md, section 13
+HN_FN hn_float hn_simplex_d(hn_ivec4 cell, hn_vec4 f, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
+  return hn_i_simplex_d(cell, hn_i_inside(f), seed, gradient);
+}
+
+HN_FN hn_float hn_simplex_d(hn_ivec4 cell, hn_vec4 f, HN_I_OUT(hn_vec4) gradient) {
+  return hn_simplex_d(cell, f, 0u, gradient);
+}
+
+// The same at a position.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   seed     any uint: 7u, not 7; 0 if left out
+//   returns  as above
+//   error    of a derivative at most @DP4. The rest is as above
+//   period   as above
+//   cost     as above
+//   source   as above
+HN_FN hn_float hn_simplex_d(hn_vec4 p, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
+  return hn_i_simplex_d(hn_i_cell(p), hn_i_fraction(p), seed, gradient);
+}
+
+HN_FN hn_float hn_simplex_d(hn_vec4 p, HN_I_OUT(hn_vec4) gradient) { return hn_simplex_d(p, 0u, gradient); }
+
+// Both with a period: the field repeats after that many cells. Its values are those at the points modulo the period.
+//   period   cells along each axis, any ivec4; 0 for none along that axis. Less than 0 is none, too
+//   seed     any uint: 7u, not 7
+//   error    as without a period
+//   cost     a mask along each axis more for a constant power of two; else a division. Each axis has three comparisons and a
+//            multiplication more
+HN_FN hn_float hn_simplex_d(hn_ivec4 cell, hn_vec4 f, hn_ivec4 period, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
+  return hn_i_simplex_d(cell, hn_i_inside(f), period, seed, gradient);
+}
+
+HN_FN hn_float hn_simplex_d(hn_vec4 p, hn_ivec4 period, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
+  return hn_i_simplex_d(hn_i_cell(p), hn_i_fraction(p), period, seed, gradient);
+}
+
+#endif

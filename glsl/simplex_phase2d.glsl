@@ -1,0 +1,104 @@
+// hashnoise: simplex noise on the plane whose gradients turn with a phase.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_SIMPLEX_PHASE2D_GLSL
+#define HN_SIMPLEX_PHASE2D_GLSL
+
+#include "triangles.glsl"
+
+// The noise in the numbers of HN_ARITHMETIC, from the words of the corners.
+HN_FN hn_num hn_i_simplex_turned(hn_uvec3 h, hn_num2 skewed, hn_num2 rotation) {
+  hn_num3 x = hn_i_triangle_x(skewed);
+  hn_num3 y = hn_i_triangle_y(skewed);
+  hn_num3 t = hn_i_triangle_near(x, y);
+  hn_num n = hn_i_attenuated(hn_i_ramp(hn_i_direction2(h.x), x.x, y.x, rotation), hn_i_weight(t.x));
+  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(hn_i_direction2(h.y), x.y, y.y, rotation), hn_i_weight(t.y)));
+  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(hn_i_direction2(h.z), x.z, y.z, rotation), hn_i_weight(t.z)));
+  return hn_i_scaled(n, 5810);
+}
+HN_FN hn_num hn_i_simplex_turned(hn_ivec2 cell, hn_num2 f, hn_num2 rotation, hn_uint seed) {
+  hn_num2 skewed = hn_i_skewed(f);
+  return hn_i_simplex_turned(hn_i_triangle(cell, skewed, seed), skewed, rotation);
+}
+HN_FN hn_num hn_i_simplex_turned(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_num2 rotation, hn_uint seed) {
+  hn_num2 skewed = hn_i_skewed(f);
+  return hn_i_simplex_turned(hn_i_triangle(cell, skewed, period, seed), skewed, rotation);
+}
+
+// What a corner adds to the noise and to its derivatives, in steps.
+HN_FN hn_num3 hn_i_turned_bump_d(hn_uint h, hn_num x, hn_num y, hn_num t, hn_num2 rotation) {
+  hn_num3 d = hn_i_direction2(h);
+  return hn_i_bump_d(hn_i_ramp(d, x, y, rotation), hn_i_gradient(d, rotation), x, y, t, 1);
+}
+
+// The noise and its derivatives, from the words of the corners.
+HN_FN hn_vec3 hn_i_simplex_turned_d(hn_uvec3 h, hn_num2 skewed, hn_num2 rotation) {
+  hn_num3 x = hn_i_triangle_x(skewed);
+  hn_num3 y = hn_i_triangle_y(skewed);
+  hn_num3 t = hn_i_triangle_near(x, y);
+  hn_num3 n = hn_i_added(hn_i_added(hn_i_turned_bump_d(h.x, x.x, y.x, t.x, rotation),
+                                    hn_i_turned_bump_d(h.y, x.y, y.y, t.y, rotation)),
+                         hn_i_turned_bump_d(h.z, x.z, y.z, t.z, rotation));
+  return vec3(hn_i_value(hn_i_scaled(n.x, 5810)), hn_i_derivative(hn_i_scaled(n.y, 5810)) * 2.0f,
+              hn_i_derivative(hn_i_scaled(n.z, 5810)) * 2.0f);
+}
+HN_FN hn_vec3 hn_i_simplex_turned_d(hn_ivec2 cell, hn_num2 f, hn_num2 rotation, hn_uint seed) {
+  hn_num2 skewed = hn_i_skewed(f);
+  return hn_i_simplex_turned_d(hn_i_triangle(cell, skewed, seed), skewed, rotation);
+}
+HN_FN hn_vec3 hn_i_simplex_turned_d(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_num2 rotation, hn_uint seed) {
+  hn_num2 skewed = hn_i_skewed(f);
+  return hn_i_simplex_turned_d(hn_i_triangle(cell, skewed, period, seed), skewed, rotation);
+}
+
+// Simplex noise on the plane whose gradients turn: the field changes in place, and loops after one turn. All gradients turn alike.
+//   p        position, in cells; |p| < 2^23 along each axis. Or:
+//   cell, f  the cell and the position in it, in [0, 1]
+//   period   cells along each axis, any ivec2; 0 or less for none along that axis
+//   phase    in turns, any float: the field of phase + 1 has the same bits, and that of phase + 1/2 is the negative
+//            (HN_FIXED: but for the last bits). A float far from 0 has few bits left for the turn: wrap it yourself
+//   seed     any uint: 7u, not 7; different seeds give independent fields
+//   returns  [-1, 1] (proven bound @S2T), mean 0, 0 at lattice points, twice continuously differentiable, and smooth in
+//            the phase. With a phase of 0 it is hn_simplex, within the error. It is less than hn_simplex by a factor
+//            of 0.944, since turned gradients can add up to more.
+//   error    at most @S2TE against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED @S2TF
+//   cost     the hashes of hn_simplex, a sine and a cosine of 6 multiplications of floats each, and twice the rest
+//   source   Perlin and Neyret, "Flow noise", 2001; docs/contract.md, section 14
+HN_FN hn_float hn_simplex(hn_ivec2 cell, hn_vec2 f, hn_float phase, hn_uint seed) {
+  return hn_i_value(hn_i_simplex_turned(cell, hn_i_inside(f), hn_i_rotation(phase), seed));
+}
+
+HN_FN hn_float hn_simplex(hn_vec2 p, hn_float phase, hn_uint seed) {
+  return hn_i_value(hn_i_simplex_turned(hn_i_cell(p), hn_i_fraction(p), hn_i_rotation(phase), seed));
+}
+
+HN_FN hn_float hn_simplex(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_float phase, hn_uint seed) {
+  return hn_i_value(hn_i_simplex_turned(cell, hn_i_inside(f), period, hn_i_rotation(phase), seed));
+}
+
+HN_FN hn_float hn_simplex(hn_vec2 p, hn_ivec2 period, hn_float phase, hn_uint seed) {
+  return hn_i_value(hn_i_simplex_turned(hn_i_cell(p), hn_i_fraction(p), period, hn_i_rotation(phase), seed));
+}
+
+// The same with the derivatives along x and y, as of hn_simplex_d. The value is as above.
+//   returns  the value and its derivatives, per cell, in [-@S2D, @S2D]
+//   error    of a derivative at most @S2DE. HN_FIXED @S2DF
+//   cost     as above, and about twice the rest
+//   (everything else as above)
+HN_FN hn_vec3 hn_simplex_d(hn_ivec2 cell, hn_vec2 f, hn_float phase, hn_uint seed) {
+  return hn_i_simplex_turned_d(cell, hn_i_inside(f), hn_i_rotation(phase), seed);
+}
+
+HN_FN hn_vec3 hn_simplex_d(hn_vec2 p, hn_float phase, hn_uint seed) {
+  return hn_i_simplex_turned_d(hn_i_cell(p), hn_i_fraction(p), hn_i_rotation(phase), seed);
+}
+
+HN_FN hn_vec3 hn_simplex_d(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_float phase, hn_uint seed) {
+  return hn_i_simplex_turned_d(cell, hn_i_inside(f), period, hn_i_rotation(phase), seed);
+}
+
+HN_FN hn_vec3 hn_simplex_d(hn_vec2 p, hn_ivec2 period, hn_float phase, hn_uint seed) {
+  return hn_i_simplex_turned_d(hn_i_cell(p), hn_i_fraction(p), period, hn_i_rotation(phase), seed);
+}
+
+#endif

@@ -1,0 +1,115 @@
+// hashnoise: smooth simplex noise in space.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_SIMPLEX_SMOOTH3D_GLSL
+#define HN_SIMPLEX_SMOOTH3D_GLSL
+
+#include "centred.glsl"
+
+// The kernel ends at the square root of 3/4, half of a cell's longest diagonal. Of the two ends of each such diagonal one
+// is as far away, or farther: the squares of both distances sum to 3/2 or more. So of each kind of points four are enough:
+// one end of each diagonal of the cube around the place, whichever is nearer.
+
+// What a neighbour of the nearest point adds: the one along an axis, or the opposite end of its diagonal. `one` are the
+// spread coordinates and d the offsets of the first, `others` and e those of the second. `size` is the magnitude of the
+// offset along the axis, and `total` that along all three. q is the square of the distance of the nearest point.
+HN_FN hn_num hn_i_neighbour(hn_uvec3 one, hn_uvec3 others, hn_num3 d, hn_num3 e, hn_num size, hn_num total,
+                            hn_i_square_number q, hn_uint join, hn_uint sum) {
+  hn_num half_excess = hn_i_minus(total, hn_i_plus(size, size));
+  hn_num middle = hn_i_quarters(2);
+  hn_uvec3 c = uvec3(hn_i_select(half_excess > middle, others.x, one.x), hn_i_select(half_excess > middle, others.y, one.y),
+                     hn_i_select(half_excess > middle, others.z, one.z));
+  hn_num x = hn_i_select(half_excess > middle, e.x, d.x);
+  hn_num y = hn_i_select(half_excess > middle, e.y, d.y);
+  hn_num z = hn_i_select(half_excess > middle, e.z, d.z);
+  hn_num twice = hn_i_plus(size, size);
+  hn_num more = min(hn_i_minus(HN_I_ONE, twice), hn_i_plus(hn_i_minus(hn_i_quarters(8), hn_i_plus(total, total)), twice));
+  return hn_i_attenuated(hn_i_ramp_of(hn_i_word(c, join, sum), x, y, z),
+                       hn_i_weight(hn_i_near(hn_i_onto(q, more), 768, 1)));
+}
+
+// What the four points of a kind add. The nearest has the spread coordinates n and the offsets d; along each axis the
+// next ones are m and e. `size` are the magnitudes of the offsets.
+HN_FN hn_num hn_i_cube(hn_uvec3 n, hn_uvec3 m, hn_num3 d, hn_num3 e, hn_num3 size, hn_i_square_number q, hn_uint join,
+                       hn_uint sum) {
+  hn_num total = hn_i_plus(hn_i_plus(size.x, size.y), size.z);
+  hn_num a = hn_i_attenuated(hn_i_ramp_of(hn_i_word(n, join, sum), d.x, d.y, d.z), hn_i_weight(hn_i_near(q, 768, 1)));
+  a = hn_i_plus(a, hn_i_neighbour(uvec3(m.x, n.y, n.z), uvec3(n.x, m.y, m.z), hn_i_num(e.x, d.y, d.z),
+                                  hn_i_num(d.x, e.y, e.z), size.x, total, q, join, sum));
+  a = hn_i_plus(a, hn_i_neighbour(uvec3(n.x, m.y, n.z), uvec3(m.x, n.y, m.z), hn_i_num(d.x, e.y, d.z),
+                                  hn_i_num(e.x, d.y, e.z), size.y, total, q, join, sum));
+  return hn_i_plus(a, hn_i_neighbour(uvec3(n.x, n.y, m.z), uvec3(m.x, m.y, n.z), hn_i_num(d.x, d.y, e.z),
+                                     hn_i_num(e.x, e.y, d.z), size.z, total, q, join, sum));
+}
+
+// The noise in the numbers of HN_ARITHMETIC.
+HN_FN hn_num hn_i_simplex_smooth(hn_uvec3 first, hn_uvec3 last, hn_uvec3 before, hn_num3 f, hn_uint seed) {
+  hn_num4 x = hn_i_offsets(f.x);
+  hn_num4 y = hn_i_offsets(f.y);
+  hn_num4 z = hn_i_offsets(f.z);
+  hn_num3 size = hn_i_num(hn_i_magnitude(x.x), hn_i_magnitude(y.x), hn_i_magnitude(z.x));
+  hn_num3 inner = hn_i_num(hn_i_magnitude(x.z), hn_i_magnitude(y.z), hn_i_magnitude(z.z));
+  hn_uint s = hn_i_mix(seed);
+  hn_num corners = hn_i_cube(hn_i_nearer(f, first, last), hn_i_nearer(f, last, first), hn_i_num(x.x, y.x, z.x),
+                             hn_i_num(x.y, y.y, z.y), size, hn_i_square(x.x, y.x, z.x), s, s);
+  hn_num centres = hn_i_cube(first, hn_i_nearer(f, before, last), hn_i_num(x.z, y.z, z.z), hn_i_num(x.w, y.w, z.w),
+                             inner, hn_i_square(x.z, y.z, z.z), s ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM);
+  return hn_i_scaled(hn_i_plus(corners, centres), 5430);
+}
+HN_FN hn_num hn_i_simplex_smooth(hn_ivec3 cell, hn_num3 f, hn_uint seed) {
+  hn_uvec3 first = hn_i_first(cell);
+  return hn_i_simplex_smooth(first, hn_i_last(first), hn_i_before(first), f, seed);
+}
+HN_FN hn_num hn_i_simplex_smooth(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_uint seed) {
+  hn_uvec3 c = hn_i_wrap(cell, period);
+  hn_uvec3 first = hn_i_spread(c);
+  return hn_i_simplex_smooth(first, hn_i_last(first, c, period), hn_i_before(c, period), f, seed);
+}
+
+// Smooth simplex noise in space, from a cell and a position in it. The kernel is half again as large
+// as that of hn_simplex, in the square of its radius, so the field is calmer, and slices differ less.
+//   cell     the cell; its points wrap at 2^32
+//   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats have no promise
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  [-1, 1] (proven bound @S3), mean 0, 0 at lattice points, twice continuously differentiable
+//            (HN_FIXED: in steps of 2^-21)
+//   error    at most @SE3 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED @SF3
+//   period   2^32 cells per axis
+//   cost     8 hashes (none with HN_HASH_LATTICE) and 8 multiplications; 3 more to spread the coordinates, and 2 more for a
+//            seed that is not constant
+//   source   Perlin, "Noise hardware", 2001, for the sum over lattice points; docs/contract.md, section 13
+HN_FN hn_float hn_simplex_smooth(hn_ivec3 cell, hn_vec3 f, hn_uint seed) {
+  return hn_i_value(hn_i_simplex_smooth(cell, hn_i_inside(f), seed));
+}
+
+HN_FN hn_float hn_simplex_smooth(hn_ivec3 cell, hn_vec3 f) { return hn_simplex_smooth(cell, f, 0u); }
+
+// The same at a position.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   seed     any uint: 7u, not 7; 0 if left out
+//   returns  as above
+//   error    at most @SP3. HN_FIXED as above
+//   period   as above
+//   cost     as above
+//   source   as above
+HN_FN hn_float hn_simplex_smooth(hn_vec3 p, hn_uint seed) {
+  return hn_i_value(hn_i_simplex_smooth(hn_i_cell(p), hn_i_fraction(p), seed));
+}
+
+HN_FN hn_float hn_simplex_smooth(hn_vec3 p) { return hn_simplex_smooth(p, 0u); }
+
+// Both with a period: the field repeats after that many cells. Its values are those at the points modulo the period.
+//   period   cells along each axis, any ivec3; 0 for none along that axis. Less than 0 is none, too
+//   seed     any uint: 7u, not 7
+//   error    as without a period
+//   cost     a mask along each axis more for a constant power of two; else a division. Each axis has three comparisons and a
+//            multiplication more
+HN_FN hn_float hn_simplex_smooth(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_uint seed) {
+  return hn_i_value(hn_i_simplex_smooth(cell, hn_i_inside(f), period, seed));
+}
+
+HN_FN hn_float hn_simplex_smooth(hn_vec3 p, hn_ivec3 period, hn_uint seed) {
+  return hn_i_value(hn_i_simplex_smooth(hn_i_cell(p), hn_i_fraction(p), period, seed));
+}
+
+#endif

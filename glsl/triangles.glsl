@@ -1,0 +1,91 @@
+// hashnoise: the triangular lattice of simplex noise on the plane.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_TRIANGLES_GLSL
+#define HN_TRIANGLES_GLSL
+
+#include "gradient.glsl"
+#include "kernel.glsl"
+
+// The points lie in rows that are half a cell apart. In a row they are half a cell apart, too, and every second row is
+// shifted by a quarter: so a cell has four points. A step is half a cell. Three neighbours form a triangle whose sides
+// are 1, 1.12 and 1.12 steps long. There is no coarser lattice of nearly regular triangles that has a point at every
+// corner of a cell; with this one every whole period fits. Its coordinates are quarters, so they are exact.
+//
+// Point i of row j is at (i, j) in steps, or at (i + 1/2, j) in odd rows. It has the word of the point (i, j) of the
+// integer lattice.
+
+// The place of a fraction of a cell, in steps.
+HN_FN hn_num2 hn_i_steps(hn_num2 f) { return hn_i_num(hn_i_plus(f.x, f.x), hn_i_plus(f.y, f.y)); }
+
+// A coordinate of a point: 2 c + more, where c is that of its cell, and more lies in [-2, 3].
+HN_FN hn_uint hn_i_doubled(hn_uint c, hn_int more) { return c * 2u + uint(more); }
+
+// The same with a period, for a wrapped c. Before it is wrapped, a point lies up to one cell outside of the period.
+HN_FN hn_uint hn_i_doubled(hn_uint c, hn_int more, hn_int period) {
+  hn_uint size = uint(max(period, 0)) * 2u;
+  hn_uint i = hn_i_doubled(c, more);
+  return hn_i_select(more < 0, hn_i_select(c == 0u, i + size, i), hn_i_select(i >= size, i - size, i));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The triangle around a place. Skewed coordinates u = x + y / 2 and v = y, in steps, are whole at the points. The corners
+// of the triangle are the first corner of the skewed square around the place, its last, and between them the one along u
+// if u has more beyond a whole number than v has, else the one along v.
+
+HN_FN hn_num2 hn_i_skewed(hn_num2 f) { return hn_i_num(hn_i_plus(hn_i_plus(f.x, f.x), f.y), hn_i_plus(f.y, f.y)); }
+
+// In which column of its row the first corner is, from twice the cell on.
+HN_FN hn_int hn_i_column_of(hn_num2 skewed) {
+  return hn_i_floor(skewed.x) - ((hn_i_floor(skewed.y) + 1) >> 1);
+}
+
+// The words of the corners, in the order above.
+HN_FN hn_uvec3 hn_i_triangle(hn_ivec2 cell, hn_num2 skewed, hn_uint seed) {
+  hn_int row = hn_i_floor(skewed.y);
+  hn_num u = hn_i_past(skewed.x);
+  hn_num v = hn_i_past(skewed.y);
+  hn_uvec2 first = hn_i_spread(
+      uvec2(hn_i_doubled(uint(cell.x), hn_i_column_of(skewed)), hn_i_doubled(uint(cell.y), row)));
+  hn_uvec2 next = hn_i_last(first);
+  hn_uvec2 last = uvec2(hn_i_select((row & 1) == 0, first.x, next.x), next.y);
+  hn_uvec2 middle = uvec2(hn_i_select(u > v, next.x, last.x - 0x9E3779B1u), hn_i_select(u > v, first.y, next.y));
+  hn_uint s = hn_i_mix(seed);
+  return uvec3(hn_i_word(first, s, s), hn_i_word(middle, s, s), hn_i_word(last, s, s));
+}
+HN_FN hn_uvec3 hn_i_triangle(hn_ivec2 cell, hn_num2 skewed, hn_ivec2 period, hn_uint seed) {
+  hn_int row = hn_i_floor(skewed.y);
+  hn_num u = hn_i_past(skewed.x);
+  hn_num v = hn_i_past(skewed.y);
+  hn_int first = hn_i_column_of(skewed);
+  hn_int last = first + (row & 1);
+  hn_int middle = hn_i_select(u > v, first + 1, last - 1);
+  hn_uvec2 c = hn_i_wrap(cell, period);
+  hn_uint lower = hn_i_doubled(c.y, row, period.y);
+  hn_uint upper = hn_i_doubled(c.y, row + 1, period.y);
+  hn_uint s = hn_i_mix(seed);
+  return uvec3(hn_i_word(hn_i_spread(uvec2(hn_i_doubled(c.x, first, period.x), lower)), s, s),
+               hn_i_word(hn_i_spread(uvec2(hn_i_doubled(c.x, middle, period.x), hn_i_select(u > v, lower, upper))), s, s),
+               hn_i_word(hn_i_spread(uvec2(hn_i_doubled(c.x, last, period.x), upper)), s, s));
+}
+
+// The offsets from the corners along x and along y, and how near the corners are.
+HN_FN hn_num3 hn_i_triangle_x(hn_num2 skewed) {
+  hn_num u = hn_i_past(skewed.x);
+  hn_num v = hn_i_past(skewed.y);
+  hn_num x = hn_i_minus(u, hn_i_half(v));
+  return hn_i_num(x, hn_i_select(u > v, hn_i_minus(x, HN_I_ONE), hn_i_plus(x, hn_i_quarters(2))),
+                  hn_i_minus(x, hn_i_quarters(2)));
+}
+HN_FN hn_num3 hn_i_triangle_y(hn_num2 skewed) {
+  hn_num y = hn_i_past(skewed.y);
+  return hn_i_num(y, hn_i_select(hn_i_past(skewed.x) > y, y, hn_i_far(y)), hn_i_far(y));
+}
+
+// The squared radius is 819 / 1024: just below 4/5, the squared height over the longer sides of a triangle.
+HN_FN hn_num3 hn_i_triangle_near(hn_num3 x, hn_num3 y) {
+  return hn_i_num(hn_i_near(hn_i_square(x.x, y.x), 819, 1), hn_i_near(hn_i_square(x.y, y.y), 819, 1),
+                  hn_i_near(hn_i_square(x.z, y.z), 819, 1));
+}
+
+#endif
