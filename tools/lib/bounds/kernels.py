@@ -1,0 +1,238 @@
+"""How large a sum over the points of a lattice (docs/contract.md, section 13) and its derivatives can be, proven.
+
+The noise is S * sum W^3 (g.d) over the lattice points, W = max(0, r - m |d|^2), with d the offset from the point in
+steps. Along a vector u its derivative is made of g.v, with
+
+    VALUE                W^3 d                                             the noise itself
+    along u              W^3 u - 6 m W^2 (d.u) d                           u an axis, a unit vector or (+-1, .., +-1)
+    along u and then s   -6 m W^2 ((d.s) u + (d.u) s + (u.s) d) + 24 m^2 W (d.s) (d.u) d
+
+Each is linear in each gradient, so its supremum over the gradients is the sum of h(v), h the support function. The L1
+norm of the gradient is the largest derivative along (+-1, .., +-1). As the noise is twice and its derivative once
+continuously differentiable, these bound how much both change for each change of the largest coordinate.
+
+Each sum is bounded by branch and bound over places in [0, 1/2]^n, in steps. That is enough: the lattice has a point at 0
+and at every whole step along an axis, so a reflection brings any place to [0, 1/2]^n if the lattice is centred. The
+rows of triangles are a step apart, and every second is shifted by half a step; half a turn about (1/4, 1/2) maps them to
+each other. Reflections and half turns change only the signs of components, of which h does not depend. Derivatives are
+taken for all signs of s, and on the plane along each axis. In a centred lattice axes may be exchanged.
+
+In a box g.v is bounded by its values at the vertices and its second derivatives along the axes, as in boxes.py. These
+are sums of products, of whose factors a Jet has bounds. W^2 is once continuously differentiable and its second
+derivative is bounded, which is enough. Only the third line has W itself; there the value in the middle and the first
+derivatives bound it, so it is less tight.
+"""
+
+from __future__ import annotations
+
+import functools
+import itertools
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from bounds.boxes import Boxes, cell, supremum
+from bounds.gradients import Gradient
+
+
+@dataclass(frozen=True)
+class Kernel:
+    """The sum of a noise. `visited` points at most are looked at, anywhere."""
+    dims: int
+    radius: float  # r
+    fall: int  # m
+    scale: int  # 1024 S
+    visited: int
+    triangles: bool = False
+
+    @property
+    def steps(self) -> int:
+        """To a cell."""
+        return 2 if self.triangles else 1
+
+    @functools.cached_property
+    def points(self) -> tuple[tuple[float, ...], ...]:
+        """Those that are near enough to count somewhere in [0, 1/2]^n."""
+        if self.triangles:
+            every = [(i + (j & 1) / 2, float(j)) for i in range(-2, 3) for j in range(-2, 3)]
+        else:
+            corners = list(itertools.product((-1.0, 0.0, 1.0), repeat=self.dims))
+            every = corners + [tuple(x + 0.5 for x in corner) for corner in corners]
+        return tuple(point for point in every if self.fall * sum(max(-x, x - 0.5, 0.0) ** 2 for x in point)
+                     < self.radius)
+
+
+SIMPLEX = {2: Kernel(2, 819 / 1024, 1, 6155, 3, triangles=True), 3: Kernel(3, 1.0, 2, 5036, 4),
+           4: Kernel(4, 1.0, 2, 4298, 4)}
+SMOOTH = {2: Kernel(2, 1.0, 1, 2324, 4, triangles=True), 3: Kernel(3, 0.75, 1, 5430, 8)}
+TURNING = {2: Kernel(2, 819 / 1024, 1, 5810, 3, triangles=True), 3: SIMPLEX[3]}
+
+
+# --- What is summed ---------------------------------------------------------------------------------------------------
+
+@dataclass(frozen=True)
+class Quantity:
+    """Its derivative along no, one or two vectors."""
+    along: tuple[tuple[float, ...], ...] = ()
+
+
+VALUE = Quantity()
+
+
+def dot(d: np.ndarray, u: tuple[float, ...]) -> np.ndarray:
+    return sum(x * y for x, y in zip(d, u))
+
+
+def vector(kernel: Kernel, quantity: Quantity, d: np.ndarray) -> np.ndarray:
+    """v at offsets: axes by places."""
+    m, w = kernel.fall, np.maximum(kernel.radius - kernel.fall * (d * d).sum(axis=0), 0.0)
+    if not quantity.along:
+        return w**3 * d
+    u = quantity.along[0]
+    column, of_u = np.array(u)[:, None], dot(d, u)
+    if len(quantity.along) == 1:
+        return w**3 * column - 6 * m * w**2 * of_u * d
+    s = quantity.along[1]
+    of_s = dot(d, s)
+    return (-6 * m * w**2 * (of_s * column + of_u * np.array(s)[:, None] + np.dot(u, s) * d)
+            + 24 * m * m * w * of_s * of_u * d)
+
+
+def attained(kernel: Kernel, quantity: Quantity, support, place: np.ndarray) -> np.ndarray:
+    """The sum at places: axes by places. The gradients may be different at each place."""
+    return sum(support(vector(kernel, quantity, place - np.array(point)[:, None])) for point in kernel.points)
+
+
+# --- Second derivatives -----------------------------------------------------------------------------------------------
+
+@dataclass(frozen=True)
+class Jet:
+    """Bounds of |f|, |f'| and |f''| along an axis, in each box."""
+    value: np.ndarray | float
+    first: np.ndarray | float = 0.0
+    second: np.ndarray | float = 0.0
+
+    def __mul__(self, other: Jet) -> Jet:
+        return Jet(self.value * other.value, self.first * other.value + self.value * other.first,
+                   self.second * other.value + 2 * self.first * other.first + self.value * other.second)
+
+    def __add__(self, other: Jet) -> Jet:
+        return Jet(self.value + other.value, self.first + other.first, self.second + other.second)
+
+    def times(self, factor: float) -> Jet:
+        return Jet(self.value * factor, self.first * factor, self.second * factor)
+
+
+@dataclass(frozen=True)
+class Offsets:
+    """Of one lattice point, in each box: the middle of d, half a side, and the largest |d_i|, W and W's least."""
+    middle: np.ndarray
+    half: float
+    size: np.ndarray
+    largest: np.ndarray
+
+    @staticmethod
+    def of(kernel: Kernel, boxes: Boxes, point: tuple[float, ...]) -> Offsets:
+        half = boxes.side / 2
+        middle = boxes.lo + half - np.array(point)[:, None]
+        size, near = np.abs(middle) + half, np.maximum(np.abs(middle) - half, 0.0)
+        largest = np.maximum(kernel.radius - kernel.fall * (near * near).sum(axis=0), 0.0)
+        return Offsets(middle, half, size, largest)
+
+    def along(self, u: tuple[float, ...]) -> np.ndarray:
+        """The largest |d.u|."""
+        return np.abs(dot(self.middle, u)) + self.half * sum(map(abs, u))
+
+
+def jet(kernel: Kernel, quantity: Quantity, gradient: Gradient, offsets: Offsets, axis: int) -> Jet:
+    """Of g.v along an axis, for any gradient. |g_axis| is at most 1."""
+    m, counts = kernel.fall, offsets.largest > 0
+    w = Jet(offsets.largest, counts * 2 * m * offsets.size[axis], counts * 2.0 * m)
+    ramp = Jet(gradient.support(offsets.size), 1.0)
+    square = w * w
+    if not quantity.along:
+        return square * w * ramp
+
+    def of(u: tuple[float, ...]) -> Jet:
+        return Jet(offsets.along(u), abs(u[axis]))
+
+    def component(u: tuple[float, ...]) -> Jet:
+        return Jet(float(gradient.support(np.array(u)[:, None])[0]))
+    u = quantity.along[0]
+    if len(quantity.along) == 1:
+        return square * w * component(u) + (square * of(u) * ramp).times(6 * m)
+    s = quantity.along[1]
+    return ((square * (of(s) * component(u) + of(u) * component(s) + ramp.times(abs(np.dot(u, s))))).times(6 * m)
+            + (w * of(s) * of(u) * ramp).times(24 * m * m))
+
+
+# --- Suprema ----------------------------------------------------------------------------------------------------------
+
+LEVELS = {2: 14, 3: 9, 4: 8}
+TOLERANCE = {2: 1e-5, 3: 1e-5, 4: 1e-5}  # relative: how tight a bound is
+LOOSE = {2: 0.01, 3: 0.1, 4: 0.2}  # of second derivatives
+
+
+def vertices_and_curvature(kernel, quantity, gradient, boxes):
+    value = np.maximum.reduce([attained(kernel, quantity, gradient.support, place) for place in boxes.vertices()])
+    second = 0.0
+    for point in kernel.points:
+        offsets = Offsets.of(kernel, boxes, point)
+        second = second + sum(jet(kernel, quantity, gradient, offsets, axis).second for axis in range(kernel.dims))
+    return value + second / 8 * boxes.side**2, value
+
+
+def middle_and_slope(kernel, quantity, gradient, boxes):
+    value, first = attained(kernel, quantity, gradient.support, boxes.lo + boxes.side / 2), 0.0
+    for point in kernel.points:
+        offsets = Offsets.of(kernel, boxes, point)
+        first = first + sum(jet(kernel, quantity, gradient, offsets, axis).first for axis in range(kernel.dims))
+    return value + first / 2 * boxes.side, value
+
+
+@functools.cache
+def largest(kernel: Kernel, quantity: Quantity, gradient: Gradient, same_axes_from: int = 0) -> float:
+    """A proven upper bound of the sum, not scaled, in steps. From an axis on, axes may be exchanged."""
+    twice = len(quantity.along) == 2
+    of_boxes = functools.partial(middle_and_slope if twice else vertices_and_curvature, kernel, quantity, gradient)
+    exchange = kernel.dims - 1 if kernel.triangles else min(same_axes_from, kernel.dims - 1)
+    return supremum(of_boxes, cell(kernel.dims, half=True), LEVELS[kernel.dims],
+                    (LOOSE if twice else TOLERANCE)[kernel.dims], exchange)
+
+
+def axes(kernel: Kernel) -> list[tuple[float, ...]]:
+    """Those that are different: on the plane both."""
+    count = kernel.dims if kernel.triangles else 1
+    return [tuple(float(axis == i) for i in range(kernel.dims)) for axis in range(count)]
+
+
+def signs(kernel: Kernel, first: int = 0) -> Iterator[tuple[tuple[float, ...], int]]:
+    """(+-1, .., +-1) with +1 before the axis `first`, but for the sign of all and, from `first` on, an exchange of axes;
+    with the axis from which on axes may then be exchanged."""
+    free = kernel.dims - first
+    for minus in range(free + 1 if first else free // 2 + 1):
+        yield (1.0,) * first + (-1.0,) * minus + (1.0,) * (free - minus), first + minus
+
+
+def range_of(kernel: Kernel, gradient: Gradient) -> float:
+    """Of the sum, not scaled."""
+    return largest(kernel, VALUE, gradient)
+
+
+def slope_of(kernel: Kernel, gradient: Gradient) -> float:
+    """The largest derivative, per step."""
+    return max(largest(kernel, Quantity((axis,)), gradient, 1) for axis in axes(kernel))
+
+
+def lipschitz_of(kernel: Kernel, gradient: Gradient) -> float:
+    return max(largest(kernel, Quantity((sign,)), gradient, same) for sign, same in signs(kernel))
+
+
+def slope_lipschitz_of(kernel: Kernel, gradient: Gradient) -> float:
+    if kernel.triangles:
+        pairs = [(axis, sign, 2) for axis in axes(kernel) for sign in ((1.0, 1.0), (1.0, -1.0))]
+    else:
+        pairs = [(axes(kernel)[0], sign, same) for sign, same in signs(kernel, 1)]
+    return max(largest(kernel, Quantity((axis, sign)), gradient, same) for axis, sign, same in pairs)
