@@ -34,10 +34,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from bounds.boxes import Boxes, cell, supremum
-from bounds.gradients import Gradient
+from bounds.gradients import LIBRARY, LONGEST, UNIT, Gradient
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Kernel:
     """The sum of a noise. `visited` points at most are looked at, anywhere."""
     dims: int
@@ -214,6 +214,11 @@ def signs(kernel: Kernel, first: int = 0) -> Iterator[tuple[tuple[float, ...], i
     free = kernel.dims - first
     for minus in range(free + 1 if first else free // 2 + 1):
         yield (1.0,) * first + (-1.0,) * minus + (1.0,) * (free - minus), first + minus
+
+
+def reach(kernel: Kernel, turns: bool) -> tuple[Gradient, float]:
+    """Gradients, and what is multiplied with them, that contain all."""
+    return (UNIT, LONGEST[kernel.dims]) if turns else (LIBRARY, 1.0)
 
 
 def range_of(kernel: Kernel, gradient: Gradient) -> float:
