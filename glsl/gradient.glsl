@@ -333,9 +333,7 @@ HN_FN hn_uint hn_i_turns(hn_uint w) {
 }
 
 // The sine of a word. The comment over hn_gradient tells its error.
-HN_FN hn_num hn_i_sine(hn_uint w) {
-  return hn_i_wave(hn_i_turns(w), w);
-}
+HN_FN hn_num hn_i_sine(hn_uint w) { return hn_i_wave(hn_i_turns(w), w); }
 
 HN_FN hn_num2 hn_i_gradient(hn_uint column, hn_uint y) {
   hn_uint k = hn_hash(column + y);

@@ -15,16 +15,17 @@
 //   hn_i_magnitude(x)          the absolute value
 //   hn_i_square(x, y, ...)     the square of the length of an offset
 //   hn_i_onto(q, x)            such a square plus a number that is given as an offset
-//   hn_i_near(q, s, m)         s / 1024 - m q, or 0 beyond the radius, where that is negative. In HN_FIXED it is in units
-//                              of 2^-16 and below 1. m is 1 or 2: the weights of a small radius have more bits by that
-//   hn_i_weight(t)             the weight: the third power of hn_i_near, once more differentiable than the derivative
+//   hn_i_near(q, s, m)         s / 1024 - m q, or 0 beyond the radius, where that is negative. In HN_FIXED it is in
+//                              units of 2^-16 and below 1. m is 1 or 2: 2 gives the weights of a small radius more bits
+//   hn_i_weight(t)             the weight: the third power of hn_i_near, so that the noise is twice continuously
+//                              differentiable
 //   hn_i_attenuated(n, w)        n times a weight
-//   hn_i_falling(n, t, m)      what the fall of the weight does to n: 6 m t^2 n (HN_FIXED: a third of it, and less 2 bits)
+//   hn_i_falling(n, t, m)      what the fall of the weight does to n: 6 m t^2 n (HN_FIXED: a twelfth of that)
 //   hn_i_lean(g, w, k, x)      what a point adds to a derivative: g w - k x, of the component g of its gradient, its
 //                              weight w, its hn_i_falling k, and the offset x. HN_FIXED: in units four times as large
 //
-// No weight is above 0 at the radius or beyond it, since HN_FIXED rounds the square down to a multiple of 2^-30, and the
-// radius is one. So it does not matter which points beyond it are visited, and there are no seams.
+// At the radius and beyond it a weight is 0: HN_FIXED rounds the square down to a multiple of 2^-30, and the radius is
+// one. So it does not matter which points beyond it are visited, and there are no seams.
 
 #if HN_ARITHMETIC != HN_FIXED
 

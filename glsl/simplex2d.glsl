@@ -14,7 +14,7 @@ HN_FN hn_num hn_i_simplex(hn_uvec3 h, hn_num2 skewed) {
   hn_num n = hn_i_attenuated(hn_i_ramp(hn_i_direction2(h.x), x.x, y.x), hn_i_weight(t.x));
   n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(hn_i_direction2(h.y), x.y, y.y), hn_i_weight(t.y)));
   n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(hn_i_direction2(h.z), x.z, y.z), hn_i_weight(t.z)));
-  return hn_i_scaled(n, 6155);
+  return hn_i_scaled_simplex2(n);
 }
 HN_FN hn_num hn_i_simplex(hn_ivec2 cell, hn_num2 f, hn_uint seed) {
   hn_num2 skewed = hn_i_skewed(f);

@@ -19,10 +19,10 @@ HN_FN hn_vec4 hn_i_simplex_d(hn_uvec3 first, hn_uvec3 last, hn_uvec3 before, hn_
   hn_num4 t;
   hn_uvec4 h = hn_i_four_points(first, last, before, f, seed, x, y, z, t);
   hn_num4 corners = hn_i_added(hn_i_bump_d(h.x, x.x, y.x, z.x, t.x), hn_i_bump_d(h.y, x.y, y.y, z.y, t.y));
-  hn_num4 n = hn_i_added(hn_i_added(corners, hn_i_bump_d(h.z, x.z, y.z, z.z, t.z)),
-                         hn_i_bump_d(h.w, x.w, y.w, z.w, t.w));
-  return vec4(hn_i_value(hn_i_scaled(n.x, 5036)), hn_i_derivative(hn_i_scaled(n.y, 5036)),
-              hn_i_derivative(hn_i_scaled(n.z, 5036)), hn_i_derivative(hn_i_scaled(n.w, 5036)));
+  hn_num4 n =
+      hn_i_added(hn_i_added(corners, hn_i_bump_d(h.z, x.z, y.z, z.z, t.z)), hn_i_bump_d(h.w, x.w, y.w, z.w, t.w));
+  return vec4(hn_i_value(hn_i_scaled_simplex3(n.x)), hn_i_derivative(hn_i_scaled_simplex3(n.y)),
+              hn_i_derivative(hn_i_scaled_simplex3(n.z)), hn_i_derivative(hn_i_scaled_simplex3(n.w)));
 }
 HN_FN hn_vec4 hn_i_simplex_d(hn_ivec3 cell, hn_num3 f, hn_uint seed) {
   hn_uvec3 first = hn_i_first(cell);

@@ -6,9 +6,9 @@
 
 #include "centred.glsl"
 
-// The kernel ends at the square root of 3/4, half of a cell's longest diagonal. Of the two ends of each such diagonal one
-// is as far away, or farther: the squares of both distances sum to 3/2 or more. So of each kind of points four are enough:
-// one end of each diagonal of the cube around the place, whichever is nearer.
+// The kernel ends at the square root of 3/4, half of a cell's longest diagonal. Of the two ends of each such diagonal
+// one is as far away, or farther: the squares of both distances sum to 3/2 or more. So of each kind of points four are
+// enough: one end of each diagonal of the cube around the place, whichever is nearer.
 
 // What a neighbour of the nearest point adds: the one along an axis, or the opposite end of its diagonal. `one` are the
 // spread coordinates and d the offsets of the first, `others` and e those of the second. `size` is the magnitude of the
@@ -17,15 +17,17 @@ HN_FN hn_num hn_i_neighbour(hn_uvec3 one, hn_uvec3 others, hn_num3 d, hn_num3 e,
                             hn_i_square_number q, hn_uint join, hn_uint sum) {
   hn_num half_excess = hn_i_minus(total, hn_i_plus(size, size));
   hn_num middle = hn_i_quarters(2);
-  hn_uvec3 c = uvec3(hn_i_select(half_excess > middle, others.x, one.x), hn_i_select(half_excess > middle, others.y, one.y),
-                     hn_i_select(half_excess > middle, others.z, one.z));
+  hn_uvec3 c =
+      uvec3(hn_i_select(half_excess > middle, others.x, one.x), hn_i_select(half_excess > middle, others.y, one.y),
+            hn_i_select(half_excess > middle, others.z, one.z));
   hn_num x = hn_i_select(half_excess > middle, e.x, d.x);
   hn_num y = hn_i_select(half_excess > middle, e.y, d.y);
   hn_num z = hn_i_select(half_excess > middle, e.z, d.z);
   hn_num twice = hn_i_plus(size, size);
-  hn_num more = min(hn_i_minus(HN_I_ONE, twice), hn_i_plus(hn_i_minus(hn_i_quarters(8), hn_i_plus(total, total)), twice));
+  hn_num more =
+      min(hn_i_minus(HN_I_ONE, twice), hn_i_plus(hn_i_minus(hn_i_quarters(8), hn_i_plus(total, total)), twice));
   return hn_i_attenuated(hn_i_ramp_of(hn_i_word(c, join, sum), x, y, z),
-                       hn_i_weight(hn_i_near(hn_i_onto(q, more), 768, 1)));
+                         hn_i_weight(hn_i_near(hn_i_onto(q, more), 768, 1)));
 }
 
 // What the four points of a kind add. The nearest has the spread coordinates n and the offsets d; along each axis the
