@@ -8,7 +8,8 @@
 
 // What a point adds to the noise and to its derivatives.
 HN_FN hn_num4 hn_i_bump_d(hn_uint h, hn_num x, hn_num y, hn_num z, hn_num t) {
-  return hn_i_bump_d(hn_i_ramp_of(h, x, y, z), hn_i_gradient(hn_i_direction3(h)), x, y, z, t, 2);
+  return hn_i_bump_d(hn_i_ramp_of(h, x, y, z), hn_i_gradient(hn_i_direction3(h)), x, y, z, hn_i_weight4(t),
+                     hn_i_fall4(t, 2));
 }
 
 // The noise and its derivatives.

@@ -87,8 +87,45 @@ HN_FN hn_num3 hn_i_triangle_near(hn_num3 x, hn_num3 y) {
                   hn_i_near(hn_i_square(x.z, y.z), 819, 1));
 }
 
-// A sum of weighted ramps is at most 1024 / 6155 (tools/bounds). Turned gradients can add up to more: to 1024 / 5810.
-HN_FN hn_num hn_i_scaled_simplex2(hn_num n) { return hn_i_scaled(n, 6155); }
-HN_FN hn_num hn_i_scaled_turned2(hn_num n) { return hn_i_scaled(n, 5810); }
+// ---------------------------------------------------------------------------------------------------------------------
+// Gradients. They are lengthened by 3/8 of what those of Perlin noise are: that hides this lattice best.
+
+#if HN_ARITHMETIC != HN_FIXED
+
+HN_FN hn_vec3 hn_i_triangle_direction(hn_uint h) {
+  hn_vec3 d = hn_i_direction2(h);
+  return vec3(d.x, d.y, hn_i_times(d.z, 0.375f));
+}
+HN_FN hn_float hn_i_longer(hn_float n, hn_float more) { return hn_i_lengthened(n, more); }
+HN_FN hn_vec2 hn_i_triangle_gradient(hn_uint h) { return hn_i_gradient(hn_i_triangle_direction(h)); }
+
+#else
+
+// Here `more` is in units of 2^-12.
+HN_FN hn_ivec3 hn_i_triangle_direction(hn_uint h) {
+  hn_ivec3 d = hn_i_direction2(h);
+  return ivec3(d.x, d.y, 3 * d.z);
+}
+HN_FN hn_int hn_i_longer(hn_int n, hn_int more) { return n + (n >> 12) * more; }
+HN_FN hn_ivec2 hn_i_triangle_gradient(hn_uint h) {
+  hn_ivec3 d = hn_i_triangle_direction(h);
+  hn_int s = (4096 + d.z) << 8;
+  return ivec2(d.x * s, d.y * s);
+}
+
+#endif
+
+// What a corner adds without its weight.
+HN_FN hn_num hn_i_triangle_ramp(hn_uint h, hn_num x, hn_num y) {
+  hn_num3 d = hn_i_triangle_direction(h);
+  return hn_i_longer(hn_i_straight(d, x, y), d.z);
+}
+HN_FN hn_num hn_i_triangle_ramp(hn_uint h, hn_num x, hn_num y, hn_num2 rotation) {
+  hn_num3 d = hn_i_triangle_direction(h);
+  return hn_i_longer(hn_i_mixed(rotation, hn_i_straight(d, x, y), hn_i_cross(d.x, y, d.y, x)), d.z);
+}
+
+// A sum of weighted ramps is at most 1024 / 1549 (tools/bounds), with turned gradients, too.
+HN_FN hn_num hn_i_scaled_simplex2(hn_num n) { return hn_i_scaled(n, 1549); }
 
 #endif
