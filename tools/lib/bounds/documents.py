@@ -165,7 +165,7 @@ def missing_quotes(derived: Everything, root: Path = ROOT) -> list[str]:
 # What a number belongs to, in reading order: a heading, a knob, or a number.
 # The range of a derivative has few decimals, and is known by its brackets.
 WORD = re.compile(r"^   ?(?P<heading>[a-z]+)  |HN_FIXED|HN_GRADIENT_SINE|(?P<error>\d\.\d+e-\d+)"
-                  r"|(?P<range>\d\.\d{3,}|(?<=\[-)\d\.\d+|\d\.\d+(?=\]))", re.MULTILINE)
+                  r"|(?P<range>\d\.\d{3,}|(?<=\[-)\d+\.\d+|\d+\.\d+(?=\]))", re.MULTILINE)
 REFERS = re.compile(r"^   ?error  +as ", re.MULTILINE)  # to another comment, instead of a number
 
 

@@ -15,22 +15,19 @@ a >= b (>= c) is sorted, too. Let its largest component be 1 - t before it is le
 On the line, gradients are at most 1 - 1/512. In four dimensions they are the corners of the 24-cell, of which h is the
 sum of the two largest.
 
-LIBRARY. Where the last per mille counts, t is at most what it is in the library (MOST). The functions above are concave
-in t, so it is the maximum or that limit.
+SIMPLEX NOISE has directions times 1 + k (1 - L), for other k. There the last per mille counts: h is that of the library's
+directions, which are few. As they may be exchanged (directions), the best is sorted like |v|. Of those with the same
+largest component it is the one with the largest second one.
 
-UNIT. All vectors that are as long as 1: LONGEST times that contains all gradients. In the plane of a gradient's two
-largest components its squared length is (1 + t)^2 ((1 - t)^2 + t^2), of which the derivative by t is
-2 t (1 + t) (4 t - 1): so it is largest at an end, 1 or what the largest t makes of it. In space, for each t, it is
-convex in the third component, so that is 0, or beyond t = 1/2 the second is as large as the first:
-(1 + t)^2 (2 (1 - t)^2 + (2 t - 1)^2) falls up to t = 2/3. So it is at most 9/8.
+UNIT. All vectors that are as long as 1. The largest length of a gradient, times that, contains all gradients.
 
-No component of a gradient exceeds 1: (2 - L) times a component is at most (2 - L) L. |g.v| is at most max |v_i| times
+No component of an OCTAHEDRAL gradient exceeds 1: (2 - L) times a component is at most (2 - L) L. |g.v| is at most max |v_i| times
 h(1, .., 1).
 """
 
 from __future__ import annotations
 
-import math
+import functools
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -69,43 +66,48 @@ def octahedral_support(v):
     return np.maximum(high + other, np.maximum(high + low, other + lower))
 
 
-# The largest 1 - L of the library's gradients. The direction with the least L is the one whose components are nearest to
-# each other: (257, 255) / 512 on the plane, and (172, 170, 170) / 512 in space.
-MOST = {2: 255 / 512, 3: 340 / 512}
-# The largest length of a gradient: on the plane of the one with that t, in space of (1/2, 1/2, 0) * 3/2.
-LONGEST = {2: math.hypot(257, 255) / 512 * (1 + 255 / 512), 3: math.sqrt(9 / 8)}
+@functools.cache
+def directions(dims: int) -> np.ndarray:
+    """Those of the library with their components in order, a >= b (>= c) >= 0: vectors by axes. On the plane they are odd
+    multiples of 1/512. In space they are multiples of 1/256, of which two are odd; so there are some more here."""
+    if dims == 2:
+        a = np.arange(257, 512, 2)
+        return np.stack([a, 512 - a], axis=1) / 512
+    a, b = (grid.ravel() for grid in np.meshgrid(np.arange(1, 257), np.arange(0, 257)))
+    c = 256 - a - b
+    fits = (a >= b) & (b >= c) & (c >= 0) & (a % 2 + b % 2 + c % 2 == 2)
+    return np.stack([a, b, c], axis=1)[fits] / 256
 
 
-def longer(t, a, b):
-    """What a gradient makes of v, with 1 - t along a and t along b before it is lengthened."""
-    return (1 + t) * ((1 - t) * a + t * b)
+def lengthened(some: np.ndarray, more: float) -> np.ndarray:
+    """Directions times 1 + more (1 - L)."""
+    return some * (1 + more * (1 - some[:, :1]))
 
 
-def _best(a, b, most):
-    """The largest of `longer` for t up to `most`."""
-    interior = np.divide(b, 2 * (a - b), out=np.full(np.shape(a), most), where=b < 2 * most * (a - b))
-    return longer(np.minimum(interior, most), a, b)
+@functools.cache
+def longest(dims: int, more: float = 1.0) -> float:
+    """The largest length of a gradient of the library."""
+    return float(np.sqrt((lengthened(directions(dims), more) ** 2).sum(axis=1)).max())
 
 
-def library_support(v):
-    """h, on the plane and in space of gradients of which 1 - L is at most MOST, as in the library."""
-    v = np.abs(np.asarray(v, float))
-    if len(v) not in (2, 3):
-        return octahedral_support(v)
-    most, largest, least = MOST[len(v)], np.maximum.reduce(v), np.minimum.reduce(v)
-    if len(v) == 2:
-        return _best(largest, least, most)
-    both = v.sum(axis=0) - least
-    capped = (1 + most) * ((1 - most) * both + (2 * most - 1) * least)
-    # The derivative by t is positive at the largest t where the maximum would be beyond.
-    beyond = (4 * most + 1) * least > 2 * most * both
-    return np.where(beyond, capped, _space_support(largest, both - largest, least))
+@functools.cache
+def _best_directions(dims: int) -> np.ndarray:
+    """For each largest component the one with the largest second component."""
+    every = directions(dims)
+    return np.array([every[every[:, 0] == a][-1] for a in np.unique(every[:, 0])]) if dims == 3 else every
+
+
+def directions_support(v, more: float):
+    """h of directions of the library times 1 + more (1 - L), on the plane and in space."""
+    ordered = -np.sort(-np.abs(np.asarray(v, float)), axis=0)
+    return (lengthened(_best_directions(len(ordered)), more) @ ordered).max(axis=0)
 
 
 def mixed_support(p, q, r):
     """h in space, of gradients of which no component is smaller than that along r; p >= q."""
-    ordered = library_support(np.stack([p, q, r]))
-    return np.where(r <= q, ordered, _best(p, (q + r) / 2, MOST[3]))
+    between = np.minimum((q + r) / 2, p)
+    t = np.divide(between, 2 * (p - between), out=np.full(p.shape, 2 / 3), where=4 * (p - between) > 3 * between)
+    return np.where(r <= q, _space_support(p, q, r), (1 + t) * ((1 - t) * p + t * between))
 
 
 def unit_support(v):
@@ -132,7 +134,11 @@ class Gradient:
 
 OCTAHEDRAL = Gradient("octahedral", octahedral_support, 0.0)
 SINE = Gradient("sine", sine_support, 2.0**-19)
-LIBRARY = Gradient("of the library", library_support, 0.0)
 UNIT = Gradient("as long as 1", unit_support, 0.0)
-TURNED = Gradient("turned", lambda v: LONGEST[len(v)] * unit_support(v), 0.0)
+
+
+def of_directions(more: float) -> Gradient:
+    return Gradient(f"longer by {more}", lambda v: directions_support(v, more), 0.0)
+
+
 GRADIENTS = (OCTAHEDRAL, SINE)

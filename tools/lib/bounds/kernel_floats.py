@@ -1,6 +1,7 @@
 """The error of a sum over lattice points (kernels.py) in float arithmetic, in the sense of floats.py.
 
-    W = max(r - m q, 0), w = W*W*W;  the point adds (ramp)*w, and to a derivative g*w - x*k, k = W*W*ramp*(6 m)
+    t = max(r - m q, 0); the point adds (ramp)*w, and to a derivative g*w - x*k, k = (ramp)*(fall), with the weight w and
+    its fall as in weights.py; a ramp is r*(k*more) + r, in which k*more is exact
     turned: (direction.d)*cos + (cross)*sin, lengthened;  g*cos + g'*sin
 
 TRIANGLES. q = x*x + y*y. In hn_simplex the skewed x is rounded, and then x of the first corner. Both move the place, the
@@ -16,7 +17,7 @@ distances are sums: of the squares of the sizes s_i of the offsets from the near
     hn_simplex_smooth   from the nearest point of either kind min(1 - 2 s_i, 2 - 2 sum s + 2 s_i)
 
 What is not visited because of rounding, or visited with the distance of another point, is as far away as the radius but
-for some 2^-22. Its W^3 is below 2^-60, and its W^2 below 2^-40: FORGOTTEN is more than all of that.
+for some 2^-22, and so is its t. Its weight is below 2^-58, and the fall below 2^-36: FORGOTTEN is more than all of that.
 
 What a box of places may have of a point is propagated as in floats.py. The points that are not near add zeros, so sums
 round at most as many times as there are points to visit, less one.
@@ -33,9 +34,9 @@ import numpy as np
 from bounds import kernels, sine
 from bounds.boxes import Boxes, cell, supremum
 from bounds.floats import TINY, UNIT, Approx, rounding
-from bounds.gradients import LONGEST, TURNED, octahedral_support
+from bounds.gradients import longest
 from bounds.kernels import SMOOTH, Kernel, Quantity
-from bounds.noises.perlin.floats import approx_direction, approx_lengthened, approx_sum_of_two, largest_of
+from bounds.noises.perlin.floats import MORE, approx_direction, approx_sum_of_two, largest_of
 
 FORGOTTEN = 1e-10
 ANGLE_CUT = 2 * math.pi * 2.0**-30  # a phase is cut off to a multiple of 2^-30 turns
@@ -102,7 +103,7 @@ def distances(kernel: Kernel, lo, hi, ulps) -> Iterator[tuple[Offsets, Approx]]:
 
 
 def nearness(kernel: Kernel, q: Approx) -> Approx:
-    """W."""
+    """t."""
     lo, hi = (np.maximum(kernel.radius - kernel.fall * x, 0.0) for x in (q.hi, q.lo))
     return Approx(lo, hi, kernel.fall * q.err, q.ulps).rounded()
 
@@ -137,19 +138,32 @@ def mixed(a_err, b_err, size, ulps) -> Approx:
     return Approx(-size, size, err, ulps).rounded()
 
 
-def turned_ramp(own: Offsets, ulps) -> Approx:
+def lengthened(direction: Approx, size, dims: int, more: float) -> Approx:
+    """r*more + r, which is known to be at most `size`."""
+    largest = MORE[dims] * more
+    err = direction.err * (1 + largest) + rounding((direction.size() + direction.err) * largest, direction.ulps)
+    return Approx(-size, size, err, direction.ulps).rounded()
+
+
+def turned_ramp(own: Offsets, more: float, ulps) -> Approx:
     """No direction is longer than 1."""
     cross = approx_direction(largest_of(d.size() for d in own), largest_of(d.err for d in own), 2, ulps)
-    return approx_lengthened(mixed(straight(own, ulps).err, cross.err, length(own), ulps), own, TURNED)
+    direction = mixed(straight(own, ulps).err, cross.err, length(own), ulps)
+    return lengthened(direction, longest(len(own), more) * length(own), len(own), more)
 
 
-def ramp(own: Offsets, ulps) -> Approx:
-    return approx_sum_of_two(own, ulps) if len(own) == 4 else approx_lengthened(straight(own, ulps), own)
+def ramp(kernel: Kernel, own: Offsets, turns: bool, ulps) -> Approx:
+    if kernel.more is None:
+        return approx_sum_of_two(own, ulps)
+    if turns:
+        return turned_ramp(own, kernel.more, ulps)
+    size = kernel.gradient.support(np.broadcast_arrays(*[d.size() for d in own]))
+    return lengthened(straight(own, ulps), size, kernel.dims, kernel.more)
 
 
-def component(dims: int, turns: bool, ulps) -> Approx:
+def component(longest_one: float, turns: bool, ulps) -> Approx:
     """Of a gradient; it is exact where nothing turns."""
-    return mixed(0.0, 0.0, LONGEST[dims], ulps) if turns else Approx(-1.0, 1.0, 0.0, ulps)
+    return mixed(0.0, 0.0, longest_one, ulps) if turns else Approx(-1.0, 1.0, 0.0, ulps)
 
 
 # --- The sum ----------------------------------------------------------------------------------------------------------
@@ -162,25 +176,27 @@ def added(kernel: Kernel, terms: list[Approx], ulps) -> Approx:
     return Approx(-size, size, err + FORGOTTEN, ulps).scaled(kernel.scale / 1024)
 
 
+def weighted(kernel: Kernel, t: Approx) -> Approx:
+    return kernel.weight.floats(t).clipped(*kernel.weight.ends(0, t.lo, t.hi))
+
+
 def value_error(kernel: Kernel, turns: bool, ulps, lo, hi):
     """The largest error in each box of places, given by its ends along each axis."""
-    terms = []
-    for own, q in distances(kernel, lo, hi, ulps):
-        w = nearness(kernel, q)
-        terms.append((turned_ramp if turns else ramp)(own, ulps).times(w.times(w).times(w)))
+    terms = [ramp(kernel, own, turns, ulps).times(weighted(kernel, nearness(kernel, q)))
+             for own, q in distances(kernel, lo, hi, ulps)]
     return added(kernel, terms, ulps).err
 
 
 def slope_error(kernel: Kernel, turns: bool, ulps, lo, hi):
     """The same of the derivatives, per step."""
-    along, g = [[] for _ in range(kernel.dims)], component(kernel.dims, turns, ulps)
+    along, g = [[] for _ in range(kernel.dims)], component(kernel.longest, turns, ulps)
     for own, q in distances(kernel, lo, hi, ulps):
-        w = nearness(kernel, q)
-        square = w.times(w)
-        falling = square.times((turned_ramp if turns else ramp)(own, ulps)).scaled(6.0 * kernel.fall)
-        upright = g.times(square.times(w))
+        t = nearness(kernel, q)
+        ends = [2 * kernel.fall * end for end in kernel.weight.ends(1, t.lo, t.hi)]
+        k = ramp(kernel, own, turns, ulps).times(kernel.weight.float_fall(t, kernel.fall).clipped(*ends))
+        upright = g.times(weighted(kernel, t))
         for terms, d in zip(along, own):
-            terms.append(upright.minus(falling.times(d)))
+            terms.append(upright.minus(k.times(d)))
     return largest_of(added(kernel, terms, ulps).err for terms in along)
 
 
@@ -198,12 +214,12 @@ def _supremum(error, kernel: Kernel) -> float:
                     None if kernel.triangles else 0, most=100_000)
 
 
-def _moved(kernel: Kernel, quantity: Quantity, ulps, gradient, longest: float) -> float:
+def _moved(kernel: Kernel, quantity: Quantity, ulps, gradient, factor: float) -> float:
     """What the move of the place does to a quantity."""
     if kernel is SMOOTH[2] or not kernel.triangles:
         return 0.0
     along_x = Quantity((*quantity.along, (1.0, 0.0)))
-    return SKEWED * ulps * longest * kernel.scale / 1024 * kernels.largest(kernel, along_x, gradient)
+    return SKEWED * ulps * factor * kernel.scale / 1024 * kernels.largest(kernel, along_x, gradient)
 
 
 @functools.cache

@@ -1,11 +1,11 @@
 """How large a sum over the points of a lattice (docs/contract.md, section 13) and its derivatives can be, proven.
 
-The noise is S * sum W^3 (g.d) over the lattice points, W = max(0, r - m |d|^2), with d the offset from the point in
+The noise is S * sum w(t) (g.d) over the lattice points, t = max(0, r - m |d|^2), with d the offset from the point in
 steps. Along a vector u its derivative is made of g.v, with
 
-    VALUE                W^3 d                                             the noise itself
-    along u              W^3 u - 6 m W^2 (d.u) d                           u an axis, a unit vector or (+-1, .., +-1)
-    along u and then s   -6 m W^2 ((d.s) u + (d.u) s + (u.s) d) + 24 m^2 W (d.s) (d.u) d
+    VALUE                w d                                             the noise itself
+    along u              w u - 2 m w' (d.u) d                            u an axis, a unit vector or (+-1, .., +-1)
+    along u and then s   -2 m w' ((d.s) u + (d.u) s + (u.s) d) + 4 m^2 w'' (d.s) (d.u) d
 
 Each is linear in each gradient, so its supremum over the gradients is the sum of h(v), h the support function. The L1
 norm of the gradient is the largest derivative along (+-1, .., +-1). As the noise is twice and its derivative once
@@ -18,9 +18,9 @@ each other. Reflections and half turns change only the signs of components, of w
 taken for all signs of s, and on the plane along each axis. In a centred lattice axes may be exchanged.
 
 In a box g.v is bounded by its values at the vertices and its second derivatives along the axes, as in boxes.py. These
-are sums of products, of whose factors a Jet has bounds. W^2 is once continuously differentiable and its second
-derivative is bounded, which is enough. Only the third line has W itself; there the value in the middle and the first
-derivatives bound it, so it is less tight.
+are sums of products, of whose factors a Jet has bounds. w' is once continuously differentiable and its second derivative
+is bounded, which is enough. The third line is bounded by the value in the middle and the first derivatives, so it is less
+tight.
 """
 
 from __future__ import annotations
@@ -34,7 +34,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from bounds.boxes import Boxes, cell, supremum
-from bounds.gradients import LIBRARY, LONGEST, UNIT, Gradient
+from bounds.gradients import OCTAHEDRAL, UNIT, Gradient, longest, of_directions
+from bounds.weights import CUBE, FIFTH, FOURTH, PLANE, Weight
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,12 +46,23 @@ class Kernel:
     fall: int  # m
     scale: int  # 1024 S
     visited: int
+    weight: Weight
+    more: float | None = 1.0  # L
     triangles: bool = False
 
     @property
     def steps(self) -> int:
         """To a cell."""
         return 2 if self.triangles else 1
+
+    @functools.cached_property
+    def gradient(self) -> Gradient:
+        return OCTAHEDRAL if self.more is None else of_directions(self.more)
+
+    @functools.cached_property
+    def longest(self) -> float:
+        """The largest length of a gradient."""
+        return math.sqrt(2) if self.more is None else longest(self.dims, self.more)
 
     @functools.cached_property
     def points(self) -> tuple[tuple[float, ...], ...]:
@@ -64,10 +76,9 @@ class Kernel:
                      < self.radius)
 
 
-SIMPLEX = {2: Kernel(2, 819 / 1024, 1, 6155, 3, triangles=True), 3: Kernel(3, 1.0, 2, 5036, 4),
-           4: Kernel(4, 1.0, 2, 4298, 4)}
-SMOOTH = {2: Kernel(2, 1.0, 1, 2324, 4, triangles=True), 3: Kernel(3, 0.75, 1, 5430, 8)}
-TURNING = {2: Kernel(2, 819 / 1024, 1, 5810, 3, triangles=True), 3: SIMPLEX[3]}
+SIMPLEX = {2: Kernel(2, 819 / 1024, 1, 1653, 3, PLANE, 3 / 8, triangles=True), 3: Kernel(3, 1.0, 2, 6570, 4, FOURTH),
+           4: Kernel(4, 1.0, 2, 4298, 4, CUBE, None)}
+SMOOTH = {2: Kernel(2, 1.0, 1, 2428, 4, CUBE, 3 / 8, triangles=True), 3: Kernel(3, 0.75, 1, 3901, 8, FIFTH, 2.0)}
 
 
 # --- What is summed ---------------------------------------------------------------------------------------------------
@@ -87,17 +98,18 @@ def dot(d: np.ndarray, u: tuple[float, ...]) -> np.ndarray:
 
 def vector(kernel: Kernel, quantity: Quantity, d: np.ndarray) -> np.ndarray:
     """v at offsets: axes by places."""
-    m, w = kernel.fall, np.maximum(kernel.radius - kernel.fall * (d * d).sum(axis=0), 0.0)
+    m, t = kernel.fall, np.maximum(kernel.radius - kernel.fall * (d * d).sum(axis=0), 0.0)
+    w, dw, ddw = (kernel.weight.derivative(order, t) for order in range(3))
     if not quantity.along:
-        return w**3 * d
+        return w * d
     u = quantity.along[0]
     column, of_u = np.array(u)[:, None], dot(d, u)
     if len(quantity.along) == 1:
-        return w**3 * column - 6 * m * w**2 * of_u * d
+        return w * column - 2 * m * dw * of_u * d
     s = quantity.along[1]
     of_s = dot(d, s)
-    return (-6 * m * w**2 * (of_s * column + of_u * np.array(s)[:, None] + np.dot(u, s) * d)
-            + 24 * m * m * w * of_s * of_u * d)
+    return (-2 * m * dw * (of_s * column + of_u * np.array(s)[:, None] + np.dot(u, s) * d)
+            + 4 * m * m * ddw * of_s * of_u * d)
 
 
 def attained(kernel: Kernel, quantity: Quantity, support, place: np.ndarray) -> np.ndarray:
@@ -127,10 +139,11 @@ class Jet:
 
 @dataclass(frozen=True)
 class Offsets:
-    """Of one lattice point, in each box: the middle of d, half a side, and the largest |d_i|, W and W's least."""
+    """Of one lattice point, in each box: the middle of d, half a side, the largest |d_i|, and the least and largest t."""
     middle: np.ndarray
     half: float
     size: np.ndarray
+    least: np.ndarray
     largest: np.ndarray
 
     @staticmethod
@@ -138,34 +151,44 @@ class Offsets:
         half = boxes.side / 2
         middle = boxes.lo + half - np.array(point)[:, None]
         size, near = np.abs(middle) + half, np.maximum(np.abs(middle) - half, 0.0)
-        largest = np.maximum(kernel.radius - kernel.fall * (near * near).sum(axis=0), 0.0)
-        return Offsets(middle, half, size, largest)
+        least, largest = (np.maximum(kernel.radius - kernel.fall * (d * d).sum(axis=0), 0.0) for d in (size, near))
+        return Offsets(middle, half, size, least, largest)
 
     def along(self, u: tuple[float, ...]) -> np.ndarray:
         """The largest |d.u|."""
         return np.abs(dot(self.middle, u)) + self.half * sum(map(abs, u))
 
 
+def weight_jet(kernel: Kernel, offsets: Offsets, axis: int, order: int = 0) -> Jet:
+    """Of a derivative of the weight by t. t has the derivatives -2 m d and -2 m along the axis."""
+    sizes = [np.where(offsets.largest > 0, kernel.weight.size(order + i, offsets.least, offsets.largest), 0.0)
+             for i in range(3)]
+    m, d = kernel.fall, offsets.size[axis]
+    return Jet(sizes[0], 2 * m * d * sizes[1], (2 * m * d) ** 2 * sizes[2] + 2 * m * sizes[1])
+
+
+def reach_along(gradient: Gradient, u: tuple[float, ...]) -> float:
+    """h(u)."""
+    return float(gradient.support(np.array(u)[:, None])[0])
+
+
 def jet(kernel: Kernel, quantity: Quantity, gradient: Gradient, offsets: Offsets, axis: int) -> Jet:
-    """Of g.v along an axis, for any gradient. |g_axis| is at most 1."""
-    m, counts = kernel.fall, offsets.largest > 0
-    w = Jet(offsets.largest, counts * 2 * m * offsets.size[axis], counts * 2.0 * m)
-    ramp = Jet(gradient.support(offsets.size), 1.0)
-    square = w * w
+    """Of g.v along an axis, for any gradient."""
+    m, unit = kernel.fall, tuple(float(i == axis) for i in range(kernel.dims))
+    ramp = Jet(gradient.support(offsets.size), reach_along(gradient, unit))
     if not quantity.along:
-        return square * w * ramp
+        return weight_jet(kernel, offsets, axis) * ramp
 
     def of(u: tuple[float, ...]) -> Jet:
         return Jet(offsets.along(u), abs(u[axis]))
-
-    def component(u: tuple[float, ...]) -> Jet:
-        return Jet(float(gradient.support(np.array(u)[:, None])[0]))
-    u = quantity.along[0]
+    u, slope = quantity.along[0], weight_jet(kernel, offsets, axis, 1)
+    of_u = Jet(reach_along(gradient, u))
     if len(quantity.along) == 1:
-        return square * w * component(u) + (square * of(u) * ramp).times(6 * m)
+        return weight_jet(kernel, offsets, axis) * of_u + (slope * of(u) * ramp).times(2 * m)
     s = quantity.along[1]
-    return ((square * (of(s) * component(u) + of(u) * component(s) + ramp.times(abs(np.dot(u, s))))).times(6 * m)
-            + (w * of(s) * of(u) * ramp).times(24 * m * m))
+    lines = of(s) * of_u + of(u) * Jet(reach_along(gradient, s)) + ramp.times(abs(np.dot(u, s)))
+    return ((slope * lines).times(2 * m)
+            + (weight_jet(kernel, offsets, axis, 2) * of(s) * of(u) * ramp).times(4 * m * m))
 
 
 # --- Suprema ----------------------------------------------------------------------------------------------------------
@@ -218,7 +241,7 @@ def signs(kernel: Kernel, first: int = 0) -> Iterator[tuple[tuple[float, ...], i
 
 def reach(kernel: Kernel, turns: bool) -> tuple[Gradient, float]:
     """Gradients, and what is multiplied with them, that contain all."""
-    return (UNIT, LONGEST[kernel.dims]) if turns else (LIBRARY, 1.0)
+    return (UNIT, kernel.longest) if turns else (kernel.gradient, 1.0)
 
 
 def range_of(kernel: Kernel, gradient: Gradient) -> float:
@@ -235,9 +258,10 @@ def lipschitz_of(kernel: Kernel, gradient: Gradient) -> float:
     return max(largest(kernel, Quantity((sign,)), gradient, same) for sign, same in signs(kernel))
 
 
-def slope_lipschitz_of(kernel: Kernel, gradient: Gradient) -> float:
+def slope_lipschitz_of(kernel: Kernel) -> float:
+    """Of all gradients as long as the longest one: this is the least tight, and the least important."""
     if kernel.triangles:
         pairs = [(axis, sign, 2) for axis in axes(kernel) for sign in ((1.0, 1.0), (1.0, -1.0))]
     else:
         pairs = [(axes(kernel)[0], sign, same) for sign, same in signs(kernel, 1)]
-    return max(largest(kernel, Quantity((axis, sign)), gradient, same) for axis, sign, same in pairs)
+    return kernel.longest * max(largest(kernel, Quantity((axis, sign)), UNIT, same) for axis, sign, same in pairs)

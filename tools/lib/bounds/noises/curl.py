@@ -22,8 +22,8 @@ import numpy as np
 from bounds import kernels
 from bounds.boxes import SAFE, Boxes, cell, supremum
 from bounds.floats import UNIT, position_error, rounding
-from bounds.gradients import LIBRARY, LONGEST, Gradient
-from bounds.kernels import SIMPLEX, Jet, Kernel, Offsets
+from bounds.gradients import Gradient
+from bounds.kernels import SIMPLEX, Jet, Kernel, Offsets, weight_jet
 from bounds.noises import Derived, simplex, simplex_d
 
 CASES = ((2, None), (3, None))
@@ -38,8 +38,9 @@ def along(kernel: Kernel, place, angle):
     u, total = np.stack([np.zeros(angle.shape), np.cos(angle), np.sin(angle)]), 0.0
     for point in kernel.points:
         d = place - np.array(point)[:, None]
-        w = np.maximum(kernel.radius - kernel.fall * (d * d).sum(axis=0), 0.0)
-        total = total + LIBRARY.support(w**3 * u - 6 * kernel.fall * w**2 * (d * u).sum(axis=0) * d)
+        t = np.maximum(kernel.radius - kernel.fall * (d * d).sum(axis=0), 0.0)
+        w, slope = (kernel.weight.derivative(order, t) for order in range(2))
+        total = total + kernel.gradient.support(w * u - 2 * kernel.fall * slope * (d * u).sum(axis=0) * d)
     return total
 
 
@@ -51,11 +52,9 @@ def curvature(kernel: Kernel, boxes: Boxes):
         offsets = Offsets.of(kernel, boxes, point)
         length = np.sqrt((offsets.size**2).sum(axis=0))
         for axis in range(kernel.dims):
-            w = Jet(offsets.largest, (offsets.largest > 0) * 2 * kernel.fall * offsets.size[axis],
-                    (offsets.largest > 0) * 2.0 * kernel.fall)
-            square, ramp = w * w, Jet(LIBRARY.support(offsets.size), 1.0)
-            derivative = (square * w).times(LONGEST[kernel.dims]) + (square * Jet(length, 1.0) * ramp).times(
-                6 * kernel.fall)
+            ramp = Jet(kernel.gradient.support(offsets.size), 1.0)
+            falling = weight_jet(kernel, offsets, axis, 1) * Jet(length, 1.0) * ramp
+            derivative = weight_jet(kernel, offsets, axis).times(kernel.longest) + falling.times(2 * kernel.fall)
             by_place = by_place + derivative.second
         by_angle = by_angle + derivative.value
     return by_place, by_angle

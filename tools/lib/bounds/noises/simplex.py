@@ -26,9 +26,9 @@ def derived_value(kernel: Kernel, turning: bool = False) -> Derived:
 
 def derived_slope(kernel: Kernel, turning: bool = False) -> Derived:
     gradient, longest = kernels.reach(kernel, turning)
-    scale = kernel.steps * kernel.scale / 1024 * longest
-    exact, lipschitz = (scale * kernels.slope_of(kernel, gradient),
-                        kernel.steps * scale * kernels.slope_lipschitz_of(kernel, gradient))
+    scale = kernel.steps * kernel.scale / 1024
+    exact = scale * longest * kernels.slope_of(kernel, gradient)
+    lipschitz = kernel.steps * scale * kernels.slope_lipschitz_of(kernel)
     cell_error = kernel_floats.slope_error_bound(kernel, turning)
     error = position_error(cell_error, lipschitz)
     parts = kernel_fixed.slope_error_parts(kernel, turning, lipschitz)

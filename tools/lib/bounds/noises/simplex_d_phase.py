@@ -6,19 +6,19 @@ from dataclasses import replace
 
 from bounds import kernel_fixed
 from bounds.gradients import Gradient
-from bounds.kernels import TURNING
+from bounds.kernels import SIMPLEX
 from bounds.noises import Derived, simplex, simplex_phase
 
 CASES = simplex_phase.CASES
 
 
 def derive(dims: int, gradient: Gradient | None) -> Derived:
-    return replace(simplex_phase.derive(dims, gradient), slope=simplex.derived_slope(TURNING[dims], turning=True))
+    return replace(simplex_phase.derive(dims, gradient), slope=simplex.derived_slope(SIMPLEX[dims], turning=True))
 
 
 def largest_intermediates(dims: int, gradient: Gradient | None) -> dict[str, float]:
     return (simplex_phase.largest_intermediates(dims, gradient)
-            | kernel_fixed.largest_slope_intermediates(TURNING[dims], True))
+            | kernel_fixed.largest_slope_intermediates(SIMPLEX[dims], True))
 
 
 def quotes() -> list[tuple[str, str]]:

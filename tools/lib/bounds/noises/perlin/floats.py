@@ -50,10 +50,10 @@ def approx_direction(size, err, terms, ulps):
     return ramp
 
 
-def approx_lengthened(ramp, own, gradient=OCTAHEDRAL):
+def approx_lengthened(ramp, own):
     """r*more + r, whose size is h of what the gradient is multiplied with."""
     more = MORE[len(own)]
-    size = gradient.support(np.broadcast_arrays(*[d.size() for d in own]))
+    size = OCTAHEDRAL.support(np.broadcast_arrays(*[d.size() for d in own]))
     err = ramp.err * (1 + more) + rounding((ramp.size() + ramp.err) * more, ramp.ulps)
     return Approx(-size, size, err, ramp.ulps).rounded()
 
