@@ -8,7 +8,7 @@ import re
 from collections.abc import Callable
 from pathlib import Path
 
-from bounds import noises, sine, sums
+from bounds import kernel_floats, noises, sine, sums
 from bounds.gradients import GRADIENTS, SINE, Gradient
 from bounds.integers import fade_errors, slope_errors, spline_weight_error
 from bounds.noises import Derived
@@ -145,7 +145,7 @@ def quotes(derived: Everything) -> list[tuple[str, str]]:
         f"\n{scientific(sine.sine_truncation_bound())} at most", f"|s - sin| <= {scientific(sine.sine_bound())}",
         f"2^-19 = {scientific(SINE.component_error)}", f"which is {scientific(sine.fixed_sine_error())}:",
         f"at most 1 - {math.floor((1 - sine.sine_largest()) * 1e9) / 1e9:.2e}".replace("e-0", "e-"),
-        f"adds {scientific(sums.cloud_error())} ")]
+        f"adds {scientific(sums.cloud_error())} ", f"within {scientific(kernel_floats.turn_error(1.0))} of those of the phase")]
     return stated + [quote for name in noises.names() for quote in noises.find(name).quotes()]
 
 

@@ -25,7 +25,7 @@ from bounds.integers import (ONE, SLOPE_UNIT, interpolation_intermediates, large
                              scaled_intermediate, slope_rounding, slopes)
 from bounds.kernel_fixed import MIXED_ROUNDING, ramp_rounding, turn_effect, turned_intermediates
 from bounds.kernel_floats import component, turned_ramp
-from bounds.noises import Derived
+from bounds.noises import Derived, listed
 from bounds.noises.perlin.exact import SCALE
 from bounds.noises.perlin.fixed import fixed_scale, scaling_error
 from bounds.noises.perlin.floats import largest_of
@@ -98,8 +98,12 @@ def slope_error_parts(dims: int, lipschitz: float) -> dict[str, float]:
 
 # --- Bounds -----------------------------------------------------------------------------------------------------------
 
+def range_of(dims: int) -> float:
+    return scale_of(dims) * turns.perlin_range_of(dims)
+
+
 def derive(dims: int, _: Gradient) -> Derived:
-    exact = scale_of(dims) * turns.perlin_range_of(dims)
+    exact = range_of(dims)
     lipschitz = scale_of(dims) * longest(dims) * largest(suprema.LIPSCHITZ, dims)
     cell_error = error_bound(dims)
     error = position_error(cell_error, lipschitz)
@@ -147,7 +151,7 @@ def largest_slope_intermediates(dims: int, slope: float) -> dict[str, float]:
 
 
 def quotes() -> list[tuple[str, str]]:
-    return []
+    return [("docs/accuracy.md", f"With a phase `hn_perlin` stays below {listed([range_of(dims) for dims, _ in CASES])} in 2D")]
 
 
 def describe(dims: int, _: Gradient) -> dict[str, object]:

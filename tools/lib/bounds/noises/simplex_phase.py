@@ -5,7 +5,7 @@ from __future__ import annotations
 from bounds import kernel_fixed
 from bounds.gradients import Gradient
 from bounds.kernels import SIMPLEX
-from bounds.noises import Derived, simplex
+from bounds.noises import Derived, listed, simplex
 
 CASES = tuple((dims, None) for dims in (2, 3))
 
@@ -19,7 +19,7 @@ def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
 
 
 def quotes() -> list[tuple[str, str]]:
-    return []
+    return [("docs/accuracy.md", f"and `hn_simplex` below {listed([derive(*case).range for case in CASES])}.")]
 
 
 def describe(dims: int, _: Gradient | None) -> dict[str, object]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from bounds import kernel_fixed, kernel_floats
 from bounds.gradients import Gradient
 from bounds.kernels import SMOOTH
-from bounds.noises import Derived, simplex
+from bounds.noises import Derived, listed, simplex
 
 CASES = tuple((dims, None) for dims in SMOOTH)
 
@@ -19,7 +19,7 @@ def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
 
 
 def quotes() -> list[tuple[str, str]]:
-    return []
+    return [("docs/accuracy.md", f"`hn_simplex_smooth` below {listed([derive(*case).range for case in CASES])} in 2D")]
 
 
 def describe(dims: int, _: Gradient | None) -> dict[str, object]:
