@@ -6,6 +6,7 @@ A script stands in for hn-conform, so that this takes no driver and no time.
 from __future__ import annotations
 
 import contextlib
+import fnmatch
 import io
 import os
 import re
@@ -15,6 +16,7 @@ import unittest
 from pathlib import Path
 
 from commands.support import load_script
+from tables.functions import read_functions
 from tree import ROOT
 
 mutate = load_script("mutate")
@@ -208,8 +210,15 @@ class Sweep(unittest.TestCase):
         self.assertEqual(used(), [[mutate.NOISE], *filters, *filters, ["c.d"]])
 
     def test_files_that_all_noises_share_are_judged_by_noises(self):
-        for file in ("arithmetic.glsl", "lattice.glsl"):
+        for file in ("arithmetic.glsl", "lattice.glsl", "cubic.glsl"):
             self.assertEqual(mutate.stages_of(file, SOURCES[file])[:2], ((mutate.NOISE,), mutate.NOISES))
+
+    def test_every_file_with_functions_has_cases(self):
+        files = {function.file for function in read_functions()}
+        for file, source in SOURCES.items():
+            if "{" in mutate.rules.without_directives(mutate.rules.without_comments(source)):
+                stem = mutate.stages_of(file, source)[0][0].split(".")[0]
+                self.assertTrue(fnmatch.filter(files, stem), f"{file} needs its place in CASES_OF")
 
     def test_files_without_functions_have_cases_of_their_own(self):
         for file in ("config.glsl", "hashnoise.glsl"):
