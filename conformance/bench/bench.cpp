@@ -57,9 +57,7 @@ class Bench {
     std::unique_ptr<Program> program;
   };
 
-  void show(Progress& line, const std::string& what) const {
-    line.show(report_.measurements.size(), failed_, what);
-  }
+  void show(Progress& line, const std::string& what) const { line.show(report_.measurements.size(), failed_, what); }
 
   void compile(Subject subject, Progress& line) {
     show(line, fmt::format("compile {}", subject.id));

@@ -35,7 +35,8 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
      "the tolerances of both."},
     {"period",
      "4,096 points that are whole periods apart have the same bits, in cells beside the seam and anywhere, with "
-     "periods from 1 to 2^31 - 1 and none. So have octave sums of a whole lacunarity, `fixed` ones of up to 15 octaves; "
+     "periods from 1 to 2^31 - 1 and none. So have octave sums of a whole lacunarity, `fixed` ones of up to 15 "
+     "octaves; "
      "`fast` ones are the same within the tolerance."},
     {"wrapped",
      "Without a period along any axis, and where a cell reaches no seam, the form with periods has the values of the "

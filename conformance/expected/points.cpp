@@ -266,9 +266,9 @@ void go_to_seams(const Function& function, std::span<std::uint32_t> words, Rando
   }
 }
 
-// Where the noise in four dimensions, whose gradients have components of 0, is 2^-96 or -2^-96 with HN_PRECISE, and where
-// x is one float less, so that the noise is below and becomes 0. Random numbers do not find these; a bisection along x
-// did, with the default hash. unit.Twin holds that they are what they are here for.
+// Where the noise in four dimensions, whose gradients have components of 0, is 2^-96 or -2^-96 with HN_PRECISE, and
+// where x is one float less, so that the noise is below and becomes 0. Random numbers do not find these; a bisection
+// along x did, with the default hash. unit.Twin holds that they are what they are here for.
 void add_least_results(std::span<std::uint32_t> words) {
   constexpr std::array<std::array<std::uint32_t, 5>, 4> kPoints = {{{0x31988C69u, 0x37820000u, 0, 0, 503},
                                                                     {0x31988C68u, 0x37820000u, 0, 0, 503},
