@@ -13,7 +13,8 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
      "a quarter of them for octave sums, derivatives, noises in 4D and for other settings, a sixteenth in other "
      "versions. On softpipe there are "
      "4,096, with `--points N` there are N. The points are near, negative, at 2^20 cells and more, on lattice lines "
-     "and beside them; for `precise` and `fixed` also subnormal, tiny, -0 and huge, and for octave sums of `precise` "
+     "and beside them; for `precise` and `fixed` also subnormal, tiny, -0, huge and at the thresholds "
+     "below which `precise` takes 0, and for octave sums of `precise` "
      "tiny with a lacunarity of 2^20 to 2^126."},
     {"range",
      "65,536 values (16,384 of octave sums, derivatives and noises in 4D) lie in the range that the library promises, "
@@ -34,7 +35,8 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
      "the tolerances of both."},
     {"period",
      "4,096 points that are whole periods apart have the same bits, in cells beside the seam and anywhere, with "
-     "periods from 1 to 2^31 - 1 and none. So have octave sums of a whole lacunarity, `fixed` ones of up to 15 octaves; "
+     "periods from 1 to 2^31 - 1 and none. So have octave sums of a whole lacunarity, `fixed` ones of up to 15 "
+     "octaves; "
      "`fast` ones are the same within the tolerance."},
     {"wrapped",
      "Without a period along any axis, and where a cell reaches no seam, the form with periods has the values of the "
