@@ -287,7 +287,6 @@ Pairing half_turn_pairing(const Evaluation& evaluation, std::uint64_t seed, std:
   return pairing_by_error(evaluation, evaluation, std::move(here), std::move(there), -1.0);
 }
 
-// On the plane, simplex noise has a smaller scale with a phase (docs/contract.md, section 14).
 Pairing phase_zero_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
   const Function& function = evaluation.function;
   const Evaluation other{without(function, "phase"), evaluation.configuration, evaluation.profile};
@@ -297,8 +296,7 @@ Pairing phase_zero_pairing(const Evaluation& evaluation, std::uint64_t seed, std
     put_phase(function, inputs, i, random.below(2) == 0 ? 0.0f : random_turns(random));
   }
   Words others = inputs_for(other.function, function, inputs);
-  const double factor = function.is_simplex_noise() && function.axes == 2 ? 5810.0 / 6155.0 : 1.0;
-  return pairing_by_error(evaluation, other, std::move(inputs), std::move(others), factor);
+  return pairing_by_error(evaluation, other, std::move(inputs), std::move(others), 1.0);
 }
 
 Pairing derivative_value_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
