@@ -130,17 +130,34 @@ def arctan_inverse(n: int) -> int:
 PI = 4 * (4 * arctan_inverse(5) - arctan_inverse(239))  # Machin's formula
 
 
+def sine_series(x: int) -> int:
+    """The sine of x in [-pi/2, pi/2], both in fixed point, by its series."""
+    one = 2**SINE_BITS
+    term, total, i = x, 0, 1
+    while term:
+        total += term
+        term, i = -term * x * x // (one * one * (i + 1) * (i + 2)), i + 2
+    return total
+
+
 @functools.cache
 def sine(n: int) -> Fraction:
     """The sine of n radians, -2^31 <= n <= 2^31, off by less than SINE_ERROR."""
     one = 2**SINE_BITS
     half_turns = (n * one + PI // 2) // PI
-    x = n * one - half_turns * PI  # in [-pi/2, pi/2]
-    term, total, i = x, 0, 1
-    while term:
-        total += term
-        term, i = -term * x * x // (one * one * (i + 1) * (i + 2)), i + 2
+    total = sine_series(n * one - half_turns * PI)
     return Fraction(total if half_turns % 2 == 0 else -total, one)
+
+
+@functools.cache
+def sine_of_turns(turns: Fraction) -> Fraction:
+    """The sine of so many turns: exact at whole quarters, else off by less than SINE_ERROR."""
+    quarters = 4 * turns
+    if quarters.denominator == 1:
+        return Fraction((0, 1, 0, -1)[quarters.numerator % 4])
+    half_turns = round(2 * turns)
+    total = sine_series(round((2 * turns - half_turns) * PI))
+    return Fraction(total if half_turns % 2 == 0 else -total, 2**SINE_BITS)
 
 
 def sine_of_word(w: int) -> Fraction:
