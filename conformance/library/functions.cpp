@@ -84,7 +84,8 @@ bool Function::is_noise() const {
 }
 
 bool Function::is_gradient_noise() const {
-  return is_one_of(family, {Family::gradient_noise, Family::further_gradient_noise, Family::octahedral_noise});
+  return is_one_of(family, {Family::gradient_noise, Family::further_gradient_noise, Family::octahedral_noise,
+                            Family::simplex_noise});
 }
 
 bool Function::is_octave_sum() const {
@@ -93,7 +94,7 @@ bool Function::is_octave_sum() const {
 
 bool Function::is_further() const {
   return is_one_of(family, {Family::further_gradient_noise, Family::octahedral_noise, Family::further_lattice_noise,
-                            Family::further_octave_sum});
+                            Family::further_octave_sum, Family::simplex_noise, Family::curl});
 }
 
 // dx, dy, dz, dw
