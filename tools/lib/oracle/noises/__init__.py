@@ -1,12 +1,11 @@
 """The noises. Each is a module of this package, under its name, with its two definitions side by side:
 
-    exact(lattice, cell, f) -> tuple[Fraction, ...]         sections 6, 9 to 11 and 13 to 15 of docs/contract.md; f are
+    exact(lattice, cell, f) -> tuple[Fraction, ...]         sections 6, 9 to 11, 13 and 14 of docs/contract.md; f are
                                                             fractions
     fixed(lattice, cell, fraction) -> tuple[int, ...]       with HN_FIXED; fractions in units of 2^-20
 
 What they return is the value, and after it the derivatives along x, y, z, w of a noise that has them. A fixed value is
-in units of 2^-21, a fixed derivative in units of 2^-19. A module that returns something else has OUTPUTS, what it
-returns, and UNITS, their units by number. The gradients of a noise called ..._phase turn.
+in units of 2^-21, a fixed derivative in units of 2^-19. The gradients of a noise called ..._phase turn.
 """
 
 from __future__ import annotations
@@ -78,5 +77,4 @@ def find(name: str) -> Noise:
     if name not in names():
         raise LookupError(f"the oracle has no {name}: write tools/lib/oracle/noises/{name}.py from docs/contract.md")
     module = importlib.import_module(f"{__name__}.{name}")
-    return Noise(name, module.exact, module.fixed, getattr(module, "OUTPUTS", OUTPUTS), getattr(module, "UNITS", UNITS),
-                 Fraction(0) if name.endswith(TURNING) else None)
+    return Noise(name, module.exact, module.fixed, phase=Fraction(0) if name.endswith(TURNING) else None)

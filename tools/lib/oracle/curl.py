@@ -9,14 +9,14 @@ from typing import TypeVar
 
 from oracle.integers import SLOPE_UNIT, signed
 from oracle.lattice import Lattice
-from oracle.noises import simplex_d
+from oracle.noises import Noise, simplex_d
 from oracle.words import MASK, mix
 
 Number = TypeVar("Number", int, Fraction)
 
 OUTPUTS = ("vx", "vy", "vz")
 UNITS = (SLOPE_UNIT,) * 3
-COARSER = 8  # In space a component with HN_FIXED is in units of 2^-16.
+COARSER = 8  # in space a component with HN_FIXED is in units of 2^-16
 
 
 def second(lattice: Lattice) -> Lattice:
@@ -53,3 +53,6 @@ def fixed(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> tup
         return in_the_plane(a)
     _, *b = simplex_d.fixed(second(lattice), cell, fraction)
     return tuple(fixed_component(a, b, i, j) for i, j in ((1, 2), (2, 0), (0, 1)))
+
+
+CURL = Noise("curl", exact, fixed, OUTPUTS, UNITS)
