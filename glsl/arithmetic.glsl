@@ -113,9 +113,7 @@ HN_FN hn_vec4 hn_i_inside(hn_vec4 f) {
 
 // Replaces a result by 0 if it is so small that flushed subnormal numbers could have changed it: what they lose is at
 // most 2^-126, which is less than half of the last bit of any larger result.
-HN_FN hn_float hn_i_settled(hn_float n) {
-  return hn_i_select(abs(n) < HN_I_TINY * HN_I_TINY * HN_I_TINY, 0.0f, n);
-}
+HN_FN hn_float hn_i_settled(hn_float n) { return hn_i_select(abs(n) < HN_I_TINY * HN_I_TINY * HN_I_TINY, 0.0f, n); }
 
 // Replaces a subnormal number by 0, since a huge lacunarity could make it large. No later octave needs this: the shift
 // between octaves leaves a position that is 0 or at least 2^-25.

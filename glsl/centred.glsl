@@ -24,9 +24,7 @@ HN_FN hn_uvec4 hn_i_before(hn_uvec4 first) {
 }
 
 // The same with a period, from its wrapped coordinates. Without one the last cell before 0 is -1.
-HN_FN hn_uint hn_i_before(hn_uint c, hn_int period) {
-  return hn_i_select(c == 0u, uint(max(period, 0)), c) - 1u;
-}
+HN_FN hn_uint hn_i_before(hn_uint c, hn_int period) { return hn_i_select(c == 0u, uint(max(period, 0)), c) - 1u; }
 HN_FN hn_uvec3 hn_i_before(hn_uvec3 c, hn_ivec3 period) {
   return hn_i_spread(uvec3(hn_i_before(c.x, period.x), hn_i_before(c.y, period.y), hn_i_before(c.z, period.z)));
 }
@@ -60,6 +58,11 @@ HN_FN hn_num4 hn_i_offsets(hn_num f) {
 HN_FN hn_num hn_i_ramp_of(hn_uint h, hn_num x, hn_num y, hn_num z) {
   return hn_i_ramp(hn_i_direction3(h), hn_i_turned(hn_i_plus(x, y)), hn_i_turned(hn_i_minus(x, y)), hn_i_upright(z));
 }
+
+// A sum of weighted ramps is at most 1024 / 6570 in space, with turned gradients too, and 1024 / 4298 in four dimensions
+// (tools/bounds).
+HN_FN hn_num hn_i_scaled_simplex3(hn_num n) { return hn_i_scaled(n, 6570); }
+HN_FN hn_num hn_i_scaled_simplex4(hn_num n) { return hn_i_scaled_ramps(n, 4298); }
 
 // ---------------------------------------------------------------------------------------------------------------------
 // The points of a small kernel. At a place within 1/2 of a point along every axis, only that point and its neighbour
@@ -97,12 +100,15 @@ HN_FN hn_uvec4 hn_i_four_points(hn_uvec3 first, hn_uvec3 last, hn_uvec3 before, 
   hn_uvec3 across = hn_i_nearer(f, last, first);
   hn_uvec3 beyond = hn_i_nearer(f, before, last);
   hn_uint s = hn_i_mix(seed);
-  return uvec4(hn_i_word(corner, s, s),
-               hn_i_word(uvec3(hn_i_select(size.x >= a, across.x, corner.x), hn_i_select(size.y >= a, across.y, corner.y),
-                               hn_i_select(size.z >= a, across.z, corner.z)), s, s),
-               hn_i_word(first, s ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM),
-               hn_i_word(uvec3(hn_i_select(size.x <= b, beyond.x, first.x), hn_i_select(size.y <= b, beyond.y, first.y),
-                               hn_i_select(size.z <= b, beyond.z, first.z)), s ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM));
+  return uvec4(
+      hn_i_word(corner, s, s),
+      hn_i_word(uvec3(hn_i_select(size.x >= a, across.x, corner.x), hn_i_select(size.y >= a, across.y, corner.y),
+                      hn_i_select(size.z >= a, across.z, corner.z)),
+                s, s),
+      hn_i_word(first, s ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM),
+      hn_i_word(uvec3(hn_i_select(size.x <= b, beyond.x, first.x), hn_i_select(size.y <= b, beyond.y, first.y),
+                      hn_i_select(size.z <= b, beyond.z, first.z)),
+                s ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM));
 }
 
 HN_FN hn_uvec4 hn_i_four_points(hn_uvec4 first, hn_uvec4 last, hn_uvec4 before, hn_num4 f, hn_uint seed,
@@ -112,8 +118,7 @@ HN_FN hn_uvec4 hn_i_four_points(hn_uvec4 first, hn_uvec4 last, hn_uvec4 before, 
   hn_num4 dy = hn_i_offsets(f.y);
   hn_num4 dz = hn_i_offsets(f.z);
   hn_num4 dw = hn_i_offsets(f.w);
-  hn_num4 size =
-      hn_i_num(hn_i_magnitude(dx.x), hn_i_magnitude(dy.x), hn_i_magnitude(dz.x), hn_i_magnitude(dw.x));
+  hn_num4 size = hn_i_num(hn_i_magnitude(dx.x), hn_i_magnitude(dy.x), hn_i_magnitude(dz.x), hn_i_magnitude(dw.x));
   hn_num a = hn_i_largest(size);
   hn_num b = hn_i_smallest(size);
   x = hn_i_num(dx.x, hn_i_select(size.x >= a, dx.y, dx.x), dx.z, hn_i_select(size.x <= b, dx.w, dx.z));
@@ -132,7 +137,8 @@ HN_FN hn_uvec4 hn_i_four_points(hn_uvec4 first, hn_uvec4 last, hn_uvec4 before, 
   return uvec4(
       hn_i_word(corner, s, s),
       hn_i_word(uvec4(hn_i_select(size.x >= a, across.x, corner.x), hn_i_select(size.y >= a, across.y, corner.y),
-                      hn_i_select(size.z >= a, across.z, corner.z), hn_i_select(size.w >= a, across.w, corner.w)), s, s),
+                      hn_i_select(size.z >= a, across.z, corner.z), hn_i_select(size.w >= a, across.w, corner.w)),
+                s, s),
       hn_i_word(first, s ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM),
       hn_i_word(uvec4(hn_i_select(size.x <= b, beyond.x, first.x), hn_i_select(size.y <= b, beyond.y, first.y),
                       hn_i_select(size.z <= b, beyond.z, first.z), hn_i_select(size.w <= b, beyond.w, first.w)),

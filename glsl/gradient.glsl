@@ -158,10 +158,10 @@ HN_FN hn_num hn_i_ramp(hn_num4 d, hn_num x, hn_num y, hn_num z, hn_num2 rotation
       hn_i_mixed(rotation, hn_i_straight(d, hn_i_plus(u, v), hn_i_minus(u, v), hn_i_upright(z)), turned), d.w);
 }
 
-HN_FN hn_num2 hn_i_gradient(hn_num3 d, hn_num2 rotation) {
-  hn_num2 g = hn_i_gradient(d);
+HN_FN hn_num2 hn_i_rotated(hn_num2 g, hn_num2 rotation) {
   return hn_i_num(hn_i_mixed(rotation, g.x, -g.y), hn_i_mixed(rotation, g.y, g.x));
 }
+HN_FN hn_num2 hn_i_gradient(hn_num3 d, hn_num2 rotation) { return hn_i_rotated(hn_i_gradient(d), rotation); }
 HN_FN hn_num3 hn_i_gradient(hn_num4 d, hn_num2 rotation) {
   hn_num3 g = hn_i_gradient(d);
   hn_num none = hn_i_minus(HN_I_ONE, HN_I_ONE);
@@ -333,9 +333,7 @@ HN_FN hn_uint hn_i_turns(hn_uint w) {
 }
 
 // The sine of a word. The comment over hn_gradient tells its error.
-HN_FN hn_num hn_i_sine(hn_uint w) {
-  return hn_i_wave(hn_i_turns(w), w);
-}
+HN_FN hn_num hn_i_sine(hn_uint w) { return hn_i_wave(hn_i_turns(w), w); }
 
 HN_FN hn_num2 hn_i_gradient(hn_uint column, hn_uint y) {
   hn_uint k = hn_hash(column + y);

@@ -175,8 +175,8 @@ HN_FN hn_uint hn_i_mix(hn_uint k) {
 HN_FN hn_uint hn_i_odd(hn_uint sum) { return sum * 2u + 1u; }
 HN_FN hn_uint hn_i_word(hn_uint join, hn_uint odd) { return hn_i_hash(join) * odd; }
 
-// The word of a point, from its spread coordinates. Other axes and the seed add `join` to the exclusive or, and `sum` to
-// the sum before it is made odd.
+// The word of a point, from its spread coordinates. Other axes and the seed add `join` to the exclusive or, and `sum`
+// to the sum before it is made odd.
 HN_FN hn_uint hn_i_word(hn_uvec2 c, hn_uint join, hn_uint sum) {
   hn_uvec2 j = hn_i_fold(c);
   return hn_i_word(j.x ^ j.y ^ join, hn_i_odd(c.x + c.y + sum));

@@ -15,16 +15,22 @@
 //   hn_i_magnitude(x)          the absolute value
 //   hn_i_square(x, y, ...)     the square of the length of an offset
 //   hn_i_onto(q, x)            such a square plus a number that is given as an offset
-//   hn_i_near(q, s, m)         s / 1024 - m q, or 0 beyond the radius, where that is negative. In HN_FIXED it is in units
-//                              of 2^-16 and below 1. m is 1 or 2: the weights of a small radius have more bits by that
-//   hn_i_weight(t)             the weight: the third power of hn_i_near, once more differentiable than the derivative
-//   hn_i_attenuated(n, w)        n times a weight
-//   hn_i_falling(n, t, m)      what the fall of the weight does to n: 6 m t^2 n (HN_FIXED: a third of it, and less 2 bits)
+//   hn_i_near(q, s, m)         s / 1024 - m q, or 0 beyond the radius, where that is negative. In HN_FIXED it is in
+//                              units of 2^-16 and below 1. m is 1 or 2: 2 gives the weights of a small radius more bits
+//   hn_i_weight3(t), ...       the weight of a point: t^3, t^4, 4 t^5, and of the plane 8 t^3 (67/64 - t). Each makes the
+//                              noise twice continuously differentiable. They were chosen by tools/quality, so that the
+//                              noise does not show its lattice
+//   hn_i_fall3(t, m), ...      how the weight falls: 2 m times its derivative by t; in HN_FIXED an eighth of that
+//   hn_i_attenuated(n, w)      n times a weight or a fall
 //   hn_i_lean(g, w, k, x)      what a point adds to a derivative: g w - k x, of the component g of its gradient, its
-//                              weight w, its hn_i_falling k, and the offset x. HN_FIXED: in units four times as large
+//                              weight w, its ramp k times the fall, and the offset x. HN_FIXED: in units four times as
+//                              large
+//   hn_i_bump_d(r, g, ...)     the value and the derivatives of a weight times a ramp r, from its gradient g, the offset,
+//                              the weight and its fall
+//   hn_i_added(a, b)           the sum of such vectors
 //
-// No weight is above 0 at the radius or beyond it, since HN_FIXED rounds the square down to a multiple of 2^-30, and the
-// radius is one. So it does not matter which points beyond it are visited, and there are no seams.
+// At the radius and beyond it a weight is 0: HN_FIXED rounds the square down to a multiple of 2^-30, and the radius is
+// one. So it does not matter which points beyond it are visited, and there are no seams.
 
 #if HN_ARITHMETIC != HN_FIXED
 
@@ -53,15 +59,37 @@ HN_FN hn_float hn_i_onto(hn_float q, hn_float x) { return hn_i_plus(q, x); }
 HN_FN hn_float hn_i_near(hn_float q, hn_int s, hn_int m) {
   return max(hn_i_times_plus(float(-m), q, float(s) * (1.0f / 1024.0f)), 0.0f);
 }
-HN_FN hn_float hn_i_weight(hn_float t) {
+HN_FN hn_float hn_i_weight3(hn_float t) {
   HN_I_PRECISE hn_float w = t * t * t;
   return w;
 }
-HN_FN hn_float hn_i_attenuated(hn_float n, hn_float w) { return hn_i_times(n, w); }
-HN_FN hn_float hn_i_falling(hn_float n, hn_float t, hn_int m) {
-  HN_I_PRECISE hn_float k = t * t * n * float(6 * m);
+HN_FN hn_float hn_i_weight4(hn_float t) {
+  HN_I_PRECISE hn_float q = t * t;
+  HN_I_PRECISE hn_float w = q * q;
+  return w;
+}
+HN_FN hn_float hn_i_weight5(hn_float t) {
+  HN_I_PRECISE hn_float q = t * t;
+  HN_I_PRECISE hn_float w = q * q * t * 4.0f;
+  return w;
+}
+HN_FN hn_float hn_i_weight_plane(hn_float t) {
+  HN_I_PRECISE hn_float w = t * t * t * (t * -8.0f + 67.0f / 8.0f);
+  return w;
+}
+HN_FN hn_float hn_i_fall3(hn_float t, hn_int m) {
+  HN_I_PRECISE hn_float k = t * t * float(6 * m);
   return k;
 }
+HN_FN hn_float hn_i_fall4(hn_float t, hn_int m) {
+  HN_I_PRECISE hn_float k = t * t * t * float(8 * m);
+  return k;
+}
+HN_FN hn_float hn_i_fall_plane(hn_float t, hn_int m) {
+  HN_I_PRECISE hn_float k = t * t * (t * -64.0f + 201.0f / 4.0f) * float(m);
+  return k;
+}
+HN_FN hn_float hn_i_attenuated(hn_float n, hn_float w) { return hn_i_times(n, w); }
 HN_FN hn_float hn_i_lean(hn_float g, hn_float w, hn_float k, hn_float x) {
   HN_I_PRECISE hn_float d = g * w - k * x;
   return d;
@@ -110,27 +138,41 @@ HN_FN hn_int hn_i_near(hn_uint q, hn_int s, hn_int m) {
   return int(min((radius - min(uint(m) * q, radius) + 8192u) >> 14u, 65535u));
 }
 
-// The square is in units of 2^-16, and the weight in units of 2^-18. Both are rounded.
+// The square is in units of 2^-16. Weights are in units of 2^-18, and so are falls. All are rounded.
 HN_FN hn_uint hn_i_near_square(hn_int t) { return (uint(t) * uint(t) + 32768u) >> 16u; }
-HN_FN hn_int hn_i_weight(hn_int t) { return int((hn_i_near_square(t) * uint(t) + 8192u) >> 14u); }
+HN_FN hn_int hn_i_weight3(hn_int t) { return int((hn_i_near_square(t) * uint(t) + 8192u) >> 14u); }
+HN_FN hn_int hn_i_weight4(hn_int t) {
+  hn_uint q = hn_i_near_square(t);
+  return int((q * q + 8192u) >> 14u);
+}
+HN_FN hn_int hn_i_weight5(hn_int t) {
+  hn_uint q = hn_i_near_square(t);
+  return int((((q * q + 32768u) >> 16u) * uint(t) + 2048u) >> 12u);
+}
+
+// 68608 is 67/64, and 51456 is 3/4 of that.
+HN_FN hn_int hn_i_weight_plane(hn_int t) {
+  hn_uint u = (uint(t) * uint(68608 - t) + 32768u) >> 16u;
+  return int((hn_i_near_square(t) * u + 1024u) >> 11u);
+}
+HN_FN hn_int hn_i_fall3(hn_int t, hn_int m) { return int(hn_i_near_square(t)) * 3 * m; }
+HN_FN hn_int hn_i_fall4(hn_int t, hn_int m) { return hn_i_weight3(t) * m; }
+HN_FN hn_int hn_i_fall_plane(hn_int t, hn_int m) {
+  return ((int(hn_i_near_square(t)) * (51456 - t) + 1024) >> 11) * m;
+}
 HN_FN hn_int hn_i_attenuated(hn_int n, hn_int w) { return hn_i_part(n, w); }
-HN_FN hn_int hn_i_falling(hn_int n, hn_int t, hn_int m) { return hn_i_part(n, int(hn_i_near_square(t)) * 2 * m); }
 HN_FN hn_int hn_i_lean(hn_int g, hn_int w, hn_int k, hn_int x) {
-  return (hn_i_part(g, w) >> 2) - 3 * hn_i_part(k, x >> 2);
+  return (hn_i_part(g, w) >> 2) - 2 * hn_i_part(k, x >> 2);
 }
 
 #endif
 
-// The value and the derivatives of a weight times a ramp, from the ramp r, its gradient g, the offset, and what
-// hn_i_near made of it with the factor m.
-HN_FN hn_num3 hn_i_bump_d(hn_num r, hn_num2 g, hn_num x, hn_num y, hn_num t, hn_int m) {
-  hn_num w = hn_i_weight(t);
-  hn_num k = hn_i_falling(r, t, m);
+HN_FN hn_num3 hn_i_bump_d(hn_num r, hn_num2 g, hn_num x, hn_num y, hn_num w, hn_num fall) {
+  hn_num k = hn_i_attenuated(r, fall);
   return hn_i_num(hn_i_attenuated(r, w), hn_i_lean(g.x, w, k, x), hn_i_lean(g.y, w, k, y));
 }
-HN_FN hn_num4 hn_i_bump_d(hn_num r, hn_num3 g, hn_num x, hn_num y, hn_num z, hn_num t, hn_int m) {
-  hn_num w = hn_i_weight(t);
-  hn_num k = hn_i_falling(r, t, m);
+HN_FN hn_num4 hn_i_bump_d(hn_num r, hn_num3 g, hn_num x, hn_num y, hn_num z, hn_num w, hn_num fall) {
+  hn_num k = hn_i_attenuated(r, fall);
   return hn_i_num(hn_i_attenuated(r, w), hn_i_lean(g.x, w, k, x), hn_i_lean(g.y, w, k, y), hn_i_lean(g.z, w, k, z));
 }
 

@@ -10,8 +10,8 @@
 // The paper's gradient has no noise of this kind.
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
-// What the corners of the front or back face make of the noise: the interpolated ramp, its derivatives along x and y, and what the gradients'
-// last components add.
+// What the corners of the front or back face make of the noise: the interpolated ramp, its derivatives along x and y,
+// and what the gradients' last components add.
 HN_FN hn_num4 hn_i_face_d(hn_uvec3 first, hn_uvec3 last, hn_num3 f, bool back, hn_num3 t, hn_num3 s, hn_uint seed) {
   hn_uvec4 h = hn_i_corners(first, last, back, seed);
   hn_num4 d00 = hn_i_direction3(h.x);

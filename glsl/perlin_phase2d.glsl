@@ -14,8 +14,9 @@
 HN_FN hn_num4 hn_i_turned_ramps(hn_uvec4 h, hn_num2 f, hn_num2 rotation) {
   hn_num x = hn_i_far(f.x);
   hn_num y = hn_i_far(f.y);
-  return hn_i_num(hn_i_ramp(hn_i_direction2(h.x), f.x, f.y, rotation), hn_i_ramp(hn_i_direction2(h.y), x, f.y, rotation),
-                  hn_i_ramp(hn_i_direction2(h.z), f.x, y, rotation), hn_i_ramp(hn_i_direction2(h.w), x, y, rotation));
+  return hn_i_num(hn_i_ramp(hn_i_direction2(h.x), f.x, f.y, rotation),
+                  hn_i_ramp(hn_i_direction2(h.y), x, f.y, rotation), hn_i_ramp(hn_i_direction2(h.z), f.x, y, rotation),
+                  hn_i_ramp(hn_i_direction2(h.w), x, y, rotation));
 }
 
 // The noise in the numbers of HN_ARITHMETIC.

@@ -15,10 +15,9 @@ HN_FN hn_num4 hn_i_turned_ramps(hn_uvec4 h, hn_num3 f, bool back, hn_num2 rotati
   hn_num x = hn_i_far(f.x);
   hn_num y = hn_i_far(f.y);
   hn_num z = hn_i_select(back, hn_i_far(f.z), f.z);
-  return hn_i_num(hn_i_ramp(hn_i_direction3(h.x), f.x, f.y, z, rotation),
-                  hn_i_ramp(hn_i_direction3(h.y), x, f.y, z, rotation),
-                  hn_i_ramp(hn_i_direction3(h.z), f.x, y, z, rotation),
-                  hn_i_ramp(hn_i_direction3(h.w), x, y, z, rotation));
+  return hn_i_num(
+      hn_i_ramp(hn_i_direction3(h.x), f.x, f.y, z, rotation), hn_i_ramp(hn_i_direction3(h.y), x, f.y, z, rotation),
+      hn_i_ramp(hn_i_direction3(h.z), f.x, y, z, rotation), hn_i_ramp(hn_i_direction3(h.w), x, y, z, rotation));
 }
 
 // The noise in the numbers of HN_ARITHMETIC.

@@ -11,10 +11,10 @@ HN_FN hn_num hn_i_simplex(hn_uvec3 h, hn_num2 skewed) {
   hn_num3 x = hn_i_triangle_x(skewed);
   hn_num3 y = hn_i_triangle_y(skewed);
   hn_num3 t = hn_i_triangle_near(x, y);
-  hn_num n = hn_i_attenuated(hn_i_ramp(hn_i_direction2(h.x), x.x, y.x), hn_i_weight(t.x));
-  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(hn_i_direction2(h.y), x.y, y.y), hn_i_weight(t.y)));
-  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(hn_i_direction2(h.z), x.z, y.z), hn_i_weight(t.z)));
-  return hn_i_scaled(n, 6155);
+  hn_num n = hn_i_attenuated(hn_i_triangle_ramp(h.x, x.x, y.x), hn_i_weight_plane(t.x));
+  n = hn_i_plus(n, hn_i_attenuated(hn_i_triangle_ramp(h.y, x.y, y.y), hn_i_weight_plane(t.y)));
+  n = hn_i_plus(n, hn_i_attenuated(hn_i_triangle_ramp(h.z, x.z, y.z), hn_i_weight_plane(t.z)));
+  return hn_i_scaled_simplex2(n);
 }
 HN_FN hn_num hn_i_simplex(hn_ivec2 cell, hn_num2 f, hn_uint seed) {
   hn_num2 skewed = hn_i_skewed(f);

@@ -13,11 +13,11 @@ HN_FN hn_num hn_i_simplex(hn_uvec3 first, hn_uvec3 last, hn_uvec3 before, hn_num
   hn_num4 z;
   hn_num4 t;
   hn_uvec4 h = hn_i_four_points(first, last, before, f, seed, x, y, z, t);
-  hn_num n = hn_i_attenuated(hn_i_ramp_of(h.x, x.x, y.x, z.x), hn_i_weight(t.x));
-  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp_of(h.y, x.y, y.y, z.y), hn_i_weight(t.y)));
-  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp_of(h.z, x.z, y.z, z.z), hn_i_weight(t.z)));
-  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp_of(h.w, x.w, y.w, z.w), hn_i_weight(t.w)));
-  return hn_i_scaled(n, 5036);
+  hn_num n = hn_i_attenuated(hn_i_ramp_of(h.x, x.x, y.x, z.x), hn_i_weight4(t.x));
+  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp_of(h.y, x.y, y.y, z.y), hn_i_weight4(t.y)));
+  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp_of(h.z, x.z, y.z, z.z), hn_i_weight4(t.z)));
+  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp_of(h.w, x.w, y.w, z.w), hn_i_weight4(t.w)));
+  return hn_i_scaled_simplex3(n);
 }
 HN_FN hn_num hn_i_simplex(hn_ivec3 cell, hn_num3 f, hn_uint seed) {
   hn_uvec3 first = hn_i_first(cell);

@@ -14,11 +14,11 @@ HN_FN hn_num hn_i_simplex(hn_uvec4 first, hn_uvec4 last, hn_uvec4 before, hn_num
   hn_num4 w;
   hn_num4 t;
   hn_uvec4 h = hn_i_four_points(first, last, before, f, seed, x, y, z, w, t);
-  hn_num n = hn_i_attenuated(hn_i_ramp(h.x, x.x, y.x, z.x, w.x), hn_i_weight(t.x));
-  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(h.y, x.y, y.y, z.y, w.y), hn_i_weight(t.y)));
-  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(h.z, x.z, y.z, z.z, w.z), hn_i_weight(t.z)));
-  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(h.w, x.w, y.w, z.w, w.w), hn_i_weight(t.w)));
-  return hn_i_scaled_ramps(n, 4298);
+  hn_num n = hn_i_attenuated(hn_i_ramp(h.x, x.x, y.x, z.x, w.x), hn_i_weight3(t.x));
+  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(h.y, x.y, y.y, z.y, w.y), hn_i_weight3(t.y)));
+  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(h.z, x.z, y.z, z.z, w.z), hn_i_weight3(t.z)));
+  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(h.w, x.w, y.w, z.w, w.w), hn_i_weight3(t.w)));
+  return hn_i_scaled_simplex4(n);
 }
 HN_FN hn_num hn_i_simplex(hn_ivec4 cell, hn_num4 f, hn_uint seed) {
   hn_uvec4 first = hn_i_first(cell);

@@ -6,10 +6,10 @@
 
 #include "centred.glsl"
 
-// What a point adds to the derivatives of the noise. r is its weighted ramp's part without the weight.
+// What a point adds to the derivatives of the noise.
 HN_FN hn_num4 hn_i_bump_d(hn_uint h, hn_num x, hn_num y, hn_num z, hn_num w, hn_num t) {
-  hn_num k = hn_i_falling(hn_i_ramp(h, x, y, z, w), t, 2);
-  hn_num weight = hn_i_weight(t);
+  hn_num k = hn_i_attenuated(hn_i_ramp(h, x, y, z, w), hn_i_fall3(t, 2));
+  hn_num weight = hn_i_weight3(t);
   hn_num4 g = hn_i_gradient4(h);
   return hn_i_num(hn_i_lean(g.x, weight, k, x), hn_i_lean(g.y, weight, k, y), hn_i_lean(g.z, weight, k, z),
                   hn_i_lean(g.w, weight, k, w));
@@ -27,13 +27,13 @@ HN_FN hn_float hn_i_simplex_d(hn_uvec4 first, hn_uvec4 last, hn_uvec4 before, hn
   hn_num4 corners = hn_i_added(hn_i_bump_d(h.x, x.x, y.x, z.x, w.x, t.x), hn_i_bump_d(h.y, x.y, y.y, z.y, w.y, t.y));
   hn_num4 d = hn_i_added(hn_i_added(corners, hn_i_bump_d(h.z, x.z, y.z, z.z, w.z, t.z)),
                          hn_i_bump_d(h.w, x.w, y.w, z.w, w.w, t.w));
-  gradient = vec4(hn_i_derivative(hn_i_scaled_ramps(d.x, 4298)), hn_i_derivative(hn_i_scaled_ramps(d.y, 4298)),
-                  hn_i_derivative(hn_i_scaled_ramps(d.z, 4298)), hn_i_derivative(hn_i_scaled_ramps(d.w, 4298)));
-  hn_num n = hn_i_attenuated(hn_i_ramp(h.x, x.x, y.x, z.x, w.x), hn_i_weight(t.x));
-  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(h.y, x.y, y.y, z.y, w.y), hn_i_weight(t.y)));
-  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(h.z, x.z, y.z, z.z, w.z), hn_i_weight(t.z)));
-  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(h.w, x.w, y.w, z.w, w.w), hn_i_weight(t.w)));
-  return hn_i_value(hn_i_scaled_ramps(n, 4298));
+  gradient = vec4(hn_i_derivative(hn_i_scaled_simplex4(d.x)), hn_i_derivative(hn_i_scaled_simplex4(d.y)),
+                  hn_i_derivative(hn_i_scaled_simplex4(d.z)), hn_i_derivative(hn_i_scaled_simplex4(d.w)));
+  hn_num n = hn_i_attenuated(hn_i_ramp(h.x, x.x, y.x, z.x, w.x), hn_i_weight3(t.x));
+  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(h.y, x.y, y.y, z.y, w.y), hn_i_weight3(t.y)));
+  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(h.z, x.z, y.z, z.z, w.z), hn_i_weight3(t.z)));
+  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(h.w, x.w, y.w, z.w, w.w), hn_i_weight3(t.w)));
+  return hn_i_value(hn_i_scaled_simplex4(n));
 }
 HN_FN hn_float hn_i_simplex_d(hn_ivec4 cell, hn_num4 f, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
   hn_uvec4 first = hn_i_first(cell);

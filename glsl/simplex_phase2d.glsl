@@ -11,10 +11,10 @@ HN_FN hn_num hn_i_simplex_turned(hn_uvec3 h, hn_num2 skewed, hn_num2 rotation) {
   hn_num3 x = hn_i_triangle_x(skewed);
   hn_num3 y = hn_i_triangle_y(skewed);
   hn_num3 t = hn_i_triangle_near(x, y);
-  hn_num n = hn_i_attenuated(hn_i_ramp(hn_i_direction2(h.x), x.x, y.x, rotation), hn_i_weight(t.x));
-  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(hn_i_direction2(h.y), x.y, y.y, rotation), hn_i_weight(t.y)));
-  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(hn_i_direction2(h.z), x.z, y.z, rotation), hn_i_weight(t.z)));
-  return hn_i_scaled(n, 5810);
+  hn_num n = hn_i_attenuated(hn_i_triangle_ramp(h.x, x.x, y.x, rotation), hn_i_weight_plane(t.x));
+  n = hn_i_plus(n, hn_i_attenuated(hn_i_triangle_ramp(h.y, x.y, y.y, rotation), hn_i_weight_plane(t.y)));
+  n = hn_i_plus(n, hn_i_attenuated(hn_i_triangle_ramp(h.z, x.z, y.z, rotation), hn_i_weight_plane(t.z)));
+  return hn_i_scaled_simplex2(n);
 }
 HN_FN hn_num hn_i_simplex_turned(hn_ivec2 cell, hn_num2 f, hn_num2 rotation, hn_uint seed) {
   hn_num2 skewed = hn_i_skewed(f);
@@ -27,8 +27,8 @@ HN_FN hn_num hn_i_simplex_turned(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_n
 
 // What a corner adds to the noise and to its derivatives, in steps.
 HN_FN hn_num3 hn_i_turned_bump_d(hn_uint h, hn_num x, hn_num y, hn_num t, hn_num2 rotation) {
-  hn_num3 d = hn_i_direction2(h);
-  return hn_i_bump_d(hn_i_ramp(d, x, y, rotation), hn_i_gradient(d, rotation), x, y, t, 1);
+  return hn_i_bump_d(hn_i_triangle_ramp(h, x, y, rotation), hn_i_rotated(hn_i_triangle_gradient(h), rotation), x, y,
+                     hn_i_weight_plane(t), hn_i_fall_plane(t, 1));
 }
 
 // The noise and its derivatives, from the words of the corners.
@@ -36,11 +36,11 @@ HN_FN hn_vec3 hn_i_simplex_turned_d(hn_uvec3 h, hn_num2 skewed, hn_num2 rotation
   hn_num3 x = hn_i_triangle_x(skewed);
   hn_num3 y = hn_i_triangle_y(skewed);
   hn_num3 t = hn_i_triangle_near(x, y);
-  hn_num3 n = hn_i_added(hn_i_added(hn_i_turned_bump_d(h.x, x.x, y.x, t.x, rotation),
-                                    hn_i_turned_bump_d(h.y, x.y, y.y, t.y, rotation)),
-                         hn_i_turned_bump_d(h.z, x.z, y.z, t.z, rotation));
-  return vec3(hn_i_value(hn_i_scaled(n.x, 5810)), hn_i_derivative(hn_i_scaled(n.y, 5810)) * 2.0f,
-              hn_i_derivative(hn_i_scaled(n.z, 5810)) * 2.0f);
+  hn_num3 n = hn_i_added(
+      hn_i_added(hn_i_turned_bump_d(h.x, x.x, y.x, t.x, rotation), hn_i_turned_bump_d(h.y, x.y, y.y, t.y, rotation)),
+      hn_i_turned_bump_d(h.z, x.z, y.z, t.z, rotation));
+  return vec3(hn_i_value(hn_i_scaled_simplex2(n.x)), hn_i_derivative(hn_i_scaled_simplex2(n.y)) * 2.0f,
+              hn_i_derivative(hn_i_scaled_simplex2(n.z)) * 2.0f);
 }
 HN_FN hn_vec3 hn_i_simplex_turned_d(hn_ivec2 cell, hn_num2 f, hn_num2 rotation, hn_uint seed) {
   hn_num2 skewed = hn_i_skewed(f);

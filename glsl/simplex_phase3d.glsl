@@ -14,11 +14,11 @@ HN_FN hn_num hn_i_simplex_turned(hn_uvec3 first, hn_uvec3 last, hn_uvec3 before,
   hn_num4 z;
   hn_num4 t;
   hn_uvec4 h = hn_i_four_points(first, last, before, f, seed, x, y, z, t);
-  hn_num n = hn_i_attenuated(hn_i_ramp(hn_i_direction3(h.x), x.x, y.x, z.x, rotation), hn_i_weight(t.x));
-  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(hn_i_direction3(h.y), x.y, y.y, z.y, rotation), hn_i_weight(t.y)));
-  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(hn_i_direction3(h.z), x.z, y.z, z.z, rotation), hn_i_weight(t.z)));
-  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(hn_i_direction3(h.w), x.w, y.w, z.w, rotation), hn_i_weight(t.w)));
-  return hn_i_scaled(n, 5036);
+  hn_num n = hn_i_attenuated(hn_i_ramp(hn_i_direction3(h.x), x.x, y.x, z.x, rotation), hn_i_weight4(t.x));
+  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(hn_i_direction3(h.y), x.y, y.y, z.y, rotation), hn_i_weight4(t.y)));
+  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(hn_i_direction3(h.z), x.z, y.z, z.z, rotation), hn_i_weight4(t.z)));
+  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(hn_i_direction3(h.w), x.w, y.w, z.w, rotation), hn_i_weight4(t.w)));
+  return hn_i_scaled_simplex3(n);
 }
 HN_FN hn_num hn_i_simplex_turned(hn_ivec3 cell, hn_num3 f, hn_num2 rotation, hn_uint seed) {
   hn_uvec3 first = hn_i_first(cell);
@@ -33,7 +33,8 @@ HN_FN hn_num hn_i_simplex_turned(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_n
 // What a point adds to the noise and to its derivatives.
 HN_FN hn_num4 hn_i_turned_bump_d(hn_uint h, hn_num x, hn_num y, hn_num z, hn_num t, hn_num2 rotation) {
   hn_num4 d = hn_i_direction3(h);
-  return hn_i_bump_d(hn_i_ramp(d, x, y, z, rotation), hn_i_gradient(d, rotation), x, y, z, t, 2);
+  return hn_i_bump_d(hn_i_ramp(d, x, y, z, rotation), hn_i_gradient(d, rotation), x, y, z, hn_i_weight4(t),
+                     hn_i_fall4(t, 2));
 }
 
 // The noise and its derivatives.
@@ -48,8 +49,8 @@ HN_FN hn_vec4 hn_i_simplex_turned_d(hn_uvec3 first, hn_uvec3 last, hn_uvec3 befo
                                hn_i_turned_bump_d(h.y, x.y, y.y, z.y, t.y, rotation));
   hn_num4 n = hn_i_added(hn_i_added(corners, hn_i_turned_bump_d(h.z, x.z, y.z, z.z, t.z, rotation)),
                          hn_i_turned_bump_d(h.w, x.w, y.w, z.w, t.w, rotation));
-  return vec4(hn_i_value(hn_i_scaled(n.x, 5036)), hn_i_derivative(hn_i_scaled(n.y, 5036)),
-              hn_i_derivative(hn_i_scaled(n.z, 5036)), hn_i_derivative(hn_i_scaled(n.w, 5036)));
+  return vec4(hn_i_value(hn_i_scaled_simplex3(n.x)), hn_i_derivative(hn_i_scaled_simplex3(n.y)),
+              hn_i_derivative(hn_i_scaled_simplex3(n.z)), hn_i_derivative(hn_i_scaled_simplex3(n.w)));
 }
 HN_FN hn_vec4 hn_i_simplex_turned_d(hn_ivec3 cell, hn_num3 f, hn_num2 rotation, hn_uint seed) {
   hn_uvec3 first = hn_i_first(cell);

@@ -12,15 +12,15 @@ HN_FN hn_num hn_i_simplex_smooth(hn_uvec4 h, hn_num lower, hn_num upper, hn_num 
   hn_num lower1 = hn_i_far(lower);
   hn_num upper1 = hn_i_far(upper);
   hn_num y1 = hn_i_far(y);
-  hn_num n = hn_i_attenuated(hn_i_ramp(hn_i_direction2(h.x), lower, y),
-                           hn_i_weight(hn_i_near(hn_i_square(lower, y), 1024, 1)));
-  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(hn_i_direction2(h.y), lower1, y),
-                                 hn_i_weight(hn_i_near(hn_i_square(lower1, y), 1024, 1))));
-  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(hn_i_direction2(h.z), upper, y1),
-                                 hn_i_weight(hn_i_near(hn_i_square(upper, y1), 1024, 1))));
-  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(hn_i_direction2(h.w), upper1, y1),
-                                 hn_i_weight(hn_i_near(hn_i_square(upper1, y1), 1024, 1))));
-  return hn_i_scaled(n, 2324);
+  hn_num n = hn_i_attenuated(hn_i_triangle_ramp(h.x, lower, y),
+                             hn_i_weight3(hn_i_near(hn_i_square(lower, y), 1024, 1)));
+  n = hn_i_plus(n, hn_i_attenuated(hn_i_triangle_ramp(h.y, lower1, y),
+                                   hn_i_weight3(hn_i_near(hn_i_square(lower1, y), 1024, 1))));
+  n = hn_i_plus(n, hn_i_attenuated(hn_i_triangle_ramp(h.z, upper, y1),
+                                   hn_i_weight3(hn_i_near(hn_i_square(upper, y1), 1024, 1))));
+  n = hn_i_plus(n, hn_i_attenuated(hn_i_triangle_ramp(h.w, upper1, y1),
+                                   hn_i_weight3(hn_i_near(hn_i_square(upper1, y1), 1024, 1))));
+  return hn_i_scaled(n, 2428);
 }
 
 // The place along x in a row, in steps: odd rows are shifted.
@@ -33,8 +33,7 @@ HN_FN hn_num hn_i_simplex_smooth(hn_ivec2 cell, hn_num2 f, hn_uint seed) {
   hn_int row = hn_i_floor(p.y);
   hn_num lower = hn_i_in_row(p.x, row);
   hn_num upper = hn_i_in_row(p.x, row + 1);
-  hn_uvec2 c = hn_i_spread(
-      uvec2(hn_i_doubled(uint(cell.x), hn_i_floor(lower)), hn_i_doubled(uint(cell.y), row)));
+  hn_uvec2 c = hn_i_spread(uvec2(hn_i_doubled(uint(cell.x), hn_i_floor(lower)), hn_i_doubled(uint(cell.y), row)));
   hn_uint x = hn_i_spread(hn_i_doubled(uint(cell.x), hn_i_floor(upper)));
   hn_uvec2 next = hn_i_last(c);
   hn_uint s = hn_i_mix(seed);

@@ -6,9 +6,17 @@
 
 #include "centred.glsl"
 
-// The kernel ends at the square root of 3/4, half of a cell's longest diagonal. Of the two ends of each such diagonal one
-// is as far away, or farther: the squares of both distances sum to 3/2 or more. So of each kind of points four are enough:
-// one end of each diagonal of the cube around the place, whichever is nearer.
+// The kernel ends at the square root of 3/4, half of a cell's longest diagonal. Of the two ends of each such diagonal
+// one is as far away, or farther: the squares of both distances sum to 3/2 or more. So of each kind of points four are
+// enough: one end of each diagonal of the cube around the place, whichever is nearer.
+
+// What a point adds without its weight. Gradients are lengthened twice as much as those of Perlin noise.
+HN_FN hn_num hn_i_smooth_ramp(hn_uint h, hn_num x, hn_num y, hn_num z) {
+  hn_num4 d = hn_i_direction3(h);
+  return hn_i_lengthened(
+      hn_i_straight(d, hn_i_turned(hn_i_plus(x, y)), hn_i_turned(hn_i_minus(x, y)), hn_i_upright(z)),
+      hn_i_plus(d.w, d.w));
+}
 
 // What a neighbour of the nearest point adds: the one along an axis, or the opposite end of its diagonal. `one` are the
 // spread coordinates and d the offsets of the first, `others` and e those of the second. `size` is the magnitude of the
@@ -17,15 +25,17 @@ HN_FN hn_num hn_i_neighbour(hn_uvec3 one, hn_uvec3 others, hn_num3 d, hn_num3 e,
                             hn_i_square_number q, hn_uint join, hn_uint sum) {
   hn_num half_excess = hn_i_minus(total, hn_i_plus(size, size));
   hn_num middle = hn_i_quarters(2);
-  hn_uvec3 c = uvec3(hn_i_select(half_excess > middle, others.x, one.x), hn_i_select(half_excess > middle, others.y, one.y),
-                     hn_i_select(half_excess > middle, others.z, one.z));
+  hn_uvec3 c =
+      uvec3(hn_i_select(half_excess > middle, others.x, one.x), hn_i_select(half_excess > middle, others.y, one.y),
+            hn_i_select(half_excess > middle, others.z, one.z));
   hn_num x = hn_i_select(half_excess > middle, e.x, d.x);
   hn_num y = hn_i_select(half_excess > middle, e.y, d.y);
   hn_num z = hn_i_select(half_excess > middle, e.z, d.z);
   hn_num twice = hn_i_plus(size, size);
-  hn_num more = min(hn_i_minus(HN_I_ONE, twice), hn_i_plus(hn_i_minus(hn_i_quarters(8), hn_i_plus(total, total)), twice));
-  return hn_i_attenuated(hn_i_ramp_of(hn_i_word(c, join, sum), x, y, z),
-                       hn_i_weight(hn_i_near(hn_i_onto(q, more), 768, 1)));
+  hn_num more =
+      min(hn_i_minus(HN_I_ONE, twice), hn_i_plus(hn_i_minus(hn_i_quarters(8), hn_i_plus(total, total)), twice));
+  return hn_i_attenuated(hn_i_smooth_ramp(hn_i_word(c, join, sum), x, y, z),
+                         hn_i_weight5(hn_i_near(hn_i_onto(q, more), 768, 1)));
 }
 
 // What the four points of a kind add. The nearest has the spread coordinates n and the offsets d; along each axis the
@@ -33,7 +43,7 @@ HN_FN hn_num hn_i_neighbour(hn_uvec3 one, hn_uvec3 others, hn_num3 d, hn_num3 e,
 HN_FN hn_num hn_i_cube(hn_uvec3 n, hn_uvec3 m, hn_num3 d, hn_num3 e, hn_num3 size, hn_i_square_number q, hn_uint join,
                        hn_uint sum) {
   hn_num total = hn_i_plus(hn_i_plus(size.x, size.y), size.z);
-  hn_num a = hn_i_attenuated(hn_i_ramp_of(hn_i_word(n, join, sum), d.x, d.y, d.z), hn_i_weight(hn_i_near(q, 768, 1)));
+  hn_num a = hn_i_attenuated(hn_i_smooth_ramp(hn_i_word(n, join, sum), d.x, d.y, d.z), hn_i_weight5(hn_i_near(q, 768, 1)));
   a = hn_i_plus(a, hn_i_neighbour(uvec3(m.x, n.y, n.z), uvec3(n.x, m.y, m.z), hn_i_num(e.x, d.y, d.z),
                                   hn_i_num(d.x, e.y, e.z), size.x, total, q, join, sum));
   a = hn_i_plus(a, hn_i_neighbour(uvec3(n.x, m.y, n.z), uvec3(m.x, n.y, m.z), hn_i_num(d.x, e.y, d.z),
@@ -54,7 +64,7 @@ HN_FN hn_num hn_i_simplex_smooth(hn_uvec3 first, hn_uvec3 last, hn_uvec3 before,
                              hn_i_num(x.y, y.y, z.y), size, hn_i_square(x.x, y.x, z.x), s, s);
   hn_num centres = hn_i_cube(first, hn_i_nearer(f, before, last), hn_i_num(x.z, y.z, z.z), hn_i_num(x.w, y.w, z.w),
                              inner, hn_i_square(x.z, y.z, z.z), s ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM);
-  return hn_i_scaled(hn_i_plus(corners, centres), 5430);
+  return hn_i_scaled(hn_i_plus(corners, centres), 3901);
 }
 HN_FN hn_num hn_i_simplex_smooth(hn_ivec3 cell, hn_num3 f, hn_uint seed) {
   hn_uvec3 first = hn_i_first(cell);

@@ -29,24 +29,22 @@ HN_FN hn_uint hn_i_doubled(hn_uint c, hn_int more, hn_int period) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// The triangle around a place. Skewed coordinates u = x + y / 2 and v = y, in steps, are whole at the points. The corners
-// of the triangle are the first corner of the skewed square around the place, its last, and between them the one along u
-// if u has more beyond a whole number than v has, else the one along v.
+// The triangle around a place. Skewed coordinates u = x + y / 2 and v = y, in steps, are whole at the points. The
+// corners of the triangle are the first corner of the skewed square around the place, its last, and between them the one
+// along u if u has more beyond a whole number than v has, else the one along v.
 
 HN_FN hn_num2 hn_i_skewed(hn_num2 f) { return hn_i_num(hn_i_plus(hn_i_plus(f.x, f.x), f.y), hn_i_plus(f.y, f.y)); }
 
 // In which column of its row the first corner is, from twice the cell on.
-HN_FN hn_int hn_i_column_of(hn_num2 skewed) {
-  return hn_i_floor(skewed.x) - ((hn_i_floor(skewed.y) + 1) >> 1);
-}
+HN_FN hn_int hn_i_column_of(hn_num2 skewed) { return hn_i_floor(skewed.x) - ((hn_i_floor(skewed.y) + 1) >> 1); }
 
 // The words of the corners, in the order above.
 HN_FN hn_uvec3 hn_i_triangle(hn_ivec2 cell, hn_num2 skewed, hn_uint seed) {
   hn_int row = hn_i_floor(skewed.y);
   hn_num u = hn_i_past(skewed.x);
   hn_num v = hn_i_past(skewed.y);
-  hn_uvec2 first = hn_i_spread(
-      uvec2(hn_i_doubled(uint(cell.x), hn_i_column_of(skewed)), hn_i_doubled(uint(cell.y), row)));
+  hn_uvec2 first =
+      hn_i_spread(uvec2(hn_i_doubled(uint(cell.x), hn_i_column_of(skewed)), hn_i_doubled(uint(cell.y), row)));
   hn_uvec2 next = hn_i_last(first);
   hn_uvec2 last = uvec2(hn_i_select((row & 1) == 0, first.x, next.x), next.y);
   hn_uvec2 middle = uvec2(hn_i_select(u > v, next.x, last.x - 0x9E3779B1u), hn_i_select(u > v, first.y, next.y));
@@ -64,9 +62,10 @@ HN_FN hn_uvec3 hn_i_triangle(hn_ivec2 cell, hn_num2 skewed, hn_ivec2 period, hn_
   hn_uint lower = hn_i_doubled(c.y, row, period.y);
   hn_uint upper = hn_i_doubled(c.y, row + 1, period.y);
   hn_uint s = hn_i_mix(seed);
-  return uvec3(hn_i_word(hn_i_spread(uvec2(hn_i_doubled(c.x, first, period.x), lower)), s, s),
-               hn_i_word(hn_i_spread(uvec2(hn_i_doubled(c.x, middle, period.x), hn_i_select(u > v, lower, upper))), s, s),
-               hn_i_word(hn_i_spread(uvec2(hn_i_doubled(c.x, last, period.x), upper)), s, s));
+  return uvec3(
+      hn_i_word(hn_i_spread(uvec2(hn_i_doubled(c.x, first, period.x), lower)), s, s),
+      hn_i_word(hn_i_spread(uvec2(hn_i_doubled(c.x, middle, period.x), hn_i_select(u > v, lower, upper))), s, s),
+      hn_i_word(hn_i_spread(uvec2(hn_i_doubled(c.x, last, period.x), upper)), s, s));
 }
 
 // The offsets from the corners along x and along y, and how near the corners are.
@@ -87,5 +86,46 @@ HN_FN hn_num3 hn_i_triangle_near(hn_num3 x, hn_num3 y) {
   return hn_i_num(hn_i_near(hn_i_square(x.x, y.x), 819, 1), hn_i_near(hn_i_square(x.y, y.y), 819, 1),
                   hn_i_near(hn_i_square(x.z, y.z), 819, 1));
 }
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Gradients. They are lengthened by 3/8 of what those of Perlin noise are: that hides this lattice best.
+
+#if HN_ARITHMETIC != HN_FIXED
+
+HN_FN hn_vec3 hn_i_triangle_direction(hn_uint h) {
+  hn_vec3 d = hn_i_direction2(h);
+  return vec3(d.x, d.y, hn_i_times(d.z, 0.375f));
+}
+HN_FN hn_float hn_i_longer(hn_float n, hn_float more) { return hn_i_lengthened(n, more); }
+HN_FN hn_vec2 hn_i_triangle_gradient(hn_uint h) { return hn_i_gradient(hn_i_triangle_direction(h)); }
+
+#else
+
+// Here `more` is in units of 2^-12.
+HN_FN hn_ivec3 hn_i_triangle_direction(hn_uint h) {
+  hn_ivec3 d = hn_i_direction2(h);
+  return ivec3(d.x, d.y, 3 * d.z);
+}
+HN_FN hn_int hn_i_longer(hn_int n, hn_int more) { return n + (n >> 12) * more; }
+HN_FN hn_ivec2 hn_i_triangle_gradient(hn_uint h) {
+  hn_ivec3 d = hn_i_triangle_direction(h);
+  hn_int s = (4096 + d.z) << 8;
+  return ivec2(d.x * s, d.y * s);
+}
+
+#endif
+
+// What a corner adds without its weight.
+HN_FN hn_num hn_i_triangle_ramp(hn_uint h, hn_num x, hn_num y) {
+  hn_num3 d = hn_i_triangle_direction(h);
+  return hn_i_longer(hn_i_straight(d, x, y), d.z);
+}
+HN_FN hn_num hn_i_triangle_ramp(hn_uint h, hn_num x, hn_num y, hn_num2 rotation) {
+  hn_num3 d = hn_i_triangle_direction(h);
+  return hn_i_longer(hn_i_mixed(rotation, hn_i_straight(d, x, y), hn_i_cross(d.x, y, d.y, x)), d.z);
+}
+
+// A sum of weighted ramps is at most 1024 / 1549 (tools/bounds), with turned gradients, too.
+HN_FN hn_num hn_i_scaled_simplex2(hn_num n) { return hn_i_scaled(n, 1549); }
 
 #endif

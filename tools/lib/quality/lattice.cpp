@@ -1,10 +1,12 @@
 // Evaluates the C++ twin for tools/quality: reads points, writes raw words. Compiled once per setting of the knobs.
-//   lattice word|gradient|noise|stage 2|3 < points > values
+//   lattice word|gradient|noise|stage|NAME 2|3 < points > values
 // word      hn_i_point(cell, seed), of which the gradient is made: a point is the cell and the seed, 32-bit integers; a
 //           value is a word
 // gradient  hn_gradient(cell, seed): the same points; a value is the floats of the gradient
 // noise     hn_perlin(p, seed): a point is the floats of p and the seed; a value is a float
 // stage     hn_gradient2(word), hn_gradient3(word): a point is a word; a value is the floats of the gradient
+// NAME      hn_NAME(p, period, seed), with the same period along each axis: a point is the floats of p, the period as an
+//           integer, and the seed; a value is a float
 // All are little-endian, without anything between them.
 // Exit status: 0 done, 2 bad usage, or input or output that broke off.
 #include <array>
@@ -48,7 +50,17 @@ struct Quantity {
   void (*evaluate)(const Word* in, Word* out);
 };
 
-constexpr std::array<Quantity, 8> kQuantities = {{
+#define TILED(name)                                                                                                   \
+  {#name, '2', 4, 1, [](const Word* in, Word* out) {                                                                  \
+     *out = std::bit_cast<Word>(                                                                                      \
+         hashnoise::hn_##name(vec2(real(in[0]), real(in[1])), ivec2(integer(in[2])), in[3]));                         \
+   }},                                                                                                                \
+  {#name, '3', 5, 1, [](const Word* in, Word* out) {                                                                  \
+     *out = std::bit_cast<Word>(                                                                                      \
+         hashnoise::hn_##name(vec3(real(in[0]), real(in[1]), real(in[2])), ivec3(integer(in[3])), in[4]));            \
+   }}
+
+constexpr std::array<Quantity, 18> kQuantities = {{
     {"word", '2', 3, 1,
      [](const Word* in, Word* out) { *out = hashnoise::hn_i_point(hashnoise::uvec2(in[0], in[1]), in[2]); }},
     {"word", '3', 4, 1,
@@ -71,7 +83,13 @@ constexpr std::array<Quantity, 8> kQuantities = {{
      }},
     {"stage", '2', 1, 2, [](const Word* in, Word* out) { put(hashnoise::hn_gradient2(*in), out); }},
     {"stage", '3', 1, 3, [](const Word* in, Word* out) { put(hashnoise::hn_gradient3(*in), out); }},
+    TILED(perlin),
+    TILED(value),
+    TILED(value_cubic),
+    TILED(simplex),
+    TILED(simplex_smooth),
 }};
+#undef TILED
 
 const Quantity* find(int argc, char** argv) {
   if (argc != 3) return nullptr;
@@ -103,7 +121,7 @@ bool stream(const Quantity& quantity) {
 int main(int argc, char** argv) {
   const Quantity* quantity = find(argc, argv);
   if (quantity == nullptr) {
-    std::fputs("usage: lattice word|gradient|noise|stage 2|3 < points > values\n", stderr);
+    std::fputs("usage: lattice word|gradient|noise|stage|NAME 2|3 < points > values\n", stderr);
     return 2;
   }
   if (!stream(*quantity)) {

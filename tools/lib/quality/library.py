@@ -61,6 +61,13 @@ class Twin:
     def noise(self, positions: np.ndarray, seed: int) -> np.ndarray:
         return self.evaluate("noise", positions.shape[1], _points(positions.astype(np.float32).view(np.uint32), seed))
 
+    def tile(self, name: str, positions: np.ndarray, period: int, seed: int) -> np.ndarray:
+        """hn_<name> with a period, the same along each axis."""
+        points = np.empty((positions.shape[0], positions.shape[1] + 2), np.uint32)
+        points[:, :-2] = positions.astype(np.float32).view(np.uint32)
+        points[:, -2:] = period, seed
+        return self.evaluate(name, positions.shape[1], points)
+
     def stage(self, words: np.ndarray, dimensions: int) -> np.ndarray:
         """hn_gradient2 or hn_gradient3 of words."""
         return self.evaluate("stage", dimensions, words).reshape(*words.shape, dimensions)
