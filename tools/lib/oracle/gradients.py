@@ -52,18 +52,21 @@ def direction3(h: int) -> tuple[float, float, float]:
     return ((p + q) / 2, (p - q) / 2, -m if h >> 31 else m)
 
 
-def gradient2(h: int) -> tuple[float, float]:
-    """hn_gradient2: a direction, lengthened where it lies far from the axes."""
-    x, y = direction2(h)
-    length = 1 + min(abs(x), abs(y))
-    return (x * length, y * length)
+def lengthened(direction: Sequence[float], length: float) -> tuple[float, ...]:
+    """A direction, made longer where it lies far from the axes, by at most `length` times what its largest component
+    lacks: the contract's L."""
+    factor = 1 + length * (1 - max(map(abs, direction)))
+    return tuple(x * factor for x in direction)
 
 
-def gradient3(h: int) -> tuple[float, float, float]:
-    """hn_gradient3: likewise."""
-    x, y, z = direction3(h)
-    length = 2 - max(abs(x), abs(y), abs(z))
-    return (x * length, y * length, z * length)
+def gradient2(h: int, length: float = 1) -> tuple[float, float]:
+    """hn_gradient2."""
+    return lengthened(direction2(h), length)
+
+
+def gradient3(h: int, length: float = 1) -> tuple[float, float, float]:
+    """hn_gradient3."""
+    return lengthened(direction3(h), length)
 
 
 # The two pairs of axes into which the third of the words splits the four: the one with x first.
@@ -174,8 +177,13 @@ def sine_arguments(name: str, cell: Sequence[int], seed: int) -> list[int]:
 
 
 # By the number of dimensions.
-OCTAHEDRAL: dict[int, Callable[[int], tuple[float, ...]]] = {
+OCTAHEDRAL: dict[int, Callable[..., tuple[float, ...]]] = {
     1: gradient1, 2: gradient2, 3: gradient3, 4: gradient4}
+
+
+def octahedral(h: int, n: int, length: float = 1) -> tuple[float, ...]:
+    """The gradient of a word in n dimensions; in two and three its direction is made longer by that."""
+    return OCTAHEDRAL[n](h, length) if n in (2, 3) else OCTAHEDRAL[n](h)
 
 
 def gradient(knobs: Knobs, cell: Sequence[int], seed: int = 0) -> tuple[Real, ...]:

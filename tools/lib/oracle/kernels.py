@@ -16,9 +16,46 @@ from oracle import ramps
 from oracle.gradients import Real
 from oracle.integers import UNIT, part, signed, word
 from oracle.lattice import Lattice
+from oracle.ramps import Lengthening
 
 # How many cells a point may be away from the cell, along each axis. A kernel reaches one cell at most.
 AROUND = 2
+
+
+@dataclass(frozen=True)
+class Weight:
+    """w(t), and with HN_FIXED W and E, how it falls, of t and its square Q."""
+    terms: tuple[tuple[Fraction, int], ...]  # factors, and powers of t
+    of_square: Callable[[int, int], int]
+    fall: Callable[[int, int], int] | None = None  # only of noises with derivatives
+
+    def exact(self, t: Fraction) -> Fraction:
+        return sum((factor * t**power for factor, power in self.terms), Fraction(0))
+
+    def slope(self, t: Fraction) -> Fraction:
+        return sum((factor * power * t**(power - 1) for factor, power in self.terms), Fraction(0))
+
+
+def monomial(factor: int, power: int) -> tuple[tuple[Fraction, int], ...]:
+    return ((Fraction(factor), power),)
+
+
+def third(t: int, q: int) -> int:
+    """t^3, in units of 2^-18."""
+    return word(word(q * t) + 2**13) >> 14
+
+
+def quartic(t: int, q: int) -> int:
+    """8 t^3 (67/64 - t)."""
+    u = word(word(t * (68608 - t)) + 2**15) >> 16
+    return word(word(q * u) + 2**10) >> 11
+
+
+QUARTIC = Weight(((Fraction(67, 8), 3), (Fraction(-8), 4)), quartic,
+                 lambda t, q: signed(signed(q * (51456 - t)) + 2**10) >> 11)
+CUBE = Weight(monomial(1, 3), third, lambda t, q: 6 * q)
+FOURTH = Weight(monomial(1, 4), lambda t, q: word(word(q * q) + 2**13) >> 14, lambda t, q: 2 * third(t, q))
+FIFTH = Weight(monomial(4, 5), lambda t, q: word(word((word(word(q * q) + 2**15) >> 16) * t) + 2**11) >> 12)
 
 
 @dataclass(frozen=True)
@@ -27,6 +64,8 @@ class Kernel:
     triangles: bool
     r: int
     m: int
+    weight: Weight
+    lengthening: Lengthening
     scale: int
 
     @property
@@ -87,12 +126,12 @@ def points(kernel: Kernel, position: Sequence[int], step: int) -> list[Point]:
 
 @functools.lru_cache(maxsize=4096)
 def weighted_points(kernel: Kernel, f: tuple[Fraction, ...]) -> list[tuple[Point, tuple[Fraction, ...], Fraction]]:
-    """The points that count at the fractions f, with their offsets in steps and their W."""
+    """The points that count at the fractions f, with their offsets in steps and their t."""
     step = 2 * math.lcm(*(x.denominator for x in f))
     found = []
     for point in points(kernel, [int(kernel.steps * x * step) for x in f], step):
-        weight = Fraction(kernel.r, 1024) - kernel.m * Fraction(point.square, step**2)
-        found.append((point, tuple(Fraction(d, step) for d in point.offset), weight))
+        t = Fraction(kernel.r, 1024) - kernel.m * Fraction(point.square, step**2)
+        found.append((point, tuple(Fraction(d, step) for d in point.offset), t))
     return found
 
 
@@ -100,20 +139,24 @@ def dot(g: Sequence[Real], d: Sequence[Fraction]) -> Fraction:
     return sum((Fraction(a) * b for a, b in zip(g, d)), Fraction(0))
 
 
+def gradient(kernel: Kernel, lattice: Lattice, cell: Sequence[int], point: Point) -> tuple[Real, ...]:
+    return lattice.octahedral(point.word(kernel, lattice, cell), len(cell), kernel.lengthening)
+
+
 def value(kernel: Kernel, lattice: Lattice, cell: Sequence[int], f: Sequence[Fraction]) -> Fraction:
     total = Fraction(0)
-    for point, d, w in weighted_points(kernel, tuple(f)):
-        total += w**3 * dot(lattice.octahedral(point.word(kernel, lattice, cell), len(f)), d)
+    for point, d, t in weighted_points(kernel, tuple(f)):
+        total += kernel.weight.exact(t) * dot(gradient(kernel, lattice, cell, point), d)
     return Fraction(kernel.scale, 1024) * total
 
 
 def derivatives(kernel: Kernel, lattice: Lattice, cell: Sequence[int], f: Sequence[Fraction]) -> list[Fraction]:
     """Of the value, per cell."""
     totals = [Fraction(0)] * len(f)
-    for point, d, w in weighted_points(kernel, tuple(f)):
-        g = lattice.octahedral(point.word(kernel, lattice, cell), len(f))
-        ramp = dot(g, d)
-        totals = [total + w**3 * Fraction(a) - 6 * kernel.m * w**2 * b * ramp for total, a, b in zip(totals, g, d)]
+    for point, d, t in weighted_points(kernel, tuple(f)):
+        g = gradient(kernel, lattice, cell, point)
+        weight, along = kernel.weight.exact(t), -2 * kernel.m * kernel.weight.slope(t) * dot(g, d)
+        totals = [total + weight * Fraction(a) + along * b for total, a, b in zip(totals, g, d)]
     return [Fraction(kernel.scale * kernel.steps, 1024) * total for total in totals]
 
 
@@ -125,12 +168,11 @@ def fixed_points(kernel: Kernel, fraction: Sequence[int]) -> list[Point]:
     return points(kernel, [kernel.steps * x for x in fraction], UNIT)
 
 
-def fixed_powers(kernel: Kernel, square: int) -> tuple[int, int]:
-    """Q and W, the second and the third power, of a squared distance in units of 2^-40."""
+def fixed_t(kernel: Kernel, square: int) -> tuple[int, int]:
+    """t and Q, its square, of a squared distance in units of 2^-40."""
     n = square // 2**10
     t = min((max(kernel.r * 2**20 - kernel.m * n, 0) + 2**13) >> 14, 65535)
-    q = word(word(t * t) + 2**15) >> 16
-    return q, word(word(q * t) + 2**13) >> 14
+    return t, word(word(t * t) + 2**15) >> 16
 
 
 def fixed_scale(kernel: Kernel, n: int) -> int:
@@ -141,8 +183,8 @@ def fixed_scale(kernel: Kernel, n: int) -> int:
 def fixed_value(kernel: Kernel, lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> int:
     total = 0
     for point in fixed_points(kernel, fraction):
-        _, w = fixed_powers(kernel, point.square)
-        total = signed(total + part(lattice.fixed_ramp(point.word(kernel, lattice, cell), point.offset), w))
+        ramp = lattice.fixed_ramp(point.word(kernel, lattice, cell), point.offset, kernel.lengthening)
+        total = signed(total + part(ramp, kernel.weight.of_square(*fixed_t(kernel, point.square))))
     return ramps.scaled(total, fixed_scale(kernel, len(cell)))
 
 
@@ -151,11 +193,12 @@ def fixed_derivatives(kernel: Kernel, lattice: Lattice, cell: Sequence[int], fra
     n = len(cell)
     totals = [0] * n
     for point in fixed_points(kernel, fraction):
-        q, w = fixed_powers(kernel, point.square)
+        powers = fixed_t(kernel, point.square)
         h = point.word(kernel, lattice, cell)
-        along = part(lattice.fixed_ramp(h, point.offset), 2 * kernel.m * q)
-        for axis, (g, d) in enumerate(zip(lattice.fixed_octahedral(h, n), point.offset)):
-            totals[axis] = signed(totals[axis] + signed((part(g, w) >> 2) - 3 * part(along, d >> 2)))
+        weight = kernel.weight.of_square(*powers)
+        along = part(lattice.fixed_ramp(h, point.offset, kernel.lengthening), kernel.weight.fall(*powers))
+        for axis, (g, d) in enumerate(zip(lattice.fixed_octahedral(h, n, kernel.lengthening), point.offset)):
+            totals[axis] = signed(totals[axis] + signed((part(g, weight) >> 2) - 2 * part(along, d >> 2)))
     return [kernel.steps * ramps.scaled(total, fixed_scale(kernel, n)) for total in totals]
 
 

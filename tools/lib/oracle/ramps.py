@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from oracle import gradients, turning
 from oracle.integers import signed
@@ -17,13 +18,29 @@ def sign_of(h: int, m: int) -> int:
     return -m if h >> 31 else m
 
 
+@dataclass(frozen=True)
+class Lengthening:
+    """How much longer a direction is made: L, and the steps of fixed arithmetic for it."""
+    length: float
+    shift: int
+    times: int
+
+    def of(self, r: int, e: int) -> int:
+        """The ramp of a direction, made longer by e, in units of 2^-9 and not yet with L."""
+        return signed(r + signed((r >> self.shift) * (self.times * e)))
+
+
+# That of section 4, and those of simplex noise (section 13).
+WHOLE, THREE_EIGHTHS, TWICE = Lengthening(1, 9, 1), Lengthening(0.375, 12, 3), Lengthening(2, 9, 2)
+
+
 def ramp1(h: int, d: Sequence[int]) -> int:
     """The ramp on a line, of the word h of a lattice point at the offset d from it."""
     a = 2 * (h >> 22 & 511) - 511
     return signed(a * d[0])
 
 
-def ramp2(h: int, d: Sequence[int], turn: Turn | None = None) -> int:
+def ramp2(h: int, d: Sequence[int], turn: Turn | None = None, lengthening: Lengthening = WHOLE) -> int:
     """The octahedral ramp in the plane, likewise."""
     a = 2 * (h >> 22 & 511) - 511
     m = sign_of(h, 512 - abs(a))
@@ -31,7 +48,7 @@ def ramp2(h: int, d: Sequence[int], turn: Turn | None = None) -> int:
     r = signed(signed(a * d[0]) + signed(m * d[1]))
     if turn:
         r = turn.of(r, signed(signed(a * d[1]) - signed(m * d[0])))
-    return signed(r + signed((r >> 9) * e))
+    return lengthening.of(r, e)
 
 
 def cross(a: Sequence[int], b: Sequence[int], axis: int) -> int:
@@ -40,7 +57,7 @@ def cross(a: Sequence[int], b: Sequence[int], axis: int) -> int:
     return signed(signed(a[i] * b[j]) - signed(a[j] * b[i]))
 
 
-def ramp3(h: int, d: Sequence[int], turn: Turn | None = None) -> int:
+def ramp3(h: int, d: Sequence[int], turn: Turn | None = None, lengthening: Lengthening = WHOLE) -> int:
     """The octahedral ramp in space, likewise."""
     p = 2 * (h >> 23 & 255) - 255
     q = 2 * (h >> 15 & 255) - 255
@@ -51,7 +68,7 @@ def ramp3(h: int, d: Sequence[int], turn: Turn | None = None) -> int:
     if turn:
         g = (p + q, p - q, 2 * m)
         r = turn.of(r, cross(g, d, turning.still_axis(g)))
-    return signed(r + signed((r >> 9) * e))
+    return lengthening.of(r, e)
 
 
 def ramp4(h: int, d: Sequence[int]) -> int:
@@ -62,17 +79,19 @@ def ramp4(h: int, d: Sequence[int]) -> int:
 OCTAHEDRAL_RAMPS = {1: ramp1, 2: ramp2, 3: ramp3, 4: ramp4}
 
 
-def octahedral_ramp(h: int, d: Sequence[int], turn: Turn | None = None) -> int:
-    of_word = OCTAHEDRAL_RAMPS[len(d)]
-    if not turn:
-        return of_word(h, d)
-    turning.check(len(d))
-    return of_word(h, d, turn)
+def octahedral_ramp(h: int, d: Sequence[int], turn: Turn | None = None, lengthening: Lengthening = WHOLE) -> int:
+    n = len(d)
+    if n in turning.DIMENSIONS:
+        return OCTAHEDRAL_RAMPS[n](h, d, turn, lengthening)
+    if turn:
+        turning.check(n)
+    return OCTAHEDRAL_RAMPS[n](h, d)
 
 
-def octahedral_gradient(h: int, n: int, turn: Turn | None = None) -> tuple[int, ...]:
+def octahedral_gradient(h: int, n: int, turn: Turn | None = None, lengthening: Lengthening = WHOLE) -> tuple[int, ...]:
     """The components of the gradient of a word in n dimensions, in the units of the ramps."""
-    g = tuple(int(x * RAMP_UNITS[n]) for x in gradients.OCTAHEDRAL[n](h))  # exact: the units are fine enough
+    # Exact: the units are fine enough.
+    g = tuple(int(x * RAMP_UNITS[n]) for x in gradients.octahedral(h, n, lengthening.length))
     return tuple(map(turn.of, g, turning.quarter_turned(g))) if turn else g
 
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from oracle.kernels import Kernel, noise
+from oracle.kernels import CUBE, FIFTH, Kernel, noise
+from oracle.ramps import THREE_EIGHTHS, TWICE
 
 # By the number of dimensions.
-KERNELS = {2: Kernel(True, 1024, 1, 2324), 3: Kernel(False, 768, 1, 5430)}
+KERNELS = {2: Kernel(True, 1024, 1, CUBE, THREE_EIGHTHS, 2428), 3: Kernel(False, 768, 1, FIFTH, TWICE, 3901)}
 
 exact, fixed = noise(KERNELS)
