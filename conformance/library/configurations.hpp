@@ -26,6 +26,9 @@ enum class Family : unsigned {
   octahedral_noise = 1u << 8,  // gradient noise that is not declared with the sine gradient
   further_lattice_noise = 1u << 9,
   further_octave_sum = 1u << 10,
+  // Gradient noise, and what is made of it, that HN_GRADIENT does not change. Few settings have values of it, too.
+  simplex_noise = 1u << 11,
+  curl = 1u << 12,
 };
 
 constexpr unsigned operator|(Family a, Family b) { return static_cast<unsigned>(a) | static_cast<unsigned>(b); }

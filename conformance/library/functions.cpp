@@ -84,14 +84,21 @@ bool Function::is_noise() const {
 }
 
 bool Function::is_gradient_noise() const {
-  return is_one_of(family, {Family::gradient_noise, Family::further_gradient_noise, Family::octahedral_noise});
+  return is_one_of(family, {Family::gradient_noise, Family::further_gradient_noise, Family::octahedral_noise,
+                            Family::simplex_noise});
 }
 
 bool Function::is_octave_sum() const { return is_one_of(family, {Family::octave_sum, Family::further_octave_sum}); }
 
 bool Function::is_further() const {
   return is_one_of(family, {Family::further_gradient_noise, Family::octahedral_noise, Family::further_lattice_noise,
-                            Family::further_octave_sum});
+                            Family::further_octave_sum, Family::simplex_noise, Family::curl});
+}
+
+bool Function::is_derived() const { return bound.ends_with("_d") || bound.ends_with("_d_phase"); }
+
+bool Function::is_costly() const {
+  return is_octave_sum() || family == Family::curl || (is_noise() && (has_slopes() || axes == 4));
 }
 
 // dx, dy, dz, dw

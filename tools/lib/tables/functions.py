@@ -11,18 +11,21 @@ from tree import FUNCTIONS
 
 # Functions whose values depend on the same knobs.
 FAMILIES = ("independent", "hash", "gradient", "sine_gradient", "gradient_noise", "lattice_noise", "octave_sum",
-            "further_gradient_noise", "octahedral_noise", "further_lattice_noise", "further_octave_sum")
-NOISES = ("gradient_noise", "lattice_noise", "further_gradient_noise", "octahedral_noise", "further_lattice_noise")
+            "further_gradient_noise", "octahedral_noise", "further_lattice_noise", "further_octave_sum",
+            "simplex_noise", "curl")
+NOISES = ("gradient_noise", "lattice_noise", "further_gradient_noise", "octahedral_noise", "further_lattice_noise",
+          "simplex_noise")
 OCTAVE_SUMS = ("octave_sum", "further_octave_sum")
 # Few settings have values of these.
-FURTHER = ("further_gradient_noise", "octahedral_noise", "further_lattice_noise", "further_octave_sum")
+FURTHER = ("further_gradient_noise", "octahedral_noise", "further_lattice_noise", "further_octave_sum",
+           "simplex_noise", "curl")
 
 # What the names of the inputs say that a function takes; n of them have an axis.
 FORMS = {
     "words": re.compile(r"(?:key|h):u32|(?:[xyzw]:u32 ?)+"),
     "point": re.compile(r"(?:[xyzw]:i32 )+seed:u32"),
-    "position": re.compile(r"(?:[xyzw]:f32 )+(?:p[xyzw]:i32 )*seed:u32"),
-    "cell": re.compile(r"(?:c[xyzw]:i32 )+(?:f[xyzw]:f32 )+(?:p[xyzw]:i32 )*seed:u32"),
+    "position": re.compile(r"(?:[xyzw]:f32 )+(?:p[xyzw]:i32 )*(?:phase:f32 )?seed:u32"),
+    "cell": re.compile(r"(?:c[xyzw]:i32 )+(?:f[xyzw]:f32 )+(?:p[xyzw]:i32 )*(?:phase:f32 )?seed:u32"),
     "sum": re.compile(r"(?:[xyzw]:f32 )+(?:p[xyzw]:i32 )*octaves:i32 lacunarity:f32 gain:f32 seed:u32"),
     # A position that is a whole number of units: where it is, and the noise there.
     "place": re.compile(r"(?:[xyzw]:i32 )+cells:i32 units:i32"),
@@ -62,6 +65,11 @@ class Function:
         return "px:" in self.inputs
 
     @property
+    def has_phase(self) -> bool:
+        """Whether it takes a phase, right before the seed."""
+        return "phase:" in self.inputs
+
+    @property
     def exact(self) -> bool:
         return "f64" not in self.outputs
 
@@ -87,21 +95,22 @@ class Function:
             return f"{prefix}vec{self.axes}" if self.axes > 1 else scalar
 
         period = (vector("i", "int"),) * self.has_period
-        cell = (vector("i", "int"), vector("", "float"), *period)
+        phase = ("float",) * self.has_phase
+        cell = (vector("i", "int"), vector("", "float"), *period, *phase)
         return {"words": (vector("u", "uint"),), "point": (vector("i", "int"),),
-                "position": (vector("", "float"), *period), "cell": cell, "place_of_noise": cell,
+                "position": (vector("", "float"), *period, *phase), "cell": cell, "place_of_noise": cell,
                 "sum": (vector("", "float"), *period, "int", "float", "float"),
                 "place": (vector("i", "int"), "int", "int")}[self.form]
 
     @property
     def overloads(self) -> tuple[tuple[str, ...], ...]:
-        """The types without a seed, and with one. Where there are periods, there is always a seed."""
+        """The types without a seed, and with one. With periods or a phase there is always a seed."""
         # A vec4 has no room for a value and four derivatives.
         out = ("out vec4",) * (self.bound.endswith("_d") and self.axes == 4)
         if self.form in ("words", "place"):
             return (self.types,)
         seeded = (*self.types, "uint", *out)
-        return (seeded,) if self.has_period else ((*self.types, *out), seeded)
+        return (seeded,) if self.has_period or self.has_phase else ((*self.types, *out), seeded)
 
 
 def _function(row: Row) -> Function:
