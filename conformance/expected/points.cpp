@@ -152,6 +152,26 @@ float random_setting(std::string_view name, Region region, Extremes extremes, Ra
   return name == "lacunarity" ? random_lacunarity(random) : random_gain(random);
 }
 
+// In turns: none, quarters, where components of gradients change places, so small or so large that few of its bits
+// count, of either sign, and anything.
+float random_phase(Region region, Random& random) {
+  if (region == Region::extreme) return random_extreme(128, random);
+  switch (random.below(6)) {
+    case 0:
+      return 0.0f;
+    case 1:
+      return static_cast<float>(random.below(33)) * 0.25f - 4.0f;
+    case 2:
+      return random_magnitude(-40, -20, random);
+    case 3:
+      return random.uniform(-65536.0f, 65536.0f);
+    case 4:
+      return random.uniform(-1.0f, 0.0f);
+    default:
+      return random.uniform(0.0f, 1.0f);
+  }
+}
+
 float random_coordinate(Region region, bool octave_sum, Extremes extremes, Random& random) {
   if (region == Region::steep) return random_tiny(random);
   if (region == Region::extreme) {
@@ -190,6 +210,7 @@ float random_float(const Column& column, Region region, bool octave_sum, Extreme
   if (column.name == "lacunarity" || column.name == "gain") {
     return random_setting(column.name, region, extremes, random);
   }
+  if (column.name == "phase") return random_phase(region, random);
   if (!column.name.starts_with("f")) return random_coordinate(region, octave_sum, extremes, random);
   return region == Region::extreme ? extreme_fraction(extremes, random) : random_fraction(random);
 }

@@ -36,8 +36,9 @@ Extremes defined_extremes(const Configuration& configuration);
 
 // count points for a function, kInputWords words each. Words: edge values and random ones. Cells: near, negative, far
 // and anywhere. Positions: near, negative, at 2^20 cells and more, on lattice lines and next to them. For octave sums
-// also small whole numbers of octaves, and lacunarities with and without rounding of the positions. Periods: none, small,
-// large and odd ones, and then half of the cells and positions lie beside a multiple of theirs.
+// also small whole numbers of octaves, and lacunarities with and without rounding of the positions. Phases: none,
+// quarters, tiny, negative, large and any. Periods: none, small, large and odd ones, and then half of the cells and
+// positions lie beside a multiple of theirs.
 std::vector<std::uint32_t> random_points(const Function& function, std::size_t count, Random random,
                                          Extremes extremes = Extremes::none);
 

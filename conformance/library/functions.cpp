@@ -97,6 +97,12 @@ bool Function::is_further() const {
                             Family::further_octave_sum, Family::simplex_noise, Family::curl});
 }
 
+bool Function::is_derived() const { return bound.ends_with("_d") || bound.ends_with("_d_phase"); }
+
+bool Function::is_costly() const {
+  return is_octave_sum() || family == Family::curl || (is_noise() && (has_slopes() || axes == 4));
+}
+
 // dx, dy, dz, dw
 bool Function::is_slope(std::size_t output) const {
   const std::string_view name = outputs[output].name;
