@@ -13,12 +13,19 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
      "a quarter of them for octave sums, derivatives, noises in 4D and for other settings, a sixteenth in other "
      "versions. On softpipe there are "
      "4,096, with `--points N` there are N. The points are near, negative, at 2^20 cells and more, on lattice lines "
-     "and beside them; for `precise` and `fixed` also subnormal, tiny, -0 and huge, and for octave sums of `precise` "
+     "and beside them; for `precise` and `fixed` also subnormal, tiny, -0, huge and at the thresholds "
+     "below which `precise` takes 0, and for octave sums of `precise` "
      "tiny with a lacunarity of 2^20 to 2^126."},
     {"range",
      "65,536 values (16,384 of octave sums, derivatives and noises in 4D) lie in the range that the library promises, "
      "and those of noises reach into its ends."},
-    {"zero", "At as many lattice points the noise is 0."},
+    {"zero",
+     "At as many lattice points the noise is 0. Half of those of simplex noise are no corners of cells, as far as floats "
+     "hold them."},
+    {"seams",
+     "Pairs of neighbours, 4,096 of them 2^-16 or 2^-15 of a cell apart, have values and derivatives that differ by no "
+     "more than the proven slope allows, and twice the tolerance. The pairs lie at the walls of cells and, for simplex "
+     "noise, at the planes where other lattice points begin to count."},
     {"finite",
      "At the points of `range`, and at subnormal, tiny and huge coordinates up to 3.4e38 (2^96 for octave sums of "
      "floats), values are numbers in their range. Settings that are cut off are among the points, and for `fixed` NaN "
@@ -28,14 +35,26 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
     {"derivative",
      "At 512 points derivatives are those of the polynomial that the noise is along each axis of a cell, through seven "
      "values of the noise on the same driver, within the errors of both. A third of the points lie at an end of the "
-     "cell."},
+     "cell. Simplex noise is no such polynomial: there the difference to both sides takes its place, with an error that "
+     "follows from a bound on the third derivative."},
+    {"divergence",
+     "At 2,048 points the differences of the components of a curl, each along its own axis, sum to less than a "
+     "twentieth of what is summed, on average."},
     {"derivative_value",
      "The value that comes with a derivative is that of the noise, at 4,096 points: bit by bit, or for `fast` within "
      "the tolerances of both."},
+    {"loop",
+     "Phases that are whole turns apart, up to 2^16 of either sign, give the same bits at 4,096 points, with every "
+     "arithmetic."},
+    {"half_turn", "Half a turn gives the negative at 4,096 points, within twice the tolerance."},
+    {"phase_zero",
+     "A phase of whole turns gives the noise without a phase, and its derivatives, at 4,096 points, within the "
+     "tolerances of both."},
     {"period",
      "4,096 points that are whole periods apart have the same bits, in cells beside the seam and anywhere, with "
-     "periods from 1 to 2^31 - 1 and none. So have octave sums of a whole lacunarity, `fixed` ones of up to 15 octaves; "
-     "`fast` ones are the same within the tolerance."},
+     "periods from 1 to 2^31 - 1 and none. Simplex noise on the plane repeats after 2^31 cells without a period. Octave "
+     "sums of a whole lacunarity repeat, too, `fixed` ones of up to 15 octaves; `fast` ones are the same within the "
+     "tolerance."},
     {"wrapped",
      "Without a period along any axis, and where a cell reaches no seam, the form with periods has the values of the "
      "form without, at the cell modulo the period: bit by bit, or for `fast` within the tolerances of both. Octave "

@@ -4,22 +4,31 @@
 #include <bit>
 #include <cmath>
 
+#include "cases/places.hpp"
 #include "cases/value_checks.hpp"
 #include "expected/points.hpp"
+#include "expected/simplex.hpp"
 #include "expected/tolerance.hpp"
 
 namespace hn {
 namespace {
 
 constexpr std::size_t kPoints = 512;
+// Of positions: they have 10 bits of a fraction.
+constexpr std::uint32_t kFurthestCell = 1024;
 
-// Along an axis a noise is a polynomial within a cell: of degree 5 from the fade curve, and 6 with the ramp of a
+// The derivative at a place is the sum of values of the noise at others times their weights, but for an error.
+struct Stencil {
+  std::vector<Place> nodes;
+  std::vector<double> weights;
+  double error;
+};
+
+// Along an axis a lattice noise is a polynomial within a cell: of degree 5 from the fade curve, and 6 with the ramp of a
 // gradient. So seven values in the cell determine it, and its derivative anywhere in it, without an error of the
 // method. These places are near those where a polynomial of that degree depends the least on errors of its values, and
 // they are multiples of 1/64, which positions of this size hold exactly.
 constexpr std::array<double, 7> kNodes = {0.0, 4.0 / 64, 16.0 / 64, 32.0 / 64, 48.0 / 64, 60.0 / 64, 1.0};
-// Of positions: they have 10 bits of a fraction.
-constexpr std::uint32_t kFurthestCell = 1024;
 
 // By how much the derivative at t of the polynomial through the nodes grows with the value at node k.
 double weight(std::size_t k, double t) {
@@ -35,29 +44,31 @@ double weight(std::size_t k, double t) {
   return sum;
 }
 
-// Where a point lies along an axis. Fractions are multiples of 1/1024, from one end of the cell to the other.
-struct Place {
-  std::uint32_t cell;
-  double fraction;
-};
+Stencil polynomial_through_cell(const Place& place) {
+  Stencil stencil{{}, {}, 0.0};
+  for (std::size_t k = 0; k < kNodes.size(); ++k) {
+    stencil.nodes.push_back({place.cell, kNodes[k]});
+    stencil.weights.push_back(weight(k, place.fraction));
+  }
+  return stencil;
+}
 
+// Simplex noise has a polynomial for each set of points that count, and they begin to count anywhere. Its difference to
+// both sides is off by no more than the third derivative times the square of the step over 6: that needs a second
+// derivative that changes no faster, and no third one. The step is the power of two at which this and the errors of the
+// values, over the step, are about the least together.
+Stencil difference_to_both_sides(const Place& place, int axes, double value_error) {
+  const double third = simplex_third_derivative(axes);
+  const double step = std::clamp(std::exp2(std::round(std::log2(std::cbrt(3.0 * value_error / third)))), 0x1p-12, 0x1p-6);
+  return {{moved(place, -step), moved(place, step)}, {-0.5 / step, 0.5 / step}, third * step * step / 6.0};
+}
+
+// Fractions are multiples of 1/1024, from one end of the cell to the other.
 Place random_place(const Function& function, Random& random) {
-  const bool far = function.takes_cell() && random.below(2) == 0;
-  const std::uint32_t cell = far ? random.word() : random.below(2 * kFurthestCell) - kFurthestCell;
+  const std::uint32_t cell = random_cell_of(function, kFurthestCell, random);
   // Each end, where derivatives of this cell and of the next meet, is as likely as a quarter of the inside.
   const std::uint32_t end = random.below(6);
   return {cell, end < 2 ? static_cast<double>(end) : static_cast<double>(random.below(1025)) / 1024.0};
-}
-
-// Writes a place into the words of a point.
-void put(const Function& function, std::span<std::uint32_t> words, std::size_t axis, const Place& place) {
-  const auto bits = [](double value) { return std::bit_cast<std::uint32_t>(static_cast<float>(value)); };
-  if (function.takes_cell()) {
-    words[axis] = place.cell;
-    words[static_cast<std::size_t>(function.axes) + axis] = bits(place.fraction);
-  } else {
-    words[axis] = bits(static_cast<double>(static_cast<std::int32_t>(place.cell)) + place.fraction);
-  }
 }
 
 double number(std::span<const std::uint32_t> words, std::size_t word) {
@@ -66,13 +77,13 @@ double number(std::span<const std::uint32_t> words, std::size_t word) {
 
 // The points of the noise without derivatives: for each point, axis and node one.
 Words nodes_of(const Function& function, const Function& plain, const Words& inputs,
-               const std::vector<std::vector<Place>>& places) {
+               const std::vector<std::vector<Stencil>>& stencils) {
   Words words;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    for (std::size_t axis = 0; axis < places[i].size(); ++axis) {
-      for (const double node : kNodes) {
+  for (std::size_t i = 0; i < stencils.size(); ++i) {
+    for (std::size_t axis = 0; axis < stencils[i].size(); ++axis) {
+      for (const Place& node : stencils[i][axis].nodes) {
         Words at(point(inputs, i).begin(), point(inputs, i).end());
-        put(function, at, axis, {places[i][axis].cell, node});
+        put(function, at, axis, node);
         for (std::size_t column = 0; column < plain.inputs.size(); ++column) {
           words.push_back(at[static_cast<std::size_t>(function.input(plain.inputs[column].name))]);
         }
@@ -90,36 +101,38 @@ Outcome check_derivative(Session& session, const Evaluation& evaluation) {
   const auto& [function, configuration, profile, variant, stage] = evaluation;
   const Function& plain = plain_noise_of(function);
   const auto axes = static_cast<std::size_t>(function.axes);
+  const double error = error_of(plain, configuration, 0);
   const std::size_t points = std::max<std::size_t>(1, std::min(kPoints, session.most_points / (kNodes.size() * axes)));
   Random random(session.seed, "derivative");
   Words inputs = random_points(function, points, random);
-  std::vector<std::vector<Place>> places(points, std::vector<Place>(axes));
+  std::vector<std::vector<Stencil>> stencils(points);
   for (std::size_t i = 0; i < points; ++i) {
     for (std::size_t axis = 0; axis < axes; ++axis) {
-      places[i][axis] = random_place(function, random);
-      put(function, std::span(inputs).subspan(i * kInputWords, kInputWords), axis, places[i][axis]);
+      const Place place = random_place(function, random);
+      put(function, std::span(inputs).subspan(i * kInputWords, kInputWords), axis, place);
+      stencils[i].push_back(function.is_simplex_noise() ? difference_to_both_sides(place, function.axes, error)
+                                                        : polynomial_through_cell(place));
     }
   }
   const auto derivatives = evaluate(session, evaluation, inputs);
   if (!derivatives) return derivatives.error();
-  const Words nodes = nodes_of(function, plain, inputs, places);
+  const Words nodes = nodes_of(function, plain, inputs, stencils);
   const auto values = evaluate(session, {plain, configuration, profile, {}, stage}, nodes);
   if (!values) return values.error();
-  const double error = error_of(plain, configuration, 0);
   Comparison comparison(function, inputs);
+  std::size_t node = 0;
   for (std::size_t i = 0; i < points; ++i) {
     for (std::size_t axis = 0; axis < axes; ++axis) {
       double expected = 0.0;
       double weights = 0.0;
-      for (std::size_t k = 0; k < kNodes.size(); ++k) {
-        const double by = weight(k, places[i][axis].fraction);
-        expected += by * number(result(*values, (i * axes + axis) * kNodes.size() + k), 0);
+      for (const double by : stencils[i][axis].weights) {
+        expected += by * number(result(*values, node++), 0);
         weights += std::fabs(by);
       }
       // The columns of derivatives come last.
       const std::size_t column = function.outputs.size() - axes + axis;
       comparison.number(point(inputs, i), std::bit_cast<float>(result(*derivatives, i)[column]), expected,
-                        error_of(function, configuration, column) + weights * error, column);
+                        error_of(function, configuration, column) + weights * error + stencils[i][axis].error, column);
     }
   }
   return comparison.finish();

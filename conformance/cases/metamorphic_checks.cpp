@@ -33,7 +33,8 @@ Outcome check_pairing(Session& session, const Pairing& pairing) {
     if (pairing.exact) {
       comparison.bits(in, word, other, column);
     } else {
-      comparison.number(in, std::bit_cast<float>(word), static_cast<double>(std::bit_cast<float>(other)),
+      comparison.number(in, std::bit_cast<float>(word),
+                        pairing.factor * static_cast<double>(std::bit_cast<float>(other)),
                         pairing.allowed[i * pairing.words() + column.value_or(0)], column);
     }
   };
@@ -64,7 +65,7 @@ struct Variant {
 
 // It is held against the noise without a derivative.
 bool has_value_with_derivative(const Function& function) {
-  return function.bound.ends_with("_d") && function.outputs.front().name == "value";
+  return function.is_derived() && function.outputs.front().name == "value";
 }
 
 constexpr std::array kVariants = {
@@ -108,6 +109,14 @@ void add_metamorphic_cases(std::vector<Case>& cases, const Evaluation& evaluatio
     const bool chosen = configuration.is_default() && !profile.es;
     cases.push_back({name_of(evaluation, "constant_period"), PairingKind{evaluation, constant_period_pairing},
                      chosen ? Extent::one_driver : Extent::thorough});
+  }
+  if (function.takes_phase()) {
+    add("loop", loop_pairing);
+    // With periods the field has no values but those that it has without.
+    if (!function.takes_period()) {
+      add("half_turn", half_turn_pairing);
+      add("phase_zero", phase_zero_pairing);
+    }
   }
   if (function.is_noise() && has_value_with_derivative(function)) add("derivative_value", derivative_value_pairing);
 }

@@ -8,18 +8,7 @@
 namespace hn {
 namespace {
 
-class Extreme : public FaultyLibrary {
- protected:
-  void expect_caught(std::string_view id, std::string_view file, std::string_view fault) {
-    sources_ = SourceSet::embedded();
-    const Outcome right = run(id);
-    EXPECT_EQ(right.status, Status::pass) << id << ": " << right.message;
-    append(file, fmt::format("#define {}", fault));
-    const Outcome wrong = run(id);
-    EXPECT_EQ(wrong.status, Status::fail) << id << ": " << fault << ": " << wrong.message;
-    EXPECT_NE(wrong.mismatches, 0u) << id << ": " << fault;
-  }
-};
+class Extreme : public FaultyLibrary {};
 
 constexpr std::string_view kPerlins[] = {"noise2d.perlin.lattice.fast.fragment.gl330.finite",
                                          "noise2d.perlin.lattice.precise.fragment.gl400.finite",

@@ -27,12 +27,14 @@ void add_properties(std::vector<Case>& cases, const Evaluation& evaluation, Exte
   add("range", check_range);
   // A hash changes no value's size.
   if (configuration.hash == default_configuration().hash) add("finite", check_finite);
+  if (function.family == Family::curl) add("divergence", check_divergence);
   if (!function.is_noise()) return;
+  if (configuration.hash == default_configuration().hash && !function.inputs_are_units()) add("seams", check_seams);
   if (function.has_slopes()) add("derivative", check_derivative);
   if (function.starts_from_integers()) return;
   if (function.is_gradient_noise() && !function.is_slope(0)) add("zero", check_zero);
   // With the sine gradient a hash is as weak as published. With derivatives the field is the same.
-  if (!configuration.hash_only() || function.bound.ends_with("_d")) return;
+  if (!configuration.hash_only() || function.is_derived()) return;
   add("seeds", check_seeds);
   add("mirror", check_mirror);
 }

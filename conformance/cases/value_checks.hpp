@@ -39,8 +39,10 @@ Check check_finite;      // and neither NaN nor infinity at extreme points
 Check check_unseeded;    // without a seed means with seed 0
 Check check_noise_knob;  // HN_FBM_NOISE2D and HN_FBM_NOISE3D are used
 
-// derivative_check.cpp
+// derivative_check.cpp, divergence_check.cpp and seams_check.cpp
 Check check_derivative;  // derivatives are those of the noise
+Check check_divergence;  // what flows into a place flows out of it
+Check check_seams;       // nothing jumps where other lattice points begin to count
 
 // compile_cases.cpp
 Outcome check_compilation(Session& session, const CompilationKind& compilation);

@@ -72,7 +72,7 @@ constexpr std::uint32_t kFixedOctaves = 15;
 // Of cells an int is enough for any period. Positions are multiples of 1/8 that are floats a period on, too. Octave
 // sums have few cells: with a whole lacunarity the positions of all octaves are multiples of 1/32 and floats.
 std::int32_t chosen_period(const Function& function, Random& random) {
-  constexpr std::array<std::int32_t, 13> kPeriods = {0,  1,       2,       3,       5,         7,         48,
+  constexpr std::array<std::int32_t, 13> kPeriods = {0,  1,       2,       3,       5,          7, 48,
                                                      64, 1000003, 1 << 20, 1 << 30, 0x7FFFFFFF, -3};
   const std::uint32_t count = function.is_octave_sum() ? 7 : function.starts_from_integers() ? 13 : 10;
   return kPeriods[random.below(count)];
@@ -103,9 +103,18 @@ Place random_place(WordType type, std::int64_t period, Random& random) {
   return {beside < -reach || beside >= reach ? anywhere : beside, eighths};
 }
 
+// What is made of simplex noise.
+bool is_of_simplex(const Function& function) { return function.is_simplex_noise() || function.family == Family::curl; }
+
+// After how many cells a field repeats without a period: simplex noise on the plane has two lattice points to a cell
+// along each axis. All others repeat after 2^32 cells, which is the same int.
+std::int64_t cells_of_all(const Function& function) {
+  return std::int64_t{1} << (is_of_simplex(function) && function.axes == 2 ? 31 : 32);
+}
+
 // Some periods on. Cells, which have room for it, go far, as long as they are ints.
-Place moved(const Place& place, WordType type, std::int64_t period, Random& random) {
-  if (period <= 0) return place;
+Place moved(const Function& function, const Place& place, WordType type, std::int64_t period, Random& random) {
+  if (period <= 0) return type == WordType::i32 ? Place{place.cell + cells_of_all(function), place.eighths} : place;
   std::int64_t periods = static_cast<std::int64_t>(random.below(3)) - 1;
   if (type == WordType::i32) periods *= random.below(2) == 0 ? 64 : 1;
   for (; periods != 0; periods /= 2) {
@@ -115,11 +124,13 @@ Place moved(const Place& place, WordType type, std::int64_t period, Random& rand
   return place;
 }
 
-// A cell whose noise reaches no seam, and its like within the period; hn_value_cubic takes one lattice point more on
-// each side.
+// A cell whose noise reaches no seam, and its like within the period. hn_value_cubic takes one lattice point more on
+// each side. Simplex noise takes points of the cell before and of the cell after.
 bool is_inside(const Function& function, std::int64_t rest, std::int64_t period) {
-  const std::int64_t more = function.bound == "value_cubic" ? 1 : 0;
-  return rest >= more && rest + 1 + more < period;
+  const bool cubic = function.bound == "value_cubic";
+  const std::int64_t before = cubic || is_of_simplex(function) ? 1 : 0;
+  const std::int64_t after = cubic ? 2 : 1;
+  return rest >= before && rest + after < period;
 }
 
 // What the points of pairings with periods have apart from their places and periods.
@@ -163,7 +174,7 @@ Pairing period_pairing(const Evaluation& evaluation, std::uint64_t seed, std::si
       const WordType type = function.inputs[axis].type;
       const Place place = random_place(type, period, random);
       here[i + axis] = place.word(type);
-      there[i + axis] = moved(place, type, period, random).word(type);
+      there[i + axis] = moved(function, place, type, period, random).word(type);
       const std::size_t word = i + static_cast<std::size_t>(function.period_word()) + axis;
       here[word] = there[word] = static_cast<std::uint32_t>(period);
     }
@@ -217,6 +228,75 @@ Pairing constant_period_pairing(const Evaluation& evaluation, std::uint64_t seed
   Pairing pairing = pairing_on(evaluation, std::move(inputs));
   pairing.evaluation.variant.periods = kPeriods;
   return pairing;
+}
+
+namespace {
+
+// Two ways that round differently, in every arithmetic: so each is off by its own error.
+Pairing pairing_by_error(const Evaluation& evaluation, const Evaluation& other, Words inputs, Words other_inputs,
+                         double factor) {
+  Pairing pairing{evaluation, other, std::move(inputs), std::move(other_inputs), {}, false, factor};
+  for (std::size_t i = 0; i < pairing.inputs.size(); i += kInputWords) {
+    for (std::size_t output = 0; output < pairing.words(); ++output) {
+      pairing.allowed.push_back(error_of(evaluation.function, evaluation.configuration, output) +
+                                std::fabs(factor) * error_of(other.function, other.configuration, output));
+    }
+  }
+  return pairing;
+}
+
+void put_phase(const Function& function, Words& inputs, std::size_t i, float phase) {
+  inputs[i + static_cast<std::size_t>(function.input("phase"))] = std::bit_cast<std::uint32_t>(phase);
+}
+
+// A multiple of 1/64 below one turn, and up to 2^16 whole turns of either sign: a float holds the sum of both.
+constexpr std::uint32_t kPhases = 64;
+constexpr std::uint32_t kTurns = 65536;
+float random_part(Random& random) {
+  return static_cast<float>(random.below(2 * kPhases - 1)) / static_cast<float>(kPhases) -
+         static_cast<float>(kPhases - 1) / static_cast<float>(kPhases);
+}
+float random_turns(Random& random) {
+  return static_cast<float>(random.below(2 * kTurns + 1)) - static_cast<float>(kTurns);
+}
+
+}  // namespace
+
+// Of fast arithmetic, too: the steps from a phase to its angle are exact.
+Pairing loop_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
+  Random random(seed, "loop");
+  Words here = points_for(evaluation, seed, points);
+  Words there = here;
+  for (std::size_t i = 0; i < here.size(); i += kInputWords) {
+    const float part = random_part(random);
+    put_phase(evaluation.function, here, i, part + random_turns(random));
+    put_phase(evaluation.function, there, i, part);
+  }
+  return pairing_of(evaluation, evaluation, std::move(here), std::move(there), true);
+}
+
+Pairing half_turn_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
+  Random random(seed, "half turn");
+  Words here = points_for(evaluation, seed, points);
+  Words there = here;
+  for (std::size_t i = 0; i < here.size(); i += kInputWords) {
+    const float part = random_part(random);
+    put_phase(evaluation.function, here, i, part + 0.5f);
+    put_phase(evaluation.function, there, i, part);
+  }
+  return pairing_by_error(evaluation, evaluation, std::move(here), std::move(there), -1.0);
+}
+
+Pairing phase_zero_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
+  const Function& function = evaluation.function;
+  const Evaluation other{without(function, "phase"), evaluation.configuration, evaluation.profile};
+  Random random(seed, "phase zero");
+  Words inputs = points_for(evaluation, seed, points);
+  for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
+    put_phase(function, inputs, i, random.below(2) == 0 ? 0.0f : random_turns(random));
+  }
+  Words others = inputs_for(other.function, function, inputs);
+  return pairing_by_error(evaluation, other, std::move(inputs), std::move(others), 1.0);
 }
 
 Pairing derivative_value_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {

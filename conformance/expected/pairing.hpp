@@ -19,6 +19,7 @@ struct Pairing {
   std::vector<std::uint32_t> other_inputs;  // the same for the other; often the same words
   std::vector<double> allowed;              // for each of words() of each point; 0 if every bit counts
   bool exact;                               // every bit counts
+  double factor = 1.0;                      // the other's values times this are what is expected
 
   // How many words of a result are compared: as many as both have.
   std::size_t words() const { return std::min(evaluation.function.outputs.size(), other.function.outputs.size()); }
@@ -41,6 +42,11 @@ Pairing period_pairing(const Evaluation& evaluation, std::uint64_t seed, std::si
 Pairing wrapped_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
 // and periods that are constants in the shader's text.
 Pairing constant_period_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
+// Of functions with a phase: whole turns apart; half a turn apart, where the noise is the negative; and without a turn
+// against the noise without a phase.
+Pairing loop_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
+Pairing half_turn_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
+Pairing phase_zero_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
 // The value that comes with a derivative, against the noise without one.
 Pairing derivative_value_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
 

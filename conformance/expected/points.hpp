@@ -26,8 +26,9 @@ class Random {
 // The points besides those at which every arithmetic must be near a defined value.
 enum class Extremes {
   none,
-  // Coordinates that are subnormal, tiny, -0 or huge. For octave sums they are below 2^96, so that no float overflows,
-  // and some of the tiny ones come with a huge lacunarity.
+  // Coordinates that are subnormal, tiny, -0 or huge, or where HN_PRECISE begins to see them. For octave sums they are
+  // below 2^96, so that no float overflows, and some of the tiny ones come with a huge lacunarity. For Perlin noise in
+  // four dimensions the first points have results where HN_PRECISE begins to see those.
   floats,
   integers,  // also places beyond a cell, and settings of octave sums that are cut off: only integers have values there
 };
@@ -36,8 +37,9 @@ Extremes defined_extremes(const Configuration& configuration);
 
 // count points for a function, kInputWords words each. Words: edge values and random ones. Cells: near, negative, far
 // and anywhere. Positions: near, negative, at 2^20 cells and more, on lattice lines and next to them. For octave sums
-// also small whole numbers of octaves, and lacunarities with and without rounding of the positions. Periods: none, small,
-// large and odd ones, and then half of the cells and positions lie beside a multiple of theirs.
+// also small whole numbers of octaves, and lacunarities with and without rounding of the positions. Phases: none,
+// quarters, tiny, negative, large and any. Periods: none, small, large and odd ones, and then half of the cells and
+// positions lie beside a multiple of theirs.
 std::vector<std::uint32_t> random_points(const Function& function, std::size_t count, Random random,
                                          Extremes extremes = Extremes::none);
 

@@ -40,15 +40,20 @@ struct Function {
   bool exact() const { return bound == "exact"; }
   bool is_noise() const;
   bool is_gradient_noise() const;  // it is 0 at lattice points
+  bool is_simplex_noise() const { return family == Family::simplex_noise; }
   bool is_octave_sum() const;
   bool is_further() const;                              // it is of a family that few settings have values of
   bool takes_cell() const { return input("cx") >= 0; }  // and the fraction in it, in place of a position
   bool takes_period() const { return period_word() >= 0; }
+  bool takes_phase() const { return input("phase") >= 0; }
+  // Whether it takes positions that are whole numbers of units.
+  bool inputs_are_units() const { return input("units") >= 0; }
   // Whether rounding is no part of the way to its cell: it takes a cell, or whole numbers that become one.
   bool starts_from_integers() const { return inputs.front().type == WordType::i32; }
   bool is_slope(std::size_t output) const;  // whether an output is a derivative
   bool has_slopes() const { return is_slope(outputs.size() - 1); }
-  bool is_costly() const { return is_octave_sum() || (is_noise() && (has_slopes() || axes == 4)); }
+  bool is_derived() const;  // has_slopes(), or is the value that such a function has beside them
+  bool is_costly() const;   // several times as much as a noise
   // Whether there is an overload without a seed.
   bool has_unseeded() const { return body.find("SEEDED(") != std::string_view::npos; }
   // The input word of that name, or -1.

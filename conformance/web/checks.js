@@ -193,7 +193,7 @@ function checkSame(renderer, suite, test) {
   const width = Math.min(columns.outputs.length, others.outputs.length);  // what both have
   const compare = (point, word, got, wanted) => {
     if (test.exact) comparison.bits(point, got, wanted, columns.outputs[word].type);
-    else comparison.number(point, floatOf(got), floatOf(wanted), allowed(point * width + word));
+    else comparison.number(point, floatOf(got), test.factor * floatOf(wanted), allowed(point * width + word));
   };
   for (let point = 0; point * kInputWords < inputs.length; ++point) {
     for (let word = 0; word < (test.in_loop ? kOutputWords : width); ++word) {

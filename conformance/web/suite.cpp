@@ -169,6 +169,7 @@ class SuiteWriter {
                 {"other_columns", pairing.other.function.columns},
                 {"exact", pairing.exact},
                 {"in_loop", pairing.in_loop()},
+                {"factor", pairing.factor},
                 {"inputs", packed(pairing.inputs, function)},
                 {"other_inputs", packed(pairing.other_inputs, pairing.other.function)},
                 {"allowed", pairing.exact ? Json(0.0) : allowed_json(pairing.allowed)}};

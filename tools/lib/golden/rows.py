@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Sequence
 
-from golden import period_rows
+from golden import period_rows, simplex_rows
 from golden.generator import INT_MAX, INT_MIN, SEEDS, Generator, Row, to_f32
 from oracle import gradients, words
 from tables.configurations import Configuration
@@ -218,6 +218,8 @@ def fixed_octave_rows(n: int, generator: Generator) -> list[Row]:
 
 # --- Which rows a function has ----------------------------------------------------------------------------------
 
+SIMPLEX = ("simplex_noise", "curl")  # the families above its lattices
+
 
 def rows_of(function: Function, fixed: bool, settings: Sequence[Configuration], generator: Generator) -> list[Row]:
     """The rows of a function; `settings` are all configurations, since gradients have rows for their hashes."""
@@ -232,14 +234,25 @@ def rows_of(function: Function, fixed: bool, settings: Sequence[Configuration], 
         return lattice_gradient_rows(n, settings, generator)
     if form in ("place", "place_of_noise"):
         return place_rows(n, form == "place_of_noise", generator)
-    plain, of_fixed = {"position": (position_rows, fixed_position_rows), "cell": (cell_rows, fixed_cell_rows),
-                       "sum": (octave_rows, fixed_octave_rows)}[form]
+    rows = plain_rows(function, generator)
+    if fixed:
+        of_fixed = {"position": fixed_position_rows, "cell": fixed_cell_rows, "sum": fixed_octave_rows}[form]
+        more = of_fixed(n, generator)
+        if function.has_period:
+            more = period_rows.inserted(more, n, 2 * n if form == "cell" else n, generator)
+        rows = rows + (simplex_rows.with_phases(more, generator) if function.has_phase else more)
+    return rows
+
+
+def plain_rows(function: Function, generator: Generator) -> list[Row]:
+    """Those of noises, and of what is made of them, for every arithmetic."""
+    n, form = function.axes, function.form
+    of_form = {"position": position_rows, "cell": cell_rows, "sum": octave_rows}
+    of_simplex = {"position": simplex_rows.positions, "cell": simplex_rows.cells}
     if function.has_period:
-        plain = {"position": period_rows.positions, "cell": period_rows.cells, "sum": period_rows.octaves}[form]
-    rows = plain(n, generator)
-    if not fixed:
-        return rows
-    more = of_fixed(n, generator)
-    if function.has_period:
-        more = period_rows.inserted(more, n, 2 * n if form == "cell" else n, generator)
-    return rows + more
+        of_form = {"position": period_rows.positions, "cell": period_rows.cells, "sum": period_rows.octaves}
+        of_simplex = {"position": simplex_rows.period_positions, "cell": simplex_rows.period_cells}
+    rows = of_form[form](n, generator)
+    if function.family in SIMPLEX:
+        rows += of_simplex[form](n, generator)
+    return simplex_rows.with_phases(rows, generator) if function.has_phase else rows

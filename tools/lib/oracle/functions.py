@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from oracle import gradients, integers, noises, positions, words
+from oracle.curl import CURL
 from oracle.gradients import Knobs, Real
+from oracle.noises import Noise
 from oracle.sums import SUMS
 from tables.configurations import Configuration
 from tables.functions import NOISES, OCTAVE_SUMS, Function
@@ -42,6 +44,8 @@ def evaluator(function: Function, fixed: bool) -> Evaluate:
     if family in ("gradient", "sine_gradient") and function.form == "point":
         gradient = integers.gradient if fixed else gradients.gradient
         return lambda knobs, row: gradient(knobs, row[:n], row[n])
+    if family == "curl" and function.form in ("position", "cell"):
+        return _evaluator(CURL, function, fixed)
     if family in NOISES and function.form in ("position", "cell", "place_of_noise"):
         return _noise_evaluator(function, fixed)
     if family in OCTAVE_SUMS and function.bound in SUMS:
@@ -56,15 +60,20 @@ def _of_a_place(position: Sequence[int], cells: int, units: int) -> tuple[list[i
 
 
 def _noise_evaluator(function: Function, fixed: bool) -> Evaluate:
-    n = function.axes
     try:
         noise = noises.find(function.noise)
     except LookupError as error:
         raise function.row.error(str(error)) from error
-    at_position, in_cell = (noise.fixed, noise.fixed_cell) if fixed else (noise.exact, noise.exact_cell)
+    return _evaluator(noise, function, fixed)
+
+
+def _evaluator(noise: Noise, function: Function, fixed: bool) -> Evaluate:
+    n = function.axes
 
     def values(knobs: Knobs, row: Sequence[Real]) -> tuple[Real, ...]:
         *numbers, seed = row
+        turned = noise.turned(numbers.pop()) if function.has_phase else noise
+        at_position, in_cell = (turned.fixed, turned.fixed_cell) if fixed else (turned.exact, turned.exact_cell)
         if function.form == "place_of_noise":
             return in_cell(knobs, *_of_a_place(numbers[:n], *numbers[n:]), seed)
         if function.form == "cell":
@@ -72,8 +81,7 @@ def _noise_evaluator(function: Function, fixed: bool) -> Evaluate:
         return at_position(knobs, numbers[:n], seed, numbers[n:])
 
     # In four dimensions the value and the derivatives have a row each.
-    outputs = ["value", "dx", "dy", "dz", "dw"]
-    indices = [outputs.index(column.split(":")[0]) for column in function.outputs.split()]
+    indices = [noise.outputs.index(column.split(":")[0]) for column in function.outputs.split()]
 
     def evaluate(knobs: Knobs, row: Sequence[Real]) -> tuple[Real, ...]:
         found = values(knobs, row)

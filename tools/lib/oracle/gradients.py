@@ -52,18 +52,21 @@ def direction3(h: int) -> tuple[float, float, float]:
     return ((p + q) / 2, (p - q) / 2, -m if h >> 31 else m)
 
 
-def gradient2(h: int) -> tuple[float, float]:
-    """hn_gradient2: a direction, lengthened where it lies far from the axes."""
-    x, y = direction2(h)
-    length = 1 + min(abs(x), abs(y))
-    return (x * length, y * length)
+def lengthened(direction: Sequence[float], length: float) -> tuple[float, ...]:
+    """A direction, made longer where it lies far from the axes, by at most `length` times what its largest component
+    lacks: the contract's L."""
+    factor = 1 + length * (1 - max(map(abs, direction)))
+    return tuple(x * factor for x in direction)
 
 
-def gradient3(h: int) -> tuple[float, float, float]:
-    """hn_gradient3: likewise."""
-    x, y, z = direction3(h)
-    length = 2 - max(abs(x), abs(y), abs(z))
-    return (x * length, y * length, z * length)
+def gradient2(h: int, length: float = 1) -> tuple[float, float]:
+    """hn_gradient2."""
+    return lengthened(direction2(h), length)
+
+
+def gradient3(h: int, length: float = 1) -> tuple[float, float, float]:
+    """hn_gradient3."""
+    return lengthened(direction3(h), length)
 
 
 # The two pairs of axes into which the third of the words splits the four: the one with x first.
@@ -130,17 +133,34 @@ def arctan_inverse(n: int) -> int:
 PI = 4 * (4 * arctan_inverse(5) - arctan_inverse(239))  # Machin's formula
 
 
+def sine_series(x: int) -> int:
+    """The sine of x in [-pi/2, pi/2], both in fixed point, by its series."""
+    one = 2**SINE_BITS
+    term, total, i = x, 0, 1
+    while term:
+        total += term
+        term, i = -term * x * x // (one * one * (i + 1) * (i + 2)), i + 2
+    return total
+
+
 @functools.cache
 def sine(n: int) -> Fraction:
     """The sine of n radians, -2^31 <= n <= 2^31, off by less than SINE_ERROR."""
     one = 2**SINE_BITS
     half_turns = (n * one + PI // 2) // PI
-    x = n * one - half_turns * PI  # in [-pi/2, pi/2]
-    term, total, i = x, 0, 1
-    while term:
-        total += term
-        term, i = -term * x * x // (one * one * (i + 1) * (i + 2)), i + 2
+    total = sine_series(n * one - half_turns * PI)
     return Fraction(total if half_turns % 2 == 0 else -total, one)
+
+
+@functools.cache
+def sine_of_turns(turns: Fraction) -> Fraction:
+    """The sine of so many turns: exact at whole quarters, else off by less than SINE_ERROR."""
+    quarters = 4 * turns
+    if quarters.denominator == 1:
+        return Fraction((0, 1, 0, -1)[quarters.numerator % 4])
+    half_turns = round(2 * turns)
+    total = sine_series(round((2 * turns - half_turns) * PI))
+    return Fraction(total if half_turns % 2 == 0 else -total, 2**SINE_BITS)
 
 
 def sine_of_word(w: int) -> Fraction:
@@ -157,8 +177,13 @@ def sine_arguments(name: str, cell: Sequence[int], seed: int) -> list[int]:
 
 
 # By the number of dimensions.
-OCTAHEDRAL: dict[int, Callable[[int], tuple[float, ...]]] = {
+OCTAHEDRAL: dict[int, Callable[..., tuple[float, ...]]] = {
     1: gradient1, 2: gradient2, 3: gradient3, 4: gradient4}
+
+
+def octahedral(h: int, n: int, length: float = 1) -> tuple[float, ...]:
+    """The gradient of a word in n dimensions; in two and three its direction is made longer by that."""
+    return OCTAHEDRAL[n](h, length) if n in (2, 3) else OCTAHEDRAL[n](h)
 
 
 def gradient(knobs: Knobs, cell: Sequence[int], seed: int = 0) -> tuple[Real, ...]:

@@ -96,13 +96,17 @@ def sine_of_quarter(q: int) -> int:
     return word(x * (y >> 1) + 2**14) >> 15
 
 
+def sine_of_turns(turns: int) -> int:
+    """The sine of an arc in units of 2^-32 of a turn; in units of 2^-16."""
+    q = turns & 0x7FFFFFFF
+    g = sine_of_quarter(min(q, 0x80000000 - q))
+    return -g if turns >> 31 else g
+
+
 def sine_of_word(w: int) -> int:
     """S(w) in units of 2^-16."""
-    turns = turns_of(abs(gradients.round24(words.signed(w))))
-    q = turns & 0x7FFFFFFF
-    q = min(q, 0x80000000 - q)
-    g = sine_of_quarter(q)
-    return -g if turns >> 31 != w >> 31 else g
+    g = sine_of_turns(turns_of(abs(gradients.round24(words.signed(w)))))
+    return -g if w >> 31 else g
 
 
 def sine_gradient(knobs: Knobs, point: Sequence[int], seed: int) -> tuple[int, ...]:

@@ -1,12 +1,13 @@
-"""The lattice under a noise: its points with a seed and with periods (docs/contract.md, 6)."""
+"""The lattice under a noise: its points with a seed, with periods and with a phase (docs/contract.md, 6, 13 and 14)."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from oracle import gradients, integers
+from oracle import gradients, integers, ramps, turning
 from oracle.gradients import Knobs, Real
+from oracle.ramps import WHOLE, Lengthening
 from oracle.words import point_word
 
 
@@ -20,6 +21,7 @@ class Lattice:
     knobs: Knobs
     seed: int = 0
     periods: tuple[int, ...] = ()  # one for each axis, 0 and less for none; or empty, for none at all
+    phase: Real | None = None  # by which octahedral gradients are turned
 
     def point(self, corner: Sequence[int]) -> list[int]:
         """What is hashed for a corner of a cell."""
@@ -27,12 +29,40 @@ class Lattice:
             return list(corner)
         return [repeated(c, period) for c, period in zip(corner, self.periods, strict=True)]
 
-    def word(self, corner: Sequence[int]) -> int:
-        return point_word(self.knobs.hash, self.point(corner), self.seed)
+    def word(self, corner: Sequence[int], centre: bool = False) -> int:
+        """Of a corner, or of the centre of the cell of which it is the first corner."""
+        return point_word(self.knobs.hash, self.point(corner), self.seed, centre)
 
     def gradient(self, corner: Sequence[int]) -> tuple[Real, ...]:
-        return gradients.gradient(self.knobs, self.point(corner), self.seed)
+        """As HN_GRADIENT says."""
+        if self.knobs.sine_in(len(corner)):
+            self.check_phase()
+            return gradients.gradient(self.knobs, self.point(corner), self.seed)
+        return self.octahedral(self.word(corner), len(corner))
+
+    def check_phase(self) -> None:
+        if self.phase is not None:
+            raise ValueError("sine gradients do not turn")
+
+    def octahedral(self, word: int, n: int, lengthening: Lengthening = WHOLE) -> tuple[Real, ...]:
+        """The gradient of a word in n dimensions, whatever HN_GRADIENT."""
+        g = gradients.octahedral(word, n, lengthening.length)
+        return g if self.phase is None else turning.turned(g, self.phase)
 
     def fixed_sine_gradient(self, corner: Sequence[int]) -> tuple[int, ...]:
         """In units of 2^-16."""
+        self.check_phase()
         return integers.sine_gradient(self.knobs, self.point(corner), self.seed)
+
+    @property
+    def turn(self) -> turning.Turn | None:
+        """The phase in fixed arithmetic."""
+        return None if self.phase is None else turning.turn_of(self.phase)
+
+    def fixed_ramp(self, word: int, d: Sequence[int], lengthening: Lengthening = WHOLE) -> int:
+        """The octahedral ramp of a word at the offset d, in the units of ramps."""
+        return ramps.octahedral_ramp(word, d, self.turn, lengthening)
+
+    def fixed_octahedral(self, word: int, n: int, lengthening: Lengthening = WHOLE) -> tuple[int, ...]:
+        """The components of the gradient, in the same units."""
+        return ramps.octahedral_gradient(word, n, self.turn, lengthening)

@@ -133,13 +133,20 @@ def fold(words: Sequence[int]) -> list[int]:
     return [word ^ word >> shift for word, shift in zip(words, FOLDS)]
 
 
-def point_word(name: str, point: Sequence[int], seed: int = 0) -> int:
-    """The word of a lattice point under the hash `name`."""
+# Of the centre of a cell (section 13): h', the spread coordinate that a corner does not have, and how it is folded.
+CENTRE, CENTRE_FOLD = PRIMES[4], 21
+
+
+def point_word(name: str, point: Sequence[int], seed: int = 0, centre: bool = False) -> int:
+    """The word of a lattice point under the hash `name`; with `centre` that of the centre of the cell `point`."""
     s = mix(seed)
     coordinates = spread(point)
     j = s
     for folded in fold(coordinates):
         j ^= folded
+    if centre:
+        coordinates.append(CENTRE)
+        j ^= CENTRE ^ CENTRE >> CENTRE_FOLD
     m = (2 * (sum(coordinates) + s) + 1) & MASK
     hashed = j if name == "lattice" else WORD_HASHES[name](j)
     return hashed * m & MASK

@@ -19,6 +19,7 @@ from pathlib import Path
 import numpy as np
 
 from quality import controls
+from quality import fields
 from quality import gate
 from quality import isotropy
 from quality import library
@@ -222,7 +223,7 @@ def run(options, folder: Path) -> int:
     rejected = control_results(default)
     sine = sine_results(library.hash_names(options.include), options.include, folder)
     passed &= report.rejected_as_meant(rejected)
-    text = report.page(results, rejected, sine, preferences(), default, options.quick)
+    text = report.page(results, rejected, sine, preferences(), fields.looks(default), default, options.quick)
     if options.check:
         return 0 if report.same(out / "quality.md", text) and passed else 1
     report.write(out, text, results, default)

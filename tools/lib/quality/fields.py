@@ -12,6 +12,8 @@ from quality.lattice import cells_of
 from quality.library import Twin
 
 SEEDS = range(8)  # a block of its own each
+HEIGHTS = 8  # of slices, in a cell
+PLACES = 1 << 16  # in a slice
 SIDES = {2: 256, 3: 32}  # steps of the lattice along an axis of a block
 ORDERS = (2, 4, 6)  # of the harmonics in the plane: of two axes, of a square, of triangles
 
@@ -38,7 +40,7 @@ class Look:
     noise: Noise
     structures: dict[int, list[float]]  # by order
     spectrum: dict[int, list[float]]
-    slices: list[float]  # of noise in space: the deviation at some heights over that at others, least over greatest
+    slices: list[float]  # of noise in space: the least deviation of a slice over the greatest
 
 
 def block(twin: Twin, noise: Noise, seed: int) -> np.ndarray:
@@ -71,16 +73,19 @@ def waves(field: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return vectors[inside] / lengths[inside, None], power[inside]
 
 
-def slices_of(field: np.ndarray) -> float:
+def slices(twin: Twin, noise: Noise, seed: int) -> float:
     """How much slices across the last axis differ: the least deviation over the greatest, at heights in a cell."""
-    per_height = np.sqrt((field.reshape(-1, SIDES[3], isotropy.PER_CELL) ** 2).mean(axis=(0, 1)))
-    return float(per_height.min() / per_height.max())
+    rng = np.random.default_rng(seed)
+    places = rng.uniform(0, SIDES[3], (HEIGHTS, PLACES, 3))
+    places[..., 2] = np.arange(HEIGHTS)[:, None] / HEIGHTS + rng.integers(0, SIDES[3], (1, PLACES))
+    values = twin.tile(noise.name, places.reshape(-1, 3), SIDES[3], seed).reshape(HEIGHTS, PLACES)
+    deviations = values.astype(float).std(axis=1)
+    return float(deviations.min() / deviations.max())
 
 
 def look(twin: Twin, noise: Noise) -> Look:
     structures: dict[int, list[float]] = {order: [] for order in orders(noise.dimensions)}
     spectrum: dict[int, list[float]] = {order: [] for order in orders(noise.dimensions)}
-    slices = []
     for seed in SEEDS:
         field = block(twin, noise, seed)
         across = isotropy.across(isotropy.structure(field))
@@ -88,9 +93,8 @@ def look(twin: Twin, noise: Noise) -> Look:
         for order in orders(noise.dimensions):
             structures[order].append(harmonic(*across, order))
             spectrum[order].append(harmonic(*of_waves, order))
-        if noise.dimensions == 3:
-            slices.append(slices_of(field))
-    return Look(noise, structures, spectrum, slices)
+    return Look(noise, structures, spectrum,
+                [slices(twin, noise, seed) for seed in SEEDS] if noise.dimensions == 3 else [])
 
 
 def looks(twin: Twin) -> list[Look]:

@@ -15,6 +15,7 @@ import matplotlib.pyplot as plt
 from quality import controls
 from quality import directions
 from quality import fourier
+from quality import fields
 from quality import isotropy
 from quality.lattice import of_words, sample
 from quality.library import Twin
@@ -69,6 +70,27 @@ def isotropy_of_shapes(path: Path, default: Twin) -> None:
         axes[3].plot((edges[1:] + edges[:-1]) / 2, density / density.mean(), line, label=name)
     axes[3].set(xlabel="direction across structures, degrees", ylabel="weight / mean", xticks=range(0, 181, 45),
                 ylim=(0, 3))
+    axes[3].grid(alpha=0.3)
+    axes[3].legend(frameon=False, fontsize=8)
+    save(figure, path)
+
+
+def looks(path: Path, default: Twin) -> None:
+    """Noises on the plane, with as many steps of their lattices, and how often their structures have which direction."""
+    figure, axes = plt.subplots(1, 4, figsize=(10.4, 2.7), layout="constrained")
+    for axis, noise_, line in zip(axes, fields.NOISES, ("--", "-", ":")):
+        blocks = [fields.block(default, noise_, seed) for seed in fields.SEEDS]
+        side = PATCH * isotropy.PER_CELL
+        field = blocks[0][:side, :side]
+        axis.imshow(field.T, cmap="gray", vmin=-2.5 * field.std(), vmax=2.5 * field.std(), origin="lower")
+        axis.set(xticks=[], yticks=[])
+        axis.set_title(f"hn_{noise_.name}", fontsize=10)
+        vectors, weights = map(np.concatenate, zip(*[isotropy.across(isotropy.structure(b)) for b in blocks]))
+        degrees = np.degrees(np.arctan2(vectors[:, 1], vectors[:, 0])) % 180
+        density, edges = np.histogram(degrees, SECTORS, (0, 180), weights=weights)
+        axes[3].plot((edges[1:] + edges[:-1]) / 2, density / density.mean(), line, label=f"hn_{noise_.name}")
+    axes[3].set(xlabel="direction across structures, degrees", ylabel="weight / mean", xticks=range(0, 181, 45),
+                ylim=(0, 2))
     axes[3].grid(alpha=0.3)
     axes[3].legend(frameon=False, fontsize=8)
     save(figure, path)

@@ -9,6 +9,7 @@ from math import log2
 from pathlib import Path
 
 from quality import controls
+from quality import fields
 from quality import gate
 from quality import isotropy
 from quality import texts
@@ -148,8 +149,18 @@ def preference_table(preferences: list[Preference]) -> str:
                  [[name, *values] for name, values in rows.items()])
 
 
+def look_table(looks: list[fields.Look]) -> str:
+    """Noises down; the harmonics of structures and of the spectrum, and slices, across."""
+    def cells(values: dict[int, list[float]]) -> str:
+        return ", ".join(with_error(*fields.mean_and_error(v)) for v in values.values())
+
+    rows = [[look.noise.title, cells(look.structures), cells(look.spectrum),
+             with_error(*fields.mean_and_error(look.slices)) if look.slices else ""] for look in looks]
+    return table(["noise", "structures", "spectrum", "slices"], rows)
+
+
 def page(results: list[HashResult], rejected: list[HashResult], sine: list[Sine], preferences: list[Preference],
-         default: Twin, quick: bool) -> str:
+         looks: list[fields.Look], default: Twin, quick: bool) -> str:
     tests = sum(len(result.findings) for result in results)
     text = texts.HEAD.format(remark=texts.QUICK if quick else "",
                              alpha=f"2^{round(log2(ALPHA))}", tests=tests, chance=f"{tests * ALPHA:.2g}",
@@ -165,6 +176,7 @@ def page(results: list[HashResult], rejected: list[HashResult], sine: list[Sine]
     text += texts.SHAPE + shape_table() + texts.CONTROLS + control_table(rejected) + texts.NOISE
     text += noise_table(results, lambda r: f"`{r.name}` {r.dimensions}D")
     text += texts.ISOTROPY.format(aim=number(isotropy.AIM)) + preference_table(preferences)
+    text += texts.LOOKS + look_table(looks)
     rows = [[f"`{s.name}` {s.dimensions}D", *(number(f.statistic) for f in s.findings),
              *(number(f.threshold) for f in s.findings)] for s in sine]
     text += texts.SINE + table(["hash", "peak autocorrelation", "spectral peak", "allowed for the first",
@@ -213,4 +225,5 @@ def write(out: Path, text: str, results: list[HashResult], default: Twin) -> Non
     (out / "quality.md").write_text(text, encoding="utf-8")
     plots.lattices(out / "images" / "quality-lattice.png", default)
     plots.isotropy_of_shapes(out / "images" / "isotropy.png", default)
+    plots.looks(out / "images" / "looks.png", default)
     plots.noise(out / "images" / "quality-noise.png", [r for r in results if r.name == default.name])

@@ -1,10 +1,11 @@
 """The noises. Each is a module of this package, under its name, with its two definitions side by side:
 
-    exact(lattice, cell, f) -> tuple[Fraction, ...]         sections 6 and 9 to 11 of docs/contract.md; f are fractions
+    exact(lattice, cell, f) -> tuple[Fraction, ...]         sections 6, 9 to 11, 13 and 14 of docs/contract.md; f are
+                                                            fractions
     fixed(lattice, cell, fraction) -> tuple[int, ...]       with HN_FIXED; fractions in units of 2^-20
 
 What they return is the value, and after it the derivatives along x, y, z, w of a noise that has them. A fixed value is
-in units of 2^-21, a fixed derivative in units of 2^-19.
+in units of 2^-21, a fixed derivative in units of 2^-19. The gradients of a noise called ..._phase turn.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ import importlib
 import math
 import pkgutil
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from oracle.gradients import Knobs, Real
@@ -21,9 +22,9 @@ from oracle.integers import NOISE_UNIT, SLOPE_UNIT, cell_and_fraction, fraction_
 from oracle.lattice import Lattice
 
 
-def in_units(value: int, *derivatives: int) -> tuple[Fraction, ...]:
-    """The numbers of fixed arithmetic."""
-    return (Fraction(value, NOISE_UNIT), *(Fraction(d, SLOPE_UNIT) for d in derivatives))
+OUTPUTS = ("value", "dx", "dy", "dz", "dw")
+UNITS = (NOISE_UNIT, *(SLOPE_UNIT,) * 4)
+TURNING = "_phase"
 
 
 @dataclass(frozen=True)
@@ -32,6 +33,22 @@ class Noise:
     name: str
     exact_in_cell: Callable[[Lattice, Sequence[int], Sequence[Fraction]], tuple[Fraction, ...]]
     fixed_in_cell: Callable[[Lattice, Sequence[int], Sequence[int]], tuple[int, ...]]
+    outputs: tuple[str, ...] = OUTPUTS  # the names of what it returns; as many as it has dimensions
+    units: tuple[int, ...] = UNITS
+    phase: Real | None = None
+
+    def turned(self, phase: Real) -> Noise:
+        """The noise with its gradients turned."""
+        if self.phase is None:
+            raise ValueError(f"the gradients of {self.name} do not turn")
+        return replace(self, phase=phase)
+
+    def lattice(self, knobs: Knobs, seed: int, periods: Sequence[int]) -> Lattice:
+        return Lattice(knobs, seed, tuple(periods), self.phase)
+
+    def in_units(self, numbers: Sequence[int]) -> tuple[Fraction, ...]:
+        """The numbers of fixed arithmetic."""
+        return tuple(map(Fraction, numbers, self.units))
 
     def exact(self, knobs: Knobs, p: Sequence[Real], seed: int = 0,
               periods: Sequence[int] = ()) -> tuple[Fraction, ...]:
@@ -40,16 +57,16 @@ class Noise:
 
     def exact_cell(self, knobs: Knobs, cell: Sequence[int], f: Sequence[Real], seed: int = 0,
                    periods: Sequence[int] = ()) -> tuple[Fraction, ...]:
-        return self.exact_in_cell(Lattice(knobs, seed, tuple(periods)), cell, list(map(Fraction, f)))
+        return self.exact_in_cell(self.lattice(knobs, seed, periods), cell, list(map(Fraction, f)))
 
     def fixed(self, knobs: Knobs, p: Sequence[Real], seed: int = 0,
               periods: Sequence[int] = ()) -> tuple[Fraction, ...]:
         cell, fraction = zip(*map(cell_and_fraction, p))
-        return in_units(*self.fixed_in_cell(Lattice(knobs, seed, tuple(periods)), cell, fraction))
+        return self.in_units(self.fixed_in_cell(self.lattice(knobs, seed, periods), cell, fraction))
 
     def fixed_cell(self, knobs: Knobs, cell: Sequence[int], f: Sequence[Real], seed: int = 0,
                    periods: Sequence[int] = ()) -> tuple[Fraction, ...]:
-        return in_units(*self.fixed_in_cell(Lattice(knobs, seed, tuple(periods)), cell, list(map(fraction_of, f))))
+        return self.in_units(self.fixed_in_cell(self.lattice(knobs, seed, periods), cell, list(map(fraction_of, f))))
 
 
 def names() -> list[str]:
@@ -60,4 +77,4 @@ def find(name: str) -> Noise:
     if name not in names():
         raise LookupError(f"the oracle has no {name}: write tools/lib/oracle/noises/{name}.py from docs/contract.md")
     module = importlib.import_module(f"{__name__}.{name}")
-    return Noise(name, module.exact, module.fixed)
+    return Noise(name, module.exact, module.fixed, phase=Fraction(0) if name.endswith(TURNING) else None)

@@ -9,6 +9,7 @@ from oracle.cells import corners, halves, weighted_sum
 from oracle.integers import fade
 from oracle.lattice import Lattice
 from oracle.noises import perlin
+from oracle.ramps import scaled
 from oracle.slopes import Ramp, fade_slope, interpolated_ramp, weight_derivatives
 
 
@@ -29,12 +30,11 @@ def exact(lattice: Lattice, cell: Sequence[int], f: Sequence[Fraction]) -> tuple
 def fixed(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> tuple[int, ...]:
     check(lattice)
     n = len(cell)
-    unit = perlin.RAMP_UNITS[n]
     ramps = []
     for corner, offset in corners(cell, fraction):
-        gradient = tuple(int(g * unit) for g in lattice.gradient(corner))  # exact: the units are fine enough
+        gradient = lattice.fixed_octahedral(lattice.word(corner), n)
         ramps.append(Ramp(perlin.fixed_ramp(lattice, corner, offset), (), gradient))
     for f in fraction:
         ramps = [interpolated_ramp(a, b, fade(f), fade_slope(f)) for a, b in halves(ramps)]
     result, = ramps
-    return tuple(perlin.scaled(x, n) for x in (result.value, *result.derivatives))
+    return tuple(scaled(x, perlin.FIXED_SCALES[n]) for x in (result.value, *result.derivatives))

@@ -13,7 +13,7 @@ from unittest import mock
 
 from golden import rows
 from golden.generator import generator_of, to_f32
-from oracle import gradients, integers, noises, words
+from oracle import gradients, integers, noises, ramps, words
 from oracle.cells import corner_weights
 from oracle.gradients import Knobs
 from oracle.lattice import Lattice
@@ -204,7 +204,7 @@ class Ramps(unittest.TestCase):
                 h = numbers.word()
                 d = [numbers.integer(-UNIT, UNIT) for _ in range(n)]
                 exact_ramp = sum(Fraction(g) * Fraction(x, UNIT) for g, x in zip(gradients.OCTAHEDRAL[n](h), d))
-                error = perlin.OCTAHEDRAL_RAMPS[n](h, d) - exact_ramp * perlin.RAMP_UNITS[n]
+                error = ramps.OCTAHEDRAL_RAMPS[n](h, d) - exact_ramp * ramps.RAMP_UNITS[n]
                 self.assertTrue(-lost <= error <= 0, (n, h, d))
 
     def test_sine_ramps_are_rounded_down(self) -> None:
@@ -214,7 +214,7 @@ class Ramps(unittest.TestCase):
                 g = [numbers.integer(-65536, 65536) for _ in range(n)]
                 d = [numbers.integer(-UNIT, UNIT) for _ in range(n)]
                 exact_ramp = Fraction(sum(a * b for a, b in zip(g, d)), 2**8)
-                self.assertTrue(-n < perlin.sine_ramp(g, d) - exact_ramp <= 0)
+                self.assertTrue(-n < ramps.sine_ramp(g, d) - exact_ramp <= 0)
 
 
 class Noise(unittest.TestCase):
@@ -284,10 +284,10 @@ class Noise(unittest.TestCase):
 
         def ramp(lattice: Lattice, corner: Sequence[int], d: Sequence[int]) -> int:
             if knobs.sine:
-                largest = perlin.sine_ramp([2**16 if x > 0 else -2**16 for x in d], d)
+                largest = ramps.sine_ramp([2**16 if x > 0 else -2**16 for x in d], d)
             else:
                 slope = max(sum(map(operator.mul, g, d)) for g in some_gradients(n))
-                largest = math.floor(slope * perlin.RAMP_UNITS[n] / UNIT)
+                largest = math.floor(slope * ramps.RAMP_UNITS[n] / UNIT)
             return next(remaining) * largest
 
         with mock.patch.object(perlin, "fixed_ramp", ramp):

@@ -1,0 +1,73 @@
+// The divergence of a field of velocities, by differences on the same driver.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "cases/places.hpp"
+#include "cases/value_checks.hpp"
+
+namespace hn {
+namespace {
+
+constexpr std::size_t kPoints = 2048;
+constexpr std::uint32_t kFurthestCell = 1024;
+constexpr double kStep = 0x1p-8;
+// What a field of no divergence comes to, of 0 to 1: its differences are off by the roundings of values, most with fixed
+// arithmetic, and where a derivative has a kink within a step. A field that has a divergence comes to 0.3 or more: its
+// terms do not know of each other.
+constexpr double kLimit = 0.05;
+
+double difference(std::span<const std::uint32_t> after, std::span<const std::uint32_t> before, std::size_t word) {
+  return static_cast<double>(std::bit_cast<float>(after[word])) -
+         static_cast<double>(std::bit_cast<float>(before[word]));
+}
+
+}  // namespace
+
+// At each point the differences of the components, each along its own axis, sum to 0; so the sums are small in all when
+// compared with what they are made of.
+Outcome check_divergence(Session& session, const Evaluation& evaluation) {
+  const Function& function = evaluation.function;
+  const auto axes = static_cast<std::size_t>(function.axes);
+  const std::size_t points = std::max<std::size_t>(1, std::min(kPoints, session.most_points / (2 * axes)));
+  Random random(session.seed, "divergence");
+  const Words centres = random_points(function, points, random);
+  Words inputs;  // of each point two along each axis: before it and after it
+  for (std::size_t i = 0; i < points; ++i) {
+    std::vector<Place> places;
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+      const std::uint32_t cell = random_cell_of(function, kFurthestCell, random);
+      places.push_back({cell, static_cast<double>(random.below(1024)) / 1024.0});
+    }
+    for (std::size_t moves = 0; moves < 2 * axes; ++moves) {
+      inputs.insert(inputs.end(), point(centres, i).begin(), point(centres, i).end());
+      for (std::size_t axis = 0; axis < axes; ++axis) {
+        const double by = axis != moves / 2 ? 0.0 : moves % 2 == 0 ? -kStep : kStep;
+        put(function, std::span(inputs).last(kInputWords), axis, moved(places[axis], by));
+      }
+    }
+  }
+  const auto outputs = evaluate(session, evaluation, inputs);
+  if (!outputs) return outputs.error();
+  double divergences = 0.0;
+  double differences = 0.0;
+  for (std::size_t i = 0; i < points; ++i) {
+    double divergence = 0.0;
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+      const std::size_t before = 2 * (i * axes + axis);
+      const double term = difference(result(*outputs, before + 1), result(*outputs, before), axis);
+      divergence += term;
+      differences += std::fabs(term);
+    }
+    divergences += std::fabs(divergence);
+  }
+  Comparison comparison(function, inputs);
+  const double share = divergences / differences;
+  comparison.require(differences > 0.0 && share < kLimit, point(inputs, 0), static_cast<float>(share),
+                     fmt::format("sums of less than {} of the differences that they are made of", kLimit));
+  return comparison.finish();
+}
+
+}  // namespace hn

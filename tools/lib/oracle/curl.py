@@ -1,0 +1,58 @@
+"""Section 15 of docs/contract.md: the curl of simplex noise."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from fractions import Fraction
+from typing import TypeVar
+
+from oracle.integers import SLOPE_UNIT, signed
+from oracle.lattice import Lattice
+from oracle.noises import Noise, simplex_d
+from oracle.words import MASK, mix
+
+Number = TypeVar("Number", int, Fraction)
+
+OUTPUTS = ("vx", "vy", "vz")
+UNITS = (SLOPE_UNIT,) * 3
+COARSER = 8  # in space a component with HN_FIXED is in units of 2^-16
+
+
+def second(lattice: Lattice) -> Lattice:
+    """That of the second noise in space."""
+    return replace(lattice, seed=mix((lattice.seed + 0x9E3779B9) & MASK))
+
+
+def in_the_plane(gradient: Sequence[Number]) -> tuple[Number, Number]:
+    dx, dy = gradient
+    return (dy, -dx)
+
+
+def exact(lattice: Lattice, cell: Sequence[int], f: Sequence[Fraction]) -> tuple[Fraction, ...]:
+    _, *a = simplex_d.exact(lattice, cell, f)
+    if len(cell) == 2:
+        return in_the_plane(a)
+    _, *b = simplex_d.exact(second(lattice), cell, f)
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def prod(a: int, b: int) -> int:
+    """The product of two derivatives, in units of 2^-20."""
+    low = signed(signed((a >> 9) * (b & 511)) + signed((a & 511) * (b >> 9)))
+    return signed(signed((a >> 9) * (b >> 9)) + (low >> 9))
+
+
+def fixed_component(a: Sequence[int], b: Sequence[int], i: int, j: int) -> int:
+    return COARSER * (signed(prod(a[i], b[j]) - prod(a[j], b[i]) + 8) >> 4)
+
+
+def fixed(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> tuple[int, ...]:
+    _, *a = simplex_d.fixed(lattice, cell, fraction)
+    if len(cell) == 2:
+        return in_the_plane(a)
+    _, *b = simplex_d.fixed(second(lattice), cell, fraction)
+    return tuple(fixed_component(a, b, i, j) for i, j in ((1, 2), (2, 0), (0, 1)))
+
+
+CURL = Noise("curl", exact, fixed, OUTPUTS, UNITS)

@@ -1,0 +1,309 @@
+"""Tests of kernels.py: which points count, their words, and what the contract promises of the noises above them."""
+
+from __future__ import annotations
+
+import itertools
+import unittest
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from unittest import mock
+
+from golden.generator import INT_MAX, generator_of
+from oracle import gradients, kernels, noises, ramps, words
+from oracle.gradients import Knobs
+from oracle.integers import UNIT
+from oracle.kernels import Kernel
+from oracle.lattice import Lattice
+from oracle.noises import simplex, simplex_smooth
+from oracle.slopes_test import quotient
+
+KNOBS = Knobs("lattice")
+# Each noise with each of its kernels.
+KERNELS = [(name, n, kernel) for name, of in (("simplex", simplex), ("simplex_smooth", simplex_smooth))
+           for n, kernel in of.KERNELS.items()]
+
+
+def fractions(n: int, count: int) -> Iterator[tuple[Fraction, ...]]:
+    numbers = generator_of(f"kernels{n}")
+    for _ in range(count):
+        yield tuple(Fraction(numbers.integer(0, UNIT), UNIT) for _ in range(n))
+
+
+def positions(n: int, count: int) -> Iterator[tuple[list[Fraction], int]]:
+    numbers = generator_of(f"positions{n}")
+    for _ in range(count):
+        yield [Fraction(numbers.integer(-2**26, 2**26), UNIT) for _ in range(n)], numbers.word()
+
+
+class Points(unittest.TestCase):
+    def test_no_point_is_farther_away(self) -> None:
+        for _, n, kernel in KERNELS:
+            for f in [(Fraction(0),) * n, (Fraction(1),) * n, *fractions(n, 20)]:
+                position, step = [int(kernel.steps * x * UNIT) for x in f], UNIT
+                found = kernels.points(kernel, position, step)
+                with mock.patch.object(kernels, "AROUND", 4 if n < 4 else 3):
+                    self.assertEqual(set(found), set(kernels.points(kernel, position, step)))
+                with mock.patch.object(kernels, "AROUND", 1):
+                    self.assertEqual(set(found), set(kernels.points(kernel, position, step)))
+
+    def test_as_many_as_the_kernel_holds(self) -> None:
+        # The mean number of points is the volume of the ball times the points in a unit of volume.
+        pi = 3.14159265
+        for _, n, kernel in KERNELS:
+            square = kernel.r / 1024 / kernel.m
+            ball = {2: pi * square, 3: 4 / 3 * pi * square**1.5, 4: pi**2 / 2 * square**2}[n]
+            density = 1 if kernel.triangles else 2  # in steps
+            counts = [len(kernels.points(kernel, [int(kernel.steps * x * UNIT) for x in f], UNIT))
+                      for f in fractions(n, 400)]
+            self.assertAlmostEqual(sum(counts) / len(counts) / (ball * density), 1, delta=0.08)
+
+    def test_triangles_by_hand(self) -> None:
+        # The middle between the points (0, 0) and (1, 0), below the one of the next row, (0, 1), which is at 1/2, too.
+        found = kernels.points(simplex.KERNELS[2], (2**9, 0), 2**10)
+        self.assertEqual({point.numbers: point.offset for point in found}, {(0, 0): (512, 0), (1, 0): (-512, 0)})
+        found = kernels.points(simplex.KERNELS[2], (2**9, 2**9), 2**10)
+        self.assertEqual({point.numbers: point.offset for point in found},
+                         {(0, 0): (512, 512), (1, 0): (-512, 512), (0, 1): (0, -512)})
+        found = kernels.points(simplex.KERNELS[2], (0, 2**10), 2**10)
+        self.assertEqual({point.numbers: point.offset for point in found}, {(-1, 1): (512, 0), (0, 1): (-512, 0)})
+
+    def test_centred_by_hand(self) -> None:
+        found = kernels.points(simplex.KERNELS[3], (2**8, 2**8, 0), 2**10)
+        self.assertEqual({(point.numbers, point.centre): point.offset for point in found}, {
+            ((0, 0, 0), False): (256, 256, 0), ((0, 0, 0), True): (-256, -256, -512),
+            ((0, 0, -1), True): (-256, -256, 512)})
+
+    def test_a_point_at_the_end_does_not_count(self) -> None:
+        # In space the corner is half of the diagonal of a face away.
+        for shift, counts in ((0, False), (-1, True)):
+            found = kernels.points(simplex.KERNELS[3], (2**9 + shift, 2**9, 0), 2**10)
+            self.assertEqual(any(point.numbers == (0, 0, 0) and not point.centre for point in found), counts)
+
+
+class Weights(unittest.TestCase):
+    def test_by_hand(self) -> None:
+        half = Fraction(1, 2)
+        for weight, value, slope in (
+                (kernels.QUARTIC, Fraction(33, 64), Fraction(67, 32)), (kernels.CUBE, half**3, 3 * half**2),
+                (kernels.FOURTH, half**4, 4 * half**3), (kernels.FIFTH, 4 * half**5, 20 * half**4)):
+            self.assertEqual((weight.exact(half), weight.slope(half)), (value, slope))
+
+    def test_fixed_by_hand(self) -> None:
+        # t is 2^15, and its square 2^14; u is 2^15 * 33792 / 2^16.
+        for weight, value, fall in ((kernels.QUARTIC, 33 * 2**12, 2**14 * (49920 - 2**15) + 2**10 >> 11),
+                                    (kernels.CUBE, 2**15, 6 * 2**14), (kernels.FOURTH, 2**14, 2**16)):
+            self.assertEqual((weight.of_square(2**15, 2**14), weight.fall(2**15, 2**14)), (value, fall))
+        self.assertEqual(kernels.FIFTH.of_square(2**15, 2**14), 2**15)
+
+    def test_all_fixed_ones(self) -> None:
+        # A half of a unit at Q, times at most 4 to W, and what t and W round.
+        for name, n, kernel in KERNELS:
+            for t in (*range(0, kernel.r * 64 - 1, 37), min(kernel.r * 64, 65535)):
+                q = t * t + 2**15 >> 16
+                x = Fraction(t, 2**16)
+                self.assertLess(abs(kernel.weight.of_square(t, q) - kernel.weight.exact(x) * 2**18), 16, (name, n, t))
+                if name == "simplex":
+                    # E is m times the slope, in units of 2^-16.
+                    exact = kernel.m * kernel.weight.slope(x) * 2**16
+                    self.assertLess(abs(kernel.weight.fall(t, q) - exact), 14, (n, t))
+
+    def test_what_t_is(self) -> None:
+        # At the point, a quarter of a step away, at the end and beyond; in units of 2^-16.
+        for kernel, expected in ((simplex.KERNELS[2], (52416, 48320, 0)), (simplex.KERNELS[3], (65535, 57344, 0)),
+                                 (simplex_smooth.KERNELS[3], (49152, 45056, 0))):
+            end = kernel.r * 2**30 // kernel.m
+            self.assertEqual(tuple(kernels.fixed_t(kernel, square)[0] for square in (0, 2**36, end)), expected)
+            self.assertEqual(kernels.fixed_t(kernel, end + 2**36), (0, 0))
+
+
+class Gradients(unittest.TestCase):
+    def test_lengths(self) -> None:
+        # Of the direction (1/2 + e, 1/2 - e), where 1 - l is 1/2 - e; and of one along an axis but for e.
+        e = 1 / 512
+        for length in (0.375, 1, 2):
+            factor = 1 + length * (1 / 2 - e)
+            self.assertEqual(gradients.gradient2(0x60000000, length), ((1 / 2 + e) * factor, (1 / 2 - e) * factor))
+            e3 = 1 / 256
+            factor = 1 + length * 3 * e3
+            self.assertEqual(gradients.gradient3(0x40408000, length),
+                             (2 * e3 * factor, -e3 * factor, (1 - 3 * e3) * factor))
+
+    def test_of_each_kernel(self) -> None:
+        self.assertEqual([kernel.lengthening.length for _, _, kernel in KERNELS], [0.375, 1, 1, 0.375, 2])
+
+    def test_fixed_ramps_are_those_of_the_gradients(self) -> None:
+        numbers = generator_of("lengths")
+        for lengthening, n in itertools.product((ramps.WHOLE, ramps.THREE_EIGHTHS, ramps.TWICE), (2, 3)):
+            for _ in range(300):
+                h, d = numbers.word(), [numbers.integer(-UNIT, UNIT) * 3 // 4 for _ in range(n)]
+                g = gradients.octahedral(h, n, lengthening.length)
+                exact = sum(Fraction(a) * x * 2**9 for a, x in zip(g, d))
+                self.assertEqual([int(a * 2**29) for a in g], [a * 2**29 for a in g])
+                error = ramps.octahedral_ramp(h, d, None, lengthening) - exact
+                self.assertTrue(-3 * 342 <= error <= 0, (lengthening, n, h, d))
+
+
+class Words(unittest.TestCase):
+    def word(self, kernel: Kernel, numbers: tuple[int, ...], cell: tuple[int, ...], centre: bool = False,
+             periods: tuple[int, ...] = ()) -> int:
+        point = kernels.Point(numbers, centre, (0,) * len(cell))
+        return point.word(kernel, Lattice(Knobs("pcg"), 7, periods), cell)
+
+    def test_of_triangles(self) -> None:
+        kernel = simplex.KERNELS[2]
+        self.assertEqual(self.word(kernel, (1, -1), (5, -6)), words.point_word("pcg", (11, -13), 7))
+        # Twice the period: 2 * 3 along x; none along y.
+        self.assertEqual(self.word(kernel, (1, -1), (-5, -6), periods=(3, 0)), words.point_word("pcg", (3, -13), 7))
+        # 2 * INT_MAX + 2 is 2^32, which wraps; with the largest period it is 2.
+        self.assertEqual(self.word(kernel, (2, 0), (INT_MAX, 5)), words.point_word("pcg", (0, 10), 7))
+        self.assertEqual(self.word(kernel, (2, 0), (INT_MAX, 5), periods=(INT_MAX,) * 2),
+                         words.point_word("pcg", (2, 10), 7))
+        self.assertEqual(self.word(kernel, (-1, 0), (0, 5), periods=(INT_MAX,) * 2),
+                         words.point_word("pcg", (2**32 - 3, 10), 7))
+
+    def test_of_centres(self) -> None:
+        # By the contract's formula. x' of 5, y' of -6 and z' of 7; h' alone has no factor.
+        x, y, z = words.spread((5, -6, 7))
+        h, s = 0x165667B1, words.mix(7)
+        j = x ^ x >> 18 ^ y ^ y >> 17 ^ z ^ z >> 19 ^ h ^ h >> 21 ^ s
+        expected = words.pcg(j) * (2 * (x + y + z + h + s) + 1) % 2**32
+        self.assertEqual(self.word(simplex.KERNELS[3], (1, 0, -1), (4, -6, 8), True), expected)
+        self.assertEqual(self.word(simplex.KERNELS[3], (1, 0, -1), (4, -6, 8), True, (100, -100, 0)),
+                         words.point_word("pcg", (5, -6, 7), 7, True))
+        self.assertEqual(self.word(simplex.KERNELS[3], (1, 0, -1), (4, -6, 8), True, (3, 5, 7)),
+                         words.point_word("pcg", (2, 4, 0), 7, True))
+
+    def test_a_centre_is_none_of_the_corners(self) -> None:
+        for name, n in itertools.product(words.HASHES, (3, 4)):
+            around = [words.point_word(name, point, 7, centre) for point in itertools.product((-1, 0, 1), repeat=n)
+                      for centre in (False, True)]
+            self.assertEqual(len(set(around)), 2 * 3**n)
+
+
+class Noises(unittest.TestCase):
+    def test_zero_at_lattice_points(self) -> None:
+        for name, n, kernel in KERNELS:
+            points = [(c,) * n for c in (-2**22, -3, 0, 7)]
+            if kernel.triangles:
+                points += [(Fraction(2 * i + j % 2, 4), Fraction(j, 2)) for i in range(-2, 3) for j in range(4)]
+            else:
+                points += [(Fraction(2 * c + 1, 2),) * n for c in (-3, 0, 7)]
+            noise = noises.find(name)
+            for point in points:
+                self.assertEqual((noise.exact(KNOBS, point, 5), noise.fixed(KNOBS, point, 5)), ((0,), (0,)))
+
+    def test_near_one_point_alone_by_hand(self) -> None:
+        # A quarter of a step along x from a point the value is S w(t) g_x / 4, with t = r - m / 16.
+        space, four = (words.point_word("pcg", point, 7) for point in ((3, -2, 5), (3, -2, 5, 0)))
+        quarter, eighth = Fraction(1, 4), Fraction(1, 8)
+        t = Fraction(819, 1024) - Fraction(1, 16)  # along the row the next points, 3/4 away, count too
+        w, next_w = (8 * x**3 * (Fraction(65, 64) - x) for x in (t, Fraction(819, 1024) - Fraction(9, 16)))
+        g, following = (Fraction(gradients.gradient2(words.point_word("pcg", point, 7), 0.375)[0])
+                        for point in ((6, -4), (7, -4)))
+        self.assertEqual(noises.find("simplex").exact(Knobs("pcg"), (3 + eighth, -2), 7),
+                         (Fraction(1653, 1024) * (w * g * quarter - next_w * following * 3 * quarter),))
+        t = Fraction(7, 8)
+        self.assertEqual(noises.find("simplex").exact(Knobs("pcg"), (3 + quarter, -2, 5), 7),
+                         (Fraction(6570, 1024) * t**4 * Fraction(gradients.gradient3(space)[0]) * quarter,))
+        self.assertEqual(noises.find("simplex").exact(Knobs("pcg"), (3 + quarter, -2, 5, 0), 7),
+                         (Fraction(4298, 1024) * t**3 * Fraction(gradients.gradient4(four)[0]) * quarter,))
+        centre = words.point_word("pcg", (3, -2, 5), 7, True)
+        self.assertEqual(noises.find("simplex").exact(Knobs("pcg"), (3.5, -1.25, 5.5), 7),
+                         (Fraction(6570, 1024) * t**4 * Fraction(gradients.gradient3(centre)[1]) * quarter,))
+
+    def test_cells_meet(self) -> None:
+        # f = 1 in one cell is f = 0 in the next: at the seam of a period, and where cells wrap without one.
+        numbers = generator_of("meet")
+        for (name, n, _), (cell, following, period) in itertools.product(
+                KERNELS, ((4, 0, 5), (INT_MAX, -2**31, 0), (INT_MAX, 1, INT_MAX), (1, 0, 2), (0, 0, 1))):
+            for axis in range(n):
+                f = [numbers.integer(0, 64) / 64 for _ in range(n)]
+                ends = [[of(KNOBS, [c if i == axis else 3 for i in range(n)],
+                            [x if i == axis else y for i, y in enumerate(f)], 9, (period,) * n)
+                         for c, x in ((cell, 1.0), (following, 0.0))]
+                        for of in (noises.find(name).exact_cell, noises.find(name).fixed_cell)]
+                for at_ends in ends:
+                    self.assertEqual(*at_ends)
+
+    def test_the_gradient_of_the_knobs_does_not_matter(self) -> None:
+        for name, n, _ in KERNELS:
+            for p, seed in positions(n, 2):
+                noise = noises.find(name)
+                for of in (noise.exact, noise.fixed):
+                    self.assertEqual(of(KNOBS, p, seed), of(Knobs("lattice", sine=True), p, seed))
+
+    def test_the_value_is_that_with_derivatives(self) -> None:
+        for n in simplex.KERNELS:
+            for p, seed in positions(n, 8):
+                for form in ("exact", "fixed"):
+                    value, *slopes = getattr(noises.find("simplex_d"), form)(KNOBS, p, seed, (5,) * n)
+                    self.assertEqual((value,), getattr(noises.find("simplex"), form)(KNOBS, p, seed, (5,) * n))
+                    self.assertEqual(len(slopes), n)
+
+    def check_quotients(self, derivatives: Callable, plain: Callable, n: int) -> None:
+        """Exact derivatives are the limits of exact difference quotients, with a period, too."""
+        for (p, seed), periods in itertools.product(positions(n, 3), ((), (5,) * n)):
+            found = derivatives(KNOBS, p, seed, periods)
+            for axis in range(n):
+                def moved(x: Fraction, axis: int = axis) -> Fraction:
+                    return plain(KNOBS, [*p[:axis], x, *p[axis + 1:]], seed, periods)[0]
+
+                limit = quotient(moved, p[axis], Fraction(1, 2**26))
+                self.assertLess(abs(limit - found[1 + axis]), 2**-80)
+
+    def test_derivatives_are_the_limits_of_difference_quotients(self) -> None:
+        for n, suffix in ((2, ""), (3, ""), (4, ""), (2, "_phase"), (3, "_phase")):
+            plain, both = noises.find("simplex" + suffix), noises.find("simplex_d" + suffix)
+            if suffix:
+                plain, both = plain.turned(0.3), both.turned(0.3)
+            self.check_quotients(both.exact, plain.exact, n)
+
+    def test_derivatives_per_step_are_noticed(self) -> None:
+        of = noises.find("simplex_d").exact
+        with self.assertRaises(AssertionError):
+            self.check_quotients(lambda *args: [x / 2 for x in of(*args)], noises.find("simplex").exact, 2)
+
+    def test_no_crease_where_a_point_begins_to_count(self) -> None:
+        # Along a line through many ends the second differences, as fast as they change, do not leap.
+        step = Fraction(1, 2**7)
+        for name, n, _ in KERNELS:
+            rest = (Fraction(3, 16), Fraction(5, 8), Fraction(7, 16))[:n - 1]
+            values = [noises.find(name).exact(KNOBS, (7 + i * step, *rest), 3)[0] for i in range(131)]
+            for _ in range(2):
+                values = [(b - a) / step for a, b in itertools.pairwise(values)]
+            self.assertLess(max(abs(b - a) for a, b in itertools.pairwise(values)), 16)
+
+    def test_fixed_arithmetic_is_near(self) -> None:
+        for name, n, _ in KERNELS:
+            for p, seed in positions(n, 40):
+                (exact,), (fixed,) = (of(KNOBS, p, seed) for of in (noises.find(name).exact, noises.find(name).fixed))
+                self.assertLess(abs(exact - fixed), 2**-12)
+        both = noises.find("simplex_d")
+        for n in simplex.KERNELS:
+            for p, seed in positions(n, 40):
+                _, *slopes = zip(both.exact(KNOBS, p, seed), both.fixed(KNOBS, p, seed), strict=True)
+                for exact, fixed in slopes:
+                    self.assertLess(abs(exact - fixed), 2**-9)
+                    self.assertEqual((fixed * (2**19 if n > 2 else 2**18)).denominator, 1)
+
+    def largest(self, kernel: Kernel, fraction: tuple[int, ...], of: Callable) -> int:
+        """With gradients towards the position at every point."""
+        n = len(fraction)
+        some = [h << 15 for h in range(0, 2**17, 977)]
+        steps = iter(kernels.fixed_points(kernel, fraction))
+
+        def word(*_) -> int:
+            d = next(steps).offset
+            return max(some, key=lambda h: sum(a * b for a, b in zip(Lattice(KNOBS).fixed_octahedral(h, n), d)))
+
+        with mock.patch.object(kernels.Point, "word", word):
+            return of(kernel, Lattice(KNOBS), (0,) * n, fraction)
+
+    def test_the_largest_ramps_do_not_overflow(self) -> None:
+        for name, n, kernel in KERNELS:
+            for f in fractions(n, 12):
+                fraction = tuple(int(x * UNIT) for x in f)
+                self.assertLessEqual(abs(self.largest(kernel, fraction, kernels.fixed_value)), 2**21)
+                if name == "simplex":
+                    for slope in self.largest(kernel, fraction, kernels.fixed_derivatives):
+                        self.assertLess(abs(slope), 2**24)  # a float

@@ -1,0 +1,7 @@
+"""Section 14 of docs/contract.md: Perlin noise whose gradients turn, with its derivatives."""
+
+from __future__ import annotations
+
+from oracle.noises.perlin_d import exact, fixed
+
+__all__ = ["exact", "fixed"]

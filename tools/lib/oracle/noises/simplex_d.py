@@ -1,0 +1,8 @@
+"""Section 13 of docs/contract.md: simplex noise with its derivatives."""
+
+from __future__ import annotations
+
+from oracle.kernels import noise_with_derivatives
+from oracle.noises.simplex import KERNELS
+
+exact, fixed = noise_with_derivatives(KERNELS)

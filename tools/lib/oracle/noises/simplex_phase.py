@@ -1,0 +1,7 @@
+"""Section 14 of docs/contract.md: simplex noise whose gradients turn, as those of the lattice do."""
+
+from __future__ import annotations
+
+from oracle.noises.simplex import exact, fixed
+
+__all__ = ["exact", "fixed"]

@@ -1,0 +1,79 @@
+"""Section 14 of docs/contract.md: gradients that turn by a phase."""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TypeVar
+
+from oracle import gradients, integers
+from oracle.gradients import Real
+from oracle.words import MASK
+
+Number = TypeVar("Number", int, float, Fraction)
+
+DIMENSIONS = (2, 3)
+
+
+def check(n: int) -> None:
+    if n not in DIMENSIONS:
+        raise ValueError(f"gradients turn in two and three dimensions, not in {n}D")
+
+
+def still_axis(g: Sequence[Number]) -> int:
+    """In three dimensions the axis about which g turns: along it the gradient after a quarter of a turn is 0."""
+    x, y, z = map(abs, g)
+    if z <= x and z <= y:
+        return 2
+    return 1 if y <= x else 0
+
+
+def quarter_turned(g: Sequence[Number]) -> tuple[Number, ...]:
+    """g', the gradient after a quarter of a turn."""
+    check(len(g))
+    if len(g) == 2:
+        x, y = g
+        return (-y, x)
+    x, y, z = g
+    zero = x - x
+    return ((zero, -z, y), (z, zero, -x), (-y, x, zero))[still_axis(g)]
+
+
+# --- Exact ------------------------------------------------------------------------------------------------------
+
+
+@functools.lru_cache(maxsize=4096)  # a noise with derivatives asks several times
+def turned(g: tuple[Real, ...], phase: Real) -> tuple[Fraction, ...]:
+    """The gradient g after `phase` turns."""
+    turns = Fraction(phase)
+    cosine, sine = gradients.sine_of_turns(turns + Fraction(1, 4)), gradients.sine_of_turns(turns)
+    return tuple(cosine * Fraction(a) + sine * Fraction(b) for a, b in zip(g, quarter_turned(g)))
+
+
+# --- Fixed ------------------------------------------------------------------------------------------------------
+
+
+def angle(phase: Real) -> int:
+    """A, in units of 2^-32 of a turn."""
+    exact = Fraction(phase)
+    return 4 * math.trunc((exact - math.trunc(exact)) * 2**30) & MASK
+
+
+@dataclass(frozen=True)
+class Turn:
+    """C and Z, the cosine and the sine of a phase, in units of 2^-18."""
+    cosine: int
+    sine: int
+
+    def of(self, a: int, b: int) -> int:
+        """Of what there is without a turn and after a quarter of one."""
+        return integers.signed(integers.part(a, self.cosine) + integers.part(b, self.sine))
+
+
+@functools.cache
+def turn_of(phase: Real) -> Turn:
+    a = angle(phase)
+    return Turn(4 * integers.sine_of_turns(a + 2**30 & MASK), 4 * integers.sine_of_turns(a))

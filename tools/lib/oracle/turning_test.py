@@ -1,0 +1,224 @@
+"""Tests of turning.py, and of the noises whose gradients turn: by hand, whole turns and quarters, and linearity."""
+
+from __future__ import annotations
+
+import itertools
+import math
+import unittest
+from fractions import Fraction
+
+from golden.generator import generator_of
+from golden.simplex_rows import PHASES
+from oracle import gradients, integers, noises, ramps, turning, words
+from oracle.gradients import Knobs
+from oracle.integers import UNIT
+from oracle.lattice import Lattice
+from oracle.turning import Turn
+
+TURNING = ("perlin_phase", "perlin_d_phase", "simplex_phase", "simplex_d_phase")
+KNOBS = Knobs("lattice")
+POINT = (Fraction(-2611, 1024), Fraction(5003, 1024), Fraction(777, 1024))
+
+
+def some_words(count: int) -> list[int]:
+    numbers = generator_of("turning")
+    return [0, words.MASK, 0x40408000, 0xC03F8000, 0x80800000] + [numbers.word() for _ in range(count)]
+
+
+class SineOfTurns(unittest.TestCase):
+    def test_quarters_are_exact(self) -> None:
+        for quarters, sine in ((0, 0), (1, 1), (2, 0), (3, -1), (-1, -1), (4001, 1), (2**150, 0)):
+            self.assertEqual(gradients.sine_of_turns(Fraction(quarters, 4)), sine)
+
+    def test_is_that_of_the_c_library(self) -> None:
+        numbers = generator_of("turns")
+        for _ in range(500):
+            turns = Fraction(numbers.integer(-2**24, 2**24), 2**25)  # up to half a turn: there a double of it is good
+            expected = math.sin(2 * math.pi * float(turns))
+            self.assertAlmostEqual(float(gradients.sine_of_turns(turns)), expected, delta=5e-16)
+
+    def test_is_as_exact_as_it_says(self) -> None:
+        # The angles of 3/8 and 1/8 by the root of 1/2, and by what the sine of twice an angle is.
+        half = Fraction(1, 2)
+        for turns in (Fraction(1, 8), Fraction(3, 8), Fraction(-7, 8)):
+            self.assertLess(abs(gradients.sine_of_turns(turns)**2 - half), 2 * gradients.SINE_ERROR)
+        numbers = generator_of("double")
+        for turns in [*map(Fraction, PHASES), *(Fraction(numbers.integer(-2**40, 2**40), 2**38) for _ in range(50))]:
+            sine, cosine, twice = (gradients.sine_of_turns(x) for x in (turns, turns + Fraction(1, 4), 2 * turns))
+            self.assertLess(abs(sine**2 + cosine**2 - 1), 4 * gradients.SINE_ERROR)
+            self.assertLess(abs(2 * sine * cosine - twice), 5 * gradients.SINE_ERROR)
+
+    def test_the_smallest_ones(self) -> None:
+        tiny = Fraction(1, 2**149)
+        self.assertAlmostEqual(float(gradients.sine_of_turns(tiny) / tiny), 2 * math.pi)
+
+
+class Quarters(unittest.TestCase):
+    def test_by_hand(self) -> None:
+        self.assertEqual(turning.quarter_turned((3, -5)), (5, 3))
+        # Along the axis of the smallest component it is 0; among equal ones z comes first, then y.
+        for g, expected in (((3, -5, 2), (5, 3, 0)), ((3, -2, 5), (5, 0, -3)), ((2, -5, 3), (0, -3, -5)),
+                            ((2, 2, 2), (-2, 2, 0)), ((2, 3, 2), (-3, 2, 0)), ((3, 2, 2), (-2, 3, 0)),
+                            ((2, 2, 3), (3, 0, -2)), ((-2, 2, -3), (-3, 0, 2)), ((0, 3, 3), (0, -3, 3)),
+                            ((0, -1, 0), (1, 0, 0)), ((0, 0, 1), (1, 0, 0))):
+            self.assertEqual(turning.quarter_turned(g), expected, g)
+
+    def test_they_stand_upright_on_the_gradient(self) -> None:
+        for n, h in itertools.product((2, 3), some_words(200)):
+            g = gradients.OCTAHEDRAL[n](h)
+            quarter = turning.quarter_turned(g)
+            self.assertEqual(sum(a * b for a, b in zip(g, quarter)), 0)
+            # In space what is lost is the component along the axis, the smallest one.
+            lost = min(map(abs, g))**2 if n == 3 else 0
+            self.assertEqual(sum(a * a for a in quarter), sum(a * a for a in g) - lost)
+
+    def test_only_in_two_and_three_dimensions(self) -> None:
+        for g in ((1,), (1, 2, 3, 4)):
+            with self.assertRaisesRegex(ValueError, "two and three"):
+                turning.quarter_turned(g)
+
+
+class Turned(unittest.TestCase):
+    def test_by_quarters(self) -> None:
+        for n, h in itertools.product((2, 3), some_words(20)):
+            g = gradients.OCTAHEDRAL[n](h)
+            quarter = turning.quarter_turned(g)
+            for phase, expected in ((0.0, g), (1.0, g), (-3e38, g), (0.25, quarter), (-0.75, quarter),
+                                    (1000.25, quarter), (0.5, [-x for x in g]), (-0.25, [-x for x in quarter])):
+                self.assertEqual(turning.turned(g, phase), tuple(expected))
+
+    def test_by_an_eighth(self) -> None:
+        for x, expected in zip(turning.turned((1.0, 0.0), 0.125), (0.5**0.5, 0.5**0.5)):
+            self.assertAlmostEqual(float(x), expected)
+
+
+class Fixed(unittest.TestCase):
+    def test_angles(self) -> None:
+        table = {0.0: 0, -0.0: 0, 0.25: 2**30, 1.25: 2**30, -0.25: 3 * 2**30, -1.0: 0, 2.0**-30: 4, 2.0**-31: 0,
+                 -2.0**-31: 0, -2.0**-30: 2**32 - 4, 3 * 2.0**-31: 4, 1e-40: 0, 3e38: 0, 1 - 2.0**-24: 2**32 - 2**8,
+                 1000.125: 2**29}
+        for phase, expected in table.items():
+            self.assertEqual(turning.angle(phase), expected, phase)
+
+    def test_turns_by_hand(self) -> None:
+        # The sine of a quarter is that of x = 65535: 65535 in units of 2^-16.
+        for phase, expected in ((0, Turn(262140, 0)), (0.25, Turn(0, 262140)), (0.5, Turn(-262140, 0)),
+                                (-0.25, Turn(0, -262140)), (7, Turn(262140, 0))):
+            self.assertEqual(turning.turn_of(phase), expected)
+        # x = 2^15, u = 2^14, y = 102943 - 10261: 46341 in units of 2^-16 is the root of 1/2, cut.
+        self.assertEqual(turning.turn_of(0.125), Turn(4 * 46341, 4 * 46341))
+
+    def test_turns_are_near(self) -> None:
+        numbers = generator_of("turns")
+        for phase in [*PHASES, *(numbers.uniform(-2, 2) for _ in range(300))]:
+            turn, turns = turning.turn_of(phase), Fraction(phase)
+            for found, exact in ((turn.sine, turns), (turn.cosine, turns + Fraction(1, 4))):
+                self.assertLess(abs(Fraction(found, 2**18) - gradients.sine_of_turns(exact)), 3.7e-5, phase)
+
+    def test_ramps_are_near(self) -> None:
+        # The sine of fixed arithmetic is off by 3.7e-5, a ramp's two parts are at most 1.06 * 2^(1/2) long each.
+        numbers = generator_of("ramps")
+        for n, h in itertools.product((2, 3), some_words(200)):
+            d, phase = [numbers.integer(-UNIT, UNIT) for _ in range(n)], numbers.uniform(-1, 1)
+            turn = turning.turn_of(phase)
+            g = turning.turned(gradients.OCTAHEDRAL[n](h), phase)
+            exact = sum(a * Fraction(x, UNIT) for a, x in zip(g, d))
+            self.assertLess(abs(Fraction(ramps.octahedral_ramp(h, d, turn), ramps.RAMP_UNITS[n]) - exact), 1.6e-4)
+            for found, component in zip(ramps.octahedral_gradient(h, n, turn), g):
+                self.assertLess(abs(Fraction(found, ramps.RAMP_UNITS[n]) - component), 1e-4)
+
+    def test_ramps_by_hand(self) -> None:
+        # a = 1, m = 511 and E = 1 in the plane. A turn of (3, 5) parts: 262144 is 1.
+        h, d = 256 << 22, (3 * 2**10, 5 * 2**10)
+        self.assertEqual(ramps.ramp2(h, d), 3072 + 2616320 + (2619392 >> 9))
+        r = (5120 - 511 * 3072)
+        self.assertEqual(ramps.ramp2(h, d, Turn(0, 2**18)), r + (r >> 9))
+        # p = q = 1 and m = 255, so that g is (2, 0, 510): along y it turns to 0.
+        h, d = 128 << 23 | 128 << 15, (3 * 2**10, 5 * 2**10, 7 * 2**10)
+        r = 510 * 3072 - 2 * 7168
+        self.assertEqual(ramps.ramp3(h, d, Turn(0, 2**18)), r + (r >> 9) * 2)
+
+    def test_nothing_overflows(self) -> None:
+        numbers = generator_of("overflow")
+        for n, h in itertools.product((2, 3), some_words(300)):
+            g = gradients.OCTAHEDRAL[n](h)
+            for steps, phase in itertools.product((1, 2), (0, 0.125, numbers.uniform(-1, 1))):
+                turn = turning.turn_of(phase)
+                d = [UNIT if x > 0 else -UNIT for x in g]
+                ramps.octahedral_ramp(h, d, turn)
+                ramps.octahedral_ramp(h, [-d[1], *d[:1], *d[2:]], turn)
+
+
+class Noises(unittest.TestCase):
+    def test_whole_turns_change_nothing(self) -> None:
+        for name, n, phase in itertools.product(TURNING, (2, 3), (0.0, 0.375, -2.0**-20)):
+            noise = noises.find(name)
+            for form in ("exact", "fixed"):
+                there = getattr(noise.turned(phase), form)(KNOBS, POINT[:n], 7)
+                for whole in (1, -3, 2**24):
+                    moved = noise.turned(Fraction(phase) + (whole if phase >= 0 else -abs(whole)))
+                    self.assertEqual(getattr(moved, form)(KNOBS, POINT[:n], 7), there)
+
+    def test_half_a_turn_negates(self) -> None:
+        for name, n in itertools.product(TURNING, (2, 3)):
+            noise = noises.find(name)
+            there, opposite = (noise.turned(phase).exact(KNOBS, POINT[:n], 7) for phase in (0, 0.5))
+            self.assertEqual(opposite, tuple(-x for x in there))
+
+    def test_without_a_turn_it_is_the_noise(self) -> None:
+        for name, n in itertools.product(TURNING, (2, 3)):
+            found = noises.find(name).turned(0).exact(KNOBS, POINT[:n], 7, (3,) * n)
+            plain = noises.find(name.removesuffix("_phase")).exact(KNOBS, POINT[:n], 7, (3,) * n)
+            self.assertEqual(found, plain)
+
+    def test_they_are_linear_in_cosine_and_sine(self) -> None:
+        for name, n, phase in itertools.product(TURNING, (2, 3), (0.1, -0.7)):
+            noise = noises.find(name)
+            at, zero, quarter = (noise.turned(x).exact(KNOBS, POINT[:n], 7) for x in (phase, 0, 0.25))
+            sine, cosine = map(gradients.sine_of_turns, (Fraction(phase), Fraction(phase) + Fraction(1, 4)))
+            for found, a, b in zip(at, zero, quarter, strict=True):
+                self.assertEqual(found, cosine * a + sine * b)
+
+    def test_a_quarter_uses_the_turned_gradient(self) -> None:
+        # A derivative at a lattice point of Perlin noise is the component of its gradient.
+        for n in (2, 3):
+            point = (5, -6, 7)[:n]
+            g = turning.quarter_turned(gradients.gradient(KNOBS, point, 9))
+            value, *slopes = noises.find("perlin_d_phase").turned(0.25).exact(KNOBS, point, 9)
+            scale = {2: Fraction(1365, 1024), 3: Fraction(1228, 1024)}[n]
+            self.assertEqual((value, slopes), (0, [scale * Fraction(x) for x in g]))
+
+    def test_phases_take_effect(self) -> None:
+        for name, n, form in itertools.product(TURNING, (2, 3), ("exact", "fixed")):
+            found = {getattr(noises.find(name).turned(i / 16), form)(KNOBS, POINT[:n], 7) for i in range(16)}
+            self.assertEqual(len(found), 16)
+
+    def test_fixed_arithmetic_is_near(self) -> None:
+        numbers = generator_of("near")
+        for name, n in itertools.product(TURNING, (2, 3)):
+            for _ in range(12):
+                noise = noises.find(name).turned(numbers.uniform(-1, 1))
+                p, seed = [Fraction(numbers.integer(-2**26, 2**26), UNIT) for _ in range(n)], numbers.word()
+                value, *slopes = zip(noise.exact(KNOBS, p, seed), noise.fixed(KNOBS, p, seed), strict=True)
+                self.assertLess(abs(value[0] - value[1]), 2**-12)
+                for exact, fixed in slopes:
+                    self.assertLess(abs(exact - fixed), 2**-9)
+
+    def test_what_does_not_turn(self) -> None:
+        with self.assertRaisesRegex(ValueError, "the gradients of value do not turn"):
+            noises.find("value").turned(0.5)
+        for form, name, n in itertools.product(("exact", "fixed"), ("perlin_phase", "perlin_d_phase"), (2, 3)):
+            with self.assertRaises(ValueError):
+                getattr(noises.find(name), form)(Knobs("lattice", sine=True), POINT[:n])
+        for form, n in itertools.product(("exact", "fixed"), (1, 4)):
+            with self.assertRaisesRegex(ValueError, "two and three"):
+                getattr(noises.find("perlin_phase").turned(0.3), form)(KNOBS, (0.3,) * n)
+
+
+class Words(unittest.TestCase):
+    def test_the_lattice_hands_its_phase_on(self) -> None:
+        lattice = Lattice(KNOBS, 3, (), 0.25)
+        h = lattice.word((1, 2))
+        self.assertEqual(lattice.gradient((1, 2)), turning.quarter_turned(gradients.gradient2(h)))
+        self.assertEqual(lattice.fixed_octahedral(h, 2), ramps.octahedral_gradient(h, 2, turning.turn_of(0.25)))
+        self.assertEqual(integers.part(2**20, 2**17), 2**19)
