@@ -21,8 +21,8 @@ largest component it is the one with the largest second one.
 
 UNIT. All vectors that are as long as 1. The largest length of a gradient, times that, contains all gradients.
 
-No component of an OCTAHEDRAL gradient exceeds 1: (2 - L) times a component is at most (2 - L) L. |g.v| is at most max |v_i| times
-h(1, .., 1).
+No component of an OCTAHEDRAL gradient exceeds 1: (2 - L) times a component is at most (2 - L) L. |g.v| is at most
+max |v_i| times h(1, .., 1).
 """
 
 from __future__ import annotations

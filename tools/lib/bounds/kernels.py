@@ -76,7 +76,8 @@ class Kernel:
                      < self.radius)
 
 
-SIMPLEX = {2: Kernel(2, 819 / 1024, 1, 1653, 3, PLANE, 3 / 8, triangles=True), 3: Kernel(3, 1.0, 2, 6570, 4, FOURTH),
+SIMPLEX = {2: Kernel(2, 819 / 1024, 1, 3242, 3, PLANE, 3 / 8, triangles=True),
+           3: Kernel(3, 1.0, 2, 6570, 4, FOURTH),
            4: Kernel(4, 1.0, 2, 4298, 4, CUBE, None)}
 SMOOTH = {2: Kernel(2, 1.0, 1, 2428, 4, CUBE, 3 / 8, triangles=True), 3: Kernel(3, 0.75, 1, 3901, 8, FIFTH, 2.0)}
 

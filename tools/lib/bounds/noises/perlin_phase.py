@@ -47,7 +47,8 @@ def largest(quantity: suprema.Quantity, dims: int) -> float:
 
 def ramps_and_fractions(lo, hi, ulps):
     offsets = [approx_offsets(a, b, ulps) for a, b in zip(lo, hi)]
-    ramps = [turned_ramp([offset[o] for offset, o in zip(offsets, corner[::-1])], 1.0, ulps) for corner in corners(len(lo))]
+    ramps = [turned_ramp([offset[o] for offset, o in zip(offsets, corner[::-1])], 1.0, ulps)
+             for corner in corners(len(lo))]
     return ramps, [fraction for fraction, _ in offsets]
 
 
@@ -144,14 +145,16 @@ def largest_intermediates(dims: int, _: Gradient) -> dict[str, float]:
 def largest_slope_intermediates(dims: int, slope: float) -> dict[str, float]:
     """As slope_intermediates of integers.py."""
     climb = part_intermediate(largest_difference(dims) / 4 + 1, slopes())
-    made = (longest(dims) + turn_effect(longest(dims))) * RAMP_ONE / 4 + dims * float(lerp_roundings().max()) + 2000 + climb
+    component_size = (longest(dims) + turn_effect(longest(dims))) * RAMP_ONE + 2 * MIXED_ROUNDING
+    made = component_size / 4 + dims * float(lerp_roundings().max()) + 1 + climb
     largest_derivative = slope / scale_of(dims) * RAMP_ONE / 4
     return {"climb": climb, "scaled derivative": scaled_intermediate(largest_derivative, fixed_scale(dims)),
             **{f"derivative's {name}": value for name, value in interpolation_intermediates(made, dims).items()}}
 
 
 def quotes() -> list[tuple[str, str]]:
-    return [("docs/accuracy.md", f"With a phase `hn_perlin` stays below {listed([range_of(dims) for dims, _ in CASES])} in 2D")]
+    below = listed([range_of(dims) for dims, _ in CASES])
+    return [("docs/accuracy.md", f"With a phase `hn_perlin` stays below {below} in 2D")]
 
 
 def describe(dims: int, _: Gradient) -> dict[str, object]:
