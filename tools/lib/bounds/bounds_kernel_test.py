@@ -1,5 +1,5 @@
-"""Tests of what is proven of simplex noise, of gradients that turn and of curl: the models of docs/contract.md and of the
-library's text stay within the bounds, and reach a part of them. A wrong constant is noticed."""
+"""Tests of what is proven of simplex noise, of gradients that turn and of curl: the models of docs/contract.md and of
+the library's text stay within the bounds, and reach a part of them. A wrong constant is noticed."""
 
 import math
 import unittest
@@ -164,7 +164,7 @@ class Fixed(unittest.TestCase):
             value, slope = proven(noise, kernel.dims)
             self.assertTrue(value.fixed_error / 5 < seen < value.fixed_error, (noise, kernel.dims, seen))
             if slope:
-                self.assertTrue(slope.fixed_error / 8 < seen_slope < slope.fixed_error, (noise, kernel.dims, seen_slope))
+                self.assertTrue(slope.fixed_error / 8 < seen_slope < slope.fixed_error, (noise, seen_slope))
 
     def test_fails_with_another_weight(self):
         """Must-fail checks: a weight of fewer bits, a fall that is a little too large."""

@@ -1,5 +1,5 @@
-"""Sums over lattice points, and gradients that turn, in 32-bit floats on arrays, in the steps of the library's text, with
-any rounding: for bounds_kernel_test.py. Words depend on the point, as kernel_model.words_of_hash gives them."""
+"""Sums over lattice points, and gradients that turn, in 32-bit floats on arrays, in the steps of the library's text,
+with any rounding: for bounds_kernel_test.py. Words depend on the point, as kernel_model.words_of_hash gives them."""
 
 import numpy as np
 

@@ -6,20 +6,20 @@ and the component that is not in the plane of the turn to 0. So no gradient beco
 tight, the gradients may be all that are as long as the longest one: h(v) is its length times |v|. That is enough for
 hn_perlin on the plane, which has its largest value where the offsets are along the longest gradients.
 
-For the others the range is bounded for each angle. On the plane all turn alike, so h is that of v turned by -a. A quarter
-of a turn changes no set of gradients, so angles from 0 to pi/2 are enough.
+For the others the range is bounded for each angle. On the plane all turn alike, so h is that of v turned by -a. A
+quarter of a turn changes no set of gradients, so angles from 0 to pi/2 are enough.
 
 In space g(a).v is g.v(a), with v turned by -a in the plane of the turn and its other component times cos(a). A
-gradient turns in the plane of its two largest components. By the axis of its smallest one there are three kinds. For one
-of them with v(a) let P >= Q be the components in the plane and R the other one, all without their signs. If R <= Q, h is
-that of all gradients. Else the best gradient of the kind has the components 1 - t along P and t/2 along both others: R is
-better than Q, but may not have more. That makes (1 + t) ((1 - t) P + t (Q + R) / 2), as on the plane, for t up to 2/3. h
-is taken as the largest of the three kinds and of both directions of the turn: then it depends neither on the signs nor on
-the order of the axes. Half a turn negates a gradient, and so angles from 0 to pi/2 are enough here, too. That h is at
-most the largest length times |v|, too: the smaller one counts.
+gradient turns in the plane of its two largest components. By the axis of its smallest one there are three kinds. For
+one of them with v(a) let P >= Q be the components in the plane and R the other one, all without their signs. If R <= Q,
+h is that of all gradients. Else the best gradient of the kind has the components 1 - t along P and t/2 along both
+others: R is better than Q, but may not have more. That makes (1 + t) ((1 - t) P + t (Q + R) / 2), as on the plane, for
+t up to 2/3. h is taken as the largest of the three kinds and of both directions of the turn: then it depends neither on
+the signs nor on the order of the axes. Half a turn negates a gradient, and so angles from 0 to pi/2 are enough here,
+too. That h is at most the largest length times |v|, too: the smaller one counts.
 
-In a box of places and angles the noise is bounded as in boxes.py. The second derivative of g(a).v by a is -(g(a).v), which
-is at most the largest length times |v|.
+In a box of places and angles the noise is bounded as in boxes.py. The second derivative of g(a).v by a is -(g(a).v),
+which is at most the largest length times |v|.
 """
 
 from __future__ import annotations

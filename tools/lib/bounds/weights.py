@@ -1,5 +1,5 @@
-"""The weights w(t) of simplex noise (docs/contract.md, section 13): their derivatives, and how they are computed, in floats
-and in integers. The fall of a weight is 2 m w'(t): what the weight's derivative multiplies an offset with.
+"""The weights w(t) of simplex noise (docs/contract.md, section 13): their derivatives, and how they are computed, in
+floats and in integers. The fall of a weight is 2 m w'(t): what the weight's derivative multiplies an offset with.
 
 In integers t is off by e, and
 
@@ -78,8 +78,9 @@ def _floats_plane_fall(t: Approx, m: int) -> Approx:
 
 @dataclass(frozen=True, eq=False)
 class Weight:
-    """A polynomial: coefficients by powers of t. `floats` computes it, and `float_fall` its fall; `fixed` and `fixed_fall`
-    bound the errors of W and E, given the largest t and its error. Where there are no derivatives there is no fall."""
+    """A polynomial: coefficients by powers of t. `floats` computes it, and `float_fall` its fall; `fixed` and
+    `fixed_fall` bound the errors of W and E, given the largest t and its error. Where there are no
+    derivatives there is no fall."""
     coefficients: dict[int, float]
     floats: Callable[[Approx], Approx]
     fixed: Callable

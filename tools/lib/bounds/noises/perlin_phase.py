@@ -3,10 +3,10 @@
 The other bounds of the exact noise are longest() times those of all gradients as long as 1 (suprema.py). Its floats are
 those of noises/perlin/floats.py with the ramps of kernel_floats.py.
 
-FIXED. It is off by the same as hn_perlin; FADE is longest() times that of gradients as long as 1. Ramps round by more, and
-components of gradients round, too. TURN (kernel_fixed.py) moves every gradient times a vector by so much for each length
-of that vector, so it moves the noise by that times the largest noise of all gradients as long as 1, and likewise a
-derivative.
+FIXED. It is off by the same as hn_perlin; FADE is longest() times that of gradients as long as 1. Ramps round by more,
+and components of gradients round, too. TURN (kernel_fixed.py) moves every gradient times a vector by so much for each
+length of that vector, so it moves the noise by that times the largest noise of all gradients as long as 1, and likewise
+a derivative.
 """
 
 from __future__ import annotations
@@ -127,8 +127,8 @@ def derive_slope(dims: int) -> Derived:
 
 def largest_difference(dims: int) -> float:
     """Of the values of two corners along an axis, or of what is interpolated behind both: at f along that axis and the
-    ends of the others, their offsets are as long as sqrt(f^2 + n - 1) and sqrt((1 - f)^2 + n - 1). The sum is largest at
-    an end. The roundings of the ramps and of interpolations are added."""
+    ends of the others, their offsets are as long as sqrt(f^2 + n - 1) and sqrt((1 - f)^2 + n - 1). The sum is largest
+    at an end. The roundings of the ramps and of interpolations are added."""
     rounding = ramp_rounding(dims, 1.0, turns=True) + dims * float(lerp_roundings().max())
     lengths = (math.sqrt(dims) + math.sqrt(dims - 1)) * (longest(dims) + turn_effect(longest(dims)))
     return lengths * RAMP_ONE + 2 * rounding
