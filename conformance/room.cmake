@@ -33,7 +33,8 @@ extern const std::span<const EmbeddedFile> ${name};
   list(JOIN ARGN "," argument)
   add_custom_command(
     OUTPUT ${generated}/files.cpp
-    COMMAND ${CMAKE_COMMAND} -DOUT=${generated}/files.cpp -DROOM=${room} -DNAME=${name} -DFILES=${argument} -P ${embed_script}
+    COMMAND ${CMAKE_COMMAND} -DOUT=${generated}/files.cpp -DROOM=${room} -DNAME=${name} -DFILES=${argument}
+            -P ${embed_script}
     DEPENDS ${ARGN} ${embed_script}
     VERBATIM COMMENT "Embedding the files of ${room}")
   add_custom_target(hn-${room}-files DEPENDS ${generated}/files.cpp)

@@ -17,7 +17,7 @@
 //   hn_i_onto(q, x)            such a square plus a number that is given as an offset
 //   hn_i_near(q, s, m)         s / 1024 - m q, or 0 beyond the radius, where that is negative. In HN_FIXED it is in
 //                              units of 2^-16 and below 1. m is 1 or 2: 2 gives the weights of a small radius more bits
-//   hn_i_weight3(t), ...       the weight of a point: t^3, t^4, 4 t^5, and of the plane 8 t^3 (65/64 - t). Each makes the
+//   hn_i_weight3(t), ...       the weight of a point: t^3, t^4, 4 t^5, and of the plane t^3 (3 - 2 t). Each makes the
 //                              noise twice continuously differentiable. They were chosen by tools/quality, so that the
 //                              noise does not show its lattice
 //   hn_i_fall3(t, m), ...      how the weight falls: 2 m times its derivative by t; in HN_FIXED an eighth of that
@@ -74,7 +74,7 @@ HN_FN hn_float hn_i_weight5(hn_float t) {
   return w;
 }
 HN_FN hn_float hn_i_weight_plane(hn_float t) {
-  HN_I_PRECISE hn_float w = t * t * t * (t * -8.0f + 65.0f / 8.0f);
+  HN_I_PRECISE hn_float w = t * t * t * (t * -2.0f + 3.0f);
   return w;
 }
 HN_FN hn_float hn_i_fall3(hn_float t, hn_int m) {
@@ -86,7 +86,7 @@ HN_FN hn_float hn_i_fall4(hn_float t, hn_int m) {
   return k;
 }
 HN_FN hn_float hn_i_fall_plane(hn_float t, hn_int m) {
-  HN_I_PRECISE hn_float k = t * t * (t * -64.0f + 195.0f / 4.0f) * float(m);
+  HN_I_PRECISE hn_float k = t * t * (t * -16.0f + 18.0f) * float(m);
   return k;
 }
 HN_FN hn_float hn_i_attenuated(hn_float n, hn_float w) { return hn_i_times(n, w); }
@@ -150,15 +150,15 @@ HN_FN hn_int hn_i_weight5(hn_int t) {
   return int((((q * q + 32768u) >> 16u) * uint(t) + 2048u) >> 12u);
 }
 
-// 66560 is 65/64, and 49920 is 3/4 of that.
+// 98304 is 3/2, and 73728 is 9/8.
 HN_FN hn_int hn_i_weight_plane(hn_int t) {
-  hn_uint u = (uint(t) * uint(66560 - t) + 32768u) >> 16u;
-  return int((hn_i_near_square(t) * u + 1024u) >> 11u);
+  hn_uint u = (uint(t) * uint(98304 - t) + 32768u) >> 16u;
+  return int((hn_i_near_square(t) * u + 4096u) >> 13u);
 }
 HN_FN hn_int hn_i_fall3(hn_int t, hn_int m) { return int(hn_i_near_square(t)) * 3 * m; }
 HN_FN hn_int hn_i_fall4(hn_int t, hn_int m) { return hn_i_weight3(t) * m; }
 HN_FN hn_int hn_i_fall_plane(hn_int t, hn_int m) {
-  return ((int(hn_i_near_square(t)) * (49920 - t) + 1024) >> 11) * m;
+  return ((int(hn_i_near_square(t)) * (73728 - t) + 4096) >> 13) * m;
 }
 HN_FN hn_int hn_i_attenuated(hn_int n, hn_int w) { return hn_i_part(n, w); }
 HN_FN hn_int hn_i_lean(hn_int g, hn_int w, hn_int k, hn_int x) {

@@ -125,7 +125,7 @@ HN_FN hn_num hn_i_triangle_ramp(hn_uint h, hn_num x, hn_num y, hn_num2 rotation)
   return hn_i_longer(hn_i_mixed(rotation, hn_i_straight(d, x, y), hn_i_cross(d.x, y, d.y, x)), d.z);
 }
 
-// A sum of weighted ramps is at most 1024 / 1653 (tools/bounds), with turned gradients, too.
-HN_FN hn_num hn_i_scaled_simplex2(hn_num n) { return hn_i_scaled(n, 1653); }
+// A sum of weighted ramps is at most 1024 / 3242 (tools/bounds), with turned gradients, too.
+HN_FN hn_num hn_i_scaled_simplex2(hn_num n) { return hn_i_scaled(n, 3242); }
 
 #endif

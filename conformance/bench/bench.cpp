@@ -3,8 +3,8 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
-#include <iterator>
 #include <memory>
 
 #include "base/progress.hpp"
@@ -13,7 +13,7 @@
 namespace hn {
 namespace {
 
-constexpr std::size_t kReferences = 6;  // the subjects that run_bench puts before the others
+constexpr std::size_t kReferences = 6;  // the subjects that are measured with each batch of the others
 
 std::vector<Subject> reference_subjects() {
   return {empty_subject(2), empty_subject(3),   float_subject(2),
@@ -30,67 +30,79 @@ class Bench {
 
   Result<BenchReport> run(std::vector<Subject> subjects, const BenchOptions& options, std::FILE* progress) {
     {
-      Progress line(progress, subjects.size());
-      std::size_t failed = 0;
-      for (Subject& subject : subjects) {
-        line.show(report_.measurements.size(), failed, fmt::format("compile {}", subject.id));
-        compile(std::move(subject));
-        if (report_.measurements.back().error) ++failed;
+      Progress line(progress, kReferences + subjects.size());
+      for (Subject& subject : reference_subjects()) compile(std::move(subject), line);
+      for (const Measurement& reference : report_.measurements) {
+        if (reference.error) return tl::unexpected(*reference.error);
+      }
+      HN_DO(choose_load(options));
+      for (const auto& [begin, end] : batches(subjects.size(), options.most_at_a_time)) {
+        for (std::size_t i = begin; i < end; ++i) compile(std::move(subjects[i]), line);
+        show(line, fmt::format("time {} rounds", options.rounds));
+        HN_DO(time(options));
+        compiled_.resize(kReferences);  // the driver, too, forgets their shaders
       }
     }
-    fmt::print(progress, "timing {} rounds, then counting\n", options.rounds);
-    for (std::size_t i = 0; i < kReferences; ++i) {
-      if (report_.measurements[i].error) return tl::unexpected(*report_.measurements[i].error);
+    if (options.counts) {
+      fmt::print(progress, "counting\n");
+      count();
     }
-    HN_DO(time(options));
-    if (options.counts) count();
     return std::move(report_);
   }
 
  private:
-  void compile(Subject subject) {
-    if (const auto reason = workbench_.unsupported(subject); !reason.empty()) {
-      report_.measurements.push_back({.subject = std::move(subject), .error = Error{reason, {}}, .unsupported = true});
-      programs_.push_back(nullptr);
+  // A program, and which measurement it is of.
+  struct Compiled {
+    std::size_t owner;
+    std::unique_ptr<Program> program;
+  };
+
+  void show(Progress& line, const std::string& what) const { line.show(report_.measurements.size(), failed_, what); }
+
+  void compile(Subject subject, Progress& line) {
+    show(line, fmt::format("compile {}", subject.id));
+    Measurement& measurement = report_.measurements.emplace_back(Measurement{.subject = std::move(subject)});
+    if (const auto reason = workbench_.unsupported(measurement.subject); !reason.empty()) {
+      measurement.error = Error{reason, {}};
+      measurement.unsupported = true;
+      ++failed_;
       return;
     }
     const auto start = std::chrono::steady_clock::now();
-    auto program = workbench_.build(loop_shader(subject), subject.profile);
-    Measurement measurement{.subject = std::move(subject)};
-    if (program) {
-      stopwatch_.first_draw(*program);
-      measurement.compile_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-      programs_.push_back(std::make_unique<Program>(std::move(*program)));
-    } else {
+    auto program = workbench_.build(loop_shader(measurement.subject), measurement.subject.profile);
+    if (!program) {
       measurement.error = program.error();
-      programs_.push_back(nullptr);
+      ++failed_;
+      return;
     }
-    report_.measurements.push_back(std::move(measurement));
+    stopwatch_.first_draw(*program);
+    measurement.compile_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    compiled_.push_back({report_.measurements.size() - 1, std::make_unique<Program>(std::move(*program))});
   }
 
-  Result<void> time(const BenchOptions& options) {
-    HN_TRY(const auto load, stopwatch_.sufficient_load(*programs_[float_index(2)]));
-    report_.gate = stopwatch_.choose_clock(load);
+  Result<void> choose_load(const BenchOptions& options) {
+    HN_TRY(load_, stopwatch_.sufficient_load(*compiled_[float_index(2)].program));
+    report_.gate = stopwatch_.choose_clock(load_);
     report_.rounds = options.rounds;
-    report_.side = load.width;
-    report_.iterations = load.iterations;
-    std::vector<Workload> workloads;
-    std::vector<std::size_t> owners;
-    for (std::size_t i = 0; i < programs_.size(); ++i) {
-      if (!programs_[i]) continue;
-      workloads.push_back(load);
-      workloads.back().program = programs_[i].get();
-      owners.push_back(i);
-    }
+    report_.side = load_.width;
+    report_.iterations = load_.iterations;
+    return {};
+  }
+
+  // What is compiled, which is a batch with the references before it.
+  Result<void> time(const BenchOptions& options) {
+    std::vector<Workload> workloads(compiled_.size(), load_);
+    for (std::size_t i = 0; i < compiled_.size(); ++i) workloads[i].program = compiled_[i].program.get();
     HN_TRY(const auto timings, stopwatch_.measure(workloads, options.rounds));
-    const double evaluations = static_cast<double>(load.width) * load.height * load.iterations;
-    for (std::size_t i = 0; i < owners.size(); ++i) {
-      Measurement& measurement = report_.measurements[owners[i]];
+    const double evaluations = static_cast<double>(load_.width) * load_.height * load_.iterations;
+    for (std::size_t i = 0; i < compiled_.size(); ++i) {
+      Measurement& measurement = report_.measurements[compiled_[i].owner];
       const int dimensions = measurement.subject.dimensions;
       const Timing& empty = timings[empty_index(dimensions)];
       measurement.ratio = ratio(timings[i], timings[float_index(dimensions)], empty);
       const double seconds = timings[i].median() - empty.median();
       // The spread of the empty shader's own time is what can be told apart from nothing.
+      measurement.evaluations_per_second.reset();
       if (seconds > empty.spread()) measurement.evaluations_per_second = evaluations / seconds;
     }
     return {};
@@ -127,8 +139,10 @@ class Bench {
   Workbench workbench_;
   const ReferenceCompiler& reference_;
   Stopwatch stopwatch_;
+  Workload load_{};  // of each program
   BenchReport report_;
-  std::vector<std::unique_ptr<Program>> programs_;  // null where it does not compile
+  std::size_t failed_ = 0;
+  std::vector<Compiled> compiled_;  // the references, then the batch
 };
 
 }  // namespace
@@ -138,11 +152,16 @@ std::string now() {
                      fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
 }
 
+std::vector<Batch> batches(std::size_t count, std::size_t most) {
+  const std::size_t number = std::max<std::size_t>((count + most - 1) / most, 1);
+  std::vector<Batch> batches;
+  for (std::size_t i = 0; i < number; ++i) batches.push_back({count * i / number, count * (i + 1) / number});
+  return batches;
+}
+
 Result<BenchReport> run_bench(const Context& context, const SourceSet& sources, const ReferenceCompiler& reference,
                               std::vector<Subject> subjects, const BenchOptions& options, std::FILE* progress) {
-  std::vector<Subject> all = reference_subjects();
-  std::move(subjects.begin(), subjects.end(), std::back_inserter(all));
-  return Bench(context, sources, reference).run(std::move(all), options, progress);
+  return Bench(context, sources, reference).run(std::move(subjects), options, progress);
 }
 
 }  // namespace hn

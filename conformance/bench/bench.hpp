@@ -49,10 +49,21 @@ struct BenchReport {
 struct BenchOptions {
   int rounds = 9;
   bool counts = true;
+  // llvmpipe keeps the code of so many shaders and no more, some 400 of the subjects. It compiles what it has dropped
+  // again at each draw, and that would be measured.
+  std::size_t most_at_a_time = 128;
 };
 
-// Measures the subjects in the same rounds as Perlin/Float, Perlin/Integer and an empty shader, which come first in the
-// report. An error: the driver cannot do even those.
+// From the subject `begin` up to and without `end`.
+struct Batch {
+  std::size_t begin;
+  std::size_t end;
+};
+// As few as there can be with so many subjects at the most in each, and alike; one that is empty if there are none.
+std::vector<Batch> batches(std::size_t count, std::size_t most);
+
+// Measures the subjects, a batch after the other, in the same rounds as Perlin/Float, Perlin/Integer and an empty
+// shader, which come first in the report. An error: the driver cannot do even those.
 Result<BenchReport> run_bench(const Context& context, const SourceSet& sources, const ReferenceCompiler& reference,
                               std::vector<Subject> subjects, const BenchOptions& options, std::FILE* progress);
 

@@ -3,12 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "base/temporary_folder.hpp"
 #include "bench/bench_page.hpp"
+#include "gpu/osmesa_fixture.hpp"
 
 namespace hn {
 namespace {
@@ -73,6 +75,43 @@ TEST(CompareWithBaseline, OnlyWhatIsInBoth) {
   EXPECT_TRUE(changes[0].slower);
   EXPECT_TRUE(compare_with_baseline({}, report_of({measured("kept", 9.0, 0.0)})).empty());
   EXPECT_TRUE(compare_with_baseline(baseline, {}).empty());
+}
+
+TEST(Batches, AreAllOfThemInOrderAndAlike) {
+  for (const std::size_t count : {0u, 1u, 127u, 128u, 129u, 300u, 1000u}) {
+    const std::vector<Batch> dealt = batches(count, 128);
+    EXPECT_EQ(dealt.size(), count == 0 ? 1 : (count + 127) / 128);
+    EXPECT_EQ(dealt.back().end, count);
+    for (std::size_t i = 0; i < dealt.size(); ++i) {
+      EXPECT_EQ(dealt[i].begin, i == 0 ? 0 : dealt[i - 1].end);
+      EXPECT_LE(dealt[i].end - dealt[i].begin, 128u);
+      EXPECT_GE(dealt[i].end - dealt[i].begin, count / dealt.size());
+    }
+  }
+}
+
+class BenchRun : public OnOsmesa<> {};
+
+TEST_F(BenchRun, MeasuresEachBatchWithTheReferencesAndReportsAllInOrder) {
+  const auto subject = [](const std::string& id, const std::string& expression) {
+    return Subject{id, 2, "#include \"perlin2d.glsl\"\n", expression};
+  };
+  const std::string noise = "hn_perlin(p, 0u)";
+  const std::vector<Subject> subjects = {subject("one", noise), subject("broken", "undeclared"), subject("same", noise),
+                                         subject("twice", noise + " + hn_perlin(p, 1u)"), subject("last", noise)};
+  std::FILE* const nowhere = std::fopen("/dev/null", "w");
+  const auto report = run_bench(*context_, SourceSet::embedded(), ReferenceCompiler(), subjects,
+                                {.rounds = 3, .counts = false, .most_at_a_time = 2}, nowhere);
+  std::fclose(nowhere);
+  ASSERT_TRUE(report) << report.error().text();
+  std::vector<std::string> ids;
+  for (const Measurement& measurement : report->measurements) {
+    ids.push_back(measurement.subject.id);
+    EXPECT_EQ(measurement.error.has_value(), ids.back() == "broken");
+    EXPECT_EQ(measurement.ratio.known(), ids.back() != "broken");
+  }
+  EXPECT_EQ(ids, (std::vector<std::string>{"empty2", "empty3", "table.float2", "table.float3", "table.integer2",
+                                           "table.integer3", "one", "broken", "same", "twice", "last"}));
 }
 
 class BaselineFile : public testing::Test {

@@ -25,7 +25,7 @@ std::optional<std::int64_t> count_nvidia(std::string_view binary);
 struct Counts {
   std::map<std::string, std::int64_t, std::less<>> instructions;  // by source
   std::map<std::string, AmdStatistics, std::less<>> amd;          // by family: what else there is to know
-  std::vector<std::string> problems;  // why one of them is missing, for this shader alone
+  std::vector<std::string> problems;                              // why one of them is missing, for this shader alone
   std::vector<std::uint32_t> optimised;
 };
 

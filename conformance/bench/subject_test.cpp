@@ -99,9 +99,15 @@ class SubjectShaders : public OnOsmesa<> {
 };
 
 TEST_F(SubjectShaders, OfTheLibraryCompile) {
-  for (const std::string_view name : {"lattice", "custom", "fnv1+sine", "lattice+precise", "lattice+fixed"}) {
+  for (const Subject& subject : library_subjects(default_configuration())) expect_shaders_work(subject);
+}
+
+// What a row of the table calls is the same with each setting, so a part of the rows shows that the setting gets there.
+TEST_F(SubjectShaders, OfOtherSettingsCompile) {
+  for (const std::string_view name : {"custom", "fnv1+sine", "lattice+precise", "lattice+fixed"}) {
     ASSERT_EQ(configuration_named(name).name, name);
-    for (const Subject& subject : library_subjects(configuration_named(name))) expect_shaders_work(subject);
+    const std::vector<Subject> subjects = library_subjects(configuration_named(name));
+    for (std::size_t i = 0; i < subjects.size(); i += 5) expect_shaders_work(subjects[i]);
   }
 }
 

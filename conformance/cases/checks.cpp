@@ -13,7 +13,8 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
      "a quarter of them for octave sums, derivatives, noises in 4D and for other settings, a sixteenth in other "
      "versions. On softpipe there are "
      "4,096, with `--points N` there are N. The points are near, negative, at 2^20 cells and more, on lattice lines "
-     "and beside them; for `precise` and `fixed` also subnormal, tiny, -0 and huge, and for octave sums of `precise` "
+     "and beside them; for `precise` and `fixed` also subnormal, tiny, -0, huge and at the thresholds "
+     "below which `precise` takes 0, and for octave sums of `precise` "
      "tiny with a lacunarity of 2^20 to 2^126."},
     {"range",
      "65,536 values (16,384 of octave sums, derivatives and noises in 4D) lie in the range that the library promises, "

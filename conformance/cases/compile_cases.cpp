@@ -72,15 +72,21 @@ bool is_main(const Configuration& configuration, const Profile& profile) {
   return profile.spirv || profile.name == main_profile(configuration, profile.es).name;
 }
 
-// A file of the library with one configuration in one version. Chosen are the pairs of two of these: the library as a
-// whole meets every configuration in every version and stage, and a file every configuration, and every version and
-// stage.
+// The file that drivers compile with a configuration in every version: that in which the configuration selects code.
+// All of the library takes several times as long.
+std::string_view file_of_choice(const Configuration& configuration) {
+  if (!configuration.fast()) return "hashnoise.glsl";
+  return configuration.sine() ? "gradient.glsl" : "hash.glsl";
+}
+
+// A file of the library with one configuration in one version. Chosen are the pairs of two of these: a file meets every
+// configuration, and every version and stage. Every configuration meets every version and stage with the library as a
+// whole; in drivers, with the file of its choice.
 void add_file_cases(std::vector<Case>& cases, std::string_view file, const Configuration& configuration,
                     const Profile& profile) {
-  const auto extent_in = [&](Stage stage) {
+  const auto extent_in = [&](Stage stage, std::string_view whole) {
     const bool plain = configuration.is_default() || !selects_code(file, default_configuration());
-    const bool chosen =
-        plain || file == "hashnoise.glsl" || (is_main(configuration, profile) && stage == Stage::fragment);
+    const bool chosen = plain || file == whole || (is_main(configuration, profile) && stage == Stage::fragment);
     return chosen ? Extent::one_driver : Extent::thorough;
   };
   const auto add_glslang = [&](Stage stage) {
@@ -89,7 +95,7 @@ void add_file_cases(std::vector<Case>& cases, std::string_view file, const Confi
                        return check_with_glslang(suite, profile, calling_shader(file, configuration, profile, stage),
                                                  stage);
                      }},
-                     extent_in(stage)});
+                     extent_in(stage, "hashnoise.glsl")});
   };
   add_glslang(Stage::fragment);
   add_glslang(Stage::vertex);
@@ -99,7 +105,7 @@ void add_file_cases(std::vector<Case>& cases, std::string_view file, const Confi
       file == "hashnoise.glsl" && is_main(configuration, profile) && configuration.default_but_for_arithmetic();
   cases.push_back({name_of(file, configuration, Stage::fragment, profile, "driver"),
                    CompilationKind{&profile, calling_shader(file, configuration, profile, Stage::fragment)},
-                   whole ? Extent::every_driver : extent_in(Stage::fragment)});
+                   whole ? Extent::every_driver : extent_in(Stage::fragment, file_of_choice(configuration))});
 }
 
 // Elsewhere the library must refuse it.

@@ -12,7 +12,8 @@ namespace hn {
 namespace {
 
 Case case_of(std::string function, std::string check, Extent extent) {
-  return {{std::move(function), "lattice", "fast", Stage::fragment, "gl330", std::move(check)}, ReferenceKind{}, extent};
+  return {
+      {std::move(function), "lattice", "fast", Stage::fragment, "gl330", std::move(check)}, ReferenceKind{}, extent};
 }
 
 bool anything(const Case&) { return true; }
@@ -113,10 +114,9 @@ TEST(Extent, EveryStageHasCases) {
   for (const Stage stage : {Stage::fragment, Stage::vertex, Stage::compute}) {
     for (const std::string_view check : {"golden", "glslang"}) {
       const auto cases = all_cases();
-      EXPECT_TRUE(std::any_of(cases.begin(), cases.end(), [&](const Case& test) {
-        return test.name.stage == stage && test.name.check == check;
-      })) << name_of(stage) << " "
-          << check;
+      EXPECT_TRUE(std::any_of(cases.begin(), cases.end(),
+                              [&](const Case& test) { return test.name.stage == stage && test.name.check == check; }))
+          << name_of(stage) << " " << check;
     }
   }
 }

@@ -37,11 +37,11 @@ class Examiner {
         id_(test.id),
         outcome_(outcome),
         // The other shapes and stages of a shader have other results, or no pixels.
-        evaluation_{.function = test.evaluation()->function,
-                    .configuration = test.evaluation()->configuration,
-                    .profile = test.evaluation()->profile,
-                    .variant = {.seeded = test.evaluation()->variant.seeded,
-                                .knobs = test.evaluation()->variant.knobs}} {}
+        evaluation_{
+            .function = test.evaluation()->function,
+            .configuration = test.evaluation()->configuration,
+            .profile = test.evaluation()->profile,
+            .variant = {.seeded = test.evaluation()->variant.seeded, .knobs = test.evaluation()->variant.knobs}} {}
 
   std::optional<Evidence> run() {
     const Words first = wrong_point();

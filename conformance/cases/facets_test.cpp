@@ -10,14 +10,13 @@ namespace hn {
 namespace {
 
 TEST(Facets, SayWhatTheNameSays) {
-  EXPECT_EQ(facets_of("noise2d.perlin_cell_period.lattice+sine.fixed.vertex.es300.golden"),
-            (Facets{"of perlin noise", "in 2D", "with HN_FIXED", "with HN_HASH_LATTICE", "with HN_GRADIENT_SINE",
-                    "with a period", "in the vertex stage", "in GLSL ES", "in es300", "of noise2d.perlin_cell_period",
-                    ""}));
+  EXPECT_EQ(
+      facets_of("noise2d.perlin_cell_period.lattice+sine.fixed.vertex.es300.golden"),
+      (Facets{"of perlin noise", "in 2D", "with HN_FIXED", "with HN_HASH_LATTICE", "with HN_GRADIENT_SINE",
+              "with a period", "in the vertex stage", "in GLSL ES", "in es300", "of noise2d.perlin_cell_period", ""}));
   EXPECT_EQ(facets_of("fbm.fbm3.partial_fnv1.fast.fragment.gl330.twin"),
             (Facets{"of octave sums", "in 3D", "with HN_FAST", "with HN_HASH_PARTIAL_FNV1", "without HN_GRADIENT_SINE",
-                    "without a period", "in the fragment stage", "in desktop GLSL", "in gl330", "of fbm.fbm3",
-                    ""}));
+                    "without a period", "in the fragment stage", "in desktop GLSL", "in gl330", "of fbm.fbm3", ""}));
 }
 
 TEST(Facets, AreEmptyWhereTheNameSaysNothing) {

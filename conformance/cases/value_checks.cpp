@@ -1,11 +1,12 @@
 // The checks that hold values against the golden files and against the twin.
+#include "cases/value_checks.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
 
-#include "cases/value_checks.hpp"
 #include "expected/golden.hpp"
 #include "expected/points.hpp"
 #include "expected/tolerance.hpp"

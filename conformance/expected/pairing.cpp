@@ -72,7 +72,7 @@ constexpr std::uint32_t kFixedOctaves = 15;
 // Of cells an int is enough for any period. Positions are multiples of 1/8 that are floats a period on, too. Octave
 // sums have few cells: with a whole lacunarity the positions of all octaves are multiples of 1/32 and floats.
 std::int32_t chosen_period(const Function& function, Random& random) {
-  constexpr std::array<std::int32_t, 13> kPeriods = {0,  1,       2,       3,       5,         7,         48,
+  constexpr std::array<std::int32_t, 13> kPeriods = {0,  1,       2,       3,       5,          7, 48,
                                                      64, 1000003, 1 << 20, 1 << 30, 0x7FFFFFFF, -3};
   const std::uint32_t count = function.is_octave_sum() ? 7 : function.starts_from_integers() ? 13 : 10;
   return kPeriods[random.below(count)];

@@ -26,8 +26,9 @@ class Random {
 // The points besides those at which every arithmetic must be near a defined value.
 enum class Extremes {
   none,
-  // Coordinates that are subnormal, tiny, -0 or huge. For octave sums they are below 2^96, so that no float overflows,
-  // and some of the tiny ones come with a huge lacunarity.
+  // Coordinates that are subnormal, tiny, -0 or huge, or where HN_PRECISE begins to see them. For octave sums they are
+  // below 2^96, so that no float overflows, and some of the tiny ones come with a huge lacunarity. For Perlin noise in
+  // four dimensions the first points have results where HN_PRECISE begins to see those.
   floats,
   integers,  // also places beyond a cell, and settings of octave sums that are cut off: only integers have values there
 };

@@ -65,6 +65,11 @@ TEST(Points, ExtremesAreSubnormalTinyMinusZeroAndHuge) {
       EXPECT_GT(count([](float x) { return std::isnormal(x) && std::fabs(x) < 0x1p-32f; }), 300);
       EXPECT_GT(count([](float x) { return std::fabs(x) >= 0x1p-32f && std::fabs(x) < 0x1p-20f; }), 100);
       EXPECT_GT(count([](float x) { return x == 0.0f && std::signbit(x); }), 300);
+      for (const float threshold :
+           {0x1p-32f, std::nextafter(0x1p-32f, 0.0f), 0x1p-126f, std::nextafter(0x1p-126f, 0.0f)}) {
+        EXPECT_GT(count([&](float x) { return x == threshold; }), 20);
+        EXPECT_GT(count([&](float x) { return x == -threshold; }), 20);
+      }
       EXPECT_GT(count([](float x) { return x > 1e30f; }), 50);
       EXPECT_GT(count([](float x) { return x < -1e30f; }), 50);
       EXPECT_EQ(count([](float x) { return !std::isfinite(x); }), 0);

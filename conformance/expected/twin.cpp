@@ -1,5 +1,6 @@
 // Compiled once per configuration, with its macros and HN_TWIN, its index, defined: the bodies of functions.inc as C++.
-#define HN_HASH_FN(k) (((k) ^ ((k) >> 16u)) * 0x045D9F3Bu)  // used with HN_HASH_CUSTOM only; the same in configurations.cpp
+// Used with HN_HASH_CUSTOM only; the same in configurations.cpp.
+#define HN_HASH_FN(k) (((k) ^ ((k) >> 16u)) * 0x045D9F3Bu)
 #include <hashnoise/hashnoise.hpp>
 
 #include "expected/twin_table.hpp"
@@ -40,10 +41,10 @@ constexpr unsigned kFamilies[] = {
 // Only what has values with the configuration is compiled to code.
 constexpr bool is_covered(hn::Family family) { return (kFamilies[HN_TWIN] & static_cast<unsigned>(family)) != 0; }
 
-#define HN_TWIN_ENTRY(id, family, ...)                                                            \
-  {id, is_covered(family)                                                                         \
-           ? evaluate_all<[]([[maybe_unused]] uvec4 a, [[maybe_unused]] uvec4 b,                  \
-                             [[maybe_unused]] uvec4 c, [[maybe_unused]] uvec4 d) -> uvec4 { __VA_ARGS__ }> \
+#define HN_TWIN_ENTRY(id, family, ...)                                                                     \
+  {id, is_covered(family)                                                                                  \
+           ? evaluate_all<[]([[maybe_unused]] uvec4 a, [[maybe_unused]] uvec4 b, [[maybe_unused]] uvec4 c, \
+                             [[maybe_unused]] uvec4 d) -> uvec4 { __VA_ARGS__ }>                           \
            : nullptr},
 // By family, since some are not even declared with the sine gradient (hn::is_declared).
 #if HN_GRADIENT == HN_GRADIENT_SINE

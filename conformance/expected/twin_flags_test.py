@@ -24,11 +24,15 @@ SANITIZED = ("-O1", "-fsanitize=undefined,float-cast-overflow", "-fno-sanitize-r
 GRADIENTS = ("HN_GRADIENT_OCTAHEDRAL", "HN_GRADIENT_SINE")
 
 
-def every_second(*choices):
-    """Half of the product of choices: each pair of two choices is in it."""
-    numbered = itertools.product(*(enumerate(choice) for choice in choices))
-    return [tuple(value for _, value in row) for row in numbered
-            if THOROUGH or sum(number for number, _ in row) % 2 == 0]
+# Of three choices and up to three of two: which of the two stands in each row.
+ROWS = ((0, (0, 0, 0)), (0, (1, 1, 1)), (1, (0, 0, 1)), (1, (1, 1, 0)), (2, (0, 1, 0)), (2, (1, 0, 1)))
+
+
+def in_pairs(three, *twos):
+    """Six rows of the product of choices, in which each pair of two choices is; with --thorough all."""
+    if THOROUGH:
+        return list(itertools.product(three, *twos))
+    return [(three[first], *(two[number] for two, number in zip(twos, others))) for first, others in ROWS]
 
 
 class Flags(unittest.TestCase):
@@ -55,10 +59,11 @@ class Flags(unittest.TestCase):
             return dict(zip(builds, found))
 
     def test_of_fixed_arithmetic_do_not_matter(self):
-        builds = [(compiler, level + contraction)
-                  for compiler, level, contraction in every_second(COMPILERS, LEVELS, CONTRACTION)]
+        rows = in_pairs(LEVELS, COMPILERS, CONTRACTION, GRADIENTS)
         for gradient in GRADIENTS:
+            builds = [(compiler, level + contraction) for level, compiler, contraction, of in rows if of == gradient]
             with self.subTest(gradient=gradient):
+                self.assertGreaterEqual(len(builds), 3)
                 digests = self.all_digests(builds, f"HN_GRADIENT={gradient}", "HN_ARITHMETIC=HN_FIXED")
                 first = digests[builds[0]]
                 ids = [line.split()[0] for line in first.splitlines()]
@@ -68,10 +73,10 @@ class Flags(unittest.TestCase):
                     self.assertEqual(digest, first, build)
 
     def test_are_tried_in_pairs(self):
-        choices = (("a", "b"), (1, 2, 3), ("x", "y"))
-        rows = every_second(*choices)
-        self.assertEqual(len(rows), 12 if THOROUGH else 6)
-        for i, j in itertools.combinations(range(3), 2):
+        choices = ((1, 2, 3), ("a", "b"), ("x", "y"), ("p", "q"))
+        rows = in_pairs(*choices)
+        self.assertEqual(len(rows), 24 if THOROUGH else 6)
+        for i, j in itertools.combinations(range(4), 2):
             self.assertEqual({(row[i], row[j]) for row in rows}, set(itertools.product(choices[i], choices[j])))
 
     def test_of_fast_arithmetic_do(self):
@@ -82,7 +87,7 @@ class Flags(unittest.TestCase):
 
     def test_show_no_undefined_behaviour(self):
         arithmetics = ("HN_FAST", "HN_PRECISE", "HN_FIXED")
-        for arithmetic, gradient, compiler in every_second(arithmetics, GRADIENTS, COMPILERS):
+        for arithmetic, gradient, compiler in in_pairs(arithmetics, GRADIENTS, COMPILERS):
             with self.subTest(arithmetic=arithmetic, gradient=gradient, compiler=compiler):
                 self.all_digests([(compiler, SANITIZED)], f"HN_GRADIENT={gradient}", f"HN_ARITHMETIC={arithmetic}")
 

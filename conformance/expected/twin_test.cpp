@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <hashnoise/hashnoise.hpp>
 #include <limits>
@@ -106,6 +107,24 @@ TEST(Twin, HugePositionsHaveNoUndefinedBehaviour) {
   }
 }
 
+std::vector<std::uint32_t> twin_of(const Function& function, const Configuration& configuration,
+                                   const std::vector<std::uint32_t>& inputs) {
+  std::vector<std::uint32_t> values(inputs.size() / kInputWords * kOutputWords);
+  evaluate_twin(function, configuration, inputs, values);
+  return values;
+}
+
+TEST(Twin, PreciseResultsAreZeroBelowTheirThreshold) {
+  const Function& function = find_function("noise4d.perlin");
+  const Configuration& precise = configuration_named("lattice+precise");
+  const auto values = twin_of(function, precise, random_points(function, 4, Random(1, "test"), Extremes::floats));
+  const auto value = [&](std::size_t i) { return std::bit_cast<float>(values[i * kOutputWords]); };
+  EXPECT_EQ(std::fabs(value(0)), 0x1p-96f);
+  EXPECT_EQ(value(1), 0.0f);
+  EXPECT_EQ(std::fabs(value(2)), 0x1p-96f);
+  EXPECT_EQ(value(3), 0.0f);
+}
+
 #ifdef __SSE2__
 // While it lives, subnormal numbers are 0 as operands and as results, as they are on many drivers. Threads that start
 // take it over.
@@ -119,13 +138,6 @@ class FlushedSubnormals {
  private:
   unsigned before_;
 };
-
-std::vector<std::uint32_t> twin_of(const Function& function, const Configuration& configuration,
-                                   const std::vector<std::uint32_t>& inputs) {
-  std::vector<std::uint32_t> values(inputs.size() / kInputWords * kOutputWords);
-  evaluate_twin(function, configuration, inputs, values);
-  return values;
-}
 
 TEST(Twin, BitsOfPreciseAndFixedDoNotDependOnSubnormals) {
   for (const Configuration& configuration : all_configurations()) {

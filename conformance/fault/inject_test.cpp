@@ -1,6 +1,6 @@
-#include "fault/faults.hpp"
-
 #include <gtest/gtest.h>
+
+#include "fault/faults.hpp"
 
 namespace hn {
 namespace {

@@ -1,4 +1,5 @@
-# Sets `configurations` to the rows of configurations.inc, as "fnv1+sine HN_HASH=HN_HASH_FNV1 HN_GRADIENT=HN_GRADIENT_SINE":
+# Sets `configurations` to the rows of configurations.inc, as
+# "fnv1+sine HN_HASH=HN_HASH_FNV1 HN_GRADIENT=HN_GRADIENT_SINE":
 # the name, and the macros that differ from the default.
 set(table ${CMAKE_CURRENT_LIST_DIR}/configurations.inc)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${table})
@@ -9,7 +10,8 @@ string(REGEX MATCHALL "\nCONFIGURATION\\(\"[^\"]+\", [A-Z0-9_]+, [A-Z]+, [A-Z]+,
 list(LENGTH all count)
 list(LENGTH rows read)
 if(NOT count EQUAL read)
-  message(FATAL_ERROR "${table} has ${count} rows, of which ${read} can be read here: a row is CONFIGURATION(\"name\", HASH, "
+  message(FATAL_ERROR "${table} has ${count} rows, of which ${read} can be read here: "
+                      "a row is CONFIGURATION(\"name\", HASH, "
                       "GRADIENT, ARITHMETIC, families), with all but the families on its first line")
 endif()
 

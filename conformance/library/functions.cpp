@@ -88,9 +88,7 @@ bool Function::is_gradient_noise() const {
                             Family::simplex_noise});
 }
 
-bool Function::is_octave_sum() const {
-  return is_one_of(family, {Family::octave_sum, Family::further_octave_sum});
-}
+bool Function::is_octave_sum() const { return is_one_of(family, {Family::octave_sum, Family::further_octave_sum}); }
 
 bool Function::is_further() const {
   return is_one_of(family, {Family::further_gradient_noise, Family::octahedral_noise, Family::further_lattice_noise,
@@ -114,8 +112,16 @@ Function make_function(std::string_view id, std::string_view file, Family family
   constexpr std::string_view kEquals = " = ";
   const auto equals = columns.find(kEquals);
   if (equals == std::string_view::npos) throw std::logic_error(fmt::format("{}: it has no output column", id));
-  Function function{id,   file, family, bound, columns, call, body, parse_columns(columns.substr(0, equals)),
-                    parse_columns(columns.substr(equals + kEquals.size())), 0};
+  Function function{id,
+                    file,
+                    family,
+                    bound,
+                    columns,
+                    call,
+                    body,
+                    parse_columns(columns.substr(0, equals)),
+                    parse_columns(columns.substr(equals + kEquals.size())),
+                    0};
   function.axes = axes_of(function.inputs);
   return function;
 }

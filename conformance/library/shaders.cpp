@@ -26,9 +26,10 @@ std::set<std::string_view> included_by(std::string_view file) {
   return files;
 }
 
-// What the shader that tries a file calls: the functions of that file, but not twice a function that has two rows (bench
-// calls it once). Of the files that it includes it calls the first function of each family, if the file has no function
-// of its own or is the whole library: each of them is tried alone as well, and a driver takes long to compile them all.
+// What the shader that tries a file calls: the functions of that file, but not twice a function that has two rows
+// (bench calls it once). Of the files that it includes it calls the first function of each family, if the file has no
+// function of its own or is the whole library: each of them is tried alone as well, and a driver takes long to compile
+// them all.
 std::vector<const Function*> called_from(std::string_view file) {
   std::vector<const Function*> own;
   std::vector<const Function*> others;
@@ -205,8 +206,7 @@ std::string evaluated_constants(const Function& function, std::span<const std::u
       const auto* const w = &words[i + parameter * 4];
       return fmt::format("uvec4(0x{:08X}u, 0x{:08X}u, 0x{:08X}u, 0x{:08X}u)", w[0], w[1], w[2], w[3]);
     };
-    text +=
-        fmt::format("  if (at.x == {}) result = evaluate({});\n", i / kInputWords, arguments_of(function, part));
+    text += fmt::format("  if (at.x == {}) result = evaluate({});\n", i / kInputWords, arguments_of(function, part));
   }
   return text;
 }
@@ -290,9 +290,10 @@ std::string calling_shader(std::string_view file, const Configuration& configura
       calls += fmt::format("  r ^= {}({});\n", name, arguments_of(*function, argument));
     }
   }
-  return text + fmt::format(
-                    "{}void main() {{\n  hn_uvec4 r = uvec4(uint(HN_VERSION_MAJOR), 2u, 3u, 4u);\n{}  result = r;\n{}}}\n",
-                    of_stage.declaration, calls, of_stage.end);
+  return text +
+         fmt::format(
+             "{}void main() {{\n  hn_uvec4 r = uvec4(uint(HN_VERSION_MAJOR), 2u, 3u, 4u);\n{}  result = r;\n{}}}\n",
+             of_stage.declaration, calls, of_stage.end);
 }
 
 std::string shader_that_evaluates(const Evaluation& evaluation, std::string_view rest) {

@@ -26,10 +26,9 @@ struct Claim {
 void add_claim(std::vector<Claim>& claims, const Entry& entry, std::uint32_t period) {
   const bool chosen = entry.form == Form::ours;  // the others have their periods built in
   for (const int dimensions : {2, 3}) {
-    claims.push_back(
-        {std::string(entry.algorithm->title),
-         fmt::format("{}{}", title_of(entry.form), chosen ? fmt::format(", period {}", period) : ""),
-         subject_of(entry, dimensions, Picture::noise, chosen ? period : 0), period});
+    claims.push_back({std::string(entry.algorithm->title),
+                      fmt::format("{}{}", title_of(entry.form), chosen ? fmt::format(", period {}", period) : ""),
+                      subject_of(entry, dimensions, Picture::noise, chosen ? period : 0), period});
   }
 }
 

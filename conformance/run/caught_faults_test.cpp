@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "cases/bugs/bugs.hpp"
 #include "fault/faults.hpp"
@@ -54,16 +55,22 @@ TEST(Faults, EachHasABugThatCatchesIt) {
   }
 }
 
+// In the first versions, without bit casts, with them and in ES, all that an injection changes is compiled. Later
+// versions of these languages have the same text; there what it adds is compiled with a part of the library.
+constexpr std::pair<std::string_view, std::string_view> kInjectedFiles[] = {
+    {"gl130", "hashnoise.glsl"}, {"gl330", "hashnoise.glsl"}, {"es300", "hashnoise.glsl"},
+    {"gl460", "fbm2d.glsl"},     {"es320", "fbm2d.glsl"},     {"vulkan", "fbm2d.glsl"}};
+
 // What an injection adds must be right GLSL: else a run would turn red for another reason.
 TEST(Faults, EachIsRightGlslInEveryVersion) {
   const ReferenceCompiler compiler;
   for (const Fault& fault : all_faults()) {
     SourceSet sources = SourceSet::embedded();
     ASSERT_TRUE(inject_into(sources, fault.name));
-    for (const std::string_view name : {"gl130", "gl330", "gl460", "es300", "es320", "vulkan"}) {
+    for (const auto& [name, file] : kInjectedFiles) {
       const Profile& profile = profile_named(name);
       const auto shader =
-          expand(sources, profile, calling_shader("hashnoise.glsl", default_configuration(), profile, Stage::fragment));
+          expand(sources, profile, calling_shader(file, default_configuration(), profile, Stage::fragment));
       ASSERT_TRUE(shader) << fault.name << shader.error().text();
       const auto done = compiler.check(*shader, profile, Stage::fragment);
       EXPECT_TRUE(done) << fault.name << ' ' << name << ": " << done.error().text();

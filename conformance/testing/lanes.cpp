@@ -124,7 +124,7 @@ void print_digest(const char* name, Function function) {
 int main() {
 #ifdef UNFIT
   print_digest("unfit", [](const Point& p) { return hn_unorm(unfit(p.seed, p.seed * 3u)); });
-#endif
+#else
   print_digest("perlin2", [](const Point& p) { return hn_perlin(hn_vec2(p.x, p.y), p.seed); });
   print_digest("perlin3", [](const Point& p) { return hn_perlin(hn_vec3(p.x, p.y, p.z), p.seed); });
   print_digest("perlin2_cell",
@@ -158,4 +158,5 @@ int main() {
   print_digest("turbulence3",
                [](const Point& p) { return hn_turbulence(hn_vec3(p.x, p.y, p.z), 3, 2.1f, 0.7f, p.seed); });
   print_digest("clouds2", [](const Point& p) { return hn_clouds(hn_vec2(p.x, p.y), 3, 1.9f, 0.5f, p.seed); });
+#endif
 }

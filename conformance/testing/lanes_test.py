@@ -20,6 +20,8 @@ SETTINGS = (["HN_ARITHMETIC=HN_FAST"],
 
 
 class Lanes(unittest.TestCase):
+    known: dict[tuple[str, ...], list[str]] = {}
+
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
@@ -32,6 +34,12 @@ class Lanes(unittest.TestCase):
         done = subprocess.run(command, capture_output=True, text=True, check=False)
         return "" if done.returncode == 0 else f"exit status {done.returncode}: {done.stderr}"
 
+    def scalar(self, *macros: str) -> list[str]:
+        """The digests of the scalar twin. They are the same with each compiler: nothing is contracted."""
+        if macros not in self.known:
+            self.known[macros] = self.digests(COMPILERS[0], *macros)
+        return self.known[macros]
+
     def digests(self, compiler: str, *macros: str) -> list[str]:
         self.assertEqual(self.compiled(compiler, *macros), "")
         lines = subprocess.run([self.program], capture_output=True, text=True, check=True).stdout.splitlines()
@@ -39,14 +47,14 @@ class Lanes(unittest.TestCase):
         return lines
 
     def test_the_values_are_those_of_the_scalar_twin(self):
-        for compiler in COMPILERS:
-            for setting in SETTINGS:
+        for setting in SETTINGS:
+            for compiler in COMPILERS:
                 with self.subTest(compiler=compiler, setting=setting):
-                    self.assertEqual(self.digests(compiler, *setting, "LANES"), self.digests(compiler, *setting))
+                    self.assertEqual(self.digests(compiler, *setting, "LANES"), self.scalar(*setting))
 
     def test_a_lane_that_takes_the_value_of_another_is_noticed(self):
-        faulty = self.digests(COMPILERS[0], "LANES", "FAULTY_LANE")
-        self.assertEqual([line for line in self.digests(COMPILERS[0]) if line in faulty], [])
+        faulty = self.digests(COMPILERS[0], *SETTINGS[0], "LANES", "FAULTY_LANE")
+        self.assertEqual([line for line in self.scalar(*SETTINGS[0]) if line in faulty], [])
 
     def test_what_lanes_cannot_do_is_noticed(self):
         for use in ("x >> 8", "x + 1"):

@@ -120,8 +120,6 @@ std::optional<std::string> GuardedProcess::ended() const {
   return describe_end(status);
 }
 
-std::string GuardedProcess::log() const {
-  return end_of_log(folder_.path() / "log", kMostOfLog);
-}
+std::string GuardedProcess::log() const { return end_of_log(folder_.path() / "log", kMostOfLog); }
 
 }  // namespace hn

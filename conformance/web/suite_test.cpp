@@ -73,9 +73,9 @@ TEST(Suite, AShaderIsTheOneThatDriversGet) {
        {"fbm.clouds3.lattice.fast.fragment.es300.golden", "hashnoise.all.pcg.fast.fragment.es300.driver"}) {
     const Json suite = suite_of(id);
     const Case& test = case_named(cases, id);
-    const auto expected = expand(SourceSet::embedded(), profile_named("es300"),
-                                 test.evaluation() ? evaluation_shader(*test.evaluation())
-                                                   : std::get<CompilationKind>(*test.kind).fragment);
+    const auto expected = expand(
+        SourceSet::embedded(), profile_named("es300"),
+        test.evaluation() ? evaluation_shader(*test.evaluation()) : std::get<CompilationKind>(*test.kind).fragment);
     EXPECT_EQ(text_of(suite, fragment_of(suite)), expected->text) << id;
     EXPECT_EQ(suite["shaders"][fragment_of(suite).get<std::size_t>()]["paths"], expected->paths) << id;
   }
@@ -203,9 +203,8 @@ TEST(Suite, EveryCaseOfEs300IsInItOrHasAReason) {
 
 TEST(Suite, ThePageIsOneFileOfAModestSize) {
   std::vector<Case> cases = all_cases();
-  std::erase_if(cases, [](const Case& test) {
-    return !unsupported_in_browser(test).empty() || test.extent == Extent::thorough;
-  });
+  std::erase_if(
+      cases, [](const Case& test) { return !unsupported_in_browser(test).empty() || test.extent == Extent::thorough; });
   const auto page = web_page(make_suite(SourceSet::embedded(), HN_GOLDEN_DIRECTORY, cases).json);
   ASSERT_TRUE(page) << page.error().text();
   EXPECT_LT(page->size(), 5'000'000u);

@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <new>
 
-#include "run/expectation.hpp"
 #include "fuzz.hpp"
+#include "run/expectation.hpp"
 
 namespace {
 

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "library/functions.hpp"
 #include "fuzz.hpp"
+#include "library/functions.hpp"
 
 namespace hn::fuzz {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "run/shard.hpp"
 #include "fuzz.hpp"
+#include "run/shard.hpp"
 
 namespace hn::fuzz {
 namespace {

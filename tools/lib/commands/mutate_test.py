@@ -6,6 +6,7 @@ A script stands in for hn-conform, so that this takes no driver and no time.
 from __future__ import annotations
 
 import contextlib
+import fnmatch
 import io
 import os
 import re
@@ -15,6 +16,7 @@ import unittest
 from pathlib import Path
 
 from commands.support import load_script
+from tables.functions import read_functions
 from tree import ROOT
 
 mutate = load_script("mutate")
@@ -192,9 +194,8 @@ class Sweep(unittest.TestCase):
         self.assertEqual(rows.count(["all", "3", "3", "0", "0", "0", "0"]), 2)
 
     def test_cheap_cases_of_the_file_run_first_and_the_whole_suite_only_if_they_pass(self):
-        filters = [["noise2d.word.*.gl330.golden", "noise2d.*.lattice*.gl330.golden", "noise2d.*.lattice*.gl400.golden", "noise2d.*.lattice*.gl140.golden",
-                    "noise2d.*.fnv1*.gl330.golden", "noise2d.*.any.*.golden", "noise2d.*.unseeded"],
-                   [mutate.NOISE],
+        few = [f"noise2d.{cases}.golden" for cases in mutate.FEW] + ["noise2d.*.unseeded"]
+        filters = [few, [mutate.NOISE], [*mutate.NOISES],
                    ["noise2d.*.golden", "noise?d.*.golden", "noise2d.all.lattice*.fragment.*"], []]
 
         def used() -> list[list[str]]:
@@ -203,10 +204,21 @@ class Sweep(unittest.TestCase):
             return [line.split(" --filter ")[1:] for line in lines]
 
         self.sweep("--jobs", "1", with_filter=1)
-        self.assertEqual(used(), [[], filters[0], filters[0]])
+        self.assertEqual(used(), [[mutate.NOISE], filters[0], filters[0], ["c.d"]])
         status, output = self.sweep("--jobs", "1", with_filter=0, without=1)
         self.assertEqual((status, output.count("killed by c.d\n")), (0, 2))
-        self.assertEqual(used(), [[]] + filters * 2)
+        self.assertEqual(used(), [[mutate.NOISE], *filters, *filters, ["c.d"]])
+
+    def test_files_that_all_noises_share_are_judged_by_noises(self):
+        for file in ("arithmetic.glsl", "lattice.glsl", "cubic.glsl"):
+            self.assertEqual(mutate.stages_of(file, SOURCES[file])[:2], ((mutate.NOISE,), mutate.NOISES))
+
+    def test_every_file_with_functions_has_cases(self):
+        files = {function.file for function in read_functions()}
+        for file, source in SOURCES.items():
+            if "{" in mutate.rules.without_directives(mutate.rules.without_comments(source)):
+                stem = mutate.stages_of(file, source)[0][0].split(".")[0]
+                self.assertTrue(fnmatch.filter(files, stem), f"{file} needs its place in CASES_OF")
 
     def test_files_without_functions_have_cases_of_their_own(self):
         for file in ("config.glsl", "hashnoise.glsl"):
@@ -232,6 +244,11 @@ class Sweep(unittest.TestCase):
         self.assertEqual(status, 3)
         self.assertIn("the unchanged library does not pass", output)
         self.assertEqual(len(self.log.read_text().splitlines()), 1)
+
+    def test_the_unchanged_library_must_pass_what_kills(self):
+        status, output = self.sweep(unchanged="int('c.d' in arguments)")
+        self.assertEqual(status, 3)
+        self.assertIn("the unchanged library does not pass, so nothing can be said: killed by c.d", output)
 
     def test_listing_runs_nothing(self):
         status, output = self.main("--list", "--program", "/nowhere", "--file", "perlin3d.glsl", "--file", "fbm2d.glsl")

@@ -19,11 +19,12 @@ from pathlib import Path
 from unittest import mock
 
 from golden import command as golden
-from golden import period_rows
+from golden import period_rows, simplex_rows
 from golden.files import Digest, GoldenFile, golden_files, line
 from golden.generator import INT_MAX, INT_MIN, fnv1a64, to_f32
-from oracle import gradients, words
+from oracle import gradients, kernels, words
 from oracle.functions import knobs_of
+from oracle.noises import simplex, simplex_smooth
 from oracle.sums import SHIFT
 from tables.configurations import read_configurations
 from tables.functions import NOISES, OCTAVE_SUMS, read_functions
@@ -137,7 +138,7 @@ class GoldenContents(unittest.TestCase):
         left_out = {name for name in FILES} - {file.name for file in golden_files(list(FUNCTIONS.values()), others)}
         self.assertEqual({name.removesuffix(".lattice+fixed.golden") for name in left_out},
                          {function.id for function in FUNCTIONS.values()
-                          if function.family in (*NOISES, *OCTAVE_SUMS)})
+                          if function.family in (*NOISES, *OCTAVE_SUMS, "curl")})
 
     def test_a_function_that_the_oracle_does_not_have(self) -> None:
         function = FUNCTIONS["noise2d.perlin"]
@@ -172,6 +173,57 @@ class GoldenContents(unittest.TestCase):
                 self.assertTrue(all(abs(x) < 2**23 and to_f32(x) == x for x in row[:n]))
             fractions = {row[n + i] for row in cells for i in range(n)}
             self.assertTrue({0, 1, 2.0**-126, 1 - 2.0**-24} <= fractions)
+
+    def test_phases_reach_every_case(self) -> None:
+        for n, name, form in itertools.product((2, 3), ("perlin", "perlin_d", "simplex", "simplex_d"),
+                                               ("", "_cell", "_period", "_cell_period")):
+            rows = rows_with(f"noise{n}d.{name}_phase{form}")
+            found = [row[-2] for row in rows]
+            self.assertTrue(set(simplex_rows.PHASES) <= set(found))
+            self.assertTrue(any(math.copysign(1, phase) < 0 for phase in found if phase == 0))
+            self.assertGreater(len(set(found)), len(found) / 3)
+
+    def test_simplex_rows_reach_every_plane(self) -> None:
+        for n, name in ((2, "simplex"), (2, "simplex_phase"), (3, "simplex_smooth"), (4, "simplex_d")):
+            fractions = [row[n:2 * n] for row in rows_with(f"noise{n}d.{name}_cell")]
+            at = [tuple(map(Fraction, f)) for f in fractions]
+            for axis in range(n):
+                self.assertTrue(any(f[axis] == 0.5 for f in at))
+            self.assertTrue(any(f[0] == f[1] and f[0] * 4 % 1 for f in at))
+            self.assertIn((0,) * n, at)
+            if n == 2:
+                # On an edge of triangles, of either direction, and beside it; in the middle between three points.
+                for slope, beside in itertools.product((1, -1), (0, 2**-20)):
+                    self.assertTrue(any((2 * x + slope * y - beside) % 1 == 0 and y * 4 % 1 for x, y in at))
+                self.assertTrue(any((x * 4 % 1, y * 2 % 1) == (0, Fraction(3, 8)) for x, y in at))
+            else:
+                self.assertIn((0.5,) * n, at)
+                self.assertTrue(any(sum(f) == Fraction(n, 4) and f[0] * 8 % 1 for f in at))
+
+    def test_simplex_rows_reach_where_kernels_end(self) -> None:
+        for name, table in (("simplex", simplex.KERNELS), ("simplex_smooth", simplex_smooth.KERNELS)):
+            for n, kernel in table.items():
+                just_counts = just_not = 0
+                for row in rows_with(f"noise{n}d.{name}_cell"):
+                    f = tuple(map(Fraction, row[n:2 * n]))
+                    step = 2**22
+                    # A kernel that is wider by 2^-17 in the square of its distance.
+                    wider = replace(kernel, r=kernel.r + kernel.m * 2**-7)
+                    if all((x * step).denominator == 1 for x in f):
+                        position = [int(kernel.steps * x * step) for x in f]
+                        found = kernels.points(kernel, position, step)
+                        just_not += len(kernels.points(wider, position, step)) > len(found)
+                        narrower = replace(kernel, r=kernel.r - kernel.m * 2**-7)
+                        just_counts += len(kernels.points(narrower, position, step)) < len(found)
+                self.assertTrue(just_counts > 3 and just_not > 3, (name, n, just_counts, just_not))
+
+    def test_simplex_rows_reach_every_seam(self) -> None:
+        for n in (2, 3, 4):
+            rows = rows_with(f"noise{n}d.simplex_cell_period")
+            found = {(row[i], row[2 * n + i]) for row in rows for i in range(n)}
+            for period in simplex_rows.PERIODS:
+                phases = {cell % period for cell, of in found if of == period}
+                self.assertTrue({0, period - 1} <= phases, (n, period))
 
     def test_places_reach_every_edge(self) -> None:
         for n in (1, 2, 3, 4):

@@ -19,8 +19,8 @@ from oracle.slopes_test import quotient
 
 KNOBS = Knobs("lattice")
 # Each noise with each of its kernels.
-KERNELS = [(name, n, kernel) for name, table in (("simplex", simplex.KERNELS), ("simplex_smooth", simplex_smooth.KERNELS))
-           for n, kernel in table.items()]
+KERNELS = [(name, n, kernel) for name, of in (("simplex", simplex), ("simplex_smooth", simplex_smooth))
+           for n, kernel in of.KERNELS.items()]
 
 
 def fractions(n: int, count: int) -> Iterator[tuple[Fraction, ...]]:
@@ -83,13 +83,14 @@ class Points(unittest.TestCase):
 class Weights(unittest.TestCase):
     def test_by_hand(self) -> None:
         half = Fraction(1, 2)
-        for weight, value, slope in ((kernels.QUARTIC, Fraction(35, 64), Fraction(73, 32)), (kernels.CUBE, half**3, 3 * half**2),
-                                     (kernels.FOURTH, half**4, 4 * half**3), (kernels.FIFTH, 4 * half**5, 20 * half**4)):
+        for weight, value, slope in (
+                (kernels.QUARTIC, Fraction(33, 64), Fraction(67, 32)), (kernels.CUBE, half**3, 3 * half**2),
+                (kernels.FOURTH, half**4, 4 * half**3), (kernels.FIFTH, 4 * half**5, 20 * half**4)):
             self.assertEqual((weight.exact(half), weight.slope(half)), (value, slope))
 
     def test_fixed_by_hand(self) -> None:
-        # t is 2^15, and its square 2^14. u is 36,  2^15 * 35840 / 2^16.
-        for weight, value, fall in ((kernels.QUARTIC, 35 * 2**12, 2**14 * (51456 - 2**15) + 2**10 >> 11),
+        # t is 2^15, and its square 2^14; u is 2^15 * 33792 / 2^16.
+        for weight, value, fall in ((kernels.QUARTIC, 33 * 2**12, 2**14 * (49920 - 2**15) + 2**10 >> 11),
                                     (kernels.CUBE, 2**15, 6 * 2**14), (kernels.FOURTH, 2**14, 2**16)):
             self.assertEqual((weight.of_square(2**15, 2**14), weight.fall(2**15, 2**14)), (value, fall))
         self.assertEqual(kernels.FIFTH.of_square(2**15, 2**14), 2**15)
@@ -103,7 +104,8 @@ class Weights(unittest.TestCase):
                 self.assertLess(abs(kernel.weight.of_square(t, q) - kernel.weight.exact(x) * 2**18), 16, (name, n, t))
                 if name == "simplex":
                     # E is m times the slope, in units of 2^-16.
-                    self.assertLess(abs(kernel.weight.fall(t, q) - kernel.m * kernel.weight.slope(x) * 2**16), 14, (n, t))
+                    exact = kernel.m * kernel.weight.slope(x) * 2**16
+                    self.assertLess(abs(kernel.weight.fall(t, q) - exact), 14, (n, t))
 
     def test_what_t_is(self) -> None:
         # At the point, a quarter of a step away, at the end and beyond; in units of 2^-16.
@@ -183,7 +185,7 @@ class Noises(unittest.TestCase):
         for name, n, kernel in KERNELS:
             points = [(c,) * n for c in (-2**22, -3, 0, 7)]
             if kernel.triangles:
-                points += [(Fraction(i, 2) + Fraction(j % 2, 4), Fraction(j, 2)) for i in range(-2, 3) for j in range(4)]
+                points += [(Fraction(2 * i + j % 2, 4), Fraction(j, 2)) for i in range(-2, 3) for j in range(4)]
             else:
                 points += [(Fraction(2 * c + 1, 2),) * n for c in (-3, 0, 7)]
             noise = noises.find(name)
@@ -191,14 +193,15 @@ class Noises(unittest.TestCase):
                 self.assertEqual((noise.exact(KNOBS, point, 5), noise.fixed(KNOBS, point, 5)), ((0,), (0,)))
 
     def test_near_one_point_alone_by_hand(self) -> None:
-        # A quarter of a step along x from a point: t is 15/16 * 7/8 or so, and the value S w(t) g_x / 4.
-        plane, space, four = (words.point_word("pcg", point, 7) for point in ((6, -4), (3, -2, 5), (3, -2, 5, 0)))
+        # A quarter of a step along x from a point the value is S w(t) g_x / 4, with t = r - m / 16.
+        space, four = (words.point_word("pcg", point, 7) for point in ((3, -2, 5), (3, -2, 5, 0)))
         quarter, eighth = Fraction(1, 4), Fraction(1, 8)
         t = Fraction(819, 1024) - Fraction(1, 16)  # along the row the next points, 3/4 away, count too
-        w, next_w = (8 * x**3 * (Fraction(67, 64) - x) for x in (t, Fraction(819, 1024) - Fraction(9, 16)))
-        g, following = (Fraction(gradients.gradient2(h, 0.375)[0]) for h in (plane, words.point_word("pcg", (7, -4), 7)))
+        w, next_w = (8 * x**3 * (Fraction(65, 64) - x) for x in (t, Fraction(819, 1024) - Fraction(9, 16)))
+        g, following = (Fraction(gradients.gradient2(words.point_word("pcg", point, 7), 0.375)[0])
+                        for point in ((6, -4), (7, -4)))
         self.assertEqual(noises.find("simplex").exact(Knobs("pcg"), (3 + eighth, -2), 7),
-                         (Fraction(1549, 1024) * (w * g * quarter - next_w * following * 3 * quarter),))
+                         (Fraction(1653, 1024) * (w * g * quarter - next_w * following * 3 * quarter),))
         t = Fraction(7, 8)
         self.assertEqual(noises.find("simplex").exact(Knobs("pcg"), (3 + quarter, -2, 5), 7),
                          (Fraction(6570, 1024) * t**4 * Fraction(gradients.gradient3(space)[0]) * quarter,))
@@ -275,9 +278,10 @@ class Noises(unittest.TestCase):
             for p, seed in positions(n, 40):
                 (exact,), (fixed,) = (of(KNOBS, p, seed) for of in (noises.find(name).exact, noises.find(name).fixed))
                 self.assertLess(abs(exact - fixed), 2**-12)
+        both = noises.find("simplex_d")
         for n in simplex.KERNELS:
             for p, seed in positions(n, 40):
-                _, *slopes = zip(noises.find("simplex_d").exact(KNOBS, p, seed), noises.find("simplex_d").fixed(KNOBS, p, seed))
+                _, *slopes = zip(both.exact(KNOBS, p, seed), both.fixed(KNOBS, p, seed), strict=True)
                 for exact, fixed in slopes:
                     self.assertLess(abs(exact - fixed), 2**-9)
                     self.assertEqual((fixed * (2**19 if n > 2 else 2**18)).denominator, 1)

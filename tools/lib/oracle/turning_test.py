@@ -83,8 +83,8 @@ class Turned(unittest.TestCase):
         for n, h in itertools.product((2, 3), some_words(20)):
             g = gradients.OCTAHEDRAL[n](h)
             quarter = turning.quarter_turned(g)
-            for phase, expected in ((0.0, g), (1.0, g), (-3e38, g), (0.25, quarter), (-0.75, quarter), (1000.25, quarter),
-                                    (0.5, [-x for x in g]), (-0.25, [-x for x in quarter])):
+            for phase, expected in ((0.0, g), (1.0, g), (-3e38, g), (0.25, quarter), (-0.75, quarter),
+                                    (1000.25, quarter), (0.5, [-x for x in g]), (-0.25, [-x for x in quarter])):
                 self.assertEqual(turning.turned(g, phase), tuple(expected))
 
     def test_by_an_eighth(self) -> None:

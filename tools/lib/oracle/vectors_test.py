@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import unittest
+from collections.abc import Sequence
 from fractions import Fraction
 
 from golden.generator import INT_MAX, INT_MIN, to_f32
 from oracle import noises, sums
+from oracle.curl import CURL
 from oracle.gradients import Knobs
-from oracle.integers import NOISE_UNIT, SLOPE_UNIT
+from oracle.integers import NOISE_UNIT
+from oracle.noises import Noise
 
 POINT, SEED = tuple(map(to_f32, (-12.34375, 5.7, 0.8125, -3.3))), 0xDEADBEEF
 CELL, FRACTION, CELL_SEED = (INT_MAX, INT_MIN, -7, 46), tuple(map(to_f32, (0.1875, 1.0, 0.640625, 0.9))), 5
 PERIODS = (48, 1000003, 7, 3)
+PHASE, CELL_PHASE = to_f32(-0.3), 1000.4375
 # Octaves, lacunarity and gain.
 SUMS = ((5, to_f32(1.9), to_f32(0.7)), (33, 3.5, to_f32(0.9)))
 
@@ -26,37 +30,63 @@ VECTORS: dict[tuple[str, int, bool], dict[str, tuple[int, ...]]] = {
         -1170154), "perlin_d": (1194380, -610360, -473912, -247068), "value_d": (47804, 284345, -1811046,
         360419)},
     ("lattice", 2, False): {"perlin": (576409, -230064), "value": (1189463, -1444589), "value_cubic": (982048,
-        -659906), "perlin_d": (576409, -286149, 169511, -230064, -189514, 598230), "value_d": (1189463, -151464,
-        68628, -1444589, 23189, 0), "sums": (173698, 417765, 785753, -125294, 442454, 97853)},
-    ("lattice", 2, True): {"perlin": (851237, 313681), "value": (687629, -291964), "value_cubic": (298922,
-        61218), "perlin_d": (851237, 325856, -580861, 313681, 129502, 354921), "value_d": (687629, -93103,
-        568796, -291964, 417448, 0), "sums": (42459, 598898, 428066, 18802, 589743, 370973)},
+        -659906), "perlin_d": (576409, -286149, 169511, -230064, -189514, 598230), "value_d": (1189463, -151464, 68628,
+        -1444589, 23189, 0), "sums": (173698, 417765, 785753, -125294, 442454, 97853), "simplex": (-562227, 916598),
+        "simplex_smooth": (-645056, 1045610), "simplex_d": (-562227, -61710, -1972564, 916598, 630658, 304552), "curl":
+        (-1972564, 61710, 304552, -630658), "perlin_phase": (351277, 89602), "perlin_d_phase": (351277, 285920, -113706,
+        89602, 117291, -692444), "simplex_phase": (1072397, -505234), "simplex_d_phase": (1072397, 36624, 886796,
+        -505234, 205082, 182954)},
+    ("lattice", 2, True): {"perlin": (851237, 313681), "value": (687629, -291964), "value_cubic": (298922, 61218),
+        "perlin_d": (851237, 325856, -580861, 313681, 129502, 354921), "value_d": (687629, -93103, 568796, -291964,
+        417448, 0), "sums": (42459, 598898, 428066, 18802, 589743, 370973), "simplex": (-218077, -79696),
+        "simplex_smooth": (-268797, -85217), "simplex_d": (-218077, -520870, -1723124, -79696, -138432, 807704), "curl":
+        (-1723124, 520870, 807704, 138432), "perlin_phase": (-159766, -397650), "perlin_d_phase": (-159766, 270049,
+        550007, -397650, -253914, -99026), "simplex_phase": (691270, -573049), "simplex_d_phase": (691270, 959438,
+        -281578, -573049, -848538, -753684)},
     ("lattice", 3, False): {"perlin": (-277372, 259050), "value": (-193137, 1584299), "value_cubic": (420690,
-        574709), "perlin_d": (-277372, -285982, 63254, 365659, 259050, -73726, 475963, 127949), "value_d":
-        (-193137, -504363, -718417, -253001, 1584299, -420511, 0, -12581), "sums": (-428111, 542934, 0, -71459,
-        340343, 182811)},
+        574709), "perlin_d": (-277372, -285982, 63254, 365659, 259050, -73726, 475963, 127949), "value_d": (-193137,
+        -504363, -718417, -253001, 1584299, -420511, 0, -12581), "sums": (-428111, 542934, 0, -71459, 340343, 182811),
+        "simplex": (824368, 681714), "simplex_smooth": (851050, 734965), "simplex_d": (824368, -973669, -1128590,
+        -1512306, 681714, -599679, 668177, 1071526), "curl": (2973688, -1061224, -1122592, 778312, 1353376, -408352),
+        "perlin_phase": (-475286, -285292), "perlin_d_phase": (-475286, -443342, 255275, 46463, -285292, 88135, -325614,
+        -257153), "simplex_phase": (-827486, -921994), "simplex_d_phase": (-827486, -160734, 572180, 226806, -921994,
+        786604, -411254, -1363557)},
     ("lattice", 3, True): {"perlin": (-558150, 688579), "value": (-615266, 1024542), "value_cubic": (-224660,
-        389037), "perlin_d": (-558150, -244449, 334697, 407850, 688579, -112053, 169394, -15650), "value_d":
-        (-615266, 103333, -117831, -238416, 1024542, -248330, 0, 697700), "sums": (130160, 532710, 660993,
-        -49043, 398059, 224629)},
+        389037), "perlin_d": (-558150, -244449, 334697, 407850, 688579, -112053, 169394, -15650), "value_d": (-615266,
+        103333, -117831, -238416, 1024542, -248330, 0, 697700), "sums": (130160, 532710, 660993, -49043, 398059,
+        224629), "simplex": (12126, 1105864), "simplex_smooth": (-74073, 1360519), "simplex_d": (12126, -1393058,
+        -311985, -441358, 1105864, -572296, -106711, 1686424), "curl": (338584, 1363016, -2032160, -195592, 1295944,
+        15632), "perlin_phase": (63429, -446951), "perlin_d_phase": (63429, 393090, 95753, -305417, -446951, -127132,
+        -160043, -239254), "simplex_phase": (604953, -906814), "simplex_d_phase": (604953, 290876, 68241, -1056885,
+        -906814, 205672, 209521, -1501104)},
     ("lattice", 4, False): {"perlin": (-131600, -297913), "value": (-1502453, 947589), "perlin_d": (-131600,
-        -281187, 459443, -27276, 284716, -297913, -103382, 367918, -173286, 167289), "value_d": (-1502453,
-        35752, -431406, -513654, -166590, 947589, -2760, 0, 1152953, 19440)},
-    ("lattice", 4, True): {"perlin": (-1065975, 673883), "value": (-729676, 572672), "perlin_d": (-1065975,
-        -235097, 314717, -116035, 148843, 673883, -333282, -341263, -342633, 43425), "value_d": (-729676, -4912,
-        -126664, -211421, 232028, 572672, -142741, 0, 299817, -49843)},
-    ("fnv1", 2, False): {"perlin": (-195787, 356492), "value": (559055, 1556863), "value_cubic": (48842,
-        708018), "perlin_d": (-195787, 807547, -361690, 356492, 285488, -353108), "value_d": (559055, 1102169,
-        110794, 1556863, -402571, 0), "sums": (529377, 670583, 1780838, -186867, 392670, 30872)},
-    ("fnv1", 2, True): {"perlin": (-597462, -370637), "value": (247330, 90533), "value_cubic": (221465,
-        -407159), "perlin_d": (-597462, -516759, 336203, -370637, -194014, -146860), "value_d": (247330,
-        -399335, -17038, 90533, -384872, 0), "sums": (98212, 548772, 572797, 83241, 446936, 532675)},
+        -281187, 459443, -27276, 284716, -297913, -103382, 367918, -173286, 167289), "value_d": (-1502453, 35752,
+        -431406, -513654, -166590, 947589, -2760, 0, 1152953, 19440), "simplex": (-276701, -870949), "simplex_d":
+        (-276701, 657040, 413028, 16336, 331517, -870949, 733833, 608201, -909598, -389808)},
+    ("lattice", 4, True): {"perlin": (-1065975, 673883), "value": (-729676, 572672), "perlin_d": (-1065975, -235097,
+        314717, -116035, 148843, 673883, -333282, -341263, -342633, 43425), "value_d": (-729676, -4912, -126664,
+        -211421, 232028, 572672, -142741, 0, 299817, -49843), "simplex": (758681, 877094), "simplex_d": (758681,
+        -1356036, -1407679, -1366143, -942152, 877094, -774261, -608201, 779818, 412138)},
+    ("fnv1", 2, False): {"perlin": (-195787, 356492), "value": (559055, 1556863), "value_cubic": (48842, 708018),
+        "perlin_d": (-195787, 807547, -361690, 356492, 285488, -353108), "value_d": (559055, 1102169, 110794, 1556863,
+        -402571, 0), "sums": (529377, 670583, 1780838, -186867, 392670, 30872), "simplex": (-569349, 320572),
+        "simplex_smooth": (-619557, 410171), "simplex_d": (-569349, 1632176, -190372, 320572, -431684, -393536), "curl":
+        (-190372, -1632176, -393536, 431684), "perlin_phase": (994530, -183569), "perlin_d_phase": (994530, -38839,
+        -236289, -183569, -19803, 545198), "simplex_phase": (-411497, 118377), "simplex_d_phase": (-411497, -1371718,
+        1198432, 118377, 1070976, 782832)},
+    ("fnv1", 2, True): {"perlin": (-597462, -370637), "value": (247330, 90533), "value_cubic": (221465, -407159),
+        "perlin_d": (-597462, -516759, 336203, -370637, -194014, -146860), "value_d": (247330, -399335, -17038, 90533,
+        -384872, 0), "sums": (98212, 548772, 572797, 83241, 446936, 532675), "simplex": (813977, 628660),
+        "simplex_smooth": (878405, 732910), "simplex_d": (813977, 1031324, -270208, 628660, 201368, -88236), "curl":
+        (-270208, -1031324, -88236, -201368), "perlin_phase": (717212, 389084), "perlin_d_phase": (717212, 366057,
+        -935572, 389084, 240661, -122559), "simplex_phase": (-328040, -167783), "simplex_d_phase": (-328040, 60910,
+        1901138, -167783, 596642, 491012)},
 }
 
 
-def units(value: Fraction, *derivatives: Fraction) -> tuple[Fraction, ...]:
+def units(noise: Noise, numbers: Sequence[Fraction]) -> tuple[Fraction, ...]:
     """As the integers that they are."""
-    return (value * NOISE_UNIT, *(d * SLOPE_UNIT for d in derivatives))
+    return tuple(x * unit for x, unit in zip(numbers, noise.units))
 
 
 class Vectors(unittest.TestCase):
@@ -64,9 +94,11 @@ class Vectors(unittest.TestCase):
         for (hash_name, n, has_periods), vectors in VECTORS.items():
             periods = PERIODS[:n] if has_periods else ()
             for name in vectors.keys() - {"sums"}:
-                noise, knobs = noises.find(name), Knobs(hash_name)
-                found = (*units(*noise.fixed(knobs, POINT[:n], SEED, periods)),
-                         *units(*noise.fixed_cell(knobs, CELL[:n], FRACTION[:n], CELL_SEED, periods)))
+                noise, knobs = CURL if name == CURL.name else noises.find(name), Knobs(hash_name)
+                at_point, in_cell = (noise if noise.phase is None else noise.turned(phase)
+                                     for phase in (PHASE, CELL_PHASE))
+                found = (*units(noise, at_point.fixed(knobs, POINT[:n], SEED, periods)),
+                         *units(noise, in_cell.fixed_cell(knobs, CELL[:n], FRACTION[:n], CELL_SEED, periods)))
                 self.assertEqual(found, vectors[name], (name, hash_name, n, periods))
 
     def test_sums(self) -> None:
@@ -78,4 +110,5 @@ class Vectors(unittest.TestCase):
                 self.assertEqual(tuple(x * NOISE_UNIT for x in found), vectors["sums"], (hash_name, n, periods))
 
     def test_every_noise_has_some(self) -> None:
-        self.assertEqual({name for vectors in VECTORS.values() for name in vectors}, {*noises.names(), "sums"})
+        self.assertEqual({name for vectors in VECTORS.values() for name in vectors},
+                         {*noises.names(), CURL.name, "sums"})

@@ -133,7 +133,7 @@ def fold(words: Sequence[int]) -> list[int]:
     return [word ^ word >> shift for word, shift in zip(words, FOLDS)]
 
 
-# Of the centre of a cell (section 13): the spread coordinate h = 1 that it has more than a corner, and how it is folded.
+# Of the centre of a cell (section 13): h', the spread coordinate that a corner does not have, and how it is folded.
 CENTRE, CENTRE_FOLD = PRIMES[4], 21
 
 

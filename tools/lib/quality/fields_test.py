@@ -1,4 +1,4 @@
-"""What noises show of their lattices: the statistics find what is there, and simplex noise shows less than Perlin noise."""
+"""What noises show of their lattices: the statistics find what is there, and simplex noise shows what it should."""
 
 import tempfile
 import unittest
@@ -7,7 +7,6 @@ from pathlib import Path
 import numpy as np
 
 from quality import fields
-from quality import isotropy
 from quality import library
 from tree import ROOT
 
@@ -51,10 +50,13 @@ class Statistics(unittest.TestCase):
 
 
 class Simplex(unittest.TestCase):
-    def test_shows_less_of_its_lattice_than_perlin_noise_in_the_plane(self):
-        perlin, simplex = fields.look(TWIN, PERLIN2), fields.look(TWIN, SIMPLEX2)
-        self.assertLess(worst(simplex.structures), worst(perlin.structures))
-        self.assertLess(worst(simplex.spectrum), worst(perlin.spectrum) / 4)
+    def test_has_no_direction_in_its_spectrum_in_the_plane(self):
+        perlin, simplex, smooth = (fields.look(TWIN, noise) for noise in (PERLIN2, SIMPLEX2, SMOOTH2))
+        for ours in (simplex, smooth):
+            self.assertLess(worst(ours.spectrum), worst(perlin.spectrum) / 4)
+        # Structures lean towards the sides of triangles. A larger kernel costs a fourth point, and leaves less of that.
+        self.assertLess(worst(simplex.structures), 0.2)
+        self.assertLess(worst(smooth.structures), worst(simplex.structures) / 2)
 
     def test_shows_less_of_its_lattice_than_perlin_noise_in_space(self):
         perlin, simplex, smooth = (fields.look(TWIN, noise) for noise in (PERLIN3, SIMPLEX3, SMOOTH3))
@@ -77,8 +79,7 @@ class Simplex(unittest.TestCase):
                     target.write_text(text, encoding="utf-8")
             twin = library.build("CLASSIC", [], copy / "include", copy)
             classic = fields.look(twin, SIMPLEX2)
-        self.assertGreater(worst(classic.structures), 0.1)
-        self.assertGreater(worst(classic.structures), 2 * isotropy.SPREAD[2])
+        self.assertGreater(worst(classic.structures), 0.22)
 
 
 if __name__ == "__main__":

@@ -16,6 +16,9 @@ PICTURES = {  # the page that shows each
     "lattice.png": "docs/noises.md",
     "slopes.png": "docs/noises.md",
     "tiles.png": "docs/noises.md",
+    "simplex.png": "docs/noises.md",
+    "phase.png": "docs/noises.md",
+    "curl.png": "docs/noises.md",
 }
 BELOW_A_PICTURE = r"^!\[[^\]]*\]\((?:docs/)?images/{}\)\n\n(?:\S.*\n)*\n((?:    \S.*\n)+)"
 FLOAT = re.compile(r"(?<![\w.])\d+\.\d+(?![\w.])")  # without a suffix it is a float in GLSL, and a double in C++

@@ -24,6 +24,8 @@ PEERS = (
     Peer("fastnoiselite", "FastNoiseLite.glsl", "FastNoiseLite", "420"),
     Peer("wombat", "the folder of Wombat", "Wombat", ""),
     Peer("materialx", "the folder libraries/stdlib/genglsl/lib of MaterialX", "MaterialX", ""),
+    Peer("webgl-noise", "the folder src of webgl-noise", "webgl-noise", ""),
+    Peer("psrdnoise", "the folder src of psrdnoise", "psrdnoise", ""),
 )
 
 # The parts of a vector are added up, as bench does with those of ours.
@@ -50,6 +52,24 @@ CALLS = (
          "dot(Value3D_Deriv(p), vec4(1.0))"),
     Call("cubic value 2D", "noise2d.value_cubic", "fastnoiselite", "", "_fnlSingleValueCubic2D(0, p.x, p.y)"),
     Call("cubic value 3D", "noise3d.value_cubic", "fastnoiselite", "", "_fnlSingleValueCubic3D(0, p.x, p.y, p.z)"),
+    Call("simplex 2D", "noise2d.simplex", "fastnoiselite", "", "_fnlSingleSimplex2D(0, p.x, p.y)"),
+    Call("simplex 3D", "noise3d.simplex", "fastnoiselite", "", "_fnlSingleOpenSimplex23D(0, p.x, p.y, p.z)"),
+    Call("simplex 2D", "noise2d.simplex", "wombat", "SimplexPerlin2D.glsl", "SimplexPerlin2D(p)"),
+    Call("simplex 3D", "noise3d.simplex", "wombat", "SimplexPerlin3D.glsl", "SimplexPerlin3D(p)"),
+    Call("simplex 2D", "noise2d.simplex", "webgl-noise", "noise2D.glsl", "snoise(p)"),
+    Call("simplex 3D", "noise3d.simplex", "webgl-noise", "noise3D.glsl", "snoise(p)"),
+    Call("simplex 4D", "noise4d.simplex", "webgl-noise", "noise4D.glsl", "snoise(vec4(p, p.x))"),
+    Call("simplex 2D with derivatives", "noise2d.simplex_d", "wombat", "SimplexPerlin2D_Deriv.glsl",
+         "dot(SimplexPerlin2D_Deriv(p), vec3(1.0))"),
+    Call("simplex 3D with derivatives", "noise3d.simplex_d", "wombat", "SimplexPerlin3D_Deriv.glsl",
+         "dot(SimplexPerlin3D_Deriv(p), vec4(1.0))"),
+    Call("smooth simplex 2D", "noise2d.simplex_smooth", "fastnoiselite", "", "_fnlSingleOpenSimplex2S2D(0, p.x, p.y)"),
+    Call("smooth simplex 3D", "noise3d.simplex_smooth", "fastnoiselite", "",
+         "_fnlSingleOpenSimplex2S3D(0, p.x, p.y, p.z)"),
+    Call("turning simplex 2D with derivatives", "noise2d.simplex_d_phase", "psrdnoise", "psrdnoise2.glsl",
+         "psrdnoise(p, vec2(0.0), p.x, hn_bench_out.xy) + hn_bench_out.x + hn_bench_out.y"),
+    Call("turning simplex 3D with derivatives", "noise3d.simplex_d_phase", "psrdnoise", "psrdnoise3.glsl",
+         "psrdnoise(p, vec3(0.0), p.x, hn_bench_out.xyz) + hn_bench_out.x + hn_bench_out.y + hn_bench_out.z"),
 )
 
 

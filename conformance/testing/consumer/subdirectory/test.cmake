@@ -1,5 +1,5 @@
-# Builds, runs and installs a project that has hashnoise as a part of its build: the headers of hashnoise are installed with
-# it only where it asks for them.
+# Builds, runs and installs a project that has hashnoise as a part of its build: the headers of hashnoise are installed
+# with it only where it asks for them.
 #   cmake -DSOURCE=<source folder of hashnoise> -DWORK=<scratch folder> -DGENERATOR=<CMake's generator> -P test.cmake
 cmake_minimum_required(VERSION 3.25)
 function(call)
@@ -8,7 +8,8 @@ endfunction()
 
 # What lies below the prefix, of the program and of hashnoise.
 function(installed result prefix)
-  call(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build -G ${GENERATOR} -DHASHNOISE_SOURCE=${SOURCE} ${ARGN})
+  call(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build -G ${GENERATOR}
+       -DHASHNOISE_SOURCE=${SOURCE} ${ARGN})
   call(${CMAKE_COMMAND} --build ${WORK}/build)
   call(${CMAKE_COMMAND} --install ${WORK}/build --prefix ${prefix})
   file(GLOB_RECURSE files RELATIVE ${prefix} ${prefix}/*)
@@ -23,7 +24,8 @@ endif()
 call(${WORK}/without/bin/consumer)
 
 installed(files ${WORK}/with -DHASHNOISE_INSTALL=ON)
-foreach(file bin/consumer include/hashnoise/hashnoise.hpp include/hashnoise/glsl.hpp include/hashnoise/glsl/hashnoise.glsl)
+foreach(file bin/consumer include/hashnoise/hashnoise.hpp include/hashnoise/glsl.hpp
+             include/hashnoise/glsl/hashnoise.glsl)
   if(NOT file IN_LIST files)
     message(FATAL_ERROR "HASHNOISE_INSTALL should install ${file}: ${files}")
   endif()
