@@ -13,9 +13,9 @@ HN_FN hn_vec2 hn_i_curl(hn_vec3 d) { return vec2(d.z, -d.y); }
 //   cell     the cell; its points wrap at 2^32
 //   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats have no promise
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
-//   returns  the derivative of hn_simplex along y, and its negative derivative along x: per cell, each in [-@D2, @D2], once
-//            continuously differentiable (HN_FIXED: in steps of 2^-18)
-//   error    that of the derivatives of hn_simplex_d. HN_FIXED alike
+//   returns  the derivative of hn_simplex along y, and its negative derivative along x: per cell, each in
+//            [-8.31, 8.31], once continuously differentiable (HN_FIXED: in steps of 2^-18)
+//   error    that of the derivatives of hn_simplex_d: at most 5.15e-5. HN_FIXED 2.89e-3
 //   period   2^31 cells per axis
 //   cost     that of hn_simplex_d
 //   source   Bridson, Hourihan, Nordenstam, "Curl-noise for procedural fluid flow", 2007
@@ -26,6 +26,7 @@ HN_FN hn_vec2 hn_curl(hn_ivec2 cell, hn_vec2 f) { return hn_curl(cell, f, 0u); }
 // The same at a position.
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
 //   seed     any uint: 7u, not 7; 0 if left out
+//   error    at most 5.85e-5. HN_FIXED as above
 //   (everything else as above)
 HN_FN hn_vec2 hn_curl(hn_vec2 p, hn_uint seed) { return hn_i_curl(hn_simplex_d(p, seed)); }
 
@@ -34,6 +35,7 @@ HN_FN hn_vec2 hn_curl(hn_vec2 p) { return hn_curl(p, 0u); }
 // Both with a period: the field repeats after that many cells.
 //   period   cells along each axis, any ivec2; 0 for none along that axis. Less than 0 is none, too
 //   seed     any uint: 7u, not 7
+//   error    as without a period
 //   (everything else as above)
 HN_FN hn_vec2 hn_curl(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_uint seed) {
   return hn_i_curl(hn_simplex_d(cell, f, period, seed));

@@ -8,7 +8,7 @@ import re
 from collections.abc import Callable
 from pathlib import Path
 
-from bounds import noises, sine, sums
+from bounds import kernel_floats, noises, sine, sums
 from bounds.gradients import GRADIENTS, SINE, Gradient
 from bounds.integers import fade_errors, slope_errors, spline_weight_error
 from bounds.noises import Derived
@@ -21,6 +21,7 @@ ACCURACY = "docs/accuracy.md"
 KNOBS = "docs/knobs.md"
 Key = tuple[str, int, Gradient | None]  # a noise, the number of its dimensions, a kind of gradient
 Everything = dict[Key, Derived]
+PHASE = "_phase"  # ends the name of a noise with the forms that take one
 NOISE_OF_SUMS = "perlin"  # unless the user names another
 
 # --- Tables -----------------------------------------------------------------------------------------------------------
@@ -29,17 +30,19 @@ NOISE_OF_SUMS = "perlin"  # unless the user names another
 def name_of(key: Key) -> str:
     noise, dims, gradient = key
     position = f"vec{dims}" if dims > 1 else "float"
-    return f"`hn_{noise}({position})`" + (f", {gradient.name}" if gradient else "")
+    kind = "with a phase" if noise.endswith(PHASE) else gradient and gradient.name
+    return f"`hn_{noise.removesuffix(PHASE)}({position})`" + (f", {kind}" if kind else "")
 
 
 def values_of(derived: Everything) -> Everything:
-    """Without the noises that return derivatives: their values are those of another."""
-    return {key: of_noise for key, of_noise in derived.items() if not of_noise.slope}
+    """Without the noises that return derivatives, whose values are those of another, or only what derivatives make."""
+    return {key: of_noise for key, of_noise in derived.items() if of_noise.promise and not of_noise.slope}
 
 
 def slopes_of(derived: Everything) -> Everything:
-    """The derivatives."""
-    return {key: of_noise.slope for key, of_noise in derived.items() if of_noise.slope}
+    """The derivatives, and what is made of them."""
+    return {key: of_noise.slope or of_noise for key, of_noise in derived.items()
+            if of_noise.slope or not of_noise.promise}
 
 
 def _bounds_table(derived: Everything, largest: str) -> str:
@@ -142,7 +145,7 @@ def quotes(derived: Everything) -> list[tuple[str, str]]:
         f"\n{scientific(sine.sine_truncation_bound())} at most", f"|s - sin| <= {scientific(sine.sine_bound())}",
         f"2^-19 = {scientific(SINE.component_error)}", f"which is {scientific(sine.fixed_sine_error())}:",
         f"at most 1 - {math.floor((1 - sine.sine_largest()) * 1e9) / 1e9:.2e}".replace("e-0", "e-"),
-        f"adds {scientific(sums.cloud_error())} ")]
+        f"adds {scientific(sums.cloud_error())} ", f"within {scientific(kernel_floats.turn_error(1.0))} of those of the phase")]
     return stated + [quote for name in noises.names() for quote in noises.find(name).quotes()]
 
 
@@ -162,29 +165,39 @@ def missing_quotes(derived: Everything, root: Path = ROOT) -> list[str]:
 # What a number belongs to, in reading order: a heading, a knob, or a number.
 # The range of a derivative has few decimals, and is known by its brackets.
 WORD = re.compile(r"^   ?(?P<heading>[a-z]+)  |HN_FIXED|HN_GRADIENT_SINE|(?P<error>\d\.\d+e-\d+)"
-                  r"|(?P<range>\d\.\d{3,}|(?<=\[-)\d\.\d+|\d\.\d+(?=\]))", re.MULTILINE)
+                  r"|(?P<range>\d\.\d{3,}|(?<=\[-)\d+\.\d+|\d+\.\d+(?=\]))", re.MULTILINE)
 REFERS = re.compile(r"^   ?error  +as ", re.MULTILINE)  # to another comment, instead of a number
 
 
+def dimensions_of(function: glsl.Declaration) -> int:
+    position = function.types[0]
+    return int(position[-1]) if position[-1].isdigit() else 1
+
+
+def takes_phase(function: glsl.Declaration) -> bool:
+    """On the line a float is a position. Octave sums take floats, too; they are no noises."""
+    return dimensions_of(function) > 1 and "float" in function.types
+
+
+def noise_of(function: glsl.Declaration) -> str:
+    return function.name.removeprefix("hn_") + PHASE * takes_phase(function)
+
+
 def of_function(function: glsl.Declaration, gradient: Gradient, derived: Everything) -> Derived:
-    noise, position = function.name.removeprefix("hn_"), function.types[0]
-    dims = int(position[-1]) if position[-1].isdigit() else 1
+    noise, dims = noise_of(function), dimensions_of(function)
     return derived.get((noise, dims, gradient)) or derived[noise, dims, None]
 
 
 def derived_for(function: glsl.Declaration, kind: str, fixed: bool, gradient: Gradient,
                 derived: Everything) -> float | None:
     """What a number in the comment of a function should be, rounded up: an "error", or the end of a "range"."""
-    noise = function.name.removeprefix("hn_")
-    if noise in noises.names():
-        takes_cell = function.types[0].startswith("i")
+    if noise_of(function) in noises.names():
+        # Forms with a phase share a comment, which has the larger error.
+        takes_cell = function.types[0].startswith("i") and not takes_phase(function)
         of_noise = of_function(function, gradient, derived)
-        if of_noise.slope:  # the value is that of another noise
-            of_noise = of_noise.slope
-            if kind == "range":
-                return max(of_noise.largest, of_noise.fixed_largest)
+        of_noise = of_noise.slope or of_noise  # the value is that of another noise
         if kind == "range":
-            return of_noise.range
+            return of_noise.range if of_noise.promise else max(of_noise.largest, of_noise.fixed_largest)
         return of_noise.fixed_error if fixed else of_noise.cell_error if takes_cell else of_noise.error
     if function.name == "hn_gradient" and kind == "error":
         return sine.fixed_sine_error() if fixed else SINE.component_error
@@ -197,7 +210,7 @@ def wrong_numbers(function: glsl.Declaration, derived: Everything) -> dict[tuple
     """What is wrong in the comment over a function, by the line, the number and what is right."""
     messages, fixed, gradient = {}, False, GRADIENTS[0]
     text = "\n".join(function.comment.lines)
-    if (function.name.removeprefix("hn_") in noises.names() and not REFERS.search(text)
+    if (noise_of(function) in noises.names() and not REFERS.search(text)
             and not any(word["error"] for word in WORD.finditer(text))):
         place = f"{function.path}:{function.comment.line}"
         messages[place, "", ""] = f"{place}: the comment over {function} states no error"

@@ -129,12 +129,12 @@ def weights(corner, fractions):
     return math.prod(factors), along
 
 
-def perlin(kind, words_of, fractions):
-    """The value, and the derivatives."""
+def perlin(kind, words_of, fractions, turn=list):
+    """The value, and the derivatives, of gradients that are turned by a function."""
     dims = len(fractions)
     value, derivatives = 0.0, [0.0] * dims
     for corner in corners(dims):
-        g = gradient(kind, dims, words_of(corner))
+        g = turn(gradient(kind, dims, words_of(corner)))
         ramp = sum(component * (f - o) for component, f, o in zip(g, fractions, corner))
         weight, along = weights(corner, fractions)
         value = value + weight * ramp

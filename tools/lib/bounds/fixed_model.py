@@ -17,17 +17,22 @@ ONE = 2**20
 
 # --- Steps ------------------------------------------------------------------------------------------------------------
 
-def sine(w):
-    argument = sine_argument(w)
-    m = abs(argument)
-    high, low = m >> 16, m & 0xFFFF
-    turns = u32(m * 0x28BE60DB + high * 0x9391 + (u32(high * 0x054A + low * 0x9391) >> 16))
+def sine_of_turns(turns):
+    """In units of 2^-32 turns."""
     q = turns & 0x7FFFFFFF
     x = np.minimum((np.minimum(q, 0x80000000 - q) + 2**13) >> 14, 65535)
     u = u32(x * x) >> 16
     y = u32(102943 - (u32(u * (42328 - (u32(u * (5208 - ((u * 288) >> 16))) >> 16))) >> 16))
     g = u32(x * (y >> 1) + 2**14) >> 15
-    return np.where((turns >> 31) ^ (u32(w) >> 31), -g, g)
+    return np.where(turns >> 31, -g, g)
+
+
+def sine(w):
+    argument = sine_argument(w)
+    m = abs(argument)
+    high, low = m >> 16, m & 0xFFFF
+    turns = u32(m * 0x28BE60DB + high * 0x9391 + (u32(high * 0x054A + low * 0x9391) >> 16))
+    return np.where(u32(w) >> 31, -1, 1) * sine_of_turns(turns)
 
 
 def nearer_end(f):
@@ -125,8 +130,9 @@ def x_first(dims):
     return (reverse[::-1] for reverse in corners(dims))
 
 
-def perlin(kind, words_of, fractions, derivatives=False):
-    """v in units of 2^-21; with the derivatives, in units of 2^-19, if they are wanted."""
+def perlin(kind, words_of, fractions, derivatives=False, ramp=ramp, gradient=gradient):
+    """v in units of 2^-21; with the derivatives, in units of 2^-19, if they are wanted. Ramps and gradients may be others
+    than those of section 8."""
     dims, nodes = len(fractions), []
     for corner in x_first(dims):
         words = words_of(corner)

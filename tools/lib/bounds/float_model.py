@@ -87,6 +87,10 @@ class Shader:
         g = exact.gradient(kind, len(f), words)
         return self.round(sum(a * d for a, d in zip(g, offsets)))  # in 4D two are 0
 
+    def components(self, kind, words, dims):
+        """Of a gradient, for the derivatives."""
+        return exact.gradient(kind, dims, words)
+
     def inexact(self, g, corner):
         """Floats within the error of the sine gradient, often at its ends, so that the errors of all ramps add."""
         error, aligned = SINE.component_error, self.rng.choice((-1, 1, 0))
@@ -101,7 +105,7 @@ class Shader:
         """The value; with the derivatives, if they are wanted."""
         dims, scale = len(fractions), SCALE[kind][len(fractions)]
         nodes = [(self.ramp(kind, words_of(corner), fractions, corner), [],
-                  exact.gradient(kind, dims, words_of(corner)) if derivatives else []) for corner in x_first(dims)]
+                  self.components(kind, words_of(corner), dims) if derivatives else []) for corner in x_first(dims)]
         for f in fractions:
             t, slope = self.fade(f), self.slope(f)
             joined = []

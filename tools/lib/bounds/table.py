@@ -75,10 +75,16 @@ def shortest(value: float, digits: int) -> str:
     return text.rstrip("0").rstrip(".") if "." in text else text
 
 
+def plain(value: float, digits: int) -> str:
+    """Rounded up, as a number of C++ that is not an integer: 3.24, 119.0."""
+    text = f"{rounded_up(value, digits):f}"
+    return text if "." in text else f"{text}.0"
+
+
 def _row(macro: str, bounds: Bounds) -> str:
     """A line of the table, of bounds that are not rounded yet."""
     fields = [f'"{bounds.noise}"', str(bounds.dimensions), bounds.gradient, scientific(bounds.cell_error),
-              scientific(bounds.error), str(rounded_up(bounds.lipschitz, 3)), str(bounds.rounded().limit),
+              scientific(bounds.error), plain(bounds.lipschitz, 3), str(bounds.rounded().limit),
               scientific(bounds.fixed_error), str(bounds.rounded().fixed_limit)]
     return f"{macro}({', '.join(fields)})\n"
 

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from types import ModuleType
 
 from bounds.gradients import Gradient
-from bounds.table import Bounds
+from bounds.table import Bounds, shortest
 
 
 @dataclass(frozen=True)
@@ -38,6 +38,12 @@ class Derived:
         return Bounds(noise, dimensions, gradient.name if gradient else "none", self.cell_error, self.error,
                       self.lipschitz, max(self.promise, self.largest), self.fixed_error,
                       max(self.promise, self.fixed_largest))
+
+
+def listed(ranges: list[float]) -> str:
+    """As prose states them: 0.5, 0.6 and 0.7."""
+    texts = [shortest(of_noise, 5) for of_noise in ranges]
+    return f"{', '.join(texts[:-1])} and {texts[-1]}"
 
 
 def names() -> list[str]:

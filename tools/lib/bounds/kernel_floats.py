@@ -1,0 +1,236 @@
+"""The error of a sum over lattice points (kernels.py) in float arithmetic, in the sense of floats.py.
+
+    t = max(r - m q, 0); the point adds (ramp)*w, and to a derivative g*w - x*k, k = (ramp)*(fall), with the weight w and
+    its fall as in weights.py; a ramp is r*(k*more) + r, in which k*more is exact
+    turned: (direction.d)*cos + (cross)*sin, lengthened;  g*cos + g'*sin
+
+TRIANGLES. q = x*x + y*y. In hn_simplex the skewed x is rounded, and then x of the first corner. Both move the place, the
+same for all points: by up to 2^-22 and 2^-24 steps. From there x of the others and y are rounded once. In
+hn_simplex_smooth each row is rounded on its own: by 2^-25 where it is shifted, by 2^-24 where it is below 0, and for the
+second point.
+
+CENTRED. By reflections the nearest corner is at 0, and offsets from it are exact. An offset from the corner behind an axis
+rounds by 2^-24, one from the centre of the cell by 2^-25, and one from a centre behind an axis by both. Squares of
+distances are sums: of the squares of the sizes s_i of the offsets from the nearest corner, and
+
+    hn_simplex          1 - 2 s_i to the next corner, n/4 - sum s_i to the centre of the cell, and from there 2 s_i
+    hn_simplex_smooth   from the nearest point of either kind min(1 - 2 s_i, 2 - 2 sum s + 2 s_i)
+
+What is not visited because of rounding, or visited with the distance of another point, is as far away as the radius but
+for some 2^-22, and so is its t. Its weight is below 2^-58, and the fall below 2^-36: FORGOTTEN is more than all of that.
+
+What a box of places may have of a point is propagated as in floats.py. The points that are not near add zeros, so sums
+round at most as many times as there are points to visit, less one.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from bounds import kernels, sine
+from bounds.boxes import Boxes, cell, supremum
+from bounds.floats import TINY, UNIT, Approx, rounding
+from bounds.gradients import longest
+from bounds.kernels import SMOOTH, Kernel, Quantity
+from bounds.noises.perlin.floats import MORE, approx_direction, approx_sum_of_two, largest_of
+
+FORGOTTEN = 1e-10
+ANGLE_CUT = 2 * math.pi * 2.0**-30  # a phase is cut off to a multiple of 2^-30 turns
+Offsets = list[Approx]
+
+
+# --- Distances --------------------------------------------------------------------------------------------------------
+
+def offsets_of(kernel: Kernel, lo, hi, point, ulps) -> Offsets:
+    if kernel.triangles:
+        rows = 2.5 * 2.0**-24 if kernel is SMOOTH[2] else 2.0**-24
+        errors = [rows, 2.0**-24]
+    else:
+        home = point[0] % 1
+        errors = [2.0**-25 * (home > 0) + 2.0**-24 * (x != home) for x in point]
+    return [Approx(a - x, b - x, ulps * err + TINY, ulps) for a, b, x, err in zip(lo, hi, point, errors)]
+
+
+def total(numbers):
+    return functools.reduce(Approx.sum, numbers)
+
+
+def squared(offsets: Offsets) -> Approx:
+    """The sum of squares, whose range is known."""
+    exact = [(np.where((d.lo <= 0) & (d.hi >= 0), 0.0, np.minimum(d.lo**2, d.hi**2)), d.size() ** 2) for d in offsets]
+    q = total([d.times(d).clipped(*ends) for d, ends in zip(offsets, exact)])
+    return q.clipped(sum(low for low, _ in exact), sum(high for _, high in exact))
+
+
+def to_neighbour(sizes: Offsets, axes: list[int], base: Approx, smooth: bool, is_centre: bool) -> Approx:
+    """The square of the distance of a point behind those axes, from that of the nearest of its kind."""
+    one, size, ulps = Approx(1.0, 1.0, 0.0, base.ulps), sizes[axes[0]], base.ulps
+    twice = Approx(2 * size.lo, 2 * size.hi, 2 * size.err, ulps)
+    if not smooth:
+        return base.sum(twice if is_centre else one.minus(twice))
+    every = total(sizes)
+    doubled = Approx(2 * every.lo, 2 * every.hi, 2 * every.err, ulps)
+    far = Approx(2.0, 2.0, 0.0, ulps).minus(doubled).sum(twice)
+    near = one.minus(twice)
+    return base.sum(Approx(np.minimum(near.lo, far.lo), near.hi, np.maximum(near.err, far.err), ulps))
+
+
+def distances(kernel: Kernel, lo, hi, ulps) -> Iterator[tuple[Offsets, Approx]]:
+    """The offsets of each point, and the square of its distance."""
+    smooth = kernel is SMOOTH.get(kernel.dims)
+    for point in kernel.points:
+        offsets = offsets_of(kernel, lo, hi, point, ulps)
+        exact = squared(offsets)
+        if kernel.triangles:
+            yield offsets, exact
+            continue
+        home = point[0] % 1
+        axes = [axis for axis, x in enumerate(point) if x != home]
+        sizes = offsets_of(kernel, lo, hi, (0.0,) * kernel.dims, ulps)
+        if smooth and home:
+            inner = offsets_of(kernel, lo, hi, (home,) * kernel.dims, ulps)
+            sizes = [Approx(-d.hi, -d.lo, d.err, ulps) for d in inner]
+        q = squared(sizes)
+        if home and not smooth:
+            q = q.sum(Approx(kernel.dims / 4, kernel.dims / 4, 0.0, ulps).minus(total(sizes)))
+        if axes:
+            q = to_neighbour(sizes, axes, q, smooth, home > 0)
+        yield offsets, Approx(exact.lo, exact.hi, q.err, ulps)
+
+
+def nearness(kernel: Kernel, q: Approx) -> Approx:
+    """t."""
+    lo, hi = (np.maximum(kernel.radius - kernel.fall * x, 0.0) for x in (q.hi, q.lo))
+    return Approx(lo, hi, kernel.fall * q.err, q.ulps).rounded()
+
+
+# --- Ramps ------------------------------------------------------------------------------------------------------------
+
+@functools.cache
+def turn_error(ulps: float) -> float:
+    """Of the cosine and the sine of a phase."""
+    return sine.sine_bound(ulps) + ANGLE_CUT
+
+
+def straight(own: Offsets, ulps) -> Approx:
+    """The direction times the offset. In space x + y and x - y are rounded first; here any two axes may be x and y."""
+    size, err = largest_of(d.size() for d in own), largest_of(d.err for d in own)
+    if len(own) == 3:
+        pair = np.sort(np.broadcast_arrays(*[d.size() for d in own]), axis=0)[1:].sum(axis=0)
+        err = 2 * err + rounding(pair + 2 * err, ulps)
+    return approx_direction(size, err, len(own), ulps)
+
+
+def length(own: Offsets):
+    return np.sqrt(sum(d.size() ** 2 for d in own))
+
+
+def mixed(a_err, b_err, size, ulps) -> Approx:
+    """cos a + sin b, where a and b are a vector and what a quarter of a turn makes of it, times another: so its size is
+    at most that of a and b as a pair, and |a| + |b|, |cos a| + |sin b| are at most sqrt(2) times that."""
+    both, off = math.sqrt(2) * size, turn_error(ulps)
+    err = math.sqrt(2) * np.maximum(a_err, b_err) + off * (both + a_err + b_err)
+    err = err + ulps * UNIT * (both + err) + 2 * TINY
+    return Approx(-size, size, err, ulps).rounded()
+
+
+def lengthened(direction: Approx, size, dims: int, more: float) -> Approx:
+    """r*more + r, which is known to be at most `size`."""
+    largest = MORE[dims] * more
+    err = direction.err * (1 + largest) + rounding((direction.size() + direction.err) * largest, direction.ulps)
+    return Approx(-size, size, err, direction.ulps).rounded()
+
+
+def turned_ramp(own: Offsets, more: float, ulps) -> Approx:
+    """No direction is longer than 1."""
+    cross = approx_direction(largest_of(d.size() for d in own), largest_of(d.err for d in own), 2, ulps)
+    direction = mixed(straight(own, ulps).err, cross.err, length(own), ulps)
+    return lengthened(direction, longest(len(own), more) * length(own), len(own), more)
+
+
+def ramp(kernel: Kernel, own: Offsets, turns: bool, ulps) -> Approx:
+    if kernel.more is None:
+        return approx_sum_of_two(own, ulps)
+    if turns:
+        return turned_ramp(own, kernel.more, ulps)
+    size = kernel.gradient.support(np.broadcast_arrays(*[d.size() for d in own]))
+    return lengthened(straight(own, ulps), size, kernel.dims, kernel.more)
+
+
+def component(longest_one: float, turns: bool, ulps) -> Approx:
+    """Of a gradient; it is exact where nothing turns."""
+    return mixed(0.0, 0.0, longest_one, ulps) if turns else Approx(-1.0, 1.0, 0.0, ulps)
+
+
+# --- The sum ----------------------------------------------------------------------------------------------------------
+
+def added(kernel: Kernel, terms: list[Approx], ulps) -> Approx:
+    size = sum(term.size() for term in terms)
+    err = sum(term.err for term in terms)
+    for _ in range(kernel.visited - 1):
+        err = err + rounding(size + err, ulps)
+    return Approx(-size, size, err + FORGOTTEN, ulps).scaled(kernel.scale / 1024)
+
+
+def weighted(kernel: Kernel, t: Approx) -> Approx:
+    return kernel.weight.floats(t).clipped(*kernel.weight.ends(0, t.lo, t.hi))
+
+
+def value_error(kernel: Kernel, turns: bool, ulps, lo, hi):
+    """The largest error in each box of places, given by its ends along each axis."""
+    terms = [ramp(kernel, own, turns, ulps).times(weighted(kernel, nearness(kernel, q)))
+             for own, q in distances(kernel, lo, hi, ulps)]
+    return added(kernel, terms, ulps).err
+
+
+def slope_error(kernel: Kernel, turns: bool, ulps, lo, hi):
+    """The same of the derivatives, per step."""
+    along, g = [[] for _ in range(kernel.dims)], component(kernel.longest, turns, ulps)
+    for own, q in distances(kernel, lo, hi, ulps):
+        t = nearness(kernel, q)
+        ends = [2 * kernel.fall * end for end in kernel.weight.ends(1, t.lo, t.hi)]
+        k = ramp(kernel, own, turns, ulps).times(kernel.weight.float_fall(t, kernel.fall).clipped(*ends))
+        upright = g.times(weighted(kernel, t))
+        for terms, d in zip(along, own):
+            terms.append(upright.minus(k.times(d)))
+    return largest_of(added(kernel, terms, ulps).err for terms in along)
+
+
+# --- Bounds -----------------------------------------------------------------------------------------------------------
+
+LEVELS, TOLERANCE = {2: 10, 3: 7, 4: 6}, 0.003
+SKEWED = 2.0**-22 + 2.0**-24  # in steps: how far the place moves on the plane
+
+
+def _supremum(error, kernel: Kernel) -> float:
+    def bound(boxes: Boxes):
+        middle = (boxes.lo + boxes.hi) / 2
+        return error(boxes.lo, boxes.hi), error(middle, middle)
+    return supremum(bound, cell(kernel.dims, half=True), LEVELS[kernel.dims], TOLERANCE,
+                    None if kernel.triangles else 0, most=100_000)
+
+
+def _moved(kernel: Kernel, quantity: Quantity, ulps, gradient, factor: float) -> float:
+    """What the move of the place does to a quantity."""
+    if kernel is SMOOTH[2] or not kernel.triangles:
+        return 0.0
+    along_x = Quantity((*quantity.along, (1.0, 0.0)))
+    return SKEWED * ulps * factor * kernel.scale / 1024 * kernels.largest(kernel, along_x, gradient)
+
+
+@functools.cache
+def error_bound(kernel: Kernel, turns: bool = False, ulps: float = 1.0) -> float:
+    """A proven upper bound of the error from (cell, fraction)."""
+    return (_supremum(functools.partial(value_error, kernel, turns, ulps), kernel)
+            + _moved(kernel, kernels.VALUE, ulps, *kernels.reach(kernel, turns)))
+
+
+@functools.cache
+def slope_error_bound(kernel: Kernel, turns: bool = False, ulps: float = 1.0) -> float:
+    """The same of the derivatives, per cell."""
+    moved = max(_moved(kernel, Quantity((axis,)), ulps, *kernels.reach(kernel, turns)) for axis in kernels.axes(kernel))
+    return kernel.steps * (_supremum(functools.partial(slope_error, kernel, turns, ulps), kernel) + moved)

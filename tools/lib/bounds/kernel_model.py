@@ -1,0 +1,197 @@
+"""Sums over lattice points, and gradients that turn, on arrays: exactly in doubles, and in integers. Written from
+docs/contract.md, sections 13 and 14, for bounds_kernel_test.py. kernel_shader.py has the floats.
+
+A noise takes the fractions along its axes, and a function from a lattice point, as coordinates in half steps, to its
+words. A phase is a word in units of 2^-32 turns, or None."""
+
+import itertools
+import math
+
+import numpy as np
+
+from bounds import exact_model as exact
+from bounds import fixed_model as fixed
+from bounds.exact_model import s32, u32
+from bounds.fixed_model import ONE, part
+from bounds.gradients import OCTAHEDRAL
+from bounds.kernels import SMOOTH
+
+def more_of(kernel):
+    return {(2, False): 3 / 8, (2, True): 3 / 8, (3, False): 1, (3, True): 2}.get((kernel.dims, is_smooth(kernel)))
+
+
+def is_smooth(kernel):
+    return kernel is SMOOTH.get(kernel.dims)
+
+
+def points(kernel):
+    """Those that may be near a place of the cell, in steps."""
+    if kernel.triangles:
+        return [(i + (j % 2) / 2, j) for i in range(-2, 4) for j in range(-1, 4)]
+    corners = list(itertools.product(range(-1, 3), repeat=kernel.dims))
+    return corners + [tuple(x + 0.5 for x in corner) for corner in corners]
+
+
+def words_of_hash(seed=0):
+    """Words that depend on the point as those of the library do."""
+    def words(halves):
+        return fixed.u32(exact.mix(exact.lattice_word([np.atleast_1d(np.asarray(x, np.int64)) for x in halves], np.int64(seed))))
+    return words
+
+
+def halves(point):
+    return [int(2 * x) for x in point]
+
+
+# --- Gradients --------------------------------------------------------------------------------------------------------
+
+def lengthened(kernel, words):
+    if kernel.dims == 4:
+        return exact.gradient(None, 4, words)
+    if kernel.dims == 2:
+        d = [x / 512 for x in exact.direction(2, words)]
+    else:
+        p, q, m = (x / 256 for x in exact.direction(3, words))
+        d = [(p + q) / 2, (p - q) / 2, m]
+    return [x * (1 + more_of(kernel) * (1 - np.maximum.reduce([abs(y) for y in d]))) for x in d]
+
+
+def quarter(g):
+    """g'."""
+    if len(g) == 2:
+        return [-g[1], g[0]]
+    x, y, z = (abs(c) for c in g)
+    upright, across = (z <= x) & (z <= y), y <= x
+    zero = 0 * g[0]
+    return [np.where(upright, -g[1], np.where(across, g[2], zero)),
+            np.where(upright, g[0], np.where(across, zero, -g[2])),
+            np.where(upright, zero, np.where(across, -g[0], g[1]))]
+
+
+def turned(g, phase):
+    if phase is None:
+        return g
+    angle = phase / 2**31 * math.pi
+    return [np.cos(angle) * a + np.sin(angle) * b for a, b in zip(g, quarter(g))]
+
+
+# --- Exactly ----------------------------------------------------------------------------------------------------------
+
+def weight(kernel, t):
+    """w and its derivative."""
+    if kernel.dims == 4 or (kernel.dims == 2 and is_smooth(kernel)):
+        return t**3, 3 * t**2
+    if kernel.dims == 2:
+        return 8 * t**3 * (65 / 64 - t), 8 * (3 * t**2 * 65 / 64 - 4 * t**3)
+    return (4 * t**5, 20 * t**4) if is_smooth(kernel) else (t**4, 4 * t**3)
+
+
+def simplex(kernel, words_of, fractions, phase=None):
+    """The value, and the derivatives per cell."""
+    place, value, derivatives = [x * kernel.steps for x in fractions], 0.0, [0.0] * kernel.dims
+    for point in points(kernel):
+        d = [x - y for x, y in zip(place, point)]
+        t = np.maximum(kernel.radius - kernel.fall * sum(x * x for x in d), 0.0)
+        w, slope = weight(kernel, t)
+        g = turned(lengthened(kernel, words_of(halves(point))), phase)
+        ramp = sum(a * b for a, b in zip(g, d))
+        value = value + w * ramp
+        derivatives = [e + a * w - 2 * kernel.fall * x * slope * ramp for e, a, x in zip(derivatives, g, d)]
+    scale = kernel.scale / 1024
+    return scale * value, [scale * kernel.steps * e for e in derivatives]
+
+
+def perlin(words_of, fractions, phase):
+    return exact.perlin(OCTAHEDRAL, words_of, fractions, lambda g: turned(g, phase))
+
+
+# --- In integers ------------------------------------------------------------------------------------------------------
+
+def fixed_rotation(phase):
+    return 4 * fixed.sine_of_turns(u32(phase + 2**30)), 4 * fixed.sine_of_turns(phase)
+
+
+def fixed_direction(words, d, phase):
+    """r of the contract, before it is lengthened, and E."""
+    parts = exact.direction(len(d), words)
+    if len(d) == 2:
+        r, across = parts[0] * d[0] + parts[1] * d[1], parts[0] * d[1] - parts[1] * d[0]
+    else:
+        p, q, m = parts
+        r = p * (d[0] + d[1]) + q * (d[0] - d[1]) + m * 2 * d[2]
+        across = sum(a * b for a, b in zip(quarter([p + q, p - q, 2 * m]), d))
+    if phase is not None:
+        c, z = fixed_rotation(phase)
+        r = part(r, c) + part(across, z)
+    return r, fixed.extra(len(d), parts)
+
+
+def fixed_ramp(kernel, words, d, phase):
+    if kernel.dims == 4:
+        return fixed.ramp(None, words, d)
+    r, extra = fixed_direction(words, d, phase)
+    if kernel.dims == 2:
+        return s32(r + (r >> 12) * (3 * extra))
+    return s32(r + (r >> 9) * ((2 if is_smooth(kernel) else 1) * extra))
+
+
+def fixed_turned(g, phase):
+    if phase is None:
+        return g
+    c, z = fixed_rotation(phase)
+    return [part(a, c) + part(b, z) for a, b in zip(g, quarter(g))]
+
+
+def fixed_gradient(kernel, words, phase):
+    g = fixed.gradient(kernel.dims, words)
+    if kernel.dims == 2:
+        parts = exact.direction(2, words)
+        g = [x * (4096 + 3 * fixed.extra(2, parts)) * 2**8 for x in parts]
+    return fixed_turned(g, phase)
+
+
+def fixed_perlin(words_of, fractions, phase):
+    """The value and the derivatives."""
+    def ramp(_, words, d):
+        r, extra = fixed_direction(words, d, phase)
+        return s32(r + (r >> 9) * extra)
+
+    def gradient(dims, words):
+        return fixed_turned(fixed.gradient(dims, words), phase)
+    return fixed.perlin(OCTAHEDRAL, words_of, fractions, True, ramp, gradient)
+
+
+def fixed_weight(kernel, t):
+    """W and E."""
+    q = u32(t * t + 2**15) >> 16
+    cube = u32(q * t + 2**13) >> 14
+    if kernel.dims == 4 or (kernel.dims == 2 and is_smooth(kernel)):
+        return cube, 6 * q
+    if kernel.dims == 2:
+        u = u32(t * (66560 - t) + 2**15) >> 16
+        return u32(q * u + 2**10) >> 11, s32(q * (49920 - t) + 2**10) >> 11
+    if is_smooth(kernel):
+        return u32((u32(q * q + 2**15) >> 16) * t + 2**11) >> 12, None
+    return u32(q * q + 2**13) >> 14, 2 * cube
+
+
+def fixed_simplex(kernel, words_of, fractions, phase=None):
+    """v in units of 2^-21, and the derivatives in units of 2^-19."""
+    total, along = 0, [0] * kernel.dims
+    for point in points(kernel):
+        d = [kernel.steps * f - int(x * ONE) for f, x in zip(fractions, point)]
+        n = sum(x * x for x in d) >> 10
+        t = np.minimum((np.maximum(int(kernel.radius * 2**30) - kernel.fall * n, 0) + 2**13) >> 14, 65535)
+        near, words = t > 0, words_of(halves(point))
+        w, fall = fixed_weight(kernel, t)
+        d = [np.where(near, x, 0) for x in d]
+        ramp = fixed_ramp(kernel, words, d, phase)
+        total = total + np.where(near, part(ramp, w), 0)
+        if fall is not None:
+            g, k = fixed_gradient(kernel, words, phase), part(ramp, fall)
+            along = [e + np.where(near, (part(a, w) >> 2) - 2 * part(k, x >> 2), 0) for e, a, x in zip(along, g, d)]
+    scale = kernel.scale * (2 if kernel.dims == 4 else 1)
+
+    def scaled(n):
+        return s32((s32(n + 256) >> 9) * scale + 256) >> 9
+    return scaled(s32(total)), [kernel.steps * scaled(s32(e)) for e in along]

@@ -1,0 +1,267 @@
+"""How large a sum over the points of a lattice (docs/contract.md, section 13) and its derivatives can be, proven.
+
+The noise is S * sum w(t) (g.d) over the lattice points, t = max(0, r - m |d|^2), with d the offset from the point in
+steps. Along a vector u its derivative is made of g.v, with
+
+    VALUE                w d                                             the noise itself
+    along u              w u - 2 m w' (d.u) d                            u an axis, a unit vector or (+-1, .., +-1)
+    along u and then s   -2 m w' ((d.s) u + (d.u) s + (u.s) d) + 4 m^2 w'' (d.s) (d.u) d
+
+Each is linear in each gradient, so its supremum over the gradients is the sum of h(v), h the support function. The L1
+norm of the gradient is the largest derivative along (+-1, .., +-1). As the noise is twice and its derivative once
+continuously differentiable, these bound how much both change for each change of the largest coordinate.
+
+Each sum is bounded by branch and bound over places in [0, 1/2]^n, in steps. That is enough: the lattice has a point at 0
+and at every whole step along an axis, so a reflection brings any place to [0, 1/2]^n if the lattice is centred. The
+rows of triangles are a step apart, and every second is shifted by half a step; half a turn about (1/4, 1/2) maps them to
+each other. Reflections and half turns change only the signs of components, of which h does not depend. Derivatives are
+taken for all signs of s, and on the plane along each axis. In a centred lattice axes may be exchanged.
+
+In a box g.v is bounded by its values at the vertices and its second derivatives along the axes, as in boxes.py. These
+are sums of products, of whose factors a Jet has bounds. w' is once continuously differentiable and its second derivative
+is bounded, which is enough. The third line is bounded by the value in the middle and the first derivatives, so it is less
+tight.
+"""
+
+from __future__ import annotations
+
+import functools
+import itertools
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from bounds.boxes import Boxes, cell, supremum
+from bounds.gradients import OCTAHEDRAL, UNIT, Gradient, longest, of_directions
+from bounds.weights import CUBE, FIFTH, FOURTH, PLANE, Weight
+
+
+@dataclass(frozen=True, eq=False)
+class Kernel:
+    """The sum of a noise. `visited` points at most are looked at, anywhere."""
+    dims: int
+    radius: float  # r
+    fall: int  # m
+    scale: int  # 1024 S
+    visited: int
+    weight: Weight
+    more: float | None = 1.0  # L
+    triangles: bool = False
+
+    @property
+    def steps(self) -> int:
+        """To a cell."""
+        return 2 if self.triangles else 1
+
+    @functools.cached_property
+    def gradient(self) -> Gradient:
+        return OCTAHEDRAL if self.more is None else of_directions(self.more)
+
+    @functools.cached_property
+    def longest(self) -> float:
+        """The largest length of a gradient."""
+        return math.sqrt(2) if self.more is None else longest(self.dims, self.more)
+
+    @functools.cached_property
+    def points(self) -> tuple[tuple[float, ...], ...]:
+        """Those that are near enough to count somewhere in [0, 1/2]^n."""
+        if self.triangles:
+            every = [(i + (j & 1) / 2, float(j)) for i in range(-2, 3) for j in range(-2, 3)]
+        else:
+            corners = list(itertools.product((-1.0, 0.0, 1.0), repeat=self.dims))
+            every = corners + [tuple(x + 0.5 for x in corner) for corner in corners]
+        return tuple(point for point in every if self.fall * sum(max(-x, x - 0.5, 0.0) ** 2 for x in point)
+                     < self.radius)
+
+
+SIMPLEX = {2: Kernel(2, 819 / 1024, 1, 1653, 3, PLANE, 3 / 8, triangles=True), 3: Kernel(3, 1.0, 2, 6570, 4, FOURTH),
+           4: Kernel(4, 1.0, 2, 4298, 4, CUBE, None)}
+SMOOTH = {2: Kernel(2, 1.0, 1, 2428, 4, CUBE, 3 / 8, triangles=True), 3: Kernel(3, 0.75, 1, 3901, 8, FIFTH, 2.0)}
+
+
+# --- What is summed ---------------------------------------------------------------------------------------------------
+
+@dataclass(frozen=True)
+class Quantity:
+    """Its derivative along no, one or two vectors."""
+    along: tuple[tuple[float, ...], ...] = ()
+
+
+VALUE = Quantity()
+
+
+def dot(d: np.ndarray, u: tuple[float, ...]) -> np.ndarray:
+    return sum(x * y for x, y in zip(d, u))
+
+
+def vector(kernel: Kernel, quantity: Quantity, d: np.ndarray) -> np.ndarray:
+    """v at offsets: axes by places."""
+    m, t = kernel.fall, np.maximum(kernel.radius - kernel.fall * (d * d).sum(axis=0), 0.0)
+    w, dw, ddw = (kernel.weight.derivative(order, t) for order in range(3))
+    if not quantity.along:
+        return w * d
+    u = quantity.along[0]
+    column, of_u = np.array(u)[:, None], dot(d, u)
+    if len(quantity.along) == 1:
+        return w * column - 2 * m * dw * of_u * d
+    s = quantity.along[1]
+    of_s = dot(d, s)
+    return (-2 * m * dw * (of_s * column + of_u * np.array(s)[:, None] + np.dot(u, s) * d)
+            + 4 * m * m * ddw * of_s * of_u * d)
+
+
+def attained(kernel: Kernel, quantity: Quantity, support, place: np.ndarray) -> np.ndarray:
+    """The sum at places: axes by places. The gradients may be different at each place."""
+    return sum(support(vector(kernel, quantity, place - np.array(point)[:, None])) for point in kernel.points)
+
+
+# --- Second derivatives -----------------------------------------------------------------------------------------------
+
+@dataclass(frozen=True)
+class Jet:
+    """Bounds of |f|, |f'| and |f''| along an axis, in each box."""
+    value: np.ndarray | float
+    first: np.ndarray | float = 0.0
+    second: np.ndarray | float = 0.0
+
+    def __mul__(self, other: Jet) -> Jet:
+        return Jet(self.value * other.value, self.first * other.value + self.value * other.first,
+                   self.second * other.value + 2 * self.first * other.first + self.value * other.second)
+
+    def __add__(self, other: Jet) -> Jet:
+        return Jet(self.value + other.value, self.first + other.first, self.second + other.second)
+
+    def times(self, factor: float) -> Jet:
+        return Jet(self.value * factor, self.first * factor, self.second * factor)
+
+
+@dataclass(frozen=True)
+class Offsets:
+    """Of one lattice point, in each box: the middle of d, half a side, the largest |d_i|, and the least and largest t."""
+    middle: np.ndarray
+    half: float
+    size: np.ndarray
+    least: np.ndarray
+    largest: np.ndarray
+
+    @staticmethod
+    def of(kernel: Kernel, boxes: Boxes, point: tuple[float, ...]) -> Offsets:
+        half = boxes.side / 2
+        middle = boxes.lo + half - np.array(point)[:, None]
+        size, near = np.abs(middle) + half, np.maximum(np.abs(middle) - half, 0.0)
+        least, largest = (np.maximum(kernel.radius - kernel.fall * (d * d).sum(axis=0), 0.0) for d in (size, near))
+        return Offsets(middle, half, size, least, largest)
+
+    def along(self, u: tuple[float, ...]) -> np.ndarray:
+        """The largest |d.u|."""
+        return np.abs(dot(self.middle, u)) + self.half * sum(map(abs, u))
+
+
+def weight_jet(kernel: Kernel, offsets: Offsets, axis: int, order: int = 0) -> Jet:
+    """Of a derivative of the weight by t. t has the derivatives -2 m d and -2 m along the axis."""
+    sizes = [np.where(offsets.largest > 0, kernel.weight.size(order + i, offsets.least, offsets.largest), 0.0)
+             for i in range(3)]
+    m, d = kernel.fall, offsets.size[axis]
+    return Jet(sizes[0], 2 * m * d * sizes[1], (2 * m * d) ** 2 * sizes[2] + 2 * m * sizes[1])
+
+
+def reach_along(gradient: Gradient, u: tuple[float, ...]) -> float:
+    """h(u)."""
+    return float(gradient.support(np.array(u)[:, None])[0])
+
+
+def jet(kernel: Kernel, quantity: Quantity, gradient: Gradient, offsets: Offsets, axis: int) -> Jet:
+    """Of g.v along an axis, for any gradient."""
+    m, unit = kernel.fall, tuple(float(i == axis) for i in range(kernel.dims))
+    ramp = Jet(gradient.support(offsets.size), reach_along(gradient, unit))
+    if not quantity.along:
+        return weight_jet(kernel, offsets, axis) * ramp
+
+    def of(u: tuple[float, ...]) -> Jet:
+        return Jet(offsets.along(u), abs(u[axis]))
+    u, slope = quantity.along[0], weight_jet(kernel, offsets, axis, 1)
+    of_u = Jet(reach_along(gradient, u))
+    if len(quantity.along) == 1:
+        return weight_jet(kernel, offsets, axis) * of_u + (slope * of(u) * ramp).times(2 * m)
+    s = quantity.along[1]
+    lines = of(s) * of_u + of(u) * Jet(reach_along(gradient, s)) + ramp.times(abs(np.dot(u, s)))
+    return ((slope * lines).times(2 * m)
+            + (weight_jet(kernel, offsets, axis, 2) * of(s) * of(u) * ramp).times(4 * m * m))
+
+
+# --- Suprema ----------------------------------------------------------------------------------------------------------
+
+LEVELS = {2: 14, 3: 9, 4: 8}
+TOLERANCE = {2: 1e-5, 3: 1e-5, 4: 1e-5}  # relative: how tight a bound is
+LOOSE = {2: 0.01, 3: 0.1, 4: 0.2}  # of second derivatives
+
+
+def vertices_and_curvature(kernel, quantity, gradient, boxes):
+    value = np.maximum.reduce([attained(kernel, quantity, gradient.support, place) for place in boxes.vertices()])
+    second = 0.0
+    for point in kernel.points:
+        offsets = Offsets.of(kernel, boxes, point)
+        second = second + sum(jet(kernel, quantity, gradient, offsets, axis).second for axis in range(kernel.dims))
+    return value + second / 8 * boxes.side**2, value
+
+
+def middle_and_slope(kernel, quantity, gradient, boxes):
+    value, first = attained(kernel, quantity, gradient.support, boxes.lo + boxes.side / 2), 0.0
+    for point in kernel.points:
+        offsets = Offsets.of(kernel, boxes, point)
+        first = first + sum(jet(kernel, quantity, gradient, offsets, axis).first for axis in range(kernel.dims))
+    return value + first / 2 * boxes.side, value
+
+
+@functools.cache
+def largest(kernel: Kernel, quantity: Quantity, gradient: Gradient, same_axes_from: int = 0) -> float:
+    """A proven upper bound of the sum, not scaled, in steps. From an axis on, axes may be exchanged."""
+    twice = len(quantity.along) == 2
+    of_boxes = functools.partial(middle_and_slope if twice else vertices_and_curvature, kernel, quantity, gradient)
+    exchange = kernel.dims - 1 if kernel.triangles else min(same_axes_from, kernel.dims - 1)
+    return supremum(of_boxes, cell(kernel.dims, half=True), LEVELS[kernel.dims],
+                    (LOOSE if twice else TOLERANCE)[kernel.dims], exchange)
+
+
+def axes(kernel: Kernel) -> list[tuple[float, ...]]:
+    """Those that are different: on the plane both."""
+    count = kernel.dims if kernel.triangles else 1
+    return [tuple(float(axis == i) for i in range(kernel.dims)) for axis in range(count)]
+
+
+def signs(kernel: Kernel, first: int = 0) -> Iterator[tuple[tuple[float, ...], int]]:
+    """(+-1, .., +-1) with +1 before the axis `first`, but for the sign of all and, from `first` on, an exchange of axes;
+    with the axis from which on axes may then be exchanged."""
+    free = kernel.dims - first
+    for minus in range(free + 1 if first else free // 2 + 1):
+        yield (1.0,) * first + (-1.0,) * minus + (1.0,) * (free - minus), first + minus
+
+
+def reach(kernel: Kernel, turns: bool) -> tuple[Gradient, float]:
+    """Gradients, and what is multiplied with them, that contain all."""
+    return (UNIT, kernel.longest) if turns else (kernel.gradient, 1.0)
+
+
+def range_of(kernel: Kernel, gradient: Gradient) -> float:
+    """Of the sum, not scaled."""
+    return largest(kernel, VALUE, gradient)
+
+
+def slope_of(kernel: Kernel, gradient: Gradient) -> float:
+    """The largest derivative, per step."""
+    return max(largest(kernel, Quantity((axis,)), gradient, 1) for axis in axes(kernel))
+
+
+def lipschitz_of(kernel: Kernel, gradient: Gradient) -> float:
+    return max(largest(kernel, Quantity((sign,)), gradient, same) for sign, same in signs(kernel))
+
+
+def slope_lipschitz_of(kernel: Kernel) -> float:
+    """Of all gradients as long as the longest one: this is the least tight, and the least important."""
+    if kernel.triangles:
+        pairs = [(axis, sign, 2) for axis in axes(kernel) for sign in ((1.0, 1.0), (1.0, -1.0))]
+    else:
+        pairs = [(axes(kernel)[0], sign, same) for sign, same in signs(kernel, 1)]
+    return kernel.longest * max(largest(kernel, Quantity((axis, sign)), UNIT, same) for axis, sign, same in pairs)

@@ -1,0 +1,53 @@
+"""hn_simplex: what is proven of it, from docs/contract.md, section 13. kernels.py has its range and slopes,
+kernel_floats.py and kernel_fixed.py its errors; here they are put together, for all noises of this kind."""
+
+from __future__ import annotations
+
+from bounds import kernel_fixed, kernel_floats, kernels, turns
+from bounds.floats import position_error
+from bounds.gradients import Gradient
+from bounds.kernels import SIMPLEX, Kernel
+from bounds.noises import Derived, listed
+
+CASES = tuple((dims, None) for dims in SIMPLEX)
+
+
+def derived_value(kernel: Kernel, turning: bool = False) -> Derived:
+    gradient, longest = kernels.reach(kernel, turning)
+    scale = kernel.scale / 1024
+    exact = scale * (turns.range_of(kernel) if turning else kernels.range_of(kernel, gradient))
+    lipschitz = kernel.steps * scale * longest * kernels.lipschitz_of(kernel, gradient)
+    cell_error = kernel_floats.error_bound(kernel, turning)
+    error = position_error(cell_error, lipschitz)
+    parts = kernel_fixed.error_parts(kernel, turning, lipschitz)
+    return Derived(1.0, exact, lipschitz, cell_error, error, exact + error, kernel_fixed.total(parts),
+                   exact + kernel_fixed.without_cut(parts), parts)
+
+
+def derived_slope(kernel: Kernel, turning: bool = False) -> Derived:
+    gradient, longest = kernels.reach(kernel, turning)
+    scale = kernel.steps * kernel.scale / 1024
+    exact = scale * longest * kernels.slope_of(kernel, gradient)
+    lipschitz = kernel.steps * scale * kernels.slope_lipschitz_of(kernel)
+    cell_error = kernel_floats.slope_error_bound(kernel, turning)
+    error = position_error(cell_error, lipschitz)
+    parts = kernel_fixed.slope_error_parts(kernel, turning, lipschitz)
+    return Derived(0.0, exact, lipschitz, cell_error, error, exact + error, kernel_fixed.total(parts),
+                   exact + kernel_fixed.without_cut(parts), parts)
+
+
+def derive(dims: int, _: Gradient | None) -> Derived:
+    return derived_value(SIMPLEX[dims])
+
+
+def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
+    return kernel_fixed.largest_intermediates(SIMPLEX[dims], False)
+
+
+def quotes() -> list[tuple[str, str]]:
+    return [("docs/accuracy.md", f"`hn_simplex` stays below {listed([derive(*case).range for case in CASES])} in 2D to 4D")]
+
+
+def describe(dims: int, _: Gradient | None) -> dict[str, object]:
+    return {"scale": SIMPLEX[dims].scale / 1024,
+            "error_from_cell_to_nearest": kernel_floats.error_bound(SIMPLEX[dims], False, 0.5)}

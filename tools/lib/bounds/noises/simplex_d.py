@@ -1,0 +1,29 @@
+"""hn_simplex_d: hn_simplex with its derivatives. The value is computed in the same steps, so it has the same bounds."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from bounds import kernel_fixed, kernel_floats
+from bounds.gradients import Gradient
+from bounds.kernels import SIMPLEX
+from bounds.noises import Derived, simplex
+
+CASES = simplex.CASES
+
+
+def derive(dims: int, gradient: Gradient | None) -> Derived:
+    return replace(simplex.derive(dims, gradient), slope=simplex.derived_slope(SIMPLEX[dims]))
+
+
+def largest_intermediates(dims: int, gradient: Gradient | None) -> dict[str, float]:
+    return (simplex.largest_intermediates(dims, gradient)
+            | kernel_fixed.largest_slope_intermediates(SIMPLEX[dims], False))
+
+
+def quotes() -> list[tuple[str, str]]:
+    return []
+
+
+def describe(dims: int, _: Gradient | None) -> dict[str, object]:
+    return {"slope_error_from_cell_to_nearest": kernel_floats.slope_error_bound(SIMPLEX[dims], False, 0.5)}

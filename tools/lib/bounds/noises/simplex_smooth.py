@@ -1,0 +1,27 @@
+"""hn_simplex_smooth: as simplex.py, with larger kernels."""
+
+from __future__ import annotations
+
+from bounds import kernel_fixed, kernel_floats
+from bounds.gradients import Gradient
+from bounds.kernels import SMOOTH
+from bounds.noises import Derived, listed, simplex
+
+CASES = tuple((dims, None) for dims in SMOOTH)
+
+
+def derive(dims: int, _: Gradient | None) -> Derived:
+    return simplex.derived_value(SMOOTH[dims])
+
+
+def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
+    return kernel_fixed.largest_intermediates(SMOOTH[dims], False)
+
+
+def quotes() -> list[tuple[str, str]]:
+    return [("docs/accuracy.md", f"`hn_simplex_smooth` below {listed([derive(*case).range for case in CASES])} in 2D")]
+
+
+def describe(dims: int, _: Gradient | None) -> dict[str, object]:
+    return {"scale": SMOOTH[dims].scale / 1024,
+            "error_from_cell_to_nearest": kernel_floats.error_bound(SMOOTH[dims], False, 0.5)}
