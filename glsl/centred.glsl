@@ -59,8 +59,8 @@ HN_FN hn_num hn_i_ramp_of(hn_uint h, hn_num x, hn_num y, hn_num z) {
   return hn_i_ramp(hn_i_direction3(h), hn_i_turned(hn_i_plus(x, y)), hn_i_turned(hn_i_minus(x, y)), hn_i_upright(z));
 }
 
-// A sum of weighted ramps is at most 1024 / 6570 in space, with turned gradients too, and 1024 / 4298 in four dimensions
-// (tools/bounds).
+// A sum of weighted ramps is at most 1024 / 6570 in space, with turned gradients too, and 1024 / 4298 in four
+// dimensions (tools/bounds).
 HN_FN hn_num hn_i_scaled_simplex3(hn_num n) { return hn_i_scaled(n, 6570); }
 HN_FN hn_num hn_i_scaled_simplex4(hn_num n) { return hn_i_scaled_ramps(n, 4298); }
 

@@ -6,7 +6,7 @@
 
 #include "simplex_d2d.glsl"
 
-HN_FN hn_vec2 hn_i_curl(hn_vec3 d) { return vec2(d.z, -d.y); }
+HN_FN hn_vec2 hn_i_curl(hn_vec3 d) { return vec2(d.z, hn_i_minus(0.0f, d.y)); }
 
 // The curl of hn_simplex on the plane, from a cell and a position in it: a field of velocities that neither flows
 // together nor apart. What it carries turns round the hills and hollows of the noise, along lines of equal height.

@@ -36,8 +36,8 @@ HN_FN hn_vec3 hn_i_curl(hn_vec4 n, hn_vec4 m) {
               hn_i_crossed(hn_i_velocity(a.x, b.y, a.y, b.x)));
 }
 
-// The cross product of the gradients of two simplex noises, from a cell and a position in it: a field of velocities that
-// neither flows together nor apart. What it carries stays on the surfaces on which both noises are constant.
+// The cross product of the gradients of two simplex noises, from a cell and a position in it: a field of velocities
+// that neither flows together nor apart. What it carries stays on the surfaces on which both noises are constant.
 //   cell     the cell; its points wrap at 2^32
 //   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats have no promise
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields

@@ -131,7 +131,8 @@ HN_FN hn_num hn_i_ramp(hn_num4 d, hn_num u, hn_num v, hn_num w) {
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Gradients that turn with a phase. On the plane all turn alike. In space each turns in the plane of the two axes along
-// which it is longest; its component along the third shrinks to nothing in a quarter of a turn, and comes back negative.
+// which it is longest; its component along the third shrinks to nothing in a quarter of a turn, and comes back
+// negative.
 
 // Along which axis a direction in space is shortest: chooses among what belongs to x, to y and to z.
 HN_FN hn_num hn_i_by_shortest(hn_num4 d, hn_num x, hn_num y, hn_num z) {

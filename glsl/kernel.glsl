@@ -18,15 +18,15 @@
 //   hn_i_near(q, s, m)         s / 1024 - m q, or 0 beyond the radius, where that is negative. In HN_FIXED it is in
 //                              units of 2^-16 and below 1. m is 1 or 2: 2 gives the weights of a small radius more bits
 //   hn_i_weight3(t), ...       the weight of a point: t^3, t^4, 4 t^5, and of the plane t^3 (3 - 2 t). Each makes the
-//                              noise twice continuously differentiable. They were chosen by tools/quality, so that the
-//                              noise does not show its lattice
+//                              noise twice continuously differentiable. They were chosen with tools/quality, so that
+//                              noise shows little of its lattice
 //   hn_i_fall3(t, m), ...      how the weight falls: 2 m times its derivative by t; in HN_FIXED an eighth of that
 //   hn_i_attenuated(n, w)      n times a weight or a fall
 //   hn_i_lean(g, w, k, x)      what a point adds to a derivative: g w - k x, of the component g of its gradient, its
 //                              weight w, its ramp k times the fall, and the offset x. HN_FIXED: in units four times as
 //                              large
-//   hn_i_bump_d(r, g, ...)     the value and the derivatives of a weight times a ramp r, from its gradient g, the offset,
-//                              the weight and its fall
+//   hn_i_bump_d(r, g, ...)     the value and the derivatives of a weight times a ramp r, from its gradient g, the
+//                              offset, the weight and its fall
 //   hn_i_added(a, b)           the sum of such vectors
 //
 // At the radius and beyond it a weight is 0: HN_FIXED rounds the square down to a multiple of 2^-30, and the radius is

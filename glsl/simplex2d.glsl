@@ -25,9 +25,9 @@ HN_FN hn_num hn_i_simplex(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_uint see
   return hn_i_simplex(hn_i_triangle(cell, skewed, period, seed), skewed);
 }
 
-// Simplex noise on the plane, from a cell and a position in it: gradient noise on a triangular
-// lattice. It has no visible axes. There are four lattice points to a cell, so its features are about half as large as
-// those of hn_perlin.
+// Simplex noise on the plane, from a cell and a position in it: gradient noise on a triangular lattice. It does not
+// prefer the axes. There are four lattice points to a cell, so its features are about half as large as those of
+// hn_perlin.
 //   cell     the cell; its points wrap at 2^32
 //   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats have no promise
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
@@ -35,8 +35,8 @@ HN_FN hn_num hn_i_simplex(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_uint see
 //            (HN_FIXED: in steps of 2^-21)
 //   error    at most 3.46e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 1.52e-4
 //   period   2^31 cells per axis
-//   cost     3 hashes (none with HN_HASH_LATTICE) and 3 multiplications; 2 more to spread the coordinates, and 2 more for a
-//            seed that is not constant
+//   cost     3 hashes (none with HN_HASH_LATTICE) and 3 multiplications; 2 more to spread the coordinates, and 2 more
+//            for a seed that is not constant
 //   source   Perlin, "Noise hardware", 2001, for the sum over the corners of a simplex; docs/contract.md, section 13
 HN_FN hn_float hn_simplex(hn_ivec2 cell, hn_vec2 f, hn_uint seed) {
   return hn_i_value(hn_i_simplex(cell, hn_i_inside(f), seed));
@@ -62,8 +62,8 @@ HN_FN hn_float hn_simplex(hn_vec2 p) { return hn_simplex(p, 0u); }
 //   period   cells along each axis, any ivec2; 0 for none along that axis. Less than 0 is none, too
 //   seed     any uint: 7u, not 7
 //   error    as without a period
-//   cost     a mask along each axis more for a constant power of two; else a division. Each point has two comparisons more
-//            and up to two multiplications
+//   cost     a mask along each axis more for a constant power of two; else a division. Each point has two comparisons
+//            more and up to two multiplications
 HN_FN hn_float hn_simplex(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_uint seed) {
   return hn_i_value(hn_i_simplex(cell, hn_i_inside(f), period, seed));
 }

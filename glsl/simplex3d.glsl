@@ -29,9 +29,9 @@ HN_FN hn_num hn_i_simplex(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_uint see
   return hn_i_simplex(first, hn_i_last(first, c, period), hn_i_before(c, period), f, seed);
 }
 
-// Simplex noise in space, from a cell and a position in it: gradient noise on the body-centred
-// lattice, the corners and centres of all cells. Slices along an axis differ: they are sharpest where z is a multiple of
-// 1/2. To show a slice that moves, tilt it, or move it along the lattice's diagonals.
+// Simplex noise in space, from a cell and a position in it: gradient noise on the body-centred lattice, the corners and
+// centres of all cells. Slices across an axis differ a little: where z is a multiple of 1/2 they have less contrast than
+// in between. Tilted slices are alike (docs/quality.md).
 //   cell     the cell; its points wrap at 2^32
 //   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats have no promise
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
@@ -39,8 +39,8 @@ HN_FN hn_num hn_i_simplex(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_uint see
 //            (HN_FIXED: in steps of 2^-21)
 //   error    at most 5.84e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 1.29e-4
 //   period   2^32 cells per axis
-//   cost     4 hashes (none with HN_HASH_LATTICE) and 4 multiplications; 3 more to spread the coordinates, and 2 more for a
-//            seed that is not constant
+//   cost     4 hashes (none with HN_HASH_LATTICE) and 4 multiplications; 3 more to spread the coordinates, and 2 more
+//            for a seed that is not constant
 //   source   Perlin, "Noise hardware", 2001, for the sum over lattice points; docs/contract.md, section 13
 HN_FN hn_float hn_simplex(hn_ivec3 cell, hn_vec3 f, hn_uint seed) {
   return hn_i_value(hn_i_simplex(cell, hn_i_inside(f), seed));
@@ -66,8 +66,8 @@ HN_FN hn_float hn_simplex(hn_vec3 p) { return hn_simplex(p, 0u); }
 //   period   cells along each axis, any ivec3; 0 for none along that axis. Less than 0 is none, too
 //   seed     any uint: 7u, not 7
 //   error    as without a period
-//   cost     a mask along each axis more for a constant power of two; else a division. Each axis has three comparisons and a
-//            multiplication more
+//   cost     a mask along each axis more for a constant power of two; else a division. Each axis has three comparisons
+//            and a multiplication more
 HN_FN hn_float hn_simplex(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_uint seed) {
   return hn_i_value(hn_i_simplex(cell, hn_i_inside(f), period, seed));
 }

@@ -30,8 +30,9 @@ HN_FN hn_num hn_i_simplex(hn_ivec4 cell, hn_num4 f, hn_ivec4 period, hn_uint see
   return hn_i_simplex(first, hn_i_last(first, c, period), hn_i_before(c, period), f, seed);
 }
 
-// Simplex noise in four dimensions, from a cell and a position in it: gradient noise on the corners
-// and centres of all cells. Four points are enough, where the lattice of simplices would take five and a sort.
+// Simplex noise in four dimensions, from a cell and a position in it: gradient noise on the corners and centres of all
+// cells. Four points are enough, where the lattice of simplices would take five and a sort. Where two coordinates stay
+// fixed the contrast depends on them: it is least at vec2(1/2, 0), midway between corners and centres.
 //   cell     the cell; its points wrap at 2^32
 //   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats have no promise
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
@@ -39,8 +40,8 @@ HN_FN hn_num hn_i_simplex(hn_ivec4 cell, hn_num4 f, hn_ivec4 period, hn_uint see
 //            (HN_FIXED: in steps of 2^-21)
 //   error    at most 5.52e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 1.22e-4
 //   period   2^32 cells per axis
-//   cost     4 hashes (none with HN_HASH_LATTICE) and 4 multiplications; 4 more to spread the coordinates, and 2 more for a
-//            seed that is not constant
+//   cost     4 hashes (none with HN_HASH_LATTICE) and 4 multiplications; 4 more to spread the coordinates, and 2 more
+//            for a seed that is not constant
 //   source   Perlin, "Noise hardware", 2001, for the sum over lattice points; docs/contract.md, section 13
 HN_FN hn_float hn_simplex(hn_ivec4 cell, hn_vec4 f, hn_uint seed) {
   return hn_i_value(hn_i_simplex(cell, hn_i_inside(f), seed));
@@ -66,8 +67,8 @@ HN_FN hn_float hn_simplex(hn_vec4 p) { return hn_simplex(p, 0u); }
 //   period   cells along each axis, any ivec4; 0 for none along that axis. Less than 0 is none, too
 //   seed     any uint: 7u, not 7
 //   error    as without a period
-//   cost     a mask along each axis more for a constant power of two; else a division. Each axis has three comparisons and a
-//            multiplication more
+//   cost     a mask along each axis more for a constant power of two; else a division. Each axis has three comparisons
+//            and a multiplication more
 HN_FN hn_float hn_simplex(hn_ivec4 cell, hn_vec4 f, hn_ivec4 period, hn_uint seed) {
   return hn_i_value(hn_i_simplex(cell, hn_i_inside(f), period, seed));
 }

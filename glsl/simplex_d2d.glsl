@@ -20,8 +20,8 @@ HN_FN hn_vec3 hn_i_simplex_d(hn_uvec3 h, hn_num2 skewed) {
   hn_num3 n = hn_i_added(
       hn_i_added(hn_i_bump_d(h.x, x.x, y.x, t.x), hn_i_bump_d(h.y, x.y, y.y, t.y)),
       hn_i_bump_d(h.z, x.z, y.z, t.z));
-  return vec3(hn_i_value(hn_i_scaled_simplex2(n.x)), hn_i_derivative(hn_i_scaled_simplex2(n.y)) * 2.0f,
-              hn_i_derivative(hn_i_scaled_simplex2(n.z)) * 2.0f);
+  return vec3(hn_i_value(hn_i_scaled_simplex2(n.x)), hn_i_per_cell(hn_i_derivative(hn_i_scaled_simplex2(n.y))),
+              hn_i_per_cell(hn_i_derivative(hn_i_scaled_simplex2(n.z))));
 }
 HN_FN hn_vec3 hn_i_simplex_d(hn_ivec2 cell, hn_num2 f, hn_uint seed) {
   hn_num2 skewed = hn_i_skewed(f);
@@ -65,8 +65,8 @@ HN_FN hn_vec3 hn_simplex_d(hn_vec2 p) { return hn_simplex_d(p, 0u); }
 //   period   cells along each axis, any ivec2; 0 for none along that axis. Less than 0 is none, too
 //   seed     any uint: 7u, not 7
 //   error    as without a period
-//   cost     a mask along each axis more for a constant power of two; else a division. Each point has two comparisons more
-//            and up to two multiplications
+//   cost     a mask along each axis more for a constant power of two; else a division. Each point has two comparisons
+//            more and up to two multiplications
 HN_FN hn_vec3 hn_simplex_d(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_uint seed) {
   return hn_i_simplex_d(cell, hn_i_inside(f), period, seed);
 }

@@ -68,8 +68,8 @@ HN_FN hn_vec4 hn_simplex_d(hn_vec3 p) { return hn_simplex_d(p, 0u); }
 //   period   cells along each axis, any ivec3; 0 for none along that axis. Less than 0 is none, too
 //   seed     any uint: 7u, not 7
 //   error    as without a period
-//   cost     a mask along each axis more for a constant power of two; else a division. Each axis has three comparisons and a
-//            multiplication more
+//   cost     a mask along each axis more for a constant power of two; else a division. Each axis has three comparisons
+//            and a multiplication more
 HN_FN hn_vec4 hn_simplex_d(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_uint seed) {
   return hn_i_simplex_d(cell, hn_i_inside(f), period, seed);
 }

@@ -45,7 +45,8 @@ HN_FN hn_float hn_i_simplex_d(hn_ivec4 cell, hn_num4 f, hn_ivec4 period, hn_uint
   return hn_i_simplex_d(first, hn_i_last(first, c, period), hn_i_before(c, period), f, seed, gradient);
 }
 
-// Simplex noise in four dimensions and how steep it is, from a cell and a position in it. The value is that of hn_simplex.
+// Simplex noise in four dimensions and how steep it is, from a cell and a position in it. The value is that of
+// hn_simplex.
 //   cell     the cell; its points wrap at 2^32
 //   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats have no promise
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
@@ -82,8 +83,8 @@ HN_FN hn_float hn_simplex_d(hn_vec4 p, HN_I_OUT(hn_vec4) gradient) { return hn_s
 //   period   cells along each axis, any ivec4; 0 for none along that axis. Less than 0 is none, too
 //   seed     any uint: 7u, not 7
 //   error    as without a period
-//   cost     a mask along each axis more for a constant power of two; else a division. Each axis has three comparisons and a
-//            multiplication more
+//   cost     a mask along each axis more for a constant power of two; else a division. Each axis has three comparisons
+//            and a multiplication more
 HN_FN hn_float hn_simplex_d(hn_ivec4 cell, hn_vec4 f, hn_ivec4 period, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
   return hn_i_simplex_d(cell, hn_i_inside(f), period, seed, gradient);
 }

@@ -39,8 +39,8 @@ HN_FN hn_vec3 hn_i_simplex_turned_d(hn_uvec3 h, hn_num2 skewed, hn_num2 rotation
   hn_num3 n = hn_i_added(
       hn_i_added(hn_i_turned_bump_d(h.x, x.x, y.x, t.x, rotation), hn_i_turned_bump_d(h.y, x.y, y.y, t.y, rotation)),
       hn_i_turned_bump_d(h.z, x.z, y.z, t.z, rotation));
-  return vec3(hn_i_value(hn_i_scaled_simplex2(n.x)), hn_i_derivative(hn_i_scaled_simplex2(n.y)) * 2.0f,
-              hn_i_derivative(hn_i_scaled_simplex2(n.z)) * 2.0f);
+  return vec3(hn_i_value(hn_i_scaled_simplex2(n.x)), hn_i_per_cell(hn_i_derivative(hn_i_scaled_simplex2(n.y))),
+              hn_i_per_cell(hn_i_derivative(hn_i_scaled_simplex2(n.z))));
 }
 HN_FN hn_vec3 hn_i_simplex_turned_d(hn_ivec2 cell, hn_num2 f, hn_num2 rotation, hn_uint seed) {
   hn_num2 skewed = hn_i_skewed(f);

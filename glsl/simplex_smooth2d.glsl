@@ -60,8 +60,8 @@ HN_FN hn_num hn_i_simplex_smooth(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_u
 }
 
 // Smooth simplex noise on the plane, from a cell and a position in it. The kernel is a quarter larger than
-// that of hn_simplex, in the square of its radius, so the field is calmer. At the distance of a step the kernel ends: so
-// only the two rows around a place count, and in each the two nearest points.
+// that of hn_simplex, in the square of its radius, so the field is calmer. At the distance of a step the kernel ends:
+// so only the two rows around a place count, and in each the two nearest points.
 //   cell     the cell; its points wrap at 2^32
 //   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats have no promise
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
@@ -69,8 +69,8 @@ HN_FN hn_num hn_i_simplex_smooth(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_u
 //            (HN_FIXED: in steps of 2^-21)
 //   error    at most 2.49e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 8.13e-5
 //   period   2^31 cells per axis
-//   cost     4 hashes (none with HN_HASH_LATTICE) and 4 multiplications; 3 more to spread the coordinates, and 2 more for a
-//            seed that is not constant
+//   cost     4 hashes (none with HN_HASH_LATTICE) and 4 multiplications; 3 more to spread the coordinates, and 2 more
+//            for a seed that is not constant
 //   source   Perlin, "Noise hardware", 2001, for the sum over the corners of a simplex; docs/contract.md, section 13
 HN_FN hn_float hn_simplex_smooth(hn_ivec2 cell, hn_vec2 f, hn_uint seed) {
   return hn_i_value(hn_i_simplex_smooth(cell, hn_i_inside(f), seed));
@@ -96,8 +96,8 @@ HN_FN hn_float hn_simplex_smooth(hn_vec2 p) { return hn_simplex_smooth(p, 0u); }
 //   period   cells along each axis, any ivec2; 0 for none along that axis. Less than 0 is none, too
 //   seed     any uint: 7u, not 7
 //   error    as without a period
-//   cost     a mask along each axis more for a constant power of two; else a division. Each point has two comparisons more
-//            and up to two multiplications
+//   cost     a mask along each axis more for a constant power of two; else a division. Each point has two comparisons
+//            more and up to two multiplications
 HN_FN hn_float hn_simplex_smooth(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_uint seed) {
   return hn_i_value(hn_i_simplex_smooth(cell, hn_i_inside(f), period, seed));
 }

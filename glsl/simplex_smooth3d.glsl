@@ -43,7 +43,8 @@ HN_FN hn_num hn_i_neighbour(hn_uvec3 one, hn_uvec3 others, hn_num3 d, hn_num3 e,
 HN_FN hn_num hn_i_cube(hn_uvec3 n, hn_uvec3 m, hn_num3 d, hn_num3 e, hn_num3 size, hn_i_square_number q, hn_uint join,
                        hn_uint sum) {
   hn_num total = hn_i_plus(hn_i_plus(size.x, size.y), size.z);
-  hn_num a = hn_i_attenuated(hn_i_smooth_ramp(hn_i_word(n, join, sum), d.x, d.y, d.z), hn_i_weight5(hn_i_near(q, 768, 1)));
+  hn_num a =
+      hn_i_attenuated(hn_i_smooth_ramp(hn_i_word(n, join, sum), d.x, d.y, d.z), hn_i_weight5(hn_i_near(q, 768, 1)));
   a = hn_i_plus(a, hn_i_neighbour(uvec3(m.x, n.y, n.z), uvec3(n.x, m.y, m.z), hn_i_num(e.x, d.y, d.z),
                                   hn_i_num(d.x, e.y, e.z), size.x, total, q, join, sum));
   a = hn_i_plus(a, hn_i_neighbour(uvec3(n.x, m.y, n.z), uvec3(m.x, n.y, m.z), hn_i_num(d.x, e.y, d.z),
@@ -85,8 +86,8 @@ HN_FN hn_num hn_i_simplex_smooth(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_u
 //            (HN_FIXED: in steps of 2^-21)
 //   error    at most 6.04e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 3.60e-4
 //   period   2^32 cells per axis
-//   cost     8 hashes (none with HN_HASH_LATTICE) and 8 multiplications; 3 more to spread the coordinates, and 2 more for a
-//            seed that is not constant
+//   cost     8 hashes (none with HN_HASH_LATTICE) and 8 multiplications; 3 more to spread the coordinates, and 2 more
+//            for a seed that is not constant
 //   source   Perlin, "Noise hardware", 2001, for the sum over lattice points; docs/contract.md, section 13
 HN_FN hn_float hn_simplex_smooth(hn_ivec3 cell, hn_vec3 f, hn_uint seed) {
   return hn_i_value(hn_i_simplex_smooth(cell, hn_i_inside(f), seed));
@@ -112,8 +113,8 @@ HN_FN hn_float hn_simplex_smooth(hn_vec3 p) { return hn_simplex_smooth(p, 0u); }
 //   period   cells along each axis, any ivec3; 0 for none along that axis. Less than 0 is none, too
 //   seed     any uint: 7u, not 7
 //   error    as without a period
-//   cost     a mask along each axis more for a constant power of two; else a division. Each axis has three comparisons and a
-//            multiplication more
+//   cost     a mask along each axis more for a constant power of two; else a division. Each axis has three comparisons
+//            and a multiplication more
 HN_FN hn_float hn_simplex_smooth(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_uint seed) {
   return hn_i_value(hn_i_simplex_smooth(cell, hn_i_inside(f), period, seed));
 }

@@ -30,8 +30,8 @@ HN_FN hn_uint hn_i_doubled(hn_uint c, hn_int more, hn_int period) {
 
 // ---------------------------------------------------------------------------------------------------------------------
 // The triangle around a place. Skewed coordinates u = x + y / 2 and v = y, in steps, are whole at the points. The
-// corners of the triangle are the first corner of the skewed square around the place, its last, and between them the one
-// along u if u has more beyond a whole number than v has, else the one along v.
+// corners of the triangle are the first corner of the skewed square around the place, its last, and between them the
+// one along u if u has more beyond a whole number than v has, else the one along v.
 
 HN_FN hn_num2 hn_i_skewed(hn_num2 f) { return hn_i_num(hn_i_plus(hn_i_plus(f.x, f.x), f.y), hn_i_plus(f.y, f.y)); }
 
@@ -124,6 +124,9 @@ HN_FN hn_num hn_i_triangle_ramp(hn_uint h, hn_num x, hn_num y, hn_num2 rotation)
   hn_num3 d = hn_i_triangle_direction(h);
   return hn_i_longer(hn_i_mixed(rotation, hn_i_straight(d, x, y), hn_i_cross(d.x, y, d.y, x)), d.z);
 }
+
+// A derivative per cell, from that per step.
+HN_FN hn_float hn_i_per_cell(hn_float d) { return d * 2.0f; }
 
 // A sum of weighted ramps is at most 1024 / 3242 (tools/bounds), with turned gradients, too.
 HN_FN hn_num hn_i_scaled_simplex2(hn_num n) { return hn_i_scaled(n, 3242); }

@@ -55,11 +55,11 @@ Stencil polynomial_through_cell(const Place& place) {
 
 // Simplex noise has a polynomial for each set of points that count, and they begin to count anywhere. Its difference to
 // both sides is off by no more than the third derivative times the square of the step over 6: that needs a second
-// derivative that changes no faster, and no third one. The step is the power of two at which this and the errors of the
-// values, over the step, are about the least together.
+// derivative that changes no faster, and no third one. At the step of cbrt(3 error / third) this and the errors of the
+// values, over the step, are the least together. It is a multiple of 2^-12, which positions of this size hold exactly.
 Stencil difference_to_both_sides(const Place& place, int axes, double value_error) {
   const double third = simplex_third_derivative(axes);
-  const double step = std::clamp(std::exp2(std::round(std::log2(std::cbrt(3.0 * value_error / third)))), 0x1p-12, 0x1p-6);
+  const double step = std::max(std::round(std::cbrt(3.0 * value_error / third) * 0x1p12), 1.0) * 0x1p-12;
   return {{moved(place, -step), moved(place, step)}, {-0.5 / step, 0.5 / step}, third * step * step / 6.0};
 }
 

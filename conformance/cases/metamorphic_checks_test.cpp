@@ -189,11 +189,11 @@ TEST_F(Derivatives, FaultsAreCaught) {
        "hn_perlin_d(args) hn_perlin_d(args).xzyw"},
       {"noise3d.value_d_cell_period.lattice.fixed.fragment.gl330", "derivative", "value_d3d.glsl",
        "hn_value_d(c, f, q, args) hn_value_d(c, f, q, args).xzyw"},
-      {"noise4d.perlin_d.lattice.fast.fragment.gl330", "derivative", "arithmetic.glsl",
+      {"noise4d.perlin_d.lattice.fast.fragment.gl330", "derivative", "slope.glsl",
        "hn_i_slope(f) (0.0 * hn_i_slope(f))"},
-      {"noise2d.perlin_d.lattice.fast.fragment.gl330", "derivative", "arithmetic.glsl",
+      {"noise2d.perlin_d.lattice.fast.fragment.gl330", "derivative", "slope.glsl",
        "hn_i_slope(f) (0.0 * hn_i_slope(f))"},
-      {"noise3d.value_d.lattice.fixed.fragment.gl330", "derivative", "arithmetic.glsl",
+      {"noise3d.value_d.lattice.fixed.fragment.gl330", "derivative", "slope.glsl",
        "hn_i_slope(f) (hn_i_slope(f) / 128 * 127)"}};
   for (const Aperiodic& fault : kFaults) expect_caught(fault);
 }

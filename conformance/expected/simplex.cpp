@@ -1,14 +1,17 @@
 #include "expected/simplex.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 namespace hn {
 namespace {
 
+using Place = std::array<double, 4>;
+
 // Of docs/contract.md, section 13: the noise is scale * sum of w(t) (g . d) with t = r - m |d|^2, d in steps, and
-// w = cubic * t^3 + quartic * t^4. At most so many lattice points are nearer than the radius at any place. `longest` is
-// the length of the longest gradient, rounded up.
+// w = cubic * t^3 + quartic * t^4. `longest` is the length of the longest gradient, rounded up.
 struct Kernel {
   double r;
   double m;
@@ -16,21 +19,38 @@ struct Kernel {
   double quartic;
   double scale;
   double steps;  // per cell
-  int points;
   double longest;
 };
 
 Kernel kernel_of(int axes) {
-  if (axes == 2) return {819.0 / 1024.0, 1.0, 65.0 / 8.0, -8.0, 1653.0 / 1024.0, 2.0, 3, 1.0};
-  if (axes == 3) return {1.0, 2.0, 0.0, 1.0, 6570.0 / 1024.0, 1.0, 4, 1.07};
-  return {1.0, 2.0, 1.0, 0.0, 4298.0 / 1024.0, 1.0, 4, 1.4143};
+  if (axes == 2) return {819.0 / 1024.0, 1.0, 65.0 / 8.0, -8.0, 1653.0 / 1024.0, 2.0, 1.0};
+  if (axes == 3) return {1.0, 2.0, 0.0, 1.0, 6570.0 / 1024.0, 1.0, 1.07};
+  return {1.0, 2.0, 1.0, 0.0, 4298.0 / 1024.0, 1.0, 1.4143};
+}
+
+// The lattice points that count anywhere in the part of space that is searched, in steps: a square of one step on the
+// plane, where two rows count; else the part of a cell that is nearest to one corner.
+std::vector<Place> points_of(int axes) {
+  if (axes == 2) return {{0.0, 0.0}, {1.0, 0.0}, {-0.5, 1.0}, {0.5, 1.0}, {1.5, 1.0}};
+  std::vector<Place> points;
+  for (unsigned corner = 0; corner < 1u << axes; ++corner) {
+    Place at{};
+    Place centre{};
+    for (unsigned axis = 0; axis < static_cast<unsigned>(axes); ++axis) {
+      at[axis] = (corner >> axis) & 1u;
+      centre[axis] = at[axis] - 0.5;
+    }
+    points.push_back(at);
+    points.push_back(centre);
+  }
+  return points;
 }
 
 // With u = d along the axis, R = g . d, t' = -2 m u and t'' = -2 m, the third derivative of w(t) R is
 //   (w''' t'^3 + 3 w'' t' t'') R + 3 (w'' t'^2 + w' t'') R'
 // and |R| <= longest * |d|, |R'| <= longest.
 double third(const Kernel& kernel, double u, double distance) {
-  const double t = kernel.r - kernel.m * distance * distance;
+  const double t = std::max(kernel.r - kernel.m * distance * distance, 0.0);
   const double t1 = -2.0 * kernel.m * u;
   const double t2 = -2.0 * kernel.m;
   const double w1 = 3.0 * kernel.cubic * t * t + 4.0 * kernel.quartic * t * t * t;
@@ -40,19 +60,49 @@ double third(const Kernel& kernel, double u, double distance) {
                            3.0 * std::fabs(w2 * t1 * t1 + w1 * t2));
 }
 
+// The sum over the points. One that is a little beyond the radius counts as if it were there: the third derivative jumps
+// at the radius, and the places are those of a grid.
+double third_at(const Kernel& kernel, const std::vector<Place>& points, const Place& place, std::size_t axis,
+                double reach) {
+  double sum = 0.0;
+  for (const Place& at : points) {
+    double square = 0.0;
+    for (std::size_t i = 0; i < place.size(); ++i) square += (place[i] - at[i]) * (place[i] - at[i]);
+    const double distance = std::sqrt(square);
+    if (distance < std::sqrt(kernel.r / kernel.m) + reach) sum += third(kernel, place[axis] - at[axis], distance);
+  }
+  return sum;
+}
+
+// By numbers of places along an axis that make a grid of some thousands; the lattices of three and four dimensions are
+// the same along each axis.
+double searched(int axes) {
+  const Kernel kernel = kernel_of(axes);
+  const std::vector<Place> points = points_of(axes);
+  const int places = axes == 2 ? 65 : axes == 3 ? 17 : 9;
+  const double spacing = (axes == 2 ? 1.0 : 0.5) / (places - 1);
+  double largest = 0.0;
+  const int all = static_cast<int>(std::pow(places, axes));
+  for (int number = 0; number < all; ++number) {
+    Place place{};
+    for (int axis = 0, rest = number; axis < axes; ++axis, rest /= places) {
+      place[static_cast<std::size_t>(axis)] = spacing * (rest % places);
+    }
+    // No place is farther than this from one of the grid.
+    const double reach = spacing * std::sqrt(axes) / 2.0;
+    for (std::size_t axis = 0; axis < (axes == 2 ? 2u : 1u); ++axis) {
+      largest = std::max(largest, third_at(kernel, points, place, axis, reach));
+    }
+  }
+  // Between the places of the grid it is larger by less than a tenth.
+  return 1.1 * largest * kernel.scale * std::pow(kernel.steps, 3.0);
+}
+
 }  // namespace
 
 double simplex_third_derivative(int axes) {
-  const Kernel kernel = kernel_of(axes);
-  const double radius = std::sqrt(kernel.r / kernel.m);
-  // On a grid. Between its points `third` changes by less than a hundredth of its maximum.
-  constexpr int kSteps = 256;
-  double largest = 0.0;
-  for (int i = 0; i <= kSteps; ++i) {
-    const double distance = radius * i / kSteps;
-    for (int k = 0; k <= kSteps; ++k) largest = std::max(largest, third(kernel, distance * k / kSteps, distance));
-  }
-  return 1.01 * largest * kernel.points * kernel.scale * std::pow(kernel.steps, 3.0);
+  static const std::array<double, 3> kFound = {searched(2), searched(3), searched(4)};
+  return kFound[static_cast<std::size_t>(axes - 2)];
 }
 
 }  // namespace hn

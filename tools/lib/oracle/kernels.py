@@ -46,13 +46,13 @@ def third(t: int, q: int) -> int:
 
 
 def quartic(t: int, q: int) -> int:
-    """8 t^3 (65/64 - t)."""
-    u = word(word(t * (66560 - t)) + 2**15) >> 16
-    return word(word(q * u) + 2**10) >> 11
+    """t^3 (3 - 2 t)."""
+    u = word(word(t * (98304 - t)) + 2**15) >> 16
+    return word(word(q * u) + 2**12) >> 13
 
 
-QUARTIC = Weight(((Fraction(65, 8), 3), (Fraction(-8), 4)), quartic,
-                 lambda t, q: signed(signed(q * (49920 - t)) + 2**10) >> 11)
+QUARTIC = Weight(((Fraction(3), 3), (Fraction(-2), 4)), quartic,
+                 lambda t, q: signed(signed(q * (73728 - t)) + 2**12) >> 13)
 CUBE = Weight(monomial(1, 3), third, lambda t, q: 6 * q)
 FOURTH = Weight(monomial(1, 4), lambda t, q: word(word(q * q) + 2**13) >> 14, lambda t, q: 2 * third(t, q))
 FIFTH = Weight(monomial(4, 5), lambda t, q: word(word((word(word(q * q) + 2**15) >> 16) * t) + 2**11) >> 12)

@@ -84,13 +84,13 @@ class Weights(unittest.TestCase):
     def test_by_hand(self) -> None:
         half = Fraction(1, 2)
         for weight, value, slope in (
-                (kernels.QUARTIC, Fraction(33, 64), Fraction(67, 32)), (kernels.CUBE, half**3, 3 * half**2),
+                (kernels.QUARTIC, Fraction(1, 4), Fraction(5, 4)), (kernels.CUBE, half**3, 3 * half**2),
                 (kernels.FOURTH, half**4, 4 * half**3), (kernels.FIFTH, 4 * half**5, 20 * half**4)):
             self.assertEqual((weight.exact(half), weight.slope(half)), (value, slope))
 
     def test_fixed_by_hand(self) -> None:
-        # t is 2^15, and its square 2^14; u is 2^15 * 33792 / 2^16.
-        for weight, value, fall in ((kernels.QUARTIC, 33 * 2**12, 2**14 * (49920 - 2**15) + 2**10 >> 11),
+        # t is 2^15, and its square 2^14.
+        for weight, value, fall in ((kernels.QUARTIC, 2**16, 5 * 2**14),
                                     (kernels.CUBE, 2**15, 6 * 2**14), (kernels.FOURTH, 2**14, 2**16)):
             self.assertEqual((weight.of_square(2**15, 2**14), weight.fall(2**15, 2**14)), (value, fall))
         self.assertEqual(kernels.FIFTH.of_square(2**15, 2**14), 2**15)
@@ -197,11 +197,11 @@ class Noises(unittest.TestCase):
         space, four = (words.point_word("pcg", point, 7) for point in ((3, -2, 5), (3, -2, 5, 0)))
         quarter, eighth = Fraction(1, 4), Fraction(1, 8)
         t = Fraction(819, 1024) - Fraction(1, 16)  # along the row the next points, 3/4 away, count too
-        w, next_w = (8 * x**3 * (Fraction(65, 64) - x) for x in (t, Fraction(819, 1024) - Fraction(9, 16)))
+        w, next_w = (x**3 * (3 - 2 * x) for x in (t, Fraction(819, 1024) - Fraction(9, 16)))
         g, following = (Fraction(gradients.gradient2(words.point_word("pcg", point, 7), 0.375)[0])
                         for point in ((6, -4), (7, -4)))
         self.assertEqual(noises.find("simplex").exact(Knobs("pcg"), (3 + eighth, -2), 7),
-                         (Fraction(1653, 1024) * (w * g * quarter - next_w * following * 3 * quarter),))
+                         (Fraction(3242, 1024) * (w * g * quarter - next_w * following * 3 * quarter),))
         t = Fraction(7, 8)
         self.assertEqual(noises.find("simplex").exact(Knobs("pcg"), (3 + quarter, -2, 5), 7),
                          (Fraction(6570, 1024) * t**4 * Fraction(gradients.gradient3(space)[0]) * quarter,))
