@@ -59,7 +59,7 @@ HN_FN hn_vec3 hn_i_simplex_turned_d(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, h
 //   phase    in turns, any float: the field of phase + 1 has the same bits, and that of phase + 1/2 is the negative
 //            (HN_FIXED: but for the last bits). A float far from 0 has few bits left for the turn: wrap it yourself
 //   seed     any uint: 7u, not 7; different seeds give independent fields
-//   returns  [-1, 1] (proven bound 0.99894), mean 0, 0 at lattice points, twice continuously differentiable, and smooth
+//   returns  [-1, 1] (proven bound 0.99875), mean 0, 0 at lattice points, twice continuously differentiable, and smooth
 //            in the phase. With a phase of 0 it is hn_simplex, within the error.
 //   error    at most 6.43e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 2.21e-4
 //   cost     the hashes of hn_simplex, a sine and a cosine of 6 multiplications of floats each, and twice the rest
