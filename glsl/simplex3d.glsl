@@ -30,8 +30,8 @@ HN_FN hn_num hn_i_simplex(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_uint see
 }
 
 // Simplex noise in space, from a cell and a position in it: gradient noise on the body-centred lattice, the corners and
-// centres of all cells. Slices across an axis differ a little: where z is a multiple of 1/2 they have less contrast than
-// in between. Tilted slices are alike (docs/quality.md).
+// centres of all cells. Slices across an axis differ a little: where z is a multiple of 1/2 they have less contrast
+// than in between. Tilted slices are alike (docs/quality.md).
 //   cell     the cell; its points wrap at 2^32
 //   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats have no promise
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields

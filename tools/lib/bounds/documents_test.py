@@ -16,6 +16,7 @@ from bounds import command, documents, noises, table
 from bounds.gradients import OCTAHEDRAL, SINE
 from bounds.noises import Derived
 from bounds.table import rounded_up, scientific, shortest
+from tables import glsl
 from tables.inc import TableError
 from tree import ROOT
 
@@ -168,6 +169,34 @@ class Tree(unittest.TestCase):
         self.change(path, "at most 3.28e-5", "small")
         found, = self.differences()
         self.assertRegex(found, rf"^{path}:\d+: the comment over hn_perlin_d\(vec4, uint, out vec4\) states no error")
+
+
+class Phases(unittest.TestCase):
+    """The forms of a noise with a phase have bounds of their own, and those of a cell share a comment with the rest."""
+
+    def test_names(self):
+        def named(*types, name="hn_perlin"):
+            return documents.noise_of(glsl.Declaration(Path("x"), 1, name, types, None))
+        self.assertEqual([named("int", "float", "uint"), named("float", "int", "uint"), named("vec2", "uint")],
+                         ["perlin"] * 3)
+        for types in (("vec2", "float", "uint"), ("ivec3", "vec3", "ivec3", "float", "uint")):
+            self.assertEqual(named(*types, name="hn_simplex_d"), "simplex_d_phase")
+        self.assertEqual(documents.name_of(("perlin_phase", 2, OCTAHEDRAL)), "`hn_perlin(vec2)`, with a phase")
+
+    def test_numbers(self):
+        """The larger error for both, and the range of a derivative; another number is wrong."""
+        slope = Derived(0, 2.92167, 14.9, 2.42e-5, 2.506e-5, 2.9217, 3.594e-4, 2.92203, {})
+        derived = {("perlin_d_phase", 2, OCTAHEDRAL): replace(RAW["perlin", 2, OCTAHEDRAL], slope=slope)}
+
+        def wrong(error, largest):
+            lines = (f"   returns  in [-{largest}, {largest}]", f"   error    at most {error}. HN_FIXED 3.60e-4")
+            function = glsl.Declaration(Path("x"), 9, "hn_perlin_d", ("ivec2", "vec2", "float", "uint"),
+                                        glsl.Comment(7, lines))
+            with mock.patch.object(noises, "names", return_value=["perlin_d_phase"]):
+                return list(documents.wrong_numbers(function, derived).values())
+        self.assertEqual(wrong("2.51e-5", "2.93"), [])
+        self.assertRegex(wrong("2.42e-5", "2.93")[0], "2.42e-5 of .* should be 2.51e-5")
+        self.assertRegex(wrong("2.51e-5", "12.9")[0], "12.9 of .* should be 2.93")
 
 
 class Command(unittest.TestCase):
