@@ -31,9 +31,9 @@ HN_FN hn_num hn_i_simplex(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_uint see
 //   cell     the cell; its points wrap at 2^32
 //   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats have no promise
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
-//   returns  [-1, 1] (proven bound 0.99858), mean 0, 0 at lattice points, twice continuously differentiable
+//   returns  [-1, 1] (proven bound 0.99874), mean 0, 0 at lattice points, twice continuously differentiable
 //            (HN_FIXED: in steps of 2^-21)
-//   error    at most 3.85e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 1.61e-4
+//   error    at most 3.46e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 1.52e-4
 //   period   2^31 cells per axis
 //   cost     3 hashes (none with HN_HASH_LATTICE) and 3 multiplications; 2 more to spread the coordinates, and 2 more
 //            for a seed that is not constant
@@ -48,7 +48,7 @@ HN_FN hn_float hn_simplex(hn_ivec2 cell, hn_vec2 f) { return hn_simplex(cell, f,
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
 //   seed     any uint: 7u, not 7; 0 if left out
 //   returns  as above
-//   error    at most 4.48e-6. HN_FIXED as above
+//   error    at most 4.06e-6. HN_FIXED as above
 //   period   as above
 //   cost     as above
 //   source   as above

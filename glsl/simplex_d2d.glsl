@@ -36,10 +36,10 @@ HN_FN hn_vec3 hn_i_simplex_d(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_uint 
 //   cell     the cell; its points wrap at 2^32
 //   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats have no promise
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
-//   returns  the value and its derivatives along x and y. A derivative is per cell, in [-8.31, 8.31], once
+//   returns  the value and its derivatives along x and y. A derivative is per cell, in [-8.36, 8.36], once
 //            continuously differentiable (HN_FIXED: in steps of 2^-18)
-//   error    that of hn_simplex, and of a derivative at most 5.15e-5 against the exact value, in any rounding mode
-//            (docs/accuracy.md). HN_FIXED 2.89e-3
+//   error    that of hn_simplex, and of a derivative at most 4.49e-5 against the exact value, in any rounding mode
+//            (docs/accuracy.md). HN_FIXED 2.42e-3
 //   period   2^31 cells per axis
 //   cost     the hashes of hn_simplex, which are most of its cost, and about twice the rest
 //   source   the product rule on weight and ramp; docs/contract.md, section 13
@@ -53,7 +53,7 @@ HN_FN hn_vec3 hn_simplex_d(hn_ivec2 cell, hn_vec2 f) { return hn_simplex_d(cell,
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
 //   seed     any uint: 7u, not 7; 0 if left out
 //   returns  as above
-//   error    of a derivative at most 5.85e-5. The rest is as above
+//   error    of a derivative at most 5.19e-5. The rest is as above
 //   period   as above
 //   cost     as above
 //   source   as above

@@ -59,9 +59,9 @@ HN_FN hn_vec3 hn_i_simplex_turned_d(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, h
 //   phase    in turns, any float: the field of phase + 1 has the same bits, and that of phase + 1/2 is the negative
 //            (HN_FIXED: but for the last bits). A float far from 0 has few bits left for the turn: wrap it yourself
 //   seed     any uint: 7u, not 7; different seeds give independent fields
-//   returns  [-1, 1] (proven bound 0.99874), mean 0, 0 at lattice points, twice continuously differentiable, and smooth
+//   returns  [-1, 1] (proven bound 0.99875), mean 0, 0 at lattice points, twice continuously differentiable, and smooth
 //            in the phase. With a phase of 0 it is hn_simplex, within the error.
-//   error    at most 7.00e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 2.36e-4
+//   error    at most 6.43e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 2.21e-4
 //   cost     the hashes of hn_simplex, a sine and a cosine of 6 multiplications of floats each, and twice the rest
 //   source   Perlin and Neyret, "Flow noise", 2001; docs/contract.md, section 14
 HN_FN hn_float hn_simplex(hn_ivec2 cell, hn_vec2 f, hn_float phase, hn_uint seed) {
@@ -81,8 +81,8 @@ HN_FN hn_float hn_simplex(hn_vec2 p, hn_ivec2 period, hn_float phase, hn_uint se
 }
 
 // The same with the derivatives along x and y, as of hn_simplex_d. The value is as above.
-//   returns  the value and its derivatives, per cell, in [-8.44, 8.44]
-//   error    of a derivative at most 8.97e-5. HN_FIXED 3.89e-3
+//   returns  the value and its derivatives, per cell, in [-8.63, 8.63]
+//   error    of a derivative at most 8.35e-5. HN_FIXED 3.36e-3
 //   cost     as above, and about twice the rest
 //   (everything else as above)
 HN_FN hn_vec3 hn_simplex_d(hn_ivec2 cell, hn_vec2 f, hn_float phase, hn_uint seed) {

@@ -1,5 +1,5 @@
-"""Tests of what is proven of simplex noise, of gradients that turn and of curl: the models of docs/contract.md and of the
-library's text stay within the bounds, and reach a part of them. A wrong constant is noticed."""
+"""Tests of what is proven of simplex noise, of gradients that turn and of curl: the models of docs/contract.md and of
+the library's text stay within the bounds, and reach a part of them. A wrong constant is noticed."""
 
 import math
 import unittest
@@ -121,12 +121,13 @@ class Exact(unittest.TestCase):
             inside = (place <= 0.5).all(axis=0)
             for point in kernel.points:
                 g = kernel_model.turned(kernel_model.lengthened(kernel, words(kernel_model.halves(point))), phase)
-                total = total + sum(np.array(g) * kernels.vector(kernel, kernels.VALUE, place - np.array(point)[:, None]))
+                v = kernels.vector(kernel, kernels.VALUE, place - np.array(point)[:, None])
+                total = total + sum(np.array(g) * v)
             self.assertLess(abs(total * kernel.scale / 1024 - value)[inside].max(), 1e-12, noise)
             for axis, derivative in enumerate(along):
-                ends = [kernel_model.simplex(kernel, words, [x + sign * step * (i == axis) for i, x in enumerate(f)], phase)
-                        for sign in (1, -1)]
-                rise = (ends[0][0] - ends[1][0]) / (2 * step)
+                moved = [[x + sign * step * (i == axis) for i, x in enumerate(f)] for sign in (1, -1)]
+                high, low = (kernel_model.simplex(kernel, words, place, phase)[0] for place in moved)
+                rise = (high - low) / (2 * step)
                 self.assertLess(abs(rise - derivative).max(), 1e-6, noise)
 
     def test_second_derivatives(self):
@@ -163,14 +164,15 @@ class Fixed(unittest.TestCase):
             value, slope = proven(noise, kernel.dims)
             self.assertTrue(value.fixed_error / 5 < seen < value.fixed_error, (noise, kernel.dims, seen))
             if slope:
-                self.assertTrue(slope.fixed_error / 8 < seen_slope < slope.fixed_error, (noise, kernel.dims, seen_slope))
+                self.assertTrue(slope.fixed_error / 8 < seen_slope < slope.fixed_error, (noise, seen_slope))
 
     def test_fails_with_another_weight(self):
         """Must-fail checks: a weight of fewer bits, a fall that is a little too large."""
         weight = kernel_model.fixed_weight
         for noise, kernel, turning in NOISES:
             value, slope = proven(noise, kernel.dims)
-            with mock.patch.object(kernel_model, "fixed_weight", lambda k, t: (weight(k, t)[0] & ~1023, weight(k, t)[1])):
+            with mock.patch.object(kernel_model, "fixed_weight",
+                                   lambda k, t: (weight(k, t)[0] & ~1023, weight(k, t)[1])):
                 self.assertGreater(self.errors(kernel, turning, 20_000)[0], value.fixed_error, noise)
             if slope:
                 with mock.patch.object(kernel_model, "fixed_weight",
@@ -227,7 +229,8 @@ class Floats(unittest.TestCase):
         f = list(rng.random((kernel.dims, count)).astype(np.float32).astype(float))
         phase = random_phase(rng, count, turning)
         expected = kernel_model.simplex(kernel, words, f, phase)
-        return np.max([largest_differences(shader.simplex(kernel, words, f, phase), expected) for shader in some], axis=0)
+        computed = [shader.simplex(kernel, words, f, phase) for shader in some]
+        return np.max([largest_differences(one, expected) for one in computed], axis=0)
 
     def test_any_rounding(self):
         for noise, kernel, turning in NOISES:

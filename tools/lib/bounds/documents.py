@@ -145,7 +145,8 @@ def quotes(derived: Everything) -> list[tuple[str, str]]:
         f"\n{scientific(sine.sine_truncation_bound())} at most", f"|s - sin| <= {scientific(sine.sine_bound())}",
         f"2^-19 = {scientific(SINE.component_error)}", f"which is {scientific(sine.fixed_sine_error())}:",
         f"at most 1 - {math.floor((1 - sine.sine_largest()) * 1e9) / 1e9:.2e}".replace("e-0", "e-"),
-        f"adds {scientific(sums.cloud_error())} ", f"within {scientific(kernel_floats.turn_error(1.0))} of those of the phase")]
+        f"adds {scientific(sums.cloud_error())} ",
+        f"within {scientific(kernel_floats.turn_error(1.0))} of those of the phase")]
     return stated + [quote for name in noises.names() for quote in noises.find(name).quotes()]
 
 

@@ -131,8 +131,8 @@ def x_first(dims):
 
 
 def perlin(kind, words_of, fractions, derivatives=False, ramp=ramp, gradient=gradient):
-    """v in units of 2^-21; with the derivatives, in units of 2^-19, if they are wanted. Ramps and gradients may be others
-    than those of section 8."""
+    """v in units of 2^-21; with the derivatives, in units of 2^-19, if they are wanted. Ramps and gradients may be
+    others than those of section 8."""
     dims, nodes = len(fractions), []
     for corner in x_first(dims):
         words = words_of(corner)

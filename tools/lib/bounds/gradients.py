@@ -15,14 +15,14 @@ a >= b (>= c) is sorted, too. Let its largest component be 1 - t before it is le
 On the line, gradients are at most 1 - 1/512. In four dimensions they are the corners of the 24-cell, of which h is the
 sum of the two largest.
 
-SIMPLEX NOISE has directions times 1 + k (1 - L), for other k. There the last per mille counts: h is that of the library's
-directions, which are few. As they may be exchanged (directions), the best is sorted like |v|. Of those with the same
-largest component it is the one with the largest second one.
+SIMPLEX NOISE has directions times 1 + k (1 - L), for other k. There the last per mille counts: h is that of the
+library's directions, which are few. As they may be exchanged (directions), the best is sorted like |v|. Of those with
+the same largest component it is the one with the largest second one.
 
 UNIT. All vectors that are as long as 1. The largest length of a gradient, times that, contains all gradients.
 
-No component of an OCTAHEDRAL gradient exceeds 1: (2 - L) times a component is at most (2 - L) L. |g.v| is at most max |v_i| times
-h(1, .., 1).
+No component of an OCTAHEDRAL gradient exceeds 1: (2 - L) times a component is at most (2 - L) L. |g.v| is at most
+max |v_i| times h(1, .., 1).
 """
 
 from __future__ import annotations
@@ -68,8 +68,8 @@ def octahedral_support(v):
 
 @functools.cache
 def directions(dims: int) -> np.ndarray:
-    """Those of the library with their components in order, a >= b (>= c) >= 0: vectors by axes. On the plane they are odd
-    multiples of 1/512. In space they are multiples of 1/256, of which two are odd; so there are some more here."""
+    """Those of the library with their components in order, a >= b (>= c) >= 0: vectors by axes. On the plane they are
+    odd multiples of 1/512. In space they are multiples of 1/256, of which two are odd; so there are some more here."""
     if dims == 2:
         a = np.arange(257, 512, 2)
         return np.stack([a, 512 - a], axis=1) / 512

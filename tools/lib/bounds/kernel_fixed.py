@@ -187,8 +187,8 @@ def longest_ramp(kernel: Kernel, turns: bool) -> float:
 
 
 def turned_intermediates(dims: int, longest: float) -> dict[str, float]:
-    """A direction times an offset is as in noises/perlin/fixed.py, and so is the cross product: |m y| + |b z| is at most
-    512 * 2^20. The parts are at most sqrt(2) of the length of an offset; g and g' are as long as `longest`."""
+    """A direction times an offset is as in noises/perlin/fixed.py, and so is the cross product: |m y| + |b z| is at
+    most 512 * 2^20. The parts are at most sqrt(2) of the length of an offset; g and g' are as long as `longest`."""
     size = max(math.sqrt(2 * dims), math.sqrt(2) * longest) * fixed_sine_largest() + turn_error()
     return {"part of a turn": part_intermediate(2.0**29 * fixed_sine_largest(), np.array([FADE_ONE])),
             "turned": size * 2**29 + 2 * MIXED_ROUNDING}
@@ -201,10 +201,10 @@ def pieces(kernel: Kernel) -> tuple[np.ndarray, np.ndarray]:
 
 
 def largest_intermediates(kernel: Kernel, turns: bool) -> dict[str, float]:
-    """The value is at most 1. No offset from a point that is visited is more than 1 along an axis: so the squares sum to
-    at most 2 steps on the plane, and elsewhere to 1, or 3/2 with the larger kernel, of which m is 1. The word m q is then
-    at most 2^31. Those of the weights fit 32 bits, since t < 2^16 and 66560 - t < 2^16 + 2^10, where t is at most
-    819 / 1024 of 2^16. A sum of the parts of some of the points is as large as that of all can be."""
+    """The value is at most 1. No offset from a point that is visited is more than 1 along an axis: so the squares sum
+    to at most 2 steps on the plane, and elsewhere to 1, or 3/2 with the larger kernel, of which m is 1. The word m q is
+    then at most 2^31. Those of the weights fit 32 bits, since t < 2^16, and t (98304 - t) is at most 49152^2. A sum of
+    the parts of some of the points is as large as that of all can be."""
     ramp, one = longest_ramp(kernel, turns), ramp_one(kernel.dims)
     weight = kernel.weight.size(0, *pieces(kernel)).max() * FADE_ONE + 1
     return {**(turned_intermediates(kernel.dims, kernel.longest) if turns else {}),
@@ -215,8 +215,9 @@ def largest_intermediates(kernel: Kernel, turns: bool) -> dict[str, float]:
 
 def largest_slope_intermediates(kernel: Kernel, turns: bool) -> dict[str, float]:
     """The same of a derivative. Where E is not 0, m d^2 <= r - t: so the length of an offset is at most
-    sqrt((r - t) / m), from which k = R E and the product with the offset, for t in each of many ranges. On the plane Q (49920 - t) is less than
-    4/27 of 49920^3 / 2^16. Of a sum of points more is known: each is at most its share of the largest derivative."""
+    sqrt((r - t) / m), from which k = R E and the product with the offset, for t in each of many ranges. On the plane
+    Q (73728 - t) is less than 4/27 of 73728^3 / 2^16. Of a sum of points more is known: each is at
+    most its share of the largest derivative."""
     dims, one, whole = kernel.dims, ramp_one(kernel.dims), np.array([FADE_ONE])
     low, high = pieces(kernel)
     eighth = kernel.fall / 4 * kernel.weight.size(1, low, high)
@@ -228,6 +229,6 @@ def largest_slope_intermediates(kernel: Kernel, turns: bool) -> dict[str, float]
     gradient, reach = kernels.reach(kernel, turns)
     derivative = kernels.slope_of(kernel, gradient) * reach + slope_rounding_effect(kernel, turns)
     return {"falling": part_intermediate(longest_ramp(kernel, turns), factor), "k": part_intermediate(k, whole),
-            "fall of the plane": 4 / 27 * 49920**3 / 2**16 + 2**16,
+            "fall of the plane": 4 / 27 * 73728**3 / 2**16 + 2**16,
             "leaning": part_intermediate(longest, whole) / 4 + 1 + 2 * (moved + 2 * 1023),
             "scaled derivative": scaled_intermediate(derivative * one / 4, fixed_scale(kernel))}

@@ -1,23 +1,24 @@
 """The error of a sum over lattice points (kernels.py) in float arithmetic, in the sense of floats.py.
 
-    t = max(r - m q, 0); the point adds (ramp)*w, and to a derivative g*w - x*k, k = (ramp)*(fall), with the weight w and
-    its fall as in weights.py; a ramp is r*(k*more) + r, in which k*more is exact
+    t = max(r - m q, 0); the point adds (ramp)*w, and to a derivative g*w - x*k, k = (ramp)*(fall), with the weight w
+    and its fall as in weights.py; a ramp is r*(k*more) + r, in which k*more is exact
     turned: (direction.d)*cos + (cross)*sin, lengthened;  g*cos + g'*sin
 
-TRIANGLES. q = x*x + y*y. In hn_simplex the skewed x is rounded, and then x of the first corner. Both move the place, the
-same for all points: by up to 2^-22 and 2^-24 steps. From there x of the others and y are rounded once. In
-hn_simplex_smooth each row is rounded on its own: by 2^-25 where it is shifted, by 2^-24 where it is below 0, and for the
-second point.
+TRIANGLES. q = x*x + y*y. In hn_simplex the skewed x is rounded, and then x of the first corner. Both move the place,
+the same for all points: by up to 2^-22 and 2^-24 steps. From there x of the others and y are rounded once. In
+hn_simplex_smooth each row is rounded on its own: by 2^-25 where it is shifted, by 2^-24 where it is below 0, and for
+the second point.
 
-CENTRED. By reflections the nearest corner is at 0, and offsets from it are exact. An offset from the corner behind an axis
-rounds by 2^-24, one from the centre of the cell by 2^-25, and one from a centre behind an axis by both. Squares of
+CENTRED. By reflections the nearest corner is at 0, and offsets from it are exact. An offset from the corner behind an
+axis rounds by 2^-24, one from the centre of the cell by 2^-25, and one from a centre behind an axis by both. Squares of
 distances are sums: of the squares of the sizes s_i of the offsets from the nearest corner, and
 
     hn_simplex          1 - 2 s_i to the next corner, n/4 - sum s_i to the centre of the cell, and from there 2 s_i
     hn_simplex_smooth   from the nearest point of either kind min(1 - 2 s_i, 2 - 2 sum s + 2 s_i)
 
 What is not visited because of rounding, or visited with the distance of another point, is as far away as the radius but
-for some 2^-22, and so is its t. Its weight is below 2^-58, and the fall below 2^-36: FORGOTTEN is more than all of that.
+for some 2^-22, and so is its t. Its weight is below 2^-58, and the fall below 2^-36: FORGOTTEN is more than all of
+that.
 
 What a box of places may have of a point is propagated as in floats.py. The points that are not near add zeros, so sums
 round at most as many times as there are points to visit, less one.

@@ -35,7 +35,8 @@ def points(kernel):
 def words_of_hash(seed=0):
     """Words that depend on the point as those of the library do."""
     def words(halves):
-        return fixed.u32(exact.mix(exact.lattice_word([np.atleast_1d(np.asarray(x, np.int64)) for x in halves], np.int64(seed))))
+        coordinates = [np.atleast_1d(np.asarray(x, np.int64)) for x in halves]
+        return exact.mix(exact.lattice_word(coordinates, np.int64(seed)))
     return words
 
 
@@ -82,7 +83,7 @@ def weight(kernel, t):
     if kernel.dims == 4 or (kernel.dims == 2 and is_smooth(kernel)):
         return t**3, 3 * t**2
     if kernel.dims == 2:
-        return 8 * t**3 * (65 / 64 - t), 8 * (3 * t**2 * 65 / 64 - 4 * t**3)
+        return 3 * t**3 - 2 * t**4, 9 * t**2 - 8 * t**3
     return (4 * t**5, 20 * t**4) if is_smooth(kernel) else (t**4, 4 * t**3)
 
 
@@ -168,8 +169,8 @@ def fixed_weight(kernel, t):
     if kernel.dims == 4 or (kernel.dims == 2 and is_smooth(kernel)):
         return cube, 6 * q
     if kernel.dims == 2:
-        u = u32(t * (66560 - t) + 2**15) >> 16
-        return u32(q * u + 2**10) >> 11, s32(q * (49920 - t) + 2**10) >> 11
+        u = u32(t * (98304 - t) + 2**15) >> 16
+        return u32(q * u + 2**12) >> 13, s32(q * (73728 - t) + 2**12) >> 13
     if is_smooth(kernel):
         return u32((u32(q * q + 2**15) >> 16) * t + 2**11) >> 12, None
     return u32(q * q + 2**13) >> 14, 2 * cube

@@ -1,5 +1,5 @@
-"""Sums over lattice points, and gradients that turn, in 32-bit floats on arrays, in the steps of the library's text, with
-any rounding: for bounds_kernel_test.py. Words depend on the point, as kernel_model.words_of_hash gives them."""
+"""Sums over lattice points, and gradients that turn, in 32-bit floats on arrays, in the steps of the library's text,
+with any rounding: for bounds_kernel_test.py. Words depend on the point, as kernel_model.words_of_hash gives them."""
 
 import numpy as np
 
@@ -130,7 +130,7 @@ class KernelShader(Shader):
         if kernel.dims == 4 or (kernel.dims == 2 and is_smooth(kernel)):
             return cube, self.round(q * 6 * m)
         if kernel.dims == 2:
-            return (self.round(cube * self.mad(t, -8.0, 65 / 8)), self.round(q * self.mad(t, -64.0, 195 / 4)) * m)
+            return (self.round(cube * self.mad(t, -2.0, 3.0)), self.round(q * self.mad(t, -16.0, 18.0)) * m)
         fourth = self.round(q * q)
         return (self.round(fourth * t) * 4 if is_smooth(kernel) else fourth), self.round(cube * 8 * m)
 

@@ -11,16 +11,16 @@ Each is linear in each gradient, so its supremum over the gradients is the sum o
 norm of the gradient is the largest derivative along (+-1, .., +-1). As the noise is twice and its derivative once
 continuously differentiable, these bound how much both change for each change of the largest coordinate.
 
-Each sum is bounded by branch and bound over places in [0, 1/2]^n, in steps. That is enough: the lattice has a point at 0
-and at every whole step along an axis, so a reflection brings any place to [0, 1/2]^n if the lattice is centred. The
-rows of triangles are a step apart, and every second is shifted by half a step; half a turn about (1/4, 1/2) maps them to
-each other. Reflections and half turns change only the signs of components, of which h does not depend. Derivatives are
-taken for all signs of s, and on the plane along each axis. In a centred lattice axes may be exchanged.
+Each sum is bounded by branch and bound over places in [0, 1/2]^n, in steps. That is enough: the lattice has a point at
+0 and at every whole step along an axis, so a reflection brings any place to [0, 1/2]^n if the lattice is centred. The
+rows of triangles are a step apart, and every second is shifted by half a step; half a turn about (1/4, 1/2) maps them
+to each other. Reflections and half turns change only the signs of components, of which h does not depend. Derivatives
+are taken for all signs of s, and on the plane along each axis. In a centred lattice axes may be exchanged.
 
 In a box g.v is bounded by its values at the vertices and its second derivatives along the axes, as in boxes.py. These
-are sums of products, of whose factors a Jet has bounds. w' is once continuously differentiable and its second derivative
-is bounded, which is enough. The third line is bounded by the value in the middle and the first derivatives, so it is less
-tight.
+are sums of products, of whose factors a Jet has bounds. w' is once continuously differentiable and its second
+derivative is bounded, which is enough. The third line is bounded by the value in the middle and the first derivatives,
+so it is less tight.
 """
 
 from __future__ import annotations
@@ -76,7 +76,8 @@ class Kernel:
                      < self.radius)
 
 
-SIMPLEX = {2: Kernel(2, 819 / 1024, 1, 1653, 3, PLANE, 3 / 8, triangles=True), 3: Kernel(3, 1.0, 2, 6570, 4, FOURTH),
+SIMPLEX = {2: Kernel(2, 819 / 1024, 1, 3242, 3, PLANE, 3 / 8, triangles=True),
+           3: Kernel(3, 1.0, 2, 6570, 4, FOURTH),
            4: Kernel(4, 1.0, 2, 4298, 4, CUBE, None)}
 SMOOTH = {2: Kernel(2, 1.0, 1, 2428, 4, CUBE, 3 / 8, triangles=True), 3: Kernel(3, 0.75, 1, 3901, 8, FIFTH, 2.0)}
 
@@ -139,7 +140,7 @@ class Jet:
 
 @dataclass(frozen=True)
 class Offsets:
-    """Of one lattice point, in each box: the middle of d, half a side, the largest |d_i|, and the least and largest t."""
+    """Of one lattice point, in each box: the middle of d, half a side, the largest |d_i|, the least and largest t."""
     middle: np.ndarray
     half: float
     size: np.ndarray
@@ -232,8 +233,8 @@ def axes(kernel: Kernel) -> list[tuple[float, ...]]:
 
 
 def signs(kernel: Kernel, first: int = 0) -> Iterator[tuple[tuple[float, ...], int]]:
-    """(+-1, .., +-1) with +1 before the axis `first`, but for the sign of all and, from `first` on, an exchange of axes;
-    with the axis from which on axes may then be exchanged."""
+    """(+-1, .., +-1) with +1 before the axis `first`, but for the sign of all and, from `first` on, an exchange of
+    axes; with the axis from which on axes may then be exchanged."""
     free = kernel.dims - first
     for minus in range(free + 1 if first else free // 2 + 1):
         yield (1.0,) * first + (-1.0,) * minus + (1.0,) * (free - minus), first + minus

@@ -1,5 +1,5 @@
-"""The weights w(t) of simplex noise (docs/contract.md, section 13): their derivatives, and how they are computed, in floats
-and in integers. The fall of a weight is 2 m w'(t): what the weight's derivative multiplies an offset with.
+"""The weights w(t) of simplex noise (docs/contract.md, section 13): their derivatives, and how they are computed, in
+floats and in integers. The fall of a weight is 2 m w'(t): what the weight's derivative multiplies an offset with.
 
 In integers t is off by e, and
 
@@ -46,15 +46,15 @@ def _fixed_fifth(t, e):
 
 
 def _fixed_plane(t, e):
-    """Q u, u = t (65/64 - t), which is rounded like Q."""
-    u = np.minimum(65 / 64 * t, (65 / 128) ** 2)  # or more, for all t up to that
-    off = e * np.maximum(65 / 64, 2 * t) + e * e + HALF_NEAR
-    return 8 * product_error(t * t, square_error(t, e), u, off) + HALF_WEIGHT
+    """2 Q u, u = t (3/2 - t), which is rounded like Q."""
+    u = np.minimum(3 / 2 * t, 9 / 16)  # or more, for all t up to that
+    off = e * np.maximum(3 / 2, 2 * t) + e * e + HALF_NEAR
+    return 2 * product_error(t * t, square_error(t, e), u, off) + HALF_WEIGHT
 
 
 def _fixed_plane_fall(t, e):
-    """8 Q (195/256 - t)."""
-    return 8 * product_error(t * t, square_error(t, e), 195 / 256, e) + HALF_WEIGHT
+    """2 Q (9/8 - t)."""
+    return 2 * product_error(t * t, square_error(t, e), 9 / 8, e) + HALF_WEIGHT
 
 
 def _floats_cube(t: Approx) -> Approx:
@@ -67,19 +67,20 @@ def _floats_fourth(t: Approx) -> Approx:
 
 
 def _floats_plane(t: Approx) -> Approx:
-    rest = Approx(-8 * t.hi, -8 * t.lo, 8 * t.err, t.ulps).plus(65 / 8)
+    rest = Approx(-2 * t.hi, -2 * t.lo, 2 * t.err, t.ulps).plus(3.0)
     return _floats_cube(t).times(rest)
 
 
 def _floats_plane_fall(t: Approx, m: int) -> Approx:
-    rest = Approx(-64 * t.hi, -64 * t.lo, 64 * t.err, t.ulps).plus(195 / 4)
+    rest = Approx(-16 * t.hi, -16 * t.lo, 16 * t.err, t.ulps).plus(18.0)
     return t.times(t).times(rest).scaled(float(m))
 
 
 @dataclass(frozen=True, eq=False)
 class Weight:
-    """A polynomial: coefficients by powers of t. `floats` computes it, and `float_fall` its fall; `fixed` and `fixed_fall`
-    bound the errors of W and E, given the largest t and its error. Where there are no derivatives there is no fall."""
+    """A polynomial: coefficients by powers of t. `floats` computes it, and `float_fall` its fall; `fixed` and
+    `fixed_fall` bound the errors of W and E, given the largest t and its error. Where there are no
+    derivatives there is no fall."""
     coefficients: dict[int, float]
     floats: Callable[[Approx], Approx]
     fixed: Callable
@@ -108,4 +109,4 @@ CUBE = Weight({3: 1.0}, _floats_cube, _fixed_cube, lambda t, m: t.times(t).scale
 FOURTH = Weight({4: 1.0}, _floats_fourth, _fixed_fourth, lambda t, m: _floats_cube(t).scaled(8.0 * m),
                 lambda t, e: 2 * _fixed_cube(t, e))
 FIFTH = Weight({5: 4.0}, lambda t: _floats_fourth(t).times(t).scaled(4.0), _fixed_fifth)
-PLANE = Weight({3: 65 / 8, 4: -8.0}, _floats_plane, _fixed_plane, _floats_plane_fall, _fixed_plane_fall)
+PLANE = Weight({3: 3.0, 4: -2.0}, _floats_plane, _fixed_plane, _floats_plane_fall, _fixed_plane_fall)

@@ -6,10 +6,10 @@ derivative along u there. The component is the length of (a_y, a_z), which is a 
 of the other noise at a right angle to u. So it is at most the largest H(u) H(u turned by a quarter), over places and
 directions. Let R be the largest H(u): the largest length that two components of a gradient have together.
 
-Whatever changes each derivative by at most e moves a component by at most e (|a_y| + |a_z| + |b_y| + |b_z|) + 2 e^2, and
-so by 2 sqrt(2) R e + 2 e^2: the place, and the errors of the derivatives. In floats the products and the difference
-round, of which |a_y b_z| + |a_z b_y| is at most R^2. In integers prod(a, b) is below the product by less than 2 units of
-2^-20, 1 for the low digits and 1 for the shift. The result is rounded to a multiple of 2^-16.
+Whatever changes each derivative by at most e moves a component by at most e (|a_y| + |a_z| + |b_y| + |b_z|) + 2 e^2,
+and so by 2 sqrt(2) R e + 2 e^2: the place, and the errors of the derivatives. In floats the products and the difference
+round, of which |a_y b_z| + |a_z b_y| is at most R^2. In integers prod(a, b) is below the product by less than 2 units
+of 2^-20, 1 for the low digits and 1 for the shift. The result is rounded to a multiple of 2^-16.
 """
 
 from __future__ import annotations
@@ -62,8 +62,8 @@ def curvature(kernel: Kernel, boxes: Boxes):
 
 @functools.cache
 def longest_pair() -> tuple[float, float]:
-    """R and the largest product, per cell. By reflections the place is in [0, 1/2]^3; then u may have any angle up to pi,
-    or up to pi/2 for the product, which a quarter of a turn does not change."""
+    """R and the largest product, per cell. By reflections the place is in [0, 1/2]^3; then u may have any angle up to
+    pi, or up to pi/2 for the product, which a quarter of a turn does not change."""
     kernel, scale = SIMPLEX[3], SIMPLEX[3].scale / 1024
 
     def bound(boxes: Boxes, whole: float, turned: tuple[float, ...]):

@@ -3,10 +3,10 @@
 The other bounds of the exact noise are longest() times those of all gradients as long as 1 (suprema.py). Its floats are
 those of noises/perlin/floats.py with the ramps of kernel_floats.py.
 
-FIXED. It is off by the same as hn_perlin; FADE is longest() times that of gradients as long as 1. Ramps round by more, and
-components of gradients round, too. TURN (kernel_fixed.py) moves every gradient times a vector by so much for each length
-of that vector, so it moves the noise by that times the largest noise of all gradients as long as 1, and likewise a
-derivative.
+FIXED. It is off by the same as hn_perlin; FADE is longest() times that of gradients as long as 1. Ramps round by more,
+and components of gradients round, too. TURN (kernel_fixed.py) moves every gradient times a vector by so much for each
+length of that vector, so it moves the noise by that times the largest noise of all gradients as long as 1, and likewise
+a derivative.
 """
 
 from __future__ import annotations
@@ -47,7 +47,8 @@ def largest(quantity: suprema.Quantity, dims: int) -> float:
 
 def ramps_and_fractions(lo, hi, ulps):
     offsets = [approx_offsets(a, b, ulps) for a, b in zip(lo, hi)]
-    ramps = [turned_ramp([offset[o] for offset, o in zip(offsets, corner[::-1])], 1.0, ulps) for corner in corners(len(lo))]
+    ramps = [turned_ramp([offset[o] for offset, o in zip(offsets, corner[::-1])], 1.0, ulps)
+             for corner in corners(len(lo))]
     return ramps, [fraction for fraction, _ in offsets]
 
 
@@ -126,8 +127,8 @@ def derive_slope(dims: int) -> Derived:
 
 def largest_difference(dims: int) -> float:
     """Of the values of two corners along an axis, or of what is interpolated behind both: at f along that axis and the
-    ends of the others, their offsets are as long as sqrt(f^2 + n - 1) and sqrt((1 - f)^2 + n - 1). The sum is largest at
-    an end. The roundings of the ramps and of interpolations are added."""
+    ends of the others, their offsets are as long as sqrt(f^2 + n - 1) and sqrt((1 - f)^2 + n - 1). The sum is largest
+    at an end. The roundings of the ramps and of interpolations are added."""
     rounding = ramp_rounding(dims, 1.0, turns=True) + dims * float(lerp_roundings().max())
     lengths = (math.sqrt(dims) + math.sqrt(dims - 1)) * (longest(dims) + turn_effect(longest(dims)))
     return lengths * RAMP_ONE + 2 * rounding
@@ -144,14 +145,16 @@ def largest_intermediates(dims: int, _: Gradient) -> dict[str, float]:
 def largest_slope_intermediates(dims: int, slope: float) -> dict[str, float]:
     """As slope_intermediates of integers.py."""
     climb = part_intermediate(largest_difference(dims) / 4 + 1, slopes())
-    made = (longest(dims) + turn_effect(longest(dims))) * RAMP_ONE / 4 + dims * float(lerp_roundings().max()) + 2000 + climb
+    component_size = (longest(dims) + turn_effect(longest(dims))) * RAMP_ONE + 2 * MIXED_ROUNDING
+    made = component_size / 4 + dims * float(lerp_roundings().max()) + 1 + climb
     largest_derivative = slope / scale_of(dims) * RAMP_ONE / 4
     return {"climb": climb, "scaled derivative": scaled_intermediate(largest_derivative, fixed_scale(dims)),
             **{f"derivative's {name}": value for name, value in interpolation_intermediates(made, dims).items()}}
 
 
 def quotes() -> list[tuple[str, str]]:
-    return [("docs/accuracy.md", f"With a phase `hn_perlin` stays below {listed([range_of(dims) for dims, _ in CASES])} in 2D")]
+    below = listed([range_of(dims) for dims, _ in CASES])
+    return [("docs/accuracy.md", f"With a phase `hn_perlin` stays below {below} in 2D")]
 
 
 def describe(dims: int, _: Gradient) -> dict[str, object]:

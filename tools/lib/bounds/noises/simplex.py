@@ -45,7 +45,8 @@ def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
 
 
 def quotes() -> list[tuple[str, str]]:
-    return [("docs/accuracy.md", f"`hn_simplex` stays below {listed([derive(*case).range for case in CASES])} in 2D to 4D")]
+    below = listed([derive(*case).range for case in CASES])
+    return [("docs/accuracy.md", f"`hn_simplex` stays below {below} in 2D to 4D")]
 
 
 def describe(dims: int, _: Gradient | None) -> dict[str, object]:

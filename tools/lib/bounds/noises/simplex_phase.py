@@ -19,7 +19,8 @@ def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
 
 
 def quotes() -> list[tuple[str, str]]:
-    return [("docs/accuracy.md", f"and `hn_simplex` below {listed([derive(*case).range for case in CASES])}.")]
+    below = listed([derive(*case).range for case in CASES])
+    return [("docs/accuracy.md", f"and `hn_simplex` below {below}.")]
 
 
 def describe(dims: int, _: Gradient | None) -> dict[str, object]:
