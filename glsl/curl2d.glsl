@@ -27,6 +27,7 @@ HN_FN hn_vec2 hn_curl(hn_ivec2 cell, hn_vec2 f) { return hn_curl(cell, f, 0u); }
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
 //   seed     any uint: 7u, not 7; 0 if left out
 //   error    at most 5.19e-5. HN_FIXED as above
+//   returns  as above
 //   (everything else as above)
 HN_FN hn_vec2 hn_curl(hn_vec2 p, hn_uint seed) { return hn_i_curl(hn_simplex_d(p, seed)); }
 

@@ -56,6 +56,7 @@ HN_FN hn_vec3 hn_curl(hn_ivec3 cell, hn_vec3 f) { return hn_curl(cell, f, 0u); }
 // The same at a position.
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
 //   seed     any uint: 7u, not 7; 0 if left out
+//   returns  as above
 //   error    at most 1.30e-3. HN_FIXED as above
 //   (everything else as above)
 HN_FN hn_vec3 hn_curl(hn_vec3 p, hn_uint seed) {

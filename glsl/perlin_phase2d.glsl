@@ -85,7 +85,7 @@ HN_FN hn_float hn_perlin(hn_vec2 p, hn_ivec2 period, hn_float phase, hn_uint see
 //   returns  the value and its derivatives, per cell, in [-2.93, 2.93]
 //   error    of a derivative at most 2.52e-5. HN_FIXED 3.60e-4
 //   cost     as above, and about twice the rest
-//   (everything else as above)
+//   (parameters as above)
 HN_FN hn_vec3 hn_perlin_d(hn_ivec2 cell, hn_vec2 f, hn_float phase, hn_uint seed) {
   return hn_i_perlin_turned_d(cell, hn_i_inside(f), hn_i_rotation(phase), seed);
 }

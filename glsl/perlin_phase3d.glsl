@@ -98,7 +98,7 @@ HN_FN hn_float hn_perlin(hn_vec3 p, hn_ivec3 period, hn_float phase, hn_uint see
 //   returns  the value and its derivatives, per cell, in [-3.55, 3.55]
 //   error    of a derivative at most 3.67e-5. HN_FIXED 4.37e-4
 //   cost     as above, and about twice the rest
-//   (everything else as above)
+//   (parameters as above)
 HN_FN hn_vec4 hn_perlin_d(hn_ivec3 cell, hn_vec3 f, hn_float phase, hn_uint seed) {
   return hn_i_perlin_turned_d(cell, hn_i_inside(f), hn_i_rotation(phase), seed);
 }

@@ -84,7 +84,7 @@ HN_FN hn_float hn_simplex(hn_vec2 p, hn_ivec2 period, hn_float phase, hn_uint se
 //   returns  the value and its derivatives, per cell, in [-8.63, 8.63]
 //   error    of a derivative at most 8.35e-5. HN_FIXED 3.36e-3
 //   cost     as above, and about twice the rest
-//   (everything else as above)
+//   (parameters as above)
 HN_FN hn_vec3 hn_simplex_d(hn_ivec2 cell, hn_vec2 f, hn_float phase, hn_uint seed) {
   return hn_i_simplex_turned_d(cell, hn_i_inside(f), hn_i_rotation(phase), seed);
 }

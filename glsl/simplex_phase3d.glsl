@@ -95,7 +95,7 @@ HN_FN hn_float hn_simplex(hn_vec3 p, hn_ivec3 period, hn_float phase, hn_uint se
 //   returns  the value and its derivatives, per cell, in [-6.79, 6.79]
 //   error    of a derivative at most 9.01e-5. HN_FIXED 1.79e-3
 //   cost     as above, and about twice the rest
-//   (everything else as above)
+//   (parameters as above)
 HN_FN hn_vec4 hn_simplex_d(hn_ivec3 cell, hn_vec3 f, hn_float phase, hn_uint seed) {
   return hn_i_simplex_turned_d(cell, hn_i_inside(f), hn_i_rotation(phase), seed);
 }

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <charconv>
 #include <optional>
+#include <set>
 
 #include "base/digest.hpp"
 #include "base/file.hpp"
@@ -19,12 +20,21 @@ namespace {
 constexpr int kLinesPerSource = 10000;
 // The library nests 6 deep; a file that includes itself outside of its guard would go on for ever.
 constexpr int kDeepestInclude = 16;
-// And files that include the next several times multiply with every level. The whole library, twice, needs more
-// than 8 MiB before guards leave out what is there already.
-constexpr std::size_t kLongestText = std::size_t{32} << 20;
+// And files without guards that include the next several times multiply with every level.
+constexpr std::size_t kLongestText = std::size_t{8} << 20;
 
 void skip_spaces(std::string_view& text) {
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+}
+
+// Whether a guard makes a second inclusion of the file empty: its first directive is #ifndef.
+bool has_guard(std::string_view text) {
+  while (!text.empty()) {
+    const auto end = std::min(text.find('\n'), text.size() - 1);
+    if (const auto directive = directive_of(text.substr(0, end + 1))) return directive->word == "ifndef";
+    text.remove_prefix(end + 1);
+  }
+  return false;
 }
 
 // Whether the preprocessor may have skipped what stands before this line.
@@ -74,7 +84,6 @@ class Expander {
         if (included && ends_a_branch(current) && current.ends_with('\n')) mark_line(source, line + 1);
         continue;
       }
-      included = true;
       const std::string where = fmt::format("{}:{}", out_.paths[static_cast<std::size_t>(source)], line);
       if (out_.text.size() > kLongestText) {
         return fail(fmt::format("{}: with its includes the shader is longer than {} bytes", where, kLongestText));
@@ -84,6 +93,14 @@ class Expander {
       if (depth == kDeepestInclude) {
         return fail(fmt::format("{}: includes are nested more than {} deep", where, kDeepestInclude));
       }
+      // Below the shader itself, a guarded file that this include has brought already is left out: else the text would
+      // hold the shared files of the library once for every file that includes them.
+      if (depth == 0) brought_.clear();
+      if (has_guard(file->text) && !brought_.insert(file).second) {
+        out_.text += '\n';
+        continue;
+      }
+      included = true;
       const int number = number_of(file->path);
       mark_line(number, 1);
       HN_DO(add(file->text, number, 1, depth + 1));
@@ -96,6 +113,7 @@ class Expander {
   const SourceSet& sources_;
   const Profile& profile_;
   ShaderText out_;
+  std::set<const SourceFile*> brought_;  // by the include of the shader that is being expanded
 };
 
 }  // namespace

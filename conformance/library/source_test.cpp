@@ -96,6 +96,33 @@ TEST(Source, IncludesThatMultiplyAreAnError) {
   EXPECT_NE(shader.error().message.find("longer than"), std::string::npos) << shader.error().message;
 }
 
+// How often a line stands in a text.
+std::size_t count_of(std::string_view line, std::string_view text) {
+  std::size_t count = 0;
+  for (auto at = text.find(line); at != std::string_view::npos; at = text.find(line, at + 1)) ++count;
+  return count;
+}
+
+TEST(Source, WhatAnIncludeHasBroughtAlreadyIsLeftOutBelowIt) {
+  SourceSet sources;
+  sources.add("guarded", "// shared\n#ifndef GUARD\n#define GUARD\nint guarded;\n#endif\n", "glsl/guarded");
+  sources.add("open", "int open;\n", "glsl/open");
+  for (const std::string name : {"a", "b"}) {
+    sources.add(name, "#ifndef " + name + "\n#define " + name + "\n#include \"guarded\"\n#include \"open\"\n#endif\n",
+                "glsl/" + name);
+  }
+  sources.add("both", "#include \"a\"\n#include \"b\"\n", "glsl/both");
+  const auto once = expand(sources, profile_named("gl330"), "#include \"both\"\n");
+  ASSERT_TRUE(once);
+  EXPECT_EQ(count_of("int guarded;", once->text), 1u);
+  EXPECT_EQ(count_of("int open;", once->text), 2u);  // the preprocessor would not leave it out
+  // The first include of a shader may stand in a branch that is skipped, so the second brings everything again.
+  const auto twice =
+      expand(sources, profile_named("gl330"), "#if 0\n#include \"both\"\n#endif\n#include \"both\"\n");
+  ASSERT_TRUE(twice);
+  EXPECT_EQ(count_of("int guarded;", twice->text), 2u);
+}
+
 TEST(Source, FolderWithoutAFileIsAnError) {
   const TemporaryFolder folder;
   for (const EmbeddedFile& file : kLibraryFiles) {

@@ -55,7 +55,7 @@ class Umbrella(unittest.TestCase):
         self.assertEqual(self.run_main("--check"), (1, ["hashnoise.glsl", "warp.glsl"]))
         self.assertEqual(self.run_main(), (0, []))
         self.assertEqual(self.includes("warp.glsl"), ["warp2d.glsl", "warp3d.glsl"])
-        self.assertEqual(self.includes("hashnoise.glsl"), [*NOISES, "fbm.glsl", "position.glsl", "warp.glsl"])
+        self.assertEqual(self.includes("hashnoise.glsl"), [*NOISES, "curl.glsl", "fbm.glsl", "position.glsl", "warp.glsl"])
         self.assertEqual(self.run_main("--check"), (0, []))
 
         (self.glsl / "warp3d.glsl").unlink()
@@ -73,7 +73,7 @@ class Umbrella(unittest.TestCase):
     def test_every_noise_is_declared_before_what_is_built_on_noise(self):
         (self.glsl / "a_sum2d.glsl").write_text('#include "perlin2d.glsl"\n')
         self.assertEqual(self.run_main(), (0, []))
-        self.assertEqual(self.includes("hashnoise.glsl"), [*NOISES, "a_sum.glsl", "fbm.glsl", "position.glsl"])
+        self.assertEqual(self.includes("hashnoise.glsl"), [*NOISES, "a_sum.glsl", "curl.glsl", "fbm.glsl", "position.glsl"])
 
     def test_the_sums_are_built_on_noise(self):
         self.assertEqual(self.includes("fbm.glsl"), ["fbm2d.glsl", "fbm3d.glsl"])
@@ -84,7 +84,7 @@ class Umbrella(unittest.TestCase):
         (self.glsl / "warp.glsl").write_text('#include "fbm.glsl"\n')
         self.assertEqual(self.run_main("--check"), (1, ["hashnoise.glsl"]))
         self.assertEqual(self.run_main(), (0, []))
-        self.assertEqual(self.includes("hashnoise.glsl"), [*NOISES, "position.glsl", "warp.glsl"])
+        self.assertEqual(self.includes("hashnoise.glsl"), [*NOISES, "curl.glsl", "position.glsl", "warp.glsl"])
 
     def test_a_new_dimension_has_a_file_and_an_old_one_none(self):
         for file in sorted(self.glsl.glob("*3d.glsl")):
@@ -92,7 +92,7 @@ class Umbrella(unittest.TestCase):
                 text = file.read_text().replace('3d.glsl"', '4d.glsl"')
                 (self.glsl / file.name.replace("3d", "4d")).write_text(text)
                 file.unlink()
-        self.assertEqual(self.run_main("--check"), (1, ["fbm.glsl", "hashnoise.glsl", "noise3d.glsl", "noise4d.glsl"]))
+        self.assertEqual(self.run_main("--check"), (1, ["curl.glsl", "fbm.glsl", "hashnoise.glsl", "noise3d.glsl", "noise4d.glsl"]))
         self.assertEqual(self.run_main(), (0, []))
         self.assertIn('#include "perlin4d.glsl"\n', (self.glsl / "noise4d.glsl").read_text())
         self.assertEqual(self.includes("fbm.glsl"), ["fbm2d.glsl", "fbm4d.glsl"])

@@ -121,7 +121,7 @@ class Deletions(unittest.TestCase):
     def test_a_setting(self) -> None:
         for setting, left, message in (
                 (r'^CONFIGURATION\("lattice\+sine\+fixed".*\n', "", "sine_gradient to .* configuration with FIXED"),
-                (r'^CONFIGURATION\("pcg".*\n.*\n', "", "HN_HASH_PCG is under .* add CONFIGURATION..pcg., PCG"),
+                (r'^CONFIGURATION\("pcg"(.|\n)*?\)\n', "", "HN_HASH_PCG is under .* add CONFIGURATION..pcg., PCG"),
                 (r"(PRECISE, .*) \| octave_sum", "\\1", "octave_sum to .* configuration with PRECISE"),
                 (r'^CONFIGURATION\("fnv1\+precise".*\n', "", 'add CONFIGURATION."fnv1.precise", FNV1, OCTAHEDRAL, '
                  r"PRECISE, gradient_noise \| lattice_noise\)$"),
