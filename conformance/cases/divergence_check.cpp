@@ -14,10 +14,10 @@ namespace {
 constexpr std::size_t kPoints = 2048;
 constexpr std::uint32_t kFurthestCell = 1024;
 constexpr double kStep = 0x1p-8;
-// What a field of no divergence comes to, of 0 to 1: its differences are off by the roundings of values, most with fixed
-// arithmetic, and where a derivative has a kink within a step. A field that has a divergence comes to 0.3 or more: its
-// terms do not know of each other.
-constexpr double kLimit = 0.05;
+// Of 0 to 1. Measured with the twin, hn_curl comes to 0.0005 in floats and to 0.0014 with fixed arithmetic, by the
+// roundings of values and by kinks of the derivatives within a step. With a wrong sign it comes to 1, and normalised to
+// 0.5.
+constexpr double kLimit = 0.01;
 
 double difference(std::span<const std::uint32_t> after, std::span<const std::uint32_t> before, std::size_t word) {
   return static_cast<double>(std::bit_cast<float>(after[word])) -

@@ -50,6 +50,8 @@ int main() {
   PRINT(hn_perlin);
   PRINT(hn_value);
   PRINT(hn_value_cubic);
+  PRINT(hn_simplex);
+  PRINT(hn_simplex_smooth);
   PRINT(hn_fbm, 6, 2.0f, 0.5f);
   PRINT(hn_turbulence, 6, 2.0f, 0.5f);
   PRINT(hn_clouds, 6, 2.0f, 0.5f);
