@@ -124,6 +124,8 @@ int main() {
 #define OF_further_gradient_noise TRIED
 #define OF_further_lattice_noise TRIED
 #define OF_further_octave_sum TRIED
+#define OF_simplex_noise TRIED
+#define OF_curl TRIED
 #define FUNCTION(id, file, family, bound, columns, call, ...) OF_##family(id, #family, columns, __VA_ARGS__)
 #include "library/functions.inc"
 }

@@ -135,6 +135,14 @@ int main() {
   print_digest("value4", [](const Point& p) { return hn_value(hn_vec4(p.x, p.y, p.z, p.fx), p.seed); });
   print_digest("value_cubic3", [](const Point& p) { return hn_value_cubic(hn_vec3(p.x, p.y, p.z), p.seed); });
   print_digest("value_d3", [](const Point& p) { return hn_value_d(hn_vec3(p.x, p.y, p.z), p.seed).z; });
+  print_digest("simplex2", [](const Point& p) { return hn_simplex(hn_vec2(p.x, p.y), p.seed); });
+  print_digest("simplex4", [](const Point& p) { return hn_simplex(hn_vec4(p.x, p.y, p.z, p.fx), p.seed); });
+  print_digest("simplex_smooth2", [](const Point& p) { return hn_simplex_smooth(hn_vec2(p.x, p.y), p.seed); });
+  print_digest("simplex_smooth3", [](const Point& p) { return hn_simplex_smooth(hn_vec3(p.x, p.y, p.z), p.seed); });
+  print_digest("simplex2_period",
+               [](const Point& p) { return hn_simplex(hn_vec2(p.x, p.y), hn_ivec2(p.cx, p.cy), p.seed); });
+  print_digest("simplex_d3_phase", [](const Point& p) { return hn_simplex_d(hn_vec3(p.x, p.y, p.z), p.fx, p.seed).y; });
+  print_digest("curl3", [](const Point& p) { return hn_curl(hn_vec3(p.x, p.y, p.z), p.seed).x; });
   print_digest("perlin2_period",
                [](const Point& p) { return hn_perlin(hn_vec2(p.x, p.y), hn_ivec2(p.cx, p.cy), p.seed); });
   print_digest("cell",

@@ -74,6 +74,8 @@ struct Lanes {
   friend Mask operator op(Lanes a, Lanes b) { return {a.v op b.v}; }
   LANES_COMPARISON(<)
   LANES_COMPARISON(>)
+  LANES_COMPARISON(<=)
+  LANES_COMPARISON(>=)
   LANES_COMPARISON(==)
   LANES_COMPARISON(!=)
 #undef LANES_COMPARISON
