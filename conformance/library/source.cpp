@@ -96,11 +96,11 @@ class Expander {
       // Below the shader itself, a guarded file that this include has brought already is left out: else the text would
       // hold the shared files of the library once for every file that includes them.
       if (depth == 0) brought_.clear();
+      included = true;
       if (has_guard(file->text) && !brought_.insert(file).second) {
-        out_.text += '\n';
+        mark_line(source, line + 1);
         continue;
       }
-      included = true;
       const int number = number_of(file->path);
       mark_line(number, 1);
       HN_DO(add(file->text, number, 1, depth + 1));
