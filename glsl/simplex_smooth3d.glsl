@@ -78,7 +78,7 @@ HN_FN hn_num hn_i_simplex_smooth(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_u
 }
 
 // Smooth simplex noise in space, from a cell and a position in it. The kernel is half again as large
-// as that of hn_simplex, in the square of its radius, so the field is calmer, and slices differ less.
+// as that of hn_simplex, in the square of its radius, so the field is calmer.
 //   cell     the cell; its points wrap at 2^32
 //   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats have no promise
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
