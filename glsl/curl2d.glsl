@@ -6,7 +6,8 @@
 
 #include "simplex_d2d.glsl"
 
-HN_FN hn_vec2 hn_i_curl(hn_vec3 d) { return vec2(d.z, hn_i_minus(0.0f, d.y)); }
+// The negative of 0 would be -0, and of a difference from 0 some drivers make a negative.
+HN_FN hn_vec2 hn_i_curl(hn_vec3 d) { return vec2(d.z, hn_i_select(d.y == 0.0f, 0.0f, -d.y)); }
 
 // The curl of hn_simplex on the plane, from a cell and a position in it: a field of velocities that neither flows
 // together nor apart. What it carries turns round the hills and hollows of the noise, along lines of equal height.
