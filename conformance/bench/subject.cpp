@@ -81,6 +81,7 @@ Subject foreign_subject(std::string_view name, std::string_view file, std::strin
                         std::string_view profile) {
   // A function of our own insists on a float. GLSL would make one of a whole number.
   constexpr std::string_view kOnlyFloat =
+      "vec4 hn_bench_set;\n"  // for what the function sets
       "struct hn_bench_no_float { int bits; };\n"
       "float hn_bench_float(float v) { return v; }\n"
       "hn_bench_no_float hn_bench_float(int v) { return hn_bench_no_float(v); }\n"

@@ -67,9 +67,9 @@ CALLS = (
     Call("smooth simplex 3D", "noise3d.simplex_smooth", "fastnoiselite", "",
          "_fnlSingleOpenSimplex2S3D(0, p.x, p.y, p.z)"),
     Call("turning simplex 2D with derivatives", "noise2d.simplex_d_phase", "psrdnoise", "psrdnoise2.glsl",
-         "psrdnoise(p, vec2(0.0), p.x, hn_bench_out.xy) + hn_bench_out.x + hn_bench_out.y"),
+         "psrdnoise(p, vec2(0.0), p.x, hn_bench_set.xy) + hn_bench_set.x + hn_bench_set.y"),
     Call("turning simplex 3D with derivatives", "noise3d.simplex_d_phase", "psrdnoise", "psrdnoise3.glsl",
-         "psrdnoise(p, vec3(0.0), p.x, hn_bench_out.xyz) + hn_bench_out.x + hn_bench_out.y + hn_bench_out.z"),
+         "psrdnoise(p, vec3(0.0), p.x, hn_bench_set.xyz) + hn_bench_set.x + hn_bench_set.y + hn_bench_set.z"),
 )
 
 
