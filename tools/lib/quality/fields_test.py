@@ -50,12 +50,13 @@ class Statistics(unittest.TestCase):
 
 
 class Simplex(unittest.TestCase):
-    def test_has_no_direction_in_its_spectrum_in_the_plane(self):
+    def test_shows_less_of_its_lattice_than_perlin_noise_in_the_plane(self):
         perlin, simplex, smooth = (fields.look(TWIN, noise) for noise in (PERLIN2, SIMPLEX2, SMOOTH2))
         for ours in (simplex, smooth):
             self.assertLess(worst(ours.spectrum), worst(perlin.spectrum) / 4)
-        # Structures lean towards the sides of triangles. A larger kernel costs a fourth point, and leaves less of that.
-        self.assertLess(worst(simplex.structures), 0.2)
+        # Structures lean towards the sides of triangles, those of Perlin noise towards axes and diagonals alike. A larger
+        # kernel costs a fourth point, and leaves less of that.
+        self.assertLess(worst(simplex.structures), 0.8 * worst(perlin.structures))
         self.assertLess(worst(smooth.structures), worst(simplex.structures) / 2)
 
     def test_shows_less_of_its_lattice_than_perlin_noise_in_space(self):

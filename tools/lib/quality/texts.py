@@ -111,7 +111,7 @@ three of them with the same words of the default hash.
 LOOKS = """
 ### What each noise shows of its lattice
 
-The noises of the library side by side, with 8 seeds each and the standard error. In the plane the three numbers are the means of the cosine of two, four and six times an angle: of two axes, of a lattice of squares, of one of triangles. In space the number is the one above. All directions alike give 0.
+The noises of the library side by side, with 8 seeds each and the standard error. In the plane the four numbers are the means of the cosine of two, four, six and eight times an angle: of one axis alone, of the axes of squares, of the sides of triangles, of the axes and the diagonals of squares alike. In space the number is the one above. All directions alike give 0.
 *Structures* takes the directions across the strongest structures, as above; *spectrum* those of the waves that a field is made of, weighted by their power. All noises are sampled with four points to a step of their lattice, and smoothed alike: a step of 2D simplex noise is half a cell. *Slices* is the
 least deviation of a slice across z over the greatest, at 8 heights of a cell: 1 if all slices are alike.
 
