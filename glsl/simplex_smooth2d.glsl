@@ -32,7 +32,7 @@ HN_FN hn_num hn_i_simplex_smooth(hn_ivec2 cell, hn_num2 f, hn_uint seed) {
   hn_num2 p = hn_i_steps(f);
   hn_int row = hn_i_floor(p.y);
   hn_num lower = hn_i_in_row(p.x, row);
-  hn_num upper = hn_i_in_row(p.x, row + 1);
+  hn_num upper = hn_i_in_row(p.x, hn_i_beyond(row, 1));
   hn_uvec2 c = hn_i_spread(uvec2(hn_i_doubled(uint(cell.x), hn_i_floor(lower)), hn_i_doubled(uint(cell.y), row)));
   hn_uint x = hn_i_spread(hn_i_doubled(uint(cell.x), hn_i_floor(upper)));
   hn_uvec2 next = hn_i_last(c);
@@ -45,18 +45,19 @@ HN_FN hn_num hn_i_simplex_smooth(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_u
   hn_num2 p = hn_i_steps(f);
   hn_int row = hn_i_floor(p.y);
   hn_num lower = hn_i_in_row(p.x, row);
-  hn_num upper = hn_i_in_row(p.x, row + 1);
+  hn_num upper = hn_i_in_row(p.x, hn_i_beyond(row, 1));
   hn_int i = hn_i_floor(lower);
   hn_int j = hn_i_floor(upper);
   hn_uvec2 c = hn_i_wrap(cell, period);
   hn_uint y0 = hn_i_doubled(c.y, row, period.y);
-  hn_uint y1 = hn_i_doubled(c.y, row + 1, period.y);
+  hn_uint y1 = hn_i_doubled(c.y, hn_i_beyond(row, 1), period.y);
   hn_uint s = hn_i_mix(seed);
-  return hn_i_simplex_smooth(uvec4(hn_i_word(hn_i_spread(uvec2(hn_i_doubled(c.x, i, period.x), y0)), s, s),
-                                   hn_i_word(hn_i_spread(uvec2(hn_i_doubled(c.x, i + 1, period.x), y0)), s, s),
-                                   hn_i_word(hn_i_spread(uvec2(hn_i_doubled(c.x, j, period.x), y1)), s, s),
-                                   hn_i_word(hn_i_spread(uvec2(hn_i_doubled(c.x, j + 1, period.x), y1)), s, s)),
-                             hn_i_past(lower), hn_i_past(upper), hn_i_past(p.y));
+  hn_uvec2 x0 = uvec2(hn_i_doubled(c.x, i, period.x), hn_i_doubled(c.x, hn_i_beyond(i, 1), period.x));
+  hn_uvec2 x1 = uvec2(hn_i_doubled(c.x, j, period.x), hn_i_doubled(c.x, hn_i_beyond(j, 1), period.x));
+  return hn_i_simplex_smooth(
+      uvec4(hn_i_word(hn_i_spread(uvec2(x0.x, y0)), s, s), hn_i_word(hn_i_spread(uvec2(x0.y, y0)), s, s),
+            hn_i_word(hn_i_spread(uvec2(x1.x, y1)), s, s), hn_i_word(hn_i_spread(uvec2(x1.y, y1)), s, s)),
+      hn_i_past(lower), hn_i_past(upper), hn_i_past(p.y));
 }
 
 // Smooth simplex noise on the plane, from a cell and a position in it. The kernel is a quarter larger than

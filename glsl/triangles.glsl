@@ -18,6 +18,10 @@
 // The place of a fraction of a cell, in steps.
 HN_FN hn_num2 hn_i_steps(hn_num2 f) { return hn_i_num(hn_i_plus(f.x, f.x), hn_i_plus(f.y, f.y)); }
 
+// The sum of two numbers of rows or columns. Of a place that is far out of its cell they are so large that ints would
+// overflow, which C++ leaves undefined.
+HN_FN hn_int hn_i_beyond(hn_int i, hn_int more) { return int(uint(i) + uint(more)); }
+
 // A coordinate of a point: 2 c + more, where c is that of its cell, and more lies in [-2, 3].
 HN_FN hn_uint hn_i_doubled(hn_uint c, hn_int more) { return c * 2u + uint(more); }
 
@@ -36,7 +40,10 @@ HN_FN hn_uint hn_i_doubled(hn_uint c, hn_int more, hn_int period) {
 HN_FN hn_num2 hn_i_skewed(hn_num2 f) { return hn_i_num(hn_i_plus(hn_i_plus(f.x, f.x), f.y), hn_i_plus(f.y, f.y)); }
 
 // In which column of its row the first corner is, from twice the cell on.
-HN_FN hn_int hn_i_column_of(hn_num2 skewed) { return hn_i_floor(skewed.x) - ((hn_i_floor(skewed.y) + 1) >> 1); }
+HN_FN hn_int hn_i_column_of(hn_num2 skewed) {
+  hn_int row = hn_i_floor(skewed.y);
+  return hn_i_beyond(hn_i_floor(skewed.x), -((row >> 1) + (row & 1)));
+}
 
 // The words of the corners, in the order above.
 HN_FN hn_uvec3 hn_i_triangle(hn_ivec2 cell, hn_num2 skewed, hn_uint seed) {
@@ -56,11 +63,11 @@ HN_FN hn_uvec3 hn_i_triangle(hn_ivec2 cell, hn_num2 skewed, hn_ivec2 period, hn_
   hn_num u = hn_i_past(skewed.x);
   hn_num v = hn_i_past(skewed.y);
   hn_int first = hn_i_column_of(skewed);
-  hn_int last = first + (row & 1);
-  hn_int middle = hn_i_select(u > v, first + 1, last - 1);
+  hn_int last = hn_i_beyond(first, row & 1);
+  hn_int middle = hn_i_select(u > v, hn_i_beyond(first, 1), hn_i_beyond(last, -1));
   hn_uvec2 c = hn_i_wrap(cell, period);
   hn_uint lower = hn_i_doubled(c.y, row, period.y);
-  hn_uint upper = hn_i_doubled(c.y, row + 1, period.y);
+  hn_uint upper = hn_i_doubled(c.y, hn_i_beyond(row, 1), period.y);
   hn_uint s = hn_i_mix(seed);
   return uvec3(
       hn_i_word(hn_i_spread(uvec2(hn_i_doubled(c.x, first, period.x), lower)), s, s),
