@@ -152,7 +152,7 @@ class Ending(unittest.TestCase):
 
     def test_a_shell_sees_130_and_143(self):
         for name, number in (("INT", 130), ("TERM", 143)):
-            command = f"timeout -s {name} --preserve-status 1 {PROGRAM} run --out {self.out} --points 5000000; echo $?"
+            command = f"timeout -s {name} --preserve-status 3 {PROGRAM} run --out {self.out} --points 5000000; echo $?"
             done = subprocess.run(["sh", "-c", command], capture_output=True, text=True, check=True)
             self.assertEqual(done.stdout.splitlines()[-1], str(number), done.stderr)
             self.assertIn("--resume", done.stderr)  # timeout sends it twice, to us and to our group
