@@ -23,15 +23,15 @@ HN_FN hn_num hn_i_smooth_ramp(hn_uint h, hn_num x, hn_num y, hn_num z) {
 // offset along the axis, and `total` that along all three. q is the square of the distance of the nearest point.
 HN_FN hn_num hn_i_neighbour(hn_uvec3 one, hn_uvec3 others, hn_num3 d, hn_num3 e, hn_num size, hn_num total,
                             hn_i_square_number q, hn_uint join, hn_uint sum) {
-  hn_num half_excess = hn_i_minus(total, hn_i_plus(size, size));
+  hn_num twice = hn_i_plus(size, size);
+  hn_num excess = hn_i_minus(total, twice);  // above 1/2 where the opposite end is nearer
   hn_num middle = hn_i_quarters(2);
   hn_uvec3 c =
-      uvec3(hn_i_select(half_excess > middle, others.x, one.x), hn_i_select(half_excess > middle, others.y, one.y),
-            hn_i_select(half_excess > middle, others.z, one.z));
-  hn_num x = hn_i_select(half_excess > middle, e.x, d.x);
-  hn_num y = hn_i_select(half_excess > middle, e.y, d.y);
-  hn_num z = hn_i_select(half_excess > middle, e.z, d.z);
-  hn_num twice = hn_i_plus(size, size);
+      uvec3(hn_i_select(excess > middle, others.x, one.x), hn_i_select(excess > middle, others.y, one.y),
+            hn_i_select(excess > middle, others.z, one.z));
+  hn_num x = hn_i_select(excess > middle, e.x, d.x);
+  hn_num y = hn_i_select(excess > middle, e.y, d.y);
+  hn_num z = hn_i_select(excess > middle, e.z, d.z);
   hn_num more =
       min(hn_i_minus(HN_I_ONE, twice), hn_i_plus(hn_i_minus(hn_i_quarters(8), hn_i_plus(total, total)), twice));
   return hn_i_attenuated(hn_i_smooth_ramp(hn_i_word(c, join, sum), x, y, z),
