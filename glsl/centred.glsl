@@ -15,24 +15,6 @@
 #define HN_I_CENTRE_SUM 0x165667B1u
 #define HN_I_CENTRE_JOIN 0x16566703u
 
-// The first corner of the cell before, given the first corner of a cell.
-HN_FN hn_uvec3 hn_i_before(hn_uvec3 first) {
-  return uvec3(first.x - 0x9E3779B1u, first.y - 0x85EBCA77u, first.z - 0xC2B2AE3Du);
-}
-HN_FN hn_uvec4 hn_i_before(hn_uvec4 first) {
-  return uvec4(hn_i_before(uvec3(first.x, first.y, first.z)), first.w - 0x27D4EB2Fu);
-}
-
-// The same with a period, from its wrapped coordinates. Without one the last cell before 0 is -1.
-HN_FN hn_uint hn_i_before(hn_uint c, hn_int period) { return hn_i_select(c == 0u, uint(max(period, 0)), c) - 1u; }
-HN_FN hn_uvec3 hn_i_before(hn_uvec3 c, hn_ivec3 period) {
-  return hn_i_spread(uvec3(hn_i_before(c.x, period.x), hn_i_before(c.y, period.y), hn_i_before(c.z, period.z)));
-}
-HN_FN hn_uvec4 hn_i_before(hn_uvec4 c, hn_ivec4 period) {
-  return hn_i_spread(uvec4(hn_i_before(c.x, period.x), hn_i_before(c.y, period.y), hn_i_before(c.z, period.z),
-                           hn_i_before(c.w, period.w)));
-}
-
 // Chooses b along each axis where the place is nearer to the far end of the cell, else a.
 HN_FN hn_uvec3 hn_i_nearer(hn_num3 f, hn_uvec3 a, hn_uvec3 b) {
   hn_num middle = hn_i_quarters(2);

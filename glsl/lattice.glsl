@@ -68,6 +68,35 @@ HN_FN hn_uvec4 hn_i_last(hn_uvec4 first, hn_uvec4 c, hn_ivec4 period) {
                hn_i_behind(last.z, c.z, period.z, 0u), hn_i_behind(last.w, c.w, period.w, 0u));
 }
 
+// The first corner of the cell before, given the first corner of a cell.
+HN_FN hn_uvec2 hn_i_before(hn_uvec2 first) { return uvec2(first.x - 0x9E3779B1u, first.y - 0x85EBCA77u); }
+HN_FN hn_uvec3 hn_i_before(hn_uvec3 first) {
+  return uvec3(hn_i_before(uvec2(first.x, first.y)), first.z - 0xC2B2AE3Du);
+}
+HN_FN hn_uvec4 hn_i_before(hn_uvec4 first) {
+  return uvec4(hn_i_before(uvec3(first.x, first.y, first.z)), first.w - 0x27D4EB2Fu);
+}
+
+// The wrapped coordinate before another with a period, and the one after it. Without a period the one before 0 is -1.
+HN_FN hn_uint hn_i_before(hn_uint c, hn_int period) { return hn_i_select(c == 0u, uint(max(period, 0)), c) - 1u; }
+HN_FN hn_uint hn_i_after(hn_uint c, hn_int period) { return hn_i_select(c + 1u == uint(max(period, 0)), 0u, c + 1u); }
+HN_FN hn_uvec2 hn_i_before(hn_uvec2 c, hn_ivec2 period) {
+  return uvec2(hn_i_before(c.x, period.x), hn_i_before(c.y, period.y));
+}
+HN_FN hn_uvec2 hn_i_after(hn_uvec2 c, hn_ivec2 period) {
+  return uvec2(hn_i_after(c.x, period.x), hn_i_after(c.y, period.y));
+}
+HN_FN hn_uvec3 hn_i_before(hn_uvec3 c, hn_ivec3 period) {
+  return uvec3(hn_i_before(c.x, period.x), hn_i_before(c.y, period.y), hn_i_before(c.z, period.z));
+}
+HN_FN hn_uvec3 hn_i_after(hn_uvec3 c, hn_ivec3 period) {
+  return uvec3(hn_i_after(c.x, period.x), hn_i_after(c.y, period.y), hn_i_after(c.z, period.z));
+}
+HN_FN hn_uvec4 hn_i_before(hn_uvec4 c, hn_ivec4 period) {
+  return uvec4(hn_i_before(c.x, period.x), hn_i_before(c.y, period.y), hn_i_before(c.z, period.z),
+               hn_i_before(c.w, period.w));
+}
+
 // The words of the corners 00, 10, 01, 11 of a square; c0 and c1 are the spread coordinates of the first and the last.
 // Other axes and the seed add `join` to the exclusive or, `sum` to the sum before it is made odd, and `more` to the odd
 // number (`more` is even). Without a period `more` and the steps along x and y are constants, so they are added first.

@@ -4,6 +4,11 @@
 #ifndef HN_NOISE2D_GLSL
 #define HN_NOISE2D_GLSL
 
+#include "cell_border2d.glsl"
+#include "cellular2d.glsl"
+#include "cellular_d2d.glsl"
+#include "cellular_smooth2d.glsl"
+#include "cellular_three2d.glsl"
 #include "perlin2d.glsl"
 #include "perlin_d2d.glsl"
 #include "perlin_phase2d.glsl"

@@ -4,6 +4,11 @@
 #ifndef HN_NOISE3D_GLSL
 #define HN_NOISE3D_GLSL
 
+#include "cell_border3d.glsl"
+#include "cellular3d.glsl"
+#include "cellular_d3d.glsl"
+#include "cellular_smooth3d.glsl"
+#include "cellular_three3d.glsl"
 #include "perlin3d.glsl"
 #include "perlin_d3d.glsl"
 #include "perlin_phase3d.glsl"

@@ -27,7 +27,7 @@ HN_FN hn_num hn_i_simplex(hn_ivec4 cell, hn_num4 f, hn_uint seed) {
 HN_FN hn_num hn_i_simplex(hn_ivec4 cell, hn_num4 f, hn_ivec4 period, hn_uint seed) {
   hn_uvec4 c = hn_i_wrap(cell, period);
   hn_uvec4 first = hn_i_spread(c);
-  return hn_i_simplex(first, hn_i_last(first, c, period), hn_i_before(c, period), f, seed);
+  return hn_i_simplex(first, hn_i_last(first, c, period), hn_i_spread(hn_i_before(c, period)), f, seed);
 }
 
 // Simplex noise in four dimensions, from a cell and a position in it: gradient noise on the corners and centres of all

@@ -32,7 +32,7 @@ HN_FN hn_vec4 hn_i_simplex_d(hn_ivec3 cell, hn_num3 f, hn_uint seed) {
 HN_FN hn_vec4 hn_i_simplex_d(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_uint seed) {
   hn_uvec3 c = hn_i_wrap(cell, period);
   hn_uvec3 first = hn_i_spread(c);
-  return hn_i_simplex_d(first, hn_i_last(first, c, period), hn_i_before(c, period), f, seed);
+  return hn_i_simplex_d(first, hn_i_last(first, c, period), hn_i_spread(hn_i_before(c, period)), f, seed);
 }
 
 // Simplex noise in space and how steep it is, from a cell and a position in it. The value is that of hn_simplex.

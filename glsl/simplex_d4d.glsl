@@ -42,7 +42,7 @@ HN_FN hn_float hn_i_simplex_d(hn_ivec4 cell, hn_num4 f, hn_uint seed, HN_I_OUT(h
 HN_FN hn_float hn_i_simplex_d(hn_ivec4 cell, hn_num4 f, hn_ivec4 period, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
   hn_uvec4 c = hn_i_wrap(cell, period);
   hn_uvec4 first = hn_i_spread(c);
-  return hn_i_simplex_d(first, hn_i_last(first, c, period), hn_i_before(c, period), f, seed, gradient);
+  return hn_i_simplex_d(first, hn_i_last(first, c, period), hn_i_spread(hn_i_before(c, period)), f, seed, gradient);
 }
 
 // Simplex noise in four dimensions and how steep it is, from a cell and a position in it. The value is that of

@@ -100,6 +100,9 @@ inline Float trunc(Float x) {
 inline Float abs(Float x) {
   return Float::each([=](int i) { return hashnoise::abs(x.v[i]); });
 }
+inline Float sqrt(Float x) {
+  return Float::each([=](int i) { return hashnoise::sqrt(x.v[i]); });
+}
 inline Float uintBitsToFloat(Uint bits) { return Float::of((Float::Vector)bits.v); }
 inline Uint floatBitsToUint(Float value) { return Uint::of((Uint::Vector)value.v); }
 

@@ -214,6 +214,7 @@ inline vec2 floor(vec2 v) { return {std::floor(v.x), std::floor(v.y)}; }
 inline vec3 floor(vec3 v) { return {std::floor(v.x), std::floor(v.y), std::floor(v.z)}; }
 inline vec4 floor(vec4 v) { return {std::floor(v.x), std::floor(v.y), std::floor(v.z), std::floor(v.w)}; }
 inline float trunc(float x) { return std::trunc(x); }
+inline float sqrt(float x) { return std::sqrt(x); }
 inline float abs(float x) { return std::fabs(x); }
 constexpr float min(float x, float y) { return y < x ? y : x; }
 constexpr float max(float x, float y) { return x < y ? y : x; }

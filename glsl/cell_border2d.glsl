@@ -1,0 +1,128 @@
+// hashnoise: the borders of cells on the plane.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_CELL_BORDER2D_GLSL
+#define HN_CELL_BORDER2D_GLSL
+
+#include "feature_plane.glsl"
+
+// The distance to the border, given the smallest ranks. The cells beside the block are needed as well: where a place is
+// at the wall of its own cell, the cell two steps on may share the nearest border with the nearest one (tools/bounds).
+HN_FN hn_float hn_i_cell_border(hn_uvec2 before, hn_uvec2 cell, hn_uvec2 after, hn_uvec2 two, hn_num2 d, hn_num jitter,
+                                hn_uint seed, hn_rank4 nearest) {
+  hn_num2 from = hn_i_from_nearest(before, cell, after, d, jitter, seed, nearest.w);
+  hn_rank4 best = hn_i_visit_block(hn_i_far_away(), before, cell, after, d, jitter, HN_I_BORDERS, seed, from, nearest);
+  best = hn_i_visit_beyond(best, before, cell, after, two, 0, d, jitter, HN_I_BORDERS, seed, from, nearest);
+  best = hn_i_visit_beyond(best, before, cell, after, two, 1, d, jitter, HN_I_BORDERS, seed, from, nearest);
+  return hn_i_border_distance(best.x);
+}
+HN_FN hn_float hn_i_cell_border(hn_ivec2 cell, hn_num2 f, hn_num jitter, hn_uint seed) {
+  hn_uvec2 first = hn_i_first(cell);
+  hn_uvec2 before = hn_i_before(first);
+  hn_uvec2 after = hn_i_last(first);
+  hn_num2 d = hn_i_inner(f);
+  return hn_i_cell_border(before, first, after, hn_i_two_steps(first, d), d, jitter, seed,
+                          hn_i_nearest(before, first, after, d, jitter, HN_METRIC_SQUARED, seed));
+}
+HN_FN hn_float hn_i_cell_border(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_num jitter, hn_uint seed,
+                                HN_I_OUT(hn_ivec2) nearest, HN_I_OUT(hn_vec2) offset) {
+  hn_uvec2 c = hn_i_wrap(cell, period);
+  hn_uvec2 first = hn_i_spread(c);
+  hn_uvec2 before = hn_i_spread(hn_i_before(c, period));
+  hn_uvec2 after = hn_i_spread(hn_i_after(c, period));
+  hn_num2 d = hn_i_inner(f);
+  hn_rank4 best = hn_i_nearest(before, first, after, d, jitter, HN_METRIC_SQUARED, seed);
+  nearest = hn_i_cell_of(c, period, best.w);
+  offset = hn_i_toward(hn_i_from_nearest(before, first, after, d, jitter, seed, best.w));
+  return hn_i_cell_border(before, first, after, hn_i_two_steps(c, period, d), d, jitter, seed, best);
+}
+HN_FN hn_float hn_i_cell_border(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_num jitter, hn_uint seed) {
+  hn_ivec2 nearest;
+  hn_vec2 offset;
+  return hn_i_cell_border(cell, f, period, jitter, seed, nearest, offset);
+}
+
+// How far it is to the border of a cell of cellular noise on the plane, from a cell and a position in it: to the
+// nearest place that is as near to another feature point as to the nearest one (not the difference of the distances to
+// both). Cracks, tiles and veins are drawn with it.
+//   cell     the cell; it wraps at 2^32, and so do its neighbours
+//   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats have no promise
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  the distance to the border, in cells, in [0, @B@] (proven bound); typically @TYPB@. It is continuous
+//            (HN_FIXED: in steps of 2^-16)
+//   error    @ERR@
+//   period   2^32 cells per axis
+//   cost     9, 1 and 15 hashes (none with HN_HASH_LATTICE), as many multiplications, and 15 square roots and divisions
+//   source   Quilez, "Voronoi edges", 2012, for the distance; docs/contract.md, section 16
+HN_FN hn_float hn_cell_border(hn_ivec2 cell, hn_vec2 f, hn_uint seed) {
+  return hn_i_cell_border(cell, hn_i_inside(f), hn_i_jitter(1.0f), seed);
+}
+
+HN_FN hn_float hn_cell_border(hn_ivec2 cell, hn_vec2 f) { return hn_cell_border(cell, f, 0u); }
+
+// The same at a position.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   seed     any uint: 7u, not 7; 0 if left out
+//   returns  as above
+//   error    @ERRP@
+//   period   as above
+//   cost     as above
+//   source   as above
+HN_FN hn_float hn_cell_border(hn_vec2 p, hn_uint seed) {
+  return hn_i_cell_border(hn_i_cell(p), hn_i_fraction(p), hn_i_jitter(1.0f), seed);
+}
+
+HN_FN hn_float hn_cell_border(hn_vec2 p) { return hn_cell_border(p, 0u); }
+
+// Both with a period: the field repeats after that many cells. Its points are those of the cells modulo the period.
+//   period   cells along each axis, any ivec2; 0 for none along that axis. Less than 0 is none, too
+//   seed     any uint: 7u, not 7
+//   error    as without a period
+//   cost     a mask along each axis more for a constant power of two; else a division. Each axis has a few comparisons
+//            and two multiplications more
+HN_FN hn_float hn_cell_border(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_uint seed) {
+  return hn_i_cell_border(cell, hn_i_inside(f), period, hn_i_jitter(1.0f), seed);
+}
+
+HN_FN hn_float hn_cell_border(hn_vec2 p, hn_ivec2 period, hn_uint seed) {
+  return hn_i_cell_border(hn_i_cell(p), hn_i_fraction(p), period, hn_i_jitter(1.0f), seed);
+}
+
+// The same with everything that may be chosen.
+//   period   cells along each axis, any ivec2; 0 for none along that axis. Less than 0 is none, too
+//   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
+//            outside of [0, 1] counts as the nearer end
+//   seed     any uint: 7u, not 7
+//   returns  as above
+//   error    as above
+//   cost     as with a period
+HN_FN hn_float hn_cell_border(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_float jitter, hn_uint seed) {
+  return hn_i_cell_border(cell, hn_i_inside(f), period, hn_i_jitter(jitter), seed);
+}
+
+HN_FN hn_float hn_cell_border(hn_vec2 p, hn_ivec2 period, hn_float jitter, hn_uint seed) {
+  return hn_i_cell_border(hn_i_cell(p), hn_i_fraction(p), period, hn_i_jitter(jitter), seed);
+}
+
+// The same with everything that may be chosen, and with the nearest point.
+//   period   cells along each axis, any ivec2; 0 for none along that axis. Less than 0 is none, too
+//   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
+//            outside of [0, 1] counts as the nearer end
+//   seed     any uint: 7u, not 7
+//   nearest  is set to the cell of the nearest point, modulo the period: hn_lattice(nearest, seed) is a word of its own
+//            for each cell. Of points at the same distance that of the first cell counts, by y, then by x
+//   offset   is set to the vector from the position to that point, in cells
+//   returns  as above
+//   error    as above; of the offset at most @ERRO@
+//   cost     as with a period; one more hash
+HN_FN hn_float hn_cell_border(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_float jitter, hn_uint seed,
+                              HN_I_OUT(hn_ivec2) nearest, HN_I_OUT(hn_vec2) offset) {
+  return hn_i_cell_border(cell, hn_i_inside(f), period, hn_i_jitter(jitter), seed, nearest, offset);
+}
+
+HN_FN hn_float hn_cell_border(hn_vec2 p, hn_ivec2 period, hn_float jitter, hn_uint seed, HN_I_OUT(hn_ivec2) nearest,
+                              HN_I_OUT(hn_vec2) offset) {
+  return hn_i_cell_border(hn_i_cell(p), hn_i_fraction(p), period, hn_i_jitter(jitter), seed, nearest, offset);
+}
+
+#endif

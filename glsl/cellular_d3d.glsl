@@ -1,0 +1,85 @@
+// hashnoise: cellular noise and its gradient in space.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_CELLULAR_D3D_GLSL
+#define HN_CELLULAR_D3D_GLSL
+
+#include "feature_space.glsl"
+
+HN_FN hn_vec4 hn_i_cellular_d(hn_uvec3 before, hn_uvec3 cell, hn_uvec3 after, hn_num3 d, hn_num jitter, hn_uint seed) {
+  hn_rank4 best = hn_i_nearest(before, cell, after, d, jitter, HN_METRIC_EUCLIDEAN, seed);
+  hn_vec3 slope = hn_i_unit(hn_i_from_nearest(before, cell, after, d, jitter, seed, best.w));
+  return vec4(hn_i_distance(best.x, HN_METRIC_EUCLIDEAN), slope.x, slope.y, slope.z);
+}
+HN_FN hn_vec4 hn_i_cellular_d(hn_ivec3 cell, hn_num3 f, hn_num jitter, hn_uint seed) {
+  hn_uvec3 first = hn_i_first(cell);
+  return hn_i_cellular_d(hn_i_before(first), first, hn_i_last(first), hn_i_inner(f), jitter, seed);
+}
+HN_FN hn_vec4 hn_i_cellular_d(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_num jitter, hn_uint seed) {
+  hn_uvec3 c = hn_i_wrap(cell, period);
+  return hn_i_cellular_d(hn_i_spread(hn_i_before(c, period)), hn_i_spread(c), hn_i_spread(hn_i_after(c, period)),
+                         hn_i_inner(f), jitter, seed);
+}
+
+// The distance to the nearest feature point in space and its gradient, from a cell and a position in it. The distance
+// is the first of hn_cellular.
+//   cell     the cell; it wraps at 2^32, and so do its neighbours
+//   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats have no promise
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  the distance, and its derivatives along x, y and z: a vector of length 1 away from the point, which is
+//            (position - point) / distance; 0 at the point. It jumps where another point becomes the nearest
+//   error    that of hn_cellular, and of a derivative @ERRD@
+//   period   2^32 cells per axis
+//   cost     that of hn_cellular and one more hash
+//   source   docs/contract.md, section 16
+HN_FN hn_vec4 hn_cellular_d(hn_ivec3 cell, hn_vec3 f, hn_uint seed) {
+  return hn_i_cellular_d(cell, hn_i_inside(f), hn_i_jitter(1.0f), seed);
+}
+
+HN_FN hn_vec4 hn_cellular_d(hn_ivec3 cell, hn_vec3 f) { return hn_cellular_d(cell, f, 0u); }
+
+// The same at a position.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   seed     any uint: 7u, not 7; 0 if left out
+//   returns  as above
+//   error    @ERRP@
+//   period   as above
+//   cost     as above
+//   source   as above
+HN_FN hn_vec4 hn_cellular_d(hn_vec3 p, hn_uint seed) {
+  return hn_i_cellular_d(hn_i_cell(p), hn_i_fraction(p), hn_i_jitter(1.0f), seed);
+}
+
+HN_FN hn_vec4 hn_cellular_d(hn_vec3 p) { return hn_cellular_d(p, 0u); }
+
+// Both with a period: the field repeats after that many cells. Its points are those of the cells modulo the period.
+//   period   cells along each axis, any ivec3; 0 for none along that axis. Less than 0 is none, too
+//   seed     any uint: 7u, not 7
+//   error    as without a period
+//   cost     a mask along each axis more for a constant power of two; else a division. Each axis has a few comparisons
+//            and two multiplications more
+HN_FN hn_vec4 hn_cellular_d(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_uint seed) {
+  return hn_i_cellular_d(cell, hn_i_inside(f), period, hn_i_jitter(1.0f), seed);
+}
+
+HN_FN hn_vec4 hn_cellular_d(hn_vec3 p, hn_ivec3 period, hn_uint seed) {
+  return hn_i_cellular_d(hn_i_cell(p), hn_i_fraction(p), period, hn_i_jitter(1.0f), seed);
+}
+
+// The same with everything that may be chosen.
+//   period   cells along each axis, any ivec3; 0 for none along that axis. Less than 0 is none, too
+//   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
+//            outside of [0, 1] counts as the nearer end
+//   seed     any uint: 7u, not 7
+//   returns  as above
+//   error    as above
+//   cost     as with a period
+HN_FN hn_vec4 hn_cellular_d(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_float jitter, hn_uint seed) {
+  return hn_i_cellular_d(cell, hn_i_inside(f), period, hn_i_jitter(jitter), seed);
+}
+
+HN_FN hn_vec4 hn_cellular_d(hn_vec3 p, hn_ivec3 period, hn_float jitter, hn_uint seed) {
+  return hn_i_cellular_d(hn_i_cell(p), hn_i_fraction(p), period, hn_i_jitter(jitter), seed);
+}
+
+#endif

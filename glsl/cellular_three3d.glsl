@@ -1,0 +1,99 @@
+// hashnoise: the three nearest points of cellular noise in space.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_CELLULAR_THREE3D_GLSL
+#define HN_CELLULAR_THREE3D_GLSL
+
+#include "feature_space.glsl"
+
+// The axis along which the place is farthest from the centre of its cell.
+HN_FN hn_int hn_i_farthest_axis(hn_num3 d) {
+  return hn_i_select(hn_i_size(d.x) >= max(hn_i_size(d.y), hn_i_size(d.z)), 0,
+                     hn_i_select(hn_i_size(d.y) >= hn_i_size(d.z), 1, 2));
+}
+HN_FN hn_vec3 hn_i_cellular_three(hn_uvec3 before, hn_uvec3 cell, hn_uvec3 after, hn_uvec3 two, hn_num3 d,
+                                  hn_num jitter, hn_int metric, hn_uint seed) {
+  hn_rank4 best = hn_i_nearest(before, cell, after, d, jitter, metric, seed);
+  hn_int axis = hn_i_farthest_axis(d);
+  best = hn_i_visit_across(best, before, cell, after, axis, hn_i_along(axis, two), hn_i_two_along(axis, d), d, jitter,
+                           metric, HN_I_NO_CODE, ivec2(0, 0), seed, d, hn_i_nothing());
+  return vec3(hn_i_distance(best.x, metric), hn_i_distance(best.y, metric), hn_i_distance(best.z, metric));
+}
+HN_FN hn_vec3 hn_i_cellular_three(hn_ivec3 cell, hn_num3 f, hn_num jitter, hn_int metric, hn_uint seed) {
+  hn_uvec3 first = hn_i_first(cell);
+  hn_num3 d = hn_i_inner(f);
+  return hn_i_cellular_three(hn_i_before(first), first, hn_i_last(first), hn_i_two_steps(first, d), d, jitter, metric,
+                             seed);
+}
+HN_FN hn_vec3 hn_i_cellular_three(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_num jitter, hn_int metric,
+                                  hn_uint seed) {
+  hn_uvec3 c = hn_i_wrap(cell, period);
+  hn_num3 d = hn_i_inner(f);
+  return hn_i_cellular_three(hn_i_spread(hn_i_before(c, period)), hn_i_spread(c), hn_i_spread(hn_i_after(c, period)),
+                             hn_i_two_steps(c, period, d), d, jitter, metric, seed);
+}
+
+// The distances to the three nearest feature points in space, from a cell and a position in it: Worley's F1, F2 and F3.
+// The first two are those of hn_cellular.
+//   cell     the cell; it wraps at 2^32, and so do its neighbours
+//   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats have no promise
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  the three distances, in cells, ascending: the third in [0, @F3@] (proven bound)
+//   error    @ERR@
+//   period   2^32 cells per axis
+//   cost     36 hashes (none with HN_HASH_LATTICE) and 36 multiplications, and what hn_cellular costs besides
+//   source   Worley, "A cellular texture basis function", 1996; docs/contract.md, section 16
+HN_FN hn_vec3 hn_cellular_three(hn_ivec3 cell, hn_vec3 f, hn_uint seed) {
+  return hn_i_cellular_three(cell, hn_i_inside(f), hn_i_jitter(1.0f), HN_METRIC_EUCLIDEAN, seed);
+}
+
+HN_FN hn_vec3 hn_cellular_three(hn_ivec3 cell, hn_vec3 f) { return hn_cellular_three(cell, f, 0u); }
+
+// The same at a position.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   seed     any uint: 7u, not 7; 0 if left out
+//   returns  as above
+//   error    @ERRP@
+//   period   as above
+//   cost     as above
+//   source   as above
+HN_FN hn_vec3 hn_cellular_three(hn_vec3 p, hn_uint seed) {
+  return hn_i_cellular_three(hn_i_cell(p), hn_i_fraction(p), hn_i_jitter(1.0f), HN_METRIC_EUCLIDEAN, seed);
+}
+
+HN_FN hn_vec3 hn_cellular_three(hn_vec3 p) { return hn_cellular_three(p, 0u); }
+
+// Both with a period: the field repeats after that many cells. Its points are those of the cells modulo the period.
+//   period   cells along each axis, any ivec3; 0 for none along that axis. Less than 0 is none, too
+//   seed     any uint: 7u, not 7
+//   error    as without a period
+//   cost     a mask along each axis more for a constant power of two; else a division. Each axis has a few comparisons
+//            and two multiplications more
+HN_FN hn_vec3 hn_cellular_three(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_uint seed) {
+  return hn_i_cellular_three(cell, hn_i_inside(f), period, hn_i_jitter(1.0f), HN_METRIC_EUCLIDEAN, seed);
+}
+
+HN_FN hn_vec3 hn_cellular_three(hn_vec3 p, hn_ivec3 period, hn_uint seed) {
+  return hn_i_cellular_three(hn_i_cell(p), hn_i_fraction(p), period, hn_i_jitter(1.0f), HN_METRIC_EUCLIDEAN, seed);
+}
+
+// The same with everything that may be chosen.
+//   period   cells along each axis, any ivec3; 0 for none along that axis. Less than 0 is none, too
+//   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
+//            outside of [0, 1] counts as the nearer end
+//   metric   one of HN_METRIC_EUCLIDEAN, _SQUARED, _MANHATTAN, _CHEBYSHEV and _HYBRID (feature.glsl); a constant costs
+//            only that metric
+//   seed     any uint: 7u, not 7
+//   returns  as above, in the metric
+//   error    as above
+//   cost     as with a period
+HN_FN hn_vec3 hn_cellular_three(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_float jitter, hn_int metric,
+                                hn_uint seed) {
+  return hn_i_cellular_three(cell, hn_i_inside(f), period, hn_i_jitter(jitter), metric, seed);
+}
+
+HN_FN hn_vec3 hn_cellular_three(hn_vec3 p, hn_ivec3 period, hn_float jitter, hn_int metric, hn_uint seed) {
+  return hn_i_cellular_three(hn_i_cell(p), hn_i_fraction(p), period, hn_i_jitter(jitter), metric, seed);
+}
+
+#endif
