@@ -31,8 +31,8 @@
 // The third is not farther than (a, 3/2 - b, c). To have it, the cells two steps away on the side of the place, along
 // the axis with a, are enough. What is beyond two steps along another axis is not nearer than that.
 //
-// On such a square points vary along each axis as much as if they were anywhere in their cells. tools/quality measures
-// that, and docs/noises.md shows it.
+// On the square a coordinate has the variance of one that is anywhere in a cell, 1/12 of a cell; on the octahedron it has
+// half of that. So the lattice shows no more than with other points (docs/cellular.md), but in space a little.
 //
 // Offsets are numbers like those of arithmetic.glsl. Where they are floats, they are in units of half a cell: then a
 // direction needs no factor. In HN_FIXED they are in units of 2^-20 of a cell.
