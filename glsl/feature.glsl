@@ -27,8 +27,8 @@
 // The third is not farther than (a, 3/2 - b, c). To have it, the cells two steps away on the side of the place, along
 // the axis with a, are enough. What is beyond two steps along another axis is not nearer than that.
 //
-// On the square a coordinate has the variance of one that is anywhere in a cell, 1/12 of a cell; on the octahedron it has
-// half of that. So the lattice shows no more than with other points (docs/cellular.md), but in space a little.
+// On the square a coordinate has the variance of one that is anywhere in a cell, 1/12. On the octahedron it has half of
+// that, so in space the lattice shows a little (docs/cellular.md).
 //
 // Cells are visited by threes, in rows along an axis, and their numbers are vectors: so the text stays short, and
 // compilers take less time. Offsets are numbers like those of arithmetic.glsl. Where they are floats, they are in units

@@ -64,8 +64,8 @@ HN_FN hn_uvec2 hn_i_two_steps(hn_uvec2 c, hn_ivec2 period, hn_num2 d) {
       hn_i_ahead(d, hn_i_before(hn_i_before(c, period), period), hn_i_after(hn_i_after(c, period), period)));
 }
 
-// The words of a row of the cells around a place, from their spread coordinates: along x at y, and along y at x. s is the
-// mixed seed.
+// The words of a row of the cells around a place, from their spread coordinates: along x at y, and along y at x. s is
+// the mixed seed.
 HN_FN hn_uvec3 hn_i_words_along_x(hn_uvec2 before, hn_uvec2 cell, hn_uvec2 after, hn_uint y, hn_uint s) {
   hn_uvec3 x = uvec3(before.x, cell.x, after.x);
   return hn_i_row_words(x ^ (x >> 18u), x * 2u, hn_i_fold(uvec2(0u, y)).y ^ s, hn_i_odd(y + s));

@@ -9,7 +9,8 @@
 HN_FN hn_num3 hn_i_inner(hn_num3 f) { return hn_i_num(hn_i_inner(f.x), hn_i_inner(f.y), hn_i_inner(f.z)); }
 
 // The directions of three words. Where they are floats, they are turned, as they come (gradient.glsl): their components
-// are u = x + y, v = x - y and z. So are the offsets from points. In HN_FIXED u and v stand for x and y, in units of 2^-9.
+// are u = x + y, v = x - y and z. So are the offsets from points. In HN_FIXED u and v stand for x and y, in units of
+// 2^-9.
 //
 //   hn_i_turned_u(x, y), hn_i_turned_v(x, y)  such components of offsets
 //   hn_i_squares, hn_i_manhattans, hn_i_chebyshevs  of such offsets: squares, sums of sizes, and largest sizes
@@ -116,8 +117,8 @@ HN_FN hn_uvec3 hn_i_joins_z(hn_uvec3 before, hn_uvec3 cell, hn_uvec3 after) {
 }
 
 // The three smallest ranks so far and the code of the smallest, with those of nine cells in a slab across z: x and y are
-// the offsets of the place from their centres along these axes, and z is that along z. `join` and `odd` are what z and the
-// seed add to the joins of a word. `code` is that of the cell in the middle.
+// the offsets of the place from their centres along these axes, and z is that along z. `join` and `odd` are what z and
+// the seed add to the joins of a word. `code` is that of the cell in the middle.
 HN_FN hn_rank4 hn_i_visit_slab(hn_rank4 best, hn_uvec3 before, hn_uvec3 cell, hn_uvec3 after, hn_uint join, hn_uint odd,
                                hn_num3 x, hn_num3 y, hn_num z, hn_num jitter, hn_int metric, hn_int code) {
   hn_uvec3 joins = hn_i_joins_x(before, cell, after);
