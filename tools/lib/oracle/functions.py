@@ -62,14 +62,13 @@ def _of_a_place(position: Sequence[int], cells: int, units: int) -> tuple[list[i
             [positions.fraction(x, cells, units) for x in position])
 
 
-# What is said of the nearest point, by the first column.
-OF_THE_NEAREST = {"nx": NEAREST, "ox": OFFSET}
+# What a function sets beside its value.
+SETS = {"nearest": NEAREST, "offset": OFFSET}
 
 
 def _noise_evaluator(function: Function, fixed: bool) -> Evaluate:
-    of_the_nearest = OF_THE_NEAREST.get(function.outputs.split(":")[0])
-    if of_the_nearest:
-        return _evaluator(of_the_nearest, function, fixed)
+    if function.sets:
+        return _evaluator(SETS[function.sets], function, fixed)
     try:
         noise = noises.find(function.noise)
     except LookupError as error:
