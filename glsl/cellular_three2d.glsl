@@ -15,8 +15,8 @@ HN_FN hn_num3 hn_i_if_axis(hn_int axis, hn_num3 a, hn_num3 b) {
                     hn_i_select(axis == 0, a.z, b.z));
 }
 
-// The third point may also be that of a cell two steps on, along the axis on which the place is farthest from the centre
-// of its cell (feature.glsl): three cells in a row along the other.
+// The third point may also be that of a cell two steps on, along the axis on which the place is farthest from the
+// centre of its cell (feature.glsl): three cells in a row along the other.
 HN_FN hn_vec3 hn_i_cellular_three(hn_uvec2 before, hn_uvec2 cell, hn_uvec2 after, hn_uvec2 two, hn_num2 d,
                                   hn_num jitter, hn_int metric, hn_uint seed) {
   hn_rank4 best = hn_i_nearest(before, cell, after, d, jitter, metric, seed);
