@@ -64,6 +64,8 @@ constexpr bool is_covered(hn::Family family) { return (kFamilies[HN_TWIN] & stat
 #define HN_TWIN_further_octave_sum HN_TWIN_ENTRY
 #define HN_TWIN_simplex_noise HN_TWIN_ENTRY
 #define HN_TWIN_curl HN_TWIN_ENTRY
+#define HN_TWIN_cellular HN_TWIN_ENTRY
+#define HN_TWIN_further_cellular HN_TWIN_ENTRY
 
 constexpr hn::TwinEntry kEntries[] = {
 #define FUNCTION(id, file, family, bound, columns, call, ...) HN_TWIN_##family(id, family, __VA_ARGS__)

@@ -126,6 +126,8 @@ int main() {
 #define OF_further_octave_sum TRIED
 #define OF_simplex_noise TRIED
 #define OF_curl TRIED
+#define OF_cellular TRIED
+#define OF_further_cellular TRIED
 #define FUNCTION(id, file, family, bound, columns, call, ...) OF_##family(id, #family, columns, __VA_ARGS__)
 #include "library/functions.inc"
 }

@@ -29,6 +29,8 @@ enum class Family : unsigned {
   // Gradient noise, and what is made of it, that HN_GRADIENT does not change. Few settings have values of it, too.
   simplex_noise = 1u << 11,
   curl = 1u << 12,
+  cellular = 1u << 13,          // cellular noise without further settings; HN_GRADIENT does not change it
+  further_cellular = 1u << 14,  // with periods, a jitter, a metric, and what it sets
 };
 
 constexpr unsigned operator|(Family a, Family b) { return static_cast<unsigned>(a) | static_cast<unsigned>(b); }

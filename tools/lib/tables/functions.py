@@ -12,20 +12,22 @@ from tree import FUNCTIONS
 # Functions whose values depend on the same knobs.
 FAMILIES = ("independent", "hash", "gradient", "sine_gradient", "gradient_noise", "lattice_noise", "octave_sum",
             "further_gradient_noise", "octahedral_noise", "further_lattice_noise", "further_octave_sum",
-            "simplex_noise", "curl")
+            "simplex_noise", "curl", "cellular", "further_cellular")
 NOISES = ("gradient_noise", "lattice_noise", "further_gradient_noise", "octahedral_noise", "further_lattice_noise",
-          "simplex_noise")
+          "simplex_noise", "cellular", "further_cellular")
 OCTAVE_SUMS = ("octave_sum", "further_octave_sum")
 # Few settings have values of these.
 FURTHER = ("further_gradient_noise", "octahedral_noise", "further_lattice_noise", "further_octave_sum",
-           "simplex_noise", "curl")
+           "simplex_noise", "curl", "cellular", "further_cellular")
 
 # What the names of the inputs say that a function takes; n of them have an axis.
 FORMS = {
     "words": re.compile(r"(?:key|h):u32|(?:[xyzw]:u32 ?)+"),
     "point": re.compile(r"(?:[xyzw]:i32 )+seed:u32"),
-    "position": re.compile(r"(?:[xyzw]:f32 )+(?:p[xyzw]:i32 )*(?:phase:f32 )?seed:u32"),
-    "cell": re.compile(r"(?:c[xyzw]:i32 )+(?:f[xyzw]:f32 )+(?:p[xyzw]:i32 )*(?:phase:f32 )?seed:u32"),
+    "position": re.compile(r"(?:[xyzw]:f32 )+(?:p[xyzw]:i32 )*(?:phase:f32 )?(?:jitter:f32 )?(?:metric:i32 )?"
+                           r"seed:u32"),
+    "cell": re.compile(r"(?:c[xyzw]:i32 )+(?:f[xyzw]:f32 )+(?:p[xyzw]:i32 )*(?:phase:f32 )?(?:jitter:f32 )?"
+                       r"(?:metric:i32 )?seed:u32"),
     "sum": re.compile(r"(?:[xyzw]:f32 )+(?:p[xyzw]:i32 )*octaves:i32 lacunarity:f32 gain:f32 seed:u32"),
     # A position that is a whole number of units: where it is, and the noise there.
     "place": re.compile(r"(?:[xyzw]:i32 )+cells:i32 units:i32"),
@@ -70,8 +72,23 @@ class Function:
         return "phase:" in self.inputs
 
     @property
+    def has_jitter(self) -> bool:
+        """Whether it takes a jitter, behind the periods."""
+        return "jitter:" in self.inputs
+
+    @property
+    def has_metric(self) -> bool:
+        """Whether it takes a metric, right behind the jitter."""
+        return "metric:" in self.inputs
+
+    @property
+    def sets(self) -> str:
+        """What of the function it has: "nearest" or "offset", which that is given to set, or "" for its value."""
+        return {"nx:": "nearest", "ox:": "offset"}.get(self.outputs[:3], "")
+
+    @property
     def exact(self) -> bool:
-        return "f64" not in self.outputs
+        return self.bound == "exact"
 
     @property
     def noise(self) -> str:
@@ -96,9 +113,10 @@ class Function:
 
         period = (vector("i", "int"),) * self.has_period
         phase = ("float",) * self.has_phase
-        cell = (vector("i", "int"), vector("", "float"), *period, *phase)
+        chosen = (*phase, *("float",) * self.has_jitter, *("int",) * self.has_metric)
+        cell = (vector("i", "int"), vector("", "float"), *period, *chosen)
         return {"words": (vector("u", "uint"),), "point": (vector("i", "int"),),
-                "position": (vector("", "float"), *period, *phase), "cell": cell, "place_of_noise": cell,
+                "position": (vector("", "float"), *period, *chosen), "cell": cell, "place_of_noise": cell,
                 "sum": (vector("", "float"), *period, "int", "float", "float"),
                 "place": (vector("i", "int"), "int", "int")}[self.form]
 
@@ -107,6 +125,8 @@ class Function:
         """The types without a seed, and with one. With periods or a phase there is always a seed."""
         # A vec4 has no room for a value and four derivatives.
         out = ("out vec4",) * (self.bound.endswith("_d") and self.axes == 4)
+        if self.sets:
+            out = (f"out ivec{self.axes}", f"out vec{self.axes}")
         if self.form in ("words", "place"):
             return (self.types,)
         seeded = (*self.types, "uint", *out)

@@ -39,6 +39,8 @@ class Tables(unittest.TestCase):
                                        ("noise1d.value_period", "position", 1, "further_lattice_noise"),
                                        ("position.cell3", "place", 3, "independent"),
                                        ("position.perlin2", "place_of_noise", 2, "further_gradient_noise"),
+                                       ("noise3d.cellular_cell_full", "cell", 3, "further_cellular"),
+                                       ("noise2d.cell_border_nearest", "position", 2, "further_cellular"),
                                        ("fbm.clouds3_period", "sum", 3, "further_octave_sum"),
                                        ("fbm.clouds3", "sum", 3, "octave_sum")):
             function = functions[id]
@@ -52,9 +54,15 @@ class Tables(unittest.TestCase):
         self.assertEqual(functions["noise4d.value_d_value"].noise, "value_d")
         self.assertEqual((functions["position.perlin2"].calls, functions["position.perlin2"].types),
                          ("hn_perlin", ("ivec2", "vec2")))
+        self.assertEqual(functions["noise2d.cellular_full"].overloads, (("vec2", "ivec2", "float", "int", "uint"),))
+        self.assertEqual(functions["noise3d.cell_border_cell_offset"].overloads,
+                         (("ivec3", "vec3", "ivec3", "float", "uint", "out ivec3", "out vec3"),))
+        self.assertEqual([functions[f"noise2d.cellular_{form}"].sets for form in ("full", "nearest", "cell_offset")],
+                         ["", "nearest", "offset"])
         self.assertEqual(functions["fbm.fbm2"].types, ("vec2", "int", "float", "float"))
-        self.assertEqual([functions[id].exact for id in ("hash.word", "gradient.lattice2", "gradient.sine2")],
-                         [True, True, False])
+        self.assertEqual([functions[id].exact for id in ("hash.word", "gradient.lattice2", "gradient.sine2",
+                                                              "noise2d.cellular_nearest")],
+                         [True, True, False, False])
 
     def test_unknown_columns_and_families(self) -> None:
         good = FUNCTION.format(columns="x:f32 y:f32 seed:u32 = value:f64")
