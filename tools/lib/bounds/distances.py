@@ -37,7 +37,6 @@ ROOT_ULPS, QUOTIENT_ULPS = 6.0, 3.0
 PLACE, RANK = 2.0**-20, 2.0**-28  # the units of offsets and of squares in fixed arithmetic
 LARGEST_COMPONENT = {2: 511 / 512, 3: 255 / 256}  # of a direction
 APART = {dims: 1 - largest for dims, largest in LARGEST_COMPONENT.items()}
-FROM = 2.0**-6  # derivatives are bounded from this distance on
 CLOSENESS = {2: 9, 3: 27}  # how many weights are summed
 OPERATIONS = {2: 2, 3: 3}  # that a square of a length rounds in, one after another
 
@@ -71,10 +70,6 @@ def relative(operations: float, ulps: float) -> float:
     return (1 + UNIT * ulps) ** operations - 1
 
 
-def root_error(ulps: float) -> float:
-    return UNIT * ROOT_ULPS
-
-
 def square_error(dims: int, reach: float, ulps: float) -> float:
     """Of the square of a length, in squares of half cells."""
     length, err = 2 * reach, length_error(dims, reach, ulps)
@@ -83,7 +78,7 @@ def square_error(dims: int, reach: float, ulps: float) -> float:
 
 def distance_error(dims: int, reach: float, ulps: float = 1.0) -> float:
     length, err = 2 * reach, length_error(dims, reach, ulps)
-    computed = (length + err) * (1 + relative(OPERATIONS[dims] / 2, ulps)) * (1 + root_error(ulps))
+    computed = (length + err) * (1 + relative(OPERATIONS[dims] / 2, ulps)) * (1 + UNIT * ROOT_ULPS)
     return (computed - length + 2.0**-60) / 2 * SAFE
 
 
@@ -135,11 +130,22 @@ def metric_slope(metric: str, dims: int, largest: float) -> float:
 
 
 def direction_error(dims: int, reach: float, ulps: float = 1.0) -> float:
-    """Of a component of an offset divided by its length, from the distance FROM on. The directions of two vectors
-    differ by at most twice their difference over the sum of their lengths."""
-    err = length_error(dims, reach, ulps)
+    """Of a component of an offset divided by its length, times that length. If the offset is off by e and longer than
+    e, then its direction turns by an angle of a sine of at most e over the length. No chord is longer than sqrt(2) times
+    the sine. If it is shorter, the component may be off by 2. Hence 2 e, for both."""
     steps = relative(1 + OPERATIONS[dims] / 2, ulps) + UNIT * (ROOT_ULPS + QUOTIENT_ULPS) + UNIT**2 * 100
-    return (err / (2 * FROM - err / 2) + steps) * SAFE
+    return (2 * length_error(dims, reach, ulps) / 2 + steps * reach) * SAFE
+
+
+def offset_error(dims: int, fixed: bool) -> float:
+    """Of a component of the offset of a point that is nearest in any metric, from a position or a cell, in cells."""
+    if fixed:
+        return 2.5 * PLACE
+    largest = {metric: features.largest_distance(dims, 1, metric) for metric in features.METRICS}
+    reach = max(euclidean_reach(metric, dims, most) for metric, most in largest.items())
+    across, along = components(dims, reach, 1.0)
+    plain = across if dims == 2 else max(across + f32(2 * reach * 1.001, 1.0) / 2, along)
+    return (plain / 2 + 2.0**-24) * SAFE
 
 
 def smooth_error(dims: int, ulps: float = 1.0) -> float:
@@ -199,10 +205,10 @@ def fixed_metric_error(metric: str, dims: int, largest: float) -> float:
 
 
 def fixed_direction_parts(dims: int) -> dict[str, float]:
-    """Of a derivative, from the distance FROM on. The offset is made so long that its root has 15 bits."""
-    length = FROM - fixed_place(dims) - fixed_point(dims)
-    return {"cut": fixed_place(dims) / length, "points": fixed_point(dims) / length, "rank": 2.0**-22,
-            "scaling": 2.0**-15 * (1 + 2.0**-14) + 2.0**-21}
+    """Of a derivative, times the distance. The offset is made so long that its root has 15 bits."""
+    reach = features.largest_distance(dims, 1)
+    return {"cut": 2 * fixed_place(dims), "points": 2 * fixed_point(dims), "rank": 2.0**-22 * reach,
+            "scaling": (2.0**-15 * (1 + 2.0**-14) + 2.0**-21) * reach}
 
 
 def fixed_smooth_parts(dims: int) -> dict[str, float]:

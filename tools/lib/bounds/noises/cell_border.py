@@ -12,7 +12,7 @@ from bounds.gradients import Gradient
 from bounds.noises import Derived, cellular
 
 CASES = cellular.CASES
-quotes = cellular.quotes
+quotes, offset_error = cellular.quotes, cellular.offset_error
 CLEAR = 1 / 8  # a distance between two points that is seldom less
 
 

@@ -39,5 +39,12 @@ def quotes() -> list[tuple[str, str]]:
     return []
 
 
+def ends(dims: int) -> list[float]:
+    return [features.largest_distance(dims, count) for count in (1, COUNT)]
+
+
+offset_error = distances.offset_error
+
+
 def describe(dims: int, _: Gradient | None) -> dict[str, object]:
     return {f"{name}_largest": features.largest_distance(dims, count) for count, name in ((1, "first"), (2, "second"))}

@@ -1,8 +1,9 @@
 """hn_cellular_d: what is proven of it. The value is the first of hn_cellular, in the Euclidean metric.
 
 A derivative is a component of (position - point) / distance. An error of the position moves it by that over the
-distance: without a bound near the point. So the bounds of derivatives hold where the distance is at least 2^-6, and
-where the second distance is so much larger than the first that no other point is taken for the nearest one.
+distance: without a bound near the point. So the errors of derivatives are those of a derivative times the distance, in
+cells. They hold where the second distance is so much larger than the first that no other point is taken for the nearest
+one.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ def derive(dims: int, _: Gradient | None) -> Derived:
 
 
 def derive_slope(dims: int) -> Derived:
-    lipschitz = math.sqrt(dims) / distances.FROM
+    lipschitz = 2 * math.sqrt(dims)
     cell_error = distances.direction_error(dims, features.largest_distance(dims, 1))
     error, parts = position_error(cell_error, lipschitz), distances.fixed_direction_parts(dims)
     fixed = sum(parts.values()) * SAFE

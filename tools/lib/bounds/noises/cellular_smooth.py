@@ -31,5 +31,9 @@ def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
     return distances.largest_intermediates(dims) | distances.largest_smooth_intermediates(dims)
 
 
+def ends(dims: int) -> list[float]:
+    return [-smallest(dims)]
+
+
 def describe(dims: int, _: Gradient | None) -> dict[str, object]:
     return {"smallest": smallest(dims), "largest_sum_of_weights": features.largest_weights(dims)}

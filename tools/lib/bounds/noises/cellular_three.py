@@ -15,5 +15,9 @@ def derive(dims: int, _: Gradient | None) -> Derived:
     return cellular.derived(dims, COUNT)
 
 
+def ends(dims: int) -> list[float]:
+    return [features.largest_distance(dims, COUNT)]
+
+
 def describe(dims: int, _: Gradient | None) -> dict[str, object]:
     return {"third_largest": features.largest_distance(dims, COUNT)}
