@@ -1,0 +1,10 @@
+// The checks of cellular noise, on a library with a fault.
+#include "cases/faulty_library_fixture.hpp"
+
+namespace hn {
+namespace {
+
+class CellularChecks : public FaultyLibrary {};
+
+}  // namespace
+}  // namespace hn
