@@ -22,7 +22,7 @@
 //   hn_i_plus(a, b), hn_i_minus(a, b); floats only: hn_i_times(a, b), hn_i_times_plus(a, b, c), hn_i_quotient(a, b)
 //   hn_i_far(f)             f - 1: the offset from the far corner
 //   hn_i_dot(g, x, y, ...)  a gradient times an offset
-//   hn_i_signed(m, word)    m, or -m if the highest bit of the word is set; floats: m >= 0
+//   hn_i_signed(m, word)    m, or -m if the highest bit of the word is set; floats: m >= 0. Also of three at once
 //   hn_i_flipped(x, word)   x, or -x if the highest bit of the word is set, for any x
 //   hn_i_lengthened(n, m)   n times 1 + m; the integers of m are in units of 2^-9, and n loses its last 9 bits there
 //   hn_i_fade(f)            6 f^5 - 15 f^4 + 10 f^3, along each axis
@@ -63,6 +63,13 @@ HN_FN hn_float hn_i_signed(hn_float m, hn_uint word) {
   return uintBitsToFloat(floatBitsToUint(m) | (word & 0x80000000u));
 #else
   return hn_i_select((word & 0x80000000u) != 0u, -m, m);
+#endif
+}
+HN_FN hn_vec3 hn_i_signed(hn_vec3 m, hn_uvec3 words) {
+#if HN_I_BITCAST
+  return uintBitsToFloat(floatBitsToUint(m) | (words & 0x80000000u));
+#else
+  return vec3(hn_i_signed(m.x, words.x), hn_i_signed(m.y, words.y), hn_i_signed(m.z, words.z));
 #endif
 }
 
@@ -276,6 +283,10 @@ HN_FN hn_ivec4 hn_i_inside(hn_vec4 f) {
 HN_FN hn_int hn_i_plus(hn_int a, hn_int b) { return a + b; }
 HN_FN hn_int hn_i_minus(hn_int a, hn_int b) { return a - b; }
 HN_FN hn_int hn_i_signed(hn_int m, hn_uint word) { return hn_i_select((word & 0x80000000u) != 0u, -m, m); }
+HN_FN hn_ivec3 hn_i_signed(hn_ivec3 m, hn_uvec3 words) {
+  hn_ivec3 sign = ivec3(words) >> 31;  // -1 or 0
+  return (m ^ sign) - sign;
+}
 
 // The distance of a fraction from the nearer end, in units of 2^-17, rounded. It has 16 bits, so it is never 1/2, which
 // has one bit more.

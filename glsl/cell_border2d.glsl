@@ -6,15 +6,39 @@
 
 #include "feature_plane.glsl"
 
+// The distance to the border between the cells of two points P and Q is (q - p) / (2 |P - Q|), where p and q are the
+// squares of the distances to them. So the nearest border of a row of cells: `from` is the offset from P, and `nearest`
+// has p and the code of its cell.
+HN_FN hn_rank hn_i_border(hn_rank best, hn_uvec3 words, hn_num3 x, hn_num3 y, hn_num jitter, hn_int code, hn_int step,
+                          hn_num2 from, hn_rank4 nearest) {
+  hn_num3 from_x = hn_i_from_x(words, x, jitter);
+  hn_num3 from_y = hn_i_from_y(words, y, jitter);
+  return hn_i_nearest_border(best, hn_i_gaps(hn_i_squares(from_x, from_y), nearest.x),
+                             hn_i_squares(hn_i_apart(from_x, from.x), hn_i_apart(from_y, from.y)), code, step,
+                             nearest.w);
+}
+
 // The distance to the border, given the smallest ranks. The cells beside the block are needed as well: where a place is
 // at the wall of its own cell, the cell two steps on may share the nearest border with the nearest one (tools/bounds).
 HN_FN hn_float hn_i_cell_border(hn_uvec2 before, hn_uvec2 cell, hn_uvec2 after, hn_uvec2 two, hn_num2 d, hn_num jitter,
                                 hn_uint seed, hn_rank4 nearest) {
   hn_num2 from = hn_i_from_nearest(before, cell, after, d, jitter, seed, nearest.w);
-  hn_rank4 best = hn_i_visit_block(hn_i_far_away(), before, cell, after, d, jitter, HN_I_BORDERS, seed, from, nearest);
-  best = hn_i_visit_beyond(best, before, cell, after, two, 0, d, jitter, HN_I_BORDERS, seed, from, nearest);
-  best = hn_i_visit_beyond(best, before, cell, after, two, 1, d, jitter, HN_I_BORDERS, seed, from, nearest);
-  return hn_i_border_distance(best.x);
+  hn_uint s = hn_i_mix(seed);
+  hn_num3 x = hn_i_row(d.x);
+  hn_num3 y = hn_i_row(d.y);
+  hn_num3 two_x = hn_i_thrice(hn_i_beside(d.x, hn_i_two(d.x)));
+  hn_num3 two_y = hn_i_thrice(hn_i_beside(d.y, hn_i_two(d.y)));
+  hn_uvec3 words = hn_i_words_along_x(before, cell, after, before.y, s);
+  hn_rank best = hn_i_border(hn_i_far_away().x, words, x, hn_i_thrice(y.x), jitter, hn_i_code(0, -1), 1, from, nearest);
+  words = hn_i_words_along_x(before, cell, after, cell.y, s);
+  best = hn_i_border(best, words, x, hn_i_thrice(y.y), jitter, hn_i_code(0, 0), 1, from, nearest);
+  words = hn_i_words_along_x(before, cell, after, after.y, s);
+  best = hn_i_border(best, words, x, hn_i_thrice(y.z), jitter, hn_i_code(0, 1), 1, from, nearest);
+  words = hn_i_words_along_x(before, cell, after, two.y, s);
+  best = hn_i_border(best, words, x, two_y, jitter, HN_I_NO_CODE, 0, from, nearest);
+  words = hn_i_words_along_y(before, cell, after, two.x, s);
+  best = hn_i_border(best, words, two_x, y, jitter, HN_I_NO_CODE, 0, from, nearest);
+  return hn_i_border_distance(best);
 }
 HN_FN hn_float hn_i_cell_border(hn_ivec2 cell, hn_num2 f, hn_num jitter, hn_uint seed) {
   hn_uvec2 first = hn_i_first(cell);

@@ -8,7 +8,8 @@
 
 HN_FN hn_vec3 hn_i_cellular_d(hn_uvec2 before, hn_uvec2 cell, hn_uvec2 after, hn_num2 d, hn_num jitter, hn_uint seed) {
   hn_rank4 best = hn_i_nearest(before, cell, after, d, jitter, HN_METRIC_EUCLIDEAN, seed);
-  hn_vec2 slope = hn_i_unit(hn_i_from_nearest(before, cell, after, d, jitter, seed, best.w));
+  hn_num2 from = hn_i_from_nearest(before, cell, after, d, jitter, seed, best.w);
+  hn_vec2 slope = hn_i_unit(from.x, from.y);
   return vec3(hn_i_distance(best.x, HN_METRIC_EUCLIDEAN), slope.x, slope.y);
 }
 HN_FN hn_vec3 hn_i_cellular_d(hn_ivec2 cell, hn_num2 f, hn_num jitter, hn_uint seed) {

@@ -8,7 +8,8 @@
 
 HN_FN hn_vec4 hn_i_cellular_d(hn_uvec3 before, hn_uvec3 cell, hn_uvec3 after, hn_num3 d, hn_num jitter, hn_uint seed) {
   hn_rank4 best = hn_i_nearest(before, cell, after, d, jitter, HN_METRIC_EUCLIDEAN, seed);
-  hn_vec3 slope = hn_i_unit(hn_i_from_nearest(before, cell, after, d, jitter, seed, best.w));
+  hn_num3 from = hn_i_straight_offset(hn_i_from_nearest(before, cell, after, d, jitter, seed, best.w));
+  hn_vec3 slope = hn_i_unit(from.x, from.y, from.z);
   return vec4(hn_i_distance(best.x, HN_METRIC_EUCLIDEAN), slope.x, slope.y, slope.z);
 }
 HN_FN hn_vec4 hn_i_cellular_d(hn_ivec3 cell, hn_num3 f, hn_num jitter, hn_uint seed) {

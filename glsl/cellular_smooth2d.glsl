@@ -8,9 +8,17 @@
 
 HN_FN hn_float hn_i_cellular_smooth(hn_uvec2 before, hn_uvec2 cell, hn_uvec2 after, hn_num2 d, hn_num jitter,
                                     hn_uint seed) {
-  hn_rank4 weights =
-      hn_i_visit_block(hn_i_nothing(), before, cell, after, d, jitter, HN_I_WEIGHTS, seed, d, hn_i_nothing());
-  return hn_i_smooth_distance(weights.x);
+  hn_uint s = hn_i_mix(seed);
+  hn_num3 x = hn_i_row(d.x);
+  hn_num3 y = hn_i_row(d.y);
+  hn_rank weights = hn_i_no_weight();
+  hn_uvec3 words = hn_i_words_along_x(before, cell, after, before.y, s);
+  weights = hn_i_weighed(weights, hn_i_squares(words, x, hn_i_thrice(y.x), jitter));
+  words = hn_i_words_along_x(before, cell, after, cell.y, s);
+  weights = hn_i_weighed(weights, hn_i_squares(words, x, hn_i_thrice(y.y), jitter));
+  words = hn_i_words_along_x(before, cell, after, after.y, s);
+  weights = hn_i_weighed(weights, hn_i_squares(words, x, hn_i_thrice(y.z), jitter));
+  return hn_i_smooth_distance(weights);
 }
 HN_FN hn_float hn_i_cellular_smooth(hn_ivec2 cell, hn_num2 f, hn_num jitter, hn_uint seed) {
   hn_uvec2 first = hn_i_first(cell);

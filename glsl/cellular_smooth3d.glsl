@@ -6,11 +6,34 @@
 
 #include "feature_space.glsl"
 
+// The sum of weights so far, with those of nine cells in a slab across z, as hn_i_visit_slab takes them.
+HN_FN hn_rank hn_i_weigh_slab(hn_rank weights, hn_uvec3 before, hn_uvec3 cell, hn_uvec3 after, hn_uint join,
+                              hn_uint odd, hn_num3 x, hn_num3 y, hn_num z, hn_num jitter) {
+  hn_uvec3 joins = hn_i_joins_x(before, cell, after);
+  hn_uvec3 odds = uvec3(before.x, cell.x, after.x) * 2u;
+  hn_uvec3 rows = hn_i_joins_y(before, cell, after) ^ join;
+  hn_uvec3 row_odds = uvec3(before.y, cell.y, after.y) * 2u + odd;
+  hn_num3 across = hn_i_thrice(z);
+  hn_int metric = HN_METRIC_SQUARED;
+  hn_uvec3 words = hn_i_row_words(joins, odds, rows.x, row_odds.x);
+  weights = hn_i_weighed(weights, hn_i_ranks(words, x, hn_i_thrice(y.x), across, jitter, metric));
+  words = hn_i_row_words(joins, odds, rows.y, row_odds.y);
+  weights = hn_i_weighed(weights, hn_i_ranks(words, x, hn_i_thrice(y.y), across, jitter, metric));
+  words = hn_i_row_words(joins, odds, rows.z, row_odds.z);
+  return hn_i_weighed(weights, hn_i_ranks(words, x, hn_i_thrice(y.z), across, jitter, metric));
+}
 HN_FN hn_float hn_i_cellular_smooth(hn_uvec3 before, hn_uvec3 cell, hn_uvec3 after, hn_num3 d, hn_num jitter,
                                     hn_uint seed) {
-  hn_rank4 weights =
-      hn_i_visit_block(hn_i_nothing(), before, cell, after, d, jitter, HN_I_WEIGHTS, seed, d, hn_i_nothing());
-  return hn_i_smooth_distance(weights.x);
+  hn_uint s = hn_i_mix(seed);
+  hn_num3 x = hn_i_row(d.x);
+  hn_num3 y = hn_i_row(d.y);
+  hn_num3 z = hn_i_row(d.z);
+  hn_uvec3 joins = hn_i_joins_z(before, cell, after) ^ s;
+  hn_rank weights = hn_i_no_weight();
+  weights = hn_i_weigh_slab(weights, before, cell, after, joins.x, hn_i_odd(before.z + s), x, y, z.x, jitter);
+  weights = hn_i_weigh_slab(weights, before, cell, after, joins.y, hn_i_odd(cell.z + s), x, y, z.y, jitter);
+  weights = hn_i_weigh_slab(weights, before, cell, after, joins.z, hn_i_odd(after.z + s), x, y, z.z, jitter);
+  return hn_i_smooth_distance(weights);
 }
 HN_FN hn_float hn_i_cellular_smooth(hn_ivec3 cell, hn_num3 f, hn_num jitter, hn_uint seed) {
   hn_uvec3 first = hn_i_first(cell);

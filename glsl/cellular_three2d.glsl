@@ -6,13 +6,27 @@
 
 #include "feature_plane.glsl"
 
-// The axis along which the place is farthest from the centre of its cell.
-HN_FN hn_int hn_i_farthest_axis(hn_num2 d) { return hn_i_select(hn_i_size(d.x) >= hn_i_size(d.y), 0, 1); }
+// a for the axis x, which is 0, else b.
+HN_FN hn_uvec3 hn_i_if_axis(hn_int axis, hn_uvec3 a, hn_uvec3 b) {
+  return uvec3(hn_i_select(axis == 0, a.x, b.x), hn_i_select(axis == 0, a.y, b.y), hn_i_select(axis == 0, a.z, b.z));
+}
+HN_FN hn_num3 hn_i_if_axis(hn_int axis, hn_num3 a, hn_num3 b) {
+  return hn_i_three(hn_i_select(axis == 0, a.x, b.x), hn_i_select(axis == 0, a.y, b.y),
+                    hn_i_select(axis == 0, a.z, b.z));
+}
+
+// The third point may also be that of a cell two steps on, along the axis on which the place is farthest from the
+// centre of its cell (feature.glsl): three cells in a row along the other.
 HN_FN hn_vec3 hn_i_cellular_three(hn_uvec2 before, hn_uvec2 cell, hn_uvec2 after, hn_uvec2 two, hn_num2 d,
                                   hn_num jitter, hn_int metric, hn_uint seed) {
   hn_rank4 best = hn_i_nearest(before, cell, after, d, jitter, metric, seed);
-  best = hn_i_visit_beyond(best, before, cell, after, two, hn_i_farthest_axis(d), d, jitter, metric, seed, d,
-                           hn_i_nothing());
+  hn_uint s = hn_i_mix(seed);
+  hn_int axis = hn_i_select(max(d.x, -d.x) >= max(d.y, -d.y), 0, 1);
+  hn_uvec3 words = hn_i_if_axis(axis, hn_i_words_along_y(before, cell, after, two.x, s),
+                                hn_i_words_along_x(before, cell, after, two.y, s));
+  hn_num3 x = hn_i_if_axis(axis, hn_i_thrice(hn_i_beside(d.x, hn_i_two(d.x))), hn_i_row(d.x));
+  hn_num3 y = hn_i_if_axis(axis, hn_i_row(d.y), hn_i_thrice(hn_i_beside(d.y, hn_i_two(d.y))));
+  best = hn_i_visited(best, hn_i_ranks(words, x, y, jitter, metric), HN_I_NO_CODE, 0);
   return vec3(hn_i_distance(best.x, metric), hn_i_distance(best.y, metric), hn_i_distance(best.z, metric));
 }
 HN_FN hn_vec3 hn_i_cellular_three(hn_ivec2 cell, hn_num2 f, hn_num jitter, hn_int metric, hn_uint seed) {

@@ -8,15 +8,26 @@
 
 // The axis along which the place is farthest from the centre of its cell.
 HN_FN hn_int hn_i_farthest_axis(hn_num3 d) {
-  return hn_i_select(hn_i_size(d.x) >= max(hn_i_size(d.y), hn_i_size(d.z)), 0,
-                     hn_i_select(hn_i_size(d.y) >= hn_i_size(d.z), 1, 2));
+  hn_num x = max(d.x, -d.x);
+  hn_num y = max(d.y, -d.y);
+  hn_num z = max(d.z, -d.z);
+  return hn_i_select(x >= max(y, z), 0, hn_i_select(y >= z, 1, 2));
 }
+
+// The third point may also be that of a cell two steps on along that axis (feature.glsl): nine cells in a slab.
 HN_FN hn_vec3 hn_i_cellular_three(hn_uvec3 before, hn_uvec3 cell, hn_uvec3 after, hn_uvec3 two, hn_num3 d,
                                   hn_num jitter, hn_int metric, hn_uint seed) {
   hn_rank4 best = hn_i_nearest(before, cell, after, d, jitter, metric, seed);
   hn_int axis = hn_i_farthest_axis(d);
-  best = hn_i_visit_across(best, before, cell, after, axis, hn_i_along(axis, two), hn_i_two_along(axis, d), d, jitter,
-                           metric, HN_I_NO_CODE, ivec2(0, 0), seed, d, hn_i_nothing());
+  hn_uint at = hn_i_along(axis, two);
+  hn_int steps = hn_i_two_along(axis, d);
+  for (hn_int n = -1; n <= 1; ++n) {
+    hn_uvec3 words = hn_i_slab_words(before, cell, after, axis, at, n, seed);
+    best = hn_i_visited(best,
+                        hn_i_ranks(words, hn_i_slab_x(d, axis, steps), hn_i_slab_y(d, axis, steps, n),
+                                   hn_i_slab_z(d, axis, steps, n), jitter, metric),
+                        HN_I_NO_CODE, 0);
+  }
   return vec3(hn_i_distance(best.x, metric), hn_i_distance(best.y, metric), hn_i_distance(best.z, metric));
 }
 HN_FN hn_vec3 hn_i_cellular_three(hn_ivec3 cell, hn_num3 f, hn_num jitter, hn_int metric, hn_uint seed) {

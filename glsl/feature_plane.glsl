@@ -7,30 +7,47 @@
 #include "feature.glsl"
 
 HN_FN hn_num2 hn_i_inner(hn_num2 f) { return hn_i_num(hn_i_inner(f.x), hn_i_inner(f.y)); }
-HN_FN hn_num2 hn_i_beside(hn_num2 d, hn_int x, hn_int y) { return hn_i_num(hn_i_beside(d.x, x), hn_i_beside(d.y, y)); }
-HN_FN hn_num2 hn_i_apart(hn_num2 a, hn_num2 b) { return hn_i_num(hn_i_apart(a.x, b.x), hn_i_apart(a.y, b.y)); }
 
-HN_FN hn_rank hn_i_squared(hn_num2 d) { return hn_i_squared(d.x, d.y); }
-HN_FN hn_rank hn_i_manhattan(hn_num2 d) { return hn_i_sum(hn_i_size(d.x), hn_i_size(d.y)); }
-HN_FN hn_rank hn_i_rank(hn_num2 d, hn_int metric) {
-  if (metric == HN_METRIC_MANHATTAN) return hn_i_manhattan(d);
-  if (metric == HN_METRIC_CHEBYSHEV) return max(hn_i_size(d.x), hn_i_size(d.y));
-  if (metric == HN_METRIC_HYBRID) return hn_i_hybrid(hn_i_squared(d), hn_i_manhattan(d));
-  return hn_i_squared(d);
+// The directions of three words along each axis. In HN_FIXED they are in units of 2^-9.
+#if HN_ARITHMETIC != HN_FIXED
+
+HN_FN hn_vec3 hn_i_points_x(hn_uvec3 words) { return hn_i_fields2(words); }
+HN_FN hn_vec3 hn_i_points_y(hn_uvec3 words) {
+  HN_I_PRECISE hn_vec3 m = vec3(1.0f, 1.0f, 1.0f) - abs(hn_i_fields2(words));
+  return hn_i_signed(m, words);
 }
 
-// The offset of a place from the point of a cell with that word; d is that from the centre of the cell.
-HN_FN hn_num2 hn_i_from_point(hn_uint word, hn_num2 d, hn_num jitter) {
-  hn_num3 direction = hn_i_direction2(word);
-  return hn_i_num(hn_i_past_point(d.x, direction.x, jitter), hn_i_past_point(d.y, direction.y, jitter));
-}
-HN_FN hn_vec2 hn_i_cells(hn_num2 from) { return vec2(hn_i_cells(from.x), hn_i_cells(from.y)); }
-HN_FN hn_vec2 hn_i_toward(hn_num2 from) { return vec2(hn_i_toward(from.x), hn_i_toward(from.y)); }
-HN_FN hn_vec2 hn_i_unit(hn_num2 from) { return hn_i_unit(from.x, from.y); }
+#else
 
-// a along that axis, and b along the other.
-HN_FN hn_uvec2 hn_i_on(hn_int axis, hn_uvec2 a, hn_uvec2 b) {
-  return uvec2(hn_i_select(axis == 0, a.x, b.x), hn_i_select(axis == 1, a.y, b.y));
+HN_FN hn_ivec3 hn_i_points_x(hn_uvec3 words) { return ivec3((words >> 21u) & 1022u) - 511; }
+HN_FN hn_ivec3 hn_i_points_y(hn_uvec3 words) {
+  hn_ivec3 x = hn_i_points_x(words);
+  return hn_i_signed(ivec3(512, 512, 512) - max(x, x * -1), words);
+}
+
+#endif
+
+// The offsets of a place from the points of three cells, along each axis, from those from the centres of the cells.
+HN_FN hn_num3 hn_i_from_x(hn_uvec3 words, hn_num3 x, hn_num jitter) {
+  return hn_i_past_points(x, hn_i_points_x(words), jitter);
+}
+HN_FN hn_num3 hn_i_from_y(hn_uvec3 words, hn_num3 y, hn_num jitter) {
+  return hn_i_past_points(y, hn_i_points_y(words), jitter);
+}
+HN_FN hn_rank3 hn_i_squares(hn_uvec3 words, hn_num3 x, hn_num3 y, hn_num jitter) {
+  return hn_i_squares(hn_i_from_x(words, x, jitter), hn_i_from_y(words, y, jitter));
+}
+
+// The ranks of the distances to these points.
+HN_FN hn_rank3 hn_i_ranks(hn_uvec3 words, hn_num3 x, hn_num3 y, hn_num jitter, hn_int metric) {
+  if (metric == HN_METRIC_MANHATTAN || metric == HN_METRIC_CHEBYSHEV || metric == HN_METRIC_HYBRID) {
+    hn_rank3 a = hn_i_sizes(hn_i_from_x(words, x, jitter));
+    hn_rank3 b = hn_i_sizes(hn_i_from_y(words, y, jitter));
+    if (metric == HN_METRIC_CHEBYSHEV) return max(a, b);
+    if (metric == HN_METRIC_MANHATTAN) return hn_i_sum(a, b);
+    return hn_i_hybrids(hn_i_squares(words, x, y, jitter), hn_i_sum(a, b));
+  }
+  return hn_i_squares(words, x, y, jitter);
 }
 
 // Along each axis b where the place is on that side of the centre, else a.
@@ -47,78 +64,31 @@ HN_FN hn_uvec2 hn_i_two_steps(hn_uvec2 c, hn_ivec2 period, hn_num2 d) {
       hn_i_ahead(d, hn_i_before(hn_i_before(c, period), period), hn_i_after(hn_i_after(c, period), period)));
 }
 
-// The distance to the border between the cells of two points P and Q is (q - p) / (2 |P - Q|), where p and q are the
-// squares of the distances to them. Borders are compared by this number, from the offsets of a place from Q and from P,
-// and from p. It is large for the cell of P itself, which `code` and `own` tell.
-HN_FN hn_rank hn_i_border(hn_num2 from, hn_num2 nearest, hn_rank p, hn_rank code, hn_rank own) {
-  hn_rank large = hn_i_far_away().x;
-  hn_rank apart = hn_i_select(code == own, large, hn_i_squared(hn_i_apart(from, nearest)));
-  return hn_i_select(code == own, large, hn_i_border_rank(hn_i_gap(hn_i_squared(from), p), apart));
+// The words of a row of the cells around a place, from their spread coordinates: along x at y, and along y at x. s is
+// the mixed seed.
+HN_FN hn_uvec3 hn_i_words_along_x(hn_uvec2 before, hn_uvec2 cell, hn_uvec2 after, hn_uint y, hn_uint s) {
+  hn_uvec3 x = uvec3(before.x, cell.x, after.x);
+  return hn_i_row_words(x ^ (x >> 18u), x * 2u, hn_i_fold(uvec2(0u, y)).y ^ s, hn_i_odd(y + s));
+}
+HN_FN hn_uvec3 hn_i_words_along_y(hn_uvec2 before, hn_uvec2 cell, hn_uvec2 after, hn_uint x, hn_uint s) {
+  hn_uvec3 y = uvec3(before.y, cell.y, after.y);
+  return hn_i_row_words(y ^ (y >> 17u), y * 2u, hn_i_fold(x) ^ s, hn_i_odd(x + s));
 }
 
-// What the point of one more cell makes of `best`: the smallest ranks by a metric, the nearest border, or
-// the sum of weights. The cell has that word and code, and d is the offset of the place from its centre. For borders
-// `nearest` is the offset from the nearest point, and `known` has its rank and code.
-HN_FN hn_rank4 hn_i_visit(hn_rank4 best, hn_uint word, hn_num2 d, hn_num jitter, hn_int metric, hn_int code,
-                          hn_num2 nearest, hn_rank4 known) {
-  hn_num2 from = hn_i_from_point(word, d, jitter);
-  if (metric == HN_I_WEIGHTS) {
-    return hn_i_ranks(hn_i_sum(best.x, hn_i_closeness(hn_i_squared(from))), best.y, best.z, best.w);
-  }
-  if (metric == HN_I_BORDERS) {
-    hn_rank border = hn_i_border(from, nearest, known.x, hn_i_rank_of_code(code), known.w);
-    return hn_i_ranks(min(best.x, border), best.y, best.z, best.w);
-  }
-  return hn_i_visited(best, hn_i_rank(from, metric), code);
-}
-
-// The same for three cells in a row, with the offsets of the place from their centres.
-HN_FN hn_rank4 hn_i_visit_row(hn_rank4 best, hn_uvec3 words, hn_num2 before, hn_num2 middle, hn_num2 after,
-                              hn_num jitter, hn_int metric, hn_int code, hn_int step, hn_num2 nearest, hn_rank4 known) {
-  best = hn_i_visit(best, words.x, before, jitter, metric, code - step, nearest, known);
-  best = hn_i_visit(best, words.y, middle, jitter, metric, code, nearest, known);
-  return hn_i_visit(best, words.z, after, jitter, metric, code + step, nearest, known);
-}
-
-// A cell and its neighbours, from their spread coordinates. d is the offset from the centre of the cell. `best` is what
-// other cells made.
-HN_FN hn_rank4 hn_i_visit_block(hn_rank4 best, hn_uvec2 before, hn_uvec2 cell, hn_uvec2 after, hn_num2 d, hn_num jitter,
-                                hn_int metric, hn_uint seed, hn_num2 nearest, hn_rank4 known) {
-  hn_uint s = hn_i_mix(seed);
-  hn_uvec2 a = hn_i_fold(before);
-  hn_uvec2 b = hn_i_fold(cell);
-  hn_uvec2 c = hn_i_fold(after);
-  hn_uvec3 joins = uvec3(a.x, b.x, c.x);
-  hn_uvec3 odds = uvec3(before.x * 2u, cell.x * 2u, after.x * 2u);
-  best =
-      hn_i_visit_row(best, hn_i_row_words(joins, odds, a.y ^ s, hn_i_odd(before.y + s)), hn_i_beside(d, -1, -1),
-                     hn_i_beside(d, 0, -1), hn_i_beside(d, 1, -1), jitter, metric, hn_i_code(0, -1), 1, nearest, known);
-  best = hn_i_visit_row(best, hn_i_row_words(joins, odds, b.y ^ s, hn_i_odd(cell.y + s)), hn_i_beside(d, -1, 0), d,
-                        hn_i_beside(d, 1, 0), jitter, metric, hn_i_code(0, 0), 1, nearest, known);
-  return hn_i_visit_row(best, hn_i_row_words(joins, odds, c.y ^ s, hn_i_odd(after.y + s)), hn_i_beside(d, -1, 1),
-                        hn_i_beside(d, 0, 1), hn_i_beside(d, 1, 1), jitter, metric, hn_i_code(0, 1), 1, nearest, known);
-}
-
-// The three cells beside the block that are two steps on along an axis, on the side of the place: along x for 0, and
-// along y for 1.
-HN_FN hn_rank4 hn_i_visit_beyond(hn_rank4 best, hn_uvec2 before, hn_uvec2 cell, hn_uvec2 after, hn_uvec2 two,
-                                 hn_int axis, hn_num2 d, hn_num jitter, hn_int metric, hn_uint seed, hn_num2 nearest,
-                                 hn_rank4 known) {
-  hn_uint s = hn_i_mix(seed);
-  hn_uvec3 words = uvec3(hn_i_word(hn_i_on(axis, two, before), s, s), hn_i_word(hn_i_on(axis, two, cell), s, s),
-                         hn_i_word(hn_i_on(axis, two, after), s, s));
-  hn_int x = hn_i_select(axis == 0, hn_i_two(d.x), 0);
-  hn_int y = hn_i_select(axis == 0, 0, hn_i_two(d.y));
-  hn_int step_x = hn_i_select(axis == 0, 0, 1);
-  hn_int step_y = hn_i_select(axis == 0, 1, 0);
-  return hn_i_visit_row(best, words, hn_i_beside(d, x - step_x, y - step_y), hn_i_beside(d, x, y),
-                        hn_i_beside(d, x + step_x, y + step_y), jitter, metric, HN_I_NO_CODE, 0, nearest, known);
-}
-
-// The smallest ranks, and the code of the nearest point's cell.
+// The three smallest ranks of the points of a cell and its neighbours, and the code of the nearest one's cell. d is the
+// offset of the place from the centre of the cell.
 HN_FN hn_rank4 hn_i_nearest(hn_uvec2 before, hn_uvec2 cell, hn_uvec2 after, hn_num2 d, hn_num jitter, hn_int metric,
                             hn_uint seed) {
-  return hn_i_visit_block(hn_i_far_away(), before, cell, after, d, jitter, metric, seed, d, hn_i_nothing());
+  hn_uint s = hn_i_mix(seed);
+  hn_num3 x = hn_i_row(d.x);
+  hn_num3 y = hn_i_row(d.y);
+  hn_uvec3 words = hn_i_words_along_x(before, cell, after, before.y, s);
+  hn_rank4 best =
+      hn_i_visited(hn_i_far_away(), hn_i_ranks(words, x, hn_i_thrice(y.x), jitter, metric), hn_i_code(0, -1), 1);
+  words = hn_i_words_along_x(before, cell, after, cell.y, s);
+  best = hn_i_visited(best, hn_i_ranks(words, x, hn_i_thrice(y.y), jitter, metric), hn_i_code(0, 0), 1);
+  words = hn_i_words_along_x(before, cell, after, after.y, s);
+  return hn_i_visited(best, hn_i_ranks(words, x, hn_i_thrice(y.z), jitter, metric), hn_i_code(0, 1), 1);
 }
 
 // The offset of the place from the point of the cell with that code.
@@ -127,9 +97,12 @@ HN_FN hn_num2 hn_i_from_nearest(hn_uvec2 before, hn_uvec2 cell, hn_uvec2 after, 
   hn_int x = hn_i_x_of(int(code));
   hn_int y = hn_i_y_of(int(code));
   hn_uint s = hn_i_mix(seed);
-  hn_uvec2 c =
-      uvec2(hn_i_of_three(uvec3(before.x, cell.x, after.x), x), hn_i_of_three(uvec3(before.y, cell.y, after.y), y));
-  return hn_i_from_point(hn_i_word(c, s, s), hn_i_beside(d, x, y), jitter);
+  hn_uint word = hn_i_word(
+      uvec2(hn_i_of_three(uvec3(before.x, cell.x, after.x), x), hn_i_of_three(uvec3(before.y, cell.y, after.y), y)), s,
+      s);
+  hn_uvec3 words = uvec3(word, word, word);
+  return hn_i_num(hn_i_from_x(words, hn_i_thrice(hn_i_beside(d.x, x)), jitter).x,
+                  hn_i_from_y(words, hn_i_thrice(hn_i_beside(d.y, y)), jitter).x);
 }
 
 // The cell with that code, from wrapped coordinates.
@@ -139,5 +112,6 @@ HN_FN hn_ivec2 hn_i_cell_of(hn_uvec2 c, hn_ivec2 period, hn_rank code) {
   return ivec2(int(hn_i_of_three(uvec3(before.x, c.x, after.x), hn_i_x_of(int(code)))),
                int(hn_i_of_three(uvec3(before.y, c.y, after.y), hn_i_y_of(int(code)))));
 }
+HN_FN hn_vec2 hn_i_toward(hn_num2 from) { return vec2(hn_i_toward(from.x), hn_i_toward(from.y)); }
 
 #endif

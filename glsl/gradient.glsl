@@ -22,6 +22,15 @@ HN_FN hn_float hn_i_field3p(hn_uint h) {
 HN_FN hn_float hn_i_field3q(hn_uint h) {
   return hn_i_minus(uintBitsToFloat((h & 0x007F8000u) | 0x40000000u), 3.0f - 1.0f / 256.0f);
 }
+
+// The same of three words at once.
+HN_FN hn_vec3 hn_i_of_field_bits(hn_uvec3 bits, hn_float offset) {
+  HN_I_PRECISE hn_vec3 x = uintBitsToFloat(bits | 0x40000000u) - offset;
+  return x;
+}
+HN_FN hn_vec3 hn_i_fields2(hn_uvec3 h) { return hn_i_of_field_bits((h >> 8u) & 0x007FC000u, 3.0f - 1.0f / 512.0f); }
+HN_FN hn_vec3 hn_i_fields3p(hn_uvec3 h) { return hn_i_of_field_bits((h >> 8u) & 0x007F8000u, 3.0f - 1.0f / 256.0f); }
+HN_FN hn_vec3 hn_i_fields3q(hn_uvec3 h) { return hn_i_of_field_bits(h & 0x007F8000u, 3.0f - 1.0f / 256.0f); }
 #else
 HN_FN hn_float hn_i_field2(hn_uint h) {
   return hn_i_minus(float((h >> 22u) & 511u) * (1.0f / 256.0f), 1.0f - 1.0f / 512.0f);
@@ -32,6 +41,9 @@ HN_FN hn_float hn_i_field3p(hn_uint h) {
 HN_FN hn_float hn_i_field3q(hn_uint h) {
   return hn_i_minus(float((h >> 15u) & 255u) * (1.0f / 128.0f), 1.0f - 1.0f / 256.0f);
 }
+HN_FN hn_vec3 hn_i_fields2(hn_uvec3 h) { return vec3(hn_i_field2(h.x), hn_i_field2(h.y), hn_i_field2(h.z)); }
+HN_FN hn_vec3 hn_i_fields3p(hn_uvec3 h) { return vec3(hn_i_field3p(h.x), hn_i_field3p(h.y), hn_i_field3p(h.z)); }
+HN_FN hn_vec3 hn_i_fields3q(hn_uvec3 h) { return vec3(hn_i_field3q(h.x), hn_i_field3q(h.y), hn_i_field3q(h.z)); }
 #endif
 
 // A direction is a point of the square or octahedron |x| + |y| (+ |z|) = 1, and `more`: 1 less its largest component.

@@ -8,9 +8,10 @@
 
 // The square of a length is a rank: by it lengths are compared. It is a float, or a word in units of 2^-28.
 //
-//   hn_rank               such a square, or another number that lengths are compared by; hn_rank2 to hn_rank4 are
+//   hn_rank               such a square, or another number that lengths are compared by; hn_rank3 and hn_rank4 are
 //                         vectors of it
-//   hn_i_size(x)          the absolute value, as a rank
+//   hn_i_sizes(x)         the absolute values of three numbers, as ranks
+//   hn_i_squares(x, ...)  the squares of three lengths
 //   hn_i_squared(x, ...)  the square of the length of an offset
 //   hn_i_root(q)          the square root of a square. In HN_FIXED it is in units of 2^-18, rounded down
 //   hn_i_over_root(n, q)  n divided by the square root of q, which is not 0. n is the difference of two squares. In
@@ -21,9 +22,14 @@
 #if HN_ARITHMETIC != HN_FIXED
 
 #define hn_rank hn_float
+#define hn_rank3 hn_vec3
 #define hn_rank4 hn_vec4
 
-HN_FN hn_float hn_i_size(hn_float x) { return abs(x); }
+HN_FN hn_vec3 hn_i_sizes(hn_vec3 x) { return abs(x); }
+HN_FN hn_vec3 hn_i_squares(hn_vec3 x, hn_vec3 y) {
+  HN_I_PRECISE hn_vec3 q = x * x + y * y;
+  return q;
+}
 HN_FN hn_float hn_i_squared(hn_float x, hn_float y) {
   HN_I_PRECISE hn_float q = x * x + y * y;
   return q;
@@ -68,25 +74,31 @@ HN_FN hn_vec3 hn_i_unit(hn_float x, hn_float y, hn_float z) {
 #else  // HN_FIXED
 
 #define hn_rank hn_uint
+#define hn_rank3 hn_uvec3
 #define hn_rank4 hn_uvec4
 
 // max stands for abs, which drivers got wrong for integers.
-HN_FN hn_uint hn_i_size(hn_int x) { return uint(max(x, -x)); }
+HN_FN hn_uvec3 hn_i_sizes(hn_ivec3 x) { return uvec3(max(x, x * -1)); }
 
 // An offset is below 4 cells, 2^22, and the square of a length below 16. A square has up to 44 bits, so it is made of
 // the products of two digits; the lower one has 11 bits. The sum is exact before it is rounded down.
-HN_FN hn_uint hn_i_squared(hn_int x, hn_int y) {
-  hn_uvec2 v = uvec2(hn_i_size(x), hn_i_size(y));
-  hn_uvec2 h = uvec2(v.x >> 11u, v.y >> 11u);
-  hn_uvec2 l = uvec2(v.x & 2047u, v.y & 2047u);
-  return h.x * ((h.x << 10u) + l.x) + h.y * ((h.y << 10u) + l.y) + ((l.x * l.x + l.y * l.y) >> 12u);
+HN_FN hn_uvec3 hn_i_squares(hn_ivec3 x, hn_ivec3 y) {
+  hn_uvec3 a = hn_i_sizes(x);
+  hn_uvec3 b = hn_i_sizes(y);
+  hn_uvec3 high = (a >> 11u) * (((a >> 11u) << 10u) + (a & 2047u)) + (b >> 11u) * (((b >> 11u) << 10u) + (b & 2047u));
+  return high + (((a & 2047u) * (a & 2047u) + (b & 2047u) * (b & 2047u)) >> 12u);
 }
+HN_FN hn_uvec3 hn_i_squares(hn_ivec3 x, hn_ivec3 y, hn_ivec3 z) {
+  hn_uvec3 a = hn_i_sizes(x);
+  hn_uvec3 b = hn_i_sizes(y);
+  hn_uvec3 c = hn_i_sizes(z);
+  hn_uvec3 high = (a >> 11u) * (((a >> 11u) << 10u) + (a & 2047u)) + (b >> 11u) * (((b >> 11u) << 10u) + (b & 2047u)) +
+                  (c >> 11u) * (((c >> 11u) << 10u) + (c & 2047u));
+  return high + (((a & 2047u) * (a & 2047u) + (b & 2047u) * (b & 2047u) + (c & 2047u) * (c & 2047u)) >> 12u);
+}
+HN_FN hn_uint hn_i_squared(hn_int x, hn_int y) { return hn_i_squares(ivec3(x, 0, 0), ivec3(y, 0, 0)).x; }
 HN_FN hn_uint hn_i_squared(hn_int x, hn_int y, hn_int z) {
-  hn_uvec3 v = uvec3(hn_i_size(x), hn_i_size(y), hn_i_size(z));
-  hn_uvec3 h = uvec3(v.x >> 11u, v.y >> 11u, v.z >> 11u);
-  hn_uvec3 l = uvec3(v.x & 2047u, v.y & 2047u, v.z & 2047u);
-  return h.x * ((h.x << 10u) + l.x) + h.y * ((h.y << 10u) + l.y) + h.z * ((h.z << 10u) + l.z) +
-         ((l.x * l.x + l.y * l.y + l.z * l.z) >> 12u);
+  return hn_i_squares(ivec3(x, 0, 0), ivec3(y, 0, 0), ivec3(z, 0, 0)).x;
 }
 
 // The root of 2^8 q is guessed in floats. The guess is less than 1 off, even if a driver's sqrt is 6 units in the last
@@ -115,7 +127,7 @@ HN_FN hn_int hn_i_longer_by(hn_int size) {
 
 // The quotient has two digits, since GLSL's division of integers is exact and has 32 bits.
 HN_FN hn_float hn_i_over(hn_int x, hn_uint root) {
-  hn_uint size = hn_i_size(x);
+  hn_uint size = uint(max(x, -x));
   hn_uint high = (size << 11u) / root;
   hn_uint low = (((size << 11u) - high * root) << 8u) / root;
   hn_int quotient = int((high << 8u) + low);

@@ -27,7 +27,8 @@ HN_FN hn_num hn_i_simplex_turned(hn_ivec3 cell, hn_num3 f, hn_num2 rotation, hn_
 HN_FN hn_num hn_i_simplex_turned(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_num2 rotation, hn_uint seed) {
   hn_uvec3 c = hn_i_wrap(cell, period);
   hn_uvec3 first = hn_i_spread(c);
-  return hn_i_simplex_turned(first, hn_i_last(first, c, period), hn_i_spread(hn_i_before(c, period)), f, rotation, seed);
+  return hn_i_simplex_turned(first, hn_i_last(first, c, period), hn_i_spread(hn_i_before(c, period)), f, rotation,
+                             seed);
 }
 
 // What a point adds to the noise and to its derivatives.
@@ -59,7 +60,8 @@ HN_FN hn_vec4 hn_i_simplex_turned_d(hn_ivec3 cell, hn_num3 f, hn_num2 rotation, 
 HN_FN hn_vec4 hn_i_simplex_turned_d(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_num2 rotation, hn_uint seed) {
   hn_uvec3 c = hn_i_wrap(cell, period);
   hn_uvec3 first = hn_i_spread(c);
-  return hn_i_simplex_turned_d(first, hn_i_last(first, c, period), hn_i_spread(hn_i_before(c, period)), f, rotation, seed);
+  return hn_i_simplex_turned_d(first, hn_i_last(first, c, period), hn_i_spread(hn_i_before(c, period)), f, rotation,
+                               seed);
 }
 
 // Simplex noise in space whose gradients turn: the field changes in place, and loops after one turn. Each turns in the

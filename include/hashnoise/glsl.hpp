@@ -100,13 +100,13 @@ struct Vector2 {
   constexpr Vector2() : x(), y() {}
   constexpr Vector2(T x_, T y_) : x(x_), y(y_) {}
   template <typename Scalar>
-  requires(detail::kComponents<Scalar> == 1)
-  constexpr explicit Vector2(Scalar s) : Vector2(detail::convert<T>(s), detail::convert<T>(s)) {}
+  requires(detail::kComponents<Scalar> == 1) constexpr explicit Vector2(Scalar s)
+      : Vector2(detail::convert<T>(s), detail::convert<T>(s)) {}
   template <typename U>
   constexpr explicit Vector2(Vector2<U> v) : x(detail::convert<T>(v.x)), y(detail::convert<T>(v.y)) {}
   template <typename... Arguments>
-  requires(detail::fill<2, Arguments...>())
-  constexpr explicit(sizeof...(Arguments) != 2) Vector2(const Arguments&... arguments)
+  requires(detail::fill<2, Arguments...>()) constexpr explicit(sizeof...(Arguments) != 2)
+      Vector2(const Arguments&... arguments)
       : x(detail::convert<T>(detail::component<0>(arguments...))),
         y(detail::convert<T>(detail::component<1>(arguments...))) {}
   friend bool operator==(Vector2, Vector2) = default;  // constexpr where that of T is
@@ -127,14 +127,14 @@ struct Vector3 {
   constexpr Vector3() : x(), y(), z() {}
   constexpr Vector3(T x_, T y_, T z_) : x(x_), y(y_), z(z_) {}
   template <typename Scalar>
-  requires(detail::kComponents<Scalar> == 1)
-  constexpr explicit Vector3(Scalar s) : Vector3(detail::convert<T>(s), detail::convert<T>(s), detail::convert<T>(s)) {}
+  requires(detail::kComponents<Scalar> == 1) constexpr explicit Vector3(Scalar s)
+      : Vector3(detail::convert<T>(s), detail::convert<T>(s), detail::convert<T>(s)) {}
   template <typename U>
   constexpr explicit Vector3(Vector3<U> v)
       : x(detail::convert<T>(v.x)), y(detail::convert<T>(v.y)), z(detail::convert<T>(v.z)) {}
   template <typename... Arguments>
-  requires(detail::fill<3, Arguments...>())
-  constexpr explicit(sizeof...(Arguments) != 3) Vector3(const Arguments&... arguments)
+  requires(detail::fill<3, Arguments...>()) constexpr explicit(sizeof...(Arguments) != 3)
+      Vector3(const Arguments&... arguments)
       : x(detail::convert<T>(detail::component<0>(arguments...))),
         y(detail::convert<T>(detail::component<1>(arguments...))),
         z(detail::convert<T>(detail::component<2>(arguments...))) {}
@@ -148,6 +148,20 @@ struct Vector3 {
   friend constexpr Vector3 operator*(T a, Vector3 b) { return Vector3(a) * b; }
   friend constexpr Vector3 operator/(Vector3 a, Vector3 b) { return {a.x / b.x, a.y / b.y, a.z / b.z}; }
   friend constexpr Vector3 operator/(Vector3 a, T b) { return a / Vector3(b); }
+  // Of integers.
+  friend constexpr Vector3 operator&(Vector3 a, T b) { return {a.x & b, a.y & b, a.z & b}; }
+  friend constexpr Vector3 operator|(Vector3 a, T b) { return {a.x | b, a.y | b, a.z | b}; }
+  friend constexpr Vector3 operator|(Vector3 a, Vector3 b) { return {a.x | b.x, a.y | b.y, a.z | b.z}; }
+  friend constexpr Vector3 operator^(Vector3 a, T b) { return {a.x ^ b, a.y ^ b, a.z ^ b}; }
+  friend constexpr Vector3 operator^(Vector3 a, Vector3 b) { return {a.x ^ b.x, a.y ^ b.y, a.z ^ b.z}; }
+  template <typename Count>
+  friend constexpr Vector3 operator<<(Vector3 a, Count b) {
+    return {a.x << T(b), a.y << T(b), a.z << T(b)};
+  }
+  template <typename Count>
+  friend constexpr Vector3 operator>>(Vector3 a, Count b) {
+    return {a.x >> T(b), a.y >> T(b), a.z >> T(b)};
+  }
 };
 
 template <typename T>
@@ -156,8 +170,7 @@ struct Vector4 {
   constexpr Vector4() : x(), y(), z(), w() {}
   constexpr Vector4(T x_, T y_, T z_, T w_) : x(x_), y(y_), z(z_), w(w_) {}
   template <typename Scalar>
-  requires(detail::kComponents<Scalar> == 1)
-  constexpr explicit Vector4(Scalar s)
+  requires(detail::kComponents<Scalar> == 1) constexpr explicit Vector4(Scalar s)
       : Vector4(detail::convert<T>(s), detail::convert<T>(s), detail::convert<T>(s), detail::convert<T>(s)) {}
   template <typename U>
   constexpr explicit Vector4(Vector4<U> v)
@@ -166,8 +179,8 @@ struct Vector4 {
         z(detail::convert<T>(v.z)),
         w(detail::convert<T>(v.w)) {}
   template <typename... Arguments>
-  requires(detail::fill<4, Arguments...>())
-  constexpr explicit(sizeof...(Arguments) != 4) Vector4(const Arguments&... arguments)
+  requires(detail::fill<4, Arguments...>()) constexpr explicit(sizeof...(Arguments) != 4)
+      Vector4(const Arguments&... arguments)
       : x(detail::convert<T>(detail::component<0>(arguments...))),
         y(detail::convert<T>(detail::component<1>(arguments...))),
         z(detail::convert<T>(detail::component<2>(arguments...))),
@@ -222,7 +235,27 @@ constexpr int min(int x, int y) { return y < x ? y : x; }
 constexpr int max(int x, int y) { return x < y ? y : x; }
 constexpr uint min(uint x, uint y) { return y < x ? y : x; }
 constexpr uint max(uint x, uint y) { return x < y ? y : x; }
+template <typename T>
+constexpr Vector3<T> min(Vector3<T> a, Vector3<T> b) {
+  return {min(a.x, b.x), min(a.y, b.y), min(a.z, b.z)};
+}
+template <typename T>
+constexpr Vector3<T> max(Vector3<T> a, Vector3<T> b) {
+  return {max(a.x, b.x), max(a.y, b.y), max(a.z, b.z)};
+}
+template <typename T>
+constexpr Vector3<T> abs(Vector3<T> v) {
+  return {abs(v.x), abs(v.y), abs(v.z)};
+}
 constexpr float uintBitsToFloat(uint bits) { return std::bit_cast<float>(bits); }
 constexpr uint floatBitsToUint(float value) { return std::bit_cast<uint>(value); }
+template <typename T>
+constexpr auto uintBitsToFloat(Vector3<T> v) {
+  return Vector3<decltype(uintBitsToFloat(v.x))>(uintBitsToFloat(v.x), uintBitsToFloat(v.y), uintBitsToFloat(v.z));
+}
+template <typename T>
+constexpr auto floatBitsToUint(Vector3<T> v) {
+  return Vector3<decltype(floatBitsToUint(v.x))>(floatBitsToUint(v.x), floatBitsToUint(v.y), floatBitsToUint(v.z));
+}
 
 }  // namespace hashnoise

@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Sequence
 
-from golden import period_rows, simplex_rows
+from golden import cellular_rows, period_rows, simplex_rows
 from golden.generator import INT_MAX, INT_MIN, SEEDS, Generator, Row, to_f32
 from oracle import gradients, words
 from tables.configurations import Configuration
@@ -234,17 +234,20 @@ def rows_of(function: Function, fixed: bool, settings: Sequence[Configuration], 
         return lattice_gradient_rows(n, settings, generator)
     if form in ("place", "place_of_noise"):
         return place_rows(n, form == "place_of_noise", generator)
-    rows = plain_rows(function, generator)
+    rows = plain_rows(function, settings, generator)
     if fixed:
         of_fixed = {"position": fixed_position_rows, "cell": fixed_cell_rows, "sum": fixed_octave_rows}[form]
         more = of_fixed(n, generator)
         if function.has_period:
             more = period_rows.inserted(more, n, 2 * n if form == "cell" else n, generator)
+        if function.family in cellular_rows.FAMILIES:
+            more = cellular_rows.with_choices(more, function, generator)
+            more += cellular_rows.for_fixed(function, settings, generator)
         rows = rows + (simplex_rows.with_phases(more, generator) if function.has_phase else more)
     return rows
 
 
-def plain_rows(function: Function, generator: Generator) -> list[Row]:
+def plain_rows(function: Function, settings: Sequence[Configuration], generator: Generator) -> list[Row]:
     """Those of noises, and of what is made of them, for every arithmetic."""
     n, form = function.axes, function.form
     of_form = {"position": position_rows, "cell": cell_rows, "sum": octave_rows}
@@ -255,4 +258,8 @@ def plain_rows(function: Function, generator: Generator) -> list[Row]:
     rows = of_form[form](n, generator)
     if function.family in SIMPLEX:
         rows += of_simplex[form](n, generator)
+    if function.family in cellular_rows.FAMILIES:
+        rows = cellular_rows.with_choices(rows + cellular_rows.special(function, generator), function, generator)
+        if cellular_rows.jumps(function):
+            rows = list(cellular_rows.cleared(rows, function, settings, generator))
     return simplex_rows.with_phases(rows, generator) if function.has_phase else rows

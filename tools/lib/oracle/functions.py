@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 from oracle import gradients, integers, noises, positions, words
 from oracle.curl import CURL
 from oracle.gradients import Knobs, Real
+from oracle.lattice import Choice
+from oracle.nearest import NEAREST, OFFSET
 from oracle.noises import Noise
 from oracle.sums import SUMS
 from tables.configurations import Configuration
@@ -59,7 +62,13 @@ def _of_a_place(position: Sequence[int], cells: int, units: int) -> tuple[list[i
             [positions.fraction(x, cells, units) for x in position])
 
 
+# What a function sets beside its value.
+SETS = {"nearest": NEAREST, "offset": OFFSET}
+
+
 def _noise_evaluator(function: Function, fixed: bool) -> Evaluate:
+    if function.sets:
+        return _evaluator(SETS[function.sets], function, fixed)
     try:
         noise = noises.find(function.noise)
     except LookupError as error:
@@ -67,19 +76,37 @@ def _noise_evaluator(function: Function, fixed: bool) -> Evaluate:
     return _evaluator(noise, function, fixed)
 
 
-def _evaluator(noise: Noise, function: Function, fixed: bool) -> Evaluate:
+def chosen(noise: Noise, function: Function, numbers: list[Real]) -> Noise:
+    """The noise with the phase, or the jitter and the metric, that it takes from the end of the numbers."""
+    if function.has_phase:
+        return noise.turned(numbers.pop())
+    choice = Choice()
+    if function.has_metric:
+        choice = replace(choice, metric=numbers.pop())
+    if function.has_jitter:
+        choice = replace(choice, jitter=numbers.pop())
+    return noise.chosen(choice)
+
+
+def values_of(noise: Noise, function: Function, fixed: bool) -> Evaluate:
+    """All that a noise returns, of a row of the function's inputs."""
     n = function.axes
 
     def values(knobs: Knobs, row: Sequence[Real]) -> tuple[Real, ...]:
         *numbers, seed = row
-        turned = noise.turned(numbers.pop()) if function.has_phase else noise
-        at_position, in_cell = (turned.fixed, turned.fixed_cell) if fixed else (turned.exact, turned.exact_cell)
+        of = chosen(noise, function, numbers)
+        at_position, in_cell = (of.fixed, of.fixed_cell) if fixed else (of.exact, of.exact_cell)
         if function.form == "place_of_noise":
             return in_cell(knobs, *_of_a_place(numbers[:n], *numbers[n:]), seed)
         if function.form == "cell":
             return in_cell(knobs, numbers[:n], numbers[n:2 * n], seed, numbers[2 * n:])
         return at_position(knobs, numbers[:n], seed, numbers[n:])
 
+    return values
+
+
+def _evaluator(noise: Noise, function: Function, fixed: bool) -> Evaluate:
+    values = values_of(noise, function, fixed)
     # In four dimensions the value and the derivatives have a row each.
     indices = [noise.outputs.index(column.split(":")[0]) for column in function.outputs.split()]
 

@@ -10,10 +10,19 @@ from oracle.gradients import Knobs, Real
 from oracle.ramps import WHOLE, Lengthening
 from oracle.words import point_word
 
+EUCLIDEAN = 1  # HN_METRIC_EUCLIDEAN
+
 
 def repeated(coordinate: int, period: int) -> int:
     """A coordinate of a lattice point, an exact integer, moved into [0, period) if there is a period."""
     return coordinate - period * (coordinate // period) if period > 0 else coordinate
+
+
+@dataclass(frozen=True)
+class Choice:
+    """What a caller of cellular noise chooses (section 16)."""
+    jitter: Real = 1
+    metric: int = EUCLIDEAN
 
 
 @dataclass(frozen=True)
@@ -22,6 +31,7 @@ class Lattice:
     seed: int = 0
     periods: tuple[int, ...] = ()  # one for each axis, 0 and less for none; or empty, for none at all
     phase: Real | None = None  # by which octahedral gradients are turned
+    choice: Choice = Choice()
 
     def point(self, corner: Sequence[int]) -> list[int]:
         """What is hashed for a corner of a cell."""

@@ -24,10 +24,13 @@ vec3 mix(vec3 from, vec3 to, float t) { return from * (1.0f - t) + to * t; }
 
 using Tile = vec3 (*)(vec2 uv);
 constexpr Tile kTiles[] = {
-#define TILE(...)              \
-  [](vec2 uv) -> vec3 {        \
-    using namespace hashnoise; \
-    return __VA_ARGS__;        \
+// A line may call a function that sets a cell and an offset, before a comma.
+#define TILE(...)                 \
+  [](vec2 uv) -> vec3 {           \
+    using namespace hashnoise;    \
+    [[maybe_unused]] ivec2 cell;  \
+    [[maybe_unused]] vec2 offset; \
+    return __VA_ARGS__;           \
   },
 #include "tiles.inc"
 };

@@ -19,6 +19,10 @@ PICTURES = {  # the page that shows each
     "simplex.png": "docs/noises.md",
     "phase.png": "docs/noises.md",
     "curl.png": "docs/noises.md",
+    "cellular.png": "docs/cellular.md",
+    "jitter.png": "docs/cellular.md",
+    "metrics.png": "docs/cellular.md",
+    "cellular-tiles.png": "docs/cellular.md",
 }
 BELOW_A_PICTURE = r"^!\[[^\]]*\]\((?:docs/)?images/{}\)\n\n(?:\S.*\n)*\n((?:    \S.*\n)+)"
 FLOAT = re.compile(r"(?<![\w.])\d+\.\d+(?![\w.])")  # without a suffix it is a float in GLSL, and a double in C++

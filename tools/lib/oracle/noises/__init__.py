@@ -19,7 +19,7 @@ from fractions import Fraction
 
 from oracle.gradients import Knobs, Real
 from oracle.integers import NOISE_UNIT, SLOPE_UNIT, cell_and_fraction, fraction_of
-from oracle.lattice import Lattice
+from oracle.lattice import Choice, Lattice
 
 
 OUTPUTS = ("value", "dx", "dy", "dz", "dw")
@@ -36,6 +36,7 @@ class Noise:
     outputs: tuple[str, ...] = OUTPUTS  # the names of what it returns; as many as it has dimensions
     units: tuple[int, ...] = UNITS
     phase: Real | None = None
+    choice: Choice = Choice()  # of cellular noise
 
     def turned(self, phase: Real) -> Noise:
         """The noise with its gradients turned."""
@@ -43,12 +44,16 @@ class Noise:
             raise ValueError(f"the gradients of {self.name} do not turn")
         return replace(self, phase=phase)
 
+    def chosen(self, choice: Choice) -> Noise:
+        """The noise with what its caller chooses."""
+        return replace(self, choice=choice)
+
     def lattice(self, knobs: Knobs, seed: int, periods: Sequence[int]) -> Lattice:
-        return Lattice(knobs, seed, tuple(periods), self.phase)
+        return Lattice(knobs, seed, tuple(periods), self.phase, self.choice)
 
     def in_units(self, numbers: Sequence[int]) -> tuple[Fraction, ...]:
-        """The numbers of fixed arithmetic."""
-        return tuple(map(Fraction, numbers, self.units))
+        """The numbers of fixed arithmetic. The name of a cell is a whole number."""
+        return tuple(number if unit == 1 else Fraction(number, unit) for number, unit in zip(numbers, self.units))
 
     def exact(self, knobs: Knobs, p: Sequence[Real], seed: int = 0,
               periods: Sequence[int] = ()) -> tuple[Fraction, ...]:
@@ -77,4 +82,5 @@ def find(name: str) -> Noise:
     if name not in names():
         raise LookupError(f"the oracle has no {name}: write tools/lib/oracle/noises/{name}.py from docs/contract.md")
     module = importlib.import_module(f"{__name__}.{name}")
-    return Noise(name, module.exact, module.fixed, phase=Fraction(0) if name.endswith(TURNING) else None)
+    return Noise(name, module.exact, module.fixed, getattr(module, "OUTPUTS", OUTPUTS), getattr(module, "UNITS", UNITS),
+                 Fraction(0) if name.endswith(TURNING) else None)

@@ -1,0 +1,172 @@
+"""The inputs of cellular noise: jitters and metrics, and positions on walls, at corners and in the middle of cells.
+
+What is said of the nearest point jumps where another becomes the nearest. Floats may say either there, so such a
+function has no such positions, but for fixed arithmetic: that has some where points are equally near, and pairs of
+positions between which the nearest point changes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from fractions import Fraction
+
+from golden.generator import INT_MAX, INT_MIN, Generator, Row, to_f32
+from golden.period_rows import near_seam
+from oracle import noises
+from oracle.functions import knobs_of, values_of
+from oracle.gradients import Knobs
+from oracle.nearest import NEAREST
+from tables.configurations import Configuration
+from tables.functions import Function
+
+FAMILIES = ("cellular", "further_cellular")
+FINE = 2**20  # fractions are multiples of 2^-20, which fixed arithmetic does not cut
+CLEAR = Fraction(1, 2**10)  # what the nearest point is nearer than the second, where it matters
+SPECIAL, TIES, CHANGES = 36, 16, 12  # how many
+
+# --- What a caller chooses --------------------------------------------------------------------------------------
+
+# Those beyond an end count as the end; tiny ones, and what fixed arithmetic cuts off.
+ODD_JITTERS = tuple(map(to_f32, (-0.5, 1.75, -0.0, 1e-40, 2.0**-33, 2.0**-32, 2.0**-21, 2.0**-20, 1 - 2.0**-24,
+                                 1 + 2.0**-23)))
+METRICS = (1, 2, 3, 4, 5)
+ODD_METRICS = (0, 6, -3, INT_MIN, INT_MAX)
+
+
+def jitter(generator: Generator) -> float:
+    return generator.pick((0.0, 1.0, 1.0, generator.uniform(0, 1), generator.uniform(0, 1), generator.uniform(0, 1),
+                           generator.integer(0, 8) / 8, generator.pick(ODD_JITTERS)))
+
+
+def metric(generator: Generator) -> int:
+    return generator.pick((*METRICS, *METRICS, *METRICS, generator.pick(ODD_METRICS)))
+
+
+def with_choices(rows: Iterable[Row], function: Function, generator: Generator) -> list[Row]:
+    """The rows of the form without choices, with those that the function takes before the seed."""
+    return [(*row[:-1], *(jitter(generator),) * function.has_jitter, *(metric(generator),) * function.has_metric,
+             row[-1]) for row in rows]
+
+
+# --- Positions --------------------------------------------------------------------------------------------------
+
+
+def fraction(kind: int, n: int, generator: Generator) -> tuple[float, ...]:
+    """A fraction in a cell, ..."""
+    f = [generator.integer(0, FINE - 1) / FINE for _ in range(n)]
+    first, second = generator.pick([(i, j) for i in range(n) for j in range(n) if i != j])
+    if kind % 9 == 0:    # on a wall
+        f[first] = 0.0
+    elif kind % 9 == 1:  # right beside one
+        f[first] = generator.pick((1 / FINE, 1 - 1 / FINE))
+    elif kind % 9 == 2:  # in the middle along an axis
+        f[first] = 0.5
+    elif kind % 9 == 3:  # at the same offset along two axes
+        f[first] = f[second]
+    elif kind % 9 == 4:  # at opposite ones
+        f[first] = (1 - f[second]) % 1
+    elif kind % 9 == 5:  # at a corner
+        f = [0.0] * n
+    elif kind % 9 == 6:  # in the middle
+        f = [0.5] * n
+    elif kind % 9 == 7:  # in the middle of a wall, in space or of an edge
+        f = [generator.pick((0.0, 0.5)) for _ in range(n)]
+    else:                # on two walls
+        f[first] = f[second] = 0.0
+    return tuple(f)
+
+
+PERIODS = (0, 1, 2, 3, 7, 64, 2**20, 1000003, 2**30, INT_MAX)
+
+
+def placed(function: Function, f: Sequence[float], generator: Generator) -> Row:
+    """A row of the form without choices at a fraction, in a cell near the origin, or near a seam; cells are far as
+    well."""
+    n = function.axes
+    periods = [generator.pick(PERIODS) for _ in range(n)] if function.has_period else []
+    near = [near_seam(period, 8 if period < 8 else 4, generator) if period else generator.integer(-4, 3)
+            for period in periods or [0] * n]
+    if function.form == "position":
+        return (*(to_f32(c + x) for c, x in zip(near, f)), *periods, generator.seed())
+    far = [near_seam(period, 2**31 - 8, generator) for period in periods or [0] * n]
+    ends = (INT_MIN, INT_MIN + 1, INT_MAX - 1, INT_MAX)
+    cell = [generator.pick((a, a, b, generator.pick(ends))) for a, b in zip(near, far)]
+    return (*cell, *f, *periods, generator.seed())
+
+
+def special(function: Function, generator: Generator) -> list[Row]:
+    """Rows of the form without choices."""
+    return [placed(function, fraction(kind, function.axes, generator), generator) for kind in range(SPECIAL)]
+
+
+# --- Where the nearest point changes ----------------------------------------------------------------------------
+
+
+def jumps(function: Function) -> bool:
+    """Whether its values jump where another point becomes the nearest."""
+    return bool(function.sets) or "dx:" in function.outputs
+
+
+def is_clear(function: Function, knobs: Knobs, row: Row) -> bool:
+    first, second = values_of(noises.find("cellular"), function, False)(knobs, row)
+    return second - first >= CLEAR
+
+
+def cleared(rows: Iterable[Row], function: Function, settings: Sequence[Configuration],
+            generator: Generator) -> Iterator[Row]:
+    """The rows; where the second point is about as near as the first, with another seed, and with a jitter if a seed
+    does not help."""
+    hashes = list(dict.fromkeys(knobs_of(setting) for setting in settings if setting.covers(function)))
+    for row in rows:
+        tries = 0
+        while not all(is_clear(function, knobs, row) for knobs in hashes):
+            tries += 1
+            if tries > 100:
+                raise ValueError(f"{function.id}: the nearest point at {row} is not clear, whatever the seed")
+            choices = list(row[:-1])
+            if function.has_jitter and tries > 2:
+                choices[-1 - function.has_metric] = generator.uniform(0.25, 1)
+            row = (*choices, generator.word())
+        yield row
+
+
+def ties(function: Function, generator: Generator) -> list[Row]:
+    """On walls and at corners, without a jitter: there many points are equally near."""
+    rows = []
+    for index in range(TIES if function.has_jitter else 0):
+        *row, seed = placed(function, fraction((0, 5, 8, 7)[index % 4], function.axes, generator), generator)
+        rows.append((*row, 0.0, *(METRICS[index % 5],) * function.has_metric, seed))
+    return rows
+
+
+def changes(function: Function, knobs: Knobs, generator: Generator) -> list[Row]:
+    """Pairs of rows: one step of a fraction along x from the first the nearest point is another one."""
+    nearest = values_of(NEAREST, function, True)
+    rows: list[Row] = []
+    while len(rows) < 2 * CHANGES:
+        *row, seed = placed(function, fraction(2, function.axes, generator), generator)
+        x = function.axes if function.form == "cell" else 0
+        chosen = [generator.pick((1.0, generator.uniform(0.25, 1)))] * function.has_jitter
+        chosen += [generator.pick(METRICS)] * function.has_metric
+        whole = 0 if function.form == "cell" else int(row[0] // 1)
+
+        def at(step: int) -> Row:
+            return (*row[:x], to_f32(whole + step / FINE), *row[x + 1:], *chosen, seed)
+
+        low, high = 0, FINE - 1
+        at_low = nearest(knobs, at(low))
+        if nearest(knobs, at(high)) == at_low:
+            continue
+        while high - low > 1:
+            middle = (low + high) // 2
+            low, high = (middle, high) if nearest(knobs, at(middle)) == at_low else (low, middle)
+        rows += [at(low), at(high)]
+    return rows
+
+
+def for_fixed(function: Function, settings: Sequence[Configuration], generator: Generator) -> list[Row]:
+    """What only fixed arithmetic has a value for."""
+    if not jumps(function):
+        return []
+    knobs, = dict.fromkeys(knobs_of(setting) for setting in settings if setting.fixed and setting.covers(function))
+    return ties(function, generator) + changes(function, knobs, generator)

@@ -1,0 +1,37 @@
+"""Section 16 of docs/contract.md: what cellular noise says of the nearest point, its cell and where it is."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from oracle.feature_points import exact_field, fixed_field
+from oracle.integers import UNIT
+from oracle.lattice import Lattice
+from oracle.noises import Noise
+
+
+def exact_cell(lattice: Lattice, cell: Sequence[int], f: Sequence[Fraction]) -> tuple[int, ...]:
+    point, = exact_field(lattice, cell, f).nearest(1)
+    return point.named(lattice)
+
+
+def fixed_cell(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> tuple[int, ...]:
+    point, = fixed_field(lattice, cell, fraction).nearest(1)
+    return point.named(lattice)
+
+
+def exact_offset(lattice: Lattice, cell: Sequence[int], f: Sequence[Fraction]) -> tuple[Fraction, ...]:
+    field = exact_field(lattice, cell, f)
+    point, = field.nearest(1)
+    return tuple(Fraction(-d, field.arithmetic.unit) for d in point.offset)
+
+
+def fixed_offset(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> tuple[int, ...]:
+    point, = fixed_field(lattice, cell, fraction).nearest(1)
+    return tuple(-d for d in point.offset)
+
+
+# With the Euclidean metric, if none is chosen, these are what borders say, too.
+NEAREST = Noise("nearest", exact_cell, fixed_cell, ("nx", "ny", "nz"), (1,) * 3)
+OFFSET = Noise("offset", exact_offset, fixed_offset, ("ox", "oy", "oz"), (UNIT,) * 3)
