@@ -164,8 +164,10 @@ def missing_quotes(derived: Everything, root: Path = ROOT) -> list[str]:
 # --- The comments of the library --------------------------------------------------------------------------------------
 
 # What a number belongs to, in reading order: a heading, a knob, or a number.
-# The range of a derivative has few decimals, and is known by its brackets.
-WORD = re.compile(r"^   ?(?P<heading>[a-z]+)  |HN_FIXED|HN_GRADIENT_SINE|(?P<error>\d\.\d+e-\d+)"
+# The range of a derivative has few decimals, and is known by its brackets. "of the offset": the errors after it are
+# those of the out parameter.
+WORD = re.compile(r"^   ?(?P<heading>[a-z]+)  |HN_FIXED|HN_GRADIENT_SINE|(?P<offset>of the offset)"
+                  r"|(?P<error>\d\.\d+e-\d+)"
                   r"|(?P<range>\d\.\d{3,}|(?<=\[-)\d+\.\d+|\d+\.\d+(?=\]))", re.MULTILINE)
 REFERS = re.compile(r"^   ?error  +as ", re.MULTILINE)  # to another comment, instead of a number
 
@@ -176,8 +178,10 @@ def dimensions_of(function: glsl.Declaration) -> int:
 
 
 def takes_phase(function: glsl.Declaration) -> bool:
-    """On the line a float is a position. Octave sums take floats, too; they are no noises."""
-    return dimensions_of(function) > 1 and "float" in function.types
+    """On the line a float is a position. Octave sums take floats, too; they are no noises. Of cellular noise a float
+    is the jitter, for which one bound holds."""
+    return (dimensions_of(function) > 1 and "float" in function.types
+            and function.name.removeprefix("hn_") + PHASE in noises.names())
 
 
 def noise_of(function: glsl.Declaration) -> str:
@@ -190,9 +194,16 @@ def of_function(function: glsl.Declaration, gradient: Gradient, derived: Everyth
 
 
 def derived_for(function: glsl.Declaration, kind: str, fixed: bool, gradient: Gradient,
-                derived: Everything) -> float | None:
-    """What a number in the comment of a function should be, rounded up: an "error", or the end of a "range"."""
+                derived: Everything, place: int = 0) -> float | None:
+    """What a number in the comment of a function should be, rounded up: an "error", that of an "offset", or the end of
+    a "range". Where there are several ends, they have a place."""
     if noise_of(function) in noises.names():
+        module, dims = noises.find(noise_of(function)), dimensions_of(function)
+        if kind == "offset":
+            return module.offset_error(dims, fixed) if hasattr(module, "offset_error") else None
+        if kind == "range" and hasattr(module, "ends"):
+            ends = module.ends(dims)
+            return ends[place] if place < len(ends) else None
         # Forms with a phase share a comment, which has the larger error.
         takes_cell = function.types[0].startswith("i") and not takes_phase(function)
         of_noise = of_function(function, gradient, derived)
@@ -209,7 +220,7 @@ def derived_for(function: glsl.Declaration, kind: str, fixed: bool, gradient: Gr
 
 def wrong_numbers(function: glsl.Declaration, derived: Everything) -> dict[tuple, str]:
     """What is wrong in the comment over a function, by the line, the number and what is right."""
-    messages, fixed, gradient = {}, False, GRADIENTS[0]
+    messages, fixed, gradient, offset_next, ends = {}, False, GRADIENTS[0], False, 0
     text = "\n".join(function.comment.lines)
     if (noise_of(function) in noises.names() and not REFERS.search(text)
             and not any(word["error"] for word in WORD.finditer(text))):
@@ -218,15 +229,18 @@ def wrong_numbers(function: glsl.Declaration, derived: Everything) -> dict[tuple
     for offset, text in enumerate(function.comment.lines):
         for word in WORD.finditer(text):
             if word["heading"]:
-                fixed, gradient = False, GRADIENTS[0]
+                fixed, gradient, offset_next = False, GRADIENTS[0], False
+            elif word["offset"]:
+                fixed, offset_next = False, True
             elif word[0] == "HN_FIXED":
                 fixed, gradient = True, GRADIENTS[0]
             elif word[0] == "HN_GRADIENT_SINE":
                 gradient = SINE
             else:
-                kind = "error" if word["error"] else "range"
-                value, digits = derived_for(function, kind, fixed, gradient, derived), len(_significant(word[0]))
-                right = value and (scientific(value, digits) if kind == "error" else shortest(value, digits))
+                kind = "range" if word["range"] else "offset" if offset_next else "error"
+                value = derived_for(function, kind, fixed, gradient, derived, ends)
+                ends, digits = ends + (kind == "range"), len(_significant(word[0]))
+                right = value and (shortest(value, digits) if kind == "range" else scientific(value, digits))
                 if word[0] != right:
                     place = f"{function.path}:{function.comment.line + offset}"
                     messages[place, word[0], right] = (f"{place}: {word[0]} of {function} "

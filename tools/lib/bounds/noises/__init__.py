@@ -6,6 +6,11 @@
                         of fixed arithmetic: by name, bounds of the magnitudes that must stay below 2^31
     quotes()            numbers in prose: pairs of a file and a text that must stand in it
     describe(dimensions, gradient) -> dict    more numbers for the reader of tools/bounds
+
+and, if it returns more than one number or sets an offset,
+
+    ends(dimensions)    the ends of ranges, in the order in which the comments state them
+    offset_error(dimensions, fixed)    of each component of an offset
 """
 
 from __future__ import annotations

@@ -1,0 +1,274 @@
+"""The errors of cellular noise: of the distances to feature points, of what is made of them, and of derivatives.
+
+FLOATS. As elsewhere an operation returns one of the two floats around its exact result (floats.py). GLSL leaves more
+room to a square root and to a division: here a root is taken to be within ROOT_ULPS and a quotient within
+QUOTIENT_ULPS. Vulkan allows 2 ulp to inversesqrt and 2.5 to a division, and makes a root of both. HN_PRECISE computes
+1 / sqrt(q) itself, and is within these. Offsets are in units of half a cell:
+
+    d = 2 f - 1;  d - 2 n for the n-th cell after it;  from the point: d - u * jitter
+
+In space the first two components are x + y and x - y, and the square of the length is half of theirs and z * z.
+
+ORDER. The k-th smallest distance changes by no more than the distances do, since a block has all that matter.
+Those of points that are farther may have larger errors; but these are small against how much farther they are.
+
+FIXED. Along an axis an offset D is off by less than 1 unit of 2^-20 cells for the place, 1 for the product of
+direction and jitter, and u/2 for the cut of the jitter. N rounds down by less than a unit of 2^-28, which takes up to
+2^-14 from a root: where the distance is 2^-14. The root rounds down by less than 2^-18.
+
+BORDERS. The distance to the border of the points P and Q is (|x - Q|^2 - |x - P|^2) / (2 s), s = |P - Q|. If
+differences from the place are off by e, then the squares by 2 e each times a distance, and |x - Q| <= |x - P| + s. So
+the error grows as 1/s. The components of a direction are below 1, so that points of different cells are at least
+APART from each other. Where another point than P is taken for the nearest one, both results are between 0 and
+that error. Moving the place itself moves the border by no more than that.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from bounds import features
+from bounds.boxes import SAFE
+from bounds.floats import TINY, UNIT, rounding
+
+ROOT_ULPS, QUOTIENT_ULPS = 6.0, 3.0
+PLACE, RANK = 2.0**-20, 2.0**-28  # the units of offsets and of squares in fixed arithmetic
+LARGEST_COMPONENT = {2: 511 / 512, 3: 255 / 256}  # of a direction
+APART = {dims: 1 - largest for dims, largest in LARGEST_COMPONENT.items()}
+CLOSENESS = {2: 9, 3: 27}  # how many weights are summed
+OPERATIONS = {2: 2, 3: 3}  # that a square of a length rounds in, one after another
+
+
+def f32(magnitude: float, ulps: float) -> float:
+    return float(rounding(magnitude, ulps))
+
+
+# --- Floats -----------------------------------------------------------------------------------------------------------
+
+def components(dims: int, reach: float, ulps: float) -> tuple[float, float]:
+    """The errors of a component along x or y, in space of x + y or x - y, and of one along z. `reach` is the largest
+    distance that matters, in cells; all else here is in half cells."""
+    length = 2 * reach
+    centre = f32(1.0, ulps) + f32(min(length + 1, 3.99), ulps)
+    point = f32(0.99, ulps) + 2.0**-32  # the product with the jitter, which HN_PRECISE may take as 0
+    along = centre + point + f32(length * 1.001, ulps)
+    if dims == 2:
+        return along, along
+    turned = math.sqrt(2) * length * 1.001
+    return 2 * centre + f32(turned + 1, ulps) + point + f32(turned, ulps), along
+
+
+def length_error(dims: int, reach: float, ulps: float) -> float:
+    """Of an offset, before its length is computed, in half cells."""
+    across, along = components(dims, reach, ulps)
+    return math.hypot(across, along)  # of three, two are turned, and longer by sqrt(2)
+
+
+def relative(operations: float, ulps: float) -> float:
+    return (1 + UNIT * ulps) ** operations - 1
+
+
+def square_error(dims: int, reach: float, ulps: float) -> float:
+    """Of the square of a length, in squares of half cells."""
+    length, err = 2 * reach, length_error(dims, reach, ulps)
+    return (length + err) ** 2 * (1 + relative(OPERATIONS[dims], ulps)) - length**2 + 3 * TINY
+
+
+def distance_error(dims: int, reach: float, ulps: float = 1.0) -> float:
+    length, err = 2 * reach, length_error(dims, reach, ulps)
+    computed = (length + err) * (1 + relative(OPERATIONS[dims] / 2, ulps)) * (1 + UNIT * ROOT_ULPS)
+    return (computed - length + 2.0**-60) / 2 * SAFE
+
+
+def euclidean_reach(metric: str, dims: int, largest: float) -> float:
+    """How far a point can be that is so far in a metric."""
+    if metric == "squared":
+        return math.sqrt(largest)
+    if metric == "chebyshev":
+        return largest * math.sqrt(dims)
+    if metric == "hybrid":
+        return (math.sqrt(1 + 4 * largest) - 1) / 2
+    return largest
+
+
+def manhattan_reach(metric: str, dims: int, largest: float) -> float:
+    """The same in the Manhattan metric."""
+    if metric == "hybrid":
+        return dims * (math.sqrt(1 + 4 * largest / dims) - 1) / 2
+    if metric == "manhattan":
+        return largest
+    return euclidean_reach(metric, dims, largest) * math.sqrt(dims)
+
+
+def metric_error(metric: str, dims: int, largest: float, ulps: float = 1.0) -> float:
+    """Of a distance up to the largest, in cells."""
+    reach = euclidean_reach(metric, dims, largest)
+    across, along = components(dims, reach, ulps)
+    if metric == "euclidean":
+        return distance_error(dims, reach, ulps)
+    square = square_error(dims, reach, ulps)
+    if metric == "squared":
+        return square / 4 * SAFE
+    if metric == "chebyshev":
+        return (across + f32(2 * reach * 1.001, ulps)) / 2 * SAFE
+    size = 2 * manhattan_reach(metric, dims, largest) * 1.001
+    total = (2 * across if dims == 2 else across + along) + f32(size, ulps)
+    if metric == "manhattan":
+        return total / 2 * SAFE
+    return (square / 2 + f32(2 * reach**2 * 1.001, ulps) + total + f32(2 * largest * 1.001, ulps)) / 2 * SAFE
+
+
+def metric_slope(metric: str, dims: int, largest: float) -> float:
+    """How fast a distance changes, for the largest coordinate."""
+    if metric == "hybrid":
+        return dims + 2 * manhattan_reach(metric, dims, largest)
+    if metric == "squared":
+        return 2 * manhattan_reach(metric, dims, largest)
+    return {"euclidean": math.sqrt(dims), "manhattan": float(dims), "chebyshev": 1.0}[metric]
+
+
+def direction_error(dims: int, reach: float, ulps: float = 1.0) -> float:
+    """Of a component of an offset divided by its length, times that length. If the offset is off by e and longer than
+    e, then its direction turns by an angle of a sine of at most e over the length. No chord is longer than sqrt(2) times
+    the sine. If it is shorter, the component may be off by 2. Hence 2 e, for both."""
+    steps = relative(1 + OPERATIONS[dims] / 2, ulps) + UNIT * (ROOT_ULPS + QUOTIENT_ULPS) + UNIT**2 * 100
+    return (2 * length_error(dims, reach, ulps) / 2 + steps * reach) * SAFE
+
+
+def offset_error(dims: int, fixed: bool) -> float:
+    """Of a component of the offset of a point that is nearest in any metric, from a position or a cell, in cells."""
+    if fixed:
+        return 2.5 * PLACE
+    largest = {metric: features.largest_distance(dims, 1, metric) for metric in features.METRICS}
+    reach = max(euclidean_reach(metric, dims, most) for metric, most in largest.items())
+    across, along = components(dims, reach, 1.0)
+    plain = across if dims == 2 else max(across + f32(2 * reach * 1.001, 1.0) / 2, along)
+    return (plain / 2 + 2.0**-24) * SAFE
+
+
+def smooth_error(dims: int, ulps: float = 1.0) -> float:
+    """Of hn_cellular_smooth. (W + 1/4096)^(1/4) is a norm of the 1 - distance and 1/8, so if each of these is off by
+    e, it is off by e times the fourth root of their number."""
+    of_weight = distance_error(dims, 1.0, ulps) + f32(0.99, ulps)
+    largest = (features.largest_weights(dims) + 1 / 4096) ** 0.25 + 1e-4
+    steps = relative(3 + CLOSENESS[dims] + 1, ulps) / 4 + 1.5 * UNIT * ROOT_ULPS + UNIT**2 * 1000
+    return (features.most_within(dims) ** 0.25 * of_weight + largest * steps + f32(0.99, ulps)) * SAFE
+
+
+def _over_distances(error, dims: int, apart: float) -> float:
+    """The largest of an error that is convex in the distance of two points: at an end."""
+    return max(error(apart), error(2 * BLOCK_REACH[dims])) * SAFE
+
+
+BLOCK_REACH = {dims: math.sqrt(2.5**2 + (dims - 1) * 1.5**2) for dims in (2, 3)}  # to the farthest point of a block
+
+
+def border_error(dims: int, ulps: float = 1.0, apart: float | None = None) -> float:
+    """Of points that are at least so far apart."""
+    largest, first = features.largest_border(dims), features.largest_distance(dims, 1)
+    of_offset = length_error(dims, BLOCK_REACH[dims], ulps) / 2
+    squares = relative(OPERATIONS[dims] + 1, ulps)
+    steps = relative(3 + OPERATIONS[dims] / 2, ulps) + UNIT * (ROOT_ULPS + QUOTIENT_ULPS) + UNIT**2 * 1000
+
+    def error(s: float) -> float:
+        off = 2 * of_offset  # of s
+        gap = (2 * of_offset * (s + 2 * first) + 2 * of_offset**2
+               + squares * ((first + s + of_offset) ** 2 + (first + of_offset) ** 2))
+        return gap / (2 * (s - off)) * (1 + steps) + largest * (off / (s - off) + steps)
+    return _over_distances(error, dims, APART[dims] if apart is None else apart)
+
+
+# --- Fixed ------------------------------------------------------------------------------------------------------------
+
+def fixed_place(dims: int) -> float:
+    """How far the cut moves the place."""
+    return math.sqrt(dims) * PLACE
+
+
+def fixed_point(dims: int) -> float:
+    """How far a point is off."""
+    return (math.sqrt(dims) + 0.5) * PLACE
+
+
+def fixed_parts(dims: int) -> dict[str, float]:
+    """Of the Euclidean distance."""
+    return {"cut": fixed_place(dims), "points": fixed_point(dims), "rank": math.sqrt(RANK), "scaling": 2.0**-18}
+
+
+def fixed_metric_error(metric: str, dims: int, largest: float) -> float:
+    reach, off = euclidean_reach(metric, dims, largest), fixed_place(dims) + fixed_point(dims)
+    square, total = off * (2 * reach + off) + PLACE + RANK, (2 * dims + 0.5) * PLACE
+    return SAFE * {"euclidean": sum(fixed_parts(dims).values()), "squared": square, "manhattan": total,
+                   "chebyshev": 2.5 * PLACE, "hybrid": square + total}[metric]
+
+
+def fixed_direction_parts(dims: int) -> dict[str, float]:
+    """Of a derivative, times the distance. The offset is made so long that its root has 15 bits."""
+    reach = features.largest_distance(dims, 1)
+    return {"cut": 2 * fixed_place(dims), "points": 2 * fixed_point(dims), "rank": 2.0**-22 * reach,
+            "scaling": (2.0**-15 * (1 + 2.0**-14) + 2.0**-21) * reach}
+
+
+def fixed_smooth_parts(dims: int) -> dict[str, float]:
+    """Of hn_cellular_smooth. A weight rounds down: t by less than 2^-16, t * t by 2^-16, and its square by 2^-30. These
+    take less than 2^-15 t^2 + 2^-30 from a weight. The squares of t sum to at most the root of their number times the
+    sum of weights W, which is halved from step to step here."""
+    number, unit = features.most_within(dims), 2.0**-16
+    root = number**0.25
+    edges = features.largest_weights(dims) * 1.01 * 0.999 ** np.arange(40_000)
+    taken = 2 * unit * np.sqrt(number * edges[:-1]) + number * 2.0**-30
+    weights = (taken / (4 * (np.maximum(edges[1:] - taken, 0.0) + 1 / 4096) ** 0.75)).max()
+    of_distance = {part: value * root for part, value in fixed_parts(dims).items()}
+    of_distance["scaling"] += 2.0**-17 * 1.001 + 2.0**-19  # the two roots
+    return of_distance | {"weights": root * unit + float(weights)}
+
+
+def fixed_border_parts(dims: int, apart: float | None = None) -> dict[str, float]:
+    """M rounds down by less than a unit of 2^-26, and its root by less than 2^-17."""
+    largest, first = features.largest_border(dims), features.largest_distance(dims, 1)
+    point = fixed_point(dims)
+    off = 2 * point + math.sqrt(dims) * 2 * PLACE
+
+    def points(s: float) -> float:
+        gap = 2 * point * (s + 2 * first + 4 * PLACE) + RANK
+        return gap / (2 * (s - off)) + largest * off / (s - off)
+
+    def rank(s: float) -> float:
+        computed = math.sqrt((s - off) ** 2 - 2.0**-26) - 2.0**-17
+        return (largest + points(s)) * (s / computed - 1)
+    apart = APART[dims] if apart is None else apart
+    return {"cut": fixed_place(dims), "points": _over_distances(points, dims, apart), "rank": rank(apart) * SAFE,
+            "scaling": 2.0**-16}
+
+
+# Magnitudes of fixed arithmetic. Words are below 2^32, so half of them is listed.
+
+def largest_square(dims: int) -> float:
+    """In cells, of an offset from a point of a block: of its farthest cell in the middle of a slab, or at a corner."""
+    return 2.5**2 + (dims - 1) * 1.5**2 + 2.0**-10
+
+
+def largest_intermediates(dims: int) -> dict[str, float]:
+    """The product of a direction and the jitter, a square, and what is left of it after a root."""
+    root = math.sqrt(largest_square(dims)) * 2**18
+    return {"offset of a point": 512 * LARGEST_COMPONENT[dims] * 2.0**20, "half of a square":
+            largest_square(dims) * 2**28 / 2, "rest of a square": 2 * root + 2}
+
+
+def largest_direction_intermediates(dims: int) -> dict[str, float]:
+    """A component that is divided, which is lengthened only if it is below 2^-3 cells."""
+    longest = features.largest_distance(dims, 1) + 2.0**-10
+    return {"half of a numerator": longest * 2**31 / 2, "half of a rest": math.sqrt(dims) * longest * 2**18 * 2**8 / 2}
+
+
+def largest_smooth_intermediates(dims: int) -> dict[str, float]:
+    weights = features.largest_weights(dims) + 2.0**-10
+    return {"half of the sum of weights": weights * 2**30 / 2, "half of a root": math.sqrt(weights) * 2**30 / 2}
+
+
+def largest_border_intermediates(dims: int) -> dict[str, float]:
+    """A difference of squares over a root is below the sum of two distances, but for the errors of a small root."""
+    sum_of_distances = BLOCK_REACH[dims] + features.largest_distance(dims, 1)
+    return {"quotient": 1.02 * sum_of_distances * 2**15, "rest of a quotient": 4 * BLOCK_REACH[dims] * 2**17 + 2}

@@ -1,0 +1,32 @@
+"""hn_cell_border: what is proven of it. It changes by no more than the place moves: inside of a cell it is the distance
+to the nearest of some lines or planes, and at the border it is 0 on both sides."""
+
+from __future__ import annotations
+
+import math
+
+from bounds import distances, features
+from bounds.boxes import SAFE
+from bounds.floats import position_error
+from bounds.gradients import Gradient
+from bounds.noises import Derived, cellular
+
+CASES = cellular.CASES
+quotes, offset_error = cellular.quotes, cellular.offset_error
+CLEAR = 1 / 8  # a distance between two points that is seldom less
+
+
+def derive(dims: int, _: Gradient | None) -> Derived:
+    largest, lipschitz = features.largest_border(dims), math.sqrt(dims)
+    cell_error, parts = distances.border_error(dims), distances.fixed_border_parts(dims)
+    error, fixed = position_error(cell_error, lipschitz), sum(parts.values()) * SAFE
+    return Derived(largest, largest, lipschitz, cell_error, error, largest + error, fixed, largest + fixed, parts)
+
+
+def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
+    return distances.largest_intermediates(dims) | distances.largest_border_intermediates(dims)
+
+
+def describe(dims: int, _: Gradient | None) -> dict[str, object]:
+    return {"error_of_points_1/8_apart": distances.border_error(dims, apart=CLEAR),
+            "fixed_error_of_points_1/8_apart": sum(distances.fixed_border_parts(dims, CLEAR).values())}

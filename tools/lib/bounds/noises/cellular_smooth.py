@@ -1,0 +1,39 @@
+"""hn_cellular_smooth: what is proven of it. The sum of weights is largest where two points are at the place, in the
+middle of a wall, and others as near as they can be. It is nowhere 4, so it fits 32 bits in units of 2^-30."""
+
+from __future__ import annotations
+
+import math
+
+from bounds import distances, features
+from bounds.boxes import SAFE
+from bounds.floats import position_error
+from bounds.gradients import Gradient
+from bounds.noises import Derived, cellular
+
+CASES = cellular.CASES
+quotes = cellular.quotes
+LARGEST = 7 / 8  # where no point is within 1
+
+
+def smallest(dims: int) -> float:
+    return 1 - (features.largest_weights(dims) + 1 / 4096) ** 0.25
+
+
+def derive(dims: int, _: Gradient | None) -> Derived:
+    lipschitz = features.most_within(dims) ** 0.25 * math.sqrt(dims)
+    cell_error, parts = distances.smooth_error(dims), distances.fixed_smooth_parts(dims)
+    error, fixed = position_error(cell_error, lipschitz), sum(parts.values()) * SAFE
+    return Derived(LARGEST, LARGEST, lipschitz, cell_error, error, LARGEST + error, fixed, LARGEST, parts)
+
+
+def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
+    return distances.largest_intermediates(dims) | distances.largest_smooth_intermediates(dims)
+
+
+def ends(dims: int) -> list[float]:
+    return [-smallest(dims)]
+
+
+def describe(dims: int, _: Gradient | None) -> dict[str, object]:
+    return {"smallest": smallest(dims), "largest_sum_of_weights": features.largest_weights(dims)}
