@@ -23,6 +23,8 @@ FAMILIES = ("cellular", "further_cellular")
 FINE = 2**20  # fractions are multiples of 2^-20, which fixed arithmetic does not cut
 CLEAR = Fraction(1, 2**10)  # what the nearest point is nearer than the second, where it matters
 SPECIAL, TIES, CHANGES = 36, 16, 12  # how many
+# With the Manhattan metric a point two cells away is as near as the nearest ones of the neighbours: those count.
+FAR_TIE = (1760080.75, -0.0, 2, 48, 1.0, 3, 2020091907)
 
 # --- What a caller chooses --------------------------------------------------------------------------------------
 
@@ -136,6 +138,8 @@ def ties(function: Function, generator: Generator) -> list[Row]:
     for index in range(TIES if function.has_jitter else 0):
         *row, seed = placed(function, fraction((0, 5, 8, 7)[index % 4], function.axes, generator), generator)
         rows.append((*row, 0.0, *(METRICS[index % 5],) * function.has_metric, seed))
+    if function.axes == 2 and function.form == "position" and function.has_metric:
+        rows.append(FAR_TIE)
     return rows
 
 

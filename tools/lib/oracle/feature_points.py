@@ -166,11 +166,13 @@ class Point:
     rank: int
     cell: tuple[int, ...]
     offset: tuple[int, ...]
+    is_beside: bool  # whether its cell is that of the position or a neighbour of it
 
     @property
     def order(self) -> tuple[int, ...]:
-        """Of points at the same distance, that of the cell with the smallest z, then y, then x comes first."""
-        return (self.rank, *reversed(self.cell))
+        """Of points at the same distance, those of the cell of the position and of its neighbours come first, and of
+        these that of the cell with the smallest z, then y, then x."""
+        return (self.rank, not self.is_beside, *reversed(self.cell))
 
     def named(self, lattice: Lattice) -> tuple[int, ...]:
         """Its cell as a shader sees it."""
@@ -205,7 +207,8 @@ class Field:
         cell = tuple(c + o for c, o in zip(self.cell, beside))
         u = direction(self.lattice.word(cell), len(cell))
         offset = tuple(f - o * unit - unit // 2 - moved(a) for f, o, a in zip(self.fraction, beside, u))
-        return Point(self.arithmetic.rank(self.metric, offset), cell, offset)
+        is_beside = all(abs(o) <= 1 for o in beside)
+        return Point(self.arithmetic.rank(self.metric, offset), cell, offset, is_beside)
 
     def candidates(self) -> Iterator[tuple[tuple[int, ...], tuple[int, ...]]]:
         """The cells of the block, and the least magnitude of the offset from their points along each axis."""

@@ -197,10 +197,17 @@ class Nearest(unittest.TestCase):
             self.assertEqual(self.cells((4.0, -6.0), (), metric), [(3, -7)] * 2)
             self.assertEqual(self.cells((4.0, -5.75, 8.0), (), metric), [(3, -6, 7)] * 2)
         # At the same distance: the points above, below and in the middle, by y first; by x where y is the same.
-        points = [feature_points.Point(7, cell, (0,) * 3) for cell in
+        points = [feature_points.Point(7, cell, (0,) * 3, True) for cell in
                   ((1, 0, 0), (0, 1, 0), (0, 0, 1), (2, -1, 0), (5, 5, -1))]
         self.assertEqual([point.cell for point in sorted(points, key=lambda point: point.order)],
                          [(5, 5, -1), (2, -1, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)])
+
+    def test_of_equal_distances_those_of_the_cell_and_its_neighbours_count(self) -> None:
+        far, beside = feature_points.Point(7, (-2, -2), (0, 0), False), feature_points.Point(7, (1, 1), (0, 0), True)
+        nearer = feature_points.Point(6, (3, 3), (0, 0), False)
+        self.assertEqual(sorted([far, beside, nearer], key=lambda point: point.order), [nearer, beside, far])
+        manhattan = nearest.NEAREST.chosen(Choice(1.0, 3))
+        self.assertEqual(manhattan.fixed(LATTICE, (1760080.75, -0.0), 2020091907, (2, 48)), (0, 47))
 
     def test_the_order_is_that_before_a_period(self) -> None:
         # Of the cells -1 and 0 the first counts, though it is called 2.
