@@ -205,10 +205,12 @@ def fixed_metric_error(metric: str, dims: int, largest: float) -> float:
 
 
 def fixed_direction_parts(dims: int) -> dict[str, float]:
-    """Of a derivative, times the distance. The offset is made so long that its root has 15 bits."""
+    """Of a derivative, times the distance. An offset D that is made longer, to k D, is at least 2^17 long then. Its
+    root rounds down by less than 4 of its length |k D|, which is off by 4 / |k D|, and this times |D| is at most 4 units
+    of 2^-20."""
     reach = features.largest_distance(dims, 1)
-    return {"cut": 2 * fixed_place(dims), "points": 2 * fixed_point(dims), "rank": 2.0**-22 * reach,
-            "scaling": (2.0**-15 * (1 + 2.0**-14) + 2.0**-21) * reach}
+    return {"cut": 2 * fixed_place(dims), "points": 2 * fixed_point(dims), "rank": 2.0**-26,
+            "scaling": 2.0**-18 * (1 + 2.0**-13) + 2.0**-21 * reach}
 
 
 def fixed_smooth_parts(dims: int) -> dict[str, float]:

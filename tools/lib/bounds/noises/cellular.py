@@ -10,7 +10,7 @@ from __future__ import annotations
 from bounds import distances, features
 from bounds.floats import position_error
 from bounds.gradients import Gradient
-from bounds.noises import Derived
+from bounds.noises import Derived, listed
 
 CASES = ((2, None), (3, None))
 COUNT = 2
@@ -36,7 +36,8 @@ def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
 
 
 def quotes() -> list[tuple[str, str]]:
-    return []
+    plane, space = ([features.largest_distance(dims, count) for count in (1, 2, 3)] for dims in (2, 3))
+    return [("docs/accuracy.md", f"{listed(plane)} in 2D, and below {listed(space)} in 3D")]
 
 
 def ends(dims: int) -> list[float]:
