@@ -2,8 +2,8 @@
 
 Let P be the nearest point of a place x, and r the distance from x to the border by the points of a block of cells. So
 P is the nearest one of the block from every y within r of x. If a point Q of a cell outside of the block made the
-border nearer, there would be such a y with |y - Q| < |y - P|. Let N(y) be the smallest distance to an octahedron outside
-of the block, and D(y) the smallest of the largest distances to the octahedra of the block. Then
+border nearer, there would be such a y with |y - Q| < |y - P|. Let N(y) be the smallest distance to an octahedron
+outside of the block, and D(y) the smallest of the largest distances to the octahedra of the block. Then
 
     |y' - P| <= D(y') for all y' within r of x,    and N(y) < |y - P| <= D(y) for a y within r of x.
 
@@ -11,12 +11,12 @@ So with U = {y: |y - P| > D(y)} and W = {y: N(y) < |y - P| <= D(y)} the block is
 for all places x and P. D and N depend on y only: the points of all cells but that of P are gone.
 
 One case is left out: where two points touch, U may be empty. In the middle of a cell D is 1/2. If two centres of cells
-that are 1 apart are within r of x, then P is within 1/2 of both, and so it is in the middle between them. But no point is:
-directions are not along an axis. So r is less than the larger distance to the two, whichever they are: 0 and one beside
-it are taken here.
+that are 1 apart are within r of x, then P is within 1/2 of both, and so it is in the middle between them. But no point
+is: directions are not along an axis. So r is less than the larger distance to the two, whichever they are: 0 and one
+beside it are taken here.
 
-Branch and bound over boxes of x and P proves it: places y of a grid, of which some are in U from everywhere in the box of
-P, and boxes of y that may meet W. By reflections and exchanges of axes 1/2 >= x_1 >= .. >= 0.
+Branch and bound over boxes of x and P bounds by how much this fails: places y of a grid, of which some are in U from
+everywhere in the box of P, and boxes of y that may meet W. By reflections and exchanges of axes 1/2 >= x_1 >= .. >= 0.
 """
 
 from __future__ import annotations
