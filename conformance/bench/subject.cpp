@@ -21,7 +21,12 @@ float hn_bench_value(ivec4 v) { return intBitsToFloat(v.x ^ v.y ^ v.z ^ v.w); }
 float hn_bench_value(vec2 v) { return v.x + v.y; }
 float hn_bench_value(vec3 v) { return v.x + v.y + v.z; }
 float hn_bench_value(vec4 v) { return v.x + v.y + v.z + v.w; }
-vec4 hn_bench_out;  // what a function sets
+// What a function sets.
+vec4 hn_bench_out;
+ivec2 hn_bench_cell2;
+ivec3 hn_bench_cell3;
+vec2 hn_bench_offset2;
+vec3 hn_bench_offset3;
 )";
 
 std::string function_of_subject(const Subject& subject) {

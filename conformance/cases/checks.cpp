@@ -20,7 +20,8 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
      "65,536 values (16,384 of octave sums, derivatives and noises in 4D) lie in the range that the library promises, "
      "and those of noises reach into its ends."},
     {"zero",
-     "At as many lattice points the noise is 0. Half of those of simplex noise are no corners of cells, as far as floats "
+     "At as many lattice points the noise is 0. Half of those of simplex noise are no corners of cells, as far as "
+     "floats "
      "hold them."},
     {"seams",
      "Pairs of neighbours, 4,096 of them 2^-16 or 2^-15 of a cell apart, have values and derivatives that differ by no "
@@ -35,11 +36,25 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
     {"derivative",
      "At 512 points derivatives are those of the polynomial that the noise is along each axis of a cell, through seven "
      "values of the noise on the same driver, within the errors of both. A third of the points lie at an end of the "
-     "cell. Simplex noise is no such polynomial: there the difference to both sides takes its place, with an error that "
+     "cell. Simplex noise is no such polynomial: there the difference to both sides takes its place, with an error "
+     "that "
      "follows from a bound on the third derivative."},
     {"divergence",
      "At 2,048 points the differences of the components of a curl, each along its own axis, sum to less than a "
      "twentieth of what is summed, on average."},
+    {"search",
+     "At 2,048 points (512 of costly functions) cellular noise has the values that a search of 7 cells along each axis "
+     "finds, in C++ and from the contract alone: bit by bit with `fixed`, else within the tolerance. Among the points "
+     "are walls, middles, feature points, places halfway between two of them, and for third distances and borders "
+     "places that need cells two steps away. With floats, names, vectors and derivatives are left out where the two "
+     "nearest points are within 2^-12 of equally near, and that may be one value in eight."},
+    {"cell_names",
+     "At as many points the name of the nearest point, the vector to it and the first distance belong together: the "
+     "point of the cell of that name is where the vector leads, modulo the period, and at that distance. They are the "
+     "same from a position, from its cell, and from the next cell with a fraction of 1 in place of 0."},
+    {"border",
+     "At as many points the distance to a border is between half the difference and half the sum of the two distances, "
+     "and 0 halfway between the two nearest points."},
     {"derivative_value",
      "The value that comes with a derivative is that of the noise, at 4,096 points: bit by bit, or for `fast` within "
      "the tolerances of both."},
@@ -52,7 +67,8 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
      "tolerances of both."},
     {"period",
      "4,096 points that are whole periods apart have the same bits, in cells beside the seam and anywhere, with "
-     "periods from 1 to 2^31 - 1 and none. Simplex noise on the plane repeats after 2^31 cells without a period. Octave "
+     "periods from 1 to 2^31 - 1 and none. Simplex noise on the plane repeats after 2^31 cells without a period. "
+     "Octave "
      "sums of a whole lacunarity repeat, too, `fixed` ones of up to 15 octaves; `fast` ones are the same within the "
      "tolerance."},
     {"wrapped",

@@ -6,6 +6,8 @@
 
 #include "cases/places.hpp"
 #include "cases/value_checks.hpp"
+#include "expected/cellular.hpp"
+#include "expected/pairing.hpp"
 #include "expected/points.hpp"
 #include "expected/simplex.hpp"
 #include "expected/tolerance.hpp"
@@ -24,8 +26,8 @@ struct Stencil {
   double error;
 };
 
-// Along an axis a lattice noise is a polynomial within a cell: of degree 5 from the fade curve, and 6 with the ramp of a
-// gradient. So seven values in the cell determine it, and its derivative anywhere in it, without an error of the
+// Along an axis a lattice noise is a polynomial within a cell: of degree 5 from the fade curve, and 6 with the ramp of
+// a gradient. So seven values in the cell determine it, and its derivative anywhere in it, without an error of the
 // method. These places are near those where a polynomial of that degree depends the least on errors of its values, and
 // they are multiples of 1/64, which positions of this size hold exactly.
 constexpr std::array<double, 7> kNodes = {0.0, 4.0 / 64, 16.0 / 64, 32.0 / 64, 48.0 / 64, 60.0 / 64, 1.0};
@@ -63,6 +65,23 @@ Stencil difference_to_both_sides(const Place& place, int axes, double value_erro
   return {{moved(place, -step), moved(place, step)}, {-0.5 / step, 0.5 / step}, third * step * step / 6.0};
 }
 
+// The third derivative of a distance r along an axis is 3 (1 - c^2) c / r^2 at most, where c is the cosine of the angle
+// to it: below 1.16 / r^2. Between the places of the difference r is not below what it is at the point less the step.
+constexpr double kCellularStep = 0x1p-7;
+Stencil difference_of_distances(const Place& place, double distance) {
+  const double nearest = distance - kCellularStep;
+  const double step = kCellularStep;
+  return {{moved(place, -step), moved(place, step)},
+          {-0.5 / step, 0.5 / step},
+          1.16 / (nearest * nearest) * step * step / 6.0};
+}
+
+// Where the nearest point is the same all around and is no nearer than 1/8, in which the difference says little.
+bool is_clear(const Function& function, const Configuration& configuration, std::span<const std::uint32_t> inputs) {
+  const Searched all = searched(function, configuration, inputs);
+  return all.first >= 0.125 && all.second - all.first > 4.0 * kCellularStep;
+}
+
 // Fractions are multiples of 1/1024, from one end of the cell to the other.
 Place random_place(const Function& function, Random& random) {
   const std::uint32_t cell = random_cell_of(function, kFurthestCell, random);
@@ -84,10 +103,8 @@ Words nodes_of(const Function& function, const Function& plain, const Words& inp
       for (const Place& node : stencils[i][axis].nodes) {
         Words at(point(inputs, i).begin(), point(inputs, i).end());
         put(function, at, axis, node);
-        for (std::size_t column = 0; column < plain.inputs.size(); ++column) {
-          words.push_back(at[static_cast<std::size_t>(function.input(plain.inputs[column].name))]);
-        }
-        words.resize(words.size() + kInputWords - plain.inputs.size());
+        const Words of_plain = inputs_for(plain, function, at);
+        words.insert(words.end(), of_plain.begin(), of_plain.end());
       }
     }
   }
@@ -107,11 +124,20 @@ Outcome check_derivative(Session& session, const Evaluation& evaluation) {
   Words inputs = random_points(function, points, random);
   std::vector<std::vector<Stencil>> stencils(points);
   for (std::size_t i = 0; i < points; ++i) {
-    for (std::size_t axis = 0; axis < axes; ++axis) {
-      const Place place = random_place(function, random);
-      put(function, std::span(inputs).subspan(i * kInputWords, kInputWords), axis, place);
-      stencils[i].push_back(function.is_simplex_noise() ? difference_to_both_sides(place, function.axes, error)
-                                                        : polynomial_through_cell(place));
+    const auto words = std::span(inputs).subspan(i * kInputWords, kInputWords);
+    std::vector<Place> places;
+    do {
+      places.clear();
+      for (std::size_t axis = 0; axis < axes; ++axis) {
+        places.push_back(random_place(function, random));
+        put(function, words, axis, places.back());
+      }
+    } while (function.is_cellular() && !is_clear(function, configuration, words));
+    for (const Place& place : places) {
+      stencils[i].push_back(function.is_cellular()
+                                ? difference_of_distances(place, searched(function, configuration, words).first)
+                            : function.is_simplex_noise() ? difference_to_both_sides(place, function.axes, error)
+                                                          : polynomial_through_cell(place));
     }
   }
   const auto derivatives = evaluate(session, evaluation, inputs);
@@ -120,6 +146,10 @@ Outcome check_derivative(Session& session, const Evaluation& evaluation) {
   const auto values = evaluate(session, {plain, configuration, profile, {}, stage}, nodes);
   if (!values) return values.error();
   Comparison comparison(function, inputs);
+  const auto own_error = [&](std::size_t i, std::size_t column) {
+    return function.is_cellular() ? cellular_tolerance(function, configuration, point(inputs, i), column)
+                                  : error_of(function, configuration, column);
+  };
   std::size_t node = 0;
   for (std::size_t i = 0; i < points; ++i) {
     for (std::size_t axis = 0; axis < axes; ++axis) {
@@ -132,8 +162,16 @@ Outcome check_derivative(Session& session, const Evaluation& evaluation) {
       // The columns of derivatives come last.
       const std::size_t column = function.outputs.size() - axes + axis;
       comparison.number(point(inputs, i), std::bit_cast<float>(result(*derivatives, i)[column]), expected,
-                        error_of(function, configuration, column) + weights * error + stencils[i][axis].error, column);
+                        own_error(i, column) + weights * error + stencils[i][axis].error, column);
     }
+    if (!function.is_cellular()) continue;
+    const std::size_t first = function.outputs.size() - axes;
+    double square = 0.0;
+    for (std::size_t column = first; column < function.outputs.size(); ++column) {
+      square += number(result(*derivatives, i), column) * number(result(*derivatives, i), column);
+    }
+    comparison.number(point(inputs, i), static_cast<float>(std::sqrt(square)), 1.0,
+                      static_cast<double>(axes) * own_error(i, first));
   }
   return comparison.finish();
 }

@@ -74,18 +74,18 @@ class Examiner {
     return random_points(function(), 1, Random(session_.seed, id_));
   }
 
-  // Some tolerances, for each output.
-  std::array<double, kOutputWords> allowed_at(std::size_t i, double tolerances) const {
+  // What a function allows, for each output.
+  std::array<double, kOutputWords> allowed_at(std::size_t i, decltype(tolerance) allowed_by) const {
     std::array<double, kOutputWords> allowed{};
     for (std::size_t word = 0; word < function().outputs.size(); ++word) {
-      allowed[word] = tolerances * tolerance(function(), evaluation_.configuration, point(window_, i), word);
+      allowed[word] = allowed_by(function(), evaluation_.configuration, point(window_, i), word);
     }
     return allowed;
   }
 
   // As the twin has it; both may be off the exact value.
   Right right_by_twin(std::size_t i) const {
-    Right right{{}, allowed_at(i, 2.0), has_same_bits(function(), evaluation_.configuration)};
+    Right right{{}, allowed_at(i, allowed_to_twin), has_same_bits(function(), evaluation_.configuration)};
     const auto words = result(reference_, i);
     std::copy(words.begin(), words.end(), right.words.begin());
     return right;
@@ -99,7 +99,7 @@ class Examiner {
     const auto words = point(window_, i);
     for (const GoldenRow& row : golden->rows) {
       if (!std::equal(row.inputs.begin(), row.inputs.end(), words.begin())) continue;
-      Right right{{}, allowed_at(i, 1.0), has_exact_values(function(), evaluation_.configuration)};
+      Right right{{}, allowed_at(i, tolerance), has_exact_values(function(), evaluation_.configuration)};
       for (std::size_t word = 0; word < row.values.size(); ++word) {
         right.words[word] = result_bits(function().outputs[word], row.values[word]);
       }
@@ -111,7 +111,8 @@ class Examiner {
   bool differs(std::size_t i, const Right& right) const {
     for (std::size_t word = 0; word < function().outputs.size(); ++word) {
       const std::uint32_t got = result(got_, i)[word];
-      if (right.every_bit) {
+      if (right.allowed[word] == kUndecided) continue;
+      if (right.every_bit || function().is_name(word)) {
         if (got != right.words[word]) return true;
       } else if (!(std::fabs(number(got) - number(right.words[word])) <= right.allowed[word])) {
         return true;

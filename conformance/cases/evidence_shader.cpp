@@ -77,7 +77,7 @@ std::string main_of(const Function& function, const ShaderFacts& facts) {
   std::string right;
   for (std::size_t i = 0; i < function.outputs.size(); ++i) {
     if (i > 0) right += " && ";
-    if (facts.every_bit) {
+    if (facts.every_bit || function.is_name(i)) {
       right += fmt::format("got.{0} == expected.{0}", kParts[i]);
     } else {
       right += fmt::format("abs(float_of(got.{0}) - float_of(expected.{0})) <= {1:.9e}", kParts[i], facts.allowed[i]);

@@ -33,9 +33,9 @@ Outcome check_pairing(Session& session, const Pairing& pairing) {
     if (pairing.exact) {
       comparison.bits(in, word, other, column);
     } else {
-      comparison.number(in, std::bit_cast<float>(word),
-                        pairing.factor * static_cast<double>(std::bit_cast<float>(other)),
-                        pairing.allowed[i * pairing.words() + column.value_or(0)], column);
+      const std::size_t output = column.value_or(0);
+      comparison.word(in, word, pairing.factor * static_cast<double>(std::bit_cast<float>(other)), other,
+                      pairing.allowed[i * pairing.words() + output], output);
     }
   };
   for (std::size_t i = 0; i < pairing.inputs.size() / kInputWords; ++i) {
@@ -104,7 +104,7 @@ void add_metamorphic_cases(std::vector<Case>& cases, const Evaluation& evaluatio
   };
   if (function.takes_period()) {
     add("period", period_pairing);
-    add("wrapped", wrapped_pairing);
+    if (function.has_form_without_period()) add("wrapped", wrapped_pairing);
     // One more shader to compile.
     const bool chosen = configuration.is_default() && !profile.es;
     cases.push_back({name_of(evaluation, "constant_period"), PairingKind{evaluation, constant_period_pairing},

@@ -6,8 +6,8 @@
 #include <span>
 #include <utility>
 
+#include "expected/compare.hpp"
 #include "expected/points.hpp"
-#include "expected/tolerance.hpp"
 
 namespace hn {
 
@@ -42,17 +42,18 @@ Result<const Program*> Session::evaluation_program(const Evaluation& evaluation)
 
 const Session::PointSet& Session::twin_points(const Function& function, const Configuration& configuration,
                                               std::size_t count, std::uint64_t batch) {
+  // What is undecided follows from the words, so there the hash counts.
   const std::string key =
-      fmt::format("{} {} {} {}", function.id, configuration.sine(), arithmetic_name(function, configuration), batch);
+      fmt::format("{} {} {} {} {}", function.id, configuration.sine(), arithmetic_name(function, configuration),
+                  function.jumps() ? configuration.hash : "", batch);
   if (kept_points_of_ == key && kept_points_.inputs.size() >= count * kInputWords) return kept_points_;
   // A seed has 32 bits.
   const Random random(seed + (batch << 32), function.id);
   kept_points_.inputs = random_points(function, count, random, defined_extremes(configuration));
   kept_points_.allowed.assign(count * function.outputs.size(), 0.0);
   for (std::size_t i = 0; i < kept_points_.allowed.size() && !has_same_bits(function, configuration); ++i) {
-    // Both the driver and the twin may be off the exact value by the tolerance.
     const auto inputs = std::span(kept_points_.inputs).subspan(i / function.outputs.size() * kInputWords, kInputWords);
-    kept_points_.allowed[i] = 2.0 * tolerance(function, configuration, inputs, i % function.outputs.size());
+    kept_points_.allowed[i] = allowed_to_twin(function, configuration, inputs, i % function.outputs.size());
   }
   kept_points_of_ = key;
   return kept_points_;

@@ -19,6 +19,13 @@ void add_properties(std::vector<Case>& cases, const Evaluation& evaluation, Exte
   // HN_FIXED converts a noise that the user names to an integer.
   const bool names_noise = once || configuration.name == "lattice+fixed";
   if (names_noise && function.family == Family::octave_sum) add("noise_knob", check_noise_knob);
+  if (function.is_cellular() && !profile.es) {
+    add("search", check_search);
+    if (function.id.ends_with("l_nearest") || function.id.ends_with("cell_border_nearest")) {
+      add("cell_names", check_cell_names);
+    }
+    if (function.bound == "cell_border" && !function.takes_period()) add("border", check_border);
+  }
   // With periods the field has no values but those that it has without.
   if (function.exact() || function.takes_period()) {
     if (function.has_slopes()) add("derivative", check_derivative);

@@ -44,6 +44,11 @@ Check check_derivative;  // derivatives are those of the noise
 Check check_divergence;  // what flows into a place flows out of it
 Check check_seams;       // nothing jumps where other lattice points begin to count
 
+// cellular_checks.cpp
+Check check_search;      // distances, points and borders are those that a search of more cells finds
+Check check_cell_names;  // the name of the nearest point, the way to it and its distance belong together
+Check check_border;      // borders lie where the two nearest points say
+
 // compile_cases.cpp
 Outcome check_compilation(Session& session, const CompilationKind& compilation);
 

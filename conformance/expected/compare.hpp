@@ -15,6 +15,9 @@ namespace hn {
 // largest distance from everything but NaN.
 std::uint64_t ulp_distance(float a, float b);
 
+// Stands for the tolerance of a value that jumps so near that two ways of rounding need not agree (cellular.hpp).
+inline constexpr double kUndecided = -1.0;
+
 // Adds up comparisons; the first value that is off becomes the message, and the first few are kept.
 class Comparison {
  public:
@@ -27,6 +30,11 @@ class Comparison {
   // Else |got - expected| <= allowed. NaN is never right.
   void number(std::span<const std::uint32_t> inputs, float got, double expected, double allowed,
               std::optional<std::size_t> column = {});
+  // For values of two ways of rounding: bits without a tolerance and of names of cells, else numbers. What is undecided
+  // is left out; too much of it is an error.
+  void word(std::span<const std::uint32_t> inputs, std::uint32_t got, double expected, std::uint32_t expected_bits,
+            std::optional<double> allowed, std::size_t column);
+  std::uint64_t left_out() const { return left_out_; }
   // For properties: a value that is right or not, with a sentence that says what it should be.
   void require(bool right, std::span<const std::uint32_t> inputs, float got, std::string_view should);
 
@@ -44,6 +52,7 @@ class Comparison {
 
   const Function& function_;
   std::span<const std::uint32_t> grid_;
+  std::uint64_t left_out_ = 0;
   std::size_t before_ = 0;  // points of the grids before this one
   Outcome outcome_;
 };
@@ -51,8 +60,11 @@ class Comparison {
 // "x=1.5 (3fc00000) seed=7 (00000007)": the input words of a function, for messages.
 std::string describe_inputs(const Function& function, std::span<const std::uint32_t> inputs);
 
-// Compares a result with the twin's at the same point. allowed: how far each output may be off, unless every bit
-// counts.
+// How far an output of a driver and of the twin may differ at a point, unless every bit counts: both may be off the
+// exact value by the tolerance. kUndecided where it jumps.
+double allowed_to_twin(const Function& function, const Configuration& configuration,
+                       std::span<const std::uint32_t> inputs, std::size_t output);
+// Compares a result with the twin's at the same point. allowed: as allowed_to_twin, for each output.
 void compare_with_twin(Comparison& comparison, const Evaluation& evaluation, std::span<const std::uint32_t> inputs,
                        std::span<const std::uint32_t> got, std::span<const std::uint32_t> twin,
                        std::span<const double> allowed);

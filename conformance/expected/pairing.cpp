@@ -1,11 +1,16 @@
 #include "expected/pairing.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <span>
+#include <stdexcept>
 
+#include "expected/cellular.hpp"
+#include "expected/compare.hpp"
 #include "expected/points.hpp"
 #include "expected/tolerance.hpp"
 
@@ -40,9 +45,13 @@ Pairing pairing_of(const Evaluation& evaluation, const Evaluation& other, Words 
     return tolerance(way.function, way.configuration, std::span(words).subspan(start, kInputWords), output);
   };
   for (std::size_t i = 0; i < pairing.inputs.size(); i += kInputWords) {
+    const bool undecided = !exact && is_undecided(evaluation.function, evaluation.configuration,
+                                                  std::span(pairing.inputs).subspan(i, kInputWords));
     for (std::size_t output = 0; output < pairing.words(); ++output) {
-      pairing.allowed.push_back(allowed_at(evaluation, pairing.inputs, i, output) +
-                                allowed_at(other, pairing.other_inputs, i, output));
+      const bool left_out = undecided && evaluation.function.jumps(output);
+      pairing.allowed.push_back(left_out ? kUndecided
+                                         : allowed_at(evaluation, pairing.inputs, i, output) +
+                                               allowed_at(other, pairing.other_inputs, i, output));
     }
   }
   return pairing;
@@ -53,15 +62,29 @@ Pairing pairing_on(const Evaluation& evaluation, Words inputs) {
                     has_same_bits(evaluation.function, evaluation.configuration));
 }
 
-// The words of another function's columns, which the function has, too.
-Words inputs_for(const Function& other, const Function& function, const Words& inputs) {
+std::uint32_t word_for(const Column& column, const Function& function, std::span<const std::uint32_t> inputs) {
+  const int from = function.input(column.name);
+  if (from >= 0) return inputs[static_cast<std::size_t>(from)];
+  if (column.name == "metric") return 1;
+  if (column.name == "jitter") return std::bit_cast<std::uint32_t>(1.0f);
+  throw std::logic_error(fmt::format("{} has no {}", function.id, column.name));
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> inputs_for(const Function& other, const Function& function,
+                                      std::span<const std::uint32_t> inputs) {
   Words words(inputs.size());
-  for (std::size_t column = 0; column < other.inputs.size(); ++column) {
-    const auto from = static_cast<std::size_t>(function.input(other.inputs[column].name));
-    for (std::size_t i = 0; i < inputs.size(); i += kInputWords) words[i + column] = inputs[i + from];
+  for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
+    const auto point = inputs.subspan(i, kInputWords);
+    for (std::size_t column = 0; column < other.inputs.size(); ++column) {
+      words[i + column] = word_for(other.inputs[column], function, point);
+    }
   }
   return words;
 }
+
+namespace {
 
 // --- Periods ---
 
@@ -125,11 +148,13 @@ Place moved(const Function& function, const Place& place, WordType type, std::in
 }
 
 // A cell whose noise reaches no seam, and its like within the period. hn_value_cubic takes one lattice point more on
-// each side. Simplex noise takes points of the cell before and of the cell after.
+// each side. Simplex and cellular noise take points of the cell before and of the cell after; a third distance and a
+// border those of one cell more.
 bool is_inside(const Function& function, std::int64_t rest, std::int64_t period) {
   const bool cubic = function.bound == "value_cubic";
-  const std::int64_t before = cubic || is_of_simplex(function) ? 1 : 0;
-  const std::int64_t after = cubic ? 2 : 1;
+  const bool far = function.bound == "cellular_three" || function.bound == "cell_border";
+  const std::int64_t before = far ? 2 : cubic || is_of_simplex(function) || function.is_cellular() ? 1 : 0;
+  const std::int64_t after = cubic || far ? 2 : 1;
   return rest >= before && rest + after < period;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "library/shaders.hpp"
@@ -17,9 +18,10 @@ struct Pairing {
   Evaluation other;                         // what it is held against
   std::vector<std::uint32_t> inputs;        // kInputWords per point
   std::vector<std::uint32_t> other_inputs;  // the same for the other; often the same words
-  std::vector<double> allowed;              // for each of words() of each point; 0 if every bit counts
-  bool exact;                               // every bit counts
-  double factor = 1.0;                      // the other's values times this are what is expected
+  // For each of words() of each point; 0 if every bit counts. kUndecided leaves a word out.
+  std::vector<double> allowed;
+  bool exact;           // every bit counts
+  double factor = 1.0;  // the other's values times this are what is expected
 
   // How many words of a result are compared: as many as both have.
   std::size_t words() const { return std::min(evaluation.function.outputs.size(), other.function.outputs.size()); }
@@ -27,6 +29,10 @@ struct Pairing {
   // Whether each word of a result belongs to another point: to the point itself, and to its neighbours.
   bool in_loop() const { return evaluation.variant.shape == Shape::in_loop; }
 };
+
+// The words of another function's columns: those that the function has, and else those of the default.
+std::vector<std::uint32_t> inputs_for(const Function& other, const Function& function,
+                                      std::span<const std::uint32_t> inputs);
 
 // The points of most metamorphic checks.
 inline constexpr std::size_t kPairingPoints = std::size_t{1} << 12;

@@ -182,6 +182,29 @@ float random_phase(Region region, Random& random) {
   }
 }
 
+// Mostly from 0 to 1, and as often at one of the ends as between them; rarely outside.
+float random_jitter(Region region, Random& random) {
+  if (region == Region::extreme && random.below(2) == 0) return random_extreme(128, random);
+  switch (random.below(8)) {
+    case 0:
+    case 1:
+      return 0.0f;
+    case 2:
+    case 3:
+      return 1.0f;
+    case 4:
+      return random.below(4) == 0 ? random.uniform(-1.0f, 2.0f) : random.uniform(0.0f, 0.01f);
+    default:
+      return random.uniform(0.0f, 1.0f);
+  }
+}
+
+// Rarely a number that is no metric.
+std::uint32_t random_metric(Random& random) {
+  constexpr std::array<std::uint32_t, 5> kOthers = {0u, 6u, 7u, 0xFFFFFFFDu, 0x7FFFFFFFu};
+  return random.below(16) == 0 ? kOthers[random.below(kOthers.size())] : 1 + random.below(5);
+}
+
 float random_coordinate(Region region, bool octave_sum, Extremes extremes, Random& random) {
   if (region == Region::steep) return random_tiny(random);
   if (region == Region::extreme) {
@@ -211,6 +234,7 @@ std::uint32_t random_scale(Random& random) {
 std::uint32_t random_whole(const Column& column, Region region, bool octave_sum, Extremes extremes, Random& random) {
   if (is_period(column)) return random_period(octave_sum, random);
   if (column.name == "cells" || column.name == "units") return random_scale(random);
+  if (column.name == "metric") return random_metric(random);
   if (column.name != "octaves") return random_cell(region, random);
   if (region == Region::steep) return 1 + random.below(2);  // the position of a third octave would overflow
   return extremes == Extremes::none ? random_octaves(region, random) : extreme_octaves(extremes, random);
@@ -221,6 +245,7 @@ float random_float(const Column& column, Region region, bool octave_sum, Extreme
     return random_setting(column.name, region, extremes, random);
   }
   if (column.name == "phase") return random_phase(region, random);
+  if (column.name == "jitter") return random_jitter(region, random);
   if (!column.name.starts_with("f")) return random_coordinate(region, octave_sum, extremes, random);
   return region == Region::extreme ? extreme_fraction(extremes, random) : random_fraction(random);
 }
@@ -300,6 +325,20 @@ void add_least_results(std::span<std::uint32_t> words) {
   }
 }
 
+// Feature points are about the centres of cells. Every eighth coordinate goes to the middle of its cell, as far as
+// floats hold that, or to a float beside it. Those on lattice lines are on the walls.
+void go_to_middles(const Function& function, std::span<std::uint32_t> words, Random& random) {
+  const auto axes = static_cast<std::size_t>(function.axes);
+  for (std::size_t axis = 0; axis < axes; ++axis) {
+    if (random.below(8) != 0) continue;
+    const std::size_t word = function.takes_cell() ? axes + axis : axis;
+    const float middle = function.takes_cell() ? 0.5f : std::floor(std::bit_cast<float>(words[word])) + 0.5f;
+    const std::uint32_t side = random.below(3);
+    if (std::fabs(middle) >= 4194304.0f) continue;  // a float beyond has no half
+    words[word] = std::bit_cast<std::uint32_t>(side == 0 ? middle : std::nextafter(middle, side == 1 ? 3e38f : -3e38f));
+  }
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> random_points(const Function& function, std::size_t count, Random random,
@@ -312,9 +351,10 @@ std::vector<std::uint32_t> random_points(const Function& function, std::size_t c
     for (std::size_t column = 0; column < function.inputs.size(); ++column) {
       words[i * kInputWords + column] = random_input(function.inputs[column], region, octave_sum, extremes, random);
     }
-    if (function.takes_period() && region != Region::extreme && region != Region::steep) {
-      go_to_seams(function, std::span(words).subspan(i * kInputWords, kInputWords), random);
-    }
+    if (region == Region::extreme || region == Region::steep) continue;
+    const auto point = std::span(words).subspan(i * kInputWords, kInputWords);
+    if (function.takes_period()) go_to_seams(function, point, random);
+    if (function.is_cellular()) go_to_middles(function, point, random);
   }
   if (extremes == Extremes::floats && function.id == "noise4d.perlin") add_least_results(words);
   return words;

@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "expected/cellular.hpp"
+
 namespace hn {
 namespace {
 
@@ -109,7 +111,9 @@ const NoiseBounds& slope_bounds(std::string_view noise, int axes, Gradient gradi
 const NoiseBounds& bounds_of(const Function& function, const Configuration& configuration, std::size_t output) {
   if (function.is_octave_sum()) return noise_bounds("perlin", function.axes, configuration.gradient);
   const auto& table = function.is_slope(output) ? kSlopeBounds : kNoiseBounds;
-  return bounds_in(table, function.bound, function.axes, configuration.gradient);
+  // A component of the vector to a point is as exact as the Manhattan distance, of which it is a part.
+  const std::string_view bound = function.is_cellular() && function.is_offset(output) ? "cellular" : function.bound;
+  return bounds_in(table, bound, function.axes, configuration.gradient);
 }
 
 double error_of(const Function& function, const Configuration& configuration, std::size_t output) {
@@ -164,7 +168,17 @@ double tolerance(const Function& function, const Configuration& configuration, s
   if (has_exact_values(function, configuration)) return 0.0;
   if (function.family == Family::sine_gradient) return kSineError;
   if (function.is_octave_sum()) return octave_sum_tolerance(function, configuration.gradient, inputs);
+  if (function.is_cellular()) return cellular_tolerance(function, configuration, inputs, output);
   return error_of(function, configuration, output);
+}
+
+double cellular_tolerance(const Function& function, const Configuration& configuration,
+                          std::span<const std::uint32_t> inputs, std::size_t output) {
+  if (function.is_name(output)) return 0.0;
+  const double error = error_of(function, configuration, output);
+  if (!function.is_slope(output)) return error;
+  const double distance = nearest_distance(function, configuration, inputs);
+  return error < 2.0 * distance ? error / distance : 2.0;
 }
 
 }  // namespace hn

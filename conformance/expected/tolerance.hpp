@@ -46,6 +46,11 @@ struct OctaveArguments {
 double octave_tolerance(OctaveSum kind, int axes, const OctaveArguments& arguments,
                         Gradient gradient = Gradient::octahedral);
 
+// The same of an output of cellular noise at a point. A derivative is off by as much as its point, divided by the
+// distance to the point. Names of cells are right or wrong.
+double cellular_tolerance(const Function& function, const Configuration& configuration,
+                          std::span<const std::uint32_t> inputs, std::size_t output);
+
 // The bound for an output of a function at a point given by its input words; 0 where every bit is defined. (It does not
 // bound the difference of fixed arithmetic from the real numbers: golden files of its own check that arithmetic.)
 double tolerance(const Function& function, const Configuration& configuration, std::span<const std::uint32_t> inputs,

@@ -57,9 +57,10 @@ float setting(std::string_view name) {
 uint input(std::string_view column) {
   const auto colon = column.find(':');
   const std::string_view name = column.substr(0, colon);
+  if (name == "metric") return word() % 7;
   if (column.substr(colon) != ":f32") return name == "octaves" ? word() % 8 - 1u : word();
   if (name == "gain" || name == "lacunarity") return std::bit_cast<uint>(setting(name));
-  return std::bit_cast<uint>(name.front() == 'f' ? fraction() : coordinate());
+  return std::bit_cast<uint>(name.front() == 'f' || name == "jitter" ? fraction() : coordinate());
 }
 
 float float_of(uint bits) { return std::bit_cast<float>(bits); }

@@ -80,8 +80,11 @@ std::string id_without(std::string_view text, std::string_view part) {
 }  // namespace
 
 bool Function::is_noise() const {
-  return is_gradient_noise() || is_one_of(family, {Family::lattice_noise, Family::further_lattice_noise});
+  return is_gradient_noise() || is_cellular() ||
+         is_one_of(family, {Family::lattice_noise, Family::further_lattice_noise});
 }
+
+bool Function::is_cellular() const { return is_one_of(family, {Family::cellular, Family::further_cellular}); }
 
 bool Function::is_gradient_noise() const {
   return is_one_of(family, {Family::gradient_noise, Family::further_gradient_noise, Family::octahedral_noise,
@@ -92,13 +95,15 @@ bool Function::is_octave_sum() const { return is_one_of(family, {Family::octave_
 
 bool Function::is_further() const {
   return is_one_of(family, {Family::further_gradient_noise, Family::octahedral_noise, Family::further_lattice_noise,
-                            Family::further_octave_sum, Family::simplex_noise, Family::curl});
+                            Family::further_octave_sum, Family::simplex_noise, Family::curl, Family::cellular,
+                            Family::further_cellular});
 }
 
 bool Function::is_derived() const { return bound.ends_with("_d") || bound.ends_with("_d_phase"); }
 
 bool Function::is_costly() const {
-  return is_octave_sum() || family == Family::curl || (is_noise() && (has_slopes() || axes == 4));
+  return is_octave_sum() || family == Family::curl || (is_noise() && (has_slopes() || axes == 4)) ||
+         (is_cellular() && (axes == 3 || bound == "cell_border"));
 }
 
 // dx, dy, dz, dw

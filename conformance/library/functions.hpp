@@ -41,11 +41,21 @@ struct Function {
   bool is_noise() const;
   bool is_gradient_noise() const;  // it is 0 at lattice points
   bool is_simplex_noise() const { return family == Family::simplex_noise; }
+  bool is_cellular() const;
   bool is_octave_sum() const;
   bool is_further() const;                              // it is of a family that few settings have values of
   bool takes_cell() const { return input("cx") >= 0; }  // and the fraction in it, in place of a position
   bool takes_period() const { return period_word() >= 0; }
   bool takes_phase() const { return input("phase") >= 0; }
+  bool takes_jitter() const { return input("jitter") >= 0; }
+  // Whether an output is the cell of the nearest feature point, or a component of the vector to it.
+  bool is_name(std::size_t output) const { return outputs[output].type == WordType::i32 && !exact(); }
+  bool is_offset(std::size_t output) const { return outputs[output].name.front() == 'o'; }
+  // Whether an output, or the last one at least, jumps where two feature points are equally near.
+  bool jumps(std::size_t output) const {
+    return is_cellular() && (is_name(output) || is_offset(output) || is_slope(output));
+  }
+  bool jumps() const { return jumps(outputs.size() - 1); }
   // Whether it takes positions that are whole numbers of units.
   bool inputs_are_units() const { return input("units") >= 0; }
   // Whether rounding is no part of the way to its cell: it takes a cell, or whole numbers that become one.
@@ -59,6 +69,8 @@ struct Function {
   // The input word of that name, or -1.
   int input(std::string_view name) const;
   int seed_word() const { return input("seed"); }
+  // Whether it is one of a pair of rows, with a period and without: the id says so.
+  bool has_form_without_period() const { return takes_period() && id.ends_with("_period"); }
   int period_word() const { return input("px"); }  // that of the first axis; those of the others follow
   // The parameters of its evaluate: a uvec4 for each four input words, and at least two.
   std::size_t parameters() const { return std::max<std::size_t>((inputs.size() + 3) / 4, 2); }

@@ -221,7 +221,9 @@ class SuiteWriter {
     for (const GoldenRow& row : golden.rows) {
       for (std::size_t i = 0; i < row.values.size(); ++i) {
         words.push_back(result_bits(function.outputs[i], row.values[i]));
-        numbers.push_back(std::bit_cast<double>(row.values[i]));
+        const bool whole = function.outputs[i].type == WordType::i32;
+        numbers.push_back(whole ? static_cast<double>(static_cast<std::int32_t>(row.values[i]))
+                                : std::bit_cast<double>(row.values[i]));
       }
     }
     return has_exact_values(function, configuration) ? data(words) : data(numbers);

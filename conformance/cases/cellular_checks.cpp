@@ -1,0 +1,359 @@
+// Checks of cellular noise: against a search of all cells around, in C++, and what its functions say of each other.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <list>
+#include <optional>
+
+#include "cases/places.hpp"
+#include "cases/value_checks.hpp"
+#include "expected/cellular.hpp"
+#include "expected/pairing.hpp"
+#include "expected/points.hpp"
+#include "expected/tolerance.hpp"
+
+namespace hn {
+namespace {
+
+constexpr std::size_t kPoints = 2048;  // a quarter of what is costly
+constexpr std::uint32_t kFurthestCell = 64;
+constexpr double kUnit = 0x1p-16;  // of places
+constexpr std::uint32_t kUnits = 65536;
+// Of places that may depend on far cells, how many are tried to find some that do.
+constexpr std::size_t kTries = 4096;
+constexpr std::size_t kFarPoints = 64;
+
+std::size_t points_of(const Session& session, const Function& function) {
+  return std::min(function.is_costly() ? kPoints / 4 : kPoints, session.most_points);
+}
+
+using Places = std::vector<Place>;
+
+Places random_places(const Function& function, Random& random) {
+  Places places;
+  for (int axis = 0; axis < function.axes; ++axis) {
+    places.push_back(
+        {random_cell_of(function, kFurthestCell, random), static_cast<double>(random.below(kUnits)) * kUnit});
+  }
+  return places;
+}
+
+void put(const Function& function, std::span<std::uint32_t> words, const Places& places) {
+  for (std::size_t axis = 0; axis < places.size(); ++axis) put(function, words, axis, places[axis]);
+}
+
+// A place from the corner of the cell at hand, rounded to units.
+Places at(const Places& places, const std::array<double, 3>& from_corner) {
+  Places there;
+  for (std::size_t axis = 0; axis < places.size(); ++axis) {
+    const double units = std::round(from_corner[axis] / kUnit) * kUnit;
+    there.push_back(moved({places[axis].cell, 0.0}, units));
+  }
+  return there;
+}
+
+// Walls, middles and what is one unit beside them.
+Places at_edges(Places places, Random& random) {
+  for (Place& place : places) {
+    const double edge = random.below(2) == 0 ? 0.0 : 0.5;
+    if (random.below(4) != 0) place = moved({place.cell, edge}, kUnit * (static_cast<double>(random.below(3)) - 1.0));
+  }
+  return places;
+}
+
+std::array<double, 3> between(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  return {(a[0] + b[0]) / 2.0, (a[1] + b[1]) / 2.0, (a[2] + b[2]) / 2.0};
+}
+
+// Random points of all regions; and places on edges of cells, at feature points and halfway between the two nearest.
+Words points_to_search(Session& session, const Function& function, const Configuration& configuration) {
+  Random random(session.seed, "search");
+  Words inputs = random_points(function, points_of(session, function), random, defined_extremes(configuration));
+  for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
+    const std::uint32_t kind = random.below(8);
+    if (kind > 3) continue;
+    const auto words = std::span(inputs).subspan(i, kInputWords);
+    const Places places = random_places(function, random);
+    put(function, words, places);
+    if (kind < 2) put(function, words, at_edges(places, random));
+    if (kind < 2) continue;
+    const Searched here = searched(function, configuration, words);
+    const auto middle = between(here.nearest.at, here.next.at);
+    // With rounded floats nothing can be said of what jumps there.
+    const bool jumps = function.jumps() && configuration.arithmetic != Arithmetic::fixed;
+    put(function, words, at(places, kind == 2 || jumps ? here.nearest.at : middle));
+  }
+  return inputs;
+}
+
+// Places beside walls whose values depend on cells that are two steps away: there are few. A block of cells that is too
+// small has wrong values there.
+void add_far_points(Words& inputs, Session& session, const Function& function, const Configuration& configuration) {
+  if (function.bound != "cellular_three" && function.bound != "cell_border") return;
+  Random random(session.seed, "far");
+  const std::size_t all = inputs.size() / kInputWords;
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < kTries && found < std::min(kFarPoints, all); ++i) {
+    Words words(point(inputs, i % all).begin(), point(inputs, i % all).end());
+    for (std::size_t column = 0; column < function.inputs.size(); ++column) {
+      if (function.inputs[column].name == "jitter") words[column] = std::bit_cast<std::uint32_t>(1.0f);
+    }
+    words[static_cast<std::size_t>(function.seed_word())] = random.word();
+    Places places = random_places(function, random);
+    const std::size_t axis = random.below(static_cast<std::uint32_t>(function.axes));
+    places[axis] = moved({places[axis].cell, 0.0}, (static_cast<double>(random.below(8192)) - 4096.0) * kUnit);
+    put(function, words, places);
+    if (searched(function, configuration, words, 1).values == searched(function, configuration, words, 2).values) {
+      continue;
+    }
+    std::copy(words.begin(), words.end(), inputs.begin() + static_cast<std::ptrdiff_t>(found++ * kInputWords));
+  }
+}
+
+// How far an output may be off the value that was found.
+std::optional<double> allowed_to_searched(const Function& function, const Configuration& configuration,
+                                          std::span<const std::uint32_t> inputs, const Searched& right,
+                                          std::size_t word) {
+  if (configuration.arithmetic == Arithmetic::fixed) return std::nullopt;
+  if (function.jumps(word) && right.second - right.first < kClearMargin) return kUndecided;
+  return cellular_tolerance(function, configuration, inputs, word);
+}
+
+std::uint32_t bits_of(const Function& function, std::size_t word, double value) {
+  return function.is_name(word) ? static_cast<std::uint32_t>(static_cast<std::int32_t>(value))
+                                : std::bit_cast<std::uint32_t>(static_cast<float>(value));
+}
+
+}  // namespace
+
+Outcome check_search(Session& session, const Evaluation& evaluation) {
+  const auto& [function, configuration, profile, variant, stage] = evaluation;
+  Words inputs = points_to_search(session, function, configuration);
+  add_far_points(inputs, session, function, configuration);
+  const auto outputs = evaluate(session, evaluation, inputs);
+  if (!outputs) return outputs.error();
+  Comparison comparison(function, inputs);
+  for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
+    const auto in = point(inputs, i);
+    const Searched right = searched(function, configuration, in);
+    for (std::size_t word = 0; word < function.outputs.size(); ++word) {
+      comparison.word(in, result(*outputs, i)[word], right.values[word], bits_of(function, word, right.values[word]),
+                      allowed_to_searched(function, configuration, in, right, word), word);
+    }
+  }
+  return comparison.finish();
+}
+
+namespace {
+
+// The same point for another form: at a position, or from a cell.
+void put_for(const Function& form, const Function& function, std::span<std::uint32_t> words,
+             std::span<const std::uint32_t> inputs, const Places& places) {
+  for (std::size_t column = 0; column < form.inputs.size(); ++column) {
+    const int from = function.input(form.inputs[column].name);
+    words[column] = from >= 0 ? inputs[static_cast<std::size_t>(from)] : form.inputs[column].name == "metric" ? 1u : 0u;
+  }
+  put(form, words, places);
+}
+
+// A row of a pair that names the nearest point, or leads to it: `noise2d.cellular_cell_nearest`.
+const Function& row_of(int axes, std::string_view name) {
+  return find_function(fmt::format("noise{}d.{}", axes, name));
+}
+
+// What the function that names the nearest point returns beside that: the same text with another result.
+const Function& returned_beside(const Function& naming) {
+  static std::list<Function> made;
+  static std::list<std::string> texts;
+  const auto found = std::find_if(made.begin(), made.end(), [&](const Function& f) {
+    return f.file == naming.file &&
+           f.columns.substr(0, f.columns.find(" = ")) == naming.columns.substr(0, naming.columns.find(" = "));
+  });
+  if (found != made.end()) return *found;
+  std::string body(naming.body.substr(0, naming.body.find("return ")));
+  body.insert(body.find("hn_cellular("), "hn_vec2 n = ");
+  const std::string& text = texts.emplace_back(body + "return uvec4(bits_of(n.x), bits_of(n.y), 0u, 0u);");
+  const std::string& columns = texts.emplace_back(
+      fmt::format("{} = first:f64 second:f64", naming.columns.substr(0, naming.columns.find(" = "))));
+  made.push_back(make_function(naming.id, naming.file, naming.family, naming.bound, columns, naming.call, text));
+  return made.back();
+}
+
+// One way to the nearest point and to what is known of it.
+struct Way {
+  const Function* names;
+  const Function* offsets;
+  const Function* distances;  // null if a function returns none
+  bool from_next_cell;        // with a fraction of 1 in place of 0
+};
+
+struct Known {
+  Words inputs;  // of the names
+  Words names;
+  Words offsets;
+  Words distances;
+};
+
+}  // namespace
+
+// From a position, from its cell and from the next one with a fraction of 1 in place of 0: the same names, offsets and
+// distances. The name is that of a cell within the period, whose point is where the offset leads; and the first
+// distance is that to it.
+Outcome check_cell_names(Session& session, const Evaluation& evaluation) {
+  const auto& [function, configuration, profile, variant, stage] = evaluation;
+  const auto axes = static_cast<std::size_t>(function.axes);
+  const bool border = function.bound == "cell_border";
+  const Function& offsets = row_of(function.axes, "cellular_offset");
+  const Function& cell_names = row_of(function.axes, "cellular_cell_nearest");
+  const Function& cell_offsets = row_of(function.axes, "cellular_cell_offset");
+  const Function& names = row_of(function.axes, "cellular_nearest");
+  const Way ways[] = {{border ? &function : &names, &offsets, border ? nullptr : &returned_beside(names), false},
+                      {&cell_names, border ? &row_of(function.axes, "cell_border_cell_offset") : &cell_offsets,
+                       border ? nullptr : &returned_beside(cell_names), false},
+                      {&cell_names, &cell_offsets, &row_of(function.axes, "cellular_cell_full"), true},
+                      {&names, &offsets, &row_of(function.axes, "cellular_full"), false}};
+  const std::size_t points = points_of(session, function);
+  Random random(session.seed, "names");
+  const Words settings = random_points(function, points, random);
+  std::vector<Places> all_places;
+  for (std::size_t i = 0; i < points; ++i) {
+    Places places = random_places(function, random);
+    for (Place& place : places) {
+      place.cell = random.below(2 * kFurthestCell) - kFurthestCell;
+      if (random.below(4) == 0) place.fraction = 0.0;
+    }
+    all_places.push_back(places);
+  }
+  std::vector<Known> known;
+  for (const Way& way : ways) {
+    const auto run = [&](const Function* form, Words& inputs) -> tl::expected<Words, Outcome> {
+      inputs.assign(points * kInputWords, 0u);
+      if (form == nullptr) return Words{};
+      for (std::size_t i = 0; i < points; ++i) {
+        Places places = all_places[i];
+        for (Place& place : places) {
+          if (way.from_next_cell && place.fraction == 0.0) place = {place.cell - 1u, 1.0};
+        }
+        put_for(*form, function, std::span(inputs).subspan(i * kInputWords, kInputWords), point(settings, i), places);
+      }
+      return evaluate(session, {*form, configuration, profile, {}, stage}, inputs);
+    };
+    Known one;
+    Words inputs;
+    const auto distances = run(way.distances, inputs);
+    if (!distances) return distances.error();
+    const auto led = run(way.offsets, inputs);
+    if (!led) return led.error();
+    const auto named = run(way.names, one.inputs);
+    if (!named) return named.error();
+    one.names = *named;
+    one.offsets = *led;
+    one.distances = *distances;
+    known.push_back(std::move(one));
+  }
+  const Known& first = known.back();
+  const double error = error_of(offsets, configuration, 0);
+  const bool exact = has_same_bits(function, configuration);
+  Comparison comparison(function, settings);
+  for (std::size_t i = 0; i < points; ++i) {
+    const auto in = point(settings, i);
+    const auto number = [&](const Words& words, std::size_t word) {
+      return static_cast<double>(std::bit_cast<float>(result(words, i)[word]));
+    };
+    const bool undecided = is_undecided(names, configuration, point(first.inputs, i));
+    for (const Known& other : known) {
+      for (std::size_t axis = 0; axis < axes; ++axis) {
+        const auto column = std::optional<double>(exact ? std::nullopt : std::optional(undecided ? kUndecided : 0.0));
+        comparison.word(in, result(other.names, i)[axis], 0.0, result(first.names, i)[axis], column, axis);
+        if (exact || !undecided) {
+          comparison.number(in, std::bit_cast<float>(result(other.offsets, i)[axis]), number(first.offsets, axis),
+                            exact ? 0.0 : 2.0 * error);
+        }
+      }
+      for (std::size_t word = 0; word < 2 && !other.distances.empty(); ++word) {
+        comparison.number(in, std::bit_cast<float>(result(other.distances, i)[word]), number(first.distances, word),
+                          exact ? 0.0 : 2.0 * error);
+      }
+    }
+    // The name within its period, and the point of that cell.
+    Words there(point(first.inputs, i).begin(), point(first.inputs, i).end());
+    Words at_name(kInputWords);
+    Places named;
+    for (std::size_t axis = 0; axis < axes; ++axis) named.push_back({result(first.names, i)[axis], 0.5});
+    put_for(cell_names, names, at_name, there, named);
+    const std::vector<FeaturePoint> near = feature_points(cell_names, configuration, at_name);
+    const FeaturePoint& own = near[near.size() / 2];
+    double sum = 0.0;
+    double largest = 0.0;
+    double square = 0.0;
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+      const auto period = static_cast<std::int32_t>(there[static_cast<std::size_t>(names.period_word()) + axis]);
+      const auto name = static_cast<std::int32_t>(named[axis].cell);
+      comparison.require(period <= 0 || (name >= 0 && name < period), in, static_cast<float>(name),
+                         "the name of a cell within the period");
+      const double cells = period > 0 ? static_cast<double>(period) : 0x1p32;
+      const double offset = number(first.offsets, axis);
+      const double target = static_cast<double>(static_cast<std::int32_t>(all_places[i][axis].cell)) +
+                            all_places[i][axis].fraction + offset;
+      const double away = target - (static_cast<double>(name) + own.at[axis]);
+      comparison.number(in, static_cast<float>(away - cells * std::round(away / cells)), 0.0, 2.0 * error);
+      sum += std::fabs(offset);
+      largest = std::max(largest, std::fabs(offset));
+      square += offset * offset;
+    }
+    const int metric = border ? 1 : static_cast<int>(there[static_cast<std::size_t>(names.input("metric"))]);
+    const double distance = metric == 2   ? square
+                            : metric == 3 ? sum
+                            : metric == 4 ? largest
+                            : metric == 5 ? sum + square
+                                          : std::sqrt(square);
+    comparison.number(in, static_cast<float>(number(first.distances, 0)), distance, 4.0 * error);
+  }
+  return comparison.finish();
+}
+
+// With P and Q, the two nearest points at the distances a and b: the border with any other point is no nearer than
+// (b - a) / 2, and that with Q no farther than (a + b) / 2. Halfway between P and Q the border is there, unless a third
+// point is nearer.
+Outcome check_border(Session& session, const Evaluation& evaluation) {
+  const auto& [function, configuration, profile, variant, stage] = evaluation;
+  const Function& distances = row_of(function.axes, function.takes_cell() ? "cellular_cell" : "cellular");
+  Random random(session.seed, "border");
+  Words inputs = random_points(function, points_of(session, function), random);
+  std::vector<bool> on_border;
+  for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
+    const auto words = std::span(inputs).subspan(i, kInputWords);
+    const Places places = random_places(function, random);
+    put(function, words, places);
+    on_border.push_back(random.below(2) == 0);
+    if (!on_border.back()) continue;
+    const Searched here = searched(function, configuration, words);
+    put(function, words, at(places, between(here.nearest.at, here.next.at)));
+    // Rounded to units it is nearly there.
+    const Searched there = searched(function, configuration, words);
+    on_border.back() = there.second - there.first < 8.0 * kUnit;
+  }
+  const auto borders = evaluate(session, evaluation, inputs);
+  if (!borders) return borders.error();
+  const auto both =
+      evaluate(session, {distances, configuration, profile, {}, stage}, inputs_for(distances, function, inputs));
+  if (!both) return both.error();
+  const double error = error_of(function, configuration, 0) + error_of(distances, configuration, 0);
+  Comparison comparison(function, inputs);
+  for (std::size_t i = 0; i < on_border.size(); ++i) {
+    const auto number = [&](const Words& words, std::size_t word) {
+      return static_cast<double>(std::bit_cast<float>(result(words, i)[word]));
+    };
+    const double border = number(*borders, 0);
+    const double least = (number(*both, 1) - number(*both, 0)) / 2.0;
+    const double most = (number(*both, 1) + number(*both, 0)) / 2.0;
+    comparison.require(border >= least - error && border <= most + error, point(inputs, i), static_cast<float>(border),
+                       fmt::format("from {:.9g} to {:.9g}", least, most));
+    if (on_border[i]) comparison.number(point(inputs, i), static_cast<float>(border), 0.0, 4.0 * kUnit + error);
+  }
+  return comparison.finish();
+}
+
+}  // namespace hn

@@ -1,0 +1,365 @@
+#include "expected/cellular.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+namespace hn {
+namespace {
+
+using Word = std::uint32_t;
+using Coordinates = std::array<std::int64_t, 3>;
+using Vector = std::array<double, 3>;
+
+enum class Metric { euclidean = 1, squared, manhattan, chebyshev, hybrid };
+
+// --- What goes in ---
+
+struct Place {
+  std::size_t axes;
+  bool fixed;  // then `cell` and `units` are as fixed arithmetic has them
+  Coordinates cell;
+  Vector fraction;
+  Coordinates units;  // of the fraction: 2^-20
+  Coordinates period;
+  double jitter;
+  std::int64_t jitter_units;
+  Metric metric;
+  Word seed;
+  bool pcg;
+};
+
+constexpr double kUnits = 0x1p20;
+
+void put_position(Place& place, std::size_t axis, double p) {
+  if (!place.fixed) {
+    place.cell[axis] = static_cast<std::int64_t>(std::floor(p));
+    place.fraction[axis] = p - std::floor(p);
+    return;
+  }
+  const double whole = std::trunc(p);
+  const auto rest = static_cast<std::int64_t>(std::trunc((p - whole) * kUnits));
+  place.cell[axis] = static_cast<std::int64_t>(std::clamp(whole, -2147483648.0, 2147483520.0)) + (rest >> 20);
+  place.units[axis] = rest & 0xFFFFF;
+}
+
+void put_in_cell(Place& place, std::size_t axis, std::int64_t cell, double f) {
+  place.cell[axis] = cell;
+  place.fraction[axis] = f;
+  place.units[axis] = static_cast<std::int64_t>(std::trunc(std::clamp(f, 0.0, 1.0) * kUnits));
+}
+
+Place place_of(const Function& function, const Configuration& configuration, std::span<const Word> inputs) {
+  const auto word = [&](int column) { return inputs[static_cast<std::size_t>(column)]; };
+  const auto number = [&](int column) { return static_cast<double>(std::bit_cast<float>(word(column))); };
+  const auto whole = [&](int column) { return std::int64_t{static_cast<std::int32_t>(word(column))}; };
+  Place place{};
+  place.axes = static_cast<std::size_t>(function.axes);
+  place.fixed = configuration.arithmetic == Arithmetic::fixed;
+  for (int axis = 0; axis < function.axes; ++axis) {
+    const auto at = static_cast<std::size_t>(axis);
+    if (function.takes_cell()) {
+      put_in_cell(place, at, whole(axis), number(function.axes + axis));
+    } else {
+      put_position(place, at, number(axis));
+    }
+    if (function.takes_period()) place.period[at] = std::max<std::int64_t>(whole(function.period_word() + axis), 0);
+  }
+  place.jitter = function.takes_jitter() ? std::clamp(number(function.input("jitter")), 0.0, 1.0) : 1.0;
+  place.jitter_units = static_cast<std::int64_t>(place.jitter * kUnits);
+  const std::int64_t metric = function.input("metric") >= 0 ? whole(function.input("metric")) : 1;
+  place.metric = metric >= 1 && metric <= 5 ? static_cast<Metric>(metric) : Metric::euclidean;
+  place.seed = word(function.seed_word());
+  place.pcg = configuration.hash == "PCG";
+  return place;
+}
+
+// --- Words, section 3 ---
+
+Word mix(Word k) {
+  k = (k ^ (k >> 15)) * 0x2C1B3C6Du;
+  k = (k ^ (k >> 12)) * 0x297A2D39u;
+  return k ^ (k >> 15);
+}
+
+Word hash_of(Word k, bool pcg) {
+  if (!pcg) return k;
+  const Word s = k * 747796405u + 2891336453u;
+  const Word w = ((s >> ((s >> 28) + 4u)) ^ s) * 277803737u;
+  return (w >> 22) ^ w;
+}
+
+Word word_at(const Place& place, const Coordinates& cell) {
+  constexpr std::array<Word, 3> kPrimes = {0x9E3779B1u, 0x85EBCA77u, 0xC2B2AE3Du};
+  constexpr std::array<Word, 3> kFolds = {18u, 17u, 19u};
+  Word joined = mix(place.seed);
+  Word added = joined;
+  for (std::size_t axis = 0; axis < place.axes; ++axis) {
+    std::int64_t c = cell[axis];
+    const std::int64_t period = place.period[axis];
+    if (period > 0) c = (c % period + period) % period;
+    const Word spread = static_cast<Word>(c) * kPrimes[axis] + (axis == 0 ? 0x165667B1u : 0u);
+    joined ^= spread ^ (spread >> kFolds[axis]);
+    added += spread;
+  }
+  return hash_of(joined, place.pcg) * (2u * added + 1u);
+}
+
+// --- Directions, section 4 ---
+
+Vector direction_of(Word h, std::size_t axes) {
+  const auto field = [&](Word shift, Word count) {
+    return (2.0 * static_cast<double>((h >> shift) & (count - 1u)) + 1.0) / static_cast<double>(count) - 1.0;
+  };
+  const double sign = h >> 31 ? -1.0 : 1.0;
+  if (axes == 2) {
+    const double a = field(22, 512);
+    return {a, sign * (1.0 - std::fabs(a)), 0.0};
+  }
+  const double p = field(23, 256);
+  const double q = field(15, 256);
+  return {(p + q) / 2.0, (p - q) / 2.0, sign * (1.0 - std::max(std::fabs(p), std::fabs(q)))};
+}
+
+// --- Distances, section 16 ---
+
+// A point, seen from the place. Of fixed arithmetic the offset is in units of 2^-20, and the rank what it compares.
+struct Seen {
+  Coordinates from_cell;
+  Vector offset;  // of the place from the point
+  double square;  // in cells, or in units of 2^-28: `N`
+  double rank;
+};
+
+double floor_of(double value) { return std::floor(value); }
+
+// Numbers of fixed arithmetic are whole and below 2^53 up to where they are rounded down, so doubles hold them.
+double square_of(const Vector& offset, bool fixed) {
+  double sum = 0.0;
+  for (const double d : offset) sum += d * d;
+  return fixed ? floor_of(sum / 0x1p12) : sum;
+}
+
+double rank_of(const Seen& seen, Metric metric, bool fixed) {
+  double sum = 0.0;
+  double largest = 0.0;
+  for (const double d : seen.offset) {
+    sum += std::fabs(d);
+    largest = std::max(largest, std::fabs(d));
+  }
+  switch (metric) {
+    case Metric::manhattan:
+      return sum;
+    case Metric::chebyshev:
+      return largest;
+    case Metric::hybrid:
+      return sum + (fixed ? floor_of(seen.square / 0x1p8) : seen.square);
+    case Metric::euclidean:
+    case Metric::squared:
+      break;
+  }
+  return seen.square;
+}
+
+// The root of 2^8 times a number, rounded down.
+double root_of(double number) {
+  const auto n = static_cast<std::uint64_t>(number) << 8;
+  auto root = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(n)));
+  while (root * root > n) --root;
+  while ((root + 1) * (root + 1) <= n) ++root;
+  return static_cast<double>(root);
+}
+
+double distance_of(double rank, Metric metric, bool fixed) {
+  if (metric == Metric::euclidean) return fixed ? root_of(rank) * 0x1p-18 : std::sqrt(rank);
+  if (!fixed) return rank;
+  return metric == Metric::squared ? floor_of(rank / 0x1p8) * 0x1p-20 : rank * 0x1p-20;
+}
+
+Seen seen_from(const Place& place, const Coordinates& step) {
+  Coordinates cell{};
+  for (std::size_t axis = 0; axis < place.axes; ++axis) cell[axis] = place.cell[axis] + step[axis];
+  const Vector u = direction_of(word_at(place, cell), place.axes);
+  Seen seen{step, {}, 0.0, 0.0};
+  for (std::size_t axis = 0; axis < place.axes; ++axis) {
+    if (place.fixed) {
+      const double moved = floor_of(512.0 * u[axis] * static_cast<double>(place.jitter_units) / 0x1p10);
+      seen.offset[axis] = static_cast<double>(place.units[axis] - step[axis] * 0x100000 - 0x80000) - moved;
+    } else {
+      seen.offset[axis] = place.fraction[axis] - static_cast<double>(step[axis]) - 0.5 - place.jitter / 2.0 * u[axis];
+    }
+  }
+  seen.square = square_of(seen.offset, place.fixed);
+  seen.rank = rank_of(seen, place.metric, place.fixed);
+  return seen;
+}
+
+// By z, then by y, then by x: of points at the same distance the first counts.
+std::vector<Seen> all_seen(const Place& place, int reach) {
+  std::vector<Seen> all;
+  const int depth = place.axes == 3 ? reach : 0;
+  for (int z = -depth; z <= depth; ++z) {
+    for (int y = -reach; y <= reach; ++y) {
+      for (int x = -reach; x <= reach; ++x) all.push_back(seen_from(place, {x, y, z}));
+    }
+  }
+  return all;
+}
+
+// The three nearest, which come first.
+std::array<const Seen*, 3> nearest_of(const std::vector<Seen>& all) {
+  std::array<const Seen*, 3> nearest{};
+  for (const Seen& seen : all) {
+    const Seen* one = &seen;
+    for (const Seen*& other : nearest) {
+      if (other == nullptr || one->rank < other->rank) std::swap(one, other);
+      if (one == nullptr) break;
+    }
+  }
+  return nearest;
+}
+
+// --- What comes out ---
+
+double smooth_of(const std::vector<Seen>& all, bool fixed) {
+  double weights = 0.0;
+  for (const Seen& seen : all) {
+    if (fixed) {
+      const double t = std::min(floor_of(std::max(0x1p18 - root_of(seen.square), 0.0) / 4.0), 65535.0);
+      const double q = floor_of(t * t / 0x1p16);
+      weights += floor_of(q * q / 4.0);
+    } else {
+      weights += std::pow(std::max(0.0, 1.0 - std::sqrt(seen.square)), 4.0);
+    }
+  }
+  if (fixed) return (0x1p19 - root_of(root_of(weights + 0x1p18) * 0x1p11)) * 0x1p-19;
+  return 1.0 - std::pow(weights + 1.0 / 4096.0, 0.25);
+}
+
+double border_of(const std::vector<Seen>& all, const Seen& nearest, bool fixed) {
+  double border = HUGE_VAL;
+  for (const Seen& seen : all) {
+    if (seen.from_cell == nearest.from_cell) continue;
+    Vector apart{};
+    for (std::size_t axis = 0; axis < apart.size(); ++axis) {
+      apart[axis] = seen.offset[axis] - nearest.offset[axis];
+      if (fixed) apart[axis] = floor_of(apart[axis] / 2.0);
+    }
+    const double gap = seen.square - nearest.square;
+    const double square = square_of(apart, fixed);
+    border =
+        std::min(border, fixed ? floor_of(16.0 * gap / root_of(square)) * 0x1p-16 : gap / (2.0 * std::sqrt(square)));
+  }
+  return border;
+}
+
+// 0 has no sign.
+double without_sign_of_zero(double value) { return value == 0.0 ? 0.0 : value; }
+
+Vector derivatives_of(const Seen& nearest, bool fixed) {
+  Vector slope{};
+  if (!fixed) {
+    const double distance = std::sqrt(nearest.square);
+    for (std::size_t axis = 0; axis < slope.size() && distance > 0.0; ++axis) {
+      slope[axis] = nearest.offset[axis] / distance;
+    }
+    return slope;
+  }
+  double m = 0.0;
+  for (const double d : nearest.offset) m = std::max(m, std::fabs(d));
+  const double a = m < 1024.0 ? 1024.0 : 1.0;
+  const double b = m * a < 32768.0 ? 32.0 * a : a;
+  const double k = m * b < 131072.0 ? 4.0 * b : b;
+  Vector longer = nearest.offset;
+  for (double& d : longer) d *= k;
+  const double r = std::max(root_of(square_of(longer, true)), 1.0);
+  for (std::size_t axis = 0; axis < slope.size(); ++axis) {
+    const double size = floor_of(std::fabs(longer[axis]) * 0x1p19 / r) * 0x1p-21;
+    slope[axis] = without_sign_of_zero(std::copysign(size, longer[axis]));
+  }
+  return slope;
+}
+
+FeaturePoint point_of(const Place& place, const Seen& seen) {
+  FeaturePoint point{{}, seen.from_cell};
+  for (std::size_t axis = 0; axis < place.axes; ++axis) {
+    const double unit = place.fixed ? 1.0 / kUnits : 1.0;
+    const double fraction = place.fixed ? static_cast<double>(place.units[axis]) / kUnits : place.fraction[axis];
+    point.at[axis] = fraction - seen.offset[axis] * unit;
+  }
+  return point;
+}
+
+// The name of a cell: its coordinates as words, where a period replaces them.
+double name_of(const Place& place, const Seen& seen, std::size_t axis) {
+  const std::int64_t c = place.cell[axis] + seen.from_cell[axis];
+  const std::int64_t period = place.period[axis];
+  if (period > 0) return static_cast<double>((c % period + period) % period);
+  return static_cast<double>(static_cast<std::int32_t>(static_cast<Word>(c)));
+}
+
+}  // namespace
+
+Searched searched(const Function& function, const Configuration& configuration, std::span<const Word> inputs,
+                  int reach) {
+  const Place place = place_of(function, configuration, inputs);
+  const std::vector<Seen> all = all_seen(place, reach);
+  const auto sorted = nearest_of(all);
+  const auto distance = [&](std::size_t i) { return distance_of(sorted[i]->rank, place.metric, place.fixed); };
+  const Seen& nearest = *sorted[0];
+  Searched result{{}, distance(0), distance(1), distance(2), point_of(place, nearest), point_of(place, *sorted[1])};
+  const Vector slope = derivatives_of(nearest, place.fixed);
+  for (std::size_t i = 0; i < function.outputs.size(); ++i) {
+    const std::string_view name = function.outputs[i].name;
+    const std::size_t axis = name.back() == 'z' ? 2 : name.back() == 'y' ? 1 : 0;
+    double& value = result.values[i];
+    if (function.bound == "cellular_smooth") {
+      value = smooth_of(all, place.fixed);
+    } else if (name.front() == 'n') {
+      value = name_of(place, nearest, axis);
+    } else if (name.front() == 'o') {
+      value = without_sign_of_zero(-nearest.offset[axis] * (place.fixed ? 1.0 / kUnits : 1.0));
+    } else if (function.bound == "cell_border") {
+      value = border_of(all, nearest, place.fixed);
+    } else {
+      value = function.is_slope(i) ? slope[axis] : distance(i);
+    }
+  }
+  return result;
+}
+
+std::vector<FeaturePoint> feature_points(const Function& function, const Configuration& configuration,
+                                         std::span<const Word> inputs) {
+  const Place place = place_of(function, configuration, inputs);
+  std::vector<FeaturePoint> points;
+  for (const Seen& seen : all_seen(place, kSearchReach)) points.push_back(point_of(place, seen));
+  return points;
+}
+
+namespace {
+
+// The first and the second distance. The cell and its neighbours have both points; if they had not, other points would
+// be left out, and none that is wrong would be right.
+std::array<double, 2> two_distances(const Function& function, const Configuration& configuration,
+                                    std::span<const Word> inputs) {
+  const Place place = place_of(function, configuration, inputs);
+  const std::vector<Seen> all = all_seen(place, 1);
+  const auto nearest = nearest_of(all);
+  return {distance_of(nearest[0]->rank, place.metric, place.fixed),
+          distance_of(nearest[1]->rank, place.metric, place.fixed)};
+}
+
+}  // namespace
+
+bool is_undecided(const Function& function, const Configuration& configuration, std::span<const Word> inputs) {
+  if (!function.jumps() || has_same_bits(function, configuration)) return false;
+  const auto [first, second] = two_distances(function, configuration, inputs);
+  return second - first < kClearMargin;
+}
+
+double nearest_distance(const Function& function, const Configuration& configuration, std::span<const Word> inputs) {
+  return two_distances(function, configuration, inputs)[0];
+}
+
+}  // namespace hn
