@@ -70,9 +70,10 @@ HN_FN hn_float hn_i_cell_border(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_nu
 //   cell     the cell; it wraps at 2^32, and so do its neighbours
 //   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats have no promise
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
-//   returns  the distance to the border, in cells, in [0, @B@] (proven bound); typically @TYPB@. It is continuous
-//            (HN_FIXED: in steps of 2^-16)
-//   error    @ERR@
+//   returns  the distance to the border, in cells, in [0, 0.883] (proven bound), and 0.13 on average. It is
+//            continuous (HN_FIXED: in steps of 2^-16)
+//   error    at most 1.72e-3 against the exact value, in any rounding mode. HN_FIXED 6.97e-3. That is for two
+//            points that nearly touch: it falls with the distance of the two that make the border (docs/accuracy.md)
 //   period   2^32 cells per axis
 //   cost     27, 1 and 54 hashes (none with HN_HASH_LATTICE), as many multiplications, and 54 square roots and
 //   divisions source   Quilez, "Voronoi edges", 2012, for the distance; docs/contract.md, section 16
@@ -86,7 +87,7 @@ HN_FN hn_float hn_cell_border(hn_ivec3 cell, hn_vec3 f) { return hn_cell_border(
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
 //   seed     any uint: 7u, not 7; 0 if left out
 //   returns  as above
-//   error    @ERRP@
+//   error    at most 1.72e-3. HN_FIXED as above
 //   period   as above
 //   cost     as above
 //   source   as above
@@ -135,7 +136,7 @@ HN_FN hn_float hn_cell_border(hn_vec3 p, hn_ivec3 period, hn_float jitter, hn_ui
 //            for each cell. Of points at the same distance that of the first cell counts, by z, then by y, then by x
 //   offset   is set to the vector from the position to that point, in cells
 //   returns  as above
-//   error    as above; of the offset at most @ERRO@
+//   error    as above; of the offset at most 1.05e-6. HN_FIXED 2.39e-6
 //   cost     as with a period; one more hash
 HN_FN hn_float hn_cell_border(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_float jitter, hn_uint seed,
                               HN_I_OUT(hn_ivec3) nearest, HN_I_OUT(hn_vec3) offset) {

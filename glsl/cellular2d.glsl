@@ -35,9 +35,10 @@ HN_FN hn_vec2 hn_i_cellular(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_num ji
 //   cell     the cell; it wraps at 2^32, and so do its neighbours
 //   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats have no promise
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
-//   returns  the two distances, in cells: the first in [0, @F1@], the second in [0, @F2@] (proven bounds), and
-//            not below the first; typically @TYP@. Both are continuous (HN_FIXED: in steps of 2^-18)
-//   error    @ERR@
+//   returns  the two distances, in cells: the first in [0, 1.1181], the second in [0, 1.5001] (proven bounds), and
+//            not below the first; on average 0.43 and 0.70. Both are continuous (HN_FIXED: in steps of 2^-18)
+//   error    at most 3.18e-6 against the exact value, in any metric and rounding mode (docs/accuracy.md).
+//            HN_FIXED 6.81e-5
 //   period   2^32 cells per axis
 //   cost     9 hashes (none with HN_HASH_LATTICE) and 9 multiplications; 2 more to spread the coordinates, 2 more for
 //            a seed that is not constant, and 2 square roots. What is not used of the result costs nothing
@@ -52,7 +53,7 @@ HN_FN hn_vec2 hn_cellular(hn_ivec2 cell, hn_vec2 f) { return hn_cellular(cell, f
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
 //   seed     any uint: 7u, not 7; 0 if left out
 //   returns  as above
-//   error    @ERRP@
+//   error    at most 3.53e-6. HN_FIXED as above
 //   period   as above
 //   cost     as above
 //   source   as above
@@ -105,7 +106,7 @@ HN_FN hn_vec2 hn_cellular(hn_vec2 p, hn_ivec2 period, hn_float jitter, hn_int me
 //            for each cell. Of points at the same distance that of the first cell counts, by y, then by x
 //   offset   is set to the vector from the position to that point, in cells
 //   returns  as above, in the metric
-//   error    as above; of the offset at most @ERRO@
+//   error    as above; of the offset at most 3.88e-7. HN_FIXED 2.39e-6
 //   cost     as with a period; one more hash
 HN_FN hn_vec2 hn_cellular(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_float jitter, hn_int metric, hn_uint seed,
                           HN_I_OUT(hn_ivec2) nearest, HN_I_OUT(hn_vec2) offset) {

@@ -131,8 +131,8 @@ def metric_slope(metric: str, dims: int, largest: float) -> float:
 
 def direction_error(dims: int, reach: float, ulps: float = 1.0) -> float:
     """Of a component of an offset divided by its length, times that length. If the offset is off by e and longer than
-    e, then its direction turns by an angle of a sine of at most e over the length. No chord is longer than sqrt(2) times
-    the sine. If it is shorter, the component may be off by 2. Hence 2 e, for both."""
+    e, then its direction turns by an angle of a sine of at most e over the length. Below a right angle no chord is
+    longer than sqrt(2) times the sine. If it is shorter, the component may be off by 2. Hence 2 e, for both."""
     steps = relative(1 + OPERATIONS[dims] / 2, ulps) + UNIT * (ROOT_ULPS + QUOTIENT_ULPS) + UNIT**2 * 100
     return (2 * length_error(dims, reach, ulps) / 2 + steps * reach) * SAFE
 
@@ -205,10 +205,11 @@ def fixed_metric_error(metric: str, dims: int, largest: float) -> float:
 
 
 def fixed_direction_parts(dims: int) -> dict[str, float]:
-    """Of a derivative, times the distance. The offset is made so long that its root has 15 bits."""
+    """Of a derivative, times the distance. An offset D that is made longer, to k D, is at least 2^17 long then. Its
+    root, in units of 4, rounds down by less than 4 / |k D| of it. This times |D| is at most 4 units of 2^-20."""
     reach = features.largest_distance(dims, 1)
-    return {"cut": 2 * fixed_place(dims), "points": 2 * fixed_point(dims), "rank": 2.0**-22 * reach,
-            "scaling": (2.0**-15 * (1 + 2.0**-14) + 2.0**-21) * reach}
+    return {"cut": 2 * fixed_place(dims), "points": 2 * fixed_point(dims), "rank": 2.0**-26,
+            "scaling": 2.0**-18 * (1 + 2.0**-13) + 2.0**-21 * reach}
 
 
 def fixed_smooth_parts(dims: int) -> dict[str, float]:

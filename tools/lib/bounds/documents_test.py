@@ -199,6 +199,32 @@ class Phases(unittest.TestCase):
         self.assertRegex(wrong("2.51e-5", "12.9")[0], "12.9 of .* should be 2.93")
 
 
+class SeveralNumbers(unittest.TestCase):
+    """A comment may state several ends of ranges, in their order, and the error of an offset."""
+
+    def wrong(self, ends="first in [0, 1.1181], the second in [0, 1.5001]", offset="3.88e-7. HN_FIXED 2.39e-6"):
+        of_noise = Derived(3.76, 3.76, 5.84, 3.179e-6, 3.529e-6, 3.76, 6.809e-5, 3.76, {})
+        lines = (f"   returns  the {ends}", f"   error    at most 3.53e-6; of the offset at most {offset}",
+                 "   cost     none")
+        function = glsl.Declaration(Path("x"), 9, "hn_cellular", ("vec2", "ivec2", "float", "int", "uint"),
+                                    glsl.Comment(7, lines))
+        return list(documents.wrong_numbers(function, {("cellular", 2, None): of_noise}).values())
+
+    def test_they_are_right(self):
+        self.assertEqual(self.wrong(), [])
+
+    def test_each_is_compared(self):
+        for ends, right in (("first in [0, 1.1182], the second in [0, 1.5001]", "1.1181"),
+                            ("first in [0, 1.1181], the second in [0, 1.5]", "1.6"),
+                            ("second in [0, 1.5001], the first in [0, 1.1181]", "1.1181")):
+            self.assertRegex(self.wrong(ends=ends)[0], f"should be {right}")
+        self.assertRegex(self.wrong(ends="[0, 1.1181], [0, 1.5001], [0, 1.6]")[0], "1.6 .* is derived nowhere")
+
+    def test_the_error_of_an_offset(self):
+        self.assertRegex(self.wrong(offset="3.53e-6. HN_FIXED 2.39e-6")[0], "3.53e-6 of .* should be 3.88e-7")
+        self.assertRegex(self.wrong(offset="3.88e-7. HN_FIXED 6.81e-5")[0], "6.81e-5 of .* should be 2.39e-6")
+
+
 class Command(unittest.TestCase):
     def check(self, problem: Exception) -> tuple[int, str]:
         """The status of --check and its message, if the comparison ends so."""

@@ -10,9 +10,10 @@ from bounds.boxes import SAFE
 from bounds.floats import position_error
 from bounds.gradients import Gradient
 from bounds.noises import Derived, cellular
+from bounds.table import scientific, shortest
 
 CASES = cellular.CASES
-quotes, offset_error = cellular.quotes, cellular.offset_error
+offset_error = cellular.offset_error
 CLEAR = 1 / 8  # a distance between two points that is seldom less
 
 
@@ -25,6 +26,14 @@ def derive(dims: int, _: Gradient | None) -> Derived:
 
 def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
     return distances.largest_intermediates(dims) | distances.largest_border_intermediates(dims)
+
+
+def quotes() -> list[tuple[str, str]]:
+    floats = [scientific(distances.border_error(dims, apart=CLEAR)) for dims in (2, 3)]
+    fixed = [scientific(sum(distances.fixed_border_parts(dims, CLEAR).values())) for dims in (2, 3)]
+    largest = [shortest(features.largest_border(dims), 3) for dims in (2, 3)]
+    return [("docs/accuracy.md", f"at most {floats[0]} in 2D and {floats[1]} in 3D, or {fixed[0]} and {fixed[1]} with"),
+            ("docs/accuracy.md", f"to a border stays below {largest[0]} and {largest[1]}.")]
 
 
 def describe(dims: int, _: Gradient | None) -> dict[str, object]:

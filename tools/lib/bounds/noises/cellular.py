@@ -1,5 +1,5 @@
-"""hn_cellular: what is proven of it, from docs/contract.md, section 16; and of hn_cellular_three, which has its entry in
-cellular_three.py. features.py and distances.py of the folder above have the proofs.
+"""hn_cellular: what is proven of it, from docs/contract.md, section 16; and of hn_cellular_three, which has its entry
+in cellular_three.py. features.py and distances.py of the folder above have the proofs.
 
 One bound holds for all metrics: the largest. That of floats is the hybrid metric's, whose distances are the largest;
 that of fixed arithmetic is the Euclidean one's, by the root of a small square. The errors of offsets are smaller.
@@ -10,7 +10,7 @@ from __future__ import annotations
 from bounds import distances, features
 from bounds.floats import position_error
 from bounds.gradients import Gradient
-from bounds.noises import Derived
+from bounds.noises import Derived, listed
 
 CASES = ((2, None), (3, None))
 COUNT = 2
@@ -36,7 +36,8 @@ def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
 
 
 def quotes() -> list[tuple[str, str]]:
-    return []
+    plane, space = ([features.largest_distance(dims, count) for count in (1, 2, 3)] for dims in (2, 3))
+    return [("docs/accuracy.md", f"{listed(plane)} in 2D, and below {listed(space)} in 3D")]
 
 
 def ends(dims: int) -> list[float]:

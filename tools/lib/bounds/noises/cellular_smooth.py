@@ -10,9 +10,9 @@ from bounds.boxes import SAFE
 from bounds.floats import position_error
 from bounds.gradients import Gradient
 from bounds.noises import Derived, cellular
+from bounds.table import shortest
 
 CASES = cellular.CASES
-quotes = cellular.quotes
 LARGEST = 7 / 8  # where no point is within 1
 
 
@@ -33,6 +33,11 @@ def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
 
 def ends(dims: int) -> list[float]:
     return [-smallest(dims)]
+
+
+def quotes() -> list[tuple[str, str]]:
+    weights = [shortest(features.largest_weights(dims), 3) for dims in (2, 3)]
+    return [("docs/accuracy.md", f"stays below {weights[0]} in 2D and {weights[1]} in 3D")]
 
 
 def describe(dims: int, _: Gradient | None) -> dict[str, object]:

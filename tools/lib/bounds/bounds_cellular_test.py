@@ -1,0 +1,306 @@
+"""Tests of what is proven of cellular noise: blocks of cells that are one smaller are refuted, ranges are nearly
+attained, and simulated arithmetic stays within the bounds."""
+
+import itertools
+import unittest
+
+import numpy as np
+
+from bounds import borders, distances, features, noises
+from bounds import cellular_model as model
+from bounds.exact_model import direction
+from bounds.float_model import Shader, shaders
+from bounds.table import bounds_of, slope_bounds_of
+
+DIMS = (2, 3)
+COUNT = {2: 3000, 3: 800}
+
+
+def proven(noise, dims):
+    return bounds_of(noise, dims, "none")
+
+
+class Blocks(unittest.TestCase):
+    def test_the_neighbours_have_the_two_nearest(self):
+        for dims in DIMS:
+            self.assertEqual(features.not_proven(features.neighbours(dims), dims, 2), [])
+
+    def test_with_a_slab_they_have_the_third(self):
+        for dims in DIMS:
+            block = features.neighbours(dims) | features.slab(dims, 0)
+            self.assertEqual(features.not_proven(block, dims, 3), [])
+
+    def test_fails_for_smaller_blocks(self):
+        """Without any one cell; without the slab, or with one along another axis; and for 2^n cells, even for the
+        nearest point alone."""
+        for dims in DIMS:
+            block = features.neighbours(dims)
+            for cell in block:
+                self.assertIn(cell, features.not_proven(block - {cell}, dims, 2))
+            for cell in features.slab(dims, 0):
+                self.assertIn(cell, features.not_proven((block | features.slab(dims, 0)) - {cell}, dims, 3))
+            self.assertTrue(features.not_proven(block, dims, 3))
+            self.assertTrue(features.not_proven(block | features.slab(dims, 1), dims, 3))
+            corner = frozenset(itertools.product((0, 1), repeat=dims))
+            self.assertTrue(features.not_proven(corner, dims, 1))
+
+    def test_no_other_point_is_nearer_than_1(self):
+        for dims in DIMS:
+            block = features.neighbours(dims)
+            self.assertEqual(features.not_beyond(block, dims), [])
+            for cell in block:
+                self.assertIn(cell, features.not_beyond(block - {cell}, dims))
+
+    def test_random_points_agree(self):
+        """In all metrics, for any jitter: the nearest of 5^n cells are in the block."""
+        rng = np.random.default_rng(31)
+        for dims in DIMS:
+            cells, words = model.words_of_cells(rng, dims, COUNT[dims])
+            f = -np.sort(-rng.uniform(0.5, 1, (dims, COUNT[dims])), axis=0)
+            f[0, ::3] = 1.0
+            points = model.Exact(cells, words, f, rng.choice((0.0, 0.3, 1.0), COUNT[dims]))
+            block = np.array([max(map(abs, c)) <= 1 for c in cells])
+            slab = block | np.array([c in features.slab(dims, 0) for c in cells])
+            seen = False
+            for metric in model.METRICS:
+                every = model.distance(metric, points.offsets)
+                of_all, of_block, of_slab = (np.sort(part, axis=0)[:3] for part in (every, every[block], every[slab]))
+                self.assertLess(abs(of_all[:2] - of_block[:2]).max(), 1e-15)
+                self.assertLess(abs(of_all - of_slab).max(), 1e-15)
+                seen |= bool((of_all[2] < of_block[2]).any())
+            self.assertTrue(seen)  # so the slab is needed
+
+    def test_borders_on_the_plane(self):
+        """What is proven is this and no more: with smaller boxes 0.028, which takes a minute. 3^n cells have more."""
+        wrong, _ = borders.prove(borders.block(2), 2, 5, 6)
+        self.assertLess(wrong, 0.09)
+        smaller, _ = borders.prove(features.neighbours(2), 2, 5, 6)
+        self.assertGreater(smaller, 0.13)
+
+    def test_borders_are_searched(self):
+        """In space nothing but this says that the block is large enough. It finds the faults of the 3^n cells, and of
+        blocks without one of the slabs."""
+        for dims, count, steps in ((2, 1200, 8), (3, 300, 3)):
+            block = borders.block(dims)
+            self.assertLess(borders.search(block, dims, 12, count, steps), 1e-9)
+            missed = borders.search(features.neighbours(dims), dims, 20, count, steps)
+            self.assertGreater(missed, 0.05)
+            self.assertGreater(borders.search(block - features.slab(dims, 1), dims, 20, count, steps), missed / 2)
+
+
+class Ranges(unittest.TestCase):
+    def test_distances_to_octahedra(self):
+        """Of places of them, in a grid."""
+        rng = np.random.default_rng(33)
+        for dims in DIMS:
+            grid = np.array(list(itertools.product(np.linspace(-0.5, 0.5, 41), repeat=dims)))
+            grid = grid[abs(grid).sum(axis=1) <= 0.5 + 1e-12]
+            for _ in range(30):
+                cell, place = rng.integers(-2, 3, dims), rng.uniform(-0.5, 0.5, (dims, 1))
+                off = (place.T - cell - grid).T
+                least = features.nearest(tuple(cell), place)[0]
+                self.assertTrue(least - 1e-12 < model.distance("euclidean", off).min() < least + 0.03)
+                for metric in model.METRICS:
+                    most = features.farthest(tuple(cell), place, metric)[0]
+                    self.assertAlmostEqual(model.distance(metric, off).max(), most, delta=1e-9)
+
+    def test_known_ends(self):
+        for dims in DIMS:
+            known = {1: ((dims + 3) / 4) ** 0.5, 2: 1.5, 3: 2.5**0.5}
+            for count, end in known.items():
+                found = features.largest_distance(dims, count)
+                self.assertTrue(end <= found < end * 1.0001)
+
+    def test_random_points_are_within(self):
+        rng = np.random.default_rng(34)
+        for dims in DIMS:
+            cells, words = model.words_of_cells(rng, dims, COUNT[dims])
+            points = model.Exact(cells, words, model.fractions(rng, dims, COUNT[dims]), 1.0)
+            for metric in model.METRICS:
+                largest = points.nearest(metric).max(axis=1)
+                for count in (1, 2, 3):
+                    end = features.largest_distance(dims, count, metric)
+                    self.assertTrue(0.5 * end < largest[count - 1] <= end)
+            border, apart = points.border()
+            self.assertTrue(0.4 < border.max() <= features.largest_border(dims))
+            self.assertGreaterEqual(apart.min(), distances.APART[dims])
+            self.assertGreater(points.smooth().min(), 1 - (features.largest_weights(dims) + 1 / 4096) ** 0.25)
+            self.assertTrue(2 <= features.largest_weights(dims) < 4)
+            within = (model.distance("euclidean", points.offsets) < 1).sum(axis=0).max()
+            self.assertTrue(within <= features.most_within(dims))
+
+    def test_directions_do_not_reach_the_corners(self):
+        words = np.arange(2**17, dtype=np.int64) << 15
+        for dims in DIMS:
+            self.assertEqual(abs(model.directions(dims, words)).max() / 512, distances.LARGEST_COMPONENT[dims])
+            self.assertEqual(abs(model.directions(dims, words)).sum(axis=0).max(), 512)
+            self.assertEqual(len(direction(dims, words)), dims)
+
+
+class Errors(unittest.TestCase):
+    def points(self, rng, dims):
+        cells, words = model.words_of_cells(rng, dims, COUNT[dims])
+        jitter = rng.choice((1.0, 0.0, float(np.float32(0.7))), COUNT[dims], p=(0.8, 0.05, 0.15))
+        jitter = np.where(rng.random(COUNT[dims]) < 0.3, rng.random(COUNT[dims]).astype(np.float32), jitter)
+        return cells, words, model.fractions(rng, dims, COUNT[dims]), jitter
+
+    def compared(self, dims, exact, found):
+        """What the bounds hold, and the largest error of each: a noise, and whether it is a derivative."""
+        yield "cellular", max(abs(exact.nearest(m) - found.nearest(m))[:2].max() for m in model.METRICS)
+        yield "cellular_three", max(abs(exact.nearest(m) - found.nearest(m)).max() for m in model.METRICS)
+        yield "cellular_smooth", abs(exact.smooth() - found.smooth()).max()
+        yield "cell_border", abs(exact.border()[0] - found.border()).max()
+        first, second, _ = exact.nearest("euclidean")
+        yield "cellular_d", abs(first - found.nearest("euclidean")[0]).max()
+        own, _ = exact.of_nearest()
+        clear = (second - first > 2.0**-12) & (first > 0)
+        off = abs(np.array(found.unit()) - own / np.maximum(first, 1e-30)).max(axis=0)
+        yield "slope", (np.where(off < 2, off, np.inf) * first)[clear].max()
+
+    def largest(self, dims, made, rounds, seed):
+        rng, worst = np.random.default_rng(seed), {}
+        for _ in range(rounds):
+            points = self.points(rng, dims)
+            for name, error in self.compared(dims, model.Exact(*points), made(points)):
+                worst[name] = max(worst.get(name, 0.0), float(error))
+        return worst
+
+    def check(self, worst, dims, kind, least):
+        for name, error in worst.items():
+            bounds = slope_bounds_of("cellular_d", dims) if name == "slope" else proven(name, dims)
+            bound = getattr(bounds, kind)
+            self.assertTrue(bound * least[name] < error < bound, (name, dims, error, bound))
+
+    def test_floats(self):
+        """Borders are compared with a bound for points that nearly touch, which random ones seldom do."""
+        least = {"cellular": 1 / 12, "cellular_three": 1 / 12, "cellular_smooth": 1 / 8, "cell_border": 1 / 2000,
+                 "cellular_d": 1 / 4, "slope": 1 / 12}
+        for dims in DIMS:
+            worst = {}
+            for shader in shaders(35):
+                for name, error in self.largest(dims, lambda points: model.Floats(shader, *points), 1, 36).items():
+                    worst[name] = max(worst.get(name, 0.0), error)
+            self.check(worst, dims, "cell_error", least)
+
+    def test_fails_with_fewer_bits(self):
+        for dims in DIMS:
+            shader = Shader("nearest", 37, lost_bits=8)
+            worst = self.largest(dims, lambda points: model.Floats(shader, *points), 1, 38)
+            for name in ("cellular", "cellular_three", "cellular_smooth", "cellular_d", "slope"):
+                bounds = slope_bounds_of("cellular_d", dims) if name == "slope" else proven(name, dims)
+                self.assertGreater(worst[name], bounds.cell_error, (name, dims))
+
+    def test_fixed(self):
+        """Half of the bound of a distance is exceeded: it is a place 2^-14 from a point."""
+        least = {"cellular": 1 / 2, "cellular_three": 1 / 2, "cellular_smooth": 1 / 8, "cell_border": 1 / 2000,
+                 "cellular_d": 1 / 2, "slope": 1 / 4}
+        for dims in DIMS:
+            worst = self.largest(dims, lambda points: model.Fixed(*points), 3, 39)
+            near = self.near_points(dims)
+            worst["cellular"] = worst["cellular_three"] = worst["cellular_d"] = max(worst["cellular_d"], near)
+            self.check(worst, dims, "fixed_error", least)
+
+    @staticmethod
+    def near_points(dims):
+        """The largest error at places near their point: at 0 jitter, near the middle of a cell."""
+        rng = np.random.default_rng(40)
+        cells, words = model.words_of_cells(rng, dims, 2000, 1)
+        f = 0.5 + np.zeros((dims, 2000))
+        f[0] += np.arange(2000) * 2.0**-23
+        points = cells, words, f, np.zeros(2000)
+        return abs(model.Exact(*points).nearest("euclidean")[0] - model.Fixed(*points).nearest("euclidean")[0]).max()
+
+    def test_borders_of_points_that_nearly_touch(self):
+        """Along a line from one point to the other, and aside of it: within the bounds, and of some size."""
+        for dims in DIMS:
+            rng = np.random.default_rng(41)
+            count = 4000
+            cells, words = model.words_of_cells(rng, dims, count)
+            corner = model.directions(dims, np.arange(2**17, dtype=np.int64) << 15)[0]
+            far, back = (int(np.flatnonzero(corner == end)[0]) << 15 for end in (corner.max(), corner.min()))
+            words[cells.index((0,) * dims)] = far
+            words[cells.index((1,) + (0,) * (dims - 1))] = back
+            f = np.clip(np.concatenate([rng.uniform(0.9, 1, (1, count)), rng.uniform(0.2, 0.8, (dims - 1, count))]), 0,
+                        1).astype(np.float32).astype(float)
+            jitter = np.full(count, float(np.float32(1 - 0.7 * 2.0**-20)))
+            exact, apart = model.Exact(cells, words, f, jitter).border()
+            self.assertLess(apart.min(), 1.6 * distances.APART[dims])
+            fixed = abs(exact - model.Fixed(cells, words, f, jitter).border()).max()
+            bound = proven("cell_border", dims)
+            self.assertTrue(bound.fixed_error / 1000 < fixed < bound.fixed_error, (dims, fixed, bound.fixed_error))
+            floats = max(abs(exact - model.Floats(shader, cells, words, f, jitter).border()).max()
+                         for shader in shaders(42))
+            self.assertTrue(bound.cell_error / 2000 < floats < bound.cell_error, (dims, floats, bound.cell_error))
+
+    def test_fixed_is_within_its_range(self):
+        rng = np.random.default_rng(43)
+        for dims in DIMS:
+            fixed = model.Fixed(*self.points(rng, dims))
+            self.assertLessEqual(max(fixed.nearest(m).max() for m in model.METRICS),
+                                 proven("cellular_three", dims).fixed_limit)
+            self.assertLessEqual(fixed.smooth().max(), proven("cellular_smooth", dims).fixed_limit)
+            self.assertLessEqual(fixed.border().max(), proven("cell_border", dims).fixed_limit)
+            self.assertGreaterEqual(fixed.border().min(), 0)
+            self.assertLessEqual(abs(fixed.unit()).max(), slope_bounds_of("cellular_d", dims).fixed_limit)
+
+
+class Roots(unittest.TestCase):
+    def guesses(self, q, ulps, conversion=1.0):
+        """Those of hn_i_root for words, off to either side."""
+        exact = np.sqrt(q.astype(float) * 2**8)
+        for sign in (-1, 1):
+            off = (1 + sign * conversion * distances.UNIT) ** 0.5 * (1 + sign * ulps * distances.UNIT)
+            yield np.floor(exact * off).astype(np.int64)
+
+    def mended(self, q, v):
+        v = np.where((q << 8) - v * v < 0, v - 1, v)
+        return np.where((q << 8) - v * v > 2 * v, v + 1, v)
+
+    def words(self):
+        root = np.arange(2**20, dtype=np.int64)[::-1]
+        q = (root * root >> 8)[:50_000]
+        rng = np.random.default_rng(44)
+        return np.clip(np.concatenate([q, q + 1, q - 1, np.arange(5000), rng.integers(0, 2**32, 50_000)]), 0, 2**32 - 1)
+
+    def test_a_guess_is_mended(self):
+        """Less than 1 off: 6 ulp of at most 2^20, and half of one for the conversion."""
+        self.assertLess((distances.ROOT_ULPS + 0.5) * distances.UNIT * 2**20, 1)
+        q = self.words()
+        for v in self.guesses(q, distances.ROOT_ULPS):
+            self.assertTrue((self.mended(q, v) == model.fixed_root(q)).all())
+
+    def test_a_worse_guess_is_not(self):
+        q = self.words()
+        self.assertTrue(any((self.mended(q, v) != model.fixed_root(q)).any() for v in self.guesses(q, 18.0)))
+
+    def test_a_quotient_is_mended(self):
+        """The largest quotient of borders is far below 2^19."""
+        for dims in DIMS:
+            largest = distances.largest_border_intermediates(dims)["quotient"]
+            self.assertLess(largest, 2**19)
+        self.assertLess((distances.QUOTIENT_ULPS + 1.001) * distances.UNIT * 2**19, 1)
+
+    def test_newton(self):
+        """1 / sqrt(q) of HN_PRECISE, to nearest: the guess, and the root, over all mantissas of two octaves."""
+        bits = np.arange(0x3F800000, 0x40800000, 37, dtype=np.uint32)
+        q = bits.view(np.float32)
+        r = (np.uint32(0x5F375A86) - (bits >> np.uint32(1))).view(np.float32)
+        exact = 1 / np.sqrt(q.astype(float))
+        self.assertLess(abs(r / exact - 1).max(), 1 / 28)
+        for _ in range(3):
+            r = r * (np.float32(1.5) - q * np.float32(0.5) * r * r)
+        root = (q * r).astype(float)
+        self.assertTrue(0.5 < abs(root * exact - 1).max() / distances.UNIT < distances.ROOT_ULPS - 2)
+
+    def test_weights_fit(self):
+        """t * t and q * q of the largest t, and the sum."""
+        q = 65535**2 >> 16
+        self.assertTrue(65535**2 < 2**32 and q * q < 2**32)
+        for dims in DIMS:
+            self.assertLess(features.largest_weights(dims) + 2**-12, 4)
+
+    def test_all_magnitudes_fit(self):
+        for name in ("cellular", "cellular_three", "cellular_d", "cellular_smooth", "cell_border"):
+            for dims in DIMS:
+                for what, size in noises.find(name).largest_intermediates(dims, None).items():
+                    self.assertLess(size, 2**31, (name, dims, what))

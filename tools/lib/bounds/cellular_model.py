@@ -1,0 +1,201 @@
+"""Cellular noise on arrays of places, with random or adverse points: exactly in doubles, in the steps of the library's
+floats with any rounding, and in fixed arithmetic. For bounds_cellular_test.py."""
+
+import itertools
+
+import numpy as np
+
+from bounds import exact_model as exact
+from bounds.distances import QUOTIENT_ULPS, ROOT_ULPS, UNIT
+
+METRICS = ("euclidean", "squared", "manhattan", "chebyshev", "hybrid")
+
+
+def words_of_cells(rng, dims, count, reach=2):
+    """A word for each cell around each place. Some are of points near the corners of their octahedra."""
+    cells = list(itertools.product(range(-reach, reach + 1), repeat=dims))
+    words = rng.integers(0, 2**32, (len(cells), count))
+    extreme = np.array([0, 0x7FC00000, 0x80000000, 0xFFC00000] if dims == 2 else
+                       [0, 0x7FFFFFFF, 0x007F8000, 0x7F800000, 0x40000000, 0xC0000000], np.int64)
+    return cells, np.where(rng.random(words.shape) < 0.2, rng.choice(extreme, words.shape), words)
+
+
+def fractions(rng, dims, count):
+    """Floats in [0, 1], many of them at walls, in the middle, or near."""
+    f = rng.random((dims, count))
+    near = rng.choice((0.0, 0.5, 1.0), f.shape) + rng.uniform(-1, 1, f.shape) * 2.0 ** -rng.integers(2, 26, f.shape)
+    f = np.where(rng.random(f.shape) < 0.5, near, f)
+    return np.clip(f, 0, 1).astype(np.float32).astype(float)
+
+
+def directions(dims, words):
+    """The direction in multiples of 1/512, along each axis."""
+    parts = exact.direction(dims, words)
+    return np.array(parts) if dims == 2 else np.array([parts[0] + parts[1], parts[0] - parts[1], 2 * parts[2]])
+
+
+def distance(metric, v):
+    size = abs(v)
+    return {"euclidean": lambda: np.sqrt((v * v).sum(axis=0)), "squared": lambda: (v * v).sum(axis=0),
+            "manhattan": lambda: size.sum(axis=0), "chebyshev": lambda: size.max(axis=0),
+            "hybrid": lambda: size.sum(axis=0) + (v * v).sum(axis=0)}[metric]()
+
+
+class Exact:
+    """Offsets from points: axes by cells by places."""
+
+    def __init__(self, cells, words, f, jitter):
+        dims = len(f)
+        points = np.array(cells).T[:, :, None] + 0.5 + jitter / 2 * directions(dims, words) / 512
+        self.offsets = f[:, None, :] - points
+
+    def nearest(self, metric):
+        return np.sort(distance(metric, self.offsets), axis=0)[:3]
+
+    def smooth(self):
+        weights = np.maximum(1 - distance("euclidean", self.offsets), 0) ** 4
+        return 1 - (weights.sum(axis=0) + 1 / 4096) ** 0.25
+
+    def of_nearest(self):
+        first = distance("euclidean", self.offsets).argmin(axis=0)
+        return np.take_along_axis(self.offsets, first[None, None], axis=1)[:, 0], first
+
+    def border(self):
+        """The distance to the border, and how far the two points are apart."""
+        own, first = self.of_nearest()
+        square = (self.offsets**2).sum(axis=0)
+        apart = np.sqrt(((self.offsets - own[:, None]) ** 2).sum(axis=0))
+        apart[first, np.arange(len(first))] = np.inf
+        rank = np.where(np.isinf(apart), np.inf, (square - (own**2).sum(axis=0)) / (2 * np.where(np.isinf(apart), 1,
+                                                                                                   apart)))
+        return rank.min(axis=0), np.take_along_axis(apart, rank.argmin(axis=0)[None], axis=0)[0]
+
+
+class Floats:
+    """With a Shader of float_model.py, whose roots and quotients may be as far off as is assumed."""
+
+    def __init__(self, shader, cells, words, f, jitter):
+        self.s, self.dims = shader, len(f)
+        d = shader.round(2 * f - 1)
+        n = np.array(cells).T[:, :, None]
+        d = shader.round(d[:, None] - 2 * n)
+        self.parts = np.array(exact.direction(self.dims, words)[:self.dims]) / (512 if self.dims == 2 else 256)
+        if self.dims == 3:
+            d = np.array([shader.round(d[0] + d[1]), shader.round(d[0] - d[1]), d[2]])
+        self.offsets = shader.mad(-self.parts, np.broadcast_to(jitter, self.parts.shape), d)
+
+    def root(self, q):
+        return np.sqrt(q) * (1 + self.s.rng.choice((-1, 0, 1)) * ROOT_ULPS * UNIT)
+
+    def quotient(self, a, b):
+        return a / b * (1 + self.s.rng.choice((-1, 0, 1)) * QUOTIENT_ULPS * UNIT)
+
+    def squared(self, v):
+        s = self.s
+        if self.dims == 2:
+            return s.mad(v[0], v[0], s.round(v[1] * v[1]))
+        return s.mad(v[2], v[2], s.mad(v[0], v[0], s.round(v[1] * v[1])) * 0.5)
+
+    def rank(self, metric):
+        s, v, size = self.s, self.offsets, abs(self.offsets)
+        if metric in ("euclidean", "squared"):
+            return self.squared(v)
+        if metric == "chebyshev":
+            return np.maximum(*size) if self.dims == 2 else np.maximum(s.round(size[0] + size[1]) / 2, size[2])
+        total = s.round(size[0] + size[1]) if self.dims == 2 else s.round(np.maximum(size[0], size[1]) + size[2])
+        return total if metric == "manhattan" else s.mad(self.squared(v), 0.5, total)
+
+    def nearest(self, metric):
+        rank = np.sort(self.rank(metric), axis=0)[:3]
+        if metric == "euclidean":
+            return self.root(rank) / 2
+        return rank / (4 if metric == "squared" else 2)
+
+    def smooth(self):
+        s, total = self.s, 0.0
+        for q in self.rank("euclidean"):
+            t = np.maximum(s.round(1 - self.root(q) / 2), 0)
+            t = s.round(t * t)
+            total = s.round(total + s.round(t * t))
+        return s.round(1 - self.root(self.root(s.round(total + 1 / 4096))))
+
+    def of_nearest(self):
+        first = self.rank("euclidean").argmin(axis=0)
+        return np.take_along_axis(self.offsets, first[None, None], axis=1)[:, 0], first
+
+    def unit(self):
+        own, _ = self.of_nearest()
+        if self.dims == 3:
+            own = np.array([self.s.round(own[0] + own[1]) / 2, self.s.round(own[0] - own[1]) / 2, own[2]])
+        q = 0.0
+        for x in own:
+            q = self.s.mad(x, x, q)
+        return [self.quotient(x, self.root(np.maximum(q, 2.0**-96))) for x in own]
+
+    def border(self):
+        own, first = self.of_nearest()
+        rank = self.rank("euclidean")
+        gap = self.s.round(rank - np.take_along_axis(rank, first[None], axis=0))
+        apart = self.squared(self.s.round(self.offsets - own[:, None]))
+        apart[first, np.arange(len(first))] = 2.0**-200
+        gap[first, np.arange(len(first))] = 1.0
+        return self.root(self.quotient(self.s.round(gap * gap), apart)).min(axis=0) / 4
+
+
+def fixed_root(q):
+    """floor(sqrt(2^8 q)) of words."""
+    n = q.astype(np.int64) << 8
+    v = np.sqrt(n.astype(float)).astype(np.int64)
+    v = np.where(v * v > n, v - 1, v)
+    return np.where((v + 1) ** 2 <= n, v + 1, v)
+
+
+class Fixed:
+    def __init__(self, cells, words, f, jitter):
+        place = (f * 2**20).astype(np.int64)
+        cut = np.int64(np.trunc(np.asarray(jitter) * 2**20))
+        points = np.array(cells).T[:, :, None] * 2**20 + 2**19 + (directions(len(f), words) * cut >> 10)
+        self.offsets = place[:, None] - points
+
+    @staticmethod
+    def squared(v):
+        return (v * v).sum(axis=0) >> 12
+
+    def rank(self, metric):
+        size = abs(self.offsets)
+        return {"manhattan": lambda: size.sum(axis=0), "chebyshev": lambda: size.max(axis=0),
+                "hybrid": lambda: size.sum(axis=0) + (self.squared(self.offsets) >> 8)}.get(
+                    metric, lambda: self.squared(self.offsets))()
+
+    def nearest(self, metric):
+        rank = np.sort(self.rank(metric), axis=0)[:3]
+        if metric == "euclidean":
+            return fixed_root(rank) / 2**18
+        return (rank >> 8 if metric == "squared" else rank) / 2**20
+
+    def smooth(self):
+        t = np.minimum(np.maximum(2**18 - fixed_root(self.rank("euclidean")), 0) >> 2, 65535)
+        q = t * t >> 16
+        return (2**19 - fixed_root(fixed_root((q * q >> 2).sum(axis=0) + 2**18) << 11)) / 2**19
+
+    def of_nearest(self):
+        first = self.rank("euclidean").argmin(axis=0)
+        return np.take_along_axis(self.offsets, first[None, None], axis=1)[:, 0], first
+
+    def unit(self):
+        own, _ = self.of_nearest()
+        m = abs(own).max(axis=0)
+        a = np.where(m < 1024, 1024, 1)
+        b = a * np.where(m * a < 32768, 32, 1)
+        k = b * np.where(m * b < 131072, 4, 1)
+        root = np.maximum(fixed_root(self.squared(k * own)), 1)
+        return np.sign(own) * (abs(k * own) * 2**19 // root) / 2**21
+
+    def border(self):
+        own, first = self.of_nearest()
+        rank = self.rank("euclidean")
+        gap = rank - np.take_along_axis(rank, first[None], axis=0)
+        root = fixed_root(self.squared((self.offsets - own[:, None]) >> 1))
+        root[first, np.arange(len(first))] = 1
+        gap[first, np.arange(len(first))] = 2**40
+        return (16 * gap // root).min(axis=0) / 2**16
