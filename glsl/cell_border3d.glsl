@@ -75,8 +75,9 @@ HN_FN hn_float hn_i_cell_border(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_nu
 //   error    at most 1.72e-3 against the exact value, in any rounding mode. HN_FIXED 6.97e-3. That is for two
 //            points that nearly touch: it falls with the distance of the two that make the border (docs/accuracy.md)
 //   period   2^32 cells per axis
-//   cost     27, 1 and 54 hashes (none with HN_HASH_LATTICE), as many multiplications, and 54 square roots and
-//   divisions source   Quilez, "Voronoi edges", 2012, for the distance; docs/contract.md, section 16
+//   cost     27, 1 and 54 hashes (none with HN_HASH_LATTICE), as many multiplications, and 54 square roots
+//            and divisions
+//   source   Quilez, "Voronoi edges", 2012, for the distance; docs/contract.md, section 16
 HN_FN hn_float hn_cell_border(hn_ivec3 cell, hn_vec3 f, hn_uint seed) {
   return hn_i_cell_border(cell, hn_i_inside(f), hn_i_jitter(1.0f), seed);
 }
