@@ -70,7 +70,11 @@ std::array<double, 3> between(const std::array<double, 3>& a, const std::array<d
 // Random points of all regions; and places on edges of cells, at feature points and halfway between the two nearest.
 Words points_to_search(Session& session, const Function& function, const Configuration& configuration) {
   Random random(session.seed, "search");
-  Words inputs = random_points(function, points_of(session, function), random, defined_extremes(configuration));
+  // Extreme coordinates are whole for the most part, where on a regular lattice all is equally near: with floats too
+  // many points would be left out of what jumps.
+  const bool undecided = function.jumps() && configuration.arithmetic != Arithmetic::fixed;
+  Words inputs = random_points(function, points_of(session, function), random,
+                               undecided ? Extremes::none : defined_extremes(configuration));
   for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
     const std::uint32_t kind = random.below(8);
     if (kind > 3) continue;
@@ -81,9 +85,7 @@ Words points_to_search(Session& session, const Function& function, const Configu
     if (kind < 2) continue;
     const Searched here = searched(function, configuration, words);
     const auto middle = between(here.nearest.at, here.next.at);
-    // With rounded floats nothing can be said of what jumps there.
-    const bool jumps = function.jumps() && configuration.arithmetic != Arithmetic::fixed;
-    put(function, words, at(places, kind == 2 || jumps ? here.nearest.at : middle));
+    put(function, words, at(places, kind == 2 || undecided ? here.nearest.at : middle));
   }
   return inputs;
 }

@@ -31,16 +31,17 @@ struct Place {
 };
 
 constexpr double kUnits = 0x1p20;
+constexpr double kLargestCell = 2147483520.0;  // the largest float below 2^31
 
 void put_position(Place& place, std::size_t axis, double p) {
   if (!place.fixed) {
-    place.cell[axis] = static_cast<std::int64_t>(std::floor(p));
+    place.cell[axis] = static_cast<std::int64_t>(std::clamp(std::floor(p), -2147483648.0, kLargestCell));
     place.fraction[axis] = p - std::floor(p);
     return;
   }
   const double whole = std::trunc(p);
   const auto rest = static_cast<std::int64_t>(std::trunc((p - whole) * kUnits));
-  place.cell[axis] = static_cast<std::int64_t>(std::clamp(whole, -2147483648.0, 2147483520.0)) + (rest >> 20);
+  place.cell[axis] = static_cast<std::int64_t>(std::clamp(whole, -2147483648.0, kLargestCell)) + (rest >> 20);
   place.units[axis] = rest & 0xFFFFF;
 }
 
