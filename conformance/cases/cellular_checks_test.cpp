@@ -92,14 +92,15 @@ TEST_F(CellularChecks, JumpsAreCaught) {
   expect_caught("noise3d.cell_border_cell.lattice.fixed.fragment.gl330.seams", "cell_border3d.glsl",
                 "hn_cell_border(c, args) (hn_cell_border(c, args) + (f.z > 0.5 ? 0.05 : 0.0))");
   expect_caught("noise2d.cellular_d_cell.lattice.precise.fragment.gl400.seams", "cellular_d2d.glsl",
-                "hn_cellular_d(c, args) (hn_cellular_d(c, args) * (c.y > 0 ? vec3(1.0) : vec3(1.0, -1.0, 1.0)))");
+                "hn_cellular_d(c, args) (hn_cellular_d(c, args) * (c.y % 2 == 0 ? vec3(1.0) : vec3(1.0, -1.0, 1.0)))");
 }
 
 TEST_F(CellularChecks, FieldsThatAreAlikeAreCaught) {
-  expect_caught("noise2d.cellular.lattice.fast.fragment.gl330.seeds", "cellular2d.glsl",
-                "hn_cellular(p, seed) hn_cellular(p, seed & 0x7FFFFFFFu)");
-  expect_caught("noise3d.cellular.lattice.fast.fragment.gl330.mirror", "cellular3d.glsl",
-                "hn_cellular(p, seed) hn_cellular(abs(p), seed)");
+  constexpr Replaced kFaults[] = {{"noise2d.cellular.lattice.fast.fragment.gl330.seeds", "cellular2d.glsl",
+                                   "HN_METRIC_EUCLIDEAN, seed);", "HN_METRIC_EUCLIDEAN, seed & 0x7FFFFFFFu);"},
+                                  {"noise3d.cellular.lattice.fast.fragment.gl330.mirror", "cellular3d.glsl",
+                                   "hn_i_cell(p), hn_i_fraction(p)", "hn_i_cell(abs(p)), hn_i_fraction(abs(p))"}};
+  expect_all_caught(kFaults);
 }
 
 // With rounded floats every output but those that jump is compared, and what is undecided is no excuse elsewhere.

@@ -208,13 +208,21 @@ std::vector<Seen> all_seen(const Place& place, int reach) {
   return all;
 }
 
+// Of points at the same distance those of the cell of the place and its neighbours come first.
+bool is_nearer(const Seen& one, const Seen& other) {
+  const auto beside = [](const Seen& seen) {
+    return std::all_of(seen.from_cell.begin(), seen.from_cell.end(), [](std::int64_t c) { return c >= -1 && c <= 1; });
+  };
+  return one.rank < other.rank || (one.rank == other.rank && beside(one) && !beside(other));
+}
+
 // The three nearest, which come first.
 std::array<const Seen*, 3> nearest_of(const std::vector<Seen>& all) {
   std::array<const Seen*, 3> nearest{};
   for (const Seen& seen : all) {
     const Seen* one = &seen;
     for (const Seen*& other : nearest) {
-      if (other == nullptr || one->rank < other->rank) std::swap(one, other);
+      if (other == nullptr || is_nearer(*one, *other)) std::swap(one, other);
       if (one == nullptr) break;
     }
   }
