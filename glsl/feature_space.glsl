@@ -53,8 +53,11 @@ HN_FN hn_ivec3 hn_i_points_z(hn_uvec3 words) {
   hn_ivec3 q = hn_i_points_q(words);
   return hn_i_signed((ivec3(256, 256, 256) - max(max(p, p * -1), max(q, q * -1))) * 2, words);
 }
-HN_FN hn_ivec3 hn_i_turned_u(hn_ivec3 x, hn_ivec3) { return x; }
-HN_FN hn_ivec3 hn_i_turned_v(hn_ivec3, hn_ivec3 y) { return y; }
+
+// Just x and y: compilers drop the rest. A parameter that is not used is a warning, and one without a name an error in
+// Mesa.
+HN_FN hn_ivec3 hn_i_turned_u(hn_ivec3 x, hn_ivec3 y) { return x + y * 0; }
+HN_FN hn_ivec3 hn_i_turned_v(hn_ivec3 x, hn_ivec3 y) { return x * 0 + y; }
 HN_FN hn_uvec3 hn_i_manhattans(hn_ivec3 x, hn_ivec3 y, hn_ivec3 z) {
   return hn_i_sizes(x) + hn_i_sizes(y) + hn_i_sizes(z);
 }

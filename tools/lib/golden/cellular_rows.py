@@ -34,8 +34,8 @@ ODD_METRICS = (0, 6, -3, INT_MIN, INT_MAX)
 
 
 def jitter(generator: Generator) -> float:
-    return generator.pick((0.0, 1.0, 1.0, generator.uniform(0, 1), generator.uniform(0, 1), generator.uniform(0, 1),
-                           generator.integer(0, 8) / 8, generator.pick(ODD_JITTERS)))
+    return generator.pick((0.0, 0.0, 1.0, 1.0, generator.uniform(0, 1), generator.uniform(0, 1),
+                           generator.uniform(0, 1), generator.integer(0, 8) / 8, generator.pick(ODD_JITTERS)))
 
 
 def metric(generator: Generator) -> int:

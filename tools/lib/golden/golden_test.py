@@ -19,19 +19,21 @@ from pathlib import Path
 from unittest import mock
 
 from golden import command as golden
-from golden import period_rows, simplex_rows
+from golden import cellular_rows, period_rows, simplex_rows
 from golden.files import Digest, GoldenFile, golden_files, line
-from golden.generator import INT_MAX, INT_MIN, fnv1a64, to_f32
-from oracle import gradients, kernels, words
-from oracle.functions import knobs_of
+from golden.generator import INT_MAX, INT_MIN, fnv1a64, generator_of, to_f32
+from oracle import gradients, kernels, noises, words
+from oracle.functions import knobs_of, values_of
+from oracle.nearest import NEAREST
 from oracle.noises import simplex, simplex_smooth
 from oracle.sums import SHIFT
 from tables.configurations import read_configurations
-from tables.functions import NOISES, OCTAVE_SUMS, read_functions
+from tables.functions import NOISES, OCTAVE_SUMS, Function, read_functions
 from tables.inc import TableError
 
 
 FUNCTIONS = {function.id: function for function in read_functions()}
+CELLULAR = [function for function in FUNCTIONS.values() if function.family in cellular_rows.FAMILIES]
 SETTINGS = read_configurations()
 FILES = {file.name: file for file in golden_files(list(FUNCTIONS.values()), SETTINGS)}
 
@@ -84,7 +86,9 @@ class GoldenContents(unittest.TestCase):
             if not file.configuration.fixed:
                 continue
             for line in file.text().split("\n")[7:-1]:
-                for pattern in line.split(" = ")[1].split():
+                for column, pattern in zip(file.function.outputs.split(), line.split(" = ")[1].split()):
+                    if column.endswith(":i32"):
+                        continue
                     value, = struct.unpack(">d", bytes.fromhex(pattern))
                     self.assertEqual(to_f32(value), value)
                     self.assertTrue(value != 0 or math.copysign(1, value) == 1)
@@ -225,6 +229,95 @@ class GoldenContents(unittest.TestCase):
                 phases = {cell % period for cell, of in found if of == period}
                 self.assertTrue({0, period - 1} <= phases, (n, period))
 
+    def test_cellular_rows_choose_every_jitter_and_metric(self) -> None:
+        metrics: dict[str, set[int]] = {}
+        for function in CELLULAR:
+            rows = [row for file in FILES.values() if file.function == function for row in file.rows()]
+            if function.has_metric:
+                found = [row[-2] for row in rows]
+                metrics.setdefault(function.bound, set()).update(found)
+                self.assertLess(set(cellular_rows.METRICS), set(found), function.id)
+                odd = sum(metric not in cellular_rows.METRICS for metric in found)
+                self.assertLess(odd, len(found) / 6)
+            if function.has_jitter:
+                found = [row[-2 - function.has_metric] for row in rows]
+                for jitter in (0, 1):
+                    self.assertGreater(found.count(jitter), len(found) / 12, function.id)
+                outside = sum(not 0 <= jitter <= 1 for jitter in found)
+                self.assertTrue(0 < outside < len(found) / 12, function.id)
+                self.assertGreater(len(set(found)), len(found) / 8)
+        for found in metrics.values():
+            self.assertEqual(found, {*cellular_rows.METRICS, *cellular_rows.ODD_METRICS})
+
+    def test_cellular_rows_reach_every_place(self) -> None:
+        for function in CELLULAR:
+            if function.form != "cell" or cellular_rows.jumps(function):
+                continue
+            n = function.axes
+            rows = rows_with(function.id)
+            fractions = [row[n:2 * n] for row in rows]
+            self.assertTrue({(0.0,) * n, (0.5,) * n} <= set(fractions))
+            for axis in range(n):
+                cells = {row[axis] for row in rows}
+                self.assertTrue({INT_MIN, INT_MAX} <= cells)
+                self.assertTrue(any(-64 < c < 0 for c in cells) and any(c < -2**20 for c in cells - {INT_MIN}))
+                self.assertTrue(any(f[axis] == 0 and all(x * 8 % 1 for i, x in enumerate(f) if i != axis)
+                                    for f in fractions), (function.id, "on a wall"))
+            self.assertTrue(any(2.0**-20 in (x, 1 - x) for f in fractions for x in f))
+            self.assertTrue(any(f[i] == f[j] and f[i] * 8 % 1 for f in fractions for i in range(n) for j in range(i)))
+            if function.has_period:
+                found = [(row[i], row[2 * n + i]) for row in rows for i in range(n)]
+                self.assertTrue({0, 1, 2, 3, 7, 64, 2**30, INT_MAX} <= {period for _, period in found})
+                for period in (2, 3, 7, 64):  # on both sides of a seam
+                    self.assertTrue({0, period - 1} <= {cell % period for cell, of in found if of == period},
+                                    (function.id, period))
+
+    def test_cellular_positions_are_near_and_far(self) -> None:
+        for function in CELLULAR:
+            if function.form == "position":
+                found = [row[:function.axes] for row in rows_with(function.id)]
+                self.assertTrue(any(max(map(abs, p)) >= 2**19 for p in found), function.id)
+                self.assertTrue(any(max(p) < 0 for p in found))
+
+    def unclear(self, function: Function, rows: Sequence[tuple], setting: str) -> list[tuple]:
+        """The rows at which the second point is about as near as the first."""
+        knobs = knobs_of(next(configuration for configuration in SETTINGS if configuration.name == setting))
+        return [row for row in rows if not cellular_rows.is_clear(function, knobs, row)]
+
+    def test_the_nearest_point_is_clear_where_it_matters(self) -> None:
+        jumping = [function for function in CELLULAR if cellular_rows.jumps(function)]
+        self.assertEqual(len(jumping), 2 * (4 + 6 + 2))
+        for function in jumping:
+            rows = rows_with(function.id, "lattice")
+            hashes = [setting.name for setting in SETTINGS if setting.covers(function) and not setting.fixed]
+            for setting in hashes:
+                self.assertEqual(self.unclear(function, rows, setting), [], (function.id, setting))
+            # The check finds those of fixed arithmetic, behind the others.
+            more = rows_with(function.id, "lattice+fixed")[len(rows):]
+            self.assertGreater(len(self.unclear(function, more, "lattice")), 2 * cellular_rows.CHANGES - 1)
+
+    def test_fixed_arithmetic_has_ties_and_changes_of_the_nearest_point(self) -> None:
+        knobs = knobs_of(next(setting for setting in SETTINGS if setting.name == "lattice+fixed"))
+        for function in CELLULAR:
+            if not cellular_rows.jumps(function):
+                continue
+            rows = rows_with(function.id, "lattice+fixed")
+            distances = values_of(noises.find("cellular"), function, True)
+            nearest = values_of(NEAREST, function, True)
+            if function.has_jitter:
+                equal = sum(first == second for first, second in (distances(knobs, row) for row in rows))
+                self.assertGreater(equal, 6, function.id)
+            pairs = rows[-2 * cellular_rows.CHANGES:]
+            for before, after in zip(pairs[::2], pairs[1::2]):
+                at = function.axes if function.form == "cell" else 0
+                self.assertEqual(after[at] - before[at], 2.0**-20)
+                self.assertNotEqual(nearest(knobs, before), nearest(knobs, after))
+
+    def test_a_place_that_no_seed_makes_clear(self) -> None:
+        function = FUNCTIONS["noise2d.cellular_d"]
+        with mock.patch.object(cellular_rows, "CLEAR", 2), self.assertRaisesRegex(ValueError, "is not clear"):
+            list(cellular_rows.cleared([(0.5, 0.5, 0)], function, SETTINGS, generator_of("clear")))
+
     def test_places_reach_every_edge(self) -> None:
         for n in (1, 2, 3, 4):
             found = rows_with(f"position.cell{n}")
@@ -286,7 +379,7 @@ class GoldenContents(unittest.TestCase):
         least = {"hash.word": 64, "hash.gradient2": 128, "hash.gradient3": 128,
                  "gradient.lattice2": 96, "gradient.lattice3": 96, "gradient.sine2": 96, "gradient.sine3": 96}
         for name in FUNCTIONS:
-            noise = 96 if "_period" in name else 192
+            noise = 96 if FUNCTIONS[name].has_period else 192
             if name.startswith("noise4d"):
                 noise //= 2  # their exact values take long
             expected = least.get(name, noise if name.startswith("noise") else 64)

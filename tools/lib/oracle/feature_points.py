@@ -25,7 +25,8 @@ from oracle.words import signed
 # How far the block reaches beyond the cell of the position, in cells: 7 x 7 or 7 x 7 x 7 of them.
 AROUND = 3
 
-SQUARED, MANHATTAN, CHEBYSHEV, HYBRID = 2, 3, 4, 5  # every other number is Euclidean
+# The metrics; every other number is Euclidean.
+SQUARED, MANHATTAN, CHEBYSHEV, HYBRID = 2, 3, 4, 5
 
 # In which u is whole.
 DIRECTION_UNIT = 512

@@ -1,4 +1,5 @@
-"""The lattice under a noise: its points with a seed, with periods and with a phase (docs/contract.md, 6, 13 and 14)."""
+"""The lattice under a noise: its points with a seed, with periods and with a phase (docs/contract.md, 6, 13 and 14),
+and what a caller of cellular noise chooses (16)."""
 
 from __future__ import annotations
 

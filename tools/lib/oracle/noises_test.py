@@ -8,7 +8,7 @@ from __future__ import annotations
 import itertools
 import math
 import unittest
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
@@ -19,14 +19,15 @@ from oracle import noises
 from oracle.curl import CURL
 from oracle.gradients import Knobs
 from oracle.integers import NOISE_UNIT, UNIT
-from oracle.lattice import Lattice
+from oracle.lattice import Choice, Lattice
 from oracle.noises import Noise
 
 PERIOD = 48
 POINTS = 24
 PHASE = 0.3  # of noises that turn
-# How much of their range values use at least. The factors of a product, as a curl in space is, are seldom large together.
-USED, USED_BY_PRODUCTS = 0.5, 0.25
+# How much of their range values use at least. The factors of a product, as a curl in space is, are seldom large
+# together, and nearly all positions are far nearer to points of cells, and to borders, than the farthest one.
+USED, SELDOM_USED = 0.5, 0.25
 
 
 def settings(bounds: Bounds) -> list[Knobs]:
@@ -38,6 +39,21 @@ def noise_of(bounds: Bounds) -> Noise:
     """With its gradients turned, if they turn."""
     noise = CURL if bounds.noise == CURL.name else noises.find(bounds.noise)
     return noise if noise.phase is None else noise.turned(PHASE)
+
+
+def is_cellular(noise: Noise) -> bool:
+    """Whether it returns distances, with a metric."""
+    return noise.outputs[0] == "first"
+
+
+def with_each_metric(noise: Noise) -> list[Noise]:
+    """Its bounds are those of all metrics."""
+    return [noise.chosen(Choice(metric=metric)) for metric in (1, 2, 3, 4, 5)] if is_cellular(noise) else [noise]
+
+
+def values_of(noise: Noise, numbers: Sequence[Fraction]) -> Sequence[Fraction]:
+    """The value, or each distance, without derivatives."""
+    return numbers if is_cellular(noise) else numbers[:1]
 
 
 def points(bounds: Bounds, numbers: Generator, count: int = POINTS) -> Iterator[tuple[list[Fraction], int]]:
@@ -60,22 +76,22 @@ class EveryNoise(unittest.TestCase):
 
     def check_fixed(self, noise: Noise, bounds: Bounds) -> None:
         """Fixed arithmetic is within its bound, and gives floats."""
-        for knobs in settings(bounds):
+        for knobs, of in itertools.product(settings(bounds), with_each_metric(noise)):
             for p, seed in points(bounds, generator_of("fixed")):
-                value = noise.fixed(knobs, p, seed)[0]
-                self.assertLessEqual(abs(value - noise.exact(knobs, p, seed)[0]), bounds.fixed_error)
-                self.assertEqual((value * NOISE_UNIT).denominator, 1)
+                for fixed, exact in zip(values_of(of, of.fixed(knobs, p, seed)), of.exact(knobs, p, seed)):
+                    self.assertLessEqual(abs(fixed - exact), bounds.fixed_error)
+                    self.assertEqual((fixed * NOISE_UNIT).denominator, 1)
 
     def check_range(self, noise: Noise, bounds: Bounds) -> None:
         """Values are in their range, and use it."""
         for knobs in settings(bounds):
-            sample = list(points(bounds, generator_of("range"), 2 * POINTS))
-            exact = [noise.exact(knobs, p, seed)[0] for p, seed in sample]
-            fixed = [noise.fixed(knobs, p, seed)[0] for p, seed in sample]
+            sample = list(itertools.product(with_each_metric(noise), points(bounds, generator_of("range"), 2 * POINTS)))
+            exact = [value for of, (p, seed) in sample for value in values_of(of, of.exact(knobs, p, seed))]
+            fixed = [value for of, (p, seed) in sample for value in values_of(of, of.fixed(knobs, p, seed))]
             for values, limit in ((exact, bounds.limit), (fixed, bounds.fixed_limit)):
                 self.assertLessEqual(max(map(abs, values)), limit)
-                used = USED_BY_PRODUCTS if noise.name == CURL.name else USED
-                self.assertGreater(max(values) - min(values), used * limit)
+                seldom = noise.name in (CURL.name, "cell_border") or is_cellular(noise)
+                self.assertGreater(max(values) - min(values), (SELDOM_USED if seldom else USED) * limit)
 
     def check_period(self, noise: Noise, bounds: Bounds) -> None:
         """Along the axis that has a period a noise repeats, along the others it does not."""
@@ -169,6 +185,23 @@ class EveryNoise(unittest.TestCase):
             for fault in faults:
                 with self.assertRaises(AssertionError, msg=check.__doc__):
                     check(fault, bounds)
+
+    def test_a_fault_of_one_metric_or_of_one_distance_is_found(self) -> None:
+        cellular, bounds = noises.find("cellular"), table.bounds_of("cellular", 2, "none")
+        exact, fixed = cellular.exact_in_cell, cellular.fixed_in_cell
+
+        def faulty(of: Callable, error: float, output: int, metric: int) -> Callable:
+            def found(lattice: Lattice, *args) -> tuple:
+                return tuple(value + error * (i == output and lattice.choice.metric == metric)
+                             for i, value in enumerate(of(lattice, *args)))
+            return found
+
+        two_bounds = math.ceil(2 * bounds.fixed_error * UNIT)
+        for output, metric in itertools.product((0, 1), (1, 2, 3, 4, 5)):
+            with self.assertRaises(AssertionError):
+                self.check_fixed(replace(cellular, fixed_in_cell=faulty(fixed, two_bounds, output, metric)), bounds)
+            with self.assertRaises(AssertionError):
+                self.check_range(replace(cellular, exact_in_cell=faulty(exact, 4, output, metric)), bounds)
 
 
 class Finding(unittest.TestCase):

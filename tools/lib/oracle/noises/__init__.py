@@ -1,11 +1,12 @@
 """The noises. Each is a module of this package, under its name, with its two definitions side by side:
 
-    exact(lattice, cell, f) -> tuple[Fraction, ...]         sections 6, 9 to 11, 13 and 14 of docs/contract.md; f are
-                                                            fractions
+    exact(lattice, cell, f) -> tuple[Fraction, ...]         sections 6, 9 to 11, 13, 14 and 16 of docs/contract.md; f
+                                                            are fractions
     fixed(lattice, cell, fraction) -> tuple[int, ...]       with HN_FIXED; fractions in units of 2^-20
 
 What they return is the value, and after it the derivatives along x, y, z, w of a noise that has them. A fixed value is
-in units of 2^-21, a fixed derivative in units of 2^-19. The gradients of a noise called ..._phase turn.
+in units of 2^-21, a fixed derivative in units of 2^-19. A module with other names of what it returns has OUTPUTS, one
+with other units UNITS. The gradients of a noise called ..._phase turn.
 """
 
 from __future__ import annotations

@@ -1,0 +1,107 @@
+"""Cellular noise, found in another way: by scipy, in a block of points. Nothing of the oracle's search is used."""
+
+from __future__ import annotations
+
+import itertools
+import math
+import unittest
+from collections.abc import Iterator
+
+import numpy as np
+from scipy.spatial import Voronoi, cKDTree
+
+from golden.generator import generator_of
+from oracle import gradients, nearest, noises, words
+from oracle.gradients import Knobs
+from oracle.lattice import Choice
+
+SEED = 0xC0FFEE
+BLOCK = {2: 12, 3: 7}  # of cells, from 0 on along each axis
+EDGE = 3  # positions keep so far away from the ends of the block
+NORMS = {1: 2, 3: 1, 4: math.inf}  # by metric
+NEAR = 1e-12
+
+
+def points_of(n: int, jitter: float, name: str = "lattice") -> tuple[np.ndarray, np.ndarray]:
+    """The cells of the block and their points."""
+    cells = np.array(list(itertools.product(range(BLOCK[n]), repeat=n)))
+    direction = gradients.direction2 if n == 2 else gradients.direction3
+    u = np.array([direction(words.point_word(name, tuple(map(int, cell)), SEED)) for cell in cells])
+    return cells, cells + 0.5 + jitter / 2 * u
+
+
+def positions(n: int, count: int) -> list[list[float]]:
+    numbers = generator_of(f"witness{n}")
+    return [[numbers.uniform(EDGE, BLOCK[n] - EDGE) for _ in range(n)] for _ in range(count)]
+
+
+def settings() -> Iterator[tuple[int, float]]:
+    return itertools.product((2, 3), (1.0, 0.75, 0.25))
+
+
+def borders(points: np.ndarray) -> dict[int, list[np.ndarray]]:
+    """Of each point, those across an edge, or a face, of its Voronoi cell."""
+    beside: dict[int, list[np.ndarray]] = {}
+    for a, b in Voronoi(points).ridge_points:
+        beside.setdefault(int(a), []).append(points[b])
+        beside.setdefault(int(b), []).append(points[a])
+    return beside
+
+
+class Witness(unittest.TestCase):
+    def check_distances(self, n: int, jitter: float, points: np.ndarray, cells: np.ndarray) -> None:
+        tree = cKDTree(points)
+        for metric, norm in NORMS.items():
+            choice = Choice(jitter, metric)
+            for p in positions(n, 40):
+                distances, indices = tree.query(p, 3, p=norm)
+                found = noises.find("cellular_three").chosen(choice).exact(Knobs("lattice"), p, SEED)
+                np.testing.assert_allclose([float(x) for x in found], distances, rtol=0, atol=NEAR)
+                if distances[1] - distances[0] > NEAR:
+                    self.assertEqual(nearest.NEAREST.chosen(choice).exact(Knobs("lattice"), p, SEED),
+                                     tuple(cells[indices[0]]))
+                    offset = nearest.OFFSET.chosen(choice).exact(Knobs("lattice"), p, SEED)
+                    np.testing.assert_allclose([float(x) for x in offset], points[indices[0]] - p, rtol=0, atol=NEAR)
+
+    def check_borders(self, n: int, jitter: float, points: np.ndarray) -> None:
+        tree, beside = cKDTree(points), borders(points)
+        for p in positions(n, 40):
+            _, index = tree.query(p)
+            point = points[index]
+            # How far it is to each plane in the middle between the points, along its normal.
+            expected = min(np.dot((point + other) / 2 - p, other - point) / np.linalg.norm(other - point)
+                           for other in beside[int(index)])
+            found, = noises.find("cell_border").chosen(Choice(jitter)).exact(Knobs("lattice"), p, SEED)
+            self.assertAlmostEqual(float(found), expected, 11)
+
+    def check_smooth(self, n: int, jitter: float, points: np.ndarray) -> None:
+        for p in positions(n, 40):
+            near = np.maximum(0, 1 - np.linalg.norm(points - p, axis=1))
+            found, = noises.find("cellular_smooth").chosen(Choice(jitter)).exact(Knobs("lattice"), p, SEED)
+            self.assertAlmostEqual(float(found), 1 - (np.sum(near**4) + 1 / 4096)**0.25, 11)
+
+    def test_distances_are_those_of_a_tree(self) -> None:
+        for n, jitter in settings():
+            cells, points = points_of(n, jitter)
+            self.check_distances(n, jitter, points, cells)
+
+    def test_borders_are_those_of_a_voronoi_diagram(self) -> None:
+        for n, jitter in settings():
+            self.check_borders(n, jitter, points_of(n, jitter)[1])
+
+    def test_smooth_is_that_of_all_points(self) -> None:
+        for n, jitter in settings():
+            self.check_smooth(n, jitter, points_of(n, jitter)[1])
+
+    def test_other_points_are_noticed(self) -> None:
+        for n in (2, 3):
+            for cells, points in (points_of(n, 0.99), points_of(n, 1.0, "pcg")):
+                with self.assertRaises(AssertionError):
+                    self.check_distances(n, 1.0, points, cells)
+                with self.assertRaises(AssertionError):
+                    self.check_borders(n, 1.0, points)
+                with self.assertRaises(AssertionError):
+                    self.check_smooth(n, 1.0, points)
+            cells, points = points_of(n, 1.0)
+            with self.assertRaises(AssertionError):  # the names of the cells
+                self.check_distances(n, 1.0, points, cells + 1)
