@@ -62,9 +62,8 @@ TEST_F(CellularChecks, PartsThatDoNotBelongTogetherAreCaught) {
   expect_all_caught(kFaults);
 }
 
-// A seam: what the place at the wall is from the one cell and from the other.
-TEST_F(CellularChecks, ANameThatDependsOnTheCellIsCaught) {
-  expect_replaced_caught({"noise2d.cellular_nearest.lattice.fixed.fragment.gl330.cell_names", "feature.glsl",
+TEST_F(CellularChecks, AnotherOfTwoEquallyNearPointsIsCaught) {
+  expect_replaced_caught({"noise2d.cellular_nearest.lattice.fixed.fragment.gl330.search", "feature.glsl",
                           "hn_i_select(rank < best.x,", "hn_i_select(rank <= best.x,"});
 }
 
