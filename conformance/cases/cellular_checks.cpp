@@ -23,7 +23,6 @@ constexpr double kUnit = 0x1p-16;  // of places
 constexpr std::uint32_t kUnits = 65536;
 // Of places that may depend on far cells, how many are tried to find some that do.
 constexpr std::size_t kTries = 4096;
-constexpr std::size_t kTriesOfBorders = 400000;
 constexpr std::size_t kFarPoints = 64;
 
 std::size_t points_of(const Session& session, const Function& function) {
@@ -91,39 +90,26 @@ Words points_to_search(Session& session, const Function& function, const Configu
   return inputs;
 }
 
-// Places beside walls whose values depend on cells that are two steps away: there are few. A block of cells that is too
-// small has wrong values there.
-// Whether a far cell may matter for the border of a place at a wall: the point of its own cell is far on the one side,
-// and that of the cell beyond the wall far on the other.
-bool is_between_far_points(const Function& function, const Configuration& configuration,
-                           std::span<const std::uint32_t> words, std::size_t axis, double side) {
-  const double own = feature_point(function, configuration, words, {}).at[axis];
-  std::array<std::int64_t, 3> beyond{};
-  beyond[axis] = side < 0.0 ? -1 : 1;
-  const double other = feature_point(function, configuration, words, beyond).at[axis];
-  return side < 0.0 ? own > 0.75 && other < -0.6 : own < 0.25 && other > 1.6;
-}
-
+// Places beside walls whose third distance is that of a cell two steps away. A block of cells that is too small has
+// wrong values there. (A border needs such cells so rarely that no place was found at random.)
 void add_far_points(Words& inputs, Session& session, const Function& function, const Configuration& configuration) {
-  if (function.bound != "cellular_three" && function.bound != "cell_border") return;
+  if (function.bound != "cellular_three") return;
   Random random(session.seed, "far");
   const std::size_t all = inputs.size() / kInputWords;
   std::size_t found = 0;
-  const bool border = function.bound == "cell_border";
-  const std::size_t tries = border ? kTriesOfBorders : kTries;
-  for (std::size_t i = 0; i < tries && found < std::min(kFarPoints, all); ++i) {
+  for (std::size_t i = 0; i < kTries && found < std::min(kFarPoints, all); ++i) {
     Words words(point(inputs, i % all).begin(), point(inputs, i % all).end());
-    for (std::size_t column = 0; column < function.inputs.size(); ++column) {
-      if (function.inputs[column].name == "jitter") words[column] = std::bit_cast<std::uint32_t>(1.0f);
+    if (function.takes_jitter()) {
+      words[static_cast<std::size_t>(function.input("jitter"))] = std::bit_cast<std::uint32_t>(1.0f);
     }
     words[static_cast<std::size_t>(function.seed_word())] = random.word();
     Places places = random_places(function, random);
-    const std::size_t axis = random.below(static_cast<std::uint32_t>(function.axes));
-    const double side = random.below(2) == 0 ? -1.0 : 1.0;  // on which side of the cell the wall is
-    places[axis].fraction = std::fabs((side < 0.0 ? 0.0 : 1.0) - static_cast<double>(random.below(4096)) * kUnit);
-    if (places[axis].fraction == 1.0) places[axis].fraction -= kUnit;
+    for (Place& place : places) {
+      if (random.below(2) == 0) continue;
+      const double away = static_cast<double>(1 + random.below(4096)) * kUnit;
+      place.fraction = random.below(2) == 0 ? away : 1.0 - away;
+    }
     put(function, words, places);
-    if (border && !is_between_far_points(function, configuration, words, axis, side)) continue;
     if (searched(function, configuration, words, 1).values == searched(function, configuration, words, 2).values) {
       continue;
     }

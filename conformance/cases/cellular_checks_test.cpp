@@ -26,10 +26,10 @@ TEST_F(CellularChecks, ABlockThatIsTooSmallIsCaughtByTheSearch) {
       {"noise2d.cellular_three_full.lattice.fixed.fragment.gl330.search", "feature.glsl",
        "hn_i_select(d > HN_I_NO_OFFSET, 2, -2)", "hn_i_select(d > HN_I_NO_OFFSET, 2, 2)"},
       {"noise2d.cell_border.lattice.fast.fragment.gl330.search", "cell_border2d.glsl",
-       "best = hn_i_border(best, words, two_x, y, jitter, HN_I_NO_CODE, 0, from, nearest);", ""},
+       "best = hn_i_border(best, words, x, hn_i_thrice(y.z), jitter, hn_i_code(0, 1), 1, from, nearest);", ""},
       {"noise2d.cell_border_cell.lattice.fixed.fragment.gl330.search", "cell_border2d.glsl",
-       "best = hn_i_border(best, words, x, two_y, jitter, HN_I_NO_CODE, 0, from, nearest);", ""},
-      {"noise3d.cell_border.lattice.fixed.fragment.gl330.search", "cell_border3d.glsl", "slab < 5", "slab < 4"}};
+       "words, x, hn_i_thrice(y.x), jitter", "words, x, hn_i_thrice(y.y), jitter"},
+      {"noise3d.cell_border.lattice.fixed.fragment.gl330.search", "cell_border3d.glsl", "slab = -1;", "slab = 0;"}};
   expect_all_caught(kFaults);
 }
 
