@@ -70,7 +70,11 @@ std::array<double, 3> between(const std::array<double, 3>& a, const std::array<d
 // Random points of all regions; and places on edges of cells, at feature points and halfway between the two nearest.
 Words points_to_search(Session& session, const Function& function, const Configuration& configuration) {
   Random random(session.seed, "search");
-  Words inputs = random_points(function, points_of(session, function), random, defined_extremes(configuration));
+  // Extreme coordinates are whole for the most part, where on a regular lattice all is equally near: with floats too
+  // many points would be left out of what jumps.
+  const bool undecided = function.jumps() && configuration.arithmetic != Arithmetic::fixed;
+  Words inputs = random_points(function, points_of(session, function), random,
+                               undecided ? Extremes::none : defined_extremes(configuration));
   for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
     const std::uint32_t kind = random.below(8);
     if (kind > 3) continue;
@@ -81,29 +85,30 @@ Words points_to_search(Session& session, const Function& function, const Configu
     if (kind < 2) continue;
     const Searched here = searched(function, configuration, words);
     const auto middle = between(here.nearest.at, here.next.at);
-    // With rounded floats nothing can be said of what jumps there.
-    const bool jumps = function.jumps() && configuration.arithmetic != Arithmetic::fixed;
-    put(function, words, at(places, kind == 2 || jumps ? here.nearest.at : middle));
+    put(function, words, at(places, kind == 2 || undecided ? here.nearest.at : middle));
   }
   return inputs;
 }
 
-// Places beside walls whose values depend on cells that are two steps away: there are few. A block of cells that is too
-// small has wrong values there.
+// Places beside walls whose third distance is that of a cell two steps away. A block of cells that is too small has
+// wrong values there. (A border needs such cells so rarely that no place was found at random.)
 void add_far_points(Words& inputs, Session& session, const Function& function, const Configuration& configuration) {
-  if (function.bound != "cellular_three" && function.bound != "cell_border") return;
+  if (function.bound != "cellular_three") return;
   Random random(session.seed, "far");
   const std::size_t all = inputs.size() / kInputWords;
   std::size_t found = 0;
   for (std::size_t i = 0; i < kTries && found < std::min(kFarPoints, all); ++i) {
     Words words(point(inputs, i % all).begin(), point(inputs, i % all).end());
-    for (std::size_t column = 0; column < function.inputs.size(); ++column) {
-      if (function.inputs[column].name == "jitter") words[column] = std::bit_cast<std::uint32_t>(1.0f);
+    if (function.takes_jitter()) {
+      words[static_cast<std::size_t>(function.input("jitter"))] = std::bit_cast<std::uint32_t>(1.0f);
     }
     words[static_cast<std::size_t>(function.seed_word())] = random.word();
     Places places = random_places(function, random);
-    const std::size_t axis = random.below(static_cast<std::uint32_t>(function.axes));
-    places[axis] = moved({places[axis].cell, 0.0}, (static_cast<double>(random.below(8192)) - 4096.0) * kUnit);
+    for (Place& place : places) {
+      if (random.below(2) == 0) continue;
+      const double away = static_cast<double>(1 + random.below(4096)) * kUnit;
+      place.fraction = random.below(2) == 0 ? away : 1.0 - away;
+    }
     put(function, words, places);
     if (searched(function, configuration, words, 1).values == searched(function, configuration, words, 2).values) {
       continue;

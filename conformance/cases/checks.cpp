@@ -45,7 +45,7 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
     {"search",
      "At 2,048 points (512 of costly functions) cellular noise has the values that a search of 7 cells along each axis "
      "finds, in C++ and from the contract alone: bit by bit with `fixed`, else within the tolerance. Among the points "
-     "are walls, middles, feature points, places halfway between two of them, and for third distances and borders "
+     "are walls, middles, feature points, places halfway between two of them, and for third distances "
      "places that need cells two steps away. With floats, names, vectors and derivatives are left out where the two "
      "nearest points are within 2^-12 of equally near, and that may be one value in eight."},
     {"cell_names",

@@ -184,7 +184,7 @@ Outcome check_zero(Session& session, const Evaluation& evaluation) {
 // of the range are rare.
 float cellular_used_of(const Function& function) {
   const bool plane = function.axes == 2;
-  if (function.bound == "cell_border") return plane ? 0.5f : 0.6f;
+  if (function.bound == "cell_border") return 0.45f;
   return plane ? 0.7f : 0.8f;
 }
 

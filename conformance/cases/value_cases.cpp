@@ -21,7 +21,7 @@ void add_properties(std::vector<Case>& cases, const Evaluation& evaluation, Exte
   if (names_noise && function.family == Family::octave_sum) add("noise_knob", check_noise_knob);
   if (function.is_cellular() && !profile.es) {
     add("search", check_search);
-    if (function.id.ends_with("l_nearest") || function.id.ends_with("cell_border_nearest")) {
+    if (function.id.ends_with("cellular_nearest") || function.id.ends_with("cell_border_nearest")) {
       add("cell_names", check_cell_names);
     }
     if (function.bound == "cell_border" && !function.takes_period()) add("border", check_border);

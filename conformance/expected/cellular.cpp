@@ -31,16 +31,17 @@ struct Place {
 };
 
 constexpr double kUnits = 0x1p20;
+constexpr double kLargestCell = 2147483520.0;  // the largest float below 2^31
 
 void put_position(Place& place, std::size_t axis, double p) {
   if (!place.fixed) {
-    place.cell[axis] = static_cast<std::int64_t>(std::floor(p));
+    place.cell[axis] = static_cast<std::int64_t>(std::clamp(std::floor(p), -2147483648.0, kLargestCell));
     place.fraction[axis] = p - std::floor(p);
     return;
   }
   const double whole = std::trunc(p);
   const auto rest = static_cast<std::int64_t>(std::trunc((p - whole) * kUnits));
-  place.cell[axis] = static_cast<std::int64_t>(std::clamp(whole, -2147483648.0, 2147483520.0)) + (rest >> 20);
+  place.cell[axis] = static_cast<std::int64_t>(std::clamp(whole, -2147483648.0, kLargestCell)) + (rest >> 20);
   place.units[axis] = rest & 0xFFFFF;
 }
 
@@ -207,13 +208,21 @@ std::vector<Seen> all_seen(const Place& place, int reach) {
   return all;
 }
 
+// Of points at the same distance those of the cell of the place and its neighbours come first.
+bool is_nearer(const Seen& one, const Seen& other) {
+  const auto beside = [](const Seen& seen) {
+    return std::all_of(seen.from_cell.begin(), seen.from_cell.end(), [](std::int64_t c) { return c >= -1 && c <= 1; });
+  };
+  return one.rank < other.rank || (one.rank == other.rank && beside(one) && !beside(other));
+}
+
 // The three nearest, which come first.
 std::array<const Seen*, 3> nearest_of(const std::vector<Seen>& all) {
   std::array<const Seen*, 3> nearest{};
   for (const Seen& seen : all) {
     const Seen* one = &seen;
     for (const Seen*& other : nearest) {
-      if (other == nullptr || one->rank < other->rank) std::swap(one, other);
+      if (other == nullptr || is_nearer(*one, *other)) std::swap(one, other);
       if (one == nullptr) break;
     }
   }
@@ -327,6 +336,12 @@ Searched searched(const Function& function, const Configuration& configuration, 
     }
   }
   return result;
+}
+
+FeaturePoint feature_point(const Function& function, const Configuration& configuration, std::span<const Word> inputs,
+                           const std::array<std::int64_t, 3>& cell) {
+  const Place place = place_of(function, configuration, inputs);
+  return point_of(place, seen_from(place, cell));
 }
 
 std::vector<FeaturePoint> feature_points(const Function& function, const Configuration& configuration,

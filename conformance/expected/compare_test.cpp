@@ -44,6 +44,32 @@ TEST(Comparison, NumbersMayBeOffByWhatIsAllowedAndNoMore) {
   EXPECT_EQ(comparison.finish().allowed, 0x1p-20);
 }
 
+TEST(Comparison, NamesAreBitsAndWhatIsUndecidedIsLeftOut) {
+  const Function& names = find_function("noise2d.cellular_nearest");
+  Comparison comparison(names, kInputs);
+  comparison.word(kInputs, 7, 0.0, 7, 1.0, 0);
+  comparison.word(kInputs, 7, 0.0, 6, kUndecided, 0);
+  EXPECT_EQ(comparison.left_out(), 1u);
+  comparison.word(kInputs, 7, 0.0, 6, 1.0, 0);
+  EXPECT_EQ(comparison.finish().mismatches, 1u) << "the nearest cell is right or wrong";
+  Comparison offsets(find_function("noise2d.cellular_offset"), kInputs);
+  const auto half = std::bit_cast<std::uint32_t>(0.5f);
+  offsets.word(kInputs, half, 0.51, 0, 0.1, 0);
+  EXPECT_TRUE(offsets.all_right());
+  offsets.word(kInputs, half, 0.5, half + 1, std::nullopt, 0);
+  EXPECT_FALSE(offsets.all_right());
+}
+
+// A check that leaves out more than an eighth says nothing.
+TEST(Comparison, TooMuchThatIsLeftOutIsAnError) {
+  Comparison comparison(find_function("noise2d.cellular_nearest"), kInputs);
+  for (int i = 0; i < 7; ++i) comparison.word(kInputs, 1, 0.0, 1, 0.0, 0);
+  comparison.word(kInputs, 1, 0.0, 2, kUndecided, 0);
+  EXPECT_EQ(comparison.finish().status, Status::pass);
+  comparison.word(kInputs, 1, 0.0, 2, kUndecided, 0);
+  EXPECT_EQ(comparison.finish().status, Status::error);
+}
+
 TEST(Comparison, WhatIsAllowedIsThatOfTheLargestDifference) {
   Comparison comparison(find_function("noise2d.perlin"), kInputs);
   EXPECT_FALSE(comparison.finish().allowed);

@@ -38,9 +38,9 @@ Words points_for(const Evaluation& evaluation, std::uint64_t seed, std::size_t c
 }
 
 // The driver may be off on both ways.
-Pairing pairing_of(const Evaluation& evaluation, const Evaluation& other, Words inputs, Words other_inputs,
-                   bool exact) {
-  Pairing pairing{evaluation, other, std::move(inputs), std::move(other_inputs), {}, exact};
+Pairing pairing_of(const Evaluation& evaluation, const Evaluation& other, Words inputs, Words other_inputs, bool exact,
+                   std::size_t most_words = kOutputWords) {
+  Pairing pairing{evaluation, other, std::move(inputs), std::move(other_inputs), {}, exact, 1.0, most_words};
   const auto allowed_at = [](const Evaluation& way, const Words& words, std::size_t start, std::size_t output) {
     return tolerance(way.function, way.configuration, std::span(words).subspan(start, kInputWords), output);
   };
@@ -327,10 +327,11 @@ Pairing phase_zero_pairing(const Evaluation& evaluation, std::uint64_t seed, std
 Pairing derivative_value_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
   const Function& function = evaluation.function;
   const Evaluation other{plain_noise_of(function), evaluation.configuration, evaluation.profile};
+  // Cellular noise has a second distance where this has a derivative.
   Words inputs = points_for(evaluation, seed, points);
   Words others = inputs_for(other.function, function, inputs);
   return pairing_of(evaluation, other, std::move(inputs), std::move(others),
-                    has_same_bits(function, evaluation.configuration));
+                    has_same_bits(function, evaluation.configuration), 1);
 }
 
 }  // namespace hn

@@ -22,9 +22,12 @@ struct Pairing {
   std::vector<double> allowed;
   bool exact;           // every bit counts
   double factor = 1.0;  // the other's values times this are what is expected
+  // How many words of a result are compared, if both have as many.
+  std::size_t most_words = kOutputWords;
 
-  // How many words of a result are compared: as many as both have.
-  std::size_t words() const { return std::min(evaluation.function.outputs.size(), other.function.outputs.size()); }
+  std::size_t words() const {
+    return std::min({most_words, evaluation.function.outputs.size(), other.function.outputs.size()});
+  }
 
   // Whether each word of a result belongs to another point: to the point itself, and to its neighbours.
   bool in_loop() const { return evaluation.variant.shape == Shape::in_loop; }

@@ -182,17 +182,17 @@ float random_phase(Region region, Random& random) {
   }
 }
 
-// Mostly from 0 to 1, and as often at one of the ends as between them; rarely outside.
+// Mostly from 0 to 1, and often at one of the ends; rarely outside. On a regular lattice, with 0, many places are
+// equally near to several points.
 float random_jitter(Region region, Random& random) {
   if (region == Region::extreme && random.below(2) == 0) return random_extreme(128, random);
   switch (random.below(8)) {
     case 0:
-    case 1:
       return 0.0f;
+    case 1:
     case 2:
-    case 3:
       return 1.0f;
-    case 4:
+    case 3:
       return random.below(4) == 0 ? random.uniform(-1.0f, 2.0f) : random.uniform(0.0f, 0.01f);
     default:
       return random.uniform(0.0f, 1.0f);

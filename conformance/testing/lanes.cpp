@@ -158,29 +158,6 @@ int main() {
   print_digest("cell_border3", [](const Point& p) { return hn_cell_border(hn_vec3(p.x, p.y, p.z), p.seed); });
   print_digest("perlin2_period",
                [](const Point& p) { return hn_perlin(hn_vec2(p.x, p.y), hn_ivec2(p.cx, p.cy), p.seed); });
-  print_digest("cellular2", [](const Point& p) {
-    const hn_vec2 distances = hn_cellular(hn_vec2(p.x, p.y), p.seed);
-    return distances.x + 3.0f * distances.y;
-  });
-  print_digest("cellular3_full", [](const Point& p) {
-    const hn_vec2 distances =
-        hn_cellular(hn_vec3(p.x, p.y, p.z), hn_ivec3(p.cx, p.cy, p.cz), p.fx, HN_METRIC_HYBRID, p.seed);
-    return distances.x + 3.0f * distances.y;
-  });
-  print_digest("cellular2_nearest", [](const Point& p) {
-    hn_ivec2 nearest;
-    hn_vec2 offset;
-    hn_cellular(hn_ivec2(p.cx, p.cy), hn_vec2(p.fx, p.fy), hn_ivec2(p.cz, p.cx), p.fz, HN_METRIC_MANHATTAN, p.seed,
-                nearest, offset);
-    return offset.x + 3.0f * offset.y + hn_unorm(hn_lattice(nearest, p.seed));
-  });
-  print_digest("cellular_three3", [](const Point& p) {
-    return hn_cellular_three(hn_vec3(p.x, p.y, p.z), p.seed).z;
-  });
-  print_digest("cellular_d2", [](const Point& p) { return hn_cellular_d(hn_vec2(p.x, p.y), p.seed).z; });
-  print_digest("cellular_smooth3", [](const Point& p) { return hn_cellular_smooth(hn_vec3(p.x, p.y, p.z), p.seed); });
-  print_digest("cell_border2", [](const Point& p) { return hn_cell_border(hn_vec2(p.x, p.y), p.seed); });
-  print_digest("cell_border3", [](const Point& p) { return hn_cell_border(hn_vec3(p.x, p.y, p.z), p.seed); });
   print_digest("cell",
                [](const Point& p) { return hn_fraction(p.cx, p.cy, p.cz) + hn_unorm(hn_uint(hn_cell(p.cx, 3, 7))); });
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL

@@ -170,6 +170,7 @@ class SuiteWriter {
                 {"exact", pairing.exact},
                 {"in_loop", pairing.in_loop()},
                 {"factor", pairing.factor},
+                {"words", pairing.words()},
                 {"inputs", packed(pairing.inputs, function)},
                 {"other_inputs", packed(pairing.other_inputs, pairing.other.function)},
                 {"allowed", pairing.exact ? Json(0.0) : allowed_json(pairing.allowed)}};
