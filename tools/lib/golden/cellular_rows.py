@@ -101,6 +101,32 @@ def special(function: Function, generator: Generator) -> list[Row]:
     return [placed(function, fraction(kind, function.axes, generator), generator) for kind in range(SPECIAL)]
 
 
+# --- Borders of far cells ---------------------------------------------------------------------------------------
+
+# Places where the nearest border is that of a cell two steps on, along each axis and to both sides: a cell and a
+# fraction, with the seed 0 and a jitter of 1. They are rare: a search of some million cells around such points found
+# them, with the default hash. With another hash they are places like others.
+FAR_BORDERS = (
+    ((2789, 22), (0.0, 0.0)), ((3632, 24), (0.0, 0.0)), ((11277, 2), (0.0, 1.0)), ((851, 3), (1.0, 1.0)),
+    ((11639, 45), (1.0, 0.0)), ((1414, 58), (0.0, 1.0)),
+    ((3480, 3588, 4), (0.0, 0.46875, 0.0)), ((2453, 3406, 34), (0.0, 0.4375, 0.0)),
+    ((5324, 4408, 34), (0.53125, 0.0, 0.0)), ((538, 1884, 1), (0.53125, 1.0, 1.0)),
+    ((603, 2713, 18), (1.0, 0.46875, 1.0)), ((5791, 3660, 33), (1.0, 1.0, 0.40625)),
+)
+
+
+def far_borders(function: Function) -> list[Row]:
+    if function.noise != "cell_border" or function.sets:
+        return []
+    rows: list[Row] = []
+    for cell, f in FAR_BORDERS:
+        if len(cell) != function.axes or (function.form == "position" and 1.0 in f):
+            continue
+        place = (*cell, *f) if function.form == "cell" else tuple(c + x for c, x in zip(cell, f))
+        rows.append((*place, *(0,) * len(cell) * function.has_period, *(1.0,) * function.has_jitter, 0))
+    return rows
+
+
 # --- Where the nearest point changes ----------------------------------------------------------------------------
 
 

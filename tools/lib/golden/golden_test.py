@@ -22,10 +22,11 @@ from golden import command as golden
 from golden import cellular_rows, period_rows, simplex_rows
 from golden.files import Digest, GoldenFile, golden_files, line
 from golden.generator import INT_MAX, INT_MIN, fnv1a64, generator_of, to_f32
-from oracle import gradients, kernels, noises, words
+from oracle import feature_points, gradients, kernels, noises, words
 from oracle.functions import knobs_of, values_of
+from oracle.lattice import Lattice
 from oracle.nearest import NEAREST
-from oracle.noises import simplex, simplex_smooth
+from oracle.noises import cell_border, simplex, simplex_smooth
 from oracle.sums import SHIFT
 from tables.configurations import read_configurations
 from tables.functions import NOISES, OCTAVE_SUMS, Function, read_functions
@@ -271,6 +272,22 @@ class GoldenContents(unittest.TestCase):
                 for period in (2, 3, 7, 64):  # on both sides of a seam
                     self.assertTrue({0, period - 1} <= {cell % period for cell, of in found if of == period},
                                     (function.id, period))
+
+    def test_some_borders_are_those_of_cells_two_steps_on(self) -> None:
+        lattice = Lattice(knobs_of(next(setting for setting in SETTINGS if setting.name == "lattice")), 0)
+        steps = set()
+        for cell, f in cellular_rows.FAR_BORDERS:
+            field = feature_points.Field.fixed(lattice, cell, [int(x * 2**20) for x in f], feature_points.EUCLIDEAN)
+            (nearest,), axes = field.nearest(1), range(len(cell))
+            others = [(beside, field.point(beside)) for beside in itertools.product(range(-3, 4), repeat=len(cell))]
+            beside = min((cell_border.fixed_between(nearest, point), beside) for beside, point in others
+                         if point.cell != nearest.cell)[1]
+            steps |= {(len(cell), axis, beside[axis] > 0) for axis in axes if abs(beside[axis]) == 2}
+            self.assertEqual(max(map(abs, beside)), 2, cell)
+        self.assertEqual(steps, {(n, axis, after) for n in (2, 3) for axis in range(n) for after in (False, True)})
+        for function in CELLULAR:
+            if function.noise == "cell_border" and not function.sets:
+                self.assertGreater(len(cellular_rows.far_borders(function)), 1)
 
     def test_cellular_positions_are_near_and_far(self) -> None:
         for function in CELLULAR:
