@@ -91,7 +91,7 @@ Words points_to_search(Session& session, const Function& function, const Configu
 }
 
 // Places beside walls whose third distance is that of a cell two steps away. A block of cells that is too small has
-// wrong values there. (A border needs such cells so rarely that no place was found at random.)
+// wrong values there. Of borders the golden files have such places: they are too rare to be found at random.
 void add_far_points(Words& inputs, Session& session, const Function& function, const Configuration& configuration) {
   if (function.bound != "cellular_three") return;
   Random random(session.seed, "far");
