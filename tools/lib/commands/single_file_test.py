@@ -81,4 +81,4 @@ class SingleFile(unittest.TestCase):
     def test_an_unknown_file_is_named(self):
         done = generate("nope.glsl")
         self.assertEqual(done.returncode, 2)
-        self.assertIn("there are: arithmetic.glsl, centred.glsl", done.stderr)
+        self.assertIn("there are: arithmetic.glsl, cell_border2d.glsl", done.stderr)
