@@ -87,7 +87,8 @@ class Picture(unittest.TestCase):
     def test_its_code_is_glsl(self):
         pages = [(name, (ROOT / page).read_text()) for name, page in picture.PICTURES.items()]
         lines = "".join(f"  color = vec4({tile}, 1.0);\n" for name, page in pages for tile in picture.tiles(page, name))
-        shader = f"#version 330\n{single_file('--strip')}in vec2 uv;\nout vec4 color;\nvoid main() {{\n{lines}}}\n"
+        shader = (f"#version 330\n{single_file('--strip')}in vec2 uv;\nout vec4 color;\nvoid main() {{\n"
+                  f"  ivec2 cell;\n  vec2 offset;\n{lines}}}\n")
         self.assertEqual(compile_glsl(shader).returncode, 0)
 
     def test_code_that_does_not_compile_is_told(self):
