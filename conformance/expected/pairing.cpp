@@ -175,8 +175,19 @@ Pairing variant_pairing(const Evaluation& evaluation, std::uint64_t seed, std::s
   return pairing_on(evaluation, points_for(evaluation, seed, points));
 }
 
+// Of so few points each is to count: those come first whose values are decided.
 Pairing folded_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
-  Pairing pairing = pairing_on(evaluation, points_for(evaluation, seed, std::min(points, kConstantPoints)));
+  Words inputs;
+  Words undecided;
+  const Words candidates = points_for(evaluation, seed, 8 * kConstantPoints);
+  for (std::size_t i = 0; i < candidates.size(); i += kInputWords) {
+    const auto point = std::span(candidates).subspan(i, kInputWords);
+    Words& chosen = is_undecided(evaluation.function, evaluation.configuration, point) ? undecided : inputs;
+    chosen.insert(chosen.end(), point.begin(), point.end());
+  }
+  inputs.insert(inputs.end(), undecided.begin(), undecided.end());
+  inputs.resize(std::min(points, kConstantPoints) * kInputWords);
+  Pairing pairing = pairing_on(evaluation, std::move(inputs));
   pairing.evaluation.variant.shape = Shape::constant;
   pairing.evaluation.variant.constants = pairing.inputs;
   return pairing;
