@@ -120,6 +120,25 @@ HN_FN hn_float hn_four(hn_vec4 p, HN_I_OUT(hn_vec4) gradient) { return 0.0f; }
         self.assertIs(second.comment, first.comment)  # an overload without one of its own
         self.assertIsNone(third.comment)
 
+    def test_finds_the_functions_that_a_line_of_a_sum_defines(self) -> None:
+        (self.folder / "a.glsl").write_text("""
+// What it is.
+HN_FBM2D(hn_one, hn_perlin)
+HN_PING_PONG_PERIOD3D(hn_one, hn_perlin)
+HN_FBM_LIMITED3D(hn_two, hn_perlin)
+HN_OF_ANOTHER_KIND2D(hn_three, 1)
+""")
+        found = glsl.declarations(self.folder)
+        self.assertEqual([str(f) for f in found], [
+            "hn_one(vec2, int, float, float, uint)", "hn_one(vec2, int, float, float)",
+            "hn_one(ivec2, vec2, int, float, float, uint)", "hn_one(ivec2, vec2, int, float, float)",
+            "hn_one(vec3, ivec3, int, float, float, float, uint)",
+            "hn_one(ivec3, vec3, ivec3, int, float, float, float, uint)",
+            "hn_two(vec3, float, float, float, uint)", "hn_two(vec3, float, int, float, float, uint)"])
+        self.assertEqual([f.comment is not None for f in found], [True] * 6 + [False] * 2)
+        self.assertEqual([text.replace(f"{self.folder}/", "") for text in glsl.overlooked(self.folder)],
+                         ["a.glsl:6: hn_three"])
+
     def test_a_second_look_finds_what_is_written_in_another_way(self) -> None:
         (self.folder / "a.glsl").write_text("""
 HN_FN hn_float hn_one(hn_vec2 p) { return hn_two(p) + hn_three(p); }
