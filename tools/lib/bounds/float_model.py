@@ -219,7 +219,10 @@ class Shader:
         """An octave sum (bounds.sums.Sum); `places` are the cells and fractions of its octaves, if it has whole
         positions."""
         count, seed, amp, before = max(math.ceil(s.octaves), 0), 0, 1.0, 0.5
-        total, value = 0.0, np.zeros(np.shape(p[0]))
+        value = np.zeros(np.shape(p[0]))
+        part = total = s.octaves - (count - 1) if count > 1 else 1.0
+        for _ in range(count - 1):
+            total = self.mad(s.gain, total, 1.0)
         positions = zip(range(count), places or self.positions(s, p),
                         itertools.repeat(1.0) if s.footprint is None else self.fades(s))
         for i, q, fade in positions:
@@ -227,13 +230,11 @@ class Shader:
             if s.kind in ("billow", "ridged", "ping_pong", "weighted"):
                 n = np.clip(n, -1, 1)
             term, before = self.term(s, n, before)
-            share = s.octaves - (count - 1) if i == count - 1 > 0 else 1.0
-            used = self.round(self.round(amp * share) * fade)
+            used = self.round(self.round(amp * (part if i == count - 1 else 1.0)) * fade)
             value = self.mad(used, term, value)
-            total = self.mad(s.gain, total, 1.0) if share == 1.0 else self.round(total + used)
-            amp = self.round(amp * s.gain)
             if s.kind == "weighted":
-                amp = self.round(amp * self.mad(-s.strength, self.round((1 - n)) / 2, 1.0))
+                amp = self.round(amp * self.mad(-s.strength, self.round(0.5 - 0.5 * n), 1.0))
+            amp = self.round(amp * s.gain)
             seed = exact.u32(seed + 0x9E3779B9)
         value = self.round(value / total) if count else value
         if s.kind == "billow":

@@ -169,9 +169,9 @@ def float_sum_error(s: Sum, limit: float, noise_errs: list[float]) -> float:
     """Of what is divided by the total. Each *_err bounds the error of its float.
 
         sum = sum + amp*noise(q);  total = gain*total + 1;  amp = amp*gain;  value = sum / total
-        weighted:   amp = amp*gain*(1 - strength*((1 - n)/2))
+        weighted:   amp = amp*(1 - strength*(0.5 - 0.5*n)) before that
         footprint:  amp*fade, in place of amp, adds to the sum
-        detail:     the last amp times the share; so is what it adds to the total
+        detail:     the last amp is multiplied with its share, with which the total begins
 
     A term is at most the limit, exact as well as computed, so |sum| is at most limit * total; a division errs by up to
     2.5 ulp. Infinite where the total leaves 2^126: GLSL bounds the error of a division only for divisors below."""
@@ -192,13 +192,13 @@ def float_sum_error(s: Sum, limit: float, noise_errs: list[float]) -> float:
         if s.kind == "weighted":
             kept_err = min(strength * (noise_err / 2 + 2 * FLOAT_UNIT) + FLOAT_UNIT, 1.0) + TINY
             most = gained + gained_err
-            gained_err = min(gained_err + gained * kept_err, most) + FLOAT_UNIT * most + TINY
+            gained_err = min(gained_err + gained * kept_err, most) + FLOAT_UNIT * most + (1 + s.gain) * TINY
         amp, amp_err = gained, gained_err
     if total > 2.0**126:
         return math.inf
-    if shares:  # in whatever order: terms that are not negative, each through so many roundings
+    if shares:  # terms that are not negative, each through no more than so many roundings
         total = sum(s.weights)
-        total_err = total * ((1 + FLOAT_UNIT) ** (2 * s.count + 1) - 1) + s.count * TINY
+        total_err = total * ((1 + FLOAT_UNIT) ** (2 * s.count) - 1) + 2 * total * s.count * TINY
     error = (sum_err + limit * total_err) / (total - total_err)
     return error + 2.5 * FLOAT_UNIT * (limit + error) + TINY
 
