@@ -246,7 +246,7 @@ class Octaves(unittest.TestCase):
             return self.random_sum(rng, name, octaves=to_float(near))
 
         def footprints(rng, name):
-            return self.random_sum(rng, name, footprint=to_float(rng.random() * 2.0 ** -rng.integers(0, 9)))
+            return self.random_sum(rng, name, footprint=to_float(rng.random() * 2.0 ** -rng.integers(-1, 8)))
         for arguments in (details, footprints):
             self.assert_near(self.check(arguments, ("fbm",)), 1 / 100)
 

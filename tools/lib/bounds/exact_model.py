@@ -179,11 +179,11 @@ def turn(q):
     """Of section 7."""
     x, y, *z = q
     x, y = (25 * x - 20 * y) / 32, (20 * x + 25 * y) / 32
-    return [x, *turn([y, *z])] if z else [x, y]
+    return [x, (29 * y - 13 * z[0]) / 32, (13 * y + 29 * z[0]) / 32] if z else [x, y]
 
 
 def fade_of_footprint(s, i):
-    return 1.0 if s.footprint is None else np.clip(2 - 4 * s.footprint * max(s.lacunarity, 1) ** i, 0, 1)
+    return 1.0 if s.footprint is None else np.clip(1.5 - s.footprint * max(s.lacunarity, 1) ** i, 0, 1)
 
 
 def octaves(kind, s, p):

@@ -227,7 +227,7 @@ def times(x, ratio):
 def turn(q):
     x, y, *z = q
     x, y = s56((25 * x - 20 * y) >> 5), s56((20 * x + 25 * y) >> 5)
-    return [x, *turn([y, *z])] if z else [x, y]
+    return [x, s56((29 * y - 13 * z[0]) >> 5), s56((13 * y + 29 * z[0]) >> 5)] if z else [x, y]
 
 
 def whole_positions(s, q):
@@ -261,10 +261,10 @@ def octave_weights(s):
 def fades(s):
     if s.footprint is None:
         yield from itertools.repeat(2**18)
-    e, finer = math.trunc(min(max(s.footprint, 0), 1) * 2**24), max(math.trunc(s.lacunarity * 2**23), 2**23)
+    e, finer = math.trunc(min(max(s.footprint, 0), 2) * 2**24), max(math.trunc(s.lacunarity * 2**23), 2**23)
     while True:
-        yield min(max(2**19 - (e >> 4), 0), 2**18)
-        e = min(e * finer >> 23, 2**24)
+        yield min(max(3 * 2**17 - (e >> 6), 0), 2**18)
+        e = min(e * finer >> 23, 2**25)
 
 
 def ping_pong(v, strength):

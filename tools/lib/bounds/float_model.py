@@ -178,7 +178,7 @@ class Shader:
 
     def positions(self, s, p):
         """Of each octave, computed from the one before."""
-        c, along = self.round(s.lacunarity * (25 / 32)), self.round(s.lacunarity * (5 / 8))
+        c, along, d, across = (self.round(s.lacunarity * (part / 32)) for part in (25, 20, 29, 13))
         q = list(p)
         while True:
             yield q
@@ -189,14 +189,14 @@ class Shader:
             turned = [self.mad(c, x, -self.round(along * y)), self.mad(along, x, self.round(c * y))]
             if z:
                 v = turned.pop()
-                turned += [self.mad(25 / 32, v, -self.round(along * z[0])), self.mad(5 / 8, v, self.round(c * z[0]))]
+                turned += [self.mad(29 / 32, v, -self.round(across * z[0])), self.mad(13 / 32, v, self.round(d * z[0]))]
             q = [self.round(x + shift) for x, shift in zip(turned, SHIFT)]
 
     def fades(self, s):
         """What a footprint leaves of each octave."""
         e = s.footprint
         while True:
-            yield np.clip(self.mad(-4.0, e, 2.0), 0.0, 1.0)
+            yield np.clip(self.round(1.5 - e), 0.0, 1.0)
             e = self.round(e * max(s.lacunarity, 1.0))
 
     def ping_pong(self, n, strength):

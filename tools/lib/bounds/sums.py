@@ -18,7 +18,9 @@ from bounds.table import Bounds
 KINDS = ("fbm", "turbulence", "clouds", "billow", "ridged", "ping_pong", "weighted")
 CLAMPED = ("billow", "ridged", "ping_pong", "weighted")  # in which a noise beyond [-1, 1] counts as the nearer end
 SHIFT_MAX = {2: 19 / 32, 3: 23 / 32}  # the largest component of the shift between octaves
-TURN = math.hypot(25, 20) / 32  # what a turn stretches lengths by
+# By how much the turns of a position make a length larger at most: in the plane of x and y, then in that of y and z. The
+# second makes lengths in its plane smaller, but not that along x.
+TURNS = (math.hypot(25, 20) / 32, max(math.hypot(29, 13) / 32, 1.0))
 WHOLE = 2.0**-24  # the unit of whole positions
 WEIGHT_UNIT = 1 / FADE_ONE
 
@@ -64,7 +66,7 @@ class Sum:
         if self.footprint is None:
             return [1.0] * self.count
         finer = max(self.lacunarity, 1.0)
-        return [min(max(2 - 4 * self.footprint * finer**i, 0.0), 1.0) for i in range(self.count)]
+        return [min(max(1.5 - self.footprint * finer**i, 0.0), 1.0) for i in range(self.count)]
 
 
 def clamped_strength(s: Sum) -> float:
@@ -79,13 +81,14 @@ def float_positions(s: Sum, dims: int) -> Iterator[float]:
         q = q*lacunarity + shift
 
     and each coordinate is bounded on its own. Else the steps are, with c = lacunarity*25/32 and s = lacunarity*5/8,
+    and in space d = lacunarity*29/32 and e = lacunarity*13/32,
 
         2D: x' = (c*x - s*y) + 11/32;  y' = (s*x + c*y) + 19/32
-        3D: v = s*x + c*y;  x' as before;  y' = (25/32*v - s*z) + 19/32;  z' = (5/8*v + c*z) + 23/32
+        3D: v = s*x + c*y;  x' as before;  y' = (29/32*v - e*z) + 19/32;  z' = (13/32*v + d*z) + 23/32
 
-    and lengths are bounded, which a turn stretches by TURN, coordinates by much more. A coordinate is what goes through
-    no more than 2 n roundings, the last of them after the shift, of terms whose magnitudes sum to no more than the
-    stretched length (Cauchy), and so does each of the terms that become 0 below 2^-126."""
+    and lengths are bounded, which turns stretch by TURNS, coordinates by much more. A coordinate goes through no more
+    than 2 n roundings, the last of them after the shift, of terms whose magnitudes sum to no more than the stretched
+    length (Cauchy). Terms below 2^-126 may become 0."""
     lacunarity, shift = abs(s.lacunarity), SHIFT_MAX[dims]
     if not s.turns:
         position, error = s.p_max, 0.0
@@ -94,7 +97,7 @@ def float_positions(s: Sum, dims: int) -> Iterator[float]:
             product_err = lacunarity * (error + FLOAT_UNIT * (position + error) + TINY) + TINY
             position = lacunarity * position + shift
             error = 0.0 if s.exact_positions else product_err + FLOAT_UNIT * (position + product_err)
-    axes, stretch = math.sqrt(dims), lacunarity * TURN ** (dims - 1)
+    axes, stretch = math.sqrt(dims), lacunarity * math.prod(TURNS[:dims - 1])
     rounding = (1 + FLOAT_UNIT) ** (2 * dims) - 1
     position, error = axes * s.p_max, 0.0
     while True:
@@ -109,15 +112,15 @@ def whole_positions(s: Sum, dims: int) -> Iterator[float]:
     """The same of whole positions: a coordinate is cut to a multiple of 2^-24, and the lacunarity of 2^-23; the product
     is rounded down, and so are both coordinates after each turn."""
     ratio, shift = math.trunc(s.lacunarity * 2**23) / 2**23, SHIFT_MAX[dims]
-    axes, turns = (math.sqrt(dims), dims - 1) if s.turns else (1.0, 0)
+    axes, turns = (math.sqrt(dims), TURNS[:dims - 1]) if s.turns else (1.0, ())
     position, error = axes * s.p_max, 0.0 if s.exact_positions else axes * WHOLE
     while True:
         yield error
         error = ratio * error + (s.lacunarity - ratio) * position + axes * WHOLE
-        for _ in range(turns):
-            error = TURN * error + math.sqrt(2) * WHOLE
+        for stretch in turns:
+            error = stretch * error + math.sqrt(2) * WHOLE
         error = 0.0 if s.exact_positions else error
-        position = s.lacunarity * TURN**turns * position + axes * shift
+        position = s.lacunarity * math.prod(turns) * position + axes * shift
 
 
 # --- Octaves ----------------------------------------------------------------------------------------------------------
@@ -161,8 +164,8 @@ def float_terms(s: Sum, limit: float, noise_errs: list[float]) -> tuple[list[flo
 
 
 def float_fade_error(i: int) -> float:
-    """Of clamp(2 - 4*e, 0, 1), e = footprint * max(lacunarity, 1)^i computed step by step. It counts up to 1/2 only."""
-    return 2.001 * ((1 + FLOAT_UNIT) ** i - 1) + 1.001 * FLOAT_UNIT + 8 * TINY
+    """Of clamp(3/2 - e, 0, 1), e = footprint * max(lacunarity, 1)^i computed step by step. It counts up to 3/2 only."""
+    return 1.501 * ((1 + FLOAT_UNIT) ** i - 1) + 1.001 * FLOAT_UNIT + 2 * TINY
 
 
 def float_sum_error(s: Sum, limit: float, noise_errs: list[float]) -> float:
@@ -247,10 +250,10 @@ def fixed_fades(s: Sum) -> list[int]:
     if s.footprint is None:
         return [FADE_ONE] * s.count
     finer = max(math.trunc(s.lacunarity * 2**23), 2**23)
-    e, fades = math.trunc(min(max(s.footprint, 0.0), 1.0) * 2**24), []
+    e, fades = math.trunc(min(max(s.footprint, 0.0), 2.0) * 2**24), []
     for _ in range(s.count):
-        fades.append(min(max(2**19 - (e >> 4), 0), FADE_ONE))
-        e = min(e * finer >> 23, 2**24)
+        fades.append(min(max(3 * 2**17 - (e >> 6), 0), FADE_ONE))
+        e = min(e * finer >> 23, 2**25)
     return fades
 
 
