@@ -8,6 +8,7 @@ from unittest import mock
 import numpy as np
 
 from bounds import exact_model as exact
+from bounds import fixed_model as fixed
 from bounds import noises, sine, sums
 from bounds.float_model import MODES, Shader, shaders
 from bounds.floats import to_float
@@ -179,54 +180,120 @@ class Sine(unittest.TestCase):
 
 
 class Octaves(unittest.TestCase):
-    KINDS = ("fbm", "turbulence", "clouds")
     NOISES = tuple((kind, dims) for dims, kind in CASES if dims in sums.SHIFT_MAX)
 
-    def check(self, count, parameters):
-        """Simulates on random parameters; the largest ratio of an error to its tolerance."""
-        worst = 0.0
+    def check(self, arguments, kinds=sums.KINDS, spread=None, seed=10, simulated=None):
+        """Simulates at random points; the largest ratio of an error to its tolerance, which it must not exceed, of each
+        kind. `arguments` draws those of a Sum, `spread` points; from a cell these are cells and fractions."""
+        rng, worst = np.random.default_rng(seed), dict.fromkeys(kinds, 0.0)
         for kind, dims in self.NOISES:
-            for name, shader in ((name, shader) for name in self.KINDS for shader in shaders(12)):
-                for _ in range(count):
-                    p, octaves, lacunarity, gain, known = parameters(dims)
-                    simulated = shader.octaves(kind, name, p, octaves, lacunarity, gain)
-                    error = abs(simulated - exact.octaves(kind, name, p, octaves, lacunarity, gain)).max()
-                    tolerance = sums.octave_tolerance(name, proven(kind, dims), max(abs(x).max() for x in p), octaves,
-                                                      lacunarity, gain, known)
-                    self.assertLessEqual(error, tolerance)
-                    worst = max(worst, error / tolerance)
+            for name, shader in ((name, shader) for name in kinds for shader in simulated or shaders(12)):
+                s = sums.Sum(name, **arguments(rng, name))
+                p = (spread or self.spread)(rng, dims, s.p_max)
+                simulated_sum, exact_sum = self.pair(shader, kind, s, p)
+                tolerance = sums.octave_tolerance(s, proven(kind, dims))
+                error = abs(simulated_sum - exact_sum).max()
+                self.assertLessEqual(error, tolerance, s)
+                worst[name] = max(worst[name], error / tolerance)
         return worst
 
-    def test_simulated(self):
-        rng = np.random.default_rng(10)
+    @staticmethod
+    def spread(rng, dims, reach):
+        return list(rng.uniform(-reach, reach, (dims, 200)).astype(np.float32).astype(float))
 
-        def parameters(dims):
-            reach = 2.0 ** rng.integers(0, 12)
-            p = rng.uniform(-reach, reach, (dims, 200)).astype(np.float32).astype(float)
-            return (list(p), int(rng.integers(1, 7)), to_float(rng.uniform(-3, 3)), to_float(rng.uniform(0, 2)), False)
-        self.assertGreater(self.check(1, parameters), 1 / 30)
+    @staticmethod
+    def pair(shader, kind, s, p):
+        if not s.from_cell:
+            return shader.octaves(kind, s, p), exact.octaves(kind, s, p)
+        cells, f = np.floor(p).astype(np.int64), p - np.floor(p)
+        whole = [fixed.whole_of_cell(*of_axis) for of_axis in zip(cells, f)]
+        places = [(c, [r / 2**24 for r in rests]) for _, (c, rests) in zip(range(s.count), fixed.whole_positions(s, whole))]
+        return shader.octaves(kind, s, p, places), exact.octaves(kind, s, p)
+
+    @staticmethod
+    def strength(rng, name):
+        return to_float(rng.choice((2.0, 64.0, rng.uniform(0, 4))) if name == "ping_pong" else rng.random())
+
+    def random_sum(self, rng, name, **others):
+        return {"p_max": 2.0 ** rng.integers(0, 8), "octaves": int(rng.integers(1, 7)),
+                "lacunarity": to_float(rng.uniform(-3, 3)), "gain": to_float(rng.uniform(0, 2)),
+                "strength": self.strength(rng, name)} | others
+
+    def assert_near(self, worst, least):
+        self.assertTrue(all(ratio > least for ratio in worst.values()), worst)
+
+    def test_simulated(self):
+        self.assert_near(self.check(self.random_sum), 1 / 100)
+
+    def test_first_octave(self):
+        """Where positions are exact: what is left are the steps of the sum. A single octave hardly has any."""
+        self.assert_near(self.check(lambda rng, name: self.random_sum(rng, name, octaves=1)), 1 / 15)
+
+    def test_with_a_period(self):
+        def arguments(rng, name):
+            return self.random_sum(rng, name, lacunarity=float(rng.integers(0, 4)), turns=False)
+        self.assert_near(self.check(arguments), 1 / 60)
+
+    def test_from_a_cell(self):
+        def arguments(rng, name):
+            return self.random_sum(rng, name, p_max=2.0**20, lacunarity=to_float(rng.uniform(0, 3)), from_cell=True)
+        self.assert_near(self.check(arguments), 1 / 60)
+
+    def test_details_and_footprints(self):
+        """Octaves that are about to vanish, too."""
+        def details(rng, name):
+            near = rng.integers(1, 6) + rng.choice((0.0, 2.0**-20, 0.5, rng.random()))
+            return self.random_sum(rng, name, octaves=to_float(near))
+
+        def footprints(rng, name):
+            return self.random_sum(rng, name, footprint=to_float(rng.random() * 2.0 ** -rng.integers(-1, 8)))
+        for arguments in (details, footprints):
+            self.assert_near(self.check(arguments, ("fbm",)), 1 / 100)
 
     def test_simulated_with_exact_positions(self):
-        rng = np.random.default_rng(11)
+        def arguments(rng, name):
+            return self.random_sum(rng, name, p_max=16.0, lacunarity=2.0, gain=0.5, turns=False, exact_positions=True)
 
-        def parameters(dims):
-            return list(rng.integers(-4096, 4096, (dims, 200)) / 256), int(rng.integers(1, 7)), 2.0, 0.5, True
-        self.assertGreater(self.check(1, parameters), 1 / 60)
+        def spread(rng, dims, reach):
+            return list(rng.integers(-reach * 256, reach * 256, (dims, 200)) / 256)
+        self.assert_near(self.check(arguments, spread=spread), 1 / 60)
+
+    def must_fail(self, **others):
+        """Arguments for which the tolerance of others is taken."""
+        with self.assertRaises(AssertionError):
+            self.check(lambda rng, name: self.random_sum(rng, name, **others))
 
     def test_exact_positions_do_not_hide_inexact_ones(self):
         """A must-fail check: positions that round, promised exact, exceed the tolerance."""
-        rng = np.random.default_rng(12)
+        for turns in (True, False):
+            self.must_fail(p_max=4096.0, octaves=6, lacunarity=to_float(2.1), gain=0.5, turns=turns,
+                           exact_positions=True)
 
-        def parameters(dims):
-            p = rng.uniform(-4096, 4096, (dims, 200)).astype(np.float32).astype(float)
-            return list(p), 6, to_float(2.1), 0.5, True
-        with self.assertRaises(AssertionError):
-            self.check(1, parameters)
+    def test_fails_with_fewer_bits(self):
+        """For each kind, in each of its forms."""
+        fewer = [Shader("nearest", 7, lost_bits=9)]
+        for name in sums.KINDS:
+            for others in ({"turns": False, "lacunarity": 2.0}, {"from_cell": True, "lacunarity": 2.0}, {}):
+                with self.subTest(name=name, **others), self.assertRaises(AssertionError):
+                    self.check(lambda rng, name: self.random_sum(rng, name, gain=0.5, p_max=4.0, octaves=3, **others),
+                               (name,), simulated=fewer)
+
+    def test_fails_without_a_step(self):
+        """What ping-pong does to the error of a noise is more than an fBm does."""
+        with mock.patch.object(sums, "float_terms", lambda s, limit, errs: (errs, limit)):
+            with self.assertRaises(AssertionError):
+                self.check(lambda rng, name: self.random_sum(rng, name, octaves=1, strength=64.0), ("ping_pong",))
 
     def test_edges(self):
-        self.assertEqual(sums.octave_tolerance("fbm", proven(OCTAHEDRAL, 2), 1.0, 0, 2.0, 0.5, False), 0)
-        self.assertLess(sums.octave_tolerance("fbm", proven(OCTAHEDRAL, 2), 1.0, 200, 2.0, 0.5, False), 2.001)
-        self.assertEqual(sums.octave_tolerance("fbm", proven(OCTAHEDRAL, 3), 1.0, 20, 2.0, 1e20, False), math.inf)
-        self.assertLess(sums.octave_tolerance("fbm", proven(SINE, 3), 1.0, 200, 2.0, 0.5, False), 3.001)
+        def tolerance(octaves, gain=0.5, dims=2, gradient=OCTAHEDRAL, kind="fbm", **others):
+            return sums.octave_tolerance(sums.Sum(kind, 1.0, octaves, 2.0, gain, **others), proven(gradient, dims))
+        self.assertEqual([tolerance(octaves) for octaves in (0, -1, 0.0, -0.5)], [0] * 4)
+        self.assertLess(tolerance(200), 2.001)
+        self.assertEqual(tolerance(20, 1e20, 3), math.inf)
+        self.assertLess(tolerance(200, dims=3, gradient=SINE), 3.001)
+        for kind, largest in (("billow", 2.001), ("ridged", 1.001), ("ping_pong", 2.002), ("weighted", 3.01)):
+            self.assertLess(tolerance(200, dims=3, gradient=SINE, kind=kind, strength=1.0), largest)
+        self.assertEqual(sums.octave_tolerance(sums.Sum("fbm", 1.0, 1, 256.0, 0.5, from_cell=True),
+                                               proven(OCTAHEDRAL, 2)), math.inf)
         with self.assertRaises(ValueError):
-            sums.octave_tolerance("fog", proven(OCTAHEDRAL, 2), 1.0, 1, 2.0, 0.5, False)
+            tolerance(1, kind="fog")

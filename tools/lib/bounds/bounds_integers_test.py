@@ -137,48 +137,145 @@ class Integers(unittest.TestCase):
 
 
 class Octaves(unittest.TestCase):
-    def check(self, parameters, count=2000, seed=9):
-        """The largest ratio of an error to its tolerance, which it must not exceed."""
-        rng, worst = np.random.default_rng(seed), 0.0
+    def check(self, arguments, kinds=sums.KINDS, count=2000, seed=9):
+        """The largest ratio of an error to its tolerance, which it must not exceed, of each kind; `arguments` draws those
+        of a Sum."""
+        rng, worst = np.random.default_rng(seed), dict.fromkeys(kinds, 0.0)
         for dims, kind in CASES:
-            for name in ("fbm", "turbulence", "clouds"):
-                octaves, lacunarity, gain, reach, known = parameters()
-                p = random_positions(rng, dims, count, reach)
-                if known:
+            for name in kinds:
+                s = sums.Sum(name, **arguments(rng, name))
+                p = random_positions(rng, dims, count, s.p_max)
+                if s.exact_positions:
                     p = [np.round(x * 2**9) / 2**9 for x in p]
-                value = fixed.octaves(kind, name, p, octaves, lacunarity, gain) / 2**21
-                error = abs(value - exact.octaves(kind, name, p, octaves, lacunarity, gain)).max()
-                tolerance = sums.fixed_octave_tolerance(name, proven(kind, dims), reach, octaves, lacunarity, gain,
-                                                        known)
-                self.assertLess(error, tolerance)
-                worst = max(worst, error / tolerance)
+                start = fixed.whole
+                if s.from_cell:
+                    def start(x):
+                        return fixed.whole_of_cell(np.floor(x).astype(np.int64), x - np.floor(x))
+                value = fixed.octaves(kind, s, [start(x) for x in p]) / 2**21
+                error = abs(value - exact.octaves(kind, s, p)).max()
+                tolerance = sums.fixed_octave_tolerance(s, proven(kind, dims))
+                self.assertLess(error, tolerance, s)
+                worst[name] = max(worst[name], error / tolerance)
                 self.assertLessEqual(abs(value).max(), proven(kind, dims).fixed_limit)
-                self.assertTrue(name == "fbm" or value.min() >= 0)
+                self.assertTrue(name not in ("turbulence", "clouds", "ridged") or value.min() >= 0)
         return worst
 
-    def test_simulated(self):
-        rng = np.random.default_rng(9)
+    def random_sum(self, rng, name, **others):
+        return {"p_max": 2.0 ** rng.integers(2, 8), "octaves": int(rng.integers(1, 9)),
+                "lacunarity": float(np.float32(rng.uniform(0, 4))), "gain": float(np.float32(rng.random())),
+                "strength": float(np.float32(rng.choice((2, 64, 3 * rng.random())) if name == "ping_pong" else rng.random())),
+                } | others
 
-        def parameters():
-            return (int(rng.integers(1, 9)), float(np.float32(rng.uniform(0, 4))), float(np.float32(rng.random())),
-                    2.0 ** rng.integers(2, 8), False)
-        self.assertGreater(max(self.check(parameters, seed=seed) for seed in range(3)), 1 / 5)
+    def assert_near(self, worst, least):
+        self.assertTrue(all(ratio > least for ratio in worst.values()), worst)
+
+    def test_simulated(self):
+        self.assert_near(self.check(self.random_sum, count=4000), 1 / 12)
+
+    def test_first_octave(self):
+        self.assert_near(self.check(lambda rng, name: self.random_sum(rng, name, octaves=1)), 1 / 6)
 
     def test_far_out(self):
         """Where floats have lost the fraction: the last octave at 2^18, with a lacunarity that is no float near it."""
-        self.check(lambda: (9, float(np.float32(2.1)), 0.5, 1024.0, False))
+        self.check(lambda rng, name: self.random_sum(rng, name, octaves=9, lacunarity=float(np.float32(2.1)), gain=0.5,
+                                                     p_max=1024.0))
 
-    def test_exact_positions(self):
-        self.check(lambda: (8, 2.0, 0.5, 16.0, True))
+    def test_from_a_cell(self):
+        self.check(lambda rng, name: self.random_sum(rng, name, from_cell=True))
+
+    def test_with_a_period(self):
+        def arguments(rng, name, **others):
+            return self.random_sum(rng, name, turns=False, lacunarity=float(rng.integers(0, 4)), **others)
+        self.check(arguments)
+        self.check(lambda rng, name: arguments(rng, name, p_max=16.0, exact_positions=True))
+
+    def test_details_and_footprints(self):
+        def details(rng, name):
+            near = rng.integers(1, 9) + rng.choice((0.0, 2.0**-19, 0.5, rng.random()))
+            return self.random_sum(rng, name, octaves=float(np.float32(near)))
+
+        def footprints(rng, name):
+            return self.random_sum(rng, name, footprint=float(np.float32(rng.random() * 2.0 ** -rng.integers(-1, 8))))
+        for arguments in (details, footprints):
+            for seed in range(3):
+                self.check(arguments, ("fbm",), seed=seed)
+
+    def test_what_is_left_out_is_noticed(self):
+        """Must-fail checks: positions that are cut, promised exact; and what a step does to the error of a noise."""
+        with self.assertRaises(AssertionError):
+            self.check(lambda rng, name: self.random_sum(rng, name, octaves=9, lacunarity=3.99, gain=1.0, strength=64.0,
+                                                         exact_positions=True), ("fbm", "ping_pong"))
+        with mock.patch.object(sums, "fixed_terms", lambda s, errs: errs), self.assertRaises(AssertionError):
+            self.check(lambda rng, name: self.random_sum(rng, name, octaves=1, strength=64.0), ("ping_pong",))
+
+    def test_ridges(self):
+        """An error of every d, at its worst: the bound of r is reached but for a factor, and what does not count that it
+        grows from octave to octave is exceeded."""
+        rng, size, count = np.random.default_rng(4), 2.0**-12, 6
+        d = rng.random((count, 500_000)) * (1 - size)
+        d[0] *= 2.0 ** -rng.uniform(0, 4, d.shape[1])
+        d[1:] = 1 - size - d[1:] * rng.choice((0.0, 0.05, 1.0), d.shape[1])
+        r, moved, bounds = 0.5, 0.5, sums.ridges([size] * count, 0.0, 0.0)
+        for of_octave, bound in zip(d, bounds):
+            r, moved = (x**2 * np.minimum(2 * before, 1) for x, before in ((of_octave, r), (of_octave + size, moved)))
+            self.assertTrue(bound / 4 < (moved - r).max() < bound)
+        self.assertGreater((moved - r).max(), 2 * size)
 
     def test_cut_arguments(self):
-        for arguments in ((2, 256.0, 0.5), (2, -1.0, 0.5), (2, 2.0, 1.5), (33, 2.0, 0.5)):
-            tolerance = sums.fixed_octave_tolerance("fbm", proven(OCTAHEDRAL, 2), 1.0, *arguments, False)
+        for arguments in ((2, 256.0, 0.5), (2, -1.0, 0.5), (2, 2.0, 1.5), (33, 2.0, 0.5), (32.5, 2.0, 0.5)):
+            tolerance = sums.fixed_octave_tolerance(sums.Sum("fbm", 1.0, *arguments), proven(OCTAHEDRAL, 2))
             self.assertEqual(tolerance, math.inf)
-        self.assertEqual(sums.fixed_octave_tolerance("fbm", proven(OCTAHEDRAL, 2), 1.0, 0, 2.0, 0.5, False), 0)
-        with self.assertRaises(ValueError):
-            sums.fixed_octave_tolerance("fog", proven(OCTAHEDRAL, 2), 1.0, 1, 2.0, 0.5, False)
+        self.assertEqual(sums.fixed_octave_tolerance(sums.Sum("fbm", 1.0, 0, 2.0, 0.5), proven(OCTAHEDRAL, 2)), 0)
 
     def test_weights(self):
         for gain in (0.0, 0.3, 0.5, 0.999, 1.0):
-            self.assertEqual(fixed.octave_weights(32, gain), sums.fixed_weights(32, gain))
+            for octaves in (32, 31.75, 1.5, 1, 0.5):
+                s = sums.Sum("fbm", 1.0, octaves, 2.0, gain)
+                self.assertEqual(fixed.octave_weights(s), sums.fixed_weights(s))
+        for footprint in (0.0, 1 / 300, 0.2, 0.5, 0.7, 1.5, 3.0):
+            s = sums.Sum("fbm", 1.0, 12, 1.9, 0.5, footprint=footprint)
+            self.assertEqual([fade for _, fade in zip(range(12), fixed.fades(s))], sums.fixed_fades(s))
+
+    def test_products_are_rounded_down(self):
+        rng = np.random.default_rng(3)
+        a, b = np.append(rng.integers(0, 2**18 + 1, (2, 100_000)), [[2**18, 2**18, 511], [2**18, 511, 2**18]], axis=1)
+        self.assertTrue(np.array_equal(fixed.product(a, b), a * b >> 18))
+        for x, y in zip(a[-1000:].tolist(), b[-1000:].tolist()):
+            self.assertEqual(sums.product(x, y), x * y >> 18)
+
+    def test_no_step_wraps(self):
+        """Each signed step of the sums, compared with its own wide integer, of values at the ends."""
+        largest = []
+
+        def recorded(x):
+            largest.append(int(np.abs(x).max()))
+            return exact.s32(x)
+        ends = np.array([-2**21, -2**21 + 1, -1, 0, 1, 2**21 - 1, 2**21])
+        wide = np.append(ends, [-3 * 2**20, 3 * 2**20])
+        weights = np.array([0, 1, 511, 512, 2**17 + 511, 2**18 - 1, 2**18])[:, None]
+        with mock.patch.object(fixed, "s32", recorded):
+            fixed.weighted(wide, weights)
+            fixed.product(weights, weights.T)
+            for strength in (0.0, 1.0, 1.998, 63.999, 64.0):
+                fixed.ping_pong(ends, strength)
+        bound = max(sums.largest_octave_intermediates(1.5).values())
+        self.assertTrue(0.74 * 2**31 < max(largest) <= bound < 2**31, (max(largest), bound))
+        self.assertGreater(max(sums.largest_octave_intermediates(2.1).values()), 2**31)
+
+    def test_parts_of_a_turn(self):
+        """25 X - 20 Y of fractions of up to 2^24, and of what is left of cells, are what they are bounded by."""
+        r, m = np.array([0, 2**24]), np.array([0, 31])
+        largest = sums.largest_octave_intermediates(1.0)
+        for part, name in ((r, "turn"), (m, "rest of a turn")):
+            made = [a * part[:, None] + b * part for a, b in ((25, -20), (20, 25), (29, -13), (13, 29))]
+            self.assertEqual(max(abs(x).max() for x in made), largest[name])
+
+    def test_ping_pong_of_every_strength(self):
+        """The integer's triangle wave is the exact one, at the ends of its periods as well."""
+        v = np.unique(np.append(np.arange(-2**21, 2**21 + 1, 997), [-2**21 + 1, -1, 0, 1, 2**21 - 1, 2**21]))
+        for strength in (0.0, 0.3, 1.0, 2.0, 3.7, 63.9999, 64.0, 100.0, -1.0):
+            strength = float(np.float32(strength))
+            t = (v / 2**21 + 1) * min(max(strength, 0), 64) % 2
+            s = sums.Sum("ping_pong", 1.0, 1, 2.0, 0.5, strength)
+            error = abs(fixed.ping_pong(v, strength) / 2**21 - (2 * np.minimum(t, 2 - t) - 1)).max()
+            self.assertLessEqual(error, sums.fixed_terms(s, [0.0])[0])

@@ -19,7 +19,7 @@ import math
 import sys
 from collections.abc import Sequence
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import asdict
+from dataclasses import asdict, fields
 from pathlib import Path
 
 from bounds import noises, sine
@@ -28,6 +28,7 @@ from bounds.documents import (ACCURACY, EXAMPLES, Everything, Key, missing_quote
 from bounds.gradients import SINE
 from bounds.integers import fade_errors, overshoot
 from bounds.noises import Derived
+from bounds.sums import Sum
 from bounds.table import HEAD, PATH, SineBounds, noise_row, sine_row, slope_row
 from tables.inc import TableError
 from tree import ROOT
@@ -70,7 +71,15 @@ def differences(derived: Everything, root: Path = ROOT) -> list[str]:
     return old + missing_quotes(derived, root) + wrong_comments(derived, root / "glsl")
 
 
-SUM = ("turbulence", 3, 16.0, 5, 1.9, 0.6, False)  # one that the page does not have
+SUMS = (  # that the page does not have
+    (3, Sum("turbulence", 16.0, 5, 1.9, 0.6)), (3, Sum("turbulence", 16.0, 5, 1.9, 0.6, from_cell=True)),
+    *((3, Sum(kind, 16.0, 5, 1.9, 0.6, 1.0)) for kind in ("billow", "ridged", "ping_pong", "weighted")))
+
+
+def told(octave_sum: Sum) -> str:
+    """Its kind, and the arguments that are not as most are."""
+    return " ".join([octave_sum.kind, *(f"{field.name}={getattr(octave_sum, field.name):g}" for field in fields(Sum)[1:]
+                                        if getattr(octave_sum, field.name) != field.default)])
 
 
 def intermediates(key: Key) -> dict[str, float]:
@@ -93,10 +102,9 @@ def everything_for_a_reader(derived: Everything) -> dict[str, dict]:
             "fixed_largest": float(sine.fixed_sine_largest())},
         "the fixed fade": {"error_from": float(fade_errors().min()), "error_to": float(fade_errors().max()),
                            "overshoot": overshoot()},
-        "octave sums of (kind, dimensions, |p|, octaves, lacunarity, gain, exact positions):\n"
-        "  octahedral in floats, fixed; sine in floats, fixed": {
-            str(tuple(arguments)): [f"{tolerance:.3g}" for tolerance in sum_tolerances(derived, *arguments)]
-            for arguments in (*(example[1:] for example in EXAMPLES), SUM)}}
+        "octave sums: octahedral in floats, fixed; sine in floats, fixed": {
+            f"{dims}D {told(octave_sum)}": [f"{tolerance:.3g}" for tolerance in sum_tolerances(derived, dims, octave_sum)]
+            for dims, octave_sum in (*(example[1:] for example in EXAMPLES), *SUMS)}}
 
 
 def print_table(numbers: dict[str, dict]) -> None:

@@ -12,6 +12,7 @@ from bounds import kernel_floats, noises, sine, sums
 from bounds.gradients import GRADIENTS, SINE, Gradient
 from bounds.integers import fade_errors, slope_errors, spline_weight_error
 from bounds.noises import Derived
+from bounds.sums import Sum
 from bounds.table import rounded_up, scientific, shortest
 from tables import glsl
 from tables.markdown import table, with_section
@@ -64,18 +65,28 @@ def slope_table(derived: Everything) -> str:
     return _bounds_table(slopes_of(derived), "largest derivative")
 
 
-EXAMPLES = (  # of octave sums: a title, then kind, dimensions, p_max, octaves, lacunarity, gain, exact_positions
-    ("`hn_fbm(vec2)`, exact positions", "fbm", 2, 16.0, 5, 2.0, 0.5, True),
-    ("`hn_fbm(vec2)`", "fbm", 2, 16.0, 5, 2.0, 0.5, False),
-    ("`hn_fbm(vec3)`", "fbm", 3, 16.0, 5, 2.0, 0.5, False),
-    ("`hn_clouds(vec2)`", "clouds", 2, 16.0, 5, 2.0, 0.5, False),
-    ("`hn_fbm(vec3)` further out", "fbm", 3, 1024.0, 8, 2.0, 0.5, False))
+EXAMPLES = (  # of octave sums: a title, the number of dimensions, the sum
+    ("`hn_fbm(vec2)`, with a period, exact positions", 2,
+     Sum("fbm", 16.0, 5, 2.0, 0.5, turns=False, exact_positions=True)),
+    ("`hn_fbm(vec2)`, with a period", 2, Sum("fbm", 16.0, 5, 2.0, 0.5, turns=False)),
+    ("`hn_fbm(vec2)`", 2, Sum("fbm", 16.0, 5, 2.0, 0.5)),
+    ("`hn_fbm(vec3)`", 3, Sum("fbm", 16.0, 5, 2.0, 0.5)),
+    ("`hn_fbm(vec3)` further out", 3, Sum("fbm", 1024.0, 8, 2.0, 0.5)),
+    ("`hn_fbm(ivec3, vec3)` further out", 3, Sum("fbm", 1024.0, 8, 2.0, 0.5, from_cell=True)),
+    ("`hn_fbm(vec2)`, 4.5 octaves", 2, Sum("fbm", 16.0, 4.5, 2.0, 0.5)),
+    ("`hn_fbm(vec2)`, a footprint of 1/16", 2, Sum("fbm", 16.0, 5, 2.0, 0.5, footprint=1 / 16)),
+    ("`hn_turbulence(vec2)`", 2, Sum("turbulence", 16.0, 5, 2.0, 0.5)),
+    ("`hn_clouds(vec2)`", 2, Sum("clouds", 16.0, 5, 2.0, 0.5)),
+    ("`hn_billow(vec2)`", 2, Sum("billow", 16.0, 5, 2.0, 0.5)),
+    ("`hn_ridged(vec2)`", 2, Sum("ridged", 16.0, 5, 2.0, 0.5)),
+    ("`hn_ping_pong(vec2)`, strength 2", 2, Sum("ping_pong", 16.0, 5, 2.0, 0.5, strength=2.0)),
+    ("`hn_weighted(vec2)`, strength 1", 2, Sum("weighted", 16.0, 5, 2.0, 0.5, strength=1.0)))
 
 
-def sum_tolerances(derived: Everything, kind: str, dims: int, *arguments: float) -> list[float]:
+def sum_tolerances(derived: Everything, dims: int, octave_sum: Sum) -> list[float]:
     """In floats and fixed, for each kind of gradient."""
     keys = [(NOISE_OF_SUMS, dims, gradient) for gradient in GRADIENTS]
-    return [tolerance(kind, derived[key].bounds(*key).rounded(), *arguments) for key in keys
+    return [tolerance(octave_sum, derived[key].bounds(*key).rounded()) for key in keys
             for tolerance in (sums.octave_tolerance, sums.fixed_octave_tolerance)]
 
 

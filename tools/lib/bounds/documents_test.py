@@ -265,5 +265,5 @@ class Entries(unittest.TestCase):
 
     def test_every_example_of_a_sum_is_in_its_table(self):
         rows = documents.sums_table(RAW).split("\n")
-        self.assertEqual(rows[2], "| `hn_fbm(vec2)`, exact positions | 4.2e-6 | 4.6e-5 | 6.0e-6 | 8.3e-5 |")
+        self.assertEqual(rows[2], "| `hn_fbm(vec2)`, with a period, exact positions | 4.2e-6 | 4.6e-5 | 6.0e-6 | 8.3e-5 |")
         self.assertEqual(len(rows), 2 + len(documents.EXAMPLES) + 1)

@@ -175,13 +175,43 @@ def perlin_at(kind, p, seed=np.int64(0)):
     return perlin(kind, words_at(kind, cells, seed), fractions)
 
 
-def octaves(kind, name, p, count, lacunarity, gain):
-    """An octave sum: name is fbm, turbulence or clouds."""
-    total, weight, seed = 0.0, sum(gain**i for i in range(count)), 0
-    for i in range(count):
+def turn(q):
+    """Of section 7."""
+    x, y, *z = q
+    x, y = (25 * x - 20 * y) / 32, (20 * x + 25 * y) / 32
+    return [x, (29 * y - 13 * z[0]) / 32, (13 * y + 29 * z[0]) / 32] if z else [x, y]
+
+
+def fade_of_footprint(s, i):
+    return 1.0 if s.footprint is None else np.clip(1.5 - s.footprint * max(s.lacunarity, 1) ** i, 0, 1)
+
+
+def octaves(kind, s, p):
+    """An octave sum (bounds.sums.Sum)."""
+    count, seed, total, before, weight = max(math.ceil(s.octaves), 0), 0, 0.0, 0.5, 1.0
+    powers = [s.gain**i for i in range(count)]
+    if count > 1:
+        powers[-1] *= s.octaves - (count - 1)
+    for i, power in enumerate(powers):
         n = perlin_at(kind, p, np.int64(seed))[0]
-        total = total + gain**i / weight * (abs(n) if name == "turbulence" else n)
-        p = [x * lacunarity + shift for x, shift in zip(p, SHIFT)]
+        if s.kind in ("billow", "ridged", "ping_pong", "weighted"):
+            n = np.clip(n, -1, 1)
+        term = n
+        if s.kind in ("turbulence", "billow"):
+            term = abs(n)
+        if s.kind == "ridged":
+            term = before = (1 - abs(n)) ** 2 * np.minimum(2 * before, 1)
+        if s.kind == "ping_pong":
+            t = (n + 1) * min(max(s.strength, 0), 64) % 2
+            term = 2 * np.minimum(t, 2 - t) - 1
+        used = weight if s.kind == "weighted" else power * fade_of_footprint(s, i)
+        total = total + used * term
+        weight = weight * s.gain * (1 - min(max(s.strength, 0), 1) * (1 - n) / 2)
+        q = [x * s.lacunarity for x in p]
+        p = [x + shift for x, shift in zip(turn(q) if s.turns else q, SHIFT)]
         seed = u32(seed + 0x9E3779B9)
-    t = np.clip(2 * total + 0.25, 0, 1)
-    return t * t * (3 - 2 * t) if name == "clouds" else total
+    mean = total / sum(powers) if count else np.zeros(np.shape(p[0]))
+    if s.kind == "billow":
+        return 2 * mean - 1
+    t = np.clip(2 * mean + 0.25, 0, 1)
+    return t * t * (3 - 2 * t) if s.kind == "clouds" else mean

@@ -203,40 +203,99 @@ def perlin_at(kind, p):
     return perlin(kind, words_at(kind, cells), fractions)
 
 
-def position(x):
-    """The cell and the fraction in units of 2^-32."""
+def s56(x):
+    return ((x + 2**55) & (2**56 - 1)) - 2**55
+
+
+def whole(x):
+    """X of a float, in units of 2^-24."""
     c = np.trunc(x)
-    u = np.trunc(abs(x - c) * 2.0**32).astype(np.int64)
-    below = x - c < 0
-    return c.astype(np.int64) - (below & (u > 0)), np.where(below, u32(-u), u)
+    return c.astype(np.int64) * 2**24 + np.trunc((x - c) * 2.0**24).astype(np.int64)
 
 
-def step(cell, r, ratio, shift):
-    """(cell 2^32 + r) L / 2^23 + shift: the cells' part has no fraction, as 2^32 / 2^23 is whole."""
-    total = cell * ratio * 2**9 + ((r * ratio) >> 23) + int(shift * 2**32)
-    return s32(total >> 32), u32(total)
+def whole_of_cell(cell, f):
+    return cell * 2**24 + np.trunc(np.clip(f, 0, 1) * 2.0**24).astype(np.int64)
 
 
-def octave_weights(count, gain):
-    g, all_of_them = math.trunc(gain * 2**18), [2**18]
+def times(x, ratio):
+    """floor(X L / 2^23) of up to 87 bits, by parts of 24: none wraps."""
+    high, low = x >> 24, x & (2**24 - 1)
+    product = high * ratio  # below 2^31 2^31
+    return (product << 1) + ((low * ratio) >> 23)
+
+
+def turn(q):
+    x, y, *z = q
+    x, y = s56((25 * x - 20 * y) >> 5), s56((20 * x + 25 * y) >> 5)
+    return [x, s56((29 * y - 13 * z[0]) >> 5), s56((13 * y + 29 * z[0]) >> 5)] if z else [x, y]
+
+
+def whole_positions(s, q):
+    """Of each octave the cells, and the fractions in units of 2^-24."""
+    ratio = math.trunc(min(max(s.lacunarity, 0), 255) * 2**23)
+    yield [x >> 24 for x in q], [x & (2**24 - 1) for x in q]
+    while True:
+        q = [s56(times(x, ratio)) for x in q]
+        q = [s56(x + int(shift * 2**24)) for x, shift in zip(turn(q) if s.turns else q, SHIFT)]
+        yield [x >> 24 for x in q], [x & (2**24 - 1) for x in q]
+
+
+def product(a, b):
+    return s32(s32((a >> 9) * b) + (s32((a & 511) * b) >> 9)) >> 9
+
+
+def weighted(v, a):
+    return s32(s32(v * (a >> 9)) + s32((v >> 9) * (a & 511))) >> 9
+
+
+def octave_weights(s):
+    g, count = math.trunc(s.gain * 2**18), math.ceil(s.octaves)
+    all_of_them = [2**18]
     for _ in range(count - 1):
-        a = all_of_them[-1]
-        all_of_them.append(((a >> 9) * g + (((a & 511) * g) >> 9)) >> 9)
+        all_of_them.append(product(all_of_them[-1], g))
+    if count > 1:
+        all_of_them[-1] = product(all_of_them[-1], math.trunc((s.octaves - (count - 1)) * 2**18))
     return all_of_them
 
 
-def octaves(kind, name, p, count, lacunarity, gain):
-    ratio, places, total, seed = math.trunc(lacunarity * 2**23), [position(x) for x in p], 0, 0
-    for a in octave_weights(count, gain):
-        words_of = words_at(kind, [cell for cell, _ in places], np.int64(seed))
-        v = perlin(kind, words_of, [r >> 12 for _, r in places])
-        v = abs(v) if name == "turbulence" else v
-        total = total + (s32(s32(v * (a >> 9)) + s32((v >> 9) * (a & 511))) >> 9)
-        places = [step(cell, r, ratio, shift) for (cell, r), shift in zip(places, SHIFT)]
+def fades(s):
+    if s.footprint is None:
+        yield from itertools.repeat(2**18)
+    e, finer = math.trunc(min(max(s.footprint, 0), 2) * 2**24), max(math.trunc(s.lacunarity * 2**23), 2**23)
+    while True:
+        yield min(max(3 * 2**17 - (e >> 6), 0), 2**18)
+        e = min(e * finer >> 23, 2**25)
+
+
+def ping_pong(v, strength):
+    """t of the contract is a word; what it is multiplied with counts modulo 2^32."""
+    cut, u = math.trunc(min(max(strength, 0), 64) * 2**18), v + 2**21
+    t = u32(u32(u * (cut >> 9)) + (s32(u * (cut & 511)) >> 9)) & (2**31 - 1)
+    return (np.minimum(t, 2**31 - t) >> 8) - 2**21
+
+
+def octaves(kind, s, q):
+    """An octave sum (bounds.sums.Sum) from whole positions."""
+    total, seed, ridge, used = 0, 0, 2**17, 2**18
+    all_weights, strength = octave_weights(s), math.trunc(min(max(s.strength, 0), 1) * 2**18)
+    for a, fade, (cells, fractions) in zip(all_weights, fades(s), whole_positions(s, q)):
+        v = perlin(kind, words_at(kind, cells, np.int64(seed)), [r >> 4 for r in fractions])
+        most = 2**21 if s.kind in ("billow", "ridged", "ping_pong", "weighted") else 3 * 2**20
+        v = term = np.clip(v, -most, most)
+        if s.kind in ("turbulence", "billow"):
+            term = abs(v)
+        if s.kind == "ridged":
+            d = (2**21 - abs(v)) >> 3
+            ridge = product(product(d, d), np.minimum(s32(2 * ridge), 2**18))
+            term = ridge << 3
+        if s.kind == "ping_pong":
+            term = ping_pong(v, s.strength)
+        total = s32(total + weighted(term, used if s.kind == "weighted" else product(a, fade)))
+        used = product(product(used, 2**18 - product((2**21 - v) >> 4, strength)), math.trunc(s.gain * 2**18))
         seed = u32(seed + 0x9E3779B9)
     total = total * 2**18
-    v = np.sign(total) * (abs(total) // sum(octave_weights(count, gain)))
-    return clouds(v) if name == "clouds" else v
+    v = np.sign(total) * (abs(total) // sum(all_weights))
+    return clouds(v) if s.kind == "clouds" else s32(2 * v) - 2**21 if s.kind == "billow" else v
 
 
 def clouds(v):

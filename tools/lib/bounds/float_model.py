@@ -2,6 +2,7 @@
 bounds_float_test.py. A noise takes what those of exact_model.py take."""
 
 import itertools
+import math
 
 import numpy as np
 
@@ -125,6 +126,9 @@ class Shader:
         words_of = exact.words_at(kind, [c.astype(np.int64) for c in cells], seed)
         return self.perlin(kind, words_of, [self.round(x - c) for x, c in zip(p, cells)])
 
+    def perlin_in(self, kind, cells, fractions, seed):
+        return self.perlin(kind, exact.words_at(kind, cells, seed), fractions)
+
     # --- Value noise ---
 
     def value(self, words_of, fractions):
@@ -172,17 +176,70 @@ class Shader:
         c1, c3, c5, c7 = sine.SINE_COEFFICIENTS
         return self.round(x * self.mad(t, self.mad(t, self.mad(t, c7, c5), c3), c1))
 
-    def octaves(self, kind, name, p, count, lacunarity, gain):
-        total, value, amp, q, seed = 0.0, np.zeros(p[0].shape), 1.0, list(p), 0
-        for _ in range(count):
-            noise = self.perlin_at(kind, q, np.int64(seed))
-            value = self.mad(amp, abs(noise) if name == "turbulence" else noise, value)
-            total = self.mad(gain, total, 1.0)
-            q = [self.mad(x, lacunarity, s) for x, s in zip(q, SHIFT)]
-            amp = self.round(amp * gain)
+    def positions(self, s, p):
+        """Of each octave, computed from the one before."""
+        c, along, d, across = (self.round(s.lacunarity * (part / 32)) for part in (25, 20, 29, 13))
+        q = list(p)
+        while True:
+            yield q
+            if not s.turns:
+                q = [self.mad(x, s.lacunarity, shift) for x, shift in zip(q, SHIFT)]
+                continue
+            x, y, *z = q
+            turned = [self.mad(c, x, -self.round(along * y)), self.mad(along, x, self.round(c * y))]
+            if z:
+                v = turned.pop()
+                turned += [self.mad(29 / 32, v, -self.round(across * z[0])), self.mad(13 / 32, v, self.round(d * z[0]))]
+            q = [self.round(x + shift) for x, shift in zip(turned, SHIFT)]
+
+    def fades(self, s):
+        """What a footprint leaves of each octave."""
+        e = s.footprint
+        while True:
+            yield np.clip(self.round(1.5 - e), 0.0, 1.0)
+            e = self.round(e * max(s.lacunarity, 1.0))
+
+    def ping_pong(self, n, strength):
+        """The product may be fused with the difference, but floor takes it as it is rounded."""
+        more = self.round(n + 1)
+        t = self.mad(more, strength, -2 * np.floor(self.round(more * strength) / 2))
+        return self.mad(2.0, np.minimum(t, self.round(2 - t)), -1.0)
+
+    def term(self, s, n, before):
+        """What an octave adds, and what the next ridge takes."""
+        if s.kind in ("turbulence", "billow"):
+            return abs(n), before
+        if s.kind == "ridged":
+            d = self.round(1 - abs(n))
+            r = self.round(self.round(d * d) * np.minimum(2 * before, 1))
+            return r, r
+        return (self.ping_pong(n, s.strength) if s.kind == "ping_pong" else n), before
+
+    def octaves(self, kind, s, p, places=None):
+        """An octave sum (bounds.sums.Sum); `places` are the cells and fractions of its octaves, if it has whole
+        positions."""
+        count, seed, amp, before = max(math.ceil(s.octaves), 0), 0, 1.0, 0.5
+        value = np.zeros(np.shape(p[0]))
+        part = total = s.octaves - (count - 1) if count > 1 else 1.0
+        for _ in range(count - 1):
+            total = self.mad(s.gain, total, 1.0)
+        positions = zip(range(count), places or self.positions(s, p),
+                        itertools.repeat(1.0) if s.footprint is None else self.fades(s))
+        for i, q, fade in positions:
+            n = self.perlin_in(kind, *q, np.int64(seed)) if places else self.perlin_at(kind, q, np.int64(seed))
+            if s.kind in ("billow", "ridged", "ping_pong", "weighted"):
+                n = np.clip(n, -1, 1)
+            term, before = self.term(s, n, before)
+            used = self.round(self.round(amp * (part if i == count - 1 else 1.0)) * fade)
+            value = self.mad(used, term, value)
+            if s.kind == "weighted":
+                amp = self.round(amp * self.mad(-s.strength, self.round(0.5 - 0.5 * n), 1.0))
+            amp = self.round(amp * s.gain)
             seed = exact.u32(seed + 0x9E3779B9)
-        value = self.round(value / total)
-        if name != "clouds":
+        value = self.round(value / total) if count else value
+        if s.kind == "billow":
+            return self.mad(2.0, value, -1.0)
+        if s.kind != "clouds":
             return value
         t = np.clip(self.mad(2.0, value, 0.25), 0.0, 1.0)
         return self.round(self.round(t * t) * self.mad(-2.0, t, 3.0))

@@ -1,7 +1,11 @@
 """How far an octave sum over a noise may be off, from the bounds of that noise: in floats, and in fixed arithmetic."""
 
+from __future__ import annotations
+
 import functools
 import math
+from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -11,59 +15,246 @@ from bounds.floats import UNIT as FLOAT_UNIT
 from bounds.integers import DOUBLE, FADE_ONE, UNIT, checked, signed, word
 from bounds.table import Bounds
 
+KINDS = ("fbm", "turbulence", "clouds", "billow", "ridged", "ping_pong", "weighted")
+CLAMPED = ("billow", "ridged", "ping_pong", "weighted")  # in which a noise beyond [-1, 1] counts as the nearer end
 SHIFT_MAX = {2: 19 / 32, 3: 23 / 32}  # the largest component of the shift between octaves
+# By how much the turns of a position make a length larger at most: in the plane of x and y, then in that of y and z. The
+# second makes lengths in its plane smaller, but not that along x.
+TURNS = (math.hypot(25, 20) / 32, max(math.hypot(29, 13) / 32, 1.0))
+WHOLE = 2.0**-24  # the unit of whole positions
+WEIGHT_UNIT = 1 / FADE_ONE
 
 # What clouds are off by beyond the error of an fBm: the clamp leaves no more than 1, whatever the limit; the smoothstep
 # has slopes up to 3/2 and three roundings, relative to a value of at most 1.
 FLOAT_CLOUD_ERROR = 1.5 * FLOAT_UNIT + 3.001 * FLOAT_UNIT
 
+
+@dataclass(frozen=True)
+class Sum:
+    """An octave sum and its arguments, in the range that the contract takes them in: a period has made the lacunarity a
+    whole number. A float of octaves is a detail; gain is not negative."""
+    kind: str
+    p_max: float  # the largest |p_i|; from a cell, |cell + f|
+    octaves: float
+    lacunarity: float
+    gain: float
+    strength: float = 0.0
+    footprint: float | None = None
+    turns: bool = True  # it does not with a period
+    from_cell: bool = False
+    exact_positions: bool = False  # the caller's promise that every q is computed without rounding
+
+    def __post_init__(self):
+        if self.kind not in KINDS:
+            raise ValueError(self.kind)
+
+    @property
+    def count(self) -> int:
+        return max(math.ceil(self.octaves), 0)
+
+    @property
+    def weights(self) -> list[float]:
+        """gain^i, the last one as much less as a detail says."""
+        powers = [self.gain**i for i in range(self.count)]
+        if self.count > 1:
+            powers[-1] *= self.octaves - (self.count - 1)
+        return powers
+
+    @property
+    def fades(self) -> list[float]:
+        """What a footprint leaves of each octave."""
+        if self.footprint is None:
+            return [1.0] * self.count
+        finer = max(self.lacunarity, 1.0)
+        return [min(max(1.5 - self.footprint * finer**i, 0.0), 1.0) for i in range(self.count)]
+
+
+def clamped_strength(s: Sum) -> float:
+    return min(max(s.strength, 0.0), 64.0 if s.kind == "ping_pong" else 1.0)
+
+
+# --- Positions --------------------------------------------------------------------------------------------------------
+
+def float_positions(s: Sum, dims: int) -> Iterator[float]:
+    """The largest errors of the coordinates of each octave's position, computed from a position. With a period
+
+        q = q*lacunarity + shift
+
+    and each coordinate is bounded on its own. Else the steps are, with c = lacunarity*25/32 and s = lacunarity*5/8,
+    and in space d = lacunarity*29/32 and e = lacunarity*13/32,
+
+        2D: x' = (c*x - s*y) + 11/32;  y' = (s*x + c*y) + 19/32
+        3D: v = s*x + c*y;  x' as before;  y' = (29/32*v - e*z) + 19/32;  z' = (13/32*v + d*z) + 23/32
+
+    and lengths are bounded, which turns stretch by TURNS, coordinates by much more. A coordinate goes through no more
+    than 2 n roundings, the last of them after the shift, of terms whose magnitudes sum to no more than the stretched
+    length (Cauchy). Terms below 2^-126 may become 0."""
+    lacunarity, shift = abs(s.lacunarity), SHIFT_MAX[dims]
+    if not s.turns:
+        position, error = s.p_max, 0.0
+        while True:
+            yield error
+            product_err = lacunarity * (error + FLOAT_UNIT * (position + error) + TINY) + TINY
+            position = lacunarity * position + shift
+            error = 0.0 if s.exact_positions else product_err + FLOAT_UNIT * (position + product_err)
+    axes, stretch = math.sqrt(dims), lacunarity * math.prod(TURNS[:dims - 1])
+    rounding = (1 + FLOAT_UNIT) ** (2 * dims) - 1
+    position, error = axes * s.p_max, 0.0
+    while True:
+        yield error
+        reach = position + error
+        of_coordinate = rounding * stretch * reach + FLOAT_UNIT * shift + TINY * (4 * reach + 8)
+        error = 0.0 if s.exact_positions else stretch * error + axes * of_coordinate
+        position = stretch * position + axes * shift
+
+
+def whole_positions(s: Sum, dims: int) -> Iterator[float]:
+    """The same of whole positions: a coordinate is cut to a multiple of 2^-24, and the lacunarity of 2^-23; the product
+    is rounded down, and so are both coordinates after each turn."""
+    ratio, shift = math.trunc(s.lacunarity * 2**23) / 2**23, SHIFT_MAX[dims]
+    axes, turns = (math.sqrt(dims), TURNS[:dims - 1]) if s.turns else (1.0, ())
+    position, error = axes * s.p_max, 0.0 if s.exact_positions else axes * WHOLE
+    while True:
+        yield error
+        error = ratio * error + (s.lacunarity - ratio) * position + axes * WHOLE
+        for stretch in turns:
+            error = stretch * error + math.sqrt(2) * WHOLE
+        error = 0.0 if s.exact_positions else error
+        position = s.lacunarity * math.prod(turns) * position + axes * shift
+
+
+# --- Octaves ----------------------------------------------------------------------------------------------------------
+
+def ridges(noise_errs: list[float], unit: float, lost: float) -> list[float]:
+    """The errors of r_i = d^2 min(2 r, 1), from those of d = 1 - |n|, of which each product errs by a part of `unit`
+    and loses up to `lost` beside.
+
+    A root g = sqrt(r) follows from d min(sqrt(2) g, 1). So an error of d moves g by as much, what was there before by
+    sqrt(2) times that, and r by twice what g is moved by: it grows as sqrt(2)^i, and not as 2^i. Relative errors of r
+    move g by half of them. What is lost does not depend on r, and is counted with r: it doubles."""
+    errs, root, falls = [], 0.0, 0.0
+    for i, noise_err in enumerate(noise_errs):
+        products = 1 + (i > 0)
+        root = noise_err + math.sqrt(2) * root + products * unit * (1 + unit) / 2
+        falls = 2 * falls + products * lost
+        errs.append(min(2 * root + falls, 1.0))
+    return errs
+
+
 # --- In floats --------------------------------------------------------------------------------------------------------
 
-def octave_tolerance(kind, noise: Bounds, p_max, octaves, lacunarity, gain, exact_positions):
-    """The largest error of hn_fbm, hn_turbulence or hn_clouds (kind "fbm", "turbulence", "clouds") over a noise, for
-    |p_i| <= p_max, against the exact sums of docs/contract.md at the same floats p, lacunarity and gain >= 0, evaluated
+def float_terms(s: Sum, limit: float, noise_errs: list[float]) -> tuple[list[float], float]:
+    """The errors of what an octave adds, before its weight, and the largest that it can be as computed:
 
-        sum = sum + amp*noise(q);  total = 1 + gain*total;  q = q*lacunarity + shift;  amp = amp*gain
-        value = sum / total
-        t = clamp(2*fbm + 0.25, 0, 1);  clouds = t*t*(3 - 2*t)
+        ridged:     d = 1 - |n|;  r = d*d*min(2*r, 1)
+        ping_pong:  t = (n + 1)*strength;  t = t - 2*floor(t/2);  z = min(t, 2 - t);  2*z - 1
 
-    Each *_err bounds the error of its float. The noise is at most the limit, exact as well as computed, so |sum| is at
-    most limit * total; a division errs by up to 2.5 ulp. exact_positions is the caller's promise that every q is
-    computed without rounding (few bits in p and lacunarity). Infinite where the total leaves 2^126: GLSL bounds the
-    error of a division only for divisors below."""
-    if kind not in ("fbm", "turbulence", "clouds"):
-        raise ValueError(kind)
-    limit, position, position_err = noise.limit, p_max, 0.0
-    amp, amp_err, total, total_err, sum_err, error = 1.0, 0.0, 0.0, 0.0, 0.0, 0.0
-    for _ in range(octaves):
-        noise_err = min(noise.lipschitz * position_err + noise.error, 2 * limit)
-        sum_err += (amp + amp_err) * (noise_err + FLOAT_UNIT * limit) + limit * amp_err + TINY
-        total, total_err = 1 + gain * total, gain * (total_err + FLOAT_UNIT * (total + total_err)) + TINY
+    Of t only n + 1 and the product round: 2 - t is exact for t from 1 on. The difference may be fused with the product,
+    so that t is less than 0 or more than 2 by the rounding of the product; this counts twice, then."""
+    if s.kind == "ridged":
+        return ridges([e + FLOAT_UNIT for e in noise_errs], FLOAT_UNIT, 2 * TINY), 1.0
+    if s.kind == "ping_pong":
+        strength, terms = clamped_strength(s), []
+        for noise_err in noise_errs:
+            before = strength * (noise_err + FLOAT_UNIT * (2 + noise_err))
+            t_err = before + 2 * (FLOAT_UNIT * (2 * strength + before) + TINY)
+            terms.append(min(2 * t_err + FLOAT_UNIT * (1 + 2 * t_err), 2.001))
+        return terms, 1.001
+    return noise_errs, limit
+
+
+def float_fade_error(i: int) -> float:
+    """Of clamp(3/2 - e, 0, 1), e = footprint * max(lacunarity, 1)^i computed step by step. It counts up to 3/2 only."""
+    return 1.501 * ((1 + FLOAT_UNIT) ** i - 1) + 1.001 * FLOAT_UNIT + 2 * TINY
+
+
+def float_sum_error(s: Sum, limit: float, noise_errs: list[float]) -> float:
+    """Of what is divided by the total. Each *_err bounds the error of its float.
+
+        sum = sum + amp*noise(q);  total = gain*total + 1;  amp = amp*gain;  value = sum / total
+        weighted:   amp = amp*(1 - strength*(0.5 - 0.5*n)) before that
+        footprint:  amp*fade, in place of amp, adds to the sum
+        detail:     the last amp is multiplied with its share, with which the total begins
+
+    A term is at most the limit, exact as well as computed, so |sum| is at most limit * total; a division errs by up to
+    2.5 ulp. Infinite where the total leaves 2^126: GLSL bounds the error of a division only for divisors below."""
+    terms, limit = float_terms(s, limit, noise_errs)
+    amp, amp_err, total, total_err, sum_err = 1.0, 0.0, 0.0, 0.0, 0.0
+    strength, shares = clamped_strength(s), isinstance(s.octaves, float)
+    for i, (term_err, noise_err) in enumerate(zip(terms, noise_errs)):
+        used_err = amp_err
+        if s.footprint is not None:
+            used_err = amp_err + (amp + amp_err) * (float_fade_error(i) + FLOAT_UNIT) + TINY
+        if shares:
+            used_err += FLOAT_UNIT * (amp + amp_err) + TINY
+        sum_err += (amp + used_err) * (term_err + FLOAT_UNIT * limit) + limit * used_err + TINY
+        total, total_err = 1 + s.gain * total, s.gain * (total_err + FLOAT_UNIT * (total + total_err)) + TINY
         sum_err += FLOAT_UNIT * (limit * total + sum_err)
         total_err += FLOAT_UNIT * (total + total_err)
-        product_err = abs(lacunarity) * (position_err + FLOAT_UNIT * (position + position_err) + TINY) + TINY
-        position = abs(lacunarity) * position + SHIFT_MAX[noise.dimensions]
-        position_err = 0.0 if exact_positions else product_err + FLOAT_UNIT * (position + product_err)
-        amp, amp_err = amp * gain, gain * (amp_err + FLOAT_UNIT * (amp + amp_err)) + TINY
+        gained, gained_err = amp * s.gain, s.gain * (amp_err + FLOAT_UNIT * (amp + amp_err)) + TINY
+        if s.kind == "weighted":
+            kept_err = min(strength * (noise_err / 2 + 2 * FLOAT_UNIT) + FLOAT_UNIT, 1.0) + TINY
+            most = gained + gained_err
+            gained_err = min(gained_err + gained * kept_err, most) + FLOAT_UNIT * most + (1 + s.gain) * TINY
+        amp, amp_err = gained, gained_err
     if total > 2.0**126:
         return math.inf
-    if octaves > 0:
-        error = (sum_err + limit * total_err) / (total - total_err)
-        error += 2.5 * FLOAT_UNIT * (limit + error) + TINY
-    if kind == "clouds":
+    if shares:  # terms that are not negative, each through no more than so many roundings
+        total = sum(s.weights)
+        total_err = total * ((1 + FLOAT_UNIT) ** (2 * s.count) - 1) + 2 * total * s.count * TINY
+    error = (sum_err + limit * total_err) / (total - total_err)
+    return error + 2.5 * FLOAT_UNIT * (limit + error) + TINY
+
+
+def octave_tolerance(s: Sum, noise: Bounds) -> float:
+    """The largest error of an octave sum over a noise, against the exact sums of docs/contract.md at the same floats:
+
+        billow = 2*turbulence - 1
+        t = clamp(2*fbm + 0.25, 0, 1);  clouds = t*t*(3 - 2*t)
+
+    From a cell the positions are whole ones, which are defined for a lacunarity in [0, 255]."""
+    if s.from_cell and not 0 <= s.lacunarity <= 255:
+        return math.inf
+    limit = min(noise.limit, 1.0) if s.kind in CLAMPED else noise.limit
+    positions = whole_positions(s, noise.dimensions) if s.from_cell else float_positions(s, noise.dimensions)
+    of_noise = noise.cell_error if s.from_cell else noise.error
+    noise_errs = [min(noise.lipschitz * position_err + of_noise, 2 * limit)
+                  for _, position_err in zip(range(s.count), positions)]
+    error = float_sum_error(s, limit, noise_errs) if s.count else 0.0
+    if s.kind == "clouds":
         return 1.5 * 2 * error + FLOAT_CLOUD_ERROR
+    if s.kind == "billow":
+        return 2 * error + FLOAT_UNIT * (1 + 2 * error)
     return error  # abs is exact and brings no two values further apart
 
 
 # --- In integers ------------------------------------------------------------------------------------------------------
 
-def fixed_weights(octaves, gain):
+def product(a: int, b: int) -> int:
+    """The contract's: a b / 2^18 rounded down, since floors of floors are floors."""
+    return ((a >> 9) * b + (((a & 511) * b) >> 9)) >> 9
+
+
+def fixed_weights(s: Sum) -> list[int]:
     """A_i of the contract, in units of 2^-18."""
-    g, weights = math.trunc(gain * FADE_ONE), [FADE_ONE]
-    while len(weights) < octaves:
-        a = weights[-1]
-        weights.append(((a >> 9) * g + (((a & 511) * g) >> 9)) >> 9)
-    return weights[:max(octaves, 0)]
+    g, weights = math.trunc(s.gain * FADE_ONE), [FADE_ONE]
+    while len(weights) < s.count:
+        weights.append(product(weights[-1], g))
+    if s.count > 1:
+        weights[-1] = product(weights[-1], math.trunc((s.octaves - (s.count - 1)) * FADE_ONE))
+    return weights[:s.count]
+
+
+def fixed_fades(s: Sum) -> list[int]:
+    """What a footprint leaves of each octave, in units of 2^-18."""
+    if s.footprint is None:
+        return [FADE_ONE] * s.count
+    finer = max(math.trunc(s.lacunarity * 2**23), 2**23)
+    e, fades = math.trunc(min(max(s.footprint, 0.0), 2.0) * 2**24), []
+    for _ in range(s.count):
+        fades.append(min(max(3 * 2**17 - (e >> 6), 0), FADE_ONE))
+        e = min(e * finer >> 23, 2**25)
+    return fades
 
 
 @functools.cache
@@ -77,41 +268,74 @@ def cloud_error():
     return np.abs(density * UNIT - exact).max() * SAFE + DOUBLE
 
 
-def fixed_octave_tolerance(kind, noise: Bounds, p_max, octaves, lacunarity, gain, exact_positions):
+def fixed_strength(s: Sum) -> tuple[float, float]:
+    """As it is cut to 2^-18, and by how much."""
+    strength = clamped_strength(s)
+    cut = math.trunc(strength * FADE_ONE) / FADE_ONE
+    return cut, strength - cut
+
+
+def fixed_terms(s: Sum, noise_errs: list[float]) -> list[float]:
+    """The errors of what an octave adds. Ridged: d is rounded down to 2^-18, and so is each product. Ping-pong: t is
+    rounded down to 2^-30, the term to 2^-21."""
+    if s.kind == "ridged":
+        return ridges([e + WEIGHT_UNIT for e in noise_errs], 0.0, WEIGHT_UNIT)
+    if s.kind == "ping_pong":
+        strength, cut = fixed_strength(s)
+        return [min(2 * (strength * e + 2 * cut + 2.0**-30) + UNIT, 2.0) for e in noise_errs]
+    return noise_errs
+
+
+def weighted_errors(s: Sum, noise_errs: list[float]) -> list[float]:
+    """By how much B_i of weighted is off, beyond what the contract's product of exact factors is: M is off by half of
+    the noise, a rounding of (1 - n) / 2 and one of the product with the strength; two products more round down."""
+    strength, cut = fixed_strength(s)
+    g, err, errs, weight = math.trunc(s.gain * FADE_ONE) / FADE_ONE, 0.0, [], 1.0
+    for noise_err in noise_errs:
+        errs.append(err)
+        kept_err = min(strength * (noise_err / 2 + WEIGHT_UNIT) + cut + WEIGHT_UNIT, 1.0)
+        gained = weight * s.gain
+        err = min(g * (err + weight * kept_err + WEIGHT_UNIT) + (s.gain - g) * weight + WEIGHT_UNIT, gained)
+        weight = gained
+    return errs
+
+
+def fixed_octave_tolerance(s: Sum, noise: Bounds) -> float:
     """As octave_tolerance, of the fixed arithmetic; for lacunarity in [0, 255], gain in [0, 1] and
     at most 32 octaves, which is what it does not cut.
 
-    Positions: p is cut to 2^-32 at first, the lacunarity to l, a multiple of 2^-23, and every product is rounded down
-    to 2^-32. A noise is off by L times its position's error and by fixed_error (the cut to 2^-20 is in that). The
-    weights are compared with the exact ones as they are: a change of weights by c_i, of sums 1 both, moves the mean by
-    at most limit * sum |c_i|. A product v A / 2^18 is rounded down by less than 2 units of 2^-21, and so is their sum
-    by less than 2 an octave; the division by less than 1. exact_positions is the caller's promise that p are multiples
-    of 2^-32 (floats from 2^-9 on are) and that each product is, too (a whole lacunarity)."""
-    if kind not in ("fbm", "turbulence", "clouds"):
-        raise ValueError(kind)
-    if not (0 <= lacunarity <= 255 and 0 <= gain <= 1 and octaves <= 32):
+    A noise is off by L times its position's error and by fixed_error (the cut to 2^-20 is in that). The weights are
+    compared with the exact ones as they are: a change of weights by c_i, whose exact sum is 1, moves the mean by at
+    most limit * sum |c_i|; those of weighted depend on the noise, and are bounded. A product v A / 2^18 is rounded down
+    by less than 2 units of 2^-21, and so is their sum by less than 2 an octave; the division by less than 1."""
+    if not (0 <= s.lacunarity <= 255 and 0 <= s.gain <= 1 and s.octaves <= 32):
         return math.inf
-    limit, error = noise.fixed_limit, 0.0
-    if octaves > 0:
-        fixed = fixed_weights(octaves, gain)
-        exact = [gain**i for i in range(octaves)]
-        total = sum(fixed)
-        ratio = math.trunc(lacunarity * 2**23) / 2**23
-        position, position_err = p_max, 0.0 if exact_positions else 2.0**-32
-        for i in range(octaves):
-            noise_err = min(noise.lipschitz * position_err + noise.fixed_error, 2 * limit)
-            error += fixed[i] / total * noise_err + limit * abs(fixed[i] / total - exact[i] / sum(exact))
-            if not exact_positions:
-                position_err = ratio * position_err + (lacunarity - ratio) * position + 2.0**-32
-            position = lacunarity * position + SHIFT_MAX[noise.dimensions]
-        error += (2 * octaves * FADE_ONE / total + 1) * UNIT + DOUBLE
-    if kind == "clouds":  # the clamp and the doubling are exact, the smoothstep has slopes up to 3/2
+    limit, error = min(noise.fixed_limit, 1.0) if s.kind in CLAMPED else noise.fixed_limit, 0.0
+    if s.count:
+        noise_errs = [min(noise.lipschitz * position_err + noise.fixed_error, 2 * limit)
+                      for _, position_err in zip(range(s.count), whole_positions(s, noise.dimensions))]
+        all_of_them, exact = fixed_weights(s), s.weights
+        total, exact_total = sum(all_of_them), sum(exact)
+        used = [product(a, fade) for a, fade in zip(all_of_them, fixed_fades(s))]
+        exact_used = [a * fade for a, fade in zip(exact, s.fades)]
+        changes = [abs(a / total - b / exact_total) for a, b in zip(used, exact_used)]
+        if s.kind == "weighted":
+            changes = [b * abs(FADE_ONE / total - 1 / exact_total) + err * FADE_ONE / total
+                       for b, err in zip(exact, weighted_errors(s, noise_errs))]
+        for a, term_err, change in zip(used, fixed_terms(s, noise_errs), changes):
+            error += a / total * term_err + limit * change
+        error += (2 * s.count * FADE_ONE / total + 1) * UNIT + DOUBLE
+    if s.kind == "clouds":  # the clamp and the doubling are exact, the smoothstep has slopes up to 3/2
         return 1.5 * 2 * error + cloud_error()
-    return error
+    return 2 * error if s.kind == "billow" else error
 
 
-def largest_octave_intermediates(limit):
+def largest_octave_intermediates(limit: float) -> dict[str, float]:
     """By name, bounds of the magnitudes that must stay below 2^31, for a noise of at most `limit`: of
-    v * (A >> 9) + (v >> 9) * (A & 511), A <= 2^18. Where A & 511 is not 0, A >> 9 is at most 511."""
+    v * (A >> 9) + (v >> 9) * (A & 511), A <= 2^18. Where A & 511 is not 0, A >> 9 is at most 511. Of a turn, the parts
+    of whole positions that are multiplied have 24 bits, and a fraction of 1 is 2^24."""
     noise = limit * 2**21
-    return {"octave": noise * 2**9 + (noise / 2**9 + 1) * 511, "sum of 32 octaves": 32 * (noise + 2)}
+    return {"octave": noise * 2**9 + (noise / 2**9 + 1) * 511, "sum of 32 octaves": 32 * (noise + 2),
+            "product": 2**9 * FADE_ONE + FADE_ONE, "part of a product": 511 * FADE_ONE, "doubled ridge": 2 * FADE_ONE,
+            "part of ping-pong's t": 2**22 * 511, "turn": (20 + 25) * 2**24, "rest of a turn": (20 + 25) * 31,
+            "billow": 2 * 2**21 + 2**21}

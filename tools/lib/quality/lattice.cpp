@@ -7,6 +7,9 @@
 // stage     hn_gradient2(word), hn_gradient3(word): a point is a word; a value is the floats of the gradient
 // NAME      hn_NAME(p, period, seed), with the same period along each axis: a point is the floats of p, the period as an
 //           integer, and the seed; a value is a float
+// sum       hn_fbm(cell, f, octaves, lacunarity, gain, seed): a point is the cell, the floats of f, the octaves as an
+//           integer, the floats of lacunarity and gain, and the seed; a value is a float
+// tiled_sum hn_fbm(cell, f, period, octaves, lacunarity, gain, seed): the same points, with the period before the seed
 // All are little-endian, without anything between them.
 // Exit status: 0 done, 2 bad usage, or input or output that broke off.
 #include <array>
@@ -60,7 +63,7 @@ struct Quantity {
          hashnoise::hn_##name(vec3(real(in[0]), real(in[1]), real(in[2])), ivec3(integer(in[3])), in[4]));            \
    }}
 
-constexpr std::array<Quantity, 18> kQuantities = {{
+constexpr std::array<Quantity, 22> kQuantities = {{
     {"word", '2', 3, 1,
      [](const Word* in, Word* out) { *out = hashnoise::hn_i_point(hashnoise::uvec2(in[0], in[1]), in[2]); }},
     {"word", '3', 4, 1,
@@ -83,6 +86,29 @@ constexpr std::array<Quantity, 18> kQuantities = {{
      }},
     {"stage", '2', 1, 2, [](const Word* in, Word* out) { put(hashnoise::hn_gradient2(*in), out); }},
     {"stage", '3', 1, 3, [](const Word* in, Word* out) { put(hashnoise::hn_gradient3(*in), out); }},
+    {"sum", '2', 8, 1,
+     [](const Word* in, Word* out) {
+       *out = std::bit_cast<Word>(hashnoise::hn_fbm(ivec2(integer(in[0]), integer(in[1])), vec2(real(in[2]), real(in[3])),
+                                                    integer(in[4]), real(in[5]), real(in[6]), in[7]));
+     }},
+    {"sum", '3', 10, 1,
+     [](const Word* in, Word* out) {
+       *out = std::bit_cast<Word>(hashnoise::hn_fbm(
+           ivec3(integer(in[0]), integer(in[1]), integer(in[2])), vec3(real(in[3]), real(in[4]), real(in[5])),
+           integer(in[6]), real(in[7]), real(in[8]), in[9]));
+     }},
+    {"tiled_sum", '2', 9, 1,
+     [](const Word* in, Word* out) {
+       *out = std::bit_cast<Word>(hashnoise::hn_fbm(ivec2(integer(in[0]), integer(in[1])), vec2(real(in[2]), real(in[3])),
+                                                    ivec2(integer(in[7])), integer(in[4]), real(in[5]), real(in[6]),
+                                                    in[8]));
+     }},
+    {"tiled_sum", '3', 11, 1,
+     [](const Word* in, Word* out) {
+       *out = std::bit_cast<Word>(hashnoise::hn_fbm(
+           ivec3(integer(in[0]), integer(in[1]), integer(in[2])), vec3(real(in[3]), real(in[4]), real(in[5])),
+           ivec3(integer(in[9])), integer(in[6]), real(in[7]), real(in[8]), in[10]));
+     }},
     TILED(perlin),
     TILED(value),
     TILED(value_cubic),

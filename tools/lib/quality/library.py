@@ -68,6 +68,20 @@ class Twin:
         points[:, -2:] = period, seed
         return self.evaluate(name, positions.shape[1], points)
 
+    def octave_sum(self, positions: np.ndarray, octaves: int, lacunarity: float, gain: float, seed: int,
+                   period: int | None = None) -> np.ndarray:
+        """hn_fbm from cells and fractions, where its octaves are at exact positions; with a period, the same along each
+        axis."""
+        n = positions.shape[1]
+        cells = np.floor(positions)
+        options = [octaves, *np.array([lacunarity, gain], np.float32).view(np.uint32), *([] if period is None else [period]),
+                   seed]
+        points = np.empty((len(positions), 2 * n + len(options)), np.uint32)
+        points[:, :n] = cells.astype(np.int64) & 0xFFFFFFFF
+        points[:, n:2 * n] = (positions - cells).astype(np.float32).view(np.uint32)
+        points[:, 2 * n:] = options
+        return self.evaluate("sum" if period is None else "tiled_sum", n, points)
+
     def stage(self, words: np.ndarray, dimensions: int) -> np.ndarray:
         """hn_gradient2 or hn_gradient3 of words."""
         return self.evaluate("stage", dimensions, words).reshape(*words.shape, dimensions)
