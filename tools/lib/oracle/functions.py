@@ -117,22 +117,18 @@ def _evaluator(noise: Noise, function: Function, fixed: bool) -> Evaluate:
 
 
 def _sum_evaluator(function: Function, fixed: bool) -> Evaluate:
-    noise, axes = noises.find(NOISE_OF_SUMS), "xyz"[:function.axes]
-    names = [column.split(":")[0] for column in function.inputs.split()]
-    of = sums.fixed if fixed else sums.exact
+    n, noise = function.axes, noises.find(NOISE_OF_SUMS)
+    octave_sum = sums.fixed if fixed else sums.exact
     at_position, in_cell = ((sums.fixed_at_position, sums.fixed_in_cell) if fixed else
                             (sums.at_position, sums.in_cell))
+    behind_place = 2 * n if function.has_cell else n
+    behind_periods = behind_place + n * function.has_period
+    names = ["octaves" if name == "detail" else name for name in function.settings]
 
     def evaluate(knobs: Knobs, row: Sequence[Real]) -> tuple[Real, ...]:
-        given = dict(zip(names, row, strict=True))
-
-        def along_axes(prefix: str) -> list[Real]:
-            return [given[prefix + axis] for axis in axes if prefix + axis in given]
-
-        place = in_cell(along_axes("c"), along_axes("f")) if "cx" in given else at_position(along_axes(""))
-        octaves = given["detail" if "detail" in given else "octaves"]
-        options = sums.Options(octaves, *(given.get(name, 0) for name in ("lacunarity", "gain", "strength",
-                                                                          "footprint")))
-        return (of(function.bound, noise, knobs, place, options, given["seed"], along_axes("p")),)
+        *settings, seed = row[behind_periods:]
+        place = in_cell(row[:n], row[n:behind_place]) if function.has_cell else at_position(row[:n])
+        options = sums.Options(**dict(zip(names, settings, strict=True)))
+        return (octave_sum(function.bound, noise, knobs, place, options, seed, row[behind_place:behind_periods]),)
 
     return evaluate
