@@ -16,10 +16,10 @@ COUNT = 64
 # reach as far as 64, those of the weighted sum as far as 1. What is beyond counts as the end.
 Edges = dict[str, tuple[tuple[float, ...], tuple[float, ...]]]
 EDGES: Edges = {
-    # A footprint at which an octave begins to fade, or is gone, is 1/4 or 1/2 over a power of the lacunarity.
-    "footprint": ((0.0, *(2.0**-k for k in range(1, 9)), 0.375, 1.0, 3.0),
-                  (-0.0, 1e-40, 2.0**-25, 2.0**-24, 3 * 2.0**-24, 1 / 7, 0.25 + 2.0**-24, 0.5 - 2.0**-24, 1 - 2.0**-24,
-                   1.5, 3e38, -1.0)),
+    # A footprint at which an octave begins to fade, or is gone, is 1/2 or 3/2 over a power of the lacunarity.
+    "footprint": ((0.0, *(2.0**-k for k in range(9)), *(3 * 2.0**-k for k in range(6)), 7.0),
+                  (-0.0, 1e-40, 2.0**-25, 2.0**-24, 3 * 2.0**-24, 1 / 7, 0.5 + 2.0**-18, 0.5 + 2.0**-23, 1.5 - 2.0**-18,
+                   1.5 - 2.0**-23, 2.0, 3e38, -1.0)),
     "detail": ((-1.0, 0.0, 2.0**-20, 0.5, 1.0, 1 + 2.0**-20, 2.0, 3 - 2.0**-20, 5.0, 5.9375, 6.5, 7.0),
                (-0.0, 1e-40, -1e-40, 2.0**-149, 1 + 2.0**-23, 1 + 2.0**-18, 2 - 2.0**-22, 6.7, 31.0, 31.5, 32.0,
                 32 + 2.0**-18, 33.5, 3e38, -3e38)),
@@ -42,7 +42,7 @@ def edges_of(function: Function) -> tuple[str, tuple[float, ...], tuple[float, .
 def usual(function: Function, octaves: int, generator: Generator) -> float:
     """A number for that setting."""
     return generator.pick({
-        "footprint": (0.0, 3.0, *(generator.uniform(0.5, 1) * 2.0**-generator.integer(0, 8) for _ in range(6))),
+        "footprint": (0.0, 3.0, *(generator.uniform(0.5, 1) * 2.0**-generator.integer(-1, 7) for _ in range(6))),
         "detail": (octaves, octaves - 0.5, octaves - 2.0**-10, octaves - generator.uniform(0, 1)),
         "ping_pong": (2.0, 2.0, 3.0, generator.uniform(0, 4)),
         "weighted": (1.0, 0.5, generator.uniform(0, 1)),

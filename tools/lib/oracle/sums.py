@@ -16,6 +16,8 @@ from oracle.words import MASK, signed as wrapped
 
 SHIFT = (Fraction(11, 32), Fraction(19, 32), Fraction(23, 32))
 SEED_STEP = 0x9E3779B9
+# In 32nds the cosines and the sines of the turns: in the plane of x and y, and then in that of y and z.
+TURNS = ((25, 20), (29, 13))
 
 Number = TypeVar("Number", int, Fraction)
 
@@ -51,11 +53,11 @@ def lacunarity_of(options: Options, periods: Sequence[int]) -> Fraction:
 
 
 def turn(q: Sequence[Number], thirty_second: Callable[[Number], Number]) -> list[Number]:
-    """The turn of a position, in the plane of x and y, and then in that of y and z."""
+    """The turn of a position."""
     q = list(q)
-    for i in range(len(q) - 1):
-        x, y = q[i:i + 2]
-        q[i:i + 2] = thirty_second(25 * x - 20 * y), thirty_second(20 * x + 25 * y)
+    for i, (cosine, sine) in zip(range(len(q) - 1), TURNS):
+        a, b = q[i:i + 2]
+        q[i:i + 2] = thirty_second(cosine * a - sine * b), thirty_second(sine * a + cosine * b)
     return q
 
 
@@ -98,7 +100,7 @@ def weights(options: Options) -> list[Fraction]:
 def visible(options: Options, i: int) -> Fraction:
     """How much of octave i a footprint leaves."""
     detail = Fraction(options.footprint) * max(Fraction(options.lacunarity), Fraction(1))**i
-    return clamped(2 - 4 * detail, 0, 1)
+    return clamped(Fraction(3, 2) - detail, 0, 1)
 
 
 def terms(noise: Noise, knobs: Knobs, place: Place, options: Options, seed: int,
@@ -239,10 +241,10 @@ def fixed_weights(options: Options) -> list[int]:
 def fixed_visible(options: Options) -> Iterator[int]:
     """How much of each octave a footprint leaves, in units of 2^-18."""
     factor = max(math.trunc(clamped(options.lacunarity, 0, 255) * 2**23), 2**23)
-    detail = math.trunc(clamped(options.footprint, 0, 1) * 2**24)
+    detail = math.trunc(clamped(options.footprint, 0, 2) * 2**24)
     while True:
-        yield min(max(2**19 - (detail >> 4), 0), 2**18)
-        detail = min(detail * factor >> 23, 2**24)
+        yield min(max(3 * 2**17 - (detail >> 6), 0), 2**18)
+        detail = min(detail * factor >> 23, 2**25)
 
 
 def fixed_terms(noise: Noise, knobs: Knobs, place: FixedPlace, options: Options, seed: int,
