@@ -110,17 +110,18 @@ def plain(function: Function, generator: Generator) -> list[Row]:
         periods = periods_of(function, octaves, 2.0, generator)
         rows.append(split(function, point) + periods +
                     settings(function, octaves, 2.0, gain, usual(function, octaves, generator)) + (seed,))
+    rows += [drawn(function, 3, 2.0, gain, generator) for gain in (0.0, 1.0, 1.5)]
     for special in edges:
         octaves = math.ceil(special) if name == "detail" else 6 if name == "footprint" else 4
         # A strength is as steep as it is large.
         rows.append(drawn(function, 1 if name == "strength" and special > 4 else octaves, 2.0, 0.5, generator, special))
         if name == "footprint":
             rows.append(drawn(function, 4, generator.pick((0.5, 1.5, 3.0)), 0.75, generator, special))
-    # The lacunarity is rounded down with a period, and from a cell one below 0 counts as 0.
+    # With a period the lacunarity is rounded down, and from a cell one below 0 counts as 0.
     lacunarities = [(2.0, 6), (2.0, 6), (2.0, 4), (1.5, 6), (2.5, 5), (1.90625, 6), (3.0, 4), (1.0, 4), (0.5, 3),
                     (0.0, 2), (255.0, 2)]
-    lacunarities += [(300.0, 2), (-1.5, 2), (2.96875, 4)] if function.has_period else []
-    lacunarities += [] if function.has_period or function.has_cell else [(-1.5, 3)]
+    lacunarities += [(2.96875, 4)] if function.has_period else []
+    lacunarities += [(-1.5, 2), (300.0, 2)] if function.has_period or function.has_cell else [(-1.5, 3)]
     for lacunarity, count in itertools.islice(itertools.cycle(lacunarities), max(COUNT - len(rows), 40)):
         octaves = generator.integer(2 if count == 2 else 1, count)
         gain = generator.pick((0.5, 0.5, 0.25, 0.75, 1.0, 0.0, 1.5 if octaves < 4 else 0.625))

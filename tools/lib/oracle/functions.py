@@ -129,6 +129,8 @@ def _sum_evaluator(function: Function, fixed: bool) -> Evaluate:
         *settings, seed = row[behind_periods:]
         place = in_cell(row[:n], row[n:behind_place]) if function.has_cell else at_position(row[:n])
         options = sums.Options(**dict(zip(names, settings, strict=True)))
+        if function.has_cell:
+            options = sums.from_cell(options)
         return (octave_sum(function.bound, noise, knobs, place, options, seed, row[behind_place:behind_periods]),)
 
     return evaluate

@@ -46,6 +46,11 @@ def clamped(x: Real, low: Real, high: Real) -> Fraction:
     return min(max(Fraction(x), Fraction(low)), Fraction(high))
 
 
+def from_cell(options: Options) -> Options:
+    """As a sum from a cell takes them."""
+    return replace(options, lacunarity=clamped(options.lacunarity, 0, 255))
+
+
 def lacunarity_of(options: Options, periods: Sequence[int]) -> Fraction:
     """As with fixed arithmetic and with periods."""
     factor = clamped(options.lacunarity, 0, 255)
@@ -202,7 +207,7 @@ def fixed_octaves_of(place: FixedPlace, options: Options, seed: int,
     multiplier = math.trunc(factor * 2**23)
     for _ in range(count_of(options)):
         yield place, periods, seed
-        q = [reduced(reduced(cell * POSITION_UNIT + r) * multiplier >> 23) for cell, r in place]
+        q = [reduced((cell * POSITION_UNIT + r) * multiplier >> 23) for cell, r in place]
         if not periods:
             q = turn(q, lambda x: reduced(x >> 5))
         q = [reduced(x + int(shift * POSITION_UNIT)) for x, shift in zip(q, SHIFT)]
@@ -252,7 +257,7 @@ def fixed_terms(noise: Noise, knobs: Knobs, place: FixedPlace, options: Options,
     noises = []
     for at, p, s in fixed_octaves_of(place, options, seed, periods):
         value, *_ = noise.fixed_in_cell(Lattice(knobs, s, tuple(p)), [cell for cell, _ in at], [r >> 4 for _, r in at])
-        noises.append(min(max(value, -NOISE_UNIT), NOISE_UNIT))
+        noises.append(value)
     found = fixed_weights(options)
     return Terms(noises, found, list(map(product, found, fixed_visible(options))), in_weights(options.gain),
                  in_weights(options.strength, 64))
@@ -266,6 +271,12 @@ def fixed_mean(of: Terms[int], values: Sequence[int]) -> int:
     return math.trunc(Fraction(signed(sum(shares)) * 2**18, signed(sum(of.weights))))
 
 
+def fixed_within(of: Terms[int], largest: Real) -> list[int]:
+    """The noise, or the nearer end."""
+    end = int(largest * NOISE_UNIT)
+    return [min(max(v, -end), end) for v in of.noises]
+
+
 def density(v: int) -> int:
     """The density of clouds of an fBm, both in units of 2^-21."""
     t = min(max(2 * v + 2**19, 0), 2**21)
@@ -274,11 +285,11 @@ def density(v: int) -> int:
 
 
 def fixed_fbm(of: Terms[int]) -> int:
-    return fixed_mean(of, of.noises)
+    return fixed_mean(of, fixed_within(of, Fraction(3, 2)))
 
 
 def fixed_turbulence(of: Terms[int]) -> int:
-    return fixed_mean(of, list(map(abs, of.noises)))
+    return fixed_mean(of, list(map(abs, fixed_within(of, Fraction(3, 2)))))
 
 
 def fixed_clouds(of: Terms[int]) -> int:
@@ -286,12 +297,12 @@ def fixed_clouds(of: Terms[int]) -> int:
 
 
 def fixed_billow(of: Terms[int]) -> int:
-    return 2 * fixed_turbulence(of) - 2**21
+    return 2 * fixed_mean(of, list(map(abs, fixed_within(of, 1)))) - 2**21
 
 
 def fixed_ridged(of: Terms[int]) -> int:
     ridges, factor = [], 2**18
-    for v in of.noises:
+    for v in fixed_within(of, 1):
         d = (2**21 - abs(v)) >> 3
         ridges.append(product(product(d, d), factor))
         factor = min(2 * ridges[-1], 2**18)
@@ -306,16 +317,16 @@ def fixed_height(v: int, strength: int) -> int:
 
 
 def fixed_ping_pong(of: Terms[int]) -> int:
-    return fixed_mean(of, [(fixed_height(v, of.strength) >> 8) - 2**21 for v in of.noises])
+    return fixed_mean(of, [(fixed_height(v, of.strength) >> 8) - 2**21 for v in fixed_within(of, 1)])
 
 
 def fixed_weighted(of: Terms[int]) -> int:
-    shares, share = [], 2**18
-    for v in of.noises:
+    shares, share, noises = [], 2**18, fixed_within(of, 1)
+    for v in noises:
         shares.append(share)
         left = 2**18 - product((2**21 - v) >> 4, min(of.strength, 2**18))
         share = product(product(share, left), of.gain)
-    return fixed_mean(replace(of, shares=shares), of.noises)
+    return fixed_mean(replace(of, shares=shares), noises)
 
 
 # --- By name -----------------------------------------------------------------------------------------------------

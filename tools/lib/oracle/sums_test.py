@@ -84,8 +84,8 @@ class Octaves(unittest.TestCase):
         self.assertLess(abs(complex(3, -7) * factor - complex(x, y)), 1e-8)
         x, y, z = map(float, sums.turn([Fraction(3), Fraction(-7), Fraction(5)], lambda x: x / 32))
         first = complex(3, -7) * factor
-        second = complex(first.imag, 5) * cmath.rect(0.99314, math.radians(24.14554))
-        self.assertLess(abs(first.real - x) + abs(second - complex(y, z)), 1e-4)
+        second = complex(first.imag, 5) * cmath.rect(0.9931405364, math.radians(24.14554196))
+        self.assertLess(abs(first.real - x) + abs(second - complex(y, z)), 1e-8)
 
     def test_a_cell_far_out_keeps_its_fraction(self) -> None:
         place = sums.in_cell((2**31 - 1, -2**31), (2.0**-30, 1.0))
@@ -93,6 +93,10 @@ class Octaves(unittest.TestCase):
         options = Options(3, 2.0, 0.5)
         self.assertEqual(sums.exact("fbm", PERLIN, Knobs("pcg"), sums.in_cell((3, -5), (0.25, 1.0)), options),
                          exact("fbm", Knobs("pcg"), (3.25, -4.0), options))
+
+    def test_from_a_cell_the_lacunarity_is_cut(self) -> None:
+        found = [sums.from_cell(Options(2, x, 0.5)).lacunarity for x in (-1.5, 0.0, 1.5, 255.0, 300.0)]
+        self.assertEqual(found, [0, 0, 1.5, 255, 255])
 
     def test_weights(self) -> None:
         self.assertEqual(sums.weights(Options(3, 2.0, 0.75)), [1, 0.75, 0.5625])
@@ -293,9 +297,12 @@ class FixedSums(unittest.TestCase):
                          [(16, 0.2421875 * one), (-19, 0.921875 * one)])
         self.assertEqual(self.next_place(sums.fixed_at_position((1.0, 2.0, 3.0)), 2.0),
                          [(-1, 0.40625 * one), (2, 0.12109375 * one), (7, 0.93359375 * one)])
-        # A whole cell as fraction is the next cell, and beyond the last one the first.
-        for cell, same in ((5, 6), (-1, 0), (2**31 - 1, -2**31)):
-            self.assertEqual(self.next_place([(cell, one), (3, 0)], 1.5), self.next_place([(same, 0), (3, 0)], 1.5))
+        # A whole cell as fraction is the next cell, also beyond the last one.
+        for cell in (5, -1, 2**31 - 1):
+            self.assertEqual(self.next_place([(cell, one), (3, 0)], 1.5), self.next_place([(cell + 1, 0), (3, 0)], 1.5))
+        self.assertEqual(self.next_place([(2**31 - 1, one), (0, 0)], 0.5, (0, 0)), [(0, 11 * 2**19), (0, 19 * 2**19)])
+        self.assertEqual(self.next_place([(2**31 - 1, one), (0, 0)], 1.5, (0, 0)),
+                         [(-2**31, 11 * 2**19), (0, 19 * 2**19)])
         # Rounded down twice: 3 units times 1/2 is 1, and -1 is -1; then (25 + 20) / 32, (20 - 25) / 32.
         self.assertEqual(self.next_place([(0, 3), (-1, one - 1)], 0.5), [(0, 1 + 11 * 2**19), (0, 19 * 2**19 - 1)])
         # The third axis turns with what the second has become: 20 * 5 / 32 is 3, and then 29 * 3 / 32 and 13 * 3 / 32
@@ -420,6 +427,16 @@ class FixedSums(unittest.TestCase):
         self.assertEqual(sums.fixed_weighted(of), int((Fraction(1, 2) - Fraction(3, 32)) * 2**21 / Fraction(7, 4)))
         self.assertEqual(sums.fixed_weighted(replace(of, strength=64 * one)), sums.fixed_weighted(of))
         self.assertEqual(sums.fixed_weighted(replace(of, strength=0)), sums.fixed_fbm(of))
+
+    def test_a_noise_that_is_larger(self) -> None:
+        one = 2**18
+        for v, at_most in ((5 * 2**19, 5 * 2**19), (-5 * 2**19, 5 * 2**19), (2**22, 3 * 2**20)):
+            of, same = (self.fixed_terms([x], [one], one) for x in (v, 2**21 if v > 0 else -2**21))
+            self.assertEqual(sums.fixed_fbm(of), math.copysign(at_most, v))
+            self.assertEqual(sums.fixed_turbulence(of), at_most)
+            for function in (sums.fixed_clouds, sums.fixed_billow, sums.fixed_ridged, sums.fixed_ping_pong,
+                             sums.fixed_weighted):
+                self.assertEqual(function(of), function(same))
 
     def test_no_octaves(self) -> None:
         for octaves, name in itertools.product((0, -1, -0.5), sums.SUMS):
