@@ -3,7 +3,7 @@
     tools/readme            writes them
     tools/readme --check    whether they are what they should be, and the README states the costs
 
-A picture is drawn from the code below it, which the C++ twin evaluates at each pixel of a tile. The typical values are
+A picture is drawn from the code below it, which the C++ twin evaluates at each pixel of a tile; so are those of docs/gallery. The typical values are
 those of a million points. The costs are those of docs/results/llvmpipe/bench.csv, which hn-conform bench writes, and of peers.csv beside it, which tools/peers writes.
 
 Exit status: 0 all is as it should be, 1 something is not: prose is for you to mend; 2 bad usage, the code does not
@@ -16,7 +16,7 @@ import argparse
 import sys
 from collections.abc import Sequence
 
-from readme import numbers, picture
+from readme import gallery, numbers, picture
 from tables.markdown import with_section
 from tree import ROOT
 
@@ -64,7 +64,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             tiles = picture.tiles((ROOT / page).read_text(encoding="utf-8"), name)
             if status := picture.draw(tiles, picture.path_of(name), options.check):
                 return status
-        return 1 if found else 0
+        return gallery.draw(options.check) or bool(found)
     except (OSError, LookupError, ValueError) as error:
         parser.exit(2, f"tools/readme: {error}\n")
 

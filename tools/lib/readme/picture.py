@@ -43,12 +43,19 @@ def tiles(page: str, name: str) -> list[str]:
     return [line.partition("//")[0].strip() for line in found[1].splitlines()]
 
 
-def draw(expressions: Sequence[str], path: Path, check: bool = False) -> int:
-    """Draws the tiles into a PNG file, or checks that this is what it shows; the exit status of picture.cpp."""
-    lines = [f"TILE({FLOAT.sub(lambda number: f'{number[0]}f', code)})\n" for code in expressions]
+def in_cpp(code: str) -> str:
+    return FLOAT.sub(lambda number: f"{number[0]}f", code)
+
+
+def draw(expressions: Sequence[str], path: Path, check: bool = False, functions: str = "", columns: int = 100,
+         alone: Sequence[Path] = ()) -> int:
+    """Draws the tiles, so many in a row, into a PNG file, and each alone into others, or checks that this is what they
+    show; the exit status of picture.cpp. The functions are GLSL that the expressions call."""
     with TemporaryDirectory() as name:
         folder = Path(name)
-        (folder / "tiles.inc").write_text("".join(lines), encoding="utf-8")
+        (folder / "functions.inc").write_text(functions, encoding="utf-8")
+        (folder / "tiles.inc").write_text("".join(f"TILE({in_cpp(code)})\n" for code in expressions), encoding="utf-8")
         compile_program(f"the code below the picture {path.name}", Path(__file__).with_name("picture.cpp"),
-                        folder / "picture", "-I", name, "-lpng")
-        return subprocess.run([folder / "picture", *(["--check"] if check else []), path], check=False).returncode
+                        folder / "picture", "-I", name, "-lpng", macros=[f"COLUMNS={columns}"])
+        return subprocess.run([folder / "picture", *(["--check"] if check else []), path, *alone],
+                              check=False).returncode
