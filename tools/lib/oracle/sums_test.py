@@ -322,6 +322,10 @@ class FixedSums(unittest.TestCase):
         x += 11 * 2**19 - 2**56
         y += 19 * 2**19
         self.assertEqual(self.next_place([(end - 1, 0), (1 - end, 0)], 1.0), [(x >> 24, x % one), (y >> 24, y % one)])
+        # In space what the first turn has brought beyond the range is reduced before the second: 135 * 2^24 cells
+        # become -121 * 2^24.
+        self.assertEqual(self.next_place([(3 * 2**29, 0), (3 * 2**29, 0), (0, 0)], 1.0),
+                         [(15 * 2**24, 11 * 2**19), (-29 * 121 * 2**19, 19 * 2**19), (-13 * 121 * 2**19, 23 * 2**19)])
         # A product of 87 bits, all of which count.
         for position, lacunarity in itertools.product((2**55 - 1, -2**55 + 1, 0x123456789ABCDF), (255 - 2.0**-16, 1.9)):
             moved = math.floor(Fraction(math.trunc(lacunarity * 2**23), 2**23) * position)
