@@ -10,10 +10,6 @@
 //   HN_ARITHMETIC    how the noise is computed. HN_FAST (the default): in floats, within a stated error. HN_PRECISE:
 //                    in floats with the bits of IEEE arithmetic, from GLSL 4.00 and GLSL ES 3.20 on. HN_FIXED: in
 //                    integers, with the same bits on every driver.
-//   HN_FBM_NOISE2D(q, seed), HN_FBM_NOISE3D(q, seed)
-//                    the noise that fbm2d.glsl and fbm3d.glsl sum. It takes a vec2 or vec3 and a uint, and returns a
-//                    float that should be in [-1, 1]. Default hn_perlin(q, seed). Declare the functions that it calls
-//                    before you include these files.
 
 #ifndef HN_CONFIG_GLSL
 #define HN_CONFIG_GLSL
@@ -28,7 +24,7 @@
 //   HN_FN              stands before every function
 //   HN_I_BITCAST       whether uintBitsToFloat exists; else the same values are computed by exact arithmetic
 //   HN_I_HAS_PRECISE   whether HN_PRECISE is possible. HN_I_KEYWORD then stands before what is rounded on its own
-//   HN_I_OUT(type)     a parameter that the function sets
+//   HN_I_OUT(type)     a parameter that the function sets, and HN_I_INOUT(type), one that it changes
 //   HN_I_HIGHP         stands before every type. GLSL ES has three precisions. In fragment shaders an int is mediump,
 //                      with 16 bits, unless the declaration says otherwise. Your own default precision stays as it is.
 //                      Elsewhere it is empty: nothing is needed, and glslang would warn
@@ -44,12 +40,14 @@
 #define HN_FN [[gnu::always_inline]] inline
 #endif
 #define HN_I_OUT(type) type&
+#define HN_I_INOUT(type) type&
 #define HN_I_BITCAST 1
 #define HN_I_HAS_PRECISE 1
 #define HN_I_KEYWORD  // the compiler's flags decide
 #else
 #define HN_FN
 #define HN_I_OUT(type) out type
+#define HN_I_INOUT(type) inout type
 #define HN_I_KEYWORD precise
 #if (!defined(__VERSION__) && !defined(GL_GOOGLE_cpp_style_line_directive)) || defined(__HLSL_VERSION)
 #define HN_I_VERSION 460

@@ -1,8 +1,5 @@
 // hashnoise: octave sums over a noise on the plane.
 // SPDX-License-Identifier: MIT
-//
-// The noise is hn_perlin unless you name another: define HN_FBM_NOISE2D(q, seed) before the first include. It must be
-// in [-1, 1] for the ranges below to hold.
 
 #ifndef HN_FBM2D_GLSL
 #define HN_FBM2D_GLSL
@@ -10,159 +7,205 @@
 #include "octaves.glsl"
 #include "perlin2d.glsl"
 
+// A whole position; each axis is one of octaves.glsl.
+struct hn_i_whole2 {
+  hn_ivec2 x;
+  hn_ivec2 y;
+};
+
+HN_FN hn_ivec2 hn_i_cell_of(hn_i_whole2 q) { return ivec2(q.x.x, q.y.x); }
+HN_FN hn_vec2 hn_i_place_of(hn_i_whole2 q) {
+  return vec2(hn_i_whole_fraction(q.x), hn_i_whole_fraction(q.y));
+}
+
+HN_FN hn_i_whole2 hn_i_position(hn_ivec2 cell, hn_vec2 f) {
+  hn_i_whole2 q;
+  q.x = hn_i_whole(cell.x, f.x);
+  q.y = hn_i_whole(cell.y, f.y);
+  return q;
+}
+
+// The next position of a tile, which must not turn. 5767168 and others are the shifts, in units of 2^-24.
+HN_FN hn_i_whole2 hn_i_next_tile(hn_i_whole2 q, hn_float lacunarity) {
+  hn_uint ratio = hn_i_ratio(lacunarity);
+  hn_i_whole2 next;
+  next.x = hn_i_shifted(hn_i_times_ratio(q.x, ratio), 5767168);
+  next.y = hn_i_shifted(hn_i_times_ratio(q.y, ratio), 9961472);
+  return next;
+}
+
+HN_FN hn_i_whole2 hn_i_next(hn_i_whole2 q, hn_float lacunarity) {
+  hn_uint ratio = hn_i_ratio(lacunarity);
+  hn_ivec2 x = hn_i_times_ratio(q.x, ratio);
+  hn_ivec2 y = hn_i_times_ratio(q.y, ratio);
+  hn_i_whole2 next;
+  next.x = hn_i_shifted(hn_i_turned_axis(x, y, -20), 5767168);
+  next.y = hn_i_shifted(hn_i_turned_axis(y, x, 20), 9961472);
+  return next;
+}
+
 #if HN_ARITHMETIC == HN_FIXED
 
-// The noise of an octave, in units of 2^-21.
-#ifdef HN_FBM_NOISE2D
-HN_FN hn_int hn_i_octave(hn_uvec2 x, hn_uvec2 y, hn_uint seed) {
-  hn_float n = HN_FBM_NOISE2D(vec2(hn_i_short(x), hn_i_short(y)), seed);
-  return int(min(max(n, -1.0f), 1.0f) * 2097152.0f);
+#define HN_I_PLACE2 hn_i_whole2
+
+HN_FN hn_i_whole2 hn_i_position(hn_vec2 p) {
+  hn_i_whole2 q;
+  q.x = hn_i_whole(p.x);
+  q.y = hn_i_whole(p.y);
+  return q;
 }
+
 #else
-HN_FN hn_int hn_i_octave(hn_uvec2 x, hn_uvec2 y, hn_uint seed) {
-  return hn_i_perlin(ivec2(int(x.x), int(y.x)), ivec2(int(x.y >> 12u), int(y.y >> 12u)), seed);
-}
-#endif
 
-HN_FN hn_int hn_i_tiled_octave(hn_uvec2 x, hn_uvec2 y, hn_ivec2 period, hn_uint seed) {
-  hn_ivec2 cell = ivec2(int(x.x), int(y.x));
-  return hn_i_perlin(cell, ivec2(int(x.y >> 12u), int(y.y >> 12u)), period, seed);
+#define HN_I_PLACE2 hn_vec2
+
+HN_FN hn_vec2 hn_i_position(hn_vec2 p) { return hn_i_start(p); }
+HN_FN hn_ivec2 hn_i_cell_of(hn_vec2 q) { return hn_i_cell(q); }
+HN_FN hn_vec2 hn_i_place_of(hn_vec2 q) { return hn_i_fraction(q); }
+
+HN_FN hn_vec2 hn_i_next(hn_vec2 q, hn_float lacunarity) {
+  hn_float a = hn_i_times(lacunarity, 25.0f / 32.0f);
+  hn_float b = hn_i_times(lacunarity, 20.0f / 32.0f);
+  HN_I_PRECISE hn_vec2 next = vec2(a * q.x - b * q.y + 11.0f / 32.0f, b * q.x + a * q.y + 19.0f / 32.0f);
+  return next;
 }
 
-// The sum in integers. 0x58000000 and 0x98000000 are 11/32 and 19/32 of a cell, as below.
-HN_FN hn_int hn_i_octaves(hn_vec2 p, hn_ivec2 period, bool tiled, hn_int octaves, hn_float lacunarity, hn_float gain,
-                          hn_uint seed, bool absolute) {
-  hn_uvec2 x = hn_i_long(p.x);
-  hn_uvec2 y = hn_i_long(p.y);
-  hn_uint ratio = hn_i_lacunarity(lacunarity);
-  if (tiled) ratio &= 0xFF800000u;  // a whole number
-  hn_int fall = hn_i_gain(gain);
-  hn_int sum = 0;
-  hn_int total = 0;
-  hn_int weight = 262144;
-  for (hn_int i = 0; i < min(octaves, 32); ++i) {
-    hn_int n;
-    if (tiled) {
-      n = hn_i_tiled_octave(x, y, period, seed);
-      period = ivec2(uvec2(period) * (ratio >> 23u));
-    } else {
-      n = hn_i_octave(x, y, seed);
-    }
-    sum += hn_i_weighted(hn_i_select(absolute, max(n, -n), n), weight);
-    total += weight;
-    weight = hn_i_next_weight(weight, fall);
-    x = hn_i_next_octave(x, ratio, 0x58000000u);
-    y = hn_i_next_octave(y, ratio, 0x98000000u);
-    seed += 0x9E3779B9u;
-  }
-  return octaves < 1 ? 0 : hn_i_mean(sum, total);
+HN_FN hn_vec2 hn_i_next_tile(hn_vec2 q, hn_float lacunarity) {
+  return hn_i_times_plus(q, lacunarity, vec2(11.0f / 32.0f, 19.0f / 32.0f));
 }
 
 #endif
 
-// Behind the include another noise would change nothing. As this one stays defined, a compiler says so: it is a second
-// definition. (HN_FIXED has no other use for it.)
-#ifndef HN_FBM_NOISE2D
-#define HN_FBM_NOISE2D(q, seed) hn_perlin(q, seed)  // yours: define it before the include
-#endif
-
-#if HN_ARITHMETIC != HN_FIXED
-
-// The sum that octaves.glsl describes.
-HN_FN hn_float hn_i_octaves(hn_vec2 p, hn_ivec2 period, bool tiled, hn_int octaves, hn_float lacunarity, hn_float gain,
-                            hn_uint seed, bool absolute) {
-  hn_vec2 q = hn_i_start(p);
-  hn_float ratio = lacunarity;
-  if (tiled) ratio = hn_i_whole(lacunarity);
-  hn_float sum = 0.0f;
-  hn_float total = 0.0f;
-  hn_float weight = 1.0f;
-  for (hn_int i = 0; i < octaves; ++i) {
-    hn_float n;
-    if (tiled) {
-      n = hn_perlin(q, period, seed);
-      period = ivec2(uvec2(period) * uint(ratio));
-    } else {
-      n = HN_FBM_NOISE2D(q, seed);
-    }
-    sum = hn_i_times_plus(weight, hn_i_select(absolute, abs(n), n), sum);
-    total = hn_i_times_plus(gain, total, 1.0f);
-    weight = hn_i_times(weight, gain);
-    q = hn_i_times_plus(q, ratio, vec2(11.0f / 32.0f, 19.0f / 32.0f));
-    seed += 0x9E3779B9u;
-  }
-  return octaves < 1 ? 0.0f : hn_i_quotient(sum, total);
+HN_FN hn_ivec2 hn_i_next_period(hn_ivec2 period, hn_float lacunarity) {
+  return ivec2(hn_i_next_period(period.x, lacunarity), hn_i_next_period(period.y, lacunarity));
 }
 
-#endif
+// ---------------------------------------------------------------------------------------------------------------------
+// Sums over other noises than hn_perlin. Each of these lines, outside of all functions and without a semicolon, defines
+// the functions of a sum:
+//
+//   HN_FBM2D(my_sum, hn_simplex)           my_sum(p, octaves, lacunarity, gain [, seed]), and from a cell
+//   HN_FBM_PERIOD2D(my_tile, hn_simplex)   my_tile(p, period, octaves, lacunarity, gain, seed), and from a cell
+//   HN_FBM_LIMITED2D(my_lod, hn_simplex)   my_lod(p, detail, ...) and my_lod(p, footprint, octaves, ...)
+//
+// In place of FBM the others are TURBULENCE, CLOUDS, BILLOW, RIDGED, PING_PONG and WEIGHTED (these have no LIMITED).
+// What they take and return is said below. The noise is called with a cell, a place in it and a seed, as any noise of
+// the library can be; with PERIOD it takes the period in front of the seed. To sum your own float mine(vec2 p), write
+//
+//   float mine(ivec2 cell, vec2 f, uint seed) { return mine(vec2(cell) + f); }
+#define HN_I_TYPES2 hn_vec2, hn_ivec2, HN_I_PLACE2, hn_i_whole2
+#define HN_FBM2D(name, noise) HN_I_SUMS_OF(name, noise, HN_I_TYPES2, HN_I_OF_FBM)
+#define HN_FBM_PERIOD2D(name, noise) HN_I_TILED_OF(name, noise, HN_I_TYPES2, HN_I_OF_FBM)
+#define HN_TURBULENCE2D(name, noise) HN_I_SUMS_OF(name, noise, HN_I_TYPES2, HN_I_OF_TURBULENCE)
+#define HN_TURBULENCE_PERIOD2D(name, noise) HN_I_TILED_OF(name, noise, HN_I_TYPES2, HN_I_OF_TURBULENCE)
+#define HN_CLOUDS2D(name, noise) HN_I_SUMS_OF(name, noise, HN_I_TYPES2, HN_I_OF_CLOUDS)
+#define HN_CLOUDS_PERIOD2D(name, noise) HN_I_TILED_OF(name, noise, HN_I_TYPES2, HN_I_OF_CLOUDS)
+#define HN_BILLOW2D(name, noise) HN_I_SUMS_OF(name, noise, HN_I_TYPES2, HN_I_OF_BILLOW)
+#define HN_BILLOW_PERIOD2D(name, noise) HN_I_TILED_OF(name, noise, HN_I_TYPES2, HN_I_OF_BILLOW)
+#define HN_RIDGED2D(name, noise) HN_I_SUMS_OF(name, noise, HN_I_TYPES2, HN_I_OF_RIDGED)
+#define HN_RIDGED_PERIOD2D(name, noise) HN_I_TILED_OF(name, noise, HN_I_TYPES2, HN_I_OF_RIDGED)
+#define HN_PING_PONG2D(name, noise) HN_I_SUMS_OF(name, noise, HN_I_TYPES2, HN_I_OF_PING_PONG)
+#define HN_PING_PONG_PERIOD2D(name, noise) HN_I_TILED_OF(name, noise, HN_I_TYPES2, HN_I_OF_PING_PONG)
+#define HN_WEIGHTED2D(name, noise) HN_I_SUMS_OF(name, noise, HN_I_TYPES2, HN_I_OF_WEIGHTED)
+#define HN_WEIGHTED_PERIOD2D(name, noise) HN_I_TILED_OF(name, noise, HN_I_TYPES2, HN_I_OF_WEIGHTED)
+#define HN_FBM_LIMITED2D(name, noise) HN_I_LIMITED_OF(name, noise, HN_I_TYPES2)
 
-// Fractional Brownian motion: octaves of noise, each finer by the lacunarity and weaker by the gain.
+// ---------------------------------------------------------------------------------------------------------------------
+// Sums over hn_perlin. Each has six forms:
+//
+//   hn_fbm(p, octaves, lacunarity, gain [, seed])
+//   hn_fbm(cell, f, octaves, lacunarity, gain [, seed])
+//   hn_fbm(p, period, octaves, lacunarity, gain, seed)
+//   hn_fbm(cell, f, period, octaves, lacunarity, gain, seed)
+
+// Fractional Brownian motion: octaves of noise, each finer by the lacunarity, weaker by the gain, and turned.
 //   p           position, in cells of the first octave; (|p| + 1) * lacunarity^octaves < 2^23, for a lacunarity of 2
 //               or more
+//   cell        the cell of the first octave
+//   f           position in the cell, in [0, 1]
+//   period      cells of the first octave along each axis, any ivec2; 0 for none along that axis;
+//               period * lacunarity^octaves < 2^31
 //   octaves     how many; with fewer than 1 the sum is 0
-//   lacunarity  ratio of frequencies, usually 2
+//   lacunarity  ratio of frequencies, usually 2. With a period it is a whole number from 1 to 255; others are rounded
+//               down
 //   gain        ratio of amplitudes, usually 0.5; not negative, and the sum of its powers below 2^126 (HN_PRECISE:
 //               2^100)
 //   seed        any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   returns     [-1, 1], mean 0
-//   error       grows with |p| * lacunarity^octaves, since a float rounds the positions (docs/accuracy.md)
-//   period      none that floats reach. HN_FIXED repeats after 2^32 cells of any octave
+//   error       at a position it grows with |p| * lacunarity^octaves, since a float rounds the positions; from a cell
+//               it does not (docs/accuracy.md)
+//   period      none that floats reach. With a period, octave i repeats after period * lacunarity^i of its cells, so
+//               the sum repeats after the period, and no sooner. Octaves are not turned there, since they would not fit
+//               the tile: a tile shows the axes more than the sum without a period does
 //   cost        1 noise per octave
 //   HN_FIXED    takes a gain above 1 as 1, a lacunarity outside [0, 255] as 0 or 255, and more than 32 octaves as 32.
 //               The error does not grow with |p|
 //   source      Musgrave, in "Texturing and Modeling: A Procedural Approach"
-HN_FN hn_float hn_fbm(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
-  return hn_i_value(hn_i_octaves(p, ivec2(0), false, octaves, lacunarity, gain, seed, false));
-}
+HN_FBM2D(hn_fbm, hn_perlin)
+HN_FBM_PERIOD2D(hn_fbm, hn_perlin)
 
-HN_FN hn_float hn_fbm(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain) {
-  return hn_fbm(p, octaves, lacunarity, gain, 0u);
-}
+// The same without detail that a pixel cannot show: hn_fbm(p, detail, lacunarity, gain, seed) with a float, and
+// hn_fbm(p, footprint, octaves, lacunarity, gain, seed).
+//   detail      octaves, as a float: 3.5 is three octaves and half of the fourth. So octaves can come and go without a
+//               jump
+//   footprint   the size of a pixel at p, in cells of the first octave: in a fragment shader
+//               max(length(dFdx(p)), length(dFdy(p))). An octave fades out as a pixel grows from 1/4 to 1/2 of its
+//               cells. The others keep their contrast
+//   (other parameters, error, period, HN_FIXED and source as for hn_fbm at a position)
+//   returns     [-1, 1], mean 0
+//   cost        1 noise per octave; octaves that have faded out cost none
+HN_FBM_LIMITED2D(hn_fbm, hn_perlin)
 
-// The same with a period: octave i repeats after period * lacunarity^i of its cells, so the sum repeats after the
-// period, and no sooner. The octaves are hn_perlin, whatever HN_FBM_NOISE2D names.
-//   period      cells of the first octave along each axis, any ivec2; 0 for none along that axis;
-//               period * lacunarity^octaves < 2^31
-//   lacunarity  a whole number from 1 to 255; others are rounded down
-//   error       that of hn_perlin at positions that a float rounds; HN_FIXED as above
-//   cost        1 noise with a period per octave
-HN_FN hn_float hn_fbm(hn_vec2 p, hn_ivec2 period, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
-  return hn_i_value(hn_i_octaves(p, period, true, octaves, lacunarity, gain, seed, false));
-}
-
-// Turbulence: the mean of the octaves' absolute values, which have creases where the noise passes 0. Use it for marble,
-// fire and billows.
+// Turbulence: the mean of the octaves' absolute values, which have creases where the noise passes 0. Use it for marble
+// and fire.
 //   (parameters, error, period and cost as for hn_fbm)
 //   returns  [0, 1]
 //   source   Perlin, "An image synthesizer", 1985; Valdenegro-Toro and Pincheira, fig. 6
-HN_FN hn_float hn_turbulence(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
-  return hn_i_value(hn_i_octaves(p, ivec2(0), false, octaves, lacunarity, gain, seed, true));
-}
+HN_TURBULENCE2D(hn_turbulence, hn_perlin)
+HN_TURBULENCE_PERIOD2D(hn_turbulence, hn_perlin)
 
-HN_FN hn_float hn_turbulence(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain) {
-  return hn_turbulence(p, octaves, lacunarity, gain, 0u);
-}
-
-HN_FN hn_float hn_turbulence(hn_vec2 p, hn_ivec2 period, hn_int octaves, hn_float lacunarity, hn_float gain,
-                             hn_uint seed) {
-  return hn_i_value(hn_i_octaves(p, period, true, octaves, lacunarity, gain, seed, true));
-}
+// Billows: twice the turbulence less 1, so that heights are in the range of other noise. The round hills are the other
+// side of ridges.
+//   (parameters, period and cost as for hn_fbm)
+//   returns  [-1, 1]
+//   error    twice that of hn_turbulence
+//   source   as for hn_turbulence
+HN_BILLOW2D(hn_billow, hn_perlin)
+HN_BILLOW_PERIOD2D(hn_billow, hn_perlin)
 
 // Clouds: the density of a sky, from an fBm.
 //   (parameters, period and cost as for hn_fbm)
 //   returns  [0, 1]: 0 is clear, 1 is dense; with fewer than 1 octave 5/32
 //   error    3 times that of hn_fbm, plus 5.4e-7 (HN_FIXED 2.6e-5)
 //   source   after the cloud images of Valdenegro-Toro and Pincheira, fig. 6; the paper has no formula for them
-HN_FN hn_float hn_clouds(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
-  return hn_i_value(hn_i_cloud_density(hn_i_octaves(p, ivec2(0), false, octaves, lacunarity, gain, seed, false)));
-}
+HN_CLOUDS2D(hn_clouds, hn_perlin)
+HN_CLOUDS_PERIOD2D(hn_clouds, hn_perlin)
 
-HN_FN hn_float hn_clouds(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain) {
-  return hn_clouds(p, octaves, lacunarity, gain, 0u);
-}
+// Ridges: sharp crests where the noise passes 0. Finer octaves show on the crests and leave the valleys smooth.
+//   (parameters, period and cost as for hn_fbm)
+//   returns  [0, 1]: 1 on a crest of every octave
+//   error    up to 2^(octaves + 1) times that of the noise, weighted by the gain; docs/accuracy.md
+//   source   Musgrave, as for hn_fbm: his ridged multifractal with the offset 1 and the gain 2, divided by the sum of
+//            the weights
+HN_RIDGED2D(hn_ridged, hn_perlin)
+HN_RIDGED_PERIOD2D(hn_ridged, hn_perlin)
 
-HN_FN hn_float hn_clouds(hn_vec2 p, hn_ivec2 period, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
-  return hn_i_value(hn_i_cloud_density(hn_i_octaves(p, period, true, octaves, lacunarity, gain, seed, false)));
-}
+// Ping-pong: each octave is folded up and down between -1 and 1, which gives the rings of wood and of agate.
+//   strength    how many times from one end to the other on the way from -1 to 1, times 1/2; usually 2, in [0, 64]
+//   (other parameters, period and cost as for hn_fbm; the strength stands behind the gain)
+//   returns  [-1, 1]
+//   error    twice the strength times that of hn_fbm, and a little more; docs/accuracy.md
+//   source   FastNoiseLite, FractalType_PingPong
+HN_PING_PONG2D(hn_ping_pong, hn_perlin)
+HN_PING_PONG_PERIOD2D(hn_ping_pong, hn_perlin)
+
+// Weighted fBm: where an octave is low, the finer ones count less, so that valleys are smoother than heights.
+//   strength    how much less: 0 is hn_fbm, 1 leaves nothing of the finer octaves at -1; in [0, 1]
+//   (other parameters, period and cost as for hn_fbm; the strength stands behind the gain)
+//   returns  [-1, 1]
+//   error    docs/accuracy.md
+//   source   FastNoiseLite, SetFractalWeightedStrength
+HN_WEIGHTED2D(hn_weighted, hn_perlin)
+HN_WEIGHTED_PERIOD2D(hn_weighted, hn_perlin)
 
 #endif

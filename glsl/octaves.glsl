@@ -1,75 +1,99 @@
 // hashnoise: what the octave sums on the plane and in space have in common.
 // SPDX-License-Identifier: MIT
 //
-// A sum is the mean of the octaves, or of their absolute values, weighted by gain^i. Each octave has a seed of its own,
-// 2^32 divided by the golden ratio further, so that the octaves of nearby seeds do not coincide either. The shift keeps
-// their lattice points, where the noise is 0, from falling together at the origin.
+// A sum is a weighted mean of its octaves, or of what it makes of them; octave i weighs gain^i. Each octave has a seed
+// of its own, 2^32 divided by the golden ratio further, so that the octaves of nearby seeds do not coincide either. Each
+// is shifted, so that the lattice points, where the noise is 0, do not fall together at the origin. And each is turned
+// by arctan(4/5), so that the axes do not add up. The numbers of the turn are 25/32 and 20/32, with which a position
+// loses few bits; they stretch by 5 sqrt(41) / 32, which is 1.0005.
+//
+// GLSL has no functions of functions. So a sum is a macro of its noise (HN_I_SUM), made of steps that are functions:
+//
+//   hn_i_begin    the state of a sum, before its first octave
+//   hn_i_add...   adds the noise of an octave
+//   hn_i_step     goes on to the next
+//   hn_i_mean     the sum, divided by the total of the weights
+//
+// A macro has to stand on one line: GLSL has no continued lines before 4.20.
 
 #ifndef HN_OCTAVES_GLSL
 #define HN_OCTAVES_GLSL
 
 #include "arithmetic.glsl"
 
+// A sum under way. With HN_FIXED sums are in units of 2^-21, and weights and options in units of 2^-18.
+struct hn_i_octave_sum {
+  hn_num sum;
+  hn_num weight;        // of the next octave
+  hn_num carried;       // what a ridge leaves of the next octave
+  hn_num option;        // the strength, the part of the last octave, or the footprint (in units of 2^-24 cells)
+  hn_num gain;
+  hn_float lacunarity;
+  hn_uint seed;         // of the next octave
+  hn_int left;          // octaves to come
+};
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Values and weights.
+
 #if HN_ARITHMETIC == HN_FIXED
 
-// A position along one axis is a number of 64 bits, in units of 2^-32 cells: x the cell, y its fraction.
-HN_FN hn_uvec2 hn_i_long(hn_float p) {
-  hn_float rest = p - trunc(p);
-  // The rest is in (-1, 1). It is cut off towards 0, so that it does not matter whether subnormal numbers are flushed.
-  hn_uint u = uint(abs(rest) * 4294967296.0f);
-  hn_uint cell = uint(hn_i_whole_cell(p));
-  return uvec2(cell - uint(rest < 0.0f && u != 0u), hn_i_select(rest < 0.0f, 0u - u, u));
+#define HN_I_WEIGHT_ONE 262144
+#define HN_I_MOST_DETAIL 32.0f
+
+// A setting in [0, most], in the units of weights.
+HN_FN hn_int hn_i_setting(hn_float x, hn_float most) { return int(min(max(x, 0.0f), most) * 262144.0f); }
+HN_FN hn_int hn_i_gain(hn_float gain) { return hn_i_setting(gain, 1.0f); }
+HN_FN hn_int hn_i_octaves(hn_int octaves) { return min(octaves, 32); }
+
+// The product of two numbers in [0, 1].
+HN_FN hn_int hn_i_weighed(hn_int a, hn_int b) { return ((a >> 9) * b + (((a & 511) * b) >> 9)) >> 9; }
+
+// sum + n * weight
+HN_FN hn_int hn_i_summed(hn_int sum, hn_int n, hn_int weight) {
+  return sum + ((n * (weight >> 9) + (n >> 9) * (weight & 511)) >> 9);
 }
 
-HN_FN hn_float hn_i_short(hn_uvec2 q) { return float(int(q.x)) + float(q.y >> 8u) * (1.0f / 16777216.0f); }
+// The noise of an octave as it is, and in [-1, 1]. (That of HN_GRADIENT_SINE reaches 3/2 in space.)
+HN_FN hn_int hn_i_octave(hn_float n) { return int(min(max(n, -1.5f), 1.5f) * 2097152.0f); }
+HN_FN hn_int hn_i_bounded_octave(hn_float n) { return int(min(max(n, -1.0f), 1.0f) * 2097152.0f); }
+HN_FN hn_int hn_i_size(hn_int n) { return max(n, -n); }
 
-// The high word of a product of two words. umulExtended is not in GLSL 1.30.
-HN_FN hn_uint hn_i_multiply_high(hn_uint a, hn_uint b) {
-  hn_uint a0 = a & 0xFFFFu;
-  hn_uint a1 = a >> 16u;
-  hn_uint b0 = b & 0xFFFFu;
-  hn_uint b1 = b >> 16u;
-  hn_uint middle = a1 * b0 + ((a0 * b0) >> 16u);
-  return a1 * b1 + (middle >> 16u) + ((a0 * b1 + (middle & 0xFFFFu)) >> 16u);
+// 1 - abs(n), in the units of weights; and a number in these units as a value.
+HN_FN hn_int hn_i_ridge(hn_int n) { return (2097152 - hn_i_size(n)) >> 3; }
+HN_FN hn_int hn_i_of_weight(hn_int weight) { return weight << 3; }
+
+// A wave between -1 and 1: up and down again along two units of (n + 1) * strength. These are in units of 2^-30, and a
+// word holds them modulo 4.
+HN_FN hn_int hn_i_folds(hn_int n, hn_int strength) {
+  hn_uint u = uint(n + 2097152);
+  hn_uint s = uint(strength);
+  hn_uint t = (u * (s >> 9u) + ((u * (s & 511u)) >> 9u)) & 0x7FFFFFFFu;
+  return int(min(t, 0x80000000u - t) >> 8u) - 2097152;
 }
 
-// Times lacunarity (in units of 2^-23, below 2^31), plus shift (in units of 2^-32).
-HN_FN hn_uvec2 hn_i_next_octave(hn_uvec2 q, hn_uint lacunarity, hn_uint shift) {
-  hn_uint cell;
-  hn_uint rest;
-  hn_uint more = 0u;
-  if (lacunarity == 16777216u) {  // 2, the usual value
-    cell = (q.x << 1u) | (q.y >> 31u);
-    rest = q.y << 1u;
-  } else {
-    hn_uint low = q.x * lacunarity;
-    hn_uint high = hn_i_multiply_high(q.x, lacunarity);
-    high -= hn_i_select((q.x & 0x80000000u) != 0u, lacunarity, 0u);  // the cell is signed
-    hn_uint part = hn_i_multiply_high(q.y, lacunarity);
-    cell = ((high << 9u) | (low >> 23u)) + (part >> 23u);
-    rest = low << 9u;
-    more = (part << 9u) | ((q.y * lacunarity) >> 23u);
+// 1 - strength * (1 - n) / 2
+HN_FN hn_int hn_i_bent(hn_int n, hn_int strength) {
+  return HN_I_WEIGHT_ONE - hn_i_weighed((2097152 - n) >> 4, strength);
+}
+
+// The total of the weights. Of the last octave a part counts. (gain * total + 1 would round in another way than the
+// weights do, so these are added one by one.)
+HN_FN hn_int hn_i_total(hn_int octaves, hn_int gain, hn_int part) {
+  hn_int total = 0;
+  hn_int weight = HN_I_WEIGHT_ONE;
+  for (hn_int i = 1; i < octaves; ++i) {
+    total += weight;
+    weight = hn_i_weighed(weight, gain);
   }
-  // Each of the two sums carries if the result is smaller than the summand.
-  rest += more;
-  cell += uint(rest < more);
-  rest += shift;
-  cell += uint(rest < shift);
-  return uvec2(cell, rest);
-}
-
-// Times a weight in units of 2^-18.
-HN_FN hn_int hn_i_weighted(hn_int n, hn_int weight) { return (n * (weight >> 9) + (n >> 9) * (weight & 511)) >> 9; }
-
-HN_FN hn_int hn_i_next_weight(hn_int weight, hn_int gain) {
-  return ((weight >> 9) * gain + (((weight & 511) * gain) >> 9)) >> 9;
+  return total + hn_i_weighed(weight, part);
 }
 
 // sum * 2^18 / total, cut off towards 0, by long division: the whole part, then 9 bits, then 9 more. A rest of 23 bits
 // leaves room for only 9 bits at a time.
 HN_FN hn_int hn_i_mean(hn_int sum, hn_int total) {
   hn_uint divisor = uint(total);
-  hn_uint rest = uint(max(sum, -sum));
+  hn_uint rest = uint(hn_i_size(sum));
   hn_uint quotient = rest / divisor;
   rest -= quotient * divisor;
   for (hn_int i = 0; i < 2; ++i) {
@@ -81,26 +105,263 @@ HN_FN hn_int hn_i_mean(hn_int sum, hn_int total) {
   return hn_i_select(sum < 0, -int(quotient), int(quotient));
 }
 
-HN_FN hn_uint hn_i_lacunarity(hn_float lacunarity) { return uint(min(max(lacunarity, 0.0f), 255.0f) * 8388608.0f); }
-HN_FN hn_int hn_i_gain(hn_float gain) { return int(min(max(gain, 0.0f), 1.0f) * 262144.0f); }
-
-// Makes a sky from an fBm: it is clear below -1/8 and dense above 3/8, with a smooth step between. The density is
+// A sky of an fBm: it is clear below -1/8 and dense above 3/8, with a smooth step between. The density is
 // 1/2 + c (3/2 - 2 c^2) with c = 2 fbm - 1/4, clamped to [-1/2, 1/2], in units of 2^-16.
-HN_FN hn_int hn_i_cloud_density(hn_int fbm) {
+HN_FN hn_int hn_i_density(hn_int fbm) {
   hn_int c = (min(max(2 * fbm + 524288, 0), 2097152) - 1048576) >> 5;
   return 1048576 + ((c * int((0xC0000000u - uint(c * c)) >> 16u)) >> 10);
 }
 
+HN_FN hn_int hn_i_billows(hn_int turbulence) { return 2 * turbulence - 2097152; }
+
 #else
 
-// A lacunarity with which a tile stays a tile.
-HN_FN hn_float hn_i_whole(hn_float lacunarity) { return floor(min(max(lacunarity, 0.0f), 255.0f)); }
+#define HN_I_WEIGHT_ONE 1.0f
+#define HN_I_MOST_DETAIL 1048576.0f
 
-// Makes a sky from an fBm: it is clear below -1/8 and dense above 3/8, with a smooth step between.
-HN_FN hn_float hn_i_cloud_density(hn_float fbm) {
+HN_FN hn_float hn_i_setting(hn_float x, hn_float most) { return min(max(x, 0.0f), most); }
+HN_FN hn_float hn_i_gain(hn_float gain) { return gain; }
+HN_FN hn_int hn_i_octaves(hn_int octaves) { return octaves; }
+HN_FN hn_float hn_i_weighed(hn_float a, hn_float b) { return hn_i_times(a, b); }
+HN_FN hn_float hn_i_summed(hn_float sum, hn_float n, hn_float weight) { return hn_i_times_plus(weight, n, sum); }
+
+HN_FN hn_float hn_i_octave(hn_float n) { return n; }
+HN_FN hn_float hn_i_bounded_octave(hn_float n) { return min(max(n, -1.0f), 1.0f); }
+HN_FN hn_float hn_i_size(hn_float n) { return abs(n); }
+HN_FN hn_float hn_i_ridge(hn_float n) { return hn_i_minus(1.0f, abs(n)); }
+HN_FN hn_float hn_i_of_weight(hn_float weight) { return weight; }
+
+HN_FN hn_float hn_i_folds(hn_float n, hn_float strength) {
+  HN_I_PRECISE hn_float t = (n + 1.0f) * strength;
+  HN_I_PRECISE hn_float folded = t - 2.0f * floor(t * 0.5f);
+  HN_I_PRECISE hn_float wave = 2.0f * min(folded, 2.0f - folded) - 1.0f;
+  return wave;
+}
+
+HN_FN hn_float hn_i_bent(hn_float n, hn_float strength) {
+  HN_I_PRECISE hn_float factor = 1.0f - strength * (0.5f - 0.5f * n);
+  return factor;
+}
+
+HN_FN hn_float hn_i_total(hn_int octaves, hn_float gain, hn_float part) {
+  hn_float total = part;
+  for (hn_int i = 1; i < octaves; ++i) total = hn_i_times_plus(gain, total, 1.0f);
+  return total;
+}
+
+HN_FN hn_float hn_i_mean(hn_float sum, hn_float total) { return hn_i_quotient(sum, total); }
+
+// A sky of an fBm: it is clear below -1/8 and dense above 3/8, with a smooth step between.
+HN_FN hn_float hn_i_density(hn_float fbm) {
   return hn_i_smooth(min(max(hn_i_times_plus(2.0f, fbm, 0.25f), 0.0f), 1.0f));
 }
 
+HN_FN hn_float hn_i_billows(hn_float turbulence) { return hn_i_times_plus(2.0f, turbulence, -1.0f); }
+
 #endif
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Positions. Those of a sum from a cell are whole numbers with any arithmetic, since a float could not hold them far
+// out: along each axis x is the cell, and y the fraction in units of 2^-24. With HN_FIXED all positions are such.
+
+HN_FN hn_ivec2 hn_i_whole(hn_int cell, hn_float f) { return ivec2(cell, int(min(max(f, 0.0f), 1.0f) * 16777216.0f)); }
+
+HN_FN hn_float hn_i_whole_fraction(hn_ivec2 x) { return float(x.y) * (1.0f / 16777216.0f); }
+
+// The high word of a product of two words. umulExtended is not in GLSL 1.30.
+HN_FN hn_uint hn_i_multiply_high(hn_uint a, hn_uint b) {
+  hn_uint a0 = a & 0xFFFFu;
+  hn_uint a1 = a >> 16u;
+  hn_uint b0 = b & 0xFFFFu;
+  hn_uint b1 = b >> 16u;
+  hn_uint middle = a1 * b0 + ((a0 * b0) >> 16u);
+  return a1 * b1 + (middle >> 16u) + ((a0 * b1 + (middle & 0xFFFFu)) >> 16u);
+}
+
+// A lacunarity in units of 2^-23, below 2^31; and one with which a tile stays a tile.
+HN_FN hn_uint hn_i_ratio(hn_float lacunarity) { return uint(min(max(lacunarity, 0.0f), 255.0f) * 8388608.0f); }
+HN_FN hn_float hn_i_tiling(hn_float lacunarity) { return floor(min(max(lacunarity, 0.0f), 255.0f)); }
+
+// Times a ratio. The product of the cell is exact, and that of the fraction loses what is below 2^-24. The rest and the
+// part together are at most 2^32 - 2.
+HN_FN hn_ivec2 hn_i_times_ratio(hn_ivec2 x, hn_uint ratio) {
+  if (ratio == 16777216u) return ivec2(int((uint(x.x) << 1u) + (uint(x.y) >> 23u)), (x.y << 1) & 16777215);
+  hn_uint low = uint(x.x) * ratio;
+  hn_uint high = hn_i_multiply_high(uint(x.x), ratio) - hn_i_select(x.x < 0, ratio, 0u);
+  hn_uint part = (hn_i_multiply_high(uint(x.y), ratio) << 9u) | ((uint(x.y) * ratio) >> 23u);
+  hn_uint rest = ((low & 8388607u) << 1u) + part;
+  return ivec2(int(((high << 9u) | (low >> 23u)) + (rest >> 24u)), int(rest & 16777215u));
+}
+
+// 25/32 a + b times `turn` / 32, which is 20 or -20. The cell is taken apart, so that no product leaves 32 bits.
+HN_FN hn_ivec2 hn_i_turned_axis(hn_ivec2 a, hn_ivec2 b, hn_int turn) {
+  hn_int rest = 25 * a.y + turn * b.y;
+  hn_int near = 25 * (a.x & 31) + turn * (b.x & 31) + (rest >> 24);
+  hn_uint far = 25u * uint(a.x >> 5) + uint(turn) * uint(b.x >> 5);
+  return ivec2(int(far + uint(near >> 5)), ((near & 31) << 19) | ((rest & 16777215) >> 5));
+}
+
+// Plus a shift in units of 2^-24.
+HN_FN hn_ivec2 hn_i_shifted(hn_ivec2 x, hn_int shift) {
+  hn_int rest = x.y + shift;
+  return ivec2(int(uint(x.x) + uint(rest >> 24)), rest & 16777215);
+}
+
+HN_FN hn_int hn_i_next_period(hn_int period, hn_float lacunarity) { return int(uint(period) * uint(lacunarity)); }
+
+#if HN_ARITHMETIC == HN_FIXED
+
+HN_FN hn_ivec2 hn_i_whole(hn_float p) {
+  hn_int rest = int((p - trunc(p)) * 16777216.0f);
+  return ivec2(hn_i_whole_cell(p) + (rest >> 24), rest & 16777215);
+}
+
+// A footprint, how much of an octave it leaves, and that in cells of the next octave.
+HN_FN hn_int hn_i_footprint(hn_float footprint) { return hn_i_whole(0, footprint).y; }
+HN_FN hn_int hn_i_resolved(hn_int footprint) { return min(max(524288 - (footprint >> 4), 0), HN_I_WEIGHT_ONE); }
+HN_FN hn_int hn_i_next_footprint(hn_int footprint, hn_float lacunarity) {
+  hn_ivec2 next = hn_i_times_ratio(ivec2(0, footprint), max(hn_i_ratio(lacunarity), 8388608u));
+  return hn_i_select(next.x > 0, 16777216, next.y);
+}
+
+#else
+
+HN_FN hn_float hn_i_footprint(hn_float footprint) { return footprint; }
+HN_FN hn_float hn_i_resolved(hn_float footprint) {
+  return min(max(hn_i_times_plus(-4.0f, footprint, 2.0f), 0.0f), 1.0f);
+}
+HN_FN hn_float hn_i_next_footprint(hn_float footprint, hn_float lacunarity) {
+  return hn_i_times(footprint, max(lacunarity, 1.0f));
+}
+
+#endif
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The steps of sums.
+
+// The mean itself, where it is the result.
+HN_FN hn_num hn_i_unchanged(hn_num mean) { return mean; }
+
+// A number of octaves that is no whole number: the octaves, and the part of the last one that counts. The first counts
+// as a whole.
+HN_FN hn_int hn_i_whole_octaves(hn_float detail) { return -int(floor(-min(max(detail, 0.0f), HN_I_MOST_DETAIL))); }
+HN_FN hn_num hn_i_last_part(hn_float detail, hn_int octaves) {
+  hn_float part = hn_i_minus(min(detail, HN_I_MOST_DETAIL), float(octaves - 1));
+  return hn_i_setting(hn_i_select(octaves < 2, 1.0f, part), 1.0f);
+}
+
+HN_FN hn_i_octave_sum hn_i_begin(hn_int octaves, hn_float lacunarity, hn_float gain, hn_num option, hn_uint seed) {
+  hn_i_octave_sum s;
+  s.sum = HN_I_WEIGHT_ONE - HN_I_WEIGHT_ONE;
+  s.weight = HN_I_WEIGHT_ONE;
+  s.carried = HN_I_WEIGHT_ONE;
+  s.option = option;
+  s.gain = hn_i_gain(gain);
+  s.lacunarity = lacunarity;
+  s.seed = seed;
+  s.left = hn_i_octaves(octaves);
+  return s;
+}
+
+HN_FN void hn_i_step(HN_I_INOUT(hn_i_octave_sum) s) {
+  s.weight = hn_i_weighed(s.weight, s.gain);
+  s.seed = s.seed + 0x9E3779B9u;
+  s.left = s.left - 1;
+}
+
+HN_FN void hn_i_add(HN_I_INOUT(hn_i_octave_sum) s, hn_float n) { s.sum = hn_i_summed(s.sum, hn_i_octave(n), s.weight); }
+
+HN_FN void hn_i_add_size(HN_I_INOUT(hn_i_octave_sum) s, hn_float n) {
+  s.sum = hn_i_summed(s.sum, hn_i_size(hn_i_octave(n)), s.weight);
+}
+
+HN_FN void hn_i_add_bounded_size(HN_I_INOUT(hn_i_octave_sum) s, hn_float n) {
+  s.sum = hn_i_summed(s.sum, hn_i_size(hn_i_bounded_octave(n)), s.weight);
+}
+
+HN_FN void hn_i_add_ridge(HN_I_INOUT(hn_i_octave_sum) s, hn_float n) {
+  hn_num ridge = hn_i_ridge(hn_i_bounded_octave(n));
+  ridge = hn_i_weighed(hn_i_weighed(ridge, ridge), s.carried);
+  s.sum = hn_i_summed(s.sum, hn_i_of_weight(ridge), s.weight);
+  s.carried = min(hn_i_plus(ridge, ridge), HN_I_WEIGHT_ONE);
+}
+
+HN_FN void hn_i_add_wave(HN_I_INOUT(hn_i_octave_sum) s, hn_float n) {
+  s.sum = hn_i_summed(s.sum, hn_i_folds(hn_i_bounded_octave(n), s.option), s.weight);
+}
+
+HN_FN void hn_i_add_bent(HN_I_INOUT(hn_i_octave_sum) s, hn_float n) {
+  hn_num value = hn_i_bounded_octave(n);
+  s.sum = hn_i_summed(s.sum, value, s.weight);
+  s.weight = hn_i_weighed(s.weight, hn_i_bent(value, s.option));
+}
+
+HN_FN void hn_i_add_part(HN_I_INOUT(hn_i_octave_sum) s, hn_float n) {
+  if (s.left < 2) s.weight = hn_i_weighed(s.weight, s.option);
+  hn_i_add(s, n);
+}
+
+// The octaves behind one that is not resolved would not be, either.
+HN_FN void hn_i_add_resolved(HN_I_INOUT(hn_i_octave_sum) s, hn_float n) {
+  s.sum = hn_i_summed(s.sum, hn_i_octave(n), hn_i_weighed(s.weight, hn_i_resolved(s.option)));
+  s.option = hn_i_next_footprint(s.option, s.lacunarity);
+  if (hn_i_resolved(s.option) == HN_I_WEIGHT_ONE - HN_I_WEIGHT_ONE) s.left = 1;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The macros of sums, in every dimension:
+//
+//   name, noise    the function that is defined, and the one that is summed
+//   vec, ivec      the types of a position and of a cell
+//   place, whole   the types of a position in a sum: of one that starts from `p`, and of one that starts from a cell
+//   options        the settings in front of the seed: HN_I_PLAIN or HN_I_STRONG
+//   option         what hn_i_begin keeps of them
+//   add, end       the steps that add an octave, and that make the result of the mean
+
+#define HN_I_PLAIN(each) each(hn_int, octaves), each(hn_float, lacunarity), each(hn_float, gain)
+#define HN_I_STRONG(each) HN_I_PLAIN(each), each(hn_float, strength)
+#define HN_I_DECLARE(type, name) type name
+#define HN_I_PASS(type, name) name
+
+// Nothing follows the last octave. Compilers unroll this more willingly than a loop that asks first.
+#define HN_I_LOOP(add, n, next) if (s.left > 0) for (;;) { add(s, n); if (s.left < 2) break; hn_i_step(s); next; }
+#define HN_I_OCTAVES(noise, add) HN_I_LOOP(add, noise(hn_i_cell_of(q), hn_i_place_of(q), s.seed), HN_I_NEXT)
+#define HN_I_NEXT q = hn_i_next(q, s.lacunarity)
+#define HN_I_TILES(noise, add) HN_I_LOOP(add, noise(hn_i_cell_of(q), hn_i_place_of(q), period, s.seed), HN_I_NEXT_TILE)
+#define HN_I_NEXT_TILE q = hn_i_next_tile(q, s.lacunarity); period = hn_i_next_period(period, s.lacunarity)
+#define HN_I_END(end, part) return hn_i_value(end(hn_i_mean(s.sum, hn_i_total(hn_i_octaves(octaves), s.gain, part))));
+
+#define HN_I_BEGIN(option) hn_i_octave_sum s = hn_i_begin(octaves, lacunarity, gain, option, seed);
+#define HN_I_BEGIN_TILE(option) hn_i_octave_sum s = hn_i_begin(octaves, hn_i_tiling(lacunarity), gain, option, seed);
+#define HN_I_SUM(noise, option, add, end) HN_I_BEGIN(option) HN_I_OCTAVES(noise, add) HN_I_END(end, HN_I_WEIGHT_ONE)
+#define HN_I_TILE(noise, option, add, end) HN_I_BEGIN_TILE(option) HN_I_TILES(noise, add) HN_I_END(end, HN_I_WEIGHT_ONE)
+
+// The functions of a sum, from all of these: at a position, and from a cell.
+#define HN_I_SUMS(name, noise, vec, ivec, place, whole, options, option, add, end) HN_I_SUM_AT(name, noise, vec, place, options, option, add, end) HN_I_SUM_IN(name, noise, vec, ivec, whole, options, option, add, end)
+#define HN_I_SUM_AT(name, noise, vec, place, options, option, add, end) HN_FN hn_float name(vec p, options(HN_I_DECLARE), hn_uint seed) { place q = hn_i_position(p); HN_I_SUM(noise, option, add, end) } HN_FN hn_float name(vec p, options(HN_I_DECLARE)) { return name(p, options(HN_I_PASS), 0u); }
+#define HN_I_SUM_IN(name, noise, vec, ivec, whole, options, option, add, end) HN_FN hn_float name(ivec cell, vec f, options(HN_I_DECLARE), hn_uint seed) { whole q = hn_i_position(cell, f); HN_I_SUM(noise, option, add, end) } HN_FN hn_float name(ivec cell, vec f, options(HN_I_DECLARE)) { return name(cell, f, options(HN_I_PASS), 0u); }
+
+// The same with a period.
+#define HN_I_TILED(name, noise, vec, ivec, place, whole, options, option, add, end) HN_I_TILE_AT(name, noise, vec, ivec, place, options, option, add, end) HN_I_TILE_IN(name, noise, vec, ivec, whole, options, option, add, end)
+#define HN_I_TILE_AT(name, noise, vec, ivec, place, options, option, add, end) HN_FN hn_float name(vec p, ivec period, options(HN_I_DECLARE), hn_uint seed) { place q = hn_i_position(p); HN_I_TILE(noise, option, add, end) }
+#define HN_I_TILE_IN(name, noise, vec, ivec, whole, options, option, add, end) HN_FN hn_float name(ivec cell, vec f, ivec period, options(HN_I_DECLARE), hn_uint seed) { whole q = hn_i_position(cell, f); HN_I_TILE(noise, option, add, end) }
+
+// With a number of octaves that is no whole number, and with a footprint.
+#define HN_I_LIMITED(name, noise, vec, ivec, place, whole) HN_I_PARTLY(name, noise, vec, place) HN_I_RESOLVED(name, noise, vec, place)
+#define HN_I_PARTLY(name, noise, vec, place) HN_FN hn_float name(vec p, hn_float detail, hn_float lacunarity, hn_float gain, hn_uint seed) { hn_int octaves = hn_i_whole_octaves(detail); hn_num part = hn_i_last_part(detail, octaves); place q = hn_i_position(p); HN_I_BEGIN(part) HN_I_OCTAVES(noise, hn_i_add_part) HN_I_END(hn_i_unchanged, part) }
+#define HN_I_RESOLVED(name, noise, vec, place) HN_FN hn_float name(vec p, hn_float footprint, HN_I_PLAIN(HN_I_DECLARE), hn_uint seed) { place q = hn_i_position(p); HN_I_SUM(noise, hn_i_footprint(footprint), hn_i_add_resolved, hn_i_unchanged) }
+
+// What a sum is, and the types of a dimension (HN_I_TYPES2 and HN_I_TYPES3), are lists of arguments. These take them
+// apart.
+#define HN_I_SUMS_OF(name, noise, types, sum) HN_I_SUMS(name, noise, types, sum)
+#define HN_I_TILED_OF(name, noise, types, sum) HN_I_TILED(name, noise, types, sum)
+#define HN_I_LIMITED_OF(name, noise, types) HN_I_LIMITED(name, noise, types)
+#define HN_I_OF_FBM HN_I_PLAIN, HN_I_WEIGHT_ONE, hn_i_add, hn_i_unchanged
+#define HN_I_OF_TURBULENCE HN_I_PLAIN, HN_I_WEIGHT_ONE, hn_i_add_size, hn_i_unchanged
+#define HN_I_OF_CLOUDS HN_I_PLAIN, HN_I_WEIGHT_ONE, hn_i_add, hn_i_density
+#define HN_I_OF_BILLOW HN_I_PLAIN, HN_I_WEIGHT_ONE, hn_i_add_bounded_size, hn_i_billows
+#define HN_I_OF_RIDGED HN_I_PLAIN, HN_I_WEIGHT_ONE, hn_i_add_ridge, hn_i_unchanged
+#define HN_I_OF_PING_PONG HN_I_STRONG, hn_i_setting(strength, 64.0f), hn_i_add_wave, hn_i_unchanged
+#define HN_I_OF_WEIGHTED HN_I_STRONG, hn_i_setting(strength, 1.0f), hn_i_add_bent, hn_i_unchanged
 
 #endif
