@@ -156,7 +156,7 @@ TEST(Points, StrengthsLieInTheirRangeAtItsEndsAndBeyond) {
     EXPECT_GT(count_floats(strengths, [&](float s) { return s >= 0.0f && s <= most; }), 6000) << id;
     for (const float value : values) EXPECT_GT(count_floats(strengths, [&](float s) { return s == value; }), 500) << id;
     EXPECT_EQ(count_floats(strengths, [](float s) { return std::fabs(s) > 100.0f; }), 0) << id;
-    EXPECT_GT(count_floats(column_of(id, "strength", Extremes::integers), [](float s) { return s > 1e20f; }), 50) << id;
+    EXPECT_GT(count_floats(column_of(id, "strength", Extremes::integers), [](float s) { return s > 1e20f; }), 10) << id;
   }
 }
 
