@@ -39,8 +39,8 @@ HN_FN hn_i_whole2 hn_i_next(hn_i_whole2 q, hn_float lacunarity) {
   hn_ivec2 x = hn_i_times_ratio(q.x, ratio);
   hn_ivec2 y = hn_i_times_ratio(q.y, ratio);
   hn_i_whole2 next;
-  next.x = hn_i_shifted(hn_i_turned_axis(x, y, -20), 5767168);
-  next.y = hn_i_shifted(hn_i_turned_axis(y, x, 20), 9961472);
+  next.x = hn_i_shifted(hn_i_turned_axis(x, y, 25, -20), 5767168);
+  next.y = hn_i_shifted(hn_i_turned_axis(y, x, 25, 20), 9961472);
   return next;
 }
 
@@ -149,8 +149,8 @@ HN_FBM_PERIOD2D(hn_fbm, hn_perlin)
 //   detail      octaves, as a float: 3.5 is three octaves and half of the fourth. So octaves can come and go without a
 //               jump
 //   footprint   the size of a pixel at p, in cells of the first octave: in a fragment shader
-//               max(length(dFdx(p)), length(dFdy(p))). An octave fades out as a pixel grows from 1/4 to 1/2 of its
-//               cells. The others keep their contrast
+//               max(length(dFdx(p)), length(dFdy(p))). An octave fades out as a pixel grows from 1/2 to 3/2 of
+//               its cells, which comes nearest to the mean over the pixel. The others keep their contrast
 //   (other parameters, error, period, HN_FIXED and source as for hn_fbm at a position)
 //   returns     [-1, 1], mean 0
 //   cost        1 noise per octave; octaves that have faded out cost none
@@ -184,7 +184,7 @@ HN_CLOUDS_PERIOD2D(hn_clouds, hn_perlin)
 // Ridges: sharp crests where the noise passes 0. Finer octaves show on the crests and leave the valleys smooth.
 //   (parameters, period and cost as for hn_fbm)
 //   returns  [0, 1]: 1 on a crest of every octave
-//   error    up to 2^(octaves + 1) times that of the noise, weighted by the gain; docs/accuracy.md
+//   error    grows with the octaves, since each is taken times the one before: docs/accuracy.md
 //   source   Musgrave, as for hn_fbm: his ridged multifractal with the offset 1 and the gain 2, divided by the sum of
 //            the weights
 HN_RIDGED2D(hn_ridged, hn_perlin)

@@ -44,10 +44,10 @@ HN_FN hn_i_whole3 hn_i_next(hn_i_whole3 q, hn_float lacunarity) {
   hn_ivec2 y = hn_i_times_ratio(q.y, ratio);
   hn_ivec2 z = hn_i_times_ratio(q.z, ratio);
   hn_i_whole3 next;
-  hn_ivec2 turned = hn_i_turned_axis(y, x, 20);
-  next.x = hn_i_shifted(hn_i_turned_axis(x, y, -20), 5767168);
-  next.y = hn_i_shifted(hn_i_turned_axis(turned, z, -20), 9961472);
-  next.z = hn_i_shifted(hn_i_turned_axis(z, turned, 20), 12058624);
+  hn_ivec2 turned = hn_i_turned_axis(y, x, 25, 20);
+  next.x = hn_i_shifted(hn_i_turned_axis(x, y, 25, -20), 5767168);
+  next.y = hn_i_shifted(hn_i_turned_axis(turned, z, 29, -13), 9961472);
+  next.z = hn_i_shifted(hn_i_turned_axis(z, turned, 29, 13), 12058624);
   return next;
 }
 
@@ -75,9 +75,11 @@ HN_FN hn_vec3 hn_i_next(hn_vec3 q, hn_float lacunarity) {
   hn_float a = hn_i_times(lacunarity, 25.0f / 32.0f);
   hn_float b = hn_i_times(lacunarity, 20.0f / 32.0f);
   HN_I_PRECISE hn_float turned = b * q.x + a * q.y;
+  hn_float c = hn_i_times(lacunarity, 29.0f / 32.0f);
+  hn_float d = hn_i_times(lacunarity, 13.0f / 32.0f);
   HN_I_PRECISE hn_vec3 next =
-      vec3(a * q.x - b * q.y + 11.0f / 32.0f, 25.0f / 32.0f * turned - b * q.z + 19.0f / 32.0f,
-           20.0f / 32.0f * turned + a * q.z + 23.0f / 32.0f);
+      vec3(a * q.x - b * q.y + 11.0f / 32.0f, 29.0f / 32.0f * turned - d * q.z + 19.0f / 32.0f,
+           13.0f / 32.0f * turned + c * q.z + 23.0f / 32.0f);
   return next;
 }
 
@@ -160,8 +162,8 @@ HN_FBM_PERIOD3D(hn_fbm, hn_perlin)
 //   detail      octaves, as a float: 3.5 is three octaves and half of the fourth. So octaves can come and go without a
 //               jump
 //   footprint   the size of a pixel at p, in cells of the first octave: in a fragment shader
-//               max(length(dFdx(p)), length(dFdy(p))). An octave fades out as a pixel grows from 1/4 to 1/2 of its
-//               cells. The others keep their contrast
+//               max(length(dFdx(p)), length(dFdy(p))). An octave fades out as a pixel grows from 1/2 to 3/2 of
+//               its cells, which comes nearest to the mean over the pixel. The others keep their contrast
 //   (other parameters, error, period, HN_FIXED and source as for hn_fbm at a position)
 //   returns     [-1, 1], mean 0
 //   cost        1 noise per octave; octaves that have faded out cost none
@@ -195,7 +197,7 @@ HN_CLOUDS_PERIOD3D(hn_clouds, hn_perlin)
 // Ridges: sharp crests where the noise passes 0. Finer octaves show on the crests and leave the valleys smooth.
 //   (parameters, period and cost as for hn_fbm)
 //   returns  [0, 1]: 1 on a crest of every octave
-//   error    up to 2^(octaves + 1) times that of the noise, weighted by the gain; docs/accuracy.md
+//   error    grows with the octaves, since each is taken times the one before: docs/accuracy.md
 //   source   Musgrave, as for hn_fbm: his ridged multifractal with the offset 1 and the gain 2, divided by the sum of
 //            the weights
 HN_RIDGED3D(hn_ridged, hn_perlin)

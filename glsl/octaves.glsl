@@ -3,9 +3,10 @@
 //
 // A sum is a weighted mean of its octaves, or of what it makes of them; octave i weighs gain^i. Each octave has a seed
 // of its own, 2^32 divided by the golden ratio further, so that the octaves of nearby seeds do not coincide either. Each
-// is shifted, so that the lattice points, where the noise is 0, do not fall together at the origin. And each is turned
-// by arctan(4/5), so that the axes do not add up. The numbers of the turn are 25/32 and 20/32, with which a position
-// loses few bits; they stretch by 5 sqrt(41) / 32, which is 1.0005.
+// is shifted, so that the lattice points, where the noise is 0, do not fall together at the origin. And each is turned,
+// so that the axes do not add up: by arctan(4/5) in the plane of x and y, and in space then by arctan(13/29) in that of
+// y and z. The numbers of the turns are 32nds, with which a position loses few bits; so they also stretch a little, by
+// 1.0005 and 0.9931.
 //
 // GLSL has no functions of functions. So a sum is a macro of its noise (HN_I_SUM), made of steps that are functions:
 //
@@ -193,11 +194,11 @@ HN_FN hn_ivec2 hn_i_times_ratio(hn_ivec2 x, hn_uint ratio) {
   return ivec2(int(((high << 9u) | (low >> 23u)) + (rest >> 24u)), int(rest & 16777215u));
 }
 
-// 25/32 a + b times `turn` / 32, which is 20 or -20. The cell is taken apart, so that no product leaves 32 bits.
-HN_FN hn_ivec2 hn_i_turned_axis(hn_ivec2 a, hn_ivec2 b, hn_int turn) {
-  hn_int rest = 25 * a.y + turn * b.y;
-  hn_int near = 25 * (a.x & 31) + turn * (b.x & 31) + (rest >> 24);
-  hn_uint far = 25u * uint(a.x >> 5) + uint(turn) * uint(b.x >> 5);
+// along / 32 * a + across / 32 * b, which are small numbers. The cell is taken apart, so that no product leaves 32 bits.
+HN_FN hn_ivec2 hn_i_turned_axis(hn_ivec2 a, hn_ivec2 b, hn_int along, hn_int across) {
+  hn_int rest = along * a.y + across * b.y;
+  hn_int near = along * (a.x & 31) + across * (b.x & 31) + (rest >> 24);
+  hn_uint far = uint(along) * uint(a.x >> 5) + uint(across) * uint(b.x >> 5);
   return ivec2(int(far + uint(near >> 5)), ((near & 31) << 19) | ((rest & 16777215) >> 5));
 }
 
@@ -216,19 +217,21 @@ HN_FN hn_ivec2 hn_i_whole(hn_float p) {
   return ivec2(hn_i_whole_cell(p) + (rest >> 24), rest & 16777215);
 }
 
-// A footprint, how much of an octave it leaves, and that in cells of the next octave.
-HN_FN hn_int hn_i_footprint(hn_float footprint) { return hn_i_whole(0, footprint).y; }
-HN_FN hn_int hn_i_resolved(hn_int footprint) { return min(max(524288 - (footprint >> 4), 0), HN_I_WEIGHT_ONE); }
+// A footprint, how much of an octave it leaves (all of it up to half a cell, nothing from one and a half on), and that
+// in cells of the next octave. It matters up to 2 cells.
+HN_FN hn_int hn_i_footprint(hn_float footprint) { return int(min(max(footprint, 0.0f), 2.0f) * 16777216.0f); }
+HN_FN hn_int hn_i_resolved(hn_int footprint) { return min(max(393216 - (footprint >> 6), 0), HN_I_WEIGHT_ONE); }
 HN_FN hn_int hn_i_next_footprint(hn_int footprint, hn_float lacunarity) {
-  hn_ivec2 next = hn_i_times_ratio(ivec2(0, footprint), max(hn_i_ratio(lacunarity), 8388608u));
-  return hn_i_select(next.x > 0, 16777216, next.y);
+  hn_ivec2 next =
+      hn_i_times_ratio(ivec2(footprint >> 24, footprint & 16777215), max(hn_i_ratio(lacunarity), 8388608u));
+  return hn_i_select(next.x > 1, 33554432, (next.x << 24) + next.y);
 }
 
 #else
 
 HN_FN hn_float hn_i_footprint(hn_float footprint) { return footprint; }
 HN_FN hn_float hn_i_resolved(hn_float footprint) {
-  return min(max(hn_i_times_plus(-4.0f, footprint, 2.0f), 0.0f), 1.0f);
+  return min(max(hn_i_minus(1.5f, footprint), 0.0f), 1.0f);
 }
 HN_FN hn_float hn_i_next_footprint(hn_float footprint, hn_float lacunarity) {
   return hn_i_times(footprint, max(lacunarity, 1.0f));

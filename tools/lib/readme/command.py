@@ -22,11 +22,15 @@ from tree import ROOT
 
 README = "README.md"
 MEASURING = "docs/measuring.md"
+SUMS = "docs/sums.md"
 
 
 def tables(costs: numbers.Costs) -> list[tuple[str, str, str]]:
     """What pages have between marks: the page, the name of the marks, and the table."""
-    return [(README, "tools/readme: typical values", numbers.typical_table(numbers.typical())),
+    typical = numbers.typical()
+    return [(README, "tools/readme: typical values", numbers.typical_table(typical, numbers.IN_README)),
+            (SUMS, "tools/readme: typical values of sums", numbers.typical_table(typical, numbers.SUMS)),
+            (SUMS, "tools/readme: footprint", numbers.footprint_quote(numbers.footprint())),
             (MEASURING, "tools/readme: costs", numbers.cost_table(costs)),
             (MEASURING, "tools/readme: noises", numbers.form_table(costs)),
             (MEASURING, "tools/readme: peers", numbers.peer_table(numbers.peer_costs()))]

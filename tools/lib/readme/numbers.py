@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import subprocess
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -19,28 +19,50 @@ Costs = Mapping[str, Mapping[str, str]]  # the rows of bench.csv, by id
 
 # --- Typical values -----------------------------------------------------------------------------------------------------
 
+SUMS = ("hn_fbm", "hn_turbulence", "hn_billow", "hn_clouds", "hn_ridged", "hn_ping_pong", "hn_weighted")
+IN_README = ("hn_perlin", "hn_value", "hn_value_cubic", "hn_simplex", "hn_simplex_smooth", "hn_fbm")
+
+
+def lines_of(source: str) -> list[list[str]]:
+    """The words of each line that a program beside this file prints."""
+    with TemporaryDirectory() as folder:
+        program = Path(folder) / "program"
+        compile_program(source, Path(__file__).with_name(source), program)
+        output = subprocess.run([program], capture_output=True, text=True, check=True).stdout
+    return [line.split() for line in output.splitlines()]
+
 
 def typical() -> dict[tuple[str, int], list[float]]:
     """Mean, deviation, 1st and 99th percentile, by function and number of axes."""
-    with TemporaryDirectory() as folder:
-        program = Path(folder) / "typical"
-        compile_program("typical.cpp", Path(__file__).with_name("typical.cpp"), program)
-        lines = subprocess.run([program], capture_output=True, text=True, check=True).stdout.splitlines()
-    return {(name, int(axes)): [float(value) for value in values] for name, axes, *values in map(str.split, lines)}
+    return {(name, int(axes)): [float(value) for value in values] for name, axes, *values in lines_of("typical.cpp")}
 
 
-def typical_table(values: Mapping[tuple[str, int], list[float]]) -> str:
+def typical_table(values: Mapping[tuple[str, int], list[float]], names: Sequence[str]) -> str:
     def cells(mean: float, deviation: float, low: float, high: float) -> list[str]:
         return [f"{_number(mean)} ± {_number(deviation)}", f"{_number(low)} to {_number(high)}"]
 
     rows = [[f"`{name}`", *cells(*values[name, 2]), *cells(*values[name, 3])]
-            for name in dict.fromkeys(name for name, _ in values)]
+            for name in names]
     return table(("", "2D: mean ± deviation", "98 of 100 values", "3D: mean ± deviation", "98 of 100 values"), rows)
 
 
 def _number(value: float) -> str:
     """With two digits after the point, and no more than it has."""
     return f"{round(value, 2) + 0.0:g}"
+
+
+# --- What a footprint is worth ------------------------------------------------------------------------------------------
+
+
+def footprint() -> dict[str, float]:
+    """How far pixels of a receding plane are from the mean of many places in them, by the way they are computed."""
+    return {name: float(value) for name, value in lines_of("footprint.cpp")}
+
+
+def footprint_quote(errors: Mapping[str, float]) -> str:
+    return ("Against the mean of 32 by 32 places in each pixel of the picture's far half, the error (root mean square) is "
+            f"{errors['with']:.3f} with the footprint and {errors['without']:.3f} without; the deviation of the noise is "
+            f"{errors['deviation']:.2f}.\n")
 
 
 # --- Costs --------------------------------------------------------------------------------------------------------------

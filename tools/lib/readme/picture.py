@@ -23,6 +23,8 @@ PICTURES = {  # the page that shows each
     "jitter.png": "docs/cellular.md",
     "metrics.png": "docs/cellular.md",
     "cellular-tiles.png": "docs/cellular.md",
+    "sums.png": "docs/sums.md",
+    "footprint.png": "docs/sums.md",
 }
 BELOW_A_PICTURE = r"^!\[[^\]]*\]\((?:docs/)?images/{}\)\n\n(?:\S.*\n)*\n((?:    \S.*\n)+)"
 FLOAT = re.compile(r"(?<![\w.])\d+\.\d+(?![\w.])")  # without a suffix it is a float in GLSL, and a double in C++

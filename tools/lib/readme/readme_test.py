@@ -15,7 +15,8 @@ from unittest import mock
 from readme import command, numbers, picture
 from tree import ROOT, TOOLS
 
-PAGES = ("README.md", "docs/cellular.md", "docs/knobs.md", "docs/noises.md", "docs/same-bits.md")
+PAGES = ("README.md", "docs/cellular.md", "docs/knobs.md", "docs/noises.md", "docs/same-bits.md",
+         "docs/sums.md")
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 SINGLE_FILE = re.compile(r"^// here: what tools/single-file makes of (\w+\.glsl)$", re.MULTILINE)
 

@@ -54,5 +54,9 @@ int main() {
   PRINT(hn_simplex_smooth);
   PRINT(hn_fbm, 6, 2.0f, 0.5f);
   PRINT(hn_turbulence, 6, 2.0f, 0.5f);
+  PRINT(hn_billow, 6, 2.0f, 0.5f);
   PRINT(hn_clouds, 6, 2.0f, 0.5f);
+  PRINT(hn_ridged, 6, 2.0f, 0.5f);
+  PRINT(hn_ping_pong, 6, 2.0f, 0.5f, 2.0f);
+  PRINT(hn_weighted, 6, 2.0f, 0.5f, 1.0f);
 }

@@ -12,6 +12,10 @@ LIBRARY = GLSL
 FUNCTION = re.compile(r"^HN_FN\s+\w+\s+(hn_(?!i_)\w+)\(((?:[^()]|\([^()]*\))*)\)\s*\{", re.MULTILINE)
 # What defines a public function in whatever way, where no comment, no directive and no body is.
 ANY_FUNCTION = re.compile(r"\b(hn_(?!i_)\w+)\s*\([^;{}]*\{")
+# A line that defines the functions of a sum over a noise: what it sums, and in which form (glsl/octaves.glsl).
+SUM = re.compile(r"^HN_([A-Z_]+?)(_PERIOD|_LIMITED)?([23])D\((hn_\w+), hn_\w+\)$", re.MULTILINE)
+ANY_SUM = re.compile(r"^HN_[A-Z_]+[0-9]D\((hn_\w+)", re.MULTILINE)
+STRONG = ("PING_PONG", "WEIGHTED")  # those with a strength
 NO_CODE = re.compile(r"//[^\n]*|/\*.*?\*/|^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", re.MULTILINE | re.DOTALL)
 
 
@@ -64,14 +68,31 @@ def _comment_above(lines: list[str], line: int) -> Comment | None:
     return Comment(first, tuple(text.removeprefix("//") for text in lines[first - 1:line - 1]))
 
 
+def _types_of_sum(sum_name: str, form: str | None, n: str) -> list[tuple[str, ...]]:
+    """The types of the arguments of each function that a line defines."""
+    vec, ivec, plain = f"vec{n}", f"ivec{n}", ("int", "float", "float") + ("float",) * (sum_name in STRONG)
+    if form == "_LIMITED":
+        return [(vec, "float", "float", "float", "uint"), (vec, "float", *plain, "uint")]
+    if form == "_PERIOD":
+        return [(vec, ivec, *plain, "uint"), (ivec, vec, ivec, *plain, "uint")]
+    return [(vec, *plain, "uint"), (vec, *plain), (ivec, vec, *plain, "uint"), (ivec, vec, *plain)]
+
+
+def _functions(text: str) -> list[tuple[int, str, tuple[str, ...]]]:
+    """Where each public function is defined, its name, and the types of its arguments."""
+    found = [(match.start(), match[1], tuple(map(_type, match[2].split(",")))) for match in FUNCTION.finditer(text)]
+    found += [(match.start(), match[4], types) for match in SUM.finditer(text)
+              for types in _types_of_sum(match[1], match[2], match[3])]
+    return sorted(found, key=lambda function: function[0])
+
+
 def declarations(library: Path = LIBRARY) -> list[Declaration]:
     found = []
     for path in sorted(library.glob("*.glsl")):
         text = path.read_text(encoding="utf-8")
         lines, last = text.split("\n"), None
-        for match in FUNCTION.finditer(text):
-            line = text.count("\n", 0, match.start()) + 1
-            name, types = match[1], tuple(map(_type, match[2].split(",")))
+        for start, name, types in _functions(text):
+            line = text.count("\n", 0, start) + 1
             comment = _comment_above(lines, line)
             if comment is None and last is not None and last.name == name:
                 comment = last.comment
@@ -99,7 +120,8 @@ def overlooked(library: Path = LIBRARY) -> list[str]:
     found = []
     for path in sorted(library.glob("*.glsl")):
         text = path.read_text(encoding="utf-8")
-        known = {match.start(1) for match in FUNCTION.finditer(text)}
+        known = {match.start(1) for match in FUNCTION.finditer(text)} | {match.start(4) for match in SUM.finditer(text)}
         found += [f"{path}:{text.count(chr(10), 0, match.start(1)) + 1}: {match[1]}"
-                  for match in ANY_FUNCTION.finditer(file_scope(text)) if match.start(1) not in known]
+                  for pattern in (ANY_FUNCTION, ANY_SUM) for match in pattern.finditer(file_scope(text))
+                  if match.start(1) not in known]
     return found
