@@ -81,7 +81,7 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
      "With a float of octaves that is a whole number `hn_fbm` is that with an int of them, at 4,096 points: bit by "
      "bit, or for `fast` within the tolerances of both."},
     {"small_footprint",
-     "With a footprint of 0, and up to a quarter of a cell of the last octave, `hn_fbm` is that without one, at 4,096 "
+     "With a footprint of 0, and up to half a cell of the last octave, `hn_fbm` is that without one, at 4,096 "
      "points: bit by bit with `fixed`, else within the tolerances of both."},
     {"constant_period",
      "4,096 points have the same values when the periods are constants of the shader, within twice the tolerance for "

@@ -411,7 +411,7 @@ Pairing whole_detail_pairing(const Evaluation& evaluation, std::uint64_t seed, s
                     has_same_bits(function, evaluation.configuration));
 }
 
-// Up to a quarter of a cell of the last octave, none fades. With floats the compiler may contract the two in other
+// Up to half a cell of the last octave, none fades. With floats the compiler may contract the two in other
 // ways.
 Pairing small_footprint_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
   const Function& function = evaluation.function;
@@ -423,7 +423,7 @@ Pairing small_footprint_pairing(const Evaluation& evaluation, std::uint64_t seed
     const auto octaves = static_cast<std::int32_t>(here[static_cast<std::size_t>(function.input("octaves"))]);
     const auto lacunarity = std::bit_cast<float>(here[static_cast<std::size_t>(function.input("lacunarity"))]);
     const auto most =
-        static_cast<float>(0.25 / std::pow(std::max(static_cast<double>(lacunarity), 1.0), std::max(octaves - 1, 0)));
+        static_cast<float>(0.5 / std::pow(std::max(static_cast<double>(lacunarity), 1.0), std::max(octaves - 1, 0)));
     const float footprint = random.below(4) == 0 ? 0.0f : random.below(2) == 0 ? most : random.uniform(0.0f, most);
     put_float(function, here, "footprint", footprint);
   }

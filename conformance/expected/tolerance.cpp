@@ -50,8 +50,11 @@ const std::vector<NoiseBounds> kSlopeBounds = {
 
 // The components of the shift between octaves (docs/contract.md); 2D uses the first two.
 constexpr std::array kShift = {11.0 / 32.0, 19.0 / 32.0, 23.0 / 32.0};
-constexpr double kCosine = 25.0 / 32.0;  // of the turn between octaves; it stretches, too
+// The turns between octaves, in the plane of x and y and then in that of y and z; they stretch, too.
+constexpr double kCosine = 25.0 / 32.0;
 constexpr double kSine = 20.0 / 32.0;
+constexpr double kSecondCosine = 29.0 / 32.0;
+constexpr double kSecondSine = 13.0 / 32.0;
 constexpr double kWhole = 0x1p-24;  // the unit of whole positions
 
 double float_input(std::span<const std::uint32_t> inputs, int word) {
@@ -101,9 +104,12 @@ bool next_is_exact(Position& q, std::size_t axes, double lacunarity, bool turns)
   const auto [x, y, z] = q;
   if (!turn_is_exact(c, x, -s, y, kShift[0], q[0])) return false;
   if (axes == 2) return turn_is_exact(s, x, c, y, kShift[1], q[1]);
+  const double second_c = lacunarity * kSecondCosine;
+  const double second_s = lacunarity * kSecondSine;
+  if (!is_float(second_c) || !is_float(second_s)) return false;
   double v = 0.0;
-  return turn_is_exact(s, x, c, y, 0.0, v) && turn_is_exact(kCosine, v, -s, z, kShift[1], q[1]) &&
-         turn_is_exact(kSine, v, c, z, kShift[2], q[2]);
+  return turn_is_exact(s, x, c, y, 0.0, v) && turn_is_exact(kSecondCosine, v, -second_s, z, kShift[1], q[1]) &&
+         turn_is_exact(kSecondSine, v, second_c, z, kShift[2], q[2]);
 }
 
 bool positions_are_exact(Position q, std::size_t axes, double octaves, double lacunarity, bool turns) {
@@ -245,13 +251,14 @@ Errors straight_position_errors(int axes, const OctaveArguments& arguments) {
   return errors;
 }
 
-const double kStretch = std::hypot(kCosine, kSine);  // of lengths, by a turn
+// Of lengths, by the first turn. The second stretches none.
+const double kStretch = std::hypot(kCosine, kSine);
 
 // With turns lengths are bounded.
 Errors turned_position_errors(int axes, const OctaveArguments& arguments) {
   const double shift = kShift[static_cast<std::size_t>(axes) - 1];
   const double diagonal = std::sqrt(axes);
-  const double stretch = std::fabs(arguments.lacunarity) * std::pow(kStretch, axes - 1);
+  const double stretch = std::fabs(arguments.lacunarity) * kStretch;
   const double rounding = std::pow(1.0 + kUnit, 2 * axes) - 1.0;
   double position = diagonal * arguments.largest_coordinate;
   double error = 0.0;
@@ -277,9 +284,9 @@ Errors whole_position_errors(int axes, const OctaveArguments& arguments) {
   for (int i = 0; i < count_of(arguments); ++i) {
     errors.push_back(error);
     error = ratio * error + (arguments.lacunarity - ratio) * position + diagonal * kWhole;
-    for (int turn = 0; turn < turns; ++turn) error = kStretch * error + std::sqrt(2.0) * kWhole;
+    for (int turn = 0; turn < turns; ++turn) error = (turn == 0 ? kStretch : 1.0) * error + std::sqrt(2.0) * kWhole;
     if (arguments.exact_positions) error = 0.0;
-    position = arguments.lacunarity * std::pow(kStretch, turns) * position + diagonal * shift;
+    position = arguments.lacunarity * (arguments.turns ? kStretch : 1.0) * position + diagonal * shift;
   }
   return errors;
 }
@@ -320,9 +327,9 @@ Terms terms_of(OctaveSum kind, const OctaveArguments& arguments, double limit, c
   return terms;
 }
 
-// Of clamp(2 - 4 * footprint * max(lacunarity, 1)^i, 0, 1).
+// Of clamp(3/2 - footprint * max(lacunarity, 1)^i, 0, 1).
 double fade_error(std::size_t i) {
-  return 2.001 * (std::pow(1.0 + kUnit, static_cast<double>(i)) - 1.0) + 1.001 * kUnit + 8.0 * kTiny;
+  return 1.501 * (std::pow(1.0 + kUnit, static_cast<double>(i)) - 1.0) + 1.001 * kUnit + 2.0 * kTiny;
 }
 
 // The total of a detail's weights.
