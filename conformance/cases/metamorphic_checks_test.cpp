@@ -140,7 +140,8 @@ TEST_F(Periods, AFunctionThatDoesNotRepeatIsCaught) {
   expect_replaced_caught({"fbm.fbm2_period.lattice.fixed.fragment.gl330.period", "fbm2d.glsl",
                           "return ivec2(q.x.x, q.y.x);", "return clamp(ivec2(q.x.x, q.y.x), -8388608, 8388607);"});
   expect_replaced_caught({"fbm.billow2_cell_period.lattice.fast.fragment.gl330.period", "octaves.glsl",
-                          "return int(uint(period) * uint(lacunarity));", "return period;"});
+                          "return int(uint(period) * uint(lacunarity));",
+                          "return int(uint(period) * uint(lacunarity)) + int(period > 0);"});
 }
 
 // From a cell, in every arithmetic and with a period: the fraction, and a step that only one of the two goes.

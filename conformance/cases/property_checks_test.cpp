@@ -50,14 +50,18 @@ TEST_F(Extreme, SumsHaveRangesOfTheirOwn) {
     std::string_view id;
     std::string_view fault;
   } constexpr kFaults[] = {
-      {"fbm.turbulence2.lattice.fast.fragment.gl330.range", "hn_turbulence(args) (hn_turbulence(args) - 0.2)"},
-      {"fbm.ridged2.lattice.fast.fragment.gl330.range", "hn_ridged(args) (hn_ridged(args) - 0.3)"},
-      {"fbm.ridged2_cell.lattice.fixed.fragment.gl330.range", "hn_ridged(c, args) (hn_ridged(c, args) + 0.2)"},
-      {"fbm.billow2.lattice.precise.fragment.gl400.range", "hn_billow(args) (hn_billow(args) - 0.2)"},
-      {"fbm.ping_pong2.lattice.fast.fragment.gl330.range", "hn_ping_pong(args) (hn_ping_pong(args) + 0.001)"},
+      {"fbm.turbulence2.lattice.fast.fragment.gl330.range",
+       "hn_turbulence(q, o, l, args) (hn_turbulence(q, o, l, args) - 0.2)"},
+      {"fbm.ridged2.lattice.fast.fragment.gl330.range", "hn_ridged(q, o, l, args) (hn_ridged(q, o, l, args) - 0.3)"},
+      {"fbm.ridged2_cell.lattice.fixed.fragment.gl330.range",
+       "hn_ridged(c, f, o, l, args) (hn_ridged(c, f, o, l, args) + 0.2)"},
+      {"fbm.billow2.lattice.precise.fragment.gl400.range", "hn_billow(q, o, l, args) (hn_billow(q, o, l, args) - 0.2)"},
+      {"fbm.ping_pong2.lattice.fast.fragment.gl330.range",
+       "hn_ping_pong(q, o, l, g, args) (hn_ping_pong(q, o, l, g, args) + 0.001)"},
       {"fbm.ping_pong2_cell.lattice.fixed.fragment.gl330.range",
-       "hn_ping_pong(c, args) (hn_ping_pong(c, args) - 0.0000005)"},
-      {"fbm.weighted2.lattice.fast.fragment.gl330.range", "hn_weighted(args) (hn_weighted(args) * 1.5)"}};
+       "hn_ping_pong(c, f, o, l, g, args) (hn_ping_pong(c, f, o, l, g, args) - 0.0000005)"},
+      {"fbm.weighted2.lattice.fast.fragment.gl330.range",
+       "hn_weighted(q, o, l, g, args) (hn_weighted(q, o, l, g, args) * 1.5)"}};
   for (const auto& [id, fault] : kFaults) expect_caught(id, "fbm2d.glsl", fault);
 }
 
