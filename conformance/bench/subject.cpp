@@ -76,8 +76,11 @@ std::vector<Subject> library_subjects() {
   // A noise of the user's own, which costs nothing: what is left is the sum itself.
   for (const int dimensions : {2, 3}) {
     subjects.push_back({fmt::format("fbm.fbm{}.own_noise", dimensions), dimensions,
-                        fmt::format("#define HN_FBM_NOISE{0}D(q, seed) (q).x\n#include \"fbm{0}d.glsl\"\n", dimensions),
-                        "hn_fbm(p, 6, 2.0, 0.5)"});
+                        fmt::format("#include \"fbm{0}d.glsl\"\n"
+                                    "float own_noise(ivec{0} cell, vec{0} f, uint seed) {{ return f.x; }}\n"
+                                    "HN_FBM{0}D(own_fbm, own_noise)\n",
+                                    dimensions),
+                        "own_fbm(p, 6, 2.0, 0.5)"});
   }
   return subjects;
 }

@@ -73,13 +73,23 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
      "tolerance."},
     {"wrapped",
      "Without a period along any axis, and where a cell reaches no seam, the form with periods has the values of the "
-     "form without, at the cell modulo the period: bit by bit, or for `fast` within the tolerances of both. Octave "
-     "sums are tried without periods alone."},
+     "form without, at the cell modulo the period: bit by bit, or for `fast` within the tolerances of both."},
+    {"from_cell",
+     "An octave sum from a cell and a fraction is that at the position that is their sum, at 4,096 points: bit by bit "
+     "with `fixed`, else within the tolerances of both."},
+    {"whole_detail",
+     "With a float of octaves that is a whole number `hn_fbm` is that with an int of them, at 4,096 points: bit by "
+     "bit, or for `fast` within the tolerances of both."},
+    {"small_footprint",
+     "With a footprint of 0, and up to half a cell of the last octave, `hn_fbm` is that without one, at 4,096 "
+     "points: bit by bit with `fixed`, else within the tolerances of both."},
     {"constant_period",
      "4,096 points have the same values when the periods are constants of the shader, within twice the tolerance for "
      "`fast`."},
     {"unseeded", "The overload without a seed has the values of seed 0, at as many points as `range` takes."},
-    {"noise_knob", "An octave sum takes the noise that the user names, at as many points as `range` takes."},
+    {"other_noise",
+     "An octave sum that a macro of the library makes of a noise of the user's takes that noise, at as many points as "
+     "`range` takes."},
     {"inlined",
      "4,096 random points have the same values when the function's body stands in main. For this check and the next "
      "five, `fast` values agree within twice the tolerance, all others bit by bit."},

@@ -104,12 +104,16 @@ void add_metamorphic_cases(std::vector<Case>& cases, const Evaluation& evaluatio
   };
   if (function.takes_period()) {
     add("period", period_pairing);
-    if (function.has_form_without_period()) add("wrapped", wrapped_pairing);
+    // Without a period octaves turn, so that a sum is another one.
+    if (function.has_form_without_period() && !function.is_octave_sum()) add("wrapped", wrapped_pairing);
     // One more shader to compile.
     const bool chosen = configuration.is_default() && !profile.es;
     cases.push_back({name_of(evaluation, "constant_period"), PairingKind{evaluation, constant_period_pairing},
                      chosen ? Extent::one_driver : Extent::thorough});
   }
+  if (function.is_octave_sum() && function.takes_cell()) add("from_cell", from_cell_pairing);
+  if (function.takes_detail()) add("whole_detail", whole_detail_pairing);
+  if (function.takes_footprint()) add("small_footprint", small_footprint_pairing);
   if (function.takes_phase()) {
     add("loop", loop_pairing);
     // With periods the field has no values but those that it has without.

@@ -138,7 +138,43 @@ TEST_F(Periods, AFunctionThatDoesNotRepeatIsCaught) {
   for (const Aperiodic& fault : kFaults) expect_caught(fault);
   // Only many octaves come to so large a cell.
   expect_replaced_caught({"fbm.fbm2_period.lattice.fixed.fragment.gl330.period", "fbm2d.glsl",
-                          "ivec2(int(x.x), int(y.x));", "clamp(ivec2(int(x.x), int(y.x)), -8388608, 8388607);"});
+                          "return ivec2(q.x.x, q.y.x);", "return clamp(ivec2(q.x.x, q.y.x), -8388608, 8388607);"});
+  expect_replaced_caught({"fbm.billow2_cell_period.lattice.fast.fragment.gl330.period", "octaves.glsl",
+                          "return int(uint(period) * uint(lacunarity));",
+                          "return int(uint(period) * uint(lacunarity)) + int(period > 0);"});
+}
+
+// From a cell, in every arithmetic and with a period: the fraction, and a step that only one of the two goes.
+TEST_F(Periods, ASumFromACellThatIsNotThatAtThePositionIsCaught) {
+  constexpr Replaced kFaults[] = {
+      {"fbm.fbm2_cell.lattice.fast.fragment.gl330.from_cell", "fbm2d.glsl", "q.x = hn_i_whole(cell.x, f.x);",
+       "q.x = hn_i_whole(cell.x, 0.999f * f.x);"},
+      {"fbm.ridged3_cell.lattice.fixed.fragment.gl330.from_cell", "octaves.glsl",
+       "int(min(max(f, 0.0f), 1.0f) * 16777216.0f)", "(int(min(max(f, 0.0f), 1.0f) * 16777216.0f) ^ 4096)"},
+      {"fbm.fbm2_cell_period.lattice.precise.fragment.gl400.from_cell", "fbm2d.glsl",
+       "hn_i_shifted(hn_i_times_ratio(q.x, ratio), 5767168)", "hn_i_shifted(hn_i_times_ratio(q.x, ratio), 5832704)"}};
+  for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
+}
+
+TEST_F(Periods, AWholeDetailThatIsNoNumberOfOctavesIsCaught) {
+  constexpr Replaced kFaults[] = {{"fbm.fbm2_detail.lattice.fast.fragment.gl330.whole_detail", "octaves.glsl",
+                                   "float(octaves - 1));", "float(octaves - 1) + 0.01f);"},
+                                  {"fbm.fbm3_detail.lattice.precise.fragment.gl400.whole_detail", "octaves.glsl",
+                                   "float(octaves - 1));", "float(octaves - 1) + 0.00001f);"},
+                                  {"fbm.fbm3_detail.lattice.fixed.fragment.gl330.whole_detail", "octaves.glsl",
+                                   "HN_I_MOST_DETAIL 32.0f", "HN_I_MOST_DETAIL 31.0f"}};
+  for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
+}
+
+TEST_F(Periods, ASmallFootprintThatFadesOctavesIsCaught) {
+  constexpr Replaced kFaults[] = {
+      {"fbm.fbm2_footprint.lattice.fast.fragment.gl330.small_footprint", "octaves.glsl", "hn_i_minus(1.5f, footprint)",
+       "hn_i_minus(1.4f, footprint)"},
+      {"fbm.fbm3_footprint.lattice.fixed.fragment.gl330.small_footprint", "octaves.glsl", "393216 - (footprint >> 6)",
+       "393216 - 16 - (footprint >> 6)"},
+      {"fbm.fbm3_footprint.lattice.precise.fragment.gl400.small_footprint", "octaves.glsl",
+       "hn_i_times(footprint, max(lacunarity, 1.0f))", "hn_i_times(footprint, 2.0f * max(lacunarity, 1.0f))"}};
+  for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
 }
 
 // The form without periods is under test as well, so that only what the other calls may be wrong.
@@ -153,9 +189,7 @@ TEST_F(Periods, AFormThatIsNotTheOneWithoutPeriodsIsCaught) {
       {"noise2d.value_cubic_cell_period.lattice.precise.fragment.gl400.wrapped", "lattice.glsl",
        "hn_i_select(c < 0, mask - rest, rest)", "rest"},
       {"noise1d.perlin_d_period.lattice.fast.fragment.gl330.wrapped", "perlin_d1d.glsl", "hn_i_fraction(p), period,",
-       "hn_i_fraction(p) + 0.001, period,"},
-      {"fbm.turbulence2_period.lattice.fixed.fragment.gl330.wrapped", "fbm2d.glsl", "hn_i_octaves(p, period, true,",
-       "hn_i_octaves(p, period + 65536 * int(period.x == 0), true,"}};
+       "hn_i_fraction(p) + 0.001, period,"}};
   for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
 }
 

@@ -44,6 +44,42 @@ TEST_F(Extreme, AnOctaveSumIsHeldToItToo) {
   }
 }
 
+// One that lies in the range of an fBm is beyond that of others.
+TEST_F(Extreme, SumsHaveRangesOfTheirOwn) {
+  struct {
+    std::string_view id;
+    std::string_view fault;
+  } constexpr kFaults[] = {
+      {"fbm.turbulence2.lattice.fast.fragment.gl330.range",
+       "hn_turbulence(q, o, l, args) (hn_turbulence(q, o, l, args) - 0.2)"},
+      {"fbm.ridged2.lattice.fast.fragment.gl330.range", "hn_ridged(q, o, l, args) (hn_ridged(q, o, l, args) - 0.3)"},
+      {"fbm.ridged2_cell.lattice.fixed.fragment.gl330.range",
+       "hn_ridged(c, f, o, l, args) (hn_ridged(c, f, o, l, args) + 0.2)"},
+      {"fbm.billow2.lattice.precise.fragment.gl400.range", "hn_billow(q, o, l, args) (hn_billow(q, o, l, args) - 0.2)"},
+      {"fbm.ping_pong2.lattice.fast.fragment.gl330.range",
+       "hn_ping_pong(q, o, l, g, args) (hn_ping_pong(q, o, l, g, args) + 0.001)"},
+      {"fbm.ping_pong2_cell.lattice.fixed.fragment.gl330.range",
+       "hn_ping_pong(c, f, o, l, g, args) (hn_ping_pong(c, f, o, l, g, args) - 0.0000005)"},
+      {"fbm.weighted2.lattice.fast.fragment.gl330.range",
+       "hn_weighted(q, o, l, g, args) (hn_weighted(q, o, l, g, args) * 1.5)"}};
+  for (const auto& [id, fault] : kFaults) expect_caught(id, "fbm2d.glsl", fault);
+}
+
+// Not the noise, the octaves' weights, or what a sum makes of each octave.
+TEST_F(Extreme, ASumOverAnotherNoiseThatIsNotThatSumIsCaught) {
+  constexpr Replaced kFaults[] = {
+      {"fbm.fbm2.lattice.fast.fragment.gl330.other_noise", "octaves.glsl", "add, noise(hn_i_cell_of(q)",
+       "add, hn_perlin(hn_i_cell_of(q)"},
+      {"fbm.ridged3_cell.lattice.fixed.fragment.gl330.other_noise", "octaves.glsl",
+       "s.carried = min(hn_i_plus(ridge, ridge), HN_I_WEIGHT_ONE)", "s.carried = HN_I_WEIGHT_ONE"},
+      {"fbm.ping_pong2_period.lattice.fast.fragment.gl330.other_noise", "octaves.glsl", "floor(t * 0.5f)", "floor(t)"},
+      {"fbm.weighted2.lattice.fast.fragment.gl330.other_noise", "octaves.glsl", "(0.5f - 0.5f * n)",
+       "(0.5f + 0.5f * n)"},
+      {"fbm.fbm3_detail.lattice.fast.fragment.gl330.other_noise", "octaves.glsl", "hn_float total = part",
+       "hn_float total = 1.0f"}};
+  for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
+}
+
 TEST_F(Extreme, FixedArithmeticHasANumberForWhatIsNone) {
   expect_caught(kPerlins[2], "perlin2d.glsl", "hn_perlin(args) (isinf(p.x) ? p.x : hn_perlin(args))");
 }

@@ -16,9 +16,9 @@ void add_properties(std::vector<Case>& cases, const Evaluation& evaluation, Exte
   };
   const bool once = configuration.is_default();  // for what does not depend on the knobs
   if (once && function.has_unseeded()) add("unseeded", check_unseeded);
-  // HN_FIXED converts a noise that the user names to an integer.
-  const bool names_noise = once || configuration.name == "lattice+fixed";
-  if (names_noise && function.family == Family::octave_sum) add("noise_knob", check_noise_knob);
+  // HN_FIXED converts a noise of the user's to an integer.
+  const bool takes_noise = once || configuration.name == "lattice+fixed";
+  if (takes_noise && function.is_octave_sum()) add("other_noise", check_other_noise);
   if (function.is_cellular() && !profile.es) {
     add("search", check_search);
     if (function.id.ends_with("cellular_nearest") || function.id.ends_with("cell_border_nearest")) {

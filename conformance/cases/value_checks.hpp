@@ -31,13 +31,13 @@ tl::expected<Words, Outcome> evaluate(Session& session, const Evaluation& evalua
 Check check_golden;  // against the golden file
 Check check_twin;    // against the C++ twin, at random points
 // property_checks.cpp
-Check check_zero;        // noise is 0 at lattice points
-Check check_range;       // values keep to their range and use it
-Check check_seeds;       // fields of different seeds are uncorrelated
-Check check_mirror;      // no quadrant mirrors another
-Check check_finite;      // and neither NaN nor infinity at extreme points
-Check check_unseeded;    // without a seed means with seed 0
-Check check_noise_knob;  // HN_FBM_NOISE2D and HN_FBM_NOISE3D are used
+Check check_zero;         // noise is 0 at lattice points
+Check check_range;        // values keep to their range and use it
+Check check_seeds;        // fields of different seeds are uncorrelated
+Check check_mirror;       // no quadrant mirrors another
+Check check_finite;       // and neither NaN nor infinity at extreme points
+Check check_unseeded;     // without a seed means with seed 0
+Check check_other_noise;  // HN_FBM2D(name, noise) and its like take the noise
 
 // derivative_check.cpp, divergence_check.cpp and seams_check.cpp
 Check check_derivative;  // derivatives are those of the noise

@@ -92,6 +92,10 @@ namespace {
 // shift between octaves (docs/contract.md, section 8).
 constexpr std::uint32_t kFixedOctaves = 15;
 
+// From a cell of a sum, so many cells from the origin at most: with up to five octaves and a lacunarity of up to 3 no
+// octave's cell wraps, and neither does that of a point some periods on.
+constexpr std::int64_t kSumReach = std::int64_t{1} << 22;
+
 // Of cells an int is enough for any period. Positions are multiples of 1/8 that are floats a period on, too. Octave
 // sums have few cells: with a whole lacunarity the positions of all octaves are multiples of 1/32 and floats.
 std::int32_t chosen_period(const Function& function, Random& random) {
@@ -116,9 +120,10 @@ struct Place {
 };
 
 // Within a period of the origin or, of cells, anywhere; every other one beside a multiple of the period.
-Place random_place(WordType type, std::int64_t period, Random& random) {
+Place random_place(const Function& function, std::int64_t period, Random& random) {
   const auto eighths = static_cast<std::int64_t>(random.below(8));
-  const std::int64_t reach = type == WordType::i32 ? std::int64_t{1} << 30 : std::max<std::int64_t>(period, 64);
+  const std::int64_t of_cells = function.is_octave_sum() ? kSumReach : std::int64_t{1} << 30;
+  const std::int64_t reach = function.starts_from_integers() ? of_cells : std::max<std::int64_t>(period, 64);
   const auto anywhere = static_cast<std::int64_t>(random.below(static_cast<std::uint32_t>(2 * reach))) - reach;
   if (period <= 0 || random.below(2) == 0) return {anywhere, eighths};
   const std::int64_t multiple = anywhere - rest_of(anywhere, period);
@@ -165,7 +170,8 @@ void settle_octaves(const Evaluation& evaluation, std::span<std::uint32_t> words
   const auto at = [&](std::string_view name) -> std::uint32_t& {
     return words[static_cast<std::size_t>(function.input(name))];
   };
-  if (evaluation.configuration.arithmetic == Arithmetic::fixed) at("octaves") = random.below(kFixedOctaves + 1);
+  const bool many = evaluation.configuration.arithmetic == Arithmetic::fixed && !function.takes_cell();
+  if (many) at("octaves") = random.below(kFixedOctaves + 1);
   at("lacunarity") = std::bit_cast<std::uint32_t>(1.0f + static_cast<float>(random.below(3)));
 }
 
@@ -208,7 +214,7 @@ Pairing period_pairing(const Evaluation& evaluation, std::uint64_t seed, std::si
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(function.axes); ++axis) {
       const std::int32_t period = chosen_period(function, random);
       const WordType type = function.inputs[axis].type;
-      const Place place = random_place(type, period, random);
+      const Place place = random_place(function, period, random);
       here[i + axis] = place.word(type);
       there[i + axis] = moved(function, place, type, period, random).word(type);
       const std::size_t word = i + static_cast<std::size_t>(function.period_word()) + axis;
@@ -219,8 +225,7 @@ Pairing period_pairing(const Evaluation& evaluation, std::uint64_t seed, std::si
   return pairing_of(evaluation, evaluation, std::move(there), std::move(here), exact);
 }
 
-// Without a period, or where a cell reaches no seam, the noise is that of the form without periods. Octave sums, whose
-// octaves have seams of their own, are tried without periods alone.
+// Without a period, or where a cell reaches no seam, the noise is that of the form without periods.
 Pairing wrapped_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
   const Function& function = evaluation.function;
   const Evaluation other{without(function, "period"), evaluation.configuration, evaluation.profile};
@@ -228,13 +233,11 @@ Pairing wrapped_pairing(const Evaluation& evaluation, std::uint64_t seed, std::s
   Words here = random_points(function, points, random);
   Words there = here;
   for (std::size_t i = 0; i < here.size(); i += kInputWords) {
-    const bool no_periods = function.is_octave_sum() || random.below(4) == 0;
-    settle_octaves(evaluation, std::span(here).subspan(i, kInputWords), random);
-    std::copy_n(&here[i], kInputWords, &there[i]);
+    const bool no_periods = random.below(4) == 0;
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(function.axes); ++axis) {
       const WordType type = function.inputs[axis].type;
       std::int32_t period = no_periods ? 0 : chosen_period(function, random);
-      const Place place = random_place(type, period, random);
+      const Place place = random_place(function, period, random);
       here[i + axis] = place.word(type);
       there[i + axis] = here[i + axis];
       const std::int64_t rest = period > 0 ? rest_of(place.cell, period) : 0;
@@ -333,6 +336,100 @@ Pairing phase_zero_pairing(const Evaluation& evaluation, std::uint64_t seed, std
   }
   Words others = inputs_for(other.function, function, inputs);
   return pairing_by_error(evaluation, other, std::move(inputs), std::move(others), 1.0);
+}
+
+namespace {
+
+void put_float(const Function& function, std::span<std::uint32_t> point, std::string_view column, float value) {
+  point[static_cast<std::size_t>(function.input(column))] = std::bit_cast<std::uint32_t>(value);
+}
+
+// A cell and a fraction whose sum is a float: 2^11 cells in 2^12 parts, so that the first octaves of floats are exact,
+// or, every fourth, 2^19 cells in eighths.
+struct ExactPlace {
+  std::int32_t cell;
+  float fraction;
+};
+
+ExactPlace random_exact_place(Random& random) {
+  const bool far = random.below(4) == 0;
+  const std::uint32_t cells = far ? 1u << 20 : 1u << 8;
+  const std::uint32_t parts = far ? 8 : 1u << 12;
+  return {static_cast<std::int32_t>(random.below(cells)) - static_cast<std::int32_t>(cells / 2),
+          static_cast<float>(random.below(parts)) / static_cast<float>(parts)};
+}
+
+}  // namespace
+
+// Every bit counts with fixed arithmetic alone: with floats only a sum from a cell has positions that are whole
+// numbers.
+Pairing from_cell_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
+  const Function& function = evaluation.function;
+  const Evaluation other{without(function, "cell"), evaluation.configuration, evaluation.profile};
+  const auto axes = static_cast<std::size_t>(function.axes);
+  Random random(seed, "from cell");
+  Words inputs = random_points(function, points, random);
+  Words others(inputs.size());
+  for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
+    const auto here = std::span(inputs).subspan(i, kInputWords);
+    const auto there = std::span(others).subspan(i, kInputWords);
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+      const auto [cell, fraction] = random_exact_place(random);
+      here[axis] = static_cast<std::uint32_t>(cell);
+      here[axes + axis] = std::bit_cast<std::uint32_t>(fraction);
+      there[axis] = std::bit_cast<std::uint32_t>(static_cast<float>(cell) + fraction);
+    }
+    for (std::size_t column = axes; column < other.function.inputs.size(); ++column) {
+      there[column] = here[static_cast<std::size_t>(function.input(other.function.inputs[column].name))];
+    }
+  }
+  return pairing_of(evaluation, other, std::move(inputs), std::move(others),
+                    has_exact_values(function, evaluation.configuration));
+}
+
+// No octaves, some, and with fixed arithmetic now and then more than it takes.
+Pairing whole_detail_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
+  const Function& function = evaluation.function;
+  const Evaluation other{without(function, "detail"), evaluation.configuration, evaluation.profile};
+  const bool fixed = evaluation.configuration.arithmetic == Arithmetic::fixed;
+  Random random(seed, "whole detail");
+  Words inputs = random_points(function, points, random);
+  Words others(inputs.size());
+  for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
+    const auto here = std::span(inputs).subspan(i, kInputWords);
+    const auto there = std::span(others).subspan(i, kInputWords);
+    const bool many = fixed && random.below(16) == 0;
+    const auto octaves = static_cast<std::int32_t>(many ? 31 + random.below(4) : random.below(8)) - 1;
+    put_float(function, here, "detail", static_cast<float>(octaves));
+    for (std::size_t column = 0; column < other.function.inputs.size(); ++column) {
+      const std::string_view name = other.function.inputs[column].name;
+      there[column] = name == "octaves" ? static_cast<std::uint32_t>(octaves)
+                                        : here[static_cast<std::size_t>(function.input(name))];
+    }
+  }
+  return pairing_of(evaluation, other, std::move(inputs), std::move(others),
+                    has_same_bits(function, evaluation.configuration));
+}
+
+// Up to half a cell of the last octave, none fades. With floats the compiler may contract the two in other
+// ways.
+Pairing small_footprint_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
+  const Function& function = evaluation.function;
+  const Evaluation other{without(function, "footprint"), evaluation.configuration, evaluation.profile};
+  Random random(seed, "small footprint");
+  Words inputs = random_points(function, points, random);
+  for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
+    const auto here = std::span(inputs).subspan(i, kInputWords);
+    const auto octaves = static_cast<std::int32_t>(here[static_cast<std::size_t>(function.input("octaves"))]);
+    const auto lacunarity = std::bit_cast<float>(here[static_cast<std::size_t>(function.input("lacunarity"))]);
+    const auto most =
+        static_cast<float>(0.5 / std::pow(std::max(static_cast<double>(lacunarity), 1.0), std::max(octaves - 1, 0)));
+    const float footprint = random.below(4) == 0 ? 0.0f : random.below(2) == 0 ? most : random.uniform(0.0f, most);
+    put_float(function, here, "footprint", footprint);
+  }
+  Words others = inputs_for(other.function, function, inputs);
+  return pairing_of(evaluation, other, std::move(inputs), std::move(others),
+                    has_exact_values(function, evaluation.configuration));
 }
 
 Pairing derivative_value_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {

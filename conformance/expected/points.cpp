@@ -24,13 +24,14 @@ std::uint32_t random_word(Random& random) {
 
 // Where a point lies. All coordinates of a point share it.
 enum class Region { near, negative, lattice, far, very_far, extreme, steep };
-// The last two only where they are asked for. A steep point is one of an octave sum: a tiny position, which a huge
-// lacunarity makes large.
+// The last two only where they are asked for. A steep point is one of an octave sum at a position: a tiny one, which a
+// huge lacunarity makes large. (From a cell a lacunarity beyond 255 is cut off.)
 constexpr std::uint32_t kRegions = 5;
 
-std::uint32_t regions_of(bool octave_sum, Extremes extremes) {
+std::uint32_t regions_of(const Function& function, Extremes extremes) {
   if (extremes == Extremes::none) return kRegions;
-  return octave_sum && extremes == Extremes::floats ? kRegions + 2 : kRegions + 1;
+  const bool steep = function.is_octave_sum() && !function.takes_cell() && extremes == Extremes::floats;
+  return steep ? kRegions + 2 : kRegions + 1;
 }
 
 std::uint32_t random_cell(Region region, Random& random) {
@@ -126,9 +127,50 @@ float extreme_fraction(Extremes extremes, Random& random) {
   return std::signbit(value) && value == 0.0f ? value : inside;
 }
 
-// Few octaves far out, so that the last one still has a fraction.
-std::uint32_t random_octaves(Region region, Random& random) {
-  return region == Region::far || region == Region::very_far ? random.below(2) : random.below(6);
+// Few octaves at positions far out, so that the last one still has a fraction. From a cell it always has one.
+std::uint32_t random_octaves(const Function& function, Region region, Random& random) {
+  const bool far = region == Region::far || region == Region::very_far;
+  return far && !function.takes_cell() ? random.below(2) : random.below(6);
+}
+
+// A float of octaves: as many as there may be whole ones, often exactly or nearly that; now and then none. A single
+// octave more than a whole number begins with little weight.
+float random_detail(Region region, Extremes extremes, Random& random) {
+  if (region == Region::extreme && extremes == Extremes::integers && random.below(64) == 0) return 33.5f;
+  if (random.below(16) == 0) return random.below(2) == 0 ? 0.0f : -1.0f;
+  const bool far = region == Region::far || region == Region::very_far;
+  const auto most = static_cast<float>(region == Region::steep ? 2 : far ? 1 : 1 + random.below(7));
+  switch (random.below(4)) {
+    case 0:
+      return most;
+    case 1:
+      return most - std::ldexp(1.0f, -1 - static_cast<int>(random.below(20)));
+    case 2:
+      return most - 1.0f + std::ldexp(1.0f, -1 - static_cast<int>(random.below(20)));
+    default:
+      return random.uniform(most - 1.0f, most);
+  }
+}
+
+// Halves and less, down to where all of many octaves count in full; nothing, and more than a cell.
+float random_footprint(Region region, Extremes extremes, Random& random) {
+  if (region == Region::extreme && extremes == Extremes::integers && random.below(2) == 0) {
+    return random_extreme(128, random);
+  }
+  if (random.below(8) == 0) return random.below(2) == 0 ? 0.0f : 3.0f;
+  return std::ldexp(random.uniform(0.5f, 1.0f), -static_cast<int>(random.below(9)));
+}
+
+// What people use, what lies in the range, its ends, and beyond.
+float random_strength(const Function& function, Region region, Extremes extremes, Random& random) {
+  if (region == Region::extreme && extremes == Extremes::integers && random.below(2) == 0) {
+    return random_extreme(128, random);
+  }
+  constexpr std::array kPingPong = {2.0f, 2.0f, 0.0f, 64.0f, -1.0f, 100.0f};
+  constexpr std::array kWeighted = {1.0f, 1.0f, 0.5f, 0.0f, -1.0f, 2.0f};
+  const bool ping_pong = function.bound == "ping_pong";
+  if (random.below(2) == 0) return random.uniform(0.0f, ping_pong ? 4.0f : 1.0f);
+  return (ping_pong ? kPingPong : kWeighted)[random.below(kPingPong.size())];
 }
 
 // Seldom more than a few: points are drawn in groups, and a group takes as long as the point with the most.
@@ -154,7 +196,11 @@ float coarse(float position) { return std::floor(position * 32.0f) * 0.03125f; }
 
 // Octave sums of integers have values for all settings; those of floats for these, and at a tiny position for a
 // lacunarity of any size.
-float random_setting(std::string_view name, Region region, Extremes extremes, Random& random) {
+float random_setting(const Function& function, std::string_view name, Region region, Extremes extremes,
+                     Random& random) {
+  if (name == "detail") return random_detail(region, extremes, random);
+  if (name == "footprint") return random_footprint(region, extremes, random);
+  if (name == "strength") return random_strength(function, region, extremes, random);
   if (region == Region::steep && name == "lacunarity") return random_magnitude(20, 126, random);
   if (region == Region::extreme && extremes == Extremes::integers && random.below(2) == 0) {
     return random.below(2) == 0 ? random_extreme(128, random) : random.uniform(-1.0f, 256.0f);
@@ -231,33 +277,38 @@ std::uint32_t random_scale(Random& random) {
   return random.below(2) == 0 ? kScales[random.below(kScales.size())] : 1 + random.below(65536);
 }
 
-std::uint32_t random_whole(const Column& column, Region region, bool octave_sum, Extremes extremes, Random& random) {
-  if (is_period(column)) return random_period(octave_sum, random);
+std::uint32_t random_whole(const Column& column, const Function& function, Region region, Extremes extremes,
+                           Random& random) {
+  if (is_period(column)) return random_period(function.is_octave_sum(), random);
   if (column.name == "cells" || column.name == "units") return random_scale(random);
   if (column.name == "metric") return random_metric(random);
   if (column.name != "octaves") return random_cell(region, random);
   if (region == Region::steep) return 1 + random.below(2);  // the position of a third octave would overflow
-  return extremes == Extremes::none ? random_octaves(region, random) : extreme_octaves(extremes, random);
+  return extremes == Extremes::none ? random_octaves(function, region, random) : extreme_octaves(extremes, random);
 }
 
-float random_float(const Column& column, Region region, bool octave_sum, Extremes extremes, Random& random) {
-  if (column.name == "lacunarity" || column.name == "gain") {
-    return random_setting(column.name, region, extremes, random);
-  }
+bool is_setting(std::string_view name) {
+  constexpr std::array<std::string_view, 5> kSettings = {"lacunarity", "gain", "strength", "footprint", "detail"};
+  return std::ranges::find(kSettings, name) != kSettings.end();
+}
+
+float random_float(const Column& column, const Function& function, Region region, Extremes extremes, Random& random) {
+  if (is_setting(column.name)) return random_setting(function, column.name, region, extremes, random);
   if (column.name == "phase") return random_phase(region, random);
   if (column.name == "jitter") return random_jitter(region, random);
-  if (!column.name.starts_with("f")) return random_coordinate(region, octave_sum, extremes, random);
+  if (!column.name.starts_with("f")) return random_coordinate(region, function.is_octave_sum(), extremes, random);
   return region == Region::extreme ? extreme_fraction(extremes, random) : random_fraction(random);
 }
 
-std::uint32_t random_input(const Column& column, Region region, bool octave_sum, Extremes extremes, Random& random) {
+std::uint32_t random_input(const Column& column, const Function& function, Region region, Extremes extremes,
+                           Random& random) {
   switch (column.type) {
     case WordType::u32:
       return random_word(random);
     case WordType::i32:
-      return random_whole(column, region, octave_sum, extremes, random);
+      return random_whole(column, function, region, extremes, random);
     case WordType::f32:
-      return std::bit_cast<std::uint32_t>(random_float(column, region, octave_sum, extremes, random));
+      return std::bit_cast<std::uint32_t>(random_float(column, function, region, extremes, random));
     case WordType::f64:
       break;
   }
@@ -343,13 +394,12 @@ void go_to_middles(const Function& function, std::span<std::uint32_t> words, Ran
 
 std::vector<std::uint32_t> random_points(const Function& function, std::size_t count, Random random,
                                          Extremes extremes) {
-  const bool octave_sum = function.is_octave_sum();
-  const std::uint32_t regions = regions_of(octave_sum, extremes);
+  const std::uint32_t regions = regions_of(function, extremes);
   std::vector<std::uint32_t> words(count * kInputWords);
   for (std::size_t i = 0; i < count; ++i) {
     const auto region = static_cast<Region>(random.below(regions));
     for (std::size_t column = 0; column < function.inputs.size(); ++column) {
-      words[i * kInputWords + column] = random_input(function.inputs[column], region, octave_sum, extremes, random);
+      words[i * kInputWords + column] = random_input(function.inputs[column], function, region, extremes, random);
     }
     if (region == Region::extreme || region == Region::steep) continue;
     const auto point = std::span(words).subspan(i * kInputWords, kInputWords);

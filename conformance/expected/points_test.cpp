@@ -51,7 +51,7 @@ int count_coordinates(std::string_view id, Extremes extremes, Predicate predicat
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::size_t column = i % kInputWords;
     if (column >= function.inputs.size() || function.inputs[column].type != WordType::f32) continue;
-    const bool setting = function.inputs[column].name == "lacunarity" || function.inputs[column].name == "gain";
+    const bool setting = static_cast<int>(column) > function.input("octaves") && function.is_octave_sum();
     if (!setting && predicate(std::bit_cast<float>(words[i]))) ++count;
   }
   return count;
@@ -106,6 +106,85 @@ TEST(Points, OnlyTinyPositionsOfFloatsHaveAHugeLacunarity) {
     EXPECT_GT(subnormal, 400);
     EXPECT_EQ(count_steep(id, Extremes::none).first, 0);
   }
+}
+
+// The values of a column at 10,000 points.
+std::vector<std::uint32_t> column_of(std::string_view id, std::string_view name, Extremes extremes = Extremes::none) {
+  const Function& function = find_function(id);
+  const auto words = random_points(function, 10000, Random(1, "test"), extremes);
+  std::vector<std::uint32_t> column;
+  for (auto i = static_cast<std::size_t>(function.input(name)); i < words.size(); i += kInputWords) {
+    column.push_back(words[i]);
+  }
+  return column;
+}
+
+template <typename Predicate>
+std::ptrdiff_t count_floats(const std::vector<std::uint32_t>& column, Predicate predicate) {
+  return std::ranges::count_if(column, [&](std::uint32_t word) { return predicate(std::bit_cast<float>(word)); });
+}
+
+TEST(Points, OctaveSumsStartFromCellsAnywhereWithAllTheirOctaves) {
+  const auto cells = column_of("fbm.ridged3_cell", "cz");
+  const auto octaves = column_of("fbm.ridged3_cell", "octaves");
+  int near = 0, far = 0, many_far = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const auto distance = std::abs(static_cast<double>(static_cast<std::int32_t>(cells[i])));
+    near += distance < 256;
+    far += distance > 0x1p30;
+    many_far += distance > 0x1p30 && octaves[i] == 5;
+  }
+  EXPECT_GT(near, 1000);
+  EXPECT_GT(far, 500);
+  EXPECT_GT(many_far, 50);
+  EXPECT_EQ(std::ranges::max(octaves), 5u);
+  const auto fractions = column_of("fbm.ridged3_cell", "fy");
+  for (const float end : {0.0f, 1.0f}) {
+    EXPECT_GT(count_floats(fractions, [&](float f) { return f == end; }), 50) << end;
+  }
+}
+
+TEST(Points, StrengthsLieInTheirRangeAtItsEndsAndBeyond) {
+  struct {
+    std::string_view id;
+    float most;
+    std::vector<float> values;
+  } const kSums[] = {{"fbm.ping_pong2", 4.0f, {2.0f, 0.0f, 64.0f, -1.0f, 100.0f}},
+                     {"fbm.weighted3_cell_period", 1.0f, {1.0f, 0.0f, -1.0f, 2.0f}}};
+  for (const auto& [id, most, values] : kSums) {
+    const auto strengths = column_of(id, "strength");
+    EXPECT_GT(count_floats(strengths, [&](float s) { return s >= 0.0f && s <= most; }), 6000) << id;
+    for (const float value : values) EXPECT_GT(count_floats(strengths, [&](float s) { return s == value; }), 500) << id;
+    EXPECT_EQ(count_floats(strengths, [](float s) { return std::fabs(s) > 100.0f; }), 0) << id;
+    EXPECT_GT(count_floats(column_of(id, "strength", Extremes::integers), [](float s) { return s > 1e20f; }), 10) << id;
+  }
+}
+
+TEST(Points, FootprintsAreOfAllSizes) {
+  const auto footprints = column_of("fbm.fbm3_footprint", "footprint");
+  for (const float value : {0.0f, 3.0f}) {
+    EXPECT_GT(count_floats(footprints, [&](float f) { return f == value; }), 300) << value;
+  }
+  EXPECT_GT(count_floats(footprints, [](float f) { return f > 0.25f && f <= 1.0f; }), 1000);
+  EXPECT_GT(count_floats(footprints, [](float f) { return f > 0.0f && f < 0x1p-7f; }), 1000);
+  EXPECT_EQ(count_floats(footprints, [](float f) { return f < 0.0f; }), 0);  // that has no value in floats
+  const auto extreme = column_of("fbm.fbm3_footprint", "footprint", Extremes::integers);
+  EXPECT_GT(count_floats(extreme, [](float f) { return f < 0.0f; }), 100);
+}
+
+TEST(Points, DetailsAreWholeNearlyWholeAndBetween) {
+  const auto details = column_of("fbm.fbm2_detail", "detail");
+  const auto from_whole = [](float d) { return std::fabs(d - std::round(d)); };
+  EXPECT_GT(count_floats(details, [&](float d) { return from_whole(d) == 0.0f; }), 2000);
+  EXPECT_GT(count_floats(details, [&](float d) { return from_whole(d) > 0.0f && from_whole(d) < 0x1p-12f; }), 1000);
+  EXPECT_GT(count_floats(details, [&](float d) { return from_whole(d) > 0.1f; }), 2000);
+  EXPECT_GT(count_floats(details, [](float d) { return d > 6.0f; }), 300);
+  for (const float value : {0.0f, -1.0f}) {
+    EXPECT_GT(count_floats(details, [&](float d) { return d == value; }), 200) << value;
+  }
+  EXPECT_EQ(count_floats(details, [](float d) { return d > 7.0f || d < -1.0f; }), 0);
+  const auto extreme = column_of("fbm.fbm2_detail", "detail", Extremes::integers);
+  EXPECT_GT(count_floats(extreme, [](float d) { return d == 33.5f; }), 5);
 }
 
 TEST(Points, OnlyExtremesOfIntegersLieBesideTheirCell) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "expected/cellular.hpp"
@@ -49,6 +50,12 @@ const std::vector<NoiseBounds> kSlopeBounds = {
 
 // The components of the shift between octaves (docs/contract.md); 2D uses the first two.
 constexpr std::array kShift = {11.0 / 32.0, 19.0 / 32.0, 23.0 / 32.0};
+// The turns between octaves, in the plane of x and y and then in that of y and z; they stretch, too.
+constexpr double kCosine = 25.0 / 32.0;
+constexpr double kSine = 20.0 / 32.0;
+constexpr double kSecondCosine = 29.0 / 32.0;
+constexpr double kSecondSine = 13.0 / 32.0;
+constexpr double kWhole = 0x1p-24;  // the unit of whole positions
 
 double float_input(std::span<const std::uint32_t> inputs, int word) {
   return static_cast<double>(std::bit_cast<float>(inputs[static_cast<std::size_t>(word)]));
@@ -56,16 +63,58 @@ double float_input(std::span<const std::uint32_t> inputs, int word) {
 
 bool is_float(double value) { return static_cast<double>(static_cast<float>(value)) == value; }
 
-// Whether every product and every sum on the way to the last octave's position is a float. Products of two floats and
-// their sums with the shift are exact in a double as long as they are near a float, so the test is, too.
-bool positions_are_exact(std::span<const double> position, int octaves, double lacunarity) {
-  for (std::size_t axis = 0; axis < position.size(); ++axis) {
-    double q = position[axis];
-    for (int i = 1; i < octaves; ++i) {
-      const double product = q * lacunarity;
-      q = product + kShift[axis];
-      if (!is_float(product) || !is_float(q)) return false;
+// Whether terms that are floats have a sum that is exact in whatever order they are added: they are multiples of some
+// power of two, of which a float holds as many as their magnitudes sum to.
+bool is_exact_sum(std::span<const double> terms) {
+  int lowest = std::numeric_limits<int>::max();  // set bit
+  double magnitudes = 0.0;
+  for (const double term : terms) {
+    if (!is_float(term)) return false;
+    if (term == 0.0) continue;
+    int exponent = 0;
+    const auto mantissa = static_cast<std::uint64_t>(std::ldexp(std::frexp(std::fabs(term), &exponent), 53));
+    lowest = std::min(lowest, exponent - 53 + std::countr_zero(mantissa));
+    magnitudes += std::fabs(term);
+  }
+  return magnitudes == 0.0 || magnitudes <= std::ldexp(1.0, lowest + 24);
+}
+
+using Position = std::array<double, 3>;
+
+// One coordinate of a turn, a*x + b*y + shift. Products of two floats are exact in a double. Whether the result is,
+// too.
+bool turn_is_exact(double a, double x, double b, double y, double shift, double& result) {
+  const std::array terms = {a * x, b * y, shift};
+  result = terms[0] + terms[1] + terms[2];
+  return is_exact_sum(terms);
+}
+
+// The next octave's position, if every step to it is exact. Without a period it is turned: in the plane of x and y, and
+// then in that of y and z.
+bool next_is_exact(Position& q, std::size_t axes, double lacunarity, bool turns) {
+  if (!turns) {
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+      if (!turn_is_exact(q[axis], lacunarity, 0.0, 0.0, kShift[axis], q[axis])) return false;
     }
+    return true;
+  }
+  const double c = lacunarity * kCosine;
+  const double s = lacunarity * kSine;
+  if (!is_float(c) || !is_float(s)) return false;
+  const auto [x, y, z] = q;
+  if (!turn_is_exact(c, x, -s, y, kShift[0], q[0])) return false;
+  if (axes == 2) return turn_is_exact(s, x, c, y, kShift[1], q[1]);
+  const double second_c = lacunarity * kSecondCosine;
+  const double second_s = lacunarity * kSecondSine;
+  if (!is_float(second_c) || !is_float(second_s)) return false;
+  double v = 0.0;
+  return turn_is_exact(s, x, c, y, 0.0, v) && turn_is_exact(kSecondCosine, v, -second_s, z, kShift[1], q[1]) &&
+         turn_is_exact(kSecondSine, v, second_c, z, kShift[2], q[2]);
+}
+
+bool positions_are_exact(Position q, std::size_t axes, double octaves, double lacunarity, bool turns) {
+  for (int i = 1; i < octaves; ++i) {
+    if (!next_is_exact(q, axes, lacunarity, turns)) return false;
   }
   return true;
 }
@@ -81,21 +130,52 @@ const NoiseBounds& bounds_in(const std::vector<NoiseBounds>& table, std::string_
   return *found;
 }
 
-double octave_sum_tolerance(const Function& function, Gradient gradient, std::span<const std::uint32_t> inputs) {
-  std::array<double, 4> position{};
-  const auto axes = static_cast<std::size_t>(function.axes);
-  double largest = 0.0;
+// Where an octave sum starts, by its position or its cell and fraction.
+struct Start {
+  Position position;
+  bool exact;  // as a whole number: no fraction is cut
+};
+
+Start start_of(const Function& function, std::span<const std::uint32_t> inputs) {
+  Start start{{}, true};
   for (int axis = 0; axis < function.axes; ++axis) {
-    position[static_cast<std::size_t>(axis)] = float_input(inputs, axis);
-    largest = std::max(largest, std::fabs(float_input(inputs, axis)));
+    double& coordinate = start.position[static_cast<std::size_t>(axis)];
+    if (!function.takes_cell()) {
+      coordinate = float_input(inputs, axis);
+      continue;
+    }
+    const double fraction = std::clamp(float_input(inputs, function.axes + axis), 0.0, 1.0);
+    start.exact = start.exact && std::fmod(fraction, kWhole) == 0.0;
+    coordinate = static_cast<double>(static_cast<std::int32_t>(inputs[static_cast<std::size_t>(axis)])) + fraction;
   }
-  double lacunarity = float_input(inputs, function.input("lacunarity"));
-  if (function.takes_period()) lacunarity = std::floor(std::clamp(lacunarity, 0.0, 255.0));  // a tile stays a tile
-  const int octaves = static_cast<int>(inputs[static_cast<std::size_t>(function.input("octaves"))]);
-  return octave_tolerance(octave_sum_of(function), function.axes,
-                          {largest, octaves, lacunarity, float_input(inputs, function.input("gain")),
-                           positions_are_exact(std::span(position).first(axes), octaves, lacunarity)},
-                          gradient);
+  return start;
+}
+
+double octave_sum_tolerance(const Function& function, Gradient gradient, std::span<const std::uint32_t> inputs) {
+  const Start start = start_of(function, inputs);
+  const auto input = [&](std::string_view name) { return float_input(inputs, function.input(name)); };
+  double lacunarity = input("lacunarity");
+  const bool tiled = function.takes_period();
+  if (function.takes_cell() || tiled) lacunarity = std::clamp(lacunarity, 0.0, 255.0);
+  if (tiled) lacunarity = std::floor(lacunarity);  // a tile stays a tile
+  const auto octaves = function.takes_detail()
+                           ? input("detail")
+                           : static_cast<std::int32_t>(inputs[static_cast<std::size_t>(function.input("octaves"))]);
+  // A whole number of whole lacunarity stays one. What a turn rounds down is counted, however little it is.
+  const bool exact =
+      function.takes_cell()
+          ? start.exact && tiled
+          : positions_are_exact(start.position, static_cast<std::size_t>(function.axes), octaves, lacunarity, !tiled);
+  OctaveArguments arguments{0.0, octaves, lacunarity, input("gain"), exact};
+  for (const double coordinate : start.position) {
+    arguments.largest_coordinate = std::max(arguments.largest_coordinate, std::fabs(coordinate));
+  }
+  if (function.takes_strength()) arguments.strength = input("strength");
+  if (function.takes_footprint()) arguments.footprint = input("footprint");
+  arguments.turns = !tiled;
+  arguments.from_cell = function.takes_cell();
+  arguments.is_detail = function.takes_detail();
+  return octave_tolerance(octave_sum_of(function), function.axes, arguments, gradient);
 }
 
 }  // namespace
@@ -123,44 +203,198 @@ double error_of(const Function& function, const Configuration& configuration, st
 }
 
 OctaveSum octave_sum_of(const Function& function) {
-  if (function.bound == "fbm") return OctaveSum::fbm;
-  if (function.bound == "turbulence") return OctaveSum::turbulence;
-  if (function.bound == "clouds") return OctaveSum::clouds;
+  using enum OctaveSum;
+  constexpr std::array<std::pair<std::string_view, OctaveSum>, 7> kSums = {{{"fbm", fbm},
+                                                                            {"turbulence", turbulence},
+                                                                            {"clouds", clouds},
+                                                                            {"billow", billow},
+                                                                            {"ridged", ridged},
+                                                                            {"ping_pong", ping_pong},
+                                                                            {"weighted", weighted}}};
+  for (const auto& [name, sum] : kSums) {
+    if (function.bound == name) return sum;
+  }
   throw std::logic_error(fmt::format("{}: '{}' is not an octave sum", function.id, function.bound));
 }
 
-double octave_tolerance(OctaveSum kind, int axes, const OctaveArguments& arguments, Gradient gradient) {
-  const NoiseBounds& noise = noise_bounds("perlin", axes, gradient);
+// What follows is in tools/lib/bounds/sums.py, with the reasons.
+namespace {
+
+// A noise beyond [-1, 1] counts as the nearer end.
+bool is_clamped(OctaveSum kind) {
+  using enum OctaveSum;
+  return kind == billow || kind == ridged || kind == ping_pong || kind == weighted;
+}
+
+int count_of(const OctaveArguments& arguments) { return static_cast<int>(std::ceil(std::max(arguments.octaves, 0.0))); }
+
+double strength_of(OctaveSum kind, const OctaveArguments& arguments) {
+  return std::clamp(arguments.strength, 0.0, kind == OctaveSum::ping_pong ? 64.0 : 1.0);
+}
+
+// How far each octave's position may be off.
+using Errors = std::vector<double>;
+
+// Without turns each coordinate is bounded on its own.
+Errors straight_position_errors(int axes, const OctaveArguments& arguments) {
   const double lacunarity = std::fabs(arguments.lacunarity);
-  const double shift = axes == 2 ? kShift[1] : kShift[2];  // the largest
+  const double shift = kShift[static_cast<std::size_t>(axes) - 1];  // the largest
   double position = arguments.largest_coordinate;
-  double position_error = 0.0;
+  double error = 0.0;
+  Errors errors;
+  for (int i = 0; i < count_of(arguments); ++i) {
+    errors.push_back(error);
+    const double product_error = lacunarity * (error + kUnit * (position + error) + kTiny) + kTiny;
+    position = lacunarity * position + shift;
+    error = arguments.exact_positions ? 0.0 : product_error + kUnit * (position + product_error);
+  }
+  return errors;
+}
+
+// Of lengths, by the first turn. The second stretches none.
+const double kStretch = std::hypot(kCosine, kSine);
+
+// With turns lengths are bounded.
+Errors turned_position_errors(int axes, const OctaveArguments& arguments) {
+  const double shift = kShift[static_cast<std::size_t>(axes) - 1];
+  const double diagonal = std::sqrt(axes);
+  const double stretch = std::fabs(arguments.lacunarity) * kStretch;
+  const double rounding = std::pow(1.0 + kUnit, 2 * axes) - 1.0;
+  double position = diagonal * arguments.largest_coordinate;
+  double error = 0.0;
+  Errors errors;
+  for (int i = 0; i < count_of(arguments); ++i) {
+    errors.push_back(error);
+    const double reach = position + error;
+    const double of_coordinate = rounding * stretch * reach + kUnit * shift + kTiny * (4.0 * reach + 8.0);
+    error = arguments.exact_positions ? 0.0 : stretch * error + diagonal * of_coordinate;
+    position = stretch * position + diagonal * shift;
+  }
+  return errors;
+}
+
+Errors whole_position_errors(int axes, const OctaveArguments& arguments) {
+  const double ratio = std::trunc(arguments.lacunarity * 0x1p23) / 0x1p23;
+  const double shift = kShift[static_cast<std::size_t>(axes) - 1];
+  const double diagonal = arguments.turns ? std::sqrt(axes) : 1.0;
+  const int turns = arguments.turns ? axes - 1 : 0;
+  double position = diagonal * arguments.largest_coordinate;
+  double error = arguments.exact_positions ? 0.0 : diagonal * kWhole;
+  Errors errors;
+  for (int i = 0; i < count_of(arguments); ++i) {
+    errors.push_back(error);
+    error = ratio * error + (arguments.lacunarity - ratio) * position + diagonal * kWhole;
+    for (int turn = 0; turn < turns; ++turn) error = (turn == 0 ? kStretch : 1.0) * error + std::sqrt(2.0) * kWhole;
+    if (arguments.exact_positions) error = 0.0;
+    position = arguments.lacunarity * (arguments.turns ? kStretch : 1.0) * position + diagonal * shift;
+  }
+  return errors;
+}
+
+Errors position_errors(int axes, const OctaveArguments& arguments) {
+  if (arguments.from_cell) return whole_position_errors(axes, arguments);
+  return arguments.turns ? turned_position_errors(axes, arguments) : straight_position_errors(axes, arguments);
+}
+
+// What an octave adds, before its weight: how far it may be off, and how large it can be.
+struct Terms {
+  Errors errors;
+  double limit;
+};
+
+Terms terms_of(OctaveSum kind, const OctaveArguments& arguments, double limit, const Errors& noise_errors) {
+  Terms terms{{}, limit};
+  double root = 0.0;   // how far the root of a ridge is off
+  double falls = 0.0;  // what is lost of it below the smallest float
+  const double strength = strength_of(kind, arguments);
+  for (std::size_t i = 0; i < noise_errors.size(); ++i) {
+    const double noise_error = noise_errors[i];
+    if (kind == OctaveSum::ridged) {
+      const double products = i > 0 ? 2.0 : 1.0;
+      root = noise_error + kUnit + std::sqrt(2.0) * root + products * kUnit * (1.0 + kUnit) / 2.0;
+      falls = 2.0 * falls + products * 2.0 * kTiny;
+      terms.errors.push_back(std::min(2.0 * root + falls, 1.0));
+      terms.limit = 1.0;
+    } else if (kind == OctaveSum::ping_pong) {
+      const double before = strength * (noise_error + kUnit * (2.0 + noise_error));
+      const double wave = before + 2.0 * (kUnit * (2.0 * strength + before) + kTiny);
+      terms.errors.push_back(std::min(2.0 * wave + kUnit * (1.0 + 2.0 * wave), 2.001));
+      terms.limit = 1.001;
+    } else {
+      terms.errors.push_back(noise_error);
+    }
+  }
+  return terms;
+}
+
+// Of clamp(3/2 - footprint * max(lacunarity, 1)^i, 0, 1).
+double fade_error(std::size_t i) {
+  return 1.501 * (std::pow(1.0 + kUnit, static_cast<double>(i)) - 1.0) + 1.001 * kUnit + 2.0 * kTiny;
+}
+
+// The total of a detail's weights.
+double detail_total(const OctaveArguments& arguments) {
+  double total = 0.0;
+  const int count = count_of(arguments);
+  for (int i = 0; i < count; ++i) {
+    const double part = i > 0 && i == count - 1 ? arguments.octaves - i : 1.0;
+    total += std::pow(arguments.gain, i) * part;
+  }
+  return total;
+}
+
+// Of the mean of the octaves.
+double mean_error(OctaveSum kind, const OctaveArguments& arguments, double noise_limit, const Errors& noise_errors) {
+  const auto [term_errors, limit] = terms_of(kind, arguments, noise_limit, noise_errors);
+  const double strength = strength_of(kind, arguments);
+  const double gain = arguments.gain;
   double amplitude = 1.0;
   double amplitude_error = 0.0;
   double total = 0.0;
   double total_error = 0.0;
   double sum_error = 0.0;
-  for (int i = 0; i < arguments.octaves; ++i) {
-    const double noise_error = std::min(noise.lipschitz * position_error + noise.error, 2.0 * noise.limit);
-    sum_error +=
-        (amplitude + amplitude_error) * (noise_error + kUnit * noise.limit) + noise.limit * amplitude_error + kTiny;
-    total_error = arguments.gain * (total_error + kUnit * (total + total_error)) + kTiny;
-    total = 1.0 + arguments.gain * total;
-    sum_error += kUnit * (noise.limit * total + sum_error);
+  for (std::size_t i = 0; i < noise_errors.size(); ++i) {
+    double used_error = amplitude_error;
+    const double most_amplitude = amplitude + amplitude_error;
+    if (arguments.footprint) used_error += most_amplitude * (fade_error(i) + kUnit) + kTiny;
+    if (arguments.is_detail) used_error += kUnit * most_amplitude + kTiny;
+    sum_error += (amplitude + used_error) * (term_errors[i] + kUnit * limit) + limit * used_error + kTiny;
+    total_error = gain * (total_error + kUnit * (total + total_error)) + kTiny;
+    total = 1.0 + gain * total;
+    sum_error += kUnit * (limit * total + sum_error);
     total_error += kUnit * (total + total_error);
-    const double product_error = lacunarity * (position_error + kUnit * (position + position_error) + kTiny) + kTiny;
-    position = lacunarity * position + shift;
-    position_error = arguments.exact_positions ? 0.0 : product_error + kUnit * (position + product_error);
-    amplitude_error = arguments.gain * (amplitude_error + kUnit * (amplitude + amplitude_error)) + kTiny;
-    amplitude *= arguments.gain;
+    amplitude_error = gain * (amplitude_error + kUnit * most_amplitude) + kTiny;
+    amplitude *= gain;
+    if (kind == OctaveSum::weighted) {
+      const double factor_error = std::min(strength * (noise_errors[i] / 2.0 + 2.0 * kUnit) + kUnit, 1.0) + kTiny;
+      const double most = amplitude + amplitude_error;
+      amplitude_error =
+          std::min(amplitude_error + amplitude * factor_error, most) + kUnit * most + (1.0 + gain) * kTiny;
+    }
   }
   if (total > 0x1p126) return std::numeric_limits<double>::infinity();
-  double error = 0.0;
-  if (arguments.octaves > 0) {
-    error = (sum_error + noise.limit * total_error) / (total - total_error);
-    error += 2.5 * kUnit * (noise.limit + error) + kTiny;
+  if (arguments.is_detail) {
+    const double count = count_of(arguments);
+    total = detail_total(arguments);
+    total_error = total * (std::pow(1.0 + kUnit, 2.0 * count) - 1.0) + 2.0 * total * count * kTiny;
   }
-  return kind == OctaveSum::clouds ? 1.5 * (2.0 * error + kUnit) + 3.001 * kUnit : error;
+  const double error = (sum_error + limit * total_error) / (total - total_error);
+  return error + 2.5 * kUnit * (limit + error) + kTiny;
+}
+
+}  // namespace
+
+double octave_tolerance(OctaveSum kind, int axes, const OctaveArguments& arguments, Gradient gradient) {
+  const NoiseBounds& noise = noise_bounds("perlin", axes, gradient);
+  const double limit = is_clamped(kind) ? std::min(noise.limit, 1.0) : noise.limit;
+  Errors errors = position_errors(axes, arguments);
+  for (double& error : errors) {
+    error = std::min(noise.lipschitz * error + (arguments.from_cell ? noise.cell_error : noise.error), 2.0 * limit);
+  }
+  const double error = errors.empty() ? 0.0 : mean_error(kind, arguments, limit, errors);
+  if (kind == OctaveSum::clouds) return 1.5 * (2.0 * error + kUnit) + 3.001 * kUnit;
+  if (kind == OctaveSum::billow) return 2.0 * error + kUnit * (1.0 + 2.0 * error);
+  return error;
 }
 
 double tolerance(const Function& function, const Configuration& configuration, std::span<const std::uint32_t> inputs,

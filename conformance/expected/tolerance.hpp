@@ -31,15 +31,22 @@ const NoiseBounds& bounds_of(const Function& function, const Configuration& conf
 // How far a result may be from the exact one, the real number, in the arithmetic of the configuration.
 double error_of(const Function& function, const Configuration& configuration, std::size_t output);
 
-enum class OctaveSum { fbm, turbulence, clouds };
+enum class OctaveSum { fbm, turbulence, clouds, billow, ridged, ping_pong, weighted };
 OctaveSum octave_sum_of(const Function& function);
 
+// In the range that the contract takes them in: from a cell the lacunarity is in [0, 255], and with a period it is a
+// whole number.
 struct OctaveArguments {
-  double largest_coordinate;  // the largest |p_i|
-  int octaves;
+  double largest_coordinate;  // the largest |p_i|; from a cell, |cell + f|
+  double octaves;             // a float of them is a detail
   double lacunarity;
   double gain;
   bool exact_positions;  // no octave's position is rounded
+  double strength = 0.0;
+  std::optional<double> footprint = {};
+  bool turns = true;  // it does not with a period
+  bool from_cell = false;
+  bool is_detail = false;
 };
 
 // octave_tolerance of tools/bounds.

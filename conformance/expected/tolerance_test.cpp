@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <limits>
 
@@ -10,24 +11,84 @@
 namespace hn {
 namespace {
 
-// The table that tools/bounds prints, which derives the formula.
+// What tools/lib/bounds/sums.py, which derives the formulas, says of the same sums.
 TEST(OctaveTolerance, AgreesWithItsDerivation) {
-  const auto near = [](double got, double expected) { EXPECT_NEAR(got / expected, 1.0, 0.005); };
-  near(octave_tolerance(OctaveSum::fbm, 2, {16.0, 5, 2.0, 0.5, true}), 4.18e-06);
-  near(octave_tolerance(OctaveSum::fbm, 2, {16.0, 5, 2.0, 0.5, false}), 7.95e-05);
-  near(octave_tolerance(OctaveSum::fbm, 3, {16.0, 5, 2.0, 0.5, false}), 0.000106);
-  near(octave_tolerance(OctaveSum::fbm, 3, {1024.0, 8, 2.0, 0.5, false}), 0.0171);
-  near(octave_tolerance(OctaveSum::turbulence, 3, {16.0, 5, 1.9, 0.6, false}), 0.000132);
-  near(octave_tolerance(OctaveSum::clouds, 2, {16.0, 5, 2.0, 0.5, false}), 0.000239);
-}
-
-TEST(OctaveTolerance, OfTheSineGradientAgreesWithItsDerivation) {
-  const auto near = [](double got, double expected) { EXPECT_NEAR(got / expected, 1.0, 0.005); };
-  const auto sine = Gradient::sine;
-  near(octave_tolerance(OctaveSum::fbm, 2, {16.0, 5, 2.0, 0.5, true}, sine), 5.91e-06);
-  near(octave_tolerance(OctaveSum::fbm, 3, {16.0, 5, 2.0, 0.5, false}, sine), 0.00015);
-  near(octave_tolerance(OctaveSum::turbulence, 3, {16.0, 5, 1.9, 0.6, false}, sine), 0.000186);
-  near(octave_tolerance(OctaveSum::clouds, 2, {16.0, 5, 2.0, 0.5, false}, sine), 0.000245);
+  struct {
+    OctaveSum kind;
+    int axes;
+    Gradient gradient;
+    OctaveArguments arguments;
+    double tolerance;
+  } const kSums[] = {
+      {OctaveSum::fbm, 2, Gradient::octahedral, {16.0, 5.0, 2.0, 0.5, true, 0.0, {}, false}, 4.182457e-06},
+      {OctaveSum::fbm, 2, Gradient::octahedral, {16.0, 5.0, 2.0, 0.5, false, 0.0, {}, false}, 7.949667e-05},
+      {OctaveSum::fbm, 2, Gradient::octahedral, {16.0, 5.0, 2.0, 0.5, false}, 3.047922e-04},
+      {OctaveSum::fbm, 3, Gradient::octahedral, {16.0, 5.0, 2.0, 0.5, false}, 9.078822e-04},
+      {OctaveSum::fbm, 3, Gradient::octahedral, {1024.0, 8.0, 2.0, 0.5, false}, 1.062672e-01},
+      {OctaveSum::fbm, 3, Gradient::octahedral, {1024.0, 8.0, 2.0, 0.5, false, 0.0, {}, true, true}, 1.204991e-05},
+      {OctaveSum::fbm, 2, Gradient::octahedral, {16.0, 5.0, 2.0, 0.5, false, 0.0, {}, false, true}, 4.892578e-06},
+      {OctaveSum::fbm, 2, Gradient::octahedral, {16.0, 5.0, 2.0, 0.5, true, 0.0, {}, false, true}, 3.962456e-06},
+      {OctaveSum::fbm, 2, Gradient::octahedral, {1000000.0, 5.0, 0.7, 0.5, false, 0.0, {}, true, true}, 2.193797e-01},
+      {OctaveSum::fbm, 2, Gradient::octahedral, {16.0, 4.5, 2.0, 0.5, false, 0.0, {}, true, false, true}, 3.107731e-04},
+      {OctaveSum::fbm, 2, Gradient::octahedral, {16.0, 5.0, 2.0, 0.5, false, 0.0, 0.0625}, 3.051811e-04},
+      {OctaveSum::fbm, 2, Gradient::octahedral, {16.0, 5.0, 2.0, 0.5, false, 2.0}, 3.047922e-04},
+      {OctaveSum::turbulence, 2, Gradient::octahedral, {16.0, 5.0, 2.0, 0.5, false, 2.0}, 3.047922e-04},
+      {OctaveSum::clouds, 2, Gradient::octahedral, {16.0, 5.0, 2.0, 0.5, false, 2.0}, 9.149133e-04},
+      {OctaveSum::billow, 2, Gradient::octahedral, {16.0, 5.0, 2.0, 0.5, false, 2.0}, 6.097038e-04},
+      {OctaveSum::ridged, 2, Gradient::octahedral, {16.0, 5.0, 2.0, 0.5, false, 2.0}, 9.826639e-04},
+      {OctaveSum::ping_pong, 2, Gradient::octahedral, {16.0, 5.0, 2.0, 0.5, false, 2.0}, 1.218154e-03},
+      {OctaveSum::weighted, 2, Gradient::octahedral, {16.0, 5.0, 2.0, 0.5, false, 2.0}, 3.645069e-04},
+      {OctaveSum::fbm, 3, Gradient::octahedral, {16.0, 5.0, 1.9, 0.6, false, 0.7}, 1.140899e-03},
+      {OctaveSum::turbulence, 3, Gradient::octahedral, {16.0, 5.0, 1.9, 0.6, false, 0.7}, 1.140899e-03},
+      {OctaveSum::clouds, 3, Gradient::octahedral, {16.0, 5.0, 1.9, 0.6, false, 0.7}, 3.423233e-03},
+      {OctaveSum::billow, 3, Gradient::octahedral, {16.0, 5.0, 1.9, 0.6, false, 0.7}, 2.281917e-03},
+      {OctaveSum::ridged, 3, Gradient::octahedral, {16.0, 5.0, 1.9, 0.6, false, 0.7}, 3.858194e-03},
+      {OctaveSum::ping_pong, 3, Gradient::octahedral, {16.0, 5.0, 1.9, 0.6, false, 0.7}, 1.597825e-03},
+      {OctaveSum::weighted, 3, Gradient::octahedral, {16.0, 5.0, 1.9, 0.6, false, 0.7}, 1.315902e-03},
+      {OctaveSum::fbm, 3, Gradient::octahedral, {16.0, 5.0, 1.9, 0.6, false, 0.7, {}, true, true}, 2.132572e-05},
+      {OctaveSum::turbulence, 3, Gradient::octahedral, {16.0, 5.0, 1.9, 0.6, false, 0.7, {}, true, true}, 2.132572e-05},
+      {OctaveSum::clouds, 3, Gradient::octahedral, {16.0, 5.0, 1.9, 0.6, false, 0.7, {}, true, true}, 6.451372e-05},
+      {OctaveSum::billow, 3, Gradient::octahedral, {16.0, 5.0, 1.9, 0.6, false, 0.7, {}, true, true}, 4.277066e-05},
+      {OctaveSum::ridged, 3, Gradient::octahedral, {16.0, 5.0, 1.9, 0.6, false, 0.7, {}, true, true}, 8.410248e-05},
+      {OctaveSum::ping_pong, 3, Gradient::octahedral, {16.0, 5.0, 1.9, 0.6, false, 0.7, {}, true, true}, 3.042214e-05},
+      {OctaveSum::weighted, 3, Gradient::octahedral, {16.0, 5.0, 1.9, 0.6, false, 0.7, {}, true, true}, 2.596982e-05},
+      {OctaveSum::fbm, 2, Gradient::sine, {16.0, 5.0, 2.0, 0.5, true, 0.0, {}, false}, 5.912472e-06},
+      {OctaveSum::fbm, 2, Gradient::sine, {16.0, 5.0, 2.0, 0.5, false, 0.0, {}, false}, 8.142753e-05},
+      {OctaveSum::fbm, 2, Gradient::sine, {16.0, 5.0, 2.0, 0.5, false}, 3.073239e-04},
+      {OctaveSum::fbm, 3, Gradient::sine, {16.0, 5.0, 2.0, 0.5, false}, 1.264742e-03},
+      {OctaveSum::fbm, 3, Gradient::sine, {1024.0, 8.0, 2.0, 0.5, false}, 1.503667e-01},
+      {OctaveSum::fbm, 3, Gradient::sine, {1024.0, 8.0, 2.0, 0.5, false, 0.0, {}, true, true}, 1.886113e-05},
+      {OctaveSum::fbm, 2, Gradient::sine, {16.0, 5.0, 2.0, 0.5, false, 0.0, {}, false, true}, 6.625074e-06},
+      {OctaveSum::fbm, 2, Gradient::sine, {16.0, 5.0, 2.0, 0.5, true, 0.0, {}, false, true}, 5.692472e-06},
+      {OctaveSum::fbm, 2, Gradient::sine, {1000000.0, 5.0, 0.7, 0.5, false, 0.0, {}, true, true}, 2.199664e-01},
+      {OctaveSum::fbm, 2, Gradient::sine, {16.0, 4.5, 2.0, 0.5, false, 0.0, {}, true, false, true}, 3.133463e-04},
+      {OctaveSum::fbm, 2, Gradient::sine, {16.0, 5.0, 2.0, 0.5, false, 0.0, 0.0625}, 3.077127e-04},
+      {OctaveSum::fbm, 2, Gradient::sine, {16.0, 5.0, 2.0, 0.5, false, 2.0}, 3.073239e-04},
+      {OctaveSum::turbulence, 2, Gradient::sine, {16.0, 5.0, 2.0, 0.5, false, 2.0}, 3.073239e-04},
+      {OctaveSum::clouds, 2, Gradient::sine, {16.0, 5.0, 2.0, 0.5, false, 2.0}, 9.225082e-04},
+      {OctaveSum::billow, 2, Gradient::sine, {16.0, 5.0, 2.0, 0.5, false, 2.0}, 6.147670e-04},
+      {OctaveSum::ridged, 2, Gradient::sine, {16.0, 5.0, 2.0, 0.5, false, 2.0}, 9.940232e-04},
+      {OctaveSum::ping_pong, 2, Gradient::sine, {16.0, 5.0, 2.0, 0.5, false, 2.0}, 1.228280e-03},
+      {OctaveSum::weighted, 2, Gradient::sine, {16.0, 5.0, 2.0, 0.5, false, 2.0}, 3.679203e-04},
+      {OctaveSum::fbm, 3, Gradient::sine, {16.0, 5.0, 1.9, 0.6, false, 0.7}, 1.588824e-03},
+      {OctaveSum::turbulence, 3, Gradient::sine, {16.0, 5.0, 1.9, 0.6, false, 0.7}, 1.588824e-03},
+      {OctaveSum::clouds, 3, Gradient::sine, {16.0, 5.0, 1.9, 0.6, false, 0.7}, 4.767008e-03},
+      {OctaveSum::billow, 3, Gradient::sine, {16.0, 5.0, 1.9, 0.6, false, 0.7}, 3.176378e-03},
+      {OctaveSum::ridged, 3, Gradient::sine, {16.0, 5.0, 1.9, 0.6, false, 0.7}, 5.376691e-03},
+      {OctaveSum::ping_pong, 3, Gradient::sine, {16.0, 5.0, 1.9, 0.6, false, 0.7}, 2.223948e-03},
+      {OctaveSum::weighted, 3, Gradient::sine, {16.0, 5.0, 1.9, 0.6, false, 0.7}, 1.832709e-03},
+      {OctaveSum::fbm, 3, Gradient::sine, {16.0, 5.0, 1.9, 0.6, false, 0.7, {}, true, true}, 3.172555e-05},
+      {OctaveSum::turbulence, 3, Gradient::sine, {16.0, 5.0, 1.9, 0.6, false, 0.7, {}, true, true}, 3.172555e-05},
+      {OctaveSum::clouds, 3, Gradient::sine, {16.0, 5.0, 1.9, 0.6, false, 0.7, {}, true, true}, 9.571322e-05},
+      {OctaveSum::billow, 3, Gradient::sine, {16.0, 5.0, 1.9, 0.6, false, 0.7, {}, true, true}, 6.218069e-05},
+      {OctaveSum::ridged, 3, Gradient::sine, {16.0, 5.0, 1.9, 0.6, false, 0.7, {}, true, true}, 1.276518e-04},
+      {OctaveSum::ping_pong, 3, Gradient::sine, {16.0, 5.0, 1.9, 0.6, false, 0.7, {}, true, true}, 4.400917e-05},
+      {OctaveSum::weighted, 3, Gradient::sine, {16.0, 5.0, 1.9, 0.6, false, 0.7, {}, true, true}, 3.804165e-05},
+  };
+  for (const auto& [kind, axes, gradient, arguments, expected] : kSums) {
+    EXPECT_NEAR(octave_tolerance(kind, axes, arguments, gradient) / expected, 1.0, 1e-6)
+        << static_cast<int>(kind) << " " << axes << " " << arguments.lacunarity << " " << arguments.from_cell;
+  }
 }
 
 TEST(OctaveTolerance, EdgesAreNoNan) {
@@ -46,12 +107,68 @@ std::vector<std::uint32_t> fbm2_inputs(float x, int octaves, float lacunarity) {
           0u};
 }
 
+// A position keeps few bits when it is a multiple of 1/32 and the lacunarity a small whole number: each turn takes five
+// more.
+TEST(Tolerance, ExactTurnsAreRecognised) {
+  const Function& fbm = find_function("fbm.fbm3");
+  const auto tolerance_at = [&](float x, float y, float z, std::uint32_t octaves, float lacunarity) {
+    std::vector<std::uint32_t> inputs(kInputWords);
+    const std::array<float, 3> position = {x, y, z};
+    for (std::size_t axis = 0; axis < 3; ++axis) inputs[axis] = std::bit_cast<std::uint32_t>(position[axis]);
+    inputs[3] = octaves;
+    inputs[4] = std::bit_cast<std::uint32_t>(lacunarity);
+    inputs[5] = std::bit_cast<std::uint32_t>(0.5f);
+    return tolerance(fbm, default_configuration(), inputs, 0);
+  };
+  const auto exact = [](double octaves) {
+    return octave_tolerance(OctaveSum::fbm, 3, {2.75, octaves, 2.0, 0.5, true});
+  };
+  EXPECT_EQ(tolerance_at(1.5f, 0.25f, 2.75f, 2, 2.0f), exact(2));
+  EXPECT_GT(tolerance_at(1.5f, 0.25f, 2.75f, 2, 1.9f), exact(2));
+  EXPECT_GT(tolerance_at(1.5f, 0.2f, 2.75f, 2, 2.0f), exact(2));
+  EXPECT_GT(tolerance_at(1.5f, 0.25f, 2.7f, 2, 2.0f), exact(2));
+  EXPECT_GT(tolerance_at(1.5f, 0.25f, 2.75f, 5, 2.0f), exact(5));
+  EXPECT_EQ(tolerance_at(1.5f, 0.2f, 2.75f, 1, 1.9f), exact(1));  // nothing is rounded before the first octave
+}
+
+// From a cell the distance does not count, and the settings are those that the contract cuts off.
+TEST(Tolerance, OfASumFromACellTakesItsSettings) {
+  const auto inputs_of = [](const Function& function, std::uint32_t cell, float f, float lacunarity, float strength) {
+    std::vector<std::uint32_t> inputs(kInputWords);
+    const auto set = [&](std::string_view name, std::uint32_t word) {
+      if (function.input(name) >= 0) inputs[static_cast<std::size_t>(function.input(name))] = word;
+    };
+    const auto set_float = [&](std::string_view name, float value) { set(name, std::bit_cast<std::uint32_t>(value)); };
+    set("cx", cell);
+    set_float("fx", f);
+    set("octaves", 4);
+    set_float("lacunarity", lacunarity);
+    set_float("gain", 0.5f);
+    set_float("strength", strength);
+    return inputs;
+  };
+  const auto of = [&](std::string_view id, std::uint32_t cell, float f, float lacunarity, float strength) {
+    const Function& function = find_function(id);
+    return tolerance(function, default_configuration(), inputs_of(function, cell, f, lacunarity, strength), 0);
+  };
+  EXPECT_EQ(of("fbm.fbm2_cell", 7, 0.5f, 2.0f, 0.0f), of("fbm.fbm2_cell", 0x40000000u, 0.5f, 2.0f, 0.0f));
+  EXPECT_EQ(of("fbm.fbm2_cell", 7, 0.5f, 255.0f, 0.0f), of("fbm.fbm2_cell", 7, 0.5f, 1e6f, 0.0f));
+  EXPECT_LT(of("fbm.fbm2_cell", 7, 0.5f, 0.7f, 0.0f), of("fbm.fbm2_cell", 0x40000000u, 0.5f, 0.7f, 0.0f));
+  EXPECT_EQ(of("fbm.fbm2_cell_period", 7, 0.5f, 2.0f, 0.0f),
+            octave_tolerance(OctaveSum::fbm, 2, {7.5, 4, 2.0, 0.5, true, 0.0, {}, false, true}));
+  EXPECT_GT(of("fbm.fbm2_cell_period", 7, 0x1.8p-24f, 2.0f, 0.0f), of("fbm.fbm2_cell_period", 7, 0.5f, 2.0f, 0.0f));
+  EXPECT_EQ(of("fbm.fbm2_cell_period", 7, 0.5f, 2.0f, 0.0f), of("fbm.fbm2_cell_period", 7, 0.5f, 2.9f, 0.0f));
+  EXPECT_EQ(of("fbm.ping_pong2_cell", 7, 0.5f, 2.0f, 64.0f), of("fbm.ping_pong2_cell", 7, 0.5f, 2.0f, 100.0f));
+  EXPECT_LT(of("fbm.ping_pong2_cell", 7, 0.5f, 2.0f, 2.0f), of("fbm.ping_pong2_cell", 7, 0.5f, 2.0f, 3.0f));
+  EXPECT_EQ(of("fbm.weighted2_cell", 7, 0.5f, 2.0f, 1.0f), of("fbm.weighted2_cell", 7, 0.5f, 2.0f, 3.0f));
+}
+
 TEST(Tolerance, ExactPositionsAreRecognised) {
   const Function& fbm = find_function("fbm.fbm2");
-  const double exact = octave_tolerance(OctaveSum::fbm, 2, {1.5, 4, 2.0, 0.5, true});
-  EXPECT_EQ(tolerance(fbm, default_configuration(), fbm2_inputs(1.5f, 4, 2.0f), 0), exact);
-  EXPECT_GT(tolerance(fbm, default_configuration(), fbm2_inputs(1.5f, 4, 1.9f), 0), exact);
-  EXPECT_GT(tolerance(fbm, default_configuration(), fbm2_inputs(1e6f, 4, 2.0f), 0), exact);
+  const double exact = octave_tolerance(OctaveSum::fbm, 2, {1.5, 3, 2.0, 0.5, true});
+  EXPECT_EQ(tolerance(fbm, default_configuration(), fbm2_inputs(1.5f, 3, 2.0f), 0), exact);
+  EXPECT_GT(tolerance(fbm, default_configuration(), fbm2_inputs(1.5f, 3, 1.9f), 0), exact);
+  EXPECT_GT(tolerance(fbm, default_configuration(), fbm2_inputs(1e6f, 3, 2.0f), 0), exact);
 }
 
 TEST(Tolerance, ExactFunctionsHaveNone) {

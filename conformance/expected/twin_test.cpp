@@ -19,6 +19,16 @@
 #include "expected/golden.hpp"
 #include "expected/points.hpp"
 
+namespace hashnoise {
+namespace {
+
+HN_FBM2D(fbm_of_perlin, hn_perlin)
+HN_PING_PONG_PERIOD3D(ping_pong_of_perlin, hn_perlin)
+HN_FBM2D(fbm_of_simplex, hn_simplex)
+
+}  // namespace
+}  // namespace hashnoise
+
 namespace hn {
 
 // How GoogleTest shows one; the name is GoogleTest's.
@@ -64,6 +74,19 @@ TEST(Twin, UnseededIsSeedZero) {
   EXPECT_EQ(hn_lattice(ivec4(1, -2, 3, -4)), hn_lattice(ivec4(1, -2, 3, -4), 0u));
   EXPECT_EQ(hn_perlin(vec2(1.25f, -7.5f)), hn_perlin(vec2(1.25f, -7.5f), 0u));
   EXPECT_EQ(hn_clouds(vec3(0.3f), 5, 2.0f, 0.5f), hn_clouds(vec3(0.3f), 5, 2.0f, 0.5f, 0u));
+}
+
+TEST(Twin, ASumThatAMacroMakesIsTheLibrarys) {
+  using namespace hashnoise;
+  const vec2 p(3.3f, -7.7f);
+  const vec3 q(3.3f, -7.7f, 0.2f);
+  EXPECT_EQ(fbm_of_perlin(p, 6, 1.9f, 0.6f), hn_fbm(p, 6, 1.9f, 0.6f));
+  EXPECT_EQ(fbm_of_perlin(ivec2(1 << 30, -9), vec2(0.3f, 0.7f), 6, 1.9f, 0.6f, 5u),
+            hn_fbm(ivec2(1 << 30, -9), vec2(0.3f, 0.7f), 6, 1.9f, 0.6f, 5u));
+  EXPECT_EQ(ping_pong_of_perlin(q, ivec3(4, 0, 9), 6, 2.0f, 0.6f, 1.5f, 5u),
+            hn_ping_pong(q, ivec3(4, 0, 9), 6, 2.0f, 0.6f, 1.5f, 5u));
+  EXPECT_NE(fbm_of_simplex(p, 6, 1.9f, 0.6f), hn_fbm(p, 6, 1.9f, 0.6f));
+  EXPECT_EQ(fbm_of_simplex(p, 1, 1.9f, 0.6f, 5u), hn_simplex(p, 5u));
 }
 
 TEST(Twin, PositionAndCellAgree) {

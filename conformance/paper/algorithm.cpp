@@ -97,14 +97,18 @@ Subject subject_of(const Entry& entry, int dimensions, Picture picture, std::uin
   if (picture == Picture::noise) {
     return {id, dimensions, std::move(text), noise_at("p", entry, dimensions, period, "0u")};
   }
+  text += fmt::format("#include \"fbm{}d.glsl\"\n", dimensions);
+  std::string name = fmt::format("hn_{}", name_of(picture));
   // Without a seed the octaves are all of the same field.
   if (entry.form != Form::ours || period != 0) {
-    text += fmt::format("#define HN_FBM_NOISE{}D(q, seed) {}\n", dimensions,
-                        noise_at("q", entry, dimensions, period, "seed"));
+    name = "paper_sum";
+    text += fmt::format(
+        "float paper_octave(ivec{0} cell, vec{0} f, uint seed) {{ return {1}; }}\n{2}{0}D({3}, paper_octave)\n",
+        dimensions, noise_at(fmt::format("vec{}(cell) + f", dimensions), entry, dimensions, period, "seed"),
+        picture == Picture::clouds ? "HN_CLOUDS" : "HN_TURBULENCE", name);
   }
-  text += fmt::format("#include \"fbm{}d.glsl\"\n", dimensions);
   return {fmt::format("{}.{}", id, name_of(picture)), dimensions, std::move(text),
-          fmt::format("hn_{}(p, 6, 2.0, 0.5)", name_of(picture))};
+          fmt::format("{}(p, 6, 2.0, 0.5)", name)};
 }
 
 SourceSet with_published_listings(SourceSet sources) {

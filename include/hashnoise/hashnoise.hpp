@@ -13,9 +13,10 @@
 // fast-math.
 //
 // Knobs (config.glsl) are macros, to be defined before the include. HN_HASH, HN_GRADIENT and HN_ARITHMETIC name inline
-// namespaces, so that translation units that differ in them may be linked together. The other macros (HN_HASH_FN,
-// HN_FBM_NOISE2D, HN_FBM_NOISE3D) do not: their meaning must be the same in all translation units in which these three
-// are the same.
+// namespaces, so that translation units that differ in them may be linked together. HN_HASH_FN does not: its meaning
+// must be the same in all translation units in which these three are the same.
+//
+// The macros of octave sums (HN_FBM2D(name, noise) and so on) stay defined. They belong inside of namespace hashnoise.
 
 #pragma once
 
