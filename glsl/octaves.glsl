@@ -268,8 +268,8 @@ HN_FN hn_i_octave_sum hn_i_begin(hn_int octaves, hn_float lacunarity, hn_float g
 
 HN_FN void hn_i_step(HN_I_INOUT(hn_i_octave_sum) s) {
   s.weight = hn_i_weighed(s.weight, s.gain);
-  s.seed = s.seed + 0x9E3779B9u;
-  s.left = s.left - 1;
+  s.seed += 0x9E3779B9u;
+  s.left -= 1;
 }
 
 HN_FN void hn_i_add(HN_I_INOUT(hn_i_octave_sum) s, hn_float n) { s.sum = hn_i_summed(s.sum, hn_i_octave(n), s.weight); }

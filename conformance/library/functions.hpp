@@ -29,7 +29,7 @@ struct Function {
   std::string_view id;
   std::string_view file;
   Family family;
-  std::string_view bound;    // "exact", "sine", the name of a noise in bounds.inc, "fbm", "turbulence" or "clouds"
+  std::string_view bound;    // "exact", "sine", the name of a noise in bounds.inc, or that of an octave sum
   std::string_view columns;  // "x:f32 seed:u32 = value:f64", as in golden files
   std::string_view call;     // of a position p, for bench
   std::string_view body;
@@ -48,6 +48,9 @@ struct Function {
   bool takes_period() const { return period_word() >= 0; }
   bool takes_phase() const { return input("phase") >= 0; }
   bool takes_jitter() const { return input("jitter") >= 0; }
+  bool takes_strength() const { return input("strength") >= 0; }
+  bool takes_footprint() const { return input("footprint") >= 0; }
+  bool takes_detail() const { return input("detail") >= 0; }  // a float of octaves
   // Whether an output is the cell of the nearest feature point, or a component of the vector to it.
   bool is_name(std::size_t output) const { return outputs[output].type == WordType::i32 && !exact(); }
   bool is_offset(std::size_t output) const { return outputs[output].name.front() == 'o'; }

@@ -176,6 +176,15 @@ int main() {
   });
   print_digest("hash", [](const Point& p) { return hn_unorm(hn_hash(p.seed) ^ hn_lattice(hn_ivec2(p.cx, p.cy))); });
   print_digest("fbm2", [](const Point& p) { return hn_fbm(hn_vec2(p.x, p.y), 4, 2.0f, 0.5f, p.seed); });
+  print_digest("fbm2_cell", [](const Point& p) {
+    return hn_fbm(hn_ivec2(p.cx, p.cy), hn_vec2(p.fx, p.fy), 4, 2.0f, 0.5f, p.seed);
+  });
+  print_digest("ridged3", [](const Point& p) { return hn_ridged(hn_vec3(p.x, p.y, p.z), 4, 1.9f, 0.5f, p.seed); });
+  print_digest("ping_pong3_cell", [](const Point& p) {
+    return hn_ping_pong(hn_ivec3(p.cx, p.cy, p.cz), hn_vec3(p.fx, p.fy, p.fz), 4, 1.9f, 0.5f, 2.0f, p.seed);
+  });
+  print_digest("weighted2",
+               [](const Point& p) { return hn_weighted(hn_vec2(p.x, p.y), 4, 2.0f, 0.5f, 0.5f, p.seed); });
   print_digest("turbulence3",
                [](const Point& p) { return hn_turbulence(hn_vec3(p.x, p.y, p.z), 3, 2.1f, 0.7f, p.seed); });
   print_digest("clouds2", [](const Point& p) { return hn_clouds(hn_vec2(p.x, p.y), 3, 1.9f, 0.5f, p.seed); });

@@ -52,6 +52,10 @@ class Generator:
         """A float32 in [low, high]."""
         return to_f32(low + (high - low) * (self.next() >> 11) / 2**53)
 
+    def anywhere(self, n: int) -> tuple[float, ...]:
+        """A point of n dimensions whose coordinates are of any size."""
+        return tuple(to_f32(self.uniform(-1, 1) * 2.0**self.integer(-24, 34)) for _ in range(n))
+
     def seed(self) -> int:
         """A noise seed: one of the edge cases, or any word."""
         return self.pick((*SEEDS, self.word()))

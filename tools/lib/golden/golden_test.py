@@ -19,10 +19,10 @@ from pathlib import Path
 from unittest import mock
 
 from golden import command as golden
-from golden import cellular_rows, period_rows, simplex_rows
+from golden import cellular_rows, period_rows, simplex_rows, sum_rows
 from golden.files import Digest, GoldenFile, golden_files, line
 from golden.generator import INT_MAX, INT_MIN, fnv1a64, generator_of, to_f32
-from oracle import feature_points, gradients, kernels, noises, words
+from oracle import feature_points, gradients, kernels, noises, sums, words
 from oracle.functions import knobs_of, values_of
 from oracle.lattice import Lattice
 from oracle.nearest import NEAREST
@@ -34,6 +34,7 @@ from tables.inc import TableError
 
 
 FUNCTIONS = {function.id: function for function in read_functions()}
+SUMS = [function for function in FUNCTIONS.values() if function.family in OCTAVE_SUMS]
 CELLULAR = [function for function in FUNCTIONS.values() if function.family in cellular_rows.FAMILIES]
 SETTINGS = read_configurations()
 FILES = {file.name: file for file in golden_files(list(FUNCTIONS.values()), SETTINGS)}
@@ -115,12 +116,34 @@ class GoldenContents(unittest.TestCase):
             cells = rows_with(f"noise{n}d.perlin_cell", "lattice+fixed")
             for axis in range(n):
                 self.assertTrue({0, 2.0**-149, 0.5, 1 - 2.0**-24, 1} <= {row[n + axis] for row in cells})
-            sums = rows_with(f"fbm.fbm{n}", "lattice+fixed")
-            octaves, lacunarities, gains = ({row[n + i] for row in sums} for i in range(3))
+            found = rows_with(f"fbm.fbm{n}", "lattice+fixed")
+            octaves, lacunarities, gains = ({row[n + i] for row in found} for i in range(3))
             self.assertTrue({-1, 0, 1, 32, 33} <= octaves)
             self.assertTrue(set(map(to_f32, (1.9, 3.7, 0, 255))) <= lacunarities)
             self.assertTrue({0, 1, 1.5} <= gains)
-            self.assertTrue(any(abs(x) >= 2**31 for row in sums for x in row[:n]))
+            self.assertTrue(any(abs(x) >= 2**31 for row in found for x in row[:n]))
+            for form in ("cell", "cell_period"):
+                found = rows_with(f"fbm.fbm{n}_{form}", "lattice+fixed")
+                for axis in range(n):
+                    self.assertTrue(set(sum_rows.CELLS) <= {row[axis] for row in found})
+                    self.assertTrue(set(sum_rows.FIXED_FRACTIONS) <= {row[n + axis] for row in found})
+                self.assertIn((INT_MAX, 1), {(row[0], row[n]) for row in found})
+
+    def test_sums_have_every_edge_of_their_settings(self) -> None:
+        for function in SUMS:
+            name, edges, of_fixed = sum_rows.edges_of(function)
+            for setting, expected in (("lattice", edges), ("lattice+fixed", edges + of_fixed)):
+                rows = [self.of_row(function, row) for row in rows_with(function.id, setting)]
+                octaves = {options.octaves for options, *_ in rows}
+                self.assertTrue({-1, 0, 1, 2, 6} <= octaves or name in ("detail", "footprint"))
+                self.assertTrue({2.0, 1.5, 1.90625, 0.5, 0, 255} <= {options.lacunarity for options, *_ in rows})
+                self.assertTrue({0, 0.5, 1, 1.5} <= {options.gain for options, *_ in rows})
+                if name:
+                    field = "octaves" if name == "detail" else name
+                    found = {getattr(options, field) for options, *_ in rows}
+                    self.assertTrue(set(map(to_f32, expected)) <= found, (function.id, setting))
+                # Most rows have another number.
+                self.assertGreater(len(rows), 2 * len(expected))
 
     def test_configurations_see_the_same_inputs(self) -> None:
         for function, names in (("noise2d.perlin_cell", ("lattice", "lattice+sine", "fnv1+sine")),
@@ -417,17 +440,48 @@ class GoldenContents(unittest.TestCase):
             for far in (2**20, 2**22):
                 self.assertTrue(any(all(abs(abs(x) - far) <= 4 and x % 1 for x in p) for p in points))
 
+    def of_row(self, function: Function, row: Sequence) -> tuple[sums.Options, sums.Place, Sequence[int]]:
+        """The options, the position and the periods of a sum."""
+        n, places = function.axes, function.axes * (1 + function.has_cell)
+        place = sums.in_cell(row[:n], row[n:places]) if function.has_cell else sums.at_position(row[:n])
+        names = ["octaves" if name == "detail" else name for name in function.settings]
+        behind_periods = places + n * function.has_period
+        options = sums.Options(**dict(zip(names, row[behind_periods:-1], strict=True)))
+        if function.has_cell:
+            options = sums.from_cell(options)
+        return options, place, row[places:behind_periods]
+
+    def test_octaves_of_floats_are_in_the_domain(self) -> None:
+        for function in SUMS:
+            far = 0
+            for row in rows_with(function.id, "lattice"):
+                options, place, periods = self.of_row(function, row)
+                self.assertLess(sum(sums.weights(options)), 16)
+                octaves = max(math.ceil(options.octaves), 0)
+                for period in periods:
+                    self.assertLess(period * math.floor(sums.clamped(options.lacunarity, 0, 255))**octaves, 2**31)
+                positions = [q for q, *_ in sums.octaves_of(place, options, 0, periods)]
+                if not function.has_cell:
+                    self.assertTrue(all(abs(x) < 2**15 for q in positions for x in q))
+                    continue
+                # The end of the last cell is beyond the largest int.
+                self.assertTrue(all(-2**31 <= x <= 2**31 - (i > 0) for i, q in enumerate(positions) for x in q))
+                # The whole positions are those of the same lacunarity.
+                self.assertTrue(periods or options.lacunarity * 2**23 % 1 == 0)
+                far += octaves > 1 and max(map(abs, place)) > 2**26
+            self.assertEqual(far > 4, function.has_cell, function.id)
+
     def test_octave_positions_are_exact_in_float32(self) -> None:
-        for name, n, settings in (("fbm.fbm2", 2, 2), ("fbm.clouds3", 3, 3), ("fbm.fbm2_period", 2, 4),
-                                  ("fbm.clouds3_period", 3, 6)):
-            for row in rows_with(name):
-                octaves, lacunarity = row[settings:settings + 2]
-                if settings > n:
-                    lacunarity = math.floor(min(lacunarity, 255))
-                    for period in row[n:2 * n]:
-                        self.assertLess(period * lacunarity**octaves, 2**31)
-                if lacunarity != 1.90625:
-                    self.assert_exact_positions(row[:n], octaves, lacunarity)
+        """All of them with a period, where nothing turns. Else the first two, unless the lacunarity has many bits."""
+        for function in SUMS:
+            for row in rows_with(function.id, "lattice") * (not function.has_cell):
+                options, place, periods = self.of_row(function, row)
+                if periods:
+                    lacunarity = sums.lacunarity_of(options, periods)
+                    self.assert_exact_positions(list(map(float, place)), options.octaves, float(lacunarity))
+                elif options.lacunarity != 1.90625:
+                    for q, *_ in itertools.islice(sums.octaves_of(place, options, 0), 2):
+                        self.assertEqual([to_f32(float(x)) for x in q], q)
 
     def assert_exact_positions(self, q: Sequence[float], octaves: int, lacunarity: float) -> None:
         # From each octave to the next, with and without a fused multiply-add.

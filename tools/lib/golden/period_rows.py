@@ -48,27 +48,6 @@ def cells(n: int, generator: Generator) -> list[Row]:
     return rows
 
 
-def octaves(n: int, generator: Generator) -> list[Row]:
-    """64 sums. Coordinates are multiples of 1/64 and the lacunarity is rounded down to a whole number, so that the
-    position of every octave is exact in float32."""
-    rows = []
-    for lacunarity, count in ((2.0, 6), (2.0, 4), (3.0, 5), (2.96875, 4), (1.5, 3), (0.75, 2), (255.0, 2), (300.0, 2)):
-        for _ in range(8):
-            periods = tuple(period if largest_of_sum(period, lacunarity, count) < 2**31 else 48
-                            for period in (generator.pick(PERIODS) for _ in range(n)))
-            reach = 1 if lacunarity > 3 else 64
-            point = tuple(to_f32(near_seam(period, reach, generator) + generator.integer(0, 63) / 64)
-                          for period in periods)
-            rows.append(point + periods + (generator.integer(1, count), lacunarity, generator.pick((0.5, 0.75, 1.0)),
-                                           generator.seed()))
-    return rows
-
-
-def largest_of_sum(period: int, lacunarity: float, count: int) -> int:
-    """What has to be below 2^31."""
-    return abs(period) * int(min(lacunarity, 255))**count
-
-
 def inserted(rows: Sequence[Row], n: int, place: int, generator: Generator) -> list[Row]:
     """Rows of the form without periods, with some at their place: behind the position, or behind the fraction."""
     return [row[:place] + tuple(generator.pick(PERIODS) for _ in range(n)) + row[place:] for row in rows]

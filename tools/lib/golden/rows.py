@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Sequence
 
-from golden import cellular_rows, period_rows, simplex_rows
+from golden import cellular_rows, period_rows, simplex_rows, sum_rows
 from golden.generator import INT_MAX, INT_MIN, SEEDS, Generator, Row, to_f32
 from oracle import gradients, words
 from tables.configurations import Configuration
@@ -129,24 +129,6 @@ def cell_rows(n: int, generator: Generator) -> list[Row]:
     return rows + [cell + (0.25, 0.625, 0.4375, 0.125, 0) for cell in BESIDE_THIRDS if n == 4]
 
 
-def octave_rows(n: int, generator: Generator) -> list[Row]:
-    """64 octave sums in n dimensions.
-
-    Coordinates are multiples of 1/64, so that the position of every octave is exact in float32 too, save for the
-    lacunarity 61/32; there the coordinates are smaller, to keep what float32 loses small.
-    """
-    origin, corner = (0.0,) * n, (64.0, -64.0, 64.0)[:n]
-    rows = [origin + (octaves, 2.0, 0.5, 0) for octaves in (-1, 0, 1, 2, 6)]
-    rows += [corner + (6, 2.0, 0.5, 0), (-1.0,) * n + (1, 2.0, 0.5, 1), (0.5,) * n + (6, 2.0, 0.0, 0)]
-    while len(rows) < 64:
-        lacunarity = 2.0 if len(rows) < 43 else (1.5, 2.5, 1.90625)[len(rows) % 3]
-        reach = 64 * (8 if lacunarity == 1.90625 else 64)
-        point = tuple(generator.integer(-reach, reach) / 64 for _ in range(n))
-        gain = generator.pick((0.5, 0.5, 0.25, 0.75, 1.0, 0.0))
-        rows.append(point + (generator.integer(1, 6), lacunarity, gain, generator.seed()))
-    return rows
-
-
 # --- Positions that are whole numbers ---------------------------------------------------------------------------
 
 SCALES = (1, 2, 3, 7, 100, 1024, 4096, 65535, 65536)
@@ -183,17 +165,12 @@ FIXED_FRACTIONS = (0.0, -0.0, 2.0**-149, 2.0**-21, 2.0**-20, 2.0**-19 - 2.0**-42
                    0.5 + 2.0**-20, 1 - 2.0**-20, 1 - 2.0**-21, 1 - 2.0**-24, 1.0)
 
 
-def anywhere(n: int, generator: Generator) -> tuple[float, ...]:
-    """A point whose coordinates are of any size."""
-    return tuple(to_f32(generator.uniform(-1, 1) * 2.0**generator.integer(-24, 34)) for _ in range(n))
-
-
 def fixed_position_rows(n: int, generator: Generator) -> list[Row]:
     """Points in n dimensions: each edge along each axis and along all, edges with each other, points anywhere."""
     rows = [tuple(x if i == axis else 0.375 for i in range(n)) + (0,) for axis in range(n) for x in FIXED_COORDINATES]
     rows += [(x,) * n + (0,) for x in FIXED_COORDINATES]
     rows += [tuple(generator.pick(FIXED_COORDINATES) for _ in range(n)) + (generator.seed(),) for _ in range(32)]
-    return rows + [anywhere(n, generator) + (generator.seed(),) for _ in range(64)]
+    return rows + [generator.anywhere(n) + (generator.seed(),) for _ in range(64)]
 
 
 def fixed_cell_rows(n: int, generator: Generator) -> list[Row]:
@@ -206,19 +183,6 @@ def fixed_cell_rows(n: int, generator: Generator) -> list[Row]:
         cell = tuple(generator.pick(cells) for _ in range(n))
         rows.append(cell + tuple(generator.pick(FIXED_FRACTIONS) for _ in range(n)) + (generator.seed(),))
     return rows
-
-
-def fixed_octave_rows(n: int, generator: Generator) -> list[Row]:
-    """Octave sums in n dimensions: what is cut off, what is odd, and positions at edges and far."""
-    lacunarities = tuple(map(to_f32, (1.9, 3.7, 0.0, 255.0, 2.0, 1.0, 0.3, 1e-40, -2.0, 300.0)))
-    gains = tuple(map(to_f32, (0.0, 1.0, 1.5, 0.7, 0.5, 1e-40, -1.0)))
-    rows = [anywhere(n, generator) + (octaves, 1.9, 0.7, generator.seed()) for octaves in (-1, 0, 1, 2, 31, 32, 33)]
-    rows += [anywhere(n, generator) + (33, 2.0, 1.0, generator.seed()), (-0.75,) * n + (INT_MAX, 2.0, 0.5, 0)]
-    rows += [(x,) * n + (3, 1.9, 0.7, 0) for x in FIXED_COORDINATES]
-    for lacunarity, gain in itertools.product(lacunarities, gains):
-        point = tuple(generator.uniform(-64, 64) for _ in range(n))
-        rows.append(point + (generator.integer(2, 6), lacunarity, gain, generator.seed()))
-    return [row[:n + 1] + tuple(map(to_f32, row[n + 1:n + 3])) + row[n + 3:] for row in rows]
 
 
 # --- Which rows a function has ----------------------------------------------------------------------------------
@@ -239,9 +203,12 @@ def rows_of(function: Function, fixed: bool, settings: Sequence[Configuration], 
         return lattice_gradient_rows(n, settings, generator)
     if form in ("place", "place_of_noise"):
         return place_rows(n, form == "place_of_noise", generator)
+    if form == "sum":
+        rows = sum_rows.plain(function, generator)
+        return rows + sum_rows.fixed(function, FIXED_COORDINATES, generator) if fixed else rows
     rows = plain_rows(function, settings, generator)
     if fixed:
-        of_fixed = {"position": fixed_position_rows, "cell": fixed_cell_rows, "sum": fixed_octave_rows}[form]
+        of_fixed = {"position": fixed_position_rows, "cell": fixed_cell_rows}[form]
         more = of_fixed(n, generator)
         if function.has_period:
             more = period_rows.inserted(more, n, 2 * n if form == "cell" else n, generator)
@@ -255,10 +222,10 @@ def rows_of(function: Function, fixed: bool, settings: Sequence[Configuration], 
 def plain_rows(function: Function, settings: Sequence[Configuration], generator: Generator) -> list[Row]:
     """Those of noises, and of what is made of them, for every arithmetic."""
     n, form = function.axes, function.form
-    of_form = {"position": position_rows, "cell": cell_rows, "sum": octave_rows}
+    of_form = {"position": position_rows, "cell": cell_rows}
     of_simplex = {"position": simplex_rows.positions, "cell": simplex_rows.cells}
     if function.has_period:
-        of_form = {"position": period_rows.positions, "cell": period_rows.cells, "sum": period_rows.octaves}
+        of_form = {"position": period_rows.positions, "cell": period_rows.cells}
         of_simplex = {"position": simplex_rows.period_positions, "cell": simplex_rows.period_cells}
     rows = of_form[form](n, generator)
     if function.family in SIMPLEX:

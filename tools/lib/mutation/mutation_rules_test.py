@@ -201,6 +201,8 @@ class Statements(unittest.TestCase):
         self.assertEqual(changed(rules.drop_statements, "float a = 1; a += 2; for (int i = 0; i < a; ++i) { a = i; }"),
                          ["float a = 1;  for (int i = 0; i < a; ++i) { a = i; }",
                           "float a = 1; a += 2; for (int i = 0; i < a; ++i) {  }"])
+        self.assertEqual(changed(rules.drop_statements, "s.a += 2; v.x = s.a; return v.x;"),
+                         [" v.x = s.a; return v.x;", "s.a += 2;  return v.x;"])
 
 
 class Directives(unittest.TestCase):

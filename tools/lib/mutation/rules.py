@@ -366,10 +366,12 @@ def change_variables(code: Code) -> Iterator[Change]:
 # --- Statements ---
 
 def drop_statements(code: Code) -> Iterator[Change]:
-    """Drops assignments. Without a declaration or a return nothing would compile."""
+    """Drops assignments, also those to a component or a member. Without a declaration or a return nothing would
+    compile."""
     for i, token in enumerate(code.tokens):
         starts = code.token(i - 1).text in ("", ";", "{", "}")
-        if starts and token.kind == "name" and code.token(i + 1).text in ASSIGNMENTS:
+        behind = code.token(i + 3 if code.token(i + 1).text == "." else i + 1).text
+        if starts and token.kind == "name" and behind in ASSIGNMENTS:
             end = next(k for k in range(i, len(code.tokens)) if code.tokens[k].text == ";")
             yield Change(token.start, code.token(end).end, "")
 

@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from oracle import gradients, integers, noises, positions, words
+from oracle import gradients, integers, noises, positions, sums, words
 from oracle.curl import CURL
 from oracle.gradients import Knobs, Real
 from oracle.lattice import Choice
 from oracle.nearest import NEAREST, OFFSET
 from oracle.noises import Noise
-from oracle.sums import SUMS
 from tables.configurations import Configuration
 from tables.functions import NOISES, OCTAVE_SUMS, Function
 
@@ -51,7 +50,7 @@ def evaluator(function: Function, fixed: bool) -> Evaluate:
         return _evaluator(CURL, function, fixed)
     if family in NOISES and function.form in ("position", "cell", "place_of_noise"):
         return _noise_evaluator(function, fixed)
-    if family in OCTAVE_SUMS and function.bound in SUMS:
+    if family in OCTAVE_SUMS and function.bound in sums.SUMS:
         return _sum_evaluator(function, fixed)
     raise function.row.error(f"the oracle has no {function.id}: tools/lib/oracle/functions.py finds what it evaluates")
 
@@ -118,7 +117,20 @@ def _evaluator(noise: Noise, function: Function, fixed: bool) -> Evaluate:
 
 
 def _sum_evaluator(function: Function, fixed: bool) -> Evaluate:
-    n = function.axes
-    octave_sum, noise = SUMS[function.bound][fixed], noises.find(NOISE_OF_SUMS)
-    settings = 2 * n if function.has_period else n  # where they begin
-    return lambda knobs, row: (octave_sum(noise, knobs, row[:n], *row[settings:], row[n:settings]),)
+    n, noise = function.axes, noises.find(NOISE_OF_SUMS)
+    octave_sum = sums.fixed if fixed else sums.exact
+    at_position, in_cell = ((sums.fixed_at_position, sums.fixed_in_cell) if fixed else
+                            (sums.at_position, sums.in_cell))
+    behind_place = 2 * n if function.has_cell else n
+    behind_periods = behind_place + n * function.has_period
+    names = ["octaves" if name == "detail" else name for name in function.settings]
+
+    def evaluate(knobs: Knobs, row: Sequence[Real]) -> tuple[Real, ...]:
+        *settings, seed = row[behind_periods:]
+        place = in_cell(row[:n], row[n:behind_place]) if function.has_cell else at_position(row[:n])
+        options = sums.Options(**dict(zip(names, settings, strict=True)))
+        if function.has_cell:
+            options = sums.from_cell(options)
+        return (octave_sum(function.bound, noise, knobs, place, options, seed, row[behind_place:behind_periods]),)
+
+    return evaluate

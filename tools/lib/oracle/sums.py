@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
+from typing import Generic, TypeVar
 
 from oracle.gradients import Knobs, Real
 from oracle.integers import NOISE_UNIT, clamp_to_int, signed, word
@@ -13,121 +15,266 @@ from oracle.noises import Noise
 from oracle.words import MASK, signed as wrapped
 
 SHIFT = (Fraction(11, 32), Fraction(19, 32), Fraction(23, 32))
+SEED_STEP = 0x9E3779B9
+# In 32nds the cosines and the sines of the turns: in the plane of x and y, and then in that of y and z.
+TURNS = ((25, 20), (29, 13))
+
+Number = TypeVar("Number", int, Fraction)
 
 
-def clamped(lacunarity: Real) -> Fraction:
+@dataclass(frozen=True)
+class Options:
+    """What a sum takes beside the place and the seed."""
+    octaves: Real  # of which the last counts in part, unless this is whole
+    lacunarity: Real
+    gain: Real
+    strength: Real = 0
+    footprint: Real = 0  # all octaves are visible
+
+
+@dataclass(frozen=True)
+class Terms(Generic[Number]):
+    """What the octaves have come to. In fixed arithmetic all are integers, in the units of the contract."""
+    noises: list[Number]
+    weights: list[Number]  # of the total
+    shares: list[Number]  # the weights of the sum: less than those with a footprint
+    gain: Number
+    strength: Number
+
+
+def clamped(x: Real, low: Real, high: Real) -> Fraction:
+    return min(max(Fraction(x), Fraction(low)), Fraction(high))
+
+
+def from_cell(options: Options) -> Options:
+    """As a sum from a cell takes them."""
+    return replace(options, lacunarity=clamped(options.lacunarity, 0, 255))
+
+
+def lacunarity_of(options: Options, periods: Sequence[int]) -> Fraction:
     """As with fixed arithmetic and with periods."""
-    return min(max(Fraction(lacunarity), Fraction(0)), Fraction(255))
+    factor = clamped(options.lacunarity, 0, 255)
+    return Fraction(math.floor(factor)) if periods else factor
+
+
+def turn(q: Sequence[Number], thirty_second: Callable[[Number], Number]) -> list[Number]:
+    """The turn of a position."""
+    q = list(q)
+    for i, (cosine, sine) in zip(range(len(q) - 1), TURNS):
+        a, b = q[i:i + 2]
+        q[i:i + 2] = thirty_second(cosine * a - sine * b), thirty_second(sine * a + cosine * b)
+    return q
 
 
 # --- Exact -------------------------------------------------------------------------------------------------------
 
+Place = list[Fraction]
 
-def octave_terms(noise: Noise, knobs: Knobs, p: Sequence[Real], octaves: int, lacunarity: Real, gain: Real, seed: int,
-                 periods: Sequence[int] = ()) -> list[tuple[Fraction, Fraction]]:
-    """The weight and the noise of each octave."""
-    terms = []
-    q = [Fraction(x) for x in p]
-    factor = Fraction(math.floor(clamped(lacunarity))) if periods else Fraction(lacunarity)
-    for i in range(octaves):
-        value, *_ = noise.exact(knobs, q, seed, periods)
-        terms.append((Fraction(gain)**i, value))
-        q = [x * factor + shift for x, shift in zip(q, SHIFT)]
+
+def at_position(p: Sequence[Real]) -> Place:
+    return [Fraction(x) for x in p]
+
+
+def in_cell(cell: Sequence[int], f: Sequence[Real]) -> Place:
+    return [c + Fraction(x) for c, x in zip(cell, f)]
+
+
+def octaves_of(q: Place, options: Options, seed: int,
+               periods: Sequence[int] = ()) -> Iterator[tuple[Place, Sequence[int], int]]:
+    """Where each octave is sampled, with which periods and which seed."""
+    factor = lacunarity_of(options, periods) if periods else Fraction(options.lacunarity)
+    for _ in range(math.ceil(options.octaves)):
+        yield q, periods, seed
+        q = [x * factor for x in q]
+        if not periods:
+            q = turn(q, lambda x: x / 32)
+        q = [x + shift for x, shift in zip(q, SHIFT)]
         periods = [int(period * factor) for period in periods]
-        seed = (seed + 0x9E3779B9) & MASK
-    return terms
+        seed = (seed + SEED_STEP) & MASK
 
 
-def weighted_mean(terms: Sequence[tuple[Fraction, Fraction]]) -> Fraction:
-    """sum(weight * value) / sum(weight); 0 for no terms."""
-    if not terms:
+def weights(options: Options) -> list[Fraction]:
+    """Of the total."""
+    count = math.ceil(options.octaves)
+    found = [Fraction(options.gain)**i for i in range(count)]
+    if count > 1:
+        found[-1] *= Fraction(options.octaves) - (count - 1)
+    return found
+
+
+def visible(options: Options, i: int) -> Fraction:
+    """How much of octave i a footprint leaves."""
+    detail = Fraction(options.footprint) * max(Fraction(options.lacunarity), Fraction(1))**i
+    return clamped(Fraction(3, 2) - detail, 0, 1)
+
+
+def terms(noise: Noise, knobs: Knobs, place: Place, options: Options, seed: int,
+          periods: Sequence[int] = ()) -> Terms[Fraction]:
+    noises = [noise.exact(knobs, q, s, p)[0] for q, p, s in octaves_of(place, options, seed, periods)]
+    found = weights(options)
+    return Terms(noises, found, [weight * visible(options, i) for i, weight in enumerate(found)],
+                 Fraction(options.gain), Fraction(options.strength))
+
+
+def mean(of: Terms[Fraction], values: Sequence[Fraction]) -> Fraction:
+    """The sum, divided by the total; 0 for no octaves."""
+    if not values:
         return Fraction(0)
-    total = sum((weight * value for weight, value in terms), Fraction(0))
-    return total / sum(weight for weight, _ in terms)
+    return sum((share * value for share, value in zip(of.shares, values)), Fraction(0)) / sum(of.weights)
 
 
-def fbm(noise: Noise, knobs: Knobs, p: Sequence[Real], octaves: int, lacunarity: Real, gain: Real,
-        seed: int = 0, periods: Sequence[int] = ()) -> Fraction:
-    """hn_fbm: in the range of the noise."""
-    return weighted_mean(octave_terms(noise, knobs, p, octaves, lacunarity, gain, seed, periods))
+def within_one(of: Terms[Fraction]) -> list[Fraction]:
+    return [clamped(n, -1, 1) for n in of.noises]
 
 
-def turbulence(noise: Noise, knobs: Knobs, p: Sequence[Real], octaves: int, lacunarity: Real, gain: Real,
-               seed: int = 0, periods: Sequence[int] = ()) -> Fraction:
-    """hn_turbulence: from 0 to the largest the noise can be."""
-    terms = octave_terms(noise, knobs, p, octaves, lacunarity, gain, seed, periods)
-    return weighted_mean([(weight, abs(value)) for weight, value in terms])
+def fbm(of: Terms[Fraction]) -> Fraction:
+    """In the range of the noise."""
+    return mean(of, of.noises)
 
 
-def clouds(noise: Noise, knobs: Knobs, p: Sequence[Real], octaves: int, lacunarity: Real, gain: Real,
-           seed: int = 0, periods: Sequence[int] = ()) -> Fraction:
-    """hn_clouds: in [0, 1]."""
-    t = 2 * fbm(noise, knobs, p, octaves, lacunarity, gain, seed, periods) + Fraction(1, 4)
-    t = min(max(t, Fraction(0)), Fraction(1))
+def turbulence(of: Terms[Fraction]) -> Fraction:
+    """From 0 to the largest the noise can be."""
+    return mean(of, list(map(abs, of.noises)))
+
+
+def clouds(of: Terms[Fraction]) -> Fraction:
+    """In [0, 1]."""
+    t = clamped(2 * fbm(of) + Fraction(1, 4), 0, 1)
     return t * t * (3 - 2 * t)
+
+
+def billow(of: Terms[Fraction]) -> Fraction:
+    """In [-1, 1]."""
+    return 2 * mean(of, list(map(abs, within_one(of)))) - 1
+
+
+def ridged(of: Terms[Fraction]) -> Fraction:
+    """In [0, 1]."""
+    ridges, factor = [], Fraction(1)
+    for n in within_one(of):
+        ridges.append((1 - abs(n))**2 * factor)
+        factor = min(2 * ridges[-1], Fraction(1))
+    return mean(of, ridges)
+
+
+def ping_pong(of: Terms[Fraction]) -> Fraction:
+    """In [-1, 1]."""
+    strength = clamped(of.strength, 0, 64)
+    heights = [(n + 1) * strength % 2 for n in within_one(of)]
+    return mean(of, [2 * min(t, 2 - t) - 1 for t in heights])
+
+
+def weighted(of: Terms[Fraction]) -> Fraction:
+    """In the range of the noise."""
+    strength, noises = clamped(of.strength, 0, 1), within_one(of)
+    shares, share = [], Fraction(1)
+    for n in noises:
+        shares.append(share)
+        share *= of.gain * (1 - strength * (1 - n) / 2)
+    return mean(replace(of, shares=shares), noises)
 
 
 # --- Fixed -------------------------------------------------------------------------------------------------------
 
-
-def position_of(p: Real) -> int:
-    """A coordinate as a number of 64 bits: the cell, then the fraction in units of 2^-32."""
-    exact = Fraction(p)
-    c = math.trunc(exact)
-    u = math.trunc(abs(exact - c) * 2**32)
-    cell, r = clamp_to_int(c), word(u)
-    if exact < c:
-        cell, r = clamp_to_int(c) - (u != 0), -u & MASK
-    return signed(cell) * 2**32 + r
+# A whole position is a number of 56 bits in units of 2^-24 cells. The first one of a sum is given as cell and fraction,
+# since the fraction of a caller may be a whole cell.
+POSITION_UNIT = 2**24
+FixedPlace = list[tuple[int, int]]
 
 
-def next_position(position: int, multiplier: int, shift: Fraction) -> int:
-    """The position in the next octave; `multiplier` is the lacunarity in units of 2^-23."""
-    moved = (position * multiplier >> 23) + int(shift * 2**32)
-    return (moved + 2**63) % 2**64 - 2**63
+def fixed_at_position(p: Sequence[Real]) -> FixedPlace:
+    found = []
+    for x in map(Fraction, p):
+        c = math.trunc(x)
+        position = clamp_to_int(c) * POSITION_UNIT + math.trunc((x - c) * POSITION_UNIT)
+        found.append((position >> 24, position & (POSITION_UNIT - 1)))
+    return found
 
 
-def weights(octaves: int, gain: Real) -> list[int]:
-    """The weight of each octave, in units of 2^-18."""
-    g = math.trunc(min(max(Fraction(gain), Fraction(0)), Fraction(1)) * 2**18)
-    values, a = [], 2**18
-    for _ in range(min(octaves, 32)):
-        values.append(a)
-        a = signed(signed((a >> 9) * g) + (signed((a & 511) * g) >> 9)) >> 9
-    return values
+def fixed_in_cell(cell: Sequence[int], f: Sequence[Real]) -> FixedPlace:
+    return [(c, math.trunc(clamped(x, 0, 1) * POSITION_UNIT)) for c, x in zip(cell, f)]
 
 
-def fixed_values(noise: Noise, knobs: Knobs, p: Sequence[Real], octaves: int, lacunarity: Real, seed: int,
-                 periods: Sequence[int] = ()) -> list[int]:
-    """The noise of each octave, in units of 2^-21."""
-    factor = clamped(lacunarity)
-    multiplier = math.floor(factor) * 2**23 if periods else math.trunc(factor * 2**23)
-    positions = list(map(position_of, p))
-    values = []
-    for _ in range(octaves):
-        lattice = Lattice(knobs, seed, tuple(periods))
-        value, *_ = noise.fixed_in_cell(lattice, [q >> 32 for q in positions], [(q & MASK) >> 12 for q in positions])
-        values.append(value)
-        positions = [next_position(q, multiplier, shift) for q, shift in zip(positions, SHIFT)]
+def reduced(position: int) -> int:
+    """To 56 bits, two's complement."""
+    return (position + 2**55) % 2**56 - 2**55
+
+
+def fixed_octaves_of(place: FixedPlace, options: Options, seed: int,
+                     periods: Sequence[int] = ()) -> Iterator[tuple[FixedPlace, Sequence[int], int]]:
+    """Where each octave is sampled, with which periods and which seed."""
+    factor = lacunarity_of(options, periods)
+    multiplier = math.trunc(factor * 2**23)
+    for _ in range(count_of(options)):
+        yield place, periods, seed
+        q = [reduced((cell * POSITION_UNIT + r) * multiplier >> 23) for cell, r in place]
+        if not periods:
+            q = turn(q, lambda x: reduced(x >> 5))
+        q = [reduced(x + int(shift * POSITION_UNIT)) for x, shift in zip(q, SHIFT)]
+        place = [(x >> 24, x & (POSITION_UNIT - 1)) for x in q]
         periods = [wrapped(period * math.floor(factor)) for period in periods]
-        seed = (seed + 0x9E3779B9) & MASK
-    return values
+        seed = (seed + SEED_STEP) & MASK
 
 
-def fixed_mean(values: Sequence[int], value_weights: Sequence[int]) -> int:
+def count_of(options: Options) -> int:
+    return min(math.ceil(options.octaves), 32)
+
+
+def product(a: int, b: int) -> int:
+    """Of two numbers in [0, 2^18], in units of 2^-18."""
+    if not (0 <= a <= 2**18 and 0 <= b <= 2**18):
+        raise OverflowError(f"{a} or {b} is not in [0, 2^18]")
+    return signed(signed((a >> 9) * b) + (signed((a & 511) * b) >> 9)) >> 9
+
+
+def in_weights(x: Real, high: int = 1) -> int:
+    """A number in [0, high], in the units of weights."""
+    return math.trunc(clamped(x, 0, high) * 2**18)
+
+
+def fixed_weights(options: Options) -> list[int]:
+    """Of the total, in units of 2^-18."""
+    found, a = [], 2**18
+    for _ in range(count_of(options)):
+        found.append(a)
+        a = product(a, in_weights(options.gain))
+    if len(found) > 1:
+        found[-1] = product(found[-1], in_weights(min(Fraction(options.octaves), 32) - (len(found) - 1)))
+    return found
+
+
+def fixed_visible(options: Options) -> Iterator[int]:
+    """How much of each octave a footprint leaves, in units of 2^-18."""
+    factor = max(math.trunc(clamped(options.lacunarity, 0, 255) * 2**23), 2**23)
+    detail = math.trunc(clamped(options.footprint, 0, 2) * 2**24)
+    while True:
+        yield min(max(3 * 2**17 - (detail >> 6), 0), 2**18)
+        detail = min(detail * factor >> 23, 2**25)
+
+
+def fixed_terms(noise: Noise, knobs: Knobs, place: FixedPlace, options: Options, seed: int,
+                periods: Sequence[int] = ()) -> Terms[int]:
+    noises = []
+    for at, p, s in fixed_octaves_of(place, options, seed, periods):
+        value, *_ = noise.fixed_in_cell(Lattice(knobs, s, tuple(p)), [cell for cell, _ in at], [r >> 4 for _, r in at])
+        noises.append(value)
+    found = fixed_weights(options)
+    return Terms(noises, found, list(map(product, found, fixed_visible(options))), in_weights(options.gain),
+                 in_weights(options.strength, 64))
+
+
+def fixed_mean(of: Terms[int], values: Sequence[int]) -> int:
     """The contract's v, in units of 2^-21."""
     if not values:
         return 0
-    terms = [signed(signed(v * (a >> 9)) + signed((v >> 9) * (a & 511))) >> 9 for v, a in zip(values, value_weights)]
-    return math.trunc(Fraction(signed(sum(terms)) * 2**18, signed(sum(value_weights))))
+    shares = [signed(signed(u * (b >> 9)) + signed((u >> 9) * (b & 511))) >> 9 for u, b in zip(values, of.shares)]
+    return math.trunc(Fraction(signed(sum(shares)) * 2**18, signed(sum(of.weights))))
 
 
-def fixed_sum(noise: Noise, knobs: Knobs, p: Sequence[Real], octaves: int, lacunarity: Real, gain: Real, seed: int,
-              periods: Sequence[int], of_noise: Callable[[int], int] = int) -> int:
-    """The weighted mean of `of_noise` of the noise, in units of 2^-21."""
-    value_weights = weights(octaves, gain)
-    values = fixed_values(noise, knobs, p, len(value_weights), lacunarity, seed, periods)
-    return fixed_mean(list(map(of_noise, values)), value_weights)
+def fixed_within(of: Terms[int], largest: Real) -> list[int]:
+    """The noise, or the nearer end."""
+    end = int(largest * NOISE_UNIT)
+    return [min(max(v, -end), end) for v in of.noises]
 
 
 def density(v: int) -> int:
@@ -137,21 +284,65 @@ def density(v: int) -> int:
     return 2**20 + (signed(c * (word(0xC0000000 - word(c * c)) >> 16)) >> 10)
 
 
-def fixed_fbm(noise: Noise, knobs: Knobs, p: Sequence[Real], octaves: int, lacunarity: Real, gain: Real,
-              seed: int = 0, periods: Sequence[int] = ()) -> Fraction:
-    return Fraction(fixed_sum(noise, knobs, p, octaves, lacunarity, gain, seed, periods), NOISE_UNIT)
+def fixed_fbm(of: Terms[int]) -> int:
+    return fixed_mean(of, fixed_within(of, Fraction(3, 2)))
 
 
-def fixed_turbulence(noise: Noise, knobs: Knobs, p: Sequence[Real], octaves: int, lacunarity: Real, gain: Real,
-                     seed: int = 0, periods: Sequence[int] = ()) -> Fraction:
-    return Fraction(fixed_sum(noise, knobs, p, octaves, lacunarity, gain, seed, periods, abs), NOISE_UNIT)
+def fixed_turbulence(of: Terms[int]) -> int:
+    return fixed_mean(of, list(map(abs, fixed_within(of, Fraction(3, 2)))))
 
 
-def fixed_clouds(noise: Noise, knobs: Knobs, p: Sequence[Real], octaves: int, lacunarity: Real, gain: Real,
-                 seed: int = 0, periods: Sequence[int] = ()) -> Fraction:
-    return Fraction(density(fixed_sum(noise, knobs, p, octaves, lacunarity, gain, seed, periods)), NOISE_UNIT)
+def fixed_clouds(of: Terms[int]) -> int:
+    return density(fixed_fbm(of))
 
 
-# By name: the exact sum, and the fixed one.
-SUMS: dict[str, tuple[Callable[..., Fraction], Callable[..., Fraction]]] = {
-    "fbm": (fbm, fixed_fbm), "turbulence": (turbulence, fixed_turbulence), "clouds": (clouds, fixed_clouds)}
+def fixed_billow(of: Terms[int]) -> int:
+    return 2 * fixed_mean(of, list(map(abs, fixed_within(of, 1)))) - 2**21
+
+
+def fixed_ridged(of: Terms[int]) -> int:
+    ridges, factor = [], 2**18
+    for v in fixed_within(of, 1):
+        d = (2**21 - abs(v)) >> 3
+        ridges.append(product(product(d, d), factor))
+        factor = min(2 * ridges[-1], 2**18)
+    return fixed_mean(of, [ridge << 3 for ridge in ridges])
+
+
+def fixed_height(v: int, strength: int) -> int:
+    """z_i of ping-pong, in units of 2^-30."""
+    u = v + 2**21
+    t = u * (strength >> 9) + (word(u * (strength & 511)) >> 9) & 2**31 - 1
+    return min(t, 2**31 - t)
+
+
+def fixed_ping_pong(of: Terms[int]) -> int:
+    return fixed_mean(of, [(fixed_height(v, of.strength) >> 8) - 2**21 for v in fixed_within(of, 1)])
+
+
+def fixed_weighted(of: Terms[int]) -> int:
+    shares, share, noises = [], 2**18, fixed_within(of, 1)
+    for v in noises:
+        shares.append(share)
+        left = 2**18 - product((2**21 - v) >> 4, min(of.strength, 2**18))
+        share = product(product(share, left), of.gain)
+    return fixed_mean(replace(of, shares=shares), noises)
+
+
+# --- By name -----------------------------------------------------------------------------------------------------
+
+# The exact sum, and the fixed one in units of 2^-21.
+SUMS: dict[str, tuple[Callable[[Terms[Fraction]], Fraction], Callable[[Terms[int]], int]]] = {
+    "fbm": (fbm, fixed_fbm), "turbulence": (turbulence, fixed_turbulence), "clouds": (clouds, fixed_clouds),
+    "billow": (billow, fixed_billow), "ridged": (ridged, fixed_ridged), "ping_pong": (ping_pong, fixed_ping_pong),
+    "weighted": (weighted, fixed_weighted)}
+
+
+def exact(name: str, noise: Noise, knobs: Knobs, place: Place, options: Options, seed: int = 0,
+          periods: Sequence[int] = ()) -> Fraction:
+    return SUMS[name][0](terms(noise, knobs, place, options, seed, periods))
+
+
+def fixed(name: str, noise: Noise, knobs: Knobs, place: FixedPlace, options: Options, seed: int = 0,
+          periods: Sequence[int] = ()) -> Fraction:
+    return Fraction(SUMS[name][1](fixed_terms(noise, knobs, place, options, seed, periods)), NOISE_UNIT)

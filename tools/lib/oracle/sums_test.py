@@ -2,32 +2,170 @@
 
 from __future__ import annotations
 
+import cmath
 import itertools
+import math
 import unittest
+from collections.abc import Sequence
+from dataclasses import replace
 from fractions import Fraction
-from functools import partial
-from unittest import mock
 
 from golden.generator import generator_of
 from oracle import noises, sums
-from oracle.gradients import Knobs
-from oracle.lattice import Lattice
+from oracle.gradients import Knobs, Real
+from oracle.sums import Options, Terms
 
 PERLIN = noises.find("perlin")
-(fbm, fixed_fbm), (turbulence, fixed_turbulence), (clouds, fixed_clouds) = (
-    tuple(partial(function, PERLIN) for function in pair) for pair in sums.SUMS.values())
-
 SETTINGS = (Knobs("lattice"), Knobs("fnv1"), Knobs("lattice", sine=True))
+LEAST = {"turbulence": 0, "clouds": 0, "ridged": 0}  # of the others -1
 
 
-def exact_noise(*args) -> Fraction:
-    value, = PERLIN.exact(*args)
+def noise_at(knobs: Knobs, p: Sequence[Real], seed: int = 0, periods: Sequence[int] = ()) -> Fraction:
+    value, = PERLIN.exact(knobs, p, seed, periods)
     return value
 
 
-def fixed_noise(*args) -> Fraction:
-    value, = PERLIN.fixed(*args)
+def fixed_noise_at(knobs: Knobs, p: Sequence[Real], seed: int = 0) -> Fraction:
+    value, = PERLIN.fixed(knobs, p, seed)
     return value
+
+
+def exact(name: str, knobs: Knobs, p: Sequence[Real], options: Options, seed: int = 0,
+          periods: Sequence[int] = ()) -> Fraction:
+    return sums.exact(name, PERLIN, knobs, sums.at_position(p), options, seed, periods)
+
+
+def fixed(name: str, knobs: Knobs, p: Sequence[Real], options: Options, seed: int = 0,
+          periods: Sequence[int] = ()) -> Fraction:
+    return sums.fixed(name, PERLIN, knobs, sums.fixed_at_position(p), options, seed, periods)
+
+
+def terms_of(noises_: Sequence[Real], weights: Sequence[Real] = (), gain: Real = 1, strength: Real = 0) -> Terms:
+    """Octaves that have come to this."""
+    weights = [Fraction(w) for w in weights or (1,) * len(noises_)]
+    return Terms([Fraction(n) for n in noises_], weights, weights, Fraction(gain), Fraction(strength))
+
+
+class Octaves(unittest.TestCase):
+    """Where they are, and what they weigh."""
+
+    def places(self, p: Sequence[Real], options: Options, periods: Sequence[int] = ()) -> list:
+        return [(tuple(q), tuple(periods), seed)
+                for q, periods, seed in sums.octaves_of(sums.at_position(p), options, 0xFFFFFFFF, periods)]
+
+    def test_by_hand(self) -> None:
+        # Twice the position is (0.75, -24.5), and (508.75, -597.5) / 32 after the turn.
+        self.assertEqual(self.places((0.375, -12.25), Options(2, 2.0, 0.5)),
+                         [((0.375, -12.25), (), 0xFFFFFFFF), ((16.2421875, -18.078125), (), 0x9E3779B8)])
+        # (2, 4, 6); (-0.9375, 4.375, 6); (-0.9375, 48.875 / 32, 230.875 / 32).
+        self.assertEqual(self.places((1.0, 2.0, 3.0), Options(2, 2.0, 0.5))[1][0], (-0.59375, 2.12109375, 7.93359375))
+        self.assertEqual(self.places((1.0, 2.0), Options(2, -2.0, 0.5))[1][0],
+                         (Fraction(-50 + 80 + 11, 32), Fraction(-40 - 100 + 19, 32)))
+
+    def test_with_periods_by_hand(self) -> None:
+        # Nothing turns, not even along an axis without a period. 2.9 is rounded down.
+        self.assertEqual(self.places((0.375, -12.25), Options(3, 2.9, 0.5), (5, -5)),
+                         [((0.375, -12.25), (5, -5), 0xFFFFFFFF), ((1.09375, -23.90625), (10, -10), 0x9E3779B8),
+                          ((2.53125, -47.21875), (20, -20), 0x3C6EF371)])
+        self.assertEqual(self.places((0.375, 1.5), Options(2, 2.0, 0.5), (0, 0))[1][0], (1.09375, 3.59375))
+        self.assertEqual(self.places((1.0, 2.0, 3.0), Options(2, 3.0, 0.5), (1, 2, 3))[1][:2],
+                         ((3.34375, 6.59375, 9.71875), (3, 6, 9)))
+
+    def test_the_lacunarity_is_cut_with_a_period(self) -> None:
+        for lacunarity, same in ((2.9, 2.0), (-1.5, 0.0), (0.75, 0.0), (300.0, 255.0)):
+            found = [self.places((0.375, 0.5), Options(2, x, 0.5), (48, 0)) for x in (lacunarity, same)]
+            self.assertEqual(*found)
+
+    def test_the_turn_is_one(self) -> None:
+        """By 38.66 degrees, and longer by 1.0005; then by 24.15, and shorter by 0.9931. In a plane this is a product of
+        complex numbers."""
+        factor = cmath.rect(math.hypot(25, 20) / 32, math.radians(38.65980825))
+        x, y = map(float, sums.turn([Fraction(3), Fraction(-7)], lambda x: x / 32))
+        self.assertLess(abs(complex(3, -7) * factor - complex(x, y)), 1e-8)
+        x, y, z = map(float, sums.turn([Fraction(3), Fraction(-7), Fraction(5)], lambda x: x / 32))
+        first = complex(3, -7) * factor
+        second = complex(first.imag, 5) * cmath.rect(0.9931405364, math.radians(24.14554196))
+        self.assertLess(abs(first.real - x) + abs(second - complex(y, z)), 1e-8)
+
+    def test_a_cell_far_out_keeps_its_fraction(self) -> None:
+        place = sums.in_cell((2**31 - 1, -2**31), (2.0**-30, 1.0))
+        self.assertEqual(place, [2**31 - 1 + Fraction(1, 2**30), -2**31 + 1])
+        options = Options(3, 2.0, 0.5)
+        self.assertEqual(sums.exact("fbm", PERLIN, Knobs("pcg"), sums.in_cell((3, -5), (0.25, 1.0)), options),
+                         exact("fbm", Knobs("pcg"), (3.25, -4.0), options))
+
+    def test_from_a_cell_the_lacunarity_is_cut(self) -> None:
+        found = [sums.from_cell(Options(2, x, 0.5)).lacunarity for x in (-1.5, 0.0, 1.5, 255.0, 300.0)]
+        self.assertEqual(found, [0, 0, 1.5, 255, 255])
+
+    def test_weights(self) -> None:
+        self.assertEqual(sums.weights(Options(3, 2.0, 0.75)), [1, 0.75, 0.5625])
+        self.assertEqual(sums.weights(Options(3, 2.0, 0.0)), [1, 0, 0])
+        self.assertEqual(sums.weights(Options(2.25, 2.0, 0.5)), [1, 0.5, 0.0625])
+        self.assertEqual(sums.weights(Options(2.0**-20, 2.0, 0.5)), [1])  # a single octave counts in full
+        self.assertEqual(sums.weights(Options(1 + 2.0**-20, 2.0, 0.5)), [1, 2.0**-21])
+        for none in (0, -1, 0.0, -0.5):
+            self.assertEqual(sums.weights(Options(none, 2.0, 0.5)), [])
+
+    def test_what_a_footprint_leaves(self) -> None:
+        def left(footprint: float, lacunarity: float, count: int = 4) -> list[Fraction]:
+            return [sums.visible(Options(count, lacunarity, 0.5, footprint=footprint), i) for i in range(count)]
+
+        self.assertEqual(left(0.0, 2.0), [1, 1, 1, 1])
+        self.assertEqual(left(0.125, 2.0), [1, 1, 1, 0.5])  # half a cell of the third, a whole one of the fourth
+        self.assertEqual(left(0.375, 2.0), [1, 0.75, 0, 0])
+        self.assertEqual(left(0.75, 0.5), [0.75] * 4)  # a lacunarity below 1 counts as 1
+        self.assertEqual(left(0.75, -2.0), [0.75] * 4)
+        self.assertEqual((left(1.5, 2.0), left(3.0, 1.0)), ([0] * 4, [0] * 4))
+
+
+class Sums(unittest.TestCase):
+    """Of octaves that have come to something: by hand."""
+
+    def test_fbm_and_turbulence(self) -> None:
+        terms = terms_of((0.5, -0.25, 1), (1, 0.5, 0.5))
+        self.assertEqual(sums.fbm(terms), Fraction(7, 16))
+        self.assertEqual(sums.turbulence(terms), Fraction(9, 16))
+        self.assertEqual(sums.fbm(replace(terms, shares=[Fraction(1), Fraction(1, 2), Fraction(0)])), Fraction(3, 16))
+        self.assertEqual(sums.fbm(terms_of((1.5, 1.5))), 1.5)  # of a noise that is larger
+
+    def test_clouds(self) -> None:
+        self.assertEqual([sums.clouds(terms_of((n,))) for n in (-1, -0.125, 0, 0.125, 0.375, 1)],
+                         [0, 0, 0.15625, 0.5, 1, 1])
+
+    def test_billow(self) -> None:
+        self.assertEqual([sums.billow(terms_of((n,))) for n in (-1.5, -1, -0.25, 0, 0.75, 1.5)],
+                         [1, 1, -0.5, -1, 0.5, 1])
+        self.assertEqual(sums.billow(terms_of((-0.5, 0.25), (1, 0.5))), -Fraction(1, 6))
+
+    def test_ridged(self) -> None:
+        self.assertEqual([sums.ridged(terms_of((n,))) for n in (-1.5, -1, -0.5, 0, 0.75, 1.5)],
+                         [0, 0, 0.25, 1, 0.0625, 0])
+        # Ridges: 1/4; 1/4 of 2/4; 1 of 2/8; 1 of 2/4; 1 of 1, since 2/2 is no more.
+        self.assertEqual(sums.ridged(terms_of((0.5, -0.5, 0, 0, 0))), Fraction(17, 8) / 5)
+
+    def test_ping_pong(self) -> None:
+        for strength, values in ((2, (-1, 0, 1, 0, -1)), (0, (-1,) * 5), (-3, (-1,) * 5),
+                                 (1, (-1, -0.5, 0, 0.5, 1)), (3, (-1, 0.5, 0, -0.5, 1)),
+                                 (1.5, (-1, -0.25, 0.5, 0.75, 0))):
+            found = [sums.ping_pong(terms_of((n,), strength=strength)) for n in (-1, -0.75, -0.5, -0.25, 0)]
+            self.assertEqual(found, list(values), strength)
+        # 64 * 1.25 is even, 64.5 * 1.25 is not.
+        for strength in (64, 64.5):
+            self.assertEqual(sums.ping_pong(terms_of((0.25,), strength=strength)), -1)
+        self.assertEqual(sums.ping_pong(terms_of((-2, 3, 0.5), (1, 0.5, 0.5), strength=1)), -0.75)
+
+    def test_weighted(self) -> None:
+        # Shares 1, (1/2) (3/4) and that times (1/2) (1/2).
+        of = terms_of((0.5, 0, -1), (1, 0.5, 0.25), 0.5, 1)
+        self.assertEqual(sums.weighted(of), (Fraction(1, 2) - Fraction(3, 32)) / Fraction(7, 4))
+        self.assertEqual(sums.weighted(replace(of, strength=Fraction(3))), sums.weighted(of))
+        for strength in (0, -1):
+            self.assertEqual(sums.weighted(replace(of, strength=Fraction(strength))), sums.fbm(of))
+
+    def test_what_is_none(self) -> None:
+        for name, (function, _) in sums.SUMS.items():
+            self.assertEqual(function(terms_of(())), {"clouds": 0.15625, "billow": -1}.get(name, 0), name)
 
 
 class OctaveSums(unittest.TestCase):
@@ -35,127 +173,222 @@ class OctaveSums(unittest.TestCase):
 
     def test_one_octave_is_the_noise(self) -> None:
         for point in self.POINTS:
-            noise = exact_noise(Knobs("lattice"), point, 3)
-            self.assertEqual(fbm(Knobs("lattice"), point, 1, 2.0, 0.5, 3), noise)
-            self.assertEqual(turbulence(Knobs("lattice"), point, 1, 2.0, 0.5, 3), abs(noise))
-
-    def test_gain_zero_leaves_the_first_octave(self) -> None:
-        for point in self.POINTS:
-            self.assertEqual(fbm(Knobs("pcg"), point, 6, 2.0, 0.0, 3), exact_noise(Knobs("pcg"), point, 3))
+            noise = noise_at(Knobs("lattice"), point, 3)
+            for octaves, gain in ((1, 0.5), (6, 0.0), (0.375, 0.5)):
+                options = Options(octaves, 2.0, gain)
+                self.assertEqual(exact("fbm", Knobs("lattice"), point, options, 3), noise)
+                self.assertEqual(exact("turbulence", Knobs("lattice"), point, options, 3), abs(noise))
 
     def test_two_octaves_by_hand(self) -> None:
         seed, next_seed = 0xFFFFFFFF, 0x9E3779B8
-        first = exact_noise(Knobs("pcg"), (0.375, -12.25), seed)
-        second = exact_noise(Knobs("pcg"), (0.75 + 0.34375, -24.5 + 0.59375), next_seed)
-        self.assertEqual(fbm(Knobs("pcg"), (0.375, -12.25), 2, 2.0, 0.25, seed), (4 * first + second) / 5)
-        self.assertEqual(turbulence(Knobs("pcg"), (0.375, -12.25), 2, 2.0, 0.25, seed),
-                         (4 * abs(first) + abs(second)) / 5)
+        first = noise_at(Knobs("pcg"), (0.375, -12.25), seed)
+        second = noise_at(Knobs("pcg"), (16.2421875, -18.078125), next_seed)
+        self.assertEqual(exact("fbm", Knobs("pcg"), (0.375, -12.25), Options(2, 2.0, 0.25), seed),
+                         (4 * first + second) / 5)
+        second = noise_at(Knobs("pcg"), (0.75 + 0.34375, -24.5 + 0.59375), next_seed, (10, 0))
+        first = noise_at(Knobs("pcg"), (0.375, -12.25), seed, (5, -5))
+        self.assertEqual(exact("fbm", Knobs("pcg"), (0.375, -12.25), Options(2, 2.9, 0.25), seed, (5, -5)),
+                         (4 * first + second) / 5)
 
-    def test_third_axis_is_shifted_too(self) -> None:
-        terms = sums.octave_terms(PERLIN, Knobs("pcg"), (1.0, 2.0, 3.0), 2, 2.0, 0.5, 0)
-        self.assertEqual(terms[1], (0.5, exact_noise(Knobs("pcg"), (2.34375, 4.59375, 6.71875), 0x9E3779B9)))
+    def test_another_way(self) -> None:
+        """Floats, with a position of the plane as a complex number."""
+        numbers = generator_of("another way")
+        for _ in range(40):
+            p = complex(numbers.uniform(-8, 8), numbers.uniform(-8, 8))
+            lacunarity, gain, strength = numbers.uniform(0.5, 2.5), numbers.uniform(0, 1.25), numbers.uniform(0, 1)
+            octaves, seed = numbers.integer(1, 4), numbers.word()
+            options = Options(octaves, lacunarity, gain, strength)
+            n, q = [], p
+            for i in range(octaves):
+                n.append(float(noise_at(Knobs("lattice"), (q.real, q.imag), seed + i * 0x9E3779B9 & 0xFFFFFFFF)))
+                q = q * lacunarity * (25 + 20j) / 32 + (11 + 19j) / 32
+            a = [gain**i for i in range(octaves)]
 
-    def test_clouds_of_fbm(self) -> None:
-        seen = set()
-        for seed in range(64):
-            t = 2 * fbm(Knobs("pcg"), (0.375, 0.5), 3, 2.0, 0.5, seed) + Fraction(1, 4)
-            expected = 0 if t <= 0 else 1 if t >= 1 else 3 * t**2 - 2 * t**3
-            self.assertEqual(clouds(Knobs("pcg"), (0.375, 0.5), 3, 2.0, 0.5, seed), expected)
-            seen.add("clear" if t <= 0 else "full" if t >= 1 else "between")
-        self.assertEqual(seen, {"clear", "full", "between"})
+            def mean(values: Sequence[float], weights: Sequence[float] = ()) -> float:
+                return math.fsum(w * v for w, v in zip(weights or a, values)) / math.fsum(a)
 
-    def test_no_octaves(self) -> None:
-        for octaves in (0, -1):
-            self.assertEqual(fbm(Knobs("pcg"), (1.5, 2.5), octaves, 2.0, 0.5), 0)
-            self.assertEqual(turbulence(Knobs("pcg"), (1.5, 2.5), octaves, 2.0, 0.5), 0)
-            self.assertEqual(clouds(Knobs("pcg"), (1.5, 2.5), octaves, 2.0, 0.5), 0.15625)
+            ridges, shares = [], [1.0]
+            for i, v in enumerate(n):
+                ridges.append((1 - abs(v))**2 * (min(1, 2 * ridges[-1]) if i else 1))
+                shares.append(shares[-1] * gain * (1 - strength + strength * (1 + v) / 2))
+            t = 0.25 + 2 * mean(n)
+            expected = {"fbm": mean(n), "turbulence": mean(list(map(abs, n))),
+                        "clouds": 0 if t < 0 else 1 if t > 1 else t * t * (3 - 2 * t),
+                        "billow": mean([2 * abs(v) - 1 for v in n]), "ridged": mean(ridges),
+                        # Back and forth between -1 and 1: the arc sine of a sine.
+                        "ping_pong": mean([-2 / math.pi * math.asin(math.cos(math.pi * (v + 1) * strength))
+                                           for v in n]),
+                        "weighted": mean(n, shares)}
+            for name, value in expected.items():
+                found = exact(name, Knobs("lattice"), (p.real, p.imag), options, seed)
+                self.assertLess(abs(found - Fraction(value)), 1e-6 if name == "ping_pong" else 1e-9, name)
+
+    def test_details_are_between_whole_numbers(self) -> None:
+        numbers = generator_of("details")
+        for _ in range(20):
+            p, seed = (numbers.integer(-99, 99) / 16, numbers.integer(-99, 99) / 16), numbers.word()
+            found = [exact("fbm", Knobs("pcg"), p, Options(octaves, 2.0, 0.5), seed)
+                     for octaves in (3, 3.0, 3 + 2.0**-20, 3.5, 4 - 2.0**-20, 4)]
+            self.assertEqual(found[0], found[1])
+            self.assertLess(max(abs(found[1] - found[2]), abs(found[4] - found[5])), 2**-20)
+            self.assertTrue(min(found[0], found[5]) < found[3] < max(found[0], found[5]))
+
+    def test_a_footprint_takes_what_is_fine(self) -> None:
+        p, seed = (0.375, -12.25), 7
+        # At 1/2 over a power of the lacunarity the octave after it counts by half, and no other.
+        for footprint, octaves in ((0.0, 5), (2.0**-5, 5), (2.0**-4, 4.5), (2.0**-2, 2.5), (0.5, 1.5)):
+            found = exact("fbm", Knobs("pcg"), p, Options(5, 2.0, 0.5, footprint=footprint), seed)
+            first = exact("fbm", Knobs("pcg"), p, Options(octaves, 2.0, 0.5), seed)
+            self.assertEqual(found * sum(sums.weights(Options(5, 2.0, 0.5))),
+                             first * sum(sums.weights(Options(octaves, 2.0, 0.5))))
+        self.assertEqual(exact("fbm", Knobs("pcg"), p, Options(5, 2.0, 0.5, footprint=1.5), seed), 0)
 
     def test_ranges(self) -> None:
         numbers = generator_of("ranges")
-        for n in (2, 3):
-            for _ in range(200):
-                arguments = (Knobs("lattice"), [numbers.uniform(-20, 20) for _ in range(n)], 4, 2.0, 0.5,
-                             numbers.word())
-                self.assertLessEqual(abs(fbm(*arguments)), 1)
-                self.assertTrue(abs(fbm(*arguments)) <= turbulence(*arguments) <= 1)
-                self.assertTrue(0 <= clouds(*arguments) <= 1)
-
-    def test_ranges_of_the_sine_gradient(self) -> None:
-        numbers = generator_of("sine ranges")
-        for n in (2, 3):
-            for _ in range(50):
-                arguments = (Knobs("lattice", sine=True), [numbers.uniform(-20, 20) for _ in range(n)], 4, 2.0, 0.5,
-                             numbers.word())
-                self.assertTrue(abs(fbm(*arguments)) <= turbulence(*arguments) <= Fraction(n, 2))
-                self.assertTrue(0 <= clouds(*arguments) <= 1)
+        for n, knobs in itertools.product((2, 3), SETTINGS):
+            for _ in range(20):
+                p = [numbers.integer(-640, 640) / 32 for _ in range(n)]
+                options, seed = Options(4, 2.0, 0.5, numbers.uniform(0, 3)), numbers.word()
+                for name in sums.SUMS:
+                    largest = Fraction(3, 2) if knobs.sine and name in ("fbm", "turbulence") else 1
+                    for function in (exact, fixed):
+                        found = function(name, knobs, p, options, seed)
+                        self.assertTrue(LEAST.get(name, -largest) <= found <= largest, name)
 
     def test_repeat_after_a_period(self) -> None:
         # With any lacunarity, since it is rounded down.
         for knobs, lacunarity in ((Knobs("lattice"), 2.0), (Knobs("lattice", sine=True), 3.0), (Knobs("lattice"), 1.5)):
-            for point in self.POINTS:
-                moved = [x - 48 for x in point]
-                for function in (fbm, turbulence, clouds):
-                    values = [function(knobs, p, 3, lacunarity, 0.5, 3, (48,) * len(p)) for p in (point, moved)]
-                    self.assertEqual(*values)
-                    values = [function(knobs, p, 3, lacunarity, 0.5, 3) for p in (point, moved)]
-                    self.assertTrue(values[0] != values[1] or function is clouds)
-
-    def test_periods_by_hand(self) -> None:
-        # The second octave has twice the period along x, and none along y. 2.9 is rounded down.
-        seed, next_seed = 0xFFFFFFFF, 0x9E3779B8
-        first = exact_noise(Knobs("pcg"), (0.375, -12.25), seed, (5, -5))
-        second = exact_noise(Knobs("pcg"), (0.75 + 0.34375, -24.5 + 0.59375), next_seed, (10, 0))
-        self.assertEqual(fbm(Knobs("pcg"), (0.375, -12.25), 2, 2.9, 0.25, seed, (5, -5)), (4 * first + second) / 5)
-
-    def test_the_lacunarity_is_cut_with_a_period(self) -> None:
-        for lacunarity, same in ((2.9, 2.0), (-1.5, 0.0), (0.75, 0.0), (300.0, 255.0)):
-            for function in (fbm, fixed_fbm):
-                found = [function(Knobs("pcg"), (0.375, 0.5), 2, x, 0.5, 3, (48, 0)) for x in (lacunarity, same)]
-                self.assertEqual(*found)
+            for point, name, function in itertools.product(self.POINTS, sums.SUMS, (exact, fixed)):
+                options, moved = Options(3, lacunarity, 0.5, 0.75), [x - 96 for x in point]
+                values = [function(name, knobs, p, options, 3, (48,) * len(p)) for p in (point, moved)]
+                self.assertEqual(*values)
+                values = [function(name, knobs, p, options, 3) for p in (point, moved)]
+                self.assertTrue(values[0] != values[1] or name == "clouds", name)
 
     def test_seeds_differ(self) -> None:
-        self.assertEqual(len({fbm(Knobs("pcg"), (0.375, 0.5), 4, 2.0, 0.5, seed) for seed in range(32)}), 32)
+        self.assertEqual(len({exact("fbm", Knobs("pcg"), (0.375, 0.5), Options(4, 2.0, 0.5), seed)
+                              for seed in range(32)}), 32)
 
 
 class FixedSums(unittest.TestCase):
     def test_positions(self) -> None:
         table = {
-            1.75: (1, 3 * 2**30), -1.75: (-2, 2**30), -1.0: (-1, 0), -0.0: (0, 0), 2.0**-32: (0, 1), 2.0**-33: (0, 0),
-            -2.0**-32: (-1, 2**32 - 1), -2.0**-33: (0, 0), -1e-40: (0, 0), -2.0**-21: (-1, 2**32 - 2**11),
-            -1 - 2.0**-23: (-2, 2**32 - 2**9), -2.0**31: (-2**31, 0), 2.0**31: (2147483520, 0), -3.4e38: (-2**31, 0),
+            1.75: (1, 3 * 2**22), -1.75: (-2, 2**22), -1.0: (-1, 0), -0.0: (0, 0), 2.0**-24: (0, 1), 2.0**-25: (0, 0),
+            -2.0**-24: (-1, 2**24 - 1), -2.0**-25: (0, 0), -1e-40: (0, 0), -2.0**-21: (-1, 2**24 - 8),
+            -1 - 2.0**-23: (-2, 2**24 - 2), -2.0**31: (-2**31, 0), 2.0**31: (2147483520, 0), -3.4e38: (-2**31, 0),
         }
-        for p, (cell, r) in table.items():
-            self.assertEqual(sums.position_of(p), cell * 2**32 + r, p)
+        for p, place in table.items():
+            self.assertEqual(sums.fixed_at_position([p]), [place], p)
 
-    def test_next_position(self) -> None:
-        shift = Fraction(11, 32)
-        one, third = 2**32, 2**32 // 3
-        self.assertEqual(sums.next_position(5 * one, 2 * 2**23, shift), 10 * one + 11 * 2**27)
-        self.assertEqual(sums.next_position(-5 * one, 3 * 2**22, Fraction(0)), -7 * one - one // 2)
-        self.assertEqual(sums.next_position(-third, 1, Fraction(0)), -171)  # -170.67, rounded down
-        self.assertEqual(sums.next_position(2**31 * one - 1, 2**24, Fraction(0)), -2)  # 2^64 - 2, wrapped
-        self.assertEqual(sums.next_position(-2**63, 255 * 2**23, shift), -2**63 + 11 * 2**27)
-        self.assertEqual(sums.next_position(7 * one, 0, shift), 11 * 2**27)
+    def test_places_in_cells(self) -> None:
+        fractions = {0.0: 0, -0.5: 0, 2.0**-25: 0, 2.0**-24: 1, 0.75: 3 * 2**22, 1 - 2.0**-24: 2**24 - 1, 1.0: 2**24,
+                     1.5: 2**24}
+        for f, r in fractions.items():
+            self.assertEqual(sums.fixed_in_cell([2**31 - 1], [f]), [(2**31 - 1, r)])
+
+    def next_place(self, place: Sequence[tuple[int, int]], lacunarity: Real, periods: Sequence[int] = ()) -> list:
+        _, (found, _, _) = sums.fixed_octaves_of(list(place), Options(2, lacunarity, 0.5), 0, periods)
+        return found
+
+    def test_next_positions(self) -> None:
+        one = 2**24
+        # As by hand above: (16.2421875, -18.078125).
+        self.assertEqual(self.next_place(sums.fixed_at_position((0.375, -12.25)), 2.0),
+                         [(16, 0.2421875 * one), (-19, 0.921875 * one)])
+        self.assertEqual(self.next_place(sums.fixed_at_position((1.0, 2.0, 3.0)), 2.0),
+                         [(-1, 0.40625 * one), (2, 0.12109375 * one), (7, 0.93359375 * one)])
+        # A whole cell as fraction is the next cell, also beyond the last one.
+        for cell in (5, -1, 2**31 - 1):
+            self.assertEqual(self.next_place([(cell, one), (3, 0)], 1.5), self.next_place([(cell + 1, 0), (3, 0)], 1.5))
+        self.assertEqual(self.next_place([(2**31 - 1, one), (0, 0)], 0.5, (0, 0)), [(0, 11 * 2**19), (0, 19 * 2**19)])
+        self.assertEqual(self.next_place([(2**31 - 1, one), (0, 0)], 1.5, (0, 0)),
+                         [(-2**31, 11 * 2**19), (0, 19 * 2**19)])
+        # Rounded down twice: 3 units times 1/2 is 1, and -1 is -1; then (25 + 20) / 32, (20 - 25) / 32.
+        self.assertEqual(self.next_place([(0, 3), (-1, one - 1)], 0.5), [(0, 1 + 11 * 2**19), (0, 19 * 2**19 - 1)])
+        # The third axis turns with what the second has become: 20 * 5 / 32 is 3, and then 29 * 3 / 32 and 13 * 3 / 32
+        # are 2 and 1.
+        self.assertEqual(self.next_place([(0, 5), (0, 0), (0, 0)], 1.0),
+                         [(0, 3 + 11 * 2**19), (0, 2 + 19 * 2**19), (0, 1 + 23 * 2**19)])
+        # The lacunarity is cut to a multiple of 2^-23.
+        self.assertEqual(self.next_place([(2**23, 0), (0, 0)], 2.0**-23 + 2.0**-40),
+                         self.next_place([(1, 0), (0, 0)], 1.0))
+
+    def test_next_positions_wrap(self) -> None:
+        one, end = 2**24, 2**31
+        # Twice the last cells are -2 and 0; the turn of 2^31 - 1 is beyond the range along both axes.
+        self.assertEqual(self.next_place([(end - 1, 0), (-end, 0)], 2.0, (0, 0)), [(-2, 11 * 2**19), (0, 19 * 2**19)])
+        x, y = (25 * (end - 1) - 20 * (1 - end)) * one // 32, (20 * (end - 1) + 25 * (1 - end)) * one // 32
+        self.assertGreater(x, 2**55)
+        x += 11 * 2**19 - 2**56
+        y += 19 * 2**19
+        self.assertEqual(self.next_place([(end - 1, 0), (1 - end, 0)], 1.0), [(x >> 24, x % one), (y >> 24, y % one)])
+        # A product of 87 bits, all of which count.
+        for position, lacunarity in itertools.product((2**55 - 1, -2**55 + 1, 0x123456789ABCDF), (255 - 2.0**-16, 1.9)):
+            moved = math.floor(Fraction(math.trunc(lacunarity * 2**23), 2**23) * position)
+            moved = (moved + 2**55) % 2**56 - 2**55
+            (cell, r), _ = self.next_place([(position >> 24, position % one), (0, 0)], lacunarity)
+            self.assertEqual((cell * one + r - math.floor(Fraction(25 * moved, 32)) - 11 * 2**19) % 2**56, 0)
 
     def test_weights(self) -> None:
         one = 2**18
-        self.assertEqual(sums.weights(3, 0.5), [one, one // 2, one // 4])
-        self.assertEqual(sums.weights(3, 0.0), [one, 0, 0])
-        self.assertEqual(sums.weights(40, 1.5), [one] * 32)
-        self.assertEqual(sums.weights(3, -1.0), [one, 0, 0])
-        self.assertEqual((sums.weights(0, 0.5), sums.weights(-1, 0.5)), ([], []))
-        # Powers of 0.7, whose 18 bits are 183500: of each product the floor.
-        self.assertEqual(sums.weights(4, 0.7), [one, 183500, 183500**2 >> 18, (183500**2 >> 18) * 183500 >> 18])
 
-    def test_weighted_mean(self) -> None:
+        def weights(octaves: Real, gain: Real) -> list[int]:
+            return sums.fixed_weights(Options(octaves, 2.0, gain))
+
+        self.assertEqual(weights(3, 0.5), [one, one // 2, one // 4])
+        self.assertEqual(weights(3, 0.0), [one, 0, 0])
+        self.assertEqual(weights(40, 1.5), [one] * 32)
+        self.assertEqual(weights(3, -1.0), [one, 0, 0])
+        self.assertEqual((weights(0, 0.5), weights(-1, 0.5), weights(-0.5, 0.5)), ([], [], []))
+        # Powers of 0.7, whose 18 bits are 183500: of each product the floor.
+        self.assertEqual(weights(4, 0.7), [one, 183500, 183500**2 >> 18, (183500**2 >> 18) * 183500 >> 18])
+        # Of the last one a part, cut to 18 bits.
+        self.assertEqual(weights(2.75, 0.5), [one, one // 2, one * 3 // 16])
+        self.assertEqual(weights(1 + 2.0**-18 + 2.0**-20, 1.0), [one, 1])
+        self.assertEqual(weights(1 + 2.0**-19, 1.0), [one, 0])
+        self.assertEqual((weights(0.5, 0.5), weights(2.0**-149, 0.5)), ([one], [one]))
+        self.assertEqual(weights(33.5, 1.0), [one] * 32)
+        self.assertEqual(weights(31.5, 1.0), [one] * 31 + [one // 2])
+
+    def test_what_a_footprint_leaves(self) -> None:
         one = 2**18
-        self.assertEqual(sums.fixed_mean([2**21, -2**20], [one, one // 2]), 2**20)
-        self.assertEqual(sums.fixed_mean([-3, 0], [one, one]), -1)  # towards 0
-        self.assertEqual(sums.fixed_mean([-3 * 2**20] * 32, [one] * 32), -3 * 2**20)
-        self.assertEqual(sums.fixed_mean([], []), 0)
+
+        def left(footprint: float, lacunarity: float, count: int = 4) -> list[int]:
+            options = Options(count, lacunarity, 0.5, footprint=footprint)
+            return list(itertools.islice(sums.fixed_visible(options), count))
+
+        self.assertEqual(left(0.375, 2.0), [one, one * 3 // 4, 0, 0])
+        self.assertEqual((left(0.0, 255.0), left(-1.0, 2.0), left(1.5, 2.0), left(9.0, 1.0)),
+                         ([one] * 4, [one] * 4, [0] * 4, [0] * 4))
+        self.assertEqual((left(0.75, 0.5), left(0.75, -2.0)), ([one * 3 // 4] * 4, [one * 3 // 4] * 4))
+        # The footprint is cut to 2^-24, and what it has grown to is; 64 of these are one of a weight.
+        self.assertEqual(left(0.5 + 63 * 2.0**-24, 1.0, 1) + left(0.5 + 2.0**-18, 1.0, 1), [one, one - 1])
+        self.assertEqual(left((2**23 + 43) * 2.0**-24, 1.5, 2), [one, 3 * 2**17 - (3 * 2**22 + 64 >> 6)])
+        self.assertEqual(left((2**23 + 42) * 2.0**-24, 1.5, 2), [one, 3 * 2**17 - (3 * 2**22 + 63 >> 6)])
+
+    def test_product(self) -> None:
+        for a, b in itertools.product((0, 1, 511, 512, 513, 183500, 2**18 - 1, 2**18), repeat=2):
+            self.assertEqual(sums.product(a, b), ((a >> 9) * b + ((a & 511) * b >> 9)) >> 9)
+            self.assertLessEqual(abs(Fraction(a * b, 2**18) - sums.product(a, b)), 1)
+        for a, b in ((-1, 0), (0, 2**18 + 1)):
+            with self.assertRaises(OverflowError):
+                sums.product(a, b)
+
+    def fixed_terms(self, values: Sequence[int], weights: Sequence[int], strength: int = 0) -> Terms[int]:
+        return Terms(list(values), list(weights), list(weights), 2**17, strength)
+
+    def test_mean(self) -> None:
+        one = 2**18
+
+        def mean(values: Sequence[int], weights: Sequence[int]) -> int:
+            return sums.fixed_mean(self.fixed_terms(values, weights), values)
+
+        self.assertEqual(mean([2**21, -2**20], [one, one // 2]), 2**20)
+        self.assertEqual(mean([-3, 0], [one, one]), -1)  # towards 0
+        self.assertEqual(mean([-3 * 2**20] * 32, [one] * 32), -3 * 2**20)
+        self.assertEqual(mean([], []), 0)
         # The low bits of a weight: 1000 of 2^18 is 1 * 512 + 488, so 2^18 // 512 * 488 is added to 2^18 * 1.
-        self.assertEqual(sums.fixed_mean([0, 2**18], [one, 1000]),
-                         (2**18 + 2**9 * 488 >> 9) * one // (one + 1000))
+        self.assertEqual(mean([0, 2**18], [one, 1000]), (2**18 + 2**9 * 488 >> 9) * one // (one + 1000))
 
     def test_density(self) -> None:
         self.assertEqual([sums.density(v) for v in (-2**21, -2**18, 2**18, 3 * 2**18, 2**21)],
@@ -168,47 +401,104 @@ class FixedSums(unittest.TestCase):
             self.assertLess(abs(Fraction(values[-1], 2**21) - t * t * (3 - 2 * t)), 2.6e-5)
         self.assertEqual(values, sorted(values))
 
+    def test_ridges(self) -> None:
+        one, half = 2**18, 2**20
+        self.assertEqual(sums.fixed_ridged(self.fixed_terms([half, -half, 0], [one] * 3)), (2**19 + 2**18 + 2**19) // 3)
+        self.assertEqual([sums.fixed_ridged(self.fixed_terms([v], [one])) for v in (0, 2**21, -2**21)], [2**21, 0, 0])
+        d = (2**21 - 777777) >> 3
+        self.assertEqual(sums.fixed_ridged(self.fixed_terms([777777], [one])),
+                         (((d >> 9) * d + ((d & 511) * d >> 9)) >> 9) << 3)
+
+    def test_heights(self) -> None:
+        self.assertEqual([sums.fixed_height(v, 2 * 2**18) for v in (-2**21, -2**20, 0, 2**20, 2**21)],
+                         [0, 2**30, 0, 2**30, 0])
+        self.assertEqual([sums.fixed_height(v, 2**18) for v in (-2**21, 0, 2**21)], [0, 2**30, 0])
+        for v, strength in itertools.product((-2**21, -777777, -1, 0, 1, 777777, 2**21 - 1, 2**21),
+                                             (0, 1, 511, 512, 2**18, 700000, 2**24 - 1, 2**24)):
+            t = Fraction((v + 2**21) * strength, 2**39) % 2
+            off = abs(Fraction(sums.fixed_height(v, strength), 2**30) - min(t, 2 - t))
+            self.assertLessEqual(off, 2**-30)
+        self.assertEqual(sums.fixed_ping_pong(self.fixed_terms([-2**20, 2**21], [2**18] * 2, 2**19)), 0)
+
+    def test_weighted(self) -> None:
+        one = 2**18
+        of = self.fixed_terms([2**20, 0, -2**21], [one, one // 2, one // 4], one)
+        # Shares 1, (1/2) (3/4) and that times (1/2) (1/2), as above.
+        self.assertEqual(sums.fixed_weighted(of), int((Fraction(1, 2) - Fraction(3, 32)) * 2**21 / Fraction(7, 4)))
+        self.assertEqual(sums.fixed_weighted(replace(of, strength=64 * one)), sums.fixed_weighted(of))
+        self.assertEqual(sums.fixed_weighted(replace(of, strength=0)), sums.fixed_fbm(of))
+
+    def test_a_noise_that_is_larger(self) -> None:
+        one = 2**18
+        for v, at_most in ((5 * 2**19, 5 * 2**19), (-5 * 2**19, 5 * 2**19), (2**22, 3 * 2**20)):
+            of, same = (self.fixed_terms([x], [one], one) for x in (v, 2**21 if v > 0 else -2**21))
+            self.assertEqual(sums.fixed_fbm(of), math.copysign(at_most, v))
+            self.assertEqual(sums.fixed_turbulence(of), at_most)
+            for function in (sums.fixed_clouds, sums.fixed_billow, sums.fixed_ridged, sums.fixed_ping_pong,
+                             sums.fixed_weighted):
+                self.assertEqual(function(of), function(same))
+
     def test_no_octaves(self) -> None:
-        for octaves in (0, -1):
-            found = [function(Knobs("pcg"), (1.5, 2.5), octaves, 2.0, 0.5)
-                     for function in (fixed_fbm, fixed_turbulence, fixed_clouds)]
-            self.assertEqual(found, [0, 0, 0.15625])
+        for octaves, name in itertools.product((0, -1, -0.5), sums.SUMS):
+            self.assertEqual(fixed(name, Knobs("pcg"), (1.5, 2.5), Options(octaves, 2.0, 0.5)),
+                             {"clouds": 0.15625, "billow": -1}.get(name, 0))
 
     def test_one_octave_is_the_noise_where_nothing_is_cut_off(self) -> None:
+        def one(p: Sequence[Real]) -> Fraction:
+            return fixed("fbm", Knobs("lattice"), p, Options(1, 2.0, 0.5), 3)
+
         for p in ((0.375, -12.25), (5.125, 7.75, -0.625)):
-            self.assertEqual(fixed_fbm(Knobs("lattice"), p, 1, 2.0, 0.5, 3), fixed_noise(Knobs("lattice"), p, 3))
+            self.assertEqual(one(p), fixed_noise_at(Knobs("lattice"), p, 3))
         # Else a position is rounded down, a coordinate of the noise towards 0.
-        self.assertEqual(fixed_noise(Knobs("lattice"), (-0.5 - 2.0**-24, 0.25), 3),
-                         fixed_noise(Knobs("lattice"), (-0.5, 0.25), 3))
-        self.assertEqual(fixed_fbm(Knobs("lattice"), (-0.5 - 2.0**-24, 0.25), 1, 2.0, 0.5, 3),
-                         fixed_noise(Knobs("lattice"), (-0.5 - 2.0**-20, 0.25), 3))
+        self.assertEqual(fixed_noise_at(Knobs("lattice"), (-0.5 - 2.0**-24, 0.25), 3),
+                         fixed_noise_at(Knobs("lattice"), (-0.5, 0.25), 3))
+        self.assertEqual(one((-0.5 - 2.0**-24, 0.25)), fixed_noise_at(Knobs("lattice"), (-0.5 - 2.0**-20, 0.25), 3))
+
+    def test_the_fraction_of_the_first_octave_may_be_one(self) -> None:
+        knobs = Knobs("pcg")
+        for cell, f in (((4, -7), (1.0, 0.25)), ((2**31 - 1, -2**31), (1.0, 1.0))):
+            found = sums.fixed("fbm", PERLIN, knobs, sums.fixed_in_cell(cell, f), Options(1, 2.0, 0.5), 5)
+            noise, = PERLIN.fixed_cell(knobs, cell, f, 5)
+            self.assertEqual(found, noise)
 
     def test_arguments_are_cut(self) -> None:
         p = (0.375, -12.25)
-        for octaves, lacunarity, gain, same in ((33, 2.0, 1.0, (32, 2.0, 1.0)), (4, 300.0, 0.5, (4, 255.0, 0.5)),
-                                                (4, -2.0, 0.5, (4, 0.0, 0.5)), (4, 2.0, 1.5, (4, 2.0, 1.0)),
-                                                (4, 2.0, -0.5, (1, 2.0, 1.0))):
-            self.assertEqual(fixed_fbm(Knobs("pcg"), p, octaves, lacunarity, gain), fixed_fbm(Knobs("pcg"), p, *same))
+        for options, same in (((33, 2.0, 1.0), (32, 2.0, 1.0)), ((4, 300.0, 0.5), (4, 255.0, 0.5)),
+                              ((4, -2.0, 0.5), (4, 0.0, 0.5)), ((4, 2.0, 1.5), (4, 2.0, 1.0)),
+                              ((4, 2.0, -0.5), (1, 2.0, 1.0))):
+            self.assertEqual(*(fixed("fbm", Knobs("pcg"), p, Options(*x)) for x in (options, same)))
+        for name, strength, same in (("ping_pong", 100.0, 64.0), ("ping_pong", -1.0, 0.0), ("weighted", 2.0, 1.0),
+                                     ("weighted", -1.0, 0.0)):
+            for function in (exact, fixed):
+                found = [function(name, Knobs("pcg"), p, Options(4, 2.0, 0.5, x)) for x in (strength, same)]
+                self.assertEqual(*found)
 
     def test_are_near_the_exact_sums(self) -> None:
         for knobs, n in itertools.product(SETTINGS, (2, 3)):
             numbers = generator_of(str(knobs))
-            for gain, octaves in ((0.5, 6), (0.75, 4), (1.0, 3)):
+            for gain, octaves, footprint in ((0.5, 6, 0.0), (0.75, 4, 0.0), (1.0, 2.625, 0.0), (0.5, 4, 0.09375)):
                 p = [numbers.integer(-4096, 4096) / 64 for _ in range(n)]
-                arguments = (knobs, p, octaves, 2.0, gain, numbers.word())
-                for name, limit in (("fbm", 1), ("turbulence", 1), ("clouds", 4)):
+                options, seed = Options(octaves, 2.0, gain, 0.75, footprint), numbers.word()
+                for name, limit in (("fbm", 1), ("turbulence", 1), ("clouds", 4), ("billow", 2), ("ridged", 2),
+                                    ("ping_pong", 2), ("weighted", 2)):
                     for periods in ((), (48, 7, 0)[:n]):
-                        exact, fixed = (function(PERLIN, *arguments, periods) for function in sums.SUMS[name])
-                        self.assertLess(abs(fixed - exact), limit * 2**-15)
+                        found = [function(name, knobs, p, options, seed, periods) for function in (exact, fixed)]
+                        self.assertLess(abs(found[0] - found[1]), limit * 2**-15, (name, octaves))
 
-    def test_repeat_after_a_period(self) -> None:
-        for function in (fixed_fbm, fixed_turbulence, fixed_clouds):
-            values = [function(Knobs("lattice"), (x, 7.75), 3, 2.5, 0.5, 3, (48, 0)) for x in (5.125, 5.125 - 96)]
-            self.assertEqual(*values)
+    def test_from_a_cell_they_are_as_near_far_out(self) -> None:
+        numbers = generator_of("far out")
+        for n, name in itertools.product((2, 3), sums.SUMS):
+            cell = [numbers.integer(-2**28, 2**28) for _ in range(n)]
+            f = [numbers.uniform(0, 1) for _ in range(n)]
+            arguments = Options(3, 2.0, 0.5, 0.75), numbers.word()
+            off = abs(sums.exact(name, PERLIN, Knobs("lattice"), sums.in_cell(cell, f), *arguments) -
+                      sums.fixed(name, PERLIN, Knobs("lattice"), sums.fixed_in_cell(cell, f), *arguments))
+            self.assertLess(off, 2**-13, name)
 
     def test_a_period_that_is_no_power_of_two_ends_where_a_cell_fits_no_int(self) -> None:
         def repeats(period: int, x: float, octaves: int, lacunarity: float = 3.0) -> bool:
-            one, other = (fixed_fbm(Knobs("lattice"), (at, 7.75), octaves, lacunarity, 1.0, 3, (period, period))
+            options = Options(octaves, lacunarity, 1.0)
+            one, other = (fixed("fbm", Knobs("lattice"), (at, 7.75), options, 3, (period, period))
                           for at in (x, x + period))
             return one == other
 
@@ -223,29 +513,18 @@ class FixedSums(unittest.TestCase):
         # 2^30 * 2 is -2^31, which is none; twice that is 0. 3 * 2^29 * 3 is 2^29 modulo 2^32, a period again.
         self.assertEqual([sums.wrapped(2**30 * 2), sums.wrapped(-2**31 * 2), sums.wrapped(3 * 2**29 * 3)],
                          [-2**31, 0, 2**29])
-        found = []
-        with mock.patch.object(sums, "Lattice", lambda knobs, seed, periods: found.append(periods) or Lattice(knobs)):
-            fixed_fbm(Knobs("lattice"), (0.5, 0.5), 4, 3.0, 0.5, 3, (3 * 2**29, -5))
+        found = [tuple(periods) for _, periods, _ in sums.fixed_octaves_of(
+            sums.fixed_at_position((0.5, 0.5)), Options(4, 3.9, 0.5), 3, (3 * 2**29, -5))]
         self.assertEqual(found, [(3 * 2**29, -5), (2**29, -15), (3 * 2**29, -45), (2**29, -135)])
 
-    def test_the_product_of_a_position_is_exact(self) -> None:
-        """95 bits: the largest position and lacunarity, and every low bit set."""
-        for position in (2**63 - 1, -2**63, -2**63 + 1, 0x123456789ABCDEF0 | 1):
-            for lacunarity in (255 * 2**23, 255 * 2**23 - 1, 2**24 + 1, 1):
-                exact = (Fraction(position * lacunarity, 2**23).__floor__() + 2**63) % 2**64 - 2**63
-                self.assertEqual(sums.next_position(position, lacunarity, Fraction(0)), exact)
+    def test_seeds_step(self) -> None:
+        found = [seed for _, _, seed in sums.fixed_octaves_of([(0, 0)], Options(3, 2.0, 0.5), 0xFFFFFFFF, (0,))]
+        self.assertEqual(found, [0xFFFFFFFF, 0x9E3779B8, 0x3C6EF371])
 
     def test_what_is_no_number_has_no_value(self) -> None:
         for no_number in (float("nan"), float("inf")):
             for p, lacunarity, gain in (((no_number, 0.5), 2.0, 0.5), ((0.25, 0.5), no_number, 0.5),
                                         ((0.25, 0.5), 2.0, no_number)):
-                for function in (fbm, fixed_fbm, turbulence, fixed_turbulence, clouds, fixed_clouds):
+                for name, function in itertools.product(sums.SUMS, (exact, fixed)):
                     with self.assertRaises((ValueError, OverflowError)):
-                        function(Knobs("lattice"), p, 2, lacunarity, gain, 3)
-
-    def test_seeds_step(self) -> None:
-        seed, next_seed = 0xFFFFFFFF, 0x9E3779B8
-        first = fixed_noise(Knobs("pcg"), (0.375, -12.25), seed)
-        second = fixed_noise(Knobs("pcg"), (0.75 + 0.34375, -24.5 + 0.59375), next_seed)
-        self.assertLess(abs(fixed_fbm(Knobs("pcg"), (0.375, -12.25), 2, 2.0, 0.25, seed) - (4 * first + second) / 5),
-                        2**-20)
+                        function(name, Knobs("lattice"), p, Options(2, lacunarity, gain), 3)

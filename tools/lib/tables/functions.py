@@ -28,7 +28,10 @@ FORMS = {
                            r"seed:u32"),
     "cell": re.compile(r"(?:c[xyzw]:i32 )+(?:f[xyzw]:f32 )+(?:p[xyzw]:i32 )*(?:phase:f32 )?(?:jitter:f32 )?"
                        r"(?:metric:i32 )?seed:u32"),
-    "sum": re.compile(r"(?:[xyzw]:f32 )+(?:p[xyzw]:i32 )*octaves:i32 lacunarity:f32 gain:f32 seed:u32"),
+    # From a position, or from a cell and a fraction: the settings stand behind those and the periods.
+    "sum": re.compile(r"(?:(?:[xyz]:f32 )+|(?:c[xyz]:i32 )+(?:f[xyz]:f32 )+)(?:p[xyz]:i32 )*"
+                      r"(?P<settings>(?:(?:footprint:f32 )?octaves:i32|detail:f32) lacunarity:f32 gain:f32 "
+                      r"(?:strength:f32 )?)seed:u32"),
     # A position that is a whole number of units: where it is, and the noise there.
     "place": re.compile(r"(?:[xyzw]:i32 )+cells:i32 units:i32"),
     "place_of_noise": re.compile(r"(?:[xyzw]:i32 )+cells:i32 units:i32 seed:u32"),
@@ -58,8 +61,19 @@ class Function:
     @property
     def axes(self) -> int:
         """How many coordinates, or words, it takes."""
-        prefix = "c" if self.form == "cell" else ""
+        prefix = "c" if self.has_cell else ""
         return len(re.findall(rf"\b{prefix}[xyzw]:", self.inputs)) or 1
+
+    @property
+    def has_cell(self) -> bool:
+        """Whether it takes a cell and the fraction in it, in place of a position."""
+        return self.inputs.startswith("cx:")
+
+    @property
+    def settings(self) -> tuple[str, ...]:
+        """The names of what an octave sum takes between the periods and the seed."""
+        settings = FORMS["sum"].fullmatch(self.inputs)
+        return tuple(re.findall(r"(\w+):", settings["settings"])) if settings else ()
 
     @property
     def has_period(self) -> bool:
@@ -115,14 +129,16 @@ class Function:
         phase = ("float",) * self.has_phase
         chosen = (*phase, *("float",) * self.has_jitter, *("int",) * self.has_metric)
         cell = (vector("i", "int"), vector("", "float"), *period, *chosen)
+        place = cell if self.has_cell else (vector("", "float"), *period)
+        settings = tuple("int" if setting == "octaves" else "float" for setting in self.settings)
         return {"words": (vector("u", "uint"),), "point": (vector("i", "int"),),
                 "position": (vector("", "float"), *period, *chosen), "cell": cell, "place_of_noise": cell,
-                "sum": (vector("", "float"), *period, "int", "float", "float"),
+                "sum": (*place, *settings),
                 "place": (vector("i", "int"), "int", "int")}[self.form]
 
     @property
     def overloads(self) -> tuple[tuple[str, ...], ...]:
-        """The types without a seed, and with one. With periods or a phase there is always a seed."""
+        """The types without a seed, and with one. With periods, a phase or less detail there is always a seed."""
         # A vec4 has no room for a value and four derivatives.
         out = ("out vec4",) * (self.bound.endswith("_d") and self.axes == 4)
         if self.sets:
@@ -130,7 +146,8 @@ class Function:
         if self.form in ("words", "place"):
             return (self.types,)
         seeded = (*self.types, "uint", *out)
-        return (seeded,) if self.has_period or self.has_phase else ((*self.types, *out), seeded)
+        always = self.has_period or self.has_phase or "detail" in self.settings or "footprint" in self.settings
+        return (seeded,) if always else ((*self.types, *out), seeded)
 
 
 def _function(row: Row) -> Function:

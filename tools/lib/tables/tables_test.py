@@ -42,6 +42,10 @@ class Tables(unittest.TestCase):
                                        ("noise3d.cellular_cell_full", "cell", 3, "further_cellular"),
                                        ("noise2d.cell_border_nearest", "position", 2, "further_cellular"),
                                        ("fbm.clouds3_period", "sum", 3, "further_octave_sum"),
+                                       ("fbm.ping_pong3_cell_period", "sum", 3, "further_octave_sum"),
+                                       ("fbm.weighted2_cell", "sum", 2, "further_octave_sum"),
+                                       ("fbm.fbm3_detail", "sum", 3, "further_octave_sum"),
+                                       ("fbm.fbm2_footprint", "sum", 2, "further_octave_sum"),
                                        ("fbm.clouds3", "sum", 3, "octave_sum")):
             function = functions[id]
             self.assertEqual((function.form, function.axes, function.family), (form, axes, family), id)
@@ -60,6 +64,16 @@ class Tables(unittest.TestCase):
         self.assertEqual([functions[f"noise2d.cellular_{form}"].sets for form in ("full", "nearest", "cell_offset")],
                          ["", "nearest", "offset"])
         self.assertEqual(functions["fbm.fbm2"].types, ("vec2", "int", "float", "float"))
+        self.assertEqual(functions["fbm.fbm2"].settings, ("octaves", "lacunarity", "gain"))
+        self.assertEqual(functions["fbm.ridged3_cell"].overloads[0], ("ivec3", "vec3", "int", "float", "float"))
+        self.assertEqual(functions["fbm.ridged3_cell"].overloads[1], ("ivec3", "vec3", "int", "float", "float", "uint"))
+        self.assertEqual(functions["fbm.ping_pong2_cell_period"].overloads,
+                         (("ivec2", "vec2", "ivec2", "int", "float", "float", "float", "uint"),))
+        self.assertEqual(functions["fbm.fbm2_detail"].overloads, (("vec2", "float", "float", "float", "uint"),))
+        self.assertEqual(functions["fbm.fbm3_footprint"].overloads,
+                         (("vec3", "float", "int", "float", "float", "uint"),))
+        self.assertEqual([functions[id].has_cell for id in ("fbm.fbm2", "fbm.weighted3_cell", "noise2d.perlin_cell",
+                                                            "hash.word")], [False, True, True, False])
         self.assertEqual([functions[id].exact for id in ("hash.word", "gradient.lattice2", "gradient.sine2",
                                                               "noise2d.cellular_nearest")],
                          [True, True, False, False])
@@ -70,6 +84,9 @@ class Tables(unittest.TestCase):
         self.assertEqual(len(read_functions(self.path)), 1)
         for columns in ("x:f32 y:f32 = value:f64", "x:f32 cy:f32 seed:u32 = value:f64",
                         "x:f32 y:f32 seed:u32 = value:f16",
+                        "x:f32 y:f32 octaves:i32 gain:f32 lacunarity:f32 seed:u32 = value:f64",
+                        "x:f32 cy:i32 fx:f32 fy:f32 octaves:i32 lacunarity:f32 gain:f32 seed:u32 = value:f64",
+                        "x:f32 y:f32 detail:f32 octaves:i32 lacunarity:f32 gain:f32 seed:u32 = value:f64",
                         "x:f32 y:f32 seed:u32"):
             self.refused(read_functions, FUNCTION.format(columns=columns), "are not columns that the tools know")
         self.refused(read_functions, good.replace("gradient_noise", "cell_noise"), "cell_noise is not a family")
@@ -119,6 +136,25 @@ HN_FN hn_float hn_four(hn_vec4 p, HN_I_OUT(hn_vec4) gradient) { return 0.0f; }
         self.assertEqual(first.comment.headings, {"seed"})
         self.assertIs(second.comment, first.comment)  # an overload without one of its own
         self.assertIsNone(third.comment)
+
+    def test_finds_the_functions_that_a_line_of_a_sum_defines(self) -> None:
+        (self.folder / "a.glsl").write_text("""
+// What it is.
+HN_FBM2D(hn_one, hn_perlin)
+HN_PING_PONG_PERIOD3D(hn_one, hn_perlin)
+HN_FBM_LIMITED3D(hn_two, hn_perlin)
+HN_OF_ANOTHER_KIND2D(hn_three, 1)
+""")
+        found = glsl.declarations(self.folder)
+        self.assertEqual([str(f) for f in found], [
+            "hn_one(vec2, int, float, float, uint)", "hn_one(vec2, int, float, float)",
+            "hn_one(ivec2, vec2, int, float, float, uint)", "hn_one(ivec2, vec2, int, float, float)",
+            "hn_one(vec3, ivec3, int, float, float, float, uint)",
+            "hn_one(ivec3, vec3, ivec3, int, float, float, float, uint)",
+            "hn_two(vec3, float, float, float, uint)", "hn_two(vec3, float, int, float, float, uint)"])
+        self.assertEqual([f.comment is not None for f in found], [True] * 6 + [False] * 2)
+        self.assertEqual([text.replace(f"{self.folder}/", "") for text in glsl.overlooked(self.folder)],
+                         ["a.glsl:6: hn_three"])
 
     def test_a_second_look_finds_what_is_written_in_another_way(self) -> None:
         (self.folder / "a.glsl").write_text("""
