@@ -207,7 +207,8 @@ class Octaves(unittest.TestCase):
             return shader.octaves(kind, s, p), exact.octaves(kind, s, p)
         cells, f = np.floor(p).astype(np.int64), p - np.floor(p)
         whole = [fixed.whole_of_cell(*of_axis) for of_axis in zip(cells, f)]
-        places = [(c, [r / 2**24 for r in rests]) for _, (c, rests) in zip(range(s.count), fixed.whole_positions(s, whole))]
+        positions = [position for _, position in zip(range(s.count), fixed.whole_positions(s, whole))]
+        places = [(c, [r / 2**24 for r in rests]) for c, rests in positions]
         return shader.octaves(kind, s, p, places), exact.octaves(kind, s, p)
 
     @staticmethod

@@ -138,8 +138,8 @@ class Integers(unittest.TestCase):
 
 class Octaves(unittest.TestCase):
     def check(self, arguments, kinds=sums.KINDS, count=2000, seed=9):
-        """The largest ratio of an error to its tolerance, which it must not exceed, of each kind; `arguments` draws those
-        of a Sum."""
+        """The largest ratio of an error to its tolerance, which it must not exceed, of each kind; `arguments` draws
+        those of a Sum."""
         rng, worst = np.random.default_rng(seed), dict.fromkeys(kinds, 0.0)
         for dims, kind in CASES:
             for name in kinds:
@@ -161,10 +161,10 @@ class Octaves(unittest.TestCase):
         return worst
 
     def random_sum(self, rng, name, **others):
+        strength = rng.choice((2, 64, 3 * rng.random())) if name == "ping_pong" else rng.random()
         return {"p_max": 2.0 ** rng.integers(2, 8), "octaves": int(rng.integers(1, 9)),
                 "lacunarity": float(np.float32(rng.uniform(0, 4))), "gain": float(np.float32(rng.random())),
-                "strength": float(np.float32(rng.choice((2, 64, 3 * rng.random())) if name == "ping_pong" else rng.random())),
-                } | others
+                "strength": float(np.float32(strength))} | others
 
     def assert_near(self, worst, least):
         self.assertTrue(all(ratio > least for ratio in worst.values()), worst)
@@ -209,8 +209,8 @@ class Octaves(unittest.TestCase):
             self.check(lambda rng, name: self.random_sum(rng, name, octaves=1, strength=64.0), ("ping_pong",))
 
     def test_ridges(self):
-        """An error of every d, at its worst: the bound of r is reached but for a factor, and what does not count that it
-        grows from octave to octave is exceeded."""
+        """An error of every d, at its worst: the bound of r is reached but for a factor, and what does not count that
+        it grows from octave to octave is exceeded."""
         rng, size, count = np.random.default_rng(4), 2.0**-12, 6
         d = rng.random((count, 500_000)) * (1 - size)
         d[0] *= 2.0 ** -rng.uniform(0, 4, d.shape[1])

@@ -103,7 +103,7 @@ def everything_for_a_reader(derived: Everything) -> dict[str, dict]:
         "the fixed fade": {"error_from": float(fade_errors().min()), "error_to": float(fade_errors().max()),
                            "overshoot": overshoot()},
         "octave sums: octahedral in floats, fixed; sine in floats, fixed": {
-            f"{dims}D {told(octave_sum)}": [f"{tolerance:.3g}" for tolerance in sum_tolerances(derived, dims, octave_sum)]
+            f"{dims}D {told(octave_sum)}": [f"{of_sum:.3g}" for of_sum in sum_tolerances(derived, dims, octave_sum)]
             for dims, octave_sum in (*(example[1:] for example in EXAMPLES), *SUMS)}}
 
 

@@ -18,8 +18,8 @@ from bounds.table import Bounds
 KINDS = ("fbm", "turbulence", "clouds", "billow", "ridged", "ping_pong", "weighted")
 CLAMPED = ("billow", "ridged", "ping_pong", "weighted")  # in which a noise beyond [-1, 1] counts as the nearer end
 SHIFT_MAX = {2: 19 / 32, 3: 23 / 32}  # the largest component of the shift between octaves
-# By how much the turns of a position make a length larger at most: in the plane of x and y, then in that of y and z. The
-# second makes lengths in its plane smaller, but not that along x.
+# By how much the turns of a position make a length larger at most: in the plane of x and y, then in that of y and z.
+# The second makes lengths in its plane smaller, but not that along x.
 TURNS = (math.hypot(25, 20) / 32, max(math.hypot(29, 13) / 32, 1.0))
 WHOLE = 2.0**-24  # the unit of whole positions
 WEIGHT_UNIT = 1 / FADE_ONE

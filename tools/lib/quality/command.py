@@ -24,6 +24,7 @@ from quality import gate
 from quality import isotropy
 from quality import library
 from quality import noise
+from quality import octaves
 from quality import report
 from quality.judgement import Finding
 from quality.lattice import Lattice, sample
@@ -222,8 +223,9 @@ def run(options, folder: Path) -> int:
     default = next(twin for twin in twins if twin.name == library.default_hash(options.include))
     rejected = control_results(default)
     sine = sine_results(library.hash_names(options.include), options.include, folder)
-    passed &= report.rejected_as_meant(rejected)
-    text = report.page(results, rejected, sine, preferences(), fields.looks(default), default, options.quick)
+    sums = octaves.shown(default)
+    passed &= report.rejected_as_meant(rejected) and sums.passed
+    text = report.page(results, rejected, sine, preferences(), fields.looks(default), sums, default, options.quick)
     if options.check:
         return 0 if report.same(out / "quality.md", text) and passed else 1
     report.write(out, text, results, default)

@@ -88,8 +88,9 @@ constexpr std::array<Quantity, 22> kQuantities = {{
     {"stage", '3', 1, 3, [](const Word* in, Word* out) { put(hashnoise::hn_gradient3(*in), out); }},
     {"sum", '2', 8, 1,
      [](const Word* in, Word* out) {
-       *out = std::bit_cast<Word>(hashnoise::hn_fbm(ivec2(integer(in[0]), integer(in[1])), vec2(real(in[2]), real(in[3])),
-                                                    integer(in[4]), real(in[5]), real(in[6]), in[7]));
+       *out = std::bit_cast<Word>(hashnoise::hn_fbm(ivec2(integer(in[0]), integer(in[1])),
+                                                    vec2(real(in[2]), real(in[3])), integer(in[4]), real(in[5]),
+                                                    real(in[6]), in[7]));
      }},
     {"sum", '3', 10, 1,
      [](const Word* in, Word* out) {
@@ -99,9 +100,9 @@ constexpr std::array<Quantity, 22> kQuantities = {{
      }},
     {"tiled_sum", '2', 9, 1,
      [](const Word* in, Word* out) {
-       *out = std::bit_cast<Word>(hashnoise::hn_fbm(ivec2(integer(in[0]), integer(in[1])), vec2(real(in[2]), real(in[3])),
-                                                    ivec2(integer(in[7])), integer(in[4]), real(in[5]), real(in[6]),
-                                                    in[8]));
+       *out = std::bit_cast<Word>(hashnoise::hn_fbm(ivec2(integer(in[0]), integer(in[1])),
+                                                    vec2(real(in[2]), real(in[3])), ivec2(integer(in[7])),
+                                                    integer(in[4]), real(in[5]), real(in[6]), in[8]));
      }},
     {"tiled_sum", '3', 11, 1,
      [](const Word* in, Word* out) {

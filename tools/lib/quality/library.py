@@ -74,8 +74,8 @@ class Twin:
         axis."""
         n = positions.shape[1]
         cells = np.floor(positions)
-        options = [octaves, *np.array([lacunarity, gain], np.float32).view(np.uint32), *([] if period is None else [period]),
-                   seed]
+        options = [octaves, *np.array([lacunarity, gain], np.float32).view(np.uint32)]
+        options += [seed] if period is None else [period, seed]
         points = np.empty((len(positions), 2 * n + len(options)), np.uint32)
         points[:, :n] = cells.astype(np.int64) & 0xFFFFFFFF
         points[:, n:2 * n] = (positions - cells).astype(np.float32).view(np.uint32)

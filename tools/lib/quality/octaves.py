@@ -34,8 +34,8 @@ LIMIT = 0.03
 PERIOD = 16       # cells of a tile
 PLACES = 1 << 14  # in a tile
 PARTS = (2, 4, 8)  # of the period, after which octaves could repeat
-# A correlation is off by about 0.03 with each seed, since the coarsest octave that counts has 32^2 cells in a tile. If the
-# octaves repeat, it is 1, 1/4 and 1/16.
+# A correlation is off by about 0.03 with each seed, since the coarsest octave that counts has 32^2 cells in a tile. If
+# the octaves repeat alike, it is 1 at one half.
 REPEAT_LIMIT = 0.05
 
 
@@ -51,6 +51,8 @@ class Cut:
         return f"{self.dimensions}D" + "".join(f", slices across {'xyz'[axis]}" for axis in across)
 
 
+FAR = 1 << 20  # a period that no picture reaches: nothing turns with it
+
 CUTS = (Cut(2, (0, 1)), Cut(3, (0, 1)), Cut(3, (1, 2)), Cut(3, (0, 2)))
 
 
@@ -58,6 +60,7 @@ CUTS = (Cut(2, (0, 1)), Cut(3, (0, 1)), Cut(3, (1, 2)), Cut(3, (0, 2)))
 class Directions:
     """Fourth harmonics, a value for each seed: 0 if all directions are alike, 1 if there are only axes."""
     cut: Cut
+    period: int | None
     spectrum: list[float]
     structures: dict[float, list[float]]  # by what they are smoothed over
 
@@ -77,7 +80,8 @@ class Repeats:
         return self.correlation <= REPEAT_LIMIT
 
 
-def slopes(twin: Twin, cut: Cut, octaves: int, per_cell: float, seed: int) -> tuple[np.ndarray, np.ndarray]:
+def slopes(twin: Twin, cut: Cut, octaves: int, per_cell: float, seed: int,
+           period: int | None = None) -> tuple[np.ndarray, np.ndarray]:
     """Of a picture that does not wrap, anywhere in the plane or in space."""
     rng = np.random.default_rng((seed, cut.dimensions))
     places = np.broadcast_to(rng.uniform(-500, 500, cut.dimensions), (SIDE, SIDE, cut.dimensions)).copy()
@@ -87,7 +91,7 @@ def slopes(twin: Twin, cut: Cut, octaves: int, per_cell: float, seed: int) -> tu
     places = places.reshape(-1, cut.dimensions)
 
     def values(at: np.ndarray) -> np.ndarray:
-        return twin.octave_sum(at, octaves, LACUNARITY, GAIN, seed).reshape(SIDE, SIDE).astype(float)
+        return twin.octave_sum(at, octaves, LACUNARITY, GAIN, seed, period).reshape(SIDE, SIDE).astype(float)
     here = values(places)
     moved = [places + STEP * (np.arange(cut.dimensions) == axis) for axis in cut.axes]
     return tuple((values(at) - here) / STEP for at in moved)
@@ -115,15 +119,16 @@ def structure_harmonic(along: tuple[np.ndarray, np.ndarray], smoothing: float, p
     return float(np.average(np.cos(4 * angle), weights=(np.hypot(xx - yy, 2 * xy) / (xx + yy)) ** 3))
 
 
-def directions(twin: Twin, cut: Cut, seeds: Iterable[int] = SEEDS, with_structures: bool = True) -> Directions:
+def directions(twin: Twin, cut: Cut, seeds: Iterable[int] = SEEDS, with_structures: bool = True,
+               period: int | None = None) -> Directions:
     spectrum: list[float] = []
     structures: dict[float, list[float]] = {smoothing: [] for smoothing in SMOOTHINGS if with_structures}
     for seed in seeds:
-        spectrum.append(spectrum_harmonic(slopes(twin, cut, WAVE_OCTAVES, WAVES_PER_CELL, seed)))
-        along = slopes(twin, cut, OCTAVES, PER_CELL, seed) if structures else ()
+        spectrum.append(spectrum_harmonic(slopes(twin, cut, WAVE_OCTAVES, WAVES_PER_CELL, seed, period)))
+        along = slopes(twin, cut, OCTAVES, PER_CELL, seed, period) if structures else ()
         for smoothing, values in structures.items():
             values.append(structure_harmonic(along, smoothing))
-    return Directions(cut, spectrum, structures)
+    return Directions(cut, period, spectrum, structures)
 
 
 def finer(twin: Twin, places: np.ndarray, seed: int) -> np.ndarray:
@@ -145,3 +150,20 @@ def correlation(twin: Twin, dimensions: int, move: np.ndarray, seeds: Iterable[i
 def repeats(twin: Twin, dimensions: int, seeds: Iterable[int] = SEEDS) -> Repeats:
     moves = [PERIOD / part * np.array(along) for part in PARTS for along in (*np.eye(dimensions), np.ones(dimensions))]
     return Repeats(dimensions, max(correlation(twin, dimensions, move, seeds) for move in moves))
+
+
+@dataclass(frozen=True)
+class Shown:
+    """What the page tells of sums: their directions, those of sums that do not turn, and whether tiles repeat."""
+    turned: list[Directions]
+    unturned: list[Directions]
+    repeats: list[Repeats]
+
+    @property
+    def passed(self) -> bool:
+        return all(found.passed for found in (*self.turned, *self.repeats))
+
+
+def shown(twin: Twin) -> Shown:
+    return Shown([directions(twin, cut) for cut in CUTS], [directions(twin, cut, period=FAR) for cut in CUTS],
+                 [repeats(twin, n) for n in (2, 3)])

@@ -1,5 +1,5 @@
-"""What octave sums show of their lattices: the statistics find what is there, the library passes, and sums whose octaves
-do not turn, or repeat alike, are rejected."""
+"""What octave sums show of their lattices: the statistics find what is there, the library passes, and sums whose
+octaves do not turn, or repeat alike, are rejected."""
 
 import re
 import shutil
@@ -11,6 +11,7 @@ import numpy as np
 
 from quality import library
 from quality import octaves
+from quality import report
 from tree import ROOT
 
 FOLDER = tempfile.TemporaryDirectory()
@@ -63,8 +64,9 @@ class Statistics(unittest.TestCase):
         along = octaves.slopes(TWIN, cut, 1, 8.0, 3)
         start = np.random.default_rng((3, 2)).uniform(-500, 500, 2)
         for axis in (0, 1):
-            sides = [TWIN.octave_sum((start + 2.0**-8 * sign * np.eye(2)[axis])[None], 1, 2.0, 0.5, 3)[0] for sign in (1, -1)]
-            self.assertAlmostEqual(along[axis][0, 0], float(sides[0] - sides[1]) * 2.0**7, 2)
+            step = 2.0**-8 * np.eye(2)[axis]
+            after, before = TWIN.octave_sum(np.array([start + step, start - step]), 1, 2.0, 0.5, 3).astype(float)
+            self.assertAlmostEqual(along[axis][0, 0], (after - before) * 2.0**7, 2)
 
 
 class Turns(unittest.TestCase):
@@ -79,9 +81,31 @@ class Turns(unittest.TestCase):
             found = directions(twin, cut)
             self.assertFalse(found.passed, found)
 
+    def test_a_tile_does_not_turn(self):
+        """The library's own sums without turns, which the page compares with."""
+        found = octaves.directions(TWIN, octaves.CUTS[0], FEW, with_structures=False, period=octaves.FAR)
+        self.assertGreater(np.mean(found.spectrum), 1.5 * octaves.LIMIT)
+
     def test_either_sign_is_judged(self):
         for value, passed in ((0.0, True), (0.029, True), (0.031, False), (-0.031, False)):
-            self.assertEqual(octaves.Directions(octaves.CUTS[0], [value] * 2, {}).passed, passed)
+            self.assertEqual(octaves.Directions(octaves.CUTS[0], None, [value] * 2, {}).passed, passed)
+
+
+class Page(unittest.TestCase):
+    def test_it_passes_only_if_all_do(self):
+        def shown(spectrum, correlation):
+            found = [octaves.Directions(cut, None, [spectrum, spectrum], {0.5: [0.0, 0.1], 1.0: [0.0, 0.1]})
+                     for cut in octaves.CUTS]
+            return octaves.Shown(found, found, [octaves.Repeats(2, 0.0), octaves.Repeats(3, correlation)])
+        self.assertTrue(shown(0.0, 0.0).passed)
+        self.assertFalse(shown(0.1, 0.0).passed)
+        self.assertFalse(shown(0.0, 0.1).passed)
+        text = report.sums_table(shown(0.01, 0.0)) + report.repeats_table(shown(0.01, 0.0))
+        self.assertIn("| 3D, slices across y | 0.0100 | 0.0500 ± 0.0500", text)
+        self.assertIn("0.0500 ± 0.0500", text)
+        self.assertNotIn("**", text)
+        self.assertIn("| **0.1000", report.sums_table(shown(0.1, 0.0)))
+        self.assertIn("| 3D | **0.1** |", report.repeats_table(shown(0.0, 0.1)))
 
 
 class Tiles(unittest.TestCase):

@@ -12,6 +12,7 @@ from quality import controls
 from quality import fields
 from quality import gate
 from quality import isotropy
+from quality import octaves
 from quality import texts
 from quality.directions import shape_harmonics
 from quality.judgement import ALPHA, Finding
@@ -159,8 +160,30 @@ def look_table(looks: list[fields.Look]) -> str:
     return table(["noise", "structures", "spectrum", "slices"], rows)
 
 
+def judged(text: str, passed: bool) -> str:
+    return text if passed else f"**{text}**"
+
+
+def sums_table(sums: octaves.Shown) -> str:
+    """Pictures down; the spectrum and structures of sums that turn, and of those that do not, across."""
+    def cells(found: octaves.Directions, passed: bool) -> list[str]:
+        rows = [fields.mean_and_error(values) for values in (found.spectrum, *found.structures.values())]
+        return [judged(with_error(*rows[0]), passed), *(with_error(*row) for row in rows[1:])]
+
+    names = ["spectrum", *(f"structures over {smoothing:g}" for smoothing in octaves.SMOOTHINGS)]
+    return table(["pictures", *names, *(f"{name}, with a period" for name in names)],
+                 [[turned.cut.title, *cells(turned, turned.passed), *cells(unturned, True)]
+                  for turned, unturned in zip(sums.turned, sums.unturned)])
+
+
+def repeats_table(sums: octaves.Shown) -> str:
+    return table(["tiles", "largest correlation", "allowed"],
+                 [[f"{found.dimensions}D", judged(number(found.correlation), found.passed),
+                   number(octaves.REPEAT_LIMIT)] for found in sums.repeats])
+
+
 def page(results: list[HashResult], rejected: list[HashResult], sine: list[Sine], preferences: list[Preference],
-         looks: list[fields.Look], default: Twin, quick: bool) -> str:
+         looks: list[fields.Look], sums: octaves.Shown, default: Twin, quick: bool) -> str:
     tests = sum(len(result.findings) for result in results)
     text = texts.HEAD.format(remark=texts.QUICK if quick else "",
                              alpha=f"2^{round(log2(ALPHA))}", tests=tests, chance=f"{tests * ALPHA:.2g}",
@@ -176,12 +199,18 @@ def page(results: list[HashResult], rejected: list[HashResult], sine: list[Sine]
     text += texts.SHAPE + shape_table() + texts.CONTROLS + control_table(rejected) + texts.NOISE
     text += noise_table(results, lambda r: f"`{r.name}` {r.dimensions}D")
     text += texts.ISOTROPY.format(aim=number(isotropy.AIM)) + preference_table(preferences)
-    text += texts.LOOKS + look_table(looks)
+    text += texts.LOOKS + look_table(looks) + sums_section(sums)
     rows = [[f"`{s.name}` {s.dimensions}D", *(number(f.statistic) for f in s.findings),
              *(number(f.threshold) for f in s.findings)] for s in sine]
     text += texts.SINE + table(["hash", "peak autocorrelation", "spectral peak", "allowed for the first",
                                 "allowed for the second"], rows)
     return text + noise_table(sine, lambda r: f"`{r.name}` {r.dimensions}D").rstrip("\n") + "\n"
+
+
+def sums_section(sums: octaves.Shown) -> str:
+    text = texts.SUMS.format(waves=octaves.WAVE_OCTAVES, octaves=octaves.OCTAVES, least=number(octaves.LEAST_WAVES),
+                             limit=number(octaves.LIMIT), most=number(octaves.WAVES_PER_CELL / 2))
+    return text + sums_table(sums) + texts.REPEATS.format(period=octaves.PERIOD) + repeats_table(sums)
 
 
 def shape_table() -> str:

@@ -119,6 +119,19 @@ least deviation of a slice across z over the greatest, at 8 heights of a cell: 1
 
 """
 
+SUMS = """
+### What octave sums show of their lattices
+
+The axes of octaves that do not turn are the same, and what each octave shows of them adds up. These are the fourth harmonics of `hn_fbm` with a lacunarity of 2 and a gain of 1/2: the means of the cosine of four times an angle, for 8 seeds, with the standard error. *Spectrum* takes the waves that the slopes of {waves} octaves are
+made of, from {least} to {most} cycles per cell of the first octave, weighted by their power. *Structures* takes the directions across the structures of {octaves} octaves: the structure tensor of the slopes, smoothed by a Gaussian of half a cell and of a cell of the first octave, weighted by the cube of its coherence. The first number may be {limit}
+at most, which is half of what sums have that do not turn. Those are in the last columns: with a period octaves must not turn, and the period is one that no picture reaches. In space the turn is a compromise between the three axes.
+
+"""
+
+REPEATS = """A tile of {period} cells should not repeat inside. All of its octaves but the first are compared with themselves, moved by a half, a fourth and an eighth of the period along an axis or a diagonal. If each octave repeated after the same number of its own cells, the largest correlation would be 1.
+
+"""
+
 SINE = """## For comparison: the sine gradient
 
 `HN_GRADIENT_SINE` is the paper's gradient: the hash as published, neither spread nor mixed, and as weak as published. Here it is measured at the origin with seed 0. It is not judged.
