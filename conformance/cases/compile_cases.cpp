@@ -188,6 +188,10 @@ const std::string kOtherHash = "#define HN_HASH HN_HASH_PCG\n";
 
 // Sums over two noises of the library and over one of the user's, in one shader.
 const std::string kOtherSums = R"(#include "hashnoise.glsl"
+#ifdef GL_ES
+precision mediump float;
+precision mediump int;
+#endif
 HN_FBM2D(fbm_of_simplex, hn_simplex)
 HN_PING_PONG2D(ping_pong_of_simplex, hn_simplex)
 HN_RIDGED2D(ridged_of_value, hn_value)
