@@ -246,8 +246,10 @@ HN_FN hn_float hn_i_next_footprint(hn_float footprint, hn_float lacunarity) {
 HN_FN hn_num hn_i_unchanged(hn_num mean) { return mean; }
 
 // A number of octaves that is no whole number: the octaves, and the part of the last one that counts. The first counts
-// as a whole.
-HN_FN hn_int hn_i_whole_octaves(hn_float detail) { return -int(floor(-min(max(detail, 0.0f), HN_I_MOST_DETAIL))); }
+// as a whole. A detail below 2^-32 is none, since drivers may flush a subnormal one.
+HN_FN hn_int hn_i_whole_octaves(hn_float detail) {
+  return hn_i_select(detail < 1.0f / 4294967296.0f, 0, -int(floor(-min(max(detail, 0.0f), HN_I_MOST_DETAIL))));
+}
 HN_FN hn_num hn_i_last_part(hn_float detail, hn_int octaves) {
   hn_float part = hn_i_minus(min(detail, HN_I_MOST_DETAIL), float(octaves - 1));
   return hn_i_setting(hn_i_select(octaves < 2, 1.0f, part), 1.0f);

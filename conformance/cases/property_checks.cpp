@@ -200,8 +200,9 @@ std::string with_constant_noise(const Function& function) {
 ConstantSum settings_of(const Function& function, std::span<const std::uint32_t> inputs) {
   const auto word = [&](std::string_view name) { return inputs[static_cast<std::size_t>(function.input(name))]; };
   const auto number = [&](std::string_view name) { return static_cast<double>(std::bit_cast<float>(word(name))); };
-  const int octaves = function.takes_detail() ? static_cast<int>(std::ceil(std::max(number("detail"), 0.0)))
-                                              : static_cast<std::int32_t>(word("octaves"));
+  const auto octaves_of = [](double detail) { return detail < 0x1p-32 ? 0 : static_cast<int>(std::ceil(detail)); };
+  const int octaves =
+      function.takes_detail() ? octaves_of(number("detail")) : static_cast<std::int32_t>(word("octaves"));
   return {octaves, number("gain"), function.takes_strength() ? number("strength") : 0.0};
 }
 

@@ -138,6 +138,7 @@ std::uint32_t random_octaves(const Function& function, Region region, Random& ra
 float random_detail(Region region, Extremes extremes, Random& random) {
   if (region == Region::extreme && extremes == Extremes::integers && random.below(64) == 0) return 33.5f;
   if (random.below(16) == 0) return random.below(2) == 0 ? 0.0f : -1.0f;
+  if (extremes != Extremes::none && random.below(16) == 0) return random.below(2) == 0 ? 1e-40f : 0x1p-32f;
   const bool far = region == Region::far || region == Region::very_far;
   const auto most = static_cast<float>(region == Region::steep ? 2 : far ? 1 : 1 + random.below(7));
   switch (random.below(4)) {

@@ -226,7 +226,9 @@ bool is_clamped(OctaveSum kind) {
   return kind == billow || kind == ridged || kind == ping_pong || kind == weighted;
 }
 
-int count_of(const OctaveArguments& arguments) { return static_cast<int>(std::ceil(std::max(arguments.octaves, 0.0))); }
+int count_of(const OctaveArguments& arguments) {
+  return arguments.octaves < 0x1p-32 ? 0 : static_cast<int>(std::ceil(arguments.octaves));
+}
 
 double strength_of(OctaveSum kind, const OctaveArguments& arguments) {
   return std::clamp(arguments.strength, 0.0, kind == OctaveSum::ping_pong ? 64.0 : 1.0);

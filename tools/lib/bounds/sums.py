@@ -50,7 +50,7 @@ class Sum:
 
     @property
     def count(self) -> int:
-        return max(math.ceil(self.octaves), 0)
+        return math.ceil(self.octaves) if self.octaves >= 2**-32 else 0
 
     @property
     def weights(self) -> list[float]:

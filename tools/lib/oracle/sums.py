@@ -79,11 +79,16 @@ def in_cell(cell: Sequence[int], f: Sequence[Real]) -> Place:
     return [c + Fraction(x) for c, x in zip(cell, f)]
 
 
+def count_of(options: Options) -> int:
+    """How many octaves there are."""
+    return 0 if options.octaves < Fraction(1, 2**32) else math.ceil(options.octaves)
+
+
 def octaves_of(q: Place, options: Options, seed: int,
                periods: Sequence[int] = ()) -> Iterator[tuple[Place, Sequence[int], int]]:
     """Where each octave is sampled, with which periods and which seed."""
     factor = lacunarity_of(options, periods) if periods else Fraction(options.lacunarity)
-    for _ in range(math.ceil(options.octaves)):
+    for _ in range(count_of(options)):
         yield q, periods, seed
         q = [x * factor for x in q]
         if not periods:
@@ -95,7 +100,7 @@ def octaves_of(q: Place, options: Options, seed: int,
 
 def weights(options: Options) -> list[Fraction]:
     """Of the total."""
-    count = math.ceil(options.octaves)
+    count = count_of(options)
     found = [Fraction(options.gain)**i for i in range(count)]
     if count > 1:
         found[-1] *= Fraction(options.octaves) - (count - 1)
@@ -217,7 +222,7 @@ def fixed_octaves_of(place: FixedPlace, options: Options, seed: int,
 
 
 def count_of(options: Options) -> int:
-    return min(math.ceil(options.octaves), 32)
+    return min(count_of(options), 32)
 
 
 def product(a: int, b: int) -> int:
