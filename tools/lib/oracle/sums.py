@@ -210,7 +210,7 @@ def fixed_octaves_of(place: FixedPlace, options: Options, seed: int,
     """Where each octave is sampled, with which periods and which seed."""
     factor = lacunarity_of(options, periods)
     multiplier = math.trunc(factor * 2**23)
-    for _ in range(count_of(options)):
+    for _ in range(fixed_count_of(options)):
         yield place, periods, seed
         q = [reduced((cell * POSITION_UNIT + r) * multiplier >> 23) for cell, r in place]
         if not periods:
@@ -221,7 +221,7 @@ def fixed_octaves_of(place: FixedPlace, options: Options, seed: int,
         seed = (seed + SEED_STEP) & MASK
 
 
-def count_of(options: Options) -> int:
+def fixed_count_of(options: Options) -> int:
     return min(count_of(options), 32)
 
 
@@ -240,7 +240,7 @@ def in_weights(x: Real, high: int = 1) -> int:
 def fixed_weights(options: Options) -> list[int]:
     """Of the total, in units of 2^-18."""
     found, a = [], 2**18
-    for _ in range(count_of(options)):
+    for _ in range(fixed_count_of(options)):
         found.append(a)
         a = product(a, in_weights(options.gain))
     if len(found) > 1:
