@@ -350,7 +350,7 @@ class FixedSums(unittest.TestCase):
         self.assertEqual(weights(2.75, 0.5), [one, one // 2, one * 3 // 16])
         self.assertEqual(weights(1 + 2.0**-18 + 2.0**-20, 1.0), [one, 1])
         self.assertEqual(weights(1 + 2.0**-19, 1.0), [one, 0])
-        self.assertEqual((weights(0.5, 0.5), weights(2.0**-149, 0.5)), ([one], [one]))
+        self.assertEqual((weights(0.5, 0.5), weights(2.0**-149, 0.5), weights(2.0**-32, 0.5)), ([one], [], [one]))
         self.assertEqual(weights(33.5, 1.0), [one] * 32)
         self.assertEqual(weights(31.5, 1.0), [one] * 31 + [one // 2])
 
