@@ -13,6 +13,7 @@ import zlib
 from unittest import mock
 
 from readme import command, numbers, picture
+from tables import glsl
 from tree import ROOT, TOOLS
 
 PAGES = ("README.md", "docs/cellular.md", "docs/knobs.md", "docs/noises.md", "docs/same-bits.md",
@@ -148,6 +149,13 @@ class Code(unittest.TestCase):
             with self.subTest(code=code):
                 done = compile_cpp(code)
                 self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_functions_that_pages_name_exist(self):
+        known = {function.name for function in glsl.declarations()}
+        for page in ["README.md", "docs/moving.md", "docs/sums.md", "docs/noises.md", "docs/cellular.md"]:
+            named = set(re.findall(r"\b(hn_\w+)\(", (ROOT / page).read_text()))
+            self.assertGreater(len(named), 5, page)
+            self.assertLessEqual(named, known, page)
 
     def test_both_compilations_can_fail(self):
         self.assertNotEqual(compile_glsl(blocks("glsl")[0].replace("hn_fbm", "hn_fmb")).returncode, 0)

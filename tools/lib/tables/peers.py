@@ -28,6 +28,11 @@ PEERS = (
     Peer("psrdnoise", "the folder src of psrdnoise", "psrdnoise", ""),
 )
 
+# FastNoiseLite's state: Perlin noise with the frequency 1, then octaves, lacunarity, gain, the strengths of weighted and
+# of ping-pong sums, and what only cells and warps use.
+SIX_OCTAVES = ("fnl_state(0, 1.0, FNL_NOISE_PERLIN, FNL_ROTATION_NONE, FNL_FRACTAL_NONE, 6, 2.0, 0.5, 0.0, 2.0, 0, 0, 1.0, "
+               "0, 1.0)")
+
 # The parts of a vector are added up, as bench does with those of ours.
 CALLS = (
     Call("Perlin 2D", "noise2d.perlin", "fastnoiselite", "", "_fnlSinglePerlin2D(0, p.x, p.y)"),
@@ -78,6 +83,18 @@ CALLS = (
          "dot(mx_worley_noise_vec2(p, 1.0, 0, 0), vec2(1.0))"),
     Call("cellular 2D", "noise2d.cellular", "webgl-noise", "cellular2D.glsl", "dot(cellular(p), vec2(1.0))"),
     Call("cellular 3D", "noise3d.cellular", "webgl-noise", "cellular3D.glsl", "dot(cellular(p), vec2(1.0))"),
+    Call("fBm 2D, 6 octaves", "fbm.fbm2", "fastnoiselite", "", f"_fnlGenFractalFBM2D({SIX_OCTAVES}, p.x, p.y)"),
+    Call("fBm 3D, 6 octaves", "fbm.fbm3", "fastnoiselite", "", f"_fnlGenFractalFBM3D({SIX_OCTAVES}, p.x, p.y, p.z)"),
+    Call("fBm 2D, 6 octaves", "fbm.fbm2", "materialx", "mx_noise.glsl", "mx_fractal2d_noise_float(p, 6, 2.0, 0.5)"),
+    Call("fBm 3D, 6 octaves", "fbm.fbm3", "materialx", "mx_noise.glsl", "mx_fractal3d_noise_float(p, 6, 2.0, 0.5)"),
+    Call("ridged 2D, 6 octaves", "fbm.ridged2", "fastnoiselite", "",
+         f"_fnlGenFractalRidged2D({SIX_OCTAVES}, p.x, p.y)"),
+    Call("ridged 3D, 6 octaves", "fbm.ridged3", "fastnoiselite", "",
+         f"_fnlGenFractalRidged3D({SIX_OCTAVES}, p.x, p.y, p.z)"),
+    Call("ping-pong 2D, 6 octaves", "fbm.ping_pong2", "fastnoiselite", "",
+         f"_fnlGenFractalPingPong2D({SIX_OCTAVES}, p.x, p.y)"),
+    Call("ping-pong 3D, 6 octaves", "fbm.ping_pong3", "fastnoiselite", "",
+         f"_fnlGenFractalPingPong3D({SIX_OCTAVES}, p.x, p.y, p.z)"),
     Call("turning simplex 2D with derivatives", "noise2d.simplex_d_phase", "psrdnoise", "psrdnoise2.glsl",
          "psrdnoise(p, vec2(0.0), p.x, hn_bench_set.xy) + hn_bench_set.x + hn_bench_set.y"),
     Call("turning simplex 3D with derivatives", "noise3d.simplex_d_phase", "psrdnoise", "psrdnoise3.glsl",
@@ -87,7 +104,7 @@ CALLS = (
 
 def subject(call: Call) -> str:
     """The name that bench is given for it. Bench adds the number of dimensions."""
-    return f"{call.peer}-{call.noise.lower().replace(' ', '-')}-"
+    return f"{call.peer}-{call.noise.lower().replace(',', '').replace(' ', '-')}-"
 
 
 def dimensions(call: Call) -> int:
