@@ -157,7 +157,7 @@ HN_FN hn_float hn_i_density(hn_float fbm) {
   return hn_i_smooth(min(max(hn_i_times_plus(2.0f, fbm, 0.25f), 0.0f), 1.0f));
 }
 
-HN_FN hn_float hn_i_billows(hn_float turbulence) { return hn_i_times_plus(2.0f, turbulence, -1.0f); }
+HN_FN hn_float hn_i_billows(hn_float turbulence) { return min(hn_i_times_plus(2.0f, turbulence, -1.0f), 1.0f); }
 
 #endif
 
@@ -242,8 +242,13 @@ HN_FN hn_float hn_i_next_footprint(hn_float footprint, hn_float lacunarity) {
 // ---------------------------------------------------------------------------------------------------------------------
 // The steps of sums.
 
-// The mean itself, where it is the result.
+// The mean itself, where it is the result. Roundings of floats could take a mean of ends beyond the end.
 HN_FN hn_num hn_i_unchanged(hn_num mean) { return mean; }
+#if HN_ARITHMETIC == HN_FIXED
+HN_FN hn_int hn_i_bounded(hn_int mean) { return mean; }
+#else
+HN_FN hn_float hn_i_bounded(hn_float mean) { return min(max(mean, -1.0f), 1.0f); }
+#endif
 
 // A number of octaves that is no whole number: the octaves, and the part of the last one that counts. The first counts
 // as a whole. A detail below 2^-32 is none, since drivers may flush a subnormal one.
@@ -365,8 +370,8 @@ HN_FN void hn_i_add_resolved(HN_I_INOUT(hn_i_octave_sum) s, hn_float n) {
 #define HN_I_OF_TURBULENCE HN_I_PLAIN, HN_I_WEIGHT_ONE, hn_i_add_size, hn_i_unchanged
 #define HN_I_OF_CLOUDS HN_I_PLAIN, HN_I_WEIGHT_ONE, hn_i_add, hn_i_density
 #define HN_I_OF_BILLOW HN_I_PLAIN, HN_I_WEIGHT_ONE, hn_i_add_bounded_size, hn_i_billows
-#define HN_I_OF_RIDGED HN_I_PLAIN, HN_I_WEIGHT_ONE, hn_i_add_ridge, hn_i_unchanged
-#define HN_I_OF_PING_PONG HN_I_STRONG, hn_i_setting(strength, 64.0f), hn_i_add_wave, hn_i_unchanged
-#define HN_I_OF_WEIGHTED HN_I_STRONG, hn_i_setting(strength, 1.0f), hn_i_add_bent, hn_i_unchanged
+#define HN_I_OF_RIDGED HN_I_PLAIN, HN_I_WEIGHT_ONE, hn_i_add_ridge, hn_i_bounded
+#define HN_I_OF_PING_PONG HN_I_STRONG, hn_i_setting(strength, 64.0f), hn_i_add_wave, hn_i_bounded
+#define HN_I_OF_WEIGHTED HN_I_STRONG, hn_i_setting(strength, 1.0f), hn_i_add_bent, hn_i_bounded
 
 #endif

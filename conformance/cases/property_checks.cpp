@@ -38,21 +38,18 @@ Range range_of(const Function& function, const Configuration& configuration, std
   const bool distance = function.is_cellular() && !function.is_slope(output) && function.bound != "cellular_smooth";
   if (distance) return {0.0f, largest};
   if (!function.is_octave_sum()) return {-largest, largest};
-  // Where all octaves are at an end of their range, the roundings of floats may take the mean beyond.
-  const float one = configuration.arithmetic == Arithmetic::fixed ? 1.0f : 1.00001f;
   switch (octave_sum_of(function)) {
     case OctaveSum::fbm:
       break;
     case OctaveSum::turbulence:
       return {0.0f, largest};
     case OctaveSum::clouds:
-      return {0.0f, 1.0f};
     case OctaveSum::ridged:
-      return {0.0f, one};
+      return {0.0f, 1.0f};
     case OctaveSum::billow:
     case OctaveSum::ping_pong:
     case OctaveSum::weighted:
-      return {-one, one};
+      return {-1.0f, 1.0f};
   }
   return {-largest, largest};
 }
