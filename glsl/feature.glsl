@@ -21,8 +21,8 @@
 //
 //   Let a place be off the centre of its cell by a >= b >= c, each from 0 to 1/2. No point is off its centre by more
 //   than 1/2 in sum along the axes, so it is farthest or nearest at a corner of its octahedron. The point of the cell
-//   itself is not farther than (a + 1/2, b, c), and that of the next cell along the first axis not farther than (3/2 -
-//   a, b, c). Outside of the neighbours no point is nearer than (3/2 - a, b, c). This holds in every metric here.
+//   itself is not farther than (a + 1/2, b, c), and that of the next cell along the first axis not farther than
+//   (3/2 - a, b, c). Outside of the neighbours no point is nearer than (3/2 - a, b, c). This holds in every metric here.
 //
 // The third is not farther than (a, 3/2 - b, c). To have it, the cells two steps away on the side of the place, along
 // the axis with a, are enough. What is beyond two steps along another axis is not nearer than that.

@@ -100,13 +100,13 @@ struct Vector2 {
   constexpr Vector2() : x(), y() {}
   constexpr Vector2(T x_, T y_) : x(x_), y(y_) {}
   template <typename Scalar>
-  requires(detail::kComponents<Scalar> == 1) constexpr explicit Vector2(Scalar s)
-      : Vector2(detail::convert<T>(s), detail::convert<T>(s)) {}
+  requires(detail::kComponents<Scalar> == 1)
+  constexpr explicit Vector2(Scalar s) : Vector2(detail::convert<T>(s), detail::convert<T>(s)) {}
   template <typename U>
   constexpr explicit Vector2(Vector2<U> v) : x(detail::convert<T>(v.x)), y(detail::convert<T>(v.y)) {}
   template <typename... Arguments>
-  requires(detail::fill<2, Arguments...>()) constexpr explicit(sizeof...(Arguments) != 2)
-      Vector2(const Arguments&... arguments)
+  requires(detail::fill<2, Arguments...>())
+  constexpr explicit(sizeof...(Arguments) != 2) Vector2(const Arguments&... arguments)
       : x(detail::convert<T>(detail::component<0>(arguments...))),
         y(detail::convert<T>(detail::component<1>(arguments...))) {}
   friend bool operator==(Vector2, Vector2) = default;  // constexpr where that of T is
@@ -127,14 +127,14 @@ struct Vector3 {
   constexpr Vector3() : x(), y(), z() {}
   constexpr Vector3(T x_, T y_, T z_) : x(x_), y(y_), z(z_) {}
   template <typename Scalar>
-  requires(detail::kComponents<Scalar> == 1) constexpr explicit Vector3(Scalar s)
-      : Vector3(detail::convert<T>(s), detail::convert<T>(s), detail::convert<T>(s)) {}
+  requires(detail::kComponents<Scalar> == 1)
+  constexpr explicit Vector3(Scalar s) : Vector3(detail::convert<T>(s), detail::convert<T>(s), detail::convert<T>(s)) {}
   template <typename U>
   constexpr explicit Vector3(Vector3<U> v)
       : x(detail::convert<T>(v.x)), y(detail::convert<T>(v.y)), z(detail::convert<T>(v.z)) {}
   template <typename... Arguments>
-  requires(detail::fill<3, Arguments...>()) constexpr explicit(sizeof...(Arguments) != 3)
-      Vector3(const Arguments&... arguments)
+  requires(detail::fill<3, Arguments...>())
+  constexpr explicit(sizeof...(Arguments) != 3) Vector3(const Arguments&... arguments)
       : x(detail::convert<T>(detail::component<0>(arguments...))),
         y(detail::convert<T>(detail::component<1>(arguments...))),
         z(detail::convert<T>(detail::component<2>(arguments...))) {}
@@ -170,7 +170,8 @@ struct Vector4 {
   constexpr Vector4() : x(), y(), z(), w() {}
   constexpr Vector4(T x_, T y_, T z_, T w_) : x(x_), y(y_), z(z_), w(w_) {}
   template <typename Scalar>
-  requires(detail::kComponents<Scalar> == 1) constexpr explicit Vector4(Scalar s)
+  requires(detail::kComponents<Scalar> == 1)
+  constexpr explicit Vector4(Scalar s)
       : Vector4(detail::convert<T>(s), detail::convert<T>(s), detail::convert<T>(s), detail::convert<T>(s)) {}
   template <typename U>
   constexpr explicit Vector4(Vector4<U> v)
@@ -179,8 +180,8 @@ struct Vector4 {
         z(detail::convert<T>(v.z)),
         w(detail::convert<T>(v.w)) {}
   template <typename... Arguments>
-  requires(detail::fill<4, Arguments...>()) constexpr explicit(sizeof...(Arguments) != 4)
-      Vector4(const Arguments&... arguments)
+  requires(detail::fill<4, Arguments...>())
+  constexpr explicit(sizeof...(Arguments) != 4) Vector4(const Arguments&... arguments)
       : x(detail::convert<T>(detail::component<0>(arguments...))),
         y(detail::convert<T>(detail::component<1>(arguments...))),
         z(detail::convert<T>(detail::component<2>(arguments...))),
