@@ -128,8 +128,9 @@ HN_FN hn_float hn_i_start(hn_float p) { return hn_i_select((floatBitsToUint(p) &
 HN_FN hn_vec2 hn_i_start(hn_vec2 p) { return vec2(hn_i_start(p.x), hn_i_start(p.y)); }
 HN_FN hn_vec3 hn_i_start(hn_vec3 p) { return vec3(hn_i_start(p.x), hn_i_start(p.y), hn_i_start(p.z)); }
 
-// Converting a float that does not fit an int is undefined. 2147483520 is the largest float below 2^31.
-HN_FN hn_int hn_i_cell(hn_float p) { return int(min(max(floor(hn_i_inside(p)), -2147483648.0f), 2147483520.0f)); }
+// Converting a float that does not fit an int is undefined. 2147483520 is the largest float below 2^31. In this order a
+// NaN, which octaves far beyond the domain reach, has a cell in C++, too.
+HN_FN hn_int hn_i_cell(hn_float p) { return int(min(max(-2147483648.0f, floor(hn_i_inside(p))), 2147483520.0f)); }
 HN_FN hn_ivec2 hn_i_cell(hn_vec2 p) { return ivec2(hn_i_cell(p.x), hn_i_cell(p.y)); }
 HN_FN hn_ivec3 hn_i_cell(hn_vec3 p) { return ivec3(hn_i_cell(p.x), hn_i_cell(p.y), hn_i_cell(p.z)); }
 HN_FN hn_ivec4 hn_i_cell(hn_vec4 p) { return ivec4(hn_i_cell(p.x), hn_i_cell(p.y), hn_i_cell(p.z), hn_i_cell(p.w)); }

@@ -172,7 +172,7 @@ class Code(unittest.TestCase):
             self.assertIn(f"everything, {size} kB without comments", (ROOT / "README.md").read_text())
 
     def test_single_files_around_a_noise_of_ones_own(self):
-        code, = (code for code in blocks("glsl", ["docs/knobs.md"]) if "ridged" in code)
+        code, = (code for code in blocks("glsl", ["docs/sums.md"]) if "dots" in code)
         code = re.sub(r"^#extension.*\n", "", code, flags=re.MULTILINE).replace('"fbm2d.glsl"', '"hashnoise.glsl"')
         code = re.sub(r'^#include "(.*)"$', lambda name: single_file("--strip", name[1]), code, flags=re.MULTILINE)
         code = re.sub(r"layout\(location = 0\) ", "", code).replace("#version 450", "#version 330")
