@@ -11,7 +11,6 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from unittest import mock
 
-from golden import rows
 from golden.generator import generator_of, to_f32
 from oracle import gradients, integers, noises, ramps, words
 from oracle.cells import corner_weights
@@ -250,7 +249,7 @@ class Noise(unittest.TestCase):
         for knobs in SETTINGS:
             for n in dimensions(knobs):
                 for _ in range(20):
-                    value = fixed(knobs, rows.anywhere(n, numbers), numbers.word())
+                    value = fixed(knobs, numbers.anywhere(n), numbers.word())
                     self.assertEqual(to_f32(float(value)), value)
 
     def test_nothing_overflows_and_how_large_it_gets(self) -> None:
