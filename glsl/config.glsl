@@ -25,6 +25,7 @@
 //   HN_I_BITCAST       whether uintBitsToFloat exists; else the same values are computed by exact arithmetic
 //   HN_I_HAS_PRECISE   whether HN_PRECISE is possible. HN_I_KEYWORD then stands before what is rounded on its own
 //   HN_I_OUT(type)     a parameter that the function sets, and HN_I_INOUT(type), one that it changes
+//   HN_I_NEW(type, x)  declares a struct x, whose members are set one by one
 //   HN_I_HIGHP         stands before every type. GLSL ES has three precisions. In fragment shaders an int is mediump,
 //                      with 16 bits, unless the declaration says otherwise. Your own default precision stays as it is.
 //                      Elsewhere it is empty: nothing is needed, and glslang would warn
@@ -41,6 +42,7 @@
 #endif
 #define HN_I_OUT(type) type&
 #define HN_I_INOUT(type) type&
+#define HN_I_NEW(type, name) type name{}  // without the braces -Weffc++ warns
 #define HN_I_BITCAST 1
 #define HN_I_HAS_PRECISE 1
 #define HN_I_KEYWORD  // the compiler's flags decide
@@ -48,6 +50,7 @@
 #define HN_FN
 #define HN_I_OUT(type) out type
 #define HN_I_INOUT(type) inout type
+#define HN_I_NEW(type, name) type name
 #define HN_I_KEYWORD precise
 #if (!defined(__VERSION__) && !defined(GL_GOOGLE_cpp_style_line_directive)) || defined(__HLSL_VERSION)
 #define HN_I_VERSION 460

@@ -19,7 +19,7 @@ HN_FN hn_vec2 hn_i_place_of(hn_i_whole2 q) {
 }
 
 HN_FN hn_i_whole2 hn_i_position(hn_ivec2 cell, hn_vec2 f) {
-  hn_i_whole2 q;
+  HN_I_NEW(hn_i_whole2, q);
   q.x = hn_i_whole(cell.x, f.x);
   q.y = hn_i_whole(cell.y, f.y);
   return q;
@@ -28,7 +28,7 @@ HN_FN hn_i_whole2 hn_i_position(hn_ivec2 cell, hn_vec2 f) {
 // The next position of a tile, which must not turn. 5767168 and others are the shifts, in units of 2^-24.
 HN_FN hn_i_whole2 hn_i_next_tile(hn_i_whole2 q, hn_float lacunarity) {
   hn_uint ratio = hn_i_ratio(lacunarity);
-  hn_i_whole2 next;
+  HN_I_NEW(hn_i_whole2, next);
   next.x = hn_i_shifted(hn_i_times_ratio(q.x, ratio), 5767168);
   next.y = hn_i_shifted(hn_i_times_ratio(q.y, ratio), 9961472);
   return next;
@@ -38,7 +38,7 @@ HN_FN hn_i_whole2 hn_i_next(hn_i_whole2 q, hn_float lacunarity) {
   hn_uint ratio = hn_i_ratio(lacunarity);
   hn_ivec2 x = hn_i_times_ratio(q.x, ratio);
   hn_ivec2 y = hn_i_times_ratio(q.y, ratio);
-  hn_i_whole2 next;
+  HN_I_NEW(hn_i_whole2, next);
   next.x = hn_i_shifted(hn_i_turned_axis(x, y, 25, -20), 5767168);
   next.y = hn_i_shifted(hn_i_turned_axis(y, x, 25, 20), 9961472);
   return next;
@@ -49,7 +49,7 @@ HN_FN hn_i_whole2 hn_i_next(hn_i_whole2 q, hn_float lacunarity) {
 #define HN_I_PLACE2 hn_i_whole2
 
 HN_FN hn_i_whole2 hn_i_position(hn_vec2 p) {
-  hn_i_whole2 q;
+  HN_I_NEW(hn_i_whole2, q);
   q.x = hn_i_whole(p.x);
   q.y = hn_i_whole(p.y);
   return q;

@@ -20,7 +20,7 @@ HN_FN hn_vec3 hn_i_place_of(hn_i_whole3 q) {
 }
 
 HN_FN hn_i_whole3 hn_i_position(hn_ivec3 cell, hn_vec3 f) {
-  hn_i_whole3 q;
+  HN_I_NEW(hn_i_whole3, q);
   q.x = hn_i_whole(cell.x, f.x);
   q.y = hn_i_whole(cell.y, f.y);
   q.z = hn_i_whole(cell.z, f.z);
@@ -30,7 +30,7 @@ HN_FN hn_i_whole3 hn_i_position(hn_ivec3 cell, hn_vec3 f) {
 // The next position of a tile, which must not turn. 5767168 and others are the shifts, in units of 2^-24.
 HN_FN hn_i_whole3 hn_i_next_tile(hn_i_whole3 q, hn_float lacunarity) {
   hn_uint ratio = hn_i_ratio(lacunarity);
-  hn_i_whole3 next;
+  HN_I_NEW(hn_i_whole3, next);
   next.x = hn_i_shifted(hn_i_times_ratio(q.x, ratio), 5767168);
   next.y = hn_i_shifted(hn_i_times_ratio(q.y, ratio), 9961472);
   next.z = hn_i_shifted(hn_i_times_ratio(q.z, ratio), 12058624);
@@ -43,7 +43,7 @@ HN_FN hn_i_whole3 hn_i_next(hn_i_whole3 q, hn_float lacunarity) {
   hn_ivec2 x = hn_i_times_ratio(q.x, ratio);
   hn_ivec2 y = hn_i_times_ratio(q.y, ratio);
   hn_ivec2 z = hn_i_times_ratio(q.z, ratio);
-  hn_i_whole3 next;
+  HN_I_NEW(hn_i_whole3, next);
   hn_ivec2 turned = hn_i_turned_axis(y, x, 25, 20);
   next.x = hn_i_shifted(hn_i_turned_axis(x, y, 25, -20), 5767168);
   next.y = hn_i_shifted(hn_i_turned_axis(turned, z, 29, -13), 9961472);
@@ -56,7 +56,7 @@ HN_FN hn_i_whole3 hn_i_next(hn_i_whole3 q, hn_float lacunarity) {
 #define HN_I_PLACE3 hn_i_whole3
 
 HN_FN hn_i_whole3 hn_i_position(hn_vec3 p) {
-  hn_i_whole3 q;
+  HN_I_NEW(hn_i_whole3, q);
   q.x = hn_i_whole(p.x);
   q.y = hn_i_whole(p.y);
   q.z = hn_i_whole(p.z);

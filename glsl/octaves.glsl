@@ -261,7 +261,7 @@ HN_FN hn_num hn_i_last_part(hn_float detail, hn_int octaves) {
 }
 
 HN_FN hn_i_octave_sum hn_i_begin(hn_int octaves, hn_float lacunarity, hn_float gain, hn_num option, hn_uint seed) {
-  hn_i_octave_sum s;
+  HN_I_NEW(hn_i_octave_sum, s);
   s.sum = HN_I_WEIGHT_ONE - HN_I_WEIGHT_ONE;
   s.weight = HN_I_WEIGHT_ONE;
   s.carried = HN_I_WEIGHT_ONE;

@@ -138,6 +138,7 @@ class ShaderRewriter {
       after_parameters = parser_.peek().is(")");
       copy();
     }
+    if (at_end()) return;  // behind lines that are macros
     if (parser_.peek().is(";")) return copy();
     if (after_parameters) {
       place_ = {};

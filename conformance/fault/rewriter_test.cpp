@@ -22,6 +22,14 @@ std::string body(std::string_view code, const Rules& rules = kAll) {
   return result->substr(kOpen.size(), result->size() - kOpen.size() - 1);
 }
 
+TEST(Rewriter, KeepsLinesThatAreMacros) {
+  constexpr std::string_view kLines = "#define F(a, b) float a(float x) { return b(x); }\nF(f, sin)\nF(g, cos)\n";
+  const auto same = rewrite(kLines, kAll);
+  ASSERT_TRUE(same) << same.error().message;
+  EXPECT_EQ(*same, kLines);
+  EXPECT_TRUE(rewrite(std::string(kLines) + "float h() { return f(1.0); }", {}));
+}
+
 TEST(Rewriter, NoRulesChangeNothing) {
   for (const EmbeddedFile& file : kLibraryFiles) {
     const auto same = rewrite(file.text, {});
