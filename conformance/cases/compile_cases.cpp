@@ -89,11 +89,13 @@ void add_file_cases(std::vector<Case>& cases, std::string_view file, const Confi
     const bool chosen = plain || file == whole || (is_main(configuration, profile) && stage == Stage::fragment);
     return chosen ? Extent::one_driver : Extent::thorough;
   };
+  // A file that includes others must not lose one.
+  const Callees callees = configuration.is_default() ? Callees::of_each_file : Callees::of_each_family;
   const auto add_glslang = [&](Stage stage) {
     cases.push_back({name_of(file, configuration, stage, profile, profile.spirv ? "spirv" : "glslang"),
                      ReferenceKind{[=, &configuration, &profile](const Suite& suite) {
-                       return check_with_glslang(suite, profile, calling_shader(file, configuration, profile, stage),
-                                                 stage);
+                       return check_with_glslang(suite, profile,
+                                                 calling_shader(file, configuration, profile, stage, callees), stage);
                      }},
                      extent_in(stage, "hashnoise.glsl")});
   };

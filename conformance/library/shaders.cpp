@@ -27,17 +27,20 @@ std::set<std::string_view> included_by(std::string_view file) {
 }
 
 // What the shader that tries a file calls: the functions of that file, but not twice a function that has two rows
-// (bench calls it once). Of the files that it includes it calls the first function of each family, if the file has no
-// function of its own or is the whole library: each of them is tried alone as well, and a driver takes long to compile
-// them all.
-std::vector<const Function*> called_from(std::string_view file) {
+// (bench calls it once). Of the files that it includes it calls the first function of each file or family, if the file
+// has no function of its own or is the whole library.
+std::vector<const Function*> called_from(std::string_view file, Callees callees) {
   std::vector<const Function*> own;
   std::vector<const Function*> others;
-  std::set<std::string_view> included = included_by(file);
+  const std::set<std::string_view> included = included_by(file);
   std::set<Family> families;
+  std::set<std::string_view> files;
   for (const Function& function : all_functions()) {
     if (function.file == file && !function.call.empty()) own.push_back(&function);
-    if (included.contains(function.file) && families.insert(function.family).second) others.push_back(&function);
+    if (!included.contains(function.file)) continue;
+    const bool of_new_family = families.insert(function.family).second;
+    const bool of_new_file = files.insert(function.file).second;
+    if (callees == Callees::of_each_file ? of_new_file : of_new_family) others.push_back(&function);
   }
   if (own.empty() || file == "hashnoise.glsl") own.insert(own.end(), others.begin(), others.end());
   return own;
@@ -272,11 +275,11 @@ std::string vertex_shader() {
 std::string idle_fragment_shader() { return "void main() {}\n"; }
 
 std::string calling_shader(std::string_view file, const Configuration& configuration, const Profile& profile,
-                           Stage stage) {
+                           Stage stage, Callees callees) {
   const StageText of_stage = compiled_text_of(stage, profile.spirv);
   std::string text = compiling_preamble(profile) + of_stage.layout;
   text += fmt::format("{}#include \"{}\"\n#include \"{}\"\n", knobs_of(configuration), file, file);
-  const std::vector<const Function*> called = called_from(file);
+  const std::vector<const Function*> called = called_from(file, callees);
   std::string calls;
   int count = 0;
   for (const std::string_view seeding : {kSeeded, kUnseeded}) {
