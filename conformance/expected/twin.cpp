@@ -49,8 +49,10 @@ constexpr bool is_covered(hn::Family family) { return (kFamilies[HN_TWIN] & stat
 // By family, since some are not even declared with the sine gradient (hn::is_declared).
 #if HN_GRADIENT == HN_GRADIENT_SINE
 #define HN_TWIN_octahedral_noise(...)
+#define HN_TWIN_octahedral_octave_sum(...)
 #else
 #define HN_TWIN_octahedral_noise HN_TWIN_ENTRY
+#define HN_TWIN_octahedral_octave_sum HN_TWIN_ENTRY
 #endif
 #define HN_TWIN_independent HN_TWIN_ENTRY
 #define HN_TWIN_hash HN_TWIN_ENTRY

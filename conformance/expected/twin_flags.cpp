@@ -116,8 +116,10 @@ int main() {
 // Some families are not declared with the sine gradient.
 #if HN_GRADIENT == HN_GRADIENT_SINE
 #define OF_octahedral_noise(...)
+#define OF_octahedral_octave_sum(...)
 #else
 #define OF_octahedral_noise TRIED
+#define OF_octahedral_octave_sum TRIED
 #endif
 #define OF_independent TRIED
 #define OF_hash TRIED

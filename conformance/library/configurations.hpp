@@ -31,6 +31,8 @@ enum class Family : unsigned {
   curl = 1u << 12,
   cellular = 1u << 13,          // cellular noise without further settings; HN_GRADIENT does not change it
   further_cellular = 1u << 14,  // with periods, a jitter, a metric, and what it sets
+  // Octave sums of noise that is not declared with the sine gradient.
+  octahedral_octave_sum = 1u << 15,
 };
 
 constexpr unsigned operator|(Family a, Family b) { return static_cast<unsigned>(a) | static_cast<unsigned>(b); }

@@ -12,13 +12,13 @@ from tree import FUNCTIONS
 # Functions whose values depend on the same knobs.
 FAMILIES = ("independent", "hash", "gradient", "sine_gradient", "gradient_noise", "lattice_noise", "octave_sum",
             "further_gradient_noise", "octahedral_noise", "further_lattice_noise", "further_octave_sum",
-            "simplex_noise", "curl", "cellular", "further_cellular")
+            "simplex_noise", "curl", "cellular", "further_cellular", "octahedral_octave_sum")
 NOISES = ("gradient_noise", "lattice_noise", "further_gradient_noise", "octahedral_noise", "further_lattice_noise",
           "simplex_noise", "cellular", "further_cellular")
-OCTAVE_SUMS = ("octave_sum", "further_octave_sum")
+OCTAVE_SUMS = ("octave_sum", "further_octave_sum", "octahedral_octave_sum")
 # Few settings have values of these.
 FURTHER = ("further_gradient_noise", "octahedral_noise", "further_lattice_noise", "further_octave_sum",
-           "simplex_noise", "curl", "cellular", "further_cellular")
+           "simplex_noise", "curl", "cellular", "further_cellular", "octahedral_octave_sum")
 
 # What the names of the inputs say that a function takes; n of them have an axis.
 FORMS = {
@@ -29,9 +29,9 @@ FORMS = {
     "cell": re.compile(r"(?:c[xyzw]:i32 )+(?:f[xyzw]:f32 )+(?:p[xyzw]:i32 )*(?:phase:f32 )?(?:jitter:f32 )?"
                        r"(?:metric:i32 )?seed:u32"),
     # From a position, or from a cell and a fraction: the settings stand behind those and the periods.
-    "sum": re.compile(r"(?:(?:[xyz]:f32 )+|(?:c[xyz]:i32 )+(?:f[xyz]:f32 )+)(?:p[xyz]:i32 )*"
+    "sum": re.compile(r"(?:(?:[xyzw]:f32 )+|(?:c[xyzw]:i32 )+(?:f[xyzw]:f32 )+)(?:p[xyzw]:i32 )*"
                       r"(?P<settings>(?:(?:footprint:f32 )?octaves:i32|detail:f32) lacunarity:f32 gain:f32 "
-                      r"(?:strength:f32 )?)seed:u32"),
+                      r"(?:strength:f32 |amplitude:f32 )?)seed:u32"),
     # A position that is a whole number of units: where it is, and the noise there.
     "place": re.compile(r"(?:[xyzw]:i32 )+cells:i32 units:i32"),
     "place_of_noise": re.compile(r"(?:[xyzw]:i32 )+cells:i32 units:i32 seed:u32"),
