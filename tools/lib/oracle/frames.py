@@ -20,6 +20,7 @@ from oracle.sums import FixedPlace, Options, Place, SEED_STEP, Terms, clamped, f
 from oracle.words import MASK, mix, signed as wrapped
 
 LARGEST_STRENGTH, LARGEST_AMPLITUDE = 16, 64
+LARGEST_SUM = 8  # of the slopes that an eroded sum looks at
 
 
 def seeds_of(seed: int, n: int) -> Iterator[int]:
@@ -86,7 +87,7 @@ def eroded(noise: Noise, knobs: Knobs, place: Place, options: Options, seed: int
     for weight, g in zip(terms.weights, slopes, strict=True):
         if not periods:
             e = turn(e, sums.thirty_second)
-        e = [clamped(a + b, -8, 8) for a, b in zip(e, g)]
+        e = [clamped(a + b, -LARGEST_SUM, LARGEST_SUM) for a, b in zip(e, g)]
         shares.append(weight / (1 + strength * sum(x * x for x in e)))
     return (sums.fbm(replace(terms, shares=shares)),)
 
@@ -145,7 +146,7 @@ def warp_progressive(noise: Noise, knobs: Knobs, place: Place, options: Options,
 # What may wrap outside of the contract's domain, and only there, goes through `wrapped`.
 
 LARGEST_SLOPE = 4 * SLOPE_UNIT
-LARGEST_E = 2**15  # in units of 2^-12
+LARGEST_E = LARGEST_SUM * 2**12
 
 
 def prod(a: int, b: int) -> int:
