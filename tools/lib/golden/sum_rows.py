@@ -32,7 +32,8 @@ EDGES: Edges = {
                  (-0.0, 1e-40, 2.0**-19, 2.0**-18, 511 * 2.0**-18, 1 - 2.0**-18, 1 - 2.0**-24, 1 + 2.0**-23, 1 / 3,
                   3e38, -3e38)),
     "eroded": ((0.0, 1.0, 0.25, 4.0, 16.0, 20.0, -1.0),
-               (-0.0, 1e-40, 2.0**-19, 2.0**-18, 511 * 2.0**-18, 1 / 3, 15.9, 16 - 2.0**-18, 16 + 2.0**-17, 3e38, -3e38)),
+               (-0.0, 1e-40, 2.0**-19, 2.0**-18, 511 * 2.0**-18, 1 / 3, 15.9, 16 - 2.0**-18, 16 + 2.0**-17, 3e38,
+                -3e38)),
     # From 8 on the shifts of fixed arithmetic have more bits than a float.
     "amplitude": ((0.0, 1.0, 0.5, 2.0, 64.0, 100.0, -1.0),
                   (-0.0, 1e-40, 2.0**-19, 2.0**-18, 511 * 2.0**-18, 1 / 3, 8.0, 8 + 2.0**-17, 31.7, 63.9, 64 - 2.0**-18,
@@ -178,8 +179,9 @@ def of_slopes_and_shifts(function: Function, generator: Generator) -> list[Row]:
     rows = [steep(function)] if function.bound == "eroded" else []
     for _ in range(2 * (not function.has_cell)):
         # The second octave would be at a place that no float has.
-        place, periods = tuple(generator.pick(TINY) for _ in range(function.axes)), periods_of(function, 1, 2.0, generator)
-        rows.append(place + periods + settings(function, 1, 2.0, 0.5, usual(function, 1, generator)) + (generator.seed(),))
+        place = tuple(generator.pick(TINY) for _ in range(function.axes))
+        periods, special = periods_of(function, 1, 2.0, generator), usual(function, 1, generator)
+        rows.append(place + periods + settings(function, 1, 2.0, 0.5, special) + (generator.seed(),))
     return rows
 
 
