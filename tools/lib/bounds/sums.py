@@ -17,10 +17,10 @@ from bounds.table import Bounds
 
 KINDS = ("fbm", "turbulence", "clouds", "billow", "ridged", "ping_pong", "weighted")
 CLAMPED = ("billow", "ridged", "ping_pong", "weighted")  # in which a noise beyond [-1, 1] counts as the nearer end
-SHIFT_MAX = {2: 19 / 32, 3: 23 / 32}  # the largest component of the shift between octaves
-# By how much the turns of a position make a length larger at most: in the plane of x and y, then in that of y and z.
-# The second makes lengths in its plane smaller, but not that along x.
-TURNS = (math.hypot(25, 20) / 32, max(math.hypot(29, 13) / 32, 1.0))
+SHIFT_MAX = {1: 11 / 32, 2: 19 / 32, 3: 23 / 32, 4: 27 / 32}  # the largest component of the shift between octaves
+# By how much the turns of a position make a length larger at most: in the plane of x and y, then in that of y and z,
+# then in that of z and w. The second makes lengths in its plane smaller, but not that along x.
+TURNS = (math.hypot(25, 20) / 32, max(math.hypot(29, 13) / 32, 1.0), math.hypot(25, 20) / 32)
 WHOLE = 2.0**-24  # the unit of whole positions
 WEIGHT_UNIT = 1 / FADE_ONE
 
@@ -85,6 +85,8 @@ def float_positions(s: Sum, dims: int) -> Iterator[float]:
 
         2D: x' = (c*x - s*y) + 11/32;  y' = (s*x + c*y) + 19/32
         3D: v = s*x + c*y;  x' as before;  y' = (29/32*v - e*z) + 19/32;  z' = (13/32*v + d*z) + 23/32
+        4D: u = 13/32*v + d*z;  x', y' as before;  z' = (25/32*u - s*w) + 23/32;  w' = (20/32*u + c*w) + 27/32
+        1D: as with a period
 
     and lengths are bounded, which turns stretch by TURNS, coordinates by much more. A coordinate goes through no more
     than 2 n roundings, the last of them after the shift, of terms whose magnitudes sum to no more than the stretched
