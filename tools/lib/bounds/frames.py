@@ -1,0 +1,202 @@
+"""How far octave sums with slopes, and warps, may be off, from the bounds of their noise and its derivatives: in fixed
+arithmetic.
+
+The frame of an octave is a matrix K. Its columns, which a derivative is a product with, and its rows, which a shift is,
+are lengthened by no more than the turns stretch lengths. Integers of a frame do not depend on the position, and so they
+are compared with the exact numbers as they are.
+
+Lengths are bounded, as those of positions are; with a period nothing turns, and each coordinate is bounded on its own.
+A gradient of noise is no longer than L of the noise: that is the largest sum of the magnitudes of its components."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from bounds.integers import FADE_ONE, SLOPE_UNIT, UNIT
+from bounds.sums import (TURNS, WEIGHT_UNIT, Sum, clamped_strength, first_whole_position, fixed_mean_error,
+                         fixed_strength, fixed_weights, next_whole_position, weight_changes, whole_positions)
+from bounds.table import Bounds
+
+PLANES = ((25, 20), (29, 13), (25, 20))  # the turns of the contract: of an axis and the next
+LARGEST_GROWTH, LARGEST_SHIFT = 64.0, 256.0  # for which the bounds are promised
+SLOPE_LIMIT = 4.0  # of a component, beyond which it is cut off
+FALL_LIMIT = 8.0  # the same of what hn_eroded sums of slopes
+FALL_UNIT = 2.0**-12
+LARGEST_AMPLITUDE = 64.0
+DOUBLES = 1e-12  # more than the rounding errors of 32 frames of up to 64, computed in doubles
+COARSE = 127  # what a large result loses at most, in its units
+
+
+def lengths(s: Sum, dims: int) -> float:
+    """How much longer a vector is than its largest coordinate, where lengths are bounded."""
+    return math.sqrt(dims) if s.turns else 1.0
+
+
+def stretch(s: Sum, dims: int) -> float:
+    """Of a length, by the turns between two octaves."""
+    return math.prod(TURNS[:dims - 1]) if s.turns else 1.0
+
+
+def is_bounded(s: Sum) -> bool:
+    """Whether the bounds are promised for these arguments."""
+    if not (0 <= s.lacunarity <= 255 and 0 <= s.gain <= 1 and s.octaves <= 32):
+        return False
+    growth = [(s.gain * s.lacunarity)**i for i in range(s.count)]
+    return sum(growth) <= LARGEST_GROWTH and (
+        s.kind != "warp_progressive" or clamped_amplitude(s) * max(growth, default=0.0) <= LARGEST_SHIFT)
+
+
+def clamped_amplitude(s: Sum) -> float:
+    return min(max(s.amplitude, 0.0), LARGEST_AMPLITUDE)
+
+
+# --- Frames -----------------------------------------------------------------------------------------------------------
+
+def exact_frames(s: Sum, dims: int) -> Iterator[np.ndarray]:
+    """The matrices K_i."""
+    turn = np.eye(dims)
+    for axis, (c, t) in enumerate(PLANES[:dims - 1] if s.turns else ()):
+        of_plane = np.eye(dims)
+        of_plane[axis:axis + 2, axis:axis + 2] = [[c / 32, -t / 32], [t / 32, c / 32]]
+        turn = of_plane @ turn
+    frame = np.eye(dims)
+    while True:
+        yield frame
+        frame = s.gain * s.lacunarity * turn @ frame
+
+
+def fixed_frames(s: Sum, dims: int) -> Iterator[list[list[int]]]:
+    """The same in units of 2^-18, by rows. In the plane (c, s) is the first column, from which the second follows."""
+    columns = 1 if dims == 2 else dims
+    rows = [[FADE_ONE * (row == column) for column in range(columns)] for row in range(dims)]
+    growth = math.trunc(s.gain * FADE_ONE) * math.trunc(s.lacunarity * 2**23) >> 23
+    while True:
+        yield [[rows[0][0], -rows[1][0]], [rows[1][0], rows[0][0]]] if dims == 2 else rows
+        rows = [[number * growth >> 18 for number in row] for row in rows]
+        for axis, (c, t) in enumerate(PLANES[:dims - 1] if s.turns else ()):
+            rows[axis:axis + 2] = ([(c * a - t * b) // 32 for a, b in zip(*rows[axis:axis + 2])],
+                                   [(t * a + c * b) // 32 for a, b in zip(*rows[axis:axis + 2])])
+
+
+def frames(s: Sum, dims: int) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+    """Of each octave, the fixed frame and the exact one."""
+    for _, fixed, exact in zip(range(s.count), fixed_frames(s, dims), exact_frames(s, dims)):
+        yield np.array(fixed) / FADE_ONE, exact
+
+
+def longest_column(matrix: np.ndarray) -> float:
+    return float(np.linalg.norm(matrix, axis=0).max()) + DOUBLES
+
+
+def norm(matrix: np.ndarray) -> float:
+    """How much longer a vector becomes."""
+    return float(np.linalg.norm(matrix, 2)) + DOUBLES
+
+
+# --- Slopes -----------------------------------------------------------------------------------------------------------
+
+def steepest(s: Sum, noise: Bounds, slope: Bounds) -> float:
+    """The longest gradient of the noise, as computed."""
+    return min(lengths(s, noise.dimensions) * slope.fixed_limit,
+               noise.lipschitz + lengths(s, noise.dimensions) * slope.fixed_error)
+
+
+def position_effects(s: Sum, bounds: Bounds) -> list[float]:
+    """The errors of the noise of each octave, or of its derivatives, where positions do not depend on the noise."""
+    return [min(bounds.lipschitz * error + bounds.fixed_error, 2 * bounds.fixed_limit)
+            for _, error in zip(range(s.count), whole_positions(s, bounds.dimensions))]
+
+
+def fixed_slope_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
+    """The largest error of a derivative of hn_fbm_d: with the columns K of the frames, sum(K . g) / T. A column is off
+    by a part of what it is divided by, since both are in units of 2^-18. Each product of its numbers is rounded down by
+    less than a unit, and so is the division; a result of 32 and more is cut to 127 units."""
+    if not is_bounded(s):
+        return math.inf
+    if not s.count:
+        return 0.0
+    dims, longest = noise.dimensions, steepest(s, noise, slope)
+    total, exact_total = sum(fixed_weights(s)) / FADE_ONE, sum(s.weights)
+    error, largest = (dims * s.count / total + 1) * SLOPE_UNIT, 0.0
+    for slope_err, (fixed, exact) in zip(position_effects(s, slope), frames(s, dims)):
+        error += longest_column(fixed) / total * lengths(s, dims) * slope_err
+        error += longest_column(fixed / total - exact / exact_total) * longest
+        largest += longest_column(fixed) / total * longest
+    return error + (COARSE * SLOPE_UNIT if largest + SLOPE_UNIT * dims * s.count >= 32 else 0.0)
+
+
+# --- Erosion ----------------------------------------------------------------------------------------------------------
+
+def steepest_fall(strength: float, reach: float) -> float:
+    """The largest slope of 1 / (1 + strength r^2) for r up to `reach`: it is steepest where strength r^2 = 1/3."""
+    r = min(reach, 1 / math.sqrt(3 * strength)) if strength > 0 else reach
+    return 2 * strength * r / (1 + strength * r**2)**2
+
+
+def fixed_fall_errors(s: Sum, noise: Bounds, slope: Bounds) -> list[float]:
+    """Of the factors 1 / (1 + strength |e|^2). A slope is rounded down to 2^-12, and so are two coordinates by each
+    turn; a clamp brings no two vectors further apart. The square times the strength rounds down by less than 2^-16 of
+    a number from 1 on, and the quotient by 2^-18. What is cut of the strength changes a factor by up to
+    d r^2 / (1 + strength r^2)^2, which is largest where strength r^2 = 1."""
+    dims, axes = noise.dimensions, math.sqrt(noise.dimensions)
+    strength, cut = fixed_strength(s)
+    longest = min(axes * slope.fixed_limit, noise.lipschitz + axes * slope.fixed_error)
+    turns, ends, errs = TURNS[:dims - 1] if s.turns else (), axes * FALL_LIMIT, []
+    err, reach = 0.0, 0.0
+    for slope_err in position_effects(s, slope):
+        for turn in turns if errs else ():
+            err, reach = turn * err + math.sqrt(2) * FALL_UNIT, turn * reach + math.sqrt(2) * FALL_UNIT
+        err = min(err + axes * (slope_err + FALL_UNIT), 2 * ends)
+        reach = min(reach + longest + axes * FALL_UNIT, ends)
+        of_cut = cut * (min(reach**2, 1 / (4 * strength)) if strength > 0 else reach**2)
+        errs.append(min(steepest_fall(strength, reach) * err + of_cut + 2.0**-16 + WEIGHT_UNIT, 1.0))
+    return errs
+
+
+def fixed_eroded_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
+    """The largest error of hn_eroded, which is a mean of n / (1 + strength |e|^2). The product of a weight with the
+    factor is rounded down to 2^-18."""
+    if not is_bounded(s):
+        return math.inf
+    if not s.count:
+        return 0.0
+    limit, total = noise.fixed_limit, sum(fixed_weights(s)) / FADE_ONE
+    terms = [noise_err + limit * fall_err for noise_err, fall_err in zip(position_effects(s, noise),
+                                                                         fixed_fall_errors(s, noise, slope))]
+    return fixed_mean_error(s, limit, terms) + limit * s.count * WEIGHT_UNIT / total
+
+
+# --- Warps ------------------------------------------------------------------------------------------------------------
+
+def fixed_shift_effects(s: Sum, noise: Bounds) -> list[float]:
+    """The errors of the noise of each octave of hn_warp_progressive. A position moves by a row of the frame times the
+    vectors of noise: the row and its factor are off together, each product is rounded down to 2^-21, and so is that
+    with the factor. An error of the noise comes back through the position, and grows with L."""
+    dims, axes, errs = noise.dimensions, lengths(s, noise.dimensions), []
+    amplitude, total = clamped_amplitude(s), sum(fixed_weights(s))
+    cut = (math.trunc(amplitude * FADE_ONE) * FADE_ONE // total) / FADE_ONE
+    factor, limit = amplitude / sum(s.weights), min(noise.fixed_limit, 1.0)
+    position, error = first_whole_position(s, dims)
+    for fixed, exact in frames(s, dims):
+        errs.append(min(noise.lipschitz * error + noise.fixed_error, 2 * limit))
+        error += norm(cut * fixed - factor * exact) * axes + cut * norm(fixed) * axes * errs[-1]
+        error += axes * (cut * dims + 1) * UNIT
+        position, error = next_whole_position(s, dims, position + factor * norm(exact) * axes, error)
+    return errs
+
+
+def fixed_warp_tolerance(s: Sum, noise: Bounds) -> float:
+    """The largest error of a component of hn_warp or hn_warp_progressive, which is amplitude times a mean. The product
+    is rounded down, and a result of 8 and more is cut to 127 units."""
+    if not is_bounded(s):
+        return math.inf
+    if not s.count:
+        return 0.0
+    amplitude, limit = clamped_amplitude(s), min(noise.fixed_limit, 1.0)
+    cut = math.trunc(amplitude * FADE_ONE) / FADE_ONE
+    errs = fixed_shift_effects(s, noise) if s.kind == "warp_progressive" else position_effects(s, noise)
+    error = cut * fixed_mean_error(s, limit, [min(err, 2 * limit) for err in errs]) + (amplitude - cut) * limit + UNIT
+    return error + (COARSE * UNIT if cut >= 8 else 0.0)
