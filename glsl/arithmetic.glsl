@@ -100,8 +100,10 @@ HN_FN hn_float hn_i_inside(hn_float f) { return f; }
 HN_FN hn_vec2 hn_i_inside(hn_vec2 f) { return f; }
 HN_FN hn_vec3 hn_i_inside(hn_vec3 f) { return f; }
 HN_FN hn_vec4 hn_i_inside(hn_vec4 f) { return f; }
+HN_FN hn_float hn_i_start(hn_float p) { return p; }
 HN_FN hn_vec2 hn_i_start(hn_vec2 p) { return p; }
 HN_FN hn_vec3 hn_i_start(hn_vec3 p) { return p; }
+HN_FN hn_vec4 hn_i_start(hn_vec4 p) { return p; }
 HN_FN hn_float hn_i_settled(hn_float n) { return n; }
 
 HN_FN hn_float hn_i_quotient(hn_float a, hn_float b) { return a / b; }
@@ -127,6 +129,9 @@ HN_FN hn_float hn_i_settled(hn_float n) { return hn_i_select(abs(n) < HN_I_TINY 
 HN_FN hn_float hn_i_start(hn_float p) { return hn_i_select((floatBitsToUint(p) & 0x7F800000u) == 0u, 0.0f, p); }
 HN_FN hn_vec2 hn_i_start(hn_vec2 p) { return vec2(hn_i_start(p.x), hn_i_start(p.y)); }
 HN_FN hn_vec3 hn_i_start(hn_vec3 p) { return vec3(hn_i_start(p.x), hn_i_start(p.y), hn_i_start(p.z)); }
+HN_FN hn_vec4 hn_i_start(hn_vec4 p) {
+  return vec4(hn_i_start(p.x), hn_i_start(p.y), hn_i_start(p.z), hn_i_start(p.w));
+}
 
 // Converting a float that does not fit an int is undefined. 2147483520 is the largest float below 2^31. In this order a
 // NaN, which octaves far beyond the domain reach, has a cell in C++, too.
@@ -176,6 +181,10 @@ HN_FN hn_vec2 hn_i_times_plus(hn_vec2 a, hn_float b, hn_vec2 c) {
 }
 HN_FN hn_vec3 hn_i_times_plus(hn_vec3 a, hn_float b, hn_vec3 c) {
   HN_I_PRECISE hn_vec3 n = a * b + c;
+  return n;
+}
+HN_FN hn_vec4 hn_i_times_plus(hn_vec4 a, hn_float b, hn_vec4 c) {
+  HN_I_PRECISE hn_vec4 n = a * b + c;
   return n;
 }
 

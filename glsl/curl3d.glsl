@@ -6,9 +6,6 @@
 
 #include "simplex_d3d.glsl"
 
-// The seed of the second noise.
-HN_FN hn_uint hn_i_other_seed(hn_uint seed) { return hn_i_mix(seed + 0x9E3779B9u); }
-
 #if HN_ARITHMETIC != HN_FIXED
 
 HN_FN hn_float hn_i_velocity(hn_float a, hn_float b, hn_float c, hn_float d) { return hn_i_cross(a, b, c, d); }

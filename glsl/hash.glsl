@@ -168,6 +168,9 @@ HN_FN hn_uint hn_i_mix(hn_uint k) {
   return k ^ (k >> 15u);
 }
 
+// The seed of another field, where a function needs several.
+HN_FN hn_uint hn_i_other_seed(hn_uint seed) { return hn_i_mix(seed + 0x9E3779B9u); }
+
 // The word of a point is the product of two joins of its spread coordinates. One is the hash of the exclusive or of the
 // folded coordinates. The other is the sum of the unfolded ones, made odd so that the product loses nothing. Either
 // alone would repeat itself along some line. Points that share coordinates share the work: a noise steps from corner to

@@ -10,6 +10,8 @@
 #include "noise4d.glsl"
 #include "curl.glsl"
 #include "fbm.glsl"
+#include "fbm_d.glsl"
 #include "position.glsl"
+#include "warp.glsl"
 
 #endif

@@ -1,12 +1,12 @@
-// hashnoise: what the octave sums on the plane and in space have in common.
+// hashnoise: what octave sums have in common.
 // SPDX-License-Identifier: MIT
 //
 // A sum is a weighted mean of its octaves, or of what it makes of them; octave i weighs gain^i. Each octave has a seed
 // of its own, 2^32 divided by the golden ratio further, so that the octaves of nearby seeds do not coincide either. Each
 // is shifted, so that the lattice points, where the noise is 0, do not fall together at the origin. And each is turned,
 // so that the axes do not add up: by arctan(4/5) in the plane of x and y, and in space then by arctan(13/29) in that of
-// y and z. The numbers of the turns are 32nds, with which a position loses few bits; so they also stretch a little, by
-// 1.0005 and 0.9931.
+// y and z; in 4D a third is in that of z and w. The numbers of the turns are 32nds, with which a position loses few bits;
+// so they also stretch a little, by 1.0005 and 0.9931.
 //
 // GLSL has no functions of functions. So a sum is a macro of its noise (HN_I_SUM), made of steps that are functions:
 //
@@ -15,7 +15,8 @@
 //   hn_i_step     goes on to the next
 //   hn_i_mean     the sum, divided by the total of the weights
 //
-// A macro has to stand on one line: GLSL has no continued lines before 4.20.
+// A macro has to stand on one line: GLSL has no continued lines before 4.20. octaves_plane.glsl and octaves_space.glsl have
+// the positions of 2D and 3D, and frame.glsl what sums with slopes and shifts need as well.
 
 #ifndef HN_OCTAVES_GLSL
 #define HN_OCTAVES_GLSL
@@ -40,6 +41,7 @@ struct hn_i_octave_sum {
 #if HN_ARITHMETIC == HN_FIXED
 
 #define HN_I_WEIGHT_ONE 262144
+#define HN_I_NO_WEIGHT 0
 #define HN_I_MOST_DETAIL 32.0f
 
 // A setting in [0, most], in the units of weights.
@@ -118,6 +120,7 @@ HN_FN hn_int hn_i_billows(hn_int turbulence) { return 2 * turbulence - 2097152; 
 #else
 
 #define HN_I_WEIGHT_ONE 1.0f
+#define HN_I_NO_WEIGHT 0.0f
 #define HN_I_MOST_DETAIL 1048576.0f
 
 HN_FN hn_float hn_i_setting(hn_float x, hn_float most) { return min(max(x, 0.0f), most); }
@@ -262,7 +265,7 @@ HN_FN hn_num hn_i_last_part(hn_float detail, hn_int octaves) {
 
 HN_FN hn_i_octave_sum hn_i_begin(hn_int octaves, hn_float lacunarity, hn_float gain, hn_num option, hn_uint seed) {
   HN_I_NEW(hn_i_octave_sum, s);
-  s.sum = HN_I_WEIGHT_ONE - HN_I_WEIGHT_ONE;
+  s.sum = HN_I_NO_WEIGHT;
   s.weight = HN_I_WEIGHT_ONE;
   s.carried = HN_I_WEIGHT_ONE;
   s.option = option;
@@ -315,7 +318,7 @@ HN_FN void hn_i_add_part(HN_I_INOUT(hn_i_octave_sum) s, hn_float n) {
 HN_FN void hn_i_add_resolved(HN_I_INOUT(hn_i_octave_sum) s, hn_float n) {
   s.sum = hn_i_summed(s.sum, hn_i_octave(n), hn_i_weighed(s.weight, hn_i_resolved(s.option)));
   s.option = hn_i_next_footprint(s.option, s.lacunarity);
-  if (hn_i_resolved(s.option) == HN_I_WEIGHT_ONE - HN_I_WEIGHT_ONE) s.left = 1;
+  if (hn_i_resolved(s.option) == HN_I_NO_WEIGHT) s.left = 1;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -361,7 +364,7 @@ HN_FN void hn_i_add_resolved(HN_I_INOUT(hn_i_octave_sum) s, hn_float n) {
 #define HN_I_PARTLY(name, noise, vec, place) HN_FN hn_float name(vec p, hn_float detail, hn_float lacunarity, hn_float gain, hn_uint seed) { hn_int octaves = hn_i_whole_octaves(detail); hn_num part = hn_i_last_part(detail, octaves); place q = hn_i_position(p); HN_I_BEGIN(part) HN_I_OCTAVES(noise, hn_i_add_part) HN_I_END(hn_i_unchanged, part) }
 #define HN_I_RESOLVED(name, noise, vec, place) HN_FN hn_float name(vec p, hn_float footprint, HN_I_PLAIN(HN_I_DECLARE), hn_uint seed) { place q = hn_i_position(p); HN_I_SUM(noise, hn_i_footprint(footprint), hn_i_add_resolved, hn_i_unchanged) }
 
-// What a sum is, and the types of a dimension (HN_I_TYPES2 and HN_I_TYPES3), are lists of arguments. These take them
+// What a sum is, and the types of a dimension (HN_I_TYPES1 to HN_I_TYPES4), are lists of arguments. These take them
 // apart.
 #define HN_I_SUMS_OF(name, noise, types, sum) HN_I_SUMS(name, noise, types, sum)
 #define HN_I_TILED_OF(name, noise, types, sum) HN_I_TILED(name, noise, types, sum)
