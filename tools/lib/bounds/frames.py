@@ -1,12 +1,13 @@
-"""How far octave sums with slopes, and warps, may be off, from the bounds of their noise and its derivatives: in fixed
-arithmetic.
+"""How far octave sums with slopes, and warps, may be off, from the bounds of their noise and its derivatives: in floats,
+and in fixed arithmetic.
 
 The frame of an octave is a matrix K. Its columns, which a derivative is a product with, and its rows, which a shift is,
 are lengthened by no more than the turns stretch lengths. Integers of a frame do not depend on the position, and so they
 are compared with the exact numbers as they are.
 
 Lengths are bounded, as those of positions are; with a period nothing turns, and each coordinate is bounded on its own.
-A gradient of noise is no longer than L of the noise: that is the largest sum of the magnitudes of its components."""
+L of a noise is the largest sum of the magnitudes of its derivatives. It bounds the lengths of gradients, and with them
+how far noise changes with the length of a step: less than L times the step."""
 
 from __future__ import annotations
 
@@ -15,9 +16,12 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from bounds.floats import TINY
+from bounds.floats import UNIT as FLOAT_UNIT
 from bounds.integers import FADE_ONE, SLOPE_UNIT, UNIT
-from bounds.sums import (TURNS, WEIGHT_UNIT, Sum, clamped_strength, first_whole_position, fixed_mean_error,
-                         fixed_strength, fixed_weights, next_whole_position, weight_changes, whole_positions)
+from bounds.sums import (TURNS, WEIGHT_UNIT, WHOLE, Sum, clamped_strength, first_whole_position, fixed_mean_error,
+                         fixed_strength, fixed_weights, float_positions, float_sum_error, lengths, next_float_position,
+                         next_whole_position, whole_positions)
 from bounds.table import Bounds
 
 PLANES = ((25, 20), (29, 13), (25, 20))  # the turns of the contract: of an axis and the next
@@ -30,15 +34,166 @@ DOUBLES = 1e-12  # more than the rounding errors of 32 frames of up to 64, compu
 COARSE = 127  # what a large result loses at most, in its units
 
 
-def lengths(s: Sum, dims: int) -> float:
-    """How much longer a vector is than its largest coordinate, where lengths are bounded."""
-    return math.sqrt(dims) if s.turns else 1.0
-
-
 def stretch(s: Sum, dims: int) -> float:
     """Of a length, by the turns between two octaves."""
     return math.prod(TURNS[:dims - 1]) if s.turns else 1.0
 
+
+def longest_gradient(noise: Bounds, slope: Bounds) -> float:
+    """Components of at most m whose magnitudes have a sum of at most L have the largest length where as many as can be
+    are m, and one is the rest."""
+    full, rest = divmod(noise.lipschitz, slope.limit)
+    return min(math.sqrt(full * slope.limit**2 + rest**2), math.sqrt(noise.dimensions) * slope.limit)
+
+
+def steepest(s: Sum, noise: Bounds, slope: Bounds) -> float:
+    """How much noise changes by, per step: of lengths, or where these are not bounded of the largest coordinate."""
+    return longest_gradient(noise, slope) if s.turns else noise.lipschitz
+
+
+def clamped_amplitude(s: Sum) -> float:
+    return min(max(s.amplitude, 0.0), LARGEST_AMPLITUDE)
+
+
+def steepest_fall(strength: float, reach: float) -> float:
+    """The largest slope of 1 / (1 + strength r^2) for r up to `reach`: it is steepest where strength r^2 = 1/3."""
+    r = min(reach, 1 / math.sqrt(3 * strength)) if strength > 0 else reach
+    return 2 * strength * r / (1 + strength * r**2)**2
+
+
+# --- In floats --------------------------------------------------------------------------------------------------------
+
+def float_effects(s: Sum, bounds: Bounds, steepest: float) -> list[float]:
+    """The errors of the noise of each octave, or of its derivatives, where positions do not depend on the noise."""
+    positions = (whole_positions if s.from_cell else float_positions)(s, bounds.dimensions)
+    of_noise = bounds.cell_error if s.from_cell else bounds.error
+    return [min(steepest * error + of_noise, 2 * bounds.limit) for _, error in zip(range(s.count), positions)]
+
+
+def float_frames(s: Sum, dims: int) -> list[tuple[float, float]]:
+    """Of each octave, how long a column of the frame is, and by how much it is off. A number goes through 2 n
+    roundings, as the coordinate of a position does."""
+    axes, growth, found = lengths(s, dims), s.gain * abs(s.lacunarity) * stretch(s, dims), []
+    column, error = 1.0, 0.0
+    for _ in range(s.count):
+        found.append((column, error))
+        of_number = ((1 + FLOAT_UNIT)**(2 * dims) - 1) * growth * (column + error) + TINY * (4 * (column + error) + 8)
+        column, error = growth * column, growth * error + axes * of_number
+    return found
+
+
+def float_total(s: Sum) -> tuple[float, float]:
+    """T, and by how much it is off: T = gain*T + 1, for each octave."""
+    total, error = 0.0, 0.0
+    for _ in range(s.count):
+        error = s.gain * (error + FLOAT_UNIT * (total + error)) + TINY
+        total = 1 + s.gain * total
+        error += FLOAT_UNIT * (total + error)
+    return total, error
+
+
+def in_domain(s: Sum) -> bool:
+    """GLSL bounds the error of a division only for divisors up to 2^126. No number of a frame may overflow."""
+    return float_total(s)[0] <= 2.0**126 and (s.gain * abs(s.lacunarity))**max(s.count - 1, 0) <= 2.0**96 and (
+        not s.from_cell or 0 <= s.lacunarity <= 255)
+
+
+def slope_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
+    """The largest error of a derivative of hn_fbm_d.
+
+        in the plane, with the frame (c, s):    D_x = D_x + (c*g_x + s*g_y);  D_y = D_y + (c*g_y - s*g_x)
+        in space, along each axis:              D = D + ((R_x*g_x + R_y*g_y) + R_z*g_z)
+        value = D / T
+
+    The products of a column with a gradient have magnitudes whose sum is at most the product of lengths (Cauchy)."""
+    if not s.count or not in_domain(s):
+        return math.inf if s.count else 0.0
+    dims, axes = noise.dimensions, lengths(s, noise.dimensions)
+    longest = longest_gradient(noise, slope) if s.turns else slope.limit
+    sum_err, largest = 0.0, 0.0
+    for slope_err, (column, error) in zip(float_effects(s, slope, slope.lipschitz), float_frames(s, dims)):
+        most = (column + error) * (longest + axes * slope_err)
+        sum_err += (column + error) * axes * slope_err + error * longest
+        sum_err += ((1 + FLOAT_UNIT)**dims - 1) * most + 2 * dims * TINY
+        largest += column * longest
+        sum_err += FLOAT_UNIT * (largest + sum_err)
+    total, total_err = float_total(s)
+    error = (sum_err + largest / total * total_err) / (total - total_err)
+    return error + 2.5 * FLOAT_UNIT * (largest / total + error) + TINY
+
+
+def float_fall_errors(s: Sum, noise: Bounds, slope: Bounds) -> list[float]:
+    """Of the factors 1 / (1 + strength |e|^2), and of their products with the weights:
+
+        e = clamp(turn(e) + g, -8, 8);  1 / (strength*(e_x*e_x + e_y*e_y [+ e_z*e_z]) + 1) * weight
+
+    A coordinate goes through 2 (n - 1) roundings in the turns, and one more. A clamp brings no two vectors further
+    apart. The divisor goes through n + 2 roundings of terms that are not negative."""
+    dims, axes, strength = noise.dimensions, math.sqrt(noise.dimensions), clamped_strength(s)
+    longest, turned, ends = longest_gradient(noise, slope), stretch(s, dims), axes * FALL_LIMIT
+    rounding = (1 + FLOAT_UNIT)**(2 * (dims - 1)) - 1 if s.turns else 0.0
+    of_factor = (1 + FLOAT_UNIT)**(dims + 2) - 1 + 3.5 * FLOAT_UNIT + 1000 * TINY
+    error, reach, errs = 0.0, 0.0, []
+    for slope_err in float_effects(s, slope, slope.lipschitz):
+        error = turned * error + axes * (rounding * turned * (reach + error) + 8 * TINY)
+        error += axes * slope_err
+        error = min(error + FLOAT_UNIT * (turned * reach + longest + error) + axes * TINY, 2 * ends)
+        reach = min(turned * reach + longest, ends)
+        errs.append(min(steepest_fall(strength, ends) * error + of_factor, 1.001))
+    return errs
+
+
+def eroded_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
+    """The largest error of hn_eroded, which is a mean of n / (1 + strength |e|^2)."""
+    if not s.count or not in_domain(s):
+        return math.inf if s.count else 0.0
+    terms = [noise_err + noise.limit * fall_err for noise_err, fall_err in zip(
+        float_effects(s, noise, steepest(s, noise, slope)), float_fall_errors(s, noise, slope))]
+    return float_sum_error(s, noise.limit, terms)
+
+
+def float_shift_effects(s: Sum, noise: Bounds, slope: Bounds) -> list[float]:
+    """The errors of the noise of each octave of hn_warp_progressive:
+
+        rate = amplitude / T;  q = q + (K v)*rate
+
+    A coordinate of K v goes through n roundings. From a cell, what a position moves by is cut to 2^-24, and so is its
+    fraction. HN_PRECISE replaces a step below 2^-96 by 0."""
+    dims, axes, errs = noise.dimensions, lengths(s, noise.dimensions), []
+    (total, total_err), limit, amplitude = float_total(s), min(noise.limit, 1.0), clamped_amplitude(s)
+    rate = amplitude / total
+    rate_err = rate * total_err / (total - total_err)
+    rate_err += 2.5 * FLOAT_UNIT * (rate + rate_err) + TINY
+    position, error = first_whole_position(s, dims) if s.from_cell else (axes * s.p_max, 0.0)
+    for column, frame_err in float_frames(s, dims):
+        errs.append(min(steepest(s, noise, slope) * error + (noise.cell_error if s.from_cell else noise.error),
+                        2 * limit))
+        frame_err *= axes  # of a column; and of the matrix
+        step = column * axes * limit
+        step_err = column * axes * errs[-1] + frame_err * axes * limit
+        step_err += axes * ((1 + FLOAT_UNIT)**dims - 1) * (column + frame_err) * axes * limit + 4 * dims * TINY
+        moved = rate * step
+        moved_err = rate * step_err + rate_err * (step + step_err)
+        moved_err += FLOAT_UNIT * (moved + moved_err) + axes * 2.0**-96
+        error += moved_err
+        error += 2 * axes * WHOLE if s.from_cell else FLOAT_UNIT * (position + moved + error)
+        next_position = next_whole_position if s.from_cell else next_float_position
+        position, error = next_position(s, dims, position + moved, error)
+    return errs
+
+
+def warp_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
+    """The largest error of a component of hn_warp or hn_warp_progressive: amplitude * clamp(mean, -1, 1)."""
+    if not s.count or not in_domain(s):
+        return math.inf if s.count else 0.0
+    amplitude, limit = clamped_amplitude(s), min(noise.limit, 1.0)
+    errs = (float_shift_effects(s, noise, slope) if s.kind == "warp_progressive"
+            else float_effects(s, noise, steepest(s, noise, slope)))
+    error = amplitude * min(float_sum_error(s, limit, [min(err, 2 * limit) for err in errs]), 2.0)
+    return error + FLOAT_UNIT * amplitude + TINY
+
+
+# --- In integers: frames ----------------------------------------------------------------------------------------------
 
 def is_bounded(s: Sum) -> bool:
     """Whether the bounds are promised for these arguments."""
@@ -48,12 +203,6 @@ def is_bounded(s: Sum) -> bool:
     return sum(growth) <= LARGEST_GROWTH and (
         s.kind != "warp_progressive" or clamped_amplitude(s) * max(growth, default=0.0) <= LARGEST_SHIFT)
 
-
-def clamped_amplitude(s: Sum) -> float:
-    return min(max(s.amplitude, 0.0), LARGEST_AMPLITUDE)
-
-
-# --- Frames -----------------------------------------------------------------------------------------------------------
 
 def exact_frames(s: Sum, dims: int) -> Iterator[np.ndarray]:
     """The matrices K_i."""
@@ -96,17 +245,11 @@ def norm(matrix: np.ndarray) -> float:
     return float(np.linalg.norm(matrix, 2)) + DOUBLES
 
 
-# --- Slopes -----------------------------------------------------------------------------------------------------------
+# --- In integers: slopes -----------------------------------------------------------------------------------------------------------
 
-def steepest(s: Sum, noise: Bounds, slope: Bounds) -> float:
-    """The longest gradient of the noise, as computed."""
-    return min(lengths(s, noise.dimensions) * slope.fixed_limit,
-               noise.lipschitz + lengths(s, noise.dimensions) * slope.fixed_error)
-
-
-def position_effects(s: Sum, bounds: Bounds) -> list[float]:
+def fixed_effects(s: Sum, bounds: Bounds, steepest: float) -> list[float]:
     """The errors of the noise of each octave, or of its derivatives, where positions do not depend on the noise."""
-    return [min(bounds.lipschitz * error + bounds.fixed_error, 2 * bounds.fixed_limit)
+    return [min(steepest * error + bounds.fixed_error, 2 * bounds.fixed_limit)
             for _, error in zip(range(s.count), whole_positions(s, bounds.dimensions))]
 
 
@@ -118,23 +261,17 @@ def fixed_slope_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
         return math.inf
     if not s.count:
         return 0.0
-    dims, longest = noise.dimensions, steepest(s, noise, slope)
+    dims, longest = noise.dimensions, longest_gradient(noise, slope) if s.turns else slope.limit
     total, exact_total = sum(fixed_weights(s)) / FADE_ONE, sum(s.weights)
     error, largest = (dims * s.count / total + 1) * SLOPE_UNIT, 0.0
-    for slope_err, (fixed, exact) in zip(position_effects(s, slope), frames(s, dims)):
+    for slope_err, (fixed, exact) in zip(fixed_effects(s, slope, slope.lipschitz), frames(s, dims)):
         error += longest_column(fixed) / total * lengths(s, dims) * slope_err
         error += longest_column(fixed / total - exact / exact_total) * longest
-        largest += longest_column(fixed) / total * longest
-    return error + (COARSE * SLOPE_UNIT if largest + SLOPE_UNIT * dims * s.count >= 32 else 0.0)
+        largest += longest_column(exact) / exact_total * longest
+    return error + (COARSE * SLOPE_UNIT if largest + error >= 32 else 0.0)
 
 
-# --- Erosion ----------------------------------------------------------------------------------------------------------
-
-def steepest_fall(strength: float, reach: float) -> float:
-    """The largest slope of 1 / (1 + strength r^2) for r up to `reach`: it is steepest where strength r^2 = 1/3."""
-    r = min(reach, 1 / math.sqrt(3 * strength)) if strength > 0 else reach
-    return 2 * strength * r / (1 + strength * r**2)**2
-
+# --- In integers: erosion ----------------------------------------------------------------------------------------------------------
 
 def fixed_fall_errors(s: Sum, noise: Bounds, slope: Bounds) -> list[float]:
     """Of the factors 1 / (1 + strength |e|^2). A slope is rounded down to 2^-12, and so are two coordinates by each
@@ -143,10 +280,10 @@ def fixed_fall_errors(s: Sum, noise: Bounds, slope: Bounds) -> list[float]:
     d r^2 / (1 + strength r^2)^2, which is largest where strength r^2 = 1."""
     dims, axes = noise.dimensions, math.sqrt(noise.dimensions)
     strength, cut = fixed_strength(s)
-    longest = min(axes * slope.fixed_limit, noise.lipschitz + axes * slope.fixed_error)
+    longest = longest_gradient(noise, slope) + axes * slope.fixed_error
     turns, ends, errs = TURNS[:dims - 1] if s.turns else (), axes * FALL_LIMIT, []
     err, reach = 0.0, 0.0
-    for slope_err in position_effects(s, slope):
+    for slope_err in fixed_effects(s, slope, slope.lipschitz):
         for turn in turns if errs else ():
             err, reach = turn * err + math.sqrt(2) * FALL_UNIT, turn * reach + math.sqrt(2) * FALL_UNIT
         err = min(err + axes * (slope_err + FALL_UNIT), 2 * ends)
@@ -164,31 +301,31 @@ def fixed_eroded_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
     if not s.count:
         return 0.0
     limit, total = noise.fixed_limit, sum(fixed_weights(s)) / FADE_ONE
-    terms = [noise_err + limit * fall_err for noise_err, fall_err in zip(position_effects(s, noise),
-                                                                         fixed_fall_errors(s, noise, slope))]
+    terms = [noise_err + limit * fall_err for noise_err, fall_err in zip(
+        fixed_effects(s, noise, steepest(s, noise, slope)), fixed_fall_errors(s, noise, slope))]
     return fixed_mean_error(s, limit, terms) + limit * s.count * WEIGHT_UNIT / total
 
 
-# --- Warps ------------------------------------------------------------------------------------------------------------
+# --- In integers: warps ------------------------------------------------------------------------------------------------------------
 
-def fixed_shift_effects(s: Sum, noise: Bounds) -> list[float]:
+def fixed_shift_effects(s: Sum, noise: Bounds, slope: Bounds) -> list[float]:
     """The errors of the noise of each octave of hn_warp_progressive. A position moves by a row of the frame times the
     vectors of noise: the row and its factor are off together, each product is rounded down to 2^-21, and so is that
-    with the factor. An error of the noise comes back through the position, and grows with L."""
+    with the factor. An error of the noise comes back through the position."""
     dims, axes, errs = noise.dimensions, lengths(s, noise.dimensions), []
     amplitude, total = clamped_amplitude(s), sum(fixed_weights(s))
     cut = (math.trunc(amplitude * FADE_ONE) * FADE_ONE // total) / FADE_ONE
     factor, limit = amplitude / sum(s.weights), min(noise.fixed_limit, 1.0)
     position, error = first_whole_position(s, dims)
     for fixed, exact in frames(s, dims):
-        errs.append(min(noise.lipschitz * error + noise.fixed_error, 2 * limit))
+        errs.append(min(steepest(s, noise, slope) * error + noise.fixed_error, 2 * limit))
         error += norm(cut * fixed - factor * exact) * axes + cut * norm(fixed) * axes * errs[-1]
         error += axes * (cut * dims + 1) * UNIT
         position, error = next_whole_position(s, dims, position + factor * norm(exact) * axes, error)
     return errs
 
 
-def fixed_warp_tolerance(s: Sum, noise: Bounds) -> float:
+def fixed_warp_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
     """The largest error of a component of hn_warp or hn_warp_progressive, which is amplitude times a mean. The product
     is rounded down, and a result of 8 and more is cut to 127 units."""
     if not is_bounded(s):
@@ -197,6 +334,9 @@ def fixed_warp_tolerance(s: Sum, noise: Bounds) -> float:
         return 0.0
     amplitude, limit = clamped_amplitude(s), min(noise.fixed_limit, 1.0)
     cut = math.trunc(amplitude * FADE_ONE) / FADE_ONE
-    errs = fixed_shift_effects(s, noise) if s.kind == "warp_progressive" else position_effects(s, noise)
+    if s.kind == "warp_progressive":
+        errs = fixed_shift_effects(s, noise, slope)
+    else:
+        errs = fixed_effects(s, noise, steepest(s, noise, slope))
     error = cut * fixed_mean_error(s, limit, [min(err, 2 * limit) for err in errs]) + (amplitude - cut) * limit + UNIT
     return error + (COARSE * UNIT if cut >= 8 else 0.0)

@@ -96,23 +96,30 @@ def float_positions(s: Sum, dims: int) -> Iterator[float]:
     and lengths are bounded, which turns stretch by TURNS, coordinates by much more. A coordinate goes through no more
     than 2 n roundings, the last of them after the shift, of terms whose magnitudes sum to no more than the stretched
     length (Cauchy). Terms below 2^-126 may become 0."""
-    lacunarity, shift = abs(s.lacunarity), SHIFT_MAX[dims]
-    if not s.turns:
-        position, error = s.p_max, 0.0
-        while True:
-            yield error
-            product_err = lacunarity * (error + FLOAT_UNIT * (position + error) + TINY) + TINY
-            position = lacunarity * position + shift
-            error = 0.0 if s.exact_positions else product_err + FLOAT_UNIT * (position + product_err)
-    axes, stretch = math.sqrt(dims), lacunarity * math.prod(TURNS[:dims - 1])
-    rounding = (1 + FLOAT_UNIT) ** (2 * dims) - 1
-    position, error = axes * s.p_max, 0.0
+    position, error = lengths(s, dims) * s.p_max, 0.0
     while True:
         yield error
-        reach = position + error
-        of_coordinate = rounding * stretch * reach + FLOAT_UNIT * shift + TINY * (4 * reach + 8)
-        error = 0.0 if s.exact_positions else stretch * error + axes * of_coordinate
-        position = stretch * position + axes * shift
+        position, error = next_float_position(s, dims, position, error)
+        error = 0.0 if s.exact_positions else error
+
+
+def lengths(s: Sum, dims: int) -> float:
+    """How much longer a vector is than its largest coordinate, where lengths are bounded."""
+    return math.sqrt(dims) if s.turns else 1.0
+
+
+def next_float_position(s: Sum, dims: int, position: float, error: float) -> tuple[float, float]:
+    """Of the next octave, how long a position is, or without turns how large its coordinates, and the same of its
+    error: from those of one."""
+    lacunarity, shift, axes = abs(s.lacunarity), SHIFT_MAX[dims], lengths(s, dims)
+    if not s.turns:
+        product_err = lacunarity * (error + FLOAT_UNIT * (position + error) + TINY) + TINY
+        position = lacunarity * position + shift
+        return position, product_err + FLOAT_UNIT * (position + product_err)
+    stretch, reach = lacunarity * math.prod(TURNS[:dims - 1]), position + error
+    rounding = (1 + FLOAT_UNIT) ** (2 * dims) - 1
+    of_coordinate = rounding * stretch * reach + FLOAT_UNIT * shift + TINY * (4 * reach + 8)
+    return stretch * position + axes * shift, stretch * error + axes * of_coordinate
 
 
 def whole_positions(s: Sum, dims: int) -> Iterator[float]:
@@ -127,14 +134,13 @@ def whole_positions(s: Sum, dims: int) -> Iterator[float]:
 
 def first_whole_position(s: Sum, dims: int) -> tuple[float, float]:
     """How long it is, or without turns how large its coordinates, and the same of its error."""
-    axes = math.sqrt(dims) if s.turns else 1.0
-    return axes * s.p_max, 0.0 if s.exact_positions else axes * WHOLE
+    return lengths(s, dims) * s.p_max, 0.0 if s.exact_positions else lengths(s, dims) * WHOLE
 
 
 def next_whole_position(s: Sum, dims: int, position: float, error: float) -> tuple[float, float]:
     """Of the next octave, from those of one."""
     ratio, shift = math.trunc(s.lacunarity * 2**23) / 2**23, SHIFT_MAX[dims]
-    axes, turns = (math.sqrt(dims), TURNS[:dims - 1]) if s.turns else (1.0, ())
+    axes, turns = lengths(s, dims), TURNS[:dims - 1] if s.turns else ()
     error = ratio * error + (s.lacunarity - ratio) * position + axes * WHOLE
     for stretch in turns:
         error = stretch * error + math.sqrt(2) * WHOLE
