@@ -19,9 +19,9 @@ import numpy as np
 from bounds.floats import TINY
 from bounds.floats import UNIT as FLOAT_UNIT
 from bounds.integers import FADE_ONE, SLOPE_UNIT, UNIT
-from bounds.sums import (TURNS, WEIGHT_UNIT, WHOLE, Sum, clamped_strength, first_whole_position, fixed_mean_error,
-                         fixed_strength, fixed_weights, float_positions, float_sum_error, lengths, next_float_position,
-                         next_whole_position, whole_positions)
+from bounds.sums import (LARGEST_STRENGTH, TURNS, WEIGHT_UNIT, WHOLE, Sum, clamped_strength, first_whole_position,
+                         fixed_mean_error, fixed_strength, fixed_weights, float_positions, float_sum_error, lengths,
+                         next_float_position, next_whole_position, whole_positions)
 from bounds.table import Bounds
 
 PLANES = ((25, 20), (29, 13), (25, 20))  # the turns of the contract: of an axis and the next
@@ -30,6 +30,7 @@ SLOPE_LIMIT = 4.0  # of a component, beyond which it is cut off
 FALL_LIMIT = 8.0  # the same of what hn_eroded sums of slopes
 FALL_UNIT = 2.0**-12
 LARGEST_AMPLITUDE = 64.0
+SETTLED = 2.0**-96  # HN_PRECISE replaces a result, or a step of a position, by 0 below this
 DOUBLES = 1e-12  # more than the rounding errors of 32 frames of up to 64, computed in doubles
 COARSE = 127  # what a large result loses at most, in its units
 
@@ -49,6 +50,11 @@ def longest_gradient(noise: Bounds, slope: Bounds) -> float:
 def steepest(s: Sum, noise: Bounds, slope: Bounds) -> float:
     """How much noise changes by, per step: of lengths, or where these are not bounded of the largest coordinate."""
     return longest_gradient(noise, slope) if s.turns else noise.lipschitz
+
+
+def cut_lacunarity(s: Sum) -> float:
+    """From a cell that is the lacunarity of the contract; with fixed arithmetic it is used from a position, too."""
+    return math.trunc(s.lacunarity * 2**23) / 2**23
 
 
 def clamped_amplitude(s: Sum) -> float:
@@ -72,12 +78,14 @@ def float_effects(s: Sum, bounds: Bounds, steepest: float) -> list[float]:
 
 def float_frames(s: Sum, dims: int) -> list[tuple[float, float]]:
     """Of each octave, how long a column of the frame is, and by how much it is off. A number goes through 2 n
-    roundings, as the coordinate of a position does."""
+    roundings, as the coordinate of a position does. From a cell the contract cuts the lacunarity, and floats do not."""
     axes, growth, found = lengths(s, dims), s.gain * abs(s.lacunarity) * stretch(s, dims), []
+    of_cut = s.gain * (s.lacunarity - cut_lacunarity(s)) * stretch(s, dims) if s.from_cell else 0.0
     column, error = 1.0, 0.0
     for _ in range(s.count):
         found.append((column, error))
         of_number = ((1 + FLOAT_UNIT)**(2 * dims) - 1) * growth * (column + error) + TINY * (4 * (column + error) + 8)
+        of_number += of_cut * (column + error)
         column, error = growth * column, growth * error + axes * of_number
     return found
 
@@ -119,7 +127,7 @@ def slope_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
         sum_err += FLOAT_UNIT * (largest + sum_err)
     total, total_err = float_total(s)
     error = (sum_err + largest / total * total_err) / (total - total_err)
-    return error + 2.5 * FLOAT_UNIT * (largest / total + error) + TINY
+    return error + 2.5 * FLOAT_UNIT * (largest / total + error) + SETTLED
 
 
 def float_fall_errors(s: Sum, noise: Bounds, slope: Bounds) -> list[float]:
@@ -158,7 +166,7 @@ def float_shift_effects(s: Sum, noise: Bounds, slope: Bounds) -> list[float]:
         rate = amplitude / T;  q = q + (K v)*rate
 
     A coordinate of K v goes through n roundings. From a cell, what a position moves by is cut to 2^-24, and so is its
-    fraction. HN_PRECISE replaces a step below 2^-96 by 0."""
+    fraction."""
     dims, axes, errs = noise.dimensions, lengths(s, noise.dimensions), []
     (total, total_err), limit, amplitude = float_total(s), min(noise.limit, 1.0), clamped_amplitude(s)
     rate = amplitude / total
@@ -174,7 +182,7 @@ def float_shift_effects(s: Sum, noise: Bounds, slope: Bounds) -> list[float]:
         step_err += axes * ((1 + FLOAT_UNIT)**dims - 1) * (column + frame_err) * axes * limit + 4 * dims * TINY
         moved = rate * step
         moved_err = rate * step_err + rate_err * (step + step_err)
-        moved_err += FLOAT_UNIT * (moved + moved_err) + axes * 2.0**-96
+        moved_err += FLOAT_UNIT * (moved + moved_err) + axes * SETTLED
         error += moved_err
         error += 2 * axes * WHOLE if s.from_cell else FLOAT_UNIT * (position + moved + error)
         next_position = next_whole_position if s.from_cell else next_float_position
@@ -190,7 +198,7 @@ def warp_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
     errs = (float_shift_effects(s, noise, slope) if s.kind == "warp_progressive"
             else float_effects(s, noise, steepest(s, noise, slope)))
     error = amplitude * min(float_sum_error(s, limit, [min(err, 2 * limit) for err in errs]), 2.0)
-    return error + FLOAT_UNIT * amplitude + TINY
+    return error + FLOAT_UNIT * amplitude + SETTLED
 
 
 # --- In integers: frames ----------------------------------------------------------------------------------------------
@@ -206,7 +214,7 @@ def is_bounded(s: Sum) -> bool:
 
 def exact_frames(s: Sum, dims: int) -> Iterator[np.ndarray]:
     """The matrices K_i."""
-    turn = np.eye(dims)
+    turn, lacunarity = np.eye(dims), cut_lacunarity(s) if s.from_cell else s.lacunarity
     for axis, (c, t) in enumerate(PLANES[:dims - 1] if s.turns else ()):
         of_plane = np.eye(dims)
         of_plane[axis:axis + 2, axis:axis + 2] = [[c / 32, -t / 32], [t / 32, c / 32]]
@@ -214,7 +222,7 @@ def exact_frames(s: Sum, dims: int) -> Iterator[np.ndarray]:
     frame = np.eye(dims)
     while True:
         yield frame
-        frame = s.gain * s.lacunarity * turn @ frame
+        frame = s.gain * lacunarity * turn @ frame
 
 
 def fixed_frames(s: Sum, dims: int) -> Iterator[list[list[int]]]:
@@ -340,3 +348,35 @@ def fixed_warp_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
         errs = fixed_effects(s, noise, steepest(s, noise, slope))
     error = cut * fixed_mean_error(s, limit, [min(err, 2 * limit) for err in errs]) + (amplitude - cut) * limit + UNIT
     return error + (COARSE * UNIT if cut >= 8 else 0.0)
+
+
+# --- Overflow ---------------------------------------------------------------------------------------------------------
+
+def largest_intermediates(dims: int) -> dict[str, float]:
+    """By name, bounds of the magnitudes that must stay below 2^31 where the bounds are promised, for any noise with
+    derivatives: gain * lacunarity is then at most 63, since the first octave adds 1 to the sum. In a frame a number is
+    rounded down by less than 5 units for each octave, and what was lost before grows as the frame does."""
+    stretched = stretch(Sum("fbm_d", 0.0, 32, 1.0, 1.0), dims)**31
+    frame = stretched * ((LARGEST_GROWTH - 1) * FADE_ONE + 5 * LARGEST_GROWTH)
+    slope, vector = math.sqrt(dims) * SLOPE_LIMIT / SLOPE_UNIT, math.sqrt(dims) / UNIT
+    moved = frame / FADE_ONE * vector + dims
+    lost = 32 * dims
+    return {"frame": frame, "turn of a frame": 32 * TURNS[0] * frame,
+            "sum of slopes": stretched * (LARGEST_GROWTH + 5 * 32 * LARGEST_GROWTH / FADE_ONE) * slope + lost,
+            "step": moved, "turn of a fall": (25 + 20) * FALL_LIMIT / FALL_UNIT,
+            "step of a position": LARGEST_SHIFT * stretched * (1 + 5 * LARGEST_GROWTH / FADE_ONE) * vector
+            + LARGEST_AMPLITUDE * dims + 1,
+            "shift": LARGEST_AMPLITUDE / UNIT}
+
+
+def largest_words(dims: int) -> dict[str, float]:
+    """The same of words, below 2^32."""
+    squares, strength = dims * (FALL_LIMIT / FALL_UNIT)**2, LARGEST_STRENGTH["eroded"]
+    return {"squares": squares, "divisor": 2.0**16 + squares * strength * FADE_ONE / 2**26}
+
+
+TOLERANCES = {  # in floats and fixed, from a sum and the bounds of its noise and of the derivatives of that
+    "fbm_d": (slope_tolerance, fixed_slope_tolerance),  # of a derivative; the value has those of fbm
+    "eroded": (eroded_tolerance, fixed_eroded_tolerance),
+    "warp": (warp_tolerance, fixed_warp_tolerance),
+    "warp_progressive": (warp_tolerance, fixed_warp_tolerance)}

@@ -34,6 +34,7 @@ def times(matrix, vector):
 def exact_sum(s, p):
     dims, count, amplitude = len(p), s.count, min(max(s.amplitude, 0), 64)
     total = sum(s.gain**i for i in range(count))
+    lacunarity = math.floor(s.lacunarity * 2**23) / 2**23 if s.from_cell else s.lacunarity
     frame, seed, sums, fall = np.eye(dims), 0, [0.0] * (dims + 1), [0.0] * dims
     for i in range(count):
         weight = s.gain**i
@@ -51,9 +52,9 @@ def exact_sum(s, p):
             if s.kind == "eroded":
                 n = n / (1 + min(max(s.strength, 0), 16) * sum(x * x for x in fall))
             sums = [a + x for a, x in zip(sums, [weight * n, *times(frame.T, g)])]
-        p = [x * s.lacunarity for x in p]
+        p = [x * lacunarity for x in p]
         p = [x + shift for x, shift in zip(exact.turn(p) if s.turns else p, SHIFT)]
-        frame = np.array(exact.turn(list(frame)) if s.turns else frame) * (s.gain * s.lacunarity)
+        frame = np.array(exact.turn(list(frame)) if s.turns else frame) * (s.gain * lacunarity)
         seed = u32(seed + GOLDEN)
     means = [x / total for x in sums] if count else [np.zeros(np.shape(p[0]))] * (dims + 1)
     if s.kind in ("warp", "warp_progressive"):
