@@ -1,6 +1,7 @@
-// Prints a digest of what the C++ twin computes at many points, a line per function of functions.inc that depends on
-// the arithmetic, or on compilers' ways with floats. twin_flags_test.py compiles it with many flags, of which some let
-// a compiler make of floats what it likes: so nothing here but the twin computes in them.
+// Prints digests of what the C++ twin computes at a few points and at many, a line per function of functions.inc that
+// depends on the arithmetic, or on compilers' ways with floats; with the argument "few" only the first of the two.
+// twin_flags_test.py compiles it with many flags, of which some let a compiler make of floats what it likes: so nothing
+// here but the twin computes in them.
 #include <bit>
 #include <cstdint>
 #include <cstdio>
@@ -11,7 +12,11 @@ namespace {
 
 using namespace hashnoise;
 
-constexpr int kPoints = 1 << 15;  // of each function
+constexpr int kFew = 1 << 12;  // points of each function; what is not optimised takes 30 times as long
+constexpr int kMany = 1 << 15;
+
+bool few_only = false;
+std::uint64_t functions = 1;  // before this one; each has points of its own
 
 // SplitMix64
 std::uint64_t state = 1;
@@ -76,8 +81,11 @@ void digest(std::string_view id, std::string_view family, std::string_view colum
   // What is exact has no arithmetic, and of the two kinds of gradients the one that is selected is evaluated.
   if (family == "independent" || family == "hash" || family == "sine_gradient") return;
   const std::string_view inputs = columns.substr(0, columns.find(" = "));
+  state = functions++ << 32;
   std::uint64_t hash = 14695981039346656037u;
-  for (int i = 0; i < kPoints; ++i) {
+  std::printf("%.*s", static_cast<int>(id.size()), id.data());
+  for (int i = 0; i < (few_only ? kFew : kMany); ++i) {
+    if (i == kFew) std::printf(" %016llx", static_cast<unsigned long long>(hash));
     uint words[16] = {};
     std::size_t count = 0;
     for (std::string_view rest = inputs; !rest.empty(); ++count) {
@@ -90,7 +98,7 @@ void digest(std::string_view id, std::string_view family, std::string_view colum
                  uvec4(words[8], words[9], words[10], words[11]), uvec4(words[12], words[13], words[14], words[15]));
     for (const uint bits : {value.x, value.y, value.z, value.w}) hash = (hash ^ bits) * 1099511628211u;
   }
-  std::printf("%.*s %016llx\n", static_cast<int>(id.size()), id.data(), static_cast<unsigned long long>(hash));
+  std::printf(" %016llx\n", static_cast<unsigned long long>(hash));
 }
 
 constexpr bool is_tried(std::string_view id) {
@@ -104,10 +112,11 @@ constexpr bool is_tried(std::string_view id) {
 #define SEEDED(s) , s
 #define SEED(s) s
 
-int main() {
+int main(int argc, char**) {
+  few_only = argc > 1;
 #ifdef HN_TEST_OVERFLOW
   std::printf("%d\n", static_cast<int>(word() >> 1) * static_cast<int>(word() >> 1));
-#endif
+#else
 // Compilers take long to inline them all, so forms of the same text are tried once, on the plane.
 #define TRIED(id, family, columns, ...)                                                     \
   if constexpr (is_tried(id)) {                                                             \
@@ -139,4 +148,5 @@ int main() {
 #define OF_further_cellular TRIED
 #define FUNCTION(id, file, family, bound, columns, call, ...) OF_##family(id, #family, columns, __VA_ARGS__)
 #include "library/functions.inc"
+#endif
 }

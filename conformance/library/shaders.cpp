@@ -12,18 +12,16 @@
 namespace hn {
 namespace {
 
-// What a file of the library includes, by itself or by what it includes.
-std::set<std::string_view> included_by(std::string_view file) {
+// Adds what a file of the library includes, by itself or by what it includes. Each file is looked at once: every start
+// of the program asks this for all of them, and they include each other in many ways.
+void add_included_by(std::string_view file, std::set<std::string_view>& files) {
   constexpr std::string_view kInclude = "\n#include \"";
-  std::set<std::string_view> files;
   const std::string_view text = text_of(kLibraryFiles, file);
   for (auto at = text.find(kInclude); at != std::string_view::npos; at = text.find(kInclude, at + 1)) {
     const auto start = at + kInclude.size();
     const auto name = text.substr(start, text.find('"', start) - start);
-    files.insert(name);
-    files.merge(included_by(name));
+    if (files.insert(name).second) add_included_by(name, files);
   }
-  return files;
 }
 
 // What the shader that tries a file calls: the functions of that file, but not twice a function that has two rows
@@ -32,7 +30,8 @@ std::set<std::string_view> included_by(std::string_view file) {
 std::vector<const Function*> called_from(std::string_view file, Callees callees) {
   std::vector<const Function*> own;
   std::vector<const Function*> others;
-  const std::set<std::string_view> included = included_by(file);
+  std::set<std::string_view> included;
+  add_included_by(file, included);
   std::set<Family> families;
   std::set<std::string_view> files;
   for (const Function& function : all_functions()) {

@@ -19,12 +19,12 @@ import math
 import sys
 from collections.abc import Sequence
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import asdict, fields
+from dataclasses import asdict, fields, replace
 from pathlib import Path
 
 from bounds import noises, sine
-from bounds.documents import (ACCURACY, EXAMPLES, Everything, Key, missing_quotes, name_of, sum_tolerances,
-                              with_tables, wrong_comments)
+from bounds.documents import (ACCURACY, EXAMPLES, FRAMED, Everything, Key, frame_tolerances, missing_quotes, name_of,
+                              sum_tolerances, with_tables, wrong_comments)
 from bounds.gradients import SINE
 from bounds.integers import fade_errors, overshoot
 from bounds.noises import Derived
@@ -104,7 +104,10 @@ def everything_for_a_reader(derived: Everything) -> dict[str, dict]:
                            "overshoot": overshoot()},
         "octave sums: octahedral in floats, fixed; sine in floats, fixed": {
             f"{dims}D {told(octave_sum)}": [f"{of_sum:.3g}" for of_sum in sum_tolerances(derived, dims, octave_sum)]
-            for dims, octave_sum in (*(example[1:] for example in EXAMPLES), *SUMS)}}
+            for dims, octave_sum in (*(example[1:] for example in EXAMPLES), *SUMS)},
+        "sums with slopes, and warps: in floats from a position, in floats from a cell, fixed": {
+            f"{dims}D {told(framed)}": [f"{of_sum:.3g}" for of_sum in frame_tolerances(derived, dims, framed)]
+            for dims in (2, 3) for _, example in FRAMED for framed in (example, replace(example, octaves=6))}}
 
 
 def print_table(numbers: dict[str, dict]) -> None:

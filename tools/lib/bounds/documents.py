@@ -6,14 +6,15 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
-from bounds import kernel_floats, noises, sine, sums
+from bounds import frames, kernel_floats, noises, sine, sums
 from bounds.gradients import GRADIENTS, SINE, Gradient
 from bounds.integers import fade_errors, slope_errors, spline_weight_error
 from bounds.noises import Derived
 from bounds.sums import Sum
-from bounds.table import rounded_up, scientific, shortest
+from bounds.table import Bounds, rounded_up, scientific, shortest
 from tables import glsl
 from tables.markdown import table, with_section
 from tree import ROOT
@@ -69,8 +70,10 @@ EXAMPLES = (  # of octave sums: a title, the number of dimensions, the sum
     ("`hn_fbm(vec2)`, with a period, exact positions", 2,
      Sum("fbm", 16.0, 5, 2.0, 0.5, turns=False, exact_positions=True)),
     ("`hn_fbm(vec2)`, with a period", 2, Sum("fbm", 16.0, 5, 2.0, 0.5, turns=False)),
+    ("`hn_fbm(float)`", 1, Sum("fbm", 16.0, 5, 2.0, 0.5)),
     ("`hn_fbm(vec2)`", 2, Sum("fbm", 16.0, 5, 2.0, 0.5)),
     ("`hn_fbm(vec3)`", 3, Sum("fbm", 16.0, 5, 2.0, 0.5)),
+    ("`hn_fbm(vec4)`", 4, Sum("fbm", 16.0, 5, 2.0, 0.5)),
     ("`hn_fbm(vec3)` further out", 3, Sum("fbm", 1024.0, 8, 2.0, 0.5)),
     ("`hn_fbm(ivec3, vec3)` further out", 3, Sum("fbm", 1024.0, 8, 2.0, 0.5, from_cell=True)),
     ("`hn_fbm(vec2)`, 4.5 octaves", 2, Sum("fbm", 16.0, 4.5, 2.0, 0.5)),
@@ -84,17 +87,47 @@ EXAMPLES = (  # of octave sums: a title, the number of dimensions, the sum
 
 
 def sum_tolerances(derived: Everything, dims: int, octave_sum: Sum) -> list[float]:
-    """In floats and fixed, for each kind of gradient."""
-    keys = [(NOISE_OF_SUMS, dims, gradient) for gradient in GRADIENTS]
+    """In floats and fixed, for each kind of gradient of which there is a noise."""
+    keys = [(NOISE_OF_SUMS, dims, gradient) for gradient in GRADIENTS if (NOISE_OF_SUMS, dims, gradient) in derived]
     return [tolerance(octave_sum, derived[key].bounds(*key).rounded()) for key in keys
             for tolerance in (sums.octave_tolerance, sums.fixed_octave_tolerance)]
 
 
 def sums_table(derived: Everything) -> str:
+    head = [f"{gradient.name}, {arithmetic}" for gradient in GRADIENTS for arithmetic in ("fast and precise", "fixed")]
     rows = [[title] + [scientific(tolerance, 2) for tolerance in sum_tolerances(derived, *arguments)]
             for title, *arguments in EXAMPLES]
-    head = [f"{gradient.name}, {arithmetic}" for gradient in GRADIENTS for arithmetic in ("fast and precise", "fixed")]
-    return table(("", *head), rows)
+    return table(("", *head), [row + [""] * (1 + len(head) - len(row)) for row in rows])
+
+
+FRAMED = (  # of sums with slopes, and of warps: a title, the sum
+    ("`hn_fbm_d(vec{})`, a derivative", Sum("fbm_d", 16.0, 5, 2.0, 0.5)),
+    ("`hn_eroded(vec{})`, strength 1", Sum("eroded", 16.0, 5, 2.0, 0.5, strength=1.0)),
+    ("`hn_eroded(vec{})`, strength 16", Sum("eroded", 16.0, 5, 2.0, 0.5, strength=16.0)),
+    ("`hn_warp(vec{})`, amplitude 1/2", Sum("warp", 16.0, 5, 2.0, 0.5, amplitude=0.5)),
+    ("`hn_warp_progressive(vec{})`, amplitude 1/4", Sum("warp_progressive", 16.0, 5, 2.0, 0.5, amplitude=0.25)),
+    ("`hn_warp_progressive(vec{})`, amplitude 1/2", Sum("warp_progressive", 16.0, 5, 2.0, 0.5, amplitude=0.5)),
+    ("`hn_warp_progressive(vec{})`, amplitude 1", Sum("warp_progressive", 16.0, 5, 2.0, 0.5, amplitude=1.0)))
+
+
+def noises_of_frames(derived: Everything, dims: int, kind: str) -> tuple[Bounds, Bounds]:
+    """What is proven of the noise that such a sum is over, and of its derivatives."""
+    noise, gradient = ("value", None) if kind in sums.SHIFTS else (NOISE_OF_SUMS, GRADIENTS[0])
+    value, slope = derived[noise, dims, gradient], derived[f"{noise}_d", dims, gradient].slope
+    return (value.bounds(noise, dims, gradient).rounded(), slope.bounds(f"{noise}_d", dims, gradient).rounded())
+
+
+def frame_tolerances(derived: Everything, dims: int, s: Sum) -> list[float]:
+    """In floats from a position, in floats from a cell, and fixed."""
+    bounds = noises_of_frames(derived, dims, s.kind)
+    floats, fixed = frames.TOLERANCES[s.kind]
+    return [floats(s, *bounds), floats(replace(s, from_cell=True), *bounds), fixed(s, *bounds)]
+
+
+def frames_table(derived: Everything) -> str:
+    rows = [[title.format(dims)] + [scientific(tolerance, 2) for tolerance in frame_tolerances(derived, dims, s)]
+            for dims in (2, 3) for title, s in FRAMED]
+    return table(("", "fast and precise: from a position", "from a cell", "fixed"), rows)
 
 
 def _parts_table(derived: Everything) -> str:
@@ -116,7 +149,7 @@ def slope_parts_table(derived: Everything) -> str:
 
 
 TABLES: dict[str, Callable[[Everything], str]] = {
-    "noises": noise_table, "derivatives": slope_table, "sums": sums_table, "parts": parts_table,
+    "noises": noise_table, "derivatives": slope_table, "sums": sums_table, "frames": frames_table, "parts": parts_table,
     "parts of derivatives": slope_parts_table}
 
 
@@ -137,19 +170,26 @@ def overflow() -> float:
     return float(rounded_up(largest / 2**31, 2))
 
 
+def frames_overflow() -> float:
+    """The same of the sums with slopes, and of warps, in the domain of their bounds."""
+    return float(rounded_up(max(frames.largest_intermediates(3).values()) / 2**31, 2))
+
+
 def quotes(derived: Everything) -> list[tuple[str, str]]:
     """Pairs of a file and what must stand in it."""
     plane, space = (derived[NOISE_OF_SUMS, dims, GRADIENTS[0]] for dims in (2, 3))
     stated = [(KNOBS, f"| {scientific(plane.error)} | {scientific(space.error)} |"),
               (KNOBS, f"| {scientific(plane.fixed_error)} | {scientific(space.fixed_error)} |"),
               (KNOBS, f"with `HN_FIXED` within {scientific(sine.fixed_sine_error(), 2)}")]
+    steepest = [shortest(frames.longest_gradient(*noises_of_frames(derived, dims, "fbm_d")), 3) for dims in (2, 3)]
+    stated.append((ACCURACY, f"no longer than {steepest[0]} in 2D and {steepest[1]} in 3D"))
     limits = [f"{derived[NOISE_OF_SUMS, dims, SINE].bounds('', dims, SINE).rounded().limit:g} in {dims}D"
               for dims in (2, 3)]
     stated.append((ACCURACY, f"in floats at most {limits[0]}, {limits[1]}"))
     stated += [(ACCURACY, text) for text in (
         f"by -{scientific(-slope_errors().min())} to {scientific(slope_errors().max())},",
         f"the sum {scientific(spline_weight_error())} along",
-        f"in 3D: {overflow():g} * 2^31", f"{scientific(-fade_errors().min())} too small",
+        f"in 3D: {overflow():g} * 2^31", f"{frames_overflow():g} * 2^31 in a step of a progressive warp", f"{scientific(-fade_errors().min())} too small",
         f"{scientific(fade_errors().max())} too large",
         *(f"{c:.8f}" for c in sine.SINE_DECIMALS), f"{round(sine.SINE_ARGUMENT_ERROR * 2**30)} / 2^30",
         f"times that, {scientific(math.pi / 2 * sine.SINE_ARGUMENT_ERROR)}",
@@ -226,6 +266,8 @@ def derived_for(function: glsl.Declaration, kind: str, fixed: bool, gradient: Gr
         return sine.fixed_sine_error() if fixed else SINE.component_error
     if function.name == "hn_clouds" and kind == "error":
         return sums.cloud_error() if fixed else sums.FLOAT_CLOUD_ERROR
+    if function.name == "hn_fbm_d" and kind == "range":
+        return sums.TURNS[0]  # by which a derivative's range grows
     return None
 
 

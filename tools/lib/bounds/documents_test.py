@@ -34,7 +34,19 @@ RAW |= {("perlin_d", dims, OCTAHEDRAL): replace(RAW["perlin", dims, OCTAHEDRAL],
     (3, (0, 3.37282666, 16.7224947, 2.10518502e-05, 2.20485885e-05, 3.37284871, 0.000224299166, 3.37303501)),
     (4, (0, 3.61689537, 21.9417659, 3.14717456e-05, 3.27795768e-05, 3.61692815, 0.000301001756, 3.61717545)))}
 
-NAMES = ["perlin", "perlin_d"]
+RAW |= {("value", dims, None): Derived(*numbers, {"cut": 4e-6}) for dims, numbers in (
+    (1, (1, 1, 3.75000179, 1.90739974e-06, 2.13091726e-06, 1.00000213, 3.59909663e-05, 1.00000214)),
+    (2, (1, 1, 4.77928774, 3.81796043e-06, 4.10282818e-06, 1.0000041, 4.44140386e-05, 1.00000404)),
+    (3, (1, 1, 5.62504718, 5.76129851e-06, 6.09657745e-06, 1.0000061, 5.59064684e-05, 1.00000594)),
+    (4, (1, 1, 6.35490152, 8.05781653e-06, 8.43659818e-06, 1.00000844, 6.56514316e-05, 1.00000785)))}
+RAW |= {("value_d", dims, None): replace(RAW["value", dims, None], slope=Derived(*numbers, {"cut": 1e-5}))
+        for dims, numbers in (
+    (1, (0, 3.75, 11.5470064, 2.71201182e-06, 3.40026703e-06, 3.7500034, 0.00015442128, 3.75015442)),
+    (2, (0, 3.75, 14.0625136, 1.03177238e-05, 1.11559149e-05, 3.75001116, 0.000285520478, 3.75028552)),
+    (3, (0, 3.75, 17.9951128, 1.75622955e-05, 1.86348878e-05, 3.75001863, 0.000318092468, 3.75031809)),
+    (4, (0, 3.75, 21.0939559, 2.58216586e-05, 2.70789564e-05, 3.75002708, 0.00036465932, 3.75036466)))}
+
+NAMES = ["perlin", "perlin_d", "value", "value_d"]
 OTHERS = [name for name in noises.names() if name not in NAMES]
 
 
@@ -267,3 +279,5 @@ class Entries(unittest.TestCase):
         rows = documents.sums_table(RAW).split("\n")
         self.assertEqual(rows[2], "| `hn_fbm(vec2)`, with a period, exact positions | 4.2e-6 | 4.6e-5 | 6.0e-6 | 8.3e-5 |")
         self.assertEqual(len(rows), 2 + len(documents.EXAMPLES) + 1)
+        self.assertTrue(rows[4].startswith("| `hn_fbm(float)` |") and rows[4].endswith(" | |  |"), rows[4])
+        self.assertEqual(len(documents.frames_table(RAW).split("\n")), 2 + 2 * len(documents.FRAMED) + 1)

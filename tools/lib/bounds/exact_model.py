@@ -14,7 +14,8 @@ from bounds.boxes import corners
 from bounds.gradients import OCTAHEDRAL, SINE
 
 SCALE = {OCTAHEDRAL: {1: 2048 / 1024, 2: 1365 / 1024, 3: 1228 / 1024, 4: 953 / 1024}, SINE: {2: 1.0, 3: 1.0}}
-SHIFT = (11 / 32, 19 / 32, 23 / 32)
+SHIFT = (11 / 32, 19 / 32, 23 / 32, 27 / 32)
+TURNS = ((25, 20), (29, 13), (25, 20))  # 32 times cosine and sine, in the plane of an axis and the next
 
 
 # --- Words ------------------------------------------------------------------------------------------------------------
@@ -177,9 +178,10 @@ def perlin_at(kind, p, seed=np.int64(0)):
 
 def turn(q):
     """Of section 7."""
-    x, y, *z = q
-    x, y = (25 * x - 20 * y) / 32, (20 * x + 25 * y) / 32
-    return [x, (29 * y - 13 * z[0]) / 32, (13 * y + 29 * z[0]) / 32] if z else [x, y]
+    q = list(q)
+    for axis, (c, s) in enumerate(TURNS[:len(q) - 1]):
+        q[axis:axis + 2] = (c * q[axis] - s * q[axis + 1]) / 32, (s * q[axis] + c * q[axis + 1]) / 32
+    return q
 
 
 def fade_of_footprint(s, i):

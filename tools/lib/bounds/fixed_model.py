@@ -8,7 +8,7 @@ import math
 import numpy as np
 
 from bounds.boxes import corners
-from bounds.exact_model import SHIFT, corner_of_the_24_cell, direction, field, s32, sine_argument, u32, words_at
+from bounds.exact_model import SHIFT, TURNS, corner_of_the_24_cell, direction, field, s32, sine_argument, u32, words_at
 from bounds.floats import pairs
 from bounds.gradients import SINE
 
@@ -225,9 +225,12 @@ def times(x, ratio):
 
 
 def turn(q):
-    x, y, *z = q
-    x, y = s56((25 * x - 20 * y) >> 5), s56((20 * x + 25 * y) >> 5)
-    return [x, s56((29 * y - 13 * z[0]) >> 5), s56((13 * y + 29 * z[0]) >> 5)] if z else [x, y]
+    """In 56 bits, which hold what a frame and a slope have, too."""
+    q = list(q)
+    for axis, (c, s) in enumerate(TURNS[:len(q) - 1]):
+        x, y = q[axis:axis + 2]
+        q[axis:axis + 2] = s56((c * x - s * y) >> 5), s56((s * x + c * y) >> 5)
+    return q
 
 
 def whole_positions(s, q):

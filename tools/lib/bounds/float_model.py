@@ -8,7 +8,7 @@ import numpy as np
 
 from bounds import exact_model as exact
 from bounds import sine
-from bounds.exact_model import SCALE, SHIFT
+from bounds.exact_model import SCALE, SHIFT, TURNS
 from bounds.fixed_model import x_first
 from bounds.floats import TINY, pairs
 from bounds.gradients import SINE
@@ -178,18 +178,18 @@ class Shader:
 
     def positions(self, s, p):
         """Of each octave, computed from the one before."""
-        c, along, d, across = (self.round(s.lacunarity * (part / 32)) for part in (25, 20, 29, 13))
+        turns = [(c, t, *(self.round(s.lacunarity * (part / 32)) for part in (c, t))) for c, t in TURNS[:len(p) - 1]]
         q = list(p)
         while True:
             yield q
-            if not s.turns:
+            if not s.turns or not turns:
                 q = [self.mad(x, s.lacunarity, shift) for x, shift in zip(q, SHIFT)]
                 continue
-            x, y, *z = q
-            turned = [self.mad(c, x, -self.round(along * y)), self.mad(along, x, self.round(c * y))]
-            if z:
-                v = turned.pop()
-                turned += [self.mad(29 / 32, v, -self.round(across * z[0])), self.mad(13 / 32, v, self.round(d * z[0]))]
+            turned = [q[0]]
+            for axis, (c, t, scaled_c, scaled_t) in enumerate(turns):
+                a, b = (scaled_c, scaled_t) if axis == 0 else (c / 32, t / 32)
+                turned[axis:] = (self.mad(a, turned[axis], -self.round(scaled_t * q[axis + 1])),
+                                 self.mad(b, turned[axis], self.round(scaled_c * q[axis + 1])))
             q = [self.round(x + shift) for x, shift in zip(turned, SHIFT)]
 
     def fades(self, s):

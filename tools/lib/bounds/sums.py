@@ -16,11 +16,12 @@ from bounds.integers import DOUBLE, FADE_ONE, UNIT, checked, signed, word
 from bounds.table import Bounds
 
 KINDS = ("fbm", "turbulence", "clouds", "billow", "ridged", "ping_pong", "weighted")
+SLOPED, SHIFTS = ("fbm_d", "eroded"), ("warp", "warp_progressive")  # sums with slopes, and of vectors: frames.py
 CLAMPED = ("billow", "ridged", "ping_pong", "weighted")  # in which a noise beyond [-1, 1] counts as the nearer end
-SHIFT_MAX = {2: 19 / 32, 3: 23 / 32}  # the largest component of the shift between octaves
-# By how much the turns of a position make a length larger at most: in the plane of x and y, then in that of y and z.
-# The second makes lengths in its plane smaller, but not that along x.
-TURNS = (math.hypot(25, 20) / 32, max(math.hypot(29, 13) / 32, 1.0))
+SHIFT_MAX = {1: 11 / 32, 2: 19 / 32, 3: 23 / 32, 4: 27 / 32}  # the largest component of the shift between octaves
+# By how much the turns of a position make a length larger at most: in the plane of x and y, then in that of y and z,
+# then in that of z and w. The second makes lengths in its plane smaller, but not that along x.
+TURNS = (math.hypot(25, 20) / 32, max(math.hypot(29, 13) / 32, 1.0), math.hypot(25, 20) / 32)
 WHOLE = 2.0**-24  # the unit of whole positions
 WEIGHT_UNIT = 1 / FADE_ONE
 
@@ -39,13 +40,14 @@ class Sum:
     lacunarity: float
     gain: float
     strength: float = 0.0
+    amplitude: float = 0.0
     footprint: float | None = None
     turns: bool = True  # it does not with a period
     from_cell: bool = False
     exact_positions: bool = False  # the caller's promise that every q is computed without rounding
 
     def __post_init__(self):
-        if self.kind not in KINDS:
+        if self.kind not in KINDS + SLOPED + SHIFTS:
             raise ValueError(self.kind)
 
     @property
@@ -69,8 +71,11 @@ class Sum:
         return [min(max(1.5 - self.footprint * finer**i, 0.0), 1.0) for i in range(self.count)]
 
 
+LARGEST_STRENGTH = {"ping_pong": 64.0, "eroded": 16.0}  # of the others 1
+
+
 def clamped_strength(s: Sum) -> float:
-    return min(max(s.strength, 0.0), 64.0 if s.kind == "ping_pong" else 1.0)
+    return min(max(s.strength, 0.0), LARGEST_STRENGTH.get(s.kind, 1.0))
 
 
 # --- Positions --------------------------------------------------------------------------------------------------------
@@ -85,42 +90,61 @@ def float_positions(s: Sum, dims: int) -> Iterator[float]:
 
         2D: x' = (c*x - s*y) + 11/32;  y' = (s*x + c*y) + 19/32
         3D: v = s*x + c*y;  x' as before;  y' = (29/32*v - e*z) + 19/32;  z' = (13/32*v + d*z) + 23/32
+        4D: u = 13/32*v + d*z;  x', y' as before;  z' = (25/32*u - s*w) + 23/32;  w' = (20/32*u + c*w) + 27/32
+        1D: as with a period
 
     and lengths are bounded, which turns stretch by TURNS, coordinates by much more. A coordinate goes through no more
     than 2 n roundings, the last of them after the shift, of terms whose magnitudes sum to no more than the stretched
     length (Cauchy). Terms below 2^-126 may become 0."""
-    lacunarity, shift = abs(s.lacunarity), SHIFT_MAX[dims]
-    if not s.turns:
-        position, error = s.p_max, 0.0
-        while True:
-            yield error
-            product_err = lacunarity * (error + FLOAT_UNIT * (position + error) + TINY) + TINY
-            position = lacunarity * position + shift
-            error = 0.0 if s.exact_positions else product_err + FLOAT_UNIT * (position + product_err)
-    axes, stretch = math.sqrt(dims), lacunarity * math.prod(TURNS[:dims - 1])
-    rounding = (1 + FLOAT_UNIT) ** (2 * dims) - 1
-    position, error = axes * s.p_max, 0.0
+    position, error = lengths(s, dims) * s.p_max, 0.0
     while True:
         yield error
-        reach = position + error
-        of_coordinate = rounding * stretch * reach + FLOAT_UNIT * shift + TINY * (4 * reach + 8)
-        error = 0.0 if s.exact_positions else stretch * error + axes * of_coordinate
-        position = stretch * position + axes * shift
+        position, error = next_float_position(s, dims, position, error)
+        error = 0.0 if s.exact_positions else error
+
+
+def lengths(s: Sum, dims: int) -> float:
+    """How much longer a vector is than its largest coordinate, where lengths are bounded."""
+    return math.sqrt(dims) if s.turns else 1.0
+
+
+def next_float_position(s: Sum, dims: int, position: float, error: float) -> tuple[float, float]:
+    """Of the next octave, how long a position is, or without turns how large its coordinates, and the same of its
+    error: from those of one."""
+    lacunarity, shift, axes = abs(s.lacunarity), SHIFT_MAX[dims], lengths(s, dims)
+    if not s.turns:
+        product_err = lacunarity * (error + FLOAT_UNIT * (position + error) + TINY) + TINY
+        position = lacunarity * position + shift
+        return position, product_err + FLOAT_UNIT * (position + product_err)
+    stretch, reach = lacunarity * math.prod(TURNS[:dims - 1]), position + error
+    rounding = (1 + FLOAT_UNIT) ** (2 * dims) - 1
+    of_coordinate = rounding * stretch * reach + FLOAT_UNIT * shift + TINY * (4 * reach + 8)
+    return stretch * position + axes * shift, stretch * error + axes * of_coordinate
 
 
 def whole_positions(s: Sum, dims: int) -> Iterator[float]:
     """The same of whole positions: a coordinate is cut to a multiple of 2^-24, and the lacunarity of 2^-23; the product
     is rounded down, and so are both coordinates after each turn."""
-    ratio, shift = math.trunc(s.lacunarity * 2**23) / 2**23, SHIFT_MAX[dims]
-    axes, turns = (math.sqrt(dims), TURNS[:dims - 1]) if s.turns else (1.0, ())
-    position, error = axes * s.p_max, 0.0 if s.exact_positions else axes * WHOLE
+    position, error = first_whole_position(s, dims)
     while True:
         yield error
-        error = ratio * error + (s.lacunarity - ratio) * position + axes * WHOLE
-        for stretch in turns:
-            error = stretch * error + math.sqrt(2) * WHOLE
+        position, error = next_whole_position(s, dims, position, error)
         error = 0.0 if s.exact_positions else error
-        position = s.lacunarity * math.prod(turns) * position + axes * shift
+
+
+def first_whole_position(s: Sum, dims: int) -> tuple[float, float]:
+    """How long it is, or without turns how large its coordinates, and the same of its error."""
+    return lengths(s, dims) * s.p_max, 0.0 if s.exact_positions else lengths(s, dims) * WHOLE
+
+
+def next_whole_position(s: Sum, dims: int, position: float, error: float) -> tuple[float, float]:
+    """Of the next octave, from those of one."""
+    ratio, shift = math.trunc(s.lacunarity * 2**23) / 2**23, SHIFT_MAX[dims]
+    axes, turns = lengths(s, dims), TURNS[:dims - 1] if s.turns else ()
+    error = ratio * error + (s.lacunarity - ratio) * position + axes * WHOLE
+    for stretch in turns:
+        error = stretch * error + math.sqrt(2) * WHOLE
+    return s.lacunarity * math.prod(turns) * position + axes * shift, error
 
 
 # --- Octaves ----------------------------------------------------------------------------------------------------------
@@ -300,6 +324,24 @@ def weighted_errors(s: Sum, noise_errs: list[float]) -> list[float]:
     return errs
 
 
+def weight_changes(s: Sum) -> list[tuple[float, float]]:
+    """Of each octave its weight in the mean, and by how much that is not the exact one."""
+    all_of_them, exact = fixed_weights(s), s.weights
+    total, exact_total = sum(all_of_them), sum(exact)
+    used = [product(a, fade) for a, fade in zip(all_of_them, fixed_fades(s))]
+    exact_used = [a * fade for a, fade in zip(exact, s.fades)]
+    return [(a / total, abs(a / total - b / exact_total)) for a, b in zip(used, exact_used)]
+
+
+def fixed_mean_error(s: Sum, limit: float, term_errs: list[float], changes: list[float] | None = None) -> float:
+    """Of the mean of terms that are at most `limit`, with the weights of an fBm, or with others that are off by
+    `changes`."""
+    weights = weight_changes(s)
+    changes = changes or [change for _, change in weights]
+    error = sum(a * err + limit * change for (a, _), err, change in zip(weights, term_errs, changes))
+    return error + (2 * s.count * FADE_ONE / sum(fixed_weights(s)) + 1) * UNIT + DOUBLE
+
+
 def fixed_octave_tolerance(s: Sum, noise: Bounds) -> float:
     """As octave_tolerance, of the fixed arithmetic; for lacunarity in [0, 255], gain in [0, 1] and
     at most 32 octaves, which is what it does not cut.
@@ -314,17 +356,12 @@ def fixed_octave_tolerance(s: Sum, noise: Bounds) -> float:
     if s.count:
         noise_errs = [min(noise.lipschitz * position_err + noise.fixed_error, 2 * limit)
                       for _, position_err in zip(range(s.count), whole_positions(s, noise.dimensions))]
-        all_of_them, exact = fixed_weights(s), s.weights
-        total, exact_total = sum(all_of_them), sum(exact)
-        used = [product(a, fade) for a, fade in zip(all_of_them, fixed_fades(s))]
-        exact_used = [a * fade for a, fade in zip(exact, s.fades)]
-        changes = [abs(a / total - b / exact_total) for a, b in zip(used, exact_used)]
+        changes = None
         if s.kind == "weighted":
-            changes = [b * abs(FADE_ONE / total - 1 / exact_total) + err * FADE_ONE / total
-                       for b, err in zip(exact, weighted_errors(s, noise_errs))]
-        for a, term_err, change in zip(used, fixed_terms(s, noise_errs), changes):
-            error += a / total * term_err + limit * change
-        error += (2 * s.count * FADE_ONE / total + 1) * UNIT + DOUBLE
+            total, exact_total = sum(fixed_weights(s)) / FADE_ONE, sum(s.weights)
+            changes = [b * abs(1 / total - 1 / exact_total) + err / total
+                       for b, err in zip(s.weights, weighted_errors(s, noise_errs))]
+        error = fixed_mean_error(s, limit, fixed_terms(s, noise_errs), changes)
     if s.kind == "clouds":  # the clamp and the doubling are exact, the smoothstep has slopes up to 3/2
         return 1.5 * 2 * error + cloud_error()
     return 2 * error if s.kind == "billow" else error

@@ -22,8 +22,10 @@ from golden import command as golden
 from golden import cellular_rows, period_rows, simplex_rows, sum_rows
 from golden.files import Digest, GoldenFile, golden_files, line
 from golden.generator import INT_MAX, INT_MIN, fnv1a64, generator_of, to_f32
-from oracle import feature_points, gradients, kernels, noises, sums, words
+from oracle import feature_points, frames, gradients, kernels, noises, sums, words
 from oracle.functions import knobs_of, values_of
+from oracle.gradients import Knobs
+from oracle.integers import signed
 from oracle.lattice import Lattice
 from oracle.nearest import NEAREST
 from oracle.noises import cell_border, simplex, simplex_smooth
@@ -155,10 +157,12 @@ class GoldenContents(unittest.TestCase):
     def test_there_are_files_for_what_the_tables_say(self) -> None:
         for name in ("hash.word.fnv1", "hash.unorm.any", "gradient.lattice2.lattice", "gradient.sine3.fnv1+sine",
                      "noise3d.perlin_cell_period.lattice+fixed", "fbm.clouds2.lattice+sine+fixed",
-                     "position.cell4.any"):
+                     "position.cell4.any", "fbm.fbm4_cell_period.pcg", "fbm_d.eroded3.lattice+fixed",
+                     "warp.warp_progressive2_period.lattice"):
             self.assertIn(f"{name}.golden", FILES)
         for name in ("hash.unorm.lattice", "hash.word.lattice+fixed", "gradient.lattice2.lattice+sine",
-                     "noise2d.perlin.lattice+precise", "fbm.fbm2.fnv1+sine"):
+                     "noise2d.perlin.lattice+precise", "fbm.fbm2.fnv1+sine", "fbm.fbm1.lattice+sine",
+                     "fbm_d.fbm_d2.lattice+sine"):
             self.assertNotIn(f"{name}.golden", FILES)
 
     def test_a_row_that_is_left_out_takes_its_files_with_it(self) -> None:
@@ -451,6 +455,50 @@ class GoldenContents(unittest.TestCase):
             options = sums.from_cell(options)
         return options, place, row[places:behind_periods]
 
+    def positions_of(self, function: Function, row: Sequence) -> list[sums.Place]:
+        """Of the octaves of a sum."""
+        options, place, periods = self.of_row(function, row)
+        if function.bound != "warp_progressive":
+            return [q for q, *_ in sums.octaves_of(place, options, 0, periods)]
+        octaves = frames.progressive_octaves(noises.find("value"), Knobs("lattice"), place, options, row[-1], periods)
+        return [q for (q, *_), _ in octaves]
+
+    def test_frames_keep_to_what_their_bounds_are_for(self) -> None:
+        framed = [function for function in SUMS if function.bound in sum_rows.FRAMED]
+        self.assertEqual(len(framed), 16)
+        for function in framed:
+            sizes, moves = [], []
+            for row in rows_with(function.id, "lattice+fixed"):
+                options, _, periods = self.of_row(function, row)
+                growth = abs(options.gain * sums.growth_of(options, periods))
+                powers = [growth**i for i in range(sums.fixed_count_of(options))]
+                sizes.append(sum(powers))
+                moves.append(sums.clamped(options.amplitude, 0, 64) * max(powers, default=0))
+            self.assertTrue(60 < max(sizes) <= 64, function.id)
+            self.assertEqual(max(moves) <= 256, function.bound == "warp_progressive" or not max(moves))
+            self.assertTrue(max(moves) > 200 or function.bound == "fbm_d", function.id)
+
+    def test_nothing_wraps_where_frames_keep_their_range(self) -> None:
+        """The contract's domain is one in which fixed arithmetic loses no bits but those of cells."""
+        for function in SUMS:
+            if function.bound in frames.SUMS:
+                file = FILES[f"{function.id}.lattice+fixed.golden"]
+                values = [file.evaluate(row) for row in file.rows()]
+                with mock.patch.object(frames, "wrapped", signed):
+                    self.assertEqual([file.evaluate(row) for row in file.rows()], values)
+
+    def test_slopes_sum_to_more_than_an_eroded_sum_lets_them(self) -> None:
+        for function in SUMS:
+            if function.bound != "eroded":
+                continue
+            for configuration, name in (("lattice", "LARGEST_SUM"), ("lattice+fixed", "LARGEST_E")):
+                file, row = FILES[f"{function.id}.{configuration}.golden"], sum_rows.steep(function)
+                self.assertIn(row, file.rows())
+                value, = file.evaluate(row)
+                with mock.patch.object(frames, name, 2 * getattr(frames, name)):
+                    other, = file.evaluate(row)
+                self.assertGreater(abs(value - other), 2**-12, (function.id, configuration))
+
     def test_octaves_of_floats_are_in_the_domain(self) -> None:
         for function in SUMS:
             far = 0
@@ -460,7 +508,7 @@ class GoldenContents(unittest.TestCase):
                 octaves = max(math.ceil(options.octaves), 0)
                 for period in periods:
                     self.assertLess(period * math.floor(sums.clamped(options.lacunarity, 0, 255))**octaves, 2**31)
-                positions = [q for q, *_ in sums.octaves_of(place, options, 0, periods)]
+                positions = self.positions_of(function, row)
                 if not function.has_cell:
                     self.assertTrue(all(abs(x) < 2**15 for q in positions for x in q))
                     continue
@@ -476,6 +524,8 @@ class GoldenContents(unittest.TestCase):
         for function in SUMS:
             for row in rows_with(function.id, "lattice") * (not function.has_cell):
                 options, place, periods = self.of_row(function, row)
+                if function.bound == "warp_progressive":
+                    continue  # its octaves are where no float is
                 if periods:
                     lacunarity = sums.lacunarity_of(options, periods)
                     self.assert_exact_positions(list(map(float, place)), options.octaves, float(lacunarity))

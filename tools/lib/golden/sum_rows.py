@@ -8,12 +8,14 @@ from collections.abc import Sequence
 
 from golden.generator import INT_MAX, INT_MIN, Generator, Row, to_f32
 from golden.period_rows import PERIODS, near_seam
+from oracle.frames import SUMS
 from tables.functions import Function
 
 COUNT = 64
 
 # Of each setting that only some sums have: edges with any arithmetic, and more with fixed. The strengths of ping-pong
-# reach as far as 64, those of the weighted sum as far as 1. What is beyond counts as the end.
+# reach as far as 64, those of the weighted sum as far as 1, those of eroded sums as far as 16, and amplitudes as far as
+# 64. What is beyond counts as the end.
 Edges = dict[str, tuple[tuple[float, ...], tuple[float, ...]]]
 EDGES: Edges = {
     # A footprint at which an octave begins to fade, or is gone, is 1/2 or 3/2 over a power of the lacunarity.
@@ -28,12 +30,19 @@ EDGES: Edges = {
                    64 + 2.0**-17, 3e38, -3e38)),
     "weighted": ((0.0, 1.0, 0.5, 0.75, 2.0, -1.0),
                  (-0.0, 1e-40, 2.0**-19, 2.0**-18, 511 * 2.0**-18, 1 - 2.0**-18, 1 - 2.0**-24, 1 + 2.0**-23, 1 / 3,
-                  3e38, -3e38))}
+                  3e38, -3e38)),
+    "eroded": ((0.0, 1.0, 0.25, 4.0, 16.0, 20.0, -1.0),
+               (-0.0, 1e-40, 2.0**-19, 2.0**-18, 511 * 2.0**-18, 1 / 3, 15.9, 16 - 2.0**-18, 16 + 2.0**-17, 3e38,
+                -3e38)),
+    # From 8 on the shifts of fixed arithmetic have more bits than a float.
+    "amplitude": ((0.0, 1.0, 0.5, 2.0, 64.0, 100.0, -1.0),
+                  (-0.0, 1e-40, 2.0**-19, 2.0**-18, 511 * 2.0**-18, 1 / 3, 8.0, 8 + 2.0**-17, 31.7, 63.9, 64 - 2.0**-18,
+                   64 + 2.0**-17, 3e38, -3e38))}
 
 
 def edges_of(function: Function) -> tuple[str, tuple[float, ...], tuple[float, ...]]:
     """The setting that few have, and its edges; of a sum that has none an empty name."""
-    for name in ("footprint", "detail", "strength"):
+    for name in ("footprint", "detail", "strength", "amplitude"):
         if name in function.settings:
             return name, *EDGES[function.bound if name == "strength" else name]
     return "", (), ()
@@ -41,6 +50,14 @@ def edges_of(function: Function) -> tuple[str, tuple[float, ...], tuple[float, .
 
 def usual(function: Function, octaves: int, generator: Generator) -> float:
     """A number for that setting."""
+    if function.bound == "eroded":
+        return generator.pick((1.0, 0.5, 4.0, generator.uniform(0, 2)))
+    if function.bound == "warp":
+        return generator.pick((1.0, 0.5, 2.0, generator.uniform(0, 4)))
+    if function.bound == "warp_progressive":
+        # What is off by a little moves all that follows, the more so the larger the amplitude is.
+        largest = 2.0 if octaves <= 2 else 0.5 if octaves <= 4 else 0.125
+        return generator.pick((largest, largest, generator.uniform(0, largest)))
     return generator.pick({
         "footprint": (0.0, 3.0, *(generator.uniform(0.5, 1) * 2.0**-generator.integer(-1, 7) for _ in range(6))),
         "detail": (octaves, octaves - 0.5, octaves - 2.0**-10, octaves - generator.uniform(0, 1)),
@@ -53,6 +70,30 @@ def settings(function: Function, octaves: int, lacunarity: float, gain: float, s
     """In the order of the columns; `special` is the one that few sums have."""
     floats = {"lacunarity": lacunarity, "gain": gain, edges_of(function)[0]: special}
     return tuple(octaves if name == "octaves" else to_f32(floats[name]) for name in function.settings)
+
+
+FRAMED = ("fbm_d", "warp_progressive")  # the sums that have the frames of octaves in them
+
+
+def in_frames(function: Function, octaves: int, lacunarity: float, gain: float, amplitude: float) -> bool:
+    """Whether a sum keeps to its bound: the contract says how large frames may be."""
+    sizes = [abs(gain * lacunarity)**i for i in range(min(octaves, 32))]
+    moves = function.bound == "warp_progressive" and min(max(amplitude, 0), 64) * max(sizes, default=0) > 256
+    return function.bound not in FRAMED or (sum(sizes) <= 64 and not moves)
+
+
+def kept(function: Function, octaves: int, lacunarity: float, gain: float, special: float | None) -> tuple[int, float]:
+    """The octaves and the gain, or lower ones that keep the sum to its bound."""
+    amplitude = 2.0 if special is None else special
+    if in_frames(function, octaves, lacunarity, gain, amplitude):
+        return octaves, gain
+    if octaves > 8:
+        return octaves, to_f32(0.999 / abs(lacunarity))
+    while octaves > 2 and not in_frames(function, octaves, lacunarity, gain, amplitude):
+        octaves -= 1
+    if not in_frames(function, octaves, lacunarity, gain, amplitude):
+        gain = to_f32((31 if amplitude < 8 else 3.9) / abs(lacunarity))
+    return octaves, gain
 
 
 # --- Of every arithmetic: positions of few bits, so that the bounds of floats stay small ---------------------------
@@ -77,13 +118,18 @@ def periods_of(function: Function, octaves: int, lacunarity: float, generator: G
 def somewhere(function: Function, octaves: int, lacunarity: float, periods: Sequence[int], generator: Generator) -> Row:
     """A place, next to a seam if there are any. All octaves of it are within the range of int."""
     growth = max(abs(lacunarity), 1)**max(octaves - 1, 0)
-    reach = 1 if growth > 200 else generator.pick((4, 16, 64))
+    # In four dimensions a turn adds more bits.
+    reach = 1 if growth > 200 else generator.pick((4, 8) if function.axes == 4 and not periods else (4, 16, 64))
     if function.has_cell:
-        # What is turned may come to lie along an axis, where it is longer by the square root of 3 at most.
-        reach = min(generator.pick((8, 200, 2**28, 2**31)), math.floor(2**30 / growth) - 8)
+        # What is turned may come to lie along an axis, where it is longer by the square root of the axes at most. A
+        # progressive warp moves it, too.
+        largest, margin = 2**29 if function.axes == 4 else 2**30, 256 if function.bound == "warp_progressive" else 8
+        reach = min(generator.pick((8, 200, 2**28, 2**31)), math.floor(largest / growth) - margin)
     cell = [near_seam(period, reach, generator) for period in periods or (1,) * function.axes]
     if not function.has_cell:
-        steps = 64 if periods else 8
+        steps = 64 if periods else 8 if function.axes < 4 else 4
+        if function.axes == 4 and growth > 200 and not periods:
+            cell, steps = [min(max(c, -1), 1) for c in cell], 1
         return tuple(to_f32(c + generator.integer(0, steps - 1) / steps) for c in cell)
     if octaves <= 1:
         cell = [generator.pick((c, INT_MIN, INT_MAX)) for c in cell]
@@ -93,6 +139,7 @@ def somewhere(function: Function, octaves: int, lacunarity: float, periods: Sequ
 def drawn(function: Function, octaves: int, lacunarity: float, gain: float, generator: Generator,
           special: float | None = None) -> Row:
     """A row at some place."""
+    octaves, gain = kept(function, octaves, lacunarity, gain, special)
     periods = periods_of(function, octaves, lacunarity, generator)
     place = somewhere(function, octaves, lacunarity, periods, generator)
     if special is None:
@@ -100,11 +147,49 @@ def drawn(function: Function, octaves: int, lacunarity: float, gain: float, gene
     return place + periods + settings(function, octaves, lacunarity, gain, special) + (generator.seed(),)
 
 
+def octaves_at(function: Function, special: float) -> int:
+    """How many octaves an edge of the special setting has, in every arithmetic."""
+    name = edges_of(function)[0]
+    if name == "detail":
+        return math.ceil(special)
+    if function.bound == "ping_pong" and special > 4:
+        return 1  # a strength is as steep as it is large
+    if function.bound == "warp_progressive" and special > 0.5:
+        return 2
+    return 6 if name == "footprint" else 4
+
+
+# By dimensions, and by whether there are periods: where slopes sum to more than an eroded sum lets them, with the
+# default hash. The octaves are all as coarse as the first. These are the best of some thousand places and seeds.
+STEEP_PERIOD, STEEP_STRENGTH = 5, 0.0625
+STEEP = {(2, False): ((-4.25, -5.875), 8, 1.0, 3923523344), (2, True): ((4.125, -4.125), 8, 1.0, 2326118865),
+         (3, False): ((-7.125, 4.625, -0.375), 20, 0.9375, 796598644),
+         (3, True): ((7.875, 4.0, 0.5), 20, 0.9375, 829324905)}
+TINY = (2.0**-126, -2.0**-126, 2.0**-33, -2.0**-31, 2.0**-30)
+
+
+def steep(function: Function) -> Row:
+    place, octaves, gain, seed = STEEP[function.axes, function.has_period]
+    periods = (STEEP_PERIOD,) * (function.axes * function.has_period)
+    return split(function, place) + periods + settings(function, octaves, 1.0, gain, STEEP_STRENGTH) + (seed,)
+
+
+def of_slopes_and_shifts(function: Function, generator: Generator) -> list[Row]:
+    """Rows of sums that have slopes or shifts."""
+    rows = [steep(function)] if function.bound == "eroded" else []
+    for _ in range(2 * (not function.has_cell)):
+        # The second octave would be at a place that no float has.
+        place = tuple(generator.pick(TINY) for _ in range(function.axes))
+        periods, special = periods_of(function, 1, 2.0, generator), usual(function, 1, generator)
+        rows.append(place + periods + settings(function, 1, 2.0, 0.5, special) + (generator.seed(),))
+    return rows
+
+
 def plain(function: Function, generator: Generator) -> list[Row]:
     """64 sums; more of those with a setting of their own, since each edge of it has a row."""
     n, (name, edges, _) = function.axes, edges_of(function)
     rows = []
-    origin, corner = (0.0,) * n, (64.0, -64.0, 64.0)[:n]
+    origin, corner = (0.0,) * n, (64.0, -64.0, 64.0, -64.0)[:n]
     for point, octaves, gain, seed in (*((origin, octaves, 0.5, 0) for octaves in (-1, 0, 1, 2, 6)),
                                        (corner, 6, 0.5, 0), ((-1.0,) * n, 1, 0.5, 1), ((0.5,) * n, 6, 0.0, 0)):
         periods = periods_of(function, octaves, 2.0, generator)
@@ -112,11 +197,11 @@ def plain(function: Function, generator: Generator) -> list[Row]:
                     settings(function, octaves, 2.0, gain, usual(function, octaves, generator)) + (seed,))
     rows += [drawn(function, 3, 2.0, gain, generator) for gain in (0.0, 1.0, 1.5)]
     for special in edges:
-        octaves = math.ceil(special) if name == "detail" else 6 if name == "footprint" else 4
-        # A strength is as steep as it is large.
-        rows.append(drawn(function, 1 if name == "strength" and special > 4 else octaves, 2.0, 0.5, generator, special))
+        rows.append(drawn(function, octaves_at(function, special), 2.0, 0.5, generator, special))
         if name == "footprint":
             rows.append(drawn(function, 4, generator.pick((0.5, 1.5, 3.0)), 0.75, generator, special))
+    if function.bound in SUMS:
+        rows += of_slopes_and_shifts(function, generator)
     # With a period the lacunarity is rounded down, and from a cell one below 0 counts as 0.
     lacunarities = [(2.0, 6), (2.0, 6), (2.0, 4), (1.5, 6), (2.5, 5), (1.90625, 6), (3.0, 4), (1.0, 4), (0.5, 3),
                     (0.0, 2), (255.0, 2)]
@@ -137,6 +222,9 @@ FIXED_FRACTIONS = (0.0, -0.0, 2.0**-149, 2.0**-25, 2.0**-24, 2.0**-20 - 2.0**-24
                    0.5, 1 - 2.0**-20, 1 - 2.0**-24, 1.0, -0.25, 1.25)
 LACUNARITIES = (1.9, 3.7, 0.0, 255.0, 2.0, 1.0, 0.3, 1e-40, -2.0, 300.0)
 GAINS = (0.0, 1.0, 1.5, 0.7, 0.5, 1e-40, -1.0)
+# Octaves, lacunarities, gains and amplitudes at the ends of what keeps frames in their range.
+LARGEST_FRAMES = ((2, 255.0, 0.24609375, 4.0), (6, 2.0, 1.0, 8.0), (3, 2.0, 1.0, 64.0), (5, 2.0, 1.0, 16.0),
+                  (32, 1.04, 1.0, 64.0), (32, 255.0, 1 / 256, 64.0), (32, 1.0, 1.0, 64.0))
 
 
 def any_place(function: Function, generator: Generator) -> Row:
@@ -153,6 +241,7 @@ def fixed(function: Function, coordinates: Sequence[float], generator: Generator
     n, (_, edges, more_edges) = function.axes, edges_of(function)
 
     def row(place: Row, octaves: int, lacunarity: float, gain: float, special: float | None = None) -> Row:
+        octaves, gain = kept(function, octaves, lacunarity, gain, special)
         periods = tuple(generator.pick(PERIODS) for _ in range(n * function.has_period))
         if special is None:
             special = usual(function, octaves, generator)
@@ -167,6 +256,8 @@ def fixed(function: Function, coordinates: Sequence[float], generator: Generator
         rows += [row((cell,) * n + (f,) * n, 3, 1.9, 1.0) for cell in CELLS for f in (0.5, 1.0)]
     else:
         rows += [row((x,) * n, 3, 1.9, 0.7) for x in coordinates]
+    for octaves, lacunarity, gain, amplitude in LARGEST_FRAMES * (function.bound in FRAMED):
+        rows.append(row(any_place(function, generator), octaves, lacunarity, gain, amplitude))
     for special in edges + more_edges:
         rows += [row(any_place(function, generator), 6, lacunarity, gain, special)
                  for lacunarity, gain in ((2.0, 0.5), (generator.pick(LACUNARITIES), generator.pick(GAINS)))]

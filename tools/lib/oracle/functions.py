@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from oracle import gradients, integers, noises, positions, sums, words
+from oracle import frames, gradients, integers, noises, positions, sums, words
 from oracle.curl import CURL
 from oracle.gradients import Knobs, Real
 from oracle.lattice import Choice
@@ -50,7 +50,7 @@ def evaluator(function: Function, fixed: bool) -> Evaluate:
         return _evaluator(CURL, function, fixed)
     if family in NOISES and function.form in ("position", "cell", "place_of_noise"):
         return _noise_evaluator(function, fixed)
-    if family in OCTAVE_SUMS and function.bound in sums.SUMS:
+    if family in OCTAVE_SUMS and function.bound in (*sums.SUMS, *frames.SUMS):
         return _sum_evaluator(function, fixed)
     raise function.row.error(f"the oracle has no {function.id}: tools/lib/oracle/functions.py finds what it evaluates")
 
@@ -116,9 +116,17 @@ def _evaluator(noise: Noise, function: Function, fixed: bool) -> Evaluate:
     return evaluate
 
 
+def sum_values(name: str, fixed: bool) -> Callable[..., tuple[Real, ...]]:
+    """What a sum returns: of the knobs, the place, the options, the seed and the periods."""
+    if name in frames.SUMS:
+        noise, of_several = noises.find(frames.SUMS[name].noise), frames.fixed if fixed else frames.exact
+        return lambda *arguments: of_several(name, noise, *arguments)
+    noise, of_one = noises.find(NOISE_OF_SUMS), sums.fixed if fixed else sums.exact
+    return lambda *arguments: (of_one(name, noise, *arguments),)
+
+
 def _sum_evaluator(function: Function, fixed: bool) -> Evaluate:
-    n, noise = function.axes, noises.find(NOISE_OF_SUMS)
-    octave_sum = sums.fixed if fixed else sums.exact
+    n, values = function.axes, sum_values(function.bound, fixed)
     at_position, in_cell = ((sums.fixed_at_position, sums.fixed_in_cell) if fixed else
                             (sums.at_position, sums.in_cell))
     behind_place = 2 * n if function.has_cell else n
@@ -131,6 +139,6 @@ def _sum_evaluator(function: Function, fixed: bool) -> Evaluate:
         options = sums.Options(**dict(zip(names, settings, strict=True)))
         if function.has_cell:
             options = sums.from_cell(options)
-        return (octave_sum(function.bound, noise, knobs, place, options, seed, row[behind_place:behind_periods]),)
+        return values(knobs, place, options, seed, row[behind_place:behind_periods])
 
     return evaluate

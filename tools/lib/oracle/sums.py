@@ -14,10 +14,10 @@ from oracle.lattice import Lattice
 from oracle.noises import Noise
 from oracle.words import MASK, signed as wrapped
 
-SHIFT = (Fraction(11, 32), Fraction(19, 32), Fraction(23, 32))
+SHIFT = (Fraction(11, 32), Fraction(19, 32), Fraction(23, 32), Fraction(27, 32))
 SEED_STEP = 0x9E3779B9
-# In 32nds the cosines and the sines of the turns: in the plane of x and y, and then in that of y and z.
-TURNS = ((25, 20), (29, 13))
+# In 32nds the cosines and the sines of the turns: in the plane of x and y, then in that of y and z, then of z and w.
+TURNS = ((25, 20), (29, 13), (25, 20))
 
 Number = TypeVar("Number", int, Fraction)
 
@@ -30,6 +30,7 @@ class Options:
     gain: Real
     strength: Real = 0
     footprint: Real = 0  # all octaves are visible
+    amplitude: Real = 0
 
 
 @dataclass(frozen=True)
@@ -58,7 +59,7 @@ def lacunarity_of(options: Options, periods: Sequence[int]) -> Fraction:
 
 
 def turn(q: Sequence[Number], thirty_second: Callable[[Number], Number]) -> list[Number]:
-    """The turn of a position."""
+    """The turn of a position, or of another vector. On the line it is left as it is."""
     q = list(q)
     for i, (cosine, sine) in zip(range(len(q) - 1), TURNS):
         a, b = q[i:i + 2]
@@ -84,18 +85,32 @@ def count_of(options: Options) -> int:
     return 0 if options.octaves < Fraction(1, 2**32) else math.ceil(options.octaves)
 
 
-def octaves_of(q: Place, options: Options, seed: int,
-               periods: Sequence[int] = ()) -> Iterator[tuple[Place, Sequence[int], int]]:
-    """Where each octave is sampled, with which periods and which seed."""
-    factor = lacunarity_of(options, periods) if periods else Fraction(options.lacunarity)
+def growth_of(options: Options, periods: Sequence[int]) -> Fraction:
+    """The lacunarity that counts."""
+    return lacunarity_of(options, periods) if periods else Fraction(options.lacunarity)
+
+
+def thirty_second(x: Fraction) -> Fraction:
+    return x / 32
+
+
+Octave = tuple[Place, Sequence[int], int]  # where it is sampled, with which periods and which seed
+
+
+def following(octave: Octave, factor: Fraction) -> Octave:
+    q, periods, seed = octave
+    q = [x * factor for x in q]
+    if not periods:
+        q = turn(q, thirty_second)
+    return ([x + shift for x, shift in zip(q, SHIFT)], [int(period * factor) for period in periods],
+            (seed + SEED_STEP) & MASK)
+
+
+def octaves_of(q: Place, options: Options, seed: int, periods: Sequence[int] = ()) -> Iterator[Octave]:
+    octave = (q, periods, seed)
     for _ in range(count_of(options)):
-        yield q, periods, seed
-        q = [x * factor for x in q]
-        if not periods:
-            q = turn(q, lambda x: x / 32)
-        q = [x + shift for x, shift in zip(q, SHIFT)]
-        periods = [int(period * factor) for period in periods]
-        seed = (seed + SEED_STEP) & MASK
+        yield octave
+        octave = following(octave, growth_of(options, periods))
 
 
 def weights(options: Options) -> list[Fraction]:
@@ -192,7 +207,7 @@ def fixed_at_position(p: Sequence[Real]) -> FixedPlace:
     for x in map(Fraction, p):
         c = math.trunc(x)
         position = clamp_to_int(c) * POSITION_UNIT + math.trunc((x - c) * POSITION_UNIT)
-        found.append((position >> 24, position & (POSITION_UNIT - 1)))
+        found.append(cell_and_rest(position))
     return found
 
 
@@ -205,20 +220,38 @@ def reduced(position: int) -> int:
     return (position + 2**55) % 2**56 - 2**55
 
 
-def fixed_octaves_of(place: FixedPlace, options: Options, seed: int,
-                     periods: Sequence[int] = ()) -> Iterator[tuple[FixedPlace, Sequence[int], int]]:
-    """Where each octave is sampled, with which periods and which seed."""
-    factor = lacunarity_of(options, periods)
+def cell_and_rest(position: int) -> tuple[int, int]:
+    """Of a whole position."""
+    return position >> 24, position & (POSITION_UNIT - 1)
+
+
+FixedOctave = tuple[FixedPlace, Sequence[int], int]
+
+
+def fixed_following(octave: FixedOctave, factor: Fraction) -> FixedOctave:
+    place, periods, seed = octave
     multiplier = math.trunc(factor * 2**23)
+    q = [reduced((cell * POSITION_UNIT + r) * multiplier >> 23) for cell, r in place]
+    if not periods:
+        q = turn(q, lambda x: reduced(x >> 5))
+    q = [reduced(x + int(shift * POSITION_UNIT)) for x, shift in zip(q, SHIFT)]
+    return (list(map(cell_and_rest, q)), [wrapped(period * math.floor(factor)) for period in periods],
+            (seed + SEED_STEP) & MASK)
+
+
+def fixed_octaves_of(place: FixedPlace, options: Options, seed: int,
+                     periods: Sequence[int] = ()) -> Iterator[FixedOctave]:
+    octave = (place, periods, seed)
     for _ in range(fixed_count_of(options)):
-        yield place, periods, seed
-        q = [reduced((cell * POSITION_UNIT + r) * multiplier >> 23) for cell, r in place]
-        if not periods:
-            q = turn(q, lambda x: reduced(x >> 5))
-        q = [reduced(x + int(shift * POSITION_UNIT)) for x, shift in zip(q, SHIFT)]
-        place = [(x >> 24, x & (POSITION_UNIT - 1)) for x in q]
-        periods = [wrapped(period * math.floor(factor)) for period in periods]
-        seed = (seed + SEED_STEP) & MASK
+        yield octave
+        octave = fixed_following(octave, lacunarity_of(options, periods))
+
+
+def fixed_at(noise: Noise, knobs: Knobs, octave: FixedOctave) -> tuple[int, ...]:
+    """What the noise returns there, as integers."""
+    place, periods, seed = octave
+    return noise.fixed_in_cell(Lattice(knobs, seed, tuple(periods)), [cell for cell, _ in place],
+                               [r >> 4 for _, r in place])
 
 
 def fixed_count_of(options: Options) -> int:
@@ -259,10 +292,7 @@ def fixed_visible(options: Options) -> Iterator[int]:
 
 def fixed_terms(noise: Noise, knobs: Knobs, place: FixedPlace, options: Options, seed: int,
                 periods: Sequence[int] = ()) -> Terms[int]:
-    noises = []
-    for at, p, s in fixed_octaves_of(place, options, seed, periods):
-        value, *_ = noise.fixed_in_cell(Lattice(knobs, s, tuple(p)), [cell for cell, _ in at], [r >> 4 for _, r in at])
-        noises.append(value)
+    noises = [fixed_at(noise, knobs, octave)[0] for octave in fixed_octaves_of(place, options, seed, periods)]
     found = fixed_weights(options)
     return Terms(noises, found, list(map(product, found, fixed_visible(options))), in_weights(options.gain),
                  in_weights(options.strength, 64))

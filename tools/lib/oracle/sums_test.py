@@ -62,6 +62,17 @@ class Octaves(unittest.TestCase):
         self.assertEqual(self.places((1.0, 2.0), Options(2, -2.0, 0.5))[1][0],
                          (Fraction(-50 + 80 + 11, 32), Fraction(-40 - 100 + 19, 32)))
 
+    def test_on_the_line_and_in_four_dimensions_by_hand(self) -> None:
+        self.assertEqual(self.places((-12.25,), Options(2, 2.5, 0.5)),
+                         [((-12.25,), (), 0xFFFFFFFF), ((-30.625 + 11 / 32,), (), 0x9E3779B8)])
+        # As in space, then (25 z - 20 w, 20 z + 25 w) / 32 with w = 8: z was 230.875 / 32.
+        z = Fraction(1847, 256)
+        self.assertEqual(self.places((1.0, 2.0, 3.0, 4.0), Options(2, 2.0, 0.5))[1][0],
+                         (-0.59375, 2.12109375, (25 * z - 160) / 32 + Fraction(23, 32),
+                          (20 * z + 200) / 32 + Fraction(27, 32)))
+        self.assertEqual(self.places((1.0, 2.0, 3.0, 4.0), Options(2, 3.5, 0.5), (1, 2, 3, 0))[1],
+                         ((3.34375, 6.59375, 9.71875, 12.84375), (3, 6, 9, 0), 0x9E3779B8))
+
     def test_with_periods_by_hand(self) -> None:
         # Nothing turns, not even along an axis without a period. 2.9 is rounded down.
         self.assertEqual(self.places((0.375, -12.25), Options(3, 2.9, 0.5), (5, -5)),
@@ -309,6 +320,13 @@ class FixedSums(unittest.TestCase):
         # are 2 and 1.
         self.assertEqual(self.next_place([(0, 5), (0, 0), (0, 0)], 1.0),
                          [(0, 3 + 11 * 2**19), (0, 2 + 19 * 2**19), (0, 1 + 23 * 2**19)])
+        # And the fourth with what that has become: 13 * 25 / 32 is 10, and 20 * 10 / 32 is 6, 25 * 10 / 32 is 7.
+        self.assertEqual(self.next_place([(0, 0), (0, 32), (0, 0), (0, 0)], 1.0),
+                         [(0, 11 * 2**19 - 20), (0, 22 + 19 * 2**19), (0, 7 + 23 * 2**19), (0, 6 + 27 * 2**19)])
+        self.assertEqual(self.next_place([(0, 0), (0, 0), (0, 0), (0, 33)], 1.0)[2:],
+                         [(0, 23 * 2**19 - 21), (0, 27 * 2**19 + 25)])
+        # On the line nothing turns.
+        self.assertEqual(self.next_place([(-1, one - 3)], 1.5), [(0, 11 * 2**19 - 5)])
         # The lacunarity is cut to a multiple of 2^-23.
         self.assertEqual(self.next_place([(2**23, 0), (0, 0)], 2.0**-23 + 2.0**-40),
                          self.next_place([(1, 0), (0, 0)], 1.0))
@@ -326,6 +344,11 @@ class FixedSums(unittest.TestCase):
         # become -121 * 2^24.
         self.assertEqual(self.next_place([(3 * 2**29, 0), (3 * 2**29, 0), (0, 0)], 1.0),
                          [(15 * 2**24, 11 * 2**19), (-29 * 121 * 2**19, 19 * 2**19), (-13 * 121 * 2**19, 23 * 2**19)])
+        # In four dimensions what the second turn has brought beyond it is reduced before the third: with 45 * 2^25
+        # along y after the first one, (13 * 45 + 29 * 63) / 32 times 2^25 becomes -421 * 2^22.
+        self.assertEqual(self.next_place([(2**30, 0), (2**30, 0), (63 * 2**25, 0), (0, 0)], 1.0),
+                         [(5 * 2**25, 11 * 2**19), (486 * 2**20, 19 * 2**19), (-25 * 421 * 2**17, 23 * 2**19),
+                          (-20 * 421 * 2**17, 27 * 2**19)])
         # A product of 87 bits, all of which count.
         for position, lacunarity in itertools.product((2**55 - 1, -2**55 + 1, 0x123456789ABCDF), (255 - 2.0**-16, 1.9)):
             moved = math.floor(Fraction(math.trunc(lacunarity * 2**23), 2**23) * position)

@@ -19,7 +19,8 @@ Costs = Mapping[str, Mapping[str, str]]  # the rows of bench.csv, by id
 
 # --- Typical values -----------------------------------------------------------------------------------------------------
 
-SUMS = ("hn_fbm", "hn_turbulence", "hn_billow", "hn_clouds", "hn_ridged", "hn_ping_pong", "hn_weighted")
+SUMS = ("hn_fbm", "hn_turbulence", "hn_billow", "hn_clouds", "hn_ridged", "hn_ping_pong", "hn_weighted",
+        "hn_eroded", "hn_warp", "hn_warp_progressive")
 IN_README = ("hn_perlin", "hn_value", "hn_value_cubic", "hn_simplex", "hn_simplex_smooth", "hn_fbm")
 
 

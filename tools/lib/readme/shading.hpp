@@ -8,6 +8,8 @@
 namespace hashnoise {
 
 inline float sin(float x) { return std::sin(x); }
+inline float cos(float x) { return std::cos(x); }
+inline float asin(float x) { return std::asin(x); }
 inline float pow(float x, float y) { return std::pow(x, y); }
 inline float fract(float x) { return x - floor(x); }
 inline vec2 fract(vec2 v) { return v - floor(v); }

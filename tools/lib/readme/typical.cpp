@@ -40,11 +40,16 @@ void print_typical(const char* name, int axes, Noise noise) {
 
 vec2 plane(vec3 p) { return vec2(p.x, p.y); }
 
+// Of a vector one component stands for all.
+float first(float value) { return value; }
+float first(vec2 value) { return value.x; }
+float first(vec3 value) { return value.x; }
+
 }  // namespace
 
 #define PRINT(name, ...)                                                                                \
-  print_typical(#name, 2, [](vec3 p) { return hashnoise::name(plane(p) __VA_OPT__(, ) __VA_ARGS__); }); \
-  print_typical(#name, 3, [](vec3 p) { return hashnoise::name(p __VA_OPT__(, ) __VA_ARGS__); })
+  print_typical(#name, 2, [](vec3 p) { return first(hashnoise::name(plane(p) __VA_OPT__(, ) __VA_ARGS__)); }); \
+  print_typical(#name, 3, [](vec3 p) { return first(hashnoise::name(p __VA_OPT__(, ) __VA_ARGS__)); })
 
 int main() {
   PRINT(hn_perlin);
@@ -59,4 +64,7 @@ int main() {
   PRINT(hn_ridged, 6, 2.0f, 0.5f);
   PRINT(hn_ping_pong, 6, 2.0f, 0.5f, 2.0f);
   PRINT(hn_weighted, 6, 2.0f, 0.5f, 1.0f);
+  PRINT(hn_eroded, 6, 2.0f, 0.5f, 1.0f);
+  PRINT(hn_warp, 6, 2.0f, 0.5f, 1.0f);
+  PRINT(hn_warp_progressive, 6, 2.0f, 0.5f, 1.0f);
 }

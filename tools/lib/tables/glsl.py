@@ -13,9 +13,9 @@ FUNCTION = re.compile(r"^HN_FN\s+\w+\s+(hn_(?!i_)\w+)\(((?:[^()]|\([^()]*\))*)\)
 # What defines a public function in whatever way, where no comment, no directive and no body is.
 ANY_FUNCTION = re.compile(r"\b(hn_(?!i_)\w+)\s*\([^;{}]*\{")
 # A line that defines the functions of a sum over a noise: what it sums, and in which form (glsl/octaves.glsl).
-SUM = re.compile(r"^HN_([A-Z_]+?)(_PERIOD|_LIMITED)?([23])D\((hn_\w+), hn_\w+\)$", re.MULTILINE)
+SUM = re.compile(r"^HN_([A-Z_]+?)(_PERIOD|_LIMITED)?([1-4])D\((hn_\w+), hn_\w+\)$", re.MULTILINE)
 ANY_SUM = re.compile(r"^HN_[A-Z_]+[0-9]D\((hn_\w+)", re.MULTILINE)
-STRONG = ("PING_PONG", "WEIGHTED")  # those with a strength
+STRONG = ("PING_PONG", "WEIGHTED", "ERODED", "WARP", "WARP_PROGRESSIVE")  # those with a strength or an amplitude
 NO_CODE = re.compile(r"//[^\n]*|/\*.*?\*/|^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", re.MULTILINE | re.DOTALL)
 
 
@@ -40,6 +40,7 @@ class Declaration:
     name: str
     types: tuple[str, ...]  # of its arguments, as in GLSL: vec2, uint
     comment: Comment | None
+    dimensions_of_sum: int | None = None  # of one that a line for sums defines
 
     def __str__(self) -> str:
         return f"{self.name}({', '.join(self.types)})"
@@ -70,7 +71,8 @@ def _comment_above(lines: list[str], line: int) -> Comment | None:
 
 def _types_of_sum(sum_name: str, form: str | None, n: str) -> list[tuple[str, ...]]:
     """The types of the arguments of each function that a line defines."""
-    vec, ivec, plain = f"vec{n}", f"ivec{n}", ("int", "float", "float") + ("float",) * (sum_name in STRONG)
+    vec, ivec = ("float", "int") if n == "1" else (f"vec{n}", f"ivec{n}")
+    plain = ("int", "float", "float") + ("float",) * (sum_name in STRONG)
     if form == "_LIMITED":
         return [(vec, "float", "float", "float", "uint"), (vec, "float", *plain, "uint")]
     if form == "_PERIOD":
@@ -78,10 +80,11 @@ def _types_of_sum(sum_name: str, form: str | None, n: str) -> list[tuple[str, ..
     return [(vec, *plain, "uint"), (vec, *plain), (ivec, vec, *plain, "uint"), (ivec, vec, *plain)]
 
 
-def _functions(text: str) -> list[tuple[int, str, tuple[str, ...]]]:
-    """Where each public function is defined, its name, and the types of its arguments."""
-    found = [(match.start(), match[1], tuple(map(_type, match[2].split(",")))) for match in FUNCTION.finditer(text)]
-    found += [(match.start(), match[4], types) for match in SUM.finditer(text)
+def _functions(text: str) -> list[tuple[int, str, tuple[str, ...], int | None]]:
+    """Where each public function is defined, its name, the types of its arguments, and the dimensions of a sum."""
+    found: list[tuple[int, str, tuple[str, ...], int | None]] = [
+        (match.start(), match[1], tuple(map(_type, match[2].split(","))), None) for match in FUNCTION.finditer(text)]
+    found += [(match.start(), match[4], types, int(match[3])) for match in SUM.finditer(text)
               for types in _types_of_sum(match[1], match[2], match[3])]
     return sorted(found, key=lambda function: function[0])
 
@@ -91,12 +94,12 @@ def declarations(library: Path = LIBRARY) -> list[Declaration]:
     for path in sorted(library.glob("*.glsl")):
         text = path.read_text(encoding="utf-8")
         lines, last = text.split("\n"), None
-        for start, name, types in _functions(text):
+        for start, name, types, dimensions in _functions(text):
             line = text.count("\n", 0, start) + 1
             comment = _comment_above(lines, line)
             if comment is None and last is not None and last.name == name:
                 comment = last.comment
-            last = Declaration(path, line, name, types, comment)
+            last = Declaration(path, line, name, types, comment, dimensions)
             found.append(last)
     return found
 

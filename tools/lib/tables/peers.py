@@ -33,6 +33,16 @@ PEERS = (
 SIX_OCTAVES = ("fnl_state(0, 1.0, FNL_NOISE_PERLIN, FNL_ROTATION_NONE, FNL_FRACTAL_NONE, 6, 2.0, 0.5, 0.0, 2.0, 0, 0, 1.0, "
                "0, 1.0)")
 
+
+# What its warps do: p moves, and is told. Their vectors are those of a grid, as ours are.
+def _warped(kind: str, axes: str) -> str:
+    state = SIX_OCTAVES.removesuffix("0, 1.0)") + "FNL_DOMAIN_WARP_BASICGRID, 1.0)"
+    moved = [f"hn_bench_set.{axis}" for axis in axes]
+    start = ", ".join([f"p.{axis}" for axis in axes] + ["0.0"] * (4 - len(axes)))
+    return (f"(hn_bench_set = vec4({start}), _fnlDomainWarpFractal{kind}{len(axes)}D({state}, {', '.join(moved)}), "
+            f"{' + '.join(moved)})")
+
+
 # The parts of a vector are added up, as bench does with those of ours.
 CALLS = (
     Call("Perlin 2D", "noise2d.perlin", "fastnoiselite", "", "_fnlSinglePerlin2D(0, p.x, p.y)"),
@@ -95,6 +105,10 @@ CALLS = (
          f"_fnlGenFractalPingPong2D({SIX_OCTAVES}, p.x, p.y)"),
     Call("ping-pong 3D, 6 octaves", "fbm.ping_pong3", "fastnoiselite", "",
          f"_fnlGenFractalPingPong3D({SIX_OCTAVES}, p.x, p.y, p.z)"),
+    Call("warp 2D, 6 octaves", "warp.warp2", "fastnoiselite", "", _warped("Independent", "xy")),
+    Call("warp 3D, 6 octaves", "warp.warp3", "fastnoiselite", "", _warped("Independent", "xyz")),
+    Call("progressive warp 2D, 6 octaves", "warp.warp_progressive2", "fastnoiselite", "", _warped("Progressive", "xy")),
+    Call("progressive warp 3D, 6 octaves", "warp.warp_progressive3", "fastnoiselite", "", _warped("Progressive", "xyz")),
     Call("turning simplex 2D with derivatives", "noise2d.simplex_d_phase", "psrdnoise", "psrdnoise2.glsl",
          "psrdnoise(p, vec2(0.0), p.x, hn_bench_set.xy) + hn_bench_set.x + hn_bench_set.y"),
     Call("turning simplex 3D with derivatives", "noise3d.simplex_d_phase", "psrdnoise", "psrdnoise3.glsl",

@@ -1,0 +1,382 @@
+"""How far octave sums with slopes, and warps, may be off, from the bounds of their noise and its derivatives: in floats,
+and in fixed arithmetic.
+
+The frame of an octave is a matrix K. Its columns, which a derivative is a product with, and its rows, which a shift is,
+are lengthened by no more than the turns stretch lengths. Integers of a frame do not depend on the position, and so they
+are compared with the exact numbers as they are.
+
+Lengths are bounded, as those of positions are; with a period nothing turns, and each coordinate is bounded on its own.
+L of a noise is the largest sum of the magnitudes of its derivatives. It bounds the lengths of gradients, and with them
+how far noise changes with the length of a step: less than L times the step."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from bounds.floats import TINY
+from bounds.floats import UNIT as FLOAT_UNIT
+from bounds.integers import FADE_ONE, SLOPE_UNIT, UNIT
+from bounds.sums import (LARGEST_STRENGTH, TURNS, WEIGHT_UNIT, WHOLE, Sum, clamped_strength, first_whole_position,
+                         fixed_mean_error, fixed_strength, fixed_weights, float_positions, float_sum_error, lengths,
+                         next_float_position, next_whole_position, whole_positions)
+from bounds.table import Bounds
+
+PLANES = ((25, 20), (29, 13), (25, 20))  # the turns of the contract: of an axis and the next
+LARGEST_GROWTH, LARGEST_SHIFT = 64.0, 256.0  # for which the bounds are promised
+SLOPE_LIMIT = 4.0  # of a component, beyond which it is cut off
+FALL_LIMIT = 8.0  # the same of what hn_eroded sums of slopes
+FALL_UNIT = 2.0**-12
+LARGEST_AMPLITUDE = 64.0
+SETTLED = 2.0**-96  # HN_PRECISE replaces a result, or a step of a position, by 0 below this
+DOUBLES = 1e-12  # more than the rounding errors of 32 frames of up to 64, computed in doubles
+COARSE = 127  # what a large result loses at most, in its units
+
+
+def stretch(s: Sum, dims: int) -> float:
+    """Of a length, by the turns between two octaves."""
+    return math.prod(TURNS[:dims - 1]) if s.turns else 1.0
+
+
+def longest_gradient(noise: Bounds, slope: Bounds) -> float:
+    """Components of at most m whose magnitudes have a sum of at most L have the largest length where as many as can be
+    are m, and one is the rest."""
+    full, rest = divmod(noise.lipschitz, slope.limit)
+    return min(math.sqrt(full * slope.limit**2 + rest**2), math.sqrt(noise.dimensions) * slope.limit)
+
+
+def steepest(s: Sum, noise: Bounds, slope: Bounds) -> float:
+    """How much noise changes by, per step: of lengths, or where these are not bounded of the largest coordinate."""
+    return longest_gradient(noise, slope) if s.turns else noise.lipschitz
+
+
+def cut_lacunarity(s: Sum) -> float:
+    """From a cell that is the lacunarity of the contract; with fixed arithmetic it is used from a position, too."""
+    return math.trunc(s.lacunarity * 2**23) / 2**23
+
+
+def clamped_amplitude(s: Sum) -> float:
+    return min(max(s.amplitude, 0.0), LARGEST_AMPLITUDE)
+
+
+def steepest_fall(strength: float, reach: float) -> float:
+    """The largest slope of 1 / (1 + strength r^2) for r up to `reach`: it is steepest where strength r^2 = 1/3."""
+    r = min(reach, 1 / math.sqrt(3 * strength)) if strength > 0 else reach
+    return 2 * strength * r / (1 + strength * r**2)**2
+
+
+# --- In floats --------------------------------------------------------------------------------------------------------
+
+def float_effects(s: Sum, bounds: Bounds, steepest: float) -> list[float]:
+    """The errors of the noise of each octave, or of its derivatives, where positions do not depend on the noise."""
+    positions = (whole_positions if s.from_cell else float_positions)(s, bounds.dimensions)
+    of_noise = bounds.cell_error if s.from_cell else bounds.error
+    return [min(steepest * error + of_noise, 2 * bounds.limit) for _, error in zip(range(s.count), positions)]
+
+
+def float_frames(s: Sum, dims: int) -> list[tuple[float, float]]:
+    """Of each octave, how long a column of the frame is, and by how much it is off. A number goes through 2 n
+    roundings, as the coordinate of a position does. From a cell the contract cuts the lacunarity, and floats do not."""
+    axes, growth, found = lengths(s, dims), s.gain * abs(s.lacunarity) * stretch(s, dims), []
+    of_cut = s.gain * (s.lacunarity - cut_lacunarity(s)) * stretch(s, dims) if s.from_cell else 0.0
+    column, error = 1.0, 0.0
+    for _ in range(s.count):
+        found.append((column, error))
+        of_number = ((1 + FLOAT_UNIT)**(2 * dims) - 1) * growth * (column + error) + TINY * (4 * (column + error) + 8)
+        of_number += of_cut * (column + error)
+        column, error = growth * column, growth * error + axes * of_number
+    return found
+
+
+def float_total(s: Sum) -> tuple[float, float]:
+    """T, and by how much it is off: T = gain*T + 1, for each octave."""
+    total, error = 0.0, 0.0
+    for _ in range(s.count):
+        error = s.gain * (error + FLOAT_UNIT * (total + error)) + TINY
+        total = 1 + s.gain * total
+        error += FLOAT_UNIT * (total + error)
+    return total, error
+
+
+def in_domain(s: Sum) -> bool:
+    """GLSL bounds the error of a division only for divisors up to 2^126. No number of a frame may overflow."""
+    return float_total(s)[0] <= 2.0**126 and (s.gain * abs(s.lacunarity))**max(s.count - 1, 0) <= 2.0**96 and (
+        not s.from_cell or 0 <= s.lacunarity <= 255)
+
+
+def slope_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
+    """The largest error of a derivative of hn_fbm_d.
+
+        in the plane, with the frame (c, s):    D_x = D_x + (c*g_x + s*g_y);  D_y = D_y + (c*g_y - s*g_x)
+        in space, along each axis:              D = D + ((R_x*g_x + R_y*g_y) + R_z*g_z)
+        value = D / T
+
+    The products of a column with a gradient have magnitudes whose sum is at most the product of lengths (Cauchy)."""
+    if not s.count or not in_domain(s):
+        return math.inf if s.count else 0.0
+    dims, axes = noise.dimensions, lengths(s, noise.dimensions)
+    longest = longest_gradient(noise, slope) if s.turns else slope.limit
+    sum_err, largest = 0.0, 0.0
+    for slope_err, (column, error) in zip(float_effects(s, slope, slope.lipschitz), float_frames(s, dims)):
+        most = (column + error) * (longest + axes * slope_err)
+        sum_err += (column + error) * axes * slope_err + error * longest
+        sum_err += ((1 + FLOAT_UNIT)**dims - 1) * most + 2 * dims * TINY
+        largest += column * longest
+        sum_err += FLOAT_UNIT * (largest + sum_err)
+    total, total_err = float_total(s)
+    error = (sum_err + largest / total * total_err) / (total - total_err)
+    return error + 2.5 * FLOAT_UNIT * (largest / total + error) + SETTLED
+
+
+def float_fall_errors(s: Sum, noise: Bounds, slope: Bounds) -> list[float]:
+    """Of the factors 1 / (1 + strength |e|^2), and of their products with the weights:
+
+        e = clamp(turn(e) + g, -8, 8);  1 / (strength*(e_x*e_x + e_y*e_y [+ e_z*e_z]) + 1) * weight
+
+    A coordinate goes through 2 (n - 1) roundings in the turns, and one more. A clamp brings no two vectors further
+    apart. The divisor goes through n + 2 roundings of terms that are not negative."""
+    dims, axes, strength = noise.dimensions, math.sqrt(noise.dimensions), clamped_strength(s)
+    longest, turned, ends = longest_gradient(noise, slope), stretch(s, dims), axes * FALL_LIMIT
+    rounding = (1 + FLOAT_UNIT)**(2 * (dims - 1)) - 1 if s.turns else 0.0
+    of_factor = (1 + FLOAT_UNIT)**(dims + 2) - 1 + 3.5 * FLOAT_UNIT + 1000 * TINY
+    error, reach, errs = 0.0, 0.0, []
+    for slope_err in float_effects(s, slope, slope.lipschitz):
+        error = turned * error + axes * (rounding * turned * (reach + error) + 8 * TINY)
+        error += axes * slope_err
+        error = min(error + FLOAT_UNIT * (turned * reach + longest + error) + axes * TINY, 2 * ends)
+        reach = min(turned * reach + longest, ends)
+        errs.append(min(steepest_fall(strength, ends) * error + of_factor, 1.001))
+    return errs
+
+
+def eroded_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
+    """The largest error of hn_eroded, which is a mean of n / (1 + strength |e|^2)."""
+    if not s.count or not in_domain(s):
+        return math.inf if s.count else 0.0
+    terms = [noise_err + noise.limit * fall_err for noise_err, fall_err in zip(
+        float_effects(s, noise, steepest(s, noise, slope)), float_fall_errors(s, noise, slope))]
+    return float_sum_error(s, noise.limit, terms)
+
+
+def float_shift_effects(s: Sum, noise: Bounds, slope: Bounds) -> list[float]:
+    """The errors of the noise of each octave of hn_warp_progressive:
+
+        rate = amplitude / T;  q = q + (K v)*rate
+
+    A coordinate of K v goes through n roundings. From a cell, what a position moves by is cut to 2^-24, and so is its
+    fraction."""
+    dims, axes, errs = noise.dimensions, lengths(s, noise.dimensions), []
+    (total, total_err), limit, amplitude = float_total(s), min(noise.limit, 1.0), clamped_amplitude(s)
+    rate = amplitude / total
+    rate_err = rate * total_err / (total - total_err)
+    rate_err += 2.5 * FLOAT_UNIT * (rate + rate_err) + TINY
+    position, error = first_whole_position(s, dims) if s.from_cell else (axes * s.p_max, 0.0)
+    for column, frame_err in float_frames(s, dims):
+        errs.append(min(steepest(s, noise, slope) * error + (noise.cell_error if s.from_cell else noise.error),
+                        2 * limit))
+        frame_err *= axes  # of a column; and of the matrix
+        step = column * axes * limit
+        step_err = column * axes * errs[-1] + frame_err * axes * limit
+        step_err += axes * ((1 + FLOAT_UNIT)**dims - 1) * (column + frame_err) * axes * limit + 4 * dims * TINY
+        moved = rate * step
+        moved_err = rate * step_err + rate_err * (step + step_err)
+        moved_err += FLOAT_UNIT * (moved + moved_err) + axes * SETTLED
+        error += moved_err
+        error += 2 * axes * WHOLE if s.from_cell else FLOAT_UNIT * (position + moved + error)
+        next_position = next_whole_position if s.from_cell else next_float_position
+        position, error = next_position(s, dims, position + moved, error)
+    return errs
+
+
+def warp_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
+    """The largest error of a component of hn_warp or hn_warp_progressive: amplitude * clamp(mean, -1, 1)."""
+    if not s.count or not in_domain(s):
+        return math.inf if s.count else 0.0
+    amplitude, limit = clamped_amplitude(s), min(noise.limit, 1.0)
+    errs = (float_shift_effects(s, noise, slope) if s.kind == "warp_progressive"
+            else float_effects(s, noise, steepest(s, noise, slope)))
+    error = amplitude * min(float_sum_error(s, limit, [min(err, 2 * limit) for err in errs]), 2.0)
+    return error + FLOAT_UNIT * amplitude + SETTLED
+
+
+# --- In integers: frames ----------------------------------------------------------------------------------------------
+
+def is_bounded(s: Sum) -> bool:
+    """Whether the bounds are promised for these arguments."""
+    if not (0 <= s.lacunarity <= 255 and 0 <= s.gain <= 1 and s.octaves <= 32):
+        return False
+    growth = [(s.gain * s.lacunarity)**i for i in range(s.count)]
+    return sum(growth) <= LARGEST_GROWTH and (
+        s.kind != "warp_progressive" or clamped_amplitude(s) * max(growth, default=0.0) <= LARGEST_SHIFT)
+
+
+def exact_frames(s: Sum, dims: int) -> Iterator[np.ndarray]:
+    """The matrices K_i."""
+    turn, lacunarity = np.eye(dims), cut_lacunarity(s) if s.from_cell else s.lacunarity
+    for axis, (c, t) in enumerate(PLANES[:dims - 1] if s.turns else ()):
+        of_plane = np.eye(dims)
+        of_plane[axis:axis + 2, axis:axis + 2] = [[c / 32, -t / 32], [t / 32, c / 32]]
+        turn = of_plane @ turn
+    frame = np.eye(dims)
+    while True:
+        yield frame
+        frame = s.gain * lacunarity * turn @ frame
+
+
+def fixed_frames(s: Sum, dims: int) -> Iterator[list[list[int]]]:
+    """The same in units of 2^-18, by rows. In the plane (c, s) is the first column, from which the second follows."""
+    columns = 1 if dims == 2 else dims
+    rows = [[FADE_ONE * (row == column) for column in range(columns)] for row in range(dims)]
+    growth = math.trunc(s.gain * FADE_ONE) * math.trunc(s.lacunarity * 2**23) >> 23
+    while True:
+        yield [[rows[0][0], -rows[1][0]], [rows[1][0], rows[0][0]]] if dims == 2 else rows
+        rows = [[number * growth >> 18 for number in row] for row in rows]
+        for axis, (c, t) in enumerate(PLANES[:dims - 1] if s.turns else ()):
+            rows[axis:axis + 2] = ([(c * a - t * b) // 32 for a, b in zip(*rows[axis:axis + 2])],
+                                   [(t * a + c * b) // 32 for a, b in zip(*rows[axis:axis + 2])])
+
+
+def frames(s: Sum, dims: int) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+    """Of each octave, the fixed frame and the exact one."""
+    for _, fixed, exact in zip(range(s.count), fixed_frames(s, dims), exact_frames(s, dims)):
+        yield np.array(fixed) / FADE_ONE, exact
+
+
+def longest_column(matrix: np.ndarray) -> float:
+    return float(np.linalg.norm(matrix, axis=0).max()) + DOUBLES
+
+
+def norm(matrix: np.ndarray) -> float:
+    """How much longer a vector becomes."""
+    return float(np.linalg.norm(matrix, 2)) + DOUBLES
+
+
+# --- In integers: slopes -----------------------------------------------------------------------------------------------------------
+
+def fixed_effects(s: Sum, bounds: Bounds, steepest: float) -> list[float]:
+    """The errors of the noise of each octave, or of its derivatives, where positions do not depend on the noise."""
+    return [min(steepest * error + bounds.fixed_error, 2 * bounds.fixed_limit)
+            for _, error in zip(range(s.count), whole_positions(s, bounds.dimensions))]
+
+
+def fixed_slope_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
+    """The largest error of a derivative of hn_fbm_d: with the columns K of the frames, sum(K . g) / T. A column is off
+    by a part of what it is divided by, since both are in units of 2^-18. Each product of its numbers is rounded down by
+    less than a unit, and so is the division; a result of 32 and more is cut to 127 units."""
+    if not is_bounded(s):
+        return math.inf
+    if not s.count:
+        return 0.0
+    dims, longest = noise.dimensions, longest_gradient(noise, slope) if s.turns else slope.limit
+    total, exact_total = sum(fixed_weights(s)) / FADE_ONE, sum(s.weights)
+    error, largest = (dims * s.count / total + 1) * SLOPE_UNIT, 0.0
+    for slope_err, (fixed, exact) in zip(fixed_effects(s, slope, slope.lipschitz), frames(s, dims)):
+        error += longest_column(fixed) / total * lengths(s, dims) * slope_err
+        error += longest_column(fixed / total - exact / exact_total) * longest
+        largest += longest_column(exact) / exact_total * longest
+    return error + (COARSE * SLOPE_UNIT if largest + error >= 32 else 0.0)
+
+
+# --- In integers: erosion ----------------------------------------------------------------------------------------------------------
+
+def fixed_fall_errors(s: Sum, noise: Bounds, slope: Bounds) -> list[float]:
+    """Of the factors 1 / (1 + strength |e|^2). A slope is rounded down to 2^-12, and so are two coordinates by each
+    turn; a clamp brings no two vectors further apart. The square times the strength rounds down by less than 2^-16 of
+    a number from 1 on, and the quotient by 2^-18. What is cut of the strength changes a factor by up to
+    d r^2 / (1 + strength r^2)^2, which is largest where strength r^2 = 1."""
+    dims, axes = noise.dimensions, math.sqrt(noise.dimensions)
+    strength, cut = fixed_strength(s)
+    longest = longest_gradient(noise, slope) + axes * slope.fixed_error
+    turns, ends, errs = TURNS[:dims - 1] if s.turns else (), axes * FALL_LIMIT, []
+    err, reach = 0.0, 0.0
+    for slope_err in fixed_effects(s, slope, slope.lipschitz):
+        for turn in turns if errs else ():
+            err, reach = turn * err + math.sqrt(2) * FALL_UNIT, turn * reach + math.sqrt(2) * FALL_UNIT
+        err = min(err + axes * (slope_err + FALL_UNIT), 2 * ends)
+        reach = min(reach + longest + axes * FALL_UNIT, ends)
+        of_cut = cut * (min(reach**2, 1 / (4 * strength)) if strength > 0 else reach**2)
+        errs.append(min(steepest_fall(strength, reach) * err + of_cut + 2.0**-16 + WEIGHT_UNIT, 1.0))
+    return errs
+
+
+def fixed_eroded_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
+    """The largest error of hn_eroded, which is a mean of n / (1 + strength |e|^2). The product of a weight with the
+    factor is rounded down to 2^-18."""
+    if not is_bounded(s):
+        return math.inf
+    if not s.count:
+        return 0.0
+    limit, total = noise.fixed_limit, sum(fixed_weights(s)) / FADE_ONE
+    terms = [noise_err + limit * fall_err for noise_err, fall_err in zip(
+        fixed_effects(s, noise, steepest(s, noise, slope)), fixed_fall_errors(s, noise, slope))]
+    return fixed_mean_error(s, limit, terms) + limit * s.count * WEIGHT_UNIT / total
+
+
+# --- In integers: warps ------------------------------------------------------------------------------------------------------------
+
+def fixed_shift_effects(s: Sum, noise: Bounds, slope: Bounds) -> list[float]:
+    """The errors of the noise of each octave of hn_warp_progressive. A position moves by a row of the frame times the
+    vectors of noise: the row and its factor are off together, each product is rounded down to 2^-21, and so is that
+    with the factor. An error of the noise comes back through the position."""
+    dims, axes, errs = noise.dimensions, lengths(s, noise.dimensions), []
+    amplitude, total = clamped_amplitude(s), sum(fixed_weights(s))
+    cut = (math.trunc(amplitude * FADE_ONE) * FADE_ONE // total) / FADE_ONE
+    factor, limit = amplitude / sum(s.weights), min(noise.fixed_limit, 1.0)
+    position, error = first_whole_position(s, dims)
+    for fixed, exact in frames(s, dims):
+        errs.append(min(steepest(s, noise, slope) * error + noise.fixed_error, 2 * limit))
+        error += norm(cut * fixed - factor * exact) * axes + cut * norm(fixed) * axes * errs[-1]
+        error += axes * (cut * dims + 1) * UNIT
+        position, error = next_whole_position(s, dims, position + factor * norm(exact) * axes, error)
+    return errs
+
+
+def fixed_warp_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
+    """The largest error of a component of hn_warp or hn_warp_progressive, which is amplitude times a mean. The product
+    is rounded down, and a result of 8 and more is cut to 127 units."""
+    if not is_bounded(s):
+        return math.inf
+    if not s.count:
+        return 0.0
+    amplitude, limit = clamped_amplitude(s), min(noise.fixed_limit, 1.0)
+    cut = math.trunc(amplitude * FADE_ONE) / FADE_ONE
+    if s.kind == "warp_progressive":
+        errs = fixed_shift_effects(s, noise, slope)
+    else:
+        errs = fixed_effects(s, noise, steepest(s, noise, slope))
+    error = cut * fixed_mean_error(s, limit, [min(err, 2 * limit) for err in errs]) + (amplitude - cut) * limit + UNIT
+    return error + (COARSE * UNIT if cut >= 8 else 0.0)
+
+
+# --- Overflow ---------------------------------------------------------------------------------------------------------
+
+def largest_intermediates(dims: int) -> dict[str, float]:
+    """By name, bounds of the magnitudes that must stay below 2^31 where the bounds are promised, for any noise with
+    derivatives: gain * lacunarity is then at most 63, since the first octave adds 1 to the sum. In a frame a number is
+    rounded down by less than 5 units for each octave, and what was lost before grows as the frame does."""
+    stretched = stretch(Sum("fbm_d", 0.0, 32, 1.0, 1.0), dims)**31
+    frame = stretched * ((LARGEST_GROWTH - 1) * FADE_ONE + 5 * LARGEST_GROWTH)
+    slope, vector = math.sqrt(dims) * SLOPE_LIMIT / SLOPE_UNIT, math.sqrt(dims) / UNIT
+    moved = frame / FADE_ONE * vector + dims
+    lost = 32 * dims
+    return {"frame": frame, "turn of a frame": 32 * TURNS[0] * frame,
+            "sum of slopes": stretched * (LARGEST_GROWTH + 5 * 32 * LARGEST_GROWTH / FADE_ONE) * slope + lost,
+            "step": moved, "turn of a fall": (25 + 20) * FALL_LIMIT / FALL_UNIT,
+            "step of a position": LARGEST_SHIFT * stretched * (1 + 5 * LARGEST_GROWTH / FADE_ONE) * vector
+            + LARGEST_AMPLITUDE * dims + 1,
+            "shift": LARGEST_AMPLITUDE / UNIT}
+
+
+def largest_words(dims: int) -> dict[str, float]:
+    """The same of words, below 2^32."""
+    squares, strength = dims * (FALL_LIMIT / FALL_UNIT)**2, LARGEST_STRENGTH["eroded"]
+    return {"squares": squares, "divisor": 2.0**16 + squares * strength * FADE_ONE / 2**26}
+
+
+TOLERANCES = {  # in floats and fixed, from a sum and the bounds of its noise and of the derivatives of that
+    "fbm_d": (slope_tolerance, fixed_slope_tolerance),  # of a derivative; the value has those of fbm
+    "eroded": (eroded_tolerance, fixed_eroded_tolerance),
+    "warp": (warp_tolerance, fixed_warp_tolerance),
+    "warp_progressive": (warp_tolerance, fixed_warp_tolerance)}
