@@ -38,7 +38,8 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
      "values of the noise on the same driver, within the errors of both. A third of the points lie at an end of the "
      "cell. Simplex noise is no such polynomial: there the difference to both sides takes its place, with an error "
      "that "
-     "follows from a bound on the third derivative."},
+     "follows from a bound on the third derivative. At 2,048 points the derivatives of octave sums of floats are those "
+     "differences of the sum without derivatives: of up to three octaves within 16 cells of the origin."},
     {"divergence",
      "At 2,048 points the differences of the components of a curl, each along its own axis, sum to less than a "
      "twentieth of what is summed, on average."},
@@ -56,8 +57,8 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
      "At as many points the distance to a border is between half the difference and half the sum of the two distances, "
      "and 0 halfway between the two nearest points."},
     {"derivative_value",
-     "The value that comes with a derivative is that of the noise, at 4,096 points: bit by bit, or for `fast` within "
-     "the tolerances of both."},
+     "The value that comes with a derivative is that of the noise, or of the octave sum, at 4,096 points: bit by bit, "
+     "or for `fast` within the tolerances of both."},
     {"loop",
      "Phases that are whole turns apart, up to 2^16 of either sign, give the same bits at 4,096 points, with every "
      "arithmetic."},
@@ -69,8 +70,8 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
      "4,096 points that are whole periods apart have the same bits, in cells beside the seam and anywhere, with "
      "periods from 1 to 2^31 - 1 and none. Simplex noise on the plane repeats after 2^31 cells without a period. "
      "Octave "
-     "sums of a whole lacunarity repeat, too, `fixed` ones of up to 15 octaves; `fast` ones are the same within the "
-     "tolerance."},
+     "sums of a whole lacunarity repeat, too, `fixed` ones of up to 15 octaves; `fast` ones, and progressive warps of "
+     "floats at positions, are the same within the tolerance."},
     {"wrapped",
      "Without a period along any axis, and where a cell reaches no seam, the form with periods has the values of the "
      "form without, at the cell modulo the period: bit by bit, or for `fast` within the tolerances of both."},
@@ -83,6 +84,9 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
     {"small_footprint",
      "With a footprint of 0, and up to half a cell of the last octave, `hn_fbm` is that without one, at 4,096 "
      "points: bit by bit with `fixed`, else within the tolerances of both."},
+    {"zero_strength",
+     "With a strength of 0, or below, `hn_eroded` is `hn_fbm`, at 4,096 points: bit by bit, or for `fast` within the "
+     "tolerances of both."},
     {"constant_period",
      "4,096 points have the same values when the periods are constants of the shader, within twice the tolerance for "
      "`fast`."},

@@ -188,7 +188,7 @@ const std::string kHashBeyondTheLast = fmt::format("#define HN_HASH {}\n", HN_HA
 const std::string kFixed = "#define HN_ARITHMETIC HN_FIXED\n";
 const std::string kOtherHash = "#define HN_HASH HN_HASH_PCG\n";
 
-// Sums over two noises of the library and over one of the user's, in one shader.
+// Sums over noises of the library and over some of the user's, in one shader.
 const std::string kOtherSums = R"(#include "hashnoise.glsl"
 #ifdef GL_ES
 precision mediump float;
@@ -205,6 +205,55 @@ float mine(ivec2 cell, vec2 f, uint seed) { return f.x - f.y; }
 float mine(ivec2 cell, vec2 f, ivec2 period, uint seed) { return f.x - f.y; }
 HN_BILLOW2D(billow_of_mine, mine)
 HN_TURBULENCE_PERIOD2D(turbulence_of_mine, mine)
+float mine(int cell, float f, uint seed) { return f - 0.5; }
+float mine(int cell, float f, int period, uint seed) { return f - 0.5; }
+float mine(ivec3 cell, vec3 f, uint seed) { return f.x - f.z; }
+float mine(ivec3 cell, vec3 f, ivec3 period, uint seed) { return f.x - f.z; }
+float mine(ivec4 cell, vec4 f, uint seed) { return f.x - f.w; }
+float mine(ivec4 cell, vec4 f, ivec4 period, uint seed) { return f.x - f.w; }
+vec3 mine_d(ivec2 cell, vec2 f, uint seed) { return vec3(f.x - f.y, 1.0, -1.0); }
+vec3 mine_d(ivec2 cell, vec2 f, ivec2 period, uint seed) { return vec3(f.x - f.y, 1.0, -1.0); }
+vec4 mine_d(ivec3 cell, vec3 f, uint seed) { return vec4(f.x - f.z, 1.0, 0.0, -1.0); }
+vec4 mine_d(ivec3 cell, vec3 f, ivec3 period, uint seed) { return vec4(f.x - f.z, 1.0, 0.0, -1.0); }
+HN_FBM1D(fbm_on_a_line, mine)
+HN_WEIGHTED_PERIOD1D(weighted_on_a_line, mine)
+HN_FBM_LIMITED1D(limited_on_a_line, mine)
+HN_RIDGED4D(ridged_in_4d, hn_simplex)
+HN_PING_PONG_PERIOD4D(ping_pong_in_4d, mine)
+HN_FBM_LIMITED4D(limited_in_4d, mine)
+HN_FBM_D2D(fbm_d_of_simplex, hn_simplex_d)
+HN_FBM_D_PERIOD2D(fbm_d_of_mine, mine_d)
+HN_FBM_D3D(fbm_d_of_mine, mine_d)
+HN_FBM_D_PERIOD3D(fbm_d_of_value, hn_value_d)
+HN_ERODED2D(eroded_of_mine, mine_d)
+HN_ERODED_PERIOD2D(eroded_of_value, hn_value_d)
+HN_ERODED3D(eroded_of_simplex, hn_simplex_d)
+HN_ERODED_PERIOD3D(eroded_of_mine, mine_d)
+HN_WARP2D(warp_of_simplex, hn_simplex)
+HN_WARP_PERIOD2D(warp_of_mine, mine)
+HN_WARP3D(warp_of_mine, mine)
+HN_WARP_PERIOD3D(warp_of_perlin, hn_perlin)
+HN_WARP_PROGRESSIVE2D(progressive_of_mine, mine)
+HN_WARP_PROGRESSIVE_PERIOD2D(progressive_of_perlin, hn_perlin)
+HN_WARP_PROGRESSIVE3D(progressive_of_simplex, hn_simplex)
+HN_WARP_PROGRESSIVE_PERIOD3D(progressive_of_mine, mine)
+float all_further(vec2 p) {
+  vec3 p3 = vec3(p, 0.5);
+  vec4 p4 = vec4(p, p);
+  float sum = fbm_on_a_line(p.x, 5, 2.0, 0.5) + fbm_on_a_line(int(p.x), p.x - floor(p.x), 5, 2.0, 0.5, 7u);
+  sum += weighted_on_a_line(p.x, 4, 5, 2.0, 0.5, 1.0, 7u) + limited_on_a_line(p.x, 4.5, 2.0, 0.5, 7u);
+  sum += ridged_in_4d(p4, 5, 2.0, 0.5) + ridged_in_4d(ivec4(p4), p4 - floor(p4), 5, 2.0, 0.5, 7u);
+  sum += ping_pong_in_4d(p4, ivec4(4), 5, 2.0, 0.5, 2.0, 7u) + limited_in_4d(p4, 0.01, 5, 2.0, 0.5, 7u);
+  sum += eroded_of_mine(p, 5, 2.0, 0.5, 1.0) + eroded_of_value(p, ivec2(4), 5, 2.0, 0.5, 1.0, 7u);
+  sum += eroded_of_simplex(p3, 5, 2.0, 0.5, 1.0, 7u) + eroded_of_mine(ivec3(p3), p3 - floor(p3), ivec3(4), 5, 2.0, 0.5, 1.0, 7u);
+  vec3 slopes = fbm_d_of_simplex(p, 5, 2.0, 0.5) + fbm_d_of_mine(ivec2(p), p - floor(p), ivec2(4), 5, 2.0, 0.5, 7u);
+  vec4 more = fbm_d_of_mine(p3, 5, 2.0, 0.5, 7u) + fbm_d_of_value(p3, ivec3(4), 5, 2.0, 0.5, 7u);
+  vec2 shift = warp_of_simplex(p, 5, 2.0, 0.5, 1.0) + warp_of_mine(p, ivec2(4), 5, 2.0, 0.5, 1.0, 7u);
+  shift += progressive_of_mine(p, 5, 2.0, 0.5, 1.0) + progressive_of_perlin(p, ivec2(4), 5, 2.0, 0.5, 1.0, 7u);
+  vec3 in_space = warp_of_mine(p3, 5, 2.0, 0.5, 1.0) + warp_of_perlin(p3, ivec3(4), 5, 2.0, 0.5, 1.0, 7u);
+  in_space += progressive_of_simplex(p3, 5, 2.0, 0.5, 1.0) + progressive_of_mine(p3, ivec3(4), 5, 2.0, 0.5, 1.0, 7u);
+  return sum + slopes.x + slopes.y + more.x + more.w + shift.x + shift.y + in_space.x + in_space.z;
+}
 float all_of_them(vec2 p) {
   float sum = fbm_of_simplex(p, 5, 2.0, 0.5) + fbm_of_simplex(ivec2(p), p - floor(p), 5, 2.0, 0.5, 7u);
   sum += ping_pong_of_simplex(p, 5, 2.0, 0.5, 2.0) + ridged_of_value(p, 5, 2.0, 0.5, 7u);
@@ -212,7 +261,7 @@ float all_of_them(vec2 p) {
   sum += limited_of_value(p, 4.5, 2.0, 0.5, 7u) + limited_of_value(p, 0.01, 5, 2.0, 0.5, 7u);
   sum += weighted_of_simplex(vec3(p, 0.5), 5, 2.0, 0.5, 1.0);
   sum += clouds_of_value(vec3(p, 0.5), ivec3(4), 5, 2.0, 0.5, 7u);
-  return sum + billow_of_mine(p, 5, 2.0, 0.5) + turbulence_of_mine(p, ivec2(4), 5, 2.0, 0.5, 7u);
+  return sum + all_further(p) + billow_of_mine(p, 5, 2.0, 0.5) + turbulence_of_mine(p, ivec2(4), 5, 2.0, 0.5, 7u);
 }
 )";
 

@@ -63,7 +63,7 @@ struct Variant {
   MakePairing* make;
 };
 
-// It is held against the noise without a derivative.
+// It is held against the noise, or the sum, without a derivative.
 bool has_value_with_derivative(const Function& function) {
   return function.is_derived() && function.outputs.front().name == "value";
 }
@@ -122,7 +122,9 @@ void add_metamorphic_cases(std::vector<Case>& cases, const Evaluation& evaluatio
       add("phase_zero", phase_zero_pairing);
     }
   }
-  if (function.is_noise() && has_value_with_derivative(function)) add("derivative_value", derivative_value_pairing);
+  if (function.bound == "eroded") add("zero_strength", zero_strength_pairing);
+  const bool comes_with_value = function.is_noise() || function.is_octave_sum();
+  if (comes_with_value && has_value_with_derivative(function)) add("derivative_value", derivative_value_pairing);
 }
 
 }  // namespace hn

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "cases/value_checks.hpp"
 #include "expected/points.hpp"
@@ -11,14 +12,16 @@
 #include "expected/twin.hpp"
 
 namespace hn {
-namespace {
 
-constexpr std::size_t kPropertyPoints = std::size_t{1} << 16;  // or what the driver can do; a quarter of what is costly
-constexpr std::size_t kCorrelationPoints = std::size_t{1} << 14;  // fewer: a check evaluates them many times
-
+// Or what the driver can do.
 std::size_t property_points(const Session& session, const Function& function) {
+  constexpr std::size_t kPropertyPoints = std::size_t{1} << 16;
   return std::min(function.is_costly() ? kPropertyPoints / 4 : kPropertyPoints, session.most_points);
 }
+
+namespace {
+
+constexpr std::size_t kCorrelationPoints = std::size_t{1} << 14;  // fewer: a check evaluates them many times
 
 struct Range {
   float low;
@@ -33,13 +36,55 @@ double largest_of(const Function& function, const Configuration& configuration, 
   return configuration.arithmetic == Arithmetic::fixed ? bounds.fixed_limit : bounds.limit;
 }
 
-Range range_of(const Function& function, const Configuration& configuration, std::size_t output) {
+double number(const Function& function, std::span<const std::uint32_t> inputs, std::string_view name) {
+  return static_cast<double>(std::bit_cast<float>(inputs[static_cast<std::size_t>(function.input(name))]));
+}
+
+// The largest derivative of an octave sum: that of the noise along any direction, times what octaves grow by. Integers
+// of a frame that has grown too large wrap, but no derivative has more of them.
+double largest_slope_of(const Function& function, const Configuration& configuration,
+                        std::span<const std::uint32_t> inputs) {
+  const bool fixed = configuration.arithmetic == Arithmetic::fixed;
+  const double most_gain = fixed ? 1.0 : std::numeric_limits<double>::infinity();
+  const double gain = std::clamp(number(function, inputs, "gain"), 0.0, most_gain);
+  const double lacunarity = std::fabs(number(function, inputs, "lacunarity"));
+  const double growth = gain * (fixed ? std::min(lacunarity, 255.0) : lacunarity);
+  constexpr double kStretch = 1.001;
+  const auto octaves = static_cast<std::int32_t>(inputs[static_cast<std::size_t>(function.input("octaves"))]);
+  double sum = 0.0;
+  double total = 0.0;
+  for (int i = 0; i < std::min(octaves, 32); ++i) {
+    sum += std::pow(growth * kStretch, i);
+    total += std::pow(gain, i);
+  }
+  if (total == 0.0) return 0.0;
+  const std::size_t last = function.outputs.size() - 1;
+  const double gradient = std::sqrt(function.axes) * largest_of(function, configuration, last);
+  const double largest = 1.00001 * gradient * sum / total;
+  return fixed && sum > 64.0 ? 4096.0 : largest;
+}
+
+// What an output of the function can be; those of some depend on their settings.
+Range range_of(const Function& function, const Configuration& configuration, std::span<const std::uint32_t> inputs,
+               std::size_t output) {
+  if (function.is_octave_sum() && function.is_slope(output)) {
+    const auto slope = static_cast<float>(largest_slope_of(function, configuration, inputs));
+    return {-slope, slope};
+  }
+  if (function.takes_amplitude()) {
+    const auto amplitude = static_cast<float>(std::clamp(number(function, inputs, "amplitude"), 0.0, 64.0));
+    return {-amplitude, amplitude};
+  }
   const auto largest = static_cast<float>(largest_of(function, configuration, output));
   const bool distance = function.is_cellular() && !function.is_slope(output) && function.bound != "cellular_smooth";
   if (distance) return {0.0f, largest};
   if (!function.is_octave_sum()) return {-largest, largest};
   switch (octave_sum_of(function)) {
     case OctaveSum::fbm:
+    case OctaveSum::fbm_d:
+    case OctaveSum::eroded:
+    case OctaveSum::warp:
+    case OctaveSum::warp_progressive:
       break;
     case OctaveSum::turbulence:
       return {0.0f, largest};
@@ -52,6 +97,12 @@ Range range_of(const Function& function, const Configuration& configuration, std
       return {-1.0f, 1.0f};
   }
   return {-largest, largest};
+}
+
+// Holds a value against its range, and says which that is where it is beyond.
+void require_inside(Comparison& comparison, std::span<const std::uint32_t> inputs, float value, const Range& range) {
+  const bool inside = value >= range.low && value <= range.high;  // no NaN is
+  comparison.require(inside, inputs, value, inside ? "" : fmt::format("a value in [{}, {}]", range.low, range.high));
 }
 
 // The correlation of two columns of values.
@@ -130,79 +181,6 @@ void make_some_no_number(const Function& function, Words& inputs) {
   }
 }
 
-constexpr double kConstantNoise = -0.5;
-
-struct ConstantSum {
-  int octaves;
-  double gain;
-  double strength;
-};
-
-// What an octave sum that divides by the total of the weights makes of a constant noise.
-double mean_of_constant_noise(OctaveSum sum, const ConstantSum& settings) {
-  const double folded = std::fmod((kConstantNoise + 1.0) * std::clamp(settings.strength, 0.0, 64.0), 2.0);
-  const double bent = 1.0 - std::clamp(settings.strength, 0.0, 1.0) * (1.0 - kConstantNoise) / 2.0;
-  double mean = 0.0;
-  double total = 0.0;
-  double ridge = 0.5;  // such that the first octave's counts in full
-  double weight = 1.0;
-  double bend = 1.0;
-  for (int i = 0; i < settings.octaves; ++i) {
-    ridge = (1.0 + kConstantNoise) * (1.0 + kConstantNoise) * std::min(2.0 * ridge, 1.0);
-    double value = kConstantNoise;
-    if (sum == OctaveSum::turbulence || sum == OctaveSum::billow) value = std::fabs(kConstantNoise);
-    if (sum == OctaveSum::ridged) value = ridge;
-    if (sum == OctaveSum::ping_pong) value = 2.0 * std::min(folded, 2.0 - folded) - 1.0;
-    if (sum == OctaveSum::weighted) value *= bend;
-    mean += weight * value;
-    total += weight;
-    weight *= settings.gain;
-    bend *= bent;
-  }
-  return total > 0.0 ? mean / total : 0.0;
-}
-
-double sum_of_constant_noise(OctaveSum sum, const ConstantSum& settings) {
-  const double mean = mean_of_constant_noise(sum, settings);
-  if (sum == OctaveSum::billow) return 2.0 * mean - 1.0;
-  if (sum != OctaveSum::clouds) return mean;
-  const double t = std::clamp(2.0 * mean + 0.25, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
-
-// A few roundings of sum and total; what is new in an octave besides the noise is rounded to 2^-18 in integers.
-double tolerance_of_constant_noise(OctaveSum sum) {
-  const bool plain = sum == OctaveSum::fbm || sum == OctaveSum::turbulence || sum == OctaveSum::clouds;
-  return plain ? 2e-6 : 2e-5;
-}
-
-// Makes a sum over a constant noise, under the name of the library's.
-std::string with_constant_noise(const Function& function) {
-  std::string name(function.bound);
-  std::string macro = name;
-  std::ranges::transform(macro, macro.begin(), [](char c) { return static_cast<char>(c >= 'a' ? c - 'a' + 'A' : c); });
-  if (function.takes_period()) macro += "_PERIOD";
-  if (function.takes_detail() || function.takes_footprint()) macro += "_LIMITED";
-  const int axes = function.axes;
-  return fmt::format(
-      "#include \"{}\"\n"
-      "HN_FN hn_float constant_noise(hn_ivec{} cell, hn_vec{} f, {}hn_uint seed) {{ return {:.1f}f + 0.0f * f.x; }}\n"
-      "HN_{}{}D(constant_sum, constant_noise)\n"
-      "#define hn_{} constant_sum\n",
-      function.file, axes, axes, function.takes_period() ? fmt::format("hn_ivec{} period, ", axes) : "", kConstantNoise,
-      macro, axes, name);
-}
-
-// The octaves that count, the last of a detail only in part: over a constant noise that changes nothing.
-ConstantSum settings_of(const Function& function, std::span<const std::uint32_t> inputs) {
-  const auto word = [&](std::string_view name) { return inputs[static_cast<std::size_t>(function.input(name))]; };
-  const auto number = [&](std::string_view name) { return static_cast<double>(std::bit_cast<float>(word(name))); };
-  const auto octaves_of = [](double detail) { return detail < 0x1p-32 ? 0 : static_cast<int>(std::ceil(detail)); };
-  const int octaves =
-      function.takes_detail() ? octaves_of(number("detail")) : static_cast<std::int32_t>(word("octaves"));
-  return {octaves, number("gain"), function.takes_strength() ? number("strength") : 0.0};
-}
-
 }  // namespace
 
 namespace {
@@ -270,14 +248,12 @@ Outcome check_range(Session& session, const Evaluation& evaluation) {
   if (!outputs) return outputs.error();
   Comparison comparison(function, inputs);
   for (std::size_t word = 0; word < function.outputs.size(); ++word) {
-    const Range range = range_of(function, evaluation.configuration, word);
-    const std::string should = fmt::format("a value in [{}, {}]", range.low, range.high);
     float largest = 0.0f;
     for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
       const float value = std::bit_cast<float>(result(*outputs, i)[word]);
       largest = std::max(largest, std::fabs(value));
-      const bool inside = value >= range.low && value <= range.high;
-      comparison.require(inside, point(inputs, i), value, should);
+      require_inside(comparison, point(inputs, i), value,
+                     range_of(function, evaluation.configuration, point(inputs, i), word));
     }
     if (word != 0) continue;
     const float used = used_of(function);
@@ -298,14 +274,12 @@ Outcome check_finite(Session& session, const Evaluation& evaluation) {
   if (!outputs) return outputs.error();
   Comparison comparison(function, inputs);
   for (std::size_t word = 0; word < function.outputs.size(); ++word) {
-    const Range range = range_of(function, evaluation.configuration, word);
-    const std::string should = fmt::format("a value in [{}, {}]", range.low, range.high);
     for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
       const auto in = point(inputs, i);
       const bool zero = !function.is_slope(word) && is_far_from_fractions(function, in);
       const float value = std::bit_cast<float>(result(*outputs, i)[word]);
-      const bool inside = value >= range.low && value <= range.high;  // no NaN is
-      comparison.require(inside && (!zero || value == 0.0f), in, value, zero ? "0" : should);
+      const Range range = range_of(function, evaluation.configuration, in, word);
+      require_inside(comparison, in, value, zero ? Range{0.0f, 0.0f} : range);
     }
   }
   if (!fixed) return comparison.finish();
@@ -389,28 +363,6 @@ Outcome check_unseeded(Session& session, const Evaluation& evaluation) {
       allowed[word] = allowed_to_twin(function, evaluation.configuration, in, word);
     }
     compare_with_twin(comparison, evaluation, in, result(*outputs, i), result(expected, i), allowed);
-  }
-  return comparison.finish();
-}
-
-// The macros make sums over a noise of the user's.
-Outcome check_other_noise(Session& session, const Evaluation& evaluation) {
-  const Function& function = evaluation.function;
-  Words inputs = random_points(function, property_points(session, function), Random(session.seed, "other noise"));
-  if (function.takes_footprint()) {  // that no octave fades
-    const auto footprint = static_cast<std::size_t>(function.input("footprint"));
-    for (std::size_t i = footprint; i < inputs.size(); i += kInputWords) inputs[i] = 0;
-  }
-  const std::string knobs = with_constant_noise(function);
-  const auto outputs =
-      evaluate(session, {function, evaluation.configuration, evaluation.profile, {.knobs = knobs}}, inputs);
-  if (!outputs) return outputs.error();
-  const OctaveSum sum = octave_sum_of(function);
-  Comparison comparison(function, inputs);
-  for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
-    const double expected = sum_of_constant_noise(sum, settings_of(function, point(inputs, i)));
-    comparison.number(point(inputs, i), std::bit_cast<float>(result(*outputs, i)[0]), expected,
-                      tolerance_of_constant_noise(sum));
   }
   return comparison.finish();
 }

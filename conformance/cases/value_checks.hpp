@@ -28,6 +28,9 @@ inline std::span<const std::uint32_t> result(std::span<const std::uint32_t> outp
 tl::expected<Words, Outcome> evaluate(Session& session, const Evaluation& evaluation,
                                       std::span<const std::uint32_t> inputs);
 
+// How many points checks of properties evaluate: fewer of costly functions.
+std::size_t property_points(const Session& session, const Function& function);
+
 Check check_golden;  // against the golden file
 Check check_twin;    // against the C++ twin, at random points
 // property_checks.cpp
@@ -37,10 +40,11 @@ Check check_seeds;        // fields of different seeds are uncorrelated
 Check check_mirror;       // no quadrant mirrors another
 Check check_finite;       // and neither NaN nor infinity at extreme points
 Check check_unseeded;     // without a seed means with seed 0
-Check check_other_noise;  // HN_FBM2D(name, noise) and its like take the noise
+Check check_other_noise;  // other_noise_check.cpp: HN_FBM2D(name, noise) and its like take the noise
 
-// derivative_check.cpp, divergence_check.cpp and seams_check.cpp
+// derivative_check.cpp, slope_sum_check.cpp, divergence_check.cpp and seams_check.cpp
 Check check_derivative;  // derivatives are those of the noise
+Check check_slope_sum;   // or those of the octave sum
 Check check_divergence;  // what flows into a place flows out of it
 Check check_seams;       // nothing jumps where other lattice points begin to count
 

@@ -89,8 +89,12 @@ namespace {
 // --- Periods ---
 
 // As many octaves as keep the cells of fixed arithmetic within an int, below 9 * 48 * 3^14 and a little more for the
-// shift between octaves (docs/contract.md, section 8).
+// shift between octaves (docs/contract.md, section 8). A progressive warp moves the octaves, and those of eight by few
+// enough cells: its frames stay below 2^31 units.
 constexpr std::uint32_t kFixedOctaves = 15;
+constexpr std::uint32_t kFixedMovedOctaves = 8;
+
+bool moves_octaves(const Function& function) { return function.bound == "warp_progressive"; }
 
 // From a cell of a sum, so many cells from the origin at most: with up to five octaves and a lacunarity of up to 3 no
 // octave's cell wraps, and neither does that of a point some periods on.
@@ -171,7 +175,7 @@ void settle_octaves(const Evaluation& evaluation, std::span<std::uint32_t> words
     return words[static_cast<std::size_t>(function.input(name))];
   };
   const bool many = evaluation.configuration.arithmetic == Arithmetic::fixed && !function.takes_cell();
-  if (many) at("octaves") = random.below(kFixedOctaves + 1);
+  if (many) at("octaves") = random.below((moves_octaves(function) ? kFixedMovedOctaves : kFixedOctaves) + 1);
   at("lacunarity") = std::bit_cast<std::uint32_t>(1.0f + static_cast<float>(random.below(3)));
 }
 
@@ -201,7 +205,8 @@ Pairing folded_pairing(const Evaluation& evaluation, std::uint64_t seed, std::si
 
 // Points beside the seam are among them. A noise has the same bits there: its cells and its fractions are the same. So
 // does an octave sum, as none of its positions is rounded; but a compiler of fast arithmetic may round the steps to
-// them in another way, so there it is held to its tolerance.
+// them in another way, so there it is held to its tolerance. So is a progressive warp of floats at a position, since
+// what moves an octave has more bits than the position has room for.
 Pairing period_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
   const Function& function = evaluation.function;
   Random random(seed, "period");
@@ -221,7 +226,9 @@ Pairing period_pairing(const Evaluation& evaluation, std::uint64_t seed, std::si
       here[word] = there[word] = static_cast<std::uint32_t>(period);
     }
   }
-  const bool exact = !function.is_octave_sum() || has_same_bits(function, evaluation.configuration);
+  const bool rounds = moves_octaves(function) && !function.takes_cell();
+  const bool exact = !function.is_octave_sum() || (rounds ? has_exact_values(function, evaluation.configuration)
+                                                          : has_same_bits(function, evaluation.configuration));
   return pairing_of(evaluation, evaluation, std::move(there), std::move(here), exact);
 }
 
@@ -430,6 +437,20 @@ Pairing small_footprint_pairing(const Evaluation& evaluation, std::uint64_t seed
   Words others = inputs_for(other.function, function, inputs);
   return pairing_of(evaluation, other, std::move(inputs), std::move(others),
                     has_exact_values(function, evaluation.configuration));
+}
+
+// Every octave is divided by 1 then, and what is below 0 counts as 0.
+Pairing zero_strength_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
+  const Function& function = evaluation.function;
+  const Evaluation other{plain_noise_of(function), evaluation.configuration, evaluation.profile};
+  Random random(seed, "zero strength");
+  Words inputs = random_points(function, points, random);
+  for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
+    put_float(function, std::span(inputs).subspan(i, kInputWords), "strength", random.below(4) == 0 ? -1.0f : 0.0f);
+  }
+  Words others = inputs_for(other.function, function, inputs);
+  return pairing_of(evaluation, other, std::move(inputs), std::move(others),
+                    has_same_bits(function, evaluation.configuration));
 }
 
 Pairing derivative_value_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {

@@ -62,7 +62,9 @@ Pairing phase_zero_pairing(const Evaluation& evaluation, std::uint64_t seed, std
 Pairing from_cell_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
 Pairing whole_detail_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
 Pairing small_footprint_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
-// The value that comes with a derivative, against the noise without one.
+// Of sums that slopes wear down: with a strength of 0, against the sum without slopes.
+Pairing zero_strength_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
+// The value that comes with a derivative, against the noise or the sum without one.
 Pairing derivative_value_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
 
 }  // namespace hn

@@ -169,9 +169,23 @@ float random_strength(const Function& function, Region region, Extremes extremes
   }
   constexpr std::array kPingPong = {2.0f, 2.0f, 0.0f, 64.0f, -1.0f, 100.0f};
   constexpr std::array kWeighted = {1.0f, 1.0f, 0.5f, 0.0f, -1.0f, 2.0f};
-  const bool ping_pong = function.bound == "ping_pong";
-  if (random.below(2) == 0) return random.uniform(0.0f, ping_pong ? 4.0f : 1.0f);
-  return (ping_pong ? kPingPong : kWeighted)[random.below(kPingPong.size())];
+  constexpr std::array kEroded = {1.0f, 1.0f, 0.0f, 16.0f, -1.0f, 17.0f};
+  const bool weighted = function.bound == "weighted";
+  if (random.below(2) == 0) return random.uniform(0.0f, weighted ? 1.0f : 4.0f);
+  const auto& some = weighted ? kWeighted : function.bound == "eroded" ? kEroded : kPingPong;
+  return some[random.below(kPingPong.size())];
+}
+
+// What people use, its ends, beyond and nothing; and so little that HN_PRECISE sees nothing of it. An error of a
+// progressive warp grows with each octave, by more for a larger amplitude: so most are small.
+float random_amplitude(const Function& function, Region region, Extremes extremes, Random& random) {
+  if (region == Region::extreme && extremes == Extremes::integers && random.below(2) == 0) {
+    return random_extreme(128, random);
+  }
+  constexpr std::array kSome = {0.0f, 64.0f, 65.0f, -1.0f, 0x1p-20f, 1e-30f};
+  const float usual = function.bound == "warp_progressive" ? 0.25f : 1.0f;
+  if (random.below(2) == 0) return random.uniform(0.0f, 2.0f * usual);
+  return random.below(2) == 0 ? usual : kSome[random.below(kSome.size())];
 }
 
 // Seldom more than a few: points are drawn in groups, and a group takes as long as the point with the most.
@@ -195,14 +209,19 @@ float random_gain(Random& random) {
 // A position of few bits: a multiple of 1/32.
 float coarse(float position) { return std::floor(position * 32.0f) * 0.03125f; }
 
+// Whose octaves have frames. With HN_PRECISE their bits are defined while those are below 2^60.
+bool has_frame(const Function& function) { return function.bound == "fbm_d" || function.bound == "warp_progressive"; }
+
 // Octave sums of integers have values for all settings; those of floats for these, and at a tiny position for a
-// lacunarity of any size.
+// lacunarity of any size, or of any that a frame allows.
 float random_setting(const Function& function, std::string_view name, Region region, Extremes extremes,
                      Random& random) {
   if (name == "detail") return random_detail(region, extremes, random);
   if (name == "footprint") return random_footprint(region, extremes, random);
   if (name == "strength") return random_strength(function, region, extremes, random);
-  if (region == Region::steep && name == "lacunarity") return random_magnitude(20, 126, random);
+  if (name == "amplitude") return random_amplitude(function, region, extremes, random);
+  if (region == Region::steep && name == "lacunarity")
+    return random_magnitude(20, has_frame(function) ? 29 : 126, random);
   if (region == Region::extreme && extremes == Extremes::integers && random.below(2) == 0) {
     return random.below(2) == 0 ? random_extreme(128, random) : random.uniform(-1.0f, 256.0f);
   }
@@ -289,7 +308,8 @@ std::uint32_t random_whole(const Column& column, const Function& function, Regio
 }
 
 bool is_setting(std::string_view name) {
-  constexpr std::array<std::string_view, 5> kSettings = {"lacunarity", "gain", "strength", "footprint", "detail"};
+  constexpr std::array<std::string_view, 6> kSettings = {"lacunarity", "gain",      "strength",
+                                                         "amplitude",  "footprint", "detail"};
   return std::ranges::find(kSettings, name) != kSettings.end();
 }
 

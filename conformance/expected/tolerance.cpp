@@ -16,8 +16,9 @@
 namespace hn {
 namespace {
 
-constexpr double kUnit = 0x1p-23;   // the largest relative error of one operation, in any rounding mode
-constexpr double kTiny = 0x1p-126;  // the largest error of flushing a subnormal to 0
+constexpr double kUnit = 0x1p-23;     // the largest relative error of one operation, in any rounding mode
+constexpr double kTiny = 0x1p-126;    // the largest error of flushing a subnormal to 0
+constexpr double kSettled = 0x1p-96;  // below which HN_PRECISE makes a result 0
 // The words of bounds.inc.
 constexpr std::optional<Gradient> octahedral = Gradient::octahedral;
 constexpr std::optional<Gradient> sine = Gradient::sine;
@@ -49,8 +50,9 @@ const std::vector<NoiseBounds> kSlopeBounds = {
 #undef SINE_BOUNDS
 
 // The components of the shift between octaves (docs/contract.md); 2D uses the first two.
-constexpr std::array kShift = {11.0 / 32.0, 19.0 / 32.0, 23.0 / 32.0};
-// The turns between octaves, in the plane of x and y and then in that of y and z; they stretch, too.
+constexpr std::array kShift = {11.0 / 32.0, 19.0 / 32.0, 23.0 / 32.0, 27.0 / 32.0};
+// The turns between octaves, in the plane of x and y, then in that of y and z, and then, by the numbers of the first,
+// in that of z and w; they stretch, too. On the line nothing turns.
 constexpr double kCosine = 25.0 / 32.0;
 constexpr double kSine = 20.0 / 32.0;
 constexpr double kSecondCosine = 29.0 / 32.0;
@@ -79,7 +81,7 @@ bool is_exact_sum(std::span<const double> terms) {
   return magnitudes == 0.0 || magnitudes <= std::ldexp(1.0, lowest + 24);
 }
 
-using Position = std::array<double, 3>;
+using Position = std::array<double, 4>;
 
 // One coordinate of a turn, a*x + b*y + shift. Products of two floats are exact in a double. Whether the result is,
 // too.
@@ -89,10 +91,10 @@ bool turn_is_exact(double a, double x, double b, double y, double shift, double&
   return is_exact_sum(terms);
 }
 
-// The next octave's position, if every step to it is exact. Without a period it is turned: in the plane of x and y, and
-// then in that of y and z.
+// The next octave's position, if every step to it is exact. Without a period it is turned: in the plane of x and y,
+// then in that of y and z, and then in that of z and w.
 bool next_is_exact(Position& q, std::size_t axes, double lacunarity, bool turns) {
-  if (!turns) {
+  if (!turns || axes == 1) {
     for (std::size_t axis = 0; axis < axes; ++axis) {
       if (!turn_is_exact(q[axis], lacunarity, 0.0, 0.0, kShift[axis], q[axis])) return false;
     }
@@ -101,15 +103,20 @@ bool next_is_exact(Position& q, std::size_t axes, double lacunarity, bool turns)
   const double c = lacunarity * kCosine;
   const double s = lacunarity * kSine;
   if (!is_float(c) || !is_float(s)) return false;
-  const auto [x, y, z] = q;
+  const auto [x, y, z, w] = q;
   if (!turn_is_exact(c, x, -s, y, kShift[0], q[0])) return false;
   if (axes == 2) return turn_is_exact(s, x, c, y, kShift[1], q[1]);
   const double second_c = lacunarity * kSecondCosine;
   const double second_s = lacunarity * kSecondSine;
   if (!is_float(second_c) || !is_float(second_s)) return false;
   double v = 0.0;
-  return turn_is_exact(s, x, c, y, 0.0, v) && turn_is_exact(kSecondCosine, v, -second_s, z, kShift[1], q[1]) &&
-         turn_is_exact(kSecondSine, v, second_c, z, kShift[2], q[2]);
+  if (!turn_is_exact(s, x, c, y, 0.0, v) || !turn_is_exact(kSecondCosine, v, -second_s, z, kShift[1], q[1])) {
+    return false;
+  }
+  if (axes == 3) return turn_is_exact(kSecondSine, v, second_c, z, kShift[2], q[2]);
+  double u = 0.0;
+  return turn_is_exact(kSecondSine, v, second_c, z, 0.0, u) && turn_is_exact(kCosine, u, -s, w, kShift[2], q[2]) &&
+         turn_is_exact(kSine, u, c, w, kShift[3], q[3]);
 }
 
 bool positions_are_exact(Position q, std::size_t axes, double octaves, double lacunarity, bool turns) {
@@ -151,7 +158,8 @@ Start start_of(const Function& function, std::span<const std::uint32_t> inputs) 
   return start;
 }
 
-double octave_sum_tolerance(const Function& function, Gradient gradient, std::span<const std::uint32_t> inputs) {
+double octave_sum_tolerance(const Function& function, Gradient gradient, std::span<const std::uint32_t> inputs,
+                            std::size_t output) {
   const Start start = start_of(function, inputs);
   const auto input = [&](std::string_view name) { return float_input(inputs, function.input(name)); };
   double lacunarity = input("lacunarity");
@@ -171,11 +179,13 @@ double octave_sum_tolerance(const Function& function, Gradient gradient, std::sp
     arguments.largest_coordinate = std::max(arguments.largest_coordinate, std::fabs(coordinate));
   }
   if (function.takes_strength()) arguments.strength = input("strength");
+  if (function.takes_amplitude()) arguments.amplitude = input("amplitude");
   if (function.takes_footprint()) arguments.footprint = input("footprint");
   arguments.turns = !tiled;
   arguments.from_cell = function.takes_cell();
   arguments.is_detail = function.takes_detail();
-  return octave_tolerance(octave_sum_of(function), function.axes, arguments, gradient);
+  return function.is_slope(output) ? octave_slope_tolerance(function.axes, arguments)
+                                   : octave_tolerance(octave_sum_of(function), function.axes, arguments, gradient);
 }
 
 }  // namespace
@@ -189,8 +199,10 @@ const NoiseBounds& slope_bounds(std::string_view noise, int axes, Gradient gradi
 }
 
 const NoiseBounds& bounds_of(const Function& function, const Configuration& configuration, std::size_t output) {
-  if (function.is_octave_sum()) return noise_bounds("perlin", function.axes, configuration.gradient);
   const auto& table = function.is_slope(output) ? kSlopeBounds : kNoiseBounds;
+  if (function.is_octave_sum()) {
+    return bounds_in(table, noise_of(octave_sum_of(function)), function.axes, configuration.gradient);
+  }
   // A component of the vector to a point is as exact as the Manhattan distance, of which it is a part.
   const std::string_view bound = function.is_cellular() && function.is_offset(output) ? "cellular" : function.bound;
   return bounds_in(table, bound, function.axes, configuration.gradient);
@@ -204,26 +216,37 @@ double error_of(const Function& function, const Configuration& configuration, st
 
 OctaveSum octave_sum_of(const Function& function) {
   using enum OctaveSum;
-  constexpr std::array<std::pair<std::string_view, OctaveSum>, 7> kSums = {{{"fbm", fbm},
-                                                                            {"turbulence", turbulence},
-                                                                            {"clouds", clouds},
-                                                                            {"billow", billow},
-                                                                            {"ridged", ridged},
-                                                                            {"ping_pong", ping_pong},
-                                                                            {"weighted", weighted}}};
+  constexpr std::array<std::pair<std::string_view, OctaveSum>, 11> kSums = {{{"fbm", fbm},
+                                                                             {"turbulence", turbulence},
+                                                                             {"clouds", clouds},
+                                                                             {"billow", billow},
+                                                                             {"ridged", ridged},
+                                                                             {"ping_pong", ping_pong},
+                                                                             {"weighted", weighted},
+                                                                             {"fbm_d", fbm_d},
+                                                                             {"eroded", eroded},
+                                                                             {"warp", warp},
+                                                                             {"warp_progressive", warp_progressive}}};
   for (const auto& [name, sum] : kSums) {
     if (function.bound == name) return sum;
   }
   throw std::logic_error(fmt::format("{}: '{}' is not an octave sum", function.id, function.bound));
 }
 
-// What follows is in tools/lib/bounds/sums.py, with the reasons.
+std::string_view noise_of(OctaveSum sum) {
+  using enum OctaveSum;
+  if (sum == warp || sum == warp_progressive) return "value";
+  return sum == fbm_d || sum == eroded ? "perlin_d" : "perlin";
+}
+
+// What follows is in tools/lib/bounds/sums.py and frames.py, with the reasons.
 namespace {
 
 // A noise beyond [-1, 1] counts as the nearer end.
 bool is_clamped(OctaveSum kind) {
   using enum OctaveSum;
-  return kind == billow || kind == ridged || kind == ping_pong || kind == weighted;
+  return kind == billow || kind == ridged || kind == ping_pong || kind == weighted || kind == warp ||
+         kind == warp_progressive;
 }
 
 int count_of(const OctaveArguments& arguments) {
@@ -231,71 +254,89 @@ int count_of(const OctaveArguments& arguments) {
 }
 
 double strength_of(OctaveSum kind, const OctaveArguments& arguments) {
-  return std::clamp(arguments.strength, 0.0, kind == OctaveSum::ping_pong ? 64.0 : 1.0);
+  const double most = kind == OctaveSum::ping_pong ? 64.0 : kind == OctaveSum::eroded ? 16.0 : 1.0;
+  return std::clamp(arguments.strength, 0.0, most);
 }
+
+double amplitude_of(const OctaveArguments& arguments) { return std::clamp(arguments.amplitude, 0.0, 64.0); }
+
+bool turns(int axes, const OctaveArguments& arguments) { return arguments.turns && axes > 1; }
 
 // How far each octave's position may be off.
 using Errors = std::vector<double>;
 
-// Without turns each coordinate is bounded on its own.
-Errors straight_position_errors(int axes, const OctaveArguments& arguments) {
-  const double lacunarity = std::fabs(arguments.lacunarity);
-  const double shift = kShift[static_cast<std::size_t>(axes) - 1];  // the largest
-  double position = arguments.largest_coordinate;
-  double error = 0.0;
-  Errors errors;
-  for (int i = 0; i < count_of(arguments); ++i) {
-    errors.push_back(error);
-    const double product_error = lacunarity * (error + kUnit * (position + error) + kTiny) + kTiny;
-    position = lacunarity * position + shift;
-    error = arguments.exact_positions ? 0.0 : product_error + kUnit * (position + product_error);
-  }
-  return errors;
+// Where an octave is: how far from the origin at most, and by how much its position may be off. With turns these are
+// lengths; without, each coordinate is bounded on its own.
+struct Whereabouts {
+  double position;
+  double error;
+};
+
+// How much longer a vector can be than its largest coordinate, where lengths are bounded.
+double diagonal_of(int axes, const OctaveArguments& arguments) {
+  return turns(axes, arguments) ? std::sqrt(axes) : 1.0;
 }
 
-// Of lengths, by the first turn. The second stretches none.
+// What the turns between two octaves make of a length: the first and the third stretch it, the second does not.
 const double kStretch = std::hypot(kCosine, kSine);
-
-// With turns lengths are bounded.
-Errors turned_position_errors(int axes, const OctaveArguments& arguments) {
-  const double shift = kShift[static_cast<std::size_t>(axes) - 1];
-  const double diagonal = std::sqrt(axes);
-  const double stretch = std::fabs(arguments.lacunarity) * kStretch;
-  const double rounding = std::pow(1.0 + kUnit, 2 * axes) - 1.0;
-  double position = diagonal * arguments.largest_coordinate;
-  double error = 0.0;
-  Errors errors;
-  for (int i = 0; i < count_of(arguments); ++i) {
-    errors.push_back(error);
-    const double reach = position + error;
-    const double of_coordinate = rounding * stretch * reach + kUnit * shift + kTiny * (4.0 * reach + 8.0);
-    error = arguments.exact_positions ? 0.0 : stretch * error + diagonal * of_coordinate;
-    position = stretch * position + diagonal * shift;
-  }
-  return errors;
+double stretch_of(int axes, const OctaveArguments& arguments) {
+  if (!turns(axes, arguments)) return 1.0;
+  return axes == 4 ? kStretch * kStretch : kStretch;
 }
 
-Errors whole_position_errors(int axes, const OctaveArguments& arguments) {
+double largest_shift(int axes) { return kShift[static_cast<std::size_t>(axes) - 1]; }
+
+// Relative, of so many operations.
+double rounding_of(int operations) { return std::pow(1.0 + kUnit, operations) - 1.0; }
+
+Whereabouts next_straight(int axes, const OctaveArguments& arguments, const Whereabouts& at) {
+  const double lacunarity = std::fabs(arguments.lacunarity);
+  const double product_error = lacunarity * (at.error + kUnit * (at.position + at.error) + kTiny) + kTiny;
+  const double position = lacunarity * at.position + largest_shift(axes);
+  return {position, product_error + kUnit * (position + product_error)};
+}
+
+Whereabouts next_turned(int axes, const OctaveArguments& arguments, const Whereabouts& at) {
+  const double shift = largest_shift(axes);
+  const double diagonal = std::sqrt(axes);
+  const double stretch = std::fabs(arguments.lacunarity) * stretch_of(axes, arguments);
+  const double reach = at.position + at.error;
+  const double of_coordinate = rounding_of(2 * axes) * stretch * reach + kUnit * shift + kTiny * (4.0 * reach + 8.0);
+  return {stretch * at.position + diagonal * shift, stretch * at.error + diagonal * of_coordinate};
+}
+
+Whereabouts next_whole(int axes, const OctaveArguments& arguments, const Whereabouts& at) {
   const double ratio = std::trunc(arguments.lacunarity * 0x1p23) / 0x1p23;
-  const double shift = kShift[static_cast<std::size_t>(axes) - 1];
-  const double diagonal = arguments.turns ? std::sqrt(axes) : 1.0;
-  const int turns = arguments.turns ? axes - 1 : 0;
-  double position = diagonal * arguments.largest_coordinate;
-  double error = arguments.exact_positions ? 0.0 : diagonal * kWhole;
-  Errors errors;
-  for (int i = 0; i < count_of(arguments); ++i) {
-    errors.push_back(error);
-    error = ratio * error + (arguments.lacunarity - ratio) * position + diagonal * kWhole;
-    for (int turn = 0; turn < turns; ++turn) error = (turn == 0 ? kStretch : 1.0) * error + std::sqrt(2.0) * kWhole;
-    if (arguments.exact_positions) error = 0.0;
-    position = arguments.lacunarity * (arguments.turns ? kStretch : 1.0) * position + diagonal * shift;
+  const double diagonal = diagonal_of(axes, arguments);
+  double error = ratio * at.error + (arguments.lacunarity - ratio) * at.position + diagonal * kWhole;
+  for (int turn = 0; turns(axes, arguments) && turn < axes - 1; ++turn) {
+    error = (turn % 2 == 0 ? kStretch : 1.0) * error + std::sqrt(2.0) * kWhole;
   }
-  return errors;
+  return {arguments.lacunarity * stretch_of(axes, arguments) * at.position + diagonal * largest_shift(axes), error};
+}
+
+Whereabouts first_octave(int axes, const OctaveArguments& arguments) {
+  const double diagonal = diagonal_of(axes, arguments);
+  return {diagonal * arguments.largest_coordinate,
+          arguments.from_cell && !arguments.exact_positions ? diagonal * kWhole : 0.0};
+}
+
+Whereabouts next_octave(int axes, const OctaveArguments& arguments, const Whereabouts& at) {
+  Whereabouts next = arguments.from_cell      ? next_whole(axes, arguments, at)
+                     : turns(axes, arguments) ? next_turned(axes, arguments, at)
+                                              : next_straight(axes, arguments, at);
+  if (arguments.exact_positions) next.error = 0.0;
+  return next;
 }
 
 Errors position_errors(int axes, const OctaveArguments& arguments) {
-  if (arguments.from_cell) return whole_position_errors(axes, arguments);
-  return arguments.turns ? turned_position_errors(axes, arguments) : straight_position_errors(axes, arguments);
+  Whereabouts at = first_octave(axes, arguments);
+  Errors errors;
+  for (int i = 0; i < count_of(arguments); ++i) {
+    errors.push_back(at.error);
+    at = next_octave(axes, arguments, at);
+  }
+  return errors;
 }
 
 // What an octave adds, before its weight: how far it may be off, and how large it can be.
@@ -345,26 +386,39 @@ double detail_total(const OctaveArguments& arguments) {
   return total;
 }
 
-// Of the mean of the octaves.
-double mean_error(OctaveSum kind, const OctaveArguments& arguments, double noise_limit, const Errors& noise_errors) {
+// The total of the weights, octave by octave.
+struct Total {
+  double value = 0.0;
+  double error = 0.0;
+
+  void add_octave(double gain) {
+    const double product_error = gain * (error + kUnit * (value + error)) + kTiny;
+    value = 1.0 + gain * value;
+    error = product_error + kUnit * (value + product_error);
+  }
+};
+
+// Beyond, GLSL bounds no division.
+constexpr double kLargestTotal = 0x1p126;
+
+// Of the mean of the octaves. The weights of some sums have another factor up to 1, with errors of its own.
+double mean_error(OctaveSum kind, const OctaveArguments& arguments, double noise_limit, const Errors& noise_errors,
+                  const Errors& factor_errors = {}) {
   const auto [term_errors, limit] = terms_of(kind, arguments, noise_limit, noise_errors);
   const double strength = strength_of(kind, arguments);
   const double gain = arguments.gain;
   double amplitude = 1.0;
   double amplitude_error = 0.0;
-  double total = 0.0;
-  double total_error = 0.0;
+  Total total;
   double sum_error = 0.0;
   for (std::size_t i = 0; i < noise_errors.size(); ++i) {
     double used_error = amplitude_error;
     const double most_amplitude = amplitude + amplitude_error;
-    if (arguments.footprint) used_error += most_amplitude * (fade_error(i) + kUnit) + kTiny;
+    if (!factor_errors.empty()) used_error += most_amplitude * (factor_errors[i] + kUnit) + kTiny;
     if (arguments.is_detail) used_error += kUnit * most_amplitude + kTiny;
     sum_error += (amplitude + used_error) * (term_errors[i] + kUnit * limit) + limit * used_error + kTiny;
-    total_error = gain * (total_error + kUnit * (total + total_error)) + kTiny;
-    total = 1.0 + gain * total;
-    sum_error += kUnit * (limit * total + sum_error);
-    total_error += kUnit * (total + total_error);
+    total.add_octave(gain);
+    sum_error += kUnit * (limit * total.value + sum_error);
     amplitude_error = gain * (amplitude_error + kUnit * most_amplitude) + kTiny;
     amplitude *= gain;
     if (kind == OctaveSum::weighted) {
@@ -374,28 +428,211 @@ double mean_error(OctaveSum kind, const OctaveArguments& arguments, double noise
           std::min(amplitude_error + amplitude * factor_error, most) + kUnit * most + (1.0 + gain) * kTiny;
     }
   }
-  if (total > 0x1p126) return std::numeric_limits<double>::infinity();
+  if (total.value > kLargestTotal) return std::numeric_limits<double>::infinity();
   if (arguments.is_detail) {
-    const double count = count_of(arguments);
-    total = detail_total(arguments);
-    total_error = total * (std::pow(1.0 + kUnit, 2.0 * count) - 1.0) + 2.0 * total * count * kTiny;
+    const int count = count_of(arguments);
+    total.value = detail_total(arguments);
+    total.error = total.value * rounding_of(2 * count) + 2.0 * total.value * count * kTiny;
   }
-  const double error = (sum_error + limit * total_error) / (total - total_error);
+  const double error = (sum_error + limit * total.error) / (total.value - total.error);
   return error + 2.5 * kUnit * (limit + error) + kTiny;
+}
+
+// --- Slopes and shifts ---
+//
+// A frame takes a small step of the position to one of an octave's position, times the octave's weight. It is gain *
+// lacunarity to the power of the octave, times turns. So its columns have that length, but for what turns stretch, and
+// no vector becomes longer by more. Without turns each axis is on its own, and lengths are those of coordinates.
+
+// GLSL bounds the error of a division only for divisors up to 2^126, and no number of a frame may overflow.
+bool in_domain(const OctaveArguments& arguments) {
+  Total total;
+  for (int i = 0; i < count_of(arguments); ++i) total.add_octave(arguments.gain);
+  const double growth = std::fabs(arguments.gain * arguments.lacunarity);
+  return total.value <= kLargestTotal && std::pow(growth, std::max(count_of(arguments) - 1, 0)) <= 0x1p96;
+}
+
+struct Frame {
+  double length = 1.0;  // of a column, and how much longer a vector becomes
+  double error = 0.0;   // of a column, as a length
+};
+
+// A number goes through 2 n operations, as the coordinate of a position does, of terms whose magnitudes sum to no more
+// than the stretched length: the growth, the product with it, and a product and a sum for each of the turns. From a
+// cell the positions have the lacunarity that is cut to 2^-23.
+Frame next_frame(int axes, const OctaveArguments& arguments, const Frame& frame) {
+  const double growth = arguments.gain * std::fabs(arguments.lacunarity) * stretch_of(axes, arguments);
+  const double reach = frame.length + frame.error;
+  double of_number = rounding_of(2 * axes) * growth * reach + kTiny * (4.0 * reach + 8.0);
+  if (arguments.from_cell) {
+    const double ratio = std::trunc(arguments.lacunarity * 0x1p23) / 0x1p23;
+    of_number += arguments.gain * (arguments.lacunarity - ratio) * stretch_of(axes, arguments) * reach;
+  }
+  return {growth * frame.length, growth * frame.error + diagonal_of(axes, arguments) * of_number};
+}
+
+// Components of at most m whose magnitudes have a sum of at most L have the largest length where as many as can be are
+// m, and one is the rest.
+double longest_gradient(const NoiseBounds& noise, const NoiseBounds& slope) {
+  const double full = std::floor(noise.lipschitz / slope.limit);
+  const double rest = noise.lipschitz - full * slope.limit;
+  return std::min(std::hypot(std::sqrt(full) * slope.limit, rest), std::sqrt(noise.axes) * slope.limit);
+}
+
+// How fast a noise changes: with a length, or with the largest coordinate.
+double steepest(const OctaveArguments& arguments, const NoiseBounds& noise, const NoiseBounds& slope) {
+  return turns(noise.axes, arguments) ? longest_gradient(noise, slope) : noise.lipschitz;
+}
+
+// Of a noise, or a component of its derivative, at a position that is off.
+double error_at(const OctaveArguments& arguments, const NoiseBounds& bounds, double lipschitz, double limit,
+                double position_error) {
+  return std::min(lipschitz * position_error + (arguments.from_cell ? bounds.cell_error : bounds.error), 2.0 * limit);
+}
+
+Errors errors_at(const OctaveArguments& arguments, const NoiseBounds& bounds, double lipschitz, double limit) {
+  Errors errors = position_errors(bounds.axes, arguments);
+  for (double& error : errors) error = error_at(arguments, bounds, lipschitz, limit, error);
+  return errors;
+}
+
+// The largest slope of 1 / (1 + strength r^2) for r up to `reach`: it is steepest where strength r^2 = 1/3.
+double steepest_fall(double strength, double reach) {
+  const double r = strength > 0.0 ? std::min(reach, 1.0 / std::sqrt(3.0 * strength)) : reach;
+  const double divisor = 1.0 + strength * r * r;
+  return 2.0 * strength * r / (divisor * divisor);
+}
+
+// Of the factors 1 / (1 + strength |e|^2), and of their products with the weights. A coordinate goes through 2 (n - 1)
+// operations in the turns, and one more. A clamp brings no two vectors further apart. The divisor goes through n + 2
+// operations of terms that are not negative.
+Errors fall_errors(int axes, const OctaveArguments& arguments, const NoiseBounds& noise, const NoiseBounds& slope) {
+  const double strength = strength_of(OctaveSum::eroded, arguments);
+  const double diagonal = std::sqrt(axes);
+  const double ends = 8.0 * diagonal;
+  const double longest = longest_gradient(noise, slope);
+  const double stretch = stretch_of(axes, arguments);
+  const double rounding = turns(axes, arguments) ? rounding_of(2 * (axes - 1)) : 0.0;
+  const double of_factor = rounding_of(axes + 2) + 3.5 * kUnit + 1000.0 * kTiny;
+  double error = 0.0;
+  double reach = 0.0;
+  Errors errors;
+  for (const double slope_error : errors_at(arguments, slope, slope.lipschitz, slope.limit)) {
+    error = stretch * error + diagonal * (rounding * stretch * (reach + error) + 8.0 * kTiny);
+    error += diagonal * slope_error;
+    error = std::min(error + kUnit * (stretch * reach + longest + error) + diagonal * kTiny, 2.0 * ends);
+    reach = std::min(stretch * reach + longest, ends);
+    errors.push_back(std::min(steepest_fall(strength, ends) * error + of_factor, 1.001));
+  }
+  return errors;
+}
+
+// A mean of n / (1 + strength |e|^2).
+double eroded_tolerance(int axes, const OctaveArguments& arguments) {
+  const NoiseBounds& noise = noise_bounds("perlin_d", axes, Gradient::octahedral);
+  const NoiseBounds& slope = slope_bounds("perlin_d", axes, Gradient::octahedral);
+  Errors terms = errors_at(arguments, noise, steepest(arguments, noise, slope), noise.limit);
+  const Errors falls = fall_errors(axes, arguments, noise, slope);
+  for (std::size_t i = 0; i < terms.size(); ++i) terms[i] += noise.limit * falls[i];
+  return mean_error(OctaveSum::eroded, arguments, noise.limit, terms);
+}
+
+// The errors of the noise of each octave of a progressive warp, of which no component is beyond 1. The position of an
+// octave moves by amplitude / total times its frame times the vectors of noise. A coordinate of that goes through n
+// operations; the error of the noise comes back through the position in this way. From a cell what a position moves by
+// is cut to 2^-24, and so is its fraction. HN_PRECISE replaces a step below 2^-96 by 0.
+Errors progressive_errors(int axes, const OctaveArguments& arguments, const NoiseBounds& noise,
+                          const NoiseBounds& slope) {
+  const int count = count_of(arguments);
+  const double diagonal = diagonal_of(axes, arguments);
+  const double lipschitz = steepest(arguments, noise, slope);
+  Total total;
+  for (int i = 0; i < count; ++i) total.add_octave(arguments.gain);
+  const double rate = amplitude_of(arguments) / total.value;
+  double rate_error = rate * total.error / (total.value - total.error);
+  rate_error += 2.5 * kUnit * (rate + rate_error) + kTiny;
+  Whereabouts at = first_octave(axes, arguments);
+  Frame frame;
+  Errors errors;
+  for (int i = 0; i < count; ++i) {
+    errors.push_back(error_at(arguments, noise, lipschitz, 1.0, at.error));
+    const double of_matrix = diagonal * frame.error;
+    const double step = frame.length * diagonal;
+    const double step_error = frame.length * diagonal * errors.back() + of_matrix * diagonal +
+                              diagonal * rounding_of(axes) * (frame.length + of_matrix) * diagonal + 4.0 * axes * kTiny;
+    const double moved = rate * step;
+    double moved_error = rate * step_error + rate_error * (step + step_error);
+    moved_error += kUnit * (moved + moved_error) + diagonal * kSettled;
+    at.error += moved_error;
+    at.error += arguments.from_cell ? 2.0 * diagonal * kWhole : kUnit * (at.position + moved + at.error);
+    at.position += moved;
+    at = next_octave(axes, arguments, at);
+    frame = next_frame(axes, arguments, frame);
+  }
+  return errors;
+}
+
+// A mean that is no larger than 1, times the amplitude.
+double shift_tolerance(OctaveSum kind, int axes, OctaveArguments arguments) {
+  const NoiseBounds& noise = noise_bounds("value", axes, Gradient::octahedral);
+  const NoiseBounds& slope = slope_bounds("value_d", axes, Gradient::octahedral);
+  Errors errors;
+  if (kind == OctaveSum::warp) {
+    errors = errors_at(arguments, noise, steepest(arguments, noise, slope), 1.0);
+  } else {
+    arguments.exact_positions = false;  // of what moves, none is
+    errors = progressive_errors(axes, arguments, noise, slope);
+  }
+  const double error = std::min(mean_error(kind, arguments, 1.0, errors), 2.0);
+  return amplitude_of(arguments) * (error + kUnit) + kSettled + kTiny;
 }
 
 }  // namespace
 
-double octave_tolerance(OctaveSum kind, int axes, const OctaveArguments& arguments, Gradient gradient) {
-  const NoiseBounds& noise = noise_bounds("perlin", axes, gradient);
-  const double limit = is_clamped(kind) ? std::min(noise.limit, 1.0) : noise.limit;
-  Errors errors = position_errors(axes, arguments);
-  for (double& error : errors) {
-    error = std::min(noise.lipschitz * error + (arguments.from_cell ? noise.cell_error : noise.error), 2.0 * limit);
+// The sum of transposed frames times derivatives, divided by the total. The products of a column with a gradient have
+// magnitudes whose sum is at most the product of lengths.
+double octave_slope_tolerance(int axes, const OctaveArguments& arguments) {
+  const NoiseBounds& noise = noise_bounds("perlin_d", axes, Gradient::octahedral);
+  const NoiseBounds& slope = slope_bounds("perlin_d", axes, Gradient::octahedral);
+  if (count_of(arguments) == 0) return 0.0;
+  if (!in_domain(arguments)) return std::numeric_limits<double>::infinity();
+  const double diagonal = diagonal_of(axes, arguments);
+  const double longest = turns(axes, arguments) ? longest_gradient(noise, slope) : slope.limit;
+  Frame frame;
+  Total total;
+  double largest = 0.0;
+  double sum_error = 0.0;
+  for (const double error : errors_at(arguments, slope, slope.lipschitz, slope.limit)) {
+    const double reach = frame.length + frame.error;
+    sum_error += reach * diagonal * error + frame.error * longest;
+    sum_error += rounding_of(axes) * reach * (longest + diagonal * error) + 2.0 * axes * kTiny;
+    largest += frame.length * longest;
+    sum_error += kUnit * (largest + sum_error);
+    total.add_octave(arguments.gain);
+    frame = next_frame(axes, arguments, frame);
   }
-  const double error = errors.empty() ? 0.0 : mean_error(kind, arguments, limit, errors);
-  if (kind == OctaveSum::clouds) return 1.5 * (2.0 * error + kUnit) + 3.001 * kUnit;
-  if (kind == OctaveSum::billow) return 2.0 * error + kUnit * (1.0 + 2.0 * error);
+  const double mean = largest / total.value;
+  const double error = (sum_error + mean * total.error) / (total.value - total.error);
+  return error + 2.5 * kUnit * (mean + error) + kSettled + kTiny;
+}
+
+double octave_tolerance(OctaveSum kind, int axes, const OctaveArguments& arguments, Gradient gradient) {
+  using enum OctaveSum;
+  if (count_of(arguments) == 0) {
+    return kind == clouds ? 1.5 * kUnit + 3.001 * kUnit : kind == billow ? kUnit : 0.0;
+  }
+  const bool framed = kind == eroded || kind == warp || kind == warp_progressive;
+  if (framed && !in_domain(arguments)) return std::numeric_limits<double>::infinity();
+  if (kind == eroded) return eroded_tolerance(axes, arguments);
+  if (framed) return shift_tolerance(kind, axes, arguments);
+  const NoiseBounds& noise = noise_bounds(noise_of(kind), axes, gradient);
+  const double limit = is_clamped(kind) ? std::min(noise.limit, 1.0) : noise.limit;
+  const Errors errors = errors_at(arguments, noise, noise.lipschitz, limit);
+  Errors factor_errors;
+  for (std::size_t i = 0; arguments.footprint && i < errors.size(); ++i) factor_errors.push_back(fade_error(i));
+  const double error = mean_error(kind, arguments, limit, errors, factor_errors);
+  if (kind == clouds) return 1.5 * (2.0 * error + kUnit) + 3.001 * kUnit;
+  if (kind == billow) return 2.0 * error + kUnit * (1.0 + 2.0 * error);
   return error;
 }
 
@@ -403,7 +640,9 @@ double tolerance(const Function& function, const Configuration& configuration, s
                  std::size_t output) {
   if (has_exact_values(function, configuration)) return 0.0;
   if (function.family == Family::sine_gradient) return kSineError;
-  if (function.is_octave_sum()) return octave_sum_tolerance(function, configuration.gradient, inputs);
+  if (function.is_octave_sum()) {
+    return octave_sum_tolerance(function, configuration.gradient, inputs, output);
+  }
   if (function.is_cellular()) return cellular_tolerance(function, configuration, inputs, output);
   return error_of(function, configuration, output);
 }

@@ -31,8 +31,21 @@ const NoiseBounds& bounds_of(const Function& function, const Configuration& conf
 // How far a result may be from the exact one, the real number, in the arithmetic of the configuration.
 double error_of(const Function& function, const Configuration& configuration, std::size_t output);
 
-enum class OctaveSum { fbm, turbulence, clouds, billow, ridged, ping_pong, weighted };
+enum class OctaveSum {
+  fbm,
+  turbulence,
+  clouds,
+  billow,
+  ridged,
+  ping_pong,
+  weighted,
+  fbm_d,
+  eroded,
+  warp,
+  warp_progressive
+};
 OctaveSum octave_sum_of(const Function& function);
+std::string_view noise_of(OctaveSum sum);  // what it adds up
 
 // In the range that the contract takes them in: from a cell the lacunarity is in [0, 255], and with a period it is a
 // whole number.
@@ -47,11 +60,14 @@ struct OctaveArguments {
   bool turns = true;  // it does not with a period
   bool from_cell = false;
   bool is_detail = false;
+  double amplitude = 0.0;
 };
 
-// octave_tolerance of tools/bounds.
+// octave_tolerance of tools/bounds; of a sum of vectors, that of a component.
 double octave_tolerance(OctaveSum kind, int axes, const OctaveArguments& arguments,
                         Gradient gradient = Gradient::octahedral);
+// The same of a component of the derivative of an fBm.
+double octave_slope_tolerance(int axes, const OctaveArguments& arguments);
 
 // The same of an output of cellular noise at a point. A derivative is off by as much as its point, divided by the
 // distance to the point. Names of cells are right or wrong.

@@ -55,7 +55,8 @@ float fraction() { return word() % 4 == 0 ? coordinate() : std::bit_cast<float>(
 // The settings of an octave sum: what people use, and anything.
 float setting(std::string_view name) {
   if (name == "detail") return static_cast<float>(word() % 17) * 0.5f - 1.0f;
-  if (name == "strength" || name == "footprint") return word() % 4 == 0 ? coordinate() : number(117, 129);
+  if (name == "strength" || name == "amplitude" || name == "footprint")
+    return word() % 4 == 0 ? coordinate() : number(117, 129);
   if (word() % 2 == 0) return name == "gain" ? 0.5f : 2.0f;
   return name == "gain" ? number(110, 128) : number(120, 135);
 }
@@ -66,7 +67,7 @@ uint input(std::string_view column) {
   const std::string_view name = column.substr(0, colon);
   if (name == "metric") return word() % 7;
   if (column.substr(colon) != ":f32") return name == "octaves" ? word() % 8 - 1u : word();
-  for (const std::string_view known : {"gain", "lacunarity", "detail", "strength", "footprint"}) {
+  for (const std::string_view known : {"gain", "lacunarity", "detail", "strength", "amplitude", "footprint"}) {
     if (name == known) return std::bit_cast<uint>(setting(name));
   }
   return std::bit_cast<uint>(name.front() == 'f' || name == "jitter" ? fraction() : coordinate());
@@ -102,6 +103,7 @@ void digest(std::string_view id, std::string_view family, std::string_view colum
 
 constexpr bool is_tried(std::string_view id) {
   if (id.starts_with("noise2d.") || id == "noise3d.perlin_cell" || id == "fbm.fbm2_cell") return true;
+  if (id == "warp.warp_progressive2_cell") return true;
   return id.find("_cell") == id.npos && id.find("_period") == id.npos;
 }
 

@@ -91,12 +91,14 @@ bool Function::is_gradient_noise() const {
                             Family::simplex_noise});
 }
 
-bool Function::is_octave_sum() const { return is_one_of(family, {Family::octave_sum, Family::further_octave_sum}); }
+bool Function::is_octave_sum() const {
+  return is_one_of(family, {Family::octave_sum, Family::further_octave_sum, Family::octahedral_octave_sum});
+}
 
 bool Function::is_further() const {
   return is_one_of(family, {Family::further_gradient_noise, Family::octahedral_noise, Family::further_lattice_noise,
-                            Family::further_octave_sum, Family::simplex_noise, Family::curl, Family::cellular,
-                            Family::further_cellular});
+                            Family::further_octave_sum, Family::octahedral_octave_sum, Family::simplex_noise,
+                            Family::curl, Family::cellular, Family::further_cellular});
 }
 
 bool Function::is_derived() const { return bound.ends_with("_d") || bound.ends_with("_d_phase"); }
@@ -139,14 +141,20 @@ const Function& without(const Function& function, std::string_view part) {
   return find_function(id_without(function.id, part));
 }
 
-// In four dimensions value and derivative are two rows: perlin_d_value and perlin_d.
+// In four dimensions value and derivative are two rows: perlin_d_value and perlin_d. The sums of noises with
+// derivatives are in a file of their own: fbm_d.fbm_d2 and fbm_d.eroded2 belong to fbm.fbm2.
 const Function& plain_noise_of(const Function& function) {
+  if (function.is_octave_sum()) {
+    const auto behind = function.id.find('.') + 1 + function.bound.size();
+    return find_function(fmt::format("fbm.fbm{}", function.id.substr(behind)));
+  }
   const bool is_value = function.id.find("_d_") != std::string_view::npos && function.id.ends_with("_value");
   return find_function(id_without(is_value ? id_without(function.id, "value") : function.id, "d"));
 }
 
 bool is_declared(const Function& function, const Configuration& configuration) {
-  return !configuration.sine() || function.family != Family::octahedral_noise;
+  return !configuration.sine() ||
+         !is_one_of(function.family, {Family::octahedral_noise, Family::octahedral_octave_sum});
 }
 
 std::string_view arithmetic_name(const Function& function, const Configuration& configuration) {

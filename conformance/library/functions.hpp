@@ -49,6 +49,7 @@ struct Function {
   bool takes_phase() const { return input("phase") >= 0; }
   bool takes_jitter() const { return input("jitter") >= 0; }
   bool takes_strength() const { return input("strength") >= 0; }
+  bool takes_amplitude() const { return input("amplitude") >= 0; }
   bool takes_footprint() const { return input("footprint") >= 0; }
   bool takes_detail() const { return input("detail") >= 0; }  // a float of octaves
   // Whether an output is the cell of the nearest feature point, or a component of the vector to it.
@@ -65,7 +66,7 @@ struct Function {
   bool starts_from_integers() const { return inputs.front().type == WordType::i32; }
   bool is_slope(std::size_t output) const;  // whether an output is a derivative
   bool has_slopes() const { return is_slope(outputs.size() - 1); }
-  bool is_derived() const;  // has_slopes(), or is the value that such a function has beside them
+  bool is_derived() const;  // has_slopes(), or is the value that such a noise has beside them
   bool is_costly() const;   // several times as much as a noise
   // Whether there is an overload without a seed.
   bool has_unseeded() const { return body.find("SEEDED(") != std::string_view::npos; }
@@ -88,7 +89,8 @@ const Function& find_function(std::string_view id);  // it must exist
 // The function whose id has one part less: "noise2d.perlin_cell" is without(noise2d.perlin_cell_period, "period"). It
 // must exist.
 const Function& without(const Function& function, std::string_view part);
-// The noise whose derivative, or whose value beside it, a function is. It must exist.
+// The noise whose derivative, or whose value beside it, a function is; of an octave sum of such noises, the sum without
+// slopes. It must exist.
 const Function& plain_noise_of(const Function& function);
 // Whether the library declares it with these knobs.
 bool is_declared(const Function& function, const Configuration& configuration);

@@ -1,0 +1,202 @@
+// Octave sums over a noise of the user's, which is constant: so what comes out follows from a few lines.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include "cases/value_checks.hpp"
+#include "expected/points.hpp"
+#include "expected/tolerance.hpp"
+
+namespace hn {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+constexpr double kConstantNoise = -0.5;
+constexpr Vector kConstantSlopes = {0.5, -0.25, 0.125};
+
+struct ConstantSum {
+  OctaveSum kind;
+  int axes;
+  bool turns;
+  int octaves;
+  double lacunarity;
+  double gain;
+  double strength;
+  double amplitude;
+};
+
+// The turn between two octaves, of a column and, transposed, of a row.
+Vector turned(const ConstantSum& sum, Vector v) {
+  if (!sum.turns) return v;
+  v = {(25 * v[0] - 20 * v[1]) / 32, (20 * v[0] + 25 * v[1]) / 32, v[2]};
+  if (sum.axes == 3) v = {v[0], (29 * v[1] - 13 * v[2]) / 32, (13 * v[1] + 29 * v[2]) / 32};
+  return v;
+}
+Vector turned_back(const ConstantSum& sum, Vector v) {
+  if (!sum.turns) return v;
+  if (sum.axes == 3) v = {v[0], (29 * v[1] + 13 * v[2]) / 32, (-13 * v[1] + 29 * v[2]) / 32};
+  return {(25 * v[0] + 20 * v[1]) / 32, (-20 * v[0] + 25 * v[1]) / 32, v[2]};
+}
+
+// What an octave sum that divides by the total of the weights makes of a constant noise.
+double mean_of_constant_noise(const ConstantSum& sum) {
+  using enum OctaveSum;
+  const double folded = std::fmod((kConstantNoise + 1.0) * std::clamp(sum.strength, 0.0, 64.0), 2.0);
+  const double bent = 1.0 - std::clamp(sum.strength, 0.0, 1.0) * (1.0 - kConstantNoise) / 2.0;
+  double mean = 0.0;
+  double total = 0.0;
+  double ridge = 0.5;  // such that the first octave's counts in full
+  double weight = 1.0;
+  double bend = 1.0;
+  Vector fall = {};
+  for (int i = 0; i < sum.octaves; ++i) {
+    ridge = (1.0 + kConstantNoise) * (1.0 + kConstantNoise) * std::min(2.0 * ridge, 1.0);
+    fall = turned(sum, fall);
+    double square = 0.0;
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(std::min(sum.axes, 3)); ++axis) {
+      fall[axis] = std::clamp(fall[axis] + kConstantSlopes[axis], -8.0, 8.0);
+      square += fall[axis] * fall[axis];
+    }
+    double value = kConstantNoise;
+    if (sum.kind == turbulence || sum.kind == billow) value = std::fabs(kConstantNoise);
+    if (sum.kind == ridged) value = ridge;
+    if (sum.kind == ping_pong) value = 2.0 * std::min(folded, 2.0 - folded) - 1.0;
+    if (sum.kind == weighted) value *= bend;
+    if (sum.kind == eroded) value /= 1.0 + std::clamp(sum.strength, 0.0, 16.0) * square;
+    mean += weight * value;
+    total += weight;
+    weight *= sum.gain;
+    bend *= bent;
+  }
+  return total > 0.0 ? mean / total : 0.0;
+}
+
+double sum_of_constant_noise(const ConstantSum& sum) {
+  const double mean = mean_of_constant_noise(sum);
+  if (sum.kind == OctaveSum::billow) return 2.0 * mean - 1.0;
+  if (sum.kind == OctaveSum::warp || sum.kind == OctaveSum::warp_progressive) {
+    return std::clamp(sum.amplitude, 0.0, 64.0) * mean;
+  }
+  if (sum.kind != OctaveSum::clouds) return mean;
+  const double t = std::clamp(2.0 * mean + 0.25, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+// What octaves grow by, summed; and the derivative along an axis.
+struct Slope {
+  double growth;
+  double value;
+};
+
+Slope slope_of_constant_noise(const ConstantSum& sum, std::size_t axis) {
+  double slope = 0.0;
+  double total = 0.0;
+  double growths = 0.0;
+  for (int i = 0; i < sum.octaves; ++i) {
+    const double growth = std::pow(sum.gain * sum.lacunarity, i);
+    Vector v = kConstantSlopes;
+    if (sum.axes == 2) v[2] = 0.0;
+    for (int turn = 0; turn < i; ++turn) v = turned_back(sum, v);
+    slope += growth * v[axis];
+    total += std::pow(sum.gain, i);
+    growths += growth;
+  }
+  return {growths, total > 0.0 ? slope / total : 0.0};
+}
+
+// A few roundings of sum and total; what is new in an octave besides the noise is rounded to 2^-18 in integers, and
+// slopes that erode to 2^-12, of which the first turns make up to 11 in space, where a factor changes by up to 2.6 of
+// that. In a shift all of it counts as often as the amplitude says.
+double tolerance_of_constant_noise(const ConstantSum& sum, const Configuration& configuration) {
+  using enum OctaveSum;
+  const bool plain = sum.kind == fbm || sum.kind == turbulence || sum.kind == clouds || sum.kind == fbm_d;
+  if (sum.kind == eroded && configuration.arithmetic == Arithmetic::fixed) return 4e-3;
+  if (sum.kind == warp || sum.kind == warp_progressive) return 2e-6 + 4e-6 * std::clamp(sum.amplitude, 0.0, 64.0);
+  return plain ? 2e-6 : 2e-5;
+}
+
+// Makes a sum over a constant noise, under the name of the library's.
+std::string with_constant_noise(const Function& function) {
+  std::string name(function.bound);
+  std::string macro = name;
+  std::ranges::transform(macro, macro.begin(), [](char c) { return static_cast<char>(c >= 'a' ? c - 'a' + 'A' : c); });
+  if (function.takes_period()) macro += "_PERIOD";
+  if (function.takes_detail() || function.takes_footprint()) macro += "_LIMITED";
+  const int axes = function.axes;
+  const std::string integers = axes == 1 ? "hn_int" : fmt::format("hn_ivec{}", axes);
+  const std::string numbers = axes == 1 ? "hn_float" : fmt::format("hn_vec{}", axes);
+  std::string value = fmt::format("{:.1f}f + 0.0f * {}", kConstantNoise, axes == 1 ? "f" : "f.x");
+  std::string type = "hn_float";
+  if (noise_of(octave_sum_of(function)) == "perlin_d") {
+    type = fmt::format("hn_vec{}", axes + 1);
+    value = fmt::format("vec{}({}", axes + 1, value);
+    for (const double slope : std::span(kConstantSlopes).first(static_cast<std::size_t>(axes))) {
+      value += fmt::format(", {:.3f}f", slope);
+    }
+    value += ")";
+  }
+  return fmt::format(
+      "#include \"{}\"\n"
+      "HN_FN {} constant_noise({} cell, {} f, {}hn_uint seed) {{ return {}; }}\n"
+      "HN_{}{}D(constant_sum, constant_noise)\n"
+      "#define hn_{} constant_sum\n",
+      function.file, type, integers, numbers, function.takes_period() ? fmt::format("{} period, ", integers) : "",
+      value, macro, axes, name);
+}
+
+// The octaves that count, the last of a detail only in part: over a constant noise that changes nothing. From a cell
+// and with a period the lacunarity counts as the library says.
+ConstantSum settings_of(const Function& function, std::span<const std::uint32_t> inputs) {
+  const auto word = [&](std::string_view name) { return inputs[static_cast<std::size_t>(function.input(name))]; };
+  const auto number = [&](std::string_view name) { return static_cast<double>(std::bit_cast<float>(word(name))); };
+  const auto octaves_of = [](double detail) { return detail < 0x1p-32 ? 0 : static_cast<int>(std::ceil(detail)); };
+  const int octaves =
+      function.takes_detail() ? octaves_of(number("detail")) : static_cast<std::int32_t>(word("octaves"));
+  double lacunarity = number("lacunarity");
+  if (function.takes_cell() || function.takes_period()) lacunarity = std::clamp(lacunarity, 0.0, 255.0);
+  if (function.takes_period()) lacunarity = std::floor(lacunarity);
+  return {octave_sum_of(function),
+          function.axes,
+          !function.takes_period(),
+          octaves,
+          lacunarity,
+          number("gain"),
+          function.takes_strength() ? number("strength") : 0.0,
+          function.takes_amplitude() ? number("amplitude") : 0.0};
+}
+
+}  // namespace
+
+// The macros make sums over a noise of the user's.
+Outcome check_other_noise(Session& session, const Evaluation& evaluation) {
+  const auto& [function, configuration, profile, variant, stage] = evaluation;
+  Words inputs = random_points(function, property_points(session, function), Random(session.seed, "other noise"));
+  if (function.takes_footprint()) {  // that no octave fades
+    const auto footprint = static_cast<std::size_t>(function.input("footprint"));
+    for (std::size_t i = footprint; i < inputs.size(); i += kInputWords) inputs[i] = 0;
+  }
+  const std::string knobs = with_constant_noise(function);
+  const auto outputs = evaluate(session, {function, configuration, profile, {.knobs = knobs}}, inputs);
+  if (!outputs) return outputs.error();
+  Comparison comparison(function, inputs);
+  for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
+    const ConstantSum sum = settings_of(function, point(inputs, i));
+    for (std::size_t word = 0; word < function.outputs.size(); ++word) {
+      const float got = std::bit_cast<float>(result(*outputs, i)[word]);
+      if (function.is_slope(word)) {
+        const Slope slope = slope_of_constant_noise(sum, word - 1);  // the value comes first
+        comparison.number(point(inputs, i), got, slope.value, 1e-5 * (1.0 + slope.growth), word);
+      } else {
+        comparison.number(point(inputs, i), got, sum_of_constant_noise(sum),
+                          tolerance_of_constant_noise(sum, configuration), word);
+      }
+    }
+  }
+  return comparison.finish();
+}
+
+}  // namespace hn
