@@ -85,8 +85,8 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
      "With a footprint of 0, and up to half a cell of the last octave, `hn_fbm` is that without one, at 4,096 "
      "points: bit by bit with `fixed`, else within the tolerances of both."},
     {"zero_strength",
-     "With a strength of 0, or below, `hn_eroded` is `hn_fbm`, at 4,096 points: bit by bit, or for `fast` within the "
-     "tolerances of both."},
+     "With a strength of 0, or below, `hn_eroded` is `hn_fbm`, at 4,096 points: bit by bit with `fixed`, else within "
+     "the tolerances of both."},
     {"constant_period",
      "4,096 points have the same values when the periods are constants of the shader, within twice the tolerance for "
      "`fast`."},

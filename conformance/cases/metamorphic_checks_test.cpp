@@ -137,21 +137,26 @@ TEST_F(Periods, AFunctionThatDoesNotRepeatIsCaught) {
        "hn_fbm(q, r, o, l, g, args) (hn_fbm(q, r, o, l, g, args) + 0.0000005 * p.x)"}};
   for (const Aperiodic& fault : kFaults) expect_caught(fault);
   // Only many octaves come to so large a cell.
-  expect_replaced_caught({"fbm.fbm2_period.lattice.fixed.fragment.gl330.period", "fbm2d.glsl",
+  expect_replaced_caught({"fbm.fbm2_period.lattice.fixed.fragment.gl330.period", "octaves_plane.glsl",
                           "return ivec2(q.x.x, q.y.x);", "return clamp(ivec2(q.x.x, q.y.x), -8388608, 8388607);"});
   expect_replaced_caught({"fbm.billow2_cell_period.lattice.fast.fragment.gl330.period", "octaves.glsl",
                           "return int(uint(period) * uint(lacunarity));",
                           "return int(uint(period) * uint(lacunarity)) + int(period > 0);"});
+  // A tile that turns.
+  expect_replaced_caught({"warp.warp_progressive2_cell_period.lattice.fixed.fragment.gl330.period", "frame.glsl",
+                          "onward(hn_i_next_tile,", "onward(hn_i_next,"});
 }
 
 // From a cell, in every arithmetic and with a period: the fraction, and a step that only one of the two goes.
 TEST_F(Periods, ASumFromACellThatIsNotThatAtThePositionIsCaught) {
   constexpr Replaced kFaults[] = {
-      {"fbm.fbm2_cell.lattice.fast.fragment.gl330.from_cell", "fbm2d.glsl", "q.x = hn_i_whole(cell.x, f.x);",
+      {"fbm.fbm2_cell.lattice.fast.fragment.gl330.from_cell", "octaves_plane.glsl", "q.x = hn_i_whole(cell.x, f.x);",
        "q.x = hn_i_whole(cell.x, 0.999f * f.x);"},
       {"fbm.ridged3_cell.lattice.fixed.fragment.gl330.from_cell", "octaves.glsl",
        "int(min(max(f, 0.0f), 1.0f) * 16777216.0f)", "(int(min(max(f, 0.0f), 1.0f) * 16777216.0f) ^ 4096)"},
-      {"fbm.fbm2_cell_period.lattice.precise.fragment.gl400.from_cell", "fbm2d.glsl",
+      {"warp.warp_progressive2_cell.lattice.fast.fragment.gl330.from_cell", "frame.glsl", "hn_i_minus(n, cells)",
+       "hn_i_minus(0.5f * n, 0.5f * cells)"},
+      {"fbm.fbm2_cell_period.lattice.precise.fragment.gl400.from_cell", "octaves_plane.glsl",
        "hn_i_shifted(hn_i_times_ratio(q.x, ratio), 5767168)", "hn_i_shifted(hn_i_times_ratio(q.x, ratio), 5832704)"}};
   for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
 }
@@ -232,7 +237,38 @@ TEST_F(Derivatives, FaultsAreCaught) {
   for (const Aperiodic& fault : kFaults) expect_caught(fault);
 }
 
+// A sign, components in another order, an octave that does not grow, and a turn in the other direction.
+TEST_F(Derivatives, FaultsOfSumsAreCaught) {
+  constexpr Replaced kFaults[] = {
+      {"fbm_d.fbm_d2.lattice.fast.fragment.gl330.derivative", "frame.glsl",
+       "hn_i_parted(hn_i_framed(k.x, g.y), hn_i_framed(k.y, g.x))",
+       "hn_i_joined(hn_i_framed(k.x, g.y), hn_i_framed(k.y, g.x))"},
+      {"fbm_d.fbm_d2.lattice.fast.fragment.es300.derivative", "fbm_d2d.glsl",
+       "hn_i_octave_slope(n.y), hn_i_octave_slope(n.z)", "hn_i_octave_slope(n.z), hn_i_octave_slope(n.y)"},
+      {"fbm_d.fbm_d3_cell.lattice.fast.fragment.gl330.derivative", "frame.glsl",
+       "next.z = hn_i_turned_by(grown.z, y, 29, 13);", "next.z = hn_i_turned_by(grown.z, y, 29, -13);"},
+      {"fbm_d.fbm_d2_cell_period.lattice.precise.fragment.gl400.derivative", "frame.glsl",
+       "hn_i_next_tile_frame(hn_num2 k, hn_num growth) { return hn_i_framed(k, growth); }",
+       "hn_i_next_tile_frame(hn_num2 k, hn_num growth) { return k; }"},
+      {"fbm_d.fbm_d3_period.lattice.fast.fragment.gl330.derivative", "frame.glsl", "next.y = hn_i_framed(k.y, growth);",
+       "next.y = hn_i_framed(k.y, 1.2f * growth);"}};
+  for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
+}
+
+TEST_F(Derivatives, ASumWithoutStrengthThatIsNoFbmIsCaught) {
+  constexpr Replaced kFaults[] = {
+      {"fbm_d.eroded2.lattice.fast.fragment.gl330.zero_strength", "frame.glsl",
+       "hn_i_times_plus(square, strength, 1.0f)", "hn_i_times_plus(square, strength + 0.001f, 1.0f)"},
+      {"fbm_d.eroded3_cell.lattice.precise.fragment.gl400.zero_strength", "fbm_d3d.glsl", "hn_i_octave(n.x)",
+       "hn_i_octave(n.y)"},
+      {"fbm_d.eroded2_cell_period.lattice.fixed.fragment.gl330.zero_strength", "frame.glsl", "divisor = 65536u",
+       "divisor = 65537u"}};
+  for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
+}
+
 TEST_F(Derivatives, AnotherValueIsCaught) {
+  expect_replaced_caught({"fbm_d.fbm_d3_cell.lattice.fixed.fragment.gl330.derivative_value", "fbm_d3d.glsl",
+                          "hn_i_add(s, n.x);", "hn_i_add(s, n.x + 0.000001f);"});
   constexpr Aperiodic kFaults[] = {
       {"noise2d.perlin_d.lattice.fast.fragment.gl330", "derivative_value", "perlin_d2d.glsl",
        "hn_perlin_d(args) (vec3(0.0001, 0.0, 0.0) + hn_perlin_d(args))"},

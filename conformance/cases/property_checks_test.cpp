@@ -65,6 +65,18 @@ TEST_F(Extreme, SumsHaveRangesOfTheirOwn) {
   for (const auto& [id, fault] : kFaults) expect_caught(id, "fbm2d.glsl", fault);
 }
 
+// The settings say how far a shift can be, and how steep a sum.
+TEST_F(Extreme, RangesThatDependOnSettingsAreHeld) {
+  expect_caught("warp.warp2.lattice.fast.fragment.gl330.range", "warp2d.glsl",
+                "hn_warp(q, o, l, g, args) (hn_warp(q, o, l, g, args) * 1.2)");
+  expect_caught("warp.warp_progressive3_cell.lattice.fixed.fragment.gl330.range", "warp3d.glsl",
+                "hn_warp_progressive(c, f, o, l, g, args) (hn_warp_progressive(c, f, o, l, g, args) * 1.2)");
+  expect_caught("fbm_d.fbm_d2.lattice.fast.fragment.gl330.range", "fbm_d2d.glsl",
+                "hn_fbm_d(q, o, l, args) (hn_fbm_d(q, o, l, args) * vec3(1.0, 1.0, 2.0))");
+  expect_caught("fbm_d.fbm_d3.lattice.fixed.fragment.gl330.finite", "fbm_d3d.glsl",
+                "hn_fbm_d(q, o, l, args) (hn_fbm_d(q, o, l, args) * vec4(1.0, 1.0, 1.0, 5000.0))");
+}
+
 // Not the noise, the octaves' weights, or what a sum makes of each octave.
 TEST_F(Extreme, ASumOverAnotherNoiseThatIsNotThatSumIsCaught) {
   constexpr Replaced kFaults[] = {
@@ -75,6 +87,19 @@ TEST_F(Extreme, ASumOverAnotherNoiseThatIsNotThatSumIsCaught) {
       {"fbm.ping_pong2_period.lattice.fast.fragment.gl330.other_noise", "octaves.glsl", "floor(t * 0.5f)", "floor(t)"},
       {"fbm.weighted2.lattice.fast.fragment.gl330.other_noise", "octaves.glsl", "(0.5f - 0.5f * n)",
        "(0.5f + 0.5f * n)"},
+      {"fbm.ridged4.lattice.fast.fragment.gl330.other_noise", "octaves.glsl", "min(hn_i_plus(ridge, ridge), ",
+       "min(ridge, "},
+      {"fbm_d.fbm_d2_cell.lattice.fixed.fragment.gl330.other_noise", "frame.glsl",
+       "hn_i_parted(hn_i_framed(k.x, g.y), hn_i_framed(k.y, g.x))",
+       "hn_i_joined(hn_i_framed(k.x, g.y), hn_i_framed(k.y, g.x))"},
+      {"fbm_d.eroded3.lattice.fixed.fragment.gl330.other_noise", "frame.glsl", "(hn_i_octave_slope(g) >> 7)",
+       "(hn_i_octave_slope(g) >> 8)"},
+      {"fbm_d.eroded2_period.lattice.fast.fragment.gl330.other_noise", "frame.glsl",
+       "hn_i_unturned(hn_num2 v) { return v; }", "hn_i_unturned(hn_num2 v) { return hn_i_turned(v); }"},
+      {"warp.warp3.lattice.fast.fragment.gl330.other_noise", "frame.glsl", "hn_i_bounded(hn_i_mean(sum, total))",
+       "hn_i_bounded(hn_i_mean(sum, total + 1.0))"},
+      {"warp.warp_progressive2_period.lattice.fixed.fragment.gl330.other_noise", "warp2d.glsl",
+       "sum.y = hn_i_summed(sum.y, v.y, weight);", "sum.y = hn_i_summed(sum.x, v.y, weight);"},
       {"fbm.fbm3_detail.lattice.fast.fragment.gl330.other_noise", "octaves.glsl", "hn_float total = part",
        "hn_float total = 1.0f"}};
   for (const Replaced& fault : kFaults) expect_replaced_caught(fault);

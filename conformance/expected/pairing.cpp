@@ -439,7 +439,7 @@ Pairing small_footprint_pairing(const Evaluation& evaluation, std::uint64_t seed
                     has_exact_values(function, evaluation.configuration));
 }
 
-// Every octave is divided by 1 then, and what is below 0 counts as 0.
+// Every octave is divided by 1 then, and what is below 0 counts as 0. With floats a division by 1 may round.
 Pairing zero_strength_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
   const Function& function = evaluation.function;
   const Evaluation other{plain_noise_of(function), evaluation.configuration, evaluation.profile};
@@ -450,7 +450,7 @@ Pairing zero_strength_pairing(const Evaluation& evaluation, std::uint64_t seed, 
   }
   Words others = inputs_for(other.function, function, inputs);
   return pairing_of(evaluation, other, std::move(inputs), std::move(others),
-                    has_same_bits(function, evaluation.configuration));
+                    has_exact_values(function, evaluation.configuration));
 }
 
 Pairing derivative_value_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {

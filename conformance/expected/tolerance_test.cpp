@@ -91,6 +91,79 @@ TEST(OctaveTolerance, AgreesWithItsDerivation) {
   }
 }
 
+// What tools/lib/bounds/sums.py says on the line and in 4D, and frames.py of slopes and shifts. Of fbm_d it is that of
+// a derivative.
+TEST(OctaveTolerance, OfFurtherSumsAgreesWithItsDerivation) {
+  struct {
+    OctaveSum kind;
+    int axes;
+    OctaveArguments arguments;
+    double tolerance;
+  } const kSums[] = {
+      {OctaveSum::fbm, 1, {16.0, 5.0, 2.0, 0.5, false, 0.0, {}, true, false, false, 0.0}, 5.653046e-05},
+      {OctaveSum::fbm, 1, {16.0, 5.0, 1.9, 0.6, false, 0.0, {}, false, true, false, 0.0}, 7.174203e-06},
+      {OctaveSum::fbm, 1, {16.0, 5.0, 2.0, 0.5, false, 0.0, {}, false, false, false, 0.0}, 5.653046e-05},
+      {OctaveSum::fbm, 4, {16.0, 5.0, 2.0, 0.5, false, 0.0, {}, true, false, false, 0.0}, 2.086894e-03},
+      {OctaveSum::fbm, 4, {16.0, 5.0, 1.9, 0.6, false, 0.0, {}, true, true, false, 0.0}, 3.266862e-05},
+      {OctaveSum::fbm, 4, {16.0, 5.0, 2.0, 0.5, false, 0.0, {}, false, false, false, 0.0}, 1.390232e-04},
+      {OctaveSum::fbm_d, 2, {16.0, 4.0, 1.9, 0.5, false, 0.0, {}, true, false, false, 0.0}, 4.344394e-03},
+      {OctaveSum::eroded, 2, {16.0, 4.0, 1.9, 0.6, false, 1.0, {}, true, false, false, 0.0}, 1.201909e-03},
+      {OctaveSum::warp, 2, {16.0, 4.0, 1.9, 0.5, false, 0.0, {}, true, false, false, 2.0}, 3.530427e-04},
+      {OctaveSum::warp_progressive, 2, {16.0, 3.0, 1.9, 0.5, false, 0.0, {}, true, false, false, 0.25}, 3.792037e-05},
+      {OctaveSum::fbm_d, 2, {16.0, 4.0, 1.9, 0.5, false, 0.0, {}, true, true, false, 0.0}, 1.576006e-04},
+      {OctaveSum::eroded, 2, {16.0, 4.0, 1.9, 0.6, false, 1.0, {}, true, true, false, 0.0}, 6.159599e-05},
+      {OctaveSum::warp, 2, {16.0, 4.0, 1.9, 0.5, false, 0.0, {}, true, true, false, 2.0}, 1.933151e-05},
+      {OctaveSum::warp_progressive, 2, {16.0, 3.0, 1.9, 0.5, false, 0.0, {}, true, true, false, 0.25}, 4.144759e-06},
+      {OctaveSum::fbm_d, 2, {16.0, 4.0, 2.0, 0.5, false, 0.0, {}, false, false, false, 0.0}, 1.036031e-03},
+      {OctaveSum::eroded, 2, {16.0, 4.0, 2.0, 0.6, false, 1.0, {}, false, false, false, 0.0}, 3.736365e-04},
+      {OctaveSum::warp, 2, {16.0, 4.0, 2.0, 0.5, false, 0.0, {}, false, false, false, 2.0}, 1.295640e-04},
+      {OctaveSum::warp_progressive, 2, {16.0, 3.0, 2.0, 0.5, false, 0.0, {}, false, false, false, 0.25}, 1.758269e-05},
+      {OctaveSum::fbm_d, 2, {16.0, 4.0, 2.0, 0.5, false, 0.0, {}, false, true, false, 0.0}, 5.179094e-05},
+      {OctaveSum::eroded, 2, {16.0, 4.0, 2.0, 0.6, false, 1.0, {}, false, true, false, 0.0}, 3.494639e-05},
+      {OctaveSum::warp, 2, {16.0, 4.0, 2.0, 0.5, false, 0.0, {}, false, true, false, 2.0}, 1.211608e-05},
+      {OctaveSum::warp_progressive, 2, {16.0, 3.0, 2.0, 0.5, false, 0.0, {}, false, true, false, 0.25}, 3.282936e-06},
+      {OctaveSum::fbm_d, 3, {16.0, 4.0, 1.9, 0.5, false, 0.0, {}, true, false, false, 0.0}, 1.421688e-02},
+      {OctaveSum::eroded, 3, {16.0, 4.0, 1.9, 0.6, false, 1.0, {}, true, false, false, 0.0}, 3.831421e-03},
+      {OctaveSum::warp, 3, {16.0, 4.0, 1.9, 0.5, false, 0.0, {}, true, false, false, 2.0}, 8.466031e-04},
+      {OctaveSum::warp_progressive, 3, {16.0, 3.0, 1.9, 0.5, false, 0.0, {}, true, false, false, 0.25}, 8.920525e-05},
+      {OctaveSum::fbm_d, 3, {16.0, 4.0, 1.9, 0.5, false, 0.0, {}, true, true, false, 0.0}, 2.957078e-04},
+      {OctaveSum::eroded, 3, {16.0, 4.0, 1.9, 0.6, false, 1.0, {}, true, true, false, 0.0}, 1.129807e-04},
+      {OctaveSum::warp, 3, {16.0, 4.0, 1.9, 0.5, false, 0.0, {}, true, true, false, 2.0}, 2.676218e-05},
+      {OctaveSum::warp_progressive, 3, {16.0, 3.0, 1.9, 0.5, false, 0.0, {}, true, true, false, 0.25}, 7.078535e-06},
+      {OctaveSum::fbm_d, 3, {16.0, 4.0, 2.0, 0.5, false, 0.0, {}, false, false, false, 0.0}, 1.252828e-03},
+      {OctaveSum::eroded, 3, {16.0, 4.0, 2.0, 0.6, false, 1.0, {}, false, false, false, 0.0}, 5.483734e-04},
+      {OctaveSum::warp, 3, {16.0, 4.0, 2.0, 0.5, false, 0.0, {}, false, false, false, 2.0}, 1.551604e-04},
+      {OctaveSum::warp_progressive, 3, {16.0, 3.0, 2.0, 0.5, false, 0.0, {}, false, false, false, 0.25}, 2.246258e-05},
+      {OctaveSum::fbm_d, 3, {16.0, 4.0, 2.0, 0.5, false, 0.0, {}, false, true, false, 0.0}, 7.559673e-05},
+      {OctaveSum::eroded, 3, {16.0, 4.0, 2.0, 0.6, false, 1.0, {}, false, true, false, 0.0}, 6.044367e-05},
+      {OctaveSum::warp, 3, {16.0, 4.0, 2.0, 0.5, false, 0.0, {}, false, true, false, 2.0}, 1.634709e-05},
+      {OctaveSum::warp_progressive, 3, {16.0, 3.0, 2.0, 0.5, false, 0.0, {}, false, true, false, 0.25}, 5.039263e-06},
+      {OctaveSum::fbm_d, 2, {16.0, 4.0, 0.7, 0.5, false, 0.0, {}, true, true, false, 0.0}, 3.213856e-05},
+      {OctaveSum::eroded, 3, {16.0, 4.0, 2.0, 0.5, true, 20.0, {}, false, false, false, 0.0}, 1.822754e-04},
+      {OctaveSum::eroded, 2, {16.0, 1.0, 2.0, 0.5, false, 0.0, {}, true, false, false, 0.0}, 4.399723e-06},
+      {OctaveSum::warp, 3, {16.0, 4.0, 2.0, 0.5, true, 0.0, {}, false, false, false, 70.0}, 4.740695e-04},
+      {OctaveSum::warp_progressive, 2, {16.0, 3.0, 0.7, 1.0, false, 0.0, {}, true, true, false, 1e-30}, 1.262179e-29},
+  };
+  for (const auto& [kind, axes, arguments, expected] : kSums) {
+    const double got =
+        kind == OctaveSum::fbm_d ? octave_slope_tolerance(axes, arguments) : octave_tolerance(kind, axes, arguments);
+    EXPECT_NEAR(got / expected, 1.0, 1e-6) << static_cast<int>(kind) << " " << axes << " " << arguments.lacunarity
+                                           << " " << arguments.turns << arguments.from_cell;
+  }
+}
+
+TEST(OctaveTolerance, OfSlopesAndShiftsHasEdges) {
+  EXPECT_EQ(octave_slope_tolerance(2, {1.0, 0, 2.0, 0.5, false}), 0.0);
+  EXPECT_EQ(octave_tolerance(OctaveSum::warp, 3, {1.0, 0, 2.0, 0.5, false}), 0.0);
+  EXPECT_EQ(octave_slope_tolerance(2, {1.0, 20, 2.0, 1e20, false}), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(octave_tolerance(OctaveSum::warp_progressive, 2, {1.0, 8, 1e20, 1.0, false}),
+            std::numeric_limits<double>::infinity());
+  // Nothing is further from a component of a shift than twice the amplitude, but for its rounding.
+  OctaveArguments large{1.0, 5, 2.0, 1.0, false};
+  large.amplitude = 100.0;
+  EXPECT_LE(octave_tolerance(OctaveSum::warp_progressive, 3, large), 128.001);
+}
+
 TEST(OctaveTolerance, EdgesAreNoNan) {
   EXPECT_EQ(octave_tolerance(OctaveSum::fbm, 2, {1.0, 0, 2.0, 0.5, false}), 0.0);
   EXPECT_EQ(octave_tolerance(OctaveSum::fbm, 3, {1.0, 20, 2.0, 1e20, false}), std::numeric_limits<double>::infinity());

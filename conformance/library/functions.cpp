@@ -141,6 +141,11 @@ const Function& without(const Function& function, std::string_view part) {
   return find_function(id_without(function.id, part));
 }
 
+bool has_without(const Function& function, std::string_view part) {
+  return std::ranges::any_of(functions(),
+                             [id = id_without(function.id, part)](const Function& other) { return other.id == id; });
+}
+
 // In four dimensions value and derivative are two rows: perlin_d_value and perlin_d. The sums of noises with
 // derivatives are in a file of their own: fbm_d.fbm_d2 and fbm_d.eroded2 belong to fbm.fbm2.
 const Function& plain_noise_of(const Function& function) {

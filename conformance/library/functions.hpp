@@ -89,6 +89,8 @@ const Function& find_function(std::string_view id);  // it must exist
 // The function whose id has one part less: "noise2d.perlin_cell" is without(noise2d.perlin_cell_period, "period"). It
 // must exist.
 const Function& without(const Function& function, std::string_view part);
+// Whether there is that function.
+bool has_without(const Function& function, std::string_view part);
 // The noise whose derivative, or whose value beside it, a function is; of an octave sum of such noises, the sum without
 // slopes. It must exist.
 const Function& plain_noise_of(const Function& function);

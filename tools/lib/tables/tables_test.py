@@ -46,7 +46,10 @@ class Tables(unittest.TestCase):
                                        ("fbm.weighted2_cell", "sum", 2, "further_octave_sum"),
                                        ("fbm.fbm3_detail", "sum", 3, "further_octave_sum"),
                                        ("fbm.fbm2_footprint", "sum", 2, "further_octave_sum"),
-                                       ("fbm.clouds3", "sum", 3, "octave_sum")):
+                                       ("fbm.clouds3", "sum", 3, "octave_sum"),
+                                       ("fbm.ridged4_cell_period", "sum", 4, "octahedral_octave_sum"),
+                                       ("fbm_d.eroded3_cell", "sum", 3, "octahedral_octave_sum"),
+                                       ("warp.warp_progressive2_period", "sum", 2, "further_octave_sum")):
             function = functions[id]
             self.assertEqual((function.form, function.axes, function.family), (form, axes, family), id)
         cell, word = functions["noise3d.perlin_cell"], functions["hash.word"]
@@ -69,6 +72,10 @@ class Tables(unittest.TestCase):
         self.assertEqual(functions["fbm.ridged3_cell"].overloads[1], ("ivec3", "vec3", "int", "float", "float", "uint"))
         self.assertEqual(functions["fbm.ping_pong2_cell_period"].overloads,
                          (("ivec2", "vec2", "ivec2", "int", "float", "float", "float", "uint"),))
+        self.assertEqual(functions["fbm.fbm1_cell_period"].overloads,
+                         (("int", "float", "int", "int", "float", "float", "uint"),))
+        self.assertEqual(functions["warp.warp2"].settings, ("octaves", "lacunarity", "gain", "amplitude"))
+        self.assertEqual(functions["fbm_d.fbm_d3"].calls, "hn_fbm_d")
         self.assertEqual(functions["fbm.fbm2_detail"].overloads, (("vec2", "float", "float", "float", "uint"),))
         self.assertEqual(functions["fbm.fbm3_footprint"].overloads,
                          (("vec3", "float", "int", "float", "float", "uint"),))
