@@ -57,7 +57,7 @@ HN_FN hn_vec3 hn_i_with_slopes(hn_num sum, hn_num2 d, hn_num total) {
 // Fractional Brownian motion and how steep it is. The value is that of hn_fbm.
 //   (parameters, period and source as for hn_fbm)
 //   returns   the value and its derivatives along x and y, per cell of the first octave. A derivative is at most
-//             that of hn_perlin_d times the sum of (1.001 * gain * lacunarity)^i, divided by the sum of gain^i
+//             2.95 times the sum of (1.001 * gain * lacunarity)^i, divided by the sum of gain^i
 //   error     docs/accuracy.md; for HN_FIXED while the sum of (gain * lacunarity)^i is at most 64
 //   cost      1 noise with derivatives per octave, and 4 multiplications for the frame
 HN_FBM_D2D(hn_fbm_d, hn_perlin_d)

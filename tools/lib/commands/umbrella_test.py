@@ -16,6 +16,8 @@ umbrella = load_script("umbrella")
 
 # What hashnoise.glsl includes first.
 NOISES = ["noise1d.glsl", "noise2d.glsl", "noise3d.glsl", "noise4d.glsl"]
+# And then.
+BUILT = ["curl.glsl", "fbm.glsl", "fbm_d.glsl", "position.glsl", "warp.glsl"]
 
 
 class Umbrella(unittest.TestCase):
@@ -51,40 +53,40 @@ class Umbrella(unittest.TestCase):
 
     def test_what_is_built_on_noise_is_in_a_file_of_its_own(self):
         for dimension in ("2", "3"):
-            (self.glsl / f"warp{dimension}d.glsl").write_text(f'#include "perlin{dimension}d.glsl"\n')
-        self.assertEqual(self.run_main("--check"), (1, ["hashnoise.glsl", "warp.glsl"]))
+            (self.glsl / f"zone{dimension}d.glsl").write_text(f'#include "perlin{dimension}d.glsl"\n')
+        self.assertEqual(self.run_main("--check"), (1, ["hashnoise.glsl", "zone.glsl"]))
         self.assertEqual(self.run_main(), (0, []))
-        self.assertEqual(self.includes("warp.glsl"), ["warp2d.glsl", "warp3d.glsl"])
-        self.assertEqual(self.includes("hashnoise.glsl"), [*NOISES, "curl.glsl", "fbm.glsl", "position.glsl", "warp.glsl"])
+        self.assertEqual(self.includes("zone.glsl"), ["zone2d.glsl", "zone3d.glsl"])
+        self.assertEqual(self.includes("hashnoise.glsl"), [*NOISES, *BUILT, "zone.glsl"])
         self.assertEqual(self.run_main("--check"), (0, []))
 
-        (self.glsl / "warp3d.glsl").unlink()
-        self.assertEqual(self.run_main("--check"), (1, ["warp.glsl"]))
+        (self.glsl / "zone3d.glsl").unlink()
+        self.assertEqual(self.run_main("--check"), (1, ["zone.glsl"]))
         self.assertEqual(self.run_main(), (0, []))
-        self.assertEqual(self.includes("warp.glsl"), ["warp2d.glsl"])
+        self.assertEqual(self.includes("zone.glsl"), ["zone2d.glsl"])
 
         # Without an include of its own dimension it is a noise.
-        (self.glsl / "warp2d.glsl").write_text('#include "gradient.glsl"\n#include "perlin3d.glsl"\n')
-        self.assertEqual(self.run_main("--check"), (1, ["hashnoise.glsl", "noise2d.glsl", "warp.glsl"]))
+        (self.glsl / "zone2d.glsl").write_text('#include "gradient.glsl"\n#include "perlin3d.glsl"\n')
+        self.assertEqual(self.run_main("--check"), (1, ["hashnoise.glsl", "noise2d.glsl", "zone.glsl"]))
         self.assertEqual(self.run_main(), (0, []))
-        self.assertIn("warp2d.glsl", self.includes("noise2d.glsl"))
-        self.assertFalse((self.glsl / "warp.glsl").exists())
+        self.assertIn("zone2d.glsl", self.includes("noise2d.glsl"))
+        self.assertFalse((self.glsl / "zone.glsl").exists())
 
     def test_every_noise_is_declared_before_what_is_built_on_noise(self):
         (self.glsl / "a_sum2d.glsl").write_text('#include "perlin2d.glsl"\n')
         self.assertEqual(self.run_main(), (0, []))
-        self.assertEqual(self.includes("hashnoise.glsl"), [*NOISES, "a_sum.glsl", "curl.glsl", "fbm.glsl", "position.glsl"])
+        self.assertEqual(self.includes("hashnoise.glsl"), [*NOISES, "a_sum.glsl", *BUILT])
 
     def test_the_sums_are_built_on_noise(self):
-        self.assertEqual(self.includes("fbm.glsl"), ["fbm2d.glsl", "fbm3d.glsl"])
+        self.assertEqual(self.includes("fbm.glsl"), ["fbm1d.glsl", "fbm2d.glsl", "fbm3d.glsl", "fbm4d.glsl"])
         for dimension in ("2", "3"):
             self.assertNotIn(f"fbm{dimension}d.glsl", self.includes(f"noise{dimension}d.glsl"))
 
     def test_the_whole_library_has_what_no_other_file_includes(self):
-        (self.glsl / "warp.glsl").write_text('#include "fbm.glsl"\n')
+        (self.glsl / "zone.glsl").write_text('#include "fbm.glsl"\n')
         self.assertEqual(self.run_main("--check"), (1, ["hashnoise.glsl"]))
         self.assertEqual(self.run_main(), (0, []))
-        self.assertEqual(self.includes("hashnoise.glsl"), [*NOISES, "curl.glsl", "position.glsl", "warp.glsl"])
+        self.assertEqual(self.includes("hashnoise.glsl"), [*NOISES, *(file for file in BUILT if file != "fbm.glsl"), "zone.glsl"])
 
     def test_a_new_dimension_has_a_file_and_an_old_one_none(self):
         for file in sorted(self.glsl.glob("*3d.glsl")):
@@ -92,10 +94,11 @@ class Umbrella(unittest.TestCase):
                 text = file.read_text().replace('3d.glsl"', '4d.glsl"')
                 (self.glsl / file.name.replace("3d", "4d")).write_text(text)
                 file.unlink()
-        self.assertEqual(self.run_main("--check"), (1, ["curl.glsl", "fbm.glsl", "hashnoise.glsl", "noise3d.glsl", "noise4d.glsl"]))
+        self.assertEqual(self.run_main("--check"), (1, ["curl.glsl", "fbm.glsl", "fbm_d.glsl", "hashnoise.glsl", "noise3d.glsl", "noise4d.glsl",
+                                                     "warp.glsl"]))
         self.assertEqual(self.run_main(), (0, []))
         self.assertIn('#include "perlin4d.glsl"\n', (self.glsl / "noise4d.glsl").read_text())
-        self.assertEqual(self.includes("fbm.glsl"), ["fbm2d.glsl", "fbm4d.glsl"])
+        self.assertEqual(self.includes("fbm.glsl"), ["fbm1d.glsl", "fbm2d.glsl", "fbm4d.glsl"])
         self.assertFalse((self.glsl / "noise3d.glsl").exists())
 
     def test_a_change_by_hand_is_told(self):
