@@ -186,12 +186,12 @@ TEST(Suite, AMissingGoldenFileIsAnErrorOfItsCase) {
 }
 
 TEST(Suite, EveryCaseOfEs300IsInItOrHasAReason) {
-  const std::set<std::string> kOnDrivers = {"golden",         "driver",        "refused_by_driver", "inlined",
-                                            "in_loop",        "constant_seed", "uniform_seed",      "folded",
-                                            "period",         "wrapped",       "constant_period",   "derivative_value",
-                                            "defined",        "as_fragment",   "undefined",         "loop",
-                                            "half_turn",      "phase_zero",    "from_cell",         "whole_detail",
-                                            "small_footprint"};
+  const std::set<std::string> kOnDrivers = {"golden",          "driver",        "refused_by_driver", "inlined",
+                                            "in_loop",         "constant_seed", "uniform_seed",      "folded",
+                                            "period",          "wrapped",       "constant_period",   "derivative_value",
+                                            "defined",         "as_fragment",   "undefined",         "loop",
+                                            "half_turn",       "phase_zero",    "from_cell",         "whole_detail",
+                                            "small_footprint", "zero_strength"};
   std::size_t supported = 0;
   for (const Case& test : all_cases()) {
     const std::string reason = unsupported_in_browser(test);
