@@ -18,7 +18,7 @@ readonly conform_packages=(
   cmake g++ ninja-build
   glslang-dev glslang-tools spirv-tools
   python3-glad libboost-math-dev libcli11-dev libcpp-httplib-dev libexpected-dev libfccp-dev libfmt-dev
-  libkainjow-mustache-dev libpng-dev libpugixml-dev libvulkan-dev nlohmann-json3-dev pkg-config
+  libkainjow-mustache-dev libpng-dev libpugixml-dev libvulkan-dev nlohmann-json3-dev pkg-config zlib1g-dev
   libegl-dev libglfw3-dev libosmesa6 libegl1 libegl-mesa0 libgl1-mesa-dri
 )
 readonly paper_packages=(libvulkan1 mesa-vulkan-drivers)

@@ -4,7 +4,7 @@ import { bad } from "./report.js";
 import { resultsJson, showContext, showProgress, showResults, showStopped } from "./report.js";
 import { NoContext } from "./renderer.js";
 import { runSuite } from "./runner.js";
-import { Suite } from "./suite.js";
+import { Suite, bytesOf } from "./suite.js";
 
 // More often than this nobody can read.
 const kMillisecondsBetweenProgress = 100;
@@ -55,8 +55,24 @@ async function run(suite) {
   await tell(suite, { type: "done", verdict: shownVerdict(), found, results: resultsJson(suite, info, results) });
 }
 
+// The suite is gzipped, and the bytes are written as base64: it is several megabytes of shaders and values.
+async function suiteOfPage() {
+  if (!("DecompressionStream" in window)) {
+    throw new Error("the browser cannot unpack the suite (it has no DecompressionStream); any of 2023 or later can");
+  }
+  const packed = bytesOf(document.getElementById("suite").textContent);
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return new Suite(await new Response(stream).json());
+}
+
 async function main() {
-  const suite = new Suite(JSON.parse(document.getElementById("suite").textContent));
+  let suite;
+  try {
+    suite = await suiteOfPage();
+  } catch (error) {
+    showStopped("The page could not begin", error.message);
+    return;
+  }
   try {
     stayInTouch(suite).catch(() => {});
     await run(suite);

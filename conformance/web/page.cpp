@@ -6,6 +6,7 @@
 
 #include "base/files.hpp"
 #include "base/output/base64.hpp"
+#include "base/output/gzip.hpp"
 #include "web/files.hpp"
 #include "web/suite.hpp"
 
@@ -36,11 +37,9 @@ std::string import_map() {
 }  // namespace
 
 Result<std::string> web_page(const std::string& suite, const std::optional<EditedLibrary>& library) {
-  std::string data = suite;
-  replace_all(data, "<", "\\u003c");  // so that no text in it can end the script element
   return render_page(text_of(kWebFiles, "index.mustache"), {{"style", text_of(kBaseFiles, "style.mustache")},
                                                             {"library", library_text(library)},
-                                                            {"suite", data},
+                                                            {"suite", to_base64(to_gzip(suite))},
                                                             {"modules", import_map()}});
 }
 

@@ -5,7 +5,7 @@
 export const kInputWords = 16;
 export const kOutputWords = 4;
 
-function bytesOf(base64) {
+export function bytesOf(base64) {
   return Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
 }
 

@@ -209,7 +209,7 @@ TEST(Suite, ThePageIsOneFileOfAModestSize) {
       cases, [](const Case& test) { return !unsupported_in_browser(test).empty() || test.extent == Extent::thorough; });
   const auto page = web_page(make_suite(SourceSet::embedded(), HN_GOLDEN_DIRECTORY, cases).json);
   ASSERT_TRUE(page) << page.error().text();
-  EXPECT_LT(page->size(), 9'000'000u);  // two thirds are golden values and points, of all functions
+  EXPECT_LT(page->size(), 5'000'000u);  // most of it are golden values and points, of all functions
   EXPECT_EQ(page->find("src="), std::string::npos);
   EXPECT_EQ(page->find("from \"./"), std::string::npos);
 }
