@@ -27,8 +27,10 @@ static_assert(std::endian::native == std::endian::little);
 using Word = std::uint32_t;
 using hashnoise::ivec2;
 using hashnoise::ivec3;
+using hashnoise::ivec4;
 using hashnoise::vec2;
 using hashnoise::vec3;
+using hashnoise::vec4;
 
 constexpr std::size_t kBatch = 1 << 16;  // points at a time: half a megabyte, which stays in the cache
 
@@ -63,7 +65,7 @@ struct Quantity {
          hashnoise::hn_##name(vec3(real(in[0]), real(in[1]), real(in[2])), ivec3(integer(in[3])), in[4]));            \
    }}
 
-constexpr std::array<Quantity, 22> kQuantities = {{
+constexpr std::array<Quantity, 23> kQuantities = {{
     {"word", '2', 3, 1,
      [](const Word* in, Word* out) { *out = hashnoise::hn_i_point(hashnoise::uvec2(in[0], in[1]), in[2]); }},
     {"word", '3', 4, 1,
@@ -97,6 +99,12 @@ constexpr std::array<Quantity, 22> kQuantities = {{
        *out = std::bit_cast<Word>(hashnoise::hn_fbm(
            ivec3(integer(in[0]), integer(in[1]), integer(in[2])), vec3(real(in[3]), real(in[4]), real(in[5])),
            integer(in[6]), real(in[7]), real(in[8]), in[9]));
+     }},
+    {"sum", '4', 12, 1,
+     [](const Word* in, Word* out) {
+       *out = std::bit_cast<Word>(hashnoise::hn_fbm(
+           ivec4(integer(in[0]), integer(in[1]), integer(in[2]), integer(in[3])),
+           vec4(real(in[4]), real(in[5]), real(in[6]), real(in[7])), integer(in[8]), real(in[9]), real(in[10]), in[11]));
      }},
     {"tiled_sum", '2', 9, 1,
      [](const Word* in, Word* out) {

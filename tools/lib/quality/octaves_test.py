@@ -71,13 +71,13 @@ class Statistics(unittest.TestCase):
 
 class Turns(unittest.TestCase):
     def test_the_library_is_accepted(self):
-        for cut in octaves.CUTS:
+        for cut in (*octaves.CUTS, *octaves.CUTS_4D):
             found = directions(TWIN, cut)
             self.assertTrue(found.passed, found)
 
     def test_octaves_that_do_not_turn_are_rejected(self):
         twin = changed(r"(hn_ivec2 hn_i_turned_axis\(hn_ivec2 a, hn_ivec2 b, [^)]*\) \{)", r"\1\n  if (true) return a;")
-        for cut in octaves.CUTS:
+        for cut in (*octaves.CUTS, *octaves.CUTS_4D):
             found = directions(twin, cut)
             self.assertFalse(found.passed, found)
 
