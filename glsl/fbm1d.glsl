@@ -39,8 +39,8 @@ HN_FN hn_float hn_i_next_tile(hn_float q, hn_float lacunarity) { return hn_i_nex
 #define HN_I_TYPES1 hn_float, hn_int, HN_I_PLACE1, hn_ivec2
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Sums over other noises than hn_perlin: HN_FBM1D(my_sum, hn_value), outside of all functions and without a semicolon, and
-// the others, as fbm2d.glsl says. The noise is called with an int, a place in that cell and a seed.
+// Sums over other noises than hn_perlin: HN_FBM1D(my_sum, hn_value), outside of all functions and without a semicolon,
+// and the others, as fbm2d.glsl says. The noise is called with an int, a place in that cell and a seed.
 #define HN_FBM1D(name, noise) HN_I_SUMS_OF(name, noise, HN_I_TYPES1, HN_I_OF_FBM)
 #define HN_FBM_PERIOD1D(name, noise) HN_I_TILED_OF(name, noise, HN_I_TYPES1, HN_I_OF_FBM)
 #define HN_TURBULENCE1D(name, noise) HN_I_SUMS_OF(name, noise, HN_I_TYPES1, HN_I_OF_TURBULENCE)

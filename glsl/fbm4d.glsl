@@ -105,8 +105,8 @@ HN_FN hn_ivec4 hn_i_next_period(hn_ivec4 period, hn_float lacunarity) {
 #define HN_I_TYPES4 hn_vec4, hn_ivec4, HN_I_PLACE4, hn_i_whole4
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Sums over other noises than hn_perlin: HN_FBM4D(my_sum, hn_value), outside of all functions and without a semicolon, and
-// the others, as fbm2d.glsl says. The noise is called with an ivec4, a place in that cell and a seed.
+// Sums over other noises than hn_perlin: HN_FBM4D(my_sum, hn_value), outside of all functions and without a semicolon,
+// and the others, as fbm2d.glsl says. The noise is called with an ivec4, a place in that cell and a seed.
 #define HN_FBM4D(name, noise) HN_I_SUMS_OF(name, noise, HN_I_TYPES4, HN_I_OF_FBM)
 #define HN_FBM_PERIOD4D(name, noise) HN_I_TILED_OF(name, noise, HN_I_TYPES4, HN_I_OF_FBM)
 #define HN_TURBULENCE4D(name, noise) HN_I_SUMS_OF(name, noise, HN_I_TYPES4, HN_I_OF_TURBULENCE)

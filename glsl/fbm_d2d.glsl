@@ -24,7 +24,8 @@ HN_FN void hn_i_add_eroded(HN_I_INOUT(hn_i_octave_sum) s, HN_I_INOUT(hn_num2) e,
 }
 
 HN_FN hn_vec3 hn_i_with_slopes(hn_num sum, hn_num2 d, hn_num total) {
-  return vec3(hn_i_value(hn_i_mean(sum, total)), hn_i_derivative(hn_i_coarse(hn_i_mean(d.x, total))), hn_i_derivative(hn_i_coarse(hn_i_mean(d.y, total))));
+  return vec3(hn_i_value(hn_i_mean(sum, total)), hn_i_derivative(hn_i_coarse(hn_i_mean(d.x, total))),
+              hn_i_derivative(hn_i_coarse(hn_i_mean(d.y, total))));
 }
 
 #define HN_I_BEGIN_SLOPES2 hn_num2 d = hn_i_num(HN_I_NO_WEIGHT, HN_I_NO_WEIGHT); hn_num2 k = hn_i_first_frame2(); hn_num growth = hn_i_growth(s.gain, s.lacunarity);
@@ -37,8 +38,8 @@ HN_FN hn_vec3 hn_i_with_slopes(hn_num sum, hn_num2 d, hn_num total) {
 #define HN_I_OF_ERODED2 HN_I_STRONG, hn_i_setting(strength, 16.0f), HN_I_BEGIN_ERODED2, HN_I_EACH_ERODED2, HN_I_ONWARD_SLOPE, HN_I_END_ERODED
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Sums over other noises than hn_perlin_d, as in fbm2d.glsl: outside of all functions and without a semicolon. The noise
-// returns its value and its derivatives along x and y.
+// Sums over other noises than hn_perlin_d, as in fbm2d.glsl: outside of all functions and without a semicolon. The
+// noise returns its value and its derivatives along x and y.
 //
 //   HN_FBM_D2D(my_sum, hn_simplex_d)           my_sum(p, octaves, lacunarity, gain [, seed]), and from a cell
 //   HN_FBM_D_PERIOD2D(my_tile, hn_simplex_d)   my_tile(p, period, octaves, lacunarity, gain, seed), and from a cell

@@ -26,7 +26,9 @@ HN_FN void hn_i_add_eroded(HN_I_INOUT(hn_i_octave_sum) s, HN_I_INOUT(hn_num3) e,
 }
 
 HN_FN hn_vec4 hn_i_with_slopes(hn_num sum, hn_num3 d, hn_num total) {
-  return vec4(hn_i_value(hn_i_mean(sum, total)), hn_i_derivative(hn_i_coarse(hn_i_mean(d.x, total))), hn_i_derivative(hn_i_coarse(hn_i_mean(d.y, total))), hn_i_derivative(hn_i_coarse(hn_i_mean(d.z, total))));
+  return vec4(hn_i_value(hn_i_mean(sum, total)), hn_i_derivative(hn_i_coarse(hn_i_mean(d.x, total))),
+              hn_i_derivative(hn_i_coarse(hn_i_mean(d.y, total))),
+              hn_i_derivative(hn_i_coarse(hn_i_mean(d.z, total))));
 }
 
 #define HN_I_BEGIN_SLOPES3 hn_num3 d = hn_i_num(HN_I_NO_WEIGHT, HN_I_NO_WEIGHT, HN_I_NO_WEIGHT); hn_i_frame3 k = hn_i_first_frame3(); hn_num growth = hn_i_growth(s.gain, s.lacunarity);
@@ -39,8 +41,8 @@ HN_FN hn_vec4 hn_i_with_slopes(hn_num sum, hn_num3 d, hn_num total) {
 #define HN_I_OF_ERODED3 HN_I_STRONG, hn_i_setting(strength, 16.0f), HN_I_BEGIN_ERODED3, HN_I_EACH_ERODED3, HN_I_ONWARD_SLOPE, HN_I_END_ERODED
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Sums over other noises than hn_perlin_d, as in fbm3d.glsl: outside of all functions and without a semicolon. The noise
-// returns its value and its derivatives along x, y and z.
+// Sums over other noises than hn_perlin_d, as in fbm3d.glsl: outside of all functions and without a semicolon. The
+// noise returns its value and its derivatives along x, y and z.
 //
 //   HN_FBM_D3D(my_sum, hn_simplex_d)           my_sum(p, octaves, lacunarity, gain [, seed]), and from a cell
 //   HN_FBM_D_PERIOD3D(my_tile, hn_simplex_d)   my_tile(p, period, octaves, lacunarity, gain, seed), and from a cell

@@ -133,7 +133,9 @@ HN_FN hn_num3 hn_i_turned_by(hn_num3 a, hn_num3 b, hn_int along, hn_int across) 
 // ---------------------------------------------------------------------------------------------------------------------
 // Turns, on the plane and in space: of frames, and of the slopes that an erosion sums. A tile must not turn.
 
-HN_FN hn_num2 hn_i_turned(hn_num2 v) { return hn_i_num(hn_i_turned_by(v.x, v.y, 25, -20), hn_i_turned_by(v.y, v.x, 25, 20)); }
+HN_FN hn_num2 hn_i_turned(hn_num2 v) {
+  return hn_i_num(hn_i_turned_by(v.x, v.y, 25, -20), hn_i_turned_by(v.y, v.x, 25, 20));
+}
 HN_FN hn_num3 hn_i_turned(hn_num3 v) {
   hn_num y = hn_i_turned_by(v.y, v.x, 25, 20);
   return hn_i_num(hn_i_turned_by(v.x, v.y, 25, -20), hn_i_turned_by(y, v.z, 29, -13), hn_i_turned_by(v.z, y, 29, 13));
@@ -176,7 +178,7 @@ HN_FN hn_i_frame3 hn_i_next_frame(hn_i_frame3 k, hn_num growth) {
   return next;
 }
 
-// A vector of an octave, taken to the first one: times the transposed matrix. And one of the first, taken to the octave.
+// A vector of an octave, taken to the first one, times the transposed matrix; and one of the first, taken to the octave.
 HN_FN hn_num2 hn_i_from_frame(hn_num2 k, hn_num2 g) {
   return hn_i_num(hn_i_joined(hn_i_framed(k.x, g.x), hn_i_framed(k.y, g.y)),
                   hn_i_parted(hn_i_framed(k.x, g.y), hn_i_framed(k.y, g.x)));

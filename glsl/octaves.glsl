@@ -5,8 +5,8 @@
 // of its own, 2^32 divided by the golden ratio further, so that the octaves of nearby seeds do not coincide either. Each
 // is shifted, so that the lattice points, where the noise is 0, do not fall together at the origin. And each is turned,
 // so that the axes do not add up: by arctan(4/5) in the plane of x and y, and in space then by arctan(13/29) in that of
-// y and z; in 4D a third is in that of z and w. The numbers of the turns are 32nds, with which a position loses few bits;
-// so they also stretch a little, by 1.0005 and 0.9931.
+// y and z; in 4D a third is in that of z and w. The numbers of the turns are 32nds, with which a position loses few
+// bits; so they also stretch a little, by 1.0005 and 0.9931.
 //
 // GLSL has no functions of functions. So a sum is a macro of its noise (HN_I_SUM), made of steps that are functions:
 //
@@ -15,8 +15,8 @@
 //   hn_i_step     goes on to the next
 //   hn_i_mean     the sum, divided by the total of the weights
 //
-// A macro has to stand on one line: GLSL has no continued lines before 4.20. octaves_plane.glsl and octaves_space.glsl have
-// the positions of 2D and 3D, and frame.glsl what sums with slopes and shifts need as well.
+// A macro has to stand on one line: GLSL has no continued lines before 4.20. octaves_plane.glsl and octaves_space.glsl
+// have the positions of 2D and 3D, and frame.glsl what sums with slopes and shifts need as well.
 
 #ifndef HN_OCTAVES_GLSL
 #define HN_OCTAVES_GLSL

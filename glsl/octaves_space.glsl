@@ -89,7 +89,8 @@ HN_FN hn_vec3 hn_i_next_tile(hn_vec3 q, hn_float lacunarity) {
 #endif
 
 HN_FN hn_ivec3 hn_i_next_period(hn_ivec3 period, hn_float lacunarity) {
-  return ivec3(hn_i_next_period(period.x, lacunarity), hn_i_next_period(period.y, lacunarity), hn_i_next_period(period.z, lacunarity));
+  return ivec3(hn_i_next_period(period.x, lacunarity), hn_i_next_period(period.y, lacunarity),
+               hn_i_next_period(period.z, lacunarity));
 }
 
 #define HN_I_TYPES3 hn_vec3, hn_ivec3, HN_I_PLACE3, hn_i_whole3

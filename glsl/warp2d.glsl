@@ -51,7 +51,7 @@ HN_FN hn_vec2 hn_i_moved(hn_vec2 q, hn_num2 k, hn_num2 v, hn_num rate) {
 // component is the noise with a seed of its own.
 //
 //   HN_WARP2D(my_warp, hn_simplex)           my_warp(p, octaves, lacunarity, gain, amplitude [, seed]), and from a cell
-//   HN_WARP_PERIOD2D(my_tile, hn_simplex)    my_tile(p, period, octaves, lacunarity, gain, amplitude, seed), and from a cell
+//   HN_WARP_PERIOD2D(my_tile, hn_simplex)    my_tile(p, period, octaves, lacunarity, gain, amplitude, seed), and so on
 //   HN_WARP_PROGRESSIVE2D(...), HN_WARP_PROGRESSIVE_PERIOD2D(...)    the same, progressive
 #define HN_WARP2D(name, noise) HN_I_FRAMED_OF(name, noise, hn_vec2, HN_I_TYPES2, HN_I_OF_WARP2)
 #define HN_WARP_PERIOD2D(name, noise) HN_I_FRAMED_TILED_OF(name, noise, hn_vec2, HN_I_TYPES2, HN_I_OF_WARP2)

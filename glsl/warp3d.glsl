@@ -19,7 +19,8 @@ HN_FN void hn_i_add_vector(HN_I_INOUT(hn_num3) sum, hn_num3 v, hn_num weight) {
 }
 
 HN_FN hn_vec3 hn_i_shifts(hn_num3 sum, hn_num total, hn_num amplitude) {
-  return vec3(hn_i_shift(sum.x, total, amplitude), hn_i_shift(sum.y, total, amplitude), hn_i_shift(sum.z, total, amplitude));
+  return vec3(hn_i_shift(sum.x, total, amplitude), hn_i_shift(sum.y, total, amplitude),
+              hn_i_shift(sum.z, total, amplitude));
 }
 
 // The place to which a shift of the first octave's cells moves that of an octave, whose frame is k.
@@ -53,7 +54,7 @@ HN_FN hn_vec3 hn_i_moved(hn_vec3 q, hn_i_frame3 k, hn_num3 v, hn_num rate) {
 // component is the noise with a seed of its own.
 //
 //   HN_WARP3D(my_warp, hn_simplex)           my_warp(p, octaves, lacunarity, gain, amplitude [, seed]), and from a cell
-//   HN_WARP_PERIOD3D(my_tile, hn_simplex)    my_tile(p, period, octaves, lacunarity, gain, amplitude, seed), and from a cell
+//   HN_WARP_PERIOD3D(my_tile, hn_simplex)    my_tile(p, period, octaves, lacunarity, gain, amplitude, seed), and so on
 //   HN_WARP_PROGRESSIVE3D(...), HN_WARP_PROGRESSIVE_PERIOD3D(...)    the same, progressive
 #define HN_WARP3D(name, noise) HN_I_FRAMED_OF(name, noise, hn_vec3, HN_I_TYPES3, HN_I_OF_WARP3)
 #define HN_WARP_PERIOD3D(name, noise) HN_I_FRAMED_TILED_OF(name, noise, hn_vec3, HN_I_TYPES3, HN_I_OF_WARP3)
