@@ -30,6 +30,8 @@ def tables(costs: numbers.Costs) -> list[tuple[str, str, str]]:
     typical = numbers.typical()
     return [(README, "tools/readme: typical values", numbers.typical_table(typical, numbers.IN_README)),
             (SUMS, "tools/readme: typical values of sums", numbers.typical_table(typical, numbers.SUMS)),
+            (SUMS, "tools/readme: typical values of sums in 1D and 4D",
+             numbers.typical_table(typical, numbers.PLAIN_SUMS, (1, 4))),
             (SUMS, "tools/readme: footprint", numbers.footprint_quote(numbers.footprint())),
             (MEASURING, "tools/readme: costs", numbers.cost_table(costs)),
             (MEASURING, "tools/readme: noises", numbers.form_table(costs)),

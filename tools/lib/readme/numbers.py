@@ -19,8 +19,8 @@ Costs = Mapping[str, Mapping[str, str]]  # the rows of bench.csv, by id
 
 # --- Typical values -----------------------------------------------------------------------------------------------------
 
-SUMS = ("hn_fbm", "hn_turbulence", "hn_billow", "hn_clouds", "hn_ridged", "hn_ping_pong", "hn_weighted",
-        "hn_eroded", "hn_warp", "hn_warp_progressive")
+PLAIN_SUMS = ("hn_fbm", "hn_turbulence", "hn_billow", "hn_clouds", "hn_ridged", "hn_ping_pong", "hn_weighted")
+SUMS = (*PLAIN_SUMS, "hn_eroded", "hn_warp", "hn_warp_progressive")
 IN_README = ("hn_perlin", "hn_value", "hn_value_cubic", "hn_simplex", "hn_simplex_smooth", "hn_fbm")
 
 
@@ -38,13 +38,14 @@ def typical() -> dict[tuple[str, int], list[float]]:
     return {(name, int(axes)): [float(value) for value in values] for name, axes, *values in lines_of("typical.cpp")}
 
 
-def typical_table(values: Mapping[tuple[str, int], list[float]], names: Sequence[str]) -> str:
+def typical_table(values: Mapping[tuple[str, int], list[float]], names: Sequence[str],
+                  dimensions: Sequence[int] = (2, 3)) -> str:
     def cells(mean: float, deviation: float, low: float, high: float) -> list[str]:
         return [f"{_number(mean)} ± {_number(deviation)}", f"{_number(low)} to {_number(high)}"]
 
-    rows = [[f"`{name}`", *cells(*values[name, 2]), *cells(*values[name, 3])]
-            for name in names]
-    return table(("", "2D: mean ± deviation", "98 of 100 values", "3D: mean ± deviation", "98 of 100 values"), rows)
+    rows = [[f"`{name}`", *(cell for axes in dimensions for cell in cells(*values[name, axes]))] for name in names]
+    heads = (head for axes in dimensions for head in (f"{axes}D: mean ± deviation", "98 of 100 values"))
+    return table(("", *heads), rows)
 
 
 def _number(value: float) -> str:

@@ -12,6 +12,7 @@ namespace {
 
 using hashnoise::vec2;
 using hashnoise::vec3;
+using hashnoise::vec4;
 
 constexpr std::size_t kPoints = std::size_t{1} << 20;
 
@@ -26,7 +27,8 @@ void print_typical(const char* name, int axes, Noise noise) {
   for (float& value : values) {
     const float x = coordinate();
     const float y = coordinate();
-    value = noise(vec3(x, y, coordinate()));
+    const float z = coordinate();
+    value = noise(axes < 4 ? vec4(x, y, z, 0.0f) : vec4(x, y, z, coordinate()));
     sum += static_cast<double>(value);
     squares += static_cast<double>(value) * static_cast<double>(value);
   }
@@ -38,7 +40,10 @@ void print_typical(const char* name, int axes, Noise noise) {
               static_cast<double>(low), static_cast<double>(high));
 }
 
-vec2 plane(vec3 p) { return vec2(p.x, p.y); }
+float line(vec4 p) { return p.x; }
+vec2 plane(vec4 p) { return vec2(p.x, p.y); }
+vec3 space(vec4 p) { return vec3(p.x, p.y, p.z); }
+vec4 all(vec4 p) { return p; }
 
 // Of a vector one component stands for all.
 float first(float value) { return value; }
@@ -47,9 +52,15 @@ float first(vec3 value) { return value.x; }
 
 }  // namespace
 
-#define PRINT(name, ...)                                                                                \
-  print_typical(#name, 2, [](vec3 p) { return first(hashnoise::name(plane(p) __VA_OPT__(, ) __VA_ARGS__)); }); \
-  print_typical(#name, 3, [](vec3 p) { return first(hashnoise::name(p __VA_OPT__(, ) __VA_ARGS__)); })
+#define PRINT_AT(axes, place, name, ...) \
+  print_typical(#name, axes, [](vec4 p) { return first(hashnoise::name(place(p) __VA_OPT__(, ) __VA_ARGS__)); })
+#define PRINT(name, ...)                               \
+  PRINT_AT(2, plane, name __VA_OPT__(, ) __VA_ARGS__); \
+  PRINT_AT(3, space, name __VA_OPT__(, ) __VA_ARGS__)
+#define PRINT_ALL(name, ...)                          \
+  PRINT_AT(1, line, name __VA_OPT__(, ) __VA_ARGS__); \
+  PRINT(name __VA_OPT__(, ) __VA_ARGS__);             \
+  PRINT_AT(4, all, name __VA_OPT__(, ) __VA_ARGS__)
 
 int main() {
   PRINT(hn_perlin);
@@ -57,13 +68,13 @@ int main() {
   PRINT(hn_value_cubic);
   PRINT(hn_simplex);
   PRINT(hn_simplex_smooth);
-  PRINT(hn_fbm, 6, 2.0f, 0.5f);
-  PRINT(hn_turbulence, 6, 2.0f, 0.5f);
-  PRINT(hn_billow, 6, 2.0f, 0.5f);
-  PRINT(hn_clouds, 6, 2.0f, 0.5f);
-  PRINT(hn_ridged, 6, 2.0f, 0.5f);
-  PRINT(hn_ping_pong, 6, 2.0f, 0.5f, 2.0f);
-  PRINT(hn_weighted, 6, 2.0f, 0.5f, 1.0f);
+  PRINT_ALL(hn_fbm, 6, 2.0f, 0.5f);
+  PRINT_ALL(hn_turbulence, 6, 2.0f, 0.5f);
+  PRINT_ALL(hn_billow, 6, 2.0f, 0.5f);
+  PRINT_ALL(hn_clouds, 6, 2.0f, 0.5f);
+  PRINT_ALL(hn_ridged, 6, 2.0f, 0.5f);
+  PRINT_ALL(hn_ping_pong, 6, 2.0f, 0.5f, 2.0f);
+  PRINT_ALL(hn_weighted, 6, 2.0f, 0.5f, 1.0f);
   PRINT(hn_eroded, 6, 2.0f, 0.5f, 1.0f);
   PRINT(hn_warp, 6, 2.0f, 0.5f, 1.0f);
   PRINT(hn_warp_progressive, 6, 2.0f, 0.5f, 1.0f);
