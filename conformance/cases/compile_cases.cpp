@@ -105,9 +105,10 @@ void add_file_cases(std::vector<Case>& cases, std::string_view file, const Confi
   if (profile.spirv || !is_for_drivers(file, configuration)) return;
   const bool whole =
       file == "hashnoise.glsl" && is_main(configuration, profile) && configuration.default_but_for_arithmetic();
-  cases.push_back({name_of(file, configuration, Stage::fragment, profile, "driver"),
-                   CompilationKind{&profile, calling_shader(file, configuration, profile, Stage::fragment)},
-                   whole ? Extent::every_driver : extent_in(Stage::fragment, file_of_choice(configuration))});
+  cases.push_back(
+      {name_of(file, configuration, Stage::fragment, profile, "driver"),
+       CompilationKind{&profile, calling_shader(file, configuration, profile, Stage::fragment, Callees::few)},
+       whole ? Extent::every_driver : extent_in(Stage::fragment, file_of_choice(configuration))});
 }
 
 // Elsewhere the library must refuse it.

@@ -68,9 +68,10 @@ std::string idle_fragment_shader();  // for evaluation in the vertex stage
 // The same for a shader that is not a case: evaluate is declared, with the function's parameters, and what follows is
 // the caller's.
 std::string shader_that_evaluates(const Evaluation& evaluation, std::string_view rest);
-// Of a file that includes others and has no function of its own, what a shader calls that tries it. Drivers take long
-// to compile a function of each file.
-enum class Callees { of_each_family, of_each_file };
+// What a shader calls that tries a file. Of one that includes others and has no function of its own that is a function
+// of each file, or of each family, since drivers take long to compile more. Of one with many functions it is all of
+// them, or a few: those of each kind at a position.
+enum class Callees { few, of_each_family, of_each_file };
 // A shader of any stage that includes a file, twice, and calls what it declares.
 std::string calling_shader(std::string_view file, const Configuration& configuration, const Profile& profile,
                            Stage stage, Callees callees = Callees::of_each_family);
