@@ -58,9 +58,10 @@ class ShaderObject {
 
 constexpr auto kSide = static_cast<GLsizei>(kGridSide);
 
-// Pixels run in blocks, of 2 x 2 and, in llvmpipe, 4 x 4, and those beside the grid run along. The words of an older
-// grid could send them into a loop of 2^32 turns: a GPU hangs, and llvmpipe ends all the loops of the block after
-// 65,535.
+// Invocations beside the grid run along: pixels in blocks of 2 x 2 and, in llvmpipe, 4 x 4; those of a whole group; and
+// in softpipe vertices, in fours, with any number that an older draw left there. The words of an older grid could send
+// them into a loop of 2^32 turns: a GPU or softpipe hangs, and llvmpipe ends all the loops of the block after 65,535.
+// So whole rows are written, and some rows more, with zeros beside the grid.
 constexpr GLsizei kBlock = 4;
 GLsizei whole_blocks(GLsizei pixels) { return (pixels + kBlock - 1) / kBlock * kBlock; }
 
@@ -168,11 +169,8 @@ GridRenderer::~GridRenderer() {
   gl_.DeleteVertexArrays(1, &vertex_array_);
 }
 
-// The rest of the last blocks is filled with zeros. A grid of several rows is as wide as the texture, so that the
-// points still lie one after the other.
-void GridRenderer::upload(std::size_t texture, std::span<const std::uint32_t> inputs, GLsizei grid_width,
-                          GLsizei grid_height) {
-  const GLsizei width = whole_blocks(grid_width);
+void GridRenderer::upload(std::size_t texture, std::span<const std::uint32_t> inputs, GLsizei grid_height) {
+  const GLsizei width = kSide;
   const GLsizei height = whole_blocks(grid_height);
   std::vector<std::uint32_t> words(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
   for (std::size_t i = 0; i * kInputWords < inputs.size(); ++i) {
@@ -188,7 +186,6 @@ Result<std::vector<std::uint32_t>> GridRenderer::evaluate(const Program& program
                                                           std::span<const std::uint32_t> inputs) {
   const std::size_t points = inputs.size() / kInputWords;
   if (points > kGridSide * kGridSide) throw std::logic_error(fmt::format("no grid has {} points", points));
-  const auto [width, height] = grid_size(points);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
     return fail("this driver does not render to RGBA32UI, which OpenGL 3.0 requires");
@@ -198,7 +195,7 @@ Result<std::vector<std::uint32_t>> GridRenderer::evaluate(const Program& program
   constexpr std::array<const char*, kInputWords / 4> kInputs = {"input_a", "input_b", "input_c", "input_d"};
   for (std::size_t i = 0; i < kInputs.size(); ++i) {
     if (!program.reads(kInputs[i])) continue;
-    upload(i, inputs, width, height);
+    upload(i, inputs, grid_size(points).height);
     program.set(kInputs[i], static_cast<std::int32_t>(i));
   }
   gl_.UseProgram(program.id());

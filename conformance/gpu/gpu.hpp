@@ -62,7 +62,7 @@ class GridRenderer {
   Result<std::vector<std::uint32_t>> evaluate(const Program& program, std::span<const std::uint32_t> inputs);
 
  private:
-  void upload(std::size_t texture, std::span<const std::uint32_t> inputs, GLsizei width, GLsizei height);
+  void upload(std::size_t texture, std::span<const std::uint32_t> inputs, GLsizei grid_height);
 
   StageOutput& output_of(Stage stage);
 

@@ -52,6 +52,18 @@ void expect_words_unchanged(const Context& context, const Result<Program>& progr
   }
 }
 
+TEST_F(Gpu, BesideTheGridThereAreZeros) {
+  // An older grid filled its rows.
+  const auto program = build(fmt::format(
+      "{}void main() {{ ivec2 at = ivec2(gl_FragCoord.xy) + ivec2(1000, 3);\nresult = {} }}\n", kInputs, kSum));
+  ASSERT_TRUE(program) << program.error().text();
+  GridRenderer grid(*context_);
+  ASSERT_TRUE(grid.evaluate(*program, std::vector<std::uint32_t>(4 * kGridSide * kInputWords, 7u)));
+  const auto outputs = grid.evaluate(*program, std::vector<std::uint32_t>(5 * kInputWords, 7u));
+  ASSERT_TRUE(outputs) << outputs.error().text();
+  for (const std::uint32_t word : *outputs) EXPECT_EQ(word, 0u);
+}
+
 TEST_F(Gpu, WordsTravelUnchanged) {
   const auto program =
       build(fmt::format("{}void main() {{ ivec2 at = ivec2(gl_FragCoord.xy);\nresult = {} }}\n", kInputs, kSum));

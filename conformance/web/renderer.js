@@ -7,7 +7,8 @@ const kWidth = 1024;
 const kHeight = 64;
 // Cases that share a program follow each other: a variant, what it is compared with, and the same in another stage.
 const kKeptPrograms = 3;
-// GPUs evaluate blocks of pixels, those beside the grid along with it: they see zeros instead of an earlier case's words.
+// Drivers evaluate what is beside the grid along with it, in blocks of pixels or vertices: that must see zeros instead of
+// an earlier case's words, so whole rows are written.
 const kBlock = 4;
 const kNothing = 0xdeadbeef;
 // The textures, as far as a program reads them.
@@ -123,10 +124,10 @@ export class Renderer {
     for (const [name, { type, value }] of Object.entries(uniforms)) set(name, type, value);
   }
 
-  upload(number, inputs, gridWidth, gridHeight) {
+  upload(number, inputs, gridHeight) {
     const gl = this.gl;
-    const [width, height] = [gridWidth, gridHeight].map((length) => Math.ceil(length / kBlock) * kBlock);
-    const words = new Uint32Array(width * height * 4);
+    const height = Math.ceil(gridHeight / kBlock) * kBlock;
+    const words = new Uint32Array(kWidth * height * 4);
     for (let point = 0; point * kInputWords < inputs.length; ++point) {
       const start = point * kInputWords + number * 4;
       words.set(inputs.subarray(start, start + 4), point * 4);
@@ -134,7 +135,7 @@ export class Renderer {
     gl.activeTexture(gl.TEXTURE0 + number);
     this.textures[number] ??= this.makeTexture();
     gl.bindTexture(gl.TEXTURE_2D, this.textures[number]);
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RGBA_INTEGER, gl.UNSIGNED_INT, words);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, kWidth, height, gl.RGBA_INTEGER, gl.UNSIGNED_INT, words);
   }
 
   // inputs: kInputWords per point. Returns kOutputWords per point.
@@ -150,7 +151,7 @@ export class Renderer {
     }
     while (gl.getError() !== gl.NO_ERROR && !gl.isContextLost()) ;
     kInputs.forEach((name, number) => {
-      if (gl.getUniformLocation(program.id, name)) this.upload(number, inputs, width, height);
+      if (gl.getUniformLocation(program.id, name)) this.upload(number, inputs, height);
     });
     this.setUniforms(program, uniforms);
     gl.bindVertexArray(this.vertexArray);
