@@ -19,7 +19,7 @@ HN_FN void hn_i_add_slopes(HN_I_INOUT(hn_num2) d, hn_num2 k, hn_vec3 n) {
 HN_FN void hn_i_add_eroded(HN_I_INOUT(hn_i_octave_sum) s, HN_I_INOUT(hn_num2) e, hn_vec3 n) {
   e.x = hn_i_steeper(e.x, n.y);
   e.y = hn_i_steeper(e.y, n.z);
-  HN_I_PRECISE hn_i_squared square = hn_i_square(e.x) + hn_i_square(e.y);
+  HN_I_PRECISE hn_i_square_of_slope square = hn_i_square(e.x) + hn_i_square(e.y);
   s.sum = hn_i_summed(s.sum, hn_i_octave(n.x), hn_i_weighed(s.weight, hn_i_eroding(square, s.option)));
 }
 

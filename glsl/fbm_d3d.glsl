@@ -21,7 +21,7 @@ HN_FN void hn_i_add_eroded(HN_I_INOUT(hn_i_octave_sum) s, HN_I_INOUT(hn_num3) e,
   e.x = hn_i_steeper(e.x, n.y);
   e.y = hn_i_steeper(e.y, n.z);
   e.z = hn_i_steeper(e.z, n.w);
-  HN_I_PRECISE hn_i_squared square = hn_i_square(e.x) + hn_i_square(e.y) + hn_i_square(e.z);
+  HN_I_PRECISE hn_i_square_of_slope square = hn_i_square(e.x) + hn_i_square(e.y) + hn_i_square(e.z);
   s.sum = hn_i_summed(s.sum, hn_i_octave(n.x), hn_i_weighed(s.weight, hn_i_eroding(square, s.option)));
 }
 

@@ -74,7 +74,7 @@ HN_FN hn_ivec2 hn_i_moved(hn_ivec2 x, hn_int n) {
 }
 HN_FN hn_int hn_i_stride(hn_int n, hn_int rate) { return hn_i_framed(n, rate); }
 
-#define hn_i_squared hn_uint
+#define hn_i_square_of_slope hn_uint
 
 #else
 
@@ -105,7 +105,7 @@ HN_FN hn_ivec2 hn_i_moved(hn_ivec2 x, hn_float n) {
 }
 HN_FN hn_float hn_i_stride(hn_float n, hn_float rate) { return hn_i_settled(hn_i_times(n, rate)); }
 
-#define hn_i_squared hn_float
+#define hn_i_square_of_slope hn_float
 
 #endif
 

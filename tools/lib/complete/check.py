@@ -284,10 +284,23 @@ def missing_golden_files(tree: Tree) -> Iterator[str]:
         yield f"{folder}: {function} has no golden files with {', '.join(configurations)}: run tools/golden"
 
 
+def names_of_two_kinds(tree: Tree) -> Iterator[str]:
+    """Whoever includes the file with the macro first would read another text in that with the function."""
+    macros: dict[str, str] = {}
+    functions: set[str] = set()
+    for path in sorted(tree.at(GLSL).glob("*.glsl")):
+        text = path.read_text()
+        for match in re.finditer(r"^[ \t]*#[ \t]*define (hn_\w+)", text, re.MULTILINE):
+            macros[match[1]] = f"{path}:{text.count(chr(10), 0, match.start()) + 1}"
+        functions |= set(re.findall(r"^HN_FN \w+ (hn_\w+)\(", text, re.MULTILINE))
+    for name in sorted(functions & macros.keys()):
+        yield f"{macros[name]}: {name} is also a function: give the macro another name"
+
+
 CHECKS = (functions_without_a_row, functions_in_another_form, rows_without_a_function, functions_without_words,
           noises_without_entries, noises_without_comments, entries_without_a_noise, families_without_settings,
           hashes_of_unlike_families, arithmetics_of_unlike_settings, knobs_without_entries, values_without_settings,
-          hashes_without_entries, missing_golden_files)
+          hashes_without_entries, missing_golden_files, names_of_two_kinds)
 
 
 def problems(root: Path = ROOT) -> list[str]:

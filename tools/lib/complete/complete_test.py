@@ -74,6 +74,10 @@ class Deletions(unittest.TestCase):
         self.change("glsl/*.glsl", r"^HN_FN (hn_float hn_snorm\()", "  \\1")
         self.noticed(r"^glsl/\w+\.glsl:\d+: hn_snorm is not written as .*: begin its first line with HN_FN")
 
+    def test_a_macro_with_the_name_of_a_function(self) -> None:
+        self.change("glsl/frame.glsl", r"\bhn_i_square_num\b", "hn_i_squared")
+        self.noticed(r"^glsl/frame\.glsl:\d+: hn_i_squared is also a function: give the macro another name")
+
     def test_a_function_of_a_row(self) -> None:
         self.change("glsl/*.glsl", r"\bhn_unorm\(", "hn_i_unorm(")
         self.noticed(rf"^{TABLE}:\d+: hash\.unorm: declare hn_unorm\(uint\) in glsl/")
