@@ -140,7 +140,8 @@ std::string summary(const Run& run) {
     seconds += result.seconds;
     samples += result.outcome.samples;
   }
-  std::string text = failure_lines(run) + unneeded_lines(run) + unsupported_lines(run) + error_lines(run);
+  // What is wrong comes last, where the reader of a long log looks.
+  std::string text = error_lines(run) + unsupported_lines(run) + unneeded_lines(run) + failure_lines(run);
   text += fmt::format("{} on {}, {}{}\n", run.driver, run.info.renderer, run.info.gl_version,
                       run.injected.empty() ? "" : ", made to have the fault " + run.injected);
   std::string counts;
