@@ -39,7 +39,8 @@
 #define HN_I_INOUT(type) thread type&
 #define HN_I_NEW(type, name) type name
 #define HN_I_BITCAST 1
-#define HN_I_HAS_PRECISE 0  // it has no keyword for it
+#define HN_I_HAS_PRECISE 0  // it has no such keyword
+#define HN_I_KEYWORD
 #elif defined(__cplusplus)
 // Compilers vectorize a loop over a noise only if the whole noise is inlined into it.
 #ifdef _MSC_VER
