@@ -39,7 +39,7 @@ Extent extent_of(const Function& function, const Configuration& configuration, c
       configuration.default_but_for_arithmetic() ||
       (function.family == Family::sine_gradient && configuration.name_without_arithmetic() == "lattice+sine");
   const bool main_of_desktop = target.main && !target.profile->es;
-  // Vulkan has one text for all of its languages once it is SPIR-V: each driver shows GLSL's.
+  // All of Vulkan's languages become SPIR-V. Each driver shows the bits of that of GLSL.
   const bool of_vulkan = target.profile->platform() == Platform::vulkan && target.profile->in_glsl();
   if (function.is_further()) {
     // Many functions, whose code is that of others for the most part: what differs, one version and stage shows. Every
@@ -48,7 +48,9 @@ Extent extent_of(const Function& function, const Configuration& configuration, c
     const bool promised = defaults && configuration.arithmetic == Arithmetic::fixed && !form;
     if (promised && of_vulkan) return Extent::every_driver;
     if (main_of_desktop) return promised ? Extent::every_driver : Extent::one_driver;
-    return has_turn(function, configuration, target.number) ? Extent::one_driver : Extent::thorough;
+    // Another hash is no other code in another language.
+    const bool met = defaults || target.profile->platform() == Platform::opengl;
+    return met && has_turn(function, configuration, target.number) ? Extent::one_driver : Extent::thorough;
   }
   if (defaults && target.main) return Extent::every_driver;
   if (defaults && of_vulkan && configuration.arithmetic == Arithmetic::fixed) return Extent::every_driver;
