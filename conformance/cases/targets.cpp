@@ -18,6 +18,7 @@ std::vector<Target> targets_of(const Configuration& configuration) {
   add(profile_named("gl430"), Stage::compute, false);
   if (!precise) add(profile_named("es310"), Stage::compute, false);
   add(profile_named("vulkan"), Stage::compute, false);
+  if (!precise) add(profile_named("msl"), Stage::compute, false);
   return targets;
 }
 

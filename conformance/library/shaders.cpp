@@ -66,9 +66,7 @@ constexpr std::string_view kSeeded = "#define SEEDED(s) , s\n#define SEED(s) s\n
 constexpr std::string_view kUnseeded = "#define SEEDED(s)\n#define SEED(s) s\n";
 
 // What the suite calls types and bit casts, behind the library's own names for them.
-constexpr std::string_view kNamesInHlsl = R"(#define float_of(u) asfloat(u)
-#define bits_of(f) asuint(f)
-#define vec2 float2
+constexpr std::string_view kVectorNames = R"(#define vec2 float2
 #define vec3 float3
 #define vec4 float4
 #define ivec2 int2
@@ -78,6 +76,10 @@ constexpr std::string_view kNamesInHlsl = R"(#define float_of(u) asfloat(u)
 #define uvec3 uint3
 #define uvec4 uint4
 )";
+constexpr std::string_view kNamesInHlsl = "#define float_of(u) asfloat(u)\n#define bits_of(f) asuint(f)\n";
+constexpr std::string_view kNamesInMetal =
+    "using namespace metal;\nusing namespace hashnoise;\n"
+    "#define float_of(u) as_type<float>(u)\n#define bits_of(f) as_type<uint>(f)\n";
 
 std::string running_preamble(const Profile& profile) {
   if (!profile.in_glsl()) return "";
@@ -110,7 +112,7 @@ std::string case_names(const Evaluation& evaluation) {
 }
 
 // Whether points and results are in buffers, and uniforms as well.
-bool in_buffers(const Profile& profile) { return profile.platform() == Platform::vulkan; }
+bool in_buffers(const Profile& profile) { return profile.platform() != Platform::opengl; }
 
 // SEEDED, behind the include, since it may need hn_uint.
 std::string seeding_of(const ShaderVariant& variant, const Profile& profile) {
@@ -148,6 +150,14 @@ StageText text_over_buffers(const Profile& profile) {
                            "variant_seed; };\n",
             .beginning = fmt::format(kBeginning, "gl_GlobalInvocationID.x"),
             .end = fmt::format(kEnd, "gl_GlobalInvocationID.x")};
+  }
+  if (profile.language == Language::metal) {
+    return {.layout = {},
+            .declaration = {},
+            .beginning = fmt::format(kBeginning, "index"),
+            .end = fmt::format(kEnd, "index"),
+            .head = "kernel void evaluate_point(device hn_uvec4* results [[buffer(0)]], const device hn_uvec4* points "
+                    "[[buffer(1)]], uint index [[thread_position_in_grid]])"};
   }
   // What is only read can be written, too: what else there is in shader model 5 becomes a texture in Vulkan.
   return {.layout = {},
@@ -307,7 +317,11 @@ std::string result_of(const Evaluation& evaluation) {
 std::string included(std::string_view file, const Profile& profile) {
   const std::string include = fmt::format("#include \"{}\"\n", file);
   if (profile.in_glsl()) return include;
-  return fmt::format("#include \"begin.hlsl\"\n{}#include \"end.hlsl\"\n{}", include, kNamesInHlsl);
+  if (profile.language == Language::metal) {
+    return fmt::format("#include <metal_stdlib>\n#include \"begin.metal\"\n{}#include \"end.metal\"\n{}{}", include,
+                       kNamesInMetal, kVectorNames);
+  }
+  return fmt::format("#include \"begin.hlsl\"\n{}#include \"end.hlsl\"\n{}{}", include, kNamesInHlsl, kVectorNames);
 }
 
 // glslang knows no GL_ARB_shader_bit_encoding. Where a shader is only compiled, a conversion has the same types.
