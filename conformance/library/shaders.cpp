@@ -144,10 +144,11 @@ StageText text_over_buffers(const Profile& profile) {
   constexpr std::string_view kEnd = "  results[{}] = result;\n";
   if (profile.in_glsl()) {
     return {.layout = fmt::format("layout(local_size_x = {}) in;\n", kComputeGroup),
-            .declaration = "layout(std430, set = 0, binding = 0) buffer Results { hn_uvec4 results[]; };\n"
-                           "layout(std430, set = 0, binding = 1) readonly buffer Points { hn_uvec4 points[]; };\n"
-                           "layout(std430, set = 0, binding = 2) readonly buffer Uniforms { hn_int trips; hn_uint "
-                           "variant_seed; };\n",
+            .declaration =
+                "layout(std430, set = 0, binding = 0) buffer Results { hn_uvec4 results[]; };\n"
+                "layout(std430, set = 0, binding = 1) readonly buffer Points { hn_uvec4 points[]; };\n"
+                "layout(std430, set = 0, binding = 2) readonly buffer Uniforms { hn_int trips; hn_uint "
+                "variant_seed; };\n",
             .beginning = fmt::format(kBeginning, "gl_GlobalInvocationID.x"),
             .end = fmt::format(kEnd, "gl_GlobalInvocationID.x")};
   }
@@ -156,15 +157,17 @@ StageText text_over_buffers(const Profile& profile) {
             .declaration = {},
             .beginning = fmt::format(kBeginning, "index"),
             .end = fmt::format(kEnd, "index"),
-            .head = "kernel void evaluate_point(device hn_uvec4* results [[buffer(0)]], const device hn_uvec4* points "
-                    "[[buffer(1)]], uint index [[thread_position_in_grid]])"};
+            .head =
+                "kernel void evaluate_point(device hn_uvec4* results [[buffer(0)]], const device hn_uvec4* points "
+                "[[buffer(1)]], uint index [[thread_position_in_grid]])"};
   }
   // What is only read can be written, too: what else there is in shader model 5 becomes a texture in Vulkan.
   return {.layout = {},
-          .declaration = "RWStructuredBuffer<hn_uvec4> results : register(u0);\n"
-                         "RWStructuredBuffer<hn_uvec4> points : register(u1);\n"
-                         "RWStructuredBuffer<hn_uint> uniforms : register(u2);\n"
-                         "#define trips int(uniforms[0])\n#define variant_seed uniforms[1]\n",
+          .declaration =
+              "RWStructuredBuffer<hn_uvec4> results : register(u0);\n"
+              "RWStructuredBuffer<hn_uvec4> points : register(u1);\n"
+              "RWStructuredBuffer<hn_uint> uniforms : register(u2);\n"
+              "#define trips int(uniforms[0])\n#define variant_seed uniforms[1]\n",
           .beginning = fmt::format(kBeginning, "thread.x"),
           .end = fmt::format(kEnd, "thread.x"),
           .head = fmt::format("[numthreads({}, 1, 1)]\nvoid main(uint3 thread : SV_DispatchThreadID)", kComputeGroup)};
@@ -294,7 +297,8 @@ std::string result_of(const Evaluation& evaluation) {
     }
     case Shape::in_loop:
       // The words of the last trips move through the result, so that none can be left out.
-      return fmt::format(R"(  hn_uvec4 last = uvec4(0u, 0u, 0u, 0u);
+      return fmt::format(
+          R"(  hn_uvec4 last = uvec4(0u, 0u, 0u, 0u);
   for (hn_int i = 0; i < trips; ++i) {{
     {};
     hn_uvec4 v = {};
@@ -302,9 +306,8 @@ std::string result_of(const Evaluation& evaluation) {
   }}
   result = last;
 )",
-                         in_buffers(evaluation.profile) ? "hn_int other = at ^ i"
-                                                        : "hn_ivec2 other = ivec2(at.x ^ i, at.y)",
-                         evaluated(evaluation, "other"));
+          in_buffers(evaluation.profile) ? "hn_int other = at ^ i" : "hn_ivec2 other = ivec2(at.x ^ i, at.y)",
+          evaluated(evaluation, "other"));
     case Shape::constant:
       return evaluated_constants(evaluation, evaluation.variant.constants);
     case Shape::called:
@@ -341,7 +344,8 @@ std::string evaluation_shader(const Evaluation& evaluation) {
   if (variant.shape == Shape::in_loop && !in_buffers(profile)) text += "uniform hn_int trips;\n";
   text += declared_inputs(evaluation) + of_stage.declaration;
   if (variant.shape != Shape::inlined) text += declared_evaluate(function, "evaluate", variant.periods);
-  return text + fmt::format("{} {{\n{}{}{}}}\n", of_stage.head, of_stage.beginning, result_of(evaluation), of_stage.end);
+  return text +
+         fmt::format("{} {{\n{}{}{}}}\n", of_stage.head, of_stage.beginning, result_of(evaluation), of_stage.end);
 }
 
 std::string vertex_shader() {

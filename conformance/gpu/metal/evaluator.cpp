@@ -94,7 +94,8 @@ class MetalEvaluator final : public Evaluator {
                                    "-Wno-unknown-attributes", "-I", folder_.path().string(),
                                    (folder_.path() / (name + ".cpp")).string(), "-o", object_path.string()},
                      .output = folder_.path() / (name + ".log")});
-    if (!compiled) return fail("the stand-in for Metal does not compile the kernel", text.translate(compiled.error().log));
+    if (!compiled)
+      return fail("the stand-in for Metal does not compile the kernel", text.translate(compiled.error().log));
     SharedObject object(object_path);
     auto* const kernel = reinterpret_cast<Kernel*>(object.find("evaluate_point"));
     if (!kernel) return fail(fmt::format("{} does not define evaluate_point", object_path.string()));
