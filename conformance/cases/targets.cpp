@@ -19,6 +19,7 @@ std::vector<Target> targets_of(const Configuration& configuration) {
   if (!precise) add(profile_named("es310"), Stage::compute, false);
   add(profile_named("vulkan"), Stage::compute, false);
   add(profile_named("hlsl60"), Stage::compute, false);
+  if (!precise) add(profile_named("msl"), Stage::compute, false);
   return targets;
 }
 
@@ -54,7 +55,9 @@ Extent extent_of(const Function& function, const Configuration& configuration, c
   }
   if (defaults && target.main) return Extent::every_driver;
   if (defaults && of_vulkan && configuration.arithmetic == Arithmetic::fixed) return Extent::every_driver;
-  const bool chosen = defaults || main_of_desktop || has_turn(function, configuration, target.number);
+  // Another language has the same text, and what its compiler makes of that shows in integers best.
+  const bool chosen_defaults = defaults && (target.profile->in_glsl() || has_same_bits(function, configuration));
+  const bool chosen = chosen_defaults || main_of_desktop || has_turn(function, configuration, target.number);
   return chosen ? Extent::one_driver : Extent::thorough;
 }
 
