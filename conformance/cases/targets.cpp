@@ -49,6 +49,8 @@ Extent extent_of(const Function& function, const Configuration& configuration, c
     const bool promised = defaults && configuration.arithmetic == Arithmetic::fixed && !form;
     if (promised && of_vulkan) return Extent::every_driver;
     if (main_of_desktop) return promised ? Extent::every_driver : Extent::one_driver;
+    // A hash is one text in all languages, and what it changes the other functions show.
+    if (!target.profile->in_glsl() && !defaults) return Extent::thorough;
     return has_turn(function, configuration, target.number) ? Extent::one_driver : Extent::thorough;
   }
   if (defaults && target.main) return Extent::every_driver;
