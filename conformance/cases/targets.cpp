@@ -17,6 +17,11 @@ std::vector<Target> targets_of(const Configuration& configuration) {
   if (!precise) add(profile_named("es300"), Stage::vertex, false);
   add(profile_named("gl430"), Stage::compute, false);
   if (!precise) add(profile_named("es310"), Stage::compute, false);
+  add(profile_named("vulkan"), Stage::compute, false);
+  add(profile_named("hlsl60"), Stage::compute, false);
+  // By way of vkd3d-compiler, which takes minutes over Jenkins' hash and drops `precise`.
+  if (!precise && configuration.default_but_for_arithmetic()) add(profile_named("hlsl50"), Stage::compute, false);
+  if (!precise) add(profile_named("msl"), Stage::compute, false);
   return targets;
 }
 
@@ -37,16 +42,24 @@ Extent extent_of(const Function& function, const Configuration& configuration, c
       configuration.default_but_for_arithmetic() ||
       (function.family == Family::sine_gradient && configuration.name_without_arithmetic() == "lattice+sine");
   const bool main_of_desktop = target.main && !target.profile->es;
+  // All of Vulkan's languages become SPIR-V. Each driver shows the bits of that of GLSL.
+  const bool of_vulkan = target.profile->platform() == Platform::vulkan && target.profile->in_glsl();
   if (function.is_further()) {
     // Many functions, whose code is that of others for the most part: what differs, one version and stage shows. Every
     // driver shows the bits of the noises themselves; their other forms are compiled and run by one.
     const bool form = function.takes_cell() || function.takes_period();
     const bool promised = defaults && configuration.arithmetic == Arithmetic::fixed && !form;
+    if (promised && of_vulkan) return Extent::every_driver;
     if (main_of_desktop) return promised ? Extent::every_driver : Extent::one_driver;
-    return has_turn(function, configuration, target.number) ? Extent::one_driver : Extent::thorough;
+    // Another hash is no other code in another language.
+    const bool met = defaults || target.profile->platform() == Platform::opengl;
+    return met && has_turn(function, configuration, target.number) ? Extent::one_driver : Extent::thorough;
   }
   if (defaults && target.main) return Extent::every_driver;
-  const bool chosen = defaults || main_of_desktop || has_turn(function, configuration, target.number);
+  if (defaults && of_vulkan && configuration.arithmetic == Arithmetic::fixed) return Extent::every_driver;
+  // Another language has the same text, and what its compiler makes of that shows in integers best.
+  const bool chosen_defaults = defaults && (target.profile->in_glsl() || has_same_bits(function, configuration));
+  const bool chosen = chosen_defaults || main_of_desktop || has_turn(function, configuration, target.number);
   return chosen ? Extent::one_driver : Extent::thorough;
 }
 

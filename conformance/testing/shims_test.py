@@ -59,7 +59,7 @@ class Shim(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.glsl = Path(folder.name, "glsl")
         shutil.copytree(ROOT / "glsl", self.glsl)
-        shutil.copy(CONFORMANCE / "gpu" / "metal_stdlib.hpp", self.glsl / "metal_stdlib")
+        shutil.copy(CONFORMANCE / "gpu" / "metal" / "metal_stdlib.hpp", self.glsl / "metal_stdlib")
         self.file = Path(folder.name, "user.cpp")
 
     def change(self, file: str, old: str, new: str) -> None:
