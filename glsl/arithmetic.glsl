@@ -36,6 +36,8 @@
 //   hn_i_settled(n)         floats only: n, or 0 where subnormal numbers could have changed it
 //   hn_i_value(n)           the float of a noise; hn_i_derivative(n), that of a derivative
 //   hn_i_select(c, a, b)    a where the condition holds, else b; both are computed
+//   hn_i_choice(c, a, b)    the same of two integers, which may be literals. In HLSL a literal has no type of its own, so
+//                           that an overload for integers could not be told from the others
 //
 // slope.glsl has those of derivatives, cubic.glsl those of splines, turn.glsl those of turned gradients, and
 // kernel.glsl those of simplex noise.
@@ -44,6 +46,7 @@
 HN_FN hn_float hn_i_select(bool condition, hn_float a, hn_float b) { return condition ? a : b; }
 HN_FN hn_int hn_i_select(bool condition, hn_int a, hn_int b) { return condition ? a : b; }
 HN_FN hn_uint hn_i_select(bool condition, hn_uint a, hn_uint b) { return condition ? a : b; }
+HN_FN hn_int hn_i_choice(bool condition, hn_int a, hn_int b) { return condition ? a : b; }
 
 HN_FN hn_float hn_i_minus(hn_float a, hn_float b) {
   HN_I_PRECISE hn_float n = a - b;

@@ -33,7 +33,7 @@ HN_FN hn_float hn_i_cell_border(hn_uvec3 before, hn_uvec3 cell, hn_uvec3 after, 
       hn_int code = hn_i_select(slab > 1, HN_I_NO_CODE, hn_i_code(0, n, slab));
       best =
           hn_i_border(best, hn_i_slab_words(before, cell, after, axis, at, n, seed), x, hn_i_slab_y(d, axis, steps, n),
-                      hn_i_slab_z(d, axis, steps, n), jitter, code, hn_i_select(slab > 1, 0, 1), from, nearest);
+                      hn_i_slab_z(d, axis, steps, n), jitter, code, hn_i_choice(slab > 1, 0, 1), from, nearest);
     }
   }
   return hn_i_border_distance(best);

@@ -21,7 +21,7 @@ HN_FN hn_vec3 hn_i_cellular_three(hn_uvec2 before, hn_uvec2 cell, hn_uvec2 after
                                   hn_num jitter, hn_int metric, hn_uint seed) {
   hn_rank4 best = hn_i_nearest(before, cell, after, d, jitter, metric, seed);
   hn_uint s = hn_i_mix(seed);
-  hn_int axis = hn_i_select(max(d.x, -d.x) >= max(d.y, -d.y), 0, 1);
+  hn_int axis = hn_i_choice(max(d.x, -d.x) >= max(d.y, -d.y), 0, 1);
   hn_uvec3 words = hn_i_if_axis(axis, hn_i_words_along_y(before, cell, after, two.x, s),
                                 hn_i_words_along_x(before, cell, after, two.y, s));
   hn_num3 x = hn_i_if_axis(axis, hn_i_thrice(hn_i_beside(d.x, hn_i_two(d.x))), hn_i_row(d.x));

@@ -11,7 +11,7 @@ HN_FN hn_int hn_i_farthest_axis(hn_num3 d) {
   hn_num x = max(d.x, -d.x);
   hn_num y = max(d.y, -d.y);
   hn_num z = max(d.z, -d.z);
-  return hn_i_select(x >= max(y, z), 0, hn_i_select(y >= z, 1, 2));
+  return hn_i_choice(x >= max(y, z), 0, hn_i_choice(y >= z, 1, 2));
 }
 
 // The third point may also be that of a cell two steps on along that axis (feature.glsl): nine cells in a slab.

@@ -30,10 +30,18 @@
 //                      with 16 bits, unless the declaration says otherwise. Your own default precision stays as it is.
 //                      Elsewhere it is empty: nothing is needed, and glslang would warn
 //
-// __VERSION__ is read only where it is a number. In HLSL it may be a string, and a compiler without it counts as a new
-// one. In glslang, which defines the GL_GOOGLE name, it has a value although it is not "defined".
+// begin.hlsl and begin.metal name their languages. __VERSION__ is read only where it is a number: DXC defines a string, and
+// a compiler without it counts as a new one. In glslang, which defines the GL_GOOGLE name, it has a value although it is not "defined".
 
-#ifdef __cplusplus
+#ifdef HN_I_METAL
+#define HN_FN inline
+#define HN_I_OUT(type) thread type&
+#define HN_I_INOUT(type) thread type&
+#define HN_I_NEW(type, name) type name
+#define HN_I_BITCAST 1
+#define HN_I_HAS_PRECISE 0  // it has no such keyword
+#define HN_I_KEYWORD
+#elif defined(__cplusplus)
 // Compilers vectorize a loop over a noise only if the whole noise is inlined into it.
 #ifdef _MSC_VER
 #define HN_FN __forceinline
@@ -52,7 +60,7 @@
 #define HN_I_INOUT(type) inout type
 #define HN_I_NEW(type, name) type name
 #define HN_I_KEYWORD precise
-#if (!defined(__VERSION__) && !defined(GL_GOOGLE_cpp_style_line_directive)) || defined(__HLSL_VERSION)
+#if (!defined(__VERSION__) && !defined(GL_GOOGLE_cpp_style_line_directive)) || defined(HN_I_HLSL)
 #define HN_I_VERSION 460
 #else
 #define HN_I_VERSION __VERSION__
@@ -74,8 +82,9 @@
 #endif
 #endif
 
-// The types in declarations. Constructors have GLSL's own names. In C++ glsl.hpp defines these names.
-#ifndef __cplusplus
+// The types in declarations. Constructors have GLSL's own names. In C++ glsl.hpp defines these names, in HLSL and Metal
+// vectors_begin.h.
+#if !defined(__cplusplus) && !defined(HN_I_HLSL)
 #define hn_float HN_I_HIGHP float
 #define hn_vec2 HN_I_HIGHP vec2
 #define hn_vec3 HN_I_HIGHP vec3
@@ -135,7 +144,7 @@
 #endif
 
 #if HN_ARITHMETIC == HN_PRECISE && !HN_I_HAS_PRECISE
-#error HN_PRECISE needs GLSL 4.00 or GLSL ES 3.20: write #version 400 or #version 320 es, or take HN_FIXED
+#error HN_PRECISE needs GLSL 4.00, GLSL ES 3.20, HLSL or C++: write #version 400 or #version 320 es, or take HN_FIXED
 #endif
 
 // Stands before the type of every computed float: each operation is rounded on its own, in the order that is written.

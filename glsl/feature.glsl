@@ -176,7 +176,7 @@ HN_FN hn_float hn_i_smooth_distance(hn_uint weights) {
 #endif
 
 // The number of the cell that is two steps on, on the side of a place with that offset from the centre of its cell.
-HN_FN hn_int hn_i_two(hn_num d) { return hn_i_select(d > HN_I_NO_OFFSET, 2, -2); }
+HN_FN hn_int hn_i_two(hn_num d) { return hn_i_choice(d > HN_I_NO_OFFSET, 2, -2); }
 
 // The offsets from the centres of a cell and of those beside it, along an axis; and three times the same offset.
 HN_FN hn_num3 hn_i_row(hn_num d) { return hn_i_three(hn_i_beside(d, -1), d, hn_i_beside(d, 1)); }

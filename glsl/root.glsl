@@ -120,9 +120,9 @@ HN_FN hn_uint hn_i_over_root(hn_uint n, hn_uint q) {
 // What an offset is multiplied by, so that it is 0 or at least 2^17 long and its root has 15 bits: from the size of its
 // longest component, which is below 2^21.
 HN_FN hn_int hn_i_longer_by(hn_int size) {
-  hn_int a = hn_i_select(size < 1024, 1024, 1);
-  hn_int b = a * hn_i_select(size * a < 32768, 32, 1);
-  return b * hn_i_select(size * b < 131072, 4, 1);
+  hn_int a = hn_i_choice(size < 1024, 1024, 1);
+  hn_int b = a * hn_i_choice(size * a < 32768, 32, 1);
+  return b * hn_i_choice(size * b < 131072, 4, 1);
 }
 
 // The quotient has two digits, since GLSL's division of integers is exact and has 32 bits.

@@ -91,9 +91,7 @@ using Float = Lanes<float>;
 using Int = Lanes<std::int32_t>;
 using Uint = Lanes<std::uint32_t>;
 
-inline Int hn_i_select(Mask condition, std::int32_t a, std::int32_t b) {
-  return hn_i_select(condition, Int(a), Int(b));
-}
+inline Int hn_i_choice(Mask condition, Int a, Int b) { return hn_i_select(condition, a, b); }
 
 inline Float floor(Float x) {
   return Float::each([=](int i) { return hashnoise::floor(x.v[i]); });
