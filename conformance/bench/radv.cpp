@@ -1,8 +1,6 @@
 #include "bench/radv.hpp"
 
-#define VK_NO_PROTOTYPES
 #include <fmt/format.h>
-#include <vulkan/vulkan.h>
 
 #include <algorithm>
 #include <array>
@@ -13,6 +11,7 @@
 #include <vector>
 
 #include "gpu/driver/library.hpp"
+#include "gpu/vulkan/objects.hpp"
 
 namespace hn {
 namespace {
@@ -55,14 +54,6 @@ Result<std::vector<std::uint32_t>> vertex_shader() {
     return fail("the vertex shader cannot be assembled");
   }
   return words;
-}
-
-// A structure of Vulkan, empty but for its type.
-template <typename Structure>
-Structure of_type(VkStructureType type) {
-  Structure structure{};
-  structure.sType = type;
-  return structure;
 }
 
 // The arguments of the pipeline, which point to each other and so stay in one place.
@@ -131,34 +122,6 @@ struct PipelineState {
       of_type<VkPipelineDynamicStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO);
   VkGraphicsPipelineCreateInfo info =
       of_type<VkGraphicsPipelineCreateInfo>(VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO);
-};
-
-// An object of the device, destroyed with this. Its device and the function live longer.
-template <typename Handle>
-class Owned {
- public:
-  using Destroy = void(VKAPI_PTR*)(VkDevice, Handle, const VkAllocationCallbacks*);
-
-  Owned() = default;
-  Owned(VkDevice device, Handle handle, Destroy destroy) : device_(device), handle_(handle), destroy_(destroy) {}
-  Owned(Owned&& other) noexcept
-      : device_(other.device_), handle_(std::exchange(other.handle_, VK_NULL_HANDLE)), destroy_(other.destroy_) {}
-  Owned& operator=(Owned&& other) noexcept {
-    std::swap(device_, other.device_);
-    std::swap(handle_, other.handle_);
-    std::swap(destroy_, other.destroy_);
-    return *this;
-  }
-  ~Owned() {
-    if (handle_ != VK_NULL_HANDLE) destroy_(device_, handle_, nullptr);
-  }
-
-  Handle get() const { return handle_; }
-
- private:
-  VkDevice device_ = VK_NULL_HANDLE;
-  Handle handle_ = VK_NULL_HANDLE;
-  Destroy destroy_ = nullptr;
 };
 
 class RadvDevice final : public Radv {

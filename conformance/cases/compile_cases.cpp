@@ -8,6 +8,7 @@
 #include <hashnoise/hashnoise.hpp>
 
 #include "cases/case.hpp"
+#include "gpu/gpu.hpp"
 #include "gpu/spirv.hpp"
 #include "library/files.hpp"
 #include "library/shaders.hpp"
@@ -357,21 +358,21 @@ void add_refusal_cases(std::vector<Case>& cases, const Refusal& refusal) {
 
 Outcome check_compiles(Session& session, const CompilationKind& compilation) {
   const Profile& profile = *compilation.profile;
-  if (const auto reason = unsupported_reason(profile, session.info.languages); !reason.empty()) {
+  if (const auto reason = unsupported_reason(profile, session.info().languages); !reason.empty()) {
     return outcome_with(Status::unsupported, {reason, {}});
   }
   const auto vertex = expand(session.sources, profile, vertex_shader());
   const auto fragment = expand(session.sources, profile, compilation.fragment);
   if (!vertex) return outcome_with(Status::error, vertex.error());
   if (!fragment) return outcome_with(Status::fail, fragment.error());
-  const auto program = Program::build(session.context, *vertex, *fragment);
+  const auto program = Program::build(*session.evaluator->context(), *vertex, *fragment);
   return program ? Outcome{} : outcome_with(Status::fail, program.error());
 }
 
 Outcome check_refused(Session& session, const CompilationKind& compilation) {
   const auto text = expand(session.sources, *compilation.profile, compilation.fragment);
   if (!text) return outcome_with(Status::error, text.error());
-  const auto compiled = compile_only(session.context, *text, Stage::fragment);
+  const auto compiled = compile_only(*session.evaluator->context(), *text, Stage::fragment);
   auto outcome = expect_refusal(compilation, compiled);
   const bool refused_unread = !compiled && outcome.status == Status::fail && compilation.too_old;
   if (refused_unread) outcome.status = Status::unsupported;
@@ -381,6 +382,9 @@ Outcome check_refused(Session& session, const CompilationKind& compilation) {
 }  // namespace
 
 Outcome check_compilation(Session& session, const CompilationKind& compilation) {
+  if (!session.evaluator->context()) {
+    return outcome_with(Status::unsupported, {"this driver has no compiler of GLSL", {}});
+  }
   return compilation.refusal.empty() ? check_compiles(session, compilation) : check_refused(session, compilation);
 }
 

@@ -21,6 +21,8 @@ constexpr std::size_t kMostPerFunction = 2;
 // With its pictures one takes about 50 kB.
 constexpr int kMostPerDriver = 40;
 
+constexpr std::string_view kNoShader = "There is no shader that stands alone: such a shader is made for OpenGL.";
+
 // What is right at a point, and how far from it a float may be unless every bit counts.
 struct Right {
   std::array<std::uint32_t, kOutputWords> words;
@@ -36,12 +38,14 @@ class Examiner {
       : session_(session),
         id_(test.id),
         outcome_(outcome),
-        // The other shapes and stages of a shader have other results, or no pixels.
+        // The other shapes and stages of a shader have other results, or no pixels. Elsewhere than in OpenGL there is
+        // one stage, and nothing is drawn.
         evaluation_{
             .function = test.evaluation()->function,
             .configuration = test.evaluation()->configuration,
             .profile = test.evaluation()->profile,
-            .variant = {.seeded = test.evaluation()->variant.seeded, .knobs = test.evaluation()->variant.knobs}} {}
+            .variant = {.seeded = test.evaluation()->variant.seeded, .knobs = test.evaluation()->variant.knobs},
+            .stage = session.evaluator->context() ? Stage::fragment : test.evaluation()->stage} {}
 
   std::optional<Evidence> run() {
     const Words first = wrong_point();
@@ -60,7 +64,11 @@ class Examiner {
     }
     Evidence evidence;
     if (wrong != 0) add_pictures(evidence, wrong);
-    add_shader(evidence, at);
+    if (session_.evaluator->context()) {
+      add_shader(evidence, at);
+    } else {
+      evidence.note += kNoShader;
+    }
     return evidence;
   }
 
@@ -144,7 +152,7 @@ class Examiner {
 
   ShaderFacts facts_of(std::size_t i, const Right& right) const {
     return {.id = id_,
-            .renderer = fmt::format("{}, {}", session_.info.renderer, session_.info.gl_version),
+            .renderer = fmt::format("{}, {}", session_.info().renderer, session_.info().gl_version),
             .inputs = point(window_, i),
             .got = got_.empty() ? std::span<const std::uint32_t>{} : result(got_, i),
             .expected = right.words,
@@ -178,13 +186,14 @@ class Examiner {
 
   Result<std::array<std::uint8_t, 4>> draw(const std::string& shader) const {
     HN_TRY(const auto vertex, expand(session_.sources, evaluation_.profile, vertex_shader()));
-    HN_TRY(const auto program, Program::build(session_.context, vertex, {shader, {"the shader"}}));
-    return draw_pixel(session_.context, program);
+    const Context& context = *session_.evaluator->context();
+    HN_TRY(const auto program, Program::build(context, vertex, {shader, {"the shader"}}));
+    return draw_pixel(context, program);
   }
 
   // The driver refuses the shader, or fails to draw with it.
   std::optional<Evidence> without_values(const Outcome& why) const {
-    if (why.status != Status::fail) return std::nullopt;
+    if (why.status != Status::fail || !session_.evaluator->context()) return std::nullopt;
     constexpr std::size_t kAt = kMiddle * kPictureSide + kMiddle;
     auto shader = stand_alone_shader(session_.sources, evaluation_, facts_of(kAt, right_at(kAt)));
     if (!shader) return std::nullopt;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cases/case.hpp"
+#include "gpu/gpu.hpp"
 
 namespace hn {
 

@@ -58,7 +58,9 @@ std::string periods_of(const Function* function) {
 }
 
 std::string language_of(std::string_view profile) {
-  return profile == "vulkan" ? "in Vulkan's GLSL" : profile.starts_with("es") ? "in GLSL ES" : "in desktop GLSL";
+  if (profile == "vulkan") return "in Vulkan's GLSL";
+  if (profile.starts_with("hlsl")) return "in HLSL";
+  return profile.starts_with("es") ? "in GLSL ES" : "in desktop GLSL";
 }
 
 }  // namespace

@@ -95,7 +95,8 @@ void add_metamorphic_cases(std::vector<Case>& cases, const Evaluation& evaluatio
                        all || some ? Extent::one_driver : Extent::thorough});
     }
   }
-  if (!target.main && stage != Stage::fragment && covers(configuration, function)) {
+  const bool has_fragment = profile.platform() == Platform::opengl;
+  if (!target.main && stage != Stage::fragment && has_fragment && covers(configuration, function)) {
     cases.push_back({name_of(evaluation, "as_fragment"), PairingKind{evaluation, variant_pairing}, extent});
   }
   if (!target.main || !covers(configuration, function)) return;

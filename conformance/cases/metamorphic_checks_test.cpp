@@ -92,10 +92,10 @@ TEST_F(Metamorphic, EveryTripOfTheLoopCounts) {
   constexpr std::string_view kId = "fbm.fbm2.lattice.fast.fragment.gl330.in_loop";
   EXPECT_EQ(run(session, kId).status, Status::pass);
   const auto found = std::find_if(cases_.begin(), cases_.end(), [&](const Case& test) { return test.id == kId; });
-  const auto program = session.evaluation_program(*found->evaluation());
-  ASSERT_TRUE(program);
-  for (const int trips : {0, 3, 5}) {
-    (*program)->set("trips", trips);
+  const auto evaluable = session.evaluable(*found->evaluation());
+  ASSERT_TRUE(evaluable);
+  for (const std::uint32_t trips : {0u, 3u, 5u}) {
+    (*evaluable)->uniforms.trips = trips;
     EXPECT_NE(run(session, kId).mismatches, 0u) << trips;
   }
 }

@@ -11,33 +11,26 @@
 
 namespace hn {
 
-Session::Session(const Suite& suite, const Context& context_, std::size_t most_points_)
-    : Suite(suite), context(context_), info(describe(context_)), most_points(most_points_), grid(context_) {}
+Session::Session(const Suite& suite, std::unique_ptr<Evaluator> evaluator_, std::size_t most_points_)
+    : Suite(suite), evaluator(std::move(evaluator_)), most_points(most_points_) {}
 
-Result<Program> Session::build(const Evaluation& evaluation, std::string_view shader) const {
-  HN_TRY(const auto text, expand(sources, evaluation.profile, shader));
-  if (evaluation.stage == Stage::compute) return Program::build_compute(context, text);
-  const bool of_vertices = evaluation.stage == Stage::vertex;
-  HN_TRY(const auto other, expand(sources, evaluation.profile, of_vertices ? idle_fragment_shader() : vertex_shader()));
-  return Program::build(context, of_vertices ? text : other, of_vertices ? other : text, evaluation.stage);
-}
+Session::Session(const Suite& suite, const Context& context, std::size_t most_points_)
+    : Session(suite, evaluator_on(context), most_points_) {}
 
-Result<const Program*> Session::evaluation_program(const Evaluation& evaluation) {
+Result<Evaluable*> Session::evaluable(const Evaluation& evaluation) {
   // Those of a function and a configuration: in each version and stage, and a variant.
   constexpr std::size_t kKept = 8;
   const std::string shader = evaluation_shader(evaluation);
   const std::string key = fmt::format("{} {}", evaluation.profile.name, shader);
-  const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const KeptProgram& kept) { return kept.key == key; });
+  const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& kept) { return kept.key == key; });
   if (found != kept_.end()) {
     kept_.splice(kept_.begin(), kept_, found);
-    return &kept_.front().program;
+    return kept_.front().evaluable.get();
   }
-  HN_TRY(auto program, build(evaluation, shader));
-  program.set("trips", static_cast<std::int32_t>(kLoopTrips));
-  program.set("variant_seed", kVariantSeed);
-  kept_.push_front({key, std::move(program)});
+  HN_TRY(auto built, evaluator->build(sources, evaluation, shader));
+  kept_.push_front({key, std::move(built)});
   if (kept_.size() > kKept) kept_.pop_back();
-  return &kept_.front().program;
+  return kept_.front().evaluable.get();
 }
 
 const Session::PointSet& Session::twin_points(const Function& function, const Configuration& configuration,

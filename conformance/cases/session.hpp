@@ -5,13 +5,13 @@
 #include <filesystem>
 #include <functional>
 #include <list>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/result.hpp"
-#include "gpu/context_info.hpp"
-#include "gpu/gpu.hpp"
+#include "gpu/evaluator.hpp"
 #include "gpu/reference_compiler.hpp"
 #include "library/shaders.hpp"
 #include "library/source.hpp"
@@ -29,10 +29,10 @@ struct Suite {
 
 // What a case on a driver may use besides.
 struct Session : Suite {
-  const Context& context;
-  const ContextInfo info;
-  std::size_t most_points;  // of one evaluation: a grid takes 2^20; a slow driver is given fewer
-  GridRenderer grid;
+  const std::unique_ptr<Evaluator> evaluator;
+  std::size_t most_points;  // of one evaluation: an evaluator takes 2^20; a slow driver is given fewer
+
+  const ContextInfo& info() const { return evaluator->info(); }
 
   // Random points for a function, and how far the driver and the twin may differ at each. They are the same for every
   // hash, and are kept until another function needs points. There may be more than count. Each batch has other points.
@@ -46,20 +46,19 @@ struct Session : Suite {
   // A long case calls this after each part of its work.
   std::function<void()> still_alive = [] {};
 
-  // The program that evaluates a function. The last few are kept, since cases that share a program follow each other;
-  // what is returned lasts until the next call.
-  Result<const Program*> evaluation_program(const Evaluation& evaluation);
+  // What evaluates a function. The last few are kept, since cases that share one follow each other; what is returned
+  // lasts until the next call.
+  Result<Evaluable*> evaluable(const Evaluation& evaluation);
 
+  Session(const Suite& suite, std::unique_ptr<Evaluator> evaluator, std::size_t most_points = std::size_t{1} << 20);
   Session(const Suite& suite, const Context& context, std::size_t most_points = std::size_t{1} << 20);
 
  private:
-  Result<Program> build(const Evaluation& evaluation, std::string_view shader) const;
-
-  struct KeptProgram {
+  struct Kept {
     std::string key;
-    Program program;
+    std::unique_ptr<Evaluable> evaluable;
   };
-  std::list<KeptProgram> kept_;  // the last one that was asked for first
+  std::list<Kept> kept_;  // the last one that was asked for first
   std::string kept_points_of_;
   PointSet kept_points_;
 };

@@ -17,6 +17,7 @@ std::vector<Target> targets_of(const Configuration& configuration) {
   if (!precise) add(profile_named("es300"), Stage::vertex, false);
   add(profile_named("gl430"), Stage::compute, false);
   if (!precise) add(profile_named("es310"), Stage::compute, false);
+  add(profile_named("vulkan"), Stage::compute, false);
   return targets;
 }
 

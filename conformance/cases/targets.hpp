@@ -24,7 +24,7 @@ struct Target {
   std::size_t number;
 };
 
-// Those of a configuration: its main versions, GLSL without bit casts, and the other stages.
+// Those of a configuration: its main versions, GLSL without bit casts, the other stages, and what Vulkan runs.
 std::vector<Target> targets_of(const Configuration& configuration);
 
 // Settings are chosen pairwise. Every pair of a function and a configuration is run, in the main version of desktop

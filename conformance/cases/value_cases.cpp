@@ -70,7 +70,8 @@ void add_value_cases(std::vector<Case>& cases) {
         const Extent extent = extent_of(function, configuration, target);
         if (covers(configuration, function)) {
           cases.push_back({name_of(evaluation, "golden"), GoldenKind{evaluation}, extent});
-          if (target.stage == Stage::fragment) {
+          // In OpenGL the other stages are held against this one.
+          if (target.stage == Stage::fragment || target.profile->platform() != Platform::opengl) {
             cases.push_back({name_of(evaluation, "twin"), CheckKind{evaluation, check_twin}, extent});
           }
           if (target.main) add_properties(cases, evaluation, std::max(extent, Extent::one_driver));

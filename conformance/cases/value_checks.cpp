@@ -16,15 +16,15 @@ namespace hn {
 
 tl::expected<Words, Outcome> evaluate(Session& session, const Evaluation& evaluation,
                                       std::span<const std::uint32_t> inputs) {
-  if (const auto reason = unsupported_to_run(evaluation.profile, session.info.languages); !reason.empty()) {
+  if (const auto reason = session.evaluator->unsupported(evaluation.profile, evaluation.stage); !reason.empty()) {
     return tl::unexpected(outcome_with(Status::unsupported, {reason, {}}));
   }
-  if (const auto reason = unsupported_reason(session.context.gl(), evaluation.stage); !reason.empty()) {
-    return tl::unexpected(outcome_with(Status::unsupported, {reason, {}}));
+  if (session.sources.transform() && !evaluation.profile.in_glsl()) {
+    return tl::unexpected(outcome_with(Status::unsupported, {"faults are injected into GLSL", {}}));
   }
-  const auto program = session.evaluation_program(evaluation);
-  if (!program) return tl::unexpected(outcome_with(Status::fail, program.error()));
-  auto outputs = session.grid.evaluate(**program, inputs);
+  const auto evaluable = session.evaluable(evaluation);
+  if (!evaluable) return tl::unexpected(outcome_with(Status::fail, evaluable.error()));
+  auto outputs = (*evaluable)->evaluate(inputs);
   if (!outputs) return tl::unexpected(outcome_with(Status::fail, outputs.error()));
   return *outputs;
 }

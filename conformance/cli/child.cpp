@@ -15,22 +15,13 @@
 #include "bench/timings.hpp"
 #include "cases/evidence.hpp"
 #include "cli/command.hpp"
+#include "gpu/vulkan/device.hpp"
 #include "run/job.hpp"
 #include "run/results.hpp"
 #include "web/browser.hpp"
 
 namespace hn {
 namespace {
-
-bool context_is_lost(const Context& context) {
-  const GladGLContext& gl = context.gl();
-  if (gl.GetGraphicsResetStatus && gl.GetGraphicsResetStatus() != GL_NO_ERROR) return true;
-  constexpr GLenum kContextLost = 0x0507;  // of OpenGL 4.5 and of KHR_robustness
-  for (GLenum error = gl.GetError(); error != GL_NO_ERROR; error = gl.GetError()) {
-    if (error == kContextLost) return true;
-  }
-  return false;
-}
 
 // The cases of these ids, in their order.
 std::vector<const Case*> cases_of(const std::vector<std::string>& ids, const std::vector<Case>& all) {
@@ -72,17 +63,20 @@ void report_evidence(Session& session, const Case& test, const Outcome& outcome)
   report({{"evidence", evidence ? to_json(*evidence) : nlohmann::ordered_json()}, {"id", test.id}});
 }
 
-void run_driver_cases(const Suite& suite, const Context& context, const Driver& driver,
+void run_driver_cases(const Suite& suite, std::unique_ptr<Evaluator> evaluator, const Driver& driver,
                       const std::vector<const Case*>& cases, const std::vector<const Case*>& examined_before) {
-  Session session(suite, context, driver.most_points);
+  Session session(suite, std::move(evaluator), driver.most_points);
   session.still_alive = [] { report({{"alive", true}}); };
   EvidenceBudget budget;
   for (const Case* test : examined_before) budget.take(test->name);
-  report({{"ready", to_json(session.info)}, {"languages", nlohmann::json(session.info.languages)}});
+  report({{"ready", to_json(session.info())}, {"languages", nlohmann::json(session.info().languages)}});
   for (const Case* test : cases) {
     CaseResult result = run_case(session, *test);
-    const bool lost = context_is_lost(context);
-    if (lost) result.outcome = outcome_with(Status::crash, {"the context was lost", {}});
+    const bool lost = session.evaluator->is_lost();
+    if (lost) {
+      const char* const what = session.evaluator->context() ? "the context was lost" : "the device was lost";
+      result.outcome = outcome_with(Status::crash, {what, {}});
+    }
     const bool examined = result.outcome.status == Status::fail && test->evaluation() && budget.take(test->name);
     nlohmann::ordered_json line = {{"result", to_json(result)}};
     if (examined) line["examined"] = true;
@@ -90,7 +84,7 @@ void run_driver_cases(const Suite& suite, const Context& context, const Driver& 
     end_if(lost);
     if (!examined) continue;
     report_evidence(session, *test, result.outcome);
-    end_if(context_is_lost(context));
+    end_if(session.evaluator->is_lost());
   }
 }
 
@@ -140,15 +134,15 @@ int run_on_driver(const Job& job, const Driver& driver) {
     run_reference_cases(suite, cases);
     return EXIT_SUCCESS;
   }
-  const auto context = create_context(driver);
-  if (!context) {
-    report({{"absent", context.error().text()}});
+  auto evaluator = create_evaluator(driver, reference);
+  if (!evaluator) {
+    report({{"absent", evaluator.error().text()}});
     return EXIT_SUCCESS;
   }
   if (job.task == Task::timings) {
-    report(timings_report(**context, *sources, reference, subjects_of(cases)));
+    report(timings_report(*(*evaluator)->context(), *sources, reference, subjects_of(cases)));
   } else {
-    run_driver_cases(suite, **context, driver, cases, cases_of(job.examined, all));
+    run_driver_cases(suite, std::move(*evaluator), driver, cases, cases_of(job.examined, all));
   }
   return EXIT_SUCCESS;
 }
@@ -163,6 +157,11 @@ int child_command(const std::filesystem::path& path) {
   const auto job = nlohmann::json::parse(*text).get<Job>();
   if (job.task == Task::devices) {
     report({{"devices", egl_device_count()}});
+    return EXIT_SUCCESS;
+  }
+  if (job.task == Task::vulkan) {
+    prepare_vulkan();
+    report({{"devices", vulkan_device_count()}});
     return EXIT_SUCCESS;
   }
   const auto driver = find_driver(job.driver);

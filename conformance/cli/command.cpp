@@ -21,12 +21,12 @@ std::string farewell(int signal) { return fmt::format("ended by {}; no results a
 
 std::string driver_names(DriverKind kind) {
   std::string names;
-  for (const Driver& driver : all_drivers(0)) {
-    const bool has_context = !driver.browser && !driver.is_reference_compiler();
-    if (kind == DriverKind::with_context && !has_context) continue;
+  for (const Driver& driver : all_drivers({})) {
+    if (kind == DriverKind::with_context && !driver.has_context()) continue;
     names += fmt::format("{}{}", names.empty() ? "" : ", ", driver.name);
   }
-  return names + ", egl-device:N, egl-device:N-gles";
+  names += ", egl-device:N, egl-device:N-gles";
+  return kind == DriverKind::with_context ? names : names + ", vulkan:N";
 }
 
 int unknown_driver(const std::string& name) {

@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "gpu/vulkan/device.hpp"
+#include "gpu/vulkan/evaluator.hpp"
 #include "gpu/vulkan_drivers.hpp"
 
 namespace hn {
@@ -13,6 +15,7 @@ namespace {
 
 constexpr std::string_view kEglDevice = "egl-device:";
 constexpr std::string_view kGles = "-gles";
+constexpr std::string_view kVulkan = "vulkan:";
 
 // A way to a context that has both APIs, as two drivers.
 template <typename Create>
@@ -100,11 +103,21 @@ void add_egl_device(std::vector<Driver>& drivers, int number) {
            [number](Api api) { return create_egl_device(number, api); });
 }
 
-// The N of "egl-device:N" and "egl-device:N-gles".
-std::optional<int> device_number(std::string_view name) {
-  if (!name.starts_with(kEglDevice)) return std::nullopt;
-  name.remove_prefix(kEglDevice.size());
-  if (name.ends_with(kGles)) name.remove_suffix(kGles.size());
+void add_vulkan_device(std::vector<Driver>& drivers, int number) {
+  drivers.push_back({.name = fmt::format("{}{}", kVulkan, number),
+                     .description = fmt::format("Vulkan device {}, without OpenGL: SPIR-V in compute shaders", number),
+                     .environment = vulkan_environment(),
+                     .create = [] { return CreatedContext(fail("a device of Vulkan runs the cases of the suite only")); },
+                     .platform = Platform::vulkan,
+                     .create_evaluator = [number](const ReferenceCompiler& compiler) {
+                       return create_vulkan_evaluator(number, compiler);
+                     }});
+}
+
+// The N behind the prefix.
+std::optional<int> device_number(std::string_view name, std::string_view prefix) {
+  if (!name.starts_with(prefix)) return std::nullopt;
+  name.remove_prefix(prefix.size());
   int number = 0;
   const char* const end = name.data() + name.size();
   const auto [stop, error] = std::from_chars(name.data(), end, number);
@@ -112,22 +125,40 @@ std::optional<int> device_number(std::string_view name) {
   return number;
 }
 
+void set_environment(const Driver& driver) {
+  for (const auto& [name, value] : driver.environment) setenv(name.c_str(), value.c_str(), 1);
+}
+
 }  // namespace
 
 CreatedContext create_context(const Driver& driver) {
-  for (const auto& [name, value] : driver.environment) setenv(name.c_str(), value.c_str(), 1);
+  set_environment(driver);
   return driver.create();
 }
 
-std::vector<Driver> all_drivers(int egl_devices) {
+Result<std::unique_ptr<Evaluator>> create_evaluator(const Driver& driver, const ReferenceCompiler& compiler) {
+  set_environment(driver);
+  if (driver.create_evaluator) return driver.create_evaluator(compiler);
+  HN_TRY(auto context, driver.create());
+  return evaluator_on(std::move(context));
+}
+
+std::vector<Driver> all_drivers(const DeviceCounts& devices) {
   std::vector<Driver> drivers = common_drivers();
-  for (int number = 0; number < egl_devices; ++number) add_egl_device(drivers, number);
+  for (int number = 0; number < devices.egl; ++number) add_egl_device(drivers, number);
+  for (int number = 0; number < devices.vulkan; ++number) add_vulkan_device(drivers, number);
   return drivers;
+}
+
+void prepare_vulkan() {
+  for (const auto& [name, value] : vulkan_environment()) setenv(name.c_str(), value.c_str(), 1);
 }
 
 std::optional<Driver> find_driver(std::string_view name) {
   std::vector<Driver> drivers = common_drivers();
-  if (const auto number = device_number(name)) add_egl_device(drivers, *number);
+  const std::string_view device = name.ends_with(kGles) ? name.substr(0, name.size() - kGles.size()) : name;
+  if (const auto number = device_number(device, kEglDevice)) add_egl_device(drivers, *number);
+  if (const auto number = device_number(name, kVulkan)) add_vulkan_device(drivers, *number);
   for (Driver& driver : drivers) {
     if (driver.name == name) return std::move(driver);
   }

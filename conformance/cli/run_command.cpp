@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -47,14 +48,21 @@ class Inquiry {
 };
 
 struct Devices {
-  int count = 0;
-  std::string problem;  // why EGL does not say
+  DeviceCounts counts;
+  std::vector<std::string> problems;  // why EGL or Vulkan does not say
 };
 
-Devices egl_devices(const Inquiry& inquiry) {
-  const auto report = inquiry.ask(Task::devices, "");
-  if (report) return {report->value("devices", 0), {}};
-  return {0, fmt::format("EGL does not say what devices it has: {}", report.error().text())};
+Devices find_devices(const Inquiry& inquiry) {
+  Devices devices;
+  const auto count = [&](Task task, std::string_view what) {
+    const auto report = inquiry.ask(task, "");
+    if (report) return report->value("devices", 0);
+    devices.problems.push_back(fmt::format("{} does not say what devices it has: {}", what, report.error().text()));
+    return 0;
+  };
+  devices.counts.egl = count(Task::devices, "EGL");
+  devices.counts.vulkan = count(Task::vulkan, "Vulkan");
+  return devices;
 }
 
 struct DriverChoice {
@@ -77,10 +85,10 @@ Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted, cons
     }
     const std::string glob = name == "all" ? "*" : name;
     const bool is_glob = glob.find_first_of("*?[") != std::string::npos;
-    const Devices devices = is_glob ? egl_devices(inquiry) : Devices{};
-    if (!devices.problem.empty()) choice.problems.push_back(devices.problem);
+    const Devices devices = is_glob ? find_devices(inquiry) : Devices{};
+    choice.problems.insert(choice.problems.end(), devices.problems.begin(), devices.problems.end());
     bool found = false;
-    for (const Driver& driver : is_glob ? all_drivers(devices.count) : std::vector<Driver>{}) {
+    for (const Driver& driver : is_glob ? all_drivers(devices.counts) : std::vector<Driver>{}) {
       if (!matches_glob(driver.name, glob)) continue;
       add(driver.name);
       found = true;
@@ -106,6 +114,16 @@ std::optional<CanRun> can_run_on(const std::string& name, const Inquiry& inquiry
   };
 }
 
+Platform platform_of(const Case& test) { return profile_named(test.name.profile).platform(); }
+
+// Those whose shaders a driver of the platform may be asked to run.
+std::vector<Case> cases_for(Platform platform, const std::vector<Case>& all) {
+  std::vector<Case> cases;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(cases),
+               [&](const Case& test) { return platform_of(test) == platform; });
+  return cases;
+}
+
 // The part of a driver, of cases that are all for it or not.
 DriverPlan plan_of(const std::string& driver, const std::vector<Case>& cases, const Shard& shard) {
   DriverPlan plan{.driver = driver, .ids = {}, .whole = cases.size()};
@@ -116,9 +134,8 @@ DriverPlan plan_of(const std::string& driver, const std::vector<Case>& cases, co
 }
 
 // Who does not say what it can run has all cases, as without a deal: its run tells why it is not here.
-std::vector<DriverPlan> deal_plans(const std::vector<std::string>& names, const std::vector<Case>& cases,
-                                   const Inquiry& inquiry) {
-  std::vector<DriverPlan> plans;
+void deal_among(std::vector<DriverPlan>& plans, const std::vector<std::string>& names, const std::vector<Case>& cases,
+                const Inquiry& inquiry) {
   std::vector<CanRun> drivers;
   std::vector<std::size_t> dealt_to;  // of the drivers, places in plans
   for (const std::string& name : names) {
@@ -134,6 +151,15 @@ std::vector<DriverPlan> deal_plans(const std::vector<std::string>& names, const 
     plan = {.driver = plan.driver, .ids = {}, .whole = dealt[i].size(), .dealt = true};
     for (const std::size_t place : dealt[i]) plan.ids.push_back(cases[place].id);
   }
+}
+
+// The drivers of a platform deal its cases among themselves.
+std::vector<DriverPlan> deal_plans(const std::vector<std::string>& names, const std::vector<Case>& cases,
+                                   const Inquiry& inquiry) {
+  std::vector<DriverPlan> plans;
+  std::map<Platform, std::vector<std::string>> by_platform;
+  for (const std::string& name : names) by_platform[find_driver(name)->platform].push_back(name);
+  for (const auto& [platform, some] : by_platform) deal_among(plans, some, cases_for(platform, cases), inquiry);
   return plans;
 }
 
@@ -149,7 +175,9 @@ std::vector<DriverPlan> plan_drivers(std::vector<std::string> names, std::vector
   if (dealt) {
     plans = deal_plans(names, for_drivers, inquiry);
   } else {
-    for (const std::string& name : names) plans.push_back(plan_of(name, for_drivers, shard));
+    for (const std::string& name : names) {
+      plans.push_back(plan_of(name, cases_for(find_driver(name)->platform, for_drivers), shard));
+    }
   }
   plans.push_back(plan_of(std::string(kReferenceCompiler), cases, shard));
   std::erase_if(plans, [](const DriverPlan& plan) { return plan.ids.empty(); });
@@ -168,7 +196,7 @@ Result<Journal> open_journal(const RunCommand& options, const nlohmann::json& pl
 
 bool can_be_timed(const Run& run) {
   const auto driver = find_driver(run.driver);
-  return run.absent.empty() && driver && !driver->is_reference_compiler() && !driver->browser;
+  return run.absent.empty() && driver && driver->has_context();
 }
 
 void add_timings(std::vector<Run>& runs, const RunPlan& plan, const std::filesystem::path& out) {
@@ -317,10 +345,10 @@ int drivers_command(Interruption& interruption) {
   interruption.note_the_first();
   const Inquiry inquiry(interruption.fd());
   bool usable = false;
-  const Devices devices = egl_devices(inquiry);
+  const Devices devices = find_devices(inquiry);
   if (interruption.signal() != 0) return ended_before_results(interruption);
-  if (!devices.problem.empty()) complain(devices.problem);
-  for (const Driver& driver : all_drivers(devices.count)) {
+  for (const std::string& problem : devices.problems) complain(problem);
+  for (const Driver& driver : all_drivers(devices.counts)) {
     fmt::print("{:<18} {}\n", driver.name, driver.description);
     const auto report = inquiry.ask(Task::describe, driver.name);
     if (interruption.signal() != 0) return ended_before_results(interruption);

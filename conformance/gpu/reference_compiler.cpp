@@ -28,15 +28,19 @@ enum class Warnings { refuse, let_pass };
 Result<std::vector<std::uint32_t>> compile(const ShaderText& source, const Profile& profile, Stage stage,
                                            Warnings warnings) {
   const EShLanguage language = language_of(stage);
-  const auto rules = static_cast<EShMessages>(profile.spirv ? EShMsgSpvRules | EShMsgVulkanRules : EShMsgDefault);
+  const int hlsl = profile.in_glsl() ? EShMsgDefault : EShMsgReadHlsl;
+  const auto rules =
+      static_cast<EShMessages>(profile.spirv ? EShMsgSpvRules | EShMsgVulkanRules | hlsl : EShMsgDefault);
   glslang::TShader shader(language);
   const char* const text = source.text.c_str();
   shader.setStrings(&text, 1);
   if (profile.spirv) {
-    shader.setEnvInput(glslang::EShSourceGlsl, language, glslang::EShClientVulkan, 100);
+    shader.setEnvInput(profile.in_glsl() ? glslang::EShSourceGlsl : glslang::EShSourceHlsl, language,
+                       glslang::EShClientVulkan, 100);
     shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_0);
     shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_0);
   }
+  if (!profile.in_glsl()) shader.setEntryPoint("main");
   const bool compiled = shader.parse(GetDefaultResources(), profile.version, false, rules);
   const std::string log = shader.getInfoLog();
   if (!compiled) return fail("glslang does not compile it", source.translate(log));
@@ -66,8 +70,13 @@ Result<void> ReferenceCompiler::check(const ShaderText& source, const Profile& p
   return profile.spirv ? validate_spirv(words) : Result<void>{};
 }
 
+Result<std::vector<std::uint32_t>> ReferenceCompiler::spirv(const ShaderText& source, const Profile& profile,
+                                                            Stage stage) const {
+  return compile(source, profile, stage, Warnings::let_pass);
+}
+
 Result<std::vector<std::uint32_t>> ReferenceCompiler::spirv(const ShaderText& source, Stage stage) const {
-  return compile(source, profile_named("vulkan"), stage, Warnings::let_pass);
+  return spirv(source, profile_named("vulkan"), stage);
 }
 
 }  // namespace hn

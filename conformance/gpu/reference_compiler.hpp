@@ -21,12 +21,14 @@ class ReferenceCompiler {
   ReferenceCompiler(const ReferenceCompiler&) = delete;
   ReferenceCompiler& operator=(const ReferenceCompiler&) = delete;
 
-  // Compiles and links the shader. For the Vulkan profile it also generates SPIR-V and validates it. Warnings are
+  // Compiles and links the shader. For profiles that have SPIR-V it also generates that and validates it. Warnings are
   // errors.
   Result<void> check(const ShaderText& shader, const Profile& profile, Stage stage) const;
 
-  // The SPIR-V of a shader of the Vulkan profile. Warnings are allowed: the shader may be somebody else's.
-  Result<std::vector<std::uint32_t>> spirv(const ShaderText& shader, Stage stage) const;
+  // The SPIR-V of a shader of a profile that has it: of Vulkan's GLSL, or of HLSL as glslang reads it. Warnings are
+  // allowed: the shader may be somebody else's.
+  Result<std::vector<std::uint32_t>> spirv(const ShaderText& shader, const Profile& profile, Stage stage) const;
+  Result<std::vector<std::uint32_t>> spirv(const ShaderText& shader, Stage stage) const;  // of Vulkan's GLSL
 };
 
 }  // namespace hn

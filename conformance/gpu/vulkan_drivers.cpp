@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace hn {
 
@@ -21,6 +22,19 @@ Result<std::string> vulkan_drivers(std::string_view prefix, const std::vector<st
   if (files.empty()) return fail(fmt::format("no {}*.json in {}", prefix, fmt::join(searched, ", ")));
   std::sort(files.begin(), files.end());
   return fmt::format("{}", fmt::join(files, ":"));
+}
+
+std::vector<std::array<std::string, 2>> vulkan_environment(const std::vector<std::filesystem::path>& files) {
+  std::vector<std::array<std::string, 2>> environment = {
+      {"NODEVICE_SELECT", "1"}};  // a layer of Mesa's that asks a display server
+  for (const std::filesystem::path& file : files) {
+    std::error_code none;
+    if (!std::filesystem::exists(file, none)) continue;
+    const char* const given = std::getenv("VK_ADD_DRIVER_FILES");
+    environment.push_back({"VK_ADD_DRIVER_FILES", given ? fmt::format("{}:{}", given, file.string()) : file.string()});
+    break;
+  }
+  return environment;
 }
 
 }  // namespace hn

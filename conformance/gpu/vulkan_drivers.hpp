@@ -1,6 +1,7 @@
 // The drivers of Vulkan on this machine.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -17,5 +18,18 @@ inline const std::vector<std::filesystem::path> kVulkanDriverDirectories = {"/us
 // architecture; the loader leaves those of the others out.
 Result<std::string> vulkan_drivers(std::string_view prefix,
                                    const std::vector<std::filesystem::path>& directories = kVulkanDriverDirectories);
+
+// SwiftShader, as browsers ship it: where the loader does not look.
+inline const std::vector<std::filesystem::path> kBrowsersVulkanDrivers = {
+    "/usr/lib/chromium/vk_swiftshader_icd.json",
+    "/usr/lib/chromium-browser/vk_swiftshader_icd.json",
+    "/usr/lib64/chromium-browser/vk_swiftshader_icd.json",
+    "/opt/google/chrome/vk_swiftshader_icd.json",
+};
+
+// The environment in which the loader finds the drivers of a browser besides those that it finds by itself: the first
+// of the files that is here. Who sets VK_DRIVER_FILES or VK_ICD_FILENAMES gets just those drivers.
+std::vector<std::array<std::string, 2>> vulkan_environment(
+    const std::vector<std::filesystem::path>& files = kBrowsersVulkanDrivers);
 
 }  // namespace hn

@@ -21,6 +21,11 @@ constexpr std::array kAll = {
     Profile{"vulkan", "#version 450", 450, false, true},
 };
 
+constexpr std::array kOther = {
+    Profile{"hlsl50", "", 50, false, true, Language::hlsl},
+    Profile{"hlsl60", "", 60, false, true, Language::hlsl},
+};
+
 constexpr std::array kRun = {kAll[1], kAll[3], kAll[11]};
 static_assert(kRun[0].name == "gl140" && kRun[1].name == "gl330" && kRun[2].name == "es300");
 
@@ -43,16 +48,26 @@ std::string_view name_of(Stage stage) {
   return "fragment";
 }
 
+std::string_view name_of(Platform platform) { return platform == Platform::vulkan ? "Vulkan" : "OpenGL"; }
+
 std::span<const Profile> all_profiles() { return kAll; }
+std::span<const Profile> other_languages() { return kOther; }
 std::span<const Profile> run_profiles() { return kRun; }
 std::span<const Profile> refused_profiles() { return kRefused; }
 
 const Profile& profile_named(std::string_view name) {
   const auto refused = std::ranges::find(kRefused, name, &Profile::name);
-  return refused != std::end(kRefused) ? *refused : entry_named(kAll, &Profile::name, name, "profile");
+  if (refused != std::end(kRefused)) return *refused;
+  const auto other = std::ranges::find(kOther, name, &Profile::name);
+  return other != std::end(kOther) ? *other : entry_named(kAll, &Profile::name, name, "profile");
 }
 
 std::string unsupported_reason(const Profile& profile, const LanguageSupport& support) {
+  if (profile.platform() != Platform::opengl) {
+    if (std::ranges::find(support.profiles, profile.name) != support.profiles.end()) return {};
+    return fmt::format("this driver does not run {}, which is for drivers of {}", profile.name,
+                       name_of(profile.platform()));
+  }
   const int highest = profile.es ? support.es_version : support.gl_version;
   if (profile.version == 130 && highest >= 130 && !support.gl130) return "this context does not accept GLSL 1.30";
   if (profile.version <= highest) return {};

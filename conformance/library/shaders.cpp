@@ -65,7 +65,22 @@ constexpr std::string_view kBitCasts =
 constexpr std::string_view kSeeded = "#define SEEDED(s) , s\n#define SEED(s) s\n";
 constexpr std::string_view kUnseeded = "#define SEEDED(s)\n#define SEED(s) s\n";
 
+// What the suite calls types and bit casts, behind the library's own names for them.
+constexpr std::string_view kNamesInHlsl = R"(#define float_of(u) asfloat(u)
+#define bits_of(f) asuint(f)
+#define vec2 float2
+#define vec3 float3
+#define vec4 float4
+#define ivec2 int2
+#define ivec3 int3
+#define ivec4 int4
+#define uvec2 uint2
+#define uvec3 uint3
+#define uvec4 uint4
+)";
+
 std::string running_preamble(const Profile& profile) {
+  if (!profile.in_glsl()) return "";
   const std::string extension = profile.has_bit_casts() ? "" : "#extension GL_ARB_shader_bit_encoding : require\n";
   return extension + preamble(profile, kBitCasts);
 }
@@ -94,14 +109,18 @@ std::string case_names(const Evaluation& evaluation) {
                      evaluation.variant.periods.empty() ? "" : "#define CASE_CONSTANT_PERIOD\n");
 }
 
+// Whether points and results are in buffers, and uniforms as well.
+bool in_buffers(const Profile& profile) { return profile.platform() == Platform::vulkan; }
+
 // SEEDED, behind the include, since it may need hn_uint.
-std::string seeding_of(const ShaderVariant& variant) {
+std::string seeding_of(const ShaderVariant& variant, const Profile& profile) {
   if (!variant.seeded) return std::string(kUnseeded);
   switch (variant.seed_from) {
     case SeedFrom::constant:
       return fmt::format("#define SEEDED(s) , 0x{0:08X}u\n#define SEED(s) 0x{0:08X}u\n", kVariantSeed);
     case SeedFrom::uniform:
-      return "uniform hn_uint variant_seed;\n#define SEEDED(s) , variant_seed\n#define SEED(s) variant_seed\n";
+      return fmt::format("{}#define SEEDED(s) , variant_seed\n#define SEED(s) variant_seed\n",
+                         in_buffers(profile) ? "" : "uniform hn_uint variant_seed;\n");
     case SeedFrom::point:
       break;
   }
@@ -111,12 +130,38 @@ std::string seeding_of(const ShaderVariant& variant) {
 // What the stages of a shader that evaluates differ in.
 struct StageText {
   std::string layout;       // before everything
-  std::string declaration;  // of where results go
-  std::string beginning;    // of main: declares at, the point's place in the textures, and result if it is no output
+  std::string declaration;  // of where results go, and where points come from if that is no texture
+  std::string beginning;    // of main: declares at, the point's place, and result if it is no output
   std::string end;          // of main
+  std::string head = "void main()";
 };
 
-StageText text_of(Stage stage) {
+// All words are in buffers: in, out, and what is the same for all points.
+StageText text_over_buffers(const Profile& profile) {
+  constexpr std::string_view kBeginning = "  hn_int at = int({});\n  hn_uvec4 result;\n";
+  constexpr std::string_view kEnd = "  results[{}] = result;\n";
+  if (profile.in_glsl()) {
+    return {.layout = fmt::format("layout(local_size_x = {}) in;\n", kComputeGroup),
+            .declaration = "layout(std430, set = 0, binding = 0) buffer Results { hn_uvec4 results[]; };\n"
+                           "layout(std430, set = 0, binding = 1) readonly buffer Points { hn_uvec4 points[]; };\n"
+                           "layout(std430, set = 0, binding = 2) readonly buffer Uniforms { hn_int trips; hn_uint "
+                           "variant_seed; };\n",
+            .beginning = fmt::format(kBeginning, "gl_GlobalInvocationID.x"),
+            .end = fmt::format(kEnd, "gl_GlobalInvocationID.x")};
+  }
+  // What is only read can be written, too: what else there is in shader model 5 becomes a texture in Vulkan.
+  return {.layout = {},
+          .declaration = "RWStructuredBuffer<hn_uvec4> results : register(u0);\n"
+                         "RWStructuredBuffer<hn_uvec4> points : register(u1);\n"
+                         "RWStructuredBuffer<hn_uint> uniforms : register(u2);\n"
+                         "#define trips int(uniforms[0])\n#define variant_seed uniforms[1]\n",
+          .beginning = fmt::format(kBeginning, "thread.x"),
+          .end = fmt::format(kEnd, "thread.x"),
+          .head = fmt::format("[numthreads({}, 1, 1)]\nvoid main(uint3 thread : SV_DispatchThreadID)", kComputeGroup)};
+}
+
+StageText text_of(Stage stage, const Profile& profile) {
+  if (in_buffers(profile)) return text_over_buffers(profile);
   switch (stage) {
     case Stage::vertex:
       // A draw per row: in a longer one softpipe counts gl_VertexID from 0 again after 4,096 vertices.
@@ -190,6 +235,7 @@ std::string declared_evaluate(const Function& function, std::string_view name,
 }
 
 std::string declared_inputs(const Evaluation& evaluation) {
+  if (in_buffers(evaluation.profile)) return "";
   std::string text;
   for (std::size_t i = 0; i < evaluation.function.parameters(); ++i) {
     text +=
@@ -198,23 +244,29 @@ std::string declared_inputs(const Evaluation& evaluation) {
   return text;
 }
 
-// evaluate of the words of a point of the grid.
-std::string evaluated(const Function& function, std::string_view at) {
-  const auto fetched = [&](std::size_t i) {
-    return fmt::format("texelFetch(input_{}, {}, 0)", name_of_parameter(i), at);
-  };
-  return fmt::format("evaluate({})", arguments_of(function, fetched));
+// Four words of a point.
+std::string fetched(const Profile& profile, std::string_view at, std::size_t parameter) {
+  if (in_buffers(profile)) return fmt::format("points[{} * {} + {}]", at, kInputWords / 4, parameter);
+  return fmt::format("texelFetch(input_{}, {}, 0)", name_of_parameter(parameter), at);
+}
+
+// evaluate of the words of a point.
+std::string evaluated(const Evaluation& evaluation, std::string_view at) {
+  const auto argument = [&](std::size_t i) { return fetched(evaluation.profile, at, i); };
+  return fmt::format("evaluate({})", arguments_of(evaluation.function, argument));
 }
 
 // evaluate of constants, where the point at hand is one of them.
-std::string evaluated_constants(const Function& function, std::span<const std::uint32_t> words) {
-  std::string text = "  result = uvec4(0u);\n";
+std::string evaluated_constants(const Evaluation& evaluation, std::span<const std::uint32_t> words) {
+  const std::string_view number = in_buffers(evaluation.profile) ? "at" : "at.x";
+  std::string text = "  result = uvec4(0u, 0u, 0u, 0u);\n";
   for (std::size_t i = 0; i < words.size(); i += kInputWords) {
     const auto part = [&](std::size_t parameter) {
       const auto* const w = &words[i + parameter * 4];
       return fmt::format("uvec4(0x{:08X}u, 0x{:08X}u, 0x{:08X}u, 0x{:08X}u)", w[0], w[1], w[2], w[3]);
     };
-    text += fmt::format("  if (at.x == {}) result = evaluate({});\n", i / kInputWords, arguments_of(function, part));
+    text += fmt::format("  if ({} == {}) result = evaluate({});\n", number, i / kInputWords,
+                        arguments_of(evaluation.function, part));
   }
   return text;
 }
@@ -226,27 +278,36 @@ std::string result_of(const Evaluation& evaluation) {
     case Shape::inlined: {
       std::string text;
       for (std::size_t i = 0; i < function.parameters(); ++i) {
-        text += fmt::format("  hn_uvec4 {0} = texelFetch(input_{0}, at, 0);\n", name_of_parameter(i));
+        text += fmt::format("  hn_uvec4 {} = {};\n", name_of_parameter(i), fetched(evaluation.profile, "at", i));
       }
       return text + fmt::format("  {}\n", inlined(function.body));
     }
     case Shape::in_loop:
       // The words of the last trips move through the result, so that none can be left out.
-      return fmt::format(R"(  hn_uvec4 last = uvec4(0u);
+      return fmt::format(R"(  hn_uvec4 last = uvec4(0u, 0u, 0u, 0u);
   for (hn_int i = 0; i < trips; ++i) {{
-    hn_ivec2 other = ivec2(at.x ^ i, at.y);
+    {};
     hn_uvec4 v = {};
     last = uvec4(last.y, last.z, last.w, v.x ^ v.y ^ v.z ^ v.w);
   }}
   result = last;
 )",
-                         evaluated(function, "other"));
+                         in_buffers(evaluation.profile) ? "hn_int other = at ^ i"
+                                                        : "hn_ivec2 other = ivec2(at.x ^ i, at.y)",
+                         evaluated(evaluation, "other"));
     case Shape::constant:
-      return evaluated_constants(function, evaluation.variant.constants);
+      return evaluated_constants(evaluation, evaluation.variant.constants);
     case Shape::called:
       break;
   }
-  return fmt::format("  result = {};\n", evaluated(function, "at"));
+  return fmt::format("  result = {};\n", evaluated(evaluation, "at"));
+}
+
+// The include of a file, with what another language than GLSL needs around it.
+std::string included(std::string_view file, const Profile& profile) {
+  const std::string include = fmt::format("#include \"{}\"\n", file);
+  if (profile.in_glsl()) return include;
+  return fmt::format("#include \"begin.hlsl\"\n{}#include \"end.hlsl\"\n{}", include, kNamesInHlsl);
 }
 
 // glslang knows no GL_ARB_shader_bit_encoding. Where a shader is only compiled, a conversion has the same types.
@@ -259,14 +320,14 @@ std::string compiling_preamble(const Profile& profile) {
 
 std::string evaluation_shader(const Evaluation& evaluation) {
   const auto& [function, configuration, profile, variant, stage] = evaluation;
-  const StageText of_stage = text_of(stage);
+  const StageText of_stage = text_of(stage, profile);
   std::string text = running_preamble(profile) + case_names(evaluation) + of_stage.layout;
-  text += fmt::format("{}{}#include \"{}\"\n{}", knobs_of(configuration), variant.knobs, function.file,
-                      seeding_of(variant));
-  if (variant.shape == Shape::in_loop) text += "uniform hn_int trips;\n";
+  text += fmt::format("{}{}{}{}", knobs_of(configuration), variant.knobs, included(function.file, profile),
+                      seeding_of(variant, profile));
+  if (variant.shape == Shape::in_loop && !in_buffers(profile)) text += "uniform hn_int trips;\n";
   text += declared_inputs(evaluation) + of_stage.declaration;
   if (variant.shape != Shape::inlined) text += declared_evaluate(function, "evaluate", variant.periods);
-  return text + fmt::format("void main() {{\n{}{}{}}}\n", of_stage.beginning, result_of(evaluation), of_stage.end);
+  return text + fmt::format("{} {{\n{}{}{}}}\n", of_stage.head, of_stage.beginning, result_of(evaluation), of_stage.end);
 }
 
 std::string vertex_shader() {

@@ -206,7 +206,8 @@ std::string ShaderText::translate(std::string_view log) const {
 
 std::string line_directive(const Profile& profile, int source, int line) {
   const int number = source * kLinesPerSource + line - (profile.line_names_next() ? 0 : 1);
-  return fmt::format("#line {} {}\n", number, source);
+  // HLSL has a name in the second place.
+  return profile.in_glsl() ? fmt::format("#line {} {}\n", number, source) : fmt::format("#line {}\n", number);
 }
 
 Result<ShaderText> expand(const SourceSet& sources, const Profile& profile, std::string_view main_text) {

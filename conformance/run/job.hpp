@@ -19,11 +19,13 @@ enum class Task {
   cases,     // run cases
   timings,   // time the functions of cases
   devices,   // say how many EGL devices there are
+  vulkan,    // say how many devices of Vulkan there are
 };
 NLOHMANN_JSON_SERIALIZE_ENUM(Task, {{Task::describe, "describe"},
                                     {Task::cases, "cases"},
                                     {Task::timings, "timings"},
-                                    {Task::devices, "devices"}})
+                                    {Task::devices, "devices"},
+                                    {Task::vulkan, "vulkan"}})
 
 // The settings that change what a case does; the same for every process of a run.
 struct SuiteOptions {
@@ -58,16 +60,16 @@ constexpr const char* kChildCommand = "child";
 Result<nlohmann::json> report_of(const Job& job, const std::filesystem::path& directory,
                                  std::chrono::milliseconds limit, int stop_fd = -1);
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LanguageSupport, gl_version, es_version, gl130, bit_encoding)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LanguageSupport, gl_version, es_version, gl130, bit_encoding, profiles)
 
 // The reports, a line of JSON each:
-//   {"ready": {context info}}         once, before the first case; with "languages": {...} of a context
+//   {"ready": {context info}}         once, before the first case; with "languages": {...} of a driver that has them
 //   {"absent": "why"}                 in place of it: the driver cannot be used here
 //   {"result": {case result}}         for each case; with "examined": true if its evidence is made next
 //   {"evidence": {...}, "id": ID}     then; null in place of an object if there is none
 //   {"alive": true}                   from a case that takes long: the limit of its time starts again
-//   {"lost": true}                    after these: the context is lost, and the process ends
-//   {"timings": ...} {"devices": N}   from these tasks
+//   {"lost": true}                    after these: the context or device is lost, and the process ends
+//   {"timings": ...} {"devices": N}   from these tasks; the latter from both that count
 //   {"error": "why"}                  a task cannot be done
 
 }  // namespace hn

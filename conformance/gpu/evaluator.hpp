@@ -1,0 +1,58 @@
+// What evaluates functions at points, and says what it is: a context of OpenGL, or something else. The cases that look
+// at values do not know which.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.hpp"
+#include "gpu/context_info.hpp"
+#include "gpu/driver/driver.hpp"
+#include "library/profile.hpp"
+#include "library/shaders.hpp"
+#include "library/source.hpp"
+
+namespace hn {
+
+// A function of the library, ready to be evaluated.
+class Evaluable {
+ public:
+  virtual ~Evaluable() = default;
+
+  // Evaluates it at many points. inputs: kInputWords per point, of at most 2^20 points. Returns kOutputWords per point.
+  // Nothing is converted on the way in or out.
+  virtual Result<std::vector<std::uint32_t>> evaluate(std::span<const std::uint32_t> inputs) = 0;
+
+  // What the uniforms hold that some shapes of a shader read.
+  struct Uniforms {
+    std::uint32_t trips = kLoopTrips;
+    std::uint32_t variant_seed = kVariantSeed;
+  };
+  Uniforms uniforms;
+};
+
+class Evaluator {
+ public:
+  virtual ~Evaluator() = default;
+
+  virtual const ContextInfo& info() const = 0;
+  // Empty if it evaluates functions in this version and stage, else why not.
+  virtual std::string unsupported(const Profile& profile, Stage stage) const = 0;
+  // shader: evaluation_shader(evaluation). What it returns must not outlive this.
+  virtual Result<std::unique_ptr<Evaluable>> build(const SourceSet& sources, const Evaluation& evaluation,
+                                                   std::string_view shader) = 0;
+  // Whether it broke and never evaluates anything again. Then its destructor may hang.
+  virtual bool is_lost() const = 0;
+  // For what is done in OpenGL alone; null elsewhere.
+  virtual const Context* context() const = 0;
+};
+
+// On a context that lives longer, or on one of its own.
+std::unique_ptr<Evaluator> evaluator_on(const Context& context);
+std::unique_ptr<Evaluator> evaluator_on(std::unique_ptr<Context> context);
+
+}  // namespace hn

@@ -1,0 +1,80 @@
+// Functions evaluated by OpenGL.
+#include <utility>
+
+#include "gpu/evaluator.hpp"
+#include "gpu/gpu.hpp"
+
+namespace hn {
+namespace {
+
+class LinkedProgram final : public Evaluable {
+ public:
+  LinkedProgram(GridRenderer& grid, Program program) : grid_(grid), program_(std::move(program)) {}
+
+  Result<std::vector<std::uint32_t>> evaluate(std::span<const std::uint32_t> inputs) override {
+    program_.set("trips", static_cast<std::int32_t>(uniforms.trips));
+    program_.set("variant_seed", uniforms.variant_seed);
+    return grid_.evaluate(program_, inputs);
+  }
+
+ private:
+  GridRenderer& grid_;
+  Program program_;
+};
+
+class OpenGlEvaluator final : public Evaluator {
+ public:
+  explicit OpenGlEvaluator(const Context& context) : context_(context), info_(describe(context)), grid_(context) {}
+  explicit OpenGlEvaluator(std::unique_ptr<Context> context)
+      : own_(std::move(context)), context_(*own_), info_(describe(context_)), grid_(context_) {}
+
+  const ContextInfo& info() const override { return info_; }
+
+  std::string unsupported(const Profile& profile, Stage stage) const override {
+    auto reason = unsupported_to_run(profile, info_.languages);
+    return reason.empty() ? unsupported_reason(context_.gl(), stage) : reason;
+  }
+
+  Result<std::unique_ptr<Evaluable>> build(const SourceSet& sources, const Evaluation& evaluation,
+                                           std::string_view shader) override {
+    HN_TRY(auto program, link(sources, evaluation, shader));
+    return std::make_unique<LinkedProgram>(grid_, std::move(program));
+  }
+
+  bool is_lost() const override {
+    const GladGLContext& gl = context_.gl();
+    if (gl.GetGraphicsResetStatus && gl.GetGraphicsResetStatus() != GL_NO_ERROR) return true;
+    constexpr GLenum kContextLost = 0x0507;  // of OpenGL 4.5 and of KHR_robustness
+    for (GLenum error = gl.GetError(); error != GL_NO_ERROR; error = gl.GetError()) {
+      if (error == kContextLost) return true;
+    }
+    return false;
+  }
+
+  const Context* context() const override { return &context_; }
+
+ private:
+  Result<Program> link(const SourceSet& sources, const Evaluation& evaluation, std::string_view shader) const {
+    HN_TRY(const auto text, expand(sources, evaluation.profile, shader));
+    if (evaluation.stage == Stage::compute) return Program::build_compute(context_, text);
+    const bool of_vertices = evaluation.stage == Stage::vertex;
+    HN_TRY(const auto other,
+           expand(sources, evaluation.profile, of_vertices ? idle_fragment_shader() : vertex_shader()));
+    return Program::build(context_, of_vertices ? text : other, of_vertices ? other : text, evaluation.stage);
+  }
+
+  std::unique_ptr<Context> own_;
+  const Context& context_;
+  const ContextInfo info_;
+  GridRenderer grid_;
+};
+
+}  // namespace
+
+std::unique_ptr<Evaluator> evaluator_on(const Context& context) { return std::make_unique<OpenGlEvaluator>(context); }
+
+std::unique_ptr<Evaluator> evaluator_on(std::unique_ptr<Context> context) {
+  return std::make_unique<OpenGlEvaluator>(std::move(context));
+}
+
+}  // namespace hn

@@ -1,0 +1,87 @@
+#include "gpu/vulkan/evaluator.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <utility>
+
+#include "gpu/spirv.hpp"
+#include "gpu/vulkan/device.hpp"
+
+namespace hn {
+namespace {
+
+using Words = std::vector<std::uint32_t>;
+
+constexpr std::uint32_t kNothing = 0xDEADBEEF;
+
+class RunningKernel final : public Evaluable {
+ public:
+  RunningKernel(VulkanDevice& device, std::unique_ptr<VulkanKernel> kernel)
+      : device_(device), kernel_(std::move(kernel)) {}
+
+  // Whole groups of points are evaluated, and those beyond the last one, which see zeros, thrown away. A result that
+  // the shader does not write is kNothing.
+  Result<Words> evaluate(std::span<const std::uint32_t> inputs) override {
+    const std::size_t points = inputs.size() / kInputWords;
+    if (points > kGridSide * kGridSide) throw std::logic_error(fmt::format("too many points: {}", points));
+    const std::size_t groups = (points + kComputeGroup - 1) / kComputeGroup;
+    Words padded(inputs.begin(), inputs.end());
+    padded.resize(groups * kComputeGroup * kInputWords);
+    Words results(groups * kComputeGroup * kOutputWords, kNothing);
+    const std::array<std::uint32_t, 2> shared = {uniforms.trips, uniforms.variant_seed};
+    HN_DO(device_.run(*kernel_, padded, shared, static_cast<std::uint32_t>(groups), results));
+    results.resize(points * kOutputWords);
+    return results;
+  }
+
+ private:
+  VulkanDevice& device_;
+  std::unique_ptr<VulkanKernel> kernel_;
+};
+
+class VulkanEvaluator final : public Evaluator {
+ public:
+  VulkanEvaluator(std::unique_ptr<VulkanDevice> device, const ReferenceCompiler& compiler)
+      : device_(std::move(device)), compiler_(compiler) {
+    const VulkanDeviceInfo& found = device_->info();
+    info_.vendor = found.driver;
+    info_.renderer = found.name;
+    info_.gl_version = fmt::format("{}, glslang {}{}", found.version, reference_compiler_version(),
+                                   found.validated ? ", with validation layers" : "");
+    info_.languages.profiles = {"vulkan"};
+  }
+
+  const ContextInfo& info() const override { return info_; }
+
+  std::string unsupported(const Profile& profile, Stage stage) const override {
+    if (auto reason = unsupported_to_run(profile, info_.languages); !reason.empty()) return reason;
+    return stage == Stage::compute ? "" : "functions are evaluated in compute shaders here";
+  }
+
+  Result<std::unique_ptr<Evaluable>> build(const SourceSet& sources, const Evaluation& evaluation,
+                                           std::string_view shader) override {
+    HN_TRY(const auto text, expand(sources, evaluation.profile, shader));
+    HN_TRY(const auto words, compiler_.spirv(text, evaluation.profile, evaluation.stage));
+    HN_DO(validate_spirv(words));
+    HN_TRY(auto kernel, device_->build(words));
+    return std::make_unique<RunningKernel>(*device_, std::move(kernel));
+  }
+
+  bool is_lost() const override { return device_->is_lost(); }
+  const Context* context() const override { return nullptr; }
+
+ private:
+  std::unique_ptr<VulkanDevice> device_;
+  const ReferenceCompiler& compiler_;
+  ContextInfo info_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Evaluator>> create_vulkan_evaluator(int number, const ReferenceCompiler& compiler) {
+  HN_TRY(auto device, open_vulkan_device(number));
+  return std::make_unique<VulkanEvaluator>(std::move(device), compiler);
+}
+
+}  // namespace hn
