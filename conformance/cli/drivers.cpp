@@ -91,6 +91,7 @@ std::vector<Driver> common_drivers() {
     drivers.push_back({.name = std::string(browser.name),
                        .description = std::string(browser.description),
                        .create = [] { return CreatedContext(fail("a browser runs the cases of the suite only")); },
+                       .platform = browser.platform,
                        .browser = &browser});
   }
   return drivers;

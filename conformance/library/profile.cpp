@@ -24,6 +24,7 @@ constexpr std::array kAll = {
 constexpr std::array kOther = {
     Profile{"hlsl50", "", 50, false, true, Language::hlsl},
     Profile{"hlsl60", "", 60, false, true, Language::hlsl},
+    Profile{"wgsl", "", 1, false, false, Language::wgsl},
 };
 
 constexpr std::array kRun = {kAll[1], kAll[3], kAll[11]};
@@ -48,7 +49,17 @@ std::string_view name_of(Stage stage) {
   return "fragment";
 }
 
-std::string_view name_of(Platform platform) { return platform == Platform::vulkan ? "Vulkan" : "OpenGL"; }
+std::string_view name_of(Platform platform) {
+  switch (platform) {
+    case Platform::vulkan:
+      return "Vulkan";
+    case Platform::webgpu:
+      return "WebGPU";
+    case Platform::opengl:
+      break;
+  }
+  return "OpenGL";
+}
 
 std::span<const Profile> all_profiles() { return kAll; }
 std::span<const Profile> other_languages() { return kOther; }

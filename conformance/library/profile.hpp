@@ -11,20 +11,23 @@ namespace hn {
 enum class Stage { fragment, vertex, compute };
 std::string_view name_of(Stage stage);
 
-enum class Language { glsl, hlsl };
+enum class Language { glsl, hlsl, wgsl };
 // Whose drivers run a shader.
-enum class Platform { opengl, vulkan };
+enum class Platform { opengl, vulkan, webgpu };
 std::string_view name_of(Platform platform);  // "OpenGL"
 
 struct Profile {
   std::string_view name;       // in case ids: "gl330", "es300", "vulkan", "hlsl60"
-  std::string_view directive;  // "#version 330"; nothing in HLSL
+  std::string_view directive;  // "#version 330"; nothing in other languages
   int version;
   bool es;
   bool spirv;
   Language language = Language::glsl;
 
-  Platform platform() const { return spirv ? Platform::vulkan : Platform::opengl; }
+  Platform platform() const {
+    if (language == Language::wgsl) return Platform::webgpu;
+    return spirv ? Platform::vulkan : Platform::opengl;
+  }
   bool in_glsl() const { return language == Language::glsl; }
 
   // Whether #line names the line that follows it. Before GLSL 3.30 it named its own: GLSL 1.30 section 3.3 against GLSL

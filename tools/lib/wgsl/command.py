@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import argparse
-import json
 import sys
 from pathlib import Path
 
 from tree import GLSL
-from wgsl.evaluation import evaluations
 from wgsl.module import ARITHMETICS, GRADIENTS, HASHES, Module, Settings
 from wgsl.tokens import Unknown
 
@@ -52,7 +50,6 @@ def parsed_arguments() -> argparse.Namespace:
     parser.add_argument("--names", action="store_true", help="write which function of the GLSL has which name, instead")
     parser.add_argument("--glsl", type=Path, default=GLSL, metavar="DIR", help="another copy of the library")
     parser.add_argument("--out", type=Path, metavar="FILE", help="the file to write (default: standard output)")
-    parser.add_argument("--evaluations", type=Path, metavar="FILE", help=argparse.SUPPRESS)  # for hn-conform
     parser.add_argument("name", nargs="?", default="hashnoise.glsl", help="a file of glsl/ (default: %(default)s)")
     arguments = parser.parse_args()
     if not (arguments.glsl / arguments.name).is_file():
@@ -68,29 +65,7 @@ def written_names(module: Module) -> str:
     return "".join(f"{line}\n" for line in sorted(lines))
 
 
-def evaluated(arguments: argparse.Namespace) -> str:
-    """What hn-conform reads: shaders as numbers of the texts that they consist of; or why there is none.
-
-    The file has a list of {"arithmetic", "hash", "gradient", "bodies": {NAME: TEXT}}.
-    """
-    texts: dict[str, int] = {}
-    shaders, errors = [], []
-    for group in json.loads(arguments.evaluations.read_text(encoding="utf-8")):
-        try:
-            settings = Settings(group["arithmetic"], group["hash"], group["gradient"])
-            found = evaluations(arguments.glsl, group["bodies"], settings)
-            shaders.append({name: [texts.setdefault(piece, len(texts)) for piece in pieces]
-                            for name, pieces in found.items()})
-            errors.append("")
-        except Unknown as error:
-            shaders.append({})
-            errors.append(str(error))
-    return json.dumps({"texts": list(texts), "shaders": shaders, "errors": errors})
-
-
 def output(arguments: argparse.Namespace) -> str:
-    if arguments.evaluations:
-        return evaluated(arguments)
     settings = Settings(arguments.arithmetic, arguments.hash, arguments.gradient, arguments.hash_function)
     module = Module(arguments.glsl, f'#include "{arguments.name}"\n', settings)
     if arguments.names:

@@ -1,11 +1,18 @@
-"""Compute shaders that evaluate the rows of functions.inc at many points: what the tests run."""
+"""Compute shaders that evaluate the rows of functions.inc at many points: what the tests run.
+
+hn-conform has this package inside, and calls it with a file of JSON, a list of {"knobs": TEXT, "bodies": {NAME: TEXT}}.
+The answer is {"texts": [...], "groups": [{"shaders": {NAME: [numbers of texts]}}, or {"error": "why there are none"}]}.
+"""
 
 from __future__ import annotations
 
+import json
+import sys
 from collections.abc import Mapping
 from pathlib import Path
 
-from wgsl.module import Module, Settings
+from wgsl.module import NO_SETTINGS, Module
+from wgsl.tokens import Unknown
 
 # What the bodies of the rows take for granted (conformance/library/functions.inc).
 PROLOGUE = """#include "hashnoise.glsl"
@@ -30,13 +37,15 @@ fn main(@builtin(global_invocation_id) id: vec3u) {{
 """
 
 
-def evaluations(library: Path, bodies: Mapping[str, str], settings: Settings, macros: str = "") -> dict[str, list[str]]:
-    """The shader of each body, by its name, in pieces: shaders have most of theirs in common."""
+def evaluations(library: Path, knobs: str, bodies: Mapping[str, str]) -> dict[str, list[str]]:
+    """The shader of each body, by its name, in pieces: shaders have most of theirs in common. The knobs are lines of
+    GLSL; what the bodies need besides may stand there, too."""
     numbers = {name: f"evaluate_{number}" for number, name in enumerate(bodies)}
     functions = [f"uvec4 {numbers[name]}(uvec4 a, uvec4 b, uvec4 c, uvec4 d) {{ {body} }}\n"
                  for name, body in bodies.items()]
-    module = Module(library, PROLOGUE + macros + "".join(functions), settings, "functions.inc")
-    return {name: [*module.pieces([number]), EPILOGUE.replace("EVALUATE", number)] for name, number in numbers.items()}
+    module = Module(library, knobs + PROLOGUE + "".join(functions), NO_SETTINGS, "functions.inc")
+    return {name: [*module.pieces([number], strip=True), EPILOGUE.replace("EVALUATE", number)]
+            for name, number in numbers.items()}
 
 
 def macros_of_rows(table: Path) -> str:
@@ -44,3 +53,23 @@ def macros_of_rows(table: Path) -> str:
     lines = table.read_text(encoding="utf-8").split("\n")
     return "".join(f"{line}\n" for line in lines
                    if line.startswith("#define ") and not line.endswith("\\") and "FUNCTION(" not in line)
+
+
+def answered(library: Path, question: list[dict]) -> dict:
+    texts: dict[str, int] = {}
+    groups: list[dict] = []
+    for group in question:
+        try:
+            found = evaluations(library, group["knobs"], group["bodies"])
+        except Unknown as error:
+            groups.append({"error": str(error)})
+            continue
+        groups.append({"shaders": {name: [texts.setdefault(piece, len(texts)) for piece in pieces]
+                                   for name, pieces in found.items()}})
+    return {"texts": list(texts), "groups": groups}
+
+
+def main() -> int:
+    library, question, answer = map(Path, sys.argv[1:])
+    answer.write_text(json.dumps(answered(library, json.loads(question.read_text(encoding="utf-8")))), encoding="utf-8")
+    return 0

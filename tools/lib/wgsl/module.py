@@ -22,14 +22,15 @@ LEFT_OUT = "; 0 if left out"
 
 @dataclass(frozen=True)
 class Settings:
+    """The knobs."""
     arithmetic: str = "HN_FAST"
     hash: str = "LATTICE"
     gradient: str = "OCTAHEDRAL"
     hash_function: str = ""  # with CUSTOM: the name of the user's function, which takes and returns a u32
 
     def macros(self) -> dict[str, str]:
-        if self.arithmetic == "HN_PRECISE":
-            raise Unknown(NO_PRECISE)
+        if self == NO_SETTINGS:
+            return {}
         if (self.hash == "CUSTOM") != bool(self.hash_function):
             raise Unknown("the hash CUSTOM and the name of your own belong together: "
                           "--hash CUSTOM --hash-function my_hash")
@@ -41,12 +42,17 @@ class Settings:
         return f"{self.arithmetic}, HN_HASH_{self.hash} and HN_GRADIENT_{self.gradient}"
 
 
+NO_SETTINGS = Settings("", "", "")
+
+
 class Module:
     """The definitions of a text, which may include files of the library."""
 
     def __init__(self, library: Path, text: str, settings: Settings = Settings(), path: str = "the text"):
         preprocessor = Preprocessor(library, settings.macros())
         preprocessor.read(text, path)
+        if preprocessor.stands_for("HN_ARITHMETIC", "HN_PRECISE"):
+            raise Unknown(NO_PRECISE)
         others = []
         if settings.hash_function:
             others = Parser(tokens_of(f"uint {settings.hash_function}(uint k) {{ return k; }}", "the options", 1)).parse()

@@ -56,6 +56,10 @@ class Preprocessor:
         self._read(text, path)
         self._flush()
 
+    def stands_for(self, name: str, text: str) -> bool:
+        """Whether a macro is defined as that text."""
+        return name in self.macros and " ".join(token.text for token in self.macros[name].body) == text
+
     def _read(self, text: str, path: str) -> None:
         heading = text.partition("\n")[0]
         self._heading = heading if heading.startswith("//") else ""

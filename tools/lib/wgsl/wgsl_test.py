@@ -15,7 +15,7 @@ from pathlib import Path
 from tables.functions import Function, read_functions
 from tables.glsl import declarations
 from tree import GLSL, TOOLS
-from wgsl.evaluation import evaluations
+from wgsl.evaluation import answered, evaluations
 from wgsl.module import ARITHMETICS, GRADIENTS, HASHES, Module, Settings
 from wgsl.tokens import Unknown
 
@@ -153,12 +153,19 @@ class Modules(unittest.TestCase):
             Module(GLSL, WHOLE, Settings(hash="CUSTOM"))
 
     def test_shaders_of_rows(self):
-        shaders = evaluations(GLSL, {"noise2d.perlin": "return uvec4(bits_of(hn_perlin(vec2(float_of(a.x), float_of(a.y)) "
-                                                       "SEEDED(a.z))), 0u, 0u, 0u);"}, Settings("HN_FIXED"))
+        body = ("hn_vec2 p = vec2(float_of(a.x), float_of(a.y)); "
+                "return uvec4(bits_of(hn_perlin(p SEEDED(a.z))), 0u, 0u, 0u);")
+        shaders = evaluations(GLSL, "#define HN_ARITHMETIC HN_FIXED\n", {"noise2d.perlin": body})
         text = "".join(shaders["noise2d.perlin"])
-        self.assertIn("return vec4u(bitcast<u32>(hn_perlin2(vec2f(bitcast<f32>(a.x), bitcast<f32>(a.y)), a.z)), 0u, 0u, 0u)",
-                      text.replace("\n      ", " "))
+        self.assertIn("let p: vec2f = vec2f(bitcast<f32>(a.x), bitcast<f32>(a.y));\n"
+                      "return vec4u(bitcast<u32>(hn_perlin2(p, a.z)), 0u, 0u, 0u);\n", text)
         self.assertNotIn("hn_perlin3", text)
+        with self.assertRaisesRegex(Unknown, "Take HN_FIXED"):
+            evaluations(GLSL, "#define HN_ARITHMETIC HN_PRECISE\n", {"noise2d.perlin": body})
+        answer = answered(GLSL, [{"knobs": "", "bodies": {"one": body}}, {"knobs": "#define", "bodies": {"two": body}}])
+        self.assertEqual("".join(answer["texts"][number] for number in answer["groups"][0]["shaders"]["one"]),
+                         "".join(evaluations(GLSL, "", {"one": body})["one"]))
+        self.assertIn("error", answer["groups"][1])
 
 
 class Command(unittest.TestCase):
