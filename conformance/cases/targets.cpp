@@ -39,15 +39,15 @@ Extent extent_of(const Function& function, const Configuration& configuration, c
       configuration.default_but_for_arithmetic() ||
       (function.family == Family::sine_gradient && configuration.name_without_arithmetic() == "lattice+sine");
   const bool main_of_desktop = target.main && !target.profile->es;
-  // Each function has a name of its own in WGSL, and its bits are promised there as well.
-  const bool promised_in_wgsl = target.profile->language == Language::wgsl && configuration.name == "lattice+fixed";
   if (function.is_further()) {
     // Many functions, whose code is that of others for the most part: what differs, one version and stage shows. Every
     // driver shows the bits of the noises themselves; their other forms are compiled and run by one.
     const bool form = function.takes_cell() || function.takes_period();
     const bool promised = defaults && configuration.arithmetic == Arithmetic::fixed && !form;
     if (main_of_desktop) return promised ? Extent::every_driver : Extent::one_driver;
-    if (promised_in_wgsl) return Extent::one_driver;
+    // The test wgsl.wgpu has all of them; here those that compile in a moment.
+    const bool in_wgsl = target.profile->language == Language::wgsl;
+    if (promised && in_wgsl && !function.is_costly()) return Extent::one_driver;
     return has_turn(function, configuration, target.number) ? Extent::one_driver : Extent::thorough;
   }
   if (defaults && target.main) return Extent::every_driver;

@@ -71,7 +71,8 @@ class Conversation {
     } else {
       const auto message = event.at("message").get<std::string>();
       error_ = Error{fmt::format("the page could not go on: {}", message), {}};
-      const bool no_context = message.find("WebGL2") != std::string::npos || message.find("WebGPU") != std::string::npos;
+      const bool no_context =
+          message.find("WebGL2") != std::string::npos || message.find("WebGPU") != std::string::npos;
       if (!ready_ && no_context) tell_absent();
     }
   }
@@ -99,7 +100,8 @@ class Conversation {
     for (; next_ < cases_.size() && cases_[next_].id != id; ++next_) {
       const Case& test = cases_[next_];
       events_.started(test.id);
-      events_.finished({test.id, outcome_with(Status::unsupported, {unsupported_in_browser(test, browser_.platform), {}}), 0.0});
+      events_.finished(
+          {test.id, outcome_with(Status::unsupported, {unsupported_in_browser(test, browser_.platform), {}}), 0.0});
     }
   }
 
@@ -165,8 +167,7 @@ Result<void> run_in_browser(const Browser& browser, const SourceSet& sources, co
   }
   HN_TRY(const auto cases, cases_with(ids));
   std::vector<Case> supported = cases;
-  std::erase_if(supported,
-                [&](const Case& test) { return !unsupported_in_browser(test, browser.platform).empty(); });
+  std::erase_if(supported, [&](const Case& test) { return !unsupported_in_browser(test, browser.platform).empty(); });
   Conversation conversation(browser, cases, events);
   return converse(browser, make_suite(sources, golden, supported, kReportTo, browser.platform).json, conversation);
 }

@@ -13,7 +13,7 @@
 namespace hn {
 namespace {
 
-constexpr std::array<std::string_view, 8> kModules = {"main.js",     "runner.js", "checks.js",  "report.js",
+constexpr std::array<std::string_view, 8> kModules = {"main.js",     "runner.js", "checks.js",   "report.js",
                                                       "failures.js", "suite.js",  "renderer.js", "webgpu.js"};
 
 void replace_all(std::string& text, std::string_view old, std::string_view with) {

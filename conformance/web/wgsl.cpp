@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "base/file.hpp"
 #include "base/process.hpp"
@@ -46,9 +47,10 @@ Result<void> prepare(const fs::path& folder, const SourceSet& sources) {
 // Waits for it to end.
 Result<void> run_python(const fs::path& folder) {
   const fs::path log = folder / "log";
-  HN_TRY(const auto process, start_process({.program = kPython,
-                                            .arguments = {"-B", folder, folder / "glsl", folder / "question", folder / "answer"},
-                                            .output = log}));
+  HN_TRY(const auto process,
+         start_process({.program = kPython,
+                        .arguments = {"-B", folder, folder / "glsl", folder / "question", folder / "answer"},
+                        .output = log}));
   int status = 0;
   while (waitpid(process.pid, &status, 0) < 0 && errno == EINTR) {
   }
@@ -57,15 +59,23 @@ Result<void> run_python(const fs::path& folder) {
                               read_file(log).value_or("")});
 }
 
-// The functions of each configuration, by name: both are in the answer, too.
-std::map<std::string, Json> groups_of(std::span<const Case> cases) {
-  std::map<std::string, Json> groups;
+// What is asked for with a configuration.
+struct Group {
+  std::string knobs;
+  std::set<std::string_view> files;
+  std::map<std::string_view, std::string_view> bodies;  // by function
+};
+
+// By the name of the configuration.
+std::map<std::string, Group> groups_of(std::span<const Case> cases) {
+  std::map<std::string, Group> groups;
   for (const Case& test : cases) {
     if (!in_wgsl(test) || !test.evaluation()) continue;
     const auto& [function, configuration, profile, variant, stage] = *test.evaluation();
-    Json& group = groups[std::string(configuration.name)];
-    group["knobs"] = knobs_of(configuration);
-    group["bodies"][std::string(function.id)] = function.body;
+    Group& group = groups[std::string(configuration.name)];
+    group.knobs = knobs_of(configuration);
+    group.files.insert(function.file);
+    group.bodies[function.id] = function.body;
   }
   return groups;
 }
@@ -77,13 +87,16 @@ WgslShaders::WgslShaders(const SourceSet& sources, std::span<const Case> cases) 
 }
 
 Result<void> WgslShaders::make(const SourceSet& sources, std::span<const Case> cases) {
-  const std::map<std::string, Json> groups = groups_of(cases);
+  const std::map<std::string, Group> groups = groups_of(cases);
   if (groups.empty()) return {};
   if (sources.transform()) return fail("faults are injected into GLSL");
   const TemporaryFolder folder;
   HN_DO(prepare(folder.path(), sources));
   Json question = Json::array();
-  for (const auto& [name, group] : groups) question.push_back(group);
+  for (const auto& [name, group] : groups) {
+    question.push_back({{"knobs", group.knobs}, {"files", group.files}, {"bodies", Json::object()}});
+    for (const auto& [function, body] : group.bodies) question.back()["bodies"][std::string(function)] = body;
+  }
   HN_DO(write_into(folder.path(), "question", question.dump()));
   HN_DO(run_python(folder.path()));
   HN_TRY(const std::string text, read_file(folder.path() / "answer"));

@@ -1,22 +1,21 @@
 """Compute shaders that evaluate the rows of functions.inc at many points: what the tests run.
 
-hn-conform has this package inside, and calls it with a file of JSON, a list of {"knobs": TEXT, "bodies": {NAME: TEXT}}.
-The answer is {"texts": [...], "groups": [{"shaders": {NAME: [numbers of texts]}}, or {"error": "why there are none"}]}.
+hn-conform has this package inside, and calls it with a file of JSON, a list of {"knobs": TEXT, "files": [NAME, ...],
+"bodies": {NAME: TEXT}}. The answer is {"texts": [...], "groups": [{"shaders": {NAME: [numbers of texts]}}, or {"error": "why there are none"}]}.
 """
 
 from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from wgsl.module import NO_SETTINGS, Module
 from wgsl.tokens import Unknown
 
 # What the bodies of the rows take for granted (conformance/library/functions.inc).
-PROLOGUE = """#include "hashnoise.glsl"
-#define float_of uintBitsToFloat
+PROLOGUE = """#define float_of uintBitsToFloat
 #define bits_of floatBitsToUint
 #define SEEDED(s) , s
 #define SEED(s) s
@@ -37,13 +36,14 @@ fn main(@builtin(global_invocation_id) id: vec3u) {{
 """
 
 
-def evaluations(library: Path, knobs: str, bodies: Mapping[str, str]) -> dict[str, list[str]]:
+def evaluations(library: Path, knobs: str, files: Iterable[str], bodies: Mapping[str, str]) -> dict[str, list[str]]:
     """The shader of each body, by its name, in pieces: shaders have most of theirs in common. The knobs are lines of
     GLSL; what the bodies need besides may stand there, too."""
     numbers = {name: f"evaluate_{number}" for number, name in enumerate(bodies)}
     functions = [f"uvec4 {numbers[name]}(uvec4 a, uvec4 b, uvec4 c, uvec4 d) {{ {body} }}\n"
                  for name, body in bodies.items()]
-    module = Module(library, knobs + PROLOGUE + "".join(functions), NO_SETTINGS, "functions.inc")
+    includes = "".join(f'#include "{file}"\n' for file in files)
+    module = Module(library, knobs + includes + PROLOGUE + "".join(functions), NO_SETTINGS, "functions.inc")
     return {name: [*module.pieces([number], strip=True), EPILOGUE.replace("EVALUATE", number)]
             for name, number in numbers.items()}
 
@@ -60,7 +60,7 @@ def answered(library: Path, question: list[dict]) -> dict:
     groups: list[dict] = []
     for group in question:
         try:
-            found = evaluations(library, group["knobs"], group["bodies"])
+            found = evaluations(library, group["knobs"], group["files"], group["bodies"])
         except Unknown as error:
             groups.append({"error": str(error)})
             continue

@@ -58,40 +58,27 @@ class Module:
             others = Parser(tokens_of(f"uint {settings.hash_function}(uint k) {{ return k; }}", "the options", 1)).parse()
         self.translator = Translator(Parser(preprocessor.tokens).parse(), preprocessor.constants,
                                      [function for function in others if isinstance(function, Function)])
-        self.definitions = self.translator.definitions()
-        self._by_name = {definition.name: definition for definition in self.definitions}
 
     def names(self) -> dict[tuple[str, tuple[str, ...]], str]:
         """The name in WGSL of each function, by its name in GLSL and the types of its parameters."""
         return self.translator.names()
 
+    def definitions(self) -> list[Definition]:
+        """Of public functions, and of all that they need. A file without a public function is there as a whole."""
+        return self._definitions_of(self.translator.public() or self.translator.all_but_constants())
+
+    def _definitions_of(self, names: Iterable[str]) -> list[Definition]:
+        needed = self.translator.needed_by(names)
+        return [self.translator.definition(name) for name in self.translator.items if name in needed]
+
     def text(self, only: Iterable[str] = (), strip: bool = False) -> str:
-        """The module, or what these functions of it need. A file without a public function is there as a whole."""
-        names = only or [definition.name for definition in self.definitions if definition.public]
-        return "".join(self.pieces(names or list(self._by_name), strip))
+        """The module, or what these functions of it need."""
+        return "".join(self.pieces(only, strip))
 
-    def pieces(self, names: Iterable[str], strip: bool = False) -> list[str]:
-        """The texts of these definitions and of all that they need, in the order of the library."""
-        needed = self._needed_by(names)
-        found: list[str] = []
-        previous: Definition | None = None
-        for definition in self.definitions:
-            if definition.name in needed:
-                found.append(_text(definition, previous, strip))
-                previous = definition
-        return found
-
-    def _needed_by(self, names: Iterable[str]) -> set[str]:
-        found: set[str] = set()
-        pending = list(names)
-        while pending:
-            name = pending.pop()
-            if name not in self._by_name:
-                raise Unknown(f"there is no {name} in this module")
-            if name not in found:
-                found.add(name)
-                pending += self._by_name[name].needs
-        return found
+    def pieces(self, only: Iterable[str] = (), strip: bool = False) -> list[str]:
+        """The texts of the definitions, in the order of the library."""
+        definitions = self._definitions_of(only) if only else self.definitions()
+        return [_text(definition, previous, strip) for previous, definition in zip([None, *definitions], definitions)]
 
 
 def _text(definition: Definition, previous: Definition | None, strip: bool) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
 from wgsl.names import components, is_passed, is_public, variable, wgsl_name, wgsl_type
@@ -53,14 +53,14 @@ class Definition:
     comments: tuple[str, ...]
     lines: list[str]
     needs: list[str] = field(default_factory=list)
-    public: bool = False  # users call it or pass it
     is_constant: bool = False
 
 
 class Translator:
-    """Definitions of the module, in the order of the text. `functions_of_others` are those that the user has."""
+    """Definitions of a module, in the order of the text; each is translated when it is asked for. `others` are functions
+    that the user has."""
 
-    def __init__(self, tree: list[Function | Struct], constants: dict[str, Constant], others: Iterable[Function] = ()):
+    def __init__(self, tree: list[Function | Struct], constants: dict[str, Constant], others: Sequence[Function] = ()):
         self.structs = {item.name: item for item in tree if isinstance(item, Struct)}
         self.functions: dict[tuple[str, tuple[str, ...]], Function] = {}
         self.others = {(function.name, function.types) for function in others}
@@ -72,20 +72,47 @@ class Translator:
                 raise function.at.error(f"{function.name} is there already, in {known.at.path}:{known.at.line}")
         self._without_seed = {key: seeded for key in self.functions if (seeded := self._seeded(key))}
         self._check_names()
-        self.tree = tree
-        for name, constant in constants.items():
-            if is_passed(name):
-                self.constant(dataclasses.replace(constant.body[0], kind="word", text=name))
-
-    def definitions(self) -> list[Definition]:
-        found = []
-        for item in self.tree:
+        # By name, constants first.
+        self.items: dict[str, Constant | Struct | Function] = dict(constants)
+        for item in tree:
             if isinstance(item, Struct):
-                found.append(self._struct(item))
+                self.items[item.name] = item
             elif (item.name, item.types) not in self._without_seed:
-                found.append(FunctionWriter(self, item).definition())
-        used = [name for name in self.constants if name in self._constant_codes]
-        return [self.constant_definition(name) for name in used] + found
+                self.items[wgsl_name(item)] = item
+        self._definitions: dict[str, Definition] = {}
+
+    def definition(self, name: str) -> Definition:
+        if name not in self._definitions:
+            item = self.items[name]
+            if isinstance(item, Constant):
+                made = self._constant(item)
+            elif isinstance(item, Struct):
+                made = self._struct(item)
+            else:
+                made = FunctionWriter(self, item).definition()
+            self._definitions[name] = made
+        return self._definitions[name]
+
+    def public(self) -> list[str]:
+        """The names of what users call or pass."""
+        return [name for name, item in self.items.items()
+                if (is_passed(name) if isinstance(item, Constant) else isinstance(item, Function) and is_public(item.name))]
+
+    def all_but_constants(self) -> list[str]:
+        return [name for name, item in self.items.items() if not isinstance(item, Constant)]
+
+    def needed_by(self, names: Iterable[str]) -> set[str]:
+        """These names, and those of all that they need."""
+        found: set[str] = set()
+        pending = list(names)
+        while pending:
+            name = pending.pop()
+            if name not in self.items:
+                raise Unknown(f"there is no {name} in this module")
+            if name not in found:
+                found.add(name)
+                pending += self.definition(name).needs
+        return found
 
     def names(self) -> dict[tuple[str, tuple[str, ...]], str]:
         """The name in WGSL of each function; one without a seed has the name of that with one."""
@@ -143,12 +170,12 @@ class Translator:
             self._constant_codes[at.text] = writer.expression(tree)
         return self._constant_codes[at.text]
 
-    def constant_definition(self, name: str) -> Definition:
-        constant, code = self.constants[name], self._constant_codes[name]
+    def _constant(self, constant: Constant) -> Definition:
+        code = self.constant(dataclasses.replace(constant.body[0], text=constant.name))
         needs = [token.text for token in constant.body if token.text in self.constants]
         comment = f"  {constant.comment}" if constant.comment else ""
-        lines = [f"const {name}: {wgsl_type(code.type)} = {code.text};{comment}"]
-        return Definition(name, (), lines, needs, is_passed(name), is_constant=True)
+        lines = [f"const {constant.name}: {wgsl_type(code.type)} = {code.text};{comment}"]
+        return Definition(constant.name, (), lines, needs, is_constant=True)
 
     def _struct(self, struct: Struct) -> Definition:
         lines, needs = [f"struct {struct.name} {{"], []
@@ -206,8 +233,7 @@ class FunctionWriter:
             lines = wrapped(f"{head} {{", 0)
             lines += [f"  {after}"] * bool(after)
             lines += [*body, "}"]
-        return Definition(wgsl_name(function), function.comments.before, lines, list(self.needs),
-                          is_public(function.name))
+        return Definition(wgsl_name(function), function.comments.before, lines, list(self.needs))
 
     def _parameter(self, parameter: Parameter) -> str:
         name, type_ = variable(parameter.at.text), wgsl_type(parameter.type)

@@ -52,7 +52,8 @@ class Golden:
 def differing(device: Device, library: Path, golden: dict[str, Path]) -> dict[str, str]:
     """Which rows have other bits than their files, and where first."""
     bodies = {row: ROWS[row].row.arguments[6] for row in golden}
-    shaders = evaluations(library, "#define HN_ARITHMETIC HN_FIXED\n" + macros_of_rows(FUNCTIONS), bodies)
+    shaders = evaluations(library, "#define HN_ARITHMETIC HN_FIXED\n" + macros_of_rows(FUNCTIONS),
+                          ["hashnoise.glsl"], bodies)
     found = {}
     for row, path in golden.items():
         values = Golden(path)

@@ -31,7 +31,7 @@ def module_of(file: str, arithmetic: str) -> Module:
 def translated(text: str, **settings: str) -> str:
     """The WGSL of a text that includes nothing."""
     module = Module(GLSL, text, Settings(**settings))
-    return module.text([definition.name for definition in module.definitions])
+    return module.text(module.translator.all_but_constants())
 
 
 def name_by_row(function: Function) -> str:
@@ -87,10 +87,9 @@ class Names(unittest.TestCase):
     def test_they_do_not_move(self):
         """What a file alone defines has the same name and the same text in the whole."""
         for arithmetic, module in self.modules.items():
-            whole = {definition.name: definition.lines for definition in module.definitions}
             for file in FILES:
-                for definition in module_of(file, arithmetic).definitions:
-                    if definition.lines != whole[definition.name]:
+                for definition in module_of(file, arithmetic).definitions():
+                    if definition.lines != module.translator.definition(definition.name).lines:
                         self.fail(f"{file} and hashnoise.glsl have another {definition.name}, with {arithmetic}")
 
     def test_two_functions_with_one_name_are_refused(self):
@@ -103,6 +102,11 @@ class Names(unittest.TestCase):
 
 
 class Modules(unittest.TestCase):
+    def test_what_no_public_function_needs(self):
+        for arithmetic in ARITHMETICS:
+            module = module_of("hashnoise.glsl", arithmetic)
+            self.assertGreater(len(module.text(module.translator.all_but_constants())), len(module.text()))
+
     def test_each_file_with_each_setting(self):
         for file in FILES:
             for arithmetic in ARITHMETICS:
@@ -155,16 +159,17 @@ class Modules(unittest.TestCase):
     def test_shaders_of_rows(self):
         body = ("hn_vec2 p = vec2(float_of(a.x), float_of(a.y)); "
                 "return uvec4(bits_of(hn_perlin(p SEEDED(a.z))), 0u, 0u, 0u);")
-        shaders = evaluations(GLSL, "#define HN_ARITHMETIC HN_FIXED\n", {"noise2d.perlin": body})
+        shaders = evaluations(GLSL, "#define HN_ARITHMETIC HN_FIXED\n", ["perlin2d.glsl"], {"noise2d.perlin": body})
         text = "".join(shaders["noise2d.perlin"])
         self.assertIn("let p: vec2f = vec2f(bitcast<f32>(a.x), bitcast<f32>(a.y));\n"
                       "return vec4u(bitcast<u32>(hn_perlin2(p, a.z)), 0u, 0u, 0u);\n", text)
         self.assertNotIn("hn_perlin3", text)
         with self.assertRaisesRegex(Unknown, "Take HN_FIXED"):
-            evaluations(GLSL, "#define HN_ARITHMETIC HN_PRECISE\n", {"noise2d.perlin": body})
-        answer = answered(GLSL, [{"knobs": "", "bodies": {"one": body}}, {"knobs": "#define", "bodies": {"two": body}}])
+            evaluations(GLSL, "#define HN_ARITHMETIC HN_PRECISE\n", ["perlin2d.glsl"], {"noise2d.perlin": body})
+        answer = answered(GLSL, [{"knobs": "", "files": ["perlin2d.glsl"], "bodies": {"one": body}},
+                                 {"knobs": "", "files": ["hash.glsl"], "bodies": {"two": body}}])
         self.assertEqual("".join(answer["texts"][number] for number in answer["groups"][0]["shaders"]["one"]),
-                         "".join(evaluations(GLSL, "", {"one": body})["one"]))
+                         "".join(evaluations(GLSL, "", ["perlin2d.glsl"], {"one": body})["one"]))
         self.assertIn("error", answer["groups"][1])
 
 
