@@ -60,6 +60,7 @@ std::string periods_of(const Function* function) {
 std::string language_of(std::string_view profile) {
   if (profile == "vulkan") return "in Vulkan's GLSL";
   if (profile.starts_with("hlsl")) return "in HLSL";
+  if (profile == "wgsl") return "in WGSL";
   return profile.starts_with("es") ? "in GLSL ES" : "in desktop GLSL";
 }
 

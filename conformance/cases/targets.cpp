@@ -22,6 +22,7 @@ std::vector<Target> targets_of(const Configuration& configuration) {
   // By way of vkd3d-compiler, which takes minutes over Jenkins' hash and drops `precise`.
   if (!precise && configuration.default_but_for_arithmetic()) add(profile_named("hlsl50"), Stage::compute, false);
   if (!precise) add(profile_named("msl"), Stage::compute, false);
+  if (!precise) add(profile_named("wgsl"), Stage::compute, false);
   return targets;
 }
 
@@ -64,6 +65,9 @@ Extent extent_of(const Function& function, const Configuration& configuration, c
     // A hash is one text in all languages, and what it changes the other functions show.
     if (target.profile->platform() != Platform::opengl && !defaults) return Extent::thorough;
     if (takes_minutes(function, configuration, *target.profile)) return Extent::thorough;
+    // The test wgsl.wgpu has all of them; here those that compile in a moment.
+    const bool in_wgsl = target.profile->language == Language::wgsl;
+    if (promised && in_wgsl && !function.is_costly()) return Extent::one_driver;
     return has_turn(function, configuration, target.number) ? Extent::one_driver : Extent::thorough;
   }
   if (defaults && target.main) return Extent::every_driver;

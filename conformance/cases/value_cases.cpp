@@ -70,8 +70,8 @@ void add_value_cases(std::vector<Case>& cases) {
         const Extent extent = extent_of(function, configuration, target);
         if (covers(configuration, function)) {
           cases.push_back({name_of(evaluation, "golden"), GoldenKind{evaluation}, extent});
-          // In OpenGL the other stages are held against this one.
-          if (target.stage == Stage::fragment || target.profile->platform() != Platform::opengl) {
+          // In OpenGL the other stages are held against this one. A browser has no twin.
+          if (target.stage == Stage::fragment || target.profile->platform() == Platform::vulkan) {
             cases.push_back({name_of(evaluation, "twin"), CheckKind{evaluation, check_twin}, extent});
           }
           if (target.main) add_properties(cases, evaluation, std::max(extent, Extent::one_driver));

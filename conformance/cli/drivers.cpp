@@ -97,6 +97,7 @@ std::vector<Driver> common_drivers() {
     drivers.push_back({.name = std::string(browser.name),
                        .description = std::string(browser.description),
                        .create = [] { return CreatedContext(fail("a browser runs the cases of the suite only")); },
+                       .platform = browser.platform,
                        .browser = &browser});
   }
   return drivers;
@@ -110,14 +111,14 @@ void add_egl_device(std::vector<Driver>& drivers, int number) {
 }
 
 void add_vulkan_device(std::vector<Driver>& drivers, int number) {
-  drivers.push_back({.name = fmt::format("{}{}", kVulkan, number),
-                     .description = fmt::format("Vulkan device {}, without OpenGL: SPIR-V in compute shaders", number),
-                     .environment = vulkan_environment(),
-                     .create = [] { return CreatedContext(fail("a device of Vulkan runs the cases of the suite only")); },
-                     .platform = Platform::vulkan,
-                     .create_evaluator = [number](const ReferenceCompiler& compiler) {
-                       return create_vulkan_evaluator(number, compiler);
-                     }});
+  drivers.push_back(
+      {.name = fmt::format("{}{}", kVulkan, number),
+       .description = fmt::format("Vulkan device {}, without OpenGL: SPIR-V in compute shaders", number),
+       .environment = vulkan_environment(),
+       .create = [] { return CreatedContext(fail("a device of Vulkan runs the cases of the suite only")); },
+       .platform = Platform::vulkan,
+       .create_evaluator =
+           [number](const ReferenceCompiler& compiler) { return create_vulkan_evaluator(number, compiler); }});
 }
 
 // The N behind the prefix.

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 
@@ -104,7 +104,9 @@ Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted, cons
 std::optional<CanRun> can_run_on(const std::string& name, const Inquiry& inquiry) {
   const auto report = inquiry.ask(Task::describe, name);
   if (!report || !report->contains("ready")) return std::nullopt;
-  if (find_driver(name)->browser) return [](const Case& test) { return unsupported_in_browser(test).empty(); };
+  if (const Browser* browser = find_driver(name)->browser) {
+    return [browser](const Case& test) { return unsupported_in_browser(test, browser->platform).empty(); };
+  }
   const LanguageSupport languages = report->at("languages").get<LanguageSupport>();
   return [=](const Case& test) {
     const Profile& profile = profile_named(test.name.profile);

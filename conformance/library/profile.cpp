@@ -25,6 +25,7 @@ constexpr std::array kOther = {
     Profile{"hlsl50", "", 50, false, true, Language::hlsl},
     Profile{"hlsl60", "", 60, false, true, Language::hlsl},
     Profile{"msl", "", 0, false, false, Language::metal},
+    Profile{"wgsl", "", 1, false, false, Language::wgsl},
 };
 
 constexpr std::array kRun = {kAll[1], kAll[3], kAll[11]};
@@ -55,6 +56,8 @@ std::string_view name_of(Platform platform) {
       return "Vulkan";
     case Platform::metal:
       return "Metal";
+    case Platform::webgpu:
+      return "WebGPU";
     case Platform::opengl:
       break;
   }
@@ -62,7 +65,15 @@ std::string_view name_of(Platform platform) {
 }
 
 Platform Profile::platform() const {
-  if (language == Language::metal) return Platform::metal;
+  switch (language) {
+    case Language::metal:
+      return Platform::metal;
+    case Language::wgsl:
+      return Platform::webgpu;
+    case Language::hlsl:
+    case Language::glsl:
+      break;
+  }
   return spirv ? Platform::vulkan : Platform::opengl;
 }
 

@@ -11,14 +11,14 @@ namespace hn {
 enum class Stage { fragment, vertex, compute };
 std::string_view name_of(Stage stage);
 
-enum class Language { glsl, hlsl, metal };
+enum class Language { glsl, hlsl, metal, wgsl };
 // Whose drivers run a shader.
-enum class Platform { opengl, vulkan, metal };
+enum class Platform { opengl, vulkan, metal, webgpu };
 std::string_view name_of(Platform platform);  // "OpenGL"
 
 struct Profile {
   std::string_view name;       // in case ids: "gl330", "es300", "vulkan", "hlsl60"
-  std::string_view directive;  // "#version 330"; nothing in HLSL
+  std::string_view directive;  // "#version 330"; nothing in other languages
   int version;
   bool es;
   bool spirv;

@@ -36,6 +36,7 @@ class SourceSet {
 
   // Null if there is no such file.
   const SourceFile* find(std::string_view name) const;
+  const std::map<std::string, SourceFile, std::less<>>& files() const { return files_; }
 
   // The last step for every shader that is expanded from this set. There is none unless it is set.
   using Transform = std::function<Result<void>(ShaderText&, const Profile&)>;

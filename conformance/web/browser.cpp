@@ -24,9 +24,9 @@ using Json = nlohmann::json;
 constexpr auto kLongestStart = std::chrono::seconds(60);
 constexpr auto kPoll = std::chrono::milliseconds(100);
 
-ContextInfo info_of(const Json& event) {
+ContextInfo info_of(const Json& event, const Browser& browser) {
   ContextInfo info = context_info_from(event);
-  info.languages = kWebGl2Languages;
+  info.languages = browser.platform == Platform::webgpu ? webgpu_languages() : kWebGl2Languages;
   return info;
 }
 
@@ -56,7 +56,7 @@ class Conversation {
   void hear(const Json& event) {
     const std::string type = event.at("type");
     if (type == "ready") {
-      meet(info_of(event));
+      meet(info_of(event, browser_));
     } else if (type == "started") {
       running_ = event.at("id");
       finish_unsupported_until(running_);
@@ -71,7 +71,9 @@ class Conversation {
     } else {
       const auto message = event.at("message").get<std::string>();
       error_ = Error{fmt::format("the page could not go on: {}", message), {}};
-      if (!ready_ && message.find("WebGL2") != std::string::npos) tell_absent();
+      const bool no_context =
+          message.find("WebGL2") != std::string::npos || message.find("WebGPU") != std::string::npos;
+      if (!ready_ && no_context) tell_absent();
     }
   }
 
@@ -98,7 +100,8 @@ class Conversation {
     for (; next_ < cases_.size() && cases_[next_].id != id; ++next_) {
       const Case& test = cases_[next_];
       events_.started(test.id);
-      events_.finished({test.id, outcome_with(Status::unsupported, {unsupported_in_browser(test), {}}), 0.0});
+      events_.finished(
+          {test.id, outcome_with(Status::unsupported, {unsupported_in_browser(test, browser_.platform), {}}), 0.0});
     }
   }
 
@@ -164,9 +167,9 @@ Result<void> run_in_browser(const Browser& browser, const SourceSet& sources, co
   }
   HN_TRY(const auto cases, cases_with(ids));
   std::vector<Case> supported = cases;
-  std::erase_if(supported, [](const Case& test) { return !unsupported_in_browser(test).empty(); });
+  std::erase_if(supported, [&](const Case& test) { return !unsupported_in_browser(test, browser.platform).empty(); });
   Conversation conversation(browser, cases, events);
-  return converse(browser, make_suite(sources, golden, supported, kReportTo).json, conversation);
+  return converse(browser, make_suite(sources, golden, supported, kReportTo, browser.platform).json, conversation);
 }
 
 Result<ContextInfo> describe_browser(const Browser& browser) {
@@ -174,7 +177,7 @@ Result<ContextInfo> describe_browser(const Browser& browser) {
   const CaseEvents events = {[&](const ContextInfo& info) { found = info; }, [](const std::string&) {},
                              [](const CaseResult&) {}};
   Conversation conversation(browser, {}, events);
-  HN_DO(converse(browser, make_suite(SourceSet::embedded(), {}, {}, kReportTo).json, conversation));
+  HN_DO(converse(browser, make_suite(SourceSet::embedded(), {}, {}, kReportTo, browser.platform).json, conversation));
   return found;
 }
 

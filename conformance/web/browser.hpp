@@ -17,9 +17,10 @@ namespace hn {
 struct Browser {
   std::string_view name;
   std::string_view description;
-  std::vector<std::string_view> arguments;    // for Chromium, to take this implementation of OpenGL ES
+  std::vector<std::string_view> arguments;    // for Chromium, to take this implementation of OpenGL ES or WebGPU
   std::vector<std::string_view> environment;  // NAME=value
   std::string_view renderer;                  // what the renderer's name has in it then
+  Platform platform = Platform::opengl;
   std::vector<std::string_view> programs = {"chromium", "chromium-browser", "google-chrome"};  // in PATH
 };
 

@@ -26,6 +26,9 @@ inline constexpr const char* kCompiles = "fbm.all.lattice.fast.fragment.es300.dr
 inline constexpr const char* kRefused = "config.hash_beyond_the_last.any.fast.fragment.es300.refused_by_driver";
 inline constexpr const char* kDesktop = "noise2d.perlin.lattice.fast.fragment.gl330.golden";
 inline constexpr const char* kTwin = "noise2d.perlin.lattice.fast.fragment.gl330.twin";
+inline constexpr const char* kWgsl = "noise2d.perlin.lattice.fixed.compute.wgsl.golden";
+inline constexpr const char* kWgslHash = "hash.lattice2.lattice.exact.compute.wgsl.golden";
+inline constexpr const char* kWgslSum = "fbm.fbm2.lattice.fast.compute.wgsl.golden";
 inline const std::vector<std::string> kSome = {kHash, kNoise, kCompiles, kRefused};
 
 // What a run told, in its order.

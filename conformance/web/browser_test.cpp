@@ -76,6 +76,32 @@ TEST(Browser, CasesHaveTheirVerdictsInTheirOrder) {
   EXPECT_EQ(story.outcome(kDesktop).message, "this context does not compile GLSL");
 }
 
+TEST(Browser, WgslHasItsValuesInWebGpu) {
+  Story story;
+  const std::vector<std::string> ids = {kNoise, kWgsl, kWgslHash, kWgslSum};
+  const auto done = run(story, ids, "webgpu");
+  ASSERT_TRUE(done) << done.error().text();
+  ASSERT_EQ(story.infos.size(), 1u);
+  EXPECT_NE(story.infos[0].renderer.find("swiftshader"), std::string::npos) << story.infos[0].renderer;
+  EXPECT_EQ(story.finished_ids(), ids);
+  EXPECT_EQ(story.outcome(kNoise).status, Status::unsupported);
+  EXPECT_EQ(story.outcome(kNoise).message, "this is for drivers of OpenGL");
+  for (const char* id : {kWgsl, kWgslHash, kWgslSum}) {
+    EXPECT_EQ(story.outcome(id).status, Status::pass) << story.outcome(id).message;
+  }
+  EXPECT_EQ(story.outcome(kWgsl).max_abs, 0.0);
+  EXPECT_GT(story.outcome(kWgslHash).samples, 16384u);  // with the digest
+  EXPECT_GT(story.outcome(kWgslSum).max_abs, 0.0);
+  expect_nothing_is_left(getpid());
+}
+
+TEST(Browser, AChangedConstantIsNoticedInWebGpu) {
+  Story story;
+  const std::vector<std::string> ids = {kWgsl, kWgslSum};
+  ASSERT_TRUE(run(story, ids, "webgpu", changed("hash.glsl", "0x85EBCA77u", "0x85EBCA79u")));
+  for (const std::string& id : ids) EXPECT_EQ(story.outcome(id).status, Status::fail) << id;
+}
+
 TEST(Browser, AnUnknownCaseIsAnError) {
   Story story;
   const std::vector<std::string> ids = {"no.such.case"};

@@ -140,15 +140,15 @@ function checkRefused(renderer, suite, test) {
 }
 
 // kOutputWords per point.
-function evaluate(renderer, suite, number, inputs) {
-  const program = renderer.kept(number, () => suite.program(number));
+async function evaluate(renderer, suite, number, inputs) {
+  const program = await renderer.kept(number, () => suite.program(number));
   return renderer.evaluate(program, inputs, suite.uniforms);
 }
 
-function checkDigest(renderer, suite, test, outcome) {
+async function checkDigest(renderer, suite, test, outcome) {
   const { digest } = test;
   const inputs = digestInputs(digest);
-  const outputs = evaluate(renderer, suite, test.program, inputs);
+  const outputs = await evaluate(renderer, suite, test.program, inputs);
   const values = new Uint32Array(inputs.length / kInputWords);
   for (let i = 0; i < values.length; ++i) values[i] = outputs[i * kOutputWords];
   outcome.samples += values.length;
@@ -162,10 +162,10 @@ function checkDigest(renderer, suite, test, outcome) {
 }
 
 // Against expected values: bits if every bit counts, else exact values as 64-bit floats.
-function checkValues(renderer, suite, test) {
+async function checkValues(renderer, suite, test) {
   const columns = suite.columns(test.columns);
   const inputs = suite.inputs(columns, test.inputs);
-  const outputs = evaluate(renderer, suite, test.program, inputs);
+  const outputs = await evaluate(renderer, suite, test.program, inputs);
   const comparison = new Comparison(columns.inputs, inputs);
   const width = columns.outputs.length;
   const expected = test.exact ? suite.words(test.expected) : suite.doubles(test.expected);
@@ -184,12 +184,12 @@ function checkValues(renderer, suite, test) {
 
 // Against what the same driver finds in another way, or at other inputs. In a loop, each word of the result is of
 // another point: the one at hand, then its neighbours.
-function checkSame(renderer, suite, test) {
+async function checkSame(renderer, suite, test) {
   const columns = suite.columns(test.columns);
   const inputs = suite.inputs(columns, test.inputs);
   const others = suite.columns(test.other_columns);
-  const expected = evaluate(renderer, suite, test.other, suite.inputs(others, test.other_inputs));
-  const outputs = evaluate(renderer, suite, test.program, inputs);
+  const expected = await evaluate(renderer, suite, test.other, suite.inputs(others, test.other_inputs));
+  const outputs = await evaluate(renderer, suite, test.program, inputs);
   const comparison = new Comparison(columns.inputs, inputs);
   const allowed = suite.allowed(test);
   const width = test.words;
@@ -215,10 +215,10 @@ function checkSame(renderer, suite, test) {
 
 // Against words whose columns tell what they are: floats within what is allowed, all others bit by bit. What a
 // specification leaves open is a warning.
-function checkBug(renderer, suite, test) {
+async function checkBug(renderer, suite, test) {
   const columns = suite.columns(test.columns);
   const inputs = suite.inputs(columns, test.inputs);
-  const outputs = evaluate(renderer, suite, test.program, inputs);
+  const outputs = await evaluate(renderer, suite, test.program, inputs);
   const comparison = new Comparison(columns.inputs, inputs);
   const expected = suite.words(test.expected);
   const width = columns.outputs.length;
@@ -239,12 +239,12 @@ function checkBug(renderer, suite, test) {
 const kChecks = { compiles: checkCompiles, refused: checkRefused, values: checkValues, same: checkSame, bug: checkBug };
 
 // The outcome of a case; whatever happens in it becomes one.
-export function runCase(renderer, suite, test) {
+export async function runCase(renderer, suite, test) {
   if (test.decided) return outcomeWith(test.decided.status, test.decided.message);
   try {
     const check = kChecks[test.check];
     if (!check) return outcomeWith("error", `the page knows no check "${test.check}"`);
-    return check(renderer, suite, test);
+    return await check(renderer, suite, test);
   } catch (error) {
     return outcomeWith(error instanceof DriverError ? "fail" : "error", error.message);
   }

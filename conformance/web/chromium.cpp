@@ -85,6 +85,12 @@ std::span<const Browser> all_browsers() {
        {"--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist"},
        {"EGL_PLATFORM=surfaceless", "LIBGL_ALWAYS_SOFTWARE=1", "GALLIUM_DRIVER=llvmpipe"},
        "llvmpipe"},
+      {"webgpu",
+       "Chromium's WebGPU on SwiftShader, headless",
+       {"--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader"},
+       {},
+       "swiftshader",
+       Platform::webgpu},
   };
   return kBrowsers;
 }

@@ -78,7 +78,7 @@ async function main() {
     await run(suite);
   } catch (error) {
     const without = error instanceof NoContext;
-    showStopped(without ? "No WebGL2 here" : "The page could not go on", error.message);
+    showStopped(without ? `No ${suite.api === "webgpu" ? "WebGPU" : "WebGL2"} here` : "The page could not go on", error.message);
     await tell(suite, { type: "stopped", verdict: shownVerdict(), message: error.message });
   }
 }

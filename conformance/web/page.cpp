@@ -13,8 +13,8 @@
 namespace hn {
 namespace {
 
-constexpr std::array<std::string_view, 7> kModules = {"main.js",     "runner.js", "checks.js",  "report.js",
-                                                      "failures.js", "suite.js",  "renderer.js"};
+constexpr std::array<std::string_view, 8> kModules = {"main.js",     "runner.js", "checks.js",   "report.js",
+                                                      "failures.js", "suite.js",  "renderer.js", "webgpu.js"};
 
 void replace_all(std::string& text, std::string_view old, std::string_view with) {
   for (auto at = text.find(old); at != std::string::npos; at = text.find(old, at + with.size())) {

@@ -36,7 +36,7 @@ export function openContext() {
   return gl;
 }
 
-export function describe(gl) {
+function describe(gl) {
   const unmasked = gl.getExtension("WEBGL_debug_renderer_info");
   const text = (name) => String(gl.getParameter(name) ?? "");
   return {
@@ -58,6 +58,14 @@ export class Renderer {
     gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, this.output, 0);
     this.vertexArray = gl.createVertexArray();
     this.captured = gl.createBuffer();
+  }
+
+  describe() {
+    return describe(this.gl);
+  }
+
+  isLost() {
+    return this.gl.isContextLost();
   }
 
   makeTexture() {

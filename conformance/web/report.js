@@ -21,11 +21,11 @@ export function asExpected(results) {
 }
 
 // Of the schema that hn-conform writes (docs/formats.md). The page has the random points of seed 1.
-export function resultsJson({ version, library }, info, results) {
+export function resultsJson({ version, library, api }, info, results) {
   const totals = Object.fromEntries(kStatuses.map((status) => [status, count(results, status)]));
   const date = new Date().toISOString().replace(/\.\d+Z$/, "Z");
   const tested = library === null ? {} : { library };
-  const run = { driver: "webgl2", ...info, seed: 1, ...tested, date, totals, as_expected: asExpected(results),
+  const run = { driver: api, ...info, seed: 1, ...tested, date, totals, as_expected: asExpected(results),
                 cases: results };
   return JSON.stringify({ schema: 2, version, runs: [run] }, null, 1) + "\n";
 }

@@ -1,6 +1,7 @@
 // Runs the cases one after the other, over lost contexts.
 import { kBadStatuses, outcomeWith, runCase } from "./checks.js";
-import { NoContext, Renderer, describe, openContext } from "./renderer.js";
+import { NoContext, Renderer, openContext } from "./renderer.js";
+import { openDevice } from "./webgpu.js";
 
 // A context that is gone may come back when the browser has started its GPU process again.
 const kNewContextTries = 50;
@@ -22,11 +23,12 @@ function breathe() {
   });
 }
 
-async function newContext() {
+// What opens another one, until there is one that is not lost at once.
+async function reopened(open) {
   for (let tries = 1; ; ++tries) {
     try {
-      const gl = openContext();
-      if (!gl.isContextLost()) return gl;
+      const found = await open();
+      if (!found.isLost()) return found;
     } catch (error) {
       if (!(error instanceof NoContext) || tries >= kNewContextTries) throw error;
     }
@@ -35,24 +37,31 @@ async function newContext() {
   }
 }
 
+const kOpen = { webgl2: () => new Renderer(openContext()), webgpu: openDevice };
+
 // listener: async ready(info), started(id), finished(result). Throws NoContext if there is none.
 export async function runSuite(suite, listener) {
-  let gl = openContext();
-  let renderer = new Renderer(gl);
-  await listener.ready(describe(gl));
+  // What runs the cases of each API; null where it was lost. The page cannot do without one.
+  const renderers = { [suite.api]: await kOpen[suite.api]() };
+  await listener.ready(renderers[suite.api].describe());
   for (const test of suite.cases) {
+    const api = suite.apiOf(test);
     await listener.started(test.id);
-    if (gl === null) {
-      gl = await newContext();
-      renderer = new Renderer(gl);
+    let outcome;
+    try {
+      if (!(api in renderers)) renderers[api] = await kOpen[api]();
+      else renderers[api] ??= await reopened(kOpen[api]);
+    } catch (error) {
+      if (!(error instanceof NoContext) || api === suite.api) throw error;
+      outcome = outcomeWith("unsupported", error.message);
     }
     const start = performance.now();
-    let outcome = runCase(renderer, suite, test);
+    outcome ??= await runCase(renderers[api], suite, test);
     const seconds = (performance.now() - start) / 1000;
     if (kBadStatuses.includes(outcome.status)) await wait(kMillisecondsUntilLossIsTold);
-    if (gl.isContextLost()) {
+    if (renderers[api]?.isLost()) {
       outcome = outcomeWith("crash", "the context was lost");
-      gl = null;
+      renderers[api] = null;
     }
     await listener.finished({ id: test.id, ...outcome, seconds });
     await breathe();

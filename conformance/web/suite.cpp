@@ -17,6 +17,7 @@
 #include "expected/golden.hpp"
 #include "expected/pairing.hpp"
 #include "expected/tolerance.hpp"
+#include "web/wgsl.hpp"
 
 namespace hn {
 namespace {
@@ -47,12 +48,13 @@ class Table {
 
 class SuiteWriter {
  public:
-  SuiteWriter(const SourceSet& sources, const std::filesystem::path& golden) : sources_(sources), golden_(golden) {}
+  SuiteWriter(const SourceSet& sources, const std::filesystem::path& golden, std::span<const Case> cases)
+      : sources_(sources), golden_(golden), wgsl_(sources, cases) {}
 
   Json case_json(const Case& test) {
     auto part = part_of(test);
     if (!part) {
-      defect_ = part.error().message;
+      if (is_bad(part.error().status)) defect_ = part.error().message;
       part = decided(part.error());
     }
     Json with_id = {{"id", test.id}, {"facets", facets_json(test.id)}};
@@ -62,8 +64,8 @@ class SuiteWriter {
 
   const std::optional<std::string>& defect() const { return defect_; }
 
-  Json finish(Json cases, std::string_view report_to) const {
-    Json suite = {{"schema", 1}, {"version", library_version()}};
+  Json finish(Json cases, std::string_view report_to, Platform platform) const {
+    Json suite = {{"schema", 1}, {"version", library_version()}, {"api", api_of(platform)}};
     if (sources_.edited()) suite["library"] = to_json(*sources_.edited());
     if (!report_to.empty()) suite["report_to"] = report_to;
     suite["uniforms"] = {{"trips", {{"type", "int"}, {"value", kLoopTrips}}},
@@ -123,8 +125,19 @@ class SuiteWriter {
         {{"stage", name_of(stage)}, {"vertex", of_vertices ? main : other}, {"fragment", of_vertices ? other : main}});
   }
 
+  static std::string_view api_of(Platform platform) { return platform == Platform::webgpu ? "webgpu" : "webgl2"; }
+
   tl::expected<std::size_t, Outcome> program(const Evaluation& evaluation) {
+    if (evaluation.profile.language == Language::wgsl) return wgsl_program(evaluation);
     return program(evaluation.profile, evaluation_shader(evaluation), evaluation.stage);
+  }
+
+  tl::expected<std::size_t, Outcome> wgsl_program(const Evaluation& evaluation) {
+    HN_TRY(const auto texts, wgsl_.find(evaluation));
+    Json pieces = Json::array();
+    for (const std::string& text : texts) pieces.push_back(texts_.number_of(text));
+    const std::size_t shader = shaders_.number_of({{"pieces", pieces}, {"paths", Json::array()}});
+    return programs_.number_of({{"stage", "compute"}, {"wgsl", shader}});
   }
 
   Part part(const CompilationKind& compilation) {
@@ -265,6 +278,7 @@ class SuiteWriter {
 
   const SourceSet& sources_;
   const std::filesystem::path& golden_;
+  const WgslShaders wgsl_;
   std::optional<std::string> defect_;
   Table facets_;
   Table texts_;
@@ -275,20 +289,27 @@ class SuiteWriter {
 
 }  // namespace
 
-std::string unsupported_in_browser(const Case& test) {
+LanguageSupport webgpu_languages() {
+  LanguageSupport languages;
+  languages.profiles = {"wgsl"};
+  return languages;
+}
+
+std::string unsupported_in_browser(const Case& test, Platform platform) {
   if (!test.needs_driver()) return "this check is the harness's own: no driver takes part in it";
-  if (auto reason = unsupported_reason(profile_named(test.name.profile), kWebGl2Languages); !reason.empty()) {
-    return reason;
-  }
+  const Profile& profile = profile_named(test.name.profile);
+  if (profile.platform() != platform) return fmt::format("this is for drivers of {}", name_of(profile.platform()));
+  const LanguageSupport languages = platform == Platform::webgpu ? webgpu_languages() : kWebGl2Languages;
+  if (auto reason = unsupported_reason(profile, languages); !reason.empty()) return reason;
   return test.is<CheckKind>() ? "this check runs in the program only, not in a browser" : "";
 }
 
 PageSuite make_suite(const SourceSet& sources, const std::filesystem::path& golden, std::span<const Case> cases,
-                     std::string_view report_to) {
-  SuiteWriter writer(sources, golden);
+                     std::string_view report_to, Platform platform) {
+  SuiteWriter writer(sources, golden, cases);
   Json list = Json::array();
   for (const Case& test : cases) list.push_back(writer.case_json(test));
-  const Json suite = writer.finish(std::move(list), report_to);
+  const Json suite = writer.finish(std::move(list), report_to, platform);
   return {dump(suite), writer.defect()};
 }
 

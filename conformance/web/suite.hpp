@@ -17,8 +17,11 @@ namespace hn {
 inline constexpr LanguageSupport kWebGl2Languages = {
     .gl_version = 0, .es_version = 300, .gl130 = false, .bit_encoding = false};
 
-// Why WebGL2 or the page cannot run a case; empty if they can.
-std::string unsupported_in_browser(const Case& test);
+// WebGPU takes WGSL.
+LanguageSupport webgpu_languages();
+
+// Why WebGL2, or WebGPU, or the page cannot run a case; empty if they can.
+std::string unsupported_in_browser(const Case& test, Platform platform = Platform::opengl);
 
 struct PageSuite {
   std::string json;
@@ -27,9 +30,9 @@ struct PageSuite {
 };
 
 // The JSON text of the cases. The page must be able to run each of them. The page posts what happens to report_to, if
-// that is not empty.
+// that is not empty. The platform is that without which the page cannot begin.
 PageSuite make_suite(const SourceSet& sources, const std::filesystem::path& golden, std::span<const Case> cases,
-                     std::string_view report_to = {});
+                     std::string_view report_to = {}, Platform platform = Platform::opengl);
 
 // The page with a suite in it, of the library or an edited one: one HTML file that needs nothing else, not even a
 // server.

@@ -25,6 +25,7 @@ export class Suite {
     this.uniforms = json.uniforms;
     this.reportTo = json.report_to ?? null;
     this.json = json;
+    this.api = json.api;
   }
 
   // What the names of the cases say of them, by id: texts, as in facets.hpp.
@@ -43,7 +44,8 @@ export class Suite {
 
   // What Renderer.build takes.
   program(number) {
-    const { stage, vertex, fragment } = this.json.programs[number];
+    const { stage, vertex, fragment, wgsl } = this.json.programs[number];
+    if (wgsl !== undefined) return { stage, wgsl: this.shader(wgsl) };
     return { stage, vertex: this.shader(vertex), fragment: this.shader(fragment) };
   }
 
@@ -54,6 +56,12 @@ export class Suite {
 
   doubles(number) {
     return new Float64Array(bytesOf(this.json.data[number]).buffer);
+  }
+
+  // What must run a case: "webgl2" or "webgpu".
+  apiOf(test) {
+    const program = this.json.programs[test.program];
+    return program === undefined ? this.api : program.wgsl === undefined ? "webgl2" : "webgpu";
   }
 
   // The columns of a function: "x:f32 seed:u32 = value:f64".

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdlib>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -129,6 +130,65 @@ TEST(Suite, AHashComesWithItsDigestAndExactWords) {
   EXPECT_EQ(test["allowed"], 0.0);
   EXPECT_EQ(test["digest"]["size"].size(), 2u);
   EXPECT_EQ(test["digest"]["fnv1a64"].get<std::string>().size(), 16u);
+}
+
+// The program of the only case, which is in WGSL.
+std::string wgsl_of(const Json& suite) {
+  return text_of(suite, suite["programs"][suite["cases"][0]["program"].get<std::size_t>()]["wgsl"]);
+}
+
+Json wgsl_suite(const SourceSet& sources) {
+  const auto cases = all_cases();
+  const Case& test = case_named(cases, "noise2d.perlin.lattice.fixed.compute.wgsl.golden");
+  return Json::parse(make_suite(sources, HN_GOLDEN_DIRECTORY, std::span(&test, 1)).json);
+}
+
+SourceSet with_in_hash(std::string_view old, std::string_view with) {
+  SourceSet sources = SourceSet::embedded();
+  const SourceFile file = *sources.find("hash.glsl");
+  sources.add("hash.glsl", std::string(file.text).replace(file.text.find(old), old.size(), with), file.path);
+  return sources;
+}
+
+TEST(Suite, AShaderInWgslIsMadeOfTheLibrary) {
+  const std::string text = wgsl_of(wgsl_suite(SourceSet::embedded()));
+  EXPECT_NE(text.find("fn hn_perlin2("), std::string::npos);
+  EXPECT_NE(text.find("0x85EBCA77u"), std::string::npos);
+  EXPECT_EQ(text.find("hn_perlin3"), std::string::npos);
+  const std::string other = wgsl_of(wgsl_suite(with_in_hash("0x85EBCA77u", "0x85EBCA79u")));
+  EXPECT_NE(other.find("0x85EBCA79u"), std::string::npos);
+}
+
+TEST(Suite, WhatHasNoTranslationFails) {
+  const Json test = wgsl_suite(with_in_hash("k ^= k >> 15u;", "k ^= ~k;"))["cases"][0];
+  EXPECT_EQ(test["decided"]["status"], "fail");
+  const auto message = test["decided"]["message"].get<std::string>();
+  EXPECT_NE(message.find("the library has no translation to WGSL"), std::string::npos) << message;
+}
+
+TEST(Suite, WithoutPythonNothingIsInWgsl) {
+  const std::string path = getenv("PATH");
+  setenv("PATH", "/nowhere", 1);
+  const Json test = wgsl_suite(SourceSet::embedded())["cases"][0];
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(test["decided"]["status"], "unsupported");
+  EXPECT_NE(test["decided"]["message"].get<std::string>().find("python3"), std::string::npos) << test;
+}
+
+TEST(Suite, FaultsAreOfGlsl) {
+  SourceSet sources = SourceSet::embedded();
+  sources.transform_with([](ShaderText&, const Profile&) { return Result<void>(); });
+  EXPECT_EQ(wgsl_suite(sources)["cases"][0]["decided"]["status"], "unsupported");
+}
+
+TEST(Suite, WebGpuHasTheCasesInWgsl) {
+  std::size_t supported = 0;
+  for (const Case& test : all_cases()) {
+    const std::string reason = unsupported_in_browser(test, Platform::webgpu);
+    EXPECT_EQ(reason.empty(), test.id.ends_with(".compute.wgsl.golden")) << test.id << ": " << reason;
+    supported += reason.empty() ? 1 : 0;
+  }
+  EXPECT_GT(supported, 700u);
 }
 
 TEST(Suite, ARefusalNamesItsWord) {

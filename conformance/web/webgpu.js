@@ -1,0 +1,97 @@
+// WebGPU: build a pipeline, evaluate it at many points, read back raw bits. Points and results are in buffers.
+import { DriverError, NoContext } from "./renderer.js";
+import { kInputWords, kOutputWords } from "./suite.js";
+
+const kGroup = 64;  // invocations, as in tools/lib/wgsl/evaluation.py
+const kBytes = 4;   // of a word
+const kNothing = 0xdeadbeef;
+
+// A device of the browser's WebGPU.
+export async function openDevice() {
+  if (!navigator.gpu) throw new NoContext("this browser has no WebGPU, or not for this page");
+  const adapter = await navigator.gpu.requestAdapter();
+  if (!adapter) throw new NoContext("this browser gives no WebGPU adapter");
+  return new Device(adapter, await adapter.requestDevice());
+}
+
+class Device {
+  constructor(adapter, device) {
+    this.adapter = adapter;
+    this.device = device;
+    this.lost = false;
+    device.lost.then(() => (this.lost = true));
+  }
+
+  describe() {
+    const { vendor, architecture, device, description } = this.adapter.info;
+    const renderer = [architecture, device, description].filter(Boolean).join(", ");
+    return { vendor, renderer: renderer || "unknown", gl_version: "WebGPU", glsl_version: "WGSL" };
+  }
+
+  isLost() {
+    return this.lost;
+  }
+
+  // What a call finds wrong is told later, and only to those who ask.
+  async checked(what, call) {
+    this.device.pushErrorScope("validation");
+    this.device.pushErrorScope("out-of-memory");
+    this.device.pushErrorScope("internal");
+    const result = await call();
+    for (let i = 0; i < 3; ++i) {
+      const error = await this.device.popErrorScope();
+      if (error) throw new DriverError(`the driver does not ${what}`, error.message);
+    }
+    return result;
+  }
+
+  async build({ wgsl }) {
+    const module = await this.checked("compile the WGSL", () => this.device.createShaderModule({ code: wgsl.text }));
+    return this.checked("make a pipeline", () => this.device.createComputePipelineAsync({
+      layout: "auto", compute: { module, entryPoint: "main" },
+    }).catch((error) => {
+      throw new DriverError("the driver does not make a pipeline", error.message);
+    }));
+  }
+
+  // A program lasts as long as its case: no two of WGSL share one.
+  kept(number, sources) {
+    return this.build(sources());
+  }
+
+  // inputs: kInputWords per point. Returns kOutputWords per point.
+  async evaluate(pipeline, inputs) {
+    const points = inputs.length / kInputWords;
+    const size = points * kOutputWords * kBytes;
+    const { STORAGE, COPY_SRC, COPY_DST, MAP_READ } = GPUBufferUsage;
+    const buffers = [];
+    const filled = (usage, words) => {
+      const buffer = this.device.createBuffer({ size: words.length * kBytes, usage, mappedAtCreation: true });
+      new Uint32Array(buffer.getMappedRange()).set(words);
+      buffer.unmap();
+      buffers.push(buffer);
+      return buffer;
+    };
+    const read = await this.checked("evaluate", async () => {
+      const source = filled(STORAGE, inputs);
+      const target = filled(STORAGE | COPY_SRC, new Uint32Array(points * kOutputWords).fill(kNothing));
+      const copy = this.device.createBuffer({ size, usage: COPY_DST | MAP_READ });
+      buffers.push(copy);
+      const entries = [source, target].map((buffer, binding) => ({ binding, resource: { buffer } }));
+      const group = this.device.createBindGroup({ layout: pipeline.getBindGroupLayout(0), entries });
+      const encoder = this.device.createCommandEncoder();
+      const pass = encoder.beginComputePass();
+      pass.setPipeline(pipeline);
+      pass.setBindGroup(0, group);
+      pass.dispatchWorkgroups(Math.ceil(points / kGroup));
+      pass.end();
+      encoder.copyBufferToBuffer(target, 0, copy, 0, size);
+      this.device.queue.submit([encoder.finish()]);
+      return copy;
+    });
+    await read.mapAsync(GPUMapMode.READ);
+    const words = new Uint32Array(read.getMappedRange().slice(0));
+    for (const buffer of buffers) buffer.destroy();
+    return words;
+  }
+}

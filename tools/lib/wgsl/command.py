@@ -1,0 +1,91 @@
+"""The command line of tools/wgsl, which describes it."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from tree import GLSL
+from wgsl.module import ARITHMETICS, GRADIENTS, HASHES, Module, Settings
+from wgsl.tokens import Unknown
+
+DESCRIPTION = "Make a WGSL module of the library."
+EPILOG = """\
+noise2d.glsl is the noise on the plane, and fbm2d.glsl the octave sums on the plane; noise3d.glsl and fbm3d.glsl are
+those in space; hashnoise.glsl is everything. docs/languages.md tells the names of the functions.
+
+  tools/wgsl --arithmetic HN_FIXED fbm2d.glsl > fbm2d.wgsl
+  tools/wgsl --only hn_perlin3,hn_fbm2 --strip > noise.wgsl
+  tools/wgsl --names noise2d.glsl
+"""
+
+
+def header(name: str, settings: Settings) -> str:
+    return f"""\
+// hashnoise in WGSL. Made by tools/wgsl from {name} with {settings}.
+// Copyright (c) 2026 The hashnoise authors; MIT License.
+//
+// The functions are those of the GLSL, and so are their comments: vec2 there is vec2f here, ivec2 is vec2i, and uvec2 is
+// vec2u. What has several forms there has a name for each form here, and always takes the seed. What a function sets is a
+// pointer: hn_cellular2_nearest(p, period, jitter, metric, seed, &nearest, &offset).
+
+"""
+
+
+def parsed_arguments() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="tools/wgsl", description=DESCRIPTION, epilog=EPILOG,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--arithmetic", choices=(*ARITHMETICS, "HN_PRECISE"), default="HN_FAST", metavar="NAME",
+                        help="HN_FAST (the default) or HN_FIXED. WGSL has no HN_PRECISE")
+    parser.add_argument("--hash", choices=HASHES, default="LATTICE", metavar="NAME",
+                        help=f"{', '.join(HASHES)} (default: %(default)s)")
+    parser.add_argument("--hash-function", default="", metavar="NAME",
+                        help="with --hash CUSTOM: your function, which takes and returns a u32")
+    parser.add_argument("--gradient", choices=GRADIENTS, default="OCTAHEDRAL", metavar="NAME",
+                        help="OCTAHEDRAL (the default) or SINE")
+    parser.add_argument("--only", default="", metavar="NAMES",
+                        help="these functions and what they need, with commas between; else all public ones")
+    parser.add_argument("--strip", action="store_true", help="leave out comments, empty lines and indentation")
+    parser.add_argument("--names", action="store_true", help="write which function of the GLSL has which name, instead")
+    parser.add_argument("--glsl", type=Path, default=GLSL, metavar="DIR", help="another copy of the library")
+    parser.add_argument("--out", type=Path, metavar="FILE", help="the file to write (default: standard output)")
+    parser.add_argument("name", nargs="?", default="hashnoise.glsl", help="a file of glsl/ (default: %(default)s)")
+    arguments = parser.parse_args()
+    if not (arguments.glsl / arguments.name).is_file():
+        names = ", ".join(sorted(path.name for path in arguments.glsl.glob("*.glsl")))
+        parser.error(f"there is no {arguments.name} in {arguments.glsl}; there are: {names or 'no files'}")
+    return arguments
+
+
+def written_names(module: Module) -> str:
+    """A line for each public function, by its name in WGSL."""
+    lines = [f"{new:40} {old}({', '.join(types)})" for (old, types), new in module.names().items()
+             if old.startswith("hn_") and not old.startswith("hn_i_")]
+    return "".join(f"{line}\n" for line in sorted(lines))
+
+
+def output(arguments: argparse.Namespace) -> str:
+    settings = Settings(arguments.arithmetic, arguments.hash, arguments.gradient, arguments.hash_function)
+    module = Module(arguments.glsl, f'#include "{arguments.name}"\n', settings)
+    if arguments.names:
+        return written_names(module)
+    only = [name.strip() for name in arguments.only.split(",") if name.strip()]
+    return header(arguments.name, settings) + module.text(only, arguments.strip)
+
+
+def main() -> int:
+    arguments = parsed_arguments()
+    try:
+        text = output(arguments)
+        if arguments.out is None:
+            sys.stdout.write(text)
+        else:
+            arguments.out.write_text(text, encoding="ascii")
+    except Unknown as error:
+        sys.stderr.write(f"tools/wgsl: {error}\n")
+        return 1
+    except OSError as error:
+        sys.stderr.write(f"tools/wgsl: cannot write {arguments.out}: {error.strerror}\n")
+        return 2
+    return 0

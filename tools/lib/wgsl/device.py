@@ -1,0 +1,87 @@
+"""WGSL on this machine outside of a browser: PyPI's wgpu, which is naga and a driver of Vulkan, Metal or DirectX."""
+
+from __future__ import annotations
+
+import importlib
+import os
+import subprocess
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from types import ModuleType
+
+from tree import ROOT
+from wgsl.evaluation import GROUP
+
+WGPU = "wgpu==0.32.0"
+FOLDER = ROOT / "build" / WGPU.replace("==", "-")
+INPUT_WORDS = 16
+OUTPUT_WORDS = 4
+
+
+class Absent(Exception):
+    """Why there is no wgpu here."""
+
+
+def find_wgpu() -> ModuleType:
+    """The package, which is installed into the folder of builds if nobody has it."""
+    os.environ.setdefault("XDG_RUNTIME_DIR", "/tmp")  # else Wayland's library complains
+    for attempt in ("there", "installed before", "now"):
+        if attempt == "installed before":
+            sys.path.insert(0, str(FOLDER))
+        if attempt == "now":
+            _install()
+            importlib.invalidate_caches()
+        try:
+            return importlib.import_module("wgpu")
+        except ImportError:
+            continue
+    raise Absent(f"{WGPU} cannot be imported from {FOLDER}")
+
+
+def _install() -> None:
+    command = [sys.executable, "-m", "pip", "install", "--quiet", "--no-input", "--target", str(FOLDER), WGPU]
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=300)
+    except (OSError, subprocess.TimeoutExpired) as error:
+        raise Absent(f"{WGPU} cannot be installed: {error}") from error
+    if done.returncode != 0:
+        raise Absent(f"{WGPU} cannot be installed: {done.stderr.strip()[-300:]}")
+
+
+class Device:
+    def __init__(self) -> None:
+        self._wgpu = find_wgpu()
+        try:
+            self._device = self._wgpu.gpu.request_adapter_sync().request_device_sync()
+        except Exception as error:  # what it raises has no common type
+            raise Absent(f"wgpu finds no device here: {error}") from error
+
+    def __str__(self) -> str:
+        info = self._device.adapter.info
+        return f"{info['device']} ({info['backend_type']})"
+
+    def compile(self, text: str):
+        """A shader module; what is wrong in the text is raised."""
+        return self._device.create_shader_module(code=text)
+
+    def evaluate(self, text: str, inputs: Sequence[Sequence[int]]) -> list[tuple[int, ...]]:
+        """The words that come out of a shader for each point: those that go in are as many as its columns."""
+        device, usage = self._device, self._wgpu.BufferUsage
+        pipeline = device.create_compute_pipeline(
+            layout="auto", compute={"module": self.compile(text), "entry_point": "main"})
+        words = b"".join(word.to_bytes(4, "little") for point in inputs
+                         for word in (*point, *[0] * (INPUT_WORDS - len(point))))
+        source = device.create_buffer_with_data(data=words, usage=usage.STORAGE)
+        target = device.create_buffer(size=4 * OUTPUT_WORDS * len(inputs), usage=usage.STORAGE | usage.COPY_SRC)
+        entries = [{"binding": number, "resource": {"buffer": buffer}} for number, buffer in enumerate((source, target))]
+        group = device.create_bind_group(layout=pipeline.get_bind_group_layout(0), entries=entries)
+        encoder = device.create_command_encoder()
+        compute = encoder.begin_compute_pass()
+        compute.set_pipeline(pipeline)
+        compute.set_bind_group(0, group)
+        compute.dispatch_workgroups(-(-len(inputs) // GROUP))
+        compute.end()
+        device.queue.submit([encoder.finish()])
+        results = memoryview(device.queue.read_buffer(target)).cast("B").cast("I").tolist()
+        return [tuple(results[i:i + OUTPUT_WORDS]) for i in range(0, len(results), OUTPUT_WORDS)]

@@ -1,0 +1,105 @@
+"""The names that functions and variables have in WGSL, which has no overloads. They follow from one function alone, so
+they do not move when others are added.
+
+A public function has its name in GLSL, and behind it:
+
+  1 to 4      its dimensions: the components of the position, the cell or the words that it takes
+  _phase      if it takes a phase
+  _cell       if it takes a cell and the place in it
+  _period     if it takes a period
+  _full       if it takes everything that may be chosen, a jitter among it; then the period is not named
+  _nearest    as _full, if it also sets the nearest point
+  _detail, _footprint    if it takes that
+
+So hn_perlin(ivec2 cell, vec2 f, ivec2 period, uint seed) is hn_perlin2_cell_period. Functions of a word that are not
+overloaded keep their names: hn_hash_pcg, hn_unorm, hn_gradient2. So hn_gradient of a cell is hn_gradient_lattice2.
+
+An internal function has the types of its parameters behind its name: hn_i_lerp_f32_f32_f32. A struct is called there as
+it is, without the hn_i_.
+"""
+
+from __future__ import annotations
+
+from wgsl.syntax import Function
+
+# A function of a word that is not overloaded.
+ONE_WORD = ("h", "k")
+CELLS_OF_OTHERS = {"hn_gradient": "hn_gradient_lattice"}
+
+# Names of variables that WGSL reserves, or that the module calls.
+RESERVED = frozenset("""
+    NULL Self abstract active alignas alignof as asm asm_fragment async attribute auto await become cast catch class
+    co_await co_return co_yield coherent column_major common compile compile_fragment concept const_cast consteval
+    constexpr constinit crate debugger decltype delete demote demote_to_helper do dynamic_cast enum explicit export
+    extends extern external fallthrough filter final finally friend from fxgroup get goto groupshared highp impl
+    implements import inline instanceof interface layout lowp macro macro_rules match mediump meta mod module move mut
+    mutable namespace new nil noexcept noinline nointerpolation non_coherent noncoherent noperspective null nullptr of
+    operator package packoffset partition pass patch pixelfragment precise precision premerge priv protected pub public
+    readonly ref regardless register reinterpret_cast require resource restrict self set shared sizeof smooth snorm
+    static static_assert static_cast std subroutine super target template this thread_local throw trait try type
+    typedef typeid typename typeof union unless unorm unsafe unsized use using varying virtual volatile wgsl where with
+    writeonly yield
+    alias break case const const_assert continue continuing default diagnostic discard else enable false fn for if let
+    loop override requires return struct switch true var while
+    abs bitcast floor f32 i32 max min select sqrt trunc u32 bool vec2f vec3f vec4f vec2i vec3i vec4i vec2u vec3u vec4u
+    """.split())
+
+WGSL_SCALARS = {"float": "f32", "int": "i32", "uint": "u32", "bool": "bool"}
+WGSL_LETTERS = {"": "f", "i": "i", "u": "u"}
+
+
+def wgsl_type(glsl: str) -> str:
+    """vec2f for vec2; a struct keeps its name."""
+    if glsl in WGSL_SCALARS:
+        return WGSL_SCALARS[glsl]
+    prefix, vec, size = glsl.partition("vec")
+    if vec and prefix in WGSL_LETTERS and size in ("2", "3", "4"):
+        return f"vec{size}{WGSL_LETTERS[prefix]}"
+    return glsl
+
+
+def components(glsl: str) -> int:
+    return int(glsl[-1]) if "vec" in glsl else 1
+
+
+def variable(name: str) -> str:
+    return f"{name}_" if name in RESERVED else name
+
+
+def is_public(name: str) -> bool:
+    return name.startswith("hn_") and not name.startswith("hn_i_")
+
+
+def is_passed(constant: str) -> bool:
+    """Whether users pass it. (Knobs and versions are the preprocessor's own.)"""
+    return constant.startswith("HN_METRIC_")
+
+
+def wgsl_name(function: Function) -> str:
+    return _public(function) if is_public(function.name) else _internal(function)
+
+
+def _internal(function: Function) -> str:
+    if not function.name.startswith("hn_"):
+        return function.name  # the user's own
+    return "_".join((function.name, *(wgsl_type(type_).removeprefix("hn_i_") for type_ in function.types)))
+
+
+def _public(function: Function) -> str:
+    takes = [parameter.at.text for parameter in function.parameters]
+    if tuple(takes) in ((word,) for word in ONE_WORD):
+        return function.name
+    name = function.name
+    if name in CELLS_OF_OTHERS and "f" not in takes:
+        name = CELLS_OF_OTHERS[name]
+    parts = [f"{name}{components(function.types[0])}"]
+    parts += ["phase"] * ("phase" in takes)
+    parts += ["cell"] * ("cell" in takes and "f" in takes)
+    if "nearest" in takes:
+        parts.append("nearest")
+    elif "jitter" in takes:
+        parts.append("full")
+    elif "period" in takes:
+        parts.append("period")
+    parts += [word for word in ("detail", "footprint") if word in takes]
+    return "_".join(parts)

@@ -1,0 +1,253 @@
+"""GLSL's preprocessor, which keeps the comments, and leaves the macros in place that only stand for a number.
+
+Such a macro becomes a constant of the WGSL module, so that its name stays in the text.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import operator
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+from wgsl.tokens import Token, Unknown, tokens_of
+
+DIRECTIVE = re.compile(r"\s*#\s*(\w+)\s*(.*)")
+DEFINE = re.compile(r"(\w+)(\(([\w\s,]*)\))?\s*(.*)")
+BINARY = {  # of the conditions of #if, by how strongly they bind
+    "||": (1, lambda a, b: int(bool(a) or bool(b))), "&&": (2, lambda a, b: int(bool(a) and bool(b))),
+    "==": (3, operator.eq), "!=": (3, operator.ne), "<": (4, operator.lt), "<=": (4, operator.le),
+    ">": (4, operator.gt), ">=": (4, operator.ge), "+": (5, operator.add), "-": (5, operator.sub),
+    "*": (6, operator.mul)}
+
+
+@dataclass(frozen=True)
+class Macro:
+    name: str
+    parameters: tuple[str, ...] | None  # None where it takes no parentheses
+    body: tuple[Token, ...]
+    comment: str  # behind it
+
+
+@dataclass(frozen=True)
+class Constant:
+    """A macro that stands for a number, or for an expression of numbers."""
+    name: str
+    body: tuple[Token, ...]
+    comment: str
+
+
+class Preprocessor:
+    """The tokens of a text, in the order in which a compiler sees them."""
+
+    def __init__(self, library: Path, settings: dict[str, str]):
+        self.library = library
+        self.macros: dict[str, Macro] = {}
+        self.constants: dict[str, Constant] = {}
+        self.tokens: list[Token] = []
+        self._chunk: list[Token] = []    # what is not expanded yet
+        self._heading = ""               # the first line of the file, above its first token
+        self._comments: list[str] = []   # above the next token
+        for name, value in settings.items():
+            self._define(f"{name} {value}", "the options", 0, "")
+
+    def read(self, text: str, path: str) -> None:
+        self._read(text, path)
+        self._flush()
+
+    def stands_for(self, name: str, text: str) -> bool:
+        """Whether a macro is defined as that text."""
+        return name in self.macros and " ".join(token.text for token in self.macros[name].body) == text
+
+    def _read(self, text: str, path: str) -> None:
+        heading = text.partition("\n")[0]
+        self._heading = heading if heading.startswith("//") else ""
+        taken = [True]      # of each open #if: whether its present branch is active
+        finished = [False]  # and whether one of its branches was
+        for number, line in enumerate(text.split("\n"), 1):
+            code, slashes, comment = line.partition("//")
+            comment = f"//{comment.rstrip()}" if slashes else ""
+            directive = DIRECTIVE.fullmatch(code.rstrip())
+            if directive:
+                self._direct(directive[1], directive[2].strip(), comment, path, number, taken, finished)
+            elif all(taken) and line != self._heading:
+                self._take(code, comment, path, number)
+        if len(taken) > 1:
+            raise Unknown(f"{path}: an #if has no #endif")
+
+    def _take(self, code: str, comment: str, path: str, line: int) -> None:
+        tokens = tokens_of(code, path, line)
+        if not tokens:
+            self._comments.append(comment)
+            return
+        heading = [self._heading, ""] if self._heading else []
+        tokens[0] = dataclasses.replace(tokens[0], before=(*heading, *self._comments))
+        tokens[-1] = dataclasses.replace(tokens[-1], after=comment)
+        self._heading, self._comments = "", []
+        self._chunk += tokens
+
+    def _direct(self, name: str, rest: str, comment: str, path: str, line: int, taken: list[bool],
+                finished: list[bool]) -> None:
+        if name in ("if", "ifdef", "ifndef"):
+            active = all(taken)
+            if name == "if":
+                holds = active and self._holds(rest, path, line)
+            else:
+                holds = (rest in self.macros) == (name == "ifdef")
+            taken.append(holds)
+            finished.append(holds)
+        elif name in ("elif", "else", "endif"):
+            if len(taken) == 1:
+                raise Unknown(f"{path}:{line}: #{name} has no #if")
+            before = finished[-1]
+            taken.pop()
+            finished.pop()
+            if name == "endif":
+                self._comments = [] if all(taken) else self._comments
+            elif name == "else":
+                taken.append(not before)
+                finished.append(True)
+            else:
+                holds = not before and all(taken) and self._holds(rest, path, line)
+                taken.append(holds)
+                finished.append(before or holds)
+        elif not all(taken):
+            return
+        elif name == "define":
+            self._flush()
+            self._define(rest, path, line, comment)
+            self._comments = []
+        elif name == "undef":
+            self._flush()
+            self.macros.pop(rest, None)
+            self._comments = []
+        elif name == "include":
+            self._include(rest, path, line)
+        elif name == "error":
+            raise Unknown(f"{path}:{line}: {rest}")
+        else:
+            raise Unknown(f"{path}:{line}: the translator does not know #{name}")
+
+    def _include(self, rest: str, path: str, line: int) -> None:
+        file = re.fullmatch(r'"([\w.]+)"', rest)
+        if not file or not (self.library / file[1]).is_file():
+            raise Unknown(f"{path}:{line}: there is no {rest} in {self.library}")
+        self._flush()
+        heading = self._heading
+        self._read((self.library / file[1]).read_text(encoding="ascii"), file[1])
+        self._heading, self._comments = heading, []
+
+    def _define(self, text: str, path: str, line: int, comment: str) -> None:
+        match = DEFINE.fullmatch(text)
+        if not match:
+            raise Unknown(f"{path}:{line}: #define {text} is not one that the translator knows")
+        name = match[1]
+        parameters = None
+        if match[2] is not None:
+            parameters = tuple(part.strip() for part in match[3].split(",")) if match[3].strip() else ()
+        body = tuple(tokens_of(match[4], path, line))
+        macro = Macro(name, parameters, body, comment)
+        if self._is_constant(macro):
+            known = self.constants.get(name)
+            if known and [token.text for token in known.body] != [token.text for token in body]:
+                raise Unknown(f"{path}:{line}: {name} stands for two numbers")
+            self.constants[name] = Constant(name, body, comment)
+        self.macros[name] = macro
+
+    def _is_constant(self, macro: Macro) -> bool:
+        if macro.parameters is not None or not macro.body:
+            return False
+        known = all(token.kind == "number" or token.text in self.constants or token.text in ("+", "-", "*", "/", "(", ")")
+                    for token in macro.body)
+        return known and any(token.kind == "number" for token in macro.body)
+
+    def _flush(self) -> None:
+        if self._chunk:
+            self.tokens += self._expanded(self._chunk, keep_constants=True)
+            self._chunk = []
+
+    def _expanded(self, tokens: list[Token], keep_constants: bool) -> list[Token]:
+        stack = tokens[::-1]
+        done: list[Token] = []
+        comments: tuple[str, ...] = ()
+        while stack:
+            token = stack.pop()
+            if comments:
+                token = dataclasses.replace(token, before=comments + token.before)
+                comments = ()
+            macro = self.macros.get(token.text) if token.kind == "word" and token.text not in token.hidden else None
+            if macro is None or (keep_constants and token.text in self.constants):
+                done.append(token)
+                continue
+            hidden = token.hidden | {macro.name}
+            body = list(macro.body)
+            if macro.parameters is not None:
+                if not stack or stack[-1].text != "(":
+                    done.append(token)
+                    continue
+                arguments, last = self._arguments(token, stack)
+                hidden = (token.hidden & last.hidden) | {macro.name}
+                if len(arguments) != len(macro.parameters) and not (arguments == [[]] and not macro.parameters):
+                    raise token.error(f"{macro.name} has {len(arguments)} arguments instead of {len(macro.parameters)}")
+                values = {name: self._expanded(argument, keep_constants)
+                          for name, argument in zip(macro.parameters, arguments)}
+                body = [part for piece in macro.body for part in values.get(piece.text, [piece])]
+                token = dataclasses.replace(token, after=last.after)
+            body = [dataclasses.replace(part, path=token.path, line=token.line, hidden=part.hidden | hidden, before=(),
+                                        after="") for part in body]
+            if body:
+                body[0] = dataclasses.replace(body[0], before=token.before)
+                body[-1] = dataclasses.replace(body[-1], after=token.after)
+            else:
+                comments = token.before
+            stack += body[::-1]
+        return done
+
+    @staticmethod
+    def _arguments(name: Token, stack: list[Token]) -> tuple[list[list[Token]], Token]:
+        """Takes the arguments of a macro off the stack, and the parenthesis that closes them."""
+        stack.pop()
+        arguments: list[list[Token]] = [[]]
+        depth = 0
+        while stack:
+            token = stack.pop()
+            if token.text == ")" and depth == 0:
+                return arguments, token
+            depth += (token.text == "(") - (token.text == ")")
+            if token.text == "," and depth == 0:
+                arguments.append([])
+            else:
+                arguments[-1].append(token)
+        raise name.error(f"the arguments of {name.text} have no end")
+
+    def _holds(self, text: str, path: str, line: int) -> bool:
+        defined = re.sub(r"defined\s*(?:\(\s*(\w+)\s*\)|(\w+))",
+                         lambda match: str(int((match[1] or match[2]) in self.macros)), text)
+        tokens = self._expanded(tokens_of(defined, path, line), keep_constants=False)
+        tokens.append(Token("end", "", path, line))
+        value, rest = self._value(tokens, 0)
+        if rest[0].kind != "end":
+            raise rest[0].error(f"{rest[0]} is not expected in #if {text}")
+        return bool(value)
+
+    def _value(self, tokens: list[Token], strength: int) -> tuple[int, list[Token]]:
+        """The value of a condition, and the tokens behind it. Operators that bind as `strength` or weaker end it."""
+        first, rest = tokens[0], tokens[1:]
+        if first.text == "!":
+            value, rest = self._value(rest, 7)
+            value = int(not value)
+        elif first.text == "(":
+            value, rest = self._value(rest, 0)
+            if rest[0].text != ")":
+                raise rest[0].error(f"{rest[0]} stands where ) is expected in a condition")
+            rest = rest[1:]
+        elif first.kind == "number":
+            value = int(first.text.rstrip("uU"), 0)
+        else:
+            raise first.error(f"{first} has no value in a condition")
+        while rest[0].text in BINARY and BINARY[rest[0].text][0] > strength:
+            binds, function = BINARY[rest[0].text]
+            other, rest = self._value(rest[1:], binds)
+            value = int(function(value, other))
+        return value, rest

@@ -1,0 +1,44 @@
+"""The words, numbers and signs of GLSL, with where they stand and the comments beside them."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+NUMBER = r"0[xX][0-9a-fA-F]+[uU]?|(?:\d+\.\d*|\.\d+)(?:[eE][+-]?\d+)?[fF]?|\d+[eE][+-]?\d+[fF]?|\d+[uU]?"
+SIGN = r"<<=|>>=|&&|\|\||\+\+|--|<<|>>|[-+*/%&|^<>=!]=|[-+*/%&|^<>=!~?:;,.(){}\[\]]"
+TOKEN = re.compile(rf"\s*(?:(?P<word>[A-Za-z_]\w*)|(?P<number>{NUMBER})|(?P<sign>{SIGN}))")
+
+
+class Unknown(Exception):
+    """What the translator does not know, and where: "FILE:LINE: what"."""
+
+
+@dataclass(frozen=True)
+class Token:
+    kind: str  # word, number, sign, or end
+    text: str
+    path: str
+    line: int
+    before: tuple[str, ...] = ()  # the comment lines above it, and "" for an empty line
+    after: str = ""               # the comment behind it, on its line
+    hidden: frozenset[str] = frozenset()  # macros that it came out of, which do not expand in it again
+
+    def error(self, message: str) -> Unknown:
+        return Unknown(f"{self.path}:{self.line}: {message}")
+
+    def __str__(self) -> str:
+        return "the end of the text" if self.kind == "end" else self.text
+
+
+def tokens_of(code: str, path: str, line: int) -> list[Token]:
+    """The tokens of a text without comments, all of one line."""
+    found, position = [], 0
+    code = code.rstrip()
+    while position < len(code):
+        match = TOKEN.match(code, position)
+        if not match or match.end() == position:
+            raise Unknown(f"{path}:{line}: {code[position:].split()[0]} is no GLSL that the translator knows")
+        found.append(Token(match.lastgroup, match[match.lastgroup], path, line))
+        position = match.end()
+    return found

@@ -1,0 +1,108 @@
+"""The generated WGSL compiles, and has the values of the golden files, outside of a browser.
+
+Exit status: 0 it does, 1 it does not, 77 there is no wgpu here.
+"""
+
+from __future__ import annotations
+
+import shutil
+import struct
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from tables.functions import read_functions
+from tree import FUNCTIONS, GLSL, GOLDEN
+from wgsl.device import Absent, Device
+from wgsl.evaluation import evaluations, macros_of_rows
+from wgsl.module import ARITHMETICS, Module, Settings
+
+SKIPPED = 77
+# Files that users include: those that have the others in them.
+WHOLES = [path.name for path in sorted(GLSL.glob("*.glsl")) if "Made by tools/umbrella" in path.read_text()]
+ROWS = {function.id: function for function in read_functions()}
+
+
+class Golden:
+    """A file of golden values: the words that go in, and those that must come out."""
+
+    def __init__(self, path: Path):
+        lines = path.read_text(encoding="ascii").split("\n")
+        columns = next(line for line in lines if line.startswith("columns ")).removeprefix("columns ")
+        self.types = [column.split(":")[1] for column in columns.split(" = ")[1].split()]
+        rows = [line.split(" = ") for line in lines if " = " in line and line[0] in "0123456789abcdef"
+                and not line.startswith("columns")]
+        self.inputs = [[int(word, 16) for word in inputs.split()] for inputs, _ in rows]
+        self.expected = [[self._word(kind, word) for kind, word in zip(self.types, outputs.split())]
+                         for _, outputs in rows]
+
+    @staticmethod
+    def _word(kind: str, text: str) -> int:
+        """The bits that a float has; those of a double are exact as one."""
+        if kind != "f64":
+            return int(text, 16)
+        value = struct.unpack(">d", bytes.fromhex(text))[0]
+        bits = struct.pack("<f", value)
+        if struct.unpack("<f", bits)[0] != value:
+            raise ValueError(f"{text} is no float")
+        return struct.unpack("<I", bits)[0]
+
+
+def differing(device: Device, library: Path, golden: dict[str, Path]) -> dict[str, str]:
+    """Which rows have other bits than their files, and where first."""
+    bodies = {row: ROWS[row].row.arguments[6] for row in golden}
+    shaders = evaluations(library, "#define HN_ARITHMETIC HN_FIXED\n" + macros_of_rows(FUNCTIONS),
+                          ["hashnoise.glsl"], bodies)
+    found = {}
+    for row, path in golden.items():
+        values = Golden(path)
+        results = device.evaluate("".join(shaders[row]), values.inputs)
+        for inputs, expected, got in zip(values.inputs, values.expected, results, strict=True):
+            if list(got[:len(expected)]) != expected:
+                found.setdefault(row, f"{inputs}: got {got}, expected {expected}")
+    return found
+
+
+class Wgpu(unittest.TestCase):
+    device: Device
+
+    def test_modules_compile(self):
+        for file in WHOLES:
+            for arithmetic in ARITHMETICS:
+                with self.subTest(file=file, arithmetic=arithmetic):
+                    self.device.compile(Module(GLSL, f'#include "{file}"\n', Settings(arithmetic)).text())
+        sine = Module(GLSL, '#include "hashnoise.glsl"\n', Settings("HN_FIXED", "FNV1", "SINE"))
+        self.device.compile(sine.text(strip=True))
+
+    def test_the_compilation_can_fail(self):
+        with self.assertRaises(Exception):
+            self.device.compile("fn f() -> f32 { return 1u; }")
+
+    def test_golden_values_of_fixed(self):
+        golden = {row: path for row in ROWS for name in ("lattice+fixed", "any")
+                  if (path := GOLDEN / f"{row}.{name}.golden").is_file()}
+        self.assertGreater(len(golden), 370)
+        self.assertEqual(differing(self.device, GLSL, golden), {})
+
+    def test_a_changed_constant_is_noticed(self):
+        rows = ("noise2d.perlin", "noise3d.value_cell", "fbm.clouds2")
+        golden = {row: GOLDEN / f"{row}.lattice+fixed.golden" for row in rows}
+        for file, old, new in (("hash.glsl", "0x85EBCA77u", "0x85EBCA79u"), ("arithmetic.glsl", "1572864u", "1572868u")):
+            with self.subTest(file=file), tempfile.TemporaryDirectory() as folder:
+                copy = Path(folder) / "glsl"
+                shutil.copytree(GLSL, copy)
+                text = (copy / file).read_text()
+                self.assertIn(old, text)
+                (copy / file).write_text(text.replace(old, new))
+                self.assertEqual(set(differing(self.device, copy, golden)), set(rows))
+
+
+if __name__ == "__main__":
+    try:
+        Wgpu.device = Device()
+    except Absent as reason:
+        print(f"skipped: {reason}")
+        sys.exit(SKIPPED)
+    print(f"on {Wgpu.device}")
+    unittest.main()
