@@ -53,14 +53,14 @@ Extent extent_of(const Function& function, const Configuration& configuration, c
       configuration.default_but_for_arithmetic() ||
       (function.family == Family::sine_gradient && configuration.name_without_arithmetic() == "lattice+sine");
   const bool main_of_desktop = target.main && !target.profile->es;
-  // All of Vulkan's languages become SPIR-V. Each driver shows the bits of that of GLSL.
+  // All of Vulkan's languages become SPIR-V. Each driver shows the bits of that of GLSL, where that takes little.
   const bool of_vulkan = target.profile->platform() == Platform::vulkan && target.profile->in_glsl();
+  const bool form = function.takes_cell() || function.takes_period();
+  const bool promised = defaults && configuration.arithmetic == Arithmetic::fixed && !form;
+  if (promised && of_vulkan) return function.is_costly() ? Extent::one_driver : Extent::every_driver;
   if (function.is_further()) {
     // Many functions, whose code is that of others for the most part: what differs, one version and stage shows. Every
     // driver shows the bits of the noises themselves; their other forms are compiled and run by one.
-    const bool form = function.takes_cell() || function.takes_period();
-    const bool promised = defaults && configuration.arithmetic == Arithmetic::fixed && !form;
-    if (promised && of_vulkan) return Extent::every_driver;
     if (main_of_desktop) return promised ? Extent::every_driver : Extent::one_driver;
     // A hash is one text in all languages, and what it changes the other functions show.
     if (target.profile->platform() != Platform::opengl && !defaults) return Extent::thorough;
@@ -71,7 +71,6 @@ Extent extent_of(const Function& function, const Configuration& configuration, c
     return has_turn(function, configuration, target.number) ? Extent::one_driver : Extent::thorough;
   }
   if (defaults && target.main) return Extent::every_driver;
-  if (defaults && of_vulkan && configuration.arithmetic == Arithmetic::fixed) return Extent::every_driver;
   // Another language has the same text, and what its compiler makes of that shows in integers best.
   const bool chosen_defaults = defaults && (target.profile->in_glsl() || has_same_bits(function, configuration));
   const bool chosen = chosen_defaults || main_of_desktop || has_turn(function, configuration, target.number);
