@@ -30,18 +30,20 @@
 //                      with 16 bits, unless the declaration says otherwise. Your own default precision stays as it is.
 //                      Elsewhere it is empty: nothing is needed, and glslang would warn
 //
-// begin.hlsl and begin.metal name their languages. __VERSION__ is read only where it is a number: DXC defines a string, and
-// a compiler without it counts as a new one. In glslang, which defines the GL_GOOGLE name, it has a value although it is not "defined".
+// begin.hlsl and begin.metal name their languages. __VERSION__ is read only where it is a number: DXC defines a string,
+// and a compiler without it counts as a new one. In glslang, which defines the GL_GOOGLE name, it has a value although
+// it is not "defined".
 
+#ifdef __cplusplus
+#define HN_I_BITCAST 1
+#define HN_I_KEYWORD  // the compiler's flags decide, and Metal has no such keyword
 #ifdef HN_I_METAL
 #define HN_FN inline
 #define HN_I_OUT(type) thread type&
 #define HN_I_INOUT(type) thread type&
 #define HN_I_NEW(type, name) type name
-#define HN_I_BITCAST 1
-#define HN_I_HAS_PRECISE 0  // it has no such keyword
-#define HN_I_KEYWORD
-#elif defined(__cplusplus)
+#define HN_I_HAS_PRECISE 0
+#else
 // Compilers vectorize a loop over a noise only if the whole noise is inlined into it.
 #ifdef _MSC_VER
 #define HN_FN __forceinline
@@ -51,9 +53,8 @@
 #define HN_I_OUT(type) type&
 #define HN_I_INOUT(type) type&
 #define HN_I_NEW(type, name) type name{}  // without the braces -Weffc++ warns
-#define HN_I_BITCAST 1
 #define HN_I_HAS_PRECISE 1
-#define HN_I_KEYWORD  // the compiler's flags decide
+#endif
 #else
 #define HN_FN
 #define HN_I_OUT(type) out type
@@ -84,7 +85,8 @@
 
 // The types in declarations. Constructors have GLSL's own names. In C++ glsl.hpp defines these names, in HLSL and Metal
 // vectors_begin.h.
-#if !defined(__cplusplus) && !defined(HN_I_HLSL)
+#ifndef __cplusplus
+#ifndef HN_I_HLSL
 #define hn_float HN_I_HIGHP float
 #define hn_vec2 HN_I_HIGHP vec2
 #define hn_vec3 HN_I_HIGHP vec3
@@ -97,6 +99,7 @@
 #define hn_uvec2 HN_I_HIGHP uvec2
 #define hn_uvec3 HN_I_HIGHP uvec3
 #define hn_uvec4 HN_I_HIGHP uvec4
+#endif
 #endif
 
 // ---------------------------------------------------------------------------------------------------------------------

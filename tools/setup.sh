@@ -23,8 +23,8 @@ readonly conform_packages=(
 )
 readonly paper_packages=(libvulkan1 mesa-vulkan-drivers)
 # GLFW loads the libraries of OpenGL by their names.
-readonly driver_packages=("${paper_packages[@]}" chromium libgl1 libgles2 libglfw3 libglx-mesa0 xvfb)
-readonly test_packages=("${driver_packages[@]}" clang libclang-rt-dev libgtest-dev python3
+readonly driver_packages=("${paper_packages[@]}" chromium clang libgl1 libgles2 libglfw3 libglx-mesa0 xvfb)
+readonly test_packages=("${driver_packages[@]}" libclang-rt-dev libgtest-dev python3
   python3-numpy python3-scipy)
 # Of tools/quality, which has no need of hn-conform.
 readonly quality_packages=(g++ python3 python3-numpy python3-scipy)

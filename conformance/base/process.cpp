@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "base/file.hpp"
 #include "base/interruption.hpp"
 #ifdef __linux__
 #include <sys/prctl.h>
@@ -102,6 +103,15 @@ Result<Process> start_process(const ProcessOptions& options) {
     return fail(fmt::format("cannot start {}: {}", options.program, std::strerror(error)));
   }
   return Process{pid, std::move(reports.read)};
+}
+
+Result<void> run_process(const ProcessOptions& options) {
+  HN_TRY(const Process process, start_process(options));
+  int status = 0;
+  while (waitpid(process.pid, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_SUCCESS) return {};
+  return fail(fmt::format("{} {}", options.program, describe_end(status)), read_file(options.output).value_or(""));
 }
 
 std::vector<std::string> environment_without(std::span<const std::string_view> beginnings) {

@@ -46,6 +46,10 @@ struct Process {
 // signals are meant for us: the child does not get them, or ignores them.
 Result<Process> start_process(const ProcessOptions& options);
 
+// Starts a process, which reports nothing, and waits for its end. An error says how it ended, with what it printed; the
+// file options.output, which must be new, holds that until it is read.
+Result<void> run_process(const ProcessOptions& options);
+
 // The texts as exec takes them, for as long as they are; the last pointer is null.
 std::vector<char*> pointers_to(std::vector<std::string>& texts);
 

@@ -79,19 +79,21 @@ constexpr std::array kVariants = {
 }  // namespace
 
 // A variant of the shader is one more to compile. With the defaults each function has all of them, in one arithmetic
-// and one version or another; of further functions some.
+// and one version or another; of further functions some. Vulkan has them of the other functions, in turn.
 void add_metamorphic_cases(std::vector<Case>& cases, const Evaluation& evaluation, const Target& target,
                            Extent extent) {
   const auto& [function, configuration, profile, none, stage] = evaluation;
   const bool defaults = configuration.default_but_for_arithmetic() && covers(configuration, function);
-  if (target.main && defaults && has_variants(function)) {
+  const bool of_vulkan = profile.platform() == Platform::vulkan && profile.in_glsl() && !function.is_further();
+  if ((target.main || of_vulkan) && defaults && has_variants(function)) {
     for (std::size_t i = 0; i < kVariants.size(); ++i) {
       const auto& [name, variant, make] = kVariants[i];
       // Of several words that are near the right ones nothing can be said by what a trip leaves of them.
       if (name == "in_loop" && function.outputs.size() > 1 && !has_same_bits(function, configuration)) continue;
-      const bool all = configuration.is_default() && !function.is_further() && (!profile.es || function.exact());
+      const bool all =
+          target.main && configuration.is_default() && !function.is_further() && (!profile.es || function.exact());
       const bool some = has_turn(function, configuration, target.number + i) && !(function.is_further() && profile.es);
-      cases.push_back({name_of(evaluation, name), PairingKind{{function, configuration, profile, variant}, make},
+      cases.push_back({name_of(evaluation, name), PairingKind{{function, configuration, profile, variant, stage}, make},
                        all || some ? Extent::one_driver : Extent::thorough});
     }
   }

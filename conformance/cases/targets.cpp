@@ -18,6 +18,8 @@ std::vector<Target> targets_of(const Configuration& configuration) {
   add(profile_named("gl430"), Stage::compute, false);
   if (!precise) add(profile_named("es310"), Stage::compute, false);
   add(profile_named("vulkan"), Stage::compute, false);
+  add(profile_named("hlsl60"), Stage::compute, false);
+  if (!precise) add(profile_named("msl"), Stage::compute, false);
   if (!precise) add(profile_named("wgsl"), Stage::compute, false);
   return targets;
 }
@@ -39,19 +41,27 @@ Extent extent_of(const Function& function, const Configuration& configuration, c
       configuration.default_but_for_arithmetic() ||
       (function.family == Family::sine_gradient && configuration.name_without_arithmetic() == "lattice+sine");
   const bool main_of_desktop = target.main && !target.profile->es;
+  // Vulkan has one text for all of its languages once it is SPIR-V: each driver shows GLSL's.
+  const bool of_vulkan = target.profile->platform() == Platform::vulkan && target.profile->in_glsl();
   if (function.is_further()) {
     // Many functions, whose code is that of others for the most part: what differs, one version and stage shows. Every
     // driver shows the bits of the noises themselves; their other forms are compiled and run by one.
     const bool form = function.takes_cell() || function.takes_period();
     const bool promised = defaults && configuration.arithmetic == Arithmetic::fixed && !form;
+    if (promised && of_vulkan) return Extent::every_driver;
     if (main_of_desktop) return promised ? Extent::every_driver : Extent::one_driver;
     // The test wgsl.wgpu has all of them; here those that compile in a moment.
     const bool in_wgsl = target.profile->language == Language::wgsl;
     if (promised && in_wgsl && !function.is_costly()) return Extent::one_driver;
+    // A hash is one text in all languages, and what it changes the other functions show.
+    if (!target.profile->in_glsl() && !defaults) return Extent::thorough;
     return has_turn(function, configuration, target.number) ? Extent::one_driver : Extent::thorough;
   }
   if (defaults && target.main) return Extent::every_driver;
-  const bool chosen = defaults || main_of_desktop || has_turn(function, configuration, target.number);
+  if (defaults && of_vulkan && configuration.arithmetic == Arithmetic::fixed) return Extent::every_driver;
+  // Another language has the same text, and what its compiler makes of that shows in integers best.
+  const bool chosen_defaults = defaults && (target.profile->in_glsl() || has_same_bits(function, configuration));
+  const bool chosen = chosen_defaults || main_of_desktop || has_turn(function, configuration, target.number);
   return chosen ? Extent::one_driver : Extent::thorough;
 }
 

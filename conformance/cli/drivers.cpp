@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "gpu/metal/evaluator.hpp"
 #include "gpu/vulkan/device.hpp"
 #include "gpu/vulkan/evaluator.hpp"
 #include "gpu/vulkan_drivers.hpp"
@@ -87,6 +88,11 @@ std::vector<Driver> common_drivers() {
       create_egl);
   add_mesa_drivers(drivers);
   add_glfw_drivers(drivers);
+  drivers.push_back({.name = "metal-stand-in",
+                     .description = "Metal's shading language as C++14, compiled by clang++: no GPU, and not Apple's",
+                     .create = [] { return CreatedContext(fail("it runs the cases of the suite only")); },
+                     .platform = Platform::metal,
+                     .create_evaluator = [](const ReferenceCompiler&) { return create_metal_evaluator(); }});
   for (const Browser& browser : all_browsers()) {
     drivers.push_back({.name = std::string(browser.name),
                        .description = std::string(browser.description),

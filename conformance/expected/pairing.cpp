@@ -24,6 +24,9 @@ constexpr std::size_t kConstantPoints = 4;
 
 // The same, evaluated as most cases do, so that its program need not be built for this.
 Evaluation plain(const Evaluation& evaluation) {
+  if (evaluation.profile.platform() != Platform::opengl) {
+    return {evaluation.function, evaluation.configuration, evaluation.profile, {}, evaluation.stage};
+  }
   return {evaluation.function, evaluation.configuration, main_profile(evaluation.configuration, evaluation.profile.es)};
 }
 

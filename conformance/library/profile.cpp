@@ -25,6 +25,7 @@ constexpr std::array kOther = {
     Profile{"hlsl50", "", 50, false, true, Language::hlsl},
     Profile{"hlsl60", "", 60, false, true, Language::hlsl},
     Profile{"wgsl", "", 1, false, false, Language::wgsl},
+    Profile{"msl", "", 0, false, false, Language::metal},
 };
 
 constexpr std::array kRun = {kAll[1], kAll[3], kAll[11]};
@@ -55,10 +56,18 @@ std::string_view name_of(Platform platform) {
       return "Vulkan";
     case Platform::webgpu:
       return "WebGPU";
+    case Platform::metal:
+      return "Metal";
     case Platform::opengl:
       break;
   }
   return "OpenGL";
+}
+
+Platform Profile::platform() const {
+  if (language == Language::metal) return Platform::metal;
+  if (language == Language::wgsl) return Platform::webgpu;
+  return spirv ? Platform::vulkan : Platform::opengl;
 }
 
 std::span<const Profile> all_profiles() { return kAll; }

@@ -11,9 +11,9 @@ namespace hn {
 enum class Stage { fragment, vertex, compute };
 std::string_view name_of(Stage stage);
 
-enum class Language { glsl, hlsl, wgsl };
+enum class Language { glsl, hlsl, wgsl, metal };
 // Whose drivers run a shader.
-enum class Platform { opengl, vulkan, webgpu };
+enum class Platform { opengl, vulkan, webgpu, metal };
 std::string_view name_of(Platform platform);  // "OpenGL"
 
 struct Profile {
@@ -24,10 +24,7 @@ struct Profile {
   bool spirv;
   Language language = Language::glsl;
 
-  Platform platform() const {
-    if (language == Language::wgsl) return Platform::webgpu;
-    return spirv ? Platform::vulkan : Platform::opengl;
-  }
+  Platform platform() const;
   bool in_glsl() const { return language == Language::glsl; }
 
   // Whether #line names the line that follows it. Before GLSL 3.30 it named its own: GLSL 1.30 section 3.3 against GLSL
@@ -40,7 +37,7 @@ struct Profile {
 // Every targeted version of GLSL, oldest first, GLSL before GLSL ES before Vulkan.
 std::span<const Profile> all_profiles();
 
-// Other languages, by the version of each: shader model 6.0 is hlsl60.
+// Other languages, by the version of each: shader model 6.0 is hlsl60. Metal's language, msl, has none here.
 std::span<const Profile> other_languages();
 
 // Those in which shaders are run, not only compiled: the oldest arithmetic path, the current one, and ES.

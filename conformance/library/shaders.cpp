@@ -66,9 +66,7 @@ constexpr std::string_view kSeeded = "#define SEEDED(s) , s\n#define SEED(s) s\n
 constexpr std::string_view kUnseeded = "#define SEEDED(s)\n#define SEED(s) s\n";
 
 // What the suite calls types and bit casts, behind the library's own names for them.
-constexpr std::string_view kNamesInHlsl = R"(#define float_of(u) asfloat(u)
-#define bits_of(f) asuint(f)
-#define vec2 float2
+constexpr std::string_view kVectorNames = R"(#define vec2 float2
 #define vec3 float3
 #define vec4 float4
 #define ivec2 int2
@@ -78,6 +76,10 @@ constexpr std::string_view kNamesInHlsl = R"(#define float_of(u) asfloat(u)
 #define uvec3 uint3
 #define uvec4 uint4
 )";
+constexpr std::string_view kNamesInHlsl = "#define float_of(u) asfloat(u)\n#define bits_of(f) asuint(f)\n";
+constexpr std::string_view kNamesInMetal =
+    "using namespace metal;\nusing namespace hashnoise;\n"
+    "#define float_of(u) as_type<float>(u)\n#define bits_of(f) as_type<uint>(f)\n";
 
 std::string running_preamble(const Profile& profile) {
   if (!profile.in_glsl()) return "";
@@ -110,7 +112,7 @@ std::string case_names(const Evaluation& evaluation) {
 }
 
 // Whether points and results are in buffers, and uniforms as well.
-bool in_buffers(const Profile& profile) { return profile.platform() == Platform::vulkan; }
+bool in_buffers(const Profile& profile) { return profile.platform() != Platform::opengl; }
 
 // SEEDED, behind the include, since it may need hn_uint.
 std::string seeding_of(const ShaderVariant& variant, const Profile& profile) {
@@ -142,19 +144,30 @@ StageText text_over_buffers(const Profile& profile) {
   constexpr std::string_view kEnd = "  results[{}] = result;\n";
   if (profile.in_glsl()) {
     return {.layout = fmt::format("layout(local_size_x = {}) in;\n", kComputeGroup),
-            .declaration = "layout(std430, set = 0, binding = 0) buffer Results { hn_uvec4 results[]; };\n"
-                           "layout(std430, set = 0, binding = 1) readonly buffer Points { hn_uvec4 points[]; };\n"
-                           "layout(std430, set = 0, binding = 2) readonly buffer Uniforms { hn_int trips; hn_uint "
-                           "variant_seed; };\n",
+            .declaration =
+                "layout(std430, set = 0, binding = 0) buffer Results { hn_uvec4 results[]; };\n"
+                "layout(std430, set = 0, binding = 1) readonly buffer Points { hn_uvec4 points[]; };\n"
+                "layout(std430, set = 0, binding = 2) readonly buffer Uniforms { hn_int trips; hn_uint "
+                "variant_seed; };\n",
             .beginning = fmt::format(kBeginning, "gl_GlobalInvocationID.x"),
             .end = fmt::format(kEnd, "gl_GlobalInvocationID.x")};
   }
+  if (profile.language == Language::metal) {
+    return {.layout = {},
+            .declaration = {},
+            .beginning = fmt::format(kBeginning, "index"),
+            .end = fmt::format(kEnd, "index"),
+            .head =
+                "kernel void evaluate_point(device hn_uvec4* results [[buffer(0)]], const device hn_uvec4* points "
+                "[[buffer(1)]], uint index [[thread_position_in_grid]])"};
+  }
   // What is only read can be written, too: what else there is in shader model 5 becomes a texture in Vulkan.
   return {.layout = {},
-          .declaration = "RWStructuredBuffer<hn_uvec4> results : register(u0);\n"
-                         "RWStructuredBuffer<hn_uvec4> points : register(u1);\n"
-                         "RWStructuredBuffer<hn_uint> uniforms : register(u2);\n"
-                         "#define trips int(uniforms[0])\n#define variant_seed uniforms[1]\n",
+          .declaration =
+              "RWStructuredBuffer<hn_uvec4> results : register(u0);\n"
+              "RWStructuredBuffer<hn_uvec4> points : register(u1);\n"
+              "RWStructuredBuffer<hn_uint> uniforms : register(u2);\n"
+              "#define trips int(uniforms[0])\n#define variant_seed uniforms[1]\n",
           .beginning = fmt::format(kBeginning, "thread.x"),
           .end = fmt::format(kEnd, "thread.x"),
           .head = fmt::format("[numthreads({}, 1, 1)]\nvoid main(uint3 thread : SV_DispatchThreadID)", kComputeGroup)};
@@ -284,7 +297,8 @@ std::string result_of(const Evaluation& evaluation) {
     }
     case Shape::in_loop:
       // The words of the last trips move through the result, so that none can be left out.
-      return fmt::format(R"(  hn_uvec4 last = uvec4(0u, 0u, 0u, 0u);
+      return fmt::format(
+          R"(  hn_uvec4 last = uvec4(0u, 0u, 0u, 0u);
   for (hn_int i = 0; i < trips; ++i) {{
     {};
     hn_uvec4 v = {};
@@ -292,9 +306,8 @@ std::string result_of(const Evaluation& evaluation) {
   }}
   result = last;
 )",
-                         in_buffers(evaluation.profile) ? "hn_int other = at ^ i"
-                                                        : "hn_ivec2 other = ivec2(at.x ^ i, at.y)",
-                         evaluated(evaluation, "other"));
+          in_buffers(evaluation.profile) ? "hn_int other = at ^ i" : "hn_ivec2 other = ivec2(at.x ^ i, at.y)",
+          evaluated(evaluation, "other"));
     case Shape::constant:
       return evaluated_constants(evaluation, evaluation.variant.constants);
     case Shape::called:
@@ -307,7 +320,11 @@ std::string result_of(const Evaluation& evaluation) {
 std::string included(std::string_view file, const Profile& profile) {
   const std::string include = fmt::format("#include \"{}\"\n", file);
   if (profile.in_glsl()) return include;
-  return fmt::format("#include \"begin.hlsl\"\n{}#include \"end.hlsl\"\n{}", include, kNamesInHlsl);
+  if (profile.language == Language::metal) {
+    return fmt::format("#include <metal_stdlib>\n#include \"begin.metal\"\n{}#include \"end.metal\"\n{}{}", include,
+                       kNamesInMetal, kVectorNames);
+  }
+  return fmt::format("#include \"begin.hlsl\"\n{}#include \"end.hlsl\"\n{}{}", include, kNamesInHlsl, kVectorNames);
 }
 
 // glslang knows no GL_ARB_shader_bit_encoding. Where a shader is only compiled, a conversion has the same types.
@@ -327,7 +344,8 @@ std::string evaluation_shader(const Evaluation& evaluation) {
   if (variant.shape == Shape::in_loop && !in_buffers(profile)) text += "uniform hn_int trips;\n";
   text += declared_inputs(evaluation) + of_stage.declaration;
   if (variant.shape != Shape::inlined) text += declared_evaluate(function, "evaluate", variant.periods);
-  return text + fmt::format("{} {{\n{}{}{}}}\n", of_stage.head, of_stage.beginning, result_of(evaluation), of_stage.end);
+  return text +
+         fmt::format("{} {{\n{}{}{}}}\n", of_stage.head, of_stage.beginning, result_of(evaluation), of_stage.end);
 }
 
 std::string vertex_shader() {

@@ -206,8 +206,9 @@ std::string ShaderText::translate(std::string_view log) const {
 
 std::string line_directive(const Profile& profile, int source, int line) {
   const int number = source * kLinesPerSource + line - (profile.line_names_next() ? 0 : 1);
-  // HLSL has a name in the second place.
-  return profile.in_glsl() ? fmt::format("#line {} {}\n", number, source) : fmt::format("#line {}\n", number);
+  if (profile.in_glsl()) return fmt::format("#line {} {}\n", number, source);
+  // The others have a name in the second place. clang++ takes one that reads like a number, as translate wants it.
+  return fmt::format("#line {}{}\n", number, profile.language == Language::metal ? " \"0\"" : "");
 }
 
 Result<ShaderText> expand(const SourceSet& sources, const Profile& profile, std::string_view main_text) {

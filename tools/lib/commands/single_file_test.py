@@ -42,6 +42,21 @@ class SingleFile(unittest.TestCase):
                     right, log = compile_shader(shader)
                     self.assertTrue(right, log)
 
+    def test_in_another_language_it_begins_and_ends_the_names_of_that(self):
+        for language in ("hlsl", "metal"):
+            for options in ([], ["--strip"]):
+                with self.subTest(language=language, options=options):
+                    lines = generate("--language", language, *options, "noise2d.glsl").stdout.splitlines()
+                    self.assertNotIn("#include", "".join(line for line in lines if not line.startswith("//")))
+                    for macro in ("vec2", "uvec4", "floatBitsToUint"):
+                        self.assertEqual(sum(line.startswith(f"#define {macro} ") for line in lines), 1)
+                        self.assertEqual(lines.count(f"#undef {macro}"), 1)
+
+    def test_an_unknown_language_is_named(self):
+        done = generate("--language", "wgsl")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("'glsl', 'hlsl', 'metal'", done.stderr)
+
     def test_the_compilation_can_fail(self):
         right, _ = compile_shader("#version 460\n" + generate("hash.glsl").stdout + "\nvoid main() { absent(); }\n")
         self.assertFalse(right)

@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <cstring>
 
-#define thread  // the address space of a function's variables (section 4)
+#define kernel extern "C"  // a function that a program starts for each point (section 5.1)
+#define device             // the address spaces of buffers and of a function's variables (section 4)
+#define thread
 
 using uint = std::uint32_t;
 
@@ -162,5 +164,3 @@ HN_FUNCTION(max, >)
 #undef HN_FUNCTION
 
 }  // namespace metal
-
-using namespace metal;  // as Xcode's templates have it

@@ -1,0 +1,154 @@
+"""The text of the library as HLSL, and in Metal's shading language: python3 shims_test.py CLANG++
+
+What it computes there is the suite's business (the profiles hlsl60, hlsl50 and msl). Here are the settings that no case
+has, and what the files leave behind in a user's code. glslang compiles the HLSL; clang++ compiles Metal's language, a
+C++14, with the stand-in for its standard library. What other compilers make of the conditions is asked of the
+preprocessor of g++.
+"""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from itertools import product
+from pathlib import Path
+
+ARITHMETICS = ("HN_FAST", "HN_PRECISE", "HN_FIXED")
+CONFORMANCE = Path(__file__).resolve().parent.parent
+ROOT = CONFORMANCE.parent
+COMPILER = sys.argv[1] if len(sys.argv) > 1 else "clang++"
+# What the user's own code may call as GLSL calls it, and a sum of the user's.
+USER = """
+HN_FBM2D(my_sum, hn_simplex)
+HN_WARP2D(my_warp, hn_value)
+HN_ERODED3D(my_slopes, hn_value_d)
+float mine(float2 p, uint seed) {
+  float3 vec3 = float3(p, 0.5f);
+  float uvec4 = hn_perlin(p) + hn_perlin(int3(7, 7, 7), vec3, seed) + hn_fbm(p, 5, 2.0f, 0.5f, seed);
+  return uvec4 + hn_turbulence(vec3, 5, 2.1f, 0.5f) + hn_clouds(p, 3, 2.0f, 0.5f) + my_sum(p, 5, 2.0f, 0.5f) +
+         my_warp(p, 5, 2.0f, 0.5f, 1.0f).x + my_slopes(vec3, 5, 2.0f, 0.5f, 1.0f) + hn_gradient(int2(7, 7)).x +
+         hn_unorm(hn_hash(uint3(7u, 7u, seed)) ^ hn_lattice(int4(1, 2, 3, 4)));
+}
+"""
+MAIN = """
+RWStructuredBuffer<float> values;
+[numthreads(64, 1, 1)] void main(uint3 id : SV_DispatchThreadID) {
+  values[id.x] = mine(float2(asfloat(id.x), asfloat(id.y)), id.z);
+}
+"""
+
+
+def settings(arithmetics: tuple[str, ...]) -> list[dict[str, str]]:
+    return [{"HN_ARITHMETIC": arithmetic, "HN_GRADIENT": f"HN_GRADIENT_{gradient}", "HN_HASH": f"HN_HASH_{hashed}"}
+            for arithmetic, gradient, hashed in product(arithmetics, ("OCTAHEDRAL", "SINE"), ("LATTICE", "PCG", "FNV1"))]
+
+
+class Shim(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.glsl = Path(folder.name, "glsl")
+        shutil.copytree(ROOT / "glsl", self.glsl)
+        shutil.copy(CONFORMANCE / "gpu" / "metal" / "metal_stdlib.hpp", self.glsl / "metal_stdlib")
+        self.file = Path(folder.name, "user.cpp")
+
+    def change(self, file: str, old: str, new: str) -> None:
+        text = (self.glsl / file).read_text()
+        self.assertIn(old, text)
+        (self.glsl / file).write_text(text.replace(old, new))
+
+    def says(self, *command: str) -> str:
+        """What a compiler says of the file; nothing if it takes it."""
+        done = subprocess.run([*command, f"-I{self.glsl}", str(self.file)], capture_output=True, text=True, check=False)
+        return "" if done.returncode == 0 else f"exit status {done.returncode}: {done.stdout}{done.stderr}"
+
+    def written(self, text: str, knobs: dict[str, str]) -> None:
+        self.file.write_text("".join(f"#define {name} {value}\n" for name, value in knobs.items()) + text)
+
+    def left_behind(self, language: str, preprocessed_as: str) -> list[str]:
+        """The macros that are not the library's own, behind an include of it."""
+        self.written(f'#include "begin.{language}"\n#include "hashnoise.glsl"\n#include "end.{language}"\n', {})
+        macros = [set(re.findall(r"#define (\w+)", subprocess.run(
+            ["g++", "-E", "-dM", "-x", preprocessed_as, f"-I{self.glsl}", path], capture_output=True, text=True, check=True).stdout))
+                  for path in (self.file, "/dev/null")]
+        return sorted(name for name in macros[0] - macros[1] if not re.match("hn_|HN_", name))
+
+
+class Hlsl(Shim):
+    def compiled(self, include: str = '#include "hashnoise.hlsl"', **knobs: str) -> str:
+        self.written(include + USER + MAIN, knobs)
+        return self.says("glslangValidator", "-D", "-V", "-S", "comp", "-e", "main", "-o", str(self.file) + ".spv")
+
+    def test_it_compiles_with_every_arithmetic_and_gradient(self):
+        for knobs in settings(ARITHMETICS):
+            with self.subTest(**knobs):
+                self.assertEqual(self.compiled(**knobs), "")
+
+    def test_parts_are_included_between_begin_and_end(self):
+        parts = "".join(f'#include "{name}"\n' for name in (
+            "begin.hlsl", "fbm.glsl", "end.hlsl", "begin.hlsl", "noise2d.glsl", "warp.glsl", "fbm_d.glsl", "end.hlsl"))
+        self.assertEqual(self.compiled(parts + '#include "hashnoise.hlsl"\n'), "")
+
+    def test_a_function_that_only_glsl_has_is_refused(self):
+        self.change("arithmetic.glsl", "p - floor(p)", "fract(p)")
+        self.assertIn("fract", self.compiled())
+
+    def test_no_macro_is_left_behind(self):
+        self.assertEqual(self.left_behind("hlsl", "c"), [])
+
+    def test_a_macro_that_is_left_behind_is_noticed(self):
+        self.change("end.hlsl", "#undef floatBitsToUint\n", "")
+        self.change("vectors_end.h", "#undef ivec3\n", "")
+        self.assertEqual(self.left_behind("hlsl", "c"), ["floatBitsToUint", "ivec3"])
+
+
+class Metal(Shim):
+    def compiled(self, **knobs: str) -> str:
+        self.written('#include "hashnoise.metal"\nnamespace hashnoise {' + USER + "}\n", knobs)
+        return self.says(COMPILER, "-std=c++14", "-fsyntax-only", "-Wall", "-Wextra", "-Werror")
+
+    def test_it_compiles_with_every_arithmetic_and_gradient(self):
+        for knobs in settings(("HN_FAST", "HN_FIXED")):
+            with self.subTest(**knobs):
+                self.assertEqual(self.compiled(**knobs), "")
+
+    def test_precise_is_refused(self):
+        self.assertIn("#error HN_PRECISE needs", self.compiled(HN_ARITHMETIC="HN_PRECISE"))
+
+    def test_a_reference_without_an_address_space_is_noticed(self):
+        self.change("config.glsl", "#define HN_I_OUT(type) thread type&", "#define HN_I_OUT(type) out type")
+        self.assertIn("unknown type name 'out'", self.compiled())
+
+    def test_no_macro_is_left_behind(self):
+        self.assertEqual(self.left_behind("metal", "c++"), [])
+
+    def test_a_macro_that_is_left_behind_is_noticed(self):
+        self.change("end.metal", "#undef floatBitsToUint\n", "")
+        self.assertEqual(self.left_behind("metal", "c++"), ["floatBitsToUint"])
+
+
+class Conditions(Shim):
+    def preprocessed(self, *macros: str) -> str:
+        self.written('#include "hashnoise.glsl"\n', {})
+        return self.says("g++", "-E", "-x", "c", "-Wundef", "-Werror", "-o", "/dev/null", *macros)
+
+    # g++ defines __VERSION__ as a string, as DXC does; without it, its preprocessor is like naga's or Godot's.
+    WITHOUT_A_NUMBER = (("-DHN_I_HLSL",), ("-U__VERSION__",))
+
+    def test_no_condition_asks_for_a_name_or_a_number_that_may_not_be_there(self):
+        for macros, arithmetic in product(self.WITHOUT_A_NUMBER, ARITHMETICS):
+            with self.subTest(macros=macros, arithmetic=arithmetic):
+                self.assertEqual(self.preprocessed(f"-DHN_ARITHMETIC={arithmetic}", *macros), "")
+
+    def test_a_condition_that_does_is_noticed(self):
+        self.change("hash.glsl", '#include "config.glsl"', '#include "config.glsl"\n#if __VERSION__ < 130\n#endif')
+        for macros in self.WITHOUT_A_NUMBER:
+            self.assertIn("__VERSION__", self.preprocessed(*macros))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
