@@ -48,6 +48,12 @@ HN_FN hn_int hn_i_select(bool condition, hn_int a, hn_int b) { return condition 
 HN_FN hn_uint hn_i_select(bool condition, hn_uint a, hn_uint b) { return condition ? a : b; }
 HN_FN hn_int hn_i_choice(bool condition, hn_int a, hn_int b) { return condition ? a : b; }
 
+// Of each component and the same word. Godot and WGSL have such operators for two vectors alone, and HLSL has no
+// constructor from one number.
+HN_FN hn_uvec3 hn_i_and(hn_uvec3 words, hn_uint mask) { return words & uvec3(mask, mask, mask); }
+HN_FN hn_uvec3 hn_i_or(hn_uvec3 words, hn_uint mask) { return words | uvec3(mask, mask, mask); }
+HN_FN hn_uvec3 hn_i_xor(hn_uvec3 words, hn_uint word) { return words ^ uvec3(word, word, word); }
+
 HN_FN hn_float hn_i_minus(hn_float a, hn_float b) {
   HN_I_PRECISE hn_float n = a - b;
   return n;
@@ -70,7 +76,7 @@ HN_FN hn_float hn_i_signed(hn_float m, hn_uint word) {
 }
 HN_FN hn_vec3 hn_i_signed(hn_vec3 m, hn_uvec3 words) {
 #if HN_I_BITCAST
-  return uintBitsToFloat(floatBitsToUint(m) | (words & 0x80000000u));
+  return uintBitsToFloat(floatBitsToUint(m) | hn_i_and(words, 0x80000000u));
 #else
   return vec3(hn_i_signed(m.x, words.x), hn_i_signed(m.y, words.y), hn_i_signed(m.z, words.z));
 #endif
@@ -91,7 +97,7 @@ HN_FN hn_vec4 hn_i_num(hn_float x, hn_float y, hn_float z, hn_float w) { return 
 #if HN_ARITHMETIC == HN_FAST
 
 // The constructor of a vector, since in C++ it has a result for a float that does not fit, too.
-HN_FN hn_int hn_i_cell(hn_float p) { return ivec2(floor(p), 0.0f).x; }
+HN_FN hn_int hn_i_cell(hn_float p) { return ivec2(vec2(floor(p), 0.0f)).x; }
 HN_FN hn_ivec2 hn_i_cell(hn_vec2 p) { return ivec2(floor(p)); }
 HN_FN hn_ivec3 hn_i_cell(hn_vec3 p) { return ivec3(floor(p)); }
 HN_FN hn_ivec4 hn_i_cell(hn_vec4 p) { return ivec4(floor(p)); }

@@ -11,7 +11,7 @@ HN_FN hn_rank hn_i_weigh_slab(hn_rank weights, hn_uvec3 before, hn_uvec3 cell, h
                               hn_uint odd, hn_num3 x, hn_num3 y, hn_num z, hn_num jitter) {
   hn_uvec3 joins = hn_i_joins_x(before, cell, after);
   hn_uvec3 odds = uvec3(before.x, cell.x, after.x) * 2u;
-  hn_uvec3 rows = hn_i_joins_y(before, cell, after) ^ join;
+  hn_uvec3 rows = hn_i_xor(hn_i_joins_y(before, cell, after), join);
   hn_uvec3 row_odds = uvec3(before.y, cell.y, after.y) * 2u + odd;
   hn_num3 across = hn_i_thrice(z);
   hn_int metric = HN_METRIC_SQUARED;
@@ -28,7 +28,7 @@ HN_FN hn_float hn_i_cellular_smooth(hn_uvec3 before, hn_uvec3 cell, hn_uvec3 aft
   hn_num3 x = hn_i_row(d.x);
   hn_num3 y = hn_i_row(d.y);
   hn_num3 z = hn_i_row(d.z);
-  hn_uvec3 joins = hn_i_joins_z(before, cell, after) ^ s;
+  hn_uvec3 joins = hn_i_xor(hn_i_joins_z(before, cell, after), s);
   hn_rank weights = hn_i_no_weight();
   weights = hn_i_weigh_slab(weights, before, cell, after, joins.x, hn_i_odd(before.z + s), x, y, z.x, jitter);
   weights = hn_i_weigh_slab(weights, before, cell, after, joins.y, hn_i_odd(cell.z + s), x, y, z.y, jitter);

@@ -184,7 +184,7 @@ HN_FN hn_num3 hn_i_thrice(hn_num d) { return hn_i_three(d, d, d); }
 
 // The words of three cells in a row, from what their coordinates add to the joins of a word, and what the rest adds.
 HN_FN hn_uvec3 hn_i_row_words(hn_uvec3 joins, hn_uvec3 odds, hn_uint join, hn_uint odd) {
-  joins = joins ^ join;
+  joins = hn_i_xor(joins, join);
   return uvec3(hn_i_hash(joins.x), hn_i_hash(joins.y), hn_i_hash(joins.z)) * (odds + odd);
 }
 

@@ -44,8 +44,8 @@ HN_FN hn_vec3 hn_i_straight_offset(hn_vec3 d) {
 #else
 
 // A direction in space comes in units of 2^-8.
-HN_FN hn_ivec3 hn_i_points_p(hn_uvec3 words) { return ivec3((words >> 22u) & 510u) - 255; }
-HN_FN hn_ivec3 hn_i_points_q(hn_uvec3 words) { return ivec3((words >> 14u) & 510u) - 255; }
+HN_FN hn_ivec3 hn_i_points_p(hn_uvec3 words) { return ivec3(hn_i_and(words >> 22u, 510u)) - 255; }
+HN_FN hn_ivec3 hn_i_points_q(hn_uvec3 words) { return ivec3(hn_i_and(words >> 14u, 510u)) - 255; }
 HN_FN hn_ivec3 hn_i_points_u(hn_uvec3 words) { return hn_i_points_p(words) + hn_i_points_q(words); }
 HN_FN hn_ivec3 hn_i_points_v(hn_uvec3 words) { return hn_i_points_p(words) - hn_i_points_q(words); }
 HN_FN hn_ivec3 hn_i_points_z(hn_uvec3 words) {
@@ -126,7 +126,7 @@ HN_FN hn_rank4 hn_i_visit_slab(hn_rank4 best, hn_uvec3 before, hn_uvec3 cell, hn
                                hn_num3 x, hn_num3 y, hn_num z, hn_num jitter, hn_int metric, hn_int code) {
   hn_uvec3 joins = hn_i_joins_x(before, cell, after);
   hn_uvec3 odds = uvec3(before.x, cell.x, after.x) * 2u;
-  hn_uvec3 rows = hn_i_joins_y(before, cell, after) ^ join;
+  hn_uvec3 rows = hn_i_xor(hn_i_joins_y(before, cell, after), join);
   hn_uvec3 row_odds = uvec3(before.y, cell.y, after.y) * 2u + odd;
   hn_num3 across = hn_i_thrice(z);
   best = hn_i_visited(
@@ -149,7 +149,7 @@ HN_FN hn_rank4 hn_i_nearest(hn_uvec3 before, hn_uvec3 cell, hn_uvec3 after, hn_n
   hn_num3 x = hn_i_row(d.x);
   hn_num3 y = hn_i_row(d.y);
   hn_num3 z = hn_i_row(d.z);
-  hn_uvec3 joins = hn_i_joins_z(before, cell, after) ^ s;
+  hn_uvec3 joins = hn_i_xor(hn_i_joins_z(before, cell, after), s);
   hn_rank4 best = hn_i_visit_slab(hn_i_far_away(), before, cell, after, joins.x, hn_i_odd(before.z + s), x, y, z.x,
                                   jitter, metric, hn_i_code(0, 0, -1));
   best = hn_i_visit_slab(best, before, cell, after, joins.y, hn_i_odd(cell.z + s), x, y, z.y, jitter, metric,

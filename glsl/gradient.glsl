@@ -25,12 +25,12 @@ HN_FN hn_float hn_i_field3q(hn_uint h) {
 
 // The same of three words at once.
 HN_FN hn_vec3 hn_i_of_field_bits(hn_uvec3 bits, hn_float offset) {
-  HN_I_PRECISE hn_vec3 x = uintBitsToFloat(bits | 0x40000000u) - offset;
+  HN_I_PRECISE hn_vec3 x = uintBitsToFloat(hn_i_or(bits, 0x40000000u)) - offset;
   return x;
 }
-HN_FN hn_vec3 hn_i_fields2(hn_uvec3 h) { return hn_i_of_field_bits((h >> 8u) & 0x007FC000u, 3.0f - 1.0f / 512.0f); }
-HN_FN hn_vec3 hn_i_fields3p(hn_uvec3 h) { return hn_i_of_field_bits((h >> 8u) & 0x007F8000u, 3.0f - 1.0f / 256.0f); }
-HN_FN hn_vec3 hn_i_fields3q(hn_uvec3 h) { return hn_i_of_field_bits(h & 0x007F8000u, 3.0f - 1.0f / 256.0f); }
+HN_FN hn_vec3 hn_i_fields2(hn_uvec3 h) { return hn_i_of_field_bits(hn_i_and(h >> 8u, 0x007FC000u), 3.0f - 1.0f / 512.0f); }
+HN_FN hn_vec3 hn_i_fields3p(hn_uvec3 h) { return hn_i_of_field_bits(hn_i_and(h >> 8u, 0x007F8000u), 3.0f - 1.0f / 256.0f); }
+HN_FN hn_vec3 hn_i_fields3q(hn_uvec3 h) { return hn_i_of_field_bits(hn_i_and(h, 0x007F8000u), 3.0f - 1.0f / 256.0f); }
 #else
 HN_FN hn_float hn_i_field2(hn_uint h) {
   return hn_i_minus(float((h >> 22u) & 511u) * (1.0f / 256.0f), 1.0f - 1.0f / 512.0f);

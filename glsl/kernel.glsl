@@ -110,20 +110,21 @@ HN_FN hn_int hn_i_magnitude(hn_int x) { return max(x, -x); }
 // Squares have 41 bits. They are summed by the products of the high digits, of a high and a low digit, and of the low
 // digits, so that the sum is exact before it is rounded down. A digit has 10 bits.
 HN_FN hn_uint hn_i_square(hn_int x, hn_int y) {
-  hn_uvec2 v = uvec2(hn_i_magnitude(x), hn_i_magnitude(y));
+  hn_uvec2 v = uvec2(ivec2(hn_i_magnitude(x), hn_i_magnitude(y)));
   hn_uvec2 h = uvec2(v.x >> 10u, v.y >> 10u);
   hn_uvec2 l = uvec2(v.x & 1023u, v.y & 1023u);
   return ((h.x * h.x + h.y * h.y) << 10u) + (h.x * l.x + h.y * l.y) * 2u + ((l.x * l.x + l.y * l.y) >> 10u);
 }
 HN_FN hn_uint hn_i_square(hn_int x, hn_int y, hn_int z) {
-  hn_uvec3 v = uvec3(hn_i_magnitude(x), hn_i_magnitude(y), hn_i_magnitude(z));
+  hn_uvec3 v = uvec3(ivec3(hn_i_magnitude(x), hn_i_magnitude(y), hn_i_magnitude(z)));
   hn_uvec3 h = uvec3(v.x >> 10u, v.y >> 10u, v.z >> 10u);
   hn_uvec3 l = uvec3(v.x & 1023u, v.y & 1023u, v.z & 1023u);
   return ((h.x * h.x + h.y * h.y + h.z * h.z) << 10u) + (h.x * l.x + h.y * l.y + h.z * l.z) * 2u +
          ((l.x * l.x + l.y * l.y + l.z * l.z) >> 10u);
 }
 HN_FN hn_uint hn_i_square(hn_int x, hn_int y, hn_int z, hn_int w) {
-  hn_uvec4 v = uvec4(hn_i_magnitude(x), hn_i_magnitude(y), hn_i_magnitude(z), hn_i_magnitude(w));
+  hn_uvec4 v =
+      uvec4(ivec4(hn_i_magnitude(x), hn_i_magnitude(y), hn_i_magnitude(z), hn_i_magnitude(w)));
   hn_uvec4 h = uvec4(v.x >> 10u, v.y >> 10u, v.z >> 10u, v.w >> 10u);
   hn_uvec4 l = uvec4(v.x & 1023u, v.y & 1023u, v.z & 1023u, v.w & 1023u);
   return ((h.x * h.x + h.y * h.y + h.z * h.z + h.w * h.w) << 10u) +

@@ -82,19 +82,22 @@ HN_FN hn_uvec3 hn_i_sizes(hn_ivec3 x) { return uvec3(max(x, x * -1)); }
 
 // An offset is below 4 cells, 2^22, and the square of a length below 16. A square has up to 44 bits, so it is made of
 // the products of two digits; the lower one has 11 bits. The sum is exact before it is rounded down.
+HN_FN hn_uvec3 hn_i_high_square(hn_uvec3 a) { return (a >> 11u) * (((a >> 11u) << 10u) + hn_i_and(a, 2047u)); }
+HN_FN hn_uvec3 hn_i_low_square(hn_uvec3 a) {
+  hn_uvec3 digit = hn_i_and(a, 2047u);
+  return digit * digit;
+}
 HN_FN hn_uvec3 hn_i_squares(hn_ivec3 x, hn_ivec3 y) {
   hn_uvec3 a = hn_i_sizes(x);
   hn_uvec3 b = hn_i_sizes(y);
-  hn_uvec3 high = (a >> 11u) * (((a >> 11u) << 10u) + (a & 2047u)) + (b >> 11u) * (((b >> 11u) << 10u) + (b & 2047u));
-  return high + (((a & 2047u) * (a & 2047u) + (b & 2047u) * (b & 2047u)) >> 12u);
+  return hn_i_high_square(a) + hn_i_high_square(b) + ((hn_i_low_square(a) + hn_i_low_square(b)) >> 12u);
 }
 HN_FN hn_uvec3 hn_i_squares(hn_ivec3 x, hn_ivec3 y, hn_ivec3 z) {
   hn_uvec3 a = hn_i_sizes(x);
   hn_uvec3 b = hn_i_sizes(y);
   hn_uvec3 c = hn_i_sizes(z);
-  hn_uvec3 high = (a >> 11u) * (((a >> 11u) << 10u) + (a & 2047u)) + (b >> 11u) * (((b >> 11u) << 10u) + (b & 2047u)) +
-                  (c >> 11u) * (((c >> 11u) << 10u) + (c & 2047u));
-  return high + (((a & 2047u) * (a & 2047u) + (b & 2047u) * (b & 2047u) + (c & 2047u) * (c & 2047u)) >> 12u);
+  return hn_i_high_square(a) + hn_i_high_square(b) + hn_i_high_square(c) +
+         ((hn_i_low_square(a) + hn_i_low_square(b) + hn_i_low_square(c)) >> 12u);
 }
 HN_FN hn_uint hn_i_squared(hn_int x, hn_int y) { return hn_i_squares(ivec3(x, 0, 0), ivec3(y, 0, 0)).x; }
 HN_FN hn_uint hn_i_squared(hn_int x, hn_int y, hn_int z) {

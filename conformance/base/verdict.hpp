@@ -17,7 +17,7 @@ enum class Status {
   warning,  // nothing that the library promises is touched, but somebody should know: what is said is in the message
   fail,     // the driver, or the library on it, is wrong
   unsupported,  // the driver cannot, and does not claim to
-  crash,        // the process of the driver ended, or its context was lost
+  crash,        // the process of the driver ended, or its context or device was lost
   timeout,      // the driver did not answer in time
   error,        // the suite itself could not do its work: a golden file is missing, say
 };

@@ -90,8 +90,9 @@ void add_metamorphic_cases(std::vector<Case>& cases, const Evaluation& evaluatio
       const auto& [name, variant, make] = kVariants[i];
       // Of several words that are near the right ones nothing can be said by what a trip leaves of them.
       if (name == "in_loop" && function.outputs.size() > 1 && !has_same_bits(function, configuration)) continue;
-      const bool all =
-          target.main && configuration.is_default() && !function.is_further() && (!profile.es || function.exact());
+      const bool all = target.main
+                           ? configuration.is_default() && !function.is_further() && (!profile.es || function.exact())
+                           : function.exact();
       const bool some = has_turn(function, configuration, target.number + i) && !(function.is_further() && profile.es);
       cases.push_back({name_of(evaluation, name), PairingKind{{function, configuration, profile, variant, stage}, make},
                        all || some ? Extent::one_driver : Extent::thorough});

@@ -71,9 +71,7 @@ void add_value_cases(std::vector<Case>& cases) {
         if (covers(configuration, function)) {
           cases.push_back({name_of(evaluation, "golden"), GoldenKind{evaluation}, extent});
           // In OpenGL the other stages are held against this one. A browser has no twin.
-          const Platform platform = target.profile->platform();
-          const bool other = platform != Platform::opengl && platform != Platform::webgpu;
-          if (target.stage == Stage::fragment || other) {
+          if (target.stage == Stage::fragment || target.profile->platform() == Platform::vulkan) {
             cases.push_back({name_of(evaluation, "twin"), CheckKind{evaluation, check_twin}, extent});
           }
           if (target.main) add_properties(cases, evaluation, std::max(extent, Extent::one_driver));

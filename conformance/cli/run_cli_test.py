@@ -7,6 +7,7 @@ Usage: run_cli_test.py PATH-OF-HN-CONFORM
 import json
 import os
 import pathlib
+import shutil
 import signal
 import subprocess
 import sys
@@ -15,6 +16,7 @@ import time
 import unittest
 
 PROGRAM = ""
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 SOME = ("--filter", "noise?d.perlin.*.fragment.*.golden", "--filter", "hash.*.fragment.*.golden")
 
 
@@ -39,15 +41,16 @@ class Run(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
         self.out = self.folder / "out"
 
-    def start(self, *arguments, out=None):
+    def start(self, *arguments, out=None, environment=None):
         command = [PROGRAM, "run", "--out", out or self.out, *arguments]
-        process = subprocess.Popen(list(map(str, command)), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        process = subprocess.Popen(list(map(str, command)), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                   env={**os.environ, **(environment or {})})
         self.addCleanup(process.stdout.close)
         self.addCleanup(process.stderr.close)
         return process
 
-    def run_program(self, *arguments, out=None):
-        process = self.start(*arguments, out=out)
+    def run_program(self, *arguments, out=None, environment=None):
+        process = self.start(*arguments, out=out, environment=environment)
         process.out, process.err = process.communicate()
         return process
 
@@ -160,6 +163,61 @@ class Run(unittest.TestCase):
         done = self.run_program("--driver", "metal", *one)
         self.assertEqual(done.returncode, 2)
         self.assertIn("glfw-osmesa", done.err)
+
+    def test_a_driver_gets_the_cases_of_its_platform(self):
+        both = ("--filter", "noise2d.perlin.lattice.fixed.fragment.gl330.golden",
+                "--filter", "noise2d.perlin.lattice.fixed.*.vulkan.golden",
+                "--filter", "noise2d.perlin.lattice.fixed.*.hlsl60.golden")
+        done = self.run_program("--driver", "osmesa", "--driver", "vulkan:99", *both)
+        self.assertEqual(done.returncode, 3)
+        self.assertIn("there is no Vulkan device 99", self.runs()["vulkan:99"]["absent"])
+        self.assertEqual([case["id"].split(".")[5] for case in self.runs()["osmesa"]["cases"]], ["gl330"])
+        done = self.run_program("--driver", "osmesa", *both[2:])
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("no case is for one of these drivers", done.err)
+        # Without a loader, or without a driver, all else goes on as before.
+        done = self.run_program("--driver", "vulkan:0", "--driver", "osmesa", *both,
+                                environment={"VK_DRIVER_FILES": "/nowhere", "VK_ICD_FILENAMES": "/nowhere"})
+        self.assertEqual(done.returncode, 3)
+        self.assertEqual(self.runs()["osmesa"]["totals"]["pass"], 1)
+
+    def vulkan(self, *arguments):
+        """A run on all devices of Vulkan."""
+        done = self.run_program("--driver", "vulkan:*", *arguments)
+        if "there is no driver" in done.err:
+            self.skipTest("no device of Vulkan is here")
+        return done
+
+    def test_vulkan_runs_each_language_and_notices_a_changed_constant(self):
+        some = ("--deal", "--filter", "noise2d.perlin.lattice.fixed.*.vulkan.*", "--filter",
+                "noise2d.perlin.lattice.fixed.*.hlsl60.*", "--filter", "noise3d.perlin.lattice.fast.*.hlsl60.golden")
+        done = self.vulkan(*some, "--thorough")
+        self.assertEqual(done.returncode, 0, done.err + done.out)
+        for name, run in self.runs().items():
+            self.assertGreater(run["totals"]["pass"], 0, name)
+            self.assertEqual(run["totals"]["unsupported"], 0, name)
+        copy = self.folder / "glsl"
+        shutil.copytree(ROOT / "glsl", copy)
+        text = (copy / "hash.glsl").read_text()
+        self.assertEqual(text.count("0x2C1B3C6Du"), 1)
+        (copy / "hash.glsl").write_text(text.replace("0x2C1B3C6Du", "0x2C1B3C6Fu"))
+        done = self.vulkan(*some, "--thorough", "--glsl", copy)
+        self.assertEqual(done.returncode, 1)
+        cases = [case for run in self.runs().values() for case in run["cases"] if not case["id"].endswith(".spirv")]
+        wrong = {case["id"].split(".")[5] for case in cases if case["status"] == "fail" and case["mismatches"] > 0}
+        self.assertEqual(wrong, {"vulkan", "hlsl60"})
+        for case in cases:
+            if case["id"].endswith((".golden", ".twin")):
+                self.assertEqual(case["status"], "fail", case["id"])
+
+    def test_vulkan_shows_an_injected_fault_in_glsl(self):
+        self.vulkan("--inject", "integers_saturated", "--deal", "--filter",
+                    "noise2d.perlin.lattice.fixed.compute.*.golden")
+        cases = {case["id"].split(".")[5]: case for run in self.runs().values() for case in run["cases"]}
+        self.assertEqual(cases["vulkan"]["status"], "fail")
+        self.assertGreater(cases["vulkan"]["mismatches"], 0)
+        self.assertEqual(cases["hlsl60"]["status"], "unsupported")
+        self.assertIn("faults are injected into GLSL", cases["hlsl60"]["message"])
 
     def test_only_an_expectation_excuses_and_only_what_needs_it(self):
         one = ("--filter", "noise2d.perlin.lattice.fast.fragment.gl330.golden")

@@ -24,23 +24,30 @@ EShLanguage language_of(Stage stage) {
 
 enum class Warnings { refuse, let_pass };
 
+EShMessages rules_of(const Profile& profile) {
+  const int hlsl = profile.in_glsl() ? EShMsgDefault : EShMsgReadHlsl;
+  return static_cast<EShMessages>(profile.spirv ? EShMsgSpvRules | EShMsgVulkanRules | hlsl : EShMsgDefault);
+}
+
+// Says which language a shader is in, and what is made of it.
+void set_environment(glslang::TShader& shader, const Profile& profile, EShLanguage language) {
+  if (!profile.spirv) return;
+  shader.setEnvInput(profile.in_glsl() ? glslang::EShSourceGlsl : glslang::EShSourceHlsl, language,
+                     glslang::EShClientVulkan, 100);
+  shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_0);
+  shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_0);
+  if (!profile.in_glsl()) shader.setEntryPoint("main");
+}
+
 // Compiles and links; the SPIR-V where the profile has it, else nothing.
 Result<std::vector<std::uint32_t>> compile(const ShaderText& source, const Profile& profile, Stage stage,
                                            Warnings warnings) {
   const EShLanguage language = language_of(stage);
-  const int hlsl = profile.in_glsl() ? EShMsgDefault : EShMsgReadHlsl;
-  const auto rules =
-      static_cast<EShMessages>(profile.spirv ? EShMsgSpvRules | EShMsgVulkanRules | hlsl : EShMsgDefault);
+  const EShMessages rules = rules_of(profile);
   glslang::TShader shader(language);
   const char* const text = source.text.c_str();
   shader.setStrings(&text, 1);
-  if (profile.spirv) {
-    shader.setEnvInput(profile.in_glsl() ? glslang::EShSourceGlsl : glslang::EShSourceHlsl, language,
-                       glslang::EShClientVulkan, 100);
-    shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_0);
-    shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_0);
-  }
-  if (!profile.in_glsl()) shader.setEntryPoint("main");
+  set_environment(shader, profile, language);
   const bool compiled = shader.parse(GetDefaultResources(), profile.version, false, rules);
   const std::string log = shader.getInfoLog();
   if (!compiled) return fail("glslang does not compile it", source.translate(log));
@@ -77,6 +84,22 @@ Result<std::vector<std::uint32_t>> ReferenceCompiler::spirv(const ShaderText& so
 
 Result<std::vector<std::uint32_t>> ReferenceCompiler::spirv(const ShaderText& source, Stage stage) const {
   return spirv(source, profile_named("vulkan"), stage);
+}
+
+Result<ShaderText> ReferenceCompiler::preprocessed(const ShaderText& source, const Profile& profile,
+                                                   Stage stage) const {
+  const EShLanguage language = language_of(stage);
+  glslang::TShader shader(language);
+  const char* const text = source.text.c_str();
+  shader.setStrings(&text, 1);
+  set_environment(shader, profile, language);
+  ShaderText result{{}, source.paths};
+  glslang::TShader::ForbidIncluder none;
+  if (shader.preprocess(GetDefaultResources(), profile.version, ENoProfile, false, false, rules_of(profile),
+                        &result.text, none)) {
+    return result;
+  }
+  return fail("glslang does not preprocess it", source.translate(shader.getInfoLog()));
 }
 
 }  // namespace hn

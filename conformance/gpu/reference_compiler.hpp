@@ -29,6 +29,9 @@ class ReferenceCompiler {
   // allowed: the shader may be somebody else's.
   Result<std::vector<std::uint32_t>> spirv(const ShaderText& shader, const Profile& profile, Stage stage) const;
   Result<std::vector<std::uint32_t>> spirv(const ShaderText& shader, Stage stage) const;  // of Vulkan's GLSL
+
+  // The shader without macros and conditions, for compilers whose preprocessors lack something.
+  Result<ShaderText> preprocessed(const ShaderText& shader, const Profile& profile, Stage stage) const;
 };
 
 }  // namespace hn

@@ -62,6 +62,23 @@ TEST(ReferenceCompiler, NamesTheFunctionsThatAreNotPrecise) {
   EXPECT_EQ(found[0], "f(f1;");
 }
 
+TEST(ReferenceCompiler, ExpandsMacros) {
+  const ReferenceCompiler compiler;
+  const Profile& hlsl = profile_named("hlsl50");
+  const auto of = [&](std::string_view text) {
+    const auto shader = expand(SourceSet::embedded(), hlsl, text);
+    return compiler.preprocessed(*shader, hlsl, Stage::compute);
+  };
+  const auto plain =
+      of("#define PAIR 1, 2\n#define SUM(a) ADD(a)\n#define ADD(a, b) ((a) + (b))\n#if 0\nno\n#endif\n"
+         "int x = SUM(PAIR);\n");
+  ASSERT_TRUE(plain) << plain.error().text();
+  EXPECT_EQ(plain->text.find("SUM"), std::string::npos) << plain->text;
+  EXPECT_EQ(plain->text.find("no"), std::string::npos) << plain->text;
+  EXPECT_NE(plain->text.find("+"), std::string::npos) << plain->text;
+  EXPECT_FALSE(of("#if\n"));
+}
+
 TEST(ReferenceCompiler, LinksAWholeProgram) {
   EXPECT_FALSE(check("gl450", "float f();\nvoid main() { gl_FragDepth = f(); }\n"));
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <glslang/SPIRV/spirv.hpp>
 #include <map>
 #include <set>
@@ -10,10 +11,11 @@
 namespace hn {
 namespace {
 
+constexpr std::size_t kHeader = 5;  // words before the first instruction
+
 // What is said of the module word by word: each instruction and its operands, from the result on if it has one.
 template <typename Visit>
 void for_each_instruction(std::span<const std::uint32_t> words, Visit visit) {
-  constexpr std::size_t kHeader = 5;  // words before the first instruction
   for (std::size_t at = kHeader; at < words.size();) {
     const std::size_t length = words[at] >> 16;
     if (length == 0 || at + length > words.size()) break;
@@ -79,6 +81,18 @@ std::vector<std::string> contractible(std::span<const std::uint32_t> words) {
     if (free && (found.empty() || found.back() != function)) found.push_back(function);
   });
   return found;
+}
+
+std::vector<std::uint32_t> without_repeated_decorations(std::span<const std::uint32_t> words) {
+  std::vector<std::uint32_t> kept(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(std::min(words.size(), kHeader)));
+  std::set<std::vector<std::uint32_t>> seen;
+  for_each_instruction(words, [&](spv::Op operation, std::span<const std::uint32_t> operands) {
+    const bool decorates = operation == spv::OpDecorate || operation == spv::OpMemberDecorate;
+    const std::vector<std::uint32_t> instruction(operands.data() - 1, operands.data() + operands.size());
+    if (decorates && !seen.insert(instruction).second) return;
+    kept.insert(kept.end(), instruction.begin(), instruction.end());
+  });
+  return kept;
 }
 
 }  // namespace hn

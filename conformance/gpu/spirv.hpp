@@ -22,4 +22,7 @@ std::vector<std::string> relaxed_precision(std::span<const std::uint32_t> words)
 // The functions in which an operation on floats may be contracted or reassociated with others: their mangled names.
 std::vector<std::string> contractible(std::span<const std::uint32_t> words);
 
+// The module without decorations that it has already: valid SPIR-V has each once.
+std::vector<std::uint32_t> without_repeated_decorations(std::span<const std::uint32_t> words);
+
 }  // namespace hn

@@ -24,8 +24,8 @@ constexpr std::array kAll = {
 constexpr std::array kOther = {
     Profile{"hlsl50", "", 50, false, true, Language::hlsl},
     Profile{"hlsl60", "", 60, false, true, Language::hlsl},
-    Profile{"wgsl", "", 1, false, false, Language::wgsl},
     Profile{"msl", "", 0, false, false, Language::metal},
+    Profile{"wgsl", "", 1, false, false, Language::wgsl},
 };
 
 constexpr std::array kRun = {kAll[1], kAll[3], kAll[11]};
@@ -54,10 +54,10 @@ std::string_view name_of(Platform platform) {
   switch (platform) {
     case Platform::vulkan:
       return "Vulkan";
-    case Platform::webgpu:
-      return "WebGPU";
     case Platform::metal:
       return "Metal";
+    case Platform::webgpu:
+      return "WebGPU";
     case Platform::opengl:
       break;
   }
@@ -65,8 +65,15 @@ std::string_view name_of(Platform platform) {
 }
 
 Platform Profile::platform() const {
-  if (language == Language::metal) return Platform::metal;
-  if (language == Language::wgsl) return Platform::webgpu;
+  switch (language) {
+    case Language::metal:
+      return Platform::metal;
+    case Language::wgsl:
+      return Platform::webgpu;
+    case Language::hlsl:
+    case Language::glsl:
+      break;
+  }
   return spirv ? Platform::vulkan : Platform::opengl;
 }
 

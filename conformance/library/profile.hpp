@@ -11,9 +11,9 @@ namespace hn {
 enum class Stage { fragment, vertex, compute };
 std::string_view name_of(Stage stage);
 
-enum class Language { glsl, hlsl, wgsl, metal };
+enum class Language { glsl, hlsl, metal, wgsl };
 // Whose drivers run a shader.
-enum class Platform { opengl, vulkan, webgpu, metal };
+enum class Platform { opengl, vulkan, metal, webgpu };
 std::string_view name_of(Platform platform);  // "OpenGL"
 
 struct Profile {

@@ -31,5 +31,22 @@ TEST(Profile, RunningNeedsBitCasts) {
   EXPECT_EQ(unsupported_to_run(profile_named("gl330"), {150, 0}), "GLSL 3.30 is beyond this context's 1.50");
 }
 
+TEST(Profile, APlatformRunsItsOwnProfilesAlone) {
+  const LanguageSupport opengl{460, 320};
+  LanguageSupport vulkan{0, 0};
+  vulkan.profiles = {"vulkan", "hlsl60"};
+  EXPECT_EQ(profile_named("gl460").platform(), Platform::opengl);
+  EXPECT_EQ(unsupported_reason(profile_named("vulkan"), opengl),
+            "this driver does not run vulkan, which is for drivers of Vulkan");
+  EXPECT_EQ(unsupported_reason(profile_named("hlsl60"), opengl),
+            "this driver does not run hlsl60, which is for drivers of Vulkan");
+  EXPECT_EQ(unsupported_to_run(profile_named("vulkan"), vulkan), "");
+  EXPECT_EQ(unsupported_to_run(profile_named("hlsl60"), vulkan), "");
+  EXPECT_NE(unsupported_reason(profile_named("hlsl50"), vulkan), "");
+  EXPECT_EQ(unsupported_reason(profile_named("gl330"), vulkan), "this context does not compile GLSL");
+  EXPECT_TRUE(vulkan.has_stage(Stage::compute));
+  EXPECT_FALSE(vulkan.has_stage(Stage::fragment));
+}
+
 }  // namespace
 }  // namespace hn

@@ -42,6 +42,12 @@ RWStructuredBuffer<float> values;
 """
 
 
+def printed(language: str) -> list[str]:
+    """The code of a language in its page."""
+    return re.findall(rf"^```{language}\n(.*?)^```$", (ROOT / "docs" / "languages.md").read_text(),
+                      re.MULTILINE | re.DOTALL)
+
+
 def settings(arithmetics: tuple[str, ...]) -> list[dict[str, str]]:
     return [{"HN_ARITHMETIC": arithmetic, "HN_GRADIENT": f"HN_GRADIENT_{gradient}", "HN_HASH": f"HN_HASH_{hashed}"}
             for arithmetic, gradient, hashed in product(arithmetics, ("OCTAHEDRAL", "SINE"), ("LATTICE", "PCG", "FNV1"))]
@@ -79,9 +85,19 @@ class Shim(unittest.TestCase):
 
 
 class Hlsl(Shim):
+    def accepted(self, stage: str) -> str:
+        return self.says("glslangValidator", "-D", "-V", "-S", stage, "-e", "main", "-o", str(self.file) + ".spv")
+
     def compiled(self, include: str = '#include "hashnoise.hlsl"', **knobs: str) -> str:
         self.written(include + USER + MAIN, knobs)
-        return self.says("glslangValidator", "-D", "-V", "-S", "comp", "-e", "main", "-o", str(self.file) + ".spv")
+        return self.accepted("comp")
+
+    def test_the_code_of_the_page_compiles(self):
+        shaders = printed("hlsl")
+        self.assertEqual(len(shaders), 2)
+        for shader in shaders:
+            self.written(shader, {})
+            self.assertEqual(self.accepted("frag"), "")
 
     def test_it_compiles_with_every_arithmetic_and_gradient(self):
         for knobs in settings(ARITHMETICS):
@@ -107,9 +123,18 @@ class Hlsl(Shim):
 
 
 class Metal(Shim):
+    def accepted(self, *options: str) -> str:
+        return self.says(COMPILER, "-std=c++14", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", *options)
+
     def compiled(self, **knobs: str) -> str:
         self.written('#include "hashnoise.metal"\nnamespace hashnoise {' + USER + "}\n", knobs)
-        return self.says(COMPILER, "-std=c++14", "-fsyntax-only", "-Wall", "-Wextra", "-Werror")
+        return self.accepted()
+
+    def test_the_code_of_the_page_compiles(self):
+        shaders = printed("metal")
+        self.assertEqual(len(shaders), 1)
+        self.written(shaders[0], {"fragment": ""})
+        self.assertEqual(self.accepted("-Wno-unknown-attributes"), "")
 
     def test_it_compiles_with_every_arithmetic_and_gradient(self):
         for knobs in settings(("HN_FAST", "HN_FIXED")):

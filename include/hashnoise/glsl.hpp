@@ -149,6 +149,7 @@ struct Vector3 {
   friend constexpr Vector3 operator/(Vector3 a, Vector3 b) { return {a.x / b.x, a.y / b.y, a.z / b.z}; }
   friend constexpr Vector3 operator/(Vector3 a, T b) { return a / Vector3(b); }
   // Of integers.
+  friend constexpr Vector3 operator&(Vector3 a, Vector3 b) { return {a.x & b.x, a.y & b.y, a.z & b.z}; }
   friend constexpr Vector3 operator&(Vector3 a, T b) { return {a.x & b, a.y & b, a.z & b}; }
   friend constexpr Vector3 operator|(Vector3 a, T b) { return {a.x | b, a.y | b, a.z | b}; }
   friend constexpr Vector3 operator|(Vector3 a, Vector3 b) { return {a.x | b.x, a.y | b.y, a.z | b.z}; }

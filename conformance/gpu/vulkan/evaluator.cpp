@@ -7,6 +7,7 @@
 
 #include "gpu/spirv.hpp"
 #include "gpu/vulkan/device.hpp"
+#include "gpu/vulkan/vkd3d.hpp"
 
 namespace hn {
 namespace {
@@ -14,6 +15,7 @@ namespace {
 using Words = std::vector<std::uint32_t>;
 
 constexpr std::uint32_t kNothing = 0xDEADBEEF;
+constexpr const char* kShaderModel5 = "hlsl50";
 
 class RunningKernel final : public Evaluable {
  public:
@@ -50,11 +52,16 @@ class VulkanEvaluator final : public Evaluator {
     info_.gl_version = fmt::format("{}, glslang {}{}", found.version, reference_compiler_version(),
                                    found.validated ? ", with validation layers" : "");
     info_.languages.profiles = {"vulkan", "hlsl60"};
+    if (vkd3d_) {
+      info_.languages.profiles.push_back(kShaderModel5);
+      info_.gl_version += fmt::format(", vkd3d-compiler {}", vkd3d_->version());
+    }
   }
 
   const ContextInfo& info() const override { return info_; }
 
   std::string unsupported(const Profile& profile, Stage stage) const override {
+    if (profile.name == kShaderModel5 && !vkd3d_) return vkd3d_.error().message;
     if (auto reason = unsupported_to_run(profile, info_.languages); !reason.empty()) return reason;
     return stage == Stage::compute ? "" : "functions are evaluated in compute shaders here";
   }
@@ -62,7 +69,7 @@ class VulkanEvaluator final : public Evaluator {
   Result<std::unique_ptr<Evaluable>> build(const SourceSet& sources, const Evaluation& evaluation,
                                            std::string_view shader) override {
     HN_TRY(const auto text, expand(sources, evaluation.profile, shader));
-    HN_TRY(const auto words, compiler_.spirv(text, evaluation.profile, evaluation.stage));
+    HN_TRY(const auto words, spirv(text, evaluation));
     if (!device_->info().validated) HN_DO(validate_spirv(words));
     HN_TRY(auto kernel, device_->build(words));
     return std::make_unique<RunningKernel>(*device_, std::move(kernel));
@@ -72,8 +79,16 @@ class VulkanEvaluator final : public Evaluator {
   const Context* context() const override { return nullptr; }
 
  private:
+  Result<Words> spirv(const ShaderText& text, const Evaluation& evaluation) const {
+    if (evaluation.profile.name != kShaderModel5) return compiler_.spirv(text, evaluation.profile, evaluation.stage);
+    // vkd3d's own preprocessor takes what a macro makes of an argument for one argument of the next.
+    HN_TRY(const auto plain, compiler_.preprocessed(text, evaluation.profile, evaluation.stage));
+    return vkd3d_->spirv(plain);
+  }
+
   std::unique_ptr<VulkanDevice> device_;
   const ReferenceCompiler& compiler_;
+  const Result<Vkd3d> vkd3d_ = Vkd3d::find();
   ContextInfo info_;
 };
 

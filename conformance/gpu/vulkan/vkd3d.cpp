@@ -1,0 +1,86 @@
+#include "gpu/vulkan/vkd3d.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "base/file.hpp"
+#include "base/process.hpp"
+#include "base/temporary_folder.hpp"
+#include "gpu/spirv.hpp"
+
+namespace hn {
+namespace {
+
+// The older ones compile only parts of the language.
+constexpr int kLeastMajor = 1;
+constexpr int kLeastMinor = 10;
+
+}  // namespace
+
+std::string vkd3d_version(const std::string& text) {
+  constexpr std::string_view kBefore = "version ";
+  const auto at = text.find(kBefore);
+  int major = 0;
+  int minor = 0;
+  const bool found = at != std::string::npos && std::sscanf(&text[at + kBefore.size()], "%d.%d", &major, &minor) == 2;
+  return found ? fmt::format("{}.{}", major, minor) : "";
+}
+
+bool reads_hlsl(const std::string& version) {
+  int major = 0;
+  int minor = 0;
+  if (std::sscanf(version.c_str(), "%d.%d", &major, &minor) != 2) return false;
+  return major > kLeastMajor || (major == kLeastMajor && minor >= kLeastMinor);
+}
+
+Result<Vkd3d> Vkd3d::find() {
+  const char* const named = std::getenv("HN_VKD3D_COMPILER");
+  std::string program = named ? named : "vkd3d-compiler";
+  const TemporaryFolder folder;
+  const auto output = folder.path() / "version";
+  const auto ran = run_process({.program = program, .arguments = {"--version"}, .output = output});
+  if (!ran) return fail(fmt::format("{} cannot be run: {}", program, ran.error().message));
+  HN_TRY(const auto text, read_file(output));
+  std::string version = vkd3d_version(text);
+  if (!reads_hlsl(version)) {
+    return fail(fmt::format("{} is version {}, and HLSL needs {}.{}", program, version.empty() ? "unknown" : version,
+                            kLeastMajor, kLeastMinor));
+  }
+  return Vkd3d(std::move(program), std::move(version));
+}
+
+// It prints a line for every #line otherwise.
+std::vector<std::string> quiet_environment() {
+  constexpr std::array<std::string_view, 1> kOwn = {"VKD3D_SHADER_DEBUG="};
+  std::vector<std::string> environment = environment_without(kOwn);
+  environment.emplace_back("VKD3D_SHADER_DEBUG=none");
+  return environment;
+}
+
+Result<std::vector<std::uint32_t>> Vkd3d::spirv(const ShaderText& shader) const {
+  const TemporaryFolder folder;
+  const auto file = [&](const char* name) { return (folder.path() / name).string(); };
+  HN_DO(write_file(file("shader.hlsl"), shader.text));
+  const auto compiled = run_process({.program = program_,
+                                     .arguments = {"-x", "hlsl", "-b", "dxbc-tpf", "-p", "cs_5_0", "-e", "main", "-o",
+                                                   file("shader.dxbc"), file("shader.hlsl")},
+                                     .environment = quiet_environment(),
+                                     .output = file("compiled")});
+  if (!compiled) return fail("vkd3d-compiler does not compile it", shader.translate(compiled.error().text()));
+  const auto translated =
+      run_process({.program = program_,
+                   .arguments = {"-x", "dxbc-tpf", "-b", "spirv-binary", "--buffer-uav=storage-buffer", "-o",
+                                 file("shader.spv"), file("shader.dxbc")},
+                   .output = file("translated")});
+  if (!translated) return fail("vkd3d-compiler makes no SPIR-V of it", translated.error().text());
+  HN_TRY(const auto bytes, read_file(file("shader.spv")));
+  std::vector<std::uint32_t> words(bytes.size() / sizeof(std::uint32_t));
+  std::memcpy(words.data(), bytes.data(), words.size() * sizeof(std::uint32_t));
+  return without_repeated_decorations(words);  // the type of all of its buffers has one for each
+}
+
+}  // namespace hn

@@ -1,0 +1,35 @@
+// HLSL of shader model 5 by way of Direct3D's own code: vkd3d-compiler makes what Direct3D 11 takes, and SPIR-V of
+// that.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/result.hpp"
+#include "library/source.hpp"
+
+namespace hn {
+
+class Vkd3d {
+ public:
+  // The program that the environment variable HN_VKD3D_COMPILER names, or vkd3d-compiler. An error says why there is
+  // none that reads HLSL.
+  static Result<Vkd3d> find();
+  // Of a compute shader, with all of its buffers as storage buffers.
+  Result<std::vector<std::uint32_t>> spirv(const ShaderText& shader) const;
+
+  const std::string& version() const { return version_; }  // "2.1"
+
+ private:
+  Vkd3d(std::string program, std::string version) : program_(std::move(program)), version_(std::move(version)) {}
+  std::string program_;
+  std::string version_;
+};
+
+// "1.10" of what vkd3d-compiler --version says; empty if it says nothing like that.
+std::string vkd3d_version(const std::string& text);
+// Whether a version reads HLSL well enough: from 1.10 on.
+bool reads_hlsl(const std::string& version);
+
+}  // namespace hn
