@@ -23,8 +23,8 @@ LanguageSupport webgpu_languages();
 // Why WebGL2, or WebGPU, or the page cannot run a case; empty if they can.
 std::string unsupported_in_browser(const Case& test, Platform platform = Platform::opengl);
 
-// Whether the page for any browser has a case: what WebGL2 runs, and of WebGPU, unless the page may be large, the bits of
-// HN_FIXED.
+// Whether the page for any browser has a case: what WebGL2 runs, and of WebGPU, unless the page may be large, the bits
+// of HN_FIXED.
 bool is_on_page(const Case& test, bool thorough = false);
 
 struct PageSuite {
