@@ -71,7 +71,8 @@ void add_value_cases(std::vector<Case>& cases) {
         if (covers(configuration, function)) {
           cases.push_back({name_of(evaluation, "golden"), GoldenKind{evaluation}, extent});
           // In OpenGL the other stages are held against this one. A browser has no twin.
-          if (target.stage == Stage::fragment || target.profile->platform() == Platform::vulkan) {
+          const Platform platform = target.profile->platform();
+          if (target.stage == Stage::fragment || platform == Platform::vulkan || platform == Platform::metal) {
             cases.push_back({name_of(evaluation, "twin"), CheckKind{evaluation, check_twin}, extent});
           }
           if (target.main) add_properties(cases, evaluation, std::max(extent, Extent::one_driver));

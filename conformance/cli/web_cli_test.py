@@ -61,6 +61,7 @@ class Listener(http.server.BaseHTTPRequestHandler):
 FEW = [argument for glob in ("bugs.*", "hash.lattice2.lattice.*", "noise?d.perlin.lattice.*", "fbm.fbm2.lattice.fixed.*",
                              "hashnoise.all.lattice.*", "config.hash*")
        for argument in ("--filter", glob)]
+WEBGPU = ("--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader")
 
 
 class Web(unittest.TestCase):
@@ -100,7 +101,7 @@ class Web(unittest.TestCase):
         return server.events[-1]
 
     def test_all_is_as_expected_and_results_have_the_schema(self):
-        end = self.open(self.page(*FEW))
+        end = self.open(self.page(*FEW), *WEBGPU)
         self.assertEqual(end["verdict"], "All as expected")
         results = json.loads(end["results"])
         self.assertEqual(results["schema"], 2)
@@ -112,6 +113,7 @@ class Web(unittest.TestCase):
         listed = subprocess.run([PROGRAM, "list"], capture_output=True, text=True, check=True).stdout.split()
         self.assertLessEqual({case["id"] for case in run["cases"]}, set(listed))
         self.assertGreater(len(run["cases"]), 60)
+        self.assertIn("noise2d.perlin.lattice.fixed.compute.wgsl.golden", {case["id"] for case in run["cases"]})
         # hn-conform takes them for its own.
         (self.folder / "results.json").write_text(end["results"])
         merged = subprocess.run([PROGRAM, "merge", self.folder / "results.json", "--out", self.folder / "merged"],
@@ -168,6 +170,13 @@ class Web(unittest.TestCase):
             self.assertIn(words, end["found"])
         measures = [line.strip() for line in lines if " values are wrong" in line]
         self.assertIn(f"{measures[0]}.", end["found"])
+
+    def test_without_webgpu_its_cases_are_unsupported_and_the_others_run(self):
+        end = self.open(self.page("--filter", "noise2d.perlin.lattice.fixed.*"), "--disable-features=WebGPU")
+        self.assertEqual(end["verdict"], "All as expected")
+        run, = json.loads(end["results"])["runs"]
+        statuses = {case["id"].split(".")[5]: case["status"] for case in run["cases"]}
+        self.assertEqual((statuses["wgsl"], statuses["es300"]), ("unsupported", "pass"))
 
     def test_a_filter_that_nothing_matches_is_bad_usage(self):
         done = self.call("--out", self.folder / "page", "--filter", "nothing*")

@@ -21,10 +21,7 @@ int web_command(const WebCommand& options, Interruption& interruption) {
   if (const auto golden = check_golden_folder(options.golden); !golden) return usage_error(golden.error().text());
   std::vector<Case> cases = all_cases();
   std::erase_if(cases, [&](const Case& test) {
-    const bool supported =
-        unsupported_in_browser(test).empty() || unsupported_in_browser(test, Platform::webgpu).empty();
-    return !supported || (test.extent == Extent::thorough && !options.thorough) ||
-           !matches_any(test.id, options.filters);
+    return !is_on_page(test, options.thorough) || !matches_any(test.id, options.filters);
   });
   if (cases.empty()) return usage_error("no case of the page matches --filter; hn-conform list shows the ids");
   const auto write = [&]() -> Result<void> {

@@ -304,6 +304,13 @@ std::string unsupported_in_browser(const Case& test, Platform platform) {
   return test.is<CheckKind>() ? "this check runs in the program only, not in a browser" : "";
 }
 
+bool is_on_page(const Case& test, bool thorough) {
+  if (test.extent == Extent::thorough && !thorough) return false;
+  if (unsupported_in_browser(test).empty()) return true;
+  if (!unsupported_in_browser(test, Platform::webgpu).empty()) return false;
+  return thorough || test.evaluation()->configuration.name == "lattice+fixed";
+}
+
 PageSuite make_suite(const SourceSet& sources, const std::filesystem::path& golden, std::span<const Case> cases,
                      std::string_view report_to, Platform platform) {
   SuiteWriter writer(sources, golden, cases);

@@ -23,6 +23,10 @@ LanguageSupport webgpu_languages();
 // Why WebGL2, or WebGPU, or the page cannot run a case; empty if they can.
 std::string unsupported_in_browser(const Case& test, Platform platform = Platform::opengl);
 
+// Whether the page for any browser has a case: what WebGL2 runs, and of WebGPU, unless the page may be large, the bits
+// of HN_FIXED.
+bool is_on_page(const Case& test, bool thorough = false);
+
 struct PageSuite {
   std::string json;
   // Why a case cannot be run, if so: its golden file or a source cannot be read. This is then its verdict.

@@ -265,8 +265,7 @@ TEST(Suite, EveryCaseOfEs300IsInItOrHasAReason) {
 
 TEST(Suite, ThePageIsOneFileOfAModestSize) {
   std::vector<Case> cases = all_cases();
-  std::erase_if(
-      cases, [](const Case& test) { return !unsupported_in_browser(test).empty() || test.extent == Extent::thorough; });
+  std::erase_if(cases, [](const Case& test) { return !is_on_page(test); });
   const auto page = web_page(make_suite(SourceSet::embedded(), HN_GOLDEN_DIRECTORY, cases).json);
   ASSERT_TRUE(page) << page.error().text();
   EXPECT_LT(page->size(), 5'000'000u);  // most of it are golden values and points, of all functions

@@ -1,9 +1,7 @@
 #include "web/wgsl.hpp"
 
 #include <fmt/format.h>
-#include <sys/wait.h>
 
-#include <cerrno>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -44,19 +42,13 @@ Result<void> prepare(const fs::path& folder, const SourceSet& sources) {
   return {};
 }
 
-// Waits for it to end.
 Result<void> run_python(const fs::path& folder) {
-  const fs::path log = folder / "log";
-  HN_TRY(const auto process,
-         start_process({.program = kPython,
-                        .arguments = {"-B", folder, folder / "glsl", folder / "question", folder / "answer"},
-                        .output = log}));
-  int status = 0;
-  while (waitpid(process.pid, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (status == 0) return {};
-  return tl::unexpected(Error{fmt::format("{}, which translates to WGSL, {}", kPython, describe_end(status)),
-                              read_file(log).value_or("")});
+  const auto done =
+      run_process({.program = kPython,
+                   .arguments = {"-B", folder.string(), folder / "glsl", folder / "question", folder / "answer"},
+                   .output = folder / "log"});
+  if (done) return {};
+  return tl::unexpected(Error{fmt::format("what translates to WGSL: {}", done.error().message), done.error().log});
 }
 
 // What is asked for with a configuration.

@@ -3,6 +3,7 @@
 import itertools
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -52,10 +53,44 @@ class SingleFile(unittest.TestCase):
                         self.assertEqual(sum(line.startswith(f"#define {macro} ") for line in lines), 1)
                         self.assertEqual(lines.count(f"#undef {macro}"), 1)
 
+    def test_for_godot_the_sums_are_expanded_and_nothing_else_changes(self):
+        def tokens(*options):
+            done = subprocess.run(["g++", "-E", "-P", "-U__VERSION__", "-x", "c", "-"], input=generate(*options).stdout,
+                                  capture_output=True, text=True, check=True)
+            return re.findall(r"\w+|[^\w\s]", done.stdout)
+
+        for name in FILES:
+            with self.subTest(name=name):
+                self.assertEqual(tokens("--language", "godot", name), tokens(name))
+        text = generate("--language", "godot", "--strip").stdout
+        self.assertNotRegex(text, r"(?m)^HN_[A-Z_]+[1-4]D\(")
+        self.assertNotIn("#define HN_I_SUMS", text)
+        self.assertIn("#define HN_I_PRECISE", text)
+
+    @unittest.skipUnless(shutil.which("godot"), "godot is not installed")
+    def test_godot_takes_it(self):
+        tried = (("HN_FAST", "hn_fbm", True), ("HN_FIXED", "hn_fbm", True), ("HN_FAST", "absent", False))
+        for arithmetic, call, right in tried:
+            with self.subTest(arithmetic=arithmetic, call=call), tempfile.TemporaryDirectory() as folder:
+                project = pathlib.Path(folder)
+                (project / "project.godot").write_text("config_version=5\n")
+                (project / "hashnoise.gdshaderinc").write_text(generate("--language", "godot").stdout)
+                (project / "user.gdshader").write_text(
+                    f"shader_type canvas_item;\n#define HN_ARITHMETIC {arithmetic}\n"
+                    f'#include "res://hashnoise.gdshaderinc"\n'
+                    f"void fragment() {{ COLOR = vec4({call}(UV, 5, 2.0, 0.5, 7u)); }}\n")
+                # To ask for the uniforms compiles the shader.
+                (project / "run.gd").write_text(
+                    'extends SceneTree\nfunc _init():\n\tload("res://user.gdshader").get_shader_uniform_list()\n'
+                    "\tquit()\n")
+                done = subprocess.run(["godot", "--headless", "--path", folder, "--script", "res://run.gd"],
+                                      capture_output=True, text=True, check=False)
+                self.assertEqual("SHADER ERROR" not in done.stdout + done.stderr, right, done.stdout + done.stderr)
+
     def test_an_unknown_language_is_named(self):
         done = generate("--language", "wgsl")
         self.assertEqual(done.returncode, 2)
-        self.assertIn("'glsl', 'hlsl', 'metal'", done.stderr)
+        self.assertIn("'glsl', 'hlsl', 'metal', 'godot'", done.stderr)
 
     def test_the_compilation_can_fail(self):
         right, _ = compile_shader("#version 460\n" + generate("hash.glsl").stdout + "\nvoid main() { absent(); }\n")

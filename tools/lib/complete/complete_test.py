@@ -75,7 +75,7 @@ class Deletions(unittest.TestCase):
         self.noticed(r"^glsl/\w+\.glsl:\d+: hn_snorm is not written as .*: begin its first line with HN_FN")
 
     def test_a_macro_with_the_name_of_a_function(self) -> None:
-        self.change("glsl/frame.glsl", r"\bhn_i_square_num\b", "hn_i_squared")
+        self.change("glsl/frame.glsl", r"\bhn_i_square_of_slope\b", "hn_i_squared")
         self.noticed(r"^glsl/frame\.glsl:\d+: hn_i_squared is also a function: give the macro another name")
 
     def test_a_function_of_a_row(self) -> None:

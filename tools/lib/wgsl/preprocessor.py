@@ -56,6 +56,13 @@ class Preprocessor:
         self._read(text, path)
         self._flush()
 
+    def define(self, text: str) -> None:
+        """NAME BODY or NAME(PARAMETERS) BODY."""
+        self._define(text.rstrip(), text, 0, "")
+
+    def expanded(self, line: str) -> str:
+        return " ".join(token.text for token in self._expanded(tokens_of(line, line, 0), keep_constants=True))
+
     def stands_for(self, name: str, text: str) -> bool:
         """Whether a macro is defined as that text."""
         return name in self.macros and " ".join(token.text for token in self.macros[name].body) == text

@@ -1,12 +1,19 @@
 """The generated WGSL compiles, and has the values of the golden files, outside of a browser.
 
-Exit status: 0 it does, 1 it does not, 77 there is no wgpu here.
+    python3 -m wgsl.wgpu_test HN_CONFORM
+
+What floats may differ by, and their shaders, are those of the page that hn-conform writes for browsers. Exit status: 0 it does, 1 it does not, 77 there is no wgpu here.
 """
 
 from __future__ import annotations
 
+import base64
+import gzip
+import json
+import re
 import shutil
 import struct
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -64,8 +71,47 @@ def differing(device: Device, library: Path, golden: dict[str, Path]) -> dict[st
     return found
 
 
+class Page:
+    """The suite of a page: what hn-conform has browsers run (docs/formats.md)."""
+
+    def __init__(self, program: str, glob: str):
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([program, "web", "--thorough", "--filter", glob, "--out", folder], check=True,
+                           stdout=subprocess.DEVNULL)
+            page = (Path(folder) / "index.html").read_text(encoding="utf-8")
+        packed = re.search(r'id="suite">([^<]*)<', page)[1]
+        self.json = json.loads(gzip.decompress(base64.b64decode(packed)))
+        self.cases = self.json["cases"]
+
+    def shader(self, case: dict) -> str:
+        program = self.json["programs"][case["program"]]
+        return "".join(self.json["texts"][piece] for piece in self.json["shaders"][program["wgsl"]]["pieces"])
+
+    def data(self, number: int, kind: str) -> list:
+        return memoryview(base64.b64decode(self.json["data"][number])).cast(kind).tolist()
+
+    def wrong(self, device: Device, case: dict) -> str:
+        """Where a value of a case is off by more than is allowed; nothing if none is."""
+        inputs, outputs = ([column.split(":")[1] for column in columns.split()]
+                           for columns in case["columns"].split(" = "))
+        words = self.data(case["inputs"], "I")
+        points = [words[i:i + len(inputs)] for i in range(0, len(words), len(inputs))]
+        results = device.evaluate(self.shader(case), points)
+        got = [word for result in results for word in result[:len(outputs)]]
+        expected = self.data(case["expected"], "I" if case["exact"] else "d")
+        allowed = case["allowed"]
+        allowed = self.data(allowed["data"], "d") if isinstance(allowed, dict) else [allowed] * len(expected)
+        for i, (one, right, within) in enumerate(zip(got, expected, allowed, strict=True)):
+            whole = case["exact"] or outputs[i % len(outputs)] == "i32"
+            value = struct.unpack("<f", struct.pack("<I", one))[0]
+            if (one != int(right) & 0xFFFFFFFF) if whole else not abs(value - right) <= within:
+                return f"{points[i // len(outputs)]}: got {value} ({one:08x}), expected {right} within {within}"
+        return ""
+
+
 class Wgpu(unittest.TestCase):
     device: Device
+    program: str
 
     def test_modules_compile(self):
         for file in WHOLES:
@@ -85,6 +131,18 @@ class Wgpu(unittest.TestCase):
         self.assertGreater(len(golden), 370)
         self.assertEqual(differing(self.device, GLSL, golden), {})
 
+    def test_golden_values_of_floats(self):
+        page = Page(self.program, "*.lattice.fast.compute.wgsl.golden")
+        self.assertGreater(len(page.cases), 350)
+        wrong = {case["id"]: text for case in page.cases if (text := page.wrong(self.device, case))}
+        self.assertEqual(wrong, {})
+
+    def test_a_float_that_is_off_is_noticed(self):
+        page = Page(self.program, "noise2d.perlin.lattice.fast.compute.wgsl.golden")
+        case, = page.cases
+        self.assertEqual(page.wrong(self.device, case), "")
+        self.assertNotEqual(page.wrong(self.device, {**case, "allowed": 1e-9}), "")
+
     def test_a_changed_constant_is_noticed(self):
         rows = ("noise2d.perlin", "noise3d.value_cell", "fbm.clouds2")
         golden = {row: GOLDEN / f"{row}.lattice+fixed.golden" for row in rows}
@@ -99,6 +157,7 @@ class Wgpu(unittest.TestCase):
 
 
 if __name__ == "__main__":
+    Wgpu.program = sys.argv.pop(1)
     try:
         Wgpu.device = Device()
     except Absent as reason:
