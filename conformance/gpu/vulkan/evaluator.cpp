@@ -7,6 +7,7 @@
 
 #include "gpu/spirv.hpp"
 #include "gpu/vulkan/device.hpp"
+#include "gpu/vulkan/dxc.hpp"
 #include "gpu/vulkan/vkd3d.hpp"
 
 namespace hn {
@@ -16,6 +17,7 @@ using Words = std::vector<std::uint32_t>;
 
 constexpr std::uint32_t kNothing = 0xDEADBEEF;
 constexpr const char* kShaderModel5 = "hlsl50";
+constexpr const char* kShaderModel6 = "hlsl60";
 
 class RunningKernel final : public Evaluable {
  public:
@@ -51,7 +53,8 @@ class VulkanEvaluator final : public Evaluator {
     info_.renderer = found.name;
     info_.gl_version = fmt::format("{}, glslang {}{}", found.version, reference_compiler_version(),
                                    found.validated ? ", with validation layers" : "");
-    info_.languages.profiles = {"vulkan", "hlsl60"};
+    info_.languages.profiles = {"vulkan", kShaderModel6};
+    if (dxc_) info_.gl_version += fmt::format(", dxc {}", dxc_->version());
     if (vkd3d_) {
       info_.languages.profiles.push_back(kShaderModel5);
       info_.gl_version += fmt::format(", vkd3d-compiler {}", vkd3d_->version());
@@ -62,6 +65,7 @@ class VulkanEvaluator final : public Evaluator {
 
   std::string unsupported(const Profile& profile, Stage stage) const override {
     if (profile.name == kShaderModel5 && !vkd3d_) return vkd3d_.error().message;
+    if (profile.name == kShaderModel6 && !dxc_ && Dxc::is_named()) return dxc_.error().message;
     if (auto reason = unsupported_to_run(profile, info_.languages); !reason.empty()) return reason;
     return stage == Stage::compute ? "" : "functions are evaluated in compute shaders here";
   }
@@ -80,6 +84,7 @@ class VulkanEvaluator final : public Evaluator {
 
  private:
   Result<Words> spirv(const ShaderText& text, const Evaluation& evaluation) const {
+    if (evaluation.profile.name == kShaderModel6 && dxc_) return dxc_->spirv(text);
     if (evaluation.profile.name != kShaderModel5) return compiler_.spirv(text, evaluation.profile, evaluation.stage);
     // vkd3d's own preprocessor takes what a macro makes of an argument for one argument of the next.
     HN_TRY(const auto plain, compiler_.preprocessed(text, evaluation.profile, evaluation.stage));
@@ -88,6 +93,7 @@ class VulkanEvaluator final : public Evaluator {
 
   std::unique_ptr<VulkanDevice> device_;
   const ReferenceCompiler& compiler_;
+  const Result<Dxc> dxc_ = Dxc::find();  // in place of glslang
   const Result<Vkd3d> vkd3d_ = Vkd3d::find();
   ContextInfo info_;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "gpu/spirv.hpp"
+#include "gpu/vulkan/dxc.hpp"
 #include "gpu/vulkan/evaluator.hpp"
 #include "gpu/vulkan/vkd3d.hpp"
 #include "gpu/vulkan/vulkan_fixture.hpp"
@@ -190,6 +191,21 @@ TEST(Vkd3d, OneThatIsNotHereHasAReason) {
   EXPECT_NE(missing.error().message.find("/nowhere/vkd3d-compiler"), std::string::npos) << missing.error().message;
   EXPECT_NE(failing.error().message.find("false"), std::string::npos) << failing.error().message;
   EXPECT_EQ(silent.error().message, "echo is version unknown, and HLSL needs 1.10");
+}
+
+TEST(Dxc, OneThatIsNamedAndNotHereHasAReason) {
+  const char* const given = std::getenv("HN_DXC");
+  const std::string before = given ? given : "";
+  setenv("HN_DXC", "/nowhere/dxc", 1);
+  const auto missing = Dxc::find();
+  const ReferenceCompiler compiler;
+  const auto evaluator = create_vulkan_evaluator(0, compiler);
+  ASSERT_TRUE(evaluator) << evaluator.error().text();
+  const std::string reason = (*evaluator)->unsupported(profile_named("hlsl60"), Stage::compute);
+  given ? setenv("HN_DXC", before.c_str(), 1) : unsetenv("HN_DXC");
+  ASSERT_FALSE(missing);
+  EXPECT_NE(missing.error().message.find("/nowhere/dxc"), std::string::npos) << missing.error().message;
+  EXPECT_EQ(reason, missing.error().message);
 }
 
 TEST(Spirv, ADecorationThatIsRepeatedGoes) {

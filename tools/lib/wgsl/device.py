@@ -65,6 +65,10 @@ class Device:
         """A shader module; what is wrong in the text is raised."""
         return self._device.create_shader_module(code=text)
 
+    def compile_glsl(self, text: str) -> None:
+        """The same of a fragment shader in GLSL, which naga reads as well."""
+        self._device.create_shader_module(code=text, label="shader.frag")  # the label names the stage
+
     def evaluate(self, text: str, inputs: Sequence[Sequence[int]]) -> list[tuple[int, ...]]:
         """The words that come out of a shader for each point: those that go in are as many as its columns."""
         device, usage = self._device, self._wgpu.BufferUsage

@@ -20,7 +20,7 @@ import unittest
 from pathlib import Path
 
 from tables.functions import read_functions
-from tree import FUNCTIONS, GLSL, GOLDEN
+from tree import FUNCTIONS, GLSL, GOLDEN, ROOT, TOOLS
 from wgsl.device import Absent, Device
 from wgsl.evaluation import evaluations, macros_of_rows
 from wgsl.module import ARITHMETICS, Module, Settings
@@ -124,6 +124,28 @@ class Wgpu(unittest.TestCase):
     def test_the_compilation_can_fail(self):
         with self.assertRaises(Exception):
             self.device.compile("fn f() -> f32 { return 1u; }")
+
+    def test_the_code_of_the_page_compiles(self):
+        text = (ROOT / "docs" / "languages.md").read_text()
+        command = re.search(r"^    tools/wgsl (.*) --out noise.wgsl$", text, re.MULTILINE)[1]
+        shaders = re.findall(r"^```wgsl\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
+        self.assertEqual(len(shaders), 1)
+        done = subprocess.run([TOOLS / "wgsl", *command.split()], capture_output=True, text=True, check=True)
+        self.device.compile(done.stdout + shaders[0])
+
+    def test_naga_reads_the_glsl(self):
+        for arithmetic in ARITHMETICS:
+            for call in ("hn_fbm", "absent"):
+                done = subprocess.run([TOOLS / "single-file"], capture_output=True, text=True, check=True)
+                shader = (f"#version 450\n#define HN_ARITHMETIC {arithmetic}\n{done.stdout}\n"
+                          "layout(location = 0) in vec2 uv;\nlayout(location = 0) out vec4 color;\n"
+                          f"void main() {{ color = vec4({call}(uv, 6, 2.0, 0.5, 7u)); }}\n")
+                with self.subTest(arithmetic=arithmetic, call=call):
+                    if call == "absent":
+                        with self.assertRaisesRegex(Exception, "Unknown function 'absent'"):
+                            self.device.compile_glsl(shader)
+                    else:
+                        self.device.compile_glsl(shader)
 
     def test_golden_values_of_fixed(self):
         golden = {row: path for row in ROWS for name in ("lattice+fixed", "any")
