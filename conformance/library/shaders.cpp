@@ -66,16 +66,7 @@ constexpr std::string_view kSeeded = "#define SEEDED(s) , s\n#define SEED(s) s\n
 constexpr std::string_view kUnseeded = "#define SEEDED(s)\n#define SEED(s) s\n";
 
 // What the suite calls types and bit casts, behind the library's own names for them.
-constexpr std::string_view kVectorNames = R"(#define vec2 float2
-#define vec3 float3
-#define vec4 float4
-#define ivec2 int2
-#define ivec3 int3
-#define ivec4 int4
-#define uvec2 uint2
-#define uvec3 uint3
-#define uvec4 uint4
-)";
+constexpr std::string_view kVectorNames = "#include \"vectors_begin.h\"\n";
 constexpr std::string_view kNamesInHlsl = "#define float_of(u) asfloat(u)\n#define bits_of(f) asuint(f)\n";
 constexpr std::string_view kNamesInMetal =
     "using namespace metal;\nusing namespace hashnoise;\n"
