@@ -24,7 +24,7 @@ TEST_F(CellularChecks, ABlockThatIsTooSmallIsCaughtByTheSearch) {
       {"noise2d.cellular_three.lattice.fast.fragment.gl330.search", "cellular_three2d.glsl",
        "best = hn_i_visited(best, hn_i_ranks(words, x, y, jitter, metric), HN_I_NO_CODE, 0);", ""},
       {"noise2d.cellular_three_full.lattice.fixed.fragment.gl330.search", "feature.glsl",
-       "hn_i_select(d > HN_I_NO_OFFSET, 2, -2)", "hn_i_select(d > HN_I_NO_OFFSET, 2, 2)"},
+       "hn_i_choice(d > HN_I_NO_OFFSET, 2, -2)", "hn_i_choice(d > HN_I_NO_OFFSET, 2, 2)"},
       {"noise2d.cell_border.lattice.fast.fragment.gl330.search", "cell_border2d.glsl",
        "best = hn_i_border(best, words, x, hn_i_thrice(y.z), jitter, hn_i_code(0, 1), 1, from, nearest);", ""},
       {"noise2d.cell_border_cell.lattice.fixed.fragment.gl330.search", "cell_border2d.glsl",
