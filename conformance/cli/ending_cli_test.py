@@ -20,8 +20,8 @@ import unittest
 PROGRAM = ""
 ONE = ("--filter", "noise2d.perlin.lattice.fast.fragment.gl330.golden")
 # Some seconds, and more than 100,000 bytes of journal. Of one noise, so that it stays what it is as noises come.
-MANY = ("--filter", "noise?d.perlin.*.golden", "--filter", "noise?d.perlin_cell.*.golden", "--filter",
-        "noise?d.perlin*.*.twin", "--filter", "noise?d.perlin.*.range")
+MANY = ("--filter", "noise?d.perlin.*.fragment.*.golden", "--filter", "noise?d.perlin_cell.*.fragment.*.golden",
+        "--filter", "noise?d.perlin*.fragment.*.twin", "--filter", "noise?d.perlin.*.range")
 
 
 def wait_until(condition, what):
