@@ -36,8 +36,8 @@
 //   hn_i_settled(n)         floats only: n, or 0 where subnormal numbers could have changed it
 //   hn_i_value(n)           the float of a noise; hn_i_derivative(n), that of a derivative
 //   hn_i_select(c, a, b)    a where the condition holds, else b; both are computed
-//   hn_i_choice(c, a, b)    the same of two integers, which may be literals. In HLSL a literal has no type of its own, so
-//                           that an overload for integers could not be told from the others
+//   hn_i_choice(c, a, b)    the same of two integers, which may be literals: in HLSL a literal has no type of its own,
+//                           so an overload for integers could not be told from the others
 //
 // slope.glsl has those of derivatives, cubic.glsl those of splines, turn.glsl those of turned gradients, and
 // kernel.glsl those of simplex noise.

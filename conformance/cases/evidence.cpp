@@ -40,12 +40,11 @@ class Examiner {
         outcome_(outcome),
         // The other shapes and stages of a shader have other results, or no pixels. Elsewhere than in OpenGL there is
         // one stage, and nothing is drawn.
-        evaluation_{
-            .function = test.evaluation()->function,
-            .configuration = test.evaluation()->configuration,
-            .profile = test.evaluation()->profile,
-            .variant = {.seeded = test.evaluation()->variant.seeded, .knobs = test.evaluation()->variant.knobs},
-            .stage = session.evaluator->context() ? Stage::fragment : test.evaluation()->stage} {}
+        evaluation_{.function = test.evaluation()->function,
+                    .configuration = test.evaluation()->configuration,
+                    .profile = test.evaluation()->profile,
+                    .variant = {.seeded = test.evaluation()->variant.seeded, .knobs = test.evaluation()->variant.knobs},
+                    .stage = session.evaluator->context() ? Stage::fragment : test.evaluation()->stage} {}
 
   std::optional<Evidence> run() {
     const Words first = wrong_point();

@@ -1,5 +1,5 @@
-// Stands for Apple's <metal_stdlib>, which nobody has outside of macOS: as much of Metal's shading language as the library
-// and the rows of functions.inc use, for a compiler of C++14. Sections are those of Apple's specification.
+// Stands for Apple's <metal_stdlib>, which nobody has outside of macOS: as much of Metal's shading language as the
+// library and the rows of functions.inc use, for a compiler of C++14. Sections are those of Apple's specification.
 #pragma once
 
 #include <cmath>
@@ -84,19 +84,19 @@ struct vec : detail::Parts<T, N> {
   }
 };
 
-#define HN_OPERATOR(op)                                                           \
-  template <typename T, int N>                                                    \
-  vec<T, N> operator op(vec<T, N> a, vec<T, N> b) {                               \
-    for (int i = 0; i < N; ++i) a[i] = a[i] op b[i];                              \
-    return a;                                                                     \
-  }                                                                               \
-  template <typename T, int N>                                                    \
-  vec<T, N> operator op(vec<T, N> a, typename detail::Same<T>::Type b) {          \
-    return a op vec<T, N>(b);                                                     \
-  }                                                                               \
-  template <typename T, int N>                                                    \
-  vec<T, N> operator op(typename detail::Same<T>::Type a, vec<T, N> b) {          \
-    return vec<T, N>(a) op b;                                                     \
+#define HN_OPERATOR(op)                                                  \
+  template <typename T, int N>                                           \
+  vec<T, N> operator op(vec<T, N> a, vec<T, N> b) {                      \
+    for (int i = 0; i < N; ++i) a[i] = a[i] op b[i];                     \
+    return a;                                                            \
+  }                                                                      \
+  template <typename T, int N>                                           \
+  vec<T, N> operator op(vec<T, N> a, typename detail::Same<T>::Type b) { \
+    return a op vec<T, N>(b);                                            \
+  }                                                                      \
+  template <typename T, int N>                                           \
+  vec<T, N> operator op(typename detail::Same<T>::Type a, vec<T, N> b) { \
+    return vec<T, N>(a) op b;                                            \
   }
 HN_OPERATOR(+)
 HN_OPERATOR(-)
@@ -135,12 +135,12 @@ To as_type(From from) {
 }
 
 // Section 6.
-#define HN_FUNCTION(name, one)                       \
-  inline float name(float x) { return one(x); }      \
-  template <int N>                                   \
-  vec<float, N> name(vec<float, N> x) {              \
-    for (int i = 0; i < N; ++i) x[i] = name(x[i]);   \
-    return x;                                        \
+#define HN_FUNCTION(name, one)                     \
+  inline float name(float x) { return one(x); }    \
+  template <int N>                                 \
+  vec<float, N> name(vec<float, N> x) {            \
+    for (int i = 0; i < N; ++i) x[i] = name(x[i]); \
+    return x;                                      \
   }
 HN_FUNCTION(floor, std::floor)
 HN_FUNCTION(trunc, std::trunc)
@@ -150,14 +150,14 @@ HN_FUNCTION(abs, std::fabs)
 #undef HN_FUNCTION
 inline int abs(int x) { return x < 0 ? -x : x; }
 
-#define HN_FUNCTION(name, op)                                           \
-  inline float name(float a, float b) { return b op a ? b : a; }        \
-  inline int name(int a, int b) { return b op a ? b : a; }              \
-  inline uint name(uint a, uint b) { return b op a ? b : a; }           \
-  template <typename T, int N>                                          \
-  vec<T, N> name(vec<T, N> a, vec<T, N> b) {                            \
-    for (int i = 0; i < N; ++i) a[i] = name(a[i], b[i]);                \
-    return a;                                                           \
+#define HN_FUNCTION(name, op)                                    \
+  inline float name(float a, float b) { return b op a ? b : a; } \
+  inline int name(int a, int b) { return b op a ? b : a; }       \
+  inline uint name(uint a, uint b) { return b op a ? b : a; }    \
+  template <typename T, int N>                                   \
+  vec<T, N> name(vec<T, N> a, vec<T, N> b) {                     \
+    for (int i = 0; i < N; ++i) a[i] = name(a[i], b[i]);         \
+    return a;                                                    \
   }
 HN_FUNCTION(min, <)
 HN_FUNCTION(max, >)

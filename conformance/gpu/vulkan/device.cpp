@@ -114,7 +114,8 @@ class Instance {
     version_ = std::min<std::uint32_t>(version_, VK_API_VERSION_1_2);
     auto application = of_type<VkApplicationInfo>(VK_STRUCTURE_TYPE_APPLICATION_INFO);
     application.apiVersion = version_;
-    auto messages = of_type<VkDebugUtilsMessengerCreateInfoEXT>(VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT);
+    auto messages =
+        of_type<VkDebugUtilsMessengerCreateInfoEXT>(VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT);
     messages.messageSeverity =
         VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT;
     messages.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT;  // not what the loader says of other drivers
@@ -288,8 +289,7 @@ class Device final : public VulkanDevice {
 
   Result<void> create_device() {
     std::uint32_t count = 0;
-    const auto list =
-        call<PFN_vkGetPhysicalDeviceQueueFamilyProperties>("vkGetPhysicalDeviceQueueFamilyProperties");
+    const auto list = call<PFN_vkGetPhysicalDeviceQueueFamilyProperties>("vkGetPhysicalDeviceQueueFamilyProperties");
     list(gpu_, &count, nullptr);
     std::vector<VkQueueFamilyProperties> families(count);
     list(gpu_, &count, families.data());
@@ -323,8 +323,9 @@ class Device final : public VulkanDevice {
     auto set_info = of_type<VkDescriptorSetLayoutCreateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO);
     set_info.bindingCount = kBindings;
     set_info.pBindings = bindings.data();
-    HN_TRY(set_layout_, create<VkDescriptorSetLayout, PFN_vkCreateDescriptorSetLayout, PFN_vkDestroyDescriptorSetLayout>(
-                            "vkCreateDescriptorSetLayout", "vkDestroyDescriptorSetLayout", set_info));
+    HN_TRY(set_layout_,
+           create<VkDescriptorSetLayout, PFN_vkCreateDescriptorSetLayout, PFN_vkDestroyDescriptorSetLayout>(
+               "vkCreateDescriptorSetLayout", "vkDestroyDescriptorSetLayout", set_info));
     const VkDescriptorSetLayout set_layout = set_layout_.get();
     auto info = of_type<VkPipelineLayoutCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO);
     info.setLayoutCount = 1;
@@ -363,7 +364,8 @@ class Device final : public VulkanDevice {
     HN_DO(noted("vkAllocateCommandBuffers",
                 call<PFN_vkAllocateCommandBuffers>("vkAllocateCommandBuffers")(device_, &info, &commands_)));
     const auto fence_info = of_type<VkFenceCreateInfo>(VK_STRUCTURE_TYPE_FENCE_CREATE_INFO);
-    HN_TRY(fence_, create<VkFence, PFN_vkCreateFence, PFN_vkDestroyFence>("vkCreateFence", "vkDestroyFence", fence_info));
+    HN_TRY(fence_,
+           create<VkFence, PFN_vkCreateFence, PFN_vkDestroyFence>("vkCreateFence", "vkDestroyFence", fence_info));
     return {};
   }
 
@@ -392,26 +394,26 @@ class Device final : public VulkanDevice {
     auto info = of_type<VkBufferCreateInfo>(VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO);
     info.size = bytes;
     info.usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-    HN_TRY(made.buffer, create<VkBuffer, PFN_vkCreateBuffer, PFN_vkDestroyBuffer>("vkCreateBuffer", "vkDestroyBuffer",
-                                                                                info));
+    HN_TRY(made.buffer,
+           create<VkBuffer, PFN_vkCreateBuffer, PFN_vkDestroyBuffer>("vkCreateBuffer", "vkDestroyBuffer", info));
     VkMemoryRequirements needs{};
     call<PFN_vkGetBufferMemoryRequirements>("vkGetBufferMemoryRequirements")(device_, made.buffer.get(), &needs);
     auto memory = of_type<VkMemoryAllocateInfo>(VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO);
     memory.allocationSize = needs.size;
     memory.memoryTypeIndex = memory_type(needs.memoryTypeBits);
-    HN_TRY(made.memory, create<VkDeviceMemory, PFN_vkAllocateMemory, PFN_vkFreeMemory>("vkAllocateMemory",
-                                                                                     "vkFreeMemory", memory));
-    HN_DO(noted("vkBindBufferMemory", call<PFN_vkBindBufferMemory>("vkBindBufferMemory")(device_, made.buffer.get(),
-                                                                                         made.memory.get(), 0)));
+    HN_TRY(made.memory,
+           create<VkDeviceMemory, PFN_vkAllocateMemory, PFN_vkFreeMemory>("vkAllocateMemory", "vkFreeMemory", memory));
+    HN_DO(noted("vkBindBufferMemory",
+                call<PFN_vkBindBufferMemory>("vkBindBufferMemory")(device_, made.buffer.get(), made.memory.get(), 0)));
     HN_DO(noted("vkMapMemory",
                 call<PFN_vkMapMemory>("vkMapMemory")(device_, made.memory.get(), 0, VK_WHOLE_SIZE, 0, &made.words)));
     return made;
   }
 
-  // Vulkan promises memory that the CPU sees without further ado for every buffer; reading is faster where it is cached.
+  // Vulkan promises memory that the CPU sees without further ado for every buffer; reading is faster where it is
+  // cached.
   std::uint32_t memory_type(std::uint32_t allowed) const {
-    constexpr VkMemoryPropertyFlags kSeen =
-        VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+    constexpr VkMemoryPropertyFlags kSeen = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
     for (const VkMemoryPropertyFlags wanted : {kSeen | VK_MEMORY_PROPERTY_HOST_CACHED_BIT, kSeen}) {
       for (std::uint32_t i = 0; i < memory_.memoryTypeCount; ++i) {
         const bool fits = (allowed & (1u << i)) != 0 && (memory_.memoryTypes[i].propertyFlags & wanted) == wanted;
@@ -422,8 +424,7 @@ class Device final : public VulkanDevice {
   }
 
   Result<void> record(VkPipeline pipeline, std::uint32_t groups) {
-    HN_DO(noted("vkResetCommandPool",
-                call<PFN_vkResetCommandPool>("vkResetCommandPool")(device_, pool_.get(), 0)));
+    HN_DO(noted("vkResetCommandPool", call<PFN_vkResetCommandPool>("vkResetCommandPool")(device_, pool_.get(), 0)));
     auto info = of_type<VkCommandBufferBeginInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO);
     info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
     HN_DO(noted("vkBeginCommandBuffer", call<PFN_vkBeginCommandBuffer>("vkBeginCommandBuffer")(commands_, &info)));
