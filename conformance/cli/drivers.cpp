@@ -132,19 +132,19 @@ std::optional<int> device_number(std::string_view name, std::string_view prefix)
   return number;
 }
 
-void set_environment(const Driver& driver) {
-  for (const auto& [name, value] : driver.environment) setenv(name.c_str(), value.c_str(), 1);
+void set_environment(const std::vector<std::array<std::string, 2>>& environment) {
+  for (const auto& [name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
 }
 
 }  // namespace
 
 CreatedContext create_context(const Driver& driver) {
-  set_environment(driver);
+  set_environment(driver.environment);
   return driver.create();
 }
 
 Result<std::unique_ptr<Evaluator>> create_evaluator(const Driver& driver, const ReferenceCompiler& compiler) {
-  set_environment(driver);
+  set_environment(driver.environment);
   if (driver.create_evaluator) return driver.create_evaluator(compiler);
   HN_TRY(auto context, driver.create());
   return evaluator_on(std::move(context));
@@ -157,9 +157,7 @@ std::vector<Driver> all_drivers(const DeviceCounts& devices) {
   return drivers;
 }
 
-void prepare_vulkan() {
-  for (const auto& [name, value] : vulkan_environment()) setenv(name.c_str(), value.c_str(), 1);
-}
+void prepare_vulkan() { set_environment(vulkan_environment()); }
 
 std::optional<Driver> find_driver(std::string_view name) {
   std::vector<Driver> drivers = common_drivers();
