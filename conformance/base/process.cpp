@@ -14,6 +14,7 @@
 
 #include "base/file.hpp"
 #include "base/interruption.hpp"
+#include "base/temporary_folder.hpp"
 #ifdef __linux__
 #include <sys/prctl.h>
 #endif
@@ -112,6 +113,13 @@ Result<void> run_process(const ProcessOptions& options) {
   }
   if (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_SUCCESS) return {};
   return fail(fmt::format("{} {}", options.program, describe_end(status)), read_file(options.output).value_or(""));
+}
+
+Result<std::string> output_of(const std::string& program, const std::vector<std::string>& arguments) {
+  const TemporaryFolder folder;
+  const auto output = folder.path() / "output";
+  HN_DO(run_process({.program = program, .arguments = arguments, .output = output}));
+  return read_file(output);
 }
 
 std::vector<std::string> environment_without(std::span<const std::string_view> beginnings) {

@@ -49,6 +49,8 @@ Result<Process> start_process(const ProcessOptions& options);
 // Starts a process, which reports nothing, and waits for its end. An error says how it ended, with what it printed; the
 // file options.output, which must be new, holds that until it is read.
 Result<void> run_process(const ProcessOptions& options);
+// What it prints, for a program that prints little.
+Result<std::string> output_of(const std::string& program, const std::vector<std::string>& arguments);
 
 // The texts as exec takes them, for as long as they are; the last pointer is null.
 std::vector<char*> pointers_to(std::vector<std::string>& texts);

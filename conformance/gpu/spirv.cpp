@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 #include <glslang/SPIRV/spirv.hpp>
 #include <map>
 #include <set>
 #include <spirv-tools/libspirv.hpp>
+
+#include "base/file.hpp"
 
 namespace hn {
 namespace {
@@ -83,8 +86,16 @@ std::vector<std::string> contractible(std::span<const std::uint32_t> words) {
   return found;
 }
 
+Result<std::vector<std::uint32_t>> read_spirv(const std::filesystem::path& path) {
+  HN_TRY(const std::string bytes, read_file(path));
+  std::vector<std::uint32_t> words(bytes.size() / sizeof(std::uint32_t));
+  std::memcpy(words.data(), bytes.data(), words.size() * sizeof(std::uint32_t));
+  return words;
+}
+
 std::vector<std::uint32_t> without_repeated_decorations(std::span<const std::uint32_t> words) {
-  std::vector<std::uint32_t> kept(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(std::min(words.size(), kHeader)));
+  std::vector<std::uint32_t> kept(words.begin(),
+                                  words.begin() + static_cast<std::ptrdiff_t>(std::min(words.size(), kHeader)));
   std::set<std::vector<std::uint32_t>> seen;
   for_each_instruction(words, [&](spv::Op operation, std::span<const std::uint32_t> operands) {
     const bool decorates = operation == spv::OpDecorate || operation == spv::OpMemberDecorate;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
@@ -9,6 +10,9 @@
 #include "base/result.hpp"
 
 namespace hn {
+
+// The module in a file.
+Result<std::vector<std::uint32_t>> read_spirv(const std::filesystem::path& path);
 
 // SPIRV-Tools' verdict, by the rules of Vulkan 1.0.
 Result<void> validate_spirv(std::span<const std::uint32_t> words);

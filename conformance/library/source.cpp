@@ -207,8 +207,8 @@ std::string ShaderText::translate(std::string_view log) const {
 std::string line_directive(const Profile& profile, int source, int line) {
   const int number = source * kLinesPerSource + line - (profile.line_names_next() ? 0 : 1);
   if (profile.in_glsl()) return fmt::format("#line {} {}\n", number, source);
-  // The others have a name in the second place. clang++ takes one that reads like a number, as translate wants it.
-  return fmt::format("#line {}{}\n", number, profile.language == Language::metal ? " \"0\"" : "");
+  // The others have a name in the second place. Compilers print this one as a number, as translate wants it.
+  return fmt::format("#line {} \"0\"\n", number);
 }
 
 Result<ShaderText> expand(const SourceSet& sources, const Profile& profile, std::string_view main_text) {

@@ -67,9 +67,7 @@ class MetalEvaluator final : public Evaluator {
 
   // Asks the compiler what it is.
   Result<void> find_compiler() {
-    const auto version = folder_.path() / "version";
-    HN_DO(run_process({.program = kCompiler, .arguments = {"--version"}, .output = version}));
-    HN_TRY(const std::string text, read_file(version));
+    HN_TRY(const std::string text, output_of(kCompiler, {"--version"}));
     info_.gl_version = text.substr(0, text.find('\n'));
     return {};
   }

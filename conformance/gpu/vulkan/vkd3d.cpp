@@ -5,7 +5,6 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 
 #include "base/file.hpp"
 #include "base/process.hpp"
@@ -40,12 +39,9 @@ bool reads_hlsl(const std::string& version) {
 Result<Vkd3d> Vkd3d::find() {
   const char* const named = std::getenv("HN_VKD3D_COMPILER");
   std::string program = named ? named : "vkd3d-compiler";
-  const TemporaryFolder folder;
-  const auto output = folder.path() / "version";
-  const auto ran = run_process({.program = program, .arguments = {"--version"}, .output = output});
-  if (!ran) return fail(fmt::format("{} cannot be run: {}", program, ran.error().message));
-  HN_TRY(const auto text, read_file(output));
-  std::string version = vkd3d_version(text);
+  const auto text = output_of(program, {"--version"});
+  if (!text) return fail(fmt::format("{} cannot be run: {}", program, text.error().message));
+  std::string version = vkd3d_version(*text);
   if (!reads_hlsl(version)) {
     return fail(fmt::format("{} is version {}, and HLSL needs {}.{}", program, version.empty() ? "unknown" : version,
                             kLeastMajor, kLeastMinor));
@@ -77,9 +73,7 @@ Result<std::vector<std::uint32_t>> Vkd3d::spirv(const ShaderText& shader) const 
                                  file("shader.spv"), file("shader.dxbc")},
                    .output = file("translated")});
   if (!translated) return fail("vkd3d-compiler makes no SPIR-V of it", translated.error().text());
-  HN_TRY(const auto bytes, read_file(file("shader.spv")));
-  std::vector<std::uint32_t> words(bytes.size() / sizeof(std::uint32_t));
-  std::memcpy(words.data(), bytes.data(), words.size() * sizeof(std::uint32_t));
+  HN_TRY(const auto words, read_spirv(file("shader.spv")));
   return without_repeated_decorations(words);  // the type of all of its buffers has one for each
 }
 
