@@ -1,0 +1,112 @@
+// Noises and sums that are chosen at run time, over grids and lists of points, with the widest instructions that the
+// processor has. This is the header of the compiled library: link hashnoise::grid.
+// SPDX-License-Identifier: MIT
+//
+//   #include <hashnoise/field.hpp>
+//
+//   hashnoise::Settings settings;
+//   settings.noise = "simplex";
+//   settings.sum = "fbm";
+//   const hashnoise::Field<2> field(settings);
+//   std::vector<float> heights(1024 * 1024);
+//   const hashnoise::Range range = field.fill(hashnoise::Grid<2>{{0, 0}, {0.01f, 0.01f}, {1024, 1024}}, heights);
+//
+// The hash and the gradient are the defaults of the library. With Arithmetic::kFixed and kPrecise the bits are those of
+// the scalar functions of hashnoise.hpp and of the shader, with any instructions. With Arithmetic::kFast they may
+// differ by instruction set, within the error that the function states. Nothing depends on the number of threads.
+
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "points.hpp"
+
+namespace hashnoise {
+
+enum class Arithmetic { kFast = 1, kPrecise = 2, kFixed = 3 };  // HN_FAST, HN_PRECISE, HN_FIXED
+
+// The values are those of HN_METRIC_EUCLIDEAN and so on.
+enum class Metric { kEuclidean = 1, kSquared = 2, kManhattan = 3, kChebyshev = 4, kHybrid = 5 };
+
+enum class InstructionSet { kSse2, kSse41, kAvx2, kAvx512, kNeon, kGeneric };
+
+// What a field is. The names are those of the functions in GLSL without hn_, and the numbers are their parameters.
+struct Settings {
+  std::string noise = "perlin";  // or "value", "simplex_d", ...: see noise_names
+  std::string sum;               // "fbm", "ridged", ...: see sum_names; the noise itself if empty
+  Arithmetic arithmetic = Arithmetic::kFast;
+  std::uint32_t seed = 0;
+  std::array<std::int32_t, 4> period{};  // in cells, along each axis; 0 for none
+
+  // Of noises.
+  std::optional<float> phase;          // in turns; perlin, perlin_d, simplex and simplex_d in 2D and 3D
+  float jitter = 1.0f;                 // cellular noises
+  Metric metric = Metric::kEuclidean;  // cellular and cellular_three
+
+  // Of sums.
+  int octaves = 6;
+  float lacunarity = 2.0f;
+  float gain = 0.5f;
+  std::optional<float> strength;   // ping_pong (2 if it is left out), weighted (1), eroded (1)
+  float amplitude = 1.0f;          // warp, warp_progressive
+  std::optional<float> detail;     // fbm without a period: octaves as a float, in place of `octaves`
+  std::optional<float> footprint;  // fbm without a period
+
+  // The widest that this processor and the library have, if it is left out.
+  std::optional<InstructionSet> instruction_set;
+};
+
+// Runs task(0) to task(count - 1), in any order, and returns when all are done.
+using Executor = std::function<void(int count, const std::function<void(int)>& task)>;
+
+// An executor of that many threads, this one included; 0 for as many as the processor has.
+Executor threads(int count = 0);
+
+// A field in D dimensions, 1 to 4. It has no state that changes: many threads may use one at once.
+template <int D>
+class Field {
+ public:
+  // Throws std::invalid_argument, which says what is wrong and what would be right.
+  explicit Field(const Settings& settings);
+  ~Field();
+  Field(Field&&) noexcept;
+  Field& operator=(Field&&) noexcept;
+
+  // How many numbers the field has at a point. Each is a plane of its own in what `fill` writes: first all values, then
+  // all derivatives along x, and so on.
+  int components() const;
+
+  // What the numbers are: "value", "dx", "x", "f1", ... of each component.
+  std::vector<std::string> component_names() const;
+
+  InstructionSet instruction_set() const;
+
+  // Writes components() * points numbers, and returns the least and the greatest of them (of the first component).
+  // Throws std::invalid_argument if `values` has another size, or if a number is not finite or too large.
+  Range fill(const Grid<D>& grid, std::span<float> values, const Executor& executor = {}) const;
+  Range fill(const CellGrid<D>& grid, std::span<float> values, const Executor& executor = {}) const;
+  Range fill(const Points<D>& points, std::span<float> values, const Executor& executor = {}) const;
+  Range fill(const CellPoints<D>& points, std::span<float> values, const Executor& executor = {}) const;
+
+ private:
+  struct Plan;
+  std::unique_ptr<const Plan> plan_;
+};
+
+// The noises and the sums that there are in so many dimensions, in the order of the documents.
+std::vector<std::string_view> noise_names(int dimensions);
+std::vector<std::string_view> sum_names(int dimensions);
+
+// What this processor and the library have, the widest first.
+std::vector<InstructionSet> instruction_sets();
+std::string_view name(InstructionSet set);  // "sse2", "sse4.1", "avx2", "avx512", "neon", "generic"
+
+}  // namespace hashnoise

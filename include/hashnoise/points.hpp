@@ -1,0 +1,62 @@
+// Where a field is asked for: uniform grids and lists of points, in one to four dimensions.
+// SPDX-License-Identifier: MIT
+
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+namespace hashnoise {
+
+// A uniform grid at positions of floats.
+//   origin  the first point, in cells
+//   step    from point to point along each axis, in cells
+//   size    points along each axis, less than 2^29
+// Point i along an axis is at the float nearest to origin + i * step, as computed in doubles, so that errors do not
+// add up. Values are stored with x fastest, then y, then z, then w.
+template <int D>
+struct Grid {
+  std::array<float, D> origin{};
+  std::array<float, D> step{};
+  std::array<int, D> size{};
+};
+
+// A uniform grid from a cell and a position in it: exact however far out, and no two points fall together.
+//   cell    the cell of the first point; cells wrap at 2^32
+//   f       its position in the cell, in [0, 1]
+//   step    from point to point along each axis, in cells; rounded to a multiple of 2^-32, and less than 2^31
+//   size    points along each axis, less than 2^29
+// Point i is in the cell and at the place that cell + f + i * step is, where the place is cut off to a multiple of
+// 2^-24.
+template <int D>
+struct CellGrid {
+  std::array<std::int32_t, D> cell{};
+  std::array<float, D> f{};
+  std::array<double, D> step{};
+  std::array<int, D> size{};
+};
+
+// Points at positions, in cells: an array of coordinates for each axis, all of the same length.
+template <int D>
+struct Points {
+  std::array<std::span<const float>, D> p{};
+};
+
+// Points as cells and positions in them.
+template <int D>
+struct CellPoints {
+  std::array<std::span<const std::int32_t>, D> cell{};
+  std::array<std::span<const float>, D> f{};
+};
+
+// The least and the greatest value. Of no values it is (infinity, -infinity).
+struct Range {
+  float least = std::numeric_limits<float>::infinity();
+  float greatest = -std::numeric_limits<float>::infinity();
+  friend bool operator==(const Range&, const Range&) = default;
+};
+
+}  // namespace hashnoise
