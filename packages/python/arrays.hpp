@@ -26,9 +26,12 @@ class Memory {
   Memory& operator=(const Memory&) = delete;
 
   const Py_buffer& view() const { return view_; }
+  // Whether its numbers are of one of these formats, as Python's struct names them, and have so many bytes. The order
+  // of the bytes is the processor's.
   bool holds(std::string_view formats, std::ptrdiff_t size) const {
-    return view_.itemsize == size && view_.format != nullptr && view_.format[0] != '\0' && view_.format[1] == '\0' &&
-           formats.find(view_.format[0]) != std::string_view::npos;
+    std::string_view format = view_.format == nullptr ? "" : view_.format;
+    format.remove_prefix(std::min(format.find_first_not_of("@=<^"), format.size()));  // of numbers at odd places
+    return view_.itemsize == size && format.size() == 1 && formats.find(format[0]) != std::string_view::npos;
   }
 
  private:

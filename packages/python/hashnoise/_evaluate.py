@@ -118,6 +118,8 @@ def checked_threads(function, threads):
 def _dimensions(function, coordinates):
     given = [value is not None for value in coordinates]
     dimensions = given.index(False) if False in given else len(given)
+    if dimensions == 0:
+        raise TypeError(f"{function}: x must be a number or an array of numbers, not None")
     if any(given[dimensions:]):
         raise TypeError(f"{function}: {AXES[dimensions]} is left out, but a later coordinate is not")
     return dimensions

@@ -16,7 +16,7 @@ def value(x, y=None, z=None, w=None, /, *, seed=0, period=None, cell=None, arith
     source   Perlin, "Improving noise", 2002, for the interpolant
 
     >>> hashnoise.value(0.5, 0.25, seed=7, arithmetic="fixed")
-    0
+    -0.5739326477050781
     """
     return points("value", (x, y, z, w), cell, out, threads, noise="value", seed=seed, period=period,
                   arithmetic=arithmetic, instruction_set=instruction_set)
@@ -31,7 +31,7 @@ def value_d(x, y=None, z=None, w=None, /, *, seed=0, period=None, cell=None, ari
     source   the product rule on the interpolation; docs/contract.md, section 10
 
     >>> hashnoise.value_d(0.5, 0.25, seed=7, arithmetic="fixed")
-    0
+    array([-0.57393265,  0.5128517 ,  0.7319126 ], dtype=float32)
     """
     return points("value_d", (x, y, z, w), cell, out, threads, noise="value_d", seed=seed, period=period,
                   arithmetic=arithmetic, instruction_set=instruction_set)
@@ -48,7 +48,7 @@ def value_cubic(x, y=None, z=None, /, *, seed=0, period=None, cell=None, arithme
     source   de Boor, "A Practical Guide to Splines", 1978, for the spline
 
     >>> hashnoise.value_cubic(0.5, 0.25, seed=7, arithmetic="fixed")
-    0
+    -0.36034679412841797
     """
     return points("value_cubic", (x, y, z), cell, out, threads, noise="value_cubic", seed=seed, period=period,
                   arithmetic=arithmetic, instruction_set=instruction_set)
@@ -67,7 +67,7 @@ def perlin(x, y=None, z=None, w=None, /, *, seed=0, period=None, phase=None, cel
              "Flow noise", 2001
 
     >>> hashnoise.perlin(0.5, 0.25, seed=7, arithmetic="fixed")
-    0
+    0.08695650100708008
     """
     return points("perlin", (x, y, z, w), cell, out, threads, noise="perlin", seed=seed, period=period, phase=phase,
                   arithmetic=arithmetic, instruction_set=instruction_set)
@@ -84,7 +84,7 @@ def perlin_d(x, y=None, z=None, w=None, /, *, seed=0, period=None, phase=None, c
     source   the product rule on the interpolation; docs/contract.md, section 10
 
     >>> hashnoise.perlin_d(0.5, 0.25, seed=7, arithmetic="fixed")
-    0
+    array([0.0869565 , 0.8772774 , 0.69961166], dtype=float32)
     """
     return points("perlin_d", (x, y, z, w), cell, out, threads, noise="perlin_d", seed=seed, period=period,
                   phase=phase, arithmetic=arithmetic, instruction_set=instruction_set)
@@ -103,7 +103,7 @@ def simplex(x, y, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=No
              for the phase Perlin and Neyret, "Flow noise", 2001
 
     >>> hashnoise.simplex(0.5, 0.25, seed=7, arithmetic="fixed")
-    0
+    0.39264822006225586
     """
     return points("simplex", (x, y, z, w), cell, out, threads, noise="simplex", seed=seed, period=period, phase=phase,
                   arithmetic=arithmetic, instruction_set=instruction_set)
@@ -120,7 +120,7 @@ def simplex_d(x, y, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=
     source   the product rule on weight and ramp; docs/contract.md, section 13
 
     >>> hashnoise.simplex_d(0.5, 0.25, seed=7, arithmetic="fixed")
-    0
+    array([ 0.39264822,  2.570118  , -3.322998  ], dtype=float32)
     """
     return points("simplex_d", (x, y, z, w), cell, out, threads, noise="simplex_d", seed=seed, period=period,
                   phase=phase, arithmetic=arithmetic, instruction_set=instruction_set)
@@ -134,7 +134,7 @@ def simplex_smooth(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmeti
     source   Perlin, "Noise hardware", 2001, for the sum over the corners of a simplex; docs/contract.md, section 13
 
     >>> hashnoise.simplex_smooth(0.5, 0.25, seed=7, arithmetic="fixed")
-    0
+    0.3638920783996582
     """
     return points("simplex_smooth", (x, y, z), cell, out, threads, noise="simplex_smooth", seed=seed, period=period,
                   arithmetic=arithmetic, instruction_set=instruction_set)
@@ -155,7 +155,7 @@ def cellular(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, metric="euclid
     source   Worley, "A cellular texture basis function", 1996; docs/contract.md, section 16
 
     >>> hashnoise.cellular(0.5, 0.25, seed=7, arithmetic="fixed")
-    0
+    array([0.56985855, 1.0054398 ], dtype=float32)
     """
     return points("cellular", (x, y, z), cell, out, threads, noise="cellular", seed=seed, period=period,
                   jitter=jitter, metric=metric, arithmetic=arithmetic, instruction_set=instruction_set)
@@ -172,7 +172,7 @@ def cellular_three(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, metric="
     source   Worley, "A cellular texture basis function", 1996; docs/contract.md, section 16
 
     >>> hashnoise.cellular_three(0.5, 0.25, seed=7, arithmetic="fixed")
-    0
+    array([0.56985855, 1.0054398 , 1.0564575 ], dtype=float32)
     """
     return points("cellular_three", (x, y, z), cell, out, threads, noise="cellular_three", seed=seed, period=period,
                   jitter=jitter, metric=metric, arithmetic=arithmetic, instruction_set=instruction_set)
@@ -188,7 +188,7 @@ def cellular_d(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, cell=None, a
     source   docs/contract.md, section 16
 
     >>> hashnoise.cellular_d(0.5, 0.25, seed=7, arithmetic="fixed")
-    0
+    array([ 0.56985855,  0.39929008, -0.9168253 ], dtype=float32)
     """
     return points("cellular_d", (x, y, z), cell, out, threads, noise="cellular_d", seed=seed, period=period,
                   jitter=jitter, arithmetic=arithmetic, instruction_set=instruction_set)
@@ -204,7 +204,7 @@ def cellular_smooth(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, cell=No
     source   docs/contract.md, section 16
 
     >>> hashnoise.cellular_smooth(0.5, 0.25, seed=7, arithmetic="fixed")
-    0
+    0.569122314453125
     """
     return points("cellular_smooth", (x, y, z), cell, out, threads, noise="cellular_smooth", seed=seed, period=period,
                   jitter=jitter, arithmetic=arithmetic, instruction_set=instruction_set)
@@ -219,7 +219,7 @@ def cell_border(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, cell=None, 
     source   docs/contract.md, section 16
 
     >>> hashnoise.cell_border(0.5, 0.25, seed=7, arithmetic="fixed")
-    0
+    0.2306365966796875
     """
     return points("cell_border", (x, y, z), cell, out, threads, noise="cell_border", seed=seed, period=period,
                   jitter=jitter, arithmetic=arithmetic, instruction_set=instruction_set)
@@ -235,7 +235,7 @@ def curl(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", 
              noise", 2005
 
     >>> hashnoise.curl(0.5, 0.25, seed=7, arithmetic="fixed")
-    0
+    array([-3.322998, -2.570118], dtype=float32)
     """
     return points("curl", (x, y, z), cell, out, threads, noise="curl", seed=seed, period=period,
                   arithmetic=arithmetic, instruction_set=instruction_set)

@@ -17,7 +17,7 @@ x: npt.NDArray[np.float64] = np.linspace(0, 8, 100)
 number: float = hashnoise.perlin(0.5, 1, seed=7)
 single: float = hashnoise.fbm(np.float32(0.5), cell=3)
 values: npt.NDArray[np.float32] = hashnoise.perlin(x, 0.5, period=(3, 4), phase=0.25)
-again: npt.NDArray[np.float32] = hashnoise.perlin([0.5, 1.5], x[0], out=values)
+again: npt.NDArray[np.float32] = hashnoise.perlin(x.tolist(), x[0], out=values)
 value, dx, dy = hashnoise.perlin_d(0.5, 0.25)
 slopes: npt.NDArray[np.float32] = dx
 sum: npt.NDArray[np.float32] = hashnoise.eroded(x, x[:, np.newaxis], noise="simplex_d", octaves=8, strength=2)
