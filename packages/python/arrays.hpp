@@ -92,12 +92,13 @@ class Walk {
   // Whether the array's `count` points from `begin` lie one behind the other, as numbers of this kind.
   bool is_row(std::size_t index, Kind kind, std::size_t begin, std::size_t count) const {
     const Strided& array = arrays_[index];
-    const std::ptrdiff_t size = kind == Kind::kFloat32 || kind == Kind::kInt32 ? 4 : 8;
-    if (array.kind != kind || reinterpret_cast<std::uintptr_t>(place(index, begin)) % static_cast<std::size_t>(size)) {
+    const std::ptrdiff_t size = size_of(kind);
+    if (array.kind != kind || reinterpret_cast<std::uintptr_t>(array.data) % static_cast<std::size_t>(size) != 0) {
       return false;
     }
-    if (shape_.empty()) return true;
-    return array.steps.back() == size && begin % length() + count <= length();
+    if (shape_.empty() || is_packed(array, size)) return true;
+    return array.steps.back() == size && begin % length() + count <= length() &&
+           std::all_of(array.steps.begin(), array.steps.end(), [&](std::ptrdiff_t step) { return step % size == 0; });
   }
 
   std::byte* place(std::size_t index, std::size_t point) const {
@@ -154,6 +155,17 @@ class Walk {
 
  private:
   std::size_t length() const { return shape_.empty() ? 1 : static_cast<std::size_t>(shape_.back()); }
+
+  static std::ptrdiff_t size_of(Kind kind) { return kind == Kind::kFloat32 || kind == Kind::kInt32 ? 4 : 8; }
+
+  // Whether all of its points lie one behind the other.
+  bool is_packed(const Strided& array, std::ptrdiff_t size) const {
+    for (std::size_t axis = shape_.size(); axis-- > 0;) {
+      if (array.steps[axis] != size) return false;
+      size *= shape_[axis];
+    }
+    return true;
+  }
 
   bool is_one_with_next(std::size_t axis) const {
     return std::all_of(arrays_.begin(), arrays_.end(), [&](const Strided& array) {
