@@ -251,22 +251,33 @@ class Threads(unittest.TestCase):
                         hashnoise.grid("fbm", (700, 300), step=0.01, cell=cell, threads=threads).tobytes(), one)
 
     def test_other_threads_of_python_run_meanwhile(self):
-        """With the GIL held this thread would stand still while the other computes."""
-        for name, compute in (("points", lambda: hashnoise.fbm(x, y, threads=1, octaves=32)),
+        x = numpy.linspace(0, 50, 2_000_000, dtype=numpy.float32)
+        for name, compute in (("points", lambda: hashnoise.fbm(x, x, threads=1, octaves=32)),
+                              ("copies", lambda: hashnoise.fbm(x[::2], 0.5, threads=1, octaves=32)),
                               ("grid", lambda: hashnoise.grid("fbm", (1500, 1500), step=0.1, threads=1, octaves=32))):
             with self.subTest(name):
-                x = y = numpy.linspace(0, 50, 2_000_000, dtype=numpy.float32)
-                start = time.perf_counter()
-                compute()
-                alone = time.perf_counter() - start
-                other = threading.Thread(target=compute)
-                longest, last = 0.0, time.perf_counter()
-                other.start()
-                while other.is_alive():
-                    time.sleep(0)
-                    now = time.perf_counter()
-                    longest, last = max(longest, now - last), now
-                self.assertLess(longest, alone / 2)
+                self.assertTrue(any(self.runs_meanwhile(compute) for _ in range(5)))  # the machine may be busy
+        with self.subTest("what holds the GIL is noticed"):
+            self.assertFalse(any(self.runs_meanwhile(lambda: sum(range(5_000_000))) for _ in range(5)))
+
+    def runs_meanwhile(self, compute):
+        """Whether this thread does anything in the middle half of the time that another takes to compute."""
+        begin = end = None
+
+        def other():
+            nonlocal begin, end
+            begin = time.perf_counter()
+            compute()
+            end = time.perf_counter()
+
+        moments = []
+        thread = threading.Thread(target=other)
+        thread.start()
+        while thread.is_alive():
+            time.sleep(0)
+            moments.append(time.perf_counter())
+        quarter = (end - begin) / 4
+        return any(begin + quarter < moment < end - quarter for moment in moments)
 
     def test_many_threads_of_python(self):
         expected = hashnoise.grid("simplex", (200, 200), step=0.1).tobytes()

@@ -39,8 +39,8 @@ class Docstrings(unittest.TestCase):
     def test_each_function_says_what_it_returns_and_whence_it_comes(self):
         for function in (*_noises.NOISES.values(), *_sums.SUMS.values()):
             with self.subTest(function.__name__):
-                self.assertRegex(function.__doc__, r"(?m)^    returns +\S")
-                self.assertRegex(function.__doc__, r"(?m)^    source +\S")
+                self.assertRegex(function.__doc__, r"(?m)^ *returns +\S")
+                self.assertRegex(function.__doc__, r"(?m)^ *source +\S")
                 dimensions = [axes for axes in range(1, 5)
                               if function.__name__ in hashnoise.noises(axes) + hashnoise.sums(axes)]
                 said = f"{dimensions[0]}D {'and' if len(dimensions) == 2 else 'to'} {dimensions[-1]}D"
@@ -51,10 +51,10 @@ class Docstrings(unittest.TestCase):
         for function in (*_noises.NOISES.values(), *_sums.SUMS.values()):
             for option in function.__kwdefaults__:
                 with self.subTest(function.__name__, option=option):
-                    self.assertRegex(function.__doc__ + common, rf"(?m)^    {option} +\S")
+                    self.assertRegex(function.__doc__ + common, rf"(?m)^ *{option} +\S")
         for option in inspect.signature(hashnoise.grid).parameters:
             with self.subTest("grid", option=option):
-                self.assertRegex("".join(other.__doc__ for other in functions()) + common, rf"(?m)^    {option} +\S")
+                self.assertRegex("".join(other.__doc__ for other in functions()) + common, rf"(?m)^ *{option} +\S")
 
     def test_numbers_are_those_of_the_glsl(self):
         seen = 0
