@@ -25,7 +25,7 @@ readonly paper_packages=(libvulkan1 mesa-vulkan-drivers)
 # GLFW loads the libraries of OpenGL by their names.
 readonly driver_packages=("${paper_packages[@]}" chromium clang libgl1 libgles2 libglfw3 libglx-mesa0 xvfb)
 readonly test_packages=("${driver_packages[@]}" libclang-rt-dev libgtest-dev python3
-  python3-numpy python3-scipy)
+  python3-dev python3-numpy python3-scipy python3-venv)
 # Of tools/quality, which has no need of hn-conform.
 readonly quality_packages=(g++ python3 python3-numpy python3-scipy)
 readonly plot_packages=(python3-matplotlib)
