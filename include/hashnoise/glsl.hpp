@@ -18,6 +18,14 @@
 #include <cstdint>
 #include <limits>
 
+// Before each function: vectors of lanes (lanes.hpp) are fast only if none is called, and a linker may take the copy of
+// a called one from another translation unit, which was compiled for another processor.
+#ifdef _MSC_VER
+#define HN_I_INLINE __forceinline
+#else
+#define HN_I_INLINE [[gnu::always_inline]] inline
+#endif
+
 namespace hashnoise {
 
 using uint = std::uint32_t;
@@ -32,13 +40,13 @@ struct Vector4;
 namespace detail {
 
 template <typename To, typename From>
-constexpr To convert(From value) {
+HN_I_INLINE constexpr To convert(From value) {
   return static_cast<To>(value);
 }
 
 // There is no branch and no comparison of floats, so that compilers can vectorize it.
 template <>
-constexpr int convert<int, float>(float value) {
+HN_I_INLINE constexpr int convert<int, float>(float value) {
   const uint bits = std::bit_cast<uint>(value);
   const uint magnitude = bits & 0x7FFFFFFFu;
   const bool fits = magnitude < 0x4F000000u;  // 2^31
@@ -48,7 +56,7 @@ constexpr int convert<int, float>(float value) {
 }
 
 template <>
-constexpr uint convert<uint, float>(float value) {
+HN_I_INLINE constexpr uint convert<uint, float>(float value) {
   if (value >= 4294967296.0f) return std::numeric_limits<uint>::max();
   return value > 0.0f ? static_cast<uint>(value) : 0u;
 }
@@ -66,7 +74,7 @@ constexpr int kComponents<Vector4<T>> = 4;
 // Whether the arguments fill a vector of `Count` components. The last argument may have more components than are
 // needed, but every argument must be used.
 template <int Count, typename... Arguments>
-constexpr bool fill() {
+HN_I_INLINE constexpr bool fill() {
   int found = 0;
   bool all_used = true;
   ((all_used = all_used && found < Count, found += kComponents<Arguments>), ...);
@@ -74,7 +82,7 @@ constexpr bool fill() {
 }
 
 template <int Index, typename First, typename... Rest>
-constexpr auto component([[maybe_unused]] const First& first, [[maybe_unused]] const Rest&... rest) {
+HN_I_INLINE constexpr auto component([[maybe_unused]] const First& first, [[maybe_unused]] const Rest&... rest) {
   constexpr int count = kComponents<First>;
   if constexpr (Index >= count) {
     return component<Index - count>(rest...);
@@ -97,70 +105,70 @@ constexpr auto component([[maybe_unused]] const First& first, [[maybe_unused]] c
 template <typename T>
 struct Vector2 {
   T x, y;
-  constexpr Vector2() : x(), y() {}
-  constexpr Vector2(T x_, T y_) : x(x_), y(y_) {}
+  HN_I_INLINE constexpr Vector2() : x(), y() {}
+  HN_I_INLINE constexpr Vector2(T x_, T y_) : x(x_), y(y_) {}
   template <typename Scalar>
   requires(detail::kComponents<Scalar> == 1)
-  constexpr explicit Vector2(Scalar s) : Vector2(detail::convert<T>(s), detail::convert<T>(s)) {}
+  HN_I_INLINE constexpr explicit Vector2(Scalar s) : Vector2(detail::convert<T>(s), detail::convert<T>(s)) {}
   template <typename U>
-  constexpr explicit Vector2(Vector2<U> v) : x(detail::convert<T>(v.x)), y(detail::convert<T>(v.y)) {}
+  HN_I_INLINE constexpr explicit Vector2(Vector2<U> v) : x(detail::convert<T>(v.x)), y(detail::convert<T>(v.y)) {}
   template <typename... Arguments>
   requires(detail::fill<2, Arguments...>())
-  constexpr explicit(sizeof...(Arguments) != 2) Vector2(const Arguments&... arguments)
+  HN_I_INLINE constexpr explicit(sizeof...(Arguments) != 2) Vector2(const Arguments&... arguments)
       : x(detail::convert<T>(detail::component<0>(arguments...))),
         y(detail::convert<T>(detail::component<1>(arguments...))) {}
   friend bool operator==(Vector2, Vector2) = default;  // constexpr where that of T is
-  friend constexpr Vector2 operator+(Vector2 a, Vector2 b) { return {a.x + b.x, a.y + b.y}; }
-  friend constexpr Vector2 operator-(Vector2 a, Vector2 b) { return {a.x - b.x, a.y - b.y}; }
-  friend constexpr Vector2 operator*(Vector2 a, Vector2 b) { return {a.x * b.x, a.y * b.y}; }
-  friend constexpr Vector2 operator+(Vector2 a, T b) { return a + Vector2(b); }
-  friend constexpr Vector2 operator-(Vector2 a, T b) { return a - Vector2(b); }
-  friend constexpr Vector2 operator*(Vector2 a, T b) { return a * Vector2(b); }
-  friend constexpr Vector2 operator*(T a, Vector2 b) { return Vector2(a) * b; }
-  friend constexpr Vector2 operator/(Vector2 a, Vector2 b) { return {a.x / b.x, a.y / b.y}; }
-  friend constexpr Vector2 operator/(Vector2 a, T b) { return a / Vector2(b); }
+  HN_I_INLINE friend constexpr Vector2 operator+(Vector2 a, Vector2 b) { return {a.x + b.x, a.y + b.y}; }
+  HN_I_INLINE friend constexpr Vector2 operator-(Vector2 a, Vector2 b) { return {a.x - b.x, a.y - b.y}; }
+  HN_I_INLINE friend constexpr Vector2 operator*(Vector2 a, Vector2 b) { return {a.x * b.x, a.y * b.y}; }
+  HN_I_INLINE friend constexpr Vector2 operator+(Vector2 a, T b) { return a + Vector2(b); }
+  HN_I_INLINE friend constexpr Vector2 operator-(Vector2 a, T b) { return a - Vector2(b); }
+  HN_I_INLINE friend constexpr Vector2 operator*(Vector2 a, T b) { return a * Vector2(b); }
+  HN_I_INLINE friend constexpr Vector2 operator*(T a, Vector2 b) { return Vector2(a) * b; }
+  HN_I_INLINE friend constexpr Vector2 operator/(Vector2 a, Vector2 b) { return {a.x / b.x, a.y / b.y}; }
+  HN_I_INLINE friend constexpr Vector2 operator/(Vector2 a, T b) { return a / Vector2(b); }
 };
 
 template <typename T>
 struct Vector3 {
   T x, y, z;
-  constexpr Vector3() : x(), y(), z() {}
-  constexpr Vector3(T x_, T y_, T z_) : x(x_), y(y_), z(z_) {}
+  HN_I_INLINE constexpr Vector3() : x(), y(), z() {}
+  HN_I_INLINE constexpr Vector3(T x_, T y_, T z_) : x(x_), y(y_), z(z_) {}
   template <typename Scalar>
   requires(detail::kComponents<Scalar> == 1)
-  constexpr explicit Vector3(Scalar s) : Vector3(detail::convert<T>(s), detail::convert<T>(s), detail::convert<T>(s)) {}
+  HN_I_INLINE constexpr explicit Vector3(Scalar s) : Vector3(detail::convert<T>(s), detail::convert<T>(s), detail::convert<T>(s)) {}
   template <typename U>
-  constexpr explicit Vector3(Vector3<U> v)
+  HN_I_INLINE constexpr explicit Vector3(Vector3<U> v)
       : x(detail::convert<T>(v.x)), y(detail::convert<T>(v.y)), z(detail::convert<T>(v.z)) {}
   template <typename... Arguments>
   requires(detail::fill<3, Arguments...>())
-  constexpr explicit(sizeof...(Arguments) != 3) Vector3(const Arguments&... arguments)
+  HN_I_INLINE constexpr explicit(sizeof...(Arguments) != 3) Vector3(const Arguments&... arguments)
       : x(detail::convert<T>(detail::component<0>(arguments...))),
         y(detail::convert<T>(detail::component<1>(arguments...))),
         z(detail::convert<T>(detail::component<2>(arguments...))) {}
   friend bool operator==(Vector3, Vector3) = default;  // constexpr where that of T is
-  friend constexpr Vector3 operator+(Vector3 a, Vector3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-  friend constexpr Vector3 operator-(Vector3 a, Vector3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-  friend constexpr Vector3 operator*(Vector3 a, Vector3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
-  friend constexpr Vector3 operator+(Vector3 a, T b) { return a + Vector3(b); }
-  friend constexpr Vector3 operator-(Vector3 a, T b) { return a - Vector3(b); }
-  friend constexpr Vector3 operator*(Vector3 a, T b) { return a * Vector3(b); }
-  friend constexpr Vector3 operator*(T a, Vector3 b) { return Vector3(a) * b; }
-  friend constexpr Vector3 operator/(Vector3 a, Vector3 b) { return {a.x / b.x, a.y / b.y, a.z / b.z}; }
-  friend constexpr Vector3 operator/(Vector3 a, T b) { return a / Vector3(b); }
+  HN_I_INLINE friend constexpr Vector3 operator+(Vector3 a, Vector3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+  HN_I_INLINE friend constexpr Vector3 operator-(Vector3 a, Vector3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  HN_I_INLINE friend constexpr Vector3 operator*(Vector3 a, Vector3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+  HN_I_INLINE friend constexpr Vector3 operator+(Vector3 a, T b) { return a + Vector3(b); }
+  HN_I_INLINE friend constexpr Vector3 operator-(Vector3 a, T b) { return a - Vector3(b); }
+  HN_I_INLINE friend constexpr Vector3 operator*(Vector3 a, T b) { return a * Vector3(b); }
+  HN_I_INLINE friend constexpr Vector3 operator*(T a, Vector3 b) { return Vector3(a) * b; }
+  HN_I_INLINE friend constexpr Vector3 operator/(Vector3 a, Vector3 b) { return {a.x / b.x, a.y / b.y, a.z / b.z}; }
+  HN_I_INLINE friend constexpr Vector3 operator/(Vector3 a, T b) { return a / Vector3(b); }
   // Of integers.
-  friend constexpr Vector3 operator&(Vector3 a, Vector3 b) { return {a.x & b.x, a.y & b.y, a.z & b.z}; }
-  friend constexpr Vector3 operator&(Vector3 a, T b) { return {a.x & b, a.y & b, a.z & b}; }
-  friend constexpr Vector3 operator|(Vector3 a, T b) { return {a.x | b, a.y | b, a.z | b}; }
-  friend constexpr Vector3 operator|(Vector3 a, Vector3 b) { return {a.x | b.x, a.y | b.y, a.z | b.z}; }
-  friend constexpr Vector3 operator^(Vector3 a, T b) { return {a.x ^ b, a.y ^ b, a.z ^ b}; }
-  friend constexpr Vector3 operator^(Vector3 a, Vector3 b) { return {a.x ^ b.x, a.y ^ b.y, a.z ^ b.z}; }
+  HN_I_INLINE friend constexpr Vector3 operator&(Vector3 a, Vector3 b) { return {a.x & b.x, a.y & b.y, a.z & b.z}; }
+  HN_I_INLINE friend constexpr Vector3 operator&(Vector3 a, T b) { return {a.x & b, a.y & b, a.z & b}; }
+  HN_I_INLINE friend constexpr Vector3 operator|(Vector3 a, T b) { return {a.x | b, a.y | b, a.z | b}; }
+  HN_I_INLINE friend constexpr Vector3 operator|(Vector3 a, Vector3 b) { return {a.x | b.x, a.y | b.y, a.z | b.z}; }
+  HN_I_INLINE friend constexpr Vector3 operator^(Vector3 a, T b) { return {a.x ^ b, a.y ^ b, a.z ^ b}; }
+  HN_I_INLINE friend constexpr Vector3 operator^(Vector3 a, Vector3 b) { return {a.x ^ b.x, a.y ^ b.y, a.z ^ b.z}; }
   template <typename Count>
-  friend constexpr Vector3 operator<<(Vector3 a, Count b) {
+  HN_I_INLINE friend constexpr Vector3 operator<<(Vector3 a, Count b) {
     return {a.x << T(b), a.y << T(b), a.z << T(b)};
   }
   template <typename Count>
-  friend constexpr Vector3 operator>>(Vector3 a, Count b) {
+  HN_I_INLINE friend constexpr Vector3 operator>>(Vector3 a, Count b) {
     return {a.x >> T(b), a.y >> T(b), a.z >> T(b)};
   }
 };
@@ -168,35 +176,35 @@ struct Vector3 {
 template <typename T>
 struct Vector4 {
   T x, y, z, w;
-  constexpr Vector4() : x(), y(), z(), w() {}
-  constexpr Vector4(T x_, T y_, T z_, T w_) : x(x_), y(y_), z(z_), w(w_) {}
+  HN_I_INLINE constexpr Vector4() : x(), y(), z(), w() {}
+  HN_I_INLINE constexpr Vector4(T x_, T y_, T z_, T w_) : x(x_), y(y_), z(z_), w(w_) {}
   template <typename Scalar>
   requires(detail::kComponents<Scalar> == 1)
-  constexpr explicit Vector4(Scalar s)
+  HN_I_INLINE constexpr explicit Vector4(Scalar s)
       : Vector4(detail::convert<T>(s), detail::convert<T>(s), detail::convert<T>(s), detail::convert<T>(s)) {}
   template <typename U>
-  constexpr explicit Vector4(Vector4<U> v)
+  HN_I_INLINE constexpr explicit Vector4(Vector4<U> v)
       : x(detail::convert<T>(v.x)),
         y(detail::convert<T>(v.y)),
         z(detail::convert<T>(v.z)),
         w(detail::convert<T>(v.w)) {}
   template <typename... Arguments>
   requires(detail::fill<4, Arguments...>())
-  constexpr explicit(sizeof...(Arguments) != 4) Vector4(const Arguments&... arguments)
+  HN_I_INLINE constexpr explicit(sizeof...(Arguments) != 4) Vector4(const Arguments&... arguments)
       : x(detail::convert<T>(detail::component<0>(arguments...))),
         y(detail::convert<T>(detail::component<1>(arguments...))),
         z(detail::convert<T>(detail::component<2>(arguments...))),
         w(detail::convert<T>(detail::component<3>(arguments...))) {}
   friend bool operator==(Vector4, Vector4) = default;  // constexpr where that of T is
-  friend constexpr Vector4 operator+(Vector4 a, Vector4 b) { return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w}; }
-  friend constexpr Vector4 operator-(Vector4 a, Vector4 b) { return {a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w}; }
-  friend constexpr Vector4 operator*(Vector4 a, Vector4 b) { return {a.x * b.x, a.y * b.y, a.z * b.z, a.w * b.w}; }
-  friend constexpr Vector4 operator+(Vector4 a, T b) { return a + Vector4(b); }
-  friend constexpr Vector4 operator-(Vector4 a, T b) { return a - Vector4(b); }
-  friend constexpr Vector4 operator*(Vector4 a, T b) { return a * Vector4(b); }
-  friend constexpr Vector4 operator*(T a, Vector4 b) { return Vector4(a) * b; }
-  friend constexpr Vector4 operator/(Vector4 a, Vector4 b) { return {a.x / b.x, a.y / b.y, a.z / b.z, a.w / b.w}; }
-  friend constexpr Vector4 operator/(Vector4 a, T b) { return a / Vector4(b); }
+  HN_I_INLINE friend constexpr Vector4 operator+(Vector4 a, Vector4 b) { return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w}; }
+  HN_I_INLINE friend constexpr Vector4 operator-(Vector4 a, Vector4 b) { return {a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w}; }
+  HN_I_INLINE friend constexpr Vector4 operator*(Vector4 a, Vector4 b) { return {a.x * b.x, a.y * b.y, a.z * b.z, a.w * b.w}; }
+  HN_I_INLINE friend constexpr Vector4 operator+(Vector4 a, T b) { return a + Vector4(b); }
+  HN_I_INLINE friend constexpr Vector4 operator-(Vector4 a, T b) { return a - Vector4(b); }
+  HN_I_INLINE friend constexpr Vector4 operator*(Vector4 a, T b) { return a * Vector4(b); }
+  HN_I_INLINE friend constexpr Vector4 operator*(T a, Vector4 b) { return Vector4(a) * b; }
+  HN_I_INLINE friend constexpr Vector4 operator/(Vector4 a, Vector4 b) { return {a.x / b.x, a.y / b.y, a.z / b.z, a.w / b.w}; }
+  HN_I_INLINE friend constexpr Vector4 operator/(Vector4 a, T b) { return a / Vector4(b); }
 };
 
 using vec2 = Vector2<float>;
@@ -224,39 +232,39 @@ using hn_uvec3 = uvec3;
 using hn_uvec4 = uvec4;
 
 // In this namespace a call means one of these, never ::abs(int) or another function that happens to be declared.
-inline float floor(float x) { return std::floor(x); }
-inline vec2 floor(vec2 v) { return {std::floor(v.x), std::floor(v.y)}; }
-inline vec3 floor(vec3 v) { return {std::floor(v.x), std::floor(v.y), std::floor(v.z)}; }
-inline vec4 floor(vec4 v) { return {std::floor(v.x), std::floor(v.y), std::floor(v.z), std::floor(v.w)}; }
-inline float trunc(float x) { return std::trunc(x); }
-inline float sqrt(float x) { return std::sqrt(x); }
-inline float abs(float x) { return std::fabs(x); }
-constexpr float min(float x, float y) { return y < x ? y : x; }
-constexpr float max(float x, float y) { return x < y ? y : x; }
-constexpr int min(int x, int y) { return y < x ? y : x; }
-constexpr int max(int x, int y) { return x < y ? y : x; }
-constexpr uint min(uint x, uint y) { return y < x ? y : x; }
-constexpr uint max(uint x, uint y) { return x < y ? y : x; }
+HN_I_INLINE float floor(float x) { return std::floor(x); }
+HN_I_INLINE vec2 floor(vec2 v) { return {std::floor(v.x), std::floor(v.y)}; }
+HN_I_INLINE vec3 floor(vec3 v) { return {std::floor(v.x), std::floor(v.y), std::floor(v.z)}; }
+HN_I_INLINE vec4 floor(vec4 v) { return {std::floor(v.x), std::floor(v.y), std::floor(v.z), std::floor(v.w)}; }
+HN_I_INLINE float trunc(float x) { return std::trunc(x); }
+HN_I_INLINE float sqrt(float x) { return std::sqrt(x); }
+HN_I_INLINE float abs(float x) { return std::fabs(x); }
+HN_I_INLINE constexpr float min(float x, float y) { return y < x ? y : x; }
+HN_I_INLINE constexpr float max(float x, float y) { return x < y ? y : x; }
+HN_I_INLINE constexpr int min(int x, int y) { return y < x ? y : x; }
+HN_I_INLINE constexpr int max(int x, int y) { return x < y ? y : x; }
+HN_I_INLINE constexpr uint min(uint x, uint y) { return y < x ? y : x; }
+HN_I_INLINE constexpr uint max(uint x, uint y) { return x < y ? y : x; }
 template <typename T>
-constexpr Vector3<T> min(Vector3<T> a, Vector3<T> b) {
+HN_I_INLINE constexpr Vector3<T> min(Vector3<T> a, Vector3<T> b) {
   return {min(a.x, b.x), min(a.y, b.y), min(a.z, b.z)};
 }
 template <typename T>
-constexpr Vector3<T> max(Vector3<T> a, Vector3<T> b) {
+HN_I_INLINE constexpr Vector3<T> max(Vector3<T> a, Vector3<T> b) {
   return {max(a.x, b.x), max(a.y, b.y), max(a.z, b.z)};
 }
 template <typename T>
-constexpr Vector3<T> abs(Vector3<T> v) {
+HN_I_INLINE constexpr Vector3<T> abs(Vector3<T> v) {
   return {abs(v.x), abs(v.y), abs(v.z)};
 }
-constexpr float uintBitsToFloat(uint bits) { return std::bit_cast<float>(bits); }
-constexpr uint floatBitsToUint(float value) { return std::bit_cast<uint>(value); }
+HN_I_INLINE constexpr float uintBitsToFloat(uint bits) { return std::bit_cast<float>(bits); }
+HN_I_INLINE constexpr uint floatBitsToUint(float value) { return std::bit_cast<uint>(value); }
 template <typename T>
-constexpr auto uintBitsToFloat(Vector3<T> v) {
+HN_I_INLINE constexpr auto uintBitsToFloat(Vector3<T> v) {
   return Vector3<decltype(uintBitsToFloat(v.x))>(uintBitsToFloat(v.x), uintBitsToFloat(v.y), uintBitsToFloat(v.z));
 }
 template <typename T>
-constexpr auto floatBitsToUint(Vector3<T> v) {
+HN_I_INLINE constexpr auto floatBitsToUint(Vector3<T> v) {
   return Vector3<decltype(floatBitsToUint(v.x))>(floatBitsToUint(v.x), floatBitsToUint(v.y), floatBitsToUint(v.z));
 }
 

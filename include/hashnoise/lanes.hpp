@@ -6,10 +6,11 @@
 //   namespace lanes = hashnoise::lanes;
 //   lanes::Float n = lanes::hn_perlin(lanes::vec2(x, y), lanes::Uint(7u));  // n[0] to n[lanes::kCount - 1]
 //
-// How many lanes there are follows from the flags of the compiler: 16 with AVX-512 (F, BW, DQ and VL), 8 with AVX2,
-// else
-// 4. `lanes` is another name of a namespace that is named after the instruction set, so that translation units with
-// other flags may be linked together.
+// How many lanes there are follows from the flags of the compiler: 16 with AVX-512 (F, BW, DQ and VL), 8 with AVX2, else
+// 4. The namespace `lanes` is another name of one that is named after the instruction set, so that translation units with
+// other flags may be linked together. HN_LANES is its own name, for sums over other noises:
+//
+//   namespace hashnoise { namespace HN_LANES { HN_FBM2D(my_sum, hn_simplex) } }
 //
 // A condition of an `if`, of a loop and of `?:` has to be the same in all lanes: octaves, a metric. HN_LANES_CHECKED
 // makes it an error (std::abort) if it is not. Where it differs, the text of the library uses hn_i_select.
@@ -32,18 +33,33 @@
 #include <cstdlib>
 #include <type_traits>
 
+// Of the instruction sets that the flags allow, the widest.
 #if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define HN_I_LANES avx512
-#elif defined(__AVX2__) && defined(__FMA__)
-#define HN_I_LANES avx2
+#define HN_LANES avx512
+#define HN_I_LANE_BYTES 64
+// With a mask of all lanes, since GCC 12 warns of the plain ones: they name a variable that has no value.
+#define HN_I_X86(name, x, ...) _mm512_mask_##name(x, 0xFFFF, __VA_ARGS__)
+#define HN_I_X86_ROUND(x, mode) _mm512_mask_roundscale_ps(x, 0xFFFF, x, mode)
+#elif defined(__AVX2__)
+#define HN_LANES avx2
+#define HN_I_LANE_BYTES 32
+#define HN_I_X86(name, x, ...) _mm256_##name(__VA_ARGS__)
+#define HN_I_X86_ROUND(x, mode) _mm256_round_ps(x, mode)
 #elif defined(__SSE4_1__)
-#define HN_I_LANES sse41
+#define HN_LANES sse41
+#define HN_I_LANE_BYTES 16
+#define HN_I_X86(name, x, ...) _mm_##name(__VA_ARGS__)
+#define HN_I_X86_ROUND(x, mode) _mm_round_ps(x, mode)
 #elif defined(__SSE2__)
-#define HN_I_LANES sse2
+#define HN_LANES sse2
+#define HN_I_LANE_BYTES 16
+#define HN_I_X86(name, x, ...) _mm_##name(__VA_ARGS__)
 #elif defined(__aarch64__) && defined(__ARM_NEON)
-#define HN_I_LANES neon
+#define HN_LANES neon
+#define HN_I_LANE_BYTES 16
 #else
-#define HN_I_LANES generic
+#define HN_LANES generic
+#define HN_I_LANE_BYTES 16
 #endif
 
 #if defined(__SSE2__)
@@ -52,47 +68,41 @@
 #include <arm_neon.h>
 #endif
 
-#define HN_I_LANE_FN [[gnu::always_inline]] inline
-
 namespace hashnoise {
-namespace HN_I_LANES {
+namespace HN_LANES {
 
-#if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-constexpr int kCount = 16;
-#elif defined(__AVX2__) && defined(__FMA__)
-constexpr int kCount = 8;
-#else
-constexpr int kCount = 4;
-#endif
+constexpr int kCount = HN_I_LANE_BYTES / 4;
 
-template <typename S>
-using VectorOf [[gnu::vector_size(4 * kCount)]] = S;
+namespace detail {
 
-using FloatVector = float __attribute__((vector_size(4 * kCount)));
-using IntVector = std::int32_t __attribute__((vector_size(4 * kCount)));
-using UintVector = std::uint32_t __attribute__((vector_size(4 * kCount)));
-using DoubleVector = double __attribute__((vector_size(8 * kCount)));
-using LongVector = std::int64_t __attribute__((vector_size(8 * kCount)));
+using FloatVector [[gnu::vector_size(HN_I_LANE_BYTES)]] = float;
+using IntVector [[gnu::vector_size(HN_I_LANE_BYTES)]] = std::int32_t;
+using UintVector [[gnu::vector_size(HN_I_LANE_BYTES)]] = std::uint32_t;
+using DoubleVector [[gnu::vector_size(2 * HN_I_LANE_BYTES)]] = double;
+using LongVector [[gnu::vector_size(2 * HN_I_LANE_BYTES)]] = std::int64_t;
 
 template <typename S>
-struct VectorTrait;
+struct VectorOf;
 template <>
-struct VectorTrait<float> {
-  using type = FloatVector;
+struct VectorOf<float> {
+  using Type = FloatVector;
 };
 template <>
-struct VectorTrait<std::int32_t> {
-  using type = IntVector;
+struct VectorOf<std::int32_t> {
+  using Type = IntVector;
 };
 template <>
-struct VectorTrait<std::uint32_t> {
-  using type = UintVector;
+struct VectorOf<std::uint32_t> {
+  using Type = UintVector;
 };
 
+}  // namespace detail
+
+// What a comparison gives: for each lane all bits, or none.
 struct Mask {
-  IntVector v;  // -1 or 0
+  detail::IntVector v;
 
-  HN_I_LANE_FN explicit operator bool() const {
+  HN_I_INLINE explicit operator bool() const {
 #ifdef HN_LANES_CHECKED
     for (int i = 1; i < kCount; ++i) {
       if (v[i] != v[0]) std::abort();
@@ -100,30 +110,39 @@ struct Mask {
 #endif
     return v[0] != 0;
   }
-  HN_I_LANE_FN friend Mask operator&&(Mask a, Mask b) { return {a.v & b.v}; }
-  HN_I_LANE_FN friend Mask operator||(Mask a, Mask b) { return {a.v | b.v}; }
-  HN_I_LANE_FN friend Mask operator!(Mask a) { return {~a.v}; }
+  HN_I_INLINE friend Mask operator&&(Mask a, Mask b) { return {a.v & b.v}; }
 };
 
+// kCount numbers. A number is the same in all lanes, if it is of the type of a lane; others have to be converted.
 template <typename S>
 struct Lanes {
-  using Vector = typename VectorTrait<S>::type;
+  using Vector = typename detail::VectorOf<S>::Type;
   Vector v;
 
-  HN_I_LANE_FN Lanes() : v{} {}
+  HN_I_INLINE Lanes() : v{} {}
+  HN_I_INLINE explicit Lanes(Vector vector) : v(vector) {}
+  // s - 0 is s, also where s is -0; s + 0 would not be.
   template <typename T>
-  requires std::is_arithmetic_v<T> HN_I_LANE_FN explicit(!std::same_as<S, T>) Lanes(T s)
-      : v(Vector{} + static_cast<S>(s)) {}
+  requires std::is_arithmetic_v<T>
+  HN_I_INLINE explicit(!std::same_as<S, T>) Lanes(T s) : v(static_cast<S>(s) - Vector{}) {}
+  // What does not fit is undefined, as it is in C++.
   template <typename T>
-  HN_I_LANE_FN explicit Lanes(Lanes<T> other) : v(__builtin_convertvector(other.v, Vector)) {}
-  HN_I_LANE_FN explicit Lanes(Mask mask) : v(__builtin_convertvector(-mask.v, Vector)) {}
-  HN_I_LANE_FN explicit Lanes(Vector vector) : v(vector) {}
+  HN_I_INLINE explicit Lanes(Lanes<T> other) : v(__builtin_convertvector(other.v, Vector)) {}
+  HN_I_INLINE explicit Lanes(Mask mask) : v(__builtin_convertvector(-mask.v, Vector)) {}
 
-  HN_I_LANE_FN S operator[](int i) const { return v[i]; }
+  HN_I_INLINE S operator[](int i) const { return v[i]; }
 
-#define HN_I_LANE_OPERATOR(op)                                                          \
-  HN_I_LANE_FN friend Lanes operator op(Lanes a, Lanes b) { return Lanes(a.v op b.v); } \
-  HN_I_LANE_FN friend Lanes& operator op##=(Lanes& a, Lanes b) { return a = a op b; }
+  // kCount numbers in memory, with any alignment.
+  HN_I_INLINE static Lanes load(const S* from) {
+    Lanes lanes;
+    __builtin_memcpy(&lanes.v, from, sizeof(Vector));
+    return lanes;
+  }
+  HN_I_INLINE void store(S* to) const { __builtin_memcpy(to, &v, sizeof(Vector)); }
+
+#define HN_I_LANE_OPERATOR(op)                                                         \
+  HN_I_INLINE friend Lanes operator op(Lanes a, Lanes b) { return Lanes(a.v op b.v); } \
+  HN_I_INLINE friend Lanes& operator op##=(Lanes& a, Lanes b) { return a = a op b; }
   HN_I_LANE_OPERATOR(+)
   HN_I_LANE_OPERATOR(-)
   HN_I_LANE_OPERATOR(*)
@@ -133,11 +152,11 @@ struct Lanes {
   HN_I_LANE_OPERATOR(<<)
   HN_I_LANE_OPERATOR(>>)
 #undef HN_I_LANE_OPERATOR
-  HN_I_LANE_FN friend Lanes operator-(Lanes a) { return Lanes(-a.v); }
-  HN_I_LANE_FN friend Lanes& operator++(Lanes& a) { return a = a + S{1}; }
+  HN_I_INLINE friend Lanes operator-(Lanes a) { return Lanes(-a.v); }
+  HN_I_INLINE friend Lanes& operator++(Lanes& a) { return a = a + S{1}; }
 
 #define HN_I_LANE_COMPARISON(op) \
-  HN_I_LANE_FN friend Mask operator op(Lanes a, Lanes b) { return {a.v op b.v}; }
+  HN_I_INLINE friend Mask operator op(Lanes a, Lanes b) { return {a.v op b.v}; }
   HN_I_LANE_COMPARISON(<)
   HN_I_LANE_COMPARISON(>)
   HN_I_LANE_COMPARISON(<=)
@@ -146,58 +165,106 @@ struct Lanes {
   HN_I_LANE_COMPARISON(!=)
 #undef HN_I_LANE_COMPARISON
 
-  HN_I_LANE_FN friend Lanes hn_i_select(Mask condition, Lanes a, Lanes b) { return Lanes(condition.v ? a.v : b.v); }
+  HN_I_INLINE friend Lanes hn_i_select(Mask condition, Lanes a, Lanes b) { return Lanes(condition.v ? a.v : b.v); }
 };
 
 using Float = Lanes<float>;
 using Int = Lanes<std::int32_t>;
 using Uint = Lanes<std::uint32_t>;
 
-HN_I_LANE_FN Int hn_i_choice(Mask condition, Int a, Int b) { return hn_i_select(condition, a, b); }
+HN_I_INLINE Int hn_i_choice(Mask condition, Int a, Int b) { return hn_i_select(condition, a, b); }
 
-HN_I_LANE_FN Float operator/(Float a, Float b) { return Float(a.v / b.v); }
+HN_I_INLINE Float operator/(Float a, Float b) { return Float(a.v / b.v); }
 
-// No processor divides vectors of integers. A quotient of doubles, cut off, is exact for 32-bit words.
-HN_I_LANE_FN Uint operator/(Uint a, Uint b) {
-  const DoubleVector quotient = __builtin_convertvector(a.v, DoubleVector) / __builtin_convertvector(b.v, DoubleVector);
-  return Uint(__builtin_convertvector(__builtin_convertvector(quotient, LongVector), UintVector));
-}
-HN_I_LANE_FN Uint operator%(Uint a, Uint b) { return a - a / b * b; }
-
-HN_I_LANE_FN Uint floatBitsToUint(Float value) { return Uint((UintVector)value.v); }
-HN_I_LANE_FN Float uintBitsToFloat(Uint bits) { return Float((FloatVector)bits.v); }
-HN_I_LANE_FN Float abs(Float x) { return uintBitsToFloat(floatBitsToUint(x) & 0x7FFFFFFFu); }
-
-#if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-HN_I_LANE_FN Float floor(Float x) { return Float((FloatVector)_mm512_roundscale_ps(x.v, 9)); }
-HN_I_LANE_FN Float trunc(Float x) { return Float((FloatVector)_mm512_roundscale_ps(x.v, 11)); }
-HN_I_LANE_FN Float sqrt(Float x) { return Float((FloatVector)_mm512_sqrt_ps(x.v)); }
-HN_I_LANE_FN Float min(Float x, Float y) { return Float((FloatVector)_mm512_min_ps(y.v, x.v)); }
-HN_I_LANE_FN Float max(Float x, Float y) { return Float((FloatVector)_mm512_max_ps(y.v, x.v)); }
-#elif defined(__AVX2__) && defined(__FMA__)
-HN_I_LANE_FN Float floor(Float x) { return Float((FloatVector)_mm256_round_ps(x.v, 9)); }
-HN_I_LANE_FN Float trunc(Float x) { return Float((FloatVector)_mm256_round_ps(x.v, 11)); }
-HN_I_LANE_FN Float sqrt(Float x) { return Float((FloatVector)_mm256_sqrt_ps(x.v)); }
-HN_I_LANE_FN Float min(Float x, Float y) { return Float((FloatVector)_mm256_min_ps(y.v, x.v)); }
-HN_I_LANE_FN Float max(Float x, Float y) { return Float((FloatVector)_mm256_max_ps(y.v, x.v)); }
+// No processor divides vectors of integers. A quotient of doubles is right, or, under -ffast-math, off by one. b > 0.
+HN_I_INLINE Uint operator/(Uint a, Uint b) {
+  const detail::DoubleVector quotient =
+      __builtin_convertvector(a.v, detail::DoubleVector) / __builtin_convertvector(b.v, detail::DoubleVector);
+  const Uint near(
+      __builtin_convertvector(__builtin_convertvector(quotient, detail::LongVector), detail::UintVector));
+#ifdef __FAST_MATH__
+  const Uint below = near - Uint(near * b > a);
+  return below + Uint(a - below * b >= b);
 #else
-#error
+  return near;
 #endif
-HN_I_LANE_FN Int min(Int x, Int y) { return hn_i_select(y < x, y, x); }
-HN_I_LANE_FN Int max(Int x, Int y) { return hn_i_select(x < y, y, x); }
-HN_I_LANE_FN Uint min(Uint x, Uint y) { return hn_i_select(y < x, y, x); }
-HN_I_LANE_FN Uint max(Uint x, Uint y) { return hn_i_select(x < y, y, x); }
+}
+HN_I_INLINE Uint operator%(Uint a, Uint b) { return a - a / b * b; }
 
-template <typename T>
-requires(requires(T t) { floor(t); }) HN_I_LANE_FN Vector2<T> floor(Vector2<T> v) { return {floor(v.x), floor(v.y)}; }
-template <typename T>
-requires(requires(T t) { floor(t); }) HN_I_LANE_FN Vector3<T> floor(Vector3<T> v) {
-  return {floor(v.x), floor(v.y), floor(v.z)};
+HN_I_INLINE Uint floatBitsToUint(Float x) { return Uint((detail::UintVector)x.v); }
+HN_I_INLINE Float uintBitsToFloat(Uint bits) { return Float((detail::FloatVector)bits.v); }
+HN_I_INLINE Float abs(Float x) { return uintBitsToFloat(floatBitsToUint(x) & 0x7FFFFFFFu); }
+
+namespace detail {
+
+// A float of 2^23 or more is whole. The others fit an int. The sign is kept, since it may be that of 0.
+HN_I_INLINE Float whole(Float x, Float candidate) {
+  const Uint sign = floatBitsToUint(x) & 0x80000000u;
+  return hn_i_select(abs(x) < 8388608.0f, uintBitsToFloat(floatBitsToUint(candidate) | sign), x);
 }
-template <typename T>
-requires(requires(T t) { floor(t); }) HN_I_LANE_FN Vector4<T> floor(Vector4<T> v) {
-  return {floor(v.x), floor(v.y), floor(v.z), floor(v.w)};
+HN_I_INLINE Float cut_off(Float x) { return Float(Int(hn_i_select(abs(x) < 8388608.0f, x, Float(0.0f)))); }
+
+}  // namespace detail
+
+#if defined(HN_I_X86_ROUND)
+// Down, and toward 0; without exceptions.
+HN_I_INLINE Float floor(Float x) { return Float((detail::FloatVector)HN_I_X86_ROUND(x.v, 9)); }
+HN_I_INLINE Float trunc(Float x) { return Float((detail::FloatVector)HN_I_X86_ROUND(x.v, 11)); }
+#elif defined(__aarch64__) && defined(__ARM_NEON)
+HN_I_INLINE Float floor(Float x) { return Float((detail::FloatVector)vrndmq_f32(x.v)); }
+HN_I_INLINE Float trunc(Float x) { return Float((detail::FloatVector)vrndq_f32(x.v)); }
+#else
+HN_I_INLINE Float floor(Float x) {
+  const Float below = detail::cut_off(x);
+  return detail::whole(x, below - Float(below > x));
 }
+HN_I_INLINE Float trunc(Float x) { return detail::whole(x, detail::cut_off(x)); }
+#endif
+
+#if defined(HN_I_X86)
+HN_I_INLINE Float sqrt(Float x) { return Float((detail::FloatVector)HN_I_X86(sqrt_ps, x.v, x.v)); }
+// The instructions return the second operand where neither is less, as those of glsl.hpp return the first.
+HN_I_INLINE Float min(Float x, Float y) { return Float((detail::FloatVector)HN_I_X86(min_ps, x.v, y.v, x.v)); }
+HN_I_INLINE Float max(Float x, Float y) { return Float((detail::FloatVector)HN_I_X86(max_ps, x.v, y.v, x.v)); }
+#else
+HN_I_INLINE Float sqrt(Float x) {
+#if defined(__aarch64__) && defined(__ARM_NEON)
+  return Float((detail::FloatVector)vsqrtq_f32(x.v));
+#else
+  for (int i = 0; i < kCount; ++i) x.v[i] = __builtin_sqrtf(x.v[i]);
+  return x;
+#endif
+}
+HN_I_INLINE Float min(Float x, Float y) { return hn_i_select(y < x, y, x); }
+HN_I_INLINE Float max(Float x, Float y) { return hn_i_select(x < y, y, x); }
+#endif
+HN_I_INLINE Int min(Int x, Int y) { return hn_i_select(y < x, y, x); }
+HN_I_INLINE Int max(Int x, Int y) { return hn_i_select(x < y, y, x); }
+HN_I_INLINE Uint min(Uint x, Uint y) { return hn_i_select(y < x, y, x); }
+HN_I_INLINE Uint max(Uint x, Uint y) { return hn_i_select(x < y, y, x); }
+
+HN_I_INLINE Vector2<Float> floor(Vector2<Float> v) { return {floor(v.x), floor(v.y)}; }
+HN_I_INLINE Vector3<Float> floor(Vector3<Float> v) { return {floor(v.x), floor(v.y), floor(v.z)}; }
+HN_I_INLINE Vector4<Float> floor(Vector4<Float> v) { return {floor(v.x), floor(v.y), floor(v.z), floor(v.w)}; }
+
+}  // namespace HN_LANES
+
+namespace detail {
+
+// The constructors of vectors: what does not fit becomes the nearest int, and NaN becomes 0, as in glsl.hpp.
+template <>
+HN_I_INLINE HN_LANES::Int convert<HN_LANES::Int, HN_LANES::Float>(HN_LANES::Float value) {
+  using namespace HN_LANES;
+  const Uint bits = floatBitsToUint(value);
+  const Uint magnitude = bits & 0x7FFFFFFFu;
+  const Mask fits = magnitude < 0x4F000000u;  // 2^31
+  const Uint nearest = hn_i_select(magnitude > 0x7F800000u, Uint(0u), (bits >> 31u) + 0x7FFFFFFFu);
+  return hn_i_select(fits, Int(uintBitsToFloat(hn_i_select(fits, bits, Uint(0u)))), Int(nearest));
+}
+
+}  // namespace detail
+
+namespace HN_LANES {
 
 using uint = Uint;
 using vec2 = Vector2<Float>;
@@ -242,6 +309,12 @@ inline namespace HN_I_PASTE(arithmetic_, HN_ARITHMETIC) {
 #undef HN_I_PASTE
 #undef HN_I_PASTE_TOKENS
 
-}  // namespace HN_I_LANES
-namespace lanes = HN_I_LANES;
+}  // namespace HN_LANES
+
+namespace lanes = HN_LANES;
+
 }  // namespace hashnoise
+
+#undef HN_I_LANE_BYTES
+#undef HN_I_X86
+#undef HN_I_X86_ROUND

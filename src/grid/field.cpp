@@ -1,0 +1,425 @@
+#include <hashnoise/field.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "plan.hpp"
+
+namespace hashnoise {
+
+template <int D>
+struct Field<D>::Plan : grid::Plan {};
+
+namespace {
+
+using grid::Batch;
+using grid::Kernel;
+using grid::kMostComponents;
+using grid::kMostLanes;
+using grid::Plan;
+
+constexpr std::int64_t kTask = 65536;  // points; long enough that threads do not wait for each other
+constexpr int kBlock = 1024;           // points whose coordinates stay in the first cache
+constexpr int kNarrow = 64;            // a row with fewer points is not worth a batch of its own
+
+// Runs a kernel over any number of points. The last ones, which do not fill the lanes, are computed together with those
+// before them once more. If there are none, then in a place of their own.
+void run(const Plan& plan, Kernel kernel, Batch batch, int count) {
+  const int whole = count / kMostLanes * kMostLanes;
+  if (whole > 0) {
+    batch.count = whole;
+    kernel(batch, plan.options, plan.octave);
+  }
+  const int rest = count - whole;
+  if (rest == 0) return;
+  batch.count = kMostLanes;
+  const auto axes = static_cast<std::size_t>(plan.dimensions);
+  const auto components = static_cast<std::size_t>(plan.components);
+  if (whole > 0) {
+    const int first = count - kMostLanes;
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+      if (batch.cell[axis] != nullptr) batch.cell[axis] += first * batch.stride[axis];
+      batch.place[axis] += first * batch.stride[axis];
+    }
+    for (std::size_t i = 0; i < components; ++i) batch.value[i] += first;
+    kernel(batch, plan.options, plan.octave);
+    return;
+  }
+  std::int32_t cell[4][kMostLanes] = {};
+  float place[4][kMostLanes] = {};
+  float value[kMostComponents][kMostLanes];
+  Batch own = batch;
+  for (std::size_t axis = 0; axis < axes; ++axis) {
+    const int numbers = batch.stride[axis] == 0 ? kMostLanes : rest;
+    std::copy_n(batch.place[axis], numbers, place[axis]);
+    own.place[axis] = place[axis];
+    if (batch.cell[axis] == nullptr) continue;
+    std::copy_n(batch.cell[axis], numbers, cell[axis]);
+    own.cell[axis] = cell[axis];
+  }
+  for (std::size_t i = 0; i < components; ++i) own.value[i] = value[i];
+  kernel(own, plan.options, plan.octave);
+  for (std::size_t i = 0; i < components; ++i) std::copy_n(value[i], rest, batch.value[i]);
+}
+
+// Where values go: a plane for each component.
+struct Planes {
+  float* first;
+  std::size_t size;
+
+  void point(Batch& batch, int components, std::size_t at) const {
+    for (int i = 0; i < components; ++i) batch.value[i] = first + static_cast<std::size_t>(i) * size + at;
+  }
+};
+
+// The coordinates along an axis of a grid. For a sum at positions the cells are left out.
+struct Axis {
+  std::vector<std::int32_t> cell;
+  std::vector<float> place;
+};
+
+std::size_t padded(std::size_t count) { return count + kMostLanes; }
+
+void check_size(int size) {
+  if (size < 0 || size >= 1 << 29) {
+    throw std::invalid_argument("the size of a grid is " + std::to_string(size) + ", and has to be from 0 to 536870911");
+  }
+}
+
+void check_finite(const char* what, double number) {
+  if (!std::isfinite(number)) throw std::invalid_argument(std::string(what) + " of a grid has to be finite");
+}
+
+// Cells and places of positions, whose array is padded.
+void split(const Plan& plan, const std::vector<float>& positions, Axis& axis) {
+  axis.cell.resize(positions.size());
+  axis.place.resize(positions.size());
+  plan.kernels->split(positions.data(), static_cast<int>(positions.size()) / kMostLanes * kMostLanes, axis.cell.data(),
+                      axis.place.data());
+}
+
+Axis axis_of(const Plan& plan, float origin, float step, int size) {
+  check_size(size);
+  check_finite("the origin", origin);
+  check_finite("the step", step);
+  std::vector<float> positions(padded(static_cast<std::size_t>(size)));
+  for (int i = 0; i < size; ++i) {
+    // The product is exact, so that it does not matter whether it is contracted with the sum.
+    positions[static_cast<std::size_t>(i)] =
+        static_cast<float>(static_cast<double>(origin) + static_cast<double>(i) * static_cast<double>(step));
+  }
+  Axis axis;
+  if (plan.takes_positions) {
+    axis.place = std::move(positions);
+  } else {
+    split(plan, positions, axis);
+  }
+  return axis;
+}
+
+Axis axis_of(std::int32_t cell, float f, double step, int size) {
+  check_size(size);
+  check_finite("the place", f);
+  check_finite("the step", step);
+  if (std::abs(step) >= 2147483648.0) throw std::invalid_argument("the step of a grid has to be less than 2^31 cells");
+  constexpr double kUnit = 4294967296.0;  // 2^32
+  const auto start = static_cast<std::uint64_t>(std::clamp(static_cast<double>(f), 0.0, 1.0) * kUnit);
+  const auto stride = static_cast<std::uint64_t>(std::llround(step * kUnit));
+  Axis axis;
+  axis.cell.resize(padded(static_cast<std::size_t>(size)));
+  axis.place.resize(axis.cell.size());
+  std::uint64_t at = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(cell)) << 32u) + start;  // modulo 2^64
+  for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i, at += stride) {
+    axis.cell[i] = static_cast<std::int32_t>(static_cast<std::uint32_t>(at >> 32u));
+    axis.place[i] = static_cast<float>(static_cast<std::uint32_t>(at) >> 8u) * (1.0f / 16777216.0f);
+  }
+  return axis;
+}
+
+void widen(const Plan& plan, const float* values, std::size_t count, Range& range) {
+  plan.kernels->widen(values, static_cast<int>(count), range.least, range.greatest);
+}
+
+// Runs tasks of points, and joins their ranges. The order does not matter for what comes out.
+template <typename Task>
+Range run_tasks(std::int64_t count, const Executor& executor, const Task& task) {
+  std::vector<Range> ranges(static_cast<std::size_t>(count));
+  const auto one = [&](int i) { task(i, ranges[static_cast<std::size_t>(i)]); };
+  if (count > std::numeric_limits<int>::max()) throw std::invalid_argument("there are too many points");
+  if (executor && count > 1) {
+    executor(static_cast<int>(count), one);
+  } else {
+    for (int i = 0; i < count; ++i) one(i);
+  }
+  Range range;
+  for (const Range& r : ranges) {
+    range.least = std::min(range.least, r.least);
+    range.greatest = std::max(range.greatest, r.greatest);
+  }
+  return range;
+}
+
+struct Box {
+  const Plan& plan;
+  Kernel kernel;  // at points
+  Kernel row;
+  std::array<int, 4> size;
+  std::vector<Axis> axes;
+  Planes planes;
+
+  bool has_cells() const { return !axes.front().cell.empty(); }
+
+  // Coordinates of the row with that number along all axes but x.
+  std::array<std::size_t, 4> row_at(std::int64_t number) const {
+    std::array<std::size_t, 4> at{};
+    for (std::size_t axis = 1; axis < axes.size(); ++axis) {
+      at[axis] = static_cast<std::size_t>(number % size[axis]);
+      number /= size[axis];
+    }
+    return at;
+  }
+
+  // A part of a row.
+  void run_row(std::int64_t number, int first, int count, Range& range) const {
+    const std::array<std::size_t, 4> at = row_at(number);
+    std::int32_t cell[4][kMostLanes];
+    float place[4][kMostLanes];
+    Batch batch{};
+    for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+      if (axis == 0) {
+        batch.place[0] = axes[0].place.data() + first;
+        if (has_cells()) batch.cell[0] = axes[0].cell.data() + first;
+        batch.stride[0] = 1;
+        continue;
+      }
+      std::fill_n(place[axis], kMostLanes, axes[axis].place[at[axis]]);
+      batch.place[axis] = place[axis];
+      if (!has_cells()) continue;
+      std::fill_n(cell[axis], kMostLanes, axes[axis].cell[at[axis]]);
+      batch.cell[axis] = cell[axis];
+    }
+    const std::size_t start = static_cast<std::size_t>(number) * static_cast<std::size_t>(size[0]);
+    planes.point(batch, plan.components, start + static_cast<std::size_t>(first));
+    run(plan, row, batch, count);
+    widen(plan, batch.value[0], static_cast<std::size_t>(count), range);
+  }
+
+  // Points of several rows.
+  void run_points(std::int64_t first, int count, Range& range) const {
+    std::int32_t cell[4][kBlock + kMostLanes];
+    float place[4][kBlock + kMostLanes];
+    std::array<std::size_t, 4> at = row_at(first / size[0]);
+    at[0] = static_cast<std::size_t>(first % size[0]);
+    for (int i = 0; i < count; ++i) {
+      for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+        place[axis][i] = axes[axis].place[at[axis]];
+        if (has_cells()) cell[axis][i] = axes[axis].cell[at[axis]];
+      }
+      for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+        if (++at[axis] < static_cast<std::size_t>(size[axis])) break;
+        at[axis] = 0;
+      }
+    }
+    Batch batch{};
+    for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+      batch.place[axis] = place[axis];
+      if (has_cells()) batch.cell[axis] = cell[axis];
+      batch.stride[axis] = 1;
+    }
+    planes.point(batch, plan.components, static_cast<std::size_t>(first));
+    run(plan, kernel, batch, count);
+    widen(plan, batch.value[0], static_cast<std::size_t>(count), range);
+  }
+
+  Range fill(std::int64_t points, const Executor& executor) const {
+    if (points == 0) return {};
+    if (size[0] < kNarrow) {
+      return run_tasks((points + kTask - 1) / kTask, executor, [&](std::int64_t task, Range& range) {
+        const std::int64_t end = std::min(points, (task + 1) * kTask);
+        for (std::int64_t i = task * kTask; i < end; i += kBlock) {
+          run_points(i, static_cast<int>(std::min<std::int64_t>(kBlock, end - i)), range);
+        }
+      });
+    }
+    // Short rows are taken several at a time, and long ones in parts.
+    const std::int64_t rows = points / size[0];
+    const std::int64_t parts = (size[0] + kTask - 1) / kTask;
+    const std::int64_t at_a_time = std::max<std::int64_t>(1, kTask / size[0]);
+    return run_tasks((rows + at_a_time - 1) / at_a_time * parts, executor, [&](std::int64_t task, Range& range) {
+      const std::int64_t first = task % parts * kTask;
+      const int count = static_cast<int>(std::min<std::int64_t>(kTask, size[0] - first));
+      const std::int64_t end = std::min(rows, (task / parts + 1) * at_a_time);
+      for (std::int64_t i = task / parts * at_a_time; i < end; ++i) run_row(i, static_cast<int>(first), count, range);
+    });
+  }
+};
+
+void check_values(const Plan& plan, std::size_t points, std::size_t values) {
+  const std::size_t needed = points * static_cast<std::size_t>(plan.components);
+  if (values == needed) return;
+  throw std::invalid_argument("there is room for " + std::to_string(values) + " values, and there have to be " +
+                              std::to_string(needed) + ": " + std::to_string(plan.components) + " at each of " +
+                              std::to_string(points) + " points");
+}
+
+Kernel in_cells(const Plan& plan) {
+  if (plan.in == nullptr) throw std::invalid_argument("detail and footprint need positions, and there are cells");
+  return plan.in;
+}
+
+template <std::size_t D>
+std::int64_t points_of(const std::array<int, D>& size) {
+  std::int64_t points = 1;
+  for (const int n : size) {
+    check_size(n);
+    if (n > 0 && points > (std::int64_t{1} << 48) / n) throw std::invalid_argument("a grid has too many points");
+    points *= n;
+  }
+  return points;
+}
+
+template <std::size_t D>
+Range fill_box(const Plan& plan, Kernel kernel, Kernel row, const std::array<int, D>& size, std::vector<Axis> axes,
+               std::span<float> values, const Executor& executor) {
+  const std::int64_t points = points_of(size);
+  check_values(plan, static_cast<std::size_t>(points), values.size());
+  std::array<int, 4> sizes{};
+  std::copy(size.begin(), size.end(), sizes.begin());
+  const Box box{plan, kernel, row, sizes, std::move(axes), {values.data(), static_cast<std::size_t>(points)}};
+  return box.fill(points, executor);
+}
+
+template <typename Spans>
+std::size_t common_length(const Spans& spans, std::size_t length) {
+  for (const auto& span : spans) {
+    if (span.size() != length) {
+      throw std::invalid_argument("the arrays of points have " + std::to_string(length) + " and " +
+                                  std::to_string(span.size()) + " numbers, and have to have as many for each axis");
+    }
+  }
+  return length;
+}
+
+// Points in an array for each axis; `batch_at` says where the coordinates of some of them are.
+template <typename BatchAt>
+Range fill_points(const Plan& plan, Kernel kernel, std::size_t count, std::span<float> values, const Executor& executor,
+                  const BatchAt& run_block) {
+  check_values(plan, count, values.size());
+  const Planes planes{values.data(), count};
+  const auto points = static_cast<std::int64_t>(count);
+  return run_tasks((points + kTask - 1) / kTask, executor, [&](std::int64_t task, Range& range) {
+    const std::int64_t end = std::min(points, (task + 1) * kTask);
+    for (std::int64_t i = task * kTask; i < end; i += kBlock) {
+      const int n = static_cast<int>(std::min<std::int64_t>(kBlock, end - i));
+      Batch batch{};
+      planes.point(batch, plan.components, static_cast<std::size_t>(i));
+      run_block(static_cast<std::size_t>(i), n, batch, [&](const Batch& b) { run(plan, kernel, b, n); });
+      widen(plan, batch.value[0], static_cast<std::size_t>(n), range);
+    }
+  });
+}
+
+}  // namespace
+
+template <int D>
+Field<D>::Field(const Settings& settings) : plan_(new Plan{grid::plan_of(D, settings)}) {}
+template <int D>
+Field<D>::~Field() = default;
+template <int D>
+Field<D>::Field(Field&&) noexcept = default;
+template <int D>
+Field<D>& Field<D>::operator=(Field&&) noexcept = default;
+
+template <int D>
+int Field<D>::components() const {
+  return plan_->components;
+}
+
+template <int D>
+std::vector<std::string> Field<D>::component_names() const {
+  const std::vector<std::string> axes = {"x", "y", "z", "w"};
+  std::vector<std::string> names;
+  switch (plan_->shape) {
+    case grid::Shape::kTwoDistances: return {"f1", "f2"};
+    case grid::Shape::kThreeDistances: return {"f1", "f2", "f3"};
+    case grid::Shape::kVector: return {axes.begin(), axes.begin() + D};
+    case grid::Shape::kValue:
+    case grid::Shape::kWithSlopes: names = {"value"}; break;
+    case grid::Shape::kDistanceWithSlopes: names = {"f1"}; break;
+  }
+  for (int i = 1; i < plan_->components; ++i) names.push_back("d" + axes[static_cast<std::size_t>(i) - 1]);
+  return names;
+}
+
+template <int D>
+InstructionSet Field<D>::instruction_set() const {
+  return plan_->set;
+}
+
+template <int D>
+Range Field<D>::fill(const Grid<D>& grid, std::span<float> values, const Executor& executor) const {
+  const Kernel kernel = plan_->takes_positions ? plan_->at : plan_->in;
+  std::vector<Axis> axes;
+  for (std::size_t i = 0; i < D; ++i) axes.push_back(axis_of(*plan_, grid.origin[i], grid.step[i], grid.size[i]));
+  return fill_box(*plan_, kernel, plan_->takes_positions ? kernel : plan_->row, grid.size, std::move(axes), values,
+                  executor);
+}
+
+template <int D>
+Range Field<D>::fill(const CellGrid<D>& grid, std::span<float> values, const Executor& executor) const {
+  const Kernel kernel = in_cells(*plan_);
+  std::vector<Axis> axes;
+  for (std::size_t i = 0; i < D; ++i) {
+    axes.push_back(axis_of(grid.cell[i], grid.f[i], grid.step[i], grid.size[i]));
+  }
+  return fill_box(*plan_, kernel, plan_->row, grid.size, std::move(axes), values, executor);
+}
+
+template <int D>
+Range Field<D>::fill(const Points<D>& points, std::span<float> values, const Executor& executor) const {
+  const std::size_t count = common_length(points.p, points.p[0].size());
+  const Plan& plan = *plan_;
+  return fill_points(plan, plan.takes_positions ? plan.at : plan.in, count, values, executor,
+                     [&](std::size_t first, int n, Batch& batch, const auto& run_batch) {
+                       std::int32_t cell[D][kBlock];
+                       float place[D][kBlock];
+                       for (std::size_t axis = 0; axis < D; ++axis) {
+                         const float* p = points.p[axis].data() + first;
+                         batch.stride[axis] = 1;
+                         batch.place[axis] = p;
+                         if (plan.takes_positions) continue;
+                         const int whole = n / kMostLanes * kMostLanes;
+                         plan.kernels->split(p, whole, cell[axis], place[axis]);
+                         if (whole < n) {
+                           float rest[kMostLanes] = {};
+                           std::copy_n(p + whole, n - whole, rest);
+                           plan.kernels->split(rest, kMostLanes, cell[axis] + whole, place[axis] + whole);
+                         }
+                         batch.cell[axis] = cell[axis];
+                         batch.place[axis] = place[axis];
+                       }
+                       run_batch(batch);
+                     });
+}
+
+template <int D>
+Range Field<D>::fill(const CellPoints<D>& points, std::span<float> values, const Executor& executor) const {
+  const std::size_t count = common_length(points.f, common_length(points.cell, points.cell[0].size()));
+  return fill_points(*plan_, in_cells(*plan_), count, values, executor,
+                     [&](std::size_t first, int, Batch& batch, const auto& run_batch) {
+                       for (std::size_t axis = 0; axis < D; ++axis) {
+                         batch.stride[axis] = 1;
+                         batch.cell[axis] = points.cell[axis].data() + first;
+                         batch.place[axis] = points.f[axis].data() + first;
+                       }
+                       run_batch(batch);
+                     });
+}
+
+template class Field<1>;
+template class Field<2>;
+template class Field<3>;
+template class Field<4>;
+
+}  // namespace hashnoise

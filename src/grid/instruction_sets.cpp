@@ -1,0 +1,77 @@
+#include "instruction_sets.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "tables.hpp"
+
+namespace hashnoise {
+
+namespace {
+
+using Enter = void (*)(grid::Kernels&);
+
+struct Build {
+  InstructionSet set;
+  bool (*available)();
+  std::array<Enter, 3> noises, sums;  // by arithmetic
+};
+
+#define HASHNOISE_BUILD(set, name, available)                                                  \
+  Build{set, [] { return static_cast<bool>(available); },                                      \
+        {grid::noises_##name##_fast, grid::noises_##name##_precise, grid::noises_##name##_fixed},     \
+        {grid::sums_##name##_fast, grid::sums_##name##_precise, grid::sums_##name##_fixed}}
+
+// The widest first. HASHNOISE_X86 and so on say what CMake compiles.
+const Build kBuilds[] = {
+#if defined(HASHNOISE_X86)
+    HASHNOISE_BUILD(InstructionSet::kAvx512, avx512,
+                    __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                        __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")),
+    HASHNOISE_BUILD(InstructionSet::kAvx2, avx2,
+                    __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")),
+    HASHNOISE_BUILD(InstructionSet::kSse41, sse41, __builtin_cpu_supports("sse4.1")),
+    HASHNOISE_BUILD(InstructionSet::kSse2, sse2, true),
+#elif defined(HASHNOISE_NEON)
+    HASHNOISE_BUILD(InstructionSet::kNeon, neon, true),
+#else
+    HASHNOISE_BUILD(InstructionSet::kGeneric, generic, true),
+#endif
+};
+constexpr std::size_t kCount = std::size(kBuilds);
+
+std::array<grid::Kernels, 3> kernels_of(const Build& build) {
+  std::array<grid::Kernels, 3> kernels{};
+  for (std::size_t i = 0; i < kernels.size(); ++i) {
+    build.noises[i](kernels[i]);
+    build.sums[i](kernels[i]);
+  }
+  return kernels;
+}
+
+}  // namespace
+
+const grid::Kernels& grid::kernels_for(InstructionSet set, Arithmetic arithmetic) {
+  static const std::array<std::array<Kernels, 3>, kCount> kernels = [] {
+    std::array<std::array<Kernels, 3>, kCount> all{};
+    std::transform(std::begin(kBuilds), std::end(kBuilds), all.begin(), kernels_of);
+    return all;
+  }();
+  const auto build = std::find_if(std::begin(kBuilds), std::end(kBuilds), [&](const Build& b) { return b.set == set; });
+  return kernels.at(static_cast<std::size_t>(build - kBuilds)).at(static_cast<std::size_t>(arithmetic) - 1);
+}
+
+std::vector<InstructionSet> instruction_sets() {
+  std::vector<InstructionSet> sets;
+  for (const Build& build : kBuilds) {
+    if (build.available()) sets.push_back(build.set);
+  }
+  return sets;
+}
+
+std::string_view name(InstructionSet set) {
+  constexpr std::array<std::string_view, 6> kNames = {"sse2", "sse4.1", "avx2", "avx512", "neon", "generic"};
+  return kNames.at(static_cast<std::size_t>(set));
+}
+
+}  // namespace hashnoise

@@ -1,0 +1,103 @@
+// What the part of the library that is compiled for one instruction set gives to the part that is compiled for all: a
+// table of kernels. These are plain types: an inline function here could be linked from the wrong part.
+#pragma once
+
+#include <cstdint>
+
+namespace hashnoise::grid {
+
+// The noises, and the functions that sum them, in the order of their names in field.cpp.
+enum NoiseId {
+  kValue,
+  kValueD,
+  kValueCubic,
+  kPerlin,
+  kPerlinD,
+  kSimplex,
+  kSimplexD,
+  kSimplexSmooth,
+  kCellular,
+  kCellularThree,
+  kCellularD,
+  kCellularSmooth,
+  kCellBorder,
+  kCurl,
+  kNoises
+};
+enum SumId {
+  kFbm,
+  kTurbulence,
+  kClouds,
+  kBillow,
+  kRidged,
+  kPingPong,
+  kWeighted,
+  kFbmD,
+  kEroded,
+  kWarp,
+  kWarpProgressive,
+  kSums
+};
+
+constexpr int kMostComponents = 5;  // a value and four derivatives
+
+// The numbers that a function takes beside the point.
+struct Options {
+  std::uint32_t seed;
+  std::int32_t period[4];
+  float phase;
+  float jitter;
+  std::int32_t metric;
+  std::int32_t octaves;
+  float lacunarity;
+  float gain;
+  float strength;   // or amplitude
+  float limit;      // detail or footprint
+};
+
+// `count` points, a multiple of the lanes of every instruction set (kMostLanes), in the order in which they are stored.
+// Along an axis whose stride is 0 all points have one coordinate, which stands kMostLanes times in its array.
+struct Batch {
+  int count;
+  const std::int32_t* cell[4];  // null for a sum at positions
+  const float* place[4];        // in the cell, or the position
+  int stride[4];
+  float* value[kMostComponents];
+};
+constexpr int kMostLanes = 16;
+
+// A noise that a sum calls, of lanes; its type is known to kernels.cpp alone.
+using Octave = void (*)();
+
+using Kernel = void (*)(const Batch& batch, const Options& options, Octave octave);
+
+// Null where there is no such function.
+struct NoiseKernels {
+  Kernel plain;
+  Kernel row;      // plain, where only the coordinates along x differ; plain itself if that is not faster
+  Kernel full;     // with a period, jitter and metric
+  Kernel phase;
+  Kernel phase_full;
+  Octave octave;
+  Octave octave_full;  // with a period
+};
+struct SumKernels {
+  Kernel at;       // at positions
+  Kernel in;       // in cells
+  Kernel tile_at;  // with a period
+  Kernel tile_in;
+  Kernel detail;
+  Kernel footprint;
+};
+
+struct Kernels {
+  NoiseKernels noises[kNoises][4];  // by dimensions less 1
+  SumKernels sums[kSums][4];
+  SumKernels sums_of_perlin[kSums][4];  // the same without a call for each octave; null where that is not worth it
+  // The cells of positions along an axis, and the places in them.
+  void (*split)(const float* position, int count, std::int32_t* cell, float* place);
+  // Widens a range by the numbers.
+  void (*widen)(const float* value, int count, float& least, float& greatest);
+};
+
+}  // namespace hashnoise::grid

@@ -1,0 +1,30 @@
+// What a field computes: checked settings, and the kernels for them.
+#pragma once
+
+#include <hashnoise/field.hpp>
+
+#include "functions.hpp"
+#include "kernel.hpp"
+
+namespace hashnoise::grid {
+
+struct Plan {
+  int dimensions;
+  Shape shape;
+  int components;
+  InstructionSet set;
+  Options options;
+  bool takes_positions;  // a sum at positions; a noise takes cells always
+  Kernel at;             // at positions; null for a noise
+  Kernel in;             // in cells; null for a sum that has no such form
+  Kernel row;            // the same along a row
+  Octave octave;
+  const Kernels* kernels;
+};
+
+// Throws std::invalid_argument.
+Plan plan_of(int dimensions, const Settings& settings);
+
+int components_of(Shape shape, int dimensions);
+
+}  // namespace hashnoise::grid

@@ -1,0 +1,35 @@
+#include <hashnoise/field.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+namespace hashnoise {
+
+Executor threads(int count) {
+  if (count <= 0) count = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  return [count](int tasks, const std::function<void(int)>& task) {
+    std::atomic<int> next{0};
+    std::mutex mutex;
+    std::exception_ptr failure;
+    const auto work = [&] {
+      try {
+        for (int i = next++; i < tasks; i = next++) task(i);
+      } catch (...) {
+        next = tasks;
+        const std::lock_guard lock(mutex);
+        failure = std::current_exception();
+      }
+    };
+    {
+      std::vector<std::jthread> others;
+      for (int i = 1; i < std::min(count, tasks); ++i) others.emplace_back(work);
+      work();
+    }
+    if (failure) std::rethrow_exception(failure);
+  };
+}
+
+}  // namespace hashnoise
