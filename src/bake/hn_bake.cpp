@@ -1,11 +1,13 @@
 // hn-bake: a noise as a picture, a volume or raw numbers.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <signal.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <functional>
 #include <mutex>
 #include <new>
 #include <nlohmann/json.hpp>
@@ -55,8 +57,29 @@ hn::Result<void> make_sure_it_can_be_written(const std::filesystem::path& path) 
   const std::filesystem::path draft = path.string() + ".try";
   const auto written = write_whole(draft, "");
   std::filesystem::remove(draft, error);
-  if (!written) return hn::fail(fmt::format("--out {}: {}", path.string(), written.error().text()));
+  if (!written) {
+    const std::string& message = written.error().message;
+    return hn::fail(
+        fmt::format("--out {}: no file can be made there: {}", path.string(), message.substr(message.rfind(": ") + 2)));
+  }
   return {};
+}
+
+// As a floating-point number, since there may be more than any integer counts.
+double points_of(const hn::BakeOptions& options) {
+  return std::accumulate(options.size.begin(), options.size.end(), 1.0, std::multiplies<>());
+}
+
+// All values are in memory at a time, as floats, and the words that become of them. Linux gives memory that is not
+// there, and ends the program later.
+hn::Result<void> make_sure_it_fits(const hn::BakeOptions& options, std::size_t components) {
+  const double needed = points_of(options) * static_cast<double>(components * sizeof(float));
+  const double there = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  if (needed < there) return {};
+  return hn::fail(
+      fmt::format("--size: {} points with {} components need {:.3g} GB, and this machine has {:.3g} GB of "
+                  "memory; bake parts of it with --origin",
+                  fmt::join(options.size, " x "), components, needed * 1e-9, there * 1e-9));
 }
 
 std::string listed(const std::vector<int>& size) { return fmt::format("{}", fmt::join(size, " x ")); }
@@ -104,10 +127,9 @@ int bake(const hn::BakeOptions& options) {
   if (const auto possible = make_sure_it_can_be_written(options.out); !possible) {
     return usage_error(possible.error().text());
   }
+  if (const auto fits = make_sure_it_fits(options, names.size()); !fits) return usage_error(fits.error().text());
   const auto width = static_cast<std::size_t>(options.size.front());
-  const std::size_t points =
-      std::accumulate(options.size.begin(), options.size.end(), std::size_t{1},
-                      [](std::size_t product, int size) { return product * static_cast<std::size_t>(size); });
+  const auto points = static_cast<std::size_t>(points_of(options));
   const auto start = std::chrono::steady_clock::now();
   hn::Planes planes;
   {
