@@ -1,55 +1,22 @@
 // Prints digests of what the functions of the library are at random points, with the scalar twin or, if LANES is
-// defined, with four points at a time. The two print the same. (lanes_test.py compiles it with both.)
+// defined, with several points at a time. The two print the same. (lanes_test.py compiles it with both.)
 #include <cstdio>
 
 #ifdef LANES
-#include "../../glsl/config.glsl"
-#include "lanes.hpp"
+#include <hashnoise/lanes.hpp>
 
-namespace lanes {
-namespace text {
-using uint = Uint;
-using vec2 = hashnoise::Vector2<Float>;
-using vec3 = hashnoise::Vector3<Float>;
-using vec4 = hashnoise::Vector4<Float>;
-using ivec2 = hashnoise::Vector2<Int>;
-using ivec3 = hashnoise::Vector3<Int>;
-using ivec4 = hashnoise::Vector4<Int>;
-using uvec2 = hashnoise::Vector2<Uint>;
-using uvec3 = hashnoise::Vector3<Uint>;
-using uvec4 = hashnoise::Vector4<Uint>;
-using hn_float = Float;
-using hn_vec2 = vec2;
-using hn_vec3 = vec3;
-using hn_vec4 = vec4;
-using hn_int = Int;
-using hn_ivec2 = ivec2;
-using hn_ivec3 = ivec3;
-using hn_ivec4 = ivec4;
-using hn_uint = Uint;
-using hn_uvec2 = uvec2;
-using hn_uvec3 = uvec3;
-using hn_uvec4 = uvec4;
+using namespace hashnoise::lanes;
+constexpr int kLanes = kCount;
 
-// The constructors of scalars are keywords of C++.
-#define float Float
-#define int Int
-#include "../../glsl/hashnoise.glsl"
 #ifdef UNFIT
 HN_FN hn_uint unfit(hn_uint x, [[maybe_unused]] hn_uint y) { return UNFIT; }
 #endif
-#undef float
-#undef int
-}  // namespace text
-}  // namespace lanes
 
-using namespace lanes::text;
-using lanes::kLanes;
-
-float lane(hn_float value, int i) { return value.v[i]; }
+float lane(hn_float value, int i) { return value[i]; }
 template <typename Number, typename Function>
 Number points(Function function) {
-  Number numbers = Number::each([&](int) { return function(); });
+  Number numbers;
+  for (int i = 0; i < kLanes; ++i) numbers.v[i] = function();
 #ifdef FAULTY_LANE
   numbers.v[3] = numbers.v[2];
 #endif
@@ -176,15 +143,13 @@ int main() {
   });
   print_digest("hash", [](const Point& p) { return hn_unorm(hn_hash(p.seed) ^ hn_lattice(hn_ivec2(p.cx, p.cy))); });
   print_digest("fbm2", [](const Point& p) { return hn_fbm(hn_vec2(p.x, p.y), 4, 2.0f, 0.5f, p.seed); });
-  print_digest("fbm2_cell", [](const Point& p) {
-    return hn_fbm(hn_ivec2(p.cx, p.cy), hn_vec2(p.fx, p.fy), 4, 2.0f, 0.5f, p.seed);
-  });
+  print_digest("fbm2_cell",
+               [](const Point& p) { return hn_fbm(hn_ivec2(p.cx, p.cy), hn_vec2(p.fx, p.fy), 4, 2.0f, 0.5f, p.seed); });
   print_digest("ridged3", [](const Point& p) { return hn_ridged(hn_vec3(p.x, p.y, p.z), 4, 1.9f, 0.5f, p.seed); });
   print_digest("ping_pong3_cell", [](const Point& p) {
     return hn_ping_pong(hn_ivec3(p.cx, p.cy, p.cz), hn_vec3(p.fx, p.fy, p.fz), 4, 1.9f, 0.5f, 2.0f, p.seed);
   });
-  print_digest("weighted2",
-               [](const Point& p) { return hn_weighted(hn_vec2(p.x, p.y), 4, 2.0f, 0.5f, 0.5f, p.seed); });
+  print_digest("weighted2", [](const Point& p) { return hn_weighted(hn_vec2(p.x, p.y), 4, 2.0f, 0.5f, 0.5f, p.seed); });
   print_digest("turbulence3",
                [](const Point& p) { return hn_turbulence(hn_vec3(p.x, p.y, p.z), 3, 2.1f, 0.7f, p.seed); });
   print_digest("clouds2", [](const Point& p) { return hn_clouds(hn_vec2(p.x, p.y), 3, 1.9f, 0.5f, p.seed); });

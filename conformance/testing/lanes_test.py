@@ -1,6 +1,7 @@
-"""The text of the library over a type of four numbers: python3 lanes_test.py COMPILER...
+"""The lanes of <hashnoise/lanes.hpp>: python3 lanes_test.py COMPILER...
 
-It can be instantiated, and has the values of the scalar twin bit by bit. lanes.hpp says what it needs for that.
+The functions over lanes have the values of the scalar twin bit by bit, and a condition that differs between lanes is
+noticed.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ COMPILERS = sys.argv[1:]
 SETTINGS = (["HN_ARITHMETIC=HN_FAST"],
             ["HN_ARITHMETIC=HN_PRECISE", "HN_HASH=HN_HASH_FNV1", "HN_GRADIENT=HN_GRADIENT_SINE"],
             ["HN_ARITHMETIC=HN_FIXED", "HN_HASH=HN_HASH_PCG"])
+LANES = ("LANES", "HN_LANES_CHECKED")
 
 
 class Lanes(unittest.TestCase):
@@ -52,17 +54,17 @@ class Lanes(unittest.TestCase):
         for setting in SETTINGS:
             for compiler in COMPILERS:
                 with self.subTest(compiler=compiler, setting=setting):
-                    self.assertEqual(self.digests(compiler, *setting, "LANES"), self.scalar(*setting))
+                    self.assertEqual(self.digests(compiler, *setting, *LANES), self.scalar(*setting))
 
     def test_a_lane_that_takes_the_value_of_another_is_noticed(self):
-        faulty = self.digests(COMPILERS[0], *SETTINGS[0], "LANES", "FAULTY_LANE")
+        faulty = self.digests(COMPILERS[0], *SETTINGS[0], *LANES, "FAULTY_LANE")
         self.assertEqual([line for line in self.scalar(*SETTINGS[0]) if line in faulty], [])
 
     def test_what_lanes_cannot_do_is_noticed(self):
         for use in ("x >> 8", "x + 1"):
-            self.assertIn("error", self.compiled(COMPILERS[0], "LANES", f"UNFIT={use}"), use)
+            self.assertIn("error", self.compiled(COMPILERS[0], *LANES, f"UNFIT={use}"), use)
         for use, works in (("x > y ? x : y", False), ("hn_i_select(x > y, x, y)", True)):
-            self.assertEqual(self.compiled(COMPILERS[0], "LANES", f"UNFIT={use}"), "")
+            self.assertEqual(self.compiled(COMPILERS[0], *LANES, f"UNFIT={use}"), "")
             self.assertEqual(subprocess.run([self.program], capture_output=True, check=False).returncode == 0, works, use)
 
 

@@ -109,12 +109,14 @@ struct Vector2 {
   HN_I_INLINE constexpr Vector2(T x_, T y_) : x(x_), y(y_) {}
   template <typename Scalar>
   requires(detail::kComponents<Scalar> == 1)
-  HN_I_INLINE constexpr explicit Vector2(Scalar s) : Vector2(detail::convert<T>(s), detail::convert<T>(s)) {}
+  HN_I_INLINE constexpr explicit Vector2(Scalar s)
+      : Vector2(detail::convert<T>(s), detail::convert<T>(s)) {}
   template <typename U>
   HN_I_INLINE constexpr explicit Vector2(Vector2<U> v) : x(detail::convert<T>(v.x)), y(detail::convert<T>(v.y)) {}
   template <typename... Arguments>
   requires(detail::fill<2, Arguments...>())
-  HN_I_INLINE constexpr explicit(sizeof...(Arguments) != 2) Vector2(const Arguments&... arguments)
+  HN_I_INLINE constexpr explicit(sizeof...(Arguments) != 2)
+      Vector2(const Arguments&... arguments)
       : x(detail::convert<T>(detail::component<0>(arguments...))),
         y(detail::convert<T>(detail::component<1>(arguments...))) {}
   friend bool operator==(Vector2, Vector2) = default;  // constexpr where that of T is
@@ -136,13 +138,15 @@ struct Vector3 {
   HN_I_INLINE constexpr Vector3(T x_, T y_, T z_) : x(x_), y(y_), z(z_) {}
   template <typename Scalar>
   requires(detail::kComponents<Scalar> == 1)
-  HN_I_INLINE constexpr explicit Vector3(Scalar s) : Vector3(detail::convert<T>(s), detail::convert<T>(s), detail::convert<T>(s)) {}
+  HN_I_INLINE constexpr explicit Vector3(Scalar s)
+      : Vector3(detail::convert<T>(s), detail::convert<T>(s), detail::convert<T>(s)) {}
   template <typename U>
   HN_I_INLINE constexpr explicit Vector3(Vector3<U> v)
       : x(detail::convert<T>(v.x)), y(detail::convert<T>(v.y)), z(detail::convert<T>(v.z)) {}
   template <typename... Arguments>
   requires(detail::fill<3, Arguments...>())
-  HN_I_INLINE constexpr explicit(sizeof...(Arguments) != 3) Vector3(const Arguments&... arguments)
+  HN_I_INLINE constexpr explicit(sizeof...(Arguments) != 3)
+      Vector3(const Arguments&... arguments)
       : x(detail::convert<T>(detail::component<0>(arguments...))),
         y(detail::convert<T>(detail::component<1>(arguments...))),
         z(detail::convert<T>(detail::component<2>(arguments...))) {}
@@ -190,20 +194,29 @@ struct Vector4 {
         w(detail::convert<T>(v.w)) {}
   template <typename... Arguments>
   requires(detail::fill<4, Arguments...>())
-  HN_I_INLINE constexpr explicit(sizeof...(Arguments) != 4) Vector4(const Arguments&... arguments)
+  HN_I_INLINE constexpr explicit(sizeof...(Arguments) != 4)
+      Vector4(const Arguments&... arguments)
       : x(detail::convert<T>(detail::component<0>(arguments...))),
         y(detail::convert<T>(detail::component<1>(arguments...))),
         z(detail::convert<T>(detail::component<2>(arguments...))),
         w(detail::convert<T>(detail::component<3>(arguments...))) {}
   friend bool operator==(Vector4, Vector4) = default;  // constexpr where that of T is
-  HN_I_INLINE friend constexpr Vector4 operator+(Vector4 a, Vector4 b) { return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w}; }
-  HN_I_INLINE friend constexpr Vector4 operator-(Vector4 a, Vector4 b) { return {a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w}; }
-  HN_I_INLINE friend constexpr Vector4 operator*(Vector4 a, Vector4 b) { return {a.x * b.x, a.y * b.y, a.z * b.z, a.w * b.w}; }
+  HN_I_INLINE friend constexpr Vector4 operator+(Vector4 a, Vector4 b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w};
+  }
+  HN_I_INLINE friend constexpr Vector4 operator-(Vector4 a, Vector4 b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w};
+  }
+  HN_I_INLINE friend constexpr Vector4 operator*(Vector4 a, Vector4 b) {
+    return {a.x * b.x, a.y * b.y, a.z * b.z, a.w * b.w};
+  }
   HN_I_INLINE friend constexpr Vector4 operator+(Vector4 a, T b) { return a + Vector4(b); }
   HN_I_INLINE friend constexpr Vector4 operator-(Vector4 a, T b) { return a - Vector4(b); }
   HN_I_INLINE friend constexpr Vector4 operator*(Vector4 a, T b) { return a * Vector4(b); }
   HN_I_INLINE friend constexpr Vector4 operator*(T a, Vector4 b) { return Vector4(a) * b; }
-  HN_I_INLINE friend constexpr Vector4 operator/(Vector4 a, Vector4 b) { return {a.x / b.x, a.y / b.y, a.z / b.z, a.w / b.w}; }
+  HN_I_INLINE friend constexpr Vector4 operator/(Vector4 a, Vector4 b) {
+    return {a.x / b.x, a.y / b.y, a.z / b.z, a.w / b.w};
+  }
   HN_I_INLINE friend constexpr Vector4 operator/(Vector4 a, T b) { return a / Vector4(b); }
 };
 

@@ -6,9 +6,10 @@
 //   namespace lanes = hashnoise::lanes;
 //   lanes::Float n = lanes::hn_perlin(lanes::vec2(x, y), lanes::Uint(7u));  // n[0] to n[lanes::kCount - 1]
 //
-// How many lanes there are follows from the flags of the compiler: 16 with AVX-512 (F, BW, DQ and VL), 8 with AVX2, else
-// 4. The namespace `lanes` is another name of one that is named after the instruction set, so that translation units with
-// other flags may be linked together. HN_LANES is its own name, for sums over other noises:
+// How many lanes there are follows from the flags of the compiler: 16 with AVX-512 (F, BW, DQ and VL), 8 with AVX2,
+// else
+// 4. The namespace `lanes` is another name of one that is named after the instruction set, so that translation units
+// with other flags may be linked together. HN_LANES is its own name, for sums over other noises:
 //
 //   namespace hashnoise { namespace HN_LANES { HN_FBM2D(my_sum, hn_simplex) } }
 //
@@ -30,6 +31,7 @@
 // clang-format on
 
 #include <concepts>
+#include <cstddef>
 #include <cstdlib>
 #include <type_traits>
 
@@ -124,7 +126,8 @@ struct Lanes {
   // s - 0 is s, also where s is -0; s + 0 would not be.
   template <typename T>
   requires std::is_arithmetic_v<T>
-  HN_I_INLINE explicit(!std::same_as<S, T>) Lanes(T s) : v(static_cast<S>(s) - Vector{}) {}
+  HN_I_INLINE explicit(!std::same_as<S, T>) Lanes(T s)
+      : v(static_cast<S>(s) - Vector{}) {}
   // What does not fit is undefined, as it is in C++.
   template <typename T>
   HN_I_INLINE explicit Lanes(Lanes<T> other) : v(__builtin_convertvector(other.v, Vector)) {}
@@ -180,8 +183,7 @@ HN_I_INLINE Float operator/(Float a, Float b) { return Float(a.v / b.v); }
 HN_I_INLINE Uint operator/(Uint a, Uint b) {
   const detail::DoubleVector quotient =
       __builtin_convertvector(a.v, detail::DoubleVector) / __builtin_convertvector(b.v, detail::DoubleVector);
-  const Uint near(
-      __builtin_convertvector(__builtin_convertvector(quotient, detail::LongVector), detail::UintVector));
+  const Uint near(__builtin_convertvector(__builtin_convertvector(quotient, detail::LongVector), detail::UintVector));
 #ifdef __FAST_MATH__
   const Uint below = near - Uint(near * b > a);
   return below + Uint(a - below * b >= b);
@@ -308,6 +310,71 @@ inline namespace HN_I_PASTE(arithmetic_, HN_ARITHMETIC) {
 #undef int
 #undef HN_I_PASTE
 #undef HN_I_PASTE_TOKENS
+
+// ---------------------------------------------------------------------------------------------------------------------
+// What loops over points need.
+
+namespace detail {
+
+template <int D>
+struct PointOf;
+template <>
+struct PointOf<1> {
+  using Cell = Int;
+  using Place = Float;
+};
+template <>
+struct PointOf<2> {
+  using Cell = ivec2;
+  using Place = vec2;
+};
+template <>
+struct PointOf<3> {
+  using Cell = ivec3;
+  using Place = vec3;
+};
+template <>
+struct PointOf<4> {
+  using Cell = ivec4;
+  using Place = vec4;
+};
+
+}  // namespace detail
+
+// A cell, and a position in it or anywhere, in D dimensions: a number for D = 1, else a vector.
+template <int D>
+using CellOf = typename detail::PointOf<D>::Cell;
+template <int D>
+using PlaceOf = typename detail::PointOf<D>::Place;
+
+// Such a number or vector of what `component` returns for each axis.
+template <typename Vector, int D, typename Function>
+HN_I_INLINE Vector vector_of(const Function& component) {
+  if constexpr (D == 1) {
+    return component(0);
+  } else if constexpr (D == 2) {
+    return Vector(component(0), component(1));
+  } else if constexpr (D == 3) {
+    return Vector(component(0), component(1), component(2));
+  } else {
+    return Vector(component(0), component(1), component(2), component(3));
+  }
+}
+
+// Writes each component at `i` of a plane of its own.
+HN_I_INLINE void store(float* const* planes, std::size_t i, Float n) { n.store(planes[0] + i); }
+HN_I_INLINE void store(float* const* planes, std::size_t i, vec2 n) {
+  n.x.store(planes[0] + i);
+  n.y.store(planes[1] + i);
+}
+HN_I_INLINE void store(float* const* planes, std::size_t i, vec3 n) {
+  store(planes, i, vec2(n.x, n.y));
+  n.z.store(planes[2] + i);
+}
+HN_I_INLINE void store(float* const* planes, std::size_t i, vec4 n) {
+  store(planes, i, vec3(n.x, n.y, n.z));
+  n.w.store(planes[3] + i);
+}
 
 }  // namespace HN_LANES
 

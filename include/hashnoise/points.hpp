@@ -4,10 +4,13 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
+
+#include "glsl.hpp"
 
 namespace hashnoise {
 
@@ -58,5 +61,26 @@ struct Range {
   float greatest = -std::numeric_limits<float>::infinity();
   friend bool operator==(const Range&, const Range&) = default;
 };
+
+// The coordinates of point i of a grid along an axis.
+HN_I_INLINE float position_of(float origin, float step, int i) {
+  // The product is exact, so that it does not matter whether it is contracted with the sum.
+  return static_cast<float>(static_cast<double>(origin) + static_cast<double>(i) * static_cast<double>(step));
+}
+
+struct CellAndPlace {
+  std::int32_t cell;
+  float f;
+};
+HN_I_INLINE CellAndPlace cell_and_place_of(std::int32_t cell, float f, double step, int i) {
+  constexpr double kUnit = 4294967296.0;  // 2^32
+  const double inside = f > 0.0f ? (f < 1.0f ? static_cast<double>(f) : 1.0) : 0.0;
+  // Modulo 2^64, as cells wrap.
+  const std::uint64_t at = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(cell)) << 32u) +
+                           static_cast<std::uint64_t>(inside * kUnit) +
+                           static_cast<std::uint64_t>(std::llround(step * kUnit)) * static_cast<std::uint64_t>(i);
+  return {static_cast<std::int32_t>(static_cast<std::uint32_t>(at >> 32u)),
+          static_cast<float>(static_cast<std::uint32_t>(at) >> 8u) * (1.0f / 16777216.0f)};
+}
 
 }  // namespace hashnoise

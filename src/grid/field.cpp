@@ -1,7 +1,6 @@
-#include <hashnoise/field.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <hashnoise/field.hpp>
 #include <stdexcept>
 
 #include "plan.hpp"
@@ -83,7 +82,8 @@ std::size_t padded(std::size_t count) { return count + kMostLanes; }
 
 void check_size(int size) {
   if (size < 0 || size >= 1 << 29) {
-    throw std::invalid_argument("the size of a grid is " + std::to_string(size) + ", and has to be from 0 to 536870911");
+    throw std::invalid_argument("the size of a grid is " + std::to_string(size) +
+                                ", and has to be from 0 to 536870911");
   }
 }
 
@@ -103,11 +103,11 @@ Axis axis_of(const Plan& plan, float origin, float step, int size) {
   check_size(size);
   check_finite("the origin", origin);
   check_finite("the step", step);
+  const double last = static_cast<double>(origin) + static_cast<double>(size) * static_cast<double>(step);
+  check_finite("the last point", static_cast<double>(static_cast<float>(last)));
   std::vector<float> positions(padded(static_cast<std::size_t>(size)));
   for (int i = 0; i < size; ++i) {
-    // The product is exact, so that it does not matter whether it is contracted with the sum.
-    positions[static_cast<std::size_t>(i)] =
-        static_cast<float>(static_cast<double>(origin) + static_cast<double>(i) * static_cast<double>(step));
+    positions[static_cast<std::size_t>(i)] = position_of(origin, step, i);
   }
   Axis axis;
   if (plan.takes_positions) {
@@ -123,29 +123,41 @@ Axis axis_of(std::int32_t cell, float f, double step, int size) {
   check_finite("the place", f);
   check_finite("the step", step);
   if (std::abs(step) >= 2147483648.0) throw std::invalid_argument("the step of a grid has to be less than 2^31 cells");
-  constexpr double kUnit = 4294967296.0;  // 2^32
-  const auto start = static_cast<std::uint64_t>(std::clamp(static_cast<double>(f), 0.0, 1.0) * kUnit);
-  const auto stride = static_cast<std::uint64_t>(std::llround(step * kUnit));
   Axis axis;
   axis.cell.resize(padded(static_cast<std::size_t>(size)));
   axis.place.resize(axis.cell.size());
-  std::uint64_t at = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(cell)) << 32u) + start;  // modulo 2^64
-  for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i, at += stride) {
-    axis.cell[i] = static_cast<std::int32_t>(static_cast<std::uint32_t>(at >> 32u));
-    axis.place[i] = static_cast<float>(static_cast<std::uint32_t>(at) >> 8u) * (1.0f / 16777216.0f);
+  for (int i = 0; i < size; ++i) {
+    const CellAndPlace at = cell_and_place_of(cell, f, step, i);
+    axis.cell[static_cast<std::size_t>(i)] = at.cell;
+    axis.place[static_cast<std::size_t>(i)] = at.f;
   }
   return axis;
 }
 
-void widen(const Plan& plan, const float* values, std::size_t count, Range& range) {
-  plan.kernels->widen(values, static_cast<int>(count), range.least, range.greatest);
-}
+// The ranges of some of the values each, by lanes.
+struct Ranges {
+  float least[kMostLanes];
+  float greatest[kMostLanes];
+
+  Ranges() {
+    std::fill_n(least, kMostLanes, Range{}.least);
+    std::fill_n(greatest, kMostLanes, Range{}.greatest);
+  }
+  void widen(const Plan& plan, const float* values, int count) { plan.kernels->widen(values, count, least, greatest); }
+  Range joined() const {
+    return {*std::min_element(least, least + kMostLanes), *std::max_element(greatest, greatest + kMostLanes)};
+  }
+};
 
 // Runs tasks of points, and joins their ranges. The order does not matter for what comes out.
 template <typename Task>
 Range run_tasks(std::int64_t count, const Executor& executor, const Task& task) {
   std::vector<Range> ranges(static_cast<std::size_t>(count));
-  const auto one = [&](int i) { task(i, ranges[static_cast<std::size_t>(i)]); };
+  const auto one = [&](int i) {
+    Ranges of_task;
+    task(i, of_task);
+    ranges[static_cast<std::size_t>(i)] = of_task.joined();
+  };
   if (count > std::numeric_limits<int>::max()) throw std::invalid_argument("there are too many points");
   if (executor && count > 1) {
     executor(static_cast<int>(count), one);
@@ -181,7 +193,7 @@ struct Box {
   }
 
   // A part of a row.
-  void run_row(std::int64_t number, int first, int count, Range& range) const {
+  void run_row(std::int64_t number, int first, int count, Ranges& ranges) const {
     const std::array<std::size_t, 4> at = row_at(number);
     std::int32_t cell[4][kMostLanes];
     float place[4][kMostLanes];
@@ -202,11 +214,11 @@ struct Box {
     const std::size_t start = static_cast<std::size_t>(number) * static_cast<std::size_t>(size[0]);
     planes.point(batch, plan.components, start + static_cast<std::size_t>(first));
     run(plan, row, batch, count);
-    widen(plan, batch.value[0], static_cast<std::size_t>(count), range);
+    ranges.widen(plan, batch.value[0], count);
   }
 
   // Points of several rows.
-  void run_points(std::int64_t first, int count, Range& range) const {
+  void run_points(std::int64_t first, int count, Ranges& ranges) const {
     std::int32_t cell[4][kBlock + kMostLanes];
     float place[4][kBlock + kMostLanes];
     std::array<std::size_t, 4> at = row_at(first / size[0]);
@@ -229,16 +241,16 @@ struct Box {
     }
     planes.point(batch, plan.components, static_cast<std::size_t>(first));
     run(plan, kernel, batch, count);
-    widen(plan, batch.value[0], static_cast<std::size_t>(count), range);
+    ranges.widen(plan, batch.value[0], count);
   }
 
   Range fill(std::int64_t points, const Executor& executor) const {
     if (points == 0) return {};
     if (size[0] < kNarrow) {
-      return run_tasks((points + kTask - 1) / kTask, executor, [&](std::int64_t task, Range& range) {
+      return run_tasks((points + kTask - 1) / kTask, executor, [&](std::int64_t task, Ranges& ranges) {
         const std::int64_t end = std::min(points, (task + 1) * kTask);
         for (std::int64_t i = task * kTask; i < end; i += kBlock) {
-          run_points(i, static_cast<int>(std::min<std::int64_t>(kBlock, end - i)), range);
+          run_points(i, static_cast<int>(std::min<std::int64_t>(kBlock, end - i)), ranges);
         }
       });
     }
@@ -246,11 +258,11 @@ struct Box {
     const std::int64_t rows = points / size[0];
     const std::int64_t parts = (size[0] + kTask - 1) / kTask;
     const std::int64_t at_a_time = std::max<std::int64_t>(1, kTask / size[0]);
-    return run_tasks((rows + at_a_time - 1) / at_a_time * parts, executor, [&](std::int64_t task, Range& range) {
+    return run_tasks((rows + at_a_time - 1) / at_a_time * parts, executor, [&](std::int64_t task, Ranges& ranges) {
       const std::int64_t first = task % parts * kTask;
       const int count = static_cast<int>(std::min<std::int64_t>(kTask, size[0] - first));
       const std::int64_t end = std::min(rows, (task / parts + 1) * at_a_time);
-      for (std::int64_t i = task / parts * at_a_time; i < end; ++i) run_row(i, static_cast<int>(first), count, range);
+      for (std::int64_t i = task / parts * at_a_time; i < end; ++i) run_row(i, static_cast<int>(first), count, ranges);
     });
   }
 };
@@ -308,14 +320,14 @@ Range fill_points(const Plan& plan, Kernel kernel, std::size_t count, std::span<
   check_values(plan, count, values.size());
   const Planes planes{values.data(), count};
   const auto points = static_cast<std::int64_t>(count);
-  return run_tasks((points + kTask - 1) / kTask, executor, [&](std::int64_t task, Range& range) {
+  return run_tasks((points + kTask - 1) / kTask, executor, [&](std::int64_t task, Ranges& ranges) {
     const std::int64_t end = std::min(points, (task + 1) * kTask);
     for (std::int64_t i = task * kTask; i < end; i += kBlock) {
       const int n = static_cast<int>(std::min<std::int64_t>(kBlock, end - i));
       Batch batch{};
       planes.point(batch, plan.components, static_cast<std::size_t>(i));
       run_block(static_cast<std::size_t>(i), n, batch, [&](const Batch& b) { run(plan, kernel, b, n); });
-      widen(plan, batch.value[0], static_cast<std::size_t>(n), range);
+      ranges.widen(plan, batch.value[0], n);
     }
   });
 }
@@ -341,12 +353,19 @@ std::vector<std::string> Field<D>::component_names() const {
   const std::vector<std::string> axes = {"x", "y", "z", "w"};
   std::vector<std::string> names;
   switch (plan_->shape) {
-    case grid::Shape::kTwoDistances: return {"f1", "f2"};
-    case grid::Shape::kThreeDistances: return {"f1", "f2", "f3"};
-    case grid::Shape::kVector: return {axes.begin(), axes.begin() + D};
+    case grid::Shape::kTwoDistances:
+      return {"f1", "f2"};
+    case grid::Shape::kThreeDistances:
+      return {"f1", "f2", "f3"};
+    case grid::Shape::kVector:
+      return {axes.begin(), axes.begin() + D};
     case grid::Shape::kValue:
-    case grid::Shape::kWithSlopes: names = {"value"}; break;
-    case grid::Shape::kDistanceWithSlopes: names = {"f1"}; break;
+    case grid::Shape::kWithSlopes:
+      names = {"value"};
+      break;
+    case grid::Shape::kDistanceWithSlopes:
+      names = {"f1"};
+      break;
   }
   for (int i = 1; i < plan_->components; ++i) names.push_back("d" + axes[static_cast<std::size_t>(i) - 1]);
   return names;

@@ -17,10 +17,13 @@ struct Build {
   std::array<Enter, 3> noises, sums;  // by arithmetic
 };
 
-#define HASHNOISE_BUILD(set, name, available)                                                  \
-  Build{set, [] { return static_cast<bool>(available); },                                      \
-        {grid::noises_##name##_fast, grid::noises_##name##_precise, grid::noises_##name##_fixed},     \
-        {grid::sums_##name##_fast, grid::sums_##name##_precise, grid::sums_##name##_fixed}}
+#define HASHNOISE_BUILD(set, name, available)                                                       \
+  Build {                                                                                           \
+    set, [] { return static_cast<bool>(available); },                                               \
+        {grid::noises_##name##_fast, grid::noises_##name##_precise, grid::noises_##name##_fixed}, { \
+      grid::sums_##name##_fast, grid::sums_##name##_precise, grid::sums_##name##_fixed              \
+    }                                                                                               \
+  }
 
 // The widest first. HASHNOISE_X86 and so on say what CMake compiles.
 const Build kBuilds[] = {
@@ -28,8 +31,7 @@ const Build kBuilds[] = {
     HASHNOISE_BUILD(InstructionSet::kAvx512, avx512,
                     __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
                         __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")),
-    HASHNOISE_BUILD(InstructionSet::kAvx2, avx2,
-                    __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")),
+    HASHNOISE_BUILD(InstructionSet::kAvx2, avx2, __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")),
     HASHNOISE_BUILD(InstructionSet::kSse41, sse41, __builtin_cpu_supports("sse4.1")),
     HASHNOISE_BUILD(InstructionSet::kSse2, sse2, true),
 #elif defined(HASHNOISE_NEON)

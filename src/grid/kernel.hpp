@@ -51,8 +51,8 @@ struct Options {
   std::int32_t octaves;
   float lacunarity;
   float gain;
-  float strength;   // or amplitude
-  float limit;      // detail or footprint
+  float strength;  // or amplitude
+  float limit;     // detail or footprint
 };
 
 // `count` points, a multiple of the lanes of every instruction set (kMostLanes), in the order in which they are stored.
@@ -74,8 +74,8 @@ using Kernel = void (*)(const Batch& batch, const Options& options, Octave octav
 // Null where there is no such function.
 struct NoiseKernels {
   Kernel plain;
-  Kernel row;      // plain, where only the coordinates along x differ; plain itself if that is not faster
-  Kernel full;     // with a period, jitter and metric
+  Kernel row;   // plain, where only the coordinates along x differ; plain itself if that is not faster
+  Kernel full;  // with a period, jitter and metric
   Kernel phase;
   Kernel phase_full;
   Octave octave;
@@ -96,8 +96,8 @@ struct Kernels {
   SumKernels sums_of_perlin[kSums][4];  // the same without a call for each octave; null where that is not worth it
   // The cells of positions along an axis, and the places in them.
   void (*split)(const float* position, int count, std::int32_t* cell, float* place);
-  // Widens a range by the numbers.
-  void (*widen)(const float* value, int count, float& least, float& greatest);
+  // Widens kMostLanes ranges, of which any may take any of the numbers.
+  void (*widen)(const float* value, int count, float* least, float* greatest);
 };
 
 }  // namespace hashnoise::grid

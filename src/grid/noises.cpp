@@ -7,18 +7,18 @@ namespace HN_LANES {
 namespace {
 
 // A noise in a cell, by how it is called: plain, with everything that may be chosen (full), with a phase, and both.
-#define HN_GRID_NOISE(kind, name, ...)                                                              \
-  struct name##_##kind {                                                                            \
-    template <int D>                                                                                \
+#define HN_GRID_NOISE(kind, name, ...)                                                             \
+  struct name##_##kind {                                                                           \
+    template <int D>                                                                               \
     HN_I_INLINE static auto at(Cell<D> cell, Place<D> f, [[maybe_unused]] const Given<D>& given) { \
-      return hn_##name(cell, f, __VA_ARGS__);                                                       \
-    }                                                                                               \
+      return hn_##name(cell, f, __VA_ARGS__);                                                      \
+    }                                                                                              \
   };
 #define HN_GRID_PLAIN(name) HN_GRID_NOISE(plain, name, given.seed)
 #define HN_GRID_PERIODIC(name) HN_GRID_PLAIN(name) HN_GRID_NOISE(full, name, given.period, given.seed)
-#define HN_GRID_PHASED(name)                              \
-  HN_GRID_PERIODIC(name)                                  \
-  HN_GRID_NOISE(phase, name, given.phase, given.seed)     \
+#define HN_GRID_PHASED(name)                          \
+  HN_GRID_PERIODIC(name)                              \
+  HN_GRID_NOISE(phase, name, given.phase, given.seed) \
   HN_GRID_NOISE(phase_full, name, given.period, given.phase, given.seed)
 #define HN_GRID_JITTERED(name) HN_GRID_PLAIN(name) HN_GRID_NOISE(full, name, given.period, given.jitter, given.seed)
 #define HN_GRID_METRIC(name) \
@@ -40,17 +40,16 @@ HN_GRID_PHASED(perlin_d)
 HN_GRID_PHASED(simplex_d)
 
 // In 4D the gradient is a parameter.
-#define HN_GRID_GRADIENT4(kind, name, ...)                                                          \
-  struct name##4_##kind {                                                                           \
-    template <int D>                                                                                \
-    HN_I_INLINE static ValueAndGradient at(ivec4 cell, vec4 f, const Given<4>& given) {             \
-      ValueAndGradient n;                                                                           \
-      n.value = hn_##name(cell, f, __VA_ARGS__, n.gradient);                                        \
-      return n;                                                                                     \
-    }                                                                                               \
-  };
-#define HN_GRID_PERIODIC4(name)                     \
-  HN_GRID_GRADIENT4(plain, name, given.seed)        \
+#define HN_GRID_GRADIENT4(kind, name, ...)                                       \
+  struct name##4_##kind{template <int D> HN_I_INLINE static ValueAndGradient at( \
+      ivec4 cell, vec4 f, const Given<4>& given){ValueAndGradient n;             \
+  n.value = hn_##name(cell, f, __VA_ARGS__, n.gradient);                         \
+  return n;                                                                      \
+  }                                                                              \
+  }                                                                              \
+  ;
+#define HN_GRID_PERIODIC4(name)              \
+  HN_GRID_GRADIENT4(plain, name, given.seed) \
   HN_GRID_GRADIENT4(full, name, given.period, given.seed)
 HN_GRID_PERIODIC4(value_d)
 HN_GRID_PERIODIC4(perlin_d)
@@ -180,21 +179,20 @@ void split(const float* position, int count, std::int32_t* cell, float* place) {
   }
 }
 
-void widen(const float* value, int count, float& least, float& greatest) {
-  Float low(least), high(greatest);
+void widen(const float* value, int count, float* least, float* greatest) {
+  Float low = Float::load(least);
+  Float high = Float::load(greatest);
   int i = 0;
   for (; i + kCount <= count; i += kCount) {
     const Float n = Float::load(value + i);
     low = min(low, n);
     high = max(high, n);
   }
-  for (int lane = 0; lane < kCount; ++lane) {
-    least = low[lane] < least ? low[lane] : least;
-    greatest = greatest < high[lane] ? high[lane] : greatest;
-  }
+  low.store(least);
+  high.store(greatest);
   for (; i < count; ++i) {
-    least = value[i] < least ? value[i] : least;
-    greatest = greatest < value[i] ? value[i] : greatest;
+    least[0] = value[i] < least[0] ? value[i] : least[0];
+    greatest[0] = greatest[0] < value[i] ? value[i] : greatest[0];
   }
 }
 

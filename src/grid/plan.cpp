@@ -10,6 +10,8 @@ namespace hashnoise::grid {
 
 namespace {
 
+constexpr int kMostOctaves = 1024;  // more than any float shows; a larger number is a mistake that would take long
+
 [[noreturn]] void refuse(const std::string& message) { throw std::invalid_argument(message); }
 
 std::string quoted(std::string_view text) { return std::string(1, '"').append(text).append(1, '"'); }
@@ -114,11 +116,15 @@ void plan_sum(Plan& plan, const Settings& settings, NoiseId noise, SumId id, boo
     if (id != kFbm || tiled) refuse("detail and footprint belong to the sum fbm without a period");
     if (settings.detail && settings.footprint) refuse("detail and footprint exclude each other");
   }
-  check_number("octaves", static_cast<float>(settings.octaves), 0.0f, 1024.0f);
+  if (settings.octaves > kMostOctaves) {
+    refuse("octaves is " + std::to_string(settings.octaves) + ", and has to be at most " +
+           std::to_string(kMostOctaves));
+  }
   check_finite("lacunarity", settings.lacunarity);
   check_finite("gain", settings.gain);
   if (settings.gain < 0.0f) refuse("gain is negative, and has to be 0 or more");
-  plan.options.strength = row.strength == "amplitude" ? settings.amplitude : settings.strength.value_or(row.usual_strength);
+  plan.options.strength =
+      row.strength == "amplitude" ? settings.amplitude : settings.strength.value_or(row.usual_strength);
   if (!row.strength.empty()) {
     check_number(row.strength.data(), plan.options.strength, 0.0f, row.most_strength);
   }
@@ -133,7 +139,7 @@ void plan_sum(Plan& plan, const Settings& settings, NoiseId noise, SumId id, boo
   plan.shape = row.shape;
   plan.octave = tiled ? of.octave_full : of.octave;
   if (settings.detail) {
-    check_number("detail", *settings.detail, 0.0f, 1024.0f);
+    check_number("detail", *settings.detail, 0.0f, static_cast<float>(kMostOctaves));
     plan.options.limit = *settings.detail;
     plan.at = kernels.detail;
   } else if (settings.footprint) {
@@ -150,12 +156,17 @@ void plan_sum(Plan& plan, const Settings& settings, NoiseId noise, SumId id, boo
 
 int components_of(Shape shape, int dimensions) {
   switch (shape) {
-    case Shape::kValue: return 1;
-    case Shape::kTwoDistances: return 2;
-    case Shape::kThreeDistances: return 3;
-    case Shape::kVector: return dimensions;
+    case Shape::kValue:
+      return 1;
+    case Shape::kTwoDistances:
+      return 2;
+    case Shape::kThreeDistances:
+      return 3;
+    case Shape::kVector:
+      return dimensions;
     case Shape::kWithSlopes:
-    case Shape::kDistanceWithSlopes: return dimensions + 1;
+    case Shape::kDistanceWithSlopes:
+      return dimensions + 1;
   }
   throw std::logic_error("a shape that there is not");
 }
@@ -177,8 +188,7 @@ Plan plan_of(int dimensions, const Settings& settings) {
   plan.options.seed = settings.seed;
   bool tiled = false;
   for (std::size_t axis = 0; axis < settings.period.size(); ++axis) {
-    if (settings.period[axis] < 0) refuse("a period is negative, and has to be a number of cells, or 0 for none");
-    if (axis < static_cast<std::size_t>(dimensions)) tiled = tiled || settings.period[axis] != 0;
+    if (axis < static_cast<std::size_t>(dimensions)) tiled = tiled || settings.period[axis] > 0;
     plan.options.period[axis] = settings.period[axis];
   }
   plan.options.phase = settings.phase.value_or(0.0f);

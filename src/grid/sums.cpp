@@ -1,5 +1,6 @@
-// The kernels of sums, for one instruction set and one arithmetic: the macros of the library over a noise that is called,
-// since there are too many pairs of a sum and a noise to compile. Sums over Perlin noise are compiled without that call.
+// The kernels of sums, for one instruction set and one arithmetic: the macros of the library over a noise that is
+// called, since there are too many pairs of a sum and a noise to compile. Sums over Perlin noise are compiled without
+// that call.
 #include "loops.hpp"
 #include "tables.hpp"
 
@@ -35,68 +36,55 @@ class Perlin {
 };
 
 // The sums of a dimension, as members, so that they reach the noise.
-#define HN_GRID_SUMS(N)                       \
-  template <typename Noise>                   \
-  class Sums##N : public Noise {              \
-   public:                                    \
-    using Noise::Noise;                       \
-    using Noise::octave;                      \
-    HN_FBM##N##D(fbm, octave)                 \
-    HN_FBM_PERIOD##N##D(fbm, octave)          \
-    HN_FBM_LIMITED##N##D(limited, octave)     \
-    HN_TURBULENCE##N##D(turbulence, octave)   \
-    HN_TURBULENCE_PERIOD##N##D(turbulence, octave) \
-    HN_CLOUDS##N##D(clouds, octave)           \
-    HN_CLOUDS_PERIOD##N##D(clouds, octave)    \
-    HN_BILLOW##N##D(billow, octave)           \
-    HN_BILLOW_PERIOD##N##D(billow, octave)    \
-    HN_RIDGED##N##D(ridged, octave)           \
-    HN_RIDGED_PERIOD##N##D(ridged, octave)    \
-    HN_PING_PONG##N##D(ping_pong, octave)     \
-    HN_PING_PONG_PERIOD##N##D(ping_pong, octave) \
-    HN_WEIGHTED##N##D(weighted, octave)       \
-    HN_WEIGHTED_PERIOD##N##D(weighted, octave) \
+#define HN_GRID_SUMS(N)                                                                                                \
+  template <typename Noise>                                                                                            \
+  class Sums##N : public Noise {                                                                                       \
+   public:                                                                                                             \
+    using Noise::Noise;                                                                                                \
+    using Noise::octave;                                                                                               \
+    HN_FBM##N##D(fbm, octave) HN_FBM_PERIOD##N##D(fbm, octave) HN_FBM_LIMITED##N##D(limited, octave) HN_TURBULENCE##N  \
+        ##D(turbulence, octave) HN_TURBULENCE_PERIOD##N##D(turbulence, octave) HN_CLOUDS##N                            \
+        ##D(clouds, octave) HN_CLOUDS_PERIOD##N##D(clouds, octave) HN_BILLOW##N##D(billow, octave) HN_BILLOW_PERIOD##N \
+        ##D(billow, octave) HN_RIDGED##N##D(ridged, octave) HN_RIDGED_PERIOD##N##D(ridged, octave) HN_PING_PONG##N     \
+        ##D(ping_pong, octave) HN_PING_PONG_PERIOD##N##D(ping_pong, octave) HN_WEIGHTED##N                             \
+        ##D(weighted, octave) HN_WEIGHTED_PERIOD##N##D(weighted, octave)                                               \
   };
 HN_GRID_SUMS(1)
 HN_GRID_SUMS(2)
 HN_GRID_SUMS(3)
 HN_GRID_SUMS(4)
 
-#define HN_GRID_WARPS(N)                                      \
-  template <typename Noise>                                   \
-  class Warps##N : public Noise {                             \
-   public:                                                    \
-    using Noise::Noise;                                       \
-    using Noise::octave;                                      \
-    HN_WARP##N##D(warp, octave)                               \
-    HN_WARP_PERIOD##N##D(warp, octave)                        \
-    HN_WARP_PROGRESSIVE##N##D(warp_progressive, octave)       \
-    HN_WARP_PROGRESSIVE_PERIOD##N##D(warp_progressive, octave) \
+#define HN_GRID_WARPS(N)                                                                         \
+  template <typename Noise>                                                                      \
+  class Warps##N : public Noise {                                                                \
+   public:                                                                                       \
+    using Noise::Noise;                                                                          \
+    using Noise::octave;                                                                         \
+    HN_WARP##N##D(warp, octave) HN_WARP_PERIOD##N##D(warp, octave) HN_WARP_PROGRESSIVE##N        \
+        ##D(warp_progressive, octave) HN_WARP_PROGRESSIVE_PERIOD##N##D(warp_progressive, octave) \
   };
 HN_GRID_WARPS(2)
 HN_GRID_WARPS(3)
 
-#define HN_GRID_SLOPES(N)                \
-  template <typename Noise>              \
-  class Slopes##N : public Noise {       \
-   public:                               \
-    using Noise::Noise;                  \
-    using Noise::octave;                 \
-    HN_FBM_D##N##D(fbm_d, octave)        \
-    HN_FBM_D_PERIOD##N##D(fbm_d, octave) \
-    HN_ERODED##N##D(eroded, octave)      \
-    HN_ERODED_PERIOD##N##D(eroded, octave) \
+#define HN_GRID_SLOPES(N)                                                           \
+  template <typename Noise>                                                         \
+  class Slopes##N : public Noise {                                                  \
+   public:                                                                          \
+    using Noise::Noise;                                                             \
+    using Noise::octave;                                                            \
+    HN_FBM_D##N##D(fbm_d, octave) HN_FBM_D_PERIOD##N##D(fbm_d, octave) HN_ERODED##N \
+        ##D(eroded, octave) HN_ERODED_PERIOD##N##D(eroded, octave)                  \
   };
 HN_GRID_SLOPES(2)
 HN_GRID_SLOPES(3)
 
 // How a sum is called behind the place: with a strength or an amplitude, or without.
-#define HN_GRID_CALL(name, ...)                                                            \
-  struct name##_call {                                                                     \
-    template <typename Sums, int D, typename... At>                                        \
-    HN_I_INLINE static auto of(Sums& sums, const Given<D>& given, At... at) {              \
-      return sums.name(at..., given.octaves, given.lacunarity, given.gain, __VA_ARGS__);   \
-    }                                                                                      \
+#define HN_GRID_CALL(name, ...)                                                          \
+  struct name##_call {                                                                   \
+    template <typename Sums, int D, typename... At>                                      \
+    HN_I_INLINE static auto of(Sums& sums, const Given<D>& given, At... at) {            \
+      return sums.name(at..., given.octaves, given.lacunarity, given.gain, __VA_ARGS__); \
+    }                                                                                    \
   };
 HN_GRID_CALL(fbm, given.seed)
 HN_GRID_CALL(turbulence, given.seed)

@@ -1,16 +1,17 @@
-// The functions that enter kernels in a table: one for each instruction set, each arithmetic, and noises and sums apart.
+// The functions that enter kernels in a table: one for each instruction set, each arithmetic, and noises and sums
+// apart.
 #pragma once
 
 #include "kernel.hpp"
 
 namespace hashnoise::grid {
 
-#define HASHNOISE_TABLES(set)               \
-  void noises_##set##_fast(Kernels&);       \
-  void noises_##set##_precise(Kernels&);    \
-  void noises_##set##_fixed(Kernels&);      \
-  void sums_##set##_fast(Kernels&);         \
-  void sums_##set##_precise(Kernels&);      \
+#define HASHNOISE_TABLES(set)            \
+  void noises_##set##_fast(Kernels&);    \
+  void noises_##set##_precise(Kernels&); \
+  void noises_##set##_fixed(Kernels&);   \
+  void sums_##set##_fast(Kernels&);      \
+  void sums_##set##_precise(Kernels&);   \
   void sums_##set##_fixed(Kernels&);
 HASHNOISE_TABLES(sse2)
 HASHNOISE_TABLES(sse41)

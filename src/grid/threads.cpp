@@ -1,8 +1,7 @@
-#include <hashnoise/field.hpp>
-
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <hashnoise/field.hpp>
 #include <mutex>
 #include <thread>
 
