@@ -172,6 +172,7 @@ class Wrong(unittest.TestCase):
                 (ValueError, {"origin": (0.0,)}, "origin must have a value for each of the 2 axes"),
                 (TypeError, {"cell": 0.5}, "cell must be of whole numbers"),
                 (ValueError, {"cell": 3, "step": 2.0**31}, "step"),
+                (ValueError, {"cell": 3, "origin": (0.5, 1.5)}, "origin is the place in it and must be from 0 to 1"),
                 (ValueError, {"step": 1e38, "origin": 3e38}, ""),
                 (ValueError, {"out": numpy.zeros((3, 4), "f4")}, r"of the shape \(4, 3\)")):
             with self.subTest(arguments):
