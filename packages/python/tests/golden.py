@@ -21,8 +21,8 @@ TYPES = {"f32": numpy.float32, "i32": numpy.int32, "u32": numpy.uint32, "f64": n
 METRICS = ("euclidean", "euclidean", "squared", "manhattan", "chebyshev", "hybrid")  # by HN_METRIC_...; 0 is Euclidean
 # What the package takes. In GLSL what lies beyond counts as the nearer end, and golden files have that, too; with
 # HN_FIXED more than 32 octaves are 32.
-RANGES = {"octaves": (-2**31, 1024), "detail": (0, 1024), "gain": (0, numpy.inf), "jitter": (0, 1), "amplitude": (0, 64),
-          "ping_pong": (0, 64), "weighted": (0, 1), "eroded": (0, 16)}
+RANGES = {"octaves": (-2**31, 1024), "detail": (0, 1024), "gain": (0, numpy.inf), "jitter": (0, 1),
+          "amplitude": (0, 64), "ping_pong": (0, 64), "weighted": (0, 1), "eroded": (0, 16)}
 # What the package does not have: the cell of the nearest point and the way to it, whole numbers as positions, and what
 # is not noise.
 ABSENT = re.compile(r"(hash|gradient|position)\.|\w+\.\w+_(nearest|offset)$")
