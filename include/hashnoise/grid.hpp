@@ -131,15 +131,18 @@ struct CellsAndPlaces {
 // Whether a grid has points. Checked before their coordinates are computed, which may be many: values for all of them.
 template <std::size_t D>
 bool has_points(const std::array<int, D>& size, std::span<float> values) {
-  std::size_t points = 1;
   for (const int n : size) {
     if (n < 0 || n >= 1 << 29) throw std::invalid_argument("fill: a size of the grid is not from 0 to 536870911");
-    if (n > 0 && points > values.size() / static_cast<std::size_t>(n)) {
+  }
+  if (std::find(size.begin(), size.end(), 0) != size.end()) return false;
+  std::size_t points = 1;
+  for (const int n : size) {
+    if (points > values.size() / static_cast<std::size_t>(n)) {
       throw std::invalid_argument("fill: the values have no room for the points of the grid");
     }
     points *= static_cast<std::size_t>(n);
   }
-  return points > 0;
+  return true;
 }
 
 // Rows along x of a grid of D dimensions; value(at, i) is that of the lanes from point i of the row at `at` on.
