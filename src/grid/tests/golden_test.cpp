@@ -5,8 +5,9 @@
 // computes is compared with the twin by hn-conform.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
-#include <charconv>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -49,8 +50,9 @@ Golden read(const std::filesystem::path& path) {
     words >> word;
     if (word == "columns") {
       while (words >> word && word != "=") inputs.push_back(word.substr(0, word.find(':')));
+      continue;
     }
-    if (line.find(" = ") == std::string::npos || word == "columns" || word == "digest") continue;
+    if (line.find(" = ") == std::string::npos) continue;
     Row row;
     for (const std::string& input : inputs) {
       row.words[input] = static_cast<std::uint32_t>(std::stoul(word, nullptr, 16));
