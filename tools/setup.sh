@@ -3,6 +3,7 @@
 #   setup conform   what hn-conform needs, built into build/
 #   setup drivers   the same, with every driver that a machine without a GPU and a display can have
 #   setup paper     as conform, with the Vulkan driver that counts AMD's instructions
+#   setup bake      what hn-bake needs, without the suite unless build/ has it already
 #   setup test      all of it, with the tests and what they need
 #
 # It names the packages that are missing and installs them; where it cannot, it stops with status 4. On another system
@@ -24,8 +25,13 @@ readonly conform_packages=(
 readonly paper_packages=(libvulkan1 mesa-vulkan-drivers)
 # GLFW loads the libraries of OpenGL by their names.
 readonly driver_packages=("${paper_packages[@]}" chromium clang libgl1 libgles2 libglfw3 libglx-mesa0 xvfb)
-readonly test_packages=("${driver_packages[@]}" libclang-rt-dev libgtest-dev python3
-  python3-numpy python3-scipy)
+# Of the programs of src/, which have no need of drivers.
+readonly program_packages=(cmake g++ ninja-build
+  libcli11-dev libexpected-dev libfmt-dev libkainjow-mustache-dev libpng-dev nlohmann-json3-dev pkg-config zlib1g-dev)
+readonly bake_packages=("${program_packages[@]}" libopenexr-dev)
+# The last two compile for ARM, and run what they compile.
+readonly test_packages=("${driver_packages[@]}" libopenexr-dev libclang-rt-dev libgtest-dev python3
+  python3-dev python3-numpy python3-scipy python3-venv g++-aarch64-linux-gnu qemu-user)
 # Of tools/quality, which has no need of hn-conform.
 readonly quality_packages=(g++ python3 python3-numpy python3-scipy)
 readonly plot_packages=(python3-matplotlib)
@@ -87,8 +93,13 @@ setup() {
   if [[ $1 == test ]]; then
     packages+=("${test_packages[@]}")
     # Warnings are errors here, where the compiler is known, and not for users, where it is not.
-    configuration+=(-DHASHNOISE_TESTS=ON -DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
+    configuration+=(-DHASHNOISE_TESTS=ON -DHASHNOISE_BAKE=ON -DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
     target=()
+  elif [[ $1 == bake ]]; then
+    packages=("${bake_packages[@]}")
+    configuration=(-DHASHNOISE_BAKE=ON)
+    [[ -e $build/CMakeCache.txt ]] || configuration+=(-DHASHNOISE_CONFORMANCE=OFF)
+    target=(--target hn-bake)
   elif [[ $1 == drivers ]]; then
     packages+=("${driver_packages[@]}")
   elif [[ $1 == paper ]]; then

@@ -2,15 +2,13 @@
 
 #include <cstdlib>
 
-#include "base/output/text.hpp"
+#include "base/console.hpp"
 
 namespace hn {
 
 void say(const std::string& text) { std::fputs(text.c_str(), stdout); }
 
-void complain(const std::string& message) {
-  std::fputs(fmt::format("hn-conform: {}\n", printable(message)).c_str(), stderr);
-}
+void complain(const std::string& message) { complain("hn-conform", message); }
 
 int usage_error(const std::string& message) {
   complain(message);

@@ -3,12 +3,11 @@
 #include <signal.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <exception>
 #include <string_view>
 
+#include "base/console.hpp"
 #include "base/interruption.hpp"
 #include "base/process.hpp"
 #include "base/temporary_folder.hpp"
@@ -57,18 +56,6 @@ void say_farewell(int signal, bool again) {
   hn::remove_folders_of(getpid());
 }
 
-// What was printed may not have arrived: on a full disk, say.
-int status_once_printed(int status) {
-  if (std::fflush(stdout) == 0) {
-    if (std::ferror(stdout) == 0) return status;
-    // Something before failed, and why is forgotten. It will fail again.
-    std::clearerr(stdout);
-    errno = std::fputc('\n', stdout) == EOF || std::fflush(stdout) != 0 ? errno : EIO;
-  }
-  hn::complain(fmt::format("cannot write the standard output: {}", std::strerror(errno)));
-  return status == 0 ? hn::kNotAsExpected : status;
-}
-
 int run_program(int argc, char** argv) {
   try {
     // What we start ourselves; not for people.
@@ -76,7 +63,7 @@ int run_program(int argc, char** argv) {
     if (argc == 3 && argv[1] == std::string_view(hn::kAmdCommand)) return hn::amd_counts_child(argv[2]);
     hn::Interruption interruption(say_farewell);
     signal(SIGXFSZ, SIG_IGN);  // a file that is longer than allowed is an error, like a full disk
-    return status_once_printed(dispatch(argc, argv, interruption));
+    return hn::status_once_printed("hn-conform", dispatch(argc, argv, interruption));
   } catch (const std::exception& exception) {
     hn::complain(exception.what());
     return hn::kNotAsExpected;

@@ -4,13 +4,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <span>
 #include <sstream>
 #include <string_view>
 #include <thread>
 
+#include "base/closest.hpp"
+#include "base/command_line.hpp"
 #include "base/version.hpp"
-#include "cli/closest.hpp"
 
 namespace hn {
 namespace {
@@ -279,25 +279,6 @@ tl::unexpected<Stop> stop_at(const CLI::App& app, const CLI::ParseError& error) 
 
 }  // namespace
 
-std::string command_line(int argc, const char* const* argv) {
-  std::string line = "hn-conform";
-  for (const std::string_view argument :
-       std::span(argv, static_cast<std::size_t>(argc)).subspan(std::min(argc, 1) == 1)) {
-    const bool plain =
-        argument.find_first_of(" \t\n\"'\\$`*?[](){}<>|&;#~!") == std::string_view::npos && !argument.empty();
-    if (plain) {
-      line += fmt::format(" {}", argument);
-      continue;
-    }
-    std::string quoted(argument);
-    for (auto at = quoted.find('\''); at != std::string::npos; at = quoted.find('\'', at + 4)) {
-      quoted.replace(at, 1, "'\\''");
-    }
-    line += fmt::format(" '{}'", quoted);
-  }
-  return line;
-}
-
 tl::expected<Command, Stop> parse_options(int argc, const char* const* argv, const Installation& installation) {
   CLI::App app("Checks that hashnoise computes what it promises on a driver, and measures what it costs.",
                "hn-conform");
@@ -315,7 +296,7 @@ tl::expected<Command, Stop> parse_options(int argc, const char* const* argv, con
   run.jobs = std::max(1u, std::thread::hardware_concurrency());
   BenchCommand bench;
   PaperCommand paper;
-  run.line = bench.line = paper.line = command_line(argc, argv);
+  run.line = bench.line = paper.line = command_line("hn-conform", argc, argv);
   add_statuses(*app.add_subcommand("drivers", "List the drivers, what is behind each here, or why it is missing"),
                "0 there is a usable driver, 2 bad usage, 3 there is none");
   CLI::App& list_app = *app.add_subcommand("list", "List the ids of the cases");

@@ -99,7 +99,4 @@ struct Installation {
 // Only reads the arguments. The first is the program's name.
 tl::expected<Command, Stop> parse_options(int argc, const char* const* argv, const Installation& installation);
 
-// The arguments after the first, quoted for a shell, after "hn-conform".
-std::string command_line(int argc, const char* const* argv);
-
 }  // namespace hn

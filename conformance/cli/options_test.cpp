@@ -99,11 +99,5 @@ TEST(Options, ThatAreWrongAreBadUsage) {
   }
 }
 
-TEST(CommandLine, IsAsAShellWouldTakeItAgain) {
-  const std::vector<const char*> arguments = {"/usr/bin/hn-conform", "bench", "--filter", "a*", "it's", "", "x=y"};
-  EXPECT_EQ(command_line(static_cast<int>(arguments.size()), arguments.data()),
-            "hn-conform bench --filter 'a*' 'it'\\''s' '' x=y");
-}
-
 }  // namespace
 }  // namespace hn

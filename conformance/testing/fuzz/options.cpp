@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "base/command_line.hpp"
 #include "fuzz.hpp"
 #include "run/shard.hpp"
 
@@ -94,7 +95,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   } else {
     fuzz::check_stop(command.error());
   }
-  const std::string line = command_line(argc, argv.data());
+  const std::string line = command_line("hn-conform", argc, argv.data());
   const auto words = fuzz::shell_words(line);
   fuzz::require(std::vector<std::string>(words.begin() + 1, words.end()) == arguments,
                 "the line for the record gives the arguments again", line);

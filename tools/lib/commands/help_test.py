@@ -11,7 +11,10 @@ from pathlib import Path
 
 from tree import TOOLS
 
-COMMANDS = {"bench": "bench --help", "conform": "run --help", "paper": "paper --help"}
+CONFORM = "conformance/hn-conform"
+# The program behind each, in build/, and what it is asked.
+COMMANDS = {"bake": ("src/bake/hn-bake", "--help"), "bench": (CONFORM, "bench --help"),
+            "conform": (CONFORM, "run --help"), "paper": (CONFORM, "paper --help")}
 
 
 class Help(unittest.TestCase):
@@ -49,15 +52,16 @@ class Help(unittest.TestCase):
                 with self.subTest(name=name, arguments=arguments):
                     done = self.call(name, *arguments)
                     self.assert_helped(done)
-                    self.assertIn(f"tools/{name} [options of hn-conform", done.stdout)
+                    self.assertIn(f"tools/{name} [options of {COMMANDS[name][0].rpartition('/')[2]}", done.stdout)
                     self.assertIn("does not exist yet", done.stdout)
                     self.assertNotIn("#", done.stdout)
                     self.assertFalse((self.root / "build").exists())
 
     def test_the_program_tells_its_options(self):
-        self.write_program(self.root / "build" / "conformance" / "hn-conform", 'echo "told: $*"')
+        for program, _ in COMMANDS.values():
+            self.write_program(self.root / "build" / program, 'echo "told: $*"')
         self.write_program(self.programs / "ctest", 'echo "told: $*"')
-        for name, told in {**COMMANDS, "test": "--help"}.items():
+        for name, (_, told) in {**COMMANDS, "test": ("ctest", "--help")}.items():
             with self.subTest(name=name):
                 done = self.call(name, "--help")
                 self.assert_helped(done)

@@ -1,4 +1,4 @@
-#include "cli/closest.hpp"
+#include "base/closest.hpp"
 
 #include <algorithm>
 #include <vector>

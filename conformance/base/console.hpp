@@ -1,0 +1,14 @@
+// What a program says, and whether it arrived.
+#pragma once
+
+#include <string_view>
+
+namespace hn {
+
+// Writes to the standard error, with the program's name.
+void complain(std::string_view program, std::string_view message);
+
+// What was printed may not have arrived: on a full disk, say. Then this complains, and a status of 0 becomes 1.
+int status_once_printed(std::string_view program, int status);
+
+}  // namespace hn

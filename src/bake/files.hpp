@@ -1,0 +1,58 @@
+// What is written: the bytes of each file, and how the values became what is in them.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "bake/options.hpp"
+#include "bake/planes.hpp"
+#include "base/result.hpp"
+
+namespace hn {
+
+// How a component became 16 bits.
+struct Mapping {
+  Interval interval;
+  std::string_view source;  // "documented", "given" or "normalized"
+  std::size_t clamped = 0;
+};
+
+struct Component {
+  std::string name;
+  hashnoise::Range range;          // of the values, before they are mapped
+  std::optional<Mapping> mapping;  // for 16 bits
+};
+
+// How the slices of a volume lie in a picture. Of what is no volume there is one.
+struct Atlas {
+  int slices = 1;
+  int columns = 1;
+  int rows = 1;
+};
+
+struct Report {
+  std::vector<std::filesystem::path> files;
+  std::vector<Component> components;
+  int width = 0;  // of a picture, in pixels
+  int height = 0;
+  Atlas atlas;
+};
+
+// The intervals of these components: documented, or given. Empty for floats, and for --normalize, which finds them. The
+// error says which component has none, or what else does not fit the format. It is known before anything is computed.
+Result<std::vector<Mapping>> mappings_of(const BakeOptions& options, const std::vector<std::string>& components);
+
+// Takes what is written of a file, of which nothing must be left if it fails.
+using WriteFile = std::function<Result<void>(const std::filesystem::path& path, std::string_view bytes)>;
+
+// Makes and writes the files; the planes are used up.
+Result<Report> write_files(const BakeOptions& options, Planes planes, std::vector<Mapping> mappings,
+                           const WriteFile& write);
+
+// What made the values, and how they lie in the file: all that the bytes depend on.
+nlohmann::ordered_json record_of(const BakeOptions& options, const Planes& planes, const Report& report);
+
+}  // namespace hn

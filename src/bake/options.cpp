@@ -1,0 +1,453 @@
+#include "bake/options.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "base/closest.hpp"
+#include "base/output/text.hpp"
+#include "base/result.hpp"
+#include "base/strings.hpp"
+#include "base/version.hpp"
+
+namespace hn {
+namespace {
+
+constexpr int kLongestAxis = (1 << 29) - 1;
+constexpr double kMostCells = 1 << 30;  // so that positions fit into 64 bits, in units of 2^-32
+
+constexpr std::array kFormats = {
+    std::pair{Format::png, std::string_view("png")}, std::pair{Format::exr, std::string_view("exr")},
+    std::pair{Format::f32, std::string_view("f32")}, std::pair{Format::r16, std::string_view("r16")}};
+
+// A number and nothing behind it.
+template <typename Number>
+std::optional<Number> number_of(std::string_view text) {
+  Number number{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  if constexpr (std::is_floating_point_v<Number>) {
+    if (!std::isfinite(number)) return std::nullopt;
+  }
+  return number;
+}
+
+// "1024x512": a number for each axis.
+template <typename Number>
+Result<std::vector<Number>> axes_of(std::string_view option, std::string_view text, Number least, Number most,
+                                    std::string_view example) {
+  std::vector<Number> numbers;
+  for (const std::string_view part : split(text, 'x')) {
+    const auto number = number_of<Number>(part);
+    if (!number || *number < least || *number > most) {
+      return fail(fmt::format("{} {}: {} is not a number from {} to {}; it wants one for each axis, as in {}", option,
+                              in_quotes(text), in_quotes(part), least, most, example));
+    }
+    numbers.push_back(*number);
+  }
+  if (numbers.size() > 4) return fail(fmt::format("{} {}: there are at most four axes", option, in_quotes(text)));
+  return numbers;
+}
+
+std::string dimensions_of(const std::vector<int>& size) { return fmt::format("{}D", size.size()); }
+
+std::vector<std::string> texts_of(const std::vector<std::string_view>& names) { return {names.begin(), names.end()}; }
+
+// What to say of a word that is none of the names.
+std::string choice(std::string_view word, const std::vector<std::string>& names) {
+  const std::string meant = closest(word, names);
+  return fmt::format("{}; there are {}", meant.empty() ? std::string() : fmt::format(" (did you mean {}?)", meant),
+                     fmt::join(names, ", "));
+}
+
+bool has(const std::vector<std::string_view>& names, std::string_view name) {
+  return std::ranges::count(names, name) != 0;
+}
+
+// The noise of a sum whose noise is not named is that of the function in GLSL.
+std::string noise_of(std::string_view sum) {
+  if (sum == "fbm_d" || sum == "eroded") return "perlin_d";
+  if (sum == "warp" || sum == "warp_progressive") return "value";
+  return "perlin";
+}
+
+Result<void> choose_function(BakeOptions& options, const std::optional<std::string>& noise) {
+  const int dimensions = static_cast<int>(options.size.size());
+  const auto noises = hashnoise::noise_names(dimensions);
+  const auto sums = hashnoise::sum_names(dimensions);
+  if (has(sums, options.function)) {
+    options.settings.sum = options.function;
+    options.settings.noise = noise.value_or(noise_of(options.function));
+    if (has(noises, options.settings.noise)) return {};
+    return fail(fmt::format("--noise: there is no noise {} in {}{}", in_quotes(options.settings.noise),
+                            dimensions_of(options.size), choice(options.settings.noise, texts_of(noises))));
+  }
+  if (!has(noises, options.function)) {
+    auto names = texts_of(noises);
+    names.insert(names.end(), sums.begin(), sums.end());
+    return fail(fmt::format("there is no noise or sum {} in {}{}", in_quotes(options.function),
+                            dimensions_of(options.size), choice(options.function, names)));
+  }
+  if (noise) {
+    return fail(fmt::format("--noise is for a sum, and {} is a noise itself; the sums are {}", options.function,
+                            fmt::join(sums, ", ")));
+  }
+  options.settings.noise = options.function;
+  return {};
+}
+
+// One number stands for the first axis; the cells are as large along the others.
+Result<void> choose_cells(BakeOptions& options, const std::string& text) {
+  HN_TRY(options.cells, axes_of("--cells", text, 0.0, kMostCells, "8x4"));
+  if (options.cells.size() == 1) {
+    const double size = options.cells.front() / options.size.front();
+    for (std::size_t axis = 1; axis < options.size.size(); ++axis) options.cells.push_back(size * options.size[axis]);
+  }
+  if (options.cells.size() != options.size.size()) {
+    return fail(fmt::format("--cells {} has {} axes, and --size has {}; give one number for each, or one for all",
+                            in_quotes(text), options.cells.size(), options.size.size()));
+  }
+  for (const double cells : options.cells) {
+    if (!(cells > 0.0 && cells <= kMostCells)) {
+      return fail(fmt::format("--cells {}: {} along an axis is not more than 0 and at most {}", in_quotes(text), cells,
+                              kMostCells));
+    }
+  }
+  return {};
+}
+
+Result<void> choose_tile(BakeOptions& options, const std::optional<std::string>& period) {
+  auto& periods = options.settings.period;
+  if (period) {
+    HN_TRY(const auto given, axes_of("--period", *period, 0, std::numeric_limits<int>::max(), "8x8"));
+    if (given.size() != options.size.size()) {
+      return fail(fmt::format("--period {} has {} axes, and --size has {}; 0 stands for an axis without a period",
+                              in_quotes(*period), given.size(), options.size.size()));
+    }
+    std::ranges::copy(given, periods.begin());
+  }
+  if (!options.tile) return {};
+  if (period)
+    return fail("--tile makes the cells of the picture the period, and --period names another; leave one out");
+  for (std::size_t axis = 0; axis < options.cells.size(); ++axis) {
+    const double cells = options.cells[axis];
+    if (cells != std::floor(cells)) {
+      return fail(
+          fmt::format("--tile wants whole numbers of cells, and along axis {} there are {}; name them all, as in "
+                      "--cells {}",
+                      "xyzw"[axis], cells, fmt::join(std::vector<int>(options.size.size(), 8), "x")));
+    }
+    periods[axis] = static_cast<std::int32_t>(cells);
+  }
+  return {};
+}
+
+Result<void> choose_origin(BakeOptions& options, const std::optional<std::string>& text) {
+  options.origin.assign(options.size.size(), 0.0);
+  if (!text) return {};
+  HN_TRY(options.origin, axes_of("--origin", *text, -kMostCells, kMostCells, "1000000x-3.5"));
+  if (options.origin.size() == options.size.size()) return {};
+  return fail(fmt::format("--origin {} has {} axes, and --size has {}; give one number for each", in_quotes(*text),
+                          options.origin.size(), options.size.size()));
+}
+
+Result<void> choose_format(BakeOptions& options, const std::string& format) {
+  std::string name = format;
+  if (name.empty()) {
+    name = options.out.extension().string();
+    name.erase(0, std::min<std::size_t>(name.size(), 1));
+    std::ranges::transform(name, name.begin(),
+                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  }
+  for (const auto& [known, its_name] : kFormats) {
+    if (name != its_name) continue;
+    options.format = known;
+    return {};
+  }
+  if (!format.empty())
+    return fail(fmt::format("--format: there is no {}; there are png, exr, f32 and r16", in_quotes(format)));
+  return fail(
+      fmt::format("--out {}: the name does not tell the format{}; end it with .png, .exr, .f32 or .r16, or say "
+                  "--format png, exr, f32 (planes of floats) or r16 (planes of 16 bits)",
+                  in_quotes(options.out.string()),
+                  name == "raw" ? ", since some programs take 16 bits for .raw and others floats" : ""));
+}
+
+Result<void> choose_ranges(BakeOptions& options, const std::vector<std::string>& texts) {
+  for (const std::string& text : texts) {
+    const std::size_t colon = text.find(':');
+    const auto least = number_of<double>(std::string_view(text).substr(0, colon));
+    const auto greatest =
+        colon == std::string::npos ? std::nullopt : number_of<double>(std::string_view(text).substr(colon + 1));
+    if (!least || !greatest || !(*least < *greatest)) {
+      return fail(
+          fmt::format("--range {}: it wants two numbers, the smaller one first, as in --range -1:1", in_quotes(text)));
+    }
+    options.ranges.push_back({*least, *greatest});
+  }
+  if (options.normalize && !options.ranges.empty()) {
+    return fail("--normalize finds the range, and --range names it; leave one out");
+  }
+  if (!has_16_bits(options.format) && (options.normalize || !options.ranges.empty())) {
+    return fail(fmt::format("{} is for 16 bits; {} holds the values as they are",
+                            options.normalize ? "--normalize" : "--range", name_of(options.format)));
+  }
+  return {};
+}
+
+Result<void> choose_layout(BakeOptions& options, const std::string& layout) {
+  if (layout.empty() && options.columns == 0) return {};
+  const bool is_picture = options.format == Format::png || options.format == Format::exr;
+  if (!is_picture || options.size.size() < 3) {
+    return fail(fmt::format("{} is for volumes in pictures: a --size of three or four axes, as PNG or EXR",
+                            layout.empty() ? "--columns" : "--layout"));
+  }
+  options.layout = layout == "slices" ? Layout::slices : Layout::atlas;
+  if (options.columns != 0 && options.layout == Layout::slices) return fail("--columns is for --layout atlas");
+  return {};
+}
+
+// Metrics, arithmetics and instruction sets by their names.
+template <typename T>
+Result<T> chosen(std::string_view option, std::string_view word, const std::vector<std::pair<std::string, T>>& table) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : table) {
+    if (name == word) return value;
+    names.push_back(name);
+  }
+  return fail(fmt::format("{}: there is no {}{}", option, in_quotes(word), choice(word, names)));
+}
+
+struct Words {
+  std::string size = "512x512";
+  std::string cells = "8";
+  std::optional<std::string> origin;
+  std::optional<std::string> period;
+  std::optional<std::string> noise;
+  std::string arithmetic = "fixed";
+  std::string metric = "euclidean";
+  std::optional<std::string> instructions;
+  std::string format;
+  std::string layout;
+  std::vector<std::string> ranges;
+};
+
+Result<void> interpret(BakeOptions& options, const Words& words) {
+  using namespace hashnoise;
+  HN_TRY(options.size, axes_of("--size", words.size, 1, kLongestAxis, "1024x1024, or 128x128x64 for a volume"));
+  HN_DO(choose_function(options, words.noise));
+  HN_DO(choose_cells(options, words.cells));
+  HN_DO(choose_tile(options, words.period));
+  HN_DO(choose_origin(options, words.origin));
+  HN_DO(choose_format(options, words.format));
+  HN_DO(choose_ranges(options, words.ranges));
+  HN_DO(choose_layout(options, words.layout));
+  HN_TRY(options.settings.arithmetic,
+         chosen<Arithmetic>(
+             "--arithmetic", words.arithmetic,
+             {{"fixed", Arithmetic::kFixed}, {"precise", Arithmetic::kPrecise}, {"fast", Arithmetic::kFast}}));
+  HN_TRY(options.settings.metric, chosen<Metric>("--metric", words.metric,
+                                                 {{"euclidean", Metric::kEuclidean},
+                                                  {"squared", Metric::kSquared},
+                                                  {"manhattan", Metric::kManhattan},
+                                                  {"chebyshev", Metric::kChebyshev},
+                                                  {"hybrid", Metric::kHybrid}}));
+  if (!words.instructions) return {};
+  std::vector<std::pair<std::string, InstructionSet>> sets;
+  for (const InstructionSet set : instruction_sets()) sets.emplace_back(name(set), set);
+  HN_TRY(options.settings.instruction_set, chosen<InstructionSet>("--instructions", *words.instructions, sets));
+  return {};
+}
+
+// CLI11 takes "nan" and "inf" for numbers.
+CLI::Validator finite() {
+  return {[](const std::string& text) {
+            double number = 0.0;
+            const bool right = CLI::detail::lexical_cast(text, number) && std::isfinite(number);
+            return right ? std::string() : fmt::format("{} is not a number", text);
+          },
+          ""};
+}
+
+template <typename T>
+void add_number(CLI::App& app, const std::string& name, T& value, const std::string& what) {
+  app.add_option(name, value, what)->type_name("NUMBER")->check(finite())->group("Parameters, as in GLSL");
+}
+
+void add_parameters(CLI::App& app, BakeOptions& options, Words& words) {
+  const char* const group = "Parameters, as in GLSL";
+  hashnoise::Settings& settings = options.settings;
+  app.add_option("--noise", words.noise, "The noise of a sum (default: that of the function in GLSL, mostly perlin)")
+      ->type_name("NAME")
+      ->group(group);
+  app.add_option("--seed", settings.seed, "Different seeds give independent fields")
+      ->type_name("N")
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{0xFFFFFFFF}))
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--period", words.period, "Cells after which the field repeats, along each axis; 0 for none")
+      ->type_name("X[xY...]")
+      ->group(group);
+  app.add_option("--octaves", settings.octaves, "Of a sum")
+      ->type_name("N")
+      ->check(CLI::Range(1, 32))
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--lacunarity", settings.lacunarity, "By how much an octave is finer than the one before")
+      ->type_name("NUMBER")
+      ->check(finite())
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--gain", settings.gain, "By how much an octave is weaker: a factor")
+      ->type_name("NUMBER")
+      ->check(finite())
+      ->capture_default_str()
+      ->group(group);
+  add_number(app, "--strength", settings.strength, "Of ping_pong (default 2), weighted and eroded (1)");
+  add_number(app, "--amplitude", settings.amplitude, "Of warp and warp_progressive, in cells");
+  add_number(app, "--detail", settings.detail, "Of fbm: octaves as a number with a fraction, in place of --octaves");
+  add_number(app, "--footprint", settings.footprint, "Of fbm: the size of a pixel, in cells, which fades octaves out");
+  add_number(app, "--phase", settings.phase, "In turns; of perlin, perlin_d, simplex and simplex_d in 2D and 3D");
+  add_number(app, "--jitter", settings.jitter,
+             "Of cellular noises: how far points are from the centres of their cells");
+  app.add_option("--metric", words.metric,
+                 "Of cellular and cellular_three: euclidean, squared, manhattan, chebyshev or hybrid")
+      ->type_name("NAME")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--arithmetic", words.arithmetic,
+                 "fixed, precise or fast. The default has the same bits on every machine, and those of shaders with "
+                 "HN_FIXED")
+      ->type_name("NAME")
+      ->capture_default_str()
+      ->group(group);
+}
+
+void add_places(CLI::App& app, BakeOptions& options, Words& words) {
+  const char* const group = "Places";
+  app.add_option("--size", words.size, "Points along each axis: one number to four, and as many dimensions")
+      ->type_name("X[xY...]")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--cells", words.cells,
+                 "Cells along each axis; one number is for x, and cells are as large along the others")
+      ->type_name("X[xY...]")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--origin", words.origin, "The first point, in cells (default: 0 along each axis)")
+      ->type_name("X[xY...]")
+      ->group(group);
+  app.add_flag("--tile", options.tile, "Make the cells the period, so that the file repeats without a seam")
+      ->group(group);
+}
+
+void add_files(CLI::App& app, BakeOptions& options, Words& words) {
+  const char* const group = "The file";
+  app.add_option("-o,--out", options.out, "The file")->type_name("FILE")->required()->group(group);
+  app.add_option("--format", words.format,
+                 "png (16 bits), exr (floats), f32 or r16 (planes of floats or of 16 bits, little-endian, without a "
+                 "header); by default the ending of the file's name")
+      ->type_name("NAME")
+      ->group(group);
+  app.add_option("--components", options.components, "Which, as in f1,f2; all by default")
+      ->type_name("NAME,...")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->group(group);
+  app.add_option("--range", words.ranges,
+                 "The values that become 0 and 65535; by default the range that the function documents. Once for all "
+                 "components, or once for each")
+      ->type_name("LEAST:GREATEST")
+      ->allow_extra_args(false)
+      ->group(group);
+  app.add_flag("--normalize", options.normalize, "Map what is there to 0 to 65535, each component by itself")
+      ->group(group);
+  app.add_option("--layout", words.layout,
+                 "Of a volume as a picture: atlas, one picture (the default), or slices, a file for each")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"atlas", "slices"}))
+      ->group(group);
+  app.add_option("--columns", options.columns,
+                 "Slices beside each other in an atlas (default: so that it is about a square)")
+      ->type_name("N")
+      ->check(CLI::Range(1, kLongestAxis))
+      ->group(group);
+  app.add_flag("--json", options.json, "Say in JSON how it was made")->group(group);
+  app.add_option("--threads", options.threads, "How many; nothing in the file depends on it (default: all)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024))
+      ->group(group);
+  app.add_option(
+         "--instructions", words.instructions,
+         "An instruction set such as sse2 (default: the widest that the processor has); only with --arithmetic fast "
+         "values depend on it")
+      ->type_name("NAME")
+      ->group(group);
+}
+
+tl::unexpected<Stop> wrong_usage(const std::string& message) { return tl::unexpected(Stop{kBadUsage, {}, message}); }
+
+tl::unexpected<Stop> unexpected_argument(const CLI::App& app) {
+  const auto left = app.remaining();
+  const auto found = std::ranges::find_if(left, [](const std::string& argument) { return argument != "--"; });
+  const std::string argument = found == left.end() ? std::string() : *found;
+  if (!argument.starts_with('-')) {
+    return wrong_usage(fmt::format("{} is one argument too many; --help tells more", in_quotes(argument)));
+  }
+  std::vector<std::string> names;
+  for (const CLI::Option* const option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back(fmt::format("--{}", name));
+  }
+  const std::string word = argument.substr(0, argument.find('='));
+  const std::string meant = closest(word, names);
+  return wrong_usage(fmt::format("there is no option {}{}; --help tells more", in_quotes(word),
+                                 meant.empty() ? std::string() : fmt::format(" (did you mean {}?)", meant)));
+}
+
+}  // namespace
+
+std::string_view name_of(Format format) {
+  return std::ranges::find(kFormats, format, &decltype(kFormats)::value_type::first)->second;
+}
+
+tl::expected<BakeOptions, Stop> parse_options(int argc, const char* const* argv) {
+  CLI::App app("Writes a noise or a sum of its octaves as a picture, a volume or raw numbers.", "hn-bake");
+  app.set_version_flag("--version", library_version());
+  app.footer(
+      "Exit status: 0 done, 1 the file could not be written, 2 bad usage, 130 ended by Ctrl-C (SIGINT), 143 by "
+      "SIGTERM, "
+      "129 by SIGHUP; of tools/bake also 4, it could not be built.");
+  BakeOptions options;
+  Words words;
+  app.add_option("FUNCTION", options.function,
+                 "A noise (perlin, cellular, ...) or a sum (fbm, ridged, ...), as in GLSL without hn_")
+      ->type_name("")
+      ->required();
+  add_parameters(app, options, words);
+  add_places(app, options, words);
+  add_files(app, options, words);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ExtrasError&) {
+    return unexpected_argument(app);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != 0) return wrong_usage(fmt::format("{}; --help tells more", error.what()));
+    std::ostringstream out;
+    std::ostringstream err;
+    app.exit(error, out, err);
+    return tl::unexpected(Stop{0, out.str(), err.str()});
+  }
+  const auto done = interpret(options, words);
+  if (!done) return wrong_usage(done.error().text());
+  return options;
+}
+
+}  // namespace hn

@@ -1,0 +1,186 @@
+#include "bench_cpu/measure.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <numeric>
+#include <utility>
+
+namespace hn {
+namespace {
+
+// A sample should be long against the resolution of the clock, and short against what else a machine does.
+constexpr double kSampleSeconds = 6e-3;
+
+double seconds_of(const std::function<void()>& work, int times) {
+  const auto start = std::chrono::steady_clock::now();
+  for (int i = 0; i < times; ++i) work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / times;
+}
+
+// What is timed of one set of instructions; places in the list of all works.
+struct Places {
+  std::size_t fast = 0;
+  std::size_t points = 0;
+  std::size_t fixed = 0;
+  std::size_t precise = 0;
+  std::optional<std::size_t> other_grid;
+  std::optional<std::size_t> other_points;
+  std::optional<std::size_t> two_threads;
+};
+
+template <int D>
+hashnoise::Grid<D> grid() {
+  hashnoise::Grid<D> all;
+  all.step.fill(kStep);
+  if constexpr (D == 2) {
+    all.size = {1024, 1024};
+  } else {
+    all.size = {128, 128, 64};
+  }
+  return all;
+}
+
+// The works of a subject, and what they write.
+template <int D>
+class Works {
+ public:
+  explicit Works(const Subject& subject) : subject_(subject), positions_(positions_of_grid(D)) {
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      points_.p[axis] = positions_[axis];
+      spans_.push_back(points_.p[axis]);
+    }
+  }
+
+  // What is compared stands next to each other.
+  Result<Places> add(hashnoise::InstructionSet set, const FastNoise* other, bool with_threads) {
+    using hashnoise::Arithmetic;
+    Places places;
+    std::shared_ptr<const FastNoiseField> theirs;
+    if (other) {
+      HN_TRY(auto made, other->field(subject_, set));
+      if (made) theirs = std::make_shared<const FastNoiseField>(std::move(*made));
+    }
+    places.fast = add_ours(set, Arithmetic::kFast, [this](const auto& field) { field.fill(grid<D>(), out_); });
+    if (theirs) {
+      places.other_grid = add_work([this, theirs] { theirs->fill_grid(D, one_plane()); });
+      places.points = add_points(set);
+      places.other_points = add_work([this, theirs] { theirs->fill_points(spans_, one_plane()); });
+    } else {
+      places.points = add_points(set);
+    }
+    places.fixed = add_ours(set, Arithmetic::kFixed, [this](const auto& field) { field.fill(grid<D>(), out_); });
+    places.precise = add_ours(set, Arithmetic::kPrecise, [this](const auto& field) { field.fill(grid<D>(), out_); });
+    if (with_threads) {
+      places.two_threads =
+          add_ours(set, Arithmetic::kFast, [this](const auto& field) { field.fill(grid<D>(), out_, two_threads_); });
+    }
+    return places;
+  }
+
+  std::vector<Timing> measure_all(int rounds) const { return measure(works_, rounds); }
+
+ private:
+  std::size_t add_work(std::function<void()> work) {
+    works_.push_back(std::move(work));
+    return works_.size() - 1;
+  }
+
+  template <typename Fill>
+  std::size_t add_ours(hashnoise::InstructionSet set, hashnoise::Arithmetic arithmetic, Fill fill) {
+    const auto field = std::make_shared<const hashnoise::Field<D>>(settings_of(subject_, arithmetic, set));
+    out_.resize(std::max(out_.size(), static_cast<std::size_t>(field->components()) * kPoints));
+    return add_work([field, fill] { fill(*field); });
+  }
+  std::size_t add_points(hashnoise::InstructionSet set) {
+    return add_ours(set, hashnoise::Arithmetic::kFast, [this](const auto& field) { field.fill(points_, out_); });
+  }
+
+  std::span<float> one_plane() { return std::span(out_).first(kPoints); }
+
+  const Subject& subject_;
+  std::vector<std::vector<float>> positions_;
+  hashnoise::Points<D> points_;
+  std::vector<std::span<const float>> spans_;
+  std::vector<float> out_;
+  hashnoise::Executor two_threads_ = hashnoise::threads(2);
+  std::vector<std::function<void()>> works_;
+};
+
+void evaluate(Measurement& measurement, const Places& places, const std::vector<Timing>& timings) {
+  const auto add = [&](Comparison comparison, std::size_t first, std::optional<std::size_t> second) {
+    if (second) measurement.ratios[comparison] = speed(timings[first], timings[*second]);
+  };
+  add(Comparison::grids, places.fast, places.other_grid);
+  add(Comparison::points, places.points, places.other_points);
+  add(Comparison::fixed, places.fixed, places.fast);
+  add(Comparison::precise, places.precise, places.fast);
+  add(Comparison::lists, places.points, places.fast);
+  if (places.two_threads) add(Comparison::threads, *places.two_threads, places.fast);
+  const auto tell = [&](const char* name, std::optional<std::size_t> place) {
+    if (place) measurement.millions_a_second[name] = kPoints * 1e-6 / timings[*place].median();
+  };
+  tell("fast", places.fast);
+  tell("fixed", places.fixed);
+  tell("precise", places.precise);
+  tell("points", places.points);
+  tell("two threads", places.two_threads);
+  tell("FastNoise2", places.other_grid);
+  tell("FastNoise2 points", places.other_points);
+}
+
+template <int D>
+Result<std::vector<Measurement>> measure_in(const Subject& subject, const FastNoise* other, int rounds) {
+  auto sets = hashnoise::instruction_sets();
+  std::ranges::reverse(sets);
+  Works<D> works(subject);
+  std::vector<Places> places;
+  for (const hashnoise::InstructionSet set : sets) {
+    HN_TRY(const Places added, works.add(set, other, set == sets.back()));
+    places.push_back(added);
+  }
+  const std::vector<Timing> timings = works.measure_all(rounds);
+  std::vector<Measurement> measurements;
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    measurements.push_back({subject, sets[i], {}, {}});
+    evaluate(measurements.back(), places[i], timings);
+  }
+  return measurements;
+}
+
+}  // namespace
+
+std::vector<Timing> measure(std::span<const std::function<void()>> works, int rounds) {
+  std::vector<Timing> timings(works.size());
+  std::vector<int> times;
+  for (const auto& work : works) {
+    seconds_of(work, 1);
+    times.push_back(std::clamp(static_cast<int>(std::ceil(kSampleSeconds / seconds_of(work, 1))), 1, 1000));
+  }
+  for (int round = 0; round < rounds; ++round) {
+    for (std::size_t i = 0; i < works.size(); ++i) timings[i].samples.push_back(seconds_of(works[i], times[i]));
+  }
+  return timings;
+}
+
+Ratio speed(const Timing& first, const Timing& second) { return ratio(second, first); }
+
+std::vector<std::vector<float>> positions_of_grid(int dimensions) {
+  const int width = dimensions == 2 ? 1024 : 128;
+  const int height = dimensions == 2 ? 1024 : 128;
+  std::vector<std::vector<float>> positions(static_cast<std::size_t>(dimensions));
+  for (auto& axis : positions) axis.reserve(kPoints);
+  for (int i = 0; i < kPoints; ++i) {
+    positions[0].push_back(static_cast<float>(i % width) * kStep);
+    positions[1].push_back(static_cast<float>(i / width % height) * kStep);
+    if (dimensions == 3) positions[2].push_back(static_cast<float>(i / width / height) * kStep);
+  }
+  return positions;
+}
+
+Result<std::vector<Measurement>> measure_subject(const Subject& subject, const FastNoise* other, int rounds) {
+  return subject.dimensions == 2 ? measure_in<2>(subject, other, rounds) : measure_in<3>(subject, other, rounds);
+}
+
+}  // namespace hn

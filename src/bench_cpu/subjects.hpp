@@ -1,0 +1,29 @@
+// What is measured: fields of this library, and what does the same in FastNoise2.
+#pragma once
+
+#include <hashnoise/field.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hn {
+
+inline constexpr float kStep = 0.0371f;  // cells from point to point; no multiple of it is a lattice point for long
+inline constexpr int kPoints = 1 << 20;  // of a grid, and of a list
+
+struct Subject {
+  std::string id;  // "fbm_simplex3": the sum, the noise, and how many dimensions
+  std::string noise;
+  std::string sum;  // of six octaves; empty for the noise alone
+  int dimensions;
+  std::string node;     // FastNoise2's name of the noise
+  std::string fractal;  // and of the sum
+  double aim;           // how many times as fast as FastNoise2 it is to be
+};
+
+std::vector<Subject> subjects();
+
+hashnoise::Settings settings_of(const Subject& subject, hashnoise::Arithmetic arithmetic,
+                                hashnoise::InstructionSet set);
+
+}  // namespace hn
