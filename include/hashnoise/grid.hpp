@@ -128,19 +128,31 @@ struct CellsAndPlaces {
   }
 };
 
+// Whether a grid has points. Checked before their coordinates are computed, which may be many: values for all of them.
+template <std::size_t D>
+bool has_points(const std::array<int, D>& size, std::span<float> values) {
+  std::size_t points = 1;
+  for (const int n : size) {
+    if (n < 0 || n >= 1 << 29) throw std::invalid_argument("fill: a size of the grid is not from 0 to 536870911");
+    if (n > 0 && points > values.size() / static_cast<std::size_t>(n)) {
+      throw std::invalid_argument("fill: the values have no room for the points of the grid");
+    }
+    points *= static_cast<std::size_t>(n);
+  }
+  return points > 0;
+}
+
 // Rows along x of a grid of D dimensions; value(at, i) is that of the lanes from point i of the row at `at` on.
 template <std::size_t D, typename Value>
 Range fill_rows(const std::array<int, D>& size, std::span<float> values, const Value& value) {
   std::size_t rows = 1;
   for (std::size_t axis = 0; axis < D; ++axis) {
-    if (size[axis] < 0) throw std::invalid_argument("fill: a size of the grid is negative");
     if (axis > 0) rows *= static_cast<std::size_t>(size[axis]);
   }
   const auto width = static_cast<std::size_t>(size[0]);
   std::array<std::size_t, D> at{};
   const auto in_row = [&](std::size_t i) __attribute__((always_inline)) { return value(at, i); };
   Writer<decltype(in_row)> writer(values, rows * width);
-  if (width == 0) return {};
   for (std::size_t row = 0; row < rows; ++row) {
     writer.write(row * width, width, in_row);
     for (std::size_t axis = 1; axis < D; ++axis) {
@@ -180,6 +192,7 @@ HN_I_INLINE Lanes<Number> load_some(std::span<const Number> numbers, std::size_t
 
 template <int D, typename Noise>
 Range fill(const Grid<D>& grid, std::span<float> values, const Noise& noise) {
+  if (!detail::has_points(grid.size, values)) return {};
   const auto axes = detail::axes_of<D, detail::Positions>(grid.origin, grid.step, grid.size);
   return detail::fill_rows(
       grid.size, values, [&](const auto& at, std::size_t i) __attribute__((always_inline)) {
@@ -192,6 +205,7 @@ Range fill(const Grid<D>& grid, std::span<float> values, const Noise& noise) {
 
 template <int D, typename Noise>
 Range fill(const CellGrid<D>& grid, std::span<float> values, const Noise& noise) {
+  if (!detail::has_points(grid.size, values)) return {};
   const auto axes = detail::axes_of<D, detail::CellsAndPlaces>(grid.cell, grid.f, grid.step, grid.size);
   return detail::fill_rows(
       grid.size, values, [&](const auto& at, std::size_t i) __attribute__((always_inline)) {

@@ -11,12 +11,14 @@
 #include <nanobind/stl/unique_ptr.h>
 #include <nanobind/stl/vector.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <hashnoise/field.hpp>
 #include <hashnoise/points.hpp>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -33,6 +35,7 @@ namespace hashnoise::python {
 namespace {
 
 constexpr std::size_t kBlock = 4096;            // points that are copied at a time: they stay in the nearest caches
+constexpr std::size_t kTask = 8 * kBlock;       // points that a thread takes at a time
 constexpr std::size_t kWorthThreads = 1 << 17;  // points: below, starting threads takes too large a part of the time
 
 using Pair = std::pair<float, float>;
@@ -43,9 +46,13 @@ Executor executor(int count, std::size_t points) {
   return threads(count);
 }
 
-void run(const Executor& executor, int count, const std::function<void(int)>& task) {
-  if (executor) return executor(count, task);
-  for (int i = 0; i < count; ++i) task(i);
+template <class Task>
+void run(const Executor& executor, std::size_t count, const Task& task) {
+  if (executor && count <= static_cast<std::size_t>(std::numeric_limits<int>::max())) {
+    executor(static_cast<int>(count), [&](int i) { task(static_cast<std::size_t>(i)); });
+    return;
+  }
+  for (std::size_t i = 0; i < count; ++i) task(i);
 }
 
 // A result: planes of components, along its first axis.
@@ -103,6 +110,90 @@ class AnyField {
                          nb::handle out, int threads) const = 0;
 };
 
+// Points of a field that are evaluated together. What does not lie in memory as the field reads and writes it is
+// copied. The arrays of the walk are the coordinates, then the cells if there are any, then the first plane of the
+// result.
+template <int D>
+class Block {
+ public:
+  Block(const Field<D>& field, const Walk& walk, const Planes& planes, bool has_cells)
+      : field_(field), walk_(walk), planes_(planes), has_cells_(has_cells) {}
+
+  bool needs_no_copy(std::size_t begin, std::size_t count) const {
+    for (std::size_t i = 0; i < result(); ++i) {
+      if (!walk_.is_row(i, i < D ? Kind::kFloat32 : Kind::kInt32, begin, count)) return false;
+    }
+    return takes_values(begin, count);
+  }
+
+  void fill(std::size_t begin, std::size_t count, const Executor& executor) {
+    CellPoints<D> points;
+    for (std::size_t i = 0; i < D; ++i) {
+      points.f[i] = row(i, Kind::kFloat32, begin, count, coordinates_[i]);
+      if (has_cells_) points.cell[i] = row(D + i, Kind::kInt32, begin, count, cells_[i]);
+    }
+    if (takes_values(begin, count)) {
+      compute(points, {reinterpret_cast<float*>(walk_.place(result(), begin)), components() * count}, executor);
+      return;
+    }
+    values_.resize(components() * count);
+    compute(points, values_, executor);
+    for (std::size_t i = 0; i < components(); ++i) {
+      walk_.scatter(values_.data() + i * count, result(), begin, count,
+                    static_cast<std::ptrdiff_t>(i) * planes_.step());
+    }
+  }
+
+ private:
+  std::size_t result() const { return has_cells_ ? 2 * D : D; }
+  std::size_t components() const { return static_cast<std::size_t>(field_.components()); }
+
+  bool takes_values(std::size_t begin, std::size_t count) const {
+    return walk_.is_row(result(), Kind::kFloat32, begin, count) &&
+           (components() == 1 || planes_.step() == static_cast<std::ptrdiff_t>(count * sizeof(float)));
+  }
+
+  void compute(const CellPoints<D>& points, std::span<float> values, const Executor& executor) const {
+    if (has_cells_) {
+      field_.fill(points, values, executor);
+    } else {
+      field_.fill(Points<D>{points.f}, values, executor);
+    }
+  }
+
+  template <class Number>
+  std::span<const Number> row(std::size_t index, Kind kind, std::size_t begin, std::size_t count,
+                              std::vector<Number>& copy) const {
+    if (walk_.is_row(index, kind, begin, count)) {
+      return {reinterpret_cast<const Number*>(walk_.place(index, begin)), count};
+    }
+    copy.resize(count);
+    switch (walk_.array(index).kind) {
+      case Kind::kFloat32:
+        walk_.gather<float>(index, begin, count, copy.data());
+        break;
+      case Kind::kFloat64:
+        walk_.gather<double>(index, begin, count, copy.data());
+        break;
+      case Kind::kInt32:
+        walk_.gather<std::int32_t>(index, begin, count, copy.data());
+        break;
+      case Kind::kInt64:
+        walk_.gather<std::int64_t>(index, begin, count, copy.data());
+        break;
+    }
+    return copy;
+  }
+
+  const Field<D>& field_;
+  const Walk& walk_;
+  const Planes& planes_;
+  bool has_cells_;
+  std::array<std::vector<float>, D> coordinates_{};
+  std::array<std::vector<std::int32_t>, D> cells_{};
+  std::vector<float> values_{};
+};
+
 template <int D>
 class FieldOf final : public AnyField {
  public:
@@ -112,25 +203,24 @@ class FieldOf final : public AnyField {
   std::string_view instruction_set() const override { return name(field_.instruction_set()); }
 
   void points(const nb::list& coordinates, const nb::list& cells, nb::handle out, int threads) const override {
+    const bool has_cells = nb::len(cells) != 0;
+    if (nb::len(coordinates) != D || (has_cells && nb::len(cells) != D)) {
+      throw std::invalid_argument("an array for each axis is needed");
+    }
     const Planes planes(out, field_.components());
     std::deque<Memory> memories;
     std::vector<Strided> arrays;
-    const auto read = [&](const nb::list& list) {
-      for (const nb::handle array : list) {
+    for (const nb::list* list : {&coordinates, &cells}) {
+      for (const nb::handle array : *list) {
         memories.emplace_back(array, PyBUF_RECORDS_RO);
         arrays.push_back(broadcast(memories.back(), planes.shape()));
       }
-    };
-    read(coordinates);
-    read(cells);
-    if (nb::len(coordinates) != D || (nb::len(cells) != 0 && nb::len(cells) != D)) {
-      throw std::invalid_argument("an array for each axis is needed");
     }
     arrays.push_back(planes.first());
     if (planes.points() == 0) return;
     const Walk walk(planes.shape(), std::move(arrays));
     const nb::gil_scoped_release released;
-    evaluate(walk, planes, nb_size(memories) > D, executor(threads, planes.points()));
+    evaluate(walk, planes, has_cells, executor(threads, planes.points()));
   }
 
   Pair grid(const nb::tuple& origin, const nb::tuple& step, const nb::tuple& size, nb::handle out,
@@ -145,8 +235,6 @@ class FieldOf final : public AnyField {
   }
 
  private:
-  static std::size_t nb_size(const std::deque<Memory>& memories) { return memories.size(); }
-
   template <class Number>
   static std::array<Number, D> numbers(const nb::tuple& tuple) {
     return nb::cast<std::array<Number, D>>(tuple);
@@ -161,99 +249,19 @@ class FieldOf final : public AnyField {
     return {range.least, range.greatest};
   }
 
-  // The arrays of the walk are the coordinates, then the cells if there are any, then the first plane of the result.
   void evaluate(const Walk& walk, const Planes& planes, bool has_cells, const Executor& executor) const {
-    const std::size_t result = has_cells ? 2 * D : D;
     const std::size_t points = planes.points();
-    const auto lies_ready = [&](std::size_t begin, std::size_t count) {
-      for (std::size_t i = 0; i < result; ++i) {
-        if (!walk.is_row(i, i < D ? Kind::kFloat32 : Kind::kInt32, begin, count)) return false;
-      }
-      return walk.is_row(result, Kind::kFloat32, begin, count) &&
-             (field_.components() == 1 || planes.step() == static_cast<std::ptrdiff_t>(count * sizeof(float)));
-    };
-    if (lies_ready(0, points)) {
-      Block block(*this, walk, planes, has_cells);
-      return block.fill(0, points, executor);
-    }
-    const auto blocks = static_cast<int>((points + kBlock - 1) / kBlock);
-    constexpr int kTogether = 8;  // blocks of a task
-    run(executor, (blocks + kTogether - 1) / kTogether, [&](int task) {
-      Block block(*this, walk, planes, has_cells);
-      for (int i = task * kTogether; i < std::min(blocks, (task + 1) * kTogether); ++i) {
-        const std::size_t begin = static_cast<std::size_t>(i) * kBlock;
-        block.fill(begin, std::min(kBlock, points - begin), {});
+    Block<D> whole(field_, walk, planes, has_cells);
+    if (whole.needs_no_copy(0, points)) return whole.fill(0, points, executor);
+    const std::size_t tasks = (points + kTask - 1) / kTask;
+    run(executor, tasks, [&](std::size_t task) {
+      Block<D> block(field_, walk, planes, has_cells);
+      const std::size_t end = std::min(points, (task + 1) * kTask);
+      for (std::size_t begin = task * kTask; begin < end; begin += kBlock) {
+        block.fill(begin, std::min(kBlock, end - begin), {});
       }
     });
   }
-
-  // Points that are evaluated together. What does not lie in memory as the field reads and writes it is copied.
-  class Block {
-   public:
-    Block(const FieldOf& field, const Walk& walk, const Planes& planes, bool has_cells)
-        : field_(field.field_), walk_(walk), planes_(planes), has_cells_(has_cells) {}
-
-    void fill(std::size_t begin, std::size_t count, const Executor& executor) {
-      CellPoints<D> points;
-      for (std::size_t i = 0; i < D; ++i) {
-        points.f[i] = row(i, begin, count, coordinates_[i], Kind::kFloat32);
-        if (has_cells_) points.cell[i] = row(D + i, begin, count, cells_[i], Kind::kInt32);
-      }
-      const std::size_t result = has_cells_ ? 2 * D : D;
-      const auto components = static_cast<std::size_t>(field_.components());
-      const bool is_direct = walk_.is_row(result, Kind::kFloat32, begin, count) &&
-                             (components == 1 || planes_.step() == static_cast<std::ptrdiff_t>(count * sizeof(float)));
-      std::span<float> values;
-      if (is_direct) {
-        values = {reinterpret_cast<float*>(walk_.place(result, begin)), components * count};
-      } else {
-        values_.resize(components * kBlock);
-        values = std::span(values_).first(components * count);
-      }
-      if (has_cells_) {
-        field_.fill(points, values, executor);
-      } else {
-        field_.fill(Points<D>{points.f}, values, executor);
-      }
-      if (is_direct) return;
-      for (std::size_t i = 0; i < components; ++i) {
-        walk_.scatter(values.data() + i * count, result, begin, count, static_cast<std::ptrdiff_t>(i) * planes_.step());
-      }
-    }
-
-   private:
-    template <class Number>
-    std::span<const Number> row(std::size_t index, std::size_t begin, std::size_t count, std::vector<Number>& copy,
-                                Kind kind) const {
-      if (walk_.is_row(index, kind, begin, count)) {
-        return {reinterpret_cast<const Number*>(walk_.place(index, begin)), count};
-      }
-      copy.resize(kBlock);
-      switch (walk_.array(index).kind) {
-        case Kind::kFloat32:
-          walk_.gather<float>(index, begin, count, copy.data());
-          break;
-        case Kind::kFloat64:
-          walk_.gather<double>(index, begin, count, copy.data());
-          break;
-        case Kind::kInt32:
-          walk_.gather<std::int32_t>(index, begin, count, copy.data());
-          break;
-        case Kind::kInt64:
-          walk_.gather<std::int64_t>(index, begin, count, copy.data());
-          break;
-      }
-      return std::span<const Number>(copy).first(count);
-    }
-
-    const Field<D>& field_;
-    const Walk& walk_;
-    const Planes& planes_;
-    bool has_cells_;
-    std::array<std::vector<float>, D> coordinates_{};
-    std::array<std::vector<std::int32_t>, D> cells_{};
-    std::vector<float> values_{};
-  };
 
   Field<D> field_;
 };

@@ -100,7 +100,6 @@ void split(const Plan& plan, const std::vector<float>& positions, Axis& axis) {
 }
 
 Axis axis_of(const Plan& plan, float origin, float step, int size) {
-  check_size(size);
   check_finite("the origin", origin);
   check_finite("the step", step);
   const double last = static_cast<double>(origin) + static_cast<double>(size) * static_cast<double>(step);
@@ -119,7 +118,6 @@ Axis axis_of(const Plan& plan, float origin, float step, int size) {
 }
 
 Axis axis_of(std::int32_t cell, float f, double step, int size) {
-  check_size(size);
   check_finite("the place", f);
   check_finite("the step", step);
   if (std::abs(step) >= 2147483648.0) throw std::invalid_argument("the step of a grid has to be less than 2^31 cells");
@@ -245,7 +243,6 @@ struct Box {
   }
 
   Range fill(std::int64_t points, const Executor& executor) const {
-    if (points == 0) return {};
     if (size[0] < kNarrow) {
       return run_tasks((points + kTask - 1) / kTask, executor, [&](std::int64_t task, Ranges& ranges) {
         const std::int64_t end = std::min(points, (task + 1) * kTask);
@@ -291,11 +288,17 @@ std::int64_t points_of(const std::array<int, D>& size) {
   return points;
 }
 
+// Checks what a grid has before its coordinates are computed, which may be many.
 template <std::size_t D>
-Range fill_box(const Plan& plan, Kernel kernel, Kernel row, const std::array<int, D>& size, std::vector<Axis> axes,
-               std::span<float> values, const Executor& executor) {
+std::int64_t check_grid(const Plan& plan, const std::array<int, D>& size, std::span<float> values) {
   const std::int64_t points = points_of(size);
   check_values(plan, static_cast<std::size_t>(points), values.size());
+  return points;
+}
+
+template <std::size_t D>
+Range fill_box(const Plan& plan, Kernel kernel, Kernel row, const std::array<int, D>& size, std::vector<Axis> axes,
+               std::int64_t points, std::span<float> values, const Executor& executor) {
   std::array<int, 4> sizes{};
   std::copy(size.begin(), size.end(), sizes.begin());
   const Box box{plan, kernel, row, sizes, std::move(axes), {values.data(), static_cast<std::size_t>(points)}};
@@ -379,20 +382,24 @@ InstructionSet Field<D>::instruction_set() const {
 template <int D>
 Range Field<D>::fill(const Grid<D>& grid, std::span<float> values, const Executor& executor) const {
   const Kernel kernel = plan_->takes_positions ? plan_->at : plan_->in;
+  const std::int64_t points = check_grid(*plan_, grid.size, values);
+  if (points == 0) return {};
   std::vector<Axis> axes;
   for (std::size_t i = 0; i < D; ++i) axes.push_back(axis_of(*plan_, grid.origin[i], grid.step[i], grid.size[i]));
-  return fill_box(*plan_, kernel, plan_->takes_positions ? kernel : plan_->row, grid.size, std::move(axes), values,
-                  executor);
+  return fill_box(*plan_, kernel, plan_->takes_positions ? kernel : plan_->row, grid.size, std::move(axes), points,
+                  values, executor);
 }
 
 template <int D>
 Range Field<D>::fill(const CellGrid<D>& grid, std::span<float> values, const Executor& executor) const {
   const Kernel kernel = in_cells(*plan_);
+  const std::int64_t points = check_grid(*plan_, grid.size, values);
+  if (points == 0) return {};
   std::vector<Axis> axes;
   for (std::size_t i = 0; i < D; ++i) {
     axes.push_back(axis_of(grid.cell[i], grid.f[i], grid.step[i], grid.size[i]));
   }
-  return fill_box(*plan_, kernel, plan_->row, grid.size, std::move(axes), values, executor);
+  return fill_box(*plan_, kernel, plan_->row, grid.size, std::move(axes), points, values, executor);
 }
 
 template <int D>

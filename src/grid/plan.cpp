@@ -82,6 +82,7 @@ InstructionSet chosen(const std::optional<InstructionSet>& wanted) {
 void plan_noise(Plan& plan, const Settings& settings, NoiseId id, bool tiled) {
   const NoiseRow& row = kNoiseRows.at(id);
   if (settings.detail || settings.footprint) refuse("detail and footprint belong to the sum fbm, and there is no sum");
+  if (settings.strength) refuse("strength belongs to the sums ping_pong, weighted and eroded, and there is no sum");
   if (settings.phase && (!row.has_phase || plan.dimensions < 2 || plan.dimensions > 3)) {
     refuse(quoted(row.name) + " has no phase" + in_dimensions(plan.dimensions) +
            "; perlin, perlin_d, simplex and simplex_d have one in 2D and 3D");

@@ -41,8 +41,8 @@ def grid(name, size, *, step, origin=0.0, cell=None, seed=0, noise=None, octaves
     options = {"noise": noise, "octaves": octaves, "lacunarity": lacunarity, "gain": gain, "strength": strength,
                "amplitude": amplitude, "detail": detail, "footprint": footprint, "phase": phase, "jitter": jitter,
                "metric": metric}
-    kind = _options("grid", name, {option: value for option, value in options.items() if value is not None})
-    kind.update(seed=seed, period=period, arithmetic=arithmetic, instruction_set=instruction_set)
+    settings = _options("grid", name, {option: value for option, value in options.items() if value is not None})
+    settings.update(seed=seed, period=period, arithmetic=arithmetic, instruction_set=instruction_set)
     dimensions = len(size) if hasattr(size, "__len__") else 1
     if not 1 <= dimensions <= 4:
         raise ValueError(f"grid: size must have 1 to 4 numbers, not {dimensions}")
@@ -53,7 +53,11 @@ def grid(name, size, *, step, origin=0.0, cell=None, seed=0, noise=None, octaves
     size = per_axis("grid", "size", size, dimensions, points_along)
     step = per_axis("grid", "step", step, dimensions, real_number)
     origin = per_axis("grid", "origin", origin, dimensions, real_number)
-    field = make_field("grid", dimensions, kind.pop("noise"), kind.pop("sum"), kind)
+    if cell is not None:
+        cell = per_axis("grid", "cell", cell, dimensions, wrapped_cell)
+        if not all(0 <= place <= 1 for place in origin):
+            raise ValueError(f"grid: with a cell, origin is the place in it and must be from 0 to 1, not {origin}")
+    field = make_field("grid", dimensions, settings.pop("noise"), settings.pop("sum"), settings)
     planes = len(field.component_names)
     shape = size[::-1] if planes == 1 else (planes, *size[::-1])
     values = np.empty(shape, np.float32) if out is None else checked_out("grid", out, shape)
@@ -64,7 +68,6 @@ def grid(name, size, *, step, origin=0.0, cell=None, seed=0, noise=None, octaves
         if cell is None:
             extent = field.grid(origin, step, size, planar, threads)
         else:
-            cell = per_axis("grid", "cell", cell, dimensions, wrapped_cell)
             extent = field.cell_grid(cell, origin, step, size, planar, threads)
     except ValueError as error:
         raise ValueError(f"grid: {error}") from None
@@ -81,8 +84,9 @@ def components(name, dimensions, *, noise=None):
     >>> hashnoise.components("perlin", 3)
     ('value',)
     """
-    kind = _options("components", name, {} if noise is None else {"noise": noise})
-    field = make_field("components", _dimensions("components", dimensions), kind.pop("noise"), kind.pop("sum"), kind)
+    settings = _options("components", name, {} if noise is None else {"noise": noise})
+    field = make_field("components", _dimensions("components", dimensions), settings.pop("noise"), settings.pop("sum"),
+                       settings)
     return tuple(field.component_names)
 
 

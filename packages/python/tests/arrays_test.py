@@ -238,7 +238,8 @@ class Threads(unittest.TestCase):
     def test_values_do_not_depend_on_them(self):
         random = numpy.random.default_rng(4)
         x, y = random.uniform(-50, 50, (2, 300_001)).astype(numpy.float32)
-        for name, arguments in (("in a row", (x, y)), ("every second", (x[::2], y[::2])), ("broadcast", (x[:901], y[:300, None]))):
+        for name, arguments in (("in a row", (x, y)), ("every second", (x[::2], y[::2])),
+                                ("broadcast", (x[:901], y[:300, None]))):
             one = hashnoise.perlin_d(*arguments, threads=1).tobytes()
             for threads in (None, 2, 3, 16):
                 with self.subTest(name, threads=threads):

@@ -33,7 +33,7 @@ class Docstrings(unittest.TestCase):
     def test_each_function_has_an_example(self):
         for function in functions():
             with self.subTest(function.__name__):
-                self.assertIn(f">>> ", function.__doc__)
+                self.assertIn(">>> ", function.__doc__)
                 self.assertIn(f"hashnoise.{function.__name__}(", function.__doc__)
 
     def test_each_function_says_what_it_returns_and_whence_it_comes(self):

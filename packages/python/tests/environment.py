@@ -20,8 +20,8 @@ ROOT = TESTS.parents[2]
 SKIPPED = 77
 MADE = "made"  # a file that appears when all is there
 # What pip says if it reaches no registry.
-OFFLINE = re.compile(r"NewConnectionError|ConnectTimeout|ReadTimeout|NameResolutionError|ProxyError|Max retries exceeded|"
-                     r"connection broken", re.I)
+OFFLINE = re.compile("NewConnectionError|ConnectTimeout|ReadTimeout|NameResolutionError|ProxyError|"
+                     "Max retries exceeded|connection broken", re.I)
 
 
 def make(folder: Path, requirements: Path) -> int:
@@ -52,7 +52,8 @@ def run(folder: Path, modules: list[str]) -> int:
     if not (folder / MADE).exists():
         print(f"{folder} has no environment: python.wheel was skipped, or did not run")
         return SKIPPED
-    return subprocess.run([folder / "venv" / "bin" / "python", "-B", "-m", "unittest", *modules], cwd=TESTS, check=False).returncode
+    python = folder / "venv" / "bin" / "python"
+    return subprocess.run([python, "-B", "-m", "unittest", *modules], cwd=TESTS, check=False).returncode
 
 
 def main(arguments: list[str]) -> int:

@@ -102,7 +102,7 @@ class Wrong(unittest.TestCase):
                 (ValueError, {"arithmetic": "exact"}, "arithmetic must be one of fast, precise, fixed; not 'exact'"),
                 (ValueError, {"threads": 0}, "threads must be from 1 to 1024, not 0"),
                 (TypeError, {"threads": 1.5}, "threads must be a whole number"),
-                (ValueError, {"instruction_set": "mmx"}, "instruction_set must be one of this processor's, which are .*;"),
+                (ValueError, {"instruction_set": "mmx"}, "instruction_set must be one of this processor's, .*; not 'mmx'"),
                 (TypeError, {"octaves": 2.5}, "octaves must be a whole number, not 2.5"),
                 (TypeError, {"gain": "0.5"}, "gain must be a number, not '0.5'"),
                 (TypeError, {"gain": X}, "gain must be a number, not array"),
@@ -134,7 +134,8 @@ class Wrong(unittest.TestCase):
                 (TypeError, ("a",), "^perlin: x must be a number or an array of numbers"),
                 (TypeError, (X, 1j), "^perlin: y must be a number or an array of numbers, not of complex128"),
                 (ValueError, (X, [[1], [1, 2]]), "^perlin: y makes no array"),
-                (ValueError, (X, X[:5]), r"^perlin: the coordinates have shapes that do not go together: \(100,\), \(5,\)"),
+                (ValueError, (X, X[:5]),
+                 r"^perlin: the coordinates have shapes that do not go together: \(100,\), \(5,\)"),
                 (TypeError, (X, X, X, X, X), "positional arguments")):
             with self.subTest(coordinates):
                 self.assert_told(kind, said, lambda: hashnoise.perlin(*coordinates))
@@ -172,6 +173,7 @@ class Wrong(unittest.TestCase):
                 (ValueError, {"origin": (0.0,)}, "origin must have a value for each of the 2 axes"),
                 (TypeError, {"cell": 0.5}, "cell must be of whole numbers"),
                 (ValueError, {"cell": 3, "step": 2.0**31}, "step"),
+                (ValueError, {"cell": 3, "origin": (0.5, 1.5)}, "origin is the place in it and must be from 0 to 1"),
                 (ValueError, {"step": 1e38, "origin": 3e38}, ""),
                 (ValueError, {"out": numpy.zeros((3, 4), "f4")}, r"of the shape \(4, 3\)")):
             with self.subTest(arguments):

@@ -42,8 +42,11 @@ WRONG = {
     'hashnoise.no_such(0.5)': "attr-defined",
 }
 # The modules behind the stub are without types, as it has them.
-CONFIGURATION = "[mypy]\n[mypy-hashnoise._core,hashnoise._evaluate,hashnoise._grids,hashnoise._noises,hashnoise._sums]\n" \
-    "ignore_errors = True\nignore_missing_imports = True\n"
+CONFIGURATION = """[mypy]
+[mypy-hashnoise._core,hashnoise._evaluate,hashnoise._grids,hashnoise._noises,hashnoise._sums]
+ignore_errors = True
+ignore_missing_imports = True
+"""
 
 
 class Types(unittest.TestCase):

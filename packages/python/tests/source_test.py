@@ -1,0 +1,73 @@
+"""The source distribution has what the build reads, and not the rest of the repository."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+import sys
+import tarfile
+import tempfile
+import unittest
+from pathlib import Path
+
+import golden
+
+TESTS = Path(__file__).resolve().parent
+BUILD = "import scikit_build_core.build, sys; print(scikit_build_core.build.build_sdist(sys.argv[1]))"
+
+
+class Source(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        scratch = Path(scratch.name)
+        done = subprocess.run([sys.executable, "-B", "-c", BUILD, scratch], cwd=golden.ROOT, capture_output=True,
+                              text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.archive = scratch / done.stdout.splitlines()[-1]
+        with tarfile.open(self.archive) as archive:
+            archive.extractall(scratch)
+        self.root = scratch / self.archive.name.removesuffix(".tar.gz")
+
+    def missing_headers(self) -> str:
+        """What the preprocessor misses of the files that the sources include."""
+        compiler = shutil.which("c++") or self.skipTest("there is no compiler c++")
+        said = ""
+        for source in sorted((self.root / "src" / "grid").glob("*.cpp")):
+            done = subprocess.run([compiler, "-std=c++20", f"-I{self.root / 'include'}", "-DHASHNOISE_X86",
+                                   "-DHASHNOISE_TABLE=sse2_fast", "-DHN_ARITHMETIC=1", "-M", source],
+                                  capture_output=True, text=True, check=False)
+            said += done.stderr
+        return said
+
+    def test_what_the_build_reads(self):
+        for name in ("CMakeLists.txt", "LICENSE", "pyproject.toml", "docs/python.md", "src/CMakeLists.txt"):
+            self.assertTrue((self.root / name).is_file(), name)
+        for folder in ("glsl", "include/hashnoise", "packages/python/hashnoise"):
+            names = {path.name for path in (golden.ROOT / folder).iterdir() if path.is_file()}
+            self.assertEqual({path.name for path in (self.root / folder).iterdir()}, names)
+        self.assertEqual(self.missing_headers(), "")
+
+    def test_a_file_that_is_missing_is_noticed(self):
+        (self.root / "glsl" / "perlin2d.glsl").unlink()
+        self.assertIn("perlin2d.glsl", self.missing_headers())
+
+    def test_it_is_small(self):
+        self.assertLess(self.archive.stat().st_size, 1_000_000)
+        self.assertFalse((self.root / "conformance").exists())
+
+    def test_the_version_is_that_of_the_shaders(self):
+        text = (golden.ROOT / "glsl" / "config.glsl").read_text(encoding="ascii")
+        numbers = re.findall(r"^#define HN_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)$", text, re.M)
+        self.assertEqual(self.root.name, f"hashnoise-{'.'.join(numbers)}")
+
+    def test_the_backend_is_that_of_the_project(self):
+        project = (golden.ROOT / "pyproject.toml").read_text(encoding="utf-8")
+        pinned = re.findall(r'"(scikit-build-core==\S+)"', project)
+        self.assertEqual(len(pinned), 1)
+        self.assertIn(pinned[0], (TESTS / "requirements.txt").read_text(encoding="utf-8").split())
+
+
+if __name__ == "__main__":
+    unittest.main()
