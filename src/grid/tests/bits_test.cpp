@@ -94,9 +94,9 @@ TEST_P(Bits, FarOut) {
         PointList<D> list;
         for (auto& axis : list.p) {
           for (int i = 0; i < 64; ++i) {
-            axis.push_back(chance.of({8388607.5f, -8388608.0f, 16777215.0f, 2147483520.0f, 2147483648.0f, -2147483648.0f,
-                                      -2147483904.0f, 1e20f, -3e38f, std::numeric_limits<float>::max(), 0.25f,
-                                      std::ldexp(chance.between(-1.0f, 1.0f), 40)}));
+            axis.push_back(chance.of({8388607.5f, -8388608.0f, 16777215.0f, 2147483520.0f, 2147483648.0f,
+                                      -2147483648.0f, -2147483904.0f, 1e20f, -3e38f, std::numeric_limits<float>::max(),
+                                      0.25f, std::ldexp(chance.between(-1.0f, 1.0f), 40)}));
           }
         }
         expect_bits<D>(settings, Points<D>(list));
@@ -116,7 +116,8 @@ TEST_P(Bits, OfPeriodsBelow0) {
       with.period = {-1, -7, std::numeric_limits<std::int32_t>::min(), -2};
       const Grid<D> grid = draw_grid<D>(kMostPoints, 100.0f, Draw::kWild, chance);
       const std::size_t points = places_of(grid).size();
-      EXPECT_TRUE(same_bits(fill(Field<D>(with), grid, points).values, fill(Field<D>(without), grid, points).values, points));
+      EXPECT_TRUE(
+          same_bits(fill(Field<D>(with), grid, points).values, fill(Field<D>(without), grid, points).values, points));
     }
   });
 }
@@ -124,7 +125,8 @@ TEST_P(Bits, OfPeriodsBelow0) {
 // A few thousand points, so that there are several tasks and full rows of vectors.
 TEST_P(Bits, OfManyPoints) {
   in_dimensions([&]<int D>(std::integral_constant<int, D>) {
-    constexpr std::array<std::array<int, 4>, 4> kSizes = {{{9973, 1, 1, 1}, {131, 67, 1, 1}, {33, 17, 19, 1}, {3, 61, 7, 9}}};
+    constexpr std::array<std::array<int, 4>, 4> kSizes = {
+        {{9973, 1, 1, 1}, {131, 67, 1, 1}, {33, 17, 19, 1}, {3, 61, 7, 9}}};
     for (const std::string noise : {"perlin_d", "value"}) {
       Settings settings;
       settings.noise = noise;
@@ -170,7 +172,8 @@ TEST_P(Bits, WithOneLongAxis) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, Bits,
-                         testing::Combine(testing::Range(1, 5), testing::Values(Arithmetic::kPrecise, Arithmetic::kFixed)),
+                         testing::Combine(testing::Range(1, 5),
+                                          testing::Values(Arithmetic::kPrecise, Arithmetic::kFixed)),
                          [](const auto& parameters) {
                            return std::to_string(std::get<0>(parameters.param)) + "d_" +
                                   (std::get<1>(parameters.param) == Arithmetic::kFixed ? "fixed" : "precise");

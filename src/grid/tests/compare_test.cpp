@@ -1,4 +1,6 @@
 // What compares fields must report what is wrong with them.
+#include "compare.hpp"
+
 #include <gtest/gtest-spi.h>
 #include <gtest/gtest.h>
 
@@ -8,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "compare.hpp"
 #include "fields.hpp"
 #include "places.hpp"
 #include "subjects.hpp"
@@ -45,9 +46,7 @@ TEST(Comparison, NoticesOneWrongBit) {
   }
 }
 
-TEST(Comparison, TellsZerosApart) {
-  EXPECT_FALSE(same_bits(std::vector{-0.0f}, std::vector{0.0f}, 1));
-}
+TEST(Comparison, TellsZerosApart) { EXPECT_FALSE(same_bits(std::vector{-0.0f}, std::vector{0.0f}, 1)); }
 
 TEST(Comparison, RejectsNan) {
   const std::vector nan = {std::numeric_limits<float>::quiet_NaN()};
@@ -97,7 +96,8 @@ TEST(Comparison, NoticesWhatIsBeyondTheBound) {
   const std::vector<float> expected = {0.0f, 0.25f, 1.0f, 2.0f};
   const std::vector<float> got = {0.0f, 0.25f, 1.0f, 2.125f};
   // The bound is that of the component and the point.
-  EXPECT_TRUE(within(got, expected, 2, [](auto component, auto point) { return component + point == 2 ? 0.125 : 0.0; }));
+  EXPECT_TRUE(
+      within(got, expected, 2, [](auto component, auto point) { return component + point == 2 ? 0.125 : 0.0; }));
   EXPECT_FALSE(within(got, expected, 2, [](auto, auto point) { return point == 0 ? 0.125 : 0.12; }));
   EXPECT_FALSE(within(got, expected, 2, [](auto component, auto) { return component == 0 ? 0.125 : 0.12; }));
 }
@@ -175,6 +175,22 @@ TEST(Places, OfACellGridWrap) {
   const CellGrid<1> fine = {{5}, {1.0f}, {-0x1p-32}, {2}};
   EXPECT_EQ(places_of(fine)[0], (CellPlace<1>{{6}, {0.0f}}));
   EXPECT_EQ(places_of(fine)[1], (CellPlace<1>{{5}, {1.0f - 0x1p-24f}}));
+}
+
+// What points.hpp computes, with whole numbers that wrap, is what whole numbers of any size would be.
+TEST(Places, AreThoseOfTheHeader) {
+  Chance chance(17);
+  for (int round = 0; round < 20000; ++round) {
+    const Grid<1> grid = draw_grid<1>(10, 0x1p22f, Draw::kWild, chance);
+    const CellGrid<1> cells = draw_cell_grid<1>(10, chance);
+    const int i = chance.of({0, 1, 2, 15, 1000003, (1 << 29) - 1, chance.whole(0, (1 << 29) - 1)});
+    EXPECT_EQ(position_of(grid.origin[0], grid.step[0], i), coordinate(grid.origin[0], grid.step[0], i)) << i;
+    const double step = chance.one_in(4) ? (chance.one_in(2) ? 1 : -1) * (0x1p31 - 0x1p-21) : cells.step[0];
+    const auto got = cell_and_place_of(cells.cell[0], cells.f[0], step, i);
+    const auto expected = cell_coordinate(cells.cell[0], cells.f[0], step, i);
+    EXPECT_EQ(got.cell, expected.cell) << i << " " << step;
+    EXPECT_EQ(got.f, expected.f) << i << " " << step;
+  }
 }
 
 }  // namespace

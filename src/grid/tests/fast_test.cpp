@@ -65,14 +65,23 @@ std::string default_noise(const std::string& sum) {
 
 hn::OctaveSum kind_of(const std::string& sum) {
   using enum hn::OctaveSum;
-  const std::vector<std::pair<std::string, hn::OctaveSum>> kinds = {
-      {"fbm", fbm},           {"turbulence", turbulence}, {"clouds", clouds}, {"billow", billow},
-      {"ridged", ridged},     {"ping_pong", ping_pong},   {"weighted", weighted}, {"fbm_d", fbm_d},
-      {"eroded", eroded},     {"warp", warp},             {"warp_progressive", warp_progressive}};
+  const std::vector<std::pair<std::string, hn::OctaveSum>> kinds = {{"fbm", fbm},
+                                                                    {"turbulence", turbulence},
+                                                                    {"clouds", clouds},
+                                                                    {"billow", billow},
+                                                                    {"ridged", ridged},
+                                                                    {"ping_pong", ping_pong},
+                                                                    {"weighted", weighted},
+                                                                    {"fbm_d", fbm_d},
+                                                                    {"eroded", eroded},
+                                                                    {"warp", warp},
+                                                                    {"warp_progressive", warp_progressive}};
   return std::ranges::find(kinds, sum, &std::pair<std::string, hn::OctaveSum>::first)->second;
 }
 
-double strength_of(const Settings& s) { return static_cast<double>(s.strength.value_or(s.sum == "ping_pong" ? 2.0f : 1.0f)); }
+double strength_of(const Settings& s) {
+  return static_cast<double>(s.strength.value_or(s.sum == "ping_pong" ? 2.0f : 1.0f));
+}
 
 double largest_of(float p) { return std::fabs(static_cast<double>(p)); }
 template <int D>
@@ -94,7 +103,8 @@ template <int D, typename Place>
 Bound bound_of_sum(const Settings& s, const std::vector<Place>& places) {
   hn::OctaveArguments arguments{0.0, static_cast<double>(s.octaves), static_cast<double>(s.lacunarity),
                                 static_cast<double>(s.gain), false};
-  for (const Place& place : places) arguments.largest_coordinate = std::max(arguments.largest_coordinate, largest_of<D>(place));
+  for (const Place& place : places)
+    arguments.largest_coordinate = std::max(arguments.largest_coordinate, largest_of<D>(place));
   arguments.turns = !has_period(s, D);
   if (!arguments.turns) arguments.lacunarity = std::floor(arguments.lacunarity);
   arguments.from_cell = !std::is_same_v<Place, Position<D>>;
@@ -150,7 +160,8 @@ Bound bound_of_other(const Settings& s) {
   }
   if (s.sum == "weighted") {  // a weight is off by half of each noise before
     std::vector<double> terms;
-    for (std::size_t i = 0; i < count; ++i) terms.push_back(value + static_cast<double>(i) * (value / 2.0 + 4.0 * kUnit));
+    for (std::size_t i = 0; i < count; ++i)
+      terms.push_back(value + static_cast<double>(i) * (value / 2.0 + 4.0 * kUnit));
     error = mean_of(s, terms);
   }
   if (s.sum == "fbm_d" || s.sum == "eroded") {
@@ -158,7 +169,7 @@ Bound bound_of_other(const Settings& s) {
     const double largest = hn::slope_bounds(s.noise, D, kGradient).limit;
     std::vector<double> slopes;
     std::vector<double> falls;
-    double length = 1.0;     // of a column of the frame, without its weight
+    double length = 1.0;  // of a column of the frame, without its weight
     double of_fall = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
       const double roundings = 2.0 * 2.0 * D * static_cast<double>(i + 1) * kUnit * largest * D;

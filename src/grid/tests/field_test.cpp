@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <set>
@@ -323,9 +325,9 @@ void expect_errors_of_wrong_pairs() {
       if (std::ranges::find(right, noise.name) != right.end()) continue;
       const std::string error = error_of<D>(of(noise.name, sum));
       EXPECT_TRUE(says(error, {noise.name})) << sum;
-      EXPECT_TRUE(std::ranges::any_of(right, [&](const std::string& name) {
-        return error.find(name) != std::string::npos;
-      })) << error << ": it does not say what would be right";
+      EXPECT_TRUE(
+          std::ranges::any_of(right, [&](const std::string& name) { return error.find(name) != std::string::npos; }))
+          << error << ": it does not say what would be right";
     }
   }
 }
@@ -374,6 +376,36 @@ TEST(Errors, OfAPhaseAJitterAMetricOrAStrengthWhereThereIsNone) {
   expect_errors_of_settings<2>();
   expect_errors_of_settings<3>();
   expect_errors_of_settings<4>();
+}
+
+// What the functions of GLSL would take as the nearer end.
+TEST(Errors, OfSettingsOutsideOfTheirRange) {
+  const auto expect_range = [](Settings settings, const auto& set, float least, float most) {
+    for (const float right : {least, most, 0.5f * (least + most)}) {
+      set(settings, right);
+      EXPECT_NO_ERROR(error_of<2>(settings)) << settings;
+    }
+    for (const float wrong : {std::nextafter(least, -1e9f), -1.0f, std::nextafter(most, 1e9f), 1e9f}) {
+      set(settings, wrong);
+      EXPECT_ERROR(error_of<2>(settings)) << settings;
+    }
+  };
+  const auto strength = [](Settings& settings, float x) { settings.strength = x; };
+  expect_range(of("perlin", "ping_pong"), strength, 0.0f, 64.0f);
+  expect_range(of("perlin", "weighted"), strength, 0.0f, 1.0f);
+  expect_range(of("perlin_d", "eroded"), strength, 0.0f, 16.0f);
+  const auto amplitude = [](Settings& settings, float x) { settings.amplitude = x; };
+  expect_range(of("value", "warp"), amplitude, 0.0f, 64.0f);
+  expect_range(of("value", "warp_progressive"), amplitude, 0.0f, 64.0f);
+  const auto jitter = [](Settings& settings, float x) { settings.jitter = x; };
+  for (const std::string noise : {"cellular", "cellular_three", "cellular_d", "cellular_smooth", "cell_border"}) {
+    expect_range(of(noise), jitter, 0.0f, 1.0f);
+  }
+  expect_range(
+      of("perlin", "fbm"), [](Settings& settings, float x) { settings.detail = x; }, 0.0f, 1024.0f);
+  Settings settings = of("perlin", "fbm");
+  settings.gain = -0.5f;
+  EXPECT_ERROR(error_of<2>(settings));
 }
 
 TEST(Errors, OfManyOctaves) {
@@ -539,8 +571,10 @@ TEST(Errors, OfSizes) {
   }
 }
 
-// The product of these is a multiple of 2^64, or of 2^32. No memory is needed to notice it.
+// The product of these is a multiple of 2^64, or of 2^32. It is noticed before anything is done for any point: that
+// would take gigabytes and minutes.
 TEST(Errors, OfProductsOfSizesThatOverflow) {
+  const auto start = std::chrono::steady_clock::now();
   const int large = 1 << 28;
   Grid<4> grid;
   grid.size.fill(large);
@@ -559,6 +593,7 @@ TEST(Errors, OfProductsOfSizesThatOverflow) {
   three.size = {large, large, 64};
   std::vector<float> none;
   EXPECT_THROW(Field<3>(of("perlin_d")).fill(three, none), std::invalid_argument);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
 }
 
 TEST(Errors, OfPlacesThatAreNotFinite) {

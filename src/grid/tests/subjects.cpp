@@ -175,13 +175,13 @@ CellPointList<D> draw_cell_points(int count, Chance& chance) {
   return list;
 }
 
-#define HN_DRAW(D)                                                       \
-  template std::array<int, D> draw_size<D>(int, Chance&);                \
-  template Grid<D> draw_grid<D>(int, float, Draw, Chance&);              \
-  template CellGrid<D> draw_cell_grid<D>(int, Chance&);                  \
-  template struct PointList<D>;                                          \
-  template struct CellPointList<D>;                                      \
-  template PointList<D> draw_points<D>(int, float, Draw, Chance&);       \
+#define HN_DRAW(D)                                                 \
+  template std::array<int, D> draw_size<D>(int, Chance&);          \
+  template Grid<D> draw_grid<D>(int, float, Draw, Chance&);        \
+  template CellGrid<D> draw_cell_grid<D>(int, Chance&);            \
+  template struct PointList<D>;                                    \
+  template struct CellPointList<D>;                                \
+  template PointList<D> draw_points<D>(int, float, Draw, Chance&); \
   template CellPointList<D> draw_cell_points<D>(int, Chance&);
 HN_DRAW(1)
 HN_DRAW(2)

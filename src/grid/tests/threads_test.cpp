@@ -32,8 +32,8 @@ struct Named {
   Executor executor;
 };
 std::vector<Named> executors() {
-  return {{"none", {}},          {"threads()", threads()},  {"1", threads(1)},           {"2", threads(2)},
-          {"7", threads(7)},     {"33", threads(33)},       {"backwards", backwards},    {"all at once", all_at_once}};
+  return {{"none", {}},      {"threads()", threads()}, {"1", threads(1)},        {"2", threads(2)},
+          {"7", threads(7)}, {"33", threads(33)},      {"backwards", backwards}, {"all at once", all_at_once}};
 }
 
 template <int D, typename Places>

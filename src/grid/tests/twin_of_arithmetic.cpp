@@ -81,17 +81,17 @@ constexpr int kComponents = sizeof(T) / sizeof(float);
 // ---------------------------------------------------------------------------------------------------------------------
 // Noises.
 
-#define CALL(name)                                         \
-  struct name {                                            \
-    static auto of(auto... arguments) {                    \
+#define CALL(name)                                           \
+  struct name {                                              \
+    static auto of(auto... arguments) {                      \
       if constexpr (requires { hn_##name(arguments...); }) { \
-        return hn_##name(arguments...);                    \
-      } else {                                             \
-        ValueAndSlopes4 n;                                 \
-        n.value = hn_##name(arguments..., n.slopes);       \
-        return n;                                          \
-      }                                                    \
-    }                                                      \
+        return hn_##name(arguments...);                      \
+      } else {                                               \
+        ValueAndSlopes4 n;                                   \
+        n.value = hn_##name(arguments..., n.slopes);         \
+        return n;                                            \
+      }                                                      \
+    }                                                        \
   };
 namespace call {
 CALL(cell_border)
@@ -231,17 +231,17 @@ std::array<float, 5> of_choice(Ints<D> cell, Floats<D> f, Ints<D> period, std::u
   return values;
 }
 
-#define CHOSEN(D)                                                                                                  \
-  float chosen(Ints<D> cell, Floats<D> f, std::uint32_t seed) { return of_choice<D>(cell, f, seed)[0]; }           \
-  float chosen(Ints<D> cell, Floats<D> f, Ints<D> period, std::uint32_t seed) {                                    \
-    return of_choice<D>(cell, f, period, seed)[0];                                                                 \
+#define CHOSEN(D)                                                                                        \
+  float chosen(Ints<D> cell, Floats<D> f, std::uint32_t seed) { return of_choice<D>(cell, f, seed)[0]; } \
+  float chosen(Ints<D> cell, Floats<D> f, Ints<D> period, std::uint32_t seed) {                          \
+    return of_choice<D>(cell, f, period, seed)[0];                                                       \
   }
-#define CHOSEN_D(D)                                                                                                \
-  Floats<D + 1> chosen_d(Ints<D> cell, Floats<D> f, std::uint32_t seed) {                                          \
-    return glsl<D + 1>(of_choice<D>(cell, f, seed));                                                               \
-  }                                                                                                                \
-  Floats<D + 1> chosen_d(Ints<D> cell, Floats<D> f, Ints<D> period, std::uint32_t seed) {                          \
-    return glsl<D + 1>(of_choice<D>(cell, f, period, seed));                                                       \
+#define CHOSEN_D(D)                                                                       \
+  Floats<D + 1> chosen_d(Ints<D> cell, Floats<D> f, std::uint32_t seed) {                 \
+    return glsl<D + 1>(of_choice<D>(cell, f, seed));                                      \
+  }                                                                                       \
+  Floats<D + 1> chosen_d(Ints<D> cell, Floats<D> f, Ints<D> period, std::uint32_t seed) { \
+    return glsl<D + 1>(of_choice<D>(cell, f, period, seed));                              \
   }
 CHOSEN(1)
 CHOSEN(2)
@@ -282,9 +282,9 @@ IN_SPACE(HN_WARP_PROGRESSIVE_PERIOD, warp_progressive, chosen)
 float strength_of(const Settings& s) { return s.strength.value_or(s.sum == "ping_pong" ? 2.0f : 1.0f); }
 
 // A sum, of any arguments: its places, then what it takes in front of the seed.
-#define SUM(name, ...)                                                                                   \
-  struct name##_call {                                                                                   \
-    static auto of(const Settings& s, auto... place) { return name(place..., __VA_ARGS__, s.seed); }     \
+#define SUM(name, ...)                                                                               \
+  struct name##_call {                                                                               \
+    static auto of(const Settings& s, auto... place) { return name(place..., __VA_ARGS__, s.seed); } \
   };
 #define PLAIN s.octaves, s.lacunarity, s.gain
 SUM(fbm, PLAIN)
@@ -380,10 +380,10 @@ twin::Function<D> of_settings(const Settings& s) {
 
 namespace twin {
 
-#define HN_TWIN(D)                                                     \
-  template <>                                                          \
-  Function<D> function_of<D, kArithmetic>(const Settings& settings) {  \
-    return of_settings<D>(settings);                                   \
+#define HN_TWIN(D)                                                    \
+  template <>                                                         \
+  Function<D> function_of<D, kArithmetic>(const Settings& settings) { \
+    return of_settings<D>(settings);                                  \
   }
 HN_TWIN(1)
 HN_TWIN(2)

@@ -12,14 +12,14 @@ namespace hashnoise::twin {
 template <int D, Arithmetic A>
 Function<D> function_of(const Settings& settings);
 
-#define HN_TWIN_DECLARE(A)                                        \
-  template <>                                                     \
-  Function<1> function_of<1, Arithmetic::A>(const Settings&);     \
-  template <>                                                     \
-  Function<2> function_of<2, Arithmetic::A>(const Settings&);     \
-  template <>                                                     \
-  Function<3> function_of<3, Arithmetic::A>(const Settings&);     \
-  template <>                                                     \
+#define HN_TWIN_DECLARE(A)                                    \
+  template <>                                                 \
+  Function<1> function_of<1, Arithmetic::A>(const Settings&); \
+  template <>                                                 \
+  Function<2> function_of<2, Arithmetic::A>(const Settings&); \
+  template <>                                                 \
+  Function<3> function_of<3, Arithmetic::A>(const Settings&); \
+  template <>                                                 \
   Function<4> function_of<4, Arithmetic::A>(const Settings&);
 HN_TWIN_DECLARE(kFast)
 HN_TWIN_DECLARE(kPrecise)

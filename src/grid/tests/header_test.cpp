@@ -1,0 +1,87 @@
+// The header-only fill of grid.hpp, with the instructions that this file is compiled for: the bits of the scalar
+// functions, over every kind of places.
+#define HN_ARITHMETIC HN_FIXED
+#include <gtest/gtest.h>
+
+#include <hashnoise/grid.hpp>
+#include <stdexcept>
+#include <vector>
+
+#include "compare.hpp"
+#include "places.hpp"
+#include "subjects.hpp"
+
+namespace hashnoise::twin {
+namespace {
+
+template <typename Places, typename Noise>
+void expect_bits(const Settings& settings, const Places& where, const Noise& noise) {
+  constexpr int kDimensions = 2;
+  const auto places = places_of(where);
+  const std::vector<float> expected = planes_of(function<kDimensions>(settings), places);
+  std::vector<float> values(expected.size());
+  const Range range = lanes::fill(where, values, noise);
+  EXPECT_TRUE(same_bits(values, expected, places.size())) << settings << ", points " << places.size();
+  EXPECT_EQ(range, range_of(expected, places.size()));
+}
+
+// Each of `at` and `in` gives the noise of the settings.
+template <typename At, typename In>
+void expect_bits_everywhere(Settings settings, const At& at, const In& in) {
+  settings.arithmetic = Arithmetic::kFixed;
+  Chance chance(5);
+  for (int round = 0; round < 50; ++round) {
+    expect_bits(settings, draw_grid<2>(400, 0x1p22f, Draw::kWild, chance), at);
+    expect_bits(settings, Points<2>(draw_points<2>(chance.whole(1, 70), 0x1p22f, Draw::kWild, chance)), at);
+    expect_bits(settings, draw_cell_grid<2>(400, chance), in);
+    expect_bits(settings, CellPoints<2>(draw_cell_points<2>(chance.whole(1, 70), chance)), in);
+  }
+}
+
+TEST(Header, FillsWithAValue) {
+  Settings settings;
+  settings.seed = 7;
+  expect_bits_everywhere(
+      settings, [](lanes::vec2 p) { return lanes::hn_perlin(p, 7u); },
+      [](lanes::ivec2 cell, lanes::vec2 f) { return lanes::hn_perlin(cell, f, 7u); });
+}
+
+TEST(Header, FillsWithPlanes) {
+  Settings settings;
+  settings.noise = "simplex_d";
+  expect_bits_everywhere(
+      settings, [](lanes::vec2 p) { return lanes::hn_simplex_d(p, 0u); },
+      [](lanes::ivec2 cell, lanes::vec2 f) { return lanes::hn_simplex_d(cell, f, 0u); });
+}
+
+TEST(Header, FillsWithSums) {
+  Settings settings;
+  settings.sum = "ridged";
+  settings.octaves = 4;
+  expect_bits_everywhere(
+      settings, [](lanes::vec2 p) { return lanes::hn_ridged(p, 4, 2.0f, 0.5f, 0u); },
+      [](lanes::ivec2 cell, lanes::vec2 f) { return lanes::hn_ridged(cell, f, 4, 2.0f, 0.5f, 0u); });
+}
+
+TEST(Header, FillsNothing) {
+  const auto noise = [](lanes::vec2 p) { return lanes::hn_perlin(p, 7u); };
+  std::vector<float> none;
+  EXPECT_EQ(lanes::fill(Grid<2>{{0, 0}, {1, 1}, {0, 5}}, none, noise), Range{});
+  EXPECT_EQ(lanes::fill(Grid<2>{{0, 0}, {1, 1}, {5, 0}}, none, noise), Range{});
+  EXPECT_EQ(lanes::fill(Points<2>{}, none, noise), Range{});
+}
+
+TEST(Header, RejectsWhatDoesNotFit) {
+  const auto noise = [](lanes::vec2 p) { return lanes::hn_perlin(p, 7u); };
+  std::vector<float> values(11);
+  const std::vector<float> two(2);
+  const std::vector<float> three(3);
+  EXPECT_THROW(lanes::fill(Grid<2>{{0, 0}, {1, 1}, {3, 4}}, values, noise), std::invalid_argument);
+  EXPECT_THROW(lanes::fill(Grid<2>{{0, 0}, {1, 1}, {-1, -11}}, values, noise), std::invalid_argument);
+  EXPECT_THROW(lanes::fill(Grid<2>{{0, 0}, {1, 1}, {-11, -1}}, values, noise), std::invalid_argument);
+  EXPECT_THROW(lanes::fill(Points<2>{{two, two}}, values, noise), std::invalid_argument);
+  EXPECT_THROW(lanes::fill(Points<2>{{two, three}}, values, noise), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace hashnoise::twin
