@@ -41,13 +41,13 @@ enum class InstructionSet { kSse2, kSse41, kAvx2, kAvx512, kNeon, kGeneric };
 // What a field is. The names are those of the functions in GLSL without hn_, and the numbers are their parameters.
 struct Settings {
   std::string noise = "perlin";  // or "value", "simplex_d", ...: see noise_names
-  std::string sum;               // "fbm", "ridged", ...: see sum_names; the noise itself if empty
+  std::string sum{};             // "fbm", "ridged", ...: see sum_names; the noise itself if empty
   Arithmetic arithmetic = Arithmetic::kFast;
   std::uint32_t seed = 0;
   std::array<std::int32_t, 4> period{};  // in cells, along each axis; 0 for none
 
   // Of noises.
-  std::optional<float> phase;          // in turns; perlin, perlin_d, simplex and simplex_d in 2D and 3D
+  std::optional<float> phase{};        // in turns; perlin, perlin_d, simplex and simplex_d in 2D and 3D
   float jitter = 1.0f;                 // cellular noises
   Metric metric = Metric::kEuclidean;  // cellular and cellular_three
 
@@ -55,13 +55,13 @@ struct Settings {
   int octaves = 6;
   float lacunarity = 2.0f;
   float gain = 0.5f;
-  std::optional<float> strength;   // ping_pong (2 if it is left out), weighted (1), eroded (1)
-  float amplitude = 1.0f;          // warp, warp_progressive
-  std::optional<float> detail;     // fbm without a period: octaves as a float, in place of `octaves`
-  std::optional<float> footprint;  // fbm without a period
+  std::optional<float> strength{};   // ping_pong (2 if it is left out), weighted (1), eroded (1)
+  float amplitude = 1.0f;            // warp, warp_progressive
+  std::optional<float> detail{};     // fbm without a period: octaves as a float, in place of `octaves`
+  std::optional<float> footprint{};  // fbm without a period
 
   // The widest that this processor and the library have, if it is left out.
-  std::optional<InstructionSet> instruction_set;
+  std::optional<InstructionSet> instruction_set{};
 };
 
 // Runs task(0) to task(count - 1), in any order, and returns when all are done.
@@ -100,6 +100,11 @@ class Field {
   struct Plan;
   std::unique_ptr<const Plan> plan_;
 };
+
+extern template class Field<1>;
+extern template class Field<2>;
+extern template class Field<3>;
+extern template class Field<4>;
 
 // The noises and the sums that there are in so many dimensions, in the order of the documents.
 std::vector<std::string_view> noise_names(int dimensions);

@@ -23,6 +23,7 @@
 // clang-format off
 #include "glsl.hpp"  // the first, since it refuses compilers before C++20
 #include "../../glsl/config.glsl"
+#include "../../glsl/again.h"
 // clang-format on
 
 #define HN_I_PASTE_TOKENS(a, b) a##b

@@ -28,6 +28,7 @@
 // clang-format off
 #include "glsl.hpp"
 #include "../../glsl/config.glsl"
+#include "../../glsl/again.h"
 // clang-format on
 
 #include <concepts>
@@ -68,6 +69,14 @@
 #include <immintrin.h>
 #elif defined(__aarch64__) && defined(__ARM_NEON)
 #include <arm_neon.h>
+#endif
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wsign-conversion"  // of masks, in the compilers' own headers
+#ifdef __clang__
+#pragma GCC diagnostic ignored "-Wkeyword-macro"
+#else
+#pragma GCC diagnostic ignored "-Weffc++"  // of operator&&, which has nothing to leave out
 #endif
 
 namespace hashnoise {
@@ -193,8 +202,8 @@ HN_I_INLINE Uint operator/(Uint a, Uint b) {
 }
 HN_I_INLINE Uint operator%(Uint a, Uint b) { return a - a / b * b; }
 
-HN_I_INLINE Uint floatBitsToUint(Float x) { return Uint((detail::UintVector)x.v); }
-HN_I_INLINE Float uintBitsToFloat(Uint bits) { return Float((detail::FloatVector)bits.v); }
+HN_I_INLINE Uint floatBitsToUint(Float x) { return Uint(__builtin_bit_cast(detail::UintVector, x.v)); }
+HN_I_INLINE Float uintBitsToFloat(Uint bits) { return Float(__builtin_bit_cast(detail::FloatVector, bits.v)); }
 HN_I_INLINE Float abs(Float x) { return uintBitsToFloat(floatBitsToUint(x) & 0x7FFFFFFFu); }
 
 namespace detail {
@@ -210,11 +219,11 @@ HN_I_INLINE Float cut_off(Float x) { return Float(Int(hn_i_select(abs(x) < 83886
 
 #if defined(HN_I_X86_ROUND)
 // Down, and toward 0; without exceptions.
-HN_I_INLINE Float floor(Float x) { return Float((detail::FloatVector)HN_I_X86_ROUND(x.v, 9)); }
-HN_I_INLINE Float trunc(Float x) { return Float((detail::FloatVector)HN_I_X86_ROUND(x.v, 11)); }
+HN_I_INLINE Float floor(Float x) { return Float(HN_I_X86_ROUND(x.v, 9)); }
+HN_I_INLINE Float trunc(Float x) { return Float(HN_I_X86_ROUND(x.v, 11)); }
 #elif defined(__aarch64__) && defined(__ARM_NEON)
-HN_I_INLINE Float floor(Float x) { return Float((detail::FloatVector)vrndmq_f32(x.v)); }
-HN_I_INLINE Float trunc(Float x) { return Float((detail::FloatVector)vrndq_f32(x.v)); }
+HN_I_INLINE Float floor(Float x) { return Float(vrndmq_f32(x.v)); }
+HN_I_INLINE Float trunc(Float x) { return Float(vrndq_f32(x.v)); }
 #else
 HN_I_INLINE Float floor(Float x) {
   const Float below = detail::cut_off(x);
@@ -224,14 +233,14 @@ HN_I_INLINE Float trunc(Float x) { return detail::whole(x, detail::cut_off(x)); 
 #endif
 
 #if defined(HN_I_X86)
-HN_I_INLINE Float sqrt(Float x) { return Float((detail::FloatVector)HN_I_X86(sqrt_ps, x.v, x.v)); }
+HN_I_INLINE Float sqrt(Float x) { return Float(HN_I_X86(sqrt_ps, x.v, x.v)); }
 // The instructions return the second operand where neither is less, as those of glsl.hpp return the first.
-HN_I_INLINE Float min(Float x, Float y) { return Float((detail::FloatVector)HN_I_X86(min_ps, x.v, y.v, x.v)); }
-HN_I_INLINE Float max(Float x, Float y) { return Float((detail::FloatVector)HN_I_X86(max_ps, x.v, y.v, x.v)); }
+HN_I_INLINE Float min(Float x, Float y) { return Float(HN_I_X86(min_ps, x.v, y.v, x.v)); }
+HN_I_INLINE Float max(Float x, Float y) { return Float(HN_I_X86(max_ps, x.v, y.v, x.v)); }
 #else
 HN_I_INLINE Float sqrt(Float x) {
 #if defined(__aarch64__) && defined(__ARM_NEON)
-  return Float((detail::FloatVector)vsqrtq_f32(x.v));
+  return Float(vsqrtq_f32(x.v));
 #else
   for (int i = 0; i < kCount; ++i) x.v[i] = __builtin_sqrtf(x.v[i]);
   return x;
@@ -381,6 +390,8 @@ HN_I_INLINE void store(float* const* planes, std::size_t i, vec4 n) {
 namespace lanes = HN_LANES;
 
 }  // namespace hashnoise
+
+#pragma GCC diagnostic pop
 
 #undef HN_I_LANE_BYTES
 #undef HN_I_X86

@@ -14,6 +14,9 @@
 
 namespace hashnoise {
 
+template <typename T, int D>
+using PerAxis = std::array<T, static_cast<std::size_t>(D)>;
+
 // A uniform grid at positions of floats.
 //   origin  the first point, in cells
 //   step    from point to point along each axis, in cells
@@ -22,9 +25,9 @@ namespace hashnoise {
 // add up. Values are stored with x fastest, then y, then z, then w.
 template <int D>
 struct Grid {
-  std::array<float, D> origin{};
-  std::array<float, D> step{};
-  std::array<int, D> size{};
+  PerAxis<float, D> origin{};
+  PerAxis<float, D> step{};
+  PerAxis<int, D> size{};
 };
 
 // A uniform grid from a cell and a position in it: exact however far out, and no two points fall together.
@@ -36,23 +39,23 @@ struct Grid {
 // 2^-24.
 template <int D>
 struct CellGrid {
-  std::array<std::int32_t, D> cell{};
-  std::array<float, D> f{};
-  std::array<double, D> step{};
-  std::array<int, D> size{};
+  PerAxis<std::int32_t, D> cell{};
+  PerAxis<float, D> f{};
+  PerAxis<double, D> step{};
+  PerAxis<int, D> size{};
 };
 
 // Points at positions, in cells: an array of coordinates for each axis, all of the same length.
 template <int D>
 struct Points {
-  std::array<std::span<const float>, D> p{};
+  PerAxis<std::span<const float>, D> p{};
 };
 
 // Points as cells and positions in them.
 template <int D>
 struct CellPoints {
-  std::array<std::span<const std::int32_t>, D> cell{};
-  std::array<std::span<const float>, D> f{};
+  PerAxis<std::span<const std::int32_t>, D> cell{};
+  PerAxis<std::span<const float>, D> f{};
 };
 
 // The least and the greatest value. Of no values it is (infinity, -infinity).

@@ -1,0 +1,49 @@
+"""Procedural noise on NumPy arrays: the values that hashnoise computes in shaders, with the processor's widest
+instructions.
+
+    >>> import hashnoise, numpy
+    >>> x = numpy.linspace(0, 8, 1024, dtype=numpy.float32)
+    >>> image = hashnoise.fbm(x, x[:, numpy.newaxis], octaves=6, seed=7)
+    >>> image.shape, image.dtype
+    ((1024, 1024), dtype('float32'))
+    >>> image = hashnoise.grid("fbm", (1024, 1024), step=8 / 1023, octaves=6, seed=7)
+    >>> value, dx, dy = hashnoise.perlin_d(x, 0.5)
+
+Each function takes 1 to 4 coordinates: as many as the field has dimensions. They are arrays or numbers, and are
+broadcast against each other. Positions are in cells, and |x| < 2^23: far out, floats lose the place in a cell. What is
+not float32 is converted. The result is an array of float32; of numbers alone it is a float. A function that returns
+several numbers for a point returns planes, an array with an axis for them in front, which can be unpacked.
+
+All functions have these options:
+
+    seed             a whole number from 0 to 2^32 - 1; different seeds give independent fields
+    period           the field repeats after so many cells: one whole number, or one for each axis; 0 for none. A sum
+                     then takes the whole part of its lacunarity, which is from 1 to 255
+    cell             cells, as a tuple with an array of whole numbers for each axis; they wrap at 2^32. The coordinates
+                     are then places in the cells, in [0, 1], and the field is exact however far out
+    arithmetic       "fast": floats, within the error that the function states (docs/accuracy.md); the last bits may
+                     differ from processor to processor. "precise": floats with the bits of IEEE arithmetic. "fixed":
+                     integers, with the bits of HN_FIXED in every shader
+    out              a writeable array of float32 to fill and return, of the shape of the result
+    threads          how many threads compute; without it one for a small result, and all cores for a large one. The
+                     values do not depend on it. Other threads of Python run meanwhile
+    instruction_set  one of instruction_sets(); without it the widest
+
+Sums (fbm, turbulence, clouds, billow, ridged, ping_pong, weighted, fbm_d, eroded, warp and warp_progressive) also have
+these:
+
+    noise            what is summed: the name of a noise that returns one number for a point
+    octaves          how many; each costs one noise. With fewer than 1 the sum is 0
+    lacunarity       how much finer each octave is than the one before, usually 2
+    gain             how much weaker, usually 0.5; not negative
+
+What is wrong raises TypeError or ValueError, and says what would be right.
+"""
+
+from . import _noises, _sums
+from ._core import version as __version__
+from ._grids import components, grid, instruction_sets, noises, sums
+from ._noises import *  # noqa: F403
+from ._sums import *  # noqa: F403
+
+__all__ = ["components", "grid", "instruction_sets", "noises", "sums", *_noises.__all__, *_sums.__all__]

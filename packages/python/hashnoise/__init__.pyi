@@ -1,0 +1,256 @@
+"""The types of the package. Docstrings are beside the code; that both have the same functions is tested."""
+
+from collections.abc import Sequence
+from typing import Literal, TypeAlias, overload
+
+import numpy as np
+import numpy.typing as npt
+
+_Values: TypeAlias = npt.NDArray[np.float32]
+_Number: TypeAlias = float | np.floating | np.integer
+_Cells: TypeAlias = npt.ArrayLike | Sequence[npt.ArrayLike]
+_Arithmetic: TypeAlias = Literal["fast", "precise", "fixed"]
+_Metric: TypeAlias = Literal["euclidean", "squared", "manhattan", "chebyshev", "hybrid"]
+
+__version__: str
+
+@overload
+def value(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
+          seed: int = 0, period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
+          arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
+          instruction_set: str | None = None) -> float: ...
+@overload
+def value(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
+          w: npt.ArrayLike | None = None, /, *, seed: int = 0, period: int | Sequence[int] | None = None,
+          cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+          threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+def value_d(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
+            w: npt.ArrayLike | None = None, /, *, seed: int = 0, period: int | Sequence[int] | None = None,
+            cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+            threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
+def value_cubic(x: _Number, y: _Number | None = None, z: _Number | None = None, /, *, seed: int = 0,
+                period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
+                arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
+                instruction_set: str | None = None) -> float: ...
+@overload
+def value_cubic(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
+                period: int | Sequence[int] | None = None, cell: _Cells | None = None,
+                arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: int | None = None,
+                instruction_set: str | None = None) -> _Values: ...
+@overload
+def perlin(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
+           seed: int = 0, period: int | Sequence[int] | None = None, phase: float | None = None,
+           cell: int | Sequence[int] | None = None, arithmetic: _Arithmetic = "fast", out: None = None,
+           threads: int | None = None, instruction_set: str | None = None) -> float: ...
+@overload
+def perlin(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
+           w: npt.ArrayLike | None = None, /, *, seed: int = 0, period: int | Sequence[int] | None = None,
+           phase: float | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+           out: _Values | None = None, threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+def perlin_d(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
+             w: npt.ArrayLike | None = None, /, *, seed: int = 0, period: int | Sequence[int] | None = None,
+             phase: float | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+             out: _Values | None = None, threads: int | None = None,
+             instruction_set: str | None = None) -> _Values: ...
+@overload
+def simplex(x: _Number, y: _Number, z: _Number | None = None, w: _Number | None = None, /, *, seed: int = 0,
+            period: int | Sequence[int] | None = None, phase: float | None = None,
+            cell: int | Sequence[int] | None = None, arithmetic: _Arithmetic = "fast", out: None = None,
+            threads: int | None = None, instruction_set: str | None = None) -> float: ...
+@overload
+def simplex(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, w: npt.ArrayLike | None = None, /, *,
+            seed: int = 0, period: int | Sequence[int] | None = None, phase: float | None = None,
+            cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+            threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+def simplex_d(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, w: npt.ArrayLike | None = None, /, *,
+              seed: int = 0, period: int | Sequence[int] | None = None, phase: float | None = None,
+              cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+              threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
+def simplex_smooth(x: _Number, y: _Number, z: _Number | None = None, /, *, seed: int = 0,
+                   period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
+                   arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
+                   instruction_set: str | None = None) -> float: ...
+@overload
+def simplex_smooth(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
+                   period: int | Sequence[int] | None = None, cell: _Cells | None = None,
+                   arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: int | None = None,
+                   instruction_set: str | None = None) -> _Values: ...
+def cellular(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
+             period: int | Sequence[int] | None = None, jitter: float = 1.0, metric: _Metric = "euclidean",
+             cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+             threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+def cellular_three(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
+                   period: int | Sequence[int] | None = None, jitter: float = 1.0, metric: _Metric = "euclidean",
+                   cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+                   threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+def cellular_d(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
+               period: int | Sequence[int] | None = None, jitter: float = 1.0, cell: _Cells | None = None,
+               arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: int | None = None,
+               instruction_set: str | None = None) -> _Values: ...
+@overload
+def cellular_smooth(x: _Number, y: _Number, z: _Number | None = None, /, *, seed: int = 0,
+                    period: int | Sequence[int] | None = None, jitter: float = 1.0,
+                    cell: int | Sequence[int] | None = None, arithmetic: _Arithmetic = "fast", out: None = None,
+                    threads: int | None = None, instruction_set: str | None = None) -> float: ...
+@overload
+def cellular_smooth(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
+                    period: int | Sequence[int] | None = None, jitter: float = 1.0, cell: _Cells | None = None,
+                    arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: int | None = None,
+                    instruction_set: str | None = None) -> _Values: ...
+@overload
+def cell_border(x: _Number, y: _Number, z: _Number | None = None, /, *, seed: int = 0,
+                period: int | Sequence[int] | None = None, jitter: float = 1.0,
+                cell: int | Sequence[int] | None = None, arithmetic: _Arithmetic = "fast", out: None = None,
+                threads: int | None = None, instruction_set: str | None = None) -> float: ...
+@overload
+def cell_border(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
+                period: int | Sequence[int] | None = None, jitter: float = 1.0, cell: _Cells | None = None,
+                arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: int | None = None,
+                instruction_set: str | None = None) -> _Values: ...
+def curl(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
+         period: int | Sequence[int] | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+         out: _Values | None = None, threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
+def fbm(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *, seed: int = 0,
+        noise: str = "perlin", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
+        detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
+        cell: int | Sequence[int] | None = None, arithmetic: _Arithmetic = "fast", out: None = None,
+        threads: int | None = None, instruction_set: str | None = None) -> float: ...
+@overload
+def fbm(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
+        w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: str = "perlin", octaves: int = 6,
+        lacunarity: float = 2.0, gain: float = 0.5, detail: float | None = None, footprint: float | None = None,
+        period: int | Sequence[int] | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+        out: _Values | None = None, threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
+def turbulence(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
+               seed: int = 0, noise: str = "perlin", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
+               period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
+               arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
+               instruction_set: str | None = None) -> float: ...
+@overload
+def turbulence(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
+               w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: str = "perlin", octaves: int = 6,
+               lacunarity: float = 2.0, gain: float = 0.5, period: int | Sequence[int] | None = None,
+               cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+               threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
+def clouds(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
+           seed: int = 0, noise: str = "perlin", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
+           period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
+           arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
+           instruction_set: str | None = None) -> float: ...
+@overload
+def clouds(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
+           w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: str = "perlin", octaves: int = 6,
+           lacunarity: float = 2.0, gain: float = 0.5, period: int | Sequence[int] | None = None,
+           cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+           threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
+def billow(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
+           seed: int = 0, noise: str = "perlin", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
+           period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
+           arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
+           instruction_set: str | None = None) -> float: ...
+@overload
+def billow(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
+           w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: str = "perlin", octaves: int = 6,
+           lacunarity: float = 2.0, gain: float = 0.5, period: int | Sequence[int] | None = None,
+           cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+           threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
+def ridged(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
+           seed: int = 0, noise: str = "perlin", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
+           period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
+           arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
+           instruction_set: str | None = None) -> float: ...
+@overload
+def ridged(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
+           w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: str = "perlin", octaves: int = 6,
+           lacunarity: float = 2.0, gain: float = 0.5, period: int | Sequence[int] | None = None,
+           cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+           threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
+def ping_pong(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
+              seed: int = 0, noise: str = "perlin", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
+              strength: float = 2.0, period: int | Sequence[int] | None = None,
+              cell: int | Sequence[int] | None = None, arithmetic: _Arithmetic = "fast", out: None = None,
+              threads: int | None = None, instruction_set: str | None = None) -> float: ...
+@overload
+def ping_pong(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
+              w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: str = "perlin", octaves: int = 6,
+              lacunarity: float = 2.0, gain: float = 0.5, strength: float = 2.0,
+              period: int | Sequence[int] | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+              out: _Values | None = None, threads: int | None = None,
+              instruction_set: str | None = None) -> _Values: ...
+@overload
+def weighted(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
+             seed: int = 0, noise: str = "perlin", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
+             strength: float = 1.0, period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
+             arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
+             instruction_set: str | None = None) -> float: ...
+@overload
+def weighted(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
+             w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: str = "perlin", octaves: int = 6,
+             lacunarity: float = 2.0, gain: float = 0.5, strength: float = 1.0,
+             period: int | Sequence[int] | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+             out: _Values | None = None, threads: int | None = None,
+             instruction_set: str | None = None) -> _Values: ...
+def fbm_d(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
+          noise: str = "perlin_d", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
+          period: int | Sequence[int] | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+          out: _Values | None = None, threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
+def eroded(x: _Number, y: _Number, z: _Number | None = None, /, *, seed: int = 0, noise: str = "perlin_d",
+           octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5, strength: float = 1.0,
+           period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
+           arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
+           instruction_set: str | None = None) -> float: ...
+@overload
+def eroded(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
+           noise: str = "perlin_d", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
+           strength: float = 1.0, period: int | Sequence[int] | None = None, cell: _Cells | None = None,
+           arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: int | None = None,
+           instruction_set: str | None = None) -> _Values: ...
+def warp(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: str = "value",
+         octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5, amplitude: float = 1.0,
+         period: int | Sequence[int] | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+         out: _Values | None = None, threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+def warp_progressive(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
+                     noise: str = "value", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
+                     amplitude: float = 1.0, period: int | Sequence[int] | None = None, cell: _Cells | None = None,
+                     arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: int | None = None,
+                     instruction_set: str | None = None) -> _Values: ...
+@overload
+def grid(name: str, size: int | Sequence[int], *, step: float | Sequence[float], origin: float | Sequence[float] = 0.0,
+         cell: int | Sequence[int] | None = None, seed: int = 0, noise: str | None = None, octaves: int | None = None,
+         lacunarity: float | None = None, gain: float | None = None, strength: float | None = None,
+         amplitude: float | None = None, detail: float | None = None, footprint: float | None = None,
+         period: int | Sequence[int] | None = None, phase: float | None = None, jitter: float | None = None,
+         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+         return_range: Literal[False] = False, threads: int | None = None,
+         instruction_set: str | None = None) -> _Values: ...
+@overload
+def grid(name: str, size: int | Sequence[int], *, step: float | Sequence[float], origin: float | Sequence[float] = 0.0,
+         cell: int | Sequence[int] | None = None, seed: int = 0, noise: str | None = None, octaves: int | None = None,
+         lacunarity: float | None = None, gain: float | None = None, strength: float | None = None,
+         amplitude: float | None = None, detail: float | None = None, footprint: float | None = None,
+         period: int | Sequence[int] | None = None, phase: float | None = None, jitter: float | None = None,
+         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+         return_range: Literal[True], threads: int | None = None,
+         instruction_set: str | None = None) -> tuple[_Values, tuple[float, float]]: ...
+@overload
+def grid(name: str, size: int | Sequence[int], *, step: float | Sequence[float], origin: float | Sequence[float] = 0.0,
+         cell: int | Sequence[int] | None = None, seed: int = 0, noise: str | None = None, octaves: int | None = None,
+         lacunarity: float | None = None, gain: float | None = None, strength: float | None = None,
+         amplitude: float | None = None, detail: float | None = None, footprint: float | None = None,
+         period: int | Sequence[int] | None = None, phase: float | None = None, jitter: float | None = None,
+         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+         return_range: bool, threads: int | None = None,
+         instruction_set: str | None = None) -> _Values | tuple[_Values, tuple[float, float]]: ...
+def components(name: str, dimensions: int, *, noise: str | None = None) -> tuple[str, ...]: ...
+def noises(dimensions: int) -> tuple[str, ...]: ...
+def sums(dimensions: int) -> tuple[str, ...]: ...
+def instruction_sets() -> tuple[str, ...]: ...

@@ -1,0 +1,217 @@
+"""Checks what users pass, and evaluates fields: what every function of the package does."""
+
+import math
+import operator
+import reprlib
+
+import numpy as np
+
+from . import _core
+
+ARITHMETICS = {"fast": 1, "precise": 2, "fixed": 3}  # the values of HN_FAST and HN_METRIC_EUCLIDEAN
+METRICS = {"euclidean": 1, "squared": 2, "manhattan": 3, "chebyshev": 4, "hybrid": 5}
+AXES = "xyzw"
+MOST_POINTS = 2**29 - 1  # along an axis of a grid
+
+_FLOAT32 = np.dtype(np.float32)
+_FLOAT64 = np.dtype(np.float64)
+_INT32 = np.dtype(np.int32)
+_INT64 = np.dtype(np.int64)
+
+
+def points(function, coordinates, cell, out, threads, *, noise, sum="", **options):
+    """What a function returns: its field at the points of arrays.
+
+    function     its name, for messages
+    coordinates  x, y, z and w; None for each that was left out
+    noise, sum   as in field.hpp
+    options      those of the function, by name
+    """
+    dimensions = _dimensions(function, coordinates)
+    arrays = [_coordinate(function, axis, value) for axis, value in zip(AXES, coordinates[:dimensions])]
+    cells = [] if cell is None else _cells(function, cell, dimensions)
+    field = make_field(function, dimensions, noise, sum, options)
+    components = len(field.component_names)
+    shape = _shape(function, arrays + cells)
+    wanted = shape if components == 1 else (components, *shape)
+    if out is None:
+        result = np.empty(wanted, _FLOAT32)
+    else:
+        result = checked_out(function, out, wanted)
+        arrays = [array.copy() if np.may_share_memory(array, out) else array for array in arrays]
+        cells = [array.copy() if np.may_share_memory(array, out) else array for array in cells]
+    field.points(arrays, cells, result[np.newaxis] if components == 1 else result, checked_threads(function, threads))
+    return float(result) if out is None and wanted == () else result
+
+
+def make_field(function, dimensions, noise, sum, options):
+    settings = _core.Settings()
+    settings.noise = _text(function, "noise", noise)
+    settings.sum = sum
+    for name, value in options.items():
+        if value is not None:
+            setattr(settings, name, _CHECKS[name](function, name, value, dimensions))
+    try:
+        return _core.Field(dimensions, settings)
+    except ValueError as error:
+        raise ValueError(f"{function}: {error}") from None
+
+
+def whole_number(function, name, value, least, most):
+    """`value` as an int, if it is one from `least` to `most`."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{function}: {name} must be a whole number, not {_shown(value)}") from None
+    if not least <= number <= most:
+        raise ValueError(f"{function}: {name} must be from {least} to {most}, not {number}")
+    return number
+
+
+def real_number(function, name, value):
+    """`value` as a float, if it is finite."""
+    try:
+        if isinstance(value, (str, bytes)):
+            raise TypeError
+        number = float(value)
+    except TypeError:
+        raise TypeError(f"{function}: {name} must be a number, not {_shown(value)}") from None
+    if not math.isfinite(number):
+        raise ValueError(f"{function}: {name} must be finite, not {number}")
+    return number
+
+
+def per_axis(function, name, value, dimensions, check):
+    """A tuple with a value for each axis, of one such tuple or of a value for all of them."""
+    if not _is_sequence(value):
+        return (check(function, name, value),) * dimensions
+    if len(value) != dimensions:
+        raise ValueError(
+            f"{function}: {name} must have a value for each of the {dimensions} axes, or be one value for all of them; "
+            f"it is {_shown(value)}")
+    return tuple(check(function, name, part) for part in value)
+
+
+def wrapped_cell(function, name, value):
+    """A cell along an axis as an int32; cells wrap at 2^32."""
+    try:
+        return (operator.index(value) + 2**31) % 2**32 - 2**31
+    except TypeError:
+        raise TypeError(f"{function}: {name} must be of whole numbers, not {_shown(value)}") from None
+
+
+def checked_out(function, out, shape):
+    if not isinstance(out, np.ndarray):
+        raise TypeError(f"{function}: out must be an array of float32, not {_shown(out)}")
+    if out.dtype != _FLOAT32 or out.shape != shape or not out.flags.writeable:
+        kind = "a writeable" if out.flags.writeable else "a read-only"
+        raise ValueError(f"{function}: out must be a writeable array of float32 of the shape {shape}, "
+                         f"not {kind} one of {out.dtype} of the shape {out.shape}")
+    return out
+
+
+def checked_threads(function, threads):
+    """0 for None: as many as are worth it."""
+    return 0 if threads is None else whole_number(function, "threads", threads, 1, 1024)
+
+
+def _dimensions(function, coordinates):
+    given = [value is not None for value in coordinates]
+    dimensions = given.index(False) if False in given else len(given)
+    if dimensions == 0:
+        raise TypeError(f"{function}: x must be a number or an array of numbers, not None")
+    if any(given[dimensions:]):
+        raise TypeError(f"{function}: {AXES[dimensions]} is left out, but a later coordinate is not")
+    return dimensions
+
+
+def _coordinate(function, name, value):
+    array = _array(function, name, value)
+    if array.dtype == _FLOAT32 or array.dtype == _FLOAT64:
+        return array
+    if array.dtype.kind not in "fiub":
+        raise TypeError(f"{function}: {name} must be a number or an array of numbers, not of {array.dtype}")
+    return array.astype(_FLOAT32)
+
+
+def _array(function, name, value):
+    try:
+        return np.asarray(value)
+    except ValueError as error:  # rows of different lengths
+        raise ValueError(f"{function}: {name} makes no array: {error}") from None
+
+
+def _is_sequence(value):
+    return isinstance(value, (tuple, list)) or (isinstance(value, np.ndarray) and value.ndim > 0)
+
+
+def _cells(function, cell, dimensions):
+    if dimensions == 1 and not isinstance(cell, tuple):
+        cell = (cell,)
+    if not _is_sequence(cell) or len(cell) != dimensions:
+        raise ValueError(
+            f"{function}: cell must be a tuple of {dimensions}: the cells along {', '.join(AXES[:dimensions])}")
+    arrays = []
+    for axis, part in zip(AXES, cell):
+        array = _array(function, "cell", part)
+        if array.dtype.kind not in "iu":
+            raise TypeError(f"{function}: the cells along {axis} must be whole numbers, not {array.dtype}")
+        arrays.append(array if array.dtype in (_INT32, _INT64) else array.astype(_INT64))
+    return arrays
+
+
+def _shape(function, arrays):
+    shape = arrays[0].shape
+    if all(array.shape == shape for array in arrays):
+        return shape
+    try:
+        return np.broadcast_shapes(*(array.shape for array in arrays))
+    except ValueError:
+        shapes = ", ".join(str(array.shape) for array in arrays)
+        raise ValueError(f"{function}: the coordinates have shapes that do not go together: {shapes}") from None
+
+
+def _text(function, name, value):
+    if not isinstance(value, str):
+        raise TypeError(f"{function}: {name} must be a name, not {_shown(value)}")
+    return value
+
+
+def _one_of(names):
+    def check(function, name, value, dimensions):
+        if isinstance(value, str) and value in names:
+            return names[value]
+        raise ValueError(f"{function}: {name} must be one of {', '.join(names)}; not {_shown(value)}")
+    return check
+
+
+def _period(function, name, value, dimensions):
+    def check(function, name, value):
+        return whole_number(function, name, value, -2**31, 2**31 - 1)
+    return (*per_axis(function, name, value, dimensions, check), 0, 0, 0)[:4]
+
+
+def _real(function, name, value, dimensions):
+    return real_number(function, name, value)
+
+
+def _instruction_set(function, name, value, dimensions):
+    if isinstance(value, str) and value in _core.instruction_sets():
+        return value
+    raise ValueError(f"{function}: instruction_set must be one of this processor's, which are "
+                     f"{', '.join(_core.instruction_sets())}; not {_shown(value)}")
+
+
+def _shown(value):
+    return f"{reprlib.repr(value)} ({type(value).__name__})"
+
+
+_CHECKS = {
+    "seed": lambda function, name, value, dimensions: whole_number(function, name, value, 0, 2**32 - 1),
+    "octaves": lambda function, name, value, dimensions: whole_number(function, name, value, -2**31, 2**31 - 1),
+    "period": _period,
+    "arithmetic": _one_of(ARITHMETICS),
+    "metric": _one_of(METRICS),
+    "instruction_set": _instruction_set,
+    **dict.fromkeys(("phase", "jitter", "lacunarity", "gain", "strength", "amplitude", "detail", "footprint"), _real),
+}

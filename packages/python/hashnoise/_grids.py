@@ -1,0 +1,137 @@
+"""Uniform grids, and what there is to choose from."""
+
+import numpy as np
+
+from . import _core, _noises, _sums
+from ._evaluate import (MOST_POINTS, checked_out, checked_threads, make_field, per_axis, real_number, whole_number,
+                        wrapped_cell)
+
+
+def grid(name, size, *, step, origin=0.0, cell=None, seed=0, noise=None, octaves=None, lacunarity=None, gain=None,
+         strength=None, amplitude=None, detail=None, footprint=None, period=None, phase=None, jitter=None, metric=None,
+         arithmetic="fast", out=None, return_range=False, threads=None, instruction_set=None):
+    """A noise or a sum on a uniform grid: an image, or a volume. It needs no coordinates, and is fastest.
+
+    name          which: "perlin", "fbm", ..., as the functions are called
+    size          points along x, y and so on: (width, height). Sizes, steps, origins, cells and periods are all given
+                  in the order x, y, z, w. The array has the order of images in NumPy, which is the other way round: of
+                  size=(width, height) its shape is (height, width), and the point (x, y) is at array[y, x]
+    step          from point to point, in cells: one number, or one for each axis
+    origin        the first point, in cells; with a cell the place in it, in [0, 1]
+    cell          the cell of the first point, a whole number for each axis. Then the grid is exact however far out: it
+                  is computed in whole numbers, and steps are rounded to multiples of 2^-32. Without a cell, a point is
+                  the float32 nearest to origin + i * step
+    return_range  whether to return a pair: the array, and the least and the greatest value (of the first plane)
+
+    The other options are those of the function that is called `name`, with its defaults; one that it does not have is a
+    TypeError. Of a function that returns planes the array has an axis of planes in front: (planes, height, width).
+
+    >>> image = hashnoise.grid("perlin", (640, 480), step=0.01, seed=7)
+    >>> image.shape
+    (480, 640)
+    >>> x, y = numpy.float32(0.01) * numpy.arange(640), numpy.float32(0.01) * numpy.arange(480)
+    >>> numpy.allclose(image, hashnoise.perlin(x, y[:, numpy.newaxis], seed=7), atol=1e-5)
+    True
+    >>> hashnoise.grid("fbm", (512, 512), step=1 / 64, cell=(10**9, -(10**9)), octaves=8).shape
+    (512, 512)
+    >>> heights, (least, greatest) = hashnoise.grid("ridged", (64, 64, 64), step=0.1, return_range=True)
+    >>> (least, greatest) == (heights.min(), heights.max())
+    True
+    """
+    options = {"noise": noise, "octaves": octaves, "lacunarity": lacunarity, "gain": gain, "strength": strength,
+               "amplitude": amplitude, "detail": detail, "footprint": footprint, "phase": phase, "jitter": jitter,
+               "metric": metric}
+    kind = _options("grid", name, {option: value for option, value in options.items() if value is not None})
+    kind.update(seed=seed, period=period, arithmetic=arithmetic, instruction_set=instruction_set)
+    dimensions = len(size) if hasattr(size, "__len__") else 1
+    if not 1 <= dimensions <= 4:
+        raise ValueError(f"grid: size must have 1 to 4 numbers, not {dimensions}")
+
+    def points_along(function, option, value):
+        return whole_number(function, option, value, 0, MOST_POINTS)
+
+    size = per_axis("grid", "size", size, dimensions, points_along)
+    step = per_axis("grid", "step", step, dimensions, real_number)
+    origin = per_axis("grid", "origin", origin, dimensions, real_number)
+    field = make_field("grid", dimensions, kind.pop("noise"), kind.pop("sum"), kind)
+    planes = len(field.component_names)
+    shape = size[::-1] if planes == 1 else (planes, *size[::-1])
+    values = np.empty(shape, np.float32) if out is None else checked_out("grid", out, shape)
+    target = values if values.flags.c_contiguous else np.empty(shape, np.float32)
+    planar = target[np.newaxis] if planes == 1 else target
+    threads = checked_threads("grid", threads)
+    try:
+        if cell is None:
+            extent = field.grid(origin, step, size, planar, threads)
+        else:
+            cell = per_axis("grid", "cell", cell, dimensions, wrapped_cell)
+            extent = field.cell_grid(cell, origin, step, size, planar, threads)
+    except ValueError as error:
+        raise ValueError(f"grid: {error}") from None
+    if target is not values:
+        values[...] = target
+    return (values, extent) if return_range else values
+
+
+def components(name, dimensions, *, noise=None):
+    """What the planes are of a function that is called `name`, in so many dimensions, over a noise.
+
+    >>> hashnoise.components("perlin_d", 2)
+    ('value', 'dx', 'dy')
+    >>> hashnoise.components("perlin", 3)
+    ('value',)
+    """
+    kind = _options("components", name, {} if noise is None else {"noise": noise})
+    field = make_field("components", _dimensions("components", dimensions), kind.pop("noise"), kind.pop("sum"), kind)
+    return tuple(field.component_names)
+
+
+def noises(dimensions):
+    """The names of the noises that there are in so many dimensions, 1 to 4.
+
+    >>> hashnoise.noises(1)
+    ('value', 'value_d', 'value_cubic', 'perlin', 'perlin_d')
+    """
+    return tuple(_core.noise_names(_dimensions("noises", dimensions)))
+
+
+def sums(dimensions):
+    """The names of the sums that there are in so many dimensions, 1 to 4.
+
+    >>> hashnoise.sums(1)
+    ('fbm', 'turbulence', 'clouds', 'billow', 'ridged', 'ping_pong', 'weighted')
+    """
+    return tuple(_core.sum_names(_dimensions("sums", dimensions)))
+
+
+def instruction_sets():
+    """What this processor and the package have of "avx512", "avx2", "sse4.1", "sse2", "neon" and "generic".
+
+    The widest is first, and is taken where `instruction_set` is left out.
+
+    >>> widest = hashnoise.instruction_sets()[0]
+    >>> hashnoise.perlin(0.5, 0.25, instruction_set=widest) == hashnoise.perlin(0.5, 0.25)
+    True
+    """
+    return tuple(_core.instruction_sets())
+
+
+def _options(function, name, given):
+    """The noise, the sum and the options that make the function called `name`: its defaults, and what is given."""
+    if isinstance(name, str) and name in _noises.NOISES:
+        own, chosen = _noises.NOISES[name], {"noise": name, "sum": ""}
+    elif isinstance(name, str) and name in _sums.SUMS:
+        own, chosen = _sums.SUMS[name], {"noise": None, "sum": name}
+    else:
+        raise ValueError(f"{function}: there is no function {name!r}; there are "
+                         f"{', '.join([*_noises.NOISES, *_sums.SUMS])}")
+    defaults = own.__kwdefaults__
+    for option in given:
+        if option not in defaults:
+            raise TypeError(f"{function}: {name} has no option {option}; it has {', '.join(defaults)}")
+    made = {option: value for option, value in defaults.items() if option not in ("cell", "out", "threads")}
+    return {**made, **{option: value for option, value in chosen.items() if value is not None}, **given}
+
+
+def _dimensions(function, dimensions):
+    return whole_number(function, "dimensions", dimensions, 1, 4)

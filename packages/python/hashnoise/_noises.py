@@ -1,0 +1,244 @@
+"""The noises: each is a function of arrays of coordinates. help(hashnoise) tells what they have in common."""
+
+from ._evaluate import points
+
+__all__ = ["value", "value_d", "value_cubic", "perlin", "perlin_d", "simplex", "simplex_d", "simplex_smooth",
+           "cellular", "cellular_three", "cellular_d", "cellular_smooth", "cell_border", "curl"]
+
+
+def value(x, y=None, z=None, w=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None, threads=None,
+          instruction_set=None):
+    """Value noise on the square lattice, in 1D to 4D: cheaper than `perlin`, and coarser.
+
+    Its values are large at lattice points.
+
+    returns  [-1, 1], mean 0, at lattice points any multiple of 2^-22, twice continuously differentiable
+    source   Perlin, "Improving noise", 2002, for the interpolant
+
+    >>> hashnoise.value(0.5, 0.25, seed=7, arithmetic="fixed")
+    -0.5739326477050781
+    """
+    return points("value", (x, y, z, w), cell, out, threads, noise="value", seed=seed, period=period,
+                  arithmetic=arithmetic, instruction_set=instruction_set)
+
+
+def value_d(x, y=None, z=None, w=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None,
+            threads=None, instruction_set=None):
+    """Value noise and how steep it is, in 1D to 4D.
+
+    returns  planes: the value, which is that of `value`, and its derivatives along each axis, per cell, in [-3.76,
+             3.76], once continuously differentiable
+    source   the product rule on the interpolation; docs/contract.md, section 10
+
+    >>> hashnoise.value_d(0.5, 0.25, seed=7, arithmetic="fixed")
+    array([-0.57393265,  0.5128517 ,  0.7319126 ], dtype=float32)
+    """
+    return points("value_d", (x, y, z, w), cell, out, threads, noise="value_d", seed=seed, period=period,
+                  arithmetic=arithmetic, instruction_set=instruction_set)
+
+
+def value_cubic(x, y=None, z=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None, threads=None,
+                instruction_set=None):
+    """Cubic value noise, in 1D to 3D: a uniform cubic B-spline over hashed numbers.
+
+    It is the smoothest of the lattice noises: it does not show the cells, has no creases in its slopes, and stays
+    between the numbers around it. The price is contrast: the spline blurs.
+
+    returns  [-1, 1], mean 0, twice continuously differentiable
+    source   de Boor, "A Practical Guide to Splines", 1978, for the spline
+
+    >>> hashnoise.value_cubic(0.5, 0.25, seed=7, arithmetic="fixed")
+    -0.36034679412841797
+    """
+    return points("value_cubic", (x, y, z), cell, out, threads, noise="value_cubic", seed=seed, period=period,
+                  arithmetic=arithmetic, instruction_set=instruction_set)
+
+
+def perlin(x, y=None, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=None, arithmetic="fast", out=None,
+           threads=None, instruction_set=None):
+    """Perlin noise, in 1D to 4D: gradient noise on the square lattice, with hashed gradients.
+
+    Positions are in cells, and a cell has about one hill or valley. At whole positions the noise is 0, so scale the
+    numbers of pixels and tiles.
+
+    phase    in 2D and 3D: the gradients turn by so many turns, and the field changes in place; it loops after one
+    returns  [-1, 1], mean 0, 0 at lattice points, twice continuously differentiable
+    source   Valdenegro-Toro and Pincheira, sec. 5; Perlin, "Improving noise", 2002; for the phase Perlin and Neyret,
+             "Flow noise", 2001
+
+    >>> hashnoise.perlin(0.5, 0.25, seed=7, arithmetic="fixed")
+    0.08695650100708008
+    """
+    return points("perlin", (x, y, z, w), cell, out, threads, noise="perlin", seed=seed, period=period, phase=phase,
+                  arithmetic=arithmetic, instruction_set=instruction_set)
+
+
+def perlin_d(x, y=None, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=None, arithmetic="fast", out=None,
+             threads=None, instruction_set=None):
+    """Perlin noise and how steep it is, in 1D to 4D.
+
+    phase    in 2D and 3D: as of `perlin`
+    returns  planes: the value, which is that of `perlin`, and its derivatives along each axis, per cell, once
+             continuously differentiable: in [-2.69, 2.69] in 1D, [-2.78, 2.78] in 2D, [-3.38, 3.38] in 3D and [-3.62,
+             3.62] in 4D, without a phase
+    source   the product rule on the interpolation; docs/contract.md, section 10
+
+    >>> hashnoise.perlin_d(0.5, 0.25, seed=7, arithmetic="fixed")
+    array([0.0869565 , 0.8772774 , 0.69961166], dtype=float32)
+    """
+    return points("perlin_d", (x, y, z, w), cell, out, threads, noise="perlin_d", seed=seed, period=period,
+                  phase=phase, arithmetic=arithmetic, instruction_set=instruction_set)
+
+
+def simplex(x, y, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=None, arithmetic="fast", out=None,
+            threads=None, instruction_set=None):
+    """Simplex noise, in 2D to 4D: gradient noise on a lattice of triangles, or of simplices.
+
+    It does not prefer the axes. There are several lattice points to a cell, so its features are smaller than those of
+    `perlin`: on the plane about half as large.
+
+    phase    in 2D and 3D: the gradients turn by so many turns, and the field changes in place; it loops after one
+    returns  [-1, 1], mean 0, 0 at lattice points, twice continuously differentiable
+    source   Perlin, "Noise hardware", 2001, for the sum over the corners of a simplex; docs/contract.md, section 13;
+             for the phase Perlin and Neyret, "Flow noise", 2001
+
+    >>> hashnoise.simplex(0.5, 0.25, seed=7, arithmetic="fixed")
+    0.39264822006225586
+    """
+    return points("simplex", (x, y, z, w), cell, out, threads, noise="simplex", seed=seed, period=period, phase=phase,
+                  arithmetic=arithmetic, instruction_set=instruction_set)
+
+
+def simplex_d(x, y, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=None, arithmetic="fast", out=None,
+              threads=None, instruction_set=None):
+    """Simplex noise and how steep it is, in 2D to 4D.
+
+    phase    in 2D and 3D: as of `simplex`
+    returns  planes: the value, which is that of `simplex`, and its derivatives along each axis, per cell, once
+             continuously differentiable: in [-8.36, 8.36] in 2D, [-6.42, 6.42] in 3D and [-6.06, 6.06] in 4D, without a
+             phase
+    source   the product rule on weight and ramp; docs/contract.md, section 13
+
+    >>> hashnoise.simplex_d(0.5, 0.25, seed=7, arithmetic="fixed")
+    array([ 0.39264822,  2.570118  , -3.322998  ], dtype=float32)
+    """
+    return points("simplex_d", (x, y, z, w), cell, out, threads, noise="simplex_d", seed=seed, period=period,
+                  phase=phase, arithmetic=arithmetic, instruction_set=instruction_set)
+
+
+def simplex_smooth(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None, threads=None,
+                   instruction_set=None):
+    """Smooth simplex noise, in 2D and 3D: its kernel is larger than that of `simplex`, so the field is calmer.
+
+    returns  [-1, 1], mean 0, 0 at lattice points, twice continuously differentiable
+    source   Perlin, "Noise hardware", 2001, for the sum over the corners of a simplex; docs/contract.md, section 13
+
+    >>> hashnoise.simplex_smooth(0.5, 0.25, seed=7, arithmetic="fixed")
+    0.3638920783996582
+    """
+    return points("simplex_smooth", (x, y, z), cell, out, threads, noise="simplex_smooth", seed=seed, period=period,
+                  arithmetic=arithmetic, instruction_set=instruction_set)
+
+
+def cellular(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, metric="euclidean", cell=None, arithmetic="fast",
+             out=None, threads=None, instruction_set=None):
+    """Cellular noise, in 2D and 3D: distances to the two nearest of points that are strewn one in each cell.
+
+    They are Worley's F1 and F2, and those of the whole infinite field.
+
+    jitter   how far the points are from the centres of their cells: 1, or 0 for a regular lattice; what is outside of
+             [0, 1] counts as the nearer end
+    metric   "euclidean", "squared" (the square of it), "manhattan" (the sum of the sizes along the axes), "chebyshev"
+             (the largest of them) or "hybrid" (Manhattan and squared, added)
+    returns  planes: the two distances, in cells, ascending and continuous. With the Euclidean metric the first is in
+             [0, 1.1181] in 2D and [0, 1.2248] in 3D, and the second in [0, 1.5001]
+    source   Worley, "A cellular texture basis function", 1996; docs/contract.md, section 16
+
+    >>> hashnoise.cellular(0.5, 0.25, seed=7, arithmetic="fixed")
+    array([0.56985855, 1.0054398 ], dtype=float32)
+    """
+    return points("cellular", (x, y, z), cell, out, threads, noise="cellular", seed=seed, period=period,
+                  jitter=jitter, metric=metric, arithmetic=arithmetic, instruction_set=instruction_set)
+
+
+def cellular_three(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, metric="euclidean", cell=None,
+                   arithmetic="fast", out=None, threads=None, instruction_set=None):
+    """Cellular noise, in 2D and 3D: distances to the three nearest points, Worley's F1, F2 and F3.
+
+    jitter   as of `cellular`
+    metric   as of `cellular`
+    returns  planes: the three distances, in cells, ascending. The first two are those of `cellular`; with the Euclidean
+             metric the third is in [0, 1.5812]
+    source   Worley, "A cellular texture basis function", 1996; docs/contract.md, section 16
+
+    >>> hashnoise.cellular_three(0.5, 0.25, seed=7, arithmetic="fixed")
+    array([0.56985855, 1.0054398 , 1.0564575 ], dtype=float32)
+    """
+    return points("cellular_three", (x, y, z), cell, out, threads, noise="cellular_three", seed=seed, period=period,
+                  jitter=jitter, metric=metric, arithmetic=arithmetic, instruction_set=instruction_set)
+
+
+def cellular_d(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, cell=None, arithmetic="fast", out=None,
+               threads=None, instruction_set=None):
+    """The distance to the nearest feature point and its gradient, in 2D and 3D.
+
+    jitter   as of `cellular`
+    returns  planes: the distance, which is the first of `cellular`, and its derivatives along each axis: a vector of
+             length 1 away from the point, and 0 at the point. It jumps where another point becomes the nearest
+    source   docs/contract.md, section 16
+
+    >>> hashnoise.cellular_d(0.5, 0.25, seed=7, arithmetic="fixed")
+    array([ 0.56985855,  0.39929008, -0.9168253 ], dtype=float32)
+    """
+    return points("cellular_d", (x, y, z), cell, out, threads, noise="cellular_d", seed=seed, period=period,
+                  jitter=jitter, arithmetic=arithmetic, instruction_set=instruction_set)
+
+
+def cellular_smooth(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, cell=None, arithmetic="fast", out=None,
+                    threads=None, instruction_set=None):
+    """Cellular noise with rounded valleys, in 2D and 3D: it has no creases between cells.
+
+    jitter   as of `cellular`
+    returns  a distance that takes all points within 1 into account, a little below the first of `cellular`: in
+             [-0.1937, 7/8] in 2D and [-0.198, 7/8] in 3D, continuously differentiable but for the points themselves
+    source   docs/contract.md, section 16
+
+    >>> hashnoise.cellular_smooth(0.5, 0.25, seed=7, arithmetic="fixed")
+    0.569122314453125
+    """
+    return points("cellular_smooth", (x, y, z), cell, out, threads, noise="cellular_smooth", seed=seed, period=period,
+                  jitter=jitter, arithmetic=arithmetic, instruction_set=instruction_set)
+
+
+def cell_border(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, cell=None, arithmetic="fast", out=None,
+                threads=None, instruction_set=None):
+    """The distance to the border of the cell of the nearest feature point, in 2D and 3D: cracks and tiles.
+
+    jitter   as of `cellular`
+    returns  the distance, in cells, continuous: in [0, 0.844] in 2D and [0, 0.883] in 3D
+    source   docs/contract.md, section 16
+
+    >>> hashnoise.cell_border(0.5, 0.25, seed=7, arithmetic="fixed")
+    0.2306365966796875
+    """
+    return points("cell_border", (x, y, z), cell, out, threads, noise="cell_border", seed=seed, period=period,
+                  jitter=jitter, arithmetic=arithmetic, instruction_set=instruction_set)
+
+
+def curl(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None, threads=None,
+         instruction_set=None):
+    """Curl noise, in 2D and 3D: velocities of a flow that neither gathers nor spreads what it carries.
+
+    returns  planes: the velocity along each axis, once continuously differentiable. In 2D they are derivatives of
+             `simplex`, in [-8.36, 8.36]; in 3D they are in [-46.2, 46.2]
+    source   Bridson, Hourihan, Nordenstam, "Curl-noise for procedural fluid flow", 2007; DeWolf, "Divergence-free
+             noise", 2005
+
+    >>> hashnoise.curl(0.5, 0.25, seed=7, arithmetic="fixed")
+    array([-3.322998, -2.570118], dtype=float32)
+    """
+    return points("curl", (x, y, z), cell, out, threads, noise="curl", seed=seed, period=period,
+                  arithmetic=arithmetic, instruction_set=instruction_set)
+
+
+NOISES = {name: globals()[name] for name in __all__}

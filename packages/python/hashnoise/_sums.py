@@ -1,0 +1,191 @@
+"""The octave sums and the warps, over any noise. help(hashnoise) tells what they have in common."""
+
+from ._evaluate import points
+
+__all__ = ["fbm", "turbulence", "clouds", "billow", "ridged", "ping_pong", "weighted", "fbm_d", "eroded", "warp",
+           "warp_progressive"]
+
+
+def fbm(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, lacunarity=2.0, gain=0.5, detail=None,
+        footprint=None, period=None, cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
+    """Fractional Brownian motion, in 1D to 4D: octaves of noise, each finer, weaker, and turned.
+
+    detail     in place of the octaves, without a period: octaves as a float. 3.5 is three octaves and half of the
+               fourth
+    footprint  without a period: the size of a pixel, in cells of the first octave. Octaves that are too fine for it
+               fade out
+    returns    [-1, 1], mean 0
+    source     Musgrave, in "Texturing and Modeling: A Procedural Approach"
+
+    >>> hashnoise.fbm(0.5, 0.25, seed=7, arithmetic="fixed")
+    -0.06726884841918945
+    """
+    return points("fbm", (x, y, z, w), cell, out, threads, sum="fbm", seed=seed, noise=noise, octaves=octaves,
+                  lacunarity=lacunarity, gain=gain, detail=detail, footprint=footprint, period=period,
+                  arithmetic=arithmetic, instruction_set=instruction_set)
+
+
+def turbulence(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, lacunarity=2.0, gain=0.5,
+               period=None, cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
+    """Turbulence, in 1D to 4D: the mean of the octaves' absolute values. Use it for marble and fire.
+
+    returns  [0, 1], with creases where the noise passes 0
+    source   Perlin, "An image synthesizer", 1985; Valdenegro-Toro and Pincheira, fig. 6
+
+    >>> hashnoise.turbulence(0.5, 0.25, seed=7, arithmetic="fixed")
+    0.21465730667114258
+    """
+    return points("turbulence", (x, y, z, w), cell, out, threads, sum="turbulence", seed=seed, noise=noise,
+                  octaves=octaves, lacunarity=lacunarity, gain=gain, period=period, arithmetic=arithmetic,
+                  instruction_set=instruction_set)
+
+
+def clouds(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, lacunarity=2.0, gain=0.5, period=None,
+           cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
+    """Clouds, in 1D to 4D: the density of a sky, from an fBm.
+
+    returns  [0, 1]: 0 is clear, 1 is dense; with fewer than 1 octave 5/32
+    source   after the cloud images of Valdenegro-Toro and Pincheira, fig. 6; the paper has no formula for them
+
+    >>> hashnoise.clouds(0.5, 0.25, seed=7, arithmetic="fixed")
+    0.03691291809082031
+    """
+    return points("clouds", (x, y, z, w), cell, out, threads, sum="clouds", seed=seed, noise=noise, octaves=octaves,
+                  lacunarity=lacunarity, gain=gain, period=period, arithmetic=arithmetic,
+                  instruction_set=instruction_set)
+
+
+def billow(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, lacunarity=2.0, gain=0.5, period=None,
+           cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
+    """Billows, in 1D to 4D: twice the turbulence less 1. The round hills are the other side of ridges.
+
+    returns  [-1, 1]
+    source   as of `turbulence`
+
+    >>> hashnoise.billow(0.5, 0.25, seed=7, arithmetic="fixed")
+    -0.5706853866577148
+    """
+    return points("billow", (x, y, z, w), cell, out, threads, sum="billow", seed=seed, noise=noise, octaves=octaves,
+                  lacunarity=lacunarity, gain=gain, period=period, arithmetic=arithmetic,
+                  instruction_set=instruction_set)
+
+
+def ridged(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, lacunarity=2.0, gain=0.5, period=None,
+           cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
+    """Ridges, in 1D to 4D: sharp crests where the noise passes 0, with detail on them and smooth valleys between.
+
+    returns  [0, 1]: 1 on a crest of every octave
+    source   Musgrave, in "Texturing and Modeling: A Procedural Approach": his ridged multifractal with the offset 1 and
+             the gain 2, divided by the sum of the weights
+
+    >>> hashnoise.ridged(0.5, 0.25, seed=7, arithmetic="fixed")
+    0.6091289520263672
+    """
+    return points("ridged", (x, y, z, w), cell, out, threads, sum="ridged", seed=seed, noise=noise, octaves=octaves,
+                  lacunarity=lacunarity, gain=gain, period=period, arithmetic=arithmetic,
+                  instruction_set=instruction_set)
+
+
+def ping_pong(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, lacunarity=2.0, gain=0.5,
+              strength=2.0, period=None, cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
+    """Ping-pong, in 1D to 4D: each octave is folded up and down, which gives the rings of wood and of agate.
+
+    strength  how many times from one end to the other on the way from -1 to 1, times 1/2; in [0, 64]
+    returns   [-1, 1]
+    source    FastNoiseLite, FractalType_PingPong
+
+    >>> hashnoise.ping_pong(0.5, 0.25, seed=7, arithmetic="fixed")
+    -0.19413995742797852
+    """
+    return points("ping_pong", (x, y, z, w), cell, out, threads, sum="ping_pong", seed=seed, noise=noise,
+                  octaves=octaves, lacunarity=lacunarity, gain=gain, strength=strength, period=period,
+                  arithmetic=arithmetic, instruction_set=instruction_set)
+
+
+def weighted(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, lacunarity=2.0, gain=0.5,
+             strength=1.0, period=None, cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
+    """Weighted fBm, in 1D to 4D: where an octave is low, the finer ones count less. Valleys are smoother than heights.
+
+    strength  how much less: 0 is `fbm`, 1 leaves nothing of the finer octaves at -1; in [0, 1]
+    returns   [-1, 1]
+    source    FastNoiseLite, SetFractalWeightedStrength
+
+    >>> hashnoise.weighted(0.5, 0.25, seed=7, arithmetic="fixed")
+    -0.007497310638427734
+    """
+    return points("weighted", (x, y, z, w), cell, out, threads, sum="weighted", seed=seed, noise=noise,
+                  octaves=octaves, lacunarity=lacunarity, gain=gain, strength=strength, period=period,
+                  arithmetic=arithmetic, instruction_set=instruction_set)
+
+
+def fbm_d(x, y, z=None, /, *, seed=0, noise="perlin_d", octaves=6, lacunarity=2.0, gain=0.5, period=None, cell=None,
+          arithmetic="fast", out=None, threads=None, instruction_set=None):
+    """Fractional Brownian motion and how steep it is, in 2D and 3D.
+
+    noise    one with derivatives: "perlin_d", "simplex_d" or "value_d"
+    returns  planes: the value, which is that of `fbm`, and its derivatives along each axis, per cell of the first
+             octave
+    source   as of `fbm`
+
+    >>> hashnoise.fbm_d(0.5, 0.25, seed=7, arithmetic="fixed")
+    array([-0.06726885,  0.72309875,  0.13928795], dtype=float32)
+    """
+    return points("fbm_d", (x, y, z), cell, out, threads, sum="fbm_d", seed=seed, noise=noise, octaves=octaves,
+                  lacunarity=lacunarity, gain=gain, period=period, arithmetic=arithmetic,
+                  instruction_set=instruction_set)
+
+
+def eroded(x, y, z=None, /, *, seed=0, noise="perlin_d", octaves=6, lacunarity=2.0, gain=0.5, strength=1.0,
+           period=None, cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
+    """Eroded fBm, in 2D and 3D: smooth slopes, with detail in valleys and on summits.
+
+    An octave counts less where those before it and itself are steep.
+
+    noise     one with derivatives: "perlin_d", "simplex_d" or "value_d"
+    strength  how much less: 0 is `fbm`; in [0, 16]. A slope of 1 cell in 1 leaves 1 / (1 + strength)
+    returns   [-1, 1]
+    source    Quilez, "More noise", 2008: his slopes are not turned with the octaves
+
+    >>> hashnoise.eroded(0.5, 0.25, seed=7, arithmetic="fixed")
+    -0.008274555206298828
+    """
+    return points("eroded", (x, y, z), cell, out, threads, sum="eroded", seed=seed, noise=noise, octaves=octaves,
+                  lacunarity=lacunarity, gain=gain, strength=strength, period=period, arithmetic=arithmetic,
+                  instruction_set=instruction_set)
+
+
+def warp(x, y, z=None, /, *, seed=0, noise="value", octaves=6, lacunarity=2.0, gain=0.5, amplitude=1.0, period=None,
+         cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
+    """How far to move a position before another noise is taken there, in 2D and 3D.
+
+    amplitude  the largest shift along an axis, in cells, in [0, 64]
+    returns    planes: the shift along each axis, in [-amplitude, amplitude]
+    source     Quilez, "Domain warping", 2002
+
+    >>> hashnoise.warp(0.5, 0.25, seed=7, arithmetic="fixed")
+    array([-0.03982735,  0.21182203], dtype=float32)
+    """
+    return points("warp", (x, y, z), cell, out, threads, sum="warp", seed=seed, noise=noise, octaves=octaves,
+                  lacunarity=lacunarity, gain=gain, amplitude=amplitude, period=period, arithmetic=arithmetic,
+                  instruction_set=instruction_set)
+
+
+def warp_progressive(x, y, z=None, /, *, seed=0, noise="value", octaves=6, lacunarity=2.0, gain=0.5, amplitude=1.0,
+                     period=None, cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
+    """The shift of `warp`, in 2D and 3D, where each octave is taken at the place to which those before it moved.
+
+    It draws strands and eddies.
+
+    amplitude  the largest shift along an axis, in cells, in [0, 64]
+    returns    planes: the shift along each axis, in [-amplitude, amplitude]
+    source     as of `warp`
+
+    >>> hashnoise.warp_progressive(0.5, 0.25, seed=7, arithmetic="fixed")
+    array([-0.2791114 ,  0.26974392], dtype=float32)
+    """
+    return points("warp_progressive", (x, y, z), cell, out, threads, sum="warp_progressive", seed=seed, noise=noise,
+                  octaves=octaves, lacunarity=lacunarity, gain=gain, amplitude=amplitude, period=period,
+                  arithmetic=arithmetic, instruction_set=instruction_set)
+
+
+SUMS = {name: globals()[name] for name in __all__}

@@ -1,0 +1,110 @@
+"""What is written about the package: examples run, and numbers are those of the GLSL's comments."""
+
+from __future__ import annotations
+
+import doctest
+import inspect
+import re
+import unittest
+
+import golden
+import hashnoise
+import numpy
+from hashnoise import _grids, _noises, _sums
+
+PAGE = golden.ROOT / "docs" / "python.md"
+GLSL = golden.ROOT / "glsl"
+FENCE = re.compile(r"^```python\n(.*?)^```$", re.M | re.S)
+NUMBER = re.compile(r"-?\d+\.\d{2,}")
+
+
+def functions():
+    return [getattr(hashnoise, name) for name in hashnoise.__all__]
+
+
+class Docstrings(unittest.TestCase):
+    def test_examples(self):
+        names = {"hashnoise": hashnoise, "numpy": numpy}
+        for module in (hashnoise, _grids, _noises, _sums):
+            results = doctest.testmod(module, extraglobs=names)
+            self.assertGreater(results.attempted, 3, module.__name__)
+            self.assertEqual(results.failed, 0, module.__name__)
+
+    def test_each_function_has_an_example(self):
+        for function in functions():
+            with self.subTest(function.__name__):
+                self.assertIn(f">>> ", function.__doc__)
+                self.assertIn(f"hashnoise.{function.__name__}(", function.__doc__)
+
+    def test_each_function_says_what_it_returns_and_whence_it_comes(self):
+        for function in (*_noises.NOISES.values(), *_sums.SUMS.values()):
+            with self.subTest(function.__name__):
+                self.assertRegex(function.__doc__, r"(?m)^ *returns +\S")
+                self.assertRegex(function.__doc__, r"(?m)^ *source +\S")
+                dimensions = [axes for axes in range(1, 5)
+                              if function.__name__ in hashnoise.noises(axes) + hashnoise.sums(axes)]
+                said = f"{dimensions[0]}D {'and' if len(dimensions) == 2 else 'to'} {dimensions[-1]}D"
+                self.assertIn(f"in {said}", function.__doc__.partition("\n")[0])
+
+    def test_each_option_is_explained(self):
+        common = hashnoise.__doc__
+        for function in (*_noises.NOISES.values(), *_sums.SUMS.values()):
+            for option in function.__kwdefaults__:
+                with self.subTest(function.__name__, option=option):
+                    self.assertRegex(function.__doc__ + common, rf"(?m)^ *{option} +\S")
+        for option in inspect.signature(hashnoise.grid).parameters:
+            with self.subTest("grid", option=option):
+                self.assertRegex("".join(other.__doc__ for other in functions()) + common, rf"(?m)^ *{option} +\S")
+
+    def test_numbers_are_those_of_the_glsl(self):
+        seen = 0
+        for name, function in _noises.NOISES.items():
+            text = function.__doc__.partition(">>>")[0]
+            comments = "".join(line for path in GLSL.glob(f"{name}*d.glsl")
+                               for line in path.read_text(encoding="ascii").splitlines() if line.startswith("//"))
+            comments = re.sub(r"//\s*", " ", comments)
+            for number in NUMBER.findall(text):
+                with self.subTest(name, number=number):
+                    self.assertRegex(comments, rf"(?<![\d.]){re.escape(number)}(?!\d)")
+                    seen += 1
+        self.assertGreater(seen, 20)
+
+
+class Page(unittest.TestCase):
+    def test_code_runs(self):
+        blocks = FENCE.findall(PAGE.read_text(encoding="utf-8"))
+        self.assertGreaterEqual(len(blocks), 3)
+        self.assertEqual(len(blocks), PAGE.read_text(encoding="utf-8").count("```python"))
+        names = [run(block) for block in blocks]
+        self.assertEqual(names[0]["image"].shape, (1024, 1024))
+        self.assertEqual(names[1]["terrain"].shape, (1080, 1920))
+        self.assertEqual(names[1]["volume"].shape, (64, 64, 64))
+        self.assertEqual((names[1]["least"], names[1]["greatest"]),
+                         (names[1]["volume"].min(), names[1]["volume"].max()))
+        self.assertEqual(names[2]["line"].shape, (1024,))
+
+    def test_code_that_fails_is_noticed(self):
+        with self.assertRaises(TypeError):
+            run("import hashnoise\nhashnoise.perlin(0.5, octaves=3)\n")
+
+    def test_the_table_has_every_option(self):
+        text = PAGE.read_text(encoding="utf-8")
+        rows = [row.split(" | ")[0] for row in re.findall(r"^\| (`.*)$", text, re.M)]
+        told = {name for row in rows for name in re.findall(r"`(\w+)`", row)}
+        options = {option for function in (*_noises.NOISES.values(), *_sums.SUMS.values())
+                   for option in function.__kwdefaults__}
+        self.assertEqual(told, options)
+
+    def test_functions_that_it_names_exist(self):
+        for name in re.findall(r"hashnoise\.(\w+)", PAGE.read_text(encoding="utf-8")):
+            self.assertTrue(hasattr(hashnoise, name), name)
+
+
+def run(code: str) -> dict:
+    names: dict = {}
+    exec(compile(code, PAGE.name, "exec"), names)
+    return names
+
+
+if __name__ == "__main__":
+    unittest.main()

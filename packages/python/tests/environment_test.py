@@ -1,0 +1,58 @@
+"""Tests of where the tests run: they are skipped where PyPI cannot be reached, and only there."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import os
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+import environment
+
+
+class Environment(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.scratch = Path(scratch.name)
+        self.folder = self.scratch / "environment"
+        self.requirements = self.scratch / "requirements.txt"
+
+    def call(self, arguments: list[str]) -> tuple[int, str]:
+        told = io.StringIO()
+        with contextlib.redirect_stdout(told), contextlib.redirect_stderr(told):
+            return environment.main(arguments), told.getvalue()
+
+    def make(self, requirements: str) -> tuple[int, str]:
+        self.requirements.write_text(requirements, encoding="utf-8")
+        told = io.StringIO()
+        with contextlib.redirect_stdout(told):
+            return environment.make(self.folder, self.requirements), told.getvalue()
+
+    def test_no_registry(self):
+        """Nothing listens at this address."""
+        nowhere = {"PIP_INDEX_URL": "http://127.0.0.1:9/simple", "PIP_CONFIG_FILE": os.devnull,
+                   "PIP_EXTRA_INDEX_URL": "", "PIP_NO_INDEX": "", "PIP_FIND_LINKS": ""}
+        with mock.patch.dict(os.environ, nowhere):
+            status, told = self.make("numpy==2.4.6\n")
+        self.assertEqual(status, environment.SKIPPED, told)
+        self.assertIn("PyPI cannot be reached", told)
+        status, told = self.call(["run", str(self.folder), "golden_test"])
+        self.assertEqual(status, environment.SKIPPED)
+        self.assertIn("python.wheel was skipped", told)
+
+    def test_what_cannot_be_installed_is_no_reason_to_skip(self):
+        with mock.patch.dict(os.environ, {"PIP_NO_INDEX": "1"}):
+            status, told = self.make("numpy==0.0.0\n")
+        self.assertEqual(status, 1, told)
+
+    def test_bad_usage(self):
+        for arguments in ([], ["make"], ["run", "x"], ["no_such", "x", "y"]):
+            self.assertEqual(self.call(arguments)[0], 2, arguments)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,154 @@
+"""The golden files, by the functions of the package.
+
+    python golden.py     compares a golden file of each noise in each dimension, and of each sum, with what the package
+                         computes with arithmetic="fixed", bit for bit. Exit status: 0 the same, 1 not
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import hashnoise
+import numpy
+
+ROOT = Path(__file__).resolve().parents[3]
+FOLDER = ROOT / "conformance" / "expected" / "golden"
+BOUNDS = ROOT / "conformance" / "expected" / "bounds.inc"
+TYPES = {"f32": numpy.float32, "i32": numpy.int32, "u32": numpy.uint32, "f64": numpy.float64}
+METRICS = ("euclidean", "euclidean", "squared", "manhattan", "chebyshev", "hybrid")  # by HN_METRIC_...; 0 is Euclidean
+# What the package does not have: the cell of the nearest point and the way to it, whole numbers as positions, and what
+# is not noise.
+ABSENT = re.compile(r"(hash|gradient|position)\.|\w+\.\w+_(nearest|offset)$")
+FUNCTION = re.compile(r"(?:noise(\d)d|\w+)\.(\w+?)(\d?)((?:_(?:phase|cell|period|full|value|detail|footprint))*)$")
+
+
+@dataclass
+class Golden:
+    """A golden file.
+
+    name       noise2d.perlin_cell, fbm.fbm2
+    function   the package's: perlin, fbm
+    axes       how many
+    arguments  an array for each column of arguments, by its name
+    results    the same for each column of results, in their order
+    """
+
+    name: str
+    function: str
+    axes: int
+    arguments: dict[str, numpy.ndarray]
+    results: dict[str, numpy.ndarray]
+
+
+def names(configuration: str) -> list[str]:
+    """The functions that the package has and that have a golden file of this configuration: noise2d.perlin, ..."""
+    ending = f".{configuration}.golden"
+    all_names = sorted(path.name.removesuffix(ending) for path in FOLDER.glob(f"*{ending}"))
+    return [name for name in all_names if not ABSENT.match(name)]
+
+
+def read(name: str, configuration: str) -> Golden:
+    header, rows = {}, []
+    for line in (FOLDER / f"{name}.{configuration}.golden").read_text(encoding="ascii").splitlines()[1:]:
+        if " = " in line and not line.startswith("columns"):
+            rows.append(line.replace(" = ", " ").split())
+        else:
+            key, _, value = line.partition(" ")
+            header[key] = value
+    if not rows or int(header["rows"]) != len(rows):
+        raise ValueError(f"{name} says that it has {header['rows']} rows, and has {len(rows)}")
+    inputs, outputs = (side.split() for side in header["columns"].split(" = "))
+    columns = {}
+    for (column, kind), words in zip((column.split(":") for column in inputs + outputs), zip(*rows)):
+        size = numpy.uint64 if kind == "f64" else numpy.uint32
+        columns[column] = numpy.array([int(word, 16) for word in words], size).view(TYPES[kind])
+    arguments = {column.partition(":")[0]: columns[column.partition(":")[0]] for column in inputs}
+    results = {column: values for column, values in columns.items() if column not in arguments}
+    match = FUNCTION.fullmatch(name)
+    if match is None:
+        raise ValueError(f"nobody knows which function {name} is")
+    axes = int(match[1] or match[3])
+    function = match[2] + (match[3] if match[1] else "")
+    return Golden(name, function, axes, arguments, results)
+
+
+def computed(golden: Golden, arithmetic: str) -> numpy.ndarray:
+    """What the package computes for each row: planes of as many components as there are results. Rows that differ only
+    in their points are computed together."""
+    axes = "xyzw"[:golden.axes]
+    has_cells = "cx" in golden.arguments
+    points = [golden.arguments[f"f{axis}" if has_cells else axis] for axis in axes]
+    cells = [golden.arguments[f"c{axis}"] for axis in axes] if has_cells else None
+    periods = [f"p{axis}" for axis in axes if f"p{axis}" in golden.arguments]
+    options = [name for name in golden.arguments
+               if name not in {*axes, *periods, *(f"{kind}{axis}" for kind in "cf" for axis in axes)}]
+    rows: dict[tuple, list[int]] = {}
+    for row in range(len(points[0])):
+        rows.setdefault(tuple(golden.arguments[name][row].item() for name in options + periods), []).append(row)
+    function = getattr(hashnoise, golden.function)
+    first = len(hashnoise.components(golden.function, golden.axes)) - len(golden.results)
+    if golden.name.endswith("_value"):
+        first = 0  # the other file of a noise in 4D has the derivatives
+    results = numpy.empty((len(golden.results), len(points[0])), numpy.float32)
+    for values, which in rows.items():
+        chosen = dict(zip(options, values))
+        if periods:
+            chosen["period"] = values[len(options):]
+        if "metric" in chosen:
+            chosen["metric"] = METRICS[chosen["metric"] if 0 <= chosen["metric"] < len(METRICS) else 0]
+        if cells is not None:
+            chosen["cell"] = tuple(cell[which] for cell in cells)
+        planes = function(*(point[which] for point in points), arithmetic=arithmetic, **chosen)
+        planes = planes.reshape(-1, len(which))
+        results[:, which] = planes[first:first + len(results)]
+    return results
+
+
+def different_bits(golden: Golden, results: numpy.ndarray) -> list[str]:
+    """What is wrong with results that must have the bits of the golden file."""
+    wrong = []
+    for (column, expected), values in zip(golden.results.items(), results, strict=True):
+        words = expected.astype(numpy.float32).view(numpy.uint32)
+        for row in numpy.flatnonzero(words != values.view(numpy.uint32)):
+            wrong.append(f"{golden.name}, row {row + 1}: {column} is {values[row]!r}, not {expected[row]!r}")
+    return wrong
+
+
+def too_far(golden: Golden, results: numpy.ndarray) -> list[str]:
+    """What is wrong with results that must be as near to the exact values as the noise promises."""
+    wrong = []
+    for (column, expected), values in zip(golden.results.items(), results, strict=True):
+        allowed = bound(golden, column)
+        if golden.function == "cellular_d" and column.startswith("d"):
+            allowed = numpy.minimum(allowed / numpy.maximum(golden.results["value"], allowed / 2), 2)
+        distance = numpy.abs(values.astype(numpy.float64) - expected)
+        for row in numpy.flatnonzero(~(distance <= allowed)):
+            wrong.append(f"{golden.name}, row {row + 1}: {column} is {values[row]!r}, not {expected[row]!r}")
+    return wrong
+
+
+def bound(golden: Golden, column: str) -> float:
+    """The error of a noise that the project has proven, of its value or of its derivatives."""
+    noise = golden.function + ("_phase" if "phase" in golden.arguments else "")
+    kind = "SLOPE_BOUNDS" if column in ("dx", "dy", "dz", "dw") else "NOISE_BOUNDS"
+    row = re.search(rf'^{kind}\("{noise}", {golden.axes}, (?:octahedral|none), (\S+), (\S+),', BOUNDS.read_text(), re.M)
+    if row is None:
+        raise ValueError(f"{BOUNDS.name} has no {kind} of {noise} in {golden.axes}D")
+    return float(row[1] if "cx" in golden.arguments else row[2])
+
+
+def main() -> int:
+    wrong = []
+    for name in names("lattice+fixed"):
+        if not re.search("_(cell|period|full)", name):
+            golden = read(name, "lattice+fixed")
+            wrong += different_bits(golden, computed(golden, "fixed"))
+    print("\n".join(wrong[:20]))
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,134 @@
+"""The golden files through the functions of the package: bit for bit, and within the error."""
+
+from __future__ import annotations
+
+import dataclasses
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+import golden
+import hashnoise
+import numpy
+
+
+class Fixed(unittest.TestCase):
+    """arithmetic="fixed" has the bits of HN_FIXED: each function in each dimension and form."""
+
+    def test_bits(self):
+        tested = set()
+        for name in golden.names("lattice+fixed"):
+            with self.subTest(name):
+                file = golden.read(name, "lattice+fixed")
+                self.assertEqual(golden.different_bits(file, golden.computed(file, "fixed"))[:5], [])
+                tested.add((file.function, file.axes))
+        everything = {(name, axes) for axes in range(1, 5) for name in hashnoise.noises(axes) + hashnoise.sums(axes)}
+        self.assertEqual(tested, everything)
+
+    def test_instruction_sets(self):
+        for instruction_set in hashnoise.instruction_sets():
+            with self.subTest(instruction_set):
+                file = golden.read("noise3d.simplex_d", "lattice+fixed")
+                values = hashnoise.simplex_d(*(file.arguments[axis] for axis in "xyz"), arithmetic="fixed", seed=3)
+                other = hashnoise.simplex_d(*(file.arguments[axis] for axis in "xyz"), arithmetic="fixed", seed=3,
+                                            instruction_set=instruction_set)
+                self.assertEqual(values.tobytes(), other.tobytes())
+
+    def test_grids(self):
+        """A grid has the values of the points, which golden files have."""
+        for axes, name in ((1, "value_cubic"), (2, "cellular_three"), (3, "perlin_d"), (4, "simplex_d"), (2, "ridged")):
+            with self.subTest(name):
+                size = (7, 5, 3, 2)[:axes]
+                along = [0.375 * numpy.arange(points) - 1.25 for points in size]
+                points = numpy.meshgrid(*along, indexing="ij")
+                function = getattr(hashnoise, name)
+                expected = function(*points, seed=9, arithmetic="fixed")
+                planes = expected.ndim - axes
+                expected = expected.transpose(*range(planes), *reversed(range(planes, planes + axes)))
+                grid = hashnoise.grid(name, size, step=0.375, origin=-1.25, seed=9, arithmetic="fixed")
+                self.assertEqual(grid.shape, expected.shape)
+                self.assertEqual(grid.tobytes(), numpy.ascontiguousarray(expected).tobytes())
+                far = hashnoise.grid(name, size, step=0.375, origin=0.75, cell=(-2,) * axes, seed=9, arithmetic="fixed")
+                self.assertEqual(far.tobytes(), grid.tobytes())
+
+
+class Fast(unittest.TestCase):
+    """The other arithmetics are as near to the exact values as the noises promise."""
+
+    def test_error(self):
+        for arithmetic in ("fast", "precise"):
+            for name in golden.names("lattice"):
+                if not name.startswith(("noise", "curl")):
+                    continue  # what is promised of a sum depends on its positions; the compiled library's tests know it
+                with self.subTest(name, arithmetic=arithmetic):
+                    file = golden.read(name, "lattice")
+                    self.assertEqual(golden.too_far(file, golden.computed(file, arithmetic))[:5], [])
+
+    def test_precise_is_the_same_everywhere(self):
+        x = numpy.linspace(-40, 40, 10001, dtype=numpy.float32)
+        expected = hashnoise.fbm(x, 0.3, seed=5, arithmetic="precise").tobytes()
+        for instruction_set in hashnoise.instruction_sets():
+            values = hashnoise.fbm(x, 0.3, seed=5, arithmetic="precise", instruction_set=instruction_set)
+            self.assertEqual(values.tobytes(), expected, instruction_set)
+
+
+class Reported(unittest.TestCase):
+    """The comparisons notice what is wrong."""
+
+    def setUp(self):
+        self.file = golden.read("noise2d.perlin_d", "lattice+fixed")
+        self.results = golden.computed(self.file, "fixed")
+
+    def test_nothing(self):
+        self.assertEqual(golden.different_bits(self.file, self.results), [])
+
+    def test_a_bit(self):
+        self.results.view(numpy.uint32)[1, 7] ^= 1
+        self.assertEqual(len(golden.different_bits(self.file, self.results)), 1)
+        self.assertIn("row 8: dx", golden.different_bits(self.file, self.results)[0])
+
+    def test_the_sign_of_a_zero(self):
+        row = numpy.flatnonzero(self.file.results["value"] == 0)[0]
+        self.results[0, row] = -self.results[0, row]
+        self.assertEqual(len(golden.different_bits(self.file, self.results)), 1)
+
+    def test_no_number(self):
+        self.results[2, 3] = numpy.nan
+        self.assertEqual(len(golden.different_bits(self.file, self.results)), 1)
+        self.assertEqual(len(golden.too_far(self.file, self.results)), 1)
+
+    def test_components_that_are_exchanged(self):
+        self.assertGreater(len(golden.different_bits(self.file, self.results[::-1])), 100)
+
+    def test_a_component_that_is_missing(self):
+        with self.assertRaises(ValueError):
+            golden.different_bits(self.file, self.results[:2])
+
+    def test_another_seed_axis_and_arithmetic(self):
+        for wrong in ({"seed": self.file.arguments["seed"] + numpy.uint32(1)},
+                      {"x": self.file.arguments["y"], "y": self.file.arguments["x"]}):
+            other = dataclasses.replace(self.file, arguments={**self.file.arguments, **wrong})
+            self.assertGreater(len(golden.different_bits(self.file, golden.computed(other, "fixed"))), 100)
+        self.assertGreater(len(golden.different_bits(self.file, golden.computed(self.file, "fast"))), 100)
+
+    def test_too_far(self):
+        file = golden.read("noise2d.perlin_d", "lattice")
+        results = golden.computed(file, "fast")
+        for column, plane in (("value", 0), ("dy", 2)):
+            for factor, errors in ((0.5, 0), (3, 1)):
+                changed = results.copy()
+                changed[plane, 5] = file.results[column][5] + factor * golden.bound(file, column)
+                self.assertEqual(len(golden.too_far(file, changed)), errors, (column, factor))
+
+    def test_a_file_that_is_cut_off(self):
+        name = "noise1d.perlin.lattice.golden"
+        lines = (golden.FOLDER / name).read_text(encoding="ascii").splitlines(keepends=True)
+        with tempfile.TemporaryDirectory() as scratch, mock.patch.object(golden, "FOLDER", Path(scratch)):
+            (golden.FOLDER / name).write_text("".join(lines[:-1]), encoding="ascii")
+            with self.assertRaisesRegex(ValueError, "says that it has"):
+                golden.read("noise1d.perlin", "lattice")
+
+
+if __name__ == "__main__":
+    unittest.main()

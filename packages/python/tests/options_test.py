@@ -1,0 +1,190 @@
+"""Options, and what is said of wrong ones: what is wrong, where, and what would be right."""
+
+from __future__ import annotations
+
+import re
+import unittest
+
+import golden
+import hashnoise
+import numpy
+
+X = numpy.linspace(0, 9, 100, dtype=numpy.float32)
+
+
+class Options(unittest.TestCase):
+    def test_version_is_that_of_the_shaders(self):
+        text = (golden.ROOT / "glsl" / "config.glsl").read_text(encoding="ascii")
+        numbers = re.findall(r"^#define HN_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)$", text, re.M)
+        self.assertEqual(hashnoise.__version__, ".".join(numbers))
+
+    def test_every_name_is_a_function(self):
+        names = {name for axes in range(1, 5) for name in hashnoise.noises(axes) + hashnoise.sums(axes)}
+        others = {"components", "grid", "instruction_sets", "noises", "sums"}
+        self.assertEqual(set(hashnoise.__all__), names | others)
+        for axes in range(1, 5):
+            for name in names:
+                with self.subTest(name, axes=axes):
+                    if name in hashnoise.noises(axes) + hashnoise.sums(axes):
+                        getattr(hashnoise, name)(*[X] * axes)
+                    else:
+                        with self.assertRaises((TypeError, ValueError)):
+                            getattr(hashnoise, name)(*[X] * axes)
+
+    def test_each_option_counts(self):
+        """What is changed from its default changes the values."""
+        changed = {"seed": 5, "period": 3, "phase": 0.25, "jitter": 0.5, "metric": "manhattan", "noise": "simplex",
+                   "octaves": 3, "lacunarity": 3.0, "gain": 0.25, "strength": 0.5, "amplitude": 0.5, "detail": 2.5,
+                   "footprint": 0.25, "arithmetic": "fixed", "cell": (3, 4)}
+        same = {"out", "threads", "instruction_set"}
+        for name in hashnoise.noises(2) + hashnoise.sums(2):
+            function = getattr(hashnoise, name)
+            for option in function.__kwdefaults__:
+                if option in same:
+                    continue
+                value = changed[option]
+                if option == "noise" and function.__kwdefaults__["noise"].endswith("_d"):
+                    value = "simplex_d"
+                with self.subTest(name, option=option):
+                    x, y = (X % 1, X[::-1] % 1) if option == "cell" else (X, X[::-1])
+                    self.assert_other(function(x, y, **{option: value}), function(x, y))
+                    grid = {"name": name, "size": (40, 30), "step": 0.17, "origin": 0.05}
+                    self.assert_other(hashnoise.grid(**grid, **{option: value}), hashnoise.grid(**grid))
+
+    def assert_other(self, values, others):
+        self.assertEqual(values.shape, others.shape)
+        self.assertFalse((values == others).all())
+
+    def test_default_options(self):
+        """Those that are written in the signature are those of the library."""
+        self.assertEqual(hashnoise.fbm(X, seed=0, octaves=6, lacunarity=2.0, gain=0.5, noise="perlin").tobytes(),
+                         hashnoise.fbm(X).tobytes())
+        self.assertEqual(hashnoise.warp(X, X, noise="value").tobytes(), hashnoise.warp(X, X).tobytes())
+
+    def test_kinds_of_numbers(self):
+        for seed in (numpy.uint32(7), numpy.int64(7), True + 6):
+            self.assertEqual(hashnoise.perlin(X, seed=seed).tobytes(), hashnoise.perlin(X, seed=7).tobytes())
+        self.assertEqual(hashnoise.fbm(X, gain=numpy.float32(0.25)).tobytes(), hashnoise.fbm(X, gain=0.25).tobytes())
+        self.assertEqual(hashnoise.fbm(X, X, period=numpy.array([3, 5])).tobytes(),
+                         hashnoise.fbm(X, X, period=(3, 5)).tobytes())
+        self.assertEqual(hashnoise.fbm(X, X, period=[4, 4]).tobytes(), hashnoise.fbm(X, X, period=4).tobytes())
+        hashnoise.perlin(X, seed=2**32 - 1)
+
+    def test_names_of_planes(self):
+        self.assertEqual(hashnoise.components("cellular_three", 3), ("f1", "f2", "f3"))
+        self.assertEqual(hashnoise.components("simplex_d", 4), ("value", "dx", "dy", "dz", "dw"))
+        self.assertEqual(hashnoise.components("warp", 2, noise="simplex"), ("x", "y"))
+        self.assertEqual(hashnoise.components("eroded", 2), ("value",))
+
+    def test_instruction_sets(self):
+        sets = hashnoise.instruction_sets()
+        self.assertLessEqual(set(sets), {"sse2", "sse4.1", "avx2", "avx512", "neon", "generic"})
+        self.assertNotEqual(sets, ())
+        for name in sets:
+            hashnoise.perlin(X, instruction_set=name)
+
+
+class Wrong(unittest.TestCase):
+    def assert_told(self, kind, said, call):
+        with self.assertRaisesRegex(kind, said) as caught:
+            call()
+        self.assertIs(type(caught.exception), kind)
+
+    def test_options(self):
+        for kind, options, said in (
+                (ValueError, {"seed": -1}, "seed must be from 0 to 4294967295, not -1"),
+                (ValueError, {"seed": 2**32}, "seed must be from 0 to 4294967295, not 4294967296"),
+                (TypeError, {"seed": 1.5}, r"seed must be a whole number, not 1.5 \(float\)"),
+                (TypeError, {"seed": "7"}, r"seed must be a whole number, not '7' \(str\)"),
+                (ValueError, {"period": (1, 2, 3)}, r"period must have a value for each of the 2 axes"),
+                (TypeError, {"period": (1, 0.5)}, r"period must be a whole number, not 0.5"),
+                (ValueError, {"period": 2**31}, "period must be from -2147483648 to 2147483647"),
+                (ValueError, {"arithmetic": "exact"}, "arithmetic must be one of fast, precise, fixed; not 'exact'"),
+                (ValueError, {"threads": 0}, "threads must be from 1 to 1024, not 0"),
+                (TypeError, {"threads": 1.5}, "threads must be a whole number"),
+                (ValueError, {"instruction_set": "mmx"}, "instruction_set must be one of this processor's, which are .*;"),
+                (TypeError, {"octaves": 2.5}, "octaves must be a whole number, not 2.5"),
+                (TypeError, {"gain": "0.5"}, "gain must be a number, not '0.5'"),
+                (TypeError, {"gain": X}, "gain must be a number, not array"),
+                (ValueError, {"gain": float("nan")}, "gain must be finite, not nan"),
+                (ValueError, {"lacunarity": float("inf")}, "lacunarity must be finite, not inf"),
+                (TypeError, {"noise": 3}, "noise must be a name, not 3"),
+                (ValueError, {"noise": "no_such"}, "no_such"),
+                (ValueError, {"noise": "perlin_d"}, "perlin"),
+                (ValueError, {"gain": 1e300}, "gain"),
+                (ValueError, {"detail": 2.0, "period": 4}, "detail"),
+                (ValueError, {"cell": 3}, "cell must be a tuple of 2: the cells along x, y"),
+                (ValueError, {"cell": (3,)}, "cell must be a tuple of 2"),
+                (TypeError, {"cell": (0.5, 1)}, "the cells along x must be whole numbers, not float64")):
+            with self.subTest(options):
+                self.assert_told(kind, f"^fbm: .*{said}", lambda: hashnoise.fbm(X, X, **options))
+
+    def test_options_that_there_are_not(self):
+        self.assert_told(TypeError, "unexpected keyword argument 'octave'", lambda: hashnoise.fbm(X, octave=3))
+        self.assert_told(TypeError, "unexpected keyword argument 'jitter'", lambda: hashnoise.perlin(X, jitter=0.5))
+        self.assert_told(TypeError, "^grid: perlin has no option jitter; it has seed, ",
+                         lambda: hashnoise.grid("perlin", 9, step=0.1, jitter=0.5))
+        self.assert_told(ValueError, "phase", lambda: hashnoise.perlin(X, phase=0.5))
+
+    def test_coordinates(self):
+        for kind, coordinates, said in (
+                (TypeError, (), "missing 1 required positional argument: 'x'"),
+                (TypeError, (X, None, X), "^perlin: y is left out, but a later coordinate is not"),
+                (TypeError, (None,), "^perlin: x must be a number or an array of numbers"),
+                (TypeError, ("a",), "^perlin: x must be a number or an array of numbers"),
+                (TypeError, (X, 1j), "^perlin: y must be a number or an array of numbers, not of complex128"),
+                (ValueError, (X, [[1], [1, 2]]), "^perlin: y makes no array"),
+                (ValueError, (X, X[:5]), r"^perlin: the coordinates have shapes that do not go together: \(100,\), \(5,\)"),
+                (TypeError, (X, X, X, X, X), "positional arguments")):
+            with self.subTest(coordinates):
+                self.assert_told(kind, said, lambda: hashnoise.perlin(*coordinates))
+        self.assert_told(TypeError, "missing", lambda: hashnoise.simplex(X))
+        self.assert_told(ValueError, "do not go together", lambda: hashnoise.perlin(X, cell=(numpy.arange(5),)))
+
+    def test_out(self):
+        read_only = numpy.zeros(100, numpy.float32)
+        read_only.flags.writeable = False
+        for kind, out, said in (
+                (TypeError, [0.0], "out must be an array of float32"),
+                (ValueError, numpy.zeros(100), r"of the shape \(100,\), not a writeable one of float64"),
+                (ValueError, numpy.zeros(100, ">f4"), "not a writeable one of >f4"),
+                (ValueError, numpy.zeros(99, "f4"), r"of the shape \(99,\)"),
+                (ValueError, numpy.zeros((1, 100), "f4"), r"of the shape \(1, 100\)"),
+                (ValueError, read_only, "not a read-only one")):
+            with self.subTest(said):
+                self.assert_told(kind, f"^perlin: .*{said}", lambda: hashnoise.perlin(X, out=out))
+        self.assert_told(ValueError, r"of the shape \(2, 100\)",
+                         lambda: hashnoise.perlin_d(X, out=numpy.zeros(100, "f4")))
+
+    def test_grids(self):
+        for kind, arguments, said in (
+                (ValueError, {"name": "no_such"}, "there is no function 'no_such'; there are value, "),
+                (ValueError, {"name": 3}, "there is no function 3"),
+                (ValueError, {"name": "grid"}, "there is no function 'grid'"),
+                (ValueError, {"size": (3, -1)}, "size must be from 0 to 536870911, not -1"),
+                (ValueError, {"size": 2**29}, "size must be from 0 to 536870911"),
+                (TypeError, {"size": 2.5}, "size must be a whole number"),
+                (ValueError, {"size": ()}, "size must have 1 to 4 numbers, not 0"),
+                (ValueError, {"size": (1,) * 5}, "size must have 1 to 4 numbers, not 5"),
+                (ValueError, {"step": (1, 2, 3)}, "step must have a value for each of the 2 axes"),
+                (ValueError, {"step": float("nan")}, "step must be finite"),
+                (TypeError, {"step": "a"}, "step must be a number"),
+                (ValueError, {"origin": (0.0,)}, "origin must have a value for each of the 2 axes"),
+                (TypeError, {"cell": 0.5}, "cell must be of whole numbers"),
+                (ValueError, {"cell": 3, "step": 2.0**31}, "step"),
+                (ValueError, {"step": 1e38, "origin": 3e38}, ""),
+                (ValueError, {"out": numpy.zeros((3, 4), "f4")}, r"of the shape \(4, 3\)")):
+            with self.subTest(arguments):
+                self.assert_told(kind, f"^grid: .*{said}", lambda: hashnoise.grid(
+                    **{"name": "perlin", "size": (3, 4), "step": 0.1, **arguments}))
+        self.assert_told(TypeError, "step", lambda: hashnoise.grid("perlin", 3))
+
+    def test_dimensions(self):
+        for ask in (hashnoise.noises, hashnoise.sums, lambda dimensions: hashnoise.components("perlin", dimensions)):
+            self.assert_told(ValueError, "dimensions must be from 1 to 4, not 5", lambda: ask(5))
+            self.assert_told(TypeError, "dimensions must be a whole number", lambda: ask("2"))
+        self.assert_told(ValueError, "^components: .*cellular", lambda: hashnoise.components("cellular", 4))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,107 @@
+"""The types of the package, as mypy sees them: those of a user's program, and those that the stub promises."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PROGRAM = '''
+import hashnoise
+import numpy as np
+import numpy.typing as npt
+
+x: npt.NDArray[np.float64] = np.linspace(0, 8, 100)
+number: float = hashnoise.perlin(0.5, 1, seed=7)
+single: float = hashnoise.fbm(np.float32(0.5), cell=3)
+values: npt.NDArray[np.float32] = hashnoise.perlin(x, 0.5, period=(3, 4), phase=0.25)
+again: npt.NDArray[np.float32] = hashnoise.perlin(x.tolist(), x[0], out=values)
+value, dx, dy = hashnoise.perlin_d(0.5, 0.25)
+slopes: npt.NDArray[np.float32] = dx
+sum: npt.NDArray[np.float32] = hashnoise.eroded(x, x[:, np.newaxis], noise="simplex_d", octaves=8, strength=2)
+far: npt.NDArray[np.float32] = hashnoise.fbm(0.5, 0.5, cell=(np.arange(3), 10**9), arithmetic="fixed")
+image: npt.NDArray[np.float32] = hashnoise.grid("cellular", (640, 480), step=0.01, metric="manhattan")
+volume, (least, greatest) = hashnoise.grid("clouds", (9, 9, 9), step=(0.1, 0.1, 0.2), return_range=True)
+extent: float = greatest - least
+names: tuple[str, ...] = hashnoise.noises(2) + hashnoise.sums(2) + hashnoise.instruction_sets()
+planes: tuple[str, ...] = hashnoise.components("warp", 2, noise="simplex")
+version: str = hashnoise.__version__
+'''
+WRONG = {
+    'hashnoise.perlin()': "call-overload",
+    'hashnoise.perlin(0.5, metric="euclidean")': "call-overload",
+    'hashnoise.perlin(0.5, arithmetic="exact")': "call-overload",
+    'hashnoise.perlin(0.5, seed=0.5)': "call-overload",
+    'hashnoise.cellular(0.5, 0.5, metric="taxicab")': "arg-type",
+    'hashnoise.simplex(0.5)': "call-overload",
+    'hashnoise.grid("perlin", 9)': "call-overload",
+    'text: str = hashnoise.perlin(0.5)': "assignment",
+    'array: int = hashnoise.perlin([0.5])': "assignment",
+    'hashnoise.no_such(0.5)': "attr-defined",
+}
+# The modules behind the stub are without types, as it has them.
+CONFIGURATION = "[mypy]\n[mypy-hashnoise._core,hashnoise._evaluate,hashnoise._grids,hashnoise._noises,hashnoise._sums]\n" \
+    "ignore_errors = True\nignore_missing_imports = True\n"
+
+
+class Types(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.scratch = Path(scratch.name)
+
+    def call(self, *arguments: str) -> subprocess.CompletedProcess[str]:
+        return subprocess.run([sys.executable, "-m", *arguments], capture_output=True, text=True, check=False,
+                              cwd=self.scratch)
+
+    def check(self, program: str) -> subprocess.CompletedProcess[str]:
+        (self.scratch / "program.py").write_text(program, encoding="utf-8")
+        return self.call("mypy", "--strict", "--cache-dir", "cache", "program.py")
+
+    def test_a_program(self):
+        done = self.check(PROGRAM)
+        self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
+
+    def test_the_program_runs(self):
+        exec(compile(PROGRAM, "program", "exec"), {})  # what it says is true
+
+    def test_wrong_calls(self):
+        lines = [f"{call}  # {number}" for number, call in enumerate(WRONG)]
+        done = self.check("import hashnoise\n" + "\n".join(lines) + "\n")
+        self.assertEqual(done.returncode, 1)
+        for number, (call, code) in enumerate(WRONG.items()):
+            with self.subTest(call):
+                self.assertRegex(done.stdout, rf"(?m)^program.py:{number + 2}: error: .*\[{code}\]$")
+
+    def compare_with_the_code(self, folder: str | None = None) -> subprocess.CompletedProcess[str]:
+        (self.scratch / "mypy.ini").write_text(CONFIGURATION)
+        (self.scratch / "allowed").write_text(r"hashnoise\._.*" + "\n")
+        return self.call("mypy.stubtest", "hashnoise", "--mypy-config-file", "mypy.ini", "--allowlist", "allowed",
+                         "--ignore-unused-allowlist")
+
+    def test_the_stub_has_what_the_code_has(self):
+        done = self.compare_with_the_code()
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_another_stub_is_noticed(self):
+        """In a copy of the package, which stands before the installed one."""
+        import hashnoise
+        import shutil
+        shutil.copytree(Path(hashnoise.__file__).parent, self.scratch / "hashnoise")
+        stub = self.scratch / "hashnoise" / "__init__.pyi"
+        text = stub.read_text()
+        for what, changed in (("a default", text.replace("octaves: int = 6", "octaves: int = 5")),
+                              ("an option", text.replace("jitter: float = 1.0", "jiter: float = 1.0")),
+                              ("a function", text + "def no_such() -> int: ...\n")):
+            with self.subTest(what):
+                self.assertNotEqual(changed, text)
+                stub.write_text(changed)
+                done = self.compare_with_the_code()
+                self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+                self.assertIn("error: hashnoise.", done.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,180 @@
+// With Arithmetic::kFixed and kPrecise a field has the bits of the scalar functions, at any place, with any settings,
+// with every instruction set.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <tuple>
+
+#include "fields.hpp"
+#include "subjects.hpp"
+
+namespace hashnoise::twin {
+namespace {
+
+constexpr int kMostPoints = 400;
+constexpr float kFarOut = 0x1p22f;
+
+class Bits : public testing::TestWithParam<std::tuple<int, Arithmetic>> {
+ protected:
+  // Calls `each` with the dimensions, as a type.
+  template <typename Each>
+  void in_dimensions(const Each& each) {
+    switch (std::get<0>(GetParam())) {
+      case 1:
+        return each(std::integral_constant<int, 1>{});
+      case 2:
+        return each(std::integral_constant<int, 2>{});
+      case 3:
+        return each(std::integral_constant<int, 3>{});
+      default:
+        return each(std::integral_constant<int, 4>{});
+    }
+  }
+
+  Arithmetic arithmetic() const { return std::get<1>(GetParam()); }
+  Chance chance{7 + 16 * static_cast<std::uint64_t>(std::get<0>(GetParam()))};
+
+  template <int D>
+  void expect_bits_everywhere(Settings settings, bool can_have_period = true, bool has_cells = true) {
+    settings.arithmetic = arithmetic();
+    for (const bool tiled : {false, true}) {
+      if (tiled && !can_have_period) continue;
+      const auto draw = [&] { draw_settings(settings, D, tiled, Draw::kWild, chance); };
+      draw();
+      expect_bits<D>(settings, draw_grid<D>(kMostPoints, kFarOut, Draw::kWild, chance));
+      draw();
+      expect_bits<D>(settings, Points<D>(draw_points<D>(chance.whole(1, 200), kFarOut, Draw::kWild, chance)));
+      if (!has_cells) continue;
+      draw();
+      expect_bits<D>(settings, draw_cell_grid<D>(kMostPoints, chance));
+      draw();
+      expect_bits<D>(settings, CellPoints<D>(draw_cell_points<D>(chance.whole(1, 200), chance)));
+    }
+  }
+};
+
+TEST_P(Bits, OfNoises) {
+  in_dimensions([&]<int D>(std::integral_constant<int, D>) {
+    for (int round = 0; round < 6; ++round) {
+      for (const Settings& settings : noise_subjects(D)) expect_bits_everywhere<D>(settings);
+    }
+  });
+}
+
+TEST_P(Bits, OfSums) {
+  in_dimensions([&]<int D>(std::integral_constant<int, D>) {
+    for (int round = 0; round < 2; ++round) {
+      for (const Settings& settings : sum_subjects(D)) expect_bits_everywhere<D>(settings);
+    }
+  });
+}
+
+TEST_P(Bits, OfSumsWithDetailAndFootprint) {
+  in_dimensions([&]<int D>(std::integral_constant<int, D>) {
+    for (Settings settings : sum_subjects(D)) {
+      if (settings.sum != "fbm") continue;
+      settings.detail = 1.0f;
+      expect_bits_everywhere<D>(settings, false, false);
+      settings.detail.reset();
+      settings.footprint = 1.0f;
+      expect_bits_everywhere<D>(settings, false, false);
+    }
+  });
+}
+
+// Where a float has no fraction, and where the cell does not fit an int.
+TEST_P(Bits, FarOut) {
+  in_dimensions([&]<int D>(std::integral_constant<int, D>) {
+    for (Settings settings : noise_subjects(D)) {
+      settings.arithmetic = arithmetic();
+      for (const bool tiled : {false, true}) {
+        draw_settings(settings, D, tiled, Draw::kWild, chance);
+        PointList<D> list;
+        for (auto& axis : list.p) {
+          for (int i = 0; i < 64; ++i) {
+            axis.push_back(chance.of({8388607.5f, -8388608.0f, 16777215.0f, 2147483520.0f, 2147483648.0f, -2147483648.0f,
+                                      -2147483904.0f, 1e20f, -3e38f, std::numeric_limits<float>::max(), 0.25f,
+                                      std::ldexp(chance.between(-1.0f, 1.0f), 40)}));
+          }
+        }
+        expect_bits<D>(settings, Points<D>(list));
+      }
+    }
+  });
+}
+
+// Less than 0 is no period, as 0 is: of a sum, too, which is no tile then.
+TEST_P(Bits, OfPeriodsBelow0) {
+  in_dimensions([&]<int D>(std::integral_constant<int, D>) {
+    for (const std::string sum : {"", "fbm"}) {
+      Settings without;
+      without.sum = sum;
+      without.arithmetic = arithmetic();
+      Settings with = without;
+      with.period = {-1, -7, std::numeric_limits<std::int32_t>::min(), -2};
+      const Grid<D> grid = draw_grid<D>(kMostPoints, 100.0f, Draw::kWild, chance);
+      const std::size_t points = places_of(grid).size();
+      EXPECT_TRUE(same_bits(fill(Field<D>(with), grid, points).values, fill(Field<D>(without), grid, points).values, points));
+    }
+  });
+}
+
+// A few thousand points, so that there are several tasks and full rows of vectors.
+TEST_P(Bits, OfManyPoints) {
+  in_dimensions([&]<int D>(std::integral_constant<int, D>) {
+    constexpr std::array<std::array<int, 4>, 4> kSizes = {{{9973, 1, 1, 1}, {131, 67, 1, 1}, {33, 17, 19, 1}, {3, 61, 7, 9}}};
+    for (const std::string noise : {"perlin_d", "value"}) {
+      Settings settings;
+      settings.noise = noise;
+      settings.arithmetic = arithmetic();
+      Grid<D> grid;
+      CellGrid<D> cells;
+      for (std::size_t axis = 0; axis < D; ++axis) {
+        grid.size[axis] = cells.size[axis] = kSizes[D - 1][axis];
+        grid.origin[axis] = -3.7f + static_cast<float>(axis);
+        grid.step[axis] = 0.0371f;
+        cells.cell[axis] = std::numeric_limits<std::int32_t>::max() - 2;  // the last cells are beyond the wrap
+        cells.f[axis] = 0.125f;
+        cells.step[axis] = 0.0371;
+      }
+      expect_bits<D>(settings, grid);
+      expect_bits<D>(settings, cells);
+    }
+  });
+}
+
+// Each axis is one that a grid can be long along, and the order of the values is not that of another axis.
+TEST_P(Bits, WithOneLongAxis) {
+  in_dimensions([&]<int D>(std::integral_constant<int, D>) {
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      for (const int points : {1, 2, 15, 16, 17, 1009}) {
+        Settings settings;
+        settings.arithmetic = arithmetic();
+        Grid<D> grid;
+        grid.size.fill(1);
+        grid.size[axis] = points;
+        grid.origin.fill(0.3f);
+        grid.step.fill(0.17f);
+        expect_bits<D>(settings, grid);
+        CellGrid<D> cells;
+        cells.size = grid.size;
+        cells.cell.fill(-3);
+        cells.f.fill(0.3f);
+        cells.step.fill(0.17);
+        expect_bits<D>(settings, cells);
+      }
+    }
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(, Bits,
+                         testing::Combine(testing::Range(1, 5), testing::Values(Arithmetic::kPrecise, Arithmetic::kFixed)),
+                         [](const auto& parameters) {
+                           return std::to_string(std::get<0>(parameters.param)) + "d_" +
+                                  (std::get<1>(parameters.param) == Arithmetic::kFixed ? "fixed" : "precise");
+                         });
+
+}  // namespace
+}  // namespace hashnoise::twin

@@ -1,0 +1,181 @@
+// What compares fields must report what is wrong with them.
+#include <gtest/gtest-spi.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "compare.hpp"
+#include "fields.hpp"
+#include "places.hpp"
+#include "subjects.hpp"
+
+namespace hashnoise::twin {
+namespace {
+
+Settings fixed(const std::string& noise) {
+  Settings settings;
+  settings.noise = noise;
+  settings.arithmetic = Arithmetic::kFixed;
+  return settings;
+}
+
+const Grid<2> kGrid = {{0.3f, -1.7f}, {0.17f, 0.23f}, {9, 7}};
+
+std::vector<float> planes(const std::string& noise, const Grid<2>& grid = kGrid) {
+  const Settings settings = fixed(noise);
+  return planes_of(function<2>(settings), places_of(grid));
+}
+
+TEST(Comparison, AcceptsWhatIsRight) {
+  const std::vector<float> expected = planes("perlin_d");
+  EXPECT_TRUE(same_bits(expected, expected, 63));
+  EXPECT_TRUE(within(expected, expected, 63, [](auto, auto) { return 0.0; }));
+}
+
+TEST(Comparison, NoticesOneWrongBit) {
+  const std::vector<float> expected = planes("perlin_d");
+  for (const std::size_t i : {std::size_t{0}, std::size_t{62}, std::size_t{63}, expected.size() - 1}) {
+    std::vector<float> got = expected;
+    got[i] = std::bit_cast<float>(std::bit_cast<std::uint32_t>(got[i]) ^ 1u);
+    EXPECT_FALSE(same_bits(got, expected, 63)) << i;
+  }
+}
+
+TEST(Comparison, TellsZerosApart) {
+  EXPECT_FALSE(same_bits(std::vector{-0.0f}, std::vector{0.0f}, 1));
+}
+
+TEST(Comparison, RejectsNan) {
+  const std::vector nan = {std::numeric_limits<float>::quiet_NaN()};
+  EXPECT_FALSE(same_bits(nan, nan, 1));
+  EXPECT_FALSE(within(nan, nan, 1, [](auto, auto) { return 1.0; }));
+}
+
+TEST(Comparison, NoticesAnotherSize) {
+  const std::vector<float> expected = planes("perlin");
+  const std::span<const float> less = std::span(expected).first(expected.size() - 1);
+  EXPECT_FALSE(same_bits(less, expected, 63));
+  EXPECT_FALSE(within(less, expected, 63, [](auto, auto) { return 10.0; }));
+}
+
+TEST(Comparison, NoticesAShiftedPlane) {
+  const std::vector<float> expected = planes("perlin_d");
+  std::vector<float> got = expected;
+  std::rotate(got.begin() + 63, got.begin() + 64, got.begin() + 126);  // dx, by a point
+  EXPECT_FALSE(same_bits(got, expected, 63));
+  got = expected;
+  std::rotate(got.begin(), got.begin() + 63, got.end());  // by a plane
+  EXPECT_FALSE(same_bits(got, expected, 63));
+}
+
+TEST(Comparison, NoticesNumbersOfAPointSideBySide) {
+  const std::vector<float> expected = planes("perlin_d");
+  std::vector<float> got;
+  for (std::size_t i = 0; i < 63; ++i) {
+    for (std::size_t component = 0; component < 3; ++component) got.push_back(expected[63 * component + i]);
+  }
+  EXPECT_FALSE(same_bits(got, expected, 63));
+}
+
+TEST(Comparison, NoticesSwappedAxes) {
+  const Grid<2> swapped = {{kGrid.origin[1], kGrid.origin[0]}, {kGrid.step[1], kGrid.step[0]}, {7, 9}};
+  EXPECT_FALSE(same_bits(planes("perlin", swapped), planes("perlin"), 63));
+  // The values of the right places, with y fastest.
+  const std::vector<float> expected = planes("perlin");
+  std::vector<float> got;
+  for (std::size_t x = 0; x < 9; ++x) {
+    for (std::size_t y = 0; y < 7; ++y) got.push_back(expected[9 * y + x]);
+  }
+  EXPECT_FALSE(same_bits(got, expected, 63));
+}
+
+TEST(Comparison, NoticesWhatIsBeyondTheBound) {
+  const std::vector<float> expected = {0.0f, 0.25f, 1.0f, 2.0f};
+  const std::vector<float> got = {0.0f, 0.25f, 1.0f, 2.125f};
+  // The bound is that of the component and the point.
+  EXPECT_TRUE(within(got, expected, 2, [](auto component, auto point) { return component + point == 2 ? 0.125 : 0.0; }));
+  EXPECT_FALSE(within(got, expected, 2, [](auto, auto point) { return point == 0 ? 0.125 : 0.12; }));
+  EXPECT_FALSE(within(got, expected, 2, [](auto component, auto) { return component == 0 ? 0.125 : 0.12; }));
+}
+
+TEST(Comparison, NoticesWhatIsWrittenBesides) {
+  // A field cannot be made to write elsewhere. So this is a stand-in for one.
+  struct Careless {
+    int components() const { return 1; }
+    Range fill(const Grid<2>&, std::span<float> values, const Executor&) const {
+      *(values.data() + values.size()) = 0.0f;
+      return {};
+    }
+  };
+  struct Tidy : Careless {
+    Range fill(const Grid<2>&, std::span<float>, const Executor&) const { return {}; }
+  };
+  EXPECT_NONFATAL_FAILURE(static_cast<void>(fill(Careless{}, kGrid, 63, {})), "behind the values");
+  static_cast<void>(fill(Tidy{}, kGrid, 63, {}));
+}
+
+// Bits of other arithmetics, seeds, periods, and so on are not taken for each other.
+TEST(Twin, IsAnotherWithOtherSettings) {
+  const std::vector<float> expected = planes("perlin");
+  const auto differs = [&](Settings settings) {
+    return !same_bits(planes_of(function<2>(settings), places_of(kGrid)), expected, 63);
+  };
+  EXPECT_FALSE(differs(fixed("perlin")));
+  Settings settings = fixed("perlin");
+  settings.arithmetic = Arithmetic::kPrecise;
+  EXPECT_TRUE(differs(settings));
+  settings = fixed("perlin");
+  settings.seed = 1;
+  EXPECT_TRUE(differs(settings));
+  settings = fixed("perlin");
+  settings.period = {1, 0};
+  EXPECT_TRUE(differs(settings));
+  settings = fixed("perlin");
+  settings.phase = 0.25f;
+  EXPECT_TRUE(differs(settings));
+  for (const Settings& other : noise_subjects(2)) {
+    settings = other;
+    settings.arithmetic = Arithmetic::kFixed;
+    if (settings.noise == "perlin") continue;
+    EXPECT_TRUE(differs(settings)) << settings;
+  }
+  for (const Settings& other : sum_subjects(2)) {
+    settings = other;
+    settings.arithmetic = Arithmetic::kFixed;
+    EXPECT_TRUE(differs(settings)) << settings;
+  }
+}
+
+TEST(Places, OfAGridAreNearestFloats) {
+  const Grid<2> grid = {{16777216.0f, 0.1f}, {1.0f, -0.1f}, {3, 2}};
+  const auto places = places_of(grid);
+  ASSERT_EQ(places.size(), 6u);
+  EXPECT_EQ(places[0], (Position<2>{16777216.0f, 0.1f}));
+  EXPECT_EQ(places[1], (Position<2>{16777216.0f, 0.1f}));  // 16777217 is no float
+  EXPECT_EQ(places[2], (Position<2>{16777218.0f, 0.1f}));
+  EXPECT_EQ(places[3], (Position<2>{16777216.0f, 0.0f}));
+}
+
+TEST(Places, OfACellGridWrap) {
+  constexpr std::int32_t kLast = std::numeric_limits<std::int32_t>::max();
+  const CellGrid<1> grid = {{kLast}, {0.5f}, {0.75}, {4}};
+  const auto places = places_of(grid);
+  ASSERT_EQ(places.size(), 4u);
+  EXPECT_EQ(places[0], (CellPlace<1>{{kLast}, {0.5f}}));
+  EXPECT_EQ(places[1], (CellPlace<1>{{-kLast - 1}, {0.25f}}));
+  EXPECT_EQ(places[2], (CellPlace<1>{{-kLast}, {0.0f}}));
+  EXPECT_EQ(places[3], (CellPlace<1>{{-kLast}, {0.75f}}));
+  const CellGrid<1> back = {{-kLast - 1}, {0.25f}, {-0.5}, {2}};
+  EXPECT_EQ(places_of(back)[1], (CellPlace<1>{{kLast}, {0.75f}}));
+  // The place is cut off to a multiple of 2^-24, and the end of a cell is the start of the next.
+  const CellGrid<1> fine = {{5}, {1.0f}, {-0x1p-32}, {2}};
+  EXPECT_EQ(places_of(fine)[0], (CellPlace<1>{{6}, {0.0f}}));
+  EXPECT_EQ(places_of(fine)[1], (CellPlace<1>{{5}, {1.0f - 0x1p-24f}}));
+}
+
+}  // namespace
+}  // namespace hashnoise::twin

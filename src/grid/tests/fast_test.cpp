@@ -1,0 +1,311 @@
+// With Arithmetic::kFast a field is as near to the scalar functions as twice the error that these state: each of the
+// two may be off by it. The bounds are those that tools/bounds derives (docs/accuracy.md).
+//
+// Sums over the noises of the GLSL functions are compared at positions and from cells. Those over other noises are
+// compared from cells, where the positions of the octaves are whole numbers, and the same in both: then a bound follows
+// from that of the noise in a few lines.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "compare.hpp"
+#include "expected/tolerance.hpp"
+#include "fields.hpp"
+#include "subjects.hpp"
+
+namespace hashnoise::twin {
+namespace {
+
+constexpr double kUnit = 0x1p-23;  // of a rounding
+constexpr auto kGradient = hn::Gradient::octahedral;
+
+// --- Noises ----------------------------------------------------------------------------------------------------------
+
+bool is_slope(const std::string& noise, std::size_t component) { return noise.ends_with("_d") && component > 0; }
+
+double error_of_noise(const Settings& s, int dimensions, std::size_t component, bool from_cell) {
+  const std::string name = s.phase ? s.noise + "_phase" : s.noise;
+  const hn::NoiseBounds& bounds = is_slope(s.noise, component) ? hn::slope_bounds(name, dimensions, kGradient)
+                                                               : hn::noise_bounds(name, dimensions, kGradient);
+  return from_cell ? bounds.cell_error : bounds.error;
+}
+
+// A derivative of cellular_d is off by that of the point, divided by the distance; and it may be that of another point
+// which is as near up to the error. There it is not compared.
+template <int D, typename Place>
+Bound bound_of_noise(const Settings& s, const std::vector<Place>& places) {
+  constexpr bool kFromCell = !std::is_same_v<Place, Position<D>>;
+  std::vector<float> distances;
+  if constexpr (D == 2 || D == 3) {
+    if (s.noise == "cellular_d") {
+      Settings cellular = s;
+      cellular.noise = "cellular";
+      cellular.metric = Metric::kEuclidean;
+      distances = planes_of(function<D>(cellular), places);
+    }
+  }
+  return [=, points = places.size()](std::size_t component, std::size_t point) {
+    const double error = 2.0 * error_of_noise(s, D, component, kFromCell);
+    if (distances.empty() || component == 0) return error;
+    const double nearest = static_cast<double>(distances[point]);
+    const double second = static_cast<double>(distances[points + point]);
+    return second - nearest < 1e-4 ? 2.0 : error / nearest;
+  };
+}
+
+// --- Sums over the noise of the GLSL function -----------------------------------------------------------------------
+
+std::string default_noise(const std::string& sum) {
+  if (sum == "fbm_d" || sum == "eroded") return "perlin_d";
+  return sum.starts_with("warp") ? "value" : "perlin";
+}
+
+hn::OctaveSum kind_of(const std::string& sum) {
+  using enum hn::OctaveSum;
+  const std::vector<std::pair<std::string, hn::OctaveSum>> kinds = {
+      {"fbm", fbm},           {"turbulence", turbulence}, {"clouds", clouds}, {"billow", billow},
+      {"ridged", ridged},     {"ping_pong", ping_pong},   {"weighted", weighted}, {"fbm_d", fbm_d},
+      {"eroded", eroded},     {"warp", warp},             {"warp_progressive", warp_progressive}};
+  return std::ranges::find(kinds, sum, &std::pair<std::string, hn::OctaveSum>::first)->second;
+}
+
+double strength_of(const Settings& s) { return static_cast<double>(s.strength.value_or(s.sum == "ping_pong" ? 2.0f : 1.0f)); }
+
+double largest_of(float p) { return std::fabs(static_cast<double>(p)); }
+template <int D>
+double largest_of(const Position<D>& p) {
+  double largest = 0.0;
+  for (const float x : p) largest = std::max(largest, largest_of(x));
+  return largest;
+}
+template <int D>
+double largest_of(const CellPlace<D>& place) {
+  double largest = 0.0;
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    largest = std::max(largest, std::fabs(place.cell[axis] + static_cast<double>(place.f[axis])));
+  }
+  return largest;
+}
+
+template <int D, typename Place>
+Bound bound_of_sum(const Settings& s, const std::vector<Place>& places) {
+  hn::OctaveArguments arguments{0.0, static_cast<double>(s.octaves), static_cast<double>(s.lacunarity),
+                                static_cast<double>(s.gain), false};
+  for (const Place& place : places) arguments.largest_coordinate = std::max(arguments.largest_coordinate, largest_of<D>(place));
+  arguments.turns = !has_period(s, D);
+  if (!arguments.turns) arguments.lacunarity = std::floor(arguments.lacunarity);
+  arguments.from_cell = !std::is_same_v<Place, Position<D>>;
+  arguments.strength = strength_of(s);
+  arguments.amplitude = static_cast<double>(s.amplitude);
+  if (s.detail) {
+    arguments.octaves = static_cast<double>(*s.detail);
+    arguments.is_detail = true;
+  }
+  if (s.footprint) arguments.footprint = static_cast<double>(*s.footprint);
+  const bool has_slopes = s.sum == "fbm_d";
+  const double value = hn::octave_tolerance(has_slopes ? hn::OctaveSum::fbm : kind_of(s.sum), D, arguments, kGradient);
+  const double slope = has_slopes ? hn::octave_slope_tolerance(D, arguments) : value;
+  return [=](std::size_t component, std::size_t) { return 2.0 * (has_slopes && component > 0 ? slope : value); };
+}
+
+// --- Sums over other noises, from cells -----------------------------------------------------------------------------
+
+// By how much a mean of octaves may differ, of which each differs by `octave`, and the last by more. A weight, a term
+// and a total go through a few roundings an octave each.
+double mean_of(const Settings& s, const std::vector<double>& octaves) {
+  double sum = 0.0;
+  double total = 0.0;
+  double weight = 1.0;
+  for (const double octave : octaves) {
+    sum += weight * octave;
+    total += weight;
+    weight *= static_cast<double>(s.gain);
+  }
+  return sum / total + 8.0 * (s.octaves + 2) * kUnit;
+}
+
+template <int D>
+Bound bound_of_other(const Settings& s) {
+  Settings noise = s;
+  noise.sum = "";
+  const double value = 2.0 * error_of_noise(noise, D, 0, true);
+  const auto count = static_cast<std::size_t>(s.octaves);
+  const std::vector<double> values(count, value);
+  double error = mean_of(s, values);
+  double slope = 0.0;
+  if (s.sum == "clouds") error *= 3.0;
+  if (s.sum == "billow") error *= 2.0;
+  if (s.sum == "ping_pong") error = mean_of(s, std::vector(count, 2.0 * strength_of(s) * (value + 4.0 * kUnit)));
+  if (s.sum == "ridged") {  // the root of a ridge is off by its noise and by sqrt(2) times the one before
+    std::vector<double> ridges;
+    double root = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+      root = value + 2.0 * kUnit + std::sqrt(2.0) * root;
+      ridges.push_back(2.0 * root);
+    }
+    error = mean_of(s, ridges);
+  }
+  if (s.sum == "weighted") {  // a weight is off by half of each noise before
+    std::vector<double> terms;
+    for (std::size_t i = 0; i < count; ++i) terms.push_back(value + static_cast<double>(i) * (value / 2.0 + 4.0 * kUnit));
+    error = mean_of(s, terms);
+  }
+  if (s.sum == "fbm_d" || s.sum == "eroded") {
+    const double of_slope = 2.0 * error_of_noise(noise, D, 1, true);
+    const double largest = hn::slope_bounds(s.noise, D, kGradient).limit;
+    std::vector<double> slopes;
+    std::vector<double> falls;
+    double length = 1.0;     // of a column of the frame, without its weight
+    double of_fall = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double roundings = 2.0 * 2.0 * D * static_cast<double>(i + 1) * kUnit * largest * D;
+      slopes.push_back(length * (std::sqrt(static_cast<double>(D)) * of_slope + roundings));
+      length *= 1.001 * static_cast<double>(s.lacunarity);
+      of_fall = 1.001 * of_fall + std::sqrt(static_cast<double>(D)) * (of_slope + 32.0 * kUnit * 8.0);
+      falls.push_back(value + 0.65 * std::sqrt(strength_of(s)) * of_fall + 16.0 * kUnit);
+    }
+    slope = mean_of(s, slopes);
+    if (s.sum == "eroded") error = mean_of(s, falls);
+  }
+  if (s.sum == "warp") error *= static_cast<double>(s.amplitude);
+  return [=](std::size_t component, std::size_t) { return s.sum == "fbm_d" && component > 0 ? slope : error; };
+}
+
+// --- The tests -------------------------------------------------------------------------------------------------------
+
+class Fast : public testing::TestWithParam<int> {
+ protected:
+  template <typename Each>
+  void in_dimensions(const Each& each) {
+    switch (GetParam()) {
+      case 1:
+        return each(std::integral_constant<int, 1>{});
+      case 2:
+        return each(std::integral_constant<int, 2>{});
+      case 3:
+        return each(std::integral_constant<int, 3>{});
+      default:
+        return each(std::integral_constant<int, 4>{});
+    }
+  }
+
+  template <int D, typename Places, typename BoundOf>
+  void expect_near(Settings settings, const Places& where, const BoundOf& bound_of) {
+    const auto places = places_of(where);
+    const std::vector<float> expected = planes_of(function<D>(settings), places);
+    const Bound bound = bound_of(places);
+    for (const InstructionSet set : instruction_sets()) {
+      settings.instruction_set = set;
+      const Field<D> field(settings);
+      const Filled filled = fill(field, where, places.size());
+      EXPECT_TRUE(within(filled.values, expected, places.size(), bound)) << settings;
+      EXPECT_EQ(filled.range, range_of(filled.values, places.size())) << settings;
+    }
+  }
+
+  // `draw` draws the settings anew.
+  template <int D, typename DrawSettings, typename BoundOf>
+  void expect_near_at_positions(Settings settings, float largest, const DrawSettings& draw, const BoundOf& bound_of) {
+    const auto bound = [&](const auto& places) { return bound_of(settings, places); };
+    draw(settings);
+    expect_near<D>(settings, draw_grid<D>(400, largest, Draw::kTame, chance), bound);
+    draw(settings);
+    expect_near<D>(settings, Points<D>(draw_points<D>(100, largest, Draw::kTame, chance)), bound);
+  }
+  template <int D, typename DrawSettings, typename BoundOf>
+  void expect_near_in_cells(Settings settings, const DrawSettings& draw, const BoundOf& bound_of) {
+    const auto bound = [&](const auto& places) { return bound_of(settings, places); };
+    draw(settings);
+    expect_near<D>(settings, draw_cell_grid<D>(400, chance), bound);
+    draw(settings);
+    expect_near<D>(settings, CellPoints<D>(draw_cell_points<D>(100, chance)), bound);
+  }
+
+  Chance chance{11};
+};
+
+TEST_P(Fast, Noises) {
+  in_dimensions([&]<int D>(std::integral_constant<int, D>) {
+    for (const Settings& settings : noise_subjects(D)) {
+      for (const bool tiled : {false, true}) {
+        const auto draw = [&](Settings& s) { draw_settings(s, D, tiled, Draw::kTame, chance); };
+        const auto bound = [](const Settings& s, const auto& places) { return bound_of_noise<D>(s, places); };
+        for (const float largest : {16.0f, 0x1p22f}) expect_near_at_positions<D>(settings, largest, draw, bound);
+        expect_near_in_cells<D>(settings, draw, bound);
+      }
+    }
+  });
+}
+
+TEST_P(Fast, Sums) {
+  in_dimensions([&]<int D>(std::integral_constant<int, D>) {
+    for (const Settings& settings : sum_subjects(D)) {
+      if (settings.noise != default_noise(settings.sum)) continue;
+      for (const bool tiled : {false, true}) {
+        const auto draw = [&](Settings& s) { draw_settings(s, D, tiled, Draw::kTame, chance); };
+        const auto bound = [](const Settings& s, const auto& places) { return bound_of_sum<D>(s, places); };
+        expect_near_at_positions<D>(settings, 16.0f, draw, bound);
+        expect_near_in_cells<D>(settings, draw, bound);
+      }
+    }
+    Settings fbm;
+    fbm.sum = "fbm";
+    const auto draw = [&](Settings& s) { draw_settings(s, D, false, Draw::kTame, chance); };
+    const auto bound = [](const Settings& s, const auto& places) { return bound_of_sum<D>(s, places); };
+    fbm.detail = 1.0f;
+    expect_near_at_positions<D>(fbm, 16.0f, draw, bound);
+    fbm.detail.reset();
+    fbm.footprint = 1.0f;
+    expect_near_at_positions<D>(fbm, 16.0f, draw, bound);
+  });
+}
+
+TEST_P(Fast, SumsOverOtherNoises) {
+  in_dimensions([&]<int D>(std::integral_constant<int, D>) {
+    for (const Settings& settings : sum_subjects(D)) {
+      // A step of a progressive warp is taken at a place that has an error.
+      if (settings.noise == default_noise(settings.sum) || settings.sum == "warp_progressive") continue;
+      for (const bool tiled : {false, true}) {
+        const auto draw = [&](Settings& s) { draw_settings(s, D, tiled, Draw::kTame, chance); };
+        expect_near_in_cells<D>(settings, draw, [](const Settings& s, const auto&) { return bound_of_other<D>(s); });
+      }
+    }
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(, Fast, testing::Range(1, 5),
+                         [](const auto& parameter) { return std::to_string(parameter.param) + "d"; });
+
+// The bounds are small: fields with another seed, or at places that are off by a thousandth of a cell, are beyond them.
+TEST(FastBounds, RejectWhatIsWrong) {
+  const Grid<2> grid = {{0.3f, -1.7f}, {0.17f, 0.23f}, {9, 7}};
+  const Grid<2> moved = {{0.301f, -1.7f}, {0.17f, 0.23f}, {9, 7}};
+  CellGrid<2> cells = {{3, -7}, {0.3f, 0.7f}, {0.17, 0.23}, {9, 7}};
+  CellGrid<2> moved_cells = cells;
+  moved_cells.f[0] += 0.001f;
+  const auto expect_rejected = [](const Settings& s, const auto& where, const auto& moved_to, const Bound& bound) {
+    const std::size_t points = places_of(where).size();
+    const std::vector<float> right = planes_of(function<2>(s), places_of(where));
+    EXPECT_TRUE(within(right, right, points, bound));
+    EXPECT_FALSE(within(planes_of(function<2>(s), places_of(moved_to)), right, points, bound)) << s;
+    Settings other = s;
+    other.seed += 1;
+    EXPECT_FALSE(within(planes_of(function<2>(other), places_of(where)), right, points, bound)) << s;
+  };
+  for (const Settings& s : noise_subjects(2)) {
+    if (s.noise == "cell_border") continue;  // its bound is more than a thousandth
+    expect_rejected(s, grid, moved, bound_of_noise<2>(s, places_of(grid)));
+    expect_rejected(s, cells, moved_cells, bound_of_noise<2>(s, places_of(cells)));
+  }
+  for (const Settings& s : sum_subjects(2)) {
+    if (s.sum == "warp_progressive" || s.noise == "cell_border") continue;
+    const bool is_default = s.noise == default_noise(s.sum);
+    expect_rejected(s, cells, moved_cells, is_default ? bound_of_sum<2>(s, places_of(cells)) : bound_of_other<2>(s));
+  }
+}
+
+}  // namespace
+}  // namespace hashnoise::twin

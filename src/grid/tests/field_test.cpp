@@ -1,0 +1,609 @@
+// What a field says of itself, empty grids, and every error that field.hpp promises.
+#include "hashnoise/field.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "compare.hpp"
+#include "fields.hpp"
+#include "subjects.hpp"
+#include "twin.hpp"
+
+namespace hashnoise {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+Settings of(const std::string& noise, const std::string& sum = "") {
+  Settings settings;
+  settings.noise = noise;
+  settings.sum = sum;
+  return settings;
+}
+
+template <int D>
+std::string error_of(const Settings& settings) {
+  try {
+    const Field<D> field(settings);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return {};
+}
+
+template <int D, typename Places>
+std::string error_of(const Places& places, std::size_t numbers) {
+  std::vector<float> values(numbers);
+  try {
+    Field<D>(Settings{}).fill(places, values);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return {};
+}
+
+// Whether a text has each of these parts.
+testing::AssertionResult says(const std::string& text, std::initializer_list<std::string_view> parts) {
+  for (const std::string_view part : parts) {
+    if (text.find(part) == std::string::npos) {
+      return testing::AssertionFailure() << "'" << text << "' does not say '" << part << "'";
+    }
+  }
+  return testing::AssertionSuccess();
+}
+
+// An error says something.
+#define EXPECT_ERROR(...) EXPECT_NE((__VA_ARGS__), "")
+#define EXPECT_NO_ERROR(...) EXPECT_EQ((__VA_ARGS__), "")
+
+// --- What there is ---------------------------------------------------------------------------------------------------
+
+TEST(Names, AreThoseOfTheLibrary) {
+  for (int dimensions = 1; dimensions <= 4; ++dimensions) {
+    std::multiset<std::string> noises;
+    for (const twin::Noise& noise : twin::noises(dimensions)) noises.insert(noise.name);
+    const std::vector<std::string> sums = twin::sums(dimensions);
+    const auto got_noises = noise_names(dimensions);
+    const auto got_sums = sum_names(dimensions);
+    EXPECT_EQ(std::multiset<std::string>(got_noises.begin(), got_noises.end()), noises);
+    EXPECT_EQ(std::multiset<std::string>(got_sums.begin(), got_sums.end()),
+              std::multiset<std::string>(sums.begin(), sums.end()));
+  }
+}
+
+TEST(Names, OfOtherDimensionsAreNone) {
+  for (const int dimensions : {-1, 0, 5}) {
+    try {
+      EXPECT_TRUE(noise_names(dimensions).empty());
+      EXPECT_TRUE(sum_names(dimensions).empty());
+    } catch (const std::invalid_argument&) {
+    }
+  }
+}
+
+template <int D>
+void expect_every_name() {
+  for (const std::string_view noise : noise_names(D)) EXPECT_NO_ERROR(error_of<D>(of(std::string(noise)))) << noise;
+  for (const Settings& settings : twin::sum_subjects(D)) EXPECT_NO_ERROR(error_of<D>(settings)) << settings;
+}
+TEST(Names, AreOfFields) {
+  expect_every_name<1>();
+  expect_every_name<2>();
+  expect_every_name<3>();
+  expect_every_name<4>();
+}
+
+template <int D>
+std::vector<std::string> names_of(const std::string& noise, const std::string& sum = "") {
+  const Field<D> field(of(noise, sum));
+  const auto names = field.component_names();
+  EXPECT_EQ(names.size(), static_cast<std::size_t>(field.components()));
+  return names;
+}
+
+TEST(Components, AreNamed) {
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(names_of<1>("perlin"), (Names{"value"}));
+  EXPECT_EQ(names_of<2>("value_cubic"), (Names{"value"}));
+  EXPECT_EQ(names_of<3>("cell_border"), (Names{"value"}));
+  EXPECT_EQ(names_of<2>("cellular_smooth"), (Names{"value"}));
+  EXPECT_EQ(names_of<1>("value_d"), (Names{"value", "dx"}));
+  EXPECT_EQ(names_of<2>("simplex_d"), (Names{"value", "dx", "dy"}));
+  EXPECT_EQ(names_of<3>("perlin_d"), (Names{"value", "dx", "dy", "dz"}));
+  EXPECT_EQ(names_of<4>("perlin_d"), (Names{"value", "dx", "dy", "dz", "dw"}));
+  EXPECT_EQ(names_of<2>("cellular"), (Names{"f1", "f2"}));
+  EXPECT_EQ(names_of<3>("cellular"), (Names{"f1", "f2"}));
+  EXPECT_EQ(names_of<3>("cellular_three"), (Names{"f1", "f2", "f3"}));
+  EXPECT_EQ(names_of<2>("cellular_d"), (Names{"f1", "dx", "dy"}));
+  EXPECT_EQ(names_of<3>("cellular_d"), (Names{"f1", "dx", "dy", "dz"}));
+  EXPECT_EQ(names_of<2>("curl"), (Names{"x", "y"}));
+  EXPECT_EQ(names_of<3>("curl"), (Names{"x", "y", "z"}));
+  EXPECT_EQ(names_of<2>("perlin", "ridged"), (Names{"value"}));
+  EXPECT_EQ(names_of<2>("perlin_d", "fbm_d"), (Names{"value", "dx", "dy"}));
+  EXPECT_EQ(names_of<3>("simplex_d", "fbm_d"), (Names{"value", "dx", "dy", "dz"}));
+  EXPECT_EQ(names_of<3>("perlin_d", "eroded"), (Names{"value"}));
+  EXPECT_EQ(names_of<2>("value", "warp"), (Names{"x", "y"}));
+  EXPECT_EQ(names_of<3>("value", "warp_progressive"), (Names{"x", "y", "z"}));
+}
+
+TEST(InstructionSets, AreNamedAndChosen) {
+  const std::vector<InstructionSet> sets = instruction_sets();
+  ASSERT_FALSE(sets.empty());
+  EXPECT_EQ(std::set(sets.begin(), sets.end()).size(), sets.size());
+  EXPECT_EQ(Field<2>(Settings{}).instruction_set(), sets.front());
+  for (const InstructionSet set : sets) {
+    Settings settings;
+    settings.instruction_set = set;
+    EXPECT_EQ(Field<3>(settings).instruction_set(), set);
+  }
+  EXPECT_EQ(name(InstructionSet::kSse2), "sse2");
+  EXPECT_EQ(name(InstructionSet::kSse41), "sse4.1");
+  EXPECT_EQ(name(InstructionSet::kAvx2), "avx2");
+  EXPECT_EQ(name(InstructionSet::kAvx512), "avx512");
+  EXPECT_EQ(name(InstructionSet::kNeon), "neon");
+  EXPECT_EQ(name(InstructionSet::kGeneric), "generic");
+}
+
+TEST(InstructionSets, AreTheWidestFirst) {
+  const std::vector order = {InstructionSet::kAvx512, InstructionSet::kAvx2, InstructionSet::kSse41,
+                             InstructionSet::kSse2,   InstructionSet::kNeon, InstructionSet::kGeneric};
+  const std::vector<InstructionSet> sets = instruction_sets();
+  const auto place = [&](InstructionSet set) { return std::ranges::find(order, set); };
+  EXPECT_TRUE(std::ranges::is_sorted(sets, {}, place));
+}
+
+TEST(InstructionSets, ThatAreNotHereAreErrors) {
+  const std::vector<InstructionSet> sets = instruction_sets();
+  int absent = 0;
+  for (int i = 0; i <= static_cast<int>(InstructionSet::kGeneric); ++i) {
+    const auto set = static_cast<InstructionSet>(i);
+    if (std::ranges::find(sets, set) != sets.end()) continue;
+    ++absent;
+    Settings settings;
+    settings.instruction_set = set;
+    const std::string error = error_of<2>(settings);
+    EXPECT_TRUE(says(error, {name(set), name(sets.front())}));
+  }
+  EXPECT_GT(absent, 0);  // no processor has both SSE and NEON
+}
+
+TEST(Fields, Move) {
+  static_assert(!std::is_copy_constructible_v<Field<2>>);
+  static_assert(std::is_nothrow_move_constructible_v<Field<2>> && std::is_nothrow_move_assignable_v<Field<2>>);
+  const Grid<2> grid = {{0.1f, 0.2f}, {0.3f, 0.4f}, {5, 6}};
+  Field<2> first(of("perlin"));
+  const auto perlin = twin::fill(first, grid, 30);
+  Field<2> second(of("value_d"));
+  const auto value = twin::fill(second, grid, 30);
+  Field<2> moved(std::move(first));
+  EXPECT_TRUE(twin::same_bits(twin::fill(moved, grid, 30).values, perlin.values, 30));
+  moved = std::move(second);
+  EXPECT_EQ(moved.components(), 3);
+  EXPECT_TRUE(twin::same_bits(twin::fill(moved, grid, 30).values, value.values, 30));
+}
+
+// The settings and their names can go.
+TEST(Fields, KeepTheirSettings) {
+  auto settings = std::make_unique<Settings>(of("simplex", "fbm"));
+  settings->seed = 5;
+  const Field<2> field(*settings);
+  const Field<2> other(*settings);
+  *settings = of("perlin", "ridged");
+  settings.reset();
+  const Grid<2> grid = {{0.1f, 0.2f}, {0.3f, 0.4f}, {5, 6}};
+  EXPECT_TRUE(twin::same_bits(twin::fill(field, grid, 30).values, twin::fill(other, grid, 30).values, 30));
+}
+
+// --- Nothing to fill -------------------------------------------------------------------------------------------------
+
+template <int D>
+void expect_empty_range() {
+  std::vector<float> none;
+  const Field<D> field(of("perlin_d"));
+  Grid<D> grid;
+  CellGrid<D> cells;
+  for (std::size_t empty = 0; empty < D; ++empty) {
+    grid.size.fill(7);
+    grid.size[empty] = 0;
+    cells.size = grid.size;
+    EXPECT_EQ(field.fill(grid, none), Range{});
+    EXPECT_EQ(field.fill(cells, none), Range{});
+    EXPECT_EQ(field.fill(grid, none, threads(2)), Range{});
+  }
+  EXPECT_EQ(field.fill(Grid<D>{}, none), Range{});
+  EXPECT_EQ(field.fill(CellGrid<D>{}, none), Range{});
+  EXPECT_EQ(field.fill(Points<D>{}, none), Range{});
+  EXPECT_EQ(field.fill(CellPoints<D>{}, none), Range{});
+  EXPECT_EQ(field.fill(CellPoints<D>{}, none, threads(2)), Range{});
+}
+TEST(Range, OfNothingIsEmpty) {
+  EXPECT_EQ(Range{}.least, kInfinity);
+  EXPECT_EQ(Range{}.greatest, -kInfinity);
+  expect_empty_range<1>();
+  expect_empty_range<2>();
+  expect_empty_range<3>();
+  expect_empty_range<4>();
+}
+
+// What lies behind the last point, in the vectors that are computed, is no value. The first and the last point have
+// the extremes of lists made for that.
+TEST(Range, IsOfThePointsAndNoOthers) {
+  for (const InstructionSet set : instruction_sets()) {
+    for (const Arithmetic arithmetic : {Arithmetic::kFast, Arithmetic::kPrecise, Arithmetic::kFixed}) {
+      for (int count = 1; count <= 40; ++count) {
+        Settings settings = of("perlin");
+        settings.arithmetic = arithmetic;
+        settings.instruction_set = set;
+        const Field<1> field(settings);
+        // All points are one, whose value is not 0, as a point of zeros would have it.
+        const std::vector<float> x(static_cast<std::size_t>(count), 0.375f);
+        std::vector<float> values(x.size());
+        const Range range = field.fill(Points<1>{{x}}, values);
+        EXPECT_NE(values[0], 0.0f);
+        EXPECT_EQ(range, (Range{values[0], values[0]})) << settings << ", points " << count;
+        const Range of_grid = field.fill(Grid<1>{{0.375f}, {0.0f}, {count}}, values);
+        EXPECT_EQ(of_grid, (Range{values[0], values[0]})) << settings << ", points " << count;
+      }
+    }
+  }
+}
+
+TEST(Range, HasTheExtremesWhereverTheyAre) {
+  const std::size_t count = 1009;
+  for (const InstructionSet set : instruction_sets()) {
+    Settings settings = of("value");
+    settings.arithmetic = Arithmetic::kFixed;
+    settings.instruction_set = set;
+    const Field<1> field(settings);
+    for (const std::size_t place : {std::size_t{0}, std::size_t{1}, std::size_t{500}, count - 2, count - 1}) {
+      for (const float extreme : {0.0f, 1.0f, 2.0f, 3.0f, 4.0f}) {
+        std::vector<float> x(count, 0.25f);
+        x[place] = extreme;
+        std::vector<float> values(count);
+        const Range range = field.fill(Points<1>{{x}}, values);
+        EXPECT_EQ(range, twin::range_of(values, count));
+        EXPECT_NE(range.least, range.greatest);
+      }
+    }
+  }
+}
+
+// --- Errors of settings ----------------------------------------------------------------------------------------------
+
+TEST(Errors, OfAnUnknownNoiseNameTheKnownOnes) {
+  EXPECT_TRUE(says(error_of<2>(of("perlln")), {"perlln", "perlin", "cell_border"}));
+  EXPECT_TRUE(says(error_of<1>(of("hn_perlin")), {"value_cubic"}));
+  EXPECT_ERROR(error_of<3>(of("")));
+  EXPECT_ERROR(error_of<3>(of("Perlin")));
+  EXPECT_ERROR(error_of<3>(of("perlin ")));
+}
+
+TEST(Errors, OfAnUnknownSumNameTheKnownOnes) {
+  EXPECT_TRUE(says(error_of<2>(of("perlin", "fmb")), {"fmb", "fbm", "turbulence", "warp_progressive"}));
+  EXPECT_ERROR(error_of<2>(of("perlin", "perlin")));
+  EXPECT_ERROR(error_of<2>(of("fbm")));
+}
+
+TEST(Errors, OfANoiseInAnotherDimension) {
+  EXPECT_ERROR(error_of<1>(of("simplex")));
+  EXPECT_ERROR(error_of<1>(of("cellular")));
+  EXPECT_ERROR(error_of<1>(of("curl")));
+  EXPECT_ERROR(error_of<4>(of("value_cubic")));
+  EXPECT_ERROR(error_of<4>(of("simplex_smooth")));
+  EXPECT_ERROR(error_of<4>(of("cell_border")));
+  EXPECT_TRUE(says(error_of<4>(of("curl")), {"curl"}));
+}
+
+TEST(Errors, OfASumInAnotherDimension) {
+  for (const std::string sum : {"fbm_d", "eroded"}) {
+    EXPECT_ERROR(error_of<1>(of("perlin_d", sum))) << sum;
+    EXPECT_ERROR(error_of<4>(of("perlin_d", sum))) << sum;
+  }
+  for (const std::string sum : {"warp", "warp_progressive"}) {
+    EXPECT_ERROR(error_of<1>(of("value", sum))) << sum;
+    EXPECT_ERROR(error_of<4>(of("value", sum))) << sum;
+  }
+}
+
+// All pairs that are not among those of the twin.
+template <int D>
+void expect_errors_of_wrong_pairs() {
+  for (const std::string& sum : twin::sums(D)) {
+    const std::vector<std::string> right = twin::noises_of(sum, D);
+    for (const twin::Noise& noise : twin::noises(D)) {
+      if (std::ranges::find(right, noise.name) != right.end()) continue;
+      const std::string error = error_of<D>(of(noise.name, sum));
+      EXPECT_TRUE(says(error, {noise.name})) << sum;
+      EXPECT_TRUE(std::ranges::any_of(right, [&](const std::string& name) {
+        return error.find(name) != std::string::npos;
+      })) << error << ": it does not say what would be right";
+    }
+  }
+}
+TEST(Errors, OfASumOverAnotherNoise) {
+  expect_errors_of_wrong_pairs<1>();
+  expect_errors_of_wrong_pairs<2>();
+  expect_errors_of_wrong_pairs<3>();
+  expect_errors_of_wrong_pairs<4>();
+}
+
+// A setting that stands for something is an error where the noise or the sum does not have it.
+template <int D>
+void expect_errors_of_settings() {
+  for (const twin::Noise& noise : twin::noises(D)) {
+    Settings settings = of(noise.name);
+    settings.phase = 0.0f;
+    EXPECT_EQ(error_of<D>(settings).empty(), twin::can_have_phase(noise.name, D)) << settings;
+    settings = of(noise.name);
+    settings.jitter = 0.5f;
+    EXPECT_EQ(error_of<D>(settings).empty(), twin::has_jitter(noise.name)) << settings;
+    settings = of(noise.name);
+    settings.metric = Metric::kManhattan;
+    EXPECT_EQ(error_of<D>(settings).empty(), twin::has_metric(noise.name)) << settings;
+    settings = of(noise.name);
+    settings.strength = 1.0f;
+    EXPECT_ERROR(error_of<D>(settings)) << settings;
+  }
+  for (const Settings& subject : twin::sum_subjects(D)) {
+    Settings settings = subject;
+    settings.phase = 0.25f;
+    EXPECT_ERROR(error_of<D>(settings)) << settings;
+    settings = subject;
+    settings.jitter = 0.5f;
+    EXPECT_ERROR(error_of<D>(settings)) << settings;
+    settings = subject;
+    settings.metric = Metric::kManhattan;
+    EXPECT_ERROR(error_of<D>(settings)) << settings;
+    settings = subject;
+    settings.strength = 1.0f;
+    const bool has_strength = subject.sum == "ping_pong" || subject.sum == "weighted" || subject.sum == "eroded";
+    EXPECT_EQ(error_of<D>(settings).empty(), has_strength) << settings;
+  }
+}
+TEST(Errors, OfAPhaseAJitterAMetricOrAStrengthWhereThereIsNone) {
+  expect_errors_of_settings<1>();
+  expect_errors_of_settings<2>();
+  expect_errors_of_settings<3>();
+  expect_errors_of_settings<4>();
+}
+
+TEST(Errors, OfManyOctaves) {
+  Settings settings = of("perlin", "fbm");
+  settings.octaves = 1024;
+  EXPECT_NO_ERROR(error_of<2>(settings));
+  settings.octaves = 1025;
+  EXPECT_ERROR(error_of<2>(settings));
+  settings.octaves = std::numeric_limits<int>::max();
+  EXPECT_ERROR(error_of<2>(settings));
+  settings.octaves = std::numeric_limits<int>::min();
+  EXPECT_NO_ERROR(error_of<2>(settings));
+}
+
+TEST(Errors, OfADetailOrAFootprintWhereThereIsNone) {
+  for (const bool is_detail : {true, false}) {
+    const auto with = [&](Settings settings) {
+      (is_detail ? settings.detail : settings.footprint) = 1.0f;
+      return settings;
+    };
+    EXPECT_NO_ERROR(error_of<2>(with(of("perlin", "fbm"))));
+    EXPECT_NO_ERROR(error_of<1>(with(of("value", "fbm"))));
+    EXPECT_NO_ERROR(error_of<4>(with(of("simplex", "fbm"))));
+    Settings tile = with(of("perlin", "fbm"));
+    tile.period = {0, 4};
+    EXPECT_ERROR(error_of<2>(tile));
+    EXPECT_ERROR(error_of<2>(with(of("perlin"))));
+    for (const std::string sum : {"turbulence", "clouds", "billow", "ridged", "ping_pong", "weighted"}) {
+      EXPECT_ERROR(error_of<2>(with(of("perlin", sum)))) << sum;
+    }
+    EXPECT_ERROR(error_of<2>(with(of("perlin_d", "fbm_d"))));
+    EXPECT_ERROR(error_of<2>(with(of("value", "warp"))));
+  }
+  Settings both = of("perlin", "fbm");
+  both.detail = 1.0f;
+  both.footprint = 1.0f;
+  EXPECT_ERROR(error_of<2>(both));
+}
+
+// There is no such form from a cell. So it is an error of filling, if not of the field.
+TEST(Errors, OfADetailOrAFootprintFromCells) {
+  for (const bool is_detail : {true, false}) {
+    Settings settings = of("perlin", "fbm");
+    (is_detail ? settings.detail : settings.footprint) = 1.0f;
+    const Field<1> field(settings);
+    std::vector<float> values(1);
+    const std::vector<std::int32_t> cell = {3};
+    const std::vector<float> f = {0.5f};
+    EXPECT_THROW(field.fill(CellGrid<1>{{3}, {0.5f}, {1.0}, {1}}, values), std::invalid_argument);
+    EXPECT_THROW(field.fill(CellPoints<1>{{cell}, {f}}, values), std::invalid_argument);
+    EXPECT_NO_THROW(field.fill(Grid<1>{{3.5f}, {1.0f}, {1}}, values));
+  }
+}
+
+TEST(Errors, OfSettingsThatAreNotFinite) {
+  for (const float wrong : {kInfinity, -kInfinity, kNan}) {
+    Settings settings = of("perlin");
+    settings.phase = wrong;
+    EXPECT_ERROR(error_of<2>(settings)) << wrong;
+    settings = of("cellular");
+    settings.jitter = wrong;
+    EXPECT_ERROR(error_of<2>(settings)) << wrong;
+    const Settings fbm = of("perlin", "fbm");
+    settings = fbm;
+    settings.lacunarity = wrong;
+    EXPECT_ERROR(error_of<2>(settings)) << wrong;
+    settings = fbm;
+    settings.gain = wrong;
+    EXPECT_ERROR(error_of<2>(settings)) << wrong;
+    settings = fbm;
+    settings.detail = wrong;
+    EXPECT_ERROR(error_of<2>(settings)) << wrong;
+    settings = fbm;
+    settings.footprint = wrong;
+    EXPECT_ERROR(error_of<2>(settings)) << wrong;
+    settings = of("perlin", "ping_pong");
+    settings.strength = wrong;
+    EXPECT_ERROR(error_of<2>(settings)) << wrong;
+    settings = of("value", "warp");
+    settings.amplitude = wrong;
+    EXPECT_ERROR(error_of<2>(settings)) << wrong;
+  }
+}
+
+TEST(Errors, OfNumbersThatNameNothing) {
+  for (const int wrong : {0, 6, -1}) {
+    Settings settings = of("cellular");
+    settings.metric = static_cast<Metric>(wrong);
+    EXPECT_ERROR(error_of<2>(settings)) << wrong;
+  }
+  for (const int wrong : {0, 4}) {
+    Settings settings = of("perlin");
+    settings.arithmetic = static_cast<Arithmetic>(wrong);
+    EXPECT_ERROR(error_of<2>(settings)) << wrong;
+  }
+  for (const int wrong : {-1, 6}) {
+    Settings settings = of("perlin");
+    settings.instruction_set = static_cast<InstructionSet>(wrong);
+    EXPECT_ANY_THROW(Field<2>{settings}) << wrong;
+  }
+}
+
+// --- Errors of places ------------------------------------------------------------------------------------------------
+
+TEST(Errors, OfValuesOfAnotherSize) {
+  const Grid<2> grid = {{0, 0}, {1, 1}, {3, 4}};
+  const CellGrid<2> cells = {{0, 0}, {0, 0}, {1, 1}, {3, 4}};
+  const std::vector<float> floats(12);
+  const std::vector<std::int32_t> ints(12);
+  const Points<2> points = {{floats, floats}};
+  const CellPoints<2> cell_points = {{ints, ints}, {floats, floats}};
+  EXPECT_NO_ERROR(error_of<2>(grid, 12));
+  EXPECT_NO_ERROR(error_of<2>(cells, 12));
+  EXPECT_NO_ERROR(error_of<2>(points, 12));
+  EXPECT_NO_ERROR(error_of<2>(cell_points, 12));
+  for (const std::size_t wrong : {0, 1, 11, 13, 24}) {
+    EXPECT_ERROR(error_of<2>(grid, wrong)) << wrong;
+    EXPECT_ERROR(error_of<2>(cells, wrong)) << wrong;
+    EXPECT_ERROR(error_of<2>(points, wrong)) << wrong;
+    EXPECT_ERROR(error_of<2>(cell_points, wrong)) << wrong;
+  }
+  EXPECT_TRUE(says(error_of<2>(grid, 11), {"11", "12"}));
+  EXPECT_ERROR(error_of<2>(Grid<2>{{0, 0}, {1, 1}, {0, 4}}, 4));
+  // With several components.
+  std::vector<float> values(12);
+  EXPECT_THROW(Field<2>(of("perlin_d")).fill(grid, values), std::invalid_argument);
+  values.resize(36);
+  EXPECT_NO_THROW(Field<2>(of("perlin_d")).fill(grid, values));
+}
+
+TEST(Errors, OfAxesOfUnequalLength) {
+  const std::vector<float> two(2);
+  const std::vector<float> three(3);
+  const std::vector<std::int32_t> two_ints(2);
+  const std::vector<std::int32_t> three_ints(3);
+  for (const std::size_t numbers : {2, 3}) {
+    EXPECT_ERROR(error_of<2>(Points<2>{{two, three}}, numbers));
+    EXPECT_ERROR(error_of<2>(Points<2>{{three, two}}, numbers));
+    EXPECT_ERROR(error_of<3>(Points<3>{{two, two, three}}, numbers));
+    EXPECT_ERROR(error_of<2>(CellPoints<2>{{two_ints, three_ints}, {two, two}}, numbers));
+    EXPECT_ERROR(error_of<2>(CellPoints<2>{{two_ints, two_ints}, {two, three}}, numbers));
+    EXPECT_ERROR(error_of<2>(CellPoints<2>{{two_ints, two_ints}, {three, three}}, numbers));
+    EXPECT_ERROR(error_of<1>(CellPoints<1>{{three_ints}, {two}}, numbers));
+    const std::span<const float> none;
+    EXPECT_ERROR(error_of<2>(Points<2>{{none, two}}, 0));
+    EXPECT_ERROR(error_of<2>(Points<2>{{two, none}}, numbers));
+  }
+}
+
+TEST(Errors, OfSizes) {
+  for (const int wrong : {-1, std::numeric_limits<int>::min(), 1 << 29, std::numeric_limits<int>::max()}) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (const int other : {1, 0}) {
+        Grid<3> grid;
+        grid.size.fill(other);
+        grid.size[axis] = wrong;
+        CellGrid<3> cells;
+        cells.size = grid.size;
+        EXPECT_ERROR(error_of<3>(grid, 0)) << wrong;
+        EXPECT_ERROR(error_of<3>(cells, 0)) << wrong;
+      }
+    }
+  }
+}
+
+// The product of these is a multiple of 2^64, or of 2^32. No memory is needed to notice it.
+TEST(Errors, OfProductsOfSizesThatOverflow) {
+  const int large = 1 << 28;
+  Grid<4> grid;
+  grid.size.fill(large);
+  EXPECT_ERROR(error_of<4>(grid, 0));
+  CellGrid<4> cells;
+  cells.size.fill(large);
+  EXPECT_ERROR(error_of<4>(cells, 0));
+  grid.size = {large, large, 256, 1};
+  EXPECT_ERROR(error_of<4>(grid, 0));
+  grid.size = {large, 16, 1, 1};
+  EXPECT_ERROR(error_of<4>(grid, 0));
+  grid.size = {-2, -3, 1, 1};
+  EXPECT_ERROR(error_of<4>(grid, 6));
+  // Times the components it is 2^64.
+  Grid<3> three;
+  three.size = {large, large, 64};
+  std::vector<float> none;
+  EXPECT_THROW(Field<3>(of("perlin_d")).fill(three, none), std::invalid_argument);
+}
+
+TEST(Errors, OfPlacesThatAreNotFinite) {
+  for (const float wrong : {kInfinity, -kInfinity, kNan}) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const Grid<2> right = {{0, 0}, {1, 1}, {2, 2}};
+      Grid<2> grid = right;
+      grid.origin[axis] = wrong;
+      EXPECT_ERROR(error_of<2>(grid, 4)) << wrong;
+      grid = right;
+      grid.step[axis] = wrong;
+      EXPECT_ERROR(error_of<2>(grid, 4)) << wrong;
+      const CellGrid<2> right_cells = {{0, 0}, {0, 0}, {1, 1}, {2, 2}};
+      CellGrid<2> cells = right_cells;
+      cells.f[axis] = wrong;
+      EXPECT_ERROR(error_of<2>(cells, 4)) << wrong;
+      cells = right_cells;
+      cells.step[axis] = static_cast<double>(wrong);
+      EXPECT_ERROR(error_of<2>(cells, 4)) << wrong;
+    }
+  }
+}
+
+TEST(Errors, OfPlacesThatAreTooLarge) {
+  for (const double wrong : {0x1p31, -0x1p31, 0x1p31 - 0x1p-33, 1e300, -1e300}) {
+    EXPECT_ERROR(error_of<2>(CellGrid<2>{{0, 0}, {0, 0}, {1, wrong}, {2, 2}}, 4)) << wrong;
+  }
+  for (const double right : {0x1p31 - 1, -0x1p31 + 1, 0x1p31 - 0x1p-21}) {
+    EXPECT_NO_ERROR(error_of<2>(CellGrid<2>{{0, 0}, {0, 0}, {1, right}, {2, 2}}, 4)) << right;
+  }
+  // The last point is no finite float.
+  EXPECT_ERROR(error_of<2>(Grid<2>{{3e38f, 0}, {1e38f, 1}, {2, 2}}, 4));
+  EXPECT_ERROR(error_of<2>(Grid<2>{{0, -3e38f}, {1, -1e38f}, {2, 2}}, 4));
+}
+
+// A field is as good after an error as before.
+TEST(Errors, LeaveTheFieldAsItIs) {
+  const Field<2> field(of("perlin"));
+  const Grid<2> grid = {{0.1f, 0.2f}, {0.3f, 0.4f}, {5, 6}};
+  const auto before = twin::fill(field, grid, 30);
+  std::vector<float> values(29, -1.0f);
+  EXPECT_THROW(field.fill(grid, values, threads(2)), std::invalid_argument);
+  EXPECT_EQ(values, std::vector<float>(29, -1.0f));
+  EXPECT_TRUE(twin::same_bits(twin::fill(field, grid, 30).values, before.values, 30));
+}
+
+}  // namespace
+}  // namespace hashnoise

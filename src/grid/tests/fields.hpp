@@ -1,0 +1,60 @@
+// Fills fields for the tests.
+// SPDX-License-Identifier: MIT
+
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "compare.hpp"
+#include "hashnoise/field.hpp"
+#include "places.hpp"
+#include "twin.hpp"
+
+namespace hashnoise::twin {
+
+struct Filled {
+  std::vector<float> values;
+  Range range;
+};
+
+// Numbers in front of the values and behind them must stay. In front there is an odd number, so that the values begin
+// where no vector does.
+template <typename AnyField, typename Places>
+Filled fill(const AnyField& field, const Places& places, std::size_t points, const Executor& executor = {}) {
+  constexpr std::size_t kBefore = 37;
+  constexpr std::size_t kBehind = 64;
+  constexpr float kUntouched = -12345.0f;
+  const std::size_t numbers = points * static_cast<std::size_t>(field.components());
+  std::vector<float> memory(kBefore + numbers + kBehind, kUntouched);
+  const std::span<float> values = std::span(memory).subspan(kBefore, numbers);
+  Filled filled;
+  filled.range = field.fill(places, values, executor);
+  filled.values.assign(values.begin(), values.end());
+  const auto is_untouched = [](float number) { return number == kUntouched; };
+  EXPECT_TRUE(std::all_of(memory.begin(), memory.begin() + kBefore, is_untouched)) << "written in front of the values";
+  EXPECT_TRUE(std::all_of(memory.end() - kBehind, memory.end(), is_untouched)) << "written behind the values";
+  return filled;
+}
+
+// A field has the bits of the twin, with every instruction set.
+template <int D, typename Places>
+void expect_bits(Settings settings, const Places& where) {
+  const auto places = places_of(where);
+  const Function<D> twin = function<D>(settings);
+  const std::vector<float> expected = planes_of(twin, places);
+  const Range range = range_of(expected, places.size());
+  for (const InstructionSet set : instruction_sets()) {
+    settings.instruction_set = set;
+    const Field<D> field(settings);
+    ASSERT_EQ(field.components(), twin.components) << settings;
+    const Filled filled = fill(field, where, places.size());
+    EXPECT_TRUE(same_bits(filled.values, expected, places.size())) << settings;
+    EXPECT_EQ(filled.range, range) << settings;
+  }
+}
+
+}  // namespace hashnoise::twin

@@ -1,0 +1,191 @@
+#include "subjects.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "twin.hpp"
+
+namespace hashnoise::twin {
+
+bool has_jitter(const std::string& noise) { return noise.starts_with("cell"); }
+bool has_metric(const std::string& noise) { return noise == "cellular" || noise == "cellular_three"; }
+
+bool can_have_phase(const std::string& noise, int dimensions) {
+  return (dimensions == 2 || dimensions == 3) &&
+         (noise == "perlin" || noise == "perlin_d" || noise == "simplex" || noise == "simplex_d");
+}
+
+float Chance::between(float from, float to) { return std::uniform_real_distribution(from, to)(engine_); }
+
+std::vector<Settings> noise_subjects(int dimensions) {
+  std::vector<Settings> subjects;
+  for (const Noise& noise : noises(dimensions)) {
+    Settings settings;
+    settings.noise = noise.name;
+    subjects.push_back(settings);
+    if (!can_have_phase(noise.name, dimensions)) continue;
+    settings.phase = 0.0f;
+    subjects.push_back(settings);
+  }
+  return subjects;
+}
+
+std::vector<Settings> sum_subjects(int dimensions) {
+  std::vector<Settings> subjects;
+  for (const std::string& sum : sums(dimensions)) {
+    for (const std::string& noise : noises_of(sum, dimensions)) {
+      Settings settings;
+      settings.noise = noise;
+      settings.sum = sum;
+      subjects.push_back(settings);
+    }
+  }
+  return subjects;
+}
+
+void draw_settings(Settings& s, int dimensions, bool tiled, Draw draw, Chance& chance) {
+  const bool wild = draw == Draw::kWild;
+  s.seed = chance.one_in(4) ? 0u : chance.word();
+  s.period = {};
+  if (tiled) {
+    for (int axis = 0; axis < dimensions; ++axis) {
+      s.period[static_cast<std::size_t>(axis)] =
+          chance.of({0, 1, 2, 3, 5, 7, 64, 100, 256, 1000003, 1 << 30, std::numeric_limits<std::int32_t>::max()});
+    }
+    if (!has_period(s, dimensions)) s.period[0] = 6;
+  }
+  if (s.phase) s.phase = chance.of({0.0f, 0.25f, 1.0f / 3.0f, -0.7f, 12345.625f, chance.between(-2.0f, 2.0f)});
+  if (s.sum.empty()) {
+    if (has_jitter(s.noise)) s.jitter = chance.of({1.0f, 1.0f, 0.0f, 0.5f, chance.between(0.0f, 1.0f)});
+    if (has_metric(s.noise)) s.metric = static_cast<Metric>(chance.whole(1, 5));
+    return;
+  }
+  const bool has_frames = s.sum == "fbm_d" || s.sum == "eroded" || s.sum == "warp_progressive";
+  s.octaves = wild ? chance.of({-1, 0, 1, 2, 3, 5, 6, 8, 12, 40}) : chance.whole(1, 6);
+  s.lacunarity = wild ? chance.of({2.0f, 2.0f, 1.97f, 3.0f, 2.5f, 1.0f, 0.5f, 0.0f}) : chance.of({2.0f, 1.9f});
+  s.gain = wild ? chance.of({0.5f, 0.5f, 0.7f, 0.25f, 1.0f, 0.0f, 1.5f}) : chance.of({0.5f, 0.4f});
+  if (s.octaves == 40) s.gain = 0.5f;  // so that no power of the gain leaves what HN_PRECISE is defined for
+  if (has_frames) {                    // nor do frames leave what HN_FIXED is defined for
+    s.octaves = std::min(s.octaves, 8);
+    s.gain = std::min(s.gain, 0.5f);
+  }
+  s.strength.reset();
+  if (s.sum == "ping_pong" && !chance.one_in(3)) s.strength = chance.between(0.0f, 5.0f);
+  if ((s.sum == "weighted" || s.sum == "eroded") && !chance.one_in(3)) s.strength = chance.between(0.0f, 1.0f);
+  s.amplitude = chance.of({0.5f, 1.0f, 0.25f});
+  if (s.detail) s.detail = chance.of({0.0f, 1.0f, 3.5f, 6.0f, chance.between(0.0f, 7.0f)});
+  if (s.footprint) s.footprint = chance.of({0.0f, 0.0625f, 0.75f, 3.0f, chance.between(0.0f, 1.0f)});
+}
+
+template <int D>
+std::array<int, D> draw_size(int most, Chance& chance) {
+  std::array<int, D> size{};
+  // Another axis in front each time, so that each gets the room.
+  const int first = chance.whole(0, D - 1);
+  for (int i = 0; i < D; ++i) {
+    int& points = size[static_cast<std::size_t>((first + i) % D)];
+    points = std::min(most, chance.of({1, 2, 3, 4, 5, 7, 8, 11, 13, 16, 17, 31, 32, 37, 61, 64, 127}));
+    most /= points;
+  }
+  return size;
+}
+
+float draw_coordinate(float largest, Draw draw, Chance& chance) {
+  if (draw == Draw::kTame) return chance.between(-largest, largest);
+  switch (chance.whole(0, 9)) {
+    case 0:
+      return chance.between(-largest, largest);
+    case 1:
+      return static_cast<float>(chance.whole(-1000, 1000));
+    case 2:
+      return static_cast<float>(chance.whole(-1000, 1000)) + 0.5f;
+    case 3:
+      return chance.between(-1000.0f, 1000.0f);
+    case 4:  // p - floor(p) rounds to 1 for some
+      return chance.of({0.0f, -0.0f, 1e-40f, -1e-40f, 0x1p-33f, -0x1p-33f, 0x1p-31f, -0x1p-31f, -1e-9f, 0x1p-20f});
+    default:
+      return chance.between(-4.0f, 4.0f);
+  }
+}
+
+template <int D>
+Grid<D> draw_grid(int most, float largest, Draw draw, Chance& chance) {
+  Grid<D> grid;
+  grid.size = draw_size<D>(most, chance);
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    grid.origin[axis] = draw_coordinate(largest, draw, chance);
+    grid.step[axis] = draw == Draw::kTame
+                          ? chance.of({0.0371f, -0.0371f, 0.01f})
+                          : chance.of({1e-6f, 0.0371f, -0.0371f, 0.0f, 1.0f, 0.125f, 2.75f, -3.1f, 0.141421356f});
+  }
+  return grid;
+}
+
+template <int D>
+CellGrid<D> draw_cell_grid(int most, Chance& chance) {
+  CellGrid<D> grid;
+  grid.size = draw_size<D>(most, chance);
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    grid.cell[axis] = chance.one_in(2) ? static_cast<std::int32_t>(chance.word()) : chance.whole(-100, 100);
+    grid.f[axis] = chance.of({0.0f, 0.5f, 1.0f, chance.between(0.0f, 1.0f)});
+    grid.step[axis] = chance.of({1e-9, 0x1p-32, 0.0371, -0.0371, 0.0, 1.0, 0.125, 2.75, -3.1, 0.14142135623730951,
+                                 -1.0 / 3.0, 1e6 / 3.0, 2147483646.7});
+  }
+  return grid;
+}
+
+template <int D>
+PointList<D>::operator Points<D>() const {
+  Points<D> points;
+  for (std::size_t axis = 0; axis < D; ++axis) points.p[axis] = p[axis];
+  return points;
+}
+
+template <int D>
+CellPointList<D>::operator CellPoints<D>() const {
+  CellPoints<D> points;
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    points.cell[axis] = cell[axis];
+    points.f[axis] = f[axis];
+  }
+  return points;
+}
+
+template <int D>
+PointList<D> draw_points(int count, float largest, Draw draw, Chance& chance) {
+  PointList<D> list;
+  for (auto& axis : list.p) {
+    for (int i = 0; i < count; ++i) axis.push_back(draw_coordinate(largest, draw, chance));
+  }
+  return list;
+}
+
+template <int D>
+CellPointList<D> draw_cell_points(int count, Chance& chance) {
+  using Limits = std::numeric_limits<std::int32_t>;
+  CellPointList<D> list;
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    for (int i = 0; i < count; ++i) {
+      list.cell[axis].push_back(chance.one_in(3) ? chance.whole(-100, 100) : static_cast<std::int32_t>(chance.word()));
+      if (chance.one_in(16)) list.cell[axis].back() = chance.of({Limits::min(), Limits::max(), 0, -1});
+      list.f[axis].push_back(chance.between(0.0f, 1.0f));
+      if (chance.one_in(8)) list.f[axis].back() = chance.of({0.0f, 0.5f, 1.0f, 1.0f - 0x1p-24f, 0x1p-24f, 1e-12f});
+    }
+  }
+  return list;
+}
+
+#define HN_DRAW(D)                                                       \
+  template std::array<int, D> draw_size<D>(int, Chance&);                \
+  template Grid<D> draw_grid<D>(int, float, Draw, Chance&);              \
+  template CellGrid<D> draw_cell_grid<D>(int, Chance&);                  \
+  template struct PointList<D>;                                          \
+  template struct CellPointList<D>;                                      \
+  template PointList<D> draw_points<D>(int, float, Draw, Chance&);       \
+  template CellPointList<D> draw_cell_points<D>(int, Chance&);
+HN_DRAW(1)
+HN_DRAW(2)
+HN_DRAW(3)
+HN_DRAW(4)
+
+}  // namespace hashnoise::twin

@@ -1,0 +1,145 @@
+// Nothing depends on who runs the tasks, nor in what order.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <limits>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "fields.hpp"
+#include "subjects.hpp"
+
+namespace hashnoise::twin {
+namespace {
+
+void backwards(int count, const std::function<void(int)>& task) {
+  for (int i = count - 1; i >= 0; --i) task(i);
+}
+
+// Every task in a thread of its own, all at once.
+void all_at_once(int count, const std::function<void(int)>& task) {
+  std::vector<std::jthread> workers;
+  for (int i = 0; i < count; ++i) workers.emplace_back([&task, i] { task(i); });
+}
+
+struct Named {
+  std::string name;
+  Executor executor;
+};
+std::vector<Named> executors() {
+  return {{"none", {}},          {"threads()", threads()},  {"1", threads(1)},           {"2", threads(2)},
+          {"7", threads(7)},     {"33", threads(33)},       {"backwards", backwards},    {"all at once", all_at_once}};
+}
+
+template <int D, typename Places>
+void expect_same_with_any(const Settings& settings, const Places& where) {
+  const auto points = places_of(where).size();
+  const Field<D> field(settings);
+  const Filled alone = fill(field, where, points);
+  for (const auto& [name, executor] : executors()) {
+    for (int time = 0; time < 2; ++time) {
+      const Filled filled = fill(field, where, points, executor);
+      EXPECT_TRUE(same_bits(filled.values, alone.values, points)) << name << ": " << settings;
+      EXPECT_EQ(filled.range, alone.range) << name << ": " << settings;
+    }
+  }
+  const Filled again = fill(Field<D>(settings), where, points);
+  EXPECT_TRUE(same_bits(again.values, alone.values, points)) << "another field: " << settings;
+  EXPECT_EQ(again.range, alone.range);
+}
+
+class AnyExecutor : public testing::TestWithParam<Arithmetic> {};
+
+// With kFast, too: a point has the same bits wherever the tasks begin, and though vectors hold other points then.
+TEST_P(AnyExecutor, GivesTheSame) {
+  Chance chance(3);
+  for (const InstructionSet set : instruction_sets()) {
+    for (const std::string noise : {"perlin", "simplex_d", "cellular"}) {
+      Settings settings;
+      settings.noise = noise;
+      settings.arithmetic = GetParam();
+      settings.instruction_set = set;
+      settings.seed = chance.word();
+      expect_same_with_any<2>(settings, Grid<2>{{0.1f, -50.0f}, {0.0371f, 0.05f}, {211, 307}});
+      expect_same_with_any<2>(settings, CellGrid<2>{{7, -9}, {0.1f, 0.9f}, {0.0371, 0.05}, {1, 65537}});
+      expect_same_with_any<3>(settings, Grid<3>{{0.1f, -50.0f, 0.0f}, {0.0371f, 0.05f, 0.1f}, {37, 41, 43}});
+      expect_same_with_any<2>(settings, Points<2>(draw_points<2>(65537, 100.0f, Draw::kTame, chance)));
+      expect_same_with_any<3>(settings, CellPoints<3>(draw_cell_points<3>(20011, chance)));
+    }
+    Settings sum;
+    sum.sum = "warp";
+    sum.noise = "value";
+    sum.arithmetic = GetParam();
+    sum.instruction_set = set;
+    expect_same_with_any<2>(sum, Grid<2>{{0.1f, -50.0f}, {0.0371f, 0.05f}, {307, 211}});
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(, AnyExecutor, testing::Values(Arithmetic::kFast, Arithmetic::kPrecise, Arithmetic::kFixed),
+                         [](const auto& parameter) { return std::to_string(static_cast<int>(parameter.param)); });
+
+TEST(Threads, ManyUseOneField) {
+  Settings settings;
+  settings.arithmetic = Arithmetic::kFixed;
+  const Field<2> field(settings);
+  const Grid<2> grid = {{0.1f, 0.2f}, {0.0371f, 0.05f}, {101, 103}};
+  const Filled alone = fill(field, grid, 101 * 103);
+  std::array<std::vector<float>, 4> values;
+  {
+    std::vector<std::jthread> workers;
+    for (auto& each : values) {
+      workers.emplace_back([&] {
+        each.resize(101 * 103);
+        for (int time = 0; time < 5; ++time) field.fill(grid, each, threads(2));
+      });
+    }
+  }
+  for (const auto& each : values) EXPECT_TRUE(same_bits(each, alone.values, 101 * 103));
+}
+
+TEST(Threads, AreAsManyAsSaid) {
+  for (const int count : {1, 2, 5}) {
+    std::atomic<int> running = 0;
+    std::atomic<int> most = 0;
+    std::vector<std::atomic<int>> runs(50);
+    threads(count)(50, [&](int i) {
+      const int now = ++running;
+      for (int seen = most; now > seen && !most.compare_exchange_weak(seen, now);) {
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      ++runs[static_cast<std::size_t>(i)];
+      --running;
+    });
+    EXPECT_LE(most, count);
+    EXPECT_GE(most, std::min(count, 2));
+    for (const auto& each : runs) EXPECT_EQ(each, 1);
+  }
+}
+
+TEST(Threads, RunNothingOfNothing) {
+  threads(3)(0, [](int) { ADD_FAILURE(); });
+}
+
+// The tasks that an executor is given are the whole work.
+TEST(Threads, RunTasksOfTheField) {
+  const Field<2> field{Settings{}};
+  const Grid<2> grid = {{0, 0}, {0.1f, 0.1f}, {512, 512}};
+  std::vector<float> values(512 * 512);
+  int calls = 0;
+  int tasks = 0;
+  field.fill(grid, values, [&](int count, const std::function<void(int)>& task) {
+    ++calls;
+    tasks += count;
+    for (int i = 0; i < count; ++i) task(i);
+  });
+  EXPECT_EQ(calls, 1);
+  EXPECT_GE(tasks, 2);  // else nothing can be shared
+}
+
+}  // namespace
+}  // namespace hashnoise::twin

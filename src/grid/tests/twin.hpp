@@ -1,0 +1,42 @@
+// The scalar functions of hashnoise.hpp by the names of Settings: what a field should be, point by point.
+// SPDX-License-Identifier: MIT
+
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "hashnoise/field.hpp"
+
+namespace hashnoise::twin {
+
+// A noise or a sum with its settings. The functions write `components` numbers.
+template <int D>
+struct Function {
+  int components = 0;
+  std::function<void(const std::array<float, D>& p, float* values)> at;
+  // Empty where there is no such form: sums with a detail or a footprint.
+  std::function<void(const std::array<std::int32_t, D>& cell, const std::array<float, D>& f, float* values)> in;
+};
+
+// Throws std::logic_error if there is no such function. The settings must outlive what is returned.
+template <int D>
+Function<D> function(const Settings& settings);
+
+// What there is.
+struct Noise {
+  std::string name;
+  int components;
+};
+std::vector<Noise> noises(int dimensions);
+std::vector<std::string> sums(int dimensions);
+
+// The noises that a sum can be taken over.
+std::vector<std::string> noises_of(const std::string& sum, int dimensions);
+
+bool has_period(const Settings& settings, int dimensions);
+
+}  // namespace hashnoise::twin

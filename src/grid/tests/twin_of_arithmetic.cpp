@@ -1,0 +1,394 @@
+// The scalar functions with one HN_ARITHMETIC, by name.
+//
+// Every function of the library is forced inline, and a sum contains its noise. A sum over each noise would take
+// minutes to compile. So the sums here are made, by the public macros, over one noise that calls whichever was chosen.
+// It is a call, so nothing of a sum and its noise can be computed together, and the bits are those of a sum over the
+// noise itself.
+// SPDX-License-Identifier: MIT
+
+#include "twin_of_arithmetic.hpp"
+
+#include <algorithm>
+#include <hashnoise/hashnoise.hpp>
+#include <span>
+#include <stdexcept>
+#include <type_traits>
+
+namespace hashnoise {
+namespace {
+
+constexpr Arithmetic kArithmetic = static_cast<Arithmetic>(HN_ARITHMETIC);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The types of GLSL in so many dimensions.
+
+template <int D>
+struct Types;
+template <>
+struct Types<1> {
+  using Floats = float;
+  using Ints = int;
+};
+template <>
+struct Types<2> {
+  using Floats = vec2;
+  using Ints = ivec2;
+};
+template <>
+struct Types<3> {
+  using Floats = vec3;
+  using Ints = ivec3;
+};
+template <>
+struct Types<4> {
+  using Floats = vec4;
+  using Ints = ivec4;
+};
+template <int D>
+using Floats = typename Types<D>::Floats;
+template <int D>
+using Ints = typename Types<D>::Ints;
+
+// The first D numbers of an array.
+template <int D, typename Array>
+auto glsl(const Array& a) {
+  using T = typename Array::value_type;
+  if constexpr (D == 1) return a[0];
+  if constexpr (D == 2) return Vector2<T>{a[0], a[1]};
+  if constexpr (D == 3) return Vector3<T>{a[0], a[1], a[2]};
+  if constexpr (D == 4) return Vector4<T>{a[0], a[1], a[2], a[3]};
+}
+
+// A noise with derivatives sets these by a parameter in 4D.
+struct ValueAndSlopes4 {
+  float value = 0.0f;
+  vec4 slopes{};
+};
+
+// The components of what a function returns.
+void store(float v, float* values) { *values = v; }
+void store(vec2 v, float* values) { std::ranges::copy(std::array{v.x, v.y}, values); }
+void store(vec3 v, float* values) { std::ranges::copy(std::array{v.x, v.y, v.z}, values); }
+void store(vec4 v, float* values) { std::ranges::copy(std::array{v.x, v.y, v.z, v.w}, values); }
+void store(const ValueAndSlopes4& v, float* values) {
+  *values = v.value;
+  store(v.slopes, values + 1);
+}
+
+template <typename T>
+constexpr int kComponents = sizeof(T) / sizeof(float);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Noises.
+
+#define CALL(name)                                         \
+  struct name {                                            \
+    static auto of(auto... arguments) {                    \
+      if constexpr (requires { hn_##name(arguments...); }) { \
+        return hn_##name(arguments...);                    \
+      } else {                                             \
+        ValueAndSlopes4 n;                                 \
+        n.value = hn_##name(arguments..., n.slopes);       \
+        return n;                                          \
+      }                                                    \
+    }                                                      \
+  };
+namespace call {
+CALL(cell_border)
+CALL(cellular)
+CALL(cellular_d)
+CALL(cellular_smooth)
+CALL(cellular_three)
+CALL(curl)
+CALL(perlin)
+CALL(perlin_d)
+CALL(simplex)
+CALL(simplex_d)
+CALL(simplex_smooth)
+CALL(value)
+CALL(value_cubic)
+CALL(value_d)
+}  // namespace call
+#undef CALL
+
+// What a noise takes between its place and its seed. With a jitter there are only forms with a period, which may be 0.
+enum class Options { kNone, kPhase, kJitter, kJitterAndMetric };
+constexpr bool always_has_period(Options options) {
+  return options == Options::kJitter || options == Options::kJitterAndMetric;
+}
+
+template <typename Call, Options O>
+auto called([[maybe_unused]] const Settings& s, std::uint32_t seed, auto... place) {
+  if constexpr (O == Options::kNone) {
+    return Call::of(place..., seed);
+  } else if constexpr (O == Options::kPhase) {
+    return Call::of(place..., *s.phase, seed);
+  } else if constexpr (O == Options::kJitter) {
+    return Call::of(place..., s.jitter, seed);
+  } else {
+    return Call::of(place..., s.jitter, static_cast<int>(s.metric), seed);
+  }
+}
+
+template <int D>
+struct NoiseEntry {
+  std::string_view name;
+  bool has_phase;
+  int components;
+  void (*at)(const Settings&, Floats<D> p, std::uint32_t seed, float* values);
+  void (*at_tile)(const Settings&, Floats<D> p, Ints<D> period, std::uint32_t seed, float* values);
+  void (*in)(const Settings&, Ints<D> cell, Floats<D> f, std::uint32_t seed, float* values);
+  void (*in_tile)(const Settings&, Ints<D> cell, Floats<D> f, Ints<D> period, std::uint32_t seed, float* values);
+};
+
+template <int D, typename Call, Options O = Options::kNone>
+NoiseEntry<D> entry(std::string_view name) {
+  using F = Floats<D>;
+  using I = Ints<D>;
+  NoiseEntry<D> e;
+  e.name = name;
+  e.has_phase = O == Options::kPhase;
+  e.components = kComponents<decltype(called<Call, O>(std::declval<Settings>(), 0u, F{}, I{}))>;
+  e.at_tile = [](const Settings& s, F p, I period, std::uint32_t seed, float* values) {
+    store(called<Call, O>(s, seed, p, period), values);
+  };
+  e.in_tile = [](const Settings& s, I cell, F f, I period, std::uint32_t seed, float* values) {
+    store(called<Call, O>(s, seed, cell, f, period), values);
+  };
+  if constexpr (always_has_period(O)) {
+    e.at = [](const Settings& s, F p, std::uint32_t seed, float* values) {
+      entry<D, Call, O>({}).at_tile(s, p, I{}, seed, values);
+    };
+    e.in = [](const Settings& s, I cell, F f, std::uint32_t seed, float* values) {
+      entry<D, Call, O>({}).in_tile(s, cell, f, I{}, seed, values);
+    };
+  } else {
+    e.at = [](const Settings& s, F p, std::uint32_t seed, float* values) {
+      store(called<Call, O>(s, seed, p), values);
+    };
+    e.in = [](const Settings& s, I cell, F f, std::uint32_t seed, float* values) {
+      store(called<Call, O>(s, seed, cell, f), values);
+    };
+  }
+  return e;
+}
+
+template <int D>
+std::vector<NoiseEntry<D>> noise_entries() {
+  std::vector<NoiseEntry<D>> all = {entry<D, call::value>("value"), entry<D, call::value_d>("value_d"),
+                                    entry<D, call::perlin>("perlin"), entry<D, call::perlin_d>("perlin_d")};
+  if constexpr (D <= 3) all.push_back(entry<D, call::value_cubic>("value_cubic"));
+  if constexpr (D >= 2) {
+    all.push_back(entry<D, call::simplex>("simplex"));
+    all.push_back(entry<D, call::simplex_d>("simplex_d"));
+  }
+  if constexpr (D == 2 || D == 3) {
+    all.push_back(entry<D, call::simplex_smooth>("simplex_smooth"));
+    all.push_back(entry<D, call::curl>("curl"));
+    all.push_back(entry<D, call::perlin, Options::kPhase>("perlin"));
+    all.push_back(entry<D, call::perlin_d, Options::kPhase>("perlin_d"));
+    all.push_back(entry<D, call::simplex, Options::kPhase>("simplex"));
+    all.push_back(entry<D, call::simplex_d, Options::kPhase>("simplex_d"));
+    all.push_back(entry<D, call::cellular, Options::kJitterAndMetric>("cellular"));
+    all.push_back(entry<D, call::cellular_three, Options::kJitterAndMetric>("cellular_three"));
+    all.push_back(entry<D, call::cellular_d, Options::kJitter>("cellular_d"));
+    all.push_back(entry<D, call::cellular_smooth, Options::kJitter>("cellular_smooth"));
+    all.push_back(entry<D, call::cell_border, Options::kJitter>("cell_border"));
+  }
+  return all;
+}
+
+template <int D>
+const NoiseEntry<D>& noise_entry(std::string_view name, bool has_phase) {
+  static const std::vector<NoiseEntry<D>> all = noise_entries<D>();
+  const auto found =
+      std::ranges::find_if(all, [&](const auto& e) { return e.name == name && e.has_phase == has_phase; });
+  if (found == all.end()) throw std::logic_error("the twin has no noise " + std::string(name));
+  return *found;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Sums. What they add up is `chosen`, with a value, or `chosen_d`, with derivatives, in 2D and 3D.
+
+template <int D>
+struct Chosen {
+  const NoiseEntry<D>* noise = nullptr;
+  const Settings* settings = nullptr;
+};
+template <int D>
+thread_local Chosen<D> choice;
+
+template <int D>
+std::array<float, 5> of_choice(Ints<D> cell, Floats<D> f, std::uint32_t seed) {
+  std::array<float, 5> values{};
+  choice<D>.noise->in(*choice<D>.settings, cell, f, seed, values.data());
+  return values;
+}
+template <int D>
+std::array<float, 5> of_choice(Ints<D> cell, Floats<D> f, Ints<D> period, std::uint32_t seed) {
+  std::array<float, 5> values{};
+  choice<D>.noise->in_tile(*choice<D>.settings, cell, f, period, seed, values.data());
+  return values;
+}
+
+#define CHOSEN(D)                                                                                                  \
+  float chosen(Ints<D> cell, Floats<D> f, std::uint32_t seed) { return of_choice<D>(cell, f, seed)[0]; }           \
+  float chosen(Ints<D> cell, Floats<D> f, Ints<D> period, std::uint32_t seed) {                                    \
+    return of_choice<D>(cell, f, period, seed)[0];                                                                 \
+  }
+#define CHOSEN_D(D)                                                                                                \
+  Floats<D + 1> chosen_d(Ints<D> cell, Floats<D> f, std::uint32_t seed) {                                          \
+    return glsl<D + 1>(of_choice<D>(cell, f, seed));                                                               \
+  }                                                                                                                \
+  Floats<D + 1> chosen_d(Ints<D> cell, Floats<D> f, Ints<D> period, std::uint32_t seed) {                          \
+    return glsl<D + 1>(of_choice<D>(cell, f, period, seed));                                                       \
+  }
+CHOSEN(1)
+CHOSEN(2)
+CHOSEN(3)
+CHOSEN(4)
+CHOSEN_D(2)
+CHOSEN_D(3)
+
+// clang-format off
+#define IN_ALL_DIMENSIONS(MACRO, name) MACRO##1D(name, chosen) MACRO##2D(name, chosen) MACRO##3D(name, chosen) MACRO##4D(name, chosen)
+#define IN_SPACE(MACRO, name, noise) MACRO##2D(name, noise) MACRO##3D(name, noise)
+IN_ALL_DIMENSIONS(HN_FBM, fbm)
+IN_ALL_DIMENSIONS(HN_FBM_PERIOD, fbm)
+IN_ALL_DIMENSIONS(HN_FBM_LIMITED, fbm)
+IN_ALL_DIMENSIONS(HN_TURBULENCE, turbulence)
+IN_ALL_DIMENSIONS(HN_TURBULENCE_PERIOD, turbulence)
+IN_ALL_DIMENSIONS(HN_CLOUDS, clouds)
+IN_ALL_DIMENSIONS(HN_CLOUDS_PERIOD, clouds)
+IN_ALL_DIMENSIONS(HN_BILLOW, billow)
+IN_ALL_DIMENSIONS(HN_BILLOW_PERIOD, billow)
+IN_ALL_DIMENSIONS(HN_RIDGED, ridged)
+IN_ALL_DIMENSIONS(HN_RIDGED_PERIOD, ridged)
+IN_ALL_DIMENSIONS(HN_PING_PONG, ping_pong)
+IN_ALL_DIMENSIONS(HN_PING_PONG_PERIOD, ping_pong)
+IN_ALL_DIMENSIONS(HN_WEIGHTED, weighted)
+IN_ALL_DIMENSIONS(HN_WEIGHTED_PERIOD, weighted)
+IN_SPACE(HN_FBM_D, fbm_d, chosen_d)
+IN_SPACE(HN_FBM_D_PERIOD, fbm_d, chosen_d)
+IN_SPACE(HN_ERODED, eroded, chosen_d)
+IN_SPACE(HN_ERODED_PERIOD, eroded, chosen_d)
+IN_SPACE(HN_WARP, warp, chosen)
+IN_SPACE(HN_WARP_PERIOD, warp, chosen)
+IN_SPACE(HN_WARP_PROGRESSIVE, warp_progressive, chosen)
+IN_SPACE(HN_WARP_PROGRESSIVE_PERIOD, warp_progressive, chosen)
+// clang-format on
+
+// The settings of Settings that are left out.
+float strength_of(const Settings& s) { return s.strength.value_or(s.sum == "ping_pong" ? 2.0f : 1.0f); }
+
+// A sum, of any arguments: its places, then what it takes in front of the seed.
+#define SUM(name, ...)                                                                                   \
+  struct name##_call {                                                                                   \
+    static auto of(const Settings& s, auto... place) { return name(place..., __VA_ARGS__, s.seed); }     \
+  };
+#define PLAIN s.octaves, s.lacunarity, s.gain
+SUM(fbm, PLAIN)
+SUM(turbulence, PLAIN)
+SUM(clouds, PLAIN)
+SUM(billow, PLAIN)
+SUM(ridged, PLAIN)
+SUM(ping_pong, PLAIN, strength_of(s))
+SUM(weighted, PLAIN, strength_of(s))
+SUM(fbm_d, PLAIN)
+SUM(eroded, PLAIN, strength_of(s))
+SUM(warp, PLAIN, s.amplitude)
+SUM(warp_progressive, PLAIN, s.amplitude)
+#undef SUM
+
+template <int D>
+twin::Function<D> of_noise(const Settings& s) {
+  const NoiseEntry<D>* noise = &noise_entry<D>(s.noise, s.phase.has_value());
+  const Ints<D> period = glsl<D>(s.period);
+  twin::Function<D> function;
+  function.components = noise->components;
+  if (twin::has_period(s, D)) {
+    function.at = [=, &s](const std::array<float, D>& p, float* values) {
+      noise->at_tile(s, glsl<D>(p), period, s.seed, values);
+    };
+    function.in = [=, &s](const std::array<std::int32_t, D>& cell, const std::array<float, D>& f, float* values) {
+      noise->in_tile(s, glsl<D>(cell), glsl<D>(f), period, s.seed, values);
+    };
+  } else {
+    function.at = [=, &s](const std::array<float, D>& p, float* values) { noise->at(s, glsl<D>(p), s.seed, values); };
+    function.in = [=, &s](const std::array<std::int32_t, D>& cell, const std::array<float, D>& f, float* values) {
+      noise->in(s, glsl<D>(cell), glsl<D>(f), s.seed, values);
+    };
+  }
+  return function;
+}
+
+template <int D, typename Call>
+twin::Function<D> of_sum(const Settings& s) {
+  const NoiseEntry<D>* noise = &noise_entry<D>(s.noise, false);
+  const Ints<D> period = glsl<D>(s.period);
+  const bool tile = twin::has_period(s, D);
+  twin::Function<D> function;
+  function.components = kComponents<decltype(Call::of(s, Floats<D>{}))>;
+  function.at = [=, &s](const std::array<float, D>& p, float* values) {
+    choice<D> = {noise, &s};
+    store(tile ? Call::of(s, glsl<D>(p), period) : Call::of(s, glsl<D>(p)), values);
+  };
+  function.in = [=, &s](const std::array<std::int32_t, D>& cell, const std::array<float, D>& f, float* values) {
+    choice<D> = {noise, &s};
+    store(tile ? Call::of(s, glsl<D>(cell), glsl<D>(f), period) : Call::of(s, glsl<D>(cell), glsl<D>(f)), values);
+  };
+  return function;
+}
+
+template <int D>
+twin::Function<D> of_limited(const Settings& s) {
+  const NoiseEntry<D>* noise = &noise_entry<D>(s.noise, false);
+  twin::Function<D> function;
+  function.components = 1;
+  function.at = [=, &s](const std::array<float, D>& p, float* values) {
+    choice<D> = {noise, &s};
+    *values = s.detail ? fbm(glsl<D>(p), *s.detail, s.lacunarity, s.gain, s.seed)
+                       : fbm(glsl<D>(p), *s.footprint, s.octaves, s.lacunarity, s.gain, s.seed);
+  };
+  return function;
+}
+
+template <int D>
+twin::Function<D> of_settings(const Settings& s) {
+  if (s.sum.empty()) return of_noise<D>(s);
+  if (s.detail || s.footprint) return of_limited<D>(s);
+#define SUM(name) \
+  if (s.sum == #name) return of_sum<D, name##_call>(s);
+  SUM(fbm)
+  SUM(turbulence)
+  SUM(clouds)
+  SUM(billow)
+  SUM(ridged)
+  SUM(ping_pong)
+  SUM(weighted)
+  if constexpr (D == 2 || D == 3) {
+    SUM(fbm_d)
+    SUM(eroded)
+    SUM(warp)
+    SUM(warp_progressive)
+  }
+#undef SUM
+  throw std::logic_error("the twin has no sum " + s.sum);
+}
+
+}  // namespace
+
+namespace twin {
+
+#define HN_TWIN(D)                                                     \
+  template <>                                                          \
+  Function<D> function_of<D, kArithmetic>(const Settings& settings) {  \
+    return of_settings<D>(settings);                                   \
+  }
+HN_TWIN(1)
+HN_TWIN(2)
+HN_TWIN(3)
+HN_TWIN(4)
+
+}  // namespace twin
+}  // namespace hashnoise

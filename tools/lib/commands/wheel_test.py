@@ -1,0 +1,82 @@
+"""Tests of tools/wheel: what it says before it builds anything. The test python.wheel builds a wheel."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from tree import TOOLS
+
+
+class Wheel(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.root = Path(scratch.name)
+        (self.root / "tools").mkdir()
+        for name in ("setup.sh", "wheel"):
+            shutil.copy(TOOLS / name, self.root / "tools")
+        # Whoever installs something is noticed, and has everything.
+        self.programs = self.root / "programs"
+        self.programs.mkdir()
+        for name, command in (("apt-get", f"touch {self.root}/installed; exit 1"),
+                              ("dpkg-query", 'echo "install ok installed"')):
+            self.write_program(name, command)
+
+    def write_program(self, name: str, command: str) -> Path:
+        path = self.programs / name
+        path.write_text(f"#!/bin/sh\n{command}\n", encoding="ascii")
+        path.chmod(0o755)
+        return path
+
+    def call(self, *arguments: str) -> subprocess.CompletedProcess[str]:
+        done = subprocess.run([self.root / "tools" / "wheel", *arguments], capture_output=True, text=True, check=False,
+                              cwd=self.root, env={**os.environ, "PATH": f"{self.programs}:{os.environ['PATH']}"})
+        self.assertFalse((self.root / "installed").exists())
+        return done
+
+    def test_help(self):
+        for arguments in (("--help",), ("-h",), ("help",), ("--python", "no-such", "--help")):
+            with self.subTest(arguments):
+                done = self.call(*arguments)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                self.assertIn("tools/wheel [--python PYTHON] [FOLDER]", done.stdout)
+                self.assertIn("Exit status: 0 done", done.stdout)
+                self.assertNotIn("#", done.stdout)
+                self.assertFalse((self.root / "build").exists())
+
+    def test_bad_usage(self):
+        (self.root / "file").touch()
+        old = self.write_program("old-python", "exit 1")
+        for arguments, said in ((("one", "two"), "there is one folder at most, not one and two"),
+                                (("",), "the folder has no name"),
+                                (("file",), "file is a file; it must be a folder, or a name for a new one"),
+                                (("file/folder",), "the folder file/folder cannot be made"),
+                                (("--no-such",), "there is no option --no-such"),
+                                (("--python",), "--python must be followed by a Python"),
+                                (("--python", "no-such"), "there is no program no-such"),
+                                (("--python=no-such",), "there is no program no-such"),
+                                (("--python", str(old)), f"{old} is no Python 3.10 or later")):
+            with self.subTest(arguments):
+                done = self.call(*arguments)
+                self.assertEqual((done.returncode, done.stdout), (2, ""))
+                self.assertIn(f"tools/wheel: {said}", done.stderr)
+                self.assertIn("usage: tools/wheel", done.stderr)
+                self.assertFalse((self.root / "build").exists())
+
+    def test_what_cannot_be_built(self):
+        """Here is nothing to build: the end of pip's output is told, and the rest is in the log."""
+        done = self.call("--python", sys.executable)
+        self.assertEqual((done.returncode, done.stdout), (4, ""))
+        self.assertIn("The wheel could not be built; all of the output is in", done.stderr)
+        self.assertIn(str(self.root), (self.root / "build" / "setup.log").read_text(encoding="utf-8"))
+        self.assertEqual(list((self.root / "build" / "wheels").iterdir()), [])
+
+
+if __name__ == "__main__":
+    unittest.main()
