@@ -28,8 +28,8 @@ class BenchCpu(unittest.TestCase):
         return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, check=False, timeout=300,
                               cwd=self.folder, env={**os.environ, **environment})
 
-    def bench(self, *arguments, **environment):
-        return self.call("--out", self.out, "--rounds", "3", "--filter", "perlin2", *arguments, **environment)
+    def bench(self, *arguments, rounds=3, **environment):
+        return self.call("--out", self.out, "--rounds", rounds, "--filter", "perlin2", *arguments, **environment)
 
     def report(self):
         path, = self.out.glob("*.json")
@@ -73,7 +73,7 @@ class BenchCpu(unittest.TestCase):
 
     def test_a_library_whose_speed_is_known(self):
         for _ in range(ATTEMPTS):
-            done = self.bench("--against", f"fastnoise2={FAKE}", "--rounds", "7")
+            done = self.bench("--against", f"fastnoise2={FAKE}", rounds=7)
             self.assertEqual(done.returncode, 0, done.stderr)
             entries = self.report()["measurements"]
             seen = [entry["ratios"][name]["ratio"] for entry in entries for name in ("grids", "points")]
