@@ -10,6 +10,8 @@
 # it names what is needed and tries to build. Who asks for help is shown it before any of that:
 #
 #   help_if_asked PROGRAM [ARGUMENT...] -- "$@"     the program has the options of the command
+#
+#   setup_bench_cpu COMPILER...                     hn-bench-cpu by each, in a folder of its own
 
 readonly root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 readonly build=$root/build
@@ -93,7 +95,8 @@ setup() {
   if [[ $1 == test ]]; then
     packages+=("${test_packages[@]}")
     # Warnings are errors here, where the compiler is known, and not for users, where it is not.
-    configuration+=(-DHASHNOISE_TESTS=ON -DHASHNOISE_BAKE=ON -DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
+    configuration+=(-DHASHNOISE_TESTS=ON -DHASHNOISE_BAKE=ON -DHASHNOISE_BENCH_CPU=ON
+                     -DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
     target=()
   elif [[ $1 == bake ]]; then
     packages=("${bake_packages[@]}")
@@ -114,4 +117,27 @@ setup() {
   logged "The build could not be configured" \
     cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release "${configuration[@]}"
   logged "The build failed" cmake --build "$build" "${target[@]}"
+}
+
+# What the compiler makes of the library is measured, so each has a build without anything else.
+setup_bench_cpu() {
+  local -a packages=("${program_packages[@]}")
+  local compiler folder
+  for compiler in "$@"; do
+    [[ $compiler != clang++ ]] || packages+=(clang)
+  done
+  mkdir -p "$build"
+  : >"$log"
+  install_missing "${packages[@]}"
+  for compiler in "$@"; do
+    if ! command -v "$compiler" >/dev/null; then
+      echo "There is no compiler $compiler; --compiler wants a program such as g++ or clang++." >&2
+      exit 2
+    fi
+    folder=$build/bench-cpu-$(basename "$compiler")
+    logged "The build by $compiler could not be configured" \
+      cmake -S "$root" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER="$compiler" \
+      -DHASHNOISE_CONFORMANCE=OFF -DHASHNOISE_TESTS=OFF -DHASHNOISE_BENCH_CPU=ON
+    logged "The build by $compiler failed" cmake --build "$folder" --target hn-bench-cpu
+  done
 }

@@ -86,14 +86,14 @@ int bench(const hn::BenchCpuOptions& options, hn::Interruption& interruption) {
   const auto folder = hn::OutputFolder::prepare(options.out, {name + ".json", name + ".md"});
   if (!folder) return usage_error(folder.error().text());
 
-  hn::Run run{.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))),
-              .command = command_of(options),
-              .compiler = hn::compiler_version(),
-              .processor = hn::processor_name(),
-              .rounds = options.rounds,
-              .note = options.note,
-              .measurements = {},
-              .python = {}};
+  hn::CpuRun run{.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))),
+                 .command = command_of(options),
+                 .compiler = hn::compiler_version(),
+                 .processor = hn::processor_name(),
+                 .rounds = options.rounds,
+                 .note = options.note,
+                 .measurements = {},
+                 .python = {}};
   // Before what takes long: it may not be there.
   if (!options.python.empty()) {
     show_progress(0, subjects.size(), "Python");

@@ -23,7 +23,7 @@ std::string cell_of(const Ratio& ratio, std::optional<double> aim) {
   return is_missed(ratio, aim) ? fmt::format("**{}** missed", text_of(ratio)) : text_of(ratio);
 }
 
-std::vector<hashnoise::InstructionSet> sets_of(const Run& run) {
+std::vector<hashnoise::InstructionSet> sets_of(const CpuRun& run) {
   std::vector<hashnoise::InstructionSet> sets;
   for (const Measurement& measurement : run.measurements) {
     if (std::ranges::count(sets, measurement.set) == 0) sets.push_back(measurement.set);
@@ -31,7 +31,7 @@ std::vector<hashnoise::InstructionSet> sets_of(const Run& run) {
   return sets;
 }
 
-std::vector<Subject> subjects_of(const Run& run) {
+std::vector<Subject> subjects_of(const CpuRun& run) {
   std::vector<Subject> subjects;
   for (const Measurement& measurement : run.measurements) {
     const bool is_new =
@@ -41,7 +41,7 @@ std::vector<Subject> subjects_of(const Run& run) {
   return subjects;
 }
 
-const Measurement* measurement_of(const Run& run, const Subject& subject, hashnoise::InstructionSet set) {
+const Measurement* measurement_of(const CpuRun& run, const Subject& subject, hashnoise::InstructionSet set) {
   for (const Measurement& measurement : run.measurements) {
     if (measurement.subject.id == subject.id && measurement.set == set) return &measurement;
   }
@@ -74,7 +74,7 @@ constexpr Section kSections[] = {
      "How many times as fast as by one thread a grid is filled by two. There is no aim."},
 };
 
-std::string section_of(const Run& run, const Section& section) {
+std::string section_of(const CpuRun& run, const Section& section) {
   std::vector<hashnoise::InstructionSet> sets;
   for (const hashnoise::InstructionSet set : sets_of(run)) {
     const bool measured = std::ranges::any_of(
@@ -101,7 +101,7 @@ std::string section_of(const Run& run, const Section& section) {
   return text + "\n";
 }
 
-std::string python_section(const Run& run) {
+std::string python_section(const CpuRun& run) {
   if (!run.python) return {};
   return fmt::format(
       "## Python beside C++\n\nHow many times as fast as C++ `hashnoise.perlin` computes a million points in 2D, by "
@@ -112,7 +112,7 @@ std::string python_section(const Run& run) {
       row_of({"with a new array each time", cell_of(run.python->new_array, kPythonAim)}));
 }
 
-std::string rates_section(const Run& run) {
+std::string rates_section(const CpuRun& run) {
   const std::vector<std::string> columns = {"fast",        "fixed",      "precise",          "points",
                                             "two threads", "FastNoise2", "FastNoise2 points"};
   std::vector<std::string> head = {"noise", "instructions"};
@@ -180,7 +180,7 @@ std::string processor_name() {
   return "an unknown processor";
 }
 
-nlohmann::ordered_json to_json(const Run& run) {
+nlohmann::ordered_json to_json(const CpuRun& run) {
   nlohmann::ordered_json json = {{"schema", kSchema},
                                  {"date", run.date},
                                  {"command", run.command},
@@ -200,7 +200,7 @@ nlohmann::ordered_json to_json(const Run& run) {
   return json;
 }
 
-std::vector<std::string> missed_aims(const Run& run) {
+std::vector<std::string> missed_aims(const CpuRun& run) {
   std::vector<std::string> missed;
   for (const Measurement& measurement : run.measurements) {
     for (const auto& [comparison, ratio] : measurement.ratios) {
@@ -219,7 +219,7 @@ std::vector<std::string> missed_aims(const Run& run) {
   return missed;
 }
 
-std::string page_of(const Run& run) {
+std::string page_of(const CpuRun& run) {
   std::string text = fmt::format(
       "# hashnoise::grid on a CPU, compiled by {}\n\n{}, hashnoise {}, {}.{} By `{}`.\n\nEach number is a quotient of "
       "speeds that were measured in the same {} rounds, in turns, and what stands behind ± is half the distance "

@@ -11,7 +11,7 @@
 
 namespace hn {
 
-struct Run {
+struct CpuRun {
   std::string date;      // UTC, ISO 8601
   std::string command;   // without the folders of this machine
   std::string compiler;  // "g++ 12.2.0"
@@ -26,10 +26,10 @@ std::string compiler_name();  // of this program: "gcc" or "clang"
 std::string compiler_version();
 std::string processor_name();
 
-nlohmann::ordered_json to_json(const Run& run);
-std::string page_of(const Run& run);
+nlohmann::ordered_json to_json(const CpuRun& run);
+std::string page_of(const CpuRun& run);
 
 // The aims that are missed, one a line: "perlin2, avx2: grids 0.93 ± 0.02, which is to be 1".
-std::vector<std::string> missed_aims(const Run& run);
+std::vector<std::string> missed_aims(const CpuRun& run);
 
 }  // namespace hn

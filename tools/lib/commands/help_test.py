@@ -14,6 +14,7 @@ from tree import TOOLS
 CONFORM = "conformance/hn-conform"
 # The program behind each, in build/, and what it is asked.
 COMMANDS = {"bake": ("src/bake/hn-bake", "--help"), "bench": (CONFORM, "bench --help"),
+            "bench-cpu": ("bench-cpu-g++/src/bench_cpu/hn-bench-cpu", "--help"),
             "conform": (CONFORM, "run --help"), "paper": (CONFORM, "paper --help")}
 
 

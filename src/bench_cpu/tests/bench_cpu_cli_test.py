@@ -1,0 +1,146 @@
+#!/usr/bin/env python3
+"""hn-bench-cpu as its user meets it. Usage: bench_cpu_cli_test.py PROGRAM FAKE-FASTNOISE2 NO-FASTNOISE2"""
+
+from __future__ import annotations
+
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+PROGRAM = FAKE = OTHER = ""
+ATTEMPTS = 5  # other programs on the machine can spoil a measurement, but hardly every time
+
+
+class BenchCpu(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.out = self.folder / "out"
+
+    def call(self, *arguments, **environment):
+        return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, check=False, timeout=300,
+                              cwd=self.folder, env={**os.environ, **environment})
+
+    def bench(self, *arguments, rounds=3, **environment):
+        return self.call("--out", self.out, "--rounds", rounds, "--filter", "perlin2", *arguments, **environment)
+
+    def report(self):
+        path, = self.out.glob("*.json")
+        return json.loads(path.read_text())
+
+    def page(self):
+        path, = self.out.glob("*.md")
+        return path.read_text()
+
+    def script(self, text):
+        path = self.folder / "python"
+        path.write_text(f"#!/bin/sh\n{text}\n")
+        path.chmod(0o755)
+        return path
+
+    def assert_bad(self, status, arguments, *parts, **environment):
+        done = self.bench(*arguments, **environment)
+        self.assertEqual(done.returncode, status, done.stderr)
+        for part in parts:
+            self.assertIn(part, done.stderr)
+        self.assertEqual(list(self.out.glob("*.*")), [])
+
+    def test_without_another_library(self):
+        done = self.bench()
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stderr, "")
+        report = self.report()
+        self.assertEqual({entry["id"] for entry in report["measurements"]}, {"perlin2"})
+        for entry in report["measurements"]:
+            self.assertLessEqual({"fixed", "precise", "lists"}, set(entry["ratios"]))
+            self.assertNotIn("grids", entry["ratios"])
+            for ratio in entry["ratios"].values():
+                self.assertGreater(ratio["ratio"], 0)
+            for speed in entry["millions_a_second"].values():
+                self.assertGreater(speed, 0)
+        widest = report["measurements"][-1]
+        self.assertIn("threads", widest["ratios"])
+        self.assertIn("HN_FIXED beside HN_FAST", self.page())
+        self.assertNotIn("beside FastNoise2\n", self.page())
+        self.assertNotIn(str(self.folder), self.page() + json.dumps(report))
+
+    def test_a_library_whose_speed_is_known(self):
+        wrong = None
+        for _ in range(ATTEMPTS):
+            done = self.bench("--against", f"fastnoise2={FAKE}", rounds=7)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            entries = self.report()["measurements"]
+            seen = {(entry["instructions"], name): entry["ratios"][name]["ratio"]
+                    for entry in entries for name in ("grids", "points")}
+            wrong = {what: ratio for what, ratio in seen.items() if not 2.4 < ratio < 3.6 and (wrong is None or what in wrong)}
+            if not wrong:
+                break
+        self.assertEqual(wrong, {}, "it computes everything three times")
+        self.assertIn("libfake-fast-noise.so", self.page())
+        self.assertNotIn(str(pathlib.Path(FAKE).parent), self.page() + json.dumps(self.report()))
+
+    def test_instructions_that_it_has_not_are_left_out(self):
+        done = self.bench("--against", f"fastnoise2={FAKE}", FAKE_FAST_NOISE="instructions")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        compared = [entry["instructions"] for entry in self.report()["measurements"] if "grids" in entry["ratios"]]
+        self.assertIn(compared, (["sse2"], []))  # of another family of processors it has none
+
+    def test_what_is_no_such_library(self):
+        self.assert_bad(2, ["--against", "fastnoise2=/nowhere/libFastNoise.so"], "cannot load /nowhere/libFastNoise.so",
+                        "BUILD_SHARED_LIBS=ON")
+        text = self.folder / "text.so"
+        text.write_text("no library")
+        self.assert_bad(2, ["--against", f"fastnoise2={text}"], "cannot load", str(text))
+        self.assert_bad(2, ["--against", f"fastnoise2={OTHER}"], "has no function fnGetMetadataName")
+        self.assert_bad(2, ["--against", f"other={FAKE}"], "fastnoise2=FILE")
+        self.assert_bad(2, ["--against", "fastnoise2="], "fastnoise2=FILE")
+        self.assert_bad(1, ["--against", f"fastnoise2={FAKE}"], "has no node Perlin", FAKE_FAST_NOISE="node")
+        self.assert_bad(1, ["--against", f"fastnoise2={FAKE}"], "no variable Feature Scale", FAKE_FAST_NOISE="variable")
+        self.assert_bad(1, ["--against", f"fastnoise2={FAKE}", "--filter", "value2"], "has no node Value")
+
+    def test_bad_usage(self):
+        for arguments, part in ((["--rounds", "2"], "--rounds"), (["--round", "3"], "--round"), (["x"], "x"),
+                                (["--out", "/dev/null/x"], "/dev/null/x"), (["--filter", "nothing"], "no subject")):
+            with self.subTest(arguments=arguments):
+                done = self.call(*arguments)
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertIn(part, done.stderr)
+
+    def test_python(self):
+        slow = self.script("echo 1000 2000")
+        done = self.bench("--python", slow)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        python = self.report()["python"]
+        self.assertAlmostEqual(python["new_array"]["ratio"] / python["own_array"]["ratio"], 2, places=6)
+        self.assertFalse(python["own_array"]["met"])
+        self.assertIn("MISSED Python with out=", done.stdout)
+        self.assert_bad(1, ["--python", self.script("echo none")], '"none\\x0a" and not two times')
+        self.assert_bad(1, ["--python", self.script("echo no module >&2; exit 1")], "no module")
+        self.assert_bad(1, ["--python", "/nowhere/python3"], "/nowhere/python3")
+
+    def test_a_signal_ends_it(self):
+        process = subprocess.Popen([PROGRAM, "--out", self.out, "--rounds", "1000"], cwd=self.folder,
+                                   stderr=subprocess.PIPE, text=True)
+        time.sleep(0.5)
+        process.send_signal(signal.SIGINT)
+        _, told = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, -signal.SIGINT)
+        self.assertIn("no results are written", told)
+        self.assertEqual(list(self.out.glob("*.*")), [])
+
+    def test_help(self):
+        done = self.call("--help")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("Exit status: 0 done", done.stdout)
+
+
+if __name__ == "__main__":
+    PROGRAM, FAKE, OTHER = sys.argv[1:4]
+    unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,2 @@
+// A shared library that is not FastNoise2.
+extern "C" int fnGetMetadataCount() { return 0; }
