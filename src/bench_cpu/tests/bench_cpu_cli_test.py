@@ -79,7 +79,8 @@ class BenchCpu(unittest.TestCase):
             entries = self.report()["measurements"]
             seen = {(entry["instructions"], name): entry["ratios"][name]["ratio"]
                     for entry in entries for name in ("grids", "points")}
-            wrong = {what: ratio for what, ratio in seen.items() if not 2.4 < ratio < 3.6 and (wrong is None or what in wrong)}
+            wrong = {what: ratio for what, ratio in seen.items()
+                     if not 2.4 < ratio < 3.6 and (wrong is None or what in wrong)}
             if not wrong:
                 break
         self.assertEqual(wrong, {}, "it computes everything three times")
