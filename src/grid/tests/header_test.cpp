@@ -69,6 +69,10 @@ TEST(Header, FillsNothing) {
   EXPECT_EQ(lanes::fill(Grid<2>{{0, 0}, {1, 1}, {0, 5}}, none, noise), Range{});
   EXPECT_EQ(lanes::fill(Grid<2>{{0, 0}, {1, 1}, {5, 0}}, none, noise), Range{});
   EXPECT_EQ(lanes::fill(Points<2>{}, none, noise), Range{});
+  const auto in_cell = [](lanes::ivec2 cell, lanes::vec2 f) { return lanes::hn_perlin(cell, f, 7u); };
+  EXPECT_EQ(lanes::fill(CellGrid<2>{{0, 0}, {0, 0}, {1, 1}, {0, 5}}, none, in_cell), Range{});
+  EXPECT_EQ(lanes::fill(CellGrid<2>{{0, 0}, {0, 0}, {1, 1}, {5, 0}}, none, in_cell), Range{});
+  EXPECT_EQ(lanes::fill(CellPoints<2>{}, none, in_cell), Range{});
 }
 
 TEST(Header, RejectsWhatDoesNotFit) {
@@ -79,6 +83,8 @@ TEST(Header, RejectsWhatDoesNotFit) {
   EXPECT_THROW(lanes::fill(Grid<2>{{0, 0}, {1, 1}, {3, 4}}, values, noise), std::invalid_argument);
   EXPECT_THROW(lanes::fill(Grid<2>{{0, 0}, {1, 1}, {-1, -11}}, values, noise), std::invalid_argument);
   EXPECT_THROW(lanes::fill(Grid<2>{{0, 0}, {1, 1}, {-11, -1}}, values, noise), std::invalid_argument);
+  EXPECT_THROW(lanes::fill(Grid<2>{{0, 0}, {1, 1}, {0, 11}}, values, noise), std::invalid_argument);
+  EXPECT_THROW(lanes::fill(Grid<2>{{0, 0}, {1, 1}, {11, 0}}, values, noise), std::invalid_argument);
   EXPECT_THROW(lanes::fill(Points<2>{{two, two}}, values, noise), std::invalid_argument);
   EXPECT_THROW(lanes::fill(Points<2>{{two, three}}, values, noise), std::invalid_argument);
 }
