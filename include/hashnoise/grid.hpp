@@ -134,7 +134,10 @@ bool has_points(const std::array<int, D>& size, std::span<float> values) {
   for (const int n : size) {
     if (n < 0 || n >= 1 << 29) throw std::invalid_argument("fill: a size of the grid is not from 0 to 536870911");
   }
-  if (std::find(size.begin(), size.end(), 0) != size.end()) return false;
+  if (std::find(size.begin(), size.end(), 0) != size.end()) {
+    if (!values.empty()) throw std::invalid_argument("fill: there are values and no points");
+    return false;
+  }
   std::size_t points = 1;
   for (const int n : size) {
     if (points > values.size() / static_cast<std::size_t>(n)) {

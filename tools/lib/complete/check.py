@@ -156,6 +156,18 @@ def entries_without_a_noise(tree: Tree) -> Iterator[str]:
                        f"{FUNCTIONS.relative_to(ROOT)}, or delete the file")
 
 
+def fields_without_kernels(tree: Tree) -> Iterator[str]:
+    """hashnoise::grid has every noise and every sum in all of their dimensions."""
+    path = "src/grid/functions.hpp"
+    found = re.findall(r'^    \{"(\w+)", (\d), (\d),', tree.text(path), re.MULTILINE)
+    rows = {(f"hn_{name}", axes) for name, first, last in found
+            for axes in range(int(first), int(last) + 1)}
+    noises = {(function.calls, function.axes) for function in tree.noises}
+    sums = {(declared.name, declared.dimensions_of_sum) for declared in tree.declarations if declared.dimensions_of_sum}
+    for name, axes in sorted((noises | sums) - rows):
+        yield f"{path}: there is no row of {name} in {axes}D: add one, and its kernels"
+
+
 # --- Settings ---------------------------------------------------------------------------------------------------
 
 
@@ -300,7 +312,7 @@ def names_of_two_kinds(tree: Tree) -> Iterator[str]:
 CHECKS = (functions_without_a_row, functions_in_another_form, rows_without_a_function, functions_without_words,
           noises_without_entries, noises_without_comments, entries_without_a_noise, families_without_settings,
           hashes_of_unlike_families, arithmetics_of_unlike_settings, knobs_without_entries, values_without_settings,
-          hashes_without_entries, missing_golden_files, names_of_two_kinds)
+          hashes_without_entries, missing_golden_files, names_of_two_kinds, fields_without_kernels)
 
 
 def problems(root: Path = ROOT) -> list[str]:

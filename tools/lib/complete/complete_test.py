@@ -30,7 +30,7 @@ class Deletions(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.root = Path(folder.name)
         for path in (GLSL, ROOT / "include" / "hashnoise", ROOT / "README.md", ROOT / "docs" / "contract.md",
-                     ROOT / "docs" / "knobs.md", FUNCTIONS, CONFIGURATIONS, BOUNDS, ROOT / "tools" / "lib" / "oracle" / "noises",
+                     ROOT / "docs" / "knobs.md", ROOT / "src" / "grid" / "functions.hpp", FUNCTIONS, CONFIGURATIONS, BOUNDS, ROOT / "tools" / "lib" / "oracle" / "noises",
                      ROOT / "tools" / "lib" / "bounds" / "noises"):
             target = self.root / path.relative_to(ROOT)
             target.parent.mkdir(parents=True, exist_ok=True)
@@ -64,6 +64,11 @@ class Deletions(unittest.TestCase):
         self.noticed(r"hn_value_cubic\(vec2\) has no row: add a FUNCTION",
                      r"^tools/lib/oracle/noises/value_cubic\.py: no function is the noise value_cubic",
                      r"^tools/lib/bounds/noises/value_cubic\S*: no function is the noise value_cubic")
+
+    def test_the_kernels_of_a_function(self) -> None:
+        self.change("src/grid/functions.hpp", r'^    \{"simplex", 2, 4,', '    {"simplex", 2, 3,')
+        self.change("src/grid/functions.hpp", r'^    \{"ridged",.*\n')
+        self.noticed(r"^src/grid/functions\.hpp: there is no row of hn_simplex in 4D", r"no row of hn_ridged in 1D")
 
     def test_a_function_that_nobody_knows(self) -> None:
         self.change("glsl/*.glsl", r"^(// Gradient noise on the square lattice)",
