@@ -93,7 +93,7 @@ struct SumKernels {
 struct Kernels {
   NoiseKernels noises[kNoises][4];  // by dimensions less 1
   SumKernels sums[kSums][4];
-  SumKernels sums_of_perlin[kSums][4];  // the same without a call for each octave; null where that is not worth it
+  SumKernels sums_of[kNoises][kSums][4];  // the same without a call for each octave; null where that is not worth it
   // The cells of positions along an axis, and the places in them.
   void (*split)(const float* position, int count, std::int32_t* cell, float* place);
   // Widens kMostLanes ranges, of which any may take any of the numbers.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <hashnoise/lanes.hpp>
+#include <utility>
 
 #include "kernel.hpp"
 
@@ -52,6 +53,33 @@ HN_I_INLINE Place<D> places_at(const Batch& b, int i) {
   return vector_of<Place<D>, D>([&](int axis) __attribute__((always_inline)) {
     return Float::load(b.place[axis] + i * b.stride[axis]);
   });
+}
+
+// A noise as sums call it, with the numbers of each axis by themselves, since they are passed in registers then.
+template <typename Number, std::size_t>
+using ForEach = Number;
+template <int D, typename Result, typename Axes = std::make_index_sequence<D>>
+struct OctaveOf;
+template <int D, typename Result, std::size_t... Axis>
+struct OctaveOf<D, Result, std::index_sequence<Axis...>> {
+  using Plain = Result (*)(ForEach<Int, Axis>..., ForEach<Float, Axis>..., Uint seed);
+  using Tiled = Result (*)(ForEach<Int, Axis>..., ForEach<Float, Axis>..., const Cell<D>& period, Uint seed);
+};
+
+// The component of a point along an axis.
+template <std::size_t Axis, typename Point>
+HN_I_INLINE auto along(const Point& point) {
+  if constexpr (!requires { point.x; }) {
+    return point;
+  } else if constexpr (Axis == 0) {
+    return point.x;
+  } else if constexpr (Axis == 1) {
+    return point.y;
+  } else if constexpr (Axis == 2) {
+    return point.z;
+  } else {
+    return point.w;
+  }
 }
 
 // A value and four derivatives, which no vector holds.

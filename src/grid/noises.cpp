@@ -78,22 +78,24 @@ void along_row(const Batch& batch, const Options& options, Octave) {
   }
 }
 
-template <int D, typename Noise>
-auto octave_of(Cell<D> cell, Place<D> f, Uint seed) {
-  Options options{};
-  Given<D> given(options);
-  given.seed = seed;
-  return Noise::template at<D>(cell, f, given);
-}
-template <int D, typename Noise>
-auto tiled_octave_of(Cell<D> cell, Place<D> f, Cell<D> period, Uint seed) {
-  Options options{};
-  Given<D> given(options);
-  given.period = period;
-  given.seed = seed;
-  given.jitter = Float(1.0f);
-  return Noise::template at<D>(cell, f, given);
-}
+// A noise for sums: see OctaveOf.
+template <int D, typename Noise, typename Axes = std::make_index_sequence<D>>
+struct Called;
+template <int D, typename Noise, std::size_t... Axis>
+struct Called<D, Noise, std::index_sequence<Axis...>> {
+  static auto plain(ForEach<Int, Axis>... cell, ForEach<Float, Axis>... f, Uint seed) {
+    Given<D> given{Options{}};
+    given.seed = seed;
+    return Noise::template at<D>(Cell<D>(cell...), Place<D>(f...), given);
+  }
+  static auto tiled(ForEach<Int, Axis>... cell, ForEach<Float, Axis>... f, const Cell<D>& period, Uint seed) {
+    Given<D> given{Options{}};
+    given.period = period;
+    given.seed = seed;
+    given.jitter = Float(1.0f);
+    return Noise::template at<D>(Cell<D>(cell...), Place<D>(f...), given);
+  }
+};
 
 using grid::NoiseKernels;
 
@@ -113,8 +115,8 @@ NoiseKernels with_rows() {
 }
 template <int D, typename Plain, typename Full>
 NoiseKernels with_octaves(NoiseKernels k) {
-  k.octave = reinterpret_cast<Octave>(&octave_of<D, Plain>);
-  k.octave_full = reinterpret_cast<Octave>(&tiled_octave_of<D, Full>);
+  k.octave = reinterpret_cast<Octave>(&Called<D, Plain>::plain);
+  k.octave_full = reinterpret_cast<Octave>(&Called<D, Full>::tiled);
   return k;
 }
 template <int D, typename Phase, typename Full>

@@ -131,11 +131,9 @@ void plan_sum(Plan& plan, const Settings& settings, NoiseId noise, SumId id, boo
   }
   const NoiseKernels& of = plan.kernels->noises[noise][plan.dimensions - 1];
   SumKernels kernels = plan.kernels->sums[id][plan.dimensions - 1];
-  if (noise == kPerlin) {
-    const SumKernels& faster = plan.kernels->sums_of_perlin[id][plan.dimensions - 1];
-    if (faster.at != nullptr) kernels.at = faster.at;
-    if (faster.in != nullptr) kernels.in = faster.in;
-  }
+  const SumKernels& faster = plan.kernels->sums_of[noise][id][plan.dimensions - 1];
+  if (faster.at != nullptr) kernels.at = faster.at;
+  if (faster.in != nullptr) kernels.in = faster.in;
   plan.takes_positions = true;
   plan.shape = row.shape;
   plan.octave = tiled ? of.octave_full : of.octave;

@@ -8,32 +8,49 @@ namespace hashnoise {
 namespace HN_LANES {
 namespace {
 
-// A noise as sums call it. With a period it has another type.
+// A noise that is called.
 template <int D, typename Result>
 class Called {
  public:
   explicit Called(Octave noise) : octave_(noise) {}
 
  protected:
-  Result octave(Cell<D> cell, Place<D> f, Uint seed) const {
-    return reinterpret_cast<Result (*)(Cell<D>, Place<D>, Uint)>(octave_)(cell, f, seed);
+  HN_I_INLINE Result octave(Cell<D> cell, Place<D> f, Uint seed) const {
+    return call(cell, f, seed, std::make_index_sequence<D>());
   }
-  Result octave(Cell<D> cell, Place<D> f, Cell<D> period, Uint seed) const {
-    return reinterpret_cast<Result (*)(Cell<D>, Place<D>, Cell<D>, Uint)>(octave_)(cell, f, period, seed);
+  HN_I_INLINE Result octave(Cell<D> cell, Place<D> f, Cell<D> period, Uint seed) const {
+    return call(cell, f, period, seed, std::make_index_sequence<D>());
   }
 
  private:
+  template <std::size_t... Axis>
+  HN_I_INLINE Result call(Cell<D> cell, Place<D> f, Uint seed, std::index_sequence<Axis...>) const {
+    return reinterpret_cast<typename OctaveOf<D, Result>::Plain>(octave_)(along<Axis>(cell)..., along<Axis>(f)...,
+                                                                          seed);
+  }
+  template <std::size_t... Axis>
+  HN_I_INLINE Result call(Cell<D> cell, Place<D> f, const Cell<D>& period, Uint seed,
+                          std::index_sequence<Axis...>) const {
+    return reinterpret_cast<typename OctaveOf<D, Result>::Tiled>(octave_)(along<Axis>(cell)..., along<Axis>(f)...,
+                                                                          period, seed);
+  }
+
   Octave octave_;
 };
 
-template <int D>
-class Perlin {
- public:
-  explicit Perlin(Octave) {}
-
- protected:
-  HN_I_INLINE Float octave(Cell<D> cell, Place<D> f, Uint seed) const { return hn_perlin(cell, f, seed); }
-};
+// A noise that is inlined.
+#define HN_GRID_INLINED(Name, name)                                                                          \
+  template <int D>                                                                                           \
+  class Name {                                                                                               \
+   public:                                                                                                   \
+    explicit Name(Octave) {}                                                                                 \
+                                                                                                             \
+   protected:                                                                                                \
+    HN_I_INLINE Float octave(Cell<D> cell, Place<D> f, Uint seed) const { return hn_##name(cell, f, seed); } \
+  };
+HN_GRID_INLINED(Value, value)
+HN_GRID_INLINED(Perlin, perlin)
+HN_GRID_INLINED(Simplex, simplex)
 
 // The sums of a dimension, as members, so that they reach the noise.
 #define HN_GRID_SUMS(N)                                                                                                \
@@ -176,9 +193,9 @@ void enter_framed(SumKernels (&sums)[grid::kSums][4]) {
   at(grid::kEroded) = kernels_of<D, Slopes, eroded_call>();
 }
 
-// The sums over Perlin noise that are asked for most.
+// The sums that are asked for most, over the noises that are.
 template <int D, typename Sums>
-void enter_perlin(SumKernels (&sums)[grid::kSums][4]) {
+void enter_inlined(SumKernels (&sums)[grid::kSums][4]) {
   sums[grid::kFbm][D - 1].at = at_positions<D, Sums, fbm_call>;
   sums[grid::kFbm][D - 1].in = in_cells<D, Sums, fbm_call>;
   sums[grid::kRidged][D - 1].at = at_positions<D, Sums, ridged_call>;
@@ -192,8 +209,12 @@ void enter(grid::Kernels& kernels) {
   enter_sums<4, Sums4<Called<4, Float>>>(kernels.sums);
   enter_framed<2, Warps2<Called<2, Float>>, Slopes2<Called<2, vec3>>>(kernels.sums);
   enter_framed<3, Warps3<Called<3, Float>>, Slopes3<Called<3, vec4>>>(kernels.sums);
-  enter_perlin<2, Sums2<Perlin<2>>>(kernels.sums_of_perlin);
-  enter_perlin<3, Sums3<Perlin<3>>>(kernels.sums_of_perlin);
+  enter_inlined<2, Sums2<Value<2>>>(kernels.sums_of[grid::kValue]);
+  enter_inlined<3, Sums3<Value<3>>>(kernels.sums_of[grid::kValue]);
+  enter_inlined<2, Sums2<Perlin<2>>>(kernels.sums_of[grid::kPerlin]);
+  enter_inlined<3, Sums3<Perlin<3>>>(kernels.sums_of[grid::kPerlin]);
+  enter_inlined<2, Sums2<Simplex<2>>>(kernels.sums_of[grid::kSimplex]);
+  enter_inlined<3, Sums3<Simplex<3>>>(kernels.sums_of[grid::kSimplex]);
 }
 
 }  // namespace
