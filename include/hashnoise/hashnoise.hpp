@@ -7,8 +7,8 @@
 // It includes glsl/ from its place in the source tree, ../../glsl. The installed copy of this file says glsl/ instead.
 //
 // Every function is forced inline, so that compilers can vectorize a loop over a noise. Clang does so with -O3
-// -fno-math-errno, and GCC with -fno-trapping-math besides. Give either the -march of the machine. grid.hpp and field.hpp
-// have such loops over grids and lists of points, for sums, too.
+// -fno-math-errno, and GCC with -fno-trapping-math besides. Give either the -march of the machine. grid.hpp and
+// field.hpp have such loops over grids and lists of points, for sums, too.
 //
 // HN_FIXED has the same bits under any compiler's flags. The floats of HN_PRECISE need -ffp-contract=off, and no
 // fast-math.
