@@ -138,8 +138,7 @@ int main() {
   });
 #endif
   print_digest("gradient3", [](const Point& p) {
-    const hn_vec3 gradient = hn_gradient(hn_ivec3(p.cx, p.cy, p.cz), p.seed);
-    return gradient.x + gradient.y * gradient.z;
+    return hn_gradient(hn_ivec3(p.cx, p.cy, p.cz), p.seed).y;
   });
   print_digest("hash", [](const Point& p) { return hn_unorm(hn_hash(p.seed) ^ hn_lattice(hn_ivec2(p.cx, p.cy))); });
   print_digest("fbm2", [](const Point& p) { return hn_fbm(hn_vec2(p.x, p.y), 4, 2.0f, 0.5f, p.seed); });

@@ -10,6 +10,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from collections.abc import Sequence
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -18,6 +19,9 @@ COMPILERS = sys.argv[1:]
 SETTINGS = (["HN_ARITHMETIC=HN_FAST"],
             ["HN_ARITHMETIC=HN_PRECISE", "HN_HASH=HN_HASH_FNV1", "HN_GRADIENT=HN_GRADIENT_SINE"],
             ["HN_ARITHMETIC=HN_FIXED", "HN_HASH=HN_HASH_PCG"])
+# What the processor must have to run what is compiled for a machine.
+MACHINES = {"x86-64-v2": "sse4_2", "x86-64-v3": "avx2", "x86-64-v4": "avx512vl"}
+PROCESSOR = Path("/proc/cpuinfo").read_text().split() if Path("/proc/cpuinfo").exists() else []
 LANES = ("LANES", "HN_LANES_CHECKED")
 
 
@@ -29,10 +33,10 @@ class Lanes(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.program = Path(folder.name, "lanes")
 
-    def compiled(self, compiler: str, *macros: str) -> str:
+    def compiled(self, compiler: str, *macros: str, flags: Sequence[str] = ("-ffp-contract=off",)) -> str:
         """What the compiler says; nothing if it compiles."""
         # The values do not depend on what is inlined. Where it is everything, as the library asks, compilers take long.
-        command = [compiler, "-std=c++20", "-O1", "-Dalways_inline=noinline", "-ffp-contract=off", "-Wall", "-Wextra",
+        command = [compiler, "-std=c++20", "-O1", "-Dalways_inline=noinline", *flags, "-Wall", "-Wextra",
                    "-Werror", "-I", str(INCLUDE), *(f"-D{macro}" for macro in macros), str(HERE / "lanes.cpp"), "-o",
                    str(self.program)]
         done = subprocess.run(command, capture_output=True, text=True, check=False)
@@ -46,15 +50,28 @@ class Lanes(unittest.TestCase):
 
     def digests(self, compiler: str, *macros: str) -> list[str]:
         self.assertEqual(self.compiled(compiler, *macros), "")
-        lines = subprocess.run([self.program], capture_output=True, text=True, check=True).stdout.splitlines()
+        lines = self.printed()
         self.assertGreater(len(lines), 5)
         return lines
+
+    def printed(self) -> list[str]:
+        return subprocess.run([self.program], capture_output=True, text=True, check=True).stdout.splitlines()
 
     def test_the_values_are_those_of_the_scalar_twin(self):
         for setting in SETTINGS:
             for compiler in COMPILERS:
                 with self.subTest(compiler=compiler, setting=setting):
                     self.assertEqual(self.digests(compiler, *setting, *LANES), self.scalar(*setting))
+
+    def test_fixed_bits_do_not_follow_the_flags(self):
+        setting = ["HN_ARITHMETIC=HN_FIXED"]
+        machines = [name for name, flag in MACHINES.items() if flag in PROCESSOR]
+        for compiler in COMPILERS:
+            for machine in machines[-1:]:
+                flags = ["-ffast-math", f"-march={machine}"]
+                with self.subTest(compiler=compiler, flags=flags):
+                    self.assertEqual(self.compiled(compiler, *setting, *LANES, flags=flags), "")
+                    self.assertEqual(self.printed(), self.scalar(*setting))
 
     def test_a_lane_that_takes_the_value_of_another_is_noticed(self):
         faulty = self.digests(COMPILERS[0], *SETTINGS[0], *LANES, "FAULTY_LANE")
