@@ -7,8 +7,8 @@
 //   lanes::Float n = lanes::hn_perlin(lanes::vec2(x, y), lanes::Uint(7u));  // n[0] to n[lanes::kCount - 1]
 //
 // How many lanes there are follows from the flags of the compiler: 16 with AVX-512 (F, BW, DQ and VL), 8 with AVX2,
-// else
-// 4. The namespace `lanes` is another name of one that is named after the instruction set, so that translation units
+// else 4.
+// The namespace `lanes` is another name of one that is named after the instruction set, so that translation units
 // with other flags may be linked together. HN_LANES is its own name, for sums over other noises:
 //
 //   namespace hashnoise { namespace HN_LANES { HN_FBM2D(my_sum, hn_simplex) } }
