@@ -70,7 +70,7 @@ class Simplex(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             copy = Path(folder)
             for name in ("include", "glsl"):
-                for path in (ROOT / name).rglob("*.?lsl" if name == "glsl" else "*.hpp"):
+                for path in (ROOT / name).rglob("*.*"):
                     target = copy / path.relative_to(ROOT)
                     target.parent.mkdir(parents=True, exist_ok=True)
                     text = path.read_text(encoding="utf-8")
