@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <mutex>
 
 #include "tables.hpp"
 
@@ -54,13 +55,14 @@ std::array<grid::Kernels, 3> kernels_of(const Build& build) {
 }  // namespace
 
 const grid::Kernels& grid::kernels_for(InstructionSet set, Arithmetic arithmetic) {
-  static const std::array<std::array<Kernels, 3>, kCount> kernels = [] {
-    std::array<std::array<Kernels, 3>, kCount> all{};
-    std::transform(std::begin(kBuilds), std::end(kBuilds), all.begin(), kernels_of);
-    return all;
-  }();
+  // What enters kernels in a table is compiled for their instructions, too. So only the tables of a set that the
+  // processor has may be made.
+  static std::array<std::array<Kernels, 3>, kCount> kernels{};
+  static std::array<std::once_flag, kCount> made;
   const auto build = std::find_if(std::begin(kBuilds), std::end(kBuilds), [&](const Build& b) { return b.set == set; });
-  return kernels.at(static_cast<std::size_t>(build - kBuilds)).at(static_cast<std::size_t>(arithmetic) - 1);
+  const auto i = static_cast<std::size_t>(build - kBuilds);
+  std::call_once(made.at(i), [&] { kernels.at(i) = kernels_of(*build); });
+  return kernels.at(i).at(static_cast<std::size_t>(arithmetic) - 1);
 }
 
 std::vector<InstructionSet> instruction_sets() {
