@@ -214,7 +214,7 @@ double error_of(const Function& function, const Configuration& configuration, st
   return function.starts_from_integers() ? bounds.cell_error : bounds.error;
 }
 
-OctaveSum octave_sum_of(const Function& function) {
+std::optional<OctaveSum> octave_sum_named(std::string_view name) {
   using enum OctaveSum;
   constexpr std::array<std::pair<std::string_view, OctaveSum>, 11> kSums = {{{"fbm", fbm},
                                                                              {"turbulence", turbulence},
@@ -227,9 +227,12 @@ OctaveSum octave_sum_of(const Function& function) {
                                                                              {"eroded", eroded},
                                                                              {"warp", warp},
                                                                              {"warp_progressive", warp_progressive}}};
-  for (const auto& [name, sum] : kSums) {
-    if (function.bound == name) return sum;
-  }
+  const auto* const found = std::ranges::find(kSums, name, &std::pair<std::string_view, OctaveSum>::first);
+  return found == kSums.end() ? std::nullopt : std::optional{found->second};
+}
+
+OctaveSum octave_sum_of(const Function& function) {
+  if (const std::optional<OctaveSum> sum = octave_sum_named(function.bound)) return *sum;
   throw std::logic_error(fmt::format("{}: '{}' is not an octave sum", function.id, function.bound));
 }
 

@@ -44,6 +44,7 @@ enum class OctaveSum {
   warp,
   warp_progressive
 };
+std::optional<OctaveSum> octave_sum_named(std::string_view name);  // "fbm"
 OctaveSum octave_sum_of(const Function& function);
 std::string_view noise_of(OctaveSum sum);  // what it adds up
 

@@ -152,9 +152,7 @@ bool has_points(const std::array<int, D>& size, std::span<float> values) {
 template <std::size_t D, typename Value>
 Range fill_rows(const std::array<int, D>& size, std::span<float> values, const Value& value) {
   std::size_t rows = 1;
-  for (std::size_t axis = 0; axis < D; ++axis) {
-    if (axis > 0) rows *= static_cast<std::size_t>(size[axis]);
-  }
+  for (std::size_t axis = 1; axis < D; ++axis) rows *= static_cast<std::size_t>(size[axis]);
   const auto width = static_cast<std::size_t>(size[0]);
   std::array<std::size_t, D> at{};
   const auto in_row = [&](std::size_t i) __attribute__((always_inline)) { return value(at, i); };

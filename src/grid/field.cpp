@@ -316,10 +316,10 @@ std::size_t common_length(const Spans& spans, std::size_t length) {
   return length;
 }
 
-// Points in an array for each axis; `batch_at` says where the coordinates of some of them are.
-template <typename BatchAt>
+// Points in an array for each axis. `run_block` says where the coordinates of some of them are, and runs the batch.
+template <typename RunBlock>
 Range fill_points(const Plan& plan, Kernel kernel, std::size_t count, std::span<float> values, const Executor& executor,
-                  const BatchAt& run_block) {
+                  const RunBlock& run_block) {
   check_values(plan, count, values.size());
   const Planes planes{values.data(), count};
   const auto points = static_cast<std::int64_t>(count);
@@ -396,9 +396,7 @@ Range Field<D>::fill(const CellGrid<D>& grid, std::span<float> values, const Exe
   const std::int64_t points = check_grid(*plan_, grid.size, values);
   if (points == 0) return {};
   std::vector<Axis> axes;
-  for (std::size_t i = 0; i < D; ++i) {
-    axes.push_back(axis_of(grid.cell[i], grid.f[i], grid.step[i], grid.size[i]));
-  }
+  for (std::size_t i = 0; i < D; ++i) axes.push_back(axis_of(grid.cell[i], grid.f[i], grid.step[i], grid.size[i]));
   return fill_box(*plan_, kernel, plan_->row, grid.size, std::move(axes), points, values, executor);
 }
 

@@ -1,6 +1,6 @@
 // The kernels of sums, for one instruction set and one arithmetic: the macros of the library over a noise that is
-// called, since there are too many pairs of a sum and a noise to compile. Sums over Perlin noise are compiled without
-// that call.
+// called, since there are too many pairs of a sum and a noise to compile. Those that are asked for most are compiled
+// without that call.
 #include "loops.hpp"
 #include "tables.hpp"
 

@@ -18,19 +18,9 @@ constexpr float kFarOut = 0x1p22f;
 
 class Bits : public testing::TestWithParam<std::tuple<int, Arithmetic>> {
  protected:
-  // Calls `each` with the dimensions, as a type.
   template <typename Each>
   void in_dimensions(const Each& each) {
-    switch (std::get<0>(GetParam())) {
-      case 1:
-        return each(std::integral_constant<int, 1>{});
-      case 2:
-        return each(std::integral_constant<int, 2>{});
-      case 3:
-        return each(std::integral_constant<int, 3>{});
-      default:
-        return each(std::integral_constant<int, 4>{});
-    }
+    twin::in_dimensions(std::get<0>(GetParam()), each);
   }
 
   Arithmetic arithmetic() const { return std::get<1>(GetParam()); }

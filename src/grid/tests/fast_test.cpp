@@ -58,26 +58,9 @@ Bound bound_of_noise(const Settings& s, const std::vector<Place>& places) {
 
 // --- Sums over the noise of the GLSL function -----------------------------------------------------------------------
 
-std::string default_noise(const std::string& sum) {
-  if (sum == "fbm_d" || sum == "eroded") return "perlin_d";
-  return sum.starts_with("warp") ? "value" : "perlin";
-}
+hn::OctaveSum kind_of(const std::string& sum) { return hn::octave_sum_named(sum).value(); }
 
-hn::OctaveSum kind_of(const std::string& sum) {
-  using enum hn::OctaveSum;
-  const std::vector<std::pair<std::string, hn::OctaveSum>> kinds = {{"fbm", fbm},
-                                                                    {"turbulence", turbulence},
-                                                                    {"clouds", clouds},
-                                                                    {"billow", billow},
-                                                                    {"ridged", ridged},
-                                                                    {"ping_pong", ping_pong},
-                                                                    {"weighted", weighted},
-                                                                    {"fbm_d", fbm_d},
-                                                                    {"eroded", eroded},
-                                                                    {"warp", warp},
-                                                                    {"warp_progressive", warp_progressive}};
-  return std::ranges::find(kinds, sum, &std::pair<std::string, hn::OctaveSum>::first)->second;
-}
+std::string_view default_noise(const std::string& sum) { return hn::noise_of(kind_of(sum)); }
 
 double strength_of(const Settings& s) {
   return static_cast<double>(s.strength.value_or(s.sum == "ping_pong" ? 2.0f : 1.0f));
@@ -191,16 +174,7 @@ class Fast : public testing::TestWithParam<int> {
  protected:
   template <typename Each>
   void in_dimensions(const Each& each) {
-    switch (GetParam()) {
-      case 1:
-        return each(std::integral_constant<int, 1>{});
-      case 2:
-        return each(std::integral_constant<int, 2>{});
-      case 3:
-        return each(std::integral_constant<int, 3>{});
-      default:
-        return each(std::integral_constant<int, 4>{});
-    }
+    twin::in_dimensions(GetParam(), each);
   }
 
   template <int D, typename Places, typename BoundOf>

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "compare.hpp"
@@ -15,6 +16,21 @@
 #include "twin.hpp"
 
 namespace hashnoise::twin {
+
+// Calls `each` with the dimensions, as a type.
+template <typename Each>
+void in_dimensions(int dimensions, const Each& each) {
+  switch (dimensions) {
+    case 1:
+      return each(std::integral_constant<int, 1>{});
+    case 2:
+      return each(std::integral_constant<int, 2>{});
+    case 3:
+      return each(std::integral_constant<int, 3>{});
+    default:
+      return each(std::integral_constant<int, 4>{});
+  }
+}
 
 struct Filled {
   std::vector<float> values;
