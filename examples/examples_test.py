@@ -47,10 +47,10 @@ class Example(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        for program in ("cmake", "g++", "Xvfb", *cls.programs):
+        for program in ("cmake", "g++", "ninja", "Xvfb", *cls.programs):
             if shutil.which(program) is None:
                 raise unittest.SkipTest(f"there is no {program}")
-        cls.variables = dict(os.environ)
+        cls.variables = {**os.environ, "CMAKE_GENERATOR": "Ninja"}
         cls.prepare()
         cls.folder = cls.work / cls.name
         shutil.rmtree(cls.folder, ignore_errors=True)
@@ -119,7 +119,7 @@ class Raylib(Example):
             shutil.rmtree(build, ignore_errors=True)
             for command in (["cmake", "-S", sources, "-B", build, "-DBUILD_EXAMPLES=OFF", "-DCMAKE_BUILD_TYPE=Debug"],
                             ["cmake", "--build", build], ["cmake", "--install", build, "--prefix", f"{prefix}.new"]):
-                done = subprocess.run(command, capture_output=True, text=True, check=False)
+                done = subprocess.run(command, env=cls.variables, capture_output=True, text=True, check=False)
                 if done.returncode != 0:
                     raise AssertionError(f"{command}:\n{done.stdout}\n{done.stderr}")
             os.rename(f"{prefix}.new", prefix)
