@@ -1,5 +1,5 @@
-"""The examples are built and run as docs/engines.md says, on a display that nobody sees. Their pictures show the land that
-the twin computes; and with the shader of golden.py in the place of their own, golden values bit for bit.
+"""The examples are built and run as docs/engines.md says, on a display that nobody sees. Their pictures show the land
+that the twin computes; and with the shader of golden.py in the place of their own, golden values bit for bit.
 
     examples_test.py WORK CLASS    WORK is a scratch folder, in which raylib is kept
 
@@ -222,7 +222,8 @@ class Vulkan(Example):
         fragment = self.copy / "examples" / "vulkan" / "noise.frag"
         own = fragment.read_text()
         includes = own[:own.index("#include")] + '#include "hashnoise.glsl"\n'
-        fragment.write_text(includes + self.picture.shader("layout(location = 0) out vec4 color;", "int(gl_FragCoord.y)"))
+        head = "layout(location = 0) out vec4 color;"
+        fragment.write_text(includes + self.picture.shader(head, "int(gl_FragCoord.y)"))
         self.type(self.build)
         pixels, output = self.shown(self.picture.drawn)
         self.assertTrue(self.picture.drawn(pixels), output)

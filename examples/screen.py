@@ -62,8 +62,8 @@ class Screen:
 
     def run(self, command: list, wanted: Callable[[list[bytes]], bool], seconds: float = 60,
             variables: dict[str, str] | None = None) -> tuple[list[bytes], str]:
-        """Runs a program until the screen shows what is wanted, and ends it: the pixels, and what it wrote. If it ends by
-        itself or the time is over, the pixels are the last that were seen."""
+        """Runs a program until the screen shows what is wanted, and ends it: the pixels, and what it wrote. If it ends
+        by itself or the time is over, the pixels are the last that were seen."""
         with tempfile.TemporaryFile("w+") as output:
             program = subprocess.Popen(command, stdout=output, stderr=subprocess.STDOUT,
                                        env={**os.environ, **(variables or {}), "DISPLAY": self.display})
