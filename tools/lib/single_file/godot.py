@@ -1,7 +1,9 @@
 """The text as Godot takes it: what no knob decides is decided, and expanded.
 
 Godot's preprocessor cannot expand the macros that define sums; it looks for every macro in every line, so that hundreds
-of them take seconds; and behind a second include it leaves macros with parameters in place.
+of them take seconds; and behind a second include it leaves macros with parameters in place. Its compiler for Vulkan
+takes a parameter or a variable of a function for the uniform that has the same name, if there is one: "seed", say
+(https://github.com/godotengine/godot/issues/90933). So these get names here that nobody else has.
 """
 
 from __future__ import annotations
@@ -25,11 +27,17 @@ SUM = re.compile(r"HN_[A-Z_]+[1-4]D\(\w+, \w+\)")  # a line that defines functio
 DIRECTIVE = re.compile(r"#(\w+)\s*(.*)")
 DEFINE = re.compile(r"(\w+)(\(([^)]*)\))?\s*(.*)")
 WORD = re.compile(r"\b[A-Za-z_]\w*\b")
+# A name of a parameter or a variable: no member, no function, nothing with the library's prefix.
+LOCAL = re.compile(r"(?<![.\w])(?!hn_|HN_)[A-Za-z_]\w*\b(?!\s*\()")
+WORDS_OF_THE_LANGUAGE = frozenset(
+    "bool break const continue do else false float for if in inout int out precise return struct true uint void while "
+    "bvec2 bvec3 bvec4 ivec2 ivec3 ivec4 uvec2 uvec3 uvec4 vec2 vec3 vec4".split())
+SUFFIX = "_hn"
 
 
 def expanded(lines: Iterable[str]) -> list[str]:
     """The lines without the conditions and macros whose meaning no knob decides."""
-    return _without_macros(_without_conditions(lines))
+    return _with_own_names(_without_macros(_without_conditions(lines)))
 
 
 def _code(line: str) -> str:
@@ -151,6 +159,19 @@ def _replaced(code: str, single: dict[str, str]) -> str:
                 break
         else:
             return code
+
+
+def _with_own_names(lines: list[str]) -> list[str]:
+    left = []
+    in_struct = False
+    for line in lines:
+        code = _code(line)
+        in_struct = in_struct or code.startswith("struct ")
+        if code and not code.lstrip().startswith("#") and not in_struct:
+            line = LOCAL.sub(lambda name: name[0] + SUFFIX * (name[0] not in WORDS_OF_THE_LANGUAGE), code) + line[len(code):]
+        in_struct = in_struct and not code.startswith("};")
+        left.append(line)
+    return left
 
 
 def _spaced(code: str) -> str:
