@@ -18,13 +18,14 @@ def main() -> int:
     parser.add_argument("--language", choices=tuple(PLACES), default="glsl",
                         help="the language of the file (default: %(default)s)")
     parser.add_argument("--strip", action="store_true", help="leave out comments, empty lines and indentation")
+    parser.add_argument("--minify", action="store_true", help="as --strip, and leave out blanks that say nothing")
     parser.add_argument("--out", help="the file to write (default: standard output)")
     parser.add_argument("name", nargs="?", default="hashnoise.glsl", help="a file of glsl/ (default: %(default)s)")
     arguments = parser.parse_args()
     if not (GLSL / arguments.name).is_file():
         names = ", ".join(sorted(path.name for path in GLSL.glob("*.glsl")))
         parser.error(f"there is no {arguments.name} in glsl/; there are: {names}")
-    made = text(arguments.name, arguments.language, arguments.strip)
+    made = text(arguments.name, arguments.language, arguments.strip, arguments.minify)
     if arguments.out is None:
         sys.stdout.write(made)
         return 0

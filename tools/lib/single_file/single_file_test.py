@@ -9,7 +9,7 @@ import sys
 import tempfile
 import unittest
 
-from single_file.files import INCLUDE, Part, parts
+from single_file.files import INCLUDE, Part, minified, parts
 from single_file.godot import expanded
 from tree import GLSL, TOOLS
 
@@ -34,7 +34,7 @@ def compile_shader(text):
 
 class SingleFile(unittest.TestCase):
     def test_each_file_compiles_by_itself(self):
-        for name, options in itertools.product(FILES, ([], ["--strip"])):
+        for name, options in itertools.product(FILES, ([], ["--strip"], ["--minify"])):
             body = generate(*options, name).stdout
             self.assertNotIn("#include", body)
             call = CALLS.get(name, "hn_clouds(vec3(1.5), 5, 2.0, 0.5)")
@@ -166,6 +166,21 @@ class SingleFile(unittest.TestCase):
         comments = [line for line in stripped.splitlines() if "//" in line]
         self.assertEqual(len(comments), 2, comments)  # where it is from, and its licence
         self.assertIn("MIT License", comments[1])
+
+    def test_minified_it_has_the_same_lines_and_tokens(self):
+        def tokens(text):
+            return re.findall(r"[\w.]+|[^\w\s]", text)
+
+        for language in ("glsl", "hlsl", "metal", "godot"):
+            with self.subTest(language=language):
+                full, small = (generate("--language", language, option).stdout for option in ("--strip", "--minify"))
+                lines = list(zip(full.splitlines(), small.splitlines(), strict=True))
+                self.assertTrue(all(tokens(one) == tokens(other) for one, other in lines))
+                macros = [re.findall(r"#define (\w+\(?)|$", line)[0] for line, _ in lines]
+                self.assertEqual([re.findall(r"#define (\w+\(?)|$", line)[0] for _, line in lines], macros)
+                self.assertLess(len(small), len(full) * 0.95)
+        self.assertEqual(list(minified(["  a = b - -c + d ;", "#define F (a + 1)", "#define G(a) a + 1", "return  // why"])),
+                         ["a=b- -c+d;", "#define F (a+1)", "#define G(a) a+1", "return"])
 
     def test_no_file_stands_in_it_twice(self):
         self.assertEqual(generate().stdout.count("float hn_unorm("), 1)
