@@ -9,7 +9,8 @@ import sys
 import tempfile
 import unittest
 
-from tree import TOOLS
+from single_file.files import INCLUDE, Part, minified, parts
+from tree import GLSL, TOOLS
 
 TOOL = TOOLS / "single-file"
 FILES = ("hash.glsl", "noise2d.glsl", "noise3d.glsl", "fbm2d.glsl", "fbm3d.glsl", "fbm.glsl", "hashnoise.glsl")
@@ -32,7 +33,7 @@ def compile_shader(text):
 
 class SingleFile(unittest.TestCase):
     def test_each_file_compiles_by_itself(self):
-        for name, options in itertools.product(FILES, ([], ["--strip"])):
+        for name, options in itertools.product(FILES, ([], ["--strip"], ["--minify"])):
             body = generate(*options, name).stdout
             self.assertNotIn("#include", body)
             call = CALLS.get(name, "hn_clouds(vec3(1.5), 5, 2.0, 0.5)")
@@ -107,6 +108,21 @@ class SingleFile(unittest.TestCase):
         self.assertEqual(len(comments), 2, comments)  # where it is from, and its licence
         self.assertIn("MIT License", comments[1])
 
+    def test_minified_it_has_the_same_lines_and_tokens(self):
+        def tokens(text):
+            return re.findall(r"[\w.]+|[^\w\s]", text)
+
+        for language in ("glsl", "hlsl", "metal", "godot"):
+            with self.subTest(language=language):
+                full, small = (generate("--language", language, option).stdout for option in ("--strip", "--minify"))
+                lines = list(zip(full.splitlines(), small.splitlines(), strict=True))
+                self.assertTrue(all(tokens(one) == tokens(other) for one, other in lines))
+                macros = [re.findall(r"#define (\w+\(?)|$", line)[0] for line, _ in lines]
+                self.assertEqual([re.findall(r"#define (\w+\(?)|$", line)[0] for _, line in lines], macros)
+                self.assertLess(len(small), len(full) * 0.95)
+        self.assertEqual(list(minified(["  a = b - -c + d ;", "#define F (a + 1)", "#define G(a) a + 1", "return  // why"])),
+                         ["a=b- -c+d;", "#define F (a+1)", "#define G(a) a+1", "return"])
+
     def test_no_file_stands_in_it_twice(self):
         self.assertEqual(generate().stdout.count("float hn_unorm("), 1)
 
@@ -122,6 +138,33 @@ class SingleFile(unittest.TestCase):
 
     def test_the_help_names_the_sums_on_the_plane(self):
         self.assertIn("fbm2d.glsl the octave sums on the plane", " ".join(generate("--help").stdout.split()))
+
+    def test_parts_in_order_are_the_library(self):
+        found = parts(strip=True)
+
+        def closure(name, done):
+            if name in done:
+                return []
+            done.add(name)
+            return [line for other in found[name].includes for line in closure(other, done)] + list(found[name].lines)
+
+        for name in FILES:
+            with self.subTest(name=name):
+                text = "\n".join(closure(name, set()))
+                call = CALLS.get(name, "hn_clouds(vec3(1.5), 5, 2.0, 0.5)")
+                right, log = compile_shader(f"#version 330\n{text}\nout vec4 o;\nvoid main() {{ o = vec4({call}); }}\n")
+                self.assertTrue(right, log)
+        self.assertEqual(found["perlin2d.glsl"].includes, ("gradient.glsl",))
+        self.assertIsInstance(found["hashnoise.glsl"], Part)
+
+    def test_includes_stand_above_the_code(self):
+        """Else the parts would come in another order than the preprocessor takes them."""
+        for path in GLSL.glob("*.glsl"):
+            lines = path.read_text(encoding="ascii").splitlines()
+            last = max((number for number, line in enumerate(lines) if INCLUDE.match(line)), default=0)
+            above = [line for line in lines[:last] if line and not line.startswith("//") and not INCLUDE.match(line)]
+            with self.subTest(path=path.name):
+                self.assertTrue(all(re.fullmatch(r"#(ifndef|define) HN_\w+_GLSL", line) for line in above), above)
 
     def test_it_writes_a_file(self):
         with tempfile.TemporaryDirectory() as folder:
