@@ -76,8 +76,8 @@ class Writer {
   // A call of a function of the library. WGSL has no overloads, but names for the forms (docs/languages.md).
   call(name, { cell, place }, form, ...rest) {
     if (this.language !== "wgsl") return `${name}(${[...place, ...rest].join(", ")})`;
-    const renamed = [`${name}${this.n}`, form === "phase" ? ["phase"] : [], cell ? ["cell"] : [],
-                     form && form !== "phase" ? [form] : []].flat().join("_");
+    const renamed = [`${name}${this.n}`, ...(form.startsWith("phase") ? ["phase"] : []),
+                     ...(cell ? ["cell"] : []), form.replace(/^phase_?/, "")].filter(Boolean).join("_");
     this.needs.add(renamed);
     return `${renamed}(${[...place, ...rest].join(", ")})`;
   }
@@ -177,7 +177,7 @@ class Writer {
     const tile = state.tiled ? "_period" : "";
     const perlin = `hn_perlin${eroded ? "_d" : ""}${this.n}_cell${tile}`;
     const summed = noise.lines.length ? noise.name : `${noise.name}${this.n}_cell${tile}`;
-    const lines = noise.lines;
+    const lines = [...noise.lines];
     for (const form of ["_cell", ""]) {
       const name = `hn_${state.sum}${this.n}${form}${tile}`;
       const { text, needs } = module.get(name);

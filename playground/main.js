@@ -8,15 +8,16 @@ import {
 } from "./model.js";
 import { paletteOf } from "./palette.js";
 import { frameOf, kBits, kColours, pageShader } from "./shaders.js";
-import { panned, positionOfPixel, zoomed } from "./view.js";
+import { panned, partsOf, positionOfPixel, zoomed } from "./view.js";
 import { WebGL2 } from "./webgl.js";
 import { WebGPU } from "./webgpu.js";
 
 const kBackends = { webgl2: WebGL2, webgpu: WebGPU };
 const kKeptPrograms = 24;
 const kMostPixels = 4e6;
-const kSlow = 34;        // milliseconds of a picture above which it is drawn coarser while it moves
-const kCoarsest = 4;
+const kMoving = 34;      // milliseconds that a picture may take while it moves; else it is drawn coarser
+const kResting = 1200;   // and when it rests
+const kCoarsest = 8;
 const kRest = 160;       // milliseconds without a change after which it is drawn fine again
 const kLinkDelay = 300;  // browsers refuse an address that changes too often
 const kSpeed = 0.25;     // cells, or turns over four, in a second
@@ -27,9 +28,8 @@ class Playground {
     this.backends = {};
     this.programs = new Map();
     this.state = stateOf(location.hash);
-    this.shown = undefined;      // what the last picture was drawn of
-    this.coarse = 1;
-    this.milliseconds = 0;       // that a fine picture takes
+    this.speeds = new WeakMap();  // milliseconds that a pixel takes, by the program
+    this.moves = false;
     this.playing = false;
     this.pointer = undefined;    // where the value is read
     this.controls = new Controls(library, (changes) => this.change(changes), (name) => this.look(name));
@@ -108,9 +108,6 @@ class Playground {
 
   chooseCanvas() {
     for (const name of Object.keys(kBackends)) byId(`picture-${name}`).hidden = name !== this.state.renderer;
-    this.shown = undefined;
-    this.milliseconds = 0;
-    this.coarse = 1;
   }
 
   // The backend of the state. One that is not to be had is replaced by the other.
@@ -120,7 +117,6 @@ class Playground {
       for (const key of this.programs.keys()) if (key.startsWith(`${name} `)) this.programs.delete(key);
       const canvas = byId(`picture-${name}`);
       this.backends[name] = await kBackends[name].create(canvas);
-      this.backends[name].palette_ = undefined;
     }
     return this.backends[name];
   }
@@ -157,15 +153,31 @@ class Playground {
 
   // Something moves: a slow picture is drawn coarser until it rests.
   restless() {
-    const pixels = Math.sqrt(this.milliseconds / kSlow);
-    this.coarse = pixels > 1 ? Math.min(kCoarsest, Math.ceil(pixels)) : 1;
+    this.moves = true;
     clearTimeout(this.restTimer);
-    if (this.coarse > 1) {
-      this.restTimer = setTimeout(() => {
-        this.coarse = 1;
-        this.request();
-      }, kRest);
+    this.restTimer = setTimeout(() => {
+      this.moves = false;
+      if (this.coarse > this.coarseness(kResting)) this.request();
+    }, kRest);
+  }
+
+  // How many pixels of the screen on a side a pixel of the picture has, so that drawing it takes no longer than this.
+  coarseness(milliseconds) {
+    const [width, height] = this.size;
+    const pixels = Math.sqrt((width * height * (this.speed ?? 0)) / milliseconds);
+    return Math.min(kCoarsest, Math.max(1, Math.ceil(pixels)));
+  }
+
+  // How long a pixel takes: of a small picture, and not of the first, at which some drivers still compile.
+  async measureSpeed(backend, program, state) {
+    if (!this.speeds.has(program)) {
+      const [width, height] = this.size.map((side) => Math.max(8, side >> 4));
+      await backend.read(program, frameOf(state, 8, 8, kColours), 8, 8);
+      const start = performance.now();
+      await backend.read(program, frameOf(state, width, height, kColours), width, height);
+      this.speeds.set(program, Math.max(performance.now() - start - 1, 0) / (width * height));
     }
+    this.speed = this.speeds.get(program);
   }
 
   // Draws soon, and once for all changes until then.
@@ -193,31 +205,37 @@ class Playground {
     const backend = await this.backend();
     const program = await this.program(backend, state);
     if (state.renderer !== this.state.renderer) return;
-    const coarse = this.coarse;
+    this.usePalette(backend, state.map);
+    await this.measureSpeed(backend, program, state);
+    const coarse = this.coarseness(this.moves ? kMoving : kResting);
+    this.coarse = coarse;
     const [width, height] = this.size.map((side) => Math.max(1, Math.round(side / coarse)));
     const { canvas } = backend;
     if (canvas.width !== width) canvas.width = width;
     if (canvas.height !== height) canvas.height = height;
-    this.usePalette(backend, state.map);
     const start = performance.now();
     backend.draw(program, frameOf(state, width, height, kColours));
     await backend.finished();
-    const milliseconds = (performance.now() - start) * coarse * coarse;
-    // The first picture of a program may compile it. A slow one is believed at once, a fast one little by little.
-    if (this.shown === program) this.milliseconds = Math.max(milliseconds, this.milliseconds * 0.7);
-    this.shown = program;
+    // The settings matter, too: more octaves take longer.
+    this.speeds.set(program, 0.5 * this.speed + (0.5 * (performance.now() - start)) / (width * height));
     byId("gpu").textContent = `Drawn by ${backend.describe()}.`;
     if (this.probed) await this.probe();
   }
 
   async failed(error) {
-    if (this.state.renderer === "webgpu" && !this.backends.webgpu) {
-      byId("renderer-webgpu").disabled = true;
-      this.take({ ...this.state, renderer: "webgl2" });
-    }
+    if (this.state.renderer === "webgpu" && (!this.backends.webgpu || this.backends.webgpu.lost)) this.withoutWebGPU();
     if (this.backends[this.state.renderer]?.lost) return;
     byId("message").textContent = error.message;
     byId("message").hidden = false;
+  }
+
+  // A device that is lost once is lost again: WebGL2 goes on.
+  withoutWebGPU() {
+    const choice = byId("renderer-webgpu");
+    choice.disabled = true;
+    choice.parentElement.title = "WebGPU does not work in this browser.";
+    byId("said").textContent = "WebGPU does not work in this browser. WebGL2 draws the picture.";
+    this.take({ ...this.state, renderer: "webgl2" });
   }
 
   // Four bytes a pixel from the lower left corner on, of a picture of this size: of colours, or of the bits of values.
@@ -227,6 +245,19 @@ class Playground {
     const program = await this.program(backend, state);
     this.usePalette(backend, state.map);
     return backend.read(program, frameOf(state, width, height, mode), width, height);
+  }
+
+  // The values at these points, each [x, y, z, w] in parts of a cell.
+  async values(points) {
+    const state = { ...this.state };
+    const backend = await this.backend();
+    const program = await this.program(backend, state);
+    const values = new Float32Array(points.length);
+    for (const [i, point] of points.entries()) {
+      const bytes = await backend.read(program, frameOf(state, 1, 1, kBits, point), 1, 1);
+      values[i] = new DataView(bytes.buffer).getFloat32(0, true);
+    }
+    return values;
   }
 
   // The value below the pointer.
@@ -240,11 +271,8 @@ class Playground {
       const column = Math.floor(((this.pointer.x - box.left) / box.width) * width);
       const row = height - 1 - Math.floor(((this.pointer.y - box.top) / box.height) * height);
       const [x, y] = positionOfPixel(state, width, height, column, row);
-      const backend = await this.backend();
-      const program = await this.program(backend, state);
-      const bytes = await backend.read(program, frameOf({ ...state, x, y }, 1, 1, kBits), 1, 1);
+      const [value] = await this.values([[x, y, partsOf(state.z), partsOf(state.w)]]);
       this.probed = { x, y };
-      const value = new DataView(bytes.buffer).getFloat32(0, true);
       byId("value").textContent = value.toFixed(4).replace("-", "−");
       this.describe();
     } finally {
@@ -406,9 +434,9 @@ class Playground {
 
   restored(canvas) {
     const name = canvas.id.replace("picture-", "");
+    if (name === "webgpu" && this.state.renderer === name) this.withoutWebGPU();
     delete this.backends[name];
     for (const key of this.programs.keys()) if (key.startsWith(`${name} `)) this.programs.delete(key);
-    this.shown = undefined;
     if (name === this.state.renderer) this.request();
   }
 

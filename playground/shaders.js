@@ -27,12 +27,14 @@ const kWgslFrame = `struct Frame {
 @group(0) @binding(0) var<uniform> u: Frame;
 @group(0) @binding(1) var palette: texture_2d<f32>;`;
 
-export function frameOf(state, width, height, mode) {
+const placed = (state, width, height) => [...originOf(state, width, height), partsOf(state.z), partsOf(state.w)];
+
+// `position` is that of the pixel in the lower left corner, if it is not that of the state.
+export function frameOf(state, width, height, mode, position = placed(state, width, height)) {
   const bytes = new ArrayBuffer(kFrameBytes);
   const whole = new Int32Array(bytes);
   const word = new Uint32Array(bytes);
   const float = new Float32Array(bytes);
-  const position = [...originOf(state, width, height), partsOf(state.z), partsOf(state.w)];
   whole.set(position.map(cellOf), 0);
   word.set(position.map(placeOf), 4);
   const step = stepOf(state, width, height);
