@@ -42,6 +42,7 @@ function shape(state) {
   return {
     ...state,
     warp: used.warp ? state.warp : "none",
+    metric: used.metric ? state.metric : "euclidean",
     tiled: state.period > 0,
     turned: used.phase && state.phase > 0,
     full: (used.jitter && state.jitter !== 1) || (used.metric && state.metric !== "euclidean"),
