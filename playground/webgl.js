@@ -1,6 +1,18 @@
 // The picture by WebGL2.
 import { kFrameBytes, kVertex } from "./shaders.js";
 
+const kImpatient = 4;  // milliseconds
+
+// Timers wait for up to 4 ms, which is longer than most pictures take; a message arrives at once.
+const soon = () => new Promise((resolve) => {
+  const channel = new MessageChannel();
+  channel.port1.onmessage = () => {
+    channel.port1.close();
+    resolve();
+  };
+  channel.port2.postMessage(0);
+});
+
 export class WebGL2 {
   // Throws if the browser has no WebGL2.
   static async create(canvas) {
@@ -107,8 +119,9 @@ export class WebGL2 {
     const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     if (!fence) return;
     gl.flush();
+    const start = performance.now();
     while (!this.lost && gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED) {
-      await new Promise((resolve) => setTimeout(resolve, 2));
+      await (performance.now() - start < kImpatient ? soon() : new Promise((resolve) => setTimeout(resolve, 2)));
     }
     gl.deleteSync(fence);
   }
@@ -135,9 +148,19 @@ export class WebGL2 {
     const target = this.offscreen(width, height);
     this.use(program, frame, width, height);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
+    // Through a buffer, so that the page goes on while the GPU draws.
     const bytes = new Uint8Array(width * height * 4);
-    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+    const buffer = gl.createBuffer();
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
+    gl.bufferData(gl.PIXEL_PACK_BUFFER, bytes.length, gl.STREAM_READ);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, 0);
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
     this.remove(target);
+    await this.finished();
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
+    gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, bytes);
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
+    gl.deleteBuffer(buffer);
     return bytes;
   }
 
