@@ -198,28 +198,20 @@ export class Field {
     current = this;
   }
 
-  #first() {
-    twin.run(1);
-    if (this.components.length === 1) return twin.values[0][0];
-    return this.components.map((_, i) => twin.values[i][0]);
-  }
-
-  /** The value at a position, in cells: a number, or an array of them where there are several components. */
-  at(...position) {
+  #go(position) {
     const { dimensions } = this;
     if (position.length !== dimensions) {
-      throw new TypeError(`at wants ${dimensions} coordinates, not ${position.length}`);
+      throw new TypeError(`a position has ${dimensions} coordinates here, not ${position.length}`);
     }
     this.#load();
     for (let axis = 0; axis < dimensions; ++axis) {
       twin.places[axis][0] = real(AXES[axis], position[axis]);
       twin.split(axis, 1);
     }
-    return this.#first();
+    twin.run(1);
   }
 
-  /** The value in a cell, at a place in it from 0 to 1 along each axis: exact however far out. */
-  inCell(cell, place) {
+  #enter(cell, place) {
     const { dimensions } = this;
     const cells = perAxis("cell", cell, dimensions, wholeCell);
     const places = perAxis("place", place, dimensions, real);
@@ -228,7 +220,35 @@ export class Field {
       twin.cells[axis][0] = cells[axis];
       twin.places[axis][0] = places[axis];
     }
-    return this.#first();
+    twin.run(1);
+  }
+
+  #components() {
+    return this.components.map((_, i) => twin.values[i][0]);
+  }
+
+  /** The first component at a position, in cells. */
+  at(...position) {
+    this.#go(position);
+    return twin.values[0][0];
+  }
+
+  /** All components at a position. */
+  all(...position) {
+    this.#go(position);
+    return this.#components();
+  }
+
+  /** The first component in a cell, at a place in it from 0 to 1 along each axis: exact however far out. */
+  inCell(cell, place) {
+    this.#enter(cell, place);
+    return twin.values[0][0];
+  }
+
+  /** All components there. */
+  allInCell(cell, place) {
+    this.#enter(cell, place);
+    return this.#components();
   }
 
   /**
@@ -282,8 +302,7 @@ export class Field {
     this.#load();
     const axes = sizes.map((points, axis) => {
       if (cell === undefined) return positions(axis, points, origins[axis], steps[axis]);
-      const first = perAxis("cell", cell, dimensions, (name, one) => whole(name, one, Number.MIN_SAFE_INTEGER, Number.MAX_SAFE_INTEGER));
-      return exactly(points, first[axis], origins[axis], steps[axis]);
+      return exactly(points, perAxis("cell", cell, dimensions, wholeCell)[axis], origins[axis], steps[axis]);
     });
     // Rows, or parts of them, are put one behind the other until a batch is full.
     const [row, ...others] = axes;

@@ -40,8 +40,7 @@ function evaluated({ dimensions, settings }, { inputs }, row) {
     if (error instanceof RangeError) return undefined;
     throw error;
   }
-  const n = "cx" in at ? field.inCell(along("c"), along("f")) : field.at(...along(""));
-  return typeof n === "number" ? [n] : n;
+  return "cx" in at ? field.allInCell(along("c"), along("f")) : field.all(...along(""));
 }
 
 function differing(file, change = (n) => n) {
