@@ -3,7 +3,7 @@ golden values, bit for bit.
 
     build_systems_test.py ENVIRONMENT WORK CLASS...    with what environment.py makes, in a scratch folder
 
-The page's address leads to a repository that has what the working tree has. Exit status: 0 passed, 1 failed, 77 what the
+The page's address leads to a repository that has what the working tree has. Exit status: 0 passed, 1 failed, 77 what a
 class needs cannot be had here.
 """
 
