@@ -34,7 +34,7 @@ readonly bake_packages=("${program_packages[@]}" libopenexr-dev)
 # Of tools/npm, which compiles to WebAssembly.
 readonly npm_packages=(clang libc++-dev-wasm32 lld python3 wasi-libc)
 # The last two compile for ARM, and run what they compile.
-readonly test_packages=("${driver_packages[@]}" "${npm_packages[@]}" libopenexr-dev libclang-rt-dev libgtest-dev python3
+readonly test_packages=("${driver_packages[@]}" "${npm_packages[@]}" ccache libopenexr-dev libclang-rt-dev libgtest-dev python3
   python3-dev python3-numpy python3-scipy python3-venv g++-aarch64-linux-gnu qemu-user)
 # Of tools/quality, which has no need of hn-conform.
 readonly quality_packages=(g++ python3 python3-numpy python3-scipy)
@@ -92,6 +92,14 @@ logged() {
   exit 4
 }
 
+# What is built from now on, and by tests, is compiled once: the wheel has the kernels of hashnoise::grid, too. -Werror has
+# no say in what a compiler makes.
+share_objects() {
+  command -v ccache >/dev/null || return 0
+  export CCACHE_DIR=${CCACHE_DIR:-$build/ccache} CCACHE_NOHASHDIR=1 CCACHE_IGNOREOPTIONS=-Werror
+  export CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER:-ccache}
+}
+
 setup() {
   local -a packages=("${conform_packages[@]}") configuration=(-DHASHNOISE_CONFORMANCE=ON) target=(--target hn-conform)
   if [[ $1 == test ]]; then
@@ -116,6 +124,7 @@ setup() {
   mkdir -p "$build"
   : >"$log"
   install_missing "${packages[@]}"
+  [[ $1 != test ]] || share_objects
   logged "The build could not be configured" \
     cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release "${configuration[@]}"
   logged "The build failed" cmake --build "$build" "${target[@]}"

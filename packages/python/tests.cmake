@@ -4,7 +4,7 @@ set(package_environment ${PROJECT_BINARY_DIR}/python-tests)
 add_test(NAME python.wheel
          COMMAND Python3::Interpreter -B ${package_tests}/environment.py make ${package_environment})
 set_tests_properties(python.wheel PROPERTIES FIXTURES_SETUP python_wheel SKIP_RETURN_CODE 77 COST 200 TIMEOUT 3600)
-foreach(subject arrays documents golden options source types)
+foreach(subject arrays documents golden notebook options source types)
   add_test(NAME python.${subject} COMMAND Python3::Interpreter -B ${package_tests}/environment.py run
                                           ${package_environment} ${subject}_test)
   set_tests_properties(python.${subject} PROPERTIES FIXTURES_REQUIRED python_wheel SKIP_RETURN_CODE 77)

@@ -81,7 +81,7 @@ class Page(unittest.TestCase):
         self.assertEqual(names[1]["volume"].shape, (64, 64, 64))
         self.assertEqual((names[1]["least"], names[1]["greatest"]),
                          (names[1]["volume"].min(), names[1]["volume"].max()))
-        self.assertEqual(names[2]["line"].shape, (1024,))
+        self.assertEqual(names[3]["line"].shape, (1024,))
 
     def test_code_that_fails_is_noticed(self):
         with self.assertRaises(TypeError):

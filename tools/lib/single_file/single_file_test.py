@@ -10,6 +10,7 @@ import tempfile
 import unittest
 
 from single_file.files import INCLUDE, Part, minified, parts
+from single_file.godot import expanded
 from tree import GLSL, TOOLS
 
 TOOL = TOOLS / "single-file"
@@ -54,19 +55,77 @@ class SingleFile(unittest.TestCase):
                         self.assertEqual(sum(line.startswith(f"#define {macro} ") for line in lines), 1)
                         self.assertEqual(lines.count(f"#undef {macro}"), 1)
 
-    def test_for_godot_the_sums_are_expanded_and_nothing_else_changes(self):
-        def tokens(*options):
-            done = subprocess.run(["g++", "-E", "-P", "-U__VERSION__", "-x", "c", "-"], input=generate(*options).stdout,
-                                  capture_output=True, text=True, check=True)
-            return re.findall(r"\w+|[^\w\s]", done.stdout)
+    def test_for_godot_what_no_knob_decides_is_expanded_and_nothing_else_changes(self):
+        def tokens(*options, knobs=()):
+            command = ["g++", "-E", "-P", "-U__VERSION__", *(f"-D{knob}" for knob in knobs), "-x", "c", "-"]
+            done = subprocess.run(command, input=generate(*options).stdout, capture_output=True, text=True, check=True)
+            return re.findall(r"\w+|[^\w\s]", re.sub(r"_hn\b", "", done.stdout))
 
         for name in FILES:
             with self.subTest(name=name):
                 self.assertEqual(tokens("--language", "godot", name), tokens(name))
         text = generate("--language", "godot", "--strip").stdout
         self.assertNotRegex(text, r"(?m)^HN_[A-Z_]+[1-4]D\(")
-        self.assertNotIn("#define HN_I_SUMS", text)
+        self.assertNotRegex(text, r"\bHN_(FN|I_OUT|I_SUMS\w*|I_BITCAST)\b|\bhn_u?i?vec|__cplusplus")
+        self.assertLess(len(set(re.findall(r"#define (HN_I_\w+|hn_\w+)", text))), 25)
+        # What knobs decide is still there.
         self.assertIn("#define HN_I_PRECISE", text)
+        self.assertEqual(len(re.findall(r"(?m)^#define hn_num2 ", text)), 2)
+        for knobs in (["HN_ARITHMETIC=HN_FIXED"], ["HN_HASH=HN_HASH_PCG", "HN_GRADIENT=HN_GRADIENT_SINE"]):
+            with self.subTest(knobs=knobs):
+                self.assertEqual(tokens("--language", "godot", knobs=knobs), tokens(knobs=knobs))
+                self.assertNotEqual(tokens("--language", "godot", knobs=knobs), tokens("--language", "godot"))
+
+    def test_for_godot_only_what_is_known_is_decided(self):
+        lines = """#ifndef HN_A_GLSL
+            #define HN_A_GLSL
+            #ifdef __cplusplus
+            #define HN_I_KIND 1
+            #elif defined(GL_ES)
+            #define HN_I_KIND 2
+            #else
+            #define HN_I_KIND 3
+            #endif
+            #define HN_I_OUT(type) out type
+            #define HN_KNOB 5
+            #if HN_I_KIND == 3
+            #if HN_KNOB == 5  // it is
+            #define HN_I_VALUE HN_I_KIND
+            #elif HN_KNOB == 4
+            #define HN_I_VALUE 4
+            #endif
+            void f(HN_I_OUT(int) a, HN_I_OUT(vec2) b) { g(HN_I_VALUE, HN_I_KIND); }  // HN_I_KIND
+            #else
+            wrong
+            #endif
+            #endif""".replace("            ", "").split("\n")
+        self.assertEqual(expanded(lines), """#ifndef HN_A_GLSL
+            #define HN_A_GLSL
+            #define HN_KNOB 5
+            #if HN_KNOB == 5  // it is
+            #define HN_I_VALUE 3
+            #elif HN_KNOB == 4
+            #define HN_I_VALUE 4
+            #endif
+            void f(out int a_hn, out vec2 b_hn) { g(HN_I_VALUE, 3); }  // HN_I_KIND
+            #endif""".replace("            ", "").split("\n"))
+
+    def test_for_godot_no_variable_has_a_name_of_users(self):
+        """Godot takes it for their uniform of that name."""
+        lines = ["struct hn_i_pair {", "  float seed;  // one", "};",
+                 "float hn_f(hn_i_pair p, vec2 seed) { for (int i = 0; i < 3; ++i) p.seed += float(i) * seed.x; return p.seed; }"]
+        self.assertEqual(expanded(lines), [*lines[:3], "float hn_f(hn_i_pair p_hn, vec2 seed_hn) { for (int i_hn = 0; "
+                                           "i_hn < 3; ++i_hn) p_hn.seed += float(i_hn) * seed_hn.x; return p_hn.seed; }"])
+        text = generate("--language", "godot", "--strip").stdout
+        declared = set(re.findall(r"\b(?:float|int|uint|[iu]?vec\d|hn_num\d?|hn_rank\d?|hn_i_\w+|HN_I_PLACE\d) (\w+)\b(?!\()",
+                                  re.sub(r"(?s)struct .*?\};|#.*?\n", "", text)))
+        self.assertGreater(len(declared), 100)
+        self.assertEqual({name for name in declared if not name.endswith("_hn")}, set())
+
+    def test_for_godot_precise_is_refused_by_a_sentence(self):
+        text = "#define HN_ARITHMETIC HN_PRECISE\n" + generate("--language", "godot").stdout
+        done = subprocess.run(["g++", "-E", "-P", "-x", "c", "-"], input=text, capture_output=True, text=True, check=False)
+        self.assertIn("#error HN_PRECISE needs", done.stderr)
 
     @unittest.skipUnless(shutil.which("godot"), "godot is not installed")
     def test_godot_takes_it(self):

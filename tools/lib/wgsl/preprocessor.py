@@ -67,6 +67,9 @@ class Preprocessor:
         """Whether a macro is defined as that text."""
         return name in self.macros and " ".join(token.text for token in self.macros[name].body) == text
 
+    def holds(self, condition: str) -> bool:
+        return self._holds(condition, condition, 0)
+
     def _read(self, text: str, path: str) -> None:
         heading = text.partition("\n")[0]
         self._heading = heading if heading.startswith("//") else ""

@@ -1,0 +1,77 @@
+"""The command line of tools/release, which describes it."""
+
+from __future__ import annotations
+
+import argparse
+import shutil
+import sys
+import tempfile
+from pathlib import Path
+
+from release.files import NoRelease, PARTS, Release, named, notes, run, version
+from tree import ROOT
+
+
+def parsed_arguments(arguments: list[str] | None) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="tools/release", description="Make all that a release has, from a clean tree.",
+                                     epilog=f"The parts are {', '.join(PARTS)}. docs/release.md tells what they are.")
+    parser.add_argument("--trial", action="store_true",
+                        help="whatever is not committed, and whatever CHANGELOG.md says of the day")
+    chosen = parser.add_mutually_exclusive_group()
+    chosen.add_argument("--only", metavar="PARTS", help="these parts, with commas between")
+    chosen.add_argument("--without", metavar="PARTS", help="all parts but these")
+    parser.add_argument("folder", type=Path, nargs="?", metavar="FOLDER",
+                        default=ROOT / "build" / "release" / f"hashnoise-{version()}",
+                        help="where it goes; it must not exist (default: build/release/hashnoise-VERSION)")
+    parsed = parser.parse_args(arguments)
+    listed = [name.strip() for name in (parsed.only or parsed.without or "").split(",") if name.strip()]
+    for name in listed:
+        if name not in PARTS:
+            parser.error(f"there is no part {name}; there are {', '.join(PARTS)}")
+    parsed.parts = [name for name in PARTS if (name in listed if parsed.only is not None else name not in listed)]
+    if not parsed.parts:
+        parser.error(f"no part is left; there are {', '.join(PARTS)}")
+    if parsed.folder.exists():
+        parser.error(f"{parsed.folder} exists; name another folder, or remove it")
+    return parsed
+
+
+def make(folder: Path, parts: list[str], trial: bool) -> None:
+    """All of it, or nothing: the folder appears when everything is in it."""
+    changed = run(["git", "-C", ROOT, "status", "--porcelain"]).splitlines()
+    if changed and not trial:
+        raise NoRelease(f"the tree is not what is committed: {changed[0]}"
+                        f"{f' and {len(changed) - 1} more' if len(changed) > 1 else ''}; --trial makes one all the same")
+    notes((ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), version(), trial)  # before what takes minutes
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=folder.parent, prefix=f".{folder.name}.") as scratch:
+        release = Release(Path(scratch) / "release")
+        release.folder.mkdir()
+        for part in parts:
+            print(f"{part} ...", file=sys.stderr)
+            release.parts()[part]()
+            if not named(part, {path.name for path in release.folder.iterdir()}, release.version):
+                raise NoRelease(f"{part} was made, but has another name than version {release.version} must have")
+        release.notes(trial)
+        release.checksums()
+        release.folder.chmod(0o755)
+        shutil.move(release.folder, folder)
+
+
+def main(arguments: list[str] | None = None) -> int:
+    parsed = parsed_arguments(arguments)
+    try:
+        make(parsed.folder.resolve(), parsed.parts, parsed.trial)
+    except NoRelease as error:
+        print(f"tools/release: {error}", file=sys.stderr)
+        return 1
+    except OSError as error:
+        print(f"tools/release: {error.filename}: {error.strerror}", file=sys.stderr)
+        return 1
+    left_out = [name for name in PARTS if name not in parsed.parts]
+    if left_out:
+        print(f"Without {', '.join(left_out)}.", file=sys.stderr)
+    if parsed.trial:
+        print("This is a trial, not a release.", file=sys.stderr)
+    print(parsed.folder)
+    return 0

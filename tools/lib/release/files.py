@@ -1,0 +1,128 @@
+"""What a release has, and how each part of it is made."""
+
+from __future__ import annotations
+
+import gzip
+import hashlib
+import os
+import re
+import subprocess
+import tempfile
+import zipfile
+from collections.abc import Callable
+from datetime import datetime, timezone
+from pathlib import Path
+
+from single_file.files import text
+from tree import GLSL, ROOT, TOOLS
+
+
+class NoRelease(Exception):
+    """Something is not as a release needs it."""
+
+
+def run(command: list[str | Path], **options) -> str:
+    """What a command prints; what it says of a failure is the reason for there being no release."""
+    done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=False, **options)
+    if done.returncode != 0:
+        raise NoRelease(f"{Path(command[0]).name} {' '.join(map(str, command[1:]))} ended with status {done.returncode}")
+    return done.stdout
+
+
+def version() -> str:
+    config = (GLSL / "config.glsl").read_text(encoding="ascii")
+    return ".".join(re.search(rf"^#define HN_VERSION_{name} (\d+)$", config, re.M)[1] for name in ("MAJOR", "MINOR", "PATCH"))
+
+
+def notes(changelog: str, wanted: str, trial: bool) -> str:
+    """What the changelog says of a version. Its heading has the day of the release: "## 1.2.3 (2026-11-22)"."""
+    section = re.search(rf"^## {re.escape(wanted)} \((.*?)\)\n+(.*?)(?=^## |\Z)", changelog, re.M | re.S)
+    if not section:
+        raise NoRelease(f'CHANGELOG.md says nothing of {wanted}; it must have a heading like "## {wanted} (2026-11-22)"')
+    if not re.fullmatch(r"\d{4}-\d\d-\d\d", section[1]) and not trial:
+        raise NoRelease(f'CHANGELOG.md has "{section[1]}" in place of the day on which {wanted} is released; '
+                        "--trial makes one all the same")
+    return f"# hashnoise {wanted}\n\n{section[2].rstrip()}\n"
+
+
+def zipped(archive: Path, folder: Path, seconds: int) -> None:
+    """The files of a folder, each with the same time, in the order of their names."""
+    moment = datetime.fromtimestamp(max(seconds, 315532800), timezone.utc).timetuple()[:6]  # a zip begins in 1980
+    with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as packed:
+        for path in sorted(path for path in folder.rglob("*") if path.is_file()):
+            entry = zipfile.ZipInfo(str(path.relative_to(folder)), moment)
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            entry.external_attr = 0o644 << 16
+            packed.writestr(entry, path.read_bytes())
+
+
+class Release:
+    """The parts, made into a folder."""
+
+    def __init__(self, folder: Path):
+        self.folder = folder
+        self.version = version()
+        self.seconds = int(run(["git", "-C", ROOT, "log", "-1", "--format=%ct"]))
+        self.environment = {**os.environ, "SOURCE_DATE_EPOCH": str(self.seconds)}
+
+    def single(self) -> None:
+        for language in ("glsl", "hlsl", "metal"):
+            for ending, minify in ((language, False), (f"min.{language}", True)):
+                made = text("hashnoise.glsl", language, minify=minify)
+                (self.folder / f"hashnoise.{ending}").write_text(made, encoding="ascii")
+        for name, arithmetic in (("hashnoise.wgsl", "HN_FAST"), ("hashnoise.fixed.wgsl", "HN_FIXED")):
+            run([TOOLS / "wgsl", "--arithmetic", arithmetic, "--out", self.folder / name])
+
+    def headers(self) -> None:
+        """What is installed of the library without anything compiled, so find_package takes it from where it is."""
+        with tempfile.TemporaryDirectory() as scratch:
+            log = {"stderr": subprocess.STDOUT}
+            run(["cmake", "-S", ROOT, "-B", f"{scratch}/build", "-DHASHNOISE_GRID=OFF", "-DHASHNOISE_CONFORMANCE=OFF",
+                 "-DHASHNOISE_TESTS=OFF", "-DHASHNOISE_INSTALL=ON", "-DCMAKE_INSTALL_LIBDIR=lib"], **log)
+            run(["cmake", "--install", f"{scratch}/build", "--prefix", f"{scratch}/headers"], **log)
+            (Path(scratch) / "headers" / "LICENSE").write_bytes((ROOT / "LICENSE").read_bytes())
+            zipped(self.folder / f"hashnoise-{self.version}-headers.zip", Path(scratch) / "headers", self.seconds)
+
+    def source(self) -> None:
+        name = f"hashnoise-{self.version}"
+        packed = subprocess.run(["git", "-C", ROOT, "archive", "--format=tar", f"--prefix={name}/", "HEAD"],
+                                stdout=subprocess.PIPE, check=True).stdout
+        (self.folder / f"{name}-source.tar.gz").write_bytes(gzip.compress(packed, mtime=self.seconds))
+
+    def npm(self) -> None:
+        run([TOOLS / "npm", self.folder], env=self.environment)
+
+    def python(self) -> None:
+        run([TOOLS / "wheel", self.folder], env=self.environment)
+
+    def godot(self) -> None:
+        run([TOOLS / "godot-addon", self.folder], env=self.environment)
+
+    def playground(self) -> None:
+        run([TOOLS / "playground", "--out", self.folder / "playground.html"], env=self.environment)
+
+    def parts(self) -> dict[str, Callable[[], None]]:
+        return {name: getattr(self, name) for name in PARTS}
+
+    def notes(self, trial: bool) -> None:
+        changelog = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+        (self.folder / "NOTES.md").write_text(notes(changelog, self.version, trial), encoding="utf-8")
+
+    def checksums(self) -> None:
+        """In the form of sha256sum, which also checks them."""
+        lines = [f"{hashlib.sha256(path.read_bytes()).hexdigest()}  {path.name}\n" for path in sorted(self.folder.iterdir())]
+        (self.folder / "SHA256SUMS").write_text("".join(lines), encoding="ascii")
+
+
+PARTS = ("single", "headers", "source", "npm", "python", "godot", "playground")
+# What must be there of each, so that a tool that makes something else is noticed.
+NAMES = {"single": r"hashnoise(\.min|\.fixed)?\.(glsl|hlsl|metal|wgsl)", "headers": r"hashnoise-VERSION-headers\.zip",
+         "source": r"hashnoise-VERSION-source\.tar\.gz", "npm": r"hashnoise-VERSION\.tgz",
+         "python": r"hashnoise-VERSION-[\w.-]+\.whl", "godot": r"hashnoise-godot-VERSION\.zip",
+         "playground": r"playground\.html"}
+
+
+def named(part: str, names: set[str], wanted: str) -> set[str]:
+    """Which of the names are a part's."""
+    pattern = re.compile(NAMES[part].replace("VERSION", re.escape(wanted)))
+    return {name for name in names if pattern.fullmatch(name)}

@@ -1,0 +1,180 @@
+"""The text as Godot takes it: what no knob decides is decided, and expanded.
+
+Godot's preprocessor cannot expand the macros that define sums; it looks for every macro in every line, so that hundreds
+of them take seconds; and behind a second include it leaves macros with parameters in place. Its compiler for Vulkan
+takes a parameter or a variable of a function for the uniform that has the same name, if there is one: "seed", say
+(https://github.com/godotengine/godot/issues/90933). So these get names here that nobody else has.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from tree import GLSL
+from wgsl.preprocessor import Preprocessor
+
+# What Godot does not define. Its language has the built-in functions of GLSL ES 3.00.
+UNDEFINED = ("__cplusplus", "HN_I_HLSL", "HN_I_METAL", "GL_ES", "GL_GOOGLE_cpp_style_line_directive", "__VERSION__",
+             "_MSC_VER")
+# It has no `precise` either, whatever its version says.
+NO_PRECISE = "HN_I_HAS_PRECISE"
+# The macros of the library's own. Those that users write stay: knobs, their values, metrics.
+OWN = re.compile(r"(?!HN_\w+_GLSL)(HN_I_\w+|HN_FN|HN_[A-Z_]+[1-4]D|hn_\w+)")
+GUARD = re.compile(r"HN_\w+_GLSL")
+SUM = re.compile(r"HN_[A-Z_]+[1-4]D\(\w+, \w+\)")  # a line that defines functions
+DIRECTIVE = re.compile(r"#(\w+)\s*(.*)")
+DEFINE = re.compile(r"(\w+)(\(([^)]*)\))?\s*(.*)")
+WORD = re.compile(r"\b[A-Za-z_]\w*\b")
+# A name of a parameter or a variable: no member, no function, nothing with the library's prefix.
+LOCAL = re.compile(r"(?<![.\w])(?!hn_|HN_)[A-Za-z_]\w*\b(?!\s*\()")
+WORDS_OF_THE_LANGUAGE = frozenset(
+    "bool break const continue do else false float for if in inout int out precise return struct true uint void while "
+    "bvec2 bvec3 bvec4 ivec2 ivec3 ivec4 uvec2 uvec3 uvec4 vec2 vec3 vec4".split())
+SUFFIX = "_hn"
+
+
+def expanded(lines: Iterable[str]) -> list[str]:
+    """The lines without the conditions and macros whose meaning no knob decides."""
+    return _with_own_names(_without_macros(_without_conditions(lines)))
+
+
+def _code(line: str) -> str:
+    return line.partition("//")[0].rstrip()
+
+
+def _directive(line: str) -> tuple[str, str]:
+    """The name of a directive and what stands behind it; two empty texts for any other line."""
+    match = DIRECTIVE.fullmatch(_code(line).strip())
+    return (match[1], match[2]) if match else ("", "")
+
+
+@dataclass
+class _Branch:
+    """Of an open #if."""
+    decided: bool
+    holds: bool   # the present branch may be active
+    before: bool  # and one above it is, if it is decided
+    guard: bool
+
+
+class _Conditions:
+    def __init__(self) -> None:
+        self.branches: list[_Branch] = []
+        self.known = Preprocessor(GLSL, {})
+
+    def active(self) -> bool:
+        return all(branch.holds for branch in self.branches)
+
+    def certain(self) -> bool:
+        """Whether no knob decides if a line is there."""
+        return self.active() and all(branch.decided or branch.guard for branch in self.branches)
+
+    def take(self, name: str, rest: str) -> bool:
+        """Of a directive of conditions; whether it has to stay."""
+        if name in ("if", "ifdef", "ifndef"):
+            value = self.value(name, rest) if self.active() else False
+            self.branches.append(_Branch(value is not None, value is not False, value is not False,
+                                         name == "ifndef" and bool(GUARD.fullmatch(rest))))
+            return value is None
+        branch = self.branches[-1]
+        if name == "endif":
+            self.branches.pop()
+        elif branch.decided:
+            outside = all(other.holds for other in self.branches[:-1])
+            branch.holds = outside and not branch.before and (name == "else" or self.value("if", rest) is True)
+            branch.before = branch.before or branch.holds
+        return not branch.decided
+
+    def value(self, name: str, condition: str) -> bool | None:
+        """Whether a condition holds; None if that is not known here."""
+        if name in ("ifdef", "ifndef"):
+            return name == "ifndef" if condition in UNDEFINED else None
+        if not set(WORD.findall(condition)) - {"defined"} <= {*UNDEFINED, *self.known.macros}:
+            return None
+        return self.known.holds(condition)
+
+
+def _without_conditions(lines: Iterable[str]) -> list[str]:
+    conditions = _Conditions()
+    left = []
+    for line in lines:
+        name, rest = _directive(line)
+        if name in ("if", "ifdef", "ifndef", "elif", "else", "endif"):
+            if conditions.take(name, rest) and conditions.active():
+                left.append(line)
+            continue
+        if not conditions.active():
+            continue
+        if name == "define":
+            if rest.split()[0] == NO_PRECISE:
+                line, rest = f"#define {NO_PRECISE} 0", f"{NO_PRECISE} 0"
+            if OWN.match(rest) and conditions.certain() and "(" not in rest.split()[0]:
+                conditions.known.define(rest)
+        left.append(line)
+    return left
+
+
+def _without_macros(lines: list[str]) -> list[str]:
+    definitions: dict[str, set[str]] = {}
+    for line in lines:
+        name, rest = _directive(line)
+        if name == "define":
+            definitions.setdefault(DEFINE.fullmatch(rest)[1], set()).add(rest)
+    single = {name: next(iter(texts)) for name, texts in definitions.items()
+              if len(texts) == 1 and OWN.fullmatch(name)}
+    macros = Preprocessor(GLSL, {})
+    for name, definition in single.items():
+        if name != "HN_FN":
+            macros.define(definition)
+    left = []
+    for line in lines:
+        name, rest = _directive(line)
+        if name == "define" and DEFINE.fullmatch(rest)[1] in single:
+            continue
+        if SUM.fullmatch(line):
+            for function in macros.expanded(line).split("HN_FN ")[1:]:
+                left.append(_spaced(function))
+            continue
+        code = _code(line)
+        left.append(_replaced(code, single) + line[len(code):])
+    return left
+
+
+def _replaced(code: str, single: dict[str, str]) -> str:
+    """The code with its macros expanded, and all else as it stands."""
+    while True:
+        for name in WORD.findall(code):
+            if name in single:
+                _, inner, parameters, body = DEFINE.fullmatch(single[name]).groups()
+                if inner:
+                    arguments = re.search(rf"\b{name}\(([^()]*)\)", code)
+                    values = dict(zip((part.strip() for part in parameters.split(",")),
+                                      (part.strip() for part in arguments[1].split(","))))
+                    body = WORD.sub(lambda word: values.get(word[0], word[0]), body)
+                    code = code.replace(arguments[0], body, 1)
+                else:
+                    code = re.sub(rf"\b{name}\b ?" if not body else rf"\b{name}\b", body, code)
+                break
+        else:
+            return code
+
+
+def _with_own_names(lines: list[str]) -> list[str]:
+    left = []
+    in_struct = False
+    for line in lines:
+        code = _code(line)
+        in_struct = in_struct or code.startswith("struct ")
+        if code and not code.lstrip().startswith("#") and not in_struct:
+            line = LOCAL.sub(lambda name: name[0] + SUFFIX * (name[0] not in WORDS_OF_THE_LANGUAGE), code) + line[len(code):]
+        in_struct = in_struct and not code.startswith("};")
+        left.append(line)
+    return left
+
+
+def _spaced(code: str) -> str:
+    """Tokens with blanks between them, as one writes them."""
+    code = re.sub(r" (?=[,;)\].])|(?<=[(\[.!]) ", "", code)
+    return re.sub(r"(?<=[\w]) (?=[(\[])", "", code).strip()
