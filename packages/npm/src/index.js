@@ -63,12 +63,20 @@ function started(instance) {
 }
 
 function start() {
-  twin ??= started(new WebAssembly.Instance(new WebAssembly.Module(bytes())));
+  if (twin) return;
+  let module;
+  try {
+    module = new WebAssembly.Module(bytes());
+  } catch (error) {
+    if (!(error instanceof RangeError)) throw error;
+    throw new Error("this browser compiles only small modules at once: call `await init()` of hashnoise first", { cause: error });
+  }
+  twin = started(new WebAssembly.Instance(module));
 }
 
 /**
- * Compiles the module ahead of the first field, beside other work. Nobody needs to call it, but for browsers that compile
- * no more than 4 kB at once in a page: Chromium did so before 2023.
+ * Compiles the module ahead of the first field, beside other work. Pages for old browsers have to call it: Chromium until
+ * 2023 compiles no more than 4 kB at once there.
  */
 export async function init() {
   if (!twin) {
