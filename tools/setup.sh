@@ -31,8 +31,10 @@ readonly driver_packages=("${paper_packages[@]}" chromium clang libgl1 libgles2 
 readonly program_packages=(cmake g++ ninja-build
   libcli11-dev libexpected-dev libfmt-dev libkainjow-mustache-dev libpng-dev nlohmann-json3-dev pkg-config zlib1g-dev)
 readonly bake_packages=("${program_packages[@]}" libopenexr-dev)
+# Of tools/npm, which compiles to WebAssembly.
+readonly npm_packages=(clang libc++-dev-wasm32 lld python3 wasi-libc)
 # The last two compile for ARM, and run what they compile.
-readonly test_packages=("${driver_packages[@]}" ccache libopenexr-dev libclang-rt-dev libgtest-dev python3
+readonly test_packages=("${driver_packages[@]}" "${npm_packages[@]}" ccache libopenexr-dev libclang-rt-dev libgtest-dev python3
   python3-dev python3-numpy python3-scipy python3-venv g++-aarch64-linux-gnu qemu-user)
 # Of tools/quality, which has no need of hn-conform.
 readonly quality_packages=(g++ python3 python3-numpy python3-scipy)

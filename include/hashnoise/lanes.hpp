@@ -60,6 +60,9 @@
 #elif defined(__aarch64__) && defined(__ARM_NEON)
 #define HN_LANES neon
 #define HN_I_LANE_BYTES 16
+#elif defined(__wasm_simd128__)
+#define HN_LANES simd128
+#define HN_I_LANE_BYTES 16
 #else
 #define HN_LANES generic
 #define HN_I_LANE_BYTES 16
@@ -69,6 +72,8 @@
 #include <immintrin.h>
 #elif defined(__aarch64__) && defined(__ARM_NEON)
 #include <arm_neon.h>
+#elif defined(__wasm_simd128__)
+#include <wasm_simd128.h>
 #endif
 
 #pragma GCC diagnostic push
@@ -136,13 +141,22 @@ struct Lanes {
   template <typename T>
   requires std::is_arithmetic_v<T>
   HN_I_INLINE explicit(!std::same_as<S, T>) Lanes(T s)
-      : v(static_cast<S>(s) - Vector{}) {}
+      : v(number(static_cast<S>(s)) - Vector{}) {}
   // What does not fit is undefined, as it is in C++.
   template <typename T>
   HN_I_INLINE explicit Lanes(Lanes<T> other) : v(__builtin_convertvector(other.v, Vector)) {}
   HN_I_INLINE explicit Lanes(Mask mask) : v(__builtin_convertvector(-mask.v, Vector)) {}
 
   HN_I_INLINE S operator[](int i) const { return v[i]; }
+
+  // A number, of which all lanes are made. In WebAssembly the constant of a vector takes 18 bytes, and that of a number
+  // 6 at most: where size matters, the compiler is kept from making the first of the second.
+  HN_I_INLINE static S number(S s) {
+#if defined(__wasm_simd128__) && defined(__OPTIMIZE_SIZE__)
+    asm("" : "+r"(s));
+#endif
+    return s;
+  }
 
   // kCount numbers in memory, with any alignment.
   HN_I_INLINE static Lanes load(const S* from) {
@@ -224,6 +238,9 @@ HN_I_INLINE Float trunc(Float x) { return Float(HN_I_X86_ROUND(x.v, 11)); }
 #elif defined(__aarch64__) && defined(__ARM_NEON)
 HN_I_INLINE Float floor(Float x) { return Float(vrndmq_f32(x.v)); }
 HN_I_INLINE Float trunc(Float x) { return Float(vrndq_f32(x.v)); }
+#elif defined(__wasm_simd128__)
+HN_I_INLINE Float floor(Float x) { return Float(detail::FloatVector(wasm_f32x4_floor(v128_t(x.v)))); }
+HN_I_INLINE Float trunc(Float x) { return Float(detail::FloatVector(wasm_f32x4_trunc(v128_t(x.v)))); }
 #else
 HN_I_INLINE Float floor(Float x) {
   const Float below = detail::cut_off(x);
@@ -241,6 +258,8 @@ HN_I_INLINE Float max(Float x, Float y) { return Float(HN_I_X86(max_ps, x.v, y.v
 HN_I_INLINE Float sqrt(Float x) {
 #if defined(__aarch64__) && defined(__ARM_NEON)
   return Float(vsqrtq_f32(x.v));
+#elif defined(__wasm_simd128__)
+  return Float(detail::FloatVector(wasm_f32x4_sqrt(v128_t(x.v))));
 #else
   for (int i = 0; i < kCount; ++i) x.v[i] = __builtin_sqrtf(x.v[i]);
   return x;

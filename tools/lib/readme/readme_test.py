@@ -178,20 +178,6 @@ class Code(unittest.TestCase):
         code = re.sub(r"layout\(location = 0\) ", "", code).replace("#version 450", "#version 330")
         self.assertEqual(compile_glsl(code).returncode, 0)
 
-    def test_a_project_that_fetches_it_builds(self):
-        fetch, = blocks("cmake", ["README.md"])
-        source = fetch.replace("GIT_REPOSITORY ${hashnoise_url} GIT_TAG main", f'SOURCE_DIR "{ROOT}"')
-        self.assertNotEqual(source, fetch)
-        with tempfile.TemporaryDirectory() as name:
-            folder = pathlib.Path(name)
-            (folder / "CMakeLists.txt").write_text(
-                "cmake_minimum_required(VERSION 3.25)\nproject(game LANGUAGES CXX)\nadd_library(game height.cpp)\n"
-                f"{source}if(NOT EXISTS ${{hashnoise_GLSL_DIR}}/hashnoise.glsl)\n  message(FATAL_ERROR no)\nendif()\n")
-            (folder / "height.cpp").write_text(blocks("cpp", ["README.md"])[0])
-            for line in (["cmake", "-S", name, "-B", f"{name}/build"], ["cmake", "--build", f"{name}/build"]):
-                done = run(*line)
-                self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-
 
 class Readme(unittest.TestCase):
     def test_it_is_short(self):

@@ -1,7 +1,7 @@
 # Builds, runs and installs a project that has hashnoise as a part of its build: the headers of hashnoise are installed
 # with it only where it asks for them.
 #   cmake -DSOURCE=<source folder of hashnoise> -DWORK=<scratch folder> -DGENERATOR=<CMake's generator> -P test.cmake
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.21)
 function(call)
   execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()

@@ -1,0 +1,76 @@
+/** What a field is: a noise, or a sum of octaves of a noise. A setting that the function does not have is an error. */
+export interface Settings {
+  /** "perlin" if it is left out, and for sums what the shader's take: "perlin", "perlin_d" or "value". */
+  noise?: NoiseName;
+  /** "fbm", "ridged", ...; the noise itself if it is left out. */
+  sum?: SumName;
+  /** 0 to 2^32 - 1; 0 if it is left out. */
+  seed?: number;
+  /** After how many cells the field repeats, along all axes or along each; 0 for never. */
+  period?: number | number[];
+  /** Of sums; 6 if it is left out. */
+  octaves?: number;
+  /** Of sums; 2 if it is left out. */
+  lacunarity?: number;
+  /** Of sums; 0.5 if it is left out. */
+  gain?: number;
+  /** Of ping_pong (2 if it is left out), weighted and eroded (1). */
+  strength?: number;
+  /** Of warp and warp_progressive, in cells; 1 if it is left out. */
+  amplitude?: number;
+  /** Of cellular, from 0 to 1; 1 if it is left out. */
+  jitter?: number;
+  /** Of cellular; "euclidean" if it is left out. */
+  metric?: "euclidean" | "squared" | "manhattan" | "chebyshev" | "hybrid";
+}
+
+export type NoiseName =
+  | "value" | "value_d" | "value_cubic" | "perlin" | "perlin_d" | "simplex" | "simplex_d" | "simplex_smooth" | "cellular" | "curl";
+
+export type SumName =
+  | "fbm" | "turbulence" | "clouds" | "billow" | "ridged" | "ping_pong" | "weighted" | "fbm_d" | "eroded" | "warp" | "warp_progressive";
+
+/** A noise or a sum in one, two or three dimensions, with the bits of HN_FIXED. Its settings do not change. */
+export declare class Field {
+  constructor(dimensions: 1 | 2 | 3, settings?: Settings);
+
+  readonly dimensions: 1 | 2 | 3;
+  /** What the numbers at a point are: "value", or also "dx" and so on. */
+  readonly components: readonly string[];
+
+  /** The names of the noises that there are in so many dimensions. */
+  static noises(dimensions: 1 | 2 | 3): NoiseName[];
+  /** The names of the sums that there are in so many dimensions. */
+  static sums(dimensions: 1 | 2 | 3): SumName[];
+
+  /** The first component at a position, in cells. */
+  at(...position: number[]): number;
+  /** All components at a position. */
+  all(...position: number[]): number[];
+
+  /** The first component in a cell, at a place in it from 0 to 1 along each axis: exact however far out. */
+  inCell(cell: number | number[], place: number | number[]): number;
+  /** All components there. */
+  allInCell(cell: number | number[], place: number | number[]): number[];
+
+  /**
+   * The values at many positions: an array of coordinates for each axis, all of the same length. With `cells`, arrays of
+   * whole numbers, the coordinates are places in those. All first components come first, then all second ones.
+   */
+  points(
+    coordinates: (Float32Array | number[])[],
+    options?: { cells?: (Int32Array | number[])[]; out?: Float32Array },
+  ): Float32Array;
+
+  /**
+   * A uniform grid of size[0] by size[1] points and so on, from `origin` on, `step` cells apart; x is the fastest. With a
+   * `cell` the origin is the place in it, and the grid is exact however far out.
+   */
+  grid(
+    size: number | number[],
+    options: { step: number | number[]; origin?: number | number[]; cell?: number | number[]; out?: Float32Array },
+  ): Float32Array;
+}
+
+/** Compiles ahead of the first field, beside other work. Nobody has to call it, but for Chromium from before 2023. */
+export declare function init(): Promise<void>;

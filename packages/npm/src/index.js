@@ -1,0 +1,382 @@
+// The twin: noises and sums with the bits that HN_FIXED has in shaders. The functions are in WebAssembly (twin.cpp); this
+// checks settings, and says where the points are.
+import { bytes } from "./twin.js";
+
+const AXES = ["x", "y", "z"];
+const KINDS = {
+  value: () => ["value"],
+  slopes: (dimensions) => ["value", ...AXES.slice(0, dimensions).map((axis) => `d${axis}`)],
+  distances: () => ["f1", "f2"],
+  vector: (dimensions) => AXES.slice(0, dimensions),
+};
+// The order is that of twin.cpp. In one dimension there are the first five noises, and the sums of values.
+const NOISES = {
+  value: "value",
+  value_d: "slopes",
+  value_cubic: "value",
+  perlin: "value",
+  perlin_d: "slopes",
+  simplex: "value",
+  simplex_d: "slopes",
+  simplex_smooth: "value",
+  cellular: "distances",
+  curl: "vector",
+};
+const SUMS = {
+  fbm: {},
+  turbulence: {},
+  clouds: {},
+  billow: {},
+  ridged: {},
+  ping_pong: { strength: 2, most: 64 },
+  weighted: { strength: 1, most: 1 },
+  fbm_d: { of: "slopes", kind: "slopes" },
+  eroded: { of: "slopes", strength: 1, most: 16 },
+  warp: { kind: "vector", amplitude: 1, most: 64 },
+  warp_progressive: { kind: "vector", amplitude: 1, most: 64 },
+};
+const METRICS = ["euclidean", "squared", "manhattan", "chebyshev", "hybrid"]; // from 1 on
+const KNOWN = ["noise", "sum", "seed", "period", "octaves", "lacunarity", "gain", "strength", "amplitude", "jitter", "metric"];
+const OF_SUMS = ["octaves", "lacunarity", "gain"];
+const MOST_OCTAVES = 1024; // more than any float shows
+const BATCH = 1024; // points, as in twin.cpp
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The module in WebAssembly. It is compiled where the first field is made, so that a page which makes none does nothing.
+
+let twin;
+let current; // the field whose settings are in it
+
+function started(instance) {
+  const { memory, settings, batch, split, run } = instance.exports;
+  const floats = (first, count = BATCH) => new Float32Array(memory.buffer, first, count);
+  const at = batch();
+  const plane = (number) => at + 4 * BATCH * number;
+  return {
+    split,
+    run,
+    settings: new DataView(memory.buffer, settings(), 60),
+    cells: [0, 1, 2].map((axis) => new Int32Array(memory.buffer, plane(axis), BATCH)),
+    places: [3, 4, 5].map((number) => floats(plane(number))),
+    values: [6, 7, 8, 9].map((number) => floats(plane(number))),
+  };
+}
+
+function start() {
+  twin ??= started(new WebAssembly.Instance(new WebAssembly.Module(bytes())));
+}
+
+/**
+ * Compiles the module ahead of the first field, beside other work. Nobody needs to call it, but for browsers that compile
+ * no more than 4 kB at once in a page: Chromium did so before 2023.
+ */
+export async function init() {
+  if (!twin) {
+    const { instance } = await WebAssembly.instantiate(bytes());
+    twin ??= started(instance);
+  }
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// What users pass.
+
+function whole(name, value, least, most) {
+  if (!Number.isInteger(value) || value < least || value > most) {
+    throw new RangeError(`${name} has to be a whole number from ${least} to ${most}, not ${shown(value)}`);
+  }
+  return value;
+}
+
+function real(name, value, least = -Infinity, most = Infinity) {
+  if (typeof value !== "number" || !Number.isFinite(Math.fround(value))) {
+    throw new RangeError(`${name} has to be a finite number, not ${shown(value)}`);
+  }
+  if (value < least || value > most) {
+    throw new RangeError(`${name} has to be from ${least} to ${most}, not ${value}`);
+  }
+  return value;
+}
+
+function oneOf(name, value, names) {
+  if (!names.includes(value)) throw new RangeError(`${name} has to be one of ${names.join(", ")}, not ${shown(value)}`);
+  return value;
+}
+
+function shown(value) {
+  return typeof value === "string" ? `"${value}"` : Array.isArray(value) ? `[${value}]` : String(value);
+}
+
+/** A number for each axis, from one for all or from an array of them. */
+function perAxis(name, value, dimensions, check) {
+  const values = Array.isArray(value) ? value : Array(dimensions).fill(value);
+  if (values.length !== dimensions) {
+    throw new RangeError(`${name} has to be a number, or an array of ${dimensions}, not ${shown(value)}`);
+  }
+  return values.map((one) => check(name, one));
+}
+
+const wholeCell = (name, value) => whole(name, value, Number.MIN_SAFE_INTEGER, Number.MAX_SAFE_INTEGER) | 0;
+
+function arrayOf(name, value, types) {
+  if (!types.some((type) => value instanceof type)) {
+    throw new TypeError(`${name} has to be ${types.map((type) => type.name).join(" or ")}, not ${shown(value)}`);
+  }
+  return value;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+/** A noise or a sum in one, two or three dimensions, with the bits of HN_FIXED. Its settings do not change. */
+export class Field {
+  #settings;
+  #isSum;
+
+  constructor(dimensions, settings = {}) {
+    whole("dimensions", dimensions, 1, 3);
+    for (const name of Object.keys(settings)) oneOf("a setting", name, KNOWN);
+    const given = Object.fromEntries(Object.entries(settings).filter(([, value]) => value !== undefined));
+    const sum = given.sum === undefined ? undefined : oneOf(`sum in ${dimensions}D`, given.sum, Field.sums(dimensions));
+    const of = sum ? (SUMS[sum].of ?? "value") : undefined;
+    const noises = Field.noises(dimensions).filter((name) => !of || NOISES[name] === of);
+    const usual = sum?.startsWith("warp") ? "value" : of === "slopes" ? "perlin_d" : "perlin";
+    const noise = oneOf(sum ? `noise of ${sum}` : `noise in ${dimensions}D`, given.noise ?? usual, noises);
+    const row = sum ? SUMS[sum] : {};
+    const refuse = (name, why) => {
+      if (given[name] !== undefined) throw new RangeError(`${sum ?? noise} has no ${name}; ${why}`);
+    };
+    if (!sum) for (const name of OF_SUMS) refuse(name, "sums have it");
+    if (row.strength === undefined) refuse("strength", "ping_pong, weighted and eroded have one");
+    if (row.amplitude === undefined) refuse("amplitude", "warp and warp_progressive have one");
+    if (sum || noise !== "cellular") {
+      for (const name of ["jitter", "metric"]) refuse(name, "cellular has one");
+    }
+    const strength = row.strength === undefined ? "amplitude" : "strength";
+    const period = perAxis("period", given.period ?? 0, dimensions, (name, one) => whole(name, one, -(2 ** 31), 2 ** 31 - 1));
+    this.#isSum = sum !== undefined;
+    this.#settings = {
+      integers: [dimensions, Object.keys(NOISES).indexOf(noise), Object.keys(SUMS).indexOf(sum), period.some((one) => one > 0)],
+      seed: whole("seed", given.seed ?? 0, 0, 2 ** 32 - 1),
+      period,
+      jitter: real("jitter", given.jitter ?? 1, 0, 1),
+      metric: METRICS.indexOf(oneOf("metric", given.metric ?? "euclidean", METRICS)) + 1,
+      octaves: whole("octaves", given.octaves ?? 6, -(2 ** 31), MOST_OCTAVES),
+      lacunarity: real("lacunarity", given.lacunarity ?? 2),
+      gain: real("gain", given.gain ?? 0.5, 0),
+      strength: real(strength, given[strength] ?? row[strength] ?? 0, 0, row.most),
+    };
+    this.dimensions = dimensions;
+    /** What the numbers at a point are. */
+    this.components = Object.freeze(KINDS[sum ? (row.kind ?? "value") : NOISES[noise]](dimensions));
+    Object.freeze(this);
+    start();
+  }
+
+  /** The names of the noises that there are in so many dimensions. */
+  static noises(dimensions) {
+    return Object.keys(NOISES).slice(0, dimensions === 1 ? 5 : undefined);
+  }
+
+  /** The names of the sums that there are in so many dimensions. */
+  static sums(dimensions) {
+    return Object.keys(SUMS).slice(0, dimensions === 1 ? 7 : undefined);
+  }
+
+  #load() {
+    start();
+    if (current === this) return;
+    const view = twin.settings;
+    const s = this.#settings;
+    s.integers.forEach((value, i) => view.setInt32(4 * i, value, true));
+    view.setUint32(16, s.seed, true);
+    for (let axis = 0; axis < 3; ++axis) view.setInt32(20 + 4 * axis, s.period[axis] ?? 0, true);
+    view.setFloat32(32, s.jitter, true);
+    view.setInt32(36, s.metric, true);
+    view.setInt32(40, s.octaves, true);
+    view.setFloat32(44, s.lacunarity, true);
+    view.setFloat32(48, s.gain, true);
+    view.setFloat32(52, s.strength, true);
+    current = this;
+  }
+
+  #go(position) {
+    const { dimensions } = this;
+    if (position.length !== dimensions) {
+      throw new TypeError(`a position has ${dimensions} coordinates here, not ${position.length}`);
+    }
+    this.#load();
+    for (let axis = 0; axis < dimensions; ++axis) {
+      twin.places[axis][0] = real(AXES[axis], position[axis]);
+      twin.split(axis, 1);
+    }
+    twin.run(1);
+  }
+
+  #enter(cell, place) {
+    const { dimensions } = this;
+    const cells = perAxis("cell", cell, dimensions, wholeCell);
+    const places = perAxis("place", place, dimensions, real);
+    this.#load();
+    for (let axis = 0; axis < dimensions; ++axis) {
+      twin.cells[axis][0] = cells[axis];
+      twin.places[axis][0] = places[axis];
+    }
+    twin.run(1);
+  }
+
+  #components() {
+    return this.components.map((_, i) => twin.values[i][0]);
+  }
+
+  /** The first component at a position, in cells. */
+  at(...position) {
+    this.#go(position);
+    return twin.values[0][0];
+  }
+
+  /** All components at a position. */
+  all(...position) {
+    this.#go(position);
+    return this.#components();
+  }
+
+  /** The first component in a cell, at a place in it from 0 to 1 along each axis: exact however far out. */
+  inCell(cell, place) {
+    this.#enter(cell, place);
+    return twin.values[0][0];
+  }
+
+  /** All components there. */
+  allInCell(cell, place) {
+    this.#enter(cell, place);
+    return this.#components();
+  }
+
+  /**
+   * The values at many positions: an array of coordinates for each axis, all of the same length. With `cells`, arrays of
+   * whole numbers, the coordinates are places in those.
+   */
+  points(coordinates, { cells, out } = {}) {
+    const { dimensions } = this;
+    const lists = [["coordinates", coordinates, [Float32Array, Array]], ["cells", cells, [Int32Array, Array]]];
+    for (const [name, arrays, types] of lists) {
+      if (name === "cells" && arrays === undefined) continue;
+      if (!Array.isArray(arrays) || arrays.length !== dimensions) {
+        throw new TypeError(`${name} has to be an array of ${dimensions} arrays, one for each axis`);
+      }
+      for (const array of arrays) {
+        if (arrayOf(name, array, types).length !== coordinates[0].length) {
+          throw new RangeError("the arrays of coordinates and cells have to be of the same length");
+        }
+      }
+    }
+    const count = coordinates[0].length;
+    const values = this.#out(out, count);
+    this.#load();
+    for (let first = 0; first < count; first += BATCH) {
+      const some = Math.min(BATCH, count - first);
+      for (let axis = 0; axis < dimensions; ++axis) {
+        twin.places[axis].set(part(coordinates[axis], first, some));
+        if (cells) {
+          twin.cells[axis].set(part(cells[axis], first, some));
+        } else {
+          twin.split(axis, some);
+        }
+      }
+      this.#compute(values, count, first, some);
+    }
+    return values;
+  }
+
+  /**
+   * A uniform grid of size[0] by size[1] points and so on, from `origin` on, `step` cells apart; x is the fastest. With a
+   * `cell` the origin is the place in it, and the grid is exact however far out.
+   */
+  grid(size, { step, origin = 0, cell, out } = {}) {
+    const { dimensions } = this;
+    const sizes = perAxis("size", size, dimensions, (name, one) => whole(name, one, 0, 2 ** 29 - 1));
+    const steps = perAxis("step", step, dimensions, real);
+    const origins = perAxis("origin", origin, dimensions, cell === undefined ? real : (name, one) => real(name, one, 0, 1));
+    const count = sizes.reduce((product, one) => product * one, 1);
+    const values = this.#out(out, count);
+    if (count === 0) return values;
+    this.#load();
+    const axes = sizes.map((points, axis) => {
+      if (cell === undefined) return positions(axis, points, origins[axis], steps[axis]);
+      return exactly(points, perAxis("cell", cell, dimensions, wholeCell)[axis], origins[axis], steps[axis]);
+    });
+    // Rows, or parts of them, are put one behind the other until a batch is full.
+    const [row, ...others] = axes;
+    const index = others.map(() => 0);
+    let done = 0;
+    let some = 0;
+    for (let x = 0; done + some < count;) {
+      const length = Math.min(sizes[0] - x, BATCH - some);
+      twin.cells[0].set(row.cells.subarray(x, x + length), some);
+      twin.places[0].set(row.places.subarray(x, x + length), some);
+      others.forEach(({ cells, places }, i) => {
+        twin.cells[i + 1].fill(cells[index[i]], some, some + length);
+        twin.places[i + 1].fill(places[index[i]], some, some + length);
+      });
+      x += length;
+      some += length;
+      if (x === sizes[0]) {
+        x = 0;
+        for (let i = 0; i < index.length && ++index[i] === sizes[i + 1]; ++i) index[i] = 0;
+      }
+      if (some === BATCH || done + some === count) {
+        this.#compute(values, count, done, some);
+        done += some;
+        some = 0;
+      }
+    }
+    return values;
+  }
+
+  #out(out, count) {
+    const length = count * this.components.length;
+    if (out === undefined) return new Float32Array(length);
+    if (arrayOf("out", out, [Float32Array]).length !== length) {
+      throw new RangeError(`out has to be of the length ${length}, and is of ${out.length}`);
+    }
+    return out;
+  }
+
+  #compute(values, count, first, some) {
+    twin.run(some);
+    this.components.forEach((_, i) => values.set(twin.values[i].subarray(0, some), i * count + first));
+  }
+}
+
+function part(array, first, count) {
+  return Array.isArray(array) ? array.slice(first, first + count) : array.subarray(first, first + count);
+}
+
+// The cells and the places along an axis. Point i is at the float nearest to origin + i * step.
+function positions(axis, count, origin, step) {
+  const cells = new Int32Array(count);
+  const places = new Float32Array(count);
+  const from = Math.fround(origin);
+  const by = Math.fround(step);
+  for (let first = 0; first < count; first += BATCH) {
+    const some = Math.min(BATCH, count - first);
+    for (let i = 0; i < some; ++i) twin.places[axis][i] = from + (first + i) * by;
+    twin.split(axis, some);
+    cells.set(twin.cells[axis].subarray(0, some), first);
+    places.set(twin.places[axis].subarray(0, some), first);
+  }
+  return { cells, places };
+}
+
+// The same in units of 2^-32 of a cell, of which a place keeps 24 bits.
+function exactly(count, cell, origin, step) {
+  const cells = new Int32Array(count);
+  const places = new Float32Array(count);
+  const unit = 2 ** 32;
+  const by = BigInt(Math.sign(step) * Math.round(Math.abs(step) * unit));
+  let at = (BigInt(cell) << 32n) + BigInt(Math.floor(Math.fround(origin) * unit));
+  for (let i = 0; i < count; ++i, at += by) {
+    cells[i] = Number(BigInt.asIntN(32, at >> 32n));
+    places[i] = Number(BigInt.asUintN(32, at) >> 8n) / 2 ** 24;
+  }
+  return { cells, places };
+}

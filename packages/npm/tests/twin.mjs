@@ -1,0 +1,95 @@
+// The twin in WebAssembly has golden values, bit for bit.
+//
+//   node twin.mjs GOLDEN PACKAGE...    a folder of golden files; the names of the package, as import takes them
+import assert from "node:assert/strict";
+import test from "node:test";
+import { bitsOf, ids, meaning, read } from "./golden.mjs";
+
+const [golden] = process.argv.slice(2);
+const { Field } = await import(process.argv[3] ?? "hashnoise");
+
+// What the names of files say: the function, its dimensions, and its form.
+const NAME = /^(?:noise(?<line>[1-3])d\.|fbm\.|fbm_d\.|warp\.|curl\.)(?<name>[a-z_]+?)(?<dimensions>[1-3])?(?:_cell)?(?:_period|_full)?$/;
+const SETTINGS = ["octaves", "lacunarity", "gain", "strength", "amplitude", "jitter"];
+const METRICS = ["euclidean", "squared", "manhattan", "chebyshev", "hybrid"];
+
+function functionOf(id) {
+  const found = NAME.exec(id);
+  if (!found) return undefined;
+  const dimensions = Number(found.groups.line ?? found.groups.dimensions);
+  const { name } = found.groups;
+  if (Field.noises(dimensions).includes(name)) return { dimensions, name, settings: { noise: name } };
+  if (Field.sums(dimensions).includes(name)) return { dimensions, name, settings: { sum: name } };
+  return undefined;
+}
+
+/** The values of a row: undefined if there is no such field. */
+function evaluated({ dimensions, settings }, { inputs }, row) {
+  const at = Object.fromEntries(inputs.map(([name, kind], i) => [name, meaning(kind, row.inputs[i])]));
+  const along = (prefix) => ["x", "y", "z"].slice(0, dimensions).map((axis) => at[prefix + axis]);
+  const chosen = { ...settings, seed: at.seed };
+  if ("px" in at) chosen.period = along("p");
+  // A sum without a period has octaves that turn. Those of a tile do not, also where the tile has no period.
+  if (settings.sum && "px" in at && chosen.period.every((period) => period <= 0)) return undefined;
+  for (const name of SETTINGS) if (name in at) chosen[name] = at[name];
+  if ("metric" in at) chosen.metric = METRICS[at.metric - 1];
+  let field;
+  try {
+    field = new Field(dimensions, chosen);
+  } catch (error) {
+    if (error instanceof RangeError) return undefined;
+    throw error;
+  }
+  return "cx" in at ? field.allInCell(along("c"), along("f")) : field.all(...along(""));
+}
+
+function differing(file, change = (n) => n) {
+  const made = functionOf(file.id);
+  let refused = 0;
+  const wrong = [];
+  for (const row of file.rows) {
+    const got = evaluated(made, file, row);
+    if (!got) {
+      refused += 1;
+    } else if (!got.every((n, i) => bitsOf(change(n)) === row.expected[i])) {
+      wrong.push({ id: file.id, inputs: row.inputs, got, expected: row.expected });
+    }
+  }
+  return { refused, wrong };
+}
+
+const files = ids(golden).filter(functionOf);
+
+test("it has the values of the golden files", () => {
+  let rows = 0;
+  let refused = 0;
+  for (const id of files) {
+    const file = read(golden, id);
+    const found = differing(file);
+    assert.deepEqual(found.wrong.slice(0, 3), [], `${found.wrong.length} rows of ${id}`);
+    rows += file.rows.length;
+    refused += found.refused;
+  }
+  console.log(`${files.length} files, ${rows} rows, without ${refused} for which there is no field`);
+  assert.ok(files.length > 120, `${files.length} files`);
+  assert.ok(refused < rows / 10, `${refused} of ${rows} rows`);
+});
+
+test("a bit that differs is noticed", () => {
+  const file = read(golden, "noise2d.perlin");
+  assert.ok(differing(file, (n) => n + 2 ** -21).wrong.length === file.rows.length);
+  file.rows[5].inputs[0] ^= 0x00400000;
+  assert.equal(differing(file).wrong.length, 1);
+});
+
+test("every noise and every sum has golden files", () => {
+  for (const dimensions of [1, 2, 3]) {
+    for (const name of [...Field.noises(dimensions), ...Field.sums(dimensions)]) {
+      const forms = files.filter((id) => {
+        const found = functionOf(id);
+        return found.name === name && found.dimensions === dimensions;
+      });
+      assert.ok(forms.length >= 2, `${name} in ${dimensions}D: ${forms}`);
+    }
+  }
+});

@@ -1,0 +1,304 @@
+// The twin in WebAssembly: noises and sums with HN_FIXED, four points at a time. twin.js writes settings and points
+// into `settings` and `batch`, and calls `run`.
+//
+// It is small, since every page loads it: functions are called and not inlined, a noise has one form (from a cell, with
+// a period, which may be none), and the sums of a dimension are one loop. tools/npm says by which flags it is compiled.
+#define HN_ARITHMETIC HN_FIXED
+
+// clang-format off
+#include <hashnoise/glsl.hpp>
+#include <hashnoise/../../glsl/config.glsl>
+// clang-format on
+#undef HN_FN
+#define HN_FN static
+#undef HN_I_INLINE
+#define HN_I_INLINE inline
+#include <hashnoise/lanes.hpp>
+
+namespace hashnoise {
+namespace HN_LANES {
+namespace {
+
+constexpr int kBatch = 1024;  // points at most
+constexpr int kComponents = 4;
+
+// As twin.js writes them.
+struct Settings {
+  std::int32_t dimensions;
+  std::int32_t noise;  // the number of a row below
+  std::int32_t sum;    // -1 for none
+  std::int32_t tiled;
+  std::uint32_t seed;
+  std::int32_t period[3];
+  float jitter;
+  std::int32_t metric;
+  std::int32_t octaves;
+  float lacunarity;
+  float gain;
+  float strength;  // or amplitude
+};
+struct Batch {
+  std::int32_t cell[3][kBatch];
+  float place[3][kBatch];  // in the cell, or the position
+  float value[kComponents][kBatch];
+};
+Settings settings;
+Batch batch;
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Noises. Numbers are passed one by one, so that they stay in registers.
+
+using Numbers = Float[kComponents];
+using Kernel1 = void (*)(Int cell, Float f, Int period, Uint seed, Numbers& n);
+using Kernel2 = void (*)(ivec2 cell, vec2 f, ivec2 period, Uint seed, Numbers& n);
+using Kernel3 = void (*)(ivec3 cell, vec3 f, ivec3 period, Uint seed, Numbers& n);
+
+HN_I_INLINE void put(Numbers& n, Float v) { n[0] = v; }
+HN_I_INLINE void put(Numbers& n, vec2 v) {
+  n[0] = v.x;
+  n[1] = v.y;
+}
+HN_I_INLINE void put(Numbers& n, vec3 v) {
+  n[0] = v.x;
+  n[1] = v.y;
+  n[2] = v.z;
+}
+HN_I_INLINE void put(Numbers& n, vec4 v) {
+  n[0] = v.x;
+  n[1] = v.y;
+  n[2] = v.z;
+  n[3] = v.w;
+}
+
+#define TWIN_NOISE(D, IVec, Vec, name, ...) \
+  [](IVec cell, Vec f, IVec period, Uint seed, Numbers& n) { put(n, hn_##name(cell, f, period, __VA_ARGS__)); }
+#define TWIN_LINE(name) TWIN_NOISE(1, Int, Float, name, seed)
+#define TWIN_PLANE(name, ...) TWIN_NOISE(2, ivec2, vec2, name, __VA_ARGS__)
+#define TWIN_SPACE(name, ...) TWIN_NOISE(3, ivec3, vec3, name, __VA_ARGS__)
+
+// The order is that of NOISES in index.js.
+const Kernel1 kLine[] = {TWIN_LINE(value), TWIN_LINE(value_d), TWIN_LINE(value_cubic), TWIN_LINE(perlin),
+                         TWIN_LINE(perlin_d)};
+#define TWIN_ROWS(noise)                                                                                          \
+  noise(value, seed), noise(value_d, seed), noise(value_cubic, seed), noise(perlin, seed), noise(perlin_d, seed), \
+      noise(simplex, seed), noise(simplex_d, seed), noise(simplex_smooth, seed),                                  \
+      noise(cellular, settings.jitter, settings.metric, seed), noise(curl, seed)
+const Kernel2 kPlane[] = {TWIN_ROWS(TWIN_PLANE)};
+const Kernel3 kSpace[] = {TWIN_ROWS(TWIN_SPACE)};
+
+template <int D>
+auto kernel() {
+  if constexpr (D == 1) {
+    return kLine[settings.noise];
+  } else if constexpr (D == 2) {
+    return kPlane[settings.noise];
+  } else {
+    return kSpace[settings.noise];
+  }
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Sums, made of the library's steps in one loop. The macros of the library would make a loop for each sum, and one more
+// for its tiles: a noise without a period is one whose period is 0, so here only the way to the next octave differs.
+
+enum Sum {
+  kFbm,
+  kTurbulence,
+  kClouds,
+  kBillow,
+  kRidged,
+  kPingPong,
+  kWeighted,
+  kFbmD,
+  kEroded,
+  kWarp,
+  kWarpProgressive
+};
+
+// The position of an octave, the numbers of a point, and those of a value and its slopes.
+template <int D>
+struct Types;
+template <>
+struct Types<1> {
+  using Whole = ivec2;
+};
+template <>
+struct Types<2> {
+  using Whole = hn_i_whole2;
+  using Vector = ivec2;
+  using Frame = ivec2;
+  static Frame first_frame() { return hn_i_first_frame2(); }
+  static vec3 slopes(const Numbers& n) { return vec3(n[0], n[1], n[2]); }
+};
+template <>
+struct Types<3> {
+  using Whole = hn_i_whole3;
+  using Vector = ivec3;
+  using Frame = hn_i_frame3;
+  static Frame first_frame() { return hn_i_first_frame3(); }
+  static vec4 slopes(const Numbers& n) { return vec4(n[0], n[1], n[2], n[3]); }
+};
+
+void add_value(hn_i_octave_sum& s, Float n) {
+  switch (settings.sum) {
+    case kTurbulence:
+      return hn_i_add_size(s, n);
+    case kBillow:
+      return hn_i_add_bounded_size(s, n);
+    case kRidged:
+      return hn_i_add_ridge(s, n);
+    case kPingPong:
+      return hn_i_add_wave(s, n);
+    case kWeighted:
+      return hn_i_add_bent(s, n);
+    default:
+      return hn_i_add(s, n);
+  }
+}
+
+Int finished(Int mean) {
+  return settings.sum == kClouds ? hn_i_density(mean) : settings.sum == kBillow ? hn_i_billows(mean) : mean;
+}
+
+// What the strength or the amplitude is at most.
+float most_strength() {
+  switch (settings.sum) {
+    case kWeighted:
+      return 1.0f;
+    case kEroded:
+      return 16.0f;
+    default:
+      return 64.0f;
+  }
+}
+
+// What is the same at every point.
+struct Beginning {
+  int octaves;
+  hn_i_octave_sum s;
+  Int total, growth, rate;
+};
+Beginning beginning;
+
+void begin() {
+  Float lacunarity = min(max(Float(settings.lacunarity), Float(0.0f)), Float(255.0f));
+  if (settings.tiled) lacunarity = hn_i_tiling(lacunarity);
+  const int octaves = settings.octaves < 32 ? settings.octaves : 32;
+  const hn_i_octave_sum s =
+      hn_i_begin(Int(octaves), lacunarity, Float(settings.gain),
+                 hn_i_setting(Float(settings.strength), Float(most_strength())), Uint(settings.seed));
+  const Int total = hn_i_total(Int(octaves), s.gain, HN_I_WEIGHT_ONE);
+  beginning = {octaves, s, total, hn_i_growth(s.gain, lacunarity), hn_i_mean(s.option, total)};
+}
+
+template <int D>
+Float octave(const typename Types<D>::Whole& q, CellOf<D> period, Uint seed, Numbers& n) {
+  kernel<D>()(hn_i_cell_of(q), hn_i_place_of(q), period, seed, n);
+  return n[0];
+}
+
+template <int D>
+void sum(CellOf<D> cell, PlaceOf<D> f, CellOf<D> period, Numbers& n) {
+  auto q = hn_i_position(cell, f);
+  hn_i_octave_sum s = beginning.s;
+  const Float lacunarity = s.lacunarity;
+  if constexpr (D == 1) {
+    for (int left = beginning.octaves; left > 0; --left) {
+      add_value(s, octave<D>(q, period, s.seed, n));
+      hn_i_step(s);
+      q = hn_i_next(q, lacunarity);
+      period = hn_i_next_period(period, lacunarity);
+    }
+  } else {
+    auto k = Types<D>::first_frame();
+    typename Types<D>::Vector sums, e, v;
+    for (int left = beginning.octaves; left > 0; --left) {
+      const Float value = octave<D>(q, period, s.seed, n);
+      if (settings.sum >= kWarp) {
+        const Uint other = hn_i_other_seed(s.seed);
+        const Float y = octave<D>(q, period, other, n);
+        if constexpr (D == 2) {
+          v = hn_i_vector(value, y);
+        } else {
+          v = hn_i_vector(value, y, octave<D>(q, period, hn_i_other_seed(other), n));
+        }
+        hn_i_add_vector(sums, v, s.weight);
+        if (settings.sum == kWarpProgressive) q = hn_i_moved(q, k, v, beginning.rate);
+      } else if (settings.sum == kFbmD) {
+        hn_i_add(s, value);
+        hn_i_add_slopes(sums, k, Types<D>::slopes(n));
+      } else if (settings.sum == kEroded) {
+        hn_i_add_eroded(s, e, Types<D>::slopes(n));
+      } else {
+        add_value(s, value);
+      }
+      hn_i_step(s);
+      if (settings.tiled) {
+        q = hn_i_next_tile(q, lacunarity);
+        k = hn_i_next_tile_frame(k, beginning.growth);
+      } else {
+        q = hn_i_next(q, lacunarity);
+        k = hn_i_next_frame(k, beginning.growth);
+        e = hn_i_turned(e);
+      }
+      period = hn_i_next_period(period, lacunarity);
+    }
+    if (settings.sum >= kWarp) return put(n, hn_i_shifts(sums, beginning.total, s.option));
+    if (settings.sum == kFbmD) return put(n, hn_i_with_slopes(s.sum, sums, beginning.total));
+  }
+  put(n, hn_i_value(finished(hn_i_mean(s.sum, beginning.total))));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+template <int D>
+void run_points(int count) {
+  const CellOf<D> period = vector_of<CellOf<D>, D>([&](int axis) { return Int(settings.period[axis]); });
+  for (int i = 0; i < count; i += kCount) {
+    const CellOf<D> cell = vector_of<CellOf<D>, D>([&](int axis) { return Int::load(batch.cell[axis] + i); });
+    const PlaceOf<D> f = vector_of<PlaceOf<D>, D>([&](int axis) { return Float::load(batch.place[axis] + i); });
+    Numbers n;
+    if (settings.sum < 0) {
+      kernel<D>()(cell, f, period, settings.seed, n);
+    } else {
+      sum<D>(cell, f, period, n);
+    }
+    for (int k = 0; k < kComponents; ++k) n[k].store(batch.value[k] + i);
+  }
+}
+
+}  // namespace
+}  // namespace HN_LANES
+
+// ---------------------------------------------------------------------------------------------------------------------
+// What twin.js calls.
+
+#define TWIN_EXPORT(name) extern "C" __attribute__((export_name(#name)))
+using namespace HN_LANES;
+
+TWIN_EXPORT(settings) void* settings_at() { return &settings; }
+TWIN_EXPORT(batch) void* batch_at() { return &batch; }
+
+// Cells, and places in them, of positions along an axis. A sum keeps 24 bits of a place, and a noise 20.
+TWIN_EXPORT(split) void split(int axis, int count) {
+  for (int i = 0; i < count; i += kCount) {
+    const Float p = Float::load(batch.place[axis] + i);
+    const auto whole = settings.sum < 0 ? HN_LANES::ivec2(hn_i_cell(p), hn_i_fraction(p) << 4) : hn_i_whole(p);
+    whole.x.store(batch.cell[axis] + i);
+    hn_i_whole_fraction(whole).store(batch.place[axis] + i);
+  }
+}
+
+TWIN_EXPORT(run) void run(int count) {
+  if (settings.sum >= 0) begin();
+  switch (settings.dimensions) {
+    case 1:
+      return run_points<1>(count);
+    case 2:
+      return run_points<2>(count);
+    default:
+      return run_points<3>(count);
+  }
+}
+
+}  // namespace hashnoise

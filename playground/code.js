@@ -1,0 +1,331 @@
+// The code of what is shown, in each language. The page draws with the same functions: the text that is copied has
+// numbers where that of the page has uniforms, so that no shader is compiled again when a number changes.
+import { kMaps, kNoises, kSums, rangeOf, uses } from "./model.js";
+
+export const kLanguages = { glsl: "GLSL", hlsl: "HLSL", wgsl: "WGSL", cpp: "C++" };
+
+const vector = (prefix, scalar) => (n) => (n === 1 ? scalar : `${prefix}${n}`);
+const kTypes = {
+  glsl: { float: vector("vec", "float"), int: vector("ivec", "int"), uint: "uint" },
+  hlsl: { float: vector("float", "float"), int: vector("int", "int"), uint: "uint" },
+  cpp: { float: vector("vec", "float"), int: vector("ivec", "int"), uint: "uint" },
+  wgsl: {
+    float: (n) => (n === 1 ? "f32" : `vec${n}f`), int: (n) => (n === 1 ? "i32" : `vec${n}i`), uint: "u32",
+  },
+};
+
+const decimal = (value) => (Number.isInteger(value) ? `${value}.0` : String(value));
+
+// A number as a float of the language.
+function literal(language, value) {
+  return language === "cpp" ? `${decimal(value)}f` : decimal(value);
+}
+
+// What the functions are called with, as numbers.
+export function numbers(language, state) {
+  const { int } = kTypes[language];
+  const n = state.dimensions;
+  const whole = String(state.period);
+  const alike = language === "hlsl" && n > 1 ? Array(n).fill(whole).join(", ") : whole;
+  return {
+    seed: `${state.seed}u`, otherSeed: `${(state.seed + 1) % 4294967296}u`, octaves: String(state.octaves),
+    lacunarity: literal(language, state.lacunarity), gain: literal(language, state.gain),
+    strength: literal(language, state.strength), amplitude: literal(language, state.amplitude),
+    jitter: literal(language, state.jitter), phase: literal(language, state.phase),
+    period: n === 1 ? whole : `${int(n)}(${alike})`,
+  };
+}
+
+// Which forms of the functions what is shown needs. States that agree in this have one shader.
+function shape(state) {
+  const used = uses(state);
+  return {
+    ...state,
+    warp: used.warp ? state.warp : "none",
+    metric: used.metric ? state.metric : "euclidean",
+    tiled: state.period > 0,
+    turned: used.phase && state.phase > 0,
+    full: (used.jitter && state.jitter !== 1) || (used.metric && state.metric !== "euclidean"),
+  };
+}
+
+// The functions of what is shown, in one language. `values` are what numbers() returns, or names of uniforms.
+class Writer {
+  constructor(library, language, state, values) {
+    this.library = library;
+    this.language = language;
+    this.state = shape(state);
+    this.values = values;
+    this.types = kTypes[language];
+    this.noise = kNoises[state.noise];
+    this.files = new Set();
+    this.needs = new Set();     // of WGSL: what the functions call
+    this.changed = [];          // of WGSL: the sums that are changed to be over another noise
+    this.summed = state.sum !== "none";
+    this.position = { cell: false, place: ["p"] };
+    this.cell = { cell: true, place: ["cell", "f"] };
+  }
+
+  get n() {
+    return this.state.dimensions;
+  }
+
+  number(text) {
+    return this.language === "cpp" ? text.replace(/\b\d+\.\d+\b/g, "$&f") : text;
+  }
+
+  // A call of a function of the library. WGSL has no overloads, but names for the forms (docs/languages.md).
+  call(name, { cell, place }, form, ...rest) {
+    if (this.language !== "wgsl") return `${name}(${[...place, ...rest].join(", ")})`;
+    const renamed = [`${name}${this.n}`, ...(form.startsWith("phase") ? ["phase"] : []),
+                     ...(cell ? ["cell"] : []), form.replace(/^phase_?/, "")].filter(Boolean).join("_");
+    this.needs.add(renamed);
+    return `${renamed}(${[...place, ...rest].join(", ")})`;
+  }
+
+  let(type, name, value) {
+    return this.language === "wgsl" ? `let ${name} = ${value};` : `${type} ${name} = ${value};`;
+  }
+
+  // A function of our own, of one or of several lines.
+  define(name, parameters, lines) {
+    const { float } = this.types;
+    if (this.language === "wgsl") {
+      const list = parameters.map(([type, parameter]) => `${parameter}: ${type}`).join(", ");
+      return this.body(`fn ${name}(${list}) -> ${float(1)} {`, lines);
+    }
+    const list = parameters.map(([type, parameter]) => `${type} ${parameter}`).join(", ");
+    return this.body(`${this.language === "cpp" ? "inline " : ""}${float(1)} ${name}(${list}) {`, lines);
+  }
+
+  body(head, lines) {
+    if (lines.length === 1 && head.length + lines[0].length < 118) return [`${head} ${lines[0]} }`];
+    return [head, ...lines.map((line) => `  ${line}`), "}"];
+  }
+
+  // The noise itself at a place: the lines before its value, and the value.
+  noiseAt(where, values) {
+    const { noise, state } = this;
+    const { float, int } = this.types;
+    const cellular = noise.metric || noise.jitter;
+    const metric = `HN_METRIC_${state.metric.toUpperCase()}`;
+    const period = state.tiled ? [values.period] : [];
+    this.files.add(`${noise.file}${state.turned ? "_phase" : ""}${this.n}d.glsl`);
+    if (noise.metric && (state.full || noise.nearest)) this.needs.add(metric);
+    if (noise.nearest) {
+      const wgsl = this.language === "wgsl";
+      const none = this.n === 1 ? "0" : `${int(this.n)}(${Array(this.n).fill("0").join(", ")})`;
+      const set = wgsl ? ["&nearest", "&offset"] : ["nearest", "offset"];
+      const call = this.call(noise.calls, where, "nearest", state.tiled ? values.period : none, values.jitter, metric,
+                             values.seed, ...set);
+      const word = wgsl ? `hn_lattice${this.n}` : "hn_lattice";
+      this.needs.add(word).add("hn_unorm");
+      return {
+        lines: wgsl ? [`var nearest: ${int(this.n)};`, `var offset: ${float(this.n)};`, `${call};`]
+                    : [`${int(this.n)} nearest;`, `${float(this.n)} offset;`, `${call};`],
+        value: `hn_unorm(${word}(nearest, ${values.otherSeed}))`,
+      };
+    }
+    let call;
+    if (cellular && state.full) {
+      const whole = state.tiled ? values.period : `${int(this.n)}(${Array(this.n).fill("0").join(", ")})`;
+      call = this.call(noise.calls, where, "full", whole, values.jitter, ...(noise.metric ? [metric] : []), values.seed);
+    } else if (state.turned) {
+      call = this.call(noise.calls, where, state.tiled ? "phase_period" : "phase", ...period, values.phase, values.seed);
+    } else {
+      call = this.call(noise.calls, where, state.tiled ? "period" : "", ...period, values.seed);
+    }
+    if (noise.between) {
+      return { lines: [this.let(float(2), "distances", call)], value: "distances.y - distances.x" };
+    }
+    return { lines: [], value: noise.of ? noise.of(call) : call };
+  }
+
+  // The noise that a sum takes: the library's own, or a function of ours that makes one of distances.
+  summedNoise() {
+    const { noise, state } = this;
+    if (!noise.signed) {
+      const steep = kSums[state.sum].steep ? "_d" : "";
+      this.files.add(`${noise.file}${steep}${this.n}d.glsl`);
+      return { name: `${noise.calls}${steep}`, lines: [] };
+    }
+    const { float, int, uint } = this.types;
+    const values = { ...this.values, seed: "seed", otherSeed: "seed + 1u", period: "period" };
+    const { lines, value } = this.noiseAt(this.cell, values);
+    const parameters = [[int(this.n), "cell"], [float(this.n), "f"],
+                        ...(state.tiled ? [[int(this.n), "period"]] : []), [uint, "seed"]];
+    return {
+      name: state.noise,
+      lines: this.define(state.noise, parameters, [...lines, `return ${this.number(noise.signed(value))};`]),
+    };
+  }
+
+  // Sets the function of the sum, and returns the lines that define it.
+  defineSum() {
+    const { state } = this;
+    const eroded = kSums[state.sum].steep;
+    this.files.add(`${eroded ? "fbm_d" : "fbm"}${this.n}d.glsl`);
+    this.sum = `hn_${state.sum}`;
+    if (state.noise === "perlin") return [];
+    const noise = this.summedNoise();
+    this.sum = `${state.sum}_${state.noise}`;
+    if (this.language !== "wgsl") {
+      const macro = `HN_${state.sum.toUpperCase()}${state.tiled ? "_PERIOD" : ""}${this.n}D`;
+      return [...noise.lines, `${macro}(${this.sum}, ${noise.name})`];
+    }
+    // WGSL has no macros: the text of the sum over Perlin noise, with another noise in it.
+    const module = this.library.module(state.arithmetic, state.hash);
+    const tile = state.tiled ? "_period" : "";
+    const perlin = `hn_perlin${eroded ? "_d" : ""}${this.n}_cell${tile}`;
+    const summed = noise.lines.length ? noise.name : `${noise.name}${this.n}_cell${tile}`;
+    const lines = [...noise.lines];
+    for (const form of ["_cell", ""]) {
+      const name = `hn_${state.sum}${this.n}${form}${tile}`;
+      const { text, needs } = module.get(name);
+      this.changed.push(name);
+      needs.filter((needed) => needed !== perlin).forEach((needed) => this.needs.add(needed));
+      lines.push(...text.replace(`fn ${name}(`, `fn ${this.sum}${this.n}${form}${tile}(`)
+        .replaceAll(`${perlin}(`, `${summed}(`).split("\n"));
+    }
+    if (!noise.lines.length) this.needs.add(summed);
+    return lines;
+  }
+
+  // The value at a place, with the lines before it.
+  shownAt(where) {
+    const { state, values } = this;
+    if (!this.summed) return this.noiseAt(where, values);
+    const settings = [values.octaves, values.lacunarity, values.gain,
+                      ...(kSums[state.sum].strength ? [values.strength] : [])];
+    const period = state.tiled ? [values.period] : [];
+    const call = this.call(this.sum, where, state.tiled ? "period" : "", ...period, ...settings, values.seed);
+    if (!this.sum.startsWith("hn_")) this.needs.delete(call.slice(0, call.indexOf("(")));
+    return { lines: [], value: call };
+  }
+
+  // A shift of the place, and where it leads.
+  moved(where) {
+    const { state, values } = this;
+    if (state.warp === "none") return { lines: [], where };
+    this.files.add(`warp${this.n}d.glsl`);
+    const { float, int } = this.types;
+    const shift = this.call(`hn_${state.warp}`, where, state.tiled ? "period" : "",
+                            ...(state.tiled ? [values.period] : []), values.octaves, values.lacunarity, values.gain,
+                            values.amplitude, values.otherSeed);
+    if (!where.cell) return { lines: [this.let(float(this.n), "q", `p + ${shift}`)], where: { ...where, place: ["q"] } };
+    return {
+      lines: [this.let(float(this.n), "q", `f + ${shift}`), this.let(float(this.n), "whole", "floor(q)")],
+      where: { ...where, place: [`cell + ${int(this.n)}(whole)`, "q - whole"] },
+    };
+  }
+
+  // "pattern" at a place.
+  pattern(where) {
+    const { float, int } = this.types;
+    const { lines, where: there } = this.moved(where);
+    const shown = this.shownAt(there);
+    const name = this.language === "wgsl" && where.cell ? "pattern_cell" : "pattern";
+    const parameters = where.cell ? [[int(this.n), "cell"], [float(this.n), "f"]] : [[float(this.n), "p"]];
+    return this.define(name, parameters, [...lines, ...shown.lines, `return ${shown.value};`]);
+  }
+
+  // {definitions: lines, files, needs}: pattern(cell, f), and pattern(p) if asked for.
+  write(forms) {
+    const sums = this.summed ? this.defineSum() : [];
+    const patterns = forms.flatMap((where) => this.pattern(where));
+    return { lines: [...sums, ...(sums.length ? [""] : []), ...patterns], files: [...this.files], needs: [...this.needs],
+             public: [...this.needs, ...this.changed].filter((name) => /^hn_(?!i_)/.test(name)) };
+  }
+}
+
+export function functions(library, language, state, values, whole = true) {
+  const writer = new Writer(library, language, state, values);
+  return writer.write(whole ? [writer.cell, writer.position] : [writer.cell]);
+}
+
+// What names the shader of a state: states with the same key differ in uniforms alone.
+export function shaderKey(state) {
+  const { noise, sum, dimensions, warp, metric, arithmetic, hash, tiled, turned, full } = shape(state);
+  return [noise, sum, dimensions, warp, full ? metric : "", arithmetic, hash, tiled, turned].join(" ");
+}
+
+// The knobs that differ from the library's defaults.
+export function knobs({ arithmetic, hash }) {
+  return [...(arithmetic === "fixed" ? ["#define HN_ARITHMETIC HN_FIXED"] : []),
+          ...(hash === "lattice" ? [] : [`#define HN_HASH HN_HASH_${hash.toUpperCase()}`])];
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// What is copied.
+
+// The colours as a function of the value.
+function colours(language, state) {
+  const [low, high] = rangeOf(state).map((end) => Number(end.toFixed(4)));
+  const { float } = kTypes[language];
+  const colour = (stop) => {
+    const parts = [0, 2, 4].map((at) => (parseInt(stop.slice(at, at + 2), 16) / 255).toFixed(3));
+    return `${float(3)}(${parts.join(", ")})`;
+  };
+  const stops = kMaps[state.map].stops;
+  const last = stops.length - 1;
+  const mix = language === "hlsl" ? "lerp" : "mix";
+  const minus = low < 0 ? `+ ${decimal(-low)}` : `- ${decimal(low)}`;
+  const scale = Number((last / (high - low)).toPrecision(7));
+  const wgsl = language === "wgsl";
+  const three = (part) => (wgsl ? `vec3f(${part})` : part);
+  const lines = [
+    wgsl ? `let t = clamp((value ${minus}) * ${decimal(scale)}, 0.0, ${last}.0);`
+         : `float t = clamp((value ${minus}) * ${decimal(scale)}, 0.0, ${last}.0);`,
+    wgsl ? `var c = ${colour(stops[0])};` : `${float(3)} c = ${colour(stops[0])};`,
+    ...stops.slice(1).map((stop, at) =>
+      `c = ${mix}(c, ${colour(stop)}, ${three(`clamp(t - ${at}.0, 0.0, 1.0)`)});`),
+    "return c;",
+  ];
+  const head = wgsl ? "fn colour(value: f32) -> vec3f {" : `${float(3)} colour(float value) {`;
+  return [`// From ${low} to ${high}: the colours of the picture.`, head, ...lines.map((line) => `  ${line}`), "}"];
+}
+
+const kPlaces = {
+  glsl: "Put it below your #version and #extension lines. In GLSL ES, begin with precision highp float, int.",
+  hlsl: "Shader model 5 or 6.",
+  wgsl: "Put your entry points below.",
+  cpp: "C++20.",
+};
+
+// {head, library, code}: lines. Without the library the head includes it, if the language can.
+export function copied(library, language, state, withLibrary) {
+  const { lines, files, needs, public: called } = functions(library, language, state, numbers(language, state));
+  const head = [`// Made by hashnoise's playground, version ${library.version}. ${kPlaces[language]}`];
+  const note = state.dimensions === 1 ? "p counts cells" : "p is a position in cells: uv * 8.0 has 8 of them on a side";
+  const comment = [`// ${note}. Far out pass an integer cell and the place in it.`];
+  const coloured = language === "cpp" ? [] : ["", ...colours(language, state)];
+  if (language === "wgsl") {
+    const text = library.wgsl(needs, state).flatMap((piece) => piece.split("\n"));
+    return {
+      head: [...head, ...(withLibrary ? [] : [`// In front of it stands what tools/wgsl makes:`, `// ${wgslCommand(state, called)}`]), ""],
+      library: text, code: [...comment, ...lines, ...coloured],
+    };
+  }
+  if (language === "cpp") {
+    return {
+      head: [...head, ...knobs(state), "#include <hashnoise/hashnoise.hpp>", ""], library: [],
+      code: ["namespace hashnoise {", ...comment, ...lines, "}  // namespace hashnoise"],
+    };
+  }
+  const hlsl = language === "hlsl";
+  const included = hlsl ? ["begin.hlsl", ...files, "end.hlsl"] : files;
+  return {
+    head: [...head, ...knobs(state), ...(withLibrary ? [] : included.map((file) => `#include "${file}"`)), ""],
+    library: library.lines(included), code: [...comment, ...lines, ...coloured],
+  };
+}
+
+function wgslCommand({ arithmetic, hash }, names) {
+  return ["tools/wgsl", ...(arithmetic === "fixed" ? ["--arithmetic HN_FIXED"] : []),
+          ...(hash === "lattice" ? [] : [`--hash ${hash.toUpperCase()}`]), `--only ${names.join(",")}`].join(" ");
+}
+
+export function copiedText(library, language, state, withLibrary) {
+  const { head, library: text, code } = copied(library, language, state, withLibrary);
+  return [...head, ...(withLibrary ? [...text, ""] : []), ...code, ""].join("\n");
+}

@@ -1,0 +1,206 @@
+// The panel: what is chosen there, and how it shows the state.
+import { copied, copiedText, kLanguages } from "./code.js";
+import {
+  dimensionsOf, kArithmetics, kHashes, kLooks, kMaps, kMetrics, kNoises, kRenderers, kSettings, kSums, kWarps, noisesOf,
+  parsedPosition, positionText, uses,
+} from "./model.js";
+import { gradientOf } from "./palette.js";
+
+export const byId = (id) => document.getElementById(id);
+
+// name: [label, from, to, step].
+const kSliders = {
+  octaves: ["Octaves", 1, 12, 1],
+  lacunarity: ["Lacunarity", 1, 4, 0.01],
+  gain: ["Gain", 0, 1, 0.01],
+  strength: ["Strength", 0, 8, 0.05],
+  jitter: ["Jitter", 0, 1, 0.01],
+  phase: ["Phase", 0, 1, 0.01],
+  z: ["Slice at z", -8, 8, 0.01],
+  w: ["Slice at w", -8, 8, 0.01],
+  amplitude: ["Amplitude", 0, 8, 0.05],
+  contrast: ["Contrast", 0.25, 4, 0.05],
+};
+const kChoices = {
+  dimensions: { 1: "1D", 2: "2D", 3: "3D", 4: "4D" }, warp: kWarps, arithmetic: kArithmetics, renderer: kRenderers,
+};
+const kSelects = { sum: labels(kSums), noise: labels(kNoises), metric: kMetrics, hash: kHashes };
+const kTexts = ["seed", "period", "x", "y", "cells"];
+const kNotes = {
+  fast: "Floats are the fastest. They are within a few millionths of the exact value.",
+  fixed: "Integers have the same bits on every GPU and in C++, with any driver.",
+};
+
+function labels(table) {
+  return Object.fromEntries(Object.entries(table).map(([name, { label }]) => [name, label]));
+}
+
+function element(tag, properties = {}, ...children) {
+  const made = Object.assign(document.createElement(tag), properties);
+  made.append(...children);
+  return made;
+}
+
+export class Controls {
+  // `change` takes what is chosen, {name: value}; `look` the name of a look.
+  constructor(library, change, look) {
+    this.library = library;
+    this.change = change;
+    this.language = "glsl";
+    this.state = undefined;
+    for (const [name, table] of Object.entries(kSelects)) this.makeSelect(name, table);
+    for (const [name, setting] of Object.entries(kSliders)) this.makeSlider(name, ...setting);
+    for (const [name, table] of Object.entries(kChoices)) this.makeChoices(name, table);
+    for (const name of kTexts) this.makeText(name);
+    this.makeSwatches();
+    this.makeLanguages();
+    for (const [name, made] of Object.entries(kLooks)) {
+      const dot = element("i");
+      dot.style.background = gradientOf(made.map ?? kSettings.map.usual);
+      byId("looks").append(element("button", { type: "button", className: "quiet", onclick: () => look(name) }, dot, name));
+    }
+    byId("whole").addEventListener("change", () => this.showCode());
+    byId("panel").addEventListener("submit", (event) => event.preventDefault());
+  }
+
+  makeSelect(name, table) {
+    const select = byId(name);
+    select.append(...Object.entries(table).map(([value, label]) => new Option(label, value)));
+    select.addEventListener("change", () => this.change({ [name]: select.value }));
+  }
+
+  makeSlider(name, label, min, max, step) {
+    const row = byId(`row-${name}`);
+    row.classList.add("slider");
+    const input = element("input", { type: "range", id: name, min, max, step });
+    row.append(element("label", { htmlFor: name, textContent: label }), input, element("output", { htmlFor: name, id: `of-${name}` }));
+    input.addEventListener("input", () => this.change({ [name]: Number(input.value) }));
+  }
+
+  makeChoices(name, table) {
+    for (const [value, label] of Object.entries(table)) {
+      const input = element("input", { type: "radio", name, value, id: `${name}-${value}` });
+      input.addEventListener("change", () => this.change({ [name]: name === "dimensions" ? Number(value) : value }));
+      byId(name).append(element("label", {}, input, label));
+    }
+  }
+
+  makeText(name) {
+    const input = byId(name);
+    const entered = () => {
+      const position = typeof kSettings[name].usual === "bigint";
+      const number = input.value.trim() === "" ? NaN : Number(input.value.replace(",", "."));
+      const value = position ? parsedPosition(input.value) : Number.isFinite(number) ? number : undefined;
+      input.setAttribute("aria-invalid", String(value === undefined));
+      if (value !== undefined) this.change({ [name]: value });
+    };
+    input.addEventListener("change", entered);
+    // The arrows count up and down, as in a field of numbers. (Such a field has no room for BigInt.)
+    input.addEventListener("keydown", (event) => {
+      const steps = { ArrowUp: 1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[event.key];
+      if (!steps) return;
+      event.preventDefault();
+      const { state } = this;
+      const next = typeof state[name] === "bigint" ? state[name] + BigInt(steps) * 16777216n
+        : name === "cells" ? state[name] * 2 ** (steps / 4) : state[name] + steps;
+      this.change({ [name]: next });
+    });
+    input.addEventListener("blur", () => this.show(this.state));
+  }
+
+  makeSwatches() {
+    for (const [value, { label }] of Object.entries(kMaps)) {
+      const input = element("input", { type: "radio", name: "map", value, id: `map-${value}` });
+      input.setAttribute("aria-label", label);
+      input.addEventListener("change", () => this.change({ map: value }));
+      const swatch = element("label", { title: label }, input);
+      swatch.style.background = gradientOf(value);
+      byId("map").append(swatch);
+    }
+  }
+
+  makeLanguages() {
+    const tabs = Object.entries(kLanguages).map(([language, label]) => {
+      const tab = element("button", { type: "button", textContent: label, id: `language-${language}` });
+      tab.setAttribute("role", "tab");
+      tab.setAttribute("aria-controls", "code");
+      tab.addEventListener("click", () => this.chooseLanguage(language));
+      return tab;
+    });
+    byId("languages").append(...tabs);
+    byId("languages").addEventListener("keydown", (event) => {
+      const step = { ArrowRight: 1, ArrowLeft: tabs.length - 1 }[event.key];
+      if (!step) return;
+      event.preventDefault();
+      const next = tabs[(tabs.indexOf(document.activeElement) + step) % tabs.length];
+      next.focus();
+      next.click();
+    });
+    this.chooseLanguage(this.language);
+  }
+
+  chooseLanguage(language) {
+    this.language = language;
+    for (const tab of byId("languages").children) {
+      const chosen = tab.id === `language-${language}`;
+      tab.setAttribute("aria-selected", String(chosen));
+      tab.tabIndex = chosen ? 0 : -1;
+    }
+    this.showCode();
+  }
+
+  get code() {
+    return copiedText(this.library, this.language, this.state, this.withLibrary);
+  }
+
+  get withLibrary() {
+    return this.language !== "cpp" && byId("whole").checked;
+  }
+
+  showCode() {
+    if (!this.state) return;
+    const { head, library, code } = copied(this.library, this.language, this.state, this.withLibrary);
+    const lines = [...head, ...(this.withLibrary ? [`// ${library.length} lines of the library`, ""] : []), ...code];
+    const pre = byId("code");
+    pre.replaceChildren(...lines.flatMap((line) => {
+      const [, text, remark] = /^(.*?)(\/\/.*)?$/.exec(line);
+      return [text, ...(remark ? [element("span", { className: "remark", textContent: remark })] : []), "\n"];
+    }));
+    byId("whole").disabled = this.language === "cpp";
+    byId("whole-text").textContent = this.language === "cpp" ? "needs include/ and glsl/ of the library" : "with the library in it";
+  }
+
+  show(state) {
+    this.state = state;
+    const used = uses(state);
+    const noises = noisesOf(state.sum);
+    for (const option of byId("noise").options) option.hidden = option.disabled = !noises.includes(option.value);
+    byId("label-noise").textContent = state.sum === "none" ? "Noise" : "of the noise";
+    for (const name of Object.keys(kSelects)) byId(name).value = state[name];
+    const dimensions = dimensionsOf(state);
+    for (const input of byId("dimensions").querySelectorAll("input")) input.disabled = !dimensions.includes(Number(input.value));
+    for (const name of [...Object.keys(kChoices), "map"]) {
+      const chosen = byId(`${name}-${state[name]}`);
+      if (chosen) chosen.checked = true;
+    }
+    for (const name of Object.keys(kSliders)) {
+      const input = byId(name);
+      if (name === "strength") input.max = kSums[state.sum].strength?.most ?? 8;
+      if (name === "lacunarity") input.step = state.period ? 1 : 0.01;
+      input.value = state[name];
+      byId(`of-${name}`).textContent = name === "octaves" ? state[name] : state[name].toFixed(2);
+    }
+    for (const name of kTexts) {
+      const input = byId(name);
+      const text = typeof state[name] === "bigint" ? positionText(state[name]) : String(state[name]);
+      if (input.value !== text) input.value = text;
+      input.removeAttribute("aria-invalid");
+    }
+    for (const name of Object.keys(kSettings)) {
+      const row = byId(`row-${name}`);
+      if (row) row.hidden = !used[name];
+    }
+    byId("note-arithmetic").textContent = kNotes[state.arithmetic];
+    this.showCode();
+  }
+}

@@ -1,0 +1,494 @@
+// The page: the state, the picture, and what moves it.
+import { shaderKey } from "./code.js";
+import { byId, Controls } from "./controls.js";
+import { costOf } from "./cost.js";
+import { unpacked } from "./library.js";
+import {
+  kNoises, kSettings, kSums, linkOf, possible, positionText, stateOf, stateOfLook, uses, usualState,
+} from "./model.js";
+import { paletteOf } from "./palette.js";
+import { frameOf, kBits, kColours, pageShader } from "./shaders.js";
+import { panned, partsOf, positionOfPixel, zoomed } from "./view.js";
+import { WebGL2 } from "./webgl.js";
+import { WebGPU } from "./webgpu.js";
+
+const kBackends = { webgl2: WebGL2, webgpu: WebGPU };
+const kKeptPrograms = 24;
+const kMostPixels = 4e6;
+const kMoving = 34;      // milliseconds that a picture may take while it moves; else it is drawn coarser
+const kResting = 1200;   // and when it rests
+const kCoarsest = 8;
+const kRest = 160;       // milliseconds without a change after which it is drawn fine again
+const kLinkDelay = 300;  // browsers refuse an address that changes too often
+const kSpeed = 0.25;     // cells, or turns over four, in a second
+
+class Playground {
+  constructor(library) {
+    this.library = library;
+    this.backends = {};
+    this.programs = new Map();
+    this.state = stateOf(location.hash);
+    this.speeds = new WeakMap();  // milliseconds that a pixel takes, by the program
+    this.moves = false;
+    this.playing = false;
+    this.pointer = undefined;    // where the value is read
+    this.controls = new Controls(library, (changes) => this.change(changes), (name) => this.look(name));
+    byId("version").textContent = library.version;
+  }
+
+  get canvas() {
+    return byId(`picture-${this.state.renderer}`);
+  }
+
+  // --------------------------------------------------------------------------------------------------------------------
+  // The state.
+
+  change(changes) {
+    const before = this.state;
+    const next = { ...before, ...changes };
+    // A strength is that of its sum.
+    if (changes.sum && changes.sum !== before.sum) next.strength = kSums[changes.sum].strength?.usual ?? kSettings.strength.usual;
+    this.take(possible(next));
+  }
+
+  take(state) {
+    const moved = this.state.renderer !== state.renderer;
+    this.state = state;
+    if (this.playing && !this.animated) this.play(false);
+    byId("play").disabled = !this.animated;
+    this.controls.show(state);
+    this.describe();
+    byId("cost").classList.toggle("old", true);
+    if (this.measured && this.measured !== this.costKey) {
+      byId("cost").textContent = "Cost on this GPU";
+      byId("note-cost").hidden = true;
+      this.measured = undefined;
+    }
+    if (moved) this.chooseCanvas();
+    this.restless();
+    this.request();
+    clearTimeout(this.linkTimer);
+    this.linkTimer = setTimeout(() => this.writeLink(), kLinkDelay);
+  }
+
+  look(name) {
+    this.take(stateOfLook(name, this.state));
+    byId("said").textContent = `${name} is shown.`;
+  }
+
+  get link() {
+    return linkOf(this.state);
+  }
+
+  writeLink() {
+    clearTimeout(this.linkTimer);
+    try {
+      history.replaceState(null, "", this.link || location.pathname + location.search);
+    } catch {
+      // A page in a frame without an address of its own has no link. Copying one still works.
+    }
+  }
+
+  describe() {
+    const { state } = this;
+    const sum = state.sum === "none" ? "" : `${kSums[state.sum].label} of `;
+    this.canvas.setAttribute("aria-label", `Picture of ${sum}${kNoises[state.noise].label} noise in ${state.dimensions}D`);
+    const coordinate = (parts) => {
+      const [whole, fraction = ""] = positionText(parts).split(".");
+      const digits = Math.max(0, Math.min(6, Math.ceil(Math.log10(400 / state.cells))));
+      return digits ? `${whole}.${fraction.padEnd(digits, "0").slice(0, digits)}` : whole;
+    };
+    const { x, y } = this.probed ?? state;
+    byId("where").textContent = state.dimensions === 1 ? `x ${coordinate(x)}` : `x ${coordinate(x)}  y ${coordinate(y)}`;
+    if (!this.probed) byId("value").textContent = "";
+  }
+
+  // --------------------------------------------------------------------------------------------------------------------
+  // The picture.
+
+  chooseCanvas() {
+    for (const name of Object.keys(kBackends)) byId(`picture-${name}`).hidden = name !== this.state.renderer;
+  }
+
+  // The backend of the state. One that is not to be had is replaced by the other.
+  async backend() {
+    const name = this.state.renderer;
+    if (!this.backends[name] || this.backends[name].lost) {
+      for (const key of this.programs.keys()) if (key.startsWith(`${name} `)) this.programs.delete(key);
+      const canvas = byId(`picture-${name}`);
+      this.backends[name] = await kBackends[name].create(canvas);
+    }
+    return this.backends[name];
+  }
+
+  async program(backend, state) {
+    const key = `${state.renderer} ${shaderKey(state)}`;
+    let found = this.programs.get(key);
+    this.programs.delete(key);
+    if (!found) {
+      found = await backend.build(pageShader(this.library, backend.language, state));
+      if (this.programs.size >= kKeptPrograms) {
+        const [oldest, program] = this.programs.entries().next().value;
+        this.programs.delete(oldest);
+        this.backends[oldest.split(" ")[0]]?.discard(program);
+      }
+    }
+    this.programs.set(key, found);
+    return found;
+  }
+
+  usePalette(backend, map) {
+    if (backend.map === map) return;
+    backend.map = map;
+    backend.setPalette(paletteOf(map));
+  }
+
+  // The size of the picture in pixels of the screen.
+  get size() {
+    const box = this.canvas.getBoundingClientRect();
+    let ratio = Math.min(window.devicePixelRatio || 1, 3);
+    ratio *= Math.min(1, Math.sqrt(kMostPixels / Math.max(1, box.width * box.height * ratio * ratio)));
+    return [Math.max(1, Math.round(box.width * ratio)), Math.max(1, Math.round(box.height * ratio))];
+  }
+
+  // Something moves: a slow picture is drawn coarser until it rests.
+  restless() {
+    this.moves = true;
+    clearTimeout(this.restTimer);
+    this.restTimer = setTimeout(() => {
+      this.moves = false;
+      if (this.coarse > this.coarseness(kResting)) this.request();
+    }, kRest);
+  }
+
+  // How many pixels of the screen on a side a pixel of the picture has, so that drawing it takes no longer than this.
+  coarseness(milliseconds) {
+    const [width, height] = this.size;
+    const pixels = Math.sqrt((width * height * (this.speed ?? 0)) / milliseconds);
+    return Math.min(kCoarsest, Math.max(1, Math.ceil(pixels)));
+  }
+
+  // How long a pixel takes: of a small picture, and not of the first, at which some drivers still compile.
+  async measureSpeed(backend, program, state) {
+    if (!this.speeds.has(program)) {
+      const [width, height] = this.size.map((side) => Math.max(8, side >> 4));
+      await backend.read(program, frameOf(state, 8, 8, kColours), 8, 8);
+      const start = performance.now();
+      await backend.read(program, frameOf(state, width, height, kColours), width, height);
+      this.speeds.set(program, Math.max(performance.now() - start - 1, 0) / (width * height));
+    }
+    this.speed = this.speeds.get(program);
+  }
+
+  // Draws soon, and once for all changes until then.
+  request() {
+    this.wanted = true;
+    if (!this.drawing) this.drawing = this.drawWhatIsWanted().finally(() => (this.drawing = undefined));
+    return this.drawing;
+  }
+
+  async drawWhatIsWanted() {
+    while (this.wanted) {
+      this.wanted = false;
+      await new Promise((resolve) => (document.hidden ? setTimeout(resolve) : requestAnimationFrame(resolve)));
+      try {
+        await this.draw();
+        byId("message").hidden = true;
+      } catch (error) {
+        await this.failed(error);
+      }
+    }
+  }
+
+  async draw() {
+    const state = { ...this.state };
+    const backend = await this.backend();
+    const program = await this.program(backend, state);
+    if (state.renderer !== this.state.renderer) return;
+    this.usePalette(backend, state.map);
+    await this.measureSpeed(backend, program, state);
+    const coarse = this.coarseness(this.moves ? kMoving : kResting);
+    this.coarse = coarse;
+    const [width, height] = this.size.map((side) => Math.max(1, Math.round(side / coarse)));
+    const { canvas } = backend;
+    if (canvas.width !== width) canvas.width = width;
+    if (canvas.height !== height) canvas.height = height;
+    const start = performance.now();
+    backend.draw(program, frameOf(state, width, height, kColours));
+    await backend.finished();
+    // The settings matter, too: more octaves take longer.
+    this.speeds.set(program, 0.5 * this.speed + (0.5 * (performance.now() - start)) / (width * height));
+    byId("gpu").textContent = `Drawn by ${backend.describe()}.`;
+    if (this.probed) await this.probe();
+  }
+
+  async failed(error) {
+    if (this.state.renderer === "webgpu" && (!this.backends.webgpu || this.backends.webgpu.lost)) this.withoutWebGPU();
+    if (this.backends[this.state.renderer]?.lost) return;
+    byId("message").textContent = error.message;
+    byId("message").hidden = false;
+  }
+
+  // A device that is lost once is lost again: WebGL2 goes on.
+  withoutWebGPU() {
+    const choice = byId("renderer-webgpu");
+    choice.disabled = true;
+    choice.parentElement.title = "WebGPU does not work in this browser.";
+    byId("said").textContent = "WebGPU does not work in this browser. WebGL2 draws the picture.";
+    this.take({ ...this.state, renderer: "webgl2" });
+  }
+
+  // Four bytes a pixel from the lower left corner on, of a picture of this size: of colours, or of the bits of values.
+  async pixels(width, height, mode = kColours) {
+    const state = { ...this.state };
+    const backend = await this.backend();
+    const program = await this.program(backend, state);
+    this.usePalette(backend, state.map);
+    return backend.read(program, frameOf(state, width, height, mode), width, height);
+  }
+
+  // The values at these points, each [x, y, z, w] in parts of a cell.
+  async values(points) {
+    const state = { ...this.state };
+    const backend = await this.backend();
+    const program = await this.program(backend, state);
+    const values = new Float32Array(points.length);
+    for (const [i, point] of points.entries()) {
+      const bytes = await backend.read(program, frameOf(state, 1, 1, kBits, point), 1, 1);
+      values[i] = new DataView(bytes.buffer).getFloat32(0, true);
+    }
+    return values;
+  }
+
+  // The value below the pointer.
+  async probe() {
+    if (!this.pointer || this.probing) return;
+    this.probing = true;
+    try {
+      const { state } = this;
+      const box = this.canvas.getBoundingClientRect();
+      const [width, height] = this.size;
+      const column = Math.floor(((this.pointer.x - box.left) / box.width) * width);
+      const row = height - 1 - Math.floor(((this.pointer.y - box.top) / box.height) * height);
+      const [x, y] = positionOfPixel(state, width, height, column, row);
+      const [value] = await this.values([[x, y, partsOf(state.z), partsOf(state.w)]]);
+      this.probed = { x, y };
+      byId("value").textContent = value.toFixed(4).replace("-", "−");
+      this.describe();
+    } finally {
+      this.probing = false;
+    }
+  }
+
+  // --------------------------------------------------------------------------------------------------------------------
+  // Time.
+
+  // What moves in time: the last coordinate, or the phase.
+  get animated() {
+    const used = uses(this.state);
+    return used.w ? "w" : used.z ? "z" : used.phase ? "phase" : undefined;
+  }
+
+  play(on) {
+    if (on && !this.animated) return;
+    this.playing = on;
+    byId("play").setAttribute("aria-pressed", String(on));
+    byId("play").setAttribute("aria-label", on ? "Stop" : "Play");
+    if (!on) return;
+    let last = performance.now();
+    const step = (now) => {
+      if (!this.playing) return;
+      requestAnimationFrame(step);
+      if (this.drawing) return;
+      const seconds = Math.min((now - last) / 1000, 0.25);
+      last = now;
+      const name = this.animated;
+      const value = this.state[name] + seconds * kSpeed;
+      this.change({ [name]: name === "phase" ? value % 1 : value });
+    };
+    requestAnimationFrame(step);
+  }
+
+  // --------------------------------------------------------------------------------------------------------------------
+  // Cost, and what is copied.
+
+  get costKey() {
+    const { octaves, period, renderer } = this.state;
+    return [renderer, shaderKey(this.state), octaves, period].join(" ");
+  }
+
+  async measure() {
+    const button = byId("measure");
+    if (button.disabled) return;
+    button.disabled = true;
+    byId("cost").textContent = "Measuring …";
+    try {
+      this.play(false);
+      const key = this.costKey;
+      const backend = await this.backend();
+      const { ratio, low, high } = await costOf(backend, this.library, { ...this.state });
+      const text = (number) => (number < 10 ? number.toFixed(2) : number.toFixed(1));
+      byId("cost").textContent = `${text(ratio)} × hn_perlin`;
+      byId("note-cost").textContent = `hn_perlin in 2D, in floats, was drawn in turns with it on ${backend.describe()}. Half of the rounds gave ${text(low)} to ${text(high)}.`;
+      byId("note-cost").hidden = false;
+      this.measured = key;
+      byId("said").textContent = `It costs ${text(ratio)} times as much as Perlin noise in 2D.`;
+    } catch (error) {
+      byId("cost").textContent = error.message;
+    } finally {
+      button.disabled = false;
+      this.request();
+    }
+  }
+
+  async copy(text, button, what) {
+    try {
+      await navigator.clipboard.writeText(text);
+    } catch {
+      // Browsers that give no clipboard copy what is selected.
+      const area = Object.assign(document.createElement("textarea"), { value: text });
+      document.body.append(area);
+      area.select();
+      document.execCommand("copy");
+      area.remove();
+      button.focus();
+    }
+    const before = button.textContent;
+    if (before !== "Copied") {
+      button.textContent = "Copied";
+      setTimeout(() => (button.textContent = before), 1500);
+    }
+    byId("said").textContent = `${what} is copied.`;
+  }
+
+  // --------------------------------------------------------------------------------------------------------------------
+  // Hands.
+
+  // Where a pointer is, in pixels of the picture to the right of and above its middle.
+  fromMiddle({ x, y }) {
+    const box = this.canvas.getBoundingClientRect();
+    const [width, height] = this.size;
+    return [((x - box.left) / box.width) * width - (width >> 1), height - ((y - box.top) / box.height) * height - (height >> 1)];
+  }
+
+  pan(right, up) {
+    const [width, height] = this.size;
+    this.change(panned(this.state, width, height, right, up));
+  }
+
+  zoom(factor, at = [0, 0]) {
+    const [width, height] = this.size;
+    this.change(zoomed(this.state, width, height, factor, ...at, kSettings.cells));
+  }
+
+  home() {
+    this.change({ x: 0n, y: 0n, cells: kSettings.cells.usual });
+  }
+
+  roll() {
+    this.change({ seed: crypto.getRandomValues(new Uint32Array(1))[0] % 1000000 });
+  }
+
+  listen(canvas) {
+    const fingers = new Map();
+    const middle = () => {
+      const all = [...fingers.values()];
+      return { x: all.reduce((sum, { x }) => sum + x, 0) / all.length, y: all.reduce((sum, { y }) => sum + y, 0) / all.length };
+    };
+    const spread = () => {
+      const [a, b] = [...fingers.values()];
+      return b ? Math.hypot(a.x - b.x, a.y - b.y) : 0;
+    };
+    canvas.addEventListener("pointerdown", (event) => {
+      if (event.button !== 0) return;
+      canvas.setPointerCapture(event.pointerId);
+      fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    });
+    canvas.addEventListener("pointermove", (event) => {
+      this.pointer = { x: event.clientX, y: event.clientY };
+      if (fingers.has(event.pointerId)) {
+        const [before, wide] = [this.fromMiddle(middle()), spread()];
+        fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+        const after = this.fromMiddle(middle());
+        this.pan(after[0] - before[0], after[1] - before[1]);
+        if (wide > 0 && spread() > 0) this.zoom(wide / spread(), after);
+      }
+      this.probe().catch(() => {});
+    });
+    for (const type of ["pointerup", "pointercancel"]) canvas.addEventListener(type, (event) => fingers.delete(event.pointerId));
+    canvas.addEventListener("pointerleave", () => {
+      this.pointer = this.probed = undefined;
+      this.describe();
+    });
+    canvas.addEventListener("wheel", (event) => {
+      event.preventDefault();
+      const lines = event.deltaMode === 1 ? 16 : 1;
+      this.zoom(2 ** ((event.deltaY * lines) / (event.ctrlKey ? 100 : 300)), this.fromMiddle({ x: event.clientX, y: event.clientY }));
+    }, { passive: false });
+    canvas.addEventListener("dblclick", (event) => this.zoom(0.5, this.fromMiddle({ x: event.clientX, y: event.clientY })));
+    canvas.addEventListener("keydown", (event) => this.key(event));
+    // A lost context is taken again when the browser gives it back; a lost device at once.
+    canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
+    for (const type of ["webglcontextrestored", "lost"]) canvas.addEventListener(type, () => this.restored(canvas));
+  }
+
+  restored(canvas) {
+    const name = canvas.id.replace("picture-", "");
+    if (name === "webgpu" && this.state.renderer === name) this.withoutWebGPU();
+    delete this.backends[name];
+    for (const key of this.programs.keys()) if (key.startsWith(`${name} `)) this.programs.delete(key);
+    if (name === this.state.renderer) this.request();
+  }
+
+  key(event) {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const step = this.size[0] * (event.shiftKey ? 0.5 : 0.08);
+    const actions = {
+      ArrowLeft: () => this.pan(step, 0), ArrowRight: () => this.pan(-step, 0),
+      ArrowUp: () => this.pan(0, -step), ArrowDown: () => this.pan(0, step),
+      "+": () => this.zoom(2 ** -0.25), "=": () => this.zoom(2 ** -0.25), "-": () => this.zoom(2 ** 0.25),
+      Home: () => this.home(), " ": () => this.play(!this.playing), r: () => this.roll(), R: () => this.roll(),
+    };
+    const action = actions[event.key];
+    if (!action) return;
+    event.preventDefault();
+    action();
+  }
+
+  async start() {
+    for (const name of Object.keys(kBackends)) this.listen(byId(`picture-${name}`));
+    byId("play").addEventListener("click", () => this.play(!this.playing));
+    byId("dice").addEventListener("click", () => this.roll());
+    byId("in").addEventListener("click", () => this.zoom(2 ** -0.5));
+    byId("out").addEventListener("click", () => this.zoom(2 ** 0.5));
+    byId("home").addEventListener("click", () => this.home());
+    byId("measure").addEventListener("click", () => this.measure());
+    byId("copy").addEventListener("click", () => this.copy(this.controls.code, byId("copy"), "The code"));
+    byId("link").addEventListener("click", () => {
+      this.writeLink();
+      this.copy(location.href, byId("link"), "The link");
+    });
+    addEventListener("hashchange", () => {
+      if (location.hash !== this.link) this.take(stateOf(location.hash));
+    });
+    new ResizeObserver(() => this.request()).observe(byId("stage"));
+    document.addEventListener("visibilitychange", () => document.hidden && this.play(false));
+    if (!navigator.gpu) {
+      byId("renderer-webgpu").disabled = true;
+      byId("renderer-webgpu").parentElement.title = "This browser has no WebGPU.";
+    }
+    this.chooseCanvas();
+    this.take(this.state);
+    await this.request();
+  }
+}
+
+// What the tests ask, and who opens the console: hashnoise.pixels(64, 64), hashnoise.state, ...
+unpacked(byId("library").textContent).then(async (library) => {
+  window.hashnoise = new Playground(library);
+  await window.hashnoise.start();
+  document.documentElement.dataset.ready = "yes";
+}).catch((error) => {
+  byId("message").textContent = `This browser does not show the page. ${error.message}`;
+  byId("message").hidden = false;
+});

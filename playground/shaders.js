@@ -1,0 +1,160 @@
+// The shaders of the page, and the numbers that they read. Each exists in GLSL for WebGL2 and in WGSL for WebGPU; with
+// HN_FIXED both draw the same bytes, since everything from the position to the colour is whole numbers.
+import { functions, knobs, numbers } from "./code.js";
+import { rangeOf } from "./model.js";
+import { cellOf, originOf, partsOf, placeOf, stepOf } from "./view.js";
+
+// What a pixel is: a colour of the map, or the four bytes of the value.
+export const kColours = 0;
+export const kBits = 1;
+const kUnit = 1048576;  // of a value, when it is made a whole number: 2^20
+
+// The words of a frame, as both languages lay them out: eight vectors of four.
+export const kFrameBytes = 128;
+const kGlslFrame = `layout(std140) uniform Frame {
+  ivec4 u_cell;
+  uvec4 u_place;
+  uvec4 u_step;
+  ivec4 u_shown;
+  ivec4 u_octaves;
+  vec4 u_sum;
+  vec4 u_more;
+  uvec4 u_seed;
+};`;
+const kWgslFrame = `struct Frame {
+  cell: vec4i, place: vec4u, step: vec4u, shown: vec4i, octaves: vec4i, sum: vec4f, more: vec4f, seed: vec4u,
+}
+@group(0) @binding(0) var<uniform> u: Frame;
+@group(0) @binding(1) var palette: texture_2d<f32>;`;
+
+const placed = (state, width, height) => [...originOf(state, width, height), partsOf(state.z), partsOf(state.w)];
+
+// `position` is that of the pixel in the lower left corner, if it is not that of the state.
+export function frameOf(state, width, height, mode, position = placed(state, width, height)) {
+  const bytes = new ArrayBuffer(kFrameBytes);
+  const whole = new Int32Array(bytes);
+  const word = new Uint32Array(bytes);
+  const float = new Float32Array(bytes);
+  whole.set(position.map(cellOf), 0);
+  word.set(position.map(placeOf), 4);
+  const step = stepOf(state, width, height);
+  word.set([Math.floor(step / 16777216), step % 16777216, width, height], 8);
+  const [low, high] = rangeOf(state).map((end) => Math.round(end * kUnit));
+  whole.set([low, Math.min(Math.max(high - low, 64), 16777215), mode, 0], 12);
+  whole.set([state.octaves, state.period, 0, 0], 16);
+  float.set([state.lacunarity, state.gain, state.strength, state.amplitude], 20);
+  float.set([state.jitter, state.phase, 0, 0], 24);
+  word.set([state.seed, (state.seed + 1) % 4294967296, 0, 0], 28);
+  return bytes;
+}
+
+const kGlslUniforms = {
+  seed: "u_seed.x", otherSeed: "u_seed.y", octaves: "u_octaves.x", lacunarity: "u_sum.x", gain: "u_sum.y",
+  strength: "u_sum.z", amplitude: "u_sum.w", jitter: "u_more.x", phase: "u_more.y",
+};
+const kWgslUniforms = Object.fromEntries(Object.entries(kGlslUniforms).map(([name, text]) => [name, text.replace("u_", "u.")]));
+
+function uniforms(language, n) {
+  return language === "glsl" ? { ...kGlslUniforms, period: n === 1 ? "u_octaves.y" : `ivec${n}(u_octaves.y)` }
+                             : { ...kWgslUniforms, period: n === 1 ? "u.octaves.y" : `vec${n}i(u.octaves.y)` };
+}
+
+// The place of a pixel along an axis is origin + i * step. The step is taken in halves, so that no product leaves 32 bits.
+const kGlslPlace = `uvec2 place_of(int cell, uint place, uint i) {
+  uint low = i * (u_step.y & 4095u) + (place & 4095u);
+  uint high = i * (u_step.y >> 12u) + (place >> 12u) + (low >> 12u);
+  return uvec2(uint(cell) + i * u_step.x + (high >> 12u), ((high & 4095u) << 12u) | (low & 4095u));
+}`;
+const kWgslPlace = `fn place_of(cell: i32, place: u32, i: u32) -> vec2u {
+  let low = i * (u.step.y & 4095u) + (place & 4095u);
+  let high = i * (u.step.y >> 12u) + (place >> 12u) + (low >> 12u);
+  return vec2u(u32(cell) + i * u.step.x + (high >> 12u), ((high & 4095u) << 12u) | (low & 4095u));
+}`;
+
+// What a value becomes. A value in steps of 2^-20 is a whole number; the colour is one of 256. In one dimension the
+// picture is a graph: full colour below the value, and an eighth of it above.
+const kGlslShade = `vec4 shade(float value, int row) {
+  if (u_shown.z == ${kBits}) {
+    uint bits = floatBitsToUint(value);
+    return vec4(float(bits & 255u), float((bits >> 8u) & 255u), float((bits >> 16u) & 255u), float(bits >> 24u)) / 255.0;
+  }
+  uint d = uint(clamp(int(floor(value * ${kUnit}.0)) - u_shown.x, 0, u_shown.y - 1));
+  vec4 color = texelFetch(u_palette, ivec2(int(d * 256u / uint(u_shown.y)), 0), 0);
+  if (row >= 0 && uint(row) > (d >> 6u) * u_step.w / (uint(u_shown.y) >> 6u)) color = vec4(color.rgb * 0.125, 1.0);
+  return color;
+}`;
+const kWgslShade = `fn shade(value: f32, row: i32) -> vec4f {
+  if (u.shown.z == ${kBits}) {
+    let bits = bitcast<u32>(value);
+    return vec4f(f32(bits & 255u), f32((bits >> 8u) & 255u), f32((bits >> 16u) & 255u), f32(bits >> 24u)) / 255.0;
+  }
+  let d = u32(clamp(i32(floor(value * ${kUnit}.0)) - u.shown.x, 0, u.shown.y - 1));
+  var color = textureLoad(palette, vec2i(i32(d * 256u / u32(u.shown.y)), 0), 0);
+  if (row >= 0 && u32(row) > (d >> 6u) * u.step.w / (u32(u.shown.y) >> 6u)) { color = vec4f(color.rgb * 0.125, 1.0); }
+  return color;
+}`;
+
+// The cell and the place of a pixel, for a number of dimensions.
+function glslArguments(n) {
+  const part = ["x", "y", "z", "w"].slice(0, n);
+  if (n === 1) return "int(x.x), float(x.y) * kPart";
+  const cells = part.map((axis) => (axis < "x" || axis > "y" ? `u_cell.${axis}` : `int(${axis}.x)`));
+  const places = part.map((axis) => (axis < "x" || axis > "y" ? `float(u_place.${axis})` : `float(${axis}.y)`));
+  return `ivec${n}(${cells.join(", ")}), vec${n}(${places.join(", ")}) * kPart`;
+}
+const wgslArguments = (n) =>
+  glslArguments(n).replace(/\bivec(\d)/, "vec$1i").replace(/\bvec(\d)\(/, "vec$1f(").replaceAll("int(", "i32(")
+    .replaceAll("float(", "f32(").replaceAll("u_cell", "u.cell").replaceAll("u_place", "u.place");
+
+export const kVertex = `#version 300 es
+void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }`;
+
+// The fragment shader. `values` are names of uniforms, or numbers; `value` is what is shown.
+function glsl(library, state, values, value = `pattern(${glslArguments(state.dimensions)})`) {
+  const { lines, files } = functions(library, "glsl", state, values, false);
+  const n = state.dimensions;
+  return ["#version 300 es", "precision highp float;", "precision highp int;", "precision highp sampler2D;",
+          ...knobs(state), ...library.lines(files), kGlslFrame, "uniform sampler2D u_palette;", "out vec4 color;",
+          "const float kPart = 1.0 / 16777216.0;", ...lines, kGlslPlace, kGlslShade,
+          "void main() {",
+          "  uvec2 at = uvec2(gl_FragCoord.xy);",
+          "  uvec2 x = place_of(u_cell.x, u_place.x, at.x);",
+          "  uvec2 y = place_of(u_cell.y, u_place.y, at.y);",
+          `  color = shade(${value}, ${n === 1 ? "int(at.y)" : "-1"});`,
+          "}", ""].join("\n");
+}
+
+function wgsl(library, state, values, value = `pattern_cell(${wgslArguments(state.dimensions)})`) {
+  const { lines, needs } = functions(library, "wgsl", state, values, false);
+  const n = state.dimensions;
+  return [...library.wgsl(needs, state), kWgslFrame, "const kPart = 1.0f / 16777216.0f;", ...lines, kWgslPlace, kWgslShade,
+          "@vertex fn vertex(@builtin(vertex_index) i: u32) -> @builtin(position) vec4f {",
+          "  return vec4f(select(-1.0, 3.0, i == 1u), select(-1.0, 3.0, i == 2u), 0.0, 1.0);",
+          "}",
+          "@fragment fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {",
+          // Rows are counted from the lower end, as in OpenGL.
+          "  let at = vec2u(u32(position.x), u.step.w - 1u - u32(position.y));",
+          "  let x = place_of(u.cell.x, u.place.x, at.x);",
+          "  let y = place_of(u.cell.y, u.place.y, at.y);",
+          `  return shade(${value}, ${n === 1 ? "i32(at.y)" : "-1"});`,
+          "}", ""].join("\n");
+}
+
+const kWrite = { glsl, wgsl };
+// To what costs are compared: hn_perlin on the plane, as the library has it by default.
+export const kPlain = {
+  sum: "none", noise: "perlin", dimensions: 2, warp: "none", phase: 0, period: 0, arithmetic: "fast", hash: "lattice",
+};
+
+// What the page draws with: numbers are uniforms.
+export const pageShader = (library, language, state) =>
+  kWrite[language](library, state, uniforms(language, state.dimensions));
+
+// What is timed: the numbers stand in the text, as in a shader of somebody who copied it.
+export const timedShader = (library, language, state) =>
+  kWrite[language](library, state, numbers(language, state));
+
+// A shader in which nothing is computed but the position.
+export const emptyShader = (library, language, state) =>
+  kWrite[language](library, { ...state, ...kPlain }, numbers(language, { ...state, ...kPlain }),
+                   language === "glsl" ? "float(x.y + y.y) * kPart" : "f32(x.y + y.y) * kPart");

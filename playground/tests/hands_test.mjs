@@ -1,0 +1,313 @@
+// What people do with the page: open it from a disk, use a keyboard alone, two fingers, links, the clipboard.
+import assert from "node:assert/strict";
+import test, { after, before } from "node:test";
+import { kPage, kPhone, launched, opened, pixels, ready, stateOfPage } from "./support.mjs";
+
+const kLaptop = { width: 1280, height: 720 };
+const settled = 400;  // milliseconds, after which the link is written
+
+// What is copied, without a clipboard.
+const keepCopies = () => {
+  window.copies = [];
+  Object.defineProperty(navigator, "clipboard", { value: { writeText: async (text) => void window.copies.push(text) } });
+};
+const wait = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+const focused = (page) => page.evaluate(() => document.activeElement.id || document.activeElement.textContent.trim());
+
+async function press(page, ...keys) {
+  for (const key of keys) await page.keyboard.press(key);
+}
+
+// By Tab alone from where the focus is, to the control of this name; fails after a whole round.
+async function tabTo(page, id) {
+  for (let i = 0; i < 120; ++i) {
+    await page.keyboard.press("Tab");
+    if ((await focused(page)) === id) return;
+  }
+  assert.fail(`Tab does not lead to ${id}`);
+}
+
+// What a screen reader has nothing to say of.
+async function nameless(page) {
+  const tree = await page.accessibility.snapshot({ interestingOnly: true });
+  const found = [];
+  const look = (node) => {
+    const control = /^(button|checkbox|combobox|radio|slider|spinbutton|tab|textbox|application)$/.test(node.role);
+    if (control && !node.name?.trim()) found.push(node.role);
+    (node.children ?? []).forEach(look);
+  };
+  look(tree);
+  return found;
+}
+
+let browser;
+before(async () => (browser = await launched()));
+after(() => browser.close());
+
+test("it opens from a disk, and loads nothing", async () => {
+  assert.match(kPage, /^file:/);
+  const page = await browser.newPage();
+  const asked = [];
+  page.on("request", (request) => asked.push(request.url()));
+  await page.goto(kPage);
+  await ready(page);
+  assert.deepEqual(asked.filter((url) => url !== kPage && !url.startsWith("data:")), []);
+  // Not even if it wanted to.
+  const refused = await page.evaluate(() => fetch("http://127.0.0.1:1/").then(() => "asked", () => "refused"));
+  const policy = await page.$eval("meta[http-equiv]", (meta) => meta.content);
+  assert.equal(refused, "refused");
+  assert.match(policy, /^default-src 'none';/);
+  await page.close();
+});
+
+test("a link shows the same picture", async () => {
+  const page = await opened(browser, { viewport: kLaptop, before: keepCopies });
+  await page.click("#looks button:nth-child(4)");
+  await page.click("#in");
+  await page.click("#dice");
+  await wait(settled);
+  const link = await page.evaluate(() => location.hash);
+  assert.match(link, /^#seed=\d+&octaves=7&warp=warp_progressive&amplitude=3&map=lagoon&cells=[\d.]+$/);
+  await page.click("#link");
+  assert.deepEqual(await page.evaluate(() => window.copies), [kPage + link]);
+  const other = await opened(browser, { link, viewport: kLaptop });
+  assert.deepEqual(await stateOfPage(other), await stateOfPage(page));
+  assert.deepEqual(await pixels(other, 48, 32), await pixels(page, 48, 32));
+  // A link that is pasted into the address of an open page.
+  await other.evaluate(() => (location.hash = "#noise=value&sum=none&seed=3"));
+  await other.waitForFunction(() => window.hashnoise.state.noise === "value");
+  assert.equal((await stateOfPage(other)).seed, 3);
+  assert.deepEqual([...page.complaints, ...other.complaints], []);
+  await Promise.all([page.close(), other.close()]);
+});
+
+test("a keyboard alone is enough", async () => {
+  const page = await opened(browser, { viewport: kLaptop, before: keepCopies });
+  await press(page, "Tab");
+  assert.equal(await focused(page), "picture-webgl2");
+  await press(page, "ArrowRight", "ArrowUp", "ArrowUp", "+");
+  let state = await stateOfPage(page);
+  assert.ok(state.x > 0n && state.y > 0n && state.cells < 8);
+  await press(page, "Home", "r", "-");
+  state = await stateOfPage(page);
+  assert.ok(state.x === 0n && state.y === 0n && state.cells > 8 && state.seed !== 7);
+
+  await tabTo(page, "sum");
+  await press(page, "ArrowDown", "ArrowDown", "ArrowDown", "ArrowDown");
+  await tabTo(page, "noise");
+  await press(page, "ArrowDown");
+  await tabTo(page, "dimensions-2");
+  await press(page, "ArrowRight");
+  await tabTo(page, "octaves");
+  await press(page, "ArrowRight", "ArrowRight");
+  await tabTo(page, "z");
+  await press(page, "ArrowLeft");
+  await tabTo(page, "seed");
+  await page.keyboard.down("Control");
+  await press(page, "a");
+  await page.keyboard.up("Control");
+  await page.keyboard.type("99");
+  await press(page, "Enter", "ArrowUp");
+  await tabTo(page, "map-dusk");
+  await press(page, "ArrowRight");
+  await tabTo(page, "language-glsl");
+  await press(page, "ArrowRight", "ArrowRight");
+  await tabTo(page, "copy");
+  await press(page, "Enter");
+  await tabTo(page, "arithmetic-fast");
+  await press(page, "ArrowRight");
+  state = await stateOfPage(page);
+  assert.deepEqual([state.sum, state.noise, state.dimensions, state.octaves, state.z, state.seed, state.map, state.arithmetic],
+                   ["ridged", "value", 3, 8, 0.36, 100, "lagoon", "fixed"]);
+  assert.match((await page.evaluate(() => window.copies)).join(), /fn pattern_cell\(cell: vec3i, f: vec3f\)/);
+
+  // The focus is seen wherever it is.
+  for (const id of ["play", "sum", "octaves", "seed", "copy"]) {
+    await tabTo(page, id);
+    const seen = await page.evaluate(() => {
+      const { outlineStyle, boxShadow } = getComputedStyle(document.activeElement);
+      return outlineStyle !== "none" || boxShadow !== "none";
+    });
+    assert.ok(seen, id);
+  }
+  await page.evaluate(() => document.getElementById("picture-webgl2").focus());
+  const before = (await stateOfPage(page)).z;
+  await press(page, "Space");
+  await page.waitForFunction((z) => window.hashnoise.state.z > z + 0.02, {}, before);
+  await press(page, "Space");
+  assert.equal(await page.evaluate(() => window.hashnoise.playing), false);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+test("what is not of a place is not taken, and said", async () => {
+  const page = await opened(browser, { viewport: kLaptop });
+  const enter = async (id, text) => {
+    await page.$eval(`#${id}`, (input, value) => {
+      input.value = value;
+      input.dispatchEvent(new Event("change"));
+    }, text);
+  };
+  await enter("x", "nowhere");
+  assert.equal(await page.$eval("#x", (input) => input.getAttribute("aria-invalid")), "true");
+  await enter("x", "1000000000.5");
+  assert.equal((await stateOfPage(page)).x, 1000000000n * 16777216n + 8388608n);
+  assert.equal(await page.$eval("#x", (input) => input.getAttribute("aria-invalid")), null);
+  await page.close();
+});
+
+test("every control has a name", async () => {
+  const page = await opened(browser, { link: "#sum=ping_pong&noise=cellular&dimensions=3&warp=warp", viewport: kLaptop });
+  assert.deepEqual(await nameless(page), []);
+  await page.evaluate(() => {
+    document.querySelector("label[for=octaves]").remove();
+    document.getElementById("play").removeAttribute("aria-label");
+    document.getElementById("play").removeAttribute("title");
+  });
+  assert.deepEqual((await nameless(page)).toSorted(), ["button", "slider"]);
+  await page.close();
+});
+
+test("two fingers change the scale, and one moves the picture", async () => {
+  const page = await opened(browser, { viewport: kPhone });
+  const session = await page.createCDPSession();
+  const touch = (type, ...points) => session.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+  const below = ([x, y]) => page.evaluate((px, py) => {
+    const { state, canvas } = window.hashnoise;
+    const box = canvas.getBoundingClientRect();
+    const cell = state.cells / Math.min(box.width, box.height);
+    const parts = [px - box.left - box.width / 2, box.height / 2 - (py - box.top)].map((side) => side * cell);
+    return [Number(state.x) / 16777216 + parts[0], Number(state.y) / 16777216 + parts[1]];
+  }, x, y);
+  const near = (a, b) => a.every((side, axis) => Math.abs(side - b[axis]) < 0.05);
+
+  const [left, right] = [[120, 150], [240, 250]];
+  const [one, two] = [await below(left), await below(right)];
+  await touch("touchStart", left, right);
+  const wider = [[60, 110], [320, 300]];
+  for (let i = 1; i <= 8; ++i) {
+    const way = (from, to) => from.map((side, axis) => side + ((to[axis] - side) * i) / 8);
+    await touch("touchMove", way(left, wider[0]), way(right, wider[1]));
+  }
+  await touch("touchEnd");
+  const state = await stateOfPage(page);
+  const factor = Math.hypot(120, 100) / Math.hypot(260, 190);
+  assert.ok(Math.abs(state.cells / 8 - factor) < 0.01, `${state.cells} cells`);
+  // The fingers turned a little, which the picture does not: what was in the middle between them is still there.
+  const middle = (a, b) => a.map((side, axis) => (side + b[axis]) / 2);
+  assert.ok(near(await below(middle(...wider)), middle(one, two)));
+
+  const held = await below([200, 200]);
+  await touch("touchStart", [200, 200]);
+  for (let i = 1; i <= 5; ++i) await touch("touchMove", [200 + 12 * i, 200 - 10 * i]);
+  await touch("touchEnd");
+  assert.ok(near(await below([260, 150]), held));
+  assert.ok(!near(await below([200, 200]), held));
+  assert.equal((await stateOfPage(page)).cells, state.cells);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+test("a wheel changes the scale around the pointer, whose value is shown", async () => {
+  const page = await opened(browser, { viewport: kLaptop });
+  await page.mouse.move(300, 200);
+  await page.waitForFunction(() => document.getElementById("value").textContent !== "");
+  const shown = () => page.$eval("#value", (output) => Number(output.textContent.replace("−", "-")));
+  const before = await shown();
+  const expected = await page.evaluate(async () => {
+    const { probed, state } = window.hashnoise;
+    return (await window.hashnoise.values([[probed.x, probed.y, 0n, 0n]]))[0];
+  });
+  assert.ok(Math.abs(before - expected) < 1e-4);
+  await page.mouse.wheel({ deltaY: -600 });
+  await page.waitForFunction(() => window.hashnoise.state.cells < 3);
+  await wait(settled);
+  assert.ok(Math.abs((await shown()) - before) < 0.05);
+  await page.close();
+});
+
+test("it fits a phone", async () => {
+  for (const [viewport, least] of [[kPhone, 40], [{ ...kPhone, width: 320, height: 568 }, 40], [kLaptop, 24]]) {
+    const page = await opened(browser, { viewport, link: "#sum=ping_pong&noise=cells&dimensions=3&warp=warp&metric=manhattan" });
+    const found = await page.evaluate((size) => {
+      const sheet = document.getElementById("sheet");
+      const small = [...document.querySelectorAll("button, select, input:not([type=radio], [type=checkbox]), .choices label, .swatches label")]
+        .filter((control) => control.checkVisibility() && control.getBoundingClientRect().height < size).map((control) => control.id || control.textContent);
+      const wide = [...sheet.querySelectorAll("*")].filter((inner) => !inner.closest("#looks, pre, .unseen, select") && inner.getBoundingClientRect().right > innerWidth + 1).map((inner) => inner.id || inner.className);
+      return { small, wide, scrolls: document.documentElement.scrollWidth > innerWidth || sheet.scrollWidth > sheet.clientWidth };
+    }, least);
+    assert.deepEqual(found, { small: [], wide: [], scrolls: false }, JSON.stringify(viewport));
+    await page.close();
+  }
+});
+
+test("light and dark have enough contrast", async () => {
+  for (const value of ["light", "dark"]) {
+    const page = await opened(browser, { viewport: kPhone });
+    await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value }]);
+    const ratios = await page.evaluate(() => {
+      const style = getComputedStyle(document.documentElement);
+      const light = (name) => {
+        const hex = style.getPropertyValue(name).trim().replace("#", "");
+        const full = hex.length === 3 ? [...hex].map((digit) => digit + digit).join("") : hex;
+        const parts = [0, 2, 4].map((at) => parseInt(full.slice(at, at + 2), 16) / 255)
+          .map((part) => (part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4));
+        return 0.2126 * parts[0] + 0.7152 * parts[1] + 0.0722 * parts[2];
+      };
+      const ratio = (a, b) => (Math.max(light(a), light(b)) + 0.05) / (Math.min(light(a), light(b)) + 0.05);
+      return [ratio("--ink", "--paper"), ratio("--faint", "--paper"), ratio("--faint", "--code"), ratio("--on-accent", "--accent"),
+              ratio("--ink", "--field"), ratio("--ink", "--chosen")];
+    });
+    assert.ok(Math.min(...ratios) >= 4.5, `${value}: ${ratios}`);
+    await page.close();
+  }
+});
+
+test("WebGPU draws, and where there is none the page says so and goes on", async () => {
+  const page = await opened(browser, { link: "#renderer=webgpu", viewport: kLaptop });
+  assert.match(await page.$eval("#gpu", (text) => text.textContent), /swiftshader/i);
+  assert.equal(await page.$eval("#picture-webgpu", (canvas) => canvas.hidden), false);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+  const without = await opened(browser, { link: "#renderer=webgpu", viewport: kLaptop, before: () => Object.defineProperty(navigator, "gpu", { value: undefined }) });
+  assert.equal(await without.$eval("#renderer-webgpu", (choice) => choice.disabled), true);
+  await without.waitForFunction(() => window.hashnoise.state.renderer === "webgl2" && !document.getElementById("picture-webgl2").hidden);
+  assert.equal(await without.$eval("#message", (message) => message.hidden), true);
+  await without.close();
+});
+
+test("a lost context comes back", async () => {
+  const page = await opened(browser);
+  const before = await pixels(page, 16, 16);
+  await page.evaluate(async () => {
+    const { gl } = window.hashnoise.backends.webgl2;
+    const loss = gl.getExtension("WEBGL_lose_context");
+    const event = (name) => new Promise((resolve) => gl.canvas.addEventListener(name, resolve, { once: true }));
+    const lost = event("webglcontextlost");
+    loss.loseContext();
+    await lost;
+    await new Promise((resolve) => setTimeout(resolve));
+    const back = event("webglcontextrestored");
+    loss.restoreContext();
+    await back;
+    await window.hashnoise.request();
+  });
+  assert.deepEqual(await pixels(page, 16, 16), before);
+  await page.close();
+});
+
+test("the cost is a ratio to Perlin noise", async () => {
+  const page = await opened(browser, { link: "#sum=none" });
+  const measure = async () => {
+    await page.evaluate(() => window.hashnoise.measure());
+    return page.$eval("#cost", (output) => output.textContent);
+  };
+  const plain = parseFloat(await measure());
+  assert.ok(plain > 0.5 && plain < 2, `hn_perlin costs ${plain} times as much as itself`);
+  await page.evaluate(() => window.hashnoise.change({ sum: "fbm", octaves: 4 }));
+  assert.equal(await page.$eval("#cost", (output) => output.textContent), "Cost on this GPU");
+  const sum = parseFloat(await measure());
+  assert.ok(sum > 1.8 && sum > plain, `four octaves cost ${sum}`);
+  assert.match(await page.$eval("#note-cost", (note) => note.textContent), /hn_perlin in 2D, in floats, .* on ANGLE/);
+  await page.close();
+});

@@ -1,0 +1,180 @@
+// Links, positions, and the texts of the library, without a browser.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { readFileSync } from "node:fs";
+import { dirname, join, resolve } from "node:path";
+import test from "node:test";
+import { fileURLToPath } from "node:url";
+import { copied, copiedText, functions, numbers, shaderKey } from "../code.js";
+import { unpacked } from "../library.js";
+import {
+  dimensionsOf, kHashes, kLooks, kMetrics, kNoises, kSettings, kSums, kWarps, linkOf, noisesOf, parsedPosition, positionText, possible,
+  stateOf, stateOfLook, usualState,
+} from "../model.js";
+import { pageShader } from "../shaders.js";
+import { originOf, panned, positionOfPixel, stepOf, zoomed } from "../view.js";
+
+const root = resolve(dirname(fileURLToPath(import.meta.url)), "..", "..");
+const page = readFileSync(process.argv[2], "utf8");
+const library = await unpacked(/id="library">([^<]*)</.exec(page)[1]);
+
+// Numbers that are the same in every run.
+function* chance(word) {
+  for (;;) {
+    word = (Math.imul(word, 1664525) + 1013904223) >>> 0;
+    yield word / 4294967296;
+  }
+}
+const from = chance(19);
+const next = () => from.next().value;
+const one = (list) => list[Math.floor(next() * list.length)];
+
+function anyState() {
+  const state = usualState();
+  for (const [name, setting] of Object.entries(kSettings)) {
+    if (setting.of) state[name] = one(Object.keys(setting.of));
+    else if (typeof setting.usual === "bigint") state[name] = BigInt.asIntN(56, BigInt(Math.floor(next() * 2 ** 53)) * 8n);
+    else state[name] = setting.from + next() * (Math.min(setting.to, 1e6) - setting.from);
+  }
+  state.noise = one(noisesOf(state.sum));
+  state.dimensions = one(dimensionsOf(state));
+  return possible(state);
+}
+const text = (state) => JSON.stringify(state, (_, value) => (typeof value === "bigint" ? `${value} parts` : value));
+
+test("a link brings its state back", () => {
+  for (let i = 0; i < 2000; ++i) {
+    const state = anyState();
+    const link = linkOf(state);
+    assert.equal(linkOf(stateOf(link)), link);
+    // What the state does not use is not in its link; all else is.
+    const shader = (of) => (of.dimensions === 1 ? [of.x] : [of.x, of.y]).concat([shaderKey(of), of.seed, of.period, of.map, of.cells]);
+    assert.deepEqual(shader(stateOf(link)), shader(state), link);
+    assert.match(link, /^(#[\w.=&-]+)?$/);
+  }
+  assert.equal(linkOf(usualState()), "");
+});
+
+test("the links of the page's description mean what it says", () => {
+  const state = stateOf("#sum=ridged&noise=simplex&dimensions=3&z=1.5&seed=42&x=1000000000.25&cells=4");
+  assert.deepEqual([state.sum, state.noise, state.dimensions, state.z, state.seed, state.x, state.cells],
+                   ["ridged", "simplex", 3, 1.5, 42, 1000000000n * 16777216n + 4194304n, 4]);
+  const described = [...readFileSync(join(root, "docs", "playground.md"), "utf8").split("## Links")[1].matchAll(/^\| `(\w+)` \|/gm)].map((match) => match[1]);
+  assert.deepEqual(described, Object.keys(kSettings));
+});
+
+test("a link with what is not there still opens", () => {
+  for (const [link, name, value] of [["#noise=absent", "noise", "perlin"], ["#seed=-5", "seed", 0], ["#octaves=1e9", "octaves", 16],
+                                     ["#gain=much", "gain", 0.5], ["#x=far", "x", 0n], ["#noise=simplex&dimensions=1", "dimensions", 2],
+                                     ["#sum=eroded&noise=cells", "noise", "perlin"], ["#toString=1&__proto__=2", "seed", 7],
+                                     ["#cells=0", "cells", 1 / 64], ["#map=constructor", "map", "dusk"]]) {
+    assert.equal(stateOf(link)[name], name === "cells" ? Number((1 / 64).toPrecision(6)) : value, link);
+  }
+});
+
+test("a look is possible as it is written", () => {
+  for (const [name, look] of Object.entries(kLooks)) {
+    const state = stateOfLook(name, usualState());
+    for (const [setting, value] of Object.entries(look)) assert.equal(state[setting], value, `${name}: ${setting}`);
+  }
+});
+
+test("positions are exact", () => {
+  for (let i = 0; i < 2000; ++i) {
+    const parts = BigInt.asIntN(56, BigInt(Math.floor(next() * 2 ** 53)) * 8n + BigInt(i));
+    assert.equal(parsedPosition(positionText(parts)), parts);
+  }
+  for (const [given, parts] of [["0.5", 8388608n], ["-0.5", -8388608n], ["−3", -3n << 24n], ["1,25", 20971520n], [" 7 ", 7n << 24n]]) {
+    assert.equal(parsedPosition(given), parts, given);
+  }
+  for (const given of ["", "x", "1e5", "--1", "1.2.3", "0x10"]) assert.equal(parsedPosition(given), undefined, given);
+});
+
+test("what is below a pointer stays there while the scale changes", () => {
+  for (let i = 0; i < 500; ++i) {
+    const state = { ...usualState(), x: BigInt(Math.floor(next() * 2 ** 50)), y: -BigInt(i), cells: 2 ** (next() * 16 - 4) };
+    const [column, row] = [Math.floor(next() * 800), Math.floor(next() * 600)];
+    const before = positionOfPixel(state, 800, 600, column, row);
+    const nearer = { ...state, ...zoomed(state, 800, 600, 2 ** (next() * 2 - 1), column - 400, row - 300, kSettings.cells) };
+    const after = positionOfPixel(nearer, 800, 600, column, row);
+    before.forEach((parts, axis) => assert.ok(parts - after[axis] <= 1n && after[axis] - parts <= 1n, `${parts} became ${after[axis]}`));
+  }
+  const state = { ...usualState(), cells: 6 };
+  assert.equal(stepOf(state, 64, 48), 2 ** 21);
+  assert.deepEqual(originOf(state, 64, 48), [-(32n << 21n), -(24n << 21n)]);
+  assert.deepEqual(panned(state, 64, 48, 8, -4), { x: -(8n << 21n), y: 4n << 21n });
+});
+
+test("the library in the page is that of tools/single-file and tools/wgsl", () => {
+  for (const file of ["fbm2d.glsl", "hashnoise.glsl"]) {
+    const made = execFileSync(join(root, "tools", "single-file"), ["--strip", file], { encoding: "utf8" });
+    assert.equal(library.lines([file]).join("\n"), made.split("\n").slice(2).join("\n").trim(), file);
+  }
+  const made = execFileSync(join(root, "tools", "wgsl"), ["--strip", "--arithmetic", "HN_FIXED", "--hash", "PCG", "--only", "hn_ridged3_cell"], { encoding: "utf8" });
+  assert.equal(library.wgsl(["hn_ridged3_cell"], { arithmetic: "fixed", hash: "pcg" }).join("\n"), made.slice(made.indexOf("\n\n") + 2).trim());
+});
+
+// A sum over another noise is a changed text in WGSL. It must be what the translator makes of the macro.
+test("sums over other noises are those that the library's macros define", () => {
+  const script = `
+import json, sys
+sys.dont_write_bytecode = True
+sys.path.insert(0, ${JSON.stringify(join(root, "tools", "lib"))})
+from tree import GLSL
+from wgsl.module import Module, Settings
+lines, names = json.load(sys.stdin)
+module = Module(GLSL, '#include "hashnoise.glsl"\\n' + "".join(line + "\\n" for line in lines), Settings("HN_FIXED"))
+made = {d.name: "\\n".join(d.lines) for d in (module.translator.definition(n) for n in module.translator.items if any(n.startswith(name + "_") for name in names))}
+json.dump(made, sys.stdout)
+`;
+  const macros = [];
+  const ours = new Map();
+  for (const sum of Object.keys(kSums).filter((name) => name !== "none")) {
+    for (const noise of noisesOf(sum).filter((name) => name !== "perlin" && !kNoises[name].signed)) {
+      for (const dimensions of dimensionsOf({ noise, sum })) {
+        for (const period of [0, 4]) {
+          const state = { ...usualState(), sum, noise, dimensions, period, arithmetic: "fixed" };
+          const name = `hn_i_${sum}_${noise}_${dimensions}${period ? "_tile" : ""}`;
+          const macro = functions(library, "glsl", state, numbers("glsl", state)).lines[0];
+          assert.match(macro, /^HN_[A-Z_]+\dD\(\w+, hn_\w+\)$/);
+          macros.push(macro.replace(/\(\w+,/, `(${name},`));
+          const { lines } = functions(library, "wgsl", state, numbers("wgsl", state));
+          ours.set(name, lines.slice(0, lines.indexOf("")).join(" "));
+        }
+      }
+    }
+  }
+  const made = JSON.parse(execFileSync("python3", ["-c", script], { input: JSON.stringify([macros, [...ours.keys()]]), encoding: "utf8", maxBuffer: 1 << 26 }));
+  const plain = (code) => code.replace(/fn \w+\(/g, "fn f(").replace(/\s+/g, "");
+  for (const [name, text] of ours) {
+    const theirs = Object.entries(made).filter(([full]) => new RegExp(`^${name}_(f32|i32|vec)`).test(full)).map(([, code]) => plain(code));
+    const functionsOfOurs = text.split(/(?=fn )/).map(plain);
+    for (const one of functionsOfOurs) assert.ok(theirs.includes(one), `${name}: ${one}\nis none of\n${theirs.join("\n")}`);
+    assert.ok(!theirs.includes(functionsOfOurs[0].replace("0", "1")));
+  }
+  assert.ok(ours.size > 100);
+});
+
+test("states with one shader have one text of it, and others have another", () => {
+  const texts = new Map();
+  for (let i = 0; i < 400; ++i) {
+    const state = anyState();
+    const key = shaderKey(state);
+    const made = pageShader(library, "glsl", state) + pageShader(library, "wgsl", state);
+    assert.equal(texts.get(key) ?? made, made, key);
+    texts.set(key, made);
+  }
+  assert.equal(new Set(texts.values()).size, texts.size);
+});
+
+test("what is copied says what is chosen", () => {
+  const state = possible({ ...usualState(), sum: "ridged", noise: "simplex", octaves: 5, seed: 9, arithmetic: "fixed", hash: "pcg" });
+  const short = copiedText(library, "glsl", state, false);
+  for (const part of ["#define HN_ARITHMETIC HN_FIXED", "#define HN_HASH HN_HASH_PCG", '#include "fbm2d.glsl"', "HN_RIDGED2D(ridged_simplex, hn_simplex)",
+                      "ridged_simplex(cell, f, 5, 2.0, 0.5, 9u)", "vec3 colour(float value)"]) {
+    assert.ok(short.includes(part), part);
+  }
+  assert.ok(!copiedText(library, "glsl", state, true).includes("#include"));
+  assert.match(copied(library, "wgsl", state, false).head.join("\n"), /tools\/wgsl --arithmetic HN_FIXED --hash PCG --only .*hn_ridged2_cell/);
+  assert.ok(Object.keys(kHashes).length === 8 && Object.keys(kMetrics).length === 5 && Object.keys(kWarps).length === 3);
+});

@@ -1,0 +1,195 @@
+// The pixels: with HN_FIXED their values are those of the golden files and of the C++ header, bit for bit, by WebGL2 and
+// by WebGPU; and their colours follow from the values.
+import assert from "node:assert/strict";
+import test, { after, before } from "node:test";
+import { kMaps, rangeOf, usualState } from "../model.js";
+import { bitsOf, compiled, copiedCode, floatOf, golden, launched, opened, pixels, setState } from "./support.mjs";
+
+const kRows = 24;  // of each file
+const kAxes = ["x", "y", "z", "w"];
+const kParts = 16777216;
+
+const noises = { perlin: [1, 2, 3, 4], value: [1, 2, 3, 4], value_cubic: [1, 2, 3], simplex: [2, 3, 4], simplex_smooth: [2, 3] };
+const sums = { fbm: [1, 2, 3, 4], turbulence: [2], billow: [2], clouds: [3], ridged: [2, 4], ping_pong: [2], weighted: [3] };
+const subjects = [
+  ...Object.entries(noises).flatMap(([noise, all]) =>
+    all.flatMap((n) => ["cell", "cell_period"].map((form) => [`noise${n}d.${noise}_${form}`, { sum: "none", noise, dimensions: n }]))),
+  ...Object.entries(sums).flatMap(([sum, all]) =>
+    all.flatMap((n) => ["cell", "cell_period"].map((form) => [`fbm.${sum}${n}_${form}`, { sum, noise: "perlin", dimensions: n }]))),
+  ["fbm_d.eroded2_cell", { sum: "eroded", noise: "perlin", dimensions: 2 }],
+  ["fbm_d.eroded3_cell_period", { sum: "eroded", noise: "perlin", dimensions: 3 }],
+];
+
+const signed = (word) => word | 0;
+
+// What the page shows of a row: the state and the point; nothing for a row that no pixel can have.
+function shownOf({ words }, state) {
+  const axes = kAxes.slice(0, state.dimensions);
+  const places = axes.map((axis) => floatOf(words[`f${axis}`]) * kParts);
+  const periods = new Set(axes.map((axis) => words[`p${axis}`]).filter((period) => period !== undefined));
+  const apart = periods.size > 1 || [...periods].some((period) => signed(period) <= 0);
+  if (apart || places.some((place) => !Number.isInteger(place) || place < 0 || place >= kParts)) return undefined;
+  const point = kAxes.map((axis, at) => (at < axes.length ? (BigInt(signed(words[`c${axis}`])) << 24n) + BigInt(places[at]) : 0n));
+  const setting = (name, usual) => (words[name] === undefined ? usual : floatOf(words[name]));
+  return {
+    point,
+    state: {
+      ...usualState(), ...state, arithmetic: "fixed", seed: words.seed, octaves: signed(words.octaves ?? 1), period: [...periods][0] ?? 0,
+      lacunarity: setting("lacunarity", 2), gain: setting("gain", 0.5), strength: setting("strength", 1),
+    },
+  };
+}
+
+// Which rows have another value in the page than in the file.
+async function differing(page, renderer, [id, subject]) {
+  const wrong = [];
+  let tried = 0;
+  for (const row of await golden(id, "lattice+fixed")) {
+    const shown = shownOf(row, subject);
+    if (!shown || tried === kRows) continue;
+    ++tried;
+    await setState(page, { ...shown.state, renderer });
+    const value = await page.evaluate(async (point) => (await window.hashnoise.values([point.map(BigInt)]))[0], shown.point.map(String));
+    if (bitsOf(value) !== row.bits) wrong.push(`${id}: ${JSON.stringify(row.words)} is ${value}, not ${floatOf(row.bits)}`);
+  }
+  return { tried, wrong };
+}
+
+// Pictures of which every pixel is compared with C++: 8 of them make a cell, and far out a cell has its own neighbours.
+const far = { x: -1000000000n * 16777216n + 4711n, y: 2000000000n * 16777216n, cells: 0.75 };
+const pictures = [
+  { sum: "fbm", noise: "simplex", ...far },
+  { sum: "ridged", noise: "value_cubic", dimensions: 3, z: -3.25, hash: "pcg", gain: 0.625, seed: 4294967295 },
+  { sum: "ping_pong", noise: "cellular", metric: "manhattan", jitter: 0.75, strength: 3, octaves: 3 },
+  { sum: "none", noise: "cells", period: 3, map: "land" },
+  { sum: "none", noise: "curl", dimensions: 3, z: 0.5, map: "signed" },
+  { sum: "eroded", noise: "value", warp: "warp_progressive", amplitude: 1.5, strength: 2 },
+  { sum: "none", noise: "simplex", phase: 0.375, period: 4, hash: "murmur" },
+  { sum: "weighted", noise: "cell_border", dimensions: 3, z: 7.125, period: 5, octaves: 2 },
+  { sum: "turbulence", noise: "perlin", dimensions: 4, z: 1.75, w: -0.125, octaves: 3, lacunarity: 1.875 },
+  { sum: "clouds", noise: "value", dimensions: 1, map: "sky" },
+].map((state) => ({ ...usualState(), x: 5n, y: -7n, cells: 6, ...state, arithmetic: "fixed" }));
+const kWidth = 40;
+const kHeight = 32;
+
+// In C++: the positions of the pixels, by 64-bit arithmetic, and pattern() there.
+function mainOf(state) {
+  const n = state.dimensions;
+  const step = Math.round((state.cells / kHeight) * kParts);
+  const axes = ["x", "y", String(Math.round(state.z * kParts)), String(Math.round(state.w * kParts))].slice(0, n);
+  const list = (type, part) => (n === 1 ? part("x") : `${type}${n}(${axes.map((axis) => part(axis)).join(", ")})`);
+  return `#include <cstdio>
+int cell(long long at) { return static_cast<int>(static_cast<unsigned>(at >> 24)); }
+float place(long long at) { return static_cast<float>(at & 0xFFFFFF) * 0x1p-24f; }
+int main() {
+  for (int row = 0; row < ${kHeight}; ++row) {
+    for (int column = 0; column < ${kWidth}; ++column) {
+      const long long x = ${state.x}LL + (column - ${kWidth / 2}) * ${step}LL;
+      [[maybe_unused]] const long long y = ${state.y}LL + (row - ${kHeight / 2}) * ${step}LL;
+      const auto value = hashnoise::pattern(${list("hashnoise::ivec", (axis) => `cell(${axis})`)},
+                                            ${list("hashnoise::vec", (axis) => `place(${axis})`)});
+      std::printf("%08x\\n", hashnoise::floatBitsToUint(value));
+    }
+  }
+}
+`;
+}
+
+// The colour that a value has, by another way than the shader's: the map at the number of the colour.
+function colourOf(value, state, row) {
+  const [low, high] = rangeOf(state).map((end) => Math.round(end * 2 ** 20));
+  const units = Math.min(Math.max(Math.floor(value * 2 ** 20) - low, 0), high - low - 1);
+  const number = Math.floor((units * 256) / (high - low));
+  const stops = kMaps[state.map].stops.map((stop) => parseInt(stop, 16));
+  const place = (number * (stops.length - 1)) / 255;
+  const at = Math.min(Math.floor(place), stops.length - 2);
+  const above = state.dimensions === 1 && row > Math.floor((Math.floor(units / 64) * kHeight) / Math.floor((high - low) / 64));
+  const parts = [16, 8, 0].map((shift) => {
+    const [from, to] = [stops[at], stops[at + 1]].map((stop) => (stop >> shift) & 255);
+    return Math.round(from + (to - from) * (place - at)) * (above ? 0.125 : 1);
+  });
+  return { parts, exact: !above };
+}
+
+function wrongColours(values, bytes, state) {
+  let wrong = 0;
+  values.forEach((word, at) => {
+    const { parts, exact } = colourOf(floatOf(word), state, Math.floor(at / kWidth));
+    const off = Math.max(...parts.map((part, i) => Math.abs(part - bytes[4 * at + i])));
+    if (off > (exact ? 0 : 0.5) || bytes[4 * at + 3] !== 255) ++wrong;
+  });
+  return wrong;
+}
+
+const unequal = (a, b) => a.filter((word, at) => word !== b[at]).length + Math.abs(a.length - b.length);
+
+let browser;
+let page;
+before(async () => {
+  browser = await launched();
+  page = await opened(browser);
+});
+after(() => browser.close());
+
+test("a pixel has the golden value", async () => {
+  const tried = { cell: 0, cell_period: 0 };
+  for (const [number, subject] of subjects.entries()) {
+    const found = await differing(page, number % 2 ? "webgpu" : "webgl2", subject);
+    assert.deepEqual(found.wrong, []);
+    const form = subject[0].endsWith("period") ? "cell_period" : "cell";
+    // Most rows have periods that differ from axis to axis, which the page has not.
+    if (form === "cell") assert.ok(found.tried >= 4, `${subject[0]} has only ${found.tried} rows that a pixel can have`);
+    tried[form] += found.tried;
+  }
+  assert.ok(tried.cell > 300 && tried.cell_period > 20, JSON.stringify(tried));
+  console.log(`golden values: ${JSON.stringify(tried)}`);
+});
+
+test("every pixel of a picture has the value of C++, and its colour", async () => {
+  for (const state of pictures) {
+    const name = JSON.stringify({ sum: state.sum, noise: state.noise, dimensions: state.dimensions });
+    await setState(page, { ...state, renderer: "webgl2" });
+    const expected = (await compiled(await copiedCode(page, "cpp", false), mainOf(state))).trim().split("\n").map((word) => parseInt(word, 16));
+    assert.ok(new Set(expected).size > 5, `${name} shows next to nothing`);
+    const colours = {};
+    for (const renderer of ["webgl2", "webgpu"]) {
+      await setState(page, { renderer });
+      const values = await pixels(page, kWidth, kHeight, true);
+      assert.equal(unequal(values, expected), 0, `${name} by ${renderer}`);
+      colours[renderer] = await pixels(page, kWidth, kHeight);
+      assert.equal(wrongColours(values, colours[renderer], state), 0, `colours of ${name} by ${renderer}`);
+    }
+    assert.equal(unequal(colours.webgl2, colours.webgpu), 0);
+  }
+});
+
+test("floats are as near as the library promises", async () => {
+  await setState(page, { ...pictures[0], arithmetic: "fixed", renderer: "webgl2" });
+  const exact = await pixels(page, kWidth, kHeight, true);
+  for (const renderer of ["webgl2", "webgpu"]) {
+    await setState(page, { arithmetic: "fast", renderer });
+    const values = await pixels(page, kWidth, kHeight, true);
+    const off = Math.max(...values.map((word, at) => Math.abs(floatOf(word) - floatOf(exact[at]))));
+    assert.ok(off > 0 && off < 1e-4, `off by ${off} by ${renderer}`);
+  }
+});
+
+test("a changed library is noticed", async () => {
+  const broken = await opened(browser);
+  await broken.evaluate(() => {
+    const { library } = window.hashnoise;
+    const changed = (text) => text.replaceAll("0x9E3779B9u", "0x9E3779B8u");
+    for (const [file, lines] of Object.entries(library.glsl)) library.glsl[file] = lines.map(changed);
+    for (const definition of library.definitions) definition.text = changed(definition.text);
+  });
+  for (const renderer of ["webgl2", "webgpu"]) {
+    const { wrong } = await differing(broken, renderer, ["fbm.fbm2_cell", { sum: "fbm", noise: "perlin", dimensions: 2 }]);
+    assert.notEqual(wrong.length, 0, renderer);
+  }
+  await setState(broken, { ...pictures[0], renderer: "webgl2" });
+  await setState(page, { ...pictures[0], renderer: "webgl2" });
+  assert.notEqual(unequal(await pixels(broken, kWidth, kHeight, true), await pixels(page, kWidth, kHeight, true)), 0);
+  const values = await pixels(page, kWidth, kHeight, true);
+  assert.notEqual(wrongColours(values, await pixels(page, kWidth, kHeight), { ...pictures[0], map: "ember" }), 0);
+  await broken.close();
+});

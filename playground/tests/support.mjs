@@ -1,0 +1,101 @@
+// What the tests of the page share. They run in the folder of tools/lib/javascript:
+//
+//   node TEST PAGE.html
+import { readFile } from "node:fs/promises";
+import { execFile } from "node:child_process";
+import { mkdtemp, rm, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { dirname, join, resolve } from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { promisify } from "node:util";
+
+export const kRoot = resolve(dirname(fileURLToPath(import.meta.url)), "..", "..");
+export const kPage = pathToFileURL(resolve(process.argv[2] ?? "playground.html")).href;
+export const run = promisify(execFile);
+
+const { launch, open } = await import(pathToFileURL(resolve("chromium.mjs")));
+
+// A canvas of WebGPU needs the compositor to be on the same Vulkan.
+export const launched = () => launch({ args: ["--enable-features=Vulkan", "--use-vulkan=swiftshader"] });
+
+export const kPhone = { width: 390, height: 844, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
+export const kSmall = { width: 320, height: 200 };
+
+// The page, ready, and without errors in its console so far.
+export async function opened(browser, { link = "", viewport = kSmall, before } = {}) {
+  const page = await open(browser, "about:blank");
+  await page.setViewport(viewport);
+  if (before) await page.evaluateOnNewDocument(before);
+  await page.goto(kPage + link);
+  await ready(page);
+  return page;
+}
+
+export const ready = (page) =>
+  page.waitForFunction(() => document.documentElement.dataset.ready === "yes", { timeout: 30000 });
+
+// BigInts do not pass from the page to here or back, so they pass as text.
+export const sent = (value) =>
+  JSON.parse(JSON.stringify(value, (_, part) => (typeof part === "bigint" ? { parts: String(part) } : part)));
+export const received = (value) =>
+  JSON.parse(JSON.stringify(value), (_, part) => (part && typeof part === "object" && part.parts ? BigInt(part.parts) : part));
+
+// Sets the state of the page as it is, without the limits of what can be chosen.
+export const setState = (page, state) =>
+  page.evaluate((given) => {
+    const state = JSON.parse(JSON.stringify(given), (_, part) => (part?.parts ? BigInt(part.parts) : part));
+    window.hashnoise.state = { ...window.hashnoise.state, ...state };
+  }, sent(state));
+
+export const stateOfPage = async (page) =>
+  received(await page.evaluate(() =>
+    JSON.parse(JSON.stringify(window.hashnoise.state, (_, part) => (typeof part === "bigint" ? { parts: String(part) } : part)))));
+
+// The bytes of a picture of this size, or the bits of its values, as words.
+export async function pixels(page, width, height, bits = false) {
+  const bytes = await page.evaluate(async (...size) => Array.from(await window.hashnoise.pixels(...size)), width, height, bits ? 1 : 0);
+  return bits ? Array.from(new Uint32Array(new Uint8Array(bytes).buffer)) : bytes;
+}
+
+export const copiedCode = (page, language, whole) =>
+  page.evaluate((tab, chosen) => {
+    document.getElementById(`language-${tab}`).click();
+    document.getElementById("whole").checked = chosen;
+    window.hashnoise.controls.show(window.hashnoise.state);
+    return window.hashnoise.controls.code;
+  }, language, whole);
+
+// The rows of a golden file (docs/formats.md): the columns by name, as words, and the bits of the first result.
+export async function golden(id, configuration) {
+  const lines = (await readFile(join(kRoot, "conformance", "expected", "golden", `${id}.${configuration}.golden`), "ascii")).split("\n");
+  const columns = lines.find((line) => line.startsWith("columns ")).slice(8).split(" = ")[0].split(" ").map((column) => column.split(":")[0]);
+  return lines.filter((line) => /^[0-9a-f]{8}[0-9a-f ]* = /.test(line)).map((line) => {
+    const [inputs, outputs] = line.split(" = ");
+    const words = Object.fromEntries(inputs.split(" ").map((word, at) => [columns[at], parseInt(word, 16)]));
+    const value = new DataView(new ArrayBuffer(8));
+    value.setBigUint64(0, BigInt(`0x${outputs.split(" ")[0]}`));
+    return { words, bits: bitsOf(value.getFloat64(0)) };
+  });
+}
+
+export const bitsOf = (value) => new Uint32Array(new Float32Array([value]).buffer)[0];
+export const floatOf = (word) => new Float32Array(new Uint32Array([word]).buffer)[0];
+
+// A folder that goes when the work in it is done.
+export async function inFolder(work) {
+  const folder = await mkdtemp(join(tmpdir(), "playground-"));
+  try {
+    return await work(folder);
+  } finally {
+    await rm(folder, { recursive: true });
+  }
+}
+
+// What a program of C++ prints that ends in `main`, behind the copied code.
+export const compiled = (code, main) =>
+  inFolder(async (folder) => {
+    await writeFile(join(folder, "main.cpp"), `${code}\n${main}`);
+    const flags = ["-std=c++20", "-O0", "-ffp-contract=off", "-I", join(kRoot, "include")];
+    await run("g++", [...flags, join(folder, "main.cpp"), "-o", join(folder, "main")]);
+    return (await run(join(folder, "main"), { maxBuffer: 1 << 26 })).stdout;
+  });

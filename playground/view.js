@@ -1,0 +1,49 @@
+// Where the picture is. Positions are whole numbers of parts of a cell, so that a pixel's cell and its place in the cell
+// are exact, however far out.
+import { kParts, wrapped } from "./model.js";
+
+export const kPartsOfCell = Number(kParts);
+
+// The distance between two pixels, in parts: the shorter side of the picture has `cells` cells.
+export function stepOf(state, width, height) {
+  return Math.max(1, Math.round((state.cells / Math.min(width, height)) * kPartsOfCell));
+}
+
+// The position of the pixel in the lower left corner; the middle of the picture is at x and y.
+export function originOf(state, width, height) {
+  const step = BigInt(stepOf(state, width, height));
+  return [wrapped(state.x - step * BigInt(width >> 1)), wrapped(state.y - step * BigInt(height >> 1))];
+}
+
+export const cellOf = (parts) => Number(BigInt.asIntN(32, parts >> 24n));
+export const placeOf = (parts) => Number(parts & (kParts - 1n));
+
+// A coordinate of a slice as parts.
+export const partsOf = (number) => wrapped(BigInt(Math.round(number * kPartsOfCell)));
+
+// The position of a pixel, counted from the lower left corner.
+export function positionOfPixel(state, width, height, column, row) {
+  const step = BigInt(stepOf(state, width, height));
+  const [x, y] = originOf(state, width, height);
+  return [wrapped(x + step * BigInt(column)), wrapped(y + step * BigInt(row))];
+}
+
+// The state after a drag by so many pixels of a picture of this size.
+export function panned(state, width, height, right, up) {
+  const step = stepOf(state, width, height);
+  return {
+    x: wrapped(state.x - BigInt(Math.round(right * step))),
+    y: state.dimensions === 1 ? state.y : wrapped(state.y - BigInt(Math.round(up * step))),
+  };
+}
+
+// The state with `factor` times the cells, where what is at this pixel, counted from the middle, stays there.
+export function zoomed(state, width, height, factor, right, up, limits) {
+  const cells = Number(Math.min(Math.max(state.cells * factor, limits.from), limits.to).toPrecision(6));
+  const moved = stepOf(state, width, height) - stepOf({ ...state, cells }, width, height);
+  return {
+    cells,
+    x: wrapped(state.x + BigInt(Math.round(right * moved))),
+    y: state.dimensions === 1 ? state.y : wrapped(state.y + BigInt(Math.round(up * moved))),
+  };
+}

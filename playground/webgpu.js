@@ -1,0 +1,128 @@
+// The picture by WebGPU.
+import { kFrameBytes } from "./shaders.js";
+
+const kFormat = "rgba8unorm";
+
+export class WebGPU {
+  // Throws if the browser has no WebGPU, or no device for it.
+  static async create(canvas) {
+    const adapter = await navigator.gpu?.requestAdapter({ powerPreference: "high-performance" });
+    if (!adapter) throw new Error("This browser does not give a WebGPU device.");
+    const device = await adapter.requestDevice();
+    const context = canvas.getContext("webgpu");
+    context.configure({ device, format: kFormat, alphaMode: "opaque" });
+    return new WebGPU(canvas, adapter, device, context);
+  }
+
+  constructor(canvas, adapter, device, context) {
+    this.canvas = canvas;
+    this.info = adapter.info;
+    this.device = device;
+    this.context = context;
+    this.language = "wgsl";
+    this.lost = false;
+    device.lost.then(() => {
+      this.lost = true;
+      canvas.dispatchEvent(new Event("lost"));
+    });
+    this.frames = device.createBuffer({ size: kFrameBytes, usage: GPUBufferUsage.UNIFORM | GPUBufferUsage.COPY_DST });
+    this.palette = this.texture(256, 1, GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_DST);
+    const visibility = GPUShaderStage.FRAGMENT;
+    this.layout = device.createBindGroupLayout({
+      entries: [{ binding: 0, visibility, buffer: {} }, { binding: 1, visibility, texture: { sampleType: "unfilterable-float" } }],
+    });
+    this.group = device.createBindGroup({
+      layout: this.layout,
+      entries: [{ binding: 0, resource: { buffer: this.frames } }, { binding: 1, resource: this.palette.createView() }],
+    });
+  }
+
+  describe() {
+    const { description, vendor, architecture } = this.info ?? {};
+    return description || [vendor, architecture].filter(Boolean).join(" ") || "WebGPU";
+  }
+
+  texture(width, height, usage) {
+    return this.device.createTexture({ size: [width, height], format: kFormat, usage });
+  }
+
+  async build(text) {
+    const { device } = this;
+    device.pushErrorScope("validation");
+    const module = device.createShaderModule({ code: text });
+    const error = await device.popErrorScope();
+    if (error) throw new Error(`The driver does not compile the shader. ${error.message}`);
+    return device.createRenderPipelineAsync({
+      layout: device.createPipelineLayout({ bindGroupLayouts: [this.layout] }),
+      vertex: { module, entryPoint: "vertex" },
+      fragment: { module, entryPoint: "fragment", targets: [{ format: kFormat }] },
+    }).catch((failure) => {
+      throw new Error(`The driver does not make a pipeline. ${failure.message}`);
+    });
+  }
+
+  discard() {}
+
+  setPalette(bytes) {
+    this.device.queue.writeTexture({ texture: this.palette }, bytes, { bytesPerRow: 1024 }, [256, 1]);
+  }
+
+  pass(encoder, program, view) {
+    const pass = encoder.beginRenderPass({ colorAttachments: [{ view, loadOp: "clear", storeOp: "store" }] });
+    pass.setPipeline(program);
+    pass.setBindGroup(0, this.group);
+    pass.draw(3);
+    pass.end();
+  }
+
+  draw(program, frame) {
+    const { device, context } = this;
+    device.queue.writeBuffer(this.frames, 0, frame);
+    const encoder = device.createCommandEncoder();
+    this.pass(encoder, program, context.getCurrentTexture().createView());
+    device.queue.submit([encoder.finish()]);
+  }
+
+  finished() {
+    return this.device.queue.onSubmittedWorkDone();
+  }
+
+  // As WebGL2 has it: from the lower left corner on.
+  async read(program, frame, width, height) {
+    const { device } = this;
+    const target = this.texture(width, height, GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.COPY_SRC);
+    const bytesPerRow = Math.ceil((width * 4) / 256) * 256;
+    const buffer = device.createBuffer({ size: bytesPerRow * height, usage: GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ });
+    device.queue.writeBuffer(this.frames, 0, frame);
+    const encoder = device.createCommandEncoder();
+    this.pass(encoder, program, target.createView());
+    encoder.copyTextureToBuffer({ texture: target }, { buffer, bytesPerRow }, [width, height]);
+    device.queue.submit([encoder.finish()]);
+    await buffer.mapAsync(GPUMapMode.READ);
+    const rows = new Uint8Array(buffer.getMappedRange());
+    const bytes = new Uint8Array(width * height * 4);
+    for (let row = 0; row < height; ++row) {
+      const start = (height - 1 - row) * bytesPerRow;
+      bytes.set(rows.subarray(start, start + width * 4), row * width * 4);
+    }
+    buffer.destroy();
+    target.destroy();
+    return bytes;
+  }
+
+  async time(program, frame, side, draws) {
+    const { device } = this;
+    const target = this.texture(side, side, GPUTextureUsage.RENDER_ATTACHMENT);
+    const view = target.createView();
+    device.queue.writeBuffer(this.frames, 0, frame);
+    await this.finished();
+    const start = performance.now();
+    const encoder = device.createCommandEncoder();
+    for (let i = 0; i < draws; ++i) this.pass(encoder, program, view);
+    device.queue.submit([encoder.finish()]);
+    await this.finished();
+    const milliseconds = performance.now() - start;
+    target.destroy();
+    return milliseconds;
+  }
+}

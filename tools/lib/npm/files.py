@@ -1,0 +1,193 @@
+"""The files of the npm package that are made of the library: GLSL and WGSL as modules of JavaScript, with their types.
+
+A text stands in one module, and others import it, so a bundler keeps what is used, and keeps it once.
+"""
+
+from __future__ import annotations
+
+import base64
+import json
+import re
+from collections.abc import Iterable
+
+from single_file.files import Part, minified, parts, text
+from tables.glsl import declarations
+from tree import GLSL, ROOT
+from wgsl.module import Module, Settings
+from wgsl.translator import Definition
+
+PACKAGE = ROOT / "packages" / "npm"
+MADE = "// Made by tools/npm. Copyright (c) 2026 The hashnoise authors; MIT License.\n"
+# WGSL has no HN_PRECISE. The folder of each, and what users call it.
+ARITHMETICS = {"fast": "HN_FAST", "fixed": "HN_FIXED"}
+STRING = "declare const text: string;\nexport default text;\n"
+# The types of TSL: those of GLSL, by the names of WGSL.
+TYPES = {"f32": "float", "i32": "int", "u32": "uint",
+         **{f"vec{n}{letter}": f"{prefix}vec{n}" for n in (2, 3, 4) for letter, prefix in
+            (("f", ""), ("i", "i"), ("u", "u"))}}
+SIGNATURE = re.compile(r"fn (?P<name>\w+)\((?P<parameters>[^)]*)\) -> (?P<type>\w+) \{")
+
+
+def version() -> str:
+    numbers = re.findall(r"#define HN_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)", (GLSL / "config.glsl").read_text())
+    return ".".join(numbers)
+
+
+def quoted(value: str) -> str:
+    return json.dumps(value, ensure_ascii=True)
+
+
+# ---------------------------------------------------------------------------------------------------------------------
+# GLSL.
+
+
+def closure(name: str, all_parts: dict[str, Part], done: list[str]) -> list[str]:
+    """The files that a file needs, and itself, in the order in which includes put them."""
+    for included in all_parts[name].includes:
+        if included not in done:
+            closure(included, all_parts, done)
+    if name not in done:
+        done.append(name)
+    return done
+
+
+def glsl_files() -> dict[str, str]:
+    """The plain files, the text of each without comments as a module, and strings that stand alone, made of those."""
+    found = {f"glsl/{path.name}": path.read_text(encoding="ascii") for path in sorted(GLSL.glob("*.glsl"))}
+    found["hashnoise.glsl"] = text("hashnoise.glsl", minify=True)
+    all_parts = parts()
+    for name, part in all_parts.items():
+        stem = name.removesuffix(".glsl")
+        lines = list(minified(part.lines))
+        found[f"glsl/text/{stem}.js"] = f"{MADE}export default {quoted(''.join(f'{line}' + chr(10) for line in lines))};\n"
+        needed = [need.removesuffix(".glsl") for need in closure(name, all_parts, [])]
+        imports = "".join(f'import {need} from "./text/{need}.js";\n' for need in needed)
+        found[f"glsl/{stem}.js"] = f"{MADE}{imports}\nexport default {' + '.join(needed)};\n"
+        found[f"glsl/{stem}.d.ts"] = STRING
+    names = [name.removesuffix(".glsl") for name in all_parts]
+    found["glsl/all.js"] = MADE + "".join(f'export {{ default as {name} }} from "./{name}.js";\n' for name in names)
+    return found
+
+
+# ---------------------------------------------------------------------------------------------------------------------
+# WGSL.
+
+
+def is_public(name: str) -> bool:
+    return name.startswith("hn_") and not name.startswith("hn_i_")
+
+
+def comment(definition: Definition) -> str:
+    """What documents a definition, for editors."""
+    block: list[str] = []
+    for line in reversed(definition.comments):
+        if not line.startswith("//"):
+            break
+        block.insert(0, line.removeprefix("//").rstrip())
+    return "".join(f" *{line}\n" for line in block).replace("*/", "* /").replace("; 0 if left out", "")
+
+
+def documented(definition: Definition, line: str) -> str:
+    said = comment(definition)
+    return f"/**\n{said} */\n{line}" if said else line
+
+
+def wgsl_files(modules: dict[str, list[Definition]]) -> dict[str, str]:
+    """A module for each arithmetic, in which each definition is a constant that names those it needs."""
+    found = {}
+    for folder, definitions in modules.items():
+        lines = [MADE, 'import { definition } from "./wgsl.js";\n', 'export { wgsl } from "./wgsl.js";\n\n']
+        types = ['import type { Definition } from "./wgsl.js";\n', 'export { wgsl } from "./wgsl.js";\n\n']
+        for item in definitions:
+            code = "".join(f"{line}\n" for line in minified(item.lines))
+            needs = "".join(f", {need}" for need in item.needs)
+            export = "export " if is_public(item.name) else ""
+            lines.append(f"{export}const {item.name} = /*#__PURE__*/ definition({quoted(code)}{needs});\n")
+            if export:
+                types.append(documented(item, f"export declare const {item.name}: Definition;\n"))
+        found[f"wgsl/{folder}.js"] = "".join(lines)
+        found[f"wgsl/{folder}.d.ts"] = "".join(types)
+    return found
+
+
+# ---------------------------------------------------------------------------------------------------------------------
+# TSL.
+
+
+def glsl_names(module: Module) -> dict[tuple[str, tuple[str, ...]], str]:
+    """The name in GLSL of what has this name and these types in WGSL."""
+    return {(new, types): old for (old, types), new in module.names().items()}
+
+
+def tsl_files(modules: dict[str, list[Definition]], names: dict[tuple[str, tuple[str, ...]], str]) -> dict[str, str]:
+    """A node for each function whose result is all that it sets."""
+    files = {(item.name, item.types): item.path.stem for item in declarations()}
+    found = {}
+    for folder, definitions in modules.items():
+        imported, nodes, types, needed = [], [], [], set()
+        for item in definitions:
+            signature = SIGNATURE.match(" ".join(line.strip() for line in item.lines))
+            if not is_public(item.name) or not signature or "ptr<" in signature["parameters"]:
+                continue
+            parameters = [one.split(": ") for one in signature["parameters"].split(", ")]
+            glsl_types = tuple(TYPES[type_] for _, type_ in parameters)
+            glsl = names[item.name, glsl_types]
+            file = files[glsl, glsl_types]
+            needed.add(file)
+            imported.append(item.name)
+            declared = ", ".join(f"{type_} {name}" for (name, _), type_ in zip(parameters, glsl_types))
+            nodes.append(f"export const {item.name} = /*#__PURE__*/ node({quoted(item.name)}, "
+                         f"{quoted(TYPES[signature['type']])}, {quoted(declared)}, {quoted(glsl)}, {file}, "
+                         f"wgsl_{item.name}, {quoted(ARITHMETICS[folder])});\n")
+            taken = ", ".join(f"{name}{'?' if name == 'seed' else ''}: {accepted(type_)}"
+                              for (name, _), type_ in zip(parameters, glsl_types))
+            types.append(documented(item, f"export declare function {item.name}({taken}): "
+                                          f"Node<\"{TYPES[signature['type']]}\">;\n"))
+        found[f"tsl/{folder}.js"] = "".join([
+            MADE, *(f'import {file} from "../glsl/{file}.js";\n' for file in sorted(needed)),
+            f"import {{ {', '.join(f'{name} as wgsl_{name}' for name in imported)} }} from \"../wgsl/{folder}.js\";\n",
+            'import { node } from "./node.js";\n\n', *nodes])
+        found[f"tsl/{folder}.d.ts"] = "".join(['import type { Node } from "three/webgpu";\n\n', *types])
+    return found
+
+
+def accepted(type_: str) -> str:
+    return f'Node<"{type_}"> | number' if "vec" not in type_ else f'Node<"{type_}">'
+
+
+# ---------------------------------------------------------------------------------------------------------------------
+
+
+def readme() -> str:
+    """The page about this package, whose links would lead nowhere from there."""
+    page = (ROOT / "docs" / "javascript.md").read_text(encoding="utf-8")
+    return re.sub(r"\[([^\]]+)\]\([^)]*\)", r"\1", page)
+
+
+def checked_names(found: Iterable[str]) -> None:
+    folded = [name.lower() for name in found]
+    if len(set(folded)) != len(folded):
+        raise ValueError("two files of the package have one name")
+
+
+def package(module: bytes) -> dict[str, str]:
+    """All files, by their paths; `module` is the twin in WebAssembly."""
+    settings = {folder: Settings(arithmetic) for folder, arithmetic in ARITHMETICS.items()}
+    modules = {folder: Module(GLSL, '#include "hashnoise.glsl"\n', one) for folder, one in settings.items()}
+    definitions = {folder: one.definitions() for folder, one in modules.items()}
+    found = {str(path.relative_to(PACKAGE / "src")): path.read_text(encoding="utf-8")
+             for path in sorted((PACKAGE / "src").rglob("*")) if path.is_file()}
+    described = json.loads((PACKAGE / "package.json").read_text(encoding="utf-8"))
+    found["package.json"] = json.dumps({"name": described.pop("name"), "version": version(), **described}, indent=2) + "\n"
+    found["LICENSE"] = (ROOT / "LICENSE").read_text(encoding="utf-8")
+    found["README.md"] = readme()
+    packed = base64.b64encode(module).decode("ascii")
+    found["twin.js"] = f"""{MADE}// The twin in WebAssembly, {len(module):,} bytes.
+const packed = "{packed}";
+
+export const bytes = () => Uint8Array.from(atob(packed), (character) => character.charCodeAt(0));
+"""
+    for files in (glsl_files(), wgsl_files(definitions), tsl_files(definitions, glsl_names(modules["fast"]))):
+        checked_names([*found, *files])
+        found.update(files)
+    return found

@@ -1,0 +1,59 @@
+"""The twin in WebAssembly, compiled by Clang from packages/npm/wasm/twin.cpp."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+import tempfile
+from pathlib import Path
+
+from tree import ROOT
+
+SOURCE = ROOT / "packages" / "npm" / "wasm" / "twin.cpp"
+MOST_BYTES = 40_000
+# Bits do not depend on flags (HN_FIXED); size and speed do. Structs are passed as their numbers (experimental-mv), and
+# not in memory: a quarter of the size, and faster. Only the functions of one module know of it.
+FLAGS = ("--target=wasm32-wasi", "-std=c++20", "-Oz", "-flto", "-msimd128", "-mbulk-memory", "-mnontrapping-fptoint",
+         "-Xclang", "-target-abi", "-Xclang", "experimental-mv", "-fno-math-errno", "-fno-exceptions", "-fno-rtti",
+         "-fvisibility=hidden", "-Wall", "-Wextra", "-Wno-unused-function",
+         "-Werror")
+LINKED = ("--no-entry", "--gc-sections", "--strip-all", "--fatal-warnings")
+
+
+class Failed(Exception):
+    """Why there is no module."""
+
+
+def _program(*names: str) -> str:
+    """The first of these programs that there is; Debian has wasm-ld with the version in its name alone."""
+    for name in names:
+        if path := shutil.which(name):
+            return path
+    folders = sorted(Path("/usr/bin").glob(f"{names[0]}-[0-9]*"), reverse=True)
+    if not folders:
+        raise Failed(f"there is no program {names[0]}; Debian's packages clang and lld have what is needed")
+    return str(folders[0])
+
+
+def _run(*command: str) -> None:
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        raise Failed(f"{' '.join(command)}\n{done.stderr}")
+
+
+def compiled(source: Path = SOURCE, include: Path = ROOT / "include") -> bytes:
+    """The module."""
+    clang = _program("clang++", "clang++-14")
+    # The linker of the same LLVM, since it reads what the compiler wrote for it.
+    major = re.search(r"version (\d+)", subprocess.run([clang, "--version"], capture_output=True, text=True,
+                                                       check=True).stdout)[1]
+    linker = _program(f"wasm-ld-{major}", "wasm-ld")
+    with tempfile.TemporaryDirectory() as folder:
+        object_, module = Path(folder) / "twin.o", Path(folder) / "twin.wasm"
+        _run(clang, *FLAGS, f"-I{include}", "-c", str(source), "-o", str(object_))
+        _run(linker, *LINKED, str(object_), "-o", str(module))
+        found = module.read_bytes()
+    if len(found) >= MOST_BYTES:
+        raise Failed(f"the module has {len(found):,} bytes, and has to stay below {MOST_BYTES:,}")
+    return found

@@ -1,0 +1,76 @@
+"""The library as the page has it inside: the text of glsl/, and its translation to WGSL for every setting."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from single_file.files import stripped
+from tree import GLSL
+from wgsl.module import ARITHMETICS, HASHES, Module, Settings
+from wgsl.translator import Definition
+
+# The user's own hash is no choice in the page.
+CHOSEN_HASHES = tuple(name for name in HASHES if name != "CUSTOM")
+EVERYTHING = "hashnoise.glsl"
+# The file to which a hash makes a difference. What others call of it has the same name with every hash but LATTICE.
+OF_THE_HASH = "hash.glsl"
+# What other files have of the library's own kind: languages that need names of their own.
+PATTERNS = ("*.glsl", "begin.hlsl", "end.hlsl", "vectors_*.h")
+
+
+def version() -> str:
+    text = (GLSL / "config.glsl").read_text(encoding="ascii")
+    return ".".join(re.search(rf"^#define HN_VERSION_{part} (\d+)$", text, re.MULTILINE)[1]
+                    for part in ("MAJOR", "MINOR", "PATCH"))
+
+
+def glsl() -> dict[str, list[str]]:
+    """The lines of the files, without comments."""
+    paths = sorted(path for pattern in PATTERNS for path in GLSL.glob(pattern))
+    return {path.name: list(stripped(path.read_text(encoding="ascii").splitlines())) for path in paths}
+
+
+def definitions(file: str, arithmetic: str, name: str) -> dict[str, Definition]:
+    found = Module(GLSL, f'#include "{file}"\n', Settings(arithmetic, name)).definitions()
+    return {definition.name: definition for definition in found}
+
+
+def modules() -> Iterator[tuple[str, dict[str, Definition]]]:
+    """The definitions of everything with each setting, which is called "fast lattice" and so on. To translate all of the
+    library takes long, so hashes but the first differ in their own file alone; a test compares them with the whole."""
+    for arithmetic in ARITHMETICS:
+        first: dict[str, Definition] = {}
+        for name in CHOSEN_HASHES:
+            if name == "LATTICE" or not first:
+                found = definitions(EVERYTHING, arithmetic, name)
+            else:
+                found = {**first, **definitions(OF_THE_HASH, arithmetic, name)}
+            first = first or found
+            yield f"{arithmetic.removeprefix('HN_')} {name}".lower(), found
+
+
+def written(definition: Definition) -> dict:
+    return {"name": definition.name, "text": "\n".join(stripped(definition.lines)), "needs": definition.needs}
+
+
+def wgsl() -> dict:
+    """Each definition once, and which of them a setting has."""
+    numbers: dict[tuple, int] = {}
+    texts: list[dict] = []
+    settings = {}
+    for setting, found in modules():
+        chosen = []
+        for definition in found.values():
+            entry = written(definition)
+            key = (entry["name"], entry["text"], tuple(entry["needs"]))
+            if key not in numbers:
+                numbers[key] = len(texts)
+                texts.append(entry)
+            chosen.append(numbers[key])
+        settings[setting] = chosen
+    return {"definitions": texts, "settings": settings}
+
+
+def library() -> dict:
+    return {"version": version(), "glsl": glsl(), "wgsl": wgsl()}

@@ -1,0 +1,62 @@
+"""The page: index.html of playground/ with the style, the modules and the library inside."""
+
+from __future__ import annotations
+
+import base64
+import gzip
+import json
+import re
+
+from playground.library import library
+from tree import ROOT
+
+SOURCES = ROOT / "playground"
+FIRST = "main.js"  # the module that imports the others
+IMPORT = re.compile(r'^import \{[^}]*\} from "\./(\w+\.js)";\n', re.MULTILINE)
+EXPORT = re.compile(r"^export (?=(?:async )?(?:const|class|function)\b)", re.MULTILINE)
+NAME = re.compile(r"^(?:async )?(?:const|let|class|function\*?) (\w+)", re.MULTILINE)
+
+
+class Unfit(ValueError):
+    """Modules that cannot stand in one script."""
+
+
+def modules(name: str = FIRST, done: dict[str, str] | None = None) -> dict[str, str]:
+    """The texts of the modules, each behind those that it imports. From a disk a page loads no module, so they become
+    one script: without imports and exports, and with names that are different in all of them."""
+    done = {} if done is None else done
+    if name not in done:
+        text = (SOURCES / name).read_text(encoding="utf-8")
+        done[name] = ""  # against circles
+        for imported in IMPORT.findall(text):
+            modules(imported, done)
+        del done[name]
+        done[name] = EXPORT.sub("", IMPORT.sub("", text))
+    return done
+
+
+def script() -> str:
+    names: dict[str, str] = {}
+    texts = modules()
+    for file, text in texts.items():
+        if match := re.search(r"^(?:import|export)\b.*", text, re.MULTILINE):
+            raise Unfit(f"playground/{file} has a line that the page cannot take: {match[0]}")
+        if "</script" in text:
+            raise Unfit(f"playground/{file} has </script in it, which ends the page's script")
+        for name in NAME.findall(text):
+            if name in names:
+                raise Unfit(f"{name} is defined in playground/{names[name]} and in playground/{file}")
+            names[name] = file
+    return "\n".join(texts.values())
+
+
+def packed(data: dict) -> str:
+    # Without a time in it, the same library makes the same page.
+    return base64.b64encode(gzip.compress(json.dumps(data, separators=(",", ":")).encode(), 9, mtime=0)).decode("ascii")
+
+
+def page() -> str:
+    parts = {"style": (SOURCES / "style.css").read_text(encoding="utf-8").strip(), "script": script().strip(),
+             "library": packed(library())}
+    return re.sub(r"\{\{(\w+)\}\}", lambda match: parts[match[1]],
+                  (SOURCES / "index.html").read_text(encoding="utf-8"))
