@@ -16,8 +16,8 @@ from readme import command, numbers, picture
 from tables import glsl
 from tree import ROOT, TOOLS
 
-PAGES = ("README.md", "docs/cellular.md", "docs/cpu.md", "docs/knobs.md", "docs/noises.md", "docs/same-bits.md",
-         "docs/sums.md")
+PAGES = ("README.md", "docs/build-systems.md", "docs/cellular.md", "docs/cpu.md", "docs/knobs.md", "docs/noises.md",
+         "docs/same-bits.md", "docs/sums.md")
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 SINGLE_FILE = re.compile(r"^// here: what tools/single-file makes of (\w+\.glsl)$", re.MULTILINE)
 
@@ -28,7 +28,7 @@ def blocks(language, pages=PAGES):
 
 def commands(start, page="README.md"):
     """The commands of a page that begin so, without their comments."""
-    return [line.partition("  #")[0].split() for line in (ROOT / page).read_text().splitlines()
+    return [line.partition("  # ")[0].split() for line in (ROOT / page).read_text().splitlines()
             if line.startswith(f"    {start}")]
 
 
@@ -162,14 +162,29 @@ class Code(unittest.TestCase):
         self.assertNotEqual(compile_cpp(blocks("cpp")[0].replace("hn_fbm", "hn_fmb")).returncode, 0)
 
     def test_commands_that_make_single_files_work(self):
+        lines = commands("tools/single-file", "docs/languages.md")
+        self.assertGreaterEqual(len(lines), 4)
         with tempfile.TemporaryDirectory() as folder:
-            self.assertEqual(len(commands("tools/single-file")), 2)
-            for line in commands("tools/single-file"):
+            for line in lines:
                 done = run(str(ROOT / line[0]), *line[1:], cwd=folder)
                 self.assertEqual(done.returncode, 0, done.stderr)
                 self.assertTrue((pathlib.Path(folder) / line[line.index("--out") + 1]).is_file())
             size = round((pathlib.Path(folder) / "hashnoise.single.glsl").stat().st_size / 1000)
-            self.assertIn(f"everything, {size} kB without comments", (ROOT / "README.md").read_text())
+            self.assertIn(f"`tools/single-file --strip --out hashnoise.single.glsl`, {size} kB", (ROOT / "README.md").read_text())
+
+    def test_commands_that_the_table_names_work(self):
+        table = (ROOT / "README.md").read_text().partition("## Use it where you are")[2].partition("\n## ")[0]
+        named = [line.split() for line in re.findall(r"`(tools/[^`]+)`", table)]
+        self.assertGreaterEqual(len(named), 7)
+        with tempfile.TemporaryDirectory() as folder:
+            for line in named:
+                with self.subTest(command=line):
+                    # Those that build or install something first have tests of their own.
+                    asked = line if "--out" in line else [line[0], "--help"]
+                    done = run(str(ROOT / asked[0]), *asked[1:], cwd=folder)
+                    self.assertEqual(done.returncode, 0, done.stderr)
+                    if "--out" in line:
+                        self.assertTrue((pathlib.Path(folder) / line[line.index("--out") + 1]).stat().st_size)
 
     def test_single_files_around_a_noise_of_ones_own(self):
         code, = (code for code in blocks("glsl", ["docs/sums.md"]) if "dots" in code)
