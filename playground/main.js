@@ -56,9 +56,9 @@ class Playground {
     this.state = state;
     if (this.playing && !this.animated) this.play(false);
     byId("play").disabled = !this.animated;
+    byId("play").title = this.animated ? "Play (space)" : "3D and 4D can be played, and single Perlin and simplex noise in 2D";
     this.controls.show(state);
     this.describe();
-    byId("cost").classList.toggle("old", true);
     if (this.measured && this.measured !== this.costKey) {
       byId("cost").textContent = "Cost on this GPU";
       byId("note-cost").hidden = true;
@@ -207,7 +207,8 @@ class Playground {
     if (state.renderer !== this.state.renderer) return;
     this.usePalette(backend, state.map);
     await this.measureSpeed(backend, program, state);
-    const coarse = this.coarseness(this.moves ? kMoving : kResting);
+    const moves = this.moves;
+    const coarse = this.coarseness(moves ? kMoving : kResting);
     this.coarse = coarse;
     const [width, height] = this.size.map((side) => Math.max(1, Math.round(side / coarse)));
     const { canvas } = backend;
@@ -218,6 +219,7 @@ class Playground {
     await backend.finished();
     // The settings matter, too: more octaves take longer.
     this.speeds.set(program, 0.5 * this.speed + (0.5 * (performance.now() - start)) / (width * height));
+    if (moves && !this.moves && coarse > this.coarseness(kResting)) this.wanted = true;
     byId("gpu").textContent = `Drawn by ${backend.describe()}.`;
     if (this.probed) await this.probe();
   }

@@ -219,16 +219,16 @@ export function rangeOf(state) {
 export const kLooks = {
   Hills: { sum: "fbm", octaves: 8, map: "land", cells: 5, seed: 21 },
   Dusk: {},
-  Ridges: { sum: "ridged", noise: "simplex", octaves: 8, map: "marble", cells: 4, contrast: 1.1 },
-  Ink: { sum: "fbm", warp: "warp_progressive", amplitude: 3, map: "lagoon", cells: 7, octaves: 7 },
+  Ridges: { sum: "ridged", octaves: 8, map: "grey", cells: 3, seed: 3 },
+  Ink: { sum: "fbm", warp: "warp_progressive", map: "lagoon", cells: 5, octaves: 7 },
   Sky: { sum: "clouds", dimensions: 3, map: "sky", cells: 6, octaves: 8 },
   Agate: { sum: "ping_pong", octaves: 4, gain: 0.4, strength: 3, warp: "warp", amplitude: 1, map: "wood", cells: 3 },
   Stones: { sum: "none", noise: "cellular_between", map: "moss", cells: 9 },
   Cracks: { sum: "none", noise: "cell_border", map: "ember", cells: 7, warp: "warp", amplitude: 0.6 },
-  Slopes: { sum: "eroded", octaves: 9, map: "grey", cells: 4, strength: 4 },
-  Tiles: { sum: "turbulence", noise: "simplex", period: 3, map: "dusk", cells: 9 },
-  Foam: { sum: "fbm", noise: "cellular", octaves: 4, map: "sky", cells: 7 },
-  "Far out": { sum: "fbm", noise: "simplex", map: "lagoon", x: 1000000000n * 16777216n, y: -2000000000n * 16777216n },
+  Slopes: { sum: "eroded", octaves: 9, map: "marble", cells: 4, strength: 4 },
+  Tiles: { sum: "fbm", period: 3, map: "signed", cells: 9, seed: 4 },
+  Foam: { sum: "fbm", noise: "cellular", octaves: 4, map: "lagoon", cells: 7 },
+  "Far out": { sum: "fbm", noise: "simplex", map: "dusk", cells: 4, x: 1000000000n * 16777216n, y: -2000000000n * 16777216n },
 };
 
 export function stateOfLook(name, { renderer, arithmetic }) {

@@ -1,0 +1,101 @@
+"""The playground's page: its modules in one script, and the library inside of it."""
+
+import base64
+import gzip
+import json
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+import playground.page as page
+from playground.library import EVERYTHING, definitions, library, modules, written
+from tree import TOOLS, version
+
+MOST_BYTES = 300_000
+
+
+class Page(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.modules = dict(modules())  # which takes seconds
+        with mock.patch("playground.library.modules", lambda: cls.modules.items()):
+            cls.library = library()
+        cls.text = cls.made(cls)
+
+    def made(self) -> str:
+        with mock.patch.object(page, "library", lambda: self.library):
+            return page.page()
+
+    def test_it_is_one_small_file_that_is_the_same_each_time(self):
+        self.assertEqual(self.made(), self.text)
+        self.assertLess(len(self.text), MOST_BYTES)
+        self.assertNotIn("{{", self.text)
+        self.assertNotRegex(self.text, r'(?i)(?:src|href)="(?!data:)')
+        self.assertNotRegex(self.text, r"\bimport\(|@import|url\((?!data:)")
+
+    def test_the_library_is_in_it(self):
+        packed = re.search(r'id="library">([^<]*)<', self.text)[1]
+        self.assertEqual(json.loads(gzip.decompress(base64.b64decode(packed))), self.library)
+        self.assertEqual(self.library["version"], version())
+        self.assertIn("#define HN_HASH_LATTICE 8", self.library["glsl"]["config.glsl"])
+        self.assertEqual(len(self.library["wgsl"]["settings"]), 16)
+
+    def test_the_settings_of_wgsl_are_those_of_the_whole_library(self):
+        def entries(found):
+            return sorted(map(written, found.values()), key=lambda entry: entry["name"])
+
+        whole = entries(definitions(EVERYTHING, "HN_FIXED", "JENKINS"))
+        self.assertEqual(entries(self.modules["fixed jenkins"]), whole)
+        self.assertNotEqual(entries(self.modules["fixed lattice"]), whole)
+
+    def test_what_a_definition_needs_is_there(self):
+        entries = self.library["wgsl"]["definitions"]
+        for setting, numbers in self.library["wgsl"]["settings"].items():
+            names = {entries[number]["name"] for number in numbers}
+            self.assertEqual(len(names), len(numbers))
+            for number in numbers:
+                self.assertLessEqual(set(entries[number]["needs"]), names, setting)
+
+
+class Script(unittest.TestCase):
+    """What one script cannot take is an error that names the file."""
+
+    def refused(self, files: dict[str, str], message: str):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in files.items():
+                (Path(folder) / name).write_text(text)
+            with mock.patch.object(page, "SOURCES", Path(folder)), self.assertRaisesRegex(page.Unfit, message):
+                page.script()
+
+    def test_an_import_comes_before_what_needs_it(self):
+        names = list(page.modules())
+        self.assertEqual(names[-1], "main.js")
+        self.assertLess(names.index("model.js"), names.index("code.js"))
+        self.assertNotRegex(page.script(), r"(?m)^(?:import|export) ")
+
+    def test_other_imports_and_exports(self):
+        self.refused({"main.js": 'import all from "./other.js";\n'}, "main.js has a line .* import all")
+        self.refused({"main.js": 'import { a as b } from "./a.js";\n', "a.js": "export default 1;\n"},
+                     "a.js has a line .* export default")
+
+    def test_names_that_two_modules_have(self):
+        self.refused({"main.js": 'import { a } from "./a.js";\nconst b = a;\n', "a.js": "export const a = 1;\nclass b {}\n"},
+                     "b is defined in playground/a.js and in playground/main.js")
+
+    def test_the_end_of_a_script(self):
+        self.refused({"main.js": 'const text = "</script>";\n'}, "main.js has </script in it")
+
+
+class Command(unittest.TestCase):
+    def test_bad_usage_is_status_2(self):
+        for arguments in (["--out"], ["more"], ["--out", "/dev/null/page.html"]):
+            done = subprocess.run([sys.executable, TOOLS / "playground", *arguments], capture_output=True, text=True, check=False)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
