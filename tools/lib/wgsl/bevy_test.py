@@ -125,6 +125,15 @@ class Bevy(unittest.TestCase):
         with self.assertRaisesRegex(Refused, "hashnoise"):
             self.composed({"hashnoise": library("--only", "hn_fbm2")}, {"user": user.format("hn_fbm2", "hn_fbm2")})
 
+    def test_the_code_of_the_page(self):
+        page = (ROOT / "docs" / "engines.md").read_text(encoding="utf-8")
+        command = re.search(r"^    hashnoise/tools/wgsl (.*) --out assets/shaders/hashnoise.wgsl$", page, re.MULTILINE)[1]
+        shader, = re.findall(r"^```wgsl\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
+        modules = {"hashnoise": library(*command.split()), **BEVY}
+        self.assertIn("fn fragment", self.composed(modules, {"page": shader})["page"])
+        with self.assertRaisesRegex(Refused, "hn_cloudz3"):
+            self.composed(modules, {"page": shader.replace("hn_clouds3", "hn_cloudz3")})
+
     def test_the_example_draws_the_clouds_of_the_library(self):
         """Its sky is mixed by hn_clouds3, whose value comes out where sky and cloud are told apart."""
         command = re.search(r"tools/wgsl (.*) --out assets/shaders/hashnoise.wgsl", (EXAMPLE / "src/main.rs").read_text())[1]
