@@ -186,6 +186,14 @@ class Command(unittest.TestCase):
         self.assertIn("Take HN_FIXED", refused.stderr)
         self.assertEqual(self.call("--out", "/dev/null/absent", "hash.glsl").returncode, 2)
 
+    def test_import_path(self):
+        one, other = (self.call(*arguments, "--only", "hn_fbm2").stdout for arguments in ((), ("--import-path", "game::noise")))
+        self.assertEqual(other, f"#define_import_path game::noise\n\n{one}")
+        for path in ("a b", "a:b", "1a", "a::"):
+            done = self.call("--import-path", path)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("such as game::noise", done.stderr)
+
     def test_names(self):
         lines = self.call("--names", "perlin2d.glsl").stdout.split("\n")
         self.assertIn("hn_perlin2_cell_period hn_perlin(ivec2, vec2, ivec2, uint)", [" ".join(line.split()) for line in lines])
