@@ -278,7 +278,7 @@ function colours(language, state) {
          : `float t = clamp((value ${minus}) * ${decimal(scale)}, 0.0, ${last}.0);`,
     wgsl ? `var c = ${colour(stops[0])};` : `${float(3)} c = ${colour(stops[0])};`,
     ...stops.slice(1).map((stop, at) =>
-      `c = ${mix}(c, ${colour(stop)}, ${three(`clamp(t - ${at}.0, 0.0, 1.0)`)});`),
+      `c = ${mix}(c, ${colour(stop)}, ${three(`clamp(${at ? `t - ${at}.0` : "t"}, 0.0, 1.0)`)});`),
     "return c;",
   ];
   const head = wgsl ? "fn colour(value: f32) -> vec3f {" : `${float(3)} colour(float value) {`;
@@ -286,13 +286,14 @@ function colours(language, state) {
 }
 
 const kPlaces = {
-  glsl: "Put it below your #version and #extension lines. In GLSL ES, begin with precision highp float, int.",
+  glsl: "Put it below your #version and #extension lines. In GLSL ES write precision highp float; and precision highp int; first.",
   hlsl: "Shader model 5 or 6.",
   wgsl: "Put your entry points below.",
   cpp: "C++20.",
 };
 
-// {head, library, code}: lines. Without the library the head includes it, if the language can.
+// {head, library, code}: lines; of the library a function that makes them. Without it the head includes it, if the
+// language can.
 export function copied(library, language, state, withLibrary) {
   const { lines, files, needs, public: called } = functions(library, language, state, numbers(language, state));
   const head = [`// Made by hashnoise's playground, version ${library.version}. ${kPlaces[language]}`];
@@ -300,15 +301,14 @@ export function copied(library, language, state, withLibrary) {
   const comment = [`// ${note}. Far out pass an integer cell and the place in it.`];
   const coloured = language === "cpp" ? [] : ["", ...colours(language, state)];
   if (language === "wgsl") {
-    const text = library.wgsl(needs, state).flatMap((piece) => piece.split("\n"));
     return {
       head: [...head, ...(withLibrary ? [] : [`// In front of it stands what tools/wgsl makes:`, `// ${wgslCommand(state, called)}`]), ""],
-      library: text, code: [...comment, ...lines, ...coloured],
+      library: () => library.wgsl(needs, state).flatMap((piece) => piece.split("\n")), code: [...comment, ...lines, ...coloured],
     };
   }
   if (language === "cpp") {
     return {
-      head: [...head, ...knobs(state), "#include <hashnoise/hashnoise.hpp>", ""], library: [],
+      head: [...head, ...knobs(state), "#include <hashnoise/hashnoise.hpp>", ""], library: () => [],
       code: ["namespace hashnoise {", ...comment, ...lines, "}  // namespace hashnoise"],
     };
   }
@@ -316,7 +316,7 @@ export function copied(library, language, state, withLibrary) {
   const included = hlsl ? ["begin.hlsl", ...files, "end.hlsl"] : files;
   return {
     head: [...head, ...knobs(state), ...(withLibrary ? [] : included.map((file) => `#include "${file}"`)), ""],
-    library: library.lines(included), code: [...comment, ...lines, ...coloured],
+    library: () => library.lines(included), code: [...comment, ...lines, ...coloured],
   };
 }
 
@@ -327,5 +327,5 @@ function wgslCommand({ arithmetic, hash }, names) {
 
 export function copiedText(library, language, state, withLibrary) {
   const { head, library: text, code } = copied(library, language, state, withLibrary);
-  return [...head, ...(withLibrary ? [...text, ""] : []), ...code, ""].join("\n");
+  return [...head, ...(withLibrary ? [...text(), ""] : []), ...code, ""].join("\n");
 }

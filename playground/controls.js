@@ -146,6 +146,8 @@ export class Controls {
       tab.setAttribute("aria-selected", String(chosen));
       tab.tabIndex = chosen ? 0 : -1;
     }
+    byId("whole").disabled = language === "cpp";
+    byId("whole-text").textContent = language === "cpp" ? "needs include/ and glsl/ of the library" : "with the library in it";
     this.showCode();
   }
 
@@ -160,14 +162,14 @@ export class Controls {
   showCode() {
     if (!this.state) return;
     const { head, library, code } = copied(this.library, this.language, this.state, this.withLibrary);
-    const lines = [...head, ...(this.withLibrary ? [`// ${library.length} lines of the library`, ""] : []), ...code];
-    const pre = byId("code");
-    pre.replaceChildren(...lines.flatMap((line) => {
+    const lines = [...head, ...(this.withLibrary ? [`// ${library().length} lines of the library`, ""] : []), ...code];
+    const text = lines.join("\n");
+    if (this.shownCode === text) return;
+    this.shownCode = text;
+    byId("code").replaceChildren(...lines.flatMap((line) => {
       const [, text, remark] = /^(.*?)(\/\/.*)?$/.exec(line);
       return [text, ...(remark ? [element("span", { className: "remark", textContent: remark })] : []), "\n"];
     }));
-    byId("whole").disabled = this.language === "cpp";
-    byId("whole-text").textContent = this.language === "cpp" ? "needs include/ and glsl/ of the library" : "with the library in it";
   }
 
   show(state) {

@@ -5,7 +5,7 @@ import { emptyShader, frameOf, kColours, kPlain, timedShader } from "./shaders.j
 const kRounds = 9;
 const kFewRounds = 3;   // of what is so slow that more would take too long
 const kLongest = 2500;  // milliseconds
-const kEnough = 6;      // milliseconds that the plain noise should take, for a clock that browsers make coarse
+const kEnough = 4;      // milliseconds that the plain noise should take, since browsers make their clocks coarse
 const kMostSide = 2048;
 const kMostDraws = 64;
 
@@ -24,7 +24,7 @@ export async function costOf(backend, library, state) {
     let draws = 1;
     const measured = (number) => backend.time(programs[number], frameOf(states[number], side, side, kColours), side, draws);
     for (const number of [0, 1, 2]) await measured(number);  // some drivers compile at the first draw
-    while ((await measured(1)) < kEnough && (side < kMostSide || draws < kMostDraws)) {
+    while ((await measured(1)) - (await measured(0)) < kEnough && (side < kMostSide || draws < kMostDraws)) {
       if (side < kMostSide) side *= 2;
       else draws *= 2;
     }

@@ -227,6 +227,11 @@ class Playground {
   async failed(error) {
     if (this.state.renderer === "webgpu" && (!this.backends.webgpu || this.backends.webgpu.lost)) this.withoutWebGPU();
     if (this.backends[this.state.renderer]?.lost) return;
+    if (this.state.renderer === "webgl2" && !this.backends.webgl2 && !byId("renderer-webgpu").disabled) {
+      byId("renderer-webgl2").disabled = true;
+      this.take({ ...this.state, renderer: "webgpu" });
+      return;
+    }
     byId("message").textContent = error.message;
     byId("message").hidden = false;
   }

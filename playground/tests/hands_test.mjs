@@ -227,7 +227,8 @@ test("a wheel changes the scale around the pointer, whose value is shown", async
 });
 
 test("it fits a phone", async () => {
-  for (const [viewport, least] of [[kPhone, 40], [{ ...kPhone, width: 320, height: 568 }, 40], [kLaptop, 24]]) {
+  for (const [viewport, least] of [[kPhone, 40], [{ ...kPhone, width: 320, height: 568 }, 40],
+                                   [{ ...kPhone, width: 844, height: 390 }, 40], [kLaptop, 28]]) {
     const page = await opened(browser, { viewport, link: "#sum=ping_pong&noise=cells&dimensions=3&warp=warp&metric=manhattan" });
     const found = await page.evaluate((size) => {
       const sheet = document.getElementById("sheet");
