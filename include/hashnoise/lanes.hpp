@@ -204,9 +204,19 @@ HN_I_INLINE Float operator/(Float a, Float b) { return Float(a.v / b.v); }
 
 // No processor divides vectors of integers. A quotient of doubles is right, or, under -ffast-math, off by one. b > 0.
 HN_I_INLINE Uint operator/(Uint a, Uint b) {
+#if defined(__wasm_simd128__)  // the conversions below would be done lane by lane
+  const auto two = [](v128_t x, v128_t y) __attribute__((always_inline)) {
+    return wasm_u32x4_trunc_sat_f64x2_zero(
+        wasm_f64x2_div(wasm_f64x2_convert_low_u32x4(x), wasm_f64x2_convert_low_u32x4(y)));
+  };
+  const v128_t x = v128_t(a.v), y = v128_t(b.v);
+  const v128_t high = two(wasm_i32x4_shuffle(x, x, 2, 3, 2, 3), wasm_i32x4_shuffle(y, y, 2, 3, 2, 3));
+  const Uint near(detail::UintVector(wasm_i32x4_shuffle(two(x, y), high, 0, 1, 4, 5)));
+#else
   const detail::DoubleVector quotient =
       __builtin_convertvector(a.v, detail::DoubleVector) / __builtin_convertvector(b.v, detail::DoubleVector);
   const Uint near(__builtin_convertvector(__builtin_convertvector(quotient, detail::LongVector), detail::UintVector));
+#endif
 #ifdef __FAST_MATH__
   const Uint below = near - Uint(near * b > a);
   return below + Uint(a - below * b >= b);

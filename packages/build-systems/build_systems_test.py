@@ -1,9 +1,9 @@
-"""What docs/build-systems.md says is typed as it stands there, in an empty folder, and the game that comes of it computes
-golden values bit for bit.
+"""What docs/build-systems.md says is typed as it stands there, in an empty folder; the game that comes of it computes
+golden values, bit for bit.
 
-    build_systems_test.py ENVIRONMENT WORK CLASS...    ENVIRONMENT is what environment.py makes, WORK a scratch folder
+    build_systems_test.py ENVIRONMENT WORK CLASS...    with what environment.py makes, in a scratch folder
 
-The page's address leads to a repository that has what the working tree has. Exit status: 0 passed, 1 failed, 77 what the
+The page's address leads to a repository that has what the working tree has. Exit status: 0 passed, 1 failed, 77 what a
 class needs cannot be had here.
 """
 

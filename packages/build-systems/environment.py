@@ -37,7 +37,8 @@ def main(arguments: list[str]) -> int:
     shutil.rmtree(folder, ignore_errors=True)
     venv.create(folder, with_pip=True, symlinks=True)
     done = subprocess.run([folder / "bin" / "python", "-m", "pip", "--disable-pip-version-check", "install", "--quiet",
-                           "--retries", "1", "--requirement", REQUIREMENTS], capture_output=True, text=True, check=False)
+                           "--retries", "1", "--requirement", REQUIREMENTS],
+                          capture_output=True, text=True, check=False)
     if done.returncode != 0:
         print(done.stdout + done.stderr)
         if not OFFLINE.search(done.stdout + done.stderr):

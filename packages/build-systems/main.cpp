@@ -1,5 +1,5 @@
-// The game of the tests: it reads a function's name and the words of its arguments from each line, and writes the word of
-// the value.
+// The game of the tests: it reads the name of a function and the words of its arguments from each line, and writes the
+// word of the value.
 #define HN_ARITHMETIC HN_FIXED
 #include <bit>
 #include <cstdint>

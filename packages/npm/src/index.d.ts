@@ -72,5 +72,8 @@ export declare class Field {
   ): Float32Array;
 }
 
-/** Compiles ahead of the first field, beside other work. Nobody has to call it, but for Chromium from before 2023. */
+/**
+ * Compiles the module ahead of the first field, beside other work. Pages for old browsers have to call it: Chromium until
+ * 2023 compiles no more than 4 kB at once there.
+ */
 export declare function init(): Promise<void>;

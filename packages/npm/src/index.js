@@ -63,12 +63,20 @@ function started(instance) {
 }
 
 function start() {
-  twin ??= started(new WebAssembly.Instance(new WebAssembly.Module(bytes())));
+  if (twin) return;
+  let module;
+  try {
+    module = new WebAssembly.Module(bytes());
+  } catch (error) {
+    if (!(error instanceof RangeError)) throw error;
+    throw new Error("this browser compiles only small modules at once: call `await init()` of hashnoise first", { cause: error });
+  }
+  twin = started(new WebAssembly.Instance(module));
 }
 
 /**
- * Compiles the module ahead of the first field, beside other work. Nobody needs to call it, but for browsers that compile
- * no more than 4 kB at once in a page: Chromium did so before 2023.
+ * Compiles the module ahead of the first field, beside other work. Pages for old browsers have to call it: Chromium until
+ * 2023 compiles no more than 4 kB at once there.
  */
 export async function init() {
   if (!twin) {
@@ -92,7 +100,7 @@ function real(name, value, least = -Infinity, most = Infinity) {
     throw new RangeError(`${name} has to be a finite number, not ${shown(value)}`);
   }
   if (value < least || value > most) {
-    throw new RangeError(`${name} has to be from ${least} to ${most}, not ${value}`);
+    throw new RangeError(`${name} has to be ${most === Infinity ? `${least} or more` : `from ${least} to ${most}`}, not ${value}`);
   }
   return value;
 }
@@ -119,7 +127,7 @@ const wholeCell = (name, value) => whole(name, value, Number.MIN_SAFE_INTEGER, N
 
 function arrayOf(name, value, types) {
   if (!types.some((type) => value instanceof type)) {
-    throw new TypeError(`${name} has to be ${types.map((type) => type.name).join(" or ")}, not ${shown(value)}`);
+    throw new TypeError(`${name} has to be of the type ${types.map((type) => type.name).join(" or ")}, not ${shown(value)}`);
   }
   return value;
 }
@@ -257,16 +265,20 @@ export class Field {
    */
   points(coordinates, { cells, out } = {}) {
     const { dimensions } = this;
-    const lists = [["coordinates", coordinates, [Float32Array, Array]], ["cells", cells, [Int32Array, Array]]];
-    for (const [name, arrays, types] of lists) {
-      if (name === "cells" && arrays === undefined) continue;
+    const lists = [[coordinates, "coordinates", "finite numbers", Float32Array, (n) => Number.isFinite(Math.fround(n))]];
+    if (cells !== undefined) lists.push([cells, "cells", "whole numbers", Int32Array, Number.isSafeInteger]);
+    for (const [arrays, name, what, type, good] of lists) {
       if (!Array.isArray(arrays) || arrays.length !== dimensions) {
-        throw new TypeError(`${name} has to be an array of ${dimensions} arrays, one for each axis`);
+        throw new TypeError(`the ${name} have to be an array of ${dimensions} arrays, one for each axis`);
       }
       for (const array of arrays) {
-        if (arrayOf(name, array, types).length !== coordinates[0].length) {
-          throw new RangeError("the arrays of coordinates and cells have to be of the same length");
+        if (arrayOf(`an array of ${name}`, array, [type, Array]).length !== arrays[0].length) {
+          throw new RangeError(`the arrays of ${name} have to be of the same length`);
         }
+        if (!array.every(good)) throw new RangeError(`the ${name} have to be ${what}`);
+      }
+      if (arrays[0].length !== coordinates[0].length) {
+        throw new RangeError("the arrays of coordinates and of cells have to be of the same length");
       }
     }
     const count = coordinates[0].length;
@@ -296,6 +308,7 @@ export class Field {
     const sizes = perAxis("size", size, dimensions, (name, one) => whole(name, one, 0, 2 ** 29 - 1));
     const steps = perAxis("step", step, dimensions, real);
     const origins = perAxis("origin", origin, dimensions, cell === undefined ? real : (name, one) => real(name, one, 0, 1));
+    if (cell === undefined) sizes.forEach((one, axis) => real("the last point", origins[axis] + one * steps[axis]));
     const count = sizes.reduce((product, one) => product * one, 1);
     const values = this.#out(out, count);
     if (count === 0) return values;

@@ -1,12 +1,12 @@
 // The twin in WebAssembly has golden values, bit for bit.
 //
-//   node twin.mjs GOLDEN PACKAGE...    a folder of golden files; the names of the package, as import takes them
+//   node twin.mjs GOLDEN    a folder of golden files
 import assert from "node:assert/strict";
 import test from "node:test";
+import { Field } from "hashnoise";
 import { bitsOf, ids, meaning, read } from "./golden.mjs";
 
 const [golden] = process.argv.slice(2);
-const { Field } = await import(process.argv[3] ?? "hashnoise");
 
 // What the names of files say: the function, its dimensions, and its form.
 const NAME = /^(?:noise(?<line>[1-3])d\.|fbm\.|fbm_d\.|warp\.|curl\.)(?<name>[a-z_]+?)(?<dimensions>[1-3])?(?:_cell)?(?:_period|_full)?$/;

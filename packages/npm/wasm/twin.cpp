@@ -1,4 +1,4 @@
-// The twin in WebAssembly: noises and sums with HN_FIXED, four points at a time. twin.js writes settings and points
+// The twin in WebAssembly: noises and sums with HN_FIXED, four points at a time. index.js writes settings and points
 // into `settings` and `batch`, and calls `run`.
 //
 // It is small, since every page loads it: functions are called and not inlined, a noise has one form (from a cell, with
@@ -22,7 +22,7 @@ namespace {
 constexpr int kBatch = 1024;  // points at most
 constexpr int kComponents = 4;
 
-// As twin.js writes them.
+// As index.js writes them.
 struct Settings {
   std::int32_t dimensions;
   std::int32_t noise;  // the number of a row below
@@ -115,7 +115,7 @@ enum Sum {
   kWarpProgressive
 };
 
-// The position of an octave, the numbers of a point, and those of a value and its slopes.
+// The position of an octave, a vector, the frame of an octave, and a value with its slopes.
 template <int D>
 struct Types;
 template <>
@@ -233,13 +233,10 @@ void sum(CellOf<D> cell, PlaceOf<D> f, CellOf<D> period, Numbers& n) {
         add_value(s, value);
       }
       hn_i_step(s);
-      if (settings.tiled) {
-        q = hn_i_next_tile(q, lacunarity);
-        k = hn_i_next_tile_frame(k, beginning.growth);
-      } else {
-        q = hn_i_next(q, lacunarity);
-        k = hn_i_next_frame(k, beginning.growth);
-        e = hn_i_turned(e);
+      q = settings.tiled ? hn_i_next_tile(q, lacunarity) : hn_i_next(q, lacunarity);
+      if (settings.sum >= kFbmD) {
+        k = settings.tiled ? hn_i_next_tile_frame(k, beginning.growth) : hn_i_next_frame(k, beginning.growth);
+        if (!settings.tiled) e = hn_i_turned(e);
       }
       period = hn_i_next_period(period, lacunarity);
     }
@@ -271,7 +268,7 @@ void run_points(int count) {
 }  // namespace HN_LANES
 
 // ---------------------------------------------------------------------------------------------------------------------
-// What twin.js calls.
+// What index.js calls.
 
 #define TWIN_EXPORT(name) extern "C" __attribute__((export_name(#name)))
 using namespace HN_LANES;

@@ -1,0 +1,263 @@
+"""The examples are built and run as docs/engines.md says, on a display that nobody sees. Their pictures show the land
+that the twin computes; and with the shader of golden.py in the place of their own, golden values bit for bit.
+
+    examples_test.py WORK CLASS    WORK is a scratch folder, in which raylib is kept
+
+Exit status: 0 passed, 1 failed, 77 what the class needs cannot be had here.
+"""
+
+from __future__ import annotations
+
+import array
+import glob
+import os
+import re
+import shutil
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+EXAMPLES = Path(__file__).resolve().parent
+sys.path.insert(0, str(EXAMPLES.parent / "tools" / "lib"))
+
+import twin  # noqa: E402
+from golden import Picture  # noqa: E402
+from screen import Absent, Screen  # noqa: E402
+from tree import ROOT  # noqa: E402
+
+SKIPPED = 77
+PAGE = (ROOT / "docs" / "engines.md").read_text(encoding="utf-8")
+SIZE = 640, 480
+# crates.io has raylib's sources, in the crate that binds them to Rust.
+RAYLIB = "6.0.0"
+
+
+def commands(title: str, start: str) -> list[str]:
+    section = re.search(rf"^## {title}\n(.*?)(?=^## |\Z)", PAGE, re.MULTILINE | re.DOTALL)[1]
+    return [line.strip() for line in section.splitlines() if line.startswith(f"    {start}")]
+
+
+class Example(unittest.TestCase):
+    """A copy of the repository, as far as an example needs it, beside which its commands are typed."""
+
+    work: Path
+    name: str
+    programs: tuple[str, ...] = ()
+
+    @classmethod
+    def setUpClass(cls):
+        for program in ("cmake", "g++", "ninja", "Xvfb", *cls.programs):
+            if shutil.which(program) is None:
+                raise unittest.SkipTest(f"there is no {program}")
+        cls.variables = {**os.environ, "CMAKE_GENERATOR": "Ninja"}
+        cls.prepare()
+        cls.folder = cls.work / cls.name
+        shutil.rmtree(cls.folder, ignore_errors=True)
+        cls.copy = cls.folder / "hashnoise"
+        for part in ("CMakeLists.txt", "glsl", "include", "src", "tools"):
+            (cls.copy / part).parent.mkdir(parents=True, exist_ok=True)
+            (cls.copy / part).symlink_to(ROOT / part)
+        shutil.copytree(EXAMPLES / cls.name, cls.copy / "examples" / cls.name)
+        configure, build = commands(cls.title, "cmake")
+        cls.build, cls.program = build.split(" && ")
+        for command in (configure, cls.build):
+            cls.type(command)
+        twin.compile_program("heights", EXAMPLES / "heights.cpp", cls.folder / "heights")
+
+    @classmethod
+    def prepare(cls):
+        pass
+
+    @classmethod
+    def type(cls, command: str):
+        done = subprocess.run(command, shell=True, cwd=cls.folder, env=cls.variables, capture_output=True, text=True,
+                              check=False)
+        if done.returncode != 0:
+            raise AssertionError(f"{command}:\n{done.stdout}\n{done.stderr}")
+
+    def heights(self) -> array.array:
+        return array.array("f", subprocess.run([self.folder / "heights", self.name], check=True,
+                                               stdout=subprocess.PIPE).stdout)
+
+    def shown(self, wanted) -> tuple[list[bytes], str]:
+        with Screen(*SIZE) as screen:
+            return screen.run([self.folder / self.program], wanted, variables=self.variables)
+
+    @staticmethod
+    def whole(pixels: list[bytes]) -> bool:
+        return all(any(row) for row in pixels)
+
+    def assert_the_land_is_where_the_twin_has_it(self, pixels: list[bytes], least: float):
+        """The sea is bluer than it is red, and the land is not. Heights below least may be either."""
+        heights = self.heights()
+        self.assertEqual(len(heights), SIZE[0] * SIZE[1])
+        flat = b"".join(pixels)
+        wrong = [i for i, height in enumerate(heights)
+                 if (flat[3 * i + 2] > flat[3 * i] + 8) != (height < 0.0) and abs(height) >= least]
+        self.assertEqual(len(wrong), 0, f"first at {wrong and divmod(wrong[0], SIZE[0])}")
+        self.assertGreater(sum(height < 0.0 for height in heights), 1000)
+        self.assertGreater(sum(height > 0.0 for height in heights), 1000)
+
+
+class Raylib(Example):
+    name = "raylib"
+    title = "raylib"
+    programs = ("cargo", "pkg-config")
+    picture = Picture("fbm_d.fbm_d2", "hn_fbm_d(vec2({x}, {y}), {octaves}, {lacunarity}, {gain}, {seed})")
+
+    @classmethod
+    def prepare(cls):
+        """Installs raylib, as its users do."""
+        for library in ("xcursor", "xi", "xinerama", "xrandr", "gl"):
+            if subprocess.run(["pkg-config", "--exists", library], check=False).returncode != 0:
+                raise unittest.SkipTest(f"pkg-config finds no {library}, which raylib is built with")
+        prefix = cls.work / f"raylib-{RAYLIB}"
+        if not prefix.is_dir():
+            sources = cls.sources()
+            build = cls.work / "raylib-build"
+            shutil.rmtree(build, ignore_errors=True)
+            for command in (["cmake", "-S", sources, "-B", build, "-DBUILD_EXAMPLES=OFF", "-DCMAKE_BUILD_TYPE=Debug"],
+                            ["cmake", "--build", build], ["cmake", "--install", build, "--prefix", f"{prefix}.new"]):
+                done = subprocess.run(command, env=cls.variables, capture_output=True, text=True, check=False)
+                if done.returncode != 0:
+                    raise AssertionError(f"{command}:\n{done.stdout}\n{done.stderr}")
+            os.rename(f"{prefix}.new", prefix)
+        cls.variables["CMAKE_PREFIX_PATH"] = str(prefix)
+        cls.variables["LIBGL_ALWAYS_SOFTWARE"] = "1"
+
+    @staticmethod
+    def sources() -> Path:
+        done = subprocess.run(["cargo", "info", f"raylib-sys@{RAYLIB}"], capture_output=True, text=True, check=False)
+        home = os.environ.get("CARGO_HOME", Path.home() / ".cargo")
+        found = glob.glob(f"{home}/registry/src/*/raylib-sys-{RAYLIB}/raylib")
+        if not found:
+            raise unittest.SkipTest(f"crates.io gave no raylib-sys {RAYLIB}: {done.stderr.strip()[-200:]}")
+        return Path(found[0])
+
+    def test_the_islands(self):
+        pixels, output = self.shown(self.whole)
+        self.assertNotIn("WARNING: SHADER", output)
+        self.assert_the_land_is_where_the_twin_has_it(pixels, 1e-5)
+
+    def golden(self, library: str) -> list[str]:
+        """What is wrong if that is the text of the library."""
+        build = (self.folder / self.program).parent
+        kept = [(path, path.read_text()) for path in (build / "noise.fs", build / "fbm_d2d.single.glsl")]
+        (build / "noise.fs").write_text(self.picture.shader("out vec4 color;", "(479 - int(gl_FragCoord.y))"))
+        (build / "fbm_d2d.single.glsl").write_text("#define HN_ARITHMETIC HN_FIXED\n" + library)
+        try:
+            pixels, output = self.shown(self.picture.drawn)
+        finally:
+            for path, text in kept:
+                path.write_text(text)
+        self.assertTrue(self.picture.drawn(pixels), output)
+        return self.picture.wrong(pixels)
+
+    def test_golden_values(self):
+        library = ((self.folder / self.program).parent / "fbm_d2d.single.glsl").read_text()
+        self.assertEqual(self.golden(library), [])
+        changed = library.replace("0x85EBCA77u", "0x85EBCA79u")
+        self.assertNotEqual(changed, library)
+        self.assertGreater(len(self.golden(changed)), 20)
+
+    def test_the_lines_of_the_page(self):
+        """They stand in the program, but for names; and their command makes the file."""
+        command, = commands("raylib", "hashnoise/tools")
+        self.type(command)
+        self.assertTrue((self.folder / "fbm2d.single.glsl").is_file())
+        lines = re.search(r"^```c\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)[1]
+        source = (EXAMPLES / "raylib" / "main.c").read_text()
+        body = re.search(r"static Shader load_shader.*?\n}\n", source, re.DOTALL)[0]
+        changed = source.replace(body, "static Shader load_shader(const char *library_path, const char *path) {\n"
+                                 f"(void)path;\n(void)library_path;\n{lines}\nreturn shader;\n}}\n")
+        program = self.copy / "examples" / "raylib" / "main.c"
+        program.write_text(changed)
+        shutil.copy(self.folder / "fbm2d.single.glsl", (self.folder / self.program).parent)
+        noise = (self.folder / self.program).parent / "noise.fs"
+        noise.write_text(noise.read_text().replace("hn_fbm_d(", "vec3(hn_fbm(").replace("uint(seed))", "uint(seed)))"))
+        self.type(self.build)
+        pixels, output = self.shown(self.whole)
+        self.assertNotIn("WARNING: SHADER", output)
+        self.assert_the_land_is_where_the_twin_has_it(pixels, 1e-5)
+
+
+class Vulkan(Example):
+    name = "vulkan"
+    title = "Vulkan"
+    programs = ("glslangValidator", "xwininfo")
+    picture = Picture("noise2d.perlin", "hn_perlin(vec2({x}, {y}), {seed})")
+
+    @classmethod
+    def prepare(cls):
+        drivers = glob.glob("/usr/share/vulkan/icd.d/lvp_icd*.json")
+        if not drivers:
+            raise unittest.SkipTest("there is no lavapipe")
+        cls.variables["VK_ICD_FILENAMES"] = drivers[0]
+        if glob.glob("/usr/share/vulkan/explicit_layer.d/VkLayer_khronos_validation.json"):
+            cls.variables["VK_INSTANCE_LAYERS"] = "VK_LAYER_KHRONOS_validation"
+
+    def test_the_land_and_then_golden_values(self):
+        self.land()
+        self.golden_values()  # builds the program anew, which takes long
+
+    def land(self):
+        titles = []
+
+        def whole_with_its_title(pixels):
+            done = subprocess.run(["xwininfo", "-root", "-tree"], capture_output=True, text=True, check=False,
+                                  env={**os.environ, "DISPLAY": screen.display})
+            titles.extend(re.findall(r'"(-?\d+), (-?\d+): (\S+) high"', done.stdout))
+            return self.whole(pixels) and bool(titles)
+
+        with Screen(*SIZE) as screen:
+            pixels, output = screen.run([self.folder / self.program], whole_with_its_title, variables=self.variables)
+        self.assertEqual(output, "")  # the validation has nothing to say
+        self.assert_the_land_is_where_the_twin_has_it(pixels, 0.0)
+        x, y, height = titles[-1]
+        self.assertEqual(subprocess.run([self.folder / "heights", self.name, x, y], check=True, text=True,
+                                        stdout=subprocess.PIPE).stdout.strip(), height)
+
+    def golden_values(self):
+        fragment = self.copy / "examples" / "vulkan" / "noise.frag"
+        own = fragment.read_text()
+        includes = own[:own.index("#include")] + '#include "hashnoise.glsl"\n'
+        head = "layout(location = 0) out vec4 color;"
+        fragment.write_text(includes + self.picture.shader(head, "int(gl_FragCoord.y)"))
+        self.type(self.build)
+        pixels, output = self.shown(self.picture.drawn)
+        self.assertTrue(self.picture.drawn(pixels), output)
+        self.assertEqual(self.picture.wrong(pixels), [])
+        changed = [bytes([pixels[0][0] ^ 1]) + pixels[0][1:], *pixels[1:]]  # one bit of one pixel
+        self.assertEqual(len(self.picture.wrong(changed)), 1)
+
+
+class Screens(unittest.TestCase):
+    work: Path
+
+    def test_a_program_that_draws_nothing(self):
+        try:
+            with Screen(*SIZE) as screen:
+                pixels, output = screen.run(["sh", "-c", "echo nothing; exit 1"], Example.whole)
+        except Absent as reason:
+            self.skipTest(str(reason))
+        self.assertFalse(Example.whole(pixels))
+        self.assertEqual(output, "nothing\n")
+
+
+def main(arguments: list[str]) -> int:
+    if len(arguments) != 2:
+        print(__doc__, file=sys.stderr)
+        return 2
+    example = globals()[arguments[1]]
+    example.work = Path(arguments[0]).resolve()
+    example.work.mkdir(parents=True, exist_ok=True)
+    result = unittest.TextTestRunner(verbosity=2).run(unittest.defaultTestLoader.loadTestsFromTestCase(example))
+    if result.wasSuccessful() and result.skipped:
+        print(f"skipped: {result.skipped[0][1]}")
+        return SKIPPED
+    return 0 if result.wasSuccessful() else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

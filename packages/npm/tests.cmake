@@ -1,0 +1,12 @@
+# The npm package, installed into a project of Vite (tests/project.py): the twin in Node.js, and pages in Chromium.
+set(project Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/tests/project.py)
+set(packages_of_node ${PROJECT_BINARY_DIR}/javascript)
+set(golden ${PROJECT_SOURCE_DIR}/conformance/expected/golden)
+add_test(NAME npm.package COMMAND ${project} make ${packages_of_node})
+set_tests_properties(npm.package PROPERTIES FIXTURES_SETUP npm FIXTURES_REQUIRED javascript SKIP_RETURN_CODE 77)
+foreach(subject twin fields bundles browser)
+  add_test(NAME npm.${subject} COMMAND ${project} run ${packages_of_node} node ${subject}.mjs ${golden})
+  list(APPEND npm_tests npm.${subject})
+endforeach()
+add_test(NAME npm.types COMMAND ${project} run ${packages_of_node} npx --no-install tsc --project .)
+set_tests_properties(${npm_tests} npm.types PROPERTIES FIXTURES_REQUIRED "javascript;npm" SKIP_RETURN_CODE 77)

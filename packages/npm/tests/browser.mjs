@@ -1,0 +1,181 @@
+// The package in a project of Vite and in Chromium: three.js draws golden values, and what the documentation prints.
+//
+//   node browser.mjs GOLDEN    a folder of golden files
+import assert from "node:assert/strict";
+import test, { after, before } from "node:test";
+import { build, preview } from "vite";
+import { Field } from "hashnoise";
+import { launch, open } from "../chromium.mjs";
+import { bitsOf, meaning, read } from "./golden.mjs";
+
+const [golden] = process.argv.slice(2);
+const root = import.meta.dirname;
+let server;
+let browser;
+let address;
+
+before(async () => {
+  await build({ root });
+  server = await preview({ root, preview: { port: 0, host: "127.0.0.1" } });
+  address = `http://127.0.0.1:${server.httpServer.address().port}/pages/`;
+  browser = await launch({ protocolTimeout: 60_000 });
+});
+after(async () => {
+  await browser?.close();
+  await server?.close();
+});
+
+async function page(path) {
+  const opened = await open(browser, address + path);
+  await opened.waitForFunction("globalThis.hashnoise").catch((error) => {
+    throw new Error(`${error.message}\n${opened.complaints.join("\n")}`);
+  });
+  return opened;
+}
+
+// What evaluates a row of a golden file in GLSL, with the seed or with another one: its words are a, b, c and d.
+const bodies = {
+  "noise2d.perlin": (more) => `
+    return uvec4(bits_of(hn_perlin(vec2(float_of(a.x), float_of(a.y)), a.z + ${more}u)), 0u, 0u, 0u);`,
+  "fbm.ridged2_cell": (more) => `
+    vec2 f = vec2(float_of(a.z), float_of(a.w));
+    float n = hn_ridged(ivec2(a.xy), f, int(b.x), float_of(b.y), float_of(b.z), b.w + ${more}u);
+    return uvec4(bits_of(n), 0u, 0u, 0u);`,
+  "noise3d.cellular": (more) => `
+    vec2 n = hn_cellular(vec3(float_of(a.x), float_of(a.y), float_of(a.z)), a.w + ${more}u);
+    return uvec4(bits_of(n.x), bits_of(n.y), 0u, 0u);`,
+};
+
+const differing = (file, results) =>
+  file.rows.filter((row, i) => !row.expected.every((word, k) => word === results[i][k])).length;
+
+test("three.js with WebGLRenderer has golden values, with the text from everywhere", async () => {
+  const opened = await page("webgl.html");
+  const ways = await opened.evaluate(() => hashnoise.ways);
+  assert.deepEqual(ways, ["string", "raw", "included", "chunks"]);
+  let rows = 0;
+  for (const [id, body] of Object.entries(bodies)) {
+    const file = read(golden, id);
+    const inputs = file.rows.map((row) => row.inputs);
+    const evaluated = (way, body) => opened.evaluate((...given) => hashnoise.evaluate(...given), way, body, inputs);
+    for (const way of ways) {
+      assert.equal(differing(file, await evaluated(way, body(0))), 0, `${way} of ${id}`);
+      rows += inputs.length;
+    }
+    const wrong = differing(file, await evaluated("string", body(1)));
+    assert.ok(wrong > inputs.length / 2, `another seed of ${id} is noticed in ${wrong} of ${inputs.length} rows`);
+  }
+  console.log(`${rows} rows in ${await browser.version()}`);
+  assert.deepEqual(opened.complaints, []);
+});
+
+// Functions at points of our own, in GLSL and of the twin.
+const heights = {
+  "hn_perlin(p.xy, seed)": (p, seed) => new Field(2, { seed }).at(p[0], p[1]),
+  "hn_fbm(p.xy, 7, 1.875, 0.625, seed)": (p, seed) =>
+    new Field(2, { sum: "fbm", octaves: 7, lacunarity: 1.875, gain: 0.625, seed }).at(p[0], p[1]),
+  "hn_ridged(p, 5, 2.0, 0.5, seed)": (p, seed) => new Field(3, { sum: "ridged", octaves: 5, seed }).at(...p),
+  "hn_simplex(p, ivec3(9, 16, 5), seed)": (p, seed) =>
+    new Field(3, { noise: "simplex", period: [9, 16, 5], seed }).at(...p),
+  "hn_eroded(p.xy, 4, 2.0, 0.5, 1.5, seed)": (p, seed) =>
+    new Field(2, { sum: "eroded", octaves: 4, strength: 1.5, seed }).at(p[0], p[1]),
+  "hn_cellular(p.xy, ivec2(0), 0.75, HN_METRIC_MANHATTAN, seed).y": (p, seed) =>
+    new Field(2, { noise: "cellular", jitter: 0.75, metric: "manhattan", seed }).all(p[0], p[1])[1],
+};
+
+test("the shader draws the heights that Field computes, at any points", async () => {
+  const opened = await page("webgl.html");
+  let state = 1;
+  const next = () => (state = (Math.imul(state, 1664525) + 1013904223) >>> 0);
+  const points = Array.from({ length: 500 }, (_, i) => {
+    const span = 2 ** (i % 16); // cells, from near the origin to far out
+    const p = [0, 0, 0].map(() => Math.fround((next() / 2 ** 31 - 1) * span));
+    return { p, seed: next() };
+  });
+  const inputs = points.map(({ p, seed }) => [...p.map(bitsOf), seed]);
+  for (const [call, height] of Object.entries(heights)) {
+    const body = `vec3 p = vec3(float_of(a.x), float_of(a.y), float_of(a.z)); uint seed = a.w;
+      return uvec4(bits_of(${call}), 0u, 0u, 0u);`;
+    const drawn = await opened.evaluate((...given) => hashnoise.evaluate(...given), "raw", body, inputs);
+    const expected = points.map(({ p, seed }) => bitsOf(height(p, seed)));
+    assert.deepEqual(drawn.map(([bits]) => bits), expected, call);
+    const others = points.map(({ p, seed }) => bitsOf(height(p, (seed ^ 1) >>> 0)));
+    assert.notDeepEqual(others, expected, `another seed of ${call}`);
+  }
+  console.log(`${inputs.length} points of ${Object.keys(heights).length} functions`);
+});
+
+test("the documentation's materials for WebGLRenderer draw what Field computes", async () => {
+  const opened = await page("webgl.html");
+  const found = await opened.evaluate(() => hashnoise.materials());
+  console.log("furthest, and with a mistake:", JSON.stringify(found));
+  assert.deepEqual(Object.keys(found), ["string", "chunks", "included"]);
+  for (const [name, [off, wrong]] of Object.entries(found)) {
+    assert.ok(off <= 1, `${name} is off by ${off} of 255`);
+    assert.ok(wrong > 2, `a mistake in ${name} is not noticed`);
+  }
+  assert.deepEqual(opened.complaints, []);
+});
+
+test("the documentation's heights are the same in Node.js and in a bundle", async () => {
+  const opened = await page("webgl.html");
+  const [right, wrong] = await opened.evaluate(() => hashnoise.twin());
+  const { height, heights } = await import("./blocks/heights.js");
+  const { here, tile } = await import("./blocks/world.js");
+  const expected = { height, heights: Array.from(heights.slice(0, 300)), here, tile: Array.from(tile.slice(0, 300)) };
+  assert.deepEqual(right, expected);
+  for (const name of Object.keys(expected)) {
+    if (name !== "tile") assert.notDeepEqual(wrong[name], expected[name], `a mistake in ${name} is not noticed`);
+  }
+});
+
+/** The floats, integers and seeds of a golden row, as the page takes them. */
+function split(file) {
+  const floats = [];
+  const integers = [];
+  const seeds = [];
+  for (const row of file.rows) {
+    const given = { f32: [], i32: [] };
+    file.inputs.forEach(([name, kind], k) => {
+      if (name === "seed") seeds.push(row.inputs[k]);
+      else given[kind].push(meaning(kind, row.inputs[k]));
+    });
+    floats.push(...given.f32, ...Array(4 - given.f32.length).fill(0));
+    integers.push(...given.i32, ...Array(4 - given.i32.length).fill(0));
+  }
+  return [floats, integers, seeds];
+}
+
+for (const [path, backend] of [["webgpu.html", "WebGPU"], ["webgpu.html?webgl", "WebGL2"]]) {
+  test(`nodes of three.js have golden values with ${backend}`, async () => {
+    const opened = await page(path);
+    assert.equal(await opened.evaluate(() => hashnoise.backend), backend);
+    let rows = 0;
+    for (const id of await opened.evaluate(() => hashnoise.rows)) {
+      const file = read(golden, id);
+      // HN_FIXED ends a sum after 32 octaves, and floats do not.
+      const octaves = file.inputs.findIndex(([name]) => name === "octaves");
+      file.rows = file.rows.filter((row) => octaves < 0 || meaning("i32", row.inputs[octaves]) <= 32);
+      const given = split(file);
+      const evaluated = (...all) => opened.evaluate((...one) => hashnoise.evaluate(...one), id, ...all);
+      const component = id === "noise2d.cellular" ? 1 : 0;
+      const off = (results) => file.rows.filter((row, i) => bitsOf(results[i]) !== row.expected[component]).length;
+      assert.equal(off(await evaluated("fixed", ...given)), 0, id);
+      assert.ok(off(await evaluated("fast", ...given)) > file.rows.length / 4, `${id} in floats is not told from HN_FIXED`);
+      rows += file.rows.length;
+    }
+    console.log(`${rows} rows with ${backend}`);
+    const [right, wrong] = await opened.evaluate(() => hashnoise.materials());
+    console.log("furthest, and with a mistake:", right, wrong);
+    assert.ok(right <= 1, `the documentation's material is off by ${right} of 255`);
+    assert.ok(wrong > 2, "a mistake in it is not noticed");
+    assert.deepEqual(opened.complaints, []);
+  });
+}
+
+test("the documentation's WGSL draws what Field computes", async () => {
+  const opened = await page("webgpu.html");
+  const [right, wrong] = await opened.evaluate(() => hashnoise.code());
+  console.log("furthest, and with a mistake:", right, wrong);
+  assert.ok(right <= 1 && wrong > 2);
+});

@@ -1,0 +1,62 @@
+// What a bundler keeps of the package: what is used, and each text once.
+//
+//   node bundles.mjs
+import assert from "node:assert/strict";
+import { mkdir, writeFile } from "node:fs/promises";
+import { join } from "node:path";
+import test from "node:test";
+import { build } from "vite";
+
+const folder = join(import.meta.dirname, "entries");
+await mkdir(folder, { recursive: true });
+let entries = 0;
+
+/** The code that Vite makes of a module. */
+async function bundled(code) {
+  const input = join(folder, `${(entries += 1)}.js`);
+  await writeFile(input, code);
+  const made = await build({
+    root: folder,
+    configFile: false,
+    logLevel: "error",
+    build: { write: false, modulePreload: false, rollupOptions: { input, external: [/^three/], treeshake: true } },
+  });
+  return made.output.map((chunk) => chunk.code ?? "").join("");
+}
+
+const count = (text, part) => text.split(part).length - 1;
+
+test("what is imported and not used is left out", async () => {
+  const names = ["hashnoise", "hashnoise/glsl/hashnoise", "hashnoise/wgsl", "hashnoise/wgsl/fixed"];
+  const code = await bundled(names.map((name, i) => `import * as unused${i} from "${name}";`).join("\n"));
+  assert.ok(code.length < 100, code.slice(0, 300));
+});
+
+test("each text of GLSL is there once", async () => {
+  const code = await bundled(`import fbm2d from "hashnoise/glsl/fbm2d";
+import fbm3d from "hashnoise/glsl/fbm3d";
+console.log(fbm2d, fbm3d);`);
+  for (const guard of ["CONFIG", "ARITHMETIC", "OCTAVES", "FBM2D", "FBM3D", "PERLIN3D"]) {
+    assert.equal(count(code, `#ifndef HN_${guard}_GLSL`), 1, guard);
+  }
+  assert.equal(count(code, "HN_CELLULAR2D_GLSL"), 0);
+  console.log(`fbm2d and fbm3d: ${code.length} bytes`);
+});
+
+test("of WGSL and of nodes, a function brings what it needs", async () => {
+  for (const name of ["hashnoise/wgsl", "hashnoise/wgsl/fixed", "hashnoise/tsl", "hashnoise/tsl/fixed"]) {
+    const code = await bundled(`import { hn_perlin2 } from "${name}";\nconsole.log(hn_perlin2);`);
+    assert.equal(count(code, "fn hn_perlin2("), 1, name);
+    assert.equal(count(code, "fn hn_fbm2("), 0, name);
+    assert.equal(count(code, "HN_FBM2D_GLSL"), 0, name);
+    assert.equal(count(code, "#ifndef HN_PERLIN2D_GLSL"), name.includes("tsl") ? 1 : 0, name);
+    console.log(`hn_perlin2 of ${name}: ${code.length} bytes`);
+  }
+});
+
+test("the twin brings its module alone", async () => {
+  const code = await bundled('import { Field } from "hashnoise";\nconsole.log(new Field(2).at(0.5, 0.5));');
+  console.log(`Field: ${code.length} bytes`);
+  assert.ok(code.length < 65_000);
+  assert.equal(count(code, "HN_CONFIG_GLSL"), 0);
+});

@@ -1,0 +1,165 @@
+// The twin's class: a field says what is wrong with its settings, and grids and arrays have the values of single points.
+//
+//   node fields.mjs
+import assert from "node:assert/strict";
+import test from "node:test";
+import { Field, init } from "hashnoise";
+
+const bits = (values) => Array.from(new Uint32Array(Float32Array.from(values).buffer));
+
+/** Every noise and every sum, in each of their dimensions. */
+function* all() {
+  for (const dimensions of [1, 2, 3]) {
+    for (const noise of Field.noises(dimensions)) yield new Field(dimensions, { noise, seed: 3, period: 5 });
+    for (const sum of Field.sums(dimensions)) yield new Field(dimensions, { sum, seed: 3, octaves: 3 });
+  }
+}
+
+/** Planes of a field at the points of a list. */
+const planes = (field, points) =>
+  field.components.flatMap((_, i) => points.map((point) => field.all(...point)[i]));
+
+test("grids have the values of single points", () => {
+  for (const field of all()) {
+    const size = [7, 3, 2].slice(0, field.dimensions);
+    const origin = [-1.5, 2.25, 100].slice(0, field.dimensions);
+    const points = [];
+    for (let z = 0; z < (size[2] ?? 1); ++z) {
+      for (let y = 0; y < (size[1] ?? 1); ++y) {
+        for (let x = 0; x < size[0]; ++x) {
+          points.push([x, y, z].slice(0, field.dimensions).map((i, axis) => Math.fround(origin[axis] + i * Math.fround(0.3))));
+        }
+      }
+    }
+    assert.deepEqual(bits(field.grid(size, { origin, step: 0.3 })), bits(planes(field, points)));
+    const axes = origin.map((_, axis) => points.map((point) => point[axis]));
+    assert.deepEqual(bits(field.points(axes)), bits(planes(field, points)));
+    assert.deepEqual(bits(field.points(axes.map((axis) => Float32Array.from(axis)))), bits(planes(field, points)));
+  }
+});
+
+test("a grid of more points than are computed at once has the same values", () => {
+  const field = new Field(2, { noise: "perlin_d" });
+  for (const size of [[2500, 3], [3, 700], [1024, 2], [1, 1500]]) {
+    const whole = field.grid(size, { step: 0.01 });
+    const count = size[0] * size[1];
+    for (const [x, y] of [[0, 0], [size[0] - 1, 0], [0, size[1] - 1], [size[0] - 1, size[1] - 1], [size[0] >> 1, size[1] >> 1]]) {
+      const at = [x, y].map((i) => Math.fround(i * Math.fround(0.01)));
+      const found = [0, 1, 2].map((plane) => whole[plane * count + y * size[0] + x]);
+      assert.deepEqual(bits(found), bits(field.all(...at)), `${size} at ${[x, y]}`);
+    }
+  }
+  const line = Float32Array.from({ length: 2051 }, (_, i) => i / 7);
+  const many = field.points([line, line]);
+  assert.equal(many[2050], field.at(line[2050], line[2050]));
+  assert.equal(many[2051 * 2 + 1024], field.all(line[1024], line[1024])[2]);
+});
+
+test("cells are exact far out, and wrap at 2^32", () => {
+  const field = new Field(2, { sum: "fbm", seed: 7 });
+  const grid = field.grid([5, 2], { step: 0.75, cell: [2 ** 31 - 2, -3], origin: [0.5, 0] });
+  for (let y = 0; y < 2; ++y) {
+    for (let x = 0; x < 5; ++x) {
+      const at = [0.5 + 0.75 * x, 0.75 * y];
+      const cell = [2 ** 31 - 2 + Math.floor(at[0]), -3 + Math.floor(at[1])];
+      assert.equal(grid[5 * y + x], field.inCell(cell, at.map((one) => one - Math.floor(one))));
+    }
+  }
+  assert.equal(field.inCell([2 ** 31, -3], [0.5, 0.25]), field.inCell([-(2 ** 31), -3 + 2 ** 32], [0.5, 0.25]));
+  const places = [[0.5, 0.75], [0.25, 0]];
+  const cells = [[1e9, 2 ** 31], [5, -5]];
+  const some = field.points(places, { cells });
+  assert.deepEqual(Array.from(some), [0, 1].map((i) => field.inCell(cells.map((c) => c[i]), places.map((f) => f[i]))));
+  assert.equal(field.inCell([3, 4], [0.5, 0.25]), field.at(3.5, 4.25));
+  // Steps backward, and smaller than a float tells apart there.
+  const back = field.grid([3, 1], { step: [-0.5, 1], cell: [0, 0], origin: [0.25, 0] });
+  assert.deepEqual(Array.from(back), [field.at(0.25, 0), field.at(-0.25, 0), field.at(-0.75, 0)]);
+  assert.equal(new Set(field.grid([64, 1], { step: 2 ** -12, cell: [1e9, 0], origin: [0.25, 0.5] })).size, 64);
+});
+
+test("fields do not disturb each other, and neither do seeds and periods", () => {
+  const one = new Field(2, { seed: 1 });
+  const two = new Field(2, { seed: 2, sum: "ridged" });
+  const first = one.at(0.5, 0.25);
+  const second = two.at(0.5, 0.25);
+  assert.notEqual(first, second);
+  assert.equal(one.at(0.5, 0.25), first);
+  assert.equal(two.at(0.5, 0.25), second);
+  const tile = new Field(2, { sum: "fbm", period: [3, 4] });
+  assert.equal(tile.at(0.5, 0.25), tile.at(3.5, -3.75));
+});
+
+test("what is passed to write into is written into", () => {
+  const field = new Field(1, { noise: "perlin_d" });
+  const out = new Float32Array(8);
+  assert.equal(field.grid(4, { step: 0.3, out }), out);
+  assert.deepEqual(out, field.grid([4], { step: [0.3] }));
+  assert.equal(field.points([[0.1, 0.2, 0.3, 0.4]], { out }), out);
+  assert.deepEqual(field.grid(0, { step: 1 }), new Float32Array(0));
+  assert.deepEqual(field.points([[]]), new Float32Array(0));
+});
+
+test("wrong settings are told", () => {
+  for (const [dimensions, settings, said] of [
+    [4, {}, /dimensions has to be a whole number from 1 to 3, not 4/],
+    [2, { noise: "perlim" }, /noise in 2D has to be one of value, .*, not "perlim"/],
+    [1, { noise: "simplex" }, /noise in 1D has to be one of value, value_d, value_cubic, perlin, perlin_d, not "simplex"/],
+    [1, { sum: "warp" }, /sum in 1D has to be one of fbm, .*weighted, not "warp"/],
+    [2, { sum: "eroded", noise: "perlin" }, /noise of eroded has to be one of value_d, perlin_d, simplex_d, not "perlin"/],
+    [2, { octave: 3 }, /a setting has to be one of noise, .*, not "octave"/],
+    [2, { octaves: 3 }, /perlin has no octaves; sums have it/],
+    [2, { sum: "fbm", octaves: 2000 }, /octaves has to be a whole number from .* to 1024, not 2000/],
+    [2, { sum: "fbm", strength: 1 }, /fbm has no strength; ping_pong, weighted and eroded have one/],
+    [2, { sum: "weighted", strength: 2 }, /strength has to be from 0 to 1, not 2/],
+    [2, { sum: "fbm", gain: -1 }, /gain has to be 0 or more, not -1/],
+    [2, { sum: "fbm", lacunarity: NaN }, /lacunarity has to be a finite number, not NaN/],
+    [2, { seed: -1 }, /seed has to be a whole number from 0 to 4294967295, not -1/],
+    [2, { period: [1, 2, 3] }, /period has to be a number, or an array of 2, not \[1,2,3\]/],
+    [2, { period: 1.5 }, /period has to be a whole number/],
+    [2, { jitter: 1 }, /perlin has no jitter; cellular has one/],
+    [2, { noise: "cellular", metric: "taxi" }, /metric has to be one of euclidean, .*, not "taxi"/],
+  ]) {
+    assert.throws(() => new Field(dimensions, settings), { name: "RangeError", message: said });
+  }
+  const field = new Field(2, { seed: undefined });
+  for (const [call, said] of [
+    [() => field.at(1), /a position has 2 coordinates here, not 1/],
+    [() => field.at(1, "2"), /y has to be a finite number, not "2"/],
+    [() => field.at(1, Infinity), /y has to be a finite number/],
+    [() => field.inCell([1], [0.5, 0.5]), /cell has to be a number, or an array of 2, not \[1\]/],
+    [() => field.inCell([0.5, 1], [0.5, 0.5]), /cell has to be a whole number/],
+    [() => field.grid([4, 4]), /step has to be a finite number, not undefined/],
+    [() => field.grid([4, -4], { step: 1 }), /size has to be a whole number from 0/],
+    [() => field.grid([4, 4], { step: 1, out: new Float32Array(15) }), /out has to be of the length 16, and is of 15/],
+    [() => field.grid([4, 4], { step: 1, out: [] }), /out has to be of the type Float32Array, not /],
+    [() => field.grid([4, 4], { step: 1, cell: 0, origin: 2 }), /origin has to be from 0 to 1, not 2/],
+    [() => field.grid([4, 4], { step: 1e38, origin: 1 }), /the last point has to be a finite number/],
+    [() => field.points([[1], [1]], { cells: [[1, 1], [1, 1]] }), /coordinates and of cells have to be of the same length/],
+    [() => field.points([1, 2]), /an array of coordinates has to be of the type Float32Array or Array, not 1/],
+    [() => field.points([[1]]), /the coordinates have to be an array of 2 arrays, one for each axis/],
+    [() => field.points([[1], [1, 2]]), /have to be of the same length/],
+    [() => field.points([[1], [NaN]]), /the coordinates have to be finite numbers/],
+    [() => field.points([[1], [1]], { cells: [[1], [0.5]] }), /the cells have to be whole numbers/],
+  ]) {
+    assert.throws(call, said);
+  }
+});
+
+test("a browser that compiles little at once says what to do, and does it", async () => {
+  const again = await import(`${import.meta.resolve("hashnoise")}?again`); // a module of its own
+  const { Module } = WebAssembly;
+  WebAssembly.Module = class {
+    constructor() {
+      throw new RangeError("WebAssembly.Compile is disallowed on the main thread");
+    }
+  };
+  try {
+    assert.throws(() => new again.Field(2), /call `await init\(\)` of hashnoise first/);
+    await again.init();
+    assert.equal(new again.Field(2).at(0.5, 0.25), new Field(2).at(0.5, 0.25));
+  } finally {
+    WebAssembly.Module = Module;
+  }
+  await init(); // once more
+  assert.equal(new Field(2).at(1, 1), 0);
+});

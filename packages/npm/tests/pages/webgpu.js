@@ -1,0 +1,111 @@
+// What a page with WebGPURenderer computes, in WGSL, or in GLSL where `?webgl` forces the fallback.
+import { MeshBasicNodeMaterial, Mesh, OrthographicCamera, PlaneGeometry, Scene, WebGPURenderer } from "three/webgpu";
+import { Fn, instanceIndex, instancedArray, ivec2, vec2, vec3 } from "three/tsl";
+import { Field } from "hashnoise";
+import * as fast from "hashnoise/tsl";
+import * as fixed from "hashnoise/tsl/fixed";
+import { material as ofNodes } from "../blocks/nodes.js";
+import { material as wrongNodes } from "../faulty/nodes.js";
+import { code } from "../blocks/wgsl.js";
+import { code as wrongCode } from "../faulty/wgsl.js";
+
+const renderer = new WebGPURenderer({ forceWebGL: location.search === "?webgl" });
+await renderer.init();
+
+// The rows of golden files that are evaluated: from floats x, integers i and the seed.
+const rows = {
+  "noise2d.perlin": (noise, x, i, seed) => noise.hn_perlin2(vec2(x.x, x.y), seed),
+  "noise3d.perlin": (noise, x, i, seed) => noise.hn_perlin3(vec3(x.x, x.y, x.z), seed),
+  "noise2d.value_cell": (noise, x, i, seed) => noise.hn_value2_cell(ivec2(i.x, i.y), vec2(x.x, x.y), seed),
+  "noise2d.cellular": (noise, x, i, seed) => noise.hn_cellular2(vec2(x.x, x.y), seed).y,
+  "fbm.ridged2": (noise, x, i, seed) => noise.hn_ridged2(vec2(x.x, x.y), i.x, x.z, x.w, seed),
+};
+
+/** The floats of a row's function, at points of `floats` (four each), `integers` (four each) and `seeds`. */
+async function evaluate(id, arithmetic, floats, integers, seeds) {
+  const count = seeds.length;
+  const x = instancedArray(new Float32Array(floats), "vec4");
+  const i = instancedArray(new Int32Array(integers), "ivec4");
+  const seed = instancedArray(new Uint32Array(seeds), "uint");
+  const result = instancedArray(count, "float");
+  const noise = arithmetic === "fixed" ? fixed : fast;
+  const kernel = Fn(() => {
+    const at = instanceIndex;
+    result.element(at).assign(rows[id](noise, x.element(at), i.element(at), seed.element(at)));
+  })().compute(count);
+  await renderer.computeAsync(kernel);
+  return Array.from(new Float32Array(await renderer.getArrayBufferAsync(result.value)).subarray(0, count));
+}
+
+const SIDE = 64;
+const field = new Field(2, { sum: "fbm", octaves: 6, seed: 7 });
+const cells = new Field(2, { noise: "cellular", seed: 3 });
+const gray = (u, v) => 0.5 + field.at(u * 8, v * 8);
+const grayOfCode = (u, v) => gray(u, v) + 0.2 * cells.at(u * 4, v * 4);
+
+/** How far the red of a picture is from that of a function, in steps of 8 bits, where that is farthest. */
+function furthest(pixels, stride, of, downward) {
+  let most = 0;
+  for (let y = 0; y < SIDE; ++y) {
+    for (let x = 0; x < SIDE; ++x) {
+      const v = (y + 0.5) / SIDE;
+      const value = of((x + 0.5) / SIDE, downward ? 1 - v : v);
+      most = Math.max(most, Math.abs(pixels[stride * y + 4 * x] - 255 * Math.min(Math.max(value, 0), 1)));
+    }
+  }
+  return most;
+}
+
+async function ofMaterial(material) {
+  const { RenderTarget, LinearSRGBColorSpace } = await import("three/webgpu");
+  renderer.outputColorSpace = LinearSRGBColorSpace;
+  const target = new RenderTarget(SIDE, SIDE);
+  const scene = new Scene();
+  scene.add(new Mesh(new PlaneGeometry(2, 2), material));
+  renderer.setRenderTarget(target);
+  renderer.render(scene, new OrthographicCamera(-1, 1, 1, -1, -1, 1));
+  const pixels = await renderer.readRenderTargetPixelsAsync(target, 0, 0, SIDE, SIDE);
+  renderer.setRenderTarget(null);
+  // Rows are from the top in WebGPU, and from the bottom in WebGL.
+  return furthest(pixels, pixels.length / SIDE, gray, renderer.backend.isWebGPUBackend === true);
+}
+
+/** A shader of the documentation, without three.js. */
+async function ofCode(text) {
+  const device = await (await navigator.gpu.requestAdapter()).requestDevice();
+  const module = device.createShaderModule({ code: `${text}
+struct Corner { @builtin(position) position: vec4f, @location(0) uv: vec2f }
+@vertex fn corner(@builtin(vertex_index) i: u32) -> Corner {
+  let uv = vec2f(f32((i << 1u) & 2u), f32(i & 2u));
+  return Corner(vec4f(uv * 2.0 - 1.0, 0.0, 1.0), uv);
+}` });
+  const complaints = (await module.getCompilationInfo()).messages.map(({ message }) => message);
+  if (complaints.length) throw new Error(complaints.join("\n"));
+  const pipeline = device.createRenderPipeline({
+    layout: "auto", vertex: { module }, fragment: { module, targets: [{ format: "rgba8unorm" }] },
+  });
+  const texture = device.createTexture({
+    size: [SIDE, SIDE], format: "rgba8unorm", usage: GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.COPY_SRC,
+  });
+  const buffer = device.createBuffer({ size: 256 * SIDE, usage: GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ });
+  const encoder = device.createCommandEncoder();
+  const pass = encoder.beginRenderPass({
+    colorAttachments: [{ view: texture.createView(), loadOp: "clear", storeOp: "store" }],
+  });
+  pass.setPipeline(pipeline);
+  pass.draw(3);
+  pass.end();
+  encoder.copyTextureToBuffer({ texture }, { buffer, bytesPerRow: 256 }, [SIDE, SIDE]);
+  device.queue.submit([encoder.finish()]);
+  await buffer.mapAsync(GPUMapMode.READ);
+  return furthest(new Uint8Array(buffer.getMappedRange()), 256, grayOfCode, true);
+}
+
+globalThis.hashnoise = {
+  backend: renderer.backend.isWebGPUBackend ? "WebGPU" : "WebGL2",
+  rows: Object.keys(rows),
+  evaluate,
+  /** How far the documentation's material is off, and the same one with a mistake. */
+  materials: async () => [await ofMaterial(ofNodes), await ofMaterial(wrongNodes)],
+  code: async () => [await ofCode(code), await ofCode(wrongCode)],
+};

@@ -1,0 +1,102 @@
+"""A project of Vite with the package in it, as a user makes one: the folder `npm` of that of the JavaScript packages.
+
+    project.py make FOLDER                       makes FOLDER/npm
+    project.py run FOLDER PROGRAM [ARGUMENT]...    runs a program of Node.js in it, by tools/node
+
+The package is what tools/npm packs, installed by npm. The code blocks of docs/javascript.md become modules of the project:
+blocks/NAME.js as they are printed, and faulty/NAME.js with a mistake that a test has to notice. Exit status: that of the
+program, 0 made, 1 it could not be made, 77 npm's packages or the compiler are not here.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[2]
+SKIPPED = 77
+
+# The code blocks of the page in their order, by names, and a mistake in each.
+BLOCKS = {
+    "heights.js": ("octaves: 6", "octaves: 5"),
+    "world.js": ("1e9, -1e9], [0.5", "1e9, 1e9], [0.5"),
+    "string.js": ("6, 2.0", "5, 2.0"),
+    "chunks.js": ("6, 2.0", "5, 2.0"),
+    "included.glsl": ("6, 2.0", "5, 2.0"),
+    "nodes.js": ("6, 2", "5, 2"),
+    "wgsl.js": ("6, 2.0", "5, 2.0"),
+}
+
+
+def blocks() -> dict[str, str]:
+    page = (ROOT / "docs" / "javascript.md").read_text(encoding="utf-8")
+    found = re.findall(r"^```(js|glsl)\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
+    endings = [name.split(".")[1] for name in BLOCKS]
+    if [language for language, _ in found] != endings:
+        raise ValueError(f"docs/javascript.md has other blocks than {list(BLOCKS)}")
+    return {name: code for name, (_, code) in zip(BLOCKS, found)}
+
+
+def missing(packages: Path) -> str:
+    """What a project needs and is not here."""
+    if not (packages / "made").exists():
+        return f"the packages in {packages}: javascript.packages was skipped, or did not run"
+    if not shutil.which("clang++"):
+        return "clang++"
+    if not (shutil.which("wasm-ld") or list(Path("/usr/bin").glob("wasm-ld-*"))):
+        return "wasm-ld, of Debian's package lld"
+    if not Path("/usr/include/wasm32-wasi").is_dir():
+        return "Debian's packages libc++-dev-wasm32 and wasi-libc"
+    return ""
+
+
+def make(packages: Path) -> int:
+    project = packages / "npm"
+    shutil.rmtree(project, ignore_errors=True)
+    if absent := missing(packages):
+        print(f"there is no project, since this is missing: {absent}")
+        return SKIPPED
+    done = subprocess.run([ROOT / "tools" / "npm", packages], capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        print(done.stdout + done.stderr)
+        return 1
+    packed = done.stdout.strip()
+    shutil.copytree(HERE, project, ignore=shutil.ignore_patterns("*.py", "__pycache__"))
+    (project / "package.json").write_text(json.dumps({"name": "game", "private": True, "type": "module"}))
+    for name, code in blocks().items():
+        right, wrong = BLOCKS[name]
+        if code.count(right) != 1:
+            raise ValueError(f"{right} does not stand in the block {name} once")
+        for folder, text in (("blocks", code), ("faulty", code.replace(right, wrong))):
+            (project / folder).mkdir(exist_ok=True)
+            (project / folder / name).write_text(text, encoding="utf-8")
+    done = subprocess.run([ROOT / "tools" / "node", "npm", "install", "--offline", "--no-audit", "--no-fund", packed],
+                          cwd=project, capture_output=True, text=True, check=False)
+    print(done.stdout + done.stderr)
+    return done.returncode and 1
+
+
+def run(packages: Path, command: list[str]) -> int:
+    project = packages / "npm"
+    if not (project / "node_modules").exists():
+        print(f"{project} has no package in it: npm.package was skipped, or did not run")
+        return SKIPPED
+    return subprocess.run([ROOT / "tools" / "node", *command], cwd=project, check=False).returncode
+
+
+def main(arguments: list[str]) -> int:
+    if len(arguments) == 2 and arguments[0] == "make":
+        return make(Path(arguments[1]).resolve())
+    if len(arguments) > 2 and arguments[0] == "run":
+        return run(Path(arguments[1]).resolve(), arguments[2:])
+    print(__doc__, file=sys.stderr)
+    return 2
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,70 @@
+"""Tests of tools/npm: what it says before it makes anything. The test npm.package makes a package."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+from tree import TOOLS
+
+
+class Npm(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.root = Path(scratch.name)
+        (self.root / "tools" / "lib").mkdir(parents=True)
+        for name in ("setup.sh", "npm"):
+            shutil.copy(TOOLS / name, self.root / "tools")
+        # Whoever installs something is noticed, and has everything.
+        self.programs = self.root / "programs"
+        self.programs.mkdir()
+        for name, command in (("apt-get", f"touch {self.root}/installed; exit 1"),
+                              ("dpkg-query", 'echo "install ok installed"')):
+            path = self.programs / name
+            path.write_text(f"#!/bin/sh\n{command}\n", encoding="ascii")
+            path.chmod(0o755)
+
+    def call(self, *arguments: str) -> subprocess.CompletedProcess[str]:
+        done = subprocess.run([self.root / "tools" / "npm", *arguments], capture_output=True, text=True, check=False,
+                              cwd=self.root, env={**os.environ, "PATH": f"{self.programs}:{os.environ['PATH']}"})
+        self.assertFalse((self.root / "installed").exists())
+        return done
+
+    def test_help(self):
+        for arguments in (("--help",), ("-h",), ("help",)):
+            with self.subTest(arguments):
+                done = self.call(*arguments)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                self.assertIn("tools/npm [FOLDER]", done.stdout)
+                self.assertIn("Exit status: 0 done", done.stdout)
+                self.assertFalse((self.root / "build").exists())
+
+    def test_bad_usage(self):
+        (self.root / "file").touch()
+        for arguments, said in ((("one", "two"), "there is one folder at most, not one and two"),
+                                (("",), "the folder has no name"),
+                                (("file",), "file is a file; it must be a folder, or a name for a new one"),
+                                (("file/folder",), "the folder file/folder cannot be made"),
+                                (("--no-such",), "there is no option --no-such")):
+            with self.subTest(arguments):
+                done = self.call(*arguments)
+                self.assertEqual((done.returncode, done.stdout), (2, ""))
+                self.assertIn(f"tools/npm: {said}", done.stderr)
+                self.assertIn("usage: tools/npm", done.stderr)
+                self.assertFalse((self.root / "build").exists())
+
+    def test_what_cannot_be_made(self):
+        """Here is nothing to make a package of."""
+        done = self.call()
+        self.assertEqual((done.returncode, done.stdout), (4, ""))
+        self.assertIn("The files of the package could not be made; all of the output is in", done.stderr)
+        self.assertEqual(list((self.root / "build" / "npm").iterdir()), [])
+
+
+if __name__ == "__main__":
+    unittest.main()
