@@ -3,9 +3,9 @@
 import { emptyShader, frameOf, kColours, kPlain, timedShader } from "./shaders.js";
 
 const kRounds = 9;
-const kFewRounds = 3;   // of what is so slow that more would take too long
-const kLongest = 2500;  // milliseconds
-const kEnough = 4;      // milliseconds that the plain noise should take, since browsers make their clocks coarse
+const kFewRounds = 3; // of what is so slow that more would take too long
+const kLongest = 2500; // milliseconds
+const kEnough = 4; // milliseconds that the plain noise should take, since browsers make their clocks coarse
 const kMostSide = 2048;
 const kMostDraws = 64;
 
@@ -15,15 +15,19 @@ const median = (numbers) => numbers.toSorted((a, b) => a - b)[numbers.length >> 
 export async function costOf(backend, library, state) {
   const plain = { ...state, ...kPlain };
   const states = [plain, plain, state];
-  const texts = [emptyShader(library, backend.language, plain), timedShader(library, backend.language, plain),
-                 timedShader(library, backend.language, state)];
+  const texts = [
+    emptyShader(library, backend.language, plain),
+    timedShader(library, backend.language, plain),
+    timedShader(library, backend.language, state),
+  ];
   const programs = [];
   try {
     for (const text of texts) programs.push(await backend.build(text));
     let side = 256;
     let draws = 1;
-    const measured = (number) => backend.time(programs[number], frameOf(states[number], side, side, kColours), side, draws);
-    for (const number of [0, 1, 2]) await measured(number);  // some drivers compile at the first draw
+    const measured = (number) =>
+      backend.time(programs[number], frameOf(states[number], side, side, kColours), side, draws);
+    for (const number of [0, 1, 2]) await measured(number); // some drivers compile at the first draw
     while ((await measured(1)) - (await measured(0)) < kEnough && (side < kMostSide || draws < kMostDraws)) {
       if (side < kMostSide) side *= 2;
       else draws *= 2;
@@ -34,7 +38,7 @@ export async function costOf(backend, library, state) {
     for (; rounds < kFewRounds || (rounds < kRounds && performance.now() < end); ++rounds) {
       const [empty, base, cost] = [await measured(0), await measured(1), await measured(2)];
       if (base > empty) ratios.push(Math.max(cost - empty, 0) / (base - empty));
-      await new Promise((resolve) => setTimeout(resolve));  // let the page react in between
+      await new Promise((resolve) => setTimeout(resolve)); // let the page react in between
     }
     if (ratios.length <= rounds / 2) throw new Error("The clock of this browser is too coarse to tell.");
     const sorted = ratios.toSorted((a, b) => a - b);
