@@ -11,7 +11,7 @@ from pathlib import Path
 from readme.gallery import recipes
 from single_file import godot
 from single_file.files import Part, parts
-from tree import GLSL, ROOT
+from tree import GLSL, ROOT, version
 
 PACKAGE = ROOT / "packages" / "godot"
 ADDON = "addons/hashnoise"
@@ -41,11 +41,6 @@ RECIPES = f"{ADDON}/example/recipes"
 SIDE = 208  # of a tile: five by three of them fit into a new project's window
 # Eight seconds make a turn of the recipes that loop.
 TURN = "fract(TIME / 8.0)"
-
-
-def version() -> str:
-    text = (GLSL / "config.glsl").read_text(encoding="ascii")
-    return ".".join(re.search(rf"#define HN_VERSION_{part} (\d+)", text)[1] for part in ("MAJOR", "MINOR", "PATCH"))
 
 
 def archive_name() -> str:

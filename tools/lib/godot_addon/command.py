@@ -12,8 +12,8 @@ from tree import ROOT
 DESCRIPTION = """\
 Make the add-on for Godot 4.4 and later, and print its path.
 
-The file has addons/hashnoise/ as a project has it: the parts of the library, each as one .gdshaderinc, nodes for visual
-shaders, and an example. The same tree makes the same bytes; the times in it are SOURCE_DATE_EPOCH's, or of 1980.
+The file has addons/hashnoise/ as a project has it: the parts of the library, each as one .gdshaderinc, and an
+example. The same tree makes the same bytes; the times in it are SOURCE_DATE_EPOCH's, or of 1980.
 """
 
 

@@ -12,7 +12,7 @@ from collections.abc import Iterable
 
 from single_file.files import Part, minified, parts, text
 from tables.glsl import declarations
-from tree import GLSL, ROOT
+from tree import GLSL, ROOT, version
 from wgsl.module import Module, Settings
 from wgsl.translator import Definition
 
@@ -26,11 +26,6 @@ TYPES = {"f32": "float", "i32": "int", "u32": "uint",
          **{f"vec{n}{letter}": f"{prefix}vec{n}" for n in (2, 3, 4) for letter, prefix in
             (("f", ""), ("i", "i"), ("u", "u"))}}
 SIGNATURE = re.compile(r"fn (?P<name>\w+)\((?P<parameters>[^)]*)\) -> (?P<type>\w+) \{")
-
-
-def version() -> str:
-    numbers = re.findall(r"#define HN_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)", (GLSL / "config.glsl").read_text())
-    return ".".join(numbers)
 
 
 def quoted(value: str) -> str:

@@ -5,9 +5,9 @@ import re
 import unittest
 
 from npm import twin
-from npm.files import ARITHMETICS, closure, glsl_files, package, readme, version
+from npm.files import ARITHMETICS, closure, glsl_files, package, readme
 from single_file.files import flatten, minified, parts
-from tree import GLSL, ROOT
+from tree import GLSL, ROOT, version
 from wgsl.module import Module, Settings
 
 EXPORT = re.compile(r"^export default (.*);$", re.MULTILINE)

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from single_file.files import stripped
-from tree import GLSL
+from tree import GLSL, version
 from wgsl.module import ARITHMETICS, HASHES, Module, Settings
 from wgsl.translator import Definition
 
@@ -17,12 +16,6 @@ EVERYTHING = "hashnoise.glsl"
 OF_THE_HASH = "hash.glsl"
 # What other files have of the library's own kind: languages that need names of their own.
 PATTERNS = ("*.glsl", "begin.hlsl", "end.hlsl", "vectors_*.h")
-
-
-def version() -> str:
-    text = (GLSL / "config.glsl").read_text(encoding="ascii")
-    return ".".join(re.search(rf"^#define HN_VERSION_{part} (\d+)$", text, re.MULTILINE)[1]
-                    for part in ("MAJOR", "MINOR", "PATCH"))
 
 
 def glsl() -> dict[str, list[str]]:

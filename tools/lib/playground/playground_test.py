@@ -12,8 +12,8 @@ from pathlib import Path
 from unittest import mock
 
 import playground.page as page
-from playground.library import EVERYTHING, definitions, library, modules, version, written
-from tree import TOOLS
+from playground.library import EVERYTHING, definitions, library, modules, written
+from tree import TOOLS, version
 
 MOST_BYTES = 300_000
 

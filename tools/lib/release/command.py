@@ -8,8 +8,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-from release.files import NoRelease, PARTS, Release, named, notes, run, version
-from tree import ROOT
+from release.files import NoRelease, PARTS, Release, named, notes, run
+from tree import ROOT, version
 
 
 def parsed_arguments(arguments: list[str] | None) -> argparse.Namespace:

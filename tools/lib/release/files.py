@@ -14,7 +14,7 @@ from datetime import datetime, timezone
 from pathlib import Path
 
 from single_file.files import text
-from tree import GLSL, ROOT, TOOLS
+from tree import ROOT, TOOLS, version
 
 
 class NoRelease(Exception):
@@ -27,11 +27,6 @@ def run(command: list[str | Path], **options) -> str:
     if done.returncode != 0:
         raise NoRelease(f"{Path(command[0]).name} {' '.join(map(str, command[1:]))} ended with status {done.returncode}")
     return done.stdout
-
-
-def version() -> str:
-    config = (GLSL / "config.glsl").read_text(encoding="ascii")
-    return ".".join(re.search(rf"^#define HN_VERSION_{name} (\d+)$", config, re.M)[1] for name in ("MAJOR", "MINOR", "PATCH"))
 
 
 def notes(changelog: str, wanted: str, trial: bool) -> str:

@@ -12,7 +12,7 @@ import zipfile
 from pathlib import Path
 
 from release import files
-from tree import ROOT
+from tree import ROOT, version
 
 # Enough of the tree for what is tried here.
 COPIED = ("CMakeLists.txt", "LICENSE", "glsl", "include", "tools")
@@ -32,7 +32,7 @@ class Project(unittest.TestCase):
         for name in COPIED:
             copy = shutil.copytree if (ROOT / name).is_dir() else shutil.copy
             copy(ROOT / name, cls.original / name)
-        changelog = f"# Changelog\n\n## {files.version()} (2026-11-22)\n\n- It is there.\n\n## 0.0.1 (2025-01-01)\n\n- Old.\n"
+        changelog = f"# Changelog\n\n## {version()} (2026-11-22)\n\n- It is there.\n\n## 0.0.1 (2025-01-01)\n\n- Old.\n"
         (cls.original / "CHANGELOG.md").write_text(changelog)
         for arguments in (["init", "-q"], ["add", "-A"], ["commit", "-qm", "All of it"]):
             cls.git(cls.original, *arguments)
@@ -78,7 +78,7 @@ class Makes(Project):
         with (self.out / "hashnoise.glsl").open("a") as made:
             made.write("\n")
         self.assertNotEqual(subprocess.run(checked, cwd=self.out, capture_output=True, check=False).returncode, 0)
-        self.assertEqual((self.out / "NOTES.md").read_text(), f"# hashnoise {files.version()}\n\n- It is there.\n")
+        self.assertEqual((self.out / "NOTES.md").read_text(), f"# hashnoise {version()}\n\n- It is there.\n")
 
     def test_headers_that_compile_where_they_are_put(self):
         self.assertEqual(self.call("--only", "headers").returncode, 0)
@@ -137,7 +137,7 @@ class Refuses(Project):
 class Version(unittest.TestCase):
     def test_it_is_the_one_of_cmake_and_of_the_changelog(self):
         found = re.search(r"^## (\S+) \(", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), re.M)
-        self.assertEqual(found[1], files.version())
+        self.assertEqual(found[1], version())
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import re
 import sys
 from pathlib import Path
 
@@ -17,12 +18,18 @@ those in space; hashnoise.glsl is everything. docs/languages.md tells the names 
 
   tools/wgsl --arithmetic HN_FIXED fbm2d.glsl > fbm2d.wgsl
   tools/wgsl --only hn_perlin3,hn_fbm2 --strip > noise.wgsl
+  tools/wgsl --import-path hashnoise --only hn_fbm2 --out assets/shaders/hashnoise.wgsl
   tools/wgsl --names noise2d.glsl
 """
 
 
-def header(name: str, settings: Settings) -> str:
+IMPORT_PATH = re.compile(r"[A-Za-z_]\w*(::[A-Za-z_]\w*)*")
+
+
+def header(name: str, settings: Settings, import_path: str = "") -> str:
+    define = f"#define_import_path {import_path}\n\n" if import_path else ""
     return f"""\
+{define}\
 // hashnoise in WGSL. Made by tools/wgsl from {name} with {settings}.
 // Copyright (c) 2026 The hashnoise authors; MIT License.
 //
@@ -46,6 +53,8 @@ def parsed_arguments() -> argparse.Namespace:
                         help="OCTAHEDRAL (the default) or SINE")
     parser.add_argument("--only", default="", metavar="NAMES",
                         help="these functions and what they need, with commas between; else all public ones")
+    parser.add_argument("--import-path", default="", metavar="NAME",
+                        help="for Bevy and naga_oil: write #define_import_path NAME, so that #import NAME::hn_fbm2 finds it")
     parser.add_argument("--strip", action="store_true", help="leave out comments, empty lines and indentation")
     parser.add_argument("--names", action="store_true", help="write which function of the GLSL has which name, instead")
     parser.add_argument("--glsl", type=Path, default=GLSL, metavar="DIR", help="another copy of the library")
@@ -55,6 +64,9 @@ def parsed_arguments() -> argparse.Namespace:
     if not (arguments.glsl / arguments.name).is_file():
         names = ", ".join(sorted(path.name for path in arguments.glsl.glob("*.glsl")))
         parser.error(f"there is no {arguments.name} in {arguments.glsl}; there are: {names or 'no files'}")
+    if arguments.import_path and not IMPORT_PATH.fullmatch(arguments.import_path):
+        parser.error(f"an import path is made of names with :: between them, such as game::noise, not "
+                     f"{arguments.import_path!r}")
     return arguments
 
 
@@ -71,7 +83,7 @@ def output(arguments: argparse.Namespace) -> str:
     if arguments.names:
         return written_names(module)
     only = [name.strip() for name in arguments.only.split(",") if name.strip()]
-    return header(arguments.name, settings) + module.text(only, arguments.strip)
+    return header(arguments.name, settings, arguments.import_path) + module.text(only, arguments.strip)
 
 
 def main() -> int:

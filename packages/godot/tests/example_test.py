@@ -1,0 +1,149 @@
+"""The example of the add-on, and the code of the page, in a new project of a real Godot.
+
+    python3 packages/godot/tests/example_test.py
+
+The recipes have the pictures of the gallery, which C++ draws. Exit status: 0 they have, 1 they have not, 77 there is no
+Godot here.
+"""
+
+from __future__ import annotations
+
+import io
+import json
+import re
+import struct
+import tempfile
+import unittest
+import zipfile
+import zlib
+from pathlib import Path
+
+from engine import RENDERERS, Engine, Failure, main
+
+from godot_addon.addon import ADDON, TURN, archive, recipe_texts
+from tree import ROOT
+
+HERE = Path(__file__).resolve().parent
+SIDE = 256  # of the gallery's pictures
+NOISY = {"ink": 0.002}  # the part of the pixels that may differ more, where a little noise turns a colour
+
+
+def picture(path: Path) -> tuple[int, int, bytes]:
+    """The width, the height and the bytes of a PNG file, of three channels."""
+    data, position, packed = path.read_bytes(), 8, b""
+    while position < len(data):
+        size, kind = struct.unpack(">I4s", data[position:position + 8])
+        chunk = data[position + 8:position + 8 + size]
+        position += 12 + size
+        if kind == b"IHDR":
+            width, height, depth, colour = struct.unpack(">IIBB", chunk[:10])
+        packed += chunk if kind == b"IDAT" else b""
+    if depth != 8 or colour not in (2, 6):
+        raise ValueError(f"{path} has no bytes of colours")
+    channels = 3 if colour == 2 else 4
+    lines, above = zlib.decompress(packed), bytearray(width * channels)
+    found = bytearray()
+    for y in range(height):
+        start = y * (width * channels + 1)
+        kind, line = lines[start], bytearray(lines[start + 1:start + 1 + width * channels])
+        for i, value in enumerate(line):
+            left, up = line[i - channels] if i >= channels else 0, above[i]
+            corner = above[i - channels] if i >= channels else 0
+            near = min((abs(left + up - corner - side), order, side) for order, side in enumerate((left, up, corner)))[2]
+            line[i] = (value + (0, left, up, (left + up) // 2, near)[kind]) & 255
+        found += bytes(value for i, value in enumerate(line) if i % channels < 3)
+        above = line
+    return width, height, bytes(found)
+
+
+def new_project(folder: Path) -> None:
+    """An empty project, into which the add-on is unpacked."""
+    (folder / "project.godot").write_text("config_version=5\n")
+    zipfile.ZipFile(io.BytesIO(archive())).extractall(folder)
+    for name in ("evaluate.gd", "scenes.gd"):
+        (folder / name).write_bytes((HERE / name).read_bytes())
+
+
+def drawn(engine: Engine, renderer: str, shaders: dict[str, str]) -> dict[str, bytes]:
+    """The colours of each shader, drawn on a square."""
+    with tempfile.TemporaryDirectory() as folder:
+        project = Path(folder)
+        new_project(project)
+        for name, text in shaders.items():
+            (project / f"{name}.gdshader").write_text(text)
+        job = {"size": [SIDE, SIDE], "shaders": [{"code": f"res://{name}.gdshader", "rows": [{"out": f"res://{name}.out"}]}
+                                                 for name in shaders]}
+        (project / "job.json").write_text(json.dumps(job))
+        engine.run(project, renderer, "res://evaluate.gd", "res://job.json")
+        found = {}
+        for name in shaders:
+            colours = (project / f"{name}.out").read_bytes()
+            found[name] = bytes(value for i, value in enumerate(colours) if i % 4 < 3)
+        return found
+
+
+def part_that_differs(one: bytes, other: bytes) -> float:
+    return sum(abs(a - b) > 2 for a, b in zip(one, other, strict=True)) / len(one)
+
+
+class Example(unittest.TestCase):
+    engine: Engine
+
+    def gallery(self, name: str) -> bytes:
+        width, height, colours = picture(ROOT / "docs" / "gallery" / f"{name}.png")
+        self.assertEqual((width, height), (SIDE, SIDE))
+        return colours
+
+    def test_recipes_have_the_pictures_of_the_gallery(self):
+        # A looping recipe has the same time there.
+        recipes = {name: text.replace(TURN, "0.25") for name, text in recipe_texts().items()}
+        self.assertGreaterEqual(len(recipes), 15)
+        for renderer in RENDERERS:
+            # All are drawn by the first, and some by the others.
+            some = recipes if renderer == "gl_compatibility" else {name: recipes[name] for name in ("mud", "planet", "hills")}
+            for name, colours in drawn(self.engine, renderer, some).items():
+                with self.subTest(renderer=renderer, name=name):
+                    self.assertLessEqual(part_that_differs(colours, self.gallery(name)), NOISY.get(name, 0))
+
+    def test_another_seed_is_noticed(self):
+        recipe = recipe_texts()["marble"]
+        colours = drawn(self.engine, "gl_compatibility", {"marble": recipe.replace("7u", "8u")})["marble"]
+        self.assertGreater(part_that_differs(colours, self.gallery("marble")), 0.2)
+
+    def test_scenes_are_shown_on_both_renderers(self):
+        for renderer in RENDERERS:
+            with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as out:
+                new_project(Path(folder))
+                scenes = [f"res://{ADDON}/example/{name}.tscn" for name in ("gallery", "terrain")]
+                self.engine.run(Path(folder), renderer, "res://scenes.gd", out, *scenes)
+                for name in ("gallery", "terrain"):
+                    width, _, colours = picture(Path(out) / f"{name}.png")
+                    self.assertEqual(width, 1152)  # of a new project's window
+                    with self.subTest(renderer=renderer, scene=name):
+                        self.assertGreater(len({colours[i:i + 3] for i in range(0, len(colours), 3 * 97)}), 1000)
+
+    def test_the_code_of_the_page_compiles(self):
+        page = (ROOT / "docs" / "godot.md").read_text(encoding="utf-8")
+        shaders = re.findall(r"^```gdshader\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
+        self.assertGreaterEqual(len(shaders), 2)
+        for renderer in RENDERERS:
+            first = drawn(self.engine, renderer, {"page": shaders[0]})["page"]
+            self.assertGreater(len(set(first)), 50)
+            self.compile(renderer, shaders[1:])
+        with self.assertRaises(Failure):
+            self.compile("gl_compatibility", [text.replace("hn_fbm_d(", "hn_fbn_d(") for text in shaders[1:]])
+
+    def compile(self, renderer: str, shaders: list[str]) -> None:
+        with tempfile.TemporaryDirectory() as folder:
+            new_project(Path(folder))
+            loads = []
+            for number, text in enumerate(shaders):
+                (Path(folder) / f"page{number}.gdshader").write_text(text)
+                # To ask for the uniforms compiles the shader.
+                loads.append(f'\tprint(load("res://page{number}.gdshader").get_shader_uniform_list())\n')
+            (Path(folder) / "compile.gd").write_text(f"extends SceneTree\nfunc _init():\n{''.join(loads)}\tquit()\n")
+            self.engine.run(Path(folder), renderer, "res://compile.gd")
+
+
+if __name__ == "__main__":
+    main(Example)

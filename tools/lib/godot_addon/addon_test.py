@@ -1,0 +1,93 @@
+"""tools/godot-addon: what is in the add-on, as far as no Godot is needed to say it."""
+
+from __future__ import annotations
+
+import io
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+import zipfile
+from pathlib import Path
+
+from godot_addon.addon import ADDON, archive_name, files, version
+from readme.gallery import recipes
+from tables.functions import read_functions
+from tree import ROOT, TOOLS
+
+
+def call(*arguments: str | Path, **variables: str) -> subprocess.CompletedProcess[str]:
+    environment = {name: value for name, value in os.environ.items() if name != "SOURCE_DATE_EPOCH"}
+    return subprocess.run([sys.executable, TOOLS / "godot-addon", *arguments], capture_output=True, text=True, check=False,
+                          env={**environment, **variables})
+
+
+class Addon(unittest.TestCase):
+    files: dict[str, str]
+
+    @classmethod
+    def setUpClass(cls):
+        cls.files = {name: content.decode("utf-8") for name, content in files().items()}
+
+    def test_everything_is_in_its_folder(self):
+        self.assertEqual([name for name in self.files if not name.startswith(f"{ADDON}/")], [])
+        for name in ("LICENSE", "README.md", "example/gallery.tscn", "example/terrain.tscn", "hashnoise.gdshaderinc"):
+            self.assertIn(f"{ADDON}/{name}", self.files)
+
+    def test_each_function_has_a_part(self):
+        for function in read_functions():
+            part = self.files[f"{ADDON}/{Path(function.row.text(1)).stem}.gdshaderinc"]
+            self.assertRegex(part, rf"(?m)^\w+ {function.calls}\(", function.id)
+
+    def test_a_part_stands_alone_and_explains_its_functions(self):
+        for name, text in self.files.items():
+            if name.endswith(".gdshaderinc"):
+                with self.subTest(name=name):
+                    self.assertNotRegex(text, r"(?m)^#include")
+                    self.assertIn(f"hashnoise {version()} for Godot", text.split("\n")[0])
+        for part, said in (("fbm2d", "//   octaves     how many"), ("cellular3d", "//   jitter"), ("perlin2d", "//   returns")):
+            self.assertIn(said, self.files[f"{ADDON}/{part}.gdshaderinc"])
+
+    def test_what_is_included_is_there(self):
+        included = {path for text in self.files.values() for path in re.findall(r'"res://([^"]+)"', text)}
+        self.assertGreater(len(included), 20)
+        self.assertEqual(included - set(self.files), set())
+
+    def test_the_gallery_has_every_recipe(self):
+        scene = self.files[f"{ADDON}/example/gallery.tscn"]
+        for recipe in recipes():
+            self.assertIn(f"recipes/{recipe.name}.gdshader", scene)
+
+    def test_the_pages_name_the_file_that_is_made(self):
+        self.assertIn(archive_name(), (ROOT / "docs" / "godot.md").read_text(encoding="utf-8"))
+
+    def test_the_command(self):
+        with tempfile.TemporaryDirectory() as folder:
+            one, two, later = (Path(folder) / name for name in ("one", "two/deep", "later"))
+            for place, variables in ((one, {}), (two, {}), (later, {"SOURCE_DATE_EPOCH": "1700000000"})):
+                done = call(place, **variables)
+                self.assertEqual((done.returncode, done.stdout), (0, f"{place / archive_name()}\n"), done.stderr)
+            content = (one / archive_name()).read_bytes()
+            self.assertEqual(content, (two / archive_name()).read_bytes())
+            self.assertNotEqual(content, (later / archive_name()).read_bytes())
+            unpacked = zipfile.ZipFile(io.BytesIO(content))
+            self.assertEqual({name: unpacked.read(name).decode("utf-8") for name in unpacked.namelist()}, self.files)
+            self.assertEqual(zipfile.ZipFile(later / archive_name()).infolist()[0].date_time[:3], (2023, 11, 14))
+
+    def test_bad_usage(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "file"
+            file.touch()
+            for arguments, variables, said in (((file,), {}, "it must be a folder"), (("a", "b"), {}, "unrecognized arguments"),
+                                               ((file / "below",), {}, "cannot write"),
+                                               ((folder,), {"SOURCE_DATE_EPOCH": "now"}, "is a number of seconds")):
+                with self.subTest(arguments=arguments):
+                    done = call(*arguments, **variables)
+                    self.assertEqual((done.returncode, done.stdout), (2, ""))
+                    self.assertIn(said, done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
