@@ -357,8 +357,8 @@ class Playground {
       const text = (number) => (number < 10 ? number.toFixed(2) : number.toFixed(1));
       byId("cost").textContent = `${text(ratio)} × hn_perlin`;
       byId("note-cost").textContent =
-        `hn_perlin in 2D, in floats, was drawn in turns with it on ${backend.describe()}. ` +
-        `Half of the rounds gave ${text(low)} to ${text(high)}.`;
+        `hn_perlin in 2D, in floats, was drawn in turns with it, both from cells, on ${backend.describe()}. ` +
+        `Parts of the rounds gave ${text(low)} to ${text(high)}.`;
       byId("note-cost").hidden = false;
       this.measured = key;
       byId("said").textContent = `It costs ${text(ratio)} times as much as Perlin noise in 2D.`;

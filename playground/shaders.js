@@ -7,6 +7,7 @@ import { cellOf, originOf, partsOf, placeOf, stepOf } from "./view.js";
 // What a pixel is: a colour of the map, or the four bytes of the value.
 export const kColours = 0;
 export const kBits = 1;
+const kTimes = 8; // that a shader computes the noise of a pixel, when it is timed
 const kUnit = 1048576; // of a value, when it is made a whole number: 2^20
 
 // The words of a frame, as both languages lay them out: eight vectors of four.
@@ -41,7 +42,7 @@ export function frameOf(state, width, height, mode, position = placed(state, wid
   word.set([Math.floor(step / 16777216), step % 16777216, width, height], 8);
   const [low, high] = rangeOf(state).map((end) => Math.round(end * kUnit));
   whole.set([low, Math.min(Math.max(high - low, 64), 16777215), mode, 0], 12);
-  whole.set([state.octaves, state.period, 0, 0], 16);
+  whole.set([state.octaves, state.period, kTimes, 0], 16);
   float.set([state.lacunarity, state.gain, state.strength, state.amplitude], 20);
   float.set([state.jitter, state.phase, 0, 0], 24);
   word.set([state.seed, (state.seed + 1) % 4294967296, 0, 0], 28);
@@ -125,8 +126,9 @@ const wgslArguments = (n) =>
 export const kVertex = `#version 300 es
 void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }`;
 
-// The fragment shader. `values` are names of uniforms, or numbers; `value` is what is shown.
-function glsl(library, state, values, value = `pattern(${glslArguments(state.dimensions)})`) {
+// The fragment shader. `values` are names of uniforms, or numbers; `value` is what is shown. One that is timed computes
+// it at several cells, so that the GPU has more to do than to write pixels.
+function glsl(library, state, values, timed = false, value = `pattern(${glslArguments(state.dimensions)})`) {
   const { lines, files } = functions(library, "glsl", state, values, false);
   const n = state.dimensions;
   return [
@@ -147,13 +149,16 @@ function glsl(library, state, values, value = `pattern(${glslArguments(state.dim
     "  uvec2 at = uvec2(gl_FragCoord.xy);",
     "  uvec2 x = place_of(u_cell.x, u_place.x, at.x);",
     "  uvec2 y = place_of(u_cell.y, u_place.y, at.y);",
-    `  color = shade(${value}, ${n === 1 ? "int(at.y)" : "-1"});`,
+    ...(timed
+      ? [`  float sum = 0.0;`, `  for (int i = 0; i < u_octaves.z; ++i) { sum += ${value}; x.x += 8u; }`]
+      : [`  float sum = ${value};`]),
+    `  color = shade(sum, ${n === 1 ? "int(at.y)" : "-1"});`,
     "}",
     "",
   ].join("\n");
 }
 
-function wgsl(library, state, values, value = `pattern_cell(${wgslArguments(state.dimensions)})`) {
+function wgsl(library, state, values, timed = false, value = `pattern_cell(${wgslArguments(state.dimensions)})`) {
   const { lines, needs } = functions(library, "wgsl", state, values, false);
   const n = state.dimensions;
   return [
@@ -169,9 +174,12 @@ function wgsl(library, state, values, value = `pattern_cell(${wgslArguments(stat
     "@fragment fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {",
     // Rows are counted from the lower end, as in OpenGL.
     "  let at = vec2u(u32(position.x), u.step.w - 1u - u32(position.y));",
-    "  let x = place_of(u.cell.x, u.place.x, at.x);",
+    "  var x = place_of(u.cell.x, u.place.x, at.x);",
     "  let y = place_of(u.cell.y, u.place.y, at.y);",
-    `  return shade(${value}, ${n === 1 ? "i32(at.y)" : "-1"});`,
+    ...(timed
+      ? [`  var sum = 0.0f;`, `  for (var i = 0; i < u.octaves.z; i++) { sum += ${value}; x.x += 8u; }`]
+      : [`  let sum = ${value};`]),
+    `  return shade(sum, ${n === 1 ? "i32(at.y)" : "-1"});`,
     "}",
     "",
   ].join("\n");
@@ -195,7 +203,8 @@ export const pageShader = (library, language, state) =>
   kWrite[language](library, state, uniforms(language, state.dimensions));
 
 // What is timed: the numbers stand in the text, as in a shader of somebody who copied it.
-export const timedShader = (library, language, state) => kWrite[language](library, state, numbers(language, state));
+export const timedShader = (library, language, state) =>
+  kWrite[language](library, state, numbers(language, state), true);
 
 // A shader in which nothing is computed but the position.
 export const emptyShader = (library, language, state) =>
@@ -203,5 +212,6 @@ export const emptyShader = (library, language, state) =>
     library,
     { ...state, ...kPlain },
     numbers(language, { ...state, ...kPlain }),
-    language === "glsl" ? "float(x.y + y.y) * kPart" : "f32(x.y + y.y) * kPart",
+    true,
+    language === "glsl" ? "float(x.x + x.y + y.y) * kPart" : "f32(x.x + x.y + y.y) * kPart",
   );

@@ -374,6 +374,6 @@ test("the cost is a ratio to Perlin noise", async () => {
   assert.equal(await page.$eval("#cost", (output) => output.textContent), "Cost on this GPU");
   const sum = parseFloat(await measure());
   assert.ok(sum > 1.8 && sum > plain, `four octaves cost ${sum}`);
-  assert.match(await page.$eval("#note-cost", (note) => note.textContent), /hn_perlin in 2D, in floats, .* on ANGLE/);
+  assert.match(await page.$eval("#note-cost", (note) => note.textContent), /hn_perlin in 2D, in floats, .* from cells, on ANGLE/);
   await page.close();
 });
