@@ -9,9 +9,7 @@ const kTypes = {
   glsl: { float: vector("vec", "float"), int: vector("ivec", "int"), uint: "uint" },
   hlsl: { float: vector("float", "float"), int: vector("int", "int"), uint: "uint" },
   cpp: { float: vector("vec", "float"), int: vector("ivec", "int"), uint: "uint" },
-  wgsl: {
-    float: (n) => (n === 1 ? "f32" : `vec${n}f`), int: (n) => (n === 1 ? "i32" : `vec${n}i`), uint: "u32",
-  },
+  wgsl: { float: (n) => (n === 1 ? "f32" : `vec${n}f`), int: (n) => (n === 1 ? "i32" : `vec${n}i`), uint: "u32" },
 };
 
 const decimal = (value) => (Number.isInteger(value) ? `${value}.0` : String(value));
@@ -28,10 +26,15 @@ export function numbers(language, state) {
   const whole = String(state.period);
   const alike = language === "hlsl" && n > 1 ? Array(n).fill(whole).join(", ") : whole;
   return {
-    seed: `${state.seed}u`, otherSeed: `${(state.seed + 1) % 4294967296}u`, octaves: String(state.octaves),
-    lacunarity: literal(language, state.lacunarity), gain: literal(language, state.gain),
-    strength: literal(language, state.strength), amplitude: literal(language, state.amplitude),
-    jitter: literal(language, state.jitter), phase: literal(language, state.phase),
+    seed: `${state.seed}u`,
+    otherSeed: `${(state.seed + 1) % 4294967296}u`,
+    octaves: String(state.octaves),
+    lacunarity: literal(language, state.lacunarity),
+    gain: literal(language, state.gain),
+    strength: literal(language, state.strength),
+    amplitude: literal(language, state.amplitude),
+    jitter: literal(language, state.jitter),
+    phase: literal(language, state.phase),
     period: n === 1 ? whole : `${int(n)}(${alike})`,
   };
 }
@@ -59,8 +62,8 @@ class Writer {
     this.types = kTypes[language];
     this.noise = kNoises[state.noise];
     this.files = new Set();
-    this.needs = new Set();     // of WGSL: what the functions call
-    this.changed = [];          // of WGSL: the sums that are changed to be over another noise
+    this.needs = new Set(); // of WGSL: what the functions call
+    this.changed = []; // of WGSL: the sums that are changed to be over another noise
     this.summed = state.sum !== "none";
     this.position = { cell: false, place: ["p"] };
     this.cell = { cell: true, place: ["cell", "f"] };
@@ -77,8 +80,14 @@ class Writer {
   // A call of a function of the library. WGSL has no overloads, but names for the forms (docs/languages.md).
   call(name, { cell, place }, form, ...rest) {
     if (this.language !== "wgsl") return `${name}(${[...place, ...rest].join(", ")})`;
-    const renamed = [`${name}${this.n}`, ...(form.startsWith("phase") ? ["phase"] : []),
-                     ...(cell ? ["cell"] : []), form.replace(/^phase_?/, "")].filter(Boolean).join("_");
+    const renamed = [
+      `${name}${this.n}`,
+      ...(form.startsWith("phase") ? ["phase"] : []),
+      ...(cell ? ["cell"] : []),
+      form.replace(/^phase_?/, ""),
+    ]
+      .filter(Boolean)
+      .join("_");
     this.needs.add(renamed);
     return `${renamed}(${[...place, ...rest].join(", ")})`;
   }
@@ -116,22 +125,46 @@ class Writer {
       const wgsl = this.language === "wgsl";
       const none = this.n === 1 ? "0" : `${int(this.n)}(${Array(this.n).fill("0").join(", ")})`;
       const set = wgsl ? ["&nearest", "&offset"] : ["nearest", "offset"];
-      const call = this.call(noise.calls, where, "nearest", state.tiled ? values.period : none, values.jitter, metric,
-                             values.seed, ...set);
+      const call = this.call(
+        noise.calls,
+        where,
+        "nearest",
+        state.tiled ? values.period : none,
+        values.jitter,
+        metric,
+        values.seed,
+        ...set,
+      );
       const word = wgsl ? `hn_lattice${this.n}` : "hn_lattice";
       this.needs.add(word).add("hn_unorm");
       return {
-        lines: wgsl ? [`var nearest: ${int(this.n)};`, `var offset: ${float(this.n)};`, `${call};`]
-                    : [`${int(this.n)} nearest;`, `${float(this.n)} offset;`, `${call};`],
+        lines: wgsl
+          ? [`var nearest: ${int(this.n)};`, `var offset: ${float(this.n)};`, `${call};`]
+          : [`${int(this.n)} nearest;`, `${float(this.n)} offset;`, `${call};`],
         value: `hn_unorm(${word}(nearest, ${values.otherSeed}))`,
       };
     }
     let call;
     if (cellular && state.full) {
       const whole = state.tiled ? values.period : `${int(this.n)}(${Array(this.n).fill("0").join(", ")})`;
-      call = this.call(noise.calls, where, "full", whole, values.jitter, ...(noise.metric ? [metric] : []), values.seed);
+      call = this.call(
+        noise.calls,
+        where,
+        "full",
+        whole,
+        values.jitter,
+        ...(noise.metric ? [metric] : []),
+        values.seed,
+      );
     } else if (state.turned) {
-      call = this.call(noise.calls, where, state.tiled ? "phase_period" : "phase", ...period, values.phase, values.seed);
+      call = this.call(
+        noise.calls,
+        where,
+        state.tiled ? "phase_period" : "phase",
+        ...period,
+        values.phase,
+        values.seed,
+      );
     } else {
       call = this.call(noise.calls, where, state.tiled ? "period" : "", ...period, values.seed);
     }
@@ -152,8 +185,12 @@ class Writer {
     const { float, int, uint } = this.types;
     const values = { ...this.values, seed: "seed", otherSeed: "seed + 1u", period: "period" };
     const { lines, value } = this.noiseAt(this.cell, values);
-    const parameters = [[int(this.n), "cell"], [float(this.n), "f"],
-                        ...(state.tiled ? [[int(this.n), "period"]] : []), [uint, "seed"]];
+    const parameters = [
+      [int(this.n), "cell"],
+      [float(this.n), "f"],
+      ...(state.tiled ? [[int(this.n), "period"]] : []),
+      [uint, "seed"],
+    ];
     return {
       name: state.noise,
       lines: this.define(state.noise, parameters, [...lines, `return ${this.number(noise.signed(value))};`]),
@@ -184,8 +221,12 @@ class Writer {
       const { text, needs } = module.get(name);
       this.changed.push(name);
       needs.filter((needed) => needed !== perlin).forEach((needed) => this.needs.add(needed));
-      lines.push(...text.replace(`fn ${name}(`, `fn ${this.sum}${this.n}${form}${tile}(`)
-        .replaceAll(`${perlin}(`, `${summed}(`).split("\n"));
+      lines.push(
+        ...text
+          .replace(`fn ${name}(`, `fn ${this.sum}${this.n}${form}${tile}(`)
+          .replaceAll(`${perlin}(`, `${summed}(`)
+          .split("\n"),
+      );
     }
     if (!noise.lines.length) this.needs.add(summed);
     return lines;
@@ -195,8 +236,12 @@ class Writer {
   shownAt(where) {
     const { state, values } = this;
     if (!this.summed) return this.noiseAt(where, values);
-    const settings = [values.octaves, values.lacunarity, values.gain,
-                      ...(kSums[state.sum].strength ? [values.strength] : [])];
+    const settings = [
+      values.octaves,
+      values.lacunarity,
+      values.gain,
+      ...(kSums[state.sum].strength ? [values.strength] : []),
+    ];
     const period = state.tiled ? [values.period] : [];
     const call = this.call(this.sum, where, state.tiled ? "period" : "", ...period, ...settings, values.seed);
     if (!this.sum.startsWith("hn_")) this.needs.delete(call.slice(0, call.indexOf("(")));
@@ -209,10 +254,19 @@ class Writer {
     if (state.warp === "none") return { lines: [], where };
     this.files.add(`warp${this.n}d.glsl`);
     const { float, int } = this.types;
-    const shift = this.call(`hn_${state.warp}`, where, state.tiled ? "period" : "",
-                            ...(state.tiled ? [values.period] : []), values.octaves, values.lacunarity, values.gain,
-                            values.amplitude, values.otherSeed);
-    if (!where.cell) return { lines: [this.let(float(this.n), "q", `p + ${shift}`)], where: { ...where, place: ["q"] } };
+    const shift = this.call(
+      `hn_${state.warp}`,
+      where,
+      state.tiled ? "period" : "",
+      ...(state.tiled ? [values.period] : []),
+      values.octaves,
+      values.lacunarity,
+      values.gain,
+      values.amplitude,
+      values.otherSeed,
+    );
+    if (!where.cell)
+      return { lines: [this.let(float(this.n), "q", `p + ${shift}`)], where: { ...where, place: ["q"] } };
     return {
       lines: [this.let(float(this.n), "q", `f + ${shift}`), this.let(float(this.n), "whole", "floor(q)")],
       where: { ...where, place: [`cell + ${int(this.n)}(whole)`, "q - whole"] },
@@ -225,7 +279,12 @@ class Writer {
     const { lines, where: there } = this.moved(where);
     const shown = this.shownAt(there);
     const name = this.language === "wgsl" && where.cell ? "pattern_cell" : "pattern";
-    const parameters = where.cell ? [[int(this.n), "cell"], [float(this.n), "f"]] : [[float(this.n), "p"]];
+    const parameters = where.cell
+      ? [
+          [int(this.n), "cell"],
+          [float(this.n), "f"],
+        ]
+      : [[float(this.n), "p"]];
     return this.define(name, parameters, [...lines, ...shown.lines, `return ${shown.value};`]);
   }
 
@@ -233,8 +292,12 @@ class Writer {
   write(forms) {
     const sums = this.summed ? this.defineSum() : [];
     const patterns = forms.flatMap((where) => this.pattern(where));
-    return { lines: [...sums, ...(sums.length ? [""] : []), ...patterns], files: [...this.files], needs: [...this.needs],
-             public: [...this.needs, ...this.changed].filter((name) => /^hn_(?!i_)/.test(name)) };
+    return {
+      lines: [...sums, ...(sums.length ? [""] : []), ...patterns],
+      files: [...this.files],
+      needs: [...this.needs],
+      public: [...this.needs, ...this.changed].filter((name) => /^hn_(?!i_)/.test(name)),
+    };
   }
 }
 
@@ -251,8 +314,10 @@ export function shaderKey(state) {
 
 // The knobs that differ from the library's defaults.
 export function knobs({ arithmetic, hash }) {
-  return [...(arithmetic === "fixed" ? ["#define HN_ARITHMETIC HN_FIXED"] : []),
-          ...(hash === "lattice" ? [] : [`#define HN_HASH HN_HASH_${hash.toUpperCase()}`])];
+  return [
+    ...(arithmetic === "fixed" ? ["#define HN_ARITHMETIC HN_FIXED"] : []),
+    ...(hash === "lattice" ? [] : [`#define HN_HASH HN_HASH_${hash.toUpperCase()}`]),
+  ];
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -274,11 +339,13 @@ function colours(language, state) {
   const wgsl = language === "wgsl";
   const three = (part) => (wgsl ? `vec3f(${part})` : part);
   const lines = [
-    wgsl ? `let t = clamp((value ${minus}) * ${decimal(scale)}, 0.0, ${last}.0);`
-         : `float t = clamp((value ${minus}) * ${decimal(scale)}, 0.0, ${last}.0);`,
+    wgsl
+      ? `let t = clamp((value ${minus}) * ${decimal(scale)}, 0.0, ${last}.0);`
+      : `float t = clamp((value ${minus}) * ${decimal(scale)}, 0.0, ${last}.0);`,
     wgsl ? `var c = ${colour(stops[0])};` : `${float(3)} c = ${colour(stops[0])};`,
-    ...stops.slice(1).map((stop, at) =>
-      `c = ${mix}(c, ${colour(stop)}, ${three(`clamp(t - ${at}.0, 0.0, 1.0)`)});`),
+    ...stops
+      .slice(1)
+      .map((stop, at) => `c = ${mix}(c, ${colour(stop)}, ${three(`clamp(${at ? `t - ${at}.0` : "t"}, 0.0, 1.0)`)});`),
     "return c;",
   ];
   const head = wgsl ? "fn colour(value: f32) -> vec3f {" : `${float(3)} colour(float value) {`;
@@ -286,13 +353,15 @@ function colours(language, state) {
 }
 
 const kPlaces = {
-  glsl: "Put it below your #version and #extension lines. In GLSL ES, begin with precision highp float, int.",
+  glsl: "Put it below your #version and #extension lines. " +
+    "In GLSL ES write precision highp float; and precision highp int; first.",
   hlsl: "Shader model 5 or 6.",
   wgsl: "Put your entry points below.",
   cpp: "C++20.",
 };
 
-// {head, library, code}: lines. Without the library the head includes it, if the language can.
+// {head, library, code}: lines; of the library a function that makes them. Without it the head includes it, if the
+// language can.
 export function copied(library, language, state, withLibrary) {
   const { lines, files, needs, public: called } = functions(library, language, state, numbers(language, state));
   const head = [`// Made by hashnoise's playground, version ${library.version}. ${kPlaces[language]}`];
@@ -300,15 +369,20 @@ export function copied(library, language, state, withLibrary) {
   const comment = [`// ${note}. Far out pass an integer cell and the place in it.`];
   const coloured = language === "cpp" ? [] : ["", ...colours(language, state)];
   if (language === "wgsl") {
-    const text = library.wgsl(needs, state).flatMap((piece) => piece.split("\n"));
     return {
-      head: [...head, ...(withLibrary ? [] : [`// In front of it stands what tools/wgsl makes:`, `// ${wgslCommand(state, called)}`]), ""],
-      library: text, code: [...comment, ...lines, ...coloured],
+      head: [
+        ...head,
+        ...(withLibrary ? [] : [`// In front of it stands what tools/wgsl makes:`, `// ${wgslCommand(state, called)}`]),
+        "",
+      ],
+      library: () => library.wgsl(needs, state).flatMap((piece) => piece.split("\n")),
+      code: [...comment, ...lines, ...coloured],
     };
   }
   if (language === "cpp") {
     return {
-      head: [...head, ...knobs(state), "#include <hashnoise/hashnoise.hpp>", ""], library: [],
+      head: [...head, ...knobs(state), "#include <hashnoise/hashnoise.hpp>", ""],
+      library: () => [],
       code: ["namespace hashnoise {", ...comment, ...lines, "}  // namespace hashnoise"],
     };
   }
@@ -316,16 +390,21 @@ export function copied(library, language, state, withLibrary) {
   const included = hlsl ? ["begin.hlsl", ...files, "end.hlsl"] : files;
   return {
     head: [...head, ...knobs(state), ...(withLibrary ? [] : included.map((file) => `#include "${file}"`)), ""],
-    library: library.lines(included), code: [...comment, ...lines, ...coloured],
+    library: () => library.lines(included),
+    code: [...comment, ...lines, ...coloured],
   };
 }
 
 function wgslCommand({ arithmetic, hash }, names) {
-  return ["tools/wgsl", ...(arithmetic === "fixed" ? ["--arithmetic HN_FIXED"] : []),
-          ...(hash === "lattice" ? [] : [`--hash ${hash.toUpperCase()}`]), `--only ${names.join(",")}`].join(" ");
+  return [
+    "tools/wgsl",
+    ...(arithmetic === "fixed" ? ["--arithmetic HN_FIXED"] : []),
+    ...(hash === "lattice" ? [] : [`--hash ${hash.toUpperCase()}`]),
+    `--only ${names.join(",")}`,
+  ].join(" ");
 }
 
 export function copiedText(library, language, state, withLibrary) {
   const { head, library: text, code } = copied(library, language, state, withLibrary);
-  return [...head, ...(withLibrary ? [...text, ""] : []), ...code, ""].join("\n");
+  return [...head, ...(withLibrary ? [...text(), ""] : []), ...code, ""].join("\n");
 }

@@ -1,8 +1,21 @@
 // The panel: what is chosen there, and how it shows the state.
 import { copied, copiedText, kLanguages } from "./code.js";
 import {
-  dimensionsOf, kArithmetics, kHashes, kLooks, kMaps, kMetrics, kNoises, kRenderers, kSettings, kSums, kWarps, noisesOf,
-  parsedPosition, positionText, uses,
+  dimensionsOf,
+  kArithmetics,
+  kHashes,
+  kLooks,
+  kMaps,
+  kMetrics,
+  kNoises,
+  kRenderers,
+  kSettings,
+  kSums,
+  kWarps,
+  noisesOf,
+  parsedPosition,
+  positionText,
+  uses,
 } from "./model.js";
 import { gradientOf } from "./palette.js";
 
@@ -22,7 +35,10 @@ const kSliders = {
   contrast: ["Contrast", 0.25, 4, 0.05],
 };
 const kChoices = {
-  dimensions: { 1: "1D", 2: "2D", 3: "3D", 4: "4D" }, warp: kWarps, arithmetic: kArithmetics, renderer: kRenderers,
+  dimensions: { 1: "1D", 2: "2D", 3: "3D", 4: "4D" },
+  warp: kWarps,
+  arithmetic: kArithmetics,
+  renderer: kRenderers,
 };
 const kSelects = { sum: labels(kSums), noise: labels(kNoises), metric: kMetrics, hash: kHashes };
 const kTexts = ["seed", "period", "x", "y", "cells"];
@@ -57,7 +73,9 @@ export class Controls {
     for (const [name, made] of Object.entries(kLooks)) {
       const dot = element("i");
       dot.style.background = gradientOf(made.map ?? kSettings.map.usual);
-      byId("looks").append(element("button", { type: "button", className: "quiet", onclick: () => look(name) }, dot, name));
+      byId("looks").append(
+        element("button", { type: "button", className: "quiet", onclick: () => look(name) }, dot, name),
+      );
     }
     byId("whole").addEventListener("change", () => this.showCode());
     byId("panel").addEventListener("submit", (event) => event.preventDefault());
@@ -73,7 +91,11 @@ export class Controls {
     const row = byId(`row-${name}`);
     row.classList.add("slider");
     const input = element("input", { type: "range", id: name, min, max, step });
-    row.append(element("label", { htmlFor: name, textContent: label }), input, element("output", { htmlFor: name, id: `of-${name}` }));
+    row.append(
+      element("label", { htmlFor: name, textContent: label }),
+      input,
+      element("output", { htmlFor: name, id: `of-${name}` }),
+    );
     input.addEventListener("input", () => this.change({ [name]: Number(input.value) }));
   }
 
@@ -101,8 +123,12 @@ export class Controls {
       if (!steps) return;
       event.preventDefault();
       const { state } = this;
-      const next = typeof state[name] === "bigint" ? state[name] + BigInt(steps) * 16777216n
-        : name === "cells" ? state[name] * 2 ** (steps / 4) : state[name] + steps;
+      const next =
+        typeof state[name] === "bigint"
+          ? state[name] + BigInt(steps) * 16777216n
+          : name === "cells"
+            ? state[name] * 2 ** (steps / 4)
+            : state[name] + steps;
       this.change({ [name]: next });
     });
     input.addEventListener("blur", () => this.show(this.state));
@@ -146,6 +172,9 @@ export class Controls {
       tab.setAttribute("aria-selected", String(chosen));
       tab.tabIndex = chosen ? 0 : -1;
     }
+    byId("whole").disabled = language === "cpp";
+    byId("whole-text").textContent =
+      language === "cpp" ? "needs include/ and glsl/ of the library" : "with the library in it";
     this.showCode();
   }
 
@@ -160,14 +189,16 @@ export class Controls {
   showCode() {
     if (!this.state) return;
     const { head, library, code } = copied(this.library, this.language, this.state, this.withLibrary);
-    const lines = [...head, ...(this.withLibrary ? [`// ${library.length} lines of the library`, ""] : []), ...code];
-    const pre = byId("code");
-    pre.replaceChildren(...lines.flatMap((line) => {
-      const [, text, remark] = /^(.*?)(\/\/.*)?$/.exec(line);
-      return [text, ...(remark ? [element("span", { className: "remark", textContent: remark })] : []), "\n"];
-    }));
-    byId("whole").disabled = this.language === "cpp";
-    byId("whole-text").textContent = this.language === "cpp" ? "needs include/ and glsl/ of the library" : "with the library in it";
+    const lines = [...head, ...(this.withLibrary ? [`// ${library().length} lines of the library`, ""] : []), ...code];
+    const text = lines.join("\n");
+    if (this.shownCode === text) return;
+    this.shownCode = text;
+    byId("code").replaceChildren(
+      ...lines.flatMap((line) => {
+        const [, text, remark] = /^(.*?)(\/\/.*)?$/.exec(line);
+        return [text, ...(remark ? [element("span", { className: "remark", textContent: remark })] : []), "\n"];
+      }),
+    );
   }
 
   show(state) {
@@ -178,7 +209,8 @@ export class Controls {
     byId("label-noise").textContent = state.sum === "none" ? "Noise" : "of the noise";
     for (const name of Object.keys(kSelects)) byId(name).value = state[name];
     const dimensions = dimensionsOf(state);
-    for (const input of byId("dimensions").querySelectorAll("input")) input.disabled = !dimensions.includes(Number(input.value));
+    for (const input of byId("dimensions").querySelectorAll("input"))
+      input.disabled = !dimensions.includes(Number(input.value));
     for (const name of [...Object.keys(kChoices), "map"]) {
       const chosen = byId(`${name}-${state[name]}`);
       if (chosen) chosen.checked = true;

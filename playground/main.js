@@ -4,7 +4,16 @@ import { byId, Controls } from "./controls.js";
 import { costOf } from "./cost.js";
 import { unpacked } from "./library.js";
 import {
-  kNoises, kSettings, kSums, linkOf, possible, positionText, stateOf, stateOfLook, uses, usualState,
+  kNoises,
+  kSettings,
+  kSums,
+  linkOf,
+  possible,
+  positionText,
+  stateOf,
+  stateOfLook,
+  uses,
+  usualState,
 } from "./model.js";
 import { paletteOf } from "./palette.js";
 import { frameOf, kBits, kColours, pageShader } from "./shaders.js";
@@ -15,12 +24,12 @@ import { WebGPU } from "./webgpu.js";
 const kBackends = { webgl2: WebGL2, webgpu: WebGPU };
 const kKeptPrograms = 24;
 const kMostPixels = 4e6;
-const kMoving = 34;      // milliseconds that a picture may take while it moves; else it is drawn coarser
-const kResting = 1200;   // and when it rests
+const kMoving = 34; // milliseconds that a picture may take while it moves; else it is drawn coarser
+const kResting = 1200; // and when it rests
 const kCoarsest = 8;
-const kRest = 160;       // milliseconds without a change after which it is drawn fine again
-const kLinkDelay = 300;  // browsers refuse an address that changes too often
-const kSpeed = 0.25;     // cells, or turns over four, in a second
+const kRest = 160; // milliseconds without a change after which it is drawn fine again
+const kLinkDelay = 300; // browsers refuse an address that changes too often
+const kSpeed = 0.25; // cells, or turns over four, in a second
 
 class Playground {
   constructor(library) {
@@ -28,11 +37,15 @@ class Playground {
     this.backends = {};
     this.programs = new Map();
     this.state = stateOf(location.hash);
-    this.speeds = new WeakMap();  // milliseconds that a pixel takes, by the program
+    this.speeds = new WeakMap(); // milliseconds that a pixel takes, by the program
     this.moves = false;
     this.playing = false;
-    this.pointer = undefined;    // where the value is read
-    this.controls = new Controls(library, (changes) => this.change(changes), (name) => this.look(name));
+    this.pointer = undefined; // where the value is read
+    this.controls = new Controls(
+      library,
+      (changes) => this.change(changes),
+      (name) => this.look(name),
+    );
     byId("version").textContent = library.version;
   }
 
@@ -40,14 +53,15 @@ class Playground {
     return byId(`picture-${this.state.renderer}`);
   }
 
-  // --------------------------------------------------------------------------------------------------------------------
+  // ------------------------------------------------------------------------------------------------------------------
   // The state.
 
   change(changes) {
     const before = this.state;
     const next = { ...before, ...changes };
     // A strength is that of its sum.
-    if (changes.sum && changes.sum !== before.sum) next.strength = kSums[changes.sum].strength?.usual ?? kSettings.strength.usual;
+    if (changes.sum && changes.sum !== before.sum)
+      next.strength = kSums[changes.sum].strength?.usual ?? kSettings.strength.usual;
     this.take(possible(next));
   }
 
@@ -56,7 +70,9 @@ class Playground {
     this.state = state;
     if (this.playing && !this.animated) this.play(false);
     byId("play").disabled = !this.animated;
-    byId("play").title = this.animated ? "Play (space)" : "3D and 4D can be played, and single Perlin and simplex noise in 2D";
+    byId("play").title = this.animated
+      ? "Play (space)"
+      : "3D and 4D can be played, and single Perlin and simplex noise in 2D";
     this.controls.show(state);
     this.describe();
     if (this.measured && this.measured !== this.costKey) {
@@ -92,18 +108,22 @@ class Playground {
   describe() {
     const { state } = this;
     const sum = state.sum === "none" ? "" : `${kSums[state.sum].label} of `;
-    this.canvas.setAttribute("aria-label", `Picture of ${sum}${kNoises[state.noise].label} noise in ${state.dimensions}D`);
+    this.canvas.setAttribute(
+      "aria-label",
+      `Picture of ${sum}${kNoises[state.noise].label} noise in ${state.dimensions}D`,
+    );
     const coordinate = (parts) => {
       const [whole, fraction = ""] = positionText(parts).split(".");
       const digits = Math.max(0, Math.min(6, Math.ceil(Math.log10(400 / state.cells))));
       return digits ? `${whole}.${fraction.padEnd(digits, "0").slice(0, digits)}` : whole;
     };
     const { x, y } = this.probed ?? state;
-    byId("where").textContent = state.dimensions === 1 ? `x ${coordinate(x)}` : `x ${coordinate(x)}  y ${coordinate(y)}`;
+    byId("where").textContent =
+      state.dimensions === 1 ? `x ${coordinate(x)}` : `x ${coordinate(x)}  y ${coordinate(y)}`;
     if (!this.probed) byId("value").textContent = "";
   }
 
-  // --------------------------------------------------------------------------------------------------------------------
+  // ------------------------------------------------------------------------------------------------------------------
   // The picture.
 
   chooseCanvas() {
@@ -227,6 +247,11 @@ class Playground {
   async failed(error) {
     if (this.state.renderer === "webgpu" && (!this.backends.webgpu || this.backends.webgpu.lost)) this.withoutWebGPU();
     if (this.backends[this.state.renderer]?.lost) return;
+    if (this.state.renderer === "webgl2" && !this.backends.webgl2 && !byId("renderer-webgpu").disabled) {
+      byId("renderer-webgl2").disabled = true;
+      this.take({ ...this.state, renderer: "webgpu" });
+      return;
+    }
     byId("message").textContent = error.message;
     byId("message").hidden = false;
   }
@@ -282,7 +307,7 @@ class Playground {
     }
   }
 
-  // --------------------------------------------------------------------------------------------------------------------
+  // ------------------------------------------------------------------------------------------------------------------
   // Time.
 
   // What moves in time: the last coordinate, or the phase.
@@ -311,7 +336,7 @@ class Playground {
     requestAnimationFrame(step);
   }
 
-  // --------------------------------------------------------------------------------------------------------------------
+  // ------------------------------------------------------------------------------------------------------------------
   // Cost, and what is copied.
 
   get costKey() {
@@ -331,7 +356,9 @@ class Playground {
       const { ratio, low, high } = await costOf(backend, this.library, { ...this.state });
       const text = (number) => (number < 10 ? number.toFixed(2) : number.toFixed(1));
       byId("cost").textContent = `${text(ratio)} × hn_perlin`;
-      byId("note-cost").textContent = `hn_perlin in 2D, in floats, was drawn in turns with it on ${backend.describe()}. Half of the rounds gave ${text(low)} to ${text(high)}.`;
+      byId("note-cost").textContent =
+        `hn_perlin in 2D, in floats, was drawn in turns with it, both from cells, on ${backend.describe()}. ` +
+        `Parts of the rounds gave ${text(low)} to ${text(high)}.`;
       byId("note-cost").hidden = false;
       this.measured = key;
       byId("said").textContent = `It costs ${text(ratio)} times as much as Perlin noise in 2D.`;
@@ -363,14 +390,17 @@ class Playground {
     byId("said").textContent = `${what} is copied.`;
   }
 
-  // --------------------------------------------------------------------------------------------------------------------
+  // ------------------------------------------------------------------------------------------------------------------
   // Hands.
 
   // Where a pointer is, in pixels of the picture to the right of and above its middle.
   fromMiddle({ x, y }) {
     const box = this.canvas.getBoundingClientRect();
     const [width, height] = this.size;
-    return [((x - box.left) / box.width) * width - (width >> 1), height - ((y - box.top) / box.height) * height - (height >> 1)];
+    return [
+      ((x - box.left) / box.width) * width - (width >> 1),
+      height - ((y - box.top) / box.height) * height - (height >> 1),
+    ];
   }
 
   pan(right, up) {
@@ -395,7 +425,10 @@ class Playground {
     const fingers = new Map();
     const middle = () => {
       const all = [...fingers.values()];
-      return { x: all.reduce((sum, { x }) => sum + x, 0) / all.length, y: all.reduce((sum, { y }) => sum + y, 0) / all.length };
+      return {
+        x: all.reduce((sum, { x }) => sum + x, 0) / all.length,
+        y: all.reduce((sum, { y }) => sum + y, 0) / all.length,
+      };
     };
     const spread = () => {
       const [a, b] = [...fingers.values()];
@@ -417,17 +450,27 @@ class Playground {
       }
       this.probe().catch(() => {});
     });
-    for (const type of ["pointerup", "pointercancel"]) canvas.addEventListener(type, (event) => fingers.delete(event.pointerId));
+    for (const type of ["pointerup", "pointercancel"])
+      canvas.addEventListener(type, (event) => fingers.delete(event.pointerId));
     canvas.addEventListener("pointerleave", () => {
       this.pointer = this.probed = undefined;
       this.describe();
     });
-    canvas.addEventListener("wheel", (event) => {
-      event.preventDefault();
-      const lines = event.deltaMode === 1 ? 16 : 1;
-      this.zoom(2 ** ((event.deltaY * lines) / (event.ctrlKey ? 100 : 300)), this.fromMiddle({ x: event.clientX, y: event.clientY }));
-    }, { passive: false });
-    canvas.addEventListener("dblclick", (event) => this.zoom(0.5, this.fromMiddle({ x: event.clientX, y: event.clientY })));
+    canvas.addEventListener(
+      "wheel",
+      (event) => {
+        event.preventDefault();
+        const lines = event.deltaMode === 1 ? 16 : 1;
+        this.zoom(
+          2 ** ((event.deltaY * lines) / (event.ctrlKey ? 100 : 300)),
+          this.fromMiddle({ x: event.clientX, y: event.clientY }),
+        );
+      },
+      { passive: false },
+    );
+    canvas.addEventListener("dblclick", (event) =>
+      this.zoom(0.5, this.fromMiddle({ x: event.clientX, y: event.clientY })),
+    );
     canvas.addEventListener("keydown", (event) => this.key(event));
     // A lost context is taken again when the browser gives it back; a lost device at once.
     canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
@@ -446,10 +489,17 @@ class Playground {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const step = this.size[0] * (event.shiftKey ? 0.5 : 0.08);
     const actions = {
-      ArrowLeft: () => this.pan(step, 0), ArrowRight: () => this.pan(-step, 0),
-      ArrowUp: () => this.pan(0, -step), ArrowDown: () => this.pan(0, step),
-      "+": () => this.zoom(2 ** -0.25), "=": () => this.zoom(2 ** -0.25), "-": () => this.zoom(2 ** 0.25),
-      Home: () => this.home(), " ": () => this.play(!this.playing), r: () => this.roll(), R: () => this.roll(),
+      ArrowLeft: () => this.pan(step, 0),
+      ArrowRight: () => this.pan(-step, 0),
+      ArrowUp: () => this.pan(0, -step),
+      ArrowDown: () => this.pan(0, step),
+      "+": () => this.zoom(2 ** -0.25),
+      "=": () => this.zoom(2 ** -0.25),
+      "-": () => this.zoom(2 ** 0.25),
+      Home: () => this.home(),
+      " ": () => this.play(!this.playing),
+      r: () => this.roll(),
+      R: () => this.roll(),
     };
     const action = actions[event.key];
     if (!action) return;
@@ -486,11 +536,13 @@ class Playground {
 }
 
 // What the tests ask, and who opens the console: hashnoise.pixels(64, 64), hashnoise.state, ...
-unpacked(byId("library").textContent).then(async (library) => {
-  window.hashnoise = new Playground(library);
-  await window.hashnoise.start();
-  document.documentElement.dataset.ready = "yes";
-}).catch((error) => {
-  byId("message").textContent = `This browser does not show the page. ${error.message}`;
-  byId("message").hidden = false;
-});
+unpacked(byId("library").textContent)
+  .then(async (library) => {
+    window.hashnoise = new Playground(library);
+    await window.hashnoise.start();
+    document.documentElement.dataset.ready = "yes";
+  })
+  .catch((error) => {
+    byId("message").textContent = `This browser does not show the page. ${error.message}`;
+    byId("message").hidden = false;
+  });

@@ -1,22 +1,61 @@
 // What can be chosen: noises, sums, settings, the text of a link, and the looks to begin with.
 
-// Each noise: its name, how the library calls it, in which dimensions it exists, and what of its values the colours span.
-// `of` makes the value that is shown of a call, `signed` makes of it a noise in about [-1, 1] that a sum can take. Both
+// Each noise: its name, how the library calls it, in which dimensions it exists, and what of its values the colours
+// span. `of` makes the value that is shown of a call, `signed` makes of it a noise in about [-1, 1] that a sum can take. Both
 // are exact in floats: products with powers of two, and differences of few bits.
 export const kNoises = {
-  perlin: { label: "Perlin", calls: "hn_perlin", file: "perlin", dimensions: [1, 2, 3, 4], span: [0.6, 0.65, 0.5, 0.5], phase: true, steep: true },
-  value: { label: "Value", calls: "hn_value", file: "value", dimensions: [1, 2, 3, 4], span: [0.95, 0.9, 0.85, 0.8], steep: true },
-  value_cubic: { label: "Value, cubic", calls: "hn_value_cubic", file: "value_cubic", dimensions: [1, 2, 3], span: [0.75, 0.6, 0.43] },
-  simplex: { label: "Simplex", calls: "hn_simplex", file: "simplex", dimensions: [2, 3, 4], span: [0, 0.7, 0.75, 0.7], phase: true, steep: true },
-  simplex_smooth: { label: "Simplex, smooth", calls: "hn_simplex_smooth", file: "simplex_smooth", dimensions: [2, 3], span: [0, 0.75, 0.7] },
-  curl: { label: "Curl, along x", calls: "hn_curl", file: "curl", dimensions: [2, 3], range: [-5, 5], of: (call) => `${call}.x` },
-  cellular: { label: "Cellular: nearest point", calls: "hn_cellular", file: "cellular", dimensions: [2, 3], range: [0, 0.85], metric: true, of: (call) => `${call}.x`, signed: (value) => `1.0 - 2.0 * ${value}` },
-  cellular_second: { label: "Cellular: second point", calls: "hn_cellular", file: "cellular", dimensions: [2, 3], range: [0.2, 1.15], metric: true, of: (call) => `${call}.y`, signed: (value) => `1.5 - 2.0 * ${value}` },
-  cellular_between: { label: "Cellular: second − nearest", calls: "hn_cellular", file: "cellular", dimensions: [2, 3], range: [0, 0.7], metric: true, between: true, signed: (value) => `1.0 - 2.0 * (${value})` },
-  cellular_third: { label: "Cellular: third point", calls: "hn_cellular_three", file: "cellular_three", dimensions: [2, 3], range: [0.4, 1.3], metric: true, of: (call) => `${call}.z`, signed: (value) => `1.75 - 2.0 * ${value}` },
-  cellular_smooth: { label: "Cellular: smooth", calls: "hn_cellular_smooth", file: "cellular_smooth", dimensions: [2, 3], range: [0, 0.75], jitter: true, signed: (value) => `1.0 - 2.0 * ${value}` },
-  cell_border: { label: "Cellular: border", calls: "hn_cell_border", file: "cell_border", dimensions: [2, 3], range: [0, 0.4], jitter: true, signed: (value) => `4.0 * ${value} - 1.0` },
-  cells: { label: "Cellular: cells", calls: "hn_cellular", file: "cellular", dimensions: [2, 3], range: [0, 1], metric: true, nearest: true, signed: (value) => `2.0 * ${value} - 1.0` },
+  perlin: {
+    label: "Perlin", calls: "hn_perlin", file: "perlin", dimensions: [1, 2, 3, 4], span: [0.6, 0.65, 0.5, 0.5],
+    phase: true, steep: true,
+  },
+  value: {
+    label: "Value", calls: "hn_value", file: "value", dimensions: [1, 2, 3, 4], span: [0.95, 0.9, 0.85, 0.8],
+    steep: true,
+  },
+  value_cubic: {
+    label: "Value, cubic", calls: "hn_value_cubic", file: "value_cubic", dimensions: [1, 2, 3],
+    span: [0.75, 0.6, 0.43],
+  },
+  simplex: {
+    label: "Simplex", calls: "hn_simplex", file: "simplex", dimensions: [2, 3, 4], span: [0, 0.7, 0.75, 0.7],
+    phase: true, steep: true,
+  },
+  simplex_smooth: {
+    label: "Simplex, smooth", calls: "hn_simplex_smooth", file: "simplex_smooth", dimensions: [2, 3],
+    span: [0, 0.75, 0.7],
+  },
+  curl: {
+    label: "Curl, along x", calls: "hn_curl", file: "curl", dimensions: [2, 3], range: [-5, 5],
+    of: (call) => `${call}.x`,
+  },
+  cellular: {
+    label: "Cellular: nearest point", calls: "hn_cellular", file: "cellular", dimensions: [2, 3], range: [0, 0.85],
+    metric: true, of: (call) => `${call}.x`, signed: (value) => `1.0 - 2.0 * ${value}`,
+  },
+  cellular_second: {
+    label: "Cellular: second point", calls: "hn_cellular", file: "cellular", dimensions: [2, 3], range: [0.2, 1.15],
+    metric: true, of: (call) => `${call}.y`, signed: (value) => `1.5 - 2.0 * ${value}`,
+  },
+  cellular_between: {
+    label: "Cellular: second − nearest", calls: "hn_cellular", file: "cellular", dimensions: [2, 3], range: [0, 0.7],
+    metric: true, between: true, signed: (value) => `1.0 - 2.0 * (${value})`,
+  },
+  cellular_third: {
+    label: "Cellular: third point", calls: "hn_cellular_three", file: "cellular_three", dimensions: [2, 3],
+    range: [0.4, 1.3], metric: true, of: (call) => `${call}.z`, signed: (value) => `1.75 - 2.0 * ${value}`,
+  },
+  cellular_smooth: {
+    label: "Cellular: smooth", calls: "hn_cellular_smooth", file: "cellular_smooth", dimensions: [2, 3],
+    range: [0, 0.75], jitter: true, signed: (value) => `1.0 - 2.0 * ${value}`,
+  },
+  cell_border: {
+    label: "Cellular: border", calls: "hn_cell_border", file: "cell_border", dimensions: [2, 3], range: [0, 0.4],
+    jitter: true, signed: (value) => `4.0 * ${value} - 1.0`,
+  },
+  cells: {
+    label: "Cellular: cells", calls: "hn_cellular", file: "cellular", dimensions: [2, 3], range: [0, 1], metric: true,
+    nearest: true, signed: (value) => `2.0 * ${value} - 1.0`,
+  },
 };
 
 // Each sum: what of its values the colours span, for Perlin noise. A range that is not around 0 has two ends.
@@ -27,13 +66,18 @@ export const kSums = {
   billow: { label: "Billow", ranges: [[-1, 0], [-1, -0.02], [-1, -0.25], [-1, -0.25]] },
   clouds: { label: "Clouds", ranges: [[0, 1], [0, 1], [0, 0.92], [0, 0.92]] },
   ridged: { label: "Ridged", ranges: [[0.1, 0.95], [0.1, 0.9], [0.3, 0.92], [0.3, 0.92]] },
-  ping_pong: { label: "Ping-pong", strength: { usual: 2, most: 8 }, ranges: [[-0.85, 0.6], [-0.8, 0.65], [-0.85, 0.45], [-0.85, 0.45]] },
+  ping_pong: {
+    label: "Ping-pong", strength: { usual: 2, most: 8 },
+    ranges: [[-0.85, 0.6], [-0.8, 0.65], [-0.85, 0.45], [-0.85, 0.45]],
+  },
   weighted: { label: "Weighted", strength: { usual: 1, most: 1 }, span: [0.38, 0.34, 0.26, 0.26] },
   eroded: { label: "Eroded", strength: { usual: 1, most: 16 }, span: [0, 0.26, 0.2], dimensions: [2, 3], steep: true },
 };
 
 export const kWarps = { none: "None", warp: "Warp", warp_progressive: "Progressive" };
-export const kMetrics = { euclidean: "Euclidean", squared: "Squared", manhattan: "Manhattan", chebyshev: "Chebyshev", hybrid: "Hybrid" };
+export const kMetrics = {
+  euclidean: "Euclidean", squared: "Squared", manhattan: "Manhattan", chebyshev: "Chebyshev", hybrid: "Hybrid",
+};
 export const kArithmetics = { fast: "Floats", fixed: "Integers" };
 export const kHashes = {
   lattice: "Lattice, the default", fnv1: "FNV-1", partial_fnv1: "FNV-1, partial", jenkins: "Jenkins",
@@ -52,7 +96,10 @@ export const kMaps = {
   marble: { label: "Marble", stops: ["23252e", "6d6f7a", "b9b9bd", "e8e6e3", "f6f4f1", "fdfcfb"] },
   sky: { label: "Sky", stops: ["2d6bb0", "5c97d1", "9fc4e4", "dbe8f3", "f7fafc", "ffffff"] },
   wood: { label: "Wood", stops: ["341a0c", "6b3a1a", "9c6231", "c58d52", "e0b67d", "b57a43"] },
-  signed: { label: "Below and above the middle", stops: ["1f4e9c", "6fa0d6", "c9dcee", "f7f6f3", "f3c7a5", "dd7f4c", "a8361a"] },
+  signed: {
+    label: "Below and above the middle",
+    stops: ["1f4e9c", "6fa0d6", "c9dcee", "f7f6f3", "f3c7a5", "dd7f4c", "a8361a"],
+  },
 };
 
 // The settings, in the order of a link. A number has its ends; x and y are read and written by the view.
@@ -228,7 +275,9 @@ export const kLooks = {
   Slopes: { sum: "eroded", octaves: 9, map: "marble", cells: 4, strength: 4 },
   Tiles: { sum: "fbm", period: 3, map: "signed", cells: 9, seed: 4 },
   Foam: { sum: "fbm", noise: "cellular", octaves: 4, map: "lagoon", cells: 7 },
-  "Far out": { sum: "fbm", noise: "simplex", map: "dusk", cells: 4, x: 1000000000n * 16777216n, y: -2000000000n * 16777216n },
+  "Far out": {
+    sum: "fbm", noise: "simplex", map: "dusk", cells: 4, x: 1000000000n * 16777216n, y: -2000000000n * 16777216n,
+  },
 };
 
 export function stateOfLook(name, { renderer, arithmetic }) {

@@ -7,7 +7,8 @@ import { cellOf, originOf, partsOf, placeOf, stepOf } from "./view.js";
 // What a pixel is: a colour of the map, or the four bytes of the value.
 export const kColours = 0;
 export const kBits = 1;
-const kUnit = 1048576;  // of a value, when it is made a whole number: 2^20
+const kTimes = 8; // that a shader computes the noise of a pixel, when it is timed
+const kUnit = 1048576; // of a value, when it is made a whole number: 2^20
 
 // The words of a frame, as both languages lay them out: eight vectors of four.
 export const kFrameBytes = 128;
@@ -41,7 +42,7 @@ export function frameOf(state, width, height, mode, position = placed(state, wid
   word.set([Math.floor(step / 16777216), step % 16777216, width, height], 8);
   const [low, high] = rangeOf(state).map((end) => Math.round(end * kUnit));
   whole.set([low, Math.min(Math.max(high - low, 64), 16777215), mode, 0], 12);
-  whole.set([state.octaves, state.period, 0, 0], 16);
+  whole.set([state.octaves, state.period, kTimes, 0], 16);
   float.set([state.lacunarity, state.gain, state.strength, state.amplitude], 20);
   float.set([state.jitter, state.phase, 0, 0], 24);
   word.set([state.seed, (state.seed + 1) % 4294967296, 0, 0], 28);
@@ -49,17 +50,28 @@ export function frameOf(state, width, height, mode, position = placed(state, wid
 }
 
 const kGlslUniforms = {
-  seed: "u_seed.x", otherSeed: "u_seed.y", octaves: "u_octaves.x", lacunarity: "u_sum.x", gain: "u_sum.y",
-  strength: "u_sum.z", amplitude: "u_sum.w", jitter: "u_more.x", phase: "u_more.y",
+  seed: "u_seed.x",
+  otherSeed: "u_seed.y",
+  octaves: "u_octaves.x",
+  lacunarity: "u_sum.x",
+  gain: "u_sum.y",
+  strength: "u_sum.z",
+  amplitude: "u_sum.w",
+  jitter: "u_more.x",
+  phase: "u_more.y",
 };
-const kWgslUniforms = Object.fromEntries(Object.entries(kGlslUniforms).map(([name, text]) => [name, text.replace("u_", "u.")]));
+const kWgslUniforms = Object.fromEntries(
+  Object.entries(kGlslUniforms).map(([name, text]) => [name, text.replace("u_", "u.")]),
+);
 
 function uniforms(language, n) {
-  return language === "glsl" ? { ...kGlslUniforms, period: n === 1 ? "u_octaves.y" : `ivec${n}(u_octaves.y)` }
-                             : { ...kWgslUniforms, period: n === 1 ? "u.octaves.y" : `vec${n}i(u.octaves.y)` };
+  return language === "glsl"
+    ? { ...kGlslUniforms, period: n === 1 ? "u_octaves.y" : `ivec${n}(u_octaves.y)` }
+    : { ...kWgslUniforms, period: n === 1 ? "u.octaves.y" : `vec${n}i(u.octaves.y)` };
 }
 
-// The place of a pixel along an axis is origin + i * step. The step is taken in halves, so that no product leaves 32 bits.
+// The place of a pixel along an axis is origin + i * step. The step is taken in halves, so that no product leaves 32
+// bits.
 const kGlslPlace = `uvec2 place_of(int cell, uint place, uint i) {
   uint low = i * (u_step.y & 4095u) + (place & 4095u);
   uint high = i * (u_step.y >> 12u) + (place >> 12u) + (low >> 12u);
@@ -103,47 +115,87 @@ function glslArguments(n) {
   return `ivec${n}(${cells.join(", ")}), vec${n}(${places.join(", ")}) * kPart`;
 }
 const wgslArguments = (n) =>
-  glslArguments(n).replace(/\bivec(\d)/, "vec$1i").replace(/\bvec(\d)\(/, "vec$1f(").replaceAll("int(", "i32(")
-    .replaceAll("float(", "f32(").replaceAll("u_cell", "u.cell").replaceAll("u_place", "u.place");
+  glslArguments(n)
+    .replace(/\bivec(\d)/, "vec$1i")
+    .replace(/\bvec(\d)\(/, "vec$1f(")
+    .replaceAll("int(", "i32(")
+    .replaceAll("float(", "f32(")
+    .replaceAll("u_cell", "u.cell")
+    .replaceAll("u_place", "u.place");
 
 export const kVertex = `#version 300 es
 void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }`;
 
-// The fragment shader. `values` are names of uniforms, or numbers; `value` is what is shown.
-function glsl(library, state, values, value = `pattern(${glslArguments(state.dimensions)})`) {
+// The fragment shader. `values` are names of uniforms, or numbers; `value` is what is shown. One that is timed computes
+// it at several cells, so that the GPU has more to do than to write pixels.
+function glsl(library, state, values, timed = false, value = `pattern(${glslArguments(state.dimensions)})`) {
   const { lines, files } = functions(library, "glsl", state, values, false);
   const n = state.dimensions;
-  return ["#version 300 es", "precision highp float;", "precision highp int;", "precision highp sampler2D;",
-          ...knobs(state), ...library.lines(files), kGlslFrame, "uniform sampler2D u_palette;", "out vec4 color;",
-          "const float kPart = 1.0 / 16777216.0;", ...lines, kGlslPlace, kGlslShade,
-          "void main() {",
-          "  uvec2 at = uvec2(gl_FragCoord.xy);",
-          "  uvec2 x = place_of(u_cell.x, u_place.x, at.x);",
-          "  uvec2 y = place_of(u_cell.y, u_place.y, at.y);",
-          `  color = shade(${value}, ${n === 1 ? "int(at.y)" : "-1"});`,
-          "}", ""].join("\n");
+  return [
+    "#version 300 es",
+    "precision highp float;",
+    "precision highp int;",
+    "precision highp sampler2D;",
+    ...knobs(state),
+    ...library.lines(files),
+    kGlslFrame,
+    "uniform sampler2D u_palette;",
+    "out vec4 color;",
+    "const float kPart = 1.0 / 16777216.0;",
+    ...lines,
+    kGlslPlace,
+    kGlslShade,
+    "void main() {",
+    "  uvec2 at = uvec2(gl_FragCoord.xy);",
+    "  uvec2 x = place_of(u_cell.x, u_place.x, at.x);",
+    "  uvec2 y = place_of(u_cell.y, u_place.y, at.y);",
+    ...(timed
+      ? [`  float sum = 0.0;`, `  for (int i = 0; i < u_octaves.z; ++i) { sum += ${value}; x.x += 8u; }`]
+      : [`  float sum = ${value};`]),
+    `  color = shade(sum, ${n === 1 ? "int(at.y)" : "-1"});`,
+    "}",
+    "",
+  ].join("\n");
 }
 
-function wgsl(library, state, values, value = `pattern_cell(${wgslArguments(state.dimensions)})`) {
+function wgsl(library, state, values, timed = false, value = `pattern_cell(${wgslArguments(state.dimensions)})`) {
   const { lines, needs } = functions(library, "wgsl", state, values, false);
   const n = state.dimensions;
-  return [...library.wgsl(needs, state), kWgslFrame, "const kPart = 1.0f / 16777216.0f;", ...lines, kWgslPlace, kWgslShade,
-          "@vertex fn vertex(@builtin(vertex_index) i: u32) -> @builtin(position) vec4f {",
-          "  return vec4f(select(-1.0, 3.0, i == 1u), select(-1.0, 3.0, i == 2u), 0.0, 1.0);",
-          "}",
-          "@fragment fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {",
-          // Rows are counted from the lower end, as in OpenGL.
-          "  let at = vec2u(u32(position.x), u.step.w - 1u - u32(position.y));",
-          "  let x = place_of(u.cell.x, u.place.x, at.x);",
-          "  let y = place_of(u.cell.y, u.place.y, at.y);",
-          `  return shade(${value}, ${n === 1 ? "i32(at.y)" : "-1"});`,
-          "}", ""].join("\n");
+  return [
+    ...library.wgsl(needs, state),
+    kWgslFrame,
+    "const kPart = 1.0f / 16777216.0f;",
+    ...lines,
+    kWgslPlace,
+    kWgslShade,
+    "@vertex fn vertex(@builtin(vertex_index) i: u32) -> @builtin(position) vec4f {",
+    "  return vec4f(select(-1.0, 3.0, i == 1u), select(-1.0, 3.0, i == 2u), 0.0, 1.0);",
+    "}",
+    "@fragment fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {",
+    // Rows are counted from the lower end, as in OpenGL.
+    "  let at = vec2u(u32(position.x), u.step.w - 1u - u32(position.y));",
+    "  var x = place_of(u.cell.x, u.place.x, at.x);",
+    "  let y = place_of(u.cell.y, u.place.y, at.y);",
+    ...(timed
+      ? [`  var sum = 0.0f;`, `  for (var i = 0; i < u.octaves.z; i++) { sum += ${value}; x.x += 8u; }`]
+      : [`  let sum = ${value};`]),
+    `  return shade(sum, ${n === 1 ? "i32(at.y)" : "-1"});`,
+    "}",
+    "",
+  ].join("\n");
 }
 
 const kWrite = { glsl, wgsl };
 // To what costs are compared: hn_perlin on the plane, as the library has it by default.
 export const kPlain = {
-  sum: "none", noise: "perlin", dimensions: 2, warp: "none", phase: 0, period: 0, arithmetic: "fast", hash: "lattice",
+  sum: "none",
+  noise: "perlin",
+  dimensions: 2,
+  warp: "none",
+  phase: 0,
+  period: 0,
+  arithmetic: "fast",
+  hash: "lattice",
 };
 
 // What the page draws with: numbers are uniforms.
@@ -152,9 +204,14 @@ export const pageShader = (library, language, state) =>
 
 // What is timed: the numbers stand in the text, as in a shader of somebody who copied it.
 export const timedShader = (library, language, state) =>
-  kWrite[language](library, state, numbers(language, state));
+  kWrite[language](library, state, numbers(language, state), true);
 
 // A shader in which nothing is computed but the position.
 export const emptyShader = (library, language, state) =>
-  kWrite[language](library, { ...state, ...kPlain }, numbers(language, { ...state, ...kPlain }),
-                   language === "glsl" ? "float(x.y + y.y) * kPart" : "f32(x.y + y.y) * kPart");
+  kWrite[language](
+    library,
+    { ...state, ...kPlain },
+    numbers(language, { ...state, ...kPlain }),
+    true,
+    language === "glsl" ? "float(x.x + x.y + y.y) * kPart" : "f32(x.x + x.y + y.y) * kPart",
+  );

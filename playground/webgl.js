@@ -1,23 +1,28 @@
 // The picture by WebGL2.
 import { kFrameBytes, kVertex } from "./shaders.js";
 
-const kImpatient = 4;  // milliseconds
+const kImpatient = 4; // milliseconds
 
 // Timers wait for up to 4 ms, which is longer than most pictures take; a message arrives at once.
-const soon = () => new Promise((resolve) => {
-  const channel = new MessageChannel();
-  channel.port1.onmessage = () => {
-    channel.port1.close();
-    resolve();
-  };
-  channel.port2.postMessage(0);
-});
+const soon = () =>
+  new Promise((resolve) => {
+    const channel = new MessageChannel();
+    channel.port1.onmessage = () => {
+      channel.port1.close();
+      resolve();
+    };
+    channel.port2.postMessage(0);
+  });
 
 export class WebGL2 {
   // Throws if the browser has no WebGL2.
   static async create(canvas) {
     const gl = canvas.getContext("webgl2", {
-      alpha: false, antialias: false, depth: false, powerPreference: "high-performance", preserveDrawingBuffer: false,
+      alpha: false,
+      antialias: false,
+      depth: false,
+      powerPreference: "high-performance",
+      preserveDrawingBuffer: false,
     });
     if (!gl) throw new Error("This browser does not give a WebGL2 context.");
     return new WebGL2(canvas, gl);
@@ -77,7 +82,8 @@ export class WebGL2 {
       await new Promise((resolve) => setTimeout(resolve, 4));
     }
     const linked = gl.getProgramParameter(program, gl.LINK_STATUS);
-    const log = linked || this.lost ? "" : `${gl.getShaderInfoLog(fragment) ?? ""}${gl.getProgramInfoLog(program) ?? ""}`;
+    const log =
+      linked || this.lost ? "" : `${gl.getShaderInfoLog(fragment) ?? ""}${gl.getProgramInfoLog(program) ?? ""}`;
     gl.deleteShader(fragment);
     if (!linked) {
       gl.deleteProgram(program);

@@ -29,11 +29,17 @@ export class WebGPU {
     this.palette = this.texture(256, 1, GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_DST);
     const visibility = GPUShaderStage.FRAGMENT;
     this.layout = device.createBindGroupLayout({
-      entries: [{ binding: 0, visibility, buffer: {} }, { binding: 1, visibility, texture: { sampleType: "unfilterable-float" } }],
+      entries: [
+        { binding: 0, visibility, buffer: {} },
+        { binding: 1, visibility, texture: { sampleType: "unfilterable-float" } },
+      ],
     });
     this.group = device.createBindGroup({
       layout: this.layout,
-      entries: [{ binding: 0, resource: { buffer: this.frames } }, { binding: 1, resource: this.palette.createView() }],
+      entries: [
+        { binding: 0, resource: { buffer: this.frames } },
+        { binding: 1, resource: this.palette.createView() },
+      ],
     });
   }
 
@@ -52,13 +58,15 @@ export class WebGPU {
     const module = device.createShaderModule({ code: text });
     const error = await device.popErrorScope();
     if (error) throw new Error(`The driver does not compile the shader. ${error.message}`);
-    return device.createRenderPipelineAsync({
-      layout: device.createPipelineLayout({ bindGroupLayouts: [this.layout] }),
-      vertex: { module, entryPoint: "vertex" },
-      fragment: { module, entryPoint: "fragment", targets: [{ format: kFormat }] },
-    }).catch((failure) => {
-      throw new Error(`The driver does not make a pipeline. ${failure.message}`);
-    });
+    return device
+      .createRenderPipelineAsync({
+        layout: device.createPipelineLayout({ bindGroupLayouts: [this.layout] }),
+        vertex: { module, entryPoint: "vertex" },
+        fragment: { module, entryPoint: "fragment", targets: [{ format: kFormat }] },
+      })
+      .catch((failure) => {
+        throw new Error(`The driver does not make a pipeline. ${failure.message}`);
+      });
   }
 
   discard() {}
@@ -92,7 +100,10 @@ export class WebGPU {
     const { device } = this;
     const target = this.texture(width, height, GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.COPY_SRC);
     const bytesPerRow = Math.ceil((width * 4) / 256) * 256;
-    const buffer = device.createBuffer({ size: bytesPerRow * height, usage: GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ });
+    const buffer = device.createBuffer({
+      size: bytesPerRow * height,
+      usage: GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ,
+    });
     device.queue.writeBuffer(this.frames, 0, frame);
     const encoder = device.createCommandEncoder();
     this.pass(encoder, program, target.createView());

@@ -35,8 +35,12 @@ function call(language, state, cell) {
   const places = [`${f32}(column) * 0.125`, `${f32}(row) * 0.125`, state.z.toFixed(4), state.w.toFixed(4)];
   if (!cell) return `pattern(${vector(float, ends[0], places)})`;
   const cells = ["column >> 3u", "row >> 3u", String(Math.floor(state.z)), String(Math.floor(state.w))];
-  const rests = [`${f32}(column & 7${language === "wgsl" ? "u" : ""}) * 0.125`, `${f32}(row & 7${language === "wgsl" ? "u" : ""}) * 0.125`,
-                 (state.z - Math.floor(state.z)).toFixed(4), (state.w - Math.floor(state.w)).toFixed(4)];
+  const rests = [
+    `${f32}(column & 7${language === "wgsl" ? "u" : ""}) * 0.125`,
+    `${f32}(row & 7${language === "wgsl" ? "u" : ""}) * 0.125`,
+    (state.z - Math.floor(state.z)).toFixed(4),
+    (state.w - Math.floor(state.w)).toFixed(4),
+  ];
   const whole = cells.map((part, at) => (at < 2 ? `${i32}(${part})` : part));
   return `${language === "wgsl" ? "pattern_cell" : "pattern"}(${vector(int, ends[1], whole)}, ${vector(float, ends[0], rests)})`;
 }
@@ -54,7 +58,9 @@ const glslang = (text, name, ...options) =>
   });
 
 const glslShader = (code, state, version = "450") => {
-  const es = version.endsWith("es") ? "precision highp float;\nprecision highp int;\n" : "#extension GL_GOOGLE_include_directive : require\nlayout(location = 0) ";
+  const es = version.endsWith("es")
+    ? "precision highp float;\nprecision highp int;\n"
+    : "#extension GL_GOOGLE_include_directive : require\nlayout(location = 0) ";
   return `#version ${version}\n${es.replace("layout", `${code}\nlayout`)}${version.endsWith("es") ? `${code}\n` : ""}out vec4 color;
 void main() {
   int column = int(gl_FragCoord.x);
@@ -81,31 +87,38 @@ after(() => browser.close());
 
 // What the copied GLSL draws: the bits of both functions, by WebGL2.
 const drawnGlsl = (code, state, cell) =>
-  page.evaluate((fragment, width, height) => {
-    const gl = document.createElement("canvas").getContext("webgl2");
-    const program = gl.createProgram();
-    for (const [type, text] of [[gl.VERTEX_SHADER, "#version 300 es\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }"],
-                                [gl.FRAGMENT_SHADER, fragment]]) {
-      const shader = gl.createShader(type);
-      gl.shaderSource(shader, text);
-      gl.compileShader(shader);
-      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) return gl.getShaderInfoLog(shader);
-      gl.attachShader(program, shader);
-    }
-    gl.linkProgram(program);
-    gl.useProgram(program);
-    const texture = gl.createTexture();
-    gl.bindTexture(gl.TEXTURE_2D, texture);
-    gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32UI, width, height);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
-    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
-    gl.viewport(0, 0, width, height);
-    gl.drawArrays(gl.TRIANGLES, 0, 3);
-    const words = new Uint32Array(width * height * 4);
-    gl.readPixels(0, 0, width, height, gl.RGBA_INTEGER, gl.UNSIGNED_INT, words);
-    gl.getExtension("WEBGL_lose_context").loseContext();
-    return Array.from(words).filter((_, at) => at % 4 === 0);
-  }, `#version 300 es
+  page.evaluate(
+    (fragment, width, height) => {
+      const gl = document.createElement("canvas").getContext("webgl2");
+      const program = gl.createProgram();
+      for (const [type, text] of [
+        [
+          gl.VERTEX_SHADER,
+          "#version 300 es\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }",
+        ],
+        [gl.FRAGMENT_SHADER, fragment],
+      ]) {
+        const shader = gl.createShader(type);
+        gl.shaderSource(shader, text);
+        gl.compileShader(shader);
+        if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) return gl.getShaderInfoLog(shader);
+        gl.attachShader(program, shader);
+      }
+      gl.linkProgram(program);
+      gl.useProgram(program);
+      const texture = gl.createTexture();
+      gl.bindTexture(gl.TEXTURE_2D, texture);
+      gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32UI, width, height);
+      gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
+      gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
+      gl.viewport(0, 0, width, height);
+      gl.drawArrays(gl.TRIANGLES, 0, 3);
+      const words = new Uint32Array(width * height * 4);
+      gl.readPixels(0, 0, width, height, gl.RGBA_INTEGER, gl.UNSIGNED_INT, words);
+      gl.getExtension("WEBGL_lose_context").loseContext();
+      return Array.from(words).filter((_, at) => at % 4 === 0);
+    },
+    `#version 300 es
 precision highp float;
 precision highp int;
 ${code}
@@ -115,31 +128,47 @@ void main() {
   int row = int(gl_FragCoord.y);
   bits = uvec4(floatBitsToUint(${call("glsl", state, cell)}));
 }
-`, kWidth, kHeight);
+`,
+    kWidth,
+    kHeight,
+  );
 
 // The same of the WGSL, by WebGPU. Its colours are compiled with it.
 const drawnWgsl = (code, state, cell) =>
-  page.evaluate(async (text, count) => {
-    const device = await (await navigator.gpu.requestAdapter()).requestDevice();
-    const module = device.createShaderModule({ code: text });
-    const { messages } = await module.getCompilationInfo();
-    if (messages.length) return messages.map(({ message }) => message).join("\n");
-    const pipeline = await device.createComputePipelineAsync({ layout: "auto", compute: { module, entryPoint: "main" } });
-    const { STORAGE, COPY_SRC, COPY_DST, MAP_READ } = GPUBufferUsage;
-    const [target, copy] = [STORAGE | COPY_SRC, COPY_DST | MAP_READ].map((usage) => device.createBuffer({ size: count * 4, usage }));
-    const encoder = device.createCommandEncoder();
-    const pass = encoder.beginComputePass();
-    pass.setPipeline(pipeline);
-    pass.setBindGroup(0, device.createBindGroup({ layout: pipeline.getBindGroupLayout(0), entries: [{ binding: 0, resource: { buffer: target } }] }));
-    pass.dispatchWorkgroups(count / 64);
-    pass.end();
-    encoder.copyBufferToBuffer(target, 0, copy, 0, count * 4);
-    device.queue.submit([encoder.finish()]);
-    await copy.mapAsync(GPUMapMode.READ);
-    const words = Array.from(new Uint32Array(copy.getMappedRange()));
-    device.destroy();
-    return words;
-  }, `${code}
+  page.evaluate(
+    async (text, count) => {
+      const device = await (await navigator.gpu.requestAdapter()).requestDevice();
+      const module = device.createShaderModule({ code: text });
+      const { messages } = await module.getCompilationInfo();
+      if (messages.length) return messages.map(({ message }) => message).join("\n");
+      const pipeline = await device.createComputePipelineAsync({
+        layout: "auto",
+        compute: { module, entryPoint: "main" },
+      });
+      const { STORAGE, COPY_SRC, COPY_DST, MAP_READ } = GPUBufferUsage;
+      const [target, copy] = [STORAGE | COPY_SRC, COPY_DST | MAP_READ].map((usage) =>
+        device.createBuffer({ size: count * 4, usage }),
+      );
+      const encoder = device.createCommandEncoder();
+      const pass = encoder.beginComputePass();
+      pass.setPipeline(pipeline);
+      pass.setBindGroup(
+        0,
+        device.createBindGroup({
+          layout: pipeline.getBindGroupLayout(0),
+          entries: [{ binding: 0, resource: { buffer: target } }],
+        }),
+      );
+      pass.dispatchWorkgroups(count / 64);
+      pass.end();
+      encoder.copyBufferToBuffer(target, 0, copy, 0, count * 4);
+      device.queue.submit([encoder.finish()]);
+      await copy.mapAsync(GPUMapMode.READ);
+      const words = Array.from(new Uint32Array(copy.getMappedRange()));
+      device.destroy();
+      return words;
+    },
+    `${code}
 @group(0) @binding(0) var<storage, read_write> bits: array<u32>;
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u) {
@@ -148,7 +177,9 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   bits[id.x] = bitcast<u32>(${call("wgsl", state, cell)});
   if (colour(0.0).x > 2.0) { bits[id.x] = 0u; }
 }
-`, kWidth * kHeight);
+`,
+    kWidth * kHeight,
+  );
 
 test("copied GLSL and HLSL compile", async () => {
   const include = `-I${join(kRoot, "glsl")}`;
@@ -174,9 +205,17 @@ test("copied GLSL and WGSL draw the picture", async () => {
       // At a position floats round the way to it, and so does the sum of a position and a shift.
       const same = cell || (state.arithmetic === "fixed" && state.warp === "none");
       const exact = state.arithmetic === "fixed" && same;
-      for (const [language, drawn] of [["GLSL", await drawnGlsl(glsl, state, cell)], ["WGSL", await drawnWgsl(wgsl, state, cell)]]) {
+      for (const [language, drawn] of [
+        ["GLSL", await drawnGlsl(glsl, state, cell)],
+        ["WGSL", await drawnWgsl(wgsl, state, cell)],
+      ]) {
         assert.ok(Array.isArray(drawn), `${language}, ${nameOf(state)}: ${drawn}`);
-        const off = drawn.map((word, at) => Math.abs(new Float32Array(new Uint32Array([word]).buffer)[0] - new Float32Array(new Uint32Array([shown[at]]).buffer)[0]));
+        const off = drawn.map((word, at) =>
+          Math.abs(
+            new Float32Array(new Uint32Array([word]).buffer)[0] -
+              new Float32Array(new Uint32Array([shown[at]]).buffer)[0],
+          ),
+        );
         assert.ok(Math.max(...off) <= (exact ? 0 : 1e-4), `${language}, ${nameOf(state)}: off by ${Math.max(...off)}`);
         if (exact) assert.deepEqual(drawn, shown, `${language}, ${nameOf(state)}`);
       }
@@ -186,9 +225,12 @@ test("copied GLSL and WGSL draw the picture", async () => {
 
 test("copied C++ has pattern(p), too", async () => {
   await setState(page, states[1]);
-  const printed = await compiled(await copiedCode(page, "cpp", false), `#include <cstdio>
+  const printed = await compiled(
+    await copiedCode(page, "cpp", false),
+    `#include <cstdio>
 int main() { std::printf("%d", hashnoise::pattern(hashnoise::vec2(2.5f, 1.25f)) == hashnoise::pattern(hashnoise::ivec2(2, 1), hashnoise::vec2(0.5f, 0.25f))); }
-`);
+`,
+  );
   assert.equal(printed, "1");
 });
 
@@ -196,7 +238,10 @@ test("code that is wrong is noticed", async () => {
   const state = states[0];
   await setState(page, state);
   const code = await copiedCode(page, "glsl", true);
-  assert.match(await glslang(glslShader(code.replace("hn_fbm(p", "hn_absent(p"), state), "shader.frag", "-V"), /hn_absent/);
+  assert.match(
+    await glslang(glslShader(code.replace("hn_fbm(p", "hn_absent(p"), state), "shader.frag", "-V"),
+    /hn_absent/,
+  );
   const shown = await pixels(page, kWidth, kHeight, true);
   assert.notDeepEqual(await drawnGlsl(code.replaceAll("7u)", "8u)"), state, true), shown);
   const wgsl = await copiedCode(page, "wgsl", true);

@@ -8,8 +8,22 @@ import { fileURLToPath } from "node:url";
 import { copied, copiedText, functions, numbers, shaderKey } from "../code.js";
 import { unpacked } from "../library.js";
 import {
-  dimensionsOf, kHashes, kLooks, kMetrics, kNoises, kSettings, kSums, kWarps, linkOf, noisesOf, parsedPosition, positionText, possible,
-  stateOf, stateOfLook, usualState,
+  dimensionsOf,
+  kHashes,
+  kLooks,
+  kMetrics,
+  kNoises,
+  kSettings,
+  kSums,
+  kWarps,
+  linkOf,
+  noisesOf,
+  parsedPosition,
+  positionText,
+  possible,
+  stateOf,
+  stateOfLook,
+  usualState,
 } from "../model.js";
 import { pageShader } from "../shaders.js";
 import { originOf, panned, positionOfPixel, stepOf, zoomed } from "../view.js";
@@ -33,7 +47,8 @@ function anyState() {
   const state = usualState();
   for (const [name, setting] of Object.entries(kSettings)) {
     if (setting.of) state[name] = one(Object.keys(setting.of));
-    else if (typeof setting.usual === "bigint") state[name] = BigInt.asIntN(56, BigInt(Math.floor(next() * 2 ** 53)) * 8n);
+    else if (typeof setting.usual === "bigint")
+      state[name] = BigInt.asIntN(56, BigInt(Math.floor(next() * 2 ** 53)) * 8n);
     else state[name] = setting.from + next() * (Math.min(setting.to, 1e6) - setting.from);
   }
   state.noise = one(noisesOf(state.sum));
@@ -48,7 +63,8 @@ test("a link brings its state back", () => {
     const link = linkOf(state);
     assert.equal(linkOf(stateOf(link)), link);
     // What the state does not use is not in its link; all else is.
-    const shader = (of) => (of.dimensions === 1 ? [of.x] : [of.x, of.y]).concat([shaderKey(of), of.seed, of.period, of.map, of.cells]);
+    const shader = (of) =>
+      (of.dimensions === 1 ? [of.x] : [of.x, of.y]).concat([shaderKey(of), of.seed, of.period, of.map, of.cells]);
     assert.deepEqual(shader(stateOf(link)), shader(state), link);
     assert.match(link, /^(#[\w.=&-]+)?$/);
   }
@@ -57,17 +73,31 @@ test("a link brings its state back", () => {
 
 test("the links of the page's description mean what it says", () => {
   const state = stateOf("#sum=ridged&noise=simplex&dimensions=3&z=1.5&seed=42&x=1000000000.25&cells=4");
-  assert.deepEqual([state.sum, state.noise, state.dimensions, state.z, state.seed, state.x, state.cells],
-                   ["ridged", "simplex", 3, 1.5, 42, 1000000000n * 16777216n + 4194304n, 4]);
-  const described = [...readFileSync(join(root, "docs", "playground.md"), "utf8").split("## Links")[1].matchAll(/^\| `(\w+)` \|/gm)].map((match) => match[1]);
+  assert.deepEqual(
+    [state.sum, state.noise, state.dimensions, state.z, state.seed, state.x, state.cells],
+    ["ridged", "simplex", 3, 1.5, 42, 1000000000n * 16777216n + 4194304n, 4],
+  );
+  const described = [
+    ...readFileSync(join(root, "docs", "playground.md"), "utf8")
+      .split("## Links")[1]
+      .matchAll(/^\| `(\w+)` \|/gm),
+  ].map((match) => match[1]);
   assert.deepEqual(described, Object.keys(kSettings));
 });
 
 test("a link with what is not there still opens", () => {
-  for (const [link, name, value] of [["#noise=absent", "noise", "perlin"], ["#seed=-5", "seed", 0], ["#octaves=1e9", "octaves", 16],
-                                     ["#gain=much", "gain", 0.5], ["#x=far", "x", 0n], ["#noise=simplex&dimensions=1", "dimensions", 2],
-                                     ["#sum=eroded&noise=cells", "noise", "perlin"], ["#toString=1&__proto__=2", "seed", 7],
-                                     ["#cells=0", "cells", 1 / 64], ["#map=constructor", "map", "dusk"]]) {
+  for (const [link, name, value] of [
+    ["#noise=absent", "noise", "perlin"],
+    ["#seed=-5", "seed", 0],
+    ["#octaves=1e9", "octaves", 16],
+    ["#gain=much", "gain", 0.5],
+    ["#x=far", "x", 0n],
+    ["#noise=simplex&dimensions=1", "dimensions", 2],
+    ["#sum=eroded&noise=cells", "noise", "perlin"],
+    ["#toString=1&__proto__=2", "seed", 7],
+    ["#cells=0", "cells", 1 / 64],
+    ["#map=constructor", "map", "dusk"],
+  ]) {
     assert.equal(stateOf(link)[name], name === "cells" ? Number((1 / 64).toPrecision(6)) : value, link);
   }
 });
@@ -84,7 +114,13 @@ test("positions are exact", () => {
     const parts = BigInt.asIntN(56, BigInt(Math.floor(next() * 2 ** 53)) * 8n + BigInt(i));
     assert.equal(parsedPosition(positionText(parts)), parts);
   }
-  for (const [given, parts] of [["0.5", 8388608n], ["-0.5", -8388608n], ["−3", -3n << 24n], ["1,25", 20971520n], [" 7 ", 7n << 24n]]) {
+  for (const [given, parts] of [
+    ["0.5", 8388608n],
+    ["-0.5", -8388608n],
+    ["−3", -3n << 24n],
+    ["1,25", 20971520n],
+    [" 7 ", 7n << 24n],
+  ]) {
     assert.equal(parsedPosition(given), parts, given);
   }
   for (const given of ["", "x", "1e5", "--1", "1.2.3", "0x10"]) assert.equal(parsedPosition(given), undefined, given);
@@ -92,12 +128,22 @@ test("positions are exact", () => {
 
 test("what is below a pointer stays there while the scale changes", () => {
   for (let i = 0; i < 500; ++i) {
-    const state = { ...usualState(), x: BigInt(Math.floor(next() * 2 ** 50)), y: -BigInt(i), cells: 2 ** (next() * 16 - 4) };
+    const state = {
+      ...usualState(),
+      x: BigInt(Math.floor(next() * 2 ** 50)),
+      y: -BigInt(i),
+      cells: 2 ** (next() * 16 - 4),
+    };
     const [column, row] = [Math.floor(next() * 800), Math.floor(next() * 600)];
     const before = positionOfPixel(state, 800, 600, column, row);
-    const nearer = { ...state, ...zoomed(state, 800, 600, 2 ** (next() * 2 - 1), column - 400, row - 300, kSettings.cells) };
+    const nearer = {
+      ...state,
+      ...zoomed(state, 800, 600, 2 ** (next() * 2 - 1), column - 400, row - 300, kSettings.cells),
+    };
     const after = positionOfPixel(nearer, 800, 600, column, row);
-    before.forEach((parts, axis) => assert.ok(parts - after[axis] <= 1n && after[axis] - parts <= 1n, `${parts} became ${after[axis]}`));
+    before.forEach((parts, axis) =>
+      assert.ok(parts - after[axis] <= 1n && after[axis] - parts <= 1n, `${parts} became ${after[axis]}`),
+    );
   }
   const state = { ...usualState(), cells: 6 };
   assert.equal(stepOf(state, 64, 48), 2 ** 21);
@@ -110,8 +156,15 @@ test("the library in the page is that of tools/single-file and tools/wgsl", () =
     const made = execFileSync(join(root, "tools", "single-file"), ["--strip", file], { encoding: "utf8" });
     assert.equal(library.lines([file]).join("\n"), made.split("\n").slice(2).join("\n").trim(), file);
   }
-  const made = execFileSync(join(root, "tools", "wgsl"), ["--strip", "--arithmetic", "HN_FIXED", "--hash", "PCG", "--only", "hn_ridged3_cell"], { encoding: "utf8" });
-  assert.equal(library.wgsl(["hn_ridged3_cell"], { arithmetic: "fixed", hash: "pcg" }).join("\n"), made.slice(made.indexOf("\n\n") + 2).trim());
+  const made = execFileSync(
+    join(root, "tools", "wgsl"),
+    ["--strip", "--arithmetic", "HN_FIXED", "--hash", "PCG", "--only", "hn_ridged3_cell"],
+    { encoding: "utf8" },
+  );
+  assert.equal(
+    library.wgsl(["hn_ridged3_cell"], { arithmetic: "fixed", hash: "pcg" }).join("\n"),
+    made.slice(made.indexOf("\n\n") + 2).trim(),
+  );
 });
 
 // A sum over another noise is a changed text in WGSL. It must be what the translator makes of the macro.
@@ -144,12 +197,21 @@ json.dump(made, sys.stdout)
       }
     }
   }
-  const made = JSON.parse(execFileSync("python3", ["-c", script], { input: JSON.stringify([macros, [...ours.keys()]]), encoding: "utf8", maxBuffer: 1 << 26 }));
+  const made = JSON.parse(
+    execFileSync("python3", ["-c", script], {
+      input: JSON.stringify([macros, [...ours.keys()]]),
+      encoding: "utf8",
+      maxBuffer: 1 << 26,
+    }),
+  );
   const plain = (code) => code.replace(/fn \w+\(/g, "fn f(").replace(/\s+/g, "");
   for (const [name, text] of ours) {
-    const theirs = Object.entries(made).filter(([full]) => new RegExp(`^${name}_(f32|i32|vec)`).test(full)).map(([, code]) => plain(code));
+    const theirs = Object.entries(made)
+      .filter(([full]) => new RegExp(`^${name}_(f32|i32|vec)`).test(full))
+      .map(([, code]) => plain(code));
     const functionsOfOurs = text.split(/(?=fn )/).map(plain);
-    for (const one of functionsOfOurs) assert.ok(theirs.includes(one), `${name}: ${one}\nis none of\n${theirs.join("\n")}`);
+    for (const one of functionsOfOurs)
+      assert.ok(theirs.includes(one), `${name}: ${one}\nis none of\n${theirs.join("\n")}`);
     assert.ok(!theirs.includes(functionsOfOurs[0].replace("0", "1")));
   }
   assert.ok(ours.size > 100);
@@ -160,18 +222,51 @@ const kLeftOut = ["cellular_d", "perlin_d", "perlin_phase", "simplex_d", "simple
 
 test("everything that the library has can be chosen", () => {
   const of = (pattern, files = Object.keys(library.glsl)) =>
-    [...new Set(files.flatMap((file) => library.glsl[file].map((line) => pattern.exec(line)?.[1])).filter(Boolean))].toSorted();
-  const noises = [...new Set(["noise1d.glsl", "noise2d.glsl", "noise3d.glsl", "noise4d.glsl", "curl.glsl"].flatMap((file) => of(/^#include "(\w+)\dd\.glsl"$/, [file])))];
+    [
+      ...new Set(files.flatMap((file) => library.glsl[file].map((line) => pattern.exec(line)?.[1])).filter(Boolean)),
+    ].toSorted();
+  const noises = [
+    ...new Set(
+      ["noise1d.glsl", "noise2d.glsl", "noise3d.glsl", "noise4d.glsl", "curl.glsl"].flatMap((file) =>
+        of(/^#include "(\w+)\dd\.glsl"$/, [file]),
+      ),
+    ),
+  ];
   assert.ok(noises.length > 10, noises.join());
-  assert.deepEqual(noises.filter((file) => !kLeftOut.includes(file)).toSorted(), [...new Set(Object.values(kNoises).map(({ file }) => file))].toSorted());
+  assert.deepEqual(
+    noises.filter((file) => !kLeftOut.includes(file)).toSorted(),
+    [...new Set(Object.values(kNoises).map(({ file }) => file))].toSorted(),
+  );
   for (const [name, { file, dimensions }] of Object.entries(kNoises)) {
-    assert.deepEqual([1, 2, 3, 4].filter((n) => library.glsl[`${file}${n}d.glsl`]), dimensions, name);
+    assert.deepEqual(
+      [1, 2, 3, 4].filter((n) => library.glsl[`${file}${n}d.glsl`]),
+      dimensions,
+      name,
+    );
   }
-  const sums = of(/^#define HN_([A-Z_]+)2D\(name, noise\)/, ["fbm2d.glsl", "fbm_d2d.glsl"]).filter((name) => !/_PERIOD$|_LIMITED$|_D$/.test(name));
-  assert.deepEqual(sums.map((name) => name.toLowerCase()), Object.keys(kSums).filter((name) => name !== "none").toSorted());
-  assert.deepEqual(of(/^#define HN_HASH_([A-Z0-9_]+) \d+$/).filter((name) => name !== "CUSTOM").map((name) => name.toLowerCase()), Object.keys(kHashes).toSorted());
-  assert.deepEqual(of(/^#define HN_METRIC_([A-Z]+) \d+$/).map((name) => name.toLowerCase()), Object.keys(kMetrics).toSorted());
-  assert.deepEqual(of(/^HN_(WARP(?:_PROGRESSIVE)?)2D\(hn_/, ["warp2d.glsl"]).map((name) => name.toLowerCase()), Object.keys(kWarps).filter((name) => name !== "none"));
+  const sums = of(/^#define HN_([A-Z_]+)2D\(name, noise\)/, ["fbm2d.glsl", "fbm_d2d.glsl"]).filter(
+    (name) => !/_PERIOD$|_LIMITED$|_D$/.test(name),
+  );
+  assert.deepEqual(
+    sums.map((name) => name.toLowerCase()),
+    Object.keys(kSums)
+      .filter((name) => name !== "none")
+      .toSorted(),
+  );
+  assert.deepEqual(
+    of(/^#define HN_HASH_([A-Z0-9_]+) \d+$/)
+      .filter((name) => name !== "CUSTOM")
+      .map((name) => name.toLowerCase()),
+    Object.keys(kHashes).toSorted(),
+  );
+  assert.deepEqual(
+    of(/^#define HN_METRIC_([A-Z]+) \d+$/).map((name) => name.toLowerCase()),
+    Object.keys(kMetrics).toSorted(),
+  );
+  assert.deepEqual(
+    of(/^HN_(WARP(?:_PROGRESSIVE)?)2D\(hn_/, ["warp2d.glsl"]).map((name) => name.toLowerCase()),
+    Object.keys(kWarps).filter((name) => name !== "none"),
+  );
 });
 
 test("states with one shader have one text of it, and others have another", () => {
@@ -187,12 +282,29 @@ test("states with one shader have one text of it, and others have another", () =
 });
 
 test("what is copied says what is chosen", () => {
-  const state = possible({ ...usualState(), sum: "ridged", noise: "simplex", octaves: 5, seed: 9, arithmetic: "fixed", hash: "pcg" });
+  const state = possible({
+    ...usualState(),
+    sum: "ridged",
+    noise: "simplex",
+    octaves: 5,
+    seed: 9,
+    arithmetic: "fixed",
+    hash: "pcg",
+  });
   const short = copiedText(library, "glsl", state, false);
-  for (const part of ["#define HN_ARITHMETIC HN_FIXED", "#define HN_HASH HN_HASH_PCG", '#include "fbm2d.glsl"', "HN_RIDGED2D(ridged_simplex, hn_simplex)",
-                      "ridged_simplex(cell, f, 5, 2.0, 0.5, 9u)", "vec3 colour(float value)"]) {
+  for (const part of [
+    "#define HN_ARITHMETIC HN_FIXED",
+    "#define HN_HASH HN_HASH_PCG",
+    '#include "fbm2d.glsl"',
+    "HN_RIDGED2D(ridged_simplex, hn_simplex)",
+    "ridged_simplex(cell, f, 5, 2.0, 0.5, 9u)",
+    "vec3 colour(float value)",
+  ]) {
     assert.ok(short.includes(part), part);
   }
   assert.ok(!copiedText(library, "glsl", state, true).includes("#include"));
-  assert.match(copied(library, "wgsl", state, false).head.join("\n"), /tools\/wgsl --arithmetic HN_FIXED --hash PCG --only .*hn_ridged2_cell/);
+  assert.match(
+    copied(library, "wgsl", state, false).head.join("\n"),
+    /tools\/wgsl --arithmetic HN_FIXED --hash PCG --only .*hn_ridged2_cell/,
+  );
 });

@@ -5,17 +5,29 @@ import test, { after, before } from "node:test";
 import { kMaps, rangeOf, usualState } from "../model.js";
 import { bitsOf, compiled, copiedCode, floatOf, golden, launched, opened, pixels, setState } from "./support.mjs";
 
-const kRows = 12;  // of each file
+const kRows = 12; // of each file
 const kAxes = ["x", "y", "z", "w"];
 const kParts = 16777216;
 
-const noises = { perlin: [1, 2, 3, 4], value: [1, 2, 3, 4], value_cubic: [1, 2, 3], simplex: [2, 3, 4], simplex_smooth: [2, 3] };
+const noises = {
+  perlin: [1, 2, 3, 4],
+  value: [1, 2, 3, 4],
+  value_cubic: [1, 2, 3],
+  simplex: [2, 3, 4],
+  simplex_smooth: [2, 3],
+};
 const sums = { fbm: [2, 3], turbulence: [2], billow: [2], clouds: [3], ridged: [2], ping_pong: [2], weighted: [3] };
 const subjects = [
   ...Object.entries(noises).flatMap(([noise, all]) =>
-    all.flatMap((n) => ["cell", "cell_period"].map((form) => [`noise${n}d.${noise}_${form}`, { sum: "none", noise, dimensions: n }]))),
+    all.flatMap((n) =>
+      ["cell", "cell_period"].map((form) => [`noise${n}d.${noise}_${form}`, { sum: "none", noise, dimensions: n }]),
+    ),
+  ),
   ...Object.entries(sums).flatMap(([sum, all]) =>
-    all.flatMap((n) => ["cell", "cell_period"].map((form) => [`fbm.${sum}${n}_${form}`, { sum, noise: "perlin", dimensions: n }]))),
+    all.flatMap((n) =>
+      ["cell", "cell_period"].map((form) => [`fbm.${sum}${n}_${form}`, { sum, noise: "perlin", dimensions: n }]),
+    ),
+  ),
   // On the line and in 4D the files have positions, which a pixel has too.
   ["fbm.fbm1", { sum: "fbm", noise: "perlin", dimensions: 1 }],
   ["fbm.fbm4", { sum: "fbm", noise: "perlin", dimensions: 4 }],
@@ -41,8 +53,15 @@ function shownOf({ words }, state) {
   return {
     point,
     state: {
-      ...usualState(), ...state, arithmetic: "fixed", seed: words.seed, octaves: signed(words.octaves ?? 1), period: [...periods][0] ?? 0,
-      lacunarity: setting("lacunarity", 2), gain: setting("gain", 0.5), strength: setting("strength", 1),
+      ...usualState(),
+      ...state,
+      arithmetic: "fixed",
+      seed: words.seed,
+      octaves: signed(words.octaves ?? 1),
+      period: [...periods][0] ?? 0,
+      lacunarity: setting("lacunarity", 2),
+      gain: setting("gain", 0.5),
+      strength: setting("strength", 1),
     },
   };
 }
@@ -56,8 +75,12 @@ async function differing(page, renderer, [id, subject]) {
     if (!shown || tried === kRows) continue;
     ++tried;
     await setState(page, { ...shown.state, renderer });
-    const value = await page.evaluate(async (point) => (await window.hashnoise.values([point.map(BigInt)]))[0], shown.point.map(String));
-    if (bitsOf(value) !== row.bits) wrong.push(`${id}: ${JSON.stringify(row.words)} is ${value}, not ${floatOf(row.bits)}`);
+    const value = await page.evaluate(
+      async (point) => (await window.hashnoise.values([point.map(BigInt)]))[0],
+      shown.point.map(String),
+    );
+    if (bitsOf(value) !== row.bits)
+      wrong.push(`${id}: ${JSON.stringify(row.words)} is ${value}, not ${floatOf(row.bits)}`);
   }
   return { tried, wrong };
 }
@@ -110,7 +133,8 @@ function colourOf(value, state, row) {
   const stops = kMaps[state.map].stops.map((stop) => parseInt(stop, 16));
   const place = (number * (stops.length - 1)) / 255;
   const at = Math.min(Math.floor(place), stops.length - 2);
-  const above = state.dimensions === 1 && row > Math.floor((Math.floor(units / 64) * kHeight) / Math.floor((high - low) / 64));
+  const above =
+    state.dimensions === 1 && row > Math.floor((Math.floor(units / 64) * kHeight) / Math.floor((high - low) / 64));
   const parts = [16, 8, 0].map((shift) => {
     const [from, to] = [stops[at], stops[at + 1]].map((stop) => (stop >> shift) & 255);
     return Math.round(from + (to - from) * (place - at)) * (above ? 0.125 : 1);
@@ -145,7 +169,8 @@ test("a pixel has the golden value", async () => {
     assert.deepEqual(found.wrong, []);
     const form = subject[0].endsWith("period") ? "cell_period" : "cell";
     // Most rows have periods that differ from axis to axis, which the page has not.
-    if (form === "cell") assert.ok(found.tried >= 4, `${subject[0]} has only ${found.tried} rows that a pixel can have`);
+    if (form === "cell")
+      assert.ok(found.tried >= 4, `${subject[0]} has only ${found.tried} rows that a pixel can have`);
     tried[form] += found.tried;
   }
   assert.ok(tried.cell > 200 && tried.cell_period > 20, JSON.stringify(tried));
@@ -156,7 +181,10 @@ test("every pixel of a picture has the value of C++, and its colour", async () =
   for (const state of pictures) {
     const name = JSON.stringify({ sum: state.sum, noise: state.noise, dimensions: state.dimensions });
     await setState(page, { ...state, renderer: "webgl2" });
-    const expected = (await compiled(await copiedCode(page, "cpp", false), mainOf(state))).trim().split("\n").map((word) => parseInt(word, 16));
+    const expected = (await compiled(await copiedCode(page, "cpp", false), mainOf(state)))
+      .trim()
+      .split("\n")
+      .map((word) => parseInt(word, 16));
     assert.ok(new Set(expected).size > 5, `${name} shows next to nothing`);
     const colours = {};
     for (const renderer of ["webgl2", "webgpu"]) {
@@ -190,7 +218,10 @@ test("a changed library is noticed", async () => {
     for (const definition of library.definitions) definition.text = changed(definition.text);
   });
   for (const renderer of ["webgl2", "webgpu"]) {
-    const { wrong } = await differing(broken, renderer, ["fbm.fbm2_cell", { sum: "fbm", noise: "perlin", dimensions: 2 }]);
+    const { wrong } = await differing(broken, renderer, [
+      "fbm.fbm2_cell",
+      { sum: "fbm", noise: "perlin", dimensions: 2 },
+    ]);
     assert.notEqual(wrong.length, 0, renderer);
   }
   await setState(broken, { ...pictures[0], renderer: "webgl2" });

@@ -48,7 +48,9 @@ export const ready = (page) =>
 export const sent = (value) =>
   JSON.parse(JSON.stringify(value, (_, part) => (typeof part === "bigint" ? { parts: String(part) } : part)));
 export const received = (value) =>
-  JSON.parse(JSON.stringify(value), (_, part) => (part && typeof part === "object" && part.parts ? BigInt(part.parts) : part));
+  JSON.parse(JSON.stringify(value), (_, part) =>
+    part && typeof part === "object" && part.parts ? BigInt(part.parts) : part,
+  );
 
 // Sets the state of the page as it is, without the limits of what can be chosen.
 export const setState = (page, state) =>
@@ -58,34 +60,59 @@ export const setState = (page, state) =>
   }, sent(state));
 
 export const stateOfPage = async (page) =>
-  received(await page.evaluate(() =>
-    JSON.parse(JSON.stringify(window.hashnoise.state, (_, part) => (typeof part === "bigint" ? { parts: String(part) } : part)))));
+  received(
+    await page.evaluate(() =>
+      JSON.parse(
+        JSON.stringify(window.hashnoise.state, (_, part) =>
+          typeof part === "bigint" ? { parts: String(part) } : part,
+        ),
+      ),
+    ),
+  );
 
 // The bytes of a picture of this size, or the bits of its values, as words.
 export async function pixels(page, width, height, bits = false) {
-  const bytes = await page.evaluate(async (...size) => Array.from(await window.hashnoise.pixels(...size)), width, height, bits ? 1 : 0);
+  const bytes = await page.evaluate(
+    async (...size) => Array.from(await window.hashnoise.pixels(...size)),
+    width,
+    height,
+    bits ? 1 : 0,
+  );
   return bits ? Array.from(new Uint32Array(new Uint8Array(bytes).buffer)) : bytes;
 }
 
 export const copiedCode = (page, language, whole) =>
-  page.evaluate((tab, chosen) => {
-    document.getElementById(`language-${tab}`).click();
-    document.getElementById("whole").checked = chosen;
-    window.hashnoise.controls.show(window.hashnoise.state);
-    return window.hashnoise.controls.code;
-  }, language, whole);
+  page.evaluate(
+    (tab, chosen) => {
+      document.getElementById(`language-${tab}`).click();
+      document.getElementById("whole").checked = chosen;
+      window.hashnoise.controls.show(window.hashnoise.state);
+      return window.hashnoise.controls.code;
+    },
+    language,
+    whole,
+  );
 
 // The rows of a golden file (docs/formats.md): the columns by name, as words, and the bits of the first result.
 export async function golden(id, configuration) {
-  const lines = (await readFile(join(kRoot, "conformance", "expected", "golden", `${id}.${configuration}.golden`), "ascii")).split("\n");
-  const columns = lines.find((line) => line.startsWith("columns ")).slice(8).split(" = ")[0].split(" ").map((column) => column.split(":")[0]);
-  return lines.filter((line) => /^[0-9a-f]{8}[0-9a-f ]* = /.test(line)).map((line) => {
-    const [inputs, outputs] = line.split(" = ");
-    const words = Object.fromEntries(inputs.split(" ").map((word, at) => [columns[at], parseInt(word, 16)]));
-    const value = new DataView(new ArrayBuffer(8));
-    value.setBigUint64(0, BigInt(`0x${outputs.split(" ")[0]}`));
-    return { words, bits: bitsOf(value.getFloat64(0)) };
-  });
+  const lines = (
+    await readFile(join(kRoot, "conformance", "expected", "golden", `${id}.${configuration}.golden`), "ascii")
+  ).split("\n");
+  const columns = lines
+    .find((line) => line.startsWith("columns "))
+    .slice(8)
+    .split(" = ")[0]
+    .split(" ")
+    .map((column) => column.split(":")[0]);
+  return lines
+    .filter((line) => /^[0-9a-f]{8}[0-9a-f ]* = /.test(line))
+    .map((line) => {
+      const [inputs, outputs] = line.split(" = ");
+      const words = Object.fromEntries(inputs.split(" ").map((word, at) => [columns[at], parseInt(word, 16)]));
+      const value = new DataView(new ArrayBuffer(8));
+      value.setBigUint64(0, BigInt(`0x${outputs.split(" ")[0]}`));
+      return { words, bits: bitsOf(value.getFloat64(0)) };
+    });
 }
 
 export const bitsOf = (value) => new Uint32Array(new Float32Array([value]).buffer)[0];
