@@ -34,13 +34,6 @@ ADDRESS = "https://example.com/hashnoise.git"
 USED = ("CMakeLists.txt", "LICENSE", "glsl", "include", "meson.build", "packages/conan", "packages/vcpkg", "src",
         "tools/hashnoise-config.cmake.in", "tools/hashnoise.pc.in")
 FUNCTIONS = ("noise2d.perlin", "noise3d.simplex", "fbm.fbm2")
-SHADER = """#version 450
-#extension GL_GOOGLE_include_directive : require
-#include "fbm2d.glsl"
-layout(location = 0) in vec2 uv;
-layout(location = 0) out vec4 color;
-void main() { color = vec4(vec3(hn_fbm(uv, 6, 2.0, 0.5, 7u)), 1.0); }
-"""
 
 
 def section(title: str) -> str:
@@ -148,7 +141,7 @@ class CMake(Way):
     def test_from_git(self):
         from_git, _, _, shader = blocks("cmake", "CMake")
         self.write("CMakeLists.txt", from_git + shader)
-        self.write("noise.frag", SHADER)
+        self.write("noise.frag", blocks("glsl", "A shader for Vulkan")[0])
         self.assertEqual(self.differing(self.build()), {})
         self.assert_spirv(self.game / "build" / "noise.spv")
 
@@ -164,7 +157,7 @@ class CMake(Way):
         shutil.rmtree(self.game / "hashnoise")
         _, _, installed, shader = blocks("cmake", "CMake")
         self.write("CMakeLists.txt", installed + shader)
-        self.write("noise.frag", SHADER)
+        self.write("noise.frag", blocks("glsl", "A shader for Vulkan")[0])
         self.assertIn("-DCMAKE_PREFIX_PATH=prefix", section("CMake"))
         self.assertEqual(self.differing(self.build(f"-DCMAKE_PREFIX_PATH={self.game}/prefix")), {})
         self.assert_spirv(self.game / "build" / "noise.spv")
@@ -206,7 +199,7 @@ class Meson(Way):
         self.write("subprojects/hashnoise.wrap", wrap)
         project, shader = blocks("meson", "Meson")
         self.write("meson.build", project + shader)
-        self.write("noise.frag", SHADER)
+        self.write("noise.frag", blocks("glsl", "A shader for Vulkan")[0])
         for command in commands("Meson"):
             output = self.call(command, path=str(self.environment / "bin"))
             if command[1] == "setup":
@@ -236,7 +229,7 @@ class Conan(Way):
         self.write("conanfile.txt", requirements)
         _, _, installed, shader = blocks("cmake", "CMake")
         self.write("CMakeLists.txt", installed + shader)
-        self.write("noise.frag", SHADER)
+        self.write("noise.frag", blocks("glsl", "A shader for Vulkan")[0])
         for command in build:
             self.conan(*command)
         self.conan("cmake", "--build", "build")
@@ -264,7 +257,7 @@ class Vcpkg(Way):
         self.assertNotIn("portfile.cmake: warning", output)
         _, _, installed, shader = blocks("cmake", "CMake")
         self.write("CMakeLists.txt", installed + shader)
-        self.write("noise.frag", SHADER)
+        self.write("noise.frag", blocks("glsl", "A shader for Vulkan")[0])
         triplet, = (path for path in (self.folder / "installed").iterdir() if path.name != "vcpkg")
         self.call(["cmake", "-S", ".", "-B", "build", f"-DCMAKE_PREFIX_PATH={triplet}"])
         self.call(["cmake", "--build", "build"])

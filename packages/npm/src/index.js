@@ -39,6 +39,7 @@ const METRICS = ["euclidean", "squared", "manhattan", "chebyshev", "hybrid"]; //
 const KNOWN = ["noise", "sum", "seed", "period", "octaves", "lacunarity", "gain", "strength", "amplitude", "jitter", "metric"];
 const OF_SUMS = ["octaves", "lacunarity", "gain"];
 const MOST_OCTAVES = 1024; // more than any float shows
+const MOST_VALUES = 2 ** 31 - 1; // of an array, in every browser
 const BATCH = 1024; // points, as in twin.cpp
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -111,7 +112,13 @@ function oneOf(name, value, names) {
 }
 
 function shown(value) {
-  return typeof value === "string" ? `"${value}"` : Array.isArray(value) ? `[${value}]` : String(value);
+  if (typeof value === "string") return `"${value}"`;
+  if (Array.isArray(value)) return value.length > 8 ? `an array of ${value.length}` : `[${value}]`;
+  return ArrayBuffer.isView(value) ? `a ${value.constructor.name}` : String(value);
+}
+
+function known(options, names) {
+  for (const name of Object.keys(options)) oneOf("an option", name, names);
 }
 
 /** A number for each axis, from one for all or from an array of them. */
@@ -263,7 +270,9 @@ export class Field {
    * The values at many positions: an array of coordinates for each axis, all of the same length. With `cells`, arrays of
    * whole numbers, the coordinates are places in those.
    */
-  points(coordinates, { cells, out } = {}) {
+  points(coordinates, options = {}) {
+    known(options, ["cells", "out"]);
+    const { cells, out } = options;
     const { dimensions } = this;
     const lists = [[coordinates, "coordinates", "finite numbers", Float32Array, (n) => Number.isFinite(Math.fround(n))]];
     if (cells !== undefined) lists.push([cells, "cells", "whole numbers", Int32Array, Number.isSafeInteger]);
@@ -303,7 +312,9 @@ export class Field {
    * A uniform grid of size[0] by size[1] points and so on, from `origin` on, `step` cells apart; x is the fastest. With a
    * `cell` the origin is the place in it, and the grid is exact however far out.
    */
-  grid(size, { step, origin = 0, cell, out } = {}) {
+  grid(size, options = {}) {
+    known(options, ["step", "origin", "cell", "out"]);
+    const { step, origin = 0, cell, out } = options;
     const { dimensions } = this;
     const sizes = perAxis("size", size, dimensions, (name, one) => whole(name, one, 0, 2 ** 29 - 1));
     const steps = perAxis("step", step, dimensions, real);
@@ -347,7 +358,10 @@ export class Field {
 
   #out(out, count) {
     const length = count * this.components.length;
-    if (out === undefined) return new Float32Array(length);
+    if (out === undefined) {
+      if (length > MOST_VALUES) throw new RangeError(`an array has room for ${MOST_VALUES} values, not for ${length}`);
+      return new Float32Array(length);
+    }
     if (arrayOf("out", out, [Float32Array]).length !== length) {
       throw new RangeError(`out has to be of the length ${length}, and is of ${out.length}`);
     }

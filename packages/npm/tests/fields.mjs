@@ -99,6 +99,14 @@ test("what is passed to write into is written into", () => {
   assert.deepEqual(field.points([[]]), new Float32Array(0));
 });
 
+test("options that there are not, and arrays that do not fit, are named in a line", () => {
+  const field = new Field(2);
+  assert.throws(() => field.grid([4, 4], { step: 1, orign: 2 }), /an option has to be one of step, origin, cell, out, not "orign"/);
+  assert.throws(() => field.points([[1], [2]], { cell: [[1], [2]] }), /an option has to be one of cells, out, not "cell"/);
+  assert.throws(() => field.grid([4, 4], { step: 1, out: new Float64Array(16) }), /Float32Array, not a Float64Array$/);
+  assert.throws(() => field.grid([2 ** 20, 2 ** 20], { step: 1 }), /room for 2147483647 values, not for 1099511627776/);
+});
+
 test("wrong settings are told", () => {
   for (const [dimensions, settings, said] of [
     [4, {}, /dimensions has to be a whole number from 1 to 3, not 4/],

@@ -3,6 +3,8 @@ import { uv, vec3 } from "three/tsl";
 import { Field, init, type Settings } from "hashnoise";
 import fbm2d from "hashnoise/glsl/fbm2d";
 import noise2d from "hashnoise/glsl/noise2d";
+import included from "hashnoise/glsl/fbm2d.glsl";
+import everything from "hashnoise/hashnoise.glsl?raw";
 import { registerChunks } from "hashnoise/three";
 import { hn_fbm2, hn_perlin_d2 } from "hashnoise/tsl";
 import { hn_lattice2 } from "hashnoise/tsl/fixed";
@@ -15,7 +17,7 @@ export const heights: Float32Array = field.grid([4, 4], { step: 0.5, cell: [1, 2
 export const height: number = field.at(1, 2) + field.inCell([1, 2], [0, 0.5]);
 export const several: number[] = [...field.all(1, 2), ...field.points([[1], [2]], { cells: [[1], [2]] })];
 export const started: Promise<void> = init();
-export const text: string = fbm2d + noise2d + wgsl(hn_cellular2, hn_fbm3);
+export const text: string = fbm2d + noise2d + included + everything + wgsl(hn_cellular2, hn_fbm3);
 export const color = vec3(hn_fbm2(uv().mul(8), 6, 2, 0.5).add(0.5)).add(hn_perlin_d2(uv(), 7).mul(0.1));
 registerChunks();
 

@@ -20,9 +20,12 @@ example. The same tree makes the same bytes; the times in it are SOURCE_DATE_EPO
 def main() -> int:
     parser = argparse.ArgumentParser(prog="tools/godot-addon", description=DESCRIPTION,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("folder", nargs="?", type=Path, default=ROOT / "build" / "godot", metavar="FOLDER",
+    parser.add_argument("folder", nargs="?", default=str(ROOT / "build" / "godot"), metavar="FOLDER",
                         help="where the file goes (default: build/godot)")
-    folder = parser.parse_args().folder
+    given = parser.parse_args().folder
+    if not given:
+        parser.error("the folder has no name")
+    folder = Path(given)
     seconds = os.environ.get("SOURCE_DATE_EPOCH", "0")
     if not seconds.isdigit():
         parser.error(f"SOURCE_DATE_EPOCH is a number of seconds, not {seconds}")

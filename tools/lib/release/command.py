@@ -33,17 +33,23 @@ def parsed_arguments(arguments: list[str] | None) -> argparse.Namespace:
         parser.error(f"no part is left; there are {', '.join(PARTS)}")
     if parsed.folder.exists():
         parser.error(f"{parsed.folder} exists; name another folder, or remove it")
+    try:
+        parsed.folder.parent.mkdir(parents=True, exist_ok=True)
+        tempfile.TemporaryDirectory(dir=parsed.folder.parent).cleanup()
+    except OSError as error:
+        parser.error(f"the folder {parsed.folder} cannot be made: {error.strerror}")
     return parsed
 
 
 def make(folder: Path, parts: list[str], trial: bool) -> None:
     """All of it, or nothing: the folder appears when everything is in it."""
+    if not (ROOT / ".git").exists():
+        raise NoRelease(f"{ROOT} is no git repository, and a release is made of a commit")
     changed = run(["git", "-C", ROOT, "status", "--porcelain"]).splitlines()
     if changed and not trial:
         raise NoRelease(f"the tree is not what is committed: {changed[0]}"
                         f"{f' and {len(changed) - 1} more' if len(changed) > 1 else ''}; --trial makes one all the same")
     notes((ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), version(), trial)  # before what takes minutes
-    folder.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=folder.parent, prefix=f".{folder.name}.") as scratch:
         release = Release(Path(scratch) / "release")
         release.folder.mkdir()

@@ -37,7 +37,9 @@ def notes(changelog: str, wanted: str, trial: bool) -> str:
     if not re.fullmatch(r"\d{4}-\d\d-\d\d", section[1]) and not trial:
         raise NoRelease(f'CHANGELOG.md has "{section[1]}" in place of the day on which {wanted} is released; '
                         "--trial makes one all the same")
-    return f"# hashnoise {wanted}\n\n{section[2].rstrip()}\n"
+    # Links to the pages of the repository lead nowhere from a release.
+    text = re.sub(r"\[([^\]]+)\]\((?!\w+://)[^)]*\)", r"\1", section[2].rstrip())
+    return f"# hashnoise {wanted}\n\n{text}\n"
 
 
 def zipped(archive: Path, folder: Path, seconds: int) -> None:
@@ -74,8 +76,9 @@ class Release:
             log = {"stderr": subprocess.STDOUT}
             run(["cmake", "-S", ROOT, "-B", f"{scratch}/build", "-DHASHNOISE_GRID=OFF", "-DHASHNOISE_CONFORMANCE=OFF",
                  "-DHASHNOISE_TESTS=OFF", "-DHASHNOISE_INSTALL=ON", "-DCMAKE_INSTALL_LIBDIR=lib"], **log)
-            run(["cmake", "--install", f"{scratch}/build", "--prefix", f"{scratch}/headers"], **log)
-            (Path(scratch) / "headers" / "LICENSE").write_bytes((ROOT / "LICENSE").read_bytes())
+            top = Path(scratch) / "headers" / f"hashnoise-{self.version}"
+            run(["cmake", "--install", f"{scratch}/build", "--prefix", top], **log)
+            (top / "LICENSE").write_bytes((ROOT / "LICENSE").read_bytes())
             zipped(self.folder / f"hashnoise-{self.version}-headers.zip", Path(scratch) / "headers", self.seconds)
 
     def source(self) -> None:

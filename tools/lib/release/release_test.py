@@ -32,7 +32,7 @@ class Project(unittest.TestCase):
         for name in COPIED:
             copy = shutil.copytree if (ROOT / name).is_dir() else shutil.copy
             copy(ROOT / name, cls.original / name)
-        changelog = f"# Changelog\n\n## {version()} (2026-11-22)\n\n- It is there.\n\n## 0.0.1 (2025-01-01)\n\n- Old.\n"
+        changelog = f"# Changelog\n\n## {version()} (2026-11-22)\n\n- It is [there](docs/x.md).\n\n## 0.0.1 (2025-01-01)\n\n- Old.\n"
         (cls.original / "CHANGELOG.md").write_text(changelog)
         for arguments in (["init", "-q"], ["add", "-A"], ["commit", "-qm", "All of it"]):
             cls.git(cls.original, *arguments)
@@ -84,15 +84,17 @@ class Makes(Project):
         self.assertEqual(self.call("--only", "headers").returncode, 0)
         archive, = self.out.glob("*.zip")
         with zipfile.ZipFile(archive) as packed:
-            packed.extractall(self.out / "here")
+            packed.extractall(self.out)
+        here = self.out / f"hashnoise-{version()}"
         source = self.out / "game.cpp"
         source.write_text("#include <hashnoise/hashnoise.hpp>\n#include <hashnoise/grid.hpp>\n"
                           "float height(float x) { return hashnoise::hn_perlin(x, 7u); }\n")
-        done = subprocess.run(["g++", "-std=c++20", "-fsyntax-only", "-I", self.out / "here" / "include", source],
+        done = subprocess.run(["g++", "-std=c++20", "-fsyntax-only", "-I", here / "include", source],
                               capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertTrue((self.out / "here" / "lib" / "cmake" / "hashnoise" / "hashnoise-config.cmake").is_file())
-        self.assertTrue((self.out / "here" / "LICENSE").is_file())
+        self.assertTrue((here / "lib" / "cmake" / "hashnoise" / "hashnoise-config.cmake").is_file())
+        self.assertTrue((here / "LICENSE").is_file())
+        self.assertFalse((here / "include" / "hashnoise" / "field.hpp").exists())  # of a library that is not there
 
     def test_a_tool_that_fails_or_makes_another_version_is_noticed(self):
         tool = self.root / "tools" / "npm"
@@ -127,6 +129,16 @@ class Refuses(Project):
         done = self.call("--trial", "--only", "single")
         self.assertEqual((done.returncode, done.stdout), (2, ""))
         self.assertIn("exists; name another folder", done.stderr)
+
+    def test_a_folder_that_cannot_be_made(self):
+        self.out = self.root / "LICENSE" / "release"
+        done = self.call("--trial", "--only", "single")
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn(f"the folder {self.out} cannot be made", done.stderr)
+
+    def test_a_tree_without_git(self):
+        shutil.rmtree(self.root / ".git")
+        self.refused(1, "is no git repository", "--only", "single")
 
     def test_parts_that_there_are_not(self):
         self.refused(2, "there is no part rust; there are single, headers", "--only", "rust")

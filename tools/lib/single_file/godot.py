@@ -23,6 +23,7 @@ NO_PRECISE = "HN_I_HAS_PRECISE"
 # The macros of the library's own. Those that users write stay: knobs, their values, metrics.
 OWN = re.compile(r"(?!HN_\w+_GLSL)(HN_I_\w+|HN_FN|HN_[A-Z_]+[1-4]D|hn_\w+)")
 GUARD = re.compile(r"HN_\w+_GLSL")
+OF_SUMS = re.compile(r"HN_[A-Z_]+[1-4]D\(")
 SUM = re.compile(r"HN_[A-Z_]+[1-4]D\(\w+, \w+\)")  # a line that defines functions
 DIRECTIVE = re.compile(r"#(\w+)\s*(.*)")
 DEFINE = re.compile(r"(\w+)(\(([^)]*)\))?\s*(.*)")
@@ -132,6 +133,9 @@ def _without_macros(lines: list[str]) -> list[str]:
     for line in lines:
         name, rest = _directive(line)
         if name == "define" and DEFINE.fullmatch(rest)[1] in single:
+            if OF_SUMS.match(rest):  # what a comment says of it would be wrong
+                while left and left[-1].startswith("//"):
+                    left.pop()
             continue
         if SUM.fullmatch(line):
             for function in macros.expanded(line).split("HN_FN ")[1:]:

@@ -66,6 +66,8 @@ class SingleFile(unittest.TestCase):
                 self.assertEqual(tokens("--language", "godot", name), tokens(name))
         text = generate("--language", "godot", "--strip").stdout
         self.assertNotRegex(text, r"(?m)^HN_[A-Z_]+[1-4]D\(")
+        # No comment tells how to use them, either.
+        self.assertNotRegex(generate("--language", "godot").stdout, r"HN_[A-Z_]+[1-4]D\(")
         self.assertNotRegex(text, r"\bHN_(FN|I_OUT|I_SUMS\w*|I_BITCAST)\b|\bhn_u?i?vec|__cplusplus")
         self.assertLess(len(set(re.findall(r"#define (HN_I_\w+|hn_\w+)", text))), 25)
         # What knobs decide is still there.
@@ -233,6 +235,9 @@ class SingleFile(unittest.TestCase):
             self.assertEqual(generate("--out", str(path / "below")).returncode, 2)
 
     def test_an_unknown_file_is_named(self):
-        done = generate("nope.glsl")
+        done = generate("xyz")
         self.assertEqual(done.returncode, 2)
         self.assertIn("there are: arithmetic.glsl, cell_border2d.glsl", done.stderr)
+        self.assertIn("did you mean fbm2d.glsl?", generate("fbm2d").stderr)
+        for outside in ("../README.md", "/etc/passwd"):
+            self.assertEqual(generate(outside).returncode, 2)

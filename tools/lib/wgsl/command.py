@@ -7,6 +7,7 @@ import re
 import sys
 from pathlib import Path
 
+from library_file import check_name, write
 from tree import GLSL
 from wgsl.module import ARITHMETICS, GRADIENTS, HASHES, Module, Settings
 from wgsl.tokens import Unknown
@@ -40,9 +41,7 @@ def header(name: str, settings: Settings, import_path: str = "") -> str:
 """
 
 
-def parsed_arguments() -> argparse.Namespace:
-    parser = argparse.ArgumentParser(prog="tools/wgsl", description=DESCRIPTION, epilog=EPILOG,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+def parsed_arguments(parser: argparse.ArgumentParser) -> argparse.Namespace:
     parser.add_argument("--arithmetic", choices=(*ARITHMETICS, "HN_PRECISE"), default="HN_FAST", metavar="NAME",
                         help="HN_FAST (the default) or HN_FIXED. WGSL has no HN_PRECISE")
     parser.add_argument("--hash", choices=HASHES, default="LATTICE", metavar="NAME",
@@ -51,9 +50,9 @@ def parsed_arguments() -> argparse.Namespace:
                         help="with --hash CUSTOM: your function, which takes and returns a u32")
     parser.add_argument("--gradient", choices=GRADIENTS, default="OCTAHEDRAL", metavar="NAME",
                         help="OCTAHEDRAL (the default) or SINE")
-    parser.add_argument("--only", default="", metavar="NAMES",
+    parser.add_argument("--only", metavar="NAMES",
                         help="these functions and what they need, with commas between; else all public ones")
-    parser.add_argument("--import-path", default="", metavar="NAME",
+    parser.add_argument("--import-path", metavar="NAME",
                         help="for Bevy and naga_oil: write #define_import_path NAME, so that #import NAME::hn_fbm2 finds it")
     parser.add_argument("--strip", action="store_true", help="leave out comments, empty lines and indentation")
     parser.add_argument("--names", action="store_true", help="write which function of the GLSL has which name, instead")
@@ -61,10 +60,12 @@ def parsed_arguments() -> argparse.Namespace:
     parser.add_argument("--out", type=Path, metavar="FILE", help="the file to write (default: standard output)")
     parser.add_argument("name", nargs="?", default="hashnoise.glsl", help="a file of glsl/ (default: %(default)s)")
     arguments = parser.parse_args()
-    if not (arguments.glsl / arguments.name).is_file():
-        names = ", ".join(sorted(path.name for path in arguments.glsl.glob("*.glsl")))
-        parser.error(f"there is no {arguments.name} in {arguments.glsl}; there are: {names or 'no files'}")
-    if arguments.import_path and not IMPORT_PATH.fullmatch(arguments.import_path):
+    check_name(parser, arguments.name, arguments.glsl)
+    if arguments.only is not None:
+        arguments.only = [name.strip() for name in arguments.only.split(",") if name.strip()]
+        if not arguments.only:
+            parser.error("--only names no function; --names tells which there are")
+    if arguments.import_path is not None and not IMPORT_PATH.fullmatch(arguments.import_path):
         parser.error(f"an import path is made of names with :: between them, such as game::noise, not "
                      f"{arguments.import_path!r}")
     return arguments
@@ -77,27 +78,31 @@ def written_names(module: Module) -> str:
     return "".join(f"{line}\n" for line in sorted(lines))
 
 
-def output(arguments: argparse.Namespace) -> str:
-    settings = Settings(arguments.arithmetic, arguments.hash, arguments.gradient, arguments.hash_function)
-    module = Module(arguments.glsl, f'#include "{arguments.name}"\n', settings)
-    if arguments.names:
-        return written_names(module)
-    only = [name.strip() for name in arguments.only.split(",") if name.strip()]
-    return header(arguments.name, settings, arguments.import_path) + module.text(only, arguments.strip)
+def check_functions(parser: argparse.ArgumentParser, only: list[str], module: Module) -> None:
+    """Refuses what is no function of the module. Who writes the name that GLSL has is told those of its forms."""
+    known = sorted(set(module.names().values()))
+    for name in only:
+        if name not in known:
+            forms = [other for other in known if re.fullmatch(rf"{re.escape(name)}[1-4](_\w+)?", other)]
+            hint = f"it has a name for each form: {', '.join(forms)}" if forms else "--names tells which there are"
+            parser.error(f"there is no function {name} in WGSL; {hint}")
 
 
 def main() -> int:
-    arguments = parsed_arguments()
+    parser = argparse.ArgumentParser(prog="tools/wgsl", description=DESCRIPTION, epilog=EPILOG,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    arguments = parsed_arguments(parser)
+    settings = Settings(arguments.arithmetic, arguments.hash, arguments.gradient, arguments.hash_function)
     try:
-        text = output(arguments)
-        if arguments.out is None:
-            sys.stdout.write(text)
+        module = Module(arguments.glsl, f'#include "{arguments.name}"\n', settings)
+        if arguments.names:
+            text = written_names(module)
         else:
-            arguments.out.write_text(text, encoding="ascii")
+            check_functions(parser, arguments.only or [], module)
+            text = header(arguments.name, settings, arguments.import_path)
+            text += module.text(arguments.only or [], arguments.strip)
     except Unknown as error:
         sys.stderr.write(f"tools/wgsl: {error}\n")
         return 1
-    except OSError as error:
-        sys.stderr.write(f"tools/wgsl: cannot write {arguments.out}: {error.strerror}\n")
-        return 2
+    write(parser, text, arguments.out)
     return 0
