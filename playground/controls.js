@@ -13,7 +13,7 @@ import {
   kSums,
   kWarps,
   noisesOf,
-  parsedPosition,
+  parsed,
   positionText,
   uses,
 } from "./model.js";
@@ -110,9 +110,7 @@ export class Controls {
   makeText(name) {
     const input = byId(name);
     const entered = () => {
-      const position = typeof kSettings[name].usual === "bigint";
-      const number = input.value.trim() === "" ? NaN : Number(input.value.replace(",", "."));
-      const value = position ? parsedPosition(input.value) : Number.isFinite(number) ? number : undefined;
+      const value = parsed(name, input.value);
       input.setAttribute("aria-invalid", String(value === undefined));
       if (value !== undefined) this.change({ [name]: value });
     };
