@@ -154,8 +154,17 @@ test("positions are exact", () => {
     assert.equal(parsedPosition(given), undefined, given);
     assert.equal(parsedNumber(given), undefined, given);
   }
-  for (const [given, number] of [["1e3", 1000], ["1,25", 1.25], ["−.5", -0.5], ["1e999", Infinity], ["0e999", 0], [`1e-${"9".repeat(400)}`, 0], [`1e${"9".repeat(30)}`, Infinity]])
+  for (const [given, number] of [
+    ["1e3", 1000],
+    ["1,25", 1.25],
+    ["−.5", -0.5],
+    ["1e999", Infinity],
+    ["0e999", 0],
+    [`1e-${"9".repeat(400)}`, 0],
+    [`1e${"9".repeat(30)}`, Infinity],
+  ]) {
     assert.equal(parsedNumber(given), number, given);
+  }
 });
 
 test("what is below a pointer stays there while the scale changes", () => {
