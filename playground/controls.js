@@ -8,12 +8,14 @@ import {
   kMaps,
   kMetrics,
   kNoises,
+  kParts,
   kRenderers,
   kSettings,
   kSums,
   kWarps,
   noisesOf,
-  parsedPosition,
+  numbersOf,
+  parsed,
   positionText,
   uses,
 } from "./model.js";
@@ -58,10 +60,11 @@ function element(tag, properties = {}, ...children) {
 }
 
 export class Controls {
-  // `change` takes what is chosen, {name: value}; `look` the name of a look.
-  constructor(library, change, look) {
+  // `change` takes what is chosen, {name: value}; `look` the name of a look; `zoom` by how much to change the scale.
+  constructor(library, change, look, zoom) {
     this.library = library;
     this.change = change;
+    this.zoom = zoom;
     this.language = "glsl";
     this.state = undefined;
     for (const [name, table] of Object.entries(kSelects)) this.makeSelect(name, table);
@@ -109,12 +112,19 @@ export class Controls {
 
   makeText(name) {
     const input = byId(name);
+    const wrong = element("p", { className: "wrong", id: `wrong-${name}`, hidden: true });
+    wrong.setAttribute("role", "alert");
+    input.after(wrong);
     const entered = () => {
-      const position = typeof kSettings[name].usual === "bigint";
-      const number = input.value.trim() === "" ? NaN : Number(input.value.replace(",", "."));
-      const value = position ? parsedPosition(input.value) : Number.isFinite(number) ? number : undefined;
-      input.setAttribute("aria-invalid", String(value === undefined));
-      if (value !== undefined) this.change({ [name]: value });
+      const value = parsed(name, input.value);
+      if (value !== undefined) {
+        this.change({ [name]: value });
+        return;
+      }
+      input.setAttribute("aria-invalid", "true");
+      input.setAttribute("aria-describedby", wrong.id);
+      wrong.textContent = `This field takes ${numbersOf(name)}.`;
+      wrong.hidden = false;
     };
     input.addEventListener("change", entered);
     // The arrows count up and down, as in a field of numbers. (Such a field has no room for BigInt.)
@@ -122,16 +132,17 @@ export class Controls {
       const steps = { ArrowUp: 1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[event.key];
       if (!steps) return;
       event.preventDefault();
-      const { state } = this;
-      const next =
-        typeof state[name] === "bigint"
-          ? state[name] + BigInt(steps) * 16777216n
-          : name === "cells"
-            ? state[name] * 2 ** (steps / 4)
-            : state[name] + steps;
-      this.change({ [name]: next });
+      if (name === "cells") {
+        this.zoom(2 ** (steps / 4));
+        return;
+      }
+      const value = this.state[name];
+      this.change({ [name]: typeof value === "bigint" ? value + BigInt(steps) * kParts : value + steps });
     });
-    input.addEventListener("blur", () => this.show(this.state));
+    // What is wrong stays until something else is shown.
+    input.addEventListener("blur", () => {
+      if (input.getAttribute("aria-invalid") !== "true") this.show(this.state);
+    });
   }
 
   makeSwatches() {
@@ -167,6 +178,7 @@ export class Controls {
 
   chooseLanguage(language) {
     this.language = language;
+    this.showUncopied();
     for (const tab of byId("languages").children) {
       const chosen = tab.id === `language-${language}`;
       tab.setAttribute("aria-selected", String(chosen));
@@ -201,6 +213,26 @@ export class Controls {
     );
   }
 
+  // This text by this button, for people to copy what the browser did not; without a text there is none.
+  showUncopied(text, button) {
+    byId("uncopied").hidden = text === undefined;
+    if (text === undefined) return;
+    button.parentElement.after(byId("uncopied"));
+    byId("text-uncopied").value = text;
+    byId("text-uncopied").focus();
+    byId("text-uncopied").select();
+  }
+
+  // Nobody can choose this any more. Who just did goes on at the other choice.
+  refuseRenderer(name, sentence, other) {
+    const choice = byId(`renderer-${name}`);
+    if (document.activeElement === choice) byId(`renderer-${other}`).focus();
+    choice.disabled = true;
+    byId("note-renderer").textContent = sentence;
+    byId("note-renderer").hidden = false;
+    byId("renderer").parentElement.setAttribute("aria-describedby", "note-renderer");
+  }
+
   show(state) {
     this.state = state;
     const used = uses(state);
@@ -227,6 +259,8 @@ export class Controls {
       const text = typeof state[name] === "bigint" ? positionText(state[name]) : String(state[name]);
       if (input.value !== text) input.value = text;
       input.removeAttribute("aria-invalid");
+      input.removeAttribute("aria-describedby");
+      byId(`wrong-${name}`).hidden = true;
     }
     for (const name of Object.keys(kSettings)) {
       const row = byId(`row-${name}`);

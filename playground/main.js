@@ -5,6 +5,7 @@ import { costOf } from "./cost.js";
 import { unpacked } from "./library.js";
 import {
   kNoises,
+  kRenderers,
   kSettings,
   kSums,
   linkOf,
@@ -29,6 +30,8 @@ const kResting = 1200; // and when it rests
 const kCoarsest = 8;
 const kRest = 160; // milliseconds without a change after which it is drawn fine again
 const kLinkDelay = 300; // browsers refuse an address that changes too often
+const kStill = "This picture does not move. Choose 3D or 4D, or one octave of Perlin or simplex noise in 2D.";
+const kTold = 1500; // milliseconds for which a button says that it has copied
 const kSpeed = 0.25; // cells, or turns over four, in a second
 
 class Playground {
@@ -38,6 +41,7 @@ class Playground {
     this.programs = new Map();
     this.state = stateOf(location.hash);
     this.speeds = new WeakMap(); // milliseconds that a pixel takes, by the program
+    this.labelTimers = new Map(); // by the button
     this.moves = false;
     this.playing = false;
     this.pointer = undefined; // where the value is read
@@ -45,6 +49,7 @@ class Playground {
       library,
       (changes) => this.change(changes),
       (name) => this.look(name),
+      (factor) => this.zoom(factor),
     );
     byId("version").textContent = library.version;
   }
@@ -69,10 +74,13 @@ class Playground {
     const moved = this.state.renderer !== state.renderer;
     this.state = state;
     if (this.playing && !this.animated) this.play(false);
-    byId("play").disabled = !this.animated;
-    byId("play").title = this.animated
-      ? "Play (space)"
-      : "3D and 4D can be played, and single Perlin and simplex noise in 2D";
+    byId("play").setAttribute("aria-disabled", String(!this.animated));
+    byId("play").title = this.animated ? "Play (space)" : kStill;
+    byId("still").textContent = this.animated ? "" : kStill;
+    if (!this.playing) {
+      byId("hint").hidden = true;
+      this.controls.showUncopied();
+    }
     this.controls.show(state);
     this.describe();
     if (this.measured && this.measured !== this.costKey) {
@@ -87,19 +95,24 @@ class Playground {
     this.linkTimer = setTimeout(() => this.writeLink(), kLinkDelay);
   }
 
+  // A look changes everything, so the browser's Back brings back what was shown.
   look(name) {
-    this.take(stateOfLook(name, this.state));
-    byId("said").textContent = `${name} is shown.`;
+    const next = stateOfLook(name, this.state);
+    const other = linkOf(next) !== this.link;
+    this.writeLink();
+    this.take(next);
+    if (other) this.writeLink("pushState");
+    byId("said").textContent = `${name} is shown. Back undoes it.`;
   }
 
   get link() {
     return linkOf(this.state);
   }
 
-  writeLink() {
+  writeLink(how = "replaceState") {
     clearTimeout(this.linkTimer);
     try {
-      history.replaceState(null, "", this.link || location.pathname + location.search);
+      history[how](null, "", this.link || location.pathname + location.search);
     } catch {
       // A page in a frame without an address of its own has no link. Copying one still works.
     }
@@ -245,24 +258,23 @@ class Playground {
   }
 
   async failed(error) {
-    if (this.state.renderer === "webgpu" && (!this.backends.webgpu || this.backends.webgpu.lost)) this.withoutWebGPU();
+    const { renderer } = this.state;
+    const { webgl2, webgpu } = this.backends;
+    if (renderer === "webgpu" && (!webgpu || webgpu.lost) && this.without("webgpu", "webgl2")) return;
     if (this.backends[this.state.renderer]?.lost) return;
-    if (this.state.renderer === "webgl2" && !this.backends.webgl2 && !byId("renderer-webgpu").disabled) {
-      byId("renderer-webgl2").disabled = true;
-      this.take({ ...this.state, renderer: "webgpu" });
-      return;
-    }
+    if (renderer === "webgl2" && !webgl2 && this.without("webgl2", "webgpu")) return;
     byId("message").textContent = error.message;
     byId("message").hidden = false;
   }
 
-  // A device that is lost once is lost again: WebGL2 goes on.
-  withoutWebGPU() {
-    const choice = byId("renderer-webgpu");
-    choice.disabled = true;
-    choice.parentElement.title = "WebGPU does not work in this browser.";
-    byId("said").textContent = "WebGPU does not work in this browser. WebGL2 draws the picture.";
-    this.take({ ...this.state, renderer: "webgl2" });
+  // What does not work is not tried again: a device that is lost once is lost again. Says whether the other takes over.
+  without(name, other) {
+    if (byId(`renderer-${other}`).disabled) return false;
+    const sentence = `${kRenderers[name]} does not work in this browser, so ${kRenderers[other]} draws the picture.`;
+    this.take({ ...this.state, renderer: other });
+    this.controls.refuseRenderer(name, sentence, other);
+    byId("said").textContent = sentence;
+    return true;
   }
 
   // Four bytes a pixel from the lower left corner on, of a picture of this size: of colours, or of the bits of values.
@@ -317,7 +329,14 @@ class Playground {
   }
 
   play(on) {
-    if (on && !this.animated) return;
+    if (on && !this.animated) {
+      // The words are new each time, so that they are read aloud each time.
+      byId("hint").textContent = kStill;
+      byId("hint").hidden = false;
+      byId("said").textContent = "";
+      requestAnimationFrame(() => (byId("said").textContent = kStill));
+      return;
+    }
     this.playing = on;
     byId("play").setAttribute("aria-pressed", String(on));
     byId("play").setAttribute("aria-label", on ? "Stop" : "Play");
@@ -371,6 +390,7 @@ class Playground {
   }
 
   async copy(text, button, what) {
+    let done = true;
     try {
       await navigator.clipboard.writeText(text);
     } catch {
@@ -378,15 +398,22 @@ class Playground {
       const area = Object.assign(document.createElement("textarea"), { value: text });
       document.body.append(area);
       area.select();
-      document.execCommand("copy");
+      done = document.execCommand("copy");
       area.remove();
       button.focus();
     }
-    const before = button.textContent;
-    if (before !== "Copied") {
-      button.textContent = "Copied";
-      setTimeout(() => (button.textContent = before), 1500);
+    this.controls.showUncopied(done ? undefined : text, button);
+    if (!done) {
+      byId("said").textContent = `${what} is not copied.`;
+      return;
     }
+    button.dataset.label ??= button.textContent;
+    button.textContent = "Copied";
+    clearTimeout(this.labelTimers.get(button));
+    this.labelTimers.set(
+      button,
+      setTimeout(() => (button.textContent = button.dataset.label), kTold),
+    );
     byId("said").textContent = `${what} is copied.`;
   }
 
@@ -408,9 +435,14 @@ class Playground {
     this.change(panned(this.state, width, height, right, up));
   }
 
+  // A scale has six digits. What they leave out is kept, so that one step back undoes one forth.
   zoom(factor, at = [0, 0]) {
     const [width, height] = this.size;
-    this.change(zoomed(this.state, width, height, factor, ...at, kSettings.cells));
+    const { cells } = this.state;
+    const { from, to } = kSettings.cells;
+    const exact = (this.scale?.shown === cells ? this.scale.exact : cells) * factor;
+    this.change(zoomed(this.state, width, height, exact / cells, ...at, kSettings.cells));
+    this.scale = { shown: this.state.cells, exact: Math.min(Math.max(exact, from), to) };
   }
 
   home() {
@@ -479,7 +511,7 @@ class Playground {
 
   restored(canvas) {
     const name = canvas.id.replace("picture-", "");
-    if (name === "webgpu" && this.state.renderer === name) this.withoutWebGPU();
+    if (name === "webgpu" && this.state.renderer === name) this.without("webgpu", "webgl2");
     delete this.backends[name];
     for (const key of this.programs.keys()) if (key.startsWith(`${name} `)) this.programs.delete(key);
     if (name === this.state.renderer) this.request();
@@ -520,15 +552,15 @@ class Playground {
       this.writeLink();
       this.copy(location.href, byId("link"), "The link");
     });
-    addEventListener("hashchange", () => {
-      if (location.hash !== this.link) this.take(stateOf(location.hash));
-    });
+    // At popstate already, so that no link is written to the place in the history that is gone to.
+    for (const type of ["popstate", "hashchange"]) {
+      addEventListener(type, () => {
+        if (location.hash !== this.link) this.take(stateOf(location.hash));
+      });
+    }
     new ResizeObserver(() => this.request()).observe(byId("stage"));
     document.addEventListener("visibilitychange", () => document.hidden && this.play(false));
-    if (!navigator.gpu) {
-      byId("renderer-webgpu").disabled = true;
-      byId("renderer-webgpu").parentElement.title = "This browser has no WebGPU.";
-    }
+    if (!navigator.gpu) this.controls.refuseRenderer("webgpu", "This browser has no WebGPU.", "webgl2");
     this.chooseCanvas();
     this.take(this.state);
     await this.request();

@@ -133,6 +133,7 @@ export const kSettings = {
 // A position is a whole number of these parts of a cell: a BigInt of 56 bits, since cells wrap at 2^32.
 export const kParts = 16777216n;
 const kDigits = 100000000n;  // of a fraction in a link: finer than a part, so that a part comes back as it was
+const kLimit = 2147483648n * kParts;  // positions are from -2^31 cells up to below 2^31
 
 export const wrapped = (parts) => BigInt.asIntN(56, parts);
 
@@ -144,13 +145,44 @@ export function positionText(parts) {
   return `${parts < 0n ? "-" : ""}${whole}${fraction ? `.${fraction}` : ""}`;
 }
 
-// Nothing for what is no number.
-export function parsedPosition(text) {
-  const match = /^\s*([-+−]?)(\d{1,15})(?:[.,](\d*))?\s*$/.exec(text);
+const kMostPower = 1000000000;  // beyond it a power of ten is as good as this one
+
+// The parts of a number as people and programs write it, such as -12.5, 1,25, .5, 3e-4 or Infinity: its sign, its
+// digits, and the power of ten that they are multiplied by. Nothing for what is no number.
+function partsOfNumber(text) {
+  const match = /^\s*([-+−]?)(?:(Infinity)|(?=[.,]?\d)(\d*)(?:[.,](\d*))?(?:e([-+−]?\d+))?)\s*$/i.exec(text);
   if (!match) return undefined;
-  const digits = BigInt((match[3] ?? "").padEnd(8, "0").slice(0, 8));
-  const parts = BigInt(match[2]) * kParts + (digits * kParts + kDigits / 2n) / kDigits;
-  return wrapped(match[1] === "-" || match[1] === "−" ? -parts : parts);
+  const [, sign, infinite, whole = "", fraction = "", exponent = "0"] = match;
+  const power = Number(exponent.replace("−", "-"));
+  return {
+    negative: sign === "-" || sign === "−",
+    digits: infinite ? "1" : (whole + fraction).replace(/^0+/, ""),
+    power: infinite ? kMostPower : Math.max(-kMostPower, Math.min(power, kMostPower)) - fraction.length,
+  };
+}
+
+// Of a number that is too large for a float it is an infinity, and possible() makes of that the largest that can be.
+export function parsedNumber(text) {
+  const parts = partsOfNumber(text);
+  if (!parts) return undefined;
+  const { negative, digits, power } = parts;
+  const size = Number(`${digits || "0"}e${power}`);
+  return negative ? -size : size;
+}
+
+// Exact, and the nearest position that there is for a number that is none.
+export function parsedPosition(text) {
+  const parts = partsOfNumber(text);
+  if (!parts) return undefined;
+  const { negative, digits, power } = parts;
+  const places = digits.length + power; // in front of the point
+  if (!digits || places < -9) return 0n;
+  if (places > 10) return negative ? -kLimit : kLimit - 1n;
+  const scaled = BigInt(digits) * kParts;
+  const ten = 10n ** BigInt(Math.abs(power));
+  const size = power < 0 ? (scaled + ten / 2n) / ten : scaled * ten;
+  if (size >= kLimit) return negative ? -kLimit : kLimit - 1n;
+  return negative ? -size : size;
 }
 
 // Numbers have at most four digits behind the point, and at most seven in all, so that a link has them as they are.
@@ -171,7 +203,7 @@ export function possible(state) {
     } else if (typeof setting.usual === "bigint") {
       next[name] = typeof next[name] === "bigint" ? wrapped(next[name]) : setting.usual;
     } else {
-      const value = Number.isFinite(next[name]) ? next[name] : setting.usual;
+      const value = typeof next[name] !== "number" || Number.isNaN(next[name]) ? setting.usual : next[name];
       next[name] = name === "cells" ? Number(Math.min(Math.max(value, setting.from), setting.to).toPrecision(6))
                                     : rounded(Math.min(Math.max(value, setting.from), setting.to), setting);
     }
@@ -226,16 +258,28 @@ export function linkOf(state) {
   return parts.length ? `#${parts.join("&")}` : "";
 }
 
+// What somebody wrote as the value of a setting. Nothing for what is no number where it should be one.
+export function parsed(name, text) {
+  const setting = kSettings[name];
+  if (setting.of) return text;
+  return typeof setting.usual === "bigint" ? parsedPosition(text) : parsedNumber(text);
+}
+
+// Which numbers a setting takes, for people.
+export function numbersOf(name) {
+  const { usual, whole, from, to } = kSettings[name];
+  if (typeof usual === "bigint") return "a number from −2147483648 to 2147483648, such as 12.5 or 1e9";
+  return `a ${whole ? "whole " : ""}number from ${from} to ${to}`;
+}
+
 // The state of a link. Unknown names and values that are none count as absent.
 export function stateOf(link) {
   const given = new URLSearchParams(link.replace(/^#/, ""));
   const state = usualState();
   for (const [name, setting] of Object.entries(kSettings)) {
     const text = given.get(name);
-    if (text === null || text.trim() === "") continue;
-    if (setting.of) state[name] = text;
-    else if (typeof setting.usual === "bigint") state[name] = parsedPosition(text) ?? setting.usual;
-    else state[name] = Number.isFinite(Number(text)) ? Number(text) : setting.usual;
+    if (text === null) continue;
+    state[name] = parsed(name, text) ?? setting.usual;
   }
   if (!given.has("strength") && Object.hasOwn(kSums, state.sum)) state.strength = usualOf("strength", state);
   return possible(state);

@@ -42,6 +42,36 @@ async function nameless(page) {
   return found;
 }
 
+// The text of an element; nothing if nobody sees it.
+const visibleText = (page, id) =>
+  page.$eval(`#${id}`, (shown) => (shown.checkVisibility() ? shown.textContent : ""));
+
+// What is seen, as bytes of pixels.
+async function screen(page) {
+  const png = await page.screenshot({ encoding: "base64" });
+  return page.evaluate(async (text) => {
+    const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+    const image = await createImageBitmap(new Blob([bytes]));
+    const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
+    context.drawImage(image, 0, 0);
+    return Array.from(context.getImageData(0, 0, image.width, image.height).data);
+  }, png);
+}
+
+// How many pixels of two screens differ so much that everybody sees it: three to one in light.
+function differing(one, other) {
+  const light = (screen, at) => {
+    const [red, green, blue] = [0, 1, 2].map((part) => (screen[at + part] / 255) ** 2.2);
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue + 0.05;
+  };
+  let count = 0;
+  for (let at = 0; at < one.length; at += 4) {
+    const ratio = light(one, at) / light(other, at);
+    if (ratio >= 3 || ratio <= 1 / 3) ++count;
+  }
+  return count;
+}
+
 let browser;
 before(async () => (browser = await launched()));
 after(() => browser.close());
@@ -133,15 +163,6 @@ test("a keyboard alone is enough", async () => {
   );
   assert.match((await page.evaluate(() => window.copies)).join(), /fn pattern_cell\(cell: vec3i, f: vec3f\)/);
 
-  // The focus is seen wherever it is.
-  for (const id of ["play", "sum", "octaves", "seed", "copy"]) {
-    await tabTo(page, id);
-    const seen = await page.evaluate(() => {
-      const { outlineStyle, boxShadow } = getComputedStyle(document.activeElement);
-      return outlineStyle !== "none" || boxShadow !== "none";
-    });
-    assert.ok(seen, id);
-  }
   await page.evaluate(() => document.getElementById("picture-webgl2").focus());
   const before = (await stateOfPage(page)).z;
   await press(page, "Space");
@@ -150,6 +171,27 @@ test("a keyboard alone is enough", async () => {
   assert.equal(await page.evaluate(() => window.hashnoise.playing), false);
   assert.deepEqual(page.complaints, []);
   await page.close();
+});
+
+test("the focus is seen wherever it is, on a dark picture and on a light one", async () => {
+  // In such a small part of a cell the picture has one colour.
+  for (const [seed, colour] of [
+    [5, 0],
+    [2, 255],
+  ]) {
+    const link = `#sum=none&noise=cells&map=grey&contrast=4&cells=0.02&seed=${seed}`;
+    const page = await opened(browser, { viewport: kLaptop, link });
+    assert.deepEqual(await pixels(page, 1, 1), [colour, colour, colour, 255]);
+    for (const id of ["picture-webgl2", "play", "sum", "seed", "copy"]) {
+      await tabTo(page, id);
+      const focus = await screen(page);
+      await page.evaluate(() => document.activeElement.blur());
+      const pixelsOfRing = differing(focus, await screen(page));
+      await page.$eval(`#${id}`, (control) => control.focus());
+      assert.ok(pixelsOfRing > 100, `${pixelsOfRing} pixels differ by the focus on ${id}, above ${colour}`);
+    }
+    await page.close();
+  }
 });
 
 test("what is not of a place is not taken, and said", async () => {
@@ -164,8 +206,23 @@ test("what is not of a place is not taken, and said", async () => {
       text,
     );
   };
+  const message = () => page.$eval("#wrong-x", (text) => (text.checkVisibility() ? text.textContent : ""));
+  assert.equal(await message(), "");
   await enter("x", "nowhere");
   assert.equal(await page.$eval("#x", (input) => input.getAttribute("aria-invalid")), "true");
+  assert.match(await message(), /takes a number from −2147483648 to 2147483648, such as/);
+  assert.equal(await page.$eval("#x", (input) => input.getAttribute("aria-describedby")), "wrong-x");
+  // It stays while people look elsewhere, until they choose something.
+  await page.focus("#x");
+  await page.focus("#y");
+  assert.notEqual(await message(), "");
+  assert.equal(await page.$eval("#x", (input) => input.value), "nowhere");
+  await enter("y", "2.5e1");
+  assert.equal((await stateOfPage(page)).y, 25n << 24n);
+  assert.equal(await message(), "");
+  assert.equal(await page.$eval("#x", (input) => input.value), "0");
+  await enter("seed", "many");
+  assert.match(await page.$eval("#wrong-seed", (text) => text.textContent), /a whole number from 0 to 4294967295\.$/);
   await enter("x", "1000000000.5");
   assert.equal((await stateOfPage(page)).x, 1000000000n * 16777216n + 8388608n);
   assert.equal(await page.$eval("#x", (input) => input.getAttribute("aria-invalid")), null);
@@ -316,6 +373,7 @@ test("light and dark have enough contrast", async () => {
         ratio("--on-accent", "--accent"),
         ratio("--ink", "--field"),
         ratio("--ink", "--chosen"),
+        ratio("--wrong", "--paper"),
       ];
     });
     assert.ok(Math.min(...ratios) >= 4.5, `${value}: ${ratios}`);
@@ -339,7 +397,145 @@ test("WebGPU draws, and where there is none the page says so and goes on", async
     () => window.hashnoise.state.renderer === "webgl2" && !document.getElementById("picture-webgl2").hidden,
   );
   assert.equal(await without.$eval("#message", (message) => message.hidden), true);
+  assert.match(await visibleText(without, "note-renderer"), /^WebGPU does not work in this browser/);
   await without.close();
+});
+
+test("a WebGPU that does not work leaves a sentence, and the focus", async () => {
+  const page = await opened(browser, {
+    viewport: kLaptop,
+    before: () => {
+      navigator.gpu.requestAdapter = async () => {
+        throw new Error("raw text");
+      };
+    },
+  });
+  await page.evaluate(() => {
+    window.messages = [];
+    const message = document.getElementById("message");
+    new MutationObserver(() => window.messages.push(message.textContent)).observe(message, {
+      attributes: true,
+      childList: true,
+    });
+  });
+  assert.equal(await visibleText(page, "note-renderer"), "");
+  await page.focus("#renderer-webgl2");
+  await press(page, "ArrowRight");
+  await page.waitForFunction(() => document.getElementById("renderer-webgpu").disabled);
+  await wait(settled);
+  const sentence = "WebGPU does not work in this browser, so WebGL2 draws the picture.";
+  assert.equal(await visibleText(page, "note-renderer"), sentence);
+  assert.equal(await focused(page), "renderer-webgl2");
+  assert.equal((await stateOfPage(page)).renderer, "webgl2");
+  const messages = await page.evaluate(() => window.messages);
+  assert.ok(!messages.includes("raw text"), messages.join());
+  await page.close();
+});
+
+test("Back undoes a look, and nothing else", async () => {
+  const page = await opened(browser, { viewport: kLaptop, link: "#noise=value&octaves=3" });
+  const back = async (seed) => {
+    await page.evaluate(() => history.back());
+    await page.waitForFunction((expected) => window.hashnoise.state.seed === expected, {}, seed);
+  };
+  const entries = () => page.evaluate(() => history.length);
+  const number = await entries();
+  await page.click("#dice"); // not yet in the address when the look comes
+  const before = await stateOfPage(page);
+  await page.click("#looks button:nth-child(1)");
+  assert.equal(await entries(), number + 1);
+  await page.click("#looks button:nth-child(1)"); // which is shown already
+  await page.click("#in");
+  await wait(settled);
+  assert.equal(await entries(), number + 1);
+  await page.click("#looks button:nth-child(3)");
+  await page.click("#in");
+  await back(21);
+  assert.equal((await stateOfPage(page)).sum, "fbm");
+  assert.ok((await stateOfPage(page)).cells < 5);
+  await back(before.seed);
+  assert.deepEqual(await stateOfPage(page), before);
+  await wait(settled);
+  assert.equal(await page.evaluate(() => location.hash), `#noise=value&seed=${before.seed}&octaves=3`);
+  await page.evaluate(() => history.forward());
+  await page.waitForFunction(() => window.hashnoise.state.map === "land");
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+test("Smaller undoes Larger", async () => {
+  for (const link of ["", "#cells=7.3", "#cells=0.123456", "#cells=987654"]) {
+    const page = await opened(browser, { viewport: kLaptop, link });
+    const { cells } = await stateOfPage(page);
+    for (const id of ["in", "in", "in", "out", "out", "out"]) await page.click(`#${id}`);
+    assert.equal((await stateOfPage(page)).cells, cells);
+    await page.focus("#cells");
+    await press(page, "ArrowDown", "ArrowDown", "ArrowDown", "ArrowUp", "ArrowUp", "ArrowUp");
+    assert.equal((await stateOfPage(page)).cells, cells);
+    await page.close();
+  }
+});
+
+test("it says that it has copied only if it has", async () => {
+  const page = await opened(browser, {
+    viewport: kLaptop,
+    before: () => {
+      window.works = false;
+      const writeText = async () => {
+        if (!window.works) throw new Error("refused");
+      };
+      Object.defineProperty(navigator, "clipboard", { value: { writeText } });
+      document.execCommand = () => false;
+    },
+  });
+  const label = (id) => page.$eval(`#${id}`, (button) => button.textContent);
+  for (const [id, expected] of [
+    ["copy", await page.evaluate(() => window.hashnoise.controls.code)],
+    ["link", kPage],
+  ]) {
+    const before = await label(id);
+    await page.click(`#${id}`);
+    assert.equal(await label(id), before);
+    assert.match(await visibleText(page, "note-uncopied"), /did not let the page copy/);
+    assert.match(await page.$eval("#said", (said) => said.textContent), /is not copied/);
+    const selected = await page.evaluate(() => {
+      const { value, selectionStart, selectionEnd } = document.activeElement;
+      return value.slice(selectionStart, selectionEnd);
+    });
+    assert.equal(selected, expected);
+  }
+  await page.evaluate(() => (window.works = true));
+  await page.click("#copy");
+  assert.equal(await label("copy"), "Copied");
+  assert.equal(await visibleText(page, "note-uncopied"), "");
+  // The second time counts from its own beginning.
+  await wait(1000);
+  await page.click("#copy");
+  await wait(1000);
+  assert.equal(await label("copy"), "Copied");
+  await wait(800);
+  assert.equal(await label("copy"), "Copy");
+  await page.close();
+});
+
+test("Play says why it does not", async () => {
+  const page = await opened(browser, { viewport: kLaptop });
+  const described = () =>
+    page.$eval("#play", (button) => document.getElementById(button.getAttribute("aria-describedby")).textContent);
+  assert.match(await described(), /^This picture does not move\. Choose 3D or 4D/);
+  assert.equal(await visibleText(page, "hint"), "");
+  for (const id of ["play", "picture-webgl2"]) {
+    await page.focus(`#${id}`);
+    await press(page, "Space");
+    assert.equal(await visibleText(page, "hint"), await described());
+    await page.waitForFunction(() => /does not move/.test(document.getElementById("said").textContent));
+    await page.click("#dimensions label:nth-child(3)");
+    assert.equal(await visibleText(page, "hint"), "");
+    assert.equal(await described(), "");
+    await page.click("#dimensions label:nth-child(2)");
+  }
+  assert.equal(await page.evaluate(() => window.hashnoise.playing), false);
+  await page.close();
 });
 
 test("a lost context comes back", async () => {

@@ -18,6 +18,7 @@ import {
   kWarps,
   linkOf,
   noisesOf,
+  parsedNumber,
   parsedPosition,
   positionText,
   possible,
@@ -91,7 +92,24 @@ test("a link with what is not there still opens", () => {
     ["#seed=-5", "seed", 0],
     ["#octaves=1e9", "octaves", 16],
     ["#gain=much", "gain", 0.5],
+    ["#octaves=0x10", "octaves", 6],
+    ["#octaves=", "octaves", 6],
+    ["#octaves=1e99", "octaves", 16],
+    ["#lacunarity=1e999", "lacunarity", 8],
+    ["#lacunarity=Infinity", "lacunarity", 8],
+    ["#lacunarity=-Infinity", "lacunarity", 1],
+    ["#lacunarity=NaN", "lacunarity", 2],
+    ["#gain=2.5e-1", "gain", 0.25],
+    ["#seed=1e6", "seed", 1000000],
+    ["#seed=5000000000", "seed", 4294967295],
     ["#x=far", "x", 0n],
+    ["#x=1e9", "x", 1000000000n << 24n],
+    ["#x=10000000000", "x", (1n << 55n) - 1n],
+    ["#x=-10000000000", "x", -(1n << 55n)],
+    ["#x=1e99", "x", (1n << 55n) - 1n],
+    ["#x=-Infinity", "x", -(1n << 55n)],
+    ["#y=2147483648", "y", (1n << 55n) - 1n],
+    ["#y=-2147483648", "y", -(1n << 55n)],
     ["#noise=simplex&dimensions=1", "dimensions", 2],
     ["#sum=eroded&noise=cells", "noise", "perlin"],
     ["#toString=1&__proto__=2", "seed", 7],
@@ -120,10 +138,33 @@ test("positions are exact", () => {
     ["−3", -3n << 24n],
     ["1,25", 20971520n],
     [" 7 ", 7n << 24n],
+    [".5", 8388608n],
+    ["5e-1", 8388608n],
+    ["1.25E+1", 25n << 23n],
+    ["25000000000000000000000e−21", 25n << 24n],
+    [`${"0".repeat(40)}3.${"0".repeat(40)}`, 3n << 24n],
+    ["0e999999999999", 0n],
+    ["-1e-999999999999", 0n],
+    ["2147483647.99999999", (1n << 55n) - 1n],
+    ["9999999999", (1n << 55n) - 1n],
   ]) {
     assert.equal(parsedPosition(given), parts, given);
   }
-  for (const given of ["", "x", "1e5", "--1", "1.2.3", "0x10"]) assert.equal(parsedPosition(given), undefined, given);
+  for (const given of ["", "x", "e5", "1e", "1e5.5", ".", "--1", "1.2.3", "0x10", "1 2"]) {
+    assert.equal(parsedPosition(given), undefined, given);
+    assert.equal(parsedNumber(given), undefined, given);
+  }
+  for (const [given, number] of [
+    ["1e3", 1000],
+    ["1,25", 1.25],
+    ["−.5", -0.5],
+    ["1e999", Infinity],
+    ["0e999", 0],
+    [`1e-${"9".repeat(400)}`, 0],
+    [`1e${"9".repeat(30)}`, Infinity],
+  ]) {
+    assert.equal(parsedNumber(given), number, given);
+  }
 });
 
 test("what is below a pointer stays there while the scale changes", () => {
