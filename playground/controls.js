@@ -67,6 +67,7 @@ export class Controls {
     this.zoom = zoom;
     this.language = "glsl";
     this.state = undefined;
+    this.typed = undefined; // the field whose text nobody has entered yet
     for (const [name, table] of Object.entries(kSelects)) this.makeSelect(name, table);
     for (const [name, setting] of Object.entries(kSliders)) this.makeSlider(name, ...setting);
     for (const [name, table] of Object.entries(kChoices)) this.makeChoices(name, table);
@@ -118,6 +119,7 @@ export class Controls {
     const entered = () => {
       const value = parsed(name, input.value);
       if (value !== undefined) {
+        this.typed = undefined;
         this.change({ [name]: value });
         return;
       }
@@ -126,12 +128,14 @@ export class Controls {
       wrong.textContent = `This field takes ${numbersOf(name)}.`;
       wrong.hidden = false;
     };
+    input.addEventListener("input", () => (this.typed = name));
     input.addEventListener("change", entered);
     // The arrows count up and down, as in a field of numbers. (Such a field has no room for BigInt.)
     input.addEventListener("keydown", (event) => {
       const steps = { ArrowUp: 1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[event.key];
       if (!steps) return;
       event.preventDefault();
+      this.typed = undefined;
       if (name === "cells") {
         this.zoom(2 ** (steps / 4));
         return;
@@ -141,6 +145,7 @@ export class Controls {
     });
     // What is wrong stays until something else is shown.
     input.addEventListener("blur", () => {
+      this.typed = undefined;
       if (input.getAttribute("aria-invalid") !== "true") this.show(this.state);
     });
   }
@@ -255,6 +260,7 @@ export class Controls {
       byId(`of-${name}`).textContent = name === "octaves" ? state[name] : state[name].toFixed(2);
     }
     for (const name of kTexts) {
+      if (name === this.typed) continue; // a playing picture must not take it away
       const input = byId(name);
       const text = typeof state[name] === "bigint" ? positionText(state[name]) : String(state[name]);
       if (input.value !== text) input.value = text;

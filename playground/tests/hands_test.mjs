@@ -538,6 +538,19 @@ test("Play says why it does not", async () => {
   await page.close();
 });
 
+test("a picture that plays leaves what is typed", async () => {
+  const page = await opened(browser, { link: "#dimensions=3", viewport: kLaptop });
+  await page.click("#play");
+  await page.click("#seed", { count: 3 });
+  await page.keyboard.type("12");
+  await wait(settled);
+  assert.equal(await page.$eval("#seed", (field) => field.value), "12");
+  await page.keyboard.press("Enter");
+  await wait(settled);
+  assert.equal(Number((await stateOfPage(page)).seed), 12);
+  await page.close();
+});
+
 test("a lost context comes back", async () => {
   const page = await opened(browser);
   const before = await pixels(page, 16, 16);
