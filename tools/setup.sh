@@ -96,11 +96,11 @@ logged() {
 }
 
 # What is built from now on, and by tests, is compiled once: the wheel has the kernels of hashnoise::grid, too. -Werror has
-# no say in what a compiler makes.
+# no say in what a compiler makes; its name has one to ccache, and what builds the wheel would choose another.
 share_objects() {
   command -v ccache >/dev/null || return 0
   export CCACHE_DIR=${CCACHE_DIR:-$build/ccache} CCACHE_NOHASHDIR=1 CCACHE_IGNOREOPTIONS=-Werror
-  export CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER:-ccache}
+  export CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER:-ccache} CXX=${CXX:-c++}
 }
 
 setup() {
