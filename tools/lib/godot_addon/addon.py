@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-import io
 import re
-import time
-import zipfile
 from pathlib import Path
 
 from readme.gallery import recipes
 from single_file import godot
-from single_file.files import Part, parts
-from tree import GLSL, ROOT, version
+from single_file.files import Part, in_order, parts
+from tree import ROOT, version
+from zips import zipped
 
 PACKAGE = ROOT / "packages" / "godot"
 ADDON = "addons/hashnoise"
-EPOCH = 315532800  # 1980, where the times of zip files begin
 # A file of the library has something for users if it defines a function of theirs, or only names such files.
 PUBLIC = re.compile(r"HN_FN (?:\w+ )+hn_(?!i_)\w+\(|HN_[A-Z_]+[1-4]D\(\w+, \w+\)$")
 HEADER = """\
@@ -54,22 +51,12 @@ def public_parts(library: dict[str, Part]) -> list[str]:
 
 def part_text(name: str, library: dict[str, Part], stripped: dict[str, Part]) -> str:
     """A part with all that it needs, of which the comments are left out."""
-    lines: list[str] = []
-    done: set[str] = set()
-
-    def take(needed: str) -> None:
-        if needed in done:
-            return
-        done.add(needed)
-        for other in stripped[needed].includes:
-            take(other)
-        own = needed == name and not only_names_others
-        lines.extend(["", *library[needed].lines] if own else stripped[needed].lines)
-
     first = library[name].lines[0]
     only_names_others = "Made by tools/umbrella" in first
     what = re.match(r"// hashnoise: (.*?\.)(?: |$)", first)[1]
-    take(name)
+    needed = in_order(name, library)
+    lines = [line for other in needed[:-1] for line in stripped[other].lines]
+    lines += ["", *library[name].lines] if not only_names_others else stripped[name].lines
     header = HEADER.format(version=version(), what=what, name=name, stem=Path(name).stem,
                            where=PLAIN if only_names_others else COMMENTED)
     return header + "\n".join(godot.expanded(lines)) + "\n"
@@ -108,18 +95,9 @@ def files() -> dict[str, bytes]:
     found[f"{ADDON}/LICENSE"] = (ROOT / "LICENSE").read_bytes()
     found |= {path.relative_to(PACKAGE).as_posix(): path.read_bytes()
               for path in (PACKAGE / ADDON).rglob("*") if path.is_file()}
-    return dict(sorted(found.items()))
+    return found
 
 
 def archive(seconds: int = 0) -> bytes:
     """A zip file, whose times are those seconds since 1970, but not before 1980."""
-    memory = io.BytesIO()
-    when = time.gmtime(max(seconds, EPOCH))[:6]
-    with zipfile.ZipFile(memory, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as made:
-        for name, content in files().items():
-            entry = zipfile.ZipInfo(name, when)
-            entry.compress_type = zipfile.ZIP_DEFLATED
-            entry.external_attr = 0o100644 << 16
-            entry.create_system = 3
-            made.writestr(entry, content)
-    return memory.getvalue()
+    return zipped(files(), seconds)

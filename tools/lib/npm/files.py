@@ -10,10 +10,11 @@ import json
 import re
 from collections.abc import Iterable
 
-from single_file.files import Part, minified, parts, text
+from single_file.files import in_order, minified, parts, text
 from tables.glsl import declarations
 from tree import GLSL, ROOT, version
 from wgsl.module import Module, Settings
+from wgsl.names import is_public
 from wgsl.translator import Definition
 
 PACKAGE = ROOT / "packages" / "npm"
@@ -36,16 +37,6 @@ def quoted(value: str) -> str:
 # GLSL.
 
 
-def closure(name: str, all_parts: dict[str, Part], done: list[str]) -> list[str]:
-    """The files that a file needs, and itself, in the order in which includes put them."""
-    for included in all_parts[name].includes:
-        if included not in done:
-            closure(included, all_parts, done)
-    if name not in done:
-        done.append(name)
-    return done
-
-
 def glsl_files() -> dict[str, str]:
     """The plain files, the text of each without comments as a module, and strings that stand alone, made of those."""
     found = {f"glsl/{path.name}": path.read_text(encoding="ascii") for path in sorted(GLSL.glob("*.glsl"))}
@@ -55,7 +46,7 @@ def glsl_files() -> dict[str, str]:
         stem = name.removesuffix(".glsl")
         lines = list(minified(part.lines))
         found[f"glsl/text/{stem}.js"] = f"{MADE}export default {quoted(''.join(f'{line}' + chr(10) for line in lines))};\n"
-        needed = [need.removesuffix(".glsl") for need in closure(name, all_parts, [])]
+        needed = [need.removesuffix(".glsl") for need in in_order(name, all_parts)]
         imports = "".join(f'import {need} from "./text/{need}.js";\n' for need in needed)
         found[f"glsl/{stem}.js"] = f"{MADE}{imports}\nexport default {' + '.join(needed)};\n"
         found[f"glsl/{stem}.d.ts"] = STRING
@@ -66,10 +57,6 @@ def glsl_files() -> dict[str, str]:
 
 # ---------------------------------------------------------------------------------------------------------------------
 # WGSL.
-
-
-def is_public(name: str) -> bool:
-    return name.startswith("hn_") and not name.startswith("hn_i_")
 
 
 def comment(definition: Definition) -> str:

@@ -5,8 +5,8 @@ import re
 import unittest
 
 from npm import twin
-from npm.files import ARITHMETICS, closure, glsl_files, package, readme
-from single_file.files import flatten, minified, parts
+from npm.files import ARITHMETICS, glsl_files, package, readme
+from single_file.files import flatten, in_order, minified, parts
 from tree import GLSL, ROOT, version
 from wgsl.module import Module, Settings
 
@@ -41,8 +41,8 @@ class Strings(unittest.TestCase):
             self.assertEqual(self.files[f"glsl/{path.name}"], path.read_text())
 
     def test_what_is_needed_stands_first(self):
-        self.assertEqual(closure("cubic.glsl", parts(), [])[-1], "cubic.glsl")
-        self.assertEqual(closure("perlin2d.glsl", parts(), [])[0], "config.glsl")
+        self.assertEqual(in_order("cubic.glsl", parts())[-1], "cubic.glsl")
+        self.assertEqual(in_order("perlin2d.glsl", parts())[0], "config.glsl")
 
     def test_types_and_chunks_are_of_all(self):
         for path in GLSL.glob("*.glsl"):

@@ -49,16 +49,16 @@ def make(folder: Path, parts: list[str], trial: bool) -> None:
     if changed and not trial:
         raise NoRelease(f"the tree is not what is committed: {changed[0]}"
                         f"{f' and {len(changed) - 1} more' if len(changed) > 1 else ''}; --trial makes one all the same")
-    notes((ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), version(), trial)  # before what takes minutes
+    said = notes((ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), version(), trial)  # before what takes minutes
     with tempfile.TemporaryDirectory(dir=folder.parent, prefix=f".{folder.name}.") as scratch:
         release = Release(Path(scratch) / "release")
         release.folder.mkdir()
         for part in parts:
             print(f"{part} ...", file=sys.stderr)
-            release.parts()[part]()
+            getattr(release, part)()
             if not named(part, {path.name for path in release.folder.iterdir()}, release.version):
                 raise NoRelease(f"{part} was made, but has another name than version {release.version} must have")
-        release.notes(trial)
+        (release.folder / "NOTES.md").write_text(said, encoding="utf-8")
         release.checksums()
         release.folder.chmod(0o755)
         shutil.move(release.folder, folder)

@@ -8,13 +8,11 @@ import os
 import re
 import subprocess
 import tempfile
-import zipfile
-from collections.abc import Callable
-from datetime import datetime, timezone
 from pathlib import Path
 
 from single_file.files import text
 from tree import ROOT, TOOLS, version
+from zips import zipped
 
 
 class NoRelease(Exception):
@@ -40,17 +38,6 @@ def notes(changelog: str, wanted: str, trial: bool) -> str:
     # Links to the pages of the repository lead nowhere from a release.
     text = re.sub(r"\[([^\]]+)\]\((?!\w+://)[^)]*\)", r"\1", section[2].rstrip())
     return f"# hashnoise {wanted}\n\n{text}\n"
-
-
-def zipped(archive: Path, folder: Path, seconds: int) -> None:
-    """The files of a folder, each with the same time, in the order of their names."""
-    moment = datetime.fromtimestamp(max(seconds, 315532800), timezone.utc).timetuple()[:6]  # a zip begins in 1980
-    with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as packed:
-        for path in sorted(path for path in folder.rglob("*") if path.is_file()):
-            entry = zipfile.ZipInfo(str(path.relative_to(folder)), moment)
-            entry.compress_type = zipfile.ZIP_DEFLATED
-            entry.external_attr = 0o644 << 16
-            packed.writestr(entry, path.read_bytes())
 
 
 class Release:
@@ -79,7 +66,8 @@ class Release:
             top = Path(scratch) / "headers" / f"hashnoise-{self.version}"
             run(["cmake", "--install", f"{scratch}/build", "--prefix", top], **log)
             (top / "LICENSE").write_bytes((ROOT / "LICENSE").read_bytes())
-            zipped(self.folder / f"hashnoise-{self.version}-headers.zip", Path(scratch) / "headers", self.seconds)
+            files = {path.relative_to(top.parent).as_posix(): path.read_bytes() for path in top.rglob("*") if path.is_file()}
+            (self.folder / f"hashnoise-{self.version}-headers.zip").write_bytes(zipped(files, self.seconds))
 
     def source(self) -> None:
         name = f"hashnoise-{self.version}"
@@ -98,13 +86,6 @@ class Release:
 
     def playground(self) -> None:
         run([TOOLS / "playground", "--out", self.folder / "playground.html"], env=self.environment)
-
-    def parts(self) -> dict[str, Callable[[], None]]:
-        return {name: getattr(self, name) for name in PARTS}
-
-    def notes(self, trial: bool) -> None:
-        changelog = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
-        (self.folder / "NOTES.md").write_text(notes(changelog, self.version, trial), encoding="utf-8")
 
     def checksums(self) -> None:
         """In the form of sha256sum, which also checks them."""

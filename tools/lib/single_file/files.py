@@ -34,6 +34,20 @@ def parts(strip: bool = False) -> dict[str, Part]:
     return found
 
 
+def in_order(name: str, library: dict[str, Part]) -> list[str]:
+    """The files that a file needs, and last itself, each once and behind those that it includes."""
+    found: dict[str, None] = {}  # a set that keeps the order
+
+    def take(needed: str) -> None:
+        if needed not in found:
+            for included in library[needed].includes:
+                take(included)
+            found[needed] = None
+
+    take(name)
+    return list(found)
+
+
 def flatten(name: str, done: set[str]) -> list[str]:
     """The lines of a file with its includes in place; nothing for a file that is already in."""
     if name in done:

@@ -9,7 +9,7 @@ import sys
 import tempfile
 import unittest
 
-from single_file.files import INCLUDE, Part, minified, parts
+from single_file.files import INCLUDE, Part, in_order, minified, parts
 from single_file.godot import expanded
 from tree import GLSL, TOOLS
 
@@ -203,15 +203,9 @@ class SingleFile(unittest.TestCase):
     def test_parts_in_order_are_the_library(self):
         found = parts(strip=True)
 
-        def closure(name, done):
-            if name in done:
-                return []
-            done.add(name)
-            return [line for other in found[name].includes for line in closure(other, done)] + list(found[name].lines)
-
         for name in FILES:
             with self.subTest(name=name):
-                text = "\n".join(closure(name, set()))
+                text = "\n".join(line for needed in in_order(name, found) for line in found[needed].lines)
                 call = CALLS.get(name, "hn_clouds(vec3(1.5), 5, 2.0, 0.5)")
                 right, log = compile_shader(f"#version 330\n{text}\nout vec4 o;\nvoid main() {{ o = vec4({call}); }}\n")
                 self.assertTrue(right, log)

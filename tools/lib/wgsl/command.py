@@ -10,6 +10,7 @@ from pathlib import Path
 from library_file import check_name, write
 from tree import GLSL
 from wgsl.module import ARITHMETICS, GRADIENTS, HASHES, Module, Settings
+from wgsl.names import is_public
 from wgsl.tokens import Unknown
 
 DESCRIPTION = "Make a WGSL module of the library."
@@ -74,7 +75,7 @@ def parsed_arguments(parser: argparse.ArgumentParser) -> argparse.Namespace:
 def written_names(module: Module) -> str:
     """A line for each public function, by its name in WGSL."""
     lines = [f"{new:40} {old}({', '.join(types)})" for (old, types), new in module.names().items()
-             if old.startswith("hn_") and not old.startswith("hn_i_")]
+             if is_public(old)]
     return "".join(f"{line}\n" for line in sorted(lines))
 
 
