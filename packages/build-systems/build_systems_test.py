@@ -24,8 +24,8 @@ import environment
 TESTS = Path(__file__).resolve().parent
 sys.path.insert(0, str(TESTS.parents[1] / "tools" / "lib"))
 
+from golden_values import Golden  # noqa: E402
 from tree import GOLDEN, ROOT  # noqa: E402
-from wgsl.wgpu_test import Golden  # noqa: E402
 
 SKIPPED = 77
 PAGE = (ROOT / "docs" / "build-systems.md").read_text(encoding="utf-8")

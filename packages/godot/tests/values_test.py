@@ -22,12 +22,12 @@ from pathlib import Path
 from engine import Engine, Failure, RENDERERS, main
 
 from godot_addon.addon import ADDON, files
+from golden_values import Golden
 from single_file.godot import SUFFIX
 from tables.functions import Function, read_functions
 from tree import BOUNDS, FUNCTIONS, GOLDEN
 from wgsl.evaluation import PROLOGUE, macros_of_rows
 from wgsl.preprocessor import Preprocessor
-from wgsl.wgpu_test import Golden
 
 HERE = Path(__file__).resolve().parent
 POINTS = 64   # in a line of the picture

@@ -17,12 +17,12 @@ import unittest
 from collections.abc import Iterable
 from pathlib import Path
 
+from golden_values import Golden
 from tables.functions import read_functions
 from tree import FUNCTIONS, GLSL, GOLDEN, ROOT, TOOLS
 from wgsl.device import Absent, Device
 from wgsl.evaluation import EPILOGUE, PROLOGUE, macros_of_rows
 from wgsl.module import NO_SETTINGS, Module
-from wgsl.wgpu_test import Golden
 
 SKIPPED = 77
 COMPOSER = Path(__file__).resolve().parent / "composer"
