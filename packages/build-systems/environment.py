@@ -7,18 +7,17 @@ Exit status: 0 done, 1 not, 77 PyPI cannot be reached.
 
 from __future__ import annotations
 
-import re
 import shutil
-import subprocess
 import sys
 import venv
 from pathlib import Path
 
-REQUIREMENTS = Path(__file__).resolve().parent / "requirements.txt"
-SKIPPED = 77
-# What pip says if it reaches no registry.
-OFFLINE = re.compile("NewConnectionError|ConnectTimeout|ReadTimeout|NameResolutionError|ProxyError|"
-                     "Max retries exceeded|connection broken", re.I)
+TESTS = Path(__file__).resolve().parent
+sys.path.insert(0, str(TESTS.parents[1] / "tools" / "lib"))
+
+from pypi import install  # noqa: E402
+
+REQUIREMENTS = TESTS / "requirements.txt"
 
 
 def complete(folder: Path) -> bool:
@@ -36,15 +35,8 @@ def main(arguments: list[str]) -> int:
         return 0
     shutil.rmtree(folder, ignore_errors=True)
     venv.create(folder, with_pip=True, symlinks=True)
-    done = subprocess.run([folder / "bin" / "python", "-m", "pip", "--disable-pip-version-check", "install", "--quiet",
-                           "--retries", "1", "--requirement", REQUIREMENTS],
-                          capture_output=True, text=True, check=False)
-    if done.returncode != 0:
-        print(done.stdout + done.stderr)
-        if not OFFLINE.search(done.stdout + done.stderr):
-            return 1
-        print(f"PyPI cannot be reached, so what {REQUIREMENTS.name} names cannot be installed.")
-        return SKIPPED
+    if status := install(folder / "bin" / "python", REQUIREMENTS):
+        return status
     shutil.copyfile(REQUIREMENTS, folder / "made")
     return 0
 

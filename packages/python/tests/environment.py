@@ -8,7 +8,6 @@ Exit status: 0 done, 1 not, 77 PyPI cannot be reached, so there is no such envir
 
 from __future__ import annotations
 
-import re
 import shutil
 import subprocess
 import sys
@@ -17,11 +16,11 @@ from pathlib import Path
 
 TESTS = Path(__file__).resolve().parent
 ROOT = TESTS.parents[2]
-SKIPPED = 77
+sys.path.insert(0, str(ROOT / "tools" / "lib"))
+
+from pypi import SKIPPED, install  # noqa: E402
+
 MADE = "made"  # a file that appears when all is there
-# What pip says if it reaches no registry.
-OFFLINE = re.compile("NewConnectionError|ConnectTimeout|ReadTimeout|NameResolutionError|ProxyError|"
-                     "Max retries exceeded|connection broken", re.I)
 
 
 def make(folder: Path, requirements: Path) -> int:
@@ -29,21 +28,15 @@ def make(folder: Path, requirements: Path) -> int:
     folder.mkdir(parents=True)
     python = folder / "venv" / "bin" / "python"
     venv.create(folder / "venv", with_pip=True, symlinks=True)
-    pip = [python, "-m", "pip", "--disable-pip-version-check", "install", "--quiet"]
-    done = subprocess.run([*pip, "--retries", "1", "--requirement", requirements], capture_output=True, text=True,
-                          check=False)
-    if done.returncode != 0:
-        print(done.stdout + done.stderr)
-        if not OFFLINE.search(done.stdout + done.stderr):
-            return 1
-        print(f"PyPI cannot be reached, so what {requirements.name} names cannot be installed.")
-        return SKIPPED
+    if status := install(python, requirements):
+        return status
     done = subprocess.run([ROOT / "tools" / "wheel", "--python", sys.executable, folder / "wheels"],
                           stdout=subprocess.PIPE, text=True, check=False)
     if done.returncode != 0:
         print(f"tools/wheel ended with status {done.returncode}")
         return 1
-    subprocess.run([*pip, "--no-deps", done.stdout.splitlines()[-1]], check=True)
+    subprocess.run([python, "-m", "pip", "--disable-pip-version-check", "install", "--quiet", "--no-deps",
+                    done.stdout.splitlines()[-1]], check=True)
     (folder / MADE).touch()
     return 0
 

@@ -1,0 +1,25 @@
+"""Packages of PyPI for tests, which are skipped where it cannot be reached."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from pathlib import Path
+
+SKIPPED = 77
+# What pip says if it reaches no registry.
+OFFLINE = re.compile("NewConnectionError|ConnectTimeout|ReadTimeout|NameResolutionError|ProxyError|"
+                     "Max retries exceeded|connection broken", re.I)
+
+
+def install(python: Path, requirements: Path) -> int:
+    """What a file names, for the Python of a virtual environment: 0 if it is there, 1 if not, SKIPPED without PyPI."""
+    done = subprocess.run([python, "-m", "pip", "--disable-pip-version-check", "install", "--quiet", "--retries", "1",
+                           "--requirement", requirements], capture_output=True, text=True, check=False)
+    if done.returncode == 0:
+        return 0
+    print(done.stdout + done.stderr)
+    if not OFFLINE.search(done.stdout + done.stderr):
+        return 1
+    print(f"PyPI cannot be reached, so what {requirements.name} names cannot be installed.")
+    return SKIPPED
