@@ -7,12 +7,26 @@
 #        TESTS file_test.cpp...  make the program hn-NAME-test
 #        TIMED_TESTS filter      those of the tests that measure times, and so run alone
 #        ROOMS name...           the rooms that it sees, with all that these see
-#        LIBRARIES target...)    and packages
+#        LIBRARIES target...     and packages
+#        FAST)                   its units go through millions of points
 #
 # Includes are "room/file.hpp". The only way to a room is an include root that has nothing but that room in it, and a
 # target gets the roots of its own room and of those that it sees: an include of any other room does not compile.
 set(rooms_directory ${CMAKE_CURRENT_BINARY_DIR}/rooms)
 set(embed_script ${CMAKE_CURRENT_SOURCE_DIR}/base/embed.cmake)
+
+# Headers of packages that most units read, and that take a compiler several seconds: it reads them once for all rooms,
+# and once for all tests, as the first target of each kind says. They are packages' alone, so they hide no include that
+# is missing within the rooms; the fuzzers, which do without this, show those of packages.
+set(headers_read_once <algorithm> <filesystem> <functional> <map> <optional> <string> <vector> <fmt/format.h>
+                      <fmt/ranges.h> <nlohmann/json.hpp> <tl/expected.hpp>)
+function(read_once target first headers)
+  if(target STREQUAL first)
+    target_precompile_headers(${target} PRIVATE ${headers})
+  else()
+    target_precompile_headers(${target} REUSE_FROM ${first})
+  endif()
+endfunction()
 
 # The sources of files that the program has inside, as the variable embedded.
 function(embed room)
@@ -48,6 +62,7 @@ function(room_tests name)
   target_compile_definitions(hn-${name}-test PRIVATE HN_GOLDEN_DIRECTORY="${golden_directory}")
   target_link_libraries(hn-${name}-test PRIVATE hn-${name} GTest::gtest_main)
   target_compile_options(hn-${name}-test PRIVATE -O1)  # what they wait for is not theirs, and half of a build was them
+  read_once(hn-${name}-test hn-base-test "${headers_read_once};<gtest/gtest.h>")
   if(room_TIMED_TESTS)
     gtest_discover_tests(hn-${name}-test TEST_PREFIX unit. TEST_FILTER "-${room_TIMED_TESTS}")
     gtest_discover_tests(hn-${name}-test TEST_PREFIX unit. TEST_FILTER "${room_TIMED_TESTS}" TEST_LIST timed_tests
@@ -58,7 +73,7 @@ function(room_tests name)
 endfunction()
 
 function(room name)
-  cmake_parse_arguments(PARSE_ARGV 1 room "" "TIMED_TESTS" "SOURCES;FUZZED;FILES;TESTS;ROOMS;LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 room "FAST" "TIMED_TESTS" "SOURCES;FUZZED;FILES;TESTS;ROOMS;LIBRARIES")
   set(embedded "")
   set(root ${rooms_directory}/roots/${name})
   file(MAKE_DIRECTORY ${root})
@@ -66,7 +81,13 @@ function(room name)
   add_library(hn-${name} STATIC ${room_SOURCES} ${room_FUZZED})
   target_include_directories(hn-${name} PUBLIC ${root} ${rooms_directory}/generated/${name})
   # Drivers and the twin take the time, not what is around them; with -O1 a build is shorter by a fifth.
-  target_compile_options(hn-${name} PUBLIC ${warnings} -ffp-contract=off PRIVATE -O1)
+  target_compile_options(hn-${name} PUBLIC ${warnings} -ffp-contract=off)
+  if(room_FAST)
+    target_compile_options(hn-${name} PRIVATE -O2)  # GCC cannot use headers that it read with -O1
+  else()
+    target_compile_options(hn-${name} PRIVATE -O1)
+    read_once(hn-${name} hn-base "${headers_read_once}")
+  endif()
   foreach(below ${room_ROOMS})
     if(NOT TARGET hn-${below})
       message(FATAL_ERROR "The room ${name} cannot see ${below}, which is not below it")
