@@ -4,6 +4,8 @@
 
 #include <chrono>
 #include <exception>
+#include <functional>
+#include <map>
 #include <utility>
 
 #include "cases/bugs/bugs.hpp"
@@ -71,10 +73,10 @@ CaseResult run_case(const Suite& suite, const Case& test) {
   return timed(test.id, [&] { return std::get<ReferenceKind>(*test.kind).check(suite); });
 }
 
-std::vector<Case> all_cases() {
+std::vector<Case> all_cases(Scope scope) {
   std::vector<Case> cases;
-  add_value_cases(cases);
-  add_compile_cases(cases);
+  add_value_cases(cases, scope);
+  add_compile_cases(cases, scope);
   add_bug_cases(cases);
   return cases;
 }
@@ -83,6 +85,30 @@ std::vector<std::string> ids_of(const std::vector<Case>& cases) {
   std::vector<std::string> ids;
   for (const Case& test : cases) ids.push_back(test.id);
   return ids;
+}
+
+Result<std::vector<Case>> cases_with(std::span<const std::string> ids) {
+  std::vector<Case> cases;
+  for (const Scope scope : {Scope::covered, Scope::thorough}) {  // the second takes ten times as long to list
+    std::map<std::string, Case, std::less<>> all;
+    for (Case& test : all_cases(scope)) {
+      std::string id = test.id;
+      all.emplace(std::move(id), std::move(test));
+    }
+    cases.clear();
+    std::string missing;
+    for (const std::string& id : ids) {
+      const auto found = all.find(id);
+      if (found != all.end()) {
+        cases.push_back(found->second);
+      } else {
+        missing = id;
+      }
+    }
+    if (missing.empty()) return cases;
+    if (scope == Scope::thorough) return fail(fmt::format("there is no case {}", missing));
+  }
+  return cases;
 }
 
 }  // namespace hn

@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
+#include "base/result.hpp"
 #include "base/verdict.hpp"
 #include "cases/session.hpp"
 #include "cases/targets.hpp"
@@ -95,13 +97,17 @@ struct Case {
 CaseResult run_case(Session& session, const Case& test);
 CaseResult run_case(const Suite& suite, const Case& test);  // of one that needs no driver
 
+// Of the product of functions, settings, versions and stages: what a run has of it without --thorough, or all.
+enum class Scope { covered, thorough };
 // Every case, in the order in which they run.
-std::vector<Case> all_cases();
+std::vector<Case> all_cases(Scope scope = Scope::thorough);
 std::vector<std::string> ids_of(const std::vector<Case>& cases);
+// Those of these ids, in their order.
+Result<std::vector<Case>> cases_with(std::span<const std::string> ids);
 
 // The parts of all_cases, a file each.
-void add_compile_cases(std::vector<Case>& cases);
-void add_value_cases(std::vector<Case>& cases);
+void add_compile_cases(std::vector<Case>& cases, Scope scope);
+void add_value_cases(std::vector<Case>& cases, Scope scope);
 void add_bug_cases(std::vector<Case>& cases);  // bugs/
 
 }  // namespace hn

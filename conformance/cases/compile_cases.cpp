@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <hashnoise/hashnoise.hpp>
+#include <iterator>
 
 #include "cases/case.hpp"
 #include "gpu/gpu.hpp"
@@ -49,9 +50,12 @@ Outcome check_with_glslang(const Suite& suite, const Profile& profile, const std
                 : outcome_with(Status::fail, source.error());
 }
 
+// What drivers compile in every version: noise, sums and what both rest on, a tenth of the whole text.
+constexpr std::string_view kFileForDrivers = "fbm2d.glsl";
+
 // glslang tries every file alone with every arithmetic; drivers, which take longer, all of them together.
 bool is_for_drivers(std::string_view file, const Configuration& configuration) {
-  if (configuration.fast()) return file != "arithmetic.glsl";
+  if (configuration.fast() || file == kFileForDrivers) return file != "arithmetic.glsl";
   return file == "hashnoise.glsl" && !configuration.sine();
 }
 
@@ -68,53 +72,67 @@ bool selects_code(std::string_view file, const Configuration& configuration) {
   return configuration.hash_only() || configuration.name == "lattice+sine";
 }
 
-// Whether a configuration has most of its cases in this version.
-bool is_main(const Configuration& configuration, const Profile& profile) {
-  return profile.spirv || profile.name == main_profile(configuration, profile.es).name;
+// Elsewhere the library must refuse it.
+bool can_compile(const Configuration& configuration, const Profile& profile) {
+  return configuration.arithmetic != Arithmetic::precise || profile.version >= (profile.es ? 320 : 400);
 }
 
-// The file that drivers compile with a configuration in every version: that in which the configuration selects code.
-// All of the library takes several times as long.
-std::string_view file_of_choice(const Configuration& configuration) {
-  if (!configuration.fast()) return "hashnoise.glsl";
-  return configuration.sine() ? "gradient.glsl" : "hash.glsl";
+// A file by itself is compiled as SPIR-V, which shows more than that it compiles, once in each arithmetic: the cases
+// highp and uncontracted. So what is left to compile are the versions and the stages, with the whole library: each
+// version in one stage and one arithmetic, in turn; and each hash and the sine gradient, with the file that has them.
+bool is_chosen(std::string_view file, const Configuration& configuration, const Profile& profile, Stage stage) {
+  if (file != "hashnoise.glsl") {
+    const bool selected = file == "hash.glsl" || (file == "gradient.glsl" && configuration.sine());
+    return selected && profile.name == "gl330" && stage == Stage::fragment && configuration.fast();
+  }
+  std::vector<const Configuration*> settings;
+  for (const Configuration& one : all_configurations()) {
+    if (one.default_but_for_arithmetic() && can_compile(one, profile)) settings.push_back(&one);
+  }
+  const auto stages = std::size_t{profile.version >= (profile.es ? 310 : 430) ? 3u : 2u};
+  const auto turn = static_cast<std::size_t>(&profile - all_profiles().data());
+  return &configuration == settings[turn % settings.size()] &&
+         stage == std::array{Stage::fragment, Stage::vertex, Stage::compute}[turn / settings.size() % stages];
 }
 
-// A file of the library with one configuration in one version. Chosen are the pairs of two of these: a file meets every
-// configuration, and every version and stage. Every configuration meets every version and stage with the library as a
-// whole; in drivers, with the file of its choice.
+// A driver compiles the whole library in its main version. In each other one it compiles one file, in the
+// arithmetic of the version's turn.
+Extent extent_on_drivers(std::string_view file, const Configuration& configuration, const Profile& profile) {
+  if (configuration.is_default() && (profile.name == "gl330" || profile.name == "es300")) {
+    return file == "hashnoise.glsl" ? Extent::every_driver : Extent::thorough;
+  }
+  const bool in_turn =
+      std::ranges::any_of(std::array{Stage::fragment, Stage::vertex, Stage::compute}, [&](Stage stage) {
+        return is_chosen("hashnoise.glsl", configuration, profile, stage);
+      });
+  return in_turn && file == kFileForDrivers ? Extent::one_driver : Extent::thorough;
+}
+
+// A file of the library with one configuration in one version.
 void add_file_cases(std::vector<Case>& cases, std::string_view file, const Configuration& configuration,
-                    const Profile& profile) {
-  const auto extent_in = [&](Stage stage, std::string_view whole) {
-    const bool plain = configuration.is_default() || !selects_code(file, default_configuration());
-    const bool chosen = plain || file == whole || (is_main(configuration, profile) && stage == Stage::fragment);
-    return chosen ? Extent::one_driver : Extent::thorough;
-  };
+                    const Profile& profile, Scope scope) {
+  const auto is_wanted = [&](Extent extent) { return scope == Scope::thorough || extent != Extent::thorough; };
   // A file that includes others must not lose one.
   const Callees callees = configuration.is_default() ? Callees::of_each_file : Callees::of_each_family;
   const auto add_glslang = [&](Stage stage) {
+    const Extent extent = is_chosen(file, configuration, profile, stage) ? Extent::one_driver : Extent::thorough;
+    if (!is_wanted(extent)) return;
     cases.push_back({name_of(file, configuration, stage, profile, profile.spirv ? "spirv" : "glslang"),
                      ReferenceKind{[=, &configuration, &profile](const Suite& suite) {
                        return check_with_glslang(suite, profile,
                                                  calling_shader(file, configuration, profile, stage, callees), stage);
                      }},
-                     extent_in(stage, "hashnoise.glsl")});
+                     extent});
   };
   add_glslang(Stage::fragment);
   add_glslang(Stage::vertex);
   if (profile.version >= (profile.es ? 310 : 430)) add_glslang(Stage::compute);
   if (profile.spirv || !is_for_drivers(file, configuration)) return;
-  const bool whole =
-      file == "hashnoise.glsl" && is_main(configuration, profile) && configuration.default_but_for_arithmetic();
+  const Extent extent = extent_on_drivers(file, configuration, profile);
+  if (!is_wanted(extent)) return;
   cases.push_back(
       {name_of(file, configuration, Stage::fragment, profile, "driver"),
-       CompilationKind{&profile, calling_shader(file, configuration, profile, Stage::fragment, Callees::few)},
-       whole ? Extent::every_driver : extent_in(Stage::fragment, file_of_choice(configuration))});
-}
-
-// Elsewhere the library must refuse it.
-bool can_compile(const Configuration& configuration, const Profile& profile) {
-  return configuration.arithmetic != Arithmetic::precise || profile.version >= (profile.es ? 320 : 400);
+       CompilationKind{&profile, calling_shader(file, configuration, profile, Stage::fragment, Callees::few)}, extent});
 }
 
 // The oldest version of ES that glslang makes SPIR-V of.
@@ -140,9 +158,12 @@ Outcome check_highp(const Suite& suite, std::string_view file, const Configurati
 }
 
 void add_highp_case(std::vector<Case>& cases, std::string_view file, const Configuration& configuration) {
+  // HN_PRECISE is declared like HN_FAST, and has a case for what is its own.
+  const bool chosen = configuration.arithmetic != Arithmetic::precise && configuration.default_but_for_arithmetic();
   cases.push_back(
       {name_of(file, configuration, Stage::fragment, es_to_spirv(configuration), "highp"),
-       ReferenceKind{[=, &configuration](const Suite& suite) { return check_highp(suite, file, configuration); }}});
+       ReferenceKind{[=, &configuration](const Suite& suite) { return check_highp(suite, file, configuration); }},
+       chosen ? Extent::one_driver : Extent::thorough});
 }
 
 // A driver that contracts shows a forgotten `precise` only if the bits happen to differ, and the software drivers of
@@ -171,7 +192,8 @@ void add_uncontracted_case(std::vector<Case>& cases, std::string_view file, cons
   cases.push_back({name_of(file, configuration, Stage::fragment, profile_named("vulkan"), "uncontracted"),
                    ReferenceKind{[=, &configuration](const Suite& suite) {
                      return check_uncontracted(suite, file, configuration);
-                   }}});
+                   }},
+                   configuration.default_but_for_arithmetic() ? Extent::one_driver : Extent::thorough});
 }
 
 // A shader that must be refused: by the library, with an #error that says what would be right; or by the compiler,
@@ -296,6 +318,8 @@ struct Acceptance {
   std::string knobs;        // before the include
   std::string after = {};   // behind it
   bool everywhere = false;  // in every version, since it is GLSL of its own kind
+  // What it includes.
+  std::string_view file() const { return everywhere ? "hashnoise.glsl" : "config.glsl"; }
 };
 
 std::vector<Acceptance> acceptances() {
@@ -318,15 +342,20 @@ std::vector<Acceptance> acceptances() {
 void add_acceptance_cases(std::vector<Case>& cases, const Acceptance& acceptance) {
   constexpr std::array<std::string_view, 3> kSome = {"gl140", "gl330", "es300"};  // without and with bit casts, and ES
   for (const Profile& profile : all_profiles()) {
-    const bool chosen = std::ranges::find(kSome, profile.name) != kSome.end();
-    if (!chosen && !acceptance.everywhere) continue;
-    const CompilationKind compilation{&profile, fmt::format("{}#include \"hashnoise.glsl\"\n{}void main() {{}}\n",
-                                                            acceptance.knobs, acceptance.after)};
+    const bool some = std::ranges::find(kSome, profile.name) != kSome.end();
+    if (!some && !acceptance.everywhere) continue;
+    // The sums are long: integers in ES, floats elsewhere.
+    const bool fixed = acceptance.knobs == kFixed;
+    const bool chosen = some && (!acceptance.everywhere || (profile.name == "es300") == fixed);
+    const CompilationKind compilation{&profile, fmt::format("{}#include \"{}\"\n{}void main() {{}}\n",
+                                                            acceptance.knobs, acceptance.file(), acceptance.after)};
     cases.push_back({name_of_setting(acceptance.name, profile.name, "glslang"), ReferenceKind{[=](const Suite& suite) {
                        return check_with_glslang(suite, *compilation.profile, compilation.fragment, Stage::fragment);
-                     }}});
+                     }},
+                     chosen ? Extent::one_driver : Extent::thorough});
     if (profile.spirv) continue;
-    cases.push_back({name_of_setting(acceptance.name, profile.name, "driver"), compilation, Extent::one_driver});
+    cases.push_back({name_of_setting(acceptance.name, profile.name, "driver"), compilation,
+                     chosen ? Extent::one_driver : Extent::thorough});
   }
 }
 
@@ -388,20 +417,23 @@ Outcome check_compilation(Session& session, const CompilationKind& compilation) 
   return compilation.refusal.empty() ? check_compiles(session, compilation) : check_refused(session, compilation);
 }
 
-void add_compile_cases(std::vector<Case>& cases) {
+void add_compile_cases(std::vector<Case>& cases, Scope scope) {
+  std::vector<Case> all;
   for (const auto& [file, text] : kLibraryFiles) {
     if (!file.ends_with(".glsl")) continue;  // what other languages need besides
     for (const Configuration& configuration : all_configurations()) {
       if (!selects_code(file, configuration)) continue;
       for (const Profile& profile : all_profiles()) {
-        if (can_compile(configuration, profile)) add_file_cases(cases, file, configuration, profile);
+        if (can_compile(configuration, profile)) add_file_cases(all, file, configuration, profile, scope);
       }
-      add_highp_case(cases, file, configuration);
-      if (configuration.arithmetic == Arithmetic::precise) add_uncontracted_case(cases, file, configuration);
+      add_highp_case(all, file, configuration);
+      if (configuration.arithmetic == Arithmetic::precise) add_uncontracted_case(all, file, configuration);
     }
   }
-  for (const Acceptance& acceptance : acceptances()) add_acceptance_cases(cases, acceptance);
-  for (const Refusal& refusal : kRefusals) add_refusal_cases(cases, refusal);
+  for (const Acceptance& acceptance : acceptances()) add_acceptance_cases(all, acceptance);
+  for (const Refusal& refusal : kRefusals) add_refusal_cases(all, refusal);
+  const auto is_wanted = [&](const Case& test) { return scope == Scope::thorough || test.extent != Extent::thorough; };
+  std::ranges::copy_if(all, std::back_inserter(cases), is_wanted);
 }
 
 }  // namespace hn

@@ -76,61 +76,69 @@ constexpr std::array kVariants = {
     Variant{"folded", {}, folded_pairing},
 };
 
+// The same points in another way.
+std::vector<Relation> variants_of(const Evaluation& evaluation, const Target& target) {
+  const auto& [function, configuration, profile, none, stage] = evaluation;
+  const bool of_vulkan = profile.platform() == Platform::vulkan && profile.in_glsl();
+  if (!(target.main || of_vulkan) || !configuration.default_but_for_arithmetic() || !has_variants(function)) return {};
+  std::vector<Relation> variants;
+  for (const auto& [name, variant, make] : kVariants) {
+    // Of several words that are near the right ones nothing can be said by what a trip leaves of them.
+    if (name == "in_loop" && function.outputs.size() > 1 && !has_same_bits(function, configuration)) continue;
+    variants.push_back({name, PairingKind{{function, configuration, profile, variant, stage}, make}});
+  }
+  return variants;
+}
+
 }  // namespace
 
-// A variant of the shader is one more to compile. With the defaults each function has all of them, in one arithmetic
-// and one version or another; of further functions some. Vulkan has them of the other functions, in turn.
-void add_metamorphic_cases(std::vector<Case>& cases, const Evaluation& evaluation, const Target& target,
-                           Extent extent) {
-  const auto& [function, configuration, profile, none, stage] = evaluation;
-  const bool defaults = configuration.default_but_for_arithmetic() && covers(configuration, function);
-  const bool of_vulkan = profile.platform() == Platform::vulkan && profile.in_glsl() && !function.is_further();
-  if ((target.main || of_vulkan) && defaults && has_variants(function)) {
-    for (std::size_t i = 0; i < kVariants.size(); ++i) {
-      const auto& [name, variant, make] = kVariants[i];
-      // Of several words that are near the right ones nothing can be said by what a trip leaves of them.
-      if (name == "in_loop" && function.outputs.size() > 1 && !has_same_bits(function, configuration)) continue;
-      const bool all = target.main
-                           ? configuration.is_default() && !function.is_further() && (!profile.es || function.exact())
-                           : function.exact();
-      const bool some = has_turn(function, configuration, target.number + i) && !(function.is_further() && profile.es);
-      cases.push_back({name_of(evaluation, name), PairingKind{{function, configuration, profile, variant, stage}, make},
-                       all || some ? Extent::one_driver : Extent::thorough});
-    }
-  }
-  const bool has_fragment = profile.platform() == Platform::opengl;
-  if (!target.main && stage != Stage::fragment && has_fragment && covers(configuration, function)) {
-    cases.push_back({name_of(evaluation, "as_fragment"), PairingKind{evaluation, variant_pairing}, extent});
-  }
-  if (!target.main || !covers(configuration, function)) return;
-  const auto add = [&](std::string_view name, MakePairing* make) {
-    cases.push_back({name_of(evaluation, name), PairingKind{evaluation, make}, std::max(extent, Extent::one_driver)});
+std::vector<Relation> relations_of(const Evaluation& evaluation, const Target& target) {
+  const Function& function = evaluation.function;
+  std::vector<Relation> relations = variants_of(evaluation, target);
+  if (!target.main) return relations;
+  const auto add = [&](std::string_view name, MakePairing* make, const Function& with) {
+    relations.push_back({name, PairingKind{evaluation, make}, &with});
   };
   if (function.takes_period()) {
-    add("period", period_pairing);
     // Without a period octaves turn, so that a sum is another one.
-    if (function.has_form_without_period() && !function.is_octave_sum()) add("wrapped", wrapped_pairing);
-    // One more shader to compile.
-    const bool chosen = configuration.is_default() && !profile.es;
-    cases.push_back({name_of(evaluation, "constant_period"), PairingKind{evaluation, constant_period_pairing},
-                     chosen ? Extent::one_driver : Extent::thorough});
+    if (function.has_form_without_period() && !function.is_octave_sum()) {
+      add("wrapped", wrapped_pairing, without(function, "period"));
+    }
+    relations.push_back({"constant_period", PairingKind{evaluation, constant_period_pairing}});
   }
   // Sums on the line and in four dimensions have not all forms in the table.
   const bool has_position = function.is_octave_sum() && function.takes_cell() && has_without(function, "cell");
-  if (has_position) add("from_cell", from_cell_pairing);
-  if (function.takes_detail()) add("whole_detail", whole_detail_pairing);
-  if (function.takes_footprint()) add("small_footprint", small_footprint_pairing);
+  if (has_position) add("from_cell", from_cell_pairing, without(function, "cell"));
+  if (function.takes_detail()) add("whole_detail", whole_detail_pairing, without(function, "detail"));
+  if (function.takes_footprint()) add("small_footprint", small_footprint_pairing, without(function, "footprint"));
+  // With periods the field has no values but those that it has without.
+  if (function.takes_phase() && !function.takes_period()) {
+    add("phase_zero", phase_zero_pairing, without(function, "phase"));
+  }
+  const bool comes_with_value = function.is_noise() || function.is_octave_sum();
+  if (function.bound == "eroded") add("zero_strength", zero_strength_pairing, plain_noise_of(function));
+  if (comes_with_value && has_value_with_derivative(function)) {
+    add("derivative_value", derivative_value_pairing, plain_noise_of(function));
+  }
+  return relations;
+}
+
+std::vector<Relation> repetitions_of(const Evaluation& evaluation) {
+  const Function& function = evaluation.function;
+  std::vector<Relation> repetitions;
+  const auto add = [&](std::string_view name, MakePairing* make) {
+    repetitions.push_back({name, PairingKind{evaluation, make}});
+  };
+  if (function.takes_period()) add("period", period_pairing);
   if (function.takes_phase()) {
     add("loop", loop_pairing);
-    // With periods the field has no values but those that it has without.
-    if (!function.takes_period()) {
-      add("half_turn", half_turn_pairing);
-      add("phase_zero", phase_zero_pairing);
-    }
+    if (!function.takes_period()) add("half_turn", half_turn_pairing);
   }
-  if (function.bound == "eroded") add("zero_strength", zero_strength_pairing);
-  const bool comes_with_value = function.is_noise() || function.is_octave_sum();
-  if (comes_with_value && has_value_with_derivative(function)) add("derivative_value", derivative_value_pairing);
+  return repetitions;
+}
+
+Relation as_fragment(const Evaluation& evaluation) {
+  return {"as_fragment", PairingKind{evaluation, variant_pairing}};
 }
 
 }  // namespace hn

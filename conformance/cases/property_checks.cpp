@@ -9,7 +9,6 @@
 #include "cases/value_checks.hpp"
 #include "expected/points.hpp"
 #include "expected/tolerance.hpp"
-#include "expected/twin.hpp"
 
 namespace hn {
 
@@ -340,29 +339,6 @@ Outcome check_mirror(Session& session, const Evaluation& evaluation) {
           comparison, inputs, *first, *second,
           fmt::format("points and their images (reflected axes {:#b}, rotated by {})", reflected, rotated));
     }
-  }
-  return comparison.finish();
-}
-
-// Without a seed means with seed 0.
-Outcome check_unseeded(Session& session, const Evaluation& evaluation) {
-  const Function& function = evaluation.function;
-  Words inputs = random_points(function, property_points(session, function), Random(session.seed, "unseeded"));
-  const auto seed = static_cast<std::size_t>(function.seed_word());
-  for (std::size_t i = seed; i < inputs.size(); i += kInputWords) inputs[i] = 0;
-  const auto outputs =
-      evaluate(session, {function, evaluation.configuration, evaluation.profile, {.seeded = false}}, inputs);
-  if (!outputs) return outputs.error();
-  Words expected(inputs.size() / kInputWords * kOutputWords);
-  evaluate_twin(function, evaluation.configuration, inputs, expected);
-  Comparison comparison(function, inputs);
-  for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
-    const auto in = point(inputs, i);
-    std::array<double, kOutputWords> allowed{};
-    for (std::size_t word = 0; word < function.outputs.size(); ++word) {
-      allowed[word] = allowed_to_twin(function, evaluation.configuration, in, word);
-    }
-    compare_with_twin(comparison, evaluation, in, result(*outputs, i), result(expected, i), allowed);
   }
   return comparison.finish();
 }

@@ -25,6 +25,7 @@ struct Suite {
   std::filesystem::path golden_directory;
   std::uint64_t seed;        // of the random points
   std::uint64_t points = 0;  // of each comparison with the twin; 0 for what its case says
+  bool thorough = false;     // with --thorough a case says more
 };
 
 // What a case on a driver may use besides.

@@ -1,54 +1,75 @@
 // The cases that evaluate functions on the driver: which there are follows from the tables of functions and
-// configurations.
+// configurations, and which of them a run has without --thorough, from the cover of programs.
 #include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
 
-#include "cases/targets.hpp"
+#include "cases/programs.hpp"
 #include "cases/value_checks.hpp"
 
 namespace hn {
 namespace {
 
-// What holds for a function by its row alone. It is the library's doing more than the driver's: one driver is enough.
-void add_properties(std::vector<Case>& cases, const Evaluation& evaluation, Extent extent) {
+// What holds for a function by its row alone, and needs no program but its own.
+std::vector<Relation> properties_of(const Evaluation& evaluation) {
   const auto& [function, configuration, profile, variant, stage] = evaluation;
+  std::vector<Relation> properties;
   const auto add = [&](std::string_view name, Check* check) {
-    cases.push_back({name_of(evaluation, name), CheckKind{evaluation, check}, extent});
+    properties.push_back({name, CheckKind{evaluation, check}});
   };
-  const bool once = configuration.is_default();  // for what does not depend on the knobs
-  if (once && function.has_unseeded()) add("unseeded", check_unseeded);
-  // HN_FIXED converts a noise of the user's to an integer.
-  const bool takes_noise = once || configuration.name == "lattice+fixed";
-  if (takes_noise && function.is_octave_sum()) add("other_noise", check_other_noise);
   if (function.is_cellular() && !profile.es) {
     add("search", check_search);
-    if (function.id.ends_with("cellular_nearest") || function.id.ends_with("cell_border_nearest")) {
-      add("cell_names", check_cell_names);
-    }
     if (function.bound == "cell_border" && !function.takes_period()) add("border", check_border);
   }
-  if (function.is_octave_sum() && function.has_slopes()) {
-    // The errors of sums in integers are no part of this suite: golden files have their bits.
-    if (configuration.arithmetic != Arithmetic::fixed) add("derivative", check_slope_sum);
-  }
   // With periods the field has no values but those that it has without.
-  if (function.exact() || function.takes_period()) {
-    if (function.is_noise() && function.has_slopes()) add("derivative", check_derivative);
-    return;
-  }
+  if (function.exact() || function.takes_period()) return properties;
   add("range", check_range);
   // A hash changes no value's size.
   if (configuration.hash == default_configuration().hash) add("finite", check_finite);
   if (function.family == Family::curl) add("divergence", check_divergence);
-  if (!function.is_noise()) return;
+  if (!function.is_noise()) return properties;
   if (configuration.hash == default_configuration().hash && !function.inputs_are_units()) add("seams", check_seams);
-  if (function.has_slopes()) add("derivative", check_derivative);
-  if (function.starts_from_integers()) return;
+  if (function.starts_from_integers()) return properties;
   if (function.is_gradient_noise() && !function.is_slope(0)) add("zero", check_zero);
   // With the sine gradient a hash is as weak as published. With derivatives the field is the same.
-  if (!configuration.hash_only() || function.is_derived()) return;
+  if (!configuration.hash_only() || function.is_derived()) return properties;
   add("seeds", check_seeds);
   add("mirror", check_mirror);
+  return properties;
 }
+
+// What compiles other programs besides.
+std::vector<Relation> further_cases_of(const Evaluation& evaluation, const Target& target) {
+  const auto& [function, configuration, profile, variant, stage] = evaluation;
+  std::vector<Relation> further = relations_of(evaluation, target);
+  if (!target.main) return further;
+  const auto add = [&](std::string_view name, Check* check, const Function* with = nullptr) {
+    further.push_back({name, CheckKind{evaluation, check}, with});
+  };
+  const bool once = configuration.is_default();  // for what does not depend on the knobs
+  // HN_FIXED converts a noise of the user's to an integer.
+  const bool takes_noise = once || configuration.name == "lattice+fixed";
+  if (takes_noise && function.is_octave_sum()) add("other_noise", check_other_noise);
+  if (!profile.es && (function.id.ends_with("cellular_nearest") || function.id.ends_with("cell_border_nearest"))) {
+    further.push_back({"cell_names", CheckKind{evaluation, check_cell_names}, nullptr, 4});
+  }
+  if (!function.has_slopes()) return further;
+  if (function.is_octave_sum()) {
+    // The errors of sums in integers are no part of this suite: golden files have their bits.
+    if (configuration.arithmetic != Arithmetic::fixed) add("derivative", check_slope_sum, &plain_noise_of(function));
+  } else if (function.is_noise()) {
+    add("derivative", check_derivative, &plain_noise_of(function));
+  }
+  return further;
+}
+
+Evaluation evaluation_of(const Program& program) {
+  return {*program.function, *program.configuration, *program.target.profile, {}, program.target.stage};
+}
+
+// The further cases of a run without --thorough, of each program in all_programs().
+const std::vector<std::set<std::string_view>>& chosen_further_cases();
 
 }  // namespace
 
@@ -62,25 +83,109 @@ CaseName name_of(const Evaluation& evaluation, std::string_view check) {
           .check = std::string(check)};
 }
 
-void add_value_cases(std::vector<Case>& cases) {
-  for (const Function& function : all_functions()) {
-    for (const Configuration& configuration : all_configurations()) {
-      for (const Target& target : targets_of(configuration)) {
-        const Evaluation evaluation{function, configuration, *target.profile, {}, target.stage};
-        const Extent extent = extent_of(function, configuration, target);
-        if (covers(configuration, function)) {
-          cases.push_back({name_of(evaluation, "golden"), GoldenKind{evaluation}, extent});
-          // In OpenGL the other stages are held against this one. A browser has no twin.
-          const Platform platform = target.profile->platform();
-          if (target.stage == Stage::fragment || platform == Platform::vulkan || platform == Platform::metal) {
-            cases.push_back({name_of(evaluation, "twin"), CheckKind{evaluation, check_twin}, extent});
-          }
-          if (target.main) add_properties(cases, evaluation, std::max(extent, Extent::one_driver));
-        }
-        add_metamorphic_cases(cases, evaluation, target, extent);
-      }
+namespace {
+
+// A check meets every family, arithmetic, dimension and version in which it exists, and where it compares two functions,
+// every noise and every sum; of what compares more, only these. Taken are those that compile little which the cover has
+// not.
+class FurtherCases {
+ public:
+  FurtherCases() : programs_(all_programs()), extents_(program_extents()), chosen_(programs_.size()) {
+    for (std::size_t i = 0; i < programs_.size(); ++i) {
+      if (programs_[i].target.stage == Stage::fragment) places_[key_of(programs_[i], *programs_[i].function)] = i;
+    }
+    for (std::size_t i = 0; i < programs_.size(); ++i) add(i);
+    const std::vector<bool> cover = cover_of(candidates_, things_.size());
+    for (std::size_t i = 0; i < cover.size(); ++i) {
+      if (cover[i]) chosen_[of_[i].first].insert(of_[i].second);
     }
   }
+
+  const std::vector<std::set<std::string_view>>& chosen() const { return chosen_; }
+
+ private:
+  using Key = std::tuple<const Function*, const Configuration*, const Profile*>;
+  static Key key_of(const Program& program, const Function& function) {
+    return {&function, program.configuration, program.target.profile};
+  }
+
+  bool is_compiled(const Key& key) const {
+    const auto found = places_.find(key);
+    return found != places_.end() && extents_[found->second] != Extent::thorough;
+  }
+
+  void add(std::size_t i) {
+    const Program& program = programs_[i];
+    const Evaluation evaluation = evaluation_of(program);
+    for (const Relation& further : further_cases_of(evaluation, program.target)) {
+      const auto& [function, configuration, profile, variant, stage] = evaluation;
+      Candidate candidate{.shows = {}, .round = 0, .cost = extents_[i] == Extent::thorough ? 2 : 0};
+      if (further.with && !is_compiled(key_of(program, *further.with))) candidate.cost += 2;
+      const std::string platform(name_of(profile.platform()));
+      const auto show = [&](std::string_view what) {
+        const std::string thing = std::string(further.check) + " " + platform + " " + std::string(what);
+        candidate.shows.push_back(things_.try_emplace(thing, things_.size()).first->second);
+      };
+      if (further.with || further.programs > 1) show(function.bound);
+      if (further.programs < 2) {
+        show(name_of(configuration.arithmetic));
+        show(std::to_string(static_cast<unsigned>(function.family)));
+        show(std::to_string(function.axes));
+        if (profile.platform() == Platform::opengl) show(profile.name);
+      }
+      candidate.round = rounds_.try_emplace(further.check, rounds_.size()).first->second;
+      candidates_.push_back(std::move(candidate));
+      of_.emplace_back(i, further.check);
+    }
+  }
+
+  const std::vector<Program>& programs_;
+  const std::vector<Extent>& extents_;
+  std::vector<std::set<std::string_view>> chosen_;
+  std::map<Key, std::size_t> places_;
+  std::map<std::string, std::size_t> things_;
+  std::map<std::string_view, std::size_t> rounds_;
+  std::vector<Candidate> candidates_;
+  std::vector<std::pair<std::size_t, std::string_view>> of_;  // each candidate's program, and its check
+};
+
+const std::vector<std::set<std::string_view>>& chosen_further_cases() {
+  static const FurtherCases kFurther;
+  return kFurther.chosen();
+}
+
+}  // namespace
+
+void add_value_cases(std::vector<Case>& cases, Scope scope) {
+  const std::vector<Program>& programs = all_programs();
+  const std::vector<Extent>& extents = program_extents();
+  for (std::size_t i = 0; i < programs.size(); ++i) {
+    const Program& program = programs[i];
+    const std::set<std::string_view>& chosen = chosen_further_cases()[i];
+    const bool thorough = scope == Scope::thorough;
+    if (!thorough && extents[i] == Extent::thorough && chosen.empty()) continue;
+    const Evaluation evaluation = evaluation_of(program);
+    const auto add = [&](const Relation& one, Extent extent) {
+      if (thorough || extent != Extent::thorough) cases.push_back({name_of(evaluation, one.check), one.kind, extent});
+    };
+    // What tells about the library more than about a driver, one driver shows.
+    const Extent by_one = std::max(extents[i], Extent::one_driver);
+    add({"golden", GoldenKind{evaluation}}, extents[i]);
+    const Platform platform = evaluation.profile.platform();
+    if (platform != Platform::webgpu) add({"twin", CheckKind{evaluation, check_twin}}, extents[i]);
+    if (platform == Platform::opengl && (program.target.main || extents[i] != Extent::thorough)) {
+      for (const Relation& property : properties_of(evaluation)) add(property, by_one);
+      for (const Relation& repetition : repetitions_of(evaluation)) add(repetition, by_one);
+    }
+    const bool other_stage = platform == Platform::opengl && evaluation.stage != Stage::fragment;
+    if (other_stage) add(as_fragment(evaluation), Extent::thorough);
+    for (const Relation& further : further_cases_of(evaluation, program.target)) {
+      add(further, chosen.contains(further.check) ? Extent::one_driver : Extent::thorough);
+    }
+    const bool has_unseeded = evaluation.function.has_unseeded() && evaluation.configuration.is_default();
+    if (has_unseeded && program.target.main) add({"unseeded", CheckKind{evaluation, check_unseeded}}, Extent::thorough);
+  }
+  for (Case& test : unseeded_cases()) cases.push_back(std::move(test));
 }
 
 }  // namespace hn

@@ -39,7 +39,7 @@ Check check_range;        // values keep to their range and use it
 Check check_seeds;        // fields of different seeds are uncorrelated
 Check check_mirror;       // no quadrant mirrors another
 Check check_finite;       // and neither NaN nor infinity at extreme points
-Check check_unseeded;     // without a seed means with seed 0
+Check check_unseeded;     // unseeded_check.cpp: without a seed means with seed 0
 Check check_other_noise;  // other_noise_check.cpp: HN_FBM2D(name, noise) and its like take the noise
 
 // derivative_check.cpp, slope_sum_check.cpp, divergence_check.cpp and seams_check.cpp
@@ -59,8 +59,25 @@ Outcome check_compilation(Session& session, const CompilationKind& compilation);
 // metamorphic_checks.cpp: the same values, computed in another way.
 Outcome check_pairing(Session& session, const Pairing& pairing);
 
+// A case of an evaluation beside its golden values.
+struct Relation {
+  std::string_view check;
+  CaseKind kind;
+  const Function* with = nullptr;  // whose program it takes besides, in the same version and stage
+  int programs = 1;                // or how many programs beside its own
+};
+// Those that compile another program: a variant of the shader, or another function. metamorphic_checks.cpp has them,
+// and value_cases.cpp chooses.
+std::vector<Relation> relations_of(const Evaluation& evaluation, const Target& target);
+// Those that need none: the function again at other points.
+std::vector<Relation> repetitions_of(const Evaluation& evaluation);
+// A stage of OpenGL against the fragment stage.
+Relation as_fragment(const Evaluation& evaluation);
+
+// The overloads without a seed, of all functions of a file in one program.
+std::vector<Case> unseeded_cases();
+
 // The name of a case about values.
 CaseName name_of(const Evaluation& evaluation, std::string_view check);
-void add_metamorphic_cases(std::vector<Case>& cases, const Evaluation& evaluation, const Target& target, Extent extent);
 
 }  // namespace hn

@@ -23,27 +23,16 @@
 namespace hn {
 namespace {
 
-// The cases of these ids, in their order.
-std::vector<const Case*> cases_of(const std::vector<std::string>& ids, const std::vector<Case>& all) {
-  std::map<std::string_view, const Case*> by_id;
-  for (const Case& test : all) by_id[test.id] = &test;
-  std::vector<const Case*> cases;
-  for (const std::string& id : ids) cases.push_back(by_id.at(id));
-  return cases;
-}
-
-void run_reference_cases(const Suite& suite, const std::vector<const Case*>& cases) {
+void run_reference_cases(const Suite& suite, const std::vector<Case>& cases) {
   report({{"ready", to_json(ContextInfo{"Khronos", "glslang", reference_compiler_version(), "", {}})}});
-  for (const Case* test : cases) {
-    report({{"result", to_json(run_case(suite, *test))}});
-  }
+  for (const Case& test : cases) report({{"result", to_json(run_case(suite, test))}});
 }
 
 // The subjects of the benchmark that these cases are about.
-std::set<std::string> subjects_of(const std::vector<const Case*>& cases) {
+std::set<std::string> subjects_of(const std::vector<Case>& cases) {
   std::set<std::string> ids;
-  for (const Case* test : cases) {
-    if (const Evaluation* evaluation = test->evaluation()) {
+  for (const Case& test : cases) {
+    if (const Evaluation* evaluation = test.evaluation()) {
       ids.insert(subject_id(evaluation->function, evaluation->configuration));
     }
   }
@@ -64,26 +53,26 @@ void report_evidence(Session& session, const Case& test, const Outcome& outcome)
 }
 
 void run_driver_cases(const Suite& suite, std::unique_ptr<Evaluator> evaluator, const Driver& driver,
-                      const std::vector<const Case*>& cases, const std::vector<const Case*>& examined_before) {
+                      const std::vector<Case>& cases, const std::vector<Case>& examined_before) {
   Session session(suite, std::move(evaluator), driver.most_points);
   session.still_alive = [] { report({{"alive", true}}); };
   EvidenceBudget budget;
-  for (const Case* test : examined_before) budget.take(test->name);
+  for (const Case& test : examined_before) budget.take(test.name);
   report({{"ready", to_json(session.info())}, {"languages", nlohmann::json(session.info().languages)}});
-  for (const Case* test : cases) {
-    CaseResult result = run_case(session, *test);
+  for (const Case& test : cases) {
+    CaseResult result = run_case(session, test);
     const bool lost = session.evaluator->is_lost();
     if (lost) {
       const char* const what = session.evaluator->context() ? "the context was lost" : "the device was lost";
       result.outcome = outcome_with(Status::crash, {what, {}});
     }
-    const bool examined = result.outcome.status == Status::fail && test->evaluation() && budget.take(test->name);
+    const bool examined = result.outcome.status == Status::fail && test.evaluation() && budget.take(test.name);
     nlohmann::ordered_json line = {{"result", to_json(result)}};
     if (examined) line["examined"] = true;
     report(line);
     end_if(lost);
     if (!examined) continue;
-    report_evidence(session, *test, result.outcome);
+    report_evidence(session, test, result.outcome);
     end_if(session.evaluator->is_lost());
   }
 }
@@ -127,11 +116,16 @@ int run_on_driver(const Job& job, const Driver& driver) {
   if (driver.browser && job.task == Task::describe) return describe_in_browser(*driver.browser);
   if (driver.browser && job.task == Task::cases) return run_browser_cases(job, *driver.browser, *sources);
   const ReferenceCompiler reference;
-  const Suite suite{*sources, reference, job.suite.golden, job.suite.seed, job.suite.points};
-  const std::vector<Case> all = job.task == Task::describe ? std::vector<Case>{} : all_cases();
-  const std::vector<const Case*> cases = cases_of(job.ids, all);
+  const Suite suite{*sources, reference, job.suite.golden, job.suite.seed, job.suite.points,
+                    job.suite.thorough};
+  const auto cases = cases_with(job.ids);
+  const auto examined = cases_with(job.examined);
+  if (!cases || !examined) {
+    report({{"error", (cases ? examined : cases).error().text()}});
+    return EXIT_FAILURE;
+  }
   if (driver.is_reference_compiler()) {
-    run_reference_cases(suite, cases);
+    run_reference_cases(suite, *cases);
     return EXIT_SUCCESS;
   }
   auto evaluator = create_evaluator(driver, reference);
@@ -140,9 +134,9 @@ int run_on_driver(const Job& job, const Driver& driver) {
     return EXIT_SUCCESS;
   }
   if (job.task == Task::timings) {
-    report(timings_report(*(*evaluator)->context(), *sources, reference, subjects_of(cases)));
+    report(timings_report(*(*evaluator)->context(), *sources, reference, subjects_of(*cases)));
   } else {
-    run_driver_cases(suite, std::move(*evaluator), driver, cases, cases_of(job.examined, all));
+    run_driver_cases(suite, std::move(*evaluator), driver, *cases, *examined);
   }
   return EXIT_SUCCESS;
 }

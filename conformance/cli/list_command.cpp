@@ -24,10 +24,9 @@ std::string page_of_checks() {
 }  // namespace
 
 Result<std::vector<Case>> select_cases(const std::vector<std::string>& filters, bool thorough) {
-  auto cases = filter_cases(all_cases(), filters);
-  const bool any = !cases.empty();
-  if (!thorough) std::erase_if(cases, [](const Case& test) { return test.extent == Extent::thorough; });
+  auto cases = filter_cases(all_cases(thorough ? Scope::thorough : Scope::covered), filters);
   if (!cases.empty()) return cases;
+  const bool any = !thorough && !filter_cases(all_cases(), filters).empty();
   if (any) return fail(fmt::format("the cases that match '{}' need --thorough", fmt::join(filters, "' '")));
   return fail(fmt::format("no case matches --filter '{}'; hn-conform list shows the ids, and * stands for any part",
                           fmt::join(filters, "' '")));

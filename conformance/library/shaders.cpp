@@ -231,12 +231,16 @@ std::string constant_periods(const Function& function, std::span<const std::int3
   return text;
 }
 
+}  // namespace
+
 std::string declared_evaluate(const Function& function, std::string_view name,
-                              std::span<const std::int32_t> periods = {}) {
+                              std::span<const std::int32_t> periods) {
   const auto parameter = [](std::size_t i) { return fmt::format("hn_uvec4 {}", name_of_parameter(i)); };
   return fmt::format("hn_uvec4 {}({}) {{ {}{} }}\n", name, arguments_of(function, parameter),
                      constant_periods(function, periods), function.body);
 }
+
+namespace {
 
 std::string declared_inputs(const Evaluation& evaluation) {
   if (in_buffers(evaluation.profile)) return "";

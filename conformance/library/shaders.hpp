@@ -63,6 +63,9 @@ std::string arguments_of(const Function& function, Text text_of, std::string_vie
   }
   return arguments;
 }
+// A function of that name, with evaluate's parameters, that has the body of a row.
+std::string declared_evaluate(const Function& function, std::string_view name,
+                              std::span<const std::int32_t> periods = {});
 std::string vertex_shader();         // for evaluation in the fragment stage
 std::string idle_fragment_shader();  // for evaluation in the vertex stage
 // The same for a shader that is not a case: evaluate is declared, with the function's parameters, and what follows is

@@ -34,8 +34,9 @@ struct SuiteOptions {
   std::string inject;  // the name of a fault, or nothing
   std::uint64_t seed = 1;
   std::uint64_t points = 0;  // of each comparison with the twin; 0 for what its case says
+  bool thorough = false;     // so many as --thorough has
 };
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SuiteOptions, glsl, golden, inject, seed, points)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SuiteOptions, glsl, golden, inject, seed, points, thorough)
 
 // The library that these options select. An error if the folder or the fault does not exist.
 Result<SourceSet> suite_sources(const SuiteOptions& options);

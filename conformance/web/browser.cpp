@@ -140,21 +140,6 @@ Result<void> converse(const Browser& browser, const std::string& suite, Conversa
   return conversation.result();
 }
 
-Result<std::vector<Case>> cases_with(std::span<const std::string> ids) {
-  std::map<std::string, Case> all;
-  for (Case& test : all_cases()) {
-    std::string id = test.id;
-    all.emplace(std::move(id), std::move(test));
-  }
-  std::vector<Case> cases;
-  for (const std::string& id : ids) {
-    const auto found = all.find(id);
-    if (found == all.end()) return fail(fmt::format("there is no case {}", id));
-    cases.push_back(found->second);
-  }
-  return cases;
-}
-
 constexpr std::string_view kReportTo = "event";
 
 }  // namespace

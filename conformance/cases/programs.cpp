@@ -1,0 +1,303 @@
+#include "cases/programs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+namespace hn {
+namespace {
+
+// What a program is about.
+enum class Facet { row, noise, bound, family, axes, form, setting, hash, gradient, arithmetic, version, stage };
+
+// What its arguments are, beside the coordinates and the seed: a cell and a fraction, periods, a phase and so on. A
+// function of one noise is in another form the same code with other glue.
+std::string form_of(const Function& function) {
+  std::string form;
+  for (const std::string_view column : {"cx", "px", "phase", "jitter", "metric", "detail", "footprint", "units"}) {
+    if (function.input(column) >= 0) form += fmt::format("{}{}", form.empty() ? "" : " ", column);
+  }
+  return form.empty() ? "a position" : form;
+}
+
+std::string word_of(Facet facet, const Program& program) {
+  const Function& function = *program.function;
+  const Configuration& configuration = *program.configuration;
+  switch (facet) {
+    case Facet::row:
+      return std::string(function.id);
+    case Facet::noise:
+      return function.exact() ? std::string(function.id) : fmt::format("{} of {} axes", function.bound, function.axes);
+    case Facet::bound:
+      return std::string(function.bound);
+    case Facet::family:
+      return fmt::format("family {}", static_cast<unsigned>(function.family));
+    case Facet::axes:
+      return fmt::format("{} axes", function.axes);
+    case Facet::form:
+      return form_of(function);
+    case Facet::setting:
+      return std::string(configuration.name);
+    case Facet::hash:
+      return std::string(configuration.hash);
+    case Facet::gradient:
+      return configuration.sine() ? "sine" : "octahedral";
+    case Facet::arithmetic:
+      return std::string(arithmetic_name(function, configuration));
+    case Facet::version:
+      return std::string(program.target.profile->name);
+    case Facet::stage:
+      return std::string(name_of(program.target.stage));
+  }
+  return {};
+}
+
+// Where a thing has to be shown: in OpenGL, or in every other language, whose programs are the same text under other
+// macros and other compilers.
+enum class Where { opengl, elsewhere, everywhere };
+
+struct Shown {
+  Facet first;
+  std::optional<Facet> with;  // the things are pairs, if there is one
+  Where where;
+};
+
+constexpr std::array kShown = {
+    Shown{Facet::row, {}, Where::opengl},
+    // Above the steps of the arithmetic a noise is one text, and so is its form above the noise.
+    Shown{Facet::noise, Facet::arithmetic, Where::opengl},
+    Shown{Facet::noise, Facet::gradient, Where::opengl},
+    Shown{Facet::form, Facet::arithmetic, Where::everywhere},
+    Shown{Facet::form, Facet::axes, Where::opengl},
+    Shown{Facet::form, Facet::bound, Where::opengl},
+    Shown{Facet::setting, Facet::family, Where::opengl},
+    // A hash joins the words of so many coordinates in its own way.
+    Shown{Facet::setting, Facet::axes, Where::opengl},
+    // What a version or a stage can get wrong.
+    Shown{Facet::version, Facet::stage, Where::everywhere},
+    Shown{Facet::version, Facet::arithmetic, Where::everywhere},
+    Shown{Facet::version, Facet::family, Where::everywhere},
+    Shown{Facet::version, Facet::bound, Where::elsewhere},
+    Shown{Facet::version, Facet::axes, Where::everywhere},
+    Shown{Facet::version, Facet::form, Where::everywhere},
+    Shown{Facet::version, Facet::hash, Where::opengl},
+    Shown{Facet::version, Facet::gradient, Where::opengl},
+    Shown{Facet::stage, Facet::arithmetic, Where::opengl},
+    Shown{Facet::stage, Facet::bound, Where::opengl},
+    Shown{Facet::stage, Facet::axes, Where::opengl},
+    Shown{Facet::stage, Facet::form, Where::opengl},
+    Shown{Facet::stage, Facet::hash, Where::opengl},
+};
+
+bool is_opengl(const Program& program) { return program.target.profile->platform() == Platform::opengl; }
+
+// Calls take(words of the thing) for each thing that a program shows.
+template <typename Take>
+void for_each_thing(const Program& program, Take take) {
+  for (std::size_t kind = 0; kind < kShown.size(); ++kind) {
+    const auto& [first, with, where] = kShown[kind];
+    const bool here = where == Where::everywhere || (where == Where::opengl) == is_opengl(program);
+    if (here) take(kind, first, with);
+  }
+}
+
+// The things of the product by number, with the programs that show them.
+struct Things {
+  std::vector<Candidate> programs;
+  std::vector<std::string> words;
+};
+
+// Numbers for the words of a facet. What a facet is about has the same words in thousands of programs.
+class Numbers {
+ public:
+  int of(Facet facet, const Program& program) {
+    const auto [found, is_new] = known_.try_emplace(source_of(facet, program), 0);
+    if (is_new) {
+      std::string word = word_of(facet, program);
+      found->second = numbers_.try_emplace(word, static_cast<int>(words_.size())).first->second;
+      if (found->second == static_cast<int>(words_.size())) words_.push_back(std::move(word));
+    }
+    return found->second;
+  }
+  const std::string& word(int number) const { return words_[static_cast<std::size_t>(number)]; }
+
+ private:
+  using Source = std::tuple<Facet, const void*, const void*>;
+  // What the words follow from.
+  static Source source_of(Facet facet, const Program& program) {
+    switch (facet) {
+      case Facet::setting:
+      case Facet::hash:
+      case Facet::gradient:
+        return {facet, program.configuration, nullptr};
+      case Facet::arithmetic:
+        return {facet, program.configuration, program.function->exact() ? program.function : nullptr};
+      case Facet::version:
+        return {facet, program.target.profile, nullptr};
+      case Facet::stage:
+        return {facet, name_of(program.target.stage).data(), nullptr};
+      default:
+        return {facet, program.function, nullptr};
+    }
+  }
+
+  std::map<Source, int> known_;
+  std::map<std::string, int> numbers_;
+  std::vector<std::string> words_;
+};
+
+Things things_of(const std::vector<Program>& programs) {
+  Things things;
+  Numbers numbers;
+  std::map<std::tuple<std::size_t, int, int>, std::size_t> known;
+  for (const Program& program : programs) {
+    // What other languages than GLSL show is theirs alone.
+    const bool apart = !is_opengl(program);
+    Candidate candidate{.shows = {}, .round = 0, .cost = 0};
+    for_each_thing(program, [&](std::size_t kind, Facet first, std::optional<Facet> with) {
+      const int a = numbers.of(first, program);
+      const int b = with ? numbers.of(*with, program) : -1;
+      const auto [found, is_new] = known.try_emplace({kind * 2 + (apart ? 1 : 0), a, b}, things.words.size());
+      if (is_new) {
+        things.words.push_back(numbers.word(a) + (with ? " with " + numbers.word(b) : "") +
+                               (apart ? " beside OpenGL" : ""));
+      }
+      candidate.shows.push_back(found->second);
+    });
+    things.programs.push_back(std::move(candidate));
+  }
+  return things;
+}
+
+const Things& all_things() {
+  static const Things kThings = things_of(all_programs());
+  return kThings;
+}
+
+// Of equals the default hash is taken; and the stage that compiles faster: llvmpipe compiles a pixel's shader twice, for
+// triangles that cover a block and that do not.
+int cost_of(const Program& program) {
+  const bool default_hash = program.configuration->hash == default_configuration().hash;
+  return (default_hash ? 0 : 2) + (program.target.stage == Stage::fragment ? 1 : 0);
+}
+
+// What every driver runs: the main versions of OpenGL, and of Vulkan its own GLSL, with a program of each family and
+// each arithmetic.
+bool may_be_for_all(const Program& program) {
+  const Profile& profile = *program.target.profile;
+  const bool of_vulkan = profile.platform() == Platform::vulkan && profile.in_glsl();
+  return program.configuration->default_but_for_arithmetic() && (program.target.main || of_vulkan);
+}
+
+}  // namespace
+
+const std::vector<Program>& all_programs() {
+  static const std::vector<Program> kPrograms = [] {
+    std::vector<Program> programs;
+    for (const Function& function : all_functions()) {
+      for (const Configuration& configuration : all_configurations()) {
+        if (!covers(configuration, function)) continue;
+        for (const Target& target : targets_of(configuration)) programs.push_back({&function, &configuration, target});
+      }
+    }
+    return programs;
+  }();
+  return kPrograms;
+}
+
+std::vector<std::string> shown_by(const Program& program) {
+  std::vector<std::string> words;
+  for_each_thing(program, [&](std::size_t, Facet first, std::optional<Facet> with) {
+    words.push_back(word_of(first, program) + (with ? " with " + word_of(*with, program) : ""));
+  });
+  return words;
+}
+
+std::vector<std::string> not_shown(std::span<const Extent> extents) {
+  const Things& things = all_things();
+  std::vector<bool> shown(things.words.size());
+  for (std::size_t i = 0; i < things.programs.size(); ++i) {
+    if (extents[i] == Extent::thorough) continue;
+    for (const std::size_t thing : things.programs[i].shows) shown[thing] = true;
+  }
+  std::vector<std::string> words;
+  for (std::size_t thing = 0; thing < shown.size(); ++thing) {
+    if (!shown[thing]) words.push_back(things.words[thing]);
+  }
+  return words;
+}
+
+std::vector<bool> cover_of(std::span<const Candidate> candidates, std::size_t things) {
+  std::vector<bool> chosen(candidates.size());
+  std::vector<bool> shown(things);
+  const auto news_of = [&](const Candidate& candidate) {
+    return std::ranges::count_if(candidate.shows, [&](std::size_t thing) { return !shown[thing]; });
+  };
+  const auto choose = [&](std::size_t i) {
+    chosen[i] = true;
+    for (const std::size_t thing : candidates[i].shows) shown[thing] = true;
+  };
+  // One of each round, if the round has anything new: the first pass is over what stands in the table, in its order, so
+  // that what is added at the end changes nothing before it.
+  std::map<std::size_t, std::vector<std::size_t>> rounds;
+  for (std::size_t i = 0; i < candidates.size(); ++i) rounds[candidates[i].round].push_back(i);
+  const auto best_of = [&](const std::vector<std::size_t>& members) -> std::optional<std::size_t> {
+    std::optional<std::size_t> best;
+    std::ptrdiff_t most = 0;
+    for (const std::size_t i : members) {
+      const auto news = chosen[i] ? 0 : news_of(candidates[i]);
+      if (news > most || (news == most && news > 0 && candidates[i].cost < candidates[*best].cost)) {
+        best = i;
+        most = news;
+      }
+    }
+    return best;
+  };
+  for (const auto& [round, members] : rounds) {
+    if (const auto best = best_of(members)) choose(*best);
+  }
+  // Then what is left, by the round that has it.
+  for (const auto& [round, members] : rounds) {
+    while (const auto best = best_of(members)) choose(*best);
+  }
+  return chosen;
+}
+
+const std::vector<Extent>& program_extents() {
+  static const std::vector<Extent> kExtents = [] {
+    const std::vector<Program>& programs = all_programs();
+    std::vector<Candidate> candidates = all_things().programs;
+    // A function has one round in OpenGL, and each other language has one round with all functions.
+    std::map<std::string_view, std::size_t> rounds;
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+      const std::string_view name =
+          is_opengl(programs[i]) ? programs[i].function->id : programs[i].target.profile->name;
+      candidates[i].round = rounds.try_emplace(name, rounds.size()).first->second;
+      candidates[i].cost = cost_of(programs[i]);
+    }
+    const std::vector<bool> chosen = cover_of(candidates, all_things().words.size());
+    std::vector<Extent> extents(programs.size(), Extent::thorough);
+    std::set<std::string> shown;
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+      if (!chosen[i]) continue;
+      extents[i] = Extent::one_driver;
+      if (!may_be_for_all(programs[i])) continue;
+      const Profile& profile = *programs[i].target.profile;
+      const std::string platform(name_of(profile.platform()));
+      const bool new_family = shown.insert(platform + word_of(Facet::family, programs[i])).second;
+      const bool new_arithmetic = shown.insert(platform + word_of(Facet::arithmetic, programs[i])).second;
+      if (new_family || new_arithmetic) extents[i] = Extent::every_driver;
+    }
+    return extents;
+  }();
+  return kExtents;
+}
+
+}  // namespace hn
