@@ -234,5 +234,5 @@ def plain_rows(function: Function, settings: Sequence[Configuration], generator:
         rows = cellular_rows.with_choices(rows + cellular_rows.special(function, generator), function, generator)
         rows += cellular_rows.far_borders(function)
         if cellular_rows.jumps(function):
-            rows = list(cellular_rows.cleared(rows, function, settings, generator))
+            rows = list(cellular_rows.cleared(rows, function, generator))
     return simplex_rows.with_phases(rows, generator) if function.has_phase else rows

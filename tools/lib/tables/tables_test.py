@@ -105,6 +105,10 @@ class Tables(unittest.TestCase):
         self.assertEqual((fixed.hash, fixed.gradient, fixed.fixed), ("lattice", "sine", True))
         self.assertFalse(configurations["lattice+precise"].has_golden_files)
         self.assertIn("independent", configurations["lattice"].families)
+        functions = {function.id: function for function in read_functions()}
+        self.assertEqual([configurations["pcg"].covers(functions[id]) for id in
+                          ("noise2d.perlin", "noise2d.simplex", "noise2d.simplex_cell")], [True, True, False])
+        self.assertFalse(configurations["fnv1"].covers(functions["noise2d.simplex"]))
 
     def test_wrong_configurations(self) -> None:
         row = {"name": "fnv1+sine+fixed", "gradient": "SINE", "families": "hash | octave_sum"}
