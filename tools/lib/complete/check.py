@@ -9,6 +9,7 @@ from pathlib import Path
 
 from bounds import table
 from golden.files import golden_files
+from golden_values import head_of
 from oracle import words
 from tables import glsl
 from tables.configurations import ARITHMETICS, Configuration, read_configurations, read_further
@@ -300,14 +301,12 @@ def _is_plain(configuration: Configuration, hash: str) -> bool:
     return configuration.name == hash and "hash" in configuration.families
 
 
-def missing_golden_files(tree: Tree) -> Iterator[str]:
-    folder = tree.at(GOLDEN)
-    missing: dict[str, list[str]] = {}
+def missing_golden_values(tree: Tree) -> Iterator[str]:
     for file in golden_files(tree.functions, tree.configurations):
-        if not (folder / file.name).is_file():
-            missing.setdefault(file.function.id, []).append(file.configuration_name)
-    for function, configurations in missing.items():
-        yield f"{folder}: {function} has no golden files with {', '.join(configurations)}: run tools/golden"
+        path = tree.at(GOLDEN) / file.name
+        there = head_of(path).settings if path.is_file() else []
+        if missing := [values.name for values in file.values if values.name not in there]:
+            yield f"{path}: {file.function.id} has no golden values with {', '.join(missing)}: run tools/golden"
 
 
 def names_of_two_kinds(tree: Tree) -> Iterator[str]:
@@ -326,7 +325,7 @@ def names_of_two_kinds(tree: Tree) -> Iterator[str]:
 CHECKS = (functions_without_a_row, functions_in_another_form, rows_without_a_function, functions_without_words,
           noises_without_entries, noises_without_comments, entries_without_a_noise, families_without_settings,
           hashes_of_unlike_families, further_values_of_nothing, arithmetics_of_unlike_settings, knobs_without_entries, values_without_settings,
-          hashes_without_entries, missing_golden_files, names_of_two_kinds, fields_without_kernels)
+          hashes_without_entries, missing_golden_values, names_of_two_kinds, fields_without_kernels)
 
 
 def problems(root: Path = ROOT) -> list[str]:

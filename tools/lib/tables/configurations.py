@@ -29,8 +29,8 @@ class Configuration:
         return self.arithmetic == "fixed"
 
     @property
-    def has_golden_files(self) -> bool:
-        """HN_PRECISE has the exact values of HN_FAST."""
+    def has_golden_values(self) -> bool:
+        """Of its own: HN_PRECISE has the exact values of HN_FAST."""
         return self.arithmetic != "precise"
 
     def covers(self, function: Function) -> bool:

@@ -103,7 +103,7 @@ class Tables(unittest.TestCase):
         configurations = {configuration.name: configuration for configuration in read_configurations()}
         fixed = configurations["lattice+sine+fixed"]
         self.assertEqual((fixed.hash, fixed.gradient, fixed.fixed), ("lattice", "sine", True))
-        self.assertFalse(configurations["lattice+precise"].has_golden_files)
+        self.assertFalse(configurations["lattice+precise"].has_golden_values)
         self.assertIn("independent", configurations["lattice"].families)
         functions = {function.id: function for function in read_functions()}
         self.assertEqual([configurations["pcg"].covers(functions[id]) for id in
