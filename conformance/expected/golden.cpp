@@ -78,9 +78,8 @@ class Parser {
       return setting.name == own;
     };
     own_ = std::ranges::find_if(settings_, is_own);
-    has_fixed_ = std::ranges::any_of(settings_, [](const GoldenSetting& setting) {
-      return setting.configuration->arithmetic == Arithmetic::fixed;
-    });
+    has_fixed_ = std::ranges::any_of(
+        settings_, [](const GoldenSetting& setting) { return setting.configuration->arithmetic == Arithmetic::fixed; });
   }
 
   Result<Golden> run() {
@@ -205,8 +204,9 @@ class Parser {
     const std::size_t axes = function_.inputs.size() - (function_.seed_word() < 0 ? 0 : 1);
     if (!valid || digest.origin.size() != axes || digest.size.size() != axes || digest.points() == 0 ||
         digest.points() > kMostDigestPoints || digest.fnv1a64 == 0) {
-      return error(fmt::format("{} should be \"digest {} origin=X,.. size=X,.. [seed=N] fnv1a64=16 digits\", with {} axes",
-                               in_quotes(current_), name, axes));
+      return error(
+          fmt::format("{} should be \"digest {} origin=X,.. size=X,.. [seed=N] fnv1a64=16 digits\", with {} axes",
+                      in_quotes(current_), name, axes));
     }
     if (setting == own_) golden_.digest = std::move(digest);
     return {};

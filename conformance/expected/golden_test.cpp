@@ -22,8 +22,9 @@ std::string file_of_lattice() {
     settings += " " + setting.name;
     rows[0] += own ? " = 0000000a" : " = 00000000";
     rows[1] += own ? " = ffffffff" : " = 00000000";
-    digests += fmt::format("digest {} origin=-1,4294967295 size=2,3 seed=5 fnv1a64={}\n",
-                           setting.name.substr(0, setting.name.find(':')), own ? "0123456789abcdef" : "fedcba9876543210");
+    digests +=
+        fmt::format("digest {} origin=-1,4294967295 size=2,3 seed=5 fnv1a64={}\n",
+                    setting.name.substr(0, setting.name.find(':')), own ? "0123456789abcdef" : "fedcba9876543210");
   }
   return fmt::format(
       "hashnoise golden 2\nfunction hash.lattice2\ncalls hn_lattice\nbits 0.1.0\n"

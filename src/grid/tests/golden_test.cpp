@@ -55,7 +55,9 @@ Golden read(const hn::Function& function) {
     for (std::size_t i = 0; i < words.inputs.size(); ++i) {
       row.words[std::string(function.inputs[i].name)] = words.inputs[i];
     }
-    for (const std::uint64_t value : words.values) row.values.push_back(static_cast<float>(std::bit_cast<double>(value)));
+    for (const std::uint64_t value : words.values) {
+      row.values.push_back(static_cast<float>(std::bit_cast<double>(value)));
+    }
     golden.rows.push_back(row);
   }
   return golden;
