@@ -9,7 +9,6 @@ import contextlib
 import io
 import itertools
 import math
-import struct
 import tempfile
 import unittest
 from collections.abc import Sequence
@@ -22,7 +21,7 @@ from golden import command as golden
 from golden import cellular_rows, period_rows, simplex_rows, sum_rows
 from golden.files import Digest, GoldenFile, Sample, Values, golden_files, line
 from golden.generator import INT_MAX, INT_MIN, fnv1a64, generator_of, to_f32
-from golden_values import Golden
+from golden_values import Golden, ids
 from oracle import feature_points, frames, gradients, kernels, noises, sums, words
 from oracle.functions import knobs_of, values_of
 from oracle.gradients import Knobs
@@ -545,6 +544,46 @@ class GoldenContents(unittest.TestCase):
                       for row in rows_with(f"fbm.clouds{n}")]
             self.assertGreaterEqual(sum(0 < value < 1 for value in values), len(values) / 2)
             self.assertIn(0, values)
+
+
+class GoldenReader(unittest.TestCase):
+    """What golden_values.py reads, and what it refuses."""
+
+    def setUp(self) -> None:
+        directory = tempfile.TemporaryDirectory()
+        self.addCleanup(directory.cleanup)
+        self.directory = Path(directory.name)
+        self.text = (golden.GOLDEN / "noise2d.simplex.golden").read_text()
+
+    def read(self, text: str, setting: str = "lattice+fixed") -> Golden:
+        (self.directory / "noise2d.simplex.golden").write_text(text)
+        return Golden("noise2d.simplex", setting, self.directory)
+
+    def test_it_reads_what_is_written(self) -> None:
+        function = FUNCTIONS["noise2d.simplex"]
+        for setting in ("pcg", "lattice", "lattice+fixed"):
+            found, rows = self.read(self.text, setting), rows_with("noise2d.simplex", setting)
+            self.assertEqual((found.head.calls, found.head.axes), ("hn_simplex", 2))
+            words = [[f"{word:08x}" for word in row] for row in found.inputs]
+            self.assertEqual(words, [line(function.inputs, row).split() for row in rows])
+            right = values_with("noise2d.simplex", setting).evaluate(rows[7])
+            self.assertEqual(f"{found.values[7][0]:016x}", line(function.outputs, right))
+
+    def test_it_finds_who_has_a_setting(self) -> None:
+        found = dict(ids("pcg", "any"))
+        self.assertEqual((found["noise2d.simplex"], found["hash.unorm"]), ("pcg", "any"))
+        self.assertNotIn("noise2d.simplex_cell", found)
+
+    def test_what_is_wrong_is_refused(self) -> None:
+        lines = self.text.split("\n")
+        for changed in (lines[:-2] + [""], lines[:-1] + [lines[-2], ""], lines[:7], lines[:6] + lines[7:]):
+            with self.assertRaises(ValueError):
+                self.read("\n".join(changed))
+        with self.assertRaises(ValueError):
+            self.read(self.text, "fnv1")
+        no_float = self.read("\n".join([*lines[:7], f"{lines[7][:-1]}1", *lines[8:]]))
+        with self.assertRaisesRegex(ValueError, "is no float"):
+            self.assertFalse(no_float.expected)
 
 
 class GoldenCheck(unittest.TestCase):
