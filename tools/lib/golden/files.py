@@ -95,10 +95,6 @@ class GoldenFile:
         fixed = any(values.configuration.fixed for values in self.values)
         return rows_of(self.function, fixed, self.settings, generator_of(self.function.id))
 
-    def rows_with(self, configuration: Configuration) -> list[Row]:
-        every, of_fixed = self.rows()
-        return every + of_fixed if configuration.fixed else every
-
     def text(self, found: str = "", sample: Sample | None = None) -> str:
         """The file. With a sample only some values are computed; the others are what the text `found` has in their
         place, if that are values at all."""
