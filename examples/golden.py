@@ -9,7 +9,6 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools" / "lib"))
 
 from golden_values import Golden  # noqa: E402
-from tree import GOLDEN  # noqa: E402
 
 WIDTH = 640
 MARK = 0x80  # the blue of every pixel
@@ -36,12 +35,10 @@ class Picture:
     """Of a golden file whose function is called like call, where x, seed and so on stand for the columns."""
 
     def __init__(self, name: str, call: str):
-        self.golden = Golden(GOLDEN / f"{name}.lattice+fixed.golden")
+        self.golden = Golden(name)
         self.components = len(self.golden.expected[0])
         self.call = call
-        columns = next(line for line in (GOLDEN / f"{name}.lattice+fixed.golden").read_text().splitlines()
-                       if line.startswith("columns ")).removeprefix("columns ").partition(" = ")[0].split()
-        self.columns = [column.split(":") for column in columns]
+        self.columns = self.golden.head.columns
 
     def shader(self, head: str, y: str) -> str:
         """head declares color; y is the row of a pixel, from the top."""

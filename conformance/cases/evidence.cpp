@@ -100,7 +100,7 @@ class Examiner {
 
   // As its golden file has it, if the point is in it.
   std::optional<Right> right_by_golden(std::size_t i) const {
-    const auto path = golden_path(session_.golden_directory, function(), evaluation_.configuration);
+    const auto path = golden_path(session_.golden_directory, function());
     const auto golden = read_golden(path, function(), evaluation_.configuration);
     if (!golden) return std::nullopt;
     const auto words = point(window_, i);

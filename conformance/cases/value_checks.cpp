@@ -72,8 +72,7 @@ Outcome check_digest(Session& session, const Evaluation& evaluation, const Golde
 
 Outcome check_golden(Session& session, const Evaluation& evaluation) {
   const auto& [function, configuration, profile, variant, stage] = evaluation;
-  const auto golden =
-      read_golden(golden_path(session.golden_directory, function, configuration), function, configuration);
+  const auto golden = read_golden(golden_path(session.golden_directory, function), function, configuration);
   if (!golden) return outcome_with(Status::error, golden.error());
   const Words inputs = inputs_of(*golden);
   const auto outputs = evaluate(session, evaluation, inputs);

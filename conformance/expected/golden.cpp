@@ -6,6 +6,7 @@
 #include <bit>
 #include <charconv>
 #include <limits>
+#include <optional>
 
 #include "base/digest.hpp"
 #include "base/file.hpp"
@@ -15,6 +16,8 @@ namespace hn {
 namespace {
 
 constexpr std::string_view kGoldenExtension = ".golden";
+constexpr std::string_view kEquals = " = ";
+constexpr std::string_view kNoValues = "-";
 constexpr std::size_t kMostRows = 1u << 20;
 constexpr std::size_t kMostDigestPoints = 1u << 20;
 
@@ -41,10 +44,10 @@ bool has_digest(const Function& function) {
 }
 
 // Takes the text up to the separator off the front.
-std::string_view take(std::string_view& text, char separator) {
+std::string_view take(std::string_view& text, std::string_view separator) {
   const auto end = std::min(text.find(separator), text.size());
   const auto item = text.substr(0, end);
-  text.remove_prefix(std::min(end + 1, text.size()));
+  text.remove_prefix(std::min(end + separator.size(), text.size()));
   return item;
 }
 
@@ -58,7 +61,7 @@ bool parse_number(std::string_view text, T& value, int base = 10) {
 bool parse_list(std::string_view text, std::vector<std::uint32_t>& list) {
   while (!text.empty()) {
     std::int64_t number = 0;
-    if (!parse_number(take(text, ','), number)) return false;
+    if (!parse_number(take(text, ","), number)) return false;
     if (number < std::numeric_limits<std::int32_t>::min() || number > std::numeric_limits<std::uint32_t>::max()) {
       return false;
     }
@@ -70,18 +73,26 @@ bool parse_list(std::string_view text, std::vector<std::uint32_t>& list) {
 class Parser {
  public:
   Parser(std::string_view text, std::string_view path, const Function& function, const Configuration& configuration)
-      : rest_(text), path_(path), function_(function), configuration_(configuration) {}
+      : rest_(text), path_(path), function_(function), settings_(golden_settings(function)) {
+    const auto is_own = [own = golden_setting(function, configuration)](const GoldenSetting& setting) {
+      return setting.name == own;
+    };
+    own_ = std::ranges::find_if(settings_, is_own);
+    has_fixed_ = std::ranges::any_of(
+        settings_, [](const GoldenSetting& setting) { return setting.configuration->arithmetic == Arithmetic::fixed; });
+  }
 
   Result<Golden> run() {
+    if (own_ == settings_.end()) return error("the configuration has no values of the function");
     std::size_t rows = 0;
     HN_DO(header(rows));
     for (std::size_t i = 0; i < rows; ++i) {
       if (!next_line()) return error(fmt::format("the file ends after {} of {} rows", i, rows));
       HN_DO(row());
     }
-    if (has_digest(function_)) {
+    for (auto setting = settings_.begin(); has_digest(function_) && setting != settings_.end(); ++setting) {
       if (!next_line()) return error("the file ends where the digest should be");
-      HN_DO(digest());
+      HN_DO(digest(setting));
     }
     if (next_line()) return error(fmt::format("the file should end before {}", in_quotes(current_)));
     return std::move(golden_);
@@ -94,7 +105,7 @@ class Parser {
 
   bool next_line() {
     if (rest_.empty()) return false;
-    current_ = take(rest_, '\n');
+    current_ = take(rest_, "\n");
     ++line_;
     return true;
   }
@@ -112,13 +123,15 @@ class Parser {
   }
 
   Result<void> header(std::size_t& rows) {
-    for (const std::string& line : {std::string("hashnoise golden 1"), fmt::format("function {}", function_.id),
-                                    fmt::format("hash {}", golden_configuration(function_, configuration_)),
-                                    fmt::format("arithmetic {}", golden_arithmetic(function_, configuration_))}) {
-      HN_DO(expect_line(line));
-    }
+    HN_DO(expect_line("hashnoise golden 2"));
+    HN_DO(expect_line(fmt::format("function {}", function_.id)));
+    HN_DO(expect("\"calls hn_FUNCTION\"", [](std::string_view line) { return line.starts_with("calls hn_"); }));
+    golden_.calls = current_.substr(std::string_view("calls ").size());
     HN_DO(expect("\"bits VERSION\"", [](std::string_view line) { return line.starts_with("bits "); }));
     HN_DO(expect_line(fmt::format("columns {}", function_.columns)));
+    std::string settings = "settings";
+    for (const GoldenSetting& setting : settings_) settings += " " + setting.name;
+    HN_DO(expect_line(settings));
     return expect(fmt::format("\"rows NUMBER\", from 1 to {}", kMostRows), [&](std::string_view line) {
       return line.starts_with("rows ") && parse_number(line.substr(5), rows) && rows != 0 && rows <= kMostRows;
     });
@@ -127,7 +140,7 @@ class Parser {
   template <typename Word>
   Result<void> words(std::string_view text, const std::vector<Column>& columns, std::vector<Word>& out) {
     for (const Column& column : columns) {
-      const auto digits = take(text, ' ');
+      const auto digits = take(text, " ");
       Word value = 0;
       if (digits.size() != static_cast<std::size_t>(hex_digits(column.type)) || !parse_number(digits, value, 16)) {
         return error(fmt::format("{} should be the {} hexadecimal digits of column {}", in_quotes(digits),
@@ -140,28 +153,43 @@ class Parser {
   }
 
   Result<void> row() {
-    const auto equals = current_.find(" = ");
-    if (equals == std::string_view::npos) {
-      return error(fmt::format("{} should be a row, \"inputs = values\"", in_quotes(current_)));
-    }
+    std::string_view text = current_;
+    if (text.ends_with(' ')) return error(fmt::format("{} should not end with a space", in_quotes(text)));
     GoldenRow row{line_, {}, {}};
-    HN_DO(words(current_.substr(0, equals), function_.inputs, row.inputs));
-    HN_DO(words(current_.substr(equals + 3), function_.outputs, row.values));
-    for (std::size_t i = 0; i < row.values.size() && has_exact_values(function_, configuration_); ++i) {
-      if (function_.outputs[i].type != WordType::f64) continue;
-      if (!is_float(row.values[i])) return error(fmt::format("{:016x} should be a float", row.values[i]));
+    HN_DO(words(take(text, kEquals), function_.inputs, row.inputs));
+    // Whether only fixed arithmetic has values: the first other setting tells, and the others have to agree.
+    std::optional<bool> alone;
+    for (auto setting = settings_.begin(); setting != settings_.end(); ++setting) {
+      const auto values = take(text, kEquals);
+      if (setting->configuration->arithmetic != Arithmetic::fixed) {
+        if (!alone) alone = values == kNoValues && has_fixed_;
+        if ((*alone || alone_) && values != kNoValues) {
+          return error(fmt::format("{} should be \"{}\", as with the setting or in the row before", in_quotes(values),
+                                   kNoValues));
+        }
+        if (*alone) continue;
+      }
+      row.values.clear();
+      HN_DO(words(values, function_.outputs, row.values));
+      for (std::size_t i = 0; i < row.values.size() && has_exact_values(function_, *setting->configuration); ++i) {
+        if (function_.outputs[i].type != WordType::f64) continue;
+        if (!is_float(row.values[i])) return error(fmt::format("{:016x} should be a float", row.values[i]));
+      }
+      if (setting == own_) golden_.rows.push_back(row);
     }
-    golden_.rows.push_back(std::move(row));
+    if (!text.empty()) return error(fmt::format("{} should not follow the last values", in_quotes(text)));
+    alone_ = alone.value_or(false);
     return {};
   }
 
-  Result<void> digest() {
+  Result<void> digest(std::vector<GoldenSetting>::const_iterator setting) {
     std::string_view text = current_;
     GoldenDigest digest;
-    bool valid = take(text, ' ') == "digest";
+    const std::string_view name = std::string_view(setting->name).substr(0, setting->name.find(':'));
+    bool valid = take(text, " ") == "digest" && take(text, " ") == name;
     while (valid && !text.empty()) {
-      auto item = take(text, ' ');
-      const auto key = take(item, '=');
+      auto item = take(text, " ");
+      const auto key = take(item, "=");
       if (key == "origin")
         valid = parse_list(item, digest.origin);
       else if (key == "size")
@@ -176,19 +204,23 @@ class Parser {
     const std::size_t axes = function_.inputs.size() - (function_.seed_word() < 0 ? 0 : 1);
     if (!valid || digest.origin.size() != axes || digest.size.size() != axes || digest.points() == 0 ||
         digest.points() > kMostDigestPoints || digest.fnv1a64 == 0) {
-      return error(fmt::format("{} should be \"digest origin=X,.. size=X,.. [seed=N] fnv1a64=16 digits\", with {} axes",
-                               in_quotes(current_), axes));
+      return error(
+          fmt::format("{} should be \"digest {} origin=X,.. size=X,.. [seed=N] fnv1a64=16 digits\", with {} axes",
+                      in_quotes(current_), name, axes));
     }
-    golden_.digest = std::move(digest);
+    if (setting == own_) golden_.digest = std::move(digest);
     return {};
   }
 
   std::string_view rest_;
   std::string_view path_;
   const Function& function_;
-  const Configuration& configuration_;
+  const std::vector<GoldenSetting> settings_;
+  std::vector<GoldenSetting>::const_iterator own_;
   std::string_view current_;
   int line_ = 0;
+  bool has_fixed_ = false;
+  bool alone_ = false;  // whether the last row has values of fixed arithmetic alone
   Golden golden_;
 };
 
@@ -220,14 +252,19 @@ std::uint32_t result_bits(const Column& column, std::uint64_t value) {
   return std::bit_cast<std::uint32_t>(static_cast<float>(std::bit_cast<double>(value)));
 }
 
-std::string_view golden_arithmetic(const Function& function, const Configuration& configuration) {
-  if (function.exact()) return "exact";
-  return has_exact_values(function, configuration) ? "fixed" : "fast";
+std::string golden_setting(const Function& function, const Configuration& configuration) {
+  if (function.exact()) return fmt::format("{}:exact", configuration_name(function, configuration));
+  if (has_exact_values(function, configuration)) return fmt::format("{}:fixed", configuration.name);
+  return fmt::format("{}:fast", configuration_name(function, configuration));
 }
 
-std::string_view golden_configuration(const Function& function, const Configuration& configuration) {
-  const bool fixed = configuration.arithmetic == Arithmetic::fixed;
-  return fixed ? configuration.name : configuration_name(function, configuration);
+std::vector<GoldenSetting> golden_settings(const Function& function) {
+  std::vector<GoldenSetting> settings;
+  for (const Configuration& configuration : all_configurations()) {
+    if (configuration.arithmetic == Arithmetic::precise || !covers(configuration, function)) continue;
+    settings.push_back({golden_setting(function, configuration), &configuration});
+  }
+  return settings;
 }
 
 Result<void> check_golden_folder(const std::filesystem::path& directory) {
@@ -242,10 +279,8 @@ Result<void> check_golden_folder(const std::filesystem::path& directory) {
   return {};
 }
 
-std::filesystem::path golden_path(const std::filesystem::path& directory, const Function& function,
-                                  const Configuration& configuration) {
-  return directory /
-         fmt::format("{}.{}{}", function.id, golden_configuration(function, configuration), kGoldenExtension);
+std::filesystem::path golden_path(const std::filesystem::path& directory, const Function& function) {
+  return directory / fmt::format("{}{}", function.id, kGoldenExtension);
 }
 
 Result<Golden> read_golden(const std::filesystem::path& path, const Function& function,

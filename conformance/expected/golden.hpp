@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -30,7 +31,9 @@ struct GoldenDigest {
   std::vector<std::uint32_t> inputs() const;
 };
 
+// What a function has with a setting of the knobs.
 struct Golden {
+  std::string calls;  // the function of the library: "hn_perlin"
   std::vector<GoldenRow> rows;
   std::optional<GoldenDigest> digest;
 };
@@ -38,20 +41,25 @@ struct Golden {
 // The bits of a result that a golden file gives a value for, where every bit counts.
 std::uint32_t result_bits(const Column& column, std::uint64_t value);
 
-// What a file's lines "arithmetic" and "hash" say. Precise floats are as near to the exact values as fast ones, so they
-// have the same files.
-std::string_view golden_arithmetic(const Function& function, const Configuration& configuration);
-std::string_view golden_configuration(const Function& function, const Configuration& configuration);
+// What a file calls a setting: "lattice+fixed:fixed". Precise floats are as near to the exact values as fast ones, so
+// they have the same values.
+std::string golden_setting(const Function& function, const Configuration& configuration);
+// The settings that have values of a function, in the order of their values, with one of the configurations of each.
+struct GoldenSetting {
+  std::string name;
+  const Configuration* configuration;
+};
+std::vector<GoldenSetting> golden_settings(const Function& function);
 
 // An error if there is no such folder, or no golden file in it.
 Result<void> check_golden_folder(const std::filesystem::path& directory);
 
-// The file's name in the folder of golden files.
-std::filesystem::path golden_path(const std::filesystem::path& directory, const Function& function,
-                                  const Configuration& configuration);
+// The file's name in the folder of golden files. It has the values of all settings.
+std::filesystem::path golden_path(const std::filesystem::path& directory, const Function& function);
 
-// Reads a file and holds it against what the function's table says. Errors name the file and the line, what is wrong
-// and what would be right, and can be printed whatever the bytes are.
+// Reads a file, holds all of it against what the function's table says, and returns what it has with a configuration
+// that covers the function. Errors name the file and the line, what is wrong and what would be right, and can be
+// printed whatever the bytes are.
 Result<Golden> read_golden(const std::filesystem::path& path, const Function& function,
                            const Configuration& configuration);
 Result<Golden> parse_golden(std::string_view text, std::string_view path, const Function& function,

@@ -33,16 +33,14 @@ void evaluate_all(const std::uint32_t* in, std::uint32_t* out, std::size_t point
 }
 
 using enum hn::Family;
-constexpr unsigned kFamilies[] = {
-#define CONFIGURATION(name, hash, gradient, arithmetic, families) families,
-#include "library/configurations.inc"
-};
 
 // Only what has values with the configuration is compiled to code.
-constexpr bool is_covered(hn::Family family) { return (kFamilies[HN_TWIN] & static_cast<unsigned>(family)) != 0; }
+constexpr bool is_covered(std::string_view id, hn::Family family) {
+  return hn::kConfigurations[HN_TWIN].covers(family, id);
+}
 
 #define HN_TWIN_ENTRY(id, family, ...)                                                                     \
-  {id, is_covered(family)                                                                                  \
+  {id, is_covered(id, family)                                                                              \
            ? evaluate_all<[]([[maybe_unused]] uvec4 a, [[maybe_unused]] uvec4 b, [[maybe_unused]] uvec4 c, \
                              [[maybe_unused]] uvec4 d) -> uvec4 { __VA_ARGS__ }>                           \
            : nullptr},

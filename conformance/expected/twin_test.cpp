@@ -42,7 +42,7 @@ TEST_P(TwinGolden, AgreesWithTheOracle) {
   for (const Function& function : all_functions()) {
     const Configuration& configuration = GetParam();
     if (!covers(configuration, function)) continue;
-    const auto golden = read_golden(golden_path(HN_GOLDEN_DIRECTORY, function, configuration), function, configuration);
+    const auto golden = read_golden(golden_path(HN_GOLDEN_DIRECTORY, function), function, configuration);
     ASSERT_TRUE(golden) << golden.error().text();
     for (const GoldenRow& row : golden->rows) {
       std::vector<std::uint32_t> inputs(row.inputs);

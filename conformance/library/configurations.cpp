@@ -2,31 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
 #include "base/entry_named.hpp"
 
 namespace hn {
 namespace {
-
-// The words of configurations.inc.
-constexpr Gradient OCTAHEDRAL = Gradient::octahedral;
-constexpr Gradient SINE = Gradient::sine;
-constexpr Arithmetic FAST = Arithmetic::fast;
-constexpr Arithmetic PRECISE = Arithmetic::precise;
-constexpr Arithmetic FIXED = Arithmetic::fixed;
-
-constexpr auto kConfigurations = [] {
-  using enum Family;
-  std::array configurations = {
-#define CONFIGURATION(name, hash, gradient, arithmetic, families) \
-  Configuration{name, #hash, gradient, arithmetic, families, 0},
-#include "library/configurations.inc"
-  };
-  int index = 0;
-  for (Configuration& configuration : configurations) configuration.index = index++;
-  return configurations;
-}();
 
 // For HN_HASH_CUSTOM; the same in twin.cpp.
 constexpr std::string_view kCustomHash = "#define HN_HASH_FN(k) (((k) ^ ((k) >> 16u)) * 0x045D9F3Bu)\n";

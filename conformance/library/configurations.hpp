@@ -1,6 +1,8 @@
 // The settings of the library's knobs under test (configurations.inc).
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -50,12 +52,50 @@ struct Configuration {
   bool hash_only() const { return gradient == Gradient::octahedral && fast(); }
   bool sine() const { return gradient == Gradient::sine; }
   bool fast() const { return arithmetic == Arithmetic::fast; }
-  bool covers(Family family) const { return (families & static_cast<unsigned>(family)) != 0; }
+  // Whether a function of a family has values with it.
+  constexpr bool covers(Family family, std::string_view function) const;
   // The name without the arithmetic, which has its own part in case ids.
   std::string_view name_without_arithmetic() const;
   // Whether it is the default, apart from the arithmetic.
   bool default_but_for_arithmetic() const { return name_without_arithmetic() == "lattice"; }
 };
+
+// The table, here so that a twin can leave out what has no values with its configuration (expected/twin.cpp).
+inline constexpr auto kConfigurations = [] {
+  using enum Family;
+  constexpr Gradient OCTAHEDRAL = Gradient::octahedral;
+  constexpr Gradient SINE = Gradient::sine;
+  constexpr Arithmetic FAST = Arithmetic::fast;
+  constexpr Arithmetic PRECISE = Arithmetic::precise;
+  constexpr Arithmetic FIXED = Arithmetic::fixed;
+  std::array configurations = {
+#define CONFIGURATION(name, hash, gradient, arithmetic, families) \
+  Configuration{name, #hash, gradient, arithmetic, families, 0},
+#define VALUES(name, function)
+#include "library/configurations.inc"
+  };
+  int index = 0;
+  for (Configuration& configuration : configurations) configuration.index = index++;
+  return configurations;
+}();
+
+struct FurtherValues {
+  std::string_view configuration;
+  std::string_view function;
+};
+
+inline constexpr FurtherValues kFurtherValues[] = {
+#define CONFIGURATION(...)
+#define VALUES(name, function) {name, function},
+#include "library/configurations.inc"
+};
+
+constexpr bool Configuration::covers(Family family, std::string_view function) const {
+  return (families & static_cast<unsigned>(family)) != 0 ||
+         std::ranges::any_of(kFurtherValues, [&](const FurtherValues& further) {
+           return further.configuration == name && further.function == function;
+         });
+}
 
 std::span<const Configuration> all_configurations();
 const Configuration& default_configuration();

@@ -108,7 +108,7 @@ bool has_same_bits(const Function& function, const Configuration& configuration)
 
 // Whether there are values of a function to compare with.
 inline bool covers(const Configuration& configuration, const Function& function) {
-  return configuration.covers(function.family);
+  return configuration.covers(function.family, function.id);
 }
 
 // The version in which a configuration has most of its cases, of desktop OpenGL or of ES: the lowest that has bit

@@ -9,7 +9,7 @@ import unittest
 
 CMAKE = BUILD = SOURCE = ""
 ONE_CASE = "noise2d.perlin.lattice.fast.fragment.gl330.golden"
-ONE_FILE = "noise2d.perlin.lattice.golden"
+ONE_FILE = "noise2d.perlin.golden"
 
 
 class Install(unittest.TestCase):
@@ -39,9 +39,11 @@ class Install(unittest.TestCase):
 
     def test_it_reads_its_own_files(self):
         golden = next(self.prefix.rglob(ONE_FILE))
-        text = golden.read_text()
-        value = text.index(" = ", text.index("rows ")) + 3
-        golden.write_text(f"{text[:value]}7{text[value + 1:]}")
+        lines = golden.read_text().split("\n")
+        groups = lines[7].split(" = ")
+        lattice = next(i for i, setting in enumerate(lines[5].split()) if setting.startswith("lattice:"))
+        groups[lattice] = f"7{groups[lattice][1:]}"
+        golden.write_text("\n".join([*lines[:7], " = ".join(groups), *lines[8:]]))
         self.assertEqual(self.run_case(self.program).returncode, 1)
         golden.unlink()
         done = self.run_case(self.program)

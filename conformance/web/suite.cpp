@@ -157,7 +157,7 @@ class SuiteWriter {
     const Evaluation& evaluation = kind.evaluation;
     const Function& function = evaluation.function;
     const Configuration& configuration = evaluation.configuration;
-    const auto golden = read_golden(golden_path(golden_, function, configuration), function, configuration);
+    const auto golden = read_golden(golden_path(golden_, function), function, configuration);
     if (!golden) return tl::unexpected(outcome_with(Status::error, golden.error()));
     HN_TRY(const auto evaluated, program(evaluation));
     Json json = {{"check", "values"},

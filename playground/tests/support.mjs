@@ -1,13 +1,15 @@
 // What the tests of the page share. They run in the folder of tools/lib/javascript:
 //
 //   node TEST PAGE.html
-import { readFile } from "node:fs/promises";
 import { execFile } from "node:child_process";
 import { mkdtemp, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { promisify } from "node:util";
+import { bitsOf, read } from "../../tools/lib/golden_values.mjs";
+
+export { bitsOf };
 
 export const kRoot = resolve(dirname(fileURLToPath(import.meta.url)), "..", "..");
 export const kPage = pathToFileURL(resolve(process.argv[2] ?? "playground.html")).href;
@@ -93,29 +95,15 @@ export const copiedCode = (page, language, whole) =>
     whole,
   );
 
-// The rows of a golden file (docs/formats.md): the columns by name, as words, and the bits of the first result.
-export async function golden(id, configuration) {
-  const lines = (
-    await readFile(join(kRoot, "conformance", "expected", "golden", `${id}.${configuration}.golden`), "ascii")
-  ).split("\n");
-  const columns = lines
-    .find((line) => line.startsWith("columns "))
-    .slice(8)
-    .split(" = ")[0]
-    .split(" ")
-    .map((column) => column.split(":")[0]);
-  return lines
-    .filter((line) => /^[0-9a-f]{8}[0-9a-f ]* = /.test(line))
-    .map((line) => {
-      const [inputs, outputs] = line.split(" = ");
-      const words = Object.fromEntries(inputs.split(" ").map((word, at) => [columns[at], parseInt(word, 16)]));
-      const value = new DataView(new ArrayBuffer(8));
-      value.setBigUint64(0, BigInt(`0x${outputs.split(" ")[0]}`));
-      return { words, bits: bitsOf(value.getFloat64(0)) };
-    });
+// The rows of a golden file with HN_FIXED: the columns by name, as words, and the bits of the first result.
+export function golden(id) {
+  const { inputs, rows } = read(join(kRoot, "conformance", "expected", "golden"), id);
+  return rows.map((row) => ({
+    words: Object.fromEntries(inputs.map(([name], at) => [name, row.inputs[at]])),
+    bits: row.expected[0],
+  }));
 }
 
-export const bitsOf = (value) => new Uint32Array(new Float32Array([value]).buffer)[0];
 export const floatOf = (word) => new Float32Array(new Uint32Array([word]).buffer)[0];
 
 // A folder that goes when the work in it is done.

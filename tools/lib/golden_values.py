@@ -1,31 +1,83 @@
-"""The reader of golden files, for tests: points in, and the bits that must come out."""
+"""The reader of golden files (docs/formats.md), for tests: words in, and those that must come out."""
 
 from __future__ import annotations
 
 import struct
+from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
+
+from tree import GOLDEN
+
+Columns = tuple[tuple[str, str], ...]  # names and types
+
+
+@dataclass(frozen=True)
+class Head:
+    """What the lines before the rows say."""
+    calls: str           # the function of the library: hn_perlin
+    columns: Columns     # what goes in
+    results: Columns     # what comes out
+    settings: list[str]  # those with values, in the order of their groups
+    rows: int
+    size: int            # how many lines it has
+
+    @property
+    def axes(self) -> int:
+        return sum(name in ("x", "y", "z", "w", "cx", "cy", "cz", "cw") for name, _ in self.columns)
+
+
+def head_of(path: Path) -> Head:
+    said = {}
+    with path.open(encoding="ascii") as file:
+        for size, line in enumerate(file, 1):
+            key, _, said[key] = line.rstrip("\n").partition(" ")
+            if key == "rows":
+                columns, results = (tuple(tuple(column.split(":")) for column in side.split())
+                                    for side in said["columns"].split(" = "))
+                settings = [setting.split(":")[0] for setting in said["settings"].split()]
+                return Head(said["calls"], columns, results, settings, int(said["rows"]), size)
+    raise ValueError(f"{path} does not say how many rows it has")
 
 
 class Golden:
-    """A file of golden values: the words that go in, and those that must come out."""
+    """What a function has with a setting, as words: the bit patterns in the file.
 
-    def __init__(self, path: Path):
-        lines = path.read_text(encoding="ascii").split("\n")
-        columns = next(line for line in lines if line.startswith("columns ")).removeprefix("columns ")
-        self.types = [column.split(":")[1] for column in columns.split(" = ")[1].split()]
-        rows = [line.split(" = ") for line in lines if " = " in line and line[0] in "0123456789abcdef"
-                and not line.startswith("columns")]
-        self.inputs = [[int(word, 16) for word in inputs.split()] for inputs, _ in rows]
-        self.expected = [[self._word(kind, word) for kind, word in zip(self.types, outputs.split())]
-                         for _, outputs in rows]
+    head      what the file says before the rows
+    inputs    a list of words for each row
+    values    likewise, what must come out
+    """
 
-    @staticmethod
-    def _word(kind: str, text: str) -> int:
-        """The bits that a float has; those of a double are exact as one."""
-        if kind != "f64":
-            return int(text, 16)
-        value = struct.unpack(">d", bytes.fromhex(text))[0]
-        bits = struct.pack("<f", value)
-        if struct.unpack("<f", bits)[0] != value:
-            raise ValueError(f"{text} is no float")
-        return struct.unpack("<I", bits)[0]
+    def __init__(self, id: str, setting: str = "lattice+fixed", folder: Path = GOLDEN):
+        path = folder / f"{id}.golden"
+        self.head = head_of(path)
+        lines = path.read_text(encoding="ascii").splitlines()[self.head.size:]
+        rows = [line.split(" = ") for line in lines if not line.startswith("digest ")]
+        if len(rows) != self.head.rows or not rows:
+            raise ValueError(f"{id} says that it has {self.head.rows} rows, and has {len(rows)}")
+        group = 1 + self.head.settings.index(setting)
+        chosen = [(row[0], row[group]) for row in rows if row[group] != "-"]
+        self.inputs, self.values = ([[int(word, 16) for word in row[side].split()] for row in chosen]
+                                    for side in (0, 1))
+
+    @property
+    def expected(self) -> list[list[int]]:
+        """The bits of results, where every one counts: those of a double are exact as those of a float."""
+        return [[float_bits(word) if kind == "f64" else word for (_, kind), word in zip(self.head.results, words)]
+                for words in self.values]
+
+
+def float_bits(word: int) -> int:
+    value, = struct.unpack(">d", struct.pack(">Q", word))
+    bits = struct.pack("<f", value)
+    if struct.unpack("<f", bits)[0] != value:
+        raise ValueError(f"{word:016x} is no float")
+    return struct.unpack("<I", bits)[0]
+
+
+def ids(*settings: str, folder: Path = GOLDEN) -> Iterator[tuple[str, str]]:
+    """The functions that have values with one of the settings, each with the first that it has."""
+    for path in sorted(folder.glob("*.golden")):
+        there = head_of(path).settings
+        if setting := next((setting for setting in settings if setting in there), ""):
+            yield path.stem, setting

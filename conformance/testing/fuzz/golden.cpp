@@ -1,7 +1,12 @@
-// Golden files, of the function and the configuration that they name, if there are such.
+// Golden files, of the function that they name, if there is such.
 #include "expected/golden.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
 
 #include "fuzz.hpp"
 #include "library/functions.hpp"
@@ -26,26 +31,61 @@ std::string hex(std::uint64_t word, WordType type) {
   return type == WordType::f64 ? fmt::format("{:016x}", word) : fmt::format("{:08x}", word);
 }
 
-// As tools/golden writes it.
-std::string text_of(const Golden& golden, const Function& function, const Configuration& configuration) {
-  std::string text =
-      fmt::format("hashnoise golden 1\nfunction {}\nhash {}\narithmetic {}\nbits 0\ncolumns {}\nrows {}\n", function.id,
-                  golden_configuration(function, configuration), golden_arithmetic(function, configuration),
-                  function.columns, golden.rows.size());
-  for (const GoldenRow& row : golden.rows) {
-    for (std::size_t i = 0; i < row.inputs.size(); ++i) text += hex(row.inputs[i], function.inputs[i].type) + " ";
-    text += "=";
-    for (std::size_t i = 0; i < row.values.size(); ++i) text += " " + hex(row.values[i], function.outputs[i].type);
-    text += "\n";
+// What a file has with each setting of the function, as tools/golden writes it.
+std::string written(const std::vector<Golden>& all, const Function& function) {
+  std::string settings = "settings";
+  std::size_t rows = 0;
+  const Golden* longest = nullptr;
+  for (const GoldenSetting& setting : golden_settings(function)) settings += " " + setting.name;
+  for (const Golden& golden : all) {
+    if (golden.rows.size() > rows) longest = &golden;
+    rows = std::max(rows, golden.rows.size());
   }
-  if (const auto& digest = golden.digest) {
-    text += fmt::format("digest origin={} size={} seed={} fnv1a64={:016x}\n", list(digest->origin), list(digest->size),
-                        digest->seed, digest->fnv1a64);
+  std::string text = fmt::format("hashnoise golden 2\nfunction {}\ncalls {}\nbits 0\ncolumns {}\n{}\nrows {}\n",
+                                 function.id, longest->calls, function.columns, settings, rows);
+  for (std::size_t i = 0; i < rows; ++i) {
+    std::vector<std::string> words;
+    for (std::size_t j = 0; j < function.inputs.size(); ++j) {
+      words.push_back(hex(longest->rows[i].inputs[j], function.inputs[j].type));
+    }
+    for (const Golden& golden : all) {
+      words.push_back("=");
+      if (i >= golden.rows.size()) words.push_back("-");
+      for (std::size_t j = 0; i < golden.rows.size() && j < function.outputs.size(); ++j) {
+        words.push_back(hex(golden.rows[i].values[j], function.outputs[j].type));
+      }
+    }
+    text += fmt::format("{}\n", fmt::join(words, " "));
+  }
+  const std::vector<GoldenSetting> names = golden_settings(function);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!all[i].digest) continue;
+    const GoldenDigest& digest = *all[i].digest;
+    text += fmt::format("digest {} origin={} size={} seed={} fnv1a64={:016x}\n",
+                        names[i].name.substr(0, names[i].name.find(':')), list(digest.origin), list(digest.size),
+                        digest.seed, digest.fnv1a64);
   }
   return text;
 }
 
-void check(const Golden& golden, const Function& function, const Configuration& configuration) {
+// What a text has with each setting, or nothing and the error, which is the same whatever setting is asked for.
+std::vector<Golden> parse_all(std::string_view text, const Function& function, std::string& error) {
+  std::vector<Golden> all;
+  for (const GoldenSetting& setting : golden_settings(function)) {
+    auto golden = parse_golden(text, kPath, function, *setting.configuration);
+    if (golden) {
+      require(error.empty(), "a file is right for all settings or for none", error);
+      all.push_back(std::move(*golden));
+    } else {
+      require(error.empty() || error == golden.error().message, "it has one error", golden.error().message);
+      require(all.empty(), "a file is right for all settings or for none", golden.error().message);
+      error = golden.error().message;
+    }
+  }
+  return all;
+}
+
+void check(const Golden& golden, const Function& function) {
   for (const GoldenRow& row : golden.rows) {
     require(row.inputs.size() == function.inputs.size() && row.values.size() == function.outputs.size(),
             "a row has a word per column");
@@ -59,10 +99,6 @@ void check(const Golden& golden, const Function& function, const Configuration& 
       require(golden.digest->inputs().size() == points * kInputWords, "a digest gives the inputs of its points");
     }
   }
-  const std::string text = text_of(golden, function, configuration);
-  const auto again = parse_golden(text, kPath, function, configuration);
-  require(again.has_value(), "what was read can be written and read again", text);
-  require(text_of(*again, function, configuration) == text, "it is the same then", text);
 }
 
 }  // namespace
@@ -75,15 +111,16 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   for (const Function& other : all_functions()) {
     if (text.find(fmt::format("\nfunction {}\n", other.id)) != text.npos) function = &other;
   }
-  const Configuration* configuration = &default_configuration();
-  for (const Configuration& other : all_configurations()) {
-    if (text.find(fmt::format("\nhash {}\n", other.name)) != text.npos) configuration = &other;
+  std::string error;
+  const std::vector<Golden> all = fuzz::parse_all(text, *function, error);
+  if (all.empty()) {
+    fuzz::require(fuzz::has_place(error), "an error names the line", error);
+    return 0;
   }
-  const auto golden = parse_golden(text, fuzz::kPath, *function, *configuration);
-  if (golden) {
-    fuzz::check(*golden, *function, *configuration);
-  } else {
-    fuzz::require(fuzz::has_place(golden.error().message), "an error names the line", golden.error().message);
-  }
+  for (const Golden& golden : all) fuzz::check(golden, *function);
+  const std::string file = fuzz::written(all, *function);
+  const std::vector<Golden> again = fuzz::parse_all(file, *function, error);
+  fuzz::require(error.empty(), "what was read can be written and read again", file);
+  fuzz::require(fuzz::written(again, *function) == file, "it is the same then", file);
   return 0;
 }

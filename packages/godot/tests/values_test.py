@@ -22,10 +22,10 @@ from pathlib import Path
 from engine import Engine, Failure, RENDERERS, main
 
 from godot_addon.addon import ADDON, files
-from golden_values import Golden
+from golden_values import Golden, ids
 from single_file.godot import SUFFIX
 from tables.functions import Function, read_functions
-from tree import BOUNDS, FUNCTIONS, GOLDEN
+from tree import BOUNDS, FUNCTIONS
 from wgsl.evaluation import PROLOGUE, macros_of_rows
 from wgsl.preprocessor import Preprocessor
 
@@ -69,25 +69,12 @@ void fragment() {{
 	COLOR = vec4(bytes_) / 255.0;
 }}
 """
-Rows = dict[str, Path]  # golden files by the ids of their rows
+Rows = dict[str, Golden]  # by the ids of their rows
 ROWS = {function.id: function for function in read_functions()}
 
 
-def golden_rows(*settings: str) -> Rows:
-    return {row: path for row in ROWS for name in settings if (path := GOLDEN / f"{row}.{name}.golden").is_file()}
-
-
-def rows_of(path: Path) -> list[tuple[str, str]]:
-    """The words that go in and those that must come out, of each point."""
-    return re.findall(r"^((?:[0-9a-f]{8} )+)= (.*)$", path.read_text(encoding="ascii"), re.MULTILINE)
-
-
-def inputs_of(path: Path) -> list[list[int]]:
-    return [[int(word, 16) for word in words.split()] for words, _ in rows_of(path)]
-
-
-def exact_values(path: Path) -> list[float]:
-    return [struct.unpack(">d", bytes.fromhex(value))[0] for _, value in rows_of(path)]
+def exact_values(golden: Golden) -> list[float]:
+    return [struct.unpack(">d", struct.pack(">Q", value))[0] for value, in golden.values]
 
 
 def expanded_bodies(rows: Iterable[str]) -> dict[str, str]:
@@ -145,23 +132,22 @@ def evaluated(engine: Engine, renderer: str, rows: Rows, arithmetic: str = "HN_F
             (project / f"{part}.gdshader").write_text(shader_of(part, here, arithmetic, edit))
             entries = []
             for which, row in enumerate(here):
-                (project / f"{row}.inputs").write_bytes(texture_of(inputs_of(rows[row])))
+                (project / f"{row}.inputs").write_bytes(texture_of(rows[row].inputs))
                 entries.append({"which": which, "inputs": f"res://{row}.inputs", "out": f"res://{row}.out"})
             shaders.append({"code": f"res://{part}.gdshader", "rows": entries})
         (project / "job.json").write_text(json.dumps({"size": [POINTS * OUTPUTS, LINES], "shaders": shaders}))
         engine.run(project, renderer, "res://evaluate.gd", "res://job.json")
         found = {}
-        for row, path in rows.items():
+        for row, golden in rows.items():
             words = struct.unpack(f"<{POINTS * LINES * OUTPUTS}I", (project / f"{row}.out").read_bytes())
-            found[row] = [words[OUTPUTS * i:OUTPUTS * (i + 1)] for i in range(len(inputs_of(path)))]
+            found[row] = [words[OUTPUTS * i:OUTPUTS * (i + 1)] for i in range(len(golden.inputs))]
         return found
 
 
 def differing(got: dict[str, list[tuple[int, ...]]], rows: Rows) -> dict[str, str]:
     """Which rows have other bits than their files, and where first."""
     found = {}
-    for row, path in rows.items():
-        golden = Golden(path)
+    for row, golden in rows.items():
         for inputs, expected, words in zip(golden.inputs, golden.expected, got[row], strict=True):
             if list(words[:len(expected)]) != expected:
                 found.setdefault(row, f"{inputs}: got {words}, expected {expected}")
@@ -169,7 +155,7 @@ def differing(got: dict[str, list[tuple[int, ...]]], rows: Rows) -> dict[str, st
 
 
 def fixed_rows() -> Rows:
-    return golden_rows("lattice+fixed", "any")
+    return {row: Golden(row, setting) for row, setting in ids("lattice+fixed", "any")}
 
 
 class Values(unittest.TestCase):
@@ -188,12 +174,12 @@ class Values(unittest.TestCase):
     def test_floats_within_their_bounds_on_both_renderers(self):
         within = {(noise, int(axes)): float(error) for noise, axes, error in re.findall(
             r'^NOISE_BOUNDS\("(\w+)", (\d), (?!sine)\w+, [^,]+, ([^,]+),', BOUNDS.read_text(encoding="ascii"), re.MULTILINE)}
-        rows = {row: GOLDEN / f"{row}.lattice.golden" for row in ("noise2d.perlin", "noise3d.simplex", "noise2d.value_cubic")}
+        rows = {row: Golden(row, "lattice") for row in ("noise2d.perlin", "noise3d.simplex", "noise2d.value_cubic")}
         for renderer in RENDERERS:
             got = evaluated(self.engine, renderer, rows, "HN_FAST")
-            for row, path in rows.items():
+            for row, golden in rows.items():
                 error = max(abs(struct.unpack("<f", struct.pack("<I", words[0]))[0] - exact)
-                            for words, exact in zip(got[row], exact_values(path), strict=True))
+                            for words, exact in zip(got[row], exact_values(golden), strict=True))
                 with self.subTest(renderer=renderer, row=row):
                     self.assertLessEqual(error, within[ROWS[row].bound, ROWS[row].axes])
                     self.assertGreater(error, 1e-9)  # these are floats

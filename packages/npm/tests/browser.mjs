@@ -6,7 +6,7 @@ import test, { after, before } from "node:test";
 import { build, preview } from "vite";
 import { Field } from "hashnoise";
 import { launch, open } from "../chromium.mjs";
-import { bitsOf, meaning, read } from "./golden.mjs";
+import { bitsOf, meaning, read } from "./golden_values.mjs";
 
 const [golden] = process.argv.slice(2);
 const root = import.meta.dirname;

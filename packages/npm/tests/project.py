@@ -67,6 +67,7 @@ def make(packages: Path) -> int:
         return 1
     packed = done.stdout.strip()
     shutil.copytree(HERE, project, ignore=shutil.ignore_patterns("*.py", "__pycache__"))
+    shutil.copy(ROOT / "tools" / "lib" / "golden_values.mjs", project)
     (project / "package.json").write_text(json.dumps({"name": "game", "private": True, "type": "module"}))
     for name, code in blocks().items():
         right, wrong = BLOCKS[name]

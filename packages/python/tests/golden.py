@@ -14,19 +14,20 @@ from pathlib import Path
 import hashnoise
 import numpy
 
-ROOT = Path(__file__).resolve().parents[3]
-FOLDER = ROOT / "conformance" / "expected" / "golden"
-BOUNDS = ROOT / "conformance" / "expected" / "bounds.inc"
+sys.path.append(str(Path(__file__).resolve().parents[3] / "tools" / "lib"))
+
+import golden_values  # noqa: E402
+from tree import BOUNDS, GOLDEN, ROOT  # noqa: E402, F401  (other tests take ROOT from here)
+
 TYPES = {"f32": numpy.float32, "i32": numpy.int32, "u32": numpy.uint32, "f64": numpy.float64}
 METRICS = ("euclidean", "euclidean", "squared", "manhattan", "chebyshev", "hybrid")  # by HN_METRIC_...; 0 is Euclidean
 # What the package takes. In GLSL what lies beyond counts as the nearer end, and golden files have that, too; with
 # HN_FIXED more than 32 octaves are 32.
 RANGES = {"octaves": (-2**31, 1024), "detail": (0, 1024), "gain": (0, numpy.inf), "jitter": (0, 1),
           "amplitude": (0, 64), "ping_pong": (0, 64), "weighted": (0, 1), "eroded": (0, 16)}
-# What the package does not have: the cell of the nearest point and the way to it, whole numbers as positions, and what
-# is not noise.
-ABSENT = re.compile(r"(hash|gradient|position)\.|\w+\.\w+_(nearest|offset)$")
-FUNCTION = re.compile(r"(?:noise(\d)d|\w+)\.(\w+?)(\d?)((?:_(?:phase|cell|period|full|value|detail|footprint))*)$")
+# Columns of what the package does not have: the cell of the nearest point and the way to it, and whole numbers as
+# positions.
+ABSENT = {"nx", "ox", "units"}
 
 
 @dataclass
@@ -47,36 +48,24 @@ class Golden:
     results: dict[str, numpy.ndarray]
 
 
-def names(configuration: str) -> list[str]:
-    """The functions that the package has and that have a golden file of this configuration: noise2d.perlin, ..."""
-    ending = f".{configuration}.golden"
-    all_names = sorted(path.name.removesuffix(ending) for path in FOLDER.glob(f"*{ending}"))
-    return [name for name in all_names if not ABSENT.match(name)]
+def names(setting: str) -> list[str]:
+    """The functions that the package has and that have golden values with this setting: noise2d.perlin, ..."""
+    found = []
+    for id, _ in golden_values.ids(setting):
+        head = golden_values.head_of(GOLDEN / f"{id}.golden")
+        name, columns = head.calls.removeprefix("hn_"), {name for name, _ in head.columns + head.results}
+        if not columns & ABSENT and head.axes and name in hashnoise.noises(head.axes) + hashnoise.sums(head.axes):
+            found.append(id)
+    return found
 
 
-def read(name: str, configuration: str) -> Golden:
-    header, rows = {}, []
-    for line in (FOLDER / f"{name}.{configuration}.golden").read_text(encoding="ascii").splitlines()[1:]:
-        if " = " in line and not line.startswith("columns"):
-            rows.append(line.replace(" = ", " ").split())
-        else:
-            key, _, value = line.partition(" ")
-            header[key] = value
-    if not rows or int(header["rows"]) != len(rows):
-        raise ValueError(f"{name} says that it has {header['rows']} rows, and has {len(rows)}")
-    inputs, outputs = (side.split() for side in header["columns"].split(" = "))
-    columns = {}
-    for (column, kind), words in zip((column.split(":") for column in inputs + outputs), zip(*rows)):
-        size = numpy.uint64 if kind == "f64" else numpy.uint32
-        columns[column] = numpy.array([int(word, 16) for word in words], size).view(TYPES[kind])
-    arguments = {column.partition(":")[0]: columns[column.partition(":")[0]] for column in inputs}
-    results = {column: values for column, values in columns.items() if column not in arguments}
-    match = FUNCTION.fullmatch(name)
-    if match is None:
-        raise ValueError(f"nobody knows which function {name} is")
-    axes = int(match[1] or match[3])
-    function = match[2] + (match[3] if match[1] else "")
-    return askable(Golden(name, function, axes, arguments, results))
+def read(name: str, setting: str, folder: Path = GOLDEN) -> Golden:
+    file = golden_values.Golden(name, setting, folder)
+    arguments, results = (
+        {column: numpy.array(words, numpy.uint64 if kind == "f64" else numpy.uint32).view(TYPES[kind])
+         for (column, kind), words in zip(columns, zip(*rows))}
+        for columns, rows in ((file.head.columns, file.inputs), (file.head.results, file.values)))
+    return askable(Golden(name, file.head.calls.removeprefix("hn_"), file.head.axes, arguments, results))
 
 
 def askable(golden: Golden) -> Golden:

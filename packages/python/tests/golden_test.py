@@ -6,7 +6,6 @@ import dataclasses
 import tempfile
 import unittest
 from pathlib import Path
-from unittest import mock
 
 import golden
 import hashnoise
@@ -123,12 +122,12 @@ class Reported(unittest.TestCase):
                 self.assertEqual(len(golden.too_far(file, changed)), errors, (column, factor))
 
     def test_a_file_that_is_cut_off(self):
-        name = "noise1d.perlin.lattice.golden"
-        lines = (golden.FOLDER / name).read_text(encoding="ascii").splitlines(keepends=True)
-        with tempfile.TemporaryDirectory() as scratch, mock.patch.object(golden, "FOLDER", Path(scratch)):
-            (golden.FOLDER / name).write_text("".join(lines[:-1]), encoding="ascii")
+        name = "noise1d.perlin.golden"
+        lines = (golden.GOLDEN / name).read_text(encoding="ascii").splitlines(keepends=True)
+        with tempfile.TemporaryDirectory() as scratch:
+            (Path(scratch) / name).write_text("".join(lines[:-1]), encoding="ascii")
             with self.assertRaisesRegex(ValueError, "says that it has"):
-                golden.read("noise1d.perlin", "lattice")
+                golden.read("noise1d.perlin", "lattice", Path(scratch))
 
 
 if __name__ == "__main__":

@@ -9,30 +9,28 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "compare.hpp"
+#include "expected/golden.hpp"
 #include "fields.hpp"
 
 namespace hashnoise::twin {
 namespace {
-
-constexpr std::string_view kEnd = ".lattice+fixed.golden";
 
 struct Row {
   std::map<std::string, std::uint32_t> words;  // by column
   std::vector<float> values;
 };
 
+// What the golden file of a function has with HN_FIXED.
 struct Golden {
+  std::string calls;  // the function of the library, without "hn_"
   int dimensions = 0;
   bool from_cell = false;
   std::set<std::string> columns;
@@ -41,70 +39,49 @@ struct Golden {
   std::vector<Row> rows;
 };
 
-Golden read(const std::filesystem::path& path) {
-  std::ifstream file(path);
+Golden read(const hn::Function& function) {
+  const auto file = hn::read_golden(hn::golden_path(HN_GOLDEN_DIRECTORY, function), function,
+                                    hn::configuration_named("lattice+fixed"));
+  if (!file) throw std::runtime_error(file.error().text());
   Golden golden;
-  std::vector<std::string> inputs;
-  std::string line;
-  while (std::getline(file, line)) {
-    std::istringstream words(line);
-    std::string word;
-    words >> word;
-    if (word == "columns") {
-      while (words >> word && word != "=") inputs.push_back(word.substr(0, word.find(':')));
-      words >> word;
-      if (word.starts_with("dx")) golden.first = 1;  // and one for the derivatives
-      continue;
-    }
-    if (line.find(" = ") == std::string::npos) continue;
+  golden.calls = file->calls.substr(std::string("hn_").size());
+  golden.dimensions = function.axes;
+  golden.from_cell = function.takes_cell();
+  golden.is_part = function.is_derived() && function.axes == 4;
+  golden.first = golden.is_part && function.is_slope(0) ? 1 : 0;  // and one for the derivatives
+  for (const hn::Column& column : function.inputs) golden.columns.insert(std::string(column.name));
+  for (const hn::GoldenRow& words : file->rows) {
     Row row;
-    for (const std::string& input : inputs) {
-      row.words[input] = static_cast<std::uint32_t>(std::stoul(word, nullptr, 16));
-      words >> word;
+    for (std::size_t i = 0; i < words.inputs.size(); ++i) {
+      row.words[std::string(function.inputs[i].name)] = words.inputs[i];
     }
-    if (word != "=") throw std::runtime_error(path.string() + ": a row has another number of columns");
-    while (words >> word) {
-      row.values.push_back(static_cast<float>(std::bit_cast<double>(std::uint64_t{std::stoull(word, nullptr, 16)})));
+    for (const std::uint64_t value : words.values) {
+      row.values.push_back(static_cast<float>(std::bit_cast<double>(value)));
     }
     golden.rows.push_back(row);
-  }
-  const bool is_value = path.filename().string().find("_d_") != std::string::npos &&
-                        path.filename().string().find("_value.") != std::string::npos;
-  golden.is_part = is_value || golden.first > 0;
-  golden.columns.insert(inputs.begin(), inputs.end());
-  golden.from_cell = golden.columns.contains("cx");
-  for (const std::string axis : {"x", "y", "z", "w"}) {
-    if (golden.columns.contains(golden.from_cell ? "c" + axis : axis)) ++golden.dimensions;
   }
   return golden;
 }
 
-// What a file is of: "fbm.clouds2_cell_period" is of clouds over perlin. None if no field has what the function
-// returns.
-std::optional<Settings> settings_of(const std::string& id) {
-  const std::size_t dot = id.find('.');
-  const std::string file = id.substr(0, dot);
-  std::string function = id.substr(dot + 1);
-  if (file == "hash" || file == "gradient" || file == "position") return {};
-  if (function.ends_with("_nearest") || function.ends_with("_offset")) return {};
-  for (const std::string form : {"_value", "_period", "_full", "_cell", "_phase", "_detail", "_footprint"}) {
-    if (function.ends_with(form)) function.resize(function.size() - form.size());
-    // The cell stands before the period and behind a phase.
-    if (form == "_full" && function.ends_with("_cell")) function.resize(function.size() - 5);
-  }
+// The noise of the functions that sum its octaves.
+std::string noise_below(const std::string& sum) {
+  if (sum == "fbm_d" || sum == "eroded") return "perlin_d";
+  return sum.starts_with("warp") ? "value" : "perlin";
+}
+
+// The field that has what a file is of. None if no field has what the function returns: the nearest cell, or the way to
+// its point.
+std::optional<Settings> settings_of(const hn::Function& function, const Golden& golden) {
+  if (function.inputs_are_units() || function.is_name(0) || function.is_offset(0)) return {};
   Settings settings;
   settings.arithmetic = Arithmetic::kFixed;
-  if (file.starts_with("noise")) {
-    settings.noise = function;
+  if (function.is_octave_sum()) {
+    settings.sum = golden.calls;
+    settings.noise = noise_below(golden.calls);
     return settings;
   }
-  function.pop_back();  // the dimensions
-  if (file == "curl") {
-    settings.noise = function;
-    return settings;
-  }
-  settings.sum = function;
-  settings.noise = file == "fbm" ? "perlin" : file == "fbm_d" ? "perlin_d" : "value";
+  if (!function.is_noise() && function.family != hn::Family::curl) return {};
+  settings.noise = golden.calls;
   return settings;
 }
 
@@ -203,34 +180,20 @@ testing::AssertionResult has_rows(const Settings& settings, const Golden& golden
   return has_rows<4>(settings, golden, compared);
 }
 
-std::vector<std::string> ids() {
-  std::vector<std::string> all;
-  for (const auto& entry : std::filesystem::directory_iterator(HN_GOLDEN_DIRECTORY)) {
-    const std::string name = entry.path().filename().string();
-    if (!name.ends_with(kEnd)) continue;
-    std::string id = name.substr(0, name.size() - kEnd.size());
-    if (settings_of(id)) all.push_back(id);
-  }
-  std::ranges::sort(all);
-  return all;
-}
-
-std::filesystem::path path_of(const std::string& id) {
-  return std::filesystem::path(HN_GOLDEN_DIRECTORY) / (id + std::string(kEnd));
-}
-
 TEST(Golden, Values) {
   std::size_t rows = 0;
   std::set<std::string> subjects;
-  for (const std::string& id : ids()) {
-    SCOPED_TRACE(id);
-    const Golden golden = read(path_of(id));
-    const Settings settings = *settings_of(id);
+  for (const hn::Function& function : hn::all_functions()) {
+    SCOPED_TRACE(function.id);
+    if (!hn::covers(hn::configuration_named("lattice+fixed"), function)) continue;
+    const Golden golden = read(function);
+    const std::optional<Settings> settings = settings_of(function, golden);
+    if (!settings) continue;
     std::size_t compared = 0;
-    EXPECT_TRUE(has_rows(settings, golden, compared));
+    EXPECT_TRUE(has_rows(*settings, golden, compared));
     EXPECT_GT(compared, 20u);
     rows += compared;
-    subjects.insert(settings.sum + " " + settings.noise + std::to_string(golden.dimensions) +
+    subjects.insert(settings->sum + " " + settings->noise + std::to_string(golden.dimensions) +
                     (golden.columns.contains("phase") ? " phase" : "") +
                     (golden.columns.contains("detail") ? " detail" : "") +
                     (golden.columns.contains("footprint") ? " footprint" : ""));
@@ -246,9 +209,7 @@ TEST(Golden, Values) {
       }
     }
     for (const std::string& sum : sums(dimensions)) {
-      const std::string noise = sum == "fbm_d" || sum == "eroded" ? "perlin_d"
-                                : sum.starts_with("warp")         ? "value"
-                                                                  : "perlin";
+      const std::string noise = noise_below(sum);
       expected.insert(sum + " " + noise + d);
       if (sum == "fbm") expected.insert({sum + " " + noise + d + " detail", sum + " " + noise + d + " footprint"});
     }
@@ -260,9 +221,9 @@ TEST(Golden, Values) {
 // --- What reads and compares must notice what is wrong ---
 
 TEST(GoldenFile, WithAWrongNumberIsNoticed) {
-  const std::string id = "noise2d.perlin_d_cell";
-  const Golden golden = read(path_of(id));
-  const Settings settings = *settings_of(id);
+  const hn::Function& function = hn::find_function("noise2d.perlin_d_cell");
+  const Golden golden = read(function);
+  const Settings settings = *settings_of(function, golden);
   std::size_t compared = 0;
   ASSERT_TRUE(has_rows(settings, golden, compared));
   EXPECT_EQ(compared, golden.rows.size());
@@ -279,22 +240,21 @@ TEST(GoldenFile, WithAWrongNumberIsNoticed) {
 }
 
 TEST(GoldenFile, NamesWhatItIsOf) {
-  const auto name = [](const std::string& id) {
-    const auto settings = settings_of(id);
+  const auto name = [](std::string_view id) {
+    const hn::Function& function = hn::find_function(id);
+    const auto settings = settings_of(function, read(function));
     return settings ? settings->sum + "/" + settings->noise : "";
   };
   EXPECT_EQ(name("noise2d.perlin"), "/perlin");
   EXPECT_EQ(name("noise2d.perlin_d_phase_cell_period"), "/perlin_d");
   EXPECT_EQ(name("noise3d.cellular_smooth_cell_full"), "/cellular_smooth");
-  EXPECT_EQ(name("noise3d.cellular_full"), "/cellular");
   EXPECT_EQ(name("noise2d.cellular_cell_nearest"), "");
+  EXPECT_EQ(name("noise3d.cellular_offset"), "");
   EXPECT_EQ(name("curl.curl3_cell_period"), "/curl");
   EXPECT_EQ(name("fbm.ping_pong2_cell_period"), "ping_pong/perlin");
-  EXPECT_EQ(name("fbm.fbm4_footprint"), "fbm/perlin");
   EXPECT_EQ(name("fbm_d.eroded3_period"), "eroded/perlin_d");
   EXPECT_EQ(name("warp.warp_progressive2_cell"), "warp_progressive/value");
   EXPECT_EQ(name("position.perlin2"), "");
-  EXPECT_EQ(name("hash.word"), "");
 }
 
 }  // namespace

@@ -9,10 +9,11 @@ from pathlib import Path
 
 from bounds import table
 from golden.files import golden_files
+from golden_values import head_of
 from oracle import words
 from tables import glsl
-from tables.configurations import ARITHMETICS, Configuration, read_configurations
-from tables.functions import FURTHER, NOISES, Function, read_functions
+from tables.configurations import ARITHMETICS, Configuration, read_configurations, read_further
+from tables.functions import FAMILIES, NOISES, OF_EVERY_HASH, Function, read_functions
 from tree import BOUNDS, CONFIGURATIONS, FUNCTIONS, GLSL, GOLDEN, ROOT
 
 KNOBS = "docs/knobs.md"
@@ -187,17 +188,31 @@ def families_without_settings(tree: Tree) -> Iterator[str]:
 
 
 def hashes_of_unlike_families(tree: Tree) -> Iterator[str]:
-    """With the other knobs at their defaults, every hash is tested with the same functions, but for further ones."""
-    plain = [configuration for configuration in tree.configurations
-             if (configuration.arithmetic, configuration.gradient) == ("fast", "octahedral")]
-    # What depends on no knob is tested once.
-    families = {family for configuration in plain for family in configuration.families} - {"independent", *FURTHER}
+    """With the other knobs at their defaults, the default hash is tested with everything, and every other one with what
+    hashes words."""
     default = re.search(r"^#define HN_HASH HN_HASH_(\w+)", tree.config, re.MULTILINE)
-    for configuration in plain:
-        expected = families | (set(FURTHER) & set(configuration.families))
+    for configuration in tree.configurations:
+        if (configuration.arithmetic, configuration.gradient) != ("fast", "octahedral"):
+            continue
         if default and configuration.hash == default[1].lower():
-            expected |= {"independent", *FURTHER}
-        yield from _wrong_families(configuration, expected, "as with the other hashes")
+            yield from _wrong_families(configuration, set(FAMILIES) - {"sine_gradient"}, "as it is the default")
+        else:
+            yield from _wrong_families(configuration, set(OF_EVERY_HASH), "as with the other hashes")
+
+
+def further_values_of_nothing(tree: Tree) -> Iterator[str]:
+    """A function that has values with a setting besides is there, and not of one of its families."""
+    functions = {function.id: function for function in tree.functions}
+    families = {configuration.name: configuration.families for configuration in tree.configurations}
+    for row in read_further(tree.at(CONFIGURATIONS)):
+        function = functions.get(row.text(1))
+        if row.text(0) not in families:
+            yield str(row.error(f"there is no configuration {row.text(0)}: name another, or take the row away"))
+        elif function is None:
+            yield str(row.error(f"there is no function {row.text(1)}: name another, or take the row away"))
+        elif function.family in families[row.text(0)]:
+            yield str(row.error(f"{function.id} has values with {row.text(0)} as all of {function.family} have: take the "
+                                "row away"))
 
 
 def arithmetics_of_unlike_settings(tree: Tree) -> Iterator[str]:
@@ -286,14 +301,12 @@ def _is_plain(configuration: Configuration, hash: str) -> bool:
     return configuration.name == hash and "hash" in configuration.families
 
 
-def missing_golden_files(tree: Tree) -> Iterator[str]:
-    folder = tree.at(GOLDEN)
-    missing: dict[str, list[str]] = {}
+def missing_golden_values(tree: Tree) -> Iterator[str]:
     for file in golden_files(tree.functions, tree.configurations):
-        if not (folder / file.name).is_file():
-            missing.setdefault(file.function.id, []).append(file.configuration_name)
-    for function, configurations in missing.items():
-        yield f"{folder}: {function} has no golden files with {', '.join(configurations)}: run tools/golden"
+        path = tree.at(GOLDEN) / file.name
+        there = head_of(path).settings if path.is_file() else []
+        if missing := [values.name for values in file.values if values.name not in there]:
+            yield f"{path}: {file.function.id} has no golden values with {', '.join(missing)}: run tools/golden"
 
 
 def names_of_two_kinds(tree: Tree) -> Iterator[str]:
@@ -311,8 +324,8 @@ def names_of_two_kinds(tree: Tree) -> Iterator[str]:
 
 CHECKS = (functions_without_a_row, functions_in_another_form, rows_without_a_function, functions_without_words,
           noises_without_entries, noises_without_comments, entries_without_a_noise, families_without_settings,
-          hashes_of_unlike_families, arithmetics_of_unlike_settings, knobs_without_entries, values_without_settings,
-          hashes_without_entries, missing_golden_files, names_of_two_kinds, fields_without_kernels)
+          hashes_of_unlike_families, further_values_of_nothing, arithmetics_of_unlike_settings, knobs_without_entries, values_without_settings,
+          hashes_without_entries, missing_golden_values, names_of_two_kinds, fields_without_kernels)
 
 
 def problems(root: Path = ROOT) -> list[str]:

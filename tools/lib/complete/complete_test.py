@@ -147,13 +147,22 @@ class Deletions(unittest.TestCase):
                  r"gradient_noise to its families, as in lattice\+fixed"),
                 (r'^(CONFIGURATION\("fnv1\+fixed", .*) \| lattice_noise', "\\1", r"fnv1\+fixed: add lattice_noise to "
                  r"its families, as in fnv1\+precise"),
-                (r'^(CONFIGURATION\("fnv1", .* FAST, hash) .*\)$', "\\1)", "fnv1: add octave_sum to its families"),
+                (r'^(CONFIGURATION\("fnv1", .* FAST, hash) .*\)$', "\\1)", "fnv1: add lattice_noise to its families"),
+                (r'^(CONFIGURATION\("murmur", .* FAST,)', "\\1 octave_sum |", "murmur: take octave_sum from its families"),
                 (r"independent \| ", "", "lattice: add independent to its families"),
                 (r'^(CONFIGURATION\("pcg", .* FAST,)', "\\1 independent |", "pcg: take independent from its families")):
             with self.subTest(row=row):
                 self.setUp()
                 self.change(SETTINGS_FILE, row, left)
                 self.noticed(rf"^{SETTINGS_FILE}:\d+: {message}")
+
+    def test_a_function_with_further_values(self) -> None:
+        row = 'VALUES("pcg", "noise2d.{}")'
+        self.change(SETTINGS_FILE, r'^VALUES\("pcg", "noise2d.simplex"\)', row.format("perlin") + row.format("merlin") +
+                    'VALUES("md5", "noise2d.simplex")')
+        self.noticed(rf"^{SETTINGS_FILE}:\d+: noise2d.perlin has values with pcg as all of gradient_noise have: take",
+                     rf"^{SETTINGS_FILE}:\d+: there is no function noise2d.merlin: name another",
+                     rf"^{SETTINGS_FILE}:\d+: there is no configuration md5: name another")
 
     def test_a_knob(self) -> None:
         self.change("glsl/config.glsl", r"^(#ifndef HN_ARITHMETIC)",
@@ -193,7 +202,8 @@ class Deletions(unittest.TestCase):
         self.noticed(r"^glsl/\w+\.glsl:\d+: hn_hash_xxhash32\(uint\) is the hash of no configuration: add CONFIGURATION")
 
     def test_a_golden_file(self) -> None:
-        missing = "noise2d.perlin.lattice+fixed.golden"
         self.golden.unlink()
-        shutil.copytree(GOLDEN, self.golden, ignore=shutil.ignore_patterns(missing))
-        self.noticed(r"golden: noise2d\.perlin has no golden files with lattice\+fixed: run tools/golden$")
+        shutil.copytree(GOLDEN, self.golden, ignore=shutil.ignore_patterns("noise1d.perlin.golden"))
+        self.change(f"{self.golden.relative_to(self.root)}/noise2d.perlin.golden", r"^(settings .*) fnv1\+fixed:fixed", "\\1")
+        self.noticed(r"golden: noise1d\.perlin has no golden values with lattice, lattice\+fixed: run tools/golden$",
+                     r"golden: noise2d\.perlin has no golden values with fnv1\+fixed: run tools/golden$")

@@ -1,15 +1,18 @@
 """Writes or checks the golden files: inputs, and what the oracle says comes out.
 
-    tools/golden [--out DIR] [--check]
+    tools/golden [--out DIR] [--check [--sample N]]
 
-Each file is <function>.<configuration>.golden: a header, one line per row (the bit patterns of the inputs, " = ", those
-of the outputs), and for hashes one digest of many more points. The functions are those of functions.inc, the
-configurations those of configurations.inc; "any" where the function depends on no knob. A value that is not exact in a
-float32 is the double nearest to the exact one; with fixed arithmetic it is the float itself. A digest is the 64-bit
-FNV-1a of the results as 4 little-endian bytes each, over all points from `origin`, the last coordinate running fastest.
+Each file is <function>.golden (docs/formats.md). The functions are those of functions.inc, the settings those of
+configurations.inc; "any" where the function depends on no knob. A value that is not exact in a float32 is the double
+nearest to the exact one; with fixed arithmetic it is the float itself. A digest is the 64-bit FNV-1a of the results as
+4 little-endian bytes each, over all points from `origin`, the last coordinate running fastest.
 
-The inputs are those of rows.py; their generator is seeded with the function's name alone, so that every configuration
-sees the same inputs. Fixed arithmetic has some more behind them.
+The inputs are those of rows.py; their generator is seeded with the function's name alone, so that every setting sees
+the same inputs. Fixed arithmetic has some more behind them.
+
+With --sample the oracle computes N rows of each file, with every setting, and N / 2 of those that only fixed arithmetic
+has; the heads and the inputs of all rows are compared as ever. Which rows they are follows from the text of the oracle
+and of the contract, so that whoever changes one of these asks other rows than before.
 
 Exit status: 0 written, or all is as the oracle says; 1 something is not; 2 bad usage, or a table that is wrong.
 """
@@ -17,24 +20,42 @@ Exit status: 0 written, or all is as the oracle says; 1 something is not; 2 bad 
 from __future__ import annotations
 
 import argparse
+import hashlib
 import itertools
 import sys
 from collections.abc import Sequence
 from concurrent.futures import ProcessPoolExecutor
+from functools import partial
 from pathlib import Path
 
-from golden.files import GoldenFile, golden_files
+from golden.files import GoldenFile, Sample, golden_files
 from tables.configurations import read_configurations
 from tables.functions import read_functions
 from tables.inc import TableError
-from tree import GOLDEN
+from tree import CONFIGURATIONS, FUNCTIONS, GOLDEN, ROOT, TOOLS
 
 
-def generate() -> dict[str, str]:
-    """All golden files: the text by the file name."""
+def generate(directory: Path | None = None, sample: Sample | None = None) -> dict[str, str]:
+    """All golden files: the text by the file name. What a sample leaves out is as the file in the directory has it."""
     files = golden_files(read_functions(), read_configurations())
     with ProcessPoolExecutor() as pool:
-        return dict(zip((file.name for file in files), pool.map(GoldenFile.text, files, chunksize=4)))
+        return dict(zip((file.name for file in files), pool.map(partial(generated, directory, sample), files)))
+
+
+def generated(directory: Path | None, sample: Sample | None, file: GoldenFile) -> str:
+    path = directory / file.name if directory else None
+    # latin-1 takes any byte. What is no value is computed.
+    return file.text(path.read_bytes().decode("latin-1") if path and path.is_file() else "", sample)
+
+
+def salt() -> str:
+    """It is another one if what the values come from is another: the contract, the oracle, or a table."""
+    modules = [path for folder in ("oracle", "golden") for path in (TOOLS / "lib" / folder).rglob("*.py")
+               if not path.stem.endswith("_test")]
+    digest = hashlib.sha256()
+    for path in (ROOT / "docs" / "contract.md", FUNCTIONS, CONFIGURATIONS, *sorted(modules)):
+        digest.update(path.read_bytes())
+    return digest.hexdigest()
 
 
 def stale(directory: Path, files: dict[str, str]) -> list[str]:
@@ -75,9 +96,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="golden", description="Writes or checks the golden files.")
     parser.add_argument("--out", type=Path, default=GOLDEN, metavar="DIR", help=f"default: {GOLDEN}")
     parser.add_argument("--check", action="store_true", help="compare with DIR instead of writing")
+    parser.add_argument("--sample", type=int, metavar="N", help="compute so many rows of each file, with --check")
     options = parser.parse_args(arguments)
+    if options.sample is not None and not (options.check and options.sample > 0):
+        parser.error("--sample wants a positive number, and --check")
+    sample = Sample(options.sample, salt()) if options.sample else None
     try:
-        files = generate()
+        files = generate(options.out, sample) if sample else generate()
     except TableError as error:
         print(error, file=sys.stderr)
         return 2
@@ -86,5 +111,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(f"{len(files)} golden files written to {options.out}")
         return 0
     messages = differences(options.out, files)
-    print("\n".join(messages) if messages else f"{len(files)} golden files are as the oracle says")
+    what = f"{options.sample} rows and more of each of {len(files)}" if sample else f"{len(files)}"
+    print("\n".join(messages) if messages else f"{what} golden files are as the oracle says")
     return 1 if messages else 0

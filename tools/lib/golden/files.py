@@ -1,8 +1,10 @@
-"""What stands in a golden file: which there are follows from the tables of functions and of configurations."""
+"""What stands in a golden file: which there are, and with which settings, follows
+from the tables of functions and of configurations."""
 
 from __future__ import annotations
 
 import itertools
+import re
 import struct
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -40,55 +42,111 @@ DIGESTS = {
 
 
 @dataclass(frozen=True)
-class GoldenFile:
-    """The file of a function with a configuration. `settings` are all configurations: some inputs are made for them."""
+class Values:
+    """What a function has with a setting: a column group of its file."""
     function: Function
     configuration: Configuration
-    settings: Sequence[Configuration]
-
-    @property
-    def configuration_name(self) -> str:
-        return "any" if self.function.family == "independent" else self.configuration.name
 
     @property
     def name(self) -> str:
-        return f"{self.function.id}.{self.configuration_name}.golden"
+        """Of the setting: "any" where no knob matters."""
+        return "any" if self.function.family == "independent" else self.configuration.name
 
     @property
     def arithmetic(self) -> str:
         return "exact" if self.function.exact else self.configuration.arithmetic
 
-    def rows(self) -> list[Row]:
-        """The rows, from a generator that is seeded with the function's name alone."""
-        return rows_of(self.function, self.configuration.fixed, self.settings, generator_of(self.function.id))
-
     def evaluate(self, row: Row) -> tuple[Real, ...]:
         return evaluator(self.function, self.configuration.fixed)(knobs_of(self.configuration), row)
-
-    def text(self) -> str:
-        function, rows = self.function, self.rows()
-        knobs, evaluate = knobs_of(self.configuration), evaluator(function, self.configuration.fixed)
-        lines = ["hashnoise golden 1", f"function {function.id}", f"hash {self.configuration_name}",
-                 f"arithmetic {self.arithmetic}", f"bits {BITS}", f"columns {function.inputs} = {function.outputs}",
-                 f"rows {len(rows)}"]
-        lines += [f"{line(function.inputs, row)} = {line(function.outputs, evaluate(knobs, row))}" for row in rows]
-        if function.family == "hash":
-            lines.append(self.digest(DIGESTS[function.form, function.axes]))
-        return "\n".join(lines) + "\n"
 
     def digest(self, digest: Digest) -> str:
         seed = () if digest.seed is None else (digest.seed,)
         knobs, evaluate = knobs_of(self.configuration), evaluator(self.function, fixed=False)
         points = itertools.product(*(range(start, start + size) for start, size in zip(digest.origin, digest.size)))
         values = [evaluate(knobs, point + seed)[0] for point in points]
-        fields = ["digest", "origin=" + ",".join(map(str, digest.origin)), "size=" + ",".join(map(str, digest.size))]
-        fields += [f"seed={s}" for s in seed]
-        return " ".join(fields + [f"fnv1a64={fnv1a64(struct.pack(f'<{len(values)}I', *values)):016x}"])
+        return f"{self.start_of(digest)}{fnv1a64(struct.pack(f'<{len(values)}I', *values)):016x}"
+
+    def start_of(self, digest: Digest) -> str:
+        """The line of a digest, up to its value."""
+        fields = [f"digest {self.name}"]
+        fields += ["origin=" + ",".join(map(str, digest.origin)), "size=" + ",".join(map(str, digest.size))]
+        fields += [f"seed={digest.seed}"] * (digest.seed is not None)
+        return " ".join([*fields, "fnv1a64="])
+
+
+@dataclass(frozen=True)
+class GoldenFile:
+    """The file of a function. `settings` are all configurations: some inputs are made for them."""
+    function: Function
+    settings: Sequence[Configuration]
+
+    @property
+    def name(self) -> str:
+        return f"{self.function.id}.golden"
+
+    @property
+    def values(self) -> list[Values]:
+        return [Values(self.function, setting) for setting in self.settings
+                if setting.has_golden_values and setting.covers(self.function)]
+
+    def rows(self) -> tuple[list[Row], list[Row]]:
+        """The rows that every setting has, and those that only fixed arithmetic has, from a generator that is seeded
+        with the function's name alone."""
+        fixed = any(values.configuration.fixed for values in self.values)
+        return rows_of(self.function, fixed, self.settings, generator_of(self.function.id))
+
+    def text(self, found: str = "", sample: Sample | None = None) -> str:
+        """The file. With a sample only some values are computed; the others are what the text `found` has in their
+        place, if that are values at all."""
+        function, values, (every, of_fixed) = self.function, self.values, self.rows()
+        lines = ["hashnoise golden 2", f"function {function.id}", f"calls {function.calls}", f"bits {BITS}",
+                 f"columns {function.inputs} = {function.outputs}",
+                 f"settings {' '.join(f'{group.name}:{group.arithmetic}' for group in values)}",
+                 f"rows {len(every) + len(of_fixed)}"]
+        there = dict(enumerate(found.split("\n")[len(lines):]))
+        chosen = None if sample is None else sample.of(function.id, len(every), len(of_fixed), len(values))
+        for i, row in enumerate(every + of_fixed):
+            has = [i < len(every) or group.configuration.fixed for group in values]
+            start = line(function.inputs, row)
+            groups = "".join(f" = {pattern_of(function.outputs) if one else '-'}" for one in has)
+            kept = there.get(i, "")
+            if (chosen is not None and i not in chosen and kept.startswith(start) and
+                    re.fullmatch(groups, kept.removeprefix(start))):
+                lines.append(kept)
+                continue
+            lines.append(start + "".join(f" = {line(function.outputs, group.evaluate(row)) if one else '-'}"
+                                         for group, one in zip(values, has)))
+        for i, group in enumerate(values if function.family == "hash" else (), len(every) + len(of_fixed)):
+            digest = DIGESTS[function.form, function.axes]
+            kept = there.get(i, "")
+            is_kept = (chosen is not None and i not in chosen and
+                       re.fullmatch(re.escape(group.start_of(digest)) + "[0-9a-f]{16}", kept))
+            lines.append(kept if is_kept else group.digest(digest))
+        return "\n".join(lines) + "\n"
+
+
+@dataclass(frozen=True)
+class Sample:
+    """Some lines of each file: so many of the rows that every setting has, and half as many of those of fixed
+    arithmetic; and one digest. Which they are depends on `salt`, a text."""
+    count: int
+    salt: str
+
+    def of(self, id: str, every: int, of_fixed: int, settings: int) -> set[int]:
+        generator = generator_of(f"{id} {self.salt}")
+        chosen = {generator.integer(0, every - 1) for _ in range(self.count)}
+        chosen |= {every + generator.integer(0, of_fixed - 1) for _ in range(self.count // 2 if of_fixed else 0)}
+        return chosen | {every + of_fixed + generator.integer(0, settings - 1)}
 
 
 def golden_files(functions: Sequence[Function], configurations: Sequence[Configuration]) -> list[GoldenFile]:
-    return [GoldenFile(function, configuration, configurations) for function in functions
-            for configuration in configurations if configuration.has_golden_files and configuration.covers(function)]
+    files = [GoldenFile(function, configurations) for function in functions]
+    return [file for file in files if file.values]
+
+
+def pattern_of(header: str) -> str:
+    """A regular expression of the words under the columns of a header."""
+    return " ".join("[0-9a-f]{16}" if column.endswith(":f64") else "[0-9a-f]{8}" for column in header.split())
 
 
 def pattern(kind: str, value: Real) -> str:

@@ -6,10 +6,10 @@ What the files say and how, and that `golden --check` notices what differs.
 from __future__ import annotations
 
 import contextlib
+import functools
 import io
 import itertools
 import math
-import struct
 import tempfile
 import unittest
 from collections.abc import Sequence
@@ -20,8 +20,9 @@ from unittest import mock
 
 from golden import command as golden
 from golden import cellular_rows, period_rows, simplex_rows, sum_rows
-from golden.files import Digest, GoldenFile, golden_files, line
+from golden.files import Digest, GoldenFile, Sample, Values, golden_files, line
 from golden.generator import INT_MAX, INT_MIN, fnv1a64, generator_of, to_f32
+from golden_values import Golden, ids
 from oracle import feature_points, frames, gradients, kernels, noises, sums, words
 from oracle.functions import knobs_of, values_of
 from oracle.gradients import Knobs
@@ -39,71 +40,78 @@ FUNCTIONS = {function.id: function for function in read_functions()}
 SUMS = [function for function in FUNCTIONS.values() if function.family in OCTAVE_SUMS]
 CELLULAR = [function for function in FUNCTIONS.values() if function.family in cellular_rows.FAMILIES]
 SETTINGS = read_configurations()
-FILES = {file.name: file for file in golden_files(list(FUNCTIONS.values()), SETTINGS)}
+FILES = {file.function.id: file for file in golden_files(list(FUNCTIONS.values()), SETTINGS)}
 
 
-def rows_with(id: str, configuration: str = "") -> list[tuple]:
-    """The rows of a function, with a configuration, or with the first that has it."""
-    return next(file for file in FILES.values()
-                if file.function.id == id and configuration in ("", file.configuration_name)).rows()
+def values_with(id: str, setting: str) -> Values:
+    return next(values for values in FILES[id].values if values.name == setting)
+
+
+def rows_with(id: str, setting: str = "") -> list[tuple]:
+    """The rows of a function, with a setting, or with the first that has it."""
+    values = values_with(id, setting) if setting else FILES[id].values[0]
+    every, of_fixed = rows_of(id)
+    return every + of_fixed if values.configuration.fixed else every
+
+
+@functools.cache
+def rows_of(id: str) -> tuple[list[tuple], list[tuple]]:
+    """Which take a while to make."""
+    return FILES[id].rows()
 
 
 class GoldenContents(unittest.TestCase):
     def test_format(self) -> None:
-        lines = self.file("noise2d.perlin", "fnv1")
-        self.assertEqual(lines[:8], [
-            "hashnoise golden 1", "function noise2d.perlin", "hash fnv1", "arithmetic fast", "bits 0.3.0",
-            "columns x:f32 y:f32 seed:u32 = value:f64", "rows 192",
-            "c0000000 c0000000 00000000 = 0000000000000000",
+        lines = self.file("noise1d.value")
+        self.assertEqual(lines[:7], [
+            "hashnoise golden 2", "function noise1d.value", "calls hn_value", "bits 0.3.0",
+            "columns x:f32 seed:u32 = value:f64", "settings pcg:fast lattice:fast lattice+fixed:fixed",
+            f"rows {len(lines) - 8}"
         ])
-        self.assertEqual(len(lines), 7 + 192 + 1)
+        self.assertRegex(lines[7], "^c0000000 00000000( = [0-9a-f]{16}){3}$")
+        self.assertRegex(lines[-2], "^[0-9a-f]{8} [0-9a-f]{8} = - = - = [0-9a-f]{16}$")
         self.assertEqual(lines[-1], "")
 
-    def file(self, function: str, configuration: str) -> list[str]:
+    def file(self, function: str) -> list[str]:
         """The lines of a golden file."""
-        return FILES[f"{function}.{configuration}.golden"].text().split("\n")
+        return FILES[function].text().split("\n")
 
-    def test_format_of_other_configurations(self) -> None:
-        exact = self.file("gradient.lattice2", "lattice")
-        self.assertEqual(exact[2:6], ["hash lattice", "arithmetic exact", "bits 0.3.0",
-                                      "columns x:i32 y:i32 seed:u32 = gx:f32 gy:f32"])
-        fast = self.file("gradient.sine3", "fnv1+sine")
-        self.assertEqual(fast[2:6], ["hash fnv1+sine", "arithmetic fast", "bits 0.3.0",
-                                     "columns x:i32 y:i32 z:i32 seed:u32 = gx:f64 gy:f64 gz:f64"])
-        self.assertEqual(self.file("noise2d.perlin", "lattice+sine")[5], "columns x:f32 y:f32 seed:u32 = value:f64")
-        fixed = self.file("gradient.sine2", "lattice+sine+fixed")
-        self.assertEqual(fixed[2:4], ["hash lattice+sine+fixed", "arithmetic fixed"])
+    def test_format_of_other_files(self) -> None:
+        exact = self.file("gradient.lattice2")
+        self.assertEqual(exact[4:6], ["columns x:i32 y:i32 seed:u32 = gx:f32 gy:f32", "settings fnv1:exact "
+                                      "partial_fnv1:exact jenkins:exact partial_jenkins:exact murmur:exact pcg:exact "
+                                      "xxhash32:exact lattice:exact custom:exact"])
+        sine = self.file("gradient.sine3")
+        self.assertEqual(sine[4], "columns x:i32 y:i32 z:i32 seed:u32 = gx:f64 gy:f64 gz:f64")
+        self.assertRegex(sine[5], "^settings fnv1.sine:fast .* lattice.sine:fast lattice.sine.fixed:fixed$")
+        self.assertEqual(self.file("hash.unorm")[5], "settings any:exact")
+        digests = self.file("hash.lattice2")[-10:]
+        self.assertEqual([line.split()[1] for line in digests[:-1]], [setting.split(":")[0] for setting in exact[5].split()[1:]])
 
     def test_fixed_arithmetic_by_hand(self) -> None:
         # Where a float has no fraction there is no noise.
-        lines = self.file("noise2d.perlin", "lattice+fixed")
-        self.assertIn("80000000 80000000 00000000 = 0000000000000000", lines)
-        self.assertIn("7f61b1e6 7f61b1e6 00000000 = 0000000000000000", lines)  # 3e38
-        clouds = self.file("fbm.clouds2", "lattice+fixed")
-        no_octaves = [line for line in clouds[7:-1] if line.split()[2] in ("00000000", "ffffffff")]
+        perlin, clouds = (values_with(id, "lattice+fixed") for id in ("noise2d.perlin", "fbm.clouds2"))
+        for x in (-0.0, to_f32(3e38)):
+            self.assertIn((x, x, 0), rows_with("noise2d.perlin", "lattice+fixed"))
+            self.assertEqual(perlin.evaluate((x, x, 0)), (0,))
+        no_octaves = [row for row in rows_with("fbm.clouds2", "lattice+fixed") if row[2] in (0, -1)]
         self.assertGreaterEqual(len(no_octaves), 4)
-        for line in no_octaves:
-            self.assertEqual(line.split()[-1], "3fc4000000000000", line)  # 5/32
+        for row in no_octaves:
+            self.assertEqual(clouds.evaluate(row), (Fraction(5, 32),), row)
 
     def test_values_of_fixed_arithmetic_are_floats(self) -> None:
-        for file in FILES.values():
-            if not file.configuration.fixed:
-                continue
-            for line in file.text().split("\n")[7:-1]:
-                for column, pattern in zip(file.function.outputs.split(), line.split(" = ")[1].split()):
-                    if column.endswith(":i32"):
-                        continue
-                    value, = struct.unpack(">d", bytes.fromhex(pattern))
-                    self.assertEqual(to_f32(value), value)
-                    self.assertTrue(value != 0 or math.copysign(1, value) == 1)
+        """Of the files, which are what the oracle says: golden.regenerated_is_committed."""
+        for id, file in FILES.items():
+            for values in file.values:
+                if values.configuration.fixed:
+                    read = Golden(id, values.name)  # whose bits are those of floats
+                    for (_, kind), results in zip(read.head.results, zip(*read.expected)):
+                        self.assertTrue(kind == "i32" or 0x80000000 not in results, id)
 
-    def test_fixed_arithmetic_sees_the_other_inputs_first(self) -> None:
-        for file in FILES.values():
-            if file.configuration.fixed:
-                found, others = file.rows(), rows_with(file.function.id)
-                self.assertEqual(found[:len(others)], others)
-                self.assertEqual(len(found) > len(others), not file.function.form.startswith(("point", "place")),
-                                 file.name)
+    def test_only_fixed_arithmetic_has_further_inputs(self) -> None:
+        for id, file in FILES.items():
+            fixed = any(values.configuration.fixed for values in file.values)
+            self.assertEqual(bool(rows_of(id)[1]), fixed and not file.function.form.startswith(("point", "place")), id)
 
     def test_inputs_of_fixed_arithmetic_reach_every_edge(self) -> None:
         edges = {-1e-40, -2.0**-21, -2.0**-20, 2.0**-149, 2.0**23, 2.0**31, -2.0**31, 3e38, -3.4e38}
@@ -147,36 +155,33 @@ class GoldenContents(unittest.TestCase):
                 # Most rows have another number.
                 self.assertGreater(len(rows), 2 * len(expected))
 
-    def test_configurations_see_the_same_inputs(self) -> None:
-        for function, names in (("noise2d.perlin_cell", ("lattice", "lattice+sine", "fnv1+sine")),
-                                ("gradient.lattice2", ("lattice", "fnv1", "pcg")),
-                                ("gradient.sine2", ("lattice+sine", "fnv1+sine"))):
-            inputs = [[line.split(" = ")[0] for line in self.file(function, name)[7:]] for name in names]
-            self.assertTrue(all(other == inputs[0] for other in inputs))
-
-    def test_there_are_files_for_what_the_tables_say(self) -> None:
+    def test_there_are_values_for_what_the_tables_say(self) -> None:
+        there = {f"{id}.{values.name}" for id, file in FILES.items() for values in file.values}
         for name in ("hash.word.fnv1", "hash.unorm.any", "gradient.lattice2.lattice", "gradient.sine3.fnv1+sine",
                      "noise3d.perlin_cell_period.lattice+fixed", "fbm.clouds2.lattice+sine+fixed",
-                     "position.cell4.any", "fbm.fbm4_cell_period.pcg", "fbm_d.eroded3.lattice+fixed",
+                     "position.cell4.any", "noise2d.simplex_period.pcg", "fbm_d.eroded3.lattice+fixed",
                      "warp.warp_progressive2_period.lattice"):
-            self.assertIn(f"{name}.golden", FILES)
+            self.assertIn(name, there)
         for name in ("hash.unorm.lattice", "hash.word.lattice+fixed", "gradient.lattice2.lattice+sine",
                      "noise2d.perlin.lattice+precise", "fbm.fbm2.fnv1+sine", "fbm.fbm1.lattice+sine",
-                     "fbm_d.fbm_d2.lattice+sine"):
-            self.assertNotIn(f"{name}.golden", FILES)
+                     "fbm_d.fbm_d2.lattice+sine", "fbm.fbm2.fnv1", "noise2d.simplex_cell.pcg"):
+            self.assertNotIn(name, there)
 
-    def test_a_row_that_is_left_out_takes_its_files_with_it(self) -> None:
+    def test_a_setting_that_is_left_out_takes_its_values_with_it(self) -> None:
         others = [setting for setting in SETTINGS if setting.name != "lattice+fixed"]
-        left_out = {name for name in FILES} - {file.name for file in golden_files(list(FUNCTIONS.values()), others)}
-        self.assertEqual({name.removesuffix(".lattice+fixed.golden") for name in left_out},
+        files = {file.function.id: file for file in golden_files(list(FUNCTIONS.values()), others)}
+        self.assertEqual({id for id in FILES if len(FILES[id].values) != len(files[id].values)},
                          {function.id for function in FUNCTIONS.values()
                           if function.family in (*NOISES, *OCTAVE_SUMS, "curl")})
+        functions = [function for function in FUNCTIONS.values() if function.family != "curl"]
+        no_curl = [replace(setting, families=tuple({*setting.families} - {"curl"})) for setting in SETTINGS]
+        self.assertEqual([file.function for file in golden_files(list(FUNCTIONS.values()), no_curl)], functions)
 
     def test_a_function_that_the_oracle_does_not_have(self) -> None:
         function = FUNCTIONS["noise2d.perlin"]
         for change, message in (({"bound": "merlin"}, r"functions\.inc:\d+: .*write .*/oracle/noises/merlin\.py"),
                                 ({"family": "octave_sum"}, r"functions\.inc:\d+: the oracle has no noise2d\.perlin")):
-            file = GoldenFile(replace(function, **change), SETTINGS[0], SETTINGS)
+            file = GoldenFile(replace(function, **change), [setting for setting in SETTINGS if setting.name == "lattice"])
             with self.assertRaisesRegex(TableError, message):
                 file.text()
 
@@ -260,7 +265,7 @@ class GoldenContents(unittest.TestCase):
     def test_cellular_rows_choose_every_jitter_and_metric(self) -> None:
         metrics: dict[str, set[int]] = {}
         for function in CELLULAR:
-            rows = [row for file in FILES.values() if file.function == function for row in file.rows()]
+            rows = [row for rows in rows_of(function.id) for row in rows]
             if function.has_metric:
                 found = [row[-2] for row in rows]
                 metrics.setdefault(function.bound, set()).update(found)
@@ -360,7 +365,7 @@ class GoldenContents(unittest.TestCase):
     def test_a_place_that_no_seed_makes_clear(self) -> None:
         function = FUNCTIONS["noise2d.cellular_d"]
         with mock.patch.object(cellular_rows, "CLEAR", 2), self.assertRaisesRegex(ValueError, "is not clear"):
-            list(cellular_rows.cleared([(0.5, 0.5, 0)], function, SETTINGS, generator_of("clear")))
+            list(cellular_rows.cleared([(0.5, 0.5, 0)], function, generator_of("clear")))
 
     def test_places_reach_every_edge(self) -> None:
         for n in (1, 2, 3, 4):
@@ -371,7 +376,7 @@ class GoldenContents(unittest.TestCase):
                 self.assertTrue({1, 65536, 0, -1, INT_MAX} <= {row[scale] for row in found})
 
     def test_gradients_of_four_dimensions_are_all_there(self) -> None:
-        found = {FILES["hash.gradient4.any.golden"].evaluate(row) for row in rows_with("hash.gradient4")}
+        found = {values_with("hash.gradient4", "any").evaluate(row) for row in rows_with("hash.gradient4")}
         self.assertEqual(len(found), 24)
 
     def test_a_tie_matters_to_every_sine_gradient(self) -> None:
@@ -391,12 +396,12 @@ class GoldenContents(unittest.TestCase):
     def test_the_sine_is_exact_enough_for_the_nearest_double(self) -> None:
         # The weights of the components of a noise sum to n / 2 at most; clouds are up to three times as steep as it.
         margin = 3 * Fraction(3, 2) * gradients.SINE_ERROR
-        for file in FILES.values():
-            if file.configuration.name == "lattice+sine":
-                for row in file.rows():
-                    for value in file.evaluate(row):
+        for id, file in FILES.items():
+            if any(values.name == "lattice+sine" for values in file.values):
+                for row in rows_of(id)[0]:
+                    for value in values_with(id, "lattice+sine").evaluate(row):
                         if value not in (0, 1):
-                            self.assertEqual(float(value - margin), float(value + margin), (file.name, row))
+                            self.assertEqual(float(value - margin), float(value + margin), (id, row))
 
     def test_patterns(self) -> None:
         self.assertEqual(line("a:i32 b:u32 c:f32 d:f64", (-2, 255, -1.5, 0.5)),
@@ -409,11 +414,11 @@ class GoldenContents(unittest.TestCase):
             line("a:u32 b:u32", (1,))
 
     def test_digest_runs_over_the_last_coordinate_first(self) -> None:
-        file = FILES["hash.lattice2.lattice.golden"]
+        file = values_with("hash.lattice2", "lattice")
         with mock.patch.object(words, "lattice", lambda _, point, seed: 100 * point[0] + 10 * point[1] + seed):
             found = file.digest(Digest((1, 2), (2, 3), 4))
         values = b"".join(value.to_bytes(4, "little") for value in (124, 134, 144, 224, 234, 244))
-        self.assertEqual(found, f"digest origin=1,2 size=2,3 seed=4 fnv1a64={fnv1a64(values):016x}")
+        self.assertEqual(found, f"digest lattice origin=1,2 size=2,3 seed=4 fnv1a64={fnv1a64(values):016x}")
 
     def test_digest_wraps(self) -> None:
         for name in words.HASHES:
@@ -482,18 +487,19 @@ class GoldenContents(unittest.TestCase):
         """The contract's domain is one in which fixed arithmetic loses no bits but those of cells."""
         for function in SUMS:
             if function.bound in frames.SUMS:
-                file = FILES[f"{function.id}.lattice+fixed.golden"]
-                values = [file.evaluate(row) for row in file.rows()]
+                fixed, rows = values_with(function.id, "lattice+fixed"), rows_with(function.id, "lattice+fixed")
                 with mock.patch.object(frames, "wrapped", signed):
-                    self.assertEqual([file.evaluate(row) for row in file.rows()], values)
+                    values = [line(function.outputs, fixed.evaluate(row)) for row in rows]
+                right = Golden(function.id).values
+                self.assertEqual(values, [" ".join(f"{word:016x}" for word in words) for words in right])
 
     def test_slopes_sum_to_more_than_an_eroded_sum_lets_them(self) -> None:
         for function in SUMS:
             if function.bound != "eroded":
                 continue
             for configuration, name in (("lattice", "LARGEST_SUM"), ("lattice+fixed", "LARGEST_E")):
-                file, row = FILES[f"{function.id}.{configuration}.golden"], sum_rows.steep(function)
-                self.assertIn(row, file.rows())
+                file, row = values_with(function.id, configuration), sum_rows.steep(function)
+                self.assertIn(row, rows_of(function.id)[0])
                 value, = file.evaluate(row)
                 with mock.patch.object(frames, name, 2 * getattr(frames, name)):
                     other, = file.evaluate(row)
@@ -543,10 +549,50 @@ class GoldenContents(unittest.TestCase):
 
     def test_many_clouds_are_neither_clear_nor_full(self) -> None:
         for n in (2, 3):
-            values = [FILES[f"fbm.clouds{n}.lattice.golden"].evaluate(row)[0]
+            values = [values_with(f"fbm.clouds{n}", "lattice").evaluate(row)[0]
                       for row in rows_with(f"fbm.clouds{n}")]
             self.assertGreaterEqual(sum(0 < value < 1 for value in values), len(values) / 2)
             self.assertIn(0, values)
+
+
+class GoldenReader(unittest.TestCase):
+    """What golden_values.py reads, and what it refuses."""
+
+    def setUp(self) -> None:
+        directory = tempfile.TemporaryDirectory()
+        self.addCleanup(directory.cleanup)
+        self.directory = Path(directory.name)
+        self.text = (golden.GOLDEN / "noise2d.simplex.golden").read_text()
+
+    def read(self, text: str, setting: str = "lattice+fixed") -> Golden:
+        (self.directory / "noise2d.simplex.golden").write_text(text)
+        return Golden("noise2d.simplex", setting, self.directory)
+
+    def test_it_reads_what_is_written(self) -> None:
+        function = FUNCTIONS["noise2d.simplex"]
+        for setting in ("pcg", "lattice", "lattice+fixed"):
+            found, rows = self.read(self.text, setting), rows_with("noise2d.simplex", setting)
+            self.assertEqual((found.head.calls, found.head.axes), ("hn_simplex", 2))
+            words = [[f"{word:08x}" for word in row] for row in found.inputs]
+            self.assertEqual(words, [line(function.inputs, row).split() for row in rows])
+            right = values_with("noise2d.simplex", setting).evaluate(rows[7])
+            self.assertEqual(f"{found.values[7][0]:016x}", line(function.outputs, right))
+
+    def test_it_finds_who_has_a_setting(self) -> None:
+        found = dict(ids("pcg", "any"))
+        self.assertEqual((found["noise2d.simplex"], found["hash.unorm"]), ("pcg", "any"))
+        self.assertNotIn("noise2d.simplex_cell", found)
+
+    def test_what_is_wrong_is_refused(self) -> None:
+        lines = self.text.split("\n")
+        for changed in (lines[:-2] + [""], lines[:-1] + [lines[-2], ""], lines[:7], lines[:6] + lines[7:]):
+            with self.assertRaises(ValueError):
+                self.read("\n".join(changed))
+        with self.assertRaises(ValueError):
+            self.read(self.text, "fnv1")
+        no_float = self.read("\n".join([*lines[:7], f"{lines[7][:-1]}1", *lines[8:]]))
+        with self.assertRaisesRegex(ValueError, "is no float"):
+            self.assertFalse(no_float.expected)
 
 
 class GoldenCheck(unittest.TestCase):
@@ -556,29 +602,73 @@ class GoldenCheck(unittest.TestCase):
         directory = tempfile.TemporaryDirectory()
         self.addCleanup(directory.cleanup)
         self.directory = Path(directory.name) / "golden"
-        self.files = {name: file.text() for name, file in FILES.items() if file.function.family == "independent"}
+        self.files = {file.name: file.text() for file in FILES.values() if file.function.family == "independent"}
         golden.write(self.directory, self.files)
 
     def run_main(self, *arguments: str) -> tuple[int, str]:
-        """The exit status and what was printed, with `generate` cut down to the few files."""
+        """The exit status and what was printed, with the table cut down to the functions of the few files."""
         out = io.StringIO()
-        with mock.patch.object(golden, "generate", return_value=self.files), contextlib.redirect_stdout(out):
+        functions = [function for function in FUNCTIONS.values() if f"{function.id}.golden" in self.files]
+        with mock.patch.object(golden, "read_functions", return_value=functions), contextlib.redirect_stdout(out):
             return golden.main([*arguments, "--out", str(self.directory)]), out.getvalue()
 
     def test_untouched_files_pass(self) -> None:
         self.assertEqual(self.run_main("--check")[0], 0)
 
     def test_flipped_digit_is_noticed(self) -> None:
-        path = self.directory / "hash.unorm.any.golden"
+        path = self.directory / "hash.unorm.golden"
         lines = path.read_text().split("\n")
         lines[9] = lines[9][:-1] + ("1" if lines[9][-1] == "0" else "0")
         path.write_text("\n".join(lines))
         status, output = self.run_main("--check")
         self.assertEqual(status, 1)
-        self.assertRegex(output, r"^hash\.unorm\.any\.golden: differs, line 10: expected .*, found .*\n$")
+        self.assertRegex(output, r"^hash\.unorm\.golden: differs, line 10: expected .*, found .*\n$")
+
+    def test_a_sample_notices_a_digit_in_what_it_computes_and_everything_in_the_rest(self) -> None:
+        path = self.directory / "hash.unorm.golden"
+        whole = path.read_text()
+        lines = whole.split("\n")
+        rows = int(lines[6].split()[1])
+        chosen = Sample(3, golden.salt()).of("hash.unorm", rows, 0, 1)
+        noticed = set()
+        for i in range(rows):
+            changed = list(lines)
+            changed[7 + i] = changed[7 + i][:-1] + ("1" if changed[7 + i][-1] == "0" else "0")
+            path.write_text("\n".join(changed))
+            if (FILES["hash.unorm"].text(path.read_text(), Sample(3, golden.salt())) != path.read_text()):
+                noticed.add(i)
+        self.assertEqual(noticed, chosen & set(range(rows)))
+        self.assertIn(len(noticed), (1, 2, 3))
+        other = next(i for i in range(rows) if i not in chosen)
+        for old, new in ((lines[7 + other][:8], "12345678"), (lines[7 + other][-8:], "-"), (lines[7 + other], ""),
+                         (lines[7 + other][-8:], "0000000G"), (lines[7 + other], lines[7 + other] + " ")):
+            path.write_text(whole.replace(lines[7 + other], lines[7 + other].replace(old, new)))
+            status, output = self.run_main("--check", "--sample", "3")
+            self.assertEqual((status, output.startswith(f"hash.unorm.golden: differs, line {8 + other}: ")), (1, True))
+        path.write_text(whole)
+        self.assertEqual(self.run_main("--check", "--sample", "3"),
+                         (0, f"3 rows and more of each of {len(self.files)} golden files are as the oracle says\n"))
+
+    def test_a_sample_computes_rows_of_fixed_arithmetic_and_a_digest(self) -> None:
+        for id, lines in (("noise1d.value", 3 + 1), ("hash.lattice1", 3 + 1)):
+            file = FILES[id]
+            every, of_fixed = (len(rows) for rows in file.rows())
+            chosen = Sample(3, "salt").of(id, every, of_fixed, len(file.values))
+            text = (golden.GOLDEN / file.name).read_text()
+            with mock.patch.object(Values, "evaluate", return_value=(1,)), \
+                    mock.patch.object(Values, "digest", return_value="digest"):
+                changed = file.text(text, Sample(3, "salt")).split("\n")
+            wrong = {i - 7 for i, (line, right) in enumerate(zip(changed, text.split("\n"), strict=True)) if line != right}
+            self.assertEqual(wrong, {i for i in chosen if i < every + of_fixed or file.function.family == "hash"})
+            self.assertTrue(any(i >= every for i in wrong))
+            self.assertLessEqual(len(wrong), lines)
+
+    def test_another_oracle_asks_other_rows(self) -> None:
+        self.assertRegex(golden.salt(), "^[0-9a-f]{64}$")
+        self.assertNotEqual(Sample(8, "a").of("noise2d.perlin", 192, 195, 18), Sample(8, "b").of("noise2d.perlin", 192, 195, 18))
 
     def test_line_ends_and_truncation_are_noticed(self) -> None:
-        path = self.directory / "hash.snorm.any.golden"
+        path = self.directory / "hash.snorm.golden"
         whole = path.read_bytes()
         for damaged in (whole.replace(b"\n", b"\r\n"), whole[:-1], whole + b"\n", b"", whole[:-2] + b"\xff\n"):
             path.write_bytes(damaged)
@@ -586,19 +676,19 @@ class GoldenCheck(unittest.TestCase):
             self.assertEqual((status, output.count("\n")), (1, 1), output)
 
     def test_missing_file_is_noticed(self) -> None:
-        (self.directory / "hash.gradient3.any.golden").unlink()
-        self.assertEqual(self.run_main("--check"), (1, "hash.gradient3.any.golden: missing\n"))
+        (self.directory / "hash.gradient3.golden").unlink()
+        self.assertEqual(self.run_main("--check"), (1, "hash.gradient3.golden: missing\n"))
 
     def test_missing_directory_is_noticed(self) -> None:
         self.directory = self.directory / "none"
         self.assertEqual(self.run_main("--check")[0], 1)
 
     def test_extra_file_is_noticed(self) -> None:
-        (self.directory / "hash.old.any.golden").write_text("")
-        self.assertEqual(self.run_main("--check"), (1, "hash.old.any.golden: extra\n"))
+        (self.directory / "hash.old.golden").write_text("")
+        self.assertEqual(self.run_main("--check"), (1, "hash.old.golden: extra\n"))
 
     def test_writing_removes_stale_files_only(self) -> None:
-        (self.directory / "hash.old.any.golden").write_text("")
+        (self.directory / "hash.old.golden").write_text("")
         (self.directory / "README.md").write_text("")
         self.assertEqual(self.run_main()[0], 0)
         self.assertEqual({path.name for path in self.directory.iterdir()}, {*self.files, "README.md"})
@@ -608,3 +698,6 @@ class GoldenCheck(unittest.TestCase):
         with contextlib.redirect_stderr(io.StringIO()), self.assertRaises(SystemExit) as exit_:
             golden.main(["--chekc"])
         self.assertEqual(exit_.exception.code, 2)
+        for arguments in (["--sample", "3"], ["--check", "--sample", "0"]):
+            with contextlib.redirect_stderr(io.StringIO()), self.assertRaises(SystemExit):
+                golden.main(arguments)

@@ -190,33 +190,38 @@ def fixed_cell_rows(n: int, generator: Generator) -> list[Row]:
 SIMPLEX = ("simplex_noise", "curl")  # the families above its lattices
 
 
-def rows_of(function: Function, fixed: bool, settings: Sequence[Configuration], generator: Generator) -> list[Row]:
-    """The rows of a function; `settings` are all configurations, since gradients have rows for their hashes."""
+def rows_of(function: Function, fixed: bool, settings: Sequence[Configuration],
+            generator: Generator) -> tuple[list[Row], list[Row]]:
+    """The rows of a function, and those behind them that are for fixed arithmetic alone, if it has values with that.
+    `settings` are all configurations, since gradients have rows for their hashes."""
     n, form = function.axes, function.form
     if form == "words":
         if function.name.startswith("gradient"):
-            return gradient_rows(generator)
-        return word_rows(generator) if n == 1 else vec_rows(n, generator)
+            return gradient_rows(generator), []
+        return word_rows(generator) if n == 1 else vec_rows(n, generator), []
     if form == "point":
         if function.family == "hash":
-            return lattice_rows(n, generator)
-        return lattice_gradient_rows(n, settings, generator)
+            return lattice_rows(n, generator), []
+        return lattice_gradient_rows(n, settings, generator), []
     if form in ("place", "place_of_noise"):
-        return place_rows(n, form == "place_of_noise", generator)
+        return place_rows(n, form == "place_of_noise", generator), []
     if form == "sum":
-        rows = sum_rows.plain(function, generator)
-        return rows + sum_rows.fixed(function, FIXED_COORDINATES, generator) if fixed else rows
-    rows = plain_rows(function, settings, generator)
-    if fixed:
-        of_fixed = {"position": fixed_position_rows, "cell": fixed_cell_rows}[form]
-        more = of_fixed(n, generator)
-        if function.has_period:
-            more = period_rows.inserted(more, n, 2 * n if form == "cell" else n, generator)
-        if function.family in cellular_rows.FAMILIES:
-            more = cellular_rows.with_choices(more, function, generator)
-            more += cellular_rows.for_fixed(function, settings, generator)
-        rows = rows + (simplex_rows.with_phases(more, generator) if function.has_phase else more)
-    return rows
+        return (sum_rows.plain(function, generator),
+                sum_rows.fixed(function, FIXED_COORDINATES, generator) if fixed else [])
+    return (plain_rows(function, settings, generator),
+            rows_of_fixed(function, settings, generator) if fixed else [])
+
+
+def rows_of_fixed(function: Function, settings: Sequence[Configuration], generator: Generator) -> list[Row]:
+    """Those of noises, and of what is made of them, for fixed arithmetic alone."""
+    n, form = function.axes, function.form
+    rows = {"position": fixed_position_rows, "cell": fixed_cell_rows}[form](n, generator)
+    if function.has_period:
+        rows = period_rows.inserted(rows, n, 2 * n if form == "cell" else n, generator)
+    if function.family in cellular_rows.FAMILIES:
+        rows = cellular_rows.with_choices(rows, function, generator)
+        rows += cellular_rows.for_fixed(function, settings, generator)
+    return simplex_rows.with_phases(rows, generator) if function.has_phase else rows
 
 
 def plain_rows(function: Function, settings: Sequence[Configuration], generator: Generator) -> list[Row]:
@@ -234,5 +239,5 @@ def plain_rows(function: Function, settings: Sequence[Configuration], generator:
         rows = cellular_rows.with_choices(rows + cellular_rows.special(function, generator), function, generator)
         rows += cellular_rows.far_borders(function)
         if cellular_rows.jumps(function):
-            rows = list(cellular_rows.cleared(rows, function, settings, generator))
+            rows = list(cellular_rows.cleared(rows, function, generator))
     return simplex_rows.with_phases(rows, generator) if function.has_phase else rows

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from tables.functions import FAMILIES, Function
@@ -22,18 +22,19 @@ class Configuration:
     gradient: str
     arithmetic: str
     families: tuple[str, ...]
+    further: tuple[str, ...] = ()  # ids of functions that have values with it besides
 
     @property
     def fixed(self) -> bool:
         return self.arithmetic == "fixed"
 
     @property
-    def has_golden_files(self) -> bool:
-        """HN_PRECISE has the exact values of HN_FAST."""
+    def has_golden_values(self) -> bool:
+        """Of its own: HN_PRECISE has the exact values of HN_FAST."""
         return self.arithmetic != "precise"
 
     def covers(self, function: Function) -> bool:
-        return function.family in self.families
+        return function.family in self.families or function.id in self.further
 
 
 def _one_of(row: Row, index: int, choices: tuple[str, ...]) -> str:
@@ -58,4 +59,12 @@ def _configuration(row: Row) -> Configuration:
 
 
 def read_configurations(path: Path = CONFIGURATIONS) -> list[Configuration]:
-    return [_configuration(row) for row in read_rows(path, "CONFIGURATION", 5)]
+    configurations = [_configuration(row) for row in read_rows(path, "CONFIGURATION", 5, frozenset({"VALUES"}))]
+    further = read_further(path)
+    return [replace(configuration, further=tuple(row.text(1) for row in further if row.text(0) == configuration.name))
+            for configuration in configurations]
+
+
+def read_further(path: Path = CONFIGURATIONS) -> list[Row]:
+    """The rows of VALUES: a configuration, and a function that has values with it besides those of its families."""
+    return read_rows(path, "VALUES", 2, frozenset({"CONFIGURATION"}), at_least=0)

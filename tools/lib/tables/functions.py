@@ -16,9 +16,8 @@ FAMILIES = ("independent", "hash", "gradient", "sine_gradient", "gradient_noise"
 NOISES = ("gradient_noise", "lattice_noise", "further_gradient_noise", "octahedral_noise", "further_lattice_noise",
           "simplex_noise", "cellular", "further_cellular")
 OCTAVE_SUMS = ("octave_sum", "further_octave_sum", "octahedral_octave_sum")
-# Few settings have values of these.
-FURTHER = ("further_gradient_noise", "octahedral_noise", "further_lattice_noise", "further_octave_sum",
-           "simplex_noise", "curl", "cellular", "further_cellular", "octahedral_octave_sum")
+# Every hash has values of these: they hash words, or blend them first. The others are the same code with any hash.
+OF_EVERY_HASH = ("hash", "gradient", "gradient_noise", "lattice_noise")
 
 # What the names of the inputs say that a function takes; n of them have an axis.
 FORMS = {

@@ -52,7 +52,8 @@ UNDEFINE = re.compile(r"#undef (\w+)")
 COMMENT = re.compile(rf'({STRING})|//[^\n]*')
 
 
-def read_rows(path: Path, name: str, count: int, others: frozenset[str] = frozenset()) -> list[Row]:
+def read_rows(path: Path, name: str, count: int, others: frozenset[str] = frozenset(),
+              at_least: int = 1) -> list[Row]:
     """The rows of the macro `name`, which has `count` arguments. The rows of `others` are left out."""
     text = COMMENT.sub(lambda match: match[1] or "", path.read_text(encoding="utf-8"))
     macros: dict[str, Macro] = {}
@@ -74,7 +75,7 @@ def read_rows(path: Path, name: str, count: int, others: frozenset[str] = frozen
     for row in rows:
         if len(row.arguments) != count:
             raise row.error(f"{name} has {len(row.arguments)} arguments instead of {count}")
-    if not rows:
+    if len(rows) < at_least:
         raise TableError(f"{path}: no row of {name}")
     return rows
 

@@ -103,8 +103,12 @@ class Tables(unittest.TestCase):
         configurations = {configuration.name: configuration for configuration in read_configurations()}
         fixed = configurations["lattice+sine+fixed"]
         self.assertEqual((fixed.hash, fixed.gradient, fixed.fixed), ("lattice", "sine", True))
-        self.assertFalse(configurations["lattice+precise"].has_golden_files)
+        self.assertFalse(configurations["lattice+precise"].has_golden_values)
         self.assertIn("independent", configurations["lattice"].families)
+        functions = {function.id: function for function in read_functions()}
+        self.assertEqual([configurations["pcg"].covers(functions[id]) for id in
+                          ("noise2d.perlin", "noise2d.simplex", "noise2d.simplex_cell")], [True, True, False])
+        self.assertFalse(configurations["fnv1"].covers(functions["noise2d.simplex"]))
 
     def test_wrong_configurations(self) -> None:
         row = {"name": "fnv1+sine+fixed", "gradient": "SINE", "families": "hash | octave_sum"}
