@@ -14,13 +14,27 @@ Progress::~Progress() {
   std::fflush(out_);
 }
 
+namespace {
+
+std::string time_of(double seconds) {
+  const auto whole = static_cast<long>(std::max(seconds, 0.0) + 0.5);
+  return whole < 60 ? fmt::format("{} s", whole) : fmt::format("{}:{:02} min", whole / 60, whole % 60);
+}
+
+}  // namespace
+
 // The task goes on even if nobody can be told: fmt::print would throw.
-void Progress::show(std::size_t done, std::size_t failed, const std::string& current) {
-  const std::string line = fmt::format("[{}/{}] {} failed  {}", done, total_, failed, current);
+void Progress::show(std::size_t done, std::size_t failed, const std::string& current,
+                    std::optional<double> seconds_left) {
+  const std::string left = seconds_left && done < total_ ? fmt::format(", {} left", time_of(*seconds_left)) : "";
+  const std::string line = fmt::format("[{}/{}] {} failed{}  {}", done, total_, failed, left, current);
+  const auto now = std::chrono::steady_clock::now();
   if (terminal_) {
     std::fputs(fmt::format("\r\033[K{:.110}", line).c_str(), out_);
-  } else if (const std::size_t tenth = done * 10 / std::max<std::size_t>(total_, 1); tenth > last_tenth_) {
-    last_tenth_ = tenth;
+  } else if (now >= next_line_ || (done == total_ && !ended_)) {
+    constexpr auto kBetweenLines = std::chrono::seconds(10);
+    next_line_ = now + kBetweenLines;
+    ended_ = done == total_;
     std::fputs((line + "\n").c_str(), out_);
   }
   std::fflush(out_);

@@ -74,6 +74,7 @@ struct CaseResult {
   std::string id;
   Outcome outcome;
   double seconds = 0.0;
+  double processor_seconds = 0.0;  // of all cores, in the driver's process; 0 if the driver is elsewhere
   std::optional<Evidence> evidence = {};
   std::string excuse = {};  // of an expectation; why this case need not be right on this driver
 };

@@ -1,6 +1,7 @@
 #include "cases/case.hpp"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <chrono>
 #include <exception>
@@ -24,9 +25,23 @@ Outcome run(Session& session, const BugKind& kind) { return check_bug(session, *
 Outcome run(Session& session, const CompilationKind& kind) { return check_compilation(session, kind); }
 Outcome run(Session& session, const ReferenceKind& kind) { return kind.check(session); }
 
+// Of this process, and of those that it started and that have ended.
+double processor_seconds() {
+  double seconds = 0.0;
+  for (const auto who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+    rusage usage{};
+    getrusage(who, &usage);
+    for (const timeval& time : {usage.ru_utime, usage.ru_stime}) {
+      seconds += static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    }
+  }
+  return seconds;
+}
+
 template <typename Run>
 CaseResult timed(const std::string& id, Run run) {
   const auto start = std::chrono::steady_clock::now();
+  const double processor_start = processor_seconds();
   CaseResult result;
   result.id = id;
   try {
@@ -35,6 +50,7 @@ CaseResult timed(const std::string& id, Run run) {
     result.outcome = outcome_with(Status::error, {fmt::format("exception: {}", exception.what()), {}});
   }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.processor_seconds = processor_seconds() - processor_start;
   return result;
 }
 

@@ -98,7 +98,7 @@ void add_run(CLI::App& app, RunCommand& options, const std::string& faults) {
   command
       .add_option("--points", options.suite.points,
                   "How many random points the cases *.twin compare with the C++ twin, instead of at most "
-                  "262,144; --timeout is then for each million")
+                  "65,536; --timeout is then for each million")
       ->type_name("N")
       ->check(CLI::Range(std::uint64_t{1}, kMostPoints));
   add_glsl(command, options.suite.glsl);
@@ -124,6 +124,10 @@ void add_run(CLI::App& app, RunCommand& options, const std::string& faults) {
               faults))
       ->type_name("FAULT");
   command.add_flag("--timings", options.timings, "Also time the functions of the cases, as multiples of Perlin/Float");
+  command
+      .add_option("--record-costs", options.costs,
+                  "Write what the cases took, without Mesa's cache of shaders, as conformance/cases/costs.csv has it")
+      ->type_name("FILE");
 }
 
 void add_merge(CLI::App& app, MergeCommand& options) {

@@ -41,6 +41,7 @@ struct RunCommand {
   bool fail_fast = false;
   bool resume = false;
   bool timings = false;
+  std::string costs;  // where to write what the cases took
   std::string line;  // the command line, for the record
 };
 

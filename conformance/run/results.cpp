@@ -159,6 +159,7 @@ Json to_json(const CaseResult& result) {
                {"max_ulp", outcome.max_ulp},
                {"seconds", result.seconds},
                {"message", outcome.message}};
+  if (result.processor_seconds > 0.0) json["processor_seconds"] = result.processor_seconds;
   if (outcome.allowed) json["allowed"] = *outcome.allowed;
   if (!result.excuse.empty()) json["excuse"] = result.excuse;
   if (!outcome.examples.empty()) json["examples"] = examples_json(outcome.examples);
@@ -180,6 +181,7 @@ CaseResult case_result_from(const nlohmann::json& json) {
                     .message = json.at("message").get<std::string>(),
                     .examples = {}};
   result.seconds = number_at(json, "seconds");
+  if (json.contains("processor_seconds")) result.processor_seconds = number_at(json, "processor_seconds");
   if (json.contains("allowed")) result.outcome.allowed = number_at(json, "allowed");
   if (json.contains("excuse")) result.excuse = json.at("excuse").get<std::string>();
   if (json.contains("examples")) {

@@ -4,6 +4,7 @@
 #include <poll.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -12,6 +13,7 @@
 #include "base/progress.hpp"
 #include "base/version.hpp"
 #include "base/worker.hpp"
+#include "cases/costs.hpp"
 
 namespace hn {
 namespace {
@@ -26,9 +28,6 @@ constexpr int kMostFunctionsInARow = 3;
 constexpr std::size_t kLogEnd = 2000;
 // By so much we wake up too late only if we were stopped.
 constexpr auto kLate = std::chrono::milliseconds(500);
-
-// A process for each would load a driver for a moment's work.
-constexpr std::size_t kFewestCasesPerProcess = 200;
 
 // The cases of a driver, or a part of them: what is done, what is not, and its process.
 class Lane {
@@ -55,6 +54,7 @@ class Lane {
   }
   Worker* worker() { return worker_ ? &*worker_ : nullptr; }
   std::size_t done() const { return results_.size(); }
+  double cost_done() const { return cost_done_; }
   std::size_t bad() const { return bad_; }
   // There will be more about the last case.
   bool examining() const { return worker_ && examining_; }
@@ -165,6 +165,7 @@ class Lane {
     const bool excused = !excuse_for(whole_.expectations, plan_.driver, renderer, result).empty();
     if (is_bad(result.outcome.status) && !excused) ++bad_;
     pending_.erase(result.id);
+    cost_done_ += Costs::recorded().seconds_of(result.id);
     results_.emplace(result.id, std::move(result));
   }
 
@@ -220,6 +221,7 @@ class Lane {
   std::string absent_;
   std::optional<Worker> worker_;
   std::size_t bad_ = 0;
+  double cost_done_ = 0.0;
   std::size_t next_ = 0;               // all before it are done
   bool ready_ = false;                 // this process
   bool examining_ = false;             // this process makes the evidence of the last case
@@ -237,7 +239,8 @@ class Scheduler {
  public:
   Scheduler(const RunPlan& plan, const std::filesystem::path& directory, Journal& journal, std::FILE* progress)
       : plan_(plan), journal_(journal), progress_(progress, total(plan)) {
-    for (const DriverPlan& driver : plan.drivers) add_parts(driver);
+    for (const DriverPlan& driver : plan.drivers) expected_ += costs_.seconds_of(driver.ids);
+    for (const DriverPlan& driver : plan.drivers) add_parts(driver, piece_of(plan));
     std::map<std::string, int> counts;
     for (const DriverPlan& part : parts_) {
       const int number = ++counts[part.driver];
@@ -277,19 +280,32 @@ class Scheduler {
   }
 
  private:
-  // If there are fewer drivers than processes may run, the cases of each are split: most of a run is compiling, which
-  // takes one core.
-  void add_parts(const DriverPlan& driver) {
-    const auto draws = [](const DriverPlan& one) { return one.driver != kReferenceCompiler; };
-    const auto drivers = std::count_if(plan_.drivers.begin(), plan_.drivers.end(), draws);
-    const std::size_t most = draws(driver) ? plan_.jobs / static_cast<std::size_t>(drivers) : 1;
-    const std::size_t sensible = driver.ids.size() / kFewestCasesPerProcess;
-    const std::size_t count = std::max<std::size_t>(std::min(most, sensible), 1);
-    for (std::size_t part = 0; part < count; ++part) {
-      const auto begin = driver.ids.begin() + static_cast<std::ptrdiff_t>(driver.ids.size() * part / count);
-      const auto end = driver.ids.begin() + static_cast<std::ptrdiff_t>(driver.ids.size() * (part + 1) / count);
-      parts_.push_back({driver.driver, {begin, end}, driver.whole});
+  // If there are fewer drivers than processes may run, the cases of each are split by what they cost, into so many parts
+  // that no core waits long for the last one. What shares a program stays together.
+  void add_parts(const DriverPlan& driver, double piece) {
+    DriverPlan part{.driver = driver.driver, .ids = {}, .whole = driver.whole};
+    double seconds = 0.0;
+    for (std::size_t i = 0; i < driver.ids.size(); ++i) {
+      const bool shared = i > 0 && program_of(driver.ids[i]) == program_of(driver.ids[i - 1]);
+      if (seconds >= piece && !shared) {
+        parts_.push_back(part);
+        part.ids.clear();
+        seconds = 0.0;
+      }
+      part.ids.push_back(driver.ids[i]);
+      seconds += costs_.seconds_of(driver.ids[i]);
     }
+    parts_.push_back(std::move(part));
+  }
+
+  static std::string_view program_of(std::string_view id) { return id.substr(0, id.rfind('.')); }
+
+  // What a process is worth loading a driver for.
+  double piece_of(const RunPlan& plan) const {
+    if (plan.drivers.size() > plan.jobs + 1) return std::numeric_limits<double>::infinity();
+    constexpr double kLeast = 5.0;
+    constexpr std::size_t kPiecesOfAProcess = 3;
+    return std::max(expected_ / static_cast<double>(kPiecesOfAProcess * plan.jobs), kLeast);
   }
 
   static std::size_t total(const RunPlan& plan) {
@@ -365,6 +381,18 @@ class Scheduler {
     return count;
   }
 
+  // From what cases cost where that was recorded, and how long those that ran have taken here.
+  std::optional<double> seconds_left() {
+    double done = 0.0;
+    for (const Lane& lane : lanes_) done += lane.cost_done();
+    if (!begin_done_) begin_done_ = done;  // of an earlier run
+    const double here = done - *begin_done_;
+    const double elapsed = std::chrono::duration<double>(SteadyClock::now() - begin_).count();
+    constexpr double kEnough = 2.0;  // before that it would jump
+    if (here <= kEnough || elapsed <= kEnough) return std::nullopt;
+    return (expected_ - done) * elapsed / here;
+  }
+
   void show_progress() {
     std::size_t done = 0;
     std::string current;
@@ -372,13 +400,17 @@ class Scheduler {
       done += lane.done();
       if (lane.worker()) current += fmt::format("{}{} {}", current.empty() ? "" : " | ", lane.driver(), lane.current());
     }
-    progress_.show(done, bad(), current);
+    progress_.show(done, bad(), current, seconds_left());
   }
 
   const RunPlan& plan_;
   std::vector<DriverPlan> parts_;
   Journal& journal_;
   Progress progress_;
+  const Costs& costs_ = Costs::recorded();
+  double expected_ = 0.0;  // seconds of processor time on the machine of record
+  std::optional<double> begin_done_;
+  const SteadyClock::time_point begin_ = SteadyClock::now();
   std::vector<Lane> lanes_;
   bool stopping_ = false;
   SteadyClock::time_point looked_at_ = SteadyClock::now();
