@@ -18,7 +18,7 @@ class Npm(unittest.TestCase):
         self.addCleanup(scratch.cleanup)
         self.root = Path(scratch.name)
         (self.root / "tools" / "lib").mkdir(parents=True)
-        for name in ("setup.sh", "npm"):
+        for name in ("setup.sh", "progress.sh", "npm"):
             shutil.copy(TOOLS / name, self.root / "tools")
         # Whoever installs something is noticed, and has everything.
         self.programs = self.root / "programs"

@@ -19,7 +19,7 @@ class Wheel(unittest.TestCase):
         self.addCleanup(scratch.cleanup)
         self.root = Path(scratch.name)
         (self.root / "tools").mkdir()
-        for name in ("setup.sh", "wheel"):
+        for name in ("setup.sh", "progress.sh", "wheel"):
             shutil.copy(TOOLS / name, self.root / "tools")
         # Whoever installs something is noticed, and has everything.
         self.programs = self.root / "programs"
