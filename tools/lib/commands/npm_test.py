@@ -24,7 +24,7 @@ class Npm(unittest.TestCase):
         self.programs = self.root / "programs"
         self.programs.mkdir()
         for name, command in (("apt-get", f"touch {self.root}/installed; exit 1"),
-                              ("dpkg-query", 'echo "install ok installed"')):
+                              ("dpkg-query", 'shift 3; for package; do echo "$package installed"; done')):
             path = self.programs / name
             path.write_text(f"#!/bin/sh\n{command}\n", encoding="ascii")
             path.chmod(0o755)

@@ -25,7 +25,7 @@ class Wheel(unittest.TestCase):
         self.programs = self.root / "programs"
         self.programs.mkdir()
         for name, command in (("apt-get", f"touch {self.root}/installed; exit 1"),
-                              ("dpkg-query", 'echo "install ok installed"')):
+                              ("dpkg-query", 'shift 3; for package; do echo "$package installed"; done')):
             self.write_program(name, command)
 
     def write_program(self, name: str, command: str) -> Path:
