@@ -49,8 +49,8 @@ class Flags(unittest.TestCase):
 
     @staticmethod
     def points(flags):
-        """What is not optimised takes long."""
-        return ["few"] if "-O0" in flags else []
+        """What is not optimised takes long, and what is checked at each operation."""
+        return ["few"] if "-O0" in flags or SANITIZED[2] in flags else []
 
     def digests(self, number, compiler, flags, *macros):
         """What twin_flags.cpp prints, built so: by function its digests."""
