@@ -6,8 +6,9 @@
 #   setup bake      what hn-bake needs, without the suite unless build/ has it already
 #   setup test      all of it, with the tests and what they need
 #
-# It names the packages that are missing and installs them; where it cannot, it stops with status 4. On another system
-# it names what is needed and tries to build. Who asks for help is shown it before any of that:
+# It installs the packages that are missing; where it cannot, it stops with status 4. On another system it names what is
+# needed and tries to build. It says first what it will do and how long that takes about, and tools/lib/progress.sh
+# reports what is going on. --help is answered before any of that:
 #
 #   help_if_asked PROGRAM [ARGUMENT...] -- "$@"     the program has the options of the command
 #
@@ -16,13 +17,14 @@
 readonly root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 readonly build=$root/build
 readonly log=$build/setup.log
+source "$root/tools/progress.sh"
 
 readonly conform_packages=(
   cmake g++ ninja-build
   glslang-dev glslang-tools spirv-tools
   python3-glad libboost-math-dev libcli11-dev libcpp-httplib-dev libexpected-dev libfccp-dev libfmt-dev
   libkainjow-mustache-dev libpng-dev libpugixml-dev libvulkan-dev nlohmann-json3-dev pkg-config zlib1g-dev
-  libegl-dev libglfw3-dev libosmesa6 libegl1 libegl-mesa0 libgl1-mesa-dri
+  libegl-dev libglfw3-dev libjemalloc-dev libosmesa6 libegl1 libegl-mesa0 libgl1-mesa-dri
 )
 readonly paper_packages=(libvulkan1 mesa-vulkan-drivers)
 # GLFW loads the libraries of OpenGL by their names.
@@ -62,37 +64,42 @@ help_if_asked() {
   exec "${program[@]}" --help
 }
 
+# Sets `missing` to those of the packages that are not installed.
+find_missing() {
+  missing=()
+  command -v dpkg-query >/dev/null || return 0
+  local installed package
+  installed=$(dpkg-query -W -f '${Package} ${db:Status-Status}\n' "$@" 2>/dev/null) || true
+  for package in "$@"; do
+    [[ $'\n'$installed$'\n' == *$'\n'"$package installed"$'\n'* || " ${missing[*]-} " == *" $package "* ]] ||
+      missing+=("$package")
+  done
+}
+
 install_missing() {
+  local -a missing
+  find_missing "$@"
   if ! command -v dpkg-query >/dev/null; then
     echo "This system is not Debian. The build needs what these Debian packages provide: $*" >&2
     return 0
   fi
-  local missing=() package
-  for package in "$@"; do
-    [[ $(dpkg-query -W -f '${Status}' "$package" 2>/dev/null) == *' installed' ]] || missing+=("$package")
-  done
   ((${#missing[@]})) || return 0
-  echo "Missing Debian packages: ${missing[*]}" >&2
   local sudo=()
   if ((EUID != 0)); then sudo=(sudo -n); fi
   if ! command -v apt-get >/dev/null || ! "${sudo[@]}" true 2>/dev/null; then
+    echo "Missing Debian packages: ${missing[*]}" >&2
     echo "This command cannot install them. Install them yourself, then run it again." >&2
     exit 4
   fi
-  echo "Installing them." >&2
-  logged "apt-get could not install them" "${sudo[@]}" apt-get update -qq
-  logged "apt-get could not install them" "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive \
-    apt-get install -y -qq --no-install-recommends "${missing[@]}"
-}
-
-# Runs a command with its output in the log; if it fails, shows the end of the log, says what went wrong, and stops.
-logged() {
-  local what=$1
-  shift
-  "$@" >>"$log" 2>&1 && return 0
-  tail -n 40 "$log" >&2
-  echo "$what; all of the output is in $log." >&2
-  exit 4
+  local started
+  started=$(milliseconds)
+  # With it, apt-get says on its standard output how far it is.
+  local -a apt_get=(apt-get -q -o APT::Status-Fd=1)
+  logged "Asking for the newest packages" "apt-get could not read the list of packages" "${sudo[@]}" "${apt_get[@]}" update
+  logged "Installing ${#missing[@]} packages and what they need" "apt-get could not install these packages: ${missing[*]}" \
+    "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive "${apt_get[@]}" install -y --no-install-recommends "${missing[@]}"
+  keep_measured packages each "$(awk -v ms=$(($(milliseconds) - started)) -v count=${#missing[@]} \
+    'BEGIN { printf "%.2f", ms / 1000 / count }')"
 }
 
 # What is built from now on, and by tests, is compiled once: the wheel has the kernels of hashnoise::grid, too. -Werror has
@@ -103,19 +110,70 @@ share_objects() {
   export CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER:-ccache} CXX=${CXX:-c++}
 }
 
+# How many steps the build in this folder has yet to do for these targets; nothing if that is not known before it is configured.
+steps_to_do() {
+  [[ -e $1/build.ninja ]] && command -v ninja >/dev/null || return 0
+  ninja -C "$1" -n "${@:2}" 2>/dev/null | awk '
+    /Re-running CMake/ { unknown = 1 }
+    /no work to do/ { last = 0; known = 1 }
+    match($0, /^\[[0-9]+\/[0-9]+\]/) { last = substr($0, 2, RLENGTH - 2); sub(/.*\//, "", last); known = 1 }
+    END { if (known && !unknown) print last }'
+}
+
+# How many seconds the build that the table knows by this name takes on all cores, if it has that many steps to do.
+predict_build() {
+  local all seconds
+  all=$(cost steps "$1")
+  seconds=$(cost build "$1")
+  [[ -n $all && -n $seconds ]] || return 0
+  seconds=$(seconds_here "$seconds" "$(nproc 2>/dev/null || echo 1)")
+  echo $((seconds * ${2:-$all} / all))
+}
+
+# The first line: what is going to happen, and how long it takes about. After the build the command runs, for so many
+# seconds by the table, if the second argument is a number.
+#   announce NAME_OF_BUILD RUN PACKAGES_THAT_ARE_MISSING STEPS_TO_DO
+announce() {
+  local what='' parts='' total=0 packages='' building run=''
+  if (($3)); then
+    what="installs $3 Debian packages, "
+    packages=$(cost packages each)
+    [[ -z $packages ]] || packages=$(awk -v each="$packages" -v count="$3" 'BEGIN { printf "%.0f", each * count }')
+  fi
+  building=$(predict_build "$1" "$4")
+  if [[ -z $4 ]]; then what+=builds; elif (($4)); then what+="builds $4 steps"; else what+="has nothing to build"; fi
+  [[ -z $2 ]] || run=$(seconds_here "$2" "$(nproc 2>/dev/null || echo 1)")
+  local name seconds
+  for name in packages build run; do
+    case $name in packages) seconds=$packages ;; build) seconds=$building ;; run) seconds=$run ;; esac
+    [[ -n $seconds ]] || continue
+    total=$((total + seconds))
+    parts+="${parts:+, }$name $(duration "$seconds")"
+  done
+  echo "tools/${0##*/} $what and runs.${parts:+ That takes about $(duration "$total") minutes here ($parts).} All output of the \
+setup is in $log." >&2
+}
+
+# Keeps what a setup took, for tools/test --record: of a build from nothing, its steps and its processor time.
+keep_measured() { echo "$1,$2,$3" >>"$build/measured.csv"; }
+
+# setup KIND [SECONDS]: the seconds are those of the table that the command then runs, if it is known.
 setup() {
-  local -a packages=("${conform_packages[@]}") configuration=(-DHASHNOISE_CONFORMANCE=ON) target=(--target hn-conform)
+  local -a packages=("${conform_packages[@]}") configuration=(-DHASHNOISE_CONFORMANCE=ON) targets=(hn-conform) missing
+  local name=conform steps expected
   if [[ $1 == test ]]; then
+    name=test
     packages+=("${test_packages[@]}")
     # Warnings are errors here, where the compiler is known, and not for users, where it is not.
     configuration+=(-DHASHNOISE_TESTS=ON -DHASHNOISE_BAKE=ON -DHASHNOISE_BENCH_CPU=ON
                      -DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
-    target=()
+    targets=()
   elif [[ $1 == bake ]]; then
+    name=bake
     packages=("${bake_packages[@]}")
     configuration=(-DHASHNOISE_BAKE=ON)
     [[ -e $build/CMakeCache.txt ]] || configuration+=(-DHASHNOISE_CONFORMANCE=OFF)
-    target=(--target hn-bake)
+    targets=(hn-bake)
   elif [[ $1 == drivers ]]; then
     packages+=("${driver_packages[@]}")
   elif [[ $1 == paper ]]; then
@@ -126,22 +184,50 @@ setup() {
   fi
   mkdir -p "$build"
   : >"$log"
+  find_missing "${packages[@]}"
+  announce "$name" "${2-}" "${#missing[@]}" "$(steps_to_do "$build" "${targets[@]}")"
   install_missing "${packages[@]}"
   [[ $1 != test ]] || share_objects
-  logged "The build could not be configured" \
-    cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release "${configuration[@]}"
-  logged "The build failed" cmake --build "$build" "${target[@]}"
+  configure_and_build "$name" "$build" '' "${configuration[@]}" -- "${targets[@]}"
+}
+
+#   configure_and_build NAME_IN_THE_TABLE FOLDER BY_WHOM OPTION... -- [TARGET...]
+configure_and_build() {
+  local name=$1 folder=$2 by=$3 new='' steps before after
+  local -a options=()
+  shift 3
+  while [[ $1 != -- ]]; do
+    options+=("$1")
+    shift
+  done
+  shift
+  [[ -e $folder/build.ninja ]] || new=1
+  logged "Configuring the build$by" "The build$by could not be configured" \
+    cmake -S "$root" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release "${options[@]}"
+  steps=$(steps_to_do "$folder" "$@")
+  [[ $steps != 0 ]] || return 0
+  before=$(time_of_children)
+  expected=$(predict_build "$name" "$steps") logged "Building${steps:+ $steps steps}$by" "The build$by failed" \
+    cmake --build "$folder" ${1:+--target "$@"}
+  after=$(time_of_children)
+  if [[ -n $new && -n $steps ]]; then
+    keep_measured build "$name" "$(awk -v a="$after" -v b="$before" 'BEGIN { printf "%.0f", a - b }')"
+    keep_measured steps "$name" "$steps"
+  fi
 }
 
 # What the compiler makes of the library is measured, so each has a build without anything else.
 setup_bench_cpu() {
-  local -a packages=("${program_packages[@]}")
-  local compiler folder
+  local -a packages=("${program_packages[@]}") missing
+  local compiler folder run
   for compiler in "$@"; do
     [[ $compiler != clang++ ]] || packages+=(clang)
   done
   mkdir -p "$build"
   : >"$log"
+  find_missing "${packages[@]}"
+  run=$(cost run bench-cpu)
+  announce bench-cpu "${run:+$((${run%.*} * $#))}" "${#missing[@]}" ''
   install_missing "${packages[@]}"
   for compiler in "$@"; do
     if ! command -v "$compiler" >/dev/null; then
@@ -149,9 +235,7 @@ setup_bench_cpu() {
       exit 2
     fi
     folder=$build/bench-cpu-$(basename "$compiler")
-    logged "The build by $compiler could not be configured" \
-      cmake -S "$root" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER="$compiler" \
-      -DHASHNOISE_CONFORMANCE=OFF -DHASHNOISE_TESTS=OFF -DHASHNOISE_BENCH_CPU=ON
-    logged "The build by $compiler failed" cmake --build "$folder" --target hn-bench-cpu
+    configure_and_build bench-cpu "$folder" " by $compiler" -DCMAKE_CXX_COMPILER="$compiler" \
+      -DHASHNOISE_CONFORMANCE=OFF -DHASHNOISE_TESTS=OFF -DHASHNOISE_BENCH_CPU=ON -- hn-bench-cpu
   done
 }

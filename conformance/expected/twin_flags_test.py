@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """The C++ twin with HN_FIXED has the same bits whatever compiler and flags it is built with, and no undefined behaviour.
 
-Usage: twin_flags_test.py [--thorough] COMPILER...
+Usage: twin_flags_test.py [--every-function] [--thorough] COMPILER...
 
-Compilers, flags, gradients and arithmetics are tried in pairs; with --thorough all of them together.
+A function of each kind is tried, and with --every-function all that have values of their own. Compilers, flags, gradients
+and arithmetics are tried in pairs; with --thorough all of them together.
 """
 
 import concurrent.futures
@@ -17,6 +18,7 @@ import unittest
 
 COMPILERS = []
 THOROUGH = False
+FUNCTIONS = ()  # the macros that choose them
 HERE = pathlib.Path(__file__).resolve().parent
 # The library asks compilers to inline every function, and then most of the time goes into compiling the same text for
 # each caller. What is optimised most has that; else they inline none of it, or what they choose.
@@ -47,13 +49,13 @@ class Flags(unittest.TestCase):
 
     @staticmethod
     def points(flags):
-        """What is not optimised takes long."""
-        return ["few"] if "-O0" in flags else []
+        """What is not optimised takes long, and what is checked at each operation."""
+        return ["few"] if "-O0" in flags or SANITIZED[2] in flags else []
 
     def digests(self, number, compiler, flags, *macros):
         """What twin_flags.cpp prints, built so: by function its digests."""
         program = self.folder / f"twin-{number}"
-        command = [compiler, "-std=c++20", *flags, *(f"-D{macro}" for macro in macros),
+        command = [compiler, "-std=c++20", *flags, *(f"-D{macro}" for macro in (*FUNCTIONS, *macros)),
                    f"-I{HERE.parent.parent / 'include'}", f"-I{HERE.parent}", str(HERE / "twin_flags.cpp"), "-o",
                    str(program)]
         subprocess.run(command, check=True)
@@ -83,8 +85,9 @@ class Flags(unittest.TestCase):
                 self.assertGreaterEqual(len(builds), 3)
                 digests = self.all_digests(builds, f"HN_GRADIENT={gradient}", "HN_ARITHMETIC=HN_FIXED")
                 most = digests[builds[-1]]
-                for function in ("gradient.lattice2", "noise3d.perlin_cell", "fbm.clouds3"):
+                for function in ("gradient.lattice2", "noise3d.perlin_cell", "noise2d.cellular", "fbm.clouds3"):
                     self.assertEqual(len(most[function]), 2)
+                self.assertGreater(len(most), 20 if FUNCTIONS else 100)
                 self.assertGreaterEqual(sum(not self.points(flags) for _, flags in builds), 2)
                 for build, digest in digests.items():
                     self.assert_same(digest, most, build)
@@ -118,5 +121,6 @@ class Flags(unittest.TestCase):
 
 if __name__ == "__main__":
     THOROUGH = "--thorough" in sys.argv
-    COMPILERS = [argument for argument in sys.argv[1:] if argument != "--thorough"]
+    FUNCTIONS = () if "--every-function" in sys.argv else ("HN_TEST_EACH_KIND",)
+    COMPILERS = [argument for argument in sys.argv[1:] if not argument.startswith("--")]
     unittest.main(argv=sys.argv[:1])

@@ -37,7 +37,11 @@ Number points(Function function) {
 
 namespace {
 
+#ifdef FEW_POINTS
+constexpr int kPoints = 1 << 13;
+#else
 constexpr int kPoints = 1 << 16;
+#endif
 
 // Each number has a generator of its own, so that it does not matter how many points are taken at a time.
 class Generator {

@@ -61,6 +61,7 @@ def largest_sum(v: Sequence[Fraction], k: int) -> Fraction:
     return sum(sorted(map(abs, v), reverse=True)[:k], Fraction(0))
 
 
+@functools.lru_cache(maxsize=None)  # blocks that differ in a cell ask for the same pairs
 def always_nearer(c: Cell, o: Cell) -> bool:
     """Whether every point of c is proven to be as near as every point of o, from all places of the simplex."""
     dims, places = len(o), simplex(len(o))

@@ -25,7 +25,7 @@ class Help(unittest.TestCase):
         self.root = Path(scratch.name)
         tools = self.root / "tools"
         tools.mkdir()
-        for name in ("setup.sh", "test", *COMMANDS):
+        for name in ("setup.sh", "progress.sh", "test", *COMMANDS):
             shutil.copy(TOOLS / name, tools)
         # Whoever builds or installs something is noticed.
         self.programs = self.root / "programs"

@@ -20,7 +20,7 @@ class Node(unittest.TestCase):
         self.addCleanup(scratch.cleanup)
         self.root = Path(scratch.name)
         (self.root / "tools").mkdir()
-        for name in ("setup.sh", "node"):
+        for name in ("setup.sh", "progress.sh", "node"):
             shutil.copy(TOOLS / name, self.root / "tools")
         self.programs = self.root / "programs"
         self.programs.mkdir()

@@ -18,13 +18,13 @@ class Npm(unittest.TestCase):
         self.addCleanup(scratch.cleanup)
         self.root = Path(scratch.name)
         (self.root / "tools" / "lib").mkdir(parents=True)
-        for name in ("setup.sh", "npm"):
+        for name in ("setup.sh", "progress.sh", "npm"):
             shutil.copy(TOOLS / name, self.root / "tools")
         # Whoever installs something is noticed, and has everything.
         self.programs = self.root / "programs"
         self.programs.mkdir()
         for name, command in (("apt-get", f"touch {self.root}/installed; exit 1"),
-                              ("dpkg-query", 'echo "install ok installed"')):
+                              ("dpkg-query", 'shift 3; for package; do echo "$package installed"; done')):
             path = self.programs / name
             path.write_text(f"#!/bin/sh\n{command}\n", encoding="ascii")
             path.chmod(0o755)

@@ -19,13 +19,13 @@ class Wheel(unittest.TestCase):
         self.addCleanup(scratch.cleanup)
         self.root = Path(scratch.name)
         (self.root / "tools").mkdir()
-        for name in ("setup.sh", "wheel"):
+        for name in ("setup.sh", "progress.sh", "wheel"):
             shutil.copy(TOOLS / name, self.root / "tools")
         # Whoever installs something is noticed, and has everything.
         self.programs = self.root / "programs"
         self.programs.mkdir()
         for name, command in (("apt-get", f"touch {self.root}/installed; exit 1"),
-                              ("dpkg-query", 'echo "install ok installed"')):
+                              ("dpkg-query", 'shift 3; for package; do echo "$package installed"; done')):
             self.write_program(name, command)
 
     def write_program(self, name: str, command: str) -> Path:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import re
 from dataclasses import dataclass
 from pathlib import Path
@@ -110,21 +111,24 @@ def _blank(text: str) -> str:
 
 def file_scope(text: str) -> str:
     """The text with blanks for comments, directives and bodies, so that what is left stays in its place."""
-    text, depth, kept = NO_CODE.sub(lambda match: _blank(match[0]), text), 0, []
-    for character in text:
-        depth -= character == "}"
-        kept.append(character if depth == 0 else _blank(character))
-        depth += character == "{"
+    depth, kept = 0, []
+    for part in re.split("([{}])", NO_CODE.sub(lambda match: _blank(match[0]), text)):
+        depth -= part == "}"
+        kept.append(part if depth == 0 else _blank(part))
+        depth += part == "{"
     return "".join(kept)
+
+
+@functools.lru_cache(maxsize=None)  # the tests of completeness change one file of many
+def _overlooked(text: str) -> list[tuple[int, str]]:
+    """The lines and names of those in the text of a file."""
+    known = {match.start(1) for match in FUNCTION.finditer(text)} | {match.start(4) for match in SUM.finditer(text)}
+    return [(text.count("\n", 0, match.start(1)) + 1, match[1])
+            for pattern in (ANY_FUNCTION, ANY_SUM) for match in pattern.finditer(file_scope(text))
+            if match.start(1) not in known]
 
 
 def overlooked(library: Path = LIBRARY) -> list[str]:
     """The public functions that declarations() does not find, with their places."""
-    found = []
-    for path in sorted(library.glob("*.glsl")):
-        text = path.read_text(encoding="utf-8")
-        known = {match.start(1) for match in FUNCTION.finditer(text)} | {match.start(4) for match in SUM.finditer(text)}
-        found += [f"{path}:{text.count(chr(10), 0, match.start(1)) + 1}: {match[1]}"
-                  for pattern in (ANY_FUNCTION, ANY_SUM) for match in pattern.finditer(file_scope(text))
-                  if match.start(1) not in known]
-    return found
+    return [f"{path}:{line}: {name}" for path in sorted(library.glob("*.glsl"))
+            for line, name in _overlooked(path.read_text(encoding="utf-8"))]

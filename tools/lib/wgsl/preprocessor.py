@@ -5,7 +5,6 @@ Such a macro becomes a constant of the WGSL module, so that its name stays in th
 
 from __future__ import annotations
 
-import dataclasses
 import operator
 import re
 from dataclasses import dataclass
@@ -92,8 +91,8 @@ class Preprocessor:
             self._comments.append(comment)
             return
         heading = [self._heading, ""] if self._heading else []
-        tokens[0] = dataclasses.replace(tokens[0], before=(*heading, *self._comments))
-        tokens[-1] = dataclasses.replace(tokens[-1], after=comment)
+        tokens[0] = tokens[0]._replace(before=(*heading, *self._comments))
+        tokens[-1] = tokens[-1]._replace(after=comment)
         self._heading, self._comments = "", []
         self._chunk += tokens
 
@@ -184,7 +183,7 @@ class Preprocessor:
         while stack:
             token = stack.pop()
             if comments:
-                token = dataclasses.replace(token, before=comments + token.before)
+                token = token._replace(before=comments + token.before)
                 comments = ()
             macro = self.macros.get(token.text) if token.kind == "word" and token.text not in token.hidden else None
             if macro is None or (keep_constants and token.text in self.constants):
@@ -203,12 +202,12 @@ class Preprocessor:
                 values = {name: self._expanded(argument, keep_constants)
                           for name, argument in zip(macro.parameters, arguments)}
                 body = [part for piece in macro.body for part in values.get(piece.text, [piece])]
-                token = dataclasses.replace(token, after=last.after)
-            body = [dataclasses.replace(part, path=token.path, line=token.line, hidden=part.hidden | hidden, before=(),
+                token = token._replace(after=last.after)
+            body = [part._replace(path=token.path, line=token.line, hidden=part.hidden | hidden, before=(),
                                         after="") for part in body]
             if body:
-                body[0] = dataclasses.replace(body[0], before=token.before)
-                body[-1] = dataclasses.replace(body[-1], after=token.after)
+                body[0] = body[0]._replace(before=token.before)
+                body[-1] = body[-1]._replace(after=token.after)
             else:
                 comments = token.before
             stack += body[::-1]

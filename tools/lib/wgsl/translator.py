@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
@@ -171,7 +170,7 @@ class Translator:
         return self._constant_codes[at.text]
 
     def _constant(self, constant: Constant) -> Definition:
-        code = self.constant(dataclasses.replace(constant.body[0], text=constant.name))
+        code = self.constant(constant.body[0]._replace(text=constant.name))
         needs = [token.text for token in constant.body if token.text in self.constants]
         comment = f"  {constant.comment}" if constant.comment else ""
         lines = [f"const {constant.name}: {wgsl_type(code.type)} = {code.text};{comment}"]

@@ -1,0 +1,221 @@
+"""Tests of tools/setup.sh: what a command shows before it runs.
+
+Scripts stand in for cmake, ninja, apt-get and dpkg-query, so that nothing is installed or built. A line is due every
+quarter of a second here, in place of every ten seconds.
+"""
+
+from __future__ import annotations
+
+import os
+import pty
+import re
+import shutil
+import subprocess
+import tempfile
+import time
+import unittest
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from tree import TOOLS
+
+TICK = 0.25
+# A step is as long as many ticks, so that a step that shows nothing is noticed, and a busy machine is not.
+SLOW = 12 * TICK
+SILENT = 0.8 * SLOW
+COMMANDS = ("conform", "bench", "bake", "paper", "bench-cpu", "test")
+TABLE = """kind,name,value,before
+speed,loop,0.1,
+packages,each,2,
+build,conform,100,
+steps,conform,50,
+build,bake,100,
+steps,bake,50,
+build,test,100,
+steps,test,50,
+build,bench-cpu,100,
+steps,bench-cpu,50,
+run,conform,60,
+"""
+APT_GET = f"""case "$*" in
+  *update*) sleep {SLOW};;
+  *) echo dlstatus:1:25.5:Retrieving; sleep {SLOW}; echo pmstatus:cmake:75.2:Unpacking; sleep {SLOW};;
+esac"""
+CMAKE = f"""case "$*" in
+  *--build*) echo '[1/2] first'; sleep {SLOW}; echo '[2/2] second'; sleep {SLOW};;
+  *) sleep {SLOW}
+     folder=$(echo "$*" | sed 's/.*-B \\([^ ]*\\) .*/\\1/')
+     mkdir -p "$folder"; touch "$folder/build.ninja";;
+esac"""
+
+
+class Machine:
+    """A copy of the commands, with nothing built, on a machine without packages."""
+
+    def __init__(self, root: Path) -> None:
+        self.root = root
+        self.tools = root / "tools"
+        self.tools.mkdir()
+        for name in ("setup.sh", "progress.sh", *COMMANDS):
+            shutil.copy(TOOLS / name, self.tools)
+        (self.tools / "costs.csv").write_text(TABLE)
+        self.programs = root / "programs"
+        self.program("dpkg-query", "exit 1")
+        self.program("sudo", 'shift; [ "$1" = true ] || exec "$@"')  # sudo -n
+        self.program("apt-get", APT_GET)
+        self.program("cmake", CMAKE)
+        self.program("ninja", "echo '[1/25] one'; echo '[25/25] last'")
+        for name in ("clang++", "g++", "ctest", "python3"):
+            self.program(name, "exit 0")
+        for path in ("conformance/hn-conform", "src/bake/hn-bake", "bench-cpu-g++/src/bench_cpu/hn-bench-cpu"):
+            self.program(root / "build" / path, "echo it runs")
+        self.environment = {**os.environ, "PATH": f"{self.programs}:{os.environ['PATH']}",
+                            "HN_PROGRESS_SECONDS": str(TICK)}
+        self.environment.pop("CCACHE_DIR", None)
+
+    def program(self, name: str | Path, text: str) -> None:
+        path = self.programs / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(f"#!/bin/sh\n{text}\n")
+        path.chmod(0o755)
+
+    def run(self, command: str) -> tuple[int, str, float]:
+        """The status of a command, what it shows through a pipe, and for how long nothing came."""
+        with subprocess.Popen([self.tools / command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                              env=self.environment) as process:
+            times, lines = [time.monotonic()], []
+            for line in process.stdout:
+                times.append(time.monotonic())
+                lines.append(line)
+            status = process.wait()
+            times.append(time.monotonic())
+        return status, "".join(lines), max(later - earlier for earlier, later in zip(times, times[1:]))
+
+
+class Setup(unittest.TestCase):
+    def setUp(self) -> None:
+        self.machine = self.new_machine()
+
+    def new_machine(self) -> Machine:
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        return Machine(Path(scratch.name))
+
+    def at_once(self) -> None:
+        """Of what does not concern times, the steps are short."""
+        for name, text in (("apt-get", APT_GET), ("cmake", CMAKE)):
+            self.machine.program(name, text.replace(str(SLOW), "0"))
+
+    def change(self, pattern: str, text: str) -> None:
+        file = self.machine.tools / "progress.sh"
+        old = file.read_text()
+        new = re.sub(pattern, text, old, flags=re.MULTILINE)
+        self.assertNotEqual(old, new)
+        file.write_text(new)
+
+    def test_no_command_is_silent_for_long(self) -> None:
+        machines = [self.new_machine() for _ in COMMANDS]
+        with ThreadPoolExecutor(len(COMMANDS)) as pool:
+            runs = pool.map(lambda machine, command: machine.run(command), machines, COMMANDS)
+            for command, (status, shown, silence) in zip(COMMANDS, runs):
+                with self.subTest(command=command):
+                    self.assertEqual(status, 0, shown)
+                    self.assertLess(silence, SILENT, shown)
+                    first = shown.splitlines()[0]
+                    self.assertRegex(first, rf"^tools/{command} installs \d+ Debian packages, builds and runs\.")
+                    self.assertIn("build/setup.log", first)
+                    self.assertRegex(shown, r"Installing \d+ packages.* 25 % downloaded 0:0\d")
+                    self.assertRegex(shown, r"Installing \d+ packages.* 75 % installed 0:0\d")
+                    self.assertRegex(shown, r"Building 25 steps.* \[1/2\] 0:0\d of about 0:")
+
+    def test_a_silent_step_is_noticed(self) -> None:
+        self.change("^readonly progress_ms=.*$", "readonly progress_ms=999999")
+        status, shown, silence = self.machine.run("conform")
+        self.assertEqual(status, 0, shown)
+        self.assertGreater(silence, SILENT)
+
+    def test_the_first_line_says_how_long_it_takes_here(self) -> None:
+        self.at_once()
+        self.assertRegex(self.machine.run("conform")[1],
+                         r"That takes about \d+:\d\d minutes here \(packages \d:\d\d, build \d+:\d\d, run \d+:\d\d\)\.")
+
+    def test_without_a_table_it_says_what_but_not_how_long(self) -> None:
+        self.at_once()
+        (self.machine.tools / "costs.csv").unlink()
+        status, shown, _ = self.machine.run("conform")
+        self.assertEqual(status, 0, shown)
+        self.assertNotIn("about", shown)
+
+    def test_where_all_is_there_nothing_is_built(self) -> None:
+        self.at_once()
+        self.machine.program("dpkg-query", 'shift 3; for package; do echo "$package installed"; done')
+        self.machine.program("ninja", "echo 'ninja: no work to do.'")
+        (self.machine.root / "build" / "build.ninja").touch()
+        status, shown, _ = self.machine.run("conform")
+        self.assertEqual(status, 0, shown)
+        self.assertIn("tools/conform has nothing to build and runs.", shown)
+        self.assertNotIn("Building", shown)
+        self.assertNotIn("Installing", shown)
+
+    def test_only_what_is_missing_is_installed(self) -> None:
+        self.at_once()
+        self.machine.program("dpkg-query", 'shift 3; for package; do [ $package = cmake ] || echo "$package installed"; done')
+        shown = self.machine.run("conform")[1]
+        self.assertIn("tools/conform installs 1 Debian packages", shown)
+        self.assertIn("Installing 1 packages", shown)
+
+    def test_a_failure_shows_the_end_of_the_log(self) -> None:
+        self.at_once()
+        self.machine.program("cmake", "echo '-- some line'; echo 'CMake Error: no such thing'; exit 1")
+        status, shown, _ = self.machine.run("conform")
+        self.assertEqual(status, 4)
+        self.assertIn("CMake Error: no such thing", shown)
+        self.assertRegex(shown, r"The build could not be configured; all of the output is in \S+build/setup\.log")
+        self.assertNotIn("it runs", shown)
+
+    def test_packages_that_cannot_be_installed_are_named(self) -> None:
+        self.at_once()
+        self.machine.program("apt-get", 'case "$*" in *install*) echo "E: no network"; exit 100;; esac')
+        status, shown, _ = self.machine.run("conform")
+        self.assertEqual(status, 4)
+        self.assertIn("E: no network", shown)
+        self.assertRegex(shown, "apt-get could not install these packages: .*nlohmann-json3-dev")
+
+    def test_a_line_that_comes_in_parts_is_one_in_the_log(self) -> None:
+        self.at_once()
+        self.machine.program("cmake", f"printf 'half a'; sleep {2 * TICK}; printf ' line'; exit 1")
+        self.assertEqual(self.machine.run("conform")[0], 4)
+        self.assertIn("half a line\n", (self.machine.root / "build" / "setup.log").read_text())
+
+    def test_what_a_build_from_nothing_takes_is_kept(self) -> None:
+        self.at_once()
+        self.assertEqual(self.machine.run("conform")[0], 0)
+        rows = [line.split(",") for line in (self.machine.root / "build" / "measured.csv").read_text().splitlines()]
+        self.assertEqual([row[:2] for row in rows],
+                         [["packages", "each"], ["build", "conform"], ["steps", "conform"]])
+        self.assertEqual(rows[2][2], "25")
+
+    def test_on_a_terminal_one_line_is_rewritten(self) -> None:
+        terminal, other_end = pty.openpty()
+        process = subprocess.Popen([self.machine.tools / "conform"], stdout=other_end, stderr=other_end,
+                                   env=self.machine.environment)
+        os.close(other_end)
+        shown = b""
+        while True:
+            try:
+                part = os.read(terminal, 4096)
+            except OSError:  # Linux says so where others end the file
+                break
+            if not part:
+                break
+            shown += part
+        os.close(terminal)
+        self.assertEqual(process.wait(), 0)
+        text = shown.decode()
+        self.assertEqual(text.count("\n"), 2, text)  # the first line, and what the program prints
+        self.assertRegex(text, r"\rBuilding 25 steps \[\d/2\] 0:0\d of about 0:\d\d\x1b\[K")
+        self.assertTrue(text.endswith("\r\x1b[Kit runs\r\n"), text)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,125 @@
+"""Tests of tools/test: which tests it runs, and what it says of them.
+
+The tests that ctest runs here are scripts in a build folder that CMake has configured; scripts stand in for cmake, so
+that nothing is built.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+from tree import TOOLS
+
+TESTS = """add_test(quick "sh" "-c" "echo quick >> {ran}")
+add_test(name+with.signs/0 "sh" "-c" "echo signs >> {ran}")
+add_test(sometimes "sh" "-c" "echo sometimes >> {ran}; test -e {root}/well")
+add_test(skipped "sh" "-c" "exit 77")
+set_tests_properties(skipped PROPERTIES SKIP_RETURN_CODE 77)
+if(CTEST_CONFIGURATION_TYPE MATCHES "^([Tt][Hh][Oo][Rr][Oo][Uu][Gg][Hh])$")
+  add_test(long "sh" "-c" "echo long >> {ran}")
+endif()
+"""
+
+
+class Test(unittest.TestCase):
+    def setUp(self) -> None:
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.root = Path(scratch.name)
+        tools = self.root / "tools"
+        tools.mkdir()
+        for name in ("setup.sh", "progress.sh", "test"):
+            shutil.copy(TOOLS / name, tools)
+        self.ran = self.root / "build" / "ran"
+        self.ran.parent.mkdir()
+        (self.root / "build" / "CTestTestfile.cmake").write_text(TESTS.format(ran=self.ran, root=self.root))
+        (self.root / "well").touch()
+        programs = self.root / "build" / "programs"
+        programs.mkdir()
+        for name, text in (("cmake", "exit 0"), ("ninja", "echo 'ninja: no work to do.'"),
+                           ("dpkg-query", 'shift 3; for package; do echo "$package installed"; done')):
+            (programs / name).write_text(f"#!/bin/sh\n{text}\n")
+            (programs / name).chmod(0o755)
+        self.environment = {**os.environ, "PATH": f"{programs}:{os.environ['PATH']}"}
+
+    def call(self, *arguments: str) -> tuple[int, str, list[str]]:
+        """The status, what is printed, and which tests ran."""
+        self.ran.write_text("")
+        done = subprocess.run([self.root / "tools" / "test", *arguments], stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, text=True, check=False, env=self.environment)
+        return done.returncode, done.stdout, sorted(self.ran.read_text().split())
+
+    def test_a_default_run_says_how_many_tests_it_leaves_out(self) -> None:
+        status, text, ran = self.call()
+        self.assertEqual((status, ran), (0, ["quick", "signs", "sometimes"]), text)
+        self.assertRegex(text, r"100% tests passed, 0 tests failed out of 4\n")
+        self.assertTrue(text.endswith("\n1 more tests run with --thorough only.\n"), text)
+
+    def test_options_of_ctest_choose_tests(self) -> None:
+        status, text, ran = self.call("-R", "quick|long")
+        self.assertEqual((status, ran), (0, ["quick"]), text)
+        self.assertTrue(text.endswith("\n1 more tests run with --thorough only.\n"), text)
+        self.assertEqual(self.call("--thorough", "-R", "quick|long")[2], ["long", "quick"])
+
+    def test_a_failure_is_one(self) -> None:
+        (self.root / "well").unlink()
+        status, text, _ = self.call()
+        self.assertEqual(status, 8)
+        self.assertRegex(text, r"sometimes \(Failed\)")
+
+    def test_a_thorough_run_is_resumed(self) -> None:
+        (self.root / "well").unlink()
+        status, text, ran = self.call("--thorough")
+        self.assertEqual((status, ran), (8, ["long", "quick", "signs", "sometimes"]), text)
+        # The tree has not changed; what failed and what was skipped is run again. The failed test passes by something
+        # outside of the tree: build/ is not a part of it, and neither is what it reads now.
+        tests = self.root / "build" / "CTestTestfile.cmake"
+        tests.write_text(tests.read_text().replace(f"test -e {self.root}/well", "true"))
+        status, text, ran = self.call("--thorough", "--resume")
+        self.assertEqual((status, ran), (0, ["sometimes"]), text)
+        self.assertTrue(text.endswith("\n3 tests had passed on this tree before, and were left out.\n"), text)
+        self.assertEqual(self.call("--thorough", "--resume")[2], [])
+        # Another run that is not resumed begins anew.
+        self.assertEqual(len(self.call("--thorough")[2]), 4)
+
+    def test_a_run_that_was_cut_off_is_resumed(self) -> None:
+        """Tests run in the order of their numbers here; the third ends the run, as a signal would."""
+        tests = self.root / "build" / "CTestTestfile.cmake"
+        text = tests.read_text()
+        tests.write_text(text.replace(f"test -e {self.root}/well", "kill -9 $(ps -o ppid= $PPID) $PPID"))
+        status, _, ran = self.call("--thorough", "-j", "1")
+        self.assertNotEqual(status, 0)
+        self.assertNotIn("long", ran)
+        tests.write_text(text)
+        status, said, ran = self.call("--thorough", "--resume")
+        self.assertEqual((status, ran), (0, ["long", "sometimes"]), said)
+
+    def test_a_tree_that_has_changed_is_tested_anew(self) -> None:
+        self.assertEqual(self.call("--thorough")[0], 0)
+        (self.root / "source.cpp").write_text("int main() {}\n")
+        status, text, ran = self.call("--thorough", "--resume")
+        self.assertEqual((status, len(ran)), (0, 4), text)
+        self.assertIn("There is no thorough run of this tree to go on with.", text)
+
+    def test_a_run_that_is_not_thorough_has_nothing_to_resume(self) -> None:
+        status, text, ran = self.call("--resume")
+        self.assertEqual((status, ran), (2, []))
+        self.assertIn("--resume goes with --thorough", text)
+
+    def test_what_is_running_is_said_when_nothing_else_is(self) -> None:
+        tests = self.root / "build" / "CTestTestfile.cmake"
+        tests.write_text('add_test(slow "sleep" "3")\n')
+        self.environment["HN_PROGRESS_SECONDS"] = "0.5"
+        status, text, _ = self.call()
+        self.assertEqual(status, 0, text)
+        self.assertGreater(len(re.findall(r"^ +\(0:0\d: slow\)$", text, re.MULTILINE)), 2, text)
+
+
+if __name__ == "__main__":
+    unittest.main()

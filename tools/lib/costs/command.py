@@ -1,0 +1,146 @@
+"""Measures what tests cost, and checks the table of it: tools/test --record calls this, and so does the test costs.table.
+
+    python3 -B -m costs.command record BUILD [options of ctest that choose tests]
+    python3 -B -m costs.command check BUILD
+
+Each test runs alone, and its processor time counts, with that of all processes that it waits for. The tests should have
+run before, since what one makes another may use. Exit status: 0 done, 1 a test failed and its row is as it was, or the
+table is not right, 2 bad usage.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import resource
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from costs import table as costs
+from tree import ROOT, TOOLS
+
+TABLE = TOOLS / "costs.csv"
+BUDGET = 720  # two cores, six minutes
+# What is run without options, by its program in the build.
+RUNS = {"conform": ("conformance/hn-conform", "run"), "bench": ("conformance/hn-conform", "bench"),
+        "paper": ("conformance/hn-conform", "paper")}
+EVERY = 10  # tests; how fast the machine is may change
+SKIPPED = 77
+
+
+def listed(build: Path, *options: str) -> list[dict]:
+    """The tests of a default run, by ctest. Those that make what others use come first."""
+    command = ["ctest", "--test-dir", str(build), "--show-only=json-v1", *options]
+    tests = json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)["tests"]
+    known = [test for test in tests if "command" in test]  # a program of gtest that is not built has none
+
+    def order(test: dict) -> tuple[bool, bool]:
+        return "FIXTURES_SETUP" not in properties(test), "FIXTURES_REQUIRED" in properties(test)
+
+    return sorted(known, key=order)
+
+
+def properties(test: dict) -> dict:
+    return {entry["name"]: entry["value"] for entry in test["properties"]}
+
+
+def row_of(test: dict) -> str:
+    """Its row: a program of gtest has one for all of its tests."""
+    if any(argument.startswith("--gtest_filter=") for argument in test["command"]):
+        return Path(test["command"][0]).name
+    return test["name"]
+
+
+def time_of_children() -> float:
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def calibration() -> float:
+    """The processor time of the loop of tools/progress.sh; the least of some, because others may disturb it."""
+    command = ["bash", "-c", 'root=$1; build=; log=; source "$root/tools/progress.sh"; calibration', "bash", str(ROOT)]
+    return min(float(subprocess.run(command, capture_output=True, text=True, check=True).stdout) for _ in range(5))
+
+
+def cost_of(command: list[str], folder: str | None, environment: dict[str, str], log: Path) -> tuple[int, float]:
+    """The status of a command, and its processor time."""
+    before = time_of_children()
+    with log.open("w", encoding="utf-8") as out:
+        try:
+            status = subprocess.run(command, cwd=folder, env={**os.environ, **environment}, stdout=out,
+                                    stderr=subprocess.STDOUT, check=False).returncode
+        except OSError as error:
+            out.write(f"{command[0]}: {error.strerror}\n")
+            status = 1
+    return status, time_of_children() - before
+
+
+def setup_rows(build: Path) -> dict[tuple[str, str], float]:
+    """What tools/setup.sh has measured while it installed packages and built from nothing."""
+    path = build / "measured.csv"
+    lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
+    return {(kind, name): float(value) for kind, name, value in (line.split(",") for line in lines)}
+
+
+def record(build: Path, path: Path, options: list[str]) -> int:
+    table = costs.read_file(path)
+    table.setdefault(("budget", "tests"), costs.Row(BUDGET))
+    here = calibration()
+    there = table.setdefault(("speed", "loop"), costs.Row(here)).value
+    measured: dict[tuple[str, str], float] = {}
+    for key, value in setup_rows(build).items():
+        measured[key] = value * there / here if key[0] == "build" else value
+    tests = [] if "-N" in options else listed(build, *options)
+    failed = []
+    log = build / "recorded.log"
+    for number, test in enumerate(tests):
+        if number % EVERY == 0:
+            here = calibration()
+        of_test = properties(test)
+        environment = dict(entry.split("=", 1) for entry in of_test.get("ENVIRONMENT", []))
+        status, seconds = cost_of(test["command"], of_test.get("WORKING_DIRECTORY"), environment, log)
+        skipped = status != 0 and status == of_test.get("SKIP_RETURN_CODE")
+        print(f"[{number + 1}/{len(tests)}] {seconds * there / here:7.1f} s  {test['name']}"
+              f"{' was skipped' if skipped else ' FAILED' if status else ''}", flush=True)
+        key = ("test", row_of(test))
+        if status and not skipped:
+            failed.append(test["name"])
+        elif not skipped or key not in table:  # what was measured elsewhere is more than nothing
+            measured[key] = measured.get(key, 0) + seconds * there / here
+    if not options:
+        for name, (program, *arguments) in RUNS.items():
+            with tempfile.TemporaryDirectory() as folder:
+                status, seconds = cost_of([str(build / program), *arguments, "--out", f"{folder}/out"], folder, {}, log)
+            if status == 0:
+                measured["run", name] = seconds * there / here
+            else:
+                failed.append(f"{program} {' '.join(arguments)}")
+    table = costs.updated(table, measured, {row_of(test) for test in listed(build)})
+    path.write_text(costs.written(table), encoding="utf-8")
+    total = sum(row.value for row in costs.tests_of(table).values())
+    print(f"The tests of a default run take {total:.0f} s of processor time; {table['budget', 'tests'].value:.0f} is the "
+          f"budget. The table is {path}.")
+    for name in failed:
+        print(f"{name} failed, and what it costs is not written.", file=sys.stderr)
+    return 1 if failed else 0
+
+
+def check(build: Path, path: Path) -> int:
+    found = costs.problems(costs.read_file(path), {row_of(test) for test in listed(build)})
+    for problem in found:
+        print(f"{path}: {problem}", file=sys.stderr)
+    return 1 if found else 0
+
+
+def main(arguments: list[str]) -> int:
+    if len(arguments) < 2 or arguments[0] not in ("record", "check"):
+        print(__doc__, file=sys.stderr)
+        return 2
+    build = Path(arguments[1]).resolve()
+    return record(build, TABLE, arguments[2:]) if arguments[0] == "record" else check(build, TABLE)
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,107 @@
+# To be sourced: shows what a step does while it runs, so that no command is silent for long.
+#
+#   logged TITLE FAILURE COMMAND...    runs the command with its output in $log; if it fails, shows the end of the log,
+#                                      says FAILURE and stops with status 4. With expected=SECONDS before it, it also
+#                                      says how long that takes about.
+#   cost KIND NAME                     the value of a row of tools/costs.csv, or nothing
+#   cost_of_tests                      what all of its rows of tests sum to
+#   seconds_here SECONDS [CORES]       how long it takes on this machine what takes so long by the table
+#   duration SECONDS                   as 3:05
+#
+# On a terminal one line is rewritten each second; in a log or a pipe there is a line every ten seconds. Progress is read
+# off the output: [12/140] of ninja, and the lines that apt-get writes with APT::Status-Fd. It is bash alone, because
+# tools/conform needs no Python.
+set -o pipefail
+
+readonly costs=$root/tools/costs.csv
+if [[ -t 2 ]]; then progress_tick=1; else progress_tick=${HN_PROGRESS_SECONDS:-10}; fi  # tests have no time for ten
+readonly progress_tick
+readonly progress_ms=$(awk -v tick="$progress_tick" 'BEGIN { print int(tick * 1000) }')
+
+cost() { awk -F, -v kind="$1" -v name="$2" '$1 == kind && $2 == name { print $3 }' "$costs" 2>/dev/null || true; }
+
+# The processor seconds of the tests of a default run, by the table; nothing without one.
+cost_of_tests() { awk -F, '$1 == "test" { sum += $3 } END { if (sum) print sum }' "$costs" 2>/dev/null || true; }
+
+duration() {
+  local whole=${1%%.*}
+  printf '%d:%02d' $((${whole:-0} / 60)) $((${whole:-0} % 60))
+}
+
+milliseconds() { echo $((${EPOCHREALTIME/[.,]/} / 1000)); }
+
+# The processor time of a loop of bash, in seconds. Other work scales with it well enough to say "about".
+calibration() {
+  local TIMEFORMAT='%U' i
+  { time for ((i = 0; i < 40000; ++i)); do :; done; } 2>&1
+}
+
+speed_here=
+seconds_here() {
+  [[ -n $speed_here ]] || speed_here=$(calibration)
+  awk -v seconds="$1" -v cores="${2:-1}" -v here="$speed_here" -v there="$(cost speed loop)" \
+    'BEGIN { printf "%.0f", (there > 0 ? seconds * here / there : seconds) / cores }'
+}
+
+# Sets `at` to how far the command is, if the line of its output says that; fails if the line belongs into the log.
+read_progress() {
+  local rest
+  case $1 in
+    '['[0-9]*/[0-9]*']'*) at="${1%%]*}]"; return 1 ;;
+    dlstatus:*) rest=${1#dlstatus:*:}; at="${rest%%[.,:]*} % downloaded" ;;
+    pmstatus:*) rest=${1#pmstatus:*:}; at="${rest%%[.,:]*} % installed" ;;
+    *) return 1 ;;
+  esac
+}
+
+# The line of the step of that title.
+print_progress() {
+  local text="$1 ${at:+$at }$(duration $((($(milliseconds) - started) / 1000)))${expected:+ of about $(duration "$expected")}"
+  if [[ -t 2 ]]; then
+    printf '\r%.*s\e[K' "$(($(tput cols 2>/dev/null || echo 80) - 1))" "$text" >&2
+  else
+    echo "$text" >&2
+  fi
+}
+
+# Copies its input to the log, and prints the progress of the step of that title.
+show_progress() {
+  local title=$1 at='' line part='' ended=0 status started printed
+  started=$(milliseconds)
+  printed=$started
+  if [[ -t 2 ]]; then print_progress "$title"; else echo "$title${expected:+, about $(duration "$expected")}" >&2; fi
+  while ((!ended)); do
+    status=0
+    IFS= read -r -t "$progress_tick" line || status=$?
+    line=$part$line
+    part=
+    if ((status > 128)); then  # nothing more came in time
+      part=$line
+    elif ((status)) && [[ -z $line ]]; then
+      ended=1
+    else
+      ((!status)) || ended=1
+      read_progress "$line" || printf '%s\n' "$line" >>"$log"
+    fi
+    if ((!ended && (${EPOCHREALTIME/[.,]/} / 1000 - printed) >= ${progress_ms})); then
+      printed=$(milliseconds)
+      print_progress "$title"
+    fi
+  done
+  if [[ -t 2 ]]; then printf '\r\e[K' >&2; fi
+}
+
+# The processor time of the commands that this shell has waited for, in seconds.
+time_of_children() {
+  times >"$build/times"
+  awk 'NR == 2 { split($1 "m" $2, part, "m"); print part[1] * 60 + part[2] + part[3] * 60 + part[4] }' "$build/times"
+}
+
+logged() {
+  local title=$1 failure=$2 expected=${expected-}
+  shift 2
+  "$@" 2>&1 | show_progress "$title" && return 0
+  tail -n 40 "$log" >&2
+  echo "$failure; all of the output is in $log." >&2
+  exit 4
+}
