@@ -68,13 +68,22 @@ std::vector<std::string_view> summands(Shape shape, int dimensions) {
   return names;
 }
 
+std::vector<std::string_view> names_of(const std::vector<InstructionSet>& sets) {
+  std::vector<std::string_view> names;
+  std::transform(sets.begin(), sets.end(), std::back_inserter(names), name);
+  return names;
+}
+
 InstructionSet chosen(const std::optional<InstructionSet>& wanted) {
   const std::vector<InstructionSet> there = instruction_sets();
+  if (there.empty()) {
+    refuse("this processor lacks the instructions that hashnoise::grid was compiled for: " +
+           listed(names_of(compiled_instruction_sets())));
+  }
   if (!wanted) return there.front();
   if (std::find(there.begin(), there.end(), *wanted) == there.end()) {
-    std::vector<std::string_view> names;
-    std::transform(there.begin(), there.end(), std::back_inserter(names), name);
-    refuse("this processor or this build has no " + std::string(name(*wanted)) + "; there are: " + listed(names));
+    refuse("this processor or this build has no " + std::string(name(*wanted)) +
+           "; there are: " + listed(names_of(there)));
   }
   return *wanted;
 }
