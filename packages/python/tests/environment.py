@@ -1,7 +1,7 @@
 """Where the tests of the package run: a new virtual environment with its wheel, and with what requirements.txt names.
 
-    environment.py make FOLDER [LIBRARY]   makes it in FOLDER; the wheel is built by tools/wheel, and linked with LIBRARY
-                                           if that is named
+    environment.py make FOLDER [LIBRARY]   makes it in FOLDER; the wheel is built by tools/wheel, and linked with
+                                           LIBRARY if that is named
     environment.py run FOLDER MODULE...    runs modules of tests in it
 
 Exit status: 0 done, 1 not, 77 PyPI cannot be reached, so there is no such environment.
