@@ -166,6 +166,7 @@ setup() {
     packages+=("${test_packages[@]}")
     # Warnings are errors here, where the compiler is known, and not for users, where it is not.
     configuration+=(-DHASHNOISE_TESTS=ON -DHASHNOISE_BAKE=ON -DHASHNOISE_BENCH_CPU=ON
+                     -DHASHNOISE_INSTRUCTION_SETS="${HASHNOISE_INSTRUCTION_SETS:-native}"
                      -DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
     targets=()
   elif [[ $1 == bake ]]; then

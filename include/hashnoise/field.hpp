@@ -36,7 +36,7 @@ enum class Arithmetic { kFast = 1, kPrecise = 2, kFixed = 3 };  // HN_FAST, HN_P
 // The values are those of HN_METRIC_EUCLIDEAN and so on.
 enum class Metric { kEuclidean = 1, kSquared = 2, kManhattan = 3, kChebyshev = 4, kHybrid = 5 };
 
-enum class InstructionSet { kSse2, kSse41, kAvx2, kAvx512, kNeon, kGeneric };
+enum class InstructionSet { kSse41, kAvx2, kAvx512, kNeon, kGeneric };
 
 // What a field is. The names are those of the functions in GLSL without hn_, and the numbers are their parameters. A
 // setting that the function does not have, or a number outside of its range, is an error of Field's constructor; those
@@ -77,7 +77,8 @@ Executor threads(int count = 0);
 template <int D>
 class Field {
  public:
-  // Throws std::invalid_argument, which says what is wrong and what would be right.
+  // Throws std::invalid_argument, which says what is wrong and what would be right. It does so for all settings where
+  // instruction_sets() is empty.
   explicit Field(const Settings& settings);
   ~Field();
   Field(Field&&) noexcept;
@@ -113,8 +114,9 @@ extern template class Field<4>;
 std::vector<std::string_view> noise_names(int dimensions);
 std::vector<std::string_view> sum_names(int dimensions);
 
-// What this processor and the library have, the widest first.
+// What both this processor and the library have, the widest first. A library for x86 has nothing for processors without
+// SSE4.1; which sets it has is CMake's HASHNOISE_INSTRUCTION_SETS.
 std::vector<InstructionSet> instruction_sets();
-std::string_view name(InstructionSet set);  // "sse2", "sse4.1", "avx2", "avx512", "neon", "generic"
+std::string_view name(InstructionSet set);  // "sse4.1", "avx2", "avx512", "neon", "generic"
 
 }  // namespace hashnoise

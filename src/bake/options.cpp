@@ -387,7 +387,7 @@ void add_files(CLI::App& app, BakeOptions& options, Words& words) {
       ->group(group);
   app.add_option(
          "--instructions", words.instructions,
-         "An instruction set such as sse2 (default: the widest that the processor has); only with --arithmetic fast "
+         "An instruction set such as avx2 (default: the widest that the processor has); only with --arithmetic fast "
          "values depend on it")
       ->type_name("NAME")
       ->group(group);

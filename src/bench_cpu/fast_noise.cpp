@@ -50,8 +50,6 @@ unsigned instructions_of(hashnoise::InstructionSet set) {
   using hashnoise::InstructionSet;
   constexpr auto up_to = [](unsigned first, unsigned last) { return (2u << last) - (1u << first); };
   switch (set) {
-    case InstructionSet::kSse2:
-      return up_to(1, 3);
     case InstructionSet::kSse41:
       return up_to(1, 6);
     case InstructionSet::kAvx2:

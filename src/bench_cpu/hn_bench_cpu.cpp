@@ -69,6 +69,7 @@ void show_progress(std::size_t done, std::size_t all, const std::string& what) {
 }
 
 int bench(const hn::BenchCpuOptions& options, hn::Interruption& interruption) {
+  hashnoise::Field<1>{hashnoise::Settings{}};  // throws if this processor has no instructions that there are kernels for
   std::vector<hn::Subject> subjects = hn::subjects();
   std::erase_if(subjects, [&](const hn::Subject& subject) { return !is_wanted(subject, options.filters); });
   if (subjects.empty()) {

@@ -56,7 +56,7 @@ constexpr std::array<NoiseRow, kNoises> kNoiseRows = {{
     {"cell_border", 2, 3, Shape::kValue, false, true, false},
     {"curl", 2, 3, Shape::kVector, false, false, false},
 }};
-constexpr std::array<SumRow, kSums> kSumRows = {{
+constexpr std::array<SumRow, kNamedSums> kSumRows = {{
     {"fbm", 1, 4, Shape::kValue, Shape::kValue, "", 0, 0},
     {"turbulence", 1, 4, Shape::kValue, Shape::kValue, "", 0, 0},
     {"clouds", 1, 4, Shape::kValue, Shape::kValue, "", 0, 0},

@@ -4,6 +4,7 @@
 #include <array>
 #include <mutex>
 
+#include "processor.hpp"
 #include "tables.hpp"
 
 namespace hashnoise {
@@ -18,27 +19,30 @@ struct Build {
   std::array<Enter, 3> noises, sums;  // by arithmetic
 };
 
-#define HASHNOISE_BUILD(set, name, available)                                                       \
+#define HASHNOISE_BUILD(set, name)                                                                  \
   Build {                                                                                           \
-    set, [] { return static_cast<bool>(available); },                                               \
+    set, grid::has_##name,                                                                          \
         {grid::noises_##name##_fast, grid::noises_##name##_precise, grid::noises_##name##_fixed}, { \
       grid::sums_##name##_fast, grid::sums_##name##_precise, grid::sums_##name##_fixed              \
     }                                                                                               \
   }
 
-// The widest first. HASHNOISE_X86 and so on say what CMake compiles.
+// The widest first. HASHNOISE_HAS_AVX512 and so on say what CMake compiles.
 const Build kBuilds[] = {
-#if defined(HASHNOISE_X86)
-    HASHNOISE_BUILD(InstructionSet::kAvx512, avx512,
-                    __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
-                        __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")),
-    HASHNOISE_BUILD(InstructionSet::kAvx2, avx2, __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")),
-    HASHNOISE_BUILD(InstructionSet::kSse41, sse41, __builtin_cpu_supports("sse4.1")),
-    HASHNOISE_BUILD(InstructionSet::kSse2, sse2, true),
-#elif defined(HASHNOISE_NEON)
-    HASHNOISE_BUILD(InstructionSet::kNeon, neon, true),
-#else
-    HASHNOISE_BUILD(InstructionSet::kGeneric, generic, true),
+#if defined(HASHNOISE_HAS_AVX512)
+    HASHNOISE_BUILD(InstructionSet::kAvx512, avx512),
+#endif
+#if defined(HASHNOISE_HAS_AVX2)
+    HASHNOISE_BUILD(InstructionSet::kAvx2, avx2),
+#endif
+#if defined(HASHNOISE_HAS_SSE41)
+    HASHNOISE_BUILD(InstructionSet::kSse41, sse41),
+#endif
+#if defined(HASHNOISE_HAS_NEON)
+    HASHNOISE_BUILD(InstructionSet::kNeon, neon),
+#endif
+#if defined(HASHNOISE_HAS_GENERIC)
+    HASHNOISE_BUILD(InstructionSet::kGeneric, generic),
 #endif
 };
 constexpr std::size_t kCount = std::size(kBuilds);
@@ -73,8 +77,14 @@ std::vector<InstructionSet> instruction_sets() {
   return sets;
 }
 
+std::vector<InstructionSet> grid::compiled_instruction_sets() {
+  std::vector<InstructionSet> sets;
+  for (const Build& build : kBuilds) sets.push_back(build.set);
+  return sets;
+}
+
 std::string_view name(InstructionSet set) {
-  constexpr std::array<std::string_view, 6> kNames = {"sse2", "sse4.1", "avx2", "avx512", "neon", "generic"};
+  constexpr std::array<std::string_view, 5> kNames = {"sse4.1", "avx2", "avx512", "neon", "generic"};
   return kNames.at(static_cast<std::size_t>(set));
 }
 

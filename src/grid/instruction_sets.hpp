@@ -7,6 +7,9 @@
 
 namespace hashnoise::grid {
 
+// What this library was compiled for, the widest first, whether the processor has it or not.
+std::vector<InstructionSet> compiled_instruction_sets();
+
 // The kernels for instructions and an arithmetic that instruction_sets() lists.
 const Kernels& kernels_for(InstructionSet set, Arithmetic arithmetic);
 

@@ -6,7 +6,7 @@
 
 namespace hashnoise::grid {
 
-// The noises, and the functions that sum them, in the order of their names in field.cpp.
+// The noises, and the functions that sum them, in the order of their names in functions.hpp.
 enum NoiseId {
   kValue,
   kValueD,
@@ -36,6 +36,9 @@ enum SumId {
   kEroded,
   kWarp,
   kWarpProgressive,
+  kNamedSums,
+  kDetail = kNamedSums,  // fbm with a detail, and with a footprint
+  kFootprint,
   kSums
 };
 
@@ -43,6 +46,7 @@ constexpr int kMostComponents = 5;  // a value and four derivatives
 
 // The numbers that a function takes beside the point.
 struct Options {
+  std::int32_t sum;  // SumId
   std::uint32_t seed;
   std::int32_t period[4];
   float phase;
@@ -66,7 +70,7 @@ struct Batch {
 };
 constexpr int kMostLanes = 16;
 
-// A noise that a sum calls, of lanes; its type is known to kernels.cpp alone.
+// A noise that a sum calls, of lanes; its type is known to loops.hpp alone.
 using Octave = void (*)();
 
 using Kernel = void (*)(const Batch& batch, const Options& options, Octave octave);
@@ -86,8 +90,6 @@ struct SumKernels {
   Kernel in;       // in cells
   Kernel tile_at;  // with a period
   Kernel tile_in;
-  Kernel detail;
-  Kernel footprint;
 };
 
 struct Kernels {

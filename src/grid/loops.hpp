@@ -55,6 +55,13 @@ HN_I_INLINE Place<D> places_at(const Batch& b, int i) {
   });
 }
 
+// What a noise with a period takes beside the point and the seed.
+template <int D>
+struct Tile {
+  Cell<D> period;
+  Float jitter;
+};
+
 // A noise as sums call it, with the numbers of each axis by themselves, since they are passed in registers then.
 template <typename Number, std::size_t>
 using ForEach = Number;
@@ -63,7 +70,7 @@ struct OctaveOf;
 template <int D, typename Result, std::size_t... Axis>
 struct OctaveOf<D, Result, std::index_sequence<Axis...>> {
   using Plain = Result (*)(ForEach<Int, Axis>..., ForEach<Float, Axis>..., Uint seed);
-  using Tiled = Result (*)(ForEach<Int, Axis>..., ForEach<Float, Axis>..., const Cell<D>& period, Uint seed);
+  using Tiled = Result (*)(ForEach<Int, Axis>..., ForEach<Float, Axis>..., const Tile<D>& tile, Uint seed);
 };
 
 // The component of a point along an axis.

@@ -78,22 +78,44 @@ void along_row(const Batch& batch, const Options& options, Octave) {
   }
 }
 
-// A noise for sums: see OctaveOf.
+// A noise for sums, and for kernels of its own that call it: see OctaveOf.
 template <int D, typename Noise, typename Axes = std::make_index_sequence<D>>
 struct Called;
 template <int D, typename Noise, std::size_t... Axis>
 struct Called<D, Noise, std::index_sequence<Axis...>> {
-  static auto plain(ForEach<Int, Axis>... cell, ForEach<Float, Axis>... f, Uint seed) {
+  [[gnu::noinline]] static auto plain(ForEach<Int, Axis>... cell, ForEach<Float, Axis>... f, Uint seed) {
     Given<D> given{Options{}};
     given.seed = seed;
     return Noise::template at<D>(Cell<D>(cell...), Place<D>(f...), given);
   }
-  static auto tiled(ForEach<Int, Axis>... cell, ForEach<Float, Axis>... f, const Cell<D>& period, Uint seed) {
+  [[gnu::noinline]] static auto tiled(ForEach<Int, Axis>... cell, ForEach<Float, Axis>... f, const Tile<D>& tile,
+                                      Uint seed) {
     Given<D> given{Options{}};
-    given.period = period;
+    given.period = tile.period;
     given.seed = seed;
-    given.jitter = Float(1.0f);
+    given.jitter = tile.jitter;
     return Noise::template at<D>(Cell<D>(cell...), Place<D>(f...), given);
+  }
+
+  // Kernels that call these for each vector of points.
+  static void plain_at_points(const Batch& batch, const Options& options, Octave) {
+    const Batch b = batch;
+    const Uint seed(options.seed);
+    for (int i = 0; i < b.count; i += kCount) {
+      const Cell<D> cell = cells_at<D>(b, i);
+      const Place<D> f = places_at<D>(b, i);
+      store(b, i, plain(along<Axis>(cell)..., along<Axis>(f)..., seed));
+    }
+  }
+  static void tiled_at_points(const Batch& batch, const Options& options, Octave) {
+    const Batch b = batch;
+    const Given<D> given(options);
+    const Tile<D> tile{given.period, given.jitter};
+    for (int i = 0; i < b.count; i += kCount) {
+      const Cell<D> cell = cells_at<D>(b, i);
+      const Place<D> f = places_at<D>(b, i);
+      store(b, i, tiled(along<Axis>(cell)..., along<Axis>(f)..., tile, given.seed));
+    }
   }
 };
 
@@ -119,6 +141,16 @@ NoiseKernels with_octaves(NoiseKernels k) {
   k.octave_full = reinterpret_cast<Octave>(&Called<D, Full>::tiled);
   return k;
 }
+// A noise that takes so long that a call of it does not show. Its kernels call what sums call, which then is compiled
+// once: cell_border in space alone is a tenth of all code of noises.
+template <int D, typename Plain, typename Full>
+NoiseKernels called() {
+  NoiseKernels k{};
+  k.plain = Called<D, Plain>::plain_at_points;
+  k.row = k.plain;
+  k.full = Called<D, Full>::tiled_at_points;
+  return with_octaves<D, Plain, Full>(k);
+}
 template <int D, typename Phase, typename Full>
 NoiseKernels with_phase(NoiseKernels k) {
   k.phase = at_points<D, Phase>;
@@ -128,6 +160,7 @@ NoiseKernels with_phase(NoiseKernels k) {
 
 #define HN_GRID_OF(D, name) kernels_of<D, name##_plain, name##_full>()
 #define HN_GRID_ROWS(D, name) with_rows<D, name##_plain, name##_full>()
+#define HN_GRID_CALLED(D, name) called<D, name##_plain, name##_full>()
 #define HN_GRID_OCTAVES(D, name, kernels) with_octaves<D, name##_plain, name##_full>(kernels)
 #define HN_GRID_PHASE(D, name, kernels) with_phase<D, name##_phase, name##_phase_full>(kernels)
 
@@ -137,17 +170,15 @@ void enter(NoiseKernels (&noises)[grid::kNoises][4]) {
   const auto at = [&](grid::NoiseId id) -> NoiseKernels& { return noises[id][D - 1]; };
   at(grid::kValue) = HN_GRID_OCTAVES(D, value, HN_GRID_ROWS(D, value));
   at(grid::kValueD) = HN_GRID_OCTAVES(D, value_d, HN_GRID_OF(D, value_d));
-  at(grid::kValueCubic) = HN_GRID_OCTAVES(D, value_cubic, HN_GRID_ROWS(D, value_cubic));
   at(grid::kPerlin) = HN_GRID_PHASE(D, perlin, HN_GRID_OCTAVES(D, perlin, HN_GRID_ROWS(D, perlin)));
   at(grid::kPerlinD) = HN_GRID_PHASE(D, perlin_d, HN_GRID_OCTAVES(D, perlin_d, HN_GRID_OF(D, perlin_d)));
   at(grid::kSimplex) = HN_GRID_PHASE(D, simplex, HN_GRID_OCTAVES(D, simplex, HN_GRID_ROWS(D, simplex)));
   at(grid::kSimplexD) = HN_GRID_PHASE(D, simplex_d, HN_GRID_OCTAVES(D, simplex_d, HN_GRID_OF(D, simplex_d)));
-  at(grid::kSimplexSmooth) = HN_GRID_OCTAVES(D, simplex_smooth, HN_GRID_ROWS(D, simplex_smooth));
   at(grid::kCellular) = HN_GRID_ROWS(D, cellular);
   at(grid::kCellularThree) = HN_GRID_OF(D, cellular_three);
   at(grid::kCellularD) = HN_GRID_OF(D, cellular_d);
-  at(grid::kCellularSmooth) = HN_GRID_OCTAVES(D, cellular_smooth, HN_GRID_OF(D, cellular_smooth));
-  at(grid::kCellBorder) = HN_GRID_OCTAVES(D, cell_border, HN_GRID_OF(D, cell_border));
+  at(grid::kCellularSmooth) = HN_GRID_CALLED(D, cellular_smooth);
+  at(grid::kCellBorder) = HN_GRID_CALLED(D, cell_border);
   at(grid::kCurl) = HN_GRID_OF(D, curl);
 }
 
@@ -157,6 +188,16 @@ void enter_line(NoiseKernels (&noises)[grid::kNoises][4]) {
   noises[grid::kValueCubic][0] = HN_GRID_OCTAVES(1, value_cubic, HN_GRID_OF(1, value_cubic));
   noises[grid::kPerlin][0] = HN_GRID_OCTAVES(1, perlin, HN_GRID_OF(1, perlin));
   noises[grid::kPerlinD][0] = HN_GRID_OF(1, perlin_d);
+}
+
+// Those that are worth a call in space, but not on the plane.
+void enter_further(NoiseKernels (&noises)[grid::kNoises][4]) {
+  noises[grid::kValueCubic][1] = HN_GRID_OCTAVES(2, value_cubic, HN_GRID_ROWS(2, value_cubic));
+  noises[grid::kSimplexSmooth][1] = HN_GRID_OCTAVES(2, simplex_smooth, HN_GRID_ROWS(2, simplex_smooth));
+  noises[grid::kValueCubic][2] = HN_GRID_CALLED(3, value_cubic);
+  noises[grid::kValueCubic][2].row = along_row<3, value_cubic_plain>;
+  noises[grid::kSimplexSmooth][2] = HN_GRID_CALLED(3, simplex_smooth);
+  noises[grid::kSimplexSmooth][2].row = along_row<3, simplex_smooth_plain>;
 }
 
 void enter_4d(NoiseKernels (&noises)[grid::kNoises][4]) {
@@ -202,6 +243,7 @@ void enter(grid::Kernels& kernels) {
   enter_line(kernels.noises);
   enter<2>(kernels.noises);
   enter<3>(kernels.noises);
+  enter_further(kernels.noises);
   enter_4d(kernels.noises);
   kernels.split = split;
   kernels.widen = widen;

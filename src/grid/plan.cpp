@@ -68,13 +68,22 @@ std::vector<std::string_view> summands(Shape shape, int dimensions) {
   return names;
 }
 
+std::vector<std::string_view> names_of(const std::vector<InstructionSet>& sets) {
+  std::vector<std::string_view> names;
+  std::transform(sets.begin(), sets.end(), std::back_inserter(names), name);
+  return names;
+}
+
 InstructionSet chosen(const std::optional<InstructionSet>& wanted) {
   const std::vector<InstructionSet> there = instruction_sets();
+  if (there.empty()) {
+    refuse("this processor lacks the instructions that hashnoise::grid was compiled for: " +
+           listed(names_of(compiled_instruction_sets())));
+  }
   if (!wanted) return there.front();
   if (std::find(there.begin(), there.end(), *wanted) == there.end()) {
-    std::vector<std::string_view> names;
-    std::transform(there.begin(), there.end(), std::back_inserter(names), name);
-    refuse("this processor or this build has no " + std::string(name(*wanted)) + "; there are: " + listed(names));
+    refuse("this processor or this build has no " + std::string(name(*wanted)) +
+           "; there are: " + listed(names_of(there)));
   }
   return *wanted;
 }
@@ -130,8 +139,9 @@ void plan_sum(Plan& plan, const Settings& settings, NoiseId noise, SumId id, boo
     check_number(row.strength.data(), plan.options.strength, 0.0f, row.most_strength);
   }
   const NoiseKernels& of = plan.kernels->noises[noise][plan.dimensions - 1];
-  SumKernels kernels = plan.kernels->sums[id][plan.dimensions - 1];
-  const SumKernels& faster = plan.kernels->sums_of[noise][id][plan.dimensions - 1];
+  plan.options.sum = settings.detail ? kDetail : settings.footprint ? kFootprint : id;
+  SumKernels kernels = plan.kernels->sums[plan.options.sum][plan.dimensions - 1];
+  const SumKernels& faster = plan.kernels->sums_of[noise][plan.options.sum][plan.dimensions - 1];
   if (faster.at != nullptr) kernels.at = faster.at;
   if (faster.in != nullptr) kernels.in = faster.in;
   plan.takes_positions = true;
@@ -140,11 +150,11 @@ void plan_sum(Plan& plan, const Settings& settings, NoiseId noise, SumId id, boo
   if (settings.detail) {
     check_number("detail", *settings.detail, 0.0f, static_cast<float>(kMostOctaves));
     plan.options.limit = *settings.detail;
-    plan.at = kernels.detail;
+    plan.at = kernels.at;
   } else if (settings.footprint) {
     check_finite("footprint", *settings.footprint);
     plan.options.limit = *settings.footprint;
-    plan.at = kernels.footprint;
+    plan.at = kernels.at;
   } else {
     plan.at = tiled ? kernels.tile_at : kernels.at;
     plan.in = plan.row = tiled ? kernels.tile_in : kernels.in;

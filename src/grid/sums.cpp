@@ -1,6 +1,6 @@
-// The kernels of sums, for one instruction set and one arithmetic: the macros of the library over a noise that is
-// called, since there are too many pairs of a sum and a noise to compile. Those that are asked for most are compiled
-// without that call.
+// The kernels of sums, for one instruction set and one arithmetic: the steps and the macros of the library over a noise
+// that is called, since there are too many pairs of a sum and a noise to compile. Those that are asked for most are
+// compiled without that call.
 #include "loops.hpp"
 #include "tables.hpp"
 
@@ -14,12 +14,11 @@ class Called {
  public:
   explicit Called(Octave noise) : octave_(noise) {}
 
- protected:
   HN_I_INLINE Result octave(Cell<D> cell, Place<D> f, Uint seed) const {
     return call(cell, f, seed, std::make_index_sequence<D>());
   }
   HN_I_INLINE Result octave(Cell<D> cell, Place<D> f, Cell<D> period, Uint seed) const {
-    return call(cell, f, period, seed, std::make_index_sequence<D>());
+    return call(cell, f, Tile<D>{period, Float(1.0f)}, seed, std::make_index_sequence<D>());
   }
 
  private:
@@ -29,10 +28,10 @@ class Called {
                                                                           seed);
   }
   template <std::size_t... Axis>
-  HN_I_INLINE Result call(Cell<D> cell, Place<D> f, const Cell<D>& period, Uint seed,
+  HN_I_INLINE Result call(Cell<D> cell, Place<D> f, const Tile<D>& tile, Uint seed,
                           std::index_sequence<Axis...>) const {
-    return reinterpret_cast<typename OctaveOf<D, Result>::Tiled>(octave_)(along<Axis>(cell)..., along<Axis>(f)...,
-                                                                          period, seed);
+    return reinterpret_cast<typename OctaveOf<D, Result>::Tiled>(octave_)(along<Axis>(cell)..., along<Axis>(f)..., tile,
+                                                                          seed);
   }
 
   Octave octave_;
@@ -45,176 +44,265 @@ class Called {
    public:                                                                                                   \
     explicit Name(Octave) {}                                                                                 \
                                                                                                              \
-   protected:                                                                                                \
     HN_I_INLINE Float octave(Cell<D> cell, Place<D> f, Uint seed) const { return hn_##name(cell, f, seed); } \
   };
 HN_GRID_INLINED(Value, value)
 HN_GRID_INLINED(Perlin, perlin)
 HN_GRID_INLINED(Simplex, simplex)
 
-// The sums of a dimension, as members, so that they reach the noise.
-#define HN_GRID_SUMS(N)                                                                                                \
-  template <typename Noise>                                                                                            \
-  class Sums##N : public Noise {                                                                                       \
-   public:                                                                                                             \
-    using Noise::Noise;                                                                                                \
-    using Noise::octave;                                                                                               \
-    HN_FBM##N##D(fbm, octave) HN_FBM_PERIOD##N##D(fbm, octave) HN_FBM_LIMITED##N##D(limited, octave) HN_TURBULENCE##N  \
-        ##D(turbulence, octave) HN_TURBULENCE_PERIOD##N##D(turbulence, octave) HN_CLOUDS##N                            \
-        ##D(clouds, octave) HN_CLOUDS_PERIOD##N##D(clouds, octave) HN_BILLOW##N##D(billow, octave) HN_BILLOW_PERIOD##N \
-        ##D(billow, octave) HN_RIDGED##N##D(ridged, octave) HN_RIDGED_PERIOD##N##D(ridged, octave) HN_PING_PONG##N     \
-        ##D(ping_pong, octave) HN_PING_PONG_PERIOD##N##D(ping_pong, octave) HN_WEIGHTED##N                             \
-        ##D(weighted, octave) HN_WEIGHTED_PERIOD##N##D(weighted, octave)                                               \
-  };
-HN_GRID_SUMS(1)
-HN_GRID_SUMS(2)
-HN_GRID_SUMS(3)
-HN_GRID_SUMS(4)
+// What a sum is: how it adds an octave, and what it makes of the mean. The first of these is any of them: beside the
+// call of a noise it costs nothing to ask which it is, and all of them would take ten times as long to compile.
+struct AnySum {
+  std::int32_t id;
 
-#define HN_GRID_WARPS(N)                                                                         \
-  template <typename Noise>                                                                      \
-  class Warps##N : public Noise {                                                                \
-   public:                                                                                       \
-    using Noise::Noise;                                                                          \
-    using Noise::octave;                                                                         \
-    HN_WARP##N##D(warp, octave) HN_WARP_PERIOD##N##D(warp, octave) HN_WARP_PROGRESSIVE##N        \
-        ##D(warp_progressive, octave) HN_WARP_PROGRESSIVE_PERIOD##N##D(warp_progressive, octave) \
-  };
-HN_GRID_WARPS(2)
-HN_GRID_WARPS(3)
-
-#define HN_GRID_SLOPES(N)                                                           \
-  template <typename Noise>                                                         \
-  class Slopes##N : public Noise {                                                  \
-   public:                                                                          \
-    using Noise::Noise;                                                             \
-    using Noise::octave;                                                            \
-    HN_FBM_D##N##D(fbm_d, octave) HN_FBM_D_PERIOD##N##D(fbm_d, octave) HN_ERODED##N \
-        ##D(eroded, octave) HN_ERODED_PERIOD##N##D(eroded, octave)                  \
-  };
-HN_GRID_SLOPES(2)
-HN_GRID_SLOPES(3)
-
-// How a sum is called behind the place: with a strength or an amplitude, or without.
-#define HN_GRID_CALL(name, ...)                                                          \
-  struct name##_call {                                                                   \
-    template <typename Sums, int D, typename... At>                                      \
-    HN_I_INLINE static auto of(Sums& sums, const Given<D>& given, At... at) {            \
-      return sums.name(at..., given.octaves, given.lacunarity, given.gain, __VA_ARGS__); \
-    }                                                                                    \
-  };
-HN_GRID_CALL(fbm, given.seed)
-HN_GRID_CALL(turbulence, given.seed)
-HN_GRID_CALL(clouds, given.seed)
-HN_GRID_CALL(billow, given.seed)
-HN_GRID_CALL(ridged, given.seed)
-HN_GRID_CALL(ping_pong, given.strength, given.seed)
-HN_GRID_CALL(weighted, given.strength, given.seed)
-HN_GRID_CALL(fbm_d, given.seed)
-HN_GRID_CALL(eroded, given.strength, given.seed)
-HN_GRID_CALL(warp, given.strength, given.seed)
-HN_GRID_CALL(warp_progressive, given.strength, given.seed)
-struct detail_call {
-  template <typename Sums, int D, typename At>
-  HN_I_INLINE static auto of(Sums& sums, const Given<D>& given, At at) {
-    return sums.limited(at, given.limit, given.lacunarity, given.gain, given.seed);
+  HN_I_INLINE explicit AnySum(const Options& options) : id(options.sum) {}
+  HN_I_INLINE hn_num setting(const Options& o, hn_num part) const {
+    switch (id) {
+      case grid::kPingPong:
+        return hn_i_setting(Float(o.strength), 64.0f);
+      case grid::kWeighted:
+        return hn_i_setting(Float(o.strength), 1.0f);
+      case grid::kDetail:
+        return part;
+      case grid::kFootprint:
+        return hn_i_footprint(Float(o.limit));
+      default:
+        return hn_num(HN_I_WEIGHT_ONE);
+    }
+  }
+  HN_I_INLINE void add(hn_i_octave_sum& s, Float n) const {
+    switch (id) {
+      case grid::kTurbulence:
+        return hn_i_add_size(s, n);
+      case grid::kBillow:
+        return hn_i_add_bounded_size(s, n);
+      case grid::kRidged:
+        return hn_i_add_ridge(s, n);
+      case grid::kPingPong:
+        return hn_i_add_wave(s, n);
+      case grid::kWeighted:
+        return hn_i_add_bent(s, n);
+      case grid::kDetail:
+        return hn_i_add_part(s, n);
+      case grid::kFootprint:
+        return hn_i_add_resolved(s, n);
+      default:
+        return hn_i_add(s, n);
+    }
+  }
+  HN_I_INLINE hn_num end(hn_num mean) const {
+    switch (id) {
+      case grid::kClouds:
+        return hn_i_density(mean);
+      case grid::kBillow:
+        return hn_i_billows(mean);
+      case grid::kRidged:
+      case grid::kPingPong:
+      case grid::kWeighted:
+        return hn_i_bounded(mean);
+      default:
+        return hn_i_unchanged(mean);
+    }
   }
 };
-struct footprint_call {
-  template <typename Sums, int D, typename At>
-  HN_I_INLINE static auto of(Sums& sums, const Given<D>& given, At at) {
-    return sums.limited(at, given.limit, given.octaves, given.lacunarity, given.gain, given.seed);
+#define HN_GRID_SUM(Name, add_one, end_with)                                                          \
+  struct Name {                                                                                       \
+    HN_I_INLINE explicit Name(const Options&) {}                                                      \
+    HN_I_INLINE hn_num setting(const Options&, hn_num) const { return hn_num(HN_I_WEIGHT_ONE); }      \
+    HN_I_INLINE void add(hn_i_octave_sum& s, Float n) const { add_one(s, n); }                        \
+    HN_I_INLINE hn_num end(hn_num mean) const { return end_with(mean); }                              \
+  };
+HN_GRID_SUM(Fbm, hn_i_add, hn_i_unchanged)
+HN_GRID_SUM(Ridged, hn_i_add_ridge, hn_i_bounded)
+
+// A sum over a noise, in any dimension: what the macros of octaves.glsl define, from the same steps. What does not
+// depend on the point is computed once.
+template <int D, typename Noise, typename Sum>
+class SumOf {
+ public:
+  static constexpr bool kClampsInCells = false;
+
+  HN_I_INLINE SumOf(Octave noise, const Options& options, const Given<D>& given)
+      : noise_(noise), sum_(options), given_(given) {
+    hn_num part = HN_I_WEIGHT_ONE;
+    if (options.sum == grid::kDetail) {
+      given_.octaves = hn_i_whole_octaves(given.limit);
+      part = hn_i_last_part(given.limit, given_.octaves);
+    }
+    option_ = sum_.setting(options, part);
+    total_ = hn_i_total(hn_i_octaves(given_.octaves), hn_i_gain(given.gain), part);
+  }
+
+  template <typename Position>
+  HN_I_INLINE Float at(Position q) const {
+    hn_i_octave_sum s = hn_i_begin(given_.octaves, given_.lacunarity, given_.gain, option_, given_.seed);
+    HN_I_OCTAVES(noise_.octave, sum_.add)
+    return hn_i_value(sum_.end(hn_i_mean(s.sum, total_)));
+  }
+  template <typename Position>
+  HN_I_INLINE Float tile_at(Position q) const {
+    Cell<D> period = given_.period;
+    hn_i_octave_sum s = hn_i_begin(given_.octaves, hn_i_tiling(given_.lacunarity), given_.gain, option_, given_.seed);
+    HN_I_TILES(noise_.octave, sum_.add)
+    return hn_i_value(sum_.end(hn_i_mean(s.sum, total_)));
+  }
+
+ private:
+  Noise noise_;
+  Sum sum_;
+  Given<D> given_;
+  hn_num option_, total_;
+};
+
+// Sums with frames. HN_I_OF_ERODED2 and so on are lists of what the macros of frame.glsl take.
+#define HN_GRID_FRAMED(options, option, begin, each, onward, finish) \
+  HN_I_BEGIN(option) HN_I_FRAMED(noise_.octave, begin, each, onward, finish)
+#define HN_GRID_FRAMED_TILE(options, option, begin, each, onward, finish) \
+  HN_I_BEGIN_TILE(option) HN_I_FRAMED_TILE(noise_.octave, begin, each, onward, finish)
+#define HN_GRID_APPLIED(macro, ...) macro(__VA_ARGS__)
+// What these name.
+#define HN_GRID_NAMES                                                                                  \
+  const Int octaves = given_.octaves;                                                                  \
+  const Float lacunarity = given_.lacunarity, gain = given_.gain;                                      \
+  [[maybe_unused]] const Float strength = given_.strength, amplitude = given_.strength;                \
+  const Uint seed = given_.seed;
+#define HN_GRID_FRAMED_SUM(Name, D, Value, ...)                                                       \
+  template <typename Noise>                                                                            \
+  class Name {                                                                                         \
+   public:                                                                                             \
+    static constexpr bool kClampsInCells = true;                                                       \
+                                                                                                       \
+    HN_I_INLINE Name(Octave noise, const Options&, const Given<D>& given)                              \
+        : noise_(noise), given_(given) {}                                                              \
+    template <typename Position>                                                                       \
+    HN_I_INLINE Value at(Position q) const {                                                           \
+      HN_GRID_NAMES                                                                                    \
+      HN_GRID_APPLIED(HN_GRID_FRAMED, __VA_ARGS__)                                                            \
+    }                                                                                                  \
+    template <typename Position>                                                                       \
+    HN_I_INLINE Value tile_at(Position q) const {                                                      \
+      HN_GRID_NAMES                                                                                    \
+      Cell<D> period = given_.period;                                                                  \
+      HN_GRID_APPLIED(HN_GRID_FRAMED_TILE, __VA_ARGS__)                                                       \
+    }                                                                                                  \
+                                                                                                       \
+   private:                                                                                            \
+    Noise noise_;                                                                                      \
+    Given<D> given_;                                                                                   \
+  };
+HN_GRID_FRAMED_SUM(FbmD2, 2, vec3, HN_I_OF_FBM_D2)
+HN_GRID_FRAMED_SUM(FbmD3, 3, vec4, HN_I_OF_FBM_D3)
+HN_GRID_FRAMED_SUM(Eroded2, 2, Float, HN_I_OF_ERODED2)
+HN_GRID_FRAMED_SUM(Eroded3, 3, Float, HN_I_OF_ERODED3)
+HN_GRID_FRAMED_SUM(Warp2, 2, vec2, HN_I_OF_WARP2)
+HN_GRID_FRAMED_SUM(Warp3, 3, vec3, HN_I_OF_WARP3)
+HN_GRID_FRAMED_SUM(WarpProgressive2, 2, vec2, HN_I_OF_PROGRESSIVE2)
+HN_GRID_FRAMED_SUM(WarpProgressive3, 3, vec3, HN_I_OF_PROGRESSIVE3)
+
+// The positions of a batch: as they are, or from cells.
+template <int D>
+struct Positions {
+  HN_I_INLINE static bool in_cells(const Batch&) { return false; }
+  HN_I_INLINE static auto of(const Batch& b, int i) { return hn_i_position(places_at<D>(b, i)); }
+};
+template <int D>
+struct Cells {
+  HN_I_INLINE static bool in_cells(const Batch&) { return true; }
+  HN_I_INLINE static auto of(const Batch& b, int i) { return hn_i_position(cells_at<D>(b, i), places_at<D>(b, i)); }
+};
+// In HN_FIXED both are of one type, and one kernel takes both.
+template <int D>
+struct Either {
+  HN_I_INLINE static bool in_cells(const Batch& b) { return b.cell[0] != nullptr; }
+  HN_I_INLINE static auto of(const Batch& b, int i) {
+    return in_cells(b) ? Cells<D>::of(b, i) : Positions<D>::of(b, i);
   }
 };
 
-template <int D, typename Sums, typename Call>
-void at_positions(const Batch& batch, const Options& options, Octave octave) {
-  const Batch b = batch;
-  const Given<D> given(options);
-  Sums sums(octave);
-  for (int i = 0; i < b.count; i += kCount) store(b, i, Call::of(sums, given, places_at<D>(b, i)));
+// A sum with frames takes a lacunarity that is clamped where it starts from cells (HN_I_BEGIN_IN).
+template <int D, typename At, typename Sum>
+HN_I_INLINE Sum sum_for(const Batch& b, const Options& options, Octave octave) {
+  Given<D> given(options);
+  if (Sum::kClampsInCells && At::in_cells(b)) given.lacunarity = min(max(given.lacunarity, 0.0f), 255.0f);
+  return Sum(octave, options, given);
 }
-template <int D, typename Sums, typename Call>
-void in_cells(const Batch& batch, const Options& options, Octave octave) {
+template <int D, typename At, typename Sum>
+void at_points(const Batch& batch, const Options& options, Octave octave) {
   const Batch b = batch;
-  const Given<D> given(options);
-  Sums sums(octave);
-  for (int i = 0; i < b.count; i += kCount) store(b, i, Call::of(sums, given, cells_at<D>(b, i), places_at<D>(b, i)));
+  const Sum sum = sum_for<D, At, Sum>(b, options, octave);
+  for (int i = 0; i < b.count; i += kCount) store(b, i, sum.at(At::of(b, i)));
 }
-template <int D, typename Sums, typename Call>
-void tile_at_positions(const Batch& batch, const Options& options, Octave octave) {
+template <int D, typename At, typename Sum>
+void tile_at_points(const Batch& batch, const Options& options, Octave octave) {
   const Batch b = batch;
-  const Given<D> given(options);
-  Sums sums(octave);
-  for (int i = 0; i < b.count; i += kCount) store(b, i, Call::of(sums, given, places_at<D>(b, i), given.period));
-}
-template <int D, typename Sums, typename Call>
-void tile_in_cells(const Batch& batch, const Options& options, Octave octave) {
-  const Batch b = batch;
-  const Given<D> given(options);
-  Sums sums(octave);
-  for (int i = 0; i < b.count; i += kCount) {
-    store(b, i, Call::of(sums, given, cells_at<D>(b, i), places_at<D>(b, i), given.period));
-  }
+  const Sum sum = sum_for<D, At, Sum>(b, options, octave);
+  for (int i = 0; i < b.count; i += kCount) store(b, i, sum.tile_at(At::of(b, i)));
 }
 
 using grid::SumKernels;
 
-template <int D, typename Sums, typename Call>
-SumKernels kernels_of() {
+#if HN_ARITHMETIC == HN_FIXED
+template <int D>
+using FromPositions = Either<D>;
+template <int D>
+using FromCells = Either<D>;
+#else
+template <int D>
+using FromPositions = Positions<D>;
+template <int D>
+using FromCells = Cells<D>;
+#endif
+
+template <int D, typename Sum>
+SumKernels without_period() {
   SumKernels k{};
-  k.at = at_positions<D, Sums, Call>;
-  k.in = in_cells<D, Sums, Call>;
-  k.tile_at = tile_at_positions<D, Sums, Call>;
-  k.tile_in = tile_in_cells<D, Sums, Call>;
+  k.at = at_points<D, FromPositions<D>, Sum>;
+  k.in = at_points<D, FromCells<D>, Sum>;
+  return k;
+}
+template <int D, typename Sum>
+SumKernels kernels_of() {
+  SumKernels k = without_period<D, Sum>();
+  k.tile_at = tile_at_points<D, FromPositions<D>, Sum>;
+  k.tile_in = tile_at_points<D, FromCells<D>, Sum>;
   return k;
 }
 
-template <int D, typename Sums>
+template <int D>
 void enter_sums(SumKernels (&sums)[grid::kSums][4]) {
-  const auto at = [&](grid::SumId id) -> SumKernels& { return sums[id][D - 1]; };
-  at(grid::kFbm) = kernels_of<D, Sums, fbm_call>();
-  at(grid::kFbm).detail = at_positions<D, Sums, detail_call>;
-  at(grid::kFbm).footprint = at_positions<D, Sums, footprint_call>;
-  at(grid::kTurbulence) = kernels_of<D, Sums, turbulence_call>();
-  at(grid::kClouds) = kernels_of<D, Sums, clouds_call>();
-  at(grid::kBillow) = kernels_of<D, Sums, billow_call>();
-  at(grid::kRidged) = kernels_of<D, Sums, ridged_call>();
-  at(grid::kPingPong) = kernels_of<D, Sums, ping_pong_call>();
-  at(grid::kWeighted) = kernels_of<D, Sums, weighted_call>();
-}
-
-template <int D, typename Warps, typename Slopes>
-void enter_framed(SumKernels (&sums)[grid::kSums][4]) {
-  const auto at = [&](grid::SumId id) -> SumKernels& { return sums[id][D - 1]; };
-  at(grid::kWarp) = kernels_of<D, Warps, warp_call>();
-  at(grid::kWarpProgressive) = kernels_of<D, Warps, warp_progressive_call>();
-  at(grid::kFbmD) = kernels_of<D, Slopes, fbm_d_call>();
-  at(grid::kEroded) = kernels_of<D, Slopes, eroded_call>();
+  const SumKernels any = kernels_of<D, SumOf<D, Called<D, Float>, AnySum>>();
+  for (const grid::SumId id : {grid::kFbm, grid::kTurbulence, grid::kClouds, grid::kBillow, grid::kRidged,
+                               grid::kPingPong, grid::kWeighted, grid::kDetail, grid::kFootprint}) {
+    sums[id][D - 1] = any;
+  }
 }
 
 // The sums that are asked for most, over the noises that are.
-template <int D, typename Sums>
+template <int D, typename Noise>
 void enter_inlined(SumKernels (&sums)[grid::kSums][4]) {
-  sums[grid::kFbm][D - 1].at = at_positions<D, Sums, fbm_call>;
-  sums[grid::kFbm][D - 1].in = in_cells<D, Sums, fbm_call>;
-  sums[grid::kRidged][D - 1].at = at_positions<D, Sums, ridged_call>;
-  sums[grid::kRidged][D - 1].in = in_cells<D, Sums, ridged_call>;
+  sums[grid::kFbm][D - 1] = without_period<D, SumOf<D, Noise, Fbm>>();
+  sums[grid::kRidged][D - 1] = without_period<D, SumOf<D, Noise, Ridged>>();
 }
 
 void enter(grid::Kernels& kernels) {
-  enter_sums<1, Sums1<Called<1, Float>>>(kernels.sums);
-  enter_sums<2, Sums2<Called<2, Float>>>(kernels.sums);
-  enter_sums<3, Sums3<Called<3, Float>>>(kernels.sums);
-  enter_sums<4, Sums4<Called<4, Float>>>(kernels.sums);
-  enter_framed<2, Warps2<Called<2, Float>>, Slopes2<Called<2, vec3>>>(kernels.sums);
-  enter_framed<3, Warps3<Called<3, Float>>, Slopes3<Called<3, vec4>>>(kernels.sums);
-  enter_inlined<2, Sums2<Value<2>>>(kernels.sums_of[grid::kValue]);
-  enter_inlined<3, Sums3<Value<3>>>(kernels.sums_of[grid::kValue]);
-  enter_inlined<2, Sums2<Perlin<2>>>(kernels.sums_of[grid::kPerlin]);
-  enter_inlined<3, Sums3<Perlin<3>>>(kernels.sums_of[grid::kPerlin]);
-  enter_inlined<2, Sums2<Simplex<2>>>(kernels.sums_of[grid::kSimplex]);
-  enter_inlined<3, Sums3<Simplex<3>>>(kernels.sums_of[grid::kSimplex]);
+  enter_sums<1>(kernels.sums);
+  enter_sums<2>(kernels.sums);
+  enter_sums<3>(kernels.sums);
+  enter_sums<4>(kernels.sums);
+  kernels.sums[grid::kFbmD][1] = kernels_of<2, FbmD2<Called<2, vec3>>>();
+  kernels.sums[grid::kFbmD][2] = kernels_of<3, FbmD3<Called<3, vec4>>>();
+  kernels.sums[grid::kEroded][1] = kernels_of<2, Eroded2<Called<2, vec3>>>();
+  kernels.sums[grid::kEroded][2] = kernels_of<3, Eroded3<Called<3, vec4>>>();
+  kernels.sums[grid::kWarp][1] = kernels_of<2, Warp2<Called<2, Float>>>();
+  kernels.sums[grid::kWarp][2] = kernels_of<3, Warp3<Called<3, Float>>>();
+  kernels.sums[grid::kWarpProgressive][1] = kernels_of<2, WarpProgressive2<Called<2, Float>>>();
+  kernels.sums[grid::kWarpProgressive][2] = kernels_of<3, WarpProgressive3<Called<3, Float>>>();
+  enter_inlined<2, Value<2>>(kernels.sums_of[grid::kValue]);
+  enter_inlined<3, Value<3>>(kernels.sums_of[grid::kValue]);
+  enter_inlined<2, Perlin<2>>(kernels.sums_of[grid::kPerlin]);
+  enter_inlined<3, Perlin<3>>(kernels.sums_of[grid::kPerlin]);
+  enter_inlined<2, Simplex<2>>(kernels.sums_of[grid::kSimplex]);
+  enter_inlined<3, Simplex<3>>(kernels.sums_of[grid::kSimplex]);
 }
 
 }  // namespace

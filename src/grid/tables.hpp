@@ -13,7 +13,6 @@ namespace hashnoise::grid {
   void sums_##set##_fast(Kernels&);      \
   void sums_##set##_precise(Kernels&);   \
   void sums_##set##_fixed(Kernels&);
-HASHNOISE_TABLES(sse2)
 HASHNOISE_TABLES(sse41)
 HASHNOISE_TABLES(avx2)
 HASHNOISE_TABLES(avx512)

@@ -109,7 +109,7 @@ def sums(dimensions):
 
 
 def instruction_sets():
-    """What this processor and the package have of "avx512", "avx2", "sse4.1", "sse2", "neon" and "generic".
+    """What this processor and the package have of "avx512", "avx2", "sse4.1", "neon" and "generic".
 
     The widest is first, and is taken where `instruction_set` is left out.
 

@@ -1,6 +1,7 @@
 """Where the tests of the package run: a new virtual environment with its wheel, and with what requirements.txt names.
 
-    environment.py make FOLDER             makes it in FOLDER; the wheel is built by tools/wheel
+    environment.py make FOLDER [LIBRARY]   makes it in FOLDER; the wheel is built by tools/wheel, and linked with
+                                           LIBRARY if that is named
     environment.py run FOLDER MODULE...    runs modules of tests in it
 
 Exit status: 0 done, 1 not, 77 PyPI cannot be reached, so there is no such environment.
@@ -23,14 +24,15 @@ from pypi import SKIPPED, install  # noqa: E402
 MADE = "made"  # a file that appears when all is there
 
 
-def make(folder: Path, requirements: Path) -> int:
+def make(folder: Path, requirements: Path, library: Path | None = None) -> int:
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     python = folder / "venv" / "bin" / "python"
     venv.create(folder / "venv", with_pip=True, symlinks=True)
     if status := install(python, requirements):
         return status
-    done = subprocess.run([ROOT / "tools" / "wheel", "--python", sys.executable, folder / "wheels"],
+    linked = ["--library", library] if library else []
+    done = subprocess.run([ROOT / "tools" / "wheel", "--python", sys.executable, *linked, folder / "wheels"],
                           stdout=subprocess.PIPE, text=True, check=False)
     if done.returncode != 0:
         print(f"tools/wheel ended with status {done.returncode}")
@@ -50,8 +52,8 @@ def run(folder: Path, modules: list[str]) -> int:
 
 
 def main(arguments: list[str]) -> int:
-    if len(arguments) == 2 and arguments[0] == "make":
-        return make(Path(arguments[1]).resolve(), TESTS / "requirements.txt")
+    if len(arguments) in (2, 3) and arguments[0] == "make":
+        return make(Path(arguments[1]).resolve(), TESTS / "requirements.txt", *map(Path, arguments[2:]))
     if len(arguments) > 2 and arguments[0] == "run":
         return run(Path(arguments[1]).resolve(), arguments[2:])
     print(__doc__, file=sys.stderr)

@@ -126,7 +126,7 @@ class Bake(unittest.TestCase):
                 self.assertEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())
 
     def test_the_bytes_depend_on_nothing_but_the_settings(self):
-        sets = ["sse2", "sse4.1", "avx2", "avx512"]
+        sets = ["sse4.1", "avx2", "avx512"]
         have = [name for name in sets if self.call("perlin", "--size", "1", "--instructions", name, "-o",
                                                    "x.f32").returncode == 0]
         self.assertGreaterEqual(len(have), 1)
@@ -223,7 +223,7 @@ class Bake(unittest.TestCase):
             (["cellular", "-o", "a.png", "--metric", "manhattan"], "--range", "--normalize"),
             (["value_d", "-o", "a.png", "--size", "2x2x2x2"], "at most 4", "--components"),
             (["fbm", "-o", "a.png", "--arithmetic", "fix"], "fixed, precise, fast"),
-            (["fbm", "-o", "a.png", "--instructions", "mmx"], "sse2"),
+            (["fbm", "-o", "a.png", "--instructions", "mmx"], "sse4.1"),
             (["fbm", "-o", "a.png", "--seed", "-1"], "--seed"),
             (["fbm", "-o", "a.png", "--seed", "4294967296"], "--seed"),
             (["fbm", "-o", "a.png", "--phase", "0.5"], "phase"),

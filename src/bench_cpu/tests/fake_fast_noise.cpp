@@ -10,7 +10,7 @@ namespace {
 using hashnoise::InstructionSet;
 
 constexpr int kTimes = 3;
-constexpr unsigned kSse2 = 0xE;
+constexpr unsigned kSse41 = 0x7E;
 
 bool lacks(std::string_view what) {
   const char* const lacking = std::getenv("FAKE_FAST_NOISE");
@@ -19,9 +19,7 @@ bool lacks(std::string_view what) {
 
 std::optional<InstructionSet> set_of(unsigned instructions) {
   switch (instructions) {
-    case kSse2:
-      return InstructionSet::kSse2;
-    case 0x7E:
+    case kSse41:
       return InstructionSet::kSse41;
     case 0x3FE:
       return InstructionSet::kAvx2;
@@ -51,7 +49,7 @@ extern "C" {
 int fnGetMetadataCount() { return 2; }
 const char* fnGetMetadataName(int id) { return id == 1 && !lacks("node") ? "Perlin" : "Constant"; }
 void* fnNewFromMetadata(int, unsigned instructions) {
-  if (lacks("instructions")) instructions = kSse2;
+  if (lacks("instructions")) instructions = kSse41;
   hashnoise::Settings settings;
   settings.seed = 7;
   settings.instruction_set = set_of(instructions);

@@ -1,5 +1,5 @@
 // Prints a digest of every noise and every sum in HN_PRECISE and HN_FIXED, by the instructions that are named or by the
-// widest. It is the same on every processor.
+// widest. It is the same on every processor. With --list it prints which instructions there are, the widest first.
 #include <algorithm>
 #include <bit>
 #include <cstdio>
@@ -71,6 +71,12 @@ void print_all(hashnoise::Arithmetic arithmetic) {
 
 int main(int count, char** arguments) {
   try {
+    if (count == 2 && std::string_view(arguments[1]) == "--list") {
+      for (const hashnoise::InstructionSet set : hashnoise::instruction_sets()) {
+        std::printf("%s\n", std::string(hashnoise::name(set)).c_str());
+      }
+      return 0;
+    }
     if (count == 2) {
       for (const hashnoise::InstructionSet set : hashnoise::instruction_sets()) {
         if (hashnoise::name(set) == arguments[1]) wanted = set;

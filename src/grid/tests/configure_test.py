@@ -1,0 +1,41 @@
+"""What CMake makes of HASHNOISE_INSTRUCTION_SETS: python3 configure_test.py CMAKE COMPILER
+
+Nothing is compiled but what CMake asks the compiler.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[3]
+CMAKE, COMPILER = sys.argv[1:3]
+
+
+class InstructionSets(unittest.TestCase):
+    def configure(self, sets: str) -> subprocess.CompletedProcess[str]:
+        with tempfile.TemporaryDirectory() as folder:
+            return subprocess.run([CMAKE, "-S", ROOT, "-B", folder, f"-DCMAKE_CXX_COMPILER={COMPILER}",
+                                   "-DHASHNOISE_CONFORMANCE=OFF", f"-DHASHNOISE_INSTRUCTION_SETS={sets}"],
+                                  capture_output=True, text=True, check=False)
+
+    def test_native_has_the_lowest_set(self):
+        done = self.configure("native")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        lowest = {"x86_64": "sse4.1", "aarch64": "neon"}.get(os.uname().machine, "generic")
+        self.assertRegex(done.stdout, f"hashnoise::grid has kernels for {lowest}(, avx2|, avx512)?\n")
+
+    def test_a_wrong_name_is_an_error_that_has_the_right_ones(self):
+        done = self.configure("sse2")
+        self.assertNotEqual(done.returncode, 0)
+        said = " ".join(done.stderr.split())
+        self.assertIn('HASHNOISE_INSTRUCTION_SETS has "sse2".', said)
+        self.assertRegex(said, r"all, native, or a list of these sets of \w+: (sse4\.1, avx2, avx512|neon|generic)\.")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
