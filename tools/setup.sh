@@ -107,6 +107,7 @@ install_missing() {
 share_objects() {
   command -v ccache >/dev/null || return 0
   export CCACHE_DIR=${CCACHE_DIR:-$build/ccache} CCACHE_NOHASHDIR=1 CCACHE_IGNOREOPTIONS=-Werror
+  export CCACHE_SLOPPINESS=pch_defines,time_macros  # for headers that are compiled once
   export CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER:-ccache} CXX=${CXX:-c++}
 }
 

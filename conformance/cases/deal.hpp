@@ -1,9 +1,11 @@
-// Deals cases to the drivers of a run: each driver gets every case that all must show; every other case goes to one.
+// Deals cases to the drivers of a run: what every driver must show goes to each of those that draw by themselves, every
+// other case to one.
 #pragma once
 
 #include <cstddef>
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "cases/case.hpp"
@@ -12,8 +14,15 @@ namespace hn {
 
 using CanRun = std::function<bool(const Case&)>;
 
+struct DealtDriver {
+  CanRun can_run;
+  // What draws. Windows, surfaces and buffers of one renderer are other ways to the same compiler, so the first of them
+  // shows what every driver must; the others have their share of the rest.
+  std::string renderer;
+};
+
 // For each driver, the indices in `cases` of those that it runs. Cases that share a program stay together. A case that
 // no driver can run goes to the first, which says why.
-std::vector<std::vector<std::size_t>> deal(std::span<const Case> cases, std::span<const CanRun> drivers);
+std::vector<std::vector<std::size_t>> deal(std::span<const Case> cases, std::span<const DealtDriver> drivers);
 
 }  // namespace hn

@@ -105,20 +105,23 @@ Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted, cons
   return choice;
 }
 
-// What a driver can run, as far as it says; nothing if it does not say.
-std::optional<CanRun> can_run_on(const std::string& name, const Inquiry& inquiry) {
+// What a driver can run, and what draws, as far as it says; nothing if it does not say.
+std::optional<DealtDriver> describe_for_deal(const std::string& name, const Inquiry& inquiry) {
   const auto report = inquiry.ask(Task::describe, name);
   if (!report || !report->contains("ready")) return std::nullopt;
+  const std::string renderer = context_info_from(report->at("ready")).renderer;
   if (const Browser* browser = find_driver(name)->browser) {
-    return [browser](const Case& test) { return unsupported_in_browser(test, browser->platform).empty(); };
+    return DealtDriver{
+        [browser](const Case& test) { return unsupported_in_browser(test, browser->platform).empty(); }, renderer};
   }
   const LanguageSupport languages = report->at("languages").get<LanguageSupport>();
-  return [=](const Case& test) {
+  const auto can_run = [=](const Case& test) {
     const Profile& profile = profile_named(test.name.profile);
     const bool only_compiled = test.is<CompilationKind>();
     const auto reason = only_compiled ? unsupported_reason(profile, languages) : unsupported_to_run(profile, languages);
     return reason.empty() && languages.has_stage(test.name.stage);
   };
+  return DealtDriver{can_run, renderer};
 }
 
 Platform platform_of(const Case& test) { return profile_named(test.name.profile).platform(); }
@@ -140,15 +143,15 @@ DriverPlan plan_of(const std::string& driver, const std::vector<Case>& cases, co
   return plan;
 }
 
-// Who does not say what it can run has all cases, as without a deal: its run tells why it is not here.
+// A driver that does not say what it can run is dealt every case, and its run tells why it is not here.
 void deal_among(std::vector<DriverPlan>& plans, const std::vector<std::string>& names, const std::vector<Case>& cases,
                 const Inquiry& inquiry) {
-  std::vector<CanRun> drivers;
+  std::vector<DealtDriver> drivers;
   std::vector<std::size_t> dealt_to;  // of the drivers, places in plans
   for (const std::string& name : names) {
     plans.push_back(plan_of(name, cases, Shard{}));
-    if (auto can_run = can_run_on(name, inquiry)) {
-      drivers.push_back(std::move(*can_run));
+    if (auto described = describe_for_deal(name, inquiry)) {
+      drivers.push_back(std::move(*described));
       dealt_to.push_back(plans.size() - 1);
     }
   }
