@@ -80,6 +80,7 @@ struct Case {
   std::string id;  // of the name
   std::shared_ptr<const CaseKind> kind;
   Extent extent;
+  bool for_es = false;  // a driver that has GLSL ES 3.00 alone runs it, too
   std::string about;  // where it comes from, in lines for hn-conform list --about; mostly nothing
 
   Case(CaseName name_, CaseKind kind_, Extent extent_ = Extent::every_driver, std::string about_ = {});
@@ -89,6 +90,8 @@ struct Case {
     return std::holds_alternative<Kind>(*kind);
   }
   bool needs_driver() const { return !is<ReferenceKind>(); }
+  // Whether a run has it without --thorough: on a driver with desktop versions, or on one without.
+  bool is_covered(bool es_alone = false) const { return extent != Extent::thorough || (es_alone && for_es); }
   // What it evaluates of the library, or null.
   const Evaluation* evaluation() const;
 };

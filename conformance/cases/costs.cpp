@@ -168,6 +168,7 @@ std::string complaint_about(const Costs& recorded, std::span<const std::string> 
 std::vector<std::string> ids_of_default_run() {
   std::vector<std::string> ids;
   for (const Case& test : all_cases(Scope::covered)) {
+    if (!test.is_covered()) continue;
     if (profile_named(test.name.profile).platform() == Platform::opengl || !test.needs_driver()) ids.push_back(test.id);
   }
   return ids;

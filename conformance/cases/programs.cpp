@@ -270,18 +270,39 @@ std::vector<bool> cover_of(std::span<const Candidate> candidates, std::size_t th
   return chosen;
 }
 
+namespace {
+
+// The programs, each in the round of its function; in other languages than GLSL a round has all functions.
+std::vector<Candidate> candidates_in_rounds() {
+  const std::vector<Program>& programs = all_programs();
+  std::vector<Candidate> candidates = all_things().programs;
+  std::map<std::string_view, std::size_t> rounds;
+  for (std::size_t i = 0; i < programs.size(); ++i) {
+    const std::string_view name = is_opengl(programs[i]) ? programs[i].function->id : programs[i].target.profile->name;
+    candidates[i].round = rounds.try_emplace(name, rounds.size()).first->second;
+    candidates[i].cost = cost_of(programs[i]);
+  }
+  return candidates;
+}
+
+}  // namespace
+
+const std::vector<bool>& is_in_es_cover() {
+  static const std::vector<bool> kIn = [] {
+    const std::vector<Program>& programs = all_programs();
+    std::vector<Candidate> candidates = candidates_in_rounds();
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+      if (programs[i].target.profile->name != "es300") candidates[i].shows.clear();
+    }
+    return cover_of(candidates, all_things().words.size());
+  }();
+  return kIn;
+}
+
 const std::vector<Extent>& program_extents() {
   static const std::vector<Extent> kExtents = [] {
     const std::vector<Program>& programs = all_programs();
-    std::vector<Candidate> candidates = all_things().programs;
-    // A function has one round in OpenGL, and each other language has one round with all functions.
-    std::map<std::string_view, std::size_t> rounds;
-    for (std::size_t i = 0; i < programs.size(); ++i) {
-      const std::string_view name =
-          is_opengl(programs[i]) ? programs[i].function->id : programs[i].target.profile->name;
-      candidates[i].round = rounds.try_emplace(name, rounds.size()).first->second;
-      candidates[i].cost = cost_of(programs[i]);
-    }
+    const std::vector<Candidate> candidates = candidates_in_rounds();
     const std::vector<bool> chosen = cover_of(candidates, all_things().words.size());
     std::vector<Extent> extents(programs.size(), Extent::thorough);
     std::set<std::string> shown;

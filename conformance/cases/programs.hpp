@@ -37,6 +37,10 @@ std::vector<std::string> not_shown(std::span<const Extent> extents);
 // The extent of each of all_programs(): what every driver runs, what some driver runs, and what --thorough adds.
 const std::vector<Extent>& program_extents();
 
+// Whether each of all_programs() is in the cover of GLSL ES 3.00 alone: for browsers and phones, which could run few of
+// the programs above.
+const std::vector<bool>& is_in_es_cover();
+
 // Chooses from candidates, of which each shows some of the things from 0 to `things` - 1, so that everything is shown
 // that can be. They are taken in order: a candidate is chosen if its round still lacks what it shows. `rounds` says which
 // candidates stand for each other; of those the one that shows most that is new is taken, and of equals the cheapest.

@@ -163,19 +163,23 @@ void add_value_cases(std::vector<Case>& cases, Scope scope) {
     const Program& program = programs[i];
     const std::set<std::string_view>& chosen = chosen_further_cases()[i];
     const bool thorough = scope == Scope::thorough;
-    if (!thorough && extents[i] == Extent::thorough && chosen.empty()) continue;
+    const bool for_es = is_in_es_cover()[i];
+    const bool is_chosen = for_es || extents[i] != Extent::thorough;
+    if (!thorough && !is_chosen && chosen.empty()) continue;
     const Evaluation evaluation = evaluation_of(program);
-    const auto add = [&](const Relation& one, Extent extent) {
-      if (thorough || extent != Extent::thorough) cases.push_back({name_of(evaluation, one.check), one.kind, extent});
+    const auto add = [&](const Relation& one, Extent extent, bool of_es = false) {
+      Case test{name_of(evaluation, one.check), one.kind, extent};
+      test.for_es = of_es;
+      if (thorough || test.is_covered(true)) cases.push_back(std::move(test));
     };
     // What tells about the library more than about a driver, one driver shows.
     const Extent by_one = std::max(extents[i], Extent::one_driver);
-    add({"golden", GoldenKind{evaluation}}, extents[i]);
+    add({"golden", GoldenKind{evaluation}}, extents[i], for_es);
     const Platform platform = evaluation.profile.platform();
-    if (platform != Platform::webgpu) add({"twin", CheckKind{evaluation, check_twin}}, extents[i]);
-    if (platform == Platform::opengl && (program.target.main || extents[i] != Extent::thorough)) {
-      for (const Relation& property : properties_of(evaluation)) add(property, by_one);
-      for (const Relation& repetition : repetitions_of(evaluation)) add(repetition, by_one);
+    if (platform != Platform::webgpu) add({"twin", CheckKind{evaluation, check_twin}}, extents[i], for_es);
+    if (platform == Platform::opengl && (program.target.main || is_chosen)) {
+      for (const Relation& property : properties_of(evaluation)) add(property, by_one, for_es);
+      for (const Relation& repetition : repetitions_of(evaluation)) add(repetition, by_one, for_es);
     }
     const bool other_stage = platform == Platform::opengl && evaluation.stage != Stage::fragment;
     if (other_stage) add(as_fragment(evaluation), Extent::thorough);

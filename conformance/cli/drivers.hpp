@@ -35,6 +35,8 @@ struct Driver {
   const Browser* browser = nullptr;
 
   bool is_reference_compiler() const { return name == kReferenceCompiler; }
+  // Whether it has OpenGL ES or WebGL, and no desktop version.
+  bool es_alone() const { return platform == Platform::opengl && (browser || name.ends_with("-gles")); }
   bool has_context() const { return !browser && !create_evaluator && !is_reference_compiler(); }
 };
 

@@ -39,7 +39,9 @@ int list_command(const ListCommand& options) {
   }
   const auto cases = select_cases(options.filters, options.thorough);
   if (!cases) return usage_error(cases.error().text());
-  for (const Case& test : *cases) say(fmt::format("{}\n{}", test.id, options.about ? test.about : ""));
+  for (const Case& test : *cases) {
+    if (options.thorough || test.is_covered()) say(fmt::format("{}\n{}", test.id, options.about ? test.about : ""));
+  }
   return 0;
 }
 

@@ -126,11 +126,12 @@ std::optional<DealtDriver> describe_for_deal(const std::string& name, const Inqu
 
 Platform platform_of(const Case& test) { return profile_named(test.name.profile).platform(); }
 
-// Those whose shaders a driver of the platform may be asked to run.
-std::vector<Case> cases_for(Platform platform, const std::vector<Case>& all) {
+// Those whose shaders a driver of the platform may be asked to run. es_alone: one without a desktop version.
+std::vector<Case> cases_for(Platform platform, bool thorough, bool es_alone, const std::vector<Case>& all) {
   std::vector<Case> cases;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(cases),
-               [&](const Case& test) { return platform_of(test) == platform; });
+  std::copy_if(all.begin(), all.end(), std::back_inserter(cases), [&](const Case& test) {
+    return platform_of(test) == platform && (thorough || test.is_covered(es_alone));
+  });
   return cases;
 }
 
@@ -164,18 +165,18 @@ void deal_among(std::vector<DriverPlan>& plans, const std::vector<std::string>& 
 }
 
 // The drivers of a platform deal its cases among themselves.
-std::vector<DriverPlan> deal_plans(const std::vector<std::string>& names, const std::vector<Case>& cases,
+std::vector<DriverPlan> deal_plans(const std::vector<std::string>& names, const std::vector<Case>& cases, bool thorough,
                                    const Inquiry& inquiry) {
   std::vector<DriverPlan> plans;
   std::map<Platform, std::vector<std::string>> by_platform;
   for (const std::string& name : names) by_platform[find_driver(name)->platform].push_back(name);
-  for (const auto& [platform, some] : by_platform) deal_among(plans, some, cases_for(platform, cases), inquiry);
+  for (const auto& [platform, some] : by_platform) deal_among(plans, some, cases_for(platform, thorough, false, cases), inquiry);
   return plans;
 }
 
 // What every driver is to do: the cases that need one; and for glslang, which is always asked, the others.
 std::vector<DriverPlan> plan_drivers(std::vector<std::string> names, std::vector<Case> cases, const Shard& shard,
-                                     bool dealt, const Inquiry& inquiry) {
+                                     bool dealt, bool thorough, const Inquiry& inquiry) {
   std::erase(names, std::string(kReferenceCompiler));
   const auto of_drivers =
       std::stable_partition(cases.begin(), cases.end(), [](const Case& test) { return !test.needs_driver(); });
@@ -183,10 +184,11 @@ std::vector<DriverPlan> plan_drivers(std::vector<std::string> names, std::vector
   cases.erase(of_drivers, cases.end());
   std::vector<DriverPlan> plans;
   if (dealt) {
-    plans = deal_plans(names, for_drivers, inquiry);
+    plans = deal_plans(names, for_drivers, thorough, inquiry);
   } else {
     for (const std::string& name : names) {
-      plans.push_back(plan_of(name, cases_for(find_driver(name)->platform, for_drivers), shard));
+      const Driver driver = *find_driver(name);
+      plans.push_back(plan_of(name, cases_for(driver.platform, thorough, driver.es_alone(), for_drivers), shard));
     }
   }
   plans.push_back(plan_of(std::string(kReferenceCompiler), cases, shard));
@@ -318,14 +320,14 @@ Result<RunPlan> make_plan(const RunCommand& options, const DriverChoice& choice,
   if (options.deal && !options.shard.empty()) {
     return fail("--deal and --shard cannot be combined: each machine would deal to its own drivers");
   }
-  RunPlan plan{.drivers = plan_drivers(choice.names, cases, shard, options.deal, inquiry),
+  RunPlan plan{.drivers = plan_drivers(choice.names, cases, shard, options.deal, options.thorough, inquiry),
                .suite = options.suite,
                .shard = options.shard,
                .jobs = options.jobs,
                .limit = std::chrono::milliseconds(static_cast<std::int64_t>(options.timeout * 1000.0)),
                .fail_fast = options.fail_fast};
   plan.suite.thorough = options.thorough;
-  if (plan.drivers.empty()) return fail("there is nothing to do: no case is for one of these drivers");
+  if (plan.drivers.empty()) return fail("there is nothing to do: no case is for one of these drivers, or it needs --thorough");
   return plan;
 }
 

@@ -19,7 +19,7 @@ int web_command(const WebCommand& options, Interruption& interruption) {
   const auto sources = library_sources(options.glsl);
   if (!sources) return usage_error(sources.error().text());
   if (const auto golden = check_golden_folder(options.golden); !golden) return usage_error(golden.error().text());
-  std::vector<Case> cases = all_cases();
+  std::vector<Case> cases = all_cases(options.thorough ? Scope::thorough : Scope::covered);
   std::erase_if(cases, [&](const Case& test) {
     return !is_on_page(test, options.thorough) || !matches_any(test.id, options.filters);
   });

@@ -305,7 +305,7 @@ std::string unsupported_in_browser(const Case& test, Platform platform) {
 }
 
 bool is_on_page(const Case& test, bool thorough) {
-  if (test.extent == Extent::thorough && !thorough) return false;
+  if (!thorough && !test.is_covered(true)) return false;
   if (unsupported_in_browser(test).empty()) return true;
   if (!unsupported_in_browser(test, Platform::webgpu).empty()) return false;
   return thorough || test.evaluation()->configuration.name == "lattice+fixed";
