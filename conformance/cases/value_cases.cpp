@@ -129,8 +129,8 @@ class FurtherCases {
       if (further.with || further.programs > 1) show(function.bound);
       if (further.programs < 2) {
         show(name_of(configuration.arithmetic));
-        show(std::to_string(static_cast<unsigned>(function.family)));
-        show(std::to_string(function.axes));
+        show("family " + std::to_string(static_cast<unsigned>(function.family)));
+        show("axes " + std::to_string(function.axes));
         if (profile.platform() == Platform::opengl) show(profile.name);
       }
       candidate.round = rounds_.try_emplace(further.check, rounds_.size()).first->second;
