@@ -141,15 +141,21 @@ NoiseKernels with_octaves(NoiseKernels k) {
   k.octave_full = reinterpret_cast<Octave>(&Called<D, Full>::tiled);
   return k;
 }
-// A noise that takes so long that a call of it does not show. Its kernels call what sums call, which then is compiled
-// once: cell_border in space alone is a tenth of all code of noises.
+// A noise that may take so long that a call of it does not show: in HN_FIXED and in space. There its kernels call what
+// sums call, so that it is compiled once; two such noises are a fifth of all code of noises. A call costs 5 to 14 % of
+// what others take.
 template <int D, typename Plain, typename Full>
-NoiseKernels called() {
-  NoiseKernels k{};
-  k.plain = Called<D, Plain>::plain_at_points;
-  k.row = k.plain;
-  k.full = Called<D, Full>::tiled_at_points;
-  return with_octaves<D, Plain, Full>(k);
+NoiseKernels slow_with_octaves() {
+#if HN_ARITHMETIC == HN_FIXED
+  if constexpr (D == 3) {
+    NoiseKernels k{};
+    k.plain = Called<D, Plain>::plain_at_points;
+    k.row = k.plain;
+    k.full = Called<D, Full>::tiled_at_points;
+    return with_octaves<D, Plain, Full>(k);
+  }
+#endif
+  return with_octaves<D, Plain, Full>(kernels_of<D, Plain, Full>());
 }
 template <int D, typename Phase, typename Full>
 NoiseKernels with_phase(NoiseKernels k) {
@@ -160,7 +166,7 @@ NoiseKernels with_phase(NoiseKernels k) {
 
 #define HN_GRID_OF(D, name) kernels_of<D, name##_plain, name##_full>()
 #define HN_GRID_ROWS(D, name) with_rows<D, name##_plain, name##_full>()
-#define HN_GRID_CALLED(D, name) called<D, name##_plain, name##_full>()
+#define HN_GRID_SLOW(D, name) slow_with_octaves<D, name##_plain, name##_full>()
 #define HN_GRID_OCTAVES(D, name, kernels) with_octaves<D, name##_plain, name##_full>(kernels)
 #define HN_GRID_PHASE(D, name, kernels) with_phase<D, name##_phase, name##_phase_full>(kernels)
 
@@ -170,15 +176,17 @@ void enter(NoiseKernels (&noises)[grid::kNoises][4]) {
   const auto at = [&](grid::NoiseId id) -> NoiseKernels& { return noises[id][D - 1]; };
   at(grid::kValue) = HN_GRID_OCTAVES(D, value, HN_GRID_ROWS(D, value));
   at(grid::kValueD) = HN_GRID_OCTAVES(D, value_d, HN_GRID_OF(D, value_d));
+  at(grid::kValueCubic) = HN_GRID_OCTAVES(D, value_cubic, HN_GRID_ROWS(D, value_cubic));
   at(grid::kPerlin) = HN_GRID_PHASE(D, perlin, HN_GRID_OCTAVES(D, perlin, HN_GRID_ROWS(D, perlin)));
   at(grid::kPerlinD) = HN_GRID_PHASE(D, perlin_d, HN_GRID_OCTAVES(D, perlin_d, HN_GRID_OF(D, perlin_d)));
   at(grid::kSimplex) = HN_GRID_PHASE(D, simplex, HN_GRID_OCTAVES(D, simplex, HN_GRID_ROWS(D, simplex)));
   at(grid::kSimplexD) = HN_GRID_PHASE(D, simplex_d, HN_GRID_OCTAVES(D, simplex_d, HN_GRID_OF(D, simplex_d)));
+  at(grid::kSimplexSmooth) = HN_GRID_OCTAVES(D, simplex_smooth, HN_GRID_ROWS(D, simplex_smooth));
   at(grid::kCellular) = HN_GRID_ROWS(D, cellular);
   at(grid::kCellularThree) = HN_GRID_OF(D, cellular_three);
   at(grid::kCellularD) = HN_GRID_OF(D, cellular_d);
-  at(grid::kCellularSmooth) = HN_GRID_CALLED(D, cellular_smooth);
-  at(grid::kCellBorder) = HN_GRID_CALLED(D, cell_border);
+  at(grid::kCellularSmooth) = HN_GRID_SLOW(D, cellular_smooth);
+  at(grid::kCellBorder) = HN_GRID_SLOW(D, cell_border);
   at(grid::kCurl) = HN_GRID_OF(D, curl);
 }
 
@@ -188,16 +196,6 @@ void enter_line(NoiseKernels (&noises)[grid::kNoises][4]) {
   noises[grid::kValueCubic][0] = HN_GRID_OCTAVES(1, value_cubic, HN_GRID_OF(1, value_cubic));
   noises[grid::kPerlin][0] = HN_GRID_OCTAVES(1, perlin, HN_GRID_OF(1, perlin));
   noises[grid::kPerlinD][0] = HN_GRID_OF(1, perlin_d);
-}
-
-// Those that are worth a call in space, but not on the plane.
-void enter_further(NoiseKernels (&noises)[grid::kNoises][4]) {
-  noises[grid::kValueCubic][1] = HN_GRID_OCTAVES(2, value_cubic, HN_GRID_ROWS(2, value_cubic));
-  noises[grid::kSimplexSmooth][1] = HN_GRID_OCTAVES(2, simplex_smooth, HN_GRID_ROWS(2, simplex_smooth));
-  noises[grid::kValueCubic][2] = HN_GRID_CALLED(3, value_cubic);
-  noises[grid::kValueCubic][2].row = along_row<3, value_cubic_plain>;
-  noises[grid::kSimplexSmooth][2] = HN_GRID_CALLED(3, simplex_smooth);
-  noises[grid::kSimplexSmooth][2].row = along_row<3, simplex_smooth_plain>;
 }
 
 void enter_4d(NoiseKernels (&noises)[grid::kNoises][4]) {
@@ -243,7 +241,6 @@ void enter(grid::Kernels& kernels) {
   enter_line(kernels.noises);
   enter<2>(kernels.noises);
   enter<3>(kernels.noises);
-  enter_further(kernels.noises);
   enter_4d(kernels.noises);
   kernels.split = split;
   kernels.widen = widen;
