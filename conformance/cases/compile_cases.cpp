@@ -344,9 +344,9 @@ void add_acceptance_cases(std::vector<Case>& cases, const Acceptance& acceptance
   for (const Profile& profile : all_profiles()) {
     const bool some = std::ranges::find(kSome, profile.name) != kSome.end();
     if (!some && !acceptance.everywhere) continue;
-    // The sums are long: integers in ES, floats elsewhere.
+    // The sums are long: integers in ES, and floats where there are no bit casts.
     const bool fixed = acceptance.knobs == kFixed;
-    const bool chosen = some && (!acceptance.everywhere || (profile.name == "es300") == fixed);
+    const bool chosen = acceptance.everywhere ? profile.name == (fixed ? "es300" : "gl140") : some;
     const CompilationKind compilation{&profile, fmt::format("{}#include \"{}\"\n{}void main() {{}}\n",
                                                             acceptance.knobs, acceptance.file(), acceptance.after)};
     cases.push_back({name_of_setting(acceptance.name, profile.name, "glslang"), ReferenceKind{[=](const Suite& suite) {

@@ -18,10 +18,11 @@ namespace {
 enum class Facet { row, noise, bound, family, axes, form, setting, hash, gradient, arithmetic, version, stage };
 
 // What its arguments are, beside the coordinates and the seed: a cell and a fraction, periods, a phase and so on. A
-// function of one noise is in another form the same code with other glue.
+// function of one noise is in another form the same code with other glue. Positions that are whole numbers of units have
+// two rows, which is all that there is to show of them.
 std::string form_of(const Function& function) {
   std::string form;
-  for (const std::string_view column : {"cx", "px", "phase", "jitter", "metric", "detail", "footprint", "units"}) {
+  for (const std::string_view column : {"cx", "px", "phase", "jitter", "metric", "detail", "footprint"}) {
     if (function.input(column) >= 0) form += fmt::format("{}{}", form.empty() ? "" : " ", column);
   }
   return form.empty() ? "a position" : form;

@@ -85,9 +85,8 @@ CaseName name_of(const Evaluation& evaluation, std::string_view check) {
 
 namespace {
 
-// A check meets every family, arithmetic, dimension and version in which it exists, and where it compares two functions,
-// every noise and every sum; of what compares more, only these. Taken are those that compile little which the cover has
-// not.
+// A check meets every arithmetic in which it exists, and every family, dimension and version, or, where it compares
+// functions, every noise and every sum. Taken are those that compile little which the cover has not.
 class FurtherCases {
  public:
   FurtherCases() : programs_(all_programs()), extents_(program_extents()), chosen_(programs_.size()) {
@@ -126,9 +125,10 @@ class FurtherCases {
         const std::string thing = std::string(further.check) + " " + platform + " " + std::string(what);
         candidate.shows.push_back(things_.try_emplace(thing, things_.size()).first->second);
       };
-      if (further.with || further.programs > 1) show(function.bound);
-      if (further.programs < 2) {
-        show(name_of(configuration.arithmetic));
+      show(name_of(configuration.arithmetic));
+      if (further.with || further.programs > 1) {
+        show(function.bound);
+      } else {
         show("family " + std::to_string(static_cast<unsigned>(function.family)));
         show("axes " + std::to_string(function.axes));
         if (profile.platform() == Platform::opengl) show(profile.name);
