@@ -102,9 +102,8 @@ Extent extent_on_drivers(std::string_view file, const Configuration& configurati
     return file == "hashnoise.glsl" ? Extent::every_driver : Extent::thorough;
   }
   const bool in_turn =
-      std::ranges::any_of(std::array{Stage::fragment, Stage::vertex, Stage::compute}, [&](Stage stage) {
-        return is_chosen("hashnoise.glsl", configuration, profile, stage);
-      });
+      std::ranges::any_of(std::array{Stage::fragment, Stage::vertex, Stage::compute},
+                          [&](Stage stage) { return is_chosen("hashnoise.glsl", configuration, profile, stage); });
   return in_turn && file == kFileForDrivers ? Extent::one_driver : Extent::thorough;
 }
 
@@ -347,8 +346,8 @@ void add_acceptance_cases(std::vector<Case>& cases, const Acceptance& acceptance
     // The sums are long: integers in ES, and floats where there are no bit casts.
     const bool fixed = acceptance.knobs == kFixed;
     const bool chosen = acceptance.everywhere ? profile.name == (fixed ? "es300" : "gl140") : some;
-    const CompilationKind compilation{&profile, fmt::format("{}#include \"{}\"\n{}void main() {{}}\n",
-                                                            acceptance.knobs, acceptance.file(), acceptance.after)};
+    const CompilationKind compilation{&profile, fmt::format("{}#include \"{}\"\n{}void main() {{}}\n", acceptance.knobs,
+                                                            acceptance.file(), acceptance.after)};
     cases.push_back({name_of_setting(acceptance.name, profile.name, "glslang"), ReferenceKind{[=](const Suite& suite) {
                        return check_with_glslang(suite, *compilation.profile, compilation.fragment, Stage::fragment);
                      }},

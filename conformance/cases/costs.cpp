@@ -155,14 +155,15 @@ std::string complaint_about(const Costs& recorded, std::span<const std::string> 
   const double seconds = recorded.seconds_of(ids);
   const auto changes = recorded.changes_to(ids);
   if (seconds <= budget && changes.empty()) return {};
-  std::string text = fmt::format("the default run is predicted to take {:.1f} s of processor time, of {:.1f} s", seconds,
-                                 budget);
+  std::string text =
+      fmt::format("the default run is predicted to take {:.1f} s of processor time, of {:.1f} s", seconds, budget);
   for (const auto& [was, now] : changes) {
     const Cost& cost = now.cases > 0 ? now : was;
     text += fmt::format("\n  {} of {}: {} cases in place of {}, {:+.2f} s", cost.check, cost.function, now.cases,
                         was.cases, now.seconds - was.seconds);
   }
-  return text + "\nIf that is meant, `tools/conform --record-costs` measures anew; else let a program serve more checks";
+  return text +
+         "\nIf that is meant, `tools/conform --record-costs` measures anew; else let a program serve more checks";
 }
 
 std::vector<std::string> ids_of_default_run() {

@@ -15,8 +15,8 @@
 
 namespace hn {
 
-// What the default run may take, on osmesa with an empty cache of shaders: in seconds of processor time of the machine of
-// record, 60 s on two cores.
+// What the default run may take, on osmesa with an empty cache of shaders: in seconds of processor time of the machine
+// of record, 60 s on two cores.
 inline constexpr double kBudget = 120.0;
 
 // Of a check and a function: how many cases a run had, and what they took together.

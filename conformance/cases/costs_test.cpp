@@ -66,7 +66,8 @@ TEST(Budget, WhatHasGrownFailsAndIsNamed) {
     if (id.starts_with("noise2d.a")) ids.push_back("noise2d.a_again" + id.substr(id.find('.', id.find('.') + 1)));
   }
   const std::string complaint = complaint_about(table(), ids, 100.0);
-  EXPECT_NE(complaint.find("golden of noise2d.a_again: 4 cases in place of 0, +1.60 s"), std::string::npos) << complaint;
+  EXPECT_NE(complaint.find("golden of noise2d.a_again: 4 cases in place of 0, +1.60 s"), std::string::npos)
+      << complaint;
   EXPECT_NE(complaint.find("range of noise2d.a_again: 1 cases in place of 0"), std::string::npos) << complaint;
 }
 

@@ -137,8 +137,6 @@ std::vector<Relation> repetitions_of(const Evaluation& evaluation) {
   return repetitions;
 }
 
-Relation as_fragment(const Evaluation& evaluation) {
-  return {"as_fragment", PairingKind{evaluation, variant_pairing}};
-}
+Relation as_fragment(const Evaluation& evaluation) { return {"as_fragment", PairingKind{evaluation, variant_pairing}}; }
 
 }  // namespace hn

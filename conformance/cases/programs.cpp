@@ -18,8 +18,8 @@ namespace {
 enum class Facet { row, noise, bound, family, axes, form, setting, hash, gradient, arithmetic, version, stage };
 
 // What its arguments are, beside the coordinates and the seed: a cell and a fraction, periods, a phase and so on. A
-// function of one noise is in another form the same code with other glue. Positions that are whole numbers of units have
-// two rows, which is all that there is to show of them.
+// function of one noise is in another form the same code with other glue. Positions that are whole numbers of units
+// have two rows, which is all that there is to show of them.
 std::string form_of(const Function& function) {
   std::string form;
   for (const std::string_view column : {"cx", "px", "phase", "jitter", "metric", "detail", "footprint"}) {
@@ -182,8 +182,8 @@ const Things& all_things() {
   return kThings;
 }
 
-// Of equals the default hash is taken; and the stage that compiles faster: llvmpipe compiles a pixel's shader twice, for
-// triangles that cover a block and that do not.
+// Of equals the default hash is taken; and the stage that compiles faster: llvmpipe compiles a pixel's shader twice,
+// for triangles that cover a block and that do not.
 int cost_of(const Program& program) {
   const bool default_hash = program.configuration->hash == default_configuration().hash;
   return (default_hash ? 0 : 2) + (program.target.stage == Stage::fragment ? 1 : 0);

@@ -42,8 +42,9 @@ const std::vector<Extent>& program_extents();
 const std::vector<bool>& is_in_es_cover();
 
 // Chooses from candidates, of which each shows some of the things from 0 to `things` - 1, so that everything is shown
-// that can be. They are taken in order: a candidate is chosen if its round still lacks what it shows. `rounds` says which
-// candidates stand for each other; of those the one that shows most that is new is taken, and of equals the cheapest.
+// that can be. They are taken in order: a candidate is chosen if its round still lacks what it shows. `rounds` says
+// which candidates stand for each other; of those the one that shows most that is new is taken, and of equals the
+// cheapest.
 struct Candidate {
   std::vector<std::size_t> shows;
   std::size_t round;  // rounds are numbers from 0 on, in order

@@ -153,10 +153,9 @@ TEST(Extent, EveryVariantMeetsEveryFamilyAndArithmetic) {
 }
 
 TEST(Extent, EveryRelationMeetsEveryNoiseAndSum) {
-  static const std::set<std::string_view> kRelations = {"wrapped",          "from_cell",   "whole_detail",
-                                                        "small_footprint",  "phase_zero",  "zero_strength",
-                                                        "derivative_value", "derivative",  "period",
-                                                        "loop",             "half_turn"};
+  static const std::set<std::string_view> kRelations = {
+      "wrapped",    "from_cell", "whole_detail", "small_footprint", "phase_zero", "zero_strength", "derivative_value",
+      "derivative", "period",    "loop",         "half_turn"};
   expect_same([](const Case& test) {
     const Evaluation* const evaluation = test.evaluation();
     if (!evaluation || !kRelations.contains(test.name.check)) return std::string();

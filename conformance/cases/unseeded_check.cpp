@@ -147,9 +147,11 @@ std::vector<Case> unseeded_cases() {
     for (const std::string_view setting : {"lattice+precise", "lattice"}) {
       const Configuration& configuration = configuration_named(setting);
       if (unseeded_in(file, configuration).empty()) continue;
-      const Evaluation evaluation{
-          differences_in(file, configuration).function, configuration, main_profile(configuration, false), {},
-          Stage::vertex};
+      const Evaluation evaluation{differences_in(file, configuration).function,
+                                  configuration,
+                                  main_profile(configuration, false),
+                                  {},
+                                  Stage::vertex};
       CaseName name = name_of(evaluation, "unseeded");
       name.configuration = configuration.name_without_arithmetic();
       name.arithmetic = arithmetic_name(*unseeded_in(file, configuration).front(), configuration);

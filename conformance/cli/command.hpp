@@ -27,9 +27,13 @@ int unknown_driver(const std::string& name);
 enum class DriverKind { with_context, any };
 std::string driver_names(DriverKind kind);
 
-// The cases that match one of the filters, or all; without thorough, less those that it takes. An error says why none
-// is left. (list_command.cpp)
-Result<std::vector<Case>> select_cases(const std::vector<std::string>& filters, bool thorough);
+// The cases that match one of the filters, or all: of the default run, and if none of these matches, or with thorough, of
+// the product. So any id that a run has shown can be run again. An error says if there is none.
+struct Selection {
+  std::vector<Case> cases;
+  bool thorough;
+};
+Result<Selection> select_cases(const std::vector<std::string>& filters, bool thorough);
 
 // They only note a signal while they do something that they must finish themselves, so that files are whole.
 int drivers_command(Interruption& interruption);

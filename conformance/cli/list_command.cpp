@@ -23,11 +23,10 @@ std::string page_of_checks() {
 
 }  // namespace
 
-Result<std::vector<Case>> select_cases(const std::vector<std::string>& filters, bool thorough) {
-  auto cases = filter_cases(all_cases(thorough ? Scope::thorough : Scope::covered), filters);
-  if (!cases.empty()) return cases;
-  const bool any = !thorough && !filter_cases(all_cases(), filters).empty();
-  if (any) return fail(fmt::format("the cases that match '{}' need --thorough", fmt::join(filters, "' '")));
+Result<Selection> select_cases(const std::vector<std::string>& filters, bool thorough) {
+  Selection chosen{filter_cases(all_cases(thorough ? Scope::thorough : Scope::covered), filters), thorough};
+  if (chosen.cases.empty() && !thorough) chosen = {filter_cases(all_cases(), filters), true};
+  if (!chosen.cases.empty()) return chosen;
   return fail(fmt::format("no case matches --filter '{}'; hn-conform list shows the ids, and * stands for any part",
                           fmt::join(filters, "' '")));
 }
@@ -37,10 +36,10 @@ int list_command(const ListCommand& options) {
     say(page_of_checks());
     return 0;
   }
-  const auto cases = select_cases(options.filters, options.thorough);
-  if (!cases) return usage_error(cases.error().text());
-  for (const Case& test : *cases) {
-    if (options.thorough || test.is_covered()) say(fmt::format("{}\n{}", test.id, options.about ? test.about : ""));
+  const auto chosen = select_cases(options.filters, options.thorough);
+  if (!chosen) return usage_error(chosen.error().text());
+  for (const Case& test : chosen->cases) {
+    if (chosen->thorough || test.is_covered()) say(fmt::format("{}\n{}", test.id, options.about ? test.about : ""));
   }
   return 0;
 }

@@ -10,10 +10,10 @@
 #include <set>
 #include <thread>
 
+#include "base/file.hpp"
 #include "base/output/text.hpp"
 #include "base/temporary_folder.hpp"
 #include "base/worker.hpp"
-#include "base/file.hpp"
 #include "cases/costs.hpp"
 #include "cases/deal.hpp"
 #include "cli/command.hpp"
@@ -111,8 +111,8 @@ std::optional<DealtDriver> describe_for_deal(const std::string& name, const Inqu
   if (!report || !report->contains("ready")) return std::nullopt;
   const std::string renderer = context_info_from(report->at("ready")).renderer;
   if (const Browser* browser = find_driver(name)->browser) {
-    return DealtDriver{
-        [browser](const Case& test) { return unsupported_in_browser(test, browser->platform).empty(); }, renderer};
+    return DealtDriver{[browser](const Case& test) { return unsupported_in_browser(test, browser->platform).empty(); },
+                       renderer};
   }
   const LanguageSupport languages = report->at("languages").get<LanguageSupport>();
   const auto can_run = [=](const Case& test) {
@@ -170,7 +170,8 @@ std::vector<DriverPlan> deal_plans(const std::vector<std::string>& names, const 
   std::vector<DriverPlan> plans;
   std::map<Platform, std::vector<std::string>> by_platform;
   for (const std::string& name : names) by_platform[find_driver(name)->platform].push_back(name);
-  for (const auto& [platform, some] : by_platform) deal_among(plans, some, cases_for(platform, thorough, false, cases), inquiry);
+  for (const auto& [platform, some] : by_platform)
+    deal_among(plans, some, cases_for(platform, thorough, false, cases), inquiry);
   return plans;
 }
 
@@ -314,20 +315,21 @@ bool note_what_was_not_timed(const std::vector<Run>& runs, const std::string& wh
   return any;
 }
 
-Result<RunPlan> make_plan(const RunCommand& options, const DriverChoice& choice, const std::vector<Case>& cases,
+Result<RunPlan> make_plan(const RunCommand& options, const DriverChoice& choice, const Selection& chosen,
                           const Inquiry& inquiry) {
   HN_TRY(auto shard, parse_shard(options.shard));
   if (options.deal && !options.shard.empty()) {
     return fail("--deal and --shard cannot be combined: each machine would deal to its own drivers");
   }
-  RunPlan plan{.drivers = plan_drivers(choice.names, cases, shard, options.deal, options.thorough, inquiry),
+  RunPlan plan{.drivers = plan_drivers(choice.names, chosen.cases, shard, options.deal, chosen.thorough, inquiry),
                .suite = options.suite,
                .shard = options.shard,
                .jobs = options.jobs,
                .limit = std::chrono::milliseconds(static_cast<std::int64_t>(options.timeout * 1000.0)),
                .fail_fast = options.fail_fast};
   plan.suite.thorough = options.thorough;
-  if (plan.drivers.empty()) return fail("there is nothing to do: no case is for one of these drivers, or it needs --thorough");
+  if (plan.drivers.empty())
+    return fail("there is nothing to do: no case is for one of these drivers, or it needs --thorough");
   return plan;
 }
 
@@ -411,8 +413,8 @@ int run_command(const RunCommand& options, Interruption& interruption) {
     fmt::print("{}", fault_list());
     return 0;
   }
-  const auto cases = select_cases(options.filters, options.thorough);
-  if (!cases) return usage_error(cases.error().text());
+  const auto chosen = select_cases(options.filters, options.thorough);
+  if (!chosen) return usage_error(chosen.error().text());
   const auto sources = suite_sources(options.suite);
   if (!sources) return usage_error(sources.error().text());
   if (const auto golden = check_golden_folder(options.suite.golden); !golden) return usage_error(golden.error().text());
@@ -423,7 +425,7 @@ int run_command(const RunCommand& options, Interruption& interruption) {
   const Inquiry inquiry(interruption.fd());
   const auto choice = choose_drivers(options.drivers, inquiry);
   if (!choice) return usage_error(choice.error().text());
-  auto plan = make_plan(options, *choice, *cases, inquiry);
+  auto plan = make_plan(options, *choice, *chosen, inquiry);
   if (interruption.signal() != 0) return ended_before_results(interruption);
   if (!plan) return usage_error(plan.error().text());
   plan->content = suite_digest(plan->suite, *sources);

@@ -280,8 +280,8 @@ class Scheduler {
   }
 
  private:
-  // If there are fewer drivers than processes may run, the cases of each are split by what they cost, into so many parts
-  // that no core waits long for the last one. What shares a program stays together.
+  // If there are fewer drivers than processes may run, the cases of each are split by what they cost, into so many
+  // parts that no core waits long for the last one. What shares a program stays together.
   void add_parts(const DriverPlan& driver, double piece) {
     DriverPlan part{.driver = driver.driver, .ids = {}, .whole = driver.whole};
     double seconds = 0.0;

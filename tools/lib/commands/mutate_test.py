@@ -172,7 +172,8 @@ class Sweep(unittest.TestCase):
         status, output = self.sweep()
         self.assertEqual(status, 0, output)
         self.assertEqual(output.count("killed by c.d\n"), 2)
-        self.assertIn("2 mutants: 2 killed, of which 0 did not compile, 0 survived, 0 equivalent, 0 errors", output)
+        self.assertIn("2 mutants: 2 killed, of which 0 did not compile, 0 survived, of which 0 not "
+                      "--thorough, 0 equivalent, 0 errors", output)
 
     def test_a_crash_and_a_timeout_kill_but_a_warning_does_not(self):
         for results in (CRASH, TIMEOUT):
@@ -189,40 +190,46 @@ class Sweep(unittest.TestCase):
         output = self.sweep("--file", "perlin3d.glsl", "--sample", "3")[1]
         rows = [line.split() for line in output.splitlines()]
         self.assertIn(["file", "mutants", *mutate.KINDS], rows)
-        self.assertIn(["perlin3d.glsl", "2", "2", "0", "0", "0", "0"], rows)
-        self.assertIn(["perlin2d.glsl", "1", "1", "0", "0", "0", "0"], rows)
-        self.assertEqual(rows.count(["all", "3", "3", "0", "0", "0", "0"]), 2)
+        self.assertIn(["perlin3d.glsl", "2", "2", "0", "0", "0", "0", "0"], rows)
+        self.assertIn(["perlin2d.glsl", "1", "1", "0", "0", "0", "0", "0"], rows)
+        self.assertEqual(rows.count(["all", "3", "3", "0", "0", "0", "0", "0"]), 2)
+
+    def used(self) -> list[list[str]]:
+        """The filters of each run."""
+        lines = self.log.read_text().splitlines()
+        self.log.unlink()
+        return [line.split(" --filter ")[1:] for line in lines]
 
     def test_cheap_cases_of_the_file_run_first_and_the_whole_suite_only_if_they_pass(self):
-        few = [f"noise2d.{cases}.golden" for cases in mutate.FEW] + ["noise2d.*.unseeded"]
-        filters = [few, [mutate.NOISE], [*mutate.NOISES],
-                   ["noise2d.*.golden", "noise?d.*.golden", "noise2d.all.lattice*.fragment.*"], []]
-
-        def used() -> list[list[str]]:
-            lines = self.log.read_text().splitlines()
-            self.log.unlink()
-            return [line.split(" --filter ")[1:] for line in lines]
-
+        filters = [list(stage) for stage in mutate.stages_of("perlin2d.glsl")]
+        self.assertEqual(filters[-1], [])
+        self.assertIn("noise2d.perlin.*.golden", filters[0])
+        self.assertIn("noise2d.perlin.*", filters[1])
         self.sweep("--jobs", "1", with_filter=1)
-        self.assertEqual(used(), [[mutate.NOISE], filters[0], filters[0], ["c.d"]])
+        self.assertEqual(self.used(), [[mutate.NOISE], filters[0], filters[0], ["c.d"]])
         status, output = self.sweep("--jobs", "1", with_filter=0, without=1)
         self.assertEqual((status, output.count("killed by c.d\n")), (0, 2))
-        self.assertEqual(used(), [[mutate.NOISE], *filters, *filters, ["c.d"]])
+        self.assertEqual(self.used(), [[mutate.NOISE], *filters, *filters, ["c.d"]])
 
-    def test_files_that_all_noises_share_are_judged_by_noises(self):
-        for file in ("arithmetic.glsl", "lattice.glsl", "cubic.glsl"):
-            self.assertEqual(mutate.stages_of(file, SOURCES[file])[:2], ((mutate.NOISE,), mutate.NOISES))
+    def test_a_file_without_functions_is_judged_by_those_that_include_it(self):
+        for file in ("arithmetic.glsl", "lattice.glsl", "cubic.glsl", "feature_plane.glsl"):
+            own, near = mutate.judges_of(file)
+            self.assertEqual(own, ())
+            self.assertTrue(near, file)
+            self.assertLessEqual(len(near), mutate.MOST_NEAR)
+        self.assertIn("noise2d.cell_border", mutate.judges_of("feature_plane.glsl")[1])
 
-    def test_every_file_with_functions_has_cases(self):
-        files = {function.file for function in read_functions()}
-        for file, source in SOURCES.items():
-            if "{" in mutate.rules.without_directives(mutate.rules.without_comments(source)):
-                stem = mutate.stages_of(file, source)[0][0].split(".")[0]
-                self.assertTrue(fnmatch.filter(files, stem), f"{file} needs its place in CASES_OF")
+    def test_every_file_has_stages_and_ends_with_the_whole_suite(self):
+        for file in SOURCES:
+            stages = mutate.stages_of(file)
+            self.assertGreater(len(stages), 1, file)
+            self.assertEqual(stages[-1], (), file)
 
-    def test_files_without_functions_have_cases_of_their_own(self):
-        for file in ("config.glsl", "hashnoise.glsl"):
-            self.assertEqual(mutate.stages_of(file, SOURCES[file])[0], (f"{file[:-5]}.*",))
+    def test_survivors_go_on_to_what_thorough_has(self):
+        status, output = self.sweep("--thorough", "--jobs", "1", with_filter="int('--thorough' in arguments)", without=0)
+        self.assertEqual(status, 1, output)
+        self.assertEqual(output.count("SURVIVED, and killed with --thorough by c.d\n"), 2)
+        self.assertIn("2 survived, of which 2 not --thorough", output)
 
     def test_survivors(self):
         status, output = self.sweep(with_filter=0, without=0)
