@@ -300,9 +300,12 @@ class Scheduler {
 
   static std::string_view program_of(std::string_view id) { return id.substr(0, id.rfind('.')); }
 
-  // What a process is worth loading a driver for.
+  // How much a process runs at the least, in seconds: a few times what loading a driver takes. With a driver for each
+  // process there is nothing to split.
   double piece_of(const RunPlan& plan) const {
-    if (plan.drivers.size() > plan.jobs + 1) return std::numeric_limits<double>::infinity();
+    const auto draws = [](const DriverPlan& one) { return one.driver != kReferenceCompiler; };
+    const auto drivers = std::ranges::count_if(plan.drivers, draws);
+    if (drivers >= static_cast<std::ptrdiff_t>(plan.jobs)) return std::numeric_limits<double>::infinity();
     constexpr double kLeast = 5.0;
     constexpr std::size_t kPiecesOfAProcess = 3;
     return std::max(expected_ / static_cast<double>(kPiecesOfAProcess * plan.jobs), kLeast);

@@ -72,8 +72,9 @@ def times_table() -> str:
     def minutes(seconds: float) -> str:
         return f"{seconds / CORES / 60:.1f} min"
 
-    commands = (("`tools/conform`", build["conform"], cases), ("`tools/test`", build["test"], tests))
-    return table(("", "build", "run"), [(name, minutes(first), minutes(then)) for name, first, then in commands])
+    commands = (("`tools/conform`", "conform", cases), ("`tools/test`", "test", tests))
+    return table(("", "build", "run"),
+                 [(name, minutes(build[key]), minutes(then)) for name, key, then in commands if key in build])
 
 
 # --- What a footprint is worth ------------------------------------------------------------------------------------------
