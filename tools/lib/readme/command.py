@@ -33,7 +33,6 @@ def tables(costs: numbers.Costs) -> list[tuple[str, str, str]]:
             (SUMS, "tools/readme: typical values of sums in 1D and 4D",
              numbers.typical_table(typical, numbers.PLAIN_SUMS, (1, 4))),
             (SUMS, "tools/readme: footprint", numbers.footprint_quote(numbers.footprint())),
-            ("docs/conformance.md", "tools/readme: times", numbers.times_table()),
             (MEASURING, "tools/readme: costs", numbers.cost_table(costs)),
             (MEASURING, "tools/readme: noises", numbers.form_table(costs)),
             (MEASURING, "tools/readme: peers", numbers.peer_table(numbers.peer_costs()))]

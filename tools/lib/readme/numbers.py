@@ -53,30 +53,6 @@ def _number(value: float) -> str:
     return f"{round(value, 2) + 0.0:g}"
 
 
-# --- How long commands take ---------------------------------------------------------------------------------------------
-
-TEST_COSTS = ROOT / "tools" / "costs.csv"
-CASE_COSTS = ROOT / "conformance" / "cases" / "costs.csv"
-CORES = 2
-
-
-def times_table() -> str:
-    """What tools/conform and tools/test take, from what was recorded as processor time."""
-    with TEST_COSTS.open(encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
-    with CASE_COSTS.open(encoding="utf-8") as file:
-        cases = sum(float(row["seconds"]) for row in csv.DictReader(file) if row["check"] != "calibration")
-    build = {row["name"]: float(row["value"]) for row in rows if row["kind"] == "build"}
-    tests = sum(float(row["value"]) for row in rows if row["kind"] == "test")
-
-    def minutes(seconds: float) -> str:
-        return f"{seconds / CORES / 60:.1f} min"
-
-    commands = (("`tools/conform`", "conform", cases), ("`tools/test`", "test", tests))
-    return table(("", "build", "run"),
-                 [(name, minutes(build[key]), minutes(then)) for name, key, then in commands if key in build])
-
-
 # --- What a footprint is worth ------------------------------------------------------------------------------------------
 
 
