@@ -20,7 +20,7 @@ import unittest
 PROGRAM = ""
 ONE = ("--filter", "noise2d.perlin.lattice.fast.fragment.gl330.golden")
 # Some seconds, and more than 100,000 bytes of journal. Of one noise, so that it stays what it is as noises come.
-MANY = ("--filter", "noise?d.perlin.*.fragment.*.golden", "--filter", "noise?d.perlin_cell.*.fragment.*.golden",
+MANY = ("--thorough", "--filter", "noise?d.perlin.*.fragment.*.golden", "--filter", "noise?d.perlin_cell.*.fragment.*.golden",
         "--filter", "noise?d.perlin*.fragment.*.twin", "--filter", "noise?d.perlin.*.range")
 
 
