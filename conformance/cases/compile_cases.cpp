@@ -7,6 +7,7 @@
 #include <array>
 #include <hashnoise/hashnoise.hpp>
 #include <iterator>
+#include <span>
 
 #include "cases/case.hpp"
 #include "gpu/gpu.hpp"
@@ -77,6 +78,12 @@ bool can_compile(const Configuration& configuration, const Profile& profile) {
   return configuration.arithmetic != Arithmetic::precise || profile.version >= (profile.es ? 320 : 400);
 }
 
+std::span<const Stage> stages_of(const Profile& profile) {
+  static constexpr std::array kStages = {Stage::fragment, Stage::vertex, Stage::compute};
+  const bool has_compute = profile.version >= (profile.es ? 310 : 430);
+  return std::span(kStages).first(has_compute ? 3 : 2);
+}
+
 // A file by itself is compiled as SPIR-V, which shows more than that it compiles, once in each arithmetic: the cases
 // highp and uncontracted. So what is left to compile are the versions and the stages, with the whole library: each
 // version in one stage and one arithmetic, in turn; and each hash and the sine gradient, with the file that has them.
@@ -89,10 +96,10 @@ bool is_chosen(std::string_view file, const Configuration& configuration, const 
   for (const Configuration& one : all_configurations()) {
     if (one.default_but_for_arithmetic() && can_compile(one, profile)) settings.push_back(&one);
   }
-  const auto stages = std::size_t{profile.version >= (profile.es ? 310 : 430) ? 3u : 2u};
+  const auto stages = stages_of(profile);
   const auto turn = static_cast<std::size_t>(&profile - all_profiles().data());
   return &configuration == settings[turn % settings.size()] &&
-         stage == std::array{Stage::fragment, Stage::vertex, Stage::compute}[turn / settings.size() % stages];
+         stage == stages[turn / settings.size() % stages.size()];
 }
 
 // A driver compiles the whole library in its main version. In each other one it compiles one file, in the
@@ -101,10 +108,11 @@ Extent extent_on_drivers(std::string_view file, const Configuration& configurati
   if (configuration.is_default() && (profile.name == "gl330" || profile.name == "es300")) {
     return file == "hashnoise.glsl" ? Extent::every_driver : Extent::thorough;
   }
-  const bool in_turn =
-      std::ranges::any_of(std::array{Stage::fragment, Stage::vertex, Stage::compute},
-                          [&](Stage stage) { return is_chosen("hashnoise.glsl", configuration, profile, stage); });
-  return in_turn && file == kFileForDrivers ? Extent::one_driver : Extent::thorough;
+  if (file != kFileForDrivers) return Extent::thorough;
+  const bool in_turn = std::ranges::any_of(stages_of(profile), [&](Stage stage) {
+    return is_chosen("hashnoise.glsl", configuration, profile, stage);
+  });
+  return in_turn ? Extent::one_driver : Extent::thorough;
 }
 
 // A file of the library with one configuration in one version.
@@ -123,9 +131,7 @@ void add_file_cases(std::vector<Case>& cases, std::string_view file, const Confi
                      }},
                      extent});
   };
-  add_glslang(Stage::fragment);
-  add_glslang(Stage::vertex);
-  if (profile.version >= (profile.es ? 310 : 430)) add_glslang(Stage::compute);
+  for (const Stage stage : stages_of(profile)) add_glslang(stage);
   if (profile.spirv || !is_for_drivers(file, configuration)) return;
   const Extent extent = extent_on_drivers(file, configuration, profile);
   if (!is_wanted(extent)) return;

@@ -68,9 +68,6 @@ Evaluation evaluation_of(const Program& program) {
   return {*program.function, *program.configuration, *program.target.profile, {}, program.target.stage};
 }
 
-// The further cases of a run without --thorough, of each program in all_programs().
-const std::vector<std::set<std::string_view>>& chosen_further_cases();
-
 }  // namespace
 
 CaseName name_of(const Evaluation& evaluation, std::string_view check) {
@@ -149,6 +146,7 @@ class FurtherCases {
   std::vector<std::pair<std::size_t, std::string_view>> of_;  // each candidate's program, and its check
 };
 
+// The checks of a run without --thorough, of each program in all_programs().
 const std::vector<std::set<std::string_view>>& chosen_further_cases() {
   static const FurtherCases kFurther;
   return kFurther.chosen();
