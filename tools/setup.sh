@@ -111,14 +111,17 @@ share_objects() {
   export CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER:-ccache} CXX=${CXX:-c++}
 }
 
-# How many steps the build in this folder has yet to do for these targets; nothing if that is not known before it is configured.
+# How many steps the build in this folder has yet to do for these targets; nothing if that is not known before it is
+# configured. Of build.ninja itself ninja would first ask whether CMake has to run again, and in a dry run say no more: of
+# a file by another name it does not ask.
 steps_to_do() {
   [[ -e $1/build.ninja ]] && command -v ninja >/dev/null || return 0
-  ninja -C "$1" -n "${@:2}" 2>/dev/null | awk '
-    /Re-running CMake/ { unknown = 1 }
+  cp "$1/build.ninja" "$1/steps.ninja"
+  ninja -C "$1" -f steps.ninja -n "${@:2}" 2>/dev/null | awk '
     /no work to do/ { last = 0; known = 1 }
     match($0, /^\[[0-9]+\/[0-9]+\]/) { last = substr($0, 2, RLENGTH - 2); sub(/.*\//, "", last); known = 1 }
-    END { if (known && !unknown) print last }'
+    END { if (known) print last }'
+  rm "$1/steps.ninja"
 }
 
 # How many seconds the build that the table knows by this name takes on all cores, if it has that many steps to do.
