@@ -10,7 +10,12 @@ set_tests_properties(python.wheel PROPERTIES FIXTURES_SETUP python_wheel SKIP_RE
 add_test(NAME python.wheel_of_users CONFIGURATIONS Thorough
          COMMAND Python3::Interpreter -B ${package_tests}/environment.py make ${package_environment}-of-users)
 set_tests_properties(python.wheel_of_users PROPERTIES SKIP_RETURN_CODE 77 COST 400 TIMEOUT 3600)
-foreach(subject arrays documents golden notebook options source types)
+# Jupyter and matplotlib take longer to install than all else that the tests need.
+add_test(NAME python.notebook CONFIGURATIONS Thorough
+         COMMAND Python3::Interpreter -B ${package_tests}/environment.py run --with notebook.txt ${package_environment}
+                 notebook_test)
+set_tests_properties(python.notebook PROPERTIES FIXTURES_REQUIRED python_wheel SKIP_RETURN_CODE 77 RUN_SERIAL ON)
+foreach(subject arrays documents golden options source types)
   add_test(NAME python.${subject} COMMAND Python3::Interpreter -B ${package_tests}/environment.py run ${package_environment} ${subject}_test)
   set_tests_properties(python.${subject} PROPERTIES FIXTURES_REQUIRED python_wheel SKIP_RETURN_CODE 77)
 endforeach()

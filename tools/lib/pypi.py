@@ -14,8 +14,8 @@ OFFLINE = re.compile("NewConnectionError|ConnectTimeout|ReadTimeout|NameResoluti
 
 def install(python: Path, requirements: Path) -> int:
     """What a file names, for the Python of a virtual environment: 0 if it is there, 1 if not, SKIPPED without PyPI."""
-    done = subprocess.run([python, "-m", "pip", "--disable-pip-version-check", "install", "--quiet", "--retries", "1",
-                           "--requirement", requirements], capture_output=True, text=True, check=False)
+    done = subprocess.run([python, "-m", "pip", "--disable-pip-version-check", "install", "--quiet", "--no-compile",
+                           "--retries", "1", "--requirement", requirements], capture_output=True, text=True, check=False)
     if done.returncode == 0:
         return 0
     print(done.stdout + done.stderr)

@@ -2,7 +2,9 @@
 
     environment.py make FOLDER [LIBRARY]   makes it in FOLDER; the wheel is built by tools/wheel, and linked with
                                            LIBRARY if that is named
-    environment.py run FOLDER MODULE...    runs modules of tests in it
+    environment.py run [--with FILE] FOLDER MODULE...
+                                           runs modules of tests in it; what a file of requirements names beside this
+                                           one is installed first
 
 Exit status: 0 done, 1 not, 77 PyPI cannot be reached, so there is no such environment.
 """
@@ -43,18 +45,22 @@ def make(folder: Path, requirements: Path, library: Path | None = None) -> int:
     return 0
 
 
-def run(folder: Path, modules: list[str]) -> int:
+def run(folder: Path, modules: list[str], more: Path | None = None) -> int:
     if not (folder / MADE).exists():
         print(f"{folder} has no environment: python.wheel was skipped, or did not run")
         return SKIPPED
     python = folder / "venv" / "bin" / "python"
+    if more and (status := install(python, more)):
+        return status
     return subprocess.run([python, "-B", "-m", "unittest", *modules], cwd=TESTS, check=False).returncode
 
 
 def main(arguments: list[str]) -> int:
     if len(arguments) in (2, 3) and arguments[0] == "make":
         return make(Path(arguments[1]).resolve(), TESTS / "requirements.txt", *map(Path, arguments[2:]))
-    if len(arguments) > 2 and arguments[0] == "run":
+    if len(arguments) > 4 and arguments[:2] == ["run", "--with"]:
+        return run(Path(arguments[3]).resolve(), arguments[4:], TESTS / arguments[2])
+    if len(arguments) > 2 and arguments[0] == "run" and not arguments[1].startswith("-"):
         return run(Path(arguments[1]).resolve(), arguments[2:])
     print(__doc__, file=sys.stderr)
     return 2

@@ -7,6 +7,7 @@ import io
 import os
 import tempfile
 import unittest
+import venv
 from pathlib import Path
 from unittest import mock
 
@@ -14,6 +15,13 @@ import environment
 
 
 class Environment(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        scratch = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(scratch.cleanup)
+        cls.empty = Path(scratch.name) / "venv"  # one for all tests, since it takes longest to make
+        venv.create(cls.empty, with_pip=True, symlinks=True)
+
     def setUp(self):
         scratch = tempfile.TemporaryDirectory()
         self.addCleanup(scratch.cleanup)
@@ -29,7 +37,8 @@ class Environment(unittest.TestCase):
     def make(self, requirements: str) -> tuple[int, str]:
         self.requirements.write_text(requirements, encoding="utf-8")
         told = io.StringIO()
-        with contextlib.redirect_stdout(told):
+        with contextlib.redirect_stdout(told), mock.patch("venv.create") as create:
+            create.side_effect = lambda folder, **_: folder.symlink_to(self.empty)
             return environment.make(self.folder, self.requirements), told.getvalue()
 
     def test_no_registry(self):
@@ -50,7 +59,7 @@ class Environment(unittest.TestCase):
         self.assertEqual(status, 1, told)
 
     def test_bad_usage(self):
-        for arguments in ([], ["make"], ["run", "x"], ["no_such", "x", "y"]):
+        for arguments in ([], ["make"], ["run", "x"], ["run", "--with", "x", "y"], ["no_such", "x", "y"]):
             self.assertEqual(self.call(arguments)[0], 2, arguments)
 
 
