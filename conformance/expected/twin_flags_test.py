@@ -4,7 +4,8 @@
 Usage: twin_flags_test.py [--every-function] [--thorough] COMPILER...
 
 A function of each kind is tried, and with --every-function all that have values of their own. Compilers, flags, gradients
-and arithmetics are tried in pairs; with --thorough all of them together.
+and arithmetics are tried in pairs; with --thorough all of them together. What checks each operation has few points, unless
+every function is tried.
 """
 
 import concurrent.futures
@@ -50,7 +51,7 @@ class Flags(unittest.TestCase):
     @staticmethod
     def points(flags):
         """What is not optimised takes long, and what is checked at each operation."""
-        return ["few"] if "-O0" in flags or SANITIZED[2] in flags else []
+        return ["few"] if "-O0" in flags or (FUNCTIONS and SANITIZED[2] in flags) else []
 
     def digests(self, number, compiler, flags, *macros):
         """What twin_flags.cpp prints, built so: by function its digests."""

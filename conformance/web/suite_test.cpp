@@ -23,16 +23,21 @@ namespace {
 
 using Json = nlohmann::json;
 
-const Case& case_named(const std::vector<Case>& cases, std::string_view id) {
-  const auto found = std::find_if(cases.begin(), cases.end(), [&](const Case& test) { return test.id == id; });
-  if (found == cases.end()) throw std::invalid_argument(std::string(id));
+// All of them, made once: they take a good part of a second.
+const std::vector<Case>& product() {
+  static const std::vector<Case> cases = all_cases();
+  return cases;
+}
+
+const Case& case_named(std::string_view id) {
+  const auto found = std::find_if(product().begin(), product().end(), [&](const Case& test) { return test.id == id; });
+  if (found == product().end()) throw std::invalid_argument(std::string(id));
   return *found;
 }
 
 // The suite of one case.
 Json suite_of(std::string_view id, const std::filesystem::path& golden = HN_GOLDEN_DIRECTORY) {
-  const auto cases = all_cases();
-  const Case& test = case_named(cases, id);
+  const Case& test = case_named(id);
   return Json::parse(make_suite(SourceSet::embedded(), golden, std::span(&test, 1)).json);
 }
 
@@ -69,11 +74,10 @@ TEST(Suite, ThePageKnowsEveryStatusAndWhichAreBad) {
 }
 
 TEST(Suite, AShaderIsTheOneThatDriversGet) {
-  const auto cases = all_cases();
   for (const std::string_view id :
        {"fbm.clouds3.lattice.fast.fragment.es300.golden", "hashnoise.all.pcg.fast.fragment.es300.driver"}) {
     const Json suite = suite_of(id);
-    const Case& test = case_named(cases, id);
+    const Case& test = case_named(id);
     const auto expected = expand(
         SourceSet::embedded(), profile_named("es300"),
         test.evaluation() ? evaluation_shader(*test.evaluation()) : std::get<CompilationKind>(*test.kind).fragment);
@@ -138,8 +142,7 @@ std::string wgsl_of(const Json& suite) {
 }
 
 Json wgsl_suite(const SourceSet& sources) {
-  const auto cases = all_cases();
-  const Case& test = case_named(cases, "noise2d.perlin.lattice.fixed.compute.wgsl.golden");
+  const Case& test = case_named("noise2d.perlin.lattice.fixed.compute.wgsl.golden");
   return Json::parse(make_suite(sources, HN_GOLDEN_DIRECTORY, std::span(&test, 1)).json);
 }
 
@@ -183,7 +186,7 @@ TEST(Suite, FaultsAreOfGlsl) {
 
 TEST(Suite, WebGpuHasTheCasesInWgsl) {
   std::size_t supported = 0;
-  for (const Case& test : all_cases()) {
+  for (const Case& test : product()) {
     const std::string reason = unsupported_in_browser(test, Platform::webgpu);
     EXPECT_EQ(reason.empty(), test.id.ends_with(".compute.wgsl.golden")) << test.id << ": " << reason;
     supported += reason.empty() ? 1 : 0;
@@ -225,9 +228,8 @@ TEST(Suite, TwoWaysHaveAProgramEachAndTheirPoints) {
 }
 
 TEST(Suite, ABugComesWithWhereItWasReported) {
-  const auto cases = all_cases();
   std::size_t bugs = 0;
-  for (const Case& test : cases) {
+  for (const Case& test : product()) {
     if (!test.id.starts_with("bugs.") || test.id.find(".es300.") == std::string::npos) continue;
     const Json suite = suite_of(test.id);
     EXPECT_EQ(suite["cases"][0]["check"], "bug") << test.id;
@@ -253,7 +255,7 @@ TEST(Suite, EveryCaseOfEs300IsInItOrHasAReason) {
                                             "half_turn",       "phase_zero",    "from_cell",         "whole_detail",
                                             "small_footprint", "zero_strength"};
   std::size_t supported = 0;
-  for (const Case& test : all_cases()) {
+  for (const Case& test : product()) {
     const std::string reason = unsupported_in_browser(test);
     const auto last = test.id.rfind('.') + 1;
     const bool es = test.id.find(".es300.") != std::string::npos || test.id.find(".es100.") != std::string::npos;
@@ -264,7 +266,7 @@ TEST(Suite, EveryCaseOfEs300IsInItOrHasAReason) {
 }
 
 TEST(Suite, ThePageIsOneFileOfAModestSize) {
-  std::vector<Case> cases = all_cases();
+  std::vector<Case> cases = product();
   std::erase_if(cases, [](const Case& test) { return !is_on_page(test); });
   const auto page = web_page(make_suite(SourceSet::embedded(), HN_GOLDEN_DIRECTORY, cases).json);
   ASSERT_TRUE(page) << page.error().text();

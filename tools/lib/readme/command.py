@@ -1,10 +1,12 @@
-"""Makes what the pages show of the library: their pictures, the table of typical values, and the tables of costs.
+"""Makes what the pages show of the library: their pictures, the table of typical values, the tables of costs, and how long
+the commands take.
 
     tools/readme            writes them
-    tools/readme --check    whether they are what they should be, and the README states the costs
+    tools/readme --check    whether they are what they should be, and the README states the costs and the times
 
 A picture is drawn from the code below it, which the C++ twin evaluates at each pixel of a tile; so are those of docs/gallery. The typical values are
-those of a million points. The costs are those of docs/results/llvmpipe/bench.csv, which hn-conform bench writes, and of peers.csv beside it, which tools/peers writes.
+those of a million points. The costs are those of docs/results/llvmpipe/bench.csv, which hn-conform bench writes, and of peers.csv beside it, which tools/peers writes. The times of commands are
+those of tools/costs.csv, which tools/test --record writes.
 
 Exit status: 0 all is as it should be, 1 something is not: prose is for you to mend; 2 bad usage, the code does not
 compile, or a page cannot be read.
@@ -17,15 +19,17 @@ import sys
 from collections.abc import Sequence
 
 from readme import gallery, numbers, picture
+from readme import times as of_commands
 from tables.markdown import with_section
 from tree import ROOT
 
 README = "README.md"
 MEASURING = "docs/measuring.md"
 SUMS = "docs/sums.md"
+CONFORMANCE = "docs/conformance.md"
 
 
-def tables(costs: numbers.Costs) -> list[tuple[str, str, str]]:
+def tables(costs: numbers.Costs, times: of_commands.Times) -> list[tuple[str, str, str]]:
     """What pages have between marks: the page, the name of the marks, and the table."""
     typical = numbers.typical()
     return [(README, "tools/readme: typical values", numbers.typical_table(typical, numbers.IN_README)),
@@ -33,6 +37,7 @@ def tables(costs: numbers.Costs) -> list[tuple[str, str, str]]:
             (SUMS, "tools/readme: typical values of sums in 1D and 4D",
              numbers.typical_table(typical, numbers.PLAIN_SUMS, (1, 4))),
             (SUMS, "tools/readme: footprint", numbers.footprint_quote(numbers.footprint())),
+            (CONFORMANCE, "tools/readme: times", of_commands.times_table(times)),
             (MEASURING, "tools/readme: costs", numbers.cost_table(costs)),
             (MEASURING, "tools/readme: noises", numbers.form_table(costs)),
             (MEASURING, "tools/readme: peers", numbers.peer_table(numbers.peer_costs()))]
@@ -40,16 +45,17 @@ def tables(costs: numbers.Costs) -> list[tuple[str, str, str]]:
 
 def problems(check: bool) -> list[str]:
     """What is not as it should be, after the tables are written, or with check as they are."""
-    found, costs = [], numbers.costs()
-    for path, name, table in tables(costs):
+    found, costs, times = [], numbers.costs(), of_commands.times()
+    for path, name, table in tables(costs, times):
         page = (ROOT / path).read_text(encoding="utf-8")
         right = with_section(path, page, name, table)
         if not check:
             (ROOT / path).write_text(right, encoding="utf-8")
         elif page != right:
             found.append(f"{path}: a table is not what it should be; run tools/readme")
-    if (quote := numbers.cost_quote(costs)) not in (ROOT / README).read_text(encoding="utf-8"):
-        found.append(f"{README}: it must state {quote!r}")
+    readme = (ROOT / README).read_text(encoding="utf-8")
+    found += [f"{README}: it must state {quote!r}"
+              for quote in (numbers.cost_quote(costs), of_commands.times_quote(times)) if quote not in readme]
     return found
 
 

@@ -12,7 +12,7 @@ import unittest
 import zlib
 from unittest import mock
 
-from readme import command, numbers, picture
+from readme import command, numbers, picture, times
 from tables import glsl
 from tree import ROOT, TOOLS
 
@@ -117,13 +117,17 @@ class Numbers(unittest.TestCase):
         typical["hn_fbm", 3][1] += 0.1
         costs = {**numbers.costs()}
         costs["noise2d.perlin.lattice"] = {**costs["noise2d.perlin.lattice"], "ratio": "9.999"}
+        slower = {name: (60 + packages, build, run) for name, (packages, build, run) in times.times().items()}
         with mock.patch.object(numbers, "typical", return_value=typical), \
-                mock.patch.object(numbers, "costs", return_value=costs):
+                mock.patch.object(numbers, "costs", return_value=costs), \
+                mock.patch.object(times, "times", return_value=slower):
             status, output = self.check()
         self.assertEqual(status, 1)
         self.assertRegex(output, r"README\.md: a table is not what it should be")
         self.assertRegex(output, r"docs/measuring\.md: a table is not what it should be")
+        self.assertRegex(output, r"docs/conformance\.md: a table is not what it should be")
         self.assertRegex(output, r"README\.md: it must state 'takes 0\.1 times as long")
+        self.assertRegex(output, r"README\.md: it must state 'On two cores the suite takes ")
 
     def test_a_record_without_a_row_is_told(self):
         with tempfile.NamedTemporaryFile("w", suffix=".csv") as record:
