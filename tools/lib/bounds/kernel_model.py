@@ -44,6 +44,12 @@ def halves(point):
     return [int(2 * x) for x in point]
 
 
+def at(near, words):
+    """The words, or phases if there are any, of the places that a point is near to: a few of all. Some hash gives one
+    word for all places."""
+    return words if words is None or len(words) == 1 else words[near]
+
+
 # --- Gradients --------------------------------------------------------------------------------------------------------
 
 def lengthened(kernel, words):
@@ -89,17 +95,22 @@ def weight(kernel, t):
 
 def simplex(kernel, words_of, fractions, phase=None):
     """The value, and the derivatives per cell."""
-    place, value, derivatives = [x * kernel.steps for x in fractions], 0.0, [0.0] * kernel.dims
+    place = np.array([x * kernel.steps for x in fractions])
+    value, derivatives = np.zeros(place.shape[1]), np.zeros(place.shape)
     for point in points(kernel):
-        d = [x - y for x, y in zip(place, point)]
-        t = np.maximum(kernel.radius - kernel.fall * sum(x * x for x in d), 0.0)
-        w, slope = weight(kernel, t)
-        g = turned(lengthened(kernel, words_of(halves(point))), phase)
+        d = place - np.array(point)[:, None]
+        t = kernel.radius - kernel.fall * sum(d * d)
+        near = np.flatnonzero(t > 0)
+        if not near.size:
+            continue
+        d, (w, slope) = d[:, near], weight(kernel, t[near])
+        g = turned(lengthened(kernel, at(near, words_of(halves(point)))), at(near, phase))
         ramp = sum(a * b for a, b in zip(g, d))
-        value = value + w * ramp
-        derivatives = [e + a * w - 2 * kernel.fall * x * slope * ramp for e, a, x in zip(derivatives, g, d)]
+        value[near] += w * ramp
+        for axis, a in enumerate(g):
+            derivatives[axis, near] += a * w - 2 * kernel.fall * d[axis] * slope * ramp
     scale = kernel.scale / 1024
-    return scale * value, [scale * kernel.steps * e for e in derivatives]
+    return scale * value, list(scale * kernel.steps * derivatives)
 
 
 def perlin(words_of, fractions, phase):
@@ -178,19 +189,23 @@ def fixed_weight(kernel, t):
 
 def fixed_simplex(kernel, words_of, fractions, phase=None):
     """v in units of 2^-21, and the derivatives in units of 2^-19."""
-    total, along = 0, [0] * kernel.dims
+    place = np.array([kernel.steps * f for f in fractions])
+    total, along = np.zeros(place.shape[1], np.int64), np.zeros(place.shape, np.int64)
     for point in points(kernel):
-        d = [kernel.steps * f - int(x * ONE) for f, x in zip(fractions, point)]
-        n = sum(x * x for x in d) >> 10
+        d = place - np.array([int(x * ONE) for x in point])[:, None]
+        n = sum(d * d) >> 10
         t = np.minimum((np.maximum(int(kernel.radius * 2**30) - kernel.fall * n, 0) + 2**13) >> 14, 65535)
-        near, words = t > 0, words_of(halves(point))
-        w, fall = fixed_weight(kernel, t)
-        d = [np.where(near, x, 0) for x in d]
-        ramp = fixed_ramp(kernel, words, d, phase)
-        total = total + np.where(near, part(ramp, w), 0)
+        near = np.flatnonzero(t > 0)
+        if not near.size:
+            continue
+        d, (w, fall) = d[:, near], fixed_weight(kernel, t[near])
+        words, turn = at(near, words_of(halves(point))), at(near, phase)
+        ramp = fixed_ramp(kernel, words, d, turn)
+        total[near] += part(ramp, w)
         if fall is not None:
-            g, k = fixed_gradient(kernel, words, phase), part(ramp, fall)
-            along = [e + np.where(near, (part(a, w) >> 2) - 2 * part(k, x >> 2), 0) for e, a, x in zip(along, g, d)]
+            g, k = fixed_gradient(kernel, words, turn), part(ramp, fall)
+            for axis, a in enumerate(g):
+                along[axis, near] += (part(a, w) >> 2) - 2 * part(k, d[axis] >> 2)
     scale = kernel.scale * (2 if kernel.dims == 4 else 1)
 
     def scaled(n):
