@@ -7,12 +7,16 @@ import difflib
 import sys
 from pathlib import Path
 
+from tables import glsl
+
 
 def check_name(parser: argparse.ArgumentParser, name: str, library: Path) -> None:
     """Refuses what is no file of the library, and says which may be meant."""
     names = sorted(path.name for path in library.glob("*.glsl"))
     if name in names:
         return
+    if files := glsl.files_of(name, library):
+        parser.error(f"{name} is a function, and not a file: it is in {', '.join(files)}")
     if f"{name}.glsl" in names:
         near = [f"{name}.glsl"]
     else:
@@ -22,12 +26,13 @@ def check_name(parser: argparse.ArgumentParser, name: str, library: Path) -> Non
 
 
 def write(parser: argparse.ArgumentParser, text: str, out: Path | None) -> None:
-    """To standard output, or into a file, whose folder is made if it is not there."""
+    """To standard output, or into a file, whose folder is made if it is not there, and whose path is printed."""
     if out is None:
         sys.stdout.write(text)
         return
     try:
         out.parent.mkdir(parents=True, exist_ok=True)
         out.write_text(text, encoding="ascii")
+        print(out)
     except OSError as error:
         parser.error(f"cannot write {out}: {error.strerror}")

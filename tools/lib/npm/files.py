@@ -40,7 +40,7 @@ def quoted(value: str) -> str:
 def glsl_files() -> dict[str, str]:
     """The plain files, the text of each without comments as a module, and strings that stand alone, made of those."""
     found = {f"glsl/{path.name}": path.read_text(encoding="ascii") for path in sorted(GLSL.glob("*.glsl"))}
-    found["hashnoise.glsl"] = text("hashnoise.glsl", minify=True)
+    found["hashnoise.glsl"] = text(["hashnoise.glsl"], minify=True)
     all_parts = parts()
     for name, part in all_parts.items():
         stem = name.removesuffix(".glsl")

@@ -1,5 +1,5 @@
-"""Makes what the pages show of the library: their pictures, the table of typical values, the tables of costs, and how long
-the commands take.
+"""Makes what the pages show of the library: their pictures, the table of typical values, the tables of costs, which
+file has which function, and how long the commands take.
 
     tools/readme            writes them
     tools/readme --check    whether they are what they should be, and the README states the costs and the times
@@ -18,7 +18,7 @@ import argparse
 import sys
 from collections.abc import Sequence
 
-from readme import gallery, numbers, picture
+from readme import files, gallery, numbers, picture
 from readme import times as of_commands
 from tables.markdown import with_section
 from tree import ROOT
@@ -27,6 +27,7 @@ README = "README.md"
 MEASURING = "docs/measuring.md"
 SUMS = "docs/sums.md"
 CONFORMANCE = "docs/conformance.md"
+LANGUAGES = "docs/languages.md"
 
 
 def tables(costs: numbers.Costs, times: of_commands.Times) -> list[tuple[str, str, str]]:
@@ -37,6 +38,7 @@ def tables(costs: numbers.Costs, times: of_commands.Times) -> list[tuple[str, st
             (SUMS, "tools/readme: typical values of sums in 1D and 4D",
              numbers.typical_table(typical, numbers.PLAIN_SUMS, (1, 4))),
             (SUMS, "tools/readme: footprint", numbers.footprint_quote(numbers.footprint())),
+            (LANGUAGES, "tools/readme: files", files.files_table()),
             (CONFORMANCE, "tools/readme: times", of_commands.times_table(times)),
             (MEASURING, "tools/readme: costs", numbers.cost_table(costs)),
             (MEASURING, "tools/readme: noises", numbers.form_table(costs)),

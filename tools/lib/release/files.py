@@ -52,7 +52,7 @@ class Release:
     def single(self) -> None:
         for language in ("glsl", "hlsl", "metal"):
             for ending, minify in ((language, False), (f"min.{language}", True)):
-                made = text("hashnoise.glsl", language, minify=minify)
+                made = text(["hashnoise.glsl"], language, minify=minify)
                 (self.folder / f"hashnoise.{ending}").write_text(made, encoding="ascii")
         for name, arithmetic in (("hashnoise.wgsl", "HN_FAST"), ("hashnoise.fixed.wgsl", "HN_FIXED")):
             run([TOOLS / "wgsl", "--arithmetic", arithmetic, "--out", self.folder / name])

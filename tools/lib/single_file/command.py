@@ -7,22 +7,31 @@ from pathlib import Path
 
 from library_file import check_name, write
 from single_file.files import PLACES, text
+from tables.glsl import files_of
 from tree import GLSL
 
 
 def main() -> int:
     parser = argparse.ArgumentParser(
-        prog="tools/single-file", description="Make one file of the library.",
-        epilog="noise2d.glsl is the noise on the plane, and fbm2d.glsl the octave sums on the plane; noise3d.glsl and "
+        prog="tools/single-file", description="Make one file of the library, or of parts of it.",
+        epilog="A function that several files have, in one dimension each, is answered with their names. noise2d.glsl is the noise on the plane, and fbm2d.glsl the octave sums on the plane; noise3d.glsl and "
         "fbm3d.glsl are those in space.")
     parser.add_argument("--language", choices=tuple(PLACES), default="glsl",
                         help="the language of the file (default: %(default)s)")
     parser.add_argument("--strip", action="store_true", help="leave out comments, empty lines and indentation")
     parser.add_argument("--minify", action="store_true", help="as --strip, and leave out needless blanks")
     parser.add_argument("--out", type=Path, help="the file to write (default: standard output)")
-    parser.add_argument("name", nargs="?", default="hashnoise.glsl", help="a file of glsl/ (default: %(default)s)")
+    parser.add_argument("names", nargs="*", default=["hashnoise.glsl"], metavar="name",
+                        help="a file of glsl/, or a function that one of them has (default: hashnoise.glsl)")
     arguments = parser.parse_args()
-    check_name(parser, arguments.name, GLSL)
-    made = text(arguments.name, arguments.language, arguments.strip, arguments.minify)
+    names = []
+    for name in arguments.names:
+        files = files_of(name)
+        if len(files) > 1:
+            parser.error(f"{name} is in {', '.join(files)}: name those that you need")
+        names += files or [name]
+    for name in names:
+        check_name(parser, name, GLSL)
+    made = text(list(dict.fromkeys(names)), arguments.language, arguments.strip, arguments.minify)
     write(parser, made, arguments.out)
     return 0

@@ -229,7 +229,28 @@ class SingleFile(unittest.TestCase):
             path = pathlib.Path(folder) / "one.glsl"
             self.assertEqual(generate("--out", str(path)).returncode, 0)
             self.assertEqual(path.read_text(), generate().stdout)
+            self.assertEqual(generate("--out", str(path)).stdout, f"{path}\n")
             self.assertEqual(generate("--out", str(path / "below")).returncode, 2)
+
+    def test_errors_below_it_have_their_own_lines(self):
+        for option in ("--strip", "--minify", "--language=glsl"):
+            right, log = compile_shader(f"#version 330\n{generate(option, 'value1d.glsl').stdout}\nno_such_type x;\n")
+            self.assertFalse(right)
+            self.assertRegex(log, r"ERROR: \d+:2: ")
+
+    def test_several_have_each_file_once(self):
+        done = generate("--strip", "simplex2d.glsl", "hn_unorm", "perlin3d.glsl")
+        self.assertIn("from simplex2d.glsl, hash.glsl, perlin3d.glsl.", done.stdout)
+        self.assertEqual(done.stdout.count("#define HN_HASH_GLSL"), 1)
+        right, log = compile_shader(f"#version 330\n{done.stdout}\nout vec4 o;\n"
+                                    "void main() { o = vec4(hn_simplex(vec2(1.5)), hn_perlin(vec3(0.5)), 0.0, 0.0); }\n")
+        self.assertTrue(right, log)
+
+    def test_a_function_is_answered_with_its_files(self):
+        done = generate("hn_fbm")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("hn_fbm is in fbm1d.glsl, fbm2d.glsl, fbm3d.glsl, fbm4d.glsl: name", " ".join(done.stderr.split()))
+        self.assertIn("there is no hn_nothing in glsl/", " ".join(generate("hn_nothing").stderr.split()))
 
     def test_an_unknown_file_is_named(self):
         done = generate("xyz")

@@ -105,6 +105,21 @@ def declarations(library: Path = LIBRARY) -> list[Declaration]:
     return found
 
 
+@functools.cache
+def _files(library: Path) -> dict[str, list[str]]:
+    found: dict[str, list[str]] = {}
+    for function in declarations(library):
+        files = found.setdefault(function.name, [])
+        if function.path.name not in files:
+            files.append(function.path.name)
+    return found
+
+
+def files_of(function: str, library: Path = LIBRARY) -> list[str]:
+    """The names of the files that define a public function, in one dimension or another; none if there is no such."""
+    return _files(library).get(function, [])
+
+
 def _blank(text: str) -> str:
     return re.sub(r"[^\n]", " ", text)
 
