@@ -1,5 +1,6 @@
-"""The examples are built and run as docs/engines.md says, on a display that nobody sees. Their pictures show the land
-that the twin computes; and with the shader of golden.py in the place of their own, golden values bit for bit.
+"""The examples are built and run as docs/engines.md says, on a display that nobody sees or in a browser. Their
+pictures show the land that the twin computes; and with the shader of golden.py in the place of their own, golden values
+bit for bit.
 
     examples_test.py WORK CLASS    WORK is a scratch folder, in which raylib is kept
 
@@ -9,12 +10,16 @@ Exit status: 0 passed, 1 failed, 77 what the class needs cannot be had here.
 from __future__ import annotations
 
 import array
+import base64
+import functools
 import glob
+import http.server
 import os
 import re
 import shutil
 import subprocess
 import sys
+import threading
 import unittest
 from pathlib import Path
 
@@ -180,6 +185,65 @@ class Raylib(Example):
         pixels, output = self.shown(self.whole)
         self.assertNotIn("WARNING: SHADER", output)
         self.assert_the_land_is_where_the_twin_has_it(pixels, 1e-5)
+
+
+class Webgl(unittest.TestCase):
+    """The page, as its commands serve it, in Chromium: each pixel is as bright as the twin has it."""
+
+    work: Path
+
+    def setUp(self):
+        if shutil.which("chromium") is None:
+            self.skipTest("there is no chromium")
+        self.folder = self.work / "webgl"
+        shutil.rmtree(self.folder, ignore_errors=True)
+        self.folder.mkdir()
+        (self.folder / "hashnoise").symlink_to(ROOT)
+        shutil.copy(EXAMPLES / "webgl" / "index.html", self.folder)
+        command, = commands("A page by itself", "hashnoise/tools")
+        subprocess.run(command, shell=True, cwd=self.folder, check=True, stdout=subprocess.DEVNULL)
+        twin.compile_program("heights", EXAMPLES / "heights.cpp", self.folder / "heights")
+
+    def reds(self) -> bytes:
+        """What the page draws, by rows from the bottom: it is told to put its pixels into itself, and to say errors."""
+        page = self.folder / "index.html"
+        text = page.read_text()
+        page.write_text(text.replace("</script>", """
+          const bytes = new Uint8Array(4 * 640 * 480);
+          gl.readPixels(0, 0, 640, 480, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+          document.title = "drawn:" + btoa(Array.from(bytes.filter((_, i) => i % 4 === 0),
+                                                      (byte) => String.fromCharCode(byte)).join(""));</script>"""))
+        handler = functools.partial(http.server.SimpleHTTPRequestHandler, directory=self.folder)
+        handler.log_message = lambda *_: None
+        with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+            threading.Thread(target=server.serve_forever, daemon=True).start()
+            command = ["chromium", "--headless=new", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+                       "--no-first-run", "--disable-dev-shm-usage", "--dump-dom", "--virtual-time-budget=20000",
+                       f"--user-data-dir={self.folder / 'profile'}"]
+            if os.geteuid() == 0:
+                command.append("--no-sandbox")
+            done = subprocess.run([*command, f"http://127.0.0.1:{server.server_port}/"], capture_output=True, text=True,
+                                  check=True, timeout=120)
+            server.shutdown()
+        page.write_text(text)
+        drawn = re.search("drawn:([^<]*)", done.stdout)
+        return base64.b64decode(drawn[1]) if drawn else b""
+
+    def wrong(self) -> int:
+        """How many pixels are not as bright as they should be; a float may be rounded to either byte beside it."""
+        heights = array.array("f", subprocess.run([self.folder / "heights", "webgl"], check=True,
+                                                  stdout=subprocess.PIPE).stdout)
+        reds = self.reds()
+        self.assertEqual(len(reds), len(heights))
+        rows = (reds[start:start + SIZE[0]] for start in range(len(reds) - SIZE[0], -1, -SIZE[0]))
+        return sum(abs(red - 255.0 * min(max(0.5 + height, 0.0), 1.0)) > 0.51
+                   for red, height in zip(b"".join(rows), heights))
+
+    def test_each_pixel_is_as_the_twin_has_it(self):
+        self.assertEqual(self.wrong(), 0)
+        library = self.folder / "fbm2d.single.glsl"
+        library.write_text(library.read_text().replace("0x85EBCA77u", "0x85EBCA79u"))
+        self.assertGreater(self.wrong(), 100_000)
 
 
 class Vulkan(Example):

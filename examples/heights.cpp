@@ -1,5 +1,5 @@
 // How high the land of the examples' pictures is by the twin: for each pixel, from the upper left, the word of a float.
-//   heights vulkan|raylib [X Y]    one pixel alone, in decimals; else all, as they are in memory
+//   heights vulkan|raylib|webgl [X Y]    one pixel alone, in decimals; else all, as they are in memory
 #define HN_ARITHMETIC HN_FIXED
 #include <cstdio>
 #include <cstdlib>
@@ -18,9 +18,15 @@ static float of_raylib(int x, int y) {  // in OpenGL y goes up, and the middle o
   return hashnoise::hn_fbm_d(hashnoise::vec2(static_cast<float>(x) + 0.5f, up) / 128.0f, 6, 2.0f, 0.5f, 1u).x;
 }
 
+static float of_webgl(int x, int y) {
+  const hashnoise::vec2 middle(static_cast<float>(x) + 0.5f, static_cast<float>(479 - y) + 0.5f);
+  return hashnoise::hn_fbm(middle / 64.0f, 6, 2.0f, 0.5f, 7u);
+}
+
 int main(int count, char** arguments) {
   if (count != 2 && count != 4) return 2;
-  const auto height = std::strcmp(arguments[1], "vulkan") == 0 ? of_vulkan : of_raylib;
+  const auto named = [&](const char* name) { return std::strcmp(arguments[1], name) == 0; };
+  const auto height = named("vulkan") ? of_vulkan : named("webgl") ? of_webgl : of_raylib;
   if (count == 4) {
     std::printf("%.6f\n", static_cast<double>(height(std::atoi(arguments[2]), std::atoi(arguments[3]))));
     return 0;
