@@ -29,6 +29,12 @@ class InstructionSets(unittest.TestCase):
         lowest = {"x86_64": "sse4.1", "aarch64": "neon"}.get(os.uname().machine, "generic")
         self.assertRegex(done.stdout, f"hashnoise::grid has kernels for {lowest}(, avx2|, avx512)?\n")
 
+    def test_who_compiles_all_sets_is_told_how_long_that_takes(self):
+        done = self.configure("all")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        told = "more than a minute of processor time for each" in " ".join(done.stdout.split())
+        self.assertEqual(told, os.uname().machine == "x86_64")
+
     def test_a_wrong_name_is_an_error_that_has_the_right_ones(self):
         done = self.configure("sse2")
         self.assertNotEqual(done.returncode, 0)
