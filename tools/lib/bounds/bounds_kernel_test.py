@@ -78,7 +78,7 @@ class Gradients(unittest.TestCase):
 
 
 class Exact(unittest.TestCase):
-    def searched(self, function, dims, count=3000, rounds=40):
+    def searched(self, function, dims, count=600, rounds=40):
         """Nearly the largest of a function of places, by random search near the best few."""
         rng = np.random.default_rng(dims)
         places, reach = rng.uniform(0, 0.5, (dims, 20 * count)), 0.2
@@ -224,7 +224,7 @@ class Fixed(unittest.TestCase):
 
 
 class Floats(unittest.TestCase):
-    def errors(self, kernel, turning, some, count=20_000):
+    def errors(self, kernel, turning, some, count=5000):
         rng, words = np.random.default_rng(8), kernel_model.words_of_hash(9)
         f = list(rng.random((kernel.dims, count)).astype(np.float32).astype(float))
         phase = random_phase(rng, count, turning)
@@ -251,8 +251,8 @@ class Floats(unittest.TestCase):
     def test_turned_perlin(self):
         rng = np.random.default_rng(12)
         for dims in (2, 3):
-            words = {corner: rng.integers(0, 2**32, 20_000) for corner in corners(dims)}
-            f, phase = list(rng.integers(0, ONE + 1, (dims, 20_000)) / ONE), random_phase(rng, 20_000)
+            words = {corner: rng.integers(0, 2**32, 5000) for corner in corners(dims)}
+            f, phase = list(rng.integers(0, ONE + 1, (dims, 5000)) / ONE), random_phase(rng, 5000)
             expected = kernel_model.perlin(words.__getitem__, f, phase)
             value, slope = proven("perlin_phase", dims)
             for some, fails in ((shaders(13, TurnedPerlin), False), ([TurnedPerlin("nearest", 14, lost_bits=6)], True)):

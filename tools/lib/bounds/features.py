@@ -96,10 +96,13 @@ def farthest(c: Cell, places: np.ndarray, metric: str = "euclidean") -> np.ndarr
     """The largest distance to a point of the cell: to a corner of the octahedron, since distances are convex. Of
     these one along the axis where the place is farthest from the centre."""
     v = _from_centre(c, places)
-    largest, total = v.max(axis=0), v.sum(axis=0) + 0.5
-    square = (v * v).sum(axis=0) + largest + 0.25
-    return {"euclidean": np.sqrt(square), "squared": square, "manhattan": total, "chebyshev": largest + 0.5,
-            "hybrid": total + square}[metric]
+    if metric == "chebyshev":
+        return v.max(axis=0) + 0.5
+    total = v.sum(axis=0) + 0.5
+    if metric == "manhattan":
+        return total
+    square = (v * v).sum(axis=0) + v.max(axis=0) + 0.25
+    return {"euclidean": np.sqrt, "squared": np.positive, "hybrid": total.__add__}[metric](square)
 
 
 def nearest(c: Cell, places: np.ndarray) -> np.ndarray:
@@ -121,13 +124,10 @@ def largest_distance(dims: int, count: int, metric: str = "euclidean") -> float:
     farthest distance is largest at a vertex, as it is convex."""
     cells = sorted(neighbours(dims) | slab(dims, 0))
 
-    def of_places(places: Iterable[np.ndarray]) -> np.ndarray:
-        most = [np.maximum.reduce([farthest(c, place, metric) for place in places]) for c in cells]
-        return np.sort(most, axis=0)[count - 1]
-
     def bound(boxes: Boxes) -> tuple[np.ndarray, np.ndarray]:
-        vertices = list(boxes.vertices())
-        return of_places(vertices), np.maximum.reduce([of_places([vertex]) for vertex in vertices])
+        most = boxes.at_vertices(lambda places: np.array([farthest(c, places, metric) for c in cells]))
+        smallest = np.partition(most, count - 1, axis=0)[count - 1]
+        return np.partition(most.max(axis=1), count - 1, axis=0)[count - 1], smallest.max(axis=0)
     return supremum(bound, cell(dims, half=True), LEVELS, TOLERANCE, exchange=0)
 
 
@@ -166,10 +166,9 @@ def most_within(dims: int) -> int:
 # --- Borders ----------------------------------------------------------------------------------------------------------
 
 def _covering(places: np.ndarray) -> np.ndarray:
-    """The largest distance from the nearest point, at places that are anywhere: all is periodic."""
-    inner = abs(places - np.rint(places))
-    cells = itertools.product((0, 1), repeat=len(places))  # no other cell is nearer to all of the octahedron
-    return np.minimum.reduce([farthest(c, inner) for c in cells])
+    """The largest distance from the nearest point, at places that are anywhere: all is periodic. Along each axis the
+    middle of the place's own cell is the nearest one, so of no other cell is the farthest place as near."""
+    return farthest((0,) * len(places), places - np.rint(places))
 
 
 @functools.cache
@@ -179,17 +178,19 @@ def largest_border(dims: int) -> float:
     mean of |y - P|^2 is |d|^2 + |x - P|^2. So r cannot be |d|, if the mean of D(x + d)^2 and D(x - d)^2 is less than
     |d|^2. D changes by no more than its place does."""
     reach = {2: 4, 3: 2}[dims]
-    directions = [np.array(d) / np.linalg.norm(d) for d in itertools.product(range(-reach, reach + 1), repeat=dims)
-                  if next((i for i in d if i), 0) > 0 and max(map(abs, d)) == reach]
+    directions = np.array([np.array(d) / np.linalg.norm(d)
+                           for d in itertools.product(range(-reach, reach + 1), repeat=dims)
+                           if next((i for i in d if i), 0) > 0 and max(map(abs, d)) == reach]).T[:, :, None]
     lengths = np.arange(96, 160) / 128
 
     def of_places(middle: np.ndarray, off: float) -> np.ndarray:
-        found = np.full(middle.shape[1], lengths[-1])
-        for length in lengths[::-1]:
-            for d in directions:
-                step = length * d[:, None]
-                mean = (_covering(middle + step) + off) ** 2 + (_covering(middle - step) + off) ** 2
-                found = np.where(mean / 2 < length**2, length, found)
+        """The least length that is refuted along any of the directions."""
+        found, left = np.full(middle.shape[1], lengths[-1]), np.arange(middle.shape[1])
+        for length in lengths:
+            places, step = middle[:, None, left], length * directions
+            mean = (_covering(places + step) + off) ** 2 + (_covering(places - step) + off) ** 2
+            refuted = (mean / 2 < length**2).any(axis=0)
+            found[left[refuted]], left = length, left[~refuted]
         return found
 
     def bound(boxes: Boxes) -> tuple[np.ndarray, np.ndarray]:

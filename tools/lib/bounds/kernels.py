@@ -200,7 +200,7 @@ LOOSE = {2: 0.01, 3: 0.1, 4: 0.2}  # of second derivatives
 
 
 def vertices_and_curvature(kernel, quantity, gradient, boxes):
-    value = np.maximum.reduce([attained(kernel, quantity, gradient.support, place) for place in boxes.vertices()])
+    value = boxes.at_vertices(lambda place: attained(kernel, quantity, gradient.support, place)).max(axis=0)
     second = 0.0
     for point in kernel.points:
         offsets = Offsets.of(kernel, boxes, point)

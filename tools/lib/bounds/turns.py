@@ -57,7 +57,7 @@ def _largest_in_space(value: Callable[[np.ndarray, np.ndarray], np.ndarray],
     """Over places in [0, 1/2]^3 and angles, for which 1/2 stands for pi/2. `value` takes places and angles. `curvature`
     gives what the second derivatives along the axes sum to and the one by the angle."""
     def bound(boxes: Boxes):
-        reached = np.maximum.reduce([value(point[1:], math.pi * point[0]) for point in boxes.vertices()])
+        reached = boxes.at_vertices(lambda point: value(point[1:], math.pi * point[0])).max(axis=0)
         along, by_angle = curvature(Boxes(boxes.level, boxes.index[1:]))
         return reached + (along + math.pi**2 * by_angle) / 8 * boxes.side**2, reached
     return supremum(bound, cell(4, half=True), LEVEL, tolerance, 1)

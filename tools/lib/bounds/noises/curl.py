@@ -69,10 +69,9 @@ def longest_pair() -> tuple[float, float]:
     def bound(boxes: Boxes, whole: float, turned: tuple[float, ...]):
         by_place, by_angle = curvature(kernel, Boxes(boxes.level, boxes.index[1:]))
         beyond = (by_place + (2 * whole) ** 2 * by_angle) / 8 * boxes.side**2
-        every = [[along(kernel, point[1:], 2 * whole * point[0] + turn) for turn in turned]
-                 for point in boxes.vertices()]
-        upper = math.prod(np.maximum.reduce(reached) + beyond for reached in zip(*every))
-        return upper, np.maximum.reduce([math.prod(reached) for reached in every])
+        reached = boxes.at_vertices(
+            lambda point: np.array([along(kernel, point[1:], 2 * whole * point[0] + turn) for turn in turned]))
+        return (reached.max(axis=1) + beyond).prod(axis=0), reached.prod(axis=0).max(axis=0)
 
     def largest(whole: float, *turned: float) -> float:
         of_boxes = functools.partial(bound, whole=whole, turned=turned)
