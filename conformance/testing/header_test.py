@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 import unittest
 from pathlib import Path
 
-INCLUDE = Path(__file__).resolve().parent.parent.parent / "include"
+ROOT = Path(__file__).resolve().parent.parent.parent
+INCLUDE = ROOT / "include"
 COMPILERS = sys.argv[1:]
 HEADERS = ("hashnoise.hpp", "glsl.hpp")
 ARITHMETICS = ("HN_FAST", "HN_PRECISE", "HN_FIXED")
@@ -17,7 +19,9 @@ namespace hashnoise {
 HN_FBM2D(fbm_of_simplex, hn_simplex)
 HN_RIDGED2D(ridged_of_value, hn_value)
 HN_WEIGHTED_PERIOD3D(weighted_of_value, hn_value)
-inline float mine(ivec2 cell, vec2 f, uint seed) { return f.x - f.y + static_cast<float>((unsigned(cell.x) ^ seed) & 1u); }
+inline float mine(ivec2 cell, vec2 f, uint seed) {
+  return f.x - f.y + static_cast<float>((unsigned(cell.x) ^ seed) & 1u);
+}
 HN_PING_PONG2D(ping_pong_of_mine, mine)
 HN_FBM_LIMITED2D(limited_of_mine, mine)
 }  // namespace hashnoise
@@ -29,6 +33,81 @@ float all_of_them(float x) {
          weighted_of_value(vec3(x), ivec3(4), 5, 2.0f, 0.5f, 1.0f, 7u) + ping_pong_of_mine(p, 5, 2.0f, 0.5f, 2.0f) +
          limited_of_mine(p, 4.5f, 2.0f, 0.5f, 7u) + limited_of_mine(p, 0.01f, 5, 2.0f, 0.5f, 7u);
 }
+"""
+
+# Every kind of argument of the functions, with the numbers as GLSL writes them, and as C++ does.
+RIGHT = (
+    "hn_perlin(x)", "hn_perlin(x, 7u)", "hn_perlin(x, 16, 7u)", "hn_perlin(d, 7u)", "hn_perlin(0.5)",
+    "hn_perlin({x, x}, 7u)", "hn_perlin(p, ivec2(8, 5), 7u)", "hn_perlin(c, p)", "hn_perlin(c, p, ivec2(8), 0.25, 7u)",
+    "hn_perlin(p, 0.25f, 7u)", "hn_perlin(vec4(x), seed)", "hn_perlin(vec2(d, d), seed)",
+    "hn_value_d(vec4(x), 7u, gradient)", "hn_cellular(p, ivec2(0), 1.0f, HN_METRIC_MANHATTAN, 7u).x",
+    "hn_cellular(p, ivec2(0), 0.5, 3, 7u).x", "hn_fbm(p, 6, 2.0f, 0.5f)", "hn_fbm(p, 6, 2.0, 0.5)",
+    "hn_fbm(p, 6, 2.0, 0.5, 7u)", "hn_fbm(x, octaves, d, 0.5f, seed)", "hn_fbm(p, 2.5f, 2.0f, 0.5f, 7u)",
+    "hn_fbm(p, 0.1f, 3, 2.0f, 0.5f, 7u)", "hn_fbm(p, 0.1, 3, 2.0, 0.5, 7u)", "hn_fbm(c, p, 6, 2.0, 0.5)",
+    "hn_fbm(p, ivec2(4), 6, 2.0, 0.5, 7u)", "hn_ping_pong(p, 6, 2.0, 0.5, 2.0)", "hn_warp(p, 6, 2.0f, 0.5f, 0.25f).x",
+    "hn_curl(p, 7u).x", "hn_gradient(c, 7u).x", "hn_cell(c, 3, 64).x", "float(hn_hash(uvec2(3u, 4u)))", "hn_unorm(7u)",
+)
+# C++ would convert a number, and GLSL does not.
+WRONG = (
+    "hn_fbm(p, 2.5f, 2.0f, .5f)", "hn_fbm(p, 2.5, 2.0, .5)", "hn_fbm(x, 2.5f, 2.0f, .5f)",
+    "hn_fbm(vec4(x), 2.5f, 2.0f, .5f)", "hn_fbm(p, .1f, 3, 2.0f, .5f)", "hn_fbm(p, .1, 3, 2.0, .5)",
+    "hn_fbm(vec3(x), .1f, 3, 2.0f, .5f)", "hn_fbm(p, 6, 2, .5f)", "hn_fbm(p, 6, 2.0f, .5f, 7)",
+    "hn_fbm(p, 6u, 2.0f, .5f)", "hn_fbm(c, p, 2.5f, 2.0f, .5f)", "hn_fbm(p, ivec2(4), 6.0f, 2.0f, .5f, 7u)",
+    "hn_ridged(p, 2.5f, 2.0f, .5f)", "hn_warp(p, 2.5f, 2.0f, .5f, 1.0f).x", "hn_perlin(x, 16)", "hn_perlin(0.5, 16)",
+    "hn_perlin(d, 16)", "hn_perlin(x, octaves)", "hn_perlin(p, 16)", "hn_perlin(p, 16.0f)", "hn_perlin(vec3(x), 16)",
+    "hn_perlin(vec4(x), 16)", "hn_perlin(3, p.x, 7)", "hn_perlin(x, 16u, 7u)", "hn_perlin(p, 1, 7u)",
+    "hn_perlin(x, 7ul)", "hn_perlin(x, true)", "hn_perlin(3)", "hn_perlin(c, p, 7)", "hn_cellular(p, 7).x",
+    "hn_cellular(p, ivec2(0), 1, 3, 7u).x", "hn_cellular(p, ivec2(0), 1.0f, 3.0f, 7u).x", "hn_hash(7)", "hn_unorm(1)",
+    "hn_gradient(c, 7).x",
+)
+CALLS = """
+#include <hashnoise/hashnoise.hpp>
+using namespace hashnoise;
+namespace hashnoise {
+HN_FBM2D(fbm_of_simplex, hn_simplex)
+HN_ONLY_TYPES_OF_GLSL(fbm_of_simplex)
+}  // namespace hashnoise
+float all_of_them([[maybe_unused]] float x, [[maybe_unused]] double d, [[maybe_unused]] vec2 p,
+                  [[maybe_unused]] ivec2 c, [[maybe_unused]] uint seed, [[maybe_unused]] int octaves,
+                  [[maybe_unused]] vec4& gradient) {
+  float sum = 0.0f;
+"""
+
+
+def calls(which: tuple[str, ...]) -> str:
+    """Each on a line of its own."""
+    return CALLS + "".join(f"  sum += {call};\n" for call in which) + "  return sum;\n}\n"
+
+
+def deleted(said: str, which: tuple[str, ...]) -> list[str]:
+    """The calls of which a compiler says that they are deleted."""
+    first = CALLS.count("\n") + 1
+    lines = re.findall(r"^<stdin>:(\d+):\d+: error: (?:use of|call to) deleted function", said, re.M)
+    return [which[line - first] for line in sorted({int(line) for line in lines})]
+
+
+def public_functions() -> list[str]:
+    """The functions that the text of the library has for users."""
+    text = "\n".join(file.read_text(encoding="ascii") for file in sorted((ROOT / "glsl").glob("*.glsl")))
+    named = re.findall(r"^HN_FN \w+ (hn_\w+)\(", text, re.M) + re.findall(r"^HN_\w+[1-4]D\((hn_\w+), ", text, re.M)
+    return sorted({name for name in named if not name.startswith("hn_i_")})
+
+
+# Vectors of lanes take no number of another type either: their constructors are explicit.
+LANES = """
+#include <hashnoise/{first}.hpp>
+#include <hashnoise/{second}.hpp>
+namespace lanes = hashnoise::lanes;
+using lanes::vec2, lanes::Float, lanes::Uint;
+template <typename... T>
+concept Fbm = requires(T... arguments) {{ hn_fbm(arguments...); }};
+template <typename... T>
+concept Perlin = requires(T... arguments) {{ hn_perlin(arguments...); }};
+static_assert(Fbm<vec2, int, float, float> && Fbm<vec2, int, float, float, unsigned>);
+static_assert(Fbm<vec2, float, float, float, unsigned> && Fbm<vec2, float, int, float, float, unsigned>);
+static_assert(Perlin<Float, unsigned> && Perlin<vec2, Uint> && Perlin<Float, int, unsigned>);
+static_assert(!Fbm<vec2, float, float, float> && !Fbm<vec2, float, int, float, float> && !Fbm<vec2, int, int, float>);
+static_assert(!Perlin<Float, int> && !Perlin<vec2, int> && !Perlin<vec2, float>);
 """
 
 
@@ -68,6 +147,34 @@ class Headers(unittest.TestCase):
         for compiler in COMPILERS:
             wrong = "namespace hashnoise {\nHN_FBM2D(wrong, hn_lattice)\n}\n"
             self.assertRegex(says(compiler, including("hashnoise.hpp") + wrong, "-std=c++20"), "error: .*hn_lattice")
+
+    def test_calls_with_the_types_of_glsl_are_taken(self) -> None:
+        for compiler in COMPILERS:
+            for arithmetic in ARITHMETICS:
+                with self.subTest(compiler=compiler, arithmetic=arithmetic):
+                    setting = ("-std=c++20", f"-DHN_ARITHMETIC={arithmetic}")
+                    self.assertEqual(says(compiler, calls(RIGHT), *setting), "")
+
+    def test_calls_that_glsl_refuses_are_deleted(self) -> None:
+        right_and_wrong = (*WRONG, "fbm_of_simplex(p, 2.5f, 2.0f, .5f)", *RIGHT[:3])
+        for compiler in COMPILERS:
+            with self.subTest(compiler=compiler):
+                all_errors = ("-ferror-limit=0",) if "clang" in Path(compiler).name else ()
+                said = says(compiler, calls(right_and_wrong), "-std=c++20", *all_errors)
+                self.assertEqual(deleted(said, right_and_wrong), list(right_and_wrong[:-3]))
+
+    def test_every_function_has_deleted_calls(self) -> None:
+        functions = public_functions()
+        self.assertTrue({"hn_perlin", "hn_fbm", "hn_warp_progressive", "hn_cell", "hn_hash"} <= set(functions))
+        wrong = tuple(f"float({function}(true))" for function in functions)
+        said = says(COMPILERS[0], calls((*wrong, "float(hn_i_mix(true))")), "-std=c++20")
+        self.assertEqual(deleted(said, (*wrong, "a function that is not among them")), list(wrong))
+
+    def test_lanes_take_no_other_numbers_either(self) -> None:
+        for compiler in COMPILERS:
+            for first, second in (("lanes", "lanes"), ("lanes", "hashnoise"), ("hashnoise", "lanes")):
+                with self.subTest(compiler=compiler, first=first, second=second):
+                    self.assertEqual(says(compiler, LANES.format(first=first, second=second), "-std=c++20"), "")
 
 
 if __name__ == "__main__":

@@ -18,6 +18,11 @@
 // must be the same in all translation units in which these three are the same.
 //
 // The macros of octave sums (HN_FBM2D(name, noise) and so on) stay defined. They belong inside of namespace hashnoise.
+//
+// C++ converts numbers that GLSL does not: 2.5f would be 2 octaves, and the 16 of hn_perlin(x, 16) a seed. Such calls
+// are errors of the compiler ("use of deleted function"). An argument has the type that the function names: 7u is a
+// seed and 6 a number of octaves; a double such as 0.5 is a float, as it is in GLSL. HN_ONLY_TYPES_OF_GLSL(name) behind
+// the macros of a sum of your own does the same for it.
 
 #pragma once
 
@@ -25,6 +30,54 @@
 #include "glsl.hpp"  // the first, since it refuses compilers before C++20
 #include "../../glsl/config.glsl"
 #include "../../glsl/again.h"
+// clang-format on
+
+#include <type_traits>
+
+namespace hashnoise::detail {
+
+// Of these types C++ would convert one to another. Vectors of lanes and types of others are not among them: what they
+// convert to is their own affair.
+template <typename T>
+constexpr bool kIsOfGlsl = std::is_arithmetic_v<T>;
+template <typename T>
+constexpr bool kIsOfGlsl<Vector2<T>> = std::is_arithmetic_v<T>;
+template <typename T>
+constexpr bool kIsOfGlsl<Vector3<T>> = std::is_arithmetic_v<T>;
+template <typename T>
+constexpr bool kIsOfGlsl<Vector4<T>> = std::is_arithmetic_v<T>;
+
+template <typename... T>
+constexpr bool kAreOfGlsl = (kIsOfGlsl<T> && ...);
+
+// GLSL's 0.5 is a float.
+template <typename T>
+constexpr bool kIsDouble = std::is_floating_point_v<T> && !std::is_same_v<T, float>;
+template <typename... T>
+constexpr bool kHaveDouble = (kIsDouble<T> || ...);
+template <typename T>
+HN_I_INLINE constexpr auto as_in_glsl(T argument) {
+  if constexpr (kIsDouble<T>) {
+    return static_cast<float>(argument);
+  } else {
+    return argument;
+  }
+}
+
+}  // namespace hashnoise::detail
+
+// Deletes the calls of a function, whose overloads are all declared above, with arguments of types that it does not
+// have. A template with the very types of a call is chosen before a function that would convert one, and after one that
+// converts none. Doubles are converted: the second template is for calls that are wrong even so.
+// clang-format off
+#define HN_ONLY_TYPES_OF_GLSL(name)                                                                       \
+  template <typename... TypesThatGlslRefuses>                                                             \
+  requires(detail::kAreOfGlsl<TypesThatGlslRefuses...> && !detail::kHaveDouble<TypesThatGlslRefuses...>)  \
+  float name(TypesThatGlslRefuses...) = delete;                                                           \
+  template <typename... TypesThatGlslRefuses>                                                             \
+  requires(detail::kAreOfGlsl<TypesThatGlslRefuses...> && detail::kHaveDouble<TypesThatGlslRefuses...> && \
+           !requires(TypesThatGlslRefuses... arguments) { name(detail::as_in_glsl(arguments)...); })      \
+  float name(TypesThatGlslRefuses...) = delete;
 // clang-format on
 
 #define HN_I_PASTE_TOKENS(a, b) a##b
@@ -36,6 +89,52 @@ inline namespace HN_I_PASTE(hash_, HN_HASH) {
 inline namespace HN_I_PASTE(gradient_, HN_GRADIENT) {
 inline namespace HN_I_PASTE(arithmetic_, HN_ARITHMETIC) {
 #include "../../glsl/hashnoise.glsl"
+
+HN_ONLY_TYPES_OF_GLSL(hn_hash_fnv1)
+HN_ONLY_TYPES_OF_GLSL(hn_hash_partial_fnv1)
+HN_ONLY_TYPES_OF_GLSL(hn_hash_jenkins)
+HN_ONLY_TYPES_OF_GLSL(hn_hash_partial_jenkins)
+HN_ONLY_TYPES_OF_GLSL(hn_hash_murmur)
+HN_ONLY_TYPES_OF_GLSL(hn_hash_pcg)
+HN_ONLY_TYPES_OF_GLSL(hn_hash_xxhash32)
+HN_ONLY_TYPES_OF_GLSL(hn_hash)
+HN_ONLY_TYPES_OF_GLSL(hn_lattice)
+HN_ONLY_TYPES_OF_GLSL(hn_unorm)
+HN_ONLY_TYPES_OF_GLSL(hn_snorm)
+HN_ONLY_TYPES_OF_GLSL(hn_gradient)
+HN_ONLY_TYPES_OF_GLSL(hn_gradient1)
+HN_ONLY_TYPES_OF_GLSL(hn_gradient2)
+HN_ONLY_TYPES_OF_GLSL(hn_gradient3)
+HN_ONLY_TYPES_OF_GLSL(hn_gradient4)
+HN_ONLY_TYPES_OF_GLSL(hn_cell)
+HN_ONLY_TYPES_OF_GLSL(hn_fraction)
+HN_ONLY_TYPES_OF_GLSL(hn_value)
+HN_ONLY_TYPES_OF_GLSL(hn_value_d)
+HN_ONLY_TYPES_OF_GLSL(hn_value_cubic)
+HN_ONLY_TYPES_OF_GLSL(hn_perlin)
+HN_ONLY_TYPES_OF_GLSL(hn_simplex)
+HN_ONLY_TYPES_OF_GLSL(hn_simplex_smooth)
+HN_ONLY_TYPES_OF_GLSL(hn_simplex_d)
+HN_ONLY_TYPES_OF_GLSL(hn_cellular)
+HN_ONLY_TYPES_OF_GLSL(hn_cellular_three)
+HN_ONLY_TYPES_OF_GLSL(hn_cellular_d)
+HN_ONLY_TYPES_OF_GLSL(hn_cellular_smooth)
+HN_ONLY_TYPES_OF_GLSL(hn_cell_border)
+HN_ONLY_TYPES_OF_GLSL(hn_curl)
+HN_ONLY_TYPES_OF_GLSL(hn_fbm)
+HN_ONLY_TYPES_OF_GLSL(hn_turbulence)
+HN_ONLY_TYPES_OF_GLSL(hn_clouds)
+HN_ONLY_TYPES_OF_GLSL(hn_billow)
+HN_ONLY_TYPES_OF_GLSL(hn_ridged)
+HN_ONLY_TYPES_OF_GLSL(hn_ping_pong)
+HN_ONLY_TYPES_OF_GLSL(hn_weighted)
+HN_ONLY_TYPES_OF_GLSL(hn_warp)
+HN_ONLY_TYPES_OF_GLSL(hn_warp_progressive)
+#if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
+HN_ONLY_TYPES_OF_GLSL(hn_perlin_d)
+HN_ONLY_TYPES_OF_GLSL(hn_fbm_d)
+HN_ONLY_TYPES_OF_GLSL(hn_eroded)
+#endif
 }
 }
 }
