@@ -17,6 +17,7 @@ from bounds.noises import value as value_noise
 from bounds.noises import value_cubic
 from bounds.noises.perlin import floats as perlin
 from bounds.table import bounds_of, slope_bounds_of
+from thorough import some
 
 CASES = noises.find("perlin").CASES
 DIMS = (1, 2, 3, 4)
@@ -187,14 +188,15 @@ class Octaves(unittest.TestCase):
         kind. `arguments` draws those of a Sum, `spread` points; from a cell these are cells and fractions."""
         rng, worst = np.random.default_rng(seed), dict.fromkeys(kinds, 0.0)
         for kind, dims in self.NOISES:
-            for name, shader in ((name, shader) for name in kinds for shader in simulated or shaders(12)):
-                s = sums.Sum(name, **arguments(rng, name))
-                p = (spread or self.spread)(rng, dims, s.p_max)
-                simulated_sum, exact_sum = self.pair(shader, kind, s, p)
-                tolerance = sums.octave_tolerance(s, proven(kind, dims))
-                error = abs(simulated_sum - exact_sum).max()
-                self.assertLessEqual(error, tolerance, s)
-                worst[name] = max(worst[name], error / tolerance)
+            for turn, name in enumerate(kinds, dims):
+                for shader in simulated or some(shaders(12), turn, 2):
+                    s = sums.Sum(name, **arguments(rng, name))
+                    p = (spread or self.spread)(rng, dims, s.p_max)
+                    simulated_sum, exact_sum = self.pair(shader, kind, s, p)
+                    tolerance = sums.octave_tolerance(s, proven(kind, dims))
+                    error = abs(simulated_sum - exact_sum).max()
+                    self.assertLessEqual(error, tolerance, s)
+                    worst[name] = max(worst[name], error / tolerance)
         return worst
 
     @staticmethod

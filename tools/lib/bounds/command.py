@@ -38,15 +38,22 @@ def keys() -> list[Key]:
     return [(name, dims, gradient) for name in noises.names() for dims, gradient in noises.find(name).CASES]
 
 
-def derive_one(index: int) -> Derived:
-    noise, dims, gradient = keys()[index]
-    return noises.find(noise).derive(dims, gradient)
+def family(key: Key) -> str:
+    """What the noises begin with that are proven of the same suprema: simplex_d_phase is a simplex."""
+    return key[0].split("_")[0]
+
+
+def derive_family(name: str) -> list[Derived]:
+    return [noises.find(key[0]).derive(*key[1:]) for key in keys() if family(key) == name]
 
 
 def derive() -> Everything:
-    """All of it, on all cores."""
+    """All of it, on all cores: each family in one process, which computes once what its noises share."""
+    families = {name: [key for key in keys() if family(key) == name] for name in map(family, keys())}
     with ProcessPoolExecutor() as pool:
-        return dict(zip(keys(), pool.map(derive_one, range(len(keys())))))
+        derived = {key: of_key for of_family, some in zip(families.values(), pool.map(derive_family, families))
+                   for key, of_key in zip(of_family, some)}
+    return {key: derived[key] for key in keys()}
 
 
 def rendered(derived: Everything) -> str:

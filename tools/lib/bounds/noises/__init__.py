@@ -15,6 +15,7 @@ and, if it returns more than one number or sets an offset,
 
 from __future__ import annotations
 
+import functools
 import importlib
 import pkgutil
 from dataclasses import dataclass
@@ -51,8 +52,9 @@ def listed(ranges: list[float]) -> str:
     return f"{', '.join(texts[:-1])} and {texts[-1]}"
 
 
-def names() -> list[str]:
-    return [module.name for module in pkgutil.iter_modules(__path__)]
+@functools.cache  # prose and comments are searched for them thousands of times
+def names() -> tuple[str, ...]:
+    return tuple(module.name for module in pkgutil.iter_modules(__path__))
 
 
 def find(name: str) -> ModuleType:
