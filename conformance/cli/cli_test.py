@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """hn-conform as its user meets it: exit statuses and messages. Usage: cli_test.py PATH-OF-HN-CONFORM"""
 
+import fnmatch
 import json
 import os
 import pathlib
@@ -17,6 +18,7 @@ PROGRAM = ""
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 BYTES = b"\xff\x1b[2J\x00\x9b1m\xc2\x9b\x07\r\x7f" * 300
 ONE_CASE = "noise2d.perlin.lattice.fast.fragment.gl330.golden"
+CHEAP_CASE = "bugs.abs_of_int.any.exact.fragment.gl330.defined"  # needs no list of the cases of all functions
 
 
 class Cli(unittest.TestCase):
@@ -47,16 +49,15 @@ class Cli(unittest.TestCase):
         root = xml.etree.ElementTree.parse(self.out / "junit.xml").getroot()
         return {suite.get("name"): suite for suite in root.findall("testsuite")}
 
-    def changed_glsl(self, name, *changes):
-        """A copy of glsl/ with (old, new) replaced, once each, in one file."""
+    def changed_glsl(self, *changes):
+        """A copy of glsl/ with changes made: (file, old, new), each once."""
         copy = self.folder / "glsl"
         shutil.rmtree(copy, ignore_errors=True)
         shutil.copytree(ROOT / "glsl", copy)
-        text = (copy / name).read_text()
-        for old, new in changes:
+        for name, old, new in changes:
+            text = (copy / name).read_text()
             self.assertIn(old, text)
-            text = text.replace(old, new, 1)
-        (copy / name).write_text(text)
+            (copy / name).write_text(text.replace(old, new, 1))
         return copy
 
     def assert_printable(self, text):
@@ -68,17 +69,14 @@ class Cli(unittest.TestCase):
         shutil.copytree(ROOT / "conformance" / "expected" / "golden", copy)
         return copy
 
-    def test_a_healthy_case_passes(self):
-        done = self.run_case()
+    def test_a_healthy_case_passes_and_leaves_a_page_and_a_file_for_build_servers(self):
+        done = self.run_case("--seed", "5")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("1 pass; ", done.stdout)
         case, = self.results()["runs"][0]["cases"]
         self.assertEqual(case["id"], ONE_CASE)
         self.assertEqual(case["status"], "pass")
         self.assertGreater(case["samples"], 100)
-
-    def test_a_run_leaves_a_page_and_a_file_for_build_servers(self):
-        self.run_case("--seed", "5")
         page = self.page()
         self.assertIn("All as expected: 1 case on 1 driver", page)
         self.assertIn(f"hn-conform run --out {self.out} --filter {ONE_CASE} --seed 5", page)
@@ -94,7 +92,7 @@ class Cli(unittest.TestCase):
         self.assertEqual((test.get("classname"), test.get("name")), ("noise2d.perlin", ONE_CASE))
 
     def test_what_failed_has_its_evidence(self):
-        glsl = self.changed_glsl("hash.glsl", ("0x2C1B3C6Du", "0x2C1B3C6Fu"))
+        glsl = self.changed_glsl(("hash.glsl", "0x2C1B3C6Du", "0x2C1B3C6Fu"))
         self.run_case("--glsl", glsl, "--filter", "hash.lattice2.lattice.*.fragment.gl330.golden")
         case = self.cases()[ONE_CASE]
         evidence = case["evidence"]
@@ -113,7 +111,7 @@ class Cli(unittest.TestCase):
     def test_merging_tells_the_same_again(self):
         for shard in ("1/2", "2/2"):
             out = self.folder / shard[0]
-            self.call("run", "--out", out, "--filter", "noise2d.perlin.lattice.fast.fragment*golden", "--shard", shard)
+            self.call("run", "--out", out, "--filter", "bugs.*_of_int*.gl330.defined", "--shard", shard)
         done = self.call("merge", self.folder / "1", self.folder / "2", "--out", self.out)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("All as expected: 3 cases", self.page())
@@ -126,12 +124,6 @@ class Cli(unittest.TestCase):
         done = self.call("list", "--filter", "noise2d.perlin.lattice.fast.fragment.*.golden")
         self.assertEqual(done.returncode, 0)
         self.assertEqual(len(done.stdout.splitlines()), 3)
-
-    def test_drivers_names_what_is_here(self):
-        done = self.call("drivers")
-        self.assertEqual(done.returncode, 0)
-        self.assertIn("osmesa", done.stdout)
-        self.assertIn("llvmpipe", done.stdout)
 
     def test_bad_usage_is_status_2_and_says_what_would_be_right(self):
         (self.folder / "file").write_text("")
@@ -180,11 +172,10 @@ class Cli(unittest.TestCase):
                 self.assert_printable(done.stderr + done.stdout)
 
     def test_an_injected_fault_turns_the_run_red_and_names_what_suffers(self):
-        bug = "bugs.abs_of_int.any.exact.fragment.gl330.defined"
-        self.assertEqual(self.run_case(case=bug).returncode, 0)
-        done = self.run_case("--inject", "abs_int", case=bug)
+        self.assertEqual(self.run_case(case=CHEAP_CASE).returncode, 0)
+        done = self.run_case("--inject", "abs_int", case=CHEAP_CASE)
         self.assertEqual(done.returncode, 1)
-        self.assertIn(bug, done.stdout)
+        self.assertIn(CHEAP_CASE, done.stdout)
         self.assertIn("emulate_abs_int_function", done.stdout)
         self.assertEqual(self.run_case("--inject", "abs_int").returncode, 0)  # the noise takes abs of floats alone
         done = self.run_case("--inject", "integers_16_bits")
@@ -203,7 +194,7 @@ class Cli(unittest.TestCase):
 
     def test_what_the_specification_leaves_open_is_a_warning(self):
         bug = "bugs.modulo_of_negative.any.exact.fragment.gl330.undefined"
-        done = self.run_case("--thorough", "--filter", ONE_CASE, case=bug)
+        done = self.run_case("--filter", CHEAP_CASE, case=bug)
         self.assertEqual(done.returncode, 0, done.stdout)
         case = next(case for case in self.results()["runs"][0]["cases"] if case["id"] == bug)
         self.assertEqual(case["status"], "warning")
@@ -214,12 +205,15 @@ class Cli(unittest.TestCase):
         for command in ([], ["run"], ["list"], ["drivers"]):
             self.assertEqual(self.call(*command, "--help").returncode, 0)
 
-    def test_a_driver_that_is_not_here_is_status_3(self):
-        self.assertEqual(self.run_case().returncode, 0)
+    def without_osmesa(self):
         for name in ("libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"):
             (self.folder / name).write_text("no library")
-        broken = {"LD_LIBRARY_PATH": str(self.folder)}
-        done = self.run_case(environment=broken)
+        return {"LD_LIBRARY_PATH": str(self.folder)}
+
+    def test_a_driver_that_is_not_here_is_status_3(self):
+        self.assertEqual(self.run_case(case=CHEAP_CASE).returncode, 0)
+        broken = self.without_osmesa()
+        done = self.run_case(case=CHEAP_CASE, environment=broken)
         self.assertEqual(done.returncode, 3, done.stderr)
         self.assertIn("the driver osmesa is not here", done.stderr)
         run, = self.results()["runs"]  # those of the run before are gone
@@ -227,42 +221,65 @@ class Cli(unittest.TestCase):
         self.assertNotIn("cases", run)
         self.assertIn("the driver osmesa is not here", self.page())
         self.assertIn("libOSMesa", self.suites()["osmesa"].find("testcase/skipped").text)
-        self.assertIn("not here:", self.call("drivers", environment=broken).stdout)
+
+    def test_drivers_names_what_is_here_and_what_is_not(self):
+        # Without programs, such as Chromium, whose start costs more than all else here.
+        done = self.call("drivers", environment={**self.without_osmesa(), "PATH": str(self.folder)})
+        self.assertEqual(done.returncode, 0, done.stderr)
+        lines = done.stdout.splitlines()
+        below = {line.split()[0]: lines[i + 1] for i, line in enumerate(lines[:-1]) if not line.startswith(" ")}
+        self.assertIn("not here:", below["osmesa"])
+        self.assertIn("llvmpipe", below["egl"])
+        self.assertIn("not here:", below["webgl2"])
 
     def test_a_changed_constant_turns_the_run_red(self):
-        for check in ("golden", "twin"):
-            with self.subTest(check=check):
-                glsl = self.changed_glsl("hash.glsl", ("0x85EBCA77u", "0x85EBCA79u"))
-                done = self.run_case("--glsl", glsl, case=f"noise2d.perlin.lattice.fast.fragment.gl330.{check}")
-                self.assertEqual(done.returncode, 1)
-                self.assertIn("NOT AS EXPECTED", done.stdout)
-                self.assertGreater(self.results()["runs"][0]["cases"][0]["mismatches"], 100)
+        glsl = self.changed_glsl(("hash.glsl", "0x85EBCA77u", "0x85EBCA79u"))
+        perlin = "noise2d.perlin.lattice.fast.fragment.gl330"
+        done = self.run_case("--glsl", glsl, "--filter", f"{perlin}.twin", case=f"{perlin}.golden")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("NOT AS EXPECTED", done.stdout)
+        self.assertEqual(set(self.cases()), {f"{perlin}.golden", f"{perlin}.twin"})
+        for name, case in self.cases().items():
+            self.assertGreater(case["mismatches"], 100, name)
 
     def test_every_other_check_can_fail(self):
         perlin = "noise2d.perlin.lattice.fast.fragment.gl330"
-        for check, case, name, *changes in (
-            ("range", f"{perlin}.range", "gradient.glsl", ("n, 1365)", "n, 2365)")),
-            ("range, little used", f"{perlin}.range", "gradient.glsl", ("n, 1365)", "n, 365)")),
-            ("zero", f"{perlin}.zero", "perlin2d.glsl", ("hn_i_fraction(p)", "hn_i_fraction(p) + 0.25f")),
-            ("seeds", f"{perlin}.seeds", "lattice.glsl", ("first, last, s, s, 0u)", "first, last, 0u, 0u, 0u)")),
-            ("mirror", f"{perlin}.mirror", "perlin2d.glsl",
-             ("hn_i_cell(p), hn_i_fraction(p)", "hn_i_cell(abs(p)), hn_i_fraction(abs(p))")),
-            ("finite", f"{perlin}.finite", "perlin2d.glsl", ("hn_i_fraction(p), seed", "hn_i_fraction(p) + 0.25f, seed")),
-            ("other_noise", "fbm.fbm2.*.fast.*.other_noise", "octaves.glsl",
-             ("add, noise(hn_i_cell_of(q), hn_i_place_of(q), s.seed", "add, hn_perlin(hn_i_cell_of(q), hn_i_place_of(q), s.seed")),
-            ("other_noise", "fbm.ridged2_cell_period.*.fixed.*.other_noise", "octaves.glsl",
-             ("noise(hn_i_cell_of(q), hn_i_place_of(q), period", "hn_perlin(hn_i_cell_of(q), hn_i_place_of(q), period")),
-            ("refused", "config.hash_beyond_the_last.*.gl330.refused_by_glslang", "config.glsl", ("HN_HASH > 9", "HN_HASH > 99")),
-            ("refused", "config.hash_beyond_the_last.*.gl330.refused_by_driver", "config.glsl", ("HN_HASH > 9", "HN_HASH > 99")),
-            ("refused", "config.arithmetic_4.*.gl330.*", "config.glsl", ("HN_ARITHMETIC > 3", "HN_ARITHMETIC > 99")),
-            ("refused", "config.precise_too_early.*.gl330.*", "config.glsl", ("HN_I_VERSION >= 400", "HN_I_VERSION >= 300")),
-            ("no reason", "config.version_120.*.refused_by_driver", "config.glsl", ("needs GLSL 1.30", "needs more")),
-            ("spirv", "hash.all.pcg.fast.fragment.vulkan.spirv", "hash.glsl", ("2891336453u", "2891336453.5")),
+        # What does not disturb each other is changed at once: (cases, file, old, new). Cases alone suffer from the others.
+        for group in (
+            (
+                (f"{perlin}.range", "gradient.glsl", "n, 1365)", "n, 2365)"),
+                (f"{perlin}.seeds", "lattice.glsl", "first, last, s, s, 0u)", "first, last, 0u, 0u, 0u)"),
+                ("fbm.fbm2.*.fast.*.other_noise", "octaves.glsl",
+                 "add, noise(hn_i_cell_of(q), hn_i_place_of(q), s.seed",
+                 "add, hn_perlin(hn_i_cell_of(q), hn_i_place_of(q), s.seed"),
+                ("fbm.ridged2_cell_period.*.fixed.*.other_noise", "octaves.glsl",
+                 "noise(hn_i_cell_of(q), hn_i_place_of(q), period",
+                 "hn_perlin(hn_i_cell_of(q), hn_i_place_of(q), period"),
+                ("config.hash_beyond_the_last.*.gl330.refused_*", "config.glsl", "HN_HASH > 9", "HN_HASH > 99"),
+                ("config.arithmetic_4.*.gl330.*", "config.glsl", "HN_ARITHMETIC > 3", "HN_ARITHMETIC > 99"),
+                ("config.precise_too_early.*.gl330.*", "config.glsl", "HN_I_VERSION >= 400", "HN_I_VERSION >= 300"),
+                ("config.version_120.*.refused_by_driver", "config.glsl", "needs GLSL 1.30", "needs more"),  # no reason
+            ),
+            (
+                (f"{perlin}.range", "gradient.glsl", "n, 1365)", "n, 365)"),  # little of it is used
+                (f"{perlin}.mirror", "perlin2d.glsl", "hn_i_cell(p), hn_i_fraction(p)",
+                 "hn_i_cell(abs(p)), hn_i_fraction(abs(p))"),
+            ),
+            (
+                (f"{perlin}.zero", "perlin2d.glsl", "hn_i_fraction(p)", "hn_i_fraction(p) + 0.25f"),
+                (f"{perlin}.finite",),
+            ),
+            (("hash.all.pcg.fast.fragment.vulkan.spirv", "hash.glsl", "2891336453u", "2891336453.5"),),
         ):
-            with self.subTest(check=check):
-                done = self.run_case("--glsl", self.changed_glsl(name, *changes), case=case)
+            with self.subTest(group=[cases for cases, *_ in group]):
+                filters = [argument for cases, *_ in group for argument in ("--filter", cases)]
+                glsl = self.changed_glsl(*(change for _, *change in group if change))
+                done = self.call("run", "--out", self.out, "--thorough", "--glsl", glsl, *filters)
                 self.assertEqual(done.returncode, 1, done.stdout)
-                self.assertEqual(self.results()["runs"][0]["totals"]["pass"], 0)
+                found = self.cases()
+                for cases, *_ in group:
+                    self.assertTrue(fnmatch.filter(found, cases), cases)
+                self.assertEqual([name for name, case in found.items() if case["status"] == "pass"], [])
 
     def test_unsupported_is_neither_passed_nor_failed(self):
         done = self.run_case(case="hash.all.lattice.fast.fragment.gl460.driver")
@@ -272,80 +289,83 @@ class Cli(unittest.TestCase):
         self.assertIn("GLSL 4.60 is beyond this context's 4.50", done.stdout)
 
     def test_a_changed_default_seed_turns_the_run_red(self):
-        glsl = self.changed_glsl("perlin2d.glsl", ("hn_perlin(p, 0u)", "hn_perlin(p, 1u)"))
+        glsl = self.changed_glsl(("perlin2d.glsl", "hn_perlin(p, 0u)", "hn_perlin(p, 1u)"))
         done = self.run_case("--glsl", glsl, case="noise2d.perlin.*unseeded")
         self.assertEqual(done.returncode, 1)
 
     def test_a_shader_that_does_not_compile_shows_file_and_line_and_the_run_goes_on(self):
         line = 1 + (ROOT / "glsl" / "noise2d.glsl").read_text().splitlines().index("#include \"perlin2d.glsl\"")
-        glsl = self.changed_glsl("noise2d.glsl", ("#include \"perlin2d.glsl\"\n",
-                                                   "#include \"perlin2d.glsl\" \nint x = broken;\n"))
-        done = self.run_case("--glsl", glsl, "--thorough", "--filter", "hash.word.fnv1.*golden", "--filter",
-                             "noise2d.all.lattice.*")
+        glsl = self.changed_glsl(("noise2d.glsl", "#include \"perlin2d.glsl\"\n",
+                                  "#include \"perlin2d.glsl\" \nint x = broken;\n"))
+        profiles = ("gl140", "gl330", "es300")
+        broken = [argument for profile in profiles
+                  for argument in ("--filter", f"noise2d.all.lattice.fast.fragment.{profile}.*")]
+        done = self.run_case("--glsl", glsl, "--thorough", *broken, case=CHEAP_CASE)
         self.assertEqual(done.returncode, 1)
         cases = self.cases()
-        for profile in ("gl140", "gl330", "es300"):
+        for profile in profiles:
             for check in ("glslang", "driver"):
                 message = cases[f"noise2d.all.lattice.fast.fragment.{profile}.{check}"]["message"]
                 self.assertIn(f"{glsl}/noise2d.glsl:{line + 1}", message)
-        self.assertEqual(cases["hash.word.fnv1.exact.fragment.gl330.golden"]["status"], "pass")
-
-    def test_a_missing_golden_file_is_an_error_that_names_it(self):
-        golden = self.golden_copy()
-        (golden / "noise2d.perlin.golden").unlink()
-        done = self.run_case("--golden", golden)
-        self.assertEqual(done.returncode, 1)
-        self.assertEqual(self.results()["runs"][0]["cases"][0]["status"], "error")
-        self.assertIn(f"{golden}/noise2d.perlin.golden", done.stdout)
-
-    def test_a_corrupt_golden_file_is_an_error_that_names_the_line(self):
-        golden = self.golden_copy()
-        path = golden / "noise2d.perlin.golden"
-        lines = path.read_text().splitlines()
-        lines[20] = lines[20].replace(" = ", " = z", 1)
-        path.write_text("\n".join(lines) + "\n")
-        done = self.run_case("--golden", golden)
-        self.assertEqual(done.returncode, 1)
-        self.assertIn(f"{path}:21: ", done.stdout)
+        self.assertEqual(cases[CHEAP_CASE]["status"], "pass")
 
     def test_whatever_a_golden_file_is_its_case_is_an_error_that_can_be_printed(self):
         golden = self.golden_copy()
-        path = golden / "noise2d.perlin.golden"
-        text = path.read_text()
-        value = text.index(" = ", text.index("rows ")) + 3
+        damages = {  # one for each file, so that one run shows them all: (content, what is said of it)
+            "perlin": lambda path, text: (BYTES, f"{path}:1: \"\\xff\\x1b[2J"),
+            "perlin_cell": lambda path, text: (bytes(100000), f"{path}:1: \"\\x00"),
+            "perlin_period": lambda path, text:
+                (b"", f"{path}:0: the file ends where \"hashnoise golden 2\" should be"),
+            "perlin_cell_period": lambda path, text:
+                (text.replace("\n", "\r\n").encode(), f"{path}:1: \"hashnoise golden 2\\r\" should be "),
+            "value": lambda path, text:
+                (text.replace("value", "perlin", 1).encode(),
+                 f"{path}:2: \"function noise2d.perlin\" should be \"function noise2d.value\""),
+            "value_cell": lambda path, text:
+                (changed(text, lambda at: text[:at] + "\x9b1m\x07" + text[at:]), f"{path}:8: \"\\x9b1m\\x07"),
+            "value_period": lambda path, text: (text[:-20].encode(), f"{path}:{text.count(chr(10))}: \""),
+            "value_cell_period": lambda path, text:
+                ("folder", f"cannot read {path}: Is a directory; it is a golden file, and tools/golden writes it"),
+            "value_cubic": lambda path, text: ("missing", f"{path}"),
+            "value_cubic_cell": lambda path, text:
+                (changed(text, lambda at: text[:at] + "z" + text[at:]), f"{path}:8: "),
+        }
+
+        def changed(text, change):
+            return change(text.index(" = ", text.index("rows ")) + 3).encode("latin-1")  # at the first value
+
+        expected = {}
+        for name, damage in damages.items():
+            path = golden / f"noise2d.{name}.golden"
+            content, expected[f"noise2d.{name}.lattice.fast.fragment.gl330.golden"] = damage(path, path.read_text())
+            path.unlink()
+            if content == "folder":
+                path.mkdir()
+            elif content != "missing":
+                path.write_bytes(content)
         good = "noise3d.perlin.lattice.fast.fragment.gl330.golden"
-        for name, content, expected in (
-            ("random bytes", BYTES, f"{path}:1: \"\\xff\\x1b[2J"),
-            ("zeros", bytes(100000), f"{path}:1: \"\\x00"),
-            ("nothing", b"", f"{path}:0: the file ends where \"hashnoise golden 2\" should be"),
-            ("of Windows", text.replace("\n", "\r\n").encode(), f"{path}:1: \"hashnoise golden 2\\r\" should be "),
-            ("of another function", text.replace("perlin", "value").encode(),
-             f"{path}:2: \"function noise2d.value\" should be \"function noise2d.perlin\""),
-            ("bytes in a row", text[:value].encode() + b"\x9b1m\x07" + text[value:].encode(),
-             f"{path}:8: \"\\x9b1m\\x07"),
-            ("cut off", text[:-20].encode(), f"{path}:{text.count(chr(10))}: \""),
-            ("a folder", None, f"cannot read {path}: Is a directory; it is a golden file, and tools/golden writes it"),
-        ):
-            with self.subTest(name):
-                path.unlink()
-                if content is None:
-                    path.mkdir()
-                else:
-                    path.write_bytes(content)
-                done = self.run_case("--golden", golden, "--filter", good)
-                self.assertEqual(done.returncode, 1)
-                self.assertEqual({id: case["status"] for id, case in self.cases().items()},
-                                 {ONE_CASE: "error", good: "pass"})
-                self.assertIn(expected, done.stdout)
-                self.assertIn("tools/golden", self.cases()[ONE_CASE]["message"])
-                self.assert_printable(done.stdout + done.stderr + self.cases()[ONE_CASE]["message"])
-                self.assertLess(len(self.cases()[ONE_CASE]["message"]), 500)
+        filters = [argument for case in expected for argument in ("--filter", case)]
+        done = self.run_case("--golden", golden, *filters, case=good)
+        self.assertEqual(done.returncode, 1)
+        cases = self.cases()
+        self.assertEqual({id: case["status"] for id, case in cases.items()},
+                         {**dict.fromkeys(expected, "error"), good: "pass"})
+        self.assert_printable(done.stdout + done.stderr)
+        for id, said in expected.items():
+            with self.subTest(id):
+                message = cases[id]["message"]
+                self.assertIn(said, message)
+                self.assertIn("tools/golden", message)
+                self.assert_printable(message)
+                self.assertLess(len(message), 500)
+        self.assertIn(expected[ONE_CASE], done.stdout)
 
     def test_a_shader_of_any_bytes_leaves_the_terminal_alone(self):
-        glsl = self.changed_glsl("perlin2d.glsl")
+        glsl = self.changed_glsl()
         (glsl / "perlin2d.glsl").write_bytes(BYTES)
-        done = self.run_case("--glsl", glsl)
+        done = self.run_case("--glsl", glsl, case="noise2d.all.lattice.fast.fragment.gl330.*")  # by both compilers
         self.assertEqual(done.returncode, 1)
+        self.assertEqual({case["status"] for case in self.cases().values()}, {"fail"})
         self.assert_printable(done.stdout + done.stderr)
 
     def test_a_wrong_golden_value_fails(self):
@@ -363,7 +383,7 @@ class Cli(unittest.TestCase):
                 self.assertEqual(self.results()["runs"][0]["totals"]["fail"], 3)
 
     def test_fail_fast_stops(self):
-        glsl = self.changed_glsl("gradient.glsl", ("n, 1365)", "n, 1366)"))
+        glsl = self.changed_glsl(("gradient.glsl", "n, 1365)", "n, 1366)"))
         self.run_case("--glsl", glsl, "--fail-fast", case="noise2d.perlin.*.golden")
         self.assertEqual(len(self.results()["runs"][0]["cases"]), 1)
 
@@ -410,7 +430,7 @@ class Cli(unittest.TestCase):
     def test_the_seed_chooses_the_points(self):
         case = "noise3d.perlin.lattice.fast.fragment.gl330.twin"
         seen = []
-        for seed in (1, 1, 2):
+        for seed in (2, 2):
             self.assertEqual(self.run_case("--seed", seed, case=case).returncode, 0)
             run = self.results()["runs"][0]
             self.assertEqual(run["seed"], seed)
