@@ -167,7 +167,7 @@ TEST(Twin, BitsOfPreciseAndFixedDoNotDependOnSubnormals) {
     if (configuration.fast()) continue;
     for (const Function& function : all_functions()) {
       if (!covers(configuration, function)) continue;
-      const auto inputs = random_points(function, 20000, Random(1, function.id), defined_extremes(configuration));
+      const auto inputs = random_points(function, 4000, Random(1, function.id), defined_extremes(configuration));
       const auto values = twin_of(function, configuration, inputs);
       const FlushedSubnormals flushed;
       EXPECT_TRUE(values == twin_of(function, configuration, inputs)) << function.id << " " << configuration.name;

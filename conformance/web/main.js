@@ -31,7 +31,12 @@ async function run(suite) {
   const results = [];
   let info = null;
   let shown = -Infinity;
+  const start = performance.now();
+  const stop = document.getElementById("stop");
+  stop.hidden = false;
+  stop.addEventListener("click", () => (stop.disabled = true));
   await runSuite(suite, {
+    wantsMore: () => !stop.disabled,
     async ready(context) {
       info = context;
       showContext(info);
@@ -40,7 +45,7 @@ async function run(suite) {
     async started(id) {
       if (performance.now() - shown > kMillisecondsBetweenProgress) {
         shown = performance.now();
-        showProgress(results, suite.cases.length, id);
+        showProgress(results, suite.cases.length, id, performance.now() - start);
       }
       await tell(suite, { type: "started", id });
     },

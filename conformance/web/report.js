@@ -21,12 +21,13 @@ export function asExpected(results) {
 }
 
 // Of the schema that hn-conform writes (docs/formats.md). The page has the random points of seed 1.
-export function resultsJson({ version, library, api }, info, results) {
+export function resultsJson({ version, library, api, cases }, info, results) {
+  const notRun = cases.length - results.length; // since somebody has stopped the page
   const totals = Object.fromEntries(kStatuses.map((status) => [status, count(results, status)]));
   const date = new Date().toISOString().replace(/\.\d+Z$/, "Z");
   const tested = library === null ? {} : { library };
-  const run = { driver: api, ...info, seed: 1, ...tested, date, totals, as_expected: asExpected(results),
-                cases: results };
+  const run = { driver: api, ...info, seed: 1, ...tested, date, totals, ...(notRun ? { not_run: notRun } : {}),
+                as_expected: notRun === 0 && asExpected(results), cases: results };
   return JSON.stringify({ schema: 2, version, runs: [run] }, null, 1) + "\n";
 }
 
@@ -118,9 +119,20 @@ export function showContext(info) {
   place("versions").textContent = `${info.gl_version}; ${info.glsl_version}`;
 }
 
-export function showProgress(results, total, current) {
+// Below this the mean of the cases so far says nothing of those to come.
+const kEnoughToEstimate = 20;
+
+// As "2:05 left": what the cases that are left take if they take as long as those before.
+function timeLeft(done, total, milliseconds) {
+  if (done < kEnoughToEstimate) return "";
+  const seconds = Math.ceil((milliseconds / done) * (total - done) / 1000);
+  return `, about ${Math.floor(seconds / 60)}:${String(seconds % 60).padStart(2, "0")} left`;
+}
+
+export function showProgress(results, total, current, milliseconds) {
   const wrong = bad(results).length;
-  setVerdict(`Checking ${results.length + 1} of ${total}${wrong ? `, ${wrong} failed` : ""} …`, wrong ? "bad" : "");
+  const left = timeLeft(results.length, total, milliseconds);
+  setVerdict(`Checking ${results.length + 1} of ${total}${wrong ? `, ${wrong} failed` : ""}${left} …`, wrong ? "bad" : "");
   place("progress").max = total;
   place("progress").value = results.length;
   place("current").textContent = current;
@@ -129,14 +141,18 @@ export function showProgress(results, total, current) {
 // Nothing can be checked, or no further.
 export function showStopped(title, message) {
   setVerdict(title, "bad");
+  place("stop").hidden = true;
   place("progress").remove();
   place("current").textContent = message;
 }
 
 export function showResults(suite, info, results) {
   const good = asExpected(results);
-  setVerdict(good ? "All as expected" : "NOT AS EXPECTED", good ? "good" : "bad");
+  const total = suite.cases.length;
+  const stopped = results.length === total ? "" : `, stopped after ${results.length} of ${total}`;
+  setVerdict((good ? "All as expected" : "NOT AS EXPECTED") + stopped, !good ? "bad" : stopped ? "" : "good");
   const samples = results.reduce((sum, result) => sum + result.samples, 0);
+  place("stop").hidden = true;
   place("progress").remove();
   place("current").textContent = `${totalsText(results)}; ${samples.toLocaleString("en")} values compared`;
   offer(resultsJson(suite, info, results));

@@ -39,12 +39,14 @@ async function reopened(open) {
 
 const kOpen = { webgl2: () => new Renderer(openContext()), webgpu: openDevice };
 
-// listener: async ready(info), started(id), finished(result). Throws NoContext if there is none.
+// listener: async ready(info), started(id), finished(result); wantsMore(), which is asked before each case. Throws
+// NoContext if there is none.
 export async function runSuite(suite, listener) {
   // What runs the cases of each API; null where it was lost. The page cannot do without one.
   const renderers = { [suite.api]: await kOpen[suite.api]() };
   await listener.ready(renderers[suite.api].describe());
   for (const test of suite.cases) {
+    if (!listener.wantsMore()) return;
     const api = suite.apiOf(test);
     await listener.started(test.id);
     let outcome;
