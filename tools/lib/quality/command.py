@@ -130,8 +130,7 @@ def chosen_twins(options, folder: Path) -> list[library.Twin]:
 
 def judge_given(options, folder: Path) -> int:
     """Judges words from files."""
-    twin = library.build("stage", [], options.include, folder)
-    passed = True
+    given, passed = [], True
     for n, path in ((2, options.words2), (3, options.words3)):
         if path is None:
             continue
@@ -142,7 +141,10 @@ def judge_given(options, folder: Path) -> int:
         if words.ndim != n or words.dtype not in (np.uint32, np.int32) or min(words.shape) < 64:
             options.parser.error(f"{path} is not an array of 32-bit words with {n} axes of 64 or more: it has "
                                  f"{words.dtype} and the shape {words.shape}")
-        result = HashResult(str(path), n, gate.judge_words(words.view(np.uint32), twin), None)
+        given.append((str(path), n, words.view(np.uint32)))
+    twin = library.build("stage", [], options.include, folder)
+    for name, n, words in given:
+        result = HashResult(name, n, gate.judge_words(words, twin), None)
         print(report.verdict(result))
         passed &= result.passed
     return 0 if passed else 1

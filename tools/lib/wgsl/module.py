@@ -55,7 +55,8 @@ class Module:
             raise Unknown(NO_PRECISE)
         others = []
         if settings.hash_function:
-            others = Parser(tokens_of(f"uint {settings.hash_function}(uint k) {{ return k; }}", "the options", 1)).parse()
+            tokens = tokens_of(f"uint {settings.hash_function}(uint k) {{ return k; }}", "the options", 1)
+            others = Parser(list(tokens)).parse()
         self.translator = Translator(Parser(preprocessor.tokens).parse(), preprocessor.constants,
                                      [function for function in others if isinstance(function, Function)])
 

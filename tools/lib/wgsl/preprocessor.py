@@ -60,7 +60,7 @@ class Preprocessor:
         self._define(text.rstrip(), text, 0, "")
 
     def expanded(self, line: str) -> str:
-        return " ".join(token.text for token in self._expanded(tokens_of(line, line, 0), keep_constants=True))
+        return " ".join(token.text for token in self._expanded(list(tokens_of(line, line, 0)), keep_constants=True))
 
     def stands_for(self, name: str, text: str) -> bool:
         """Whether a macro is defined as that text."""
@@ -86,7 +86,7 @@ class Preprocessor:
             raise Unknown(f"{path}: an #if has no #endif")
 
     def _take(self, code: str, comment: str, path: str, line: int) -> None:
-        tokens = tokens_of(code, path, line)
+        tokens = list(tokens_of(code, path, line))
         if not tokens:
             self._comments.append(comment)
             return
@@ -233,7 +233,7 @@ class Preprocessor:
     def _holds(self, text: str, path: str, line: int) -> bool:
         defined = re.sub(r"defined\s*(?:\(\s*(\w+)\s*\)|(\w+))",
                          lambda match: str(int((match[1] or match[2]) in self.macros)), text)
-        tokens = self._expanded(tokens_of(defined, path, line), keep_constants=False)
+        tokens = self._expanded(list(tokens_of(defined, path, line)), keep_constants=False)
         tokens.append(Token("end", "", path, line))
         value, rest = self._value(tokens, 0)
         if rest[0].kind != "end":

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import re
 from typing import NamedTuple
 
@@ -30,7 +31,8 @@ class Token(NamedTuple):  # a module has a million of them, and a data class tak
         return "the end of the text" if self.kind == "end" else self.text
 
 
-def tokens_of(code: str, path: str, line: int) -> list[Token]:
+@functools.lru_cache(maxsize=None)  # nearly all modules include the same files
+def tokens_of(code: str, path: str, line: int) -> tuple[Token, ...]:
     """The tokens of a text without comments, all of one line."""
     found, position = [], 0
     code = code.rstrip()
@@ -40,4 +42,4 @@ def tokens_of(code: str, path: str, line: int) -> list[Token]:
             raise Unknown(f"{path}:{line}: {code[position:].split()[0]} is no GLSL that the translator knows")
         found.append(Token(match.lastgroup, match[match.lastgroup], path, line))
         position = match.end()
-    return found
+    return tuple(found)
