@@ -34,6 +34,7 @@ from oracle.sums import SHIFT
 from tables.configurations import read_configurations
 from tables.functions import NOISES, OCTAVE_SUMS, Function, read_functions
 from tables.inc import TableError
+from thorough import THOROUGH, some
 
 
 FUNCTIONS = {function.id: function for function in read_functions()}
@@ -336,10 +337,10 @@ class GoldenContents(unittest.TestCase):
     def test_the_nearest_point_is_clear_where_it_matters(self) -> None:
         jumping = [function for function in CELLULAR if cellular_rows.jumps(function)]
         self.assertEqual(len(jumping), 2 * (4 + 6 + 2))
-        for function in jumping:
+        for turn, function in enumerate(jumping):
             rows = rows_with(function.id, "lattice")
             hashes = [setting.name for setting in SETTINGS if setting.covers(function) and not setting.fixed]
-            for setting in hashes:
+            for setting in some(hashes, turn, 2):
                 self.assertEqual(self.unclear(function, rows, setting), [], (function.id, setting))
             # The check finds those of fixed arithmetic, behind the others.
             more = rows_with(function.id, "lattice+fixed")[len(rows):]
@@ -484,13 +485,15 @@ class GoldenContents(unittest.TestCase):
             self.assertTrue(max(moves) > 200 or function.bound == "fbm_d", function.id)
 
     def test_nothing_wraps_where_frames_keep_their_range(self) -> None:
-        """The contract's domain is one in which fixed arithmetic loses no bits but those of cells."""
-        for function in SUMS:
+        """The contract's domain is one in which fixed arithmetic loses no bits but those of cells. By default every
+        fourth row says so, others of each function."""
+        for turn, function in enumerate(SUMS):
             if function.bound in frames.SUMS:
-                fixed, rows = values_with(function.id, "lattice+fixed"), rows_with(function.id, "lattice+fixed")
+                tried = slice(None) if THOROUGH else slice(turn % 4, None, 4)
+                fixed, rows = values_with(function.id, "lattice+fixed"), rows_with(function.id, "lattice+fixed")[tried]
                 with mock.patch.object(frames, "wrapped", signed):
                     values = [line(function.outputs, fixed.evaluate(row)) for row in rows]
-                right = Golden(function.id).values
+                right = Golden(function.id).values[tried]
                 self.assertEqual(values, [" ".join(f"{word:016x}" for word in words) for words in right])
 
     def test_slopes_sum_to_more_than_an_eroded_sum_lets_them(self) -> None:
