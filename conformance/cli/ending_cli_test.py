@@ -10,6 +10,8 @@ import pathlib
 import pty
 import resource
 import select
+import shlex
+import shutil
 import signal
 import subprocess
 import sys
@@ -18,7 +20,7 @@ import time
 import unittest
 
 PROGRAM = ""
-ONE = ("--filter", "noise2d.perlin.lattice.fast.fragment.gl330.golden")
+ONE = ("--filter", "bugs.abs_of_int.any.exact.fragment.gl330.defined")  # the cheapest that draws
 # Some seconds, and more than 100,000 bytes of journal. Of one noise, so that it stays what it is as noises come.
 MANY = ("--filter", "noise?d.perlin.*.fragment.*.golden", "--filter", "noise?d.perlin_cell.*.fragment.*.golden",
         "--filter", "noise?d.perlin*.fragment.*.twin", "--filter", "noise?d.perlin.*.range")
@@ -107,13 +109,16 @@ class Ending(unittest.TestCase):
         self.assertIn("Not the whole run: ", (self.out / "index.html").read_text())
 
     def test_a_signal_to_the_group_leaves_what_ran_and_costs_no_case(self):
-        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        for number in (signal.SIGTERM, signal.SIGHUP, signal.SIGINT):
             with self.subTest(signal=number.name):
                 process = self.start("run", "--out", self.out, "--jobs", 2, *MANY)
                 self.wait_for_cases(20)
                 self.ended(process, number)
                 self.assertEqual(process.returncode, -number)
                 self.expect_a_part(number.name, process)
+                if number != signal.SIGINT:
+                    shutil.rmtree(self.out)  # what is left is the same, and so is how it goes on
+                    continue
                 merged = self.call("merge", self.out, "--out", self.folder / "merged")
                 self.assertEqual(merged.returncode, 1)
                 self.assertIn("cases were not run", merged.err)
@@ -152,10 +157,19 @@ class Ending(unittest.TestCase):
 
     def test_a_shell_sees_130_and_143(self):
         for name, number in (("INT", 130), ("TERM", 143)):
-            command = f"timeout -s {name} --preserve-status 3 {PROGRAM} run --out {self.out} --points 5000000; echo $?"
-            done = subprocess.run(["sh", "-c", command], capture_output=True, text=True, check=True)
-            self.assertEqual(done.stdout.splitlines()[-1], str(number), done.stderr)
-            self.assertIn("--resume", done.stderr)  # timeout sends it twice, to us and to our group
+            out = self.folder / name
+            self.journal = out / "journal.jsonl"
+            shell = subprocess.Popen(["sh", "-c", f"timeout -s {name} --preserve-status 60 {PROGRAM} run --out {out} "
+                                      f"--jobs 1 {shlex.join(MANY)}; echo $?"], text=True, stdout=subprocess.PIPE,
+                                     stderr=subprocess.PIPE, start_new_session=True)
+            self.wait_for_cases(1)
+            # As if the time were over: timeout passes the signal on, twice, to us and to our group.
+            for pid in processes_in(shell.pid):
+                if pathlib.Path(f"/proc/{pid}/comm").read_text() == "timeout\n":
+                    os.kill(pid, number - 128)
+            said, complaints = shell.communicate(timeout=60)
+            self.assertEqual(said.splitlines()[-1], str(number), complaints)
+            self.assertIn("--resume", complaints)
 
     def test_a_server_that_a_driver_has_cleans_up(self):
         def displays():
@@ -214,8 +228,9 @@ class Ending(unittest.TestCase):
     def test_a_folder_that_is_in_use_is_refused_and_free_again_afterwards(self):
         earlier = self.call("run", "--out", self.folder / "earlier", *ONE)
         self.assertEqual(earlier.returncode, 0, earlier.err)
-        first = self.start("run", "--out", self.out, "--points", 5000000)
+        first = self.start("run", "--out", self.out, *MANY)
         wait_until(self.journal.exists, "the run begins")
+        os.killpg(first.pid, signal.SIGSTOP)  # so that it does not come to its end meanwhile
         for command in (("run",), ("run", "--resume"), ("merge", self.folder / "earlier"), ("bench",), ("paper",),
                         ("web",)):
             with self.subTest(command=command):
