@@ -133,7 +133,8 @@ class BenchCli(unittest.TestCase):
                           f"plane={plane}:value_noise(p)", "--against", f"space={space}:value_noise(p)", "--against",
                           f"versions={versions}:value_noise(p)", "--against",
                           f"choice={both}:p.x > 0.5 ? value_noise(p) : 0.0", "--against",
-                          f"extended={extended}:value_noise(p) // a comment", "--against", f"braces@420={braces}:two(p)")
+                          f"extended={extended}:value_noise(p) // a comment", "--against",
+                          f"braces@420={braces}:two(p)")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assert_everything_is_there(ONE_SUBJECT, "both2", "both3", "braces2", "choice2", "choice3", "extended2",
                                         "plane2", "space3", "versions2")
