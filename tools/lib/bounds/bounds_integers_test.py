@@ -17,6 +17,7 @@ from bounds.gradients import OCTAHEDRAL
 from bounds.noises import value as value_noise
 from bounds.noises.perlin import fixed as perlin
 from bounds.table import bounds_of
+from thorough import THOROUGH
 
 CASES = noises.find("perlin").CASES
 DIMS = (1, 2, 3, 4)
@@ -71,7 +72,9 @@ class Integers(unittest.TestCase):
             self.assertLess(slope.max(), integers.largest_slope_fade_effect(dims, OCTAHEDRAL))
 
     def test_nothing_wraps(self):
-        for key in command.keys():
+        """By default of two noises: docs/accuracy.md quotes the largest of all noises, which tools/bounds
+        --check compares."""
+        for key in command.keys() if THOROUGH else [("perlin_d", 3, OCTAHEDRAL), ("cellular", 3, None)]:
             for name, value in noises.find(key[0]).largest_intermediates(*key[1:]).items():
                 self.assertLess(value, 2**31, (key, name))
         for dims, kind in CASES:
@@ -137,7 +140,7 @@ class Integers(unittest.TestCase):
 
 
 class Octaves(unittest.TestCase):
-    def check(self, arguments, kinds=sums.KINDS, count=2000, seed=9):
+    def check(self, arguments, kinds=sums.KINDS, count=1000, seed=9):
         """The largest ratio of an error to its tolerance, which it must not exceed, of each kind; `arguments` draws
         those of a Sum."""
         rng, worst = np.random.default_rng(seed), dict.fromkeys(kinds, 0.0)
