@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/json.hpp"
 #include "base/version.hpp"
 
 namespace hn {
@@ -38,8 +39,7 @@ nlohmann::ordered_json to_json(const EditedLibrary& library) {
 }
 
 EditedLibrary edited_library_from(const nlohmann::json& json) {
-  return {json.at("folder").get<std::string>(), json.at("digest").get<std::string>(),
-          json.at("changed").get<std::vector<std::string>>()};
+  return {text_at(json, "folder"), text_at(json, "digest"), texts_at(json, "changed")};
 }
 
 }  // namespace hn

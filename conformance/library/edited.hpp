@@ -21,7 +21,7 @@ struct EditedLibrary {
 std::string library_text(const std::optional<EditedLibrary>& library);
 
 nlohmann::ordered_json to_json(const EditedLibrary& library);
-// Throws nlohmann::json::exception for anything else.
+// Throws what base/json.hpp says for anything else.
 EditedLibrary edited_library_from(const nlohmann::json& json);
 
 }  // namespace hn

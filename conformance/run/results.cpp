@@ -30,8 +30,8 @@ Json examples_json(const std::vector<Mismatch>& examples) {
 }
 
 Mismatch mismatch_from(const nlohmann::json& json) {
-  return {whole_number_at(json, "point"), words_at(json, "words"), json.at("inputs").get<std::string>(),
-          json.at("got").get<std::string>(), json.at("expected").get<std::string>()};
+  return {whole_number_at(json, "point"), words_at(json, "words"), text_at(json, "inputs"), text_at(json, "got"),
+          text_at(json, "expected")};
 }
 
 Json to_json(const Run& run) {
@@ -65,21 +65,24 @@ Json to_json(const Run& run) {
 Run run_from(const nlohmann::json& json, std::string& where) {
   const std::string here = where;
   Run run;
-  run.driver = json.at("driver").get<std::string>();
+  run.driver = text_at(json, "driver");
   if (json.contains("absent")) {
-    run.absent = json.at("absent").get<std::string>();
+    run.absent = text_at(json, "absent");
     if (run.absent.empty()) throw std::invalid_argument("\"absent\" does not say why");
     return run;
   }
   run.info = context_info_from(json);
   run.seed = whole_number_at(json, "seed");
-  if (json.contains("content")) run.content = json.at("content").get<std::string>();
+  if (json.contains("content")) run.content = text_at(json, "content");
   if (json.contains("library")) run.library = edited_library_from(json.at("library"));
-  if (json.contains("injected")) run.injected = json.at("injected").get<std::string>();
-  if (json.contains("date")) run.date = json.at("date").get<std::string>();
-  if (json.contains("commands")) run.commands = json.at("commands").get<std::set<std::string>>();
+  if (json.contains("injected")) run.injected = text_at(json, "injected");
+  if (json.contains("date")) run.date = text_at(json, "date");
+  if (json.contains("commands")) {
+    const auto commands = texts_at(json, "commands");
+    run.commands = {commands.begin(), commands.end()};
+  }
   if (json.contains("shard")) {
-    run.shard = json.at("shard").get<std::string>();
+    run.shard = text_at(json, "shard");
     run.whole = whole_number_at(json, "whole");
   }
   if (json.contains("not_run")) run.not_run = whole_number_at(json, "not_run");
@@ -128,10 +131,10 @@ Json to_json(const ContextInfo& info) {
 }
 
 ContextInfo context_info_from(const nlohmann::json& json) {
-  return {json.at("vendor").get<std::string>(),
-          json.at("renderer").get<std::string>(),
-          json.at("gl_version").get<std::string>(),
-          json.at("glsl_version").get<std::string>(),
+  return {text_at(json, "vendor"),
+          text_at(json, "renderer"),
+          text_at(json, "gl_version"),
+          text_at(json, "glsl_version"),
           {}};
 }
 
@@ -141,12 +144,12 @@ Json to_json(const Evidence& evidence) {
 }
 
 Evidence evidence_from(const nlohmann::json& json) {
-  return {.shader = json.at("shader").get<std::string>(),
-          .got = json.at("got").get<std::string>(),
-          .reference = json.at("reference").get<std::string>(),
-          .difference = json.at("difference").get<std::string>(),
-          .factor = json.at("factor").get<double>(),
-          .note = json.at("note").get<std::string>()};
+  return {.shader = text_at(json, "shader"),
+          .got = text_at(json, "got"),
+          .reference = text_at(json, "reference"),
+          .difference = text_at(json, "difference"),
+          .factor = number_at(json, "factor"),
+          .note = text_at(json, "note")};
 }
 
 Json to_json(const CaseResult& result) {
@@ -169,8 +172,8 @@ Json to_json(const CaseResult& result) {
 
 CaseResult case_result_from(const nlohmann::json& json) {
   CaseResult result;
-  result.id = json.at("id").get<std::string>();
-  const auto name = json.at("status").get<std::string>();
+  result.id = text_at(json, "id");
+  const auto name = text_at(json, "status");
   const auto status = status_named(name);
   if (!status) throw std::invalid_argument(fmt::format("\"{}\" is not a status", name));
   result.outcome = {.status = *status,
@@ -178,12 +181,12 @@ CaseResult case_result_from(const nlohmann::json& json) {
                     .mismatches = whole_number_at(json, "mismatches"),
                     .max_abs = number_at(json, "max_abs"),
                     .max_ulp = whole_number_at(json, "max_ulp"),
-                    .message = json.at("message").get<std::string>(),
+                    .message = text_at(json, "message"),
                     .examples = {}};
   result.seconds = number_at(json, "seconds");
   if (json.contains("processor_seconds")) result.processor_seconds = number_at(json, "processor_seconds");
   if (json.contains("allowed")) result.outcome.allowed = number_at(json, "allowed");
-  if (json.contains("excuse")) result.excuse = json.at("excuse").get<std::string>();
+  if (json.contains("excuse")) result.excuse = text_at(json, "excuse");
   if (json.contains("examples")) {
     for (const nlohmann::json& example : list_at(json, "examples"))
       result.outcome.examples.push_back(mismatch_from(example));
@@ -205,7 +208,7 @@ Result<std::vector<Run>> parse_results(std::string_view text) {
     if (const auto schema = whole_number_at(json, "schema"); schema != kSchema) {
       return fail(fmt::format("its schema is {}, and this program knows schema {}", schema, kSchema));
     }
-    if (const auto version = json.at("version").get<std::string>(); version != library_version()) {
+    if (const auto version = text_at(json, "version"); version != library_version()) {
       return fail(fmt::format("it was written by version {}, and this is version {}", version, library_version()));
     }
     std::vector<Run> runs;
@@ -214,8 +217,6 @@ Result<std::vector<Run>> parse_results(std::string_view text) {
       runs.push_back(run_from(run, where));
     }
     return runs;
-  } catch (const nlohmann::json::exception& exception) {
-    return fail(fmt::format("{} is not a results.json: {}", where, exception.what()));
   } catch (const std::invalid_argument& exception) {
     return fail(fmt::format("{} is not a results.json: {}", where, exception.what()));
   }

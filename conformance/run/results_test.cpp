@@ -109,6 +109,41 @@ TEST(Json, ThatIsNoneSaysWhatIsWrong) {
   }
 }
 
+// Whoever reads it knows the file, and not the library that reads JSON.
+TEST(Json, WhatIsWrongIsSaidInWordsOfTheFile) {
+  CaseResult wrong = result("a.b", Status::fail);
+  wrong.outcome.examples = {{7, {1, 2}, "x=1", "2", "3"}};
+  wrong.evidence = Evidence{"s", "g", "r", "d", 2.0, "n"};
+  const hn::Run run = run_of({wrong});
+  const std::string text = results_text({run});
+  const auto good = nlohmann::json::parse(text).flatten();
+  std::size_t refused = 0;
+  for (const auto& [path, value] : good.items()) {
+    for (const char* other : {"null", "7", "-1", "\"text\"", "[]", "{}", "[{}]"}) {
+      auto changed = good.unflatten();
+      changed[nlohmann::json::json_pointer(path)] = nlohmann::json::parse(other);
+      const auto parsed = parse_results(changed.dump());
+      if (parsed) continue;
+      ++refused;
+      EXPECT_EQ(parsed.error().message.find("exception"), std::string::npos) << path << ": " << parsed.error().message;
+    }
+    auto without = good.unflatten();
+    const auto slash = path.rfind('/');
+    auto& parent = without[nlohmann::json::json_pointer(path.substr(0, slash))];
+    if (!parent.is_object()) continue;
+    parent.erase(path.substr(slash + 1));
+    const auto parsed = parse_results(without.dump());
+    EXPECT_TRUE(parsed || parsed.error().message.find("is missing") != std::string::npos)
+        << path << ": " << parsed.error().message;
+  }
+  EXPECT_GT(refused, 50u);
+  const auto message = [](const std::string& cut) { return parse_results(cut).error().message; };
+  EXPECT_EQ(message(text.substr(0, text.size() / 2)), "the file is not a results.json: the JSON ends too early");
+  EXPECT_EQ(message("{\n \"schema\": 2 3}"),
+            "the file is not a results.json: there is no JSON any more in line 2, column 14");
+  EXPECT_EQ(message("{\"schema\": 1e999}"), "the file is not a results.json: a number in it is too large");
+}
+
 TEST(Json, HasWholeNumbersWhereThingsAreCounted) {
   const std::string good = results_text({run_of({result("a", Status::pass), result("b", Status::pass)})});
   for (const char* wrong : {"-1", "1.5", "1e300", "true", "null", "\"1\"", "123456789012345678901234567890"}) {
