@@ -53,6 +53,11 @@ hn::Result<void> make_sure_it_can_be_written(const std::filesystem::path& path) 
   if (std::filesystem::is_directory(path, error)) {
     return hn::fail(fmt::format("--out {}: it is a folder; name a file in it", path.string()));
   }
+  const std::filesystem::path folder = path.parent_path();
+  if (!folder.empty() && std::filesystem::status(folder, error).type() == std::filesystem::file_type::not_found) {
+    return hn::fail(fmt::format("--out {}: there is no folder {}; make it, or name a file in another", path.string(),
+                                folder.string()));
+  }
   // Beside the file, as it will be written: an earlier one stays as it is until there is a new one.
   const std::filesystem::path draft = path.string() + ".try";
   const auto written = write_whole(draft, "");

@@ -231,6 +231,8 @@ class Bake(unittest.TestCase):
             (["fbm", "-o", "a.png", "--octave", "2"], "did you mean --octaves?"),
             (["fbm", "ridged", "-o", "a.png"], '"ridged"'),
             (["fbm", "-o", ".", "--format", "png"], "it is a folder"),
+            (["fbm", "-o", "none/a.png"], "--out none/a.png", "there is no folder none; make it"),
+            (["fbm", "-o", "none/of/these/a.png"], "there is no folder none/of/these"),
             (["fbm", "-o", "/dev/null/a.png"], "/dev/null/a.png", "no file can be made there"),
         ):
             with self.subTest(arguments=arguments):
