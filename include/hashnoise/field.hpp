@@ -39,29 +39,29 @@ enum class Metric { kEuclidean = 1, kSquared = 2, kManhattan = 3, kChebyshev = 4
 enum class InstructionSet { kSse41, kAvx2, kAvx512, kNeon, kGeneric };
 
 // What a field is. The names are those of the functions in GLSL without hn_, and the numbers are their parameters. A
-// setting that the function does not have, or a number outside of its range, is an error of Field's constructor; those
-// of sums count only where there is a sum. A sum with no period is the one whose octaves are turned.
+// setting that is given and that the function does not have, or a number outside of its range, is an error of Field's
+// constructor. A sum with no period is the one whose octaves are turned.
 struct Settings {
   std::string noise = "perlin";  // or "value", "simplex_d", ...: see noise_names
   std::string sum{};             // "fbm", "ridged", ...: see sum_names; the noise itself if empty
   Arithmetic arithmetic = Arithmetic::kFast;
   std::uint32_t seed = 0;
-  std::array<std::int32_t, 4> period{};  // in cells, along each axis; 0 or less for none
+  std::array<std::int32_t, 4> period{};  // in cells, along each axis; 0 for none, and not negative
 
   // Of noises.
-  std::optional<float> phase{};        // in turns; perlin, perlin_d, simplex and simplex_d in 2D and 3D
-  float jitter = 1.0f;                 // in [0, 1]; cellular noises
-  Metric metric = Metric::kEuclidean;  // cellular and cellular_three
+  std::optional<float> phase{};    // in turns; perlin, perlin_d, simplex and simplex_d in 2D and 3D
+  std::optional<float> jitter{};   // in [0, 1], and 1 if it is left out; cellular noises
+  std::optional<Metric> metric{};  // kEuclidean if it is left out; cellular and cellular_three
 
   // Of sums.
-  int octaves = 6;  // at most 1024; with fewer than 1 there is none
-  float lacunarity = 2.0f;
-  float gain = 0.5f;  // not negative
+  std::optional<int> octaves{};       // from 1 to 32, and 6 if it is left out
+  std::optional<float> lacunarity{};  // 2 if it is left out
+  std::optional<float> gain{};        // not negative; 0.5 if it is left out
   // Of ping_pong in [0, 64], and 2 if it is left out; of weighted in [0, 1], and 1; of eroded in [0, 16], and 1.
   std::optional<float> strength{};
-  float amplitude = 1.0f;            // in [0, 64]; warp, warp_progressive
-  std::optional<float> detail{};     // in [0, 1024]; fbm without a period: octaves as a float, in place of `octaves`
-  std::optional<float> footprint{};  // fbm without a period
+  std::optional<float> amplitude{};  // in [0, 64], and 1 if it is left out; warp, warp_progressive
+  std::optional<float> detail{};     // in [0, 32]; fbm without a period: octaves as a float, in place of `octaves`
+  std::optional<float> footprint{};  // not negative; fbm without a period
 
   // The widest that this processor and the library have, if it is left out.
   std::optional<InstructionSet> instruction_set{};

@@ -28,6 +28,7 @@
 #include <vector>
 
 #include "arrays.hpp"
+#include "grid/rules.hpp"
 
 namespace nb = nanobind;
 
@@ -318,7 +319,8 @@ NB_MODULE(_core, module) {
       .def_rw("phase", &Settings::phase)
       .def_rw("jitter", &Settings::jitter)
       .def_prop_rw(
-          "metric", [](const Settings& settings) { return static_cast<int>(settings.metric); },
+          "metric",
+          [](const Settings& settings) { return static_cast<int>(settings.metric.value_or(Metric::kEuclidean)); },
           [](Settings& settings, int value) { settings.metric = static_cast<Metric>(value); })
       .def_rw("octaves", &Settings::octaves)
       .def_rw("lacunarity", &Settings::lacunarity)
@@ -349,5 +351,14 @@ NB_MODULE(_core, module) {
   module.def("noise_names", &hashnoise::noise_names, nb::arg("dimensions"));
   module.def("sum_names", &hashnoise::sum_names, nb::arg("dimensions"));
   module.def("instruction_sets", [] { return hashnoise::python::names_of(hashnoise::instruction_sets()); });
+  // Of settings that are whole numbers: the least and the most. What Python has may not fit a Settings, which checks
+  // the others.
+  nb::dict rules;
+  for (const hashnoise::grid::Rule& rule : hashnoise::grid::kRules) {
+    if (!rule.is_whole) continue;
+    rules[nb::str(rule.setting.data(), rule.setting.size())] =
+        nb::make_tuple(static_cast<std::int64_t>(rule.least), static_cast<std::int64_t>(rule.most));
+  }
+  module.attr("rules") = rules;
   module.attr("version") = HASHNOISE_VERSION;
 }

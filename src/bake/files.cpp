@@ -13,6 +13,8 @@
 #include "base/file.hpp"
 #include "base/json.hpp"
 #include "base/version.hpp"
+#include "grid/functions.hpp"
+#include "grid/rules.hpp"
 
 namespace hn {
 namespace {
@@ -80,24 +82,28 @@ nlohmann::ordered_json settings_of(const BakeOptions& options, hashnoise::Instru
   // Floats as they are written shortest, not as the doubles that they are.
   const auto number = [](float value) { return nlohmann::json::parse(fmt::format("{}", value)); };
   if (settings.phase) json["phase"] = number(*settings.phase);
-  if (noise.starts_with("cell")) json["jitter"] = number(settings.jitter);
+  const auto number_or_usual = [&](const std::optional<float>& value, const grid::Rule& rule) {
+    return number(value.value_or(static_cast<float>(rule.usual)));
+  };
+  if (settings.sum.empty() && noise.starts_with("cell")) {
+    json["jitter"] = number_or_usual(settings.jitter, grid::kJitterRule);
+  }
   if (settings.sum.empty() && is({"cellular", "cellular_three"}, noise)) {
     constexpr std::string_view kNames[] = {"euclidean", "squared", "manhattan", "chebyshev", "hybrid"};
-    json["metric"] = kNames[static_cast<std::size_t>(settings.metric) - 1];
+    json["metric"] = kNames[static_cast<std::size_t>(settings.metric.value_or(Metric::kEuclidean)) - 1];
   }
   if (!settings.sum.empty()) {
     if (settings.detail) {
       json["detail"] = number(*settings.detail);
     } else {
-      json["octaves"] = settings.octaves;
+      json["octaves"] = settings.octaves.value_or(static_cast<int>(grid::kOctavesRule.usual));
     }
     if (settings.footprint) json["footprint"] = number(*settings.footprint);
-    json["lacunarity"] = number(settings.lacunarity);
-    json["gain"] = number(settings.gain);
-    const float usual = settings.sum == "ping_pong" ? 2.0f : 1.0f;
-    if (is({"ping_pong", "weighted", "eroded"}, settings.sum))
-      json["strength"] = number(settings.strength.value_or(usual));
-    if (settings.sum.starts_with("warp")) json["amplitude"] = number(settings.amplitude);
+    json["lacunarity"] = number_or_usual(settings.lacunarity, grid::kLacunarityRule);
+    json["gain"] = number_or_usual(settings.gain, grid::kGainRule);
+    const grid::SumRow& sum = *std::ranges::find(grid::kSumRows, settings.sum, &grid::SumRow::name);
+    const auto& strength = sum.strength == "amplitude" ? settings.amplitude : settings.strength;
+    if (!sum.strength.empty()) json[std::string(sum.strength)] = number(strength.value_or(sum.usual_strength));
   }
   constexpr std::string_view kArithmetics[] = {"fast", "precise", "fixed"};
   json["arithmetic"] = kArithmetics[static_cast<std::size_t>(settings.arithmetic) - 1];

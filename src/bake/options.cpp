@@ -8,7 +8,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -17,11 +16,12 @@
 #include "base/result.hpp"
 #include "base/strings.hpp"
 #include "base/version.hpp"
+#include "grid/rules.hpp"
 
 namespace hn {
 namespace {
 
-constexpr int kLongestAxis = (1 << 29) - 1;
+constexpr int kLongestAxis = static_cast<int>(hashnoise::grid::kSizeRule.most);
 constexpr double kMostCells = 1 << 30;  // so that positions fit into 64 bits, in units of 2^-32
 
 constexpr std::array kFormats = {
@@ -125,9 +125,11 @@ Result<void> choose_cells(BakeOptions& options, const std::string& text) {
 }
 
 Result<void> choose_tile(BakeOptions& options, const std::optional<std::string>& period) {
+  using hashnoise::grid::kPeriodRule;
   auto& periods = options.settings.period;
   if (period) {
-    HN_TRY(const auto given, axes_of("--period", *period, 0, std::numeric_limits<int>::max(), "8x8"));
+    HN_TRY(const auto given, axes_of("--period", *period, static_cast<int>(kPeriodRule.least),
+                                     static_cast<int>(kPeriodRule.most), "8x8"));
     if (given.size() != options.size.size()) {
       return fail(fmt::format("--period {} has {} axes, and --size has {}; 0 stands for an axis without a period",
                               in_quotes(*period), given.size(), options.size.size()));
@@ -233,7 +235,7 @@ struct Words {
   std::optional<std::string> period;
   std::optional<std::string> noise;
   std::string arithmetic = "fixed";
-  std::string metric = "euclidean";
+  std::optional<std::string> metric;
   std::optional<std::string> instructions;
   std::string format;
   std::string layout;
@@ -254,12 +256,14 @@ Result<void> interpret(BakeOptions& options, const Words& words) {
          chosen<Arithmetic>(
              "--arithmetic", words.arithmetic,
              {{"fixed", Arithmetic::kFixed}, {"precise", Arithmetic::kPrecise}, {"fast", Arithmetic::kFast}}));
-  HN_TRY(options.settings.metric, chosen<Metric>("--metric", words.metric,
-                                                 {{"euclidean", Metric::kEuclidean},
-                                                  {"squared", Metric::kSquared},
-                                                  {"manhattan", Metric::kManhattan},
-                                                  {"chebyshev", Metric::kChebyshev},
-                                                  {"hybrid", Metric::kHybrid}}));
+  if (words.metric) {
+    HN_TRY(options.settings.metric, chosen<Metric>("--metric", *words.metric,
+                                                   {{"euclidean", Metric::kEuclidean},
+                                                    {"squared", Metric::kSquared},
+                                                    {"manhattan", Metric::kManhattan},
+                                                    {"chebyshev", Metric::kChebyshev},
+                                                    {"hybrid", Metric::kHybrid}}));
+  }
   if (!words.instructions) return {};
   std::vector<std::pair<std::string, InstructionSet>> sets;
   for (const InstructionSet set : instruction_sets()) sets.emplace_back(name(set), set);
@@ -277,6 +281,16 @@ CLI::Validator finite() {
           ""};
 }
 
+// The rule has to live on, as those of rules.hpp do.
+CLI::Validator within(const hashnoise::grid::Rule& rule) {
+  return {[&rule](const std::string& text) {
+            double number = 0.0;
+            if (!CLI::detail::lexical_cast(text, number)) return fmt::format("{} is not a number", text);
+            return problem_of(rule, number);
+          },
+          ""};
+}
+
 template <typename T>
 void add_number(CLI::App& app, const std::string& name, T& value, const std::string& what) {
   app.add_option(name, value, what)->type_name("NUMBER")->check(finite())->group("Parameters, as in GLSL");
@@ -290,38 +304,34 @@ void add_parameters(CLI::App& app, BakeOptions& options, Words& words) {
       ->group(group);
   app.add_option("--seed", settings.seed, "Different seeds give independent fields")
       ->type_name("N")
-      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{0xFFFFFFFF}))
+      ->check(within(hashnoise::grid::kSeedRule))
       ->capture_default_str()
       ->group(group);
   app.add_option("--period", words.period, "Cells after which the field repeats, along each axis; 0 for none")
       ->type_name("X[xY...]")
       ->group(group);
-  app.add_option("--octaves", settings.octaves, "Of a sum")
+  app.add_option("--octaves", settings.octaves,
+                 fmt::format("Of a sum (default: {})", hashnoise::grid::kOctavesRule.usual))
       ->type_name("N")
-      ->check(CLI::Range(1, 32))
-      ->capture_default_str()
+      ->check(within(hashnoise::grid::kOctavesRule))
       ->group(group);
-  app.add_option("--lacunarity", settings.lacunarity, "By how much an octave is finer than the one before")
-      ->type_name("NUMBER")
-      ->check(finite())
-      ->capture_default_str()
-      ->group(group);
-  app.add_option("--gain", settings.gain, "By how much an octave is weaker: a factor")
-      ->type_name("NUMBER")
-      ->check(finite())
-      ->capture_default_str()
-      ->group(group);
+  add_number(app, "--lacunarity", settings.lacunarity,
+             fmt::format("Of a sum: by how much an octave is finer than the one before (default: {})",
+                         hashnoise::grid::kLacunarityRule.usual));
+  add_number(app, "--gain", settings.gain,
+             fmt::format("Of a sum: by how much an octave is weaker, a factor (default: {})",
+                         hashnoise::grid::kGainRule.usual));
   add_number(app, "--strength", settings.strength, "Of ping_pong (default 2), weighted and eroded (1)");
-  add_number(app, "--amplitude", settings.amplitude, "Of warp and warp_progressive, in cells");
+  add_number(app, "--amplitude", settings.amplitude, "Of warp and warp_progressive, in cells (default: 1)");
   add_number(app, "--detail", settings.detail, "Of fbm: octaves as a number with a fraction, in place of --octaves");
   add_number(app, "--footprint", settings.footprint, "Of fbm: the size of a pixel, in cells, which fades octaves out");
   add_number(app, "--phase", settings.phase, "In turns; of perlin, perlin_d, simplex and simplex_d in 2D and 3D");
   add_number(app, "--jitter", settings.jitter,
-             "Of cellular noises: how far points are from the centres of their cells");
+             fmt::format("Of cellular noises: how far points are from the centres of their cells (default: {})",
+                         hashnoise::grid::kJitterRule.usual));
   app.add_option("--metric", words.metric,
-                 "Of cellular and cellular_three: euclidean, squared, manhattan, chebyshev or hybrid")
+                 "Of cellular and cellular_three: euclidean (the default), squared, manhattan, chebyshev or hybrid")
       ->type_name("NAME")
-      ->capture_default_str()
       ->group(group);
   app.add_option("--arithmetic", words.arithmetic,
                  "fixed, precise or fast. The default has the same bits on every machine, and those of shaders with "
@@ -383,7 +393,7 @@ void add_files(CLI::App& app, BakeOptions& options, Words& words) {
   app.add_flag("--json", options.json, "Say in JSON how it was made")->group(group);
   app.add_option("--threads", options.threads, "How many; nothing in the file depends on it (default: all)")
       ->type_name("N")
-      ->check(CLI::Range(1, 1024))
+      ->check(within(hashnoise::grid::kThreadsRule))
       ->group(group);
   app.add_option(
          "--instructions", words.instructions,

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "grid/functions.hpp"
+
 namespace hn {
 namespace {
 
@@ -58,14 +60,16 @@ std::optional<Interval> documented_range(const hashnoise::Settings& settings, in
   const std::string& sum = settings.sum;
   if (sum == "turbulence" || sum == "clouds" || sum == "ridged") return kUnsigned;
   if (sum == "warp" || sum == "warp_progressive") {
-    const double amplitude = std::clamp(static_cast<double>(settings.amplitude), 0.0, 64.0);
+    const hashnoise::grid::SumRow& warp = hashnoise::grid::kSumRows[hashnoise::grid::kWarp];
+    const double amplitude = static_cast<double>(settings.amplitude.value_or(warp.usual_strength));
     return amplitude == 0.0 ? std::nullopt : std::optional(around_0(amplitude));
   }
   // These are means of the noise, and of values that lie nearer to 0.
   if (sum == "fbm" || sum == "weighted") return range_of_noise(settings.noise, dimensions, component);
   if (!sum.empty()) return component == "value" ? std::optional(kSigned) : std::nullopt;
   const bool has_metric = settings.noise == "cellular" || settings.noise == "cellular_three";
-  if (has_metric && settings.metric != hashnoise::Metric::kEuclidean) return std::nullopt;
+  if (has_metric && settings.metric.value_or(hashnoise::Metric::kEuclidean) != hashnoise::Metric::kEuclidean)
+    return std::nullopt;
   return range_of_noise(settings.phase ? settings.noise + "_phase" : settings.noise, dimensions, component);
 }
 

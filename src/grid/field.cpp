@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "plan.hpp"
+#include "rules.hpp"
 
 namespace hashnoise {
 
@@ -81,9 +82,8 @@ struct Axis {
 std::size_t padded(std::size_t count) { return count + kMostLanes; }
 
 void check_size(int size) {
-  if (size < 0 || size >= 1 << 29) {
-    throw std::invalid_argument("the size of a grid is " + std::to_string(size) +
-                                ", and has to be from 0 to 536870911");
+  if (const std::string problem = grid::problem_of(grid::kSizeRule, size); !problem.empty()) {
+    throw std::invalid_argument(problem);
   }
 }
 

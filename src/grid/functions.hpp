@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "kernel.hpp"
+#include "rules.hpp"
 
 namespace hashnoise::grid {
 
@@ -69,5 +70,9 @@ constexpr std::array<SumRow, kNamedSums> kSumRows = {{
     {"warp", 2, 3, Shape::kVector, Shape::kValue, "amplitude", 1, 64},
     {"warp_progressive", 2, 3, Shape::kVector, Shape::kValue, "amplitude", 1, 64},
 }};
+
+constexpr Rule strength_rule(const SumRow& sum) {
+  return {sum.strength, false, 0, static_cast<double>(sum.most_strength), static_cast<double>(sum.usual_strength)};
+}
 
 }  // namespace hashnoise::grid

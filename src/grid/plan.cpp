@@ -1,16 +1,14 @@
 #include "plan.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "instruction_sets.hpp"
+#include "rules.hpp"
 
 namespace hashnoise::grid {
 
 namespace {
-
-constexpr int kMostOctaves = 1024;  // more than any float shows; a larger number is a mistake that would take long
 
 [[noreturn]] void refuse(const std::string& message) { throw std::invalid_argument(message); }
 
@@ -49,14 +47,16 @@ std::size_t find(const Rows& rows, const char* what, const std::string& name, in
   return static_cast<std::size_t>(row - rows.begin());
 }
 
-void check_number(const char* name, float value, float least, float most) {
-  if (value >= least && value <= most) return;  // false for NaN
-  refuse(std::string(name) + " is " + std::to_string(value) + ", and has to be from " + std::to_string(least) + " to " +
-         std::to_string(most));
+void check(const Rule& rule, double value) {
+  if (const std::string problem = problem_of(rule, value); !problem.empty()) refuse(problem);
 }
 
-void check_finite(const char* name, float value) {
-  if (!std::isfinite(value)) refuse(std::string(name) + " has to be a finite number");
+// What is given, if it is right, or else what is usual.
+template <typename Number>
+Number checked(const Rule& rule, const std::optional<Number>& given) {
+  if (!given) return static_cast<Number>(rule.usual);
+  check(rule, static_cast<double>(*given));
+  return *given;
 }
 
 // The noises that a sum takes.
@@ -88,24 +88,50 @@ InstructionSet chosen(const std::optional<InstructionSet>& wanted) {
   return *wanted;
 }
 
+// What is given, and what the noise or the sum has to be for that.
+struct Given {
+  std::string_view setting;
+  bool is_given;
+  bool is_had;
+  std::string_view owners;
+};
+
+void check_owners(const Settings& settings, int dimensions, const NoiseRow& noise, const SumRow* sum, bool tiled) {
+  const bool is_noise = sum == nullptr;
+  const bool is_sum = !is_noise;
+  const bool has_phase = is_noise && noise.has_phase && (dimensions == 2 || dimensions == 3);
+  const bool is_limited = is_sum && sum == &kSumRows[kFbm] && !tiled;
+  const auto has_strength = [&](std::string_view name) { return is_sum && sum->strength == name; };
+  const Given all[] = {
+      {"phase", settings.phase.has_value(), has_phase, "perlin, perlin_d, simplex and simplex_d have one in 2D and 3D"},
+      {"jitter", settings.jitter.has_value(), is_noise && noise.has_jitter, "cellular noises have one"},
+      {"metric", settings.metric.has_value(), is_noise && noise.has_metric, "cellular and cellular_three have one"},
+      {"octaves", settings.octaves.has_value(), is_sum, "sums have them"},
+      {"lacunarity", settings.lacunarity.has_value(), is_sum, "sums have one"},
+      {"gain", settings.gain.has_value(), is_sum, "sums have one"},
+      {"strength", settings.strength.has_value(), has_strength("strength"),
+       "the sums ping_pong, weighted and eroded have one"},
+      {"amplitude", settings.amplitude.has_value(), has_strength("amplitude"),
+       "the sums warp and warp_progressive have one"},
+      {"detail", settings.detail.has_value(), is_limited, "the sum fbm has one, if it has no period"},
+      {"footprint", settings.footprint.has_value(), is_limited, "the sum fbm has one, if it has no period"},
+  };
+  for (const Given& given : all) {
+    if (!given.is_given || given.is_had) continue;
+    refuse((is_sum ? "the sum " + quoted(sum->name) : quoted(noise.name)) + in_dimensions(dimensions) +
+           (tiled ? " with a period" : "") + " has no " + std::string(given.setting) + "; " +
+           std::string(given.owners));
+  }
+}
+
 void plan_noise(Plan& plan, const Settings& settings, NoiseId id, bool tiled) {
-  const NoiseRow& row = kNoiseRows.at(id);
-  if (settings.detail || settings.footprint) refuse("detail and footprint belong to the sum fbm, and there is no sum");
-  if (settings.strength) refuse("strength belongs to the sums ping_pong, weighted and eroded, and there is no sum");
-  if (settings.phase && (!row.has_phase || plan.dimensions < 2 || plan.dimensions > 3)) {
-    refuse(quoted(row.name) + " has no phase" + in_dimensions(plan.dimensions) +
-           "; perlin, perlin_d, simplex and simplex_d have one in 2D and 3D");
-  }
-  if (settings.jitter != 1.0f && !row.has_jitter) refuse(quoted(row.name) + " has no jitter; cellular noises have one");
-  if (settings.metric != Metric::kEuclidean && !row.has_metric) {
-    refuse(quoted(row.name) + " has no metric; cellular and cellular_three have one");
-  }
   const NoiseKernels& kernels = plan.kernels->noises[id][plan.dimensions - 1];
-  plan.shape = row.shape;
+  plan.shape = kNoiseRows.at(id).shape;
   if (settings.phase) {
     plan.in = tiled ? kernels.phase_full : kernels.phase;
   } else {
-    plan.in = tiled || settings.jitter != 1.0f || settings.metric != Metric::kEuclidean ? kernels.full : kernels.plain;
+    const bool is_usual = plan.options.jitter == 1.0f && plan.options.metric == static_cast<int>(Metric::kEuclidean);
+    plan.in = tiled || !is_usual ? kernels.full : kernels.plain;
   }
   plan.row = plan.in == kernels.plain ? kernels.row : plan.in;
 }
@@ -116,28 +142,10 @@ void plan_sum(Plan& plan, const Settings& settings, NoiseId noise, SumId id, boo
     refuse("the sum " + quoted(row.name) + " does not take the noise " + quoted(kNoiseRows.at(noise).name) +
            in_dimensions(plan.dimensions) + "; it takes: " + listed(summands(row.of, plan.dimensions)));
   }
-  if (settings.phase) refuse("a sum has no phase");
-  if (settings.jitter != 1.0f) refuse("a sum has no jitter");
-  if (settings.metric != Metric::kEuclidean) refuse("a sum has no metric");
-  if (settings.strength && row.strength != "strength") {
-    refuse("the sum " + quoted(row.name) + " has no strength; ping_pong, weighted and eroded have one");
-  }
-  if (settings.detail || settings.footprint) {
-    if (id != kFbm || tiled) refuse("detail and footprint belong to the sum fbm without a period");
-    if (settings.detail && settings.footprint) refuse("detail and footprint exclude each other");
-  }
-  if (settings.octaves > kMostOctaves) {
-    refuse("octaves is " + std::to_string(settings.octaves) + ", and has to be at most " +
-           std::to_string(kMostOctaves));
-  }
-  check_finite("lacunarity", settings.lacunarity);
-  check_finite("gain", settings.gain);
-  if (settings.gain < 0.0f) refuse("gain is negative, and has to be 0 or more");
+  if (settings.detail && settings.footprint) refuse("detail and footprint exclude each other; leave one out");
+  if (settings.detail && settings.octaves) refuse("detail stands in place of octaves; leave one out");
   plan.options.strength =
-      row.strength == "amplitude" ? settings.amplitude : settings.strength.value_or(row.usual_strength);
-  if (!row.strength.empty()) {
-    check_number(row.strength.data(), plan.options.strength, 0.0f, row.most_strength);
-  }
+      checked(strength_rule(row), row.strength == "amplitude" ? settings.amplitude : settings.strength);
   const NoiseKernels& of = plan.kernels->noises[noise][plan.dimensions - 1];
   plan.options.sum = settings.detail ? kDetail : settings.footprint ? kFootprint : id;
   SumKernels kernels = plan.kernels->sums[plan.options.sum][plan.dimensions - 1];
@@ -147,13 +155,9 @@ void plan_sum(Plan& plan, const Settings& settings, NoiseId noise, SumId id, boo
   plan.takes_positions = true;
   plan.shape = row.shape;
   plan.octave = tiled ? of.octave_full : of.octave;
-  if (settings.detail) {
-    check_number("detail", *settings.detail, 0.0f, static_cast<float>(kMostOctaves));
-    plan.options.limit = *settings.detail;
-    plan.at = kernels.at;
-  } else if (settings.footprint) {
-    check_finite("footprint", *settings.footprint);
-    plan.options.limit = *settings.footprint;
+  if (settings.detail || settings.footprint) {
+    plan.options.limit =
+        settings.detail ? checked(kDetailRule, settings.detail) : checked(kFootprintRule, settings.footprint);
     plan.at = kernels.at;
   } else {
     plan.at = tiled ? kernels.tile_at : kernels.at;
@@ -186,30 +190,32 @@ Plan plan_of(int dimensions, const Settings& settings) {
   const auto noise = static_cast<NoiseId>(find(kNoiseRows, "noise", settings.noise, dimensions));
   const int arithmetic = static_cast<int>(settings.arithmetic);
   if (arithmetic < 1 || arithmetic > 3) refuse("arithmetic has to be kFast, kPrecise or kFixed");
-  const int metric = static_cast<int>(settings.metric);
+  const int metric = static_cast<int>(settings.metric.value_or(Metric::kEuclidean));
   if (metric < 1 || metric > 5) {
     refuse("metric has to be kEuclidean, kSquared, kManhattan, kChebyshev or kHybrid");
   }
-  check_number("jitter", settings.jitter, 0.0f, 1.0f);
-  if (settings.phase) check_finite("phase", *settings.phase);
-  plan.set = chosen(settings.instruction_set);
-  plan.kernels = &kernels_for(plan.set, settings.arithmetic);
-  plan.options.seed = settings.seed;
+  std::optional<SumId> sum;
+  if (!settings.sum.empty()) sum = static_cast<SumId>(find(kSumRows, "sum", settings.sum, dimensions));
   bool tiled = false;
   for (std::size_t axis = 0; axis < settings.period.size(); ++axis) {
+    check(kPeriodRule, settings.period[axis]);
     if (axis < static_cast<std::size_t>(dimensions)) tiled = tiled || settings.period[axis] > 0;
     plan.options.period[axis] = settings.period[axis];
   }
-  plan.options.phase = settings.phase.value_or(0.0f);
-  plan.options.jitter = settings.jitter;
+  check_owners(settings, dimensions, kNoiseRows.at(noise), sum ? &kSumRows.at(*sum) : nullptr, tiled);
+  plan.set = chosen(settings.instruction_set);
+  plan.kernels = &kernels_for(plan.set, settings.arithmetic);
+  plan.options.seed = settings.seed;
+  plan.options.phase = checked(kPhaseRule, settings.phase);
+  plan.options.jitter = checked(kJitterRule, settings.jitter);
   plan.options.metric = metric;
-  plan.options.octaves = settings.octaves;
-  plan.options.lacunarity = settings.lacunarity;
-  plan.options.gain = settings.gain;
-  if (settings.sum.empty()) {
-    plan_noise(plan, settings, noise, tiled);
+  plan.options.octaves = checked(kOctavesRule, settings.octaves);
+  plan.options.lacunarity = checked(kLacunarityRule, settings.lacunarity);
+  plan.options.gain = checked(kGainRule, settings.gain);
+  if (sum) {
+    plan_sum(plan, settings, noise, *sum, tiled);
   } else {
-    plan_sum(plan, settings, noise, static_cast<SumId>(find(kSumRows, "sum", settings.sum, dimensions)), tiled);
+    plan_noise(plan, settings, noise, tiled);
   }
   plan.components = components_of(plan.shape, dimensions);
   return plan;

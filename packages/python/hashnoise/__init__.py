@@ -17,10 +17,10 @@ several numbers for a point returns planes, an array with an axis for them in fr
 All functions have these options:
 
     seed             a whole number from 0 to 2^32 - 1; different seeds give independent fields
-    period           the field repeats after so many cells: one whole number, or one for each axis; 0 for none. A sum
-                     then takes the whole part of its lacunarity, which is from 1 to 255
-    cell             cells, as a tuple with an array of whole numbers for each axis; they wrap at 2^32. The coordinates
-                     are then places in the cells, in [0, 1], and the field is exact however far out
+    period           the field repeats after so many cells: one whole number, or one for each axis, not negative; 0
+                     for none. A sum then takes the whole part of its lacunarity, which is from 1 to 255
+    cell             cells, as a tuple with an array of whole numbers for each axis, from -2^31 to 2^31 - 1. The
+                     coordinates are then places in the cells, in [0, 1], and the field is exact however far out
     arithmetic       "fast": floats, within the error that the function states (docs/accuracy.md); the last bits may
                      differ from processor to processor. "precise": floats with the bits of IEEE arithmetic. "fixed":
                      integers, with the bits of HN_FIXED in every shader
@@ -33,7 +33,7 @@ Sums (fbm, turbulence, clouds, billow, ridged, ping_pong, weighted, fbm_d, erode
 these:
 
     noise            what is summed: the name of a noise that returns one number for a point
-    octaves          how many; each costs one noise. With fewer than 1 the sum is 0
+    octaves          how many, from 1 to 32; each costs one noise
     lacunarity       how much finer each octave is than the one before, usually 2
     gain             how much weaker, usually 0.5; not negative
 

@@ -11,7 +11,6 @@ from . import _core
 ARITHMETICS = {"fast": 1, "precise": 2, "fixed": 3}  # the values of HN_FAST and HN_METRIC_EUCLIDEAN
 METRICS = {"euclidean": 1, "squared": 2, "manhattan": 3, "chebyshev": 4, "hybrid": 5}
 AXES = "xyzw"
-MOST_POINTS = 2**29 - 1  # along an axis of a grid
 
 _FLOAT32 = np.dtype(np.float32)
 _FLOAT64 = np.dtype(np.float64)
@@ -81,6 +80,11 @@ def real_number(function, name, value):
     return number
 
 
+def ruled_number(function, name, value):
+    """`value` as an int, if it is one that the rules allow for the setting of that name."""
+    return whole_number(function, name, value, *_core.rules[name])
+
+
 def per_axis(function, name, value, dimensions, check):
     """A tuple with a value for each axis, of one such tuple or of a value for all of them."""
     if not _is_sequence(value):
@@ -90,14 +94,6 @@ def per_axis(function, name, value, dimensions, check):
             f"{function}: {name} must have a value for each of the {dimensions} axes, or be one value for all of them; "
             f"it is {_shown(value)}")
     return tuple(check(function, name, part) for part in value)
-
-
-def wrapped_cell(function, name, value):
-    """A cell along an axis as an int32; cells wrap at 2^32."""
-    try:
-        return (operator.index(value) + 2**31) % 2**32 - 2**31
-    except TypeError:
-        raise TypeError(f"{function}: {name} must be of whole numbers, not {_shown(value)}") from None
 
 
 def checked_out(function, out, shape):
@@ -112,7 +108,7 @@ def checked_out(function, out, shape):
 
 def checked_threads(function, threads):
     """0 for None: as many as are worth it."""
-    return 0 if threads is None else whole_number(function, "threads", threads, 1, 1024)
+    return 0 if threads is None else ruled_number(function, "threads", threads)
 
 
 def _dimensions(function, coordinates):
@@ -152,10 +148,16 @@ def _cells(function, cell, dimensions):
         raise ValueError(
             f"{function}: cell must be a tuple of {dimensions}: the cells along {', '.join(AXES[:dimensions])}")
     arrays = []
+    least, most = _core.rules["cell"]
     for axis, part in zip(AXES, cell):
+        if isinstance(part, int):  # of which NumPy makes an array of objects, if it is large
+            ruled_number(function, "cell", part)
         array = _array(function, "cell", part)
         if array.dtype.kind not in "iu":
             raise TypeError(f"{function}: the cells along {axis} must be whole numbers, not {array.dtype}")
+        if array.dtype != _INT32 and array.size and not least <= array.min() <= array.max() <= most:
+            raise ValueError(f"{function}: the cells along {axis} must be from {least} to {most}, and are from "
+                             f"{array.min()} to {array.max()}")
         arrays.append(array if array.dtype in (_INT32, _INT64) else array.astype(_INT64))
     return arrays
 
@@ -186,9 +188,11 @@ def _one_of(names):
 
 
 def _period(function, name, value, dimensions):
-    def check(function, name, value):
-        return whole_number(function, name, value, -2**31, 2**31 - 1)
-    return (*per_axis(function, name, value, dimensions, check), 0, 0, 0)[:4]
+    return (*per_axis(function, name, value, dimensions, ruled_number), 0, 0, 0)[:4]
+
+
+def _whole(function, name, value, dimensions):
+    return ruled_number(function, name, value)
 
 
 def _real(function, name, value, dimensions):
@@ -207,8 +211,7 @@ def _shown(value):
 
 
 _CHECKS = {
-    "seed": lambda function, name, value, dimensions: whole_number(function, name, value, 0, 2**32 - 1),
-    "octaves": lambda function, name, value, dimensions: whole_number(function, name, value, -2**31, 2**31 - 1),
+    **dict.fromkeys(("seed", "octaves"), _whole),
     "period": _period,
     "arithmetic": _one_of(ARITHMETICS),
     "metric": _one_of(METRICS),

@@ -3,8 +3,7 @@
 import numpy as np
 
 from . import _core, _noises, _sums
-from ._evaluate import (MOST_POINTS, checked_out, checked_threads, make_field, per_axis, real_number, whole_number,
-                        wrapped_cell)
+from ._evaluate import (checked_out, checked_threads, make_field, per_axis, real_number, ruled_number, whole_number)
 
 
 def grid(name, size, *, step, origin=0.0, cell=None, seed=0, noise=None, octaves=None, lacunarity=None, gain=None,
@@ -46,15 +45,11 @@ def grid(name, size, *, step, origin=0.0, cell=None, seed=0, noise=None, octaves
     dimensions = len(size) if hasattr(size, "__len__") else 1
     if not 1 <= dimensions <= 4:
         raise ValueError(f"grid: size must have 1 to 4 numbers, not {dimensions}")
-
-    def points_along(function, option, value):
-        return whole_number(function, option, value, 0, MOST_POINTS)
-
-    size = per_axis("grid", "size", size, dimensions, points_along)
+    size = per_axis("grid", "size", size, dimensions, ruled_number)
     step = per_axis("grid", "step", step, dimensions, real_number)
     origin = per_axis("grid", "origin", origin, dimensions, real_number)
     if cell is not None:
-        cell = per_axis("grid", "cell", cell, dimensions, wrapped_cell)
+        cell = per_axis("grid", "cell", cell, dimensions, ruled_number)
         if not all(0 <= place <= 1 for place in origin):
             raise ValueError(f"grid: with a cell, origin is the place in it and must be from 0 to 1, not {origin}")
     field = make_field("grid", dimensions, settings.pop("noise"), settings.pop("sum"), settings)

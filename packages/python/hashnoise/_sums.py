@@ -6,12 +6,13 @@ __all__ = ["fbm", "turbulence", "clouds", "billow", "ridged", "ping_pong", "weig
            "warp_progressive"]
 
 
-def fbm(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, lacunarity=2.0, gain=0.5, detail=None,
+def fbm(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=None, lacunarity=2.0, gain=0.5, detail=None,
         footprint=None, period=None, cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
     """Fractional Brownian motion, in 1D to 4D: octaves of noise, each finer, weaker, and turned.
 
-    detail     in place of the octaves, without a period: octaves as a float. 3.5 is three octaves and half of the
-               fourth
+    octaves    6 if neither they nor a detail are given
+    detail     in place of the octaves, without a period: octaves as a float, in [0, 32]. 3.5 is three octaves and half
+               of the fourth
     footprint  without a period: the size of a pixel, in cells of the first octave. Octaves that are too fine for it
                fade out
     returns    [-1, 1], mean 0
@@ -44,7 +45,7 @@ def clouds(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, l
            cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
     """Clouds, in 1D to 4D: the density of a sky, from an fBm.
 
-    returns  [0, 1]: 0 is clear, 1 is dense; with fewer than 1 octave 5/32
+    returns  [0, 1]: 0 is clear, 1 is dense
     source   after the cloud images of Valdenegro-Toro and Pincheira, fig. 6; the paper has no formula for them
 
     >>> hashnoise.clouds(0.5, 0.25, seed=7, arithmetic="fixed")

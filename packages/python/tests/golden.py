@@ -22,8 +22,8 @@ from tree import BOUNDS, GOLDEN, ROOT  # noqa: E402, F401  (other tests take ROO
 TYPES = {"f32": numpy.float32, "i32": numpy.int32, "u32": numpy.uint32, "f64": numpy.float64}
 METRICS = ("euclidean", "euclidean", "squared", "manhattan", "chebyshev", "hybrid")  # by HN_METRIC_...; 0 is Euclidean
 # What the package takes. In GLSL what lies beyond counts as the nearer end, and golden files have that, too; with
-# HN_FIXED more than 32 octaves are 32.
-RANGES = {"octaves": (-2**31, 1024), "detail": (0, 1024), "gain": (0, numpy.inf), "jitter": (0, 1),
+# HN_FIXED more than 32 octaves are 32. Rows with fewer than 1 are left out.
+RANGES = {"octaves": (1, 32), "detail": (0, 32), "gain": (0, numpy.inf), "footprint": (0, numpy.inf), "jitter": (0, 1),
           "amplitude": (0, 64), "ping_pong": (0, 64), "weighted": (0, 1), "eroded": (0, 16)}
 # Columns of what the package does not have: the cell of the nearest point and the way to it, and whole numbers as
 # positions.
@@ -69,12 +69,18 @@ def read(name: str, setting: str, folder: Path = GOLDEN) -> Golden:
 
 
 def askable(golden: Golden) -> Golden:
-    """Without the rows of a tile that repeats along no axis: GLSL has such sums, whose octaves are not turned. In the
-    package a sum that repeats along no axis is the one without a period."""
-    periods = [values for name, values in golden.arguments.items() if name in ("px", "py", "pz", "pw")]
-    if not periods or golden.function not in hashnoise.sums(golden.axes):
+    """Without the rows that sums of GLSL have and the package refuses: those of fewer than 1 octave, and of a negative
+    period, which may become a positive one in a late octave. It is also without those of a tile that repeats along no
+    axis: GLSL has such sums, whose octaves are not turned. In the package a sum that repeats along no axis is the one
+    without a period."""
+    if golden.function not in hashnoise.sums(golden.axes):
         return golden
-    kept = numpy.any([values > 0 for values in periods], axis=0)
+    periods = [values for name, values in golden.arguments.items() if name in ("px", "py", "pz", "pw")]
+    kept = numpy.ones(len(golden.arguments["seed"]), bool)
+    if "octaves" in golden.arguments:
+        kept &= golden.arguments["octaves"] >= 1
+    if periods:
+        kept &= numpy.all([values >= 0 for values in periods], axis=0) & numpy.any(periods, axis=0)
     return Golden(golden.name, golden.function, golden.axes,
                   {name: values[kept] for name, values in golden.arguments.items()},
                   {name: values[kept] for name, values in golden.results.items()})
@@ -104,7 +110,7 @@ def computed(golden: Golden, arithmetic: str) -> numpy.ndarray:
             least, most = RANGES.get(name if name != "strength" else golden.function, (value, value))
             chosen[name] = min(max(value, least), most)
         if periods:
-            chosen["period"] = values[len(options):]
+            chosen["period"] = tuple(max(period, 0) for period in values[len(options):])
         if "metric" in chosen:
             chosen["metric"] = METRICS[chosen["metric"] if 0 <= chosen["metric"] < len(METRICS) else 0]
         if cells is not None:

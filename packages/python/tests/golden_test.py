@@ -20,7 +20,7 @@ class Fixed(unittest.TestCase):
         for name in golden.names("lattice+fixed"):
             with self.subTest(name):
                 file = golden.read(name, "lattice+fixed")
-                self.assertGreater(len(file.arguments["seed"]), 100)
+                self.assertGreater(len(file.arguments["seed"]), 60)
                 self.assertEqual(golden.different_bits(file, golden.computed(file, "fixed"))[:5], [])
                 tested.add((file.function, file.axes))
         everything = {(name, axes) for axes in range(1, 5) for name in hashnoise.noises(axes) + hashnoise.sums(axes)}

@@ -84,6 +84,16 @@ class Options(unittest.TestCase):
             hashnoise.perlin(X, instruction_set=name)
 
 
+    def test_ends_of_ranges(self):
+        """What lies beyond them is wrong; these are right."""
+        for options in ({"octaves": 1}, {"octaves": 32}, {"period": 0}, {"period": 2**31 - 1}, {"seed": 2**32 - 1},
+                        {"cell": (-2**31, 2**31 - 1)}, {"cell": (numpy.array([2**31 - 1], numpy.uint32), 0)},
+                        {"cell": (numpy.array([], numpy.int64), 0)}, {"detail": 0}, {"detail": 32}):
+            with self.subTest(options):
+                hashnoise.fbm(0.5, 0.5, **options)
+        hashnoise.grid("perlin", (3, 4), step=0.1, cell=(-2**31, 2**31 - 1))
+
+
 class Wrong(unittest.TestCase):
     def assert_told(self, kind, said, call):
         with self.assertRaisesRegex(kind, said) as caught:
@@ -98,12 +108,22 @@ class Wrong(unittest.TestCase):
                 (TypeError, {"seed": "7"}, r"seed must be a whole number, not '7' \(str\)"),
                 (ValueError, {"period": (1, 2, 3)}, r"period must have a value for each of the 2 axes"),
                 (TypeError, {"period": (1, 0.5)}, r"period must be a whole number, not 0.5"),
-                (ValueError, {"period": 2**31}, "period must be from -2147483648 to 2147483647"),
+                (ValueError, {"period": 2**31}, "period must be from 0 to 2147483647, not 2147483648"),
+                (ValueError, {"period": -1}, "period must be from 0 to 2147483647, not -1"),
+                (ValueError, {"period": (4, -2**31)}, "period must be from 0 to 2147483647, not -2147483648"),
                 (ValueError, {"arithmetic": "exact"}, "arithmetic must be one of fast, precise, fixed; not 'exact'"),
                 (ValueError, {"threads": 0}, "threads must be from 1 to 1024, not 0"),
                 (TypeError, {"threads": 1.5}, "threads must be a whole number"),
                 (ValueError, {"instruction_set": "mmx"}, "instruction_set must be one of this processor's, .*; not 'mmx'"),
                 (TypeError, {"octaves": 2.5}, "octaves must be a whole number, not 2.5"),
+                (ValueError, {"octaves": 0}, "octaves must be from 1 to 32, not 0"),
+                (ValueError, {"octaves": -1}, "octaves must be from 1 to 32, not -1"),
+                (ValueError, {"octaves": 33}, "octaves must be from 1 to 32, not 33"),
+                (ValueError, {"octaves": 2**70}, "octaves must be from 1 to 32, not 1180591620717411303424"),
+                (ValueError, {"gain": -0.5}, "gain is -0.5, and has to be a finite number of 0 or more"),
+                (ValueError, {"detail": 33}, "detail is 33, and has to be from 0 to 32"),
+                (ValueError, {"detail": 2.5, "octaves": 6}, "detail stands in place of octaves"),
+                (ValueError, {"footprint": -1}, "footprint is -1, and has to be a finite number of 0 or more"),
                 (TypeError, {"gain": "0.5"}, "gain must be a number, not '0.5'"),
                 (TypeError, {"gain": X}, "gain must be a number, not array"),
                 (ValueError, {"gain": float("nan")}, "gain must be finite, not nan"),
@@ -115,6 +135,13 @@ class Wrong(unittest.TestCase):
                 (ValueError, {"detail": 2.0, "period": 4}, "detail"),
                 (ValueError, {"cell": 3}, "cell must be a tuple of 2: the cells along x, y"),
                 (ValueError, {"cell": (3,)}, "cell must be a tuple of 2"),
+                (ValueError, {"cell": (2**31, 1)}, "cell must be from -2147483648 to 2147483647, not 2147483648"),
+                (ValueError, {"cell": (1, -2**31 - 1)}, "cell must be from -2147483648 to 2147483647, not -2147483649"),
+                (ValueError, {"cell": (2**70, 1)}, "cell must be from -2147483648 to 2147483647, not 11805916207"),
+                (ValueError, {"cell": (1, numpy.array([-5, 2**31]))},
+                 "the cells along y must be from -2147483648 to 2147483647, and are from -5 to 2147483648"),
+                (ValueError, {"cell": (numpy.array([2**64 - 1], numpy.uint64), 1)}, "the cells along x must be from"),
+                (ValueError, {"cell": (numpy.uint32(2**31), 1)}, "the cells along x must be from"),
                 (TypeError, {"cell": (0.5, 1)}, "the cells along x must be whole numbers, not float64")):
             with self.subTest(options):
                 self.assert_told(kind, f"^fbm: .*{said}", lambda: hashnoise.fbm(X, X, **options))
@@ -171,7 +198,12 @@ class Wrong(unittest.TestCase):
                 (ValueError, {"step": float("nan")}, "step must be finite"),
                 (TypeError, {"step": "a"}, "step must be a number"),
                 (ValueError, {"origin": (0.0,)}, "origin must have a value for each of the 2 axes"),
-                (TypeError, {"cell": 0.5}, "cell must be of whole numbers"),
+                (TypeError, {"cell": 0.5}, "cell must be a whole number"),
+                (ValueError, {"cell": 2**31}, "cell must be from -2147483648 to 2147483647, not 2147483648"),
+                (ValueError, {"cell": (0, -2**31 - 1)}, "cell must be from -2147483648 to 2147483647"),
+                (ValueError, {"name": "fbm", "octaves": 0}, "octaves must be from 1 to 32, not 0"),
+                (TypeError, {"octaves": 3}, "perlin has no option octaves"),
+                (ValueError, {"period": -4}, "period must be from 0 to 2147483647, not -4"),
                 (ValueError, {"cell": 3, "step": 2.0**31}, "step"),
                 (ValueError, {"cell": 3, "origin": (0.5, 1.5)}, "origin is the place in it and must be from 0 to 1"),
                 (ValueError, {"step": 1e38, "origin": 3e38}, ""),

@@ -111,7 +111,8 @@ class Bake(unittest.TestCase):
     def test_the_record_of_a_file_makes_it_again(self):
         for call in (["fbm", "--seed", "3", "--gain", "0.6", "--detail", "3.25"], ["cellular", "--jitter", "0.4"],
                      ["ping_pong", "--strength", "1.75", "--noise", "value"], ["warp", "--amplitude", "0.3"],
-                     ["perlin", "--phase", "0.1", "--period", "4x0", "--origin", "5x-6.5"]):
+                     ["perlin", "--phase", "0.1", "--period", "4x0", "--origin", "5x-6.5"],
+                     ["fbm", "--noise", "cellular_smooth"], ["eroded", "--strength", "0.5"], ["warp"]):
             with self.subTest(call=call):
                 self.bake(*call, "--size", "20x10", "--cells", "4", "-o", "a.png")
                 record = json.loads(png(self.folder / "a.png")[4]["hashnoise"])
@@ -230,6 +231,30 @@ class Bake(unittest.TestCase):
             (["fbm", "-o", "a.png", "--detail", "2", "--tile"], ""),
             (["fbm", "-o", "a.png", "--octave", "2"], "did you mean --octaves?"),
             (["fbm", "ridged", "-o", "a.png"], '"ridged"'),
+            (["fbm", "-o", "a.png", "--octaves", "0"], "octaves is 0, and has to be from 1 to 32"),
+            (["fbm", "-o", "a.png", "--octaves", "-1"], "octaves is -1, and has to be from 1 to 32"),
+            (["fbm", "-o", "a.png", "--octaves", "33"], "octaves is 33, and has to be from 1 to 32"),
+            (["fbm", "-o", "a.png", "--octaves", "2.5"], "--octaves"),
+            (["fbm", "-o", "a.png", "--octaves", "99999999999"], "octaves is 99999999999, and has to be"),
+            (["fbm", "-o", "a.png", "--threads", "0"], "threads is 0, and has to be from 1 to 1024"),
+            (["fbm", "-o", "a.png", "--seed", "x"], "--seed", "x is not a number"),
+            (["fbm", "-o", "a.png", "--gain", "-0.5"], "gain is -0.5, and has to be a finite number of 0 or more"),
+            (["fbm", "-o", "a.png", "--period", "-1x4"], "--period", "from 0 to 2147483647"),
+            (["fbm", "-o", "a.png", "--detail", "33"], "detail is 33, and has to be from 0 to 32"),
+            (["fbm", "-o", "a.png", "--detail", "2.5", "--octaves", "3"], "detail stands in place of octaves"),
+            (["fbm", "-o", "a.png", "--footprint", "-1"], "footprint is -1"),
+            (["cellular", "-o", "a.exr", "--jitter", "1.5"], "jitter is 1.5, and has to be from 0 to 1"),
+            (["perlin", "-o", "a.png", "--octaves", "3"], '"perlin" in 2D has no octaves; sums have them'),
+            (["perlin", "-o", "a.png", "--octaves", "6"], '"perlin" in 2D has no octaves; sums have them'),
+            (["perlin", "-o", "a.png", "--lacunarity", "2"], "has no lacunarity; sums have one"),
+            (["perlin", "-o", "a.png", "--gain", "0.5"], "has no gain; sums have one"),
+            (["perlin", "-o", "a.png", "--strength", "1"], "has no strength; the sums ping_pong"),
+            (["perlin", "-o", "a.png", "--amplitude", "1"], "has no amplitude; the sums warp"),
+            (["perlin", "-o", "a.png", "--detail", "1"], "has no detail; the sum fbm"),
+            (["perlin", "-o", "a.png", "--jitter", "1"], "has no jitter; cellular noises"),
+            (["perlin", "-o", "a.png", "--metric", "euclidean"], "has no metric; cellular and"),
+            (["fbm", "-o", "a.png", "--amplitude", "1"], 'the sum "fbm" in 2D has no amplitude'),
+            (["fbm", "-o", "a.png", "--jitter", "1"], 'the sum "fbm" in 2D has no jitter'),
             (["fbm", "-o", ".", "--format", "png"], "it is a folder"),
             (["fbm", "-o", "none/a.png"], "--out none/a.png", "there is no folder none; make it"),
             (["fbm", "-o", "none/of/these/a.png"], "there is no folder none/of/these"),

@@ -95,23 +95,6 @@ TEST_P(Bits, FarOut) {
   });
 }
 
-// Less than 0 is no period, as 0 is: of a sum, too, which is no tile then.
-TEST_P(Bits, OfPeriodsBelow0) {
-  in_dimensions([&]<int D>(std::integral_constant<int, D>) {
-    for (const std::string sum : {"", "fbm"}) {
-      Settings without;
-      without.sum = sum;
-      without.arithmetic = arithmetic();
-      Settings with = without;
-      with.period = {-1, -7, std::numeric_limits<std::int32_t>::min(), -2};
-      const Grid<D> grid = draw_grid<D>(kMostPoints, 100.0f, Draw::kWild, chance);
-      const std::size_t points = places_of(grid).size();
-      EXPECT_TRUE(
-          same_bits(fill(Field<D>(with), grid, points).values, fill(Field<D>(without), grid, points).values, points));
-    }
-  });
-}
-
 // A few thousand points, so that there are several tasks and full rows of vectors.
 TEST_P(Bits, OfManyPoints) {
   in_dimensions([&]<int D>(std::integral_constant<int, D>) {

@@ -16,14 +16,15 @@ std::ostream& operator<<(std::ostream& out, const Settings& s) {
       << ", seed " << s.seed << ", period";
   for (const std::int32_t period : s.period) out << " " << period;
   if (s.phase) out << ", phase " << *s.phase;
-  out << ", jitter " << s.jitter << ", metric " << static_cast<int>(s.metric);
-  if (!s.sum.empty()) {
-    out << ", octaves " << s.octaves << ", lacunarity " << s.lacunarity << ", gain " << s.gain;
-    if (s.strength) out << ", strength " << *s.strength;
-    out << ", amplitude " << s.amplitude;
-    if (s.detail) out << ", detail " << *s.detail;
-    if (s.footprint) out << ", footprint " << *s.footprint;
-  }
+  if (s.jitter) out << ", jitter " << *s.jitter;
+  if (s.metric) out << ", metric " << static_cast<int>(*s.metric);
+  if (s.octaves) out << ", octaves " << *s.octaves;
+  if (s.lacunarity) out << ", lacunarity " << *s.lacunarity;
+  if (s.gain) out << ", gain " << *s.gain;
+  if (s.strength) out << ", strength " << *s.strength;
+  if (s.amplitude) out << ", amplitude " << *s.amplitude;
+  if (s.detail) out << ", detail " << *s.detail;
+  if (s.footprint) out << ", footprint " << *s.footprint;
   if (s.instruction_set) out << ", with " << name(*s.instruction_set);
   return out;
 }

@@ -54,11 +54,11 @@ void print_all(hashnoise::Arithmetic arithmetic) {
     hashnoise::Settings settings;
     settings.arithmetic = arithmetic;
     settings.period = {period, 2 * period, 0, period};
-    settings.octaves = 3;
     for (const std::string_view noise : hashnoise::noise_names(D)) {
       settings.noise = noise;
       print<D>(settings);
     }
+    settings.octaves = 3;
     for (const std::string_view sum : hashnoise::sum_names(D)) {
       settings.noise = sum == "fbm_d" || sum == "eroded" ? "perlin_d" : "perlin";
       settings.sum = sum;

@@ -62,10 +62,6 @@ hn::OctaveSum kind_of(const std::string& sum) { return hn::octave_sum_named(sum)
 
 std::string_view default_noise(const std::string& sum) { return hn::noise_of(kind_of(sum)); }
 
-double strength_of(const Settings& s) {
-  return static_cast<double>(s.strength.value_or(s.sum == "ping_pong" ? 2.0f : 1.0f));
-}
-
 double largest_of(float p) { return std::fabs(static_cast<double>(p)); }
 template <int D>
 double largest_of(const Position<D>& p) {
@@ -84,15 +80,15 @@ double largest_of(const CellPlace<D>& place) {
 
 template <int D, typename Place>
 Bound bound_of_sum(const Settings& s, const std::vector<Place>& places) {
-  hn::OctaveArguments arguments{0.0, static_cast<double>(s.octaves), static_cast<double>(s.lacunarity),
-                                static_cast<double>(s.gain), false};
+  hn::OctaveArguments arguments{0.0, static_cast<double>(octaves_of(s)), static_cast<double>(lacunarity_of(s)),
+                                static_cast<double>(gain_of(s)), false};
   for (const Place& place : places)
     arguments.largest_coordinate = std::max(arguments.largest_coordinate, largest_of<D>(place));
   arguments.turns = !has_period(s, D);
   if (!arguments.turns) arguments.lacunarity = std::floor(arguments.lacunarity);
   arguments.from_cell = !std::is_same_v<Place, Position<D>>;
-  arguments.strength = strength_of(s);
-  arguments.amplitude = static_cast<double>(s.amplitude);
+  arguments.strength = static_cast<double>(strength_of(s));
+  arguments.amplitude = static_cast<double>(amplitude_of(s));
   if (s.detail) {
     arguments.octaves = static_cast<double>(*s.detail);
     arguments.is_detail = true;
@@ -115,9 +111,9 @@ double mean_of(const Settings& s, const std::vector<double>& octaves) {
   for (const double octave : octaves) {
     sum += weight * octave;
     total += weight;
-    weight *= static_cast<double>(s.gain);
+    weight *= static_cast<double>(gain_of(s));
   }
-  return sum / total + 8.0 * (s.octaves + 2) * kUnit;
+  return sum / total + 8.0 * (octaves_of(s) + 2) * kUnit;
 }
 
 template <int D>
@@ -125,13 +121,14 @@ Bound bound_of_other(const Settings& s) {
   Settings noise = s;
   noise.sum = "";
   const double value = 2.0 * error_of_noise(noise, D, 0, true);
-  const auto count = static_cast<std::size_t>(s.octaves);
+  const auto count = static_cast<std::size_t>(octaves_of(s));
   const std::vector<double> values(count, value);
   double error = mean_of(s, values);
   double slope = 0.0;
   if (s.sum == "clouds") error *= 3.0;
   if (s.sum == "billow") error *= 2.0;
-  if (s.sum == "ping_pong") error = mean_of(s, std::vector(count, 2.0 * strength_of(s) * (value + 4.0 * kUnit)));
+  if (s.sum == "ping_pong")
+    error = mean_of(s, std::vector(count, 2.0 * static_cast<double>(strength_of(s)) * (value + 4.0 * kUnit)));
   if (s.sum == "ridged") {  // the root of a ridge is off by its noise and by sqrt(2) times the one before
     std::vector<double> ridges;
     double root = 0.0;
@@ -157,14 +154,14 @@ Bound bound_of_other(const Settings& s) {
     for (std::size_t i = 0; i < count; ++i) {
       const double roundings = 2.0 * 2.0 * D * static_cast<double>(i + 1) * kUnit * largest * D;
       slopes.push_back(length * (std::sqrt(static_cast<double>(D)) * of_slope + roundings));
-      length *= 1.001 * static_cast<double>(s.lacunarity);
+      length *= 1.001 * static_cast<double>(lacunarity_of(s));
       of_fall = 1.001 * of_fall + std::sqrt(static_cast<double>(D)) * (of_slope + 32.0 * kUnit * 8.0);
-      falls.push_back(value + 0.65 * std::sqrt(strength_of(s)) * of_fall + 16.0 * kUnit);
+      falls.push_back(value + 0.65 * std::sqrt(static_cast<double>(strength_of(s))) * of_fall + 16.0 * kUnit);
     }
     slope = mean_of(s, slopes);
     if (s.sum == "eroded") error = mean_of(s, falls);
   }
-  if (s.sum == "warp") error *= static_cast<double>(s.amplitude);
+  if (s.sum == "warp") error *= static_cast<double>(amplitude_of(s));
   return [=](std::size_t component, std::size_t) { return s.sum == "fbm_d" && component > 0 ? slope : error; };
 }
 

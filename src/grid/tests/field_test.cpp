@@ -156,7 +156,7 @@ TEST(InstructionSets, AreNamedAndChosen) {
 
 TEST(InstructionSets, AreTheWidestFirst) {
   const std::vector order = {InstructionSet::kAvx512, InstructionSet::kAvx2, InstructionSet::kSse41,
-                             InstructionSet::kNeon,    InstructionSet::kGeneric};
+                             InstructionSet::kNeon, InstructionSet::kGeneric};
   const std::vector<InstructionSet> sets = instruction_sets();
   const auto place = [&](InstructionSet set) { return std::ranges::find(order, set); };
   EXPECT_TRUE(std::ranges::is_sorted(sets, {}, place));
@@ -337,7 +337,11 @@ TEST(Errors, OfASumOverAnotherNoise) {
   expect_errors_of_wrong_pairs<4>();
 }
 
-// A setting that stands for something is an error where the noise or the sum does not have it.
+constexpr std::array<void (*)(Settings&), 4> kSettingsOfSums = {
+    [](Settings& settings) { settings.octaves = 6; }, [](Settings& settings) { settings.lacunarity = 2.0f; },
+    [](Settings& settings) { settings.gain = 0.5f; }, [](Settings& settings) { settings.amplitude = 1.0f; }};
+
+// A setting that is given is an error where the noise or the sum does not have it, also if it is what is usual.
 template <int D>
 void expect_errors_of_settings() {
   for (const twin::Noise& noise : twin::noises(D)) {
@@ -345,14 +349,20 @@ void expect_errors_of_settings() {
     settings.phase = 0.0f;
     EXPECT_EQ(error_of<D>(settings).empty(), twin::can_have_phase(noise.name, D)) << settings;
     settings = of(noise.name);
-    settings.jitter = 0.5f;
+    settings.jitter = 1.0f;
     EXPECT_EQ(error_of<D>(settings).empty(), twin::has_jitter(noise.name)) << settings;
     settings = of(noise.name);
-    settings.metric = Metric::kManhattan;
+    settings.metric = Metric::kEuclidean;
     EXPECT_EQ(error_of<D>(settings).empty(), twin::has_metric(noise.name)) << settings;
     settings = of(noise.name);
     settings.strength = 1.0f;
     EXPECT_ERROR(error_of<D>(settings)) << settings;
+    // Those of sums, also where they are what is usual.
+    for (const auto& set : kSettingsOfSums) {
+      settings = of(noise.name);
+      set(settings);
+      EXPECT_TRUE(says(error_of<D>(settings), {noise.name, "has no", "sum"})) << settings;
+    }
   }
   for (const Settings& subject : twin::sum_subjects(D)) {
     Settings settings = subject;
@@ -368,6 +378,14 @@ void expect_errors_of_settings() {
     settings.strength = 1.0f;
     const bool has_strength = subject.sum == "ping_pong" || subject.sum == "weighted" || subject.sum == "eroded";
     EXPECT_EQ(error_of<D>(settings).empty(), has_strength) << settings;
+    settings = subject;
+    settings.amplitude = 1.0f;
+    EXPECT_EQ(error_of<D>(settings).empty(), subject.sum.starts_with("warp")) << settings;
+    settings = subject;
+    settings.octaves = 6;
+    settings.lacunarity = 2.0f;
+    settings.gain = 0.5f;
+    EXPECT_NO_ERROR(error_of<D>(settings)) << settings;
   }
 }
 TEST(Errors, OfAPhaseAJitterAMetricOrAStrengthWhereThereIsNone) {
@@ -401,22 +419,56 @@ TEST(Errors, OfSettingsOutsideOfTheirRange) {
     expect_range(of(noise), jitter, 0.0f, 1.0f);
   }
   expect_range(
-      of("perlin", "fbm"), [](Settings& settings, float x) { settings.detail = x; }, 0.0f, 1024.0f);
+      of("perlin", "fbm"), [](Settings& settings, float x) { settings.detail = x; }, 0.0f, 32.0f);
   Settings settings = of("perlin", "fbm");
   settings.gain = -0.5f;
-  EXPECT_ERROR(error_of<2>(settings));
+  EXPECT_EQ(error_of<2>(settings), "gain is -0.5, and has to be a finite number of 0 or more");
+  settings = of("perlin", "fbm");
+  settings.footprint = -0.25f;
+  EXPECT_TRUE(says(error_of<2>(settings), {"footprint is -0.25, and has to be a finite number of 0 or more"}));
 }
 
-TEST(Errors, OfManyOctaves) {
+// A field of zeros is what nobody wants, and more octaves than 32 would count as 32 with HN_FIXED.
+TEST(Errors, OfOctaves) {
+  for (const std::string& sum : twin::sums(2)) {
+    Settings settings = of(twin::noises_of(sum, 2).front(), sum);
+    for (const int right : {1, 2, 32}) {
+      settings.octaves = right;
+      EXPECT_NO_ERROR(error_of<2>(settings)) << settings;
+    }
+    using Limits = std::numeric_limits<int>;
+    for (const int wrong : {0, -1, 33, Limits::min(), Limits::max()}) {
+      settings.octaves = wrong;
+      EXPECT_EQ(error_of<2>(settings), "octaves is " + std::to_string(wrong) + ", and has to be from 1 to 32");
+    }
+  }
+}
+
+TEST(Errors, OfANegativePeriod) {
+  for (const std::string sum : {"", "fbm"}) {
+    for (const std::size_t axis : {0, 1}) {
+      Settings settings = of("perlin", sum);
+      settings.period = {4, 4};
+      EXPECT_NO_ERROR(error_of<2>(settings));
+      settings.period[axis] = 0;
+      EXPECT_NO_ERROR(error_of<2>(settings));
+      for (const int wrong : {-1, std::numeric_limits<int>::min()}) {
+        settings.period[axis] = wrong;
+        EXPECT_EQ(error_of<2>(settings), "period is " + std::to_string(wrong) + ", and has to be from 0 to 2147483647");
+      }
+    }
+  }
+}
+
+TEST(Errors, OfADetailBesideOctavesOrAFootprint) {
   Settings settings = of("perlin", "fbm");
-  settings.octaves = 1024;
+  settings.detail = 2.5f;
   EXPECT_NO_ERROR(error_of<2>(settings));
-  settings.octaves = 1025;
-  EXPECT_ERROR(error_of<2>(settings));
-  settings.octaves = std::numeric_limits<int>::max();
-  EXPECT_ERROR(error_of<2>(settings));
-  settings.octaves = std::numeric_limits<int>::min();
-  EXPECT_NO_ERROR(error_of<2>(settings));
+  settings.octaves = 6;
+  EXPECT_EQ(error_of<2>(settings), "detail stands in place of octaves; leave one out");
+  settings.octaves.reset();
+  settings.footprint = 1.0f;
+  EXPECT_EQ(error_of<2>(settings), "detail and footprint exclude each other; leave one out");
 }
 
 TEST(Errors, OfADetailOrAFootprintWhereThereIsNone) {
@@ -438,10 +490,6 @@ TEST(Errors, OfADetailOrAFootprintWhereThereIsNone) {
     EXPECT_ERROR(error_of<2>(with(of("perlin_d", "fbm_d"))));
     EXPECT_ERROR(error_of<2>(with(of("value", "warp"))));
   }
-  Settings both = of("perlin", "fbm");
-  both.detail = 1.0f;
-  both.footprint = 1.0f;
-  EXPECT_ERROR(error_of<2>(both));
 }
 
 // There is no such form from a cell. So it is an error of filling, if not of the field.

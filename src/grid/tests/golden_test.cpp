@@ -3,6 +3,8 @@
 //
 // docs/formats.md describes the files. Each row is a field with settings of its own, and one point. What a driver
 // computes is compared with the twin by hn-conform.
+#include "expected/golden.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +19,6 @@
 #include <vector>
 
 #include "compare.hpp"
-#include "expected/golden.hpp"
 #include "fields.hpp"
 
 namespace hashnoise::twin {
@@ -89,13 +90,13 @@ std::optional<Settings> settings_of(const hn::Function& function, const Golden& 
 bool are_in_domain(const Settings& s) {
   const float most = s.sum == "ping_pong" ? 64.0f : s.sum == "eroded" ? 16.0f : 1.0f;
   const auto is_between = [](float x, float from, float to) { return from <= x && x <= to; };
-  return s.octaves <= 1024 && s.gain >= 0.0f && is_between(s.detail.value_or(0.0f), 0.0f, 1024.0f) &&
-         is_between(s.strength.value_or(0.0f), 0.0f, most) && is_between(s.jitter, 0.0f, 1.0f) &&
-         is_between(s.amplitude, 0.0f, 64.0f);
+  return std::ranges::all_of(s.period, [](std::int32_t period) { return period >= 0; }) && octaves_of(s) >= 1 &&
+         octaves_of(s) <= 32 && gain_of(s) >= 0.0f && is_between(s.detail.value_or(0.0f), 0.0f, 32.0f) &&
+         s.footprint.value_or(0.0f) >= 0.0f && is_between(s.strength.value_or(0.0f), 0.0f, most) &&
+         is_between(jitter_of(s), 0.0f, 1.0f) && is_between(amplitude_of(s), 0.0f, 64.0f);
 }
 
-// Whether a field has the row. Its metrics have names, and its period is a positive number, so that a tile of a sum
-// that has none is no tile.
+// Whether a field has the row. Its metrics have names, and a sum without a positive period is no tile.
 bool set(Settings& settings, const Golden& golden, const Row& row) {
   const auto word = [&](const std::string& column) { return row.words.at(column); };
   const auto number = [&](const std::string& column) { return std::bit_cast<float>(word(column)); };

@@ -61,19 +61,22 @@ void draw_settings(Settings& s, int dimensions, bool tiled, Draw draw, Chance& c
     return;
   }
   const bool has_frames = s.sum == "fbm_d" || s.sum == "eroded" || s.sum == "warp_progressive";
-  s.octaves = wild ? chance.of({-1, 0, 1, 2, 3, 5, 6, 8, 12, 40}) : chance.whole(1, 6);
+  s.octaves = wild ? chance.of({1, 2, 3, 5, 6, 8, 12, 32}) : chance.whole(1, 6);
   s.lacunarity = wild ? chance.of({2.0f, 2.0f, 1.97f, 3.0f, 2.5f, 1.0f, 0.5f, 0.0f}) : chance.of({2.0f, 1.9f});
   s.gain = wild ? chance.of({0.5f, 0.5f, 0.7f, 0.25f, 1.0f, 0.0f, 1.5f}) : chance.of({0.5f, 0.4f});
-  if (s.octaves == 40) s.gain = 0.5f;  // so that no power of the gain leaves what HN_PRECISE is defined for
+  if (s.octaves == 32) s.gain = 0.5f;  // so that no power of the gain leaves what HN_PRECISE is defined for
   if (has_frames) {                    // nor do frames leave what HN_FIXED is defined for
-    s.octaves = std::min(s.octaves, 8);
-    s.gain = std::min(s.gain, 0.5f);
+    s.octaves = std::min(*s.octaves, 8);
+    s.gain = std::min(*s.gain, 0.5f);
   }
   s.strength.reset();
   if (s.sum == "ping_pong" && !chance.one_in(3)) s.strength = chance.between(0.0f, 5.0f);
   if ((s.sum == "weighted" || s.sum == "eroded") && !chance.one_in(3)) s.strength = chance.between(0.0f, 1.0f);
-  s.amplitude = chance.of({0.5f, 1.0f, 0.25f});
-  if (s.detail) s.detail = chance.of({0.0f, 1.0f, 3.5f, 6.0f, chance.between(0.0f, 7.0f)});
+  if (s.sum.starts_with("warp")) s.amplitude = chance.of({0.5f, 1.0f, 0.25f});
+  if (s.detail) {
+    s.octaves.reset();
+    s.detail = chance.of({0.0f, 1.0f, 3.5f, 6.0f, chance.between(0.0f, 7.0f)});
+  }
   if (s.footprint) s.footprint = chance.of({0.0f, 0.0625f, 0.75f, 3.0f, chance.between(0.0f, 1.0f)});
 }
 

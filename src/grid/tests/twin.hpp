@@ -39,4 +39,13 @@ std::vector<std::string> noises_of(const std::string& sum, int dimensions);
 
 bool has_period(const Settings& settings, int dimensions);
 
+// The numbers of settings. Those that are left out are what field.hpp says.
+inline float jitter_of(const Settings& s) { return s.jitter.value_or(1.0f); }
+inline int metric_of(const Settings& s) { return static_cast<int>(s.metric.value_or(Metric::kEuclidean)); }
+inline int octaves_of(const Settings& s) { return s.octaves.value_or(6); }
+inline float lacunarity_of(const Settings& s) { return s.lacunarity.value_or(2.0f); }
+inline float gain_of(const Settings& s) { return s.gain.value_or(0.5f); }
+inline float strength_of(const Settings& s) { return s.strength.value_or(s.sum == "ping_pong" ? 2.0f : 1.0f); }
+inline float amplitude_of(const Settings& s) { return s.amplitude.value_or(1.0f); }
+
 }  // namespace hashnoise::twin

@@ -124,9 +124,9 @@ auto called([[maybe_unused]] const Settings& s, std::uint32_t seed, auto... plac
   } else if constexpr (O == Options::kPhase) {
     return Call::of(place..., *s.phase, seed);
   } else if constexpr (O == Options::kJitter) {
-    return Call::of(place..., s.jitter, seed);
+    return Call::of(place..., twin::jitter_of(s), seed);
   } else {
-    return Call::of(place..., s.jitter, static_cast<int>(s.metric), seed);
+    return Call::of(place..., twin::jitter_of(s), twin::metric_of(s), seed);
   }
 }
 
@@ -278,26 +278,23 @@ IN_SPACE(HN_WARP_PROGRESSIVE, warp_progressive, chosen)
 IN_SPACE(HN_WARP_PROGRESSIVE_PERIOD, warp_progressive, chosen)
 // clang-format on
 
-// The settings of Settings that are left out.
-float strength_of(const Settings& s) { return s.strength.value_or(s.sum == "ping_pong" ? 2.0f : 1.0f); }
-
 // A sum, of any arguments: its places, then what it takes in front of the seed.
 #define SUM(name, ...)                                                                               \
   struct name##_call {                                                                               \
     static auto of(const Settings& s, auto... place) { return name(place..., __VA_ARGS__, s.seed); } \
   };
-#define PLAIN s.octaves, s.lacunarity, s.gain
+#define PLAIN twin::octaves_of(s), twin::lacunarity_of(s), twin::gain_of(s)
 SUM(fbm, PLAIN)
 SUM(turbulence, PLAIN)
 SUM(clouds, PLAIN)
 SUM(billow, PLAIN)
 SUM(ridged, PLAIN)
-SUM(ping_pong, PLAIN, strength_of(s))
-SUM(weighted, PLAIN, strength_of(s))
+SUM(ping_pong, PLAIN, twin::strength_of(s))
+SUM(weighted, PLAIN, twin::strength_of(s))
 SUM(fbm_d, PLAIN)
-SUM(eroded, PLAIN, strength_of(s))
-SUM(warp, PLAIN, s.amplitude)
-SUM(warp_progressive, PLAIN, s.amplitude)
+SUM(eroded, PLAIN, twin::strength_of(s))
+SUM(warp, PLAIN, twin::amplitude_of(s))
+SUM(warp_progressive, PLAIN, twin::amplitude_of(s))
 #undef SUM
 
 template <int D>
@@ -347,8 +344,8 @@ twin::Function<D> of_limited(const Settings& s) {
   function.components = 1;
   function.at = [=, &s](const std::array<float, D>& p, float* values) {
     choice<D> = {noise, &s};
-    *values = s.detail ? fbm(glsl<D>(p), *s.detail, s.lacunarity, s.gain, s.seed)
-                       : fbm(glsl<D>(p), *s.footprint, s.octaves, s.lacunarity, s.gain, s.seed);
+    *values = s.detail ? fbm(glsl<D>(p), *s.detail, twin::lacunarity_of(s), twin::gain_of(s), s.seed)
+                       : fbm(glsl<D>(p), *s.footprint, PLAIN, s.seed);
   };
   return function;
 }

@@ -1,0 +1,71 @@
+// What settings may be: the one list of it. The constructor of Field checks it, and so the Python package and hn-bake
+// do, too. They read from here what they have to know before there is a Field. docs/cpu.md has it as a table.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <string>
+#include <string_view>
+
+namespace hashnoise::grid {
+
+struct Rule {
+  std::string_view setting;
+  bool is_whole;
+  double least;
+  double most;
+  double usual;  // if it is left out
+};
+
+constexpr double kMostFloat = std::numeric_limits<float>::max();
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();  // nothing is usual
+
+// The period, the cell and the size are for each axis.
+constexpr Rule kSeedRule = {"seed", true, 0, 4294967295, 0};
+constexpr Rule kPeriodRule = {"period", true, 0, 2147483647, 0};  // in cells; 0 is none
+constexpr Rule kCellRule = {"cell", true, -2147483648.0, 2147483647, kNone};
+constexpr Rule kSizeRule = {"size", true, 0, 536870911, kNone};  // of a grid, in points
+constexpr Rule kThreadsRule = {"threads", true, 1, 1024, kNone};
+constexpr Rule kPhaseRule = {"phase", false, -kMostFloat, kMostFloat, 0};
+constexpr Rule kJitterRule = {"jitter", false, 0, 1, 1};
+constexpr Rule kOctavesRule = {"octaves", true, 1, 32, 6};  // HN_FIXED would take more as 32
+constexpr Rule kLacunarityRule = {"lacunarity", false, -kMostFloat, kMostFloat, 2};
+constexpr Rule kGainRule = {"gain", false, 0, kMostFloat, 0.5};
+constexpr Rule kDetailRule = {"detail", false, 0, kOctavesRule.most, kNone};
+constexpr Rule kFootprintRule = {"footprint", false, 0, kMostFloat, kNone};
+
+// Those of the strength and the amplitude depend on the sum: see strength_rule.
+constexpr std::array<Rule, 12> kRules = {kSeedRule,       kPeriodRule, kCellRule,   kSizeRule,
+                                         kThreadsRule,    kPhaseRule,  kJitterRule, kOctavesRule,
+                                         kLacunarityRule, kGainRule,   kDetailRule, kFootprintRule};
+
+// A number in as few digits as tell it from other floats.
+inline std::string digits_of(double number) {
+  char text[64];
+  if (std::trunc(number) == number && std::abs(number) < 1e15) {
+    std::snprintf(text, sizeof text, "%.0f", number);
+    return text;
+  }
+  for (int digits = 6; digits <= 9; ++digits) {
+    std::snprintf(text, sizeof text, "%.*g", digits, number);
+    if (std::strtof(text, nullptr) == static_cast<float>(number)) break;
+  }
+  return text;
+}
+
+// What a setting has to be.
+inline std::string words_of(const Rule& rule) {
+  if (rule.most < kMostFloat) return "from " + digits_of(rule.least) + " to " + digits_of(rule.most);
+  return rule.least > -kMostFloat ? "a finite number of " + digits_of(rule.least) + " or more" : "a finite number";
+}
+
+// What is wrong with a number, and what would be right; nothing if it is right.
+inline std::string problem_of(const Rule& rule, double number) {
+  if (number >= rule.least && number <= rule.most) return {};  // false for NaN
+  return std::string(rule.setting) + " is " + digits_of(number) + ", and has to be " + words_of(rule);
+}
+
+}  // namespace hashnoise::grid
