@@ -22,8 +22,8 @@ import unittest
 PROGRAM = ""
 ONE = ("--filter", "bugs.abs_of_int.any.exact.fragment.gl330.defined")  # the cheapest that draws
 # Some seconds, and more than 100,000 bytes of journal. Of one noise, so that it stays what it is as noises come.
-MANY = ("--filter", "noise?d.perlin.*.fragment.*.golden", "--filter", "noise?d.perlin_cell.*.fragment.*.golden",
-        "--filter", "noise?d.perlin*.fragment.*.twin", "--filter", "noise?d.perlin.*.range")
+MANY = ("--filter", "noise?d.perlin.*.fragment.gl*.golden", "--filter", "noise?d.perlin_cell.*.fragment.gl*.golden",
+        "--filter", "noise?d.perlin*.fragment.gl*.twin", "--filter", "noise?d.perlin.*.gl*.range")
 
 
 def wait_until(condition, what):

@@ -176,6 +176,24 @@ class Web(unittest.TestCase):
         measures = [line.strip() for line in lines if " values are wrong" in line]
         self.assertIn(f"{measures[0]}.", end["found"])
 
+    def test_it_can_be_stopped_and_says_what_was_not_run(self):
+        press = """<script>addEventListener("DOMContentLoaded", () => {
+          const verdict = document.getElementById("verdict");
+          const left = () => verdict.textContent.includes(" left ") && document.getElementById("stop").click();
+          new MutationObserver(left).observe(verdict, {childList: true});
+        });</script>"""
+        page = self.page("--thorough", "--filter", "bugs.*")
+        end = self.open(page.replace("<body>", f"<body>{press}"))
+        self.assertRegex(end["verdict"], r"^All as expected, stopped after \d+ of \d+$")
+        run, = json.loads(end["results"])["runs"]
+        ran, total = map(int, re.findall(r"\d+", end["verdict"]))
+        self.assertEqual((len(run["cases"]), run["not_run"], run["as_expected"]), (ran, total - ran, False))
+        (self.folder / "results.json").write_text(end["results"])
+        merged = subprocess.run([PROGRAM, "merge", self.folder / "results.json", "--out", self.folder / "merged"],
+                                capture_output=True, text=True, check=False)
+        self.assertNotEqual(merged.returncode, 0)
+        self.assertIn(f"{total - ran} not run", merged.stdout)
+
     def test_without_webgpu_its_cases_are_unsupported_and_the_others_run(self):
         end = self.open(self.page("--thorough", "--filter", "noise2d.perlin.lattice.fixed.*"), "--disable-features=WebGPU")
         self.assertEqual(end["verdict"], "All as expected")
