@@ -18,7 +18,7 @@ def main() -> int:
                         help="the file to write (default: build/playground.html)")
     arguments = parser.parse_args()
     try:
-        text = page()
+        text = page(lambda step: print(step, file=sys.stderr, flush=True))
     except (Unknown, Unfit) as error:
         sys.stderr.write(f"tools/playground: {error}\n")
         return 1
@@ -27,5 +27,5 @@ def main() -> int:
         arguments.out.write_text(text, encoding="utf-8")
     except OSError as error:
         parser.error(f"cannot write {arguments.out}: {error.strerror}")
-    print(arguments.out)
+    print(arguments.out.resolve())
     return 0

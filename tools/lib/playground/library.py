@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from single_file.files import stripped
 from tree import GLSL, version
@@ -29,10 +29,12 @@ def definitions(file: str, arithmetic: str, name: str) -> dict[str, Definition]:
     return {definition.name: definition for definition in found}
 
 
-def modules() -> Iterator[tuple[str, dict[str, Definition]]]:
-    """The definitions of everything with each setting, which is called "fast lattice" and so on. To translate all of the
-    library takes long, so hashes but the first differ in their own file alone; a test compares them with the whole."""
-    for arithmetic in ARITHMETICS:
+def modules(tell: Callable[[str], None]) -> Iterator[tuple[str, dict[str, Definition]]]:
+    """The definitions of everything with each setting, which is called "fast lattice" and so on. To translate all of
+    the library takes long, so hashes but the first differ in their own file alone; a test compares them with the whole.
+    `tell` takes a sentence before each long step."""
+    for number, arithmetic in enumerate(ARITHMETICS, 1):
+        tell(f"Translating the library to WGSL with {arithmetic}, {number} of {len(ARITHMETICS)} ...")
         first: dict[str, Definition] = {}
         for name in CHOSEN_HASHES:
             if name == "LATTICE" or not first:
@@ -47,12 +49,12 @@ def written(definition: Definition) -> dict:
     return {"name": definition.name, "text": "\n".join(stripped(definition.lines)), "needs": definition.needs}
 
 
-def wgsl() -> dict:
+def wgsl(tell: Callable[[str], None]) -> dict:
     """Each definition once, and which of them a setting has."""
     numbers: dict[tuple, int] = {}
     texts: list[dict] = []
     settings = {}
-    for setting, found in modules():
+    for setting, found in modules(tell):
         chosen = []
         for definition in found.values():
             entry = written(definition)
@@ -65,5 +67,5 @@ def wgsl() -> dict:
     return {"definitions": texts, "settings": settings}
 
 
-def library() -> dict:
-    return {"version": version(), "glsl": glsl(), "wgsl": wgsl()}
+def library(tell: Callable[[str], None]) -> dict:
+    return {"version": version(), "glsl": glsl(), "wgsl": wgsl(tell)}

@@ -6,6 +6,7 @@ import base64
 import gzip
 import json
 import re
+from collections.abc import Callable
 
 from playground.library import library
 from tree import ROOT
@@ -55,8 +56,9 @@ def packed(data: dict) -> str:
     return base64.b64encode(gzip.compress(json.dumps(data, separators=(",", ":")).encode(), 9, mtime=0)).decode("ascii")
 
 
-def page() -> str:
+def page(tell: Callable[[str], None] = lambda _: None) -> str:
+    """`tell` takes a sentence before each step that takes long."""
     parts = {"style": (SOURCES / "style.css").read_text(encoding="utf-8").strip(), "script": script().strip(),
-             "library": packed(library())}
+             "library": packed(library(tell))}
     return re.sub(r"\{\{(\w+)\}\}", lambda match: parts[match[1]],
                   (SOURCES / "index.html").read_text(encoding="utf-8"))

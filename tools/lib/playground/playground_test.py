@@ -1,7 +1,9 @@
 """The playground's page: its modules in one script, and the library inside of it."""
 
 import base64
+import contextlib
 import gzip
+import io
 import json
 import re
 import subprocess
@@ -11,6 +13,7 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
+import playground.command as command
 import playground.page as page
 from playground.library import EVERYTHING, definitions, library, modules, written
 from tree import TOOLS, version
@@ -21,13 +24,14 @@ MOST_BYTES = 300_000
 class Page(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.modules = dict(modules())  # which takes seconds
-        with mock.patch("playground.library.modules", lambda: cls.modules.items()):
-            cls.library = library()
+        cls.told = []
+        cls.modules = dict(modules(cls.told.append))  # which takes seconds
+        with mock.patch("playground.library.modules", lambda _: cls.modules.items()):
+            cls.library = library(cls.told.append)
         cls.text = cls.made(cls)
 
     def made(self) -> str:
-        with mock.patch.object(page, "library", lambda: self.library):
+        with mock.patch.object(page, "library", lambda _: self.library):
             return page.page()
 
     def test_it_is_one_small_file_that_is_the_same_each_time(self):
@@ -36,6 +40,10 @@ class Page(unittest.TestCase):
         self.assertNotIn("{{", self.text)
         self.assertNotRegex(self.text, r'(?i)(?:src|href)="(?!data:)')
         self.assertNotRegex(self.text, r"\bimport\(|@import|url\((?!data:)")
+
+    def test_each_long_step_is_told(self):
+        steps = "HN_FAST, 1 of 2", "HN_FIXED, 2 of 2"
+        self.assertEqual(self.told, [f"Translating the library to WGSL with {step} ..." for step in steps])
 
     def test_the_library_is_in_it(self):
         packed = re.search(r'id="library">([^<]*)<', self.text)[1]
@@ -91,6 +99,19 @@ class Script(unittest.TestCase):
 
 
 class Command(unittest.TestCase):
+    def test_it_tells_what_it_does_and_last_the_path(self):
+        def made(tell):
+            tell("A long step ...")
+            self.assertEqual(err.getvalue(), "A long step ...\n")  # before the step is over
+            return "the page"
+
+        with tempfile.TemporaryDirectory() as folder, mock.patch.object(command, "page", made), \
+                mock.patch.object(sys, "argv", ["playground", "--out", f"{folder}/a/page.html"]), \
+                contextlib.redirect_stdout(io.StringIO()) as out, contextlib.redirect_stderr(io.StringIO()) as err:
+            self.assertEqual(command.main(), 0)
+            path = Path(folder).resolve() / "a" / "page.html"
+            self.assertEqual((out.getvalue(), path.read_text()), (f"{path}\n", "the page"))
+
     def test_bad_usage_is_status_2(self):
         for arguments in (["--out"], ["more"], ["--out", "/dev/null/page.html"]):
             done = subprocess.run([sys.executable, TOOLS / "playground", *arguments], capture_output=True, text=True, check=False)
