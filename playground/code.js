@@ -1,6 +1,7 @@
 // The code of what is shown, in each language. The page draws with the same functions: the text that is copied has
 // numbers where that of the page has uniforms, so that no shader is compiled again when a number changes.
 import { kMaps, kNoises, kSums, rangeOf, uses } from "./model.js";
+import { cellOf, kPartsOfCell, partsOf, placeOf } from "./view.js";
 
 export const kLanguages = { glsl: "GLSL", hlsl: "HLSL", wgsl: "WGSL", cpp: "C++" };
 
@@ -13,6 +14,9 @@ const kTypes = {
 };
 
 const decimal = (value) => (Number.isInteger(value) ? `${value}.0` : String(value));
+
+const declaration = (language, type, name, value) =>
+  language === "wgsl" ? `let ${name} = ${value};` : `${type} ${name} = ${value};`;
 
 // A number as a float of the language.
 function literal(language, value) {
@@ -93,7 +97,7 @@ class Writer {
   }
 
   let(type, name, value) {
-    return this.language === "wgsl" ? `let ${name} = ${value};` : `${type} ${name} = ${value};`;
+    return declaration(this.language, type, name, value);
   }
 
   // A function of our own, of one or of several lines.
@@ -288,10 +292,10 @@ class Writer {
     return this.define(name, parameters, [...lines, ...shown.lines, `return ${shown.value};`]);
   }
 
-  // {definitions: lines, files, needs}: pattern(cell, f), and pattern(p) if asked for.
+  // {definitions: lines, files, needs}: "pattern" in these forms.
   write(forms) {
     const sums = this.summed ? this.defineSum() : [];
-    const patterns = forms.flatMap((where) => this.pattern(where));
+    const patterns = forms.flatMap((form) => this.pattern(this[form]));
     return {
       lines: [...sums, ...(sums.length ? [""] : []), ...patterns],
       files: [...this.files],
@@ -301,9 +305,9 @@ class Writer {
   }
 }
 
-export function functions(library, language, state, values, whole = true) {
-  const writer = new Writer(library, language, state, values);
-  return writer.write(whole ? [writer.cell, writer.position] : [writer.cell]);
+// The forms are "cell", pattern(cell, f), and "position", pattern(p).
+export function functions(library, language, state, values, forms = ["cell", "position"]) {
+  return new Writer(library, language, state, values).write(forms);
 }
 
 // What names the shader of a state: states with the same key differ in uniforms alone.
@@ -323,9 +327,15 @@ export function knobs({ arithmetic, hash }) {
 // ---------------------------------------------------------------------------------------------------------------------
 // What is copied.
 
+// The values that the lowest and the highest colour stand for, and how the lowest is taken off.
+function endsOf(state) {
+  const [low, high] = rangeOf(state).map((end) => Number(end.toFixed(4)));
+  return { low, high, span: high - low, minus: low < 0 ? `+ ${decimal(-low)}` : `- ${decimal(low)}` };
+}
+
 // The colours as a function of the value.
 function colours(language, state) {
-  const [low, high] = rangeOf(state).map((end) => Number(end.toFixed(4)));
+  const { low, high, span, minus } = endsOf(state);
   const { float } = kTypes[language];
   const colour = (stop) => {
     const parts = [0, 2, 4].map((at) => (parseInt(stop.slice(at, at + 2), 16) / 255).toFixed(3));
@@ -334,8 +344,7 @@ function colours(language, state) {
   const stops = kMaps[state.map].stops;
   const last = stops.length - 1;
   const mix = language === "hlsl" ? "lerp" : "mix";
-  const minus = low < 0 ? `+ ${decimal(-low)}` : `- ${decimal(low)}`;
-  const scale = Number((last / (high - low)).toPrecision(7));
+  const scale = Number((last / span).toPrecision(7));
   const wgsl = language === "wgsl";
   const three = (part) => (wgsl ? `vec3f(${part})` : part);
   const lines = [
@@ -360,38 +369,172 @@ const kPlaces = {
   cpp: "C++20.",
 };
 
-// {head, library, code}: lines; of the library a function that makes them. Without it the head includes it, if the
-// language can.
-export function copied(library, language, state, withLibrary) {
-  const { lines, files, needs, public: called } = functions(library, language, state, numbers(language, state));
-  const head = [`// Made by hashnoise's playground, version ${library.version}. ${kPlaces[language]}`];
-  const note = state.dimensions === 1 ? "p counts cells" : "p is a position in cells: uv * 8.0 has 8 of them on a side";
-  const comment = [`// ${note}. Far out pass an integer cell and the place in it.`];
-  const coloured = language === "cpp" ? [] : ["", ...colours(language, state)];
-  if (language === "wgsl") {
-    return {
-      head: [
-        ...head,
-        ...(withLibrary ? [] : [`// In front of it stands what tools/wgsl makes:`, `// ${wgslCommand(state, called)}`]),
+// Of the library's own files.
+export const kLicense = "// Copyright (c) 2026 The hashnoise authors; MIT License.";
+
+// As what the code is copied, and of whole shaders what stands around the functions: the first lines, how it is used,
+// what is declared, how main begins, where its pixel is, counted from the middle in shorter sides of the picture, which
+// part of the height is below it, and what becomes of the colour.
+const kGlslMain = {
+  use: "Draw a triangle over the picture with it.",
+  declared: ["uniform vec2 resolution;  // of the picture, in pixels", "out vec4 fragment;", ""],
+  main: "void main() {",
+  pixel: "(gl_FragCoord.xy - 0.5 * resolution) / min(resolution.x, resolution.y)",
+  below: "gl_FragCoord.y / resolution.y",
+  result: (colour) => `fragment = vec4(${colour}, 1.0);`,
+};
+// Here rows are counted from above.
+const kTurned = {
+  below: "1.0 - position.y / resolution.y",
+  pixel: (float2) =>
+    `${float2}(position.x - 0.5 * resolution.x, 0.5 * resolution.y - position.y) / min(resolution.x, resolution.y)`,
+};
+export const kWgslVertex = [
+  "@vertex fn vertex(@builtin(vertex_index) i: u32) -> @builtin(position) vec4f {",
+  "  return vec4f(select(-1.0, 3.0, i == 1u), select(-1.0, 3.0, i == 2u), 0.0, 1.0);",
+  "}",
+];
+export const kKinds = {
+  glsl: {
+    function: { label: "Functions" },
+    shader: {
+      ...kGlslMain,
+      label: "Whole shader, GLSL ES 3.00",
+      first: ["#version 300 es", "precision highp float;", "precision highp int;"],
+    },
+    desktop: { ...kGlslMain, label: "Whole shader, GLSL 3.30", first: ["#version 330"] },
+    shadertoy: {
+      label: "Shadertoy",
+      first: [],
+      use: "Paste it into the tab Image of a new shader on shadertoy.com.",
+      declared: [],
+      main: "void mainImage(out vec4 fragColor, in vec2 fragCoord) {",
+      pixel: "(fragCoord - 0.5 * iResolution.xy) / min(iResolution.x, iResolution.y)",
+      below: "fragCoord.y / iResolution.y",
+      result: (colour) => `fragColor = vec4(${colour}, 1.0);`,
+    },
+  },
+  hlsl: {
+    function: { label: "Functions" },
+    shader: {
+      label: "Whole pixel shader",
+      first: [],
+      use: "A pixel shader of shader model 5 or 6. Draw a triangle over the picture with it.",
+      declared: ["cbuffer Frame : register(b0) { float2 resolution; };  // of the picture, in pixels", ""],
+      main: "float4 main(float4 position : SV_Position) : SV_Target {",
+      pixel: kTurned.pixel("float2"),
+      below: kTurned.below,
+      result: (colour) => `return float4(${colour}, 1.0);`,
+    },
+  },
+  wgsl: {
+    function: { label: "Functions" },
+    shader: {
+      label: "Whole shader",
+      first: [],
+      use: "Draw three vertices with it.",
+      declared: [
+        "@group(0) @binding(0) var<uniform> resolution: vec2f;  // of the picture, in pixels",
+        "",
+        ...kWgslVertex,
         "",
       ],
-      library: () => library.wgsl(needs, state).flatMap((piece) => piece.split("\n")),
-      code: [...comment, ...lines, ...coloured],
+      main: "@fragment fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {",
+      pixel: kTurned.pixel("vec2f"),
+      below: kTurned.below,
+      result: (colour) => `return vec4f(${colour}, 1.0);`,
+    },
+  },
+  cpp: { function: { label: "Functions" } },
+};
+
+// Beyond so many cells a position in floats has too few digits behind the point.
+const kFar = 1024;
+const isFar = ({ cells }, place) => cells > kFar || place.some((parts) => Math.abs(cellOf(parts)) > kFar);
+
+// {form, lines}: the main function of a whole shader, which draws the picture as the page has it, and which form of
+// "pattern" it calls.
+function mainOf(language, state, { main, pixel, below, result }) {
+  const { float, int } = kTypes[language];
+  const n = state.dimensions;
+  const set = (type, name, value) => declaration(language, type, name, value);
+  const vector = (type, parts) => (parts.length === 1 ? parts[0] : `${type}(${parts.join(", ")})`);
+  const place = [state.x, state.y, partsOf(state.z), partsOf(state.w)].slice(0, n);
+  const far = isFar(state, place);
+  const numbers = place.map((parts) => decimal((far ? placeOf(parts) : Number(parts)) / kPartsOfCell));
+  const flat = Math.min(n, 2); // The pixel has so many coordinates; the others are those of the slice.
+  const scaled = `${n === 1 ? "pixel.x" : "pixel"} * ${decimal(state.cells)}`;
+  const slice = `${scaled} + ${vector(float(flat), numbers.slice(0, flat))}`;
+  const lines = [set(float(2), "pixel", pixel)];
+  if (far) {
+    // A literal of the lowest cell would be too large without its sign.
+    const cells = place.map(cellOf).map((cell) => (cell === -2147483648 ? "-2147483647 - 1" : String(cell)));
+    const cell = `${vector(int(flat), cells.slice(0, flat))} + ${int(flat)}(whole)`;
+    lines.push(
+      set(float(flat), "q", slice),
+      set(float(flat), "whole", "floor(q)"),
+      set(int(n), "cell", vector(int(n), [cell, ...cells.slice(2)])),
+      set(float(n), "f", vector(float(n), ["q - whole", ...numbers.slice(2)])),
+    );
+  } else {
+    lines.push(set(float(n), "p", vector(float(n), [slice, ...numbers.slice(2)])));
+  }
+  const call = far ? `${language === "wgsl" ? "pattern_cell" : "pattern"}(cell, f)` : "pattern(p)";
+  if (n > 1) {
+    lines.push(result(`colour(${call})`));
+  } else {
+    // A graph of the values.
+    const { minus, span } = endsOf(state);
+    lines.push(
+      set(float(1), "value", call),
+      set(float(1), "above", `step((value ${minus}) * ${decimal(Number((1 / span).toPrecision(7)))}, ${below})`),
+      result(`colour(value) * (1.0 - 0.875 * above)`),
+    );
+  }
+  return { form: far ? "cell" : "position", lines: [main, ...lines.map((line) => `  ${line}`), "}"] };
+}
+
+// {head, library, code}: lines; of the library a function that makes them. Without it the head includes it, if the
+// language can. Whole shaders always have it.
+export function copied(library, language, state, kind = "function", withLibrary = true) {
+  const shell = kKinds[language][kind];
+  const main = shell.main && mainOf(language, state, shell);
+  const values = numbers(language, state);
+  const { lines, files, needs, public: called } = functions(library, language, state, values, main && [main.form]);
+  const inside = language !== "cpp" && (main || withLibrary);
+  const head = [
+    ...(shell.first ?? []),
+    `// Made by hashnoise's playground, version ${library.version}. ${shell.use ?? kPlaces[language]}`,
+    ...(inside ? [kLicense] : []),
+  ];
+  const note = state.dimensions === 1 ? "p counts cells" : "p is a position in cells: uv * 8.0 has 8 of them on a side";
+  const comment = main ? [] : [`// ${note}. Far out pass an integer cell and the place in it.`];
+  const code = [
+    ...comment,
+    ...lines,
+    ...(language === "cpp" ? [] : ["", ...colours(language, state)]),
+    ...(main ? ["", ...shell.declared, ...main.lines] : []),
+  ];
+  if (language === "wgsl") {
+    const command = [`// In front of it stands what tools/wgsl makes:`, `// ${wgslCommand(state, called)}`];
+    return {
+      head: [...head, ...(inside ? [] : command), ""],
+      library: () => (inside ? library.wgsl(needs, state).flatMap((piece) => piece.split("\n")) : []),
+      code,
     };
   }
   if (language === "cpp") {
     return {
       head: [...head, ...knobs(state), "#include <hashnoise/hashnoise.hpp>", ""],
       library: () => [],
-      code: ["namespace hashnoise {", ...comment, ...lines, "}  // namespace hashnoise"],
+      code: ["namespace hashnoise {", ...code, "}  // namespace hashnoise"],
     };
   }
-  const hlsl = language === "hlsl";
-  const included = hlsl ? ["begin.hlsl", ...files, "end.hlsl"] : files;
+  const included = language === "hlsl" ? ["begin.hlsl", ...files, "end.hlsl"] : files;
   return {
-    head: [...head, ...knobs(state), ...(withLibrary ? [] : included.map((file) => `#include "${file}"`)), ""],
-    library: () => library.lines(included),
-    code: [...comment, ...lines, ...coloured],
+    head: [...head, ...knobs(state), ...(inside ? [] : included.map((file) => `#include "${file}"`)), ""],
+    library: () => (inside ? library.lines(included) : []),
+    code,
   };
 }
 
@@ -404,7 +547,8 @@ function wgslCommand({ arithmetic, hash }, names) {
   ].join(" ");
 }
 
-export function copiedText(library, language, state, withLibrary) {
-  const { head, library: text, code } = copied(library, language, state, withLibrary);
-  return [...head, ...(withLibrary ? [...text(), ""] : []), ...code, ""].join("\n");
+export function copiedText(library, language, state, kind, withLibrary) {
+  const { head, library: text, code } = copied(library, language, state, kind, withLibrary);
+  const inside = text();
+  return [...head, ...inside, ...(inside.length ? [""] : []), ...code, ""].join("\n");
 }

@@ -1,5 +1,5 @@
 // The panel: what is chosen there, and how it shows the state.
-import { copied, copiedText, kLanguages } from "./code.js";
+import { copied, copiedText, kKinds, kLanguages } from "./code.js";
 import {
   dimensionsOf,
   kArithmetics,
@@ -17,6 +17,7 @@ import {
   numbersOf,
   parsed,
   positionText,
+  sameNumber,
   uses,
 } from "./model.js";
 import { gradientOf } from "./palette.js";
@@ -44,6 +45,7 @@ const kChoices = {
 };
 const kSelects = { sum: labels(kSums), noise: labels(kNoises), metric: kMetrics, hash: kHashes };
 const kTexts = ["seed", "period", "x", "y", "cells"];
+const kArrows = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 };
 const kNotes = {
   fast: "Floats are the fastest. They are within a few millionths of the exact value.",
   fixed: "Integers have the same bits on every GPU and in C++, with any driver.",
@@ -59,15 +61,28 @@ function element(tag, properties = {}, ...children) {
   return made;
 }
 
+// The value so many steps further. A step is one; but a scale has no end at one cell, and halves below it.
+function counted(name, value, steps) {
+  if (typeof value === "bigint") return value + BigInt(steps) * kParts;
+  if (name !== "cells") return value + steps;
+  let cells = value;
+  for (let i = 0; i < Math.abs(steps); ++i) {
+    if (steps > 0) cells = cells < 1 ? 2 * cells : cells + 1;
+    else cells = cells < 2 ? cells / 2 : cells - 1;
+  }
+  return cells;
+}
+
 export class Controls {
-  // `change` takes what is chosen, {name: value}; `look` the name of a look; `zoom` by how much to change the scale.
-  constructor(library, change, look, zoom) {
+  // `change` takes what is chosen, {name: value}, and `look` the name of a look.
+  constructor(library, change, look) {
     this.library = library;
     this.change = change;
-    this.zoom = zoom;
     this.language = "glsl";
+    this.kind = "function";
     this.state = undefined;
     this.typed = undefined; // the field whose text nobody has entered yet
+    this.corrected = undefined; // {name, value}: the field that says what its number became
     for (const [name, table] of Object.entries(kSelects)) this.makeSelect(name, table);
     for (const [name, setting] of Object.entries(kSliders)) this.makeSlider(name, ...setting);
     for (const [name, table] of Object.entries(kChoices)) this.makeChoices(name, table);
@@ -82,6 +97,7 @@ export class Controls {
       );
     }
     byId("whole").addEventListener("change", () => this.showCode());
+    byId("kind").addEventListener("change", () => this.chooseKind(byId("kind").value));
     byId("panel").addEventListener("submit", (event) => event.preventDefault());
   }
 
@@ -101,6 +117,16 @@ export class Controls {
       element("output", { htmlFor: name, id: `of-${name}` }),
     );
     input.addEventListener("input", () => this.change({ [name]: Number(input.value) }));
+    // A slider has its number on its own grid, between its own ends. An arrow counts from the number that is shown.
+    input.addEventListener("keydown", (event) => {
+      const steps = kArrows[event.key];
+      if (!steps) return;
+      event.preventDefault();
+      const value = this.state[name];
+      const wanted = value + steps * Number(input.step);
+      const [least, most] = [Math.min(value, Number(input.min)), Math.max(value, Number(input.max))];
+      this.change({ [name]: Math.min(Math.max(wanted, least), most) });
+    });
   }
 
   makeChoices(name, table) {
@@ -116,32 +142,38 @@ export class Controls {
     const wrong = element("p", { className: "wrong", id: `wrong-${name}`, hidden: true });
     wrong.setAttribute("role", "alert");
     input.after(wrong);
-    const entered = () => {
-      const value = parsed(name, input.value);
-      if (value !== undefined) {
-        this.typed = undefined;
-        this.change({ [name]: value });
-        return;
-      }
-      input.setAttribute("aria-invalid", "true");
-      input.setAttribute("aria-describedby", wrong.id);
-      wrong.textContent = `This field takes ${numbersOf(name)}.`;
+    const say = (text) => {
+      wrong.textContent = text;
       wrong.hidden = false;
+      input.setAttribute("aria-describedby", wrong.id);
+    };
+    const entered = () => {
+      const typed = input.value.trim();
+      const value = parsed(name, typed);
+      if (value === undefined) {
+        input.setAttribute("aria-invalid", "true");
+        say(`This field takes ${numbersOf(name)}.`);
+        return false;
+      }
+      this.typed = this.corrected = undefined;
+      this.change({ [name]: value });
+      if (!sameNumber(typed, input.value)) {
+        this.corrected = { name, value: this.state[name] };
+        say(`${typed} became ${input.value}. This field takes ${numbersOf(name)}.`);
+      }
+      return true;
     };
     input.addEventListener("input", () => (this.typed = name));
     input.addEventListener("change", entered);
-    // The arrows count up and down, as in a field of numbers. (Such a field has no room for BigInt.)
+    // The arrows count up and down, as in a field of numbers. (Such a field has no room for BigInt.) They count from
+    // what is typed, whether or not it is entered.
     input.addEventListener("keydown", (event) => {
-      const steps = { ArrowUp: 1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[event.key];
+      const steps = event.key === "ArrowLeft" || event.key === "ArrowRight" ? 0 : kArrows[event.key];
       if (!steps) return;
       event.preventDefault();
-      this.typed = undefined;
-      if (name === "cells") {
-        this.zoom(2 ** (steps / 4));
-        return;
-      }
-      const value = this.state[name];
-      this.change({ [name]: typeof value === "bigint" ? value + BigInt(steps) * kParts : value + steps });
+      if (this.typed === name && !entered()) return;
+      this.corrected = undefined;
+      this.change({ [name]: counted(name, this.state[name], steps) });
     });
     // What is wrong stays until something else is shown.
     input.addEventListener("blur", () => {
@@ -189,24 +221,40 @@ export class Controls {
       tab.setAttribute("aria-selected", String(chosen));
       tab.tabIndex = chosen ? 0 : -1;
     }
-    byId("whole").disabled = language === "cpp";
-    byId("whole-text").textContent =
-      language === "cpp" ? "needs include/ and glsl/ of the library" : "with the library in it";
+    const kinds = kKinds[language];
+    const options = Object.entries(kinds).map(([kind, { label }]) => new Option(label, kind));
+    byId("kind").replaceChildren(...options);
+    byId("row-kind").hidden = options.length === 1;
+    this.chooseKind(Object.hasOwn(kinds, this.kind) ? this.kind : "function");
+  }
+
+  chooseKind(kind) {
+    this.kind = kind;
+    this.showUncopied();
+    byId("kind").value = kind;
+    const optional = kind === "function" && this.language !== "cpp";
+    byId("choose-whole").hidden = !optional;
+    byId("note-code").hidden = optional;
+    byId("note-code").textContent =
+      this.language === "cpp" ? "It needs include/ and glsl/ of the library." : "The library is in it.";
     this.showCode();
   }
 
-  get code() {
-    return copiedText(this.library, this.language, this.state, this.withLibrary);
+  get copying() {
+    return [this.library, this.language, this.state, this.kind, byId("whole").checked];
   }
 
-  get withLibrary() {
-    return this.language !== "cpp" && byId("whole").checked;
+  get code() {
+    return copiedText(...this.copying);
   }
 
   showCode() {
     if (!this.state) return;
-    const { head, library, code } = copied(this.library, this.language, this.state, this.withLibrary);
-    const lines = [...head, ...(this.withLibrary ? [`// ${library().length} lines of the library`, ""] : []), ...code];
+    const { head, library, code } = copied(...this.copying);
+    const inside = library();
+    const kilobytes = Math.ceil((inside.join("\n").length + 1) / 1000);
+    const hint = inside.length ? [`// ${inside.length} lines of the library, ${kilobytes} kB`, ""] : [];
+    const lines = [...head, ...hint, ...code];
     const text = lines.join("\n");
     if (this.shownCode === text) return;
     this.shownCode = text;
@@ -265,6 +313,7 @@ export class Controls {
       const text = typeof state[name] === "bigint" ? positionText(state[name]) : String(state[name]);
       if (input.value !== text) input.value = text;
       input.removeAttribute("aria-invalid");
+      if (name === this.corrected?.name && state[name] === this.corrected.value) continue;
       input.removeAttribute("aria-describedby");
       byId(`wrong-${name}`).hidden = true;
     }

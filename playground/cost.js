@@ -1,5 +1,6 @@
-// What the shown noise costs on this GPU, as a ratio to hn_perlin on the plane. Both are drawn in turns, so that what
-// else the machine does concerns both; what a shader costs that computes nothing is taken off both.
+// What the copied functions cost on this GPU, pattern(p) and pattern(cell, f), as ratios to hn_perlin(p) on the plane.
+// All are drawn in turns, so that what else the machine does concerns all; what a shader costs that computes nothing
+// is taken off all.
 import { emptyShader, frameOf, kColours, kPlain, timedShader } from "./shaders.js";
 
 const kRounds = 12;
@@ -9,20 +10,26 @@ const kEnough = 8; // milliseconds that the plain noise should take, since brows
 const kMostSide = 2048;
 const kMostDraws = 64;
 
-// Of rounds, each [empty, plain, shown] in milliseconds. What else the machine does only adds, so the least counts.
-function ratioOf(rounds) {
-  const [empty, plain, shown] = [0, 1, 2].map((number) => Math.min(...rounds.map((round) => round[number])));
-  return plain > empty ? Math.max(shown - empty, 0) / (plain - empty) : NaN;
+// Of rounds, each a list of milliseconds: of the empty shader, of hn_perlin, of what is shown at a position and from a
+// cell. What else the machine does only adds, so the least counts.
+function ratiosOf(rounds) {
+  const [empty, plain, ...shown] = rounds[0].map((_, number) => Math.min(...rounds.map((round) => round[number])));
+  return shown.map((least) => (plain > empty ? Math.max(least - empty, 0) / (plain - empty) : NaN));
 }
 
-// {ratio, low, high}: of all rounds, and between which the ratios of three parts of them lie.
+// {ratio, low, high, cell}: at a position, of all rounds and between which the ratios of three parts of them lie; and
+// from a cell.
 export async function costOf(backend, library, state) {
-  const plain = { ...state, ...kPlain };
-  const states = [plain, plain, state];
+  const { language } = backend;
+  // Far out, where floats have no fractions, a position would be the same for all pixels.
+  const shown = { ...state, x: 0n, y: 0n };
+  const plain = { ...shown, ...kPlain };
+  const states = [plain, plain, shown, shown];
   const texts = [
-    emptyShader(library, backend.language, plain),
-    timedShader(library, backend.language, plain),
-    timedShader(library, backend.language, state),
+    emptyShader(library, language, plain),
+    timedShader(library, language, plain, "position"),
+    timedShader(library, language, shown, "position"),
+    timedShader(library, language, shown, "cell"),
   ];
   const programs = [];
   try {
@@ -31,7 +38,7 @@ export async function costOf(backend, library, state) {
     let draws = 1;
     const measured = (number) =>
       backend.time(programs[number], frameOf(states[number], side, side, kColours), side, draws);
-    for (const number of [0, 1, 2]) await measured(number); // some drivers compile at the first draw
+    for (const number of states.keys()) await measured(number); // some drivers compile at the first draw
     const least = async (number) => Math.min(await measured(number), await measured(number));
     while ((await least(1)) - (await least(0)) < kEnough && (side < kMostSide || draws < kMostDraws)) {
       if (side < kMostSide) side *= 2;
@@ -40,14 +47,16 @@ export async function costOf(backend, library, state) {
     const rounds = [];
     const end = performance.now() + kLongest;
     while (rounds.length < kFewRounds || (rounds.length < kRounds && performance.now() < end)) {
-      rounds.push([await measured(0), await measured(1), await measured(2)]);
+      const round = [];
+      for (const number of states.keys()) round.push(await measured(number));
+      rounds.push(round);
       await new Promise((resolve) => setTimeout(resolve)); // let the page react in between
     }
-    const ratio = ratioOf(rounds);
+    const [ratio, cell] = ratiosOf(rounds);
     if (!Number.isFinite(ratio)) throw new Error("The clock of this browser is too coarse to tell.");
-    const parts = [0, 1, 2].map((part) => ratioOf(rounds.filter((_, number) => number % 3 === part)));
+    const parts = [0, 1, 2].map((part) => ratiosOf(rounds.filter((_, number) => number % 3 === part))[0]);
     const known = parts.filter(Number.isFinite);
-    return { ratio, low: Math.min(ratio, ...known), high: Math.max(ratio, ...known) };
+    return { ratio, low: Math.min(ratio, ...known), high: Math.max(ratio, ...known), cell };
   } finally {
     programs.forEach((program) => backend.discard(program));
   }

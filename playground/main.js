@@ -18,17 +18,21 @@ import {
 } from "./model.js";
 import { paletteOf } from "./palette.js";
 import { frameOf, kBits, kColours, pageShader } from "./shaders.js";
+import { Speed } from "./speed.js";
 import { panned, partsOf, positionOfPixel, zoomed } from "./view.js";
 import { WebGL2 } from "./webgl.js";
 import { WebGPU } from "./webgpu.js";
 
 const kBackends = { webgl2: WebGL2, webgpu: WebGPU };
 const kKeptPrograms = 24;
-const kMostPixels = 4e6;
+const kMostPixels = 16e6;
 const kMoving = 34; // milliseconds that a picture may take while it moves; else it is drawn coarser
-const kResting = 1200; // and when it rests
+const kResting = 1200; // when it rests; one that takes longer is drawn finer in steps, until it is sharp
+const kStrip = 40; // milliseconds that a part of a picture takes; between two the page and the GPU do other things
+const kMostStrips = 256; // of a picture, since one waits for each
 const kCoarsest = 8;
 const kRest = 160; // milliseconds without a change after which it is drawn fine again
+const kPatience = 250; // milliseconds after which the page says that it draws
 const kLinkDelay = 300; // browsers refuse an address that changes too often
 const kStill = "This picture does not move. Choose 3D or 4D, or one octave of Perlin or simplex noise in 2D.";
 const kTold = 1500; // milliseconds for which a button says that it has copied
@@ -40,7 +44,7 @@ class Playground {
     this.backends = {};
     this.programs = new Map();
     this.state = stateOf(location.hash);
-    this.speeds = new WeakMap(); // milliseconds that a pixel takes, by the program
+    this.speeds = new WeakMap(); // by the program
     this.labelTimers = new Map(); // by the button
     this.moves = false;
     this.playing = false;
@@ -49,9 +53,9 @@ class Playground {
       library,
       (changes) => this.change(changes),
       (name) => this.look(name),
-      (factor) => this.zoom(factor),
     );
     byId("version").textContent = library.version;
+    byId("drawing").hidden = false; // until there is a picture
   }
 
   get canvas() {
@@ -112,7 +116,8 @@ class Playground {
   writeLink(how = "replaceState") {
     clearTimeout(this.linkTimer);
     try {
-      history[how](null, "", this.link || location.pathname + location.search);
+      // With the whole state, since the link leaves out what the picture does not use.
+      history[how]({ ...this.state }, "", this.link || location.pathname + location.search);
     } catch {
       // A page in a frame without an address of its own has no link. Copying one still works.
     }
@@ -179,7 +184,7 @@ class Playground {
   // The size of the picture in pixels of the screen.
   get size() {
     const box = this.canvas.getBoundingClientRect();
-    let ratio = Math.min(window.devicePixelRatio || 1, 3);
+    let ratio = window.devicePixelRatio || 1;
     ratio *= Math.min(1, Math.sqrt(kMostPixels / Math.max(1, box.width * box.height * ratio * ratio)));
     return [Math.max(1, Math.round(box.width * ratio)), Math.max(1, Math.round(box.height * ratio))];
   }
@@ -190,27 +195,60 @@ class Playground {
     clearTimeout(this.restTimer);
     this.restTimer = setTimeout(() => {
       this.moves = false;
-      if (this.coarse > this.coarseness(kResting)) this.request();
+      if (this.coarse > 1) this.request();
     }, kRest);
   }
 
-  // How many pixels of the screen on a side a pixel of the picture has, so that drawing it takes no longer than this.
-  coarseness(milliseconds) {
-    const [width, height] = this.size;
-    const pixels = Math.sqrt((width * height * (this.speed ?? 0)) / milliseconds);
-    return Math.min(kCoarsest, Math.max(1, Math.ceil(pixels)));
+  // How many pixels of the screen on a side a pixel of the next picture has: at first so many that it takes no longer
+  // than one that moves may, and then fewer with every picture.
+  coarseness(speed, [width, height], first) {
+    const within = (milliseconds) => Math.max(1, Math.ceil(Math.sqrt((width * height) / speed.pixelsIn(milliseconds))));
+    return first ? Math.min(kCoarsest, within(kMoving)) : Math.min(Math.ceil(this.coarse / 2), within(kResting));
   }
 
-  // How long a pixel takes: of a small picture, and not of the first, at which some drivers still compile.
-  async measureSpeed(backend, program, state) {
+  async speedOf(backend, program, state) {
     if (!this.speeds.has(program)) {
-      const [width, height] = this.size.map((side) => Math.max(8, side >> 4));
-      await backend.read(program, frameOf(state, 8, 8, kColours), 8, 8);
-      const start = performance.now();
-      await backend.read(program, frameOf(state, width, height, kColours), width, height);
-      this.speeds.set(program, Math.max(performance.now() - start - 1, 0) / (width * height));
+      const size = this.size;
+      const area = size[0] * size[1];
+      const time = async (pixels) => {
+        const [width, height] = size.map((side) => Math.max(1, Math.round(side * Math.sqrt(pixels / area))));
+        return this.timedStrip(backend, program, frameOf(state, width, height, kColours), width, height, 0, height);
+      };
+      this.speeds.set(program, await Speed.measured(time, area));
     }
-    this.speed = this.speeds.get(program);
+    return this.speeds.get(program);
+  }
+
+  async timedStrip(backend, ...strip) {
+    const start = performance.now();
+    backend.strip(...strip);
+    await backend.finished();
+    return performance.now() - start;
+  }
+
+  // Draws a picture in strips where nobody sees it. One that is not the first of a state gives way as soon as another
+  // is wanted: false.
+  async drawHidden(backend, program, speed, state, width, height, first) {
+    const frame = frameOf(state, width, height, kColours);
+    const least = Math.ceil(height / kMostStrips);
+    for (let row = 0; row < height; ) {
+      if (row > 0 && this.wanted && !first) return false;
+      const rows = Math.min(height - row, Math.max(least, Math.floor(speed.pixelsIn(kStrip) / width)));
+      speed.learn(rows * width, await this.timedStrip(backend, program, frame, width, height, row, rows));
+      row += rows;
+    }
+    return true;
+  }
+
+  // Says that a picture is drawn, if that takes long.
+  tell(draws) {
+    if (draws) {
+      this.drawingTimer ??= setTimeout(() => (byId("drawing").hidden = false), kPatience);
+      return;
+    }
+    clearTimeout(this.drawingTimer);
+    this.drawingTimer = undefined;
+    byId("drawing").hidden = true;
   }
 
   // Draws soon, and once for all changes until then.
@@ -223,36 +261,38 @@ class Playground {
   async drawWhatIsWanted() {
     while (this.wanted) {
       this.wanted = false;
+      this.tell(true);
       await new Promise((resolve) => (document.hidden ? setTimeout(resolve) : requestAnimationFrame(resolve)));
       try {
         await this.draw();
         byId("message").hidden = true;
       } catch (error) {
+        this.tell(false);
         await this.failed(error);
+        if (!this.wanted) this.begun();
       }
     }
   }
 
   async draw() {
-    const state = { ...this.state };
+    const wanted = this.state;
+    const state = { ...wanted };
     const backend = await this.backend();
     const program = await this.program(backend, state);
     if (state.renderer !== this.state.renderer) return;
     this.usePalette(backend, state.map);
-    await this.measureSpeed(backend, program, state);
-    const moves = this.moves;
-    const coarse = this.coarseness(moves ? kMoving : kResting);
+    const speed = await this.speedOf(backend, program, state);
+    const size = this.size;
+    const first = this.moves || this.shown !== wanted;
+    const coarse = this.coarseness(speed, size, first);
+    const [width, height] = size.map((side) => Math.max(1, Math.round(side / coarse)));
+    if (!(await this.drawHidden(backend, program, speed, state, width, height, first))) return;
+    backend.show();
+    this.shown = wanted;
+    this.begun();
     this.coarse = coarse;
-    const [width, height] = this.size.map((side) => Math.max(1, Math.round(side / coarse)));
-    const { canvas } = backend;
-    if (canvas.width !== width) canvas.width = width;
-    if (canvas.height !== height) canvas.height = height;
-    const start = performance.now();
-    backend.draw(program, frameOf(state, width, height, kColours));
-    await backend.finished();
-    // The settings matter, too: more octaves take longer.
-    this.speeds.set(program, 0.5 * this.speed + (0.5 * (performance.now() - start)) / (width * height));
-    if (moves && !this.moves && coarse > this.coarseness(kResting)) this.wanted = true;
+    if (coarse === 1 || this.moves) this.tell(false);
+    else this.wanted = true;
     byId("gpu").textContent = `Drawn by ${backend.describe()}.`;
     if (this.probed) await this.probe();
   }
@@ -365,18 +405,20 @@ class Playground {
 
   async measure() {
     const button = byId("measure");
-    if (button.disabled) return;
-    button.disabled = true;
+    // A button that is disabled loses the focus, so this one only says that it does nothing now.
+    if (button.ariaDisabled === "true") return;
+    button.ariaDisabled = "true";
     byId("cost").textContent = "Measuring …";
     try {
       this.play(false);
       const key = this.costKey;
       const backend = await this.backend();
-      const { ratio, low, high } = await costOf(backend, this.library, { ...this.state });
+      const { ratio, low, high, cell } = await costOf(backend, this.library, { ...this.state });
       const text = (number) => (number < 10 ? number.toFixed(2) : number.toFixed(1));
       byId("cost").textContent = `${text(ratio)} × hn_perlin`;
       byId("note-cost").textContent =
-        `hn_perlin in 2D, in floats, was drawn in turns with it, both from cells, on ${backend.describe()}. ` +
+        `That is pattern(p). From a cell, pattern(cell, f) costs ${text(cell)} ×. hn_perlin(p) in 2D, in floats, ` +
+        `was drawn in turns with both on ${backend.describe()}. ` +
         `Parts of the rounds gave ${text(low)} to ${text(high)}.`;
       byId("note-cost").hidden = false;
       this.measured = key;
@@ -384,7 +426,7 @@ class Playground {
     } catch (error) {
       byId("cost").textContent = error.message;
     } finally {
-      button.disabled = false;
+      button.ariaDisabled = "false";
       this.request();
     }
   }
@@ -519,7 +561,8 @@ class Playground {
 
   key(event) {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const step = this.size[0] * (event.shiftKey ? 0.5 : 0.08);
+    // Whole pixels, so that the picture is the same one, moved.
+    const step = Math.round(this.size[0] * (event.shiftKey ? 0.5 : 0.08));
     const actions = {
       ArrowLeft: () => this.pan(step, 0),
       ArrowRight: () => this.pan(-step, 0),
@@ -553,17 +596,16 @@ class Playground {
       this.copy(location.href, byId("link"), "The link");
     });
     // At popstate already, so that no link is written to the place in the history that is gone to.
-    for (const type of ["popstate", "hashchange"]) {
-      addEventListener(type, () => {
-        if (location.hash !== this.link) this.take(stateOf(location.hash));
-      });
-    }
+    addEventListener("popstate", ({ state }) => this.take(state ? possible(state) : stateOf(location.hash)));
     new ResizeObserver(() => this.request()).observe(byId("stage"));
     document.addEventListener("visibilitychange", () => document.hidden && this.play(false));
     if (!navigator.gpu) this.controls.refuseRenderer("webgpu", "This browser has no WebGPU.", "webgl2");
     this.chooseCanvas();
-    this.take(this.state);
-    await this.request();
+    // Until there is a picture, or a sentence on why there is none. To make it sharp may take longer.
+    await new Promise((resolve) => {
+      this.begun = resolve;
+      this.take(this.state);
+    });
   }
 }
 

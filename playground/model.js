@@ -185,6 +185,16 @@ export function parsedPosition(text) {
   return negative ? -size : size;
 }
 
+// Whether two texts are one number, however they are written.
+export function sameNumber(one, other) {
+  const plain = (text) => {
+    const { negative, digits, power } = partsOfNumber(text);
+    const shortest = digits.replace(/0+$/, "");
+    return shortest ? `${negative ? "-" : ""}${shortest}e${power + digits.length - shortest.length}` : "0";
+  };
+  return plain(one) === plain(other);
+}
+
 // Numbers have at most four digits behind the point, and at most seven in all, so that a link has them as they are.
 function rounded(value, setting) {
   if (setting.whole) return Math.round(value);
@@ -269,7 +279,8 @@ export function parsed(name, text) {
 export function numbersOf(name) {
   const { usual, whole, from, to } = kSettings[name];
   if (typeof usual === "bigint") return "a number from −2147483648 to 2147483648, such as 12.5 or 1e9";
-  return `a ${whole ? "whole " : ""}number from ${from} to ${to}`;
+  const digits = name === "cells" ? " of at most six digits" : "";
+  return `a ${whole ? "whole " : ""}number${digits} from ${from} to ${to}`;
 }
 
 // The state of a link. Unknown names and values that are none count as absent.

@@ -1,6 +1,6 @@
 // The shaders of the page, and the numbers that they read. Each exists in GLSL for WebGL2 and in WGSL for WebGPU; with
 // HN_FIXED both draw the same bytes, since everything from the position to the colour is whole numbers.
-import { functions, knobs, numbers } from "./code.js";
+import { functions, knobs, kWgslVertex, numbers } from "./code.js";
 import { rangeOf } from "./model.js";
 import { cellOf, originOf, partsOf, placeOf, stepOf } from "./view.js";
 
@@ -106,18 +106,17 @@ const kWgslShade = `fn shade(value: f32, row: i32) -> vec4f {
   return color;
 }`;
 
-// The cell and the place of a pixel, for a number of dimensions.
-function glslArguments(n) {
-  const part = ["x", "y", "z", "w"].slice(0, n);
-  if (n === 1) return "int(x.x), float(x.y) * kPart";
-  const cells = part.map((axis) => (axis < "x" || axis > "y" ? `u_cell.${axis}` : `int(${axis}.x)`));
-  const places = part.map((axis) => (axis < "x" || axis > "y" ? `float(u_place.${axis})` : `float(${axis}.y)`));
-  return `ivec${n}(${cells.join(", ")}), vec${n}(${places.join(", ")}) * kPart`;
+// What "pattern" is called with at a pixel, for a number of dimensions: the cell and the place in it, or the position.
+function glslArguments(n, form) {
+  const vector = (type, parts) => (n === 1 ? parts[0] : `${type}(${parts.slice(0, n).join(", ")})`);
+  const cell = vector(`ivec${n}`, ["int(x.x)", "int(y.x)", "u_cell.z", "u_cell.w"]);
+  const places = vector(`vec${n}`, ["float(x.y)", "float(y.y)", "float(u_place.z)", "float(u_place.w)"]);
+  return form === "cell" ? `${cell}, ${places} * kPart` : `${n === 1 ? "float" : `vec${n}`}(${cell}) + ${places} * kPart`;
 }
-const wgslArguments = (n) =>
-  glslArguments(n)
-    .replace(/\bivec(\d)/, "vec$1i")
-    .replace(/\bvec(\d)\(/, "vec$1f(")
+const wgslArguments = (n, form) =>
+  glslArguments(n, form)
+    .replace(/\bivec(\d)/g, "vec$1i")
+    .replace(/\bvec(\d)\(/g, "vec$1f(")
     .replaceAll("int(", "i32(")
     .replaceAll("float(", "f32(")
     .replaceAll("u_cell", "u.cell")
@@ -126,11 +125,12 @@ const wgslArguments = (n) =>
 export const kVertex = `#version 300 es
 void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }`;
 
-// The fragment shader. `values` are names of uniforms, or numbers; `value` is what is shown. One that is timed computes
-// it at several cells, so that the GPU has more to do than to write pixels.
-function glsl(library, state, values, timed = false, value = `pattern(${glslArguments(state.dimensions)})`) {
-  const { lines, files } = functions(library, "glsl", state, values, false);
+// The fragment shader. `values` are names of uniforms, or numbers; `form` is how "pattern" is called, and `value` what is
+// shown. One that is timed computes it at several cells, so that the GPU has more to do than to write pixels.
+function glsl(library, state, values, { timed, form = "cell", value } = {}) {
+  const { lines, files } = functions(library, "glsl", state, values, [form]);
   const n = state.dimensions;
+  const shown = value ?? `pattern(${glslArguments(n, form)})`;
   return [
     "#version 300 es",
     "precision highp float;",
@@ -150,17 +150,18 @@ function glsl(library, state, values, timed = false, value = `pattern(${glslArgu
     "  uvec2 x = place_of(u_cell.x, u_place.x, at.x);",
     "  uvec2 y = place_of(u_cell.y, u_place.y, at.y);",
     ...(timed
-      ? [`  float sum = 0.0;`, `  for (int i = 0; i < u_octaves.z; ++i) { sum += ${value}; x.x += 8u; }`]
-      : [`  float sum = ${value};`]),
+      ? [`  float sum = 0.0;`, `  for (int i = 0; i < u_octaves.z; ++i) { sum += ${shown}; x.x += 8u; }`]
+      : [`  float sum = ${shown};`]),
     `  color = shade(sum, ${n === 1 ? "int(at.y)" : "-1"});`,
     "}",
     "",
   ].join("\n");
 }
 
-function wgsl(library, state, values, timed = false, value = `pattern_cell(${wgslArguments(state.dimensions)})`) {
-  const { lines, needs } = functions(library, "wgsl", state, values, false);
+function wgsl(library, state, values, { timed, form = "cell", value } = {}) {
+  const { lines, needs } = functions(library, "wgsl", state, values, [form]);
   const n = state.dimensions;
+  const shown = value ?? `${form === "cell" ? "pattern_cell" : "pattern"}(${wgslArguments(n, form)})`;
   return [
     ...library.wgsl(needs, state),
     kWgslFrame,
@@ -168,17 +169,15 @@ function wgsl(library, state, values, timed = false, value = `pattern_cell(${wgs
     ...lines,
     kWgslPlace,
     kWgslShade,
-    "@vertex fn vertex(@builtin(vertex_index) i: u32) -> @builtin(position) vec4f {",
-    "  return vec4f(select(-1.0, 3.0, i == 1u), select(-1.0, 3.0, i == 2u), 0.0, 1.0);",
-    "}",
+    ...kWgslVertex,
     "@fragment fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {",
     // Rows are counted from the lower end, as in OpenGL.
     "  let at = vec2u(u32(position.x), u.step.w - 1u - u32(position.y));",
     "  var x = place_of(u.cell.x, u.place.x, at.x);",
     "  let y = place_of(u.cell.y, u.place.y, at.y);",
     ...(timed
-      ? [`  var sum = 0.0f;`, `  for (var i = 0; i < u.octaves.z; i++) { sum += ${value}; x.x += 8u; }`]
-      : [`  let sum = ${value};`]),
+      ? [`  var sum = 0.0f;`, `  for (var i = 0; i < u.octaves.z; i++) { sum += ${shown}; x.x += 8u; }`]
+      : [`  let sum = ${shown};`]),
     `  return shade(sum, ${n === 1 ? "i32(at.y)" : "-1"});`,
     "}",
     "",
@@ -203,15 +202,12 @@ export const pageShader = (library, language, state) =>
   kWrite[language](library, state, uniforms(language, state.dimensions));
 
 // What is timed: the numbers stand in the text, as in a shader of somebody who copied it.
-export const timedShader = (library, language, state) =>
-  kWrite[language](library, state, numbers(language, state), true);
+export const timedShader = (library, language, state, form) =>
+  kWrite[language](library, state, numbers(language, state), { timed: true, form });
 
 // A shader in which nothing is computed but the position.
-export const emptyShader = (library, language, state) =>
-  kWrite[language](
-    library,
-    { ...state, ...kPlain },
-    numbers(language, { ...state, ...kPlain }),
-    true,
-    language === "glsl" ? "float(x.x + x.y + y.y) * kPart" : "f32(x.x + x.y + y.y) * kPart",
-  );
+export function emptyShader(library, language, state) {
+  const plain = { ...state, ...kPlain };
+  const value = language === "glsl" ? "float(x.x + x.y + y.y) * kPart" : "f32(x.x + x.y + y.y) * kPart";
+  return kWrite[language](library, plain, numbers(language, plain), { timed: true, value });
+}

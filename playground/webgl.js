@@ -112,11 +112,31 @@ export class WebGL2 {
     gl.viewport(0, 0, width, height);
   }
 
-  draw(program, frame) {
-    const { gl, canvas } = this;
-    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    this.use(program, frame, canvas.width, canvas.height);
+  // Draws so many rows from this one on of a picture of this size, which nobody sees before show().
+  strip(program, frame, width, height, from, rows) {
+    const { gl } = this;
+    if (this.hidden?.width !== width || this.hidden?.height !== height) {
+      if (this.hidden) this.remove(this.hidden);
+      this.hidden = this.offscreen(width, height);
+    }
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.hidden.framebuffer);
+    this.use(program, frame, width, height);
+    gl.enable(gl.SCISSOR_TEST);
+    gl.scissor(0, from, width, rows);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
+    gl.disable(gl.SCISSOR_TEST);
+  }
+
+  // The canvas takes its size from the picture only now, since with another size it is empty.
+  show() {
+    const { gl, canvas } = this;
+    const { framebuffer, width, height } = this.hidden;
+    if (canvas.width !== width) canvas.width = width;
+    if (canvas.height !== height) canvas.height = height;
+    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, framebuffer);
+    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
+    gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
 
   // Resolves when the GPU has drawn everything so far.
@@ -138,7 +158,7 @@ export class WebGL2 {
     const framebuffer = gl.createFramebuffer();
     gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
     gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
-    return { texture, framebuffer };
+    return { texture, framebuffer, width, height };
   }
 
   remove({ texture, framebuffer }) {

@@ -10,7 +10,8 @@ export class WebGPU {
     if (!adapter) throw new Error("This browser does not give a WebGPU device.");
     const device = await adapter.requestDevice();
     const context = canvas.getContext("webgpu");
-    context.configure({ device, format: kFormat, alphaMode: "opaque" });
+    const usage = GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.COPY_DST;
+    context.configure({ device, format: kFormat, alphaMode: "opaque", usage });
     return new WebGPU(canvas, adapter, device, context);
   }
 
@@ -75,19 +76,37 @@ export class WebGPU {
     this.device.queue.writeTexture({ texture: this.palette }, bytes, { bytesPerRow: 1024 }, [256, 1]);
   }
 
-  pass(encoder, program, view) {
-    const pass = encoder.beginRenderPass({ colorAttachments: [{ view, loadOp: "clear", storeOp: "store" }] });
+  // Draws a picture, or a part of it: a rectangle, as setScissorRect takes one.
+  pass(encoder, program, view, part) {
+    const loadOp = part ? "load" : "clear";
+    const pass = encoder.beginRenderPass({ colorAttachments: [{ view, loadOp, storeOp: "store" }] });
+    if (part) pass.setScissorRect(...part);
     pass.setPipeline(program);
     pass.setBindGroup(0, this.group);
     pass.draw(3);
     pass.end();
   }
 
-  draw(program, frame) {
-    const { device, context } = this;
+  // As WebGL2 has it.
+  strip(program, frame, width, height, from, rows) {
+    const { device } = this;
+    if (this.hidden?.width !== width || this.hidden?.height !== height) {
+      this.hidden?.destroy();
+      this.hidden = this.texture(width, height, GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.COPY_SRC);
+    }
     device.queue.writeBuffer(this.frames, 0, frame);
     const encoder = device.createCommandEncoder();
-    this.pass(encoder, program, context.getCurrentTexture().createView());
+    this.pass(encoder, program, this.hidden.createView(), [0, from, width, rows]);
+    device.queue.submit([encoder.finish()]);
+  }
+
+  show() {
+    const { device, canvas, context } = this;
+    const { width, height } = this.hidden;
+    if (canvas.width !== width) canvas.width = width;
+    if (canvas.height !== height) canvas.height = height;
+    const encoder = device.createCommandEncoder();
+    encoder.copyTextureToTexture({ texture: this.hidden }, { texture: context.getCurrentTexture() }, [width, height]);
     device.queue.submit([encoder.finish()]);
   }
 

@@ -69,6 +69,22 @@ void main() {
 }
 `;
 };
+// What shadertoy.com puts around the text.
+const onShadertoy = (code) => `#version 300 es
+precision highp float;
+precision highp int;
+precision highp sampler2D;
+uniform vec3 iResolution;
+uniform float iTime;
+uniform vec4 iMouse;
+${code}
+out vec4 outColor;
+void main() {
+  vec4 color = vec4(1e20);
+  mainImage(color, gl_FragCoord.xy);
+  outColor = vec4(color.xyz, 1.0);
+}
+`;
 const hlslShader = (code, state) => `${code}
 float4 main(float4 position : SV_Position) : SV_Target {
   int column = int(position.x);
@@ -85,20 +101,17 @@ before(async () => {
 });
 after(() => browser.close());
 
-// What the copied GLSL draws: the bits of both functions, by WebGL2.
-const drawnGlsl = (code, state, cell) =>
+const kVertex = `#version 300 es
+void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }`;
+
+// What a fragment shader draws by WebGL2: the bytes of colours, or words of a target of words; or what the driver says.
+const drawn = (fragment, words) =>
   page.evaluate(
-    (fragment, width, height) => {
+    (texts, width, height, whole) => {
       const gl = document.createElement("canvas").getContext("webgl2");
       const program = gl.createProgram();
-      for (const [type, text] of [
-        [
-          gl.VERTEX_SHADER,
-          "#version 300 es\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }",
-        ],
-        [gl.FRAGMENT_SHADER, fragment],
-      ]) {
-        const shader = gl.createShader(type);
+      for (const [number, text] of texts.entries()) {
+        const shader = gl.createShader(number ? gl.FRAGMENT_SHADER : gl.VERTEX_SHADER);
         gl.shaderSource(shader, text);
         gl.compileShader(shader);
         if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) return gl.getShaderInfoLog(shader);
@@ -106,18 +119,31 @@ const drawnGlsl = (code, state, cell) =>
       }
       gl.linkProgram(program);
       gl.useProgram(program);
-      const texture = gl.createTexture();
-      gl.bindTexture(gl.TEXTURE_2D, texture);
-      gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32UI, width, height);
+      gl.uniform2f(gl.getUniformLocation(program, "resolution"), width, height);
+      gl.uniform3f(gl.getUniformLocation(program, "iResolution"), width, height, 1);
+      gl.getError(); // a shader has one of them, or none
+      gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+      gl.texStorage2D(gl.TEXTURE_2D, 1, whole ? gl.RGBA32UI : gl.RGBA8, width, height);
       gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
+      const texture = gl.getParameter(gl.TEXTURE_BINDING_2D);
       gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
       gl.viewport(0, 0, width, height);
       gl.drawArrays(gl.TRIANGLES, 0, 3);
-      const words = new Uint32Array(width * height * 4);
-      gl.readPixels(0, 0, width, height, gl.RGBA_INTEGER, gl.UNSIGNED_INT, words);
+      const read = new (whole ? Uint32Array : Uint8Array)(width * height * 4);
+      const format = whole ? [gl.RGBA_INTEGER, gl.UNSIGNED_INT] : [gl.RGBA, gl.UNSIGNED_BYTE];
+      gl.readPixels(0, 0, width, height, ...format, read);
       gl.getExtension("WEBGL_lose_context").loseContext();
-      return Array.from(words).filter((_, at) => at % 4 === 0);
+      return Array.from(read);
     },
+    [kVertex, fragment],
+    kWidth,
+    kHeight,
+    words,
+  );
+
+// The bits of a function of the copied GLSL.
+async function drawnGlsl(code, state, cell) {
+  const found = await drawn(
     `#version 300 es
 precision highp float;
 precision highp int;
@@ -129,6 +155,49 @@ void main() {
   bits = uvec4(floatBitsToUint(${call("glsl", state, cell)}));
 }
 `,
+    true,
+  );
+  return Array.isArray(found) ? found.filter((_, at) => at % 4 === 0) : found;
+}
+
+// What a whole shader in WGSL draws, as the bytes of colours from the lower row on.
+const drawnByWgsl = (text) =>
+  page.evaluate(
+    async (code, width, height) => {
+      const device = await (await navigator.gpu.requestAdapter()).requestDevice();
+      const module = device.createShaderModule({ code });
+      const { messages } = await module.getCompilationInfo();
+      if (messages.length) return messages.map(({ message }) => message).join("\n");
+      const { RENDER_ATTACHMENT, COPY_SRC } = GPUTextureUsage;
+      const { UNIFORM, COPY_DST, MAP_READ } = GPUBufferUsage;
+      const format = "rgba8unorm";
+      const target = device.createTexture({ size: [width, height], format, usage: RENDER_ATTACHMENT | COPY_SRC });
+      const pipeline = device.createRenderPipeline({
+        layout: "auto",
+        vertex: { module },
+        fragment: { module, targets: [{ format }] },
+      });
+      const buffer = device.createBuffer({ size: 8, usage: UNIFORM | COPY_DST });
+      device.queue.writeBuffer(buffer, 0, new Float32Array([width, height]));
+      const layout = pipeline.getBindGroupLayout(0);
+      const encoder = device.createCommandEncoder();
+      const view = target.createView();
+      const pass = encoder.beginRenderPass({ colorAttachments: [{ view, loadOp: "clear", storeOp: "store" }] });
+      pass.setPipeline(pipeline);
+      pass.setBindGroup(0, device.createBindGroup({ layout, entries: [{ binding: 0, resource: { buffer } }] }));
+      pass.draw(3);
+      pass.end();
+      const copy = device.createBuffer({ size: 256 * height, usage: COPY_DST | MAP_READ });
+      encoder.copyTextureToBuffer({ texture: target }, { buffer: copy, bytesPerRow: 256 }, [width, height]);
+      device.queue.submit([encoder.finish()]);
+      await copy.mapAsync(GPUMapMode.READ);
+      const bytes = new Uint8Array(copy.getMappedRange());
+      const rows = [...Array(height).keys()].map((row) => (height - 1 - row) * 256);
+      const found = rows.flatMap((start) => Array.from(bytes.subarray(start, start + width * 4)));
+      device.destroy();
+      return found;
+    },
+    text,
     kWidth,
     kHeight,
   );
@@ -181,19 +250,72 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     kWidth * kHeight,
   );
 
+// As what a text is copied, how glslang takes it, and what is put around it.
+const kGlslForms = [
+  ["function", true, [], (code, state) => glslShader(code, state, "300 es")],
+  ["function", false, ["-V"], glslShader],
+  ["shader", true, [], (code) => code],
+  ["desktop", true, [], (code) => code],
+  ["shadertoy", true, [], onShadertoy],
+];
+const kHlslForms = [
+  ["function", false, hlslShader],
+  ["shader", true, (code) => code],
+  ["function", true, hlslShader],
+];
+
 test("copied GLSL and HLSL compile", async () => {
   const include = `-I${join(kRoot, "glsl")}`;
   const hlslOptions = ["-D", "-V", "--target-env", "vulkan1.1", "-S", "frag", "-e", "main", include];
   for (const [number, state] of states.entries()) {
     await setState(page, state);
-    // glslang takes a second for each; so every other text has the library in it. Below, browsers compile them all so.
-    const whole = number % 2 === 0;
-    const glsl = await copiedCode(page, "glsl", whole);
-    const [version, options] = whole ? ["300 es", []] : ["450", ["-V", include]];
-    assert.equal(await glslang(glslShader(glsl, state, version), "shader.frag", ...options), "", nameOf(state));
-    const hlsl = await copiedCode(page, "hlsl", !whole);
-    assert.equal(await glslang(hlslShader(hlsl, state), "shader.hlsl", ...hlslOptions), "", nameOf(state));
+    // glslang takes a second for each, so each form has some of the states. Below, browsers compile them all.
+    const [kind, whole, options, glsl] = kGlslForms[number % kGlslForms.length];
+    const text = glsl(await copiedCode(page, "glsl", whole, kind), state);
+    assert.equal(await glslang(text, "shader.frag", ...options, include), "", `${kind}: ${nameOf(state)}`);
+    const [hlslKind, hlslWhole, hlsl] = kHlslForms[number % kHlslForms.length];
+    const hlslText = hlsl(await copiedCode(page, "hlsl", hlslWhole, hlslKind), state);
+    assert.equal(await glslang(hlslText, "shader.hlsl", ...hlslOptions), "", `HLSL, ${hlslKind}: ${nameOf(state)}`);
   }
+});
+
+// How many pixels have another colour. That of the page is one of 256, and its graph has an edge.
+const unlike = (one, other) => {
+  let count = 0;
+  for (let at = 0; at < one.length; at += 4)
+    if ([0, 1, 2].some((part) => Math.abs(one[at + part] - other[at + part]) > 6)) ++count;
+  return count;
+};
+
+test("a whole shader draws the picture", async () => {
+  const half = 1n << 20n; // A whole shader takes the middle of a pixel, and the page its lower left corner.
+  for (const state of [
+    { ...states[0], arithmetic: "fast", x: 1000000000n << 24n, y: -(1n << 55n) },
+    { ...states[0], arithmetic: "fast" },
+    { ...states[5], arithmetic: "fast", map: "land" },
+    { ...states[6], x: 7n - (1n << 55n), z: 5000.5 },
+    states[7],
+    states[8],
+    { ...states[8], x: 1n << 50n },
+  ]) {
+    await setState(page, { ...state, x: state.x + half, y: state.y + half });
+    const shown = await pixels(page, kWidth, kHeight);
+    assert.ok(unlike(shown, shown.toReversed()) > 100, `${nameOf(state)} shows next to nothing`);
+    await setState(page, state);
+    const most = state.dimensions === 1 ? 2 * kWidth : 4;
+    for (const [name, found] of [
+      ["GLSL", await drawn(await copiedCode(page, "glsl", true, "shader"))],
+      ["Shadertoy", await drawn(onShadertoy(await copiedCode(page, "glsl", true, "shadertoy")))],
+      ["WGSL", await drawnByWgsl(await copiedCode(page, "wgsl", true, "shader"))],
+    ]) {
+      assert.ok(Array.isArray(found), `${name}, ${nameOf(state)}: ${found}`);
+      assert.ok(unlike(found, shown) <= most, `${name}, ${nameOf(state)}: ${unlike(found, shown)} pixels`);
+    }
+  }
+  await setState(page, { ...states[0], x: 1n << 24n });
+  const other = await drawn(await copiedCode(page, "glsl", true, "shader"));
+  await setState(page, states[0]);
+  assert.ok(unlike(other, await pixels(page, kWidth, kHeight)) > 100);
 });
 
 test("copied GLSL and WGSL draw the picture", async () => {

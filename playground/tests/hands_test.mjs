@@ -3,8 +3,12 @@ import assert from "node:assert/strict";
 import test, { after, before } from "node:test";
 import { kPage, kPhone, launched, opened, pixels, ready, stateOfPage } from "./support.mjs";
 
-const kLaptop = { width: 1280, height: 720 };
+// A pixel of the picture has four on a side of the page, since most tests are not about the picture.
+const kLaptop = { width: 1280, height: 720, deviceScaleFactor: 0.25 };
 const settled = 400; // milliseconds, after which the link is written
+
+// A picture of 360 x 260 pixels, with the panel on it.
+const kPane = { width: 720, height: 520, deviceScaleFactor: 0.5 };
 
 // What is copied, without a clipboard.
 const keepCopies = () => {
@@ -161,7 +165,9 @@ test("a keyboard alone is enough", async () => {
     [state.sum, state.noise, state.dimensions, state.octaves, state.z, state.seed, state.map, state.arithmetic],
     ["ridged", "value", 3, 8, 0.36, 100, "lagoon", "fixed"],
   );
-  assert.match((await page.evaluate(() => window.copies)).join(), /fn pattern_cell\(cell: vec3i, f: vec3f\)/);
+  const copies = (await page.evaluate(() => window.copies)).join();
+  assert.match(copies, /fn pattern_cell\(cell: vec3i, f: vec3f\)/);
+  assert.match(copies, /fn hn_i_cell_vec3f/);
 
   await page.evaluate(() => document.getElementById("picture-webgl2").focus());
   const before = (await stateOfPage(page)).z;
@@ -180,7 +186,7 @@ test("the focus is seen wherever it is, on a dark picture and on a light one", a
     [2, 255],
   ]) {
     const link = `#sum=none&noise=cells&map=grey&contrast=4&cells=0.02&seed=${seed}`;
-    const page = await opened(browser, { viewport: kLaptop, link });
+    const page = await opened(browser, { viewport: { ...kLaptop, deviceScaleFactor: 1 }, link });
     assert.deepEqual(await pixels(page, 1, 1), [colour, colour, colour, 255]);
     for (const id of ["picture-webgl2", "play", "sum", "seed", "copy"]) {
       await tabTo(page, id);
@@ -226,6 +232,183 @@ test("what is not of a place is not taken, and said", async () => {
   await enter("x", "1000000000.5");
   assert.equal((await stateOfPage(page)).x, 1000000000n * 16777216n + 8388608n);
   assert.equal(await page.$eval("#x", (input) => input.getAttribute("aria-invalid")), null);
+  await page.close();
+});
+
+// A GPU in slow motion: each picture takes so many milliseconds and more for each pixel. Keeps the sizes that are shown
+// and how long each strip took.
+const slowDown = (page, wait, pixel) =>
+  page.evaluate(
+    (latency, cost) => {
+      const { hashnoise } = window;
+      const backend = hashnoise.backends[hashnoise.state.renderer];
+      const { strip, show, finished } = backend;
+      const seen = (window.seen = { sizes: [], strips: [] });
+      let pending = 0;
+      backend.strip = (...arguments_) => {
+        pending = latency + arguments_[2] * arguments_[5] * cost;
+        seen.strips.push(pending);
+        strip.apply(backend, arguments_);
+      };
+      backend.finished = async () => {
+        await finished.apply(backend);
+        await new Promise((resolve) => setTimeout(resolve, pending));
+      };
+      backend.show = () => {
+        show.apply(backend);
+        seen.sizes.push(`${backend.canvas.width} x ${backend.canvas.height}`);
+        seen.strips.push(0);
+      };
+      hashnoise.speeds = new WeakMap();
+      hashnoise.change({ seed: 8 });
+    },
+    wait,
+    pixel,
+  );
+const sharp = (page) =>
+  page.waitForFunction(
+    () => {
+      const { canvas, coarse, drawing, moves } = window.hashnoise;
+      const { width, height } = canvas.getBoundingClientRect();
+      const whole = [width, height].map((side) => Math.round(side * devicePixelRatio));
+      return !drawing && !moves && coarse === 1 && canvas.width === whole[0] && canvas.height === whole[1];
+    },
+    { timeout: 60000 },
+  );
+
+test("a picture at rest is sharp", async () => {
+  for (const [link, viewport] of [
+    ["", { width: 1280, height: 800 }],
+    ["#sum=none&noise=cellular&dimensions=3&renderer=webgpu", { ...kPane, deviceScaleFactor: 0.7 }],
+    ["#sum=eroded&dimensions=3&warp=warp_progressive&octaves=8", kPane],
+    ["#sum=none", { ...kPhone, deviceScaleFactor: 3.5 }],
+  ]) {
+    const page = await opened(browser, { link, viewport });
+    await sharp(page);
+    assert.equal(await visibleText(page, "drawing"), "");
+    assert.deepEqual(page.complaints, []);
+    await page.close();
+  }
+});
+
+test("a slow picture becomes sharp in steps, and in strips that leave the page its time", async () => {
+  for (const renderer of ["webgl2", "webgpu"]) {
+    const page = await opened(browser, { link: `#sum=none&map=grey&cells=40&renderer=${renderer}`, viewport: kPane });
+    await sharp(page);
+    // Forty milliseconds for nothing are no reason for a coarse picture.
+    await slowDown(page, 40, 0.0001);
+    await sharp(page);
+    let seen = await page.evaluate(() => window.seen);
+    assert.equal(seen.sizes.at(-1), "360 x 260");
+    assert.ok(seen.strips.length < 40, JSON.stringify(seen));
+    // Two seconds for the whole are.
+    await slowDown(page, 0, 0.02);
+    await page.waitForFunction(() => document.getElementById("drawing").checkVisibility());
+    await sharp(page);
+    seen = await page.evaluate(() => window.seen);
+    assert.equal(seen.sizes.at(-1), "360 x 260");
+    assert.ok(new Set(seen.sizes).size >= 2, JSON.stringify(seen.sizes));
+    assert.ok(Math.max(...seen.strips.slice(8)) < 80, JSON.stringify(seen.strips));
+    assert.equal(await visibleText(page, "drawing"), "");
+    // The strips make one picture.
+    const screenshot = await screen(page);
+    const bytes = await pixels(page, 360, 260);
+    for (let row = 70; row < 220; ++row) {
+      const [shown, drawn] = [screenshot.slice(row * 1440), bytes.slice((259 - row) * 1440)];
+      assert.deepEqual(shown.slice(0, 640), drawn.slice(0, 640), `row ${row}`);
+    }
+    // What is wanted meanwhile does not wait for the end.
+    await page.evaluate(() => window.hashnoise.change({ seed: 9 }));
+    await page.waitForFunction((count) => window.seen.sizes.length > count, {}, seen.sizes.length + 1);
+    await page.evaluate(() => window.hashnoise.change({ seed: 10 }));
+    await page.waitForFunction(() => window.hashnoise.shown.seed === 10, { timeout: 800 });
+    await page.close();
+  }
+});
+
+test("the page says that it draws until there is a picture", async () => {
+  const page = await browser.newPage();
+  await page.evaluateOnNewDocument(() => {
+    const later = window.requestAnimationFrame.bind(window);
+    const held = [];
+    window.requestAnimationFrame = (call) => held.push(call);
+    window.release = () => {
+      window.requestAnimationFrame = later;
+      held.forEach(later);
+    };
+  });
+  await page.goto(kPage);
+  await page.waitForFunction(() => window.hashnoise);
+  assert.equal(await visibleText(page, "drawing"), "Drawing …");
+  await page.evaluate(() => window.release());
+  await ready(page);
+  await sharp(page);
+  assert.equal(await visibleText(page, "drawing"), "");
+  await page.close();
+});
+
+test("a typed number that is changed says so", async () => {
+  const page = await opened(browser, { viewport: kLaptop, link: "#dimensions=3" });
+  const enter = async (id, text) => {
+    await page.click(`#${id}`, { count: 3 });
+    await page.keyboard.type(text);
+    await press(page, "Tab");
+    return visibleText(page, `wrong-${id}`);
+  };
+  for (const [id, typed, sentence] of [
+    ["seed", "5000000000", "5000000000 became 4294967295. This field takes a whole number from 0 to 4294967295."],
+    ["seed", "2.5", "2.5 became 3. This field takes a whole number from 0 to 4294967295."],
+    ["seed", "1e3", ""],
+    ["period", "-4", "-4 became 0. This field takes a whole number from 0 to 65536."],
+    ["x", "1e10", /^1e10 became 2147483647\.99999994\. /],
+    ["x", "0,50", ""],
+    ["x", "0.12345678901", /^0\.12345678901 became 0\.1234567\d\. /],
+    ["cells", "7.1234567", /^7\.1234567 became 7\.12346\. This field takes a number of at most six digits /],
+  ]) {
+    const said = await enter(id, typed);
+    if (typeof sentence === "string") assert.equal(said, sentence);
+    else assert.match(said, sentence);
+    assert.equal(await page.$eval(`#${id}`, (input) => input.getAttribute("aria-invalid")), null);
+  }
+  // It stays while the picture plays, and goes with the number.
+  await page.click("#play");
+  await page.waitForFunction(() => window.hashnoise.state.z > 0.5);
+  assert.match(await visibleText(page, "wrong-cells"), /became/);
+  await page.click("#play");
+  await page.click("#home");
+  assert.equal(await visibleText(page, "wrong-cells"), "");
+  await page.close();
+});
+
+test("one arrow key is one whole step", async () => {
+  const link = "#dimensions=3&z=0.375&octaves=16&x=0.25&sum=ridged&noise=simplex&cells=8.5&w=3";
+  const page = await opened(browser, { viewport: kLaptop, link });
+  const after = async (id, ...keys) => {
+    await page.focus(`#${id}`);
+    await press(page, ...keys);
+    return (await stateOfPage(page))[id];
+  };
+  // These numbers lie between the slider's, and beyond them.
+  assert.equal(await after("z", "ArrowRight"), 0.385);
+  assert.equal(await after("z", "ArrowLeft", "ArrowDown", "PageUp"), 0.465);
+  assert.equal(await after("octaves", "ArrowRight"), 16);
+  assert.equal(await after("octaves", "ArrowLeft"), 15);
+  assert.equal(await after("gain", "ArrowUp"), 0.51);
+  assert.equal(await after("x", "ArrowUp"), 5n << 22n);
+  assert.equal(await after("x", "ArrowLeft"), 5n << 22n);
+  assert.equal(await after("cells", "ArrowUp"), 9.5);
+  assert.equal(await after("cells", "PageDown", "ArrowDown"), 0.1875);
+  // What is typed counts, whether or not it is entered.
+  await page.click("#seed", { count: 3 });
+  await page.keyboard.type("41");
+  assert.equal(await after("seed", "ArrowUp"), 42);
+  // The picture goes by whole pixels.
+  await page.evaluate(() => window.hashnoise.change({ x: 0n, cells: 8 }));
+  await page.focus("#picture-webgl2");
+  await press(page, "ArrowRight");
+  const { x } = await stateOfPage(page);
+  const step = await page.evaluate(() => Math.round((8 / Math.min(...window.hashnoise.size)) * 16777216));
+  assert.ok(x > 0n && x % BigInt(step) === 0n, `${x} is no multiple of ${step}`);
   await page.close();
 });
 
@@ -463,8 +646,19 @@ test("Back undoes a look, and nothing else", async () => {
   await page.close();
 });
 
+test("Back brings back what the picture did not use", async () => {
+  const page = await opened(browser, { viewport: kLaptop, link: "#dimensions=3&z=3.5" });
+  await page.click("#dimensions label:nth-child(2)");
+  await page.click("#looks button:nth-child(1)");
+  await page.evaluate(() => history.back());
+  await page.waitForFunction(() => window.hashnoise.state.seed === 7);
+  await page.click("#dimensions label:nth-child(3)");
+  assert.equal((await stateOfPage(page)).z, 3.5);
+  await page.close();
+});
+
 test("Smaller undoes Larger", async () => {
-  for (const link of ["", "#cells=7.3", "#cells=0.123456", "#cells=987654"]) {
+  for (const link of ["", "#cells=7.3", "#cells=0.723456", "#cells=987654"]) {
     const page = await opened(browser, { viewport: kLaptop, link });
     const { cells } = await stateOfPage(page);
     for (const id of ["in", "in", "in", "out", "out", "out"]) await page.click(`#${id}`);
@@ -583,6 +777,20 @@ test("the cost is a ratio to Perlin noise", async () => {
   assert.equal(await page.$eval("#cost", (output) => output.textContent), "Cost on this GPU");
   const sum = parseFloat(await measure());
   assert.ok(sum > 1.8 && sum > plain, `four octaves cost ${sum}`);
-  assert.match(await page.$eval("#note-cost", (note) => note.textContent), /hn_perlin in 2D, in floats, .* from cells, on ANGLE/);
+  assert.match(
+    await page.$eval("#note-cost", (note) => note.textContent),
+    /^That is pattern\(p\)\. From a cell, pattern\(cell, f\) costs [\d.]+ ×\. hn_perlin\(p\) in 2D, .* on ANGLE/,
+  );
+  // The button keeps the focus, and a second press does nothing meanwhile.
+  const pressed = await page.evaluate(() => {
+    const button = document.getElementById("measure");
+    button.focus();
+    button.click();
+    button.click();
+    return [button.ariaDisabled, document.activeElement.id, document.getElementById("cost").textContent];
+  });
+  assert.deepEqual(pressed, ["true", "measure", "Measuring …"]);
+  await page.waitForFunction(() => document.getElementById("measure").ariaDisabled === "false");
+  assert.equal(await focused(page), "measure");
   await page.close();
 });

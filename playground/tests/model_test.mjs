@@ -5,7 +5,8 @@ import { readFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import test from "node:test";
 import { fileURLToPath } from "node:url";
-import { copied, copiedText, functions, numbers, shaderKey } from "../code.js";
+import { copied, copiedText, functions, kKinds, kLicense, numbers, shaderKey } from "../code.js";
+import { costOf } from "../cost.js";
 import { unpacked } from "../library.js";
 import {
   dimensionsOf,
@@ -22,11 +23,13 @@ import {
   parsedPosition,
   positionText,
   possible,
+  sameNumber,
   stateOf,
   stateOfLook,
   usualState,
 } from "../model.js";
 import { pageShader } from "../shaders.js";
+import { Speed } from "../speed.js";
 import { originOf, panned, positionOfPixel, stepOf, zoomed } from "../view.js";
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), "..", "..");
@@ -167,6 +170,78 @@ test("positions are exact", () => {
   }
 });
 
+test("a number is the same however it is written, and another is not", () => {
+  for (const [one, other] of [
+    ["1e3", "1000"],
+    ["0,50", ".5"],
+    ["-0", "0"],
+    ["−2.50", "-2.5"],
+    ["0.001", "1e-3"],
+  ])
+    assert.ok(sameNumber(one, other), `${one} and ${other}`);
+  for (const [one, other] of [
+    ["5000000000", "4294967295"],
+    ["2.5", "3"],
+    ["-5", "5"],
+    ["0.123456789", "0.12345679"],
+    ["10", "1"],
+  ])
+    assert.ok(!sameNumber(one, other), `${one} and ${other}`);
+});
+
+test("what one waits for any picture is no cost of a pixel", async () => {
+  for (const [wait, pixel] of [
+    [0.2, 1e-6],
+    [6, 1e-4],
+    [40, 1e-4],
+    [3, 0.02],
+    [16, 0],
+  ]) {
+    const time = async (pixels) => wait + pixels * pixel;
+    const speed = await Speed.measured(time, 1280 * 800);
+    assert.ok(Math.abs(speed.pixel - pixel) <= 0.02 * pixel, `${speed.pixel} is not ${pixel}`);
+    // More octaves, of which strips of forty milliseconds tell.
+    for (let i = 0; i < 20; ++i) {
+      const pixels = Math.max(1280, Math.min(1280 * 800, speed.pixelsIn(40)));
+      speed.learn(pixels, await time(4 * pixels));
+    }
+    assert.ok(Math.abs(speed.pixel - 4 * pixel) <= 0.05 * 4 * pixel, `${speed.pixel} is not ${4 * pixel}`);
+  }
+  // Draws that were slow by chance must not make strips so small that nothing but the wait is left.
+  const speed = new Speed(25, 1);
+  for (let i = 0; i < 40; ++i) {
+    const pixels = Math.max(1280, Math.min(1280 * 800, speed.pixelsIn(40)));
+    speed.learn(pixels, 25 + pixels * 1e-5);
+  }
+  assert.ok(speed.pixel < 4e-5, `${speed.pixel}`);
+});
+
+// A GPU that takes as long as it is told for each of the texts.
+const costWhere = (language, position, cell) =>
+  costOf(
+    {
+      language,
+      build: async (text) => text,
+      discard: () => {},
+      time: async (text) => {
+        const [call] = /sum \+= .*?;/.exec(text);
+        if (!call.includes("pattern")) return 2;
+        if (!text.includes("fbm")) return 2 + 8;
+        return 2 + 8 * (/pattern(?:_cell)?\((?:ivec2|vec2i)\(/.test(call) ? cell : position);
+      },
+    },
+    library,
+    { ...usualState(), x: 3n << 54n },
+  );
+
+test("the cost is that of pattern(p) in calls of hn_perlin(p), and that from a cell is apart", async () => {
+  for (const language of ["glsl", "wgsl"]) {
+    const { ratio, low, high, cell } = await costWhere(language, 7.7, 20.8);
+    const found = [ratio, low, high, cell].map((number) => number.toFixed(3));
+    assert.deepEqual(found, ["7.700", "7.700", "7.700", "20.800"]);
+  }
+});
+
 test("what is below a pointer stays there while the scale changes", () => {
   for (let i = 0; i < 500; ++i) {
     const state = {
@@ -195,7 +270,10 @@ test("what is below a pointer stays there while the scale changes", () => {
 test("the library in the page is that of tools/single-file and tools/wgsl", () => {
   for (const file of ["fbm2d.glsl", "hashnoise.glsl"]) {
     const made = execFileSync(join(root, "tools", "single-file"), ["--strip", file], { encoding: "utf8" });
-    assert.equal(library.lines([file]).join("\n"), made.split("\n").slice(2).join("\n").trim(), file);
+    // In the page the text goes on, and keeps the numbers of its lines.
+    const text = made.split("\n").slice(2).join("\n").replace(/\n#line 1\n$/, "");
+    assert.equal(library.lines([file]).join("\n"), text.trim(), file);
+    assert.equal(made.split("\n")[1], kLicense);
   }
   const made = execFileSync(
     join(root, "tools", "wgsl"),
@@ -332,7 +410,7 @@ test("what is copied says what is chosen", () => {
     arithmetic: "fixed",
     hash: "pcg",
   });
-  const short = copiedText(library, "glsl", state, false);
+  const short = copiedText(library, "glsl", state, "function", false);
   for (const part of [
     "#define HN_ARITHMETIC HN_FIXED",
     "#define HN_HASH HN_HASH_PCG",
@@ -343,9 +421,16 @@ test("what is copied says what is chosen", () => {
   ]) {
     assert.ok(short.includes(part), part);
   }
-  assert.ok(!copiedText(library, "glsl", state, true).includes("#include"));
+  // By default it needs no other file.
+  for (const language of ["glsl", "hlsl", "wgsl"]) {
+    for (const kind of Object.keys(kKinds[language])) {
+      const text = copiedText(library, language, state, kind);
+      assert.ok(!text.includes("#include") && text.includes(kLicense), `${language}, ${kind}`);
+      assert.match(text, language === "wgsl" ? /^fn hn_lattice|^fn hn_i_/m : /^#define HN_VERSION_MAJOR/m);
+    }
+  }
   assert.match(
-    copied(library, "wgsl", state, false).head.join("\n"),
+    copied(library, "wgsl", state, "function", false).head.join("\n"),
     /tools\/wgsl --arithmetic HN_FIXED --hash PCG --only .*hn_ridged2_cell/,
   );
 });

@@ -83,16 +83,19 @@ export async function pixels(page, width, height, bits = false) {
   return bits ? Array.from(new Uint32Array(new Uint8Array(bytes).buffer)) : bytes;
 }
 
-export const copiedCode = (page, language, whole) =>
+export const copiedCode = (page, language, whole, kind = "function") =>
   page.evaluate(
-    (tab, chosen) => {
+    (tab, chosen, as) => {
+      const { controls, state } = window.hashnoise;
       document.getElementById(`language-${tab}`).click();
+      controls.chooseKind(as);
       document.getElementById("whole").checked = chosen;
-      window.hashnoise.controls.show(window.hashnoise.state);
-      return window.hashnoise.controls.code;
+      controls.show(state);
+      return controls.code;
     },
     language,
     whole,
+    kind,
   );
 
 // The rows of a golden file with HN_FIXED: the columns by name, as words, and the bits of the first result.

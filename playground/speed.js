@@ -1,0 +1,40 @@
+// How long drawing takes. Whoever draws waits some milliseconds for any picture, however small; so what a pixel adds is
+// the difference between two pictures.
+
+const kSmall = 64; // pixels
+const kFirst = 4096;
+const kGrowth = 4;
+const kClear = 8; // milliseconds between two pictures that tell what a pixel costs
+
+export class Speed {
+  // `wait` is what any picture takes, in milliseconds, and `pixel` what each pixel adds.
+  constructor(wait, pixel) {
+    this.wait = wait;
+    this.pixel = pixel;
+  }
+
+  // `time` draws a picture of so many pixels, and says how many milliseconds that took. None has more than `most`.
+  static async measured(time, most) {
+    await time(kSmall); // at which some drivers still compile
+    const wait = Math.min(await time(kSmall), await time(kSmall));
+    for (let pixels = kFirst; ; pixels *= kGrowth) {
+      const count = Math.min(pixels, most);
+      const once = await time(count);
+      if (once - wait < kClear && count < most) continue;
+      // What else the machine does only adds.
+      const more = Math.min(once, await time(count)) - wait;
+      if (more >= kClear || count >= most) return new Speed(wait, Math.max(more, 0) / Math.max(count - kSmall, 1));
+    }
+  }
+
+  // A picture told more: the settings matter, too, as more octaves take longer.
+  learn(pixels, milliseconds) {
+    this.wait = Math.min(this.wait, milliseconds);
+    this.pixel = 0.5 * this.pixel + (0.5 * (milliseconds - this.wait)) / pixels;
+  }
+
+  // How many pixels take so long, without the wait.
+  pixelsIn(milliseconds) {
+    return this.pixel > 0 ? milliseconds / this.pixel : Infinity;
+  }
+}
