@@ -126,7 +126,8 @@ export const kVertex = `#version 300 es
 void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }`;
 
 // The fragment shader. `values` are names of uniforms, or numbers; `form` is how "pattern" is called, and `value` what is
-// shown. One that is timed computes it at several cells, so that the GPU has more to do than to write pixels.
+// shown. One that is timed computes it at several cells, so that the GPU has more to do than to write pixels. Both
+// coordinates go on, so that no compiler computes one of them before the loop.
 function glsl(library, state, values, { timed, form = "cell", value } = {}) {
   const { lines, files } = functions(library, "glsl", state, values, [form]);
   const n = state.dimensions;
@@ -150,7 +151,7 @@ function glsl(library, state, values, { timed, form = "cell", value } = {}) {
     "  uvec2 x = place_of(u_cell.x, u_place.x, at.x);",
     "  uvec2 y = place_of(u_cell.y, u_place.y, at.y);",
     ...(timed
-      ? [`  float sum = 0.0;`, `  for (int i = 0; i < u_octaves.z; ++i) { sum += ${shown}; x.x += 8u; }`]
+      ? [`  float sum = 0.0;`, `  for (int i = 0; i < u_octaves.z; ++i) { sum += ${shown}; x.x += 8u; y.x += 5u; }`]
       : [`  float sum = ${shown};`]),
     `  color = shade(sum, ${n === 1 ? "int(at.y)" : "-1"});`,
     "}",
@@ -174,9 +175,9 @@ function wgsl(library, state, values, { timed, form = "cell", value } = {}) {
     // Rows are counted from the lower end, as in OpenGL.
     "  let at = vec2u(u32(position.x), u.step.w - 1u - u32(position.y));",
     "  var x = place_of(u.cell.x, u.place.x, at.x);",
-    "  let y = place_of(u.cell.y, u.place.y, at.y);",
+    "  var y = place_of(u.cell.y, u.place.y, at.y);",
     ...(timed
-      ? [`  var sum = 0.0f;`, `  for (var i = 0; i < u.octaves.z; i++) { sum += ${shown}; x.x += 8u; }`]
+      ? [`  var sum = 0.0f;`, `  for (var i = 0; i < u.octaves.z; i++) { sum += ${shown}; x.x += 8u; y.x += 5u; }`]
       : [`  let sum = ${shown};`]),
     `  return shade(sum, ${n === 1 ? "i32(at.y)" : "-1"});`,
     "}",
