@@ -1,12 +1,14 @@
 """Makes what the pages show of the library: their pictures, the table of typical values, the tables of costs, which
-file has which function, and how long the commands take.
+file has which function, how long the commands take, and what looks like the noise of other libraries.
 
     tools/readme            writes them
     tools/readme --check    whether they are what they should be, and the README states the costs and the times
 
-A picture is drawn from the code below it, which the C++ twin evaluates at each pixel of a tile; so are those of docs/gallery. The typical values are
-those of a million points. The costs are those of docs/results/llvmpipe/bench.csv, which hn-conform bench writes, and of peers.csv beside it, which tools/peers writes. The times of commands are
-those of tools/costs.csv, which tools/test --record writes.
+A picture is drawn from the code below it, which the C++ twin evaluates at each pixel of a tile; so are those of
+docs/gallery. The typical values are those of a million points. The costs are those of docs/results/llvmpipe/bench.csv,
+which hn-conform bench writes, and of peers.csv beside it, which tools/peers writes; so it does likeness.csv, of which
+the tables of docs/moving.md are made. The times of commands are those of tools/costs.csv, which tools/test --record
+writes.
 
 Exit status: 0 all is as it should be, 1 something is not: prose is for you to mend; 2 bad usage, the code does not
 compile, or a page cannot be read.
@@ -18,6 +20,7 @@ import argparse
 import sys
 from collections.abc import Sequence
 
+from likeness import ports
 from readme import files, gallery, numbers, picture
 from readme import times as of_commands
 from tables.markdown import with_section
@@ -27,6 +30,7 @@ README = "README.md"
 MEASURING = "docs/measuring.md"
 SUMS = "docs/sums.md"
 CONFORMANCE = "docs/conformance.md"
+MOVING = "docs/moving.md"
 LANGUAGES = "docs/languages.md"
 
 
@@ -42,7 +46,8 @@ def tables(costs: numbers.Costs, times: of_commands.Times) -> list[tuple[str, st
             (CONFORMANCE, "tools/readme: times", of_commands.times_table(times)),
             (MEASURING, "tools/readme: costs", numbers.cost_table(costs)),
             (MEASURING, "tools/readme: noises", numbers.form_table(costs)),
-            (MEASURING, "tools/readme: peers", numbers.peer_table(numbers.peer_costs()))]
+            (MEASURING, "tools/readme: peers", numbers.peer_table(numbers.peer_costs())),
+            *((MOVING, *named) for named in ports.page_tables(ports.read()))]
 
 
 def problems(check: bool) -> list[str]:
