@@ -50,31 +50,42 @@ async function nameless(page) {
 const visibleText = (page, id) =>
   page.$eval(`#${id}`, (shown) => (shown.checkVisibility() ? shown.textContent : ""));
 
-// What is seen, as bytes of pixels.
-async function screen(page) {
-  const png = await page.screenshot({ encoding: "base64" });
-  return page.evaluate(async (text) => {
+// What is seen, as a PNG.
+const screenshot = (page) => page.screenshot({ encoding: "base64" });
+
+// As bytes of pixels. Megabytes of them take a second to come here.
+const pixelsOf = (page, png) => page.evaluate(async (text) => Array.from(await window.bytesOf(text)), png);
+
+// What decodes a PNG in the page.
+const decoding = () => {
+  window.bytesOf = async (text) => {
     const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
     const image = await createImageBitmap(new Blob([bytes]));
     const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
     context.drawImage(image, 0, 0);
-    return Array.from(context.getImageData(0, 0, image.width, image.height).data);
-  }, png);
-}
+    return context.getImageData(0, 0, image.width, image.height).data;
+  };
+};
 
 // How many pixels of two screens differ so much that everybody sees it: three to one in light.
-function differing(one, other) {
-  const light = (screen, at) => {
-    const [red, green, blue] = [0, 1, 2].map((part) => (screen[at + part] / 255) ** 2.2);
-    return 0.2126 * red + 0.7152 * green + 0.0722 * blue + 0.05;
-  };
-  let count = 0;
-  for (let at = 0; at < one.length; at += 4) {
-    const ratio = light(one, at) / light(other, at);
-    if (ratio >= 3 || ratio <= 1 / 3) ++count;
-  }
-  return count;
-}
+const differing = (page, first, second) =>
+  page.evaluate(
+    async (...texts) => {
+      const [one, other] = await Promise.all(texts.map(window.bytesOf));
+      const light = (screen, at) => {
+        const [red, green, blue] = [0, 1, 2].map((part) => (screen[at + part] / 255) ** 2.2);
+        return 0.2126 * red + 0.7152 * green + 0.0722 * blue + 0.05;
+      };
+      let count = 0;
+      for (let at = 0; at < one.length; at += 4) {
+        const ratio = light(one, at) / light(other, at);
+        if (ratio >= 3 || ratio <= 1 / 3) ++count;
+      }
+      return count;
+    },
+    first,
+    second,
+  );
 
 let browser;
 before(async () => (browser = await launched()));
@@ -186,13 +197,13 @@ test("the focus is seen wherever it is, on a dark picture and on a light one", a
     [2, 255],
   ]) {
     const link = `#sum=none&noise=cells&map=grey&contrast=4&cells=0.02&seed=${seed}`;
-    const page = await opened(browser, { viewport: { ...kLaptop, deviceScaleFactor: 1 }, link });
+    const page = await opened(browser, { viewport: { ...kLaptop, deviceScaleFactor: 1 }, before: decoding, link });
     assert.deepEqual(await pixels(page, 1, 1), [colour, colour, colour, 255]);
     for (const id of ["picture-webgl2", "play", "sum", "seed", "copy"]) {
       await tabTo(page, id);
-      const focus = await screen(page);
+      const focus = await screenshot(page);
       await page.evaluate(() => document.activeElement.blur());
-      const pixelsOfRing = differing(focus, await screen(page));
+      const pixelsOfRing = await differing(page, focus, await screenshot(page));
       await page.$eval(`#${id}`, (control) => control.focus());
       assert.ok(pixelsOfRing > 100, `${pixelsOfRing} pixels differ by the focus on ${id}, above ${colour}`);
     }
@@ -293,7 +304,8 @@ test("a picture at rest is sharp", async () => {
 
 test("a slow picture becomes sharp in steps, and in strips that leave the page its time", async () => {
   for (const renderer of ["webgl2", "webgpu"]) {
-    const page = await opened(browser, { link: `#sum=none&map=grey&cells=40&renderer=${renderer}`, viewport: kPane });
+    const link = `#sum=none&map=grey&cells=40&renderer=${renderer}`;
+    const page = await opened(browser, { link, viewport: kPane, before: decoding });
     await sharp(page);
     // Forty milliseconds for nothing are no reason for a coarse picture.
     await slowDown(page, 40, 0.0001);
@@ -311,10 +323,10 @@ test("a slow picture becomes sharp in steps, and in strips that leave the page i
     assert.ok(Math.max(...seen.strips.slice(8)) < 80, JSON.stringify(seen.strips));
     assert.equal(await visibleText(page, "drawing"), "");
     // The strips make one picture.
-    const screenshot = await screen(page);
+    const seenNow = await pixelsOf(page, await screenshot(page));
     const bytes = await pixels(page, 360, 260);
     for (let row = 70; row < 220; ++row) {
-      const [shown, drawn] = [screenshot.slice(row * 1440), bytes.slice((259 - row) * 1440)];
+      const [shown, drawn] = [seenNow.slice(row * 1440), bytes.slice((259 - row) * 1440)];
       assert.deepEqual(shown.slice(0, 640), drawn.slice(0, 640), `row ${row}`);
     }
     // What is wanted meanwhile does not wait for the end.

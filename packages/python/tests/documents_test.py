@@ -75,13 +75,15 @@ class Page(unittest.TestCase):
         blocks = FENCE.findall(PAGE.read_text(encoding="utf-8"))
         self.assertGreaterEqual(len(blocks), 3)
         self.assertEqual(len(blocks), PAGE.read_text(encoding="utf-8").count("```python"))
-        names = [run(block) for block in blocks]
+        here = [block for block in blocks if "matplotlib" not in block]  # notebook_test.py runs the other one
+        self.assertEqual(len(blocks) - len(here), 1)
+        names = [run(block) for block in here]
         self.assertEqual(names[0]["image"].shape, (1024, 1024))
         self.assertEqual(names[1]["terrain"].shape, (1080, 1920))
         self.assertEqual(names[1]["volume"].shape, (64, 64, 64))
         self.assertEqual((names[1]["least"], names[1]["greatest"]),
                          (names[1]["volume"].min(), names[1]["volume"].max()))
-        self.assertEqual(names[3]["line"].shape, (1024,))
+        self.assertEqual(names[2]["line"].shape, (1024,))
 
     def test_code_that_fails_is_noticed(self):
         with self.assertRaises(TypeError):
