@@ -8,7 +8,8 @@
 #        TIMED_TESTS filter      those of the tests that measure times, and so run alone
 #        ROOMS name...           the rooms that it sees, with all that these see
 #        LIBRARIES target...     and packages
-#        FAST)                   its units go through millions of points
+#        FAST                    its units go through millions of points
+#        APART file.cpp...)      those of its units that have names of their own; see below
 #
 # Includes are "room/file.hpp". The only way to a room is an include root that has nothing but that room in it, and a
 # target gets the roots of its own room and of those that it sees: an include of any other room does not compile.
@@ -65,6 +66,7 @@ endfunction()
 function(room_tests name)
   cmake_parse_arguments(PARSE_ARGV 1 room "" "TIMED_TESTS" "TESTS")
   add_executable(hn-${name}-test ${room_TESTS})
+  set_target_properties(hn-${name}-test PROPERTIES UNITY_BUILD OFF)  # their names are alike
   target_compile_definitions(hn-${name}-test PRIVATE HN_GOLDEN_DIRECTORY="${golden_directory}")
   target_link_libraries(hn-${name}-test PRIVATE hn-${name} GTest::gtest_main)
   target_compile_options(hn-${name}-test PRIVATE -O1)  # what they wait for is not theirs, and half of a build was them
@@ -78,8 +80,16 @@ function(room_tests name)
   endif()
 endfunction()
 
+# Several units are compiled as one, since most of the time goes into the templates of packages: a build takes two thirds
+# of the time. Who changes the program may prefer -DCMAKE_UNITY_BUILD=OFF. Two units of a room that use a name for
+# different things, each in a namespace without a name, cannot be in one: one of them stands APART.
+if(NOT DEFINED CMAKE_UNITY_BUILD)
+  set(CMAKE_UNITY_BUILD ON)
+endif()
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 6)
+
 function(room name)
-  cmake_parse_arguments(PARSE_ARGV 1 room "FAST" "TIMED_TESTS" "SOURCES;FUZZED;FILES;TESTS;ROOMS;LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 room "FAST" "TIMED_TESTS" "SOURCES;FUZZED;FILES;TESTS;ROOMS;LIBRARIES;APART")
   set(embedded "")
   set(root ${rooms_directory}/roots/${name})
   file(MAKE_DIRECTORY ${root})
@@ -88,7 +98,9 @@ function(room name)
   target_include_directories(hn-${name} PUBLIC ${root} ${rooms_directory}/generated/${name})
   # Drivers and the twin take the time, not what is around them; with -O1 a build is shorter by a fifth.
   target_compile_options(hn-${name} PUBLIC ${warnings} -ffp-contract=off)
+  set_source_files_properties(${room_APART} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   if(room_FAST)
+    set_target_properties(hn-${name} PROPERTIES UNITY_BUILD OFF)  # the templates of packages are little of them
     target_compile_options(hn-${name} PRIVATE -O2)  # GCC cannot use headers that it read with -O1
   else()
     target_compile_options(hn-${name} PRIVATE -O1)

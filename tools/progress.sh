@@ -91,10 +91,12 @@ show_progress() {
   if [[ -t 2 ]]; then printf '\r\e[K' >&2; fi
 }
 
-# The processor time of the commands that this shell has waited for, in seconds.
-time_of_children() {
+# Sets `time_of_children` to the processor time of the commands that this shell has waited for, in seconds. In $( ) it would
+# be that of another shell, which has waited for none.
+take_time_of_children() {
   times >"$build/times"
-  awk 'NR == 2 { split($1 "m" $2, part, "m"); print part[1] * 60 + part[2] + part[3] * 60 + part[4] }' "$build/times"
+  time_of_children=$(awk 'NR == 2 { split($1 "m" $2, part, "m"); print part[1] * 60 + part[2] + part[3] * 60 + part[4] }' \
+    "$build/times")
 }
 
 logged() {

@@ -198,7 +198,7 @@ setup() {
 
 #   configure_and_build NAME_IN_THE_TABLE FOLDER BY_WHOM OPTION... -- [TARGET...]
 configure_and_build() {
-  local name=$1 folder=$2 by=$3 new='' steps before after
+  local name=$1 folder=$2 by=$3 new='' steps before time_of_children
   local -a options=()
   shift 3
   while [[ $1 != -- ]]; do
@@ -211,12 +211,13 @@ configure_and_build() {
     cmake -S "$root" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release "${options[@]}"
   steps=$(steps_to_do "$folder" "$@")
   [[ $steps != 0 ]] || return 0
-  before=$(time_of_children)
+  take_time_of_children
+  before=$time_of_children
   expected=$(predict_build "$name" "$steps") logged "Building${steps:+ $steps steps}$by" "The build$by failed" \
     cmake --build "$folder" ${1:+--target "$@"}
-  after=$(time_of_children)
+  take_time_of_children
   if [[ -n $new && -n $steps ]]; then
-    keep_measured build "$name" "$(awk -v a="$after" -v b="$before" 'BEGIN { printf "%.0f", a - b }')"
+    keep_measured build "$name" "$(awk -v a="$time_of_children" -v b="$before" 'BEGIN { printf "%.0f", a - b }')"
     keep_measured steps "$name" "$steps"
   fi
 }

@@ -65,9 +65,9 @@ Result<Pixels> draw(Laboratory& laboratory, const Entry& entry, Picture picture)
 }
 
 void place(Pixels& sheet, const Pixels& picture, std::size_t row, std::size_t column) {
-  constexpr std::size_t kWidth = kSide * kPictures.size();
+  constexpr std::size_t kSheetWidth = kSide * kPictures.size();
   for (std::size_t y = 0; y < kSide; ++y) {
-    std::copy_n(&picture[y * kSide], kSide, &sheet[(row * kSide + y) * kWidth + column * kSide]);
+    std::copy_n(&picture[y * kSide], kSide, &sheet[(row * kSide + y) * kSheetWidth + column * kSide]);
   }
 }
 

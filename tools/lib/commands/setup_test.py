@@ -189,10 +189,13 @@ class Setup(unittest.TestCase):
 
     def test_what_a_build_from_nothing_takes_is_kept(self) -> None:
         self.at_once()
+        busy = "timeout 1.5 bash -c 'while :; do :; done'"
+        self.machine.program("cmake", f"{CMAKE.replace(f'sleep {SLOW}', 'true')}\n{busy}\nexit 0")
         self.assertEqual(self.machine.run("conform")[0], 0)
         rows = [line.split(",") for line in (self.machine.root / "build" / "measured.csv").read_text().splitlines()]
         self.assertEqual([row[:2] for row in rows],
                          [["packages", "each"], ["build", "conform"], ["steps", "conform"]])
+        self.assertGreater(float(rows[1][2]), 0)  # of processor time, in whole seconds
         self.assertEqual(rows[2][2], "25")
 
     def test_on_a_terminal_one_line_is_rewritten(self) -> None:
