@@ -11,6 +11,7 @@ import tempfile
 from pathlib import Path
 
 from single_file.files import text
+from tables import glsl
 from tree import ROOT, TOOLS, version
 from zips import zipped
 
@@ -57,6 +58,13 @@ class Release:
         for name, arithmetic in (("hashnoise.wgsl", "HN_FAST"), ("hashnoise.fixed.wgsl", "HN_FIXED")):
             run([TOOLS / "wgsl", "--arithmetic", arithmetic, "--out", self.folder / name])
 
+    def parts(self) -> None:
+        """Each file that has public functions, with what it needs, for who wants no more than that."""
+        names = sorted({function.path.name for function in glsl.declarations()})
+        files = {f"{language}/{Path(name).stem}.{language}": text([name], language, strip=True).encode("ascii")
+                 for language in ("glsl", "hlsl", "metal") for name in names}
+        (self.folder / f"hashnoise-{self.version}-parts.zip").write_bytes(zipped(files, self.seconds))
+
     def headers(self) -> None:
         """What is installed of the library without anything compiled, so find_package takes it from where it is."""
         with tempfile.TemporaryDirectory() as scratch:
@@ -93,9 +101,10 @@ class Release:
         (self.folder / "SHA256SUMS").write_text("".join(lines), encoding="ascii")
 
 
-PARTS = ("single", "headers", "source", "npm", "python", "godot", "playground")
+PARTS = ("single", "parts", "headers", "source", "npm", "python", "godot", "playground")
 # What must be there of each, so that a tool that makes something else is noticed.
-NAMES = {"single": r"hashnoise(\.min|\.fixed)?\.(glsl|hlsl|metal|wgsl)", "headers": r"hashnoise-VERSION-headers\.zip",
+NAMES = {"single": r"hashnoise(\.min|\.fixed)?\.(glsl|hlsl|metal|wgsl)", "parts": r"hashnoise-VERSION-parts\.zip",
+         "headers": r"hashnoise-VERSION-headers\.zip",
          "source": r"hashnoise-VERSION-source\.tar\.gz", "npm": r"hashnoise-VERSION\.tgz",
          "python": r"hashnoise-VERSION-[\w.-]+\.whl", "godot": r"hashnoise-godot-VERSION\.zip",
          "playground": r"playground\.html"}

@@ -16,7 +16,7 @@ from tree import ROOT, version
 
 # Enough of the tree for what is tried here.
 COPIED = ("CMakeLists.txt", "LICENSE", "glsl", "include", "tools")
-CHEAP = "single,headers,source"
+CHEAP = "single,parts,headers,source"
 
 
 class Project(unittest.TestCase):
@@ -79,6 +79,20 @@ class Makes(Project):
             made.write("\n")
         self.assertNotEqual(subprocess.run(checked, cwd=self.out, capture_output=True, check=False).returncode, 0)
         self.assertEqual((self.out / "NOTES.md").read_text(), f"# hashnoise {version()}\n\n- It is there.\n")
+
+    def test_parts_that_stand_alone(self):
+        self.assertEqual(self.call("--only", "parts").returncode, 0)
+        archive, = self.out.glob("*.zip")
+        with zipfile.ZipFile(archive) as packed:
+            names = set(packed.namelist())
+            part = packed.read("glsl/cellular2d.glsl").decode("ascii")
+        for language in ("glsl", "hlsl", "metal"):
+            self.assertLess({f"{language}/{name}.{language}" for name in ("fbm2d", "perlin3d", "hash")}, names)
+        self.assertNotIn("hn_fbm", part)
+        shader = self.out / "shader.frag"
+        shader.write_text(f"#version 330\n{part}\nout vec4 o;\nvoid main() {{ o = hn_cellular(vec2(1.5)).xyxy; }}\n")
+        done = subprocess.run(["glslangValidator", shader], capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout)
 
     def test_headers_that_compile_where_they_are_put(self):
         self.assertEqual(self.call("--only", "headers").returncode, 0)
