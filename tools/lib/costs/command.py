@@ -26,6 +26,7 @@ BUDGET = 720  # two cores, six minutes
 # What is run without options, by its program in the build.
 RUNS = {"conform": ("conformance/hn-conform", "run"), "bench": ("conformance/hn-conform", "bench"),
         "paper": ("conformance/hn-conform", "paper")}
+OWN_TEST = "costs.table"
 EVERY = 10  # tests; how fast the machine is may change
 SKIPPED = 77
 
@@ -34,7 +35,8 @@ def listed(build: Path, *options: str) -> list[dict]:
     """The tests of a default run, by ctest. Those that make what others use come first."""
     command = ["ctest", "--test-dir", str(build), "--show-only=json-v1", *options]
     tests = json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)["tests"]
-    known = [test for test in tests if "command" in test]  # a program of gtest that is not built has none
+    # A program of gtest that is not built has none; and the test of the table fails until all others have their rows.
+    known = [test for test in tests if "command" in test and test["name"] != OWN_TEST]
 
     def order(test: dict) -> tuple[bool, bool]:
         return "FIXTURES_SETUP" not in properties(test), "FIXTURES_REQUIRED" in properties(test)

@@ -136,7 +136,8 @@ class Machine(unittest.TestCase):
             Path(folder, "CTestTestfile.cmake").write_text(
                 'add_test(uses "true")\nset_tests_properties(uses PROPERTIES FIXTURES_REQUIRED made)\n'
                 'add_test(other "true")\nadd_test(makes "true")\n'
-                'set_tests_properties(makes PROPERTIES FIXTURES_SETUP made)\nadd_test(unit.A "true" "--gtest_filter=A")\n')
+                'set_tests_properties(makes PROPERTIES FIXTURES_SETUP made)\nadd_test(unit.A "true" "--gtest_filter=A")\n'
+                'add_test(costs.table "false")\n')
             tests = command.listed(Path(folder))
             self.assertEqual([test["name"] for test in tests], ["makes", "other", "unit.A", "uses"])
             self.assertEqual([command.row_of(test) for test in tests], ["makes", "other", "true", "uses"])
