@@ -30,15 +30,22 @@ duration() {
 
 milliseconds() { echo $((${EPOCHREALTIME/[.,]/} / 1000)); }
 
-# The processor time of a loop of bash, in seconds. Other work scales with it well enough to say "about".
+# The processor time of a loop of bash, in seconds. Other work scales with it well enough to say "about". Where two cores
+# share what they compute with, a loop takes longer beside others, and so does a build: so there are as many at a time.
+#   calibration [HOW_MANY]
 calibration() {
-  local TIMEFORMAT='%U' i
-  { time for ((i = 0; i < 40000; ++i)); do :; done; } 2>&1
+  local loops=${1:-1} number
+  for ((number = 0; number < loops; ++number)); do
+    (
+      TIMEFORMAT='%U'
+      { time for ((i = 0; i < 40000; ++i)); do :; done; } 2>&1
+    ) &
+  done | awk '{ sum += $1 } END { print sum / NR }'
 }
 
 speed_here=
 seconds_here() {
-  [[ -n $speed_here ]] || speed_here=$(calibration)
+  [[ -n $speed_here ]] || speed_here=$(calibration "$(nproc 2>/dev/null || echo 1)")
   awk -v seconds="$1" -v cores="${2:-1}" -v here="$speed_here" -v there="$(cost speed loop)" \
     'BEGIN { printf "%.0f", (there > 0 ? seconds * here / there : seconds) / cores }'
 }

@@ -60,9 +60,11 @@ def time_of_children() -> float:
     return used.ru_utime + used.ru_stime
 
 
-def calibration() -> float:
-    """The processor time of the loop of tools/progress.sh; the least of some, because others may disturb it."""
-    command = ["bash", "-c", 'root=$1; build=; log=; source "$root/tools/progress.sh"; calibration', "bash", str(ROOT)]
+def calibration(loops: int = 1) -> float:
+    """The processor time of the loop of tools/progress.sh, of so many at a time; the least of some, because others may
+    disturb it."""
+    command = ["bash", "-c", 'root=$1; build=; log=; source "$root/tools/progress.sh"; calibration "$2"', "bash", str(ROOT),
+               str(loops)]
     return min(float(subprocess.run(command, capture_output=True, text=True, check=True).stdout) for _ in range(5))
 
 
@@ -89,11 +91,11 @@ def setup_rows(build: Path) -> dict[tuple[str, str], float]:
 def record(build: Path, path: Path, options: list[str]) -> int:
     table = costs.read_file(path)
     table.setdefault(("budget", "tests"), costs.Row(BUDGET))
-    here = calibration()
-    there = table.setdefault(("speed", "loop"), costs.Row(here)).value
+    busy = calibration(os.cpu_count() or 1)  # as a build is; and so are two tests at a time, though one runs alone here
+    there = table.setdefault(("speed", "loop"), costs.Row(busy)).value
     measured: dict[tuple[str, str], float] = {}
     for key, value in setup_rows(build).items():
-        measured[key] = value * there / here if key[0] == "build" else value
+        measured[key] = value * there / busy if key[0] == "build" else value
     tests = [] if "-N" in options else listed(build, *options)
     failed = []
     log = build / "recorded.log"
@@ -114,7 +116,9 @@ def record(build: Path, path: Path, options: list[str]) -> int:
     if not options:
         for name, (program, *arguments) in RUNS.items():
             with tempfile.TemporaryDirectory() as folder:
-                status, seconds = cost_of([str(build / program), *arguments, "--out", f"{folder}/out"], folder, {}, log)
+                command = [str(build / program), *arguments, "--out", f"{folder}/out"]
+                # As on a machine that has run none before.
+                status, seconds = cost_of(command, folder, {"MESA_SHADER_CACHE_DISABLE": "true"}, log)
             if status == 0:
                 measured["run", name] = seconds * there / here
             else:

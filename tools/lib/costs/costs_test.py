@@ -80,7 +80,7 @@ class Recording(unittest.TestCase):
     def record(self, *tests: dict, speed: float = 0.1) -> tuple[int, costs.Table, str]:
         text = io.StringIO()
         with (mock.patch.object(command, "listed", lambda *_: list(tests)), contextlib.redirect_stdout(text),
-              mock.patch.object(command, "calibration", lambda: speed), contextlib.redirect_stderr(text)):
+              mock.patch.object(command, "calibration", lambda *_: speed), contextlib.redirect_stderr(text)):
             status = command.record(self.build, self.path, ["-R", "."])
         return status, costs.read_file(self.path), text.getvalue()
 
