@@ -155,7 +155,7 @@ class Refuses(Project):
         self.refused(1, "is no git repository", "--only", "single")
 
     def test_parts_that_there_are_not(self):
-        self.refused(2, "there is no part rust; there are single, headers", "--only", "rust")
+        self.refused(2, "there is no part rust; there are single, parts, headers", "--only", "rust")
         self.refused(2, "no part is left", "--without", ",".join(files.PARTS))
         self.refused(2, "not allowed with", "--only", "single", "--without", "npm")
 
