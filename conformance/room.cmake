@@ -66,7 +66,6 @@ endfunction()
 function(room_tests name)
   cmake_parse_arguments(PARSE_ARGV 1 room "" "TIMED_TESTS" "TESTS")
   add_executable(hn-${name}-test ${room_TESTS})
-  set_target_properties(hn-${name}-test PROPERTIES UNITY_BUILD OFF)  # their names are alike
   target_compile_definitions(hn-${name}-test PRIVATE HN_GOLDEN_DIRECTORY="${golden_directory}")
   target_link_libraries(hn-${name}-test PRIVATE hn-${name} GTest::gtest_main)
   target_compile_options(hn-${name}-test PRIVATE -O1)  # what they wait for is not theirs, and half of a build was them
@@ -82,12 +81,8 @@ endfunction()
 
 # Several units are compiled as one, since most of the time goes into the templates of packages: a build takes two thirds
 # of the time. Who changes the program may prefer -DCMAKE_UNITY_BUILD=OFF. Two units of a room that use a name for
-# different things, each in a namespace without a name, cannot be in one: one of them stands APART.
-if(NOT DEFINED CMAKE_UNITY_BUILD)
-  set(CMAKE_UNITY_BUILD ON)
-endif()
-set(CMAKE_UNITY_BUILD_BATCH_SIZE 6)
-
+# different things, each in a namespace without a name, cannot be in one: one of them stands APART. In FAST rooms
+# packages are little of it, and tests use the same names.
 function(room name)
   cmake_parse_arguments(PARSE_ARGV 1 room "FAST" "TIMED_TESTS" "SOURCES;FUZZED;FILES;TESTS;ROOMS;LIBRARIES;APART")
   set(embedded "")
@@ -100,10 +95,12 @@ function(room name)
   target_compile_options(hn-${name} PUBLIC ${warnings} -ffp-contract=off)
   set_source_files_properties(${room_APART} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   if(room_FAST)
-    set_target_properties(hn-${name} PROPERTIES UNITY_BUILD OFF)  # the templates of packages are little of them
     target_compile_options(hn-${name} PRIVATE -O2)  # GCC cannot use headers that it read with -O1
   else()
     target_compile_options(hn-${name} PRIVATE -O1)
+    if(NOT DEFINED CMAKE_UNITY_BUILD)
+      set_target_properties(hn-${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+    endif()
     read_once(hn-${name} hn-base "${headers_read_once}")
   endif()
   foreach(below ${room_ROOMS})
