@@ -9,10 +9,11 @@
 #        ROOMS name...           the rooms that it sees, with all that these see
 #        LIBRARIES target...     and packages
 #        FAST                    its units go through millions of points
-#        APART file.cpp...)      those of its units that have names of their own; see below
+#        APART file.cpp...)      those of its units and tests that have names of their own; see units.cmake
 #
 # Includes are "room/file.hpp". The only way to a room is an include root that has nothing but that room in it, and a
 # target gets the roots of its own room and of those that it sees: an include of any other room does not compile.
+include(units.cmake)
 set(rooms_directory ${CMAKE_CURRENT_BINARY_DIR}/rooms)
 set(embed_script ${CMAKE_CURRENT_SOURCE_DIR}/base/embed.cmake)
 
@@ -69,6 +70,7 @@ function(room_tests name)
   target_compile_definitions(hn-${name}-test PRIVATE HN_GOLDEN_DIRECTORY="${golden_directory}")
   target_link_libraries(hn-${name}-test PRIVATE hn-${name} GTest::gtest_main)
   target_compile_options(hn-${name}-test PRIVATE -O1)  # what they wait for is not theirs, and half of a build was them
+  compile_units_as_one(hn-${name}-test)
   read_once(hn-${name}-test hn-base-test "${headers_read_once};<gtest/gtest.h>")
   if(room_TIMED_TESTS)
     gtest_discover_tests(hn-${name}-test TEST_PREFIX unit. TEST_FILTER "-${room_TIMED_TESTS}")
@@ -79,10 +81,6 @@ function(room_tests name)
   endif()
 endfunction()
 
-# Several units are compiled as one, since most of the time goes into the templates of packages: a build takes two thirds
-# of the time. Who changes the program may prefer -DCMAKE_UNITY_BUILD=OFF. Two units of a room that use a name for
-# different things, each in a namespace without a name, cannot be in one: one of them stands APART. In FAST rooms
-# packages are little of it, and tests use the same names.
 function(room name)
   cmake_parse_arguments(PARSE_ARGV 1 room "FAST" "TIMED_TESTS" "SOURCES;FUZZED;FILES;TESTS;ROOMS;LIBRARIES;APART")
   set(embedded "")
@@ -94,13 +92,11 @@ function(room name)
   # Drivers and the twin take the time, not what is around them; with -O1 a build is shorter by a fifth.
   target_compile_options(hn-${name} PUBLIC ${warnings} -ffp-contract=off)
   set_source_files_properties(${room_APART} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-  if(room_FAST)
+  if(room_FAST)  # packages are little of it
     target_compile_options(hn-${name} PRIVATE -O2)  # GCC cannot use headers that it read with -O1
   else()
     target_compile_options(hn-${name} PRIVATE -O1)
-    if(NOT DEFINED CMAKE_UNITY_BUILD)
-      set_target_properties(hn-${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
-    endif()
+    compile_units_as_one(hn-${name})
     read_once(hn-${name} hn-base "${headers_read_once}")
   endif()
   foreach(below ${room_ROOMS})

@@ -49,8 +49,7 @@ class Examiner {
   std::optional<Evidence> run() {
     const Words first = wrong_point();
     window_ = window_around(function(), first);
-    reference_.resize(window_.size() / kInputWords * kOutputWords);
-    evaluate_twin(function(), evaluation_.configuration, window_, reference_);
+    reference_ = evaluate_twin(function(), evaluation_.configuration, window_);
     const auto got = evaluate(session_, evaluation_, window_);
     if (!got) return without_values(got.error());
     got_ = *got;

@@ -28,7 +28,7 @@ std::string form_of(const Function& function) {
   return form.empty() ? "a position" : form;
 }
 
-std::string word_of(Facet facet, const Program& program) {
+std::string word_of(Facet facet, const PlannedProgram& program) {
   const Function& function = *program.function;
   const Configuration& configuration = *program.configuration;
   switch (facet) {
@@ -97,11 +97,11 @@ constexpr std::array kShown = {
     Shown{Facet::stage, Facet::hash, Where::opengl},
 };
 
-bool is_opengl(const Program& program) { return program.target.profile->platform() == Platform::opengl; }
+bool is_opengl(const PlannedProgram& program) { return program.target.profile->platform() == Platform::opengl; }
 
 // Calls take(words of the thing) for each thing that a program shows.
 template <typename Take>
-void for_each_thing(const Program& program, Take take) {
+void for_each_thing(const PlannedProgram& program, Take take) {
   for (std::size_t kind = 0; kind < kShown.size(); ++kind) {
     const auto& [first, with, where] = kShown[kind];
     const bool here = where == Where::everywhere || (where == Where::opengl) == is_opengl(program);
@@ -118,7 +118,7 @@ struct Things {
 // Numbers for the words of a facet. What a facet is about has the same words in thousands of programs.
 class Numbers {
  public:
-  int of(Facet facet, const Program& program) {
+  int of(Facet facet, const PlannedProgram& program) {
     const auto [found, is_new] = known_.try_emplace(source_of(facet, program), 0);
     if (is_new) {
       std::string word = word_of(facet, program);
@@ -132,7 +132,7 @@ class Numbers {
  private:
   using Source = std::tuple<Facet, const void*, const void*>;
   // What the words follow from.
-  static Source source_of(Facet facet, const Program& program) {
+  static Source source_of(Facet facet, const PlannedProgram& program) {
     switch (facet) {
       case Facet::setting:
       case Facet::hash:
@@ -154,11 +154,11 @@ class Numbers {
   std::vector<std::string> words_;
 };
 
-Things things_of(const std::vector<Program>& programs) {
+Things things_of(const std::vector<PlannedProgram>& programs) {
   Things things;
   Numbers numbers;
   std::map<std::tuple<std::size_t, int, int>, std::size_t> known;
-  for (const Program& program : programs) {
+  for (const PlannedProgram& program : programs) {
     // What other languages than GLSL show is theirs alone.
     const bool apart = !is_opengl(program);
     Candidate candidate{.shows = {}, .round = 0, .cost = 0};
@@ -184,14 +184,14 @@ const Things& all_things() {
 
 // Of equals the default hash is taken; and the stage that compiles faster: llvmpipe compiles a pixel's shader twice,
 // for triangles that cover a block and that do not.
-int cost_of(const Program& program) {
+int cost_of(const PlannedProgram& program) {
   const bool default_hash = program.configuration->hash == default_configuration().hash;
   return (default_hash ? 0 : 2) + (program.target.stage == Stage::fragment ? 1 : 0);
 }
 
 // What every driver runs: the main versions of OpenGL, and of Vulkan its own GLSL, with a program of each family and
 // each arithmetic.
-bool may_be_for_all(const Program& program) {
+bool may_be_for_all(const PlannedProgram& program) {
   const Profile& profile = *program.target.profile;
   const bool of_vulkan = profile.platform() == Platform::vulkan && profile.in_glsl();
   return program.configuration->default_but_for_arithmetic() && (program.target.main || of_vulkan);
@@ -199,9 +199,9 @@ bool may_be_for_all(const Program& program) {
 
 }  // namespace
 
-const std::vector<Program>& all_programs() {
-  static const std::vector<Program> kPrograms = [] {
-    std::vector<Program> programs;
+const std::vector<PlannedProgram>& all_programs() {
+  static const std::vector<PlannedProgram> kPrograms = [] {
+    std::vector<PlannedProgram> programs;
     for (const Function& function : all_functions()) {
       for (const Configuration& configuration : all_configurations()) {
         if (!covers(configuration, function)) continue;
@@ -213,7 +213,7 @@ const std::vector<Program>& all_programs() {
   return kPrograms;
 }
 
-std::vector<std::string> shown_by(const Program& program) {
+std::vector<std::string> shown_by(const PlannedProgram& program) {
   std::vector<std::string> words;
   for_each_thing(program, [&](std::size_t, Facet first, std::optional<Facet> with) {
     words.push_back(word_of(first, program) + (with ? " with " + word_of(*with, program) : ""));
@@ -275,7 +275,7 @@ namespace {
 
 // The programs, each in the round of its function; in other languages than GLSL a round has all functions.
 std::vector<Candidate> candidates_in_rounds() {
-  const std::vector<Program>& programs = all_programs();
+  const std::vector<PlannedProgram>& programs = all_programs();
   std::vector<Candidate> candidates = all_things().programs;
   std::map<std::string_view, std::size_t> rounds;
   for (std::size_t i = 0; i < programs.size(); ++i) {
@@ -290,7 +290,7 @@ std::vector<Candidate> candidates_in_rounds() {
 
 const std::vector<bool>& is_in_es_cover() {
   static const std::vector<bool> kIn = [] {
-    const std::vector<Program>& programs = all_programs();
+    const std::vector<PlannedProgram>& programs = all_programs();
     std::vector<Candidate> candidates = candidates_in_rounds();
     for (std::size_t i = 0; i < programs.size(); ++i) {
       if (programs[i].target.profile->name != "es300") candidates[i].shows.clear();
@@ -302,7 +302,7 @@ const std::vector<bool>& is_in_es_cover() {
 
 const std::vector<Extent>& program_extents() {
   static const std::vector<Extent> kExtents = [] {
-    const std::vector<Program>& programs = all_programs();
+    const std::vector<PlannedProgram>& programs = all_programs();
     const std::vector<Candidate> candidates = candidates_in_rounds();
     const std::vector<bool> chosen = cover_of(candidates, all_things().words.size());
     std::vector<Extent> extents(programs.size(), Extent::thorough);

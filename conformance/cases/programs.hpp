@@ -18,7 +18,7 @@
 
 namespace hn {
 
-struct Program {
+struct PlannedProgram {
   const Function* function;
   const Configuration* configuration;
   Target target;
@@ -26,10 +26,10 @@ struct Program {
 
 // The product: every function that has values with a setting, in every version and stage of that setting. In the order
 // of the table of functions.
-const std::vector<Program>& all_programs();
+const std::vector<PlannedProgram>& all_programs();
 
 // What a program shows of what a cover must show, in words: "fbm.fbm2_cell", "fixed with perlin of 2 axes".
-std::vector<std::string> shown_by(const Program& program);
+std::vector<std::string> shown_by(const PlannedProgram& program);
 
 // What the product shows and the programs of `extents` (one for each of all_programs()) do not.
 std::vector<std::string> not_shown(std::span<const Extent> extents);

@@ -40,7 +40,7 @@ TEST(Programs, ARunShowsAllThatTheProductShows) {
 // The list is what says that something is missing: so it must.
 TEST(Programs, WhatIsLeftOutIsListed) {
   std::vector<Extent> extents = program_extents();
-  const std::vector<Program>& programs = all_programs();
+  const std::vector<PlannedProgram>& programs = all_programs();
   std::set<std::string> shown;
   for (std::size_t i = 0; i < programs.size(); ++i) {
     if (programs[i].function->id != "noise2d.simplex_phase" || extents[i] == Extent::thorough) continue;
@@ -79,7 +79,7 @@ TEST(Programs, WithEsAloneEveryFunctionIsRunAndEachNoiseInEachArithmeticThatEsHa
   std::set<std::string> shown;
   std::set<std::string> all;
   for (std::size_t i = 0; i < all_programs().size(); ++i) {
-    const Program& program = all_programs()[i];
+    const PlannedProgram& program = all_programs()[i];
     if (program.target.profile->name != "es300") {
       EXPECT_FALSE(is_in_es_cover()[i]) << program.function->id;
       continue;

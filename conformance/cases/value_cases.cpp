@@ -64,7 +64,7 @@ std::vector<Relation> further_cases_of(const Evaluation& evaluation, const Targe
   return further;
 }
 
-Evaluation evaluation_of(const Program& program) {
+Evaluation evaluation_of(const PlannedProgram& program) {
   return {*program.function, *program.configuration, *program.target.profile, {}, program.target.stage};
 }
 
@@ -101,7 +101,7 @@ class FurtherCases {
 
  private:
   using Key = std::tuple<const Function*, const Configuration*, const Profile*>;
-  static Key key_of(const Program& program, const Function& function) {
+  static Key key_of(const PlannedProgram& program, const Function& function) {
     return {&function, program.configuration, program.target.profile};
   }
 
@@ -111,7 +111,7 @@ class FurtherCases {
   }
 
   void add(std::size_t i) {
-    const Program& program = programs_[i];
+    const PlannedProgram& program = programs_[i];
     const Evaluation evaluation = evaluation_of(program);
     for (const Relation& further : further_cases_of(evaluation, program.target)) {
       const auto& [function, configuration, profile, variant, stage] = evaluation;
@@ -136,7 +136,7 @@ class FurtherCases {
     }
   }
 
-  const std::vector<Program>& programs_;
+  const std::vector<PlannedProgram>& programs_;
   const std::vector<Extent>& extents_;
   std::vector<std::set<std::string_view>> chosen_;
   std::map<Key, std::size_t> places_;
@@ -155,10 +155,10 @@ const std::vector<std::set<std::string_view>>& chosen_further_cases() {
 }  // namespace
 
 void add_value_cases(std::vector<Case>& cases, Scope scope) {
-  const std::vector<Program>& programs = all_programs();
+  const std::vector<PlannedProgram>& programs = all_programs();
   const std::vector<Extent>& extents = program_extents();
   for (std::size_t i = 0; i < programs.size(); ++i) {
-    const Program& program = programs[i];
+    const PlannedProgram& program = programs[i];
     const std::set<std::string_view>& chosen = chosen_further_cases()[i];
     const bool thorough = scope == Scope::thorough;
     const bool for_es = is_in_es_cover()[i];

@@ -99,8 +99,7 @@ Outcome check_twin(Session& session, const Evaluation& evaluation) {
     const auto inputs = std::span(points.inputs).first(count * kInputWords);
     const auto outputs = evaluate(session, evaluation, inputs);
     if (!outputs) return outputs.error();
-    Words expected(count * kOutputWords);
-    evaluate_twin(function, configuration, inputs, expected);
+    const Words expected = evaluate_twin(function, configuration, inputs);
     comparison.next_grid(inputs);
     for (std::size_t i = 0; i < count; ++i) {
       compare_with_twin(comparison, evaluation, point(inputs, i), result(*outputs, i), result(expected, i),

@@ -28,18 +28,12 @@ void for_each_row(Call call) {
   }
 }
 
-Words twin_of(const Function& function, const Configuration& configuration, const Words& inputs) {
-  Words values(inputs.size() / kInputWords * kOutputWords);
-  evaluate_twin(function, configuration, inputs, values);
-  return values;
-}
-
 // Every bit, names included. This shares no code with the twin.
 TEST(Search, HasTheBitsOfFixedArithmetic) {
   for_each_row([](const Function& function, const Configuration& configuration) {
     if (configuration.arithmetic != Arithmetic::fixed) return;
     const Words inputs = random_points(function, kPoints, Random(1, "search"), Extremes::integers);
-    const Words values = twin_of(function, configuration, inputs);
+    const Words values = evaluate_twin(function, configuration, inputs);
     for (std::size_t i = 0; i < kPoints; ++i) {
       const auto point = std::span(inputs).subspan(i * kInputWords, kInputWords);
       const Searched right = searched(function, configuration, point);
@@ -58,7 +52,7 @@ TEST(Search, IsNearTheFloatsOfTheTwin) {
   for_each_row([](const Function& function, const Configuration& configuration) {
     if (configuration.arithmetic == Arithmetic::fixed) return;
     const Words inputs = random_points(function, kPoints, Random(2, "search"));
-    const Words values = twin_of(function, configuration, inputs);
+    const Words values = evaluate_twin(function, configuration, inputs);
     for (std::size_t i = 0; i < kPoints; ++i) {
       const auto point = std::span(inputs).subspan(i * kInputWords, kInputWords);
       const Searched right = searched(function, configuration, point);

@@ -3,14 +3,15 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "library/functions.hpp"
 
 namespace hn {
 
-// Evaluates a function at many points on all cores: kInputWords per point in, kOutputWords per point out.
+// The values of a function at many points, computed on all cores: kInputWords per point in, kOutputWords per point out.
 // The configuration must cover the function.
-void evaluate_twin(const Function& function, const Configuration& configuration, std::span<const std::uint32_t> inputs,
-                   std::span<std::uint32_t> outputs);
+std::vector<std::uint32_t> evaluate_twin(const Function& function, const Configuration& configuration,
+                                         std::span<const std::uint32_t> inputs);
 
 }  // namespace hn

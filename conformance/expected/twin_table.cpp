@@ -28,23 +28,26 @@ constexpr std::size_t kFewestPoints = 4096;
 
 }  // namespace
 
-void evaluate_twin(const Function& function, const Configuration& configuration, std::span<const std::uint32_t> inputs,
-                   std::span<std::uint32_t> outputs) {
+std::vector<std::uint32_t> evaluate_twin(const Function& function, const Configuration& configuration,
+                                         std::span<const std::uint32_t> inputs) {
   const TwinEntry& entry = entry_named(entries_for(configuration), &TwinEntry::id, function.id, "function of the twin");
   if (entry.evaluate == nullptr) {
     throw std::logic_error(fmt::format("the twin has no {} with {}", function.id, configuration.name));
   }
   const std::size_t points = inputs.size() / kInputWords;
+  std::vector<std::uint32_t> outputs(points * kOutputWords);
   const std::size_t most = std::max<std::size_t>(1, points / kFewestPoints);
   const std::size_t parts = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, most);
   std::vector<std::jthread> threads;
   for (std::size_t part = 0; part < parts; ++part) {
     const std::size_t begin = points * part / parts;
     const std::size_t end = points * (part + 1) / parts;
-    threads.emplace_back([=, evaluate = entry.evaluate] {
-      evaluate(&inputs[begin * kInputWords], &outputs[begin * kOutputWords], end - begin);
+    threads.emplace_back([=, evaluate = entry.evaluate, out = &outputs[begin * kOutputWords]] {
+      evaluate(&inputs[begin * kInputWords], out, end - begin);
     });
   }
+  threads.clear();  // joins them
+  return outputs;
 }
 
 }  // namespace hn

@@ -47,8 +47,7 @@ TEST_P(TwinGolden, AgreesWithTheOracle) {
     for (const GoldenRow& row : golden->rows) {
       std::vector<std::uint32_t> inputs(row.inputs);
       inputs.resize(kInputWords);
-      std::vector<std::uint32_t> got(kOutputWords);
-      evaluate_twin(function, configuration, inputs, got);
+      const auto got = evaluate_twin(function, configuration, inputs);
       Comparison comparison(function, inputs);
       compare_with_golden(comparison, function, configuration, inputs, got, row.values);
       ASSERT_TRUE(comparison.all_right())
@@ -130,17 +129,10 @@ TEST(Twin, HugePositionsHaveNoUndefinedBehaviour) {
   }
 }
 
-std::vector<std::uint32_t> twin_of(const Function& function, const Configuration& configuration,
-                                   const std::vector<std::uint32_t>& inputs) {
-  std::vector<std::uint32_t> values(inputs.size() / kInputWords * kOutputWords);
-  evaluate_twin(function, configuration, inputs, values);
-  return values;
-}
-
 TEST(Twin, PreciseResultsAreZeroBelowTheirThreshold) {
   const Function& function = find_function("noise4d.perlin");
   const Configuration& precise = configuration_named("lattice+precise");
-  const auto values = twin_of(function, precise, random_points(function, 4, Random(1, "test"), Extremes::floats));
+  const auto values = evaluate_twin(function, precise, random_points(function, 4, Random(1, "test"), Extremes::floats));
   const auto value = [&](std::size_t i) { return std::bit_cast<float>(values[i * kOutputWords]); };
   EXPECT_EQ(std::fabs(value(0)), 0x1p-96f);
   EXPECT_EQ(value(1), 0.0f);
@@ -168,9 +160,9 @@ TEST(Twin, BitsOfPreciseAndFixedDoNotDependOnSubnormals) {
     for (const Function& function : all_functions()) {
       if (!covers(configuration, function)) continue;
       const auto inputs = random_points(function, 4000, Random(1, function.id), defined_extremes(configuration));
-      const auto values = twin_of(function, configuration, inputs);
+      const auto values = evaluate_twin(function, configuration, inputs);
       const FlushedSubnormals flushed;
-      EXPECT_TRUE(values == twin_of(function, configuration, inputs)) << function.id << " " << configuration.name;
+      EXPECT_TRUE(values == evaluate_twin(function, configuration, inputs)) << function.id << " " << configuration.name;
     }
   }
 }
