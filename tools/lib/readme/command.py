@@ -5,7 +5,7 @@ file has which function, how long the commands take, and what looks like the noi
     tools/readme --check    whether they are what they should be, and the README states the costs and the times
 
 A picture is drawn from the code below it, which the C++ twin evaluates at each pixel of a tile; so are those of
-docs/gallery. The typical values are those of a million points. The costs are those of docs/results/llvmpipe/bench.csv,
+docs/gallery. The typical values are those of 2^18 points. The costs are those of docs/results/llvmpipe/bench.csv,
 which hn-conform bench writes, and of peers.csv beside it, which tools/peers writes; so it does likeness.csv, of which
 the tables of docs/moving.md are made. The times of commands are those of tools/costs.csv, which tools/test --record
 writes.
@@ -75,11 +75,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         found = problems(options.check)
         for problem in found:
             print(problem, file=sys.stderr)
-        for name, page in picture.PICTURES.items():
-            tiles = picture.tiles((ROOT / page).read_text(encoding="utf-8"), name)
-            if status := picture.draw(tiles, picture.path_of(name), options.check):
-                return status
-        return gallery.draw(options.check) or bool(found)
+        sheets = [*picture.of_pages(), *gallery.sheets()]
+        return picture.draw(sheets, options.check, gallery.functions()) or bool(found)
     except (OSError, LookupError, ValueError) as error:
         parser.exit(2, f"tools/readme: {error}\n")
 

@@ -55,9 +55,13 @@ def recipes(page: Path = PAGE) -> list[Recipe]:
     return found
 
 
-def draw(check: bool = False, folder: Path = PAGE.parent) -> int:
-    """Draws every picture, and the sheet of all, or checks that they are these; the exit status of picture.cpp."""
-    found = recipes()
-    return picture.draw([recipe.call() for recipe in found], folder / SHEET, check,
-                        "\n".join(recipe.cpp for recipe in found), columns=5,
-                        alone=[folder / f"{recipe.name}.png" for recipe in found])
+def functions() -> str:
+    """All recipes for the C++ twin."""
+    return "\n".join(recipe.cpp for recipe in recipes())
+
+
+def sheets(folder: Path = PAGE.parent) -> list[picture.Sheet]:
+    """Every picture, and the sheet of all."""
+    calls = {recipe.name: recipe.call() for recipe in recipes()}
+    return [picture.Sheet(folder / SHEET, list(calls.values()), columns=5),
+            *(picture.Sheet(folder / f"{name}.png", [call]) for name, call in calls.items())]

@@ -21,26 +21,24 @@ class Gallery(unittest.TestCase):
         recipe = gallery.recipes()[0]
         self.assertNotEqual(compile_glsl(recipe.shader.replace("hn_", "hm_")).returncode, 0)
 
-    def test_the_pictures_are_those_of_the_code(self):
-        self.assertEqual(gallery.draw(check=True), 0)
-
-    def test_another_picture_is_found(self):
+    def test_another_picture_is_found(self):  # that they are right is a test of tools/readme
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
-            for path in gallery.PAGE.parent.glob("*.png"):
-                shutil.copy(path, folder)
-            shutil.copy(folder / "wood.png", folder / "marble.png")
-            self.assertEqual(gallery.draw(check=True, folder=folder), 1)
+            shutil.copy(gallery.PAGE.parent / "wood.png", folder / "marble.png")
+            marble, = (sheet for sheet in gallery.sheets(folder) if sheet.path.name == "marble.png")
+            self.assertEqual(gallery.picture.draw([marble], True, gallery.functions()), 1)
 
     def test_loops_end_where_they_begin(self):
         loops = [recipe for recipe in gallery.recipes() if recipe.loops]
         self.assertGreaterEqual(len(loops), 2)
-        functions = "\n".join(recipe.cpp for recipe in gallery.recipes())
         with tempfile.TemporaryDirectory() as name:
-            path = pathlib.Path(name, "loops.png")
-            gallery.picture.draw([recipe.call("0.0") for recipe in loops], path, functions=functions)
-            self.assertEqual(gallery.picture.draw([recipe.call("1.0") for recipe in loops], path, True, functions), 0)
-            self.assertEqual(gallery.picture.draw([recipe.call("0.5") for recipe in loops], path, True, functions), 1)
+            def sheet(time, file):
+                return gallery.picture.Sheet(pathlib.Path(name, file), [recipe.call(time) for recipe in loops])
+
+            begin, end, middle = (sheet("0.0", "begin.png"), sheet("1.0", "end.png"), sheet("0.5", "middle.png"))
+            self.assertEqual(gallery.picture.draw([begin, end, middle], functions=gallery.functions()), 0)
+            self.assertEqual(begin.path.read_bytes(), end.path.read_bytes())
+            self.assertNotEqual(begin.path.read_bytes(), middle.path.read_bytes())
 
     def test_code_without_a_picture_is_an_error(self):
         with tempfile.TemporaryDirectory() as name:

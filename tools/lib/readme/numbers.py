@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import functools
 import subprocess
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -33,6 +34,7 @@ def lines_of(source: str) -> list[list[str]]:
     return [line.split() for line in output.splitlines()]
 
 
+@functools.cache
 def typical() -> dict[tuple[str, int], list[float]]:
     """Mean, deviation, 1st and 99th percentile, by function and number of axes."""
     return {(name, int(axes)): [float(value) for value in values] for name, axes, *values in lines_of("typical.cpp")}
@@ -56,6 +58,7 @@ def _number(value: float) -> str:
 # --- What a footprint is worth ------------------------------------------------------------------------------------------
 
 
+@functools.cache
 def footprint() -> dict[str, float]:
     """How far pixels of a receding plane are from the mean of many places in them, by the way they are computed."""
     return {name: float(value) for name, value in lines_of("footprint.cpp")}

@@ -1,14 +1,16 @@
-// Draws a picture of a page with the C++ twin: a tile for each line of tiles.inc, which picture.py makes of the page, and
-// COLUMNS of them in a row. They may call what is in functions.inc.
-//   picture OUT.png [TILE.png...]            draws it, and each tile alone
-//   picture --check FILE.png [TILE.png...]   exit status 1 if a file shows another picture
+// Draws the pictures of pages with the C++ twin: of the lines of tiles.inc, which picture.py makes of the pages, each is a
+// tile. They may call what is in functions.inc.
+//   picture (FILE.png COLUMNS TILE,TILE...)...           draws files, each of these tiles, COLUMNS of them in a row
+//   picture --check (FILE.png COLUMNS TILE,TILE...)...   exit status 1 if a file shows another picture
 // Exit status: 0 done, 1 another picture, 2 bad usage or a file that cannot be read or written.
 #include <png.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
-#include <iterator>
+#include <sstream>
+#include <string>
 #include <vector>
 
 #include "shading.hpp"
@@ -40,35 +42,40 @@ constexpr Tile kTiles[] = {
 
 png_byte to_byte(float value) { return static_cast<png_byte>(std::clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f); }
 
-constexpr int kTiled = static_cast<int>(std::size(kTiles));
-
 // Some of the tiles in rows.
 struct Sheet {
-  int first;
-  int tiles;
+  Sheet(int most_columns, const char* numbers) : most(most_columns) {
+    std::istringstream words(numbers);
+    for (std::string word; std::getline(words, word, ',');) tiles.push_back(std::stoul(word));
+  }
 
-  int columns() const { return std::min(tiles, COLUMNS); }
+  int columns() const { return std::min(static_cast<int>(tiles.size()), most); }
   int width() const { return columns() * (kTile + kBorder) - kBorder; }
-  int height() const { return (tiles + columns() - 1) / columns() * (kTile + kBorder) - kBorder; }
+  int height() const { return (static_cast<int>(tiles.size()) + columns() - 1) / columns() * (kTile + kBorder) - kBorder; }
+
+  std::vector<std::size_t> tiles;
+  int most;
 };
 
 std::vector<png_byte> draw(const Sheet& sheet) {
   std::vector<png_byte> pixels(static_cast<std::size_t>(sheet.width()) * static_cast<std::size_t>(sheet.height()) * 3,
                                255);
-  for (int tile = 0; tile < sheet.tiles; ++tile) {
+  int place = 0;
+  for (const std::size_t tile : sheet.tiles) {
     for (int y = 0; y < kTile; ++y) {
       for (int x = 0; x < kTile; ++x) {
         // As a shader sees a square: the middle of the pixel, and y upwards.
         const vec2 uv = vec2(static_cast<float>(2 * x + 1), static_cast<float>(2 * (kTile - y) - 1)) * (0.5f / kTile);
-        const vec3 colour = kTiles[static_cast<std::size_t>(sheet.first + tile)](uv);
-        const int column = tile % sheet.columns() * (kTile + kBorder) + x;
-        const int row = tile / sheet.columns() * (kTile + kBorder) + y;
+        const vec3 colour = kTiles[tile](uv);
+        const int column = place % sheet.columns() * (kTile + kBorder) + x;
+        const int row = place / sheet.columns() * (kTile + kBorder) + y;
         const auto at = static_cast<std::size_t>(row * sheet.width() + column) * 3;
         pixels[at] = to_byte(colour.x);
         pixels[at + 1] = to_byte(colour.y);
         pixels[at + 2] = to_byte(colour.z);
       }
     }
+    ++place;
   }
   return pixels;
 }
@@ -108,12 +115,14 @@ int check(const Sheet& sheet, const char* path) {
 int main(int argc, char** argv) {
   const bool checks = argc > 1 && std::strcmp(argv[1], "--check") == 0;
   const int first = checks ? 2 : 1;
-  if (argc != first + 1 && argc != first + 1 + kTiled) {
-    std::fprintf(stderr, "usage: picture [--check] FILE.png, or with a file for each of the %d tiles behind it\n", kTiled);
+  if (argc == first || (argc - first) % 3 != 0) {
+    std::fprintf(stderr, "usage: picture [--check] (FILE.png COLUMNS TILE,TILE...)...\n");
     return 2;
   }
-  for (int i = first; i < argc; ++i) {
-    const Sheet sheet = i == first ? Sheet{0, kTiled} : Sheet{i - first - 1, 1};
-    if (const int status = checks ? check(sheet, argv[i]) : write(sheet, argv[i]); status != 0) return status;
+  int worst = 0;
+  for (int i = first; i < argc; i += 3) {
+    const Sheet sheet(std::atoi(argv[i + 1]), argv[i + 2]);
+    worst = std::max(worst, checks ? check(sheet, argv[i]) : write(sheet, argv[i]));
   }
+  return worst;
 }

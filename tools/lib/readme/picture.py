@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 import subprocess
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -47,15 +49,32 @@ def in_cpp(code: str) -> str:
     return FLOAT.sub(lambda number: f"{number[0]}f", code)
 
 
-def draw(expressions: Sequence[str], path: Path, check: bool = False, functions: str = "", columns: int = 100,
-         alone: Sequence[Path] = ()) -> int:
-    """Draws the tiles, so many in a row, into a PNG file, and each alone into others, or checks that this is what they
-    show; the exit status of picture.cpp. The functions are GLSL that the expressions call."""
+@dataclass(frozen=True)
+class Sheet:
+    """A file, and the expressions whose tiles it shows, so many in a row."""
+    path: Path
+    expressions: Sequence[str]
+    columns: int = 100
+
+
+def draw(sheets: Sequence[Sheet], check: bool = False, functions: str = "") -> int:
+    """Draws files, or checks that they are these; the exit status of picture.cpp. The functions are GLSL that the
+    expressions call."""
+    # A tile that several files show is compiled once.
+    numbers = {code: number for number, code in enumerate(dict.fromkeys(
+        code for sheet in sheets for code in sheet.expressions))}
     with TemporaryDirectory() as name:
         folder = Path(name)
         (folder / "functions.inc").write_text(functions, encoding="utf-8")
-        (folder / "tiles.inc").write_text("".join(f"TILE({in_cpp(code)})\n" for code in expressions), encoding="utf-8")
-        compile_program(f"the code below the picture {path.name}", Path(__file__).with_name("picture.cpp"),
-                        folder / "picture", "-I", name, "-lpng", macros=[f"COLUMNS={columns}"])
-        return subprocess.run([folder / "picture", *(["--check"] if check else []), path, *alone],
+        (folder / "tiles.inc").write_text("".join(f"TILE({in_cpp(code)})\n" for code in numbers), encoding="utf-8")
+        compile_program("the code of the pictures", Path(__file__).with_name("picture.cpp"), folder / "picture",
+                        "-I", name, "-lpng")
+        asked = ([sheet.path, str(sheet.columns), ",".join(str(numbers[code]) for code in sheet.expressions)]
+                 for sheet in sheets)
+        return subprocess.run([folder / "picture", *(["--check"] if check else []), *itertools.chain(*asked)],
                               check=False).returncode
+
+
+def of_pages() -> list[Sheet]:
+    return [Sheet(path_of(name), tiles((ROOT / page).read_text(encoding="utf-8"), name))
+            for name, page in PICTURES.items()]

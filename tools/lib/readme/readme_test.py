@@ -1,6 +1,7 @@
 """What the pages show is true: their code compiles and runs as it stands there, and tools/readme makes the rest."""
 
 import contextlib
+import copy
 import csv
 import io
 import pathlib
@@ -68,14 +69,18 @@ class Picture(unittest.TestCase):
         self.tiles = picture.tiles(self.readme, "noise.png")
         self.path = picture.path_of("noise.png")
 
+    def checked(self, *sheets):
+        return picture.draw([picture.Sheet(pathlib.Path(path), tiles) for path, tiles in sheets], check=True)
+
     def test_a_changed_function_and_another_picture_are_noticed(self):
         with contextlib.redirect_stderr(io.StringIO()):
-            self.assertEqual(picture.draw([*self.tiles[:3], self.tiles[3].replace("6,", "5,")], self.path, check=True), 1)
+            changed = [*self.tiles[:3], self.tiles[3].replace("6,", "5,")]
             with tempfile.NamedTemporaryFile(suffix=".png") as other:
                 other.write(png(1, 1, bytes(3)))  # one black pixel
                 other.flush()
-                self.assertEqual(picture.draw(self.tiles, pathlib.Path(other.name), check=True), 1)
-            self.assertEqual(picture.draw(self.tiles, pathlib.Path("/nowhere.png"), check=True), 2)
+                self.assertEqual(self.checked((self.path, changed)), 1)
+                self.assertEqual(self.checked((self.path, self.tiles), (other.name, self.tiles)), 1)
+                self.assertEqual(self.checked(("/nowhere.png", self.tiles), (self.path, changed)), 2)
 
     def test_its_code_is_glsl(self):
         pages = [(name, (ROOT / page).read_text()) for name, page in picture.PICTURES.items()]
@@ -86,7 +91,7 @@ class Picture(unittest.TestCase):
 
     def test_code_that_does_not_compile_is_told(self):
         with self.assertRaisesRegex(ValueError, "(?s)does not compile.*hn_merlin"):
-            picture.draw(["vec3(hn_merlin(uv))"], self.path, check=True)
+            self.checked((self.path, ["vec3(hn_merlin(uv))"]))
         with self.assertRaisesRegex(ValueError, "no code below its picture noise.png"):
             picture.tiles(self.readme.replace("    vec3(", "vec3("), "noise.png")
 
@@ -100,11 +105,19 @@ class Numbers(unittest.TestCase):
             status = command.main(["--check"])
         return status, output.getvalue()
 
-    def test_picture_and_numbers_are_what_they_should_be(self):
+    def test_pictures_and_numbers_are_what_they_should_be(self):
         self.assertEqual(self.check(), (0, ""))
 
+    @mock.patch.object(picture, "draw", return_value=0)
+    def test_another_picture_is_not_as_it_should_be(self, draw):
+        draw.return_value = 1
+        self.assertEqual(self.check()[0], 1)
+        drawn = {sheet.path.name for sheet in draw.call_args.args[0]}
+        self.assertLess({"noise.png", "metrics.png", "wood.png", "sheet.png"}, drawn)
+
+    @mock.patch.object(picture, "draw", new=lambda *_: 0)
     def test_other_numbers_are_noticed(self):
-        typical = numbers.typical()
+        typical = copy.deepcopy(numbers.typical())
         typical["hn_fbm", 3][1] += 0.1
         costs = {**numbers.costs()}
         costs["noise2d.perlin.lattice"] = {**costs["noise2d.perlin.lattice"], "ratio": "9.999"}
