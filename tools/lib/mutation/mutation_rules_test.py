@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
 import unittest
 
 from mutation import rules
+from tree import GLSL
 
 
 def changed(rule: rules.Rule, body: str, head: str = "") -> list[str]:
@@ -176,6 +178,13 @@ class Calls(unittest.TestCase):
         self.assertEqual(changed(rules.change_calls, "min(floor(x), max)"),
                          ["max(floor(x), max)", "min(ceil(x), max)", "min(trunc(x), max)", "min((x), max)"])
         self.assertEqual(changed(rules.change_calls, "hn_hash_pcg(k)"), ["hn_hash_xxhash32(k)"])
+
+    def test_functions_that_rules_name_exist(self):
+        text = "".join(path.read_text(encoding="ascii") for path in GLSL.glob("*.glsl"))
+        defined = set(re.findall(r"\b(hn_\w+)\(", text))
+        named = {name for name in (*rules.STEPS, *rules.OTHER_FUNCTIONS) if name.startswith("hn_")}
+        self.assertGreater(len(named), 20)
+        self.assertEqual(named - defined, set())
 
     def test_no_function(self):
         self.assertEqual(changed(rules.change_calls, "abs(x) + hn_i_fold(k, next)"), ["(x) + hn_i_fold(k, next)"])

@@ -324,11 +324,10 @@ OTHER_FUNCTIONS = {
     "hn_gradient2": ("hn_gradient3",), "hn_gradient3": ("hn_gradient2",),
     "hn_i_plus": ("hn_i_minus",), "hn_i_minus": ("hn_i_plus",),
     "hn_i_scaled2": ("hn_i_scaled3",), "hn_i_scaled3": ("hn_i_scaled2",),
-    "hn_fbm": ("hn_turbulence",), "hn_turbulence": ("hn_fbm",), "hn_clouds": ("hn_fbm",),
 }
 # What returns the type that it takes, so that its argument may stand for it.
 STEPS = ("abs", "floor", "trunc", "hn_i_mix", "hn_i_hash", "hn_i_spread", "hn_i_fold", "hn_i_odd", "hn_i_wrap",
-         "hn_i_next", "hn_hash", "hn_i_inside", "hn_i_far", "hn_i_cloud_density", "hn_i_excess_bits", "hn_i_quarter")
+         "hn_i_next", "hn_hash", "hn_i_inside", "hn_i_far", "hn_i_density", "hn_i_excess_bits")
 
 
 def change_calls(code: Code) -> Iterator[Change]:
