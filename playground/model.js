@@ -1,65 +1,48 @@
 // What can be chosen: noises, sums, settings, the text of a link, and the looks to begin with.
 
-// Each noise: its name, how the library calls it, in which dimensions it exists, and what of its values the colours
-// span. `of` makes the value that is shown of a call, `signed` makes of it a noise in about [-1, 1] that a sum can take. Both
-// are exact in floats: products with powers of two, and differences of few bits.
-export const kNoises = {
-  perlin: {
-    label: "Perlin", calls: "hn_perlin", file: "perlin", dimensions: [1, 2, 3, 4], span: [0.6, 0.65, 0.5, 0.5],
-    phase: true, steep: true,
-  },
-  value: {
-    label: "Value", calls: "hn_value", file: "value", dimensions: [1, 2, 3, 4], span: [0.95, 0.9, 0.85, 0.8],
-    steep: true,
-  },
-  value_cubic: {
-    label: "Value, cubic", calls: "hn_value_cubic", file: "value_cubic", dimensions: [1, 2, 3],
-    span: [0.75, 0.6, 0.43],
-  },
-  simplex: {
-    label: "Simplex", calls: "hn_simplex", file: "simplex", dimensions: [2, 3, 4], span: [0, 0.7, 0.75, 0.7],
-    phase: true, steep: true,
-  },
-  simplex_smooth: {
-    label: "Simplex, smooth", calls: "hn_simplex_smooth", file: "simplex_smooth", dimensions: [2, 3],
-    span: [0, 0.75, 0.7],
-  },
-  curl: {
-    label: "Curl, along x", calls: "hn_curl", file: "curl", dimensions: [2, 3], range: [-5, 5],
-    of: (call) => `${call}.x`,
-  },
+import { kCatalog } from "./catalog.js";
+
+// Rows, each with what the library says of the function that it shows.
+const completed = (rows, said) =>
+  Object.fromEntries(Object.entries(rows).map(([name, row]) => [name, { ...said(row.shows ?? name), ...row }]));
+
+// Each noise: its name, and what of its values the colours span. `of` makes the value that is shown of a call, `signed`
+// makes of it a noise in about [-1, 1] that a sum can take. Both are exact in floats: products with powers of two, and
+// differences of few bits.
+const kNoiseRows = {
+  perlin: { label: "Perlin", span: [0.6, 0.65, 0.5, 0.5] },
+  value: { label: "Value", span: [0.95, 0.9, 0.85, 0.8] },
+  value_cubic: { label: "Value, cubic", span: [0.75, 0.6, 0.43] },
+  simplex: { label: "Simplex", span: [0, 0.7, 0.75, 0.7] },
+  simplex_smooth: { label: "Simplex, smooth", span: [0, 0.75, 0.7] },
+  curl: { label: "Curl, along x", range: [-5, 5], of: (call) => `${call}.x` },
   cellular: {
-    label: "Cellular: nearest point", calls: "hn_cellular", file: "cellular", dimensions: [2, 3], range: [0, 0.85],
-    metric: true, of: (call) => `${call}.x`, signed: (value) => `1.0 - 2.0 * ${value}`,
+    label: "Cellular: nearest point", range: [0, 0.85], of: (call) => `${call}.x`,
+    signed: (value) => `1.0 - 2.0 * ${value}`,
   },
   cellular_second: {
-    label: "Cellular: second point", calls: "hn_cellular", file: "cellular", dimensions: [2, 3], range: [0.2, 1.15],
-    metric: true, of: (call) => `${call}.y`, signed: (value) => `1.5 - 2.0 * ${value}`,
+    label: "Cellular: second point", shows: "cellular", range: [0.2, 1.15], of: (call) => `${call}.y`,
+    signed: (value) => `1.5 - 2.0 * ${value}`,
   },
   cellular_between: {
-    label: "Cellular: second − nearest", calls: "hn_cellular", file: "cellular", dimensions: [2, 3], range: [0, 0.7],
-    metric: true, between: true, signed: (value) => `1.0 - 2.0 * (${value})`,
+    label: "Cellular: second − nearest", shows: "cellular", range: [0, 0.7], between: true,
+    signed: (value) => `1.0 - 2.0 * (${value})`,
   },
   cellular_third: {
-    label: "Cellular: third point", calls: "hn_cellular_three", file: "cellular_three", dimensions: [2, 3],
-    range: [0.4, 1.3], metric: true, of: (call) => `${call}.z`, signed: (value) => `1.75 - 2.0 * ${value}`,
+    label: "Cellular: third point", shows: "cellular_three", range: [0.4, 1.3], of: (call) => `${call}.z`,
+    signed: (value) => `1.75 - 2.0 * ${value}`,
   },
-  cellular_smooth: {
-    label: "Cellular: smooth", calls: "hn_cellular_smooth", file: "cellular_smooth", dimensions: [2, 3],
-    range: [0, 0.75], jitter: true, signed: (value) => `1.0 - 2.0 * ${value}`,
-  },
-  cell_border: {
-    label: "Cellular: border", calls: "hn_cell_border", file: "cell_border", dimensions: [2, 3], range: [0, 0.4],
-    jitter: true, signed: (value) => `4.0 * ${value} - 1.0`,
-  },
+  cellular_smooth: { label: "Cellular: smooth", range: [0, 0.75], signed: (value) => `1.0 - 2.0 * ${value}` },
+  cell_border: { label: "Cellular: border", range: [0, 0.4], signed: (value) => `4.0 * ${value} - 1.0` },
   cells: {
-    label: "Cellular: cells", calls: "hn_cellular", file: "cellular", dimensions: [2, 3], range: [0, 1], metric: true,
-    nearest: true, signed: (value) => `2.0 * ${value} - 1.0`,
+    label: "Cellular: cells", shows: "cellular", range: [0, 1], nearest: true,
+    signed: (value) => `2.0 * ${value} - 1.0`,
   },
 };
+export const kNoises = completed(kNoiseRows, (name) => ({ calls: `hn_${name}`, file: name, ...kCatalog.noises[name] }));
 
 // Each sum: what of its values the colours span, for Perlin noise. A range that is not around 0 has two ends.
-export const kSums = {
+const kSumRows = {
   none: { label: "None: one octave" },
   fbm: { label: "fBm", span: [0.4, 0.4, 0.3, 0.3] },
   turbulence: { label: "Turbulence", ranges: [[0, 0.5], [0, 0.5], [0, 0.38], [0, 0.38]] },
@@ -67,17 +50,18 @@ export const kSums = {
   clouds: { label: "Clouds", ranges: [[0, 1], [0, 1], [0, 0.92], [0, 0.92]] },
   ridged: { label: "Ridged", ranges: [[0.1, 0.95], [0.1, 0.9], [0.3, 0.92], [0.3, 0.92]] },
   ping_pong: {
-    label: "Ping-pong", strength: { usual: 2, most: 8 },
+    label: "Ping-pong", strength: { ...kCatalog.sums.ping_pong.strength, most: 8 },
     ranges: [[-0.85, 0.6], [-0.8, 0.65], [-0.85, 0.45], [-0.85, 0.45]],
   },
-  weighted: { label: "Weighted", strength: { usual: 1, most: 1 }, span: [0.38, 0.34, 0.26, 0.26] },
-  eroded: { label: "Eroded", strength: { usual: 1, most: 16 }, span: [0, 0.26, 0.2], dimensions: [2, 3], steep: true },
+  weighted: { label: "Weighted", span: [0.38, 0.34, 0.26, 0.26] },
+  eroded: { label: "Eroded", span: [0, 0.26, 0.2] },
 };
+export const kSums = completed(kSumRows, (name) => kCatalog.sums[name]);
 
 export const kWarps = { none: "None", warp: "Warp", warp_progressive: "Progressive" };
-export const kMetrics = {
-  euclidean: "Euclidean", squared: "Squared", manhattan: "Manhattan", chebyshev: "Chebyshev", hybrid: "Hybrid",
-};
+export const kMetrics = Object.fromEntries(
+  kCatalog.metrics.map((name) => [name, name[0].toUpperCase() + name.slice(1)]),
+);
 export const kArithmetics = { fast: "Floats", fixed: "Integers" };
 export const kHashes = {
   lattice: "Lattice, the default", fnv1: "FNV-1", partial_fnv1: "FNV-1, partial", jenkins: "Jenkins",
@@ -247,7 +231,7 @@ export function uses(state) {
     sum: true, noise: true, dimensions: true, seed: true, period: true, arithmetic: true, hash: true, map: true,
     contrast: true, x: true, y: state.dimensions > 1, cells: true, renderer: true,
     octaves: sum, lacunarity: sum, gain: sum, strength: Boolean(kSums[state.sum].strength),
-    jitter: Boolean(noise.metric || noise.jitter), metric: Boolean(noise.metric),
+    jitter: Boolean(noise.jitter), metric: Boolean(noise.metric),
     warp: warped, amplitude: warped && state.warp !== "none",
     phase: Boolean(noise.phase) && !sum && warped, z: state.dimensions > 2, w: state.dimensions > 3,
   };

@@ -74,23 +74,19 @@ std::string channel_name(const std::vector<Component>& components, std::size_t i
 nlohmann::ordered_json settings_of(const BakeOptions& options, hashnoise::InstructionSet set) {
   using namespace hashnoise;
   const Settings& settings = options.settings;
-  const std::string_view noise = settings.noise;
   nlohmann::ordered_json json = {{"noise", settings.noise}};
-  const auto is = [&](std::initializer_list<std::string_view> names, std::string_view name) {
-    return std::ranges::count(names, name) != 0;
-  };
   // Floats as they are written shortest, not as the doubles that they are.
   const auto number = [](float value) { return nlohmann::json::parse(fmt::format("{}", value)); };
   if (settings.phase) json["phase"] = number(*settings.phase);
   const auto number_or_usual = [&](const std::optional<float>& value, const grid::Rule& rule) {
     return number(value.value_or(static_cast<float>(rule.usual)));
   };
-  if (settings.sum.empty() && noise.starts_with("cell")) {
+  const grid::NoiseRow& noise = grid::kNoiseRows[grid::noise_named(settings.noise)];
+  if (settings.sum.empty() && noise.has_jitter()) {
     json["jitter"] = number_or_usual(settings.jitter, grid::kJitterRule);
   }
-  if (settings.sum.empty() && is({"cellular", "cellular_three"}, noise)) {
-    constexpr std::string_view kNames[] = {"euclidean", "squared", "manhattan", "chebyshev", "hybrid"};
-    json["metric"] = kNames[static_cast<std::size_t>(settings.metric.value_or(Metric::kEuclidean)) - 1];
+  if (settings.sum.empty() && noise.has_metric()) {
+    json["metric"] = grid::kMetricNames[static_cast<std::size_t>(settings.metric.value_or(Metric::kEuclidean)) - 1];
   }
   if (!settings.sum.empty()) {
     if (settings.detail) {
@@ -101,7 +97,7 @@ nlohmann::ordered_json settings_of(const BakeOptions& options, hashnoise::Instru
     if (settings.footprint) json["footprint"] = number(*settings.footprint);
     json["lacunarity"] = number_or_usual(settings.lacunarity, grid::kLacunarityRule);
     json["gain"] = number_or_usual(settings.gain, grid::kGainRule);
-    const grid::SumRow& sum = *std::ranges::find(grid::kSumRows, settings.sum, &grid::SumRow::name);
+    const grid::SumRow& sum = grid::sum_row(settings.sum);
     const auto& strength = sum.strength == "amplitude" ? settings.amplitude : settings.strength;
     if (!sum.strength.empty()) json[std::string(sum.strength)] = number(strength.value_or(sum.usual_strength));
   }

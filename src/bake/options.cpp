@@ -16,6 +16,7 @@
 #include "base/result.hpp"
 #include "base/strings.hpp"
 #include "base/version.hpp"
+#include "grid/functions.hpp"
 #include "grid/rules.hpp"
 
 namespace hn {
@@ -74,9 +75,7 @@ bool has(const std::vector<std::string_view>& names, std::string_view name) {
 
 // The noise of a sum whose noise is not named is that of the function in GLSL.
 std::string noise_of(std::string_view sum) {
-  if (sum == "fbm_d" || sum == "eroded") return "perlin_d";
-  if (sum == "warp" || sum == "warp_progressive") return "value";
-  return "perlin";
+  return std::string(hashnoise::grid::kNoiseRows[hashnoise::grid::sum_row(sum).usual_noise].name);
 }
 
 Result<void> choose_function(BakeOptions& options, const std::optional<std::string>& noise) {
@@ -257,12 +256,11 @@ Result<void> interpret(BakeOptions& options, const Words& words) {
              "--arithmetic", words.arithmetic,
              {{"fixed", Arithmetic::kFixed}, {"precise", Arithmetic::kPrecise}, {"fast", Arithmetic::kFast}}));
   if (words.metric) {
-    HN_TRY(options.settings.metric, chosen<Metric>("--metric", *words.metric,
-                                                   {{"euclidean", Metric::kEuclidean},
-                                                    {"squared", Metric::kSquared},
-                                                    {"manhattan", Metric::kManhattan},
-                                                    {"chebyshev", Metric::kChebyshev},
-                                                    {"hybrid", Metric::kHybrid}}));
+    std::vector<std::pair<std::string, Metric>> metrics;
+    for (const std::string_view metric : grid::kMetricNames) {
+      metrics.emplace_back(metric, static_cast<Metric>(metrics.size() + 1));
+    }
+    HN_TRY(options.settings.metric, chosen<Metric>("--metric", *words.metric, metrics));
   }
   if (!words.instructions) return {};
   std::vector<std::pair<std::string, InstructionSet>> sets;
@@ -296,6 +294,24 @@ void add_number(CLI::App& app, const std::string& name, T& value, const std::str
   app.add_option(name, value, what)->type_name("NUMBER")->check(finite())->group("Parameters, as in GLSL");
 }
 
+// "perlin, simplex": the noises of which that is true.
+std::string names_where(bool (hashnoise::grid::NoiseRow::*is_true)() const) {
+  std::vector<std::string_view> names;
+  for (const auto& row : hashnoise::grid::kNoiseRows) {
+    if ((row.*is_true)()) names.push_back(row.name);
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+// The sums that have a strength of that name, each with what it is if it is left out.
+std::string owners_of(std::string_view strength) {
+  std::vector<std::string> sums;
+  for (const auto& row : hashnoise::grid::kSumRows) {
+    if (row.strength == strength) sums.push_back(fmt::format("{} (default: {})", row.name, row.usual_strength));
+  }
+  return fmt::format("Of {}", fmt::join(sums, ", "));
+}
+
 void add_parameters(CLI::App& app, BakeOptions& options, Words& words) {
   const char* const group = "Parameters, as in GLSL";
   hashnoise::Settings& settings = options.settings;
@@ -321,16 +337,18 @@ void add_parameters(CLI::App& app, BakeOptions& options, Words& words) {
   add_number(app, "--gain", settings.gain,
              fmt::format("Of a sum: by how much an octave is weaker, a factor (default: {})",
                          hashnoise::grid::kGainRule.usual));
-  add_number(app, "--strength", settings.strength, "Of ping_pong (default 2), weighted and eroded (1)");
-  add_number(app, "--amplitude", settings.amplitude, "Of warp and warp_progressive, in cells (default: 1)");
+  add_number(app, "--strength", settings.strength, owners_of("strength"));
+  add_number(app, "--amplitude", settings.amplitude, owners_of("amplitude") + ", in cells");
   add_number(app, "--detail", settings.detail, "Of fbm: octaves as a number with a fraction, in place of --octaves");
   add_number(app, "--footprint", settings.footprint, "Of fbm: the size of a pixel, in cells, which fades octaves out");
-  add_number(app, "--phase", settings.phase, "In turns; of perlin, perlin_d, simplex and simplex_d in 2D and 3D");
+  add_number(app, "--phase", settings.phase,
+             fmt::format("In turns; of {} in 2D and 3D", names_where(&hashnoise::grid::NoiseRow::has_phase)));
   add_number(app, "--jitter", settings.jitter,
              fmt::format("Of cellular noises: how far points are from the centres of their cells (default: {})",
                          hashnoise::grid::kJitterRule.usual));
   app.add_option("--metric", words.metric,
-                 "Of cellular and cellular_three: euclidean (the default), squared, manhattan, chebyshev or hybrid")
+                 fmt::format("Of {}: {}; the default is the first", names_where(&hashnoise::grid::NoiseRow::has_metric),
+                             fmt::join(hashnoise::grid::kMetricNames, ", ")))
       ->type_name("NAME")
       ->group(group);
   app.add_option("--arithmetic", words.arithmetic,

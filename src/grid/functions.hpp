@@ -10,24 +10,19 @@
 
 namespace hashnoise::grid {
 
-// What the numbers at a point are.
-enum class Shape {
-  kValue,         // a value
-  kWithSlopes,    // a value and a derivative along each axis
-  kTwoDistances,  // f1, f2
-  kThreeDistances,
-  kDistanceWithSlopes,
-  kVector,  // a component along each axis
-};
-
 struct NoiseRow {
   std::string_view name;
   int first_dimension, last_dimension;
   Shape shape;
-  bool has_phase;  // in 2D and 3D
-  bool has_jitter;
-  bool has_metric;
+  Takes takes;
+
+  constexpr bool has_phase() const { return takes == Takes::kPhase; }  // in 2D and 3D
+  constexpr bool has_jitter() const { return takes == Takes::kJitter || has_metric(); }
+  constexpr bool has_metric() const { return takes == Takes::kJitterAndMetric; }
 };
+
+// What a value is known to be in.
+enum class Bounds { kThese, kOfTheNoise, kOfTheStrength };
 
 // The noise that a sum takes has the shape `of`.
 struct SumRow {
@@ -35,41 +30,66 @@ struct SumRow {
   int first_dimension, last_dimension;
   Shape shape;
   Shape of;
-  std::string_view strength;  // what it calls that parameter, or nothing
+  NoiseId usual_noise;
+  std::string_view strength;  // what it calls that parameter; nothing if it has none
   float usual_strength;
   float most_strength;
+  Bounds bounds;
+  double least, greatest;  // kThese
 };
 
-// By NoiseId and SumId.
+// Of a component of a noise that is not in [-1, 1]. "d" is each derivative, "d_phase" the same with a phase, and "axis"
+// each component of a vector.
+struct RangeRow {
+  NoiseId noise;
+  std::string_view component;
+  int dimensions;
+  double least, greatest;
+};
+
+// By NoiseId and SumId; in the order of the dimensions.
 constexpr std::array<NoiseRow, kNoises> kNoiseRows = {{
-    {"value", 1, 4, Shape::kValue, false, false, false},
-    {"value_d", 1, 4, Shape::kWithSlopes, false, false, false},
-    {"value_cubic", 1, 3, Shape::kValue, false, false, false},
-    {"perlin", 1, 4, Shape::kValue, true, false, false},
-    {"perlin_d", 1, 4, Shape::kWithSlopes, true, false, false},
-    {"simplex", 2, 4, Shape::kValue, true, false, false},
-    {"simplex_d", 2, 4, Shape::kWithSlopes, true, false, false},
-    {"simplex_smooth", 2, 3, Shape::kValue, false, false, false},
-    {"cellular", 2, 3, Shape::kTwoDistances, false, true, true},
-    {"cellular_three", 2, 3, Shape::kThreeDistances, false, true, true},
-    {"cellular_d", 2, 3, Shape::kDistanceWithSlopes, false, true, false},
-    {"cellular_smooth", 2, 3, Shape::kValue, false, true, false},
-    {"cell_border", 2, 3, Shape::kValue, false, true, false},
-    {"curl", 2, 3, Shape::kVector, false, false, false},
+#define HN_CATALOG_NOISE(Id, name, first, last, shape, takes) {#name, first, last, Shape::shape, Takes::takes},
+#include "catalog.inc"
 }};
+// These throw std::out_of_range for a name that there is not.
+constexpr NoiseId noise_named(std::string_view name) {
+  std::size_t i = 0;
+  while (kNoiseRows.at(i).name != name) ++i;
+  return static_cast<NoiseId>(i);
+}
 constexpr std::array<SumRow, kNamedSums> kSumRows = {{
-    {"fbm", 1, 4, Shape::kValue, Shape::kValue, "", 0, 0},
-    {"turbulence", 1, 4, Shape::kValue, Shape::kValue, "", 0, 0},
-    {"clouds", 1, 4, Shape::kValue, Shape::kValue, "", 0, 0},
-    {"billow", 1, 4, Shape::kValue, Shape::kValue, "", 0, 0},
-    {"ridged", 1, 4, Shape::kValue, Shape::kValue, "", 0, 0},
-    {"ping_pong", 1, 4, Shape::kValue, Shape::kValue, "strength", 2, 64},
-    {"weighted", 1, 4, Shape::kValue, Shape::kValue, "strength", 1, 1},
-    {"fbm_d", 2, 3, Shape::kWithSlopes, Shape::kWithSlopes, "", 0, 0},
-    {"eroded", 2, 3, Shape::kValue, Shape::kWithSlopes, "strength", 1, 16},
-    {"warp", 2, 3, Shape::kVector, Shape::kValue, "amplitude", 1, 64},
-    {"warp_progressive", 2, 3, Shape::kVector, Shape::kValue, "amplitude", 1, 64},
+// None is how the catalog calls the strength of a sum without one.
+#define HN_CATALOG_SUM(Id, name, first, last, shape, of, noise, strength, usual, most, bounds, least, greatest) \
+  {#name,                                                                                                       \
+   first,                                                                                                       \
+   last,                                                                                                        \
+   Shape::shape,                                                                                                \
+   Shape::of,                                                                                                   \
+   noise_named(#noise),                                                                                         \
+   std::string_view(#strength) == "none" ? std::string_view() : #strength,                                      \
+   usual,                                                                                                       \
+   most,                                                                                                        \
+   Bounds::bounds,                                                                                              \
+   least,                                                                                                       \
+   greatest},
+#include "catalog.inc"
 }};
+constexpr RangeRow kRangeRows[] = {
+#define HN_CATALOG_RANGE(noise, component, dimensions, least, greatest) \
+  {noise_named(#noise), #component, dimensions, least, greatest},
+#include "catalog.inc"
+};
+constexpr std::string_view kMetricNames[] = {
+#define HN_CATALOG_METRIC(Id, name) #name,
+#include "catalog.inc"
+};
+
+constexpr const SumRow& sum_row(std::string_view name) {
+  std::size_t i = 0;
+  while (kSumRows.at(i).name != name) ++i;
+  return kSumRows.at(i);
+}
 
 constexpr Rule strength_rule(const SumRow& sum) {
   return {sum.strength, false, 0, static_cast<double>(sum.most_strength), static_cast<double>(sum.usual_strength)};

@@ -6,36 +6,28 @@
 
 namespace hashnoise::grid {
 
-// The noises, and the functions that sum them, in the order of their names in functions.hpp.
+// What the numbers at a point are.
+enum class Shape {
+  kValue,         // a value
+  kWithSlopes,    // a value and a derivative along each axis
+  kTwoDistances,  // f1, f2
+  kThreeDistances,
+  kDistanceWithSlopes,
+  kVector,  // a component along each axis
+};
+
+// What a noise takes beside a seed and a period. A phase it has in 2D and 3D.
+enum class Takes { kNothing, kPhase, kJitter, kJitterAndMetric };
+
+// The noises, and the functions that sum them, in the order of the catalog.
 enum NoiseId {
-  kValue,
-  kValueD,
-  kValueCubic,
-  kPerlin,
-  kPerlinD,
-  kSimplex,
-  kSimplexD,
-  kSimplexSmooth,
-  kCellular,
-  kCellularThree,
-  kCellularD,
-  kCellularSmooth,
-  kCellBorder,
-  kCurl,
+#define HN_CATALOG_NOISE(Id, ...) k##Id,
+#include "catalog.inc"
   kNoises
 };
 enum SumId {
-  kFbm,
-  kTurbulence,
-  kClouds,
-  kBillow,
-  kRidged,
-  kPingPong,
-  kWeighted,
-  kFbmD,
-  kEroded,
-  kWarp,
-  kWarpProgressive,
+#define HN_CATALOG_SUM(Id, ...) k##Id,
+#include "catalog.inc"
   kNamedSums,
   kDetail = kNamedSums,  // fbm with a detail, and with a footprint
   kFootprint,

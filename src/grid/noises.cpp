@@ -6,54 +6,39 @@ namespace hashnoise {
 namespace HN_LANES {
 namespace {
 
-// A noise in a cell, by how it is called: plain, with everything that may be chosen (full), with a phase, and both.
-#define HN_GRID_NOISE(kind, name, ...)                                                             \
+// A noise in a cell, by how it is called: plain, with everything that may be chosen (full), with a phase, and both. In
+// 4D the gradient is a parameter.
+#define HN_GRID_NOISE(kind, name, shape, ...)                                                      \
   struct name##_##kind {                                                                           \
     template <int D>                                                                               \
     HN_I_INLINE static auto at(Cell<D> cell, Place<D> f, [[maybe_unused]] const Given<D>& given) { \
-      return hn_##name(cell, f, __VA_ARGS__);                                                      \
+      if constexpr (D == 4 && grid::Shape::shape == grid::Shape::kWithSlopes) {                    \
+        ValueAndGradient n;                                                                        \
+        n.value = hn_##name(cell, f, __VA_ARGS__, n.gradient);                                     \
+        return n;                                                                                  \
+      } else {                                                                                     \
+        return hn_##name(cell, f, __VA_ARGS__);                                                    \
+      }                                                                                            \
     }                                                                                              \
   };
-#define HN_GRID_PLAIN(name) HN_GRID_NOISE(plain, name, given.seed)
-#define HN_GRID_PERIODIC(name) HN_GRID_PLAIN(name) HN_GRID_NOISE(full, name, given.period, given.seed)
-#define HN_GRID_PHASED(name)                          \
-  HN_GRID_PERIODIC(name)                              \
-  HN_GRID_NOISE(phase, name, given.phase, given.seed) \
-  HN_GRID_NOISE(phase_full, name, given.period, given.phase, given.seed)
-#define HN_GRID_JITTERED(name) HN_GRID_PLAIN(name) HN_GRID_NOISE(full, name, given.period, given.jitter, given.seed)
-#define HN_GRID_METRIC(name) \
-  HN_GRID_PLAIN(name) HN_GRID_NOISE(full, name, given.period, given.jitter, given.metric, given.seed)
+// By what it takes. What has no phase has no struct for it.
+#define HN_GRID_WITHOUT_PHASE(name, shape, ...) \
+  HN_GRID_NOISE(plain, name, shape, given.seed) \
+  HN_GRID_NOISE(full, name, shape, __VA_ARGS__) \
+  struct name##_phase;                          \
+  struct name##_phase_full;
+#define HN_GRID_kNothing(name, shape) HN_GRID_WITHOUT_PHASE(name, shape, given.period, given.seed)
+#define HN_GRID_kJitter(name, shape) HN_GRID_WITHOUT_PHASE(name, shape, given.period, given.jitter, given.seed)
+#define HN_GRID_kJitterAndMetric(name, shape) \
+  HN_GRID_WITHOUT_PHASE(name, shape, given.period, given.jitter, given.metric, given.seed)
+#define HN_GRID_kPhase(name, shape)                          \
+  HN_GRID_NOISE(plain, name, shape, given.seed)              \
+  HN_GRID_NOISE(full, name, shape, given.period, given.seed) \
+  HN_GRID_NOISE(phase, name, shape, given.phase, given.seed) \
+  HN_GRID_NOISE(phase_full, name, shape, given.period, given.phase, given.seed)
 
-HN_GRID_PERIODIC(value)
-HN_GRID_PERIODIC(value_cubic)
-HN_GRID_PHASED(perlin)
-HN_GRID_PHASED(simplex)
-HN_GRID_PERIODIC(simplex_smooth)
-HN_GRID_METRIC(cellular)
-HN_GRID_METRIC(cellular_three)
-HN_GRID_JITTERED(cellular_d)
-HN_GRID_JITTERED(cellular_smooth)
-HN_GRID_JITTERED(cell_border)
-HN_GRID_PERIODIC(curl)
-HN_GRID_PERIODIC(value_d)
-HN_GRID_PHASED(perlin_d)
-HN_GRID_PHASED(simplex_d)
-
-// In 4D the gradient is a parameter.
-#define HN_GRID_GRADIENT4(kind, name, ...)                                       \
-  struct name##4_##kind{template <int D> HN_I_INLINE static ValueAndGradient at( \
-      ivec4 cell, vec4 f, const Given<4>& given){ValueAndGradient n;             \
-  n.value = hn_##name(cell, f, __VA_ARGS__, n.gradient);                         \
-  return n;                                                                      \
-  }                                                                              \
-  }                                                                              \
-  ;
-#define HN_GRID_PERIODIC4(name)              \
-  HN_GRID_GRADIENT4(plain, name, given.seed) \
-  HN_GRID_GRADIENT4(full, name, given.period, given.seed)
-HN_GRID_PERIODIC4(value_d)
-HN_GRID_PERIODIC4(perlin_d)
-HN_GRID_PERIODIC4(simplex_d)
+#define HN_CATALOG_NOISE(Id, name, first, last, shape, takes) HN_GRID_##takes(name, shape)
+#include "catalog.inc"
 
 template <int D, typename Noise>
 void at_points(const Batch& batch, const Options& options, Octave) {
@@ -121,90 +106,50 @@ struct Called<D, Noise, std::index_sequence<Axis...>> {
 
 using grid::NoiseKernels;
 
-template <int D, typename Plain, typename Full>
+// The kernels of a noise.
+template <int D, grid::Shape shape, grid::Takes takes, typename Plain, typename Full, typename Phase,
+          typename PhaseFull>
 NoiseKernels kernels_of() {
+  constexpr bool kIsFlatOrInSpace = D == 2 || D == 3;
+  constexpr bool kIsSearched = takes == grid::Takes::kJitter && shape == grid::Shape::kValue;
+  // Sums of noises with slopes are in 2D and 3D.
+  constexpr bool kIsSummed = shape == grid::Shape::kValue || (shape == grid::Shape::kWithSlopes && kIsFlatOrInSpace);
+  // Where it was measured to be faster: for others what the axes share is little of the whole.
+  constexpr bool kIsFasterInRows =
+      kIsFlatOrInSpace && ((shape == grid::Shape::kValue && !kIsSearched) || shape == grid::Shape::kTwoDistances);
+  // A search may take so long that a call of it does not show: in HN_FIXED and in space. There its kernels call what
+  // sums call, so that it is compiled once; two such noises are a fifth of all code of noises. A call costs 5 to 14 %
+  // of what others take.
+  constexpr bool kIsCalled = HN_ARITHMETIC == HN_FIXED && D == 3 && kIsSearched;
   NoiseKernels k{};
-  k.plain = at_points<D, Plain>;
-  k.row = k.plain;
-  k.full = at_points<D, Full>;
-  return k;
-}
-template <int D, typename Plain, typename Full>
-NoiseKernels with_rows() {
-  NoiseKernels k = kernels_of<D, Plain, Full>();
-  k.row = along_row<D, Plain>;
-  return k;
-}
-template <int D, typename Plain, typename Full>
-NoiseKernels with_octaves(NoiseKernels k) {
-  k.octave = reinterpret_cast<Octave>(&Called<D, Plain>::plain);
-  k.octave_full = reinterpret_cast<Octave>(&Called<D, Full>::tiled);
-  return k;
-}
-// A noise that may take so long that a call of it does not show: in HN_FIXED and in space. There its kernels call what
-// sums call, so that it is compiled once; two such noises are a fifth of all code of noises. A call costs 5 to 14 % of
-// what others take.
-template <int D, typename Plain, typename Full>
-NoiseKernels slow_with_octaves() {
-#if HN_ARITHMETIC == HN_FIXED
-  if constexpr (D == 3) {
-    NoiseKernels k{};
+  if constexpr (kIsCalled) {
     k.plain = Called<D, Plain>::plain_at_points;
-    k.row = k.plain;
     k.full = Called<D, Full>::tiled_at_points;
-    return with_octaves<D, Plain, Full>(k);
+  } else {
+    k.plain = at_points<D, Plain>;
+    k.full = at_points<D, Full>;
   }
-#endif
-  return with_octaves<D, Plain, Full>(kernels_of<D, Plain, Full>());
-}
-template <int D, typename Phase, typename Full>
-NoiseKernels with_phase(NoiseKernels k) {
-  k.phase = at_points<D, Phase>;
-  k.phase_full = at_points<D, Full>;
+  k.row = k.plain;
+  if constexpr (kIsFasterInRows) k.row = along_row<D, Plain>;
+  if constexpr (kIsSummed) {
+    k.octave = reinterpret_cast<Octave>(&Called<D, Plain>::plain);
+    k.octave_full = reinterpret_cast<Octave>(&Called<D, Full>::tiled);
+  }
+  if constexpr (takes == grid::Takes::kPhase && kIsFlatOrInSpace) {
+    k.phase = at_points<D, Phase>;
+    k.phase_full = at_points<D, PhaseFull>;
+  }
   return k;
 }
 
-#define HN_GRID_OF(D, name) kernels_of<D, name##_plain, name##_full>()
-#define HN_GRID_ROWS(D, name) with_rows<D, name##_plain, name##_full>()
-#define HN_GRID_SLOW(D, name) slow_with_octaves<D, name##_plain, name##_full>()
-#define HN_GRID_OCTAVES(D, name, kernels) with_octaves<D, name##_plain, name##_full>(kernels)
-#define HN_GRID_PHASE(D, name, kernels) with_phase<D, name##_phase, name##_phase_full>(kernels)
-
-// On the plane and in space.
 template <int D>
 void enter(NoiseKernels (&noises)[grid::kNoises][4]) {
-  const auto at = [&](grid::NoiseId id) -> NoiseKernels& { return noises[id][D - 1]; };
-  at(grid::kValue) = HN_GRID_OCTAVES(D, value, HN_GRID_ROWS(D, value));
-  at(grid::kValueD) = HN_GRID_OCTAVES(D, value_d, HN_GRID_OF(D, value_d));
-  at(grid::kValueCubic) = HN_GRID_OCTAVES(D, value_cubic, HN_GRID_ROWS(D, value_cubic));
-  at(grid::kPerlin) = HN_GRID_PHASE(D, perlin, HN_GRID_OCTAVES(D, perlin, HN_GRID_ROWS(D, perlin)));
-  at(grid::kPerlinD) = HN_GRID_PHASE(D, perlin_d, HN_GRID_OCTAVES(D, perlin_d, HN_GRID_OF(D, perlin_d)));
-  at(grid::kSimplex) = HN_GRID_PHASE(D, simplex, HN_GRID_OCTAVES(D, simplex, HN_GRID_ROWS(D, simplex)));
-  at(grid::kSimplexD) = HN_GRID_PHASE(D, simplex_d, HN_GRID_OCTAVES(D, simplex_d, HN_GRID_OF(D, simplex_d)));
-  at(grid::kSimplexSmooth) = HN_GRID_OCTAVES(D, simplex_smooth, HN_GRID_ROWS(D, simplex_smooth));
-  at(grid::kCellular) = HN_GRID_ROWS(D, cellular);
-  at(grid::kCellularThree) = HN_GRID_OF(D, cellular_three);
-  at(grid::kCellularD) = HN_GRID_OF(D, cellular_d);
-  at(grid::kCellularSmooth) = HN_GRID_SLOW(D, cellular_smooth);
-  at(grid::kCellBorder) = HN_GRID_SLOW(D, cell_border);
-  at(grid::kCurl) = HN_GRID_OF(D, curl);
-}
-
-void enter_line(NoiseKernels (&noises)[grid::kNoises][4]) {
-  noises[grid::kValue][0] = HN_GRID_OCTAVES(1, value, HN_GRID_OF(1, value));
-  noises[grid::kValueD][0] = HN_GRID_OF(1, value_d);
-  noises[grid::kValueCubic][0] = HN_GRID_OCTAVES(1, value_cubic, HN_GRID_OF(1, value_cubic));
-  noises[grid::kPerlin][0] = HN_GRID_OCTAVES(1, perlin, HN_GRID_OF(1, perlin));
-  noises[grid::kPerlinD][0] = HN_GRID_OF(1, perlin_d);
-}
-
-void enter_4d(NoiseKernels (&noises)[grid::kNoises][4]) {
-  noises[grid::kValue][3] = HN_GRID_OCTAVES(4, value, HN_GRID_OF(4, value));
-  noises[grid::kValueD][3] = HN_GRID_OF(4, value_d4);
-  noises[grid::kPerlin][3] = HN_GRID_OCTAVES(4, perlin, HN_GRID_OF(4, perlin));
-  noises[grid::kPerlinD][3] = HN_GRID_OF(4, perlin_d4);
-  noises[grid::kSimplex][3] = HN_GRID_OCTAVES(4, simplex, HN_GRID_OF(4, simplex));
-  noises[grid::kSimplexD][3] = HN_GRID_OF(4, simplex_d4);
+#define HN_CATALOG_NOISE(Id, name, first, last, shape, takes)                                                     \
+  if constexpr (first <= D && D <= last) {                                                                        \
+    noises[grid::k##Id][D - 1] = kernels_of<D, grid::Shape::shape, grid::Takes::takes, name##_plain, name##_full, \
+                                            name##_phase, name##_phase_full>();                                   \
+  }
+#include "catalog.inc"
 }
 
 // A place in a cell is a float, and in HN_FIXED a multiple of 2^-20: what the noise makes of it is the fraction again.
@@ -238,10 +183,10 @@ void widen(const float* value, int count, float* least, float* greatest) {
 }
 
 void enter(grid::Kernels& kernels) {
-  enter_line(kernels.noises);
+  enter<1>(kernels.noises);
   enter<2>(kernels.noises);
   enter<3>(kernels.noises);
-  enter_4d(kernels.noises);
+  enter<4>(kernels.noises);
   kernels.split = split;
   kernels.widen = widen;
 }

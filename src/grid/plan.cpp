@@ -1,6 +1,8 @@
 #include "plan.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
 #include <stdexcept>
 
 #include "instruction_sets.hpp"
@@ -88,39 +90,54 @@ InstructionSet chosen(const std::optional<InstructionSet>& wanted) {
   return *wanted;
 }
 
+// "perlin, simplex and curl", of the rows of which that is true.
+template <typename Rows, typename Predicate>
+std::string names_where(const Rows& rows, Predicate is_true) {
+  std::vector<std::string_view> names;
+  for (const auto& row : rows) {
+    if (is_true(row)) names.push_back(row.name);
+  }
+  const std::string last = " and " + std::string(names.back());
+  names.pop_back();
+  return listed(names) + last;
+}
+
 // What is given, and what the noise or the sum has to be for that.
 struct Given {
   std::string_view setting;
   bool is_given;
   bool is_had;
-  std::string_view owners;
+  std::string owners;
 };
 
 void check_owners(const Settings& settings, int dimensions, const NoiseRow& noise, const SumRow* sum, bool tiled) {
   const bool is_noise = sum == nullptr;
   const bool is_sum = !is_noise;
-  const bool has_phase = is_noise && noise.has_phase && (dimensions == 2 || dimensions == 3);
+  const bool has_phase = is_noise && noise.has_phase() && (dimensions == 2 || dimensions == 3);
   const bool is_limited = is_sum && sum == &kSumRows[kFbm] && !tiled;
   const auto has_strength = [&](std::string_view name) { return is_sum && sum->strength == name; };
+  const auto noises = [](auto predicate) { return names_where(kNoiseRows, std::mem_fn(predicate)); };
+  const auto sums = [](std::string_view strength) {
+    return "the sums " + names_where(kSumRows, [=](const SumRow& row) { return row.strength == strength; });
+  };
   const Given all[] = {
-      {"phase", settings.phase.has_value(), has_phase, "perlin, perlin_d, simplex and simplex_d have one in 2D and 3D"},
-      {"jitter", settings.jitter.has_value(), is_noise && noise.has_jitter, "cellular noises have one"},
-      {"metric", settings.metric.has_value(), is_noise && noise.has_metric, "cellular and cellular_three have one"},
+      {"phase", settings.phase.has_value(), has_phase, noises(&NoiseRow::has_phase) + " have one in 2D and 3D"},
+      {"jitter", settings.jitter.has_value(), is_noise && noise.has_jitter(),
+       noises(&NoiseRow::has_jitter) + " have one"},
+      {"metric", settings.metric.has_value(), is_noise && noise.has_metric(),
+       noises(&NoiseRow::has_metric) + " have one"},
       {"octaves", settings.octaves.has_value(), is_sum, "sums have them"},
       {"lacunarity", settings.lacunarity.has_value(), is_sum, "sums have one"},
       {"gain", settings.gain.has_value(), is_sum, "sums have one"},
-      {"strength", settings.strength.has_value(), has_strength("strength"),
-       "the sums ping_pong, weighted and eroded have one"},
-      {"amplitude", settings.amplitude.has_value(), has_strength("amplitude"),
-       "the sums warp and warp_progressive have one"},
+      {"strength", settings.strength.has_value(), has_strength("strength"), sums("strength") + " have one"},
+      {"amplitude", settings.amplitude.has_value(), has_strength("amplitude"), sums("amplitude") + " have one"},
       {"detail", settings.detail.has_value(), is_limited, "the sum fbm has one, if it has no period"},
       {"footprint", settings.footprint.has_value(), is_limited, "the sum fbm has one, if it has no period"},
   };
   for (const Given& given : all) {
     if (!given.is_given || given.is_had) continue;
     refuse((is_sum ? "the sum " + quoted(sum->name) : quoted(noise.name)) + in_dimensions(dimensions) +
-           (tiled ? " with a period" : "") + " has no " + std::string(given.setting) + "; " +
-           std::string(given.owners));
+           (tiled ? " with a period" : "") + " has no " + std::string(given.setting) + "; " + given.owners);
   }
 }
 
@@ -191,8 +208,8 @@ Plan plan_of(int dimensions, const Settings& settings) {
   const int arithmetic = static_cast<int>(settings.arithmetic);
   if (arithmetic < 1 || arithmetic > 3) refuse("arithmetic has to be kFast, kPrecise or kFixed");
   const int metric = static_cast<int>(settings.metric.value_or(Metric::kEuclidean));
-  if (metric < 1 || metric > 5) {
-    refuse("metric has to be kEuclidean, kSquared, kManhattan, kChebyshev or kHybrid");
+  if (metric < 1 || metric > static_cast<int>(std::size(kMetricNames))) {
+    refuse("metric has to be one of the values of Metric");
   }
   std::optional<SumId> sum;
   if (!settings.sum.empty()) sum = static_cast<SumId>(find(kSumRows, "sum", settings.sum, dimensions));

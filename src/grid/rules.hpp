@@ -1,8 +1,7 @@
-// What settings may be: the one list of it. The constructor of Field checks it, and so the Python package and hn-bake
+// What settings may be. The constructor of Field checks it, and so the Python package and hn-bake
 // do, too. They read from here what they have to know before there is a Field. docs/cpu.md has it as a table.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -23,24 +22,16 @@ struct Rule {
 constexpr double kMostFloat = std::numeric_limits<float>::max();
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();  // nothing is usual
 
-// The period, the cell and the size are for each axis.
-constexpr Rule kSeedRule = {"seed", true, 0, 4294967295, 0};
-constexpr Rule kPeriodRule = {"period", true, 0, 2147483647, 0};  // in cells; 0 is none
-constexpr Rule kCellRule = {"cell", true, -2147483648.0, 2147483647, kNone};
-constexpr Rule kSizeRule = {"size", true, 0, 536870911, kNone};  // of a grid, in points
-constexpr Rule kThreadsRule = {"threads", true, 1, 1024, kNone};
-constexpr Rule kPhaseRule = {"phase", false, -kMostFloat, kMostFloat, 0};
-constexpr Rule kJitterRule = {"jitter", false, 0, 1, 1};
-constexpr Rule kOctavesRule = {"octaves", true, 1, 32, 6};  // HN_FIXED would take more as 32
-constexpr Rule kLacunarityRule = {"lacunarity", false, -kMostFloat, kMostFloat, 2};
-constexpr Rule kGainRule = {"gain", false, 0, kMostFloat, 0.5};
-constexpr Rule kDetailRule = {"detail", false, 0, kOctavesRule.most, kNone};
-constexpr Rule kFootprintRule = {"footprint", false, 0, kMostFloat, kNone};
+// kSeedRule, kPeriodRule and so on; the period, the cell and the size are for each axis.
+#define HN_CATALOG_SETTING(Id, name, is_whole, least, most, usual) \
+  constexpr Rule k##Id##Rule = {#name, is_whole, least, most, usual};
+#include "catalog.inc"
 
 // Those of the strength and the amplitude depend on the sum: see strength_rule.
-constexpr std::array<Rule, 12> kRules = {kSeedRule,       kPeriodRule, kCellRule,   kSizeRule,
-                                         kThreadsRule,    kPhaseRule,  kJitterRule, kOctavesRule,
-                                         kLacunarityRule, kGainRule,   kDetailRule, kFootprintRule};
+constexpr Rule kRules[] = {
+#define HN_CATALOG_SETTING(Id, ...) k##Id##Rule,
+#include "catalog.inc"
+};
 
 // A number in as few digits as tell it from other floats.
 inline std::string digits_of(double number) {

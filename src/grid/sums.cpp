@@ -50,6 +50,11 @@ HN_GRID_INLINED(Value, value)
 HN_GRID_INLINED(Perlin, perlin)
 HN_GRID_INLINED(Simplex, simplex)
 
+// What the strength is at most: kMostPingPong and so on.
+#define HN_CATALOG_SUM(Id, name, first, last, shape, of, noise, strength, usual, most, ...) \
+  [[maybe_unused]] constexpr float kMost##Id = most;
+#include "catalog.inc"
+
 // What a sum is: how it adds an octave, and what it makes of the mean. The first of these is any of them: beside the
 // call of a noise it costs nothing to ask which it is, and all of them would take ten times as long to compile.
 struct AnySum {
@@ -59,9 +64,9 @@ struct AnySum {
   HN_I_INLINE hn_num setting(const Options& o, hn_num part) const {
     switch (id) {
       case grid::kPingPong:
-        return hn_i_setting(Float(o.strength), 64.0f);
+        return hn_i_setting(Float(o.strength), kMostPingPong);
       case grid::kWeighted:
-        return hn_i_setting(Float(o.strength), 1.0f);
+        return hn_i_setting(Float(o.strength), kMostWeighted);
       case grid::kDetail:
         return part;
       case grid::kFootprint:
@@ -105,12 +110,12 @@ struct AnySum {
     }
   }
 };
-#define HN_GRID_SUM(Name, add_one, end_with)                                                          \
-  struct Name {                                                                                       \
-    HN_I_INLINE explicit Name(const Options&) {}                                                      \
-    HN_I_INLINE hn_num setting(const Options&, hn_num) const { return hn_num(HN_I_WEIGHT_ONE); }      \
-    HN_I_INLINE void add(hn_i_octave_sum& s, Float n) const { add_one(s, n); }                        \
-    HN_I_INLINE hn_num end(hn_num mean) const { return end_with(mean); }                              \
+#define HN_GRID_SUM(Name, add_one, end_with)                                                     \
+  struct Name {                                                                                  \
+    HN_I_INLINE explicit Name(const Options&) {}                                                 \
+    HN_I_INLINE hn_num setting(const Options&, hn_num) const { return hn_num(HN_I_WEIGHT_ONE); } \
+    HN_I_INLINE void add(hn_i_octave_sum& s, Float n) const { add_one(s, n); }                   \
+    HN_I_INLINE hn_num end(hn_num mean) const { return end_with(mean); }                         \
   };
 HN_GRID_SUM(Fbm, hn_i_add, hn_i_unchanged)
 HN_GRID_SUM(Ridged, hn_i_add_ridge, hn_i_bounded)
@@ -161,34 +166,33 @@ class SumOf {
   HN_I_BEGIN_TILE(option) HN_I_FRAMED_TILE(noise_.octave, begin, each, onward, finish)
 #define HN_GRID_APPLIED(macro, ...) macro(__VA_ARGS__)
 // What these name.
-#define HN_GRID_NAMES                                                                                  \
-  const Int octaves = given_.octaves;                                                                  \
-  const Float lacunarity = given_.lacunarity, gain = given_.gain;                                      \
-  [[maybe_unused]] const Float strength = given_.strength, amplitude = given_.strength;                \
+#define HN_GRID_NAMES                                                                   \
+  const Int octaves = given_.octaves;                                                   \
+  const Float lacunarity = given_.lacunarity, gain = given_.gain;                       \
+  [[maybe_unused]] const Float strength = given_.strength, amplitude = given_.strength; \
   const Uint seed = given_.seed;
-#define HN_GRID_FRAMED_SUM(Name, D, Value, ...)                                                       \
-  template <typename Noise>                                                                            \
-  class Name {                                                                                         \
-   public:                                                                                             \
-    static constexpr bool kClampsInCells = true;                                                       \
-                                                                                                       \
-    HN_I_INLINE Name(Octave noise, const Options&, const Given<D>& given)                              \
-        : noise_(noise), given_(given) {}                                                              \
-    template <typename Position>                                                                       \
-    HN_I_INLINE Value at(Position q) const {                                                           \
-      HN_GRID_NAMES                                                                                    \
-      HN_GRID_APPLIED(HN_GRID_FRAMED, __VA_ARGS__)                                                            \
-    }                                                                                                  \
-    template <typename Position>                                                                       \
-    HN_I_INLINE Value tile_at(Position q) const {                                                      \
-      HN_GRID_NAMES                                                                                    \
-      Cell<D> period = given_.period;                                                                  \
-      HN_GRID_APPLIED(HN_GRID_FRAMED_TILE, __VA_ARGS__)                                                       \
-    }                                                                                                  \
-                                                                                                       \
-   private:                                                                                            \
-    Noise noise_;                                                                                      \
-    Given<D> given_;                                                                                   \
+#define HN_GRID_FRAMED_SUM(Name, D, Value, ...)                                                             \
+  template <typename Noise>                                                                                 \
+  class Name {                                                                                              \
+   public:                                                                                                  \
+    static constexpr bool kClampsInCells = true;                                                            \
+                                                                                                            \
+    HN_I_INLINE Name(Octave noise, const Options&, const Given<D>& given) : noise_(noise), given_(given) {} \
+    template <typename Position>                                                                            \
+    HN_I_INLINE Value at(Position q) const {                                                                \
+      HN_GRID_NAMES                                                                                         \
+      HN_GRID_APPLIED(HN_GRID_FRAMED, __VA_ARGS__)                                                          \
+    }                                                                                                       \
+    template <typename Position>                                                                            \
+    HN_I_INLINE Value tile_at(Position q) const {                                                           \
+      HN_GRID_NAMES                                                                                         \
+      Cell<D> period = given_.period;                                                                       \
+      HN_GRID_APPLIED(HN_GRID_FRAMED_TILE, __VA_ARGS__)                                                     \
+    }                                                                                                       \
+                                                                                                            \
+   private:                                                                                                 \
+    Noise noise_;                                                                                           \
+    Given<D> given_;                                                                                        \
   };
 HN_GRID_FRAMED_SUM(FbmD2, 2, vec3, HN_I_OF_FBM_D2)
 HN_GRID_FRAMED_SUM(FbmD3, 3, vec4, HN_I_OF_FBM_D3)
@@ -271,10 +275,14 @@ SumKernels kernels_of() {
 template <int D>
 void enter_sums(SumKernels (&sums)[grid::kSums][4]) {
   const SumKernels any = kernels_of<D, SumOf<D, Called<D, Float>, AnySum>>();
-  for (const grid::SumId id : {grid::kFbm, grid::kTurbulence, grid::kClouds, grid::kBillow, grid::kRidged,
-                               grid::kPingPong, grid::kWeighted, grid::kDetail, grid::kFootprint}) {
-    sums[id][D - 1] = any;
+  // Those with frames have kernels of their own, and are entered after these.
+#define HN_CATALOG_SUM(Id, name, first, last, shape, of, ...)                                \
+  if (grid::Shape::shape == grid::Shape::kValue && grid::Shape::of == grid::Shape::kValue) { \
+    sums[grid::k##Id][D - 1] = any;                                                          \
   }
+#include "catalog.inc"
+  sums[grid::kDetail][D - 1] = any;
+  sums[grid::kFootprint][D - 1] = any;
 }
 
 // The sums that are asked for most, over the noises that are.

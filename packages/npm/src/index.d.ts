@@ -1,34 +1,64 @@
 /** What a field is: a noise, or a sum of octaves of a noise. A setting that the function does not have is an error. */
 export interface Settings {
-  /** "perlin" if it is left out, and for sums what the shader's take: "perlin", "perlin_d" or "value". */
-  noise?: NoiseName;
   /** "fbm", "ridged", ...; the noise itself if it is left out. */
   sum?: SumName;
   /** 0 to 2^32 - 1; 0 if it is left out. */
   seed?: number;
   /** After how many cells the field repeats, along all axes or along each; 0 for never. */
   period?: number | number[];
+  // tools/catalog: settings
+  /** "perlin" if it is left out, and of sums what the shader's take: "perlin", "perlin_d" or "value". */
+  noise?: NoiseName;
   /** Of sums; 6 if it is left out. */
   octaves?: number;
   /** Of sums; 2 if it is left out. */
   lacunarity?: number;
   /** Of sums; 0.5 if it is left out. */
   gain?: number;
-  /** Of ping_pong (2 if it is left out), weighted and eroded (1). */
+  /** Of ping_pong, weighted and eroded, from 0 to 64, 1 and 16; 2, 1 and 1 if it is left out. */
   strength?: number;
-  /** Of warp and warp_progressive, in cells; 1 if it is left out. */
+  /** Of warp and warp_progressive, in cells, from 0 to 64; 1 if it is left out. */
   amplitude?: number;
   /** Of cellular, from 0 to 1; 1 if it is left out. */
   jitter?: number;
   /** Of cellular; "euclidean" if it is left out. */
-  metric?: "euclidean" | "squared" | "manhattan" | "chebyshev" | "hybrid";
+  metric?: MetricName;
+  // tools/catalog: end
 }
 
+// tools/catalog: names
 export type NoiseName =
-  | "value" | "value_d" | "value_cubic" | "perlin" | "perlin_d" | "simplex" | "simplex_d" | "simplex_smooth" | "cellular" | "curl";
+  | "value"
+  | "value_d"
+  | "value_cubic"
+  | "perlin"
+  | "perlin_d"
+  | "simplex"
+  | "simplex_d"
+  | "simplex_smooth"
+  | "cellular"
+  | "curl";
 
 export type SumName =
-  | "fbm" | "turbulence" | "clouds" | "billow" | "ridged" | "ping_pong" | "weighted" | "fbm_d" | "eroded" | "warp" | "warp_progressive";
+  | "fbm"
+  | "turbulence"
+  | "clouds"
+  | "billow"
+  | "ridged"
+  | "ping_pong"
+  | "weighted"
+  | "fbm_d"
+  | "eroded"
+  | "warp"
+  | "warp_progressive";
+
+export type MetricName =
+  | "euclidean"
+  | "squared"
+  | "manhattan"
+  | "chebyshev"
+  | "hybrid";
+// tools/catalog: end
 
 /** A noise or a sum in one, two or three dimensions, with the bits of HN_FIXED. Its settings do not change. */
 export declare class Field {

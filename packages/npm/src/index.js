@@ -3,39 +3,56 @@
 import { bytes } from "./twin.js";
 
 const AXES = ["x", "y", "z"];
-const KINDS = {
+// What the numbers at a point are.
+const SHAPES = {
   value: () => ["value"],
   slopes: (dimensions) => ["value", ...AXES.slice(0, dimensions).map((axis) => `d${axis}`)],
-  distances: () => ["f1", "f2"],
+  two_distances: () => ["f1", "f2"],
   vector: (dimensions) => AXES.slice(0, dimensions),
 };
-// The order is that of twin.cpp. In one dimension there are the first five noises, and the sums of values.
+// What there is, in the order of twin.cpp. The noise of a sum is the one that it takes unless another of its shape is named,
+// and its strength is the name of that number. OWNERS says which noises or sums have a setting.
+// tools/catalog: noises and sums
 const NOISES = {
-  value: "value",
-  value_d: "slopes",
-  value_cubic: "value",
-  perlin: "value",
-  perlin_d: "slopes",
-  simplex: "value",
-  simplex_d: "slopes",
-  simplex_smooth: "value",
-  cellular: "distances",
-  curl: "vector",
+  value: { dimensions: [1, 2, 3], shape: "value", takes: [] },
+  value_d: { dimensions: [1, 2, 3], shape: "slopes", takes: [] },
+  value_cubic: { dimensions: [1, 2, 3], shape: "value", takes: [] },
+  perlin: { dimensions: [1, 2, 3], shape: "value", takes: [] },
+  perlin_d: { dimensions: [1, 2, 3], shape: "slopes", takes: [] },
+  simplex: { dimensions: [2, 3], shape: "value", takes: [] },
+  simplex_d: { dimensions: [2, 3], shape: "slopes", takes: [] },
+  simplex_smooth: { dimensions: [2, 3], shape: "value", takes: [] },
+  cellular: { dimensions: [2, 3], shape: "two_distances", takes: ["jitter", "metric"] },
+  curl: { dimensions: [2, 3], shape: "vector", takes: [] },
 };
 const SUMS = {
-  fbm: {},
-  turbulence: {},
-  clouds: {},
-  billow: {},
-  ridged: {},
-  ping_pong: { strength: 2, most: 64 },
-  weighted: { strength: 1, most: 1 },
-  fbm_d: { of: "slopes", kind: "slopes" },
-  eroded: { of: "slopes", strength: 1, most: 16 },
-  warp: { kind: "vector", amplitude: 1, most: 64 },
-  warp_progressive: { kind: "vector", amplitude: 1, most: 64 },
+  fbm: { dimensions: [1, 2, 3], shape: "value", noise: "perlin" },
+  turbulence: { dimensions: [1, 2, 3], shape: "value", noise: "perlin" },
+  clouds: { dimensions: [1, 2, 3], shape: "value", noise: "perlin" },
+  billow: { dimensions: [1, 2, 3], shape: "value", noise: "perlin" },
+  ridged: { dimensions: [1, 2, 3], shape: "value", noise: "perlin" },
+  ping_pong: { dimensions: [1, 2, 3], shape: "value", noise: "perlin", strength: "strength", usual: 2, most: 64 },
+  weighted: { dimensions: [1, 2, 3], shape: "value", noise: "perlin", strength: "strength", usual: 1, most: 1 },
+  fbm_d: { dimensions: [2, 3], shape: "slopes", noise: "perlin_d" },
+  eroded: { dimensions: [2, 3], shape: "value", noise: "perlin_d", strength: "strength", usual: 1, most: 16 },
+  warp: { dimensions: [2, 3], shape: "vector", noise: "value", strength: "amplitude", usual: 1, most: 64 },
+  warp_progressive: { dimensions: [2, 3], shape: "vector", noise: "value", strength: "amplitude", usual: 1, most: 64 },
 };
-const METRICS = ["euclidean", "squared", "manhattan", "chebyshev", "hybrid"]; // from 1 on
+const METRICS = ["euclidean", "squared", "manhattan", "chebyshev", "hybrid"];
+const NUMBERS = {
+  seed: { usual: 0, least: 0, most: 4294967295 },
+  jitter: { usual: 1, least: 0, most: 1 },
+  octaves: { usual: 6 },
+  lacunarity: { usual: 2 },
+  gain: { usual: 0.5, least: 0 },
+};
+const OWNERS = {
+  strength: "ping_pong, weighted and eroded have one",
+  amplitude: "warp and warp_progressive have one",
+  jitter: "cellular has one",
+  metric: "cellular has one",
+};
+// tools/catalog: end
 const KNOWN = ["noise", "sum", "seed", "period", "octaves", "lacunarity", "gain", "strength", "amplitude", "jitter", "metric"];
 const OF_SUMS = ["octaves", "lacunarity", "gain"];
 const MOST_OCTAVES = 1024; // more than any float shows
@@ -130,6 +147,8 @@ function perAxis(name, value, dimensions, check) {
   return values.map((one) => check(name, one));
 }
 
+const namesIn = (rows, dimensions) => Object.keys(rows).filter((name) => rows[name].dimensions.includes(dimensions));
+
 const wholeCell = (name, value) => whole(name, value, Number.MIN_SAFE_INTEGER, Number.MAX_SAFE_INTEGER) | 0;
 
 function arrayOf(name, value, types) {
@@ -151,49 +170,47 @@ export class Field {
     for (const name of Object.keys(settings)) oneOf("a setting", name, KNOWN);
     const given = Object.fromEntries(Object.entries(settings).filter(([, value]) => value !== undefined));
     const sum = given.sum === undefined ? undefined : oneOf(`sum in ${dimensions}D`, given.sum, Field.sums(dimensions));
-    const of = sum ? (SUMS[sum].of ?? "value") : undefined;
-    const noises = Field.noises(dimensions).filter((name) => !of || NOISES[name] === of);
-    const usual = sum?.startsWith("warp") ? "value" : of === "slopes" ? "perlin_d" : "perlin";
-    const noise = oneOf(sum ? `noise of ${sum}` : `noise in ${dimensions}D`, given.noise ?? usual, noises);
-    const row = sum ? SUMS[sum] : {};
+    const row = sum ? SUMS[sum] : undefined;
+    const noises = Field.noises(dimensions).filter((name) => !row || NOISES[name].shape === NOISES[row.noise].shape);
+    const noise = oneOf(sum ? `noise of ${sum}` : `noise in ${dimensions}D`, given.noise ?? row?.noise ?? "perlin", noises);
     const refuse = (name, why) => {
       if (given[name] !== undefined) throw new RangeError(`${sum ?? noise} has no ${name}; ${why}`);
     };
     if (!sum) for (const name of OF_SUMS) refuse(name, "sums have it");
-    if (row.strength === undefined) refuse("strength", "ping_pong, weighted and eroded have one");
-    if (row.amplitude === undefined) refuse("amplitude", "warp and warp_progressive have one");
-    if (sum || noise !== "cellular") {
-      for (const name of ["jitter", "metric"]) refuse(name, "cellular has one");
-    }
-    const strength = row.strength === undefined ? "amplitude" : "strength";
+    const takes = sum ? [row.strength] : NOISES[noise].takes;
+    for (const [name, owners] of Object.entries(OWNERS)) if (!takes.includes(name)) refuse(name, owners);
+    const number = (name) => {
+      const { usual, least, most } = NUMBERS[name];
+      return real(name, given[name] ?? usual, least, most);
+    };
     const period = perAxis("period", given.period ?? 0, dimensions, (name, one) => whole(name, one, -(2 ** 31), 2 ** 31 - 1));
     this.#isSum = sum !== undefined;
     this.#settings = {
       integers: [dimensions, Object.keys(NOISES).indexOf(noise), Object.keys(SUMS).indexOf(sum), period.some((one) => one > 0)],
-      seed: whole("seed", given.seed ?? 0, 0, 2 ** 32 - 1),
+      seed: whole("seed", given.seed ?? NUMBERS.seed.usual, NUMBERS.seed.least, NUMBERS.seed.most),
       period,
-      jitter: real("jitter", given.jitter ?? 1, 0, 1),
-      metric: METRICS.indexOf(oneOf("metric", given.metric ?? "euclidean", METRICS)) + 1,
-      octaves: whole("octaves", given.octaves ?? 6, -(2 ** 31), MOST_OCTAVES),
-      lacunarity: real("lacunarity", given.lacunarity ?? 2),
-      gain: real("gain", given.gain ?? 0.5, 0),
-      strength: real(strength, given[strength] ?? row[strength] ?? 0, 0, row.most),
+      jitter: number("jitter"),
+      metric: METRICS.indexOf(oneOf("metric", given.metric ?? METRICS[0], METRICS)) + 1,
+      octaves: whole("octaves", given.octaves ?? NUMBERS.octaves.usual, -(2 ** 31), MOST_OCTAVES),
+      lacunarity: number("lacunarity"),
+      gain: number("gain"),
+      strength: row?.strength ? real(row.strength, given[row.strength] ?? row.usual, 0, row.most) : 0,
     };
     this.dimensions = dimensions;
     /** What the numbers at a point are. */
-    this.components = Object.freeze(KINDS[sum ? (row.kind ?? "value") : NOISES[noise]](dimensions));
+    this.components = Object.freeze(SHAPES[(row ?? NOISES[noise]).shape](dimensions));
     Object.freeze(this);
     start();
   }
 
   /** The names of the noises that there are in so many dimensions. */
   static noises(dimensions) {
-    return Object.keys(NOISES).slice(0, dimensions === 1 ? 5 : undefined);
+    return namesIn(NOISES, dimensions);
   }
 
   /** The names of the sums that there are in so many dimensions. */
   static sums(dimensions) {
-    return Object.keys(SUMS).slice(0, dimensions === 1 ? 7 : undefined);
+    return namesIn(SUMS, dimensions);
   }
 
   #load() {

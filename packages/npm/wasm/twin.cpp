@@ -72,19 +72,46 @@ HN_I_INLINE void put(Numbers& n, vec4 v) {
 
 #define TWIN_NOISE(D, IVec, Vec, name, ...) \
   [](IVec cell, Vec f, IVec period, Uint seed, Numbers& n) { put(n, hn_##name(cell, f, period, __VA_ARGS__)); }
-#define TWIN_LINE(name) TWIN_NOISE(1, Int, Float, name, seed)
+#define TWIN_LINE(name, ...) TWIN_NOISE(1, Int, Float, name, __VA_ARGS__)
 #define TWIN_PLANE(name, ...) TWIN_NOISE(2, ivec2, vec2, name, __VA_ARGS__)
 #define TWIN_SPACE(name, ...) TWIN_NOISE(3, ivec3, vec3, name, __VA_ARGS__)
 
-// The order is that of NOISES in index.js.
-const Kernel1 kLine[] = {TWIN_LINE(value), TWIN_LINE(value_d), TWIN_LINE(value_cubic), TWIN_LINE(perlin),
-                         TWIN_LINE(perlin_d)};
-#define TWIN_ROWS(noise)                                                                                          \
-  noise(value, seed), noise(value_d, seed), noise(value_cubic, seed), noise(perlin, seed), noise(perlin_d, seed), \
-      noise(simplex, seed), noise(simplex_d, seed), noise(simplex_smooth, seed),                                  \
-      noise(cellular, settings.jitter, settings.metric, seed), noise(curl, seed)
-const Kernel2 kPlane[] = {TWIN_ROWS(TWIN_PLANE)};
-const Kernel3 kSpace[] = {TWIN_ROWS(TWIN_SPACE)};
+// By their numbers in index.js.
+// tools/catalog: noises
+// clang-format off
+const Kernel1 kLine[] = {
+    TWIN_LINE(value, seed),
+    TWIN_LINE(value_d, seed),
+    TWIN_LINE(value_cubic, seed),
+    TWIN_LINE(perlin, seed),
+    TWIN_LINE(perlin_d, seed),
+};
+const Kernel2 kPlane[] = {
+    TWIN_PLANE(value, seed),
+    TWIN_PLANE(value_d, seed),
+    TWIN_PLANE(value_cubic, seed),
+    TWIN_PLANE(perlin, seed),
+    TWIN_PLANE(perlin_d, seed),
+    TWIN_PLANE(simplex, seed),
+    TWIN_PLANE(simplex_d, seed),
+    TWIN_PLANE(simplex_smooth, seed),
+    TWIN_PLANE(cellular, settings.jitter, settings.metric, seed),
+    TWIN_PLANE(curl, seed),
+};
+const Kernel3 kSpace[] = {
+    TWIN_SPACE(value, seed),
+    TWIN_SPACE(value_d, seed),
+    TWIN_SPACE(value_cubic, seed),
+    TWIN_SPACE(perlin, seed),
+    TWIN_SPACE(perlin_d, seed),
+    TWIN_SPACE(simplex, seed),
+    TWIN_SPACE(simplex_d, seed),
+    TWIN_SPACE(simplex_smooth, seed),
+    TWIN_SPACE(cellular, settings.jitter, settings.metric, seed),
+    TWIN_SPACE(curl, seed),
+};
+// clang-format on
+// tools/catalog: end
 
 template <int D>
 auto kernel() {
@@ -101,6 +128,9 @@ auto kernel() {
 // Sums, made of the library's steps in one loop. The macros of the library would make a loop for each sum, and one more
 // for its tiles: a noise without a period is one whose period is 0, so here only the way to the next octave differs.
 
+// By their numbers in index.js. kMostStrengths has what the strength or the amplitude of each is at most.
+// tools/catalog: sums
+// clang-format off
 enum Sum {
   kFbm,
   kTurbulence,
@@ -112,8 +142,15 @@ enum Sum {
   kFbmD,
   kEroded,
   kWarp,
-  kWarpProgressive
+  kWarpProgressive,
 };
+const float kMostStrengths[] = {0, 0, 0, 0, 0, 64, 1, 0, 16, 64, 64};
+// clang-format on
+// tools/catalog: end
+
+bool is_warp() { return settings.sum == kWarp || settings.sum == kWarpProgressive; }
+// Whether its octaves have frames.
+bool has_frames() { return is_warp() || settings.sum == kFbmD || settings.sum == kEroded; }
 
 // The position of an octave, a vector, the frame of an octave, and a value with its slopes.
 template <int D>
@@ -140,7 +177,7 @@ struct Types<3> {
 };
 
 void add_value(hn_i_octave_sum& s, Float n) {
-  switch (settings.sum) {
+  switch (static_cast<Sum>(settings.sum)) {  // all of them, so that the compiler misses a new one
     case kTurbulence:
       return hn_i_add_size(s, n);
     case kBillow:
@@ -151,25 +188,18 @@ void add_value(hn_i_octave_sum& s, Float n) {
       return hn_i_add_wave(s, n);
     case kWeighted:
       return hn_i_add_bent(s, n);
-    default:
+    case kFbm:
+    case kClouds:
+    case kFbmD:
+    case kEroded:
+    case kWarp:
+    case kWarpProgressive:
       return hn_i_add(s, n);
   }
 }
 
 Int finished(Int mean) {
   return settings.sum == kClouds ? hn_i_density(mean) : settings.sum == kBillow ? hn_i_billows(mean) : mean;
-}
-
-// What the strength or the amplitude is at most.
-float most_strength() {
-  switch (settings.sum) {
-    case kWeighted:
-      return 1.0f;
-    case kEroded:
-      return 16.0f;
-    default:
-      return 64.0f;
-  }
 }
 
 // What is the same at every point.
@@ -186,7 +216,7 @@ void begin() {
   const int octaves = settings.octaves < 32 ? settings.octaves : 32;
   const hn_i_octave_sum s =
       hn_i_begin(Int(octaves), lacunarity, Float(settings.gain),
-                 hn_i_setting(Float(settings.strength), Float(most_strength())), Uint(settings.seed));
+                 hn_i_setting(Float(settings.strength), Float(kMostStrengths[settings.sum])), Uint(settings.seed));
   const Int total = hn_i_total(Int(octaves), s.gain, HN_I_WEIGHT_ONE);
   beginning = {octaves, s, total, hn_i_growth(s.gain, lacunarity), hn_i_mean(s.option, total)};
 }
@@ -214,7 +244,7 @@ void sum(CellOf<D> cell, PlaceOf<D> f, CellOf<D> period, Numbers& n) {
     typename Types<D>::Vector sums, e, v;
     for (int left = beginning.octaves; left > 0; --left) {
       const Float value = octave<D>(q, period, s.seed, n);
-      if (settings.sum >= kWarp) {
+      if (is_warp()) {
         const Uint other = hn_i_other_seed(s.seed);
         const Float y = octave<D>(q, period, other, n);
         if constexpr (D == 2) {
@@ -234,13 +264,13 @@ void sum(CellOf<D> cell, PlaceOf<D> f, CellOf<D> period, Numbers& n) {
       }
       hn_i_step(s);
       q = settings.tiled ? hn_i_next_tile(q, lacunarity) : hn_i_next(q, lacunarity);
-      if (settings.sum >= kFbmD) {
+      if (has_frames()) {
         k = settings.tiled ? hn_i_next_tile_frame(k, beginning.growth) : hn_i_next_frame(k, beginning.growth);
         if (!settings.tiled) e = hn_i_turned(e);
       }
       period = hn_i_next_period(period, lacunarity);
     }
-    if (settings.sum >= kWarp) return put(n, hn_i_shifts(sums, beginning.total, s.option));
+    if (is_warp()) return put(n, hn_i_shifts(sums, beginning.total, s.option));
     if (settings.sum == kFbmD) return put(n, hn_i_with_slopes(s.sum, sums, beginning.total));
   }
   put(n, hn_i_value(finished(hn_i_mean(s.sum, beginning.total))));

@@ -29,8 +29,7 @@ All functions have these options:
                      values do not depend on it. Other threads of Python run meanwhile
     instruction_set  one of instruction_sets(); without it the widest
 
-Sums (fbm, turbulence, clouds, billow, ridged, ping_pong, weighted, fbm_d, eroded, warp and warp_progressive) also have
-these:
+Sums (fbm and the others that sums() names) also have these:
 
     noise            what is summed: the name of a noise that returns one number for a point
     octaves          how many, from 1 to 32; each costs one noise

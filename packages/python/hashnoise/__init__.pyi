@@ -10,13 +10,16 @@ _Values: TypeAlias = npt.NDArray[np.float32]
 _Number: TypeAlias = float | np.floating | np.integer
 _Cells: TypeAlias = npt.ArrayLike | Sequence[npt.ArrayLike]
 _Arithmetic: TypeAlias = Literal["fast", "precise", "fixed"]
+# tools/catalog: metrics
 _Metric: TypeAlias = Literal["euclidean", "squared", "manhattan", "chebyshev", "hybrid"]
+# tools/catalog: end
 
 __version__: str
 
+# tools/catalog: functions
 @overload
-def value(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
-          seed: int = 0, period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
+def value(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *, seed: int = 0,
+          period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
           arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
           instruction_set: str | None = None) -> float: ...
 @overload
@@ -35,8 +38,8 @@ def value_cubic(x: _Number, y: _Number | None = None, z: _Number | None = None, 
                 instruction_set: str | None = None) -> float: ...
 @overload
 def value_cubic(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
-                period: int | Sequence[int] | None = None, cell: _Cells | None = None,
-                arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: int | None = None,
+                period: int | Sequence[int] | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+                out: _Values | None = None, threads: int | None = None,
                 instruction_set: str | None = None) -> _Values: ...
 @overload
 def perlin(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
@@ -51,8 +54,7 @@ def perlin(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | 
 def perlin_d(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
              w: npt.ArrayLike | None = None, /, *, seed: int = 0, period: int | Sequence[int] | None = None,
              phase: float | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
-             out: _Values | None = None, threads: int | None = None,
-             instruction_set: str | None = None) -> _Values: ...
+             out: _Values | None = None, threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
 def simplex(x: _Number, y: _Number, z: _Number | None = None, w: _Number | None = None, /, *, seed: int = 0,
             period: int | Sequence[int] | None = None, phase: float | None = None,
@@ -101,9 +103,9 @@ def cellular_smooth(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None 
                     instruction_set: str | None = None) -> _Values: ...
 @overload
 def cell_border(x: _Number, y: _Number, z: _Number | None = None, /, *, seed: int = 0,
-                period: int | Sequence[int] | None = None, jitter: float = 1.0,
-                cell: int | Sequence[int] | None = None, arithmetic: _Arithmetic = "fast", out: None = None,
-                threads: int | None = None, instruction_set: str | None = None) -> float: ...
+                period: int | Sequence[int] | None = None, jitter: float = 1.0, cell: int | Sequence[int] | None = None,
+                arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
+                instruction_set: str | None = None) -> float: ...
 @overload
 def cell_border(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
                 period: int | Sequence[int] | None = None, jitter: float = 1.0, cell: _Cells | None = None,
@@ -120,7 +122,7 @@ def fbm(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Numb
         threads: int | None = None, instruction_set: str | None = None) -> float: ...
 @overload
 def fbm(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-        w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: str = "perlin", octaves: int = 6,
+        w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: str = "perlin", octaves: int | None = None,
         lacunarity: float = 2.0, gain: float = 0.5, detail: float | None = None, footprint: float | None = None,
         period: int | Sequence[int] | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
         out: _Values | None = None, threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
@@ -175,9 +177,9 @@ def ridged(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | 
 @overload
 def ping_pong(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
               seed: int = 0, noise: str = "perlin", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
-              strength: float = 2.0, period: int | Sequence[int] | None = None,
-              cell: int | Sequence[int] | None = None, arithmetic: _Arithmetic = "fast", out: None = None,
-              threads: int | None = None, instruction_set: str | None = None) -> float: ...
+              strength: float = 2.0, period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
+              arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
+              instruction_set: str | None = None) -> float: ...
 @overload
 def ping_pong(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
               w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: str = "perlin", octaves: int = 6,
@@ -196,8 +198,7 @@ def weighted(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike 
              w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: str = "perlin", octaves: int = 6,
              lacunarity: float = 2.0, gain: float = 0.5, strength: float = 1.0,
              period: int | Sequence[int] | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
-             out: _Values | None = None, threads: int | None = None,
-             instruction_set: str | None = None) -> _Values: ...
+             out: _Values | None = None, threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
 def fbm_d(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
           noise: str = "perlin_d", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
           period: int | Sequence[int] | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
@@ -210,10 +211,9 @@ def eroded(x: _Number, y: _Number, z: _Number | None = None, /, *, seed: int = 0
            instruction_set: str | None = None) -> float: ...
 @overload
 def eroded(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
-           noise: str = "perlin_d", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
-           strength: float = 1.0, period: int | Sequence[int] | None = None, cell: _Cells | None = None,
-           arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: int | None = None,
-           instruction_set: str | None = None) -> _Values: ...
+           noise: str = "perlin_d", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5, strength: float = 1.0,
+           period: int | Sequence[int] | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+           out: _Values | None = None, threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
 def warp(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: str = "value",
          octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5, amplitude: float = 1.0,
          period: int | Sequence[int] | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
@@ -223,6 +223,8 @@ def warp_progressive(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None
                      amplitude: float = 1.0, period: int | Sequence[int] | None = None, cell: _Cells | None = None,
                      arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: int | None = None,
                      instruction_set: str | None = None) -> _Values: ...
+# tools/catalog: end
+
 @overload
 def grid(name: str, size: int | Sequence[int], *, step: float | Sequence[float], origin: float | Sequence[float] = 0.0,
          cell: int | Sequence[int] | None = None, seed: int = 0, noise: str | None = None, octaves: int | None = None,

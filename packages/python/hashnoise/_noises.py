@@ -1,3 +1,4 @@
+# Made by tools/catalog from catalog/noises.toml and settings.toml.
 """The noises: each is a function of arrays of coordinates. help(hashnoise) tells what they have in common."""
 
 from ._evaluate import points
@@ -22,8 +23,8 @@ def value(x, y=None, z=None, w=None, /, *, seed=0, period=None, cell=None, arith
                   arithmetic=arithmetic, instruction_set=instruction_set)
 
 
-def value_d(x, y=None, z=None, w=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None,
-            threads=None, instruction_set=None):
+def value_d(x, y=None, z=None, w=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None, threads=None,
+            instruction_set=None):
     """Value noise and how steep it is, in 1D to 4D.
 
     returns  planes: the value, which is that of `value`, and its derivatives along each axis, per cell, in [-3.76,
@@ -86,8 +87,8 @@ def perlin_d(x, y=None, z=None, w=None, /, *, seed=0, period=None, phase=None, c
     >>> hashnoise.perlin_d(0.5, 0.25, seed=7, arithmetic="fixed")
     array([0.0869565 , 0.8772774 , 0.69961166], dtype=float32)
     """
-    return points("perlin_d", (x, y, z, w), cell, out, threads, noise="perlin_d", seed=seed, period=period,
-                  phase=phase, arithmetic=arithmetic, instruction_set=instruction_set)
+    return points("perlin_d", (x, y, z, w), cell, out, threads, noise="perlin_d", seed=seed, period=period, phase=phase,
+                  arithmetic=arithmetic, instruction_set=instruction_set)
 
 
 def simplex(x, y, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=None, arithmetic="fast", out=None,
@@ -157,8 +158,8 @@ def cellular(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, metric="euclid
     >>> hashnoise.cellular(0.5, 0.25, seed=7, arithmetic="fixed")
     array([0.56985855, 1.0054398 ], dtype=float32)
     """
-    return points("cellular", (x, y, z), cell, out, threads, noise="cellular", seed=seed, period=period,
-                  jitter=jitter, metric=metric, arithmetic=arithmetic, instruction_set=instruction_set)
+    return points("cellular", (x, y, z), cell, out, threads, noise="cellular", seed=seed, period=period, jitter=jitter,
+                  metric=metric, arithmetic=arithmetic, instruction_set=instruction_set)
 
 
 def cellular_three(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, metric="euclidean", cell=None,
@@ -237,8 +238,8 @@ def curl(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", 
     >>> hashnoise.curl(0.5, 0.25, seed=7, arithmetic="fixed")
     array([-3.322998, -2.570118], dtype=float32)
     """
-    return points("curl", (x, y, z), cell, out, threads, noise="curl", seed=seed, period=period,
-                  arithmetic=arithmetic, instruction_set=instruction_set)
+    return points("curl", (x, y, z), cell, out, threads, noise="curl", seed=seed, period=period, arithmetic=arithmetic,
+                  instruction_set=instruction_set)
 
 
 NOISES = {name: globals()[name] for name in __all__}

@@ -1,3 +1,4 @@
+# Made by tools/catalog from catalog/sums.toml and settings.toml.
 """The octave sums and the warps, over any noise. help(hashnoise) tells what they have in common."""
 
 from ._evaluate import points
@@ -103,8 +104,8 @@ def ping_pong(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6
                   arithmetic=arithmetic, instruction_set=instruction_set)
 
 
-def weighted(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, lacunarity=2.0, gain=0.5,
-             strength=1.0, period=None, cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
+def weighted(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, lacunarity=2.0, gain=0.5, strength=1.0,
+             period=None, cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
     """Weighted fBm, in 1D to 4D: where an octave is low, the finer ones count less. Valleys are smoother than heights.
 
     strength  how much less: 0 is `fbm`, 1 leaves nothing of the finer octaves at -1; in [0, 1]
@@ -114,9 +115,9 @@ def weighted(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6,
     >>> hashnoise.weighted(0.5, 0.25, seed=7, arithmetic="fixed")
     -0.007497310638427734
     """
-    return points("weighted", (x, y, z, w), cell, out, threads, sum="weighted", seed=seed, noise=noise,
-                  octaves=octaves, lacunarity=lacunarity, gain=gain, strength=strength, period=period,
-                  arithmetic=arithmetic, instruction_set=instruction_set)
+    return points("weighted", (x, y, z, w), cell, out, threads, sum="weighted", seed=seed, noise=noise, octaves=octaves,
+                  lacunarity=lacunarity, gain=gain, strength=strength, period=period, arithmetic=arithmetic,
+                  instruction_set=instruction_set)
 
 
 def fbm_d(x, y, z=None, /, *, seed=0, noise="perlin_d", octaves=6, lacunarity=2.0, gain=0.5, period=None, cell=None,
@@ -136,8 +137,8 @@ def fbm_d(x, y, z=None, /, *, seed=0, noise="perlin_d", octaves=6, lacunarity=2.
                   instruction_set=instruction_set)
 
 
-def eroded(x, y, z=None, /, *, seed=0, noise="perlin_d", octaves=6, lacunarity=2.0, gain=0.5, strength=1.0,
-           period=None, cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
+def eroded(x, y, z=None, /, *, seed=0, noise="perlin_d", octaves=6, lacunarity=2.0, gain=0.5, strength=1.0, period=None,
+           cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
     """Eroded fBm, in 2D and 3D: smooth slopes, with detail in valleys and on summits.
 
     An octave counts less where those before it and itself are steep.

@@ -251,7 +251,7 @@ class Bake(unittest.TestCase):
             (["perlin", "-o", "a.png", "--strength", "1"], "has no strength; the sums ping_pong"),
             (["perlin", "-o", "a.png", "--amplitude", "1"], "has no amplitude; the sums warp"),
             (["perlin", "-o", "a.png", "--detail", "1"], "has no detail; the sum fbm"),
-            (["perlin", "-o", "a.png", "--jitter", "1"], "has no jitter; cellular noises"),
+            (["perlin", "-o", "a.png", "--jitter", "1"], "has no jitter; cellular, cellular_three"),
             (["perlin", "-o", "a.png", "--metric", "euclidean"], "has no metric; cellular and"),
             (["fbm", "-o", "a.png", "--amplitude", "1"], 'the sum "fbm" in 2D has no amplitude'),
             (["fbm", "-o", "a.png", "--jitter", "1"], 'the sum "fbm" in 2D has no jitter'),

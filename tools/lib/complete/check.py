@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from bounds import table
+from catalog.model import read as read_catalog
 from golden.files import golden_files
 from golden_values import head_of
 from oracle import words
@@ -157,16 +158,20 @@ def entries_without_a_noise(tree: Tree) -> Iterator[str]:
                        f"{FUNCTIONS.relative_to(ROOT)}, or delete the file")
 
 
-def fields_without_kernels(tree: Tree) -> Iterator[str]:
-    """hashnoise::grid has every noise and every sum in all of their dimensions."""
-    path = "src/grid/functions.hpp"
-    found = re.findall(r'^    \{"(\w+)", (\d), (\d),', tree.text(path), re.MULTILINE)
-    rows = {(f"hn_{name}", axes) for name, first, last in found
-            for axes in range(int(first), int(last) + 1)}
+def functions_that_are_not_in_the_catalog(tree: Tree) -> Iterator[str]:
+    """The catalog has every noise and every sum in all of their dimensions, and no others."""
+    catalog = read_catalog(tree.root / "catalog")
+    rows = {(f"hn_{entry.name}", axes): f"catalog/{file}"
+            for file, entries in (("noises.toml", catalog.noises), ("sums.toml", catalog.sums))
+            for entry in entries for axes in range(entry.first, entry.last + 1)}
     noises = {(function.calls, function.axes) for function in tree.noises}
     sums = {(declared.name, declared.dimensions_of_sum) for declared in tree.declarations if declared.dimensions_of_sum}
-    for name, axes in sorted((noises | sums) - rows):
-        yield f"{path}: there is no row of {name} in {axes}D: add one, and its kernels"
+    for name, axes in sorted((noises | sums) - rows.keys()):
+        yield f"catalog: there is no {name} in {axes}D: add it to noises.toml or sums.toml, and run tools/catalog"
+    there_are = sums | {(function.calls, function.axes) for function in tree.functions}
+    for (name, axes), file in sorted(rows.items()):
+        if (name, axes) not in there_are:
+            yield f"{file}: there is no function {name} in {axes}D in glsl/"
 
 
 # --- Settings ---------------------------------------------------------------------------------------------------
@@ -325,7 +330,7 @@ def names_of_two_kinds(tree: Tree) -> Iterator[str]:
 CHECKS = (functions_without_a_row, functions_in_another_form, rows_without_a_function, functions_without_words,
           noises_without_entries, noises_without_comments, entries_without_a_noise, families_without_settings,
           hashes_of_unlike_families, further_values_of_nothing, arithmetics_of_unlike_settings, knobs_without_entries, values_without_settings,
-          hashes_without_entries, missing_golden_values, names_of_two_kinds, fields_without_kernels)
+          hashes_without_entries, missing_golden_values, names_of_two_kinds, functions_that_are_not_in_the_catalog)
 
 
 def problems(root: Path = ROOT) -> list[str]:

@@ -11,6 +11,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from catalog.model import CATALOG
 from complete.check import problems
 from tree import BOUNDS, CONFIGURATIONS, FUNCTIONS, GLSL, GOLDEN, ROOT
 
@@ -30,8 +31,8 @@ class Deletions(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.root = Path(folder.name)
         for path in (GLSL, ROOT / "include" / "hashnoise", ROOT / "README.md", ROOT / "docs" / "contract.md",
-                     ROOT / "docs" / "knobs.md", ROOT / "src" / "grid" / "functions.hpp", FUNCTIONS, CONFIGURATIONS, BOUNDS, ROOT / "tools" / "lib" / "oracle" / "noises",
-                     ROOT / "tools" / "lib" / "bounds" / "noises"):
+                     ROOT / "docs" / "knobs.md", CATALOG, FUNCTIONS, CONFIGURATIONS, BOUNDS,
+                     ROOT / "tools" / "lib" / "oracle" / "noises", ROOT / "tools" / "lib" / "bounds" / "noises"):
             target = self.root / path.relative_to(ROOT)
             target.parent.mkdir(parents=True, exist_ok=True)
             (shutil.copytree if path.is_dir() else shutil.copy)(path, target)
@@ -65,10 +66,12 @@ class Deletions(unittest.TestCase):
                      r"^tools/lib/oracle/noises/value_cubic\.py: no function is the noise value_cubic",
                      r"^tools/lib/bounds/noises/value_cubic\S*: no function is the noise value_cubic")
 
-    def test_the_kernels_of_a_function(self) -> None:
-        self.change("src/grid/functions.hpp", r'^    \{"simplex", 2, 4,', '    {"simplex", 2, 3,')
-        self.change("src/grid/functions.hpp", r'^    \{"ridged",.*\n')
-        self.noticed(r"^src/grid/functions\.hpp: there is no row of hn_simplex in 4D", r"no row of hn_ridged in 1D")
+    def test_the_entry_of_a_function(self) -> None:
+        self.change("catalog/noises.toml", r"(?<=^\[simplex\]\ndimensions = )\[2, 4\]", "[2, 3]")
+        self.change("catalog/noises.toml", r"(?<=^\[value_cubic\]\ndimensions = )\[1, 3\]", "[1, 4]")
+        self.change("catalog/sums.toml", r"^\[ridged\]\n(?:[^\[].*\n|\n)*")
+        self.noticed(r"^catalog: there is no hn_simplex in 4D: add it to noises\.toml", r"no hn_ridged in 1D",
+                     r"^catalog/noises\.toml: there is no function hn_value_cubic in 4D")
 
     def test_a_function_that_nobody_knows(self) -> None:
         self.change("glsl/*.glsl", r"^(// Gradient noise on the square lattice)",

@@ -1,5 +1,5 @@
-// Draws the pictures of pages with the C++ twin: of the lines of tiles.inc, which picture.py makes of the pages, each is a
-// tile. They may call what is in functions.inc.
+// Draws the pictures of pages with the C++ twin: of the lines of tiles.inc, which picture.py makes of the pages, each
+// is a tile. They may call what is in functions.inc.
 //   picture (FILE.png COLUMNS TILE,TILE...)...           draws files, each of these tiles, COLUMNS of them in a row
 //   picture --check (FILE.png COLUMNS TILE,TILE...)...   exit status 1 if a file shows another picture
 // Exit status: 0 done, 1 another picture, 2 bad usage or a file that cannot be read or written.
@@ -51,7 +51,9 @@ struct Sheet {
 
   int columns() const { return std::min(static_cast<int>(tiles.size()), most); }
   int width() const { return columns() * (kTile + kBorder) - kBorder; }
-  int height() const { return (static_cast<int>(tiles.size()) + columns() - 1) / columns() * (kTile + kBorder) - kBorder; }
+  int height() const {
+    return (static_cast<int>(tiles.size()) + columns() - 1) / columns() * (kTile + kBorder) - kBorder;
+  }
 
   std::vector<std::size_t> tiles;
   int most;

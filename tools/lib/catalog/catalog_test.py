@@ -1,0 +1,104 @@
+"""The catalog is right, what is made of it is committed, and what is wrong with an entry is said with its place."""
+
+import contextlib
+import io
+import re
+import shutil
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+from catalog import command, grid, sections
+from catalog.model import CATALOG, CatalogError, read
+
+
+class Made(unittest.TestCase):
+    def check(self):
+        output = io.StringIO()
+        with contextlib.redirect_stderr(output):
+            status = command.main(["--check"])
+        return status, output.getvalue()
+
+    def test_what_is_made_of_it_is_committed(self):
+        self.assertEqual(self.check(), (0, ""))
+
+    def test_a_file_that_is_changed_by_hand_is_noticed(self):
+        made = command.files()
+        for path in made:
+            with self.subTest(path=path.name):
+                changed = {**made, path: made[path] + "\n"}
+                with mock.patch.object(command, "files", return_value=changed):
+                    status, output = self.check()
+                self.assertEqual(status, 1)
+                self.assertRegex(output, rf"{re.escape(path.name)}: it is not what the catalog makes; run tools/catalog$")
+
+    def test_every_part_knows_of_every_entry(self):
+        made = {path.name: text for path, text in command.files().items()}
+        catalog = read()
+        for function in (*catalog.noises, *catalog.sums):
+            with self.subTest(function=function.name):
+                self.assertIn(f", {function.name}, {function.first}, {function.last}, ", made["catalog.inc"])
+                self.assertRegex(made["__init__.pyi"], rf"(?m)^def {function.name}\(")
+                module = made["_sums.py" if function in catalog.sums else "_noises.py"]
+                self.assertRegex(module, rf"(?m)^def {function.name}\(")
+
+    def test_entries_in_the_order_of_the_file(self):
+        text = grid.files(read())[grid.PATH]
+        named = re.findall(r"^HN_CATALOG_NOISE\(\w+, (\w+),", text, re.MULTILINE)
+        self.assertEqual(named, re.findall(r"^\[(\w+)\]$", (CATALOG / "noises.toml").read_text(), re.MULTILINE))
+
+    def test_a_page_without_its_marks(self):
+        with self.assertRaisesRegex(LookupError, r"README\.md has 0 lines with 'tools/catalog: nothing'"):
+            sections.with_section("README.md", "nothing", "")
+
+
+class Wrong(unittest.TestCase):
+    """Each entry is changed in a copy of the catalog."""
+
+    def refused(self, file, old, new):
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name, "catalog")
+            shutil.copytree(CATALOG, folder)
+            text = (folder / file).read_text(encoding="utf-8")
+            self.assertEqual(len(re.findall(old, text, re.MULTILINE)), 1, old)
+            (folder / file).write_text(re.sub(old, new, text, flags=re.MULTILINE), encoding="utf-8")
+            with self.assertRaises(CatalogError) as caught:
+                read(folder)
+            return str(caught.exception)
+
+    def test_messages(self):
+        perlin, fbm = r"(?<=^\[perlin\]\n)", r"(?<=^\[fbm\]\n)"
+        for file, old, new, message in (
+                ("noises.toml", rf"{perlin}dimensions = .*\n", "", "catalog/noises.toml: perlin has no dimensions"),
+                ("noises.toml", rf"{perlin}dimensions = .*\n", "dimensions = [1, 5]\n",
+                 "perlin: dimensions are [1, 5], and have to be in [1, 4]"),
+                ("noises.toml", rf"{perlin}dimensions", "new = 1\ndimensions", "perlin has a key 'new', which means nothing"),
+                ("noises.toml", rf'{perlin}(dimensions = .*\n)shape = "value"', r'\1shape = "round"',
+                 "perlin: shape is 'round', and has to be one of value, slopes, "),
+                ("noises.toml", r"(?<=^\[perlin\.options\]\n)phase", "phrase", "perlin: a noise has no option phrase"),
+                ("noises.toml", r"(?<=^\[curl\.ranges\]\n)axis = .*", "axis = [[-1, 1]]",
+                 "curl: the ranges of axis have to be one for each dimension"),
+                ("noises.toml", rf"{perlin}dimensions = ", "dimensions = ] ", "catalog/noises.toml: Invalid value"),
+                ("sums.toml", rf"{fbm}dimensions", "range = 7\ndimensions", "Cannot overwrite a value"),
+                ("sums.toml", r'(?<=^\[warp\]\n)((?:.*\n)+?)noise = "value"', r'\1noise = "cellular"',
+                 "warp: it sums noises of the shape value, and cellular is none"),
+                ("sums.toml", r"(?<=^\[ping_pong\.strength\]\n)((?:.*\n)+?)default = 2", r"\1default = 65",
+                 "ping_pong.strength: the default is not in [0, 64]"),
+                ("settings.toml", r"(?<=^\[gain\]\n)kind = .*", 'kind = "odd"',
+                 "catalog/settings.toml: gain: kind is 'odd', and has to be one of whole, real"),
+                ("settings.toml", r"^\[metrics\].*\nnames = .*", "", "catalog/settings.toml: metrics has to be a table")):
+            with self.subTest(message=message):
+                self.assertIn(message, self.refused(file, old, new))
+
+    def test_it_is_bad_usage(self):
+        errors = io.StringIO()
+        with mock.patch.object(command, "read", side_effect=CatalogError("catalog/noises.toml: perlin has no shape")), \
+                contextlib.redirect_stderr(errors), self.assertRaises(SystemExit) as stop:
+            command.main(["--check"])
+        self.assertEqual((stop.exception.code, errors.getvalue()),
+                         (2, "tools/catalog: catalog/noises.toml: perlin has no shape\n"))
+
+
+if __name__ == "__main__":
+    unittest.main()

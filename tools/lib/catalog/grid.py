@@ -1,0 +1,82 @@
+"""What the compiled library and its programs know: src/grid/catalog.inc."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from catalog.model import Catalog, Function, Noise, Setting, Sum
+from tree import ROOT
+
+PATH = ROOT / "src" / "grid" / "catalog.inc"
+MACROS = {
+    "HN_CATALOG_NOISE": "(Id, name, first dimension, last dimension, shape, takes): Shape::shape and Takes::takes",
+    "HN_CATALOG_RANGE": "(noise, component, dimensions, least, greatest): of a component that is not in [-1, 1]",
+    "HN_CATALOG_SUM": "(Id, name, first dimension, last dimension, shape, shape of its noises, its usual noise, name "
+                      "of its strength, usual strength, most strength, Bounds::bounds of its value, least, greatest)",
+    "HN_CATALOG_SETTING": "(Id, name, is whole, least, most, usual)",
+    "HN_CATALOG_METRIC": "(Id, name)",
+}
+SHAPES = {"value": "kValue", "slopes": "kWithSlopes", "two_distances": "kTwoDistances",
+          "three_distances": "kThreeDistances", "distance_with_slopes": "kDistanceWithSlopes", "vector": "kVector"}
+
+
+def in_camel_case(name: str) -> str:
+    return "".join(part.capitalize() for part in name.split("_"))
+
+
+def takes_of(noise: Noise) -> str:
+    """What it takes beside a seed and a period."""
+    return "k" + ("And".join(in_camel_case(option) for option in sorted(noise.options)) or "Nothing")
+
+
+def row(macro: str, *arguments: object) -> str:
+    return f"{macro}({', '.join(str(argument) for argument in arguments)})\n"
+
+
+def of_function(function: Function) -> tuple[object, ...]:
+    return in_camel_case(function.name), function.name, function.first, function.last, SHAPES[function.shape]
+
+
+def ranges(noise: Noise) -> str:
+    return "".join(row("HN_CATALOG_RANGE", noise.name, component, dimensions, *pair)
+                   for component, by_dimension in noise.ranges.items()
+                   for dimensions, pair in enumerate(by_dimension, noise.first) if pair)
+
+
+def of_sum(sum_: Sum) -> str:
+    strength = (sum_.strength.name, sum_.strength.default, sum_.strength.most) if sum_.strength else ("none", 0, 0)
+    if isinstance(sum_.range, tuple):
+        bounds: tuple[object, ...] = ("kThese", *sum_.range)
+    else:
+        bounds = (f"kOfThe{in_camel_case(sum_.range)}", 0, 0)
+    return row("HN_CATALOG_SUM", *of_function(sum_), SHAPES[sum_.of], sum_.noise, *strength, *bounds)
+
+
+def of_setting(setting: Setting) -> str:
+    least = "-kMostFloat" if setting.least is None else f"{setting.least}.0"
+    most = "kMostFloat" if setting.most is None else f"{setting.most}.0"
+    default = "kNone" if setting.default is None else setting.default
+    return row("HN_CATALOG_SETTING", in_camel_case(setting.name), setting.name, str(setting.is_whole).lower(), least,
+               most, default)
+
+
+def files(catalog: Catalog) -> dict[Path, str]:
+    head = ["// Made by tools/catalog: noises, sums and settings. Define one of these macros, and include this file.\n"]
+    head += [f"//   {line}\n" for macro, arguments in MACROS.items() for line in wrapped(f"{macro}{arguments}")]
+    begin = [f"#ifndef {macro}\n#define {macro}(...)\n#endif\n" for macro in MACROS]
+    rows = [*(row("HN_CATALOG_NOISE", *of_function(noise), takes_of(noise)) for noise in catalog.noises),
+            *(ranges(noise) for noise in catalog.noises), *map(of_sum, catalog.sums),
+            *map(of_setting, catalog.settings.values()),
+            *(row("HN_CATALOG_METRIC", in_camel_case(metric), metric) for metric in catalog.metrics)]
+    end = [f"#undef {macro}\n" for macro in MACROS]
+    return {PATH: "".join([*head, "// clang-format off\n", *begin, *rows, *end, "// clang-format on\n"])}
+
+
+def wrapped(line: str) -> list[str]:
+    """Lines of comment, of which those after the first are indented."""
+    lines, rest = [], line
+    while len(rest) > 110:
+        at = rest.rindex(" ", 0, 110)
+        lines.append(rest[:at])
+        rest = "    " + rest[at + 1:]
+    return [*lines, rest]

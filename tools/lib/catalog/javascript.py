@@ -1,0 +1,237 @@
+"""What JavaScript knows: the twin in the npm package, its types and its module in WebAssembly, and the playground."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from catalog.grid import in_camel_case
+from catalog.model import Catalog, Function, Noise, Sum
+from catalog.sections import with_section
+from tables.markdown import table
+from tables.markdown import with_section as with_table
+from tree import ROOT
+
+TWIN = "packages/npm/wasm/twin.cpp"
+FIELDS = "packages/npm/src/index.js"
+TYPES = "packages/npm/src/index.d.ts"
+PAGE = "docs/javascript.md"
+PLAYGROUND = ROOT / "playground" / "catalog.js"
+MOST_DIMENSIONS = 3  # of the twin
+PARTS = ("jitter", "metric")  # what a noise of the twin takes beside a seed and a period; it has no phases
+STRENGTHS = ("strength", "amplitude")
+NUMBERS = ("seed", "jitter", "octaves", "lacunarity", "gain")
+UNENDED = ("octaves",)  # the twin takes more than the settings say
+
+
+def literal(value: Any) -> str:
+    """The value in JavaScript."""
+    if isinstance(value, Mapping):
+        return f"{{ {', '.join(f'{key}: {literal(one)}' for key, one in value.items())} }}"
+    if isinstance(value, (list, tuple)):
+        return f"[{', '.join(map(literal, value))}]"
+    return json.dumps(value)
+
+
+def rows(values: Mapping[str, Any], indent: str = "  ") -> str:
+    return "".join(f"{indent}{name}: {literal(value)},\n" for name, value in values.items())
+
+
+def listed(names: Sequence[object]) -> str:
+    """a, b and c"""
+    *others, last = map(str, names)
+    return f"{', '.join(others)} and {last}" if others else last
+
+
+def code(names: Sequence[str]) -> str:
+    return ", ".join(f"`{name}`" for name in names)
+
+
+def in_quotes(names: Sequence[str]) -> str:
+    return ", ".join(f'"{name}"' for name in names)
+
+
+def dimensions_of(function: Function, most: int) -> list[int]:
+    return [number for number in range(1, most + 1) if function.is_in(number)]
+
+
+# ---------------------------------------------------------------------------------------------------------------------
+# The npm package.
+
+
+class Twin:
+    """What the twin has of the catalog."""
+
+    def __init__(self, catalog: Catalog) -> None:
+        self.noises = [noise for noise in catalog.noises if noise.small and noise.first <= MOST_DIMENSIONS]
+        self.absent = [noise for noise in catalog.noises if noise not in self.noises]
+        self.sums = [sum_ for sum_ in catalog.sums if sum_.first <= MOST_DIMENSIONS]
+        self.metrics = catalog.metrics
+        self.settings = catalog.settings
+
+    def owners(self, option: str) -> list[str]:
+        """Of a jitter or a metric the noises that have it, and of a strength or an amplitude the sums."""
+        if option in STRENGTHS:
+            return [sum_.name for sum_ in self.sums if sum_.strength and sum_.strength.name == option]
+        return [noise.name for noise in self.noises if option in noise.options]
+
+    def default(self, setting: str) -> str:
+        return literal(self.settings[setting].default)
+
+
+def parts_of(noise: Noise) -> list[str]:
+    return [part for part in PARTS if part in noise.options]
+
+
+def noises_and_sums(twin: Twin) -> str:
+    """The constants of index.js."""
+    def of_noise(noise: Noise) -> dict[str, Any]:
+        return {"dimensions": dimensions_of(noise, MOST_DIMENSIONS), "shape": noise.shape, "takes": parts_of(noise)}
+
+    def of_sum(sum_: Sum) -> dict[str, Any]:
+        strength = sum_.strength
+        return {"dimensions": dimensions_of(sum_, MOST_DIMENSIONS), "shape": sum_.shape, "noise": sum_.noise,
+                **({"strength": strength.name, "usual": strength.default, "most": strength.most} if strength else {})}
+
+    def of_number(name: str) -> dict[str, Any]:
+        setting = twin.settings[name]
+        ends = {} if name in UNENDED else {"least": setting.least, "most": setting.most}
+        return {"usual": setting.default, **{end: value for end, value in ends.items() if value is not None}}
+
+    def have(option: str) -> str:
+        owners = twin.owners(option)
+        return f"{listed(owners)} {'have' if len(owners) > 1 else 'has'} one"
+
+    return "".join([
+        "const NOISES = {\n", rows({noise.name: of_noise(noise) for noise in twin.noises}), "};\n",
+        "const SUMS = {\n", rows({sum_.name: of_sum(sum_) for sum_ in twin.sums}), "};\n",
+        f"const METRICS = {literal(twin.metrics)};\n",
+        "const NUMBERS = {\n", rows({name: of_number(name) for name in NUMBERS}), "};\n",
+        "const OWNERS = {\n", rows({name: have(name) for name in (*STRENGTHS, *PARTS)}), "};\n"])
+
+
+def types_of_settings(twin: Twin) -> str:
+    """Members of Settings, of which the comments say defaults and owners."""
+    def member(name: str, type_: str, comment: str) -> str:
+        return f"  /** {comment} */\n  {name}?: {type_};\n"
+
+    def strength(name: str, unit: str = "") -> str:
+        owners = {sum_.name: sum_.strength for sum_ in twin.sums if sum_.strength and sum_.strength.name == name}
+
+        def each(values: Sequence[float]) -> str:
+            return str(values[0]) if len(set(values)) == 1 else listed(values)
+
+        return (f"Of {listed(list(owners))}{unit}, from 0 to {each([one.most for one in owners.values()])}; "
+                f"{each([one.default for one in owners.values()])} if it is left out.")
+
+    jitter = twin.settings["jitter"]
+    usual = list(dict.fromkeys(sum_.noise for sum_ in twin.sums))
+    return "".join([
+        member("noise", "NoiseName", f'"perlin" if it is left out, and of sums what the shader\'s take: '
+                                     f'{in_quotes(usual[:-1])} or "{usual[-1]}".'),
+        *(member(name, "number", f"Of sums; {twin.default(name)} if it is left out.")
+          for name in ("octaves", "lacunarity", "gain")),
+        member("strength", "number", strength("strength")),
+        member("amplitude", "number", strength("amplitude", ", in cells")),
+        member("jitter", "number", f"Of {listed(twin.owners('jitter'))}, from {jitter.least} to {jitter.most}; "
+                                   f"{twin.default('jitter')} if it is left out."),
+        member("metric", "MetricName", f'Of {listed(twin.owners("metric"))}; "{twin.metrics[0]}" if it is left out.')])
+
+
+def types_of_names(twin: Twin) -> str:
+    names = {"NoiseName": [noise.name for noise in twin.noises], "SumName": [sum_.name for sum_ in twin.sums],
+             "MetricName": twin.metrics}
+    return "\n".join(f"export type {type_} =\n" + "\n".join(f'  | "{name}"' for name in of_type) + ";\n"
+                     for type_, of_type in names.items())
+
+
+def in_this_form(text: str) -> str:
+    return f"// clang-format off\n{text}// clang-format on\n"
+
+
+def kernels(twin: Twin) -> str:
+    """The tables of twin.cpp: for each number of dimensions the noises, up to the last that there is."""
+    made = []
+    for dimensions, (table_, macro) in enumerate((("kLine", "TWIN_LINE"), ("kPlane", "TWIN_PLANE"),
+                                                  ("kSpace", "TWIN_SPACE")), 1):
+        found = [", ".join([noise.name, *(f"settings.{part}" for part in parts_of(noise)), "seed"])
+                 if noise.is_in(dimensions) else "" for noise in twin.noises]
+        last = max(i for i, arguments in enumerate(found) if arguments)
+        made += [f"const Kernel{dimensions} {table_}[] = {{\n",
+                 *(f"    {f'{macro}({arguments})' if arguments else 'nullptr'},\n" for arguments in found[:last + 1]),
+                 "};\n"]
+    return in_this_form("".join(made))
+
+
+def sums(twin: Twin) -> str:
+    """The numbers of sums, and what the strength of each is at most."""
+    names = "".join(f"  k{in_camel_case(sum_.name)},\n" for sum_ in twin.sums)
+    most = ", ".join(str(sum_.strength.most if sum_.strength else 0) for sum_ in twin.sums)
+    return in_this_form(f"enum Sum {{\n{names}}};\nconst float kMostStrengths[] = {{{most}}};\n")
+
+
+def settings_of_page(twin: Twin) -> str:
+    """The table in docs/javascript.md, and what is not in the twin."""
+    def by_dimensions(functions: Sequence[Function]) -> str:
+        line = code([function.name for function in functions if function.is_in(1)])
+        return f"{line}; in 2D and 3D {code([function.name for function in functions if not function.is_in(1)])}"
+
+    def strengths(name: str) -> str:
+        values = [sum_.strength.default for sum_ in twin.sums if sum_.strength and sum_.strength.name == name]
+        return ", ".join(map(literal, values if len(set(values)) > 1 else values[:1]))
+
+    jitter = twin.settings["jitter"]
+    return table(("setting", "of", "if it is left out"), [
+        ("`noise`", by_dimensions(twin.noises), '`"perlin"`; of sums as in the shader'),
+        ("`sum`", by_dimensions(twin.sums), "none"),
+        ("`seed`", f"all; 0 to 2^{int(twin.settings['seed'].most).bit_length()} - 1", twin.default("seed")),
+        ("`period`", "all; cells, a number or one for each axis", "none"),
+        ("`octaves`, `lacunarity`, `gain`", "sums",
+         ", ".join(map(twin.default, ("octaves", "lacunarity", "gain")))),
+        ("`strength`; `amplitude`", "; ".join(code(twin.owners(name)) for name in STRENGTHS),
+         "; ".join(map(strengths, STRENGTHS))),
+        ("`jitter`", f"{code(twin.owners('jitter'))}; {jitter.least} to {jitter.most}", twin.default("jitter")),
+        ("`metric`", f"{code(twin.owners('metric'))}; " + ", ".join(f'`"{name}"`' for name in twin.metrics),
+         f'`"{twin.metrics[0]}"`')])
+
+
+def package(twin: Twin) -> dict[Path, str]:
+    with_settings = with_section(TYPES, "settings", types_of_settings(twin))[1]
+    page = (ROOT / PAGE).read_text(encoding="utf-8")
+    page = with_table(PAGE, page, "tools/catalog: settings", settings_of_page(twin))
+    page = with_table(PAGE, page, "tools/catalog: noises that are not there",
+                      f"Noises that did not fit into 40 kB: {code([noise.name for noise in twin.absent])}.\n")
+    with_kernels = with_section(TWIN, "noises", kernels(twin))[1]
+    return dict([with_section(FIELDS, "noises and sums", noises_and_sums(twin)),
+                 with_section(TYPES, "names", types_of_names(twin), with_settings),
+                 with_section(TWIN, "sums", sums(twin), with_kernels), (ROOT / PAGE, page)])
+
+
+# ---------------------------------------------------------------------------------------------------------------------
+# The playground. The page has to stay small, so what is not true or not there is left out.
+
+
+def playground(catalog: Catalog) -> str:
+    slopes = {noise.name for noise in catalog.noises if noise.shape == "slopes"}
+
+    def of_noise(noise: Noise) -> dict[str, Any]:
+        return {"dimensions": dimensions_of(noise, 4), **{option: True for option in noise.options},
+                **({"steep": True} if f"{noise.name}_d" in slopes else {})}
+
+    def of_sum(sum_: Sum) -> dict[str, Any]:
+        strength = {"strength": {"usual": sum_.strength.default, "most": sum_.strength.most}} if sum_.strength else {}
+        return {"dimensions": dimensions_of(sum_, 4), **strength, **({"steep": True} if sum_.of == "slopes" else {})}
+
+    # What gives slopes, too, is another form of what does not, and no picture of its own.
+    noises = {noise.name: of_noise(noise) for noise in catalog.noises if "slopes" not in noise.shape}
+    of_sums = {sum_.name: of_sum(sum_) for sum_ in catalog.sums if sum_.shape == "value"}
+    return "".join([
+        "// Made by tools/catalog. Of a steep noise there are slopes, and a steep sum needs them.\n",
+        "export const kCatalog = {\n", "  noises: {\n", rows(noises, "    "), "  },\n",
+        "  sums: {\n", rows(of_sums, "    "), "  },\n", f"  metrics: {literal(catalog.metrics)},\n", "};\n"])
+
+
+def files(catalog: Catalog) -> dict[Path, str]:
+    return {**package(Twin(catalog)), PLAYGROUND: playground(catalog)}

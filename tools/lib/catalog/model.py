@@ -1,0 +1,227 @@
+"""The catalog: what there is, as catalog/*.toml have it, and what is wrong with them."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from tree import ROOT
+
+CATALOG = ROOT / "catalog"
+SHAPES = ("value", "slopes", "two_distances", "three_distances", "distance_with_slopes", "vector")
+AXES = "xyzw"
+
+
+class CatalogError(ValueError):
+    """What is wrong, with the file and the entry."""
+
+
+@dataclass(frozen=True)
+class Strength:
+    """The number that a sum takes beside octaves, lacunarity and gain."""
+    name: str
+    default: float
+    most: float
+    about: str
+
+
+@dataclass(frozen=True)
+class Function:
+    """A noise or a sum."""
+    name: str
+    first: int  # dimension
+    last: int
+    shape: str
+    about: str  # with {dimensions}
+    more: str
+    returns: str
+    source: str
+    example: str  # the printed numbers; "" if it is left out
+    options: Mapping[str, str]
+
+    def sentence(self) -> str:
+        return self.about.format(dimensions=self.dimensions_in_words())
+
+    def dimensions_in_words(self) -> str:
+        between = "and" if self.last == self.first + 1 else "to"
+        return f"in {self.first}D {between} {self.last}D"
+
+    def is_in(self, dimensions: int) -> bool:
+        return self.first <= dimensions <= self.last
+
+    def components(self, dimensions: int) -> tuple[str, ...]:
+        slopes = tuple(f"d{axis}" for axis in AXES[:dimensions])
+        return {"value": ("value",), "slopes": ("value", *slopes), "two_distances": ("f1", "f2"),
+                "three_distances": ("f1", "f2", "f3"), "distance_with_slopes": ("f1", *slopes),
+                "vector": tuple(AXES[:dimensions])}[self.shape]
+
+
+Range = tuple[float, float] | None  # None: it is not known
+
+
+@dataclass(frozen=True)
+class Noise(Function):
+    small: bool  # whether the twin in WebAssembly has it
+    ranges: Mapping[str, tuple[Range, ...]]  # by component, for each dimension from the first on
+
+    @property
+    def has_phase(self) -> bool:
+        return "phase" in self.options
+
+    @property
+    def has_jitter(self) -> bool:
+        return "jitter" in self.options
+
+    @property
+    def has_metric(self) -> bool:
+        return "metric" in self.options
+
+
+@dataclass(frozen=True)
+class Sum(Function):
+    of: str  # the shape of the noises that it sums
+    noise: str
+    range: tuple[float, float] | str  # "noise": that of the noise; "strength": all up to that size
+    strength: Strength | None
+
+
+@dataclass(frozen=True)
+class Setting:
+    name: str
+    is_whole: bool
+    least: float | None
+    most: float | None
+    default: float | None
+    about: str
+
+
+@dataclass(frozen=True)
+class Catalog:
+    noises: tuple[Noise, ...]
+    sums: tuple[Sum, ...]
+    settings: Mapping[str, Setting]
+    metrics: tuple[str, ...]
+
+    def owners(self, option: str) -> tuple[str, ...]:
+        """The noises that take an option, or the sums whose strength is called so."""
+        return tuple(noise.name for noise in self.noises if option in noise.options) + tuple(
+            sum_.name for sum_ in self.sums if sum_.strength and sum_.strength.name == option)
+
+
+class _Entry:
+    """The keys of an entry; each is taken once, and none is left."""
+
+    def __init__(self, file: str, name: str, keys: Any) -> None:
+        self.where = f"catalog/{file}: {name}"
+        if not isinstance(keys, dict):
+            raise CatalogError(f"{self.where} has to be a table")
+        self.keys = dict(keys)
+
+    def take(self, key: str, kind: type | tuple[type, ...], *default: Any) -> Any:
+        if key not in self.keys:
+            if default:
+                return default[0]
+            raise CatalogError(f"{self.where} has no {key}")
+        value = self.keys.pop(key)
+        if not isinstance(value, kind) or isinstance(value, bool) != (kind is bool):
+            raise CatalogError(f"{self.where}: {key} is {value!r}, which is of the wrong type")
+        return value
+
+    def one_of(self, key: str, names: tuple[str, ...]) -> str:
+        value: str = self.take(key, str)
+        if value not in names:
+            raise CatalogError(f"{self.where}: {key} is {value!r}, and has to be one of {', '.join(names)}")
+        return value
+
+    def pair(self, key: str, value: Any) -> tuple[float, float]:
+        if not (isinstance(value, list) and len(value) == 2 and all(isinstance(one, (int, float)) for one in value)
+                and value[0] <= value[1]):
+            raise CatalogError(f"{self.where}: {key} is {value!r}, and has to be two numbers, the lesser first")
+        return value[0], value[1]
+
+    def end(self) -> None:
+        if self.keys:
+            raise CatalogError(f"{self.where} has a key {next(iter(self.keys))!r}, which means nothing")
+
+
+def _function(entry: _Entry, name: str) -> dict[str, Any]:
+    first, last = entry.pair("dimensions", entry.take("dimensions", list))
+    if not (isinstance(first, int) and isinstance(last, int) and 1 <= first and last <= 4):
+        raise CatalogError(f"{entry.where}: dimensions are {[first, last]}, and have to be in [1, 4]")
+    about: str = entry.take("about", str)
+    if "{dimensions}" not in about:
+        raise CatalogError(f"{entry.where}: about has to say {{dimensions}}, which becomes \"in 2D and 3D\" and so on")
+    options = entry.take("options", dict, {})
+    return {"name": name, "first": first, "last": last, "shape": entry.one_of("shape", SHAPES), "about": about,
+            "more": entry.take("more", str, ""), "returns": entry.take("returns", str),
+            "source": entry.take("source", str), "example": entry.take("example", str, ""), "options": options}
+
+
+def _noise(name: str, keys: Any) -> Noise:
+    entry = _Entry("noises.toml", name, keys)
+    common = _function(entry, name)
+    ranges = {}
+    for component, by_dimension in entry.take("ranges", dict, {}).items():
+        if not isinstance(by_dimension, list) or len(by_dimension) != common["last"] - common["first"] + 1:
+            raise CatalogError(f"{entry.where}: the ranges of {component} have to be one for each dimension")
+        ranges[component] = tuple(entry.pair(component, pair) if pair else None for pair in by_dimension)
+    noise = Noise(**common, small=entry.take("small", bool, False), ranges=ranges)
+    if unknown := noise.options.keys() - {"phase", "jitter", "metric"}:
+        raise CatalogError(f"{entry.where}: a noise has no option {min(unknown)}")
+    entry.end()
+    return noise
+
+
+def _strength(where: str, keys: Any) -> Strength:
+    entry = _Entry("sums.toml", where, keys)
+    strength = Strength(entry.one_of("name", ("strength", "amplitude")), entry.take("default", (int, float)),
+                        entry.take("most", (int, float)), entry.take("about", str))
+    entry.end()
+    if not 0 <= strength.default <= strength.most:
+        raise CatalogError(f"{entry.where}: the default is not in [0, {strength.most}]")
+    return strength
+
+
+def _sum(name: str, keys: Any, noises: Mapping[str, Noise]) -> Sum:
+    entry = _Entry("sums.toml", name, keys)
+    common = _function(entry, name)
+    value = entry.take("range", (list, str))
+    if isinstance(value, str) and value not in ("noise", "strength"):
+        raise CatalogError(f"{entry.where}: range is {value!r}, and has to be two numbers, \"noise\" or \"strength\"")
+    strength = entry.take("strength", dict, None)
+    made = Sum(**common, of=entry.one_of("of", SHAPES), noise=entry.one_of("noise", tuple(noises)),
+               range=entry.pair("range", value) if isinstance(value, list) else value,
+               strength=_strength(f"{name}.strength", strength) if strength else None)
+    if noises[made.noise].shape != made.of:
+        raise CatalogError(f"{entry.where}: it sums noises of the shape {made.of}, and {made.noise} is none")
+    entry.end()
+    return made
+
+
+def _setting(name: str, keys: Any) -> Setting:
+    entry = _Entry("settings.toml", name, keys)
+    number = (int, float)
+    setting = Setting(name, entry.one_of("kind", ("whole", "real")) == "whole", entry.take("least", number, None),
+                      entry.take("most", number, None), entry.take("default", number, None), entry.take("about", str))
+    entry.end()
+    return setting
+
+
+def _tables(folder: Path, file: str) -> dict[str, Any]:
+    try:
+        return tomllib.loads((folder / file).read_text(encoding="utf-8"))
+    except tomllib.TOMLDecodeError as error:
+        raise CatalogError(f"catalog/{file}: {error}") from None
+
+
+def read(folder: Path = CATALOG) -> Catalog:
+    noises = {name: _noise(name, keys) for name, keys in _tables(folder, "noises.toml").items()}
+    sums = tuple(_sum(name, keys, noises) for name, keys in _tables(folder, "sums.toml").items())
+    tables = _tables(folder, "settings.toml")
+    metrics = _Entry("settings.toml", "metrics", tables.pop("metrics", None))
+    names = tuple(metrics.take("names", list))
+    metrics.end()
+    return Catalog(tuple(noises.values()), sums, {name: _setting(name, keys) for name, keys in tables.items()}, names)

@@ -1,0 +1,172 @@
+"""The functions of the Python package: their code, their docstrings and their types."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from catalog.model import AXES, Catalog, CatalogError, Function, Noise, Sum
+from catalog.sections import with_section
+from tree import ROOT
+
+PACKAGE = "packages/python/hashnoise"
+STUB = f"{PACKAGE}/__init__.pyi"
+WIDTH = 120
+PLACE = ("0.5", "0.25", "0.75", "0.125")  # of the examples: as many of them as an example has axes
+
+NOISES = '''\
+# Made by tools/catalog from catalog/noises.toml and settings.toml.
+"""The noises: each is a function of arrays of coordinates. help(hashnoise) tells what they have in common."""
+'''
+SUMS = '''\
+# Made by tools/catalog from catalog/sums.toml and settings.toml.
+"""The octave sums and the warps, over any noise. help(hashnoise) tells what they have in common."""
+'''
+
+
+def files(catalog: Catalog) -> dict[Path, str]:
+    noises = _module(NOISES, catalog.noises, "NOISES", catalog)
+    sums = _module(SUMS, catalog.sums, "SUMS", catalog)
+    types = "".join(_types(function, catalog) for function in (*catalog.noises, *catalog.sums))
+    stub = with_section(STUB, "metrics", _metric_type(catalog.metrics))[1]
+    return dict([(ROOT / PACKAGE / "_noises.py", noises), (ROOT / PACKAGE / "_sums.py", sums),
+                 with_section(STUB, "functions", types, stub),
+                 with_section(f"{PACKAGE}/_evaluate.py", "metrics", _metrics(catalog.metrics))])
+
+
+@dataclass(frozen=True)
+class _Option:
+    """An option of a function, as its signature has it."""
+    name: str
+    default: str
+    type: str  # that of arrays
+    number_type: str = ""  # where coordinates are numbers, if it is another
+    is_setting: bool = True  # of the field; the others say where it is evaluated
+
+
+_PERIOD = _Option("period", "None", "int | Sequence[int] | None")
+_PHASE = _Option("phase", "None", "float | None")
+_SUM_IN_DETAIL = (_Option("detail", "None", "float | None"), _Option("footprint", "None", "float | None"))
+_CELL = _Option("cell", "None", "_Cells | None", "int | Sequence[int] | None", is_setting=False)
+_ARITHMETIC = _Option("arithmetic", '"fast"', "_Arithmetic")
+_LAST = (_Option("out", "None", "_Values | None", "None", is_setting=False),
+         _Option("threads", "None", "int | None", is_setting=False), _Option("instruction_set", "None", "str | None"))
+
+
+def _options(function: Function, catalog: Catalog) -> tuple[_Option, ...]:
+    """All of them, in the order of the signature."""
+    seed = _setting("seed", catalog)
+    if isinstance(function, Sum):
+        own = (seed, *_of_sum(function, catalog), _PERIOD)
+    else:
+        own = (seed, _PERIOD, *_of_noise(function, catalog))
+    options = (*own, _CELL, _ARITHMETIC, *_LAST)
+    if unknown := function.options.keys() - {option.name for option in options}:
+        raise CatalogError(f"catalog: {function.name} has no option {min(unknown)} in Python")
+    return options
+
+
+def _of_noise(noise: Function, catalog: Catalog) -> Iterable[_Option]:
+    """Those that not every noise has."""
+    known = (_PHASE, _setting("jitter", catalog), _Option("metric", f'"{catalog.metrics[0]}"', "_Metric"))
+    return (option for option in known if option.name in noise.options)
+
+
+def _of_sum(function: Sum, catalog: Catalog) -> Iterable[_Option]:
+    """Those that only sums have. Where a detail may stand in place of octaves, neither has a default."""
+    in_detail = tuple(option for option in _SUM_IN_DETAIL if option.name in function.options)
+    yield _Option("noise", f'"{function.noise}"', "str")
+    yield _Option("octaves", "None", "int | None") if in_detail else _setting("octaves", catalog)
+    yield _setting("lacunarity", catalog)
+    yield _setting("gain", catalog)
+    if function.strength:
+        yield _Option(function.strength.name, repr(float(function.strength.default)), "float")
+    yield from in_detail
+
+
+def _setting(name: str, catalog: Catalog) -> _Option:
+    setting = catalog.settings[name]
+    if setting.default is None:
+        raise CatalogError(f"catalog/settings.toml: {name} has no default")
+    if setting.is_whole:
+        return _Option(name, str(setting.default), "int")
+    return _Option(name, repr(float(setting.default)), "float")
+
+
+def _module(head: str, functions: Sequence[Noise] | Sequence[Sum], table: str, catalog: Catalog) -> str:
+    names = _list("__all__ = [", [f'"{function.name}"' for function in functions], "]")
+    code = "".join(f"\n\n{_function(function, catalog)}" for function in functions)
+    return (f"{head}\nfrom ._evaluate import points\n\n{names}{code}\n\n"
+            f"{table} = {{name: globals()[name] for name in __all__}}\n")
+
+
+def _function(function: Function, catalog: Catalog) -> str:
+    options = _options(function, catalog)
+    axes = AXES[:function.last]
+    coordinates = [axis if index < function.first else f"{axis}=None" for index, axis in enumerate(axes)]
+    parameters = [*coordinates, "/", "*", *(f"{option.name}={option.default}" for option in options)]
+    kind = "sum" if isinstance(function, Sum) else "noise"
+    passed = [f'"{function.name}"', f"({', '.join(axes)}{',' if len(axes) == 1 else ''})", "cell", "out", "threads",
+              f'{kind}="{function.name}"', *(f"{option.name}={option.name}" for option in options if option.is_setting)]
+    return (_list(f"def {function.name}(", parameters, "):") + _docstring(function)
+            + _list("    return points(", passed, ")"))
+
+
+def _docstring(function: Function) -> str:
+    about = dict(function.options)
+    if isinstance(function, Sum) and function.strength:
+        about[function.strength.name] = function.strength.about
+    about |= {"returns": function.returns, "source": function.source}
+    width = max(map(len, about)) + 2
+    axes = min(max(2, function.first), function.last)
+    example = f'>>> hashnoise.{function.name}({", ".join(PLACE[:axes])}, seed=7, arithmetic="fixed")'
+    parts = [_filled('"""' + function.sentence())]
+    parts += [_filled(function.more)] if function.more else []
+    parts += ["".join(_filled(f"{name:{width}}{text}", width) for name, text in about.items())]
+    parts += [textwrap.indent(f"{example}\n{function.example}".rstrip() + "\n", "    ")]
+    return "\n".join(parts) + '    """\n'
+
+
+def _filled(text: str, indent: int = 0) -> str:
+    """Lines of a docstring; those behind the first are indented by so much more."""
+    return textwrap.fill(text, WIDTH, initial_indent="    ", subsequent_indent=" " * (4 + indent),
+                         break_long_words=False, break_on_hyphens=False) + "\n"
+
+
+def _types(function: Function, catalog: Catalog) -> str:
+    """What a stub has of a function; one that returns a single value for a point returns a number for numbers."""
+    options = _options(function, catalog)
+    arrays = _signature(function, options, "npt.ArrayLike", "_Values")
+    if function.shape != "value":
+        return arrays
+    of_numbers = [replace(option, type=option.number_type or option.type) for option in options]
+    return f"@overload\n{_signature(function, of_numbers, '_Number', 'float')}@overload\n{arrays}"
+
+
+def _signature(function: Function, options: Iterable[_Option], coordinate: str, result: str) -> str:
+    coordinates = [f"{axis}: {coordinate}" + (" | None = None" if index >= function.first else "")
+                   for index, axis in enumerate(AXES[:function.last])]
+    typed = [f"{option.name}: {option.type} = {option.default}" for option in options]
+    return _list(f"def {function.name}(", [*coordinates, "/", "*", *typed], f") -> {result}: ...")
+
+
+def _metric_type(metrics: Sequence[str]) -> str:
+    return _list("_Metric: TypeAlias = Literal[", [f'"{name}"' for name in metrics], "]")
+
+
+def _metrics(metrics: Sequence[str]) -> str:
+    return _list("METRICS = {", [f'"{name}": {number}' for number, name in enumerate(metrics, 1)], "}")
+
+
+def _list(head: str, parts: Sequence[str], end: str) -> str:
+    """Parts with commas between them, in lines that begin below the first part."""
+    lines = [head]
+    for index, part in enumerate(parts):
+        part += end if index == len(parts) - 1 else ","
+        if index and len(lines[-1]) + 1 + len(part) > WIDTH:
+            lines.append(" " * len(head) + part)
+        else:
+            lines[-1] += f" {part}" if index else part
+    return "\n".join(lines) + "\n"
