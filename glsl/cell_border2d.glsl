@@ -20,45 +20,41 @@ HN_FN hn_rank hn_i_border(hn_rank best, hn_uvec3 words, hn_num3 x, hn_num3 y, hn
 
 // The distance to the border, given the smallest ranks. The cells beside the block are needed as well: where a place is
 // at the wall of its own cell, the cell two steps on may share the nearest border with the nearest one (tools/bounds).
-HN_FN hn_float hn_i_cell_border(hn_uvec2 before, hn_uvec2 cell, hn_uvec2 after, hn_uvec2 two, hn_num2 d, hn_num jitter,
-                                hn_uint seed, hn_rank4 nearest) {
-  hn_num2 from = hn_i_from_nearest(before, cell, after, d, jitter, seed, nearest.w);
+HN_FN hn_float hn_i_cell_border(hn_i_block2 block, hn_uvec2 two, hn_num2 d, hn_num jitter, hn_uint seed,
+                                hn_rank4 nearest) {
+  hn_num2 from = hn_i_from_nearest(block, d, jitter, seed, nearest.w);
   hn_uint s = hn_i_mix(seed);
   hn_num3 x = hn_i_row(d.x);
   hn_num3 y = hn_i_row(d.y);
   hn_num3 two_x = hn_i_thrice(hn_i_beside(d.x, hn_i_two(d.x)));
   hn_num3 two_y = hn_i_thrice(hn_i_beside(d.y, hn_i_two(d.y)));
-  hn_uvec3 words = hn_i_words_along_x(before, cell, after, before.y, s);
+  hn_uvec3 words = hn_i_words_along_x(block, block.before.y, s);
   hn_rank best = hn_i_border(hn_i_far_away().x, words, x, hn_i_thrice(y.x), jitter, hn_i_code(0, -1), 1, from, nearest);
-  words = hn_i_words_along_x(before, cell, after, cell.y, s);
+  words = hn_i_words_along_x(block, block.cell.y, s);
   best = hn_i_border(best, words, x, hn_i_thrice(y.y), jitter, hn_i_code(0, 0), 1, from, nearest);
-  words = hn_i_words_along_x(before, cell, after, after.y, s);
+  words = hn_i_words_along_x(block, block.after.y, s);
   best = hn_i_border(best, words, x, hn_i_thrice(y.z), jitter, hn_i_code(0, 1), 1, from, nearest);
-  words = hn_i_words_along_x(before, cell, after, two.y, s);
+  words = hn_i_words_along_x(block, two.y, s);
   best = hn_i_border(best, words, x, two_y, jitter, HN_I_NO_CODE, 0, from, nearest);
-  words = hn_i_words_along_y(before, cell, after, two.x, s);
+  words = hn_i_words_along_y(block, two.x, s);
   best = hn_i_border(best, words, two_x, y, jitter, HN_I_NO_CODE, 0, from, nearest);
   return hn_i_border_distance(best);
 }
 HN_FN hn_float hn_i_cell_border(hn_ivec2 cell, hn_num2 f, hn_num jitter, hn_uint seed) {
-  hn_uvec2 first = hn_i_first(cell);
-  hn_uvec2 before = hn_i_before(first);
-  hn_uvec2 after = hn_i_last(first);
+  hn_i_block2 block = hn_i_block(cell);
   hn_num2 d = hn_i_inner(f);
-  return hn_i_cell_border(before, first, after, hn_i_two_steps(first, d), d, jitter, seed,
-                          hn_i_nearest(before, first, after, d, jitter, HN_METRIC_SQUARED, seed));
+  return hn_i_cell_border(block, hn_i_two_steps(block, d), d, jitter, seed,
+                          hn_i_nearest(block, d, jitter, HN_METRIC_SQUARED, seed));
 }
 HN_FN hn_float hn_i_cell_border(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_num jitter, hn_uint seed,
                                 HN_I_OUT(hn_ivec2) nearest, HN_I_OUT(hn_vec2) offset) {
   hn_uvec2 c = hn_i_wrap(cell, period);
-  hn_uvec2 first = hn_i_spread(c);
-  hn_uvec2 before = hn_i_spread(hn_i_before(c, period));
-  hn_uvec2 after = hn_i_spread(hn_i_after(c, period));
+  hn_i_block2 block = hn_i_block(cell, period);
   hn_num2 d = hn_i_inner(f);
-  hn_rank4 best = hn_i_nearest(before, first, after, d, jitter, HN_METRIC_SQUARED, seed);
+  hn_rank4 best = hn_i_nearest(block, d, jitter, HN_METRIC_SQUARED, seed);
   nearest = hn_i_cell_of(c, period, best.w);
-  offset = hn_i_toward(hn_i_from_nearest(before, first, after, d, jitter, seed, best.w));
-  return hn_i_cell_border(before, first, after, hn_i_two_steps(c, period, d), d, jitter, seed, best);
+  offset = hn_i_toward(hn_i_from_nearest(block, d, jitter, seed, best.w));
+  return hn_i_cell_border(block, hn_i_two_steps(c, period, d), d, jitter, seed, best);
 }
 HN_FN hn_float hn_i_cell_border(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_num jitter, hn_uint seed) {
   hn_ivec2 nearest;

@@ -20,43 +20,39 @@ HN_FN hn_rank hn_i_border(hn_rank best, hn_uvec3 words, hn_num3 x, hn_num3 y, hn
 // The distance to the border, given the smallest ranks. The cells beside the block are needed as well: where a place is
 // at the wall of its own cell, the cell two steps on may share the nearest border with the nearest one (tools/bounds).
 // That makes 54 cells, in six slabs. They are visited in a loop: unrolled, a shader takes much longer to compile.
-HN_FN hn_float hn_i_cell_border(hn_uvec3 before, hn_uvec3 cell, hn_uvec3 after, hn_uvec3 two, hn_num3 d, hn_num jitter,
-                                hn_uint seed, hn_rank4 nearest) {
-  hn_num3 from = hn_i_from_nearest(before, cell, after, d, jitter, seed, nearest.w);
+HN_FN hn_float hn_i_cell_border(hn_i_block3 block, hn_uvec3 two, hn_num3 d, hn_num jitter, hn_uint seed,
+                                hn_rank4 nearest) {
+  hn_num3 from = hn_i_from_nearest(block, d, jitter, seed, nearest.w);
   hn_rank best = hn_i_far_away().x;
   for (hn_int slab = -1; slab < 5; ++slab) {
     hn_int axis = hn_i_select(slab > 1, slab - 2, 2);
-    hn_uint at = hn_i_select(slab > 1, hn_i_along(axis, two), hn_i_of_three(uvec3(before.z, cell.z, after.z), slab));
+    hn_uint at = hn_i_select(slab > 1, hn_i_along(axis, two), hn_i_of_three(hn_i_along_z(block), slab));
     hn_int steps = hn_i_select(slab > 1, hn_i_two_along(axis, d), slab);
     hn_num3 x = hn_i_slab_x(d, axis, steps);
     for (hn_int n = -1; n <= 1; ++n) {
       hn_int code = hn_i_select(slab > 1, HN_I_NO_CODE, hn_i_code(0, n, slab));
       best =
-          hn_i_border(best, hn_i_slab_words(before, cell, after, axis, at, n, seed), x, hn_i_slab_y(d, axis, steps, n),
+          hn_i_border(best, hn_i_slab_words(block, axis, at, n, seed), x, hn_i_slab_y(d, axis, steps, n),
                       hn_i_slab_z(d, axis, steps, n), jitter, code, hn_i_choice(slab > 1, 0, 1), from, nearest);
     }
   }
   return hn_i_border_distance(best);
 }
 HN_FN hn_float hn_i_cell_border(hn_ivec3 cell, hn_num3 f, hn_num jitter, hn_uint seed) {
-  hn_uvec3 first = hn_i_first(cell);
-  hn_uvec3 before = hn_i_before(first);
-  hn_uvec3 after = hn_i_last(first);
+  hn_i_block3 block = hn_i_block(cell);
   hn_num3 d = hn_i_inner(f);
-  return hn_i_cell_border(before, first, after, hn_i_two_steps(first, d), d, jitter, seed,
-                          hn_i_nearest(before, first, after, d, jitter, HN_METRIC_SQUARED, seed));
+  return hn_i_cell_border(block, hn_i_two_steps(block, d), d, jitter, seed,
+                          hn_i_nearest(block, d, jitter, HN_METRIC_SQUARED, seed));
 }
 HN_FN hn_float hn_i_cell_border(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_num jitter, hn_uint seed,
                                 HN_I_OUT(hn_ivec3) nearest, HN_I_OUT(hn_vec3) offset) {
   hn_uvec3 c = hn_i_wrap(cell, period);
-  hn_uvec3 first = hn_i_spread(c);
-  hn_uvec3 before = hn_i_spread(hn_i_before(c, period));
-  hn_uvec3 after = hn_i_spread(hn_i_after(c, period));
+  hn_i_block3 block = hn_i_block(cell, period);
   hn_num3 d = hn_i_inner(f);
-  hn_rank4 best = hn_i_nearest(before, first, after, d, jitter, HN_METRIC_SQUARED, seed);
+  hn_rank4 best = hn_i_nearest(block, d, jitter, HN_METRIC_SQUARED, seed);
   nearest = hn_i_cell_of(c, period, best.w);
-  offset = hn_i_toward(hn_i_from_nearest(before, first, after, d, jitter, seed, best.w));
-  return hn_i_cell_border(before, first, after, hn_i_two_steps(c, period, d), d, jitter, seed, best);
+  offset = hn_i_toward(hn_i_from_nearest(block, d, jitter, seed, best.w));
+  return hn_i_cell_border(block, hn_i_two_steps(c, period, d), d, jitter, seed, best);
 }
 HN_FN hn_float hn_i_cell_border(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_num jitter, hn_uint seed) {
   hn_ivec3 nearest;

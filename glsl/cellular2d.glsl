@@ -6,27 +6,16 @@
 
 #include "feature_plane.glsl"
 
-HN_FN hn_vec2 hn_i_cellular(hn_ivec2 cell, hn_num2 f, hn_num jitter, hn_int metric, hn_uint seed) {
-  hn_uvec2 first = hn_i_first(cell);
-  return hn_i_two_distances(
-      hn_i_nearest(hn_i_before(first), first, hn_i_last(first), hn_i_inner(f), jitter, metric, seed), metric);
-}
-HN_FN hn_vec2 hn_i_cellular(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_num jitter, hn_int metric, hn_uint seed) {
-  hn_uvec2 c = hn_i_wrap(cell, period);
-  return hn_i_two_distances(hn_i_nearest(hn_i_spread(hn_i_before(c, period)), hn_i_spread(c),
-                                         hn_i_spread(hn_i_after(c, period)), hn_i_inner(f), jitter, metric, seed),
-                            metric);
+HN_FN hn_vec2 hn_i_cellular(hn_i_block2 block, hn_num2 f, hn_num jitter, hn_int metric, hn_uint seed) {
+  return hn_i_two_distances(hn_i_nearest(block, hn_i_inner(f), jitter, metric, seed), metric);
 }
 HN_FN hn_vec2 hn_i_cellular(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_num jitter, hn_int metric, hn_uint seed,
                             HN_I_OUT(hn_ivec2) nearest, HN_I_OUT(hn_vec2) offset) {
-  hn_uvec2 c = hn_i_wrap(cell, period);
-  hn_uvec2 first = hn_i_spread(c);
-  hn_uvec2 before = hn_i_spread(hn_i_before(c, period));
-  hn_uvec2 after = hn_i_spread(hn_i_after(c, period));
+  hn_i_block2 block = hn_i_block(cell, period);
   hn_num2 d = hn_i_inner(f);
-  hn_rank4 best = hn_i_nearest(before, first, after, d, jitter, metric, seed);
-  nearest = hn_i_cell_of(c, period, best.w);
-  offset = hn_i_toward(hn_i_from_nearest(before, first, after, d, jitter, seed, best.w));
+  hn_rank4 best = hn_i_nearest(block, d, jitter, metric, seed);
+  nearest = hn_i_cell_of(hn_i_wrap(cell, period), period, best.w);
+  offset = hn_i_toward(hn_i_from_nearest(block, d, jitter, seed, best.w));
   return hn_i_two_distances(best, metric);
 }
 
@@ -44,7 +33,7 @@ HN_FN hn_vec2 hn_i_cellular(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_num ji
 //            a seed that is not constant, and 2 square roots. What is not used of the result costs nothing
 //   source   Worley, "A cellular texture basis function", 1996; docs/contract.md, section 16
 HN_FN hn_vec2 hn_cellular(hn_ivec2 cell, hn_vec2 f, hn_uint seed) {
-  return hn_i_cellular(cell, hn_i_inside(f), hn_i_jitter(1.0f), HN_METRIC_EUCLIDEAN, seed);
+  return hn_i_cellular(hn_i_block(cell), hn_i_inside(f), hn_i_jitter(1.0f), HN_METRIC_EUCLIDEAN, seed);
 }
 
 HN_FN hn_vec2 hn_cellular(hn_ivec2 cell, hn_vec2 f) { return hn_cellular(cell, f, 0u); }
@@ -58,7 +47,7 @@ HN_FN hn_vec2 hn_cellular(hn_ivec2 cell, hn_vec2 f) { return hn_cellular(cell, f
 //   cost     as above
 //   source   as above
 HN_FN hn_vec2 hn_cellular(hn_vec2 p, hn_uint seed) {
-  return hn_i_cellular(hn_i_cell(p), hn_i_fraction(p), hn_i_jitter(1.0f), HN_METRIC_EUCLIDEAN, seed);
+  return hn_i_cellular(hn_i_block(hn_i_cell(p)), hn_i_fraction(p), hn_i_jitter(1.0f), HN_METRIC_EUCLIDEAN, seed);
 }
 
 HN_FN hn_vec2 hn_cellular(hn_vec2 p) { return hn_cellular(p, 0u); }
@@ -70,11 +59,12 @@ HN_FN hn_vec2 hn_cellular(hn_vec2 p) { return hn_cellular(p, 0u); }
 //   cost     a mask along each axis more for a constant power of two; else a division. Each axis has a few comparisons
 //            and two multiplications more
 HN_FN hn_vec2 hn_cellular(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_uint seed) {
-  return hn_i_cellular(cell, hn_i_inside(f), period, hn_i_jitter(1.0f), HN_METRIC_EUCLIDEAN, seed);
+  return hn_i_cellular(hn_i_block(cell, period), hn_i_inside(f), hn_i_jitter(1.0f), HN_METRIC_EUCLIDEAN, seed);
 }
 
 HN_FN hn_vec2 hn_cellular(hn_vec2 p, hn_ivec2 period, hn_uint seed) {
-  return hn_i_cellular(hn_i_cell(p), hn_i_fraction(p), period, hn_i_jitter(1.0f), HN_METRIC_EUCLIDEAN, seed);
+  return hn_i_cellular(hn_i_block(hn_i_cell(p), period), hn_i_fraction(p), hn_i_jitter(1.0f), HN_METRIC_EUCLIDEAN,
+                       seed);
 }
 
 // The same with everything that may be chosen.
@@ -88,11 +78,11 @@ HN_FN hn_vec2 hn_cellular(hn_vec2 p, hn_ivec2 period, hn_uint seed) {
 //   error    as above
 //   cost     as with a period
 HN_FN hn_vec2 hn_cellular(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_float jitter, hn_int metric, hn_uint seed) {
-  return hn_i_cellular(cell, hn_i_inside(f), period, hn_i_jitter(jitter), metric, seed);
+  return hn_i_cellular(hn_i_block(cell, period), hn_i_inside(f), hn_i_jitter(jitter), metric, seed);
 }
 
 HN_FN hn_vec2 hn_cellular(hn_vec2 p, hn_ivec2 period, hn_float jitter, hn_int metric, hn_uint seed) {
-  return hn_i_cellular(hn_i_cell(p), hn_i_fraction(p), period, hn_i_jitter(jitter), metric, seed);
+  return hn_i_cellular(hn_i_block(hn_i_cell(p), period), hn_i_fraction(p), hn_i_jitter(jitter), metric, seed);
 }
 
 // The same with everything that may be chosen, and with the nearest point.

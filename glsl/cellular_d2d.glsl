@@ -6,20 +6,12 @@
 
 #include "feature_plane.glsl"
 
-HN_FN hn_vec3 hn_i_cellular_d(hn_uvec2 before, hn_uvec2 cell, hn_uvec2 after, hn_num2 d, hn_num jitter, hn_uint seed) {
-  hn_rank4 best = hn_i_nearest(before, cell, after, d, jitter, HN_METRIC_EUCLIDEAN, seed);
-  hn_num2 from = hn_i_from_nearest(before, cell, after, d, jitter, seed, best.w);
+HN_FN hn_vec3 hn_i_cellular_d(hn_i_block2 block, hn_num2 f, hn_num jitter, hn_uint seed) {
+  hn_num2 d = hn_i_inner(f);
+  hn_rank4 best = hn_i_nearest(block, d, jitter, HN_METRIC_EUCLIDEAN, seed);
+  hn_num2 from = hn_i_from_nearest(block, d, jitter, seed, best.w);
   hn_vec2 slope = hn_i_unit(from.x, from.y);
   return vec3(hn_i_distance(best.x, HN_METRIC_EUCLIDEAN), slope.x, slope.y);
-}
-HN_FN hn_vec3 hn_i_cellular_d(hn_ivec2 cell, hn_num2 f, hn_num jitter, hn_uint seed) {
-  hn_uvec2 first = hn_i_first(cell);
-  return hn_i_cellular_d(hn_i_before(first), first, hn_i_last(first), hn_i_inner(f), jitter, seed);
-}
-HN_FN hn_vec3 hn_i_cellular_d(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_num jitter, hn_uint seed) {
-  hn_uvec2 c = hn_i_wrap(cell, period);
-  return hn_i_cellular_d(hn_i_spread(hn_i_before(c, period)), hn_i_spread(c), hn_i_spread(hn_i_after(c, period)),
-                         hn_i_inner(f), jitter, seed);
 }
 
 // The distance to the nearest feature point on the plane and its gradient, from a cell and a position in it. The
@@ -35,7 +27,7 @@ HN_FN hn_vec3 hn_i_cellular_d(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_num 
 //   cost     that of hn_cellular and one more hash
 //   source   docs/contract.md, section 16
 HN_FN hn_vec3 hn_cellular_d(hn_ivec2 cell, hn_vec2 f, hn_uint seed) {
-  return hn_i_cellular_d(cell, hn_i_inside(f), hn_i_jitter(1.0f), seed);
+  return hn_i_cellular_d(hn_i_block(cell), hn_i_inside(f), hn_i_jitter(1.0f), seed);
 }
 
 HN_FN hn_vec3 hn_cellular_d(hn_ivec2 cell, hn_vec2 f) { return hn_cellular_d(cell, f, 0u); }
@@ -49,7 +41,7 @@ HN_FN hn_vec3 hn_cellular_d(hn_ivec2 cell, hn_vec2 f) { return hn_cellular_d(cel
 //   cost     as above
 //   source   as above
 HN_FN hn_vec3 hn_cellular_d(hn_vec2 p, hn_uint seed) {
-  return hn_i_cellular_d(hn_i_cell(p), hn_i_fraction(p), hn_i_jitter(1.0f), seed);
+  return hn_i_cellular_d(hn_i_block(hn_i_cell(p)), hn_i_fraction(p), hn_i_jitter(1.0f), seed);
 }
 
 HN_FN hn_vec3 hn_cellular_d(hn_vec2 p) { return hn_cellular_d(p, 0u); }
@@ -61,11 +53,11 @@ HN_FN hn_vec3 hn_cellular_d(hn_vec2 p) { return hn_cellular_d(p, 0u); }
 //   cost     a mask along each axis more for a constant power of two; else a division. Each axis has a few comparisons
 //            and two multiplications more
 HN_FN hn_vec3 hn_cellular_d(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_uint seed) {
-  return hn_i_cellular_d(cell, hn_i_inside(f), period, hn_i_jitter(1.0f), seed);
+  return hn_i_cellular_d(hn_i_block(cell, period), hn_i_inside(f), hn_i_jitter(1.0f), seed);
 }
 
 HN_FN hn_vec3 hn_cellular_d(hn_vec2 p, hn_ivec2 period, hn_uint seed) {
-  return hn_i_cellular_d(hn_i_cell(p), hn_i_fraction(p), period, hn_i_jitter(1.0f), seed);
+  return hn_i_cellular_d(hn_i_block(hn_i_cell(p), period), hn_i_fraction(p), hn_i_jitter(1.0f), seed);
 }
 
 // The same with everything that may be chosen.
@@ -77,11 +69,11 @@ HN_FN hn_vec3 hn_cellular_d(hn_vec2 p, hn_ivec2 period, hn_uint seed) {
 //   error    as above
 //   cost     as with a period
 HN_FN hn_vec3 hn_cellular_d(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_float jitter, hn_uint seed) {
-  return hn_i_cellular_d(cell, hn_i_inside(f), period, hn_i_jitter(jitter), seed);
+  return hn_i_cellular_d(hn_i_block(cell, period), hn_i_inside(f), hn_i_jitter(jitter), seed);
 }
 
 HN_FN hn_vec3 hn_cellular_d(hn_vec2 p, hn_ivec2 period, hn_float jitter, hn_uint seed) {
-  return hn_i_cellular_d(hn_i_cell(p), hn_i_fraction(p), period, hn_i_jitter(jitter), seed);
+  return hn_i_cellular_d(hn_i_block(hn_i_cell(p), period), hn_i_fraction(p), hn_i_jitter(jitter), seed);
 }
 
 #endif

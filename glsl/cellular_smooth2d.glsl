@@ -6,28 +6,19 @@
 
 #include "feature_plane.glsl"
 
-HN_FN hn_float hn_i_cellular_smooth(hn_uvec2 before, hn_uvec2 cell, hn_uvec2 after, hn_num2 d, hn_num jitter,
-                                    hn_uint seed) {
+HN_FN hn_float hn_i_cellular_smooth(hn_i_block2 block, hn_num2 f, hn_num jitter, hn_uint seed) {
+  hn_num2 d = hn_i_inner(f);
   hn_uint s = hn_i_mix(seed);
   hn_num3 x = hn_i_row(d.x);
   hn_num3 y = hn_i_row(d.y);
   hn_rank weights = hn_i_no_weight();
-  hn_uvec3 words = hn_i_words_along_x(before, cell, after, before.y, s);
+  hn_uvec3 words = hn_i_words_along_x(block, block.before.y, s);
   weights = hn_i_weighed(weights, hn_i_squares(words, x, hn_i_thrice(y.x), jitter));
-  words = hn_i_words_along_x(before, cell, after, cell.y, s);
+  words = hn_i_words_along_x(block, block.cell.y, s);
   weights = hn_i_weighed(weights, hn_i_squares(words, x, hn_i_thrice(y.y), jitter));
-  words = hn_i_words_along_x(before, cell, after, after.y, s);
+  words = hn_i_words_along_x(block, block.after.y, s);
   weights = hn_i_weighed(weights, hn_i_squares(words, x, hn_i_thrice(y.z), jitter));
   return hn_i_smooth_distance(weights);
-}
-HN_FN hn_float hn_i_cellular_smooth(hn_ivec2 cell, hn_num2 f, hn_num jitter, hn_uint seed) {
-  hn_uvec2 first = hn_i_first(cell);
-  return hn_i_cellular_smooth(hn_i_before(first), first, hn_i_last(first), hn_i_inner(f), jitter, seed);
-}
-HN_FN hn_float hn_i_cellular_smooth(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_num jitter, hn_uint seed) {
-  hn_uvec2 c = hn_i_wrap(cell, period);
-  return hn_i_cellular_smooth(hn_i_spread(hn_i_before(c, period)), hn_i_spread(c), hn_i_spread(hn_i_after(c, period)),
-                              hn_i_inner(f), jitter, seed);
 }
 
 // Cellular noise on the plane with rounded valleys, from a cell and a position in it: a distance that takes all points
@@ -45,7 +36,7 @@ HN_FN hn_float hn_i_cellular_smooth(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, h
 //            spread the coordinates, and 2 more for a seed that is not constant
 //   source   docs/contract.md, section 16
 HN_FN hn_float hn_cellular_smooth(hn_ivec2 cell, hn_vec2 f, hn_uint seed) {
-  return hn_i_cellular_smooth(cell, hn_i_inside(f), hn_i_jitter(1.0f), seed);
+  return hn_i_cellular_smooth(hn_i_block(cell), hn_i_inside(f), hn_i_jitter(1.0f), seed);
 }
 
 HN_FN hn_float hn_cellular_smooth(hn_ivec2 cell, hn_vec2 f) { return hn_cellular_smooth(cell, f, 0u); }
@@ -59,7 +50,7 @@ HN_FN hn_float hn_cellular_smooth(hn_ivec2 cell, hn_vec2 f) { return hn_cellular
 //   cost     as above
 //   source   as above
 HN_FN hn_float hn_cellular_smooth(hn_vec2 p, hn_uint seed) {
-  return hn_i_cellular_smooth(hn_i_cell(p), hn_i_fraction(p), hn_i_jitter(1.0f), seed);
+  return hn_i_cellular_smooth(hn_i_block(hn_i_cell(p)), hn_i_fraction(p), hn_i_jitter(1.0f), seed);
 }
 
 HN_FN hn_float hn_cellular_smooth(hn_vec2 p) { return hn_cellular_smooth(p, 0u); }
@@ -71,11 +62,11 @@ HN_FN hn_float hn_cellular_smooth(hn_vec2 p) { return hn_cellular_smooth(p, 0u);
 //   cost     a mask along each axis more for a constant power of two; else a division. Each axis has a few comparisons
 //            and two multiplications more
 HN_FN hn_float hn_cellular_smooth(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_uint seed) {
-  return hn_i_cellular_smooth(cell, hn_i_inside(f), period, hn_i_jitter(1.0f), seed);
+  return hn_i_cellular_smooth(hn_i_block(cell, period), hn_i_inside(f), hn_i_jitter(1.0f), seed);
 }
 
 HN_FN hn_float hn_cellular_smooth(hn_vec2 p, hn_ivec2 period, hn_uint seed) {
-  return hn_i_cellular_smooth(hn_i_cell(p), hn_i_fraction(p), period, hn_i_jitter(1.0f), seed);
+  return hn_i_cellular_smooth(hn_i_block(hn_i_cell(p), period), hn_i_fraction(p), hn_i_jitter(1.0f), seed);
 }
 
 // The same with everything that may be chosen.
@@ -87,11 +78,11 @@ HN_FN hn_float hn_cellular_smooth(hn_vec2 p, hn_ivec2 period, hn_uint seed) {
 //   error    as above
 //   cost     as with a period
 HN_FN hn_float hn_cellular_smooth(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_float jitter, hn_uint seed) {
-  return hn_i_cellular_smooth(cell, hn_i_inside(f), period, hn_i_jitter(jitter), seed);
+  return hn_i_cellular_smooth(hn_i_block(cell, period), hn_i_inside(f), hn_i_jitter(jitter), seed);
 }
 
 HN_FN hn_float hn_cellular_smooth(hn_vec2 p, hn_ivec2 period, hn_float jitter, hn_uint seed) {
-  return hn_i_cellular_smooth(hn_i_cell(p), hn_i_fraction(p), period, hn_i_jitter(jitter), seed);
+  return hn_i_cellular_smooth(hn_i_block(hn_i_cell(p), period), hn_i_fraction(p), hn_i_jitter(jitter), seed);
 }
 
 #endif

@@ -7,12 +7,12 @@
 #include "feature_space.glsl"
 
 // The sum of weights so far, with those of nine cells in a slab across z, as hn_i_visit_slab takes them.
-HN_FN hn_rank hn_i_weigh_slab(hn_rank weights, hn_uvec3 before, hn_uvec3 cell, hn_uvec3 after, hn_uint join,
-                              hn_uint odd, hn_num3 x, hn_num3 y, hn_num z, hn_num jitter) {
-  hn_uvec3 joins = hn_i_joins_x(before, cell, after);
-  hn_uvec3 odds = uvec3(before.x, cell.x, after.x) * 2u;
-  hn_uvec3 rows = hn_i_xor(hn_i_joins_y(before, cell, after), join);
-  hn_uvec3 row_odds = uvec3(before.y, cell.y, after.y) * 2u + odd;
+HN_FN hn_rank hn_i_weigh_slab(hn_rank weights, hn_i_block3 block, hn_uint join, hn_uint odd, hn_num3 x, hn_num3 y,
+                              hn_num z, hn_num jitter) {
+  hn_uvec3 joins = hn_i_joins_x(block);
+  hn_uvec3 odds = hn_i_along_x(block) * 2u;
+  hn_uvec3 rows = hn_i_xor(hn_i_joins_y(block), join);
+  hn_uvec3 row_odds = hn_i_along_y(block) * 2u + odd;
   hn_num3 across = hn_i_thrice(z);
   hn_int metric = HN_METRIC_SQUARED;
   hn_uvec3 words = hn_i_row_words(joins, odds, rows.x, row_odds.x);
@@ -22,27 +22,18 @@ HN_FN hn_rank hn_i_weigh_slab(hn_rank weights, hn_uvec3 before, hn_uvec3 cell, h
   words = hn_i_row_words(joins, odds, rows.z, row_odds.z);
   return hn_i_weighed(weights, hn_i_ranks(words, x, hn_i_thrice(y.z), across, jitter, metric));
 }
-HN_FN hn_float hn_i_cellular_smooth(hn_uvec3 before, hn_uvec3 cell, hn_uvec3 after, hn_num3 d, hn_num jitter,
-                                    hn_uint seed) {
+HN_FN hn_float hn_i_cellular_smooth(hn_i_block3 block, hn_num3 f, hn_num jitter, hn_uint seed) {
+  hn_num3 d = hn_i_inner(f);
   hn_uint s = hn_i_mix(seed);
   hn_num3 x = hn_i_row(d.x);
   hn_num3 y = hn_i_row(d.y);
   hn_num3 z = hn_i_row(d.z);
-  hn_uvec3 joins = hn_i_xor(hn_i_joins_z(before, cell, after), s);
+  hn_uvec3 joins = hn_i_xor(hn_i_joins_z(block), s);
   hn_rank weights = hn_i_no_weight();
-  weights = hn_i_weigh_slab(weights, before, cell, after, joins.x, hn_i_odd(before.z + s), x, y, z.x, jitter);
-  weights = hn_i_weigh_slab(weights, before, cell, after, joins.y, hn_i_odd(cell.z + s), x, y, z.y, jitter);
-  weights = hn_i_weigh_slab(weights, before, cell, after, joins.z, hn_i_odd(after.z + s), x, y, z.z, jitter);
+  weights = hn_i_weigh_slab(weights, block, joins.x, hn_i_odd(block.before.z + s), x, y, z.x, jitter);
+  weights = hn_i_weigh_slab(weights, block, joins.y, hn_i_odd(block.cell.z + s), x, y, z.y, jitter);
+  weights = hn_i_weigh_slab(weights, block, joins.z, hn_i_odd(block.after.z + s), x, y, z.z, jitter);
   return hn_i_smooth_distance(weights);
-}
-HN_FN hn_float hn_i_cellular_smooth(hn_ivec3 cell, hn_num3 f, hn_num jitter, hn_uint seed) {
-  hn_uvec3 first = hn_i_first(cell);
-  return hn_i_cellular_smooth(hn_i_before(first), first, hn_i_last(first), hn_i_inner(f), jitter, seed);
-}
-HN_FN hn_float hn_i_cellular_smooth(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_num jitter, hn_uint seed) {
-  hn_uvec3 c = hn_i_wrap(cell, period);
-  return hn_i_cellular_smooth(hn_i_spread(hn_i_before(c, period)), hn_i_spread(c), hn_i_spread(hn_i_after(c, period)),
-                              hn_i_inner(f), jitter, seed);
 }
 
 // Cellular noise in space with rounded valleys, from a cell and a position in it: a distance that takes all points
@@ -60,7 +51,7 @@ HN_FN hn_float hn_i_cellular_smooth(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, h
 //            spread the coordinates, and 2 more for a seed that is not constant
 //   source   docs/contract.md, section 16
 HN_FN hn_float hn_cellular_smooth(hn_ivec3 cell, hn_vec3 f, hn_uint seed) {
-  return hn_i_cellular_smooth(cell, hn_i_inside(f), hn_i_jitter(1.0f), seed);
+  return hn_i_cellular_smooth(hn_i_block(cell), hn_i_inside(f), hn_i_jitter(1.0f), seed);
 }
 
 HN_FN hn_float hn_cellular_smooth(hn_ivec3 cell, hn_vec3 f) { return hn_cellular_smooth(cell, f, 0u); }
@@ -74,7 +65,7 @@ HN_FN hn_float hn_cellular_smooth(hn_ivec3 cell, hn_vec3 f) { return hn_cellular
 //   cost     as above
 //   source   as above
 HN_FN hn_float hn_cellular_smooth(hn_vec3 p, hn_uint seed) {
-  return hn_i_cellular_smooth(hn_i_cell(p), hn_i_fraction(p), hn_i_jitter(1.0f), seed);
+  return hn_i_cellular_smooth(hn_i_block(hn_i_cell(p)), hn_i_fraction(p), hn_i_jitter(1.0f), seed);
 }
 
 HN_FN hn_float hn_cellular_smooth(hn_vec3 p) { return hn_cellular_smooth(p, 0u); }
@@ -86,11 +77,11 @@ HN_FN hn_float hn_cellular_smooth(hn_vec3 p) { return hn_cellular_smooth(p, 0u);
 //   cost     a mask along each axis more for a constant power of two; else a division. Each axis has a few comparisons
 //            and two multiplications more
 HN_FN hn_float hn_cellular_smooth(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_uint seed) {
-  return hn_i_cellular_smooth(cell, hn_i_inside(f), period, hn_i_jitter(1.0f), seed);
+  return hn_i_cellular_smooth(hn_i_block(cell, period), hn_i_inside(f), hn_i_jitter(1.0f), seed);
 }
 
 HN_FN hn_float hn_cellular_smooth(hn_vec3 p, hn_ivec3 period, hn_uint seed) {
-  return hn_i_cellular_smooth(hn_i_cell(p), hn_i_fraction(p), period, hn_i_jitter(1.0f), seed);
+  return hn_i_cellular_smooth(hn_i_block(hn_i_cell(p), period), hn_i_fraction(p), hn_i_jitter(1.0f), seed);
 }
 
 // The same with everything that may be chosen.
@@ -102,11 +93,11 @@ HN_FN hn_float hn_cellular_smooth(hn_vec3 p, hn_ivec3 period, hn_uint seed) {
 //   error    as above
 //   cost     as with a period
 HN_FN hn_float hn_cellular_smooth(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_float jitter, hn_uint seed) {
-  return hn_i_cellular_smooth(cell, hn_i_inside(f), period, hn_i_jitter(jitter), seed);
+  return hn_i_cellular_smooth(hn_i_block(cell, period), hn_i_inside(f), hn_i_jitter(jitter), seed);
 }
 
 HN_FN hn_float hn_cellular_smooth(hn_vec3 p, hn_ivec3 period, hn_float jitter, hn_uint seed) {
-  return hn_i_cellular_smooth(hn_i_cell(p), hn_i_fraction(p), period, hn_i_jitter(jitter), seed);
+  return hn_i_cellular_smooth(hn_i_block(hn_i_cell(p), period), hn_i_fraction(p), hn_i_jitter(jitter), seed);
 }
 
 #endif

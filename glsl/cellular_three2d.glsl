@@ -17,30 +17,30 @@ HN_FN hn_num3 hn_i_if_axis(hn_int axis, hn_num3 a, hn_num3 b) {
 
 // The third point may also be that of a cell two steps on, along the axis on which the place is farthest from the
 // centre of its cell (feature.glsl): three cells in a row along the other.
-HN_FN hn_vec3 hn_i_cellular_three(hn_uvec2 before, hn_uvec2 cell, hn_uvec2 after, hn_uvec2 two, hn_num2 d,
-                                  hn_num jitter, hn_int metric, hn_uint seed) {
-  hn_rank4 best = hn_i_nearest(before, cell, after, d, jitter, metric, seed);
+HN_FN hn_vec3 hn_i_cellular_three(hn_i_block2 block, hn_uvec2 two, hn_num2 d, hn_num jitter, hn_int metric,
+                                  hn_uint seed) {
+  hn_rank4 best = hn_i_nearest(block, d, jitter, metric, seed);
   hn_uint s = hn_i_mix(seed);
   hn_int axis = hn_i_choice(max(d.x, -d.x) >= max(d.y, -d.y), 0, 1);
-  hn_uvec3 words = hn_i_if_axis(axis, hn_i_words_along_y(before, cell, after, two.x, s),
-                                hn_i_words_along_x(before, cell, after, two.y, s));
+  hn_uvec3 words = hn_i_if_axis(axis, hn_i_words_along_y(block, two.x, s),
+                                hn_i_words_along_x(block, two.y, s));
   hn_num3 x = hn_i_if_axis(axis, hn_i_thrice(hn_i_beside(d.x, hn_i_two(d.x))), hn_i_row(d.x));
   hn_num3 y = hn_i_if_axis(axis, hn_i_row(d.y), hn_i_thrice(hn_i_beside(d.y, hn_i_two(d.y))));
   best = hn_i_visited(best, hn_i_ranks(words, x, y, jitter, metric), HN_I_NO_CODE, 0);
   return vec3(hn_i_distance(best.x, metric), hn_i_distance(best.y, metric), hn_i_distance(best.z, metric));
 }
 HN_FN hn_vec3 hn_i_cellular_three(hn_ivec2 cell, hn_num2 f, hn_num jitter, hn_int metric, hn_uint seed) {
-  hn_uvec2 first = hn_i_first(cell);
+  hn_i_block2 block = hn_i_block(cell);
   hn_num2 d = hn_i_inner(f);
-  return hn_i_cellular_three(hn_i_before(first), first, hn_i_last(first), hn_i_two_steps(first, d), d, jitter, metric,
+  return hn_i_cellular_three(block, hn_i_two_steps(block, d), d, jitter, metric,
                              seed);
 }
 HN_FN hn_vec3 hn_i_cellular_three(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_num jitter, hn_int metric,
                                   hn_uint seed) {
   hn_uvec2 c = hn_i_wrap(cell, period);
+  hn_i_block2 block = hn_i_block(cell, period);
   hn_num2 d = hn_i_inner(f);
-  return hn_i_cellular_three(hn_i_spread(hn_i_before(c, period)), hn_i_spread(c), hn_i_spread(hn_i_after(c, period)),
-                             hn_i_two_steps(c, period, d), d, jitter, metric, seed);
+  return hn_i_cellular_three(block, hn_i_two_steps(c, period, d), d, jitter, metric, seed);
 }
 
 // The distances to the three nearest feature points on the plane, from a cell and a position in it: Worley's F1, F2 and

@@ -15,14 +15,14 @@ HN_FN hn_int hn_i_farthest_axis(hn_num3 d) {
 }
 
 // The third point may also be that of a cell two steps on along that axis (feature.glsl): nine cells in a slab.
-HN_FN hn_vec3 hn_i_cellular_three(hn_uvec3 before, hn_uvec3 cell, hn_uvec3 after, hn_uvec3 two, hn_num3 d,
-                                  hn_num jitter, hn_int metric, hn_uint seed) {
-  hn_rank4 best = hn_i_nearest(before, cell, after, d, jitter, metric, seed);
+HN_FN hn_vec3 hn_i_cellular_three(hn_i_block3 block, hn_uvec3 two, hn_num3 d, hn_num jitter, hn_int metric,
+                                  hn_uint seed) {
+  hn_rank4 best = hn_i_nearest(block, d, jitter, metric, seed);
   hn_int axis = hn_i_farthest_axis(d);
   hn_uint at = hn_i_along(axis, two);
   hn_int steps = hn_i_two_along(axis, d);
   for (hn_int n = -1; n <= 1; ++n) {
-    hn_uvec3 words = hn_i_slab_words(before, cell, after, axis, at, n, seed);
+    hn_uvec3 words = hn_i_slab_words(block, axis, at, n, seed);
     best = hn_i_visited(best,
                         hn_i_ranks(words, hn_i_slab_x(d, axis, steps), hn_i_slab_y(d, axis, steps, n),
                                    hn_i_slab_z(d, axis, steps, n), jitter, metric),
@@ -31,17 +31,17 @@ HN_FN hn_vec3 hn_i_cellular_three(hn_uvec3 before, hn_uvec3 cell, hn_uvec3 after
   return vec3(hn_i_distance(best.x, metric), hn_i_distance(best.y, metric), hn_i_distance(best.z, metric));
 }
 HN_FN hn_vec3 hn_i_cellular_three(hn_ivec3 cell, hn_num3 f, hn_num jitter, hn_int metric, hn_uint seed) {
-  hn_uvec3 first = hn_i_first(cell);
+  hn_i_block3 block = hn_i_block(cell);
   hn_num3 d = hn_i_inner(f);
-  return hn_i_cellular_three(hn_i_before(first), first, hn_i_last(first), hn_i_two_steps(first, d), d, jitter, metric,
+  return hn_i_cellular_three(block, hn_i_two_steps(block, d), d, jitter, metric,
                              seed);
 }
 HN_FN hn_vec3 hn_i_cellular_three(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_num jitter, hn_int metric,
                                   hn_uint seed) {
   hn_uvec3 c = hn_i_wrap(cell, period);
+  hn_i_block3 block = hn_i_block(cell, period);
   hn_num3 d = hn_i_inner(f);
-  return hn_i_cellular_three(hn_i_spread(hn_i_before(c, period)), hn_i_spread(c), hn_i_spread(hn_i_after(c, period)),
-                             hn_i_two_steps(c, period, d), d, jitter, metric, seed);
+  return hn_i_cellular_three(block, hn_i_two_steps(c, period, d), d, jitter, metric, seed);
 }
 
 // The distances to the three nearest feature points in space, from a cell and a position in it: Worley's F1, F2 and F3.

@@ -61,9 +61,8 @@ HN_FN hn_num hn_i_smallest(hn_num4 size) { return min(min(size.x, size.y), min(s
 // The words of the four points of a cell and, through the out parameters, the offsets from them along each axis and how
 // near they are. The size of an offset from a centre is 1/2 less that from a corner: so it is the largest where that is
 // the smallest. The squares of the distances differ by sums of sizes alone.
-HN_FN hn_uvec4 hn_i_four_points(hn_uvec3 first, hn_uvec3 last, hn_uvec3 before, hn_num3 f, hn_uint seed,
-                                HN_I_OUT(hn_num4) x, HN_I_OUT(hn_num4) y, HN_I_OUT(hn_num4) z,
-                                HN_I_OUT(hn_num4) near_by) {
+HN_FN hn_uvec4 hn_i_four_points(hn_i_block3 block, hn_num3 f, hn_uint seed, HN_I_OUT(hn_num4) x, HN_I_OUT(hn_num4) y,
+                                HN_I_OUT(hn_num4) z, HN_I_OUT(hn_num4) near_by) {
   hn_num4 dx = hn_i_offsets(f.x);
   hn_num4 dy = hn_i_offsets(f.y);
   hn_num4 dz = hn_i_offsets(f.z);
@@ -78,24 +77,24 @@ HN_FN hn_uvec4 hn_i_four_points(hn_uvec3 first, hn_uvec3 last, hn_uvec3 before, 
   hn_i_square_number q_centre = hn_i_onto(q, hn_i_minus(hn_i_quarters(3), sum));
   near_by = hn_i_num(hn_i_near(q, 1024, 2), hn_i_near(hn_i_onto(q, hn_i_minus(HN_I_ONE, hn_i_plus(a, a))), 1024, 2),
                      hn_i_near(q_centre, 1024, 2), hn_i_near(hn_i_onto(q_centre, hn_i_plus(b, b)), 1024, 2));
-  hn_uvec3 corner = hn_i_nearer(f, first, last);
-  hn_uvec3 across = hn_i_nearer(f, last, first);
-  hn_uvec3 beyond = hn_i_nearer(f, before, last);
+  hn_uvec3 cell = block.cell;
+  hn_uvec3 corner = hn_i_nearer(f, cell, block.after);
+  hn_uvec3 across = hn_i_nearer(f, block.after, cell);
+  hn_uvec3 beyond = hn_i_nearer(f, block.before, block.after);
   hn_uint s = hn_i_mix(seed);
   return uvec4(
       hn_i_word(corner, s, s),
       hn_i_word(uvec3(hn_i_select(size.x >= a, across.x, corner.x), hn_i_select(size.y >= a, across.y, corner.y),
                       hn_i_select(size.z >= a, across.z, corner.z)),
                 s, s),
-      hn_i_word(first, s ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM),
-      hn_i_word(uvec3(hn_i_select(size.x <= b, beyond.x, first.x), hn_i_select(size.y <= b, beyond.y, first.y),
-                      hn_i_select(size.z <= b, beyond.z, first.z)),
+      hn_i_word(cell, s ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM),
+      hn_i_word(uvec3(hn_i_select(size.x <= b, beyond.x, cell.x), hn_i_select(size.y <= b, beyond.y, cell.y),
+                      hn_i_select(size.z <= b, beyond.z, cell.z)),
                 s ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM));
 }
 
-HN_FN hn_uvec4 hn_i_four_points(hn_uvec4 first, hn_uvec4 last, hn_uvec4 before, hn_num4 f, hn_uint seed,
-                                HN_I_OUT(hn_num4) x, HN_I_OUT(hn_num4) y, HN_I_OUT(hn_num4) z, HN_I_OUT(hn_num4) w,
-                                HN_I_OUT(hn_num4) near_by) {
+HN_FN hn_uvec4 hn_i_four_points(hn_i_block4 block, hn_num4 f, hn_uint seed, HN_I_OUT(hn_num4) x, HN_I_OUT(hn_num4) y,
+                                HN_I_OUT(hn_num4) z, HN_I_OUT(hn_num4) w, HN_I_OUT(hn_num4) near_by) {
   hn_num4 dx = hn_i_offsets(f.x);
   hn_num4 dy = hn_i_offsets(f.y);
   hn_num4 dz = hn_i_offsets(f.z);
@@ -112,18 +111,19 @@ HN_FN hn_uvec4 hn_i_four_points(hn_uvec4 first, hn_uvec4 last, hn_uvec4 before, 
   hn_i_square_number q_centre = hn_i_onto(q, hn_i_minus(HN_I_ONE, sum));
   near_by = hn_i_num(hn_i_near(q, 1024, 2), hn_i_near(hn_i_onto(q, hn_i_minus(HN_I_ONE, hn_i_plus(a, a))), 1024, 2),
                      hn_i_near(q_centre, 1024, 2), hn_i_near(hn_i_onto(q_centre, hn_i_plus(b, b)), 1024, 2));
-  hn_uvec4 corner = hn_i_nearer(f, first, last);
-  hn_uvec4 across = hn_i_nearer(f, last, first);
-  hn_uvec4 beyond = hn_i_nearer(f, before, last);
+  hn_uvec4 cell = block.cell;
+  hn_uvec4 corner = hn_i_nearer(f, cell, block.after);
+  hn_uvec4 across = hn_i_nearer(f, block.after, cell);
+  hn_uvec4 beyond = hn_i_nearer(f, block.before, block.after);
   hn_uint s = hn_i_mix(seed);
   return uvec4(
       hn_i_word(corner, s, s),
       hn_i_word(uvec4(hn_i_select(size.x >= a, across.x, corner.x), hn_i_select(size.y >= a, across.y, corner.y),
                       hn_i_select(size.z >= a, across.z, corner.z), hn_i_select(size.w >= a, across.w, corner.w)),
                 s, s),
-      hn_i_word(first, s ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM),
-      hn_i_word(uvec4(hn_i_select(size.x <= b, beyond.x, first.x), hn_i_select(size.y <= b, beyond.y, first.y),
-                      hn_i_select(size.z <= b, beyond.z, first.z), hn_i_select(size.w <= b, beyond.w, first.w)),
+      hn_i_word(cell, s ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM),
+      hn_i_word(uvec4(hn_i_select(size.x <= b, beyond.x, cell.x), hn_i_select(size.y <= b, beyond.y, cell.y),
+                      hn_i_select(size.z <= b, beyond.z, cell.z), hn_i_select(size.w <= b, beyond.w, cell.w)),
                 s ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM));
 }
 

@@ -56,49 +56,51 @@ HN_FN hn_uvec2 hn_i_ahead(hn_num2 d, hn_uvec2 a, hn_uvec2 b) {
 }
 
 // The spread coordinates of the cell that is two steps on along both axes, on the side of the place.
-HN_FN hn_uvec2 hn_i_two_steps(hn_uvec2 first, hn_num2 d) {
-  return hn_i_ahead(d, hn_i_before(hn_i_before(first)), hn_i_last(hn_i_last(first)));
+HN_FN hn_uvec2 hn_i_two_steps(hn_i_block2 block, hn_num2 d) {
+  return hn_i_ahead(d, hn_i_before(block.before), hn_i_last(block.after));
 }
 HN_FN hn_uvec2 hn_i_two_steps(hn_uvec2 c, hn_ivec2 period, hn_num2 d) {
   return hn_i_spread(
       hn_i_ahead(d, hn_i_before(hn_i_before(c, period), period), hn_i_after(hn_i_after(c, period), period)));
 }
 
+// The spread coordinates of a block along an axis.
+HN_FN hn_uvec3 hn_i_along_x(hn_i_block2 block) { return uvec3(block.before.x, block.cell.x, block.after.x); }
+HN_FN hn_uvec3 hn_i_along_y(hn_i_block2 block) { return uvec3(block.before.y, block.cell.y, block.after.y); }
+
 // The words of a row of the cells around a place, from their spread coordinates: along x at y, and along y at x. s is
 // the mixed seed.
-HN_FN hn_uvec3 hn_i_words_along_x(hn_uvec2 before, hn_uvec2 cell, hn_uvec2 after, hn_uint y, hn_uint s) {
-  hn_uvec3 x = uvec3(before.x, cell.x, after.x);
+HN_FN hn_uvec3 hn_i_words_along_x(hn_i_block2 block, hn_uint y, hn_uint s) {
+  hn_uvec3 x = hn_i_along_x(block);
   return hn_i_row_words(x ^ (x >> 18u), x * 2u, hn_i_fold(uvec2(0u, y)).y ^ s, hn_i_odd(y + s));
 }
-HN_FN hn_uvec3 hn_i_words_along_y(hn_uvec2 before, hn_uvec2 cell, hn_uvec2 after, hn_uint x, hn_uint s) {
-  hn_uvec3 y = uvec3(before.y, cell.y, after.y);
+HN_FN hn_uvec3 hn_i_words_along_y(hn_i_block2 block, hn_uint x, hn_uint s) {
+  hn_uvec3 y = hn_i_along_y(block);
   return hn_i_row_words(y ^ (y >> 17u), y * 2u, hn_i_fold(x) ^ s, hn_i_odd(x + s));
 }
 
 // The three smallest ranks of the points of a cell and its neighbours, and the code of the nearest one's cell. d is the
 // offset of the place from the centre of the cell.
-HN_FN hn_rank4 hn_i_nearest(hn_uvec2 before, hn_uvec2 cell, hn_uvec2 after, hn_num2 d, hn_num jitter, hn_int metric,
-                            hn_uint seed) {
+HN_FN hn_rank4 hn_i_nearest(hn_i_block2 block, hn_num2 d, hn_num jitter, hn_int metric, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
   hn_num3 x = hn_i_row(d.x);
   hn_num3 y = hn_i_row(d.y);
-  hn_uvec3 words = hn_i_words_along_x(before, cell, after, before.y, s);
+  hn_uvec3 words = hn_i_words_along_x(block, block.before.y, s);
   hn_rank4 best =
       hn_i_visited(hn_i_far_away(), hn_i_ranks(words, x, hn_i_thrice(y.x), jitter, metric), hn_i_code(0, -1), 1);
-  words = hn_i_words_along_x(before, cell, after, cell.y, s);
+  words = hn_i_words_along_x(block, block.cell.y, s);
   best = hn_i_visited(best, hn_i_ranks(words, x, hn_i_thrice(y.y), jitter, metric), hn_i_code(0, 0), 1);
-  words = hn_i_words_along_x(before, cell, after, after.y, s);
+  words = hn_i_words_along_x(block, block.after.y, s);
   return hn_i_visited(best, hn_i_ranks(words, x, hn_i_thrice(y.z), jitter, metric), hn_i_code(0, 1), 1);
 }
 
 // The offset of the place from the point of the cell with that code.
-HN_FN hn_num2 hn_i_from_nearest(hn_uvec2 before, hn_uvec2 cell, hn_uvec2 after, hn_num2 d, hn_num jitter, hn_uint seed,
-                                hn_rank code) {
+HN_FN hn_num2 hn_i_from_nearest(hn_i_block2 block, hn_num2 d, hn_num jitter, hn_uint seed, hn_rank code) {
   hn_int x = hn_i_x_of(int(code));
   hn_int y = hn_i_y_of(int(code));
   hn_uint s = hn_i_mix(seed);
   hn_uint word = hn_i_word(
-      uvec2(hn_i_of_three(uvec3(before.x, cell.x, after.x), x), hn_i_of_three(uvec3(before.y, cell.y, after.y), y)), s,
+      uvec2(hn_i_of_three(hn_i_along_x(block), x), hn_i_of_three(hn_i_along_y(block), y)), s,
       s);
   hn_uvec3 words = uvec3(word, word, word);
   return hn_i_num(hn_i_from_x(words, hn_i_thrice(hn_i_beside(d.x, x)), jitter).x,

@@ -96,9 +96,14 @@ HN_FN hn_uvec3 hn_i_ahead(hn_num3 d, hn_uvec3 a, hn_uvec3 b) {
                hn_i_select(d.z > HN_I_NO_OFFSET, b.z, a.z));
 }
 
+// The spread coordinates of a block along an axis.
+HN_FN hn_uvec3 hn_i_along_x(hn_i_block3 block) { return uvec3(block.before.x, block.cell.x, block.after.x); }
+HN_FN hn_uvec3 hn_i_along_y(hn_i_block3 block) { return uvec3(block.before.y, block.cell.y, block.after.y); }
+HN_FN hn_uvec3 hn_i_along_z(hn_i_block3 block) { return uvec3(block.before.z, block.cell.z, block.after.z); }
+
 // The spread coordinates of the cell that is two steps on along all axes, on the side of the place.
-HN_FN hn_uvec3 hn_i_two_steps(hn_uvec3 first, hn_num3 d) {
-  return hn_i_ahead(d, hn_i_before(hn_i_before(first)), hn_i_last(hn_i_last(first)));
+HN_FN hn_uvec3 hn_i_two_steps(hn_i_block3 block, hn_num3 d) {
+  return hn_i_ahead(d, hn_i_before(block.before), hn_i_last(block.after));
 }
 HN_FN hn_uvec3 hn_i_two_steps(hn_uvec3 c, hn_ivec3 period, hn_num3 d) {
   return hn_i_spread(
@@ -106,28 +111,28 @@ HN_FN hn_uvec3 hn_i_two_steps(hn_uvec3 c, hn_ivec3 period, hn_num3 d) {
 }
 
 // What the cells around a place add along one axis to the joins of a word, and what one cell adds with the mixed seed.
-HN_FN hn_uvec3 hn_i_joins_x(hn_uvec3 before, hn_uvec3 cell, hn_uvec3 after) {
-  hn_uvec3 x = uvec3(before.x, cell.x, after.x);
+HN_FN hn_uvec3 hn_i_joins_x(hn_i_block3 block) {
+  hn_uvec3 x = hn_i_along_x(block);
   return x ^ (x >> 18u);
 }
-HN_FN hn_uvec3 hn_i_joins_y(hn_uvec3 before, hn_uvec3 cell, hn_uvec3 after) {
-  hn_uvec3 y = uvec3(before.y, cell.y, after.y);
+HN_FN hn_uvec3 hn_i_joins_y(hn_i_block3 block) {
+  hn_uvec3 y = hn_i_along_y(block);
   return y ^ (y >> 17u);
 }
-HN_FN hn_uvec3 hn_i_joins_z(hn_uvec3 before, hn_uvec3 cell, hn_uvec3 after) {
-  hn_uvec3 z = uvec3(before.z, cell.z, after.z);
+HN_FN hn_uvec3 hn_i_joins_z(hn_i_block3 block) {
+  hn_uvec3 z = hn_i_along_z(block);
   return z ^ (z >> 19u);
 }
 
 // The three smallest ranks so far and the code of the smallest, with those of nine cells in a slab across z: x and y
 // are the offsets of the place from their centres along these axes, and z is that along z. `join` and `odd` are what z
 // and the seed add to the joins of a word. `code` is that of the cell in the middle.
-HN_FN hn_rank4 hn_i_visit_slab(hn_rank4 best, hn_uvec3 before, hn_uvec3 cell, hn_uvec3 after, hn_uint join, hn_uint odd,
-                               hn_num3 x, hn_num3 y, hn_num z, hn_num jitter, hn_int metric, hn_int code) {
-  hn_uvec3 joins = hn_i_joins_x(before, cell, after);
-  hn_uvec3 odds = uvec3(before.x, cell.x, after.x) * 2u;
-  hn_uvec3 rows = hn_i_xor(hn_i_joins_y(before, cell, after), join);
-  hn_uvec3 row_odds = uvec3(before.y, cell.y, after.y) * 2u + odd;
+HN_FN hn_rank4 hn_i_visit_slab(hn_rank4 best, hn_i_block3 block, hn_uint join, hn_uint odd, hn_num3 x, hn_num3 y,
+                               hn_num z, hn_num jitter, hn_int metric, hn_int code) {
+  hn_uvec3 joins = hn_i_joins_x(block);
+  hn_uvec3 odds = hn_i_along_x(block) * 2u;
+  hn_uvec3 rows = hn_i_xor(hn_i_joins_y(block), join);
+  hn_uvec3 row_odds = hn_i_along_y(block) * 2u + odd;
   hn_num3 across = hn_i_thrice(z);
   best = hn_i_visited(
       best, hn_i_ranks(hn_i_row_words(joins, odds, rows.x, row_odds.x), x, hn_i_thrice(y.x), across, jitter, metric),
@@ -143,18 +148,17 @@ HN_FN hn_rank4 hn_i_visit_slab(hn_rank4 best, hn_uvec3 before, hn_uvec3 cell, hn
 // The three smallest ranks of the points of a cell and its neighbours, and the code of the nearest one's cell. d is the
 // offset of the place from the centre of the cell. With a loop over z a shader compiles in about 0.6 of the time. But
 // llvmpipe does not unroll it, and then takes 1.6 times as long.
-HN_FN hn_rank4 hn_i_nearest(hn_uvec3 before, hn_uvec3 cell, hn_uvec3 after, hn_num3 d, hn_num jitter, hn_int metric,
-                            hn_uint seed) {
+HN_FN hn_rank4 hn_i_nearest(hn_i_block3 block, hn_num3 d, hn_num jitter, hn_int metric, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
   hn_num3 x = hn_i_row(d.x);
   hn_num3 y = hn_i_row(d.y);
   hn_num3 z = hn_i_row(d.z);
-  hn_uvec3 joins = hn_i_xor(hn_i_joins_z(before, cell, after), s);
-  hn_rank4 best = hn_i_visit_slab(hn_i_far_away(), before, cell, after, joins.x, hn_i_odd(before.z + s), x, y, z.x,
+  hn_uvec3 joins = hn_i_xor(hn_i_joins_z(block), s);
+  hn_rank4 best = hn_i_visit_slab(hn_i_far_away(), block, joins.x, hn_i_odd(block.before.z + s), x, y, z.x,
                                   jitter, metric, hn_i_code(0, 0, -1));
-  best = hn_i_visit_slab(best, before, cell, after, joins.y, hn_i_odd(cell.z + s), x, y, z.y, jitter, metric,
+  best = hn_i_visit_slab(best, block, joins.y, hn_i_odd(block.cell.z + s), x, y, z.y, jitter, metric,
                          hn_i_code(0, 0, 0));
-  return hn_i_visit_slab(best, before, cell, after, joins.z, hn_i_odd(after.z + s), x, y, z.z, jitter, metric,
+  return hn_i_visit_slab(best, block, joins.z, hn_i_odd(block.after.z + s), x, y, z.z, jitter, metric,
                          hn_i_code(0, 0, 1));
 }
 
@@ -180,15 +184,14 @@ HN_FN hn_int hn_i_two_along(hn_int axis, hn_num3 d) {
 }
 
 // The words of its row n, which is -1, 0 or 1.
-HN_FN hn_uvec3 hn_i_slab_words(hn_uvec3 before, hn_uvec3 cell, hn_uvec3 after, hn_int axis, hn_uint at, hn_int n,
-                               hn_uint seed) {
+HN_FN hn_uvec3 hn_i_slab_words(hn_i_block3 block, hn_int axis, hn_uint at, hn_int n, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
-  hn_uvec3 x = hn_i_joins_x(before, cell, after);
-  hn_uvec3 y = hn_i_joins_y(before, cell, after);
-  hn_uvec3 z = hn_i_joins_z(before, cell, after);
-  hn_uvec3 row = hn_i_if_axis(axis, 0, uvec3(before.y, cell.y, after.y), uvec3(before.x, cell.x, after.x));
+  hn_uvec3 x = hn_i_joins_x(block);
+  hn_uvec3 y = hn_i_joins_y(block);
+  hn_uvec3 z = hn_i_joins_z(block);
+  hn_uvec3 row = hn_i_if_axis(axis, 0, hn_i_along_y(block), hn_i_along_x(block));
   hn_uint next =
-      hn_i_of_three(hn_i_if_axis(axis, 2, uvec3(before.y, cell.y, after.y), uvec3(before.z, cell.z, after.z)), n);
+      hn_i_of_three(hn_i_if_axis(axis, 2, hn_i_along_y(block), hn_i_along_z(block)), n);
   return hn_i_row_words(
       hn_i_if_axis(axis, 0, y, x), row * 2u,
       hn_i_of_three(hn_i_if_axis(axis, 2, y, z), n) ^ hn_i_along(axis, hn_i_fold(uvec3(at, at, at))) ^ s,
@@ -209,15 +212,14 @@ HN_FN hn_num3 hn_i_slab_z(hn_num3 d, hn_int axis, hn_int steps, hn_int n) {
 // ---------------------------------------------------------------------------------------------------------------------
 
 // The offset of the place from the point of the cell with that code, turned.
-HN_FN hn_num3 hn_i_from_nearest(hn_uvec3 before, hn_uvec3 cell, hn_uvec3 after, hn_num3 d, hn_num jitter, hn_uint seed,
-                                hn_rank code) {
+HN_FN hn_num3 hn_i_from_nearest(hn_i_block3 block, hn_num3 d, hn_num jitter, hn_uint seed, hn_rank code) {
   hn_int x = hn_i_x_of(int(code));
   hn_int y = hn_i_y_of(int(code));
   hn_int z = hn_i_z_of(int(code));
   hn_uint s = hn_i_mix(seed);
   hn_uint word = hn_i_word(
-      uvec3(hn_i_of_three(uvec3(before.x, cell.x, after.x), x), hn_i_of_three(uvec3(before.y, cell.y, after.y), y),
-            hn_i_of_three(uvec3(before.z, cell.z, after.z), z)),
+      uvec3(hn_i_of_three(hn_i_along_x(block), x), hn_i_of_three(hn_i_along_y(block), y),
+            hn_i_of_three(hn_i_along_z(block), z)),
       s, s);
   hn_uvec3 words = uvec3(word, word, word);
   hn_num3 beside_x = hn_i_thrice(hn_i_beside(d.x, x));

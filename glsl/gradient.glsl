@@ -263,12 +263,9 @@ HN_FN hn_vec4 hn_gradient4(hn_uint h) {
 // ---------------------------------------------------------------------------------------------------------------------
 // Each HN_GRADIENT offers these functions to a noise on the plane and in space:
 //
-//   hn_i_ramps(first, last, f, seed)        what the corners 00, 10, 01, 11 of a cell add at the place f in it; first
-//                                           and last are the spread coordinates of 00 and 11
-//   hn_i_ramps(first, last, f, back, seed)  in space, the same for the corners of its front face or of its back face
-//                                           along z
-//   hn_i_scaled2(n)                         noise that is interpolated between ramps, scaled to [-1, 1]; in space
-//                                           hn_i_scaled3(n)
+//   hn_i_ramps(box, f, seed)          what the corners 00, 10, 01, 11 of a cell add at the place f in it
+//   hn_i_ramps(box, f, back, seed)    in space, the same for the corners of its front face or of its back face along z
+//   hn_i_scaled2(n), hn_i_scaled3(n)  noise that is interpolated between ramps, on the plane and in space, in [-1, 1]
 
 // 1365 / 1024 and 1228 / 1024 are 1 / 0.75 and 1 / 0.833334, rounded down. These are the largest values that a noise
 // has before it is scaled, on the plane and in space (tools/bounds). On the line it is 1/2, and in four dimensions
@@ -278,8 +275,8 @@ HN_FN hn_num hn_i_scaled4(hn_num n) { return hn_i_scaled_ramps(n, 953); }
 
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
-HN_FN hn_num4 hn_i_ramps(hn_uvec2 first, hn_uvec2 last, hn_num2 f, hn_uint seed) {
-  hn_uvec4 h = hn_i_corners(first, last, seed);
+HN_FN hn_num4 hn_i_ramps(hn_i_box2 box, hn_num2 f, hn_uint seed) {
+  hn_uvec4 h = hn_i_corners(box, seed);
   hn_num x = hn_i_far(f.x);
   hn_num y = hn_i_far(f.y);
   return hn_i_num(hn_i_ramp(hn_i_direction2(h.x), f.x, f.y), hn_i_ramp(hn_i_direction2(h.y), x, f.y),
@@ -299,8 +296,8 @@ HN_FN hn_num4 hn_i_ramps(hn_num4 d00, hn_num4 d10, hn_num4 d01, hn_num4 d11, hn_
                   hn_i_ramp(d01, u1, hn_i_plus(v, step), w), hn_i_ramp(d11, hn_i_minus(u1, step), v, w));
 }
 
-HN_FN hn_num4 hn_i_ramps(hn_uvec3 first, hn_uvec3 last, hn_num3 f, bool back, hn_uint seed) {
-  hn_uvec4 h = hn_i_corners(first, last, back, seed);
+HN_FN hn_num4 hn_i_ramps(hn_i_box3 box, hn_num3 f, bool back, hn_uint seed) {
+  hn_uvec4 h = hn_i_corners(box, back, seed);
   return hn_i_ramps(hn_i_direction3(h.x), hn_i_direction3(h.y), hn_i_direction3(h.z), hn_i_direction3(h.w), f, back);
 }
 
@@ -363,10 +360,10 @@ HN_FN hn_uint hn_i_gathered(hn_uint x) { return (x - 0x165667B1u) * 0x0E8B2F51u;
 HN_FN hn_uvec2 hn_i_gathered(hn_uvec2 v) { return uvec2(hn_i_gathered(v.x), v.y * 0xB6C92F47u); }
 HN_FN hn_uvec3 hn_i_gathered(hn_uvec3 v) { return uvec3(hn_i_gathered(v.x), v.y * 0xB6C92F47u, v.z * 0xA89ED915u); }
 
-HN_FN hn_num4 hn_i_ramps(hn_uvec2 first, hn_uvec2 last, hn_num2 f, hn_uint seed) {
+HN_FN hn_num4 hn_i_ramps(hn_i_box2 box, hn_num2 f, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
-  hn_uvec2 c0 = hn_i_gathered(first);
-  hn_uvec2 c1 = hn_i_gathered(last);
+  hn_uvec2 c0 = hn_i_gathered(box.first);
+  hn_uvec2 c1 = hn_i_gathered(box.last);
   hn_uint k0 = hn_i_column(c0.x, s);
   hn_uint k1 = hn_i_column(c1.x, s);
   hn_num x = hn_i_far(f.x);
@@ -375,10 +372,10 @@ HN_FN hn_num4 hn_i_ramps(hn_uvec2 first, hn_uvec2 last, hn_num2 f, hn_uint seed)
                   hn_i_dot(hn_i_gradient(k0, c1.y), f.x, y), hn_i_dot(hn_i_gradient(k1, c1.y), x, y));
 }
 
-HN_FN hn_num4 hn_i_ramps(hn_uvec3 first, hn_uvec3 last, hn_num3 f, bool back, hn_uint seed) {
+HN_FN hn_num4 hn_i_ramps(hn_i_box3 box, hn_num3 f, bool back, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
-  hn_uvec3 c0 = hn_i_gathered(first);
-  hn_uvec3 c1 = hn_i_gathered(last);
+  hn_uvec3 c0 = hn_i_gathered(box.first);
+  hn_uvec3 c1 = hn_i_gathered(box.last);
   hn_uint k0 = hn_i_column(c0.x, s);
   hn_uint k1 = hn_i_column(c1.x, s);
   hn_num x = hn_i_far(f.x);

@@ -68,6 +68,78 @@ HN_FN hn_uvec4 hn_i_last(hn_uvec4 first, hn_uvec4 c, hn_ivec4 period) {
                hn_i_behind(last.z, c.z, period.z, 0u), hn_i_behind(last.w, c.w, period.w, 0u));
 }
 
+// A box has the spread coordinates of two opposite corners of a cell: those of the first and of the last. With a period
+// the corners are wrapped. All lattice noises are functions of a box and of the place in it.
+struct hn_i_box1 {
+  hn_uint first;
+  hn_uint last;
+};
+struct hn_i_box2 {
+  hn_uvec2 first;
+  hn_uvec2 last;
+};
+struct hn_i_box3 {
+  hn_uvec3 first;
+  hn_uvec3 last;
+};
+struct hn_i_box4 {
+  hn_uvec4 first;
+  hn_uvec4 last;
+};
+
+HN_FN hn_i_box1 hn_i_box(hn_int cell) {
+  HN_I_NEW(hn_i_box1, box);
+  box.first = hn_i_first(cell);
+  box.last = hn_i_last(box.first);
+  return box;
+}
+HN_FN hn_i_box1 hn_i_box(hn_int cell, hn_int period) {
+  hn_uint c = hn_i_wrap(cell, period);
+  HN_I_NEW(hn_i_box1, box);
+  box.first = hn_i_spread(c);
+  box.last = hn_i_last(box.first, c, period);
+  return box;
+}
+HN_FN hn_i_box2 hn_i_box(hn_ivec2 cell) {
+  HN_I_NEW(hn_i_box2, box);
+  box.first = hn_i_first(cell);
+  box.last = hn_i_last(box.first);
+  return box;
+}
+HN_FN hn_i_box2 hn_i_box(hn_ivec2 cell, hn_ivec2 period) {
+  hn_uvec2 c = hn_i_wrap(cell, period);
+  HN_I_NEW(hn_i_box2, box);
+  box.first = hn_i_spread(c);
+  box.last = hn_i_last(box.first, c, period);
+  return box;
+}
+HN_FN hn_i_box3 hn_i_box(hn_ivec3 cell) {
+  HN_I_NEW(hn_i_box3, box);
+  box.first = hn_i_first(cell);
+  box.last = hn_i_last(box.first);
+  return box;
+}
+HN_FN hn_i_box3 hn_i_box(hn_ivec3 cell, hn_ivec3 period) {
+  hn_uvec3 c = hn_i_wrap(cell, period);
+  HN_I_NEW(hn_i_box3, box);
+  box.first = hn_i_spread(c);
+  box.last = hn_i_last(box.first, c, period);
+  return box;
+}
+HN_FN hn_i_box4 hn_i_box(hn_ivec4 cell) {
+  HN_I_NEW(hn_i_box4, box);
+  box.first = hn_i_first(cell);
+  box.last = hn_i_last(box.first);
+  return box;
+}
+HN_FN hn_i_box4 hn_i_box(hn_ivec4 cell, hn_ivec4 period) {
+  hn_uvec4 c = hn_i_wrap(cell, period);
+  HN_I_NEW(hn_i_box4, box);
+  box.first = hn_i_spread(c);
+  box.last = hn_i_last(box.first, c, period);
+  return box;
+}
+
 // The first corner of the cell before, given the first corner of a cell.
 HN_FN hn_uvec2 hn_i_before(hn_uvec2 first) { return uvec2(first.x - 0x9E3779B1u, first.y - 0x85EBCA77u); }
 HN_FN hn_uvec3 hn_i_before(hn_uvec3 first) {
@@ -97,6 +169,70 @@ HN_FN hn_uvec4 hn_i_before(hn_uvec4 c, hn_ivec4 period) {
                hn_i_before(c.w, period.w));
 }
 
+// A block has the spread coordinates of a cell, of the one before it along each axis, and of the one after it: all that
+// simplex noise and cellular noise visit.
+struct hn_i_block2 {
+  hn_uvec2 before;
+  hn_uvec2 cell;
+  hn_uvec2 after;
+};
+struct hn_i_block3 {
+  hn_uvec3 before;
+  hn_uvec3 cell;
+  hn_uvec3 after;
+};
+struct hn_i_block4 {
+  hn_uvec4 before;
+  hn_uvec4 cell;
+  hn_uvec4 after;
+};
+
+HN_FN hn_i_block2 hn_i_block(hn_ivec2 cell) {
+  HN_I_NEW(hn_i_block2, block);
+  block.cell = hn_i_first(cell);
+  block.before = hn_i_before(block.cell);
+  block.after = hn_i_last(block.cell);
+  return block;
+}
+HN_FN hn_i_block2 hn_i_block(hn_ivec2 cell, hn_ivec2 period) {
+  hn_uvec2 c = hn_i_wrap(cell, period);
+  HN_I_NEW(hn_i_block2, block);
+  block.cell = hn_i_spread(c);
+  block.before = hn_i_spread(hn_i_before(c, period));
+  block.after = hn_i_last(block.cell, c, period);
+  return block;
+}
+HN_FN hn_i_block3 hn_i_block(hn_ivec3 cell) {
+  HN_I_NEW(hn_i_block3, block);
+  block.cell = hn_i_first(cell);
+  block.before = hn_i_before(block.cell);
+  block.after = hn_i_last(block.cell);
+  return block;
+}
+HN_FN hn_i_block3 hn_i_block(hn_ivec3 cell, hn_ivec3 period) {
+  hn_uvec3 c = hn_i_wrap(cell, period);
+  HN_I_NEW(hn_i_block3, block);
+  block.cell = hn_i_spread(c);
+  block.before = hn_i_spread(hn_i_before(c, period));
+  block.after = hn_i_last(block.cell, c, period);
+  return block;
+}
+HN_FN hn_i_block4 hn_i_block(hn_ivec4 cell) {
+  HN_I_NEW(hn_i_block4, block);
+  block.cell = hn_i_first(cell);
+  block.before = hn_i_before(block.cell);
+  block.after = hn_i_last(block.cell);
+  return block;
+}
+HN_FN hn_i_block4 hn_i_block(hn_ivec4 cell, hn_ivec4 period) {
+  hn_uvec4 c = hn_i_wrap(cell, period);
+  HN_I_NEW(hn_i_block4, block);
+  block.cell = hn_i_spread(c);
+  block.before = hn_i_spread(hn_i_before(c, period));
+  block.after = hn_i_last(block.cell, c, period);
+  return block;
+}
+
 // The words of the corners 00, 10, 01, 11 of a square; c0 and c1 are the spread coordinates of the first and the last.
 // Other axes and the seed add `join` to the exclusive or, `sum` to the sum before it is made odd, and `more` to the odd
 // number (`more` is even). Without a period `more` and the steps along x and y are constants, so they are added first.
@@ -112,25 +248,30 @@ HN_FN hn_uvec4 hn_i_corners(hn_uvec2 c0, hn_uvec2 c1, hn_uint join, hn_uint sum,
                hn_i_word(a.x ^ b.y, odd + (y + more)), hn_i_word(b.x ^ b.y, odd + (x + y + more)));
 }
 
-// The same for the cell between first and last: both ends of a line, a square, the front or back face of a cube along
-// z, and in four dimensions the square that z and w choose.
-HN_FN hn_uvec2 hn_i_corners(hn_uint first, hn_uint last, hn_uint seed) {
+// The same for a box: both ends of a line, a square, the front or back face of a cube along z, and in four dimensions
+// the square that z and w choose.
+HN_FN hn_uvec2 hn_i_corners(hn_i_box1 box, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
-  hn_uint odd = hn_i_odd(first + s);
-  return uvec2(hn_i_word(hn_i_fold(first) ^ s, odd), hn_i_word(hn_i_fold(last) ^ s, odd + (last - first) * 2u));
+  hn_uint odd = hn_i_odd(box.first + s);
+  return uvec2(hn_i_word(hn_i_fold(box.first) ^ s, odd),
+               hn_i_word(hn_i_fold(box.last) ^ s, odd + (box.last - box.first) * 2u));
 }
-HN_FN hn_uvec4 hn_i_corners(hn_uvec2 first, hn_uvec2 last, hn_uint seed) {
+HN_FN hn_uvec4 hn_i_corners(hn_i_box2 box, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
-  return hn_i_corners(first, last, s, s, 0u);
+  return hn_i_corners(box.first, box.last, s, s, 0u);
 }
-HN_FN hn_uvec4 hn_i_corners(hn_uvec3 first, hn_uvec3 last, bool back, hn_uint seed) {
+HN_FN hn_uvec4 hn_i_corners(hn_i_box3 box, bool back, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
+  hn_uvec3 first = box.first;
+  hn_uvec3 last = box.last;
   hn_uint join = hn_i_select(back, hn_i_fold(last).z, hn_i_fold(first).z) ^ s;
   hn_uint more = hn_i_select(back, (last.z - first.z) * 2u, 0u);
   return hn_i_corners(uvec2(first.x, first.y), uvec2(last.x, last.y), join, first.z + s, more);
 }
-HN_FN hn_uvec4 hn_i_corners(hn_uvec4 first, hn_uvec4 last, bool far_z, bool far_w, hn_uint seed) {
+HN_FN hn_uvec4 hn_i_corners(hn_i_box4 box, bool far_z, bool far_w, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
+  hn_uvec4 first = box.first;
+  hn_uvec4 last = box.last;
   hn_uvec4 a = hn_i_fold(first);
   hn_uvec4 b = hn_i_fold(last);
   hn_uint join = hn_i_select(far_z, b.z, a.z) ^ hn_i_select(far_w, b.w, a.w) ^ s;

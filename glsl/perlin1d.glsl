@@ -10,20 +10,11 @@
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
 // The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_num hn_i_perlin(hn_uint first, hn_uint last, hn_num f, hn_uint seed) {
-  hn_uvec2 h = hn_i_corners(first, last, seed);
+HN_FN hn_num hn_i_perlin(hn_i_box1 box, hn_num f, hn_uint seed) {
+  hn_uvec2 h = hn_i_corners(box, seed);
   hn_num left = hn_i_ramp(hn_i_gradient1(h.x), f);
   hn_num right = hn_i_ramp(hn_i_gradient1(h.y), hn_i_far(f));
   return hn_i_scaled1(hn_i_lerp(left, right, hn_i_fade(f)));
-}
-HN_FN hn_num hn_i_perlin(hn_int cell, hn_num f, hn_uint seed) {
-  hn_uint first = hn_i_first(cell);
-  return hn_i_perlin(first, hn_i_last(first), f, seed);
-}
-HN_FN hn_num hn_i_perlin(hn_int cell, hn_num f, hn_int period, hn_uint seed) {
-  hn_uint c = hn_i_wrap(cell, period);
-  hn_uint first = hn_i_spread(c);
-  return hn_i_perlin(first, hn_i_last(first, c, period), f, seed);
 }
 
 // Gradient noise on the integers, from a cell and a position in it: Perlin 2002 interpolant, hashed gradients.
@@ -39,7 +30,7 @@ HN_FN hn_num hn_i_perlin(hn_int cell, hn_num f, hn_int period, hn_uint seed) {
 //            for a seed that is not constant
 //   source   Perlin, "Improving noise", 2002
 HN_FN hn_float hn_perlin(hn_int cell, hn_float f, hn_uint seed) {
-  return hn_i_value(hn_i_perlin(cell, hn_i_inside(f), seed));
+  return hn_i_value(hn_i_perlin(hn_i_box(cell), hn_i_inside(f), seed));
 }
 
 HN_FN hn_float hn_perlin(hn_int cell, hn_float f) { return hn_perlin(cell, f, 0u); }
@@ -53,7 +44,7 @@ HN_FN hn_float hn_perlin(hn_int cell, hn_float f) { return hn_perlin(cell, f, 0u
 //   cost     as above
 //   source   as above
 HN_FN hn_float hn_perlin(hn_float p, hn_uint seed) {
-  return hn_i_value(hn_i_perlin(hn_i_cell(p), hn_i_fraction(p), seed));
+  return hn_i_value(hn_i_perlin(hn_i_box(hn_i_cell(p)), hn_i_fraction(p), seed));
 }
 
 HN_FN hn_float hn_perlin(hn_float p) { return hn_perlin(p, 0u); }
@@ -64,11 +55,11 @@ HN_FN hn_float hn_perlin(hn_float p) { return hn_perlin(p, 0u); }
 //   error    as without a period
 //   cost     a mask more for a constant power of two; else a division. Each axis has one comparison more
 HN_FN hn_float hn_perlin(hn_int cell, hn_float f, hn_int period, hn_uint seed) {
-  return hn_i_value(hn_i_perlin(cell, hn_i_inside(f), period, seed));
+  return hn_i_value(hn_i_perlin(hn_i_box(cell, period), hn_i_inside(f), seed));
 }
 
 HN_FN hn_float hn_perlin(hn_float p, hn_int period, hn_uint seed) {
-  return hn_i_value(hn_i_perlin(hn_i_cell(p), hn_i_fraction(p), period, seed));
+  return hn_i_value(hn_i_perlin(hn_i_box(hn_i_cell(p), period), hn_i_fraction(p), seed));
 }
 
 #endif

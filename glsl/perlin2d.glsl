@@ -7,19 +7,10 @@
 #include "gradient.glsl"
 
 // The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_num hn_i_perlin(hn_uvec2 first, hn_uvec2 last, hn_num2 f, hn_uint seed) {
-  hn_num4 n = hn_i_ramps(first, last, f, seed);
+HN_FN hn_num hn_i_perlin(hn_i_box2 box, hn_num2 f, hn_uint seed) {
+  hn_num4 n = hn_i_ramps(box, f, seed);
   hn_num2 t = hn_i_fade(f);
   return hn_i_scaled2(hn_i_lerp(n, t.x, t.y));
-}
-HN_FN hn_num hn_i_perlin(hn_ivec2 cell, hn_num2 f, hn_uint seed) {
-  hn_uvec2 first = hn_i_first(cell);
-  return hn_i_perlin(first, hn_i_last(first), f, seed);
-}
-HN_FN hn_num hn_i_perlin(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_uint seed) {
-  hn_uvec2 c = hn_i_wrap(cell, period);
-  hn_uvec2 first = hn_i_spread(c);
-  return hn_i_perlin(first, hn_i_last(first, c, period), f, seed);
 }
 
 // Gradient noise on the square lattice, from a cell and a position in it: Perlin 2002 interpolant, hashed gradients.
@@ -37,7 +28,7 @@ HN_FN hn_num hn_i_perlin(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_uint seed
 //            them of floats
 //   source   Valdenegro-Toro and Pincheira, sec. 5; Perlin, "Improving noise", 2002
 HN_FN hn_float hn_perlin(hn_ivec2 cell, hn_vec2 f, hn_uint seed) {
-  return hn_i_value(hn_i_perlin(cell, hn_i_inside(f), seed));
+  return hn_i_value(hn_i_perlin(hn_i_box(cell), hn_i_inside(f), seed));
 }
 
 HN_FN hn_float hn_perlin(hn_ivec2 cell, hn_vec2 f) { return hn_perlin(cell, f, 0u); }
@@ -51,7 +42,7 @@ HN_FN hn_float hn_perlin(hn_ivec2 cell, hn_vec2 f) { return hn_perlin(cell, f, 0
 //   cost     as above
 //   source   as above
 HN_FN hn_float hn_perlin(hn_vec2 p, hn_uint seed) {
-  return hn_i_value(hn_i_perlin(hn_i_cell(p), hn_i_fraction(p), seed));
+  return hn_i_value(hn_i_perlin(hn_i_box(hn_i_cell(p)), hn_i_fraction(p), seed));
 }
 
 HN_FN hn_float hn_perlin(hn_vec2 p) { return hn_perlin(p, 0u); }
@@ -63,11 +54,11 @@ HN_FN hn_float hn_perlin(hn_vec2 p) { return hn_perlin(p, 0u); }
 //   cost     a mask along each axis more for a constant power of two; else a division. Each axis has one comparison
 //            more
 HN_FN hn_float hn_perlin(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_uint seed) {
-  return hn_i_value(hn_i_perlin(cell, hn_i_inside(f), period, seed));
+  return hn_i_value(hn_i_perlin(hn_i_box(cell, period), hn_i_inside(f), seed));
 }
 
 HN_FN hn_float hn_perlin(hn_vec2 p, hn_ivec2 period, hn_uint seed) {
-  return hn_i_value(hn_i_perlin(hn_i_cell(p), hn_i_fraction(p), period, seed));
+  return hn_i_value(hn_i_perlin(hn_i_box(hn_i_cell(p), period), hn_i_fraction(p), seed));
 }
 
 #endif

@@ -7,20 +7,11 @@
 #include "gradient.glsl"
 
 // The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_num hn_i_perlin(hn_uvec3 first, hn_uvec3 last, hn_num3 f, hn_uint seed) {
+HN_FN hn_num hn_i_perlin(hn_i_box3 box, hn_num3 f, hn_uint seed) {
   hn_num3 t = hn_i_fade(f);
-  hn_num front = hn_i_lerp(hn_i_ramps(first, last, f, false, seed), t.x, t.y);
-  hn_num back = hn_i_lerp(hn_i_ramps(first, last, f, true, seed), t.x, t.y);
+  hn_num front = hn_i_lerp(hn_i_ramps(box, f, false, seed), t.x, t.y);
+  hn_num back = hn_i_lerp(hn_i_ramps(box, f, true, seed), t.x, t.y);
   return hn_i_scaled3(hn_i_lerp(front, back, t.z));
-}
-HN_FN hn_num hn_i_perlin(hn_ivec3 cell, hn_num3 f, hn_uint seed) {
-  hn_uvec3 first = hn_i_first(cell);
-  return hn_i_perlin(first, hn_i_last(first), f, seed);
-}
-HN_FN hn_num hn_i_perlin(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_uint seed) {
-  hn_uvec3 c = hn_i_wrap(cell, period);
-  hn_uvec3 first = hn_i_spread(c);
-  return hn_i_perlin(first, hn_i_last(first, c, period), f, seed);
 }
 
 // Gradient noise on the cubic lattice, from a cell and a position in it: Perlin 2002 interpolant, hashed gradients.
@@ -38,7 +29,7 @@ HN_FN hn_num hn_i_perlin(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_uint seed
 //            them of floats
 //   source   Valdenegro-Toro and Pincheira, sec. 5; Perlin, "Improving noise", 2002
 HN_FN hn_float hn_perlin(hn_ivec3 cell, hn_vec3 f, hn_uint seed) {
-  return hn_i_value(hn_i_perlin(cell, hn_i_inside(f), seed));
+  return hn_i_value(hn_i_perlin(hn_i_box(cell), hn_i_inside(f), seed));
 }
 
 HN_FN hn_float hn_perlin(hn_ivec3 cell, hn_vec3 f) { return hn_perlin(cell, f, 0u); }
@@ -52,7 +43,7 @@ HN_FN hn_float hn_perlin(hn_ivec3 cell, hn_vec3 f) { return hn_perlin(cell, f, 0
 //   cost     as above
 //   source   as above
 HN_FN hn_float hn_perlin(hn_vec3 p, hn_uint seed) {
-  return hn_i_value(hn_i_perlin(hn_i_cell(p), hn_i_fraction(p), seed));
+  return hn_i_value(hn_i_perlin(hn_i_box(hn_i_cell(p)), hn_i_fraction(p), seed));
 }
 
 HN_FN hn_float hn_perlin(hn_vec3 p) { return hn_perlin(p, 0u); }
@@ -64,11 +55,11 @@ HN_FN hn_float hn_perlin(hn_vec3 p) { return hn_perlin(p, 0u); }
 //   cost     a mask along each axis more for a constant power of two; else a division. Each axis has one comparison
 //            more
 HN_FN hn_float hn_perlin(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_uint seed) {
-  return hn_i_value(hn_i_perlin(cell, hn_i_inside(f), period, seed));
+  return hn_i_value(hn_i_perlin(hn_i_box(cell, period), hn_i_inside(f), seed));
 }
 
 HN_FN hn_float hn_perlin(hn_vec3 p, hn_ivec3 period, hn_uint seed) {
-  return hn_i_value(hn_i_perlin(hn_i_cell(p), hn_i_fraction(p), period, seed));
+  return hn_i_value(hn_i_perlin(hn_i_box(hn_i_cell(p), period), hn_i_fraction(p), seed));
 }
 
 #endif

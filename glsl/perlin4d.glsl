@@ -19,26 +19,17 @@ HN_FN hn_num4 hn_i_ramps(hn_uvec4 h, hn_num4 f, hn_num z, hn_num w) {
 }
 
 // The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_num hn_i_perlin(hn_uvec4 first, hn_uvec4 last, hn_num4 f, hn_uint seed) {
+HN_FN hn_num hn_i_perlin(hn_i_box4 box, hn_num4 f, hn_uint seed) {
   hn_num4 t = hn_i_fade(f);
   hn_num z = hn_i_far(f.z);
   hn_num w = hn_i_far(f.w);
-  hn_num4 n00 = hn_i_ramps(hn_i_corners(first, last, false, false, seed), f, f.z, f.w);
-  hn_num4 n10 = hn_i_ramps(hn_i_corners(first, last, true, false, seed), f, z, f.w);
-  hn_num4 n01 = hn_i_ramps(hn_i_corners(first, last, false, true, seed), f, f.z, w);
-  hn_num4 n11 = hn_i_ramps(hn_i_corners(first, last, true, true, seed), f, z, w);
+  hn_num4 n00 = hn_i_ramps(hn_i_corners(box, false, false, seed), f, f.z, f.w);
+  hn_num4 n10 = hn_i_ramps(hn_i_corners(box, true, false, seed), f, z, f.w);
+  hn_num4 n01 = hn_i_ramps(hn_i_corners(box, false, true, seed), f, f.z, w);
+  hn_num4 n11 = hn_i_ramps(hn_i_corners(box, true, true, seed), f, z, w);
   hn_num4 n =
       hn_i_num(hn_i_lerp(n00, t.x, t.y), hn_i_lerp(n10, t.x, t.y), hn_i_lerp(n01, t.x, t.y), hn_i_lerp(n11, t.x, t.y));
   return hn_i_scaled4(hn_i_lerp(n, t.z, t.w));
-}
-HN_FN hn_num hn_i_perlin(hn_ivec4 cell, hn_num4 f, hn_uint seed) {
-  hn_uvec4 first = hn_i_first(cell);
-  return hn_i_perlin(first, hn_i_last(first), f, seed);
-}
-HN_FN hn_num hn_i_perlin(hn_ivec4 cell, hn_num4 f, hn_ivec4 period, hn_uint seed) {
-  hn_uvec4 c = hn_i_wrap(cell, period);
-  hn_uvec4 first = hn_i_spread(c);
-  return hn_i_perlin(first, hn_i_last(first, c, period), f, seed);
 }
 
 // Gradient noise on the lattice of four dimensions, from a cell and a position in it: Perlin 2002 interpolant, hashed
@@ -55,7 +46,7 @@ HN_FN hn_num hn_i_perlin(hn_ivec4 cell, hn_num4 f, hn_ivec4 period, hn_uint seed
 //            for a seed that is not constant
 //   source   Perlin, "Improving noise", 2002
 HN_FN hn_float hn_perlin(hn_ivec4 cell, hn_vec4 f, hn_uint seed) {
-  return hn_i_value(hn_i_perlin(cell, hn_i_inside(f), seed));
+  return hn_i_value(hn_i_perlin(hn_i_box(cell), hn_i_inside(f), seed));
 }
 
 HN_FN hn_float hn_perlin(hn_ivec4 cell, hn_vec4 f) { return hn_perlin(cell, f, 0u); }
@@ -69,7 +60,7 @@ HN_FN hn_float hn_perlin(hn_ivec4 cell, hn_vec4 f) { return hn_perlin(cell, f, 0
 //   cost     as above
 //   source   as above
 HN_FN hn_float hn_perlin(hn_vec4 p, hn_uint seed) {
-  return hn_i_value(hn_i_perlin(hn_i_cell(p), hn_i_fraction(p), seed));
+  return hn_i_value(hn_i_perlin(hn_i_box(hn_i_cell(p)), hn_i_fraction(p), seed));
 }
 
 HN_FN hn_float hn_perlin(hn_vec4 p) { return hn_perlin(p, 0u); }
@@ -81,11 +72,11 @@ HN_FN hn_float hn_perlin(hn_vec4 p) { return hn_perlin(p, 0u); }
 //   cost     a mask along each axis more for a constant power of two; else a division. Each axis has one comparison
 //            more
 HN_FN hn_float hn_perlin(hn_ivec4 cell, hn_vec4 f, hn_ivec4 period, hn_uint seed) {
-  return hn_i_value(hn_i_perlin(cell, hn_i_inside(f), period, seed));
+  return hn_i_value(hn_i_perlin(hn_i_box(cell, period), hn_i_inside(f), seed));
 }
 
 HN_FN hn_float hn_perlin(hn_vec4 p, hn_ivec4 period, hn_uint seed) {
-  return hn_i_value(hn_i_perlin(hn_i_cell(p), hn_i_fraction(p), period, seed));
+  return hn_i_value(hn_i_perlin(hn_i_box(hn_i_cell(p), period), hn_i_fraction(p), seed));
 }
 
 #endif

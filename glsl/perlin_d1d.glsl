@@ -11,8 +11,8 @@
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
 // The noise and its derivative.
-HN_FN hn_vec2 hn_i_perlin_d(hn_uint first, hn_uint last, hn_num f, hn_uint seed) {
-  hn_uvec2 h = hn_i_corners(first, last, seed);
+HN_FN hn_vec2 hn_i_perlin_d(hn_i_box1 box, hn_num f, hn_uint seed) {
+  hn_uvec2 h = hn_i_corners(box, seed);
   hn_num a = hn_i_gradient1(h.x);
   hn_num b = hn_i_gradient1(h.y);
   hn_num left = hn_i_ramp(a, f);
@@ -20,15 +20,6 @@ HN_FN hn_vec2 hn_i_perlin_d(hn_uint first, hn_uint last, hn_num f, hn_uint seed)
   hn_num t = hn_i_fade(f);
   hn_num slope = hn_i_climb(hn_i_lerp(a, b, t), hn_i_rise(left, right), hn_i_slope(f));
   return vec2(hn_i_value(hn_i_scaled1(hn_i_lerp(left, right, t))), hn_i_derivative(hn_i_scaled1(slope)));
-}
-HN_FN hn_vec2 hn_i_perlin_d(hn_int cell, hn_num f, hn_uint seed) {
-  hn_uint first = hn_i_first(cell);
-  return hn_i_perlin_d(first, hn_i_last(first), f, seed);
-}
-HN_FN hn_vec2 hn_i_perlin_d(hn_int cell, hn_num f, hn_int period, hn_uint seed) {
-  hn_uint c = hn_i_wrap(cell, period);
-  hn_uint first = hn_i_spread(c);
-  return hn_i_perlin_d(first, hn_i_last(first, c, period), f, seed);
 }
 
 // Perlin noise on the line and how steep it is, from a cell and a position in it. The value is that of hn_perlin.
@@ -42,7 +33,9 @@ HN_FN hn_vec2 hn_i_perlin_d(hn_int cell, hn_num f, hn_int period, hn_uint seed) 
 //   period   2^32 cells
 //   cost     the hashes of hn_perlin, which are most of its cost, and about twice the rest
 //   source   the product rule on the interpolation; docs/contract.md, section 10
-HN_FN hn_vec2 hn_perlin_d(hn_int cell, hn_float f, hn_uint seed) { return hn_i_perlin_d(cell, hn_i_inside(f), seed); }
+HN_FN hn_vec2 hn_perlin_d(hn_int cell, hn_float f, hn_uint seed) {
+  return hn_i_perlin_d(hn_i_box(cell), hn_i_inside(f), seed);
+}
 
 HN_FN hn_vec2 hn_perlin_d(hn_int cell, hn_float f) { return hn_perlin_d(cell, f, 0u); }
 
@@ -54,7 +47,9 @@ HN_FN hn_vec2 hn_perlin_d(hn_int cell, hn_float f) { return hn_perlin_d(cell, f,
 //   period   as above
 //   cost     as above
 //   source   as above
-HN_FN hn_vec2 hn_perlin_d(hn_float p, hn_uint seed) { return hn_i_perlin_d(hn_i_cell(p), hn_i_fraction(p), seed); }
+HN_FN hn_vec2 hn_perlin_d(hn_float p, hn_uint seed) {
+  return hn_i_perlin_d(hn_i_box(hn_i_cell(p)), hn_i_fraction(p), seed);
+}
 
 HN_FN hn_vec2 hn_perlin_d(hn_float p) { return hn_perlin_d(p, 0u); }
 
@@ -64,11 +59,11 @@ HN_FN hn_vec2 hn_perlin_d(hn_float p) { return hn_perlin_d(p, 0u); }
 //   error    as without a period
 //   cost     a mask more for a constant power of two; else a division. Each axis has one comparison more
 HN_FN hn_vec2 hn_perlin_d(hn_int cell, hn_float f, hn_int period, hn_uint seed) {
-  return hn_i_perlin_d(cell, hn_i_inside(f), period, seed);
+  return hn_i_perlin_d(hn_i_box(cell, period), hn_i_inside(f), seed);
 }
 
 HN_FN hn_vec2 hn_perlin_d(hn_float p, hn_int period, hn_uint seed) {
-  return hn_i_perlin_d(hn_i_cell(p), hn_i_fraction(p), period, seed);
+  return hn_i_perlin_d(hn_i_box(hn_i_cell(p), period), hn_i_fraction(p), seed);
 }
 
 #endif

@@ -11,8 +11,8 @@
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
 // The noise and its derivatives.
-HN_FN hn_vec3 hn_i_perlin_d(hn_uvec2 first, hn_uvec2 last, hn_num2 f, hn_uint seed) {
-  hn_uvec4 h = hn_i_corners(first, last, seed);
+HN_FN hn_vec3 hn_i_perlin_d(hn_i_box2 box, hn_num2 f, hn_uint seed) {
+  hn_uvec4 h = hn_i_corners(box, seed);
   hn_num3 d00 = hn_i_direction2(h.x);
   hn_num3 d10 = hn_i_direction2(h.y);
   hn_num3 d01 = hn_i_direction2(h.z);
@@ -23,15 +23,6 @@ HN_FN hn_vec3 hn_i_perlin_d(hn_uvec2 first, hn_uvec2 last, hn_num2 f, hn_uint se
   hn_num3 n = hn_i_face_d(r, hn_i_gradient(d00), hn_i_gradient(d10), hn_i_gradient(d01), hn_i_gradient(d11),
                           hn_i_fade(f), hn_i_slope(f));
   return vec3(hn_i_value(hn_i_scaled2(n.x)), hn_i_derivative(hn_i_scaled2(n.y)), hn_i_derivative(hn_i_scaled2(n.z)));
-}
-HN_FN hn_vec3 hn_i_perlin_d(hn_ivec2 cell, hn_num2 f, hn_uint seed) {
-  hn_uvec2 first = hn_i_first(cell);
-  return hn_i_perlin_d(first, hn_i_last(first), f, seed);
-}
-HN_FN hn_vec3 hn_i_perlin_d(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_uint seed) {
-  hn_uvec2 c = hn_i_wrap(cell, period);
-  hn_uvec2 first = hn_i_spread(c);
-  return hn_i_perlin_d(first, hn_i_last(first, c, period), f, seed);
 }
 
 // Perlin noise on the plane and how steep it is, from a cell and a position in it. The value is that of hn_perlin.
@@ -45,7 +36,9 @@ HN_FN hn_vec3 hn_i_perlin_d(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_uint s
 //   period   2^32 cells per axis
 //   cost     the hashes of hn_perlin, which are most of its cost, and about twice the rest
 //   source   the product rule on the interpolation; docs/contract.md, section 10
-HN_FN hn_vec3 hn_perlin_d(hn_ivec2 cell, hn_vec2 f, hn_uint seed) { return hn_i_perlin_d(cell, hn_i_inside(f), seed); }
+HN_FN hn_vec3 hn_perlin_d(hn_ivec2 cell, hn_vec2 f, hn_uint seed) {
+  return hn_i_perlin_d(hn_i_box(cell), hn_i_inside(f), seed);
+}
 
 HN_FN hn_vec3 hn_perlin_d(hn_ivec2 cell, hn_vec2 f) { return hn_perlin_d(cell, f, 0u); }
 
@@ -57,7 +50,9 @@ HN_FN hn_vec3 hn_perlin_d(hn_ivec2 cell, hn_vec2 f) { return hn_perlin_d(cell, f
 //   period   as above
 //   cost     as above
 //   source   as above
-HN_FN hn_vec3 hn_perlin_d(hn_vec2 p, hn_uint seed) { return hn_i_perlin_d(hn_i_cell(p), hn_i_fraction(p), seed); }
+HN_FN hn_vec3 hn_perlin_d(hn_vec2 p, hn_uint seed) {
+  return hn_i_perlin_d(hn_i_box(hn_i_cell(p)), hn_i_fraction(p), seed);
+}
 
 HN_FN hn_vec3 hn_perlin_d(hn_vec2 p) { return hn_perlin_d(p, 0u); }
 
@@ -68,11 +63,11 @@ HN_FN hn_vec3 hn_perlin_d(hn_vec2 p) { return hn_perlin_d(p, 0u); }
 //   cost     a mask along each axis more for a constant power of two; else a division. Each axis has one comparison
 //            more
 HN_FN hn_vec3 hn_perlin_d(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_uint seed) {
-  return hn_i_perlin_d(cell, hn_i_inside(f), period, seed);
+  return hn_i_perlin_d(hn_i_box(cell, period), hn_i_inside(f), seed);
 }
 
 HN_FN hn_vec3 hn_perlin_d(hn_vec2 p, hn_ivec2 period, hn_uint seed) {
-  return hn_i_perlin_d(hn_i_cell(p), hn_i_fraction(p), period, seed);
+  return hn_i_perlin_d(hn_i_box(hn_i_cell(p), period), hn_i_fraction(p), seed);
 }
 
 #endif

@@ -12,8 +12,8 @@
 
 // What the corners of the front or back face make of the noise: the interpolated ramp, its derivatives along x and y,
 // and what the gradients' last components add.
-HN_FN hn_num4 hn_i_face_d(hn_uvec3 first, hn_uvec3 last, hn_num3 f, bool back, hn_num3 t, hn_num3 s, hn_uint seed) {
-  hn_uvec4 h = hn_i_corners(first, last, back, seed);
+HN_FN hn_num4 hn_i_face_d(hn_i_box3 box, hn_num3 f, bool back, hn_num3 t, hn_num3 s, hn_uint seed) {
+  hn_uvec4 h = hn_i_corners(box, back, seed);
   hn_num4 d00 = hn_i_direction3(h.x);
   hn_num4 d10 = hn_i_direction3(h.y);
   hn_num4 d01 = hn_i_direction3(h.z);
@@ -23,24 +23,15 @@ HN_FN hn_num4 hn_i_face_d(hn_uvec3 first, hn_uvec3 last, hn_num3 f, bool back, h
 }
 
 // The noise and its derivatives.
-HN_FN hn_vec4 hn_i_perlin_d(hn_uvec3 first, hn_uvec3 last, hn_num3 f, hn_uint seed) {
+HN_FN hn_vec4 hn_i_perlin_d(hn_i_box3 box, hn_num3 f, hn_uint seed) {
   hn_num3 t = hn_i_fade(f);
   hn_num3 s = hn_i_slope(f);
-  hn_num4 front = hn_i_face_d(first, last, f, false, t, s, seed);
-  hn_num4 back = hn_i_face_d(first, last, f, true, t, s, seed);
+  hn_num4 front = hn_i_face_d(box, f, false, t, s, seed);
+  hn_num4 back = hn_i_face_d(box, f, true, t, s, seed);
   hn_num dz = hn_i_climb(hn_i_lerp(front.w, back.w, t.z), hn_i_rise(front.x, back.x), s.z);
   return vec4(hn_i_value(hn_i_scaled3(hn_i_lerp(front.x, back.x, t.z))),
               hn_i_derivative(hn_i_scaled3(hn_i_lerp(front.y, back.y, t.z))),
               hn_i_derivative(hn_i_scaled3(hn_i_lerp(front.z, back.z, t.z))), hn_i_derivative(hn_i_scaled3(dz)));
-}
-HN_FN hn_vec4 hn_i_perlin_d(hn_ivec3 cell, hn_num3 f, hn_uint seed) {
-  hn_uvec3 first = hn_i_first(cell);
-  return hn_i_perlin_d(first, hn_i_last(first), f, seed);
-}
-HN_FN hn_vec4 hn_i_perlin_d(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_uint seed) {
-  hn_uvec3 c = hn_i_wrap(cell, period);
-  hn_uvec3 first = hn_i_spread(c);
-  return hn_i_perlin_d(first, hn_i_last(first, c, period), f, seed);
 }
 
 // Perlin noise in space and how steep it is, from a cell and a position in it. The value is that of hn_perlin.
@@ -54,7 +45,9 @@ HN_FN hn_vec4 hn_i_perlin_d(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_uint s
 //   period   2^32 cells per axis
 //   cost     the hashes of hn_perlin, which are most of its cost, and about twice the rest
 //   source   the product rule on the interpolation; docs/contract.md, section 10
-HN_FN hn_vec4 hn_perlin_d(hn_ivec3 cell, hn_vec3 f, hn_uint seed) { return hn_i_perlin_d(cell, hn_i_inside(f), seed); }
+HN_FN hn_vec4 hn_perlin_d(hn_ivec3 cell, hn_vec3 f, hn_uint seed) {
+  return hn_i_perlin_d(hn_i_box(cell), hn_i_inside(f), seed);
+}
 
 HN_FN hn_vec4 hn_perlin_d(hn_ivec3 cell, hn_vec3 f) { return hn_perlin_d(cell, f, 0u); }
 
@@ -66,7 +59,9 @@ HN_FN hn_vec4 hn_perlin_d(hn_ivec3 cell, hn_vec3 f) { return hn_perlin_d(cell, f
 //   period   as above
 //   cost     as above
 //   source   as above
-HN_FN hn_vec4 hn_perlin_d(hn_vec3 p, hn_uint seed) { return hn_i_perlin_d(hn_i_cell(p), hn_i_fraction(p), seed); }
+HN_FN hn_vec4 hn_perlin_d(hn_vec3 p, hn_uint seed) {
+  return hn_i_perlin_d(hn_i_box(hn_i_cell(p)), hn_i_fraction(p), seed);
+}
 
 HN_FN hn_vec4 hn_perlin_d(hn_vec3 p) { return hn_perlin_d(p, 0u); }
 
@@ -77,11 +72,11 @@ HN_FN hn_vec4 hn_perlin_d(hn_vec3 p) { return hn_perlin_d(p, 0u); }
 //   cost     a mask along each axis more for a constant power of two; else a division. Each axis has one comparison
 //            more
 HN_FN hn_vec4 hn_perlin_d(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_uint seed) {
-  return hn_i_perlin_d(cell, hn_i_inside(f), period, seed);
+  return hn_i_perlin_d(hn_i_box(cell, period), hn_i_inside(f), seed);
 }
 
 HN_FN hn_vec4 hn_perlin_d(hn_vec3 p, hn_ivec3 period, hn_uint seed) {
-  return hn_i_perlin_d(hn_i_cell(p), hn_i_fraction(p), period, seed);
+  return hn_i_perlin_d(hn_i_box(hn_i_cell(p), period), hn_i_fraction(p), seed);
 }
 
 #endif

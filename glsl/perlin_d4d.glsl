@@ -38,40 +38,31 @@ HN_FN hn_num3 hn_i_square_d(hn_uvec4 h, hn_num4 f, hn_num z, hn_num w, hn_num4 t
 }
 
 // The same of the two squares along z that w chooses: the interpolated ramp, and its derivatives along x, y and z.
-HN_FN hn_num4 hn_i_cube_d(hn_uvec4 first, hn_uvec4 last, hn_num4 f, bool far_w, hn_num4 t, hn_num4 s, hn_uint seed,
+HN_FN hn_num4 hn_i_cube_d(hn_i_box4 box, hn_num4 f, bool far_w, hn_num4 t, hn_num4 s, hn_uint seed,
                           HN_I_OUT(hn_num) rest) {
   hn_num2 rest0;
   hn_num2 rest1;
   hn_num w = hn_i_select(far_w, hn_i_far(f.w), f.w);
-  hn_num3 n0 = hn_i_square_d(hn_i_corners(first, last, false, far_w, seed), f, f.z, w, t, s, rest0);
-  hn_num3 n1 = hn_i_square_d(hn_i_corners(first, last, true, far_w, seed), f, hn_i_far(f.z), w, t, s, rest1);
+  hn_num3 n0 = hn_i_square_d(hn_i_corners(box, false, far_w, seed), f, f.z, w, t, s, rest0);
+  hn_num3 n1 = hn_i_square_d(hn_i_corners(box, true, far_w, seed), f, hn_i_far(f.z), w, t, s, rest1);
   rest = hn_i_lerp(rest0.y, rest1.y, t.z);
   return hn_i_num(hn_i_lerp(n0.x, n1.x, t.z), hn_i_lerp(n0.y, n1.y, t.z), hn_i_lerp(n0.z, n1.z, t.z),
                   hn_i_climb(hn_i_lerp(rest0.x, rest1.x, t.z), hn_i_rise(n0.x, n1.x), s.z));
 }
 
 // The noise and its gradient.
-HN_FN hn_float hn_i_perlin_d(hn_uvec4 first, hn_uvec4 last, hn_num4 f, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
+HN_FN hn_float hn_i_perlin_d(hn_i_box4 box, hn_num4 f, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
   hn_num4 t = hn_i_fade(f);
   hn_num4 s = hn_i_slope(f);
   hn_num rest0;
   hn_num rest1;
-  hn_num4 n0 = hn_i_cube_d(first, last, f, false, t, s, seed, rest0);
-  hn_num4 n1 = hn_i_cube_d(first, last, f, true, t, s, seed, rest1);
+  hn_num4 n0 = hn_i_cube_d(box, f, false, t, s, seed, rest0);
+  hn_num4 n1 = hn_i_cube_d(box, f, true, t, s, seed, rest1);
   hn_num dw = hn_i_climb(hn_i_lerp(rest0, rest1, t.w), hn_i_rise(n0.x, n1.x), s.w);
   gradient = vec4(hn_i_derivative(hn_i_scaled4(hn_i_lerp(n0.y, n1.y, t.w))),
                   hn_i_derivative(hn_i_scaled4(hn_i_lerp(n0.z, n1.z, t.w))),
                   hn_i_derivative(hn_i_scaled4(hn_i_lerp(n0.w, n1.w, t.w))), hn_i_derivative(hn_i_scaled4(dw)));
   return hn_i_value(hn_i_scaled4(hn_i_lerp(n0.x, n1.x, t.w)));
-}
-HN_FN hn_float hn_i_perlin_d(hn_ivec4 cell, hn_num4 f, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
-  hn_uvec4 first = hn_i_first(cell);
-  return hn_i_perlin_d(first, hn_i_last(first), f, seed, gradient);
-}
-HN_FN hn_float hn_i_perlin_d(hn_ivec4 cell, hn_num4 f, hn_ivec4 period, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
-  hn_uvec4 c = hn_i_wrap(cell, period);
-  hn_uvec4 first = hn_i_spread(c);
-  return hn_i_perlin_d(first, hn_i_last(first, c, period), f, seed, gradient);
 }
 
 // Perlin noise in four dimensions and how steep it is, from a cell and a position in it. The value is that of
@@ -87,7 +78,7 @@ HN_FN hn_float hn_i_perlin_d(hn_ivec4 cell, hn_num4 f, hn_ivec4 period, hn_uint 
 //   cost     the hashes of hn_perlin, which are most of its cost, and about twice the rest
 //   source   the product rule on the interpolation; docs/contract.md, section 10
 HN_FN hn_float hn_perlin_d(hn_ivec4 cell, hn_vec4 f, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
-  return hn_i_perlin_d(cell, hn_i_inside(f), seed, gradient);
+  return hn_i_perlin_d(hn_i_box(cell), hn_i_inside(f), seed, gradient);
 }
 
 HN_FN hn_float hn_perlin_d(hn_ivec4 cell, hn_vec4 f, HN_I_OUT(hn_vec4) gradient) {
@@ -103,7 +94,7 @@ HN_FN hn_float hn_perlin_d(hn_ivec4 cell, hn_vec4 f, HN_I_OUT(hn_vec4) gradient)
 //   cost     as above
 //   source   as above
 HN_FN hn_float hn_perlin_d(hn_vec4 p, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
-  return hn_i_perlin_d(hn_i_cell(p), hn_i_fraction(p), seed, gradient);
+  return hn_i_perlin_d(hn_i_box(hn_i_cell(p)), hn_i_fraction(p), seed, gradient);
 }
 
 HN_FN hn_float hn_perlin_d(hn_vec4 p, HN_I_OUT(hn_vec4) gradient) { return hn_perlin_d(p, 0u, gradient); }
@@ -115,11 +106,11 @@ HN_FN hn_float hn_perlin_d(hn_vec4 p, HN_I_OUT(hn_vec4) gradient) { return hn_pe
 //   cost     a mask along each axis more for a constant power of two; else a division. Each axis has one comparison
 //            more
 HN_FN hn_float hn_perlin_d(hn_ivec4 cell, hn_vec4 f, hn_ivec4 period, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
-  return hn_i_perlin_d(cell, hn_i_inside(f), period, seed, gradient);
+  return hn_i_perlin_d(hn_i_box(cell, period), hn_i_inside(f), seed, gradient);
 }
 
 HN_FN hn_float hn_perlin_d(hn_vec4 p, hn_ivec4 period, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
-  return hn_i_perlin_d(hn_i_cell(p), hn_i_fraction(p), period, seed, gradient);
+  return hn_i_perlin_d(hn_i_box(hn_i_cell(p), period), hn_i_fraction(p), seed, gradient);
 }
 
 #endif

@@ -20,36 +20,18 @@ HN_FN hn_num4 hn_i_turned_ramps(hn_uvec4 h, hn_num2 f, hn_num2 rotation) {
 }
 
 // The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_num hn_i_perlin_turned(hn_uvec2 first, hn_uvec2 last, hn_num2 f, hn_num2 rotation, hn_uint seed) {
+HN_FN hn_num hn_i_perlin_turned(hn_i_box2 box, hn_num2 f, hn_num2 rotation, hn_uint seed) {
   hn_num2 t = hn_i_fade(f);
-  return hn_i_scaled2(hn_i_lerp(hn_i_turned_ramps(hn_i_corners(first, last, seed), f, rotation), t.x, t.y));
-}
-HN_FN hn_num hn_i_perlin_turned(hn_ivec2 cell, hn_num2 f, hn_num2 rotation, hn_uint seed) {
-  hn_uvec2 first = hn_i_first(cell);
-  return hn_i_perlin_turned(first, hn_i_last(first), f, rotation, seed);
-}
-HN_FN hn_num hn_i_perlin_turned(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_num2 rotation, hn_uint seed) {
-  hn_uvec2 c = hn_i_wrap(cell, period);
-  hn_uvec2 first = hn_i_spread(c);
-  return hn_i_perlin_turned(first, hn_i_last(first, c, period), f, rotation, seed);
+  return hn_i_scaled2(hn_i_lerp(hn_i_turned_ramps(hn_i_corners(box, seed), f, rotation), t.x, t.y));
 }
 
 // The noise and its derivatives.
-HN_FN hn_vec3 hn_i_perlin_turned_d(hn_uvec2 first, hn_uvec2 last, hn_num2 f, hn_num2 rotation, hn_uint seed) {
-  hn_uvec4 h = hn_i_corners(first, last, seed);
+HN_FN hn_vec3 hn_i_perlin_turned_d(hn_i_box2 box, hn_num2 f, hn_num2 rotation, hn_uint seed) {
+  hn_uvec4 h = hn_i_corners(box, seed);
   hn_num3 n = hn_i_face_d(hn_i_turned_ramps(h, f, rotation), hn_i_gradient(hn_i_direction2(h.x), rotation),
                           hn_i_gradient(hn_i_direction2(h.y), rotation), hn_i_gradient(hn_i_direction2(h.z), rotation),
                           hn_i_gradient(hn_i_direction2(h.w), rotation), hn_i_fade(f), hn_i_slope(f));
   return vec3(hn_i_value(hn_i_scaled2(n.x)), hn_i_derivative(hn_i_scaled2(n.y)), hn_i_derivative(hn_i_scaled2(n.z)));
-}
-HN_FN hn_vec3 hn_i_perlin_turned_d(hn_ivec2 cell, hn_num2 f, hn_num2 rotation, hn_uint seed) {
-  hn_uvec2 first = hn_i_first(cell);
-  return hn_i_perlin_turned_d(first, hn_i_last(first), f, rotation, seed);
-}
-HN_FN hn_vec3 hn_i_perlin_turned_d(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_num2 rotation, hn_uint seed) {
-  hn_uvec2 c = hn_i_wrap(cell, period);
-  hn_uvec2 first = hn_i_spread(c);
-  return hn_i_perlin_turned_d(first, hn_i_last(first, c, period), f, rotation, seed);
 }
 
 // Perlin noise on the plane whose gradients turn: the field changes in place, and loops after one turn. All gradients
@@ -66,19 +48,19 @@ HN_FN hn_vec3 hn_i_perlin_turned_d(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn
 //   cost     the hashes of hn_perlin, a sine and a cosine of 6 multiplications of floats each, and twice the rest
 //   source   Perlin and Neyret, "Flow noise", 2001; docs/contract.md, section 14
 HN_FN hn_float hn_perlin(hn_ivec2 cell, hn_vec2 f, hn_float phase, hn_uint seed) {
-  return hn_i_value(hn_i_perlin_turned(cell, hn_i_inside(f), hn_i_rotation(phase), seed));
+  return hn_i_value(hn_i_perlin_turned(hn_i_box(cell), hn_i_inside(f), hn_i_rotation(phase), seed));
 }
 
 HN_FN hn_float hn_perlin(hn_vec2 p, hn_float phase, hn_uint seed) {
-  return hn_i_value(hn_i_perlin_turned(hn_i_cell(p), hn_i_fraction(p), hn_i_rotation(phase), seed));
+  return hn_i_value(hn_i_perlin_turned(hn_i_box(hn_i_cell(p)), hn_i_fraction(p), hn_i_rotation(phase), seed));
 }
 
 HN_FN hn_float hn_perlin(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_float phase, hn_uint seed) {
-  return hn_i_value(hn_i_perlin_turned(cell, hn_i_inside(f), period, hn_i_rotation(phase), seed));
+  return hn_i_value(hn_i_perlin_turned(hn_i_box(cell, period), hn_i_inside(f), hn_i_rotation(phase), seed));
 }
 
 HN_FN hn_float hn_perlin(hn_vec2 p, hn_ivec2 period, hn_float phase, hn_uint seed) {
-  return hn_i_value(hn_i_perlin_turned(hn_i_cell(p), hn_i_fraction(p), period, hn_i_rotation(phase), seed));
+  return hn_i_value(hn_i_perlin_turned(hn_i_box(hn_i_cell(p), period), hn_i_fraction(p), hn_i_rotation(phase), seed));
 }
 
 // The same with the derivatives along x and y, as of hn_perlin_d. The value is as above.
@@ -87,19 +69,19 @@ HN_FN hn_float hn_perlin(hn_vec2 p, hn_ivec2 period, hn_float phase, hn_uint see
 //   cost     as above, and about twice the rest
 //   (parameters as above)
 HN_FN hn_vec3 hn_perlin_d(hn_ivec2 cell, hn_vec2 f, hn_float phase, hn_uint seed) {
-  return hn_i_perlin_turned_d(cell, hn_i_inside(f), hn_i_rotation(phase), seed);
+  return hn_i_perlin_turned_d(hn_i_box(cell), hn_i_inside(f), hn_i_rotation(phase), seed);
 }
 
 HN_FN hn_vec3 hn_perlin_d(hn_vec2 p, hn_float phase, hn_uint seed) {
-  return hn_i_perlin_turned_d(hn_i_cell(p), hn_i_fraction(p), hn_i_rotation(phase), seed);
+  return hn_i_perlin_turned_d(hn_i_box(hn_i_cell(p)), hn_i_fraction(p), hn_i_rotation(phase), seed);
 }
 
 HN_FN hn_vec3 hn_perlin_d(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_float phase, hn_uint seed) {
-  return hn_i_perlin_turned_d(cell, hn_i_inside(f), period, hn_i_rotation(phase), seed);
+  return hn_i_perlin_turned_d(hn_i_box(cell, period), hn_i_inside(f), hn_i_rotation(phase), seed);
 }
 
 HN_FN hn_vec3 hn_perlin_d(hn_vec2 p, hn_ivec2 period, hn_float phase, hn_uint seed) {
-  return hn_i_perlin_turned_d(hn_i_cell(p), hn_i_fraction(p), period, hn_i_rotation(phase), seed);
+  return hn_i_perlin_turned_d(hn_i_box(hn_i_cell(p), period), hn_i_fraction(p), hn_i_rotation(phase), seed);
 }
 
 #endif

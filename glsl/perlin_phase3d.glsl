@@ -21,20 +21,11 @@ HN_FN hn_num4 hn_i_turned_ramps(hn_uvec4 h, hn_num3 f, bool back, hn_num2 rotati
 }
 
 // The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_num hn_i_perlin_turned(hn_uvec3 first, hn_uvec3 last, hn_num3 f, hn_num2 rotation, hn_uint seed) {
+HN_FN hn_num hn_i_perlin_turned(hn_i_box3 box, hn_num3 f, hn_num2 rotation, hn_uint seed) {
   hn_num3 t = hn_i_fade(f);
-  hn_num4 front = hn_i_turned_ramps(hn_i_corners(first, last, false, seed), f, false, rotation);
-  hn_num4 back = hn_i_turned_ramps(hn_i_corners(first, last, true, seed), f, true, rotation);
+  hn_num4 front = hn_i_turned_ramps(hn_i_corners(box, false, seed), f, false, rotation);
+  hn_num4 back = hn_i_turned_ramps(hn_i_corners(box, true, seed), f, true, rotation);
   return hn_i_scaled3(hn_i_lerp(hn_i_lerp(front, t.x, t.y), hn_i_lerp(back, t.x, t.y), t.z));
-}
-HN_FN hn_num hn_i_perlin_turned(hn_ivec3 cell, hn_num3 f, hn_num2 rotation, hn_uint seed) {
-  hn_uvec3 first = hn_i_first(cell);
-  return hn_i_perlin_turned(first, hn_i_last(first), f, rotation, seed);
-}
-HN_FN hn_num hn_i_perlin_turned(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_num2 rotation, hn_uint seed) {
-  hn_uvec3 c = hn_i_wrap(cell, period);
-  hn_uvec3 first = hn_i_spread(c);
-  return hn_i_perlin_turned(first, hn_i_last(first, c, period), f, rotation, seed);
 }
 
 // The noise on a face with its derivatives along x and y, and what the gradients' last components add.
@@ -45,24 +36,15 @@ HN_FN hn_num4 hn_i_turned_face_d(hn_uvec4 h, hn_num3 f, bool back, hn_num3 t, hn
 }
 
 // The noise and its derivatives.
-HN_FN hn_vec4 hn_i_perlin_turned_d(hn_uvec3 first, hn_uvec3 last, hn_num3 f, hn_num2 rotation, hn_uint seed) {
+HN_FN hn_vec4 hn_i_perlin_turned_d(hn_i_box3 box, hn_num3 f, hn_num2 rotation, hn_uint seed) {
   hn_num3 t = hn_i_fade(f);
   hn_num3 s = hn_i_slope(f);
-  hn_num4 front = hn_i_turned_face_d(hn_i_corners(first, last, false, seed), f, false, t, s, rotation);
-  hn_num4 back = hn_i_turned_face_d(hn_i_corners(first, last, true, seed), f, true, t, s, rotation);
+  hn_num4 front = hn_i_turned_face_d(hn_i_corners(box, false, seed), f, false, t, s, rotation);
+  hn_num4 back = hn_i_turned_face_d(hn_i_corners(box, true, seed), f, true, t, s, rotation);
   hn_num dz = hn_i_climb(hn_i_lerp(front.w, back.w, t.z), hn_i_rise(front.x, back.x), s.z);
   return vec4(hn_i_value(hn_i_scaled3(hn_i_lerp(front.x, back.x, t.z))),
               hn_i_derivative(hn_i_scaled3(hn_i_lerp(front.y, back.y, t.z))),
               hn_i_derivative(hn_i_scaled3(hn_i_lerp(front.z, back.z, t.z))), hn_i_derivative(hn_i_scaled3(dz)));
-}
-HN_FN hn_vec4 hn_i_perlin_turned_d(hn_ivec3 cell, hn_num3 f, hn_num2 rotation, hn_uint seed) {
-  hn_uvec3 first = hn_i_first(cell);
-  return hn_i_perlin_turned_d(first, hn_i_last(first), f, rotation, seed);
-}
-HN_FN hn_vec4 hn_i_perlin_turned_d(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_num2 rotation, hn_uint seed) {
-  hn_uvec3 c = hn_i_wrap(cell, period);
-  hn_uvec3 first = hn_i_spread(c);
-  return hn_i_perlin_turned_d(first, hn_i_last(first, c, period), f, rotation, seed);
 }
 
 // Perlin noise in space whose gradients turn: the field changes in place, and loops after one turn. Each turns in the
@@ -79,19 +61,19 @@ HN_FN hn_vec4 hn_i_perlin_turned_d(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn
 //   cost     the hashes of hn_perlin, a sine and a cosine of 6 multiplications of floats each, and twice the rest
 //   source   Perlin and Neyret, "Flow noise", 2001; docs/contract.md, section 14
 HN_FN hn_float hn_perlin(hn_ivec3 cell, hn_vec3 f, hn_float phase, hn_uint seed) {
-  return hn_i_value(hn_i_perlin_turned(cell, hn_i_inside(f), hn_i_rotation(phase), seed));
+  return hn_i_value(hn_i_perlin_turned(hn_i_box(cell), hn_i_inside(f), hn_i_rotation(phase), seed));
 }
 
 HN_FN hn_float hn_perlin(hn_vec3 p, hn_float phase, hn_uint seed) {
-  return hn_i_value(hn_i_perlin_turned(hn_i_cell(p), hn_i_fraction(p), hn_i_rotation(phase), seed));
+  return hn_i_value(hn_i_perlin_turned(hn_i_box(hn_i_cell(p)), hn_i_fraction(p), hn_i_rotation(phase), seed));
 }
 
 HN_FN hn_float hn_perlin(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_float phase, hn_uint seed) {
-  return hn_i_value(hn_i_perlin_turned(cell, hn_i_inside(f), period, hn_i_rotation(phase), seed));
+  return hn_i_value(hn_i_perlin_turned(hn_i_box(cell, period), hn_i_inside(f), hn_i_rotation(phase), seed));
 }
 
 HN_FN hn_float hn_perlin(hn_vec3 p, hn_ivec3 period, hn_float phase, hn_uint seed) {
-  return hn_i_value(hn_i_perlin_turned(hn_i_cell(p), hn_i_fraction(p), period, hn_i_rotation(phase), seed));
+  return hn_i_value(hn_i_perlin_turned(hn_i_box(hn_i_cell(p), period), hn_i_fraction(p), hn_i_rotation(phase), seed));
 }
 
 // The same with the derivatives along x, y and z, as of hn_perlin_d. The value is as above.
@@ -100,19 +82,19 @@ HN_FN hn_float hn_perlin(hn_vec3 p, hn_ivec3 period, hn_float phase, hn_uint see
 //   cost     as above, and about twice the rest
 //   (parameters as above)
 HN_FN hn_vec4 hn_perlin_d(hn_ivec3 cell, hn_vec3 f, hn_float phase, hn_uint seed) {
-  return hn_i_perlin_turned_d(cell, hn_i_inside(f), hn_i_rotation(phase), seed);
+  return hn_i_perlin_turned_d(hn_i_box(cell), hn_i_inside(f), hn_i_rotation(phase), seed);
 }
 
 HN_FN hn_vec4 hn_perlin_d(hn_vec3 p, hn_float phase, hn_uint seed) {
-  return hn_i_perlin_turned_d(hn_i_cell(p), hn_i_fraction(p), hn_i_rotation(phase), seed);
+  return hn_i_perlin_turned_d(hn_i_box(hn_i_cell(p)), hn_i_fraction(p), hn_i_rotation(phase), seed);
 }
 
 HN_FN hn_vec4 hn_perlin_d(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_float phase, hn_uint seed) {
-  return hn_i_perlin_turned_d(cell, hn_i_inside(f), period, hn_i_rotation(phase), seed);
+  return hn_i_perlin_turned_d(hn_i_box(cell, period), hn_i_inside(f), hn_i_rotation(phase), seed);
 }
 
 HN_FN hn_vec4 hn_perlin_d(hn_vec3 p, hn_ivec3 period, hn_float phase, hn_uint seed) {
-  return hn_i_perlin_turned_d(hn_i_cell(p), hn_i_fraction(p), period, hn_i_rotation(phase), seed);
+  return hn_i_perlin_turned_d(hn_i_box(hn_i_cell(p), period), hn_i_fraction(p), hn_i_rotation(phase), seed);
 }
 
 #endif

@@ -7,26 +7,17 @@
 #include "centred.glsl"
 
 // The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_num hn_i_simplex(hn_uvec3 first, hn_uvec3 last, hn_uvec3 before, hn_num3 f, hn_uint seed) {
+HN_FN hn_num hn_i_simplex(hn_i_block3 block, hn_num3 f, hn_uint seed) {
   hn_num4 x;
   hn_num4 y;
   hn_num4 z;
   hn_num4 t;
-  hn_uvec4 h = hn_i_four_points(first, last, before, f, seed, x, y, z, t);
+  hn_uvec4 h = hn_i_four_points(block, f, seed, x, y, z, t);
   hn_num n = hn_i_attenuated(hn_i_ramp_of(h.x, x.x, y.x, z.x), hn_i_weight4(t.x));
   n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp_of(h.y, x.y, y.y, z.y), hn_i_weight4(t.y)));
   n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp_of(h.z, x.z, y.z, z.z), hn_i_weight4(t.z)));
   n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp_of(h.w, x.w, y.w, z.w), hn_i_weight4(t.w)));
   return hn_i_scaled_simplex3(n);
-}
-HN_FN hn_num hn_i_simplex(hn_ivec3 cell, hn_num3 f, hn_uint seed) {
-  hn_uvec3 first = hn_i_first(cell);
-  return hn_i_simplex(first, hn_i_last(first), hn_i_before(first), f, seed);
-}
-HN_FN hn_num hn_i_simplex(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_uint seed) {
-  hn_uvec3 c = hn_i_wrap(cell, period);
-  hn_uvec3 first = hn_i_spread(c);
-  return hn_i_simplex(first, hn_i_last(first, c, period), hn_i_spread(hn_i_before(c, period)), f, seed);
 }
 
 // Simplex noise in space, from a cell and a position in it: gradient noise on the body-centred lattice, the corners and
@@ -43,7 +34,7 @@ HN_FN hn_num hn_i_simplex(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_uint see
 //            for a seed that is not constant
 //   source   Perlin, "Noise hardware", 2001, for the sum over lattice points; docs/contract.md, section 13
 HN_FN hn_float hn_simplex(hn_ivec3 cell, hn_vec3 f, hn_uint seed) {
-  return hn_i_value(hn_i_simplex(cell, hn_i_inside(f), seed));
+  return hn_i_value(hn_i_simplex(hn_i_block(cell), hn_i_inside(f), seed));
 }
 
 HN_FN hn_float hn_simplex(hn_ivec3 cell, hn_vec3 f) { return hn_simplex(cell, f, 0u); }
@@ -57,7 +48,7 @@ HN_FN hn_float hn_simplex(hn_ivec3 cell, hn_vec3 f) { return hn_simplex(cell, f,
 //   cost     as above
 //   source   as above
 HN_FN hn_float hn_simplex(hn_vec3 p, hn_uint seed) {
-  return hn_i_value(hn_i_simplex(hn_i_cell(p), hn_i_fraction(p), seed));
+  return hn_i_value(hn_i_simplex(hn_i_block(hn_i_cell(p)), hn_i_fraction(p), seed));
 }
 
 HN_FN hn_float hn_simplex(hn_vec3 p) { return hn_simplex(p, 0u); }
@@ -69,11 +60,11 @@ HN_FN hn_float hn_simplex(hn_vec3 p) { return hn_simplex(p, 0u); }
 //   cost     a mask along each axis more for a constant power of two; else a division. Each axis has three comparisons
 //            and a multiplication more
 HN_FN hn_float hn_simplex(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_uint seed) {
-  return hn_i_value(hn_i_simplex(cell, hn_i_inside(f), period, seed));
+  return hn_i_value(hn_i_simplex(hn_i_block(cell, period), hn_i_inside(f), seed));
 }
 
 HN_FN hn_float hn_simplex(hn_vec3 p, hn_ivec3 period, hn_uint seed) {
-  return hn_i_value(hn_i_simplex(hn_i_cell(p), hn_i_fraction(p), period, seed));
+  return hn_i_value(hn_i_simplex(hn_i_block(hn_i_cell(p), period), hn_i_fraction(p), seed));
 }
 
 #endif

@@ -13,26 +13,17 @@ HN_FN hn_num4 hn_i_bump_d(hn_uint h, hn_num x, hn_num y, hn_num z, hn_num t) {
 }
 
 // The noise and its derivatives.
-HN_FN hn_vec4 hn_i_simplex_d(hn_uvec3 first, hn_uvec3 last, hn_uvec3 before, hn_num3 f, hn_uint seed) {
+HN_FN hn_vec4 hn_i_simplex_d(hn_i_block3 block, hn_num3 f, hn_uint seed) {
   hn_num4 x;
   hn_num4 y;
   hn_num4 z;
   hn_num4 t;
-  hn_uvec4 h = hn_i_four_points(first, last, before, f, seed, x, y, z, t);
+  hn_uvec4 h = hn_i_four_points(block, f, seed, x, y, z, t);
   hn_num4 corners = hn_i_added(hn_i_bump_d(h.x, x.x, y.x, z.x, t.x), hn_i_bump_d(h.y, x.y, y.y, z.y, t.y));
   hn_num4 n =
       hn_i_added(hn_i_added(corners, hn_i_bump_d(h.z, x.z, y.z, z.z, t.z)), hn_i_bump_d(h.w, x.w, y.w, z.w, t.w));
   return vec4(hn_i_value(hn_i_scaled_simplex3(n.x)), hn_i_derivative(hn_i_scaled_simplex3(n.y)),
               hn_i_derivative(hn_i_scaled_simplex3(n.z)), hn_i_derivative(hn_i_scaled_simplex3(n.w)));
-}
-HN_FN hn_vec4 hn_i_simplex_d(hn_ivec3 cell, hn_num3 f, hn_uint seed) {
-  hn_uvec3 first = hn_i_first(cell);
-  return hn_i_simplex_d(first, hn_i_last(first), hn_i_before(first), f, seed);
-}
-HN_FN hn_vec4 hn_i_simplex_d(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_uint seed) {
-  hn_uvec3 c = hn_i_wrap(cell, period);
-  hn_uvec3 first = hn_i_spread(c);
-  return hn_i_simplex_d(first, hn_i_last(first, c, period), hn_i_spread(hn_i_before(c, period)), f, seed);
 }
 
 // Simplex noise in space and how steep it is, from a cell and a position in it. The value is that of hn_simplex.
@@ -47,7 +38,7 @@ HN_FN hn_vec4 hn_i_simplex_d(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_uint 
 //   cost     the hashes of hn_simplex, which are most of its cost, and about twice the rest
 //   source   the product rule on weight and ramp; docs/contract.md, section 13
 HN_FN hn_vec4 hn_simplex_d(hn_ivec3 cell, hn_vec3 f, hn_uint seed) {
-  return hn_i_simplex_d(cell, hn_i_inside(f), seed);
+  return hn_i_simplex_d(hn_i_block(cell), hn_i_inside(f), seed);
 }
 
 HN_FN hn_vec4 hn_simplex_d(hn_ivec3 cell, hn_vec3 f) { return hn_simplex_d(cell, f, 0u); }
@@ -60,7 +51,9 @@ HN_FN hn_vec4 hn_simplex_d(hn_ivec3 cell, hn_vec3 f) { return hn_simplex_d(cell,
 //   period   as above
 //   cost     as above
 //   source   as above
-HN_FN hn_vec4 hn_simplex_d(hn_vec3 p, hn_uint seed) { return hn_i_simplex_d(hn_i_cell(p), hn_i_fraction(p), seed); }
+HN_FN hn_vec4 hn_simplex_d(hn_vec3 p, hn_uint seed) {
+  return hn_i_simplex_d(hn_i_block(hn_i_cell(p)), hn_i_fraction(p), seed);
+}
 
 HN_FN hn_vec4 hn_simplex_d(hn_vec3 p) { return hn_simplex_d(p, 0u); }
 
@@ -71,11 +64,11 @@ HN_FN hn_vec4 hn_simplex_d(hn_vec3 p) { return hn_simplex_d(p, 0u); }
 //   cost     a mask along each axis more for a constant power of two; else a division. Each axis has three comparisons
 //            and a multiplication more
 HN_FN hn_vec4 hn_simplex_d(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_uint seed) {
-  return hn_i_simplex_d(cell, hn_i_inside(f), period, seed);
+  return hn_i_simplex_d(hn_i_block(cell, period), hn_i_inside(f), seed);
 }
 
 HN_FN hn_vec4 hn_simplex_d(hn_vec3 p, hn_ivec3 period, hn_uint seed) {
-  return hn_i_simplex_d(hn_i_cell(p), hn_i_fraction(p), period, seed);
+  return hn_i_simplex_d(hn_i_block(hn_i_cell(p), period), hn_i_fraction(p), seed);
 }
 
 #endif

@@ -16,14 +16,13 @@ HN_FN hn_num4 hn_i_bump_d(hn_uint h, hn_num x, hn_num y, hn_num z, hn_num w, hn_
 }
 
 // The noise and its gradient.
-HN_FN hn_float hn_i_simplex_d(hn_uvec4 first, hn_uvec4 last, hn_uvec4 before, hn_num4 f, hn_uint seed,
-                              HN_I_OUT(hn_vec4) gradient) {
+HN_FN hn_float hn_i_simplex_d(hn_i_block4 block, hn_num4 f, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
   hn_num4 x;
   hn_num4 y;
   hn_num4 z;
   hn_num4 w;
   hn_num4 t;
-  hn_uvec4 h = hn_i_four_points(first, last, before, f, seed, x, y, z, w, t);
+  hn_uvec4 h = hn_i_four_points(block, f, seed, x, y, z, w, t);
   hn_num4 corners = hn_i_added(hn_i_bump_d(h.x, x.x, y.x, z.x, w.x, t.x), hn_i_bump_d(h.y, x.y, y.y, z.y, w.y, t.y));
   hn_num4 d = hn_i_added(hn_i_added(corners, hn_i_bump_d(h.z, x.z, y.z, z.z, w.z, t.z)),
                          hn_i_bump_d(h.w, x.w, y.w, z.w, w.w, t.w));
@@ -34,15 +33,6 @@ HN_FN hn_float hn_i_simplex_d(hn_uvec4 first, hn_uvec4 last, hn_uvec4 before, hn
   n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(h.z, x.z, y.z, z.z, w.z), hn_i_weight3(t.z)));
   n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(h.w, x.w, y.w, z.w, w.w), hn_i_weight3(t.w)));
   return hn_i_value(hn_i_scaled_simplex4(n));
-}
-HN_FN hn_float hn_i_simplex_d(hn_ivec4 cell, hn_num4 f, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
-  hn_uvec4 first = hn_i_first(cell);
-  return hn_i_simplex_d(first, hn_i_last(first), hn_i_before(first), f, seed, gradient);
-}
-HN_FN hn_float hn_i_simplex_d(hn_ivec4 cell, hn_num4 f, hn_ivec4 period, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
-  hn_uvec4 c = hn_i_wrap(cell, period);
-  hn_uvec4 first = hn_i_spread(c);
-  return hn_i_simplex_d(first, hn_i_last(first, c, period), hn_i_spread(hn_i_before(c, period)), f, seed, gradient);
 }
 
 // Simplex noise in four dimensions and how steep it is, from a cell and a position in it. The value is that of
@@ -58,7 +48,7 @@ HN_FN hn_float hn_i_simplex_d(hn_ivec4 cell, hn_num4 f, hn_ivec4 period, hn_uint
 //   cost     the hashes of hn_simplex, which are most of its cost, and about twice the rest
 //   source   the product rule on weight and ramp; docs/contract.md, section 13
 HN_FN hn_float hn_simplex_d(hn_ivec4 cell, hn_vec4 f, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
-  return hn_i_simplex_d(cell, hn_i_inside(f), seed, gradient);
+  return hn_i_simplex_d(hn_i_block(cell), hn_i_inside(f), seed, gradient);
 }
 
 HN_FN hn_float hn_simplex_d(hn_ivec4 cell, hn_vec4 f, HN_I_OUT(hn_vec4) gradient) {
@@ -74,7 +64,7 @@ HN_FN hn_float hn_simplex_d(hn_ivec4 cell, hn_vec4 f, HN_I_OUT(hn_vec4) gradient
 //   cost     as above
 //   source   as above
 HN_FN hn_float hn_simplex_d(hn_vec4 p, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
-  return hn_i_simplex_d(hn_i_cell(p), hn_i_fraction(p), seed, gradient);
+  return hn_i_simplex_d(hn_i_block(hn_i_cell(p)), hn_i_fraction(p), seed, gradient);
 }
 
 HN_FN hn_float hn_simplex_d(hn_vec4 p, HN_I_OUT(hn_vec4) gradient) { return hn_simplex_d(p, 0u, gradient); }
@@ -86,11 +76,11 @@ HN_FN hn_float hn_simplex_d(hn_vec4 p, HN_I_OUT(hn_vec4) gradient) { return hn_s
 //   cost     a mask along each axis more for a constant power of two; else a division. Each axis has three comparisons
 //            and a multiplication more
 HN_FN hn_float hn_simplex_d(hn_ivec4 cell, hn_vec4 f, hn_ivec4 period, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
-  return hn_i_simplex_d(cell, hn_i_inside(f), period, seed, gradient);
+  return hn_i_simplex_d(hn_i_block(cell, period), hn_i_inside(f), seed, gradient);
 }
 
 HN_FN hn_float hn_simplex_d(hn_vec4 p, hn_ivec4 period, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
-  return hn_i_simplex_d(hn_i_cell(p), hn_i_fraction(p), period, seed, gradient);
+  return hn_i_simplex_d(hn_i_block(hn_i_cell(p), period), hn_i_fraction(p), seed, gradient);
 }
 
 #endif

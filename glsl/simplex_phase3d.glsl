@@ -7,28 +7,17 @@
 #include "centred.glsl"
 
 // The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_num hn_i_simplex_turned(hn_uvec3 first, hn_uvec3 last, hn_uvec3 before, hn_num3 f, hn_num2 rotation,
-                                 hn_uint seed) {
+HN_FN hn_num hn_i_simplex_turned(hn_i_block3 block, hn_num3 f, hn_num2 rotation, hn_uint seed) {
   hn_num4 x;
   hn_num4 y;
   hn_num4 z;
   hn_num4 t;
-  hn_uvec4 h = hn_i_four_points(first, last, before, f, seed, x, y, z, t);
+  hn_uvec4 h = hn_i_four_points(block, f, seed, x, y, z, t);
   hn_num n = hn_i_attenuated(hn_i_ramp(hn_i_direction3(h.x), x.x, y.x, z.x, rotation), hn_i_weight4(t.x));
   n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(hn_i_direction3(h.y), x.y, y.y, z.y, rotation), hn_i_weight4(t.y)));
   n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(hn_i_direction3(h.z), x.z, y.z, z.z, rotation), hn_i_weight4(t.z)));
   n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(hn_i_direction3(h.w), x.w, y.w, z.w, rotation), hn_i_weight4(t.w)));
   return hn_i_scaled_simplex3(n);
-}
-HN_FN hn_num hn_i_simplex_turned(hn_ivec3 cell, hn_num3 f, hn_num2 rotation, hn_uint seed) {
-  hn_uvec3 first = hn_i_first(cell);
-  return hn_i_simplex_turned(first, hn_i_last(first), hn_i_before(first), f, rotation, seed);
-}
-HN_FN hn_num hn_i_simplex_turned(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_num2 rotation, hn_uint seed) {
-  hn_uvec3 c = hn_i_wrap(cell, period);
-  hn_uvec3 first = hn_i_spread(c);
-  return hn_i_simplex_turned(first, hn_i_last(first, c, period), hn_i_spread(hn_i_before(c, period)), f, rotation,
-                             seed);
 }
 
 // What a point adds to the noise and to its derivatives.
@@ -39,29 +28,18 @@ HN_FN hn_num4 hn_i_turned_bump_d(hn_uint h, hn_num x, hn_num y, hn_num z, hn_num
 }
 
 // The noise and its derivatives.
-HN_FN hn_vec4 hn_i_simplex_turned_d(hn_uvec3 first, hn_uvec3 last, hn_uvec3 before, hn_num3 f, hn_num2 rotation,
-                                    hn_uint seed) {
+HN_FN hn_vec4 hn_i_simplex_turned_d(hn_i_block3 block, hn_num3 f, hn_num2 rotation, hn_uint seed) {
   hn_num4 x;
   hn_num4 y;
   hn_num4 z;
   hn_num4 t;
-  hn_uvec4 h = hn_i_four_points(first, last, before, f, seed, x, y, z, t);
+  hn_uvec4 h = hn_i_four_points(block, f, seed, x, y, z, t);
   hn_num4 corners = hn_i_added(hn_i_turned_bump_d(h.x, x.x, y.x, z.x, t.x, rotation),
                                hn_i_turned_bump_d(h.y, x.y, y.y, z.y, t.y, rotation));
   hn_num4 n = hn_i_added(hn_i_added(corners, hn_i_turned_bump_d(h.z, x.z, y.z, z.z, t.z, rotation)),
                          hn_i_turned_bump_d(h.w, x.w, y.w, z.w, t.w, rotation));
   return vec4(hn_i_value(hn_i_scaled_simplex3(n.x)), hn_i_derivative(hn_i_scaled_simplex3(n.y)),
               hn_i_derivative(hn_i_scaled_simplex3(n.z)), hn_i_derivative(hn_i_scaled_simplex3(n.w)));
-}
-HN_FN hn_vec4 hn_i_simplex_turned_d(hn_ivec3 cell, hn_num3 f, hn_num2 rotation, hn_uint seed) {
-  hn_uvec3 first = hn_i_first(cell);
-  return hn_i_simplex_turned_d(first, hn_i_last(first), hn_i_before(first), f, rotation, seed);
-}
-HN_FN hn_vec4 hn_i_simplex_turned_d(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_num2 rotation, hn_uint seed) {
-  hn_uvec3 c = hn_i_wrap(cell, period);
-  hn_uvec3 first = hn_i_spread(c);
-  return hn_i_simplex_turned_d(first, hn_i_last(first, c, period), hn_i_spread(hn_i_before(c, period)), f, rotation,
-                               seed);
 }
 
 // Simplex noise in space whose gradients turn: the field changes in place, and loops after one turn. Each turns in the
@@ -78,19 +56,20 @@ HN_FN hn_vec4 hn_i_simplex_turned_d(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, h
 //   cost     the hashes of hn_simplex, a sine and a cosine of 6 multiplications of floats each, and twice the rest
 //   source   Perlin and Neyret, "Flow noise", 2001; docs/contract.md, section 14
 HN_FN hn_float hn_simplex(hn_ivec3 cell, hn_vec3 f, hn_float phase, hn_uint seed) {
-  return hn_i_value(hn_i_simplex_turned(cell, hn_i_inside(f), hn_i_rotation(phase), seed));
+  return hn_i_value(hn_i_simplex_turned(hn_i_block(cell), hn_i_inside(f), hn_i_rotation(phase), seed));
 }
 
 HN_FN hn_float hn_simplex(hn_vec3 p, hn_float phase, hn_uint seed) {
-  return hn_i_value(hn_i_simplex_turned(hn_i_cell(p), hn_i_fraction(p), hn_i_rotation(phase), seed));
+  return hn_i_value(hn_i_simplex_turned(hn_i_block(hn_i_cell(p)), hn_i_fraction(p), hn_i_rotation(phase), seed));
 }
 
 HN_FN hn_float hn_simplex(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_float phase, hn_uint seed) {
-  return hn_i_value(hn_i_simplex_turned(cell, hn_i_inside(f), period, hn_i_rotation(phase), seed));
+  return hn_i_value(hn_i_simplex_turned(hn_i_block(cell, period), hn_i_inside(f), hn_i_rotation(phase), seed));
 }
 
 HN_FN hn_float hn_simplex(hn_vec3 p, hn_ivec3 period, hn_float phase, hn_uint seed) {
-  return hn_i_value(hn_i_simplex_turned(hn_i_cell(p), hn_i_fraction(p), period, hn_i_rotation(phase), seed));
+  return hn_i_value(
+      hn_i_simplex_turned(hn_i_block(hn_i_cell(p), period), hn_i_fraction(p), hn_i_rotation(phase), seed));
 }
 
 // The same with the derivatives along x, y and z, as of hn_simplex_d. The value is as above.
@@ -99,19 +78,19 @@ HN_FN hn_float hn_simplex(hn_vec3 p, hn_ivec3 period, hn_float phase, hn_uint se
 //   cost     as above, and about twice the rest
 //   (parameters as above)
 HN_FN hn_vec4 hn_simplex_d(hn_ivec3 cell, hn_vec3 f, hn_float phase, hn_uint seed) {
-  return hn_i_simplex_turned_d(cell, hn_i_inside(f), hn_i_rotation(phase), seed);
+  return hn_i_simplex_turned_d(hn_i_block(cell), hn_i_inside(f), hn_i_rotation(phase), seed);
 }
 
 HN_FN hn_vec4 hn_simplex_d(hn_vec3 p, hn_float phase, hn_uint seed) {
-  return hn_i_simplex_turned_d(hn_i_cell(p), hn_i_fraction(p), hn_i_rotation(phase), seed);
+  return hn_i_simplex_turned_d(hn_i_block(hn_i_cell(p)), hn_i_fraction(p), hn_i_rotation(phase), seed);
 }
 
 HN_FN hn_vec4 hn_simplex_d(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_float phase, hn_uint seed) {
-  return hn_i_simplex_turned_d(cell, hn_i_inside(f), period, hn_i_rotation(phase), seed);
+  return hn_i_simplex_turned_d(hn_i_block(cell, period), hn_i_inside(f), hn_i_rotation(phase), seed);
 }
 
 HN_FN hn_vec4 hn_simplex_d(hn_vec3 p, hn_ivec3 period, hn_float phase, hn_uint seed) {
-  return hn_i_simplex_turned_d(hn_i_cell(p), hn_i_fraction(p), period, hn_i_rotation(phase), seed);
+  return hn_i_simplex_turned_d(hn_i_block(hn_i_cell(p), period), hn_i_fraction(p), hn_i_rotation(phase), seed);
 }
 
 #endif

@@ -54,27 +54,19 @@ HN_FN hn_num hn_i_cube(hn_uvec3 n, hn_uvec3 m, hn_num3 d, hn_num3 e, hn_num3 siz
 }
 
 // The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_num hn_i_simplex_smooth(hn_uvec3 first, hn_uvec3 last, hn_uvec3 before, hn_num3 f, hn_uint seed) {
+HN_FN hn_num hn_i_simplex_smooth(hn_i_block3 block, hn_num3 f, hn_uint seed) {
   hn_num4 x = hn_i_offsets(f.x);
   hn_num4 y = hn_i_offsets(f.y);
   hn_num4 z = hn_i_offsets(f.z);
   hn_num3 size = hn_i_num(hn_i_magnitude(x.x), hn_i_magnitude(y.x), hn_i_magnitude(z.x));
   hn_num3 inner = hn_i_num(hn_i_magnitude(x.z), hn_i_magnitude(y.z), hn_i_magnitude(z.z));
   hn_uint s = hn_i_mix(seed);
-  hn_num corners = hn_i_cube(hn_i_nearer(f, first, last), hn_i_nearer(f, last, first), hn_i_num(x.x, y.x, z.x),
-                             hn_i_num(x.y, y.y, z.y), size, hn_i_square(x.x, y.x, z.x), s, s);
-  hn_num centres = hn_i_cube(first, hn_i_nearer(f, before, last), hn_i_num(x.z, y.z, z.z), hn_i_num(x.w, y.w, z.w),
-                             inner, hn_i_square(x.z, y.z, z.z), s ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM);
+  hn_num corners = hn_i_cube(hn_i_nearer(f, block.cell, block.after), hn_i_nearer(f, block.after, block.cell),
+                             hn_i_num(x.x, y.x, z.x), hn_i_num(x.y, y.y, z.y), size, hn_i_square(x.x, y.x, z.x), s, s);
+  hn_num centres = hn_i_cube(block.cell, hn_i_nearer(f, block.before, block.after), hn_i_num(x.z, y.z, z.z),
+                             hn_i_num(x.w, y.w, z.w), inner, hn_i_square(x.z, y.z, z.z), s ^ HN_I_CENTRE_JOIN,
+                             s + HN_I_CENTRE_SUM);
   return hn_i_scaled(hn_i_plus(corners, centres), 3901);
-}
-HN_FN hn_num hn_i_simplex_smooth(hn_ivec3 cell, hn_num3 f, hn_uint seed) {
-  hn_uvec3 first = hn_i_first(cell);
-  return hn_i_simplex_smooth(first, hn_i_last(first), hn_i_before(first), f, seed);
-}
-HN_FN hn_num hn_i_simplex_smooth(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_uint seed) {
-  hn_uvec3 c = hn_i_wrap(cell, period);
-  hn_uvec3 first = hn_i_spread(c);
-  return hn_i_simplex_smooth(first, hn_i_last(first, c, period), hn_i_spread(hn_i_before(c, period)), f, seed);
 }
 
 // Smooth simplex noise in space, from a cell and a position in it. The kernel is half again as large
@@ -90,7 +82,7 @@ HN_FN hn_num hn_i_simplex_smooth(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_u
 //            for a seed that is not constant
 //   source   Perlin, "Noise hardware", 2001, for the sum over lattice points; docs/contract.md, section 13
 HN_FN hn_float hn_simplex_smooth(hn_ivec3 cell, hn_vec3 f, hn_uint seed) {
-  return hn_i_value(hn_i_simplex_smooth(cell, hn_i_inside(f), seed));
+  return hn_i_value(hn_i_simplex_smooth(hn_i_block(cell), hn_i_inside(f), seed));
 }
 
 HN_FN hn_float hn_simplex_smooth(hn_ivec3 cell, hn_vec3 f) { return hn_simplex_smooth(cell, f, 0u); }
@@ -104,7 +96,7 @@ HN_FN hn_float hn_simplex_smooth(hn_ivec3 cell, hn_vec3 f) { return hn_simplex_s
 //   cost     as above
 //   source   as above
 HN_FN hn_float hn_simplex_smooth(hn_vec3 p, hn_uint seed) {
-  return hn_i_value(hn_i_simplex_smooth(hn_i_cell(p), hn_i_fraction(p), seed));
+  return hn_i_value(hn_i_simplex_smooth(hn_i_block(hn_i_cell(p)), hn_i_fraction(p), seed));
 }
 
 HN_FN hn_float hn_simplex_smooth(hn_vec3 p) { return hn_simplex_smooth(p, 0u); }
@@ -116,11 +108,11 @@ HN_FN hn_float hn_simplex_smooth(hn_vec3 p) { return hn_simplex_smooth(p, 0u); }
 //   cost     a mask along each axis more for a constant power of two; else a division. Each axis has three comparisons
 //            and a multiplication more
 HN_FN hn_float hn_simplex_smooth(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_uint seed) {
-  return hn_i_value(hn_i_simplex_smooth(cell, hn_i_inside(f), period, seed));
+  return hn_i_value(hn_i_simplex_smooth(hn_i_block(cell, period), hn_i_inside(f), seed));
 }
 
 HN_FN hn_float hn_simplex_smooth(hn_vec3 p, hn_ivec3 period, hn_uint seed) {
-  return hn_i_value(hn_i_simplex_smooth(hn_i_cell(p), hn_i_fraction(p), period, seed));
+  return hn_i_value(hn_i_simplex_smooth(hn_i_block(hn_i_cell(p), period), hn_i_fraction(p), seed));
 }
 
 #endif

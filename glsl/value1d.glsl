@@ -7,18 +7,9 @@
 #include "lattice.glsl"
 
 // The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_num hn_i_value_noise(hn_uint first, hn_uint last, hn_num f, hn_uint seed) {
-  hn_uvec2 h = hn_i_corners(first, last, seed);
+HN_FN hn_num hn_i_value_noise(hn_i_box1 box, hn_num f, hn_uint seed) {
+  hn_uvec2 h = hn_i_corners(box, seed);
   return hn_i_of_numbers(hn_i_lerp(hn_i_number(h.x), hn_i_number(h.y), hn_i_fade(f)));
-}
-HN_FN hn_num hn_i_value_noise(hn_int cell, hn_num f, hn_uint seed) {
-  hn_uint first = hn_i_first(cell);
-  return hn_i_value_noise(first, hn_i_last(first), f, seed);
-}
-HN_FN hn_num hn_i_value_noise(hn_int cell, hn_num f, hn_int period, hn_uint seed) {
-  hn_uint c = hn_i_wrap(cell, period);
-  hn_uint first = hn_i_spread(c);
-  return hn_i_value_noise(first, hn_i_last(first, c, period), f, seed);
 }
 
 // Value noise on the integers, from a cell and a position in it: hashed numbers, Perlin's 2002 interpolant.
@@ -34,7 +25,7 @@ HN_FN hn_num hn_i_value_noise(hn_int cell, hn_num f, hn_int period, hn_uint seed
 //            for a seed that is not constant
 //   source   Perlin, "Improving noise", 2002, for the interpolant
 HN_FN hn_float hn_value(hn_int cell, hn_float f, hn_uint seed) {
-  return hn_i_value(hn_i_value_noise(cell, hn_i_inside(f), seed));
+  return hn_i_value(hn_i_value_noise(hn_i_box(cell), hn_i_inside(f), seed));
 }
 
 HN_FN hn_float hn_value(hn_int cell, hn_float f) { return hn_value(cell, f, 0u); }
@@ -48,7 +39,7 @@ HN_FN hn_float hn_value(hn_int cell, hn_float f) { return hn_value(cell, f, 0u);
 //   cost     as above
 //   source   as above
 HN_FN hn_float hn_value(hn_float p, hn_uint seed) {
-  return hn_i_value(hn_i_value_noise(hn_i_cell(p), hn_i_fraction(p), seed));
+  return hn_i_value(hn_i_value_noise(hn_i_box(hn_i_cell(p)), hn_i_fraction(p), seed));
 }
 
 HN_FN hn_float hn_value(hn_float p) { return hn_value(p, 0u); }
@@ -59,11 +50,11 @@ HN_FN hn_float hn_value(hn_float p) { return hn_value(p, 0u); }
 //   error    as without a period
 //   cost     a mask more for a constant power of two; else a division. Each axis has one comparison more
 HN_FN hn_float hn_value(hn_int cell, hn_float f, hn_int period, hn_uint seed) {
-  return hn_i_value(hn_i_value_noise(cell, hn_i_inside(f), period, seed));
+  return hn_i_value(hn_i_value_noise(hn_i_box(cell, period), hn_i_inside(f), seed));
 }
 
 HN_FN hn_float hn_value(hn_float p, hn_int period, hn_uint seed) {
-  return hn_i_value(hn_i_value_noise(hn_i_cell(p), hn_i_fraction(p), period, seed));
+  return hn_i_value(hn_i_value_noise(hn_i_box(hn_i_cell(p), period), hn_i_fraction(p), seed));
 }
 
 #endif

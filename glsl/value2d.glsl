@@ -7,18 +7,9 @@
 #include "lattice.glsl"
 
 // The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_num hn_i_value_noise(hn_uvec2 first, hn_uvec2 last, hn_num2 f, hn_uint seed) {
+HN_FN hn_num hn_i_value_noise(hn_i_box2 box, hn_num2 f, hn_uint seed) {
   hn_num2 t = hn_i_fade(f);
-  return hn_i_of_numbers(hn_i_lerp(hn_i_numbers(hn_i_corners(first, last, seed)), t.x, t.y));
-}
-HN_FN hn_num hn_i_value_noise(hn_ivec2 cell, hn_num2 f, hn_uint seed) {
-  hn_uvec2 first = hn_i_first(cell);
-  return hn_i_value_noise(first, hn_i_last(first), f, seed);
-}
-HN_FN hn_num hn_i_value_noise(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_uint seed) {
-  hn_uvec2 c = hn_i_wrap(cell, period);
-  hn_uvec2 first = hn_i_spread(c);
-  return hn_i_value_noise(first, hn_i_last(first, c, period), f, seed);
+  return hn_i_of_numbers(hn_i_lerp(hn_i_numbers(hn_i_corners(box, seed)), t.x, t.y));
 }
 
 // Value noise on the square lattice, from a cell and a position in it: hashed numbers, Perlin's 2002 interpolant.
@@ -34,7 +25,7 @@ HN_FN hn_num hn_i_value_noise(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_uint
 //            for a seed that is not constant
 //   source   Perlin, "Improving noise", 2002, for the interpolant
 HN_FN hn_float hn_value(hn_ivec2 cell, hn_vec2 f, hn_uint seed) {
-  return hn_i_value(hn_i_value_noise(cell, hn_i_inside(f), seed));
+  return hn_i_value(hn_i_value_noise(hn_i_box(cell), hn_i_inside(f), seed));
 }
 
 HN_FN hn_float hn_value(hn_ivec2 cell, hn_vec2 f) { return hn_value(cell, f, 0u); }
@@ -48,7 +39,7 @@ HN_FN hn_float hn_value(hn_ivec2 cell, hn_vec2 f) { return hn_value(cell, f, 0u)
 //   cost     as above
 //   source   as above
 HN_FN hn_float hn_value(hn_vec2 p, hn_uint seed) {
-  return hn_i_value(hn_i_value_noise(hn_i_cell(p), hn_i_fraction(p), seed));
+  return hn_i_value(hn_i_value_noise(hn_i_box(hn_i_cell(p)), hn_i_fraction(p), seed));
 }
 
 HN_FN hn_float hn_value(hn_vec2 p) { return hn_value(p, 0u); }
@@ -60,11 +51,11 @@ HN_FN hn_float hn_value(hn_vec2 p) { return hn_value(p, 0u); }
 //   cost     a mask along each axis more for a constant power of two; else a division. Each axis has one comparison
 //            more
 HN_FN hn_float hn_value(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_uint seed) {
-  return hn_i_value(hn_i_value_noise(cell, hn_i_inside(f), period, seed));
+  return hn_i_value(hn_i_value_noise(hn_i_box(cell, period), hn_i_inside(f), seed));
 }
 
 HN_FN hn_float hn_value(hn_vec2 p, hn_ivec2 period, hn_uint seed) {
-  return hn_i_value(hn_i_value_noise(hn_i_cell(p), hn_i_fraction(p), period, seed));
+  return hn_i_value(hn_i_value_noise(hn_i_box(hn_i_cell(p), period), hn_i_fraction(p), seed));
 }
 
 #endif

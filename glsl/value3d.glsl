@@ -7,20 +7,11 @@
 #include "lattice.glsl"
 
 // The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_num hn_i_value_noise(hn_uvec3 first, hn_uvec3 last, hn_num3 f, hn_uint seed) {
+HN_FN hn_num hn_i_value_noise(hn_i_box3 box, hn_num3 f, hn_uint seed) {
   hn_num3 t = hn_i_fade(f);
-  hn_num front = hn_i_lerp(hn_i_numbers(hn_i_corners(first, last, false, seed)), t.x, t.y);
-  hn_num back = hn_i_lerp(hn_i_numbers(hn_i_corners(first, last, true, seed)), t.x, t.y);
+  hn_num front = hn_i_lerp(hn_i_numbers(hn_i_corners(box, false, seed)), t.x, t.y);
+  hn_num back = hn_i_lerp(hn_i_numbers(hn_i_corners(box, true, seed)), t.x, t.y);
   return hn_i_of_numbers(hn_i_lerp(front, back, t.z));
-}
-HN_FN hn_num hn_i_value_noise(hn_ivec3 cell, hn_num3 f, hn_uint seed) {
-  hn_uvec3 first = hn_i_first(cell);
-  return hn_i_value_noise(first, hn_i_last(first), f, seed);
-}
-HN_FN hn_num hn_i_value_noise(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_uint seed) {
-  hn_uvec3 c = hn_i_wrap(cell, period);
-  hn_uvec3 first = hn_i_spread(c);
-  return hn_i_value_noise(first, hn_i_last(first, c, period), f, seed);
 }
 
 // Value noise on the cubic lattice, from a cell and a position in it: hashed numbers, Perlin's 2002 interpolant.
@@ -36,7 +27,7 @@ HN_FN hn_num hn_i_value_noise(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_uint
 //            for a seed that is not constant
 //   source   Perlin, "Improving noise", 2002, for the interpolant
 HN_FN hn_float hn_value(hn_ivec3 cell, hn_vec3 f, hn_uint seed) {
-  return hn_i_value(hn_i_value_noise(cell, hn_i_inside(f), seed));
+  return hn_i_value(hn_i_value_noise(hn_i_box(cell), hn_i_inside(f), seed));
 }
 
 HN_FN hn_float hn_value(hn_ivec3 cell, hn_vec3 f) { return hn_value(cell, f, 0u); }
@@ -50,7 +41,7 @@ HN_FN hn_float hn_value(hn_ivec3 cell, hn_vec3 f) { return hn_value(cell, f, 0u)
 //   cost     as above
 //   source   as above
 HN_FN hn_float hn_value(hn_vec3 p, hn_uint seed) {
-  return hn_i_value(hn_i_value_noise(hn_i_cell(p), hn_i_fraction(p), seed));
+  return hn_i_value(hn_i_value_noise(hn_i_box(hn_i_cell(p)), hn_i_fraction(p), seed));
 }
 
 HN_FN hn_float hn_value(hn_vec3 p) { return hn_value(p, 0u); }
@@ -62,11 +53,11 @@ HN_FN hn_float hn_value(hn_vec3 p) { return hn_value(p, 0u); }
 //   cost     a mask along each axis more for a constant power of two; else a division. Each axis has one comparison
 //            more
 HN_FN hn_float hn_value(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_uint seed) {
-  return hn_i_value(hn_i_value_noise(cell, hn_i_inside(f), period, seed));
+  return hn_i_value(hn_i_value_noise(hn_i_box(cell, period), hn_i_inside(f), seed));
 }
 
 HN_FN hn_float hn_value(hn_vec3 p, hn_ivec3 period, hn_uint seed) {
-  return hn_i_value(hn_i_value_noise(hn_i_cell(p), hn_i_fraction(p), period, seed));
+  return hn_i_value(hn_i_value_noise(hn_i_box(hn_i_cell(p), period), hn_i_fraction(p), seed));
 }
 
 #endif

@@ -7,26 +7,17 @@
 #include "lattice.glsl"
 
 // Interpolates the square that z and w choose, at a place that t gives by its fades.
-HN_FN hn_num hn_i_value_square(hn_uvec4 first, hn_uvec4 last, bool far_z, bool far_w, hn_num4 t, hn_uint seed) {
-  return hn_i_lerp(hn_i_numbers(hn_i_corners(first, last, far_z, far_w, seed)), t.x, t.y);
+HN_FN hn_num hn_i_value_square(hn_i_box4 box, bool far_z, bool far_w, hn_num4 t, hn_uint seed) {
+  return hn_i_lerp(hn_i_numbers(hn_i_corners(box, far_z, far_w, seed)), t.x, t.y);
 }
 
 // The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_num hn_i_value_noise(hn_uvec4 first, hn_uvec4 last, hn_num4 f, hn_uint seed) {
+HN_FN hn_num hn_i_value_noise(hn_i_box4 box, hn_num4 f, hn_uint seed) {
   hn_num4 t = hn_i_fade(f);
   hn_num4 n = hn_i_num(
-      hn_i_value_square(first, last, false, false, t, seed), hn_i_value_square(first, last, true, false, t, seed),
-      hn_i_value_square(first, last, false, true, t, seed), hn_i_value_square(first, last, true, true, t, seed));
+      hn_i_value_square(box, false, false, t, seed), hn_i_value_square(box, true, false, t, seed),
+      hn_i_value_square(box, false, true, t, seed), hn_i_value_square(box, true, true, t, seed));
   return hn_i_of_numbers(hn_i_lerp(n, t.z, t.w));
-}
-HN_FN hn_num hn_i_value_noise(hn_ivec4 cell, hn_num4 f, hn_uint seed) {
-  hn_uvec4 first = hn_i_first(cell);
-  return hn_i_value_noise(first, hn_i_last(first), f, seed);
-}
-HN_FN hn_num hn_i_value_noise(hn_ivec4 cell, hn_num4 f, hn_ivec4 period, hn_uint seed) {
-  hn_uvec4 c = hn_i_wrap(cell, period);
-  hn_uvec4 first = hn_i_spread(c);
-  return hn_i_value_noise(first, hn_i_last(first, c, period), f, seed);
 }
 
 // Value noise on the lattice of four dimensions, from a cell and a position in it: hashed numbers, Perlin's 2002
@@ -42,7 +33,7 @@ HN_FN hn_num hn_i_value_noise(hn_ivec4 cell, hn_num4 f, hn_ivec4 period, hn_uint
 //            for a seed that is not constant
 //   source   Perlin, "Improving noise", 2002, for the interpolant
 HN_FN hn_float hn_value(hn_ivec4 cell, hn_vec4 f, hn_uint seed) {
-  return hn_i_value(hn_i_value_noise(cell, hn_i_inside(f), seed));
+  return hn_i_value(hn_i_value_noise(hn_i_box(cell), hn_i_inside(f), seed));
 }
 
 HN_FN hn_float hn_value(hn_ivec4 cell, hn_vec4 f) { return hn_value(cell, f, 0u); }
@@ -56,7 +47,7 @@ HN_FN hn_float hn_value(hn_ivec4 cell, hn_vec4 f) { return hn_value(cell, f, 0u)
 //   cost     as above
 //   source   as above
 HN_FN hn_float hn_value(hn_vec4 p, hn_uint seed) {
-  return hn_i_value(hn_i_value_noise(hn_i_cell(p), hn_i_fraction(p), seed));
+  return hn_i_value(hn_i_value_noise(hn_i_box(hn_i_cell(p)), hn_i_fraction(p), seed));
 }
 
 HN_FN hn_float hn_value(hn_vec4 p) { return hn_value(p, 0u); }
@@ -68,11 +59,11 @@ HN_FN hn_float hn_value(hn_vec4 p) { return hn_value(p, 0u); }
 //   cost     a mask along each axis more for a constant power of two; else a division. Each axis has one comparison
 //            more
 HN_FN hn_float hn_value(hn_ivec4 cell, hn_vec4 f, hn_ivec4 period, hn_uint seed) {
-  return hn_i_value(hn_i_value_noise(cell, hn_i_inside(f), period, seed));
+  return hn_i_value(hn_i_value_noise(hn_i_box(cell, period), hn_i_inside(f), seed));
 }
 
 HN_FN hn_float hn_value(hn_vec4 p, hn_ivec4 period, hn_uint seed) {
-  return hn_i_value(hn_i_value_noise(hn_i_cell(p), hn_i_fraction(p), period, seed));
+  return hn_i_value(hn_i_value_noise(hn_i_box(hn_i_cell(p), period), hn_i_fraction(p), seed));
 }
 
 #endif

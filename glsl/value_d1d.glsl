@@ -8,21 +8,12 @@
 #include "slope.glsl"
 
 // The noise and its derivative.
-HN_FN hn_vec2 hn_i_value_d(hn_uint first, hn_uint last, hn_num f, hn_uint seed) {
-  hn_uvec2 h = hn_i_corners(first, last, seed);
+HN_FN hn_vec2 hn_i_value_d(hn_i_box1 box, hn_num f, hn_uint seed) {
+  hn_uvec2 h = hn_i_corners(box, seed);
   hn_num left = hn_i_number(h.x);
   hn_num right = hn_i_number(h.y);
   return vec2(hn_i_value(hn_i_of_numbers(hn_i_lerp(left, right, hn_i_fade(f)))),
               hn_i_derivative(hn_i_of_rises(hn_i_climb(hn_i_rise(left, right), hn_i_slope(f)))));
-}
-HN_FN hn_vec2 hn_i_value_d(hn_int cell, hn_num f, hn_uint seed) {
-  hn_uint first = hn_i_first(cell);
-  return hn_i_value_d(first, hn_i_last(first), f, seed);
-}
-HN_FN hn_vec2 hn_i_value_d(hn_int cell, hn_num f, hn_int period, hn_uint seed) {
-  hn_uint c = hn_i_wrap(cell, period);
-  hn_uint first = hn_i_spread(c);
-  return hn_i_value_d(first, hn_i_last(first, c, period), f, seed);
 }
 
 // Value noise on the line and how steep it is, from a cell and a position in it. The value is that of hn_value.
@@ -36,7 +27,9 @@ HN_FN hn_vec2 hn_i_value_d(hn_int cell, hn_num f, hn_int period, hn_uint seed) {
 //   period   2^32 cells
 //   cost     the hashes of hn_value, which are most of its cost, and about twice the rest
 //   source   the product rule on the interpolation; docs/contract.md, section 10
-HN_FN hn_vec2 hn_value_d(hn_int cell, hn_float f, hn_uint seed) { return hn_i_value_d(cell, hn_i_inside(f), seed); }
+HN_FN hn_vec2 hn_value_d(hn_int cell, hn_float f, hn_uint seed) {
+  return hn_i_value_d(hn_i_box(cell), hn_i_inside(f), seed);
+}
 
 HN_FN hn_vec2 hn_value_d(hn_int cell, hn_float f) { return hn_value_d(cell, f, 0u); }
 
@@ -48,7 +41,9 @@ HN_FN hn_vec2 hn_value_d(hn_int cell, hn_float f) { return hn_value_d(cell, f, 0
 //   period   as above
 //   cost     as above
 //   source   as above
-HN_FN hn_vec2 hn_value_d(hn_float p, hn_uint seed) { return hn_i_value_d(hn_i_cell(p), hn_i_fraction(p), seed); }
+HN_FN hn_vec2 hn_value_d(hn_float p, hn_uint seed) {
+  return hn_i_value_d(hn_i_box(hn_i_cell(p)), hn_i_fraction(p), seed);
+}
 
 HN_FN hn_vec2 hn_value_d(hn_float p) { return hn_value_d(p, 0u); }
 
@@ -58,11 +53,11 @@ HN_FN hn_vec2 hn_value_d(hn_float p) { return hn_value_d(p, 0u); }
 //   error    as without a period
 //   cost     a mask more for a constant power of two; else a division. Each axis has one comparison more
 HN_FN hn_vec2 hn_value_d(hn_int cell, hn_float f, hn_int period, hn_uint seed) {
-  return hn_i_value_d(cell, hn_i_inside(f), period, seed);
+  return hn_i_value_d(hn_i_box(cell, period), hn_i_inside(f), seed);
 }
 
 HN_FN hn_vec2 hn_value_d(hn_float p, hn_int period, hn_uint seed) {
-  return hn_i_value_d(hn_i_cell(p), hn_i_fraction(p), period, seed);
+  return hn_i_value_d(hn_i_box(hn_i_cell(p), period), hn_i_fraction(p), seed);
 }
 
 #endif

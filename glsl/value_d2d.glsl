@@ -8,20 +8,11 @@
 #include "slope.glsl"
 
 // The noise and its derivatives.
-HN_FN hn_vec3 hn_i_value_d(hn_uvec2 first, hn_uvec2 last, hn_num2 f, hn_uint seed) {
+HN_FN hn_vec3 hn_i_value_d(hn_i_box2 box, hn_num2 f, hn_uint seed) {
   hn_num2 t = hn_i_fade(f);
-  hn_num3 n = hn_i_lerp_d(hn_i_numbers(hn_i_corners(first, last, seed)), t, hn_i_slope(f));
+  hn_num3 n = hn_i_lerp_d(hn_i_numbers(hn_i_corners(box, seed)), t, hn_i_slope(f));
   return vec3(hn_i_value(hn_i_of_numbers(n.x)), hn_i_derivative(hn_i_of_rises(n.y)),
               hn_i_derivative(hn_i_of_rises(n.z)));
-}
-HN_FN hn_vec3 hn_i_value_d(hn_ivec2 cell, hn_num2 f, hn_uint seed) {
-  hn_uvec2 first = hn_i_first(cell);
-  return hn_i_value_d(first, hn_i_last(first), f, seed);
-}
-HN_FN hn_vec3 hn_i_value_d(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_uint seed) {
-  hn_uvec2 c = hn_i_wrap(cell, period);
-  hn_uvec2 first = hn_i_spread(c);
-  return hn_i_value_d(first, hn_i_last(first, c, period), f, seed);
 }
 
 // Value noise on the plane and how steep it is, from a cell and a position in it. The value is that of hn_value.
@@ -35,7 +26,9 @@ HN_FN hn_vec3 hn_i_value_d(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_uint se
 //   period   2^32 cells per axis
 //   cost     the hashes of hn_value, which are most of its cost, and about twice the rest
 //   source   the product rule on the interpolation; docs/contract.md, section 10
-HN_FN hn_vec3 hn_value_d(hn_ivec2 cell, hn_vec2 f, hn_uint seed) { return hn_i_value_d(cell, hn_i_inside(f), seed); }
+HN_FN hn_vec3 hn_value_d(hn_ivec2 cell, hn_vec2 f, hn_uint seed) {
+  return hn_i_value_d(hn_i_box(cell), hn_i_inside(f), seed);
+}
 
 HN_FN hn_vec3 hn_value_d(hn_ivec2 cell, hn_vec2 f) { return hn_value_d(cell, f, 0u); }
 
@@ -47,7 +40,9 @@ HN_FN hn_vec3 hn_value_d(hn_ivec2 cell, hn_vec2 f) { return hn_value_d(cell, f, 
 //   period   as above
 //   cost     as above
 //   source   as above
-HN_FN hn_vec3 hn_value_d(hn_vec2 p, hn_uint seed) { return hn_i_value_d(hn_i_cell(p), hn_i_fraction(p), seed); }
+HN_FN hn_vec3 hn_value_d(hn_vec2 p, hn_uint seed) {
+  return hn_i_value_d(hn_i_box(hn_i_cell(p)), hn_i_fraction(p), seed);
+}
 
 HN_FN hn_vec3 hn_value_d(hn_vec2 p) { return hn_value_d(p, 0u); }
 
@@ -58,11 +53,11 @@ HN_FN hn_vec3 hn_value_d(hn_vec2 p) { return hn_value_d(p, 0u); }
 //   cost     a mask along each axis more for a constant power of two; else a division. Each axis has one comparison
 //            more
 HN_FN hn_vec3 hn_value_d(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_uint seed) {
-  return hn_i_value_d(cell, hn_i_inside(f), period, seed);
+  return hn_i_value_d(hn_i_box(cell, period), hn_i_inside(f), seed);
 }
 
 HN_FN hn_vec3 hn_value_d(hn_vec2 p, hn_ivec2 period, hn_uint seed) {
-  return hn_i_value_d(hn_i_cell(p), hn_i_fraction(p), period, seed);
+  return hn_i_value_d(hn_i_box(hn_i_cell(p), period), hn_i_fraction(p), seed);
 }
 
 #endif

@@ -8,26 +8,17 @@
 #include "slope.glsl"
 
 // The noise and its derivatives.
-HN_FN hn_vec4 hn_i_value_d(hn_uvec3 first, hn_uvec3 last, hn_num3 f, hn_uint seed) {
+HN_FN hn_vec4 hn_i_value_d(hn_i_box3 box, hn_num3 f, hn_uint seed) {
   hn_num3 t = hn_i_fade(f);
   hn_num3 s = hn_i_slope(f);
   hn_num2 t2 = hn_i_num(t.x, t.y);
   hn_num2 s2 = hn_i_num(s.x, s.y);
-  hn_num3 front = hn_i_lerp_d(hn_i_numbers(hn_i_corners(first, last, false, seed)), t2, s2);
-  hn_num3 back = hn_i_lerp_d(hn_i_numbers(hn_i_corners(first, last, true, seed)), t2, s2);
+  hn_num3 front = hn_i_lerp_d(hn_i_numbers(hn_i_corners(box, false, seed)), t2, s2);
+  hn_num3 back = hn_i_lerp_d(hn_i_numbers(hn_i_corners(box, true, seed)), t2, s2);
   return vec4(hn_i_value(hn_i_of_numbers(hn_i_lerp(front.x, back.x, t.z))),
               hn_i_derivative(hn_i_of_rises(hn_i_lerp(front.y, back.y, t.z))),
               hn_i_derivative(hn_i_of_rises(hn_i_lerp(front.z, back.z, t.z))),
               hn_i_derivative(hn_i_of_rises(hn_i_climb(hn_i_rise(front.x, back.x), s.z))));
-}
-HN_FN hn_vec4 hn_i_value_d(hn_ivec3 cell, hn_num3 f, hn_uint seed) {
-  hn_uvec3 first = hn_i_first(cell);
-  return hn_i_value_d(first, hn_i_last(first), f, seed);
-}
-HN_FN hn_vec4 hn_i_value_d(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_uint seed) {
-  hn_uvec3 c = hn_i_wrap(cell, period);
-  hn_uvec3 first = hn_i_spread(c);
-  return hn_i_value_d(first, hn_i_last(first, c, period), f, seed);
 }
 
 // Value noise in space and how steep it is, from a cell and a position in it. The value is that of hn_value.
@@ -41,7 +32,9 @@ HN_FN hn_vec4 hn_i_value_d(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_uint se
 //   period   2^32 cells per axis
 //   cost     the hashes of hn_value, which are most of its cost, and about twice the rest
 //   source   the product rule on the interpolation; docs/contract.md, section 10
-HN_FN hn_vec4 hn_value_d(hn_ivec3 cell, hn_vec3 f, hn_uint seed) { return hn_i_value_d(cell, hn_i_inside(f), seed); }
+HN_FN hn_vec4 hn_value_d(hn_ivec3 cell, hn_vec3 f, hn_uint seed) {
+  return hn_i_value_d(hn_i_box(cell), hn_i_inside(f), seed);
+}
 
 HN_FN hn_vec4 hn_value_d(hn_ivec3 cell, hn_vec3 f) { return hn_value_d(cell, f, 0u); }
 
@@ -53,7 +46,9 @@ HN_FN hn_vec4 hn_value_d(hn_ivec3 cell, hn_vec3 f) { return hn_value_d(cell, f, 
 //   period   as above
 //   cost     as above
 //   source   as above
-HN_FN hn_vec4 hn_value_d(hn_vec3 p, hn_uint seed) { return hn_i_value_d(hn_i_cell(p), hn_i_fraction(p), seed); }
+HN_FN hn_vec4 hn_value_d(hn_vec3 p, hn_uint seed) {
+  return hn_i_value_d(hn_i_box(hn_i_cell(p)), hn_i_fraction(p), seed);
+}
 
 HN_FN hn_vec4 hn_value_d(hn_vec3 p) { return hn_value_d(p, 0u); }
 
@@ -64,11 +59,11 @@ HN_FN hn_vec4 hn_value_d(hn_vec3 p) { return hn_value_d(p, 0u); }
 //   cost     a mask along each axis more for a constant power of two; else a division. Each axis has one comparison
 //            more
 HN_FN hn_vec4 hn_value_d(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_uint seed) {
-  return hn_i_value_d(cell, hn_i_inside(f), period, seed);
+  return hn_i_value_d(hn_i_box(cell, period), hn_i_inside(f), seed);
 }
 
 HN_FN hn_vec4 hn_value_d(hn_vec3 p, hn_ivec3 period, hn_uint seed) {
-  return hn_i_value_d(hn_i_cell(p), hn_i_fraction(p), period, seed);
+  return hn_i_value_d(hn_i_box(hn_i_cell(p), period), hn_i_fraction(p), seed);
 }
 
 #endif

@@ -8,35 +8,26 @@
 #include "slope.glsl"
 
 // What the two squares along z that w chooses make of the noise: the value, and its derivatives along x, y and z.
-HN_FN hn_num4 hn_i_value_cube_d(hn_uvec4 first, hn_uvec4 last, bool far_w, hn_num4 t, hn_num4 s, hn_uint seed) {
+HN_FN hn_num4 hn_i_value_cube_d(hn_i_box4 box, bool far_w, hn_num4 t, hn_num4 s, hn_uint seed) {
   hn_num2 t2 = hn_i_num(t.x, t.y);
   hn_num2 s2 = hn_i_num(s.x, s.y);
-  hn_num3 front = hn_i_lerp_d(hn_i_numbers(hn_i_corners(first, last, false, far_w, seed)), t2, s2);
-  hn_num3 back = hn_i_lerp_d(hn_i_numbers(hn_i_corners(first, last, true, far_w, seed)), t2, s2);
+  hn_num3 front = hn_i_lerp_d(hn_i_numbers(hn_i_corners(box, false, far_w, seed)), t2, s2);
+  hn_num3 back = hn_i_lerp_d(hn_i_numbers(hn_i_corners(box, true, far_w, seed)), t2, s2);
   return hn_i_num(hn_i_lerp(front.x, back.x, t.z), hn_i_lerp(front.y, back.y, t.z), hn_i_lerp(front.z, back.z, t.z),
                   hn_i_climb(hn_i_rise(front.x, back.x), s.z));
 }
 
 // The noise and its gradient.
-HN_FN hn_float hn_i_value_d(hn_uvec4 first, hn_uvec4 last, hn_num4 f, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
+HN_FN hn_float hn_i_value_d(hn_i_box4 box, hn_num4 f, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
   hn_num4 t = hn_i_fade(f);
   hn_num4 s = hn_i_slope(f);
-  hn_num4 a = hn_i_value_cube_d(first, last, false, t, s, seed);
-  hn_num4 b = hn_i_value_cube_d(first, last, true, t, s, seed);
+  hn_num4 a = hn_i_value_cube_d(box, false, t, s, seed);
+  hn_num4 b = hn_i_value_cube_d(box, true, t, s, seed);
   gradient = vec4(hn_i_derivative(hn_i_of_rises(hn_i_lerp(a.y, b.y, t.w))),
                   hn_i_derivative(hn_i_of_rises(hn_i_lerp(a.z, b.z, t.w))),
                   hn_i_derivative(hn_i_of_rises(hn_i_lerp(a.w, b.w, t.w))),
                   hn_i_derivative(hn_i_of_rises(hn_i_climb(hn_i_rise(a.x, b.x), s.w))));
   return hn_i_value(hn_i_of_numbers(hn_i_lerp(a.x, b.x, t.w)));
-}
-HN_FN hn_float hn_i_value_d(hn_ivec4 cell, hn_num4 f, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
-  hn_uvec4 first = hn_i_first(cell);
-  return hn_i_value_d(first, hn_i_last(first), f, seed, gradient);
-}
-HN_FN hn_float hn_i_value_d(hn_ivec4 cell, hn_num4 f, hn_ivec4 period, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
-  hn_uvec4 c = hn_i_wrap(cell, period);
-  hn_uvec4 first = hn_i_spread(c);
-  return hn_i_value_d(first, hn_i_last(first, c, period), f, seed, gradient);
 }
 
 // Value noise in four dimensions and how steep it is, from a cell and a position in it. The value is that of hn_value.
@@ -51,7 +42,7 @@ HN_FN hn_float hn_i_value_d(hn_ivec4 cell, hn_num4 f, hn_ivec4 period, hn_uint s
 //   cost     the hashes of hn_value, which are most of its cost, and about twice the rest
 //   source   the product rule on the interpolation; docs/contract.md, section 10
 HN_FN hn_float hn_value_d(hn_ivec4 cell, hn_vec4 f, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
-  return hn_i_value_d(cell, hn_i_inside(f), seed, gradient);
+  return hn_i_value_d(hn_i_box(cell), hn_i_inside(f), seed, gradient);
 }
 
 HN_FN hn_float hn_value_d(hn_ivec4 cell, hn_vec4 f, HN_I_OUT(hn_vec4) gradient) {
@@ -67,7 +58,7 @@ HN_FN hn_float hn_value_d(hn_ivec4 cell, hn_vec4 f, HN_I_OUT(hn_vec4) gradient) 
 //   cost     as above
 //   source   as above
 HN_FN hn_float hn_value_d(hn_vec4 p, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
-  return hn_i_value_d(hn_i_cell(p), hn_i_fraction(p), seed, gradient);
+  return hn_i_value_d(hn_i_box(hn_i_cell(p)), hn_i_fraction(p), seed, gradient);
 }
 
 HN_FN hn_float hn_value_d(hn_vec4 p, HN_I_OUT(hn_vec4) gradient) { return hn_value_d(p, 0u, gradient); }
@@ -79,11 +70,11 @@ HN_FN hn_float hn_value_d(hn_vec4 p, HN_I_OUT(hn_vec4) gradient) { return hn_val
 //   cost     a mask along each axis more for a constant power of two; else a division. Each axis has one comparison
 //            more
 HN_FN hn_float hn_value_d(hn_ivec4 cell, hn_vec4 f, hn_ivec4 period, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
-  return hn_i_value_d(cell, hn_i_inside(f), period, seed, gradient);
+  return hn_i_value_d(hn_i_box(cell, period), hn_i_inside(f), seed, gradient);
 }
 
 HN_FN hn_float hn_value_d(hn_vec4 p, hn_ivec4 period, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
-  return hn_i_value_d(hn_i_cell(p), hn_i_fraction(p), period, seed, gradient);
+  return hn_i_value_d(hn_i_box(hn_i_cell(p), period), hn_i_fraction(p), seed, gradient);
 }
 
 #endif
