@@ -178,9 +178,11 @@ HN_FN hn_float hn_i_smooth_distance(hn_uint weights) {
 // The number of the cell that is two steps on, on the side of a place with that offset from the centre of its cell.
 HN_FN hn_int hn_i_two(hn_num d) { return hn_i_choice(d > HN_I_NO_OFFSET, 2, -2); }
 
-// The offsets from the centres of a cell and of those beside it, along an axis; and three times the same offset.
+// The offsets from the centres of a cell and of those beside it, along an axis; and three times the same offset,
+// or the same word.
 HN_FN hn_num3 hn_i_row(hn_num d) { return hn_i_three(hn_i_beside(d, -1), d, hn_i_beside(d, 1)); }
 HN_FN hn_num3 hn_i_thrice(hn_num d) { return hn_i_three(d, d, d); }
+HN_FN hn_uvec3 hn_i_thrice(hn_uint word) { return uvec3(word, word, word); }
 
 // The words of three cells in a row, from what their coordinates add to the joins of a word, and what the rest adds.
 HN_FN hn_uvec3 hn_i_row_words(hn_uvec3 joins, hn_uvec3 odds, hn_uint join, hn_uint odd) {

@@ -99,10 +99,9 @@ HN_FN hn_num2 hn_i_from_nearest(hn_i_block2 block, hn_num2 d, hn_num jitter, hn_
   hn_int x = hn_i_x_of(int(code));
   hn_int y = hn_i_y_of(int(code));
   hn_uint s = hn_i_mix(seed);
-  hn_uint word = hn_i_word(
-      uvec2(hn_i_of_three(hn_i_along_x(block), x), hn_i_of_three(hn_i_along_y(block), y)), s,
-      s);
-  hn_uvec3 words = uvec3(word, word, word);
+  hn_uint word =
+      hn_i_word(uvec2(hn_i_of_three(hn_i_along_x(block), x), hn_i_of_three(hn_i_along_y(block), y)), s, s);
+  hn_uvec3 words = hn_i_thrice(word);
   return hn_i_num(hn_i_from_x(words, hn_i_thrice(hn_i_beside(d.x, x)), jitter).x,
                   hn_i_from_y(words, hn_i_thrice(hn_i_beside(d.y, y)), jitter).x);
 }

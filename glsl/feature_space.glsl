@@ -221,7 +221,7 @@ HN_FN hn_num3 hn_i_from_nearest(hn_i_block3 block, hn_num3 d, hn_num jitter, hn_
       uvec3(hn_i_of_three(hn_i_along_x(block), x), hn_i_of_three(hn_i_along_y(block), y),
             hn_i_of_three(hn_i_along_z(block), z)),
       s, s);
-  hn_uvec3 words = uvec3(word, word, word);
+  hn_uvec3 words = hn_i_thrice(word);
   hn_num3 beside_x = hn_i_thrice(hn_i_beside(d.x, x));
   hn_num3 beside_y = hn_i_thrice(hn_i_beside(d.y, y));
   return hn_i_num(hn_i_from_u(words, beside_x, beside_y, jitter).x, hn_i_from_v(words, beside_x, beside_y, jitter).x,

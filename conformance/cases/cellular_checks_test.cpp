@@ -15,12 +15,12 @@ class CellularChecks : public FaultyLibrary {
 // The block of cells is too small by a row, or has the wrong ones.
 TEST_F(CellularChecks, ABlockThatIsTooSmallIsCaughtByTheSearch) {
   constexpr Replaced kFaults[] = {
-      {"noise2d.cellular.lattice.fast.fragment.gl330.search", "feature_plane.glsl", "after, after.y, s)",
-       "after, cell.y, s)"},
-      {"noise2d.cellular_cell_nearest.lattice.fixed.fragment.gl330.search", "feature_plane.glsl", "after, before.y, s)",
-       "after, cell.y, s)"},
+      {"noise2d.cellular.lattice.fast.fragment.gl330.search", "feature_plane.glsl", "block, block.after.y, s)",
+       "block, block.cell.y, s)"},
+      {"noise2d.cellular_cell_nearest.lattice.fixed.fragment.gl330.search", "feature_plane.glsl",
+       "block, block.before.y, s)", "block, block.cell.y, s)"},
       {"noise3d.cellular_offset.lattice.precise.fragment.gl400.search", "feature_space.glsl",
-       "joins.z, hn_i_odd(after.z + s)", "joins.y, hn_i_odd(cell.z + s)"},
+       "joins.z, hn_i_odd(block.after.z + s)", "joins.y, hn_i_odd(block.cell.z + s)"},
       {"noise2d.cellular_three.lattice.fast.fragment.gl330.search", "cellular_three2d.glsl",
        "best = hn_i_visited(best, hn_i_ranks(words, x, y, jitter, metric), HN_I_NO_CODE, 0);", ""},
       {"noise2d.cellular_three_full.lattice.fixed.fragment.gl330.search", "feature.glsl",
@@ -95,10 +95,11 @@ TEST_F(CellularChecks, JumpsAreCaught) {
 }
 
 TEST_F(CellularChecks, FieldsThatAreAlikeAreCaught) {
-  constexpr Replaced kFaults[] = {{"noise2d.cellular.lattice.fast.fragment.gl330.seeds", "cellular2d.glsl",
-                                   "HN_METRIC_EUCLIDEAN, seed);", "HN_METRIC_EUCLIDEAN, seed & 0x7FFFFFFFu);"},
-                                  {"noise3d.cellular.lattice.fast.fragment.gl330.mirror", "cellular3d.glsl",
-                                   "hn_i_cell(p), hn_i_fraction(p)", "hn_i_cell(abs(p)), hn_i_fraction(abs(p))"}};
+  constexpr Replaced kFaults[] = {
+      {"noise2d.cellular.lattice.fast.fragment.gl330.seeds", "cellular2d.glsl", "HN_METRIC_EUCLIDEAN, seed);",
+       "HN_METRIC_EUCLIDEAN, seed & 0x7FFFFFFFu);"},
+      {"noise3d.cellular.lattice.fast.fragment.gl330.mirror", "cellular3d.glsl",
+       "hn_i_block(hn_i_cell(p)), hn_i_fraction(p)", "hn_i_block(hn_i_cell(abs(p))), hn_i_fraction(abs(p))"}};
   expect_all_caught(kFaults);
 }
 

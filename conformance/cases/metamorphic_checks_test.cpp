@@ -186,15 +186,15 @@ TEST_F(Periods, ASmallFootprintThatFadesOctavesIsCaught) {
 TEST_F(Periods, AFormThatIsNotTheOneWithoutPeriodsIsCaught) {
   constexpr Replaced kFaults[] = {
       // A period of 0 that is one of 2^20, and a large one that counts as none.
-      {"noise2d.perlin_cell_period.lattice.fast.fragment.gl330.wrapped", "perlin2d.glsl", "hn_i_inside(f), period,",
-       "hn_i_inside(f), ivec2(period.x == 0 ? 1048576 : period.x, period.y),"},
-      {"noise3d.value_cell_period.lattice.fixed.fragment.gl330.wrapped", "value3d.glsl", "hn_i_inside(f), period,",
-       "hn_i_inside(f), ivec3(period.x, period.y, period.z > 1073741824 ? 0 : period.z),"},
+      {"noise2d.perlin_cell_period.lattice.fast.fragment.gl330.wrapped", "perlin2d.glsl", "hn_i_box(cell, period)",
+       "hn_i_box(cell, ivec2(period.x == 0 ? 1048576 : period.x, period.y))"},
+      {"noise3d.value_cell_period.lattice.fixed.fragment.gl330.wrapped", "value3d.glsl", "hn_i_box(cell, period)",
+       "hn_i_box(cell, ivec3(period.x, period.y, period.z > 1073741824 ? 0 : period.z))"},
       // Cells below 0 count towards it.
       {"noise2d.value_cubic_cell_period.lattice.precise.fragment.gl400.wrapped", "lattice.glsl",
        "hn_i_select(c < 0, mask - rest, rest)", "rest"},
-      {"noise1d.perlin_d_period.lattice.fast.fragment.gl330.wrapped", "perlin_d1d.glsl", "hn_i_fraction(p), period,",
-       "hn_i_fraction(p) + 0.001, period,"}};
+      {"noise1d.perlin_d_period.lattice.fast.fragment.gl330.wrapped", "perlin_d1d.glsl", "period), hn_i_fraction(p)",
+       "period), hn_i_fraction(p) + 0.001"}};
   for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
 }
 

@@ -248,7 +248,7 @@ class Cli(unittest.TestCase):
         for group in (
             (
                 (f"{perlin}.range", "gradient.glsl", "n, 1365)", "n, 2365)"),
-                (f"{perlin}.seeds", "lattice.glsl", "first, last, s, s, 0u)", "first, last, 0u, 0u, 0u)"),
+                (f"{perlin}.seeds", "lattice.glsl", "box.last, s, s, 0u)", "box.last, 0u, 0u, 0u)"),
                 ("fbm.fbm2.*.fast.*.other_noise", "octaves.glsl",
                  "add, noise(hn_i_cell_of(q), hn_i_place_of(q), s.seed",
                  "add, hn_perlin(hn_i_cell_of(q), hn_i_place_of(q), s.seed"),
@@ -262,8 +262,8 @@ class Cli(unittest.TestCase):
             ),
             (
                 (f"{perlin}.range", "gradient.glsl", "n, 1365)", "n, 365)"),  # little of it is used
-                (f"{perlin}.mirror", "perlin2d.glsl", "hn_i_cell(p), hn_i_fraction(p)",
-                 "hn_i_cell(abs(p)), hn_i_fraction(abs(p))"),
+                (f"{perlin}.mirror", "perlin2d.glsl", "hn_i_box(hn_i_cell(p)), hn_i_fraction(p)",
+                 "hn_i_box(hn_i_cell(abs(p))), hn_i_fraction(abs(p))"),
             ),
             (
                 (f"{perlin}.zero", "perlin2d.glsl", "hn_i_fraction(p)", "hn_i_fraction(p) + 0.25f"),
