@@ -17,7 +17,7 @@ from pathlib import Path
 from tree import TOOLS
 
 TESTS = """add_test(quick "sh" "-c" "echo quick >> {ran}")
-add_test(name+with.signs/0 "sh" "-c" "echo signs >> {ran}")
+add_test([=[name+with.signs/0  # GetParam() = 4-byte <02-00 00-00>]=] "sh" "-c" "echo signs >> {ran}")
 add_test(sometimes "sh" "-c" "echo sometimes >> {ran}; test -e {root}/well")
 add_test(skipped "sh" "-c" "exit 77")
 set_tests_properties(skipped PROPERTIES SKIP_RETURN_CODE 77)
