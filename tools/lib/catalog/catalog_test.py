@@ -1,5 +1,6 @@
 """The catalog is right, what is made of it is committed, and what is wrong with an entry is said with its place."""
 
+import ast
 import contextlib
 import io
 import re
@@ -42,6 +43,13 @@ class Made(unittest.TestCase):
                 self.assertRegex(made["__init__.pyi"], rf"(?m)^def {function.name}\(")
                 module = made["_sums.py" if function in catalog.sums else "_noises.py"]
                 self.assertRegex(module, rf"(?m)^def {function.name}\(")
+
+    def test_made_code_is_code(self):
+        for path, text in command.files().items():
+            if path.suffix in (".py", ".pyi"):
+                with self.subTest(path=path.name):
+                    ast.parse(text)
+                    self.assertLessEqual(max(map(len, text.splitlines())), 120)
 
     def test_entries_in_the_order_of_the_file(self):
         text = grid.files(read())[grid.PATH]
