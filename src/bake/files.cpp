@@ -98,8 +98,8 @@ nlohmann::ordered_json settings_of(const BakeOptions& options, hashnoise::Instru
     json["lacunarity"] = number_or_usual(settings.lacunarity, grid::kLacunarityRule);
     json["gain"] = number_or_usual(settings.gain, grid::kGainRule);
     const grid::SumRow& sum = grid::sum_row(settings.sum);
-    const auto& strength = sum.strength == "amplitude" ? settings.amplitude : settings.strength;
-    if (!sum.strength.empty()) json[std::string(sum.strength)] = number(strength.value_or(sum.usual_strength));
+    if (!sum.strength.empty())
+      json[std::string(sum.strength)] = number(strength_of(settings, sum).value_or(sum.usual_strength));
   }
   constexpr std::string_view kArithmetics[] = {"fast", "precise", "fixed"};
   json["arithmetic"] = kArithmetics[static_cast<std::size_t>(settings.arithmetic) - 1];

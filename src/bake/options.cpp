@@ -294,13 +294,9 @@ void add_number(CLI::App& app, const std::string& name, T& value, const std::str
   app.add_option(name, value, what)->type_name("NUMBER")->check(finite())->group("Parameters, as in GLSL");
 }
 
-// "perlin, simplex": the noises of which that is true.
-std::string names_where(bool (hashnoise::grid::NoiseRow::*is_true)() const) {
-  std::vector<std::string_view> names;
-  for (const auto& row : hashnoise::grid::kNoiseRows) {
-    if ((row.*is_true)()) names.push_back(row.name);
-  }
-  return fmt::format("{}", fmt::join(names, ", "));
+// "perlin, simplex": the noises that have it.
+std::string noises_with(bool (hashnoise::grid::NoiseRow::*option)() const) {
+  return fmt::format("{}", fmt::join(names_where(hashnoise::grid::kNoiseRows, option), ", "));
 }
 
 // The sums that have a strength of that name, each with what it is if it is left out.
@@ -342,12 +338,12 @@ void add_parameters(CLI::App& app, BakeOptions& options, Words& words) {
   add_number(app, "--detail", settings.detail, "Of fbm: octaves as a number with a fraction, in place of --octaves");
   add_number(app, "--footprint", settings.footprint, "Of fbm: the size of a pixel, in cells, which fades octaves out");
   add_number(app, "--phase", settings.phase,
-             fmt::format("In turns; of {} in 2D and 3D", names_where(&hashnoise::grid::NoiseRow::has_phase)));
+             fmt::format("In turns; of {} in 2D and 3D", noises_with(&hashnoise::grid::NoiseRow::has_phase)));
   add_number(app, "--jitter", settings.jitter,
              fmt::format("Of cellular noises: how far points are from the centres of their cells (default: {})",
                          hashnoise::grid::kJitterRule.usual));
   app.add_option("--metric", words.metric,
-                 fmt::format("Of {}: {}; the default is the first", names_where(&hashnoise::grid::NoiseRow::has_metric),
+                 fmt::format("Of {}: {}; the default is the first", noises_with(&hashnoise::grid::NoiseRow::has_metric),
                              fmt::join(hashnoise::grid::kMetricNames, ", ")))
       ->type_name("NAME")
       ->group(group);

@@ -38,8 +38,7 @@ std::optional<Interval> range_of_sum(const SumRow& sum, const hashnoise::Setting
     case Bounds::kOfTheNoise:  // these are means of the noise, and of values that lie nearer to 0
       return range_of_noise(settings.noise, false, dimensions, component);
     case Bounds::kOfTheStrength: {
-      const auto& given = sum.strength == "amplitude" ? settings.amplitude : settings.strength;
-      const double most = static_cast<double>(given.value_or(sum.usual_strength));
+      const double most = static_cast<double>(strength_of(settings, sum).value_or(sum.usual_strength));
       return most == 0.0 ? std::nullopt : std::optional(Interval{-most, most});
     }
   }

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <array>
-#include <span>
+#include <functional>
+#include <hashnoise/field.hpp>
+#include <optional>
 #include <string_view>
+#include <vector>
 
 #include "kernel.hpp"
 #include "rules.hpp"
@@ -59,7 +62,7 @@ constexpr NoiseId noise_named(std::string_view name) {
   return static_cast<NoiseId>(i);
 }
 constexpr std::array<SumRow, kNamedSums> kSumRows = {{
-// None is how the catalog calls the strength of a sum without one.
+// "none" is the strength of a sum without one.
 #define HN_CATALOG_SUM(Id, name, first, last, shape, of, noise, strength, usual, most, bounds, least, greatest) \
   {#name,                                                                                                       \
    first,                                                                                                       \
@@ -89,6 +92,21 @@ constexpr const SumRow& sum_row(std::string_view name) {
   std::size_t i = 0;
   while (kSumRows.at(i).name != name) ++i;
   return kSumRows.at(i);
+}
+
+// What is given of the number that a sum calls its strength.
+inline const std::optional<float>& strength_of(const Settings& settings, const SumRow& sum) {
+  return sum.strength == "amplitude" ? settings.amplitude : settings.strength;
+}
+
+// The names of the rows of which that is true.
+template <typename Rows, typename Predicate>
+std::vector<std::string_view> names_where(const Rows& rows, Predicate is_true) {
+  std::vector<std::string_view> names;
+  for (const auto& row : rows) {
+    if (std::invoke(is_true, row)) names.push_back(row.name);
+  }
+  return names;
 }
 
 constexpr Rule strength_rule(const SumRow& sum) {

@@ -1,7 +1,6 @@
 #include "plan.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <iterator>
 #include <stdexcept>
 
@@ -31,11 +30,7 @@ bool has(const Row& row, int dimensions) {
 
 template <typename Rows>
 std::vector<std::string_view> names_in(const Rows& rows, int dimensions) {
-  std::vector<std::string_view> names;
-  for (const auto& row : rows) {
-    if (has(row, dimensions)) names.push_back(row.name);
-  }
-  return names;
+  return names_where(rows, [=](const auto& row) { return has(row, dimensions); });
 }
 
 // The row of a name, or an error that lists those that there are.
@@ -63,11 +58,7 @@ Number checked(const Rule& rule, const std::optional<Number>& given) {
 
 // The noises that a sum takes.
 std::vector<std::string_view> summands(Shape shape, int dimensions) {
-  std::vector<std::string_view> names;
-  for (const NoiseRow& row : kNoiseRows) {
-    if (has(row, dimensions) && row.shape == shape) names.push_back(row.name);
-  }
-  return names;
+  return names_where(kNoiseRows, [=](const NoiseRow& row) { return has(row, dimensions) && row.shape == shape; });
 }
 
 std::vector<std::string_view> names_of(const std::vector<InstructionSet>& sets) {
@@ -90,24 +81,24 @@ InstructionSet chosen(const std::optional<InstructionSet>& wanted) {
   return *wanted;
 }
 
-// "perlin, simplex and curl", of the rows of which that is true.
-template <typename Rows, typename Predicate>
-std::string names_where(const Rows& rows, Predicate is_true) {
-  std::vector<std::string_view> names;
-  for (const auto& row : rows) {
-    if (is_true(row)) names.push_back(row.name);
-  }
+// "perlin, simplex and curl"
+std::string with_and(std::vector<std::string_view> names) {
   const std::string last = " and " + std::string(names.back());
   names.pop_back();
   return listed(names) + last;
 }
 
-// What is given, and what the noise or the sum has to be for that.
+std::string noises_with(bool (NoiseRow::*option)() const) { return with_and(names_where(kNoiseRows, option)); }
+std::string sums_with(std::string_view strength) {
+  return "the sums " + with_and(names_where(kSumRows, [=](const SumRow& row) { return row.strength == strength; }));
+}
+
+// What is given, and what the noise or the sum has to be for that, which is asked for only if it is not.
 struct Given {
   std::string_view setting;
   bool is_given;
   bool is_had;
-  std::string owners;
+  std::string (*owners)();
 };
 
 void check_owners(const Settings& settings, int dimensions, const NoiseRow& noise, const SumRow* sum, bool tiled) {
@@ -116,28 +107,29 @@ void check_owners(const Settings& settings, int dimensions, const NoiseRow& nois
   const bool has_phase = is_noise && noise.has_phase() && (dimensions == 2 || dimensions == 3);
   const bool is_limited = is_sum && sum == &kSumRows[kFbm] && !tiled;
   const auto has_strength = [&](std::string_view name) { return is_sum && sum->strength == name; };
-  const auto noises = [](auto predicate) { return names_where(kNoiseRows, std::mem_fn(predicate)); };
-  const auto sums = [](std::string_view strength) {
-    return "the sums " + names_where(kSumRows, [=](const SumRow& row) { return row.strength == strength; });
-  };
+  constexpr auto of_sums = [] { return std::string("sums have one"); };
+  constexpr auto of_fbm = [] { return std::string("the sum fbm has one, if it has no period"); };
   const Given all[] = {
-      {"phase", settings.phase.has_value(), has_phase, noises(&NoiseRow::has_phase) + " have one in 2D and 3D"},
+      {"phase", settings.phase.has_value(), has_phase,
+       [] { return noises_with(&NoiseRow::has_phase) + " have one in 2D and 3D"; }},
       {"jitter", settings.jitter.has_value(), is_noise && noise.has_jitter(),
-       noises(&NoiseRow::has_jitter) + " have one"},
+       [] { return noises_with(&NoiseRow::has_jitter) + " have one"; }},
       {"metric", settings.metric.has_value(), is_noise && noise.has_metric(),
-       noises(&NoiseRow::has_metric) + " have one"},
-      {"octaves", settings.octaves.has_value(), is_sum, "sums have them"},
-      {"lacunarity", settings.lacunarity.has_value(), is_sum, "sums have one"},
-      {"gain", settings.gain.has_value(), is_sum, "sums have one"},
-      {"strength", settings.strength.has_value(), has_strength("strength"), sums("strength") + " have one"},
-      {"amplitude", settings.amplitude.has_value(), has_strength("amplitude"), sums("amplitude") + " have one"},
-      {"detail", settings.detail.has_value(), is_limited, "the sum fbm has one, if it has no period"},
-      {"footprint", settings.footprint.has_value(), is_limited, "the sum fbm has one, if it has no period"},
+       [] { return noises_with(&NoiseRow::has_metric) + " have one"; }},
+      {"octaves", settings.octaves.has_value(), is_sum, [] { return std::string("sums have them"); }},
+      {"lacunarity", settings.lacunarity.has_value(), is_sum, of_sums},
+      {"gain", settings.gain.has_value(), is_sum, of_sums},
+      {"strength", settings.strength.has_value(), has_strength("strength"),
+       [] { return sums_with("strength") + " have one"; }},
+      {"amplitude", settings.amplitude.has_value(), has_strength("amplitude"),
+       [] { return sums_with("amplitude") + " have one"; }},
+      {"detail", settings.detail.has_value(), is_limited, of_fbm},
+      {"footprint", settings.footprint.has_value(), is_limited, of_fbm},
   };
   for (const Given& given : all) {
     if (!given.is_given || given.is_had) continue;
     refuse((is_sum ? "the sum " + quoted(sum->name) : quoted(noise.name)) + in_dimensions(dimensions) +
-           (tiled ? " with a period" : "") + " has no " + std::string(given.setting) + "; " + given.owners);
+           (tiled ? " with a period" : "") + " has no " + std::string(given.setting) + "; " + given.owners());
   }
 }
 
@@ -161,8 +153,7 @@ void plan_sum(Plan& plan, const Settings& settings, NoiseId noise, SumId id, boo
   }
   if (settings.detail && settings.footprint) refuse("detail and footprint exclude each other; leave one out");
   if (settings.detail && settings.octaves) refuse("detail stands in place of octaves; leave one out");
-  plan.options.strength =
-      checked(strength_rule(row), row.strength == "amplitude" ? settings.amplitude : settings.strength);
+  plan.options.strength = checked(strength_rule(row), strength_of(settings, row));
   const NoiseKernels& of = plan.kernels->noises[noise][plan.dimensions - 1];
   plan.options.sum = settings.detail ? kDetail : settings.footprint ? kFootprint : id;
   SumKernels kernels = plan.kernels->sums[plan.options.sum][plan.dimensions - 1];
@@ -209,7 +200,7 @@ Plan plan_of(int dimensions, const Settings& settings) {
   if (arithmetic < 1 || arithmetic > 3) refuse("arithmetic has to be kFast, kPrecise or kFixed");
   const int metric = static_cast<int>(settings.metric.value_or(Metric::kEuclidean));
   if (metric < 1 || metric > static_cast<int>(std::size(kMetricNames))) {
-    refuse("metric has to be one of the values of Metric");
+    refuse("metric has to be a value of Metric: " + listed({std::begin(kMetricNames), std::end(kMetricNames)}));
   }
   std::optional<SumId> sum;
   if (!settings.sum.empty()) sum = static_cast<SumId>(find(kSumRows, "sum", settings.sum, dimensions));
