@@ -52,12 +52,6 @@ class Function:
     def is_in(self, dimensions: int) -> bool:
         return self.first <= dimensions <= self.last
 
-    def components(self, dimensions: int) -> tuple[str, ...]:
-        slopes = tuple(f"d{axis}" for axis in AXES[:dimensions])
-        return {"value": ("value",), "slopes": ("value", *slopes), "two_distances": ("f1", "f2"),
-                "three_distances": ("f1", "f2", "f3"), "distance_with_slopes": ("f1", *slopes),
-                "vector": tuple(AXES[:dimensions])}[self.shape]
-
 
 Range = tuple[float, float] | None  # None: it is not known
 
@@ -66,18 +60,6 @@ Range = tuple[float, float] | None  # None: it is not known
 class Noise(Function):
     small: bool  # whether the twin in WebAssembly has it
     ranges: Mapping[str, tuple[Range, ...]]  # by component, for each dimension from the first on
-
-    @property
-    def has_phase(self) -> bool:
-        return "phase" in self.options
-
-    @property
-    def has_jitter(self) -> bool:
-        return "jitter" in self.options
-
-    @property
-    def has_metric(self) -> bool:
-        return "metric" in self.options
 
 
 @dataclass(frozen=True)
@@ -104,11 +86,6 @@ class Catalog:
     sums: tuple[Sum, ...]
     settings: Mapping[str, Setting]
     metrics: tuple[str, ...]
-
-    def owners(self, option: str) -> tuple[str, ...]:
-        """The noises that take an option, or the sums whose strength is called so."""
-        return tuple(noise.name for noise in self.noises if option in noise.options) + tuple(
-            sum_.name for sum_ in self.sums if sum_.strength and sum_.strength.name == option)
 
 
 class _Entry:

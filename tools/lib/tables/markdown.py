@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-END = "<!-- end -->\n"
+from tables.marks import between
+
+END = "<!-- end -->"
 
 
 def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
@@ -14,8 +16,4 @@ def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
 
 def with_section(path: str, page: str, name: str, content: str) -> str:
     """The page with a new content between the comments; the name is that of the first, "tools/bounds: noises"."""
-    start = f"<!-- {name} -->\n"
-    before, found, rest = page.partition(start)
-    if not found or END not in rest:
-        raise LookupError(f"{path} has no {start.strip()} with {END.strip()} after it")
-    return before + start + content + rest[rest.index(END):]
+    return between(path, page, f"<!-- {name} -->", END, content)
