@@ -40,93 +40,56 @@ HN_FN hn_float hn_i_cell_border(hn_i_block2 block, hn_uvec2 two, hn_num2 d, hn_n
   best = hn_i_border(best, words, two_x, y, jitter, HN_I_NO_CODE, 0, from, nearest);
   return hn_i_border_distance(best);
 }
-HN_FN hn_float hn_i_cell_border(hn_ivec2 cell, hn_num2 f, hn_num jitter, hn_uint seed) {
-  hn_i_block2 block = hn_i_block(cell);
-  hn_num2 d = hn_i_inner(f);
-  return hn_i_cell_border(block, hn_i_two_steps(block, d), d, jitter, seed,
+HN_FN hn_float hn_i_cell_border(hn_place2 place, hn_num jitter, hn_uint seed) {
+  hn_i_block2 block = hn_i_block(place);
+  hn_num2 d = hn_i_inner(place.fraction);
+  return hn_i_cell_border(block, hn_i_two_steps(place, block, d), d, jitter, seed,
                           hn_i_nearest(block, d, jitter, HN_METRIC_SQUARED, seed));
 }
-HN_FN hn_float hn_i_cell_border(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_num jitter, hn_uint seed,
-                                HN_I_OUT(hn_ivec2) nearest, HN_I_OUT(hn_vec2) offset) {
-  hn_uvec2 c = hn_i_wrap(cell, period);
-  hn_i_block2 block = hn_i_block(cell, period);
-  hn_num2 d = hn_i_inner(f);
+HN_FN hn_float hn_i_cell_border(hn_place2 place, hn_num jitter, hn_uint seed, HN_I_OUT(hn_ivec2) nearest,
+                                HN_I_OUT(hn_vec2) offset) {
+  hn_i_block2 block = hn_i_block(place);
+  hn_num2 d = hn_i_inner(place.fraction);
   hn_rank4 best = hn_i_nearest(block, d, jitter, HN_METRIC_SQUARED, seed);
-  nearest = hn_i_cell_of(c, period, best.w);
+  nearest = hn_i_cell_of(place, best.w);
   offset = hn_i_toward(hn_i_from_nearest(block, d, jitter, seed, best.w));
-  return hn_i_cell_border(block, hn_i_two_steps(c, period, d), d, jitter, seed, best);
-}
-HN_FN hn_float hn_i_cell_border(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_num jitter, hn_uint seed) {
-  hn_ivec2 nearest;
-  hn_vec2 offset;
-  return hn_i_cell_border(cell, f, period, jitter, seed, nearest, offset);
+  return hn_i_cell_border(block, hn_i_two_steps(place, block, d), d, jitter, seed, best);
 }
 
-// How far it is to the border of a cell of cellular noise on the plane, from a cell and a position in it: to the
-// nearest place that is as near to another feature point as to the nearest one (not the difference of the distances to
-// both). Cracks, tiles and veins are drawn with it.
-//   cell     the cell; it wraps at 2^32, and so do its neighbours
-//   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats have no promise
+// How far it is to the border of a cell of cellular noise on the plane: to the nearest place that is as near to another
+// feature point as to the nearest one (not the difference of the distances to both). Cracks, tiles and veins are drawn
+// with it.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
-//   returns  the distance to the border, in cells, in [0, 0.844] (proven bound), and 0.17 on average. It is
-//            continuous (HN_FIXED: in steps of 2^-16)
-//   error    at most 1.51e-3 against the exact value, in any rounding mode. HN_FIXED 1.27e-2. That is for two
-//            points that nearly touch: it falls with the distance of the two that make the border (docs/accuracy.md)
-//   period   2^32 cells per axis
+//   returns  the distance to the border, in cells, in [0, 0.844] (proven bound), and 0.17 on average. It is continuous
+//            (HN_FIXED: in steps of 2^-16)
+//   error    at most 1.51e-3 against the exact value, in any rounding mode. HN_FIXED 1.27e-2. That is for two points
+//            that nearly touch: it falls with the distance of the two that make the border (docs/accuracy.md)
+//   period   2^32 cells per axis, or that of the tile
 //   cost     9, 1 and 15 hashes (none with HN_HASH_LATTICE), as many multiplications, and 15 square roots and divisions
 //   source   Quilez, "Voronoi edges", 2012, for the distance; docs/contract.md, section 16
-HN_FN hn_float hn_cell_border(hn_ivec2 cell, hn_vec2 f, hn_uint seed) {
-  return hn_i_cell_border(cell, hn_i_inside(f), hn_i_jitter(1.0f), seed);
+HN_FN hn_float hn_cell_border(hn_place2 place, hn_uint seed) {
+  return hn_i_cell_border(place, hn_i_jitter(1.0f), seed);
 }
-
-HN_FN hn_float hn_cell_border(hn_ivec2 cell, hn_vec2 f) { return hn_cell_border(cell, f, 0u); }
-
-// The same at a position.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   seed     any uint: 7u, not 7; 0 if left out
-//   returns  as above
-//   error    at most 1.51e-3. HN_FIXED as above
-//   period   as above
-//   cost     as above
-//   source   as above
-HN_FN hn_float hn_cell_border(hn_vec2 p, hn_uint seed) {
-  return hn_i_cell_border(hn_i_cell(p), hn_i_fraction(p), hn_i_jitter(1.0f), seed);
-}
-
+HN_FN hn_float hn_cell_border(hn_vec2 p, hn_uint seed) { return hn_cell_border(hn_place(p), seed); }
 HN_FN hn_float hn_cell_border(hn_vec2 p) { return hn_cell_border(p, 0u); }
 
-// Both with a period: the field repeats after that many cells. Its points are those of the cells modulo the period.
-//   period   cells along each axis, any ivec2; 0 for none along that axis. Less than 0 is none, too
-//   seed     any uint: 7u, not 7
-//   error    as without a period
-//   cost     a mask along each axis more for a constant power of two; else a division. Each axis has a few comparisons
-//            and two multiplications more
-HN_FN hn_float hn_cell_border(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_uint seed) {
-  return hn_i_cell_border(cell, hn_i_inside(f), period, hn_i_jitter(1.0f), seed);
-}
-
-HN_FN hn_float hn_cell_border(hn_vec2 p, hn_ivec2 period, hn_uint seed) {
-  return hn_i_cell_border(hn_i_cell(p), hn_i_fraction(p), period, hn_i_jitter(1.0f), seed);
-}
-
 // The same with everything that may be chosen.
-//   period   cells along each axis, any ivec2; 0 for none along that axis. Less than 0 is none, too
 //   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
 //            outside of [0, 1] counts as the nearer end
 //   seed     any uint: 7u, not 7
 //   returns  as above
 //   error    as above
-//   cost     as with a period
-HN_FN hn_float hn_cell_border(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_float jitter, hn_uint seed) {
-  return hn_i_cell_border(cell, hn_i_inside(f), period, hn_i_jitter(jitter), seed);
+//   cost     as above
+HN_FN hn_float hn_cell_border(hn_place2 place, hn_float jitter, hn_uint seed) {
+  return hn_i_cell_border(place, hn_i_jitter(jitter), seed);
 }
-
-HN_FN hn_float hn_cell_border(hn_vec2 p, hn_ivec2 period, hn_float jitter, hn_uint seed) {
-  return hn_i_cell_border(hn_i_cell(p), hn_i_fraction(p), period, hn_i_jitter(jitter), seed);
+HN_FN hn_float hn_cell_border(hn_vec2 p, hn_float jitter, hn_uint seed) {
+  return hn_cell_border(hn_place(p), jitter, seed);
 }
 
 // The same with everything that may be chosen, and with the nearest point.
-//   period   cells along each axis, any ivec2; 0 for none along that axis. Less than 0 is none, too
 //   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
 //            outside of [0, 1] counts as the nearer end
 //   seed     any uint: 7u, not 7
@@ -135,15 +98,14 @@ HN_FN hn_float hn_cell_border(hn_vec2 p, hn_ivec2 period, hn_float jitter, hn_ui
 //   offset   is set to the vector from the position to that point, in cells
 //   returns  as above
 //   error    as above; of the offset at most 3.88e-7. HN_FIXED 2.39e-6
-//   cost     as with a period; one more hash
-HN_FN hn_float hn_cell_border(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_float jitter, hn_uint seed,
-                              HN_I_OUT(hn_ivec2) nearest, HN_I_OUT(hn_vec2) offset) {
-  return hn_i_cell_border(cell, hn_i_inside(f), period, hn_i_jitter(jitter), seed, nearest, offset);
-}
-
-HN_FN hn_float hn_cell_border(hn_vec2 p, hn_ivec2 period, hn_float jitter, hn_uint seed, HN_I_OUT(hn_ivec2) nearest,
+//   cost     as above; one more hash
+HN_FN hn_float hn_cell_border(hn_place2 place, hn_float jitter, hn_uint seed, HN_I_OUT(hn_ivec2) nearest,
                               HN_I_OUT(hn_vec2) offset) {
-  return hn_i_cell_border(hn_i_cell(p), hn_i_fraction(p), period, hn_i_jitter(jitter), seed, nearest, offset);
+  return hn_i_cell_border(place, hn_i_jitter(jitter), seed, nearest, offset);
+}
+HN_FN hn_float hn_cell_border(hn_vec2 p, hn_float jitter, hn_uint seed, HN_I_OUT(hn_ivec2) nearest,
+                              HN_I_OUT(hn_vec2) offset) {
+  return hn_cell_border(hn_place(p), jitter, seed, nearest, offset);
 }
 
 #endif

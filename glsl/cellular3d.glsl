@@ -9,66 +9,36 @@
 HN_FN hn_vec2 hn_i_cellular(hn_i_block3 block, hn_num3 f, hn_num jitter, hn_int metric, hn_uint seed) {
   return hn_i_two_distances(hn_i_nearest(block, hn_i_inner(f), jitter, metric, seed), metric);
 }
-HN_FN hn_vec2 hn_i_cellular(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_num jitter, hn_int metric, hn_uint seed,
-                            HN_I_OUT(hn_ivec3) nearest, HN_I_OUT(hn_vec3) offset) {
-  hn_i_block3 block = hn_i_block(cell, period);
-  hn_num3 d = hn_i_inner(f);
+HN_FN hn_vec2 hn_i_cellular(hn_place3 place, hn_num jitter, hn_int metric, hn_uint seed, HN_I_OUT(hn_ivec3) nearest,
+                            HN_I_OUT(hn_vec3) offset) {
+  hn_i_block3 block = hn_i_block(place);
+  hn_num3 d = hn_i_inner(place.fraction);
   hn_rank4 best = hn_i_nearest(block, d, jitter, metric, seed);
-  nearest = hn_i_cell_of(hn_i_wrap(cell, period), period, best.w);
+  nearest = hn_i_cell_of(place, best.w);
   offset = hn_i_toward(hn_i_from_nearest(block, d, jitter, seed, best.w));
   return hn_i_two_distances(best, metric);
 }
 
-// Cellular noise in space, from a cell and a position in it: the distances to the nearest and the second nearest of
-// points that are strewn one in each cell (Worley's F1 and F2). They are those of the whole infinite field.
-//   cell     the cell; it wraps at 2^32, and so do its neighbours
-//   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats have no promise
+// Cellular noise in space: the distances to the nearest and the second nearest of points that are strewn one in each
+// cell (Worley's F1 and F2). They are those of the whole infinite field.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
-//   returns  the two distances, in cells: the first in [0, 1.2248], the second in [0, 1.5001] (proven bounds), and
-//            not below the first; on average 0.51 and 0.71. Both are continuous (HN_FIXED: in steps of 2^-18)
-//   error    at most 5.49e-6 against the exact value, in any metric and rounding mode (docs/accuracy.md).
-//            HN_FIXED 6.87e-5
-//   period   2^32 cells per axis
+//   returns  the two distances, in cells: the first in [0, 1.2248], the second in [0, 1.5001] (proven bounds), and not
+//            below the first; on average 0.51 and 0.71. Both are continuous (HN_FIXED: in steps of 2^-18)
+//   error    at most 5.93e-6 against the exact value, in any metric and rounding mode (docs/accuracy.md). HN_FIXED
+//            6.87e-5. From a cell at most 5.49e-6
+//   period   2^32 cells per axis, or that of the tile
 //   cost     27 hashes (none with HN_HASH_LATTICE) and 27 multiplications; 3 more to spread the coordinates, 2 more for
 //            a seed that is not constant, and 2 square roots. What is not used of the result costs nothing
 //   source   Worley, "A cellular texture basis function", 1996; docs/contract.md, section 16
-HN_FN hn_vec2 hn_cellular(hn_ivec3 cell, hn_vec3 f, hn_uint seed) {
-  return hn_i_cellular(hn_i_block(cell), hn_i_inside(f), hn_i_jitter(1.0f), HN_METRIC_EUCLIDEAN, seed);
+HN_FN hn_vec2 hn_cellular(hn_place3 place, hn_uint seed) {
+  return hn_i_cellular(hn_i_block(place), place.fraction, hn_i_jitter(1.0f), HN_METRIC_EUCLIDEAN, seed);
 }
-
-HN_FN hn_vec2 hn_cellular(hn_ivec3 cell, hn_vec3 f) { return hn_cellular(cell, f, 0u); }
-
-// The same at a position.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   seed     any uint: 7u, not 7; 0 if left out
-//   returns  as above
-//   error    at most 5.93e-6. HN_FIXED as above
-//   period   as above
-//   cost     as above
-//   source   as above
-HN_FN hn_vec2 hn_cellular(hn_vec3 p, hn_uint seed) {
-  return hn_i_cellular(hn_i_block(hn_i_cell(p)), hn_i_fraction(p), hn_i_jitter(1.0f), HN_METRIC_EUCLIDEAN, seed);
-}
-
+HN_FN hn_vec2 hn_cellular(hn_vec3 p, hn_uint seed) { return hn_cellular(hn_place(p), seed); }
 HN_FN hn_vec2 hn_cellular(hn_vec3 p) { return hn_cellular(p, 0u); }
 
-// Both with a period: the field repeats after that many cells. Its points are those of the cells modulo the period.
-//   period   cells along each axis, any ivec3; 0 for none along that axis. Less than 0 is none, too
-//   seed     any uint: 7u, not 7
-//   error    as without a period
-//   cost     a mask along each axis more for a constant power of two; else a division. Each axis has a few comparisons
-//            and two multiplications more
-HN_FN hn_vec2 hn_cellular(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_uint seed) {
-  return hn_i_cellular(hn_i_block(cell, period), hn_i_inside(f), hn_i_jitter(1.0f), HN_METRIC_EUCLIDEAN, seed);
-}
-
-HN_FN hn_vec2 hn_cellular(hn_vec3 p, hn_ivec3 period, hn_uint seed) {
-  return hn_i_cellular(hn_i_block(hn_i_cell(p), period), hn_i_fraction(p), hn_i_jitter(1.0f), HN_METRIC_EUCLIDEAN,
-                       seed);
-}
-
 // The same with everything that may be chosen.
-//   period   cells along each axis, any ivec3; 0 for none along that axis. Less than 0 is none, too
 //   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
 //            outside of [0, 1] counts as the nearer end
 //   metric   one of HN_METRIC_EUCLIDEAN, _SQUARED, _MANHATTAN, _CHEBYSHEV and _HYBRID (feature.glsl); a constant costs
@@ -76,17 +46,15 @@ HN_FN hn_vec2 hn_cellular(hn_vec3 p, hn_ivec3 period, hn_uint seed) {
 //   seed     any uint: 7u, not 7
 //   returns  as above, in the metric
 //   error    as above
-//   cost     as with a period
-HN_FN hn_vec2 hn_cellular(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_float jitter, hn_int metric, hn_uint seed) {
-  return hn_i_cellular(hn_i_block(cell, period), hn_i_inside(f), hn_i_jitter(jitter), metric, seed);
+//   cost     as above
+HN_FN hn_vec2 hn_cellular(hn_place3 place, hn_float jitter, hn_int metric, hn_uint seed) {
+  return hn_i_cellular(hn_i_block(place), place.fraction, hn_i_jitter(jitter), metric, seed);
 }
-
-HN_FN hn_vec2 hn_cellular(hn_vec3 p, hn_ivec3 period, hn_float jitter, hn_int metric, hn_uint seed) {
-  return hn_i_cellular(hn_i_block(hn_i_cell(p), period), hn_i_fraction(p), hn_i_jitter(jitter), metric, seed);
+HN_FN hn_vec2 hn_cellular(hn_vec3 p, hn_float jitter, hn_int metric, hn_uint seed) {
+  return hn_cellular(hn_place(p), jitter, metric, seed);
 }
 
 // The same with everything that may be chosen, and with the nearest point.
-//   period   cells along each axis, any ivec3; 0 for none along that axis. Less than 0 is none, too
 //   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
 //            outside of [0, 1] counts as the nearer end
 //   metric   one of HN_METRIC_EUCLIDEAN, _SQUARED, _MANHATTAN, _CHEBYSHEV and _HYBRID (feature.glsl); a constant costs
@@ -97,15 +65,14 @@ HN_FN hn_vec2 hn_cellular(hn_vec3 p, hn_ivec3 period, hn_float jitter, hn_int me
 //   offset   is set to the vector from the position to that point, in cells
 //   returns  as above, in the metric
 //   error    as above; of the offset at most 1.05e-6. HN_FIXED 2.39e-6
-//   cost     as with a period; one more hash
-HN_FN hn_vec2 hn_cellular(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_float jitter, hn_int metric, hn_uint seed,
-                          HN_I_OUT(hn_ivec3) nearest, HN_I_OUT(hn_vec3) offset) {
-  return hn_i_cellular(cell, hn_i_inside(f), period, hn_i_jitter(jitter), metric, seed, nearest, offset);
+//   cost     as above; one more hash
+HN_FN hn_vec2 hn_cellular(hn_place3 place, hn_float jitter, hn_int metric, hn_uint seed, HN_I_OUT(hn_ivec3) nearest,
+                          HN_I_OUT(hn_vec3) offset) {
+  return hn_i_cellular(place, hn_i_jitter(jitter), metric, seed, nearest, offset);
 }
-
-HN_FN hn_vec2 hn_cellular(hn_vec3 p, hn_ivec3 period, hn_float jitter, hn_int metric, hn_uint seed,
-                          HN_I_OUT(hn_ivec3) nearest, HN_I_OUT(hn_vec3) offset) {
-  return hn_i_cellular(hn_i_cell(p), hn_i_fraction(p), period, hn_i_jitter(jitter), metric, seed, nearest, offset);
+HN_FN hn_vec2 hn_cellular(hn_vec3 p, hn_float jitter, hn_int metric, hn_uint seed, HN_I_OUT(hn_ivec3) nearest,
+                          HN_I_OUT(hn_vec3) offset) {
+  return hn_cellular(hn_place(p), jitter, metric, seed, nearest, offset);
 }
 
 #endif

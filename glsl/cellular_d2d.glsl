@@ -14,66 +14,35 @@ HN_FN hn_vec3 hn_i_cellular_d(hn_i_block2 block, hn_num2 f, hn_num jitter, hn_ui
   return vec3(hn_i_distance(best.x, HN_METRIC_EUCLIDEAN), slope.x, slope.y);
 }
 
-// The distance to the nearest feature point on the plane and its gradient, from a cell and a position in it. The
-// distance is the first of hn_cellular.
-//   cell     the cell; it wraps at 2^32, and so do its neighbours
-//   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats have no promise
+// The distance to the nearest feature point on the plane and its gradient. The distance is the first of hn_cellular.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   returns  the distance, and its derivatives along x and y: a vector of length 1 away from the point, which is
 //            (position - point) / distance; 0 at the point. It jumps where another point becomes the nearest
-//   error    that of hn_cellular, and of a derivative at most 2.40e-6 divided by the distance, in any
-//            rounding mode (docs/accuracy.md). HN_FIXED 1.08e-5 divided by it
-//   period   2^32 cells per axis
+//   error    that of hn_cellular, and of a derivative at most 2.57e-6 divided by the distance, in any rounding mode
+//            (docs/accuracy.md). HN_FIXED 1.08e-5 divided by it. From a cell at most 2.40e-6 divided by it
+//   period   2^32 cells per axis, or that of the tile
 //   cost     that of hn_cellular and one more hash
 //   source   docs/contract.md, section 16
-HN_FN hn_vec3 hn_cellular_d(hn_ivec2 cell, hn_vec2 f, hn_uint seed) {
-  return hn_i_cellular_d(hn_i_block(cell), hn_i_inside(f), hn_i_jitter(1.0f), seed);
+HN_FN hn_vec3 hn_cellular_d(hn_place2 place, hn_uint seed) {
+  return hn_i_cellular_d(hn_i_block(place), place.fraction, hn_i_jitter(1.0f), seed);
 }
-
-HN_FN hn_vec3 hn_cellular_d(hn_ivec2 cell, hn_vec2 f) { return hn_cellular_d(cell, f, 0u); }
-
-// The same at a position.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   seed     any uint: 7u, not 7; 0 if left out
-//   returns  as above
-//   error    of a derivative at most 2.57e-6 divided by the distance. The rest is as above
-//   period   as above
-//   cost     as above
-//   source   as above
-HN_FN hn_vec3 hn_cellular_d(hn_vec2 p, hn_uint seed) {
-  return hn_i_cellular_d(hn_i_block(hn_i_cell(p)), hn_i_fraction(p), hn_i_jitter(1.0f), seed);
-}
-
+HN_FN hn_vec3 hn_cellular_d(hn_vec2 p, hn_uint seed) { return hn_cellular_d(hn_place(p), seed); }
 HN_FN hn_vec3 hn_cellular_d(hn_vec2 p) { return hn_cellular_d(p, 0u); }
 
-// Both with a period: the field repeats after that many cells. Its points are those of the cells modulo the period.
-//   period   cells along each axis, any ivec2; 0 for none along that axis. Less than 0 is none, too
-//   seed     any uint: 7u, not 7
-//   error    as without a period
-//   cost     a mask along each axis more for a constant power of two; else a division. Each axis has a few comparisons
-//            and two multiplications more
-HN_FN hn_vec3 hn_cellular_d(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_uint seed) {
-  return hn_i_cellular_d(hn_i_block(cell, period), hn_i_inside(f), hn_i_jitter(1.0f), seed);
-}
-
-HN_FN hn_vec3 hn_cellular_d(hn_vec2 p, hn_ivec2 period, hn_uint seed) {
-  return hn_i_cellular_d(hn_i_block(hn_i_cell(p), period), hn_i_fraction(p), hn_i_jitter(1.0f), seed);
-}
-
 // The same with everything that may be chosen.
-//   period   cells along each axis, any ivec2; 0 for none along that axis. Less than 0 is none, too
 //   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
 //            outside of [0, 1] counts as the nearer end
 //   seed     any uint: 7u, not 7
 //   returns  as above
 //   error    as above
-//   cost     as with a period
-HN_FN hn_vec3 hn_cellular_d(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_float jitter, hn_uint seed) {
-  return hn_i_cellular_d(hn_i_block(cell, period), hn_i_inside(f), hn_i_jitter(jitter), seed);
+//   cost     as above
+HN_FN hn_vec3 hn_cellular_d(hn_place2 place, hn_float jitter, hn_uint seed) {
+  return hn_i_cellular_d(hn_i_block(place), place.fraction, hn_i_jitter(jitter), seed);
 }
-
-HN_FN hn_vec3 hn_cellular_d(hn_vec2 p, hn_ivec2 period, hn_float jitter, hn_uint seed) {
-  return hn_i_cellular_d(hn_i_block(hn_i_cell(p), period), hn_i_fraction(p), hn_i_jitter(jitter), seed);
+HN_FN hn_vec3 hn_cellular_d(hn_vec2 p, hn_float jitter, hn_uint seed) {
+  return hn_cellular_d(hn_place(p), jitter, seed);
 }
 
 #endif

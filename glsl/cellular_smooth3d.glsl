@@ -36,68 +36,39 @@ HN_FN hn_float hn_i_cellular_smooth(hn_i_block3 block, hn_num3 f, hn_num jitter,
   return hn_i_smooth_distance(weights);
 }
 
-// Cellular noise in space with rounded valleys, from a cell and a position in it: a distance that takes all points
-// within 1 into account, and has no creases between cells. Their order does not matter. No point outside of the block
-// of cells that is visited is within 1, so there are no seams.
-//   cell     the cell; it wraps at 2^32, and so do its neighbours
-//   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats have no promise
+// Cellular noise in space with rounded valleys: a distance that takes all points within 1 into account, and has no
+// creases between cells. Their order does not matter. No point outside of the block of cells that is visited is within
+// 1, so there are no seams.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   returns  1 - (the sum of (1 - distance)^4 over these points + 1/4096)^(1/4): a little below the first distance of
 //            hn_cellular, in [-0.198, 7/8] (proven bound), continuously differentiable but for the points themselves
 //            (HN_FIXED: in steps of 2^-19)
-//   error    at most 5.72e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 3.23e-4
-//   period   2^32 cells per axis
+//   error    at most 5.93e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 3.23e-4.
+//            From a cell at most 5.72e-6
+//   period   2^32 cells per axis, or that of the tile
 //   cost     27 hashes (none with HN_HASH_LATTICE), 27 multiplications and 29 square roots; 3 more multiplications to
 //            spread the coordinates, and 2 more for a seed that is not constant
 //   source   docs/contract.md, section 16
-HN_FN hn_float hn_cellular_smooth(hn_ivec3 cell, hn_vec3 f, hn_uint seed) {
-  return hn_i_cellular_smooth(hn_i_block(cell), hn_i_inside(f), hn_i_jitter(1.0f), seed);
+HN_FN hn_float hn_cellular_smooth(hn_place3 place, hn_uint seed) {
+  return hn_i_cellular_smooth(hn_i_block(place), place.fraction, hn_i_jitter(1.0f), seed);
 }
-
-HN_FN hn_float hn_cellular_smooth(hn_ivec3 cell, hn_vec3 f) { return hn_cellular_smooth(cell, f, 0u); }
-
-// The same at a position.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   seed     any uint: 7u, not 7; 0 if left out
-//   returns  as above
-//   error    at most 5.93e-6. HN_FIXED as above
-//   period   as above
-//   cost     as above
-//   source   as above
-HN_FN hn_float hn_cellular_smooth(hn_vec3 p, hn_uint seed) {
-  return hn_i_cellular_smooth(hn_i_block(hn_i_cell(p)), hn_i_fraction(p), hn_i_jitter(1.0f), seed);
-}
-
+HN_FN hn_float hn_cellular_smooth(hn_vec3 p, hn_uint seed) { return hn_cellular_smooth(hn_place(p), seed); }
 HN_FN hn_float hn_cellular_smooth(hn_vec3 p) { return hn_cellular_smooth(p, 0u); }
 
-// Both with a period: the field repeats after that many cells. Its points are those of the cells modulo the period.
-//   period   cells along each axis, any ivec3; 0 for none along that axis. Less than 0 is none, too
-//   seed     any uint: 7u, not 7
-//   error    as without a period
-//   cost     a mask along each axis more for a constant power of two; else a division. Each axis has a few comparisons
-//            and two multiplications more
-HN_FN hn_float hn_cellular_smooth(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_uint seed) {
-  return hn_i_cellular_smooth(hn_i_block(cell, period), hn_i_inside(f), hn_i_jitter(1.0f), seed);
-}
-
-HN_FN hn_float hn_cellular_smooth(hn_vec3 p, hn_ivec3 period, hn_uint seed) {
-  return hn_i_cellular_smooth(hn_i_block(hn_i_cell(p), period), hn_i_fraction(p), hn_i_jitter(1.0f), seed);
-}
-
 // The same with everything that may be chosen.
-//   period   cells along each axis, any ivec3; 0 for none along that axis. Less than 0 is none, too
 //   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
 //            outside of [0, 1] counts as the nearer end
 //   seed     any uint: 7u, not 7
 //   returns  as above
 //   error    as above
-//   cost     as with a period
-HN_FN hn_float hn_cellular_smooth(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_float jitter, hn_uint seed) {
-  return hn_i_cellular_smooth(hn_i_block(cell, period), hn_i_inside(f), hn_i_jitter(jitter), seed);
+//   cost     as above
+HN_FN hn_float hn_cellular_smooth(hn_place3 place, hn_float jitter, hn_uint seed) {
+  return hn_i_cellular_smooth(hn_i_block(place), place.fraction, hn_i_jitter(jitter), seed);
 }
-
-HN_FN hn_float hn_cellular_smooth(hn_vec3 p, hn_ivec3 period, hn_float jitter, hn_uint seed) {
-  return hn_i_cellular_smooth(hn_i_block(hn_i_cell(p), period), hn_i_fraction(p), hn_i_jitter(jitter), seed);
+HN_FN hn_float hn_cellular_smooth(hn_vec3 p, hn_float jitter, hn_uint seed) {
+  return hn_cellular_smooth(hn_place(p), jitter, seed);
 }
 
 #endif

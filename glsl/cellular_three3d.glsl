@@ -15,8 +15,10 @@ HN_FN hn_int hn_i_farthest_axis(hn_num3 d) {
 }
 
 // The third point may also be that of a cell two steps on along that axis (feature.glsl): nine cells in a slab.
-HN_FN hn_vec3 hn_i_cellular_three(hn_i_block3 block, hn_uvec3 two, hn_num3 d, hn_num jitter, hn_int metric,
-                                  hn_uint seed) {
+HN_FN hn_vec3 hn_i_cellular_three(hn_place3 place, hn_num jitter, hn_int metric, hn_uint seed) {
+  hn_i_block3 block = hn_i_block(place);
+  hn_num3 d = hn_i_inner(place.fraction);
+  hn_uvec3 two = hn_i_two_steps(place, block, d);
   hn_rank4 best = hn_i_nearest(block, d, jitter, metric, seed);
   hn_int axis = hn_i_farthest_axis(d);
   hn_uint at = hn_i_along(axis, two);
@@ -30,67 +32,25 @@ HN_FN hn_vec3 hn_i_cellular_three(hn_i_block3 block, hn_uvec3 two, hn_num3 d, hn
   }
   return vec3(hn_i_distance(best.x, metric), hn_i_distance(best.y, metric), hn_i_distance(best.z, metric));
 }
-HN_FN hn_vec3 hn_i_cellular_three(hn_ivec3 cell, hn_num3 f, hn_num jitter, hn_int metric, hn_uint seed) {
-  hn_i_block3 block = hn_i_block(cell);
-  hn_num3 d = hn_i_inner(f);
-  return hn_i_cellular_three(block, hn_i_two_steps(block, d), d, jitter, metric,
-                             seed);
-}
-HN_FN hn_vec3 hn_i_cellular_three(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_num jitter, hn_int metric,
-                                  hn_uint seed) {
-  hn_uvec3 c = hn_i_wrap(cell, period);
-  hn_i_block3 block = hn_i_block(cell, period);
-  hn_num3 d = hn_i_inner(f);
-  return hn_i_cellular_three(block, hn_i_two_steps(c, period, d), d, jitter, metric, seed);
-}
 
-// The distances to the three nearest feature points in space, from a cell and a position in it: Worley's F1, F2 and F3.
-// The first two are those of hn_cellular.
-//   cell     the cell; it wraps at 2^32, and so do its neighbours
-//   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats have no promise
+// The distances to the three nearest feature points in space: Worley's F1, F2 and F3. The first two are those of
+// hn_cellular.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   returns  the three distances, in cells, ascending: the third in [0, 1.5812] (proven bound)
-//   error    at most 6.27e-6 against the exact value, in any metric and rounding mode (docs/accuracy.md).
-//            HN_FIXED 6.87e-5
-//   period   2^32 cells per axis
+//   error    at most 6.74e-6 against the exact value, in any metric and rounding mode (docs/accuracy.md). HN_FIXED
+//            6.87e-5. From a cell at most 6.27e-6
+//   period   2^32 cells per axis, or that of the tile
 //   cost     36 hashes (none with HN_HASH_LATTICE) and 36 multiplications, and what hn_cellular costs besides
 //   source   Worley, "A cellular texture basis function", 1996; docs/contract.md, section 16
-HN_FN hn_vec3 hn_cellular_three(hn_ivec3 cell, hn_vec3 f, hn_uint seed) {
-  return hn_i_cellular_three(cell, hn_i_inside(f), hn_i_jitter(1.0f), HN_METRIC_EUCLIDEAN, seed);
+HN_FN hn_vec3 hn_cellular_three(hn_place3 place, hn_uint seed) {
+  return hn_i_cellular_three(place, hn_i_jitter(1.0f), HN_METRIC_EUCLIDEAN, seed);
 }
-
-HN_FN hn_vec3 hn_cellular_three(hn_ivec3 cell, hn_vec3 f) { return hn_cellular_three(cell, f, 0u); }
-
-// The same at a position.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   seed     any uint: 7u, not 7; 0 if left out
-//   returns  as above
-//   error    at most 6.74e-6. HN_FIXED as above
-//   period   as above
-//   cost     as above
-//   source   as above
-HN_FN hn_vec3 hn_cellular_three(hn_vec3 p, hn_uint seed) {
-  return hn_i_cellular_three(hn_i_cell(p), hn_i_fraction(p), hn_i_jitter(1.0f), HN_METRIC_EUCLIDEAN, seed);
-}
-
+HN_FN hn_vec3 hn_cellular_three(hn_vec3 p, hn_uint seed) { return hn_cellular_three(hn_place(p), seed); }
 HN_FN hn_vec3 hn_cellular_three(hn_vec3 p) { return hn_cellular_three(p, 0u); }
 
-// Both with a period: the field repeats after that many cells. Its points are those of the cells modulo the period.
-//   period   cells along each axis, any ivec3; 0 for none along that axis. Less than 0 is none, too
-//   seed     any uint: 7u, not 7
-//   error    as without a period
-//   cost     a mask along each axis more for a constant power of two; else a division. Each axis has a few comparisons
-//            and two multiplications more
-HN_FN hn_vec3 hn_cellular_three(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_uint seed) {
-  return hn_i_cellular_three(cell, hn_i_inside(f), period, hn_i_jitter(1.0f), HN_METRIC_EUCLIDEAN, seed);
-}
-
-HN_FN hn_vec3 hn_cellular_three(hn_vec3 p, hn_ivec3 period, hn_uint seed) {
-  return hn_i_cellular_three(hn_i_cell(p), hn_i_fraction(p), period, hn_i_jitter(1.0f), HN_METRIC_EUCLIDEAN, seed);
-}
-
 // The same with everything that may be chosen.
-//   period   cells along each axis, any ivec3; 0 for none along that axis. Less than 0 is none, too
 //   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
 //            outside of [0, 1] counts as the nearer end
 //   metric   one of HN_METRIC_EUCLIDEAN, _SQUARED, _MANHATTAN, _CHEBYSHEV and _HYBRID (feature.glsl); a constant costs
@@ -98,14 +58,12 @@ HN_FN hn_vec3 hn_cellular_three(hn_vec3 p, hn_ivec3 period, hn_uint seed) {
 //   seed     any uint: 7u, not 7
 //   returns  as above, in the metric
 //   error    as above
-//   cost     as with a period
-HN_FN hn_vec3 hn_cellular_three(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_float jitter, hn_int metric,
-                                hn_uint seed) {
-  return hn_i_cellular_three(cell, hn_i_inside(f), period, hn_i_jitter(jitter), metric, seed);
+//   cost     as above
+HN_FN hn_vec3 hn_cellular_three(hn_place3 place, hn_float jitter, hn_int metric, hn_uint seed) {
+  return hn_i_cellular_three(place, hn_i_jitter(jitter), metric, seed);
 }
-
-HN_FN hn_vec3 hn_cellular_three(hn_vec3 p, hn_ivec3 period, hn_float jitter, hn_int metric, hn_uint seed) {
-  return hn_i_cellular_three(hn_i_cell(p), hn_i_fraction(p), period, hn_i_jitter(jitter), metric, seed);
+HN_FN hn_vec3 hn_cellular_three(hn_vec3 p, hn_float jitter, hn_int metric, hn_uint seed) {
+  return hn_cellular_three(hn_place(p), jitter, metric, seed);
 }
 
 #endif

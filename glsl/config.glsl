@@ -26,6 +26,8 @@
 //   HN_I_HAS_PRECISE   whether HN_PRECISE is possible. HN_I_KEYWORD then stands before what is rounded on its own
 //   HN_I_OUT(type)     a parameter that the function sets, and HN_I_INOUT(type), one that it changes
 //   HN_I_NEW(type, x)  declares a struct x, whose members are set one by one
+//   HN_I_MADE(type)    stands in the struct of a place. In C++ no list of numbers is a place then: in
+//                      hn_perlin({x, y}, 7u) they are a position
 //   HN_I_HIGHP         stands before every type. GLSL ES has three precisions. In fragment shaders an int is mediump,
 //                      with 16 bits, unless the declaration says otherwise. Your own default precision stays as it is.
 //                      Elsewhere it is empty: nothing is needed, and glslang would warn
@@ -42,6 +44,7 @@
 #define HN_I_OUT(type) thread type&
 #define HN_I_INOUT(type) thread type&
 #define HN_I_NEW(type, name) type name
+#define HN_I_MADE(type)
 #define HN_I_HAS_PRECISE 0
 #else
 // Compilers vectorize a loop over a noise only if the whole noise is inlined into it.
@@ -53,6 +56,7 @@
 #define HN_I_OUT(type) type&
 #define HN_I_INOUT(type) type&
 #define HN_I_NEW(type, name) type name{}  // without the braces -Weffc++ warns
+#define HN_I_MADE(type) type() : cell(), fraction(), rest(), period(), tiled() {}
 #define HN_I_HAS_PRECISE 1
 #endif
 #else
@@ -60,6 +64,7 @@
 #define HN_I_OUT(type) out type
 #define HN_I_INOUT(type) inout type
 #define HN_I_NEW(type, name) type name
+#define HN_I_MADE(type)
 #define HN_I_KEYWORD precise
 #if (!defined(__VERSION__) && !defined(GL_GOOGLE_cpp_style_line_directive)) || defined(HN_I_HLSL)
 #define HN_I_VERSION 460

@@ -51,18 +51,20 @@ HN_FN hn_int hn_i_blend(hn_ivec4 n, hn_ivec4 w) {
 
 #endif
 
-// The spread coordinates of the points -1, 0, 1 and 2 along one axis, from that of point 0. `step` is the factor that
-// spreads the axis.
-HN_FN hn_uvec4 hn_i_line(hn_uint c, hn_uint step) { return uvec4(c - step, c, c + step, c + 2u * step); }
-
-// The same with a period. `zero` is the spread coordinate of 0.
-HN_FN hn_uvec4 hn_i_line(hn_int cell, hn_int period, hn_uint step, hn_uint zero) {
-  hn_uint size = uint(max(period, 0));
-  hn_uint c = hn_i_wrap(cell, period);
-  hn_uint before = hn_i_select(c == 0u, size, c) - 1u;
-  hn_uint after = hn_i_select(c + 1u == size, 0u, c + 1u);
-  hn_uint last = hn_i_select(after + 1u == size, 0u, after + 1u);
-  return uvec4(before * step + zero, c * step + zero, after * step + zero, last * step + zero);
+// The spread coordinates of the points -1, 0, 1 and 2 along one axis of a place. `step` is the factor that spreads the
+// axis, and `zero` is the spread coordinate of 0.
+HN_FN hn_uvec4 hn_i_line(hn_int cell, hn_int period, bool tiled, hn_uint step, hn_uint zero) {
+  hn_uint first = uint(cell) * step + zero;
+  hn_uvec4 coordinates = uvec4(first - step, first, first + step, first + 2u * step);
+  if (tiled) {
+    hn_uint size = uint(max(period, 0));
+    hn_uint c = hn_i_wrap(cell, period);
+    hn_uint before = hn_i_select(c == 0u, size, c) - 1u;
+    hn_uint after = hn_i_select(c + 1u == size, 0u, c + 1u);
+    hn_uint last = hn_i_select(after + 1u == size, 0u, after + 1u);
+    coordinates = uvec4(before * step + zero, c * step + zero, after * step + zero, last * step + zero);
+  }
+  return coordinates;
 }
 
 HN_FN hn_uvec4 hn_i_folded(hn_uvec4 v, hn_uint shift) {

@@ -9,40 +9,19 @@
 // The negative of 0 would be -0, and of a difference from 0 some drivers make a negative.
 HN_FN hn_vec2 hn_i_curl(hn_vec3 d) { return vec2(d.z, hn_i_select(d.y == 0.0f, 0.0f, -d.y)); }
 
-// The curl of hn_simplex on the plane, from a cell and a position in it: a field of velocities that neither flows
-// together nor apart. What it carries turns round the hills and hollows of the noise, along lines of equal height.
-//   cell     the cell; its points wrap at 2^32
-//   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats have no promise
+// The curl of hn_simplex on the plane: a field of velocities that neither flows together nor apart. What it carries
+// turns round the hills and hollows of the noise, along lines of equal height.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
-//   returns  the derivative of hn_simplex along y, and its negative derivative along x: per cell, each in
-//            [-8.36, 8.36], once continuously differentiable (HN_FIXED: in steps of 2^-18)
-//   error    that of the derivatives of hn_simplex_d: at most 4.49e-5. HN_FIXED 2.42e-3
-//   period   2^31 cells per axis
+//   returns  the derivative of hn_simplex along y, and its negative derivative along x: per cell, each in [-8.36,
+//            8.36], once continuously differentiable (HN_FIXED: in steps of 2^-18)
+//   error    that of the derivatives of hn_simplex_d: at most 5.19e-5. HN_FIXED 2.42e-3. From a cell at most 4.49e-5
+//   period   2^31 cells per axis, or that of the tile
 //   cost     that of hn_simplex_d
 //   source   Bridson, Hourihan, Nordenstam, "Curl-noise for procedural fluid flow", 2007
-HN_FN hn_vec2 hn_curl(hn_ivec2 cell, hn_vec2 f, hn_uint seed) { return hn_i_curl(hn_simplex_d(cell, f, seed)); }
-
-HN_FN hn_vec2 hn_curl(hn_ivec2 cell, hn_vec2 f) { return hn_curl(cell, f, 0u); }
-
-// The same at a position.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   seed     any uint: 7u, not 7; 0 if left out
-//   error    at most 5.19e-5. HN_FIXED as above
-//   returns  as above
-//   (everything else as above)
-HN_FN hn_vec2 hn_curl(hn_vec2 p, hn_uint seed) { return hn_i_curl(hn_simplex_d(p, seed)); }
-
+HN_FN hn_vec2 hn_curl(hn_place2 place, hn_uint seed) { return hn_i_curl(hn_simplex_d(place, seed)); }
+HN_FN hn_vec2 hn_curl(hn_vec2 p, hn_uint seed) { return hn_curl(hn_place(p), seed); }
 HN_FN hn_vec2 hn_curl(hn_vec2 p) { return hn_curl(p, 0u); }
-
-// Both with a period: the field repeats after that many cells.
-//   period   cells along each axis, any ivec2; 0 for none along that axis. Less than 0 is none, too
-//   seed     any uint: 7u, not 7
-//   error    as without a period
-//   (everything else as above)
-HN_FN hn_vec2 hn_curl(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_uint seed) {
-  return hn_i_curl(hn_simplex_d(cell, f, period, seed));
-}
-
-HN_FN hn_vec2 hn_curl(hn_vec2 p, hn_ivec2 period, hn_uint seed) { return hn_i_curl(hn_simplex_d(p, period, seed)); }
 
 #endif

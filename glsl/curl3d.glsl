@@ -33,46 +33,22 @@ HN_FN hn_vec3 hn_i_curl(hn_vec4 n, hn_vec4 m) {
               hn_i_crossed(hn_i_velocity(a.x, b.y, a.y, b.x)));
 }
 
-// The cross product of the gradients of two simplex noises, from a cell and a position in it: a field of velocities
-// that neither flows together nor apart. What it carries stays on the surfaces on which both noises are constant.
-//   cell     the cell; its points wrap at 2^32
-//   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats have no promise
+// The cross product of the gradients of two simplex noises: a field of velocities that neither flows together nor
+// apart. What it carries stays on the surfaces on which both noises are constant.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   returns  each component in [-46.2, 46.2], in squared noise per squared cell, once continuously differentiable
 //            (HN_FIXED: in steps of 2^-16)
-//   error    at most 1.14e-3 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 2.41e-2
-//   period   2^32 cells per axis
+//   error    at most 1.30e-3 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 2.41e-2.
+//            From a cell at most 1.14e-3
+//   period   2^32 cells per axis, or that of the tile
 //   cost     twice that of hn_simplex_d
 //   source   DeWolf, "Divergence-free noise", 2005; docs/contract.md, section 15
-HN_FN hn_vec3 hn_curl(hn_ivec3 cell, hn_vec3 f, hn_uint seed) {
-  return hn_i_curl(hn_simplex_d(cell, f, seed), hn_simplex_d(cell, f, hn_i_other_seed(seed)));
+HN_FN hn_vec3 hn_curl(hn_place3 place, hn_uint seed) {
+  return hn_i_curl(hn_simplex_d(place, seed), hn_simplex_d(place, hn_i_other_seed(seed)));
 }
-
-HN_FN hn_vec3 hn_curl(hn_ivec3 cell, hn_vec3 f) { return hn_curl(cell, f, 0u); }
-
-// The same at a position.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   seed     any uint: 7u, not 7; 0 if left out
-//   returns  as above
-//   error    at most 1.30e-3. HN_FIXED as above
-//   (everything else as above)
-HN_FN hn_vec3 hn_curl(hn_vec3 p, hn_uint seed) {
-  return hn_i_curl(hn_simplex_d(p, seed), hn_simplex_d(p, hn_i_other_seed(seed)));
-}
-
+HN_FN hn_vec3 hn_curl(hn_vec3 p, hn_uint seed) { return hn_curl(hn_place(p), seed); }
 HN_FN hn_vec3 hn_curl(hn_vec3 p) { return hn_curl(p, 0u); }
-
-// Both with a period: the field repeats after that many cells.
-//   period   cells along each axis, any ivec3; 0 for none along that axis. Less than 0 is none, too
-//   seed     any uint: 7u, not 7
-//   error    as without a period
-//   (everything else as above)
-HN_FN hn_vec3 hn_curl(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_uint seed) {
-  return hn_i_curl(hn_simplex_d(cell, f, period, seed), hn_simplex_d(cell, f, period, hn_i_other_seed(seed)));
-}
-
-HN_FN hn_vec3 hn_curl(hn_vec3 p, hn_ivec3 period, hn_uint seed) {
-  return hn_i_curl(hn_simplex_d(p, period, seed), hn_simplex_d(p, period, hn_i_other_seed(seed)));
-}
 
 #endif

@@ -11,64 +11,52 @@
 // Sums over other noises than hn_perlin. Each of these lines, outside of all functions and without a semicolon, defines
 // the functions of a sum:
 //
-//   HN_FBM3D(my_sum, hn_simplex)           my_sum(p, octaves, lacunarity, gain [, seed]), and from a cell
-//   HN_FBM_PERIOD3D(my_tile, hn_simplex)   my_tile(p, period, octaves, lacunarity, gain, seed), and from a cell
+//   HN_FBM3D(my_sum, hn_simplex)           my_sum(p, octaves, lacunarity, gain [, seed]), and at a place
 //   HN_FBM_LIMITED3D(my_lod, hn_simplex)   my_lod(p, detail, ...) and my_lod(p, footprint, octaves, ...)
 //
 // In place of FBM the others are TURBULENCE, CLOUDS, BILLOW, RIDGED, PING_PONG and WEIGHTED (these have no LIMITED).
-// What they take and return is said below. The noise is called with a cell, a place in it and a seed, as any noise of
-// the library can be; with PERIOD it takes the period in front of the seed. To sum your own float mine(vec3 p), write
+// What they take and return is said below. The noise is called with a place and a seed, as any noise of the library can
+// be. To sum your own float mine(vec3 p), write
 //
-//   float mine(ivec3 cell, vec3 f, uint seed) { return mine(vec3(cell) + f); }
+//   float mine(hn_place3 place, uint seed) { return mine(hn_position(place)); }
 #define HN_FBM3D(name, noise) HN_I_SUMS_OF(name, noise, HN_I_TYPES3, HN_I_OF_FBM)
-#define HN_FBM_PERIOD3D(name, noise) HN_I_TILED_OF(name, noise, HN_I_TYPES3, HN_I_OF_FBM)
 #define HN_TURBULENCE3D(name, noise) HN_I_SUMS_OF(name, noise, HN_I_TYPES3, HN_I_OF_TURBULENCE)
-#define HN_TURBULENCE_PERIOD3D(name, noise) HN_I_TILED_OF(name, noise, HN_I_TYPES3, HN_I_OF_TURBULENCE)
 #define HN_CLOUDS3D(name, noise) HN_I_SUMS_OF(name, noise, HN_I_TYPES3, HN_I_OF_CLOUDS)
-#define HN_CLOUDS_PERIOD3D(name, noise) HN_I_TILED_OF(name, noise, HN_I_TYPES3, HN_I_OF_CLOUDS)
 #define HN_BILLOW3D(name, noise) HN_I_SUMS_OF(name, noise, HN_I_TYPES3, HN_I_OF_BILLOW)
-#define HN_BILLOW_PERIOD3D(name, noise) HN_I_TILED_OF(name, noise, HN_I_TYPES3, HN_I_OF_BILLOW)
 #define HN_RIDGED3D(name, noise) HN_I_SUMS_OF(name, noise, HN_I_TYPES3, HN_I_OF_RIDGED)
-#define HN_RIDGED_PERIOD3D(name, noise) HN_I_TILED_OF(name, noise, HN_I_TYPES3, HN_I_OF_RIDGED)
 #define HN_PING_PONG3D(name, noise) HN_I_SUMS_OF(name, noise, HN_I_TYPES3, HN_I_OF_PING_PONG)
-#define HN_PING_PONG_PERIOD3D(name, noise) HN_I_TILED_OF(name, noise, HN_I_TYPES3, HN_I_OF_PING_PONG)
 #define HN_WEIGHTED3D(name, noise) HN_I_SUMS_OF(name, noise, HN_I_TYPES3, HN_I_OF_WEIGHTED)
-#define HN_WEIGHTED_PERIOD3D(name, noise) HN_I_TILED_OF(name, noise, HN_I_TYPES3, HN_I_OF_WEIGHTED)
 #define HN_FBM_LIMITED3D(name, noise) HN_I_LIMITED_OF(name, noise, HN_I_TYPES3)
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Sums over hn_perlin. Each has six forms:
+// Sums over hn_perlin. Each has three forms:
 //
-//   hn_fbm(p, octaves, lacunarity, gain [, seed])
-//   hn_fbm(cell, f, octaves, lacunarity, gain [, seed])
-//   hn_fbm(p, period, octaves, lacunarity, gain, seed)
-//   hn_fbm(cell, f, period, octaves, lacunarity, gain, seed)
+//   hn_fbm(p, octaves, lacunarity, gain)
+//   hn_fbm(p, octaves, lacunarity, gain, seed)
+//   hn_fbm(place, octaves, lacunarity, gain, seed)
 
 // Fractional Brownian motion: octaves of noise, each finer by the lacunarity, weaker by the gain, and turned.
 //   p           position, in cells of the first octave; (|p| + 1) * lacunarity^octaves < 2^23, for a lacunarity of 2
 //               or more
-//   cell        the cell of the first octave
-//   f           position in the cell, in [0, 1]
-//   period      cells of the first octave along each axis, any ivec3; 0 for none along that axis;
-//               period * lacunarity^octaves < 2^31
+//   place       a place in its stead, in cells of the first octave (place.glsl). The period of a tile times
+//               lacunarity^octaves is below 2^31
 //   octaves     how many; with fewer than 1 the sum is 0
-//   lacunarity  ratio of frequencies, usually 2. With a period it is a whole number from 1 to 255; others are rounded
+//   lacunarity  ratio of frequencies, usually 2. In a tile it is a whole number from 1 to 255; others are rounded
 //               down
 //   gain        ratio of amplitudes, usually 0.5; not negative, and the sum of its powers below 2^126 (HN_PRECISE:
 //               2^100)
 //   seed        any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   returns     [-1, 1], mean 0
-//   error       at a position it grows with |p| * lacunarity^octaves, since a float rounds the positions; from a cell
-//               it does not (docs/accuracy.md)
-//   period      none that floats reach. With a period, octave i repeats after period * lacunarity^i of its cells, so
-//               the sum repeats after the period, and no sooner. Octaves are not turned there, since they would not fit
-//               the tile: a tile shows the axes more than the sum without a period does
+//   error       at a position it grows with |p| * lacunarity^octaves, since a float rounds the positions; at a place it
+//               does not (docs/accuracy.md)
+//   period      none that floats reach. In a tile octave i repeats after period * lacunarity^i of its cells, so the sum
+//               repeats after the period, and no sooner. Octaves are not turned there, since they would not fit: a tile
+//               shows the axes more than other sums do
 //   cost        1 noise per octave
 //   HN_FIXED    takes a gain above 1 as 1, a lacunarity outside [0, 255] as 0 or 255, and more than 32 octaves as 32.
 //               The error does not grow with |p|
 //   source      Musgrave, in "Texturing and Modeling: A Procedural Approach"
 HN_FBM3D(hn_fbm, hn_perlin)
-HN_FBM_PERIOD3D(hn_fbm, hn_perlin)
 
 // The same without detail that a pixel cannot show: hn_fbm(p, detail, lacunarity, gain, seed) with a float, and
 // hn_fbm(p, footprint, octaves, lacunarity, gain, seed).
@@ -88,7 +76,6 @@ HN_FBM_LIMITED3D(hn_fbm, hn_perlin)
 //   returns  [0, 1]
 //   source   Perlin, "An image synthesizer", 1985; Valdenegro-Toro and Pincheira, fig. 6
 HN_TURBULENCE3D(hn_turbulence, hn_perlin)
-HN_TURBULENCE_PERIOD3D(hn_turbulence, hn_perlin)
 
 // Billows: twice the turbulence less 1, so that heights are in the range of other noise. The round hills are the other
 // side of ridges.
@@ -97,7 +84,6 @@ HN_TURBULENCE_PERIOD3D(hn_turbulence, hn_perlin)
 //   error    twice that of hn_turbulence
 //   source   as for hn_turbulence
 HN_BILLOW3D(hn_billow, hn_perlin)
-HN_BILLOW_PERIOD3D(hn_billow, hn_perlin)
 
 // Clouds: the density of a sky, from an fBm.
 //   (parameters, period and cost as for hn_fbm)
@@ -105,7 +91,6 @@ HN_BILLOW_PERIOD3D(hn_billow, hn_perlin)
 //   error    3 times that of hn_fbm, plus 5.4e-7 (HN_FIXED 2.6e-5)
 //   source   after the cloud images of Valdenegro-Toro and Pincheira, fig. 6; the paper has no formula for them
 HN_CLOUDS3D(hn_clouds, hn_perlin)
-HN_CLOUDS_PERIOD3D(hn_clouds, hn_perlin)
 
 // Ridges: sharp crests where the noise passes 0. Finer octaves show on the crests and leave the valleys smooth.
 //   (parameters, period and cost as for hn_fbm)
@@ -114,7 +99,6 @@ HN_CLOUDS_PERIOD3D(hn_clouds, hn_perlin)
 //   source   Musgrave, as for hn_fbm: his ridged multifractal with the offset 1 and the gain 2, divided by the sum of
 //            the weights
 HN_RIDGED3D(hn_ridged, hn_perlin)
-HN_RIDGED_PERIOD3D(hn_ridged, hn_perlin)
 
 // Ping-pong: each octave is folded up and down between -1 and 1, which gives the rings of wood and of agate.
 //   strength    how many times from one end to the other on the way from -1 to 1, times 1/2; usually 2, in [0, 64]
@@ -123,7 +107,6 @@ HN_RIDGED_PERIOD3D(hn_ridged, hn_perlin)
 //   error    twice the strength times that of hn_fbm, and a little more; docs/accuracy.md
 //   source   FastNoiseLite, FractalType_PingPong
 HN_PING_PONG3D(hn_ping_pong, hn_perlin)
-HN_PING_PONG_PERIOD3D(hn_ping_pong, hn_perlin)
 
 // Weighted fBm: where an octave is low, the finer ones count less, so that valleys are smoother than heights.
 //   strength    how much less: 0 is hn_fbm, 1 leaves nothing of the finer octaves at -1; in [0, 1]
@@ -132,6 +115,5 @@ HN_PING_PONG_PERIOD3D(hn_ping_pong, hn_perlin)
 //   error    docs/accuracy.md
 //   source   FastNoiseLite, SetFractalWeightedStrength
 HN_WEIGHTED3D(hn_weighted, hn_perlin)
-HN_WEIGHTED_PERIOD3D(hn_weighted, hn_perlin)
 
 #endif

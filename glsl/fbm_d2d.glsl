@@ -41,13 +41,10 @@ HN_FN hn_vec3 hn_i_with_slopes(hn_num sum, hn_num2 d, hn_num total) {
 // Sums over other noises than hn_perlin_d, as in fbm2d.glsl: outside of all functions and without a semicolon. The
 // noise returns its value and its derivatives along x and y.
 //
-//   HN_FBM_D2D(my_sum, hn_simplex_d)           my_sum(p, octaves, lacunarity, gain [, seed]), and from a cell
-//   HN_FBM_D_PERIOD2D(my_tile, hn_simplex_d)   my_tile(p, period, octaves, lacunarity, gain, seed), and from a cell
-//   HN_ERODED2D(...), HN_ERODED_PERIOD2D(...)  the same, with a strength behind the gain
+//   HN_FBM_D2D(my_sum, hn_simplex_d)   my_sum(p, octaves, lacunarity, gain [, seed]), and at a place
+//   HN_ERODED2D(...)                  the same, with a strength behind the gain
 #define HN_FBM_D2D(name, noise) HN_I_FRAMED_OF(name, noise, hn_vec3, HN_I_TYPES2, HN_I_OF_FBM_D2)
-#define HN_FBM_D_PERIOD2D(name, noise) HN_I_FRAMED_TILED_OF(name, noise, hn_vec3, HN_I_TYPES2, HN_I_OF_FBM_D2)
 #define HN_ERODED2D(name, noise) HN_I_FRAMED_OF(name, noise, hn_float, HN_I_TYPES2, HN_I_OF_ERODED2)
-#define HN_ERODED_PERIOD2D(name, noise) HN_I_FRAMED_TILED_OF(name, noise, hn_float, HN_I_TYPES2, HN_I_OF_ERODED2)
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Sums over hn_perlin_d, in the forms of hn_fbm.
@@ -62,7 +59,6 @@ HN_FN hn_vec3 hn_i_with_slopes(hn_num sum, hn_num2 d, hn_num total) {
 //   error     docs/accuracy.md; for HN_FIXED while the sum of (gain * lacunarity)^i is at most 64
 //   cost      1 noise with derivatives per octave, and 4 multiplications for the frame
 HN_FBM_D2D(hn_fbm_d, hn_perlin_d)
-HN_FBM_D_PERIOD2D(hn_fbm_d, hn_perlin_d)
 
 // Eroded fBm: an octave counts less where those before it and itself are steep, so that slopes are smooth and detail
 // gathers in valleys and on summits.
@@ -73,7 +69,6 @@ HN_FBM_D_PERIOD2D(hn_fbm_d, hn_perlin_d)
 //   cost      1 noise with derivatives per octave, and a division
 //   source    Quilez, "More noise", 2008: his slopes are not turned with the octaves
 HN_ERODED2D(hn_eroded, hn_perlin_d)
-HN_ERODED_PERIOD2D(hn_eroded, hn_perlin_d)
 
 #endif
 #endif

@@ -44,13 +44,10 @@ HN_FN hn_vec4 hn_i_with_slopes(hn_num sum, hn_num3 d, hn_num total) {
 // Sums over other noises than hn_perlin_d, as in fbm3d.glsl: outside of all functions and without a semicolon. The
 // noise returns its value and its derivatives along x, y and z.
 //
-//   HN_FBM_D3D(my_sum, hn_simplex_d)           my_sum(p, octaves, lacunarity, gain [, seed]), and from a cell
-//   HN_FBM_D_PERIOD3D(my_tile, hn_simplex_d)   my_tile(p, period, octaves, lacunarity, gain, seed), and from a cell
-//   HN_ERODED3D(...), HN_ERODED_PERIOD3D(...)  the same, with a strength behind the gain
+//   HN_FBM_D3D(my_sum, hn_simplex_d)   my_sum(p, octaves, lacunarity, gain [, seed]), and at a place
+//   HN_ERODED3D(...)                  the same, with a strength behind the gain
 #define HN_FBM_D3D(name, noise) HN_I_FRAMED_OF(name, noise, hn_vec4, HN_I_TYPES3, HN_I_OF_FBM_D3)
-#define HN_FBM_D_PERIOD3D(name, noise) HN_I_FRAMED_TILED_OF(name, noise, hn_vec4, HN_I_TYPES3, HN_I_OF_FBM_D3)
 #define HN_ERODED3D(name, noise) HN_I_FRAMED_OF(name, noise, hn_float, HN_I_TYPES3, HN_I_OF_ERODED3)
-#define HN_ERODED_PERIOD3D(name, noise) HN_I_FRAMED_TILED_OF(name, noise, hn_float, HN_I_TYPES3, HN_I_OF_ERODED3)
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Sums over hn_perlin_d, in the forms of hn_fbm.
@@ -65,7 +62,6 @@ HN_FN hn_vec4 hn_i_with_slopes(hn_num sum, hn_num3 d, hn_num total) {
 //   error     docs/accuracy.md; for HN_FIXED while the sum of (gain * lacunarity)^i is at most 64
 //   cost      1 noise with derivatives per octave, and 9 multiplications for the frame
 HN_FBM_D3D(hn_fbm_d, hn_perlin_d)
-HN_FBM_D_PERIOD3D(hn_fbm_d, hn_perlin_d)
 
 // Eroded fBm: an octave counts less where those before it and itself are steep, so that slopes are smooth and detail
 // gathers in valleys and on summits.
@@ -76,7 +72,6 @@ HN_FBM_D_PERIOD3D(hn_fbm_d, hn_perlin_d)
 //   cost      1 noise with derivatives per octave, and a division
 //   source    Quilez, "More noise", 2008: his slopes are not turned with the octaves
 HN_ERODED3D(hn_eroded, hn_perlin_d)
-HN_ERODED_PERIOD3D(hn_eroded, hn_perlin_d)
 
 #endif
 #endif

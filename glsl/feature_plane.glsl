@@ -56,12 +56,16 @@ HN_FN hn_uvec2 hn_i_ahead(hn_num2 d, hn_uvec2 a, hn_uvec2 b) {
 }
 
 // The spread coordinates of the cell that is two steps on along both axes, on the side of the place.
-HN_FN hn_uvec2 hn_i_two_steps(hn_i_block2 block, hn_num2 d) {
-  return hn_i_ahead(d, hn_i_before(block.before), hn_i_last(block.after));
-}
-HN_FN hn_uvec2 hn_i_two_steps(hn_uvec2 c, hn_ivec2 period, hn_num2 d) {
-  return hn_i_spread(
-      hn_i_ahead(d, hn_i_before(hn_i_before(c, period), period), hn_i_after(hn_i_after(c, period), period)));
+HN_FN hn_uvec2 hn_i_two_steps(hn_place2 place, hn_i_block2 block, hn_num2 d) {
+  hn_uvec2 two;
+  if (place.tiled) {
+    hn_uvec2 c = hn_i_wrap(place.cell, place.period);
+    two = hn_i_spread(hn_i_ahead(d, hn_i_before(hn_i_before(c, place.period), place.period),
+                                 hn_i_after(hn_i_after(c, place.period), place.period)));
+  } else {
+    two = hn_i_ahead(d, hn_i_before(block.before), hn_i_last(block.after));
+  }
+  return two;
 }
 
 // The spread coordinates of a block along an axis.
@@ -99,17 +103,17 @@ HN_FN hn_num2 hn_i_from_nearest(hn_i_block2 block, hn_num2 d, hn_num jitter, hn_
   hn_int x = hn_i_x_of(int(code));
   hn_int y = hn_i_y_of(int(code));
   hn_uint s = hn_i_mix(seed);
-  hn_uint word =
-      hn_i_word(uvec2(hn_i_of_three(hn_i_along_x(block), x), hn_i_of_three(hn_i_along_y(block), y)), s, s);
+  hn_uint word = hn_i_word(uvec2(hn_i_of_three(hn_i_along_x(block), x), hn_i_of_three(hn_i_along_y(block), y)), s, s);
   hn_uvec3 words = hn_i_thrice(word);
   return hn_i_num(hn_i_from_x(words, hn_i_thrice(hn_i_beside(d.x, x)), jitter).x,
                   hn_i_from_y(words, hn_i_thrice(hn_i_beside(d.y, y)), jitter).x);
 }
 
-// The cell with that code, from wrapped coordinates.
-HN_FN hn_ivec2 hn_i_cell_of(hn_uvec2 c, hn_ivec2 period, hn_rank code) {
-  hn_uvec2 before = hn_i_before(c, period);
-  hn_uvec2 after = hn_i_after(c, period);
+// The cell with that code, modulo the period.
+HN_FN hn_ivec2 hn_i_cell_of(hn_place2 place, hn_rank code) {
+  hn_uvec2 c = hn_i_wrap(place.cell, place.period);
+  hn_uvec2 before = hn_i_before(c, place.period);
+  hn_uvec2 after = hn_i_after(c, place.period);
   return ivec2(int(hn_i_of_three(uvec3(before.x, c.x, after.x), hn_i_x_of(int(code)))),
                int(hn_i_of_three(uvec3(before.y, c.y, after.y), hn_i_y_of(int(code)))));
 }

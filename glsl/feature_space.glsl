@@ -102,12 +102,16 @@ HN_FN hn_uvec3 hn_i_along_y(hn_i_block3 block) { return uvec3(block.before.y, bl
 HN_FN hn_uvec3 hn_i_along_z(hn_i_block3 block) { return uvec3(block.before.z, block.cell.z, block.after.z); }
 
 // The spread coordinates of the cell that is two steps on along all axes, on the side of the place.
-HN_FN hn_uvec3 hn_i_two_steps(hn_i_block3 block, hn_num3 d) {
-  return hn_i_ahead(d, hn_i_before(block.before), hn_i_last(block.after));
-}
-HN_FN hn_uvec3 hn_i_two_steps(hn_uvec3 c, hn_ivec3 period, hn_num3 d) {
-  return hn_i_spread(
-      hn_i_ahead(d, hn_i_before(hn_i_before(c, period), period), hn_i_after(hn_i_after(c, period), period)));
+HN_FN hn_uvec3 hn_i_two_steps(hn_place3 place, hn_i_block3 block, hn_num3 d) {
+  hn_uvec3 two;
+  if (place.tiled) {
+    hn_uvec3 c = hn_i_wrap(place.cell, place.period);
+    two = hn_i_spread(hn_i_ahead(d, hn_i_before(hn_i_before(c, place.period), place.period),
+                                 hn_i_after(hn_i_after(c, place.period), place.period)));
+  } else {
+    two = hn_i_ahead(d, hn_i_before(block.before), hn_i_last(block.after));
+  }
+  return two;
 }
 
 // What the cells around a place add along one axis to the joins of a word, and what one cell adds with the mixed seed.
@@ -154,10 +158,10 @@ HN_FN hn_rank4 hn_i_nearest(hn_i_block3 block, hn_num3 d, hn_num jitter, hn_int 
   hn_num3 y = hn_i_row(d.y);
   hn_num3 z = hn_i_row(d.z);
   hn_uvec3 joins = hn_i_xor(hn_i_joins_z(block), s);
-  hn_rank4 best = hn_i_visit_slab(hn_i_far_away(), block, joins.x, hn_i_odd(block.before.z + s), x, y, z.x,
-                                  jitter, metric, hn_i_code(0, 0, -1));
-  best = hn_i_visit_slab(best, block, joins.y, hn_i_odd(block.cell.z + s), x, y, z.y, jitter, metric,
-                         hn_i_code(0, 0, 0));
+  hn_rank4 best = hn_i_visit_slab(hn_i_far_away(), block, joins.x, hn_i_odd(block.before.z + s), x, y, z.x, jitter,
+                                  metric, hn_i_code(0, 0, -1));
+  best =
+      hn_i_visit_slab(best, block, joins.y, hn_i_odd(block.cell.z + s), x, y, z.y, jitter, metric, hn_i_code(0, 0, 0));
   return hn_i_visit_slab(best, block, joins.z, hn_i_odd(block.after.z + s), x, y, z.z, jitter, metric,
                          hn_i_code(0, 0, 1));
 }
@@ -190,8 +194,7 @@ HN_FN hn_uvec3 hn_i_slab_words(hn_i_block3 block, hn_int axis, hn_uint at, hn_in
   hn_uvec3 y = hn_i_joins_y(block);
   hn_uvec3 z = hn_i_joins_z(block);
   hn_uvec3 row = hn_i_if_axis(axis, 0, hn_i_along_y(block), hn_i_along_x(block));
-  hn_uint next =
-      hn_i_of_three(hn_i_if_axis(axis, 2, hn_i_along_y(block), hn_i_along_z(block)), n);
+  hn_uint next = hn_i_of_three(hn_i_if_axis(axis, 2, hn_i_along_y(block), hn_i_along_z(block)), n);
   return hn_i_row_words(
       hn_i_if_axis(axis, 0, y, x), row * 2u,
       hn_i_of_three(hn_i_if_axis(axis, 2, y, z), n) ^ hn_i_along(axis, hn_i_fold(uvec3(at, at, at))) ^ s,
@@ -217,10 +220,9 @@ HN_FN hn_num3 hn_i_from_nearest(hn_i_block3 block, hn_num3 d, hn_num jitter, hn_
   hn_int y = hn_i_y_of(int(code));
   hn_int z = hn_i_z_of(int(code));
   hn_uint s = hn_i_mix(seed);
-  hn_uint word = hn_i_word(
-      uvec3(hn_i_of_three(hn_i_along_x(block), x), hn_i_of_three(hn_i_along_y(block), y),
-            hn_i_of_three(hn_i_along_z(block), z)),
-      s, s);
+  hn_uint word = hn_i_word(uvec3(hn_i_of_three(hn_i_along_x(block), x), hn_i_of_three(hn_i_along_y(block), y),
+                                 hn_i_of_three(hn_i_along_z(block), z)),
+                           s, s);
   hn_uvec3 words = hn_i_thrice(word);
   hn_num3 beside_x = hn_i_thrice(hn_i_beside(d.x, x));
   hn_num3 beside_y = hn_i_thrice(hn_i_beside(d.y, y));
@@ -228,10 +230,11 @@ HN_FN hn_num3 hn_i_from_nearest(hn_i_block3 block, hn_num3 d, hn_num jitter, hn_
                   hn_i_from_z(words, hn_i_thrice(hn_i_beside(d.z, z)), jitter).x);
 }
 
-// The cell with that code, from wrapped coordinates.
-HN_FN hn_ivec3 hn_i_cell_of(hn_uvec3 c, hn_ivec3 period, hn_rank code) {
-  hn_uvec3 before = hn_i_before(c, period);
-  hn_uvec3 after = hn_i_after(c, period);
+// The cell with that code, modulo the period.
+HN_FN hn_ivec3 hn_i_cell_of(hn_place3 place, hn_rank code) {
+  hn_uvec3 c = hn_i_wrap(place.cell, place.period);
+  hn_uvec3 before = hn_i_before(c, place.period);
+  hn_uvec3 after = hn_i_after(c, place.period);
   return ivec3(int(hn_i_of_three(uvec3(before.x, c.x, after.x), hn_i_x_of(int(code)))),
                int(hn_i_of_three(uvec3(before.y, c.y, after.y), hn_i_y_of(int(code)))),
                int(hn_i_of_three(uvec3(before.z, c.z, after.z), hn_i_z_of(int(code)))));

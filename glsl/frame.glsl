@@ -140,8 +140,16 @@ HN_FN hn_num3 hn_i_turned(hn_num3 v) {
   hn_num y = hn_i_turned_by(v.y, v.x, 25, 20);
   return hn_i_num(hn_i_turned_by(v.x, v.y, 25, -20), hn_i_turned_by(y, v.z, 29, -13), hn_i_turned_by(v.z, y, 29, 13));
 }
-HN_FN hn_num2 hn_i_unturned(hn_num2 v) { return v; }
-HN_FN hn_num3 hn_i_unturned(hn_num3 v) { return v; }
+HN_FN hn_num2 hn_i_next_slope(hn_num2 e, bool tiled) {
+  hn_num2 next = e;
+  if (!tiled) next = hn_i_turned(e);
+  return next;
+}
+HN_FN hn_num3 hn_i_next_slope(hn_num3 e, bool tiled) {
+  hn_num3 next = e;
+  if (!tiled) next = hn_i_turned(e);
+  return next;
+}
 
 struct hn_i_frame3 {
   hn_num3 x;
@@ -158,23 +166,25 @@ HN_FN hn_i_frame3 hn_i_first_frame3() {
   return k;
 }
 
-HN_FN hn_num2 hn_i_next_tile_frame(hn_num2 k, hn_num growth) { return hn_i_framed(k, growth); }
-HN_FN hn_num2 hn_i_next_frame(hn_num2 k, hn_num growth) { return hn_i_turned(hn_i_framed(k, growth)); }
+HN_FN hn_num2 hn_i_next_frame(hn_num2 k, hn_num growth, bool tiled) {
+  hn_num2 next = hn_i_framed(k, growth);
+  if (!tiled) next = hn_i_turned(next);
+  return next;
+}
 
-HN_FN hn_i_frame3 hn_i_next_tile_frame(hn_i_frame3 k, hn_num growth) {
+HN_FN hn_i_frame3 hn_i_next_frame(hn_i_frame3 k, hn_num growth, bool tiled) {
   HN_I_NEW(hn_i_frame3, next);
   next.x = hn_i_framed(k.x, growth);
   next.y = hn_i_framed(k.y, growth);
   next.z = hn_i_framed(k.z, growth);
-  return next;
-}
-HN_FN hn_i_frame3 hn_i_next_frame(hn_i_frame3 k, hn_num growth) {
-  hn_i_frame3 grown = hn_i_next_tile_frame(k, growth);
-  hn_num3 y = hn_i_turned_by(grown.y, grown.x, 25, 20);
-  HN_I_NEW(hn_i_frame3, next);
-  next.x = hn_i_turned_by(grown.x, grown.y, 25, -20);
-  next.y = hn_i_turned_by(y, grown.z, 29, -13);
-  next.z = hn_i_turned_by(grown.z, y, 29, 13);
+  if (!tiled) {
+    hn_num3 x = next.x;
+    hn_num3 y = hn_i_turned_by(next.y, x, 25, 20);
+    hn_num3 z = next.z;
+    next.x = hn_i_turned_by(x, next.y, 25, -20);
+    next.y = hn_i_turned_by(y, z, 29, -13);
+    next.z = hn_i_turned_by(z, y, 29, 13);
+  }
   return next;
 }
 
@@ -206,30 +216,23 @@ HN_FN hn_num3 hn_i_to_frame(hn_i_frame3 k, hn_num3 v) {
 //   onward    what leads to the next octave, from the functions that take a position, a frame, and a slope there
 //   finish    the return
 
-#define HN_I_CALL(noise, seed) noise(hn_i_cell_of(q), hn_i_place_of(q), seed)
-#define HN_I_CALL_TILE(noise, seed) noise(hn_i_cell_of(q), hn_i_place_of(q), period, seed)
+#define HN_I_CALL(noise, seed) noise(hn_i_place_of(q), seed)
 #define HN_I_FRAMED_LOOP(each, onward) if (s.left > 0) for (;;) { each if (s.left < 2) break; hn_i_step(s); onward }
-#define HN_I_FRAMED(noise, begin, each, onward, finish) begin HN_I_FRAMED_LOOP(each(noise, HN_I_CALL), onward(hn_i_next, hn_i_next_frame, hn_i_turned)) finish
-#define HN_I_FRAMED_TILE(noise, begin, each, onward, finish) begin HN_I_FRAMED_LOOP(each(noise, HN_I_CALL_TILE), onward(hn_i_next_tile, hn_i_next_tile_frame, hn_i_unturned) period = hn_i_next_period(period, s.lacunarity);) finish
-#define HN_I_BEGIN_IN(option) hn_i_octave_sum s = hn_i_begin(octaves, min(max(lacunarity, 0.0f), 255.0f), gain, option, seed);
+#define HN_I_FRAMED(noise, tiled, begin, each, onward, finish) begin HN_I_FRAMED_LOOP(each(noise, HN_I_CALL), onward(tiled)) finish
+#define HN_I_BEGIN_FRAMED_IN(option) hn_i_octave_sum s = hn_i_begin(octaves, hn_i_lacunarity(min(max(lacunarity, 0.0f), 255.0f), place.tiled), gain, option, seed);
 #define HN_I_TOTAL hn_i_total(hn_i_octaves(octaves), s.gain, HN_I_WEIGHT_ONE)
 
-#define HN_I_FRAMED_SUMS(name, noise, value, vec, ivec, place, whole, options, option, begin, each, onward, finish) HN_I_FRAMED_AT(name, noise, value, vec, place, options, option, begin, each, onward, finish) HN_I_FRAMED_IN(name, noise, value, vec, ivec, whole, options, option, begin, each, onward, finish)
-#define HN_I_FRAMED_AT(name, noise, value, vec, place, options, option, begin, each, onward, finish) HN_FN value name(vec p, options(HN_I_DECLARE), hn_uint seed) { place q = hn_i_position(p); HN_I_BEGIN(option) HN_I_FRAMED(noise, begin, each, onward, finish) } HN_FN value name(vec p, options(HN_I_DECLARE)) { return name(p, options(HN_I_PASS), 0u); }
-#define HN_I_FRAMED_IN(name, noise, value, vec, ivec, whole, options, option, begin, each, onward, finish) HN_FN value name(ivec cell, vec f, options(HN_I_DECLARE), hn_uint seed) { whole q = hn_i_position(cell, f); HN_I_BEGIN_IN(option) HN_I_FRAMED(noise, begin, each, onward, finish) } HN_FN value name(ivec cell, vec f, options(HN_I_DECLARE)) { return name(cell, f, options(HN_I_PASS), 0u); }
+#define HN_I_FRAMED_SUMS(name, noise, value, vec, placed, position, whole, options, option, begin, each, onward, finish) HN_I_FRAMED_IN(name, noise, value, placed, whole, options, option, begin, each, onward, finish) HN_I_FRAMED_AT(name, noise, value, vec, position, options, option, begin, each, onward, finish)
+#define HN_I_FRAMED_IN(name, noise, value, placed, whole, options, option, begin, each, onward, finish) HN_FN value name(placed place, options(HN_I_DECLARE), hn_uint seed) { whole q = hn_i_position(place); HN_I_BEGIN_FRAMED_IN(option) HN_I_FRAMED(noise, place.tiled, begin, each, onward, finish) }
+#define HN_I_FRAMED_AT(name, noise, value, vec, position, options, option, begin, each, onward, finish) HN_FN value name(vec p, options(HN_I_DECLARE), hn_uint seed) { position q = hn_i_position(p); HN_I_BEGIN(option) HN_I_FRAMED(noise, false, begin, each, onward, finish) } HN_FN value name(vec p, options(HN_I_DECLARE)) { return name(p, options(HN_I_PASS), 0u); }
 
-#define HN_I_FRAMED_TILED(name, noise, value, vec, ivec, place, whole, options, option, begin, each, onward, finish) HN_I_FRAMED_TILE_AT(name, noise, value, vec, ivec, place, options, option, begin, each, onward, finish) HN_I_FRAMED_TILE_IN(name, noise, value, vec, ivec, whole, options, option, begin, each, onward, finish)
-#define HN_I_FRAMED_TILE_AT(name, noise, value, vec, ivec, place, options, option, begin, each, onward, finish) HN_FN value name(vec p, ivec period, options(HN_I_DECLARE), hn_uint seed) { place q = hn_i_position(p); HN_I_BEGIN_TILE(option) HN_I_FRAMED_TILE(noise, begin, each, onward, finish) }
-#define HN_I_FRAMED_TILE_IN(name, noise, value, vec, ivec, whole, options, option, begin, each, onward, finish) HN_FN value name(ivec cell, vec f, ivec period, options(HN_I_DECLARE), hn_uint seed) { whole q = hn_i_position(cell, f); HN_I_BEGIN_TILE(option) HN_I_FRAMED_TILE(noise, begin, each, onward, finish) }
-
-// These take the lists of arguments apart: the types of a dimension, and what a sum is.
+// This takes the lists of arguments apart: the types of a dimension, and what a sum is.
 #define HN_I_FRAMED_OF(name, noise, value, types, sum) HN_I_FRAMED_SUMS(name, noise, value, types, sum)
-#define HN_I_FRAMED_TILED_OF(name, noise, value, types, sum) HN_I_FRAMED_TILED(name, noise, value, types, sum)
 
 #define HN_I_SWAYED(each) HN_I_PLAIN(each), each(hn_float, amplitude)
-#define HN_I_ONWARD(next, next_frame, turned) q = next(q, s.lacunarity);
-#define HN_I_ONWARD_FRAME(next, next_frame, turned) q = next(q, s.lacunarity); k = next_frame(k, growth);
-#define HN_I_ONWARD_SLOPE(next, next_frame, turned) q = next(q, s.lacunarity); e = turned(e);
-#define HN_I_ONWARD_MOVED(next, next_frame, turned) q = next(hn_i_moved(q, k, v, rate), s.lacunarity); k = next_frame(k, growth);
+#define HN_I_ONWARD(tiled) q = hn_i_next(q, s.lacunarity);
+#define HN_I_ONWARD_FRAME(tiled) q = hn_i_next(q, s.lacunarity); k = hn_i_next_frame(k, growth, tiled);
+#define HN_I_ONWARD_SLOPE(tiled) q = hn_i_next(q, s.lacunarity); e = hn_i_next_slope(e, tiled);
+#define HN_I_ONWARD_MOVED(tiled) q = hn_i_next(hn_i_moved(q, k, v, rate), s.lacunarity); k = hn_i_next_frame(k, growth, tiled);
 
 #endif

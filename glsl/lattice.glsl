@@ -6,14 +6,10 @@
 
 #include "arithmetic.glsl"
 #include "hash.glsl"
+#include "place.glsl"
 
 // A cell is known by the spread coordinates of its first corner and of its last, the opposite one. Along an axis the
 // last is one step further. Without a period a step adds a constant.
-HN_FN hn_uint hn_i_first(hn_int cell) { return hn_i_spread(uint(cell)); }
-HN_FN hn_uvec2 hn_i_first(hn_ivec2 cell) { return hn_i_spread(uvec2(cell)); }
-HN_FN hn_uvec3 hn_i_first(hn_ivec3 cell) { return hn_i_spread(uvec3(cell)); }
-HN_FN hn_uvec4 hn_i_first(hn_ivec4 cell) { return hn_i_spread(uvec4(cell)); }
-
 HN_FN hn_uint hn_i_last(hn_uint first) { return first + 0x9E3779B1u; }
 HN_FN hn_uvec2 hn_i_last(hn_uvec2 first) { return uvec2(hn_i_last(first.x), first.y + 0x85EBCA77u); }
 HN_FN hn_uvec3 hn_i_last(hn_uvec3 first) {
@@ -87,56 +83,52 @@ struct hn_i_box4 {
   hn_uvec4 last;
 };
 
-HN_FN hn_i_box1 hn_i_box(hn_int cell) {
+HN_FN hn_i_box1 hn_i_box(hn_place1 place) {
   HN_I_NEW(hn_i_box1, box);
-  box.first = hn_i_first(cell);
-  box.last = hn_i_last(box.first);
+  if (place.tiled) {
+    hn_uint c = hn_i_wrap(place.cell, place.period);
+    box.first = hn_i_spread(c);
+    box.last = hn_i_last(box.first, c, place.period);
+  } else {
+    box.first = hn_i_spread(uint(place.cell));
+    box.last = hn_i_last(box.first);
+  }
   return box;
 }
-HN_FN hn_i_box1 hn_i_box(hn_int cell, hn_int period) {
-  hn_uint c = hn_i_wrap(cell, period);
-  HN_I_NEW(hn_i_box1, box);
-  box.first = hn_i_spread(c);
-  box.last = hn_i_last(box.first, c, period);
-  return box;
-}
-HN_FN hn_i_box2 hn_i_box(hn_ivec2 cell) {
+HN_FN hn_i_box2 hn_i_box(hn_place2 place) {
   HN_I_NEW(hn_i_box2, box);
-  box.first = hn_i_first(cell);
-  box.last = hn_i_last(box.first);
+  if (place.tiled) {
+    hn_uvec2 c = hn_i_wrap(place.cell, place.period);
+    box.first = hn_i_spread(c);
+    box.last = hn_i_last(box.first, c, place.period);
+  } else {
+    box.first = hn_i_spread(uvec2(place.cell));
+    box.last = hn_i_last(box.first);
+  }
   return box;
 }
-HN_FN hn_i_box2 hn_i_box(hn_ivec2 cell, hn_ivec2 period) {
-  hn_uvec2 c = hn_i_wrap(cell, period);
-  HN_I_NEW(hn_i_box2, box);
-  box.first = hn_i_spread(c);
-  box.last = hn_i_last(box.first, c, period);
-  return box;
-}
-HN_FN hn_i_box3 hn_i_box(hn_ivec3 cell) {
+HN_FN hn_i_box3 hn_i_box(hn_place3 place) {
   HN_I_NEW(hn_i_box3, box);
-  box.first = hn_i_first(cell);
-  box.last = hn_i_last(box.first);
+  if (place.tiled) {
+    hn_uvec3 c = hn_i_wrap(place.cell, place.period);
+    box.first = hn_i_spread(c);
+    box.last = hn_i_last(box.first, c, place.period);
+  } else {
+    box.first = hn_i_spread(uvec3(place.cell));
+    box.last = hn_i_last(box.first);
+  }
   return box;
 }
-HN_FN hn_i_box3 hn_i_box(hn_ivec3 cell, hn_ivec3 period) {
-  hn_uvec3 c = hn_i_wrap(cell, period);
-  HN_I_NEW(hn_i_box3, box);
-  box.first = hn_i_spread(c);
-  box.last = hn_i_last(box.first, c, period);
-  return box;
-}
-HN_FN hn_i_box4 hn_i_box(hn_ivec4 cell) {
+HN_FN hn_i_box4 hn_i_box(hn_place4 place) {
   HN_I_NEW(hn_i_box4, box);
-  box.first = hn_i_first(cell);
-  box.last = hn_i_last(box.first);
-  return box;
-}
-HN_FN hn_i_box4 hn_i_box(hn_ivec4 cell, hn_ivec4 period) {
-  hn_uvec4 c = hn_i_wrap(cell, period);
-  HN_I_NEW(hn_i_box4, box);
-  box.first = hn_i_spread(c);
-  box.last = hn_i_last(box.first, c, period);
+  if (place.tiled) {
+    hn_uvec4 c = hn_i_wrap(place.cell, place.period);
+    box.first = hn_i_spread(c);
+    box.last = hn_i_last(box.first, c, place.period);
+  } else {
+    box.first = hn_i_spread(uvec4(place.cell));
+    box.last = hn_i_last(box.first);
+  }
   return box;
 }
 
@@ -187,49 +179,46 @@ struct hn_i_block4 {
   hn_uvec4 after;
 };
 
-HN_FN hn_i_block2 hn_i_block(hn_ivec2 cell) {
+HN_FN hn_i_block2 hn_i_block(hn_place2 place) {
   HN_I_NEW(hn_i_block2, block);
-  block.cell = hn_i_first(cell);
-  block.before = hn_i_before(block.cell);
-  block.after = hn_i_last(block.cell);
+  if (place.tiled) {
+    hn_uvec2 c = hn_i_wrap(place.cell, place.period);
+    block.cell = hn_i_spread(c);
+    block.before = hn_i_spread(hn_i_before(c, place.period));
+    block.after = hn_i_last(block.cell, c, place.period);
+  } else {
+    block.cell = hn_i_spread(uvec2(place.cell));
+    block.before = hn_i_before(block.cell);
+    block.after = hn_i_last(block.cell);
+  }
   return block;
 }
-HN_FN hn_i_block2 hn_i_block(hn_ivec2 cell, hn_ivec2 period) {
-  hn_uvec2 c = hn_i_wrap(cell, period);
-  HN_I_NEW(hn_i_block2, block);
-  block.cell = hn_i_spread(c);
-  block.before = hn_i_spread(hn_i_before(c, period));
-  block.after = hn_i_last(block.cell, c, period);
-  return block;
-}
-HN_FN hn_i_block3 hn_i_block(hn_ivec3 cell) {
+HN_FN hn_i_block3 hn_i_block(hn_place3 place) {
   HN_I_NEW(hn_i_block3, block);
-  block.cell = hn_i_first(cell);
-  block.before = hn_i_before(block.cell);
-  block.after = hn_i_last(block.cell);
+  if (place.tiled) {
+    hn_uvec3 c = hn_i_wrap(place.cell, place.period);
+    block.cell = hn_i_spread(c);
+    block.before = hn_i_spread(hn_i_before(c, place.period));
+    block.after = hn_i_last(block.cell, c, place.period);
+  } else {
+    block.cell = hn_i_spread(uvec3(place.cell));
+    block.before = hn_i_before(block.cell);
+    block.after = hn_i_last(block.cell);
+  }
   return block;
 }
-HN_FN hn_i_block3 hn_i_block(hn_ivec3 cell, hn_ivec3 period) {
-  hn_uvec3 c = hn_i_wrap(cell, period);
-  HN_I_NEW(hn_i_block3, block);
-  block.cell = hn_i_spread(c);
-  block.before = hn_i_spread(hn_i_before(c, period));
-  block.after = hn_i_last(block.cell, c, period);
-  return block;
-}
-HN_FN hn_i_block4 hn_i_block(hn_ivec4 cell) {
+HN_FN hn_i_block4 hn_i_block(hn_place4 place) {
   HN_I_NEW(hn_i_block4, block);
-  block.cell = hn_i_first(cell);
-  block.before = hn_i_before(block.cell);
-  block.after = hn_i_last(block.cell);
-  return block;
-}
-HN_FN hn_i_block4 hn_i_block(hn_ivec4 cell, hn_ivec4 period) {
-  hn_uvec4 c = hn_i_wrap(cell, period);
-  HN_I_NEW(hn_i_block4, block);
-  block.cell = hn_i_spread(c);
-  block.before = hn_i_spread(hn_i_before(c, period));
-  block.after = hn_i_last(block.cell, c, period);
+  if (place.tiled) {
+    hn_uvec4 c = hn_i_wrap(place.cell, place.period);
+    block.cell = hn_i_spread(c);
+    block.before = hn_i_spread(hn_i_before(c, place.period));
+    block.after = hn_i_last(block.cell, c, place.period);
+  } else {
+    block.cell = hn_i_spread(uvec4(place.cell));
+    block.before = hn_i_before(block.cell);
+    block.after = hn_i_last(block.cell);
+  }
   return block;
 }
 

@@ -8,7 +8,7 @@
 // y and z; in 4D a third is in that of z and w. The numbers of the turns are 32nds, with which a position loses few
 // bits; so they also stretch a little, by 1.0005 and 0.9931.
 //
-// GLSL has no functions of functions. So a sum is a macro of its noise (HN_I_SUM), made of steps that are functions:
+// GLSL has no functions of functions. So a sum is a macro of its noise (HN_I_SUMS), made of steps that are functions:
 //
 //   hn_i_begin    the state of a sum, before its first octave
 //   hn_i_add...   adds the noise of an octave
@@ -21,7 +21,7 @@
 #ifndef HN_OCTAVES_GLSL
 #define HN_OCTAVES_GLSL
 
-#include "arithmetic.glsl"
+#include "place.glsl"
 
 // A sum under way. With HN_FIXED sums are in units of 2^-21, and weights and options in units of 2^-18.
 struct hn_i_octave_sum {
@@ -168,9 +168,25 @@ HN_FN hn_float hn_i_billows(hn_float turbulence) { return min(hn_i_times_plus(2.
 // Positions. Those of a sum from a cell are whole numbers with any arithmetic, since a float could not hold them far
 // out: along each axis x is the cell, and y the fraction in units of 2^-24. With HN_FIXED all positions are such.
 
-HN_FN hn_ivec2 hn_i_whole(hn_int cell, hn_float f) { return ivec2(cell, int(min(max(f, 0.0f), 1.0f) * 16777216.0f)); }
+// How far an octave is shifted along each axis, in those units: 11/32, 19/32, 23/32 and 27/32 of its cells.
+#define HN_I_SHIFT_X 5767168
+#define HN_I_SHIFT_Y 9961472
+#define HN_I_SHIFT_Z 12058624
+#define HN_I_SHIFT_W 14155776
 
+// An axis of a place as such, and its fraction in the numbers of HN_ARITHMETIC again.
+#if HN_ARITHMETIC == HN_FIXED
+HN_FN hn_ivec2 hn_i_whole(hn_int cell, hn_int fraction, hn_int rest) {
+  hn_int units = fraction * 16 + rest;  // from -15 to 2^24
+  return ivec2(int(uint(cell) + uint(units >> 31)), units + ((units >> 31) & 16777216));
+}
+HN_FN hn_int hn_i_whole_fraction(hn_ivec2 x) { return x.y >> 4; }
+#else
+HN_FN hn_ivec2 hn_i_whole(hn_int cell, hn_float fraction, hn_int rest) {
+  return ivec2(cell, int(min(max(fraction, 0.0f), 1.0f) * 16777216.0f) + rest);
+}
 HN_FN hn_float hn_i_whole_fraction(hn_ivec2 x) { return float(x.y) * (1.0f / 16777216.0f); }
+#endif
 
 // The high word of a product of two words. umulExtended is not in GLSL 1.30.
 HN_FN hn_uint hn_i_multiply_high(hn_uint a, hn_uint b) {
@@ -184,7 +200,11 @@ HN_FN hn_uint hn_i_multiply_high(hn_uint a, hn_uint b) {
 
 // A lacunarity in units of 2^-23, below 2^31; and one with which a tile stays a tile.
 HN_FN hn_uint hn_i_ratio(hn_float lacunarity) { return uint(min(max(lacunarity, 0.0f), 255.0f) * 8388608.0f); }
-HN_FN hn_float hn_i_tiling(hn_float lacunarity) { return floor(min(max(lacunarity, 0.0f), 255.0f)); }
+HN_FN hn_float hn_i_lacunarity(hn_float lacunarity, bool tiled) {
+  hn_float ratio = lacunarity;
+  if (tiled) ratio = floor(min(max(lacunarity, 0.0f), 255.0f));
+  return ratio;
+}
 
 // Times a ratio. The product of the cell is exact, and that of the fraction loses what is below 2^-24. The rest and the
 // part together are at most 2^32 - 2.
@@ -214,11 +234,6 @@ HN_FN hn_ivec2 hn_i_shifted(hn_ivec2 x, hn_int shift) {
 HN_FN hn_int hn_i_next_period(hn_int period, hn_float lacunarity) { return int(uint(period) * uint(lacunarity)); }
 
 #if HN_ARITHMETIC == HN_FIXED
-
-HN_FN hn_ivec2 hn_i_whole(hn_float p) {
-  hn_int rest = int((p - trunc(p)) * 16777216.0f);
-  return ivec2(hn_i_whole_cell(p) + (rest >> 24), rest & 16777215);
-}
 
 // A footprint, how much of an octave it leaves (all of it up to half a cell, nothing from one and a half on), and that
 // in cells of the next octave. It matters up to 2 cells.
@@ -324,12 +339,12 @@ HN_FN void hn_i_add_resolved(HN_I_INOUT(hn_i_octave_sum) s, hn_float n) {
 // ---------------------------------------------------------------------------------------------------------------------
 // The macros of sums, in every dimension:
 //
-//   name, noise    the function that is defined, and the one that is summed
-//   vec, ivec      the types of a position and of a cell
-//   place, whole   the types of a position in a sum: of one that starts from `p`, and of one that starts from a cell
-//   options        the settings in front of the seed: HN_I_PLAIN or HN_I_STRONG
-//   option         what hn_i_begin keeps of them
-//   add, end       the steps that add an octave, and that make the result of the mean
+//   name, noise         the function that is defined, and the one that is summed
+//   vec, placed         the types of a position and of a place
+//   position, whole     the types of a position in a sum: of one that starts from a position, and of one from a place
+//   options             the settings in front of the seed: HN_I_PLAIN or HN_I_STRONG
+//   option              what hn_i_begin keeps of them
+//   add, end            the steps that add an octave, and that make the result of the mean
 
 #define HN_I_PLAIN(each) each(hn_int, octaves), each(hn_float, lacunarity), each(hn_float, gain)
 #define HN_I_STRONG(each) HN_I_PLAIN(each), each(hn_float, strength)
@@ -337,37 +352,25 @@ HN_FN void hn_i_add_resolved(HN_I_INOUT(hn_i_octave_sum) s, hn_float n) {
 #define HN_I_PASS(type, name) name
 
 // Nothing follows the last octave. Compilers unroll this more willingly than a loop that asks first.
-#define HN_I_LOOP(add, n, next) if (s.left > 0) for (;;) { add(s, n); if (s.left < 2) break; hn_i_step(s); next; }
-#define HN_I_OCTAVES(noise, add) HN_I_LOOP(add, noise(hn_i_cell_of(q), hn_i_place_of(q), s.seed), HN_I_NEXT)
-#define HN_I_NEXT q = hn_i_next(q, s.lacunarity)
-#define HN_I_TILES(noise, add) HN_I_LOOP(add, noise(hn_i_cell_of(q), hn_i_place_of(q), period, s.seed), HN_I_NEXT_TILE)
-#define HN_I_NEXT_TILE q = hn_i_next_tile(q, s.lacunarity); period = hn_i_next_period(period, s.lacunarity)
+#define HN_I_LOOP(add, n) if (s.left > 0) for (;;) { add(s, n); if (s.left < 2) break; hn_i_step(s); q = hn_i_next(q, s.lacunarity); }
+#define HN_I_OCTAVES(noise, add) HN_I_LOOP(add, noise(hn_i_place_of(q), s.seed))
 #define HN_I_END(end, part) return hn_i_value(end(hn_i_mean(s.sum, hn_i_total(hn_i_octaves(octaves), s.gain, part))));
-
 #define HN_I_BEGIN(option) hn_i_octave_sum s = hn_i_begin(octaves, lacunarity, gain, option, seed);
-#define HN_I_BEGIN_TILE(option) hn_i_octave_sum s = hn_i_begin(octaves, hn_i_tiling(lacunarity), gain, option, seed);
-#define HN_I_SUM(noise, option, add, end) HN_I_BEGIN(option) HN_I_OCTAVES(noise, add) HN_I_END(end, HN_I_WEIGHT_ONE)
-#define HN_I_TILE(noise, option, add, end) HN_I_BEGIN_TILE(option) HN_I_TILES(noise, add) HN_I_END(end, HN_I_WEIGHT_ONE)
+#define HN_I_BEGIN_IN(option) hn_i_octave_sum s = hn_i_begin(octaves, hn_i_lacunarity(lacunarity, place.tiled), gain, option, seed);
 
-// The functions of a sum, from all of these: at a position, and from a cell.
-#define HN_I_SUMS(name, noise, vec, ivec, place, whole, options, option, add, end) HN_I_SUM_AT(name, noise, vec, place, options, option, add, end) HN_I_SUM_IN(name, noise, vec, ivec, whole, options, option, add, end)
-#define HN_I_SUM_AT(name, noise, vec, place, options, option, add, end) HN_FN hn_float name(vec p, options(HN_I_DECLARE), hn_uint seed) { place q = hn_i_position(p); HN_I_SUM(noise, option, add, end) } HN_FN hn_float name(vec p, options(HN_I_DECLARE)) { return name(p, options(HN_I_PASS), 0u); }
-#define HN_I_SUM_IN(name, noise, vec, ivec, whole, options, option, add, end) HN_FN hn_float name(ivec cell, vec f, options(HN_I_DECLARE), hn_uint seed) { whole q = hn_i_position(cell, f); HN_I_SUM(noise, option, add, end) } HN_FN hn_float name(ivec cell, vec f, options(HN_I_DECLARE)) { return name(cell, f, options(HN_I_PASS), 0u); }
-
-// The same with a period.
-#define HN_I_TILED(name, noise, vec, ivec, place, whole, options, option, add, end) HN_I_TILE_AT(name, noise, vec, ivec, place, options, option, add, end) HN_I_TILE_IN(name, noise, vec, ivec, whole, options, option, add, end)
-#define HN_I_TILE_AT(name, noise, vec, ivec, place, options, option, add, end) HN_FN hn_float name(vec p, ivec period, options(HN_I_DECLARE), hn_uint seed) { place q = hn_i_position(p); HN_I_TILE(noise, option, add, end) }
-#define HN_I_TILE_IN(name, noise, vec, ivec, whole, options, option, add, end) HN_FN hn_float name(ivec cell, vec f, ivec period, options(HN_I_DECLARE), hn_uint seed) { whole q = hn_i_position(cell, f); HN_I_TILE(noise, option, add, end) }
+// The functions of a sum, from all of these: at a place, and at a position. Only floats keep the two apart.
+#define HN_I_SUMS(name, noise, vec, placed, position, whole, options, option, add, end) HN_I_SUM_IN(name, noise, placed, whole, options, option, add, end) HN_I_SUM_AT(name, noise, vec, position, options, option, add, end)
+#define HN_I_SUM_IN(name, noise, placed, whole, options, option, add, end) HN_FN hn_float name(placed place, options(HN_I_DECLARE), hn_uint seed) { whole q = hn_i_position(place); HN_I_BEGIN_IN(option) HN_I_OCTAVES(noise, add) HN_I_END(end, HN_I_WEIGHT_ONE) }
+#define HN_I_SUM_AT(name, noise, vec, position, options, option, add, end) HN_FN hn_float name(vec p, options(HN_I_DECLARE), hn_uint seed) { position q = hn_i_position(p); HN_I_BEGIN(option) HN_I_OCTAVES(noise, add) HN_I_END(end, HN_I_WEIGHT_ONE) } HN_FN hn_float name(vec p, options(HN_I_DECLARE)) { return name(p, options(HN_I_PASS), 0u); }
 
 // With a number of octaves that is no whole number, and with a footprint.
-#define HN_I_LIMITED(name, noise, vec, ivec, place, whole) HN_I_PARTLY(name, noise, vec, place) HN_I_RESOLVED(name, noise, vec, place)
-#define HN_I_PARTLY(name, noise, vec, place) HN_FN hn_float name(vec p, hn_float detail, hn_float lacunarity, hn_float gain, hn_uint seed) { hn_int octaves = hn_i_whole_octaves(detail); hn_num part = hn_i_last_part(detail, octaves); place q = hn_i_position(p); HN_I_BEGIN(part) HN_I_OCTAVES(noise, hn_i_add_part) HN_I_END(hn_i_unchanged, part) }
-#define HN_I_RESOLVED(name, noise, vec, place) HN_FN hn_float name(vec p, hn_float footprint, HN_I_PLAIN(HN_I_DECLARE), hn_uint seed) { place q = hn_i_position(p); HN_I_SUM(noise, hn_i_footprint(footprint), hn_i_add_resolved, hn_i_unchanged) }
+#define HN_I_LIMITED(name, noise, vec, placed, position, whole) HN_I_PARTLY(name, noise, vec, position) HN_I_RESOLVED(name, noise, vec, position)
+#define HN_I_PARTLY(name, noise, vec, position) HN_FN hn_float name(vec p, hn_float detail, hn_float lacunarity, hn_float gain, hn_uint seed) { hn_int octaves = hn_i_whole_octaves(detail); hn_num part = hn_i_last_part(detail, octaves); position q = hn_i_position(p); HN_I_BEGIN(part) HN_I_OCTAVES(noise, hn_i_add_part) HN_I_END(hn_i_unchanged, part) }
+#define HN_I_RESOLVED(name, noise, vec, position) HN_FN hn_float name(vec p, hn_float footprint, HN_I_PLAIN(HN_I_DECLARE), hn_uint seed) { position q = hn_i_position(p); HN_I_BEGIN(hn_i_footprint(footprint)) HN_I_OCTAVES(noise, hn_i_add_resolved) HN_I_END(hn_i_unchanged, HN_I_WEIGHT_ONE) }
 
 // What a sum is, and the types of a dimension (HN_I_TYPES1 to HN_I_TYPES4), are lists of arguments. These take them
 // apart.
 #define HN_I_SUMS_OF(name, noise, types, sum) HN_I_SUMS(name, noise, types, sum)
-#define HN_I_TILED_OF(name, noise, types, sum) HN_I_TILED(name, noise, types, sum)
 #define HN_I_LIMITED_OF(name, noise, types) HN_I_LIMITED(name, noise, types)
 #define HN_I_OF_FBM HN_I_PLAIN, HN_I_WEIGHT_ONE, hn_i_add, hn_i_unchanged
 #define HN_I_OF_TURBULENCE HN_I_PLAIN, HN_I_WEIGHT_ONE, hn_i_add_size, hn_i_unchanged

@@ -10,57 +10,61 @@
 struct hn_i_whole2 {
   hn_ivec2 x;
   hn_ivec2 y;
+  hn_ivec2 period;
+  bool tiled;
 };
 
-HN_FN hn_ivec2 hn_i_cell_of(hn_i_whole2 q) { return ivec2(q.x.x, q.y.x); }
-HN_FN hn_vec2 hn_i_place_of(hn_i_whole2 q) {
-  return vec2(hn_i_whole_fraction(q.x), hn_i_whole_fraction(q.y));
-}
-
-HN_FN hn_i_whole2 hn_i_position(hn_ivec2 cell, hn_vec2 f) {
+HN_FN hn_i_whole2 hn_i_position(hn_place2 place) {
   HN_I_NEW(hn_i_whole2, q);
-  q.x = hn_i_whole(cell.x, f.x);
-  q.y = hn_i_whole(cell.y, f.y);
+  q.x = hn_i_whole(place.cell.x, place.fraction.x, place.rest.x);
+  q.y = hn_i_whole(place.cell.y, place.fraction.y, place.rest.y);
+  q.period = place.period;
+  q.tiled = place.tiled;
   return q;
 }
-
-// The next position of a tile, which must not turn. 5767168 and others are the shifts, in units of 2^-24.
-HN_FN hn_i_whole2 hn_i_next_tile(hn_i_whole2 q, hn_float lacunarity) {
-  hn_uint ratio = hn_i_ratio(lacunarity);
-  HN_I_NEW(hn_i_whole2, next);
-  next.x = hn_i_shifted(hn_i_times_ratio(q.x, ratio), 5767168);
-  next.y = hn_i_shifted(hn_i_times_ratio(q.y, ratio), 9961472);
-  return next;
+HN_FN hn_place2 hn_i_place_of(hn_i_whole2 q) {
+  hn_place2 place = hn_i_place(
+      ivec2(q.x.x, q.y.x),
+      hn_i_num(hn_i_whole_fraction(q.x), hn_i_whole_fraction(q.y)),
+      ivec2(HN_I_REST(q.x.y & 15), HN_I_REST(q.y.y & 15)));
+  place.period = q.period;
+  place.tiled = q.tiled;
+  return place;
 }
 
+HN_FN hn_ivec2 hn_i_next_period(hn_ivec2 period, hn_float lacunarity) {
+  return ivec2(hn_i_next_period(period.x, lacunarity), hn_i_next_period(period.y, lacunarity));
+}
+
+// The next position. A tile must not turn.
 HN_FN hn_i_whole2 hn_i_next(hn_i_whole2 q, hn_float lacunarity) {
   hn_uint ratio = hn_i_ratio(lacunarity);
   hn_ivec2 x = hn_i_times_ratio(q.x, ratio);
   hn_ivec2 y = hn_i_times_ratio(q.y, ratio);
-  HN_I_NEW(hn_i_whole2, next);
-  next.x = hn_i_shifted(hn_i_turned_axis(x, y, 25, -20), 5767168);
-  next.y = hn_i_shifted(hn_i_turned_axis(y, x, 25, 20), 9961472);
+  hn_i_whole2 next = q;
+  if (q.tiled) {
+    next.x = hn_i_shifted(x, HN_I_SHIFT_X);
+    next.y = hn_i_shifted(y, HN_I_SHIFT_Y);
+    next.period = hn_i_next_period(q.period, lacunarity);
+  } else {
+    next.x = hn_i_shifted(hn_i_turned_axis(x, y, 25, -20), HN_I_SHIFT_X);
+    next.y = hn_i_shifted(hn_i_turned_axis(y, x, 25, 20), HN_I_SHIFT_Y);
+  }
   return next;
 }
 
 #if HN_ARITHMETIC == HN_FIXED
 
-#define HN_I_PLACE2 hn_i_whole2
+#define HN_I_POSITION2 hn_i_whole2
 
-HN_FN hn_i_whole2 hn_i_position(hn_vec2 p) {
-  HN_I_NEW(hn_i_whole2, q);
-  q.x = hn_i_whole(p.x);
-  q.y = hn_i_whole(p.y);
-  return q;
-}
+HN_FN hn_i_whole2 hn_i_position(hn_vec2 p) { return hn_i_position(hn_place(p)); }
 
 #else
 
-#define HN_I_PLACE2 hn_vec2
+#define HN_I_POSITION2 hn_vec2
 
 HN_FN hn_vec2 hn_i_position(hn_vec2 p) { return hn_i_start(p); }
-HN_FN hn_ivec2 hn_i_cell_of(hn_vec2 q) { return hn_i_cell(q); }
-HN_FN hn_vec2 hn_i_place_of(hn_vec2 q) { return hn_i_fraction(q); }
+HN_FN hn_place2 hn_i_place_of(hn_vec2 q) { return hn_place(q); }
 
 HN_FN hn_vec2 hn_i_next(hn_vec2 q, hn_float lacunarity) {
   hn_float a = hn_i_times(lacunarity, 25.0f / 32.0f);
@@ -69,16 +73,8 @@ HN_FN hn_vec2 hn_i_next(hn_vec2 q, hn_float lacunarity) {
   return next;
 }
 
-HN_FN hn_vec2 hn_i_next_tile(hn_vec2 q, hn_float lacunarity) {
-  return hn_i_times_plus(q, lacunarity, vec2(11.0f / 32.0f, 19.0f / 32.0f));
-}
-
 #endif
 
-HN_FN hn_ivec2 hn_i_next_period(hn_ivec2 period, hn_float lacunarity) {
-  return ivec2(hn_i_next_period(period.x, lacunarity), hn_i_next_period(period.y, lacunarity));
-}
-
-#define HN_I_TYPES2 hn_vec2, hn_ivec2, HN_I_PLACE2, hn_i_whole2
+#define HN_I_TYPES2 hn_vec2, hn_place2, HN_I_POSITION2, hn_i_whole2
 
 #endif

@@ -11,64 +11,68 @@ struct hn_i_whole3 {
   hn_ivec2 x;
   hn_ivec2 y;
   hn_ivec2 z;
+  hn_ivec3 period;
+  bool tiled;
 };
 
-HN_FN hn_ivec3 hn_i_cell_of(hn_i_whole3 q) { return ivec3(q.x.x, q.y.x, q.z.x); }
-HN_FN hn_vec3 hn_i_place_of(hn_i_whole3 q) {
-  return vec3(hn_i_whole_fraction(q.x), hn_i_whole_fraction(q.y), hn_i_whole_fraction(q.z));
-}
-
-HN_FN hn_i_whole3 hn_i_position(hn_ivec3 cell, hn_vec3 f) {
+HN_FN hn_i_whole3 hn_i_position(hn_place3 place) {
   HN_I_NEW(hn_i_whole3, q);
-  q.x = hn_i_whole(cell.x, f.x);
-  q.y = hn_i_whole(cell.y, f.y);
-  q.z = hn_i_whole(cell.z, f.z);
+  q.x = hn_i_whole(place.cell.x, place.fraction.x, place.rest.x);
+  q.y = hn_i_whole(place.cell.y, place.fraction.y, place.rest.y);
+  q.z = hn_i_whole(place.cell.z, place.fraction.z, place.rest.z);
+  q.period = place.period;
+  q.tiled = place.tiled;
   return q;
 }
-
-// The next position of a tile, which must not turn. 5767168 and others are the shifts, in units of 2^-24.
-HN_FN hn_i_whole3 hn_i_next_tile(hn_i_whole3 q, hn_float lacunarity) {
-  hn_uint ratio = hn_i_ratio(lacunarity);
-  HN_I_NEW(hn_i_whole3, next);
-  next.x = hn_i_shifted(hn_i_times_ratio(q.x, ratio), 5767168);
-  next.y = hn_i_shifted(hn_i_times_ratio(q.y, ratio), 9961472);
-  next.z = hn_i_shifted(hn_i_times_ratio(q.z, ratio), 12058624);
-  return next;
+HN_FN hn_place3 hn_i_place_of(hn_i_whole3 q) {
+  hn_place3 place = hn_i_place(
+      ivec3(q.x.x, q.y.x, q.z.x),
+      hn_i_num(hn_i_whole_fraction(q.x), hn_i_whole_fraction(q.y), hn_i_whole_fraction(q.z)),
+      ivec3(HN_I_REST(q.x.y & 15), HN_I_REST(q.y.y & 15), HN_I_REST(q.z.y & 15)));
+  place.period = q.period;
+  place.tiled = q.tiled;
+  return place;
 }
 
+HN_FN hn_ivec3 hn_i_next_period(hn_ivec3 period, hn_float lacunarity) {
+  return ivec3(hn_i_next_period(period.x, lacunarity), hn_i_next_period(period.y, lacunarity),
+               hn_i_next_period(period.z, lacunarity));
+}
+
+// The next position. A tile must not turn.
 // The turn is one in the plane of x and y, and then one in that of y and z.
 HN_FN hn_i_whole3 hn_i_next(hn_i_whole3 q, hn_float lacunarity) {
   hn_uint ratio = hn_i_ratio(lacunarity);
   hn_ivec2 x = hn_i_times_ratio(q.x, ratio);
   hn_ivec2 y = hn_i_times_ratio(q.y, ratio);
   hn_ivec2 z = hn_i_times_ratio(q.z, ratio);
-  HN_I_NEW(hn_i_whole3, next);
-  hn_ivec2 turned = hn_i_turned_axis(y, x, 25, 20);
-  next.x = hn_i_shifted(hn_i_turned_axis(x, y, 25, -20), 5767168);
-  next.y = hn_i_shifted(hn_i_turned_axis(turned, z, 29, -13), 9961472);
-  next.z = hn_i_shifted(hn_i_turned_axis(z, turned, 29, 13), 12058624);
+  hn_i_whole3 next = q;
+  if (q.tiled) {
+    next.x = hn_i_shifted(x, HN_I_SHIFT_X);
+    next.y = hn_i_shifted(y, HN_I_SHIFT_Y);
+    next.z = hn_i_shifted(z, HN_I_SHIFT_Z);
+    next.period = hn_i_next_period(q.period, lacunarity);
+  } else {
+    hn_ivec2 turned = hn_i_turned_axis(y, x, 25, 20);
+    next.x = hn_i_shifted(hn_i_turned_axis(x, y, 25, -20), HN_I_SHIFT_X);
+    next.y = hn_i_shifted(hn_i_turned_axis(turned, z, 29, -13), HN_I_SHIFT_Y);
+    next.z = hn_i_shifted(hn_i_turned_axis(z, turned, 29, 13), HN_I_SHIFT_Z);
+  }
   return next;
 }
 
 #if HN_ARITHMETIC == HN_FIXED
 
-#define HN_I_PLACE3 hn_i_whole3
+#define HN_I_POSITION3 hn_i_whole3
 
-HN_FN hn_i_whole3 hn_i_position(hn_vec3 p) {
-  HN_I_NEW(hn_i_whole3, q);
-  q.x = hn_i_whole(p.x);
-  q.y = hn_i_whole(p.y);
-  q.z = hn_i_whole(p.z);
-  return q;
-}
+HN_FN hn_i_whole3 hn_i_position(hn_vec3 p) { return hn_i_position(hn_place(p)); }
 
 #else
 
-#define HN_I_PLACE3 hn_vec3
+#define HN_I_POSITION3 hn_vec3
 
 HN_FN hn_vec3 hn_i_position(hn_vec3 p) { return hn_i_start(p); }
-HN_FN hn_ivec3 hn_i_cell_of(hn_vec3 q) { return hn_i_cell(q); }
-HN_FN hn_vec3 hn_i_place_of(hn_vec3 q) { return hn_i_fraction(q); }
+HN_FN hn_place3 hn_i_place_of(hn_vec3 q) { return hn_place(q); }
 
 HN_FN hn_vec3 hn_i_next(hn_vec3 q, hn_float lacunarity) {
   hn_float a = hn_i_times(lacunarity, 25.0f / 32.0f);
@@ -82,17 +86,8 @@ HN_FN hn_vec3 hn_i_next(hn_vec3 q, hn_float lacunarity) {
   return next;
 }
 
-HN_FN hn_vec3 hn_i_next_tile(hn_vec3 q, hn_float lacunarity) {
-  return hn_i_times_plus(q, lacunarity, vec3(11.0f / 32.0f, 19.0f / 32.0f, 23.0f / 32.0f));
-}
-
 #endif
 
-HN_FN hn_ivec3 hn_i_next_period(hn_ivec3 period, hn_float lacunarity) {
-  return ivec3(hn_i_next_period(period.x, lacunarity), hn_i_next_period(period.y, lacunarity),
-               hn_i_next_period(period.z, lacunarity));
-}
-
-#define HN_I_TYPES3 hn_vec3, hn_ivec3, HN_I_PLACE3, hn_i_whole3
+#define HN_I_TYPES3 hn_vec3, hn_place3, HN_I_POSITION3, hn_i_whole3
 
 #endif

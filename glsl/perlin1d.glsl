@@ -17,50 +17,23 @@ HN_FN hn_num hn_i_perlin(hn_i_box1 box, hn_num f, hn_uint seed) {
   return hn_i_scaled1(hn_i_lerp(left, right, hn_i_fade(f)));
 }
 
-// Gradient noise on the integers, from a cell and a position in it: Perlin 2002 interpolant, hashed gradients.
-// It names cells exactly where a float no longer can: far out in a large world, or in one that moves with the viewer.
-//   cell     the cell; its corners wrap at 2^32
-//   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats extrapolate
+// Gradient noise on the integers: Perlin 2002 interpolant, hashed gradients.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   returns  [-1, 1] (proven bound 0.99805), mean 0, 0 at lattice points, twice continuously differentiable (HN_FIXED:
 //            in steps of 2^-21)
-//   error    at most 1.46e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 3.71e-5
+//   error    at most 1.62e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 3.71e-5.
+//            From a cell at most 1.46e-6
 //   period   2^32 cells
 //   cost     2 hashes (none with HN_HASH_LATTICE) and 2 multiplications; 1 more to spread the coordinate, and 2 more
 //            for a seed that is not constant
 //   source   Perlin, "Improving noise", 2002
-HN_FN hn_float hn_perlin(hn_int cell, hn_float f, hn_uint seed) {
-  return hn_i_value(hn_i_perlin(hn_i_box(cell), hn_i_inside(f), seed));
+HN_FN hn_float hn_perlin(hn_place1 place, hn_uint seed) {
+  return hn_i_value(hn_i_perlin(hn_i_box(place), place.fraction, seed));
 }
-
-HN_FN hn_float hn_perlin(hn_int cell, hn_float f) { return hn_perlin(cell, f, 0u); }
-
-// The same at a position.
-//   p        position, in cells; |p| < 2^23 (beyond, a float has no fraction)
-//   seed     any uint: 7u, not 7; 0 if left out
-//   returns  as above
-//   error    at most 1.62e-6. HN_FIXED as above
-//   period   as above
-//   cost     as above
-//   source   as above
-HN_FN hn_float hn_perlin(hn_float p, hn_uint seed) {
-  return hn_i_value(hn_i_perlin(hn_i_box(hn_i_cell(p)), hn_i_fraction(p), seed));
-}
-
+HN_FN hn_float hn_perlin(hn_float p, hn_uint seed) { return hn_perlin(hn_place(p), seed); }
 HN_FN hn_float hn_perlin(hn_float p) { return hn_perlin(p, 0u); }
-
-// Both with a period: the field repeats after that many cells. Its values are those at the corners modulo the period.
-//   period   cells, any int; 0 for none. Less than 0 is none, too
-//   seed     any uint: 7u, not 7
-//   error    as without a period
-//   cost     a mask more for a constant power of two; else a division. Each axis has one comparison more
-HN_FN hn_float hn_perlin(hn_int cell, hn_float f, hn_int period, hn_uint seed) {
-  return hn_i_value(hn_i_perlin(hn_i_box(cell, period), hn_i_inside(f), seed));
-}
-
-HN_FN hn_float hn_perlin(hn_float p, hn_int period, hn_uint seed) {
-  return hn_i_value(hn_i_perlin(hn_i_box(hn_i_cell(p), period), hn_i_fraction(p), seed));
-}
 
 #endif
 #endif

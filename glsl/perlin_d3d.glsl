@@ -34,50 +34,22 @@ HN_FN hn_vec4 hn_i_perlin_d(hn_i_box3 box, hn_num3 f, hn_uint seed) {
               hn_i_derivative(hn_i_scaled3(hn_i_lerp(front.z, back.z, t.z))), hn_i_derivative(hn_i_scaled3(dz)));
 }
 
-// Perlin noise in space and how steep it is, from a cell and a position in it. The value is that of hn_perlin.
-//   cell     the cell; its corners wrap at 2^32
-//   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats extrapolate
+// Perlin noise in space and how steep it is. The value is that of hn_perlin.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   returns  the value and its derivatives along x, y and z. A derivative is per cell, in [-3.38, 3.38], once
 //            continuously differentiable (HN_FIXED: in steps of 2^-19)
-//   error    that of hn_perlin, and of a derivative at most 2.11e-5 against the exact value, in any rounding mode
-//            (docs/accuracy.md). HN_FIXED 2.25e-4
-//   period   2^32 cells per axis
+//   error    that of hn_perlin, and of a derivative at most 2.21e-5 against the exact value, in any rounding mode
+//            (docs/accuracy.md). HN_FIXED 2.25e-4. From a cell at most 2.11e-5
+//   period   2^32 cells per axis, or that of the tile
 //   cost     the hashes of hn_perlin, which are most of its cost, and about twice the rest
 //   source   the product rule on the interpolation; docs/contract.md, section 10
-HN_FN hn_vec4 hn_perlin_d(hn_ivec3 cell, hn_vec3 f, hn_uint seed) {
-  return hn_i_perlin_d(hn_i_box(cell), hn_i_inside(f), seed);
+HN_FN hn_vec4 hn_perlin_d(hn_place3 place, hn_uint seed) {
+  return hn_i_perlin_d(hn_i_box(place), place.fraction, seed);
 }
-
-HN_FN hn_vec4 hn_perlin_d(hn_ivec3 cell, hn_vec3 f) { return hn_perlin_d(cell, f, 0u); }
-
-// The same at a position.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   seed     any uint: 7u, not 7; 0 if left out
-//   returns  as above
-//   error    of a derivative at most 2.21e-5. The rest is as above
-//   period   as above
-//   cost     as above
-//   source   as above
-HN_FN hn_vec4 hn_perlin_d(hn_vec3 p, hn_uint seed) {
-  return hn_i_perlin_d(hn_i_box(hn_i_cell(p)), hn_i_fraction(p), seed);
-}
-
+HN_FN hn_vec4 hn_perlin_d(hn_vec3 p, hn_uint seed) { return hn_perlin_d(hn_place(p), seed); }
 HN_FN hn_vec4 hn_perlin_d(hn_vec3 p) { return hn_perlin_d(p, 0u); }
-
-// Both with a period: the field repeats after that many cells. Its values are those at the corners modulo the period.
-//   period   cells along each axis, any ivec3; 0 for none along that axis. Less than 0 is none, too
-//   seed     any uint: 7u, not 7
-//   error    as without a period
-//   cost     a mask along each axis more for a constant power of two; else a division. Each axis has one comparison
-//            more
-HN_FN hn_vec4 hn_perlin_d(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_uint seed) {
-  return hn_i_perlin_d(hn_i_box(cell, period), hn_i_inside(f), seed);
-}
-
-HN_FN hn_vec4 hn_perlin_d(hn_vec3 p, hn_ivec3 period, hn_uint seed) {
-  return hn_i_perlin_d(hn_i_box(hn_i_cell(p), period), hn_i_fraction(p), seed);
-}
 
 #endif
 #endif

@@ -36,53 +36,31 @@ HN_FN hn_vec3 hn_i_perlin_turned_d(hn_i_box2 box, hn_num2 f, hn_num2 rotation, h
 
 // Perlin noise on the plane whose gradients turn: the field changes in place, and loops after one turn. All gradients
 // turn alike.
-//   p        position, in cells; |p| < 2^23 along each axis. Or:
-//   cell, f  the cell and the position in it, in [0, 1]
-//   period   cells along each axis, any ivec2; 0 or less for none along that axis
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
 //   phase    in turns, any float: the field of phase + 1 has the same bits, and that of phase + 1/2 is the negative
 //            (HN_FIXED: but for the last bits). A float far from 0 has few bits left for the turn: wrap it yourself
 //   seed     any uint: 7u, not 7; different seeds give independent fields
 //   returns  [-1, 1] (proven bound 0.99847), mean 0, 0 at lattice points, twice continuously differentiable, and smooth
 //            in the phase. With a phase of 0 it is hn_perlin, within the error.
 //   error    at most 5.15e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 1.02e-4
+//   period   2^32 cells per axis, or that of the tile
 //   cost     the hashes of hn_perlin, a sine and a cosine of 6 multiplications of floats each, and twice the rest
 //   source   Perlin and Neyret, "Flow noise", 2001; docs/contract.md, section 14
-HN_FN hn_float hn_perlin(hn_ivec2 cell, hn_vec2 f, hn_float phase, hn_uint seed) {
-  return hn_i_value(hn_i_perlin_turned(hn_i_box(cell), hn_i_inside(f), hn_i_rotation(phase), seed));
+HN_FN hn_float hn_perlin(hn_place2 place, hn_float phase, hn_uint seed) {
+  return hn_i_value(hn_i_perlin_turned(hn_i_box(place), place.fraction, hn_i_rotation(phase), seed));
 }
-
-HN_FN hn_float hn_perlin(hn_vec2 p, hn_float phase, hn_uint seed) {
-  return hn_i_value(hn_i_perlin_turned(hn_i_box(hn_i_cell(p)), hn_i_fraction(p), hn_i_rotation(phase), seed));
-}
-
-HN_FN hn_float hn_perlin(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_float phase, hn_uint seed) {
-  return hn_i_value(hn_i_perlin_turned(hn_i_box(cell, period), hn_i_inside(f), hn_i_rotation(phase), seed));
-}
-
-HN_FN hn_float hn_perlin(hn_vec2 p, hn_ivec2 period, hn_float phase, hn_uint seed) {
-  return hn_i_value(hn_i_perlin_turned(hn_i_box(hn_i_cell(p), period), hn_i_fraction(p), hn_i_rotation(phase), seed));
-}
+HN_FN hn_float hn_perlin(hn_vec2 p, hn_float phase, hn_uint seed) { return hn_perlin(hn_place(p), phase, seed); }
 
 // The same with the derivatives along x and y, as of hn_perlin_d. The value is as above.
 //   returns  the value and its derivatives, per cell, in [-2.93, 2.93]
 //   error    of a derivative at most 2.52e-5. HN_FIXED 3.60e-4
 //   cost     as above, and about twice the rest
 //   (parameters as above)
-HN_FN hn_vec3 hn_perlin_d(hn_ivec2 cell, hn_vec2 f, hn_float phase, hn_uint seed) {
-  return hn_i_perlin_turned_d(hn_i_box(cell), hn_i_inside(f), hn_i_rotation(phase), seed);
+HN_FN hn_vec3 hn_perlin_d(hn_place2 place, hn_float phase, hn_uint seed) {
+  return hn_i_perlin_turned_d(hn_i_box(place), place.fraction, hn_i_rotation(phase), seed);
 }
-
-HN_FN hn_vec3 hn_perlin_d(hn_vec2 p, hn_float phase, hn_uint seed) {
-  return hn_i_perlin_turned_d(hn_i_box(hn_i_cell(p)), hn_i_fraction(p), hn_i_rotation(phase), seed);
-}
-
-HN_FN hn_vec3 hn_perlin_d(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_float phase, hn_uint seed) {
-  return hn_i_perlin_turned_d(hn_i_box(cell, period), hn_i_inside(f), hn_i_rotation(phase), seed);
-}
-
-HN_FN hn_vec3 hn_perlin_d(hn_vec2 p, hn_ivec2 period, hn_float phase, hn_uint seed) {
-  return hn_i_perlin_turned_d(hn_i_box(hn_i_cell(p), period), hn_i_fraction(p), hn_i_rotation(phase), seed);
-}
+HN_FN hn_vec3 hn_perlin_d(hn_vec2 p, hn_float phase, hn_uint seed) { return hn_perlin_d(hn_place(p), phase, seed); }
 
 #endif
 #endif

@@ -4,16 +4,16 @@
 // A float that was divided or multiplied need not have the same bits on two machines, and then not even HN_FIXED can
 // return the same noise on both. These functions compute in integers, so a server and its clients agree:
 //
-//   hn_perlin(hn_cell(p, 3, 100), hn_fraction(p, 3, 100), seed)    // p counts units; 3 cells are 100 units long
+//   hn_perlin(hn_place(p, 3, 100), seed)    // p counts units; 3 cells are 100 units long
 
 #ifndef HN_POSITION_GLSL
 #define HN_POSITION_GLSL
 
-#include "config.glsl"
+#include "place.glsl"
 
 // Along one axis: the cell, and what is left in units of 1 / units of a cell. The division is rounded down. GLSL leaves
 // / and % of negative numbers open, so these count back from -1.
-HN_FN hn_uvec2 hn_i_place(hn_int position, hn_int cells, hn_int units) {
+HN_FN hn_uvec2 hn_i_divided(hn_int position, hn_int cells, hn_int units) {
   hn_uint scale = uint(min(max(cells, 1), 65536));
   hn_uint size = uint(min(max(units, 1), 65536));
   hn_uint sign = uint(position >> 31);  // all bits of a negative number
@@ -27,7 +27,7 @@ HN_FN hn_uvec2 hn_i_place(hn_int position, hn_int cells, hn_int units) {
 }
 
 // A rest below 2^16 as a fraction, in two digits of 12 bits, since a division of floats is not exact in GLSL.
-HN_FN hn_float hn_i_place_in_cell(hn_uint rest, hn_int units) {
+HN_FN hn_float hn_i_fraction_of_units(hn_uint rest, hn_int units) {
   hn_uint size = uint(min(max(units, 1), 65536));
   hn_uint high = (rest << 12u) / size;
   hn_uint low = (((rest << 12u) - high * size) << 12u) / size;
@@ -42,7 +42,9 @@ HN_FN hn_float hn_i_place_in_cell(hn_uint rest, hn_int units) {
 //   error     none: integers on every driver, and the same in C++
 //   cost      2 divisions of integers per axis; with constants, compilers make products or shifts of them
 //   source    docs/contract.md, section 12
-HN_FN hn_int hn_cell(hn_int position, hn_int cells, hn_int units) { return int(hn_i_place(position, cells, units).x); }
+HN_FN hn_int hn_cell(hn_int position, hn_int cells, hn_int units) {
+  return int(hn_i_divided(position, cells, units).x);
+}
 HN_FN hn_ivec2 hn_cell(hn_ivec2 position, hn_int cells, hn_int units) {
   return ivec2(hn_cell(position.x, cells, units), hn_cell(position.y, cells, units));
 }
@@ -61,7 +63,7 @@ HN_FN hn_ivec4 hn_cell(hn_ivec4 position, hn_int cells, hn_int units) {
 //   cost      2 more divisions of integers per axis
 //   source    docs/contract.md, section 12
 HN_FN hn_float hn_fraction(hn_int position, hn_int cells, hn_int units) {
-  return hn_i_place_in_cell(hn_i_place(position, cells, units).y, units);
+  return hn_i_fraction_of_units(hn_i_divided(position, cells, units).y, units);
 }
 HN_FN hn_vec2 hn_fraction(hn_ivec2 position, hn_int cells, hn_int units) {
   return vec2(hn_fraction(position.x, cells, units), hn_fraction(position.y, cells, units));
@@ -73,6 +75,23 @@ HN_FN hn_vec3 hn_fraction(hn_ivec3 position, hn_int cells, hn_int units) {
 HN_FN hn_vec4 hn_fraction(hn_ivec4 position, hn_int cells, hn_int units) {
   return vec4(hn_fraction(position.x, cells, units), hn_fraction(position.y, cells, units),
               hn_fraction(position.z, cells, units), hn_fraction(position.w, cells, units));
+}
+
+// The place of such a position.
+//   (parameters, error and source as for hn_cell and hn_fraction)
+//   returns   hn_place(hn_cell(position, cells, units), hn_fraction(position, cells, units))
+//   cost      4 divisions of integers per axis; compilers share what both have in common
+HN_FN hn_place1 hn_place(hn_int position, hn_int cells, hn_int units) {
+  return hn_place(hn_cell(position, cells, units), hn_fraction(position, cells, units));
+}
+HN_FN hn_place2 hn_place(hn_ivec2 position, hn_int cells, hn_int units) {
+  return hn_place(hn_cell(position, cells, units), hn_fraction(position, cells, units));
+}
+HN_FN hn_place3 hn_place(hn_ivec3 position, hn_int cells, hn_int units) {
+  return hn_place(hn_cell(position, cells, units), hn_fraction(position, cells, units));
+}
+HN_FN hn_place4 hn_place(hn_ivec4 position, hn_int cells, hn_int units) {
+  return hn_place(hn_cell(position, cells, units), hn_fraction(position, cells, units));
 }
 
 #endif

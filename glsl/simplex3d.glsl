@@ -20,51 +20,24 @@ HN_FN hn_num hn_i_simplex(hn_i_block3 block, hn_num3 f, hn_uint seed) {
   return hn_i_scaled_simplex3(n);
 }
 
-// Simplex noise in space, from a cell and a position in it: gradient noise on the body-centred lattice, the corners and
-// centres of all cells. Slices across an axis differ a little: where z is a multiple of 1/2 they have less contrast
-// than in between. Tilted slices are alike (docs/quality.md).
-//   cell     the cell; its points wrap at 2^32
-//   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats have no promise
+// Simplex noise in space: gradient noise on the body-centred lattice, the corners and centres of all cells. Slices
+// across an axis differ a little: where z is a multiple of 1/2 they have less contrast than in between. Tilted slices
+// are alike (docs/quality.md).
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
-//   returns  [-1, 1] (proven bound 0.99894), mean 0, 0 at lattice points, twice continuously differentiable
-//            (HN_FIXED: in steps of 2^-21)
-//   error    at most 5.84e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 1.29e-4
-//   period   2^32 cells per axis
+//   returns  [-1, 1] (proven bound 0.99894), mean 0, 0 at lattice points, twice continuously differentiable (HN_FIXED:
+//            in steps of 2^-21)
+//   error    at most 6.58e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 1.29e-4.
+//            From a cell at most 5.84e-6
+//   period   2^32 cells per axis, or that of the tile
 //   cost     4 hashes (none with HN_HASH_LATTICE) and 4 multiplications; 3 more to spread the coordinates, and 2 more
 //            for a seed that is not constant
 //   source   Perlin, "Noise hardware", 2001, for the sum over lattice points; docs/contract.md, section 13
-HN_FN hn_float hn_simplex(hn_ivec3 cell, hn_vec3 f, hn_uint seed) {
-  return hn_i_value(hn_i_simplex(hn_i_block(cell), hn_i_inside(f), seed));
+HN_FN hn_float hn_simplex(hn_place3 place, hn_uint seed) {
+  return hn_i_value(hn_i_simplex(hn_i_block(place), place.fraction, seed));
 }
-
-HN_FN hn_float hn_simplex(hn_ivec3 cell, hn_vec3 f) { return hn_simplex(cell, f, 0u); }
-
-// The same at a position.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   seed     any uint: 7u, not 7; 0 if left out
-//   returns  as above
-//   error    at most 6.58e-6. HN_FIXED as above
-//   period   as above
-//   cost     as above
-//   source   as above
-HN_FN hn_float hn_simplex(hn_vec3 p, hn_uint seed) {
-  return hn_i_value(hn_i_simplex(hn_i_block(hn_i_cell(p)), hn_i_fraction(p), seed));
-}
-
+HN_FN hn_float hn_simplex(hn_vec3 p, hn_uint seed) { return hn_simplex(hn_place(p), seed); }
 HN_FN hn_float hn_simplex(hn_vec3 p) { return hn_simplex(p, 0u); }
-
-// Both with a period: the field repeats after that many cells. Its values are those at the points modulo the period.
-//   period   cells along each axis, any ivec3; 0 for none along that axis. Less than 0 is none, too
-//   seed     any uint: 7u, not 7
-//   error    as without a period
-//   cost     a mask along each axis more for a constant power of two; else a division. Each axis has three comparisons
-//            and a multiplication more
-HN_FN hn_float hn_simplex(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_uint seed) {
-  return hn_i_value(hn_i_simplex(hn_i_block(cell, period), hn_i_inside(f), seed));
-}
-
-HN_FN hn_float hn_simplex(hn_vec3 p, hn_ivec3 period, hn_uint seed) {
-  return hn_i_value(hn_i_simplex(hn_i_block(hn_i_cell(p), period), hn_i_fraction(p), seed));
-}
 
 #endif

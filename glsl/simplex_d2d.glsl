@@ -17,62 +17,29 @@ HN_FN hn_vec3 hn_i_simplex_d(hn_uvec3 h, hn_num2 skewed) {
   hn_num3 x = hn_i_triangle_x(skewed);
   hn_num3 y = hn_i_triangle_y(skewed);
   hn_num3 t = hn_i_triangle_near(x, y);
-  hn_num3 n = hn_i_added(
-      hn_i_added(hn_i_bump_d(h.x, x.x, y.x, t.x), hn_i_bump_d(h.y, x.y, y.y, t.y)),
-      hn_i_bump_d(h.z, x.z, y.z, t.z));
+  hn_num3 n = hn_i_added(hn_i_added(hn_i_bump_d(h.x, x.x, y.x, t.x), hn_i_bump_d(h.y, x.y, y.y, t.y)),
+                         hn_i_bump_d(h.z, x.z, y.z, t.z));
   return vec3(hn_i_value(hn_i_scaled_simplex2(n.x)), hn_i_per_cell(hn_i_derivative(hn_i_scaled_simplex2(n.y))),
               hn_i_per_cell(hn_i_derivative(hn_i_scaled_simplex2(n.z))));
 }
-HN_FN hn_vec3 hn_i_simplex_d(hn_ivec2 cell, hn_num2 f, hn_uint seed) {
-  hn_num2 skewed = hn_i_skewed(f);
-  return hn_i_simplex_d(hn_i_triangle(cell, skewed, seed), skewed);
-}
-HN_FN hn_vec3 hn_i_simplex_d(hn_ivec2 cell, hn_num2 f, hn_ivec2 period, hn_uint seed) {
-  hn_num2 skewed = hn_i_skewed(f);
-  return hn_i_simplex_d(hn_i_triangle(cell, skewed, period, seed), skewed);
+HN_FN hn_vec3 hn_i_simplex_d(hn_place2 place, hn_uint seed) {
+  hn_num2 skewed = hn_i_skewed(place.fraction);
+  return hn_i_simplex_d(hn_i_triangle(place, skewed, seed), skewed);
 }
 
-// Simplex noise on the plane and how steep it is, from a cell and a position in it. The value is that of hn_simplex.
-//   cell     the cell; its points wrap at 2^32
-//   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats have no promise
+// Simplex noise on the plane and how steep it is. The value is that of hn_simplex.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
-//   returns  the value and its derivatives along x and y. A derivative is per cell, in [-8.36, 8.36], once
-//            continuously differentiable (HN_FIXED: in steps of 2^-18)
-//   error    that of hn_simplex, and of a derivative at most 4.49e-5 against the exact value, in any rounding mode
-//            (docs/accuracy.md). HN_FIXED 2.42e-3
-//   period   2^31 cells per axis
+//   returns  the value and its derivatives along x and y. A derivative is per cell, in [-8.36, 8.36], once continuously
+//            differentiable (HN_FIXED: in steps of 2^-18)
+//   error    that of hn_simplex, and of a derivative at most 5.19e-5 against the exact value, in any rounding mode
+//            (docs/accuracy.md). HN_FIXED 2.42e-3. From a cell at most 4.49e-5
+//   period   2^31 cells per axis, or that of the tile
 //   cost     the hashes of hn_simplex, which are most of its cost, and about twice the rest
 //   source   the product rule on weight and ramp; docs/contract.md, section 13
-HN_FN hn_vec3 hn_simplex_d(hn_ivec2 cell, hn_vec2 f, hn_uint seed) {
-  return hn_i_simplex_d(cell, hn_i_inside(f), seed);
-}
-
-HN_FN hn_vec3 hn_simplex_d(hn_ivec2 cell, hn_vec2 f) { return hn_simplex_d(cell, f, 0u); }
-
-// The same at a position.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   seed     any uint: 7u, not 7; 0 if left out
-//   returns  as above
-//   error    of a derivative at most 5.19e-5. The rest is as above
-//   period   as above
-//   cost     as above
-//   source   as above
-HN_FN hn_vec3 hn_simplex_d(hn_vec2 p, hn_uint seed) { return hn_i_simplex_d(hn_i_cell(p), hn_i_fraction(p), seed); }
-
+HN_FN hn_vec3 hn_simplex_d(hn_place2 place, hn_uint seed) { return hn_i_simplex_d(place, seed); }
+HN_FN hn_vec3 hn_simplex_d(hn_vec2 p, hn_uint seed) { return hn_simplex_d(hn_place(p), seed); }
 HN_FN hn_vec3 hn_simplex_d(hn_vec2 p) { return hn_simplex_d(p, 0u); }
-
-// Both with a period: the field repeats after that many cells. Its values are those at the points modulo the period.
-//   period   cells along each axis, any ivec2; 0 for none along that axis. Less than 0 is none, too
-//   seed     any uint: 7u, not 7
-//   error    as without a period
-//   cost     a mask along each axis more for a constant power of two; else a division. Each point has two comparisons
-//            more and up to two multiplications
-HN_FN hn_vec3 hn_simplex_d(hn_ivec2 cell, hn_vec2 f, hn_ivec2 period, hn_uint seed) {
-  return hn_i_simplex_d(cell, hn_i_inside(f), period, seed);
-}
-
-HN_FN hn_vec3 hn_simplex_d(hn_vec2 p, hn_ivec2 period, hn_uint seed) {
-  return hn_i_simplex_d(hn_i_cell(p), hn_i_fraction(p), period, seed);
-}
 
 #endif

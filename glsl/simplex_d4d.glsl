@@ -35,52 +35,23 @@ HN_FN hn_float hn_i_simplex_d(hn_i_block4 block, hn_num4 f, hn_uint seed, HN_I_O
   return hn_i_value(hn_i_scaled_simplex4(n));
 }
 
-// Simplex noise in four dimensions and how steep it is, from a cell and a position in it. The value is that of
-// hn_simplex.
-//   cell     the cell; its points wrap at 2^32
-//   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats have no promise
+// Simplex noise in four dimensions and how steep it is. The value is that of hn_simplex.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
-//   returns  the value; `gradient` is set to its derivatives along x, y, z and w. A derivative is per cell, in
-//            [-6.06, 6.06], once continuously differentiable (HN_FIXED: in steps of 2^-19)
-//   error    that of hn_simplex, and of a derivative at most 5.48e-5 against the exact value, in any rounding mode
-//            (docs/accuracy.md). HN_FIXED 1.40e-3
-//   period   2^32 cells per axis
+//   returns  the value; `gradient` is set to its derivatives along x, y, z and w. A derivative is per cell, in [-6.06,
+//            6.06], once continuously differentiable (HN_FIXED: in steps of 2^-19)
+//   error    that of hn_simplex, and of a derivative at most 6.26e-5 against the exact value, in any rounding mode
+//            (docs/accuracy.md). HN_FIXED 1.40e-3. From a cell at most 5.48e-5
+//   period   2^32 cells per axis, or that of the tile
 //   cost     the hashes of hn_simplex, which are most of its cost, and about twice the rest
 //   source   the product rule on weight and ramp; docs/contract.md, section 13
-HN_FN hn_float hn_simplex_d(hn_ivec4 cell, hn_vec4 f, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
-  return hn_i_simplex_d(hn_i_block(cell), hn_i_inside(f), seed, gradient);
+HN_FN hn_float hn_simplex_d(hn_place4 place, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
+  return hn_i_simplex_d(hn_i_block(place), place.fraction, seed, gradient);
 }
-
-HN_FN hn_float hn_simplex_d(hn_ivec4 cell, hn_vec4 f, HN_I_OUT(hn_vec4) gradient) {
-  return hn_simplex_d(cell, f, 0u, gradient);
-}
-
-// The same at a position.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   seed     any uint: 7u, not 7; 0 if left out
-//   returns  as above
-//   error    of a derivative at most 6.26e-5. The rest is as above
-//   period   as above
-//   cost     as above
-//   source   as above
 HN_FN hn_float hn_simplex_d(hn_vec4 p, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
-  return hn_i_simplex_d(hn_i_block(hn_i_cell(p)), hn_i_fraction(p), seed, gradient);
+  return hn_simplex_d(hn_place(p), seed, gradient);
 }
-
 HN_FN hn_float hn_simplex_d(hn_vec4 p, HN_I_OUT(hn_vec4) gradient) { return hn_simplex_d(p, 0u, gradient); }
-
-// Both with a period: the field repeats after that many cells. Its values are those at the points modulo the period.
-//   period   cells along each axis, any ivec4; 0 for none along that axis. Less than 0 is none, too
-//   seed     any uint: 7u, not 7
-//   error    as without a period
-//   cost     a mask along each axis more for a constant power of two; else a division. Each axis has three comparisons
-//            and a multiplication more
-HN_FN hn_float hn_simplex_d(hn_ivec4 cell, hn_vec4 f, hn_ivec4 period, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
-  return hn_i_simplex_d(hn_i_block(cell, period), hn_i_inside(f), seed, gradient);
-}
-
-HN_FN hn_float hn_simplex_d(hn_vec4 p, hn_ivec4 period, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
-  return hn_i_simplex_d(hn_i_block(hn_i_cell(p), period), hn_i_fraction(p), seed, gradient);
-}
 
 #endif

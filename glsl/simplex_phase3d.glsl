@@ -44,53 +44,30 @@ HN_FN hn_vec4 hn_i_simplex_turned_d(hn_i_block3 block, hn_num3 f, hn_num2 rotati
 
 // Simplex noise in space whose gradients turn: the field changes in place, and loops after one turn. Each turns in the
 // plane of its two longest axes.
-//   p        position, in cells; |p| < 2^23 along each axis. Or:
-//   cell, f  the cell and the position in it, in [0, 1]
-//   period   cells along each axis, any ivec3; 0 or less for none along that axis
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
 //   phase    in turns, any float: the field of phase + 1 has the same bits, and that of phase + 1/2 is the negative
 //            (HN_FIXED: but for the last bits). A float far from 0 has few bits left for the turn: wrap it yourself
 //   seed     any uint: 7u, not 7; different seeds give independent fields
 //   returns  [-1, 1] (proven bound 0.99928), mean 0, 0 at lattice points, twice continuously differentiable, and smooth
 //            in the phase. With a phase of 0 it is hn_simplex, within the error.
 //   error    at most 1.03e-5 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 1.88e-4
+//   period   2^32 cells per axis, or that of the tile
 //   cost     the hashes of hn_simplex, a sine and a cosine of 6 multiplications of floats each, and twice the rest
 //   source   Perlin and Neyret, "Flow noise", 2001; docs/contract.md, section 14
-HN_FN hn_float hn_simplex(hn_ivec3 cell, hn_vec3 f, hn_float phase, hn_uint seed) {
-  return hn_i_value(hn_i_simplex_turned(hn_i_block(cell), hn_i_inside(f), hn_i_rotation(phase), seed));
+HN_FN hn_float hn_simplex(hn_place3 place, hn_float phase, hn_uint seed) {
+  return hn_i_value(hn_i_simplex_turned(hn_i_block(place), place.fraction, hn_i_rotation(phase), seed));
 }
-
-HN_FN hn_float hn_simplex(hn_vec3 p, hn_float phase, hn_uint seed) {
-  return hn_i_value(hn_i_simplex_turned(hn_i_block(hn_i_cell(p)), hn_i_fraction(p), hn_i_rotation(phase), seed));
-}
-
-HN_FN hn_float hn_simplex(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_float phase, hn_uint seed) {
-  return hn_i_value(hn_i_simplex_turned(hn_i_block(cell, period), hn_i_inside(f), hn_i_rotation(phase), seed));
-}
-
-HN_FN hn_float hn_simplex(hn_vec3 p, hn_ivec3 period, hn_float phase, hn_uint seed) {
-  return hn_i_value(
-      hn_i_simplex_turned(hn_i_block(hn_i_cell(p), period), hn_i_fraction(p), hn_i_rotation(phase), seed));
-}
+HN_FN hn_float hn_simplex(hn_vec3 p, hn_float phase, hn_uint seed) { return hn_simplex(hn_place(p), phase, seed); }
 
 // The same with the derivatives along x, y and z, as of hn_simplex_d. The value is as above.
 //   returns  the value and its derivatives, per cell, in [-6.79, 6.79]
 //   error    of a derivative at most 9.01e-5. HN_FIXED 1.79e-3
 //   cost     as above, and about twice the rest
 //   (parameters as above)
-HN_FN hn_vec4 hn_simplex_d(hn_ivec3 cell, hn_vec3 f, hn_float phase, hn_uint seed) {
-  return hn_i_simplex_turned_d(hn_i_block(cell), hn_i_inside(f), hn_i_rotation(phase), seed);
+HN_FN hn_vec4 hn_simplex_d(hn_place3 place, hn_float phase, hn_uint seed) {
+  return hn_i_simplex_turned_d(hn_i_block(place), place.fraction, hn_i_rotation(phase), seed);
 }
-
-HN_FN hn_vec4 hn_simplex_d(hn_vec3 p, hn_float phase, hn_uint seed) {
-  return hn_i_simplex_turned_d(hn_i_block(hn_i_cell(p)), hn_i_fraction(p), hn_i_rotation(phase), seed);
-}
-
-HN_FN hn_vec4 hn_simplex_d(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_float phase, hn_uint seed) {
-  return hn_i_simplex_turned_d(hn_i_block(cell, period), hn_i_inside(f), hn_i_rotation(phase), seed);
-}
-
-HN_FN hn_vec4 hn_simplex_d(hn_vec3 p, hn_ivec3 period, hn_float phase, hn_uint seed) {
-  return hn_i_simplex_turned_d(hn_i_block(hn_i_cell(p), period), hn_i_fraction(p), hn_i_rotation(phase), seed);
-}
+HN_FN hn_vec4 hn_simplex_d(hn_vec3 p, hn_float phase, hn_uint seed) { return hn_simplex_d(hn_place(p), phase, seed); }
 
 #endif

@@ -13,9 +13,8 @@
 // What a point adds without its weight. Gradients are lengthened twice as much as those of Perlin noise.
 HN_FN hn_num hn_i_smooth_ramp(hn_uint h, hn_num x, hn_num y, hn_num z) {
   hn_num4 d = hn_i_direction3(h);
-  return hn_i_lengthened(
-      hn_i_straight(d, hn_i_turned(hn_i_plus(x, y)), hn_i_turned(hn_i_minus(x, y)), hn_i_upright(z)),
-      hn_i_plus(d.w, d.w));
+  return hn_i_lengthened(hn_i_straight(d, hn_i_turned(hn_i_plus(x, y)), hn_i_turned(hn_i_minus(x, y)), hn_i_upright(z)),
+                         hn_i_plus(d.w, d.w));
 }
 
 // What a neighbour of the nearest point adds: the one along an axis, or the opposite end of its diagonal. `one` are the
@@ -26,9 +25,8 @@ HN_FN hn_num hn_i_neighbour(hn_uvec3 one, hn_uvec3 others, hn_num3 d, hn_num3 e,
   hn_num twice = hn_i_plus(size, size);
   hn_num excess = hn_i_minus(total, twice);  // above 1/2 where the opposite end is nearer
   hn_num middle = hn_i_quarters(2);
-  hn_uvec3 c =
-      uvec3(hn_i_select(excess > middle, others.x, one.x), hn_i_select(excess > middle, others.y, one.y),
-            hn_i_select(excess > middle, others.z, one.z));
+  hn_uvec3 c = uvec3(hn_i_select(excess > middle, others.x, one.x), hn_i_select(excess > middle, others.y, one.y),
+                     hn_i_select(excess > middle, others.z, one.z));
   hn_num x = hn_i_select(excess > middle, e.x, d.x);
   hn_num y = hn_i_select(excess > middle, e.y, d.y);
   hn_num z = hn_i_select(excess > middle, e.z, d.z);
@@ -63,56 +61,29 @@ HN_FN hn_num hn_i_simplex_smooth(hn_i_block3 block, hn_num3 f, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
   hn_num corners = hn_i_cube(hn_i_nearer(f, block.cell, block.after), hn_i_nearer(f, block.after, block.cell),
                              hn_i_num(x.x, y.x, z.x), hn_i_num(x.y, y.y, z.y), size, hn_i_square(x.x, y.x, z.x), s, s);
-  hn_num centres = hn_i_cube(block.cell, hn_i_nearer(f, block.before, block.after), hn_i_num(x.z, y.z, z.z),
-                             hn_i_num(x.w, y.w, z.w), inner, hn_i_square(x.z, y.z, z.z), s ^ HN_I_CENTRE_JOIN,
-                             s + HN_I_CENTRE_SUM);
+  hn_num centres =
+      hn_i_cube(block.cell, hn_i_nearer(f, block.before, block.after), hn_i_num(x.z, y.z, z.z), hn_i_num(x.w, y.w, z.w),
+                inner, hn_i_square(x.z, y.z, z.z), s ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM);
   return hn_i_scaled(hn_i_plus(corners, centres), 3901);
 }
 
-// Smooth simplex noise in space, from a cell and a position in it. The kernel is half again as large
-// as that of hn_simplex, in the square of its radius, so the field is calmer.
-//   cell     the cell; its points wrap at 2^32
-//   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats have no promise
+// Smooth simplex noise in space. The kernel is half again as large as that of hn_simplex, in the square of its radius,
+// so the field is calmer.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
-//   returns  [-1, 1] (proven bound 0.99907), mean 0, 0 at lattice points, twice continuously differentiable
-//            (HN_FIXED: in steps of 2^-21)
-//   error    at most 6.04e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 3.60e-4
-//   period   2^32 cells per axis
+//   returns  [-1, 1] (proven bound 0.99907), mean 0, 0 at lattice points, twice continuously differentiable (HN_FIXED:
+//            in steps of 2^-21)
+//   error    at most 6.60e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 3.60e-4.
+//            From a cell at most 6.04e-6
+//   period   2^32 cells per axis, or that of the tile
 //   cost     8 hashes (none with HN_HASH_LATTICE) and 8 multiplications; 3 more to spread the coordinates, and 2 more
 //            for a seed that is not constant
 //   source   Perlin, "Noise hardware", 2001, for the sum over lattice points; docs/contract.md, section 13
-HN_FN hn_float hn_simplex_smooth(hn_ivec3 cell, hn_vec3 f, hn_uint seed) {
-  return hn_i_value(hn_i_simplex_smooth(hn_i_block(cell), hn_i_inside(f), seed));
+HN_FN hn_float hn_simplex_smooth(hn_place3 place, hn_uint seed) {
+  return hn_i_value(hn_i_simplex_smooth(hn_i_block(place), place.fraction, seed));
 }
-
-HN_FN hn_float hn_simplex_smooth(hn_ivec3 cell, hn_vec3 f) { return hn_simplex_smooth(cell, f, 0u); }
-
-// The same at a position.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   seed     any uint: 7u, not 7; 0 if left out
-//   returns  as above
-//   error    at most 6.60e-6. HN_FIXED as above
-//   period   as above
-//   cost     as above
-//   source   as above
-HN_FN hn_float hn_simplex_smooth(hn_vec3 p, hn_uint seed) {
-  return hn_i_value(hn_i_simplex_smooth(hn_i_block(hn_i_cell(p)), hn_i_fraction(p), seed));
-}
-
+HN_FN hn_float hn_simplex_smooth(hn_vec3 p, hn_uint seed) { return hn_simplex_smooth(hn_place(p), seed); }
 HN_FN hn_float hn_simplex_smooth(hn_vec3 p) { return hn_simplex_smooth(p, 0u); }
-
-// Both with a period: the field repeats after that many cells. Its values are those at the points modulo the period.
-//   period   cells along each axis, any ivec3; 0 for none along that axis. Less than 0 is none, too
-//   seed     any uint: 7u, not 7
-//   error    as without a period
-//   cost     a mask along each axis more for a constant power of two; else a division. Each axis has three comparisons
-//            and a multiplication more
-HN_FN hn_float hn_simplex_smooth(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_uint seed) {
-  return hn_i_value(hn_i_simplex_smooth(hn_i_block(cell, period), hn_i_inside(f), seed));
-}
-
-HN_FN hn_float hn_simplex_smooth(hn_vec3 p, hn_ivec3 period, hn_uint seed) {
-  return hn_i_value(hn_i_simplex_smooth(hn_i_block(hn_i_cell(p), period), hn_i_fraction(p), seed));
-}
 
 #endif

@@ -46,33 +46,31 @@ HN_FN hn_int hn_i_column_of(hn_num2 skewed) {
 }
 
 // The words of the corners, in the order above.
-HN_FN hn_uvec3 hn_i_triangle(hn_ivec2 cell, hn_num2 skewed, hn_uint seed) {
+HN_FN hn_uvec3 hn_i_triangle(hn_place2 place, hn_num2 skewed, hn_uint seed) {
   hn_int row = hn_i_floor(skewed.y);
+  hn_int column = hn_i_column_of(skewed);
   hn_num u = hn_i_past(skewed.x);
   hn_num v = hn_i_past(skewed.y);
-  hn_uvec2 first =
-      hn_i_spread(uvec2(hn_i_doubled(uint(cell.x), hn_i_column_of(skewed)), hn_i_doubled(uint(cell.y), row)));
-  hn_uvec2 next = hn_i_last(first);
-  hn_uvec2 last = uvec2(hn_i_select((row & 1) == 0, first.x, next.x), next.y);
-  hn_uvec2 middle = uvec2(hn_i_select(u > v, next.x, last.x - 0x9E3779B1u), hn_i_select(u > v, first.y, next.y));
+  hn_uvec2 first;
+  hn_uvec2 middle;
+  hn_uvec2 last;
+  if (place.tiled) {
+    hn_int last_column = hn_i_beyond(column, row & 1);
+    hn_int middle_column = hn_i_select(u > v, hn_i_beyond(column, 1), hn_i_beyond(last_column, -1));
+    hn_uvec2 c = hn_i_wrap(place.cell, place.period);
+    hn_uint lower = hn_i_doubled(c.y, row, place.period.y);
+    hn_uint upper = hn_i_doubled(c.y, hn_i_beyond(row, 1), place.period.y);
+    first = hn_i_spread(uvec2(hn_i_doubled(c.x, column, place.period.x), lower));
+    middle = hn_i_spread(uvec2(hn_i_doubled(c.x, middle_column, place.period.x), hn_i_select(u > v, lower, upper)));
+    last = hn_i_spread(uvec2(hn_i_doubled(c.x, last_column, place.period.x), upper));
+  } else {
+    first = hn_i_spread(uvec2(hn_i_doubled(uint(place.cell.x), column), hn_i_doubled(uint(place.cell.y), row)));
+    hn_uvec2 next = hn_i_last(first);
+    last = uvec2(hn_i_select((row & 1) == 0, first.x, next.x), next.y);
+    middle = uvec2(hn_i_select(u > v, next.x, last.x - 0x9E3779B1u), hn_i_select(u > v, first.y, next.y));
+  }
   hn_uint s = hn_i_mix(seed);
   return uvec3(hn_i_word(first, s, s), hn_i_word(middle, s, s), hn_i_word(last, s, s));
-}
-HN_FN hn_uvec3 hn_i_triangle(hn_ivec2 cell, hn_num2 skewed, hn_ivec2 period, hn_uint seed) {
-  hn_int row = hn_i_floor(skewed.y);
-  hn_num u = hn_i_past(skewed.x);
-  hn_num v = hn_i_past(skewed.y);
-  hn_int first = hn_i_column_of(skewed);
-  hn_int last = hn_i_beyond(first, row & 1);
-  hn_int middle = hn_i_select(u > v, hn_i_beyond(first, 1), hn_i_beyond(last, -1));
-  hn_uvec2 c = hn_i_wrap(cell, period);
-  hn_uint lower = hn_i_doubled(c.y, row, period.y);
-  hn_uint upper = hn_i_doubled(c.y, hn_i_beyond(row, 1), period.y);
-  hn_uint s = hn_i_mix(seed);
-  return uvec3(
-      hn_i_word(hn_i_spread(uvec2(hn_i_doubled(c.x, first, period.x), lower)), s, s),
-      hn_i_word(hn_i_spread(uvec2(hn_i_doubled(c.x, middle, period.x), hn_i_select(u > v, lower, upper))), s, s),
-      hn_i_word(hn_i_spread(uvec2(hn_i_doubled(c.x, last, period.x), upper)), s, s));
 }
 
 // The offsets from the corners along x and along y, and how near the corners are.

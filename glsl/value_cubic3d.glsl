@@ -18,61 +18,27 @@ HN_FN hn_num hn_i_value_cubic(hn_uvec4 x, hn_uvec4 y, hn_uvec4 z, hn_num3 f, hn_
   return hn_i_of_numbers(hn_i_blend(n, hn_i_spline(f.z)));
 }
 
-HN_FN hn_num hn_i_value_cubic(hn_ivec3 cell, hn_num3 f, hn_uint seed) {
-  hn_uvec3 c = hn_i_first(cell);
-  return hn_i_value_cubic(hn_i_line(c.x, 0x9E3779B1u), hn_i_line(c.y, 0x85EBCA77u), hn_i_line(c.z, 0xC2B2AE3Du), f,
-                          seed);
-}
-HN_FN hn_num hn_i_value_cubic(hn_ivec3 cell, hn_num3 f, hn_ivec3 period, hn_uint seed) {
-  return hn_i_value_cubic(hn_i_line(cell.x, period.x, 0x9E3779B1u, 0x165667B1u),
-                          hn_i_line(cell.y, period.y, 0x85EBCA77u, 0u), hn_i_line(cell.z, period.z, 0xC2B2AE3Du, 0u), f,
-                          seed);
+HN_FN hn_num hn_i_value_cubic(hn_place3 place, hn_uint seed) {
+  return hn_i_value_cubic(hn_i_line(place.cell.x, place.period.x, place.tiled, 0x9E3779B1u, 0x165667B1u),
+                          hn_i_line(place.cell.y, place.period.y, place.tiled, 0x85EBCA77u, 0u),
+                          hn_i_line(place.cell.z, place.period.z, place.tiled, 0xC2B2AE3Du, 0u), place.fraction, seed);
 }
 
-// Cubic value noise in space, from a cell and a position in it: a uniform cubic B-spline over hashed numbers.
-// It is the smoothest of the lattice noises: it does not show the cells, has no creases in its slopes, and stays
-// between the numbers around it. The price is contrast: the spline blurs.
-//   cell     the cell; its lattice points, from cell - 1 to cell + 2, wrap at 2^32
-//   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end, and floats extrapolate
+// Cubic value noise in space: a uniform cubic B-spline over hashed numbers. It is the smoothest of the lattice noises:
+// it does not show the cells, has no creases in its slopes, and stays between the numbers around it. The price is
+// contrast: the spline blurs.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   returns  [-1, 1], mean 0, twice continuously differentiable (HN_FIXED: in steps of 2^-21)
-//   error    at most 1.64e-5 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 8.63e-5
-//   period   2^32 cells per axis
+//   error    at most 1.66e-5 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 8.63e-5.
+//            From a cell at most 1.64e-5
+//   period   2^32 cells per axis, or that of the tile
 //   cost     64 hashes (none with HN_HASH_LATTICE) and 64 multiplications; 3 more to spread the coordinates, and 2 more
 //            for a seed that is not constant
 //   source   de Boor, "A Practical Guide to Splines", 1978, for the spline
-HN_FN hn_float hn_value_cubic(hn_ivec3 cell, hn_vec3 f, hn_uint seed) {
-  return hn_i_value(hn_i_value_cubic(cell, hn_i_inside(f), seed));
-}
-
-HN_FN hn_float hn_value_cubic(hn_ivec3 cell, hn_vec3 f) { return hn_value_cubic(cell, f, 0u); }
-
-// The same at a position.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   seed     any uint: 7u, not 7; 0 if left out
-//   returns  as above
-//   error    at most 1.66e-5. HN_FIXED as above
-//   period   as above
-//   cost     as above
-//   source   as above
-HN_FN hn_float hn_value_cubic(hn_vec3 p, hn_uint seed) {
-  return hn_i_value(hn_i_value_cubic(hn_i_cell(p), hn_i_fraction(p), seed));
-}
-
+HN_FN hn_float hn_value_cubic(hn_place3 place, hn_uint seed) { return hn_i_value(hn_i_value_cubic(place, seed)); }
+HN_FN hn_float hn_value_cubic(hn_vec3 p, hn_uint seed) { return hn_value_cubic(hn_place(p), seed); }
 HN_FN hn_float hn_value_cubic(hn_vec3 p) { return hn_value_cubic(p, 0u); }
-
-// Both with a period: the field repeats after that many cells. Its values are those at the corners modulo the period.
-//   period   cells along each axis, any ivec3; 0 for none along that axis. Less than 0 is none, too
-//   seed     any uint: 7u, not 7
-//   error    as without a period
-//   cost     a mask along each axis more for a constant power of two; else a division. Each axis has one comparison
-//            more
-HN_FN hn_float hn_value_cubic(hn_ivec3 cell, hn_vec3 f, hn_ivec3 period, hn_uint seed) {
-  return hn_i_value(hn_i_value_cubic(cell, hn_i_inside(f), period, seed));
-}
-
-HN_FN hn_float hn_value_cubic(hn_vec3 p, hn_ivec3 period, hn_uint seed) {
-  return hn_i_value(hn_i_value_cubic(hn_i_cell(p), hn_i_fraction(p), period, seed));
-}
 
 #endif

@@ -24,7 +24,7 @@ HN_FN hn_vec2 hn_i_shifts(hn_num2 sum, hn_num total, hn_num amplitude) {
 // The place to which a shift of the first octave's cells moves that of an octave, whose frame is k.
 HN_FN hn_i_whole2 hn_i_moved(hn_i_whole2 q, hn_num2 k, hn_num2 v, hn_num rate) {
   hn_num2 n = hn_i_strides(hn_i_to_frame(k, v), rate);
-  HN_I_NEW(hn_i_whole2, moved);
+  hn_i_whole2 moved = q;
   moved.x = hn_i_moved(q.x, n.x);
   moved.y = hn_i_moved(q.y, n.y);
   return moved;
@@ -50,37 +50,31 @@ HN_FN hn_vec2 hn_i_moved(hn_vec2 q, hn_num2 k, hn_num2 v, hn_num rate) {
 // Shifts by other noises than hn_value, as in fbm2d.glsl: outside of all functions and without a semicolon. Each
 // component is the noise with a seed of its own.
 //
-//   HN_WARP2D(my_warp, hn_simplex)           my_warp(p, octaves, lacunarity, gain, amplitude [, seed]), and from a cell
-//   HN_WARP_PERIOD2D(my_tile, hn_simplex)    my_tile(p, period, octaves, lacunarity, gain, amplitude, seed), and so on
-//   HN_WARP_PROGRESSIVE2D(...), HN_WARP_PROGRESSIVE_PERIOD2D(...)    the same, progressive
+//   HN_WARP2D(my_warp, hn_simplex)        my_warp(p, octaves, lacunarity, gain, amplitude [, seed]), and at a place
+//   HN_WARP_PROGRESSIVE2D(...)           the same, progressive
 #define HN_WARP2D(name, noise) HN_I_FRAMED_OF(name, noise, hn_vec2, HN_I_TYPES2, HN_I_OF_WARP2)
-#define HN_WARP_PERIOD2D(name, noise) HN_I_FRAMED_TILED_OF(name, noise, hn_vec2, HN_I_TYPES2, HN_I_OF_WARP2)
 #define HN_WARP_PROGRESSIVE2D(name, noise) HN_I_FRAMED_OF(name, noise, hn_vec2, HN_I_TYPES2, HN_I_OF_PROGRESSIVE2)
-#define HN_WARP_PROGRESSIVE_PERIOD2D(name, noise) HN_I_FRAMED_TILED_OF(name, noise, hn_vec2, HN_I_TYPES2, HN_I_OF_PROGRESSIVE2)
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Shifts by hn_value, in the forms of hn_fbm.
 
-// How far a position is moved: another noise is taken at p + hn_warp(p, ...). From a cell it is taken at the cell and
-// f + hn_warp(cell, f, ...), of which the whole part belongs to the cell.
+// How far a position is moved: another noise is taken at p + hn_warp(p, ...). Far out it is taken at
+// hn_place(cell, f + hn_warp(hn_place(cell, f), ...)), of which the whole part belongs to the cell.
 //   p           position, in cells of the first octave; (|p| + 1) * lacunarity^octaves < 2^23, for a lacunarity of 2
 //               or more
-//   cell        the cell of the first octave
-//   f           position in the cell, in [0, 1]
-//   period      cells of the first octave along each axis, any ivec2; 0 for none along that axis
+//   place       a place in its stead, in cells of the first octave (place.glsl)
 //   octaves     how many; with fewer than 1 the shift is 0
-//   lacunarity  ratio of frequencies, usually 2. With a period it is a whole number from 1 to 255; others are rounded
+//   lacunarity  ratio of frequencies, usually 2. In a tile it is a whole number from 1 to 255; others are rounded
 //               down
 //   gain        ratio of amplitudes, usually 0.5; not negative
 //   amplitude   the largest shift along an axis, in cells, in [0, 64]
 //   seed        any uint: 7u, not 7; 0 if left out
 //   returns     the shift along x and y, each in [-amplitude, amplitude]
 //   error       docs/accuracy.md
-//   period      none that floats reach; with a period the shift repeats after it
+//   period      none that floats reach, or that of the tile
 //   cost        2 noises per octave, which share the cell and its fades
 //   source      Quilez, "Domain warping", 2002
 HN_WARP2D(hn_warp, hn_value)
-HN_WARP_PERIOD2D(hn_warp, hn_value)
 
 // The same, where each octave is taken at the place to which those before it have moved. It draws strands and eddies.
 //   (parameters, period and source as for hn_warp)
@@ -89,6 +83,5 @@ HN_WARP_PERIOD2D(hn_warp, hn_value)
 //               docs/accuracy.md
 //   cost        2 noises per octave, and 8 multiplications for the frame
 HN_WARP_PROGRESSIVE2D(hn_warp_progressive, hn_value)
-HN_WARP_PROGRESSIVE_PERIOD2D(hn_warp_progressive, hn_value)
 
 #endif

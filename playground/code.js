@@ -69,8 +69,10 @@ class Writer {
     this.needs = new Set(); // of WGSL: what the functions call
     this.changed = []; // of WGSL: the sums that are changed to be over another noise
     this.summed = state.sum !== "none";
-    this.position = { cell: false, place: ["p"] };
-    this.cell = { cell: true, place: ["cell", "f"] };
+    // Where a noise is asked: at a position, in a cell, or at a place that is given.
+    this.position = { position: "p" };
+    this.cell = { cell: "cell", f: "f" };
+    this.place = { place: "place" };
   }
 
   get n() {
@@ -81,19 +83,22 @@ class Writer {
     return this.language === "cpp" ? text.replace(/\b\d+\.\d+\b/g, "$&f") : text;
   }
 
-  // A call of a function of the library. WGSL has no overloads, but names for the forms (docs/languages.md).
-  call(name, { cell, place }, form, ...rest) {
-    if (this.language !== "wgsl") return `${name}(${[...place, ...rest].join(", ")})`;
-    const renamed = [
-      `${name}${this.n}`,
-      ...(form.startsWith("phase") ? ["phase"] : []),
-      ...(cell ? ["cell"] : []),
-      form.replace(/^phase_?/, ""),
-    ]
-      .filter(Boolean)
-      .join("_");
-    this.needs.add(renamed);
-    return `${renamed}(${[...place, ...rest].join(", ")})`;
+  // A call of a function of the library by the name that it has in WGSL, which has no overloads.
+  called(name, renamed, ...passed) {
+    const wgsl = this.language === "wgsl";
+    if (wgsl) this.needs.add(renamed);
+    return `${wgsl ? renamed : name}(${passed.join(", ")})`;
+  }
+
+  // A call of a noise or of a sum, in a tile if the state has one. A place that is given is in it already.
+  call(name, { position, cell, f, place }, form, ...rest) {
+    const { n, state, values } = this;
+    let passed = place ?? position ?? this.called("hn_place", `hn_place_of_cell${n}`, cell, f);
+    if (state.tiled && !place) {
+      passed = this.called("hn_tile", `hn_tile${n}${cell ? "_place" : ""}`, passed, values.period);
+    }
+    const placed = place || cell || state.tiled ? "_place" : "";
+    return this.called(name, `${name}${n}${placed}${form && `_${form}`}`, passed, ...rest);
   }
 
   let(type, name, value) {
@@ -122,23 +127,12 @@ class Writer {
     const { float, int } = this.types;
     const cellular = noise.metric || noise.jitter;
     const metric = `HN_METRIC_${state.metric.toUpperCase()}`;
-    const period = state.tiled ? [values.period] : [];
     this.files.add(`${noise.file}${state.turned ? "_phase" : ""}${this.n}d.glsl`);
     if (noise.metric && (state.full || noise.nearest)) this.needs.add(metric);
     if (noise.nearest) {
       const wgsl = this.language === "wgsl";
-      const none = this.n === 1 ? "0" : `${int(this.n)}(${Array(this.n).fill("0").join(", ")})`;
       const set = wgsl ? ["&nearest", "&offset"] : ["nearest", "offset"];
-      const call = this.call(
-        noise.calls,
-        where,
-        "nearest",
-        state.tiled ? values.period : none,
-        values.jitter,
-        metric,
-        values.seed,
-        ...set,
-      );
+      const call = this.call(noise.calls, where, "nearest", values.jitter, metric, values.seed, ...set);
       const word = wgsl ? `hn_lattice${this.n}` : "hn_lattice";
       this.needs.add(word).add("hn_unorm");
       return {
@@ -150,27 +144,11 @@ class Writer {
     }
     let call;
     if (cellular && state.full) {
-      const whole = state.tiled ? values.period : `${int(this.n)}(${Array(this.n).fill("0").join(", ")})`;
-      call = this.call(
-        noise.calls,
-        where,
-        "full",
-        whole,
-        values.jitter,
-        ...(noise.metric ? [metric] : []),
-        values.seed,
-      );
+      call = this.call(noise.calls, where, "full", values.jitter, ...(noise.metric ? [metric] : []), values.seed);
     } else if (state.turned) {
-      call = this.call(
-        noise.calls,
-        where,
-        state.tiled ? "phase_period" : "phase",
-        ...period,
-        values.phase,
-        values.seed,
-      );
+      call = this.call(noise.calls, where, "phase", values.phase, values.seed);
     } else {
-      call = this.call(noise.calls, where, state.tiled ? "period" : "", ...period, values.seed);
+      call = this.call(noise.calls, where, "", values.seed);
     }
     if (noise.between) {
       return { lines: [this.let(float(2), "distances", call)], value: "distances.y - distances.x" };
@@ -186,14 +164,11 @@ class Writer {
       this.files.add(`${noise.file}${steep}${this.n}d.glsl`);
       return { name: `${noise.calls}${steep}`, lines: [] };
     }
-    const { float, int, uint } = this.types;
-    const values = { ...this.values, seed: "seed", otherSeed: "seed + 1u", period: "period" };
-    const { lines, value } = this.noiseAt(this.cell, values);
+    const values = { ...this.values, seed: "seed", otherSeed: "seed + 1u" };
+    const { lines, value } = this.noiseAt(this.place, values);
     const parameters = [
-      [int(this.n), "cell"],
-      [float(this.n), "f"],
-      ...(state.tiled ? [[int(this.n), "period"]] : []),
-      [uint, "seed"],
+      [`hn_place${this.n}`, "place"],
+      [this.types.uint, "seed"],
     ];
     return {
       name: state.noise,
@@ -211,23 +186,21 @@ class Writer {
     const noise = this.summedNoise();
     this.sum = `${state.sum}_${state.noise}`;
     if (this.language !== "wgsl") {
-      const macro = `HN_${state.sum.toUpperCase()}${state.tiled ? "_PERIOD" : ""}${this.n}D`;
-      return [...noise.lines, `${macro}(${this.sum}, ${noise.name})`];
+      return [...noise.lines, `HN_${state.sum.toUpperCase()}${this.n}D(${this.sum}, ${noise.name})`];
     }
     // WGSL has no macros: the text of the sum over Perlin noise, with another noise in it.
     const module = this.library.module(state.arithmetic, state.hash);
-    const tile = state.tiled ? "_period" : "";
-    const perlin = `hn_perlin${eroded ? "_d" : ""}${this.n}_cell${tile}`;
-    const summed = noise.lines.length ? noise.name : `${noise.name}${this.n}_cell${tile}`;
+    const perlin = `hn_perlin${eroded ? "_d" : ""}${this.n}_place`;
+    const summed = noise.lines.length ? noise.name : `${noise.name}${this.n}_place`;
     const lines = [...noise.lines];
-    for (const form of ["_cell", ""]) {
-      const name = `hn_${state.sum}${this.n}${form}${tile}`;
+    for (const form of state.tiled ? ["_place"] : ["_place", ""]) {
+      const name = `hn_${state.sum}${this.n}${form}`;
       const { text, needs } = module.get(name);
       this.changed.push(name);
       needs.filter((needed) => needed !== perlin).forEach((needed) => this.needs.add(needed));
       lines.push(
         ...text
-          .replace(`fn ${name}(`, `fn ${this.sum}${this.n}${form}${tile}(`)
+          .replace(`fn ${name}(`, `fn ${this.sum}${this.n}${form}(`)
           .replaceAll(`${perlin}(`, `${summed}(`)
           .split("\n"),
       );
@@ -246,8 +219,7 @@ class Writer {
       values.gain,
       ...(kSums[state.sum].strength ? [values.strength] : []),
     ];
-    const period = state.tiled ? [values.period] : [];
-    const call = this.call(this.sum, where, state.tiled ? "period" : "", ...period, ...settings, values.seed);
+    const call = this.call(this.sum, where, "", ...settings, values.seed);
     if (!this.sum.startsWith("hn_")) this.needs.delete(call.slice(0, call.indexOf("(")));
     return { lines: [], value: call };
   }
@@ -261,19 +233,17 @@ class Writer {
     const shift = this.call(
       `hn_${state.warp}`,
       where,
-      state.tiled ? "period" : "",
-      ...(state.tiled ? [values.period] : []),
+      "",
       values.octaves,
       values.lacunarity,
       values.gain,
       values.amplitude,
       values.otherSeed,
     );
-    if (!where.cell)
-      return { lines: [this.let(float(this.n), "q", `p + ${shift}`)], where: { ...where, place: ["q"] } };
+    if (!where.cell) return { lines: [this.let(float(this.n), "q", `p + ${shift}`)], where: { position: "q" } };
     return {
       lines: [this.let(float(this.n), "q", `f + ${shift}`), this.let(float(this.n), "whole", "floor(q)")],
-      where: { ...where, place: [`cell + ${int(this.n)}(whole)`, "q - whole"] },
+      where: { cell: `cell + ${int(this.n)}(whole)`, f: "q - whole" },
     };
   }
 
@@ -300,7 +270,7 @@ class Writer {
       lines: [...sums, ...(sums.length ? [""] : []), ...patterns],
       files: [...this.files],
       needs: [...this.needs],
-      public: [...this.needs, ...this.changed].filter((name) => /^hn_(?!i_)/.test(name)),
+      public: [...this.needs, ...this.changed].filter((name) => /^hn_(?!i_|place\d$)/.test(name)),
     };
   }
 }

@@ -203,9 +203,9 @@ struct Known {
 
 }  // namespace
 
-// From a position, from its cell and from the next one with a fraction of 1 in place of 0: the same names, offsets and
-// distances. The name is that of a cell within the period, whose point is where the offset leads; and the first
-// distance is that to it.
+// From its cell and from the next one with a fraction of 1 in place of 0, and without a period from a position: the
+// same names, offsets and distances. The name is that of a cell within the period, whose point is where the offset
+// leads; and the first distance is that to it.
 Outcome check_cell_names(Session& session, const Evaluation& evaluation) {
   const auto& [function, configuration, profile, variant, stage] = evaluation;
   const auto axes = static_cast<std::size_t>(function.axes);
@@ -214,11 +214,14 @@ Outcome check_cell_names(Session& session, const Evaluation& evaluation) {
   const Function& cell_names = row_of(function.axes, "cellular_cell_nearest");
   const Function& cell_offsets = row_of(function.axes, "cellular_cell_offset");
   const Function& names = row_of(function.axes, "cellular_nearest");
-  const Way ways[] = {{border ? &function : &names, &offsets, border ? nullptr : &returned_beside(names), false},
-                      {&cell_names, border ? &row_of(function.axes, "cell_border_cell_offset") : &cell_offsets,
-                       border ? nullptr : &returned_beside(cell_names), false},
-                      {&cell_names, &cell_offsets, &row_of(function.axes, "cellular_cell_full"), true},
-                      {&names, &offsets, &row_of(function.axes, "cellular_full"), false}};
+  std::vector<Way> ways = {{&cell_names, border ? &row_of(function.axes, "cell_border_cell_offset") : &cell_offsets,
+                            border ? nullptr : &returned_beside(cell_names), false},
+                           {&cell_names, &cell_offsets, &row_of(function.axes, "cellular_cell_full"), true}};
+  if (!function.takes_period()) {
+    ways.push_back({&function, &offsets, border ? nullptr : &returned_beside(names), false});
+    ways.push_back({&names, &offsets, &row_of(function.axes, "cellular_full"), false});
+  }
+  ways.push_back({&cell_names, &cell_offsets, &row_of(function.axes, "cellular_cell_full"), false});
   const std::size_t points = points_of(session, function);
   Random random(session.seed, "names");
   const Words settings = random_points(function, points, random);
@@ -267,7 +270,7 @@ Outcome check_cell_names(Session& session, const Evaluation& evaluation) {
     const auto number = [&](const Words& words, std::size_t word) {
       return static_cast<double>(std::bit_cast<float>(result(words, i)[word]));
     };
-    const bool undecided = is_undecided(names, configuration, point(first.inputs, i));
+    const bool undecided = is_undecided(cell_names, configuration, point(first.inputs, i));
     for (const Known& other : known) {
       for (std::size_t axis = 0; axis < axes; ++axis) {
         const auto column = std::optional<double>(exact ? std::nullopt : std::optional(undecided ? kUndecided : 0.0));
@@ -287,14 +290,14 @@ Outcome check_cell_names(Session& session, const Evaluation& evaluation) {
     Words at_name(kInputWords);
     Places named;
     for (std::size_t axis = 0; axis < axes; ++axis) named.push_back({result(first.names, i)[axis], 0.5});
-    put_for(cell_names, names, at_name, there, named);
+    put_for(cell_names, cell_names, at_name, there, named);
     const std::vector<FeaturePoint> near = feature_points(cell_names, configuration, at_name);
     const FeaturePoint& own = near[near.size() / 2];
     double sum = 0.0;
     double largest = 0.0;
     double square = 0.0;
     for (std::size_t axis = 0; axis < axes; ++axis) {
-      const auto period = static_cast<std::int32_t>(there[static_cast<std::size_t>(names.period_word()) + axis]);
+      const auto period = static_cast<std::int32_t>(there[static_cast<std::size_t>(cell_names.period_word()) + axis]);
       const auto name = static_cast<std::int32_t>(named[axis].cell);
       comparison.require(period <= 0 || (name >= 0 && name < period), in, static_cast<float>(name),
                          "the name of a cell within the period");
@@ -308,7 +311,7 @@ Outcome check_cell_names(Session& session, const Evaluation& evaluation) {
       largest = std::max(largest, std::fabs(offset));
       square += offset * offset;
     }
-    const int metric = border ? 1 : static_cast<int>(there[static_cast<std::size_t>(names.input("metric"))]);
+    const int metric = border ? 1 : static_cast<int>(there[static_cast<std::size_t>(cell_names.input("metric"))]);
     const double distance = metric == 2   ? square
                             : metric == 3 ? sum
                             : metric == 4 ? largest

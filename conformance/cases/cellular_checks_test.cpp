@@ -49,16 +49,16 @@ TEST_F(CellularChecks, AnotherMetricAndAnotherJitterAreCaughtByTheSearch) {
 // The name, the way and the distance of different points, a name beyond the period, and a value of its own.
 TEST_F(CellularChecks, PartsThatDoNotBelongTogetherAreCaught) {
   constexpr Replaced kFaults[] = {
-      {"noise2d.cellular_nearest.lattice.fast.fragment.gl330.cell_names", "feature_plane.glsl",
-       "hn_uvec2 after = hn_i_after(c, period);\n  return ivec2",
+      {"noise2d.cellular_cell_nearest.lattice.fast.fragment.gl330.cell_names", "feature_plane.glsl",
+       "hn_uvec2 after = hn_i_after(c, place.period);\n  return ivec2",
        "hn_uvec2 after = c + uvec2(1u, 1u);\n  return ivec2"},
-      {"noise3d.cellular_nearest.lattice.fixed.fragment.gl330.cell_names", "cellular3d.glsl", "offset = hn_i_toward(",
+      {"noise3d.cellular_cell_nearest.lattice.fixed.fragment.gl330.cell_names", "cellular3d.glsl", "offset = hn_i_toward(",
        "offset = -hn_i_toward("},
-      {"noise2d.cellular_nearest.lattice.precise.fragment.gl400.cell_names", "cellular2d.glsl",
+      {"noise2d.cellular_cell_nearest.lattice.precise.fragment.gl400.cell_names", "cellular2d.glsl",
        "best.w));\n  return hn_i_two_distances(best, metric);",
        "best.w));\n  return hn_i_two_distances(best, HN_METRIC_SQUARED);"},
       {"noise2d.cell_border_nearest.lattice.fast.fragment.gl330.cell_names", "cell_border2d.glsl",
-       "nearest = hn_i_cell_of(c, period, best.w);", "nearest = hn_i_cell_of(c, period, best.w) + ivec2(0, 1);"}};
+       "nearest = hn_i_cell_of(place, best.w);", "nearest = hn_i_cell_of(place, best.w) + ivec2(0, 1);"}};
   expect_all_caught(kFaults);
 }
 
@@ -81,7 +81,7 @@ TEST_F(CellularChecks, WrongDerivativesAreCaught) {
   expect_caught("noise2d.cellular_d.lattice.fast.fragment.gl330.derivative", "cellular_d2d.glsl",
                 "hn_cellular_d(args) (vec3(1.0, 1.001, 1.001) * hn_cellular_d(args))");
   expect_caught("noise3d.cellular_d_cell_full.lattice.fixed.fragment.gl330.derivative", "cellular_d3d.glsl",
-                "hn_cellular_d(c, f, q, j, args) hn_cellular_d(c, f, q, j, args).xzyw");
+                "hn_cellular_d(t, j, args) hn_cellular_d(t, j, args).xzyw");
 }
 
 // Where the block of cells changes: at a wall, and in the middle of a cell.
@@ -90,16 +90,16 @@ TEST_F(CellularChecks, JumpsAreCaught) {
                 "hn_cellular(args) (hn_cellular(args) + (fract(p.x) < 0.5 ? 0.001 : 0.0))");
   expect_caught("noise3d.cell_border_cell.lattice.fixed.fragment.gl330.seams", "cell_border3d.glsl",
                 "hn_cell_border(c, args) (hn_cell_border(c, args) + (f.z > 0.5 ? 0.05 : 0.0))");
-  expect_caught("noise2d.cellular_d_cell.lattice.precise.fragment.gl400.seams", "cellular_d2d.glsl",
-                "hn_cellular_d(c, args) (hn_cellular_d(c, args) * (c.y % 2 == 0 ? vec3(1.0) : vec3(1.0, -1.0, 1.0)))");
+  expect_caught(
+      "noise2d.cellular_d_cell.lattice.precise.fragment.gl400.seams", "cellular_d2d.glsl",
+      "hn_cellular_d(c, args) (hn_cellular_d(c, args) * (cell.y % 2 == 0 ? vec3(1.0) : vec3(1.0, -1.0, 1.0)))");
 }
 
 TEST_F(CellularChecks, FieldsThatAreAlikeAreCaught) {
-  constexpr Replaced kFaults[] = {
-      {"noise2d.cellular.lattice.fast.fragment.gl330.seeds", "cellular2d.glsl", "HN_METRIC_EUCLIDEAN, seed);",
-       "HN_METRIC_EUCLIDEAN, seed & 0x7FFFFFFFu);"},
-      {"noise3d.cellular.lattice.fast.fragment.gl330.mirror", "cellular3d.glsl",
-       "hn_i_block(hn_i_cell(p)), hn_i_fraction(p)", "hn_i_block(hn_i_cell(abs(p))), hn_i_fraction(abs(p))"}};
+  constexpr Replaced kFaults[] = {{"noise2d.cellular.lattice.fast.fragment.gl330.seeds", "cellular2d.glsl",
+                                   "HN_METRIC_EUCLIDEAN, seed);", "HN_METRIC_EUCLIDEAN, seed & 0x7FFFFFFFu);"},
+                                  {"noise3d.cellular.lattice.fast.fragment.gl330.mirror", "cellular3d.glsl",
+                                   "hn_cellular(hn_place(p), seed)", "hn_cellular(hn_place(abs(p)), seed)"}};
   expect_all_caught(kFaults);
 }
 

@@ -10,7 +10,8 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
      "64 to 192 points have the oracle's values. For `hn_hash` and `hn_lattice` so has the digest of 16,384 more."},
     {"twin",
      "Random points have the values of the C++ twin, in any stage: 65,536 with the defaults in the main version of "
-     "desktop OpenGL, a quarter of them for octave sums, derivatives, noises in 4D and for other settings, and a quarter "
+     "desktop OpenGL, a quarter of them for octave sums, derivatives, noises in 4D and for other settings, and a "
+     "quarter "
      "in other versions. With `--thorough` there are 262,144, and a sixteenth in other versions. On softpipe there are "
      "4,096, with `--points N` there are N. The points are near, negative, at 2^20 cells and more, on lattice lines "
      "and beside them; for `precise` and `fixed` also subnormal, tiny, -0, huge and at the thresholds "
@@ -73,8 +74,8 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
      "sums of a whole lacunarity repeat, too, `fixed` ones of up to 15 octaves; `fast` ones, and progressive warps of "
      "floats at positions, are the same within the tolerance."},
     {"wrapped",
-     "Without a period along any axis, and where a cell reaches no seam, the form with periods has the values of the "
-     "form without, at the cell modulo the period: bit by bit, or for `fast` within the tolerances of both."},
+     "Without a period along any axis, and where a cell reaches no seam, a tile has the values of the form "
+     "without, at the cell modulo the period: bit by bit, or for `fast` within the tolerances of both."},
     {"from_cell",
      "An octave sum from a cell and a fraction is that at the position that is their sum, at 4,096 points: bit by bit "
      "with `fixed`, else within the tolerances of both."},
@@ -91,7 +92,8 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
      "4,096 points have the same values when the periods are constants of the shader, within twice the tolerance for "
      "`fast`."},
     {"unseeded",
-     "The overloads without a seed have the words of those with the seed 0: of all functions of a file at 16 points each "
+     "The overloads without a seed have the words of those with the seed 0: of all functions of a file at 16 points "
+     "each "
      "(`perlin2d.all`), with `--thorough` of each function within the tolerance of the twin, at as many as `range` "
      "takes."},
     {"other_noise",

@@ -98,8 +98,7 @@ bool is_chosen(std::string_view file, const Configuration& configuration, const 
   }
   const auto stages = stages_of(profile);
   const auto turn = static_cast<std::size_t>(&profile - all_profiles().data());
-  return &configuration == settings[turn % settings.size()] &&
-         stage == stages[turn / settings.size() % stages.size()];
+  return &configuration == settings[turn % settings.size()] && stage == stages[turn / settings.size() % stages.size()];
 }
 
 // A driver compiles the whole library in its main version. In each other one it compiles one file, in the
@@ -109,9 +108,8 @@ Extent extent_on_drivers(std::string_view file, const Configuration& configurati
     return file == "hashnoise.glsl" ? Extent::every_driver : Extent::thorough;
   }
   if (file != kFileForDrivers) return Extent::thorough;
-  const bool in_turn = std::ranges::any_of(stages_of(profile), [&](Stage stage) {
-    return is_chosen("hashnoise.glsl", configuration, profile, stage);
-  });
+  const bool in_turn = std::ranges::any_of(
+      stages_of(profile), [&](Stage stage) { return is_chosen("hashnoise.glsl", configuration, profile, stage); });
   return in_turn ? Extent::one_driver : Extent::thorough;
 }
 
@@ -176,7 +174,7 @@ void add_highp_case(std::vector<Case>& cases, std::string_view file, const Confi
 // These functions need no mark: what they compute is exact, contracted or not.
 Outcome check_uncontracted(const Suite& suite, std::string_view file, const Configuration& configuration) {
   constexpr std::array<std::string_view, 17> kExact = {
-      "hn_unorm(",      "hn_snorm(",         "hn_gradient2(",         "hn_gradient3(",  "hn_i_place_in_cell(",
+      "hn_unorm(",      "hn_snorm(",         "hn_gradient2(",         "hn_gradient3(",  "hn_i_fraction_of_units(",
       "hn_i_quarters(", "hn_i_near(",        "hn_i_rotation(",        "hn_i_per_cell(", "hn_i_beside(",
       "hn_i_toward(",   "hn_i_distance(",    "hn_i_border_distance(", "hn_i_whole(",    "hn_i_whole_fraction(",
       "hn_i_ratio(",    "hn_i_moved(vi2;f1;"};
@@ -226,71 +224,65 @@ precision mediump int;
 HN_FBM2D(fbm_of_simplex, hn_simplex)
 HN_PING_PONG2D(ping_pong_of_simplex, hn_simplex)
 HN_RIDGED2D(ridged_of_value, hn_value)
-HN_FBM_PERIOD2D(tile_of_value, hn_value)
+HN_FBM2D(tile_of_value, hn_value)
 HN_FBM_LIMITED2D(limited_of_value, hn_value)
 HN_WEIGHTED3D(weighted_of_simplex, hn_simplex)
-HN_CLOUDS_PERIOD3D(clouds_of_value, hn_value)
-float mine(ivec2 cell, vec2 f, uint seed) { return f.x - f.y; }
-float mine(ivec2 cell, vec2 f, ivec2 period, uint seed) { return f.x - f.y; }
+HN_CLOUDS3D(clouds_of_value, hn_value)
+float mine(hn_place2 place, uint seed) { return hn_position(place).x - float(place.cell.y); }
 HN_BILLOW2D(billow_of_mine, mine)
-HN_TURBULENCE_PERIOD2D(turbulence_of_mine, mine)
-float mine(int cell, float f, uint seed) { return f - 0.5; }
-float mine(int cell, float f, int period, uint seed) { return f - 0.5; }
-float mine(ivec3 cell, vec3 f, uint seed) { return f.x - f.z; }
-float mine(ivec3 cell, vec3 f, ivec3 period, uint seed) { return f.x - f.z; }
-float mine(ivec4 cell, vec4 f, uint seed) { return f.x - f.w; }
-float mine(ivec4 cell, vec4 f, ivec4 period, uint seed) { return f.x - f.w; }
-vec3 mine_d(ivec2 cell, vec2 f, uint seed) { return vec3(f.x - f.y, 1.0, -1.0); }
-vec3 mine_d(ivec2 cell, vec2 f, ivec2 period, uint seed) { return vec3(f.x - f.y, 1.0, -1.0); }
-vec4 mine_d(ivec3 cell, vec3 f, uint seed) { return vec4(f.x - f.z, 1.0, 0.0, -1.0); }
-vec4 mine_d(ivec3 cell, vec3 f, ivec3 period, uint seed) { return vec4(f.x - f.z, 1.0, 0.0, -1.0); }
+HN_TURBULENCE2D(turbulence_of_mine, mine)
+float mine(hn_place1 place, uint seed) { return hn_position(place) - 0.5; }
+float mine(hn_place3 place, uint seed) { return hn_position(place).x - float(place.cell.z); }
+float mine(hn_place4 place, uint seed) { return hn_position(place).x - float(place.cell.w); }
+vec3 mine_d(hn_place2 place, uint seed) { return vec3(mine(place, seed), 1.0, -1.0); }
+vec4 mine_d(hn_place3 place, uint seed) { return vec4(mine(place, seed), 1.0, 0.0, -1.0); }
 HN_FBM1D(fbm_on_a_line, mine)
-HN_WEIGHTED_PERIOD1D(weighted_on_a_line, mine)
+HN_WEIGHTED1D(weighted_on_a_line, mine)
 HN_FBM_LIMITED1D(limited_on_a_line, mine)
 HN_RIDGED4D(ridged_in_4d, hn_simplex)
-HN_PING_PONG_PERIOD4D(ping_pong_in_4d, mine)
+HN_PING_PONG4D(ping_pong_in_4d, mine)
 HN_FBM_LIMITED4D(limited_in_4d, mine)
 HN_FBM_D2D(fbm_d_of_simplex, hn_simplex_d)
-HN_FBM_D_PERIOD2D(fbm_d_of_mine, mine_d)
+HN_FBM_D2D(fbm_d_of_mine, mine_d)
 HN_FBM_D3D(fbm_d_of_mine, mine_d)
-HN_FBM_D_PERIOD3D(fbm_d_of_value, hn_value_d)
+HN_FBM_D3D(fbm_d_of_value, hn_value_d)
 HN_ERODED2D(eroded_of_mine, mine_d)
-HN_ERODED_PERIOD2D(eroded_of_value, hn_value_d)
+HN_ERODED2D(eroded_of_value, hn_value_d)
 HN_ERODED3D(eroded_of_simplex, hn_simplex_d)
-HN_ERODED_PERIOD3D(eroded_of_mine, mine_d)
+HN_ERODED3D(eroded_of_mine, mine_d)
 HN_WARP2D(warp_of_simplex, hn_simplex)
-HN_WARP_PERIOD2D(warp_of_mine, mine)
+HN_WARP2D(warp_of_mine, mine)
 HN_WARP3D(warp_of_mine, mine)
-HN_WARP_PERIOD3D(warp_of_perlin, hn_perlin)
+HN_WARP3D(warp_of_perlin, hn_perlin)
 HN_WARP_PROGRESSIVE2D(progressive_of_mine, mine)
-HN_WARP_PROGRESSIVE_PERIOD2D(progressive_of_perlin, hn_perlin)
+HN_WARP_PROGRESSIVE2D(progressive_of_perlin, hn_perlin)
 HN_WARP_PROGRESSIVE3D(progressive_of_simplex, hn_simplex)
-HN_WARP_PROGRESSIVE_PERIOD3D(progressive_of_mine, mine)
+HN_WARP_PROGRESSIVE3D(progressive_of_mine, mine)
 float all_further(vec2 p) {
   vec3 p3 = vec3(p, 0.5);
   vec4 p4 = vec4(p, p);
-  float sum = fbm_on_a_line(p.x, 5, 2.0, 0.5) + fbm_on_a_line(int(p.x), p.x - floor(p.x), 5, 2.0, 0.5, 7u);
-  sum += weighted_on_a_line(p.x, 4, 5, 2.0, 0.5, 1.0, 7u) + limited_on_a_line(p.x, 4.5, 2.0, 0.5, 7u);
-  sum += ridged_in_4d(p4, 5, 2.0, 0.5) + ridged_in_4d(ivec4(p4), p4 - floor(p4), 5, 2.0, 0.5, 7u);
-  sum += ping_pong_in_4d(p4, ivec4(4), 5, 2.0, 0.5, 2.0, 7u) + limited_in_4d(p4, 0.01, 5, 2.0, 0.5, 7u);
-  sum += eroded_of_mine(p, 5, 2.0, 0.5, 1.0) + eroded_of_value(p, ivec2(4), 5, 2.0, 0.5, 1.0, 7u);
-  sum += eroded_of_simplex(p3, 5, 2.0, 0.5, 1.0, 7u) + eroded_of_mine(ivec3(p3), p3 - floor(p3), ivec3(4), 5, 2.0, 0.5, 1.0, 7u);
-  vec3 slopes = fbm_d_of_simplex(p, 5, 2.0, 0.5) + fbm_d_of_mine(ivec2(p), p - floor(p), ivec2(4), 5, 2.0, 0.5, 7u);
-  vec4 more = fbm_d_of_mine(p3, 5, 2.0, 0.5, 7u) + fbm_d_of_value(p3, ivec3(4), 5, 2.0, 0.5, 7u);
-  vec2 shift = warp_of_simplex(p, 5, 2.0, 0.5, 1.0) + warp_of_mine(p, ivec2(4), 5, 2.0, 0.5, 1.0, 7u);
-  shift += progressive_of_mine(p, 5, 2.0, 0.5, 1.0) + progressive_of_perlin(p, ivec2(4), 5, 2.0, 0.5, 1.0, 7u);
-  vec3 in_space = warp_of_mine(p3, 5, 2.0, 0.5, 1.0) + warp_of_perlin(p3, ivec3(4), 5, 2.0, 0.5, 1.0, 7u);
-  in_space += progressive_of_simplex(p3, 5, 2.0, 0.5, 1.0) + progressive_of_mine(p3, ivec3(4), 5, 2.0, 0.5, 1.0, 7u);
+  float sum = fbm_on_a_line(p.x, 5, 2.0, 0.5) + fbm_on_a_line(hn_place(int(p.x), p.x - floor(p.x)), 5, 2.0, 0.5, 7u);
+  sum += weighted_on_a_line(hn_tile(p.x, 4), 5, 2.0, 0.5, 1.0, 7u) + limited_on_a_line(p.x, 4.5, 2.0, 0.5, 7u);
+  sum += ridged_in_4d(p4, 5, 2.0, 0.5) + ridged_in_4d(hn_place(ivec4(p4), p4 - floor(p4)), 5, 2.0, 0.5, 7u);
+  sum += ping_pong_in_4d(hn_tile(p4, ivec4(4)), 5, 2.0, 0.5, 2.0, 7u) + limited_in_4d(p4, 0.01, 5, 2.0, 0.5, 7u);
+  sum += eroded_of_mine(p, 5, 2.0, 0.5, 1.0) + eroded_of_value(hn_tile(p, ivec2(4)), 5, 2.0, 0.5, 1.0, 7u);
+  sum += eroded_of_simplex(p3, 5, 2.0, 0.5, 1.0, 7u) + eroded_of_mine(hn_tile(hn_place(ivec3(p3), p3 - floor(p3)), ivec3(4)), 5, 2.0, 0.5, 1.0, 7u);
+  vec3 slopes = fbm_d_of_simplex(p, 5, 2.0, 0.5) + fbm_d_of_mine(hn_tile(hn_place(ivec2(p), p - floor(p)), ivec2(4)), 5, 2.0, 0.5, 7u);
+  vec4 more = fbm_d_of_mine(p3, 5, 2.0, 0.5, 7u) + fbm_d_of_value(hn_tile(p3, ivec3(4)), 5, 2.0, 0.5, 7u);
+  vec2 shift = warp_of_simplex(p, 5, 2.0, 0.5, 1.0) + warp_of_mine(hn_tile(p, ivec2(4)), 5, 2.0, 0.5, 1.0, 7u);
+  shift += progressive_of_mine(p, 5, 2.0, 0.5, 1.0) + progressive_of_perlin(hn_tile(p, ivec2(4)), 5, 2.0, 0.5, 1.0, 7u);
+  vec3 in_space = warp_of_mine(p3, 5, 2.0, 0.5, 1.0) + warp_of_perlin(hn_tile(p3, ivec3(4)), 5, 2.0, 0.5, 1.0, 7u);
+  in_space += progressive_of_simplex(p3, 5, 2.0, 0.5, 1.0) + progressive_of_mine(hn_tile(p3, ivec3(4)), 5, 2.0, 0.5, 1.0, 7u);
   return sum + slopes.x + slopes.y + more.x + more.w + shift.x + shift.y + in_space.x + in_space.z;
 }
 float all_of_them(vec2 p) {
-  float sum = fbm_of_simplex(p, 5, 2.0, 0.5) + fbm_of_simplex(ivec2(p), p - floor(p), 5, 2.0, 0.5, 7u);
+  float sum = fbm_of_simplex(p, 5, 2.0, 0.5) + fbm_of_simplex(hn_place(ivec2(p), p - floor(p)), 5, 2.0, 0.5, 7u);
   sum += ping_pong_of_simplex(p, 5, 2.0, 0.5, 2.0) + ridged_of_value(p, 5, 2.0, 0.5, 7u);
-  sum += tile_of_value(p, ivec2(4), 5, 2.0, 0.5, 7u) + tile_of_value(ivec2(p), p - floor(p), ivec2(4), 5, 2.0, 0.5, 7u);
+  sum += tile_of_value(hn_tile(p, ivec2(4)), 5, 2.0, 0.5, 7u) + tile_of_value(hn_tile(hn_place(ivec2(p), p - floor(p)), ivec2(4)), 5, 2.0, 0.5, 7u);
   sum += limited_of_value(p, 4.5, 2.0, 0.5, 7u) + limited_of_value(p, 0.01, 5, 2.0, 0.5, 7u);
   sum += weighted_of_simplex(vec3(p, 0.5), 5, 2.0, 0.5, 1.0);
-  sum += clouds_of_value(vec3(p, 0.5), ivec3(4), 5, 2.0, 0.5, 7u);
-  return sum + all_further(p) + billow_of_mine(p, 5, 2.0, 0.5) + turbulence_of_mine(p, ivec2(4), 5, 2.0, 0.5, 7u);
+  sum += clouds_of_value(hn_tile(vec3(p, 0.5), ivec3(4)), 5, 2.0, 0.5, 7u);
+  return sum + all_further(p) + billow_of_mine(p, 5, 2.0, 0.5) + turbulence_of_mine(hn_tile(p, ivec2(4)), 5, 2.0, 0.5, 7u);
 }
 )";
 

@@ -119,45 +119,46 @@ class Periods : public Metamorphic {
 TEST_F(Periods, AFunctionThatDoesNotRepeatIsCaught) {
   constexpr Aperiodic kFaults[] = {
       {"noise2d.perlin_period.lattice.fast.fragment.gl330", "period", "perlin2d.glsl",
-       "hn_perlin(p, q, args) (hn_perlin(p, q, args) + 0.00001 * p.x)"},
+       "hn_perlin(t, args) (hn_perlin(t, args) + 0.00001 * p.x)"},
       {"noise2d.perlin_period.lattice.fast.fragment.es300", "period", "perlin2d.glsl",
-       "hn_perlin(p, q, args) (hn_perlin(p, q, args) + 0.00001 * p.x)"},
+       "hn_perlin(t, args) (hn_perlin(t, args) + 0.00001 * p.x)"},
       {"noise3d.perlin_cell_period.lattice.fast.fragment.gl330", "period", "perlin3d.glsl",
-       "hn_perlin(c, f, q, args) (hn_perlin(c, f, q, args) + float(cell.z))"},
+       "hn_perlin(t, args) (hn_perlin(t, args) + float(cell.z))"},
       {"noise2d.perlin_cell_period.lattice+sine.fast.fragment.gl330", "period", "perlin2d.glsl",
-       "hn_perlin(c, f, q, args) (hn_perlin(c, f, q, args) + 0.001 * float(cell.y & 64))"},
+       "hn_perlin(t, args) (hn_perlin(t, args) + 0.001 * float(cell.y & 64))"},
       // A seam that is one cell late.
       {"noise1d.value_cell_period.lattice.fixed.fragment.gl330", "period", "value1d.glsl",
-       "hn_value(c, f, q, args) hn_value(c, f, q + int(q > 0), args)"},
+       "hn_value(t, args) hn_value(hn_tile(t, period + int(period > 0)), args)"},
       {"noise4d.perlin_d_cell_period.lattice.fast.fragment.gl330", "period", "perlin_d4d.glsl",
-       "hn_perlin_d(c, f, q, s, g) hn_perlin_d(c, f, ivec4(q.x, q.y, q.z, 0), s, g)"},
+       "hn_perlin_d(t, s, g) hn_perlin_d(hn_tile(t, ivec4(period.x, period.y, period.z, 0)), s, g)"},
       {"fbm.clouds3_period.lattice.fast.fragment.gl330", "period", "fbm3d.glsl",
-       "hn_clouds(q, r, o, l, g, args) (hn_clouds(q, r, o, l, g, args) + 0.00001 * p.z)"},
+       "hn_clouds(t, o, l, g, args) (hn_clouds(t, o, l, g, args) + 0.00001 * p.z)"},
       {"fbm.fbm2_period.lattice.fixed.fragment.gl330", "period", "fbm2d.glsl",
-       "hn_fbm(q, r, o, l, g, args) (hn_fbm(q, r, o, l, g, args) + 0.0000005 * p.x)"}};
+       "hn_fbm(t, o, l, g, args) (hn_fbm(t, o, l, g, args) + 0.0000005 * p.x)"}};
   for (const Aperiodic& fault : kFaults) expect_caught(fault);
   // Only many octaves come to so large a cell.
   expect_replaced_caught({"fbm.fbm2_period.lattice.fixed.fragment.gl330.period", "octaves_plane.glsl",
-                          "return ivec2(q.x.x, q.y.x);", "return clamp(ivec2(q.x.x, q.y.x), -8388608, 8388607);"});
+                          "ivec2(q.x.x, q.y.x)", "clamp(ivec2(q.x.x, q.y.x), -8388608, 8388607)"});
   expect_replaced_caught({"fbm.billow2_cell_period.lattice.fast.fragment.gl330.period", "octaves.glsl",
                           "return int(uint(period) * uint(lacunarity));",
                           "return int(uint(period) * uint(lacunarity)) + int(period > 0);"});
   // A tile that turns.
-  expect_replaced_caught({"warp.warp_progressive2_cell_period.lattice.fixed.fragment.gl330.period", "frame.glsl",
-                          "onward(hn_i_next_tile,", "onward(hn_i_next,"});
+  expect_replaced_caught({"warp.warp_progressive2_cell_period.lattice.fixed.fragment.gl330.period",
+                          "octaves_plane.glsl", "hn_i_shifted(x, HN_I_SHIFT_X)",
+                          "hn_i_shifted(hn_i_turned_axis(x, y, 25, -20), HN_I_SHIFT_X)"});
 }
 
 // From a cell, in every arithmetic and with a period: the fraction, and a step that only one of the two goes.
 TEST_F(Periods, ASumFromACellThatIsNotThatAtThePositionIsCaught) {
-  constexpr Replaced kFaults[] = {
-      {"fbm.fbm2_cell.lattice.fast.fragment.gl330.from_cell", "octaves_plane.glsl", "q.x = hn_i_whole(cell.x, f.x);",
-       "q.x = hn_i_whole(cell.x, 0.999f * f.x);"},
-      {"fbm.ridged3_cell.lattice.fixed.fragment.gl330.from_cell", "octaves.glsl",
-       "int(min(max(f, 0.0f), 1.0f) * 16777216.0f)", "(int(min(max(f, 0.0f), 1.0f) * 16777216.0f) ^ 4096)"},
-      {"warp.warp_progressive2_cell.lattice.fast.fragment.gl330.from_cell", "frame.glsl", "hn_i_minus(n, cells)",
-       "hn_i_minus(0.5f * n, 0.5f * cells)"},
-      {"fbm.fbm2_cell_period.lattice.precise.fragment.gl400.from_cell", "octaves_plane.glsl",
-       "hn_i_shifted(hn_i_times_ratio(q.x, ratio), 5767168)", "hn_i_shifted(hn_i_times_ratio(q.x, ratio), 5832704)"}};
+  constexpr Replaced kFaults[] = {{"fbm.fbm2_cell.lattice.fast.fragment.gl330.from_cell", "octaves_plane.glsl",
+                                   "q.x = hn_i_whole(place.cell.x, place.fraction.x, ",
+                                   "q.x = hn_i_whole(place.cell.x, 0.999f * place.fraction.x, "},
+                                  {"fbm.ridged3_cell.lattice.fixed.fragment.gl330.from_cell", "place.glsl",
+                                   "hn_i_place(cell, hn_i_inside(f),", "hn_i_place(cell, hn_i_inside(f) ^ 256,"},
+                                  {"warp.warp_progressive2_cell.lattice.fast.fragment.gl330.from_cell", "frame.glsl",
+                                   "hn_i_minus(n, cells)", "hn_i_minus(0.5f * n, 0.5f * cells)"},
+                                  {"fbm.fbm2_cell_period.lattice.precise.fragment.gl400.from_cell", "place.glsl",
+                                   "hn_i_place(cell, hn_i_inside(f),", "hn_i_place(cell, 0.999f * hn_i_inside(f),"}};
   for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
 }
 
@@ -186,21 +187,22 @@ TEST_F(Periods, ASmallFootprintThatFadesOctavesIsCaught) {
 TEST_F(Periods, AFormThatIsNotTheOneWithoutPeriodsIsCaught) {
   constexpr Replaced kFaults[] = {
       // A period of 0 that is one of 2^20, and a large one that counts as none.
-      {"noise2d.perlin_cell_period.lattice.fast.fragment.gl330.wrapped", "perlin2d.glsl", "hn_i_box(cell, period)",
-       "hn_i_box(cell, ivec2(period.x == 0 ? 1048576 : period.x, period.y))"},
-      {"noise3d.value_cell_period.lattice.fixed.fragment.gl330.wrapped", "value3d.glsl", "hn_i_box(cell, period)",
-       "hn_i_box(cell, ivec3(period.x, period.y, period.z > 1073741824 ? 0 : period.z))"},
+      {"noise2d.perlin_cell_period.lattice.fast.fragment.gl330.wrapped", "perlin2d.glsl", "hn_i_box(place)",
+       "hn_i_box(hn_tile(place, ivec2(place.tiled && place.period.x == 0 ? 1048576 : place.period.x, "
+       "place.period.y)))"},
+      {"noise3d.value_cell_period.lattice.fixed.fragment.gl330.wrapped", "value3d.glsl", "hn_i_box(place)",
+       "hn_i_box(hn_tile(place, ivec3(place.period.xy, place.period.z > 1073741824 ? 0 : place.period.z)))"},
       // Cells below 0 count towards it.
       {"noise2d.value_cubic_cell_period.lattice.precise.fragment.gl400.wrapped", "lattice.glsl",
        "hn_i_select(c < 0, mask - rest, rest)", "rest"},
-      {"noise1d.perlin_d_period.lattice.fast.fragment.gl330.wrapped", "perlin_d1d.glsl", "period), hn_i_fraction(p)",
-       "period), hn_i_fraction(p) + 0.001"}};
+      {"noise1d.perlin_d_period.lattice.fast.fragment.gl330.wrapped", "perlin_d1d.glsl", "place.fraction",
+       "place.fraction + (place.tiled ? 0.001 : 0.0)"}};
   for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
 }
 
 TEST_F(Periods, AConstantPeriodThatCountsOtherwiseIsCaught) {
   constexpr std::string_view kFault =
-      "#ifdef CASE_CONSTANT_PERIOD\n#define hn_perlin(c, f, q, args) hn_perlin(c, f, q + 1, args)\n#endif";
+      "#ifdef CASE_CONSTANT_PERIOD\n#define hn_perlin(t, args) hn_perlin(hn_tile(t, period + 1), args)\n#endif";
   constexpr std::string_view kIds[] = {"noise3d.perlin_cell_period.lattice.fast.fragment.gl330.constant_period",
                                        "noise3d.perlin_cell_period.lattice.fixed.fragment.gl330.constant_period"};
   for (const std::string_view id : kIds) {
@@ -227,7 +229,7 @@ TEST_F(Derivatives, FaultsAreCaught) {
       {"noise3d.perlin_d.lattice.precise.fragment.gl400", "derivative", "perlin_d3d.glsl",
        "hn_perlin_d(args) hn_perlin_d(args).xzyw"},
       {"noise3d.value_d_cell_period.lattice.fixed.fragment.gl330", "derivative", "value_d3d.glsl",
-       "hn_value_d(c, f, q, args) hn_value_d(c, f, q, args).xzyw"},
+       "hn_value_d(t, args) hn_value_d(t, args).xzyw"},
       {"noise4d.perlin_d.lattice.fast.fragment.gl330", "derivative", "slope.glsl",
        "hn_i_slope(f) (0.0 * hn_i_slope(f))"},
       {"noise2d.perlin_d.lattice.fast.fragment.gl330", "derivative", "slope.glsl",
@@ -246,10 +248,9 @@ TEST_F(Derivatives, FaultsOfSumsAreCaught) {
       {"fbm_d.fbm_d2.lattice.fast.fragment.es300.derivative", "fbm_d2d.glsl",
        "hn_i_octave_slope(n.y), hn_i_octave_slope(n.z)", "hn_i_octave_slope(n.z), hn_i_octave_slope(n.y)"},
       {"fbm_d.fbm_d3_cell.lattice.fast.fragment.gl330.derivative", "frame.glsl",
-       "next.z = hn_i_turned_by(grown.z, y, 29, 13);", "next.z = hn_i_turned_by(grown.z, y, 29, -13);"},
+       "next.z = hn_i_turned_by(z, y, 29, 13);", "next.z = hn_i_turned_by(z, y, 29, -13);"},
       {"fbm_d.fbm_d2_cell_period.lattice.precise.fragment.gl400.derivative", "frame.glsl",
-       "hn_i_next_tile_frame(hn_num2 k, hn_num growth) { return hn_i_framed(k, growth); }",
-       "hn_i_next_tile_frame(hn_num2 k, hn_num growth) { return k; }"},
+       "hn_num2 next = hn_i_framed(k, growth);", "hn_num2 next = k;"},
       {"fbm_d.fbm_d3_period.lattice.fast.fragment.gl330.derivative", "frame.glsl", "next.y = hn_i_framed(k.y, growth);",
        "next.y = hn_i_framed(k.y, 1.2f * growth);"}};
   for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
@@ -275,7 +276,7 @@ TEST_F(Derivatives, AnotherValueIsCaught) {
       {"noise3d.value_d_cell.lattice.fixed.fragment.gl330", "derivative_value", "value_d3d.glsl",
        "hn_value_d(c, args) (vec4(0.0000005, 0.0, 0.0, 0.0) + hn_value_d(c, args))"},
       {"noise4d.perlin_d_period_value.lattice.precise.fragment.gl400", "derivative_value", "perlin_d4d.glsl",
-       "hn_perlin_d(p, q, s, g) uintBitsToFloat(floatBitsToUint(hn_perlin_d(p, q, s, g)) ^ 1u)"}};
+       "hn_perlin_d(t, s, g) uintBitsToFloat(floatBitsToUint(hn_perlin_d(t, s, g)) ^ 1u)"}};
   for (const Aperiodic& fault : kFaults) expect_caught(fault);
 }
 

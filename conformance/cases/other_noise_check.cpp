@@ -124,12 +124,9 @@ std::string with_constant_noise(const Function& function) {
   std::string name(function.bound);
   std::string macro = name;
   std::ranges::transform(macro, macro.begin(), [](char c) { return static_cast<char>(c >= 'a' ? c - 'a' + 'A' : c); });
-  if (function.takes_period()) macro += "_PERIOD";
   if (function.takes_detail() || function.takes_footprint()) macro += "_LIMITED";
   const int axes = function.axes;
-  const std::string integers = axes == 1 ? "hn_int" : fmt::format("hn_ivec{}", axes);
-  const std::string numbers = axes == 1 ? "hn_float" : fmt::format("hn_vec{}", axes);
-  std::string value = fmt::format("{:.1f}f + 0.0f * {}", kConstantNoise, axes == 1 ? "f" : "f.x");
+  std::string value = fmt::format("{:.1f}f + 0.0f * hn_position(place){}", kConstantNoise, axes == 1 ? "" : ".x");
   std::string type = "hn_float";
   if (noise_of(octave_sum_of(function)) == "perlin_d") {
     type = fmt::format("hn_vec{}", axes + 1);
@@ -141,11 +138,10 @@ std::string with_constant_noise(const Function& function) {
   }
   return fmt::format(
       "#include \"{}\"\n"
-      "HN_FN {} constant_noise({} cell, {} f, {}hn_uint seed) {{ return {}; }}\n"
+      "HN_FN {} constant_noise(hn_place{} place, hn_uint seed) {{ return {}; }}\n"
       "HN_{}{}D(constant_sum, constant_noise)\n"
       "#define hn_{} constant_sum\n",
-      function.file, type, integers, numbers, function.takes_period() ? fmt::format("{} period, ", integers) : "",
-      value, macro, axes, name);
+      function.file, type, axes, value, macro, axes, name);
 }
 
 // The octaves that count, the last of a detail only in part: over a constant noise that changes nothing. From a cell

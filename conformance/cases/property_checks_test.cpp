@@ -54,12 +54,12 @@ TEST_F(Extreme, SumsHaveRangesOfTheirOwn) {
        "hn_turbulence(q, o, l, args) (hn_turbulence(q, o, l, args) - 0.2)"},
       {"fbm.ridged2.lattice.fast.fragment.gl330.range", "hn_ridged(q, o, l, args) (hn_ridged(q, o, l, args) - 0.3)"},
       {"fbm.ridged2_cell.lattice.fixed.fragment.gl330.range",
-       "hn_ridged(c, f, o, l, args) (hn_ridged(c, f, o, l, args) + 0.2)"},
+       "hn_ridged(c, o, l, g, args) (hn_ridged(c, o, l, g, args) + 0.2)"},
       {"fbm.billow2.lattice.precise.fragment.gl400.range", "hn_billow(q, o, l, args) (hn_billow(q, o, l, args) - 0.2)"},
       {"fbm.ping_pong2.lattice.fast.fragment.gl330.range",
        "hn_ping_pong(q, o, l, g, args) (hn_ping_pong(q, o, l, g, args) + 0.001)"},
       {"fbm.ping_pong2_cell.lattice.fixed.fragment.gl330.range",
-       "hn_ping_pong(c, f, o, l, g, args) (hn_ping_pong(c, f, o, l, g, args) - 0.0000005)"},
+       "hn_ping_pong(c, o, l, g, s, args) (hn_ping_pong(c, o, l, g, s, args) - 0.0000005)"},
       {"fbm.weighted2.lattice.fast.fragment.gl330.range",
        "hn_weighted(q, o, l, g, args) (hn_weighted(q, o, l, g, args) * 1.5)"}};
   for (const auto& [id, fault] : kFaults) expect_caught(id, "fbm2d.glsl", fault);
@@ -70,7 +70,7 @@ TEST_F(Extreme, RangesThatDependOnSettingsAreHeld) {
   expect_caught("warp.warp2.lattice.fast.fragment.gl330.range", "warp2d.glsl",
                 "hn_warp(q, o, l, g, args) (hn_warp(q, o, l, g, args) * 1.2)");
   expect_caught("warp.warp_progressive3_cell.lattice.fixed.fragment.gl330.range", "warp3d.glsl",
-                "hn_warp_progressive(c, f, o, l, g, args) (hn_warp_progressive(c, f, o, l, g, args) * 1.2)");
+                "hn_warp_progressive(c, o, l, g, s, args) (hn_warp_progressive(c, o, l, g, s, args) * 1.2)");
   expect_caught("fbm_d.fbm_d2.lattice.fast.fragment.gl330.range", "fbm_d2d.glsl",
                 "hn_fbm_d(q, o, l, args) (hn_fbm_d(q, o, l, args) * vec3(1.0, 1.0, 2.0))");
   expect_caught("fbm_d.fbm_d3.lattice.fixed.fragment.gl330.finite", "fbm_d3d.glsl",
@@ -80,8 +80,8 @@ TEST_F(Extreme, RangesThatDependOnSettingsAreHeld) {
 // Not the noise, the octaves' weights, or what a sum makes of each octave.
 TEST_F(Extreme, ASumOverAnotherNoiseThatIsNotThatSumIsCaught) {
   constexpr Replaced kFaults[] = {
-      {"fbm.fbm2.lattice.fast.fragment.gl330.other_noise", "octaves.glsl", "add, noise(hn_i_cell_of(q)",
-       "add, hn_perlin(hn_i_cell_of(q)"},
+      {"fbm.fbm2.lattice.fast.fragment.gl330.other_noise", "octaves.glsl", "add, noise(hn_i_place_of(q)",
+       "add, hn_perlin(hn_i_place_of(q)"},
       {"fbm.ridged3_cell.lattice.fixed.fragment.gl330.other_noise", "octaves.glsl",
        "s.carried = min(hn_i_plus(ridge, ridge), HN_I_WEIGHT_ONE)", "s.carried = HN_I_WEIGHT_ONE"},
       {"fbm.ping_pong2_period.lattice.fast.fragment.gl330.other_noise", "octaves.glsl", "floor(t * 0.5f)", "floor(t)"},
@@ -94,8 +94,8 @@ TEST_F(Extreme, ASumOverAnotherNoiseThatIsNotThatSumIsCaught) {
        "hn_i_joined(hn_i_framed(k.x, g.y), hn_i_framed(k.y, g.x))"},
       {"fbm_d.eroded3.lattice.fixed.fragment.gl330.other_noise", "frame.glsl", "(hn_i_octave_slope(g) >> 7)",
        "(hn_i_octave_slope(g) >> 8)"},
-      {"fbm_d.eroded2_period.lattice.fast.fragment.gl330.other_noise", "frame.glsl",
-       "hn_i_unturned(hn_num2 v) { return v; }", "hn_i_unturned(hn_num2 v) { return hn_i_turned(v); }"},
+      {"fbm_d.eroded2_period.lattice.fast.fragment.gl330.other_noise", "frame.glsl", "hn_num2 next = e;",
+       "hn_num2 next = hn_i_turned(e);"},
       {"warp.warp3.lattice.fast.fragment.gl330.other_noise", "frame.glsl", "hn_i_bounded(hn_i_mean(sum, total))",
        "hn_i_bounded(hn_i_mean(sum, total + 1.0))"},
       {"warp.warp_progressive2_period.lattice.fixed.fragment.gl330.other_noise", "warp2d.glsl",

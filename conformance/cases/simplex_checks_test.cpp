@@ -32,7 +32,7 @@ TEST_F(SimplexChecks, WrongDerivativesAreCaught) {
       {"noise3d.simplex_d.lattice.precise.fragment.gl400.derivative", "simplex_d3d.glsl",
        "hn_simplex_d(args) (vec4(1.0, 1.01, 1.0, 1.0) * hn_simplex_d(args))"},
       {"noise3d.simplex_d_cell_period.lattice.fixed.fragment.gl330.derivative", "simplex_d3d.glsl",
-       "hn_simplex_d(c, f, q, args) hn_simplex_d(c, f, q, args).xzyw"},
+       "hn_simplex_d(t, args) hn_simplex_d(t, args).xzyw"},
       {"noise2d.simplex_d_phase.lattice.fast.fragment.gl330.derivative", "simplex_phase2d.glsl",
        "hn_simplex_d(p, t, args) (vec3(1.0, -1.0, 1.0) * hn_simplex_d(p, t, args))"},
       {"noise3d.perlin_d_phase.lattice.fast.fragment.gl330.derivative", "perlin_phase3d.glsl",
@@ -60,19 +60,18 @@ TEST_F(SimplexChecks, NoiseThatIsNotZeroAtLatticePointsIsCaught) {
 // On the plane a field without periods repeats after 2^31 cells.
 TEST_F(SimplexChecks, AFieldOfTheWrongSizeIsCaught) {
   expect_caught("noise2d.simplex_cell_period.lattice.fast.fragment.gl330.period", "simplex2d.glsl",
-                "hn_simplex(c, f, q, args) (hn_simplex(c, f, q, args) + (q.x <= 0 && c.x < 0 ? 0.00001 : 0.0))");
+                "hn_simplex(t, args) (hn_simplex(t, args) + (period.x <= 0 && cell.x < 0 ? 0.00001 : 0.0))");
 }
 
 TEST_F(SimplexChecks, APhaseThatDoesNotLoopIsCaught) {
   constexpr std::string_view kPart = "(phase - trunc(phase))";
-  constexpr Replaced kFaults[] = {
-      {"noise2d.simplex_phase.lattice.fast.fragment.gl330.loop", "turn.glsl", kPart,
-       "(phase - 0.99999f * trunc(phase))"},
-      {"noise3d.simplex_d_phase_cell_period.lattice.fixed.fragment.gl330.loop", "turn.glsl", kPart,
-       "(phase - trunc(phase) + 0.0000001f * trunc(phase))"},
-      // A negative phase that turns the other way.
-      {"noise3d.perlin_phase_cell.lattice.precise.fragment.gl400.loop", "turn.glsl", kPart,
-       "abs(phase - trunc(phase))"}};
+  constexpr Replaced kFaults[] = {{"noise2d.simplex_phase.lattice.fast.fragment.gl330.loop", "turn.glsl", kPart,
+                                   "(phase - 0.99999f * trunc(phase))"},
+                                  {"noise3d.simplex_d_phase_cell_period.lattice.fixed.fragment.gl330.loop", "turn.glsl",
+                                   kPart, "(phase - trunc(phase) + 0.0000001f * trunc(phase))"},
+                                  // A negative phase that turns the other way.
+                                  {"noise3d.perlin_phase_cell.lattice.precise.fragment.gl400.loop", "turn.glsl", kPart,
+                                   "abs(phase - trunc(phase))"}};
   expect_all_caught(kFaults);
 }
 
@@ -80,8 +79,7 @@ TEST_F(SimplexChecks, HalfATurnThatDoesNotNegateIsCaught) {
   constexpr Fault kFaults[] = {{"noise2d.perlin_phase.lattice.fast.fragment.gl330.half_turn", "perlin_phase2d.glsl",
                                 "hn_perlin(p, t, args) (hn_perlin(p, t, args) + 0.0001)"},
                                {"noise3d.simplex_phase_cell.lattice.fixed.fragment.gl330.half_turn",
-                                "simplex_phase3d.glsl",
-                                "hn_simplex(c, f, t, args) abs(hn_simplex(c, f, t, args))"}};
+                                "simplex_phase3d.glsl", "hn_simplex(c, t, args) abs(hn_simplex(c, t, args))"}};
   expect_all_caught(kFaults);
   expect_replaced_caught({"noise2d.simplex_d_phase.lattice.fast.fragment.gl330.half_turn", "turn.glsl",
                           "hn_uint q = angle & 0x7FFFFFFFu;", "hn_uint q = (angle + (angle >> 10u)) & 0x7FFFFFFFu;"});
@@ -92,7 +90,7 @@ TEST_F(SimplexChecks, AnotherNoiseAtPhaseZeroIsCaught) {
       {"noise2d.simplex_phase.lattice.fast.fragment.gl330.phase_zero", "simplex_phase2d.glsl",
        "hn_simplex(p, t, args) hn_simplex(p, t + 0.001, args)"},
       {"noise2d.perlin_d_phase_cell.lattice.precise.fragment.gl400.phase_zero", "perlin_phase2d.glsl",
-       "hn_perlin_d(c, f, t, args) (vec3(1.0, 1.0, 1.001) * hn_perlin_d(c, f, t, args))"},
+       "hn_perlin_d(c, t, args) (vec3(1.0, 1.0, 1.001) * hn_perlin_d(c, t, args))"},
       {"noise3d.perlin_phase.lattice.fixed.fragment.gl330.phase_zero", "perlin_phase3d.glsl",
        "hn_perlin(p, t, args) (1.01 * hn_perlin(p, t, args))"}};
   expect_all_caught(kFaults);

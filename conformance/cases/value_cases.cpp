@@ -51,7 +51,7 @@ std::vector<Relation> further_cases_of(const Evaluation& evaluation, const Targe
   // HN_FIXED converts a noise of the user's to an integer.
   const bool takes_noise = once || configuration.name == "lattice+fixed";
   if (takes_noise && function.is_octave_sum()) add("other_noise", check_other_noise);
-  if (!profile.es && (function.id.ends_with("cellular_nearest") || function.id.ends_with("cell_border_nearest"))) {
+  if (!profile.es && (function.id.ends_with("cellular_cell_nearest") || function.id.ends_with("cell_border_nearest"))) {
     further.push_back({"cell_names", CheckKind{evaluation, check_cell_names}, nullptr, 4});
   }
   if (!function.has_slopes()) return further;

@@ -250,11 +250,8 @@ class Cli(unittest.TestCase):
                 (f"{perlin}.range", "gradient.glsl", "n, 1365)", "n, 2365)"),
                 (f"{perlin}.seeds", "lattice.glsl", "box.last, s, s, 0u)", "box.last, 0u, 0u, 0u)"),
                 ("fbm.fbm2.*.fast.*.other_noise", "octaves.glsl",
-                 "add, noise(hn_i_cell_of(q), hn_i_place_of(q), s.seed",
-                 "add, hn_perlin(hn_i_cell_of(q), hn_i_place_of(q), s.seed"),
-                ("fbm.ridged2_cell_period.*.fixed.*.other_noise", "octaves.glsl",
-                 "noise(hn_i_cell_of(q), hn_i_place_of(q), period",
-                 "hn_perlin(hn_i_cell_of(q), hn_i_place_of(q), period"),
+                 "add, noise(hn_i_place_of(q), s.seed", "add, hn_perlin(hn_i_place_of(q), s.seed"),
+                ("fbm.ridged2_cell_period.*.fixed.*.other_noise",),
                 ("config.hash_beyond_the_last.*.gl330.refused_*", "config.glsl", "HN_HASH > 9", "HN_HASH > 99"),
                 ("config.arithmetic_4.*.gl330.*", "config.glsl", "HN_ARITHMETIC > 3", "HN_ARITHMETIC > 99"),
                 ("config.precise_too_early.*.gl330.*", "config.glsl", "HN_I_VERSION >= 400", "HN_I_VERSION >= 300"),
@@ -262,11 +259,11 @@ class Cli(unittest.TestCase):
             ),
             (
                 (f"{perlin}.range", "gradient.glsl", "n, 1365)", "n, 365)"),  # little of it is used
-                (f"{perlin}.mirror", "perlin2d.glsl", "hn_i_box(hn_i_cell(p)), hn_i_fraction(p)",
-                 "hn_i_box(hn_i_cell(abs(p))), hn_i_fraction(abs(p))"),
+                (f"{perlin}.mirror", "perlin2d.glsl", "hn_perlin(hn_place(p), seed)",
+                 "hn_perlin(hn_place(abs(p)), seed)"),
             ),
             (
-                (f"{perlin}.zero", "perlin2d.glsl", "hn_i_fraction(p)", "hn_i_fraction(p) + 0.25f"),
+                (f"{perlin}.zero", "perlin2d.glsl", "hn_perlin(hn_place(p), seed)", "hn_perlin(hn_place(p + 0.25f), seed)"),
                 (f"{perlin}.finite",),
             ),
             (("hash.all.pcg.fast.fragment.vulkan.spirv", "hash.glsl", "2891336453u", "2891336453.5"),),

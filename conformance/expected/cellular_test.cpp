@@ -88,8 +88,8 @@ TEST(Search, UndecidedIsWhatJumpsAndWhatIsEquallyNear) {
   const auto place = [](float x, float jitter) {
     Words words(kInputWords);
     words[0] = words[1] = std::bit_cast<std::uint32_t>(x);
-    words[4] = std::bit_cast<std::uint32_t>(jitter);
-    words[5] = 1;
+    words[2] = std::bit_cast<std::uint32_t>(jitter);
+    words[3] = 1;
     return words;
   };
   const Configuration& fast = default_configuration();

@@ -91,15 +91,10 @@ bool turn_is_exact(double a, double x, double b, double y, double shift, double&
   return is_exact_sum(terms);
 }
 
-// The next octave's position, if every step to it is exact. Without a period it is turned: in the plane of x and y,
+// The next octave's position, if every step to it is exact. But for the line it is turned: in the plane of x and y,
 // then in that of y and z, and then in that of z and w.
-bool next_is_exact(Position& q, std::size_t axes, double lacunarity, bool turns) {
-  if (!turns || axes == 1) {
-    for (std::size_t axis = 0; axis < axes; ++axis) {
-      if (!turn_is_exact(q[axis], lacunarity, 0.0, 0.0, kShift[axis], q[axis])) return false;
-    }
-    return true;
-  }
+bool next_is_exact(Position& q, std::size_t axes, double lacunarity) {
+  if (axes == 1) return turn_is_exact(q[0], lacunarity, 0.0, 0.0, kShift[0], q[0]);
   const double c = lacunarity * kCosine;
   const double s = lacunarity * kSine;
   if (!is_float(c) || !is_float(s)) return false;
@@ -119,9 +114,9 @@ bool next_is_exact(Position& q, std::size_t axes, double lacunarity, bool turns)
          turn_is_exact(kSine, u, c, w, kShift[3], q[3]);
 }
 
-bool positions_are_exact(Position q, std::size_t axes, double octaves, double lacunarity, bool turns) {
+bool positions_are_exact(Position q, std::size_t axes, double octaves, double lacunarity) {
   for (int i = 1; i < octaves; ++i) {
-    if (!next_is_exact(q, axes, lacunarity, turns)) return false;
+    if (!next_is_exact(q, axes, lacunarity)) return false;
   }
   return true;
 }
@@ -149,6 +144,7 @@ Start start_of(const Function& function, std::span<const std::uint32_t> inputs) 
     double& coordinate = start.position[static_cast<std::size_t>(axis)];
     if (!function.takes_cell()) {
       coordinate = float_input(inputs, axis);
+      start.exact = start.exact && std::fmod(coordinate, kWhole) == 0.0;
       continue;
     }
     const double fraction = std::clamp(float_input(inputs, function.axes + axis), 0.0, 1.0);
@@ -164,16 +160,16 @@ double octave_sum_tolerance(const Function& function, Gradient gradient, std::sp
   const auto input = [&](std::string_view name) { return float_input(inputs, function.input(name)); };
   double lacunarity = input("lacunarity");
   const bool tiled = function.takes_period();
-  if (function.takes_cell() || tiled) lacunarity = std::clamp(lacunarity, 0.0, 255.0);
+  const bool whole = function.takes_cell() || tiled;  // it starts from a place
+  if (whole) lacunarity = std::clamp(lacunarity, 0.0, 255.0);
   if (tiled) lacunarity = std::floor(lacunarity);  // a tile stays a tile
   const auto octaves = function.takes_detail()
                            ? input("detail")
                            : static_cast<std::int32_t>(inputs[static_cast<std::size_t>(function.input("octaves"))]);
   // A whole number of whole lacunarity stays one. What a turn rounds down is counted, however little it is.
   const bool exact =
-      function.takes_cell()
-          ? start.exact && tiled
-          : positions_are_exact(start.position, static_cast<std::size_t>(function.axes), octaves, lacunarity, !tiled);
+      whole ? start.exact && tiled
+            : positions_are_exact(start.position, static_cast<std::size_t>(function.axes), octaves, lacunarity);
   OctaveArguments arguments{0.0, octaves, lacunarity, input("gain"), exact};
   for (const double coordinate : start.position) {
     arguments.largest_coordinate = std::max(arguments.largest_coordinate, std::fabs(coordinate));
@@ -182,7 +178,7 @@ double octave_sum_tolerance(const Function& function, Gradient gradient, std::sp
   if (function.takes_amplitude()) arguments.amplitude = input("amplitude");
   if (function.takes_footprint()) arguments.footprint = input("footprint");
   arguments.turns = !tiled;
-  arguments.from_cell = function.takes_cell();
+  arguments.from_cell = whole;
   arguments.is_detail = function.takes_detail();
   return function.is_slope(output) ? octave_slope_tolerance(function.axes, arguments)
                                    : octave_tolerance(octave_sum_of(function), function.axes, arguments, gradient);

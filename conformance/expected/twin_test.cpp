@@ -23,7 +23,7 @@ namespace hashnoise {
 namespace {
 
 HN_FBM2D(fbm_of_perlin, hn_perlin)
-HN_PING_PONG_PERIOD3D(ping_pong_of_perlin, hn_perlin)
+HN_PING_PONG3D(ping_pong_of_perlin, hn_perlin)
 HN_FBM2D(fbm_of_simplex, hn_simplex)
 
 }  // namespace
@@ -80,26 +80,28 @@ TEST(Twin, ASumThatAMacroMakesIsTheLibrarys) {
   const vec2 p(3.3f, -7.7f);
   const vec3 q(3.3f, -7.7f, 0.2f);
   EXPECT_EQ(fbm_of_perlin(p, 6, 1.9f, 0.6f), hn_fbm(p, 6, 1.9f, 0.6f));
-  EXPECT_EQ(fbm_of_perlin(ivec2(1 << 30, -9), vec2(0.3f, 0.7f), 6, 1.9f, 0.6f, 5u),
-            hn_fbm(ivec2(1 << 30, -9), vec2(0.3f, 0.7f), 6, 1.9f, 0.6f, 5u));
-  EXPECT_EQ(ping_pong_of_perlin(q, ivec3(4, 0, 9), 6, 2.0f, 0.6f, 1.5f, 5u),
-            hn_ping_pong(q, ivec3(4, 0, 9), 6, 2.0f, 0.6f, 1.5f, 5u));
+  EXPECT_EQ(fbm_of_perlin(hn_place(ivec2(1 << 30, -9), vec2(0.3f, 0.7f)), 6, 1.9f, 0.6f, 5u),
+            hn_fbm(hn_place(ivec2(1 << 30, -9), vec2(0.3f, 0.7f)), 6, 1.9f, 0.6f, 5u));
+  EXPECT_EQ(ping_pong_of_perlin(hn_tile(q, ivec3(4, 0, 9)), 6, 2.0f, 0.6f, 1.5f, 5u),
+            hn_ping_pong(hn_tile(q, ivec3(4, 0, 9)), 6, 2.0f, 0.6f, 1.5f, 5u));
   EXPECT_NE(fbm_of_simplex(p, 6, 1.9f, 0.6f), hn_fbm(p, 6, 1.9f, 0.6f));
   EXPECT_EQ(fbm_of_simplex(p, 1, 1.9f, 0.6f, 5u), hn_simplex(p, 5u));
 }
 
 TEST(Twin, PositionAndCellAgree) {
   using namespace hashnoise;
-  EXPECT_EQ(hn_perlin(vec2(-2.75f, 5.5f), 9u), hn_perlin(ivec2(-3, 5), vec2(0.25f, 0.5f), 9u));
-  EXPECT_EQ(hn_perlin(vec3(-2.75f, 5.5f, 0.125f), 9u), hn_perlin(ivec3(-3, 5, 0), vec3(0.25f, 0.5f, 0.125f), 9u));
+  EXPECT_EQ(hn_perlin(vec2(-2.75f, 5.5f), 9u), hn_perlin(hn_place(ivec2(-3, 5), vec2(0.25f, 0.5f)), 9u));
+  EXPECT_EQ(hn_perlin(vec3(-2.75f, 5.5f, 0.125f), 9u),
+            hn_perlin(hn_place(ivec3(-3, 5, 0), vec3(0.25f, 0.5f, 0.125f)), 9u));
 }
 
 // -2^31 fits an int, 2^31 does not.
 TEST(Twin, TheSmallestCellIsThatOfAPosition) {
   using namespace hashnoise;
   constexpr int kSmallest = std::numeric_limits<int>::min();
-  EXPECT_EQ(hn_perlin(vec2(-0x1p31f, 0.25f), 9u), hn_perlin(ivec2(kSmallest, 0), vec2(0.0f, 0.25f), 9u));
-  EXPECT_EQ(hn_value(vec3(0.5f, -0x1p31f, 0.25f), 9u), hn_value(ivec3(0, kSmallest, 0), vec3(0.5f, 0.0f, 0.25f), 9u));
+  EXPECT_EQ(hn_perlin(vec2(-0x1p31f, 0.25f), 9u), hn_perlin(hn_place(ivec2(kSmallest, 0), vec2(0.0f, 0.25f)), 9u));
+  EXPECT_EQ(hn_value(vec3(0.5f, -0x1p31f, 0.25f), 9u),
+            hn_value(hn_place(ivec3(0, kSmallest, 0), vec3(0.5f, 0.0f, 0.25f)), 9u));
 }
 
 // What the README says of the values that one meets: the largest of a million.

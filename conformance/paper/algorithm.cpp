@@ -49,7 +49,7 @@ std::string noise_at(std::string_view position, const Entry& entry, int dimensio
   if (entry.form == Form::table) return fmt::format("table_perlin({})", position);
   const std::uint32_t cells = entry.form == Form::intended ? kPaperPeriod : period;
   if (cells == 0) return fmt::format("hn_perlin({})", position);
-  return fmt::format("hn_perlin({}, ivec{}({}), {})", position, dimensions, cells, seed);
+  return fmt::format("hn_perlin(hn_tile({}, ivec{}({})), {})", position, dimensions, cells, seed);
 }
 
 }  // namespace
@@ -102,10 +102,10 @@ Subject subject_of(const Entry& entry, int dimensions, Picture picture, std::uin
   // Without a seed the octaves are all of the same field.
   if (entry.form != Form::ours || period != 0) {
     name = "paper_sum";
-    text += fmt::format(
-        "float paper_octave(ivec{0} cell, vec{0} f, uint seed) {{ return {1}; }}\n{2}{0}D({3}, paper_octave)\n",
-        dimensions, noise_at(fmt::format("vec{}(cell) + f", dimensions), entry, dimensions, period, "seed"),
-        picture == Picture::clouds ? "HN_CLOUDS" : "HN_TURBULENCE", name);
+    text +=
+        fmt::format("float paper_octave(hn_place{0} place, uint seed) {{ return {1}; }}\n{2}{0}D({3}, paper_octave)\n",
+                    dimensions, noise_at("hn_position(place)", entry, dimensions, period, "seed"),
+                    picture == Picture::clouds ? "HN_CLOUDS" : "HN_TURBULENCE", name);
   }
   return {fmt::format("{}.{}", id, name_of(picture)), dimensions, std::move(text),
           fmt::format("{}(p, 6, 2.0, 0.5)", name)};

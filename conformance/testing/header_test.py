@@ -18,9 +18,9 @@ SUMS = """
 namespace hashnoise {
 HN_FBM2D(fbm_of_simplex, hn_simplex)
 HN_RIDGED2D(ridged_of_value, hn_value)
-HN_WEIGHTED_PERIOD3D(weighted_of_value, hn_value)
-inline float mine(ivec2 cell, vec2 f, uint seed) {
-  return f.x - f.y + static_cast<float>((unsigned(cell.x) ^ seed) & 1u);
+HN_WEIGHTED3D(weighted_of_value, hn_value)
+inline float mine(hn_place2 place, uint seed) {
+  return hn_position(place).y + static_cast<float>((unsigned(place.cell.x) ^ seed) & 1u);
 }
 HN_PING_PONG2D(ping_pong_of_mine, mine)
 HN_FBM_LIMITED2D(limited_of_mine, mine)
@@ -29,35 +29,35 @@ HN_FBM_LIMITED2D(limited_of_mine, mine)
 float all_of_them(float x) {
   using namespace hashnoise;
   const vec2 p(x, 0.5f);
-  return fbm_of_simplex(p, 5, 2.0f, 0.5f) + ridged_of_value(ivec2(3, 4), p, 5, 2.0f, 0.5f, 7u) +
-         weighted_of_value(vec3(x), ivec3(4), 5, 2.0f, 0.5f, 1.0f, 7u) + ping_pong_of_mine(p, 5, 2.0f, 0.5f, 2.0f) +
+  return fbm_of_simplex(p, 5, 2.0f, 0.5f) + ridged_of_value(hn_place(ivec2(3, 4), p), 5, 2.0f, 0.5f, 7u) +
+         weighted_of_value(hn_tile(vec3(x), ivec3(4)), 5, 2.0f, 0.5f, 1.0f, 7u) + ping_pong_of_mine(p, 5, 2.0f, 0.5f, 2.0f) +
          limited_of_mine(p, 4.5f, 2.0f, 0.5f, 7u) + limited_of_mine(p, 0.01f, 5, 2.0f, 0.5f, 7u);
 }
 """
 
 # Every kind of argument of the functions, with the numbers as GLSL writes them, and as C++ does.
 RIGHT = (
-    "hn_perlin(x)", "hn_perlin(x, 7u)", "hn_perlin(x, 16, 7u)", "hn_perlin(d, 7u)", "hn_perlin(0.5)",
-    "hn_perlin({x, x}, 7u)", "hn_perlin(p, ivec2(8, 5), 7u)", "hn_perlin(c, p)", "hn_perlin(c, p, ivec2(8), 0.25, 7u)",
+    "hn_perlin(x)", "hn_perlin(x, 7u)", "hn_perlin(hn_tile(x, 16), 7u)", "hn_perlin(d, 7u)", "hn_perlin(0.5)",
+    "hn_perlin({x, x}, 7u)", "hn_perlin(hn_tile(p, ivec2(8, 5)), 7u)", "hn_perlin(hn_place(c, p), seed)", "hn_perlin(hn_tile(hn_place(c, p), ivec2(8)), 0.25, 7u)",
     "hn_perlin(p, 0.25f, 7u)", "hn_perlin(vec4(x), seed)", "hn_perlin(vec2(d, d), seed)",
-    "hn_value_d(vec4(x), 7u, gradient)", "hn_cellular(p, ivec2(0), 1.0f, HN_METRIC_MANHATTAN, 7u).x",
-    "hn_cellular(p, ivec2(0), 0.5, 3, 7u).x", "hn_fbm(p, 6, 2.0f, 0.5f)", "hn_fbm(p, 6, 2.0, 0.5)",
+    "hn_value_d(vec4(x), 7u, gradient)", "hn_cellular(p, 1.0f, HN_METRIC_MANHATTAN, 7u).x",
+    "hn_cellular(hn_place(p), 0.5, 3, 7u).x", "hn_fbm(p, 6, 2.0f, 0.5f)", "hn_fbm(p, 6, 2.0, 0.5)",
     "hn_fbm(p, 6, 2.0, 0.5, 7u)", "hn_fbm(x, octaves, d, 0.5f, seed)", "hn_fbm(p, 2.5f, 2.0f, 0.5f, 7u)",
-    "hn_fbm(p, 0.1f, 3, 2.0f, 0.5f, 7u)", "hn_fbm(p, 0.1, 3, 2.0, 0.5, 7u)", "hn_fbm(c, p, 6, 2.0, 0.5)",
-    "hn_fbm(p, ivec2(4), 6, 2.0, 0.5, 7u)", "hn_ping_pong(p, 6, 2.0, 0.5, 2.0)", "hn_warp(p, 6, 2.0f, 0.5f, 0.25f).x",
-    "hn_curl(p, 7u).x", "hn_gradient(c, 7u).x", "hn_cell(c, 3, 64).x", "float(hn_hash(uvec2(3u, 4u)))", "hn_unorm(7u)",
+    "hn_fbm(p, 0.1f, 3, 2.0f, 0.5f, 7u)", "hn_fbm(p, 0.1, 3, 2.0, 0.5, 7u)", "hn_fbm(hn_place(c, p), 6, 2.0, 0.5, 7u)",
+    "hn_fbm(hn_tile(p, ivec2(4)), 6, 2.0, 0.5, 7u)", "hn_ping_pong(p, 6, 2.0, 0.5, 2.0)", "hn_warp(p, 6, 2.0f, 0.5f, 0.25f).x",
+    "hn_curl(p, 7u).x", "hn_gradient(c, 7u).x", "hn_cell(c, 3, 64).x", "hn_perlin(hn_place(c, 3, 64), 7u)", "float(hn_hash(uvec2(3u, 4u)))", "hn_unorm(7u)",
 )
 # C++ would convert a number, and GLSL does not.
 WRONG = (
     "hn_fbm(p, 2.5f, 2.0f, .5f)", "hn_fbm(p, 2.5, 2.0, .5)", "hn_fbm(x, 2.5f, 2.0f, .5f)",
     "hn_fbm(vec4(x), 2.5f, 2.0f, .5f)", "hn_fbm(p, .1f, 3, 2.0f, .5f)", "hn_fbm(p, .1, 3, 2.0, .5)",
     "hn_fbm(vec3(x), .1f, 3, 2.0f, .5f)", "hn_fbm(p, 6, 2, .5f)", "hn_fbm(p, 6, 2.0f, .5f, 7)",
-    "hn_fbm(p, 6u, 2.0f, .5f)", "hn_fbm(c, p, 2.5f, 2.0f, .5f)", "hn_fbm(p, ivec2(4), 6.0f, 2.0f, .5f, 7u)",
+    "hn_fbm(p, 6u, 2.0f, .5f)", "hn_fbm(hn_place(c, p), 2.5f, 2.0f, .5f, 7u)", "hn_fbm(hn_tile(p, ivec2(4)), 6.0f, 2.0f, .5f, 7u)",
     "hn_ridged(p, 2.5f, 2.0f, .5f)", "hn_warp(p, 2.5f, 2.0f, .5f, 1.0f).x", "hn_perlin(x, 16)", "hn_perlin(0.5, 16)",
     "hn_perlin(d, 16)", "hn_perlin(x, octaves)", "hn_perlin(p, 16)", "hn_perlin(p, 16.0f)", "hn_perlin(vec3(x), 16)",
-    "hn_perlin(vec4(x), 16)", "hn_perlin(3, p.x, 7)", "hn_perlin(x, 16u, 7u)", "hn_perlin(p, 1, 7u)",
-    "hn_perlin(x, 7ul)", "hn_perlin(x, true)", "hn_perlin(3)", "hn_perlin(c, p, 7)", "hn_cellular(p, 7).x",
-    "hn_cellular(p, ivec2(0), 1, 3, 7u).x", "hn_cellular(p, ivec2(0), 1.0f, 3.0f, 7u).x", "hn_hash(7)", "hn_unorm(1)",
+    "hn_perlin(vec4(x), 16)", "hn_perlin(hn_place(3, p.x), 7)", "hn_perlin(x, 16u, 7u)", "hn_perlin(p, 1, 7u)",
+    "hn_perlin(x, 7ul)", "hn_perlin(x, true)", "hn_perlin(3)", "hn_perlin(hn_place(c, p), 7)", "hn_perlin(hn_tile(x, 16.0f), 7u)", "hn_perlin(hn_tile(x, 16u), 7u)", "hn_cellular(p, 7).x",
+    "hn_cellular(p, 1, 3, 7u).x", "hn_cellular(p, 1.0f, 3.0f, 7u).x", "hn_hash(7)", "hn_unorm(1)",
     "hn_gradient(c, 7).x",
 )
 CALLS = """
@@ -105,9 +105,9 @@ template <typename... T>
 concept Perlin = requires(T... arguments) {{ hn_perlin(arguments...); }};
 static_assert(Fbm<vec2, int, float, float> && Fbm<vec2, int, float, float, unsigned>);
 static_assert(Fbm<vec2, float, float, float, unsigned> && Fbm<vec2, float, int, float, float, unsigned>);
-static_assert(Perlin<Float, unsigned> && Perlin<vec2, Uint> && Perlin<Float, int, unsigned>);
+static_assert(Perlin<Float, unsigned> && Perlin<vec2, Uint> && Perlin<lanes::hn_place1, unsigned>);
 static_assert(!Fbm<vec2, float, float, float> && !Fbm<vec2, float, int, float, float> && !Fbm<vec2, int, int, float>);
-static_assert(!Perlin<Float, int> && !Perlin<vec2, int> && !Perlin<vec2, float>);
+static_assert(!Perlin<Float, int> && !Perlin<vec2, int> && !Perlin<vec2, float> && !Perlin<lanes::hn_place1, int>);
 """
 
 

@@ -99,10 +99,11 @@ int main() {
   print_digest("perlin2", [](const Point& p) { return hn_perlin(hn_vec2(p.x, p.y), p.seed); });
   print_digest("perlin3", [](const Point& p) { return hn_perlin(hn_vec3(p.x, p.y, p.z), p.seed); });
   print_digest("perlin2_cell",
-               [](const Point& p) { return hn_perlin(hn_ivec2(p.cx, p.cy), hn_vec2(p.fx, p.fy), p.seed); });
-  print_digest("perlin3_cell",
-               [](const Point& p) { return hn_perlin(hn_ivec3(p.cx, p.cy, p.cz), hn_vec3(p.fx, p.fy, p.fz), p.seed); });
-  print_digest("value1_cell", [](const Point& p) { return hn_value(p.cx, p.fx, p.seed); });
+               [](const Point& p) { return hn_perlin(hn_place(hn_ivec2(p.cx, p.cy), hn_vec2(p.fx, p.fy)), p.seed); });
+  print_digest("perlin3_cell", [](const Point& p) {
+    return hn_perlin(hn_place(hn_ivec3(p.cx, p.cy, p.cz), hn_vec3(p.fx, p.fy, p.fz)), p.seed);
+  });
+  print_digest("value1_cell", [](const Point& p) { return hn_value(hn_place(p.cx, p.fx), p.seed); });
   print_digest("value4", [](const Point& p) { return hn_value(hn_vec4(p.x, p.y, p.z, p.fx), p.seed); });
   print_digest("value_cubic3", [](const Point& p) { return hn_value_cubic(hn_vec3(p.x, p.y, p.z), p.seed); });
   print_digest("value_d3", [](const Point& p) { return hn_value_d(hn_vec3(p.x, p.y, p.z), p.seed).z; });
@@ -111,15 +112,15 @@ int main() {
   print_digest("simplex_smooth2", [](const Point& p) { return hn_simplex_smooth(hn_vec2(p.x, p.y), p.seed); });
   print_digest("simplex_smooth3", [](const Point& p) { return hn_simplex_smooth(hn_vec3(p.x, p.y, p.z), p.seed); });
   print_digest("simplex2_period",
-               [](const Point& p) { return hn_simplex(hn_vec2(p.x, p.y), hn_ivec2(p.cx, p.cy), p.seed); });
+               [](const Point& p) { return hn_simplex(hn_tile(hn_vec2(p.x, p.y), hn_ivec2(p.cx, p.cy)), p.seed); });
   print_digest("simplex_d3_phase", [](const Point& p) { return hn_simplex_d(hn_vec3(p.x, p.y, p.z), p.fx, p.seed).y; });
   print_digest("curl3", [](const Point& p) { return hn_curl(hn_vec3(p.x, p.y, p.z), p.seed).x; });
   print_digest("cellular2", [](const Point& p) { return hn_cellular(hn_vec2(p.x, p.y), p.seed).y; });
   print_digest("cellular3_manhattan", [](const Point& p) {
     hn_ivec3 nearest;
     hn_vec3 offset;
-    const hn_vec2 distances = hn_cellular(hn_vec3(p.x, p.y, p.z), hn_ivec3(p.cx, p.cy, p.cz), p.fx, HN_METRIC_MANHATTAN,
-                                          p.seed, nearest, offset);
+    const hn_vec2 distances = hn_cellular(hn_tile(hn_vec3(p.x, p.y, p.z), hn_ivec3(p.cx, p.cy, p.cz)), p.fx,
+                                          HN_METRIC_MANHATTAN, p.seed, nearest, offset);
     return distances.y + offset.z + hn_unorm(hn_lattice(nearest));
   });
   print_digest("cellular_three3", [](const Point& p) { return hn_cellular_three(hn_vec3(p.x, p.y, p.z), p.seed).z; });
@@ -128,7 +129,7 @@ int main() {
   print_digest("cell_border2", [](const Point& p) { return hn_cell_border(hn_vec2(p.x, p.y), p.seed); });
   print_digest("cell_border3", [](const Point& p) { return hn_cell_border(hn_vec3(p.x, p.y, p.z), p.seed); });
   print_digest("perlin2_period",
-               [](const Point& p) { return hn_perlin(hn_vec2(p.x, p.y), hn_ivec2(p.cx, p.cy), p.seed); });
+               [](const Point& p) { return hn_perlin(hn_tile(hn_vec2(p.x, p.y), hn_ivec2(p.cx, p.cy)), p.seed); });
   print_digest("cell",
                [](const Point& p) { return hn_fraction(p.cx, p.cy, p.cz) + hn_unorm(hn_uint(hn_cell(p.cx, 3, 7))); });
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
@@ -141,16 +142,15 @@ int main() {
     return value + gradient.w;
   });
 #endif
-  print_digest("gradient3", [](const Point& p) {
-    return hn_gradient(hn_ivec3(p.cx, p.cy, p.cz), p.seed).y;
-  });
+  print_digest("gradient3", [](const Point& p) { return hn_gradient(hn_ivec3(p.cx, p.cy, p.cz), p.seed).y; });
   print_digest("hash", [](const Point& p) { return hn_unorm(hn_hash(p.seed) ^ hn_lattice(hn_ivec2(p.cx, p.cy))); });
   print_digest("fbm2", [](const Point& p) { return hn_fbm(hn_vec2(p.x, p.y), 4, 2.0f, 0.5f, p.seed); });
-  print_digest("fbm2_cell",
-               [](const Point& p) { return hn_fbm(hn_ivec2(p.cx, p.cy), hn_vec2(p.fx, p.fy), 4, 2.0f, 0.5f, p.seed); });
+  print_digest("fbm2_cell", [](const Point& p) {
+    return hn_fbm(hn_place(hn_ivec2(p.cx, p.cy), hn_vec2(p.fx, p.fy)), 4, 2.0f, 0.5f, p.seed);
+  });
   print_digest("ridged3", [](const Point& p) { return hn_ridged(hn_vec3(p.x, p.y, p.z), 4, 1.9f, 0.5f, p.seed); });
   print_digest("ping_pong3_cell", [](const Point& p) {
-    return hn_ping_pong(hn_ivec3(p.cx, p.cy, p.cz), hn_vec3(p.fx, p.fy, p.fz), 4, 1.9f, 0.5f, 2.0f, p.seed);
+    return hn_ping_pong(hn_place(hn_ivec3(p.cx, p.cy, p.cz), hn_vec3(p.fx, p.fy, p.fz)), 4, 1.9f, 0.5f, 2.0f, p.seed);
   });
   print_digest("weighted2", [](const Point& p) { return hn_weighted(hn_vec2(p.x, p.y), 4, 2.0f, 0.5f, 0.5f, p.seed); });
   print_digest("turbulence3",

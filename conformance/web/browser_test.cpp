@@ -218,7 +218,7 @@ TEST(BrowserFault, EachWayThatIsWrongFails) {
 TEST(BrowserFault, ANoiseWithoutItsPeriodFails) {
   SourceSet sources = SourceSet::embedded();
   const SourceFile& file = *sources.find("perlin2d.glsl");
-  constexpr std::string_view kFault = "#define hn_perlin(p, period, seed) (hn_perlin(p, period, seed) + 0.00001 * p.x)";
+  constexpr std::string_view kFault = "#define hn_perlin(place, seed) (hn_perlin(place, seed) + 0.00001 * p.x)";
   sources.add("perlin2d.glsl", fmt::format("{}\n{}\n", file.text, kFault), file.path);
   const std::vector<std::string> ids = {"noise2d.perlin_period.lattice.fast.fragment.es300.period"};
   Story story;

@@ -39,7 +39,9 @@ namespace hashnoise::detail {
 // Of these types C++ would convert one to another. Vectors of lanes and types of others are not among them: what they
 // convert to is their own affair.
 template <typename T>
-constexpr bool kIsOfGlsl = std::is_arithmetic_v<T>;
+constexpr bool kIsOfGlsl = std::is_arithmetic_v<T> || requires(T place) {
+  place.tiled;
+};
 template <typename T>
 constexpr bool kIsOfGlsl<Vector2<T>> = std::is_arithmetic_v<T>;
 template <typename T>
@@ -106,6 +108,9 @@ HN_ONLY_TYPES_OF_GLSL(hn_gradient1)
 HN_ONLY_TYPES_OF_GLSL(hn_gradient2)
 HN_ONLY_TYPES_OF_GLSL(hn_gradient3)
 HN_ONLY_TYPES_OF_GLSL(hn_gradient4)
+HN_ONLY_TYPES_OF_GLSL(hn_place)
+HN_ONLY_TYPES_OF_GLSL(hn_tile)
+HN_ONLY_TYPES_OF_GLSL(hn_position)
 HN_ONLY_TYPES_OF_GLSL(hn_cell)
 HN_ONLY_TYPES_OF_GLSL(hn_fraction)
 HN_ONLY_TYPES_OF_GLSL(hn_value)

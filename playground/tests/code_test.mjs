@@ -367,6 +367,6 @@ test("code that is wrong is noticed", async () => {
   const shown = await pixels(page, kWidth, kHeight, true);
   assert.notDeepEqual(await drawnGlsl(code.replaceAll("7u)", "8u)"), state, true), shown);
   const wgsl = await copiedCode(page, "wgsl", true);
-  assert.match(await drawnWgsl(wgsl.replace("return hn_fbm2_cell(", "return hn_absent("), state, true), /hn_absent/);
+  assert.match(await drawnWgsl(wgsl.replace("return hn_fbm2_place(", "return hn_absent("), state, true), /hn_absent/);
   assert.notDeepEqual(await drawnWgsl(wgsl.replaceAll("7u)", "8u)"), state, true), shown);
 });

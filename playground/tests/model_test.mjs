@@ -277,11 +277,11 @@ test("the library in the page is that of tools/single-file and tools/wgsl", () =
   }
   const made = execFileSync(
     join(root, "tools", "wgsl"),
-    ["--strip", "--arithmetic", "HN_FIXED", "--hash", "PCG", "--only", "hn_ridged3_cell"],
+    ["--strip", "--arithmetic", "HN_FIXED", "--hash", "PCG", "--only", "hn_ridged3_place"],
     { encoding: "utf8" },
   );
   assert.equal(
-    library.wgsl(["hn_ridged3_cell"], { arithmetic: "fixed", hash: "pcg" }).join("\n"),
+    library.wgsl(["hn_ridged3_place"], { arithmetic: "fixed", hash: "pcg" }).join("\n"),
     made.slice(made.indexOf("\n\n") + 2).trim(),
   );
 });
@@ -326,7 +326,7 @@ json.dump(made, sys.stdout)
   const plain = (code) => code.replace(/fn \w+\(/g, "fn f(").replace(/\s+/g, "");
   for (const [name, text] of ours) {
     const theirs = Object.entries(made)
-      .filter(([full]) => new RegExp(`^${name}_(f32|i32|vec)`).test(full))
+      .filter(([full]) => new RegExp(`^${name}_(f32|i32|vec|place)`).test(full))
       .map(([, code]) => plain(code));
     const functionsOfOurs = text.split(/(?=fn )/).map(plain);
     for (const one of functionsOfOurs)
@@ -416,7 +416,7 @@ test("what is copied says what is chosen", () => {
     "#define HN_HASH HN_HASH_PCG",
     '#include "fbm2d.glsl"',
     "HN_RIDGED2D(ridged_simplex, hn_simplex)",
-    "ridged_simplex(cell, f, 5, 2.0, 0.5, 9u)",
+    "ridged_simplex(hn_place(cell, f), 5, 2.0, 0.5, 9u)",
     "vec3 colour(float value)",
   ]) {
     assert.ok(short.includes(part), part);
@@ -431,6 +431,6 @@ test("what is copied says what is chosen", () => {
   }
   assert.match(
     copied(library, "wgsl", state, "function", false).head.join("\n"),
-    /tools\/wgsl --arithmetic HN_FIXED --hash PCG --only .*hn_ridged2_cell/,
+    /tools\/wgsl --arithmetic HN_FIXED --hash PCG --only .*hn_ridged2_place/,
   );
 });

@@ -78,10 +78,9 @@ struct NoiseKernels {
   Octave octave_full;  // with a period
 };
 struct SumKernels {
-  Kernel at;       // at positions
-  Kernel in;       // in cells
-  Kernel tile_at;  // with a period
-  Kernel tile_in;
+  Kernel at;    // at positions
+  Kernel in;    // in cells
+  Kernel tile;  // with a period, of both
 };
 
 struct Kernels {

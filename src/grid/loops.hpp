@@ -18,7 +18,9 @@ using grid::Options;
 template <int D>
 using Cell = CellOf<D>;
 template <int D>
-using Place = PlaceOf<D>;
+using Fraction = PlaceOf<D>;
+template <int D>
+using Place = decltype(hn_place(std::declval<Cell<D>>(), std::declval<Fraction<D>>()));
 
 // The options, in all lanes.
 template <int D>
@@ -49,10 +51,14 @@ HN_I_INLINE Cell<D> cells_at(const Batch& b, int i) {
   });
 }
 template <int D>
-HN_I_INLINE Place<D> places_at(const Batch& b, int i) {
-  return vector_of<Place<D>, D>([&](int axis) __attribute__((always_inline)) {
+HN_I_INLINE Fraction<D> fractions_at(const Batch& b, int i) {
+  return vector_of<Fraction<D>, D>([&](int axis) __attribute__((always_inline)) {
     return Float::load(b.place[axis] + i * b.stride[axis]);
   });
+}
+template <int D>
+HN_I_INLINE Place<D> places_at(const Batch& b, int i) {
+  return hn_place(cells_at<D>(b, i), fractions_at<D>(b, i));
 }
 
 // What a noise with a period takes beside the point and the seed.
@@ -69,8 +75,9 @@ template <int D, typename Result, typename Axes = std::make_index_sequence<D>>
 struct OctaveOf;
 template <int D, typename Result, std::size_t... Axis>
 struct OctaveOf<D, Result, std::index_sequence<Axis...>> {
-  using Plain = Result (*)(ForEach<Int, Axis>..., ForEach<Float, Axis>..., Uint seed);
-  using Tiled = Result (*)(ForEach<Int, Axis>..., ForEach<Float, Axis>..., const Tile<D>& tile, Uint seed);
+  using Plain = Result (*)(ForEach<Int, Axis>... cell, ForEach<hn_num, Axis>... fraction, Uint seed);
+  using Tiled = Result (*)(ForEach<Int, Axis>... cell, ForEach<hn_num, Axis>... fraction, const Tile<D>& tile,
+                           Uint seed);
 };
 
 // The component of a point along an axis.

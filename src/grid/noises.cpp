@@ -6,36 +6,36 @@ namespace hashnoise {
 namespace HN_LANES {
 namespace {
 
-// A noise in a cell, by how it is called: plain, with everything that may be chosen (full), with a phase, and both. In
-// 4D the gradient is a parameter.
-#define HN_GRID_NOISE(kind, name, shape, ...)                                                      \
-  struct name##_##kind {                                                                           \
-    template <int D>                                                                               \
-    HN_I_INLINE static auto at(Cell<D> cell, Place<D> f, [[maybe_unused]] const Given<D>& given) { \
-      if constexpr (D == 4 && grid::Shape::shape == grid::Shape::kWithSlopes) {                    \
-        ValueAndGradient n;                                                                        \
-        n.value = hn_##name(cell, f, __VA_ARGS__, n.gradient);                                     \
-        return n;                                                                                  \
-      } else {                                                                                     \
-        return hn_##name(cell, f, __VA_ARGS__);                                                    \
-      }                                                                                            \
-    }                                                                                              \
+// A noise at a place, by how it is called: plain, in a tile with everything that may be chosen (full), with a phase,
+// and both. In 4D the gradient is a parameter.
+#define HN_GRID_NOISE(kind, name, shape, in, ...)                                        \
+  struct name##_##kind {                                                                 \
+    template <int D>                                                                     \
+    HN_I_INLINE static auto at(Place<D> place, [[maybe_unused]] const Given<D>& given) { \
+      if constexpr (D == 4 && grid::Shape::shape == grid::Shape::kWithSlopes) {          \
+        ValueAndGradient n;                                                              \
+        n.value = hn_##name(in, __VA_ARGS__, n.gradient);                                \
+        return n;                                                                        \
+      } else {                                                                           \
+        return hn_##name(in, __VA_ARGS__);                                               \
+      }                                                                                  \
+    }                                                                                    \
   };
+#define HN_GRID_TILE hn_tile(place, given.period)
 // By what it takes. What has no phase has no struct for it.
-#define HN_GRID_WITHOUT_PHASE(name, shape, ...) \
-  HN_GRID_NOISE(plain, name, shape, given.seed) \
-  HN_GRID_NOISE(full, name, shape, __VA_ARGS__) \
-  struct name##_phase;                          \
+#define HN_GRID_WITHOUT_PHASE(name, shape, ...)               \
+  HN_GRID_NOISE(plain, name, shape, place, given.seed)        \
+  HN_GRID_NOISE(full, name, shape, HN_GRID_TILE, __VA_ARGS__) \
+  struct name##_phase;                                        \
   struct name##_phase_full;
-#define HN_GRID_kNothing(name, shape) HN_GRID_WITHOUT_PHASE(name, shape, given.period, given.seed)
-#define HN_GRID_kJitter(name, shape) HN_GRID_WITHOUT_PHASE(name, shape, given.period, given.jitter, given.seed)
-#define HN_GRID_kJitterAndMetric(name, shape) \
-  HN_GRID_WITHOUT_PHASE(name, shape, given.period, given.jitter, given.metric, given.seed)
-#define HN_GRID_kPhase(name, shape)                          \
-  HN_GRID_NOISE(plain, name, shape, given.seed)              \
-  HN_GRID_NOISE(full, name, shape, given.period, given.seed) \
-  HN_GRID_NOISE(phase, name, shape, given.phase, given.seed) \
-  HN_GRID_NOISE(phase_full, name, shape, given.period, given.phase, given.seed)
+#define HN_GRID_kNothing(name, shape) HN_GRID_WITHOUT_PHASE(name, shape, given.seed)
+#define HN_GRID_kJitter(name, shape) HN_GRID_WITHOUT_PHASE(name, shape, given.jitter, given.seed)
+#define HN_GRID_kJitterAndMetric(name, shape) HN_GRID_WITHOUT_PHASE(name, shape, given.jitter, given.metric, given.seed)
+#define HN_GRID_kPhase(name, shape)                                 \
+  HN_GRID_NOISE(plain, name, shape, place, given.seed)              \
+  HN_GRID_NOISE(full, name, shape, HN_GRID_TILE, given.seed)        \
+  HN_GRID_NOISE(phase, name, shape, place, given.phase, given.seed) \
+  HN_GRID_NOISE(phase_full, name, shape, HN_GRID_TILE, given.phase, given.seed)
 
 #define HN_CATALOG_NOISE(Id, name, first, last, shape, takes) HN_GRID_##takes(name, shape)
 #include "catalog.inc"
@@ -45,7 +45,7 @@ void at_points(const Batch& batch, const Options& options, Octave) {
   const Batch b = batch;
   const Given<D> given(options);
   for (int i = 0; i < b.count; i += kCount) {
-    store(b, i, Noise::template at<D>(cells_at<D>(b, i), places_at<D>(b, i), given));
+    store(b, i, Noise::template at<D>(places_at<D>(b, i), given));
   }
 }
 
@@ -55,11 +55,11 @@ void along_row(const Batch& batch, const Options& options, Octave) {
   const Batch b = batch;
   const Given<D> given(options);
   Cell<D> cell = cells_at<D>(b, 0);
-  Place<D> f = places_at<D>(b, 0);
+  Fraction<D> f = fractions_at<D>(b, 0);
   for (int i = 0; i < b.count; i += kCount) {
     cell.x = Int::load(b.cell[0] + i);
     f.x = Float::load(b.place[0] + i);
-    store(b, i, Noise::template at<D>(cell, f, given));
+    store(b, i, Noise::template at<D>(hn_place(cell, f), given));
   }
 }
 
@@ -68,18 +68,19 @@ template <int D, typename Noise, typename Axes = std::make_index_sequence<D>>
 struct Called;
 template <int D, typename Noise, std::size_t... Axis>
 struct Called<D, Noise, std::index_sequence<Axis...>> {
-  [[gnu::noinline]] static auto plain(ForEach<Int, Axis>... cell, ForEach<Float, Axis>... f, Uint seed) {
+ public:
+  [[gnu::noinline]] static auto plain(ForEach<Int, Axis>... cell, ForEach<hn_num, Axis>... fraction, Uint seed) {
     Given<D> given{Options{}};
     given.seed = seed;
-    return Noise::template at<D>(Cell<D>(cell...), Place<D>(f...), given);
+    return Noise::template at<D>(place(cell..., fraction...), given);
   }
-  [[gnu::noinline]] static auto tiled(ForEach<Int, Axis>... cell, ForEach<Float, Axis>... f, const Tile<D>& tile,
-                                      Uint seed) {
+  [[gnu::noinline]] static auto tiled(ForEach<Int, Axis>... cell, ForEach<hn_num, Axis>... fraction,
+                                      const Tile<D>& tile, Uint seed) {
     Given<D> given{Options{}};
     given.period = tile.period;
     given.seed = seed;
     given.jitter = tile.jitter;
-    return Noise::template at<D>(Cell<D>(cell...), Place<D>(f...), given);
+    return Noise::template at<D>(place(cell..., fraction...), given);
   }
 
   // Kernels that call these for each vector of points.
@@ -87,9 +88,8 @@ struct Called<D, Noise, std::index_sequence<Axis...>> {
     const Batch b = batch;
     const Uint seed(options.seed);
     for (int i = 0; i < b.count; i += kCount) {
-      const Cell<D> cell = cells_at<D>(b, i);
-      const Place<D> f = places_at<D>(b, i);
-      store(b, i, plain(along<Axis>(cell)..., along<Axis>(f)..., seed));
+      const Place<D> at = places_at<D>(b, i);
+      store(b, i, plain(along<Axis>(at.cell)..., along<Axis>(at.fraction)..., seed));
     }
   }
   static void tiled_at_points(const Batch& batch, const Options& options, Octave) {
@@ -97,10 +97,15 @@ struct Called<D, Noise, std::index_sequence<Axis...>> {
     const Given<D> given(options);
     const Tile<D> tile{given.period, given.jitter};
     for (int i = 0; i < b.count; i += kCount) {
-      const Cell<D> cell = cells_at<D>(b, i);
-      const Place<D> f = places_at<D>(b, i);
-      store(b, i, tiled(along<Axis>(cell)..., along<Axis>(f)..., tile, given.seed));
+      const Place<D> at = places_at<D>(b, i);
+      store(b, i, tiled(along<Axis>(at.cell)..., along<Axis>(at.fraction)..., tile, given.seed));
     }
+  }
+
+ private:
+  HN_I_INLINE static Place<D> place(ForEach<Int, Axis>... cell, ForEach<hn_num, Axis>... fraction) {
+    using Numbers = decltype(Place<D>::fraction);
+    return hn_i_place(Cell<D>(cell...), Numbers(fraction...), Cell<D>(ForEach<Int, Axis>(0)...));
   }
 };
 

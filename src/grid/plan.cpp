@@ -168,8 +168,8 @@ void plan_sum(Plan& plan, const Settings& settings, NoiseId noise, SumId id, boo
         settings.detail ? checked(kDetailRule, settings.detail) : checked(kFootprintRule, settings.footprint);
     plan.at = kernels.at;
   } else {
-    plan.at = tiled ? kernels.tile_at : kernels.at;
-    plan.in = plan.row = tiled ? kernels.tile_in : kernels.in;
+    plan.at = tiled ? kernels.tile : kernels.at;
+    plan.in = plan.row = tiled ? kernels.tile : kernels.in;
   }
 }
 

@@ -14,37 +14,33 @@ class Called {
  public:
   explicit Called(Octave noise) : octave_(noise) {}
 
-  HN_I_INLINE Result octave(Cell<D> cell, Place<D> f, Uint seed) const {
-    return call(cell, f, seed, std::make_index_sequence<D>());
-  }
-  HN_I_INLINE Result octave(Cell<D> cell, Place<D> f, Cell<D> period, Uint seed) const {
-    return call(cell, f, Tile<D>{period, Float(1.0f)}, seed, std::make_index_sequence<D>());
+  HN_I_INLINE Result octave(Place<D> place, Uint seed) const {
+    return call(place, seed, std::make_index_sequence<D>());
   }
 
  private:
   template <std::size_t... Axis>
-  HN_I_INLINE Result call(Cell<D> cell, Place<D> f, Uint seed, std::index_sequence<Axis...>) const {
-    return reinterpret_cast<typename OctaveOf<D, Result>::Plain>(octave_)(along<Axis>(cell)..., along<Axis>(f)...,
-                                                                          seed);
-  }
-  template <std::size_t... Axis>
-  HN_I_INLINE Result call(Cell<D> cell, Place<D> f, const Tile<D>& tile, Uint seed,
-                          std::index_sequence<Axis...>) const {
-    return reinterpret_cast<typename OctaveOf<D, Result>::Tiled>(octave_)(along<Axis>(cell)..., along<Axis>(f)..., tile,
-                                                                          seed);
+  HN_I_INLINE Result call(Place<D> place, Uint seed, std::index_sequence<Axis...>) const {
+    using Types = OctaveOf<D, Result>;
+    if (place.tiled) {
+      return reinterpret_cast<typename Types::Tiled>(octave_)(
+          along<Axis>(place.cell)..., along<Axis>(place.fraction)..., Tile<D>{place.period, Float(1.0f)}, seed);
+    }
+    return reinterpret_cast<typename Types::Plain>(octave_)(along<Axis>(place.cell)..., along<Axis>(place.fraction)...,
+                                                            seed);
   }
 
   Octave octave_;
 };
 
 // A noise that is inlined.
-#define HN_GRID_INLINED(Name, name)                                                                          \
-  template <int D>                                                                                           \
-  class Name {                                                                                               \
-   public:                                                                                                   \
-    explicit Name(Octave) {}                                                                                 \
-                                                                                                             \
-    HN_I_INLINE Float octave(Cell<D> cell, Place<D> f, Uint seed) const { return hn_##name(cell, f, seed); } \
+#define HN_GRID_INLINED(Name, name)                                                              \
+  template <int D>                                                                               \
+  class Name {                                                                                   \
+   public:                                                                                       \
+    explicit Name(Octave) {}                                                                     \
+                                                                                                 \
+    HN_I_INLINE Float octave(Place<D> place, Uint seed) const { return hn_##name(place, seed); } \
   };
 HN_GRID_INLINED(Value, value)
 HN_GRID_INLINED(Perlin, perlin)
@@ -125,7 +121,7 @@ HN_GRID_SUM(Ridged, hn_i_add_ridge, hn_i_bounded)
 template <int D, typename Noise, typename Sum>
 class SumOf {
  public:
-  static constexpr bool kClampsInCells = false;
+  static constexpr bool kClampsInPlaces = false;
 
   HN_I_INLINE SumOf(Octave noise, const Options& options, const Given<D>& given)
       : noise_(noise), sum_(options), given_(given) {
@@ -144,13 +140,6 @@ class SumOf {
     HN_I_OCTAVES(noise_.octave, sum_.add)
     return hn_i_value(sum_.end(hn_i_mean(s.sum, total_)));
   }
-  template <typename Position>
-  HN_I_INLINE Float tile_at(Position q) const {
-    Cell<D> period = given_.period;
-    hn_i_octave_sum s = hn_i_begin(given_.octaves, hn_i_tiling(given_.lacunarity), given_.gain, option_, given_.seed);
-    HN_I_TILES(noise_.octave, sum_.add)
-    return hn_i_value(sum_.end(hn_i_mean(s.sum, total_)));
-  }
 
  private:
   Noise noise_;
@@ -159,11 +148,19 @@ class SumOf {
   hn_num option_, total_;
 };
 
+// Whether the octaves are those of a tile, which do not turn.
+template <typename Position>
+HN_I_INLINE bool is_tile(const Position& q) {
+  if constexpr (requires { q.tiled; }) {
+    return q.tiled;
+  } else {
+    return false;
+  }
+}
+
 // Sums with frames. HN_I_OF_ERODED2 and so on are lists of what the macros of frame.glsl take.
 #define HN_GRID_FRAMED(options, option, begin, each, onward, finish) \
-  HN_I_BEGIN(option) HN_I_FRAMED(noise_.octave, begin, each, onward, finish)
-#define HN_GRID_FRAMED_TILE(options, option, begin, each, onward, finish) \
-  HN_I_BEGIN_TILE(option) HN_I_FRAMED_TILE(noise_.octave, begin, each, onward, finish)
+  HN_I_BEGIN(option) HN_I_FRAMED(noise_.octave, is_tile(q), begin, each, onward, finish)
 #define HN_GRID_APPLIED(macro, ...) macro(__VA_ARGS__)
 // What these name.
 #define HN_GRID_NAMES                                                                   \
@@ -175,19 +172,13 @@ class SumOf {
   template <typename Noise>                                                                                 \
   class Name {                                                                                              \
    public:                                                                                                  \
-    static constexpr bool kClampsInCells = true;                                                            \
+    static constexpr bool kClampsInPlaces = true;                                                           \
                                                                                                             \
     HN_I_INLINE Name(Octave noise, const Options&, const Given<D>& given) : noise_(noise), given_(given) {} \
     template <typename Position>                                                                            \
     HN_I_INLINE Value at(Position q) const {                                                                \
       HN_GRID_NAMES                                                                                         \
       HN_GRID_APPLIED(HN_GRID_FRAMED, __VA_ARGS__)                                                          \
-    }                                                                                                       \
-    template <typename Position>                                                                            \
-    HN_I_INLINE Value tile_at(Position q) const {                                                           \
-      HN_GRID_NAMES                                                                                         \
-      Cell<D> period = given_.period;                                                                       \
-      HN_GRID_APPLIED(HN_GRID_FRAMED_TILE, __VA_ARGS__)                                                     \
     }                                                                                                       \
                                                                                                             \
    private:                                                                                                 \
@@ -203,44 +194,42 @@ HN_GRID_FRAMED_SUM(Warp3, 3, vec3, HN_I_OF_WARP3)
 HN_GRID_FRAMED_SUM(WarpProgressive2, 2, vec2, HN_I_OF_PROGRESSIVE2)
 HN_GRID_FRAMED_SUM(WarpProgressive3, 3, vec3, HN_I_OF_PROGRESSIVE3)
 
-// The positions of a batch: as they are, or from cells.
+// The positions of a batch: as they are, or from cells, or in a tile.
 template <int D>
 struct Positions {
-  HN_I_INLINE static bool in_cells(const Batch&) { return false; }
-  HN_I_INLINE static auto of(const Batch& b, int i) { return hn_i_position(places_at<D>(b, i)); }
+  HN_I_INLINE static auto of(const Batch& b, int i, const Given<D>&) { return hn_i_position(fractions_at<D>(b, i)); }
 };
 template <int D>
 struct Cells {
-  HN_I_INLINE static bool in_cells(const Batch&) { return true; }
-  HN_I_INLINE static auto of(const Batch& b, int i) { return hn_i_position(cells_at<D>(b, i), places_at<D>(b, i)); }
+  HN_I_INLINE static auto of(const Batch& b, int i, const Given<D>&) { return hn_i_position(places_at<D>(b, i)); }
 };
-// In HN_FIXED both are of one type, and one kernel takes both.
+// In HN_FIXED both are of one type, and in a tile with all arithmetics: then one kernel takes both.
+template <int D>
+HN_I_INLINE Place<D> place_at(const Batch& b, int i) {
+  return b.cell[0] != nullptr ? places_at<D>(b, i) : hn_place(fractions_at<D>(b, i));
+}
 template <int D>
 struct Either {
-  HN_I_INLINE static bool in_cells(const Batch& b) { return b.cell[0] != nullptr; }
-  HN_I_INLINE static auto of(const Batch& b, int i) {
-    return in_cells(b) ? Cells<D>::of(b, i) : Positions<D>::of(b, i);
+  HN_I_INLINE static auto of(const Batch& b, int i, const Given<D>&) { return hn_i_position(place_at<D>(b, i)); }
+};
+template <int D>
+struct Tiles {
+  HN_I_INLINE static auto of(const Batch& b, int i, const Given<D>& given) {
+    return hn_i_position(hn_tile(place_at<D>(b, i), given.period));
   }
 };
 
-// A sum with frames takes a lacunarity that is clamped where it starts from cells (HN_I_BEGIN_IN).
-template <int D, typename At, typename Sum>
-HN_I_INLINE Sum sum_for(const Batch& b, const Options& options, Octave octave) {
-  Given<D> given(options);
-  if (Sum::kClampsInCells && At::in_cells(b)) given.lacunarity = min(max(given.lacunarity, 0.0f), 255.0f);
-  return Sum(octave, options, given);
-}
+// A sum with frames takes a lacunarity that is clamped where it starts from places (HN_I_BEGIN_FRAMED_IN).
 template <int D, typename At, typename Sum>
 void at_points(const Batch& batch, const Options& options, Octave octave) {
+  constexpr bool kIsTiled = std::is_same_v<At, Tiles<D>>;
   const Batch b = batch;
-  const Sum sum = sum_for<D, At, Sum>(b, options, octave);
-  for (int i = 0; i < b.count; i += kCount) store(b, i, sum.at(At::of(b, i)));
-}
-template <int D, typename At, typename Sum>
-void tile_at_points(const Batch& batch, const Options& options, Octave octave) {
-  const Batch b = batch;
-  const Sum sum = sum_for<D, At, Sum>(b, options, octave);
-  for (int i = 0; i < b.count; i += kCount) store(b, i, sum.tile_at(At::of(b, i)));
+  Given<D> given(options);
+  const bool is_clamped = Sum::kClampsInPlaces && (kIsTiled || b.cell[0] != nullptr);
+  if (is_clamped) given.lacunarity = min(max(given.lacunarity, 0.0f), 255.0f);
+  given.lacunarity = hn_i_lacunarity(given.lacunarity, kIsTiled);
+  const Sum sum(octave, options, given);
+  for (int i = 0; i < b.count; i += kCount) store(b, i, sum.at(At::of(b, i, given)));
 }
 
 using grid::SumKernels;
@@ -267,8 +256,7 @@ SumKernels without_period() {
 template <int D, typename Sum>
 SumKernels kernels_of() {
   SumKernels k = without_period<D, Sum>();
-  k.tile_at = tile_at_points<D, FromPositions<D>, Sum>;
-  k.tile_in = tile_at_points<D, FromCells<D>, Sum>;
+  k.tile = at_points<D, Tiles<D>, Sum>;
   return k;
 }
 

@@ -35,8 +35,9 @@ LINES = 8
 INPUTS = 16   # words of a point
 OUTPUTS = 4
 # Users name their uniforms as the library names its variables, and both must keep their values.
-NAMES_OF_USERS = ("seed", "p", "q", "f", "s", "cell", "period", "octaves", "lacunarity", "gain", "n", "x", "y", "z",
-                  "h", "k", "w", "jitter", "first", "last", "sum", "size", "growth", "phase", "weight")
+NAMES_OF_USERS = ("seed", "p", "q", "f", "s", "cell", "place", "tile", "tiled", "period", "octaves", "lacunarity",
+                  "gain", "n", "x", "y", "z", "h", "k", "w", "jitter", "first", "last", "sum", "size", "growth",
+                  "phase", "weight")
 SHADER = """\
 shader_type canvas_item;
 render_mode blend_disabled, unshaded;

@@ -39,7 +39,7 @@ const bodies = {
     return uvec4(bits_of(hn_perlin(vec2(float_of(a.x), float_of(a.y)), a.z + ${more}u)), 0u, 0u, 0u);`,
   "fbm.ridged2_cell": (more) => `
     vec2 f = vec2(float_of(a.z), float_of(a.w));
-    float n = hn_ridged(ivec2(a.xy), f, int(b.x), float_of(b.y), float_of(b.z), b.w + ${more}u);
+    float n = hn_ridged(hn_place(ivec2(a.xy), f), int(b.x), float_of(b.y), float_of(b.z), b.w + ${more}u);
     return uvec4(bits_of(n), 0u, 0u, 0u);`,
   "noise3d.cellular": (more) => `
     vec2 n = hn_cellular(vec3(float_of(a.x), float_of(a.y), float_of(a.z)), a.w + ${more}u);
@@ -75,11 +75,11 @@ const heights = {
   "hn_fbm(p.xy, 7, 1.875, 0.625, seed)": (p, seed) =>
     new Field(2, { sum: "fbm", octaves: 7, lacunarity: 1.875, gain: 0.625, seed }).at(p[0], p[1]),
   "hn_ridged(p, 5, 2.0, 0.5, seed)": (p, seed) => new Field(3, { sum: "ridged", octaves: 5, seed }).at(...p),
-  "hn_simplex(p, ivec3(9, 16, 5), seed)": (p, seed) =>
+  "hn_simplex(hn_tile(p, ivec3(9, 16, 5)), seed)": (p, seed) =>
     new Field(3, { noise: "simplex", period: [9, 16, 5], seed }).at(...p),
   "hn_eroded(p.xy, 4, 2.0, 0.5, 1.5, seed)": (p, seed) =>
     new Field(2, { sum: "eroded", octaves: 4, strength: 1.5, seed }).at(p[0], p[1]),
-  "hn_cellular(p.xy, ivec2(0), 0.75, HN_METRIC_MANHATTAN, seed).y": (p, seed) =>
+  "hn_cellular(p.xy, 0.75, HN_METRIC_MANHATTAN, seed).y": (p, seed) =>
     new Field(2, { noise: "cellular", jitter: 0.75, metric: "manhattan", seed }).all(p[0], p[1])[1],
 };
 

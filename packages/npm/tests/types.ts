@@ -1,12 +1,12 @@
 // What tsc says of the package: each line below a @ts-expect-error is an error, and no other is.
-import { uv, vec3 } from "three/tsl";
+import { ivec2, uv, vec3 } from "three/tsl";
 import { Field, init, type Settings } from "hashnoise";
 import fbm2d from "hashnoise/glsl/fbm2d";
 import noise2d from "hashnoise/glsl/noise2d";
 import included from "hashnoise/glsl/fbm2d.glsl";
 import everything from "hashnoise/hashnoise.glsl?raw";
 import { registerChunks } from "hashnoise/three";
-import { hn_fbm2, hn_perlin_d2 } from "hashnoise/tsl";
+import { hn_fbm2, hn_fbm2_place, hn_perlin_d2, hn_tile2 } from "hashnoise/tsl";
 import { hn_lattice2 } from "hashnoise/tsl/fixed";
 import { hn_cellular2, wgsl } from "hashnoise/wgsl";
 import { hn_fbm3 } from "hashnoise/wgsl/fixed";
@@ -19,6 +19,7 @@ export const several: number[] = [...field.all(1, 2), ...field.points([[1], [2]]
 export const started: Promise<void> = init();
 export const text: string = fbm2d + noise2d + included + everything + wgsl(hn_cellular2, hn_fbm3);
 export const color = vec3(hn_fbm2(uv().mul(8), 6, 2, 0.5).add(0.5)).add(hn_perlin_d2(uv(), 7).mul(0.1));
+export const tile = hn_fbm2_place(hn_tile2(uv().mul(8), ivec2(8, 8)), 6, 2, 0.5, 7);
 registerChunks();
 
 // @ts-expect-error there is no such noise
@@ -37,6 +38,8 @@ export const wrongText: number = fbm2d;
 hn_fbm2(1, 6, 2, 0.5);
 // @ts-expect-error the octaves are missing
 hn_fbm2(uv());
+// @ts-expect-error nor is it a place
+hn_fbm2_place(uv(), 6, 2, 0.5);
 // @ts-expect-error a cell is of integers
 hn_lattice2(uv());
 // @ts-expect-error a name is not a definition

@@ -1,8 +1,8 @@
 // The twin in WebAssembly: noises and sums with HN_FIXED, four points at a time. index.js writes settings and points
 // into `settings` and `batch`, and calls `run`.
 //
-// It is small, since every page loads it: functions are called and not inlined, a noise has one form (from a cell, with
-// a period, which may be none), and the sums of a dimension are one loop. tools/npm says by which flags it is compiled.
+// It is small, since every page loads it: functions are called and not inlined, a noise has one form (in a tile, whose
+// period may be none), and the sums of a dimension are one loop. tools/npm says by which flags it is compiled.
 #define HN_ARITHMETIC HN_FIXED
 
 // clang-format off
@@ -49,9 +49,9 @@ Batch batch;
 // Noises. Numbers are passed one by one, so that they stay in registers.
 
 using Numbers = Float[kComponents];
-using Kernel1 = void (*)(Int cell, Float f, Int period, Uint seed, Numbers& n);
-using Kernel2 = void (*)(ivec2 cell, vec2 f, ivec2 period, Uint seed, Numbers& n);
-using Kernel3 = void (*)(ivec3 cell, vec3 f, ivec3 period, Uint seed, Numbers& n);
+using Kernel1 = void (*)(Int cell, Int fraction, Int period, Uint seed, Numbers& n);
+using Kernel2 = void (*)(ivec2 cell, ivec2 fraction, ivec2 period, Uint seed, Numbers& n);
+using Kernel3 = void (*)(ivec3 cell, ivec3 fraction, ivec3 period, Uint seed, Numbers& n);
 
 HN_I_INLINE void put(Numbers& n, Float v) { n[0] = v; }
 HN_I_INLINE void put(Numbers& n, vec2 v) {
@@ -70,11 +70,13 @@ HN_I_INLINE void put(Numbers& n, vec4 v) {
   n[3] = v.w;
 }
 
-#define TWIN_NOISE(D, IVec, Vec, name, ...) \
-  [](IVec cell, Vec f, IVec period, Uint seed, Numbers& n) { put(n, hn_##name(cell, f, period, __VA_ARGS__)); }
-#define TWIN_LINE(name, ...) TWIN_NOISE(1, Int, Float, name, __VA_ARGS__)
-#define TWIN_PLANE(name, ...) TWIN_NOISE(2, ivec2, vec2, name, __VA_ARGS__)
-#define TWIN_SPACE(name, ...) TWIN_NOISE(3, ivec3, vec3, name, __VA_ARGS__)
+#define TWIN_NOISE(IVec, name, ...)                                                      \
+  [](IVec cell, IVec fraction, IVec period, Uint seed, Numbers& n) {                     \
+    put(n, hn_##name(hn_tile(hn_i_place(cell, fraction, IVec()), period), __VA_ARGS__)); \
+  }
+#define TWIN_LINE(name, ...) TWIN_NOISE(Int, name, __VA_ARGS__)
+#define TWIN_PLANE(name, ...) TWIN_NOISE(ivec2, name, __VA_ARGS__)
+#define TWIN_SPACE(name, ...) TWIN_NOISE(ivec3, name, __VA_ARGS__)
 
 // By their numbers in index.js.
 // tools/catalog: noises
@@ -125,8 +127,8 @@ auto kernel() {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Sums, made of the library's steps in one loop. The macros of the library would make a loop for each sum, and one more
-// for its tiles: a noise without a period is one whose period is 0, so here only the way to the next octave differs.
+// Sums, made of the library's steps in one loop. The macros of the library would make a loop for each sum. A noise
+// without a period is one whose period is 0, so only the way to the next octave differs in a tile.
 
 // By their numbers in index.js. kMostStrengths has what the strength or the amplitude of each is at most.
 // tools/catalog: sums
@@ -157,7 +159,7 @@ template <int D>
 struct Types;
 template <>
 struct Types<1> {
-  using Whole = ivec2;
+  using Whole = hn_i_whole1;
 };
 template <>
 struct Types<2> {
@@ -211,8 +213,8 @@ struct Beginning {
 Beginning beginning;
 
 void begin() {
-  Float lacunarity = min(max(Float(settings.lacunarity), Float(0.0f)), Float(255.0f));
-  if (settings.tiled) lacunarity = hn_i_tiling(lacunarity);
+  const Float lacunarity =
+      hn_i_lacunarity(min(max(Float(settings.lacunarity), Float(0.0f)), Float(255.0f)), settings.tiled != 0);
   const int octaves = settings.octaves < 32 ? settings.octaves : 32;
   const hn_i_octave_sum s =
       hn_i_begin(Int(octaves), lacunarity, Float(settings.gain),
@@ -222,35 +224,42 @@ void begin() {
 }
 
 template <int D>
-Float octave(const typename Types<D>::Whole& q, CellOf<D> period, Uint seed, Numbers& n) {
-  kernel<D>()(hn_i_cell_of(q), hn_i_place_of(q), period, seed, n);
+using Place = decltype(hn_place(CellOf<D>(), PlaceOf<D>()));
+
+template <int D>
+void noise(const Place<D>& place, Uint seed, Numbers& n) {
+  kernel<D>()(place.cell, place.fraction, place.period, seed, n);
+}
+
+template <int D>
+Float octave(const typename Types<D>::Whole& q, Uint seed, Numbers& n) {
+  noise<D>(hn_i_place_of(q), seed, n);
   return n[0];
 }
 
 template <int D>
-void sum(CellOf<D> cell, PlaceOf<D> f, CellOf<D> period, Numbers& n) {
-  auto q = hn_i_position(cell, f);
+void sum(const Place<D>& place, Numbers& n) {
+  typename Types<D>::Whole q = hn_i_position(place);
   hn_i_octave_sum s = beginning.s;
   const Float lacunarity = s.lacunarity;
   if constexpr (D == 1) {
     for (int left = beginning.octaves; left > 0; --left) {
-      add_value(s, octave<D>(q, period, s.seed, n));
+      add_value(s, octave<D>(q, s.seed, n));
       hn_i_step(s);
       q = hn_i_next(q, lacunarity);
-      period = hn_i_next_period(period, lacunarity);
     }
   } else {
     auto k = Types<D>::first_frame();
     typename Types<D>::Vector sums, e, v;
     for (int left = beginning.octaves; left > 0; --left) {
-      const Float value = octave<D>(q, period, s.seed, n);
+      const Float value = octave<D>(q, s.seed, n);
       if (is_warp()) {
         const Uint other = hn_i_other_seed(s.seed);
-        const Float y = octave<D>(q, period, other, n);
+        const Float y = octave<D>(q, other, n);
         if constexpr (D == 2) {
           v = hn_i_vector(value, y);
         } else {
-          v = hn_i_vector(value, y, octave<D>(q, period, hn_i_other_seed(other), n));
+          v = hn_i_vector(value, y, octave<D>(q, hn_i_other_seed(other), n));
         }
         hn_i_add_vector(sums, v, s.weight);
         if (settings.sum == kWarpProgressive) q = hn_i_moved(q, k, v, beginning.rate);
@@ -263,12 +272,11 @@ void sum(CellOf<D> cell, PlaceOf<D> f, CellOf<D> period, Numbers& n) {
         add_value(s, value);
       }
       hn_i_step(s);
-      q = settings.tiled ? hn_i_next_tile(q, lacunarity) : hn_i_next(q, lacunarity);
+      q = hn_i_next(q, lacunarity);
       if (has_frames()) {
-        k = settings.tiled ? hn_i_next_tile_frame(k, beginning.growth) : hn_i_next_frame(k, beginning.growth);
-        if (!settings.tiled) e = hn_i_turned(e);
+        k = hn_i_next_frame(k, beginning.growth, place.tiled);
+        e = hn_i_next_slope(e, place.tiled);
       }
-      period = hn_i_next_period(period, lacunarity);
     }
     if (is_warp()) return put(n, hn_i_shifts(sums, beginning.total, s.option));
     if (settings.sum == kFbmD) return put(n, hn_i_with_slopes(s.sum, sums, beginning.total));
@@ -284,11 +292,14 @@ void run_points(int count) {
   for (int i = 0; i < count; i += kCount) {
     const CellOf<D> cell = vector_of<CellOf<D>, D>([&](int axis) { return Int::load(batch.cell[axis] + i); });
     const PlaceOf<D> f = vector_of<PlaceOf<D>, D>([&](int axis) { return Float::load(batch.place[axis] + i); });
+    Place<D> place = hn_place(cell, f);
+    place.period = period;
+    place.tiled = settings.tiled != 0;
     Numbers n;
     if (settings.sum < 0) {
-      kernel<D>()(cell, f, period, settings.seed, n);
+      noise<D>(place, settings.seed, n);
     } else {
-      sum<D>(cell, f, period, n);
+      sum<D>(place, n);
     }
     for (int k = 0; k < kComponents; ++k) n[k].store(batch.value[k] + i);
   }
@@ -309,10 +320,10 @@ TWIN_EXPORT(batch) void* batch_at() { return &batch; }
 // Cells, and places in them, of positions along an axis. A sum keeps 24 bits of a place, and a noise 20.
 TWIN_EXPORT(split) void split(int axis, int count) {
   for (int i = 0; i < count; i += kCount) {
-    const Float p = Float::load(batch.place[axis] + i);
-    const auto whole = settings.sum < 0 ? HN_LANES::ivec2(hn_i_cell(p), hn_i_fraction(p) << 4) : hn_i_whole(p);
+    const hn_place1 place = hn_place(Float::load(batch.place[axis] + i));
+    const auto whole = hn_i_whole(place.cell, place.fraction, settings.sum < 0 ? Int(0) : place.rest);
     whole.x.store(batch.cell[axis] + i);
-    hn_i_whole_fraction(whole).store(batch.place[axis] + i);
+    (Float(whole.y) * (1.0f / 16777216.0f)).store(batch.place[axis] + i);
   }
 }
 

@@ -43,7 +43,7 @@ TEST(Header, FillsWithAValue) {
   settings.seed = 7;
   expect_bits_everywhere(
       settings, [](lanes::vec2 p) { return lanes::hn_perlin(p, 7u); },
-      [](lanes::ivec2 cell, lanes::vec2 f) { return lanes::hn_perlin(cell, f, 7u); });
+      [](lanes::ivec2 cell, lanes::vec2 f) { return lanes::hn_perlin(lanes::hn_place(cell, f), 7u); });
 }
 
 TEST(Header, FillsWithPlanes) {
@@ -51,7 +51,7 @@ TEST(Header, FillsWithPlanes) {
   settings.noise = "simplex_d";
   expect_bits_everywhere(
       settings, [](lanes::vec2 p) { return lanes::hn_simplex_d(p, 0u); },
-      [](lanes::ivec2 cell, lanes::vec2 f) { return lanes::hn_simplex_d(cell, f, 0u); });
+      [](lanes::ivec2 cell, lanes::vec2 f) { return lanes::hn_simplex_d(lanes::hn_place(cell, f), 0u); });
 }
 
 TEST(Header, FillsWithSums) {
@@ -60,7 +60,7 @@ TEST(Header, FillsWithSums) {
   settings.octaves = 4;
   expect_bits_everywhere(
       settings, [](lanes::vec2 p) { return lanes::hn_ridged(p, 4, 2.0f, 0.5f, 0u); },
-      [](lanes::ivec2 cell, lanes::vec2 f) { return lanes::hn_ridged(cell, f, 4, 2.0f, 0.5f, 0u); });
+      [](lanes::ivec2 cell, lanes::vec2 f) { return lanes::hn_ridged(lanes::hn_place(cell, f), 4, 2.0f, 0.5f, 0u); });
 }
 
 TEST(Header, FillsNothing) {
@@ -69,7 +69,7 @@ TEST(Header, FillsNothing) {
   EXPECT_EQ(lanes::fill(Grid<2>{{0, 0}, {1, 1}, {0, 5}}, none, noise), Range{});
   EXPECT_EQ(lanes::fill(Grid<2>{{0, 0}, {1, 1}, {5, 0}}, none, noise), Range{});
   EXPECT_EQ(lanes::fill(Points<2>{}, none, noise), Range{});
-  const auto in_cell = [](lanes::ivec2 cell, lanes::vec2 f) { return lanes::hn_perlin(cell, f, 7u); };
+  const auto in_cell = [](lanes::ivec2 cell, lanes::vec2 f) { return lanes::hn_perlin(lanes::hn_place(cell, f), 7u); };
   EXPECT_EQ(lanes::fill(CellGrid<2>{{0, 0}, {0, 0}, {1, 1}, {0, 5}}, none, in_cell), Range{});
   EXPECT_EQ(lanes::fill(CellGrid<2>{{0, 0}, {0, 0}, {1, 1}, {5, 0}}, none, in_cell), Range{});
   EXPECT_EQ(lanes::fill(CellPoints<2>{}, none, in_cell), Range{});

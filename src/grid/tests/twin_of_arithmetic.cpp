@@ -111,22 +111,22 @@ CALL(value_d)
 }  // namespace call
 #undef CALL
 
-// What a noise takes between its place and its seed. With a jitter there are only forms with a period, which may be 0.
+// What a noise takes between its place and its seed.
 enum class Options { kNone, kPhase, kJitter, kJitterAndMetric };
-constexpr bool always_has_period(Options options) {
-  return options == Options::kJitter || options == Options::kJitterAndMetric;
-}
+
+template <int D>
+using Place = decltype(hn_place(Ints<D>{}, Floats<D>{}));
 
 template <typename Call, Options O>
-auto called([[maybe_unused]] const Settings& s, std::uint32_t seed, auto... place) {
+auto called([[maybe_unused]] const Settings& s, std::uint32_t seed, auto where) {
   if constexpr (O == Options::kNone) {
-    return Call::of(place..., seed);
+    return Call::of(where, seed);
   } else if constexpr (O == Options::kPhase) {
-    return Call::of(place..., *s.phase, seed);
+    return Call::of(where, *s.phase, seed);
   } else if constexpr (O == Options::kJitter) {
-    return Call::of(place..., twin::jitter_of(s), seed);
+    return Call::of(where, twin::jitter_of(s), seed);
   } else {
-    return Call::of(place..., twin::jitter_of(s), twin::metric_of(s), seed);
+    return Call::of(where, twin::jitter_of(s), twin::metric_of(s), seed);
   }
 }
 
@@ -136,40 +136,21 @@ struct NoiseEntry {
   bool has_phase;
   int components;
   void (*at)(const Settings&, Floats<D> p, std::uint32_t seed, float* values);
-  void (*at_tile)(const Settings&, Floats<D> p, Ints<D> period, std::uint32_t seed, float* values);
-  void (*in)(const Settings&, Ints<D> cell, Floats<D> f, std::uint32_t seed, float* values);
-  void (*in_tile)(const Settings&, Ints<D> cell, Floats<D> f, Ints<D> period, std::uint32_t seed, float* values);
+  void (*in)(const Settings&, Place<D> place, std::uint32_t seed, float* values);
 };
 
 template <int D, typename Call, Options O = Options::kNone>
 NoiseEntry<D> entry(std::string_view name) {
-  using F = Floats<D>;
-  using I = Ints<D>;
   NoiseEntry<D> e;
   e.name = name;
   e.has_phase = O == Options::kPhase;
-  e.components = kComponents<decltype(called<Call, O>(std::declval<Settings>(), 0u, F{}, I{}))>;
-  e.at_tile = [](const Settings& s, F p, I period, std::uint32_t seed, float* values) {
-    store(called<Call, O>(s, seed, p, period), values);
+  e.components = kComponents<decltype(called<Call, O>(std::declval<Settings>(), 0u, Floats<D>{}))>;
+  e.at = [](const Settings& s, Floats<D> p, std::uint32_t seed, float* values) {
+    store(called<Call, O>(s, seed, p), values);
   };
-  e.in_tile = [](const Settings& s, I cell, F f, I period, std::uint32_t seed, float* values) {
-    store(called<Call, O>(s, seed, cell, f, period), values);
+  e.in = [](const Settings& s, Place<D> place, std::uint32_t seed, float* values) {
+    store(called<Call, O>(s, seed, place), values);
   };
-  if constexpr (always_has_period(O)) {
-    e.at = [](const Settings& s, F p, std::uint32_t seed, float* values) {
-      entry<D, Call, O>({}).at_tile(s, p, I{}, seed, values);
-    };
-    e.in = [](const Settings& s, I cell, F f, std::uint32_t seed, float* values) {
-      entry<D, Call, O>({}).in_tile(s, cell, f, I{}, seed, values);
-    };
-  } else {
-    e.at = [](const Settings& s, F p, std::uint32_t seed, float* values) {
-      store(called<Call, O>(s, seed, p), values);
-    };
-    e.in = [](const Settings& s, I cell, F f, std::uint32_t seed, float* values) {
-      store(called<Call, O>(s, seed, cell, f), values);
-    };
-  }
   return e;
 }
 
@@ -219,30 +200,16 @@ template <int D>
 thread_local Chosen<D> choice;
 
 template <int D>
-std::array<float, 5> of_choice(Ints<D> cell, Floats<D> f, std::uint32_t seed) {
+std::array<float, 5> of_choice(Place<D> place, std::uint32_t seed) {
   std::array<float, 5> values{};
-  choice<D>.noise->in(*choice<D>.settings, cell, f, seed, values.data());
-  return values;
-}
-template <int D>
-std::array<float, 5> of_choice(Ints<D> cell, Floats<D> f, Ints<D> period, std::uint32_t seed) {
-  std::array<float, 5> values{};
-  choice<D>.noise->in_tile(*choice<D>.settings, cell, f, period, seed, values.data());
+  choice<D>.noise->in(*choice<D>.settings, place, seed, values.data());
   return values;
 }
 
-#define CHOSEN(D)                                                                                        \
-  float chosen(Ints<D> cell, Floats<D> f, std::uint32_t seed) { return of_choice<D>(cell, f, seed)[0]; } \
-  float chosen(Ints<D> cell, Floats<D> f, Ints<D> period, std::uint32_t seed) {                          \
-    return of_choice<D>(cell, f, period, seed)[0];                                                       \
-  }
-#define CHOSEN_D(D)                                                                       \
-  Floats<D + 1> chosen_d(Ints<D> cell, Floats<D> f, std::uint32_t seed) {                 \
-    return glsl<D + 1>(of_choice<D>(cell, f, seed));                                      \
-  }                                                                                       \
-  Floats<D + 1> chosen_d(Ints<D> cell, Floats<D> f, Ints<D> period, std::uint32_t seed) { \
-    return glsl<D + 1>(of_choice<D>(cell, f, period, seed));                              \
-  }
+#define CHOSEN(D) \
+  float chosen(Place<D> place, std::uint32_t seed) { return of_choice<D>(place, seed)[0]; }
+#define CHOSEN_D(D) \
+  Floats<D + 1> chosen_d(Place<D> place, std::uint32_t seed) { return glsl<D + 1>(of_choice<D>(place, seed)); }
 CHOSEN(1)
 CHOSEN(2)
 CHOSEN(3)
@@ -254,34 +221,23 @@ CHOSEN_D(3)
 #define IN_ALL_DIMENSIONS(MACRO, name) MACRO##1D(name, chosen) MACRO##2D(name, chosen) MACRO##3D(name, chosen) MACRO##4D(name, chosen)
 #define IN_SPACE(MACRO, name, noise) MACRO##2D(name, noise) MACRO##3D(name, noise)
 IN_ALL_DIMENSIONS(HN_FBM, fbm)
-IN_ALL_DIMENSIONS(HN_FBM_PERIOD, fbm)
 IN_ALL_DIMENSIONS(HN_FBM_LIMITED, fbm)
 IN_ALL_DIMENSIONS(HN_TURBULENCE, turbulence)
-IN_ALL_DIMENSIONS(HN_TURBULENCE_PERIOD, turbulence)
 IN_ALL_DIMENSIONS(HN_CLOUDS, clouds)
-IN_ALL_DIMENSIONS(HN_CLOUDS_PERIOD, clouds)
 IN_ALL_DIMENSIONS(HN_BILLOW, billow)
-IN_ALL_DIMENSIONS(HN_BILLOW_PERIOD, billow)
 IN_ALL_DIMENSIONS(HN_RIDGED, ridged)
-IN_ALL_DIMENSIONS(HN_RIDGED_PERIOD, ridged)
 IN_ALL_DIMENSIONS(HN_PING_PONG, ping_pong)
-IN_ALL_DIMENSIONS(HN_PING_PONG_PERIOD, ping_pong)
 IN_ALL_DIMENSIONS(HN_WEIGHTED, weighted)
-IN_ALL_DIMENSIONS(HN_WEIGHTED_PERIOD, weighted)
 IN_SPACE(HN_FBM_D, fbm_d, chosen_d)
-IN_SPACE(HN_FBM_D_PERIOD, fbm_d, chosen_d)
 IN_SPACE(HN_ERODED, eroded, chosen_d)
-IN_SPACE(HN_ERODED_PERIOD, eroded, chosen_d)
 IN_SPACE(HN_WARP, warp, chosen)
-IN_SPACE(HN_WARP_PERIOD, warp, chosen)
 IN_SPACE(HN_WARP_PROGRESSIVE, warp_progressive, chosen)
-IN_SPACE(HN_WARP_PROGRESSIVE_PERIOD, warp_progressive, chosen)
 // clang-format on
 
-// A sum, of any arguments: its places, then what it takes in front of the seed.
-#define SUM(name, ...)                                                                               \
-  struct name##_call {                                                                               \
-    static auto of(const Settings& s, auto... place) { return name(place..., __VA_ARGS__, s.seed); } \
+// A sum, of a position or a place: what it takes in front of the seed.
+#define SUM(name, ...)                                                                         \
+  struct name##_call {                                                                         \
+    static auto of(const Settings& s, auto where) { return name(where, __VA_ARGS__, s.seed); } \
   };
 #define PLAIN twin::octaves_of(s), twin::lacunarity_of(s), twin::gain_of(s)
 SUM(fbm, PLAIN)
@@ -305,15 +261,15 @@ twin::Function<D> of_noise(const Settings& s) {
   function.components = noise->components;
   if (twin::has_period(s, D)) {
     function.at = [=, &s](const std::array<float, D>& p, float* values) {
-      noise->at_tile(s, glsl<D>(p), period, s.seed, values);
+      noise->in(s, hn_tile(glsl<D>(p), period), s.seed, values);
     };
     function.in = [=, &s](const std::array<std::int32_t, D>& cell, const std::array<float, D>& f, float* values) {
-      noise->in_tile(s, glsl<D>(cell), glsl<D>(f), period, s.seed, values);
+      noise->in(s, hn_tile(hn_place(glsl<D>(cell), glsl<D>(f)), period), s.seed, values);
     };
   } else {
     function.at = [=, &s](const std::array<float, D>& p, float* values) { noise->at(s, glsl<D>(p), s.seed, values); };
     function.in = [=, &s](const std::array<std::int32_t, D>& cell, const std::array<float, D>& f, float* values) {
-      noise->in(s, glsl<D>(cell), glsl<D>(f), s.seed, values);
+      noise->in(s, hn_place(glsl<D>(cell), glsl<D>(f)), s.seed, values);
     };
   }
   return function;
@@ -328,11 +284,12 @@ twin::Function<D> of_sum(const Settings& s) {
   function.components = kComponents<decltype(Call::of(s, Floats<D>{}))>;
   function.at = [=, &s](const std::array<float, D>& p, float* values) {
     choice<D> = {noise, &s};
-    store(tile ? Call::of(s, glsl<D>(p), period) : Call::of(s, glsl<D>(p)), values);
+    store(tile ? Call::of(s, hn_tile(glsl<D>(p), period)) : Call::of(s, glsl<D>(p)), values);
   };
   function.in = [=, &s](const std::array<std::int32_t, D>& cell, const std::array<float, D>& f, float* values) {
     choice<D> = {noise, &s};
-    store(tile ? Call::of(s, glsl<D>(cell), glsl<D>(f), period) : Call::of(s, glsl<D>(cell), glsl<D>(f)), values);
+    const Place<D> place = hn_place(glsl<D>(cell), glsl<D>(f));
+    store(Call::of(s, tile ? hn_tile(place, period) : place), values);
   };
   return function;
 }

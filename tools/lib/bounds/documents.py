@@ -67,15 +67,15 @@ def slope_table(derived: Everything) -> str:
 
 
 EXAMPLES = (  # of octave sums: a title, the number of dimensions, the sum
-    ("`hn_fbm(vec2)`, with a period, exact positions", 2,
-     Sum("fbm", 16.0, 5, 2.0, 0.5, turns=False, exact_positions=True)),
-    ("`hn_fbm(vec2)`, with a period", 2, Sum("fbm", 16.0, 5, 2.0, 0.5, turns=False)),
+    ("`hn_fbm(hn_place2)`, a tile, exact positions", 2,
+     Sum("fbm", 16.0, 5, 2.0, 0.5, turns=False, from_cell=True, exact_positions=True)),
+    ("`hn_fbm(hn_place2)`, a tile", 2, Sum("fbm", 16.0, 5, 2.0, 0.5, turns=False, from_cell=True)),
     ("`hn_fbm(float)`", 1, Sum("fbm", 16.0, 5, 2.0, 0.5)),
     ("`hn_fbm(vec2)`", 2, Sum("fbm", 16.0, 5, 2.0, 0.5)),
     ("`hn_fbm(vec3)`", 3, Sum("fbm", 16.0, 5, 2.0, 0.5)),
     ("`hn_fbm(vec4)`", 4, Sum("fbm", 16.0, 5, 2.0, 0.5)),
     ("`hn_fbm(vec3)` further out", 3, Sum("fbm", 1024.0, 8, 2.0, 0.5)),
-    ("`hn_fbm(ivec3, vec3)` further out", 3, Sum("fbm", 1024.0, 8, 2.0, 0.5, from_cell=True)),
+    ("`hn_fbm(hn_place3)` further out", 3, Sum("fbm", 1024.0, 8, 2.0, 0.5, from_cell=True)),
     ("`hn_fbm(vec2)`, 4.5 octaves", 2, Sum("fbm", 16.0, 4.5, 2.0, 0.5)),
     ("`hn_fbm(vec2)`, a footprint of 1/16", 2, Sum("fbm", 16.0, 5, 2.0, 0.5, footprint=1 / 16)),
     ("`hn_turbulence(vec2)`", 2, Sum("turbulence", 16.0, 5, 2.0, 0.5)),
@@ -216,9 +216,10 @@ def missing_quotes(derived: Everything, root: Path = ROOT) -> list[str]:
 
 # What a number belongs to, in reading order: a heading, a knob, or a number.
 # The range of a derivative has few decimals, and is known by its brackets. "of the offset": the errors after it are
-# those of the out parameter.
+# those of the out parameter. "From a cell": those after it are of places that hn_place makes of a cell and a fraction,
+# which are smaller than those of positions.
 WORD = re.compile(r"^   ?(?P<heading>[a-z]+)  |HN_FIXED|HN_GRADIENT_SINE|(?P<offset>of the offset)"
-                  r"|(?P<error>\d\.\d+e-\d+)"
+                  r"|(?P<cell>[Ff]rom a cell)|(?P<error>\d\.\d+e-\d+)"
                   r"|(?P<range>\d\.\d{3,}|(?<=\[-)\d+\.\d+|\d+\.\d+(?=\]))", re.MULTILINE)
 REFERS = re.compile(r"^   ?error  +as ", re.MULTILINE)  # to another comment, instead of a number
 
@@ -246,8 +247,8 @@ def of_function(function: glsl.Declaration, gradient: Gradient, derived: Everyth
 
 def derived_for(function: glsl.Declaration, kind: str, fixed: bool, gradient: Gradient,
                 derived: Everything, place: int = 0) -> float | None:
-    """What a number in the comment of a function should be, rounded up: an "error", that of an "offset", or the end of
-    a "range". Where there are several ends, they have a place."""
+    """What a number in the comment of a function should be, rounded up: an "error", that "in a cell", that of an
+    "offset", or the end of a "range". Where there are several ends, they have a place."""
     if noise_of(function) in noises.names():
         module, dims = noises.find(noise_of(function)), dimensions_of(function)
         if kind == "offset":
@@ -255,13 +256,11 @@ def derived_for(function: glsl.Declaration, kind: str, fixed: bool, gradient: Gr
         if kind == "range" and hasattr(module, "ends"):
             ends = module.ends(dims)
             return ends[place] if place < len(ends) else None
-        # Forms with a phase share a comment, which has the larger error.
-        takes_cell = function.types[0].startswith("i") and not takes_phase(function)
         of_noise = of_function(function, gradient, derived)
         of_noise = of_noise.slope or of_noise  # the value is that of another noise
         if kind == "range":
             return of_noise.range if of_noise.promise else max(of_noise.largest, of_noise.fixed_largest)
-        return of_noise.fixed_error if fixed else of_noise.cell_error if takes_cell else of_noise.error
+        return of_noise.fixed_error if fixed else of_noise.cell_error if kind == "in a cell" else of_noise.error
     if function.name == "hn_gradient" and kind == "error":
         return sine.fixed_sine_error() if fixed else SINE.component_error
     if function.name == "hn_clouds" and kind == "error":
@@ -273,7 +272,7 @@ def derived_for(function: glsl.Declaration, kind: str, fixed: bool, gradient: Gr
 
 def wrong_numbers(function: glsl.Declaration, derived: Everything) -> dict[tuple, str]:
     """What is wrong in the comment over a function, by the line, the number and what is right."""
-    messages, fixed, gradient, offset_next, ends = {}, False, GRADIENTS[0], False, 0
+    messages, fixed, gradient, offset_next, in_cell, ends = {}, False, GRADIENTS[0], False, False, 0
     text = "\n".join(function.comment.lines)
     if (noise_of(function) in noises.names() and not REFERS.search(text)
             and not any(word["error"] for word in WORD.finditer(text))):
@@ -282,7 +281,9 @@ def wrong_numbers(function: glsl.Declaration, derived: Everything) -> dict[tuple
     for offset, text in enumerate(function.comment.lines):
         for word in WORD.finditer(text):
             if word["heading"]:
-                fixed, gradient, offset_next = False, GRADIENTS[0], False
+                fixed, gradient, offset_next, in_cell = False, GRADIENTS[0], False, False
+            elif word["cell"]:
+                fixed, gradient, in_cell = False, GRADIENTS[0], True
             elif word["offset"]:
                 fixed, offset_next = False, True
             elif word[0] == "HN_FIXED":
@@ -290,7 +291,8 @@ def wrong_numbers(function: glsl.Declaration, derived: Everything) -> dict[tuple
             elif word[0] == "HN_GRADIENT_SINE":
                 gradient = SINE
             else:
-                kind = "range" if word["range"] else "offset" if offset_next else "error"
+                kind = ("range" if word["range"] else "offset" if offset_next else "in a cell" if in_cell
+                        else "error")
                 value = derived_for(function, kind, fixed, gradient, derived, ends)
                 ends, digits = ends + (kind == "range"), len(_significant(word[0]))
                 right = value and (shortest(value, digits) if kind == "range" else scientific(value, digits))

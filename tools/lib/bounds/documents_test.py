@@ -153,19 +153,18 @@ class Tree(unittest.TestCase):
         first, second, fourth = (self.comment_over(f"*{dims}d.glsl", " hn_perlin_d(hn_") for dims in (1, 2, 4))
         cases = (
             (noise2d, "at most 2.63e-6", "at most 2.62e-6",
-             r"2.62e-6 of hn_perlin\(ivec2, vec2, uint\) should be 2.63e-6"),
-            (noise2d, "at most 2.85e-6", "at most 2.86e-6", r"2.86e-6 of hn_perlin\(vec2, uint\) should be 2.85e-6"),
-            (noise2d, "HN_GRADIENT_SINE 4.58e-6", "HN_GRADIENT_SINE 4.6e-5", r"should be 4.6e-6"),
+             r"2.62e-6 of hn_perlin\(place2, uint\) should be 2.63e-6"),
+            (noise2d, "at most 2.85e-6", "at most 2.86e-6", r"2.86e-6 of hn_perlin\(place2, uint\) should be 2.85e-6"),
+            (noise2d, "HN_GRADIENT_SINE 4.36e-6", "HN_GRADIENT_SINE 4.4e-5", r"should be 4.4e-6"),
             (noise3d, "HN_FIXED 5.73e-5", "HN_FIXED 5.72e-5", r"should be 5.73e-5"),
             (noise3d, "HN_GRADIENT_SINE 1.40e-4", "HN_GRADIENT_SINE 1.4e-5", r"should be 1.4e-4"),
             (noise3d, "proven bound 0.99936", "proven bound 0.9993", r"0.9993 of .* should be 0.9994"),
             (first, "at most 6.93e-6", "at most 6.92e-6",
-             r"6.92e-6 of hn_perlin_d\(int, float, uint\) should be 6.93e-6"),
-            (first, "at most 7.83e-6", "at most 7.82e-6", r"7.82e-6 of hn_perlin_d\(float, uint\) should be 7.83e-6"),
-            (first, "[-2.69, 2.69]", "[-2.69, 2.68]", r"2.68 of hn_perlin_d\(int, float, uint\) should be 2.69"),
-            (second, "[-2.78,", "[-2.77,", r"2.77 of hn_perlin_d\(ivec2, vec2, uint\) should be 2.78"),
-            (fourth, "HN_FIXED 3.02e-4", "HN_FIXED 3.01e-4", r"3.01e-4 of hn_perlin_d\(ivec4, vec4, uint, out vec4\) "
-                                                             r"should be 3.02e-4"),
+             r"6.92e-6 of hn_perlin_d\(place1, uint\) should be 6.93e-6"),
+            (first, "at most 7.83e-6", "at most 7.82e-6", r"7.82e-6 of hn_perlin_d\(place1, uint\) should be 7.83e-6"),
+            (first, "[-2.69, 2.69]", "[-2.69, 2.68]", r"2.68 of hn_perlin_d\(place1, uint\) should be 2.69"),
+            (second, "[-2.78,", "[-2.77,", r"2.77 of hn_perlin_d\(place2, uint\) should be 2.78"),
+            (fourth, "HN_FIXED 3.02e-4", "HN_FIXED 3.01e-4", r"3.01e-4 of hn_perlin_d\(place4, uint, out vec4\) should be 3.02e-4"),
             (gradient, "(HN_FIXED: 3.7e-5", "(HN_FIXED: 3.6e-5", "should be 3.7e-5"),
             (clouds, "HN_FIXED 2.6e-5", "HN_FIXED 2.7e-5", "should be 2.6e-5"),
             (clouds, "  [0, 1]: 0 is clear", "  [0, 1.0001]: 0 is clear", "1.0001 of .* is derived nowhere"))
@@ -179,8 +178,10 @@ class Tree(unittest.TestCase):
     def test_each_comment_states_an_error(self):
         path = self.comment_over("*4d.glsl", " hn_perlin_d(hn_")
         self.change(path, "at most 3.28e-5", "small")
+        self.change(path, "at most 3.15e-5", "smaller")
+        self.change(path, "HN_FIXED 3.02e-4", "HN_FIXED more")
         found, = self.differences()
-        self.assertRegex(found, rf"^{path}:\d+: the comment over hn_perlin_d\(vec4, uint, out vec4\) states no error")
+        self.assertRegex(found, rf"^{path}:\d+: the comment over hn_perlin_d\(place4, uint, out vec4\) states no error")
 
 
 class Phases(unittest.TestCase):
@@ -189,9 +190,9 @@ class Phases(unittest.TestCase):
     def test_names(self):
         def named(*types, name="hn_perlin"):
             return documents.noise_of(glsl.Declaration(Path("x"), 1, name, types, None))
-        self.assertEqual([named("int", "float", "uint"), named("float", "int", "uint"), named("vec2", "uint")],
+        self.assertEqual([named("place1", "uint"), named("float", "uint"), named("vec2", "uint")],
                          ["perlin"] * 3)
-        for types in (("vec2", "float", "uint"), ("ivec3", "vec3", "ivec3", "float", "uint")):
+        for types in (("vec2", "float", "uint"), ("place3", "float", "uint")):
             self.assertEqual(named(*types, name="hn_simplex_d"), "simplex_d_phase")
         self.assertEqual(documents.name_of(("perlin_phase", 2, OCTAHEDRAL)), "`hn_perlin(vec2)`, with a phase")
 
@@ -202,7 +203,7 @@ class Phases(unittest.TestCase):
 
         def wrong(error, largest):
             lines = (f"   returns  in [-{largest}, {largest}]", f"   error    at most {error}. HN_FIXED 3.60e-4")
-            function = glsl.Declaration(Path("x"), 9, "hn_perlin_d", ("ivec2", "vec2", "float", "uint"),
+            function = glsl.Declaration(Path("x"), 9, "hn_perlin_d", ("place2", "float", "uint"),
                                         glsl.Comment(7, lines))
             with mock.patch.object(noises, "names", return_value=["perlin_d_phase"]):
                 return list(documents.wrong_numbers(function, derived).values())
@@ -218,7 +219,7 @@ class SeveralNumbers(unittest.TestCase):
         of_noise = Derived(3.76, 3.76, 5.84, 3.179e-6, 3.529e-6, 3.76, 6.809e-5, 3.76, {})
         lines = (f"   returns  the {ends}", f"   error    at most 3.53e-6; of the offset at most {offset}",
                  "   cost     none")
-        function = glsl.Declaration(Path("x"), 9, "hn_cellular", ("vec2", "ivec2", "float", "int", "uint"),
+        function = glsl.Declaration(Path("x"), 9, "hn_cellular", ("place2", "float", "int", "uint"),
                                     glsl.Comment(7, lines))
         return list(documents.wrong_numbers(function, {("cellular", 2, None): of_noise}).values())
 
@@ -277,7 +278,7 @@ class Entries(unittest.TestCase):
 
     def test_every_example_of_a_sum_is_in_its_table(self):
         rows = documents.sums_table(RAW).split("\n")
-        self.assertEqual(rows[2], "| `hn_fbm(vec2)`, with a period, exact positions | 4.2e-6 | 4.6e-5 | 6.0e-6 | 8.3e-5 |")
+        self.assertEqual(rows[2], "| `hn_fbm(hn_place2)`, a tile, exact positions | 4.0e-6 | 4.6e-5 | 5.7e-6 | 8.3e-5 |")
         self.assertEqual(len(rows), 2 + len(documents.EXAMPLES) + 1)
         self.assertTrue(rows[4].startswith("| `hn_fbm(float)` |") and rows[4].endswith(" | |  |"), rows[4])
         self.assertEqual(len(documents.frames_table(RAW).split("\n")), 2 + 2 * len(documents.FRAMED) + 1)

@@ -81,7 +81,7 @@ def clamped_strength(s: Sum) -> float:
 # --- Positions --------------------------------------------------------------------------------------------------------
 
 def float_positions(s: Sum, dims: int) -> Iterator[float]:
-    """The largest errors of the coordinates of each octave's position, computed from a position. With a period
+    """The largest errors of the coordinates of each octave's position, computed from a position. Without turns
 
         q = q*lacunarity + shift
 
@@ -91,7 +91,7 @@ def float_positions(s: Sum, dims: int) -> Iterator[float]:
         2D: x' = (c*x - s*y) + 11/32;  y' = (s*x + c*y) + 19/32
         3D: v = s*x + c*y;  x' as before;  y' = (29/32*v - e*z) + 19/32;  z' = (13/32*v + d*z) + 23/32
         4D: u = 13/32*v + d*z;  x', y' as before;  z' = (25/32*u - s*w) + 23/32;  w' = (20/32*u + c*w) + 27/32
-        1D: as with a period
+        1D: as without turns
 
     and lengths are bounded, which turns stretch by TURNS, coordinates by much more. A coordinate goes through no more
     than 2 n roundings, the last of them after the shift, of terms whose magnitudes sum to no more than the stretched

@@ -26,7 +26,7 @@ CLEAR = Fraction(1, 2**10)  # what the nearest point is nearer than the second, 
 HASHES = {"cellular": (Knobs("pcg"), Knobs("lattice")), "further_cellular": (Knobs("lattice"),)}
 SPECIAL, TIES, CHANGES = 36, 16, 12  # how many
 # With the Manhattan metric a point two cells away is as near as the nearest ones of the neighbours: those count.
-FAR_TIE = (1760080.75, -0.0, 2, 48, 1.0, 3, 2020091907)
+FAR_TIE = (1760080, 0, 0.75, 0.0, 2, 48, 1.0, 3, 2020091907)
 
 # --- What a caller chooses --------------------------------------------------------------------------------------
 
@@ -176,7 +176,7 @@ def ties(function: Function, generator: Generator) -> list[Row]:
     for index in range(TIES if function.has_jitter else 0):
         *row, seed = placed(function, fraction((0, 5, 8, 7)[index % 4], function.axes, generator), generator)
         rows.append((*row, 0.0, *(METRICS[index % 5],) * function.has_metric, seed))
-    if function.axes == 2 and function.form == "position" and function.has_metric:
+    if function.axes == 2 and function.form == "cell" and function.has_metric:
         rows.append(FAR_TIE)
     return rows
 

@@ -67,7 +67,7 @@ class Likeness(unittest.TestCase):
     def test_what_is_known_is_found(self):
         known = row("known", "{factor}hn_simplex({p}, {seed})", expression="known(p)")._replace(file="known.glsl")
         folded = known._replace(theirs="folded", expression="folded(p)", ours="-{factor}loud({p}, 1, 2.0, 0.5, {seed})",
-                                before="float my(ivec2 c, vec2 f, uint s) { return {inner} * hn_simplex(c, f, s); }\n"
+                                before="float my(hn_place2 q, uint s) { return {inner} * hn_simplex(q, s); }\n"
                                        "HN_BILLOW2D(loud, my)", inner=known.id)
         first, second = self.ports(known, folded)
         for found, factor in ((first, 0.7), (second, 1.0)):

@@ -37,7 +37,7 @@ class Row(NamedTuple):
 # --- FastNoiseLite, and Godot, which has it ---------------------------------------------------------------------------
 
 # A noise with their contrast, for sums that fold it: a factor of the sum would come too late.
-LOUD = "float loud(ivec# cell, vec# f, uint seed) {{ return {{inner}} * {}(cell, f, seed); }}\n"
+LOUD = "float loud(hn_place# place, uint seed) {{ return {{inner}} * {}(place, seed); }}\n"
 
 
 def _state(settings: dict[str, str]) -> str:
@@ -88,7 +88,7 @@ def _fastnoiselite() -> Iterator[Row]:
                               fractal_type=f"FNL_FRACTAL_{theirs}")
     for metric, name in (("SQUARED", "EUCLIDEANSQ"), ("EUCLIDEAN", "EUCLIDEAN"), ("MANHATTAN", "MANHATTAN"),
                          ("HYBRID", "HYBRID")):
-        found = f"vec2 F = hn_cellular(p, ivec#(0), 1.0, HN_METRIC_{metric}, 7u); "
+        found = f"vec2 F = hn_cellular(p, 1.0, HN_METRIC_{metric}, 7u); "
         for value, ours in (("DISTANCE", "F.x"), ("DISTANCE2", "F.y"), ("DISTANCE2ADD", "0.5 * (F.y + F.x)"),
                             ("DISTANCE2SUB", "(F.y - F.x)"), ("DISTANCE2MUL", "0.5 * F.y * F.x"),
                             ("DISTANCE2DIV", "F.x / F.y"))[:6 if metric == "SQUARED" else 1]:

@@ -9,9 +9,9 @@ import base64
 import json
 import re
 from collections.abc import Iterable
+from pathlib import Path
 
 from single_file.files import in_order, minified, parts, text
-from tables.glsl import declarations
 from tree import GLSL, ROOT, version
 from wgsl.module import Module, Settings
 from wgsl.names import is_public
@@ -22,8 +22,9 @@ MADE = "// Made by tools/npm. Copyright (c) 2026 The hashnoise authors; MIT Lice
 # WGSL has no HN_PRECISE. The folder of each, and what users call it.
 ARITHMETICS = {"fast": "HN_FAST", "fixed": "HN_FIXED"}
 STRING = "declare const text: string;\nexport default text;\n"
-# The types of TSL: those of GLSL, by the names of WGSL.
-TYPES = {"f32": "float", "i32": "int", "u32": "uint",
+# The types of TSL: those of GLSL, by the names of WGSL. Of numbers alone JavaScript's own may be passed, too.
+SCALARS = {"f32": "float", "i32": "int", "u32": "uint"}
+TYPES = {**SCALARS, **{f"hn_place{n}": f"hn_place{n}" for n in (1, 2, 3, 4)},
          **{f"vec{n}{letter}": f"{prefix}vec{n}" for n in (2, 3, 4) for letter, prefix in
             (("f", ""), ("i", "i"), ("u", "u"))}}
 SIGNATURE = re.compile(r"fn (?P<name>\w+)\((?P<parameters>[^)]*)\) -> (?P<type>\w+) \{")
@@ -96,14 +97,16 @@ def wgsl_files(modules: dict[str, list[Definition]]) -> dict[str, str]:
 # TSL.
 
 
-def glsl_names(module: Module) -> dict[tuple[str, tuple[str, ...]], str]:
-    """The name in GLSL of what has this name and these types in WGSL."""
-    return {(new, types): old for (old, types), new in module.names().items()}
+def in_glsl(module: Module) -> dict[tuple[str, tuple[str, ...]], tuple[str, str]]:
+    """The name in GLSL of what has this name and these types in WGSL, and the file that defines it."""
+    functions = module.translator.functions
+    return {(new, types): (old, Path(functions[old, types].at.path).stem)
+            for (old, types), new in module.names().items()}
 
 
-def tsl_files(modules: dict[str, list[Definition]], names: dict[tuple[str, tuple[str, ...]], str]) -> dict[str, str]:
+def tsl_files(modules: dict[str, list[Definition]],
+              names: dict[tuple[str, tuple[str, ...]], tuple[str, str]]) -> dict[str, str]:
     """A node for each function whose result is all that it sets."""
-    files = {(item.name, item.types): item.path.stem for item in declarations()}
     found = {}
     for folder, definitions in modules.items():
         imported, nodes, types, needed = [], [], [], set()
@@ -113,8 +116,7 @@ def tsl_files(modules: dict[str, list[Definition]], names: dict[tuple[str, tuple
                 continue
             parameters = [one.split(": ") for one in signature["parameters"].split(", ")]
             glsl_types = tuple(TYPES[type_] for _, type_ in parameters)
-            glsl = names[item.name, glsl_types]
-            file = files[glsl, glsl_types]
+            glsl, file = names[item.name, glsl_types]
             needed.add(file)
             imported.append(item.name)
             declared = ", ".join(f"{type_} {name}" for (name, _), type_ in zip(parameters, glsl_types))
@@ -134,7 +136,7 @@ def tsl_files(modules: dict[str, list[Definition]], names: dict[tuple[str, tuple
 
 
 def accepted(type_: str) -> str:
-    return f'Node<"{type_}"> | number' if "vec" not in type_ else f'Node<"{type_}">'
+    return f'Node<"{type_}">' + " | number" * (type_ in SCALARS.values())
 
 
 # ---------------------------------------------------------------------------------------------------------------------
@@ -169,7 +171,7 @@ const packed = "{packed}";
 
 export const bytes = () => Uint8Array.from(atob(packed), (character) => character.charCodeAt(0));
 """
-    for files in (glsl_files(), wgsl_files(definitions), tsl_files(definitions, glsl_names(modules["fast"]))):
+    for files in (glsl_files(), wgsl_files(definitions), tsl_files(definitions, in_glsl(modules["fast"]))):
         checked_names([*found, *files])
         found.update(files)
     return found

@@ -5,13 +5,15 @@
 // gradient  hn_gradient(cell, seed): the same points; a value is the floats of the gradient
 // noise     hn_perlin(p, seed): a point is the floats of p and the seed; a value is a float
 // stage     hn_gradient2(word), hn_gradient3(word): a point is a word; a value is the floats of the gradient
-// NAME      hn_NAME(p, period, seed), with the same period along each axis: a point is the floats of p, the period as an
+// NAME      hn_NAME(p, period, seed), with the same period along each axis: a point is the floats of p, the period as
+// an
 //           integer, and the seed; a value is a float
-// sum       hn_fbm(cell, f, octaves, lacunarity, gain, seed): a point is the cell, the floats of f, the octaves as an
+// sum       hn_fbm(hn_place(cell, f), octaves, lacunarity, gain, seed): a point is the cell, the floats of f, the
+// octaves as an
 //           integer, the floats of lacunarity and gain, and the seed; a value is a float
-// tiled_sum hn_fbm(cell, f, period, octaves, lacunarity, gain, seed): the same points, with the period before the seed
-// All are little-endian, without anything between them.
-// Exit status: 0 done, 2 bad usage, or input or output that broke off.
+// tiled_sum hn_fbm(hn_tile(hn_place(cell, f), period), octaves, lacunarity, gain, seed): the same points, with the
+// period before the seed All are little-endian, without anything between them. Exit status: 0 done, 2 bad usage, or
+// input or output that broke off.
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -37,6 +39,19 @@ constexpr std::size_t kBatch = 1 << 16;  // points at a time: half a megabyte, w
 int integer(Word w) { return std::bit_cast<int>(w); }
 float real(Word w) { return std::bit_cast<float>(w); }
 
+// A place: the words of a cell, then those of the fraction in it.
+auto place2(const Word* in) {
+  return hashnoise::hn_place(ivec2(integer(in[0]), integer(in[1])), vec2(real(in[2]), real(in[3])));
+}
+auto place3(const Word* in) {
+  return hashnoise::hn_place(ivec3(integer(in[0]), integer(in[1]), integer(in[2])),
+                             vec3(real(in[3]), real(in[4]), real(in[5])));
+}
+auto place4(const Word* in) {
+  return hashnoise::hn_place(ivec4(integer(in[0]), integer(in[1]), integer(in[2]), integer(in[3])),
+                             vec4(real(in[4]), real(in[5]), real(in[6]), real(in[7])));
+}
+
 void put(vec2 g, Word* out) {
   out[0] = std::bit_cast<Word>(g.x);
   out[1] = std::bit_cast<Word>(g.y);
@@ -55,23 +70,24 @@ struct Quantity {
   void (*evaluate)(const Word* in, Word* out);
 };
 
-#define TILED(name)                                                                                                   \
-  {#name, '2', 4, 1, [](const Word* in, Word* out) {                                                                  \
+#define TILED(name)                                                                                                  \
+  {#name, '2', 4, 1,                                                                                                 \
+   [](const Word* in, Word* out) {                                                                                   \
+     *out = std::bit_cast<Word>(                                                                                     \
+         hashnoise::hn_##name(hashnoise::hn_tile(vec2(real(in[0]), real(in[1])), ivec2(integer(in[2]))), in[3]));    \
+   }},                                                                                                               \
+  {                                                                                                                  \
+#name, '3', 5, 1, [](const Word* in, Word* out) {                                                                  \
      *out = std::bit_cast<Word>(                                                                                      \
-         hashnoise::hn_##name(vec2(real(in[0]), real(in[1])), ivec2(integer(in[2])), in[3]));                         \
-   }},                                                                                                                \
-  {#name, '3', 5, 1, [](const Word* in, Word* out) {                                                                  \
-     *out = std::bit_cast<Word>(                                                                                      \
-         hashnoise::hn_##name(vec3(real(in[0]), real(in[1]), real(in[2])), ivec3(integer(in[3])), in[4]));            \
-   }}
+         hashnoise::hn_##name(hashnoise::hn_tile(vec3(real(in[0]), real(in[1]), real(in[2])), ivec3(integer(in[3]))), in[4]));            \
+   } \
+  }
 
 constexpr std::array<Quantity, 23> kQuantities = {{
     {"word", '2', 3, 1,
      [](const Word* in, Word* out) { *out = hashnoise::hn_i_point(hashnoise::uvec2(in[0], in[1]), in[2]); }},
     {"word", '3', 4, 1,
-     [](const Word* in, Word* out) {
-       *out = hashnoise::hn_i_point(hashnoise::uvec3(in[0], in[1], in[2]), in[3]);
-     }},
+     [](const Word* in, Word* out) { *out = hashnoise::hn_i_point(hashnoise::uvec3(in[0], in[1], in[2]), in[3]); }},
     {"gradient", '2', 3, 2,
      [](const Word* in, Word* out) { put(hashnoise::hn_gradient(ivec2(integer(in[0]), integer(in[1])), in[2]), out); }},
     {"gradient", '3', 4, 3,
@@ -90,33 +106,25 @@ constexpr std::array<Quantity, 23> kQuantities = {{
     {"stage", '3', 1, 3, [](const Word* in, Word* out) { put(hashnoise::hn_gradient3(*in), out); }},
     {"sum", '2', 8, 1,
      [](const Word* in, Word* out) {
-       *out = std::bit_cast<Word>(hashnoise::hn_fbm(ivec2(integer(in[0]), integer(in[1])),
-                                                    vec2(real(in[2]), real(in[3])), integer(in[4]), real(in[5]),
-                                                    real(in[6]), in[7]));
+       *out = std::bit_cast<Word>(hashnoise::hn_fbm(place2(in), integer(in[4]), real(in[5]), real(in[6]), in[7]));
      }},
     {"sum", '3', 10, 1,
      [](const Word* in, Word* out) {
-       *out = std::bit_cast<Word>(hashnoise::hn_fbm(
-           ivec3(integer(in[0]), integer(in[1]), integer(in[2])), vec3(real(in[3]), real(in[4]), real(in[5])),
-           integer(in[6]), real(in[7]), real(in[8]), in[9]));
+       *out = std::bit_cast<Word>(hashnoise::hn_fbm(place3(in), integer(in[6]), real(in[7]), real(in[8]), in[9]));
      }},
     {"sum", '4', 12, 1,
      [](const Word* in, Word* out) {
-       *out = std::bit_cast<Word>(hashnoise::hn_fbm(
-           ivec4(integer(in[0]), integer(in[1]), integer(in[2]), integer(in[3])),
-           vec4(real(in[4]), real(in[5]), real(in[6]), real(in[7])), integer(in[8]), real(in[9]), real(in[10]), in[11]));
+       *out = std::bit_cast<Word>(hashnoise::hn_fbm(place4(in), integer(in[8]), real(in[9]), real(in[10]), in[11]));
      }},
     {"tiled_sum", '2', 9, 1,
      [](const Word* in, Word* out) {
-       *out = std::bit_cast<Word>(hashnoise::hn_fbm(ivec2(integer(in[0]), integer(in[1])),
-                                                    vec2(real(in[2]), real(in[3])), ivec2(integer(in[7])),
+       *out = std::bit_cast<Word>(hashnoise::hn_fbm(hashnoise::hn_tile(place2(in), ivec2(integer(in[7]))),
                                                     integer(in[4]), real(in[5]), real(in[6]), in[8]));
      }},
     {"tiled_sum", '3', 11, 1,
      [](const Word* in, Word* out) {
-       *out = std::bit_cast<Word>(hashnoise::hn_fbm(
-           ivec3(integer(in[0]), integer(in[1]), integer(in[2])), vec3(real(in[3]), real(in[4]), real(in[5])),
-           ivec3(integer(in[9])), integer(in[6]), real(in[7]), real(in[8]), in[10]));
+       *out = std::bit_cast<Word>(hashnoise::hn_fbm(hashnoise::hn_tile(place3(in), ivec3(integer(in[9]))),
+                                                    integer(in[6]), real(in[7]), real(in[8]), in[10]));
      }},
     TILED(perlin),
     TILED(value),

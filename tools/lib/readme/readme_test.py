@@ -177,10 +177,9 @@ class Code(unittest.TestCase):
         names = re.findall(r"`(\w+)`", said)
         self.assertGreater(len(names), 8)
         library = single_file("--strip", "fbm2d.glsl")
-        for name in (*names, "noise", "place", "dots"):
-            code = (f"#version 330\n{library}\nfloat {name}(ivec2 a, vec2 b, uint c) {{ return hn_perlin(a, b, c); }}\n"
-                    f"float {name}(ivec2 a, vec2 b, ivec2 c, uint d) {{ return hn_perlin(a, b, c, d); }}\n"
-                    f"HN_FBM2D(sum, {name})\nHN_FBM_PERIOD2D(tiles, {name})\nHN_PING_PONG2D(waves, {name})\n"
+        for name in (*names, "noise", "period", "dots"):
+            code = (f"#version 330\n{library}\nfloat {name}(hn_place2 a, uint b) {{ return hn_perlin(a, b); }}\n"
+                    f"HN_FBM2D(sum, {name})\nHN_PING_PONG2D(waves, {name})\n"
                     "out vec4 o;\nvoid main() { o = vec4(sum(vec2(1.5), 3, 2.0, 0.5, 7u)); }\n")
             with self.subTest(name=name):
                 self.assertEqual(compile_glsl(code).returncode == 0, name not in names)

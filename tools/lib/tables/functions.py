@@ -80,6 +80,11 @@ class Function:
         return "px:" in self.inputs
 
     @property
+    def has_place(self) -> bool:
+        """Whether what the library takes is a place, and no position."""
+        return self.has_cell or self.has_period or self.form == "place_of_noise"
+
+    @property
     def has_phase(self) -> bool:
         """Whether it takes a phase, right before the seed."""
         return "phase:" in self.inputs
@@ -111,9 +116,7 @@ class Function:
     @property
     def calls(self) -> str:
         """The function of the library that its body calls."""
-        names = set(re.findall(r"\b(hn_\w+)\(", self.row.arguments[6]))
-        if self.form == "place_of_noise":
-            names -= {"hn_cell", "hn_fraction"}
+        names = set(re.findall(r"\b(hn_\w+)\(", self.row.arguments[6])) - {"hn_place", "hn_tile"}
         if len(names) != 1:
             raise self.row.error(f"{self.id} calls {len(names)} functions of the library instead of one")
         return names.pop()
@@ -124,20 +127,18 @@ class Function:
         def vector(prefix: str, scalar: str) -> str:
             return f"{prefix}vec{self.axes}" if self.axes > 1 else scalar
 
-        period = (vector("i", "int"),) * self.has_period
+        where = f"place{self.axes}" if self.has_place else vector("", "float")
         phase = ("float",) * self.has_phase
         chosen = (*phase, *("float",) * self.has_jitter, *("int",) * self.has_metric)
-        cell = (vector("i", "int"), vector("", "float"), *period, *chosen)
-        place = cell if self.has_cell else (vector("", "float"), *period)
         settings = tuple("int" if setting == "octaves" else "float" for setting in self.settings)
         return {"words": (vector("u", "uint"),), "point": (vector("i", "int"),),
-                "position": (vector("", "float"), *period, *chosen), "cell": cell, "place_of_noise": cell,
-                "sum": (*place, *settings),
+                "position": (where, *chosen), "cell": (where, *chosen), "place_of_noise": (where,),
+                "sum": (where, *settings),
                 "place": (vector("i", "int"), "int", "int")}[self.form]
 
     @property
     def overloads(self) -> tuple[tuple[str, ...], ...]:
-        """The types without a seed, and with one. With periods, a phase or less detail there is always a seed."""
+        """The types without a seed, and with one. At a place, and with what is chosen beside it, there is always a seed."""
         # A vec4 has no room for a value and four derivatives.
         out = ("out vec4",) * (self.bound.endswith("_d") and self.axes == 4)
         if self.sets:
@@ -145,7 +146,8 @@ class Function:
         if self.form in ("words", "place"):
             return (self.types,)
         seeded = (*self.types, "uint", *out)
-        always = self.has_period or self.has_phase or "detail" in self.settings or "footprint" in self.settings
+        always = (self.has_place or self.has_phase or self.has_jitter or "detail" in self.settings
+                  or "footprint" in self.settings)
         return (seeded,) if always else ((*self.types, *out), seeded)
 
 

@@ -14,7 +14,7 @@ FUNCTION = re.compile(r"^HN_FN\s+\w+\s+(hn_(?!i_)\w+)\(((?:[^()]|\([^()]*\))*)\)
 # What defines a public function in whatever way, where no comment, no directive and no body is.
 ANY_FUNCTION = re.compile(r"\b(hn_(?!i_)\w+)\s*\([^;{}]*\{")
 # A line that defines the functions of a sum over a noise: what it sums, and in which form (glsl/octaves.glsl).
-SUM = re.compile(r"^HN_([A-Z_]+?)(_PERIOD|_LIMITED)?([1-4])D\((hn_\w+), hn_\w+\)$", re.MULTILINE)
+SUM = re.compile(r"^HN_([A-Z_]+?)(_LIMITED)?([1-4])D\((hn_\w+), hn_\w+\)$", re.MULTILINE)
 ANY_SUM = re.compile(r"^HN_[A-Z_]+[0-9]D\((hn_\w+)", re.MULTILINE)
 STRONG = ("PING_PONG", "WEIGHTED", "ERODED", "WARP", "WARP_PROGRESSIVE")  # those with a strength or an amplitude
 NO_CODE = re.compile(r"//[^\n]*|/\*.*?\*/|^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", re.MULTILINE | re.DOTALL)
@@ -72,13 +72,11 @@ def _comment_above(lines: list[str], line: int) -> Comment | None:
 
 def _types_of_sum(sum_name: str, form: str | None, n: str) -> list[tuple[str, ...]]:
     """The types of the arguments of each function that a line defines."""
-    vec, ivec = ("float", "int") if n == "1" else (f"vec{n}", f"ivec{n}")
+    vec = "float" if n == "1" else f"vec{n}"
     plain = ("int", "float", "float") + ("float",) * (sum_name in STRONG)
     if form == "_LIMITED":
         return [(vec, "float", "float", "float", "uint"), (vec, "float", *plain, "uint")]
-    if form == "_PERIOD":
-        return [(vec, ivec, *plain, "uint"), (ivec, vec, ivec, *plain, "uint")]
-    return [(vec, *plain, "uint"), (vec, *plain), (ivec, vec, *plain, "uint"), (ivec, vec, *plain)]
+    return [(f"place{n}", *plain, "uint"), (vec, *plain, "uint"), (vec, *plain)]
 
 
 def _functions(text: str) -> list[tuple[int, str, tuple[str, ...], int | None]]:

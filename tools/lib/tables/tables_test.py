@@ -54,26 +54,25 @@ class Tables(unittest.TestCase):
             self.assertEqual((function.form, function.axes, function.family), (form, axes, family), id)
         cell, word = functions["noise3d.perlin_cell"], functions["hash.word"]
         self.assertEqual((cell.noise, cell.calls), ("perlin", "hn_perlin"))
-        self.assertEqual(cell.overloads, (("ivec3", "vec3"), ("ivec3", "vec3", "uint")))
+        self.assertEqual(cell.overloads, (("place3", "uint"),))
         self.assertEqual((word.calls, word.overloads), ("hn_hash", (("uint",),)))
-        self.assertEqual(functions["noise2d.perlin_cell_period"].overloads, (("ivec2", "vec2", "ivec2", "uint"),))
+        self.assertEqual(functions["noise2d.perlin_cell_period"].overloads, (("place2", "uint"),))
         self.assertEqual(functions["noise4d.value_d"].overloads, (("vec4", "out vec4"), ("vec4", "uint", "out vec4")))
         self.assertEqual(functions["noise4d.value_d_value"].noise, "value_d")
         self.assertEqual((functions["position.perlin2"].calls, functions["position.perlin2"].types),
-                         ("hn_perlin", ("ivec2", "vec2")))
-        self.assertEqual(functions["noise2d.cellular_full"].overloads, (("vec2", "ivec2", "float", "int", "uint"),))
+                         ("hn_perlin", ("place2",)))
+        self.assertEqual(functions["noise2d.cellular_full"].overloads, (("vec2", "float", "int", "uint"),))
         self.assertEqual(functions["noise3d.cell_border_cell_offset"].overloads,
-                         (("ivec3", "vec3", "ivec3", "float", "uint", "out ivec3", "out vec3"),))
+                         (("place3", "float", "uint", "out ivec3", "out vec3"),))
         self.assertEqual([functions[f"noise2d.cellular_{form}"].sets for form in ("full", "nearest", "cell_offset")],
                          ["", "nearest", "offset"])
         self.assertEqual(functions["fbm.fbm2"].types, ("vec2", "int", "float", "float"))
         self.assertEqual(functions["fbm.fbm2"].settings, ("octaves", "lacunarity", "gain"))
-        self.assertEqual(functions["fbm.ridged3_cell"].overloads[0], ("ivec3", "vec3", "int", "float", "float"))
-        self.assertEqual(functions["fbm.ridged3_cell"].overloads[1], ("ivec3", "vec3", "int", "float", "float", "uint"))
+        self.assertEqual(functions["fbm.ridged3_cell"].overloads, (("place3", "int", "float", "float", "uint"),))
         self.assertEqual(functions["fbm.ping_pong2_cell_period"].overloads,
-                         (("ivec2", "vec2", "ivec2", "int", "float", "float", "float", "uint"),))
+                         (("place2", "int", "float", "float", "float", "uint"),))
         self.assertEqual(functions["fbm.fbm1_cell_period"].overloads,
-                         (("int", "float", "int", "int", "float", "float", "uint"),))
+                         (("place1", "int", "float", "float", "uint"),))
         self.assertEqual(functions["warp.warp2"].settings, ("octaves", "lacunarity", "gain", "amplitude"))
         self.assertEqual(functions["fbm_d.fbm_d3"].calls, "hn_fbm_d")
         self.assertEqual(functions["fbm.fbm2_detail"].overloads, (("vec2", "float", "float", "float", "uint"),))
@@ -130,17 +129,17 @@ class Library(unittest.TestCase):
         (self.folder / "a.glsl").write_text("""
 // What it is.
 //   seed     any
-HN_FN hn_float hn_one(hn_ivec2 cell, hn_vec2 f,
+HN_FN hn_float hn_one(hn_place2 place,
                       hn_uint seed) {
 }
-HN_FN hn_float hn_one(hn_ivec2 cell, hn_vec2 f) { return hn_i_none(hn_one(cell, f, 0u)); }
+HN_FN hn_float hn_one(hn_vec2 p) { return hn_i_none(hn_one(hn_place(p), 0u)); }
 HN_FN hn_float hn_two(hn_vec3 p) { return 0.0f; }
 HN_FN hn_float hn_i_three(hn_vec3 p) { return 0.0f; }
 HN_FN hn_float hn_four(hn_vec4 p, HN_I_OUT(hn_vec4) gradient) { return 0.0f; }
 """)
         first, second, third, fourth = glsl.declarations(self.folder)
         self.assertEqual([str(f) for f in (first, second, third)],
-                         ["hn_one(ivec2, vec2, uint)", "hn_one(ivec2, vec2)", "hn_two(vec3)"])
+                         ["hn_one(place2, uint)", "hn_one(vec2)", "hn_two(vec3)"])
         self.assertEqual((first.line, second.line, third.line), (4, 7, 8))
         self.assertEqual(str(fourth), "hn_four(vec4, out vec4)")
         self.assertEqual(first.comment, glsl.Comment(2, (" What it is.", "   seed     any")))
@@ -152,16 +151,15 @@ HN_FN hn_float hn_four(hn_vec4 p, HN_I_OUT(hn_vec4) gradient) { return 0.0f; }
         (self.folder / "a.glsl").write_text("""
 // What it is.
 HN_FBM2D(hn_one, hn_perlin)
-HN_PING_PONG_PERIOD3D(hn_one, hn_perlin)
+HN_PING_PONG3D(hn_one, hn_perlin)
 HN_FBM_LIMITED3D(hn_two, hn_perlin)
 HN_OF_ANOTHER_KIND2D(hn_three, 1)
 """)
         found = glsl.declarations(self.folder)
         self.assertEqual([str(f) for f in found], [
-            "hn_one(vec2, int, float, float, uint)", "hn_one(vec2, int, float, float)",
-            "hn_one(ivec2, vec2, int, float, float, uint)", "hn_one(ivec2, vec2, int, float, float)",
-            "hn_one(vec3, ivec3, int, float, float, float, uint)",
-            "hn_one(ivec3, vec3, ivec3, int, float, float, float, uint)",
+            "hn_one(place2, int, float, float, uint)", "hn_one(vec2, int, float, float, uint)",
+            "hn_one(vec2, int, float, float)", "hn_one(place3, int, float, float, float, uint)",
+            "hn_one(vec3, int, float, float, float, uint)", "hn_one(vec3, int, float, float, float)",
             "hn_two(vec3, float, float, float, uint)", "hn_two(vec3, float, int, float, float, uint)"])
         self.assertEqual([f.comment is not None for f in found], [True] * 6 + [False] * 2)
         self.assertEqual([text.replace(f"{self.folder}/", "") for text in glsl.overlooked(self.folder)],

@@ -36,8 +36,9 @@ def header(name: str, settings: Settings, import_path: str = "") -> str:
 // Copyright (c) 2026 The hashnoise authors; MIT License.
 //
 // The functions are those of the GLSL, and so are their comments: vec2 there is vec2f here, ivec2 is vec2i, and uvec2 is
-// vec2u. What has several forms there has a name for each form here, and always takes the seed. What a function sets is a
-// pointer: hn_cellular2_nearest(p, period, jitter, metric, seed, &nearest, &offset).
+// vec2u. What has several forms there has a name for each form here, and always takes the seed: hn_perlin(p, seed) is
+// hn_perlin2(p, seed), and hn_perlin(hn_tile(p, period), seed) is hn_perlin2_place(hn_tile2(p, period), seed). What a
+// function sets is a pointer: hn_cellular2_nearest(p, jitter, metric, seed, &nearest, &offset).
 
 """
 
@@ -81,10 +82,10 @@ def written_names(module: Module) -> str:
 
 def check_functions(parser: argparse.ArgumentParser, only: list[str], module: Module) -> None:
     """Refuses what is no function of the module. Who writes the name that GLSL has is told those of its forms."""
-    known = sorted(set(module.names().values()))
+    names = module.names()
     for name in only:
-        if name not in known:
-            forms = [other for other in known if re.fullmatch(rf"{re.escape(name)}[1-4](_\w+)?", other)]
+        if name not in names.values():
+            forms = sorted({new for (old, _), new in names.items() if old == name})
             hint = f"it has a name for each form: {', '.join(forms)}" if forms else "--names tells which there are"
             parser.error(f"there is no function {name} in WGSL; {hint}")
 

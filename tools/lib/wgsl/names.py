@@ -3,28 +3,34 @@ they do not move when others are added.
 
 A public function has its name in GLSL, and behind it:
 
-  1 to 4      its dimensions: the components of the position, the cell or the words that it takes
+  1 to 4      its dimensions: those of the position, the place, the cell or the words that it takes
+  _place      if it takes a place
   _phase      if it takes a phase
-  _cell       if it takes a cell and the place in it
-  _period     if it takes a period
-  _full       if it takes everything that may be chosen, a jitter among it; then the period is not named
+  _full       if it takes everything that may be chosen, a jitter among it
   _nearest    as _full, if it also sets the nearest point
   _detail, _footprint    if it takes that
 
-So hn_perlin(ivec2 cell, vec2 f, ivec2 period, uint seed) is hn_perlin2_cell_period. Functions of a word that are not
-overloaded keep their names: hn_hash_pcg, hn_unorm, hn_gradient2. So hn_gradient of a cell is hn_gradient_lattice2.
+So hn_perlin(hn_place2 place, uint seed) is hn_perlin2_place. Functions of a word that are not overloaded keep their
+names: hn_hash_pcg, hn_unorm, hn_gradient2. So hn_gradient of a cell is hn_gradient_lattice2. A struct that users know
+keeps its name, too. So what makes a hn_place2 is hn_place_of2 of a position, hn_place_of_cell2 and hn_place_of_units2.
 
 An internal function has the types of its parameters behind its name: hn_i_lerp_f32_f32_f32. A struct is called there as
-it is, without the hn_i_.
+it is, without the hn_ or hn_i_.
 """
 
 from __future__ import annotations
+
+import re
 
 from wgsl.syntax import Function
 
 # A function of a word that is not overloaded.
 ONE_WORD = ("h", "k")
-CELLS_OF_OTHERS = {"hn_gradient": "hn_gradient_lattice"}
+# What is called otherwise, since its name is that of another function or of a struct; by its first parameter.
+OTHERS = {("hn_gradient", "cell"): "hn_gradient_lattice", ("hn_place", "p"): "hn_place_of",
+          ("hn_place", "cell"): "hn_place_of_cell", ("hn_place", "position"): "hn_place_of_units"}
+ALWAYS_OF_A_PLACE = ("hn_position",)
+PLACE = re.compile(r"hn_place([1-4])")
 
 # Names of variables that WGSL reserves, or that the module calls.
 RESERVED = frozenset("""
@@ -59,7 +65,7 @@ def wgsl_type(glsl: str) -> str:
 
 
 def components(glsl: str) -> int:
-    return int(glsl[-1]) if "vec" in glsl else 1
+    return int(glsl[-1]) if "vec" in glsl or PLACE.fullmatch(glsl) else 1
 
 
 def variable(name: str) -> str:
@@ -82,24 +88,21 @@ def wgsl_name(function: Function) -> str:
 def _internal(function: Function) -> str:
     if not function.name.startswith("hn_"):
         return function.name  # the user's own
-    return "_".join((function.name, *(wgsl_type(type_).removeprefix("hn_i_") for type_ in function.types)))
+    return "_".join((function.name, *(re.sub("^hn_(i_)?", "", wgsl_type(type_)) for type_ in function.types)))
 
 
 def _public(function: Function) -> str:
     takes = [parameter.at.text for parameter in function.parameters]
     if tuple(takes) in ((word,) for word in ONE_WORD):
         return function.name
-    name = function.name
-    if name in CELLS_OF_OTHERS and "f" not in takes:
-        name = CELLS_OF_OTHERS[name]
+    name = OTHERS.get((function.name, takes[0]), function.name)
     parts = [f"{name}{components(function.types[0])}"]
+    if PLACE.fullmatch(function.types[0]) and name not in ALWAYS_OF_A_PLACE:
+        parts.append("place")
     parts += ["phase"] * ("phase" in takes)
-    parts += ["cell"] * ("cell" in takes and "f" in takes)
     if "nearest" in takes:
         parts.append("nearest")
     elif "jitter" in takes:
         parts.append("full")
-    elif "period" in takes:
-        parts.append("period")
     parts += [word for word in ("detail", "footprint") if word in takes]
     return "_".join(parts)

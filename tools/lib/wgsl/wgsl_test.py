@@ -41,9 +41,16 @@ def translated(text: str, **settings: str) -> str:
     return module.text(module.translator.all_but_constants())
 
 
+def types_of(overload: tuple[str, ...]) -> tuple[str, ...]:
+    """The types as the translator calls them."""
+    return tuple(re.sub(r"^(?=place\d)", "hn_", type_.removeprefix("out ")) for type_ in overload)
+
+
 def name_by_row(function: Function) -> str:
-    """The name that a function has in WGSL by the id of its row: without what repeats the file."""
-    name = function.name
+    """The name that a function has in WGSL by the id of its row: without what repeats the file, or says of which kind
+    the place is."""
+    name = re.sub(r"_(?:cell|period)(?=_|$)", "", function.name)
+    place = "_place" if function.has_place else ""
     if function.sets == "offset":
         name = name.replace("_offset", "_nearest")
     if function.bound.endswith("_d") and function.axes == 4:
@@ -51,13 +58,13 @@ def name_by_row(function: Function) -> str:
     if re.fullmatch(r"noise\dd", function.file):
         # The dimensions stand behind the noise.
         noise = function.bound.removesuffix("_phase")
-        return f"hn_{noise}{function.file[5]}{name.removeprefix(noise)}"
+        return f"hn_{noise}{function.file[5]}{place}{name.removeprefix(noise)}"
     if function.file == "gradient":
         return f"hn_gradient_lattice{function.axes}"
     words = re.fullmatch(r"word|vec(\d)", name)
     if words:
         return f"hn_hash{words[1] or 1}"
-    return f"hn_{name}"
+    return f"hn_{name}{place}"
 
 
 class Names(unittest.TestCase):
@@ -69,10 +76,8 @@ class Names(unittest.TestCase):
         for arithmetic, module in self.modules.items():
             names = module.names()
             for function in read_functions():
-                if function.form == "place_of_noise":
-                    continue  # it calls several
                 for overload in function.overloads:
-                    types = tuple(type_.removeprefix("out ") for type_ in overload)
+                    types = types_of(overload)
                     with self.subTest(arithmetic=arithmetic, row=function.id, types=types):
                         self.assertEqual(names[function.calls, types], name_by_row(function))
 
@@ -80,14 +85,26 @@ class Names(unittest.TestCase):
         for arithmetic, module in self.modules.items():
             names, texts = module.names(), module.text()
             for declaration in declarations():
-                types = tuple(type_.removeprefix("out ") for type_ in declaration.types)
+                types = types_of(declaration.types)
                 with self.subTest(arithmetic=arithmetic, function=str(declaration)):
                     self.assertIn((declaration.name, types), names)
                     self.assertIn(f"\nfn {names[declaration.name, types]}(", texts)
 
+    def test_those_of_places(self):
+        names = self.modules["HN_FAST"].names()
+        for types, name in ((("vec2",), "hn_place_of2"), (("ivec2", "vec2"), "hn_place_of_cell2"),
+                            (("int", "int", "int"), "hn_place_of_units1")):
+            self.assertEqual(names["hn_place", types], name)
+        self.assertEqual(names["hn_tile", ("vec3", "ivec3")], "hn_tile3")
+        self.assertEqual(names["hn_tile", ("hn_place3", "ivec3")], "hn_tile3_place")
+        self.assertEqual(names["hn_position", ("hn_place4",)], "hn_position4")
+        self.assertEqual(names["hn_perlin", ("hn_place2", "float", "uint")], "hn_perlin2_place_phase")
+        self.assertEqual(names["hn_i_box", ("hn_place2",)], "hn_i_box_place2")
+        self.assertIn("\nstruct hn_place2 {\n", self.modules["HN_FAST"].text())
+
     def test_a_function_that_is_missing_is_noticed(self):
         module = Module(GLSL, '#include "perlin2d.glsl"\n')
-        missing = [str(d) for d in declarations() if (d.name, d.types) not in module.names()]
+        missing = [str(d) for d in declarations() if (d.name, types_of(d.types)) not in module.names()]
         self.assertIn("hn_perlin(vec3, uint)", missing)
         self.assertNotIn("hn_perlin(vec2, uint)", missing)
 
@@ -202,7 +219,8 @@ class Command(unittest.TestCase):
             self.assertIn("such as game::noise", done.stderr)
 
     def test_functions_that_there_are_not(self):
-        for given, said in (("hn_fbm", "it has a name for each form: hn_fbm2, hn_fbm2_cell"),
+        for given, said in (("hn_fbm", "it has a name for each form: hn_fbm2, hn_fbm2_detail"),
+                            ("hn_place", "it has a name for each form: hn_place_of1, hn_place_of2"),
                             ("hn_fbm2,hn_absent", "there is no function hn_absent in WGSL; --names tells"),
                             ("", "--only names no function")):
             with self.subTest(given=given):
@@ -212,7 +230,7 @@ class Command(unittest.TestCase):
 
     def test_names(self):
         lines = self.call("--names", "perlin2d.glsl").stdout.split("\n")
-        self.assertIn("hn_perlin2_cell_period hn_perlin(ivec2, vec2, ivec2, uint)", [" ".join(line.split()) for line in lines])
+        self.assertIn("hn_perlin2_place hn_perlin(hn_place2, uint)", [" ".join(line.split()) for line in lines])
 
     def test_another_copy(self):
         with tempfile.TemporaryDirectory() as folder:
