@@ -131,8 +131,8 @@ TEST_F(Periods, AFunctionThatDoesNotRepeatIsCaught) {
        "hn_value(t, args) hn_value(hn_tile(t, period + int(period > 0)), args)"},
       {"noise4d.perlin_d_cell_period.lattice.fast.fragment.gl330", "period", "perlin_d4d.glsl",
        "hn_perlin_d(t, s, g) hn_perlin_d(hn_tile(t, ivec4(period.x, period.y, period.z, 0)), s, g)"},
-      {"fbm.clouds3_period.lattice.fast.fragment.gl330", "period", "fbm3d.glsl",
-       "hn_clouds(t, o, l, g, args) (hn_clouds(t, o, l, g, args) + 0.00001 * p.z)"},
+      {"fbm.clouds3_cell_period.lattice.fast.fragment.gl330", "period", "fbm3d.glsl",
+       "hn_clouds(t, o, l, g, args) (hn_clouds(t, o, l, g, args) + 0.00001 * float(cell.z))"},
       {"fbm.fbm2_period.lattice.fixed.fragment.gl330", "period", "fbm2d.glsl",
        "hn_fbm(t, o, l, g, args) (hn_fbm(t, o, l, g, args) + 0.0000005 * p.x)"}};
   for (const Aperiodic& fault : kFaults) expect_caught(fault);
@@ -195,7 +195,7 @@ TEST_F(Periods, AFormThatIsNotTheOneWithoutPeriodsIsCaught) {
       // Cells below 0 count towards it.
       {"noise2d.value_cubic_cell_period.lattice.precise.fragment.gl400.wrapped", "lattice.glsl",
        "hn_i_select(c < 0, mask - rest, rest)", "rest"},
-      {"noise1d.perlin_d_period.lattice.fast.fragment.gl330.wrapped", "perlin_d1d.glsl", "place.fraction",
+      {"noise1d.perlin_d_cell_period.lattice.fast.fragment.gl330.wrapped", "perlin_d1d.glsl", "place.fraction",
        "place.fraction + (place.tiled ? 0.001 : 0.0)"}};
   for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
 }
@@ -251,7 +251,7 @@ TEST_F(Derivatives, FaultsOfSumsAreCaught) {
        "next.z = hn_i_turned_by(z, y, 29, 13);", "next.z = hn_i_turned_by(z, y, 29, -13);"},
       {"fbm_d.fbm_d2_cell_period.lattice.precise.fragment.gl400.derivative", "frame.glsl",
        "hn_num2 next = hn_i_framed(k, growth);", "hn_num2 next = k;"},
-      {"fbm_d.fbm_d3_period.lattice.fast.fragment.gl330.derivative", "frame.glsl", "next.y = hn_i_framed(k.y, growth);",
+      {"fbm_d.fbm_d3_cell_period.lattice.fast.fragment.gl330.derivative", "frame.glsl", "next.y = hn_i_framed(k.y, growth);",
        "next.y = hn_i_framed(k.y, 1.2f * growth);"}};
   for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
 }
@@ -275,7 +275,7 @@ TEST_F(Derivatives, AnotherValueIsCaught) {
        "hn_perlin_d(args) (vec3(0.0001, 0.0, 0.0) + hn_perlin_d(args))"},
       {"noise3d.value_d_cell.lattice.fixed.fragment.gl330", "derivative_value", "value_d3d.glsl",
        "hn_value_d(c, args) (vec4(0.0000005, 0.0, 0.0, 0.0) + hn_value_d(c, args))"},
-      {"noise4d.perlin_d_period_value.lattice.precise.fragment.gl400", "derivative_value", "perlin_d4d.glsl",
+      {"noise4d.perlin_d_cell_period_value.lattice.precise.fragment.gl400", "derivative_value", "perlin_d4d.glsl",
        "hn_perlin_d(t, s, g) uintBitsToFloat(floatBitsToUint(hn_perlin_d(t, s, g)) ^ 1u)"}};
   for (const Aperiodic& fault : kFaults) expect_caught(fault);
 }

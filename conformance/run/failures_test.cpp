@@ -38,7 +38,7 @@ TEST(Common, NamesKnobs) {
   EXPECT_EQ(common_in(cases),
             Sentences{"Every failing case is with HN_FIXED; all 2 with HN_FAST or with HN_PRECISE pass."})
       << "the arithmetic does not matter to the hash, which is not counted";
-  EXPECT_EQ(common_in({wrong("noise2d.value_period.lattice.fast.fragment.gl330.golden"),
+  EXPECT_EQ(common_in({wrong("noise2d.value_cell_period.lattice.fast.fragment.gl330.golden"),
                        wrong("noise3d.perlin_cell_period.lattice.fixed.vertex.es300.twin"),
                        right("noise2d.value.lattice.fast.fragment.gl330.golden"),
                        right("noise3d.perlin_cell.lattice.fixed.vertex.es300.twin"),

@@ -160,8 +160,8 @@ class GoldenContents(unittest.TestCase):
         there = {f"{id}.{values.name}" for id, file in FILES.items() for values in file.values}
         for name in ("hash.word.fnv1", "hash.unorm.any", "gradient.lattice2.lattice", "gradient.sine3.fnv1+sine",
                      "noise3d.perlin_cell_period.lattice+fixed", "fbm.clouds2.lattice+sine+fixed",
-                     "position.cell4.any", "noise2d.simplex_period.pcg", "fbm_d.eroded3.lattice+fixed",
-                     "warp.warp_progressive2_period.lattice"):
+                     "position.cell4.any", "noise2d.simplex_cell_period.pcg", "fbm_d.eroded3.lattice+fixed",
+                     "warp.warp_progressive2_cell_period.lattice"):
             self.assertIn(name, there)
         for name in ("hash.unorm.lattice", "hash.word.lattice+fixed", "gradient.lattice2.lattice+sine",
                      "noise2d.perlin.lattice+precise", "fbm.fbm2.fnv1+sine", "fbm.fbm1.lattice+sine",

@@ -36,12 +36,12 @@ class Tables(unittest.TestCase):
                                        ("noise2d.perlin", "position", 2, "gradient_noise"),
                                        ("noise3d.perlin_cell", "cell", 3, "gradient_noise"),
                                        ("noise4d.perlin_d_cell_period", "cell", 4, "octahedral_noise"),
-                                       ("noise1d.value_period", "position", 1, "further_lattice_noise"),
+                                       ("noise1d.perlin_period", "position", 1, "octahedral_noise"),
                                        ("position.cell3", "place", 3, "independent"),
                                        ("position.perlin2", "place_of_noise", 2, "further_gradient_noise"),
                                        ("noise3d.cellular_cell_full", "cell", 3, "further_cellular"),
                                        ("noise2d.cell_border_nearest", "position", 2, "further_cellular"),
-                                       ("fbm.clouds3_period", "sum", 3, "further_octave_sum"),
+                                       ("fbm.fbm2_period", "sum", 2, "further_octave_sum"),
                                        ("fbm.ping_pong3_cell_period", "sum", 3, "further_octave_sum"),
                                        ("fbm.weighted2_cell", "sum", 2, "further_octave_sum"),
                                        ("fbm.fbm3_detail", "sum", 3, "further_octave_sum"),
@@ -49,7 +49,7 @@ class Tables(unittest.TestCase):
                                        ("fbm.clouds3", "sum", 3, "octave_sum"),
                                        ("fbm.ridged4_cell_period", "sum", 4, "octahedral_octave_sum"),
                                        ("fbm_d.eroded3_cell", "sum", 3, "octahedral_octave_sum"),
-                                       ("warp.warp_progressive2_period", "sum", 2, "further_octave_sum")):
+                                       ("warp.warp_progressive2_cell_period", "sum", 2, "further_octave_sum")):
             function = functions[id]
             self.assertEqual((function.form, function.axes, function.family), (form, axes, family), id)
         cell, word = functions["noise3d.perlin_cell"], functions["hash.word"]
