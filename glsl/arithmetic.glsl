@@ -361,4 +361,10 @@ HN_FN hn_num4 hn_i_numbers(hn_uvec4 h) {
   return hn_i_num(hn_i_number(h.x), hn_i_number(h.y), hn_i_number(h.z), hn_i_number(h.w));
 }
 
+// What noises with derivatives return in four dimensions, where no vector has room for it.
+struct hn_derivatives4 {
+  hn_float value;
+  hn_vec4 gradient;
+};
+
 #endif

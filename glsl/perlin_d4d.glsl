@@ -50,8 +50,7 @@ HN_FN hn_num4 hn_i_cube_d(hn_i_box4 box, hn_num4 f, bool far_w, hn_num4 t, hn_nu
                   hn_i_climb(hn_i_lerp(rest0.x, rest1.x, t.z), hn_i_rise(n0.x, n1.x), s.z));
 }
 
-// The noise and its gradient.
-HN_FN hn_float hn_i_perlin_d(hn_i_box4 box, hn_num4 f, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
+HN_FN hn_derivatives4 hn_i_perlin_d(hn_i_box4 box, hn_num4 f, hn_uint seed) {
   hn_num4 t = hn_i_fade(f);
   hn_num4 s = hn_i_slope(f);
   hn_num rest0;
@@ -59,30 +58,30 @@ HN_FN hn_float hn_i_perlin_d(hn_i_box4 box, hn_num4 f, hn_uint seed, HN_I_OUT(hn
   hn_num4 n0 = hn_i_cube_d(box, f, false, t, s, seed, rest0);
   hn_num4 n1 = hn_i_cube_d(box, f, true, t, s, seed, rest1);
   hn_num dw = hn_i_climb(hn_i_lerp(rest0, rest1, t.w), hn_i_rise(n0.x, n1.x), s.w);
-  gradient = vec4(hn_i_derivative(hn_i_scaled4(hn_i_lerp(n0.y, n1.y, t.w))),
-                  hn_i_derivative(hn_i_scaled4(hn_i_lerp(n0.z, n1.z, t.w))),
-                  hn_i_derivative(hn_i_scaled4(hn_i_lerp(n0.w, n1.w, t.w))), hn_i_derivative(hn_i_scaled4(dw)));
-  return hn_i_value(hn_i_scaled4(hn_i_lerp(n0.x, n1.x, t.w)));
+  HN_I_NEW(hn_derivatives4, n);
+  n.gradient = vec4(hn_i_derivative(hn_i_scaled4(hn_i_lerp(n0.y, n1.y, t.w))),
+                    hn_i_derivative(hn_i_scaled4(hn_i_lerp(n0.z, n1.z, t.w))),
+                    hn_i_derivative(hn_i_scaled4(hn_i_lerp(n0.w, n1.w, t.w))), hn_i_derivative(hn_i_scaled4(dw)));
+  n.value = hn_i_value(hn_i_scaled4(hn_i_lerp(n0.x, n1.x, t.w)));
+  return n;
 }
 
 // Perlin noise in four dimensions and how steep it is. The value is that of hn_perlin.
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
 //   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
-//   returns  the value; `gradient` is set to its derivatives along x, y, z and w. A derivative is per cell, in [-3.62,
+//   returns  `value` and, in `gradient`, its derivatives along x, y, z and w. A derivative is per cell, in [-3.62,
 //            3.62], once continuously differentiable (HN_FIXED: in steps of 2^-19)
 //   error    that of hn_perlin, and of a derivative at most 3.28e-5 against the exact value, in any rounding mode
 //            (docs/accuracy.md). HN_FIXED 3.02e-4. From a cell at most 3.15e-5
 //   period   2^32 cells per axis, or that of the tile
 //   cost     the hashes of hn_perlin, which are most of its cost, and about twice the rest
 //   source   the product rule on the interpolation; docs/contract.md, section 10
-HN_FN hn_float hn_perlin_d(hn_place4 place, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
-  return hn_i_perlin_d(hn_i_box(place), place.fraction, seed, gradient);
+HN_FN hn_derivatives4 hn_perlin_d(hn_place4 place, hn_uint seed) {
+  return hn_i_perlin_d(hn_i_box(place), place.fraction, seed);
 }
-HN_FN hn_float hn_perlin_d(hn_vec4 p, hn_uint seed, HN_I_OUT(hn_vec4) gradient) {
-  return hn_perlin_d(hn_place(p), seed, gradient);
-}
-HN_FN hn_float hn_perlin_d(hn_vec4 p, HN_I_OUT(hn_vec4) gradient) { return hn_perlin_d(p, 0u, gradient); }
+HN_FN hn_derivatives4 hn_perlin_d(hn_vec4 p, hn_uint seed) { return hn_perlin_d(hn_place(p), seed); }
+HN_FN hn_derivatives4 hn_perlin_d(hn_vec4 p) { return hn_perlin_d(p, 0u); }
 
 #endif
 #endif

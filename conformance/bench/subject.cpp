@@ -21,8 +21,10 @@ float hn_bench_value(ivec4 v) { return intBitsToFloat(v.x ^ v.y ^ v.z ^ v.w); }
 float hn_bench_value(vec2 v) { return v.x + v.y; }
 float hn_bench_value(vec3 v) { return v.x + v.y + v.z; }
 float hn_bench_value(vec4 v) { return v.x + v.y + v.z + v.w; }
+#ifdef HN_ARITHMETIC_GLSL
+float hn_bench_value(hn_derivatives4 n) { return n.value + hn_bench_value(n.gradient); }
+#endif
 // What a function sets.
-vec4 hn_bench_out;
 ivec2 hn_bench_cell2;
 ivec3 hn_bench_cell3;
 vec2 hn_bench_offset2;

@@ -40,12 +40,13 @@ RIGHT = (
     "hn_perlin(x)", "hn_perlin(x, 7u)", "hn_perlin(hn_tile(x, 16), 7u)", "hn_perlin(d, 7u)", "hn_perlin(0.5)",
     "hn_perlin({x, x}, 7u)", "hn_perlin(hn_tile(p, ivec2(8, 5)), 7u)", "hn_perlin(hn_place(c, p), seed)", "hn_perlin(hn_tile(hn_place(c, p), ivec2(8)), 0.25, 7u)",
     "hn_perlin(p, 0.25f, 7u)", "hn_perlin(vec4(x), seed)", "hn_perlin(vec2(d, d), seed)",
-    "hn_value_d(vec4(x), 7u, gradient)", "hn_cellular(p, 1.0f, HN_METRIC_MANHATTAN, 7u).x",
+    "hn_value_d(vec4(x), 7u).value", "hn_cellular(p, 1.0f, HN_METRIC_MANHATTAN, 7u).x",
     "hn_cellular(hn_place(p), 0.5, 3, 7u).x", "hn_fbm(p, 6, 2.0f, 0.5f)", "hn_fbm(p, 6, 2.0, 0.5)",
     "hn_fbm(p, 6, 2.0, 0.5, 7u)", "hn_fbm(x, octaves, d, 0.5f, seed)", "hn_fbm(p, 2.5f, 2.0f, 0.5f, 7u)",
     "hn_fbm(p, 0.1f, 3, 2.0f, 0.5f, 7u)", "hn_fbm(p, 0.1, 3, 2.0, 0.5, 7u)", "hn_fbm(hn_place(c, p), 6, 2.0, 0.5, 7u)",
     "hn_fbm(hn_tile(p, ivec2(4)), 6, 2.0, 0.5, 7u)", "hn_ping_pong(p, 6, 2.0, 0.5, 2.0)", "hn_warp(p, 6, 2.0f, 0.5f, 0.25f).x",
-    "hn_curl(p, 7u).x", "hn_gradient(c, 7u).x", "hn_cell(c, 3, 64).x", "hn_perlin(hn_place(c, 3, 64), 7u)", "float(hn_hash(uvec2(3u, 4u)))", "hn_unorm(7u)",
+    "hn_curl(p, 7u).x", "hn_gradient(c, 7u).x", "hn_cell(c, 3, 64).x", "hn_perlin(hn_place(c, 3, 64), 7u)",
+    "float(hn_hash(uvec2(3u, 4u)))", "hn_unorm(7u)",
 )
 # C++ would convert a number, and GLSL does not.
 WRONG = (
@@ -68,8 +69,7 @@ HN_FBM2D(fbm_of_simplex, hn_simplex)
 HN_ONLY_TYPES_OF_GLSL(fbm_of_simplex)
 }  // namespace hashnoise
 float all_of_them([[maybe_unused]] float x, [[maybe_unused]] double d, [[maybe_unused]] vec2 p,
-                  [[maybe_unused]] ivec2 c, [[maybe_unused]] uint seed, [[maybe_unused]] int octaves,
-                  [[maybe_unused]] vec4& gradient) {
+                  [[maybe_unused]] ivec2 c, [[maybe_unused]] uint seed, [[maybe_unused]] int octaves) {
   float sum = 0.0f;
 """
 

@@ -96,13 +96,7 @@ HN_I_INLINE auto along(const Point& point) {
   }
 }
 
-// A value and four derivatives, which no vector holds.
-struct ValueAndGradient {
-  Float value;
-  vec4 gradient;
-};
-
-HN_I_INLINE void store(float* const* planes, std::size_t i, ValueAndGradient n) {
+HN_I_INLINE void store(float* const* planes, std::size_t i, hn_derivatives4 n) {
   store(planes, i, vec4(n.value, n.gradient.x, n.gradient.y, n.gradient.z));
   n.gradient.w.store(planes[4] + i);
 }

@@ -7,37 +7,31 @@ namespace HN_LANES {
 namespace {
 
 // A noise at a place, by how it is called: plain, in a tile with everything that may be chosen (full), with a phase,
-// and both. In 4D the gradient is a parameter.
-#define HN_GRID_NOISE(kind, name, shape, in, ...)                                        \
+// and both.
+#define HN_GRID_NOISE(kind, name, in, ...)                                               \
   struct name##_##kind {                                                                 \
     template <int D>                                                                     \
     HN_I_INLINE static auto at(Place<D> place, [[maybe_unused]] const Given<D>& given) { \
-      if constexpr (D == 4 && grid::Shape::shape == grid::Shape::kWithSlopes) {          \
-        ValueAndGradient n;                                                              \
-        n.value = hn_##name(in, __VA_ARGS__, n.gradient);                                \
-        return n;                                                                        \
-      } else {                                                                           \
-        return hn_##name(in, __VA_ARGS__);                                               \
-      }                                                                                  \
+      return hn_##name(in, __VA_ARGS__);                                                 \
     }                                                                                    \
   };
 #define HN_GRID_TILE hn_tile(place, given.period)
 // By what it takes. What has no phase has no struct for it.
-#define HN_GRID_WITHOUT_PHASE(name, shape, ...)               \
-  HN_GRID_NOISE(plain, name, shape, place, given.seed)        \
-  HN_GRID_NOISE(full, name, shape, HN_GRID_TILE, __VA_ARGS__) \
-  struct name##_phase;                                        \
+#define HN_GRID_WITHOUT_PHASE(name, ...)               \
+  HN_GRID_NOISE(plain, name, place, given.seed)        \
+  HN_GRID_NOISE(full, name, HN_GRID_TILE, __VA_ARGS__) \
+  struct name##_phase;                                 \
   struct name##_phase_full;
-#define HN_GRID_kNothing(name, shape) HN_GRID_WITHOUT_PHASE(name, shape, given.seed)
-#define HN_GRID_kJitter(name, shape) HN_GRID_WITHOUT_PHASE(name, shape, given.jitter, given.seed)
-#define HN_GRID_kJitterAndMetric(name, shape) HN_GRID_WITHOUT_PHASE(name, shape, given.jitter, given.metric, given.seed)
-#define HN_GRID_kPhase(name, shape)                                 \
-  HN_GRID_NOISE(plain, name, shape, place, given.seed)              \
-  HN_GRID_NOISE(full, name, shape, HN_GRID_TILE, given.seed)        \
-  HN_GRID_NOISE(phase, name, shape, place, given.phase, given.seed) \
-  HN_GRID_NOISE(phase_full, name, shape, HN_GRID_TILE, given.phase, given.seed)
+#define HN_GRID_kNothing(name) HN_GRID_WITHOUT_PHASE(name, given.seed)
+#define HN_GRID_kJitter(name) HN_GRID_WITHOUT_PHASE(name, given.jitter, given.seed)
+#define HN_GRID_kJitterAndMetric(name) HN_GRID_WITHOUT_PHASE(name, given.jitter, given.metric, given.seed)
+#define HN_GRID_kPhase(name)                                 \
+  HN_GRID_NOISE(plain, name, place, given.seed)              \
+  HN_GRID_NOISE(full, name, HN_GRID_TILE, given.seed)        \
+  HN_GRID_NOISE(phase, name, place, given.phase, given.seed) \
+  HN_GRID_NOISE(phase_full, name, HN_GRID_TILE, given.phase, given.seed)
 
-#define HN_CATALOG_NOISE(Id, name, first, last, shape, takes) HN_GRID_##takes(name, shape)
+#define HN_CATALOG_NOISE(Id, name, first, last, shape, takes) HN_GRID_##takes(name)
 #include "catalog.inc"
 
 template <int D, typename Noise>

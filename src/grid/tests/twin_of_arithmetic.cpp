@@ -59,20 +59,14 @@ auto glsl(const Array& a) {
   if constexpr (D == 4) return Vector4<T>{a[0], a[1], a[2], a[3]};
 }
 
-// A noise with derivatives sets these by a parameter in 4D.
-struct ValueAndSlopes4 {
-  float value = 0.0f;
-  vec4 slopes{};
-};
-
 // The components of what a function returns.
 void store(float v, float* values) { *values = v; }
 void store(vec2 v, float* values) { std::ranges::copy(std::array{v.x, v.y}, values); }
 void store(vec3 v, float* values) { std::ranges::copy(std::array{v.x, v.y, v.z}, values); }
 void store(vec4 v, float* values) { std::ranges::copy(std::array{v.x, v.y, v.z, v.w}, values); }
-void store(const ValueAndSlopes4& v, float* values) {
+void store(const hn_derivatives4& v, float* values) {
   *values = v.value;
-  store(v.slopes, values + 1);
+  store(v.gradient, values + 1);
 }
 
 template <typename T>
@@ -81,17 +75,9 @@ constexpr int kComponents = sizeof(T) / sizeof(float);
 // ---------------------------------------------------------------------------------------------------------------------
 // Noises.
 
-#define CALL(name)                                           \
-  struct name {                                              \
-    static auto of(auto... arguments) {                      \
-      if constexpr (requires { hn_##name(arguments...); }) { \
-        return hn_##name(arguments...);                      \
-      } else {                                               \
-        ValueAndSlopes4 n;                                   \
-        n.value = hn_##name(arguments..., n.slopes);         \
-        return n;                                            \
-      }                                                      \
-    }                                                        \
+#define CALL(name)                                                        \
+  struct name {                                                           \
+    static auto of(auto... arguments) { return hn_##name(arguments...); } \
   };
 namespace call {
 CALL(cell_border)

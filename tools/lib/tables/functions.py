@@ -139,10 +139,7 @@ class Function:
     @property
     def overloads(self) -> tuple[tuple[str, ...], ...]:
         """The types without a seed, and with one. At a place, and with what is chosen beside it, there is always a seed."""
-        # A vec4 has no room for a value and four derivatives.
-        out = ("out vec4",) * (self.bound.endswith("_d") and self.axes == 4)
-        if self.sets:
-            out = (f"out ivec{self.axes}", f"out vec{self.axes}")
+        out = (f"out ivec{self.axes}", f"out vec{self.axes}") if self.sets else ()
         if self.form in ("words", "place"):
             return (self.types,)
         seeded = (*self.types, "uint", *out)
