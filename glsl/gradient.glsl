@@ -356,7 +356,7 @@ HN_FN hn_num3 hn_i_gradient(hn_uint column, hn_uint row, hn_uint z) {
 
 // The coordinates that were spread. The factors are the inverses of those that spread, modulo 2^32; compilers cancel
 // the two.
-HN_FN hn_uint hn_i_gathered(hn_uint x) { return (x - 0x165667B1u) * 0x0E8B2F51u; }
+HN_FN hn_uint hn_i_gathered(hn_uint x) { return (x - HN_I_ORIGIN_X) * 0x0E8B2F51u; }
 HN_FN hn_uvec2 hn_i_gathered(hn_uvec2 v) { return uvec2(hn_i_gathered(v.x), v.y * 0xB6C92F47u); }
 HN_FN hn_uvec3 hn_i_gathered(hn_uvec3 v) { return uvec3(hn_i_gathered(v.x), v.y * 0xB6C92F47u, v.z * 0xA89ED915u); }
 

@@ -139,13 +139,19 @@ HN_FN hn_uint hn_i_hash(hn_uint k) { return HN_HASH_FN(k); }
 HN_FN hn_uint hn_i_hash(hn_uint k) { return k; }
 #endif
 
-// Multiplying by an odd number (a prime of xxHash) sends neighbours far apart. The offset keeps the origin from being a
-// word of zeros.
-HN_FN hn_uint hn_i_spread(hn_uint x) { return x * 0x9E3779B1u + 0x165667B1u; }
-HN_FN hn_uvec2 hn_i_spread(hn_uvec2 v) { return uvec2(hn_i_spread(v.x), v.y * 0x85EBCA77u); }
-HN_FN hn_uvec3 hn_i_spread(hn_uvec3 v) { return uvec3(hn_i_spread(v.x), v.y * 0x85EBCA77u, v.z * 0xC2B2AE3Du); }
+// Coordinates are spread: multiplying by an odd number (a prime of xxHash) sends neighbours far apart. So from a point to
+// the next along an axis a spread coordinate goes by HN_I_STEP. The offset, which is xxHash's fifth prime, keeps the
+// origin from being a word of zeros.
+#define HN_I_STEP_X 0x9E3779B1u
+#define HN_I_STEP_Y 0x85EBCA77u
+#define HN_I_STEP_Z 0xC2B2AE3Du
+#define HN_I_STEP_W 0x27D4EB2Fu
+#define HN_I_ORIGIN_X 0x165667B1u
+HN_FN hn_uint hn_i_spread(hn_uint x) { return x * HN_I_STEP_X + HN_I_ORIGIN_X; }
+HN_FN hn_uvec2 hn_i_spread(hn_uvec2 v) { return uvec2(hn_i_spread(v.x), v.y * HN_I_STEP_Y); }
+HN_FN hn_uvec3 hn_i_spread(hn_uvec3 v) { return uvec3(hn_i_spread(v.x), v.y * HN_I_STEP_Y, v.z * HN_I_STEP_Z); }
 HN_FN hn_uvec4 hn_i_spread(hn_uvec4 v) {
-  return uvec4(hn_i_spread(v.x), v.y * 0x85EBCA77u, v.z * 0xC2B2AE3Du, v.w * 0x27D4EB2Fu);
+  return uvec4(hn_i_spread(v.x), v.y * HN_I_STEP_Y, v.z * HN_I_STEP_Z, v.w * HN_I_STEP_W);
 }
 
 // Folds the high bits of a spread coordinate onto the low ones, since a product carries changes upwards only. The

@@ -10,13 +10,13 @@
 
 // A cell is known by the spread coordinates of its first corner and of its last, the opposite one. Along an axis the
 // last is one step further. Without a period a step adds a constant.
-HN_FN hn_uint hn_i_last(hn_uint first) { return first + 0x9E3779B1u; }
-HN_FN hn_uvec2 hn_i_last(hn_uvec2 first) { return uvec2(hn_i_last(first.x), first.y + 0x85EBCA77u); }
+HN_FN hn_uint hn_i_last(hn_uint first) { return first + HN_I_STEP_X; }
+HN_FN hn_uvec2 hn_i_last(hn_uvec2 first) { return uvec2(hn_i_last(first.x), first.y + HN_I_STEP_Y); }
 HN_FN hn_uvec3 hn_i_last(hn_uvec3 first) {
-  return uvec3(hn_i_last(first.x), first.y + 0x85EBCA77u, first.z + 0xC2B2AE3Du);
+  return uvec3(hn_i_last(first.x), first.y + HN_I_STEP_Y, first.z + HN_I_STEP_Z);
 }
 HN_FN hn_uvec4 hn_i_last(hn_uvec4 first) {
-  return uvec4(hn_i_last(first.x), first.y + 0x85EBCA77u, first.z + 0xC2B2AE3Du, first.w + 0x27D4EB2Fu);
+  return uvec4(hn_i_last(first.x), first.y + HN_I_STEP_Y, first.z + HN_I_STEP_Z, first.w + HN_I_STEP_W);
 }
 
 // A coordinate in [0, period); without a period (0, or less) the coordinate as it is. For a power of two it is a mask,
@@ -47,7 +47,7 @@ HN_FN hn_uint hn_i_behind(hn_uint last, hn_uint c, hn_int period, hn_uint zero) 
 
 // The first corner of a cell with a period, from its wrapped coordinates, is hn_i_spread(c). This is its last.
 HN_FN hn_uint hn_i_last(hn_uint first, hn_uint c, hn_int period) {
-  return hn_i_behind(hn_i_last(first), c, period, 0x165667B1u);
+  return hn_i_behind(hn_i_last(first), c, period, HN_I_ORIGIN_X);
 }
 HN_FN hn_uvec2 hn_i_last(hn_uvec2 first, hn_uvec2 c, hn_ivec2 period) {
   hn_uvec2 last = hn_i_last(first);
@@ -133,12 +133,12 @@ HN_FN hn_i_box4 hn_i_box(hn_place4 place) {
 }
 
 // The first corner of the cell before, given the first corner of a cell.
-HN_FN hn_uvec2 hn_i_before(hn_uvec2 first) { return uvec2(first.x - 0x9E3779B1u, first.y - 0x85EBCA77u); }
+HN_FN hn_uvec2 hn_i_before(hn_uvec2 first) { return uvec2(first.x - HN_I_STEP_X, first.y - HN_I_STEP_Y); }
 HN_FN hn_uvec3 hn_i_before(hn_uvec3 first) {
-  return uvec3(hn_i_before(uvec2(first.x, first.y)), first.z - 0xC2B2AE3Du);
+  return uvec3(hn_i_before(uvec2(first.x, first.y)), first.z - HN_I_STEP_Z);
 }
 HN_FN hn_uvec4 hn_i_before(hn_uvec4 first) {
-  return uvec4(hn_i_before(uvec3(first.x, first.y, first.z)), first.w - 0x27D4EB2Fu);
+  return uvec4(hn_i_before(uvec3(first.x, first.y, first.z)), first.w - HN_I_STEP_W);
 }
 
 // The wrapped coordinate before another with a period, and the one after it. Without a period the one before 0 is -1.

@@ -67,7 +67,7 @@ HN_FN hn_uvec3 hn_i_triangle(hn_place2 place, hn_num2 skewed, hn_uint seed) {
     first = hn_i_spread(uvec2(hn_i_doubled(uint(place.cell.x), column), hn_i_doubled(uint(place.cell.y), row)));
     hn_uvec2 next = hn_i_last(first);
     last = uvec2(hn_i_select((row & 1) == 0, first.x, next.x), next.y);
-    middle = uvec2(hn_i_select(u > v, next.x, last.x - 0x9E3779B1u), hn_i_select(u > v, first.y, next.y));
+    middle = uvec2(hn_i_select(u > v, next.x, last.x - HN_I_STEP_X), hn_i_select(u > v, first.y, next.y));
   }
   hn_uint s = hn_i_mix(seed);
   return uvec3(hn_i_word(first, s, s), hn_i_word(middle, s, s), hn_i_word(last, s, s));

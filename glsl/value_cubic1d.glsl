@@ -13,7 +13,7 @@ HN_FN hn_num hn_i_value_cubic(hn_uvec4 x, hn_num f, hn_uint seed) {
 }
 
 HN_FN hn_num hn_i_value_cubic(hn_place1 place, hn_uint seed) {
-  return hn_i_value_cubic(hn_i_line(place.cell, place.period, place.tiled, 0x9E3779B1u, 0x165667B1u), place.fraction,
+  return hn_i_value_cubic(hn_i_line(place.cell, place.period, place.tiled, HN_I_STEP_X, HN_I_ORIGIN_X), place.fraction,
                           seed);
 }
 

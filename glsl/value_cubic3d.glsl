@@ -19,9 +19,9 @@ HN_FN hn_num hn_i_value_cubic(hn_uvec4 x, hn_uvec4 y, hn_uvec4 z, hn_num3 f, hn_
 }
 
 HN_FN hn_num hn_i_value_cubic(hn_place3 place, hn_uint seed) {
-  return hn_i_value_cubic(hn_i_line(place.cell.x, place.period.x, place.tiled, 0x9E3779B1u, 0x165667B1u),
-                          hn_i_line(place.cell.y, place.period.y, place.tiled, 0x85EBCA77u, 0u),
-                          hn_i_line(place.cell.z, place.period.z, place.tiled, 0xC2B2AE3Du, 0u), place.fraction, seed);
+  return hn_i_value_cubic(hn_i_line(place.cell.x, place.period.x, place.tiled, HN_I_STEP_X, HN_I_ORIGIN_X),
+                          hn_i_line(place.cell.y, place.period.y, place.tiled, HN_I_STEP_Y, 0u),
+                          hn_i_line(place.cell.z, place.period.z, place.tiled, HN_I_STEP_Z, 0u), place.fraction, seed);
 }
 
 // Cubic value noise in space: a uniform cubic B-spline over hashed numbers. It is the smoothest of the lattice noises:

@@ -263,7 +263,7 @@ class Cli(unittest.TestCase):
                  "hn_perlin(hn_place(abs(p)), seed)"),
             ),
             (
-                (f"{perlin}.zero", "perlin2d.glsl", "hn_perlin(hn_place(p), seed)", "hn_perlin(hn_place(p + 0.25f), seed)"),
+                (f"{perlin}.zero", "perlin2d.glsl", "place.fraction", "place.fraction + 0.25f"),
                 (f"{perlin}.finite",),
             ),
             (("hash.all.pcg.fast.fragment.vulkan.spirv", "hash.glsl", "2891336453u", "2891336453.5"),),

@@ -29,7 +29,8 @@ HN_WARP2D(my_warp, hn_value)
 HN_ERODED3D(my_slopes, hn_value_d)
 float mine(float2 p, uint seed) {
   float3 vec3 = float3(p, 0.5f);
-  float uvec4 = hn_perlin(p) + hn_perlin(int3(7, 7, 7), vec3, seed) + hn_fbm(p, 5, 2.0f, 0.5f, seed);
+  float uvec4 = hn_perlin(p) + hn_perlin(hn_tile(hn_place(int3(7, 7, 7), vec3), int3(8, 8, 8)), seed) +
+                hn_fbm(p, 5, 2.0f, 0.5f, seed) + hn_value_d(float4(p, p), seed).value;
   return uvec4 + hn_turbulence(vec3, 5, 2.1f, 0.5f) + hn_clouds(p, 3, 2.0f, 0.5f) + my_sum(p, 5, 2.0f, 0.5f) +
          my_warp(p, 5, 2.0f, 0.5f, 1.0f).x + my_slopes(vec3, 5, 2.0f, 0.5f, 1.0f) + hn_gradient(int2(7, 7)).x +
          hn_unorm(hn_hash(uint3(7u, 7u, seed)) ^ hn_lattice(int4(1, 2, 3, 4)));
