@@ -57,12 +57,12 @@ HN_FN hn_i_whole4 hn_i_next(hn_i_whole4 q, hn_float lacunarity) {
     next.w = hn_i_shifted(w, HN_I_SHIFT_W);
     next.period = hn_i_next_period(q.period, lacunarity);
   } else {
-    hn_ivec2 turned_y = hn_i_turned_axis(y, x, 25, 20);
-    hn_ivec2 turned_z = hn_i_turned_axis(z, turned_y, 29, 13);
-    next.x = hn_i_shifted(hn_i_turned_axis(x, y, 25, -20), HN_I_SHIFT_X);
-    next.y = hn_i_shifted(hn_i_turned_axis(turned_y, z, 29, -13), HN_I_SHIFT_Y);
-    next.z = hn_i_shifted(hn_i_turned_axis(turned_z, w, 25, -20), HN_I_SHIFT_Z);
-    next.w = hn_i_shifted(hn_i_turned_axis(w, turned_z, 25, 20), HN_I_SHIFT_W);
+    hn_ivec2 turned_y = hn_i_rotated_axis(y, x, 25, 20);
+    hn_ivec2 turned_z = hn_i_rotated_axis(z, turned_y, 29, 13);
+    next.x = hn_i_shifted(hn_i_rotated_axis(x, y, 25, -20), HN_I_SHIFT_X);
+    next.y = hn_i_shifted(hn_i_rotated_axis(turned_y, z, 29, -13), HN_I_SHIFT_Y);
+    next.z = hn_i_shifted(hn_i_rotated_axis(turned_z, w, 25, -20), HN_I_SHIFT_Z);
+    next.w = hn_i_shifted(hn_i_rotated_axis(w, turned_z, 25, 20), HN_I_SHIFT_W);
   }
   return next;
 }

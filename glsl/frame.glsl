@@ -15,7 +15,7 @@
 //
 //   hn_i_framed(a, b)       the product of a number and one of a frame, in the units of the number
 //   hn_i_joined, hn_i_parted    the sum and the difference; integers wrap
-//   hn_i_turned_by(a, b, along, across)    (along * a + across * b) / 32
+//   hn_i_rotated_by(a, b, along, across)    (along * a + across * b) / 32
 //   hn_i_growth             gain * lacunarity
 //   hn_i_octave_slope       a derivative of an octave's noise
 //   hn_i_coarse             a result that a float holds
@@ -32,7 +32,7 @@ HN_FN hn_int hn_i_framed(hn_int a, hn_int b) {
 HN_FN hn_int hn_i_joined(hn_int a, hn_int b) { return int(uint(a) + uint(b)); }
 HN_FN hn_int hn_i_parted(hn_int a, hn_int b) { return int(uint(a) - uint(b)); }
 
-HN_FN hn_int hn_i_turned_by(hn_int a, hn_int b, hn_int along, hn_int across) {
+HN_FN hn_int hn_i_rotated_by(hn_int a, hn_int b, hn_int along, hn_int across) {
   return int(uint(along) * uint(a) + uint(across) * uint(b)) >> 5;
 }
 
@@ -82,7 +82,7 @@ HN_FN hn_float hn_i_framed(hn_float a, hn_float b) { return hn_i_times(a, b); }
 HN_FN hn_float hn_i_joined(hn_float a, hn_float b) { return hn_i_plus(a, b); }
 HN_FN hn_float hn_i_parted(hn_float a, hn_float b) { return hn_i_minus(a, b); }
 
-HN_FN hn_float hn_i_turned_by(hn_float a, hn_float b, hn_int along, hn_int across) {
+HN_FN hn_float hn_i_rotated_by(hn_float a, hn_float b, hn_int along, hn_int across) {
   HN_I_PRECISE hn_float n = float(along) * (1.0f / 32.0f) * a + float(across) * (1.0f / 32.0f) * b;
   return n;
 }
@@ -125,29 +125,30 @@ HN_FN hn_num3 hn_i_framed(hn_num3 a, hn_num b) {
 HN_FN hn_num3 hn_i_joined(hn_num3 a, hn_num3 b) {
   return hn_i_num(hn_i_joined(a.x, b.x), hn_i_joined(a.y, b.y), hn_i_joined(a.z, b.z));
 }
-HN_FN hn_num3 hn_i_turned_by(hn_num3 a, hn_num3 b, hn_int along, hn_int across) {
-  return hn_i_num(hn_i_turned_by(a.x, b.x, along, across), hn_i_turned_by(a.y, b.y, along, across),
-                  hn_i_turned_by(a.z, b.z, along, across));
+HN_FN hn_num3 hn_i_rotated_by(hn_num3 a, hn_num3 b, hn_int along, hn_int across) {
+  return hn_i_num(hn_i_rotated_by(a.x, b.x, along, across), hn_i_rotated_by(a.y, b.y, along, across),
+                  hn_i_rotated_by(a.z, b.z, along, across));
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Turns, on the plane and in space: of frames, and of the slopes that an erosion sums. A tile must not turn.
 
-HN_FN hn_num2 hn_i_turned(hn_num2 v) {
-  return hn_i_num(hn_i_turned_by(v.x, v.y, 25, -20), hn_i_turned_by(v.y, v.x, 25, 20));
+HN_FN hn_num2 hn_i_rotated(hn_num2 v) {
+  return hn_i_num(hn_i_rotated_by(v.x, v.y, 25, -20), hn_i_rotated_by(v.y, v.x, 25, 20));
 }
-HN_FN hn_num3 hn_i_turned(hn_num3 v) {
-  hn_num y = hn_i_turned_by(v.y, v.x, 25, 20);
-  return hn_i_num(hn_i_turned_by(v.x, v.y, 25, -20), hn_i_turned_by(y, v.z, 29, -13), hn_i_turned_by(v.z, y, 29, 13));
+HN_FN hn_num3 hn_i_rotated(hn_num3 v) {
+  hn_num y = hn_i_rotated_by(v.y, v.x, 25, 20);
+  return hn_i_num(hn_i_rotated_by(v.x, v.y, 25, -20), hn_i_rotated_by(y, v.z, 29, -13),
+                  hn_i_rotated_by(v.z, y, 29, 13));
 }
 HN_FN hn_num2 hn_i_next_slope(hn_num2 e, bool tiled) {
   hn_num2 next = e;
-  if (!tiled) next = hn_i_turned(e);
+  if (!tiled) next = hn_i_rotated(e);
   return next;
 }
 HN_FN hn_num3 hn_i_next_slope(hn_num3 e, bool tiled) {
   hn_num3 next = e;
-  if (!tiled) next = hn_i_turned(e);
+  if (!tiled) next = hn_i_rotated(e);
   return next;
 }
 
@@ -168,7 +169,7 @@ HN_FN hn_i_frame3 hn_i_first_frame3() {
 
 HN_FN hn_num2 hn_i_next_frame(hn_num2 k, hn_num growth, bool tiled) {
   hn_num2 next = hn_i_framed(k, growth);
-  if (!tiled) next = hn_i_turned(next);
+  if (!tiled) next = hn_i_rotated(next);
   return next;
 }
 
@@ -179,11 +180,11 @@ HN_FN hn_i_frame3 hn_i_next_frame(hn_i_frame3 k, hn_num growth, bool tiled) {
   next.z = hn_i_framed(k.z, growth);
   if (!tiled) {
     hn_num3 x = next.x;
-    hn_num3 y = hn_i_turned_by(next.y, x, 25, 20);
+    hn_num3 y = hn_i_rotated_by(next.y, x, 25, 20);
     hn_num3 z = next.z;
-    next.x = hn_i_turned_by(x, next.y, 25, -20);
-    next.y = hn_i_turned_by(y, z, 29, -13);
-    next.z = hn_i_turned_by(z, y, 29, 13);
+    next.x = hn_i_rotated_by(x, next.y, 25, -20);
+    next.y = hn_i_rotated_by(y, z, 29, -13);
+    next.z = hn_i_rotated_by(z, y, 29, 13);
   }
   return next;
 }

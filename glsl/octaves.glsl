@@ -218,7 +218,7 @@ HN_FN hn_ivec2 hn_i_times_ratio(hn_ivec2 x, hn_uint ratio) {
 }
 
 // along / 32 * a + across / 32 * b, which are small numbers. The cell is taken apart, so that no product leaves 32 bits.
-HN_FN hn_ivec2 hn_i_turned_axis(hn_ivec2 a, hn_ivec2 b, hn_int along, hn_int across) {
+HN_FN hn_ivec2 hn_i_rotated_axis(hn_ivec2 a, hn_ivec2 b, hn_int along, hn_int across) {
   hn_int rest = along * a.y + across * b.y;
   hn_int near = along * (a.x & 31) + across * (b.x & 31) + (rest >> 24);
   hn_uint far = uint(along) * uint(a.x >> 5) + uint(across) * uint(b.x >> 5);

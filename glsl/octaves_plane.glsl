@@ -47,8 +47,8 @@ HN_FN hn_i_whole2 hn_i_next(hn_i_whole2 q, hn_float lacunarity) {
     next.y = hn_i_shifted(y, HN_I_SHIFT_Y);
     next.period = hn_i_next_period(q.period, lacunarity);
   } else {
-    next.x = hn_i_shifted(hn_i_turned_axis(x, y, 25, -20), HN_I_SHIFT_X);
-    next.y = hn_i_shifted(hn_i_turned_axis(y, x, 25, 20), HN_I_SHIFT_Y);
+    next.x = hn_i_shifted(hn_i_rotated_axis(x, y, 25, -20), HN_I_SHIFT_X);
+    next.y = hn_i_shifted(hn_i_rotated_axis(y, x, 25, 20), HN_I_SHIFT_Y);
   }
   return next;
 }

@@ -53,10 +53,10 @@ HN_FN hn_i_whole3 hn_i_next(hn_i_whole3 q, hn_float lacunarity) {
     next.z = hn_i_shifted(z, HN_I_SHIFT_Z);
     next.period = hn_i_next_period(q.period, lacunarity);
   } else {
-    hn_ivec2 turned = hn_i_turned_axis(y, x, 25, 20);
-    next.x = hn_i_shifted(hn_i_turned_axis(x, y, 25, -20), HN_I_SHIFT_X);
-    next.y = hn_i_shifted(hn_i_turned_axis(turned, z, 29, -13), HN_I_SHIFT_Y);
-    next.z = hn_i_shifted(hn_i_turned_axis(z, turned, 29, 13), HN_I_SHIFT_Z);
+    hn_ivec2 turned = hn_i_rotated_axis(y, x, 25, 20);
+    next.x = hn_i_shifted(hn_i_rotated_axis(x, y, 25, -20), HN_I_SHIFT_X);
+    next.y = hn_i_shifted(hn_i_rotated_axis(turned, z, 29, -13), HN_I_SHIFT_Y);
+    next.z = hn_i_shifted(hn_i_rotated_axis(z, turned, 29, 13), HN_I_SHIFT_Z);
   }
   return next;
 }

@@ -145,7 +145,7 @@ TEST_F(Periods, AFunctionThatDoesNotRepeatIsCaught) {
   // A tile that turns.
   expect_replaced_caught({"warp.warp_progressive2_cell_period.lattice.fixed.fragment.gl330.period",
                           "octaves_plane.glsl", "hn_i_shifted(x, HN_I_SHIFT_X)",
-                          "hn_i_shifted(hn_i_turned_axis(x, y, 25, -20), HN_I_SHIFT_X)"});
+                          "hn_i_shifted(hn_i_rotated_axis(x, y, 25, -20), HN_I_SHIFT_X)"});
 }
 
 // From a cell, in every arithmetic and with a period: the fraction, and a step that only one of the two goes.
@@ -248,7 +248,7 @@ TEST_F(Derivatives, FaultsOfSumsAreCaught) {
       {"fbm_d.fbm_d2.lattice.fast.fragment.es300.derivative", "fbm_d2d.glsl",
        "hn_i_octave_slope(n.y), hn_i_octave_slope(n.z)", "hn_i_octave_slope(n.z), hn_i_octave_slope(n.y)"},
       {"fbm_d.fbm_d3_cell.lattice.fast.fragment.gl330.derivative", "frame.glsl",
-       "next.z = hn_i_turned_by(z, y, 29, 13);", "next.z = hn_i_turned_by(z, y, 29, -13);"},
+       "next.z = hn_i_rotated_by(z, y, 29, 13);", "next.z = hn_i_rotated_by(z, y, 29, -13);"},
       {"fbm_d.fbm_d2_cell_period.lattice.precise.fragment.gl400.derivative", "frame.glsl",
        "hn_num2 next = hn_i_framed(k, growth);", "hn_num2 next = k;"},
       {"fbm_d.fbm_d3_cell_period.lattice.fast.fragment.gl330.derivative", "frame.glsl",

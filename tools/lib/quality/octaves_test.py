@@ -76,7 +76,7 @@ class Turns(unittest.TestCase):
             self.assertTrue(found.passed, found)
 
     def test_octaves_that_do_not_turn_are_rejected(self):
-        twin = changed(r"(hn_ivec2 hn_i_turned_axis\(hn_ivec2 a, hn_ivec2 b, [^)]*\) \{)", r"\1\n  if (true) return a;")
+        twin = changed(r"(hn_ivec2 hn_i_rotated_axis\(hn_ivec2 a, hn_ivec2 b, [^)]*\) \{)", r"\1\n  if (true) return a;")
         for cut in (*octaves.CUTS, *octaves.CUTS_4D):
             found = directions(twin, cut)
             self.assertFalse(found.passed, found)
