@@ -18,12 +18,14 @@ std::vector<Relation> properties_of(const Evaluation& evaluation) {
   const auto add = [&](std::string_view name, Check* check) {
     properties.push_back({name, CheckKind{evaluation, check}});
   };
+  const bool is_plain = !function.takes_period() && !function.takes_jitter();
   if (function.is_cellular() && !profile.es) {
     add("search", check_search);
-    if (function.bound == "cell_border" && !function.takes_period()) add("border", check_border);
+    if (function.bound == "cell_border" && is_plain) add("border", check_border);
   }
-  // With periods the field has no values but those that it has without.
-  if (function.exact() || function.takes_period()) return properties;
+  // With periods the field has no values but those that it has without. Where the jitter is chosen, it may be none:
+  // then a field is its own mirror, and has no seeds.
+  if (function.exact() || !is_plain) return properties;
   add("range", check_range);
   // A hash changes no value's size.
   if (configuration.hash == default_configuration().hash) add("finite", check_finite);

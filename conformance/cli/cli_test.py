@@ -322,7 +322,7 @@ class Cli(unittest.TestCase):
                  f"{path}:2: \"function noise2d.perlin\" should be \"function noise2d.value\""),
             "value_cell": lambda path, text:
                 (changed(text, lambda at: text[:at] + "\x9b1m\x07" + text[at:]), f"{path}:8: \"\\x9b1m\\x07"),
-            "value_period": lambda path, text: (text[:-20].encode(), f"{path}:{text.count(chr(10))}: \""),
+            "simplex": lambda path, text: (text[:-20].encode(), f"{path}:{text.count(chr(10))}: \""),
             "value_cell_period": lambda path, text:
                 ("folder", f"cannot read {path}: Is a directory; it is a golden file, and tools/golden writes it"),
             "value_cubic": lambda path, text: ("missing", f"{path}"),

@@ -137,9 +137,8 @@ int main() {
   print_digest("perlin4", [](const Point& p) { return hn_perlin(hn_vec4(p.x, p.y, p.z, p.fx), p.seed); });
   print_digest("perlin_d3", [](const Point& p) { return hn_perlin_d(hn_vec3(p.x, p.y, p.z), p.seed).z; });
   print_digest("perlin_d4", [](const Point& p) {
-    hn_vec4 gradient;
-    hn_float value = hn_perlin_d(hn_vec4(p.x, p.y, p.z, p.fx), p.seed, gradient);
-    return value + gradient.w;
+    const auto n = hn_perlin_d(hn_vec4(p.x, p.y, p.z, p.fx), p.seed);
+    return n.value + n.gradient.w;
   });
 #endif
   print_digest("gradient3", [](const Point& p) { return hn_gradient(hn_ivec3(p.cx, p.cy, p.cz), p.seed).y; });

@@ -171,7 +171,8 @@ TEST(BrowserFault, AWrongDigestFails) {
 
 TEST(BrowserFault, AShaderThatDoesNotCompileFailsWithItsFileAndLine) {
   Story story;
-  ASSERT_TRUE(run(story, kSome, "webgl2", changed("octaves_plane.glsl", "vec2 hn_i_place_of(", "vce2 hn_i_place_of(")));
+  ASSERT_TRUE(run(story, kSome, "webgl2",
+                  changed("octaves_plane.glsl", "hn_place2 hn_i_place_of(", "hn_plcae2 hn_i_place_of(")));
   const Outcome& outcome = story.outcome(kCompiles);
   EXPECT_EQ(outcome.status, Status::fail);
   EXPECT_NE(outcome.message.find("glsl/octaves_plane.glsl:"), std::string::npos) << outcome.message;

@@ -106,13 +106,15 @@ def in_glsl(module: Module) -> dict[tuple[str, tuple[str, ...]], tuple[str, str]
 
 def tsl_files(modules: dict[str, list[Definition]],
               names: dict[tuple[str, tuple[str, ...]], tuple[str, str]]) -> dict[str, str]:
-    """A node for each function whose result is all that it sets."""
+    """A node for each function whose result is all that it sets, and is a number, a vector or a place."""
     found = {}
     for folder, definitions in modules.items():
         imported, nodes, types, needed = [], [], [], set()
         for item in definitions:
             signature = SIGNATURE.match(" ".join(line.strip() for line in item.lines))
             if not is_public(item.name) or not signature or "ptr<" in signature["parameters"]:
+                continue
+            if signature["type"] not in TYPES:
                 continue
             parameters = [one.split(": ") for one in signature["parameters"].split(", ")]
             glsl_types = tuple(TYPES[type_] for _, type_ in parameters)

@@ -85,7 +85,8 @@ class Package(unittest.TestCase):
     def test_every_function_that_sets_nothing_has_a_node(self):
         for folder in ARITHMETICS:
             public = re.findall(r"export const (\w+) = .*?definition\(\"(.*?)\"[,)]", self.files[f"wgsl/{folder}.js"])
-            functions = {name for name, code in public if code.startswith("fn ") and "ptr<" not in code.split("{")[0]}
+            functions = {name for name, code in public
+                         if code.startswith("fn ") and not re.search("ptr<|-> ?hn_derivatives4", code.split("{")[0])}
             nodes = set(re.findall(r"export const (\w+) =", self.files[f"tsl/{folder}.js"]))
             self.assertEqual(nodes, functions)
             self.assertGreater(len(nodes), 200)
