@@ -59,7 +59,9 @@ struct hn_place4 {
 // What a fraction and a position leave beyond the numbers of HN_ARITHMETIC: 0 for floats. That of a position has its
 // sign, as hn_i_rest does.
 #if HN_ARITHMETIC == HN_FIXED
-HN_FN hn_int hn_i_rest_of_fraction(hn_float f) { return int(min(max(f, 0.0f), 1.0f) * 16777216.0f) & 15; }
+HN_FN hn_int hn_i_rest_of_fraction(hn_float f) {
+  return int(min(max(f, 0.0f), 1.0f) * 16777216.0f) - hn_i_inside(f) * 16;
+}
 HN_FN hn_int hn_i_rest_of_position(hn_float p) { return int((p - trunc(p)) * 16777216.0f) - hn_i_rest(p) * 16; }
 #define HN_I_REST(rest) rest
 #else

@@ -119,6 +119,13 @@ double tolerance_of_constant_noise(const ConstantSum& sum, const Configuration& 
   return plain ? 2e-6 : 2e-5;
 }
 
+// How far a coordinate of the place's position is outside of its cell: 0, or hn_position is wrong. Far out a float has
+// no fraction.
+constexpr std::string_view kOutside =
+    "HN_FN hn_float outside(hn_float x, hn_int cell) {\n"
+    "  return abs(float(cell)) < 1000000.0f ? max(abs(x - float(cell) - 0.5f) - 0.5f, 0.0f) : 0.0f;\n"
+    "}\n";
+
 // Makes a sum over a constant noise, under the name of the library's.
 std::string with_constant_noise(const Function& function) {
   std::string name(function.bound);
@@ -126,7 +133,11 @@ std::string with_constant_noise(const Function& function) {
   std::ranges::transform(macro, macro.begin(), [](char c) { return static_cast<char>(c >= 'a' ? c - 'a' + 'A' : c); });
   if (function.takes_detail() || function.takes_footprint()) macro += "_LIMITED";
   const int axes = function.axes;
-  std::string value = fmt::format("{:.1f}f + 0.0f * hn_position(place){}", kConstantNoise, axes == 1 ? "" : ".x");
+  std::string value = fmt::format("{:.1f}f", kConstantNoise);
+  for (const char axis : std::string_view("xyzw").substr(0, static_cast<std::size_t>(axes))) {
+    const std::string component = axes == 1 ? "" : fmt::format(".{}", axis);
+    value += fmt::format(" + outside(hn_position(place){0}, place.cell{0})", component);
+  }
   std::string type = "hn_float";
   if (noise_of(octave_sum_of(function)) == "perlin_d") {
     type = fmt::format("hn_vec{}", axes + 1);
@@ -137,11 +148,11 @@ std::string with_constant_noise(const Function& function) {
     value += ")";
   }
   return fmt::format(
-      "#include \"{}\"\n"
+      "#include \"{}\"\n{}"
       "HN_FN {} constant_noise(hn_place{} place, hn_uint seed) {{ return {}; }}\n"
       "HN_{}{}D(constant_sum, constant_noise)\n"
       "#define hn_{} constant_sum\n",
-      function.file, type, axes, value, macro, axes, name);
+      function.file, kOutside, type, axes, value, macro, axes, name);
 }
 
 // The octaves that count, the last of a detail only in part: over a constant noise that changes nothing. From a cell
