@@ -15,8 +15,8 @@
 //   hn_i_num(x, y, ...)     such a vector
 //   HN_I_ONE                1 as a fraction
 //   hn_i_cell(p)            the cell of a position; p is a float or a vector, and so is f in the next two
-//   hn_i_fraction(p)        the place in that cell
-//   hn_i_inside(f)          the same from a place in a cell that the caller passes
+//   hn_i_fraction(p)        the fraction in that cell
+//   hn_i_inside(f)          the same from a fraction that the caller passes
 //   hn_i_whole_cell(p)      in HN_FIXED, p cut off towards 0, as an int
 //   hn_i_start(p)           floats only: the position of the first octave of a sum
 //   hn_i_plus(a, b), hn_i_minus(a, b); floats only: hn_i_times(a, b), hn_i_times_plus(a, b, c), hn_i_quotient(a, b)

@@ -102,7 +102,12 @@ TEST_F(Extreme, ASumOverAnotherNoiseThatIsNotThatSumIsCaught) {
       {"warp.warp_progressive2_cell_period.lattice.fixed.fragment.gl330.other_noise", "warp2d.glsl",
        "sum.y = hn_i_summed(sum.y, v.y, weight);", "sum.y = hn_i_summed(sum.x, v.y, weight);"},
       {"fbm.fbm3_detail.lattice.fast.fragment.gl330.other_noise", "octaves.glsl", "hn_float total = part",
-       "hn_float total = 1.0f"}};
+       "hn_float total = 1.0f"},
+      // The position of a place that is outside of its cell.
+      {"fbm.fbm2.lattice.fast.fragment.gl330.other_noise", "place.glsl", "float(cell) + (fraction + float(rest))",
+       "float(cell) - (fraction + float(rest))"},
+      {"fbm.fbm3_cell.lattice.fixed.fragment.gl330.other_noise", "place.glsl", "fraction * 16 + rest",
+       "fraction * 32 + rest"}};
   for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
 }
 
