@@ -99,6 +99,9 @@ constexpr std::array kShown = {
 
 bool is_opengl(const PlannedProgram& program) { return program.target.profile->platform() == Platform::opengl; }
 
+// What other languages than GLSL show is theirs alone, and called so.
+std::string_view where_shown(const PlannedProgram& program) { return is_opengl(program) ? "" : " beside OpenGL"; }
+
 // Calls take(words of the thing) for each thing that a program shows.
 template <typename Take>
 void for_each_thing(const PlannedProgram& program, Take take) {
@@ -159,7 +162,6 @@ Things things_of(const std::vector<PlannedProgram>& programs) {
   Numbers numbers;
   std::map<std::tuple<std::size_t, int, int>, std::size_t> known;
   for (const PlannedProgram& program : programs) {
-    // What other languages than GLSL show is theirs alone.
     const bool apart = !is_opengl(program);
     Candidate candidate{.shows = {}, .round = 0, .cost = 0};
     for_each_thing(program, [&](std::size_t kind, Facet first, std::optional<Facet> with) {
@@ -168,7 +170,7 @@ Things things_of(const std::vector<PlannedProgram>& programs) {
       const auto [found, is_new] = known.try_emplace({kind * 2 + (apart ? 1 : 0), a, b}, things.words.size());
       if (is_new) {
         things.words.push_back(numbers.word(a) + (with ? " with " + numbers.word(b) : "") +
-                               (apart ? " beside OpenGL" : ""));
+                               std::string(where_shown(program)));
       }
       candidate.shows.push_back(found->second);
     });
@@ -216,7 +218,8 @@ const std::vector<PlannedProgram>& all_programs() {
 std::vector<std::string> shown_by(const PlannedProgram& program) {
   std::vector<std::string> words;
   for_each_thing(program, [&](std::size_t, Facet first, std::optional<Facet> with) {
-    words.push_back(word_of(first, program) + (with ? " with " + word_of(*with, program) : ""));
+    words.push_back(word_of(first, program) + (with ? " with " + word_of(*with, program) : "") +
+                    std::string(where_shown(program)));
   });
   return words;
 }
