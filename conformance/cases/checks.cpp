@@ -11,10 +11,9 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
     {"twin",
      "Random points have the values of the C++ twin, in any stage: 65,536 with the defaults in the main version of "
      "desktop OpenGL, a quarter of them for octave sums, derivatives, noises in 4D and for other settings, and a "
-     "quarter "
-     "in other versions. With `--thorough` there are 262,144, and a sixteenth in other versions. On softpipe there are "
-     "4,096, with `--points N` there are N. The points are near, negative, at 2^20 cells and more, on lattice lines "
-     "and beside them; for `precise` and `fixed` also subnormal, tiny, -0, huge and at the thresholds "
+     "quarter in other versions. With `--thorough` there are 262,144, and a sixteenth in other versions. On softpipe "
+     "there are 4,096, with `--points N` there are N. The points are near, negative, at 2^20 cells and more, on "
+     "lattice lines and beside them; for `precise` and `fixed` also subnormal, tiny, -0, huge and at the thresholds "
      "below which `precise` takes 0, and for octave sums of `precise` "
      "tiny with a lacunarity of 2^20 to 2^126."},
     {"range",
@@ -93,9 +92,8 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
      "`fast`."},
     {"unseeded",
      "The overloads without a seed have the words of those with the seed 0: of all functions of a file at 16 points "
-     "each "
-     "(`perlin2d.all`), with `--thorough` of each function within the tolerance of the twin, at as many as `range` "
-     "takes."},
+     "each (`perlin2d.all`), with `--thorough` of each function within the tolerance of the twin, at as many as "
+     "`range` takes."},
     {"other_noise",
      "An octave sum that a macro of the library makes of a noise of the user's takes that noise, at as many points as "
      "`range` takes."},

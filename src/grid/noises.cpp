@@ -62,7 +62,6 @@ template <int D, typename Noise, typename Axes = std::make_index_sequence<D>>
 struct Called;
 template <int D, typename Noise, std::size_t... Axis>
 struct Called<D, Noise, std::index_sequence<Axis...>> {
- public:
   [[gnu::noinline]] static auto plain(ForEach<Int, Axis>... cell, ForEach<hn_num, Axis>... fraction, Uint seed) {
     Given<D> given{Options{}};
     given.seed = seed;

@@ -5,15 +5,15 @@
 // gradient  hn_gradient(cell, seed): the same points; a value is the floats of the gradient
 // noise     hn_perlin(p, seed): a point is the floats of p and the seed; a value is a float
 // stage     hn_gradient2(word), hn_gradient3(word): a point is a word; a value is the floats of the gradient
-// NAME      hn_NAME(p, period, seed), with the same period along each axis: a point is the floats of p, the period as
-// an
-//           integer, and the seed; a value is a float
+// NAME      hn_NAME(hn_tile(p, period), seed), with the same period along each axis: a point is the floats of p, the
+//           period as an integer, and the seed; a value is a float
 // sum       hn_fbm(hn_place(cell, f), octaves, lacunarity, gain, seed): a point is the cell, the floats of f, the
-// octaves as an
-//           integer, the floats of lacunarity and gain, and the seed; a value is a float
+//           octaves as an integer, the floats of lacunarity and gain, and the seed; a value is a float
 // tiled_sum hn_fbm(hn_tile(hn_place(cell, f), period), octaves, lacunarity, gain, seed): the same points, with the
-// period before the seed All are little-endian, without anything between them. Exit status: 0 done, 2 bad usage, or
-// input or output that broke off.
+//           period before the seed
+//
+// All are little-endian, without anything between them.
+// Exit status: 0 done, 2 bad usage, or input or output that broke off.
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -70,18 +70,18 @@ struct Quantity {
   void (*evaluate)(const Word* in, Word* out);
 };
 
+// Two initializers, which clang-format takes for statements.
+// clang-format off
 #define TILED(name)                                                                                                  \
-  {#name, '2', 4, 1,                                                                                                 \
-   [](const Word* in, Word* out) {                                                                                   \
-     *out = std::bit_cast<Word>(                                                                                     \
-         hashnoise::hn_##name(hashnoise::hn_tile(vec2(real(in[0]), real(in[1])), ivec2(integer(in[2]))), in[3]));    \
+  {#name, '2', 4, 1, [](const Word* in, Word* out) {                                                                 \
+     const vec2 p(real(in[0]), real(in[1]));                                                                         \
+     *out = std::bit_cast<Word>(hashnoise::hn_##name(hashnoise::hn_tile(p, ivec2(integer(in[2]))), in[3]));          \
    }},                                                                                                               \
-  {                                                                                                                  \
-#name, '3', 5, 1, [](const Word* in, Word* out) {                                                                  \
-     *out = std::bit_cast<Word>(                                                                                      \
-         hashnoise::hn_##name(hashnoise::hn_tile(vec3(real(in[0]), real(in[1]), real(in[2])), ivec3(integer(in[3]))), in[4]));            \
-   } \
-  }
+  {#name, '3', 5, 1, [](const Word* in, Word* out) {                                                                 \
+     const vec3 p(real(in[0]), real(in[1]), real(in[2]));                                                            \
+     *out = std::bit_cast<Word>(hashnoise::hn_##name(hashnoise::hn_tile(p, ivec3(integer(in[3]))), in[4]));          \
+   }}
+// clang-format on
 
 constexpr std::array<Quantity, 23> kQuantities = {{
     {"word", '2', 3, 1,
