@@ -100,7 +100,7 @@ constexpr std::array kShown = {
 bool is_opengl(const PlannedProgram& program) { return program.target.profile->platform() == Platform::opengl; }
 
 // What other languages than GLSL show is theirs alone, and called so.
-std::string_view where_shown(const PlannedProgram& program) { return is_opengl(program) ? "" : " beside OpenGL"; }
+std::string where_shown(const PlannedProgram& program) { return is_opengl(program) ? "" : " beside OpenGL"; }
 
 // Calls take(words of the thing) for each thing that a program shows.
 template <typename Take>
@@ -169,8 +169,7 @@ Things things_of(const std::vector<PlannedProgram>& programs) {
       const int b = with ? numbers.of(*with, program) : -1;
       const auto [found, is_new] = known.try_emplace({kind * 2 + (apart ? 1 : 0), a, b}, things.words.size());
       if (is_new) {
-        things.words.push_back(numbers.word(a) + (with ? " with " + numbers.word(b) : "") +
-                               std::string(where_shown(program)));
+        things.words.push_back(numbers.word(a) + (with ? " with " + numbers.word(b) : "") + where_shown(program));
       }
       candidate.shows.push_back(found->second);
     });
@@ -218,8 +217,7 @@ const std::vector<PlannedProgram>& all_programs() {
 std::vector<std::string> shown_by(const PlannedProgram& program) {
   std::vector<std::string> words;
   for_each_thing(program, [&](std::size_t, Facet first, std::optional<Facet> with) {
-    words.push_back(word_of(first, program) + (with ? " with " + word_of(*with, program) : "") +
-                    std::string(where_shown(program)));
+    words.push_back(word_of(first, program) + (with ? " with " + word_of(*with, program) : "") + where_shown(program));
   });
   return words;
 }
