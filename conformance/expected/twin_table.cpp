@@ -38,14 +38,14 @@ std::vector<std::uint32_t> evaluate_twin(const Function& function, const Configu
   std::vector<std::uint32_t> outputs(points * kOutputWords);
   const std::size_t most = std::max<std::size_t>(1, points / kFewestPoints);
   const std::size_t parts = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, most);
-  std::vector<std::jthread> threads;
-  for (std::size_t part = 0; part < parts; ++part) {
+  const auto evaluate = [&](std::size_t part) {
     const std::size_t begin = points * part / parts;
     const std::size_t end = points * (part + 1) / parts;
-    threads.emplace_back([=, evaluate = entry.evaluate, out = &outputs[begin * kOutputWords]] {
-      evaluate(&inputs[begin * kInputWords], out, end - begin);
-    });
-  }
+    entry.evaluate(&inputs[begin * kInputWords], &outputs[begin * kOutputWords], end - begin);
+  };
+  std::vector<std::jthread> threads;  // beside this one, which a single row needs alone
+  for (std::size_t part = 1; part < parts; ++part) threads.emplace_back(evaluate, part);
+  evaluate(0);
   threads.clear();  // joins them
   return outputs;
 }
