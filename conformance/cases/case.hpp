@@ -48,7 +48,8 @@ struct BugKind {
 // A case that only makes the driver compile something.
 struct CompilationKind {
   const Profile* profile;
-  std::string fragment;  // the shader, before its includes are expanded
+  // Writes the shader, before its includes are expanded: of the many cases that are listed few are run.
+  std::function<std::string()> fragment;
   std::string_view refusal =
       {};                // the word that the driver's error must have; empty if the shader must compile and link
   bool too_old = false;  // a driver may refuse the version before it reads the library's words

@@ -134,8 +134,10 @@ void add_file_cases(std::vector<Case>& cases, std::string_view file, const Confi
   const Extent extent = extent_on_drivers(file, configuration, profile);
   if (!is_wanted(extent)) return;
   cases.push_back(
-      {name_of(file, configuration, Stage::fragment, profile, "driver"),
-       CompilationKind{&profile, calling_shader(file, configuration, profile, Stage::fragment, Callees::few)}, extent});
+      {name_of(file, configuration, Stage::fragment, profile, "driver"), CompilationKind{&profile, [=, &configuration, &profile] {
+         return calling_shader(file, configuration, profile, Stage::fragment, Callees::few);
+       }},
+       extent});
 }
 
 // The oldest version of ES that glslang makes SPIR-V of.
@@ -344,10 +346,11 @@ void add_acceptance_cases(std::vector<Case>& cases, const Acceptance& acceptance
     // The sums are long: integers in ES, and floats where there are no bit casts.
     const bool fixed = acceptance.knobs == kFixed;
     const bool chosen = acceptance.everywhere ? profile.name == (fixed ? "es300" : "gl140") : some;
-    const CompilationKind compilation{&profile, fmt::format("{}#include \"{}\"\n{}void main() {{}}\n", acceptance.knobs,
-                                                            acceptance.file(), acceptance.after)};
+    const std::string fragment =
+        fmt::format("{}#include \"{}\"\n{}void main() {{}}\n", acceptance.knobs, acceptance.file(), acceptance.after);
+    const CompilationKind compilation{&profile, [fragment] { return fragment; }};
     cases.push_back({name_of_setting(acceptance.name, profile.name, "glslang"), ReferenceKind{[=](const Suite& suite) {
-                       return check_with_glslang(suite, *compilation.profile, compilation.fragment, Stage::fragment);
+                       return check_with_glslang(suite, *compilation.profile, compilation.fragment(), Stage::fragment);
                      }},
                      chosen ? Extent::one_driver : Extent::thorough});
     if (profile.spirv) continue;
@@ -367,14 +370,13 @@ Outcome expect_refusal(const CompilationKind& compilation, const Result<void>& c
 }
 
 void add_refusal_cases(std::vector<Case>& cases, const Refusal& refusal) {
+  const std::string fragment = fmt::format("{}#include \"{}\"\n{}void main() {{}}\n", refusal.knobs,
+                                           refusal.after.empty() ? "config.glsl" : "hashnoise.glsl", refusal.after);
   const CompilationKind compilation{
-      &profile_named(refusal.profile),
-      fmt::format("{}#include \"{}\"\n{}void main() {{}}\n", refusal.knobs,
-                  refusal.after.empty() ? "config.glsl" : "hashnoise.glsl", refusal.after),
-      refusal.expected, refusal.name.starts_with("version") || refusal.profile == "es310"};
+      &profile_named(refusal.profile), [fragment] { return fragment; }, refusal.expected, refusal.name.starts_with("version") || refusal.profile == "es310"};
   cases.push_back(
       {name_of_setting(refusal.name, refusal.profile, "refused_by_glslang"), ReferenceKind{[=](const Suite& suite) {
-         const auto text = expand(suite.sources, *compilation.profile, compilation.fragment);
+         const auto text = expand(suite.sources, *compilation.profile, compilation.fragment());
          if (!text) return outcome_with(Status::error, text.error());
          return expect_refusal(compilation, suite.reference.check(*text, *compilation.profile, Stage::fragment));
        }}});
@@ -388,7 +390,7 @@ Outcome check_compiles(Session& session, const CompilationKind& compilation) {
     return outcome_with(Status::unsupported, {reason, {}});
   }
   const auto vertex = expand(session.sources, profile, vertex_shader());
-  const auto fragment = expand(session.sources, profile, compilation.fragment);
+  const auto fragment = expand(session.sources, profile, compilation.fragment());
   if (!vertex) return outcome_with(Status::error, vertex.error());
   if (!fragment) return outcome_with(Status::fail, fragment.error());
   const auto program = Program::build(*session.evaluator->context(), *vertex, *fragment);
@@ -396,7 +398,7 @@ Outcome check_compiles(Session& session, const CompilationKind& compilation) {
 }
 
 Outcome check_refused(Session& session, const CompilationKind& compilation) {
-  const auto text = expand(session.sources, *compilation.profile, compilation.fragment);
+  const auto text = expand(session.sources, *compilation.profile, compilation.fragment());
   if (!text) return outcome_with(Status::error, text.error());
   const auto compiled = compile_only(*session.evaluator->context(), *text, Stage::fragment);
   auto outcome = expect_refusal(compilation, compiled);

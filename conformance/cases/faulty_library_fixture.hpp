@@ -4,9 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
-#include "cases/case.hpp"
+#include "cases/case_named.hpp"
 #include "gpu/osmesa_fixture.hpp"
 
 namespace hn {
@@ -27,12 +25,7 @@ class FaultyLibrary : public OnOsmesa<> {
                  std::string(file));
   }
 
-  Outcome run(Session& session, std::string_view id) {
-    const auto found = std::find_if(cases_.begin(), cases_.end(), [&](const Case& test) { return test.id == id; });
-    EXPECT_NE(found, cases_.end()) << id;
-    return found == cases_.end() ? outcome_with(Status::error, {"no such case", {}})
-                                 : run_case(session, *found).outcome;
-  }
+  Outcome run(Session& session, std::string_view id) { return run_case(session, case_named(id)).outcome; }
 
   Outcome run(std::string_view id) {
     Session session({sources_, reference_, HN_GOLDEN_DIRECTORY, 1}, *context_);
@@ -71,7 +64,6 @@ class FaultyLibrary : public OnOsmesa<> {
     EXPECT_NE(wrong.mismatches, 0u) << id << ": " << fault << ": " << wrong.message;
   }
 
-  const std::vector<Case> cases_ = all_cases();
   const ReferenceCompiler reference_;
   SourceSet sources_ = SourceSet::embedded();
 };

@@ -91,8 +91,7 @@ TEST_F(Metamorphic, EveryTripOfTheLoopCounts) {
   Session session({sources_, reference_, HN_GOLDEN_DIRECTORY, 1}, *context_);
   constexpr std::string_view kId = "fbm.fbm2.lattice.fast.fragment.gl330.in_loop";
   EXPECT_EQ(run(session, kId).status, Status::pass);
-  const auto found = std::find_if(cases_.begin(), cases_.end(), [&](const Case& test) { return test.id == kId; });
-  const auto evaluable = session.evaluable(*found->evaluation());
+  const auto evaluable = session.evaluable(*case_named(kId).evaluation());
   ASSERT_TRUE(evaluable);
   for (const std::uint32_t trips : {0u, 3u, 5u}) {
     (*evaluable)->uniforms.trips = trips;

@@ -1,9 +1,7 @@
 // The cases on a device of Vulkan: that they notice a wrong library in each language, and what is not for them.
 #include <fmt/format.h>
 
-#include <algorithm>
-
-#include "cases/case.hpp"
+#include "cases/case_named.hpp"
 #include "cases/evidence.hpp"
 #include "gpu/vulkan/evaluator.hpp"
 #include "gpu/vulkan/vulkan_fixture.hpp"
@@ -20,12 +18,6 @@ class CasesOnVulkan : public OnVulkan<> {
     sources_.add(file, text.replace(at, what.size(), by), file);
   }
 
-  const Case& named(std::string_view id) const {
-    const auto found = std::find_if(cases_.begin(), cases_.end(), [&](const Case& test) { return test.id == id; });
-    EXPECT_NE(found, cases_.end()) << id;
-    return found == cases_.end() ? cases_.front() : *found;
-  }
-
   Session session() {
     auto evaluator = create_vulkan_evaluator(number_, reference_);
     EXPECT_TRUE(evaluator) << evaluator.error().text();
@@ -34,10 +26,9 @@ class CasesOnVulkan : public OnVulkan<> {
 
   Outcome run(std::string_view id) {
     Session one = session();
-    return run_case(one, named(id)).outcome;
+    return run_case(one, case_named(id)).outcome;
   }
 
-  const std::vector<Case> cases_ = all_cases();
   const ReferenceCompiler reference_;
   SourceSet sources_ = SourceSet::embedded();
 };
@@ -84,7 +75,7 @@ TEST_F(CasesOnVulkan, AShapeThatIsWrongFails) {
 TEST_F(CasesOnVulkan, WhatFailsHasPicturesAndNoShader) {
   change("hash.glsl", "0x2C1B3C6Du", "0x2C1B3C6Fu");
   Session one = session();
-  const Case& test = named("noise2d.perlin.lattice.fast.compute.vulkan.golden");
+  const Case& test = case_named("noise2d.perlin.lattice.fast.compute.vulkan.golden");
   const auto evidence = make_evidence(one, test, run_case(one, test).outcome);
   ASSERT_TRUE(evidence);
   EXPECT_NE(evidence->got, "");

@@ -143,13 +143,13 @@ class SuiteWriter {
   Part part(const CompilationKind& compilation) {
     const bool refused = !compilation.refusal.empty();
     if (refused) {
-      HN_TRY(const auto fragment, shader(*compilation.profile, compilation.fragment, Status::error));
+      HN_TRY(const auto fragment, shader(*compilation.profile, compilation.fragment(), Status::error));
       return Json{{"check", "refused"},
                   {"fragment", fragment},
                   {"names", compilation.refusal},
                   {"too_old", compilation.too_old}};
     }
-    HN_TRY(const auto compiled, program(*compilation.profile, compilation.fragment, Stage::fragment));
+    HN_TRY(const auto compiled, program(*compilation.profile, compilation.fragment(), Stage::fragment));
     return Json{{"check", "compiles"}, {"program", compiled}};
   }
 

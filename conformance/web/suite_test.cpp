@@ -80,7 +80,7 @@ TEST(Suite, AShaderIsTheOneThatDriversGet) {
     const Case& test = case_named(id);
     const auto expected = expand(
         SourceSet::embedded(), profile_named("es300"),
-        test.evaluation() ? evaluation_shader(*test.evaluation()) : std::get<CompilationKind>(*test.kind).fragment);
+        test.evaluation() ? evaluation_shader(*test.evaluation()) : std::get<CompilationKind>(*test.kind).fragment());
     EXPECT_EQ(text_of(suite, fragment_of(suite)), expected->text) << id;
     EXPECT_EQ(suite["shaders"][fragment_of(suite).get<std::size_t>()]["paths"], expected->paths) << id;
   }
