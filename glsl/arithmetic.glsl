@@ -38,15 +38,17 @@
 //   hn_i_select(c, a, b)    a where the condition holds, else b; both are computed
 //   hn_i_choice(c, a, b)    the same of two integers, which may be literals: in HLSL a literal has no type of its own,
 //                           so an overload for integers could not be told from the others
+//   hn_i_truth(c)           the condition as a bool, if it is the same for all points
 //
 // slope.glsl has those of derivatives, cubic.glsl those of splines, turn.glsl those of turned gradients, and
 // kernel.glsl those of simplex noise.
 
-// In C++ numbers may be vectors of many points, and these have no ?: operator.
+// In C++ numbers may be vectors of many points, and these have no ?: operator, and conditions that are no bool.
 HN_FN hn_float hn_i_select(bool condition, hn_float a, hn_float b) { return condition ? a : b; }
 HN_FN hn_int hn_i_select(bool condition, hn_int a, hn_int b) { return condition ? a : b; }
 HN_FN hn_uint hn_i_select(bool condition, hn_uint a, hn_uint b) { return condition ? a : b; }
 HN_FN hn_int hn_i_choice(bool condition, hn_int a, hn_int b) { return condition ? a : b; }
+HN_FN bool hn_i_truth(bool condition) { return condition; }
 
 // Of each component and the same word. Godot and WGSL have such operators for two vectors alone, and HLSL has no
 // constructor from one number.

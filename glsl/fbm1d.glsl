@@ -1,125 +1,203 @@
 // hashnoise: octave sums over a noise on the line.
 // SPDX-License-Identifier: MIT
+//
+// Made from fbm2d.glsl by tools/umbrella.
 
 #ifndef HN_FBM1D_GLSL
 #define HN_FBM1D_GLSL
 
-#include "octaves.glsl"
+#include "octaves1d.glsl"
 #include "perlin1d.glsl"
-
-// A whole position is an axis of octaves.glsl. On the line nothing can turn.
-struct hn_i_whole1 {
-  hn_ivec2 x;
-  hn_int period;
-  bool tiled;
-};
-
-HN_FN hn_i_whole1 hn_i_position(hn_place1 place) {
-  HN_I_NEW(hn_i_whole1, q);
-  q.x = hn_i_whole(place.cell, place.fraction, place.rest);
-  q.period = place.period;
-  q.tiled = place.tiled;
-  return q;
-}
-HN_FN hn_place1 hn_i_place_of(hn_i_whole1 q) {
-  hn_place1 place = hn_i_place(q.x.x, hn_i_whole_fraction(q.x), HN_I_REST(q.x.y & 15));
-  place.period = q.period;
-  place.tiled = q.tiled;
-  return place;
-}
-
-HN_FN hn_i_whole1 hn_i_next(hn_i_whole1 q, hn_float lacunarity) {
-  hn_i_whole1 next = q;
-  next.x = hn_i_shifted(hn_i_times_ratio(q.x, hn_i_ratio(lacunarity)), HN_I_SHIFT_X);
-  if (q.tiled) next.period = hn_i_next_period(q.period, lacunarity);
-  return next;
-}
-
-#if HN_ARITHMETIC == HN_FIXED
-
-#define HN_I_POSITION1 hn_i_whole1
-
-HN_FN hn_i_whole1 hn_i_position(hn_float p) { return hn_i_position(hn_place(p)); }
-
-#else
-
-#define HN_I_POSITION1 hn_float
-
-HN_FN hn_float hn_i_position(hn_float p) { return hn_i_start(p); }
-HN_FN hn_place1 hn_i_place_of(hn_float q) { return hn_place(q); }
-HN_FN hn_float hn_i_next(hn_float q, hn_float lacunarity) { return hn_i_times_plus(q, lacunarity, 11.0f / 32.0f); }
-
-#endif
-
-#define HN_I_TYPES1 hn_float, hn_place1, HN_I_POSITION1, hn_i_whole1
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Sums over other noises than hn_perlin: HN_FBM1D(my_sum, hn_value), outside of all functions and without a semicolon,
-// and the others, as fbm2d.glsl says. The noise is called with a place and a seed.
-#define HN_FBM1D(name, noise) HN_I_SUMS_OF(name, noise, HN_I_TYPES1, HN_I_OF_FBM)
-#define HN_TURBULENCE1D(name, noise) HN_I_SUMS_OF(name, noise, HN_I_TYPES1, HN_I_OF_TURBULENCE)
-#define HN_CLOUDS1D(name, noise) HN_I_SUMS_OF(name, noise, HN_I_TYPES1, HN_I_OF_CLOUDS)
-#define HN_BILLOW1D(name, noise) HN_I_SUMS_OF(name, noise, HN_I_TYPES1, HN_I_OF_BILLOW)
-#define HN_RIDGED1D(name, noise) HN_I_SUMS_OF(name, noise, HN_I_TYPES1, HN_I_OF_RIDGED)
-#define HN_PING_PONG1D(name, noise) HN_I_SUMS_OF(name, noise, HN_I_TYPES1, HN_I_OF_PING_PONG)
-#define HN_WEIGHTED1D(name, noise) HN_I_SUMS_OF(name, noise, HN_I_TYPES1, HN_I_OF_WEIGHTED)
-#define HN_FBM_LIMITED1D(name, noise) HN_I_LIMITED_OF(name, noise, HN_I_TYPES1)
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Sums over hn_perlin, in the forms of fbm2d.glsl, where each is described. Ranges are those of the plane.
 
 // The paper's gradient has no noise on the line.
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
-// Fractional Brownian motion on the line.
-//   p, place    as on the plane, of one axis
+// Sums over hn_perlin. Over another noise, or over your own, write the same loop (octaves1d.glsl).
+HN_FN hn_float hn_i_fbm(hn_octaves1 o) {
+  do hn_add(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  return hn_mean(o);
+}
+HN_FN hn_float hn_i_turbulence(hn_octaves1 o) {
+  do hn_add_size(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  return hn_mean(o);
+}
+HN_FN hn_float hn_i_billow(hn_octaves1 o) {
+  do o.sum = hn_i_with_bounded_size(o.sum, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  return hn_i_value(hn_i_billows(hn_i_mean(o.sum)));
+}
+HN_FN hn_float hn_i_clouds(hn_octaves1 o) {
+  do hn_add(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  return hn_density(o);
+}
+HN_FN hn_float hn_i_ridged(hn_octaves1 o) {
+  do hn_add_ridge(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  return hn_i_value(hn_i_bounded(hn_i_mean(o.sum)));
+}
+HN_FN hn_float hn_i_ping_pong(hn_octaves1 o, hn_float strength) {
+  do hn_add_wave(o, hn_perlin(o.place, o.seed), strength); while (hn_next(o));
+  return hn_i_value(hn_i_bounded(hn_i_mean(o.sum)));
+}
+HN_FN hn_float hn_i_weighted(hn_octaves1 o, hn_float strength) {
+  do hn_add_bent(o, hn_perlin(o.place, o.seed), strength); while (hn_next(o));
+  return hn_i_value(hn_i_bounded(hn_i_mean(o.sum)));
+}
+
+// Each sum has three forms:
+//
+//   hn_fbm(p, octaves, lacunarity, gain)
+//   hn_fbm(p, octaves, lacunarity, gain, seed)
+//   hn_fbm(place, octaves, lacunarity, gain, seed)
+
+// Fractional Brownian motion: octaves of noise, each finer by the lacunarity, weaker by the gain, and turned.
+//   p           position, in cells of the first octave; (|p| + 1) * lacunarity^octaves < 2^23, for a lacunarity of 2
+//               or more
+//   place       a place in its stead, in cells of the first octave (place.glsl). The period of a tile times
+//               lacunarity^octaves is below 2^31
 //   octaves     how many; with fewer than 1 the sum is 0
-//   lacunarity  ratio of frequencies, usually 2. In a tile it is a whole number from 1 to 255
-//   gain        ratio of amplitudes, usually 0.5; not negative
-//   seed        any uint: 7u, not 7; 0 if left out
+//   lacunarity  ratio of frequencies, usually 2. In a tile it is a whole number from 1 to 255; others are rounded
+//               down
+//   gain        ratio of amplitudes, usually 0.5; not negative, and the sum of its powers below 2^126 (HN_PRECISE:
+//               2^100)
+//   seed        any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   returns     [-1, 1], mean 0
-//   error       docs/accuracy.md
-//   period      as on the plane
+//   error       at a position it grows with |p| * lacunarity^octaves, since a float rounds the positions; at a place it
+//               does not (docs/accuracy.md)
+//   period      none that floats reach. In a tile octave i repeats after period * lacunarity^i of its cells, so the sum
+//               repeats after the period, and no sooner. Octaves are not turned there, since they would not fit: a tile
+//               shows the axes more than other sums do
 //   cost        1 noise per octave
-//   source      Musgrave, as on the plane
-HN_FBM1D(hn_fbm, hn_perlin)
+//   HN_FIXED    takes a gain above 1 as 1, a lacunarity outside [0, 255] as 0 or 255, and more than 32 octaves as 32.
+//               The error does not grow with |p|
+//   source      Musgrave, in "Texturing and Modeling: A Procedural Approach"
+HN_FN hn_float hn_fbm(hn_place1 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_fbm(hn_octaves(place, octaves, lacunarity, gain, seed));
+}
+HN_FN hn_float hn_fbm(hn_float p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_fbm(hn_octaves(p, octaves, lacunarity, gain, seed));
+}
+HN_FN hn_float hn_fbm(hn_float p, hn_int octaves, hn_float lacunarity, hn_float gain) {
+  return hn_fbm(p, octaves, lacunarity, gain, 0u);
+}
 
-// The same without detail that a pixel cannot show, with `detail` or `footprint` as on the plane.
-//   (parameters as for hn_fbm at a position)
-//   returns  [-1, 1], mean 0
-HN_FBM_LIMITED1D(hn_fbm, hn_perlin)
+// The same without detail that a pixel cannot show: hn_fbm(p, detail, lacunarity, gain, seed) with a float, and
+// hn_fbm(p, footprint, octaves, lacunarity, gain, seed).
+//   detail      octaves, as a float: 3.5 is three octaves and half of the fourth. So octaves can come and go without a
+//               jump
+//   footprint   the size of a pixel at p, in cells of the first octave: in a fragment shader
+//               max(length(dFdx(p)), length(dFdy(p))). An octave fades out as a pixel grows from 1/2 to 3/2 of
+//               its cells, which comes nearest to the mean over the pixel. The others keep their contrast
+//   (other parameters, error, period, HN_FIXED and source as for hn_fbm at a position)
+//   returns     [-1, 1], mean 0
+//   cost        1 noise per octave; octaves that have faded out cost none
+HN_FN hn_float hn_fbm(hn_float p, hn_float detail, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  hn_octaves1 o = hn_octaves(p, detail, lacunarity, gain, seed);
+  do hn_add_part(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  return hn_mean(o);
+}
+HN_FN hn_float hn_fbm(hn_float p, hn_float footprint, hn_int octaves, hn_float lacunarity, hn_float gain,
+                      hn_uint seed) {
+  hn_octaves1 o = hn_octaves(p, footprint, octaves, lacunarity, gain, seed);
+  do hn_add_resolved(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  return hn_mean(o);
+}
 
-// Turbulence: the mean of the octaves' absolute values.
-//   (parameters, error, period, cost and source as for hn_fbm)
+// Turbulence: the mean of the octaves' absolute values, which have creases where the noise passes 0. Use it for marble
+// and fire.
+//   (parameters, error, period and cost as for hn_fbm)
 //   returns  [0, 1]
-HN_TURBULENCE1D(hn_turbulence, hn_perlin)
+//   source   Perlin, "An image synthesizer", 1985; Valdenegro-Toro and Pincheira, fig. 6
+HN_FN hn_float hn_turbulence(hn_place1 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_turbulence(hn_octaves(place, octaves, lacunarity, gain, seed));
+}
+HN_FN hn_float hn_turbulence(hn_float p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_turbulence(hn_octaves(p, octaves, lacunarity, gain, seed));
+}
+HN_FN hn_float hn_turbulence(hn_float p, hn_int octaves, hn_float lacunarity, hn_float gain) {
+  return hn_turbulence(p, octaves, lacunarity, gain, 0u);
+}
 
-// Billows: twice the turbulence less 1.
-//   (parameters, error, period, cost and source as for hn_fbm)
+// Billows: twice the turbulence less 1, so that heights are in the range of other noise. The round hills are the other
+// side of ridges.
+//   (parameters, period and cost as for hn_fbm)
 //   returns  [-1, 1]
-HN_BILLOW1D(hn_billow, hn_perlin)
+//   error    twice that of hn_turbulence
+//   source   as for hn_turbulence
+HN_FN hn_float hn_billow(hn_place1 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_billow(hn_octaves(place, octaves, lacunarity, gain, seed));
+}
+HN_FN hn_float hn_billow(hn_float p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_billow(hn_octaves(p, octaves, lacunarity, gain, seed));
+}
+HN_FN hn_float hn_billow(hn_float p, hn_int octaves, hn_float lacunarity, hn_float gain) {
+  return hn_billow(p, octaves, lacunarity, gain, 0u);
+}
 
 // Clouds: the density of a sky, from an fBm.
-//   (parameters, error, period, cost and source as for hn_fbm)
-//   returns  [0, 1]: 0 is clear, 1 is dense
-HN_CLOUDS1D(hn_clouds, hn_perlin)
+//   (parameters, period and cost as for hn_fbm)
+//   returns  [0, 1]: 0 is clear, 1 is dense; with fewer than 1 octave 5/32
+//   error    3 times that of hn_fbm, plus 5.4e-7 (HN_FIXED 2.6e-5)
+//   source   after the cloud images of Valdenegro-Toro and Pincheira, fig. 6; the paper has no formula for them
+HN_FN hn_float hn_clouds(hn_place1 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_clouds(hn_octaves(place, octaves, lacunarity, gain, seed));
+}
+HN_FN hn_float hn_clouds(hn_float p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_clouds(hn_octaves(p, octaves, lacunarity, gain, seed));
+}
+HN_FN hn_float hn_clouds(hn_float p, hn_int octaves, hn_float lacunarity, hn_float gain) {
+  return hn_clouds(p, octaves, lacunarity, gain, 0u);
+}
 
-// Ridges: sharp crests where the noise passes 0.
-//   (parameters, error, period, cost and source as for hn_fbm)
+// Ridges: sharp crests where the noise passes 0. Finer octaves show on the crests and leave the valleys smooth.
+//   (parameters, period and cost as for hn_fbm)
 //   returns  [0, 1]: 1 on a crest of every octave
-HN_RIDGED1D(hn_ridged, hn_perlin)
+//   error    grows with the octaves, since each is taken times the one before: docs/accuracy.md
+//   source   Musgrave, as for hn_fbm: his ridged multifractal with the offset 1 and the gain 2, divided by the sum of
+//            the weights
+HN_FN hn_float hn_ridged(hn_place1 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_ridged(hn_octaves(place, octaves, lacunarity, gain, seed));
+}
+HN_FN hn_float hn_ridged(hn_float p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_ridged(hn_octaves(p, octaves, lacunarity, gain, seed));
+}
+HN_FN hn_float hn_ridged(hn_float p, hn_int octaves, hn_float lacunarity, hn_float gain) {
+  return hn_ridged(p, octaves, lacunarity, gain, 0u);
+}
 
-// Ping-pong: each octave is folded up and down between -1 and 1.
-//   strength  how many times from one end to the other on the way from -1 to 1, times 1/2; in [0, 64]
-//   (other parameters, error, period, cost and source as for hn_fbm)
-//   returns   [-1, 1]
-HN_PING_PONG1D(hn_ping_pong, hn_perlin)
+// Ping-pong: each octave is folded up and down between -1 and 1, which gives the rings of wood and of agate.
+//   strength    how many times from one end to the other on the way from -1 to 1, times 1/2; usually 2, in [0, 64]
+//   (other parameters, period and cost as for hn_fbm; the strength stands behind the gain)
+//   returns  [-1, 1]
+//   error    twice the strength times that of hn_fbm, and a little more; docs/accuracy.md
+//   source   FastNoiseLite, FractalType_PingPong
+HN_FN hn_float hn_ping_pong(hn_place1 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength,
+                            hn_uint seed) {
+  return hn_i_ping_pong(hn_octaves(place, octaves, lacunarity, gain, seed), strength);
+}
+HN_FN hn_float hn_ping_pong(hn_float p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength,
+                            hn_uint seed) {
+  return hn_i_ping_pong(hn_octaves(p, octaves, lacunarity, gain, seed), strength);
+}
+HN_FN hn_float hn_ping_pong(hn_float p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength) {
+  return hn_ping_pong(p, octaves, lacunarity, gain, strength, 0u);
+}
 
-// Weighted fBm: where an octave is low, the finer ones count less.
-//   strength  how much less, in [0, 1]: 0 is hn_fbm
-//   (other parameters, error, period, cost and source as for hn_fbm)
-//   returns   [-1, 1]
-HN_WEIGHTED1D(hn_weighted, hn_perlin)
+// Weighted fBm: where an octave is low, the finer ones count less, so that valleys are smoother than heights.
+//   strength    how much less: 0 is hn_fbm, 1 leaves nothing of the finer octaves at -1; in [0, 1]
+//   (other parameters, period and cost as for hn_fbm; the strength stands behind the gain)
+//   returns  [-1, 1]
+//   error    docs/accuracy.md
+//   source   FastNoiseLite, SetFractalWeightedStrength
+HN_FN hn_float hn_weighted(hn_place1 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength,
+                           hn_uint seed) {
+  return hn_i_weighted(hn_octaves(place, octaves, lacunarity, gain, seed), strength);
+}
+HN_FN hn_float hn_weighted(hn_float p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength,
+                           hn_uint seed) {
+  return hn_i_weighted(hn_octaves(p, octaves, lacunarity, gain, seed), strength);
+}
+HN_FN hn_float hn_weighted(hn_float p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength) {
+  return hn_weighted(p, octaves, lacunarity, gain, strength, 0u);
+}
 
 #endif
 #endif

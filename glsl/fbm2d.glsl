@@ -4,32 +4,40 @@
 #ifndef HN_FBM2D_GLSL
 #define HN_FBM2D_GLSL
 
-#include "octaves_plane.glsl"
+#include "octaves2d.glsl"
 #include "perlin2d.glsl"
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Sums over other noises than hn_perlin. Each of these lines, outside of all functions and without a semicolon, defines
-// the functions of a sum:
-//
-//   HN_FBM2D(my_sum, hn_simplex)           my_sum(p, octaves, lacunarity, gain [, seed]), and at a place
-//   HN_FBM_LIMITED2D(my_lod, hn_simplex)   my_lod(p, detail, ...) and my_lod(p, footprint, octaves, ...)
-//
-// In place of FBM the others are TURBULENCE, CLOUDS, BILLOW, RIDGED, PING_PONG and WEIGHTED (these have no LIMITED).
-// What they take and return is said below. The noise is called with a place and a seed, as any noise of the library can
-// be. To sum your own float mine(vec2 p), write
-//
-//   float mine(hn_place2 place, uint seed) { return mine(hn_position(place)); }
-#define HN_FBM2D(name, noise) HN_I_SUMS_OF(name, noise, HN_I_TYPES2, HN_I_OF_FBM)
-#define HN_TURBULENCE2D(name, noise) HN_I_SUMS_OF(name, noise, HN_I_TYPES2, HN_I_OF_TURBULENCE)
-#define HN_CLOUDS2D(name, noise) HN_I_SUMS_OF(name, noise, HN_I_TYPES2, HN_I_OF_CLOUDS)
-#define HN_BILLOW2D(name, noise) HN_I_SUMS_OF(name, noise, HN_I_TYPES2, HN_I_OF_BILLOW)
-#define HN_RIDGED2D(name, noise) HN_I_SUMS_OF(name, noise, HN_I_TYPES2, HN_I_OF_RIDGED)
-#define HN_PING_PONG2D(name, noise) HN_I_SUMS_OF(name, noise, HN_I_TYPES2, HN_I_OF_PING_PONG)
-#define HN_WEIGHTED2D(name, noise) HN_I_SUMS_OF(name, noise, HN_I_TYPES2, HN_I_OF_WEIGHTED)
-#define HN_FBM_LIMITED2D(name, noise) HN_I_LIMITED_OF(name, noise, HN_I_TYPES2)
+// Sums over hn_perlin. Over another noise, or over your own, write the same loop (octaves2d.glsl).
+HN_FN hn_float hn_i_fbm(hn_octaves2 o) {
+  do hn_add(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  return hn_mean(o);
+}
+HN_FN hn_float hn_i_turbulence(hn_octaves2 o) {
+  do hn_add_size(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  return hn_mean(o);
+}
+HN_FN hn_float hn_i_billow(hn_octaves2 o) {
+  do o.sum = hn_i_with_bounded_size(o.sum, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  return hn_i_value(hn_i_billows(hn_i_mean(o.sum)));
+}
+HN_FN hn_float hn_i_clouds(hn_octaves2 o) {
+  do hn_add(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  return hn_density(o);
+}
+HN_FN hn_float hn_i_ridged(hn_octaves2 o) {
+  do hn_add_ridge(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  return hn_i_value(hn_i_bounded(hn_i_mean(o.sum)));
+}
+HN_FN hn_float hn_i_ping_pong(hn_octaves2 o, hn_float strength) {
+  do hn_add_wave(o, hn_perlin(o.place, o.seed), strength); while (hn_next(o));
+  return hn_i_value(hn_i_bounded(hn_i_mean(o.sum)));
+}
+HN_FN hn_float hn_i_weighted(hn_octaves2 o, hn_float strength) {
+  do hn_add_bent(o, hn_perlin(o.place, o.seed), strength); while (hn_next(o));
+  return hn_i_value(hn_i_bounded(hn_i_mean(o.sum)));
+}
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Sums over hn_perlin. Each has three forms:
+// Each sum has three forms:
 //
 //   hn_fbm(p, octaves, lacunarity, gain)
 //   hn_fbm(p, octaves, lacunarity, gain, seed)
@@ -56,7 +64,15 @@
 //   HN_FIXED    takes a gain above 1 as 1, a lacunarity outside [0, 255] as 0 or 255, and more than 32 octaves as 32.
 //               The error does not grow with |p|
 //   source      Musgrave, in "Texturing and Modeling: A Procedural Approach"
-HN_FBM2D(hn_fbm, hn_perlin)
+HN_FN hn_float hn_fbm(hn_place2 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_fbm(hn_octaves(place, octaves, lacunarity, gain, seed));
+}
+HN_FN hn_float hn_fbm(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_fbm(hn_octaves(p, octaves, lacunarity, gain, seed));
+}
+HN_FN hn_float hn_fbm(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain) {
+  return hn_fbm(p, octaves, lacunarity, gain, 0u);
+}
 
 // The same without detail that a pixel cannot show: hn_fbm(p, detail, lacunarity, gain, seed) with a float, and
 // hn_fbm(p, footprint, octaves, lacunarity, gain, seed).
@@ -68,14 +84,32 @@ HN_FBM2D(hn_fbm, hn_perlin)
 //   (other parameters, error, period, HN_FIXED and source as for hn_fbm at a position)
 //   returns     [-1, 1], mean 0
 //   cost        1 noise per octave; octaves that have faded out cost none
-HN_FBM_LIMITED2D(hn_fbm, hn_perlin)
+HN_FN hn_float hn_fbm(hn_vec2 p, hn_float detail, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  hn_octaves2 o = hn_octaves(p, detail, lacunarity, gain, seed);
+  do hn_add_part(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  return hn_mean(o);
+}
+HN_FN hn_float hn_fbm(hn_vec2 p, hn_float footprint, hn_int octaves, hn_float lacunarity, hn_float gain,
+                      hn_uint seed) {
+  hn_octaves2 o = hn_octaves(p, footprint, octaves, lacunarity, gain, seed);
+  do hn_add_resolved(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  return hn_mean(o);
+}
 
 // Turbulence: the mean of the octaves' absolute values, which have creases where the noise passes 0. Use it for marble
 // and fire.
 //   (parameters, error, period and cost as for hn_fbm)
 //   returns  [0, 1]
 //   source   Perlin, "An image synthesizer", 1985; Valdenegro-Toro and Pincheira, fig. 6
-HN_TURBULENCE2D(hn_turbulence, hn_perlin)
+HN_FN hn_float hn_turbulence(hn_place2 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_turbulence(hn_octaves(place, octaves, lacunarity, gain, seed));
+}
+HN_FN hn_float hn_turbulence(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_turbulence(hn_octaves(p, octaves, lacunarity, gain, seed));
+}
+HN_FN hn_float hn_turbulence(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain) {
+  return hn_turbulence(p, octaves, lacunarity, gain, 0u);
+}
 
 // Billows: twice the turbulence less 1, so that heights are in the range of other noise. The round hills are the other
 // side of ridges.
@@ -83,14 +117,30 @@ HN_TURBULENCE2D(hn_turbulence, hn_perlin)
 //   returns  [-1, 1]
 //   error    twice that of hn_turbulence
 //   source   as for hn_turbulence
-HN_BILLOW2D(hn_billow, hn_perlin)
+HN_FN hn_float hn_billow(hn_place2 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_billow(hn_octaves(place, octaves, lacunarity, gain, seed));
+}
+HN_FN hn_float hn_billow(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_billow(hn_octaves(p, octaves, lacunarity, gain, seed));
+}
+HN_FN hn_float hn_billow(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain) {
+  return hn_billow(p, octaves, lacunarity, gain, 0u);
+}
 
 // Clouds: the density of a sky, from an fBm.
 //   (parameters, period and cost as for hn_fbm)
 //   returns  [0, 1]: 0 is clear, 1 is dense; with fewer than 1 octave 5/32
 //   error    3 times that of hn_fbm, plus 5.4e-7 (HN_FIXED 2.6e-5)
 //   source   after the cloud images of Valdenegro-Toro and Pincheira, fig. 6; the paper has no formula for them
-HN_CLOUDS2D(hn_clouds, hn_perlin)
+HN_FN hn_float hn_clouds(hn_place2 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_clouds(hn_octaves(place, octaves, lacunarity, gain, seed));
+}
+HN_FN hn_float hn_clouds(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_clouds(hn_octaves(p, octaves, lacunarity, gain, seed));
+}
+HN_FN hn_float hn_clouds(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain) {
+  return hn_clouds(p, octaves, lacunarity, gain, 0u);
+}
 
 // Ridges: sharp crests where the noise passes 0. Finer octaves show on the crests and leave the valleys smooth.
 //   (parameters, period and cost as for hn_fbm)
@@ -98,7 +148,15 @@ HN_CLOUDS2D(hn_clouds, hn_perlin)
 //   error    grows with the octaves, since each is taken times the one before: docs/accuracy.md
 //   source   Musgrave, as for hn_fbm: his ridged multifractal with the offset 1 and the gain 2, divided by the sum of
 //            the weights
-HN_RIDGED2D(hn_ridged, hn_perlin)
+HN_FN hn_float hn_ridged(hn_place2 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_ridged(hn_octaves(place, octaves, lacunarity, gain, seed));
+}
+HN_FN hn_float hn_ridged(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_ridged(hn_octaves(p, octaves, lacunarity, gain, seed));
+}
+HN_FN hn_float hn_ridged(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain) {
+  return hn_ridged(p, octaves, lacunarity, gain, 0u);
+}
 
 // Ping-pong: each octave is folded up and down between -1 and 1, which gives the rings of wood and of agate.
 //   strength    how many times from one end to the other on the way from -1 to 1, times 1/2; usually 2, in [0, 64]
@@ -106,7 +164,17 @@ HN_RIDGED2D(hn_ridged, hn_perlin)
 //   returns  [-1, 1]
 //   error    twice the strength times that of hn_fbm, and a little more; docs/accuracy.md
 //   source   FastNoiseLite, FractalType_PingPong
-HN_PING_PONG2D(hn_ping_pong, hn_perlin)
+HN_FN hn_float hn_ping_pong(hn_place2 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength,
+                            hn_uint seed) {
+  return hn_i_ping_pong(hn_octaves(place, octaves, lacunarity, gain, seed), strength);
+}
+HN_FN hn_float hn_ping_pong(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength,
+                            hn_uint seed) {
+  return hn_i_ping_pong(hn_octaves(p, octaves, lacunarity, gain, seed), strength);
+}
+HN_FN hn_float hn_ping_pong(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength) {
+  return hn_ping_pong(p, octaves, lacunarity, gain, strength, 0u);
+}
 
 // Weighted fBm: where an octave is low, the finer ones count less, so that valleys are smoother than heights.
 //   strength    how much less: 0 is hn_fbm, 1 leaves nothing of the finer octaves at -1; in [0, 1]
@@ -114,6 +182,16 @@ HN_PING_PONG2D(hn_ping_pong, hn_perlin)
 //   returns  [-1, 1]
 //   error    docs/accuracy.md
 //   source   FastNoiseLite, SetFractalWeightedStrength
-HN_WEIGHTED2D(hn_weighted, hn_perlin)
+HN_FN hn_float hn_weighted(hn_place2 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength,
+                           hn_uint seed) {
+  return hn_i_weighted(hn_octaves(place, octaves, lacunarity, gain, seed), strength);
+}
+HN_FN hn_float hn_weighted(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength,
+                           hn_uint seed) {
+  return hn_i_weighted(hn_octaves(p, octaves, lacunarity, gain, seed), strength);
+}
+HN_FN hn_float hn_weighted(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength) {
+  return hn_weighted(p, octaves, lacunarity, gain, strength, 0u);
+}
 
 #endif

@@ -8,7 +8,7 @@
 #ifndef HN_FRAME_GLSL
 #define HN_FRAME_GLSL
 
-#include "octaves.glsl"
+#include "octave.glsl"
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Steps of numbers. With HN_FIXED those of a frame are in units of 2^-18, as weights are.
@@ -110,8 +110,8 @@ HN_FN hn_float hn_i_stride(hn_float n, hn_float rate) { return hn_i_settled(hn_i
 #endif
 
 // A component of a shift.
-HN_FN hn_float hn_i_shift(hn_num sum, hn_num total, hn_num amplitude) {
-  return hn_i_value(hn_i_coarse(hn_i_framed(hn_i_bounded(hn_i_mean(sum, total)), amplitude)));
+HN_FN hn_float hn_i_shift(hn_i_octave_sum s, hn_num sum, hn_num total, hn_num amplitude) {
+  return hn_i_value(hn_i_coarse(hn_i_framed(hn_i_bounded(hn_i_mean(s, sum, total)), amplitude)));
 }
 
 HN_FN hn_num2 hn_i_framed(hn_num2 a, hn_num b) { return hn_i_num(hn_i_framed(a.x, b), hn_i_framed(a.y, b)); }
@@ -207,33 +207,5 @@ HN_FN hn_num hn_i_on_row(hn_num3 row, hn_num3 v) {
 HN_FN hn_num3 hn_i_to_frame(hn_i_frame3 k, hn_num3 v) {
   return hn_i_num(hn_i_on_row(k.x, v), hn_i_on_row(k.y, v), hn_i_on_row(k.z, v));
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// The macros of such sums. Beside those of octaves.glsl they take
-//
-//   value     the type of the result
-//   begin     declarations
-//   each      what an octave adds, from call(noise, seed)
-//   onward    what leads to the next octave, from the functions that take a position, a frame, and a slope there
-//   finish    the return
-
-#define HN_I_CALL(noise, seed) noise(hn_i_place_of(q), seed)
-#define HN_I_FRAMED_LOOP(each, onward) if (s.left > 0) for (;;) { each if (s.left < 2) break; hn_i_step(s); onward }
-#define HN_I_FRAMED(noise, tiled, begin, each, onward, finish) begin HN_I_FRAMED_LOOP(each(noise, HN_I_CALL), onward(tiled)) finish
-#define HN_I_BEGIN_FRAMED_IN(option) hn_i_octave_sum s = hn_i_begin(octaves, hn_i_lacunarity(min(max(lacunarity, 0.0f), 255.0f), place.tiled), gain, option, seed);
-#define HN_I_TOTAL hn_i_total(hn_i_octaves(octaves), s.gain, HN_I_WEIGHT_ONE)
-
-#define HN_I_FRAMED_SUMS(name, noise, value, vec, placed, position, whole, options, option, begin, each, onward, finish) HN_I_FRAMED_IN(name, noise, value, placed, whole, options, option, begin, each, onward, finish) HN_I_FRAMED_AT(name, noise, value, vec, position, options, option, begin, each, onward, finish)
-#define HN_I_FRAMED_IN(name, noise, value, placed, whole, options, option, begin, each, onward, finish) HN_FN value name(placed place, options(HN_I_DECLARE), hn_uint seed) { whole q = hn_i_position(place); HN_I_BEGIN_FRAMED_IN(option) HN_I_FRAMED(noise, place.tiled, begin, each, onward, finish) }
-#define HN_I_FRAMED_AT(name, noise, value, vec, position, options, option, begin, each, onward, finish) HN_FN value name(vec p, options(HN_I_DECLARE), hn_uint seed) { position q = hn_i_position(p); HN_I_BEGIN(option) HN_I_FRAMED(noise, false, begin, each, onward, finish) } HN_FN value name(vec p, options(HN_I_DECLARE)) { return name(p, options(HN_I_PASS), 0u); }
-
-// This takes the lists of arguments apart: the types of a dimension, and what a sum is.
-#define HN_I_FRAMED_OF(name, noise, value, types, sum) HN_I_FRAMED_SUMS(name, noise, value, types, sum)
-
-#define HN_I_SWAYED(each) HN_I_PLAIN(each), each(hn_float, amplitude)
-#define HN_I_ONWARD(tiled) q = hn_i_next(q, s.lacunarity);
-#define HN_I_ONWARD_FRAME(tiled) q = hn_i_next(q, s.lacunarity); k = hn_i_next_frame(k, growth, tiled);
-#define HN_I_ONWARD_SLOPE(tiled) q = hn_i_next(q, s.lacunarity); e = hn_i_next_slope(e, tiled);
-#define HN_I_ONWARD_MOVED(tiled) q = hn_i_next(hn_i_moved(q, k, v, rate), s.lacunarity); k = hn_i_next_frame(k, growth, tiled);
 
 #endif

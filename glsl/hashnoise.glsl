@@ -11,6 +11,7 @@
 #include "curl.glsl"
 #include "fbm.glsl"
 #include "fbm_d.glsl"
+#include "octaves.glsl"
 #include "position.glsl"
 #include "warp.glsl"
 

@@ -5,55 +5,84 @@
 #define HN_WARP2D_GLSL
 
 #include "frame.glsl"
-#include "octaves_plane.glsl"
+#include "octaves2d.glsl"
 #include "value2d.glsl"
 
-// A vector of noises, in the numbers of HN_ARITHMETIC, and the sum with it.
-HN_FN hn_num2 hn_i_vector(hn_float x, hn_float y) {
-  return hn_i_num(hn_i_bounded_octave(x), hn_i_bounded_octave(y));
-}
-HN_FN void hn_i_add_vector(HN_I_INOUT(hn_num2) sum, hn_num2 v, hn_num weight) {
-  sum.x = hn_i_summed(sum.x, v.x, weight);
-  sum.y = hn_i_summed(sum.y, v.y, weight);
-}
+// A sum of vectors, and the frame of the octave.
+struct hn_shifts2 {
+  hn_num2 sum;
+  hn_num2 frame;
+  hn_num growth;  // of the frame, from octave to octave
+  hn_num amplitude;
+  hn_num rate;  // by which an octave of progressive shifts moves the next
+};
 
-HN_FN hn_vec2 hn_i_shifts(hn_num2 sum, hn_num total, hn_num amplitude) {
-  return vec2(hn_i_shift(sum.x, total, amplitude), hn_i_shift(sum.y, total, amplitude));
-}
-
-// The place to which a shift of the first octave's cells moves that of an octave, whose frame is k.
-HN_FN hn_i_whole2 hn_i_moved(hn_i_whole2 q, hn_num2 k, hn_num2 v, hn_num rate) {
-  hn_num2 n = hn_i_strides(hn_i_to_frame(k, v), rate);
-  hn_i_whole2 moved = q;
-  moved.x = hn_i_moved(q.x, n.x);
-  moved.y = hn_i_moved(q.y, n.y);
-  return moved;
-}
+// The position of an octave, moved by n of the octave's cells.
+HN_FN void hn_i_move(HN_I_INOUT(hn_octaves2) o, hn_num2 n) {
 #if HN_ARITHMETIC != HN_FIXED
-HN_FN hn_vec2 hn_i_moved(hn_vec2 q, hn_num2 k, hn_num2 v, hn_num rate) {
-  hn_num2 n = hn_i_strides(hn_i_to_frame(k, v), rate);
-  return vec2(hn_i_plus(q.x, n.x), hn_i_plus(q.y, n.y));
-}
+  if (!o.is_whole) {
+    o.p = vec2(hn_i_plus(o.p.x, n.x), hn_i_plus(o.p.y, n.y));
+  } else
 #endif
+  {
+    o.x = hn_i_moved(o.x, n.x);
+    o.y = hn_i_moved(o.y, n.y);
+  }
+}
 
-#define HN_I_BEGIN_WARP2 hn_num2 sum = hn_i_num(HN_I_NO_WEIGHT, HN_I_NO_WEIGHT);
-#define HN_I_VECTOR2(noise, call) hn_i_vector(call(noise, s.seed), call(noise, hn_i_other_seed(s.seed)))
-#define HN_I_EACH_WARP2(noise, call) hn_i_add_vector(sum, HN_I_VECTOR2(noise, call), s.weight);
-#define HN_I_END_WARP return hn_i_shifts(sum, HN_I_TOTAL, s.option);
-#define HN_I_OF_WARP2 HN_I_SWAYED, hn_i_setting(amplitude, 64.0f), HN_I_BEGIN_WARP2, HN_I_EACH_WARP2, HN_I_ONWARD, HN_I_END_WARP
-#define HN_I_BEGIN_PROGRESSIVE2 HN_I_BEGIN_WARP2 hn_num2 k = hn_i_first_frame2(); hn_num growth = hn_i_growth(s.gain, s.lacunarity); hn_num total = HN_I_TOTAL; hn_num rate = hn_i_mean(s.option, total);
-#define HN_I_EACH_PROGRESSIVE2(noise, call) hn_num2 v = HN_I_VECTOR2(noise, call); hn_i_add_vector(sum, v, s.weight);
-#define HN_I_END_PROGRESSIVE return hn_i_shifts(sum, total, s.option);
-#define HN_I_OF_PROGRESSIVE2 HN_I_SWAYED, hn_i_setting(amplitude, 64.0f), HN_I_BEGIN_PROGRESSIVE2, HN_I_EACH_PROGRESSIVE2, HN_I_ONWARD_MOVED, HN_I_END_PROGRESSIVE
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Shifts by other noises than hn_value, as in fbm2d.glsl: outside of all functions and without a semicolon. Each
-// component is the noise with a seed of its own.
+// Shifts by any noise, yours or the library's, a number along each axis:
 //
-//   HN_WARP2D(my_warp, hn_simplex)        my_warp(p, octaves, lacunarity, gain, amplitude [, seed]), and at a place
-//   HN_WARP_PROGRESSIVE2D(...)           the same, progressive
-#define HN_WARP2D(name, noise) HN_I_FRAMED_OF(name, noise, hn_vec2, HN_I_TYPES2, HN_I_OF_WARP2)
-#define HN_WARP_PROGRESSIVE2D(name, noise) HN_I_FRAMED_OF(name, noise, hn_vec2, HN_I_TYPES2, HN_I_OF_PROGRESSIVE2)
+//   hn_octaves2 o = hn_octaves(p, 6, 2.0, 0.5, 7u);
+//   hn_shifts2 s = hn_shifts(o, 1.5);
+//   do hn_add(o, s, vec2(...)); while (hn_next(o));  // a noise along each axis, with seeds of their own
+//   vec2 shift = hn_mean(o, s);
+//
+// In place of hn_add there is hn_add_progressive, which moves the octaves that follow.
+//   o          the octaves
+//   v          the noises at o.place, in [-1, 1]; what is beyond is cut off
+//   amplitude  the largest shift along an axis, in cells, in [0, 64]
+//   returns    as hn_warp and hn_warp_progressive below
+//   error      docs/accuracy.md
+//   cost       8 multiplications for the frame of progressive shifts
+//   source     docs/contract.md, section 7
+HN_FN hn_shifts2 hn_shifts(hn_octaves2 o, hn_float amplitude) {
+  HN_I_NEW(hn_shifts2, s);
+  s.sum = hn_i_num(HN_I_NO_WEIGHT, HN_I_NO_WEIGHT);
+  s.frame = hn_i_first_frame2();
+  s.growth = hn_i_growth(o.sum.gain, o.lacunarity);
+  s.amplitude = hn_i_setting(amplitude, 64.0f);
+  s.rate = hn_i_mean(s.amplitude, hn_i_total(o.sum));
+  return s;
+}
+HN_FN void hn_add(hn_octaves2 o, HN_I_INOUT(hn_shifts2) s, hn_vec2 v) {
+  s.sum.x = hn_i_summed(s.sum.x, hn_i_bounded_octave(v.x), o.sum.weight);
+  s.sum.y = hn_i_summed(s.sum.y, hn_i_bounded_octave(v.y), o.sum.weight);
+}
+HN_FN void hn_add_progressive(HN_I_INOUT(hn_octaves2) o, HN_I_INOUT(hn_shifts2) s, hn_vec2 v) {
+  hn_add(o, s, v);
+  hn_num2 n = hn_i_num(hn_i_bounded_octave(v.x), hn_i_bounded_octave(v.y));
+  hn_i_move(o, hn_i_strides(hn_i_to_frame(s.frame, n), s.rate));
+  s.frame = hn_i_next_frame(s.frame, s.growth, o.place.tiled);
+}
+HN_FN hn_vec2 hn_mean(hn_octaves2 o, hn_shifts2 s) {
+  hn_num total = hn_i_total(o.sum);
+  return vec2(hn_i_shift(o.sum, s.sum.x, total, s.amplitude), hn_i_shift(o.sum, s.sum.y, total, s.amplitude));
+}
+
+// The noises of an octave, each with a seed of its own.
+HN_FN hn_vec2 hn_i_values(hn_octaves2 o) {
+  return vec2(hn_value(o.place, o.seed), hn_value(o.place, hn_i_other_seed(o.seed)));
+}
+HN_FN hn_vec2 hn_i_warp(hn_octaves2 o, hn_float amplitude) {
+  hn_shifts2 s = hn_shifts(o, amplitude);
+  do hn_add(o, s, hn_i_values(o)); while (hn_next(o));
+  return hn_mean(o, s);
+}
+HN_FN hn_vec2 hn_i_warp_progressive(hn_octaves2 o, hn_float amplitude) {
+  hn_shifts2 s = hn_shifts(o, amplitude);
+  do hn_add_progressive(o, s, hn_i_values(o)); while (hn_next(o));
+  return hn_mean(o, s);
+}
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Shifts by hn_value, in the forms of hn_fbm.
@@ -74,7 +103,16 @@ HN_FN hn_vec2 hn_i_moved(hn_vec2 q, hn_num2 k, hn_num2 v, hn_num rate) {
 //   period      none that floats reach, or that of the tile
 //   cost        2 noises per octave, which share the cell and its fades
 //   source      Quilez, "Domain warping", 2002
-HN_WARP2D(hn_warp, hn_value)
+HN_FN hn_vec2 hn_warp(hn_place2 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float amplitude,
+                      hn_uint seed) {
+  return hn_i_warp(hn_octaves(place, octaves, lacunarity, gain, seed), amplitude);
+}
+HN_FN hn_vec2 hn_warp(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float amplitude, hn_uint seed) {
+  return hn_i_warp(hn_octaves(p, octaves, lacunarity, gain, seed), amplitude);
+}
+HN_FN hn_vec2 hn_warp(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float amplitude) {
+  return hn_warp(p, octaves, lacunarity, gain, amplitude, 0u);
+}
 
 // The same, where each octave is taken at the place to which those before it have moved. It draws strands and eddies.
 //   (parameters, period and source as for hn_warp)
@@ -82,6 +120,16 @@ HN_WARP2D(hn_warp, hn_value)
 //   error       grows with the amplitude and with each octave, which is taken at a place that has an error:
 //               docs/accuracy.md
 //   cost        2 noises per octave, and 8 multiplications for the frame
-HN_WARP_PROGRESSIVE2D(hn_warp_progressive, hn_value)
+HN_FN hn_vec2 hn_warp_progressive(hn_place2 place, hn_int octaves, hn_float lacunarity, hn_float gain,
+                                  hn_float amplitude, hn_uint seed) {
+  return hn_i_warp_progressive(hn_octaves(place, octaves, lacunarity, gain, seed), amplitude);
+}
+HN_FN hn_vec2 hn_warp_progressive(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float amplitude,
+                                  hn_uint seed) {
+  return hn_i_warp_progressive(hn_octaves(p, octaves, lacunarity, gain, seed), amplitude);
+}
+HN_FN hn_vec2 hn_warp_progressive(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float amplitude) {
+  return hn_warp_progressive(p, octaves, lacunarity, gain, amplitude, 0u);
+}
 
 #endif

@@ -57,6 +57,19 @@ function shape(state) {
 }
 
 // The functions of what is shown, in one language. `values` are what numbers() returns, or names of uniforms.
+// How a sum adds the noise of an octave, and what it makes of the mean.
+const bounded = (mean) => `min(max(${mean}, -1.0), 1.0)`; // roundings may take it beyond
+const kSteps = {
+  fbm: { step: "hn_add" },
+  turbulence: { step: "hn_add_size" },
+  clouds: { step: "hn_add", end: "hn_density" },
+  billow: { step: "hn_add_size", of: (mean) => `min(2.0 * ${mean} - 1.0, 1.0)` },
+  ridged: { step: "hn_add_ridge", of: bounded },
+  ping_pong: { step: "hn_add_wave", of: bounded },
+  weighted: { step: "hn_add_bent", of: bounded },
+  eroded: { step: "hn_add_eroded" },
+};
+
 class Writer {
   constructor(library, language, state, values) {
     this.library = library;
@@ -67,7 +80,6 @@ class Writer {
     this.noise = kNoises[state.noise];
     this.files = new Set();
     this.needs = new Set(); // of WGSL: what the functions call
-    this.changed = []; // of WGSL: the sums that are changed to be over another noise
     this.summed = state.sum !== "none";
     // Where a noise is asked: at a position, in a cell, or at a place that is given.
     this.position = { position: "p" };
@@ -176,52 +188,55 @@ class Writer {
     };
   }
 
-  // Sets the function of the sum, and returns the lines that define it.
+  // Sets the function of the sum, and returns the lines that define it: over another noise than the library's own it is
+  // a loop over octaves.
   defineSum() {
-    const { state } = this;
-    const eroded = kSums[state.sum].steep;
-    this.files.add(`${eroded ? "fbm_d" : "fbm"}${this.n}d.glsl`);
+    const { state, n } = this;
+    const { steep, strength } = kSums[state.sum];
+    this.files.add(`${steep ? "fbm_d" : "fbm"}${n}d.glsl`);
     this.sum = `hn_${state.sum}`;
     if (state.noise === "perlin") return [];
     const noise = this.summedNoise();
     this.sum = `${state.sum}_${state.noise}`;
-    if (this.language !== "wgsl") {
-      return [...noise.lines, `HN_${state.sum.toUpperCase()}${this.n}D(${this.sum}, ${noise.name})`];
-    }
-    // WGSL has no macros: the text of the sum over Perlin noise, with another noise in it.
-    const module = this.library.module(state.arithmetic, state.hash);
-    const perlin = `hn_perlin${eroded ? "_d" : ""}${this.n}_place`;
-    const summed = noise.lines.length ? noise.name : `${noise.name}${this.n}_place`;
-    const lines = [...noise.lines];
-    for (const form of state.tiled ? ["_place"] : ["_place", ""]) {
-      const name = `hn_${state.sum}${this.n}${form}`;
-      const { text, needs } = module.get(name);
-      this.changed.push(name);
-      needs.filter((needed) => needed !== perlin).forEach((needed) => this.needs.add(needed));
-      lines.push(
-        ...text
-          .replace(`fn ${name}(`, `fn ${this.sum}${this.n}${form}(`)
-          .replaceAll(`${perlin}(`, `${summed}(`)
-          .split("\n"),
-      );
-    }
-    if (!noise.lines.length) this.needs.add(summed);
-    return lines;
+    const wgsl = this.language === "wgsl";
+    const { step, end = "hn_mean", of = (mean) => mean } = kSteps[state.sum];
+    const set = (name) => (wgsl ? `&${name}` : name);
+    const own = noise.lines.length;
+    const at = ["o.place", "o.seed"];
+    const called = own ? `${noise.name}(${at.join(", ")})` : this.called(noise.name, `${noise.name}${n}_place`, ...at);
+    const rest = [...(steep ? [set("s")] : []), called, ...(strength ? ["strength"] : [])];
+    const add = this.called(step, `${step}${n}`, set("o"), ...rest);
+    const next = this.called("hn_next", `hn_next${n}`, set("o"));
+    const mean = of(this.called(end, `${end}${n}`, "o"));
+    const octaves = `hn_octaves${n}`;
+    const slopes = steep && this.called("hn_slopes", `hn_slopes_of${n}`, "o");
+    const lines = [
+      ...(steep ? [`${wgsl ? "var s: " : ""}hn_slopes${n}${wgsl ? "" : " s"} = ${slopes};`] : []),
+      ...(wgsl
+        ? ["loop {", `  ${add};`, `  continuing { break if !(${next}); }`, "}"]
+        : [`do ${add}; while (${next});`]),
+      `return ${this.number(mean)};`,
+    ];
+    const parameters = [
+      [octaves, wgsl ? "o_in" : "o"],
+      ...(strength ? [[this.types.float(1), "strength"]] : []),
+    ];
+    if (wgsl) lines.unshift("var o = o_in;");
+    return [...noise.lines, ...this.define(this.sum, parameters, lines)];
   }
 
   // The value at a place, with the lines before it.
   shownAt(where) {
     const { state, values } = this;
     if (!this.summed) return this.noiseAt(where, values);
-    const settings = [
-      values.octaves,
-      values.lacunarity,
-      values.gain,
-      ...(kSums[state.sum].strength ? [values.strength] : []),
-    ];
-    const call = this.call(this.sum, where, "", ...settings, values.seed);
-    if (!this.sum.startsWith("hn_")) this.needs.delete(call.slice(0, call.indexOf("(")));
-    return { lines: [], value: call };
+    const settings = [values.octaves, values.lacunarity, values.gain];
+    const strength = kSums[state.sum].strength ? [values.strength] : [];
+    if (this.sum.startsWith("hn_")) {
+      return { lines: [], value: this.call(this.sum, where, "", ...settings, ...strength, values.seed) };
+    }
+    const name = this.language === "wgsl" ? "hn_octaves_of" : "hn_octaves";
+    const octaves = this.call(name, where, "", ...settings, values.seed);
+    return { lines: [], value: `${this.sum}(${[octaves, ...strength].join(", ")})` };
   }
 
   // A shift of the place, and where it leads.
@@ -270,7 +285,7 @@ class Writer {
       lines: [...sums, ...(sums.length ? [""] : []), ...patterns],
       files: [...this.files],
       needs: [...this.needs],
-      public: [...this.needs, ...this.changed].filter((name) => /^hn_(?!i_|place\d$)/.test(name)),
+      public: [...this.needs].filter((name) => /^hn_(?!i_|place\d$)/.test(name)),
     };
   }
 }

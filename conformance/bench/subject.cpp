@@ -79,10 +79,12 @@ std::vector<Subject> library_subjects() {
   for (const int dimensions : {2, 3}) {
     subjects.push_back({fmt::format("fbm.fbm{}.own_noise", dimensions), dimensions,
                         fmt::format("#include \"fbm{0}d.glsl\"\n"
-                                    "float own_noise(ivec{0} cell, vec{0} f, uint seed) {{ return f.x; }}\n"
-                                    "HN_FBM{0}D(own_fbm, own_noise)\n",
+                                    "float own_fbm(hn_octaves{0} o) {{\n"
+                                    "  do hn_add(o, hn_position(o.place).x - float(o.place.cell.x)); while (hn_next(o));\n"
+                                    "  return hn_mean(o);\n"
+                                    "}}\n",
                                     dimensions),
-                        "own_fbm(p, 6, 2.0, 0.5)"});
+                        "own_fbm(hn_octaves(p, 6, 2.0, 0.5, 0u))"});
   }
   return subjects;
 }

@@ -223,68 +223,93 @@ const std::string kOtherSums = R"(#include "hashnoise.glsl"
 precision mediump float;
 precision mediump int;
 #endif
-HN_FBM2D(fbm_of_simplex, hn_simplex)
-HN_PING_PONG2D(ping_pong_of_simplex, hn_simplex)
-HN_RIDGED2D(ridged_of_value, hn_value)
-HN_FBM2D(tile_of_value, hn_value)
-HN_FBM_LIMITED2D(limited_of_value, hn_value)
-HN_WEIGHTED3D(weighted_of_simplex, hn_simplex)
-HN_CLOUDS3D(clouds_of_value, hn_value)
-float mine(hn_place2 place, uint seed) { return hn_position(place).x - float(place.cell.y); }
-HN_BILLOW2D(billow_of_mine, mine)
-HN_TURBULENCE2D(turbulence_of_mine, mine)
 float mine(hn_place1 place, uint seed) { return hn_position(place) - 0.5; }
+float mine(hn_place2 place, uint seed) { return hn_position(place).x - float(place.cell.y); }
 float mine(hn_place3 place, uint seed) { return hn_position(place).x - float(place.cell.z); }
 float mine(hn_place4 place, uint seed) { return hn_position(place).x - float(place.cell.w); }
 vec3 mine_d(hn_place2 place, uint seed) { return vec3(mine(place, seed), 1.0, -1.0); }
 vec4 mine_d(hn_place3 place, uint seed) { return vec4(mine(place, seed), 1.0, 0.0, -1.0); }
-HN_FBM1D(fbm_on_a_line, mine)
-HN_WEIGHTED1D(weighted_on_a_line, mine)
-HN_FBM_LIMITED1D(limited_on_a_line, mine)
-HN_RIDGED4D(ridged_in_4d, hn_simplex)
-HN_PING_PONG4D(ping_pong_in_4d, mine)
-HN_FBM_LIMITED4D(limited_in_4d, mine)
-HN_FBM_D2D(fbm_d_of_simplex, hn_simplex_d)
-HN_FBM_D2D(fbm_d_of_mine, mine_d)
-HN_FBM_D3D(fbm_d_of_mine, mine_d)
-HN_FBM_D3D(fbm_d_of_value, hn_value_d)
-HN_ERODED2D(eroded_of_mine, mine_d)
-HN_ERODED2D(eroded_of_value, hn_value_d)
-HN_ERODED3D(eroded_of_simplex, hn_simplex_d)
-HN_ERODED3D(eroded_of_mine, mine_d)
-HN_WARP2D(warp_of_simplex, hn_simplex)
-HN_WARP2D(warp_of_mine, mine)
-HN_WARP3D(warp_of_mine, mine)
-HN_WARP3D(warp_of_perlin, hn_perlin)
-HN_WARP_PROGRESSIVE2D(progressive_of_mine, mine)
-HN_WARP_PROGRESSIVE2D(progressive_of_perlin, hn_perlin)
-HN_WARP_PROGRESSIVE3D(progressive_of_simplex, hn_simplex)
-HN_WARP_PROGRESSIVE3D(progressive_of_mine, mine)
-float all_further(vec2 p) {
-  vec3 p3 = vec3(p, 0.5);
-  vec4 p4 = vec4(p, p);
-  float sum = fbm_on_a_line(p.x, 5, 2.0, 0.5) + fbm_on_a_line(hn_place(int(p.x), p.x - floor(p.x)), 5, 2.0, 0.5, 7u);
-  sum += weighted_on_a_line(hn_tile(p.x, 4), 5, 2.0, 0.5, 1.0, 7u) + limited_on_a_line(p.x, 4.5, 2.0, 0.5, 7u);
-  sum += ridged_in_4d(p4, 5, 2.0, 0.5) + ridged_in_4d(hn_place(ivec4(p4), p4 - floor(p4)), 5, 2.0, 0.5, 7u);
-  sum += ping_pong_in_4d(hn_tile(p4, ivec4(4)), 5, 2.0, 0.5, 2.0, 7u) + limited_in_4d(p4, 0.01, 5, 2.0, 0.5, 7u);
-  sum += eroded_of_mine(p, 5, 2.0, 0.5, 1.0) + eroded_of_value(hn_tile(p, ivec2(4)), 5, 2.0, 0.5, 1.0, 7u);
-  sum += eroded_of_simplex(p3, 5, 2.0, 0.5, 1.0, 7u) + eroded_of_mine(hn_tile(hn_place(ivec3(p3), p3 - floor(p3)), ivec3(4)), 5, 2.0, 0.5, 1.0, 7u);
-  vec3 slopes = fbm_d_of_simplex(p, 5, 2.0, 0.5) + fbm_d_of_mine(hn_tile(hn_place(ivec2(p), p - floor(p)), ivec2(4)), 5, 2.0, 0.5, 7u);
-  vec4 more = fbm_d_of_mine(p3, 5, 2.0, 0.5, 7u) + fbm_d_of_value(hn_tile(p3, ivec3(4)), 5, 2.0, 0.5, 7u);
-  vec2 shift = warp_of_simplex(p, 5, 2.0, 0.5, 1.0) + warp_of_mine(hn_tile(p, ivec2(4)), 5, 2.0, 0.5, 1.0, 7u);
-  shift += progressive_of_mine(p, 5, 2.0, 0.5, 1.0) + progressive_of_perlin(hn_tile(p, ivec2(4)), 5, 2.0, 0.5, 1.0, 7u);
-  vec3 in_space = warp_of_mine(p3, 5, 2.0, 0.5, 1.0) + warp_of_perlin(hn_tile(p3, ivec3(4)), 5, 2.0, 0.5, 1.0, 7u);
-  in_space += progressive_of_simplex(p3, 5, 2.0, 0.5, 1.0) + progressive_of_mine(hn_tile(p3, ivec3(4)), 5, 2.0, 0.5, 1.0, 7u);
-  return sum + slopes.x + slopes.y + more.x + more.w + shift.x + shift.y + in_space.x + in_space.z;
+float on_a_line(hn_octaves1 o) {
+  hn_octaves1 other = o;
+  do hn_add(o, mine(o.place, o.seed)); while (hn_next(o));
+  do hn_add_bent(other, hn_value(other.place, other.seed), 1.0); while (hn_next(other));
+  return hn_mean(o) + hn_mean(other);
+}
+float on_a_plane(hn_octaves2 o) {
+  hn_octaves2 size = o;
+  hn_octaves2 wave = o;
+  do hn_add(o, hn_simplex(o.place, o.seed)); while (hn_next(o));
+  do hn_add_size(size, mine(size.place, size.seed)); while (hn_next(size));
+  do hn_add_wave(wave, hn_value_cubic(wave.place, wave.seed), 2.0); while (hn_next(wave));
+  return hn_mean(o) + hn_mean(size) + hn_mean(wave);
+}
+float in_space(hn_octaves3 o) {
+  hn_octaves3 bent = o;
+  do hn_add_ridge(o, hn_value(o.place, o.seed)); while (hn_next(o));
+  do hn_add_bent(bent, hn_cellular(bent.place, bent.seed).x, 1.0); while (hn_next(bent));
+  return hn_mean(o) + hn_mean(bent);
+}
+float in_4d(hn_octaves4 o) {
+  hn_octaves4 wave = o;
+  do hn_add_ridge(o, hn_simplex(o.place, o.seed)); while (hn_next(o));
+  do hn_add_wave(wave, mine(wave.place, wave.seed), 2.0); while (hn_next(wave));
+  return hn_mean(o) + hn_mean(wave);
+}
+float limited(vec2 p) {
+  hn_octaves1 line = hn_octaves(p.x, 4.5, 2.0, 0.5, 7u);
+  do hn_add_part(line, mine(line.place, line.seed)); while (hn_next(line));
+  hn_octaves2 plane = hn_octaves(p, 0.01, 5, 2.0, 0.5, 7u);
+  do hn_add_resolved(plane, hn_value(plane.place, plane.seed)); while (hn_next(plane));
+  hn_octaves4 more = hn_octaves(vec4(p, p), 0.01, 5, 2.0, 0.5, 7u);
+  do hn_add_resolved(more, mine(more.place, more.seed)); while (hn_next(more));
+  return hn_mean(line) + hn_mean(plane) + hn_mean(more);
+}
+vec3 with_slopes(hn_octaves2 o) {
+  hn_octaves2 eroded = o;
+  hn_slopes2 s = hn_slopes(o);
+  do hn_add(o, s, hn_simplex_d(o.place, o.seed)); while (hn_next(o));
+  hn_slopes2 e = hn_slopes(eroded);
+  do hn_add_eroded(eroded, e, mine_d(eroded.place, eroded.seed), 1.0); while (hn_next(eroded));
+  return hn_mean(o, s) + hn_mean(eroded);
+}
+vec4 with_slopes(hn_octaves3 o) {
+  hn_octaves3 eroded = o;
+  hn_slopes3 s = hn_slopes(o);
+  do hn_add(o, s, mine_d(o.place, o.seed)); while (hn_next(o));
+  hn_slopes3 e = hn_slopes(eroded);
+  do hn_add_eroded(eroded, e, hn_value_d(eroded.place, eroded.seed), 1.0); while (hn_next(eroded));
+  return hn_mean(o, s) + hn_mean(eroded);
+}
+vec2 shifted(hn_octaves2 o) {
+  hn_octaves2 moving = o;
+  hn_shifts2 s = hn_shifts(o, 1.0);
+  do hn_add(o, s, vec2(hn_simplex(o.place, o.seed), mine(o.place, o.seed))); while (hn_next(o));
+  hn_shifts2 m = hn_shifts(moving, 1.0);
+  do hn_add_progressive(moving, m, hn_curl(moving.place, moving.seed)); while (hn_next(moving));
+  return hn_mean(o, s) + hn_mean(moving, m);
+}
+vec3 shifted(hn_octaves3 o) {
+  hn_octaves3 moving = o;
+  hn_shifts3 s = hn_shifts(o, 1.0);
+  do hn_add(o, s, vec3(mine(o.place, o.seed))); while (hn_next(o));
+  hn_shifts3 m = hn_shifts(moving, 1.0);
+  do hn_add_progressive(moving, m, hn_curl(moving.place, moving.seed)); while (hn_next(moving));
+  return hn_mean(o, s) + hn_mean(moving, m);
 }
 float all_of_them(vec2 p) {
-  float sum = fbm_of_simplex(p, 5, 2.0, 0.5) + fbm_of_simplex(hn_place(ivec2(p), p - floor(p)), 5, 2.0, 0.5, 7u);
-  sum += ping_pong_of_simplex(p, 5, 2.0, 0.5, 2.0) + ridged_of_value(p, 5, 2.0, 0.5, 7u);
-  sum += tile_of_value(hn_tile(p, ivec2(4)), 5, 2.0, 0.5, 7u) + tile_of_value(hn_tile(hn_place(ivec2(p), p - floor(p)), ivec2(4)), 5, 2.0, 0.5, 7u);
-  sum += limited_of_value(p, 4.5, 2.0, 0.5, 7u) + limited_of_value(p, 0.01, 5, 2.0, 0.5, 7u);
-  sum += weighted_of_simplex(vec3(p, 0.5), 5, 2.0, 0.5, 1.0);
-  sum += clouds_of_value(hn_tile(vec3(p, 0.5), ivec3(4)), 5, 2.0, 0.5, 7u);
-  return sum + all_further(p) + billow_of_mine(p, 5, 2.0, 0.5) + turbulence_of_mine(hn_tile(p, ivec2(4)), 5, 2.0, 0.5, 7u);
+  hn_place2 place = hn_place(ivec2(p), p - floor(p));
+  vec3 p3 = vec3(p, 0.5);
+  vec4 p4 = vec4(p, p);
+  float sum = on_a_line(hn_octaves(p.x, 5, 2.0, 0.5, 7u)) + on_a_line(hn_octaves(hn_tile(p.x, 4), 5, 2.0, 0.5, 7u));
+  sum += on_a_plane(hn_octaves(p, 5, 2.0, 0.5, 7u)) + on_a_plane(hn_octaves(place, 5, 2.0, 0.5, 7u));
+  sum += on_a_plane(hn_octaves(hn_tile(place, ivec2(4)), 5, 2.0, 0.5, 7u));
+  sum += in_space(hn_octaves(p3, 5, 2.0, 0.5, 7u)) + in_space(hn_octaves(hn_tile(p3, ivec3(4)), 5, 2.0, 0.5, 7u));
+  sum += in_4d(hn_octaves(p4, 5, 2.0, 0.5, 7u)) + in_4d(hn_octaves(hn_tile(p4, ivec4(4)), 5, 2.0, 0.5, 7u));
+  vec3 slopes = with_slopes(hn_octaves(p, 5, 2.0, 0.5, 7u)) + with_slopes(hn_octaves(place, 5, 2.0, 0.5, 7u));
+  vec4 more = with_slopes(hn_octaves(p3, 5, 2.0, 0.5, 7u));
+  vec2 shift = shifted(hn_octaves(p, 5, 2.0, 0.5, 7u)) + shifted(hn_octaves(place, 5, 2.0, 0.5, 7u));
+  vec3 further = shifted(hn_octaves(p3, 5, 2.0, 0.5, 7u));
+  return sum + limited(p) + slopes.x + slopes.y + more.x + more.w + shift.x + shift.y + further.x + further.z;
 }
 )";
 

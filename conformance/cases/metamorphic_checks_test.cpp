@@ -136,22 +136,22 @@ TEST_F(Periods, AFunctionThatDoesNotRepeatIsCaught) {
        "hn_fbm(t, o, l, g, args) (hn_fbm(t, o, l, g, args) + 0.0000005 * p.x)"}};
   for (const Aperiodic& fault : kFaults) expect_caught(fault);
   // Only many octaves come to so large a cell.
-  expect_replaced_caught({"fbm.fbm2_period.lattice.fixed.fragment.gl330.period", "octaves_plane.glsl",
-                          "ivec2(q.x.x, q.y.x)", "clamp(ivec2(q.x.x, q.y.x), -8388608, 8388607)"});
-  expect_replaced_caught({"fbm.billow2_cell_period.lattice.fast.fragment.gl330.period", "octaves.glsl",
+  expect_replaced_caught({"fbm.fbm2_period.lattice.fixed.fragment.gl330.period", "octaves2d.glsl",
+                          "ivec2(o.x.x, o.y.x)", "clamp(ivec2(o.x.x, o.y.x), -8388608, 8388607)"});
+  expect_replaced_caught({"fbm.billow2_cell_period.lattice.fast.fragment.gl330.period", "octave.glsl",
                           "return int(uint(period) * uint(lacunarity));",
                           "return int(uint(period) * uint(lacunarity)) + int(period > 0);"});
   // A tile that turns.
   expect_replaced_caught({"warp.warp_progressive2_cell_period.lattice.fixed.fragment.gl330.period",
-                          "octaves_plane.glsl", "hn_i_shifted(x, HN_I_SHIFT_X)",
+                          "octaves2d.glsl", "hn_i_shifted(x, HN_I_SHIFT_X)",
                           "hn_i_shifted(hn_i_rotated_axis(x, y, 25, -20), HN_I_SHIFT_X)"});
 }
 
 // From a cell, in every arithmetic and with a period: the fraction, and a step that only one of the two goes.
 TEST_F(Periods, ASumFromACellThatIsNotThatAtThePositionIsCaught) {
-  constexpr Replaced kFaults[] = {{"fbm.fbm2_cell.lattice.fast.fragment.gl330.from_cell", "octaves_plane.glsl",
-                                   "q.x = hn_i_whole(place.cell.x, place.fraction.x, ",
-                                   "q.x = hn_i_whole(place.cell.x, 0.999f * place.fraction.x, "},
+  constexpr Replaced kFaults[] = {{"fbm.fbm2_cell.lattice.fast.fragment.gl330.from_cell", "octaves2d.glsl",
+                                   "o.x = hn_i_whole(place.cell.x, place.fraction.x, ",
+                                   "o.x = hn_i_whole(place.cell.x, 0.999f * place.fraction.x, "},
                                   {"fbm.ridged3_cell.lattice.fixed.fragment.gl330.from_cell", "place.glsl",
                                    "hn_i_place(cell, hn_i_inside(f),", "hn_i_place(cell, hn_i_inside(f) ^ 256,"},
                                   {"warp.warp_progressive2_cell.lattice.fast.fragment.gl330.from_cell", "frame.glsl",
@@ -162,22 +162,22 @@ TEST_F(Periods, ASumFromACellThatIsNotThatAtThePositionIsCaught) {
 }
 
 TEST_F(Periods, AWholeDetailThatIsNoNumberOfOctavesIsCaught) {
-  constexpr Replaced kFaults[] = {{"fbm.fbm2_detail.lattice.fast.fragment.gl330.whole_detail", "octaves.glsl",
+  constexpr Replaced kFaults[] = {{"fbm.fbm2_detail.lattice.fast.fragment.gl330.whole_detail", "octave.glsl",
                                    "float(octaves - 1));", "float(octaves - 1) + 0.01f);"},
-                                  {"fbm.fbm3_detail.lattice.precise.fragment.gl400.whole_detail", "octaves.glsl",
+                                  {"fbm.fbm3_detail.lattice.precise.fragment.gl400.whole_detail", "octave.glsl",
                                    "float(octaves - 1));", "float(octaves - 1) + 0.00001f);"},
-                                  {"fbm.fbm3_detail.lattice.fixed.fragment.gl330.whole_detail", "octaves.glsl",
+                                  {"fbm.fbm3_detail.lattice.fixed.fragment.gl330.whole_detail", "octave.glsl",
                                    "HN_I_MOST_DETAIL 32.0f", "HN_I_MOST_DETAIL 31.0f"}};
   for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
 }
 
 TEST_F(Periods, ASmallFootprintThatFadesOctavesIsCaught) {
   constexpr Replaced kFaults[] = {
-      {"fbm.fbm2_footprint.lattice.fast.fragment.gl330.small_footprint", "octaves.glsl", "hn_i_minus(1.5f, footprint)",
+      {"fbm.fbm2_footprint.lattice.fast.fragment.gl330.small_footprint", "octave.glsl", "hn_i_minus(1.5f, footprint)",
        "hn_i_minus(1.4f, footprint)"},
-      {"fbm.fbm3_footprint.lattice.fixed.fragment.gl330.small_footprint", "octaves.glsl", "393216 - (footprint >> 6)",
+      {"fbm.fbm3_footprint.lattice.fixed.fragment.gl330.small_footprint", "octave.glsl", "393216 - (footprint >> 6)",
        "393216 - 16 - (footprint >> 6)"},
-      {"fbm.fbm3_footprint.lattice.precise.fragment.gl400.small_footprint", "octaves.glsl",
+      {"fbm.fbm3_footprint.lattice.precise.fragment.gl400.small_footprint", "octave.glsl",
        "hn_i_times(footprint, max(lacunarity, 1.0f))", "hn_i_times(footprint, 2.0f * max(lacunarity, 1.0f))"}};
   for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
 }

@@ -1,4 +1,4 @@
-// Octave sums over a noise of the user's, which is constant: so what comes out follows from a few lines.
+// Octave sums over a noise that is constant: so what comes out follows from a few lines.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -126,20 +126,17 @@ constexpr std::string_view kOutside =
     "  return abs(float(cell)) < 1000000.0f ? max(abs(x - float(cell) - 0.5f) - 0.5f, 0.0f) : 0.0f;\n"
     "}\n";
 
-// Makes a sum over a constant noise, under the name of the library's.
+// Gives the library's sum a constant noise in place of its own.
 std::string with_constant_noise(const Function& function) {
-  std::string name(function.bound);
-  std::string macro = name;
-  std::ranges::transform(macro, macro.begin(), [](char c) { return static_cast<char>(c >= 'a' ? c - 'a' + 'A' : c); });
-  if (function.takes_detail() || function.takes_footprint()) macro += "_LIMITED";
   const int axes = function.axes;
+  const std::string_view noise = noise_of(octave_sum_of(function));
   std::string value = fmt::format("{:.1f}f", kConstantNoise);
   for (const char axis : std::string_view("xyzw").substr(0, static_cast<std::size_t>(axes))) {
     const std::string component = axes == 1 ? "" : fmt::format(".{}", axis);
     value += fmt::format(" + outside(hn_position(place){0}, place.cell{0})", component);
   }
   std::string type = "hn_float";
-  if (noise_of(octave_sum_of(function)) == "perlin_d") {
+  if (noise == "perlin_d") {
     type = fmt::format("hn_vec{}", axes + 1);
     value = fmt::format("vec{}({}", axes + 1, value);
     for (const double slope : std::span(kConstantSlopes).first(static_cast<std::size_t>(axes))) {
@@ -148,11 +145,11 @@ std::string with_constant_noise(const Function& function) {
     value += ")";
   }
   return fmt::format(
-      "#include \"{}\"\n{}"
-      "HN_FN {} constant_noise(hn_place{} place, hn_uint seed) {{ return {}; }}\n"
-      "HN_{}{}D(constant_sum, constant_noise)\n"
-      "#define hn_{} constant_sum\n",
-      function.file, kOutside, type, axes, value, macro, axes, name);
+      "#include \"{0}{1}d.glsl\"\n{2}"
+      "HN_FN {3} constant_noise(hn_place{1} place, hn_uint seed) {{ return {4}; }}\n"
+      "#define hn_{0} constant_noise\n"
+      "#include \"{5}\"\n",
+      noise, axes, kOutside, type, value, function.file);
 }
 
 // The octaves that count, the last of a detail only in part: over a constant noise that changes nothing. From a cell

@@ -40,7 +40,7 @@ Check check_seeds;        // fields of different seeds are uncorrelated
 Check check_mirror;       // no quadrant mirrors another
 Check check_finite;       // and neither NaN nor infinity at extreme points
 Check check_unseeded;     // unseeded_check.cpp: without a seed means with seed 0
-Check check_other_noise;  // other_noise_check.cpp: HN_FBM2D(name, noise) and its like take the noise
+Check check_other_noise;  // other_noise_check.cpp: sums over a constant noise
 
 // derivative_check.cpp, slope_sum_check.cpp, divergence_check.cpp and seams_check.cpp
 Check check_derivative;  // derivatives are those of the noise

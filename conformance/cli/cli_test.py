@@ -249,8 +249,8 @@ class Cli(unittest.TestCase):
             (
                 (f"{perlin}.range", "gradient.glsl", "n, 1365)", "n, 2365)"),
                 (f"{perlin}.seeds", "lattice.glsl", "box.last, s, s, 0u)", "box.last, 0u, 0u, 0u)"),
-                ("fbm.fbm2.*.fast.*.other_noise", "octaves.glsl",
-                 "add, noise(hn_i_place_of(q), s.seed", "add, hn_perlin(hn_i_place_of(q), s.seed"),
+                ("fbm.fbm2.*.fast.*.other_noise", "octave.glsl",
+                 "hn_i_summed(s.value, n, weight)", "hn_i_summed(s.value, n, HN_I_WEIGHT_ONE)"),
                 ("fbm.ridged2_cell_period.*.fixed.*.other_noise",),
                 ("config.hash_beyond_the_last.*.gl330.refused_*", "config.glsl", "HN_HASH > 9", "HN_HASH > 99"),
                 ("config.arithmetic_4.*.gl330.*", "config.glsl", "HN_ARITHMETIC > 3", "HN_ARITHMETIC > 99"),

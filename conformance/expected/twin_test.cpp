@@ -22,9 +22,18 @@
 namespace hashnoise {
 namespace {
 
-HN_FBM2D(fbm_of_perlin, hn_perlin)
-HN_PING_PONG3D(ping_pong_of_perlin, hn_perlin)
-HN_FBM2D(fbm_of_simplex, hn_simplex)
+float fbm_of_perlin(hn_octaves2 o) {
+  do hn_add(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  return hn_mean(o);
+}
+float ping_pong_of_perlin(hn_octaves3 o, float strength) {
+  do hn_add_wave(o, hn_perlin(o.place, o.seed), strength); while (hn_next(o));
+  return hn_mean(o);
+}
+float fbm_of_simplex(hn_octaves2 o) {
+  do hn_add(o, hn_simplex(o.place, o.seed)); while (hn_next(o));
+  return hn_mean(o);
+}
 
 }  // namespace
 }  // namespace hashnoise
@@ -75,17 +84,17 @@ TEST(Twin, UnseededIsSeedZero) {
   EXPECT_EQ(hn_clouds(vec3(0.3f), 5, 2.0f, 0.5f), hn_clouds(vec3(0.3f), 5, 2.0f, 0.5f, 0u));
 }
 
-TEST(Twin, ASumThatAMacroMakesIsTheLibrarys) {
+TEST(Twin, ALoopOverOctavesIsTheLibrarysSum) {
   using namespace hashnoise;
   const vec2 p(3.3f, -7.7f);
   const vec3 q(3.3f, -7.7f, 0.2f);
-  EXPECT_EQ(fbm_of_perlin(p, 6, 1.9f, 0.6f), hn_fbm(p, 6, 1.9f, 0.6f));
-  EXPECT_EQ(fbm_of_perlin(hn_place(ivec2(1 << 30, -9), vec2(0.3f, 0.7f)), 6, 1.9f, 0.6f, 5u),
+  EXPECT_EQ(fbm_of_perlin(hn_octaves(p, 6, 1.9f, 0.6f, 0u)), hn_fbm(p, 6, 1.9f, 0.6f));
+  EXPECT_EQ(fbm_of_perlin(hn_octaves(hn_place(ivec2(1 << 30, -9), vec2(0.3f, 0.7f)), 6, 1.9f, 0.6f, 5u)),
             hn_fbm(hn_place(ivec2(1 << 30, -9), vec2(0.3f, 0.7f)), 6, 1.9f, 0.6f, 5u));
-  EXPECT_EQ(ping_pong_of_perlin(hn_tile(q, ivec3(4, 0, 9)), 6, 2.0f, 0.6f, 1.5f, 5u),
+  EXPECT_EQ(ping_pong_of_perlin(hn_octaves(hn_tile(q, ivec3(4, 0, 9)), 6, 2.0f, 0.6f, 5u), 1.5f),
             hn_ping_pong(hn_tile(q, ivec3(4, 0, 9)), 6, 2.0f, 0.6f, 1.5f, 5u));
-  EXPECT_NE(fbm_of_simplex(p, 6, 1.9f, 0.6f), hn_fbm(p, 6, 1.9f, 0.6f));
-  EXPECT_EQ(fbm_of_simplex(p, 1, 1.9f, 0.6f, 5u), hn_simplex(p, 5u));
+  EXPECT_NE(fbm_of_simplex(hn_octaves(p, 6, 1.9f, 0.6f, 0u)), hn_fbm(p, 6, 1.9f, 0.6f));
+  EXPECT_EQ(fbm_of_simplex(hn_octaves(p, 1, 1.9f, 0.6f, 5u)), hn_simplex(p, 5u));
 }
 
 TEST(Twin, PositionAndCellAgree) {

@@ -98,17 +98,17 @@ Subject subject_of(const Entry& entry, int dimensions, Picture picture, std::uin
     return {id, dimensions, std::move(text), noise_at("p", entry, dimensions, period, "0u")};
   }
   text += fmt::format("#include \"fbm{}d.glsl\"\n", dimensions);
-  std::string name = fmt::format("hn_{}", name_of(picture));
+  std::string expression = fmt::format("hn_{}(p, 6, 2.0, 0.5)", name_of(picture));
   // Without a seed the octaves are all of the same field.
   if (entry.form != Form::ours || period != 0) {
-    name = "paper_sum";
-    text +=
-        fmt::format("float paper_octave(hn_place{0} place, uint seed) {{ return {1}; }}\n{2}{0}D({3}, paper_octave)\n",
-                    dimensions, noise_at("hn_position(place)", entry, dimensions, period, "seed"),
-                    picture == Picture::clouds ? "HN_CLOUDS" : "HN_TURBULENCE", name);
+    const bool is_clouds = picture == Picture::clouds;
+    text += fmt::format("float paper_sum(hn_octaves{} o) {{\n  do {}(o, {}); while (hn_next(o));\n  return {}(o);\n}}\n",
+                        dimensions, is_clouds ? "hn_add" : "hn_add_size",
+                        noise_at("hn_position(o.place)", entry, dimensions, period, "o.seed"),
+                        is_clouds ? "hn_density" : "hn_mean");
+    expression = "paper_sum(hn_octaves(p, 6, 2.0, 0.5, 0u))";
   }
-  return {fmt::format("{}.{}", id, name_of(picture)), dimensions, std::move(text),
-          fmt::format("{}(p, 6, 2.0, 0.5)", name)};
+  return {fmt::format("{}.{}", id, name_of(picture)), dimensions, std::move(text), std::move(expression)};
 }
 
 SourceSet with_published_listings(SourceSet sources) {

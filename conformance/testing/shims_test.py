@@ -24,15 +24,27 @@ COMPILER = sys.argv[1] if len(sys.argv) > 1 else "clang++"
 THOROUGH = "--thorough" in sys.argv
 # What the user's own code may call as GLSL calls it, and a sum of the user's.
 USER = """
-HN_FBM2D(my_sum, hn_simplex)
-HN_WARP2D(my_warp, hn_value)
-HN_ERODED3D(my_slopes, hn_value_d)
+float my_sum(hn_octaves2 o) {
+  do hn_add(o, hn_simplex(o.place, o.seed)); while (hn_next(o));
+  return hn_mean(o);
+}
+float2 my_warp(hn_octaves2 o) {
+  hn_shifts2 s = hn_shifts(o, 1.0f);
+  do hn_add_progressive(o, s, float2(hn_value(o.place, o.seed), 0.5f)); while (hn_next(o));
+  return hn_mean(o, s);
+}
+float my_slopes(hn_octaves3 o) {
+  hn_slopes3 s = hn_slopes(o);
+  do hn_add_eroded(o, s, hn_value_d(o.place, o.seed), 1.0f); while (hn_next(o));
+  return hn_mean(o);
+}
 float mine(float2 p, uint seed) {
   float3 vec3 = float3(p, 0.5f);
   float uvec4 = hn_perlin(p) + hn_perlin(hn_tile(hn_place(int3(7, 7, 7), vec3), int3(8, 8, 8)), seed) +
                 hn_fbm(p, 5, 2.0f, 0.5f, seed) + hn_value_d(float4(p, p), seed).value;
-  return uvec4 + hn_turbulence(vec3, 5, 2.1f, 0.5f) + hn_clouds(p, 3, 2.0f, 0.5f) + my_sum(p, 5, 2.0f, 0.5f) +
-         my_warp(p, 5, 2.0f, 0.5f, 1.0f).x + my_slopes(vec3, 5, 2.0f, 0.5f, 1.0f) + hn_gradient(int2(7, 7)).x +
+  return uvec4 + hn_turbulence(vec3, 5, 2.1f, 0.5f) + hn_clouds(p, 3, 2.0f, 0.5f) +
+         my_sum(hn_octaves(p, 5, 2.0f, 0.5f, 7u)) + my_warp(hn_octaves(p, 5, 2.0f, 0.5f, 7u)).x +
+         my_slopes(hn_octaves(vec3, 5, 2.0f, 0.5f, 7u)) + hn_gradient(int2(7, 7)).x +
          hn_unorm(hn_hash(uint3(7u, 7u, seed)) ^ hn_lattice(int4(1, 2, 3, 4)));
 }
 """

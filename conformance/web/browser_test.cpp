@@ -172,10 +172,10 @@ TEST(BrowserFault, AWrongDigestFails) {
 TEST(BrowserFault, AShaderThatDoesNotCompileFailsWithItsFileAndLine) {
   Story story;
   ASSERT_TRUE(run(story, kSome, "webgl2",
-                  changed("octaves_plane.glsl", "hn_place2 hn_i_place_of(", "hn_plcae2 hn_i_place_of(")));
+                  changed("octaves2d.glsl", "HN_FN bool hn_next(", "HN_FN bolo hn_next(")));
   const Outcome& outcome = story.outcome(kCompiles);
   EXPECT_EQ(outcome.status, Status::fail);
-  EXPECT_NE(outcome.message.find("glsl/octaves_plane.glsl:"), std::string::npos) << outcome.message;
+  EXPECT_NE(outcome.message.find("glsl/octaves2d.glsl:"), std::string::npos) << outcome.message;
 }
 
 TEST(BrowserFault, ARefusalWithoutItsWordFailsAndSoDoesNone) {

@@ -17,12 +17,11 @@
 // namespaces, so that translation units that differ in them may be linked together. HN_HASH_FN does not: its meaning
 // must be the same in all translation units in which these three are the same.
 //
-// The macros of octave sums (HN_FBM2D(name, noise) and so on) stay defined. They belong inside of namespace hashnoise.
 //
 // C++ converts numbers that GLSL does not: 2.5f would be 2 octaves, and the 16 of hn_perlin(x, 16) a seed. Such calls
 // are errors of the compiler ("use of deleted function"). An argument has the type that the function names: 7u is a
 // seed and 6 a number of octaves; a double such as 0.5 is a float, as it is in GLSL. HN_ONLY_TYPES_OF_GLSL(name) behind
-// the macros of a sum of your own does the same for it.
+// a function of your own does the same for it.
 
 #pragma once
 
@@ -126,6 +125,21 @@ HN_ONLY_TYPES_OF_GLSL(hn_cellular_d)
 HN_ONLY_TYPES_OF_GLSL(hn_cellular_smooth)
 HN_ONLY_TYPES_OF_GLSL(hn_cell_border)
 HN_ONLY_TYPES_OF_GLSL(hn_curl)
+HN_ONLY_TYPES_OF_GLSL(hn_octaves)
+HN_ONLY_TYPES_OF_GLSL(hn_next)
+HN_ONLY_TYPES_OF_GLSL(hn_add)
+HN_ONLY_TYPES_OF_GLSL(hn_add_size)
+HN_ONLY_TYPES_OF_GLSL(hn_add_ridge)
+HN_ONLY_TYPES_OF_GLSL(hn_add_wave)
+HN_ONLY_TYPES_OF_GLSL(hn_add_bent)
+HN_ONLY_TYPES_OF_GLSL(hn_add_part)
+HN_ONLY_TYPES_OF_GLSL(hn_add_resolved)
+HN_ONLY_TYPES_OF_GLSL(hn_add_eroded)
+HN_ONLY_TYPES_OF_GLSL(hn_add_progressive)
+HN_ONLY_TYPES_OF_GLSL(hn_slopes)
+HN_ONLY_TYPES_OF_GLSL(hn_shifts)
+HN_ONLY_TYPES_OF_GLSL(hn_mean)
+HN_ONLY_TYPES_OF_GLSL(hn_density)
 HN_ONLY_TYPES_OF_GLSL(hn_fbm)
 HN_ONLY_TYPES_OF_GLSL(hn_turbulence)
 HN_ONLY_TYPES_OF_GLSL(hn_clouds)

@@ -9,9 +9,7 @@
 // How many lanes there are follows from the flags of the compiler: 16 with AVX-512 (F, BW, DQ and VL), 8 with AVX2,
 // else 4.
 // The namespace `lanes` is another name of one that is named after the instruction set, so that translation units
-// with other flags may be linked together. HN_LANES is its own name, for sums over other noises:
-//
-//   namespace hashnoise { namespace HN_LANES { HN_FBM2D(my_sum, hn_simplex) } }
+// with other flags may be linked together. HN_LANES is its own name.
 //
 // A condition of an `if`, of a loop and of `?:` has to be the same in all lanes: octaves, a metric. HN_LANES_CHECKED
 // makes it an error (std::abort) if it is not. Where it differs, the text of the library uses hn_i_select.
@@ -198,6 +196,7 @@ using Float = Lanes<float>;
 using Int = Lanes<std::int32_t>;
 using Uint = Lanes<std::uint32_t>;
 
+HN_I_INLINE bool hn_i_truth(Mask condition) { return static_cast<bool>(condition); }
 HN_I_INLINE Int hn_i_choice(Mask condition, Int a, Int b) { return hn_i_select(condition, a, b); }
 
 HN_I_INLINE Float operator/(Float a, Float b) { return Float(a.v / b.v); }

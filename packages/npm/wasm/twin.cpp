@@ -127,10 +127,10 @@ auto kernel() {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Sums, made of the library's steps in one loop. The macros of the library would make a loop for each sum. A noise
-// without a period is one whose period is 0, so only the way to the next octave differs in a tile.
+// Sums, in one loop. A noise without a period is one whose period is 0, so only the way to the next octave differs in a
+// tile.
 
-// By their numbers in index.js. kMostStrengths has what the strength or the amplitude of each is at most.
+// By their numbers in index.js.
 // tools/catalog: sums
 // clang-format off
 enum Sum {
@@ -146,81 +146,39 @@ enum Sum {
   kWarp,
   kWarpProgressive,
 };
-const float kMostStrengths[] = {0, 0, 0, 0, 0, 64, 1, 0, 16, 64, 64};
 // clang-format on
 // tools/catalog: end
 
 bool is_warp() { return settings.sum == kWarp || settings.sum == kWarpProgressive; }
-// Whether its octaves have frames.
-bool has_frames() { return is_warp() || settings.sum == kFbmD || settings.sum == kEroded; }
 
-// The position of an octave, a vector, the frame of an octave, and a value with its slopes.
-template <int D>
-struct Types;
-template <>
-struct Types<1> {
-  using Whole = hn_i_whole1;
-};
-template <>
-struct Types<2> {
-  using Whole = hn_i_whole2;
-  using Vector = ivec2;
-  using Frame = ivec2;
-  static Frame first_frame() { return hn_i_first_frame2(); }
-  static vec3 slopes(const Numbers& n) { return vec3(n[0], n[1], n[2]); }
-};
-template <>
-struct Types<3> {
-  using Whole = hn_i_whole3;
-  using Vector = ivec3;
-  using Frame = hn_i_frame3;
-  static Frame first_frame() { return hn_i_first_frame3(); }
-  static vec4 slopes(const Numbers& n) { return vec4(n[0], n[1], n[2], n[3]); }
-};
+HN_I_INLINE vec3 slopes_of(hn_octaves2, const Numbers& n) { return vec3(n[0], n[1], n[2]); }
+HN_I_INLINE vec4 slopes_of(hn_octaves3, const Numbers& n) { return vec4(n[0], n[1], n[2], n[3]); }
 
-void add_value(hn_i_octave_sum& s, Float n) {
+// Once for all dimensions: what adds to octaves would be there for each.
+[[gnu::noinline]] hn_i_octave_sum with_value(hn_i_octave_sum s, Float n) {
   switch (static_cast<Sum>(settings.sum)) {  // all of them, so that the compiler misses a new one
     case kTurbulence:
-      return hn_i_add_size(s, n);
+      return hn_i_with_size(s, n);
     case kBillow:
-      return hn_i_add_bounded_size(s, n);
+      return hn_i_with_bounded_size(s, n);
     case kRidged:
-      return hn_i_add_ridge(s, n);
+      return hn_i_with_ridge(s, n);
     case kPingPong:
-      return hn_i_add_wave(s, n);
+      return hn_i_with_wave(s, n, settings.strength);
     case kWeighted:
-      return hn_i_add_bent(s, n);
+      return hn_i_with_bent(s, n, settings.strength);
     case kFbm:
     case kClouds:
     case kFbmD:
     case kEroded:
     case kWarp:
     case kWarpProgressive:
-      return hn_i_add(s, n);
+      return hn_i_with_noise(s, n);
   }
 }
 
 Int finished(Int mean) {
   return settings.sum == kClouds ? hn_i_density(mean) : settings.sum == kBillow ? hn_i_billows(mean) : mean;
-}
-
-// What is the same at every point.
-struct Beginning {
-  int octaves;
-  hn_i_octave_sum s;
-  Int total, growth, rate;
-};
-Beginning beginning;
-
-void begin() {
-  const Float lacunarity =
-      hn_i_lacunarity(min(max(Float(settings.lacunarity), Float(0.0f)), Float(255.0f)), settings.tiled != 0);
-  const int octaves = settings.octaves < 32 ? settings.octaves : 32;
-  const hn_i_octave_sum s =
-      hn_i_begin(Int(octaves), lacunarity, Float(settings.gain),
-                 hn_i_setting(Float(settings.strength), Float(kMostStrengths[settings.sum])), Uint(settings.seed));
-  const Int total = hn_i_total(Int(octaves), s.gain, HN_I_WEIGHT_ONE);
-  beginning = {octaves, s, total, hn_i_growth(s.gain, lacunarity), hn_i_mean(s.option, total)};
 }
 
 template <int D>
@@ -232,56 +190,48 @@ void noise(const Place<D>& place, Uint seed, Numbers& n) {
 }
 
 template <int D>
-Float octave(const typename Types<D>::Whole& q, Uint seed, Numbers& n) {
-  noise<D>(hn_i_place_of(q), seed, n);
+Float octave(const Place<D>& place, Uint seed, Numbers& n) {
+  noise<D>(place, seed, n);
   return n[0];
 }
 
 template <int D>
 void sum(const Place<D>& place, Numbers& n) {
-  typename Types<D>::Whole q = hn_i_position(place);
-  hn_i_octave_sum s = beginning.s;
-  const Float lacunarity = s.lacunarity;
+  auto o = hn_octaves(place, Int(settings.octaves), Float(settings.lacunarity), Float(settings.gain),
+                      Uint(settings.seed));
   if constexpr (D == 1) {
-    for (int left = beginning.octaves; left > 0; --left) {
-      add_value(s, octave<D>(q, s.seed, n));
-      hn_i_step(s);
-      q = hn_i_next(q, lacunarity);
-    }
+    do o.sum = with_value(o.sum, octave<D>(o.place, o.seed, n)); while (hn_next(o));
   } else {
-    auto k = Types<D>::first_frame();
-    typename Types<D>::Vector sums, e, v;
-    for (int left = beginning.octaves; left > 0; --left) {
-      const Float value = octave<D>(q, s.seed, n);
+    auto slopes = hn_slopes(o);
+    auto shifts = hn_shifts(o, settings.strength);
+    do {
+      const Float value = octave<D>(o.place, o.seed, n);
       if (is_warp()) {
-        const Uint other = hn_i_other_seed(s.seed);
-        const Float y = octave<D>(q, other, n);
+        const Uint other = hn_i_other_seed(o.seed);
+        const Float y = octave<D>(o.place, other, n);
+        decltype(hn_mean(o, shifts)) v;
         if constexpr (D == 2) {
-          v = hn_i_vector(value, y);
+          v = vec2(value, y);
         } else {
-          v = hn_i_vector(value, y, octave<D>(q, hn_i_other_seed(other), n));
+          v = vec3(value, y, octave<D>(o.place, hn_i_other_seed(other), n));
         }
-        hn_i_add_vector(sums, v, s.weight);
-        if (settings.sum == kWarpProgressive) q = hn_i_moved(q, k, v, beginning.rate);
+        if (settings.sum == kWarpProgressive) {
+          hn_add_progressive(o, shifts, v);
+        } else {
+          hn_add(o, shifts, v);
+        }
       } else if (settings.sum == kFbmD) {
-        hn_i_add(s, value);
-        hn_i_add_slopes(sums, k, Types<D>::slopes(n));
+        hn_add(o, slopes, slopes_of(o, n));
       } else if (settings.sum == kEroded) {
-        hn_i_add_eroded(s, e, Types<D>::slopes(n));
+        hn_add_eroded(o, slopes, slopes_of(o, n), settings.strength);
       } else {
-        add_value(s, value);
+        o.sum = with_value(o.sum, value);
       }
-      hn_i_step(s);
-      q = hn_i_next(q, lacunarity);
-      if (has_frames()) {
-        k = hn_i_next_frame(k, beginning.growth, place.tiled);
-        e = hn_i_next_slope(e, place.tiled);
-      }
-    }
-    if (is_warp()) return put(n, hn_i_shifts(sums, beginning.total, s.option));
-    if (settings.sum == kFbmD) return put(n, hn_i_with_slopes(s.sum, sums, beginning.total));
+    } while (hn_next(o));
+    if (is_warp()) return put(n, hn_mean(o, shifts));
+    if (settings.sum == kFbmD) return put(n, hn_mean(o, slopes));
   }
-  put(n, hn_i_value(finished(hn_i_mean(s.sum, beginning.total))));
+  put(n, hn_i_value(finished(hn_i_mean(o.sum))));
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -328,7 +278,6 @@ TWIN_EXPORT(split) void split(int axis, int count) {
 }
 
 TWIN_EXPORT(run) void run(int count) {
-  if (settings.sum >= 0) begin();
   switch (settings.dimensions) {
     case 1:
       return run_points<1>(count);

@@ -203,40 +203,39 @@ CHOSEN(4)
 CHOSEN_D(2)
 CHOSEN_D(3)
 
-// clang-format off
-#define IN_ALL_DIMENSIONS(MACRO, name) MACRO##1D(name, chosen) MACRO##2D(name, chosen) MACRO##3D(name, chosen) MACRO##4D(name, chosen)
-#define IN_SPACE(MACRO, name, noise) MACRO##2D(name, noise) MACRO##3D(name, noise)
-IN_ALL_DIMENSIONS(HN_FBM, fbm)
-IN_ALL_DIMENSIONS(HN_FBM_LIMITED, fbm)
-IN_ALL_DIMENSIONS(HN_TURBULENCE, turbulence)
-IN_ALL_DIMENSIONS(HN_CLOUDS, clouds)
-IN_ALL_DIMENSIONS(HN_BILLOW, billow)
-IN_ALL_DIMENSIONS(HN_RIDGED, ridged)
-IN_ALL_DIMENSIONS(HN_PING_PONG, ping_pong)
-IN_ALL_DIMENSIONS(HN_WEIGHTED, weighted)
-IN_SPACE(HN_FBM_D, fbm_d, chosen_d)
-IN_SPACE(HN_ERODED, eroded, chosen_d)
-IN_SPACE(HN_WARP, warp, chosen)
-IN_SPACE(HN_WARP_PROGRESSIVE, warp_progressive, chosen)
-// clang-format on
+template <typename Octaves>
+float n_of(const Octaves& o) {
+  return chosen(o.place, o.seed);
+}
+vec2 shifts_of(const hn_octaves2& o) { return {n_of(o), chosen(o.place, hn_i_other_seed(o.seed))}; }
+vec3 shifts_of(const hn_octaves3& o) {
+  const std::uint32_t second = hn_i_other_seed(o.seed);
+  return {n_of(o), chosen(o.place, second), chosen(o.place, hn_i_other_seed(second))};
+}
+float within_one(float mean) { return std::clamp(mean, -1.0f, 1.0f); }
 
-// A sum, of a position or a place: what it takes in front of the seed.
-#define SUM(name, ...)                                                                         \
-  struct name##_call {                                                                         \
-    static auto of(const Settings& s, auto where) { return name(where, __VA_ARGS__, s.seed); } \
+// A sum, at a position or a place: its loop over the octaves o.
+#define SUM(name, ...)                                                                                             \
+  struct name##_call {                                                                                             \
+    static auto of(const Settings& s, auto where) {                                                                \
+      auto o = hn_octaves(where, twin::octaves_of(s), twin::lacunarity_of(s), twin::gain_of(s), s.seed);           \
+      __VA_ARGS__                                                                                                  \
+    }                                                                                                              \
   };
-#define PLAIN twin::octaves_of(s), twin::lacunarity_of(s), twin::gain_of(s)
-SUM(fbm, PLAIN)
-SUM(turbulence, PLAIN)
-SUM(clouds, PLAIN)
-SUM(billow, PLAIN)
-SUM(ridged, PLAIN)
-SUM(ping_pong, PLAIN, twin::strength_of(s))
-SUM(weighted, PLAIN, twin::strength_of(s))
-SUM(fbm_d, PLAIN)
-SUM(eroded, PLAIN, twin::strength_of(s))
-SUM(warp, PLAIN, twin::amplitude_of(s))
-SUM(warp_progressive, PLAIN, twin::amplitude_of(s))
+SUM(fbm, do hn_add(o, n_of(o)); while (hn_next(o)); return hn_mean(o);)
+SUM(turbulence, do hn_add_size(o, n_of(o)); while (hn_next(o)); return hn_mean(o);)
+SUM(clouds, do hn_add(o, n_of(o)); while (hn_next(o)); return hn_density(o);)
+SUM(billow, do hn_add_size(o, within_one(n_of(o))); while (hn_next(o)); return std::min(2.0f * hn_mean(o) - 1.0f, 1.0f);)
+SUM(ridged, do hn_add_ridge(o, n_of(o)); while (hn_next(o)); return within_one(hn_mean(o));)
+SUM(ping_pong, do hn_add_wave(o, n_of(o), twin::strength_of(s)); while (hn_next(o)); return within_one(hn_mean(o));)
+SUM(weighted, do hn_add_bent(o, n_of(o), twin::strength_of(s)); while (hn_next(o)); return within_one(hn_mean(o));)
+SUM(fbm_d, auto d = hn_slopes(o); do hn_add(o, d, chosen_d(o.place, o.seed)); while (hn_next(o)); return hn_mean(o, d);)
+SUM(eroded, auto d = hn_slopes(o);
+    do hn_add_eroded(o, d, chosen_d(o.place, o.seed), twin::strength_of(s)); while (hn_next(o)); return hn_mean(o);)
+SUM(warp, auto w = hn_shifts(o, twin::amplitude_of(s)); do hn_add(o, w, shifts_of(o)); while (hn_next(o));
+    return hn_mean(o, w);)
+SUM(warp_progressive, auto w = hn_shifts(o, twin::amplitude_of(s));
+    do hn_add_progressive(o, w, shifts_of(o)); while (hn_next(o)); return hn_mean(o, w);)
 #undef SUM
 
 template <int D>
@@ -287,8 +286,19 @@ twin::Function<D> of_limited(const Settings& s) {
   function.components = 1;
   function.at = [=, &s](const std::array<float, D>& p, float* values) {
     choice<D> = {noise, &s};
-    *values = s.detail ? fbm(glsl<D>(p), *s.detail, twin::lacunarity_of(s), twin::gain_of(s), s.seed)
-                       : fbm(glsl<D>(p), *s.footprint, PLAIN, s.seed);
+    const Floats<D> q = glsl<D>(p);
+    const float lacunarity = twin::lacunarity_of(s);
+    const float gain = twin::gain_of(s);
+    auto o = s.detail ? hn_octaves(q, *s.detail, lacunarity, gain, s.seed)
+                      : hn_octaves(q, *s.footprint, twin::octaves_of(s), lacunarity, gain, s.seed);
+    do {
+      if (s.detail) {
+        hn_add_part(o, n_of(o));
+      } else {
+        hn_add_resolved(o, n_of(o));
+      }
+    } while (hn_next(o));
+    *values = hn_mean(o);
   };
   return function;
 }

@@ -149,7 +149,7 @@ class Tree(unittest.TestCase):
         noise2d = self.comment_over("*2d.glsl", " hn_perlin(hn_")
         noise3d = self.comment_over("*3d.glsl", " hn_perlin(hn_")
         gradient = self.comment_over("*.glsl", " hn_gradient(")
-        clouds = self.comment_over("*.glsl", "HN_CLOUDS2D(hn_clouds")
+        clouds = self.comment_over("*2d.glsl", " hn_clouds(hn_")
         first, second, fourth = (self.comment_over(f"*{dims}d.glsl", " hn_perlin_d(hn_") for dims in (1, 2, 4))
         cases = (
             (noise2d, "at most 2.63e-6", "at most 2.62e-6",

@@ -166,10 +166,9 @@ def kernels(twin: Twin) -> str:
 
 
 def sums(twin: Twin) -> str:
-    """The numbers of sums, and what the strength of each is at most."""
+    """The numbers of sums."""
     names = "".join(f"  k{in_camel_case(sum_.name)},\n" for sum_ in twin.sums)
-    most = ", ".join(str(sum_.strength.most if sum_.strength else 0) for sum_ in twin.sums)
-    return in_this_form(f"enum Sum {{\n{names}}};\nconst float kMostStrengths[] = {{{most}}};\n")
+    return in_this_form(f"enum Sum {{\n{names}}};\n")
 
 
 def settings_of_page(twin: Twin) -> str:

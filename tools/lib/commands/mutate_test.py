@@ -35,8 +35,8 @@ class Library(unittest.TestCase):
         self.assertLessEqual({("*", "+"), ("+", "-"), ("b", "a")}, self.found("arithmetic.glsl", "n = a + t * (b - a)"))
         self.assertLessEqual({("0x85EBCA77u", "0x85EBCA76u"), ("0x85EBCA77u", "0x05EBCA77u")},
                              self.found("hash.glsl", "#define HN_I_STEP_Y"))
-        self.assertLessEqual({("0x9E3779B9u", "0x1E3779B9u"), ("+=", "-="), ("s.seed += 0x9E3779B9u;", "")},
-                             self.found("octaves.glsl", "s.seed += "))
+        self.assertLessEqual({("0x9E3779B9u", "0x1E3779B9u"), ("+=", "-="), ("o.seed += 0x9E3779B9u;", "")},
+                             self.found("octaves2d.glsl", "o.seed += "))
         self.assertLessEqual({("<<", ">>"), (">>", "<<"), ("17u", "18u")},
                              self.found("hash.glsl", "h << 17"))
         self.assertLessEqual({("f.x, f.y", "f.y, f.x"), ("k0, c0.y", "c0.y, k0")},

@@ -17,7 +17,7 @@ umbrella = load_script("umbrella")
 # What hashnoise.glsl includes first.
 NOISES = ["noise1d.glsl", "noise2d.glsl", "noise3d.glsl", "noise4d.glsl"]
 # And then.
-BUILT = ["curl.glsl", "fbm.glsl", "fbm_d.glsl", "position.glsl", "warp.glsl"]
+BUILT = ["curl.glsl", "fbm.glsl", "fbm_d.glsl", "octaves.glsl", "position.glsl", "warp.glsl"]
 
 
 class Umbrella(unittest.TestCase):
@@ -88,17 +88,28 @@ class Umbrella(unittest.TestCase):
         self.assertEqual(self.run_main(), (0, []))
         self.assertEqual(self.includes("hashnoise.glsl"), [*NOISES, *(file for file in BUILT if file != "fbm.glsl"), "zone.glsl"])
 
+    def test_sums_of_other_dimensions_are_made_of_those_on_the_plane(self):
+        path = self.glsl / "fbm2d.glsl"
+        path.write_text(path.read_text().replace("on the plane", "on the plane here"))
+        self.assertEqual(self.run_main("--check"), (1, ["fbm1d.glsl", "fbm3d.glsl", "fbm4d.glsl"]))
+        self.assertEqual(self.run_main(), (0, []))
+        for n, type_ in ((1, "float"), (3, "vec3"), (4, "vec4")):
+            text = (self.glsl / f"fbm{n}d.glsl").read_text()
+            self.assertIn(f"HN_FN hn_float hn_fbm(hn_{type_} p, hn_int octaves,", text)
+            self.assertIn(f"hn_octaves{n} o", text)
+            self.assertNotRegex(text, r"\b\w*2d?\b.*\n.*#include|hn_vec2|hn_place2|hn_octaves2")
+
     def test_a_new_dimension_has_a_file_and_an_old_one_none(self):
         for file in sorted(self.glsl.glob("*3d.glsl")):
-            if file.name != "noise3d.glsl":
+            if file.name not in ("noise3d.glsl", "fbm3d.glsl"):  # which are made
                 text = file.read_text().replace('3d.glsl"', '4d.glsl"')
                 (self.glsl / file.name.replace("3d", "4d")).write_text(text)
                 file.unlink()
-        self.assertEqual(self.run_main("--check"), (1, ["again.h", "curl.glsl", "fbm.glsl", "fbm_d.glsl", "hashnoise.glsl", "noise3d.glsl",
-                                                     "noise4d.glsl", "warp.glsl"]))
+        self.assertEqual(self.run_main("--check"), (1, ["again.h", "curl.glsl", "fbm_d.glsl", "hashnoise.glsl", "noise3d.glsl",
+                                                     "noise4d.glsl", "octaves.glsl", "warp.glsl"]))
         self.assertEqual(self.run_main(), (0, []))
         self.assertIn('#include "perlin4d.glsl"\n', (self.glsl / "noise4d.glsl").read_text())
-        self.assertEqual(self.includes("fbm.glsl"), ["fbm1d.glsl", "fbm2d.glsl", "fbm4d.glsl"])
+        self.assertEqual(self.includes("curl.glsl"), ["curl2d.glsl", "curl4d.glsl"])
         self.assertFalse((self.glsl / "noise3d.glsl").exists())
 
     def test_a_change_by_hand_is_told(self):

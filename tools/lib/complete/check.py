@@ -49,8 +49,8 @@ def lacks(function: Function, what: str) -> str:
     return str(function.row.error(f"{function.id}: {what}"))
 
 
-# What makes places, and positions of them. It has no values of its own: the rows of noises prove it.
-PLACES = ("hn_place", "hn_tile", "hn_position")
+# What makes places, positions of them, and octaves. It has no values of its own: the rows of noises and sums prove it.
+STEPS = re.compile(r"hn_(place|tile|position|octaves|next|add|add_\w+|mean|density|slopes|shifts)")
 
 
 # --- Functions --------------------------------------------------------------------------------------------------
@@ -59,12 +59,12 @@ PLACES = ("hn_place", "hn_tile", "hn_position")
 def functions_without_a_row(tree: Tree) -> Iterator[str]:
     rows = {(function.calls, types) for function in tree.functions for types in function.overloads}
     hashes = {configuration.hash for configuration in tree.configurations}
-    # On the line and in 4D a sum is the text of that on the plane, of which every form has a row. So there it is enough
-    # that one function has a row of those that a line of macros defines.
-    lines = {(declared.path, declared.line) for declared in tree.declarations
-             if (declared.name, declared.types) in rows and declared.dimensions_of_sum in (1, 4)}
+    # On the line and in 4D a sum is made of the text on the plane, of which every form has a row. So there it is enough
+    # that one form has a row.
+    sums = {(declared.path, declared.name) for declared in tree.declarations
+            if (declared.name, declared.types) in rows and declared.dimensions_of_sum in (1, 4)}
     for declared in tree.declarations:
-        if (declared.path, declared.line) in lines or declared.name in PLACES:
+        if (declared.path, declared.name) in sums or STEPS.fullmatch(declared.name):
             continue
         if declared.name.startswith("hn_hash_") and declared.types == ("uint",):
             name = declared.name.removeprefix("hn_hash_")

@@ -103,7 +103,7 @@ def measured_call(row: Row, *numbers: float) -> str:
 
 def our_library(calls: str, axes: int) -> str:
     """The files of what is called and of the sums that are defined, as all files take a second to compile."""
-    names = re.findall(r"\bhn_\w+", calls) + [f"hn_{name.lower()}" for name in re.findall(r"\bHN_(\w+)\dD\(", calls)]
+    names = re.findall(r"\bhn_\w+", calls)
     files = [file for name in names for file in files_of(name) if file.endswith(f"{axes}d.glsl")]
     return text(list(dict.fromkeys(files)), strip=True)
 

@@ -106,7 +106,8 @@ def in_glsl(module: Module) -> dict[tuple[str, tuple[str, ...]], tuple[str, str]
 
 def tsl_files(modules: dict[str, list[Definition]],
               names: dict[tuple[str, tuple[str, ...]], tuple[str, str]]) -> dict[str, str]:
-    """A node for each function whose result is all that it sets, and is a number, a vector or a place."""
+    """A node for each function whose result is all that it sets, and is a number, a vector or a place, and which takes
+    no other structs: octaves are for loops of one's own."""
     found = {}
     for folder, definitions in modules.items():
         imported, nodes, types, needed = [], [], [], set()
@@ -117,6 +118,8 @@ def tsl_files(modules: dict[str, list[Definition]],
             if signature["type"] not in TYPES:
                 continue
             parameters = [one.split(": ") for one in signature["parameters"].split(", ")]
+            if not all(type_ in TYPES for _, type_ in parameters):
+                continue
             glsl_types = tuple(TYPES[type_] for _, type_ in parameters)
             glsl, file = names[item.name, glsl_types]
             needed.add(file)

@@ -173,18 +173,6 @@ class Code(unittest.TestCase):
         self.assertNotEqual(compile_glsl(blocks("glsl")[0].replace("hn_fbm", "hn_fmb")).returncode, 0)
         self.assertNotEqual(compile_cpp(blocks("cpp")[0].replace("hn_fbm", "hn_fmb")).returncode, 0)
 
-    def test_names_that_a_sum_cannot_have(self):
-        said = re.search(r"may be called (.*?): the sum has variables", (ROOT / "docs" / "sums.md").read_text())[1]
-        names = re.findall(r"`(\w+)`", said)
-        self.assertGreater(len(names), 8)
-        library = single_file("--strip", "fbm2d.glsl")
-        for name in (*names, "noise", "period", "dots"):
-            code = (f"#version 330\n{library}\nfloat {name}(hn_place2 a, uint b) {{ return hn_perlin(a, b); }}\n"
-                    f"HN_FBM2D(sum, {name})\nHN_PING_PONG2D(waves, {name})\n"
-                    "out vec4 o;\nvoid main() { o = vec4(sum(vec2(1.5), 3, 2.0, 0.5, 7u)); }\n")
-            with self.subTest(name=name):
-                self.assertEqual(compile_glsl(code).returncode == 0, name not in names)
-
     def test_commands_that_make_single_files_work(self):
         lines = commands("tools/single-file", "docs/languages.md")
         self.assertGreaterEqual(len(lines), 4)

@@ -1,7 +1,7 @@
 """The text as Godot takes it: what no knob decides is decided, and expanded.
 
-Godot's preprocessor cannot expand the macros that define sums; it looks for every macro in every line, so that hundreds
-of them take seconds; and behind a second include it leaves macros with parameters in place. Its compiler for Vulkan
+Godot's preprocessor looks for every macro in every line, so that hundreds of them take seconds; and behind a second
+include it leaves macros with parameters in place. Its compiler for Vulkan
 takes a parameter or a variable of a function for the uniform that has the same name, if there is one: "seed", say
 (https://github.com/godotengine/godot/issues/90933). So these get names here that nobody else has.
 """
@@ -21,10 +21,8 @@ UNDEFINED = ("__cplusplus", "HN_I_HLSL", "HN_I_METAL", "GL_ES", "GL_GOOGLE_cpp_s
 # It has no `precise` either, whatever its version says.
 NO_PRECISE = "HN_I_HAS_PRECISE"
 # The macros of the library's own. Those that users write stay: knobs, their values, metrics.
-OWN = re.compile(r"(?!HN_\w+_GLSL)(HN_I_\w+|HN_FN|HN_[A-Z_]+[1-4]D|hn_\w+)")
+OWN = re.compile(r"(?!HN_\w+_GLSL)(HN_I_\w+|HN_FN|hn_\w+)")
 GUARD = re.compile(r"HN_\w+_GLSL")
-OF_SUMS = re.compile(r"HN_[A-Z_]+[1-4]D\(")
-SUM = re.compile(r"HN_[A-Z_]+[1-4]D\(\w+, \w+\)")  # a line that defines functions
 DIRECTIVE = re.compile(r"#(\w+)\s*(.*)")
 DEFINE = re.compile(r"(\w+)(\(([^)]*)\))?\s*(.*)")
 WORD = re.compile(r"\b[A-Za-z_]\w*\b")
@@ -125,21 +123,10 @@ def _without_macros(lines: list[str]) -> list[str]:
             definitions.setdefault(DEFINE.fullmatch(rest)[1], set()).add(rest)
     single = {name: next(iter(texts)) for name, texts in definitions.items()
               if len(texts) == 1 and OWN.fullmatch(name)}
-    macros = Preprocessor(GLSL, {})
-    for name, definition in single.items():
-        if name != "HN_FN":
-            macros.define(definition)
     left = []
     for line in lines:
         name, rest = _directive(line)
         if name == "define" and DEFINE.fullmatch(rest)[1] in single:
-            if OF_SUMS.match(rest):  # what a comment says of it would be wrong
-                while left and left[-1].startswith("//"):
-                    left.pop()
-            continue
-        if SUM.fullmatch(line):
-            for function in macros.expanded(line).split("HN_FN ")[1:]:
-                left.append(_spaced(function))
             continue
         code = _code(line)
         left.append(_replaced(code, single) + line[len(code):])
@@ -176,9 +163,3 @@ def _with_own_names(lines: list[str]) -> list[str]:
         in_struct = in_struct and not code.startswith("};")
         left.append(line)
     return left
-
-
-def _spaced(code: str) -> str:
-    """Tokens with blanks between them, as one writes them."""
-    code = re.sub(r" (?=[,;)\].])|(?<=[(\[.!]) ", "", code)
-    return re.sub(r"(?<=[\w]) (?=[(\[])", "", code).strip()

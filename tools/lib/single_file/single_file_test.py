@@ -194,11 +194,9 @@ class SingleFile(unittest.TestCase):
         for own, other in (("2", "3"), ("3", "2")):
             with self.subTest(dimension=own):
                 text = generate(f"fbm{own}d.glsl").stdout
-                for function in ("hn_i_perlin(hn_i_box", "hn_perlin(hn_vec", "hn_i_next(hn_vec"):
+                for function in ("hn_i_perlin(hn_i_box", "hn_perlin(hn_vec", "hn_i_next(hn_vec", "hn_octaves(hn_vec"):
                     self.assertIn(f"{function}{own} ", text)
                     self.assertNotIn(f"{function}{other} ", text)
-                self.assertIn(f"\nHN_FBM{own}D(hn_fbm, hn_perlin)\n", text)
-                self.assertNotIn(f"HN_FBM{other}D", text)
 
     def test_the_help_names_the_sums_on_the_plane(self):
         self.assertIn("fbm2d.glsl the octave sums on the plane", " ".join(generate("--help").stdout.split()))

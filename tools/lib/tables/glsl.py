@@ -13,10 +13,7 @@ LIBRARY = GLSL
 FUNCTION = re.compile(r"^HN_FN\s+\w+\s+(hn_(?!i_)\w+)\(((?:[^()]|\([^()]*\))*)\)\s*\{", re.MULTILINE)
 # What defines a public function in whatever way, where no comment, no directive and no body is.
 ANY_FUNCTION = re.compile(r"\b(hn_(?!i_)\w+)\s*\([^;{}]*\{")
-# A line that defines the functions of a sum over a noise: what it sums, and in which form (glsl/octaves.glsl).
-SUM = re.compile(r"^HN_([A-Z_]+?)(_LIMITED)?([1-4])D\((hn_\w+), hn_\w+\)$", re.MULTILINE)
-ANY_SUM = re.compile(r"^HN_[A-Z_]+[0-9]D\((hn_\w+)", re.MULTILINE)
-STRONG = ("PING_PONG", "WEIGHTED", "ERODED", "WARP", "WARP_PROGRESSIVE")  # those with a strength or an amplitude
+OF_SUMS = re.compile(r'^#include "octaves(\d)d\.glsl"$', re.MULTILINE)  # in the files of sums
 NO_CODE = re.compile(r"//[^\n]*|/\*.*?\*/|^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", re.MULTILINE | re.DOTALL)
 
 
@@ -41,7 +38,7 @@ class Declaration:
     name: str
     types: tuple[str, ...]  # of its arguments, as in GLSL: vec2, uint
     comment: Comment | None
-    dimensions_of_sum: int | None = None  # of one that a line for sums defines
+    dimensions_of_sum: int | None = None  # of a sum of octaves
 
     def __str__(self) -> str:
         return f"{self.name}({', '.join(self.types)})"
@@ -52,9 +49,9 @@ class Declaration:
 
 
 def _type(argument: str) -> str:
-    """The type of an argument like "hn_vec2 p": "vec2"; "out vec2" of one that the function sets."""
+    """The type of an argument like "hn_vec2 p": "vec2"; "out vec2" of one that the function sets, or changes."""
     written = argument.split()[-2]
-    out = re.fullmatch(r"HN_I_OUT\((\w+)\)", written)
+    out = re.fullmatch(r"HN_I_(?:IN)?OUT\((\w+)\)", written)
     return f"out {out[1].removeprefix('hn_')}" if out else written.removeprefix("hn_")
 
 
@@ -70,22 +67,19 @@ def _comment_above(lines: list[str], line: int) -> Comment | None:
     return Comment(first, tuple(text.removeprefix("//") for text in lines[first - 1:line - 1]))
 
 
-def _types_of_sum(sum_name: str, form: str | None, n: str) -> list[tuple[str, ...]]:
-    """The types of the arguments of each function that a line defines."""
-    vec = "float" if n == "1" else f"vec{n}"
-    plain = ("int", "float", "float") + ("float",) * (sum_name in STRONG)
-    if form == "_LIMITED":
-        return [(vec, "float", "float", "float", "uint"), (vec, "float", *plain, "uint")]
-    return [(f"place{n}", *plain, "uint"), (vec, *plain, "uint"), (vec, *plain)]
+def _dimensions_of_sum(text: str, types: tuple[str, ...]) -> int | None:
+    """Of a function in a file of sums, unless it is a step of them, which takes octaves."""
+    found = OF_SUMS.search(text)
+    return int(found[1]) if found and not any("octaves" in type_ for type_ in types) else None
 
 
 def _functions(text: str) -> list[tuple[int, str, tuple[str, ...], int | None]]:
     """Where each public function is defined, its name, the types of its arguments, and the dimensions of a sum."""
-    found: list[tuple[int, str, tuple[str, ...], int | None]] = [
-        (match.start(), match[1], tuple(map(_type, match[2].split(","))), None) for match in FUNCTION.finditer(text)]
-    found += [(match.start(), match[4], types, int(match[3])) for match in SUM.finditer(text)
-              for types in _types_of_sum(match[1], match[2], match[3])]
-    return sorted(found, key=lambda function: function[0])
+    found = []
+    for match in FUNCTION.finditer(text):
+        types = tuple(map(_type, match[2].split(",")))
+        found.append((match.start(), match[1], types, _dimensions_of_sum(text, types)))
+    return found
 
 
 def declarations(library: Path = LIBRARY) -> list[Declaration]:
@@ -96,8 +90,8 @@ def declarations(library: Path = LIBRARY) -> list[Declaration]:
         for start, name, types, dimensions in _functions(text):
             line = text.count("\n", 0, start) + 1
             comment = _comment_above(lines, line)
-            if comment is None and last is not None and last.name == name:
-                comment = last.comment
+            if comment is None and last is not None and (last.name == name or lines[line - 2].strip()):
+                comment = last.comment  # of an overload, or of what stands above without a blank line
             last = Declaration(path, line, name, types, comment, dimensions)
             found.append(last)
     return found
@@ -135,9 +129,8 @@ def file_scope(text: str) -> str:
 @functools.lru_cache(maxsize=None)  # the tests of completeness change one file of many
 def _overlooked(text: str) -> list[tuple[int, str]]:
     """The lines and names of those in the text of a file."""
-    known = {match.start(1) for match in FUNCTION.finditer(text)} | {match.start(4) for match in SUM.finditer(text)}
-    return [(text.count("\n", 0, match.start(1)) + 1, match[1])
-            for pattern in (ANY_FUNCTION, ANY_SUM) for match in pattern.finditer(file_scope(text))
+    known = {match.start(1) for match in FUNCTION.finditer(text)}
+    return [(text.count("\n", 0, match.start(1)) + 1, match[1]) for match in ANY_FUNCTION.finditer(file_scope(text))
             if match.start(1) not in known]
 
 

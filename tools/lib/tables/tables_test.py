@@ -133,6 +133,7 @@ HN_FN hn_float hn_one(hn_place2 place,
                       hn_uint seed) {
 }
 HN_FN hn_float hn_one(hn_vec2 p) { return hn_i_none(hn_one(hn_place(p), 0u)); }
+
 HN_FN hn_float hn_two(hn_vec3 p) { return 0.0f; }
 HN_FN hn_float hn_i_three(hn_vec3 p) { return 0.0f; }
 HN_FN hn_float hn_four(hn_vec4 p, HN_I_OUT(hn_vec4) gradient) { return 0.0f; }
@@ -140,30 +141,22 @@ HN_FN hn_float hn_four(hn_vec4 p, HN_I_OUT(hn_vec4) gradient) { return 0.0f; }
         first, second, third, fourth = glsl.declarations(self.folder)
         self.assertEqual([str(f) for f in (first, second, third)],
                          ["hn_one(place2, uint)", "hn_one(vec2)", "hn_two(vec3)"])
-        self.assertEqual((first.line, second.line, third.line), (4, 7, 8))
+        self.assertEqual((first.line, second.line, third.line), (4, 7, 9))
         self.assertEqual(str(fourth), "hn_four(vec4, out vec4)")
         self.assertEqual(first.comment, glsl.Comment(2, (" What it is.", "   seed     any")))
         self.assertEqual(first.comment.headings, {"seed"})
         self.assertIs(second.comment, first.comment)  # an overload without one of its own
         self.assertIsNone(third.comment)
 
-    def test_finds_the_functions_that_a_line_of_a_sum_defines(self) -> None:
+    def test_tells_sums_of_octaves_from_their_steps(self) -> None:
         (self.folder / "a.glsl").write_text("""
-// What it is.
-HN_FBM2D(hn_one, hn_perlin)
-HN_PING_PONG3D(hn_one, hn_perlin)
-HN_FBM_LIMITED3D(hn_two, hn_perlin)
-HN_OF_ANOTHER_KIND2D(hn_three, 1)
+#include "octaves3d.glsl"
+HN_FN hn_float hn_one(hn_vec3 p) { return 0.0f; }
+HN_FN bool hn_two(HN_I_INOUT(hn_octaves3) o) { return false; }
 """)
         found = glsl.declarations(self.folder)
-        self.assertEqual([str(f) for f in found], [
-            "hn_one(place2, int, float, float, uint)", "hn_one(vec2, int, float, float, uint)",
-            "hn_one(vec2, int, float, float)", "hn_one(place3, int, float, float, float, uint)",
-            "hn_one(vec3, int, float, float, float, uint)", "hn_one(vec3, int, float, float, float)",
-            "hn_two(vec3, float, float, float, uint)", "hn_two(vec3, float, int, float, float, uint)"])
-        self.assertEqual([f.comment is not None for f in found], [True] * 6 + [False] * 2)
-        self.assertEqual([text.replace(f"{self.folder}/", "") for text in glsl.overlooked(self.folder)],
-                         ["a.glsl:6: hn_three"])
+        self.assertEqual([str(f) for f in found], ["hn_one(vec3)", "hn_two(out octaves3)"])
+        self.assertEqual([f.dimensions_of_sum for f in found], [3, None])
 
     def test_a_second_look_finds_what_is_written_in_another_way(self) -> None:
         (self.folder / "a.glsl").write_text("""

@@ -28,9 +28,13 @@ from wgsl.syntax import Function
 ONE_WORD = ("h", "k")
 # What is called otherwise, since its name is that of another function or of a struct; by its first parameter.
 OTHERS = {("hn_gradient", "cell"): "hn_gradient_lattice", ("hn_place", "p"): "hn_place_of",
-          ("hn_place", "cell"): "hn_place_of_cell", ("hn_place", "position"): "hn_place_of_units"}
+          ("hn_place", "cell"): "hn_place_of_cell", ("hn_place", "position"): "hn_place_of_units",
+          ("hn_octaves", "p"): "hn_octaves_of", ("hn_octaves", "place"): "hn_octaves_of",
+          ("hn_slopes", "o"): "hn_slopes_of", ("hn_shifts", "o"): "hn_shifts_of"}
 ALWAYS_OF_A_PLACE = ("hn_position",)
 PLACE = re.compile(r"hn_place([1-4])")
+OF_AXES = re.compile(r"hn_(place|octaves|slopes|shifts)([1-4])")  # structs
+WITH_VECTORS = ("hn_add", "hn_mean")  # beside the octaves they may take a sum of slopes or shifts
 
 # Names of variables that WGSL reserves, or that the module calls.
 RESERVED = frozenset("""
@@ -65,7 +69,7 @@ def wgsl_type(glsl: str) -> str:
 
 
 def components(glsl: str) -> int:
-    return int(glsl[-1]) if "vec" in glsl or PLACE.fullmatch(glsl) else 1
+    return int(glsl[-1]) if "vec" in glsl or OF_AXES.fullmatch(glsl) else 1
 
 
 def variable(name: str) -> str:
@@ -99,6 +103,8 @@ def _public(function: Function) -> str:
     parts = [f"{name}{components(function.types[0])}"]
     if PLACE.fullmatch(function.types[0]) and name not in ALWAYS_OF_A_PLACE:
         parts.append("place")
+    if function.name in WITH_VECTORS and len(function.types) > 1 and (other := OF_AXES.fullmatch(function.types[1])):
+        parts.append(other[1])
     parts += ["phase"] * ("phase" in takes)
     if "nearest" in takes:
         parts.append("nearest")

@@ -137,7 +137,15 @@ class Loop:
     comments: Comments
 
 
-Statement = Union[Declare, Assign, Evaluate, Return, Break, Block, If, Loop]
+@dataclass(frozen=True)
+class DoLoop:
+    at: Token
+    body: Block
+    condition: Expression  # asked behind the body
+    comments: Comments
+
+
+Statement = Union[Declare, Assign, Evaluate, Return, Break, Block, If, Loop, DoLoop]
 
 
 @dataclass(frozen=True)
@@ -281,6 +289,8 @@ class Parser:
             return self._if()
         if first.text == "for":
             return self._for()
+        if first.text == "do":
+            return self._do()
         start = self.position
         if self._takes("return"):
             value = None if self._next.text == ";" else self._expression()
@@ -346,6 +356,17 @@ class Parser:
         self._expect(")")
         comments = Comments(self._comments(start_position).before)
         return Loop(at, start, condition, step, self._body(), comments)
+
+    def _do(self) -> DoLoop:
+        start = self.position
+        at = self._expect("do")
+        body = self._body()
+        self._expect("while")
+        self._expect("(")
+        condition = self._expression()
+        self._expect(")")
+        self._expect(";")
+        return DoLoop(at, body, condition, Comments(self._comments(start).before))
 
     # Expressions.
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 from wgsl.names import components, is_passed, is_public, variable, wgsl_name, wgsl_type
 from wgsl.preprocessor import Constant
-from wgsl.syntax import (SCALARS, VECTORS, Assign, Binary, Block, Break, Call, Choice, Comments, Declare, Evaluate,
+from wgsl.syntax import (SCALARS, VECTORS, Assign, Binary, Block, Break, Call, Choice, Comments, Declare, DoLoop, Evaluate,
                          Expression, Function, If, Loop, Member, Name, Number, Parameter, Parentheses, Parser, Return,
                          Statement, Struct, Truth, Unary)
 from wgsl.tokens import Token, Unknown
@@ -265,6 +265,8 @@ class FunctionWriter:
             return lines + self._if(statement, indent)
         if isinstance(statement, Loop):
             return lines + self._loop(statement, indent)
+        if isinstance(statement, DoLoop):
+            return lines + self._do_loop(statement, indent)
         code = wrapped(self._simple(statement) + ";", indent)
         if comments.after:
             if len(code[-1]) + len(comments.after) + 2 <= WIDTH:
@@ -300,6 +302,12 @@ class FunctionWriter:
         lines += [*self._block(loop.body, indent + 2), " " * indent + "}"]
         self.scopes.pop()
         return lines
+
+    def _do_loop(self, loop: DoLoop, indent: int) -> list[str]:
+        body = self._block(loop.body, indent + 2)
+        condition = self._of_type(loop.condition, "bool")
+        return [" " * indent + "loop {", *body, " " * (indent + 2) + "continuing {",
+                *wrapped(f"break if !({condition.text});", indent + 4), " " * (indent + 2) + "}", " " * indent + "}"]
 
     def _simple(self, statement: Statement) -> str:
         if isinstance(statement, Declare):

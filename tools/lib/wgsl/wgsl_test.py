@@ -43,7 +43,7 @@ def translated(text: str, **settings: str) -> str:
 
 def types_of(overload: tuple[str, ...]) -> tuple[str, ...]:
     """The types as the translator calls them."""
-    return tuple(re.sub(r"^(?=place\d)", "hn_", type_.removeprefix("out ")) for type_ in overload)
+    return tuple(re.sub(r"^(?=(?:place|octaves|slopes|shifts)\d)", "hn_", type_.removeprefix("out ")) for type_ in overload)
 
 
 def name_by_row(function: Function) -> str:
