@@ -95,7 +95,7 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
      "each (`perlin2d.all`), with `--thorough` of each function within the tolerance of the twin, at as many as "
      "`range` takes."},
     {"other_noise",
-     "An octave sum that a macro of the library makes of a noise of the user's takes that noise, at as many points as "
+     "An octave sum of the library over a constant noise has the value that follows by hand, at as many points as "
      "`range` takes."},
     {"inlined",
      "4,096 random points have the same values when the function's body stands in main. For this check and the next "

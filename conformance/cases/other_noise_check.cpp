@@ -175,7 +175,7 @@ ConstantSum settings_of(const Function& function, std::span<const std::uint32_t>
 
 }  // namespace
 
-// The macros make sums over a noise of the user's.
+// The sums of the library, over a constant noise.
 Outcome check_other_noise(Session& session, const Evaluation& evaluation) {
   const auto& [function, configuration, profile, variant, stage] = evaluation;
   Words inputs = random_points(function, property_points(session, function), Random(session.seed, "other noise"));

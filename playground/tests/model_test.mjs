@@ -380,7 +380,7 @@ test("everything that the library has can be chosen", () => {
     Object.keys(kMetrics).toSorted(),
   );
   assert.deepEqual(
-    of(/^HN_(WARP(?:_PROGRESSIVE)?)2D\(hn_/, ["warp2d.glsl"]).map((name) => name.toLowerCase()),
+    of(/^HN_FN hn_vec2 hn_(warp\w*)\(hn_vec2 p/, ["warp2d.glsl"]),
     Object.keys(kWarps).filter((name) => name !== "none"),
   );
 });
