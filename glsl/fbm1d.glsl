@@ -1,7 +1,7 @@
 // hashnoise: octave sums over a noise on the line.
 // SPDX-License-Identifier: MIT
 //
-// Made from fbm2d.glsl by tools/umbrella.
+// Made from fbm2d.glsl by tools/umbrella. On the line nothing can turn.
 
 #ifndef HN_FBM1D_GLSL
 #define HN_FBM1D_GLSL

@@ -12,10 +12,10 @@
 //   do hn_add(o, hn_simplex(o.place, o.seed)); while (hn_next(o));
 //   float height = hn_mean(o);
 //
-// (Drivers unroll and run this loop better than one that asks first: conformance/bench measures it.)
-// In place of hn_add there are hn_add_size, hn_add_ridge, hn_add_wave and hn_add_bent; and hn_add_part and
-// hn_add_resolved for octaves without detail that a pixel cannot show. The sums of the library are made so
-// (fbm2d.glsl). To sum a noise of your own, which takes a position, ask for it at hn_position(o.place).
+// It asks behind an octave, since drivers unroll such a loop, and run it faster than one that asks first. In place of
+// hn_add there are hn_add_size, hn_add_ridge, hn_add_wave and hn_add_bent; and hn_add_part and hn_add_resolved for
+// octaves without detail that a pixel cannot show. The sums of the library are made so (fbm2d.glsl). To sum a noise of
+// your own, which takes a position, ask for it at hn_position(o.place).
 //
 //   place    where the noise of the octave is asked
 //   seed     its seed
