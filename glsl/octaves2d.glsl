@@ -56,6 +56,36 @@ HN_FN hn_octaves2 hn_i_octaves(hn_place2 place, hn_int octaves, hn_float lacunar
   return o;
 }
 
+#if HN_ARITHMETIC != HN_FIXED
+// The next position.
+HN_FN hn_vec2 hn_i_next(hn_vec2 q, hn_float lacunarity) {
+  hn_float a = hn_i_times(lacunarity, 25.0f / 32.0f);
+  hn_float b = hn_i_times(lacunarity, 20.0f / 32.0f);
+  HN_I_PRECISE hn_vec2 next = vec2(a * q.x - b * q.y + 11.0f / 32.0f, b * q.x + a * q.y + 19.0f / 32.0f);
+  return next;
+}
+#endif
+
+// The next whole position. A tile must not rotate, as it would not fit itself.
+HN_FN void hn_i_go_on(HN_I_INOUT(hn_octaves2) o) {
+  hn_uint ratio = hn_i_ratio(o.lacunarity);
+  hn_ivec2 x = hn_i_times_ratio(o.x, ratio);
+  hn_ivec2 y = hn_i_times_ratio(o.y, ratio);
+  if (o.place.tiled) {
+    o.x = hn_i_shifted(x, HN_I_SHIFT_X);
+    o.y = hn_i_shifted(y, HN_I_SHIFT_Y);
+    o.place.period.x = hn_i_next_period(o.place.period.x, o.lacunarity);
+    o.place.period.y = hn_i_next_period(o.place.period.y, o.lacunarity);
+  } else {
+    o.x = hn_i_shifted(hn_i_rotated_axis(x, y, 25, -20), HN_I_SHIFT_X);
+    o.y = hn_i_shifted(hn_i_rotated_axis(y, x, 25, 20), HN_I_SHIFT_Y);
+  }
+  hn_i_put(o);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The same in every dimension: tools/umbrella makes it of octaves2d.glsl.
+
 // The octaves of a sum, at the first.
 //   p           position, in cells of the first octave; (|p| + 1) * lacunarity^octaves < 2^23, for a lacunarity of 2
 //               or more
@@ -89,14 +119,6 @@ HN_FN hn_octaves2 hn_octaves(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_
   o.is_whole = false;
   return o;
 }
-
-// The next position.
-HN_FN hn_vec2 hn_i_next(hn_vec2 q, hn_float lacunarity) {
-  hn_float a = hn_i_times(lacunarity, 25.0f / 32.0f);
-  hn_float b = hn_i_times(lacunarity, 20.0f / 32.0f);
-  HN_I_PRECISE hn_vec2 next = vec2(a * q.x - b * q.y + 11.0f / 32.0f, b * q.x + a * q.y + 19.0f / 32.0f);
-  return next;
-}
 #endif
 
 // The octaves that a pixel can show: with a number of octaves that is no whole number, for hn_add_part, and with a
@@ -119,23 +141,6 @@ HN_FN hn_octaves2 hn_octaves(hn_vec2 p, hn_float footprint, hn_int octaves, hn_f
   hn_octaves2 o = hn_octaves(p, octaves, lacunarity, gain, seed);
   o.sum.footprint = hn_i_footprint(footprint);
   return o;
-}
-
-// The next whole position. A tile must not rotate, as it would not fit itself.
-HN_FN void hn_i_go_on(HN_I_INOUT(hn_octaves2) o) {
-  hn_uint ratio = hn_i_ratio(o.lacunarity);
-  hn_ivec2 x = hn_i_times_ratio(o.x, ratio);
-  hn_ivec2 y = hn_i_times_ratio(o.y, ratio);
-  if (o.place.tiled) {
-    o.x = hn_i_shifted(x, HN_I_SHIFT_X);
-    o.y = hn_i_shifted(y, HN_I_SHIFT_Y);
-    o.place.period.x = hn_i_next_period(o.place.period.x, o.lacunarity);
-    o.place.period.y = hn_i_next_period(o.place.period.y, o.lacunarity);
-  } else {
-    o.x = hn_i_shifted(hn_i_rotated_axis(x, y, 25, -20), HN_I_SHIFT_X);
-    o.y = hn_i_shifted(hn_i_rotated_axis(y, x, 25, 20), HN_I_SHIFT_Y);
-  }
-  hn_i_put(o);
 }
 
 // Goes on to the next octave.

@@ -58,33 +58,7 @@ HN_FN hn_octaves3 hn_i_octaves(hn_place3 place, hn_int octaves, hn_float lacunar
   return o;
 }
 
-// The octaves of a sum, at the first. octaves2d.glsl says more.
-//   p, place    as on the plane
-//   octaves     how many; with fewer than 1 the mean is 0
-//   lacunarity  ratio of frequencies, usually 2. In a tile it is a whole number from 1 to 255
-//   gain        ratio of amplitudes, usually 0.5; not negative
-//   seed        any uint: 7u, not 7
-//   returns     the octaves
-//   error, cost, source    as on the plane
-HN_FN hn_octaves3 hn_octaves(hn_place3 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
-  hn_float ratio = hn_i_lacunarity(min(max(lacunarity, 0.0f), 255.0f), place.tiled);
-  hn_octaves3 o = hn_i_octaves(place, octaves, ratio, gain, seed);
-  hn_i_put(o);
-  return o;
-}
-#if HN_ARITHMETIC == HN_FIXED
-HN_FN hn_octaves3 hn_octaves(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
-  return hn_octaves(hn_place(p), octaves, lacunarity, gain, seed);
-}
-#else
-HN_FN hn_octaves3 hn_octaves(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
-  hn_vec3 start = hn_i_start(p);
-  hn_octaves3 o = hn_i_octaves(hn_place(start), octaves, lacunarity, gain, seed);
-  o.p = start;
-  o.is_whole = false;
-  return o;
-}
-
+#if HN_ARITHMETIC != HN_FIXED
 // The next position.
 HN_FN hn_vec3 hn_i_next(hn_vec3 q, hn_float lacunarity) {
   hn_float a = hn_i_times(lacunarity, 25.0f / 32.0f);
@@ -98,22 +72,6 @@ HN_FN hn_vec3 hn_i_next(hn_vec3 q, hn_float lacunarity) {
   return next;
 }
 #endif
-
-// With a number of octaves that is no whole number, or a footprint.
-//   (parameters, error, cost and source as on the plane)
-//   returns     the octaves
-HN_FN hn_octaves3 hn_octaves(hn_vec3 p, hn_float detail, hn_float lacunarity, hn_float gain, hn_uint seed) {
-  hn_int octaves = hn_i_whole_octaves(detail);
-  hn_octaves3 o = hn_octaves(p, octaves, lacunarity, gain, seed);
-  o.sum.part = hn_i_last_part(detail, octaves);
-  return o;
-}
-HN_FN hn_octaves3 hn_octaves(hn_vec3 p, hn_float footprint, hn_int octaves, hn_float lacunarity, hn_float gain,
-                             hn_uint seed) {
-  hn_octaves3 o = hn_octaves(p, octaves, lacunarity, gain, seed);
-  o.sum.footprint = hn_i_footprint(footprint);
-  return o;
-}
 
 // The next whole position. A tile must not rotate, as it would not fit itself.
 HN_FN void hn_i_go_on(HN_I_INOUT(hn_octaves3) o) {
@@ -137,10 +95,72 @@ HN_FN void hn_i_go_on(HN_I_INOUT(hn_octaves3) o) {
   hn_i_put(o);
 }
 
+// ---------------------------------------------------------------------------------------------------------------------
+// The same in every dimension: tools/umbrella makes it of octaves2d.glsl.
+
+// The octaves of a sum, at the first.
+//   p           position, in cells of the first octave; (|p| + 1) * lacunarity^octaves < 2^23, for a lacunarity of 2
+//               or more
+//   place       a place in its stead (place.glsl). The period of a tile times lacunarity^octaves is below 2^31
+//   octaves     how many; with fewer than 1 the mean is 0
+//   lacunarity  ratio of frequencies, usually 2. In a tile it is a whole number from 1 to 255; others are rounded
+//               down
+//   gain        ratio of amplitudes, usually 0.5; not negative
+//   seed        any uint: 7u, not 7; different seeds give independent fields
+//   returns     the octaves
+//   error       at a position it grows with |p| * lacunarity^octaves, since a float rounds the positions; at a place it
+//               does not
+//   cost        none: hn_next places each octave
+//   HN_FIXED    takes a gain above 1 as 1, a lacunarity outside [0, 255] as 0 or 255, and more than 32 octaves as 32
+//   source      docs/contract.md, section 7
+HN_FN hn_octaves3 hn_octaves(hn_place3 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  hn_float ratio = hn_i_lacunarity(min(max(lacunarity, 0.0f), 255.0f), place.tiled);
+  hn_octaves3 o = hn_i_octaves(place, octaves, ratio, gain, seed);
+  hn_i_put(o);
+  return o;
+}
+#if HN_ARITHMETIC == HN_FIXED
+HN_FN hn_octaves3 hn_octaves(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_octaves(hn_place(p), octaves, lacunarity, gain, seed);
+}
+#else
+HN_FN hn_octaves3 hn_octaves(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  hn_vec3 start = hn_i_start(p);
+  hn_octaves3 o = hn_i_octaves(hn_place(start), octaves, lacunarity, gain, seed);
+  o.p = start;
+  o.is_whole = false;
+  return o;
+}
+#endif
+
+// The octaves that a pixel can show: with a number of octaves that is no whole number, for hn_add_part, and with a
+// footprint, for hn_add_resolved.
+//   detail      octaves, as a float: 3.5 is three octaves and half of the fourth. So octaves can come and go without a
+//               jump
+//   footprint   the size of a pixel at p, in cells of the first octave: in a fragment shader
+//               max(length(dFdx(p)), length(dFdy(p))). An octave fades out as a pixel grows from 1/2 to 3/2 of
+//               its cells, which comes nearest to the mean over the pixel. The others keep their contrast
+//   (other parameters, error, cost and source as above)
+//   returns     the octaves
+HN_FN hn_octaves3 hn_octaves(hn_vec3 p, hn_float detail, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  hn_int octaves = hn_i_whole_octaves(detail);
+  hn_octaves3 o = hn_octaves(p, octaves, lacunarity, gain, seed);
+  o.sum.part = hn_i_last_part(detail, octaves);
+  return o;
+}
+HN_FN hn_octaves3 hn_octaves(hn_vec3 p, hn_float footprint, hn_int octaves, hn_float lacunarity, hn_float gain,
+                             hn_uint seed) {
+  hn_octaves3 o = hn_octaves(p, octaves, lacunarity, gain, seed);
+  o.sum.footprint = hn_i_footprint(footprint);
+  return o;
+}
+
 // Goes on to the next octave.
 //   o        the octaves
 //   returns  whether there is one
-//   (error, cost and source as on the plane)
+//   error    as of hn_octaves
+//   cost     about 10 operations; in HN_FIXED, and at a place, some products of integers
+//   source   as of hn_octaves
 HN_FN bool hn_next(HN_I_INOUT(hn_octaves3) o) {
   o.sum.at += 1;
   bool more = hn_i_truth(o.sum.at < o.sum.octaves);
@@ -163,9 +183,17 @@ HN_FN bool hn_next(HN_I_INOUT(hn_octaves3) o) {
   return more;
 }
 
-// Add the noise of an octave.
-//   (parameters, error, cost and source as on the plane)
-//   returns     nothing: the octaves have the sum
+// Add the noise of an octave: as it is (fBm), its absolute value (turbulence), a crest where it is 0 (ridges), folded
+// up and down between -1 and 1 (ping-pong), and so that finer octaves count less where it is low (weighted fBm). With a
+// detail or a footprint: as it is, and as much of it as is to be shown.
+//   o         the octaves
+//   n         the noise at o.place with o.seed, in [-1, 1]; of ridges, waves and the bent what is beyond is cut off
+//   strength  of waves: how many times from one end to the other on the way from -1 to 1, times 1/2; usually 2, in
+//             [0, 64]. Bent: how much less; in [0, 1]
+//   returns   nothing: the octaves have the sum
+//   error     as of the sums in fbm3d.glsl
+//   cost      1 to 10 operations
+//   source    docs/contract.md, section 7
 HN_FN void hn_add(HN_I_INOUT(hn_octaves3) o, hn_float n) { o.sum = hn_i_with_noise(o.sum, n); }
 HN_FN void hn_add_size(HN_I_INOUT(hn_octaves3) o, hn_float n) { o.sum = hn_i_with_size(o.sum, n); }
 HN_FN void hn_add_ridge(HN_I_INOUT(hn_octaves3) o, hn_float n) { o.sum = hn_i_with_ridge(o.sum, n); }
@@ -181,13 +209,19 @@ HN_FN void hn_add_resolved(HN_I_INOUT(hn_octaves3) o, hn_float n) {
 }
 
 // The mean of the octaves by their weights.
-//   (parameters, error, cost and source as on the plane)
-//   returns  [-1, 1]; of hn_add_size and hn_add_ridge [0, 1]
+//   o        the octaves, after the last
+//   returns  [-1, 1]; of hn_add_size and hn_add_ridge [0, 1]. Roundings may take floats beyond by 1e-6
+//   error    as of the sums in fbm3d.glsl
+//   cost     a division; with a number of octaves that is no constant some operations for each
+//   source   docs/contract.md, section 7
 HN_FN hn_float hn_mean(hn_octaves3 o) { return hn_i_value(hn_i_mean(o.sum)); }
 
-// The density of a sky, from the mean of hn_add.
-//   (parameters, error, cost and source as on the plane)
+// The density of a sky, from the mean of hn_add: clear below -1/8 and dense above 3/8, with a smooth step between.
+//   o        the octaves, after the last
 //   returns  [0, 1]
+//   error    as of hn_clouds in fbm3d.glsl
+//   cost     that of hn_mean, and some operations
+//   source   as of hn_clouds
 HN_FN hn_float hn_density(hn_octaves3 o) { return hn_i_value(hn_i_density(hn_i_mean(o.sum))); }
 
 #endif

@@ -99,14 +99,22 @@ class Umbrella(unittest.TestCase):
             self.assertIn(f"hn_octaves{n} o", text)
             self.assertNotRegex(text, r"\b\w*2d?\b.*\n.*#include|hn_vec2|hn_place2|hn_octaves2")
 
+    def test_octaves_are_the_same_in_every_dimension_but_for_their_positions(self):
+        path = self.glsl / "octaves2d.glsl"
+        path.write_text(path.read_text().replace("o.seed += 0x9E3779B9u;", "o.seed += 1u;"))
+        self.assertEqual(self.run_main("--check"), (1, ["octaves1d.glsl", "octaves3d.glsl", "octaves4d.glsl"]))
+        self.assertEqual(self.run_main(), (0, []))
+        path.write_text(path.read_text().replace("o.y = hn_i_whole(", "o.y = hn_i_hole("))  # by hand in each
+        self.assertEqual(self.run_main("--check"), (0, []))
+
     def test_a_new_dimension_has_a_file_and_an_old_one_none(self):
         for file in sorted(self.glsl.glob("*3d.glsl")):
-            if file.name not in ("noise3d.glsl", "fbm3d.glsl"):  # which are made
+            if file.name not in ("noise3d.glsl", "fbm3d.glsl", "octaves3d.glsl"):  # which are made
                 text = file.read_text().replace('3d.glsl"', '4d.glsl"')
                 (self.glsl / file.name.replace("3d", "4d")).write_text(text)
                 file.unlink()
         self.assertEqual(self.run_main("--check"), (1, ["again.h", "curl.glsl", "fbm_d.glsl", "hashnoise.glsl", "noise3d.glsl",
-                                                     "noise4d.glsl", "octaves.glsl", "warp.glsl"]))
+                                                     "noise4d.glsl", "warp.glsl"]))
         self.assertEqual(self.run_main(), (0, []))
         self.assertIn('#include "perlin4d.glsl"\n', (self.glsl / "noise4d.glsl").read_text())
         self.assertEqual(self.includes("curl.glsl"), ["curl2d.glsl", "curl4d.glsl"])
