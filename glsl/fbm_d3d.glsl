@@ -9,8 +9,12 @@
 #include "perlin_d3d.glsl"
 
 // A sum of derivatives, beside the sum of values, and the frame of the octave.
+// Its numbers are apart: where points leave a loop at different octaves, lavapipe of Mesa 22.3 takes a vector that is
+// used behind it from the last octave of all.
 struct hn_slopes3 {
-  hn_num3 sum;
+  hn_num x;
+  hn_num y;
+  hn_num z;
   hn_i_frame3 frame;
   hn_num growth;  // of the frame, from octave to octave
 };
@@ -32,7 +36,9 @@ struct hn_slopes3 {
 //   source    docs/contract.md, section 7
 HN_FN hn_slopes3 hn_slopes(hn_octaves3 o) {
   HN_I_NEW(hn_slopes3, s);
-  s.sum = hn_i_num(HN_I_NO_WEIGHT, HN_I_NO_WEIGHT, HN_I_NO_WEIGHT);
+  s.x = HN_I_NO_WEIGHT;
+  s.y = HN_I_NO_WEIGHT;
+  s.z = HN_I_NO_WEIGHT;
   s.frame = hn_i_first_frame3();
   s.growth = hn_i_growth(o.sum.gain, o.lacunarity);
   return s;
@@ -41,25 +47,27 @@ HN_FN void hn_add(HN_I_INOUT(hn_octaves3) o, HN_I_INOUT(hn_slopes3) s, hn_vec4 n
   hn_num3 g =
       hn_i_from_frame(s.frame, hn_i_num(hn_i_octave_slope(n.y), hn_i_octave_slope(n.z), hn_i_octave_slope(n.w)));
   o.sum = hn_i_with_noise(o.sum, n.x);
-  s.sum.x = hn_i_joined(s.sum.x, g.x);
-  s.sum.y = hn_i_joined(s.sum.y, g.y);
-  s.sum.z = hn_i_joined(s.sum.z, g.z);
+  s.x = hn_i_joined(s.x, g.x);
+  s.y = hn_i_joined(s.y, g.y);
+  s.z = hn_i_joined(s.z, g.z);
   s.frame = hn_i_next_frame(s.frame, s.growth, o.place.tiled);
 }
 HN_FN void hn_add_eroded(HN_I_INOUT(hn_octaves3) o, HN_I_INOUT(hn_slopes3) s, hn_vec4 n, hn_float strength) {
-  s.sum.x = hn_i_steeper(s.sum.x, n.y);
-  s.sum.y = hn_i_steeper(s.sum.y, n.z);
-  s.sum.z = hn_i_steeper(s.sum.z, n.w);
-  HN_I_PRECISE hn_i_square_of_slope square = hn_i_square(s.sum.x) + hn_i_square(s.sum.y) + hn_i_square(s.sum.z);
+  hn_num3 e = hn_i_num(hn_i_steeper(s.x, n.y), hn_i_steeper(s.y, n.z), hn_i_steeper(s.z, n.w));
+  HN_I_PRECISE hn_i_square_of_slope square = hn_i_square(e.x) + hn_i_square(e.y) + hn_i_square(e.z);
   hn_num left = hn_i_eroding(square, hn_i_setting(strength, 16.0f));
   o.sum = hn_i_with(o.sum, hn_i_octave(n.x), hn_i_weighed(o.sum.weight, left));
-  s.sum = hn_i_next_slope(s.sum, o.place.tiled);
+  e = hn_i_next_slope(e, o.place.tiled);
+  s.x = e.x;
+  s.y = e.y;
+  s.z = e.z;
 }
 HN_FN hn_vec4 hn_mean(hn_octaves3 o, hn_slopes3 s) {
   hn_num total = hn_i_total(o.sum);
-  return vec4(hn_i_value(hn_i_mean(o.sum, o.sum.value, total)), hn_i_derivative(hn_i_coarse(hn_i_mean(o.sum, s.sum.x, total))),
-              hn_i_derivative(hn_i_coarse(hn_i_mean(o.sum, s.sum.y, total))),
-              hn_i_derivative(hn_i_coarse(hn_i_mean(o.sum, s.sum.z, total))));
+  return vec4(hn_i_value(hn_i_mean(o.sum, o.sum.value, total)),
+              hn_i_derivative(hn_i_coarse(hn_i_mean(o.sum, s.x, total))),
+              hn_i_derivative(hn_i_coarse(hn_i_mean(o.sum, s.y, total))),
+              hn_i_derivative(hn_i_coarse(hn_i_mean(o.sum, s.z, total))));
 }
 
 // ---------------------------------------------------------------------------------------------------------------------

@@ -9,8 +9,11 @@
 #include "value2d.glsl"
 
 // A sum of vectors, and the frame of the octave.
+// Its numbers are apart: where points leave a loop at different octaves, lavapipe of Mesa 22.3 takes a vector that is
+// used behind it from the last octave of all.
 struct hn_shifts2 {
-  hn_num2 sum;
+  hn_num x;
+  hn_num y;
   hn_num2 frame;
   hn_num growth;  // of the frame, from octave to octave
   hn_num amplitude;
@@ -47,7 +50,8 @@ HN_FN void hn_i_move(HN_I_INOUT(hn_octaves2) o, hn_num2 n) {
 //   source     docs/contract.md, section 7
 HN_FN hn_shifts2 hn_shifts(hn_octaves2 o, hn_float amplitude) {
   HN_I_NEW(hn_shifts2, s);
-  s.sum = hn_i_num(HN_I_NO_WEIGHT, HN_I_NO_WEIGHT);
+  s.x = HN_I_NO_WEIGHT;
+  s.y = HN_I_NO_WEIGHT;
   s.frame = hn_i_first_frame2();
   s.growth = hn_i_growth(o.sum.gain, o.lacunarity);
   s.amplitude = hn_i_setting(amplitude, 64.0f);
@@ -55,8 +59,8 @@ HN_FN hn_shifts2 hn_shifts(hn_octaves2 o, hn_float amplitude) {
   return s;
 }
 HN_FN void hn_add(hn_octaves2 o, HN_I_INOUT(hn_shifts2) s, hn_vec2 v) {
-  s.sum.x = hn_i_summed(s.sum.x, hn_i_bounded_octave(v.x), o.sum.weight);
-  s.sum.y = hn_i_summed(s.sum.y, hn_i_bounded_octave(v.y), o.sum.weight);
+  s.x = hn_i_summed(s.x, hn_i_bounded_octave(v.x), o.sum.weight);
+  s.y = hn_i_summed(s.y, hn_i_bounded_octave(v.y), o.sum.weight);
 }
 HN_FN void hn_add_progressive(HN_I_INOUT(hn_octaves2) o, HN_I_INOUT(hn_shifts2) s, hn_vec2 v) {
   hn_add(o, s, v);
@@ -66,7 +70,7 @@ HN_FN void hn_add_progressive(HN_I_INOUT(hn_octaves2) o, HN_I_INOUT(hn_shifts2) 
 }
 HN_FN hn_vec2 hn_mean(hn_octaves2 o, hn_shifts2 s) {
   hn_num total = hn_i_total(o.sum);
-  return vec2(hn_i_shift(o.sum, s.sum.x, total, s.amplitude), hn_i_shift(o.sum, s.sum.y, total, s.amplitude));
+  return vec2(hn_i_shift(o.sum, s.x, total, s.amplitude), hn_i_shift(o.sum, s.y, total, s.amplitude));
 }
 
 // The noises of an octave, each with a seed of its own.

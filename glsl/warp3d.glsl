@@ -9,8 +9,12 @@
 #include "value3d.glsl"
 
 // A sum of vectors, and the frame of the octave.
+// Its numbers are apart: where points leave a loop at different octaves, lavapipe of Mesa 22.3 takes a vector that is
+// used behind it from the last octave of all.
 struct hn_shifts3 {
-  hn_num3 sum;
+  hn_num x;
+  hn_num y;
+  hn_num z;
   hn_i_frame3 frame;
   hn_num growth;  // of the frame, from octave to octave
   hn_num amplitude;
@@ -48,7 +52,9 @@ HN_FN void hn_i_move(HN_I_INOUT(hn_octaves3) o, hn_num3 n) {
 //   source     docs/contract.md, section 7
 HN_FN hn_shifts3 hn_shifts(hn_octaves3 o, hn_float amplitude) {
   HN_I_NEW(hn_shifts3, s);
-  s.sum = hn_i_num(HN_I_NO_WEIGHT, HN_I_NO_WEIGHT, HN_I_NO_WEIGHT);
+  s.x = HN_I_NO_WEIGHT;
+  s.y = HN_I_NO_WEIGHT;
+  s.z = HN_I_NO_WEIGHT;
   s.frame = hn_i_first_frame3();
   s.growth = hn_i_growth(o.sum.gain, o.lacunarity);
   s.amplitude = hn_i_setting(amplitude, 64.0f);
@@ -56,9 +62,9 @@ HN_FN hn_shifts3 hn_shifts(hn_octaves3 o, hn_float amplitude) {
   return s;
 }
 HN_FN void hn_add(hn_octaves3 o, HN_I_INOUT(hn_shifts3) s, hn_vec3 v) {
-  s.sum.x = hn_i_summed(s.sum.x, hn_i_bounded_octave(v.x), o.sum.weight);
-  s.sum.y = hn_i_summed(s.sum.y, hn_i_bounded_octave(v.y), o.sum.weight);
-  s.sum.z = hn_i_summed(s.sum.z, hn_i_bounded_octave(v.z), o.sum.weight);
+  s.x = hn_i_summed(s.x, hn_i_bounded_octave(v.x), o.sum.weight);
+  s.y = hn_i_summed(s.y, hn_i_bounded_octave(v.y), o.sum.weight);
+  s.z = hn_i_summed(s.z, hn_i_bounded_octave(v.z), o.sum.weight);
 }
 HN_FN void hn_add_progressive(HN_I_INOUT(hn_octaves3) o, HN_I_INOUT(hn_shifts3) s, hn_vec3 v) {
   hn_add(o, s, v);
@@ -68,9 +74,9 @@ HN_FN void hn_add_progressive(HN_I_INOUT(hn_octaves3) o, HN_I_INOUT(hn_shifts3) 
 }
 HN_FN hn_vec3 hn_mean(hn_octaves3 o, hn_shifts3 s) {
   hn_num total = hn_i_total(o.sum);
-  return vec3(hn_i_shift(o.sum, s.sum.x, total, s.amplitude),
-              hn_i_shift(o.sum, s.sum.y, total, s.amplitude),
-              hn_i_shift(o.sum, s.sum.z, total, s.amplitude));
+  return vec3(hn_i_shift(o.sum, s.x, total, s.amplitude),
+              hn_i_shift(o.sum, s.y, total, s.amplitude),
+              hn_i_shift(o.sum, s.z, total, s.amplitude));
 }
 
 // The noises of an octave, each with a seed of its own.

@@ -268,7 +268,7 @@ TEST_F(Derivatives, ASumWithoutStrengthThatIsNoFbmIsCaught) {
 
 TEST_F(Derivatives, AnotherValueIsCaught) {
   expect_replaced_caught({"fbm_d.fbm_d3_cell.lattice.fixed.fragment.gl330.derivative_value", "fbm_d3d.glsl",
-                          "hn_i_add(s, n.x);", "hn_i_add(s, n.x + 0.000001f);"});
+                          "hn_i_with_noise(o.sum, n.x);", "hn_i_with_noise(o.sum, n.x + 0.000001f);"});
   constexpr Aperiodic kFaults[] = {
       {"noise2d.perlin_d.lattice.fast.fragment.gl330", "derivative_value", "perlin_d2d.glsl",
        "hn_perlin_d(args) (vec3(0.0001, 0.0, 0.0) + hn_perlin_d(args))"},

@@ -100,7 +100,7 @@ TEST_F(Extreme, ASumOverAnotherNoiseThatIsNotThatSumIsCaught) {
       {"warp.warp3.lattice.fast.fragment.gl330.other_noise", "frame.glsl", "hn_i_bounded(hn_i_mean(s, sum, total))",
        "hn_i_bounded(hn_i_mean(s, sum, total + 1.0))"},
       {"warp.warp_progressive2_cell_period.lattice.fixed.fragment.gl330.other_noise", "warp2d.glsl",
-       "s.sum.y = hn_i_summed(s.sum.y,", "s.sum.y = hn_i_summed(s.sum.x,"},
+       "s.y = hn_i_summed(s.y,", "s.y = hn_i_summed(s.x,"},
       {"fbm.fbm3_detail.lattice.fast.fragment.gl330.other_noise", "octave.glsl", "hn_float total = part",
        "hn_float total = 1.0f"},
       // The position of a place that is outside of its cell.
