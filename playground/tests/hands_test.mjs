@@ -302,7 +302,10 @@ test("a picture at rest is sharp", async () => {
   }
 });
 
-test("a slow picture becomes sharp in steps, and in strips that leave the page its time", async () => {
+// It measures how long the page is kept waiting, and so it runs alone, as the test playground.strips.
+const kBesideOthers = process.env.HN_BESIDE_OTHERS === "1";
+
+test("a slow picture becomes sharp in strips that leave the page its time", { skip: kBesideOthers }, async () => {
   for (const renderer of ["webgl2", "webgpu"]) {
     const link = `#sum=none&map=grey&cells=40&renderer=${renderer}`;
     const page = await opened(browser, { link, viewport: kPane, before: decoding });
