@@ -26,7 +26,7 @@ struct hn_slopes3 {
 //   do hn_add(o, s, hn_simplex_d(o.place, o.seed)); while (hn_next(o));
 //   vec4 height = hn_mean(o, s);
 //
-// In place of the second hn_add there is hn_add_eroded, and then hn_mean(o) is the value.
+// In place of hn_add there is hn_add_eroded, and then hn_mean(o) is the value.
 //   o         the octaves
 //   n         the value of the noise, and its derivatives along x, y and z
 //   strength  of erosion, in [0, 16]
