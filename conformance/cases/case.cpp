@@ -103,14 +103,26 @@ std::vector<std::string> ids_of(const std::vector<Case>& cases) {
   return ids;
 }
 
+namespace {
+
+// The cases by their ids. A process that asks again does not list them again.
+const std::map<std::string, Case, std::less<>>& cases_by_id(Scope scope) {
+  static std::map<Scope, std::map<std::string, Case, std::less<>>> lists;
+  auto& list = lists[scope];
+  if (!list.empty()) return list;
+  for (Case& test : all_cases(scope)) {
+    std::string id = test.id;
+    list.emplace(std::move(id), std::move(test));
+  }
+  return list;
+}
+
+}  // namespace
+
 Result<std::vector<Case>> cases_with(std::span<const std::string> ids) {
   std::vector<Case> cases;
   for (const Scope scope : {Scope::covered, Scope::thorough}) {  // the second takes ten times as long to list
-    std::map<std::string, Case, std::less<>> all;
-    for (Case& test : all_cases(scope)) {
-      std::string id = test.id;
-      all.emplace(std::move(id), std::move(test));
-    }
+    const auto& all = cases_by_id(scope);
     cases.clear();
     std::string missing;
     for (const std::string& id : ids) {

@@ -31,7 +31,7 @@ class EvidenceOf : public OnOsmesa<> {
   // Runs the case on a library, and makes its evidence.
   std::optional<Evidence> evidence(const SourceSet& sources, const std::string& id) {
     Session session({sources, reference_, HN_GOLDEN_DIRECTORY, 1}, *context_, 4096);
-    const Case& test = case_named(id);
+    const Case test = case_named(id);
     outcome_ = run_case(session, test).outcome;
     return make_evidence(session, test, outcome_);
   }
@@ -121,7 +121,7 @@ TEST_F(EvidenceOf, WhatNoValueShowsIsNotClaimed) {
   const SourceSet sources = SourceSet::embedded();
   Session session({sources, reference_, HN_GOLDEN_DIRECTORY, 1}, *context_, 4096);
   Outcome outcome = outcome_with(Status::fail, {"two fields are alike", {}});
-  const Case& test = case_named("noise2d.perlin.lattice.fast.fragment.gl330.mirror");
+  const Case test = case_named("noise2d.perlin.lattice.fast.fragment.gl330.mirror");
   for (const std::vector<std::uint32_t>& words : {std::vector<std::uint32_t>{}, {1, 2, 3, 4, 5, 6, 7, 8}}) {
     outcome.examples = {{0, words, "", "", ""}};
     const auto found = make_evidence(session, test, outcome);

@@ -91,7 +91,8 @@ TEST_F(Metamorphic, EveryTripOfTheLoopCounts) {
   Session session({sources_, reference_, HN_GOLDEN_DIRECTORY, 1}, *context_);
   constexpr std::string_view kId = "fbm.fbm2.lattice.fast.fragment.gl330.in_loop";
   EXPECT_EQ(run(session, kId).status, Status::pass);
-  const auto evaluable = session.evaluable(*case_named(kId).evaluation());
+  const Case test = case_named(kId);
+  const auto evaluable = session.evaluable(*test.evaluation());
   ASSERT_TRUE(evaluable);
   for (const std::uint32_t trips : {0u, 3u, 5u}) {
     (*evaluable)->uniforms.trips = trips;

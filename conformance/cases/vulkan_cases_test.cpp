@@ -75,7 +75,7 @@ TEST_F(CasesOnVulkan, AShapeThatIsWrongFails) {
 TEST_F(CasesOnVulkan, WhatFailsHasPicturesAndNoShader) {
   change("hash.glsl", "0x2C1B3C6Du", "0x2C1B3C6Fu");
   Session one = session();
-  const Case& test = case_named("noise2d.perlin.lattice.fast.compute.vulkan.golden");
+  const Case test = case_named("noise2d.perlin.lattice.fast.compute.vulkan.golden");
   const auto evidence = make_evidence(one, test, run_case(one, test).outcome);
   ASSERT_TRUE(evidence);
   EXPECT_NE(evidence->got, "");
