@@ -133,11 +133,11 @@ void add_file_cases(std::vector<Case>& cases, std::string_view file, const Confi
   if (profile.spirv || !is_for_drivers(file, configuration)) return;
   const Extent extent = extent_on_drivers(file, configuration, profile);
   if (!is_wanted(extent)) return;
-  cases.push_back(
-      {name_of(file, configuration, Stage::fragment, profile, "driver"), CompilationKind{&profile, [=, &configuration, &profile] {
-         return calling_shader(file, configuration, profile, Stage::fragment, Callees::few);
-       }},
-       extent});
+  const CompilationKind compilation{&profile, [=, &configuration, &profile] {
+                                      return calling_shader(file, configuration, profile, Stage::fragment,
+                                                            Callees::few);
+                                    }};
+  cases.push_back({name_of(file, configuration, Stage::fragment, profile, "driver"), compilation, extent});
 }
 
 // The oldest version of ES that glslang makes SPIR-V of.
@@ -398,7 +398,8 @@ void add_refusal_cases(std::vector<Case>& cases, const Refusal& refusal) {
   const std::string fragment = fmt::format("{}#include \"{}\"\n{}void main() {{}}\n", refusal.knobs,
                                            refusal.after.empty() ? "config.glsl" : "hashnoise.glsl", refusal.after);
   const CompilationKind compilation{
-      &profile_named(refusal.profile), [fragment] { return fragment; }, refusal.expected, refusal.name.starts_with("version") || refusal.profile == "es310"};
+      &profile_named(refusal.profile), [fragment] { return fragment; }, refusal.expected,
+      refusal.name.starts_with("version") || refusal.profile == "es310"};
   cases.push_back(
       {name_of_setting(refusal.name, refusal.profile, "refused_by_glslang"), ReferenceKind{[=](const Suite& suite) {
          const auto text = expand(suite.sources, *compilation.profile, compilation.fragment());

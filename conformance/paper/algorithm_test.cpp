@@ -49,8 +49,9 @@ TEST(Algorithm, APeriodIsTheNoises) {
   EXPECT_EQ(subject_of(all_entries().back(), 3, Picture::noise, 48).expression, "hn_perlin(hn_tile(p, ivec3(48)), 0u)");
   const Subject subject = subject_of(all_entries().back(), 2, Picture::clouds, 48);
   EXPECT_EQ(subject.id, "lattice.ours.2d.clouds");
-  EXPECT_NE(subject.prelude.find("hn_add(o, hn_perlin(hn_tile(hn_position(o.place), ivec2(48)), o.seed)); while (hn_next(o));\n"),
-            std::string::npos);
+  constexpr std::string_view kLoop =
+      "do hn_add(o, hn_perlin(hn_tile(hn_position(o.place), ivec2(48)), o.seed)); while (hn_next(o));\n";
+  EXPECT_NE(subject.prelude.find(kLoop), std::string::npos);
   EXPECT_NE(subject.prelude.find("return hn_density(o);\n"), std::string::npos);
   EXPECT_EQ(subject.expression, "paper_sum(hn_octaves(p, 6, 2.0, 0.5, 0u))");
   EXPECT_EQ(subject_of(all_entries().back(), 2, Picture::turbulence).expression, "hn_turbulence(p, 6, 2.0, 0.5)");
