@@ -56,7 +56,6 @@ function shape(state) {
   };
 }
 
-// The functions of what is shown, in one language. `values` are what numbers() returns, or names of uniforms.
 // How a sum adds the noise of an octave, and what it makes of the mean.
 const bounded = (mean) => `min(max(${mean}, -1.0), 1.0)`; // roundings may take it beyond
 const kSteps = {
@@ -70,6 +69,7 @@ const kSteps = {
   eroded: { step: "hn_add_eroded" },
 };
 
+// The functions of what is shown, in one language. `values` are what numbers() returns, or names of uniforms.
 class Writer {
   constructor(library, language, state, values) {
     this.library = library;
@@ -201,24 +201,24 @@ class Writer {
     const wgsl = this.language === "wgsl";
     const { step, end = "hn_mean", of = (mean) => mean } = kSteps[state.sum];
     const set = (name) => (wgsl ? `&${name}` : name);
-    const own = noise.lines.length;
     const at = ["o.place", "o.seed"];
-    const called = own ? `${noise.name}(${at.join(", ")})` : this.called(noise.name, `${noise.name}${n}_place`, ...at);
-    const rest = [...(steep ? [set("s")] : []), called, ...(strength ? ["strength"] : [])];
+    const octave = noise.lines.length
+      ? `${noise.name}(${at.join(", ")})`
+      : this.called(noise.name, `${noise.name}${n}_place`, ...at);
+    const rest = [...(steep ? [set("s")] : []), octave, ...(strength ? ["strength"] : [])];
     const add = this.called(step, `${step}${n}`, set("o"), ...rest);
     const next = this.called("hn_next", `hn_next${n}`, set("o"));
     const mean = of(this.called(end, `${end}${n}`, "o"));
-    const octaves = `hn_octaves${n}`;
-    const slopes = steep && this.called("hn_slopes", `hn_slopes_of${n}`, "o");
+    const slopes = wgsl ? `var s: hn_slopes${n}` : `hn_slopes${n} s`;
     const lines = [
-      ...(steep ? [`${wgsl ? "var s: " : ""}hn_slopes${n}${wgsl ? "" : " s"} = ${slopes};`] : []),
+      ...(steep ? [`${slopes} = ${this.called("hn_slopes", `hn_slopes_of${n}`, "o")};`] : []),
       ...(wgsl
         ? ["loop {", `  ${add};`, `  continuing { break if !(${next}); }`, "}"]
         : [`do ${add}; while (${next});`]),
       `return ${this.number(mean)};`,
     ];
     const parameters = [
-      [octaves, wgsl ? "o_in" : "o"],
+      [`hn_octaves${n}`, wgsl ? "o_in" : "o"],
       ...(strength ? [[this.types.float(1), "strength"]] : []),
     ];
     if (wgsl) lines.unshift("var o = o_in;");

@@ -68,7 +68,7 @@ class Likeness(unittest.TestCase):
         known = row("known", "{factor}hn_simplex({p}, {seed})", expression="known(p)")._replace(file="known.glsl")
         folded = known._replace(theirs="folded", expression="folded(p)", ours="-{factor}loud({p}, 1, 2.0, 0.5, {seed})",
                                 before="float my(hn_place2 q, uint s) { return {inner} * hn_simplex(q, s); }\n"
-                                       + own_sum("loud", "BILLOW", "my").replace("#", "2"), inner=known.id)
+                                       + own_sum("loud", "billow", "my").replace("#", "2"), inner=known.id)
         first, second = self.ports(known, folded)
         for found, factor in ((first, 0.7), (second, 1.0)):
             self.assertAlmostEqual(found.scale, 0.6, delta=0.012)

@@ -102,7 +102,7 @@ def measured_call(row: Row, *numbers: float) -> str:
 
 
 def our_library(calls: str, axes: int) -> str:
-    """The files of what is called and of the sums that are defined, as all files take a second to compile."""
+    """The files of what is called, as all files take a second to compile."""
     names = re.findall(r"\bhn_\w+", calls)
     files = [file for name in names for file in files_of(name) if file.endswith(f"{axes}d.glsl")]
     return text(list(dict.fromkeys(files)), strip=True)

@@ -36,9 +36,9 @@ class Row(NamedTuple):
 
 # --- Sums over another noise than the library's own: # stands for the number of dimensions ----------------------------
 
-STEPS = {"FBM": "hn_add(o, {})", "WEIGHTED": "hn_add_bent(o, {}, strength)", "BILLOW": "hn_add_size(o, {})",
-         "PING_PONG": "hn_add_wave(o, {}, strength)"}
-MEANS = {"BILLOW": "2.0 * hn_mean(o) - 1.0"}
+STEPS = {"fbm": "hn_add(o, {})", "weighted": "hn_add_bent(o, {}, strength)", "billow": "hn_add_size(o, {})",
+         "ping_pong": "hn_add_wave(o, {}, strength)", "warp": "hn_add", "warp_progressive": "hn_add_progressive"}
+MEANS = {"billow": "2.0 * hn_mean(o) - 1.0"}
 OWN_SUM = """float {name}(vec# p, int octaves, float lacunarity, float gain, {strength}uint seed) {{
   hn_octaves# o = hn_octaves(p, octaves, lacunarity, gain, seed);
   do {step}; while (hn_next(o));
@@ -62,8 +62,8 @@ def own_sum(name: str, kind: str, noise: str) -> str:
 
 def own_warp(name: str, kind: str, noise: str, axes: int) -> str:
     vector = ", ".join(f"{noise}(o.place, o.seed + {axis}u)" for axis in range(axes))
-    return OWN_WARP.format(name=name, step="hn_add_progressive" if kind == "WARP_PROGRESSIVE" else "hn_add",
-                           vector=f"vec{axes}({vector})")
+    text = OWN_WARP.format(name=name, step=STEPS[kind], vector=f"vec{axes}({vector})")
+    return text.replace("#", str(axes))
 
 
 # --- FastNoiseLite, and Godot, which has it ---------------------------------------------------------------------------
@@ -88,14 +88,13 @@ def _noise(theirs: str, ours: str, range: tuple[float, float] = PLAIN, before: s
                   sum=sum, inner=inner_here)
 
 
-def _warp(theirs: str, ours: str, own: tuple[str, str, str] | None, table: str = "FastNoiseLite", sum: str = "3, 2.0, 0.5",
-          amplitude: str = "0.3", **settings: str) -> Iterator[Row]:
+def _warp(theirs: str, ours: str, own: tuple[str, str, str] | None, table: str = "FastNoiseLite",
+          sum: str = "3, 2.0, 0.5", amplitude: str = "0.3", **settings: str) -> Iterator[Row]:
     for axes, moved in ((2, "q.x, q.y"), (3, "q.x, q.y, q.z")):
         state = _state({"domain_warp_amp": amplitude, **settings})
         call = f"{state}vec{axes} q = p; fnlDomainWarp{axes}D(s, {moved}); return q.x - p.x;"
         yield Row(table, "fastnoiselite", theirs, "", call, axes, ours, UNKNOWN,
-                  own_warp(*own, axes).replace("#", str(axes)) if own else "",
-                  sum=sum, amplitude=amplitude, part=".x")
+                  own_warp(*own, axes) if own else "", sum=sum, amplitude=amplitude, part=".x")
 
 
 def _fastnoiselite() -> Iterator[Row]:
@@ -104,19 +103,19 @@ def _fastnoiselite() -> Iterator[Row]:
         yield from _noise(f"`FNL_NOISE_{name}`", f"{{factor}}{function}({{p}}, {{seed}})",
                           noise_type=f"FNL_NOISE_{name}")
     for name, function in (("OPENSIMPLEX2", "hn_simplex"), ("PERLIN", "hn_perlin")):
-        for theirs, line, rest, settings in (
-                ("`FNL_FRACTAL_FBM`", "FBM", "", {"fractal_type": "FNL_FRACTAL_FBM"}),
-                ("`weighted_strength` of 1", "WEIGHTED", ", 1.0",
+        for theirs, step, rest, settings in (
+                ("`FNL_FRACTAL_FBM`", "fbm", "", {"fractal_type": "FNL_FRACTAL_FBM"}),
+                ("`weighted_strength` of 1", "weighted", ", 1.0",
                  {"fractal_type": "FNL_FRACTAL_FBM", "weighted_strength": "1.0"})):
-            own = f"my_{line.lower()}" if name == "OPENSIMPLEX2" else f"hn_{line.lower()}"
+            own = f"my_{step}" if name == "OPENSIMPLEX2" else f"hn_{step}"
             yield from _noise(f"{theirs} over `{name}`", f"{{factor}}{own}({{p}}, {{sum}}{rest}, {{seed}})",
-                              before=own_sum(own, line, function) if own.startswith("my") else "",
+                              before=own_sum(own, step, function) if own.startswith("my") else "",
                               noise_type=f"FNL_NOISE_{name}", **settings)
-        for theirs, line, sign, rest in (("RIDGED", "BILLOW", "-", ""), ("PINGPONG", "PING_PONG", "", ", 2.0")):
-            own = f"loud_{line.lower()}"
+        for theirs, step, sign, rest in (("RIDGED", "billow", "-", ""), ("PINGPONG", "ping_pong", "", ", 2.0")):
+            own = f"loud_{step}"
             yield from _noise(f"`FNL_FRACTAL_{theirs}` over `{name}`",
                               f"{sign}{{factor}}{own}({{p}}, {{sum}}{rest}, {{seed}})",
-                              before=LOUD.format(function) + own_sum(own, line, "loud"),
+                              before=LOUD.format(function) + own_sum(own, step, "loud"),
                               inner=f"FastNoiseLite: FNL_NOISE_{name} #D", noise_type=f"FNL_NOISE_{name}",
                               fractal_type=f"FNL_FRACTAL_{theirs}")
     for metric, name in (("SQUARED", "EUCLIDEANSQ"), ("EUCLIDEAN", "EUCLIDEAN"), ("MANHATTAN", "MANHATTAN"),
@@ -132,25 +131,25 @@ def _fastnoiselite() -> Iterator[Row]:
     for name, function in (("OPENSIMPLEX2", "hn_simplex"), ("OPENSIMPLEX2_REDUCED", "hn_simplex"),
                            ("BASICGRID", "hn_value")):
         kind = {"domain_warp_type": f"FNL_DOMAIN_WARP_{name}"}
-        for theirs, numbers, line, fractal in (
-                ("no fractal", "1, 2.0, 0.5", "WARP", "NONE"),
-                ("`INDEPENDENT`", "{sum}", "WARP", "DOMAIN_WARP_INDEPENDENT"),
-                ("`PROGRESSIVE`", "{sum}", "WARP_PROGRESSIVE", "DOMAIN_WARP_PROGRESSIVE")):
-            own = f"{'hn' if function == 'hn_value' else 'my'}_{line.lower()}"
+        for theirs, numbers, step, fractal in (
+                ("no fractal", "1, 2.0, 0.5", "warp", "NONE"),
+                ("`INDEPENDENT`", "{sum}", "warp", "DOMAIN_WARP_INDEPENDENT"),
+                ("`PROGRESSIVE`", "{sum}", "warp_progressive", "DOMAIN_WARP_PROGRESSIVE")):
+            own = f"{'hn' if function == 'hn_value' else 'my'}_{step}"
             yield from _warp(f"`FNL_DOMAIN_WARP_{name}`, {theirs}",
                              f"{own}({{p}}, {numbers}, {{factor}}{{amplitude}}, {{seed}})",
-                             (own, line, function) if own.startswith("my") else None,
+                             (own, step, function) if own.startswith("my") else None,
                              "FastNoiseLite's warps", fractal_type=f"FNL_FRACTAL_{fractal}", **kind)
 
 
 def _godot() -> Iterator[Row]:
     """What a new FastNoiseLite of Godot is set to, by its documentation (doc_classes/FastNoiseLite.xml)."""
     yield from _noise("`get_noise_2d`, `get_noise_3d`", "{factor}my_fbm({p}, 5, 2.0, 0.5, {seed})", table="Godot",
-                      before=own_sum("my_fbm", "FBM", "hn_simplex_smooth"), noise_type="FNL_NOISE_OPENSIMPLEX2S",
+                      before=own_sum("my_fbm", "fbm", "hn_simplex_smooth"), noise_type="FNL_NOISE_OPENSIMPLEX2S",
                       fractal_type="FNL_FRACTAL_FBM", octaves="5")
     # In cells of the warp: an amplitude of 30 with a frequency of 0.05.
     yield from _warp("`domain_warp_enabled`", "my_warp({p}, 5, 6.0, 0.5, {factor}{amplitude}, {seed})",
-                     ("my_warp", "WARP_PROGRESSIVE", "hn_simplex"), "Godot", amplitude="1.5", octaves="5",
+                     ("my_warp", "warp_progressive", "hn_simplex"), "Godot", amplitude="1.5", octaves="5",
                      lacunarity="6.0", fractal_type="FNL_FRACTAL_DOMAIN_WARP_PROGRESSIVE")
 
 
@@ -196,8 +195,8 @@ def _lygia() -> Iterator[Row]:
     yield row(2, "gnoise", "{offset}{factor}hn_value({p}, {seed})")
     yield row(3, "gnoise", "{factor}hn_value({p}, {seed})")
     for axes in (2, 3):
-        yield row(axes, "fbm", "{factor}my_fbm({p}, 4, 2.0, 0.5, {seed})", 
-                  before=own_sum("my_fbm", "FBM", "hn_simplex").replace("#", str(axes)))
+        yield row(axes, "fbm", "{factor}my_fbm({p}, 4, 2.0, 0.5, {seed})",
+                  before=own_sum("my_fbm", "fbm", "hn_simplex").replace("#", str(axes)))
     for axes in (2, 3):
         yield row(axes, "worley", "1.0 - {factor}hn_cellular({p}, {seed}).x", UNKNOWN)
     yield row(2, "voronoi", "{factor}hn_cellular({p}, {seed}).x", UNKNOWN, part=".z")
