@@ -1,6 +1,10 @@
 // Faults of loops, and of assignments to parts of vectors and arrays; and the table of all faults.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #include "fault/table.hpp"
 
 namespace hn {
@@ -15,11 +19,19 @@ std::optional<std::string> add_in_loop(const Expression& node, const Rules::Rend
   return fmt::format("{0} = hn_fault_added({0},{1}{2})", target.code, node.token.space, render(node.parts[1]).whole());
 }
 
+// Whether a member has the letters of components, and is not one of a structure, as `part` is.
+bool is_swizzle(std::string_view member) {
+  return std::ranges::any_of(std::array<std::string_view, 3>{"xyzw", "rgba", "stpq"}, [&](std::string_view letters) {
+    return member.find_first_not_of(letters) == std::string_view::npos;
+  });
+}
+
 // Of the assignments to swizzles of a variable, only the first of a function stores.
 std::optional<std::string> swizzle_once(const Expression& node, const Rules::Render& render, Place& place) {
   if (!node.is(Kind::assign, "=") || node.parts[0].kind != Kind::member) return std::nullopt;
   const Expression& target = node.parts[0];
-  const bool swizzle = target.close.text.size() > 1 && target.parts[0].kind == Kind::leaf;
+  const bool swizzle =
+      is_swizzle(target.close.text) && target.close.text.size() > 1 && target.parts[0].kind == Kind::leaf;
   if (!swizzle || place.swizzled.insert(target.parts[0].token.text).second) return std::nullopt;
   return fmt::format("({}{},{})", render(target).code, node.token.space, render(node.parts[1]).whole());
 }
