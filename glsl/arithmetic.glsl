@@ -5,6 +5,7 @@
 #define HN_ARITHMETIC_GLSL
 
 #include "config.glsl"
+#include "convert.glsl"
 
 // A noise has one text for all three arithmetics. It is written in these steps, not in operators, so that with
 // HN_PRECISE each step can say what is rounded on its own:
@@ -23,6 +24,7 @@
 //   hn_i_far(f)             f - 1: the offset from the far corner
 //   hn_i_dot(g, x, y, ...)  a gradient times an offset
 //   hn_i_signed(m, word)    m, or -m if the highest bit of the word is set; floats: m >= 0. Also of three at once
+//   hn_i_size(x)            the absolute value
 //   hn_i_flipped(x, word)   x, or -x if the highest bit of the word is set, for any x
 //   hn_i_lengthened(n, m)   n times 1 + m; the integers of m are in units of 2^-9, and n loses its last 9 bits there
 //   hn_i_fade(f)            6 f^5 - 15 f^4 + 10 f^3, along each axis
@@ -60,6 +62,10 @@ HN_FN hn_float hn_i_minus(hn_float a, hn_float b) {
   HN_I_PRECISE hn_float n = a - b;
   return n;
 }
+
+// abs and max would do for integers, too, but drivers got both wrong: abs(x), and -x of max(max(x, -x), y).
+HN_FN hn_float hn_i_size(hn_float x) { return abs(x); }
+HN_FN hn_int hn_i_size(hn_int x) { return hn_i_select(x < 0, -x, x); }
 
 HN_FN hn_float hn_i_flipped(hn_float x, hn_uint word) {
 #if HN_I_BITCAST
@@ -243,7 +249,7 @@ HN_FN hn_float hn_i_lerp(hn_float a, hn_float b, hn_float t) {
 HN_FN hn_float hn_i_lengthened(hn_float n, hn_float more) { return hn_i_times_plus(n, more, n); }
 
 HN_FN hn_float hn_i_scaled(hn_float n, hn_int s) {
-  HN_I_PRECISE hn_float scaled = n * (float(s) * (1.0f / 1024.0f));
+  HN_I_PRECISE hn_float scaled = n * (hn_i_float(s) * (1.0f / 1024.0f));
   return scaled;
 }
 
@@ -253,7 +259,7 @@ HN_FN hn_float hn_i_number(hn_uint word) {
 #if HN_I_BITCAST
   return uintBitsToFloat((word >> 9u) | 0x40000000u);
 #else
-  return float(word >> 9u) * (1.0f / 4194304.0f) + 2.0f;
+  return hn_i_float(word >> 9u) * (1.0f / 4194304.0f) + 2.0f;
 #endif
 }
 
@@ -344,10 +350,10 @@ HN_FN hn_int hn_i_scaled(hn_int n, hn_int s) { return (((n + 256) >> 9) * s + 25
 HN_FN hn_int hn_i_number(hn_uint word) { return int(word >> 2u) - 536870912; }
 HN_FN hn_int hn_i_of_numbers(hn_int n) { return (n + 128) >> 8; }
 
-HN_FN hn_float hn_i_value(hn_int n) { return float(n) * (1.0f / 2097152.0f); }
+HN_FN hn_float hn_i_value(hn_int n) { return hn_i_float(n) * (1.0f / 2097152.0f); }
 
 // The steps that make a noise of units of 2^-29 make a derivative of units of 2^-27, in units of 2^-19.
-HN_FN hn_float hn_i_derivative(hn_int n) { return float(n) * (1.0f / 524288.0f); }
+HN_FN hn_float hn_i_derivative(hn_int n) { return hn_i_float(n) * (1.0f / 524288.0f); }
 
 HN_FN hn_int hn_i_flipped(hn_int x, hn_uint word) { return hn_i_select((word & 0x80000000u) != 0u, -x, x); }
 

@@ -23,7 +23,7 @@ HN_FN hn_vec3 hn_i_cellular_three(hn_place2 place, hn_num jitter, hn_int metric,
   hn_uvec2 two = hn_i_two_steps(place, block, d);
   hn_rank4 best = hn_i_nearest(block, d, jitter, metric, seed);
   hn_uint s = hn_i_mix(seed);
-  hn_int axis = hn_i_choice(max(d.x, -d.x) >= max(d.y, -d.y), 0, 1);
+  hn_int axis = hn_i_choice(hn_i_size(d.x) >= hn_i_size(d.y), 0, 1);
   hn_uvec3 words = hn_i_if_axis(axis, hn_i_words_along_y(block, two.x, s), hn_i_words_along_x(block, two.y, s));
   hn_num3 x = hn_i_if_axis(axis, hn_i_thrice(hn_i_beside(d.x, hn_i_two(d.x))), hn_i_row(d.x));
   hn_num3 y = hn_i_if_axis(axis, hn_i_row(d.y), hn_i_thrice(hn_i_beside(d.y, hn_i_two(d.y))));

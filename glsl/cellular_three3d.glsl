@@ -8,9 +8,9 @@
 
 // The axis along which the place is farthest from the centre of its cell.
 HN_FN hn_int hn_i_farthest_axis(hn_num3 d) {
-  hn_num x = max(d.x, -d.x);
-  hn_num y = max(d.y, -d.y);
-  hn_num z = max(d.z, -d.z);
+  hn_num x = hn_i_size(d.x);
+  hn_num y = hn_i_size(d.y);
+  hn_num z = hn_i_size(d.z);
   return hn_i_choice(x >= max(y, z), 0, hn_i_choice(y >= z, 1, 2));
 }
 

@@ -66,7 +66,7 @@ HN_FN hn_uvec4 hn_i_four_points(hn_i_block3 block, hn_num3 f, hn_uint seed, HN_I
   hn_num4 dx = hn_i_offsets(f.x);
   hn_num4 dy = hn_i_offsets(f.y);
   hn_num4 dz = hn_i_offsets(f.z);
-  hn_num3 size = hn_i_num(hn_i_magnitude(dx.x), hn_i_magnitude(dy.x), hn_i_magnitude(dz.x));
+  hn_num3 size = hn_i_num(hn_i_size(dx.x), hn_i_size(dy.x), hn_i_size(dz.x));
   hn_num a = hn_i_largest(size);
   hn_num b = hn_i_smallest(size);
   x = hn_i_num(dx.x, hn_i_select(size.x >= a, dx.y, dx.x), dx.z, hn_i_select(size.x <= b, dx.w, dx.z));
@@ -99,7 +99,7 @@ HN_FN hn_uvec4 hn_i_four_points(hn_i_block4 block, hn_num4 f, hn_uint seed, HN_I
   hn_num4 dy = hn_i_offsets(f.y);
   hn_num4 dz = hn_i_offsets(f.z);
   hn_num4 dw = hn_i_offsets(f.w);
-  hn_num4 size = hn_i_num(hn_i_magnitude(dx.x), hn_i_magnitude(dy.x), hn_i_magnitude(dz.x), hn_i_magnitude(dw.x));
+  hn_num4 size = hn_i_num(hn_i_size(dx.x), hn_i_size(dy.x), hn_i_size(dz.x), hn_i_size(dw.x));
   hn_num a = hn_i_largest(size);
   hn_num b = hn_i_smallest(size);
   x = hn_i_num(dx.x, hn_i_select(size.x >= a, dx.y, dx.x), dx.z, hn_i_select(size.x <= b, dx.w, dx.z));

@@ -31,6 +31,7 @@
 //   HN_I_HIGHP         stands before every type. GLSL ES has three precisions. In fragment shaders an int is mediump,
 //                      with 16 bits, unless the declaration says otherwise. Your own default precision stays as it is.
 //                      Elsewhere it is empty: nothing is needed, and glslang would warn
+//   HN_I_HIGHP_HERE    makes highp the default precision of floats to the end of the function it begins (convert.glsl)
 //
 // begin.hlsl and begin.metal name their languages. __VERSION__ is read only where it is a number: DXC defines a string,
 // and a compiler without it counts as a new one. In glslang, which defines the GL_GOOGLE name, it has a value although
@@ -38,6 +39,7 @@
 
 #ifdef __cplusplus
 #define HN_I_BITCAST 1
+#define HN_I_HIGHP_HERE
 #define HN_I_KEYWORD  // the compiler's flags decide, and Metal has no such keyword
 #ifdef HN_I_METAL
 #define HN_FN inline
@@ -78,6 +80,7 @@
 #define HN_I_BITCAST 1
 #define HN_I_HAS_PRECISE (HN_I_VERSION >= 320)
 #define HN_I_HIGHP highp
+#define HN_I_HIGHP_HERE precision highp float;
 #else
 #if HN_I_VERSION < 130
 #error hashnoise needs GLSL 1.30 or later: write #version 130
@@ -85,6 +88,7 @@
 #define HN_I_BITCAST (HN_I_VERSION >= 330)
 #define HN_I_HAS_PRECISE (HN_I_VERSION >= 400)
 #define HN_I_HIGHP
+#define HN_I_HIGHP_HERE
 #endif
 #endif
 

@@ -21,7 +21,7 @@ HN_FN hn_int hn_i_product_of(hn_int a, hn_int b) {
 HN_FN hn_int hn_i_velocity(hn_int a, hn_int b, hn_int c, hn_int d) {
   return (hn_i_product_of(a, b) - hn_i_product_of(c, d) + 8) >> 4;
 }
-HN_FN hn_float hn_i_crossed(hn_int n) { return float(n) * (1.0f / 65536.0f); }
+HN_FN hn_float hn_i_crossed(hn_int n) { return hn_i_float(n) * (1.0f / 65536.0f); }
 HN_FN hn_int hn_i_uncrossed(hn_float d) { return int(d * 524288.0f); }
 
 #endif

@@ -70,7 +70,7 @@ HN_FN hn_uint hn_i_of_three(hn_uvec3 v, hn_int n) { return hn_i_select(n < 0, v.
 
 HN_FN hn_float hn_i_jitter(hn_float jitter) { return hn_i_inside(min(max(jitter, 0.0f), 1.0f)); }
 HN_FN hn_float hn_i_inner(hn_float f) { return hn_i_times_plus(f, 2.0f, -1.0f); }
-HN_FN hn_float hn_i_beside(hn_float d, hn_int n) { return hn_i_minus(d, float(n) * 2.0f); }
+HN_FN hn_float hn_i_beside(hn_float d, hn_int n) { return hn_i_minus(d, hn_i_float(n) * 2.0f); }
 HN_FN hn_vec3 hn_i_three(hn_float a, hn_float b, hn_float c) { return vec3(a, b, c); }
 HN_FN hn_vec3 hn_i_past_points(hn_vec3 d, hn_vec3 a, hn_float jitter) {
   HN_I_PRECISE hn_vec3 n = d - a * jitter;
@@ -88,7 +88,7 @@ HN_FN hn_vec3 hn_i_sum(hn_vec3 a, hn_vec3 b) {
   return n;
 }
 HN_FN hn_vec3 hn_i_gaps(hn_vec3 a, hn_float b) { return hn_i_apart(a, b); }
-HN_FN hn_float hn_i_rank_of_code(hn_int code) { return float(code); }
+HN_FN hn_float hn_i_rank_of_code(hn_int code) { return hn_i_float(code); }
 HN_FN hn_float hn_i_no_weight() { return 0.0f; }
 HN_FN hn_vec4 hn_i_far_away() { return vec4(65536.0f, 65536.0f, 65536.0f, 0.0f); }
 HN_FN hn_vec4 hn_i_ranks(hn_float x, hn_float y, hn_float z, hn_float w) { return vec4(x, y, z, w); }
@@ -134,7 +134,7 @@ HN_FN hn_ivec3 hn_i_three(hn_int a, hn_int b, hn_int c) { return ivec3(a, b, c);
 
 // A direction is in units of 2^-9, of half a cell.
 HN_FN hn_ivec3 hn_i_past_points(hn_ivec3 d, hn_ivec3 a, hn_int jitter) { return d - ((a * jitter) >> 10); }
-HN_FN hn_float hn_i_toward(hn_int d) { return float(-d) * (1.0f / 1048576.0f); }
+HN_FN hn_float hn_i_toward(hn_int d) { return hn_i_float(-d) * (1.0f / 1048576.0f); }
 
 HN_FN hn_ivec3 hn_i_apart(hn_ivec3 a, hn_int b) { return (a - b) >> 1; }
 HN_FN hn_uint hn_i_sum(hn_uint a, hn_uint b) { return a + b; }
@@ -149,16 +149,16 @@ HN_FN hn_uvec3 hn_i_ranks(hn_uint x, hn_uint y, hn_uint z) { return uvec3(x, y, 
 // Squares are in units of 2^-28, and the ranks of the other metrics in units of 2^-20.
 HN_FN hn_uvec3 hn_i_hybrids(hn_uvec3 squares, hn_uvec3 sums) { return (squares >> 8u) + sums; }
 HN_FN hn_float hn_i_distance(hn_uint rank, hn_int metric) {
-  if (metric == HN_METRIC_SQUARED) return float(rank >> 8u) * (1.0f / 1048576.0f);
+  if (metric == HN_METRIC_SQUARED) return hn_i_float(rank >> 8u) * (1.0f / 1048576.0f);
   if (metric == HN_METRIC_MANHATTAN || metric == HN_METRIC_CHEBYSHEV || metric == HN_METRIC_HYBRID) {
-    return float(rank) * (1.0f / 1048576.0f);
+    return hn_i_float(rank) * (1.0f / 1048576.0f);
   }
-  return float(hn_i_root(rank)) * (1.0f / 262144.0f);
+  return hn_i_float(hn_i_root(rank)) * (1.0f / 262144.0f);
 }
 HN_FN hn_uvec3 hn_i_border_ranks(hn_uvec3 gaps, hn_uvec3 apart) {
   return uvec3(hn_i_over_root(gaps.x, apart.x), hn_i_over_root(gaps.y, apart.y), hn_i_over_root(gaps.z, apart.z));
 }
-HN_FN hn_float hn_i_border_distance(hn_uint rank) { return float(rank) * (1.0f / 65536.0f); }
+HN_FN hn_float hn_i_border_distance(hn_uint rank) { return hn_i_float(rank) * (1.0f / 65536.0f); }
 
 // Weights are in units of 2^-30. They are made of 1 - distance in units of 2^-16, below 1, so that its square fits.
 HN_FN hn_uint hn_i_closeness(hn_uint square) {
@@ -170,7 +170,7 @@ HN_FN hn_uint hn_i_closeness(hn_uint square) {
 // 262144 is 2^-12. The first root is in units of 2^-19, and so is the second.
 HN_FN hn_float hn_i_smooth_distance(hn_uint weights) {
   hn_uint root = hn_i_root(hn_i_root(weights + 262144u) << 11u);
-  return float(524288 - int(root)) * (1.0f / 524288.0f);
+  return hn_i_float(524288 - int(root)) * (1.0f / 524288.0f);
 }
 
 #endif

@@ -22,7 +22,7 @@ HN_FN hn_vec3 hn_i_points_y(hn_uvec3 words) {
 HN_FN hn_ivec3 hn_i_points_x(hn_uvec3 words) { return ivec3(hn_i_and(words >> 21u, 1022u)) - 511; }
 HN_FN hn_ivec3 hn_i_points_y(hn_uvec3 words) {
   hn_ivec3 x = hn_i_points_x(words);
-  return hn_i_signed(ivec3(512, 512, 512) - max(x, x * -1), words);
+  return hn_i_signed(ivec3(512, 512, 512) - ivec3(hn_i_sizes(x)), words);
 }
 
 #endif

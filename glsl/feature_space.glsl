@@ -49,9 +49,8 @@ HN_FN hn_ivec3 hn_i_points_q(hn_uvec3 words) { return ivec3(hn_i_and(words >> 14
 HN_FN hn_ivec3 hn_i_points_u(hn_uvec3 words) { return hn_i_points_p(words) + hn_i_points_q(words); }
 HN_FN hn_ivec3 hn_i_points_v(hn_uvec3 words) { return hn_i_points_p(words) - hn_i_points_q(words); }
 HN_FN hn_ivec3 hn_i_points_z(hn_uvec3 words) {
-  hn_ivec3 p = hn_i_points_p(words);
-  hn_ivec3 q = hn_i_points_q(words);
-  return hn_i_signed((ivec3(256, 256, 256) - max(max(p, p * -1), max(q, q * -1))) * 2, words);
+  hn_uvec3 larger = max(hn_i_sizes(hn_i_points_p(words)), hn_i_sizes(hn_i_points_q(words)));
+  return hn_i_signed((ivec3(256, 256, 256) - ivec3(larger)) * 2, words);
 }
 
 // Just x and y: compilers drop the rest. A parameter that is not used is a warning, and one without a name an error in

@@ -83,7 +83,7 @@ HN_FN hn_float hn_i_joined(hn_float a, hn_float b) { return hn_i_plus(a, b); }
 HN_FN hn_float hn_i_parted(hn_float a, hn_float b) { return hn_i_minus(a, b); }
 
 HN_FN hn_float hn_i_rotated_by(hn_float a, hn_float b, hn_int along, hn_int across) {
-  HN_I_PRECISE hn_float n = float(along) * (1.0f / 32.0f) * a + float(across) * (1.0f / 32.0f) * b;
+  HN_I_PRECISE hn_float n = hn_i_float(along) * (1.0f / 32.0f) * a + hn_i_float(across) * (1.0f / 32.0f) * b;
   return n;
 }
 

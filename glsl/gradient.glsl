@@ -33,13 +33,13 @@ HN_FN hn_vec3 hn_i_fields3p(hn_uvec3 h) { return hn_i_of_field_bits(hn_i_and(h >
 HN_FN hn_vec3 hn_i_fields3q(hn_uvec3 h) { return hn_i_of_field_bits(hn_i_and(h, 0x007F8000u), 3.0f - 1.0f / 256.0f); }
 #else
 HN_FN hn_float hn_i_field2(hn_uint h) {
-  return hn_i_minus(float((h >> 22u) & 511u) * (1.0f / 256.0f), 1.0f - 1.0f / 512.0f);
+  return hn_i_minus(hn_i_float((h >> 22u) & 511u) * (1.0f / 256.0f), 1.0f - 1.0f / 512.0f);
 }
 HN_FN hn_float hn_i_field3p(hn_uint h) {
-  return hn_i_minus(float((h >> 23u) & 255u) * (1.0f / 128.0f), 1.0f - 1.0f / 256.0f);
+  return hn_i_minus(hn_i_float((h >> 23u) & 255u) * (1.0f / 128.0f), 1.0f - 1.0f / 256.0f);
 }
 HN_FN hn_float hn_i_field3q(hn_uint h) {
-  return hn_i_minus(float((h >> 15u) & 255u) * (1.0f / 128.0f), 1.0f - 1.0f / 256.0f);
+  return hn_i_minus(hn_i_float((h >> 15u) & 255u) * (1.0f / 128.0f), 1.0f - 1.0f / 256.0f);
 }
 HN_FN hn_vec3 hn_i_fields2(hn_uvec3 h) { return vec3(hn_i_field2(h.x), hn_i_field2(h.y), hn_i_field2(h.z)); }
 HN_FN hn_vec3 hn_i_fields3p(hn_uvec3 h) { return vec3(hn_i_field3p(h.x), hn_i_field3p(h.y), hn_i_field3p(h.z)); }
@@ -96,18 +96,17 @@ HN_FN hn_float hn_i_upright(hn_float z) { return z; }
 
 #else
 
-// The same in units of 2^-9, but p, q and z in units of 2^-8. max stands for abs, which drivers got wrong for integers.
+// The same in units of 2^-9, but p, q and z in units of 2^-8.
 HN_FN hn_ivec3 hn_i_direction2(hn_uint h) {
   hn_int x = int((h >> 21u) & 1022u) - 511;
-  hn_int m = 512 - max(x, -x);
+  hn_int m = 512 - hn_i_size(x);
   return ivec3(x, hn_i_signed(m, h), min(512 - m, m));
 }
 HN_FN hn_ivec4 hn_i_direction3(hn_uint h) {
   hn_int p = int((h >> 22u) & 510u) - 255;
   hn_int q = int((h >> 14u) & 510u) - 255;
-  hn_int larger = max(max(p, -p), max(q, -q));
-  hn_int sum = max(max(p + q, -p - q), max(p - q, q - p));  // |p| + |q|
-  return ivec4(p, q, hn_i_signed(256 - larger, h), min(512 - sum, larger + larger));
+  hn_int larger = max(hn_i_size(p), hn_i_size(q));
+  return ivec4(p, q, hn_i_signed(256 - larger, h), min(512 - hn_i_size(p) - hn_i_size(q), larger + larger));
 }
 
 // Gradients are in units of 2^-29, as ramps are.
@@ -150,9 +149,9 @@ HN_FN hn_num hn_i_ramp(hn_num4 d, hn_num u, hn_num v, hn_num w) {
 HN_FN hn_num hn_i_by_shortest(hn_num4 d, hn_num x, hn_num y, hn_num z) {
   hn_num a = hn_i_plus(d.x, d.y);   // twice the direction along x
   hn_num b = hn_i_minus(d.x, d.y);  // along y
-  hn_num along_x = max(a, -a);
-  hn_num along_y = max(b, -b);
-  hn_num along_z = hn_i_plus(max(d.z, -d.z), max(d.z, -d.z));
+  hn_num along_x = hn_i_size(a);
+  hn_num along_y = hn_i_size(b);
+  hn_num along_z = hn_i_plus(hn_i_size(d.z), hn_i_size(d.z));
   return hn_i_select(along_z <= min(along_x, along_y), z, hn_i_select(along_y <= along_x, y, x));
 }
 
@@ -228,7 +227,8 @@ HN_FN hn_vec2 hn_gradient2(hn_uint h) {
 #if HN_ARITHMETIC != HN_FIXED
   return hn_i_gradient(hn_i_direction2(h));
 #else
-  return vec2(hn_i_gradient(hn_i_direction2(h))) * (1.0f / 536870912.0f);
+  hn_ivec2 g = hn_i_gradient(hn_i_direction2(h));
+  return vec2(hn_i_float(g.x), hn_i_float(g.y)) * (1.0f / 536870912.0f);
 #endif
 }
 
@@ -242,7 +242,8 @@ HN_FN hn_vec3 hn_gradient3(hn_uint h) {
 #if HN_ARITHMETIC != HN_FIXED
   return hn_i_gradient(hn_i_direction3(h));
 #else
-  return vec3(hn_i_gradient(hn_i_direction3(h))) * (1.0f / 536870912.0f);
+  hn_ivec3 g = hn_i_gradient(hn_i_direction3(h));
+  return vec3(hn_i_float(g.x), hn_i_float(g.y), hn_i_float(g.z)) * (1.0f / 536870912.0f);
 #endif
 }
 
@@ -256,7 +257,8 @@ HN_FN hn_vec4 hn_gradient4(hn_uint h) {
 #if HN_ARITHMETIC != HN_FIXED
   return hn_i_gradient4(h);
 #else
-  return vec4(hn_i_gradient4(h)) * (1.0f / 268435456.0f);
+  hn_ivec4 g = hn_i_gradient4(h);
+  return vec4(hn_i_float(g.x), hn_i_float(g.y), hn_i_float(g.z), hn_i_float(g.w)) * (1.0f / 268435456.0f);
 #endif
 }
 
@@ -316,7 +318,7 @@ HN_FN hn_uint hn_i_excess_bits(hn_uint m) {
 #if HN_I_BITCAST
   // m >> 8 is exact in a float. 142 is the biased exponent of 2^15: the m that it stands for, from 2^23 on, are the
   // last without excess bits.
-  return max(floatBitsToUint(float(m >> 8u)) >> 23u, 142u) - 142u;
+  return max(floatBitsToUint(hn_i_float(m >> 8u)) >> 23u, 142u) - 142u;
 #else
   // The length of the highest byte, without its bit 7: only 2^31 has that bit, and it is the same with 7 or 8 bits
   // less.

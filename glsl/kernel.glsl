@@ -12,7 +12,6 @@
 //   hn_i_quarters(n)           n / 4 as an offset
 //   hn_i_half(x)               x / 2; in HN_FIXED x is even
 //   hn_i_floor(x)              the largest int that is not above x; hn_i_past(x) is what x has beyond it
-//   hn_i_magnitude(x)          the absolute value
 //   hn_i_square(x, y, ...)     the square of the length of an offset
 //   hn_i_onto(q, x)            such a square plus a number that is given as an offset
 //   hn_i_near(q, s, m)         s / 1024 - m q, or 0 beyond the radius, where that is negative. In HN_FIXED it is in
@@ -36,11 +35,10 @@
 
 #define hn_i_square_number hn_float
 
-HN_FN hn_float hn_i_quarters(hn_int n) { return float(n) * 0.25f; }
+HN_FN hn_float hn_i_quarters(hn_int n) { return hn_i_float(n) * 0.25f; }
 HN_FN hn_float hn_i_half(hn_float x) { return hn_i_times(x, 0.5f); }
 HN_FN hn_int hn_i_floor(hn_float x) { return hn_i_cell(x); }
 HN_FN hn_float hn_i_past(hn_float x) { return hn_i_fraction(x); }
-HN_FN hn_float hn_i_magnitude(hn_float x) { return abs(x); }
 
 HN_FN hn_float hn_i_square(hn_float x, hn_float y) {
   HN_I_PRECISE hn_float q = x * x + y * y;
@@ -57,7 +55,7 @@ HN_FN hn_float hn_i_square(hn_float x, hn_float y, hn_float z, hn_float w) {
 HN_FN hn_float hn_i_onto(hn_float q, hn_float x) { return hn_i_plus(q, x); }
 
 HN_FN hn_float hn_i_near(hn_float q, hn_int s, hn_int m) {
-  return max(hn_i_times_plus(float(-m), q, float(s) * (1.0f / 1024.0f)), 0.0f);
+  return max(hn_i_times_plus(hn_i_float(-m), q, hn_i_float(s) * (1.0f / 1024.0f)), 0.0f);
 }
 HN_FN hn_float hn_i_weight3(hn_float t) {
   HN_I_PRECISE hn_float w = t * t * t;
@@ -78,15 +76,15 @@ HN_FN hn_float hn_i_weight_plane(hn_float t) {
   return w;
 }
 HN_FN hn_float hn_i_fall3(hn_float t, hn_int m) {
-  HN_I_PRECISE hn_float k = t * t * float(6 * m);
+  HN_I_PRECISE hn_float k = t * t * hn_i_float(6 * m);
   return k;
 }
 HN_FN hn_float hn_i_fall4(hn_float t, hn_int m) {
-  HN_I_PRECISE hn_float k = t * t * t * float(8 * m);
+  HN_I_PRECISE hn_float k = t * t * t * hn_i_float(8 * m);
   return k;
 }
 HN_FN hn_float hn_i_fall_plane(hn_float t, hn_int m) {
-  HN_I_PRECISE hn_float k = t * t * (t * -16.0f + 18.0f) * float(m);
+  HN_I_PRECISE hn_float k = t * t * (t * -16.0f + 18.0f) * hn_i_float(m);
   return k;
 }
 HN_FN hn_float hn_i_attenuated(hn_float n, hn_float w) { return hn_i_times(n, w); }
@@ -104,19 +102,16 @@ HN_FN hn_int hn_i_half(hn_int x) { return x >> 1; }
 HN_FN hn_int hn_i_floor(hn_int x) { return x >> 20; }
 HN_FN hn_int hn_i_past(hn_int x) { return x & 1048575; }
 
-// max stands for abs, which drivers got wrong for integers.
-HN_FN hn_int hn_i_magnitude(hn_int x) { return max(x, -x); }
-
 // Squares have 41 bits. They are summed by the products of the high digits, of a high and a low digit, and of the low
 // digits, so that the sum is exact before it is rounded down. A digit has 10 bits.
 HN_FN hn_uint hn_i_square(hn_int x, hn_int y) {
-  hn_uvec2 v = uvec2(ivec2(hn_i_magnitude(x), hn_i_magnitude(y)));
+  hn_uvec2 v = uvec2(ivec2(hn_i_size(x), hn_i_size(y)));
   hn_uvec2 h = uvec2(v.x >> 10u, v.y >> 10u);
   hn_uvec2 l = uvec2(v.x & 1023u, v.y & 1023u);
   return ((h.x * h.x + h.y * h.y) << 10u) + (h.x * l.x + h.y * l.y) * 2u + ((l.x * l.x + l.y * l.y) >> 10u);
 }
 HN_FN hn_uint hn_i_square(hn_int x, hn_int y, hn_int z) {
-  hn_uvec3 v = uvec3(ivec3(hn_i_magnitude(x), hn_i_magnitude(y), hn_i_magnitude(z)));
+  hn_uvec3 v = uvec3(ivec3(hn_i_size(x), hn_i_size(y), hn_i_size(z)));
   hn_uvec3 h = uvec3(v.x >> 10u, v.y >> 10u, v.z >> 10u);
   hn_uvec3 l = uvec3(v.x & 1023u, v.y & 1023u, v.z & 1023u);
   return ((h.x * h.x + h.y * h.y + h.z * h.z) << 10u) + (h.x * l.x + h.y * l.y + h.z * l.z) * 2u +
@@ -124,7 +119,7 @@ HN_FN hn_uint hn_i_square(hn_int x, hn_int y, hn_int z) {
 }
 HN_FN hn_uint hn_i_square(hn_int x, hn_int y, hn_int z, hn_int w) {
   hn_uvec4 v =
-      uvec4(ivec4(hn_i_magnitude(x), hn_i_magnitude(y), hn_i_magnitude(z), hn_i_magnitude(w)));
+      uvec4(ivec4(hn_i_size(x), hn_i_size(y), hn_i_size(z), hn_i_size(w)));
   hn_uvec4 h = uvec4(v.x >> 10u, v.y >> 10u, v.z >> 10u, v.w >> 10u);
   hn_uvec4 l = uvec4(v.x & 1023u, v.y & 1023u, v.z & 1023u, v.w & 1023u);
   return ((h.x * h.x + h.y * h.y + h.z * h.z + h.w * h.w) << 10u) +

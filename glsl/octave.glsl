@@ -53,7 +53,6 @@ HN_FN hn_int hn_i_summed(hn_int sum, hn_int n, hn_int weight) {
 // The noise of an octave as it is, and in [-1, 1]. (That of HN_GRADIENT_SINE reaches 3/2 in space.)
 HN_FN hn_int hn_i_octave(hn_float n) { return int(min(max(n, -1.5f), 1.5f) * 2097152.0f); }
 HN_FN hn_int hn_i_bounded_octave(hn_float n) { return int(min(max(n, -1.0f), 1.0f) * 2097152.0f); }
-HN_FN hn_int hn_i_size(hn_int n) { return max(n, -n); }
 
 // 1 - abs(n), in the units of weights; and a number in these units as a value.
 HN_FN hn_int hn_i_ridge(hn_int n) { return (2097152 - hn_i_size(n)) >> 3; }
@@ -124,7 +123,6 @@ HN_FN hn_float hn_i_summed(hn_float sum, hn_float n, hn_float weight) { return h
 
 HN_FN hn_float hn_i_octave(hn_float n) { return n; }
 HN_FN hn_float hn_i_bounded_octave(hn_float n) { return min(max(n, -1.0f), 1.0f); }
-HN_FN hn_float hn_i_size(hn_float n) { return abs(n); }
 HN_FN hn_float hn_i_ridge(hn_float n) { return hn_i_minus(1.0f, abs(n)); }
 HN_FN hn_float hn_i_of_weight(hn_float weight) { return weight; }
 
@@ -178,7 +176,7 @@ HN_FN hn_int hn_i_whole_fraction(hn_ivec2 x) { return x.y >> 4; }
 HN_FN hn_ivec2 hn_i_whole(hn_int cell, hn_float fraction, hn_int rest) {
   return ivec2(cell, int(min(max(fraction, 0.0f), 1.0f) * 16777216.0f) + rest);
 }
-HN_FN hn_float hn_i_whole_fraction(hn_ivec2 x) { return float(x.y) * (1.0f / 16777216.0f); }
+HN_FN hn_float hn_i_whole_fraction(hn_ivec2 x) { return hn_i_float(x.y) * (1.0f / 16777216.0f); }
 #endif
 
 // The high word of a product of two words. umulExtended is not in GLSL 1.30.
@@ -266,7 +264,7 @@ HN_FN hn_int hn_i_whole_octaves(hn_float detail) {
   return hn_i_select(detail < 1.0f / 4294967296.0f, 0, -int(floor(-min(max(detail, 0.0f), HN_I_MOST_DETAIL))));
 }
 HN_FN hn_num hn_i_last_part(hn_float detail, hn_int octaves) {
-  hn_float part = hn_i_minus(min(detail, HN_I_MOST_DETAIL), float(octaves - 1));
+  hn_float part = hn_i_minus(min(detail, HN_I_MOST_DETAIL), hn_i_float(octaves - 1));
   return hn_i_setting(hn_i_select(octaves < 2, 1.0f, part), 1.0f);
 }
 

@@ -198,11 +198,11 @@ HN_FN hn_place4 hn_tile(hn_vec4 p, hn_ivec4 period) { return hn_tile(hn_place(p)
 // Along one axis. Floats have no rest.
 #if HN_ARITHMETIC == HN_FIXED
 HN_FN hn_float hn_i_position_of(hn_int cell, hn_int fraction, hn_int rest) {
-  return float(cell) + float(fraction * 16 + rest) * (1.0f / 16777216.0f);
+  return hn_i_float(cell) + hn_i_float(fraction * 16 + rest) * (1.0f / 16777216.0f);
 }
 #else
 HN_FN hn_float hn_i_position_of(hn_int cell, hn_float fraction, hn_int rest) {
-  return float(cell) + (fraction + float(rest));
+  return hn_i_float(cell) + (fraction + hn_i_float(rest));
 }
 #endif
 

@@ -77,7 +77,7 @@ HN_FN hn_vec3 hn_i_unit(hn_float x, hn_float y, hn_float z) {
 #define hn_rank3 hn_uvec3
 #define hn_rank4 hn_uvec4
 
-// max stands for abs, which drivers got wrong for integers.
+// As words, the largest of which is right on every driver (see hn_i_size).
 HN_FN hn_uvec3 hn_i_sizes(hn_ivec3 x) { return uvec3(max(x, x * -1)); }
 
 // An offset is below 4 cells, 2^22, and the square of a length below 16. A square has up to 44 bits, so it is made of
@@ -107,7 +107,7 @@ HN_FN hn_uint hn_i_squared(hn_int x, hn_int y, hn_int z) {
 // The root of 2^8 q is guessed in floats. The guess is less than 1 off, even if a driver's sqrt is 6 units in the last
 // place off. So the integers around it decide. What is left of 2^8 q is small: 32 bits are enough to tell its sign.
 HN_FN hn_uint hn_i_root(hn_uint q) {
-  hn_uint v = uint(sqrt(float(q)) * 16.0f);
+  hn_uint v = uint(sqrt(hn_i_float(q)) * 16.0f);
   v = hn_i_select(int((q << 8u) - v * v) < 0, v - 1u, v);
   return hn_i_select(int((q << 8u) - v * v) > int(v + v), v + 1u, v);
 }
@@ -115,7 +115,7 @@ HN_FN hn_uint hn_i_root(hn_uint q) {
 // A quotient is below 2^19, and its guess less than 1 off, too. s is the root in units of 2^-17.
 HN_FN hn_uint hn_i_over_root(hn_uint n, hn_uint q) {
   hn_uint s = hn_i_root(q);
-  hn_uint v = uint(float(n) * 16.0f / float(s));
+  hn_uint v = uint(hn_i_float(n) * 16.0f / hn_i_float(s));
   hn_int rest = int((n << 4u) - v * s);
   return hn_i_select(rest < 0, v - 1u, hn_i_select(rest >= int(s), v + 1u, v));
 }
@@ -130,19 +130,19 @@ HN_FN hn_int hn_i_longer_by(hn_int size) {
 
 // The quotient has two digits, since GLSL's division of integers is exact and has 32 bits.
 HN_FN hn_float hn_i_over(hn_int x, hn_uint root) {
-  hn_uint size = uint(max(x, -x));
+  hn_uint size = uint(hn_i_size(x));
   hn_uint high = (size << 11u) / root;
   hn_uint low = (((size << 11u) - high * root) << 8u) / root;
   hn_int quotient = int((high << 8u) + low);
-  return float(hn_i_select(x < 0, -quotient, quotient)) * (1.0f / 2097152.0f);
+  return hn_i_float(hn_i_select(x < 0, -quotient, quotient)) * (1.0f / 2097152.0f);
 }
 HN_FN hn_vec2 hn_i_unit(hn_int x, hn_int y) {
-  hn_int m = hn_i_longer_by(max(max(x, -x), max(y, -y)));
+  hn_int m = hn_i_longer_by(max(hn_i_size(x), hn_i_size(y)));
   hn_uint root = max(hn_i_root(hn_i_squared(x * m, y * m)), 1u);
   return vec2(hn_i_over(x * m, root), hn_i_over(y * m, root));
 }
 HN_FN hn_vec3 hn_i_unit(hn_int x, hn_int y, hn_int z) {
-  hn_int m = hn_i_longer_by(max(max(max(x, -x), max(y, -y)), max(z, -z)));
+  hn_int m = hn_i_longer_by(max(max(hn_i_size(x), hn_i_size(y)), hn_i_size(z)));
   hn_uint root = max(hn_i_root(hn_i_squared(x * m, y * m, z * m)), 1u);
   return vec3(hn_i_over(x * m, root), hn_i_over(y * m, root), hn_i_over(z * m, root));
 }

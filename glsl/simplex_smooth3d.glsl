@@ -56,8 +56,8 @@ HN_FN hn_num hn_i_simplex_smooth(hn_i_block3 block, hn_num3 f, hn_uint seed) {
   hn_num4 x = hn_i_offsets(f.x);
   hn_num4 y = hn_i_offsets(f.y);
   hn_num4 z = hn_i_offsets(f.z);
-  hn_num3 size = hn_i_num(hn_i_magnitude(x.x), hn_i_magnitude(y.x), hn_i_magnitude(z.x));
-  hn_num3 inner = hn_i_num(hn_i_magnitude(x.z), hn_i_magnitude(y.z), hn_i_magnitude(z.z));
+  hn_num3 size = hn_i_num(hn_i_size(x.x), hn_i_size(y.x), hn_i_size(z.x));
+  hn_num3 inner = hn_i_num(hn_i_size(x.z), hn_i_size(y.z), hn_i_size(z.z));
   hn_uint s = hn_i_mix(seed);
   hn_num corners = hn_i_cube(hn_i_nearer(f, block.cell, block.after), hn_i_nearer(f, block.after, block.cell),
                              hn_i_num(x.x, y.x, z.x), hn_i_num(x.y, y.y, z.y), size, hn_i_square(x.x, y.x, z.x), s, s);

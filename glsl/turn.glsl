@@ -21,7 +21,7 @@
 // The polynomial is minimax. At the end it is held at 1 - 2^-21, so that no rounding takes it beyond 1. It is off by
 // 6.4e-7 at most.
 HN_FN hn_float hn_i_quarter_sine(hn_uint q) {
-  hn_float x = float(q >> 6u) * (1.0f / 16777216.0f);
+  hn_float x = hn_i_float(q >> 6u) * (1.0f / 16777216.0f);
   HN_I_PRECISE hn_float t = x * x;
   HN_I_PRECISE hn_float sine = x * (1.57079090f + t * (-0.64589171f + t * (0.07943160f + t * -0.00433127f)));
   return sine;
@@ -49,8 +49,10 @@ HN_FN hn_int hn_i_quarter_sine(hn_uint q) {
   return int((x * (y >> 1u) + 16384u) >> 15u);
 }
 
-HN_FN hn_vec2 hn_i_components(hn_ivec2 g) { return vec2(g) * (1.0f / 65536.0f); }
-HN_FN hn_vec3 hn_i_components(hn_ivec3 g) { return vec3(g) * (1.0f / 65536.0f); }
+HN_FN hn_vec2 hn_i_components(hn_ivec2 g) { return vec2(hn_i_float(g.x), hn_i_float(g.y)) * (1.0f / 65536.0f); }
+HN_FN hn_vec3 hn_i_components(hn_ivec3 g) {
+  return vec3(hn_i_float(g.x), hn_i_float(g.y), hn_i_float(g.z)) * (1.0f / 65536.0f);
+}
 
 HN_FN hn_int hn_i_scaled_ramps(hn_int n, hn_int s) { return hn_i_scaled(n, s + s); }
 

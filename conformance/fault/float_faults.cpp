@@ -167,6 +167,30 @@ void add_arithmetic(std::vector<Fault>& faults) {
 
 void add_conversions(std::vector<Fault>& faults) {
   faults.push_back(
+      {.name = "mediump_conversions",
+       .fault = "a constructor has the default precision, not that of its argument",
+       .reported = "NVIDIA 580; KhronosGroup/glslang 999, 1087",
+       .injected = "in ES, a float made of an integer or a float keeps 11 bits, unless the function begins with "
+                   "`precision highp float`",
+       .remark = "",
+       .shim =
+           [](const ShimLanguage& language) {
+             std::string text;
+             for (const std::string_view type : {"float", "int", "uint", "bool"}) {
+               text += fmt::format(
+                   "highp float hn_fault_float({}{} a) {{ precision highp float; return "
+                   "unpackHalf2x16(packHalf2x16(vec2(a, 0.0))).x; }}\n",
+                   type == "bool" ? "" : language.highp(), type);
+             }
+             return text;
+           },
+       .rules = {.pattern = [](const Expression& node, const Rules::Render& render,
+                               Place& place) -> std::optional<std::string> {
+         if (called_with_one(node) != "float" || place.highp_by_default) return std::nullopt;
+         return fmt::format("hn_fault_float({})", render(node.parts[1]).whole());
+       }},
+       .concerns = [](const ShimLanguage& language) { return language.profile.es; }});
+  faults.push_back(
       {.name = "uint_to_float",
        .fault = "uint to float rounded wrongly",
        .reported = "seen on several",

@@ -28,6 +28,25 @@ std::optional<std::string> shifts_merge(const Expression& node, const Rules::Ren
                      node.token.text, render(inner.parts[1]).whole(), render(node.parts[1]).whole());
 }
 
+// A call of a function with two arguments.
+bool is_pair(const Expression& node, std::string_view function) {
+  return node.kind == Kind::call && node.parts[0].token.text == function && node.parts.size() == 2 &&
+         node.parts[1].kind == Kind::comma && node.parts[1].parts[0].kind != Kind::comma;
+}
+
+// Of max(max(x, -x), y), and of min, -x is lost.
+std::optional<std::string> negative_lost(const Expression& node, const Rules::Render& render, Place&) {
+  for (const std::string_view function : {"max", "min"}) {
+    if (!is_pair(node, function)) continue;
+    const Expression& arguments = node.parts[1];
+    const Expression& inner = bare(arguments.parts[0]);
+    if (!is_pair(inner, function) || bare(inner.parts[1].parts[1]).token.text != "-") continue;
+    return fmt::format("{0}(hn_fault_{0}({1}), {2})", function, render(inner.parts[1]).whole(),
+                       render(arguments.parts[1]).whole());
+  }
+  return std::nullopt;
+}
+
 const Rules::Names kArithmetic = {{"+", "hn_fault_add"}, {"-", "hn_fault_subtract"}, {"*", "hn_fault_multiply"}};
 
 // + - and * of every type, where int and uint results go through these functions of x.
@@ -116,6 +135,24 @@ void add_functions(std::vector<Fault>& faults) {
                                  unary_shim(language, "hn_fault_abs", "int", "return a;");
                         },
                     .rules = {.functions = {{"abs", "hn_fault_abs"}}}});
+  faults.push_back({.name = "negative_lost",
+                    .fault = "the largest of three integers, one the negative of another",
+                    .reported = "NVIDIA 580 on an H100 (docs/results/h100)",
+                    .injected = "`max(max(x, -x), y)` is max(x, y), and so is min",
+                    .remark = "",
+                    .shim =
+                        [](const ShimLanguage& language) {
+                          std::string text;
+                          for (const std::string_view function : {"max", "min"}) {
+                            const std::string name = fmt::format("hn_fault_{}", function);
+                            const std::string right = fmt::format("return {}(a, b);", function);
+                            text += binary_shim(language, name, "float", right) +
+                                    binary_shim(language, name, "uint", right) +
+                                    binary_shim(language, name, "int", "return a;");
+                          }
+                          return text;
+                        },
+                    .rules = {.pattern = negative_lost}});
   faults.push_back(
       {.name = "bit_casts_flat",
        .fault = "bit-cast hash goes flat",

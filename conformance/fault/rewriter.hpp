@@ -27,6 +27,7 @@ struct Rewritten {
 struct Place {
   bool in_loop = false;
   std::set<std::string, std::less<>> swizzled;  // the variables whose swizzles this function wrote so far
+  bool highp_by_default = false;                // whether this function set the precision of its scope
 };
 
 struct Rules {

@@ -1,4 +1,5 @@
 // Bugs of integer arithmetic.
+#include <algorithm>
 #include <cstdlib>
 
 #include "cases/bugs/tables.hpp"
@@ -202,6 +203,18 @@ void add_others(std::vector<Bug>& bugs) {
                   .points = points_of<std::int32_t>({0, 5, -5, -65537, 2147483647, -2147483647}, [](std::int32_t x) {
                     return Words{word(std::abs(x)), 12345u};
                   })});
+  bugs.push_back(
+      {.function = bug_function("bugs.larger_size", "x:i32 y:i32 = larger:i32 smaller:i32",
+                                "hn_int x = int(a.x);\nhn_int y = int(a.y);\n"
+                                "return uvec4(uint(max(max(x, -x), y)), uint(min(min(x, -x), y)), 0u, 0u);"),
+       .reference = "hashnoise docs/results/h100 (NVIDIA 580 takes max(max(x, -x), y) for max(x, y))",
+       .specification = "GLSL 4.60 section 8.3: max is the larger of two integers, and min the smaller one",
+       .defined = true,
+       .points = points({{word(-199), 35}, {word(-199), word(-35)}, {199, 35}, {7, 65537}, {word(-7), word(-65537)}},
+                        [](const Words& in) {
+                          const int size = std::abs(as_int(in[0]));
+                          return Words{word(std::max(size, as_int(in[1]))), word(std::min(-size, as_int(in[1])))};
+                        })});
   bugs.push_back(
       {.function = bug_function("bugs.bit_cast_hash", "x:f32 y:f32 = hash:u32",
                                 "hn_uint h = floatBitsToUint(float_of(a.x) + float_of(a.y));\n"
