@@ -34,9 +34,9 @@ MOVING = "docs/moving.md"
 LANGUAGES = "docs/languages.md"
 
 
-def tables(costs: numbers.Costs, times: of_commands.Times) -> list[tuple[str, str, str]]:
+def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
     """What pages have between marks: the page, the name of the marks, and the table."""
-    typical = numbers.typical()
+    typical, costs = numbers.typical(), numbers.costs(numbers.CPU)
     return [(README, "tools/readme: typical values", numbers.typical_table(typical, numbers.IN_README)),
             (SUMS, "tools/readme: typical values of sums", numbers.typical_table(typical, numbers.SUMS)),
             (SUMS, "tools/readme: typical values of sums in 1D and 4D",
@@ -44,16 +44,19 @@ def tables(costs: numbers.Costs, times: of_commands.Times) -> list[tuple[str, st
             (SUMS, "tools/readme: footprint", numbers.footprint_quote(numbers.footprint())),
             (LANGUAGES, "tools/readme: files", files.files_table()),
             (CONFORMANCE, "tools/readme: times", of_commands.times_table(times)),
-            (MEASURING, "tools/readme: costs", numbers.cost_table(costs)),
+            (MEASURING, "tools/readme: costs", numbers.cost_table(costs, "navi21", "on AMD's NAVI21")),
+            (MEASURING, "tools/readme: costs on a GPU",
+             numbers.cost_table(numbers.costs(numbers.GPU), "nvidia", "of NVIDIA's assembly")),
             (MEASURING, "tools/readme: noises", numbers.form_table(costs)),
-            (MEASURING, "tools/readme: peers", numbers.peer_table(numbers.peer_costs())),
+            (MEASURING, "tools/readme: peers", numbers.peer_table(numbers.peer_costs(numbers.CPU))),
+            (MEASURING, "tools/readme: peers on a GPU", numbers.peer_table(numbers.peer_costs(numbers.GPU))),
             *((MOVING, *named) for named in ports.page_tables(ports.read()))]
 
 
 def problems(check: bool) -> list[str]:
     """What is not as it should be, after the tables are written, or with check as they are."""
-    found, costs, times = [], numbers.costs(), of_commands.times()
-    for path, name, table in tables(costs, times):
+    found, times = [], of_commands.times()
+    for path, name, table in tables(times):
         page = (ROOT / path).read_text(encoding="utf-8")
         right = with_section(path, page, name, table)
         if not check:
@@ -62,7 +65,7 @@ def problems(check: bool) -> list[str]:
             found.append(f"{path}: a table is not what it should be; run tools/readme")
     readme = (ROOT / README).read_text(encoding="utf-8")
     found += [f"{README}: it must state {quote!r}"
-              for quote in (numbers.cost_quote(costs), of_commands.times_quote(times)) if quote not in readme]
+              for quote in (*numbers.cost_quotes(), of_commands.times_quote(times)) if quote not in readme]
     return found
 
 

@@ -14,8 +14,8 @@ from tables.peers import CALLS, PEERS, dimensions, subject
 from tree import ROOT
 from twin import compile_program
 
-BENCH = ROOT / "docs" / "results" / "llvmpipe" / "bench.csv"
-PEERS_RECORD = BENCH.with_name("peers.csv")
+RESULTS = ROOT / "docs" / "results"
+CPU, GPU = "llvmpipe", "h100"  # the renderers in RESULTS, of which pages tell
 Costs = Mapping[str, Mapping[str, str]]  # the rows of bench.csv, by id
 
 # --- Typical values -----------------------------------------------------------------------------------------------------
@@ -85,15 +85,15 @@ FORMS = ("perlin", "perlin_cell", "perlin_period", "perlin_d", "perlin_phase", "
          "cellular_nearest", "cellular_three", "cellular_d", "cellular_smooth", "cell_border")
 
 
-def costs() -> Costs:
-    return record(BENCH)
+def costs(renderer: str) -> Costs:
+    return _record(RESULTS / renderer / "bench.csv")
 
 
-def peer_costs() -> Costs:
-    return record(PEERS_RECORD)
+def peer_costs(renderer: str) -> Costs:
+    return _record(RESULTS / renderer / "peers.csv")
 
 
-def record(path: Path) -> Costs:
+def _record(path: Path) -> Costs:
     with open(path, newline="", encoding="utf-8") as file:
         return {row["id"]: row for row in csv.DictReader(file)}
 
@@ -103,10 +103,11 @@ def ids(noise: str) -> list[str]:
     return [f"{noise}{n}" if noise.startswith("table.") else f"noise{n}d.perlin.{noise}" for n in (2, 3)]
 
 
-def cost_table(rows: Costs) -> str:
+def cost_table(rows: Costs, count: str, whose: str) -> str:
+    """The ratios, and the instructions of a column of bench.csv."""
     lines = [[NOISES.get(noise, f"`{noise}`"), *(f"{float(rows[id]['ratio']):.2f}" for id in ids(noise)),
-              *(rows[id]["navi21"] for id in ids(noise))] for noise in ROWS]
-    return table(("noise", "2D", "3D", "instructions on AMD's NAVI21, 2D", "3D"), lines)
+              *(rows[id][count] for id in ids(noise))] for noise in ROWS]
+    return table(("noise", "2D", "3D", f"instructions {whose}, 2D", "3D"), lines)
 
 
 def form_table(rows: Costs) -> str:
@@ -133,10 +134,14 @@ def peer_table(rows: Costs) -> str:
 
 
 def _cost(row: Mapping[str, str]) -> str:
-    return f"{float(row['ratio']):.2f} · {row['navi21']}"
+    """The ratio, and the instructions on NAVI21 where they were counted."""
+    ratio = f"{float(row['ratio']):.2f}"
+    return f"{ratio} · {row['navi21']}" if row["navi21"].isdigit() else ratio
 
 
-def cost_quote(rows: Costs) -> str:
-    """What the README says of them."""
-    plane, space = (1 / float(rows[id]["ratio"]) for id in ids("lattice"))
-    return f"takes {plane:.1f} times as long in 2D, and {space:.1f} times in 3D"
+def cost_quotes() -> list[str]:
+    """What the README says of costs on the CPU and on a GPU."""
+    (plane, space), (gpu_plane, gpu_space) = (
+        [1 / float(rows[id]["ratio"]) for id in ids("lattice")] for rows in (costs(CPU), costs(GPU)))
+    return [f"takes {plane:.1f} times as long in 2D, and {space:.1f} times in 3D",
+            f"takes {gpu_plane:.1f} and {gpu_space:.1f} times as long"]

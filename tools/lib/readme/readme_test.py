@@ -2,7 +2,6 @@
 
 import contextlib
 import copy
-import csv
 import io
 import pathlib
 import re
@@ -119,7 +118,7 @@ class Numbers(unittest.TestCase):
     def test_other_numbers_are_noticed(self):
         typical = copy.deepcopy(numbers.typical())
         typical["hn_fbm", 3][1] += 0.1
-        costs = {**numbers.costs()}
+        costs = {**numbers.costs(numbers.CPU)}
         costs["noise2d.perlin.lattice"] = {**costs["noise2d.perlin.lattice"], "ratio": "9.999"}
         slower = {name: (60 + packages, build, run) for name, (packages, build, run) in times.times().items()}
         alike = {name: port._replace(scale=0.5) for name, port in ports.read().items()}
@@ -138,10 +137,12 @@ class Numbers(unittest.TestCase):
 
     @mock.patch.object(picture, "draw", new=lambda *_: 0)
     def test_a_record_without_a_row_is_told(self):
-        with tempfile.NamedTemporaryFile("w", suffix=".csv") as record:
-            csv.writer(record).writerow(["id", "ratio", "navi21"])
-            record.flush()
-            with mock.patch.object(numbers, "BENCH", pathlib.Path(record.name)), self.assertRaises(SystemExit) as stop:
+        with tempfile.TemporaryDirectory() as folder:
+            for renderer in (numbers.CPU, numbers.GPU):
+                record = pathlib.Path(folder) / renderer / "bench.csv"
+                record.parent.mkdir()
+                record.write_text("id,ratio,navi21,nvidia\n")
+            with mock.patch.object(numbers, "RESULTS", pathlib.Path(folder)), self.assertRaises(SystemExit) as stop:
                 self.check()
             self.assertEqual(stop.exception.code, 2)
 
