@@ -109,10 +109,25 @@ HN_FN hn_int hn_i_cell(hn_float p) { return ivec2(vec2(floor(p), 0.0f)).x; }
 HN_FN hn_ivec2 hn_i_cell(hn_vec2 p) { return ivec2(floor(p)); }
 HN_FN hn_ivec3 hn_i_cell(hn_vec3 p) { return ivec3(floor(p)); }
 HN_FN hn_ivec4 hn_i_cell(hn_vec4 p) { return ivec4(floor(p)); }
-HN_FN hn_float hn_i_fraction(hn_float p) { return p - floor(p); }
-HN_FN hn_vec2 hn_i_fraction(hn_vec2 p) { return p - floor(p); }
-HN_FN hn_vec3 hn_i_fraction(hn_vec3 p) { return p - floor(p); }
-HN_FN hn_vec4 hn_i_fraction(hn_vec4 p) { return p - floor(p); }
+
+// As written: of (p - floor(p)) - 1 with a constant p, SPIRV-Tools makes (p - 1) - floor(p), which is rounded far out.
+HN_FN hn_float hn_i_fraction(hn_float p) {
+  HN_I_AS_WRITTEN hn_float f = p - floor(p);
+  return f;
+}
+HN_FN hn_vec2 hn_i_fraction(hn_vec2 p) {
+  HN_I_AS_WRITTEN hn_vec2 f = p - floor(p);
+  return f;
+}
+HN_FN hn_vec3 hn_i_fraction(hn_vec3 p) {
+  HN_I_AS_WRITTEN hn_vec3 f = p - floor(p);
+  return f;
+}
+HN_FN hn_vec4 hn_i_fraction(hn_vec4 p) {
+  HN_I_AS_WRITTEN hn_vec4 f = p - floor(p);
+  return f;
+}
+
 HN_FN hn_float hn_i_inside(hn_float f) { return f; }
 HN_FN hn_vec2 hn_i_inside(hn_vec2 f) { return f; }
 HN_FN hn_vec3 hn_i_inside(hn_vec3 f) { return f; }

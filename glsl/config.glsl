@@ -159,6 +159,14 @@
 #error HN_PRECISE needs GLSL 4.00, GLSL ES 3.20, HLSL or C++: write #version 400 or #version 320 es, or take HN_FIXED
 #endif
 
+// Stands before the type of a float that must be computed as it is written, in shaders for Vulkan. The optimizer of
+// SPIR-V reorders operations on constants, which no compiler of OpenGL was seen to do.
+#if defined(VULKAN) && HN_I_HAS_PRECISE
+#define HN_I_AS_WRITTEN HN_I_KEYWORD
+#else
+#define HN_I_AS_WRITTEN
+#endif
+
 // Stands before the type of every computed float: each operation is rounded on its own, in the order that is written.
 // The qualifier does not reach through a call, so it stands on the locals of every step.
 #if HN_ARITHMETIC == HN_PRECISE
