@@ -66,10 +66,11 @@ std::string both_overloads(std::string_view file, std::span<const Function* cons
   return text;
 }
 
-// Of a sum one octave: in a loop whose end is not known a compiler sees nothing.
+// Of a sum two octaves, of which the second has a lacunarity and a gain: in a loop whose end is not known a compiler
+// sees nothing.
 std::string one_octave(const Function& function) {
   const int word = function.input("octaves");
-  return word < 0 ? "" : fmt::format("{}.{} = 1u; ", "abcd"[word / 4], "xyzw"[word % 4]);
+  return word < 0 ? "" : fmt::format("{}.{} = 2u; ", "abcd"[word / 4], "xyzw"[word % 4]);
 }
 
 std::string difference_of_both(std::span<const Function* const> functions) {
