@@ -165,6 +165,17 @@ void add_arithmetic(std::vector<Fault>& faults) {
                     .rules = {.operators = kArithmetic}});
 }
 
+// hn_fault_float: what stands for the constructor of a float, with that result of an argument a.
+std::string constructor_shim(const ShimLanguage& language, std::string_view before, std::string_view result,
+                             std::string_view of_uint) {
+  std::string text;
+  for (const std::string_view type : {"float", "int", "uint", "bool"}) {
+    text += fmt::format("{0}float hn_fault_float({1}{2} a) {{ {3}return {4}; }}\n", language.highp(),
+                        type == "bool" ? "" : language.highp(), type, before, type == "uint" ? of_uint : result);
+  }
+  return text;
+}
+
 void add_conversions(std::vector<Fault>& faults) {
   faults.push_back(
       {.name = "mediump_conversions",
@@ -175,14 +186,8 @@ void add_conversions(std::vector<Fault>& faults) {
        .remark = "",
        .shim =
            [](const ShimLanguage& language) {
-             std::string text;
-             for (const std::string_view type : {"float", "int", "uint", "bool"}) {
-               text += fmt::format(
-                   "highp float hn_fault_float({}{} a) {{ precision highp float; return "
-                   "unpackHalf2x16(packHalf2x16(vec2(a, 0.0))).x; }}\n",
-                   type == "bool" ? "" : language.highp(), type);
-             }
-             return text;
+             constexpr std::string_view kHalf = "unpackHalf2x16(packHalf2x16(vec2(a, 0.0))).x";
+             return constructor_shim(language, "precision highp float; ", kHalf, kHalf);
            },
        .rules = {.pattern = [](const Expression& node, const Rules::Render& render,
                                Place& place) -> std::optional<std::string> {
@@ -198,12 +203,7 @@ void add_conversions(std::vector<Fault>& faults) {
        .remark = "beyond 24 bits any rounding is allowed: a warning",
        .shim =
            [](const ShimLanguage& language) {
-             const std::string f = language.highp() + "float ";
-             return fmt::format(
-                 "{0}hn_fault_float({1}float a) {{ return a; }}\n{0}hn_fault_float({1}int a) {{ return float(a); }}\n"
-                 "{0}hn_fault_float(bool a) {{ return float(a); }}\n"
-                 "{0}hn_fault_float({1}uint a) {{ return float(a >= 0x800000u ? a & 0xFFFFFFFEu : a); }}\n",
-                 f, language.highp());
+             return constructor_shim(language, "", "float(a)", "float(a >= 0x800000u ? a & 0xFFFFFFFEu : a)");
            },
        .rules = {.functions = {{"float", "hn_fault_float"}}}});
   faults.push_back(
