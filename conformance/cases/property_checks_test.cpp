@@ -104,8 +104,8 @@ TEST_F(Extreme, ASumOverAnotherNoiseThatIsNotThatSumIsCaught) {
       {"fbm.fbm3_detail.lattice.fast.fragment.gl330.other_noise", "octave.glsl", "hn_float total = part",
        "hn_float total = 1.0f"},
       // The position of a place that is outside of its cell.
-      {"fbm.fbm2.lattice.fast.fragment.gl330.other_noise", "place.glsl", "hn_i_float(cell) + (fraction + hn_i_float(rest))",
-       "hn_i_float(cell) - (fraction + hn_i_float(rest))"},
+      {"fbm.fbm2.lattice.fast.fragment.gl330.other_noise", "place.glsl",
+       "hn_i_float(cell) + (fraction + hn_i_float(rest))", "hn_i_float(cell) - (fraction + hn_i_float(rest))"},
       {"fbm.fbm3_cell.lattice.fixed.fragment.gl330.other_noise", "place.glsl", "fraction * 16 + rest",
        "fraction * 32 + rest"}};
   for (const Replaced& fault : kFaults) expect_replaced_caught(fault);

@@ -68,7 +68,7 @@ std::string both_overloads(std::string_view file, std::span<const Function* cons
 
 // Of a sum two octaves, of which the second has a lacunarity and a gain: in a loop whose end is not known a compiler
 // sees nothing.
-std::string one_octave(const Function& function) {
+std::string two_octaves(const Function& function) {
   const int word = function.input("octaves");
   return word < 0 ? "" : fmt::format("{}.{} = 2u; ", "abcd"[word / 4], "xyzw"[word % 4]);
 }
@@ -79,7 +79,7 @@ std::string difference_of_both(std::span<const Function* const> functions) {
     const auto argument = [](std::size_t parameter) { return std::string(1, static_cast<char>('a' + parameter)); };
     const std::string arguments = arguments_of(*functions[i], argument);
     text += fmt::format("if (d.w == {0}u) {{ {1}r = seeded{0}({2}) ^ unseeded{0}({2}); }}\n", i,
-                        one_octave(*functions[i]), arguments);
+                        two_octaves(*functions[i]), arguments);
   }
   return text + "return r;";
 }
