@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
-#include <functional>
 #include <map>
+#include <set>
+#include <string_view>
 #include <utility>
 
 #include "cases/bugs/bugs.hpp"
@@ -89,13 +91,23 @@ CaseResult run_case(const Suite& suite, const Case& test) {
   return timed(test.id, [&] { return std::get<ReferenceKind>(*test.kind).check(suite); });
 }
 
-std::vector<Case> all_cases(Scope scope) {
+namespace {
+
+std::vector<Case> listed(Scope scope, const Subjects* subjects) {
   std::vector<Case> cases;
-  add_value_cases(cases, scope);
-  add_compile_cases(cases, scope);
+  add_value_cases(cases, scope, subjects);
+  const auto is_function = [](const std::string& subject) {
+    return std::ranges::any_of(all_functions(), [&](const Function& function) { return function.id == subject; });
+  };
+  if (!subjects || !std::ranges::all_of(*subjects, is_function)) add_compile_cases(cases, scope);
   add_bug_cases(cases);
   return cases;
 }
+
+}  // namespace
+
+std::vector<Case> all_cases(Scope scope) { return listed(scope, nullptr); }
+std::vector<Case> all_cases_of(const Subjects& subjects) { return listed(Scope::thorough, &subjects); }
 
 std::vector<std::string> ids_of(const std::vector<Case>& cases) {
   std::vector<std::string> ids;
@@ -105,36 +117,38 @@ std::vector<std::string> ids_of(const std::vector<Case>& cases) {
 
 namespace {
 
-// The cases by their ids. A process that asks again does not list them again.
-const std::map<std::string, Case, std::less<>>& cases_by_id(Scope scope) {
-  static std::map<Scope, std::map<std::string, Case, std::less<>>> lists;
-  auto& list = lists[scope];
-  if (!list.empty()) return list;
-  for (Case& test : all_cases(scope)) {
-    std::string id = test.id;
-    list.emplace(std::move(id), std::move(test));
+// Adds those of the cases that have one of these ids to `found`.
+void add_found(std::map<std::string_view, const Case*>& found, const std::vector<Case>& cases,
+               const std::set<std::string_view>& ids) {
+  for (const Case& test : cases) {
+    if (const auto id = ids.find(test.id); id != ids.end()) found.emplace(*id, &test);
   }
-  return list;
 }
+
+// The function that a case evaluates, by its id; of another case the words that stand there.
+std::string subject_of(std::string_view id) { return std::string(id.substr(0, id.find('.', id.find('.') + 1))); }
 
 }  // namespace
 
 Result<std::vector<Case>> cases_with(std::span<const std::string> ids) {
-  std::vector<Case> cases;
-  for (const Scope scope : {Scope::covered, Scope::thorough}) {  // the second takes ten times as long to list
-    const auto& all = cases_by_id(scope);
-    cases.clear();
-    std::string missing;
-    for (const std::string& id : ids) {
-      const auto found = all.find(id);
-      if (found != all.end()) {
-        cases.push_back(found->second);
-      } else {
-        missing = id;
-      }
+  static const std::vector<Case> covered = all_cases(Scope::covered);
+  const std::set<std::string_view> wanted(ids.begin(), ids.end());
+  std::map<std::string_view, const Case*> found;
+  add_found(found, covered, wanted);
+  std::vector<Case> further;
+  if (found.size() < wanted.size()) {
+    Subjects subjects;
+    for (const std::string_view id : wanted) {
+      if (!found.contains(id)) subjects.insert(subject_of(id));
     }
-    if (missing.empty()) return cases;
-    if (scope == Scope::thorough) return fail(fmt::format("there is no case {}", missing));
+    further = all_cases_of(subjects);
+    add_found(found, further, wanted);
+  }
+  std::vector<Case> cases;
+  for (const std::string& id : ids) {
+    const auto test = found.find(id);
+    if (test == found.end()) return fail(fmt::format("there is no case {}", id));
+    cases.push_back(*test->second);
   }
   return cases;
 }

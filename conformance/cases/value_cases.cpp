@@ -156,11 +156,12 @@ const std::vector<std::set<std::string_view>>& chosen_further_cases() {
 
 }  // namespace
 
-void add_value_cases(std::vector<Case>& cases, Scope scope) {
+void add_value_cases(std::vector<Case>& cases, Scope scope, const Subjects* subjects) {
   const std::vector<PlannedProgram>& programs = all_programs();
   const std::vector<Extent>& extents = program_extents();
   for (std::size_t i = 0; i < programs.size(); ++i) {
     const PlannedProgram& program = programs[i];
+    if (subjects && !subjects->contains(program.function->id)) continue;
     const std::set<std::string_view>& chosen = chosen_further_cases()[i];
     const bool thorough = scope == Scope::thorough;
     const bool for_es = is_in_es_cover()[i];
