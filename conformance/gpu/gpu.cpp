@@ -66,13 +66,16 @@ constexpr GLsizei kBlock = 4;
 GLsizei whole_blocks(GLsizei pixels) { return (pixels + kBlock - 1) / kBlock * kBlock; }
 
 // A grid of four words a point, bound to the unit at hand.
+void allocate(const GladGLContext& gl, GLsizei rows) {
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32UI, kSide, rows, 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, nullptr);
+}
+
 GLuint make_texture(const GladGLContext& gl) {
   GLuint texture = 0;
   gl.GenTextures(1, &texture);
   gl.BindTexture(GL_TEXTURE_2D, texture);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32UI, kSide, kSide, 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, nullptr);
   return texture;
 }
 
@@ -157,6 +160,7 @@ GridRenderer::GridRenderer(const Context& context) : gl_(context.gl()) {
   gl_.GenVertexArrays(1, &vertex_array_);
   gl_.ActiveTexture(GL_TEXTURE0);  // the other units are other people's
   output_texture_ = make_texture(gl_);
+  allocate(gl_, kSide);
   gl_.GenFramebuffers(1, &framebuffer_);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, output_texture_, 0);
@@ -179,6 +183,10 @@ void GridRenderer::upload(std::size_t texture, std::span<const std::uint32_t> in
   gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(texture));
   if (textures_[texture] == 0) textures_[texture] = make_texture(gl_);
   gl_.BindTexture(GL_TEXTURE_2D, textures_[texture]);
+  if (rows_[texture] < height) {  // llvmpipe clears what it allocates: no more of it than somebody needs
+    allocate(gl_, height);
+    rows_[texture] = height;
+  }
   gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA_INTEGER, GL_UNSIGNED_INT, words.data());
 }
 
