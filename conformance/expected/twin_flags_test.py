@@ -18,14 +18,15 @@ import tempfile
 import unittest
 
 COMPILERS = []
-THOROUGH = False
+THOROUGH = "--thorough" in sys.argv
 FUNCTIONS = ()  # the macros that choose them
 HERE = pathlib.Path(__file__).resolve().parent
 # The library asks compilers to inline every function, and then most of the time goes into compiling the same text for
-# each caller. What is optimised most has that; else they inline none of it, or what they choose.
+# each caller. With --thorough what is optimised most has that; else they inline none of it, or what they choose.
 INLINE_NONE = "-Dalways_inline=noinline"
 INLINE_SOME = "-Dalways_inline=unused"  # an attribute that says nothing about it
-LEVELS = (("-O0", INLINE_NONE), ("-O2", INLINE_SOME), ("-O3", "-march=native", "-ffast-math"))
+INLINE_MOST = () if THOROUGH else (INLINE_SOME,)
+LEVELS = (("-O0", INLINE_NONE), ("-O2", INLINE_SOME), ("-O3", "-march=native", "-ffast-math", *INLINE_MOST))
 CONTRACTION = ((), ("-ffp-contract=fast",))
 SANITIZED = ("-O1", INLINE_NONE, "-fsanitize=undefined,float-cast-overflow", "-fno-sanitize-recover=all")
 GRADIENTS = ("HN_GRADIENT_OCTAHEDRAL", "HN_GRADIENT_SINE")
@@ -124,7 +125,6 @@ class Flags(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    THOROUGH = "--thorough" in sys.argv
     FUNCTIONS = () if "--every-function" in sys.argv else ("HN_TEST_EACH_KIND",)
     COMPILERS = [argument for argument in sys.argv[1:] if not argument.startswith("--")]
     unittest.main(argv=sys.argv[:1])

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import os
+import unittest
 from collections.abc import Sequence
 from typing import TypeVar
 
 Choice = TypeVar("Choice")
 THOROUGH = "HN_THOROUGH" in os.environ
+# For tests that take long and hold what changes seldom, beside others of the same that are run always.
+in_thorough_runs = unittest.skipUnless(THOROUGH, "takes long: tools/test --thorough")
 
 
 def some(choices: Sequence[Choice], turn: int, count: int = 1) -> Sequence[Choice]:

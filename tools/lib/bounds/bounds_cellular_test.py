@@ -11,6 +11,7 @@ from bounds import cellular_model as model
 from bounds.exact_model import direction
 from bounds.float_model import Shader, shaders
 from bounds.table import bounds_of, slope_bounds_of
+from thorough import in_thorough_runs
 
 DIMS = (2, 3)
 COUNT = {2: 3000, 3: 800}
@@ -30,6 +31,7 @@ class Blocks(unittest.TestCase):
             block = features.neighbours(dims) | features.slab(dims, 0)
             self.assertEqual(features.not_proven(block, dims, 3), [])
 
+    @in_thorough_runs
     def test_fails_for_smaller_blocks(self):
         """Without any one cell; without the slab, or with one along another axis; and for 2^n cells, even for the
         nearest point alone."""
@@ -70,6 +72,7 @@ class Blocks(unittest.TestCase):
                 seen |= bool((of_all[2] < of_block[2]).any())
             self.assertTrue(seen)  # so the slab is needed
 
+    @in_thorough_runs
     def test_borders_on_the_plane(self):
         """What is proven is this and no more: with smaller boxes 0.028, which takes a minute. 3^n cells have more."""
         wrong, _ = borders.prove(borders.block(2), 2, 5, 6)
@@ -77,6 +80,7 @@ class Blocks(unittest.TestCase):
         wrong, smaller = (borders.prove(cells, 2, 4, 5)[0] for cells in (borders.block(2), features.neighbours(2)))
         self.assertTrue(wrong < 0.17 and smaller > 0.23)
 
+    @in_thorough_runs
     def test_borders_are_searched(self):
         """In space nothing but this says that the block is large enough. It finds the faults of the 3^n cells, and of
         blocks without one of the slabs."""
@@ -111,6 +115,7 @@ class Ranges(unittest.TestCase):
                 found = features.largest_distance(dims, count)
                 self.assertTrue(end <= found < end * 1.0001)
 
+    @in_thorough_runs
     def test_random_points_are_within(self):
         rng = np.random.default_rng(34)
         for dims in DIMS:
@@ -171,6 +176,7 @@ class Errors(unittest.TestCase):
             bound = getattr(bounds, kind)
             self.assertTrue(bound * least[name] < error < bound, (name, dims, error, bound))
 
+    @in_thorough_runs
     def test_floats(self):
         """Borders are compared with a bound for points that nearly touch, which random ones seldom do."""
         least = {"cellular": 1 / 12, "cellular_three": 1 / 12, "cellular_smooth": 1 / 8, "cell_border": 1 / 2000,
@@ -210,6 +216,7 @@ class Errors(unittest.TestCase):
         points = cells, words, f, np.zeros(2000)
         return abs(model.Exact(*points).nearest("euclidean")[0] - model.Fixed(*points).nearest("euclidean")[0]).max()
 
+    @in_thorough_runs
     def test_borders_of_points_that_nearly_touch(self):
         """Along a line from one point to the other, and aside of it: within the bounds, and of some size."""
         for dims in DIMS:

@@ -16,6 +16,7 @@ from bounds.gradients import OCTAHEDRAL, SINE
 from bounds.noises.perlin import fixed as perlin
 from bounds.noises.perlin.exact import range_bound
 from bounds.table import bounds_of, slope_bounds_of
+from thorough import in_thorough_runs
 
 CASES = noises.find("perlin").CASES
 DIMS = (1, 2, 3, 4)
@@ -51,6 +52,7 @@ class Noise(unittest.TestCase):
         return (fixed.perlin(kind, words_of, fractions) / 2**21,
                 exact.perlin(kind, words_of, [f / ONE for f in fractions])[0])
 
+    @in_thorough_runs
     def test_adverse_gradients(self):
         """They make the error of the fade as negative as it can be, as LERP is. There is no cut here, and of the sine
         no error that adds up."""

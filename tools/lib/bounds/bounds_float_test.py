@@ -17,7 +17,7 @@ from bounds.noises import value as value_noise
 from bounds.noises import value_cubic
 from bounds.noises.perlin import floats as perlin
 from bounds.table import bounds_of, slope_bounds_of
-from thorough import some
+from thorough import in_thorough_runs, some
 
 CASES = noises.find("perlin").CASES
 DIMS = (1, 2, 3, 4)
@@ -96,6 +96,7 @@ class FloatError(unittest.TestCase):
         for dims in DIMS[:3]:
             yield self.value_cubic, dims, None, lambda ulps, dims=dims: (value_cubic.error_bound(dims, ulps), None)
 
+    @in_thorough_runs
     def test_simulated_from_cell(self):
         for noise, dims, kind, bounds in self.every_noise():
             for seen, bound in zip(self.largest(noise, dims, kind), bounds(1.0)):
@@ -109,6 +110,7 @@ class FloatError(unittest.TestCase):
                 if bound:
                     self.assertTrue(bound / 30 < seen < bound, (noise, dims, seen, bound))
 
+    @in_thorough_runs
     def test_fails_with_fewer_bits(self):
         for noise, dims, kind, bounds in self.every_noise():
             fewer = [Shader("nearest", 7, lost_bits=6)]
@@ -225,6 +227,7 @@ class Octaves(unittest.TestCase):
     def assert_near(self, worst, least):
         self.assertTrue(all(ratio > least for ratio in worst.values()), worst)
 
+    @in_thorough_runs
     def test_simulated(self):
         self.assert_near(self.check(self.random_sum), 1 / 100)
 
@@ -232,11 +235,13 @@ class Octaves(unittest.TestCase):
         """Where positions are exact: what is left are the steps of the sum. A single octave hardly has any."""
         self.assert_near(self.check(lambda rng, name: self.random_sum(rng, name, octaves=1)), 1 / 15)
 
+    @in_thorough_runs
     def test_with_a_period(self):
         def arguments(rng, name):
             return self.random_sum(rng, name, lacunarity=float(rng.integers(0, 4)), turns=False)
         self.assert_near(self.check(arguments), 1 / 60)
 
+    @in_thorough_runs
     def test_from_a_cell(self):
         def arguments(rng, name):
             return self.random_sum(rng, name, p_max=2.0**20, lacunarity=to_float(rng.uniform(0, 3)), from_cell=True)
@@ -253,6 +258,7 @@ class Octaves(unittest.TestCase):
         for arguments in (details, footprints):
             self.assert_near(self.check(arguments, ("fbm",)), 1 / 100)
 
+    @in_thorough_runs
     def test_simulated_with_exact_positions(self):
         def arguments(rng, name):
             return self.random_sum(rng, name, p_max=16.0, lacunarity=2.0, gain=0.5, turns=False, exact_positions=True)

@@ -18,6 +18,7 @@ from bounds.gradients import OCTAHEDRAL
 from bounds.integers import SLOPE_UNIT, UNIT
 from bounds.sums import SHIFTS, SLOPED, Sum
 from bounds.table import bounds_of, slope_bounds_of
+from thorough import in_thorough_runs
 
 DIMS = (2, 3)
 KINDS = SLOPED + SHIFTS
@@ -77,12 +78,14 @@ class Fixed(unittest.TestCase):
     def assert_near(self, worst, least):
         self.assertTrue(all(ratio > least for ratio in worst.values()), worst)
 
+    @in_thorough_runs
     def test_simulated(self):
         self.assert_near(self.check(count=2000), 1 / 15)
 
     def test_first_octave(self):
         self.assert_near(self.check(octaves=1), 1 / 8)
 
+    @in_thorough_runs
     def test_usual_arguments(self):
         """Of 6 octaves, as the tables have them. The worst case of a progressive warp is rare."""
         for kind, least, others in (("fbm_d", 1 / 12, {}), ("eroded", 1 / 20, {"strength": 1.0}),
@@ -99,6 +102,7 @@ class Fixed(unittest.TestCase):
     def test_from_a_cell(self):
         self.assert_near(self.check(from_cell=True), 1 / 15)
 
+    @in_thorough_runs
     def test_at_the_ends_of_the_domain(self):
         """Results of 8 and more, of which bits are dropped, and frames and steps that are as large as they may be."""
         for gain, lacunarity, octaves in ((1.0, 1.0, 32), (1.0, 4.0, 3), (0.25, 252.0, 2), (0.75, 1.25, 20)):
@@ -179,16 +183,19 @@ class Floats(unittest.TestCase):
     def assert_near(self, worst, least):
         self.assertTrue(all(ratio > least for ratio in worst.values()), worst)
 
+    @in_thorough_runs
     def test_simulated(self):
         self.assert_near(self.check(), 1 / 60)
 
     def test_first_octave(self):
         self.assert_near(self.check(octaves=1), 1 / 60)
 
+    @in_thorough_runs
     def test_with_a_period(self):
         self.assert_near(self.check(arguments=lambda rng: {"lacunarity": float(rng.integers(0, 4))}, turns=False),
                          1 / 100)
 
+    @in_thorough_runs
     def test_from_a_cell(self):
         self.assert_near(self.check(from_cell=True, p_max=2.0**16), 1 / 60)
 

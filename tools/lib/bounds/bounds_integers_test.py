@@ -17,7 +17,7 @@ from bounds.gradients import OCTAHEDRAL
 from bounds.noises import value as value_noise
 from bounds.noises.perlin import fixed as perlin
 from bounds.table import bounds_of
-from thorough import THOROUGH
+from thorough import THOROUGH, in_thorough_runs
 
 CASES = noises.find("perlin").CASES
 DIMS = (1, 2, 3, 4)
@@ -52,6 +52,7 @@ class Integers(unittest.TestCase):
         self.assertTrue((error <= allowed + 1e-6).all() and (error >= -1e-6 - (t < 0) * allowed).all())
         self.assertGreater((error / np.maximum(allowed, 1)).max(), 0.95)
 
+    @in_thorough_runs
     def test_effects_hold_in_boxes(self):
         """FADE of random fractions with their errors, against the bounds of the boxes that they are in."""
         rng = np.random.default_rng(11)
@@ -172,12 +173,14 @@ class Octaves(unittest.TestCase):
     def assert_near(self, worst, least):
         self.assertTrue(all(ratio > least for ratio in worst.values()), worst)
 
+    @in_thorough_runs
     def test_simulated(self):
         self.assert_near(self.check(self.random_sum, count=4000), 1 / 12)
 
     def test_first_octave(self):
         self.assert_near(self.check(lambda rng, name: self.random_sum(rng, name, octaves=1)), 1 / 6)
 
+    @in_thorough_runs
     def test_far_out(self):
         """Where floats have lost the fraction: the last octave at 2^18, with a lacunarity that is no float near it."""
         self.check(lambda rng, name: self.random_sum(rng, name, octaves=9, lacunarity=float(np.float32(2.1)), gain=0.5,
@@ -186,6 +189,7 @@ class Octaves(unittest.TestCase):
     def test_from_a_cell(self):
         self.check(lambda rng, name: self.random_sum(rng, name, from_cell=True))
 
+    @in_thorough_runs
     def test_with_a_period(self):
         def arguments(rng, name, **others):
             return self.random_sum(rng, name, turns=False, lacunarity=float(rng.integers(0, 4)), **others)

@@ -16,6 +16,7 @@ from bounds.kernel_shader import KernelShader, TurnedPerlin, shaders
 from bounds.kernels import SIMPLEX, SMOOTH, Offsets, Quantity
 from bounds.noises import curl
 from bounds.table import bounds_of
+from thorough import in_thorough_runs
 
 NOISES = [("simplex", kernel, False) for kernel in SIMPLEX.values()]
 NOISES += [("simplex_smooth", kernel, False) for kernel in SMOOTH.values()]
@@ -89,6 +90,7 @@ class Exact(unittest.TestCase):
             reach *= 0.8
         return float(function(places).max())
 
+    @in_thorough_runs
     def test_bounds_are_attained(self):
         """By the library's gradients; a bound a little smaller would be refuted."""
         for kernel in (*SIMPLEX.values(), *SMOOTH.values()):
@@ -100,6 +102,7 @@ class Exact(unittest.TestCase):
                 seen = self.searched(lambda place: kernels.attained(kernel, quantity, support, place), kernel.dims)
                 self.assertTrue(0.999 * bound < seen <= bound, (kernel.dims, quantity, seen, bound))
 
+    @in_thorough_runs
     def test_scales_leave_little_room(self):
         for noise, kernel, turning in NOISES:
             exactly = turns.range_of(kernel) if turning else kernels.range_of(kernel, kernel.gradient)
@@ -199,6 +202,7 @@ class Fixed(unittest.TestCase):
                 seen, seen_slope = self.perlin_errors(dims)
             self.assertTrue(seen > value.fixed_error and seen_slope > slope.fixed_error)
 
+    @in_thorough_runs
     def test_curl(self):
         """The contract's products, of random derivatives."""
         rng, (row, slope) = np.random.default_rng(7), (bounds_of("curl", 3, "octahedral"), proven("simplex", 3)[1])
@@ -225,6 +229,7 @@ class Floats(unittest.TestCase):
         computed = [shader.simplex(kernel, words, f, phase) for shader in some]
         return np.max([largest_differences(one, expected) for one in computed], axis=0)
 
+    @in_thorough_runs
     def test_any_rounding(self):
         for noise, kernel, turning in NOISES:
             value, slope = proven(noise, kernel.dims)
@@ -241,6 +246,7 @@ class Floats(unittest.TestCase):
             self.assertGreater(seen, value.cell_error, noise)
             self.assertGreater(seen_slope, slope.cell_error if slope else 0, noise)
 
+    @in_thorough_runs
     def test_turned_perlin(self):
         rng = np.random.default_rng(12)
         for dims in (2, 3):

@@ -15,6 +15,7 @@ from bounds.noises import value_cubic
 from bounds.noises.perlin import exact as perlin
 from bounds.noises.perlin.exact import SCALE
 from bounds.table import bounds_of, slope_bounds_of
+from thorough import in_thorough_runs
 
 CASES = noises.find("perlin").CASES
 DIMS = (1, 2, 3, 4)
@@ -98,6 +99,7 @@ class Search(unittest.TestCase):
         half = supremum(bound, cell(2, half=True), 20, 1e-4)
         self.assertTrue(0.25 <= half < 0.2501)
 
+    @in_thorough_runs
     def test_bounds_are_attained(self):
         """Nearly, by a search, for each quantity; so a bound a little smaller would be refuted."""
         cases = [*CASES, *((dims, None) for dims in DIMS)]

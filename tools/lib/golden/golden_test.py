@@ -34,7 +34,7 @@ from oracle.sums import SHIFT
 from tables.configurations import read_configurations
 from tables.functions import NOISES, OCTAVE_SUMS, Function, read_functions
 from tables.inc import TableError
-from thorough import THOROUGH, some
+from thorough import THOROUGH, in_thorough_runs, some
 
 
 FUNCTIONS = {function.id: function for function in read_functions()}
@@ -263,6 +263,7 @@ class GoldenContents(unittest.TestCase):
                 phases = {cell % period for cell, of in found if of == period}
                 self.assertTrue({0, period - 1} <= phases, (n, period))
 
+    @in_thorough_runs
     def test_cellular_rows_choose_every_jitter_and_metric(self) -> None:
         metrics: dict[str, set[int]] = {}
         for function in CELLULAR:
@@ -322,6 +323,7 @@ class GoldenContents(unittest.TestCase):
             if function.noise == "cell_border" and not function.sets:
                 self.assertGreater(len(cellular_rows.far_borders(function)), 1)
 
+    @in_thorough_runs
     def test_cellular_positions_are_near_and_far(self) -> None:
         for function in CELLULAR:
             if function.form == "position":
@@ -334,6 +336,7 @@ class GoldenContents(unittest.TestCase):
         knobs = knobs_of(next(configuration for configuration in SETTINGS if configuration.name == setting))
         return [row for row in rows if not cellular_rows.is_clear(function, knobs, row)]
 
+    @in_thorough_runs
     def test_the_nearest_point_is_clear_where_it_matters(self) -> None:
         jumping = [function for function in CELLULAR if cellular_rows.jumps(function)]
         self.assertEqual(len(jumping), 2 * (3 + 6 + 2))
@@ -346,6 +349,7 @@ class GoldenContents(unittest.TestCase):
             more = rows_with(function.id, "lattice+fixed")[len(rows):]
             self.assertGreater(len(self.unclear(function, more, "lattice")), 2 * cellular_rows.CHANGES - 1)
 
+    @in_thorough_runs
     def test_fixed_arithmetic_has_ties_and_changes_of_the_nearest_point(self) -> None:
         knobs = knobs_of(next(setting for setting in SETTINGS if setting.name == "lattice+fixed"))
         for function in CELLULAR:
@@ -394,6 +398,7 @@ class GoldenContents(unittest.TestCase):
             # By more than the contract allows.
             self.assertGreater(max(abs(a - b) for a, b in zip(even, other)), 2**-19, (n, knobs))
 
+    @in_thorough_runs
     def test_the_sine_is_exact_enough_for_the_nearest_double(self) -> None:
         # The weights of the components of a noise sum to n / 2 at most; clouds are up to three times as steep as it.
         margin = 3 * Fraction(3, 2) * gradients.SINE_ERROR
@@ -508,6 +513,7 @@ class GoldenContents(unittest.TestCase):
                     other, = file.evaluate(row)
                 self.assertGreater(abs(value - other), 2**-12, (function.id, configuration))
 
+    @in_thorough_runs
     def test_octaves_of_floats_are_in_the_domain(self) -> None:
         for function in SUMS:
             far = 0

@@ -7,6 +7,7 @@ import unittest
 from npm import twin
 from npm.files import ARITHMETICS, glsl_files, package, readme
 from single_file.files import flatten, in_order, minified, parts
+from thorough import in_thorough_runs
 from tree import GLSL, ROOT, version
 from wgsl.module import Module, Settings
 
@@ -98,6 +99,7 @@ class Package(unittest.TestCase):
 
 
 class Twin(unittest.TestCase):
+    @in_thorough_runs
     def test_it_is_the_same_every_time(self):
         try:
             first = twin.compiled()

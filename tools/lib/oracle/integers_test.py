@@ -11,6 +11,7 @@ from fractions import Fraction
 from golden.generator import generator_of
 from oracle import gradients, integers, noises, words
 from oracle.gradients import Knobs
+from thorough import in_thorough_runs
 
 PERLIN = noises.find("perlin")
 
@@ -57,6 +58,7 @@ class Fade(unittest.TestCase):
         self.assertLess(around[0], around[8])
         self.assertLess(around[8], around[16])
 
+    @in_thorough_runs
     def test_all_fractions(self) -> None:
         values = [integers.fade(f) for f in range(UNIT + 1)]  # raises where an intermediate value does not fit
         self.assertEqual((values[0], values[UNIT]), (0, 2**18))

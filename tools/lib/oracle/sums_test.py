@@ -14,6 +14,7 @@ from golden.generator import generator_of
 from oracle import noises, sums
 from oracle.gradients import Knobs, Real
 from oracle.sums import Options, Terms
+from thorough import in_thorough_runs
 
 PERLIN = noises.find("perlin")
 SETTINGS = (Knobs("lattice"), Knobs("fnv1"), Knobs("lattice", sine=True))
@@ -254,6 +255,7 @@ class OctaveSums(unittest.TestCase):
                              first * sum(sums.weights(Options(octaves, 2.0, 0.5))))
         self.assertEqual(exact("fbm", Knobs("pcg"), p, Options(5, 2.0, 0.5, footprint=1.5), seed), 0)
 
+    @in_thorough_runs
     def test_ranges(self) -> None:
         numbers = generator_of("ranges")
         for n, knobs in itertools.product((2, 3), SETTINGS):
@@ -417,6 +419,7 @@ class FixedSums(unittest.TestCase):
         # The low bits of a weight: 1000 of 2^18 is 1 * 512 + 488, so 2^18 // 512 * 488 is added to 2^18 * 1.
         self.assertEqual(mean([0, 2**18], [one, 1000]), (2**18 + 2**9 * 488 >> 9) * one // (one + 1000))
 
+    @in_thorough_runs
     def test_density(self) -> None:
         self.assertEqual([sums.density(v) for v in (-2**21, -2**18, 2**18, 3 * 2**18, 2**21)],
                          [0, 0, 2**20, 2**21, 2**21])

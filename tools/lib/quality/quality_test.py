@@ -22,7 +22,7 @@ from quality import gate
 from quality import judgement
 from quality import library
 from quality import report
-from thorough import some
+from thorough import in_thorough_runs, some
 from tree import ROOT
 
 SHAPES = {2: (512, 512), 3: (32, 32, 256)}  # in space, long enough for a line to be told from chance
@@ -58,7 +58,9 @@ class Windows(unittest.TestCase):
                 self.assertEqual(rejecting(gate.judge_words(controls.random(shape, seed), TWIN)), set(), (n, seed))
 
     def test_each_control_is_rejected_by_the_tests_meant_for_it(self):
-        for turn, (name, (make, tests)) in enumerate(controls.WINDOWS.items()):
+        # Some of them in the plane and others in space; in a thorough run all in both.
+        chosen = some(list(controls.WINDOWS.items()), 0, (len(controls.WINDOWS) + 2) // 3)
+        for turn, (name, (make, tests)) in enumerate(chosen):
             for n in some([2] if name in controls.ONLY_2D else [2, 3], turn):
                 size = (gate.SIDES[n],) * n if name in controls.FULL_SIZE else SHAPES[n]
                 self.assertEqual(missing(tests, of_window(make(size))), set(), f"{name} in {n}D")
@@ -82,10 +84,12 @@ class Functions(unittest.TestCase):
     def judge(self, function, n):
         return gate.judge_twin(controls.Function("control", TWIN.program, {}, function), n, gate.LEAST)
 
+    @in_thorough_runs
     def test_a_strong_hash_is_accepted(self):
         for n in some((2, 3), 0):
             self.assertEqual(rejecting(self.judge(controls.strong, n)), set())
 
+    @in_thorough_runs
     def test_each_control_is_rejected_by_the_tests_meant_for_it(self):
         for name, (function, tests) in controls.FUNCTIONS.items():
             control = controls.Function("control", TWIN.program, {}, function)
@@ -102,6 +106,7 @@ class Functions(unittest.TestCase):
         self.assertFalse(joined.passed)
         self.assertIn("at 7", joined.where)
 
+    @in_thorough_runs
     def test_gradients_that_are_not_those_of_the_words(self):
         class Another(controls.Function):
             def gradients(self, cells, seeds):
@@ -171,6 +176,7 @@ class Parts(unittest.TestCase):
         keys, mirrored = (np.sort(copies.run_keys(v, 3)) for v in (values, values[:, ::-1]))
         self.assertTrue(np.array_equal(keys, mirrored))
 
+    @in_thorough_runs
     def test_the_shape_has_the_moments_that_integrals_give(self):
         # Of x^2 (2 - L)^2 over |x| + |y| (+ |z|) = 1, with L its largest component.
         for n, square in ((2, 241 / 480), (3, 2003 / 6480)):
@@ -213,6 +219,7 @@ class Command(unittest.TestCase):
         self.assertIn("does not compile", self.shown.getvalue())
         self.assertEqual(self.call("--include", self.folder), 4)
 
+    @in_thorough_runs
     def test_words_from_a_file(self):
         np.save(self.folder / "good.npy", controls.random((128, 128)))
         np.save(self.folder / "bad.npy", controls.linear_sum((128, 128)))
@@ -229,6 +236,7 @@ class Command(unittest.TestCase):
         self.assertEqual(library.hash_names(self.folder / "include"), library.hash_names(ROOT / "include"))
         self.assertEqual(library.default_hash(self.folder / "include"), library.default_hash(ROOT / "include"))
 
+    @in_thorough_runs
     def test_a_library_whose_product_was_taken_out(self):
         for part in ("include", "glsl"):
             shutil.copytree(ROOT / part, self.folder / part)
@@ -239,6 +247,7 @@ class Command(unittest.TestCase):
         twin = library.build("no_product", [], self.folder / "include", self.folder)
         self.assertEqual(missing({"autocorrelation"}, gate.each_finding(twin, 2, gate.LEAST)), set())
 
+    @in_thorough_runs
     def test_the_dump_is_what_was_judged(self):
         library_default = library.default_hash(ROOT / "include")
         least = replace(gate.LEAST, windows=1, samples=1 << 13)

@@ -17,6 +17,7 @@ from oracle.cells import corner_weights
 from oracle.gradients import Knobs
 from oracle.lattice import Lattice
 from oracle.noises import perlin
+from thorough import in_thorough_runs
 
 PERLIN = noises.find("perlin")
 
@@ -252,6 +253,7 @@ class Noise(unittest.TestCase):
                     value = fixed(knobs, numbers.anywhere(n), numbers.word())
                     self.assertEqual(to_f32(float(value)), value)
 
+    @in_thorough_runs
     def test_nothing_overflows_and_how_large_it_gets(self) -> None:
         # Whatever the gradients: at each corner the largest ramp there is, of any sign. With the sine gradient it is
         # rounded down, in units of 2^-21: along each axis by less than 8 (see Lerp), in the ramps and at the end by

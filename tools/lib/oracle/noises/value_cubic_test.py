@@ -14,6 +14,7 @@ from oracle.integers import UNIT
 from oracle.lattice import Lattice
 from oracle.noises import value_cubic
 from oracle.noises.value import number
+from thorough import in_thorough_runs
 
 CUBIC = noises.find("value_cubic")
 DIMENSIONS = (1, 2, 3)
@@ -42,6 +43,7 @@ class Weights(unittest.TestCase):
         # 2^-30 * 178956970.67 is a sixth; an eighth of it is 22369621.33.
         self.assertEqual([value_cubic.sixth(x) for x in (0, 2**14, 2**15)], [0, 22369621, 178956970])
 
+    @in_thorough_runs
     def test_all_fixed_weights(self) -> None:
         for fraction in range(0, UNIT + 1, 31):
             fixed = value_cubic.fixed_weights(fraction)
