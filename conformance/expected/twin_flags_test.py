@@ -18,14 +18,14 @@ import tempfile
 import unittest
 
 COMPILERS = []
-THOROUGH = "--thorough" in sys.argv
+THOROUGH = False
 FUNCTIONS = ()  # the macros that choose them
 HERE = pathlib.Path(__file__).resolve().parent
 # The library asks compilers to inline every function, and then most of the time goes into compiling the same text for
-# each caller. With --thorough what is optimised most has that; else they inline none of it, or what they choose.
+# each caller. With --every-function what is optimised most has that; else they inline none of it, or what they choose.
 INLINE_NONE = "-Dalways_inline=noinline"
 INLINE_SOME = "-Dalways_inline=unused"  # an attribute that says nothing about it
-INLINE_MOST = () if THOROUGH else (INLINE_SOME,)
+INLINE_MOST = () if "--every-function" in sys.argv else (INLINE_SOME,)
 LEVELS = (("-O0", INLINE_NONE), ("-O2", INLINE_SOME), ("-O3", "-march=native", "-ffast-math", *INLINE_MOST))
 CONTRACTION = ((), ("-ffp-contract=fast",))
 SANITIZED = ("-O1", INLINE_NONE, "-fsanitize=undefined,float-cast-overflow", "-fno-sanitize-recover=all")
@@ -125,6 +125,7 @@ class Flags(unittest.TestCase):
 
 
 if __name__ == "__main__":
+    THOROUGH = "--thorough" in sys.argv
     FUNCTIONS = () if "--every-function" in sys.argv else ("HN_TEST_EACH_KIND",)
     COMPILERS = [argument for argument in sys.argv[1:] if not argument.startswith("--")]
     unittest.main(argv=sys.argv[:1])

@@ -31,7 +31,6 @@ class Blocks(unittest.TestCase):
             block = features.neighbours(dims) | features.slab(dims, 0)
             self.assertEqual(features.not_proven(block, dims, 3), [])
 
-    @in_thorough_runs
     def test_fails_for_smaller_blocks(self):
         """Without any one cell; without the slab, or with one along another axis; and for 2^n cells, even for the
         nearest point alone."""

@@ -110,7 +110,6 @@ class FloatError(unittest.TestCase):
                 if bound:
                     self.assertTrue(bound / 30 < seen < bound, (noise, dims, seen, bound))
 
-    @in_thorough_runs
     def test_fails_with_fewer_bits(self):
         for noise, dims, kind, bounds in self.every_noise():
             fewer = [Shader("nearest", 7, lost_bits=6)]

@@ -89,9 +89,8 @@ class Functions(unittest.TestCase):
         for n in some((2, 3), 0):
             self.assertEqual(rejecting(self.judge(controls.strong, n)), set())
 
-    @in_thorough_runs
     def test_each_control_is_rejected_by_the_tests_meant_for_it(self):
-        for name, (function, tests) in controls.FUNCTIONS.items():
+        for name, (function, tests) in some(list(controls.FUNCTIONS.items()), 0):
             control = controls.Function("control", TWIN.program, {}, function)
             self.assertEqual(missing(tests, gate.each_finding(control, 2, gate.LEAST)), set(), name)
 
@@ -236,7 +235,6 @@ class Command(unittest.TestCase):
         self.assertEqual(library.hash_names(self.folder / "include"), library.hash_names(ROOT / "include"))
         self.assertEqual(library.default_hash(self.folder / "include"), library.default_hash(ROOT / "include"))
 
-    @in_thorough_runs
     def test_a_library_whose_product_was_taken_out(self):
         for part in ("include", "glsl"):
             shutil.copytree(ROOT / part, self.folder / part)
