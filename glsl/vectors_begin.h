@@ -12,7 +12,7 @@
 #define uvec3 uint3
 #define uvec4 uint4
 
-// These stay, since the macros that define sums name them in your code.
+// The types in declarations, as config.glsl has them for GLSL, where they stay, too.
 #define hn_float float
 #define hn_vec2 float2
 #define hn_vec3 float3
