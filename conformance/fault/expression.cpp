@@ -61,7 +61,8 @@ bool is_constant(const Expression& expression) {
 std::string_view called_with_one(const Expression& expression) {
   if (expression.kind != Kind::call || expression.parts.size() != 2) return {};
   const Kind arguments = expression.parts[1].kind;
-  return arguments == Kind::comma || arguments == Kind::adjacent ? "" : expression.parts[0].token.text;
+  if (arguments == Kind::comma || arguments == Kind::adjacent) return {};
+  return expression.parts[0].token.text;
 }
 
 const Token& ExpressionParser::peek(std::size_t ahead) const {
