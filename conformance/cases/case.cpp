@@ -91,23 +91,13 @@ CaseResult run_case(const Suite& suite, const Case& test) {
   return timed(test.id, [&] { return std::get<ReferenceKind>(*test.kind).check(suite); });
 }
 
-namespace {
-
-std::vector<Case> listed(Scope scope, const Subjects* subjects) {
+std::vector<Case> all_cases(Scope scope) {
   std::vector<Case> cases;
-  add_value_cases(cases, scope, subjects);
-  const auto is_function = [](const std::string& subject) {
-    return std::ranges::any_of(all_functions(), [&](const Function& function) { return function.id == subject; });
-  };
-  if (!subjects || !std::ranges::all_of(*subjects, is_function)) add_compile_cases(cases, scope);
+  add_value_cases(cases, scope);
+  add_compile_cases(cases, scope);
   add_bug_cases(cases);
   return cases;
 }
-
-}  // namespace
-
-std::vector<Case> all_cases(Scope scope) { return listed(scope, nullptr); }
-std::vector<Case> all_cases_of(const Subjects& subjects) { return listed(Scope::thorough, &subjects); }
 
 std::vector<std::string> ids_of(const std::vector<Case>& cases) {
   std::vector<std::string> ids;
@@ -117,6 +107,18 @@ std::vector<std::string> ids_of(const std::vector<Case>& cases) {
 
 namespace {
 
+// Of the cases that only a thorough run has, those that begin with one of these and some others. All are 80,000, and a
+// process wants a few.
+std::vector<Case> thorough_cases_of(const Subjects& subjects) {
+  const auto is_function = [](std::string_view subject) {
+    return std::ranges::any_of(all_functions(), [&](const Function& function) { return function.id == subject; });
+  };
+  std::vector<Case> cases;
+  add_value_cases(cases, Scope::thorough, &subjects);
+  if (!std::ranges::all_of(subjects, is_function)) add_compile_cases(cases, Scope::thorough);
+  return cases;
+}
+
 // Adds those of the cases that have one of these ids to `found`.
 void add_found(std::map<std::string_view, const Case*>& found, const std::vector<Case>& cases,
                const std::set<std::string_view>& ids) {
@@ -124,9 +126,6 @@ void add_found(std::map<std::string_view, const Case*>& found, const std::vector
     if (const auto id = ids.find(test.id); id != ids.end()) found.emplace(*id, &test);
   }
 }
-
-// The function that a case evaluates, by its id; of another case the words that stand there.
-std::string subject_of(std::string_view id) { return std::string(id.substr(0, id.find('.', id.find('.') + 1))); }
 
 }  // namespace
 
@@ -139,9 +138,9 @@ Result<std::vector<Case>> cases_with(std::span<const std::string> ids) {
   if (found.size() < wanted.size()) {
     Subjects subjects;
     for (const std::string_view id : wanted) {
-      if (!found.contains(id)) subjects.insert(subject_of(id));
+      if (!found.contains(id)) subjects.insert(function_of(id));
     }
-    further = all_cases_of(subjects);
+    further = thorough_cases_of(subjects);
     add_found(found, further, wanted);
   }
   std::vector<Case> cases;

@@ -106,13 +106,11 @@ CaseResult run_case(const Suite& suite, const Case& test);  // of one that needs
 enum class Scope { covered, thorough };
 // Every case, in the order in which they run.
 std::vector<Case> all_cases(Scope scope = Scope::thorough);
-// The same without most that begin with the ids of other functions. They are some 80,000, and a process wants a few.
-using Subjects = std::set<std::string, std::less<>>;
-std::vector<Case> all_cases_of(const Subjects& subjects);
 std::vector<std::string> ids_of(const std::vector<Case>& cases);
 // Those of these ids, in their order.
 Result<std::vector<Case>> cases_with(std::span<const std::string> ids);
 
+using Subjects = std::set<std::string_view>;  // ids of functions
 // The parts of all_cases, a file each.
 void add_compile_cases(std::vector<Case>& cases, Scope scope);
 void add_value_cases(std::vector<Case>& cases, Scope scope, const Subjects* subjects = nullptr);  // null: of all
