@@ -58,9 +58,7 @@ class Windows(unittest.TestCase):
                 self.assertEqual(rejecting(gate.judge_words(controls.random(shape, seed), TWIN)), set(), (n, seed))
 
     def test_each_control_is_rejected_by_the_tests_meant_for_it(self):
-        # Some of them in the plane and others in space; in a thorough run all in both.
-        chosen = some(list(controls.WINDOWS.items()), 0, (len(controls.WINDOWS) + 2) // 3)
-        for turn, (name, (make, tests)) in enumerate(chosen):
+        for turn, (name, (make, tests)) in enumerate(controls.WINDOWS.items()):
             for n in some([2] if name in controls.ONLY_2D else [2, 3], turn):
                 size = (gate.SIDES[n],) * n if name in controls.FULL_SIZE else SHAPES[n]
                 self.assertEqual(missing(tests, of_window(make(size))), set(), f"{name} in {n}D")
@@ -86,11 +84,11 @@ class Functions(unittest.TestCase):
 
     @in_thorough_runs
     def test_a_strong_hash_is_accepted(self):
-        for n in some((2, 3), 0):
+        for n in (2, 3):
             self.assertEqual(rejecting(self.judge(controls.strong, n)), set())
 
     def test_each_control_is_rejected_by_the_tests_meant_for_it(self):
-        for name, (function, tests) in some(list(controls.FUNCTIONS.items()), 0):
+        for name, (function, tests) in controls.FUNCTIONS.items():
             control = controls.Function("control", TWIN.program, {}, function)
             self.assertEqual(missing(tests, gate.each_finding(control, 2, gate.LEAST)), set(), name)
 
