@@ -93,7 +93,8 @@ function(room name)
   file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${root}/${name} SYMBOLIC)
   add_library(hn-${name} STATIC ${room_SOURCES} ${room_FUZZED})
   target_include_directories(hn-${name} PUBLIC ${root} ${rooms_directory}/generated/${name})
-  # Drivers and the twin take the time, not what is around them; with -Og a build is shorter by a fifth.
+  # Drivers and the twin take the time, not what is around them, which is compiled as quickly as GCC can without
+  # losing what makes it quick.
   target_compile_options(hn-${name} PUBLIC ${warnings} -ffp-contract=off)
   set_source_files_properties(${room_APART} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   if(room_FAST)  # packages are little of it

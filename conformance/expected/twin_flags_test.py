@@ -25,8 +25,9 @@ HERE = pathlib.Path(__file__).resolve().parent
 # each caller. With --every-function what is optimised most has that; else they inline none of it, or what they choose.
 INLINE_NONE = "-Dalways_inline=noinline"
 INLINE_SOME = "-Dalways_inline=unused"  # an attribute that says nothing about it
-INLINE_MOST = () if "--every-function" in sys.argv else (INLINE_SOME,)
-LEVELS = (("-O0", INLINE_NONE), ("-O2", INLINE_SOME), ("-O3", "-march=native", "-ffast-math", *INLINE_MOST))
+MOST = ("-O3", "-march=native", "-ffast-math")
+INLINED = () if "--every-function" in sys.argv else (INLINE_SOME,)
+LEVELS = (("-O0", INLINE_NONE), ("-O2", INLINE_SOME), (*MOST, *INLINED))
 CONTRACTION = ((), ("-ffp-contract=fast",))
 SANITIZED = ("-O1", INLINE_NONE, "-fsanitize=undefined,float-cast-overflow", "-fno-sanitize-recover=all")
 GRADIENTS = ("HN_GRADIENT_OCTAHEDRAL", "HN_GRADIENT_SINE")
@@ -103,7 +104,7 @@ class Flags(unittest.TestCase):
 
     def test_of_fast_arithmetic_do(self):
         """If these agreed, the digests would be of nothing."""
-        fast = (INLINE_SOME, *LEVELS[2], *CONTRACTION[1])
+        fast = (INLINE_SOME, *MOST, *CONTRACTION[1])
         first, second = self.all_digests([(COMPILERS[0], LEVELS[0]), (COMPILERS[0], fast)],
                                          "HN_ARITHMETIC=HN_FAST").values()
         self.assertNotEqual([digests[0] for digests in first.values()], [digests[0] for digests in second.values()])

@@ -65,11 +65,7 @@ constexpr auto kSide = static_cast<GLsizei>(kGridSide);
 constexpr GLsizei kBlock = 4;
 GLsizei whole_blocks(GLsizei pixels) { return (pixels + kBlock - 1) / kBlock * kBlock; }
 
-// A grid of four words a point, bound to the unit at hand.
-void allocate(const GladGLContext& gl, GLsizei rows) {
-  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32UI, kSide, rows, 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, nullptr);
-}
-
+// A texture without pixels yet, bound to the unit at hand.
 GLuint make_texture(const GladGLContext& gl) {
   GLuint texture = 0;
   gl.GenTextures(1, &texture);
@@ -77,6 +73,11 @@ GLuint make_texture(const GladGLContext& gl) {
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   return texture;
+}
+
+// Gives the texture that is bound a grid of four words a point.
+void allocate(const GladGLContext& gl, GLsizei rows) {
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32UI, kSide, rows, 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, nullptr);
 }
 
 }  // namespace

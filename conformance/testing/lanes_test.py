@@ -1,7 +1,8 @@
 """The lanes of <hashnoise/lanes.hpp>: python3 lanes_test.py [--thorough] COMPILER...
 
 The functions over lanes have the values of the scalar twin bit by bit, and a condition that differs between lanes is
-noticed. Settings and compilers are tried in pairs at few points, and with --thorough all of them at many.
+noticed. The values of two settings are tried at few points, each by one compiler, and with --thorough those of all by each
+compiler at many.
 """
 
 from __future__ import annotations
