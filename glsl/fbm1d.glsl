@@ -13,6 +13,7 @@
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
 // Sums over hn_perlin. Over another noise, or over your own, write the same loop (octaves1d.glsl).
+// tools/catalog: loops
 HN_FN hn_float hn_i_fbm(hn_octaves1 o) {
   do hn_add(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
   return hn_mean(o);
@@ -21,13 +22,13 @@ HN_FN hn_float hn_i_turbulence(hn_octaves1 o) {
   do hn_add_size(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
   return hn_mean(o);
 }
-HN_FN hn_float hn_i_billow(hn_octaves1 o) {
-  do o.sum = hn_i_with_bounded_size(o.sum, hn_perlin(o.place, o.seed)); while (hn_next(o));
-  return hn_i_value(hn_i_billows(hn_i_mean(o.sum)));
-}
 HN_FN hn_float hn_i_clouds(hn_octaves1 o) {
   do hn_add(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
   return hn_density(o);
+}
+HN_FN hn_float hn_i_billow(hn_octaves1 o) {
+  do o.sum = hn_i_with_bounded_size(o.sum, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  return hn_i_value(hn_i_billows(hn_i_mean(o.sum)));
 }
 HN_FN hn_float hn_i_ridged(hn_octaves1 o) {
   do hn_add_ridge(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
@@ -41,6 +42,7 @@ HN_FN hn_float hn_i_weighted(hn_octaves1 o, hn_float strength) {
   do hn_add_bent(o, hn_perlin(o.place, o.seed), strength); while (hn_next(o));
   return hn_i_value(hn_i_bounded(hn_i_mean(o.sum)));
 }
+// tools/catalog: end
 
 // Each sum has three forms:
 //
@@ -101,11 +103,12 @@ HN_FN hn_float hn_fbm(hn_float p, hn_float footprint, hn_int octaves, hn_float l
   return hn_mean(o);
 }
 
-// Turbulence: the mean of the octaves' absolute values, which have creases where the noise passes 0. Use it for marble
-// and fire.
-//   (parameters, error, period and cost as for hn_fbm)
-//   returns  [0, 1]
-//   source   Perlin, "An image synthesizer", 1985; Valdenegro-Toro and Pincheira, fig. 6
+// tools/catalog: forms
+// Turbulence: the mean of the octaves' absolute values. Use it for marble and fire.
+//   (parameters, period and cost as for hn_fbm)
+//   returns     [0, 1], with creases where the noise passes 0
+//   error       that of hn_fbm
+//   source      Perlin, "An image synthesizer", 1985; Valdenegro-Toro and Pincheira, fig. 6
 HN_FN hn_float hn_turbulence(hn_place1 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   return hn_i_turbulence(hn_octaves(place, octaves, lacunarity, gain, seed));
 }
@@ -116,27 +119,11 @@ HN_FN hn_float hn_turbulence(hn_float p, hn_int octaves, hn_float lacunarity, hn
   return hn_turbulence(p, octaves, lacunarity, gain, 0u);
 }
 
-// Billows: twice the turbulence less 1, so that heights are in the range of other noise. The round hills are the other
-// side of ridges.
-//   (parameters, period and cost as for hn_fbm)
-//   returns  [-1, 1]
-//   error    twice that of hn_turbulence
-//   source   as for hn_turbulence
-HN_FN hn_float hn_billow(hn_place1 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
-  return hn_i_billow(hn_octaves(place, octaves, lacunarity, gain, seed));
-}
-HN_FN hn_float hn_billow(hn_float p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
-  return hn_i_billow(hn_octaves(p, octaves, lacunarity, gain, seed));
-}
-HN_FN hn_float hn_billow(hn_float p, hn_int octaves, hn_float lacunarity, hn_float gain) {
-  return hn_billow(p, octaves, lacunarity, gain, 0u);
-}
-
 // Clouds: the density of a sky, from an fBm.
 //   (parameters, period and cost as for hn_fbm)
-//   returns  [0, 1]: 0 is clear, 1 is dense; with fewer than 1 octave 5/32
-//   error    3 times that of hn_fbm, plus 5.4e-7 (HN_FIXED 2.6e-5)
-//   source   after the cloud images of Valdenegro-Toro and Pincheira, fig. 6; the paper has no formula for them
+//   returns     [0, 1]: 0 is clear, 1 is dense; with fewer than 1 octave 5/32
+//   error       3 times that of hn_fbm, plus 5.4e-7 (HN_FIXED 2.6e-5)
+//   source      after the cloud images of Valdenegro-Toro and Pincheira, fig. 6; the paper has no formula for them
 HN_FN hn_float hn_clouds(hn_place1 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   return hn_i_clouds(hn_octaves(place, octaves, lacunarity, gain, seed));
 }
@@ -147,12 +134,27 @@ HN_FN hn_float hn_clouds(hn_float p, hn_int octaves, hn_float lacunarity, hn_flo
   return hn_clouds(p, octaves, lacunarity, gain, 0u);
 }
 
-// Ridges: sharp crests where the noise passes 0. Finer octaves show on the crests and leave the valleys smooth.
+// Billows: twice the turbulence less 1. The round hills are the other side of ridges.
 //   (parameters, period and cost as for hn_fbm)
-//   returns  [0, 1]: 1 on a crest of every octave
-//   error    grows with the octaves, since each is taken times the one before: docs/accuracy.md
-//   source   Musgrave, as for hn_fbm: his ridged multifractal with the offset 1 and the gain 2, divided by the sum of
-//            the weights
+//   returns     [-1, 1]
+//   error       twice that of hn_turbulence
+//   source      as of hn_turbulence
+HN_FN hn_float hn_billow(hn_place1 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_billow(hn_octaves(place, octaves, lacunarity, gain, seed));
+}
+HN_FN hn_float hn_billow(hn_float p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_billow(hn_octaves(p, octaves, lacunarity, gain, seed));
+}
+HN_FN hn_float hn_billow(hn_float p, hn_int octaves, hn_float lacunarity, hn_float gain) {
+  return hn_billow(p, octaves, lacunarity, gain, 0u);
+}
+
+// Ridges: sharp crests where the noise passes 0, with detail on them and smooth valleys between.
+//   (parameters, period and cost as for hn_fbm)
+//   returns     [0, 1]: 1 on a crest of every octave
+//   error       grows with the octaves, since each is taken times the one before: docs/accuracy.md
+//   source      Musgrave, in "Texturing and Modeling: A Procedural Approach": his ridged multifractal with the offset 1
+//               and the gain 2, divided by the sum of the weights
 HN_FN hn_float hn_ridged(hn_place1 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   return hn_i_ridged(hn_octaves(place, octaves, lacunarity, gain, seed));
 }
@@ -163,12 +165,12 @@ HN_FN hn_float hn_ridged(hn_float p, hn_int octaves, hn_float lacunarity, hn_flo
   return hn_ridged(p, octaves, lacunarity, gain, 0u);
 }
 
-// Ping-pong: each octave is folded up and down between -1 and 1, which gives the rings of wood and of agate.
+// Ping-pong: each octave is folded up and down, which gives the rings of wood and of agate.
 //   strength    how many times from one end to the other on the way from -1 to 1, times 1/2; usually 2, in [0, 64]
 //   (other parameters, period and cost as for hn_fbm; the strength stands behind the gain)
-//   returns  [-1, 1]
-//   error    twice the strength times that of hn_fbm, and a little more; docs/accuracy.md
-//   source   FastNoiseLite, FractalType_PingPong
+//   returns     [-1, 1]
+//   error       twice the strength times that of hn_fbm, and a little more; docs/accuracy.md
+//   source      FastNoiseLite, FractalType_PingPong
 HN_FN hn_float hn_ping_pong(hn_place1 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength,
                             hn_uint seed) {
   return hn_i_ping_pong(hn_octaves(place, octaves, lacunarity, gain, seed), strength);
@@ -181,12 +183,12 @@ HN_FN hn_float hn_ping_pong(hn_float p, hn_int octaves, hn_float lacunarity, hn_
   return hn_ping_pong(p, octaves, lacunarity, gain, strength, 0u);
 }
 
-// Weighted fBm: where an octave is low, the finer ones count less, so that valleys are smoother than heights.
+// Weighted fBm: where an octave is low, the finer ones count less. Valleys are smoother than heights.
 //   strength    how much less: 0 is hn_fbm, 1 leaves nothing of the finer octaves at -1; in [0, 1]
 //   (other parameters, period and cost as for hn_fbm; the strength stands behind the gain)
-//   returns  [-1, 1]
-//   error    docs/accuracy.md
-//   source   FastNoiseLite, SetFractalWeightedStrength
+//   returns     [-1, 1]
+//   error       docs/accuracy.md
+//   source      FastNoiseLite, SetFractalWeightedStrength
 HN_FN hn_float hn_weighted(hn_place1 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength,
                            hn_uint seed) {
   return hn_i_weighted(hn_octaves(place, octaves, lacunarity, gain, seed), strength);
@@ -198,6 +200,7 @@ HN_FN hn_float hn_weighted(hn_float p, hn_int octaves, hn_float lacunarity, hn_f
 HN_FN hn_float hn_weighted(hn_float p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength) {
   return hn_weighted(p, octaves, lacunarity, gain, strength, 0u);
 }
+// tools/catalog: end
 
 #endif
 #endif

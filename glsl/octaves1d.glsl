@@ -155,13 +155,14 @@ HN_FN bool hn_next(HN_I_INOUT(hn_octaves1) o) {
   return more;
 }
 
-// Add the noise of an octave: as it is (fBm), its absolute value (turbulence), a crest where it is 0 (ridges), folded
-// up and down between -1 and 1 (ping-pong), and so that finer octaves count less where it is low (weighted fBm). With a
-// detail or a footprint: as it is, and as much of it as is to be shown.
+// tools/catalog: steps
+// Add the noise of an octave: as it is (hn_fbm, hn_clouds); its absolute value (hn_turbulence); a crest where it is 0
+// (hn_ridged); folded up and down between -1 and 1 (hn_ping_pong); so that finer octaves count less where it is low
+// (hn_weighted).
 //   o         the octaves
-//   n         the noise at o.place with o.seed, in [-1, 1]; of ridges, waves and the bent what is beyond is cut off
-//   strength  of waves: how many times from one end to the other on the way from -1 to 1, times 1/2; usually 2, in
-//             [0, 64]. Bent: how much less; in [0, 1]
+//   n         the noise at o.place with o.seed, in [-1, 1]. hn_add and hn_add_size take what is beyond, the others cut
+//             it off
+//   strength  as of the sum that is made so (fbm1d.glsl)
 //   returns   nothing: the octaves have the sum
 //   error     as of the sums in fbm1d.glsl
 //   cost      1 to 10 operations
@@ -175,6 +176,11 @@ HN_FN void hn_add_wave(HN_I_INOUT(hn_octaves1) o, hn_float n, hn_float strength)
 HN_FN void hn_add_bent(HN_I_INOUT(hn_octaves1) o, hn_float n, hn_float strength) {
   o.sum = hn_i_with_bent(o.sum, n, strength);
 }
+// tools/catalog: end
+
+// Add the noise of an octave as it is, and as much of it as a detail or a footprint leaves.
+//   (parameters, error, cost and source as above)
+//   returns   nothing: the octaves have the sum
 HN_FN void hn_add_part(HN_I_INOUT(hn_octaves1) o, hn_float n) { o.sum = hn_i_with_part(o.sum, n); }
 HN_FN void hn_add_resolved(HN_I_INOUT(hn_octaves1) o, hn_float n) {
   o.sum = hn_i_with_resolved(o.sum, n, o.lacunarity);

@@ -56,17 +56,11 @@ function shape(state) {
   };
 }
 
-// How a sum adds the noise of an octave, and what it makes of the mean.
-const bounded = (mean) => `min(max(${mean}, -1.0), 1.0)`; // roundings may take it beyond
-const kSteps = {
-  fbm: { step: "hn_add" },
-  turbulence: { step: "hn_add_size" },
-  clouds: { step: "hn_add", end: "hn_density" },
-  billow: { step: "hn_add_size", of: (mean) => `min(2.0 * ${mean} - 1.0, 1.0)` },
-  ridged: { step: "hn_add_ridge", of: bounded },
-  ping_pong: { step: "hn_add_wave", of: bounded },
-  weighted: { step: "hn_add_bent", of: bounded },
-  eroded: { step: "hn_add_eroded" },
+// What a sum makes of the mean, by what the catalog calls it: the function that ends the loop, and what becomes of that.
+const kMeans = {
+  density: { end: "hn_density" },
+  billows: { of: (mean) => `min(2.0 * ${mean} - 1.0, 1.0)` },
+  bounded: { of: (mean) => `min(max(${mean}, -1.0), 1.0)` }, // roundings may take it beyond
 };
 
 // The functions of what is shown, in one language. `values` are what numbers() returns, or names of uniforms.
@@ -192,14 +186,15 @@ class Writer {
   // a loop over octaves.
   defineSum() {
     const { state, n } = this;
-    const { steep, strength } = kSums[state.sum];
+    const { mean: made, steep, strength } = kSums[state.sum];
     this.files.add(`${steep ? "fbm_d" : "fbm"}${n}d.glsl`);
     this.sum = `hn_${state.sum}`;
     if (state.noise === "perlin") return [];
     const noise = this.summedNoise();
     this.sum = `${state.sum}_${state.noise}`;
     const wgsl = this.language === "wgsl";
-    const { step, end = "hn_mean", of = (mean) => mean } = kSteps[state.sum];
+    const step = `hn_add${kSums[state.sum].step ? `_${kSums[state.sum].step}` : ""}`;
+    const { end = "hn_mean", of = (mean) => mean } = kMeans[made] ?? {};
     const set = (name) => (wgsl ? `&${name}` : name);
     const at = ["o.place", "o.seed"];
     const octave = noise.lines.length

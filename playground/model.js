@@ -2,11 +2,19 @@
 
 import { kCatalog } from "./catalog.js";
 
-// Rows, each with what the library says of the function that it shows.
-const completed = (rows, said) =>
-  Object.fromEntries(Object.entries(rows).map(([name, row]) => [name, { ...said(row.shows ?? name), ...row }]));
+// Rows, each with what the library says of the function that it shows, and a row for each function that none shows.
+function completed(rows, functions) {
+  const shown = Object.entries(rows).map(([name, row]) => row.shows ?? name);
+  const others = Object.keys(functions).filter((name) => !shown.includes(name));
+  return Object.fromEntries([
+    ...Object.entries(rows).map(([name, row]) => [name, { ...functions[row.shows ?? name], ...row }]),
+    ...others.map((name) => [name, { label: titled(name), ...functions[name] }]),
+  ]);
+}
+const isUnit = (range) => range !== undefined && range[0] === 0 && range[1] === 1;
+const titled = (name) => `${name[0].toUpperCase()}${name.slice(1).replaceAll("_", " ")}`;
 
-// Each noise: its name, and what of its values the colours span. `of` makes the value that is shown of a call, `signed`
+// Each noise: its name, and what of its values the colours span, if that is less than all. `of` makes the value that is shown of a call, `signed`
 // makes of it a noise in about [-1, 1] that a sum can take. Both are exact in floats: products with powers of two, and
 // differences of few bits.
 const kNoiseRows = {
@@ -39,7 +47,11 @@ const kNoiseRows = {
     signed: (value) => `2.0 * ${value} - 1.0`,
   },
 };
-export const kNoises = completed(kNoiseRows, (name) => ({ calls: `hn_${name}`, file: name, ...kCatalog.noises[name] }));
+const kNoiseFunctions = Object.entries(kCatalog.noises).map(([name, noise]) => [
+  name,
+  { calls: `hn_${name}`, file: name, ...noise, ...(isUnit(noise.range) ? { signed: (value) => `2.0 * ${value} - 1.0` } : {}) },
+]);
+export const kNoises = completed(kNoiseRows, Object.fromEntries(kNoiseFunctions));
 
 // Each sum: what of its values the colours span, for Perlin noise. A range that is not around 0 has two ends.
 const kSumRows = {
@@ -56,7 +68,7 @@ const kSumRows = {
   weighted: { label: "Weighted", span: [0.38, 0.34, 0.26, 0.26] },
   eroded: { label: "Eroded", span: [0, 0.26, 0.2] },
 };
-export const kSums = completed(kSumRows, (name) => kCatalog.sums[name]);
+export const kSums = completed(kSumRows, kCatalog.sums);
 
 export const kWarps = { none: "None", warp: "Warp", warp_progressive: "Progressive" };
 export const kMetrics = Object.fromEntries(
@@ -213,7 +225,7 @@ export function possible(state) {
 
 export function noisesOf(sum) {
   if (sum === "none") return Object.keys(kNoises);
-  const fits = (noise) => (kSums[sum].steep ? noise.steep : noise.span || noise.signed);
+  const fits = (noise) => (kSums[sum].steep ? noise.steep : noise.span || noise.signed || !noise.range);
   return Object.keys(kNoises).filter((name) => fits(kNoises[name]));
 }
 
@@ -287,12 +299,12 @@ export function rangeOf(state) {
   const sum = kSums[state.sum];
   let [low, high] = [0, 1];
   if (state.sum === "none") {
-    [low, high] = noise.range ?? [-noise.span[at], noise.span[at]];
+    [low, high] = noise.span ? [-noise.span[at], noise.span[at]] : (noise.range ?? [-1, 1]);
   } else {
     // Noises other than Perlin's have more contrast or less.
     const ratio = Math.min((noise.span?.[at] ?? 0.8) / kNoises.perlin.span[at], 1.6);
     if (sum.span) [low, high] = [-sum.span[at] * ratio, sum.span[at] * ratio];
-    else [low, high] = sum.ranges[at];
+    else [low, high] = sum.ranges ? sum.ranges[at] : (sum.range ?? [-1, 1]);
     if (state.sum === "turbulence") high *= ratio;
     if (state.sum === "billow") high = Math.min(low + (high - low) * ratio, 1);
   }

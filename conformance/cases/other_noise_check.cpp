@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <hashnoise/hashnoise.hpp>
 
 #include "cases/value_checks.hpp"
 #include "expected/points.hpp"
@@ -42,48 +43,55 @@ Vector turned_back(const ConstantSum& sum, Vector v) {
   return {(25 * v[0] + 20 * v[1]) / 32, (-20 * v[0] + 25 * v[1]) / 32, v[2]};
 }
 
-// What an octave sum that divides by the total of the weights makes of a constant noise.
-double mean_of_constant_noise(const ConstantSum& sum) {
-  using enum OctaveSum;
-  const double folded = std::fmod((kConstantNoise + 1.0) * std::clamp(sum.strength, 0.0, 64.0), 2.0);
-  const double bent = 1.0 - std::clamp(sum.strength, 0.0, 1.0) * (1.0 - kConstantNoise) / 2.0;
+// A mean of a constant noise that falls with the slopes of the octaves.
+double eroded_constant_noise(const ConstantSum& sum) {
   double mean = 0.0;
   double total = 0.0;
-  double ridge = 0.5;  // such that the first octave's counts in full
   double weight = 1.0;
-  double bend = 1.0;
   Vector fall = {};
   for (int i = 0; i < sum.octaves; ++i) {
-    ridge = (1.0 + kConstantNoise) * (1.0 + kConstantNoise) * std::min(2.0 * ridge, 1.0);
     fall = turned(sum, fall);
     double square = 0.0;
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(std::min(sum.axes, 3)); ++axis) {
       fall[axis] = std::clamp(fall[axis] + kConstantSlopes[axis], -8.0, 8.0);
       square += fall[axis] * fall[axis];
     }
-    double value = kConstantNoise;
-    if (sum.kind == turbulence || sum.kind == billow) value = std::fabs(kConstantNoise);
-    if (sum.kind == ridged) value = ridge;
-    if (sum.kind == ping_pong) value = 2.0 * std::min(folded, 2.0 - folded) - 1.0;
-    if (sum.kind == weighted) value *= bend;
-    if (sum.kind == eroded) value /= 1.0 + std::clamp(sum.strength, 0.0, 16.0) * square;
-    mean += weight * value;
+    mean += weight * kConstantNoise / (1.0 + std::clamp(sum.strength, 0.0, 16.0) * square);
     total += weight;
     weight *= sum.gain;
-    bend *= bent;
   }
   return total > 0.0 ? mean / total : 0.0;
 }
 
+// The others, by their steps in the header. That these are right is what the golden files are for: here each sum has to
+// do on the driver with any noise what it does with its own.
 double sum_of_constant_noise(const ConstantSum& sum) {
-  const double mean = mean_of_constant_noise(sum);
-  if (sum.kind == OctaveSum::billow) return 2.0 * mean - 1.0;
-  if (sum.kind == OctaveSum::warp || sum.kind == OctaveSum::warp_progressive) {
-    return std::clamp(sum.amplitude, 0.0, 64.0) * mean;
+  const auto strength = static_cast<float>(sum.strength);
+  const auto n = static_cast<float>(kConstantNoise);
+  hashnoise::hn_i_octave_sum s = hashnoise::hn_i_no_octave(sum.octaves, static_cast<float>(sum.gain));
+  const auto of_steps = [&](const auto& step, const auto& end) {
+    for (int i = 0; i < sum.octaves; ++i) {
+      s = step();
+      s.weight *= s.gain;
+      ++s.at;
+    }
+    return static_cast<double>(end(hashnoise::hn_i_mean(s)));
+  };
+  switch (sum.kind) {
+    using namespace hashnoise;  // NOLINT(google-build-using-namespace): the steps are written without it
+#define OCTAVE_STEP(name, step, end) \
+  case OctaveSum::name:              \
+    return of_steps([&] { return step; }, [](float mean) { return end; });
+#include "library/sums.inc"
+    case OctaveSum::fbm_d:
+      return sum.octaves > 0 ? kConstantNoise : 0.0;
+    case OctaveSum::eroded:
+      return eroded_constant_noise(sum);
+    case OctaveSum::warp:
+    case OctaveSum::warp_progressive:
+      return sum.octaves > 0 ? std::clamp(sum.amplitude, 0.0, 64.0) * kConstantNoise : 0.0;
   }
-  if (sum.kind != OctaveSum::clouds) return mean;
-  const double t = std::clamp(2.0 * mean + 0.25, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
+  return 0.0;
 }
 
 // What octaves grow by, summed; and the derivative along an axis.

@@ -78,24 +78,9 @@ Range range_of(const Function& function, const Configuration& configuration, std
   const bool distance = function.is_cellular() && !function.is_slope(output) && function.bound != "cellular_smooth";
   if (distance) return {0.0f, largest};
   if (!function.is_octave_sum()) return {-largest, largest};
-  switch (octave_sum_of(function)) {
-    case OctaveSum::fbm:
-    case OctaveSum::fbm_d:
-    case OctaveSum::eroded:
-    case OctaveSum::warp:
-    case OctaveSum::warp_progressive:
-      break;
-    case OctaveSum::turbulence:
-      return {0.0f, largest};
-    case OctaveSum::clouds:
-    case OctaveSum::ridged:
-      return {0.0f, 1.0f};
-    case OctaveSum::billow:
-    case OctaveSum::ping_pong:
-    case OctaveSum::weighted:
-      return {-1.0f, 1.0f};
-  }
-  return {-largest, largest};
+  const OctaveSumFacts& sum = facts_of(octave_sum_of(function));
+  if (sum.bounded) return {static_cast<float>(sum.least), static_cast<float>(sum.greatest)};
+  return {sum.least < 0.0 ? -largest : 0.0f, largest};
 }
 
 // Holds a value against its range, and says which that is where it is beyond.

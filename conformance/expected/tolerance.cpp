@@ -210,32 +210,26 @@ double error_of(const Function& function, const Configuration& configuration, st
   return function.starts_from_integers() ? bounds.cell_error : bounds.error;
 }
 
+namespace {
+
+constexpr OctaveSumFacts kOctaveSums[] = {
+#define OCTAVE_SUM(name, noise, most, least, greatest, bounded) {#name, #noise, most, least, greatest, bounded},
+#include "library/sums.inc"
+};
+
+}  // namespace
+
+const OctaveSumFacts& facts_of(OctaveSum sum) { return kOctaveSums[static_cast<std::size_t>(sum)]; }
+
 std::optional<OctaveSum> octave_sum_named(std::string_view name) {
-  using enum OctaveSum;
-  constexpr std::array<std::pair<std::string_view, OctaveSum>, 11> kSums = {{{"fbm", fbm},
-                                                                             {"turbulence", turbulence},
-                                                                             {"clouds", clouds},
-                                                                             {"billow", billow},
-                                                                             {"ridged", ridged},
-                                                                             {"ping_pong", ping_pong},
-                                                                             {"weighted", weighted},
-                                                                             {"fbm_d", fbm_d},
-                                                                             {"eroded", eroded},
-                                                                             {"warp", warp},
-                                                                             {"warp_progressive", warp_progressive}}};
-  const auto* const found = std::ranges::find(kSums, name, &std::pair<std::string_view, OctaveSum>::first);
-  return found == kSums.end() ? std::nullopt : std::optional{found->second};
+  const auto* const found = std::ranges::find(kOctaveSums, name, &OctaveSumFacts::name);
+  if (found == std::end(kOctaveSums)) return std::nullopt;
+  return static_cast<OctaveSum>(found - kOctaveSums);
 }
 
 OctaveSum octave_sum_of(const Function& function) {
   if (const std::optional<OctaveSum> sum = octave_sum_named(function.bound)) return *sum;
   throw std::logic_error(fmt::format("{}: '{}' is not an octave sum", function.id, function.bound));
-}
-
-std::string_view noise_of(OctaveSum sum) {
-  using enum OctaveSum;
-  if (sum == warp || sum == warp_progressive) return "value";
-  return sum == fbm_d || sum == eroded ? "perlin_d" : "perlin";
 }
 
 // What follows is in tools/lib/bounds/sums.py and frames.py, with the reasons.
@@ -253,8 +247,7 @@ int count_of(const OctaveArguments& arguments) {
 }
 
 double strength_of(OctaveSum kind, const OctaveArguments& arguments) {
-  const double most = kind == OctaveSum::ping_pong ? 64.0 : kind == OctaveSum::eroded ? 16.0 : 1.0;
-  return std::clamp(arguments.strength, 0.0, most);
+  return std::clamp(arguments.strength, 0.0, facts_of(kind).most_strength);
 }
 
 double amplitude_of(const OctaveArguments& arguments) { return std::clamp(arguments.amplitude, 0.0, 64.0); }
@@ -624,7 +617,8 @@ double octave_tolerance(OctaveSum kind, int axes, const OctaveArguments& argumen
   if (framed && !in_domain(arguments)) return std::numeric_limits<double>::infinity();
   if (kind == eroded) return eroded_tolerance(axes, arguments);
   if (framed) return shift_tolerance(kind, axes, arguments);
-  const NoiseBounds& noise = noise_bounds(noise_of(kind), axes, gradient);
+  const std::string_view name = arguments.noise.empty() ? noise_of(kind) : arguments.noise;
+  const NoiseBounds& noise = noise_bounds(name, axes, gradient);
   const double limit = is_clamped(kind) ? std::min(noise.limit, 1.0) : noise.limit;
   const Errors errors = errors_at(arguments, noise, noise.lipschitz, limit);
   Errors factor_errors;

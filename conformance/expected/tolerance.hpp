@@ -32,21 +32,20 @@ const NoiseBounds& bounds_of(const Function& function, const Configuration& conf
 double error_of(const Function& function, const Configuration& configuration, std::size_t output);
 
 enum class OctaveSum {
-  fbm,
-  turbulence,
-  clouds,
-  billow,
-  ridged,
-  ping_pong,
-  weighted,
-  fbm_d,
-  eroded,
-  warp,
-  warp_progressive
+#define OCTAVE_SUM(name, ...) name,
+#include "library/sums.inc"
 };
 std::optional<OctaveSum> octave_sum_named(std::string_view name);  // "fbm"
 OctaveSum octave_sum_of(const Function& function);
-std::string_view noise_of(OctaveSum sum);  // what it adds up
+struct OctaveSumFacts {
+  std::string_view name;
+  std::string_view noise;  // what its GLSL function adds up
+  double most_strength;    // or amplitude; 0 if it has none
+  double least, greatest;
+  bool bounded;  // else it may be as large as the noise, if that is beyond these
+};
+const OctaveSumFacts& facts_of(OctaveSum sum);
+inline std::string_view noise_of(OctaveSum sum) { return facts_of(sum).noise; }
 
 // In the range that the contract takes them in: from a cell the lacunarity is in [0, 255], and with a period it is a
 // whole number.
@@ -62,6 +61,7 @@ struct OctaveArguments {
   bool from_cell = false;
   bool is_detail = false;
   double amplitude = 0.0;
+  std::string_view noise = {};  // another than the GLSL function sums; of a sum without slopes and shifts
 };
 
 // octave_tolerance of tools/bounds; of a sum of vectors, that of a component.

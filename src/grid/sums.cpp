@@ -55,36 +55,25 @@ struct AnySum {
   HN_I_INLINE explicit AnySum(const Options& options) : id(options.sum), strength(options.strength) {}
   template <typename Octaves>
   HN_I_INLINE void add(Octaves& o, Float n) const {
+    const hn_i_octave_sum s = o.sum;
     switch (id) {
-      case grid::kTurbulence:
-        return hn_add_size(o, n);
-      case grid::kBillow:
-        o.sum = hn_i_with_bounded_size(o.sum, n);
-        return;
-      case grid::kRidged:
-        return hn_add_ridge(o, n);
-      case grid::kPingPong:
-        return hn_add_wave(o, n, strength);
-      case grid::kWeighted:
-        return hn_add_bent(o, n, strength);
+#define HN_CATALOG_STEP(Id, name, step, end) \
+  case grid::k##Id:                          \
+    o.sum = step;                            \
+    return;
+#include "catalog.inc"
       case grid::kDetail:
         return hn_add_part(o, n);
       case grid::kFootprint:
         return hn_add_resolved(o, n);
-      default:
-        return hn_add(o, n);
     }
   }
   HN_I_INLINE hn_num end(hn_num mean) const {
     switch (id) {
-      case grid::kClouds:
-        return hn_i_density(mean);
-      case grid::kBillow:
-        return hn_i_billows(mean);
-      case grid::kRidged:
-      case grid::kPingPong:
-      case grid::kWeighted:
-        return hn_i_bounded(mean);
+#define HN_CATALOG_STEP(Id, name, step, end) \
+  case grid::k##Id:                          \
+    return end;
+#include "catalog.inc"
       default:
         return mean;
     }

@@ -146,6 +146,39 @@ enum Sum {
   kWarp,
   kWarpProgressive,
 };
+
+// Once for all dimensions: what adds to octaves would be there for each.
+[[gnu::noinline]] hn_i_octave_sum with_value(hn_i_octave_sum s, Float n) {
+  switch (static_cast<Sum>(settings.sum)) {
+    case kFbm: return hn_i_with_noise(s, n);
+    case kTurbulence: return hn_i_with_size(s, n);
+    case kClouds: return hn_i_with_noise(s, n);
+    case kBillow: return hn_i_with_bounded_size(s, n);
+    case kRidged: return hn_i_with_ridge(s, n);
+    case kPingPong: return hn_i_with_wave(s, n, settings.strength);
+    case kWeighted: return hn_i_with_bent(s, n, settings.strength);
+    case kFbmD: return s;
+    case kEroded: return s;
+    case kWarp: return s;
+    case kWarpProgressive: return s;
+  }
+}
+
+Int finished(Int mean) {
+  switch (static_cast<Sum>(settings.sum)) {
+    case kFbm: return mean;
+    case kTurbulence: return mean;
+    case kClouds: return hn_i_density(mean);
+    case kBillow: return hn_i_billows(mean);
+    case kRidged: return hn_i_bounded(mean);
+    case kPingPong: return hn_i_bounded(mean);
+    case kWeighted: return hn_i_bounded(mean);
+    case kFbmD: return mean;
+    case kEroded: return mean;
+    case kWarp: return mean;
+    case kWarpProgressive: return mean;
+  }
+}
 // clang-format on
 // tools/catalog: end
 
@@ -153,33 +186,6 @@ bool is_warp() { return settings.sum == kWarp || settings.sum == kWarpProgressiv
 
 HN_I_INLINE vec3 slopes_of(hn_octaves2, const Numbers& n) { return vec3(n[0], n[1], n[2]); }
 HN_I_INLINE vec4 slopes_of(hn_octaves3, const Numbers& n) { return vec4(n[0], n[1], n[2], n[3]); }
-
-// Once for all dimensions: what adds to octaves would be there for each.
-[[gnu::noinline]] hn_i_octave_sum with_value(hn_i_octave_sum s, Float n) {
-  switch (static_cast<Sum>(settings.sum)) {  // all of them, so that the compiler misses a new one
-    case kTurbulence:
-      return hn_i_with_size(s, n);
-    case kBillow:
-      return hn_i_with_bounded_size(s, n);
-    case kRidged:
-      return hn_i_with_ridge(s, n);
-    case kPingPong:
-      return hn_i_with_wave(s, n, settings.strength);
-    case kWeighted:
-      return hn_i_with_bent(s, n, settings.strength);
-    case kFbm:
-    case kClouds:
-    case kFbmD:
-    case kEroded:
-    case kWarp:
-    case kWarpProgressive:
-      return hn_i_with_noise(s, n);
-  }
-}
-
-Int finished(Int mean) {
-  return settings.sum == kClouds ? hn_i_density(mean) : settings.sum == kBillow ? hn_i_billows(mean) : mean;
-}
 
 template <int D>
 using Place = decltype(hn_place(CellOf<D>(), PlaceOf<D>()));

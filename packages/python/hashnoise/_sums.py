@@ -46,7 +46,7 @@ def clouds(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, l
            cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
     """Clouds, in 1D to 4D: the density of a sky, from an fBm.
 
-    returns  [0, 1]: 0 is clear, 1 is dense
+    returns  [0, 1]: 0 is clear, 1 is dense; with fewer than 1 octave 5/32
     source   after the cloud images of Valdenegro-Toro and Pincheira, fig. 6; the paper has no formula for them
 
     >>> hashnoise.clouds(0.5, 0.25, seed=7, arithmetic="fixed")
@@ -92,7 +92,7 @@ def ping_pong(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6
               strength=2.0, period=None, cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
     """Ping-pong, in 1D to 4D: each octave is folded up and down, which gives the rings of wood and of agate.
 
-    strength  how many times from one end to the other on the way from -1 to 1, times 1/2; in [0, 64]
+    strength  how many times from one end to the other on the way from -1 to 1, times 1/2; usually 2, in [0, 64]
     returns   [-1, 1]
     source    FastNoiseLite, FractalType_PingPong
 

@@ -14,6 +14,7 @@
 #include "compare.hpp"
 #include "expected/tolerance.hpp"
 #include "fields.hpp"
+#include "grid/functions.hpp"
 #include "subjects.hpp"
 
 namespace hashnoise::twin {
@@ -59,8 +60,6 @@ Bound bound_of_noise(const Settings& s, const std::vector<Place>& places) {
 // --- Sums over the noise of the GLSL function -----------------------------------------------------------------------
 
 hn::OctaveSum kind_of(const std::string& sum) { return hn::octave_sum_named(sum).value(); }
-
-std::string_view default_noise(const std::string& sum) { return hn::noise_of(kind_of(sum)); }
 
 double largest_of(float p) { return std::fabs(static_cast<double>(p)); }
 template <int D>
@@ -118,51 +117,40 @@ double mean_of(const Settings& s, const std::vector<double>& octaves) {
 
 template <int D>
 Bound bound_of_other(const Settings& s) {
+  if (grid::sum_row(s.sum).of == grid::Shape::kValue && !s.sum.starts_with("warp")) {
+    hn::OctaveArguments arguments{0.0,  static_cast<double>(octaves_of(s)), static_cast<double>(lacunarity_of(s)),
+                                  static_cast<double>(gain_of(s)), true};
+    arguments.from_cell = true;
+    arguments.strength = static_cast<double>(strength_of(s));
+    arguments.noise = s.noise;
+    const double error = 2.0 * hn::octave_tolerance(kind_of(s.sum), D, arguments, kGradient);
+    return [=](std::size_t, std::size_t) { return error; };
+  }
   Settings noise = s;
   noise.sum = "";
   const double value = 2.0 * error_of_noise(noise, D, 0, true);
   const auto count = static_cast<std::size_t>(octaves_of(s));
-  const std::vector<double> values(count, value);
-  double error = mean_of(s, values);
-  double slope = 0.0;
-  if (s.sum == "clouds") error *= 3.0;
-  if (s.sum == "billow") error *= 2.0;
-  if (s.sum == "ping_pong")
-    error = mean_of(s, std::vector(count, 2.0 * static_cast<double>(strength_of(s)) * (value + 4.0 * kUnit)));
-  if (s.sum == "ridged") {  // the root of a ridge is off by its noise and by sqrt(2) times the one before
-    std::vector<double> ridges;
-    double root = 0.0;
-    for (std::size_t i = 0; i < count; ++i) {
-      root = value + 2.0 * kUnit + std::sqrt(2.0) * root;
-      ridges.push_back(2.0 * root);
-    }
-    error = mean_of(s, ridges);
+  if (s.sum == "warp") {
+    const double error = static_cast<double>(amplitude_of(s)) * mean_of(s, std::vector(count, value));
+    return [=](std::size_t, std::size_t) { return error; };
   }
-  if (s.sum == "weighted") {  // a weight is off by half of each noise before
-    std::vector<double> terms;
-    for (std::size_t i = 0; i < count; ++i)
-      terms.push_back(value + static_cast<double>(i) * (value / 2.0 + 4.0 * kUnit));
-    error = mean_of(s, terms);
+  const double of_slope = 2.0 * error_of_noise(noise, D, 1, true);
+  const double largest = hn::slope_bounds(s.noise, D, kGradient).limit;
+  std::vector<double> values(count, value);
+  std::vector<double> slopes;
+  double length = 1.0;  // of a column of the frame, without its weight
+  double of_fall = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double roundings = 2.0 * 2.0 * D * static_cast<double>(i + 1) * kUnit * largest * D;
+    slopes.push_back(length * (std::sqrt(static_cast<double>(D)) * of_slope + roundings));
+    length *= 1.001 * static_cast<double>(lacunarity_of(s));
+    of_fall = 1.001 * of_fall + std::sqrt(static_cast<double>(D)) * (of_slope + 32.0 * kUnit * 8.0);
+    const double strength = s.sum == "eroded" ? static_cast<double>(strength_of(s)) : 0.0;
+    values[i] += 0.65 * std::sqrt(strength) * of_fall + 16.0 * kUnit;
   }
-  if (s.sum == "fbm_d" || s.sum == "eroded") {
-    const double of_slope = 2.0 * error_of_noise(noise, D, 1, true);
-    const double largest = hn::slope_bounds(s.noise, D, kGradient).limit;
-    std::vector<double> slopes;
-    std::vector<double> falls;
-    double length = 1.0;  // of a column of the frame, without its weight
-    double of_fall = 0.0;
-    for (std::size_t i = 0; i < count; ++i) {
-      const double roundings = 2.0 * 2.0 * D * static_cast<double>(i + 1) * kUnit * largest * D;
-      slopes.push_back(length * (std::sqrt(static_cast<double>(D)) * of_slope + roundings));
-      length *= 1.001 * static_cast<double>(lacunarity_of(s));
-      of_fall = 1.001 * of_fall + std::sqrt(static_cast<double>(D)) * (of_slope + 32.0 * kUnit * 8.0);
-      falls.push_back(value + 0.65 * std::sqrt(static_cast<double>(strength_of(s))) * of_fall + 16.0 * kUnit);
-    }
-    slope = mean_of(s, slopes);
-    if (s.sum == "eroded") error = mean_of(s, falls);
-  }
-  if (s.sum == "warp") error *= static_cast<double>(amplitude_of(s));
-  return [=](std::size_t component, std::size_t) { return s.sum == "fbm_d" && component > 0 ? slope : error; };
+  const double error = mean_of(s, values);
+  const double slope = mean_of(s, slopes);
+  return [=](std::size_t component, std::size_t) { return component > 0 ? slope : error; };
 }
 
 // --- The tests -------------------------------------------------------------------------------------------------------
@@ -225,7 +213,7 @@ TEST_P(Fast, Noises) {
 TEST_P(Fast, Sums) {
   in_dimensions([&]<int D>(std::integral_constant<int, D>) {
     for (const Settings& settings : sum_subjects(D)) {
-      if (settings.noise != default_noise(settings.sum)) continue;
+      if (settings.noise != noise_below(settings.sum)) continue;
       for (const bool tiled : {false, true}) {
         const auto draw = [&](Settings& s) { draw_settings(s, D, tiled, Draw::kTame, chance); };
         const auto bound = [](const Settings& s, const auto& places) { return bound_of_sum<D>(s, places); };
@@ -249,7 +237,7 @@ TEST_P(Fast, SumsOverOtherNoises) {
   in_dimensions([&]<int D>(std::integral_constant<int, D>) {
     for (const Settings& settings : sum_subjects(D)) {
       // A step of a progressive warp is taken at a place that has an error.
-      if (settings.noise == default_noise(settings.sum) || settings.sum == "warp_progressive") continue;
+      if (settings.noise == noise_below(settings.sum) || settings.sum == "warp_progressive") continue;
       for (const bool tiled : {false, true}) {
         const auto draw = [&](Settings& s) { draw_settings(s, D, tiled, Draw::kTame, chance); };
         expect_near_in_cells<D>(settings, draw, [](const Settings& s, const auto&) { return bound_of_other<D>(s); });
@@ -284,7 +272,7 @@ TEST(FastBounds, RejectWhatIsWrong) {
   }
   for (const Settings& s : sum_subjects(2)) {
     if (s.sum == "warp_progressive" || s.noise == "cell_border") continue;
-    const bool is_default = s.noise == default_noise(s.sum);
+    const bool is_default = s.noise == noise_below(s.sum);
     expect_rejected(s, cells, moved_cells, is_default ? bound_of_sum<2>(s, places_of(cells)) : bound_of_other<2>(s));
   }
 }

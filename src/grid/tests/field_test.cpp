@@ -16,6 +16,7 @@
 
 #include "compare.hpp"
 #include "fields.hpp"
+#include "grid/functions.hpp"
 #include "subjects.hpp"
 #include "twin.hpp"
 
@@ -68,19 +69,6 @@ testing::AssertionResult says(const std::string& text, std::initializer_list<std
 #define EXPECT_NO_ERROR(...) EXPECT_EQ((__VA_ARGS__), "")
 
 // --- What there is ---------------------------------------------------------------------------------------------------
-
-TEST(Names, AreThoseOfTheLibrary) {
-  for (int dimensions = 1; dimensions <= 4; ++dimensions) {
-    std::multiset<std::string> noises;
-    for (const twin::Noise& noise : twin::noises(dimensions)) noises.insert(noise.name);
-    const std::vector<std::string> sums = twin::sums(dimensions);
-    const auto got_noises = noise_names(dimensions);
-    const auto got_sums = sum_names(dimensions);
-    EXPECT_EQ(std::multiset<std::string>(got_noises.begin(), got_noises.end()), noises);
-    EXPECT_EQ(std::multiset<std::string>(got_sums.begin(), got_sums.end()),
-              std::multiset<std::string>(sums.begin(), sums.end()));
-  }
-}
 
 TEST(Names, OfOtherDimensionsAreNone) {
   for (const int dimensions : {-1, 0, 5}) {
@@ -376,7 +364,7 @@ void expect_errors_of_settings() {
     EXPECT_ERROR(error_of<D>(settings)) << settings;
     settings = subject;
     settings.strength = 1.0f;
-    const bool has_strength = subject.sum == "ping_pong" || subject.sum == "weighted" || subject.sum == "eroded";
+    const bool has_strength = grid::sum_row(subject.sum).strength == "strength";
     EXPECT_EQ(error_of<D>(settings).empty(), has_strength) << settings;
     settings = subject;
     settings.amplitude = 1.0f;

@@ -20,6 +20,8 @@
 
 #include "compare.hpp"
 #include "fields.hpp"
+#include "grid/functions.hpp"
+#include "subjects.hpp"
 
 namespace hashnoise::twin {
 namespace {
@@ -64,12 +66,6 @@ Golden read(const hn::Function& function) {
   return golden;
 }
 
-// The noise of the functions that sum its octaves.
-std::string noise_below(const std::string& sum) {
-  if (sum == "fbm_d" || sum == "eroded") return "perlin_d";
-  return sum.starts_with("warp") ? "value" : "perlin";
-}
-
 // The field that has what a file is of. None if no field has what the function returns: the nearest cell, or the way to
 // its point.
 std::optional<Settings> settings_of(const hn::Function& function, const Golden& golden) {
@@ -88,7 +84,7 @@ std::optional<Settings> settings_of(const hn::Function& function, const Golden& 
 
 // What the functions take as the nearer end is an error of a field.
 bool are_in_domain(const Settings& s) {
-  const float most = s.sum == "ping_pong" ? 64.0f : s.sum == "eroded" ? 16.0f : 1.0f;
+  const float most = s.sum.empty() ? 0.0f : grid::sum_row(s.sum).most_strength;
   const auto is_between = [](float x, float from, float to) { return from <= x && x <= to; };
   return std::ranges::all_of(s.period, [](std::int32_t period) { return period >= 0; }) && octaves_of(s) >= 1 &&
          octaves_of(s) <= 32 && gain_of(s) >= 0.0f && is_between(s.detail.value_or(0.0f), 0.0f, 32.0f) &&
@@ -205,8 +201,8 @@ TEST(Golden, Values) {
     const std::string d = std::to_string(dimensions);
     for (const Noise& noise : noises(dimensions)) expected.insert(" " + noise.name + d);
     if (dimensions == 2 || dimensions == 3) {
-      for (const std::string noise : {"perlin", "perlin_d", "simplex", "simplex_d"}) {
-        expected.insert(" " + noise + d + " phase");
+      for (const Noise& noise : noises(dimensions)) {
+        if (can_have_phase(noise.name, dimensions)) expected.insert(" " + noise.name + d + " phase");
       }
     }
     for (const std::string& sum : sums(dimensions)) {

@@ -3,16 +3,22 @@
 #include <algorithm>
 #include <limits>
 
+#include "grid/functions.hpp"
 #include "twin.hpp"
 
 namespace hashnoise::twin {
 
-bool has_jitter(const std::string& noise) { return noise.starts_with("cell"); }
-bool has_metric(const std::string& noise) { return noise == "cellular" || noise == "cellular_three"; }
+namespace {
+
+const grid::NoiseRow& row_of(const std::string& noise) { return grid::kNoiseRows[grid::noise_named(noise)]; }
+
+}  // namespace
+
+bool has_jitter(const std::string& noise) { return row_of(noise).has_jitter(); }
+bool has_metric(const std::string& noise) { return row_of(noise).has_metric(); }
 
 bool can_have_phase(const std::string& noise, int dimensions) {
-  return (dimensions == 2 || dimensions == 3) &&
-         (noise == "perlin" || noise == "perlin_d" || noise == "simplex" || noise == "simplex_d");
+  return (dimensions == 2 || dimensions == 3) && row_of(noise).has_phase();
 }
 
 float Chance::between(float from, float to) { return std::uniform_real_distribution(from, to)(engine_); }
@@ -70,9 +76,11 @@ void draw_settings(Settings& s, int dimensions, bool tiled, Draw draw, Chance& c
     s.gain = std::min(*s.gain, 0.5f);
   }
   s.strength.reset();
-  if (s.sum == "ping_pong" && !chance.one_in(3)) s.strength = chance.between(0.0f, 5.0f);
-  if ((s.sum == "weighted" || s.sum == "eroded") && !chance.one_in(3)) s.strength = chance.between(0.0f, 1.0f);
-  if (s.sum.starts_with("warp")) s.amplitude = chance.of({0.5f, 1.0f, 0.25f});
+  const grid::SumRow& sum = grid::sum_row(s.sum);
+  if (sum.strength == "strength" && !chance.one_in(3)) {
+    s.strength = chance.between(0.0f, sum.usual_strength == 1.0f ? 1.0f : 2.5f * sum.usual_strength);
+  }
+  if (sum.strength == "amplitude") s.amplitude = chance.of({0.5f, 1.0f, 0.25f});
   if (s.detail) {
     s.octaves.reset();
     s.detail = chance.of({0.0f, 1.0f, 3.5f, 6.0f, chance.between(0.0f, 7.0f)});

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "grid/functions.hpp"
+#include "grid/plan.hpp"
 #include "twin_of_arithmetic.hpp"
 
 namespace hashnoise::twin {
@@ -28,37 +30,35 @@ template Function<3> function<3>(const Settings&);
 template Function<4> function<4>(const Settings&);
 
 std::vector<Noise> noises(int dimensions) {
-  std::vector<Noise> all = {{"value", 1}, {"value_d", 1 + dimensions}, {"perlin", 1}, {"perlin_d", 1 + dimensions}};
-  if (dimensions <= 3) all.push_back({"value_cubic", 1});
-  if (dimensions >= 2) {
-    all.push_back({"simplex", 1});
-    all.push_back({"simplex_d", 1 + dimensions});
-  }
-  if (dimensions == 2 || dimensions == 3) {
-    all.push_back({"simplex_smooth", 1});
-    all.push_back({"cellular", 2});
-    all.push_back({"cellular_three", 3});
-    all.push_back({"cellular_d", 1 + dimensions});
-    all.push_back({"cellular_smooth", 1});
-    all.push_back({"cell_border", 1});
-    all.push_back({"curl", dimensions});
+  std::vector<Noise> all;
+  for (const grid::NoiseRow& row : grid::kNoiseRows) {
+    if (dimensions < row.first_dimension || row.last_dimension < dimensions) continue;
+    all.push_back({std::string(row.name), grid::components_of(row.shape, dimensions)});
   }
   return all;
 }
 
 std::vector<std::string> sums(int dimensions) {
-  std::vector<std::string> all = {"fbm", "turbulence", "clouds", "billow", "ridged", "ping_pong", "weighted"};
-  if (dimensions == 2 || dimensions == 3) all.insert(all.end(), {"fbm_d", "eroded", "warp", "warp_progressive"});
+  std::vector<std::string> all;
+  for (const grid::SumRow& row : grid::kSumRows) {
+    if (row.first_dimension <= dimensions && dimensions <= row.last_dimension) all.emplace_back(row.name);
+  }
   return all;
 }
 
 std::vector<std::string> noises_of(const std::string& sum, int dimensions) {
-  if (sum == "fbm_d" || sum == "eroded") return {"value_d", "perlin_d", "simplex_d"};
+  const grid::Shape shape = grid::sum_row(sum).of;
   std::vector<std::string> names;
   for (const Noise& noise : noises(dimensions)) {
-    if (noise.components == 1) names.push_back(noise.name);
+    if (grid::kNoiseRows[grid::noise_named(noise.name)].shape == shape) names.push_back(noise.name);
   }
   return names;
 }
+
+std::string noise_below(const std::string& sum) {
+  return std::string(grid::kNoiseRows[grid::sum_row(sum).usual_noise].name);
+}
+
+float strength_of(const Settings& s) { return s.strength.value_or(grid::sum_row(s.sum).usual_strength); }
 
 }  // namespace hashnoise::twin

@@ -26,7 +26,7 @@ struct Function {
 template <int D>
 Function<D> function(const Settings& settings);
 
-// What there is.
+// What there is, by the catalog.
 struct Noise {
   std::string name;
   int components;
@@ -36,6 +36,8 @@ std::vector<std::string> sums(int dimensions);
 
 // The noises that a sum can be taken over.
 std::vector<std::string> noises_of(const std::string& sum, int dimensions);
+// That of its GLSL function.
+std::string noise_below(const std::string& sum);
 
 bool has_period(const Settings& settings, int dimensions);
 
@@ -45,7 +47,7 @@ inline int metric_of(const Settings& s) { return static_cast<int>(s.metric.value
 inline int octaves_of(const Settings& s) { return s.octaves.value_or(6); }
 inline float lacunarity_of(const Settings& s) { return s.lacunarity.value_or(2.0f); }
 inline float gain_of(const Settings& s) { return s.gain.value_or(0.5f); }
-inline float strength_of(const Settings& s) { return s.strength.value_or(s.sum == "ping_pong" ? 2.0f : 1.0f); }
+float strength_of(const Settings& s);
 inline float amplitude_of(const Settings& s) { return s.amplitude.value_or(1.0f); }
 
 }  // namespace hashnoise::twin

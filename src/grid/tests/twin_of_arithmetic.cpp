@@ -80,32 +80,20 @@ constexpr int kComponents = sizeof(T) / sizeof(float);
     static auto of(auto... arguments) { return hn_##name(arguments...); } \
   };
 namespace call {
-CALL(cell_border)
-CALL(cellular)
-CALL(cellular_d)
-CALL(cellular_smooth)
-CALL(cellular_three)
-CALL(curl)
-CALL(perlin)
-CALL(perlin_d)
-CALL(simplex)
-CALL(simplex_d)
-CALL(simplex_smooth)
-CALL(value)
-CALL(value_cubic)
-CALL(value_d)
+#define HN_CATALOG_NOISE(Id, name, ...) CALL(name)
+#include "grid/catalog.inc"
 }  // namespace call
 #undef CALL
 
 // What a noise takes between its place and its seed.
-enum class Options { kNone, kPhase, kJitter, kJitterAndMetric };
+enum class Options { kNothing, kPhase, kJitter, kJitterAndMetric };
 
 template <int D>
 using Place = decltype(hn_place(Ints<D>{}, Floats<D>{}));
 
 template <typename Call, Options O>
 auto called([[maybe_unused]] const Settings& s, std::uint32_t seed, auto where) {
-  if constexpr (O == Options::kNone) {
+  if constexpr (O == Options::kNothing) {
     return Call::of(where, seed);
   } else if constexpr (O == Options::kPhase) {
     return Call::of(where, *s.phase, seed);
@@ -125,7 +113,7 @@ struct NoiseEntry {
   void (*in)(const Settings&, Place<D> place, std::uint32_t seed, float* values);
 };
 
-template <int D, typename Call, Options O = Options::kNone>
+template <int D, typename Call, Options O = Options::kNothing>
 NoiseEntry<D> entry(std::string_view name) {
   NoiseEntry<D> e;
   e.name = name;
@@ -140,28 +128,23 @@ NoiseEntry<D> entry(std::string_view name) {
   return e;
 }
 
+// With a phase there are two forms, in 2D and 3D.
+template <int D, typename Call, Options O>
+void add(std::vector<NoiseEntry<D>>& all, std::string_view name) {
+  if constexpr (O == Options::kPhase) {
+    all.push_back(entry<D, Call>(name));
+    if constexpr (D == 2 || D == 3) all.push_back(entry<D, Call, Options::kPhase>(name));
+  } else {
+    all.push_back(entry<D, Call, O>(name));
+  }
+}
+
 template <int D>
 std::vector<NoiseEntry<D>> noise_entries() {
-  std::vector<NoiseEntry<D>> all = {entry<D, call::value>("value"), entry<D, call::value_d>("value_d"),
-                                    entry<D, call::perlin>("perlin"), entry<D, call::perlin_d>("perlin_d")};
-  if constexpr (D <= 3) all.push_back(entry<D, call::value_cubic>("value_cubic"));
-  if constexpr (D >= 2) {
-    all.push_back(entry<D, call::simplex>("simplex"));
-    all.push_back(entry<D, call::simplex_d>("simplex_d"));
-  }
-  if constexpr (D == 2 || D == 3) {
-    all.push_back(entry<D, call::simplex_smooth>("simplex_smooth"));
-    all.push_back(entry<D, call::curl>("curl"));
-    all.push_back(entry<D, call::perlin, Options::kPhase>("perlin"));
-    all.push_back(entry<D, call::perlin_d, Options::kPhase>("perlin_d"));
-    all.push_back(entry<D, call::simplex, Options::kPhase>("simplex"));
-    all.push_back(entry<D, call::simplex_d, Options::kPhase>("simplex_d"));
-    all.push_back(entry<D, call::cellular, Options::kJitterAndMetric>("cellular"));
-    all.push_back(entry<D, call::cellular_three, Options::kJitterAndMetric>("cellular_three"));
-    all.push_back(entry<D, call::cellular_d, Options::kJitter>("cellular_d"));
-    all.push_back(entry<D, call::cellular_smooth, Options::kJitter>("cellular_smooth"));
-    all.push_back(entry<D, call::cell_border, Options::kJitter>("cell_border"));
-  }
+  std::vector<NoiseEntry<D>> all;
+#define HN_CATALOG_NOISE(Id, name, first, last, shape, takes)                                     \
+  if constexpr (first <= D && D <= last) add<D, call::name, Options::takes>(all, #name);
+#include "grid/catalog.inc"
   return all;
 }
 
@@ -212,29 +195,31 @@ vec3 shifts_of(const hn_octaves3& o) {
   const std::uint32_t second = hn_i_other_seed(o.seed);
   return {n_of(o), chosen(o.place, second), chosen(o.place, hn_i_other_seed(second))};
 }
-float within_one(float mean) { return std::clamp(mean, -1.0f, 1.0f); }
 
 // A sum, at a position or a place: its loop over the octaves o.
 #define SUM(name, ...)                                                                                             \
   struct name##_call {                                                                                             \
-    static auto of(const Settings& s, auto where) {                                                                \
-      auto o = hn_octaves(where, twin::octaves_of(s), twin::lacunarity_of(s), twin::gain_of(s), s.seed);           \
+    static auto of(const Settings& settings, auto where) {                                                         \
+      auto o = hn_octaves(where, twin::octaves_of(settings), twin::lacunarity_of(settings),                        \
+                          twin::gain_of(settings), settings.seed);                                                 \
       __VA_ARGS__                                                                                                  \
     }                                                                                                              \
   };
-SUM(fbm, do hn_add(o, n_of(o)); while (hn_next(o)); return hn_mean(o);)
-SUM(turbulence, do hn_add_size(o, n_of(o)); while (hn_next(o)); return hn_mean(o);)
-SUM(clouds, do hn_add(o, n_of(o)); while (hn_next(o)); return hn_density(o);)
-SUM(billow, do hn_add_size(o, within_one(n_of(o))); while (hn_next(o)); return std::min(2.0f * hn_mean(o) - 1.0f, 1.0f);)
-SUM(ridged, do hn_add_ridge(o, n_of(o)); while (hn_next(o)); return within_one(hn_mean(o));)
-SUM(ping_pong, do hn_add_wave(o, n_of(o), twin::strength_of(s)); while (hn_next(o)); return within_one(hn_mean(o));)
-SUM(weighted, do hn_add_bent(o, n_of(o), twin::strength_of(s)); while (hn_next(o)); return within_one(hn_mean(o));)
+// Those of values by their steps in the catalog. That these are right is what the golden files are for.
+#define HN_CATALOG_STEP(Id, name, step, end)                                                \
+  SUM(                                                                                      \
+      name, [[maybe_unused]] const float strength = twin::strength_of(settings); do {       \
+        const hn_i_octave_sum s = o.sum;                                                    \
+        const float n = n_of(o);                                                            \
+        o.sum = step;                                                                       \
+      } while (hn_next(o)); const hn_num mean = hn_i_mean(o.sum); return hn_i_value(end);)
+#include "grid/catalog.inc"
 SUM(fbm_d, auto d = hn_slopes(o); do hn_add(o, d, chosen_d(o.place, o.seed)); while (hn_next(o)); return hn_mean(o, d);)
 SUM(eroded, auto d = hn_slopes(o);
-    do hn_add_eroded(o, d, chosen_d(o.place, o.seed), twin::strength_of(s)); while (hn_next(o)); return hn_mean(o);)
-SUM(warp, auto w = hn_shifts(o, twin::amplitude_of(s)); do hn_add(o, w, shifts_of(o)); while (hn_next(o));
+    do hn_add_eroded(o, d, chosen_d(o.place, o.seed), twin::strength_of(settings)); while (hn_next(o)); return hn_mean(o);)
+SUM(warp, auto w = hn_shifts(o, twin::amplitude_of(settings)); do hn_add(o, w, shifts_of(o)); while (hn_next(o));
     return hn_mean(o, w);)
-SUM(warp_progressive, auto w = hn_shifts(o, twin::amplitude_of(s));
+SUM(warp_progressive, auto w = hn_shifts(o, twin::amplitude_of(settings));
     do hn_add_progressive(o, w, shifts_of(o)); while (hn_next(o)); return hn_mean(o, w);)
 #undef SUM
 
@@ -309,13 +294,8 @@ twin::Function<D> of_settings(const Settings& s) {
   if (s.detail || s.footprint) return of_limited<D>(s);
 #define SUM(name) \
   if (s.sum == #name) return of_sum<D, name##_call>(s);
-  SUM(fbm)
-  SUM(turbulence)
-  SUM(clouds)
-  SUM(billow)
-  SUM(ridged)
-  SUM(ping_pong)
-  SUM(weighted)
+#define HN_CATALOG_STEP(Id, name, step, end) SUM(name)
+#include "grid/catalog.inc"
   if constexpr (D == 2 || D == 3) {
     SUM(fbm_d)
     SUM(eroded)

@@ -9,13 +9,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
+import catalog.model
 from bounds.boxes import SAFE
 from bounds.floats import TINY
 from bounds.floats import UNIT as FLOAT_UNIT
 from bounds.integers import DOUBLE, FADE_ONE, UNIT, checked, signed, word
 from bounds.table import Bounds
 
-KINDS = ("fbm", "turbulence", "clouds", "billow", "ridged", "ping_pong", "weighted")
+CATALOG = {sum_.name: sum_ for sum_ in catalog.model.read().sums}
+KINDS = tuple(name for name, sum_ in CATALOG.items() if sum_.of == sum_.shape == "value")
 SLOPED, SHIFTS = ("fbm_d", "eroded"), ("warp", "warp_progressive")  # sums with slopes, and of vectors: frames.py
 CLAMPED = ("billow", "ridged", "ping_pong", "weighted")  # in which a noise beyond [-1, 1] counts as the nearer end
 SHIFT_MAX = {1: 11 / 32, 2: 19 / 32, 3: 23 / 32, 4: 27 / 32}  # the largest component of the shift between octaves
@@ -71,7 +73,7 @@ class Sum:
         return [min(max(1.5 - self.footprint * finer**i, 0.0), 1.0) for i in range(self.count)]
 
 
-LARGEST_STRENGTH = {"ping_pong": 64.0, "eroded": 16.0}  # of the others 1
+LARGEST_STRENGTH = {name: float(sum_.strength.most) for name, sum_ in CATALOG.items() if sum_.strength}
 
 
 def clamped_strength(s: Sum) -> float:

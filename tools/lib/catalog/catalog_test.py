@@ -10,7 +10,7 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from catalog import command, grid, sections
+from catalog import command, grid, sections, shaders, suite
 from catalog.model import CATALOG, CatalogError, read
 
 
@@ -41,8 +41,40 @@ class Made(unittest.TestCase):
             with self.subTest(function=function.name):
                 self.assertIn(f", {function.name}, {function.first}, {function.last}, ", made["catalog.inc"])
                 self.assertRegex(made["__init__.pyi"], rf"(?m)^def {function.name}\(")
+                self.assertRegex(made["forms.inc"], rf'(?m)^ +"hn_{function.name}\(p')
+                self.assertIn(f"HN_ONLY_TYPES_OF_GLSL(hn_{function.name})\n", made["hashnoise.hpp"])
+                if getattr(function, "step", "") not in ("", "eroded"):
+                    self.assertRegex(made["fbm2d.glsl"], rf"(?m)^HN_FN hn_float hn_i_{function.name}\(hn_octaves2 o")
                 module = made["_sums.py" if function in catalog.sums else "_noises.py"]
                 self.assertRegex(module, rf"(?m)^def {function.name}\(")
+
+    def test_rows_of_the_suite(self):
+        fbm, ping_pong, warp = (next(sum_ for sum_ in read().sums if sum_.name == name)
+                                for name in ("fbm", "ping_pong", "warp"))
+        ids = [row.id for row in suite.of_sum(ping_pong)]
+        # In 4D there is no room for a strength beside the cell, the fraction and the period.
+        self.assertEqual([id for id in ids if "4" in id],
+                         ["fbm.ping_pong4", "fbm.ping_pong4_cell", "fbm.ping_pong4_period"])
+        self.assertEqual([id for id in ids if "1" in id], ["fbm.ping_pong1", "fbm.ping_pong1_cell_period"])
+        self.assertIn("fbm.fbm2_detail", [row.id for row in suite.of_sum(fbm)])
+        self.assertEqual(next(suite.of_sum(warp)).text(), """\
+FUNCTION("warp.warp2", "warp2d.glsl", further_octave_sum, "warp",
+         "x:f32 y:f32 octaves:i32 lacunarity:f32 gain:f32 amplitude:f32 seed:u32 = sx:f64 sy:f64",
+         "hn_warp(p, 6, 2.0, 0.5, 1.0)",
+         hn_vec2 p = vec2(float_of(a.x), float_of(a.y));
+         hn_vec2 n = hn_warp(p, int(a.z), float_of(a.w), float_of(b.x), float_of(b.y) SEEDED(b.z));
+         return uvec4(bits_of(n.x), bits_of(n.y), 0u, 0u);)
+""")
+
+    def test_the_glsl_of_a_sum(self):
+        ping_pong = next(sum_ for sum_ in read().sums if sum_.name == "ping_pong")
+        self.assertEqual(shaders.loop(ping_pong), """\
+HN_FN hn_float hn_i_ping_pong(hn_octaves2 o, hn_float strength) {
+  do hn_add_wave(o, hn_perlin(o.place, o.seed), strength); while (hn_next(o));
+  return hn_i_value(hn_i_bounded(hn_i_mean(o.sum)));
+}
+""")
+        self.assertLessEqual(max(map(len, (shaders.comment(ping_pong) + shaders.forms(ping_pong)).splitlines())), 120)
 
     def test_made_code_is_code(self):
         for path, text in command.files().items():
@@ -88,6 +120,13 @@ class Wrong(unittest.TestCase):
                 ("noises.toml", r"(?<=^\[curl\.ranges\]\n)axis = .*", "axis = [[-1, 1]]",
                  "curl: the ranges of axis have to be one for each dimension"),
                 ("noises.toml", rf"{perlin}dimensions = ", "dimensions = ] ", "catalog/noises.toml: Invalid value"),
+                ("noises.toml", rf"{perlin}((?:.*\n)+?)families = .*\n", r"\1", "perlin has no families"),
+                ("noises.toml", rf"{perlin}((?:.*\n)+?)families = \{{ usual", r"\1families = { unusual",
+                 "perlin.families has no usual"),
+                ("sums.toml", r'(?<=^\[ridged\]\n)((?:.*\n)+?)step = .*\n', r"\1",
+                 "ridged: a sum that is a value has a step, and no other has one"),
+                ("sums.toml", r'(?<=^\[ridged\]\n)((?:.*\n)+?)mean = .*', r'\1mean = "median"',
+                 "ridged: mean is 'median', and has to be one of "),
                 ("sums.toml", rf"{fbm}dimensions", "range = 7\ndimensions", "Cannot overwrite a value"),
                 ("sums.toml", r'(?<=^\[warp\]\n)((?:.*\n)+?)noise = "value"', r'\1noise = "cellular"',
                  "warp: it sums noises of the shape value, and cellular is none"),

@@ -1,18 +1,22 @@
-"""What the compiled library and its programs know: src/grid/catalog.inc."""
+"""What C++ knows: the header, and in src/grid/catalog.inc the compiled library and its programs."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
 from catalog.model import Catalog, Function, Noise, Setting, Sum
+from catalog.sections import with_section
 from tree import ROOT
 
 PATH = ROOT / "src" / "grid" / "catalog.inc"
+HEADER = "include/hashnoise/hashnoise.hpp"
 MACROS = {
     "HN_CATALOG_NOISE": "(Id, name, first dimension, last dimension, shape, takes): Shape::shape and Takes::takes",
     "HN_CATALOG_RANGE": "(noise, component, dimensions, least, greatest): of a component that is not in [-1, 1]",
     "HN_CATALOG_SUM": "(Id, name, first dimension, last dimension, shape, shape of its noises, its usual noise, name "
                       "of its strength, usual strength, most strength, Bounds::bounds of its value, least, greatest)",
+    "HN_CATALOG_STEP": "(Id, name, the sum s with an octave n more, what it makes of the mean): of a sum of values; the "
+                       "first may take a strength",
     "HN_CATALOG_SETTING": "(Id, name, is whole, least, most, usual)",
     "HN_CATALOG_METRIC": "(Id, name)",
 }
@@ -52,6 +56,10 @@ def of_sum(sum_: Sum) -> str:
     return row("HN_CATALOG_SUM", *of_function(sum_), SHAPES[sum_.of], sum_.noise, *strength, *bounds)
 
 
+def steps(sum_: Sum) -> str:
+    return row("HN_CATALOG_STEP", in_camel_case(sum_.name), sum_.name, sum_.adds("s", "n", "strength"), sum_.makes("mean"))
+
+
 def of_setting(setting: Setting) -> str:
     least = "-kMostFloat" if setting.least is None else f"{setting.least}.0"
     most = "kMostFloat" if setting.most is None else f"{setting.most}.0"
@@ -60,16 +68,32 @@ def of_setting(setting: Setting) -> str:
                most, default)
 
 
+def needs_octahedral_gradients(function: Function) -> bool:
+    return "perlin_d" in (function.name, getattr(function, "noise", ""))
+
+
+def guards(catalog: Catalog) -> str:
+    """Of the header: calls that GLSL would refuse are refused."""
+    functions = (*catalog.noises, *catalog.sums)
+    some = [function for function in functions if needs_octahedral_gradients(function)]
+    lines = {function.name: f"HN_ONLY_TYPES_OF_GLSL(hn_{function.name})\n" for function in functions}
+    return "".join([*(lines[function.name] for function in functions if function not in some),
+                    "#if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL\n",
+                    *(lines[function.name] for function in some), "#endif\n"])
+
+
 def files(catalog: Catalog) -> dict[Path, str]:
     head = ["// Made by tools/catalog: noises, sums and settings. Define one of these macros, and include this file.\n"]
     head += [f"//   {line}\n" for macro, arguments in MACROS.items() for line in wrapped(f"{macro}{arguments}")]
     begin = [f"#ifndef {macro}\n#define {macro}(...)\n#endif\n" for macro in MACROS]
     rows = [*(row("HN_CATALOG_NOISE", *of_function(noise), takes_of(noise)) for noise in catalog.noises),
             *(ranges(noise) for noise in catalog.noises), *map(of_sum, catalog.sums),
+            *(steps(sum_) for sum_ in catalog.sums if sum_.of == sum_.shape == "value"),
             *map(of_setting, catalog.settings.values()),
             *(row("HN_CATALOG_METRIC", in_camel_case(metric), metric) for metric in catalog.metrics)]
     end = [f"#undef {macro}\n" for macro in MACROS]
-    return {PATH: "".join([*head, "// clang-format off\n", *begin, *rows, *end, "// clang-format on\n"])}
+    header, text = with_section(HEADER, "noises and sums", guards(catalog))
+    return {header: text, PATH: "".join([*head, "// clang-format off\n", *begin, *rows, *end, "// clang-format on\n"])}
 
 
 def wrapped(line: str) -> list[str]:

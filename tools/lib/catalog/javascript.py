@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -166,9 +166,23 @@ def kernels(twin: Twin) -> str:
 
 
 def sums(twin: Twin) -> str:
-    """The numbers of sums."""
-    names = "".join(f"  k{in_camel_case(sum_.name)},\n" for sum_ in twin.sums)
-    return in_this_form(f"enum Sum {{\n{names}}};\n")
+    """The numbers of sums, and what they do."""
+    def lines(before: str, text: Callable[[Sum], str], after: str) -> str:
+        return "".join([before, *map(text, twin.sums), after])
+
+    def case(sum_: Sum, value: str) -> str:
+        return f"    case k{in_camel_case(sum_.name)}: return {value};\n"
+
+    def added(sum_: Sum) -> str:
+        return case(sum_, sum_.adds("s", "n", "settings.strength") if sum_.of == sum_.shape == "value" else "s")
+
+    return in_this_form("\n".join([
+        lines("enum Sum {\n", lambda sum_: f"  k{in_camel_case(sum_.name)},\n", "};\n"),
+        lines("// Once for all dimensions: what adds to octaves would be there for each.\n"
+              "[[gnu::noinline]] hn_i_octave_sum with_value(hn_i_octave_sum s, Float n) {\n"
+              "  switch (static_cast<Sum>(settings.sum)) {\n", added, "  }\n}\n"),
+        lines("Int finished(Int mean) {\n  switch (static_cast<Sum>(settings.sum)) {\n",
+              lambda sum_: case(sum_, sum_.makes("mean")), "  }\n}\n")]))
 
 
 def settings_of_page(twin: Twin) -> str:
@@ -217,11 +231,15 @@ def playground(catalog: Catalog) -> str:
 
     def of_noise(noise: Noise) -> dict[str, Any]:
         return {"dimensions": dimensions_of(noise, 4), **{option: True for option in noise.options},
-                **({"steep": True} if f"{noise.name}_d" in slopes else {})}
+                **({"steep": True} if f"{noise.name}_d" in slopes else {}),
+                **({"range": noise.ranges["value"][0]} if "value" in noise.ranges else {})}
 
     def of_sum(sum_: Sum) -> dict[str, Any]:
         strength = {"strength": {"usual": sum_.strength.default, "most": sum_.strength.most}} if sum_.strength else {}
-        return {"dimensions": dimensions_of(sum_, 4), **strength, **({"steep": True} if sum_.of == "slopes" else {})}
+        return {"dimensions": dimensions_of(sum_, 4), **strength, **({"steep": True} if sum_.of == "slopes" else {}),
+                **({"step": step} if (step := {"noise": "", "bounded_size": "size"}.get(sum_.step, sum_.step)) else {}),
+                **({"mean": sum_.mean} if sum_.mean else {}),
+                **({"range": sum_.range} if sum_.range == (0, 1) else {})}
 
     # What gives slopes, too, is another form of what does not, and no picture of its own.
     noises = {noise.name: of_noise(noise) for noise in catalog.noises if "slopes" not in noise.shape}

@@ -13,6 +13,7 @@ from tree import ROOT
 CATALOG = ROOT / "catalog"
 SHAPES = ("value", "slopes", "two_distances", "three_distances", "distance_with_slopes", "vector")
 AXES = "xyzw"
+MEANS = ("", "density", "billows", "bounded")  # glsl/octave.glsl
 
 
 class CatalogError(ValueError):
@@ -29,6 +30,14 @@ class Strength:
 
 
 @dataclass(frozen=True)
+class Families:
+    """Of which settings the suite has values of a function (conformance/library/configurations.inc)."""
+    usual: str  # on the plane and in space
+    tiles: str  # there, in a tile; of a sum also from a cell
+    others: str  # on the line, in four dimensions, and with a phase
+
+
+@dataclass(frozen=True)
 class Function:
     """A noise or a sum."""
     name: str
@@ -41,6 +50,7 @@ class Function:
     source: str
     example: str  # the printed numbers; "" if it is left out
     options: Mapping[str, str]
+    families: Families
 
     def sentence(self) -> str:
         return self.about.format(dimensions=self.dimensions_in_words())
@@ -68,6 +78,17 @@ class Sum(Function):
     noise: str
     range: tuple[float, float] | str  # "noise": that of the noise; "strength": all up to that size
     strength: Strength | None
+    step: str  # by which it adds an octave to a value; "" if it is none
+    mean: str  # what it makes of the mean
+    adds_words: str  # what the step adds, in words
+    error: str  # in words
+
+    def adds(self, sum_: str, noise: str, strength: str) -> str:
+        """The expression of a sum with an octave more."""
+        return f"hn_i_with_{self.step}({', '.join([sum_, noise, *([strength] if self.strength else [])])})"
+
+    def makes(self, mean: str) -> str:
+        return f"hn_i_{self.mean}({mean})" if self.mean else mean
 
 
 @dataclass(frozen=True)
@@ -92,6 +113,7 @@ class _Entry:
     """The keys of an entry; each is taken once, and none is left."""
 
     def __init__(self, file: str, name: str, keys: Any) -> None:
+        self.file = file
         self.where = f"catalog/{file}: {name}"
         if not isinstance(keys, dict):
             raise CatalogError(f"{self.where} has to be a table")
@@ -132,9 +154,14 @@ def _function(entry: _Entry, name: str) -> dict[str, Any]:
     if "{dimensions}" not in about:
         raise CatalogError(f"{entry.where}: about has to say {{dimensions}}, which becomes \"in 2D and 3D\" and so on")
     options = entry.take("options", dict, {})
+    families = _Entry(entry.file, f"{name}.families", entry.take("families", dict))
+    usual = families.take("usual", str)
+    of_suite = Families(usual, families.take("tiles", str, usual), families.take("others", str, usual))
+    families.end()
     return {"name": name, "first": first, "last": last, "shape": entry.one_of("shape", SHAPES), "about": about,
             "more": entry.take("more", str, ""), "returns": entry.take("returns", str),
-            "source": entry.take("source", str), "example": entry.take("example", str, ""), "options": options}
+            "source": entry.take("source", str), "example": entry.take("example", str, ""), "options": options,
+            "families": of_suite}
 
 
 def _noise(name: str, keys: Any) -> Noise:
@@ -171,7 +198,11 @@ def _sum(name: str, keys: Any, noises: Mapping[str, Noise]) -> Sum:
     strength = entry.take("strength", dict, None)
     made = Sum(**common, of=entry.one_of("of", SHAPES), noise=entry.one_of("noise", tuple(noises)),
                range=entry.pair("range", value) if isinstance(value, list) else value,
-               strength=_strength(f"{name}.strength", strength) if strength else None)
+               strength=_strength(f"{name}.strength", strength) if strength else None,
+               step=entry.take("step", str, ""), mean=entry.one_of("mean", MEANS) if "mean" in entry.keys else "",
+               adds_words=entry.take("adds", str, ""), error=entry.take("error", str, ""))
+    if bool(made.step) != (made.shape == "value"):
+        raise CatalogError(f"{entry.where}: a sum that is a value has a step, and no other has one")
     if noises[made.noise].shape != made.of:
         raise CatalogError(f"{entry.where}: it sums noises of the shape {made.of}, and {made.noise} is none")
     entry.end()

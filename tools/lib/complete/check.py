@@ -72,8 +72,8 @@ def functions_without_a_row(tree: Tree) -> Iterator[str]:
                 yield (f"{declared.place}: {declared} is the hash of no configuration: add CONFIGURATION(\"{name}\", "
                        f"{name.upper()}, ...) to {CONFIGURATIONS.relative_to(ROOT)}")
         elif (declared.name, declared.types) not in rows:
-            yield (f"{declared.place}: {declared} has no row: add a FUNCTION that calls it to "
-                   f"{FUNCTIONS.relative_to(ROOT)}")
+            yield (f"{declared.place}: {declared} has no row: give it an entry in catalog/ and run tools/catalog, or add "
+                   f"a FUNCTION that calls it to {FUNCTIONS.relative_to(ROOT)}")
 
 
 def functions_in_another_form(tree: Tree) -> Iterator[str]:

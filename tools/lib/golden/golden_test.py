@@ -180,8 +180,8 @@ class GoldenContents(unittest.TestCase):
 
     def test_a_function_that_the_oracle_does_not_have(self) -> None:
         function = FUNCTIONS["noise2d.perlin"]
-        for change, message in (({"bound": "merlin"}, r"functions\.inc:\d+: .*write .*/oracle/noises/merlin\.py"),
-                                ({"family": "octave_sum"}, r"functions\.inc:\d+: the oracle has no noise2d\.perlin")):
+        for change, message in (({"bound": "merlin"}, r"forms\.inc:\d+: .*write .*/oracle/noises/merlin\.py"),
+                                ({"family": "octave_sum"}, r"forms\.inc:\d+: the oracle has no noise2d\.perlin")):
             file = GoldenFile(replace(function, **change), [setting for setting in SETTINGS if setting.name == "lattice"])
             with self.assertRaisesRegex(TableError, message):
                 file.text()

@@ -1,7 +1,7 @@
-"""Reads the tables that C++ includes: rows like NAME(argument, ...), and macros that stand for several of them.
+"""Reads the tables that C++ includes: rows like NAME(argument, ...).
 
-It takes what these tables consist of, and nothing else: comments to the end of a line, #define with parameters, #undef,
-and uses of the two. Anything else is an error that names the file and the line, so that no row is overlooked.
+It takes what these tables consist of, and nothing else: rows, comments to the end of a line, #include of another table
+beside it, and #undef. Anything else is an error that names the file and the line, so that no row is overlooked.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ class TableError(Exception):
 
 @dataclass(frozen=True)
 class Row:
-    """A row, and where it stands; one that a macro makes stands where the macro is used."""
+    """A row, and where it stands."""
     path: Path
     line: int
     name: str
@@ -39,44 +39,42 @@ class Row:
         return self.arguments[index]
 
 
-@dataclass(frozen=True)
-class Macro:
-    parameters: tuple[str, ...]
-    body: str
-
-
 STRING = r'"[^"\\]*"'
 TOKEN = re.compile(rf"{STRING}|\w+|.", re.DOTALL)
-DEFINE = re.compile(r"#define (\w+)\(([\w, ]*)\)\s+(.+)", re.DOTALL)
-UNDEFINE = re.compile(r"#undef (\w+)")
+INCLUDE = re.compile(r'#include "(\w+\.inc)"')
+UNDEFINE = re.compile(r"#undef \w+")
 COMMENT = re.compile(rf'({STRING})|//[^\n]*')
 
 
 def read_rows(path: Path, name: str, count: int, others: frozenset[str] = frozenset(),
               at_least: int = 1) -> list[Row]:
     """The rows of the macro `name`, which has `count` arguments. The rows of `others` are left out."""
-    text = COMMENT.sub(lambda match: match[1] or "", path.read_text(encoding="utf-8"))
-    macros: dict[str, Macro] = {}
-    rows: list[Row] = []
-    lines = text.split("\n")
-    while lines:
-        line = text.count("\n") - len(lines) + 2
-        statement = lines.pop(0)
-        while statement.endswith("\\") or (not statement.startswith("#") and _depth(statement) > 0):
-            if not lines:
-                raise TableError(f"{path}:{line}: a row is not closed")
-            statement = statement.removesuffix("\\").rstrip() + "\n" + lines.pop(0)
-        where = Row(path, line, "", ())
-        if statement.startswith("#"):
-            _direct(statement.rstrip(), macros, where)
-        else:
-            rows += _expanded(statement, {name, *others}, macros, where)
-    rows = [row for row in rows if row.name == name]
+    rows = [row for row in _rows(path, {name, *others}) if row.name == name]
     for row in rows:
         if len(row.arguments) != count:
             raise row.error(f"{name} has {len(row.arguments)} arguments instead of {count}")
     if len(rows) < at_least:
         raise TableError(f"{path}: no row of {name}")
+    return rows
+
+
+def _rows(path: Path, names: set[str]) -> list[Row]:
+    text = COMMENT.sub(lambda match: match[1] or "", path.read_text(encoding="utf-8"))
+    rows: list[Row] = []
+    lines = text.split("\n")
+    while lines:
+        where = Row(path, text.count("\n") - len(lines) + 2, "", ())
+        statement = lines.pop(0)
+        while not statement.startswith("#") and _depth(statement) > 0:
+            if not lines:
+                raise where.error("a row is not closed")
+            statement += "\n" + lines.pop(0)
+        if not statement.startswith("#"):
+            rows += _of_statement(statement, names, where)
+        elif include := INCLUDE.fullmatch(statement.rstrip()):
+            rows += _rows(path.with_name(include[1]), names)
+        elif not UNDEFINE.fullmatch(statement.rstrip()):
+            raise where.error(f'{statement} is neither #include "NAME.inc" nor #undef NAME')
     return rows
 
 
@@ -86,34 +84,14 @@ def _depth(text: str) -> int:
     return bare.count("(") - bare.count(")")
 
 
-def _direct(statement: str, macros: dict[str, Macro], where: Row) -> None:
-    define, undefine = DEFINE.fullmatch(statement), UNDEFINE.fullmatch(statement)
-    if define:
-        macros[define[1]] = Macro(tuple(define[2].replace(" ", "").split(",")), define[3])
-    elif undefine:
-        macros.pop(undefine[1], None)
-    else:
-        raise where.error(f"{statement.split(chr(10))[0]} is neither #define NAME(...) nor #undef NAME")
-
-
-def _expanded(text: str, names: set[str], macros: dict[str, Macro], where: Row) -> list[Row]:
-    """The rows of a text that consists of uses of `names` and of macros."""
+def _of_statement(text: str, names: set[str], where: Row) -> list[Row]:
     rows: list[Row] = []
     while text.strip():
         used = re.match(r"\s*(\w+)\(", text)
-        if not used or (used[1] not in names and used[1] not in macros):
-            known = " nor ".join(sorted(names))
-            raise where.error(f"{text.split()[0]} is neither {known} nor a macro that is defined above")
+        if not used or used[1] not in names:
+            raise where.error(f"{text.split()[0]} is not {' or '.join(sorted(names))}")
         arguments, text = _arguments(text[used.end():], where)
-        if used[1] in names:
-            rows.append(Row(where.path, where.line, used[1], arguments))
-            continue
-        macro = macros[used[1]]
-        if len(arguments) != len(macro.parameters):
-            raise where.error(f"{used[1]} has {len(arguments)} arguments instead of {len(macro.parameters)}")
-        values = dict(zip(macro.parameters, arguments))
-        body = "".join(values.get(token, token) for token in TOKEN.findall(macro.body))
-        rows += _expanded(body, names, macros, where)
+        rows.append(Row(where.path, where.line, used[1], arguments))
     return rows
 
 

@@ -1,0 +1,130 @@
+"""What the GLSL of sums has of the catalog: their loops and forms, and the public steps of which loops are made.
+
+tools/umbrella makes the other dimensions of what this writes for the plane.
+"""
+
+from __future__ import annotations
+
+import re
+import textwrap
+from collections.abc import Sequence
+from pathlib import Path
+
+from catalog.model import Catalog, Sum
+from catalog.sections import with_section
+
+SUMS, STEPS = "glsl/fbm2d.glsl", "glsl/octaves2d.glsl"
+WIDTH = 120  # of lines, as .clang-format has it
+OCTAVE = "hn_perlin(o.place, o.seed)"
+PLACES = ("hn_place2 place", "hn_vec2 p")
+SETTINGS = ("hn_int octaves", "hn_float lacunarity", "hn_float gain")
+# The public step of each of glsl/octave.glsl that has one under another name, or none.
+PUBLIC = {"noise": "", "bounded_size": None}
+
+
+def public_step(step: str) -> str | None:
+    """hn_add, or hn_add_ridge; None if there is none."""
+    name = PUBLIC.get(step, step)
+    return None if name is None else f"hn_add_{name}".rstrip("_")
+
+
+def sums_of_values(catalog: Catalog) -> list[Sum]:
+    """Those in fbm2d.glsl."""
+    return [sum_ for sum_ in catalog.sums if sum_.of == sum_.shape == "value"]
+
+
+def named(text: str) -> str:
+    """A text of the catalog in a comment: `fbm` is hn_fbm."""
+    return re.sub(r"`(\w+)`", r"hn_\1", text)
+
+
+def commented(text: str, heading: str = "") -> str:
+    """A paragraph, or what stands behind a heading."""
+    first, rest = (f"//   {heading:<11} ", "//" + 15 * " ") if heading else ("// ", "// ")
+    return "".join(f"{line}\n" for line in textwrap.wrap(text, WIDTH, initial_indent=first, subsequent_indent=rest,
+                                                         break_long_words=False, break_on_hyphens=False))
+
+
+def function(head: str, parameters: Sequence[str], body: str) -> str:
+    """A function, its parameters in as many lines as they need."""
+    one = f"{head}({', '.join(parameters)}) {{ {body} }}"
+    if len(one) <= WIDTH:
+        return f"{one}\n"
+    indent = " " * (len(head) + 1)
+    whole = [parameter.replace(" ", "\0") for parameter in parameters]
+    lines = textwrap.wrap(", ".join(whole), WIDTH - len(") {"), initial_indent=indent, subsequent_indent=indent)
+    return f"{head}({chr(10).join(lines).lstrip()}) {{\n  {body}\n}}\n".replace("\0", " ")
+
+
+def loop(sum_: Sum) -> str:
+    strength = ["strength"] if sum_.strength else []
+    step = public_step(sum_.step)
+    if step:
+        adds = f"{step}({', '.join(['o', OCTAVE, *strength])})"
+    else:
+        adds = f"o.sum = {sum_.adds('o.sum', OCTAVE, 'strength')}"
+    if sum_.mean in ("", "density"):
+        mean = f"hn_{sum_.mean or 'mean'}(o)"
+    else:
+        mean = f"hn_i_value({sum_.makes('hn_i_mean(o.sum)')})"
+    parameters = ", ".join(["hn_octaves2 o", *(f"hn_float {name}" for name in strength)])
+    return (f"HN_FN hn_float hn_i_{sum_.name}({parameters}) {{\n"
+            f"  do {adds}; while (hn_next(o));\n  return {mean};\n}}\n")
+
+
+def comment(sum_: Sum) -> str:
+    about = re.sub(r",? \{dimensions\}", "", f"{sum_.about} {sum_.more}".strip())
+    if sum_.strength:
+        settings = [commented(named(sum_.strength.about), "strength"),
+                    "//   (other parameters, period and cost as for hn_fbm; the strength stands behind the gain)\n"]
+    else:
+        settings = ["//   (parameters, period and cost as for hn_fbm)\n"]
+    return "".join([commented(named(about)), *settings, commented(named(sum_.returns), "returns"),
+                    commented(named(sum_.error), "error"), commented(named(sum_.source), "source")])
+
+
+def forms(sum_: Sum) -> str:
+    """At a place and at a position with a seed, and at a position without."""
+    strength = ["strength"] if sum_.strength else []
+    settings = [*SETTINGS, *(f"hn_float {name}" for name in strength)]
+    names = [setting.split()[1] for setting in settings]
+    head = f"HN_FN hn_float hn_{sum_.name}"
+
+    def of_octaves(place: str) -> str:
+        octaves = f"hn_octaves({', '.join([place.split()[1], 'octaves', 'lacunarity', 'gain', 'seed'])})"
+        return function(head, [place, *settings, "hn_uint seed"],
+                        f"return hn_i_{sum_.name}({', '.join([octaves, *strength])});")
+
+    return "".join([*map(of_octaves, PLACES),
+                    function(head, [PLACES[1], *settings], f"return hn_{sum_.name}({', '.join(['p', *names, '0u'])});")])
+
+
+def public_steps(sums: Sequence[Sum]) -> str:
+    """Each once, with the sums that are made of it."""
+    owners: dict[str, list[Sum]] = {}
+    for sum_ in sums:
+        if public_step(sum_.step):
+            owners.setdefault(sum_.step, []).append(sum_)
+    kinds = [f"{of[0].adds_words} ({', '.join(f'hn_{sum_.name}' for sum_ in of)})" for of in owners.values()]
+    head = commented(f"Add the noise of an octave: {'; '.join(kinds)}.")
+    return head + """\
+//   o         the octaves
+//   n         the noise at o.place with o.seed, in [-1, 1]. hn_add and hn_add_size take what is beyond, the others cut
+//             it off
+//   strength  as of the sum that is made so (fbm2d.glsl)
+//   returns   nothing: the octaves have the sum
+//   error     as of the sums in fbm2d.glsl
+//   cost      1 to 10 operations
+//   source    docs/contract.md, section 7
+""" + "".join(function(f"HN_FN void {public_step(step)}",
+                       ["HN_I_INOUT(hn_octaves2) o", "hn_float n", *(["hn_float strength"] if of[0].strength else [])],
+                       f"o.sum = {of[0].adds('o.sum', 'n', 'strength')};") for step, of in owners.items())
+
+
+def files(catalog: Catalog) -> dict[Path, str]:
+    sums = sums_of_values(catalog)
+    with_loops = with_section(SUMS, "loops", "".join(map(loop, sums)))[1]
+    # Those of fBm stand there by hand, with what all others have from it.
+    others = "\n".join(comment(sum_) + forms(sum_) for sum_ in sums if sum_.name != "fbm")
+    return dict([with_section(SUMS, "forms", others, with_loops),
+                 with_section(STEPS, "steps", public_steps(sums))])
