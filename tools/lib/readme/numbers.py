@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+import catalog.model
 from tables.markdown import table
 from tables.peers import CALLS, PEERS, dimensions, subject
 from tree import ROOT
@@ -20,8 +21,9 @@ Costs = Mapping[str, Mapping[str, str]]  # the rows of bench.csv, by id
 
 # --- Typical values -----------------------------------------------------------------------------------------------------
 
-PLAIN_SUMS = ("hn_fbm", "hn_turbulence", "hn_billow", "hn_clouds", "hn_ridged", "hn_ping_pong", "hn_weighted")
-SUMS = (*PLAIN_SUMS, "hn_eroded", "hn_warp", "hn_warp_progressive")
+CATALOG = catalog.model.read()
+SUMS = tuple(f"hn_{sum_.name}" for sum_ in CATALOG.sums if sum_.shape != "slopes")
+PLAIN_SUMS = tuple(f"hn_{sum_.name}" for sum_ in CATALOG.sums if sum_.of == sum_.shape == "value")
 IN_README = ("hn_perlin", "hn_value", "hn_value_cubic", "hn_simplex", "hn_simplex_smooth", "hn_fbm")
 
 

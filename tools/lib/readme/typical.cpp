@@ -40,42 +40,47 @@ void print_typical(const char* name, int axes, Noise noise) {
               static_cast<double>(low), static_cast<double>(high));
 }
 
-float line(vec4 p) { return p.x; }
-vec2 plane(vec4 p) { return vec2(p.x, p.y); }
-vec3 space(vec4 p) { return vec3(p.x, p.y, p.z); }
-vec4 all(vec4 p) { return p; }
-
 // Of a vector one component stands for all.
 float first(float value) { return value; }
 float first(vec2 value) { return value.x; }
 float first(vec3 value) { return value.x; }
+float first(vec4 value) { return value.x; }
+
+// At the dimensions that a function has.
+template <typename Noise>
+void print_in(const char* name, int first_dimension, int last_dimension, Noise noise) {
+  const auto has = [&](int axes) { return first_dimension <= axes && axes <= last_dimension; };
+  if constexpr (requires { noise(1.0f); }) {
+    if (has(1)) print_typical(name, 1, [&](vec4 p) { return first(noise(p.x)); });
+  }
+  if (has(2)) print_typical(name, 2, [&](vec4 p) { return first(noise(vec2(p.x, p.y))); });
+  if (has(3)) print_typical(name, 3, [&](vec4 p) { return first(noise(vec3(p.x, p.y, p.z))); });
+  if constexpr (requires { noise(vec4()); }) {
+    if (has(4)) print_typical(name, 4, [&](vec4 p) { return first(noise(p)); });
+  }
+}
 
 }  // namespace
 
-#define PRINT_AT(axes, place, name, ...) \
-  print_typical(#name, axes, [](vec4 p) { return first(hashnoise::name(place(p) __VA_OPT__(, ) __VA_ARGS__)); })
-#define PRINT(name, ...)                               \
-  PRINT_AT(2, plane, name __VA_OPT__(, ) __VA_ARGS__); \
-  PRINT_AT(3, space, name __VA_OPT__(, ) __VA_ARGS__)
-#define PRINT_ALL(name, ...)                          \
-  PRINT_AT(1, line, name __VA_OPT__(, ) __VA_ARGS__); \
-  PRINT(name __VA_OPT__(, ) __VA_ARGS__);             \
-  PRINT_AT(4, all, name __VA_OPT__(, ) __VA_ARGS__)
+// A call that is no function in some dimensions.
+#define CALL(name, ...)                                                                              \
+  [](auto p) -> decltype(hashnoise::hn_##name(p __VA_OPT__(, ) __VA_ARGS__)) {                       \
+    return hashnoise::hn_##name(p __VA_OPT__(, ) __VA_ARGS__);                                       \
+  }
+// Of noises those that are a value and have no jitter, and sums with what is usual, by what their strength is called.
+#define NOISE_kValue(name, first, last) print_in("hn_" #name, first, last, CALL(name));
+#define NOISE_kWithSlopes(...)
+#define NOISE_kVector(...)
+#define NOISE_kTwoDistances(...)
+#define NOISE_kThreeDistances(...)
+#define NOISE_kDistanceWithSlopes(...)
+#define SUM_none(usual)
+#define SUM_strength(usual) , usual
+#define SUM_amplitude(usual) , usual
 
 int main() {
-  PRINT(hn_perlin);
-  PRINT(hn_value);
-  PRINT(hn_value_cubic);
-  PRINT(hn_simplex);
-  PRINT(hn_simplex_smooth);
-  PRINT_ALL(hn_fbm, 6, 2.0f, 0.5f);
-  PRINT_ALL(hn_turbulence, 6, 2.0f, 0.5f);
-  PRINT_ALL(hn_billow, 6, 2.0f, 0.5f);
-  PRINT_ALL(hn_clouds, 6, 2.0f, 0.5f);
-  PRINT_ALL(hn_ridged, 6, 2.0f, 0.5f);
-  PRINT_ALL(hn_ping_pong, 6, 2.0f, 0.5f, 2.0f);
-  PRINT_ALL(hn_weighted, 6, 2.0f, 0.5f, 1.0f);
-  PRINT(hn_eroded, 6, 2.0f, 0.5f, 1.0f);
-  PRINT(hn_warp, 6, 2.0f, 0.5f, 1.0f);
-  PRINT(hn_warp_progressive, 6, 2.0f, 0.5f, 1.0f);
+#define HN_CATALOG_NOISE(Id, name, first, last, shape, takes) NOISE_##shape(name, first, last)
+#define HN_CATALOG_SUM(Id, name, first, last, shape, of, noise, strength, usual, ...) \
+  print_in("hn_" #name, first, last, CALL(name, 6, 2.0f, 0.5f SUM_##strength(usual##.0f)));
+#include "../../../src/grid/catalog.inc"
 }
