@@ -1,9 +1,9 @@
 // Made by tools/catalog. Of a steep noise there are slopes, and a steep sum needs them.
 export const kCatalog = {
   noises: {
+    perlin: { dimensions: [1, 2, 3, 4], phase: true, steep: true },
     value: { dimensions: [1, 2, 3, 4], steep: true },
     value_cubic: { dimensions: [1, 2, 3] },
-    perlin: { dimensions: [1, 2, 3, 4], phase: true, steep: true },
     simplex: { dimensions: [2, 3, 4], phase: true, steep: true },
     simplex_smooth: { dimensions: [2, 3] },
     cellular: { dimensions: [2, 3], jitter: true, metric: true },

@@ -28,11 +28,11 @@ export interface Settings {
 
 // tools/catalog: names
 export type NoiseName =
+  | "perlin"
+  | "perlin_d"
   | "value"
   | "value_d"
   | "value_cubic"
-  | "perlin"
-  | "perlin_d"
   | "simplex"
   | "simplex_d"
   | "simplex_smooth"

@@ -14,11 +14,11 @@ const SHAPES = {
 // and its strength is the name of that number. OWNERS says which noises or sums have a setting.
 // tools/catalog: noises and sums
 const NOISES = {
+  perlin: { dimensions: [1, 2, 3], shape: "value", takes: [] },
+  perlin_d: { dimensions: [1, 2, 3], shape: "slopes", takes: [] },
   value: { dimensions: [1, 2, 3], shape: "value", takes: [] },
   value_d: { dimensions: [1, 2, 3], shape: "slopes", takes: [] },
   value_cubic: { dimensions: [1, 2, 3], shape: "value", takes: [] },
-  perlin: { dimensions: [1, 2, 3], shape: "value", takes: [] },
-  perlin_d: { dimensions: [1, 2, 3], shape: "slopes", takes: [] },
   simplex: { dimensions: [2, 3], shape: "value", takes: [] },
   simplex_d: { dimensions: [2, 3], shape: "slopes", takes: [] },
   simplex_smooth: { dimensions: [2, 3], shape: "value", takes: [] },

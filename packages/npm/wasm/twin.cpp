@@ -82,18 +82,18 @@ HN_I_INLINE void put(Numbers& n, vec4 v) {
 // tools/catalog: noises
 // clang-format off
 const Kernel1 kLine[] = {
+    TWIN_LINE(perlin, seed),
+    TWIN_LINE(perlin_d, seed),
     TWIN_LINE(value, seed),
     TWIN_LINE(value_d, seed),
     TWIN_LINE(value_cubic, seed),
-    TWIN_LINE(perlin, seed),
-    TWIN_LINE(perlin_d, seed),
 };
 const Kernel2 kPlane[] = {
+    TWIN_PLANE(perlin, seed),
+    TWIN_PLANE(perlin_d, seed),
     TWIN_PLANE(value, seed),
     TWIN_PLANE(value_d, seed),
     TWIN_PLANE(value_cubic, seed),
-    TWIN_PLANE(perlin, seed),
-    TWIN_PLANE(perlin_d, seed),
     TWIN_PLANE(simplex, seed),
     TWIN_PLANE(simplex_d, seed),
     TWIN_PLANE(simplex_smooth, seed),
@@ -101,11 +101,11 @@ const Kernel2 kPlane[] = {
     TWIN_PLANE(curl, seed),
 };
 const Kernel3 kSpace[] = {
+    TWIN_SPACE(perlin, seed),
+    TWIN_SPACE(perlin_d, seed),
     TWIN_SPACE(value, seed),
     TWIN_SPACE(value_d, seed),
     TWIN_SPACE(value_cubic, seed),
-    TWIN_SPACE(perlin, seed),
-    TWIN_SPACE(perlin_d, seed),
     TWIN_SPACE(simplex, seed),
     TWIN_SPACE(simplex_d, seed),
     TWIN_SPACE(simplex_smooth, seed),

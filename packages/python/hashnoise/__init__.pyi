@@ -18,6 +18,20 @@ __version__: str
 
 # tools/catalog: functions
 @overload
+def perlin(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
+           seed: int = 0, period: int | Sequence[int] | None = None, phase: float | None = None,
+           cell: int | Sequence[int] | None = None, arithmetic: _Arithmetic = "fast", out: None = None,
+           threads: int | None = None, instruction_set: str | None = None) -> float: ...
+@overload
+def perlin(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
+           w: npt.ArrayLike | None = None, /, *, seed: int = 0, period: int | Sequence[int] | None = None,
+           phase: float | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+           out: _Values | None = None, threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+def perlin_d(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
+             w: npt.ArrayLike | None = None, /, *, seed: int = 0, period: int | Sequence[int] | None = None,
+             phase: float | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+             out: _Values | None = None, threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
 def value(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *, seed: int = 0,
           period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
           arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
@@ -41,20 +55,6 @@ def value_cubic(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLi
                 period: int | Sequence[int] | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
                 out: _Values | None = None, threads: int | None = None,
                 instruction_set: str | None = None) -> _Values: ...
-@overload
-def perlin(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
-           seed: int = 0, period: int | Sequence[int] | None = None, phase: float | None = None,
-           cell: int | Sequence[int] | None = None, arithmetic: _Arithmetic = "fast", out: None = None,
-           threads: int | None = None, instruction_set: str | None = None) -> float: ...
-@overload
-def perlin(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-           w: npt.ArrayLike | None = None, /, *, seed: int = 0, period: int | Sequence[int] | None = None,
-           phase: float | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
-           out: _Values | None = None, threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
-def perlin_d(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-             w: npt.ArrayLike | None = None, /, *, seed: int = 0, period: int | Sequence[int] | None = None,
-             phase: float | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
-             out: _Values | None = None, threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
 def simplex(x: _Number, y: _Number, z: _Number | None = None, w: _Number | None = None, /, *, seed: int = 0,
             period: int | Sequence[int] | None = None, phase: float | None = None,

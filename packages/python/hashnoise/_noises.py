@@ -3,8 +3,44 @@
 
 from ._evaluate import points
 
-__all__ = ["value", "value_d", "value_cubic", "perlin", "perlin_d", "simplex", "simplex_d", "simplex_smooth",
+__all__ = ["perlin", "perlin_d", "value", "value_d", "value_cubic", "simplex", "simplex_d", "simplex_smooth",
            "cellular", "cellular_three", "cellular_d", "cellular_smooth", "cell_border", "curl"]
+
+
+def perlin(x, y=None, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=None, arithmetic="fast", out=None,
+           threads=None, instruction_set=None):
+    """Perlin noise, in 1D to 4D: gradient noise on the square lattice, with hashed gradients.
+
+    Positions are in cells, and a cell has about one hill or valley. At whole positions the noise is 0, so scale the
+    numbers of pixels and tiles.
+
+    phase    in 2D and 3D: the gradients turn by so many turns, and the field changes in place; it loops after one
+    returns  [-1, 1], mean 0, 0 at lattice points, twice continuously differentiable
+    source   Valdenegro-Toro and Pincheira, sec. 5; Perlin, "Improving noise", 2002; for the phase Perlin and Neyret,
+             "Flow noise", 2001
+
+    >>> hashnoise.perlin(0.5, 0.25, seed=7, arithmetic="fixed")
+    0.08695650100708008
+    """
+    return points("perlin", (x, y, z, w), cell, out, threads, noise="perlin", seed=seed, period=period, phase=phase,
+                  arithmetic=arithmetic, instruction_set=instruction_set)
+
+
+def perlin_d(x, y=None, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=None, arithmetic="fast", out=None,
+             threads=None, instruction_set=None):
+    """Perlin noise and how steep it is, in 1D to 4D.
+
+    phase    in 2D and 3D: as of `perlin`
+    returns  planes: the value, which is that of `perlin`, and its derivatives along each axis, per cell, once
+             continuously differentiable: in [-2.69, 2.69] in 1D, [-2.78, 2.78] in 2D, [-3.38, 3.38] in 3D and [-3.62,
+             3.62] in 4D, without a phase
+    source   the product rule on the interpolation; docs/contract.md, section 10
+
+    >>> hashnoise.perlin_d(0.5, 0.25, seed=7, arithmetic="fixed")
+    array([0.0869565 , 0.8772774 , 0.69961166], dtype=float32)
+    """
+    return points("perlin_d", (x, y, z, w), cell, out, threads, noise="perlin_d", seed=seed, period=period, phase=phase,
+                  arithmetic=arithmetic, instruction_set=instruction_set)
 
 
 def value(x, y=None, z=None, w=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None, threads=None,
@@ -52,42 +88,6 @@ def value_cubic(x, y=None, z=None, /, *, seed=0, period=None, cell=None, arithme
     -0.36034679412841797
     """
     return points("value_cubic", (x, y, z), cell, out, threads, noise="value_cubic", seed=seed, period=period,
-                  arithmetic=arithmetic, instruction_set=instruction_set)
-
-
-def perlin(x, y=None, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=None, arithmetic="fast", out=None,
-           threads=None, instruction_set=None):
-    """Perlin noise, in 1D to 4D: gradient noise on the square lattice, with hashed gradients.
-
-    Positions are in cells, and a cell has about one hill or valley. At whole positions the noise is 0, so scale the
-    numbers of pixels and tiles.
-
-    phase    in 2D and 3D: the gradients turn by so many turns, and the field changes in place; it loops after one
-    returns  [-1, 1], mean 0, 0 at lattice points, twice continuously differentiable
-    source   Valdenegro-Toro and Pincheira, sec. 5; Perlin, "Improving noise", 2002; for the phase Perlin and Neyret,
-             "Flow noise", 2001
-
-    >>> hashnoise.perlin(0.5, 0.25, seed=7, arithmetic="fixed")
-    0.08695650100708008
-    """
-    return points("perlin", (x, y, z, w), cell, out, threads, noise="perlin", seed=seed, period=period, phase=phase,
-                  arithmetic=arithmetic, instruction_set=instruction_set)
-
-
-def perlin_d(x, y=None, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=None, arithmetic="fast", out=None,
-             threads=None, instruction_set=None):
-    """Perlin noise and how steep it is, in 1D to 4D.
-
-    phase    in 2D and 3D: as of `perlin`
-    returns  planes: the value, which is that of `perlin`, and its derivatives along each axis, per cell, once
-             continuously differentiable: in [-2.69, 2.69] in 1D, [-2.78, 2.78] in 2D, [-3.38, 3.38] in 3D and [-3.62,
-             3.62] in 4D, without a phase
-    source   the product rule on the interpolation; docs/contract.md, section 10
-
-    >>> hashnoise.perlin_d(0.5, 0.25, seed=7, arithmetic="fixed")
-    array([0.0869565 , 0.8772774 , 0.69961166], dtype=float32)
-    """
-    return points("perlin_d", (x, y, z, w), cell, out, threads, noise="perlin_d", seed=seed, period=period, phase=phase,
                   arithmetic=arithmetic, instruction_set=instruction_set)
 
 

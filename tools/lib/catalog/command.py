@@ -16,7 +16,7 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from catalog import grid, javascript, python, shaders, suite
+from catalog import grid, javascript, pages, python, shaders, suite
 from catalog.model import CatalogError, read
 from tree import ROOT
 
@@ -25,7 +25,7 @@ def files() -> dict[Path, str]:
     """All that is made, by its path."""
     catalog = read()
     return {**grid.files(catalog), **python.files(catalog), **javascript.files(catalog), **suite.files(catalog),
-            **shaders.files(catalog)}
+            **shaders.files(catalog), **pages.files(catalog)}
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -51,6 +51,8 @@ class Function:
     example: str  # the printed numbers; "" if it is left out
     options: Mapping[str, str]
     families: Families
+    brief: str  # for the README
+    use: str  # for the pages
 
     def sentence(self) -> str:
         return self.about.format(dimensions=self.dimensions_in_words())
@@ -161,7 +163,7 @@ def _function(entry: _Entry, name: str) -> dict[str, Any]:
     return {"name": name, "first": first, "last": last, "shape": entry.one_of("shape", SHAPES), "about": about,
             "more": entry.take("more", str, ""), "returns": entry.take("returns", str),
             "source": entry.take("source", str), "example": entry.take("example", str, ""), "options": options,
-            "families": of_suite}
+            "families": of_suite, "brief": entry.take("brief", str), "use": entry.take("use", str)}
 
 
 def _noise(name: str, keys: Any) -> Noise:

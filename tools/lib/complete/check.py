@@ -105,9 +105,9 @@ def functions_without_words(tree: Tree) -> Iterator[str]:
 
 
 def is_named(name: str, cell: str) -> bool:
-    """Whether a cell of a table has a call of it, by itself or in a series: `hn_gradient1(h)` to `hn_gradient4(h)`."""
+    """Whether a cell of a table has it, alone or in a series: `hn_gradient1(h)` to `hn_gradient4(h)`."""
     series = re.search(r"`(\w+?)(\d)\(.*` to `\1(\d)\(", cell)
-    return f"`{name}(" in cell or (series is not None and
+    return f"`{name}(" in cell or f"`{name}`" in cell or (series is not None and
                                    name in {f"{series[1]}{i}" for i in range(int(series[2]), int(series[3]) + 1)})
 
 

@@ -1,0 +1,81 @@
+"""What pages say of noises and sums: the tables of functions in the README, docs/noises.md and docs/sums.md."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from pathlib import Path
+
+from catalog.model import Catalog, Function, Noise, Sum
+from catalog.shaders import public_step, sums_of_values
+from tables.markdown import table, with_section
+from tree import ROOT
+
+README, NOISES, SUMS = "README.md", "docs/noises.md", "docs/sums.md"
+USUAL_SUM = "fbm"
+
+
+def grouped(functions: Iterable[Function], text: Callable[[Function], str]) -> list[tuple[list[Function], str]]:
+    """Those of which the page says the same are one row, where the first of them stands."""
+    groups: dict[str, list[Function]] = {}
+    for function in functions:
+        groups.setdefault(text(function), []).append(function)
+    return [(group, said) for said, group in groups.items()]
+
+
+def called(group: Sequence[Function], parameters: str) -> str:
+    """The first with its parameters, which those after it have, too."""
+    return ", ".join([f"`hn_{group[0].name}({parameters})`", *(f"`hn_{function.name}`" for function in group[1:])])
+
+
+def settings(sum_: Sum) -> str:
+    return ", ".join(["p", "octaves", "lacunarity", "gain", *([sum_.strength.name] if sum_.strength else [])])
+
+
+def in_readme(catalog: Catalog) -> str:
+    rows = []
+    for group, brief in grouped(catalog.noises, lambda noise: noise.brief):
+        rows.append((called(group, "p [, seed]"), brief))
+    usual = next(sum_ for sum_ in catalog.sums if sum_.name == USUAL_SUM)
+    others = [sum_ for sum_ in catalog.sums if sum_ is not usual]
+    rows += [(called([usual], f"{settings(usual)} [, seed]"), usual.brief),
+             (called(others, "..."),
+              f"{', '.join(dict.fromkeys(sum_.brief for sum_ in others))} ([sums]({SUMS}))")]
+    return table(("function", "value"), rows)
+
+
+def of_noises(catalog: Catalog) -> str:
+    def cells(group: Sequence[Noise]) -> list[str]:
+        return ["x" if any(noise.is_in(dimensions) for noise in group) else "" for dimensions in range(1, 5)]
+
+    return table(("noise", "1D", "2D", "3D", "4D", "take it for"),
+                 [(", ".join(f"`hn_{noise.name}`" for noise in group), *cells(group), use)
+                  for group, use in grouped(catalog.noises, lambda noise: noise.use)])
+
+
+def of_sums(sums: Sequence[Sum]) -> str:
+    return table(("function", "value"), [(called(group, f"{settings(group[0])} [, seed]"), use)
+                                         for group, use in grouped(sums, lambda sum_: sum_.use)])
+
+
+def of_steps(catalog: Catalog) -> str:
+    """By public functions: hn_add bounds no noise, and hn_mean no mean."""
+    means = {"": "hn_mean(o)", "bounded": "hn_mean(o)", "density": "hn_density(o)", "billows": "2.0 * hn_mean(o) - 1.0"}
+
+    def row(sum_: Sum) -> tuple[str, ...]:
+        step = public_step(sum_.step) or "hn_add_size"
+        strength = ", strength" if sum_.strength else ""
+        return f"`hn_{sum_.name}`", f"`{step}(o, n{strength})`", f"`{means[sum_.mean]}`"
+
+    return table(("the library's sum", "adds an octave", "makes the value"), [*map(row, sums_of_values(catalog))])
+
+
+def files(catalog: Catalog) -> dict[Path, str]:
+    plain = sums_of_values(catalog)
+    others = [sum_ for sum_ in catalog.sums if sum_ not in plain]
+    made = {}
+    for page, name, text in ((README, "functions", in_readme(catalog)), (NOISES, "noises", of_noises(catalog)),
+                             (SUMS, "sums", of_sums(plain)), (SUMS, "sums in 2D and 3D", of_sums(others)),
+                             (SUMS, "steps", of_steps(catalog))):
+        path = ROOT / page
+        made[path] = with_section(page, made.get(path) or path.read_text(encoding="utf-8"), f"tools/catalog: {name}", text)
+    return made
