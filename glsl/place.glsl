@@ -133,6 +133,21 @@ HN_FN hn_place4 hn_place(hn_ivec4 cell, hn_vec4 f) {
                           HN_I_REST(hn_i_rest_of_fraction(f.z)), HN_I_REST(hn_i_rest_of_fraction(f.w))));
 }
 
+// A place from a cell alone: its first corner. So hn_random(hn_place(cell), seed) is the number of a cell.
+//   cell     the cell: int, ivec2, ivec3 or ivec4
+//   returns  the place
+//   error    none
+//   cost     none
+//   source   as above
+HN_FN hn_place1 hn_place(hn_int cell) { return hn_i_place(cell, hn_i_inside(0.0f), 0); }
+HN_FN hn_place2 hn_place(hn_ivec2 cell) { return hn_i_place(cell, hn_i_inside(vec2(0.0f, 0.0f)), ivec2(0, 0)); }
+HN_FN hn_place3 hn_place(hn_ivec3 cell) {
+  return hn_i_place(cell, hn_i_inside(vec3(0.0f, 0.0f, 0.0f)), ivec3(0, 0, 0));
+}
+HN_FN hn_place4 hn_place(hn_ivec4 cell) {
+  return hn_i_place(cell, hn_i_inside(vec4(0.0f, 0.0f, 0.0f, 0.0f)), ivec4(0, 0, 0, 0));
+}
+
 // A place from a position. hn_perlin(hn_place(p), seed) is hn_perlin(p, seed).
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
 //   returns  the place

@@ -82,7 +82,7 @@ double sum_of_constant_noise(const ConstantSum& sum) {
 #define OCTAVE_STEP(name, step, end) \
   case OctaveSum::name:              \
     return of_steps([&] { return step; }, [](float mean) { return end; });
-#include "library/sums.inc"
+#include "library/facts.inc"
     case OctaveSum::fbm_d:
       return sum.octaves > 0 ? kConstantNoise : 0.0;
     case OctaveSum::eroded:

@@ -77,7 +77,7 @@ Range range_of(const Function& function, const Configuration& configuration, std
   const auto largest = static_cast<float>(largest_of(function, configuration, output));
   const bool distance = function.is_cellular() && !function.is_slope(output) && function.bound != "cellular_smooth";
   if (distance) return {0.0f, largest};
-  if (!function.is_octave_sum()) return {-largest, largest};
+  if (!function.is_octave_sum()) return {function.is_never_negative() ? 0.0f : -largest, largest};
   const OctaveSumFacts& sum = facts_of(octave_sum_of(function));
   if (sum.bounded) return {static_cast<float>(sum.least), static_cast<float>(sum.greatest)};
   return {sum.least < 0.0 ? -largest : 0.0f, largest};
@@ -89,13 +89,23 @@ void require_inside(Comparison& comparison, std::span<const std::uint32_t> input
   comparison.require(inside, inputs, value, inside ? "" : fmt::format("a value in [{}, {}]", range.low, range.high));
 }
 
+double mean_of(const Words& words) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < words.size(); i += kOutputWords) {
+    sum += static_cast<double>(std::bit_cast<float>(words[i]));
+  }
+  return sum * kOutputWords / static_cast<double>(words.size());
+}
+
 // The correlation of two columns of values.
 double correlation(const Words& first, const Words& second) {
+  const double mean_of_first = mean_of(first);
+  const double mean_of_second = mean_of(second);
   double products = 0.0;
   double squares = 0.0;
   for (std::size_t i = 0; i < first.size(); i += kOutputWords) {
-    const auto a = static_cast<double>(std::bit_cast<float>(first[i]));
-    const auto b = static_cast<double>(std::bit_cast<float>(second[i]));
+    const double a = static_cast<double>(std::bit_cast<float>(first[i])) - mean_of_first;
+    const double b = static_cast<double>(std::bit_cast<float>(second[i])) - mean_of_second;
     products += a * b;
     squares += (a * a + b * b) / 2.0;
   }

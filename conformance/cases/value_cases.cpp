@@ -31,7 +31,8 @@ std::vector<Relation> properties_of(const Evaluation& evaluation) {
   if (configuration.hash == default_configuration().hash) add("finite", check_finite);
   if (function.family == Family::curl) add("divergence", check_divergence);
   if (!function.is_noise()) return properties;
-  if (configuration.hash == default_configuration().hash && !function.inputs_are_units()) add("seams", check_seams);
+  const bool has_seams = !function.inputs_are_units() && function.is_continuous();
+  if (configuration.hash == default_configuration().hash && has_seams) add("seams", check_seams);
   if (function.starts_from_integers()) return properties;
   if (function.is_gradient_noise() && !function.is_slope(0)) add("zero", check_zero);
   // With the sine gradient a hash is as weak as published. With derivatives the field is the same.

@@ -214,7 +214,7 @@ namespace {
 
 constexpr OctaveSumFacts kOctaveSums[] = {
 #define OCTAVE_SUM(name, noise, most, least, greatest, bounded) {#name, #noise, most, least, greatest, bounded},
-#include "library/sums.inc"
+#include "library/facts.inc"
 };
 
 }  // namespace
@@ -479,7 +479,9 @@ double steepest(const OctaveArguments& arguments, const NoiseBounds& noise, cons
 // Of a noise, or a component of its derivative, at a position that is off.
 double error_at(const OctaveArguments& arguments, const NoiseBounds& bounds, double lipschitz, double limit,
                 double position_error) {
-  return std::min(lipschitz * position_error + (arguments.from_cell ? bounds.cell_error : bounds.error), 2.0 * limit);
+  // A noise that jumps is as good as any only where its position is exact.
+  const double of_position = position_error > 0.0 ? lipschitz * position_error : 0.0;
+  return std::min(of_position + (arguments.from_cell ? bounds.cell_error : bounds.error), 2.0 * limit);
 }
 
 Errors errors_at(const OctaveArguments& arguments, const NoiseBounds& bounds, double lipschitz, double limit) {

@@ -101,6 +101,27 @@ bool Function::is_further() const {
                             Family::curl, Family::cellular, Family::further_cellular});
 }
 
+namespace {
+
+struct NoiseFacts {
+  std::string_view name;
+  bool jumps;
+  bool is_never_negative;
+};
+constexpr NoiseFacts kNoises[] = {
+#define NOISE(name, jumps, is_never_negative) {#name, jumps, is_never_negative},
+#include "library/facts.inc"
+};
+
+bool is_noise_with(bool NoiseFacts::* fact, std::string_view name) {
+  return std::ranges::any_of(kNoises, [&](const NoiseFacts& noise) { return noise.name == name && noise.*fact; });
+}
+
+}  // namespace
+
+bool Function::is_continuous() const { return !is_noise_with(&NoiseFacts::jumps, bound); }
+bool Function::is_never_negative() const { return is_noise_with(&NoiseFacts::is_never_negative, bound); }
+
 bool Function::is_derived() const { return bound.ends_with("_d") || bound.ends_with("_d_phase"); }
 
 bool Function::is_costly() const {

@@ -39,6 +39,8 @@ struct Function {
 
   bool exact() const { return bound == "exact"; }
   bool is_noise() const;
+  bool is_continuous() const;      // of a noise
+  bool is_never_negative() const;  // of a noise
   bool is_gradient_noise() const;  // it is 0 at lattice points
   bool is_simplex_noise() const { return family == Family::simplex_noise; }
   bool is_cellular() const;

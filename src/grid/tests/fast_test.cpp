@@ -256,11 +256,15 @@ TEST(FastBounds, RejectWhatIsWrong) {
   CellGrid<2> cells = {{3, -7}, {0.3f, 0.7f}, {0.17, 0.23}, {9, 7}};
   CellGrid<2> moved_cells = cells;
   moved_cells.f[0] += 0.001f;
-  const auto expect_rejected = [](const Settings& s, const auto& where, const auto& moved_to, const Bound& bound) {
+  // A noise that jumps is the same in the whole cell.
+  const auto moves = [](const Settings& s) { return std::isfinite(hn::noise_bounds(s.noise, 2, kGradient).lipschitz); };
+  const auto expect_rejected = [&](const Settings& s, const auto& where, const auto& moved_to, const Bound& bound) {
     const std::size_t points = places_of(where).size();
     const std::vector<float> right = planes_of(function<2>(s), places_of(where));
     EXPECT_TRUE(within(right, right, points, bound));
-    EXPECT_FALSE(within(planes_of(function<2>(s), places_of(moved_to)), right, points, bound)) << s;
+    if (moves(s)) {
+      EXPECT_FALSE(within(planes_of(function<2>(s), places_of(moved_to)), right, points, bound)) << s;
+    }
     Settings other = s;
     other.seed += 1;
     EXPECT_FALSE(within(planes_of(function<2>(other), places_of(where)), right, points, bound)) << s;

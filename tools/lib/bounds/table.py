@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from decimal import ROUND_CEILING, Decimal
 from functools import cache
@@ -19,7 +20,7 @@ HEAD = """\
 //
 //   gradient      octahedral, sine, or none for a noise that has no gradients
 //   cell_error    of floats, from a cell and a fraction; error, from a position
-//   lipschitz     how fast the noise changes: the error per error of the position
+//   lipschitz     how fast the noise changes: the error per error of the position. INFINITY if it jumps
 //   limit         how large it can be, exact as well as computed in floats
 //   fixed_...     the same of fixed arithmetic
 //
@@ -61,11 +62,15 @@ class SineBounds:
 def rounded_up(value: float, digits: int) -> Decimal:
     """To a number of significant digits."""
     exact = Decimal(value)
+    if exact.is_infinite():
+        return exact
     return exact.quantize(Decimal((0, (1,), exact.adjusted() - digits + 1)), ROUND_CEILING)
 
 
 def scientific(value: float, digits: int = 3) -> str:
     """Rounded up, as 3.24e-6."""
+    if value == 0:
+        return "0.0"
     return f"{rounded_up(value, digits):.{digits - 1}e}"
 
 
@@ -76,7 +81,9 @@ def shortest(value: float, digits: int) -> str:
 
 
 def plain(value: float, digits: int) -> str:
-    """Rounded up, as a number of C++ that is not an integer: 3.24, 119.0."""
+    """Rounded up, as a number of C++ that is not an integer: 3.24, 119.0, INFINITY."""
+    if math.isinf(value):
+        return "INFINITY"
     text = f"{rounded_up(value, digits):f}"
     return text if "." in text else f"{text}.0"
 

@@ -71,6 +71,7 @@ Range = tuple[float, float] | None  # None: it is not known
 @dataclass(frozen=True)
 class Noise(Function):
     small: bool  # whether the twin in WebAssembly has it
+    jumps: bool  # whether it is not continuous
     ranges: Mapping[str, tuple[Range, ...]]  # by component, for each dimension from the first on
 
 
@@ -174,7 +175,7 @@ def _noise(name: str, keys: Any) -> Noise:
         if not isinstance(by_dimension, list) or len(by_dimension) != common["last"] - common["first"] + 1:
             raise CatalogError(f"{entry.where}: the ranges of {component} have to be one for each dimension")
         ranges[component] = tuple(entry.pair(component, pair) if pair else None for pair in by_dimension)
-    noise = Noise(**common, small=entry.take("small", bool, False), ranges=ranges)
+    noise = Noise(**common, small=entry.take("small", bool, False), jumps=entry.take("jumps", bool, False), ranges=ranges)
     if unknown := noise.options.keys() - {"phase", "jitter", "metric"}:
         raise CatalogError(f"{entry.where}: a noise has no option {min(unknown)}")
     entry.end()

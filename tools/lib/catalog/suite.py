@@ -15,20 +15,24 @@ from catalog.model import AXES, Catalog, Function, Noise, Sum
 from tree import ROOT
 
 PATH = ROOT / "conformance" / "library" / "forms.inc"
-SUMS = ROOT / "conformance" / "library" / "sums.inc"
+FACTS = ROOT / "conformance" / "library" / "facts.inc"
 HEAD = """\
 // Made by tools/catalog: the noises and the sums among the functions under test. functions.inc includes it, and says what
 // a row means.
 // clang-format off
 """
-HEAD_OF_SUMS = """\
-// Made by tools/catalog: the octave sums. Define one of these macros, and include this file:
+HEAD_OF_FACTS = """\
+// Made by tools/catalog: what the suite knows of noises and sums. Define one of these macros, and include this file:
 //
+//   NOISE(name, jumps, is never negative)
 //   OCTAVE_SUM(name, noise, most strength or amplitude, least, greatest, is bounded): the noise is that which its GLSL
 //     function sums. Values that are not bounded may be as large as the noise, if that is beyond the least or the greatest
 //   OCTAVE_STEP(name, the sum s with an octave n more, what it makes of the mean): of a sum of values; the first may take
 //     a strength
 // clang-format off
+#ifndef NOISE
+#define NOISE(...)
+#endif
 #ifndef OCTAVE_SUM
 #define OCTAVE_SUM(...)
 #endif
@@ -228,6 +232,12 @@ def of_sum(sum_: Sum) -> Iterator[Row]:
             yield of_form("_footprint", further, "0u", options=[FOOTPRINT, OCTAVES, *RATIOS], seeded=True)
 
 
+def facts_of_noise(noise: Noise) -> str:
+    ranges = noise.ranges.get("value", ())
+    return row("NOISE", noise.name, str(noise.jumps).lower(),
+               str(bool(ranges) and all(pair and pair[0] >= 0 for pair in ranges)).lower())
+
+
 def facts_of(sum_: Sum) -> str:
     least, greatest = sum_.range if isinstance(sum_.range, tuple) else (-1, 1)
     is_bounded = bool(sum_.mean) or sum_.step not in ("", "noise", "size", "eroded")
@@ -238,9 +248,9 @@ def facts_of(sum_: Sum) -> str:
 def files(catalog: Catalog) -> dict[Path, str]:
     rows = [one for noise in catalog.noises for one in of_noise(noise)]
     rows += [one for sum_ in catalog.sums for one in of_sum(sum_)]
-    sums = [*map(facts_of, catalog.sums),
-            *(row("OCTAVE_STEP", sum_.name, sum_.adds("s", "n", "strength"), sum_.makes("mean")) for sum_ in catalog.sums
-              if sum_.of == sum_.shape == "value")]
-    end = "#undef OCTAVE_SUM\n#undef OCTAVE_STEP\n// clang-format on\n"
+    facts = [*map(facts_of_noise, catalog.noises), *map(facts_of, catalog.sums),
+             *(row("OCTAVE_STEP", sum_.name, sum_.adds("s", "n", "strength"), sum_.makes("mean")) for sum_ in catalog.sums
+               if sum_.of == sum_.shape == "value")]
+    end = "#undef NOISE\n#undef OCTAVE_SUM\n#undef OCTAVE_STEP\n// clang-format on\n"
     return {PATH: HEAD + "\n".join(one.text() for one in rows) + "// clang-format on\n",
-            SUMS: "".join([HEAD_OF_SUMS, *sums, end])}
+            FACTS: "".join([HEAD_OF_FACTS, *facts, end])}

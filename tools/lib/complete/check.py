@@ -92,7 +92,8 @@ def rows_without_a_function(tree: Tree) -> Iterator[str]:
 
 def functions_without_words(tree: Tree) -> Iterator[str]:
     """In the comments of the library, in the README, and in the contract."""
-    first_cells = [line.split(" | ")[0] for line in tree.text("README.md").split("\n") if line.startswith("|")]
+    functions = tree.text("README.md").partition("\n## Functions\n")[2].partition("\n- ")[0]
+    first_cells = [line.split(" | ")[0] for line in functions.split("\n") if line.startswith("|")]
     contract = tree.text("docs/contract.md")
     for declared in tree.declarations:
         if not declared.comment or "returns" not in declared.comment.headings:

@@ -113,11 +113,11 @@ class Deletions(unittest.TestCase):
         self.noticed(r"noise3d\.value_cubic_cell: say in docs/contract\.md that `hn_value_cubic` takes positions of 3 dim")
 
     def test_the_contract_of_a_function(self) -> None:
-        self.change("docs/contract.md", r"^\| `hn_unorm\(.*\n")
-        self.noticed(r"^docs/contract\.md: no word of hn_unorm\(\.\.\.\): say what its value is")
+        self.change("docs/contract.md", r"^\| `hn_snorm\(.*\n")
+        self.noticed(r"^docs/contract\.md: no word of hn_snorm\(\.\.\.\): say what its value is")
 
     def test_the_readme(self) -> None:
-        self.change("README.md", r"^\| `hn_perlin\(.*\n")
+        self.change("README.md", r"^\| `hn_perlin\b.*\n")
         self.noticed(r"^README\.md: no line for hn_perlin: add one to the table of functions")
 
     def test_a_comment(self) -> None:

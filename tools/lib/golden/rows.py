@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Sequence
 
+import catalog.model
 from golden import cellular_rows, period_rows, simplex_rows, sum_rows
 from golden.generator import INT_MAX, INT_MIN, SEEDS, Generator, Row, to_f32
 from oracle import gradients, words
@@ -188,6 +189,9 @@ def fixed_cell_rows(n: int, generator: Generator) -> list[Row]:
 # --- Which rows a function has ----------------------------------------------------------------------------------
 
 SIMPLEX = ("simplex_noise", "curl")  # the families above its lattices
+# Noises that jump at whole numbers have no values for negative coordinates that drivers may flush to 0.
+JUMPING = frozenset(noise.name for noise in catalog.model.read().noises if noise.jumps)
+LEAST = 2.0**-30
 
 
 def rows_of(function: Function, fixed: bool, settings: Sequence[Configuration],
@@ -240,4 +244,6 @@ def plain_rows(function: Function, settings: Sequence[Configuration], generator:
         rows += cellular_rows.far_borders(function)
         if cellular_rows.jumps(function):
             rows = list(cellular_rows.cleared(rows, function, generator))
+    if function.noise in JUMPING and form == "position":
+        rows = [tuple(-LEAST if -LEAST < x < 0 else x for x in row[:n]) + row[n:] for row in rows]
     return simplex_rows.with_phases(rows, generator) if function.has_phase else rows

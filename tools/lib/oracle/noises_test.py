@@ -84,9 +84,9 @@ class EveryNoise(unittest.TestCase):
         """Fixed arithmetic is within its bound, and gives floats."""
         for knobs, of in itertools.product(tried_settings(bounds), with_each_metric(noise)):
             for p, seed in points(bounds, generator_of("fixed")):
-                for fixed, exact in zip(values_of(of, of.fixed(knobs, p, seed)), of.exact(knobs, p, seed)):
+                for fixed, exact, unit in zip(values_of(of, of.fixed(knobs, p, seed)), of.exact(knobs, p, seed), of.units):
                     self.assertLessEqual(abs(fixed - exact), bounds.fixed_error)
-                    self.assertEqual((fixed * NOISE_UNIT).denominator, 1)
+                    self.assertEqual((fixed * unit).denominator, 1)
 
     def check_range(self, noise: Noise, bounds: Bounds) -> None:
         """Values are in their range, and use it."""

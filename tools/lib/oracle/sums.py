@@ -248,7 +248,7 @@ def fixed_octaves_of(place: FixedPlace, options: Options, seed: int,
 
 
 def fixed_at(noise: Noise, knobs: Knobs, octave: FixedOctave) -> tuple[int, ...]:
-    """What the noise returns there, as integers."""
+    """What the noise returns there, as integers in its units."""
     place, periods, seed = octave
     return noise.fixed_in_cell(Lattice(knobs, seed, tuple(periods)), [cell for cell, _ in place],
                                [r >> 4 for _, r in place])
@@ -292,7 +292,8 @@ def fixed_visible(options: Options) -> Iterator[int]:
 
 def fixed_terms(noise: Noise, knobs: Knobs, place: FixedPlace, options: Options, seed: int,
                 periods: Sequence[int] = ()) -> Terms[int]:
-    noises = [fixed_at(noise, knobs, octave)[0] for octave in fixed_octaves_of(place, options, seed, periods)]
+    noises = [math.trunc(Fraction(fixed_at(noise, knobs, octave)[0] * NOISE_UNIT, noise.units[0]))
+              for octave in fixed_octaves_of(place, options, seed, periods)]
     found = fixed_weights(options)
     return Terms(noises, found, list(map(product, found, fixed_visible(options))), in_weights(options.gain),
                  in_weights(options.strength, 64))

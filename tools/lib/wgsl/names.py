@@ -12,7 +12,8 @@ A public function has its name in GLSL, and behind it:
 
 So hn_perlin(hn_place2 place, uint seed) is hn_perlin2_place. Functions of a word that are not overloaded keep their
 names: hn_hash_pcg, hn_unorm, hn_gradient2. So hn_gradient of a cell is hn_gradient_lattice2. A struct that users know
-keeps its name, too. So what makes a hn_place2 is hn_place_of2 of a position, hn_place_of_cell2 and hn_place_of_units2.
+keeps its name, too. So what makes a hn_place2 is hn_place_of2 of a position, hn_place_of_cell2 of a cell and a fraction,
+hn_place_at_cell2 of a cell, and hn_place_of_units2.
 
 An internal function has the types of its parameters behind its name: hn_i_lerp_f32_f32_f32. A struct is called there as
 it is, without the hn_ or hn_i_.
@@ -31,6 +32,7 @@ OTHERS = {("hn_gradient", "cell"): "hn_gradient_lattice", ("hn_place", "p"): "hn
           ("hn_place", "cell"): "hn_place_of_cell", ("hn_place", "position"): "hn_place_of_units",
           ("hn_octaves", "p"): "hn_octaves_of", ("hn_octaves", "place"): "hn_octaves_of",
           ("hn_slopes", "o"): "hn_slopes_of", ("hn_shifts", "o"): "hn_shifts_of"}
+ALONE = {("hn_place", "cell"): "hn_place_at_cell"}  # of these parameters alone
 ALWAYS_OF_A_PLACE = ("hn_position",)
 PLACE = re.compile(r"hn_place([1-4])")
 OF_AXES = re.compile(r"hn_(place|octaves|slopes|shifts)([1-4])")  # structs
@@ -99,7 +101,7 @@ def _public(function: Function) -> str:
     takes = [parameter.at.text for parameter in function.parameters]
     if tuple(takes) in ((word,) for word in ONE_WORD):
         return function.name
-    name = OTHERS.get((function.name, takes[0]), function.name)
+    name = ALONE.get((function.name, *takes)) or OTHERS.get((function.name, takes[0]), function.name)
     parts = [f"{name}{components(function.types[0])}"]
     if PLACE.fullmatch(function.types[0]) and name not in ALWAYS_OF_A_PLACE:
         parts.append("place")

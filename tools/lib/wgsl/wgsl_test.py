@@ -220,7 +220,7 @@ class Command(unittest.TestCase):
 
     def test_functions_that_there_are_not(self):
         for given, said in (("hn_fbm", "it has a name for each form: hn_fbm2, hn_fbm2_detail"),
-                            ("hn_place", "it has a name for each form: hn_place_of1, hn_place_of2"),
+                            ("hn_place", "it has a name for each form: hn_place_at_cell1, hn_place_at_cell2"),
                             ("hn_fbm2,hn_absent", "there is no function hn_absent in WGSL; --names tells"),
                             ("", "--only names no function")):
             with self.subTest(given=given):
