@@ -1,5 +1,5 @@
 """Makes what the pages show of the library: their pictures, the table of typical values, the tables of costs, which
-file has which function, how long the commands take, and what looks like the noise of other libraries.
+file has which function, the size of all of them in one, how long the commands take, and what looks like the noise of other libraries.
 
     tools/readme            writes them
     tools/readme --check    whether they are what they should be, and the README states the costs and the times
@@ -17,6 +17,7 @@ compile, or a page cannot be read.
 from __future__ import annotations
 
 import argparse
+import re
 import sys
 from collections.abc import Sequence
 
@@ -32,6 +33,7 @@ SUMS = "docs/sums.md"
 CONFORMANCE = "docs/conformance.md"
 MOVING = "docs/moving.md"
 LANGUAGES = "docs/languages.md"
+SIZE = re.compile(r"(hashnoise\.single\.glsl`, )\d+ kB")  # of the whole library, in the README
 
 
 def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
@@ -64,6 +66,11 @@ def problems(check: bool) -> list[str]:
         elif page != right:
             found.append(f"{path}: a table is not what it should be; run tools/readme")
     readme = (ROOT / README).read_text(encoding="utf-8")
+    right = SIZE.sub(rf"\g<1>{files.size('hashnoise.glsl')}", readme)
+    if not check:
+        (ROOT / README).write_text(right, encoding="utf-8")
+    elif right != readme:
+        found.append(f"{README}: the size of the single file is not what it should be; run tools/readme")
     found += [f"{README}: it must state {quote!r}"
               for quote in (*numbers.cost_quotes(), of_commands.times_quote(times)) if quote not in readme]
     return found
