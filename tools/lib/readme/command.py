@@ -1,5 +1,6 @@
 """Makes what the pages show of the library: their pictures, the table of typical values, the tables of costs, which
-file has which function, the size of all of them in one, how long the commands take, and what looks like the noise of other libraries.
+file has which function, the size of all of them in one, how long the commands take, and what looks like the noise of
+other libraries.
 
     tools/readme            writes them
     tools/readme --check    whether they are what they should be, and the README states the costs and the times
