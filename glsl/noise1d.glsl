@@ -6,6 +6,7 @@
 
 #include "perlin1d.glsl"
 #include "perlin_d1d.glsl"
+#include "random1d.glsl"
 #include "value1d.glsl"
 #include "value_cubic1d.glsl"
 #include "value_d1d.glsl"

@@ -12,6 +12,7 @@
 #include "perlin2d.glsl"
 #include "perlin_d2d.glsl"
 #include "perlin_phase2d.glsl"
+#include "random2d.glsl"
 #include "simplex2d.glsl"
 #include "simplex_d2d.glsl"
 #include "simplex_phase2d.glsl"

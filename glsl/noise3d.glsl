@@ -12,6 +12,7 @@
 #include "perlin3d.glsl"
 #include "perlin_d3d.glsl"
 #include "perlin_phase3d.glsl"
+#include "random3d.glsl"
 #include "simplex3d.glsl"
 #include "simplex_d3d.glsl"
 #include "simplex_phase3d.glsl"

@@ -6,6 +6,7 @@
 
 #include "perlin4d.glsl"
 #include "perlin_d4d.glsl"
+#include "random4d.glsl"
 #include "simplex4d.glsl"
 #include "simplex_d4d.glsl"
 #include "value4d.glsl"

@@ -37,7 +37,8 @@ export type NoiseName =
   | "simplex_d"
   | "simplex_smooth"
   | "cellular"
-  | "curl";
+  | "curl"
+  | "random";
 
 export type SumName =
   | "fbm"

@@ -24,6 +24,7 @@ const NOISES = {
   simplex_smooth: { dimensions: [2, 3], shape: "value", takes: [] },
   cellular: { dimensions: [2, 3], shape: "two_distances", takes: ["jitter", "metric"] },
   curl: { dimensions: [2, 3], shape: "vector", takes: [] },
+  random: { dimensions: [1, 2, 3], shape: "value", takes: [] },
 };
 const SUMS = {
   fbm: { dimensions: [1, 2, 3], shape: "value", noise: "perlin" },

@@ -87,6 +87,12 @@ const Kernel1 kLine[] = {
     TWIN_LINE(value, seed),
     TWIN_LINE(value_d, seed),
     TWIN_LINE(value_cubic, seed),
+    nullptr,
+    nullptr,
+    nullptr,
+    nullptr,
+    nullptr,
+    TWIN_LINE(random, seed),
 };
 const Kernel2 kPlane[] = {
     TWIN_PLANE(perlin, seed),
@@ -99,6 +105,7 @@ const Kernel2 kPlane[] = {
     TWIN_PLANE(simplex_smooth, seed),
     TWIN_PLANE(cellular, settings.jitter, settings.metric, seed),
     TWIN_PLANE(curl, seed),
+    TWIN_PLANE(random, seed),
 };
 const Kernel3 kSpace[] = {
     TWIN_SPACE(perlin, seed),
@@ -111,6 +118,7 @@ const Kernel3 kSpace[] = {
     TWIN_SPACE(simplex_smooth, seed),
     TWIN_SPACE(cellular, settings.jitter, settings.metric, seed),
     TWIN_SPACE(curl, seed),
+    TWIN_SPACE(random, seed),
 };
 // clang-format on
 // tools/catalog: end

@@ -115,6 +115,16 @@ def curl(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, 
          period: int | Sequence[int] | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
          out: _Values | None = None, threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
+def random(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
+           seed: int = 0, period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
+           arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
+           instruction_set: str | None = None) -> float: ...
+@overload
+def random(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
+           w: npt.ArrayLike | None = None, /, *, seed: int = 0, period: int | Sequence[int] | None = None,
+           cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+           threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
 def fbm(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *, seed: int = 0,
         noise: str = "perlin", octaves: int | None = None, lacunarity: float = 2.0, gain: float = 0.5,
         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,

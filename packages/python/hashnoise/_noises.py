@@ -4,7 +4,7 @@
 from ._evaluate import points
 
 __all__ = ["perlin", "perlin_d", "value", "value_d", "value_cubic", "simplex", "simplex_d", "simplex_smooth",
-           "cellular", "cellular_three", "cellular_d", "cellular_smooth", "cell_border", "curl"]
+           "cellular", "cellular_three", "cellular_d", "cellular_smooth", "cell_border", "curl", "random"]
 
 
 def perlin(x, y=None, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=None, arithmetic="fast", out=None,
@@ -240,6 +240,22 @@ def curl(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", 
     """
     return points("curl", (x, y, z), cell, out, threads, noise="curl", seed=seed, period=period, arithmetic=arithmetic,
                   instruction_set=instruction_set)
+
+
+def random(x, y=None, z=None, w=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None, threads=None,
+           instruction_set=None):
+    """A random number for each cell, in 1D to 4D: white noise.
+
+    It jumps from one cell to the next: place, colour and vary things with it.
+
+    returns  [0, 1), a multiple of 2^-24, mean 1/2, uniform
+    source   docs/contract.md, section 17
+
+    >>> hashnoise.random(0.5, 0.25, seed=7, arithmetic="fixed")
+    0.7442671060562134
+    """
+    return points("random", (x, y, z, w), cell, out, threads, noise="random", seed=seed, period=period,
+                  arithmetic=arithmetic, instruction_set=instruction_set)
 
 
 NOISES = {name: globals()[name] for name in __all__}
