@@ -12,6 +12,7 @@ import numpy as np
 
 from bounds.boxes import corners
 from bounds.gradients import OCTAHEDRAL, SINE
+from bounds.sums import clamped_strength, step_of
 
 SCALE = {OCTAHEDRAL: {1: 2048 / 1024, 2: 1365 / 1024, 3: 1228 / 1024, 4: 953 / 1024}, SINE: {2: 1.0, 3: 1.0}}
 SHIFT = (11 / 32, 19 / 32, 23 / 32, 27 / 32)
@@ -188,27 +189,32 @@ def fade_of_footprint(s, i):
     return 1.0 if s.footprint is None else np.clip(1.5 - s.footprint * max(s.lacunarity, 1) ** i, 0, 1)
 
 
+class Exact:
+    """What a step of a sum computes with."""
+
+    @staticmethod
+    def round(x):
+        return x
+
+    @staticmethod
+    def mad(a, b, c):
+        return a * b + c
+
+
 def octaves(kind, s, p):
     """An octave sum (bounds.sums.Sum)."""
     count, seed, total, before, weight = max(math.ceil(s.octaves), 0), 0, 0.0, 0.5, 1.0
-    powers = [s.gain**i for i in range(count)]
+    powers, step, strength = [s.gain**i for i in range(count)], step_of(s.kind), clamped_strength(s)
     if count > 1:
         powers[-1] *= s.octaves - (count - 1)
     for i, power in enumerate(powers):
         n = perlin_at(kind, p, np.int64(seed))[0]
-        if s.kind in ("billow", "ridged", "ping_pong", "weighted"):
+        if step.clamps:
             n = np.clip(n, -1, 1)
-        term = n
-        if s.kind in ("turbulence", "billow"):
-            term = abs(n)
-        if s.kind == "ridged":
-            term = before = (1 - abs(n)) ** 2 * np.minimum(2 * before, 1)
-        if s.kind == "ping_pong":
-            t = (n + 1) * min(max(s.strength, 0), 64) % 2
-            term = 2 * np.minimum(t, 2 - t) - 1
+        term, before = step.term(Exact, n, before, strength)
         used = weight if s.kind == "weighted" else power * fade_of_footprint(s, i)
         total = total + used * term
-        weight = weight * s.gain * (1 - min(max(s.strength, 0), 1) * (1 - n) / 2)
+        weight = weight * s.gain * (1 - strength * (1 - n) / 2)
         q = [x * s.lacunarity for x in p]
         p = [x + shift for x, shift in zip(turn(q) if s.turns else q, SHIFT)]
         seed = u32(seed + 0x9E3779B9)

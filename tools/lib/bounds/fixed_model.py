@@ -4,6 +4,7 @@ of 2^-20, and returns integers."""
 
 import itertools
 import math
+import sys
 
 import numpy as np
 
@@ -11,6 +12,7 @@ from bounds.boxes import corners
 from bounds.exact_model import SHIFT, TURNS, corner_of_the_24_cell, direction, field, s32, sine_argument, u32, words_at
 from bounds.floats import pairs
 from bounds.gradients import SINE
+from bounds.sums import step_of
 
 ONE = 2**20
 
@@ -279,20 +281,13 @@ def ping_pong(v, strength):
 
 def octaves(kind, s, q):
     """An octave sum (bounds.sums.Sum) from whole positions."""
-    total, seed, ridge, used = 0, 0, 2**17, 2**18
+    total, seed, before, used, step = 0, 0, 2**17, 2**18, step_of(s.kind)
     all_weights, strength = octave_weights(s), math.trunc(min(max(s.strength, 0), 1) * 2**18)
     for a, fade, (cells, fractions) in zip(all_weights, fades(s), whole_positions(s, q)):
         v = perlin(kind, words_at(kind, cells, np.int64(seed)), [r >> 4 for r in fractions])
-        most = 2**21 if s.kind in ("billow", "ridged", "ping_pong", "weighted") else 3 * 2**20
-        v = term = np.clip(v, -most, most)
-        if s.kind in ("turbulence", "billow"):
-            term = abs(v)
-        if s.kind == "ridged":
-            d = (2**21 - abs(v)) >> 3
-            ridge = product(product(d, d), np.minimum(s32(2 * ridge), 2**18))
-            term = ridge << 3
-        if s.kind == "ping_pong":
-            term = ping_pong(v, s.strength)
+        most = 2**21 if step.clamps else 3 * 2**20
+        v = np.clip(v, -most, most)
+        term, before = step.fixed_term(sys.modules[__name__], v, before, s.strength)
         total = s32(total + weighted(term, used if s.kind == "weighted" else product(a, fade)))
         used = product(product(used, 2**18 - product((2**21 - v) >> 4, strength)), math.trunc(s.gain * 2**18))
         seed = u32(seed + 0x9E3779B9)

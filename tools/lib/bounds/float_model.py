@@ -12,6 +12,7 @@ from bounds.exact_model import SCALE, SHIFT, TURNS
 from bounds.fixed_model import x_first
 from bounds.floats import TINY, pairs
 from bounds.gradients import SINE
+from bounds.sums import step_of
 
 MODES = ("nearest", "down", "up", "random")
 
@@ -199,26 +200,10 @@ class Shader:
             yield np.clip(self.round(1.5 - e), 0.0, 1.0)
             e = self.round(e * max(s.lacunarity, 1.0))
 
-    def ping_pong(self, n, strength):
-        """The product may be fused with the difference, but floor takes it as it is rounded."""
-        more = self.round(n + 1)
-        t = self.mad(more, strength, -2 * np.floor(self.round(more * strength) / 2))
-        return self.mad(2.0, np.minimum(t, self.round(2 - t)), -1.0)
-
-    def term(self, s, n, before):
-        """What an octave adds, and what the next ridge takes."""
-        if s.kind in ("turbulence", "billow"):
-            return abs(n), before
-        if s.kind == "ridged":
-            d = self.round(1 - abs(n))
-            r = self.round(self.round(d * d) * np.minimum(2 * before, 1))
-            return r, r
-        return (self.ping_pong(n, s.strength) if s.kind == "ping_pong" else n), before
-
     def octaves(self, kind, s, p, places=None):
         """An octave sum (bounds.sums.Sum); `places` are the cells and fractions of its octaves, if it has whole
         positions."""
-        count, seed, amp, before = max(math.ceil(s.octaves), 0), 0, 1.0, 0.5
+        count, seed, amp, before, step = max(math.ceil(s.octaves), 0), 0, 1.0, 0.5, step_of(s.kind)
         value = np.zeros(np.shape(p[0]))
         part = total = s.octaves - (count - 1) if count > 1 else 1.0
         for _ in range(count - 1):
@@ -227,9 +212,9 @@ class Shader:
                         itertools.repeat(1.0) if s.footprint is None else self.fades(s))
         for i, q, fade in positions:
             n = self.perlin_in(kind, *q, np.int64(seed)) if places else self.perlin_at(kind, q, np.int64(seed))
-            if s.kind in ("billow", "ridged", "ping_pong", "weighted"):
+            if step.clamps:
                 n = np.clip(n, -1, 1)
-            term, before = self.term(s, n, before)
+            term, before = step.term(self, n, before, s.strength)
             used = self.round(self.round(amp * (part if i == count - 1 else 1.0)) * fade)
             value = self.mad(used, term, value)
             if s.kind == "weighted":

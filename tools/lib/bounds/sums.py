@@ -14,18 +14,17 @@ from bounds.boxes import SAFE
 from bounds.floats import TINY
 from bounds.floats import UNIT as FLOAT_UNIT
 from bounds.integers import DOUBLE, FADE_ONE, UNIT, checked, signed, word
+from bounds.steps import STEPS, WEIGHT_UNIT, Step
 from bounds.table import Bounds
 
 CATALOG = {sum_.name: sum_ for sum_ in catalog.model.read().sums}
 KINDS = tuple(name for name, sum_ in CATALOG.items() if sum_.of == sum_.shape == "value")
 SLOPED, SHIFTS = ("fbm_d", "eroded"), ("warp", "warp_progressive")  # sums with slopes, and of vectors: frames.py
-CLAMPED = ("billow", "ridged", "ping_pong", "weighted")  # in which a noise beyond [-1, 1] counts as the nearer end
 SHIFT_MAX = {1: 11 / 32, 2: 19 / 32, 3: 23 / 32, 4: 27 / 32}  # the largest component of the shift between octaves
 # By how much the turns of a position make a length larger at most: in the plane of x and y, then in that of y and z,
 # then in that of z and w. The second makes lengths in its plane smaller, but not that along x.
 TURNS = (math.hypot(25, 20) / 32, max(math.hypot(29, 13) / 32, 1.0), math.hypot(25, 20) / 32)
 WHOLE = 2.0**-24  # the unit of whole positions
-WEIGHT_UNIT = 1 / FADE_ONE
 
 # What clouds are off by beyond the error of an fBm: the clamp leaves no more than 1, whatever the limit; the smoothstep
 # has slopes up to 3/2 and three roundings, relative to a value of at most 1.
@@ -74,6 +73,11 @@ class Sum:
 
 
 LARGEST_STRENGTH = {name: float(sum_.strength.most) for name, sum_ in CATALOG.items() if sum_.strength}
+
+
+def step_of(kind: str) -> Step:
+    """That of a sum without slopes and shifts; the others add the noise as it is."""
+    return STEPS[CATALOG[kind].step] if kind in KINDS else STEPS["noise"]
 
 
 def clamped_strength(s: Sum) -> float:
@@ -149,44 +153,11 @@ def next_whole_position(s: Sum, dims: int, position: float, error: float) -> tup
     return s.lacunarity * math.prod(turns) * position + axes * shift, error
 
 
-# --- Octaves ----------------------------------------------------------------------------------------------------------
-
-def ridges(noise_errs: list[float], unit: float, lost: float) -> list[float]:
-    """The errors of r_i = d^2 min(2 r, 1), from those of d = 1 - |n|, of which each product errs by a part of `unit`
-    and loses up to `lost` beside.
-
-    A root g = sqrt(r) follows from d min(sqrt(2) g, 1). So an error of d moves g by as much, what was there before by
-    sqrt(2) times that, and r by twice what g is moved by: it grows as sqrt(2)^i, and not as 2^i. Relative errors of r
-    move g by half of them. What is lost does not depend on r, and is counted with r: it doubles."""
-    errs, root, falls = [], 0.0, 0.0
-    for i, noise_err in enumerate(noise_errs):
-        products = 1 + (i > 0)
-        root = noise_err + math.sqrt(2) * root + products * unit * (1 + unit) / 2
-        falls = 2 * falls + products * lost
-        errs.append(min(2 * root + falls, 1.0))
-    return errs
-
-
 # --- In floats --------------------------------------------------------------------------------------------------------
 
 def float_terms(s: Sum, limit: float, noise_errs: list[float]) -> tuple[list[float], float]:
-    """The errors of what an octave adds, before its weight, and the largest that it can be as computed:
-
-        ridged:     d = 1 - |n|;  r = d*d*min(2*r, 1)
-        ping_pong:  t = (n + 1)*strength;  t = t - 2*floor(t/2);  z = min(t, 2 - t);  2*z - 1
-
-    Of t only n + 1 and the product round: 2 - t is exact for t from 1 on. The difference may be fused with the product,
-    so that t is less than 0 or more than 2 by the rounding of the product; this counts twice, then."""
-    if s.kind == "ridged":
-        return ridges([e + FLOAT_UNIT for e in noise_errs], FLOAT_UNIT, 2 * TINY), 1.0
-    if s.kind == "ping_pong":
-        strength, terms = clamped_strength(s), []
-        for noise_err in noise_errs:
-            before = strength * (noise_err + FLOAT_UNIT * (2 + noise_err))
-            t_err = before + 2 * (FLOAT_UNIT * (2 * strength + before) + TINY)
-            terms.append(min(2 * t_err + FLOAT_UNIT * (1 + 2 * t_err), 2.001))
-        return terms, 1.001
-    return noise_errs, limit
+    """The errors of what an octave adds, before its weight, and the largest that it can be as computed."""
+    return step_of(s.kind).float_errors(noise_errs, limit, clamped_strength(s))
 
 
 def float_fade_error(i: int) -> float:
@@ -241,7 +212,7 @@ def octave_tolerance(s: Sum, noise: Bounds) -> float:
     From a cell the positions are whole ones, which are defined for a lacunarity in [0, 255]."""
     if s.from_cell and not 0 <= s.lacunarity <= 255:
         return math.inf
-    limit = min(noise.limit, 1.0) if s.kind in CLAMPED else noise.limit
+    limit = min(noise.limit, 1.0) if step_of(s.kind).clamps else noise.limit
     positions = whole_positions(s, noise.dimensions) if s.from_cell else float_positions(s, noise.dimensions)
     of_noise = noise.cell_error if s.from_cell else noise.error
     noise_errs = [min(noise.lipschitz * position_err + of_noise, 2 * limit)
@@ -302,14 +273,8 @@ def fixed_strength(s: Sum) -> tuple[float, float]:
 
 
 def fixed_terms(s: Sum, noise_errs: list[float]) -> list[float]:
-    """The errors of what an octave adds. Ridged: d is rounded down to 2^-18, and so is each product. Ping-pong: t is
-    rounded down to 2^-30, the term to 2^-21."""
-    if s.kind == "ridged":
-        return ridges([e + WEIGHT_UNIT for e in noise_errs], 0.0, WEIGHT_UNIT)
-    if s.kind == "ping_pong":
-        strength, cut = fixed_strength(s)
-        return [min(2 * (strength * e + 2 * cut + 2.0**-30) + UNIT, 2.0) for e in noise_errs]
-    return noise_errs
+    """The errors of what an octave adds."""
+    return step_of(s.kind).fixed_errors(noise_errs, *fixed_strength(s))
 
 
 def weighted_errors(s: Sum, noise_errs: list[float]) -> list[float]:
@@ -354,7 +319,7 @@ def fixed_octave_tolerance(s: Sum, noise: Bounds) -> float:
     by less than 2 units of 2^-21, and so is their sum by less than 2 an octave; the division by less than 1."""
     if not (0 <= s.lacunarity <= 255 and 0 <= s.gain <= 1 and s.octaves <= 32):
         return math.inf
-    limit, error = min(noise.fixed_limit, 1.0) if s.kind in CLAMPED else noise.fixed_limit, 0.0
+    limit, error = min(noise.fixed_limit, 1.0) if step_of(s.kind).clamps else noise.fixed_limit, 0.0
     if s.count:
         noise_errs = [min(noise.lipschitz * position_err + noise.fixed_error, 2 * limit)
                       for _, position_err in zip(range(s.count), whole_positions(s, noise.dimensions))]
