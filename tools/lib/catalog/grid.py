@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from catalog.model import Catalog, Function, Noise, Setting, Sum
+from catalog.model import Catalog, Function, Noise, Setting, Sum, public_step
 from catalog.sections import with_section
 from tree import ROOT
 
@@ -75,9 +75,11 @@ def needs_octahedral_gradients(function: Function) -> bool:
 def guards(catalog: Catalog) -> str:
     """Of the header: calls that GLSL would refuse are refused."""
     functions = (*catalog.noises, *catalog.sums)
+    steps = dict.fromkeys(step for sum_ in catalog.sums if sum_.step and (step := public_step(sum_.step)))
     some = [function for function in functions if needs_octahedral_gradients(function)]
     lines = {function.name: f"HN_ONLY_TYPES_OF_GLSL(hn_{function.name})\n" for function in functions}
-    return "".join([*(lines[function.name] for function in functions if function not in some),
+    return "".join([*(f"HN_ONLY_TYPES_OF_GLSL({step})\n" for step in steps),
+                    *(lines[function.name] for function in functions if function not in some),
                     "#if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL\n",
                     *(lines[function.name] for function in some), "#endif\n"])
 

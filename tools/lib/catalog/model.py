@@ -16,6 +16,16 @@ AXES = "xyzw"
 MEANS = ("", "density", "billows", "bounded")  # glsl/octave.glsl
 
 
+# The public step of each of glsl/octave.glsl that has one under another name, or none.
+PUBLIC = {"noise": "", "bounded_size": None}
+
+
+def public_step(step: str) -> str | None:
+    """hn_add, or hn_add_ridge; None if there is none."""
+    name = PUBLIC.get(step, step)
+    return None if name is None else f"hn_add_{name}".rstrip("_")
+
+
 class CatalogError(ValueError):
     """What is wrong, with the file and the entry."""
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
-from catalog.model import Catalog, Function, Noise, Sum
-from catalog.shaders import public_step, sums_of_values
+from catalog.model import Catalog, Function, Noise, Sum, public_step
+from catalog.shaders import sums_of_values
 from tables.markdown import table, with_section
 from tree import ROOT
 

@@ -10,7 +10,7 @@ import textwrap
 from collections.abc import Sequence
 from pathlib import Path
 
-from catalog.model import Catalog, Sum
+from catalog.model import Catalog, Sum, public_step
 from catalog.sections import with_section
 
 SUMS, STEPS = "glsl/fbm2d.glsl", "glsl/octaves2d.glsl"
@@ -18,14 +18,6 @@ WIDTH = 120  # of lines, as .clang-format has it
 OCTAVE = "hn_perlin(o.place, o.seed)"
 PLACES = ("hn_place2 place", "hn_vec2 p")
 SETTINGS = ("hn_int octaves", "hn_float lacunarity", "hn_float gain")
-# The public step of each of glsl/octave.glsl that has one under another name, or none.
-PUBLIC = {"noise": "", "bounded_size": None}
-
-
-def public_step(step: str) -> str | None:
-    """hn_add, or hn_add_ridge; None if there is none."""
-    name = PUBLIC.get(step, step)
-    return None if name is None else f"hn_add_{name}".rstrip("_")
 
 
 def sums_of_values(catalog: Catalog) -> list[Sum]:
