@@ -34,6 +34,10 @@ HN_FN hn_float hn_i_ridged(hn_octaves4 o) {
   do hn_add_ridge(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
   return hn_i_value(hn_i_bounded(hn_i_mean(o.sum)));
 }
+HN_FN hn_float hn_i_hybrid(hn_octaves4 o) {
+  do hn_add_height(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  return hn_i_value(hn_i_bounded(hn_i_mean(o.sum)));
+}
 HN_FN hn_float hn_i_ping_pong(hn_octaves4 o, hn_float strength) {
   do hn_add_wave(o, hn_perlin(o.place, o.seed), strength); while (hn_next(o));
   return hn_i_value(hn_i_bounded(hn_i_mean(o.sum)));
@@ -163,6 +167,23 @@ HN_FN hn_float hn_ridged(hn_vec4 p, hn_int octaves, hn_float lacunarity, hn_floa
 }
 HN_FN hn_float hn_ridged(hn_vec4 p, hn_int octaves, hn_float lacunarity, hn_float gain) {
   return hn_ridged(p, octaves, lacunarity, gain, 0u);
+}
+
+// Hybrid terrain: plains are flat and heights are rough. An octave counts as far as the one before it is high; in full
+// from the middle on.
+//   (parameters, period and cost as for hn_fbm)
+//   returns     [0, 1]
+//   error       grows with the octaves, since each is taken times the one before: docs/accuracy.md
+//   source      Musgrave, in "Texturing and Modeling: A Procedural Approach": after his hybrid multifractal with the
+//               offset 1, of octaves in [0, 1], divided by the sum of the weights
+HN_FN hn_float hn_hybrid(hn_place4 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_hybrid(hn_octaves(place, octaves, lacunarity, gain, seed));
+}
+HN_FN hn_float hn_hybrid(hn_vec4 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_hybrid(hn_octaves(p, octaves, lacunarity, gain, seed));
+}
+HN_FN hn_float hn_hybrid(hn_vec4 p, hn_int octaves, hn_float lacunarity, hn_float gain) {
+  return hn_hybrid(p, octaves, lacunarity, gain, 0u);
 }
 
 // Ping-pong: each octave is folded up and down, which gives the rings of wood and of agate.

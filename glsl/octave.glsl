@@ -20,7 +20,7 @@
 struct hn_i_octave_sum {
   hn_num value;
   hn_num weight;     // of the octave
-  hn_num carried;    // what a ridge leaves of the next octave
+  hn_num carried;    // what a ridge or a height leaves of the next octave
   hn_num gain;
   hn_num part;       // of the last octave, that counts
   hn_num footprint;  // in cells of the octave; with HN_FIXED in units of 2^-24
@@ -57,6 +57,9 @@ HN_FN hn_int hn_i_bounded_octave(hn_float n) { return int(min(max(n, -1.0f), 1.0
 // 1 - abs(n), in the units of weights; and a number in these units as a value.
 HN_FN hn_int hn_i_ridge(hn_int n) { return (2097152 - hn_i_size(n)) >> 3; }
 HN_FN hn_int hn_i_of_weight(hn_int weight) { return weight << 3; }
+
+// (1 + n) / 2, in the units of weights.
+HN_FN hn_int hn_i_height(hn_int n) { return (2097152 + n) >> 4; }
 
 // A wave between -1 and 1: up and down again along two units of (n + 1) * strength. These are in units of 2^-30, and a
 // word holds them modulo 4.
@@ -125,6 +128,7 @@ HN_FN hn_float hn_i_octave(hn_float n) { return n; }
 HN_FN hn_float hn_i_bounded_octave(hn_float n) { return min(max(n, -1.0f), 1.0f); }
 HN_FN hn_float hn_i_ridge(hn_float n) { return hn_i_minus(1.0f, abs(n)); }
 HN_FN hn_float hn_i_of_weight(hn_float weight) { return weight; }
+HN_FN hn_float hn_i_height(hn_float n) { return hn_i_times_plus(0.5f, n, 0.5f); }
 
 HN_FN hn_float hn_i_folds(hn_float n, hn_float strength) {
   HN_I_PRECISE hn_float t = (n + 1.0f) * strength;
@@ -299,6 +303,12 @@ HN_FN hn_i_octave_sum hn_i_with_ridge(hn_i_octave_sum s, hn_float n) {
   ridge = hn_i_weighed(hn_i_weighed(ridge, ridge), s.carried);
   hn_i_octave_sum next = hn_i_with(s, hn_i_of_weight(ridge), s.weight);
   next.carried = min(hn_i_plus(ridge, ridge), HN_I_WEIGHT_ONE);
+  return next;
+}
+HN_FN hn_i_octave_sum hn_i_with_height(hn_i_octave_sum s, hn_float n) {
+  hn_num height = hn_i_weighed(hn_i_height(hn_i_bounded_octave(n)), s.carried);
+  hn_i_octave_sum next = hn_i_with(s, hn_i_of_weight(height), s.weight);
+  next.carried = min(hn_i_plus(height, height), HN_I_WEIGHT_ONE);
   return next;
 }
 HN_FN hn_i_octave_sum hn_i_with_wave(hn_i_octave_sum s, hn_float n, hn_float strength) {

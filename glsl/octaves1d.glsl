@@ -157,8 +157,8 @@ HN_FN bool hn_next(HN_I_INOUT(hn_octaves1) o) {
 
 // tools/catalog: steps
 // Add the noise of an octave: as it is (hn_fbm, hn_clouds); its absolute value (hn_turbulence); a crest where it is 0
-// (hn_ridged); folded up and down between -1 and 1 (hn_ping_pong); so that finer octaves count less where it is low
-// (hn_weighted).
+// (hn_ridged); its height above -1, as far as that of the octave before lets it (hn_hybrid); folded up and down between
+// -1 and 1 (hn_ping_pong); so that finer octaves count less where it is low (hn_weighted).
 //   o         the octaves
 //   n         the noise at o.place with o.seed, in [-1, 1]. hn_add and hn_add_size take what is beyond, the others cut
 //             it off
@@ -170,6 +170,7 @@ HN_FN bool hn_next(HN_I_INOUT(hn_octaves1) o) {
 HN_FN void hn_add(HN_I_INOUT(hn_octaves1) o, hn_float n) { o.sum = hn_i_with_noise(o.sum, n); }
 HN_FN void hn_add_size(HN_I_INOUT(hn_octaves1) o, hn_float n) { o.sum = hn_i_with_size(o.sum, n); }
 HN_FN void hn_add_ridge(HN_I_INOUT(hn_octaves1) o, hn_float n) { o.sum = hn_i_with_ridge(o.sum, n); }
+HN_FN void hn_add_height(HN_I_INOUT(hn_octaves1) o, hn_float n) { o.sum = hn_i_with_height(o.sum, n); }
 HN_FN void hn_add_wave(HN_I_INOUT(hn_octaves1) o, hn_float n, hn_float strength) {
   o.sum = hn_i_with_wave(o.sum, n, strength);
 }

@@ -19,6 +19,7 @@ export const kCatalog = {
     clouds: { dimensions: [1, 2, 3, 4], mean: "density", range: [0, 1] },
     billow: { dimensions: [1, 2, 3, 4], step: "size", mean: "billows" },
     ridged: { dimensions: [1, 2, 3, 4], step: "ridge", mean: "bounded", range: [0, 1] },
+    hybrid: { dimensions: [1, 2, 3, 4], step: "height", mean: "bounded", range: [0, 1] },
     ping_pong: { dimensions: [1, 2, 3, 4], strength: { usual: 2, most: 64 }, step: "wave", mean: "bounded" },
     weighted: { dimensions: [1, 2, 3, 4], strength: { usual: 1, most: 1 }, step: "bent", mean: "bounded" },
     eroded: { dimensions: [2, 3], strength: { usual: 1, most: 16 }, steep: true, step: "eroded" },

@@ -238,7 +238,7 @@ namespace {
 // A noise beyond [-1, 1] counts as the nearer end.
 bool is_clamped(OctaveSum kind) {
   using enum OctaveSum;
-  return kind == billow || kind == ridged || kind == ping_pong || kind == weighted || kind == warp ||
+  return kind == billow || kind == ridged || kind == hybrid || kind == ping_pong || kind == weighted || kind == warp ||
          kind == warp_progressive;
 }
 
@@ -339,7 +339,7 @@ struct Terms {
 
 Terms terms_of(OctaveSum kind, const OctaveArguments& arguments, double limit, const Errors& noise_errors) {
   Terms terms{{}, limit};
-  double root = 0.0;   // how far the root of a ridge is off
+  double root = 0.0;   // how far the root of a ridge is off, or a height
   double falls = 0.0;  // what is lost of it below the smallest float
   const double strength = strength_of(kind, arguments);
   for (std::size_t i = 0; i < noise_errors.size(); ++i) {
@@ -349,6 +349,11 @@ Terms terms_of(OctaveSum kind, const OctaveArguments& arguments, double limit, c
       root = noise_error + kUnit + std::sqrt(2.0) * root + products * kUnit * (1.0 + kUnit) / 2.0;
       falls = 2.0 * falls + products * 2.0 * kTiny;
       terms.errors.push_back(std::min(2.0 * root + falls, 1.0));
+      terms.limit = 1.0;
+    } else if (kind == OctaveSum::hybrid) {
+      const double of_product = i > 0 ? kUnit + kTiny : 0.0;
+      root = noise_error / 2.0 + kUnit + 2.0 * root + of_product;
+      terms.errors.push_back(std::min(root, 1.0));
       terms.limit = 1.0;
     } else if (kind == OctaveSum::ping_pong) {
       const double before = strength * (noise_error + kUnit * (2.0 + noise_error));

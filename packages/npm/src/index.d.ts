@@ -46,6 +46,7 @@ export type SumName =
   | "clouds"
   | "billow"
   | "ridged"
+  | "hybrid"
   | "ping_pong"
   | "weighted"
   | "fbm_d"

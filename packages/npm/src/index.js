@@ -32,6 +32,7 @@ const SUMS = {
   clouds: { dimensions: [1, 2, 3], shape: "value", noise: "perlin" },
   billow: { dimensions: [1, 2, 3], shape: "value", noise: "perlin" },
   ridged: { dimensions: [1, 2, 3], shape: "value", noise: "perlin" },
+  hybrid: { dimensions: [1, 2, 3], shape: "value", noise: "perlin" },
   ping_pong: { dimensions: [1, 2, 3], shape: "value", noise: "perlin", strength: "strength", usual: 2, most: 64 },
   weighted: { dimensions: [1, 2, 3], shape: "value", noise: "perlin", strength: "strength", usual: 1, most: 1 },
   fbm_d: { dimensions: [2, 3], shape: "slopes", noise: "perlin_d" },

@@ -147,6 +147,7 @@ enum Sum {
   kClouds,
   kBillow,
   kRidged,
+  kHybrid,
   kPingPong,
   kWeighted,
   kFbmD,
@@ -163,6 +164,7 @@ enum Sum {
     case kClouds: return hn_i_with_noise(s, n);
     case kBillow: return hn_i_with_bounded_size(s, n);
     case kRidged: return hn_i_with_ridge(s, n);
+    case kHybrid: return hn_i_with_height(s, n);
     case kPingPong: return hn_i_with_wave(s, n, settings.strength);
     case kWeighted: return hn_i_with_bent(s, n, settings.strength);
     case kFbmD: return s;
@@ -179,6 +181,7 @@ Int finished(Int mean) {
     case kClouds: return hn_i_density(mean);
     case kBillow: return hn_i_billows(mean);
     case kRidged: return hn_i_bounded(mean);
+    case kHybrid: return hn_i_bounded(mean);
     case kPingPong: return hn_i_bounded(mean);
     case kWeighted: return hn_i_bounded(mean);
     case kFbmD: return mean;

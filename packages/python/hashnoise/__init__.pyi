@@ -185,6 +185,18 @@ def ridged(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | 
            cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
            threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
+def hybrid(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
+           seed: int = 0, noise: str = "perlin", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
+           period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
+           arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
+           instruction_set: str | None = None) -> float: ...
+@overload
+def hybrid(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
+           w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: str = "perlin", octaves: int = 6,
+           lacunarity: float = 2.0, gain: float = 0.5, period: int | Sequence[int] | None = None,
+           cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+           threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
 def ping_pong(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
               seed: int = 0, noise: str = "perlin", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
               strength: float = 2.0, period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,

@@ -3,8 +3,8 @@
 
 from ._evaluate import points
 
-__all__ = ["fbm", "turbulence", "clouds", "billow", "ridged", "ping_pong", "weighted", "fbm_d", "eroded", "warp",
-           "warp_progressive"]
+__all__ = ["fbm", "turbulence", "clouds", "billow", "ridged", "hybrid", "ping_pong", "weighted", "fbm_d", "eroded",
+           "warp", "warp_progressive"]
 
 
 def fbm(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=None, lacunarity=2.0, gain=0.5, detail=None,
@@ -84,6 +84,24 @@ def ridged(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, l
     0.6091289520263672
     """
     return points("ridged", (x, y, z, w), cell, out, threads, sum="ridged", seed=seed, noise=noise, octaves=octaves,
+                  lacunarity=lacunarity, gain=gain, period=period, arithmetic=arithmetic,
+                  instruction_set=instruction_set)
+
+
+def hybrid(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, lacunarity=2.0, gain=0.5, period=None,
+           cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
+    """Hybrid terrain, in 1D to 4D: plains are flat and heights are rough.
+
+    An octave counts as far as the one before it is high; in full from the middle on.
+
+    returns  [0, 1]
+    source   Musgrave, in "Texturing and Modeling: A Procedural Approach": after his hybrid multifractal with the offset
+             1, of octaves in [0, 1], divided by the sum of the weights
+
+    >>> hashnoise.hybrid(0.5, 0.25, seed=7, arithmetic="fixed")
+    0.4141063690185547
+    """
+    return points("hybrid", (x, y, z, w), cell, out, threads, sum="hybrid", seed=seed, noise=noise, octaves=octaves,
                   lacunarity=lacunarity, gain=gain, period=period, arithmetic=arithmetic,
                   instruction_set=instruction_set)
 

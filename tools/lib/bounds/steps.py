@@ -94,6 +94,34 @@ def ridges(noise_errs: list[float], unit: float, lost: float) -> list[float]:
     return errs
 
 
+class Height(Step):
+    """d = (1 + n)/2;  t = d*min(2*t, 1). Both factors are at most 1, so an error of t doubles. In integers d is rounded
+    down to 2^-18, and so is the product, but the first one, which is exact."""
+
+    def term(self, floats, n, before, strength):
+        t = floats.round(floats.mad(0.5, n, 0.5) * np.minimum(2 * before, 1))
+        return t, t
+
+    def fixed_term(self, ints, v, before, strength):
+        height = ints.product((2**21 + v) >> 4, np.minimum(2 * before, 2**18))
+        return height << 3, height
+
+    def float_errors(self, errs, limit, strength):
+        return heights([e / 2 + FLOAT_UNIT for e in errs], FLOAT_UNIT + TINY), 1.0
+
+    def fixed_errors(self, errs, strength, cut):
+        return heights([e / 2 + WEIGHT_UNIT for e in errs], WEIGHT_UNIT)
+
+
+def heights(errs: list[float], of_product: float) -> list[float]:
+    """The errors of t_i = d min(2 t, 1), from those of d."""
+    terms, before = [], 0.0
+    for i, err in enumerate(errs):
+        before = err + 2 * before + (i > 0) * of_product
+        terms.append(min(before, 1.0))
+    return terms
+
+
 class Wave(Step):
     """t = (n + 1)*strength;  t = t - 2*floor(t/2);  z = min(t, 2 - t);  2*z - 1
 
@@ -127,4 +155,4 @@ class Bent(Step):
 
 
 STEPS: dict[str, Step] = {"noise": Noise(), "size": Size(), "bounded_size": BoundedSize(), "ridge": Ridge(),
-                          "wave": Wave(), "bent": Bent()}
+                          "height": Height(), "wave": Wave(), "bent": Bent()}

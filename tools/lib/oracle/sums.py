@@ -177,6 +177,15 @@ def ridged(of: Terms[Fraction]) -> Fraction:
     return mean(of, ridges)
 
 
+def hybrid(of: Terms[Fraction]) -> Fraction:
+    """In [0, 1]."""
+    heights, factor = [], Fraction(1)
+    for n in within_one(of):
+        heights.append((1 + n) / 2 * factor)
+        factor = min(2 * heights[-1], Fraction(1))
+    return mean(of, heights)
+
+
 def ping_pong(of: Terms[Fraction]) -> Fraction:
     """In [-1, 1]."""
     strength = clamped(of.strength, 0, 64)
@@ -345,6 +354,14 @@ def fixed_ridged(of: Terms[int]) -> int:
     return fixed_mean(of, [ridge << 3 for ridge in ridges])
 
 
+def fixed_hybrid(of: Terms[int]) -> int:
+    heights, factor = [], 2**18
+    for v in fixed_within(of, 1):
+        heights.append(product((2**21 + v) >> 4, factor))
+        factor = min(2 * heights[-1], 2**18)
+    return fixed_mean(of, [height << 3 for height in heights])
+
+
 def fixed_height(v: int, strength: int) -> int:
     """z_i of ping-pong, in units of 2^-30."""
     u = v + 2**21
@@ -370,8 +387,8 @@ def fixed_weighted(of: Terms[int]) -> int:
 # The exact sum, and the fixed one in units of 2^-21.
 SUMS: dict[str, tuple[Callable[[Terms[Fraction]], Fraction], Callable[[Terms[int]], int]]] = {
     "fbm": (fbm, fixed_fbm), "turbulence": (turbulence, fixed_turbulence), "clouds": (clouds, fixed_clouds),
-    "billow": (billow, fixed_billow), "ridged": (ridged, fixed_ridged), "ping_pong": (ping_pong, fixed_ping_pong),
-    "weighted": (weighted, fixed_weighted)}
+    "billow": (billow, fixed_billow), "ridged": (ridged, fixed_ridged), "hybrid": (hybrid, fixed_hybrid),
+    "ping_pong": (ping_pong, fixed_ping_pong), "weighted": (weighted, fixed_weighted)}
 
 
 def exact(name: str, noise: Noise, knobs: Knobs, place: Place, options: Options, seed: int = 0,

@@ -18,7 +18,7 @@ from thorough import in_thorough_runs
 
 PERLIN = noises.find("perlin")
 SETTINGS = (Knobs("lattice"), Knobs("fnv1"), Knobs("lattice", sine=True))
-LEAST = {"turbulence": 0, "clouds": 0, "ridged": 0}  # of the others -1
+LEAST = {"turbulence": 0, "clouds": 0, "ridged": 0, "hybrid": 0}  # of the others -1
 
 
 def noise_at(knobs: Knobs, p: Sequence[Real], seed: int = 0, periods: Sequence[int] = ()) -> Fraction:
@@ -156,6 +156,19 @@ class Sums(unittest.TestCase):
         # Ridges: 1/4; 1/4 of 2/4; 1 of 2/8; 1 of 2/4; 1 of 1, since 2/2 is no more.
         self.assertEqual(sums.ridged(terms_of((0.5, -0.5, 0, 0, 0))), Fraction(17, 8) / 5)
 
+    def test_hybrid(self) -> None:
+        self.assertEqual([sums.hybrid(terms_of((n,))) for n in (-1.5, -1, -0.5, 0, 0.75, 1.5)],
+                         [0, 0, 0.25, 0.5, 0.875, 1])
+        # Heights: 1/4; 3/4 of 2/4; 3/4 of 6/8; 1 of 1, since 18/16 is no more; 0; and nothing after that.
+        heights = (Fraction(1, 4), Fraction(3, 8), Fraction(9, 16), 1, 0, 0)
+        self.assertEqual(sums.hybrid(terms_of((-0.5, 0.5, 0.5, 1, -1, 1))), sum(heights) / 6)
+        # The weights count in the mean alone, not from one height to the next.
+        weights = (1, 0.5, 0.25, 0.125, 0.125, 0.125)
+        self.assertEqual(sums.hybrid(terms_of((-0.5, 0.5, 0.5, 1, -1, 1), weights, 0.5)),
+                         sum(Fraction(w) * h for w, h in zip(weights, heights)) / Fraction(sum(weights)))
+        # Of a constant noise: each is n + 1 times the one before, here 1/4 * (1/2)^i.
+        self.assertEqual(sums.hybrid(terms_of((-0.5,) * 5)), Fraction(31, 64) / 5)
+
     def test_ping_pong(self) -> None:
         for strength, values in ((2, (-1, 0, 1, 0, -1)), (0, (-1,) * 5), (-3, (-1,) * 5),
                                  (1, (-1, -0.5, 0, 0.5, 1)), (3, (-1, 0.5, 0, -0.5, 1)),
@@ -219,14 +232,16 @@ class OctaveSums(unittest.TestCase):
             def mean(values: Sequence[float], weights: Sequence[float] = ()) -> float:
                 return math.fsum(w * v for w, v in zip(weights or a, values)) / math.fsum(a)
 
-            ridges, shares = [], [1.0]
+            ridges, heights, shares = [], [], [1.0]
             for i, v in enumerate(n):
                 ridges.append((1 - abs(v))**2 * (min(1, 2 * ridges[-1]) if i else 1))
+                heights.append((0.5 + v / 2) * (min(1, 2 * heights[-1]) if i else 1))
                 shares.append(shares[-1] * gain * (1 - strength + strength * (1 + v) / 2))
             t = 0.25 + 2 * mean(n)
             expected = {"fbm": mean(n), "turbulence": mean(list(map(abs, n))),
                         "clouds": 0 if t < 0 else 1 if t > 1 else t * t * (3 - 2 * t),
                         "billow": mean([2 * abs(v) - 1 for v in n]), "ridged": mean(ridges),
+                        "hybrid": mean(heights),
                         # Back and forth between -1 and 1: the arc sine of a sine.
                         "ping_pong": mean([-2 / math.pi * math.asin(math.cos(math.pi * (v + 1) * strength))
                                            for v in n]),
@@ -439,6 +454,19 @@ class FixedSums(unittest.TestCase):
         self.assertEqual(sums.fixed_ridged(self.fixed_terms([777777], [one])),
                          (((d >> 9) * d + ((d & 511) * d >> 9)) >> 9) << 3)
 
+    def test_hybrid(self) -> None:
+        one, half = 2**18, 2**20
+        self.assertEqual([sums.fixed_hybrid(self.fixed_terms([v], [one])) for v in (-2**21, -half, 0, half, 2**21)],
+                         [0, 2**19, 2**20, 3 * 2**19, 2**21])
+        # As by hand above, in units of 2^-21: 1/4, 3/8, 9/16, 1, 0 and 0.
+        values = [-half, half, half, 2**21, -2**21, 2**21]
+        self.assertEqual(sums.fixed_hybrid(self.fixed_terms(values, [one] * 6)), 35 * 2**17 // 6)
+        # Each is cut to 18 bits, and what it leaves to the next, too: 777777 is no multiple of 16.
+        h = (2**21 - 777777) >> 4
+        following = ((h >> 9) * (2 * h) + ((h & 511) * (2 * h) >> 9)) >> 9
+        self.assertEqual(sums.fixed_hybrid(self.fixed_terms([-777777], [one])), h << 3)
+        self.assertEqual(sums.fixed_hybrid(self.fixed_terms([-777777] * 2, [one, one])), (h + following << 3) // 2)
+
     def test_heights(self) -> None:
         self.assertEqual([sums.fixed_height(v, 2 * 2**18) for v in (-2**21, -2**20, 0, 2**20, 2**21)],
                          [0, 2**30, 0, 2**30, 0])
@@ -464,8 +492,8 @@ class FixedSums(unittest.TestCase):
             of, same = (self.fixed_terms([x], [one], one) for x in (v, 2**21 if v > 0 else -2**21))
             self.assertEqual(sums.fixed_fbm(of), math.copysign(at_most, v))
             self.assertEqual(sums.fixed_turbulence(of), at_most)
-            for function in (sums.fixed_clouds, sums.fixed_billow, sums.fixed_ridged, sums.fixed_ping_pong,
-                             sums.fixed_weighted):
+            for function in (sums.fixed_clouds, sums.fixed_billow, sums.fixed_ridged, sums.fixed_hybrid,
+                             sums.fixed_ping_pong, sums.fixed_weighted):
                 self.assertEqual(function(of), function(same))
 
     def test_no_octaves(self) -> None:
@@ -510,7 +538,7 @@ class FixedSums(unittest.TestCase):
                 p = [numbers.integer(-4096, 4096) / 64 for _ in range(n)]
                 options, seed = Options(octaves, 2.0, gain, 0.75, footprint), numbers.word()
                 for name, limit in (("fbm", 1), ("turbulence", 1), ("clouds", 4), ("billow", 2), ("ridged", 2),
-                                    ("ping_pong", 2), ("weighted", 2)):
+                                    ("hybrid", 2), ("ping_pong", 2), ("weighted", 2)):
                     for periods in ((), (48, 7, 0)[:n]):
                         found = [function(name, knobs, p, options, seed, periods) for function in (exact, fixed)]
                         self.assertLess(abs(found[0] - found[1]), limit * 2**-15, (name, octaves))
