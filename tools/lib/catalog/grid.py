@@ -90,7 +90,7 @@ def files(catalog: Catalog) -> dict[Path, str]:
     begin = [f"#ifndef {macro}\n#define {macro}(...)\n#endif\n" for macro in MACROS]
     rows = [*(row("HN_CATALOG_NOISE", *of_function(noise), takes_of(noise)) for noise in catalog.noises),
             *(ranges(noise) for noise in catalog.noises), *map(of_sum, catalog.sums),
-            *(steps(sum_) for sum_ in catalog.sums if sum_.of == sum_.shape == "value"),
+            *(steps(sum_) for sum_ in catalog.sums if sum_.is_of_values),
             *map(of_setting, catalog.settings.values()),
             *(row("HN_CATALOG_METRIC", in_camel_case(metric), metric) for metric in catalog.metrics)]
     end = [f"#undef {macro}\n" for macro in MACROS]

@@ -174,7 +174,7 @@ def sums(twin: Twin) -> str:
         return f"    case k{in_camel_case(sum_.name)}: return {value};\n"
 
     def added(sum_: Sum) -> str:
-        return case(sum_, sum_.adds("s", "n", "settings.strength") if sum_.of == sum_.shape == "value" else "s")
+        return case(sum_, sum_.adds("s", "n", "settings.strength") if sum_.is_of_values else "s")
 
     return in_this_form("\n".join([
         lines("enum Sum {\n", lambda sum_: f"  k{in_camel_case(sum_.name)},\n", "};\n"),

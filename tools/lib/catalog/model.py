@@ -96,6 +96,11 @@ class Sum(Function):
     adds_words: str  # what the step adds, in words
     error: str  # in words
 
+    @property
+    def is_of_values(self) -> bool:
+        """Whether it has neither slopes nor shifts: a loop over one step."""
+        return self.of == self.shape == "value"
+
     def adds(self, sum_: str, noise: str, strength: str) -> str:
         """The expression of a sum with an octave more."""
         return f"hn_i_with_{self.step}({', '.join([sum_, noise, *([strength] if self.strength else [])])})"

@@ -22,7 +22,7 @@ SETTINGS = ("hn_int octaves", "hn_float lacunarity", "hn_float gain")
 
 def sums_of_values(catalog: Catalog) -> list[Sum]:
     """Those in fbm2d.glsl."""
-    return [sum_ for sum_ in catalog.sums if sum_.of == sum_.shape == "value"]
+    return [sum_ for sum_ in catalog.sums if sum_.is_of_values]
 
 
 def named(text: str) -> str:

@@ -250,7 +250,7 @@ def files(catalog: Catalog) -> dict[Path, str]:
     rows += [one for sum_ in catalog.sums for one in of_sum(sum_)]
     facts = [*map(facts_of_noise, catalog.noises), *map(facts_of, catalog.sums),
              *(row("OCTAVE_STEP", sum_.name, sum_.adds("s", "n", "strength"), sum_.makes("mean")) for sum_ in catalog.sums
-               if sum_.of == sum_.shape == "value")]
+               if sum_.is_of_values)]
     end = "#undef NOISE\n#undef OCTAVE_SUM\n#undef OCTAVE_STEP\n// clang-format on\n"
     return {PATH: HEAD + "\n".join(one.text() for one in rows) + "// clang-format on\n",
             FACTS: "".join([HEAD_OF_FACTS, *facts, end])}
