@@ -44,7 +44,6 @@ void print_typical(const char* name, int axes, Noise noise) {
 float first(float value) { return value; }
 float first(vec2 value) { return value.x; }
 float first(vec3 value) { return value.x; }
-float first(vec4 value) { return value.x; }
 
 // At the dimensions that a function has.
 template <typename Noise>
@@ -67,20 +66,27 @@ void print_in(const char* name, int first_dimension, int last_dimension, Noise n
   [](auto p) -> decltype(hashnoise::hn_##name(p __VA_OPT__(, ) __VA_ARGS__)) {                       \
     return hashnoise::hn_##name(p __VA_OPT__(, ) __VA_ARGS__);                                       \
   }
-// Of noises those that are a value and have no jitter, and sums with what is usual, by what their strength is called.
-#define NOISE_kValue(name, first, last) print_in("hn_" #name, first, last, CALL(name));
-#define NOISE_kWithSlopes(...)
-#define NOISE_kVector(...)
-#define NOISE_kTwoDistances(...)
-#define NOISE_kThreeDistances(...)
-#define NOISE_kDistanceWithSlopes(...)
-#define SUM_none(usual)
-#define SUM_strength(usual) , usual
-#define SUM_amplitude(usual) , usual
+// What the pages show: in 2D and 3D noises that are a value and have no jitter, and sums without slopes, with what is
+// usual, by what their strength is called.
+#define NOISE_kNothing(name) print_in("hn_" #name, 2, 3, CALL(name));
+#define NOISE_kPhase(name) print_in("hn_" #name, 2, 3, CALL(name));
+#define NOISE_kJitter(name)
+#define VALUE_kValue(name, takes) NOISE_##takes(name)
+#define VALUE_kWithSlopes(...)
+#define VALUE_kVector(...)
+#define VALUE_kTwoDistances(...)
+#define VALUE_kThreeDistances(...)
+#define VALUE_kDistanceWithSlopes(...)
+#define SUM_kValue(...) print_in(__VA_ARGS__);
+#define SUM_kVector(...) print_in(__VA_ARGS__);
+#define SUM_kWithSlopes(...)
+#define STRENGTH_none(usual)
+#define STRENGTH_strength(usual) , usual
+#define STRENGTH_amplitude(usual) , usual
 
 int main() {
-#define HN_CATALOG_NOISE(Id, name, first, last, shape, takes) NOISE_##shape(name, first, last)
+#define HN_CATALOG_NOISE(Id, name, first, last, shape, takes) VALUE_##shape(name, takes)
 #define HN_CATALOG_SUM(Id, name, first, last, shape, of, noise, strength, usual, ...) \
-  print_in("hn_" #name, first, last, CALL(name, 6, 2.0f, 0.5f SUM_##strength(usual##.0f)));
+  SUM_##shape("hn_" #name, first, last, CALL(name, 6, 2.0f, 0.5f STRENGTH_##strength(usual##.0f)))
 #include "../../../src/grid/catalog.inc"
 }
