@@ -78,7 +78,7 @@ void draw_settings(Settings& s, int dimensions, bool tiled, Draw draw, Chance& c
   s.strength.reset();
   const grid::SumRow& sum = grid::sum_row(s.sum);
   if (sum.strength == "strength" && !chance.one_in(3)) {
-    s.strength = chance.between(0.0f, sum.usual_strength == 1.0f ? 1.0f : 2.5f * sum.usual_strength);
+    s.strength = chance.between(0.0f, std::min(2.5f * sum.usual_strength, sum.most_strength));
   }
   if (sum.strength == "amplitude") s.amplitude = chance.of({0.5f, 1.0f, 0.25f});
   if (s.detail) {
