@@ -4,7 +4,6 @@
 #                                      says FAILURE and stops with status 4. With expected=SECONDS before it, it also
 #                                      says how long that takes about.
 #   cost KIND NAME                     the value of a row of tools/costs.csv, or nothing
-#   cost_of_tests                      what all of its rows of tests sum to
 #   seconds_here SECONDS [CORES]       how long it takes on this machine what takes so long by the table
 #   duration SECONDS                   as 3:05
 #
@@ -19,9 +18,6 @@ readonly progress_tick
 readonly progress_ms=$(awk -v tick="$progress_tick" 'BEGIN { print int(tick * 1000) }')
 
 cost() { awk -F, -v kind="$1" -v name="$2" '$1 == kind && $2 == name { print $3 }' "$costs" 2>/dev/null || true; }
-
-# The processor seconds of the tests of a default run, by the table; nothing without one.
-cost_of_tests() { awk -F, '$1 == "test" { sum += $3 } END { if (sum) print sum }' "$costs" 2>/dev/null || true; }
 
 duration() {
   local whole=${1%%.*}

@@ -158,8 +158,10 @@ announce() {
 setup is in $log." >&2
 }
 
-# Keeps what a setup took, for tools/test --record: of a build from nothing, its steps and its processor time.
-keep_measured() { echo "$1,$2,$3" >>"$build/measured.csv"; }
+# Keeps what a step took, for tools/test --record: of a build from nothing, its steps and its processor time. Of what
+# depends on how fast the machine is just then, that is kept with it.
+#   keep_measured KIND NAME VALUE [SPEED]
+keep_measured() { echo "$1,$2,$3,${4-}" >>"$build/measured.csv"; }
 
 # setup KIND [SECONDS]: the seconds are those of the table that the command then runs, if it is known.
 setup() {
@@ -217,7 +219,8 @@ configure_and_build() {
     cmake --build "$folder" ${1:+--target "$@"}
   take_time_of_children
   if [[ -n $new && -n $steps ]]; then
-    keep_measured build "$name" "$(awk -v a="$time_of_children" -v b="$before" 'BEGIN { printf "%.0f", a - b }')"
+    keep_measured build "$name" "$(awk -v a="$time_of_children" -v b="$before" 'BEGIN { printf "%.0f", a - b }')" \
+      "$(calibration "$(nproc 2>/dev/null || echo 1)")"
     keep_measured steps "$name" "$steps"
   fi
 }

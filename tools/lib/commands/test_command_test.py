@@ -61,6 +61,22 @@ class Test(unittest.TestCase):
         self.assertRegex(text, r"100% tests passed, 0 tests failed out of 4\n")
         self.assertTrue(text.endswith("\n1 more tests run with --thorough only.\n"), text)
 
+    def test_what_takes_long_by_the_table_begins_first(self) -> None:
+        (self.root / "tools" / "costs.csv").write_text("kind,name,value,before\ntest,sometimes,3,\n")
+        _, text, _ = self.call()
+        self.assertRegex(text.split("Start", 2)[1], r"^ +3: sometimes\n")
+
+    def test_a_whole_run_is_measured(self) -> None:
+        measured = self.root / "build" / "measured.csv"
+        (self.root / "tools" / "costs.csv").write_text("kind,name,value,before\nrun,test,3,\nspeed,loop,0.1,\n")
+        self.call("-R", "quick")
+        self.assertFalse(measured.exists())
+        self.call()
+        self.assertRegex(measured.read_text(), r"^run,test,\d+,0\.\d+\n$")
+        (self.root / "well").unlink()
+        self.call()
+        self.assertEqual(measured.read_text().count("\n"), 1)
+
     def test_options_of_ctest_choose_tests(self) -> None:
         status, text, ran = self.call("-R", "quick|long")
         self.assertEqual((status, ran), (0, ["quick"]), text)

@@ -3,8 +3,10 @@
     python3 -B -m costs.command record BUILD [options of ctest that choose tests]
     python3 -B -m costs.command check BUILD
 
-Each test runs alone, and its processor time counts, with that of all processes that it waits for. The tests should have
-run before, since what one makes another may use. Exit status: 0 done, 1 a test failed and its row is as it was, or the
+Each test runs alone, and its processor time counts, with that of all processes that it waits for. A machine that others
+share is not always as fast: how fast it is, is asked before and after each test that takes long. A record of all tests
+makes this machine the one that the table speaks of. The tests should have run before, since what one makes another may
+use. Exit status: 0 done, 1 a test failed and its row is as it was, or the
 table is not right, 2 bad usage.
 """
 
@@ -26,9 +28,8 @@ BUDGET = 1800  # two cores, fifteen minutes; the aim is 720
 # What is run without options, by its program in the build.
 RUNS = {"conform": ("conformance/hn-conform", "run"), "bench": ("conformance/hn-conform", "bench"),
         "paper": ("conformance/hn-conform", "paper")}
-ON_ALL_CORES = ("conform",)  # of these; the others have little to do on a second core
 OWN_TEST = "costs.table"
-EVERY = 10  # tests; how fast the machine is may change
+STEADY = 4.0  # seconds for which what was asked of the machine's speed holds
 SKIPPED = 77
 
 
@@ -69,6 +70,24 @@ def calibration(loops: int = 1) -> float:
     return min(float(subprocess.run(command, capture_output=True, text=True, check=True).stdout) for _ in range(5))
 
 
+class Clock:
+    """Processor time on a machine whose speed drifts, as seconds on the machine of the table."""
+
+    def __init__(self, there: float) -> None:
+        self.there = there
+        self.here = calibration()
+        self.passed = 0.0
+
+    def scaled(self, seconds: float) -> float:
+        """Of what was measured just now."""
+        before, after = self.here, self.here
+        self.passed += seconds
+        if self.passed > STEADY:
+            after = self.here = calibration()
+            self.passed = 0.0
+        return seconds * self.there / ((before + after) / 2)
+
+
 def cost_of(command: list[str], folder: str | None, environment: dict[str, str], log: Path) -> tuple[int, float]:
     """The status of a command, and its processor time."""
     before = time_of_children()
@@ -82,38 +101,40 @@ def cost_of(command: list[str], folder: str | None, environment: dict[str, str],
     return status, time_of_children() - before
 
 
-def setup_rows(build: Path) -> dict[tuple[str, str], float]:
-    """What tools/setup.sh has measured while it installed packages and built from nothing."""
+def kept_rows(build: Path, there: float) -> dict[tuple[str, str], float]:
+    """What tools/setup.sh and tools/test have measured while they installed, built from nothing and ran all tests; with
+    how fast the machine was then, if it matters."""
     path = build / "measured.csv"
     lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
-    return {(kind, name): float(value) for kind, name, value in (line.split(",") for line in lines)}
+    return {(kind, name): float(value) * (there / float(here) if here else 1)
+            for kind, name, value, here in (line.split(",") for line in lines)}
 
 
 def record(build: Path, path: Path, options: list[str]) -> int:
     table = costs.read_file(path)
     table.setdefault(("budget", "tests"), costs.Row(BUDGET))
     busy = calibration(os.cpu_count() or 1)  # as a build is; and so are two tests at a time, though one runs alone here
+    if not options:
+        table["speed", "loop"] = costs.Row(busy)
     there = table.setdefault(("speed", "loop"), costs.Row(busy)).value
-    measured: dict[tuple[str, str], float] = {}
-    for key, value in setup_rows(build).items():
-        measured[key] = value * there / busy if key[0] == "build" else value
+    measured = kept_rows(build, there)
     tests = [] if "-N" in options else listed(build, *options)
     failed = []
     log = build / "recorded.log"
+    clock = Clock(there)
     for number, test in enumerate(tests):
-        if number % EVERY == 0:
-            here = calibration()
         of_test = properties(test)
         environment = dict(entry.split("=", 1) for entry in of_test.get("ENVIRONMENT", []))
         status, seconds = cost_of(test["command"], of_test.get("WORKING_DIRECTORY"), environment, log)
+        seconds = clock.scaled(seconds)
         skipped = status != 0 and status == of_test.get("SKIP_RETURN_CODE")
-        print(f"[{number + 1}/{len(tests)}] {seconds * there / here:7.1f} s  {test['name']}"
+        print(f"[{number + 1}/{len(tests)}] {seconds:7.1f} s  {test['name']}"
               f"{' was skipped' if skipped else ' FAILED' if status else ''}", flush=True)
         key = ("test", row_of(test))
         if status and not skipped:
             failed.append(test["name"])
         elif not skipped or key not in table:  # what was measured elsewhere is more than nothing
-            measured[key] = measured.get(key, 0) + seconds * there / here
+            measured[key] = measured.get(key, 0) + seconds
     if not options:
         for name, (program, *arguments) in RUNS.items():
             with tempfile.TemporaryDirectory() as folder:
@@ -121,7 +142,7 @@ def record(build: Path, path: Path, options: list[str]) -> int:
                 # As on a machine that has run none before.
                 status, seconds = cost_of(command, folder, {"MESA_SHADER_CACHE_DISABLE": "true"}, log)
             if status == 0:
-                measured["run", name] = seconds * there / (busy if name in ON_ALL_CORES else here)
+                measured["run", name] = clock.scaled(seconds)
             else:
                 failed.append(f"{program} {' '.join(arguments)}")
     table = costs.updated(table, measured, {row_of(test) for test in listed(build)})

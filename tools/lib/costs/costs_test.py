@@ -98,6 +98,14 @@ class Recording(unittest.TestCase):
         table = self.record(burning("golden", 1), burning("twins", 0), speed=0.2)[1]
         self.assertTrue(0.5 <= table["test", "golden"].value < 0.9, table)
 
+    def test_a_machine_that_slows_down_is_asked_again(self) -> None:
+        speeds = iter((0.1, 0.1, 0.3))  # of all cores, before the first test, and after it
+        with (mock.patch.object(command, "calibration", lambda *_: next(speeds)),
+              mock.patch.object(command, "STEADY", 0.5), contextlib.redirect_stdout(io.StringIO()),
+              mock.patch.object(command, "listed", lambda *_: [burning("golden", 1)])):
+            self.assertEqual(command.record(self.build, self.path, ["-R", "."]), 0)
+        self.assertTrue(0.5 <= costs.read_file(self.path)["test", "golden"].value < 0.9)  # a second at half the speed
+
     def test_the_tests_of_a_program_of_gtest_are_one_row(self) -> None:
         tests = [burning(f"unit.A.{number}", 0.2) for number in range(2)]
         for test in tests:
@@ -120,9 +128,9 @@ class Recording(unittest.TestCase):
         self.assertEqual(table["test", "golden"].value, 50)
         self.assertLess(table["test", "new"].value, 1)
 
-    def test_what_the_setup_measured_is_kept(self) -> None:
-        (self.build / "measured.csv").write_text("packages,each,0.5\nbuild,conform,300\nsteps,conform,140\n")
-        table = self.record(burning("golden", 0), speed=0.2)[1]
+    def test_what_other_commands_measured_is_kept(self) -> None:
+        (self.build / "measured.csv").write_text("packages,each,0.5,\nbuild,conform,300,0.2\nsteps,conform,140,\n")
+        table = self.record(burning("golden", 0))[1]
         self.assertEqual([table[key].value for key in (("packages", "each"), ("build", "conform"), ("steps", "conform"))],
                          [0.5, 150, 140])
 

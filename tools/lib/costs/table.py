@@ -6,7 +6,8 @@
                             other rows are as they would be there
     packages  each          seconds to install a package, with what it needs
     build     NAME          processor seconds of a build from nothing; steps: in how many steps
-    run       COMMAND       processor seconds of a run without options
+    run       COMMAND       processor seconds of a run without options; of tools/test the seconds that its tests take,
+                            times the cores, since some tests wait
     test      NAME          processor seconds of a test; a program of gtest is one row with all of its tests
 
 `before` is the value in the last table that kept to the budget.

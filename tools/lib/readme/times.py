@@ -28,13 +28,8 @@ def times() -> Times:
     """On so many cores that have nothing else to do."""
     recorded = costs.read_file(TOOLS / "costs.csv")
 
-    def run(command: str) -> float:
-        if command == "test":
-            return sum(row.value for row in costs.tests_of(recorded).values())
-        return recorded["run", command].value
-
     return {command: (recorded["packages", "each"].value * packages(arrays), recorded["build", build].value / CORES,
-                      run(command) / CORES) for command, (build, arrays) in COMMANDS.items()}
+                      recorded["run", command].value / CORES) for command, (build, arrays) in COMMANDS.items()}
 
 
 def times_table(of: Times) -> str:
