@@ -4,6 +4,7 @@
 #        SOURCES file.cpp...     its units
 #        FUZZED file.cpp...      those of its units that the fuzzers link as well: parsers and what these need
 #        FILES file...           are inside the program; NAME/files.hpp declares them as kNameFiles
+#        BASE folder             they are known by their paths from there, in place of their names
 #        TESTS file_test.cpp...  make the program hn-NAME-test
 #        TIMED_TESTS filter      those of the tests that measure times, and so run alone
 #        ROOMS name...           the rooms that it sees, with all that these see
@@ -37,7 +38,7 @@ function(read_once target first headers)
 endfunction()
 
 # The sources of files that the program has inside, as the variable embedded.
-function(embed room)
+function(embed room base)
   string(SUBSTRING ${room} 0 1 initial)
   string(TOUPPER ${initial} initial)
   string(SUBSTRING ${room} 1 -1 rest)
@@ -56,7 +57,7 @@ extern const std::span<const EmbeddedFile> ${name};
   add_custom_command(
     OUTPUT ${generated}/files.cpp
     COMMAND ${CMAKE_COMMAND} -DOUT=${generated}/files.cpp -DROOM=${room} -DNAME=${name} -DFILES=${argument}
-            -P ${embed_script}
+            -DBASE=${base} -P ${embed_script}
     DEPENDS ${ARGN} ${embed_script}
     VERBATIM COMMENT "Embedding the files of ${room}")
   add_custom_target(hn-${room}-files DEPENDS ${generated}/files.cpp)
@@ -86,7 +87,7 @@ function(room_tests name)
 endfunction()
 
 function(room name)
-  cmake_parse_arguments(PARSE_ARGV 1 room "FAST" "TIMED_TESTS" "SOURCES;FUZZED;FILES;TESTS;ROOMS;LIBRARIES;APART")
+  cmake_parse_arguments(PARSE_ARGV 1 room "FAST" "TIMED_TESTS;BASE" "SOURCES;FUZZED;FILES;TESTS;ROOMS;LIBRARIES;APART")
   set(embedded "")
   set(root ${rooms_directory}/roots/${name})
   file(MAKE_DIRECTORY ${root})
@@ -113,7 +114,7 @@ function(room name)
   target_link_libraries(hn-${name} PUBLIC ${room_LIBRARIES})
   if(room_FILES)
     list(TRANSFORM room_FILES PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/ REGEX "^[^/]")
-    embed(${name} ${room_FILES})
+    embed(${name} "${room_BASE}" ${room_FILES})
     target_sources(hn-${name} PRIVATE ${embedded})
     add_dependencies(hn-${name} hn-${name}-files)
   endif()

@@ -285,7 +285,7 @@ class Vulkan(Example):
     def golden_values(self):
         fragment = self.copy / "examples" / "vulkan" / "noise.frag"
         own = fragment.read_text()
-        includes = own[:own.index("#include")] + '#include "hashnoise.glsl"\n'
+        includes = own[:own.index("#include")] + '#include "hashnoise/hashnoise.glsl"\n'
         head = "layout(location = 0) out vec4 color;"
         fragment.write_text(includes + self.picture.shader(head, "int(gl_FragCoord.y)"))
         self.type(self.build)

@@ -512,7 +512,7 @@ export function copied(library, language, state, kind = "function", withLibrary 
   }
   const included = language === "hlsl" ? ["begin.hlsl", ...files, "end.hlsl"] : files;
   return {
-    head: [...head, ...knobs(state), ...(inside ? [] : included.map((file) => `#include "${file}"`)), ""],
+    head: [...head, ...knobs(state), ...(inside ? [] : included.map((file) => `#include "hashnoise/${file}"`)), ""],
     library: () => (inside ? library.lines(included) : []),
     code,
   };

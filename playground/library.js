@@ -1,4 +1,4 @@
-// The library inside the page: the text of glsl/ and the definitions of its translation to WGSL.
+// The library inside the page: the text of glsl/hashnoise/ and the definitions of its translation to WGSL.
 
 // In the page the library is JSON, gzipped and written as base64 (tools/playground).
 export async function unpacked(base64) {

@@ -1,9 +1,14 @@
 # Writes files as C++ string literals:
-#   cmake -DOUT=files.cpp -DROOM=room -DNAME=kRoomFiles -DFILES=a.glsl,b.glsl -P embed.cmake
+#   cmake -DOUT=files.cpp -DROOM=room -DNAME=kRoomFiles -DFILES=a.glsl,b.glsl [-DBASE=folder] -P embed.cmake
+# A file is known by its name, or by its path from that folder.
 string(REPLACE "," ";" FILES "${FILES}")
 set(items "")
 foreach(file IN LISTS FILES)
-  get_filename_component(name "${file}" NAME)
+  if(BASE)
+    cmake_path(RELATIVE_PATH file BASE_DIRECTORY "${BASE}" OUTPUT_VARIABLE name)
+  else()
+    cmake_path(GET file FILENAME name)
+  endif()
   file(READ "${file}" text)
   string(APPEND items "    EmbeddedFile{\"${name}\", R\"hn(${text})hn\"sv},\n")
 endforeach()

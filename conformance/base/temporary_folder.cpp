@@ -35,7 +35,9 @@ TemporaryFolder::~TemporaryFolder() {
 }
 
 void TemporaryFolder::write(std::string_view name, std::string_view text) const {
-  std::ofstream(path_ / name, std::ios::binary) << text;
+  const fs::path path = path_ / name;
+  fs::create_directories(path.parent_path());
+  std::ofstream(path, std::ios::binary) << text;
 }
 
 std::string TemporaryFolder::prefix(pid_t owner) { return fmt::format("{}{}-", kPrefix, owner); }

@@ -95,6 +95,9 @@ bool is_comment_open_after(std::string_view line, bool open) {
   return open;
 }
 
+// As users include the library; in the set its files have names without it.
+constexpr std::string_view kLibrary = "hashnoise/";
+
 // Reads a file with what it includes into a set, each once.
 class Reader {
  public:
@@ -155,7 +158,10 @@ class Reader {
       HN_TRY(const auto name, add(neighbour));
       return fmt::format("#include \"{}\"", name);
     }
-    if (sources_.find(*included)) return std::string(line);
+    if (const auto ours = included->starts_with(kLibrary) ? included->substr(kLibrary.size()) : "";
+        sources_.find(ours)) {
+      return fmt::format("#include \"{}\"", ours);
+    }
     // The compiler comes upon it unless an #if leaves it out.
     return fmt::format("#error there is no file {} to include", *included);
   }

@@ -52,17 +52,19 @@ TEST_F(Foreigns, IncludeTheirNeighbours) {
 }
 
 TEST_F(Foreigns, IncludeTheLibraryUnlessANeighbourHasTheName) {
-  folder_.write("own.glsl", "#include \"noise2d.glsl\"\n");
+  folder_.write("own.glsl", "#include \"hashnoise/noise2d.glsl\"\n");
   expect_compiles("own", "own.glsl:hn_perlin(p)");
-  folder_.write("noise2d.glsl", "float neighbour(vec2 p) { return p.x; }\n");
+  folder_.write("hashnoise/noise2d.glsl", "float neighbour(vec2 p) { return p.x; }\n");
   expect_compiles("own", "own.glsl:neighbour(p)");
   expect_refused("own", "own.glsl:hn_perlin(p)", "hn_perlin");
 }
 
 // The tables that are measured as well are not files of the library.
 TEST_F(Foreigns, DoNotIncludeWhatIsOurs) {
-  folder_.write("own.glsl", "\n#include \"perlin.glsl\"\n");
-  expect_refused("own", "own.glsl:p.x", path("own.glsl:2"));
+  for (const std::string_view name : {"perlin.glsl", "hashnoise/perlin.glsl"}) {
+    folder_.write("own.glsl", fmt::format("\n#include \"{}\"\n", name));
+    expect_refused("own", "own.glsl:p.x", path("own.glsl:2"));
+  }
 }
 
 TEST_F(Foreigns, IncludesThatAreLeftOutNeedNotBeThere) {

@@ -15,15 +15,15 @@ class CellularChecks : public FaultyLibrary {
 // The block of cells is too small by a row, or has the wrong ones.
 TEST_F(CellularChecks, ABlockThatIsTooSmallIsCaughtByTheSearch) {
   constexpr Replaced kFaults[] = {
-      {"noise2d.cellular.lattice.fast.fragment.gl330.search", "feature_plane.glsl", "block, block.after.y, s)",
+      {"noise2d.cellular.lattice.fast.fragment.gl330.search", "detail/feature_points2d.glsl", "block, block.after.y, s)",
        "block, block.cell.y, s)"},
-      {"noise2d.cellular_cell_nearest.lattice.fixed.fragment.gl330.search", "feature_plane.glsl",
+      {"noise2d.cellular_cell_nearest.lattice.fixed.fragment.gl330.search", "detail/feature_points2d.glsl",
        "block, block.before.y, s)", "block, block.cell.y, s)"},
-      {"noise3d.cellular_offset.lattice.precise.fragment.gl400.search", "feature_space.glsl",
+      {"noise3d.cellular_offset.lattice.precise.fragment.gl400.search", "detail/feature_points3d.glsl",
        "joins.z, hn_i_odd(block.after.z + s)", "joins.y, hn_i_odd(block.cell.z + s)"},
       {"noise2d.cellular_three.lattice.fast.fragment.gl330.search", "cellular_three2d.glsl",
        "best = hn_i_visited(best, hn_i_ranks(words, x, y, jitter, metric), HN_I_NO_CODE, 0);", ""},
-      {"noise2d.cellular_three_full.lattice.fixed.fragment.gl330.search", "feature.glsl",
+      {"noise2d.cellular_three_full.lattice.fixed.fragment.gl330.search", "detail/feature_points.glsl",
        "hn_i_choice(d > HN_I_NO_OFFSET, 2, -2)", "hn_i_choice(d > HN_I_NO_OFFSET, 2, 2)"},
       {"noise2d.cell_border.lattice.fast.fragment.gl330.search", "cell_border2d.glsl",
        "best = hn_i_border(best, words, x, hn_i_thrice(y.z), jitter, hn_i_code(0, 1), 1, from, nearest);", ""},
@@ -35,13 +35,13 @@ TEST_F(CellularChecks, ABlockThatIsTooSmallIsCaughtByTheSearch) {
 
 TEST_F(CellularChecks, AnotherMetricAndAnotherJitterAreCaughtByTheSearch) {
   constexpr Replaced kFaults[] = {
-      {"noise2d.cellular_full.lattice.fast.fragment.gl330.search", "feature_plane.glsl", "return hn_i_sum(a, b);",
+      {"noise2d.cellular_full.lattice.fast.fragment.gl330.search", "detail/feature_points2d.glsl", "return hn_i_sum(a, b);",
        "return max(a, b);"},
-      {"noise3d.cellular_three_cell_full.lattice.fixed.fragment.gl330.search", "feature_space.glsl",
+      {"noise3d.cellular_three_cell_full.lattice.fixed.fragment.gl330.search", "detail/feature_points3d.glsl",
        "metric == HN_METRIC_CHEBYSHEV) return", "metric == HN_METRIC_CHEBYSHEV || metric == 6) return"},
-      {"noise3d.cellular_smooth_full.lattice.fast.fragment.gl330.search", "feature.glsl", "max(jitter, 0.0f), 1.0f)",
+      {"noise3d.cellular_smooth_full.lattice.fast.fragment.gl330.search", "detail/feature_points.glsl", "max(jitter, 0.0f), 1.0f)",
        "max(jitter, 0.0f), 1.5f)"},
-      {"noise2d.cellular_d_full.lattice.fixed.fragment.gl330.search", "feature.glsl", "min(max(jitter, 0.0f), 1.0f)",
+      {"noise2d.cellular_d_full.lattice.fixed.fragment.gl330.search", "detail/feature_points.glsl", "min(max(jitter, 0.0f), 1.0f)",
        "min(max(jitter, 0.01f), 1.0f)"}};
   expect_all_caught(kFaults);
 }
@@ -49,7 +49,7 @@ TEST_F(CellularChecks, AnotherMetricAndAnotherJitterAreCaughtByTheSearch) {
 // The name, the way and the distance of different points, a name beyond the period, and a value of its own.
 TEST_F(CellularChecks, PartsThatDoNotBelongTogetherAreCaught) {
   constexpr Replaced kFaults[] = {
-      {"noise2d.cellular_cell_nearest.lattice.fast.fragment.gl330.cell_names", "feature_plane.glsl",
+      {"noise2d.cellular_cell_nearest.lattice.fast.fragment.gl330.cell_names", "detail/feature_points2d.glsl",
        "hn_uvec2 after = hn_i_after(c, place.period);\n  return ivec2",
        "hn_uvec2 after = c + uvec2(1u, 1u);\n  return ivec2"},
       {"noise3d.cellular_cell_nearest.lattice.fixed.fragment.gl330.cell_names", "cellular3d.glsl",
@@ -63,7 +63,7 @@ TEST_F(CellularChecks, PartsThatDoNotBelongTogetherAreCaught) {
 }
 
 TEST_F(CellularChecks, AnotherOfTwoEquallyNearPointsIsCaught) {
-  expect_replaced_caught({"noise2d.cellular_nearest.lattice.fixed.fragment.gl330.search", "feature.glsl",
+  expect_replaced_caught({"noise2d.cellular_nearest.lattice.fixed.fragment.gl330.search", "detail/feature_points.glsl",
                           "hn_i_select(rank < best.x,", "hn_i_select(rank <= best.x,"});
 }
 
@@ -105,7 +105,7 @@ TEST_F(CellularChecks, FieldsThatAreAlikeAreCaught) {
 
 // With rounded floats every output but those that jump is compared, and what is undecided is no excuse elsewhere.
 TEST_F(CellularChecks, ANearestPointThatIsWrongIsNotLeftOut) {
-  expect_replaced_caught({"noise2d.cellular_nearest.lattice.fast.fragment.gl330.twin", "feature.glsl",
+  expect_replaced_caught({"noise2d.cellular_nearest.lattice.fast.fragment.gl330.twin", "detail/feature_points.glsl",
                           "hn_i_select(rank < best.x, hn_i_rank_of_code(code), best.w)",
                           "hn_i_select(rank < best.x + 0.002f, hn_i_rank_of_code(code), best.w)"});
 }

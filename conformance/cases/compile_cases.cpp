@@ -18,7 +18,10 @@
 namespace hn {
 namespace {
 
-std::string_view stem(std::string_view file) { return file.substr(0, file.find('.')); }
+std::string_view stem(std::string_view file) {
+  const std::string_view name = file.substr(file.rfind('/') + 1);
+  return name.substr(0, name.find('.'));
+}
 
 // No function of a file is called by itself, so what is exact is not told apart.
 CaseName name_of(std::string_view file, const Configuration& configuration, Stage stage, const Profile& profile,
@@ -56,7 +59,7 @@ constexpr std::string_view kFileForDrivers = "fbm2d.glsl";
 
 // glslang tries every file alone with every arithmetic; drivers, which take longer, all of them together.
 bool is_for_drivers(std::string_view file, const Configuration& configuration) {
-  if (configuration.fast() || file == kFileForDrivers) return file != "arithmetic.glsl";
+  if (configuration.fast() || file == kFileForDrivers) return file != "detail/arithmetic.glsl";
   return file == "hashnoise.glsl" && !configuration.sine();
 }
 

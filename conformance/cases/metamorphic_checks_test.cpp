@@ -139,7 +139,7 @@ TEST_F(Periods, AFunctionThatDoesNotRepeatIsCaught) {
   // Only many octaves come to so large a cell.
   expect_replaced_caught({"fbm.fbm2_period.lattice.fixed.fragment.gl330.period", "octaves2d.glsl",
                           "ivec2(o.x.x, o.y.x)", "clamp(ivec2(o.x.x, o.y.x), -8388608, 8388607)"});
-  expect_replaced_caught({"fbm.billow2_cell_period.lattice.fast.fragment.gl330.period", "octave.glsl",
+  expect_replaced_caught({"fbm.billow2_cell_period.lattice.fast.fragment.gl330.period", "detail/octave.glsl",
                           "return int(uint(period) * uint(lacunarity));",
                           "return int(uint(period) * uint(lacunarity)) + int(period > 0);"});
   // A tile that turns.
@@ -155,7 +155,7 @@ TEST_F(Periods, ASumFromACellThatIsNotThatAtThePositionIsCaught) {
                                    "o.x = hn_i_whole(place.cell.x, 0.999f * place.fraction.x, "},
                                   {"fbm.ridged3_cell.lattice.fixed.fragment.gl330.from_cell", "place.glsl",
                                    "hn_i_place(cell, hn_i_inside(f),", "hn_i_place(cell, hn_i_inside(f) ^ 256,"},
-                                  {"warp.warp_progressive2_cell.lattice.fast.fragment.gl330.from_cell", "frame.glsl",
+                                  {"warp.warp_progressive2_cell.lattice.fast.fragment.gl330.from_cell", "detail/jacobian.glsl",
                                    "hn_i_minus(n, cells)", "hn_i_minus(0.5f * n, 0.5f * cells)"},
                                   {"fbm.fbm2_cell_period.lattice.precise.fragment.gl400.from_cell", "place.glsl",
                                    "hn_i_place(cell, hn_i_inside(f),", "hn_i_place(cell, 0.999f * hn_i_inside(f),"}};
@@ -163,22 +163,22 @@ TEST_F(Periods, ASumFromACellThatIsNotThatAtThePositionIsCaught) {
 }
 
 TEST_F(Periods, AWholeDetailThatIsNoNumberOfOctavesIsCaught) {
-  constexpr Replaced kFaults[] = {{"fbm.fbm2_detail.lattice.fast.fragment.gl330.whole_detail", "octave.glsl",
+  constexpr Replaced kFaults[] = {{"fbm.fbm2_detail.lattice.fast.fragment.gl330.whole_detail", "detail/octave.glsl",
                                    "float(octaves - 1));", "float(octaves - 1) + 0.01f);"},
-                                  {"fbm.fbm3_detail.lattice.precise.fragment.gl400.whole_detail", "octave.glsl",
+                                  {"fbm.fbm3_detail.lattice.precise.fragment.gl400.whole_detail", "detail/octave.glsl",
                                    "float(octaves - 1));", "float(octaves - 1) + 0.00001f);"},
-                                  {"fbm.fbm3_detail.lattice.fixed.fragment.gl330.whole_detail", "octave.glsl",
+                                  {"fbm.fbm3_detail.lattice.fixed.fragment.gl330.whole_detail", "detail/octave.glsl",
                                    "HN_I_MOST_DETAIL 32.0f", "HN_I_MOST_DETAIL 31.0f"}};
   for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
 }
 
 TEST_F(Periods, ASmallFootprintThatFadesOctavesIsCaught) {
   constexpr Replaced kFaults[] = {
-      {"fbm.fbm2_footprint.lattice.fast.fragment.gl330.small_footprint", "octave.glsl", "hn_i_minus(1.5f, footprint)",
+      {"fbm.fbm2_footprint.lattice.fast.fragment.gl330.small_footprint", "detail/octave.glsl", "hn_i_minus(1.5f, footprint)",
        "hn_i_minus(1.4f, footprint)"},
-      {"fbm.fbm3_footprint.lattice.fixed.fragment.gl330.small_footprint", "octave.glsl", "393216 - (footprint >> 6)",
+      {"fbm.fbm3_footprint.lattice.fixed.fragment.gl330.small_footprint", "detail/octave.glsl", "393216 - (footprint >> 6)",
        "393216 - 16 - (footprint >> 6)"},
-      {"fbm.fbm3_footprint.lattice.precise.fragment.gl400.small_footprint", "octave.glsl",
+      {"fbm.fbm3_footprint.lattice.precise.fragment.gl400.small_footprint", "detail/octave.glsl",
        "hn_i_times(footprint, max(lacunarity, 1.0f))", "hn_i_times(footprint, 2.0f * max(lacunarity, 1.0f))"}};
   for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
 }
@@ -193,7 +193,7 @@ TEST_F(Periods, AFormThatIsNotTheOneWithoutPeriodsIsCaught) {
       {"noise3d.value_cell_period.lattice.fixed.fragment.gl330.wrapped", "value3d.glsl", "hn_i_box(place)",
        "hn_i_box(hn_tile(place, ivec3(place.period.xy, place.period.z > 1073741824 ? 0 : place.period.z)))"},
       // Cells below 0 count towards it.
-      {"noise2d.value_cubic_cell_period.lattice.precise.fragment.gl400.wrapped", "lattice.glsl",
+      {"noise2d.value_cubic_cell_period.lattice.precise.fragment.gl400.wrapped", "detail/cell.glsl",
        "hn_i_select(c < 0, mask - rest, rest)", "rest"},
       {"noise1d.perlin_d_cell_period.lattice.fast.fragment.gl330.wrapped", "perlin_d1d.glsl", "place.fraction",
        "place.fraction + (place.tiled ? 0.001 : 0.0)"}};
@@ -230,11 +230,11 @@ TEST_F(Derivatives, FaultsAreCaught) {
        "hn_perlin_d(args) hn_perlin_d(args).xzyw"},
       {"noise3d.value_d_cell_period.lattice.fixed.fragment.gl330", "derivative", "value_d3d.glsl",
        "hn_value_d(t, args) hn_value_d(t, args).xzyw"},
-      {"noise4d.perlin_d.lattice.fast.fragment.gl330", "derivative", "slope.glsl",
+      {"noise4d.perlin_d.lattice.fast.fragment.gl330", "derivative", "detail/derivative.glsl",
        "hn_i_slope(f) (0.0 * hn_i_slope(f))"},
-      {"noise2d.perlin_d.lattice.fast.fragment.gl330", "derivative", "slope.glsl",
+      {"noise2d.perlin_d.lattice.fast.fragment.gl330", "derivative", "detail/derivative.glsl",
        "hn_i_slope(f) (0.0 * hn_i_slope(f))"},
-      {"noise3d.value_d.lattice.fixed.fragment.gl330", "derivative", "slope.glsl",
+      {"noise3d.value_d.lattice.fixed.fragment.gl330", "derivative", "detail/derivative.glsl",
        "hn_i_slope(f) (hn_i_slope(f) / 128 * 127)"}};
   for (const Aperiodic& fault : kFaults) expect_caught(fault);
 }
@@ -242,27 +242,27 @@ TEST_F(Derivatives, FaultsAreCaught) {
 // A sign, components in another order, an octave that does not grow, and a turn in the other direction.
 TEST_F(Derivatives, FaultsOfSumsAreCaught) {
   constexpr Replaced kFaults[] = {
-      {"fbm_d.fbm_d2.lattice.fast.fragment.gl330.derivative", "frame.glsl",
+      {"fbm_d.fbm_d2.lattice.fast.fragment.gl330.derivative", "detail/jacobian.glsl",
        "hn_i_parted(hn_i_framed(k.x, g.y), hn_i_framed(k.y, g.x))",
        "hn_i_joined(hn_i_framed(k.x, g.y), hn_i_framed(k.y, g.x))"},
       {"fbm_d.fbm_d2.lattice.fast.fragment.es300.derivative", "fbm_d2d.glsl",
        "hn_i_octave_slope(n.y), hn_i_octave_slope(n.z)", "hn_i_octave_slope(n.z), hn_i_octave_slope(n.y)"},
-      {"fbm_d.fbm_d3_cell.lattice.fast.fragment.gl330.derivative", "frame.glsl",
+      {"fbm_d.fbm_d3_cell.lattice.fast.fragment.gl330.derivative", "detail/jacobian.glsl",
        "next.z = hn_i_rotated_by(z, y, 29, 13);", "next.z = hn_i_rotated_by(z, y, 29, -13);"},
-      {"fbm_d.fbm_d2_cell_period.lattice.precise.fragment.gl400.derivative", "frame.glsl",
+      {"fbm_d.fbm_d2_cell_period.lattice.precise.fragment.gl400.derivative", "detail/jacobian.glsl",
        "hn_num2 next = hn_i_framed(k, growth);", "hn_num2 next = k;"},
-      {"fbm_d.fbm_d3_cell_period.lattice.fast.fragment.gl330.derivative", "frame.glsl",
+      {"fbm_d.fbm_d3_cell_period.lattice.fast.fragment.gl330.derivative", "detail/jacobian.glsl",
        "next.y = hn_i_framed(k.y, growth);", "next.y = hn_i_framed(k.y, 1.2f * growth);"}};
   for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
 }
 
 TEST_F(Derivatives, ASumWithoutStrengthThatIsNoFbmIsCaught) {
   constexpr Replaced kFaults[] = {
-      {"fbm_d.eroded2.lattice.fast.fragment.gl330.zero_strength", "frame.glsl",
+      {"fbm_d.eroded2.lattice.fast.fragment.gl330.zero_strength", "detail/jacobian.glsl",
        "hn_i_times_plus(square, strength, 1.0f)", "hn_i_times_plus(square, strength + 0.001f, 1.0f)"},
       {"fbm_d.eroded3_cell.lattice.precise.fragment.gl400.zero_strength", "fbm_d3d.glsl", "hn_i_octave(n.x)",
        "hn_i_octave(n.y)"},
-      {"fbm_d.eroded2_cell_period.lattice.fixed.fragment.gl330.zero_strength", "frame.glsl", "divisor = 65536u",
+      {"fbm_d.eroded2_cell_period.lattice.fixed.fragment.gl330.zero_strength", "detail/jacobian.glsl", "divisor = 65536u",
        "divisor = 65537u"}};
   for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
 }

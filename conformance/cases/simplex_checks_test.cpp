@@ -38,9 +38,9 @@ TEST_F(SimplexChecks, WrongDerivativesAreCaught) {
       {"noise3d.perlin_d_phase.lattice.fast.fragment.gl330.derivative", "perlin_phase3d.glsl",
        "hn_perlin_d(p, t, args) (vec4(1.0, 1.0, 1.0, 1.01) * hn_perlin_d(p, t, args))"}};
   expect_all_caught(kFaults);
-  constexpr Replaced kTerms[] = {{"noise4d.simplex_d.lattice.fast.fragment.gl330.derivative", "kernel.glsl",
+  constexpr Replaced kTerms[] = {{"noise4d.simplex_d.lattice.fast.fragment.gl330.derivative", "detail/falloff.glsl",
                                   "hn_float d = g * w - k * x;", "hn_float d = g * w;"},
-                                 {"noise2d.simplex_d.lattice.fast.fragment.gl330.derivative", "kernel.glsl",
+                                 {"noise2d.simplex_d.lattice.fast.fragment.gl330.derivative", "detail/falloff.glsl",
                                   "hn_float d = g * w - k * x;", "hn_float d = g * w - 0.99 * k * x;"}};
   expect_all_caught(kTerms);
 }
@@ -65,12 +65,12 @@ TEST_F(SimplexChecks, AFieldOfTheWrongSizeIsCaught) {
 
 TEST_F(SimplexChecks, APhaseThatDoesNotLoopIsCaught) {
   constexpr std::string_view kPart = "(phase - trunc(phase))";
-  constexpr Replaced kFaults[] = {{"noise2d.simplex_phase.lattice.fast.fragment.gl330.loop", "turn.glsl", kPart,
+  constexpr Replaced kFaults[] = {{"noise2d.simplex_phase.lattice.fast.fragment.gl330.loop", "detail/direction_turning.glsl", kPart,
                                    "(phase - 0.99999f * trunc(phase))"},
-                                  {"noise3d.simplex_d_phase_cell_period.lattice.fixed.fragment.gl330.loop", "turn.glsl",
+                                  {"noise3d.simplex_d_phase_cell_period.lattice.fixed.fragment.gl330.loop", "detail/direction_turning.glsl",
                                    kPart, "(phase - trunc(phase) + 0.0000001f * trunc(phase))"},
                                   // A negative phase that turns the other way.
-                                  {"noise3d.perlin_phase_cell.lattice.precise.fragment.gl400.loop", "turn.glsl", kPart,
+                                  {"noise3d.perlin_phase_cell.lattice.precise.fragment.gl400.loop", "detail/direction_turning.glsl", kPart,
                                    "abs(phase - trunc(phase))"}};
   expect_all_caught(kFaults);
 }
@@ -81,7 +81,7 @@ TEST_F(SimplexChecks, HalfATurnThatDoesNotNegateIsCaught) {
                                {"noise3d.simplex_phase_cell.lattice.fixed.fragment.gl330.half_turn",
                                 "simplex_phase3d.glsl", "hn_simplex(c, t, args) abs(hn_simplex(c, t, args))"}};
   expect_all_caught(kFaults);
-  expect_replaced_caught({"noise2d.simplex_d_phase.lattice.fast.fragment.gl330.half_turn", "turn.glsl",
+  expect_replaced_caught({"noise2d.simplex_d_phase.lattice.fast.fragment.gl330.half_turn", "detail/sine.glsl",
                           "hn_uint q = angle & 0x7FFFFFFFu;", "hn_uint q = (angle + (angle >> 10u)) & 0x7FFFFFFFu;"});
 }
 
@@ -112,11 +112,11 @@ TEST_F(SimplexChecks, AFieldWithADivergenceIsCaught) {
 // A kernel that is too large: where another point takes over, the one that is left behind still has a weight.
 TEST_F(SimplexChecks, AKernelThatIsTooLargeJumps) {
   constexpr Replaced kFaults[] = {
-      {"noise2d.simplex.lattice.fast.fragment.gl330.seams", "triangles.glsl", "819, 1", "922, 1"},
-      {"noise2d.simplex_d_cell.lattice.fixed.fragment.gl330.seams", "triangles.glsl", "819, 1", "870, 1"},
-      {"noise3d.simplex.lattice.fast.fragment.gl330.seams", "centred.glsl", "1024, 2", "1229, 2"},
-      {"noise3d.simplex_phase_cell.lattice.fixed.fragment.gl330.seams", "centred.glsl", "1024, 2", "1229, 2"},
-      {"noise4d.simplex.lattice.precise.fragment.gl400.seams", "centred.glsl", "1024, 2", "1229, 2"},
+      {"noise2d.simplex.lattice.fast.fragment.gl330.seams", "detail/triangular_lattice.glsl", "819, 1", "922, 1"},
+      {"noise2d.simplex_d_cell.lattice.fixed.fragment.gl330.seams", "detail/triangular_lattice.glsl", "819, 1", "870, 1"},
+      {"noise3d.simplex.lattice.fast.fragment.gl330.seams", "detail/body_centred_lattice.glsl", "1024, 2", "1229, 2"},
+      {"noise3d.simplex_phase_cell.lattice.fixed.fragment.gl330.seams", "detail/body_centred_lattice.glsl", "1024, 2", "1229, 2"},
+      {"noise4d.simplex.lattice.precise.fragment.gl400.seams", "detail/body_centred_lattice.glsl", "1024, 2", "1229, 2"},
       {"noise2d.simplex_smooth.lattice.fast.fragment.gl330.seams", "simplex_smooth2d.glsl", "1024, 1", "1229, 1"},
       {"noise3d.simplex_smooth.lattice.fast.fragment.gl330.seams", "simplex_smooth3d.glsl", "768, 1", "1024, 1"}};
   expect_all_caught(kFaults);

@@ -194,7 +194,7 @@ class BenchCli(unittest.TestCase):
             (["--baseline", self.folder], "cannot read", "--baseline wants a bench.json"),
             (["--out", self.folder / "file" / "out"], "cannot make the folder", "--out wants a folder"),
             (["--out", self.folder / "file"], "cannot make the folder", "--out wants a folder"),
-            (["--glsl", self.folder], "a copy of every file of glsl/"),
+            (["--glsl", self.folder], "a copy of every file of glsl/hashnoise/"),
             (["--rounds", "2"], "--rounds"),
             (["--rounds", "few"], "--rounds"),
             (["--frobnicate"], "frobnicate"),

@@ -50,10 +50,10 @@ class Cli(unittest.TestCase):
         return {suite.get("name"): suite for suite in root.findall("testsuite")}
 
     def changed_glsl(self, *changes):
-        """A copy of glsl/ with changes made: (file, old, new), each once."""
+        """A copy of glsl/hashnoise/ with changes made: (file, old, new), each once."""
         copy = self.folder / "glsl"
         shutil.rmtree(copy, ignore_errors=True)
-        shutil.copytree(ROOT / "glsl", copy)
+        shutil.copytree(ROOT / "glsl" / "hashnoise", copy)
         for name, old, new in changes:
             text = (copy / name).read_text()
             self.assertIn(old, text)
@@ -140,9 +140,9 @@ class Cli(unittest.TestCase):
             (["run", "--out", self.folder / "file" / "out"], "cannot make the folder"),
             (["run", "--out", self.folder / "file"], "file: Not a directory; --out wants a folder"),
             (["run", "--out", taken], "results.json: it is a folder; --out wants a folder"),
-            (["run", "--glsl", self.folder], "a copy of every file of glsl/"),
-            (["run", "--glsl", self.folder / "absent"], "/again.h: No such file or directory; --glsl wants"),
-            (["run", "--glsl", self.folder / "file"], "file/again.h: Not a directory; --glsl wants"),
+            (["run", "--glsl", self.folder], "a copy of every file of glsl/hashnoise/"),
+            (["run", "--glsl", self.folder / "absent"], "/begin.hlsl: No such file or directory; --glsl wants"),
+            (["run", "--glsl", self.folder / "file"], "file/begin.hlsl: Not a directory; --glsl wants"),
             (["run", "--golden", self.folder / "absent"], "absent: No such file or directory; --golden wants"),
             (["run", "--golden", self.folder / "file"], "file: Not a directory; --golden wants the folder"),
             (["run", "--golden", self.folder], f"there is no golden file in {self.folder}; --golden wants the folder"),
@@ -247,9 +247,9 @@ class Cli(unittest.TestCase):
         # What does not disturb each other is changed at once: (cases, file, old, new). Cases alone suffer from the others.
         for group in (
             (
-                (f"{perlin}.range", "gradient.glsl", "n, 1365)", "n, 2365)"),
-                (f"{perlin}.seeds", "lattice.glsl", "box.last, s, s, 0u)", "box.last, 0u, 0u, 0u)"),
-                ("fbm.fbm2.*.fast.*.other_noise", "octave.glsl",
+                (f"{perlin}.range", "detail/ramps.glsl", "n, 1365)", "n, 2365)"),
+                (f"{perlin}.seeds", "detail/cell.glsl", "box.last, s, s, 0u)", "box.last, 0u, 0u, 0u)"),
+                ("fbm.fbm2.*.fast.*.other_noise", "detail/octave.glsl",
                  "hn_i_summed(s.value, n, weight)", "hn_i_summed(s.value, n, HN_I_WEIGHT_ONE)"),
                 ("fbm.ridged2_cell_period.*.fixed.*.other_noise",),
                 ("config.hash_beyond_the_last.*.gl330.refused_*", "config.glsl", "HN_HASH > 9", "HN_HASH > 99"),
@@ -258,7 +258,7 @@ class Cli(unittest.TestCase):
                 ("config.version_120.*.refused_by_driver", "config.glsl", "needs GLSL 1.30", "needs more"),  # no reason
             ),
             (
-                (f"{perlin}.range", "gradient.glsl", "n, 1365)", "n, 365)"),  # little of it is used
+                (f"{perlin}.range", "detail/ramps.glsl", "n, 1365)", "n, 365)"),  # little of it is used
                 (f"{perlin}.mirror", "perlin2d.glsl", "hn_perlin(hn_place(p), seed)",
                  "hn_perlin(hn_place(abs(p)), seed)"),
             ),
@@ -293,7 +293,7 @@ class Cli(unittest.TestCase):
         self.assertEqual(done.returncode, 1)
 
     def test_a_shader_that_does_not_compile_shows_file_and_line_and_the_run_goes_on(self):
-        line = 1 + (ROOT / "glsl" / "noise2d.glsl").read_text().splitlines().index("#include \"perlin2d.glsl\"")
+        line = 1 + (ROOT / "glsl" / "hashnoise" / "noise2d.glsl").read_text().splitlines().index("#include \"perlin2d.glsl\"")
         glsl = self.changed_glsl(("noise2d.glsl", "#include \"perlin2d.glsl\"\n",
                                   "#include \"perlin2d.glsl\" \nint x = broken;\n"))
         profiles = ("gl140", "gl330", "es300")
@@ -382,7 +382,7 @@ class Cli(unittest.TestCase):
                 self.assertEqual(self.results()["runs"][0]["totals"]["fail"], 3)
 
     def test_fail_fast_stops(self):
-        glsl = self.changed_glsl(("gradient.glsl", "n, 1365)", "n, 1366)"))
+        glsl = self.changed_glsl(("detail/ramps.glsl", "n, 1365)", "n, 1366)"))
         self.run_case("--glsl", glsl, "--fail-fast", case="noise2d.perlin.*.golden")
         self.assertEqual(len(self.results()["runs"][0]["cases"]), 1)
 

@@ -218,7 +218,7 @@ class Broken(unittest.TestCase):
     def test_a_shader_that_does_not_compile_costs_its_rows_and_status_1(self):
         with tempfile.TemporaryDirectory() as folder:
             glsl = pathlib.Path(folder) / "glsl"
-            shutil.copytree(pathlib.Path(__file__).resolve().parent.parent.parent / "glsl", glsl)
+            shutil.copytree(pathlib.Path(__file__).resolve().parent.parent.parent / "glsl" / "hashnoise", glsl)
             text = (glsl / "noise3d.glsl").read_text()
             (glsl / "noise3d.glsl").write_text(text.replace("#include", "broken;\n#include", 1))
             out = pathlib.Path(folder) / "out"
@@ -258,7 +258,7 @@ class Usage(unittest.TestCase):
             ([*out, "--rounds", "2"], "rounds"),
             ([*out, "--rounds", "-3"], "rounds"),
             ([*out, "--rounds", "many"], "rounds"),
-            ([*out, "--glsl", self.folder], "a copy of every file of glsl/"),
+            ([*out, "--glsl", self.folder], "a copy of every file of glsl/hashnoise/"),
             ([*out, "--frobnicate"], "frobnicate"),
         ):
             with self.subTest(arguments=arguments):

@@ -202,7 +202,7 @@ class ShaderRewriter {
   // "highp uint a = 1u, b[2];"
   void declaration(const std::string& start) {
     bool constant = false;
-    // The second is glsl/config.glsl's macro of the first.
+    // The second is glsl/hashnoise/config.glsl's macro of the first.
     if (parser_.peek().is("precision") || parser_.peek().is("HN_I_HIGHP_HERE")) place_.highp_by_default = true;
     while (parser_.peek(1).kind == Token::Kind::word) {
       constant = constant || parser_.peek().is("const");

@@ -6,8 +6,10 @@
 #include <set>
 #include <vector>
 
+#include "base/entry_named.hpp"
 #include "base/strings.hpp"
 #include "library/files.hpp"
+#include "library/source.hpp"
 
 namespace hn {
 namespace {
@@ -19,8 +21,9 @@ void add_included_by(std::string_view file, std::set<std::string_view>& files) {
   const std::string_view text = text_of(kLibraryFiles, file);
   for (auto at = text.find(kInclude); at != std::string_view::npos; at = text.find(kInclude, at + 1)) {
     const auto start = at + kInclude.size();
-    const auto name = text.substr(start, text.find('"', start) - start);
-    if (files.insert(name).second) add_included_by(name, files);
+    const std::string name = included_from(file, text.substr(start, text.find('"', start) - start));
+    const std::string_view known = entry_named(kLibraryFiles, &EmbeddedFile::name, name, "file of the library").name;
+    if (files.insert(known).second) add_included_by(known, files);
   }
 }
 
@@ -66,7 +69,7 @@ constexpr std::string_view kSeeded = "#define SEEDED(s) , s\n#define SEED(s) s\n
 constexpr std::string_view kUnseeded = "#define SEEDED(s)\n#define SEED(s) s\n";
 
 // What the suite calls types and bit casts, behind the library's own names for them.
-constexpr std::string_view kVectorNames = "#include \"vectors_begin.h\"\n";
+constexpr std::string_view kVectorNames = "#include \"detail/vectors_begin.h\"\n";
 constexpr std::string_view kNamesInHlsl = "#define float_of(u) asfloat(u)\n#define bits_of(f) asuint(f)\n";
 constexpr std::string_view kNamesInMetal =
     "using namespace metal;\nusing namespace hashnoise;\n"

@@ -52,7 +52,7 @@ class Expander {
   Result<ShaderText> run(std::string_view main_text) {
     out_.text = fmt::format("{}\n", profile_.directive);
     mark_line(0, 2);
-    HN_DO(add(main_text, 0, 2, 0));
+    HN_DO(add(main_text, "", 0, 2, 0));
     return std::move(out_);
   }
 
@@ -67,7 +67,8 @@ class Expander {
     return static_cast<int>(out_.paths.size()) - 1;
   }
 
-  Result<void> add(std::string_view text, int source, int line, int depth) {
+  // `file` is the name of the text in the set.
+  Result<void> add(std::string_view text, std::string_view file, int source, int line, int depth) {
     bool included = false;
     for (; !text.empty(); ++line) {
       if (line == kLinesPerSource) {
@@ -88,8 +89,11 @@ class Expander {
       if (out_.text.size() > kLongestText) {
         return fail(fmt::format("{}: with its includes the shader is longer than {} bytes", where, kLongestText));
       }
-      const SourceFile* file = sources_.find(*name);
-      if (!file) return fail(fmt::format("{}: there is no \"{}\" to include", where, *name));
+      // Beside the file, or as if the set were a folder of the include path.
+      std::string included_file = included_from(file, *name);
+      if (!sources_.find(included_file)) included_file = *name;
+      const SourceFile* found = sources_.find(included_file);
+      if (!found) return fail(fmt::format("{}: there is no \"{}\" to include", where, *name));
       if (depth == kDeepestInclude) {
         return fail(fmt::format("{}: includes are nested more than {} deep", where, kDeepestInclude));
       }
@@ -97,13 +101,13 @@ class Expander {
       // hold the shared files of the library once for every file that includes them.
       if (depth == 0) brought_.clear();
       included = true;
-      if (has_guard(file->text) && !brought_.insert(file).second) {
+      if (has_guard(found->text) && !brought_.insert(found).second) {
         mark_line(source, line + 1);
         continue;
       }
-      const int number = number_of(file->path);
+      const int number = number_of(found->path);
       mark_line(number, 1);
-      HN_DO(add(file->text, number, 1, depth + 1));
+      HN_DO(add(found->text, included_file, number, 1, depth + 1));
       if (out_.text.back() != '\n') out_.text += '\n';
       mark_line(source, line + 1);
     }
@@ -138,10 +142,14 @@ std::optional<std::string_view> included_name(std::string_view line) {
   return directive->rest.substr(1, end - 1);
 }
 
+std::string included_from(std::string_view file, std::string_view name) {
+  return (std::filesystem::path(file).parent_path() / name).lexically_normal().generic_string();
+}
+
 SourceSet SourceSet::embedded() {
   SourceSet set;
   for (const EmbeddedFile& file : kLibraryFiles) {
-    set.add(std::string(file.name), std::string(file.text), fmt::format("glsl/{}", file.name));
+    set.add(std::string(file.name), std::string(file.text), fmt::format("glsl/hashnoise/{}", file.name));
   }
   return set;
 }
@@ -152,7 +160,7 @@ Result<SourceSet> SourceSet::from_directory(const std::filesystem::path& directo
   std::uint64_t digest = kEmptyDigest;
   for (const EmbeddedFile& file : kLibraryFiles) {
     const auto path = directory / file.name;
-    HN_TRY(auto text, read_file(path, "--glsl wants a folder with a copy of every file of glsl/"));
+    HN_TRY(auto text, read_file(path, "--glsl wants a folder with a copy of every file of glsl/hashnoise/"));
     digest = fnv1a64(text, digest);
     if (text != file.text) edited.changed.emplace_back(file.name);
     set.add(std::string(file.name), std::move(text), path.string());

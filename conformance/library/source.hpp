@@ -22,7 +22,7 @@ struct SourceFile {
 
 struct ShaderText;
 
-// The files of one copy of glsl/, by name.
+// The files of one copy of glsl/hashnoise/, by their paths from there.
 class SourceSet {
  public:
   static SourceSet embedded();  // as they were when this program was built
@@ -58,6 +58,9 @@ struct Directive {
 std::optional<Directive> directive_of(std::string_view line);
 // The name in #include "name"; nothing for any other line.
 std::optional<std::string_view> included_name(std::string_view line);
+
+// The name in the set of what a file includes by that name: it is relative to the file.
+std::string included_from(std::string_view file, std::string_view name);
 
 // The files of a folder, or the embedded ones if no folder is named.
 Result<SourceSet> library_sources(const std::string& directory);

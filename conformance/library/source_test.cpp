@@ -134,11 +134,11 @@ TEST(Source, FolderWithoutAFileIsAnError) {
 }
 
 TEST(Source, LogsOfEveryVendorNameTheFile) {
-  const ShaderText shader{"", {"the case's shader", "glsl/hash.glsl", "glsl/config.glsl"}};
+  const ShaderText shader{"", {"the case's shader", "glsl/hashnoise/hash.glsl", "glsl/hashnoise/config.glsl"}};
   // Mesa says source 0 whatever #line says; the line tells the file.
-  EXPECT_EQ(shader.translate("0:10012(14): error: x"), "glsl/hash.glsl:12(14): error: x");
-  EXPECT_EQ(shader.translate("ERROR: 2:20007: 'x'"), "ERROR: glsl/config.glsl:7: 'x'");
-  EXPECT_EQ(shader.translate("1(10012) : error C1008"), "glsl/hash.glsl:12 : error C1008");
+  EXPECT_EQ(shader.translate("0:10012(14): error: x"), "glsl/hashnoise/hash.glsl:12(14): error: x");
+  EXPECT_EQ(shader.translate("ERROR: 2:20007: 'x'"), "ERROR: glsl/hashnoise/config.glsl:7: 'x'");
+  EXPECT_EQ(shader.translate("1(10012) : error C1008"), "glsl/hashnoise/hash.glsl:12 : error C1008");
   EXPECT_EQ(shader.translate("ERROR: 0:5: main"), "ERROR: the case's shader:5: main");
 }
 

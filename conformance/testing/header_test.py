@@ -98,7 +98,7 @@ def deleted(said: str, which: tuple[str, ...]) -> list[str]:
 
 def public_functions() -> list[str]:
     """The functions that the text of the library has for users."""
-    text = "\n".join(file.read_text(encoding="ascii") for file in sorted((ROOT / "glsl").glob("*.glsl")))
+    text = "\n".join(file.read_text(encoding="ascii") for file in sorted((ROOT / "glsl" / "hashnoise").glob("*.glsl")))
     named = re.findall(r"^HN_FN \w+ (hn_\w+)\(", text, re.M) + re.findall(r"^HN_\w+[1-4]D\((hn_\w+), ", text, re.M)
     return sorted({name for name in named if not name.startswith("hn_i_")})
 

@@ -74,9 +74,10 @@ class Shim(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
-        self.glsl = Path(folder.name, "glsl")
-        shutil.copytree(ROOT / "glsl", self.glsl)
-        shutil.copy(CONFORMANCE / "gpu" / "metal" / "metal_stdlib.hpp", self.glsl / "metal_stdlib")
+        self.include = Path(folder.name, "glsl")
+        self.glsl = self.include / "hashnoise"
+        shutil.copytree(ROOT / "glsl" / "hashnoise", self.glsl)
+        shutil.copy(CONFORMANCE / "gpu" / "metal" / "metal_stdlib.hpp", self.include / "metal_stdlib")
         self.file = Path(folder.name, "user.cpp")
 
     def change(self, file: str, old: str, new: str) -> None:
@@ -86,7 +87,7 @@ class Shim(unittest.TestCase):
 
     def says(self, *command: str) -> str:
         """What a compiler says of the file; nothing if it takes it."""
-        done = subprocess.run([*command, f"-I{self.glsl}", str(self.file)], capture_output=True, text=True, check=False)
+        done = subprocess.run([*command, f"-I{self.include}", str(self.file)], capture_output=True, text=True, check=False)
         return "" if done.returncode == 0 else f"exit status {done.returncode}: {done.stdout}{done.stderr}"
 
     def written(self, text: str, knobs: dict[str, str]) -> None:
@@ -94,9 +95,10 @@ class Shim(unittest.TestCase):
 
     def left_behind(self, language: str, preprocessed_as: str) -> list[str]:
         """The macros that are not the library's own, behind an include of it."""
-        self.written(f'#include "begin.{language}"\n#include "hashnoise.glsl"\n#include "end.{language}"\n', {})
+        self.written("".join(
+            f'#include "hashnoise/{name}"\n' for name in (f"begin.{language}", "hashnoise.glsl", f"end.{language}")), {})
         macros = [set(re.findall(r"#define (\w+)", subprocess.run(
-            ["g++", "-E", "-dM", "-x", preprocessed_as, f"-I{self.glsl}", path], capture_output=True, text=True, check=True).stdout))
+            ["g++", "-E", "-dM", "-x", preprocessed_as, f"-I{self.include}", path], capture_output=True, text=True, check=True).stdout))
                   for path in (self.file, "/dev/null")]
         return sorted(name for name in macros[0] - macros[1] if not re.match("hn_|HN_", name))
 
@@ -113,7 +115,7 @@ class Hlsl(Shim):
     def accepted(self, stage: str) -> str:
         return self.says("glslangValidator", "-D", "-V", "-S", stage, "-e", "main", "-o", str(self.file) + ".spv")
 
-    def compiled(self, include: str = '#include "hashnoise.hlsl"', **knobs: str) -> str:
+    def compiled(self, include: str = '#include "hashnoise/hashnoise.hlsl"', **knobs: str) -> str:
         self.written(include + USER + MAIN, knobs)
         return self.accepted("comp")
 
@@ -130,12 +132,12 @@ class Hlsl(Shim):
                 self.assertEqual(self.compiled(**knobs), "")
 
     def test_parts_are_included_between_begin_and_end(self):
-        parts = "".join(f'#include "{name}"\n' for name in (
+        parts = "".join(f'#include "hashnoise/{name}"\n' for name in (
             "begin.hlsl", "fbm.glsl", "end.hlsl", "begin.hlsl", "noise2d.glsl", "warp.glsl", "fbm_d.glsl", "end.hlsl"))
-        self.assertEqual(self.compiled(parts + '#include "hashnoise.hlsl"\n'), "")
+        self.assertEqual(self.compiled(parts + '#include "hashnoise/hashnoise.hlsl"\n'), "")
 
     def test_a_function_that_only_glsl_has_is_refused(self):
-        self.change("arithmetic.glsl", "p - floor(p)", "fract(p)")
+        self.change("detail/arithmetic.glsl", "p - floor(p)", "fract(p)")
         self.assertIn("fract", self.compiled())
 
     def test_no_macro_is_left_behind(self):
@@ -143,7 +145,7 @@ class Hlsl(Shim):
 
     def test_a_macro_that_is_left_behind_is_noticed(self):
         self.change("end.hlsl", "#undef floatBitsToUint\n", "")
-        self.change("vectors_end.h", "#undef ivec3\n", "")
+        self.change("detail/vectors_end.h", "#undef ivec3\n", "")
         self.assertEqual(self.left_behind("hlsl", "c"), ["floatBitsToUint", "ivec3"])
 
 
@@ -152,7 +154,7 @@ class Metal(Shim):
         return self.says(COMPILER, "-std=c++14", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", *options)
 
     def compiled(self, **knobs: str) -> str:
-        self.written('#include "hashnoise.metal"\nnamespace hashnoise {' + USER + "}\n", knobs)
+        self.written('#include "hashnoise/hashnoise.metal"\nnamespace hashnoise {' + USER + "}\n", knobs)
         return self.accepted()
 
     def test_the_code_of_the_page_compiles(self):
@@ -183,7 +185,7 @@ class Metal(Shim):
 
 class Conditions(Shim):
     def preprocessed(self, *macros: str) -> str:
-        self.written('#include "hashnoise.glsl"\n', {})
+        self.written('#include "hashnoise/hashnoise.glsl"\n', {})
         return self.says("g++", "-E", "-x", "c", "-Wundef", "-Werror", "-o", "/dev/null", *macros)
 
     # g++ defines __VERSION__ as a string, as DXC does; without it, its preprocessor is like naga's or Godot's.

@@ -129,7 +129,7 @@ TEST(BrowserFault, AWrongHashFailsWhereItIsWrongAndAShaderThatDoesNotCompileWith
   EXPECT_NE(hash.message.find("first at"), std::string::npos) << hash.message;
   const Outcome& compiled = story.outcome(kCompiles);
   EXPECT_EQ(compiled.status, Status::fail);
-  EXPECT_NE(compiled.message.find("glsl/octaves2d.glsl:"), std::string::npos) << compiled.message;
+  EXPECT_NE(compiled.message.find("glsl/hashnoise/octaves2d.glsl:"), std::string::npos) << compiled.message;
   EXPECT_EQ(story.outcome(kNoise).status, Status::pass);
   EXPECT_EQ(story.outcome(kRefused).status, Status::pass);
 }

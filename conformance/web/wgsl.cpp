@@ -33,7 +33,7 @@ Result<void> write_into(const fs::path& folder, std::string_view name, std::stri
 // A folder with the program and the library, both as Python finds them.
 Result<void> prepare(const fs::path& folder, const SourceSet& sources) {
   fs::create_directory(folder / "wgsl");
-  fs::create_directory(folder / "glsl");
+  fs::create_directories(folder / "glsl" / "detail");
   HN_DO(write_into(folder, "__main__.py", kMain));
   for (const EmbeddedFile& file : kWebFiles) {
     if (file.name.ends_with(".py")) HN_DO(write_into(folder / "wgsl", file.name, file.text));

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define HN_ARITHMETIC HN_FIXED
-#include "hashnoise.glsl"
+#include "hashnoise/hashnoise.glsl"
 #include "height.glsl"
 
 layout(push_constant) uniform Push { ivec2 corner; };

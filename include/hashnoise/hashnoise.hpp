@@ -4,7 +4,7 @@
 //   #include <hashnoise/hashnoise.hpp>
 //   float height = hashnoise::hn_perlin(hashnoise::vec2(3.25f, 7.5f));
 //
-// It includes glsl/ from its place in the source tree, ../../glsl. The installed copy of this file says glsl/ instead.
+// It includes the GLSL from its place in the source tree, ../../glsl/hashnoise. Installed, that lies beside this file.
 //
 // Every function is forced inline, so that compilers can vectorize a loop over a noise. Clang does so with -O3
 // -fno-math-errno, and GCC with -fno-trapping-math besides. Give either the -march of the machine. grid.hpp and
@@ -27,8 +27,8 @@
 
 // clang-format off
 #include "glsl.hpp"  // the first, since it refuses compilers before C++20
-#include "../../glsl/config.glsl"
-#include "../../glsl/again.h"
+#include "../../glsl/hashnoise/config.glsl"
+#include "../../glsl/hashnoise/detail/undef_guards.h"
 // clang-format on
 
 #include <type_traits>
@@ -89,7 +89,7 @@ namespace hashnoise {
 inline namespace HN_I_PASTE(hash_, HN_HASH) {
 inline namespace HN_I_PASTE(gradient_, HN_GRADIENT) {
 inline namespace HN_I_PASTE(arithmetic_, HN_ARITHMETIC) {
-#include "../../glsl/hashnoise.glsl"
+#include "../../glsl/hashnoise/hashnoise.glsl"
 
 HN_ONLY_TYPES_OF_GLSL(hn_hash_fnv1)
 HN_ONLY_TYPES_OF_GLSL(hn_hash_partial_fnv1)

@@ -25,8 +25,8 @@
 
 // clang-format off
 #include "glsl.hpp"
-#include "../../glsl/config.glsl"
-#include "../../glsl/again.h"
+#include "../../glsl/hashnoise/config.glsl"
+#include "../../glsl/hashnoise/detail/undef_guards.h"
 // clang-format on
 
 #include <concepts>
@@ -338,7 +338,7 @@ using hn_uvec4 = uvec4;
 inline namespace HN_I_PASTE(hash_, HN_HASH) {
 inline namespace HN_I_PASTE(gradient_, HN_GRADIENT) {
 inline namespace HN_I_PASTE(arithmetic_, HN_ARITHMETIC) {
-#include "../../glsl/hashnoise.glsl"
+#include "../../glsl/hashnoise/hashnoise.glsl"
 }
 }
 }

@@ -169,7 +169,7 @@ class CMake(Way):
 
     def test_a_changed_constant_is_noticed(self):
         self.copied()
-        text = self.game / "hashnoise" / "glsl" / "hash.glsl"
+        text = self.game / "hashnoise" / "glsl" / "hashnoise" / "hash.glsl"
         changed = text.read_text().replace("0x85EBCA77u", "0x85EBCA79u")
         self.assertNotEqual(changed, text.read_text())
         text.write_text(changed)
@@ -240,7 +240,7 @@ class Conan(Way):
         self.conan("conan", "profile", "detect")
         clone, create, *_ = commands("Conan")
         self.conan(*clone)
-        text = self.game / "hashnoise" / "glsl" / "hash.glsl"
+        text = self.game / "hashnoise" / "glsl" / "hashnoise" / "hash.glsl"
         text.write_text(text.read_text().replace("0x85EBCA77u", "0x85EBCA79u"))
         with self.assertRaisesRegex(AssertionError, "(?s)hn_perlin at .*Error in test"):
             self.conan(*create)
@@ -266,7 +266,7 @@ class Vcpkg(Way):
 
 
 def library_version() -> str:
-    config = (ROOT / "glsl" / "config.glsl").read_text()
+    config = (ROOT / "glsl" / "hashnoise" / "config.glsl").read_text()
     return ".".join(re.findall(r"^#define HN_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)$", config, re.MULTILINE))
 
 

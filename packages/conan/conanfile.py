@@ -21,7 +21,7 @@ class Hashnoise(ConanFile):
 
     def set_version(self):
         # It stands once, in the file that every shader includes.
-        config = load(self, Path(self.recipe_folder, TOP, "glsl", "config.glsl"))
+        config = load(self, Path(self.recipe_folder, TOP, "glsl", "hashnoise", "config.glsl"))
         self.version = ".".join(re.findall(r"^#define HN_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)$", config, re.MULTILINE))
 
     def export_sources(self):

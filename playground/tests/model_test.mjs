@@ -411,7 +411,7 @@ test("what is copied says what is chosen", () => {
   for (const part of [
     "#define HN_ARITHMETIC HN_FIXED",
     "#define HN_HASH HN_HASH_PCG",
-    '#include "fbm2d.glsl"',
+    '#include "hashnoise/fbm2d.glsl"',
     "do hn_add_ridge(o, hn_simplex(o.place, o.seed)); while (hn_next(o));",
     "ridged_simplex(hn_octaves(hn_place(cell, f), 5, 2.0, 0.5, 9u))",
     "vec3 colour(float value)",

@@ -1,4 +1,4 @@
-"""What commands that make a text of a file of glsl/ have in common: its name, and where the text goes."""
+"""What commands that make a text of a file of glsl/hashnoise/ have in common: its name, and where the text goes."""
 
 from __future__ import annotations
 

@@ -1,15 +1,26 @@
 """Where things are. A file that moves is named anew here."""
 
+import posixpath
 import re
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 TOOLS = ROOT / "tools"
-GLSL = ROOT / "glsl"
+GLSL = ROOT / "glsl" / "hashnoise"
 FUNCTIONS = ROOT / "conformance" / "library" / "functions.inc"
 CONFIGURATIONS = ROOT / "conformance" / "library" / "configurations.inc"
 BOUNDS = ROOT / "conformance" / "expected" / "bounds.inc"
 GOLDEN = ROOT / "conformance" / "expected" / "golden"
+
+
+def glsl_files(library: Path = GLSL) -> dict[str, Path]:
+    """The files of the library by their names: what users include, and detail/, of which that is made."""
+    return {path.relative_to(library).as_posix(): path for path in sorted(library.rglob("*.glsl"))}
+
+
+def included_from(name: str, include: str) -> str:
+    """The name of what a file of the library includes, as it is written there."""
+    return posixpath.normpath(posixpath.join(posixpath.dirname(name), include))
 
 
 def version() -> str:

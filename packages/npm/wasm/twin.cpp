@@ -7,7 +7,7 @@
 
 // clang-format off
 #include <hashnoise/glsl.hpp>
-#include <hashnoise/../../glsl/config.glsl>
+#include <hashnoise/../../glsl/hashnoise/config.glsl>
 // clang-format on
 #undef HN_FN
 #define HN_FN static

@@ -13,7 +13,7 @@ import numpy
 from hashnoise import _grids, _noises, _sums
 
 PAGE = golden.ROOT / "docs" / "python.md"
-GLSL = golden.ROOT / "glsl"
+GLSL = golden.ROOT / "glsl" / "hashnoise"
 FENCE = re.compile(r"^```python\n(.*?)^```$", re.M | re.S)
 NUMBER = re.compile(r"-?\d+\.\d{2,}")
 

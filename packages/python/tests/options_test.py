@@ -15,7 +15,7 @@ EXACT = ("random",)  # the same numbers with every arithmetic
 
 class Options(unittest.TestCase):
     def test_version_is_that_of_the_shaders(self):
-        text = (golden.ROOT / "glsl" / "config.glsl").read_text(encoding="ascii")
+        text = (golden.ROOT / "glsl" / "hashnoise" / "config.glsl").read_text(encoding="ascii")
         numbers = re.findall(r"^#define HN_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)$", text, re.M)
         self.assertEqual(hashnoise.__version__, ".".join(numbers))
 

@@ -44,13 +44,14 @@ class Source(unittest.TestCase):
     def test_what_the_build_reads(self):
         for name in ("CMakeLists.txt", "LICENSE", "pyproject.toml", "docs/python.md", "src/CMakeLists.txt"):
             self.assertTrue((self.root / name).is_file(), name)
-        for folder in ("glsl", "include/hashnoise", "packages/python/hashnoise"):
-            names = {path.name for path in (golden.ROOT / folder).iterdir() if path.is_file()}
-            self.assertEqual({path.name for path in (self.root / folder).iterdir()}, names)
+        for folder in ("glsl/hashnoise", "glsl/hashnoise/detail", "include/hashnoise", "packages/python/hashnoise"):
+            names, copied = ({path.name for path in (root / folder).iterdir() if path.is_file()}
+                             for root in (golden.ROOT, self.root))
+            self.assertEqual(copied, names)
         self.assertEqual(self.missing_headers(), "")
 
     def test_a_file_that_is_missing_is_noticed(self):
-        (self.root / "glsl" / "perlin2d.glsl").unlink()
+        (self.root / "glsl" / "hashnoise" / "perlin2d.glsl").unlink()
         self.assertIn("perlin2d.glsl", self.missing_headers())
 
     def test_it_is_small(self):
@@ -58,7 +59,7 @@ class Source(unittest.TestCase):
         self.assertFalse((self.root / "conformance").exists())
 
     def test_the_version_is_that_of_the_shaders(self):
-        text = (golden.ROOT / "glsl" / "config.glsl").read_text(encoding="ascii")
+        text = (golden.ROOT / "glsl" / "hashnoise" / "config.glsl").read_text(encoding="ascii")
         numbers = re.findall(r"^#define HN_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)$", text, re.M)
         self.assertEqual(self.root.name, f"hashnoise-{'.'.join(numbers)}")
 

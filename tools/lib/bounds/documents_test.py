@@ -83,7 +83,7 @@ class Tree(unittest.TestCase):
         for part in ("glsl", "docs/accuracy.md", "docs/knobs.md", str(table.PATH.relative_to(ROOT))):
             (self.root / part).parent.mkdir(parents=True, exist_ok=True)
             (shutil.copytree if (ROOT / part).is_dir() else shutil.copy)(ROOT / part, self.root / part)
-        for path in (path for name in OTHERS for path in (self.root / "glsl").glob(f"{name}*.glsl")):
+        for path in (path for name in OTHERS for path in (self.root / "glsl").rglob(f"{name}*.glsl")):
             path.unlink()
         self.write()  # what depends on RAW's parts
 
@@ -105,7 +105,7 @@ class Tree(unittest.TestCase):
 
     def comment_over(self, file, signature):
         """The path of a file of the library in which the comment over a function is."""
-        return next(f"glsl/{path.name}" for path in sorted((self.root / "glsl").glob(file))
+        return next(str(path.relative_to(self.root)) for path in sorted((self.root / "glsl" / "hashnoise").glob(file))
                     if signature in path.read_text())
 
     def test_the_copy_is_right(self):

@@ -1,4 +1,4 @@
-"""The steps by which sums add an octave (glsl/octave.glsl): what each does to the noise, and by how much that may be off.
+"""The steps by which sums add an octave (glsl/hashnoise/detail/octave.glsl): what each does to the noise, and by how much that may be off.
 
 A step is what the library's text does, in floats and in integers, beside the errors that are proven of it: the tests
 compute the one with adverse roundings and hold it against the other.

@@ -13,10 +13,10 @@ from tree import ROOT
 CATALOG = ROOT / "catalog"
 SHAPES = ("value", "slopes", "two_distances", "three_distances", "distance_with_slopes", "vector")
 AXES = "xyzw"
-MEANS = ("", "density", "billows", "bounded")  # glsl/octave.glsl
+MEANS = ("", "density", "billows", "bounded")  # glsl/hashnoise/detail/octave.glsl
 
 
-# The public step of each of glsl/octave.glsl that has one under another name, or none.
+# The public step of each of glsl/hashnoise/detail/octave.glsl that has one under another name, or none.
 PUBLIC = {"noise": "", "bounded_size": None}
 
 

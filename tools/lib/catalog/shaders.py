@@ -13,7 +13,7 @@ from pathlib import Path
 from catalog.model import Catalog, Sum, public_step
 from catalog.sections import with_section
 
-SUMS, STEPS = "glsl/fbm2d.glsl", "glsl/octaves2d.glsl"
+SUMS, STEPS = "glsl/hashnoise/fbm2d.glsl", "glsl/hashnoise/octaves2d.glsl"
 WIDTH = 120  # of lines, as .clang-format has it
 OCTAVE = "hn_perlin(o.place, o.seed)"
 PLACES = ("hn_place2 place", "hn_vec2 p")

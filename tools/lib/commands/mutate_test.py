@@ -20,7 +20,7 @@ from tables.functions import read_functions
 from tree import ROOT
 
 mutate = load_script("mutate")
-SOURCES = {path.name: path.read_text(encoding="utf-8") for path in mutate.LIBRARY.glob("*.glsl")}
+SOURCES = {name: path.read_text(encoding="utf-8") for name, path in mutate.glsl_files(mutate.LIBRARY).items()}
 MUTANTS = mutate.all_mutants(SOURCES)
 
 
@@ -31,8 +31,8 @@ class Library(unittest.TestCase):
         return {(m.old, m.new) for m in MUTANTS if m.file == file and text in lines[m.line - 1]}
 
     def test_known_places_are_changed(self):
-        self.assertLessEqual({("1365", "1366"), ("1365", "1364"), ("", "-")}, self.found("gradient.glsl", "return hn_i_scaled(n, 1365"))
-        self.assertLessEqual({("*", "+"), ("+", "-"), ("b", "a")}, self.found("arithmetic.glsl", "n = a + t * (b - a)"))
+        self.assertLessEqual({("1365", "1366"), ("1365", "1364"), ("", "-")}, self.found("detail/ramps.glsl", "return hn_i_scaled(n, 1365"))
+        self.assertLessEqual({("*", "+"), ("+", "-"), ("b", "a")}, self.found("detail/arithmetic.glsl", "n = a + t * (b - a)"))
         self.assertLessEqual({("0x85EBCA77u", "0x85EBCA76u"), ("0x85EBCA77u", "0x05EBCA77u")},
                              self.found("hash.glsl", "#define HN_I_STEP_Y"))
         self.assertLessEqual({("0x9E3779B9u", "0x1E3779B9u"), ("+=", "-="), ("o.seed += 0x9E3779B9u;", "")},
@@ -40,14 +40,14 @@ class Library(unittest.TestCase):
         self.assertLessEqual({("<<", ">>"), (">>", "<<"), ("17u", "18u")},
                              self.found("hash.glsl", "h << 17"))
         self.assertLessEqual({("f.x, f.y", "f.y, f.x"), ("k0, c0.y", "c0.y, k0")},
-                             self.found("gradient.glsl", "hn_i_dot(hn_i_gradient(k0, c0.y), f.x"))
+                             self.found("detail/sine_gradient.glsl", "hn_i_dot(hn_i_gradient(k0, c0.y), f.x"))
         self.assertLessEqual({("floor", "ceil"), ("floor", "trunc")},
-                             self.found("arithmetic.glsl", "ivec3(floor(p))"))
+                             self.found("detail/arithmetic.glsl", "ivec3(floor(p))"))
         self.assertLessEqual({("==", "!="), ("HN_HASH_PCG", "HN_HASH_XXHASH32")},
                              self.found("hash.glsl", "#elif HN_HASH == HN_HASH_PCG"))
         self.assertLessEqual({("<", "<="), ("||", "&&"), ("9", "10")}, self.found("config.glsl", "#if HN_HASH < 1"))
-        self.assertIn(("3.0f", "3.046875f"), self.found("gradient.glsl", "uintBitsToFloat(((h"))  # with HN_I_BITCAST
-        self.assertIn((">>", "<<"), self.found("gradient.glsl", "float((h >> 22u)"))  # and without
+        self.assertIn(("3.0f", "3.046875f"), self.found("detail/direction.glsl", "uintBitsToFloat(((h"))  # with HN_I_BITCAST
+        self.assertIn((">>", "<<"), self.found("detail/direction.glsl", "float((h >> 22u)"))  # and without
 
     def test_every_file_and_every_rule_has_mutants(self):
         self.assertEqual({m.file for m in MUTANTS}, set(SOURCES))
@@ -109,8 +109,9 @@ import pathlib, sys
 arguments = sys.argv[1:]
 with open({log!r}, "a") as log: log.write(" ".join(arguments) + "\\n")
 def value(name): return pathlib.Path(arguments[arguments.index(name) + 1])
-changed = any(path.read_bytes() != (pathlib.Path({library!r}) / path.name).read_bytes()
-              for path in value("--glsl").iterdir())
+copy = value("--glsl")
+changed = any(path.read_bytes() != (pathlib.Path({library!r}) / path.relative_to(copy)).read_bytes()
+              for path in copy.rglob("*.glsl"))
 status = {unchanged}
 if changed:
     status = {with_filter} if "--filter" in arguments else {without}
@@ -212,12 +213,12 @@ class Sweep(unittest.TestCase):
         self.assertEqual(self.used(), [[mutate.NOISE], *filters, *filters, ["c.d"]])
 
     def test_a_file_without_functions_is_judged_by_those_that_include_it(self):
-        for file in ("arithmetic.glsl", "lattice.glsl", "cubic.glsl", "feature_plane.glsl"):
+        for file in ("detail/arithmetic.glsl", "detail/cell.glsl", "detail/cubic_spline.glsl", "detail/feature_points2d.glsl"):
             own, near = mutate.judges_of(file)
             self.assertEqual(own, ())
             self.assertTrue(near, file)
             self.assertLessEqual(len(near), mutate.MOST_NEAR)
-        self.assertIn("noise2d.cell_border", mutate.judges_of("feature_plane.glsl")[1])
+        self.assertIn("noise2d.cell_border", mutate.judges_of("detail/feature_points2d.glsl")[1])
 
     def test_every_file_has_stages_and_ends_with_the_whole_suite(self):
         for file in SOURCES:

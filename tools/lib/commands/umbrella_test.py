@@ -17,7 +17,7 @@ umbrella = load_script("umbrella")
 # What hashnoise.glsl includes first.
 NOISES = ["noise1d.glsl", "noise2d.glsl", "noise3d.glsl", "noise4d.glsl"]
 # And then.
-BUILT = ["curl.glsl", "fbm.glsl", "fbm_d.glsl", "octaves.glsl", "position.glsl", "warp.glsl"]
+BUILT = ["curl.glsl", "fbm.glsl", "fbm_d.glsl", "gradient.glsl", "octaves.glsl", "position.glsl", "warp.glsl"]
 
 
 class Umbrella(unittest.TestCase):
@@ -45,7 +45,7 @@ class Umbrella(unittest.TestCase):
     def test_a_new_noise_is_included_by_its_dimension(self):
         for noise in ("waves2d", "simplex2_fast2d", "simplex22d"):
             (self.glsl / f"{noise}.glsl").write_text("// a noise\n")
-            self.assertEqual(self.run_main("--check"), (1, ["again.h", "noise2d.glsl"]))
+            self.assertEqual(self.run_main("--check"), (1, ["detail/undef_guards.h", "noise2d.glsl"]))
             self.assertEqual(self.run_main(), (0, []))
             self.assertIn(f'#include "{noise}.glsl"\n', (self.glsl / "noise2d.glsl").read_text())
             self.assertNotIn(noise, (self.glsl / "noise3d.glsl").read_text())
@@ -54,20 +54,20 @@ class Umbrella(unittest.TestCase):
     def test_what_is_built_on_noise_is_in_a_file_of_its_own(self):
         for dimension in ("2", "3"):
             (self.glsl / f"zone{dimension}d.glsl").write_text(f'#include "perlin{dimension}d.glsl"\n')
-        self.assertEqual(self.run_main("--check"), (1, ["again.h", "hashnoise.glsl", "zone.glsl"]))
+        self.assertEqual(self.run_main("--check"), (1, ["detail/undef_guards.h", "hashnoise.glsl", "zone.glsl"]))
         self.assertEqual(self.run_main(), (0, []))
         self.assertEqual(self.includes("zone.glsl"), ["zone2d.glsl", "zone3d.glsl"])
         self.assertEqual(self.includes("hashnoise.glsl"), [*NOISES, *BUILT, "zone.glsl"])
         self.assertEqual(self.run_main("--check"), (0, []))
 
         (self.glsl / "zone3d.glsl").unlink()
-        self.assertEqual(self.run_main("--check"), (1, ["again.h", "zone.glsl"]))
+        self.assertEqual(self.run_main("--check"), (1, ["detail/undef_guards.h", "zone.glsl"]))
         self.assertEqual(self.run_main(), (0, []))
         self.assertEqual(self.includes("zone.glsl"), ["zone2d.glsl"])
 
         # Without an include of its own dimension it is a noise.
-        (self.glsl / "zone2d.glsl").write_text('#include "gradient.glsl"\n#include "perlin3d.glsl"\n')
-        self.assertEqual(self.run_main("--check"), (1, ["again.h", "hashnoise.glsl", "noise2d.glsl", "zone.glsl"]))
+        (self.glsl / "zone2d.glsl").write_text('#include "detail/ramps.glsl"\n#include "perlin3d.glsl"\n')
+        self.assertEqual(self.run_main("--check"), (1, ["detail/undef_guards.h", "hashnoise.glsl", "noise2d.glsl", "zone.glsl"]))
         self.assertEqual(self.run_main(), (0, []))
         self.assertIn("zone2d.glsl", self.includes("noise2d.glsl"))
         self.assertFalse((self.glsl / "zone.glsl").exists())
@@ -84,7 +84,7 @@ class Umbrella(unittest.TestCase):
 
     def test_the_whole_library_has_what_no_other_file_includes(self):
         (self.glsl / "zone.glsl").write_text('#include "fbm.glsl"\n')
-        self.assertEqual(self.run_main("--check"), (1, ["again.h", "hashnoise.glsl"]))
+        self.assertEqual(self.run_main("--check"), (1, ["detail/undef_guards.h", "hashnoise.glsl"]))
         self.assertEqual(self.run_main(), (0, []))
         self.assertEqual(self.includes("hashnoise.glsl"), [*NOISES, *(file for file in BUILT if file != "fbm.glsl"), "zone.glsl"])
 
@@ -116,7 +116,7 @@ class Umbrella(unittest.TestCase):
                 text = file.read_text().replace('3d.glsl"', '4d.glsl"')
                 (self.glsl / file.name.replace("3d", "4d")).write_text(text)
                 file.unlink()
-        self.assertEqual(self.run_main("--check"), (1, ["again.h", "curl.glsl", "fbm_d.glsl", "hashnoise.glsl", "noise3d.glsl",
+        self.assertEqual(self.run_main("--check"), (1, ["curl.glsl", "detail/undef_guards.h", "fbm_d.glsl", "hashnoise.glsl", "noise3d.glsl",
                                                      "noise4d.glsl", "warp.glsl"]))
         self.assertEqual(self.run_main(), (0, []))
         self.assertIn('#include "perlin4d.glsl"\n', (self.glsl / "noise4d.glsl").read_text())
@@ -124,7 +124,7 @@ class Umbrella(unittest.TestCase):
         self.assertFalse((self.glsl / "noise3d.glsl").exists())
 
     def test_a_change_by_hand_is_told(self):
-        for file in ("again.h", "fbm.glsl", "noise2d.glsl", "noise3d.glsl", "hashnoise.glsl"):
+        for file in ("detail/undef_guards.h", "fbm.glsl", "noise2d.glsl", "noise3d.glsl", "hashnoise.glsl"):
             with self.subTest(file=file):
                 path = self.glsl / file
                 path.write_text(path.read_text() + "\n")

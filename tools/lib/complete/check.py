@@ -15,7 +15,7 @@ from oracle import words
 from tables import glsl
 from tables.configurations import ARITHMETICS, Configuration, read_configurations, read_further
 from tables.functions import FAMILIES, NOISES, OF_EVERY_HASH, Function, read_functions
-from tree import BOUNDS, CONFIGURATIONS, FUNCTIONS, GLSL, GOLDEN, ROOT
+from tree import BOUNDS, CONFIGURATIONS, FUNCTIONS, GLSL, GOLDEN, ROOT, glsl_files
 
 KNOBS = "docs/knobs.md"
 ENTRIES = "tools/lib/{}/noises/{}.py"
@@ -30,7 +30,7 @@ class Tree:
         self.root = root
         self.functions = read_functions(self.at(FUNCTIONS))
         self.configurations = read_configurations(self.at(CONFIGURATIONS))
-        self.config = self.text("glsl/config.glsl")
+        self.config = self.text("glsl/hashnoise/config.glsl")
         self.declarations = glsl.declarations(self.at(GLSL))
 
     def at(self, path: Path) -> Path:
@@ -318,7 +318,7 @@ def names_of_two_kinds(tree: Tree) -> Iterator[str]:
     """Whoever includes the file with the macro first would read another text in that with the function."""
     macros: dict[str, str] = {}
     functions: set[str] = set()
-    for path in sorted(tree.at(GLSL).glob("*.glsl")):
+    for path in glsl_files(tree.at(GLSL)).values():
         text = path.read_text()
         for match in re.finditer(r"^[ \t]*#[ \t]*define (hn_\w+)", text, re.MULTILINE):
             macros[match[1]] = f"{path}:{text.count(chr(10), 0, match.start()) + 1}"

@@ -59,7 +59,7 @@ class Deletions(unittest.TestCase):
 
     def test_a_row_of_a_function(self) -> None:
         self.change(TABLE, r'^FUNCTION\("hash\.lattice3"(.|\n)*?;\)\n')
-        self.noticed(r"^glsl/\w+\.glsl:\d+: hn_lattice\(ivec3, uint\) has no row: .* add a FUNCTION .* to .*\.inc$",
+        self.noticed(r"^glsl/hashnoise/\w+\.glsl:\d+: hn_lattice\(ivec3, uint\) has no row: .* add a FUNCTION .* to .*\.inc$",
                      r"hn_lattice\(ivec3\) has no row")
 
     def test_the_rows_of_a_noise(self) -> None:
@@ -76,25 +76,25 @@ class Deletions(unittest.TestCase):
                      r"^catalog/noises\.toml: there is no function hn_value_cubic in 4D")
 
     def test_a_function_that_nobody_knows(self) -> None:
-        self.change("glsl/*.glsl", r"^(// Gradient noise on the square lattice)",
+        self.change("glsl/hashnoise/*.glsl", r"^(// Gradient noise on the square lattice)",
                     "// New.\n//   returns  0\nHN_FN hn_float hn_merlin(hn_vec4 p, hn_uint seed) {\n}\n\n\\1")
-        self.noticed(r"^glsl/\w+\.glsl:\d+: hn_merlin\(vec4, uint\) has no row: .*add a FUNCTION that calls it")
+        self.noticed(r"^glsl/hashnoise/\w+\.glsl:\d+: hn_merlin\(vec4, uint\) has no row: .*add a FUNCTION that calls it")
 
     def test_a_function_in_another_form(self) -> None:
-        self.change("glsl/*.glsl", r"^HN_FN (hn_float hn_snorm\()", "  \\1")
-        self.noticed(r"^glsl/\w+\.glsl:\d+: hn_snorm is not written as .*: begin its first line with HN_FN")
+        self.change("glsl/hashnoise/*.glsl", r"^HN_FN (hn_float hn_snorm\()", "  \\1")
+        self.noticed(r"^glsl/hashnoise/\w+\.glsl:\d+: hn_snorm is not written as .*: begin its first line with HN_FN")
 
     def test_a_macro_with_the_name_of_a_function(self) -> None:
-        self.change("glsl/frame.glsl", r"\bhn_i_square_of_slope\b", "hn_i_squared")
-        self.noticed(r"^glsl/frame\.glsl:\d+: hn_i_squared is also a function: give the macro another name")
+        self.change("glsl/hashnoise/detail/jacobian.glsl", r"\bhn_i_square_of_slope\b", "hn_i_squared")
+        self.noticed(r"^glsl/hashnoise/detail/jacobian\.glsl:\d+: hn_i_squared is also a function: give the macro another name")
 
     def test_a_function_of_a_row(self) -> None:
-        self.change("glsl/*.glsl", r"\bhn_unorm\(", "hn_i_unorm(")
-        self.noticed(rf"^{TABLE}:\d+: hash\.unorm: declare hn_unorm\(uint\) in glsl/")
+        self.change("glsl/hashnoise/*.glsl", r"\bhn_unorm\(", "hn_i_unorm(")
+        self.noticed(rf"^{TABLE}:\d+: hash\.unorm: declare hn_unorm\(uint\) in hashnoise/")
 
     def test_an_overload_without_a_seed(self) -> None:
-        self.change("glsl/*.glsl", r"^HN_FN .*\bhn_perlin\(hn_vec3 p\) \{.*\n")
-        self.noticed(rf"^{MADE}:\d+: noise3d\.perlin: declare hn_perlin\(vec3\) in glsl/")
+        self.change("glsl/hashnoise/*.glsl", r"^HN_FN .*\bhn_perlin\(hn_vec3 p\) \{.*\n")
+        self.noticed(rf"^{MADE}:\d+: noise3d\.perlin: declare hn_perlin\(vec3\) in hashnoise/")
 
     def test_the_oracle(self) -> None:
         (self.root / f"{PERLIN.format('oracle')}.py").unlink()
@@ -121,16 +121,16 @@ class Deletions(unittest.TestCase):
         self.noticed(r"^README\.md: no line for hn_perlin: add one to the table of functions")
 
     def test_a_comment(self) -> None:
-        self.change("glsl/*.glsl", r"^(//.*\n)+(HN_FN .*\bhn_snorm\()", "\\2")
-        self.noticed(r"^glsl/\w+\.glsl:\d+: hn_snorm\(uint\) has no comment that says what it returns: write one")
+        self.change("glsl/hashnoise/*.glsl", r"^(//.*\n)+(HN_FN .*\bhn_snorm\()", "\\2")
+        self.noticed(r"^glsl/hashnoise/\w+\.glsl:\d+: hn_snorm\(uint\) has no comment that says what it returns: write one")
 
     def test_lines_of_a_comment(self) -> None:
         for heading in ("error", "cost"):
             with self.subTest(heading=heading):
-                self.change("glsl/perlin2d.glsl", rf"^//   {heading} .*\n")
-                self.noticed(rf"^glsl/perlin2d\.glsl:\d+: the comment over hn_perlin\(.*has no line `{heading}`")
-        self.change("glsl/perlin3d.glsl", r"^//   period .*\n")
-        self.noticed(r"^glsl/perlin3d\.glsl: no comment over its functions has a line `period`")
+                self.change("glsl/hashnoise/perlin2d.glsl", rf"^//   {heading} .*\n")
+                self.noticed(rf"^glsl/hashnoise/perlin2d\.glsl:\d+: the comment over hn_perlin\(.*has no line `{heading}`")
+        self.change("glsl/hashnoise/perlin3d.glsl", r"^//   period .*\n")
+        self.noticed(r"^glsl/hashnoise/perlin3d\.glsl: no comment over its functions has a line `period`")
 
     def test_a_setting(self) -> None:
         for setting, left, message in (
@@ -170,7 +170,7 @@ class Deletions(unittest.TestCase):
                      rf"^{SETTINGS_FILE}:\d+: there is no configuration md5: name another")
 
     def test_a_knob(self) -> None:
-        self.change("glsl/config.glsl", r"^(#ifndef HN_ARITHMETIC)",
+        self.change("glsl/hashnoise/config.glsl", r"^(#ifndef HN_ARITHMETIC)",
                     "#ifndef HN_WARP\n#define HN_WARP HN_WARP_NONE  // new\n#endif\n\\1")
         self.noticed(r"^include/hashnoise/hashnoise\.hpp: HN_WARP names no inline namespace: add .*\(warp_, HN_WARP\)",
                      r"^docs/knobs\.md: no line for HN_WARP: add one to the table of knobs",
@@ -193,18 +193,18 @@ class Deletions(unittest.TestCase):
                 ("HN_GRADIENT_SINE 2", "HN_GRADIENT_CUBE", "add a CONFIGURATION with CUBE as its gradient"),
                 ("HN_FIXED 3", "HN_EXACT", "add a CONFIGURATION with EXACT as its arithmetic")):
             with self.subTest(name=name):
-                self.change("glsl/config.glsl", rf"^(#define {after})", rf"\1\n#define {name} 4  // new")
+                self.change("glsl/hashnoise/config.glsl", rf"^(#define {after})", rf"\1\n#define {name} 4  // new")
                 self.noticed(rf"^{SETTINGS_FILE}: {name} is under test nowhere: {message}$")
 
     def test_a_hash(self) -> None:
-        self.change("glsl/config.glsl", r"^(#define HN_HASH_PCG 6)", "\\1\n#define HN_HASH_MD5 10  // new")
+        self.change("glsl/hashnoise/config.glsl", r"^(#define HN_HASH_PCG 6)", "\\1\n#define HN_HASH_MD5 10  // new")
         self.noticed(r"configurations\.inc: HN_HASH_MD5 is under test with no default",
                      r"^tools/lib/oracle/words\.py: HN_HASH_MD5 is not among the hashes",
                      r"^docs/contract\.md: no line for HN_HASH_MD5", r"^docs/knobs\.md: the knob .* HN_HASH_MD5")
 
     def test_a_hash_by_its_name(self) -> None:
         self.change(SETTINGS_FILE, r'^CONFIGURATION\("xxhash32".*\n')
-        self.noticed(r"^glsl/\w+\.glsl:\d+: hn_hash_xxhash32\(uint\) is the hash of no configuration: add CONFIGURATION")
+        self.noticed(r"^glsl/hashnoise/\w+\.glsl:\d+: hn_hash_xxhash32\(uint\) is the hash of no configuration: add CONFIGURATION")
 
     def test_a_golden_file(self) -> None:
         self.golden.unlink()

@@ -6,7 +6,7 @@ import re
 import unittest
 
 from mutation import rules
-from tree import GLSL
+from tree import GLSL, glsl_files
 
 
 def changed(rule: rules.Rule, body: str, head: str = "") -> list[str]:
@@ -180,7 +180,7 @@ class Calls(unittest.TestCase):
         self.assertEqual(changed(rules.change_calls, "hn_hash_pcg(k)"), ["hn_hash_xxhash32(k)"])
 
     def test_functions_that_rules_name_exist(self):
-        text = "".join(path.read_text(encoding="ascii") for path in GLSL.glob("*.glsl"))
+        text = "".join(path.read_text(encoding="ascii") for path in glsl_files().values())
         defined = set(re.findall(r"\b(hn_\w+)\(", text))
         named = {name for name in (*rules.STEPS, *rules.OTHER_FUNCTIONS) if name.startswith("hn_")}
         self.assertGreater(len(named), 20)

@@ -12,7 +12,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from single_file.files import in_order, minified, parts, text
-from tree import GLSL, ROOT, version
+from tree import GLSL, ROOT, glsl_files, version
 from wgsl.module import Module, Settings
 from wgsl.names import is_public
 from wgsl.translator import Definition
@@ -38,20 +38,22 @@ def quoted(value: str) -> str:
 # GLSL.
 
 
-def glsl_files() -> dict[str, str]:
+def glsl_modules() -> dict[str, str]:
     """The plain files, the text of each without comments as a module, and strings that stand alone, made of those."""
-    found = {f"glsl/{path.name}": path.read_text(encoding="ascii") for path in sorted(GLSL.glob("*.glsl"))}
+    found = {f"glsl/{name}": path.read_text(encoding="ascii") for name, path in glsl_files().items()}
     found["hashnoise.glsl"] = text(["hashnoise.glsl"], minify=True)
     all_parts = parts()
     for name, part in all_parts.items():
-        stem = name.removesuffix(".glsl")
+        stem = Path(name).stem
         lines = list(minified(part.lines))
         found[f"glsl/text/{stem}.js"] = f"{MADE}export default {quoted(''.join(f'{line}' + chr(10) for line in lines))};\n"
-        needed = [need.removesuffix(".glsl") for need in in_order(name, all_parts)]
+        if name.startswith("detail/"):
+            continue
+        needed = [Path(need).stem for need in in_order(name, all_parts)]
         imports = "".join(f'import {need} from "./text/{need}.js";\n' for need in needed)
         found[f"glsl/{stem}.js"] = f"{MADE}{imports}\nexport default {' + '.join(needed)};\n"
         found[f"glsl/{stem}.d.ts"] = STRING
-    names = [name.removesuffix(".glsl") for name in all_parts]
+    names = [Path(name).stem for name in all_parts if not name.startswith("detail/")]
     found["glsl/all.js"] = MADE + "".join(f'export {{ default as {name} }} from "./{name}.js";\n' for name in names)
     return found
 
@@ -176,7 +178,7 @@ const packed = "{packed}";
 
 export const bytes = () => Uint8Array.from(atob(packed), (character) => character.charCodeAt(0));
 """
-    for files in (glsl_files(), wgsl_files(definitions), tsl_files(definitions, in_glsl(modules["fast"]))):
+    for files in (glsl_modules(), wgsl_files(definitions), tsl_files(definitions, in_glsl(modules["fast"]))):
         checked_names([*found, *files])
         found.update(files)
     return found

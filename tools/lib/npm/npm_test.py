@@ -5,10 +5,10 @@ import re
 import unittest
 
 from npm import twin
-from npm.files import ARITHMETICS, glsl_files, package, readme
+from npm.files import ARITHMETICS, glsl_modules, package, readme
 from single_file.files import flatten, in_order, minified, parts
 from thorough import in_thorough_runs
-from tree import GLSL, ROOT, version
+from tree import GLSL, ROOT, glsl_files, version
 from wgsl.module import Module, Settings
 
 EXPORT = re.compile(r"^export default (.*);$", re.MULTILINE)
@@ -30,7 +30,7 @@ STRUCTS = r"ptr<|-> ?hn_derivatives4|hn_(?:octaves|slopes|shifts)\d"
 
 
 class Strings(unittest.TestCase):
-    files = glsl_files()
+    files = glsl_modules()
 
     def test_they_are_single_files(self):
         """But for the guards: in a single file they stand around what a file includes, and here behind it."""
@@ -42,11 +42,11 @@ class Strings(unittest.TestCase):
                 self.assertEqual(sorted(found), sorted(lines))
 
     def test_plain_files_are_those_of_the_library(self):
-        for path in GLSL.glob("*.glsl"):
-            self.assertEqual(self.files[f"glsl/{path.name}"], path.read_text())
+        for name, path in glsl_files().items():
+            self.assertEqual(self.files[f"glsl/{name}"], path.read_text())
 
     def test_what_is_needed_stands_first(self):
-        self.assertEqual(in_order("cubic.glsl", parts())[-1], "cubic.glsl")
+        self.assertEqual(in_order("detail/cubic_spline.glsl", parts())[-1], "detail/cubic_spline.glsl")
         self.assertEqual(in_order("perlin2d.glsl", parts())[0], "config.glsl")
 
     def test_types_and_chunks_are_of_all(self):

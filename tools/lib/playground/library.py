@@ -1,11 +1,11 @@
-"""The library as the page has it inside: the text of glsl/, and its translation to WGSL for every setting."""
+"""The library as the page has it inside: the text of glsl/hashnoise/, and its translation to WGSL for every setting."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from single_file.files import stripped
-from tree import GLSL, version
+from single_file.files import INCLUDE, stripped
+from tree import GLSL, glsl_files, included_from, version
 from wgsl.module import ARITHMETICS, HASHES, Module, Settings
 from wgsl.translator import Definition
 
@@ -15,13 +15,18 @@ EVERYTHING = "hashnoise.glsl"
 # The file to which a hash makes a difference. What others call of it has the same name with every hash but LATTICE.
 OF_THE_HASH = "hash.glsl"
 # What other files have of the library's own kind: languages that need names of their own.
-PATTERNS = ("*.glsl", "begin.hlsl", "end.hlsl", "vectors_*.h")
+OTHERS = ("begin.hlsl", "end.hlsl", "detail/vectors_begin.h", "detail/vectors_end.h")
 
 
 def glsl() -> dict[str, list[str]]:
-    """The lines of the files, without comments."""
-    paths = sorted(path for pattern in PATTERNS for path in GLSL.glob(pattern))
-    return {path.name: list(stripped(path.read_text(encoding="ascii").splitlines())) for path in paths}
+    """The lines of the files, without comments. What they include has its name in the library."""
+    paths = glsl_files() | {name: GLSL / name for name in OTHERS}
+    return {name: [named_include(name, line) for line in stripped(path.read_text(encoding="ascii").splitlines())]
+            for name, path in sorted(paths.items())}
+
+
+def named_include(name: str, line: str) -> str:
+    return INCLUDE.sub(lambda include: f'#include "{included_from(name, include[1])}"', line)
 
 
 def definitions(file: str, arithmetic: str, name: str) -> dict[str, Definition]:

@@ -124,7 +124,7 @@ class Verdict(unittest.TestCase):
             folder = Path(name)
             for part in ("include", "glsl"):
                 shutil.copytree(ROOT / part, folder / part)
-            path = folder / "glsl" / "gradient.glsl"
+            path = folder / "glsl" / "hashnoise" / "detail" / "direction.glsl"
             text = path.read_text()
             # What the point's largest component lacks to 1, of floats, in the plane and in space.
             for more, none in ((r"min\(abs\(x\), m\)", "0.0f"), (r"hn_float more = [^;]*;", "hn_float more = 0.0f;")):

@@ -17,7 +17,7 @@ STAGE_PROBES = 4096  # words; a bit that the stage uses changes the gradient of 
 
 def hash_names(include: Path) -> dict[str, int]:
     """The hashes that a library offers, by their numbers in its config.glsl; without the user's own."""
-    config = include.parent / "glsl" / "config.glsl"
+    config = include.parent / "glsl" / "hashnoise" / "config.glsl"
     try:
         text = config.read_text(encoding="utf-8")
     except OSError as error:
@@ -31,7 +31,7 @@ def hash_names(include: Path) -> dict[str, int]:
 
 def default_hash(include: Path) -> str:
     """The hash that is used if HN_HASH is not defined."""
-    config = include.parent / "glsl" / "config.glsl"
+    config = include.parent / "glsl" / "hashnoise" / "config.glsl"
     found = re.search(r"^#define HN_HASH HN_HASH_(\w+)", config.read_text(encoding="utf-8"), re.MULTILINE)
     if not found:
         raise NotBuilt(f"{config} names no default for HN_HASH")

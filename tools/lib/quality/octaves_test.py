@@ -20,13 +20,13 @@ FEW = range(2)
 
 
 def changed(pattern: str, replacement: str) -> library.Twin:
-    """The library with another text in octaves.glsl."""
+    """The library with another text in detail/octave.glsl."""
     folder = Path(tempfile.mkdtemp(dir=FOLDER.name))
     for part in ("include", "glsl"):
         shutil.copytree(ROOT / part, folder / part)
-    path = folder / "glsl" / "octaves.glsl"
+    path = folder / "glsl" / "hashnoise" / "detail" / "octave.glsl"
     text, found = re.subn(pattern, replacement, path.read_text(encoding="utf-8"))
-    assert found == 1, f"{pattern} is {found} times in octaves.glsl"
+    assert found == 1, f"{pattern} is {found} times in octave.glsl"
     path.write_text(text, encoding="utf-8")
     return library.build("changed", [], folder / "include", folder)
 

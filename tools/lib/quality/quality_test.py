@@ -227,7 +227,7 @@ class Command(unittest.TestCase):
 
     def test_a_comment_behind_the_number_of_a_hash(self):
         shutil.copytree(ROOT / "glsl", self.folder / "glsl")
-        config = self.folder / "glsl" / "config.glsl"
+        config = self.folder / "glsl" / "hashnoise" / "config.glsl"
         text = config.read_text().replace("#define HN_HASH_PCG 6", "#define HN_HASH_PCG 6  // O'Neill's")
         config.write_text(text.replace("#define HN_HASH HN_HASH_LATTICE", "#define HN_HASH HN_HASH_LATTICE  // ours"))
         self.assertEqual(library.hash_names(self.folder / "include"), library.hash_names(ROOT / "include"))
@@ -236,10 +236,10 @@ class Command(unittest.TestCase):
     def test_a_library_whose_product_was_taken_out(self):
         for part in ("include", "glsl"):
             shutil.copytree(ROOT / part, self.folder / part)
-        text = (self.folder / "glsl" / "hash.glsl").read_text()
+        text = (self.folder / "glsl" / "hashnoise" / "hash.glsl").read_text()
         self.assertIn("return hn_i_hash(join) * odd;", text)
         text = text.replace("return hn_i_hash(join) * odd;", "return hn_i_hash(join) ^ (odd & 0u);")
-        (self.folder / "glsl" / "hash.glsl").write_text(text)
+        (self.folder / "glsl" / "hashnoise" / "hash.glsl").write_text(text)
         twin = library.build("no_product", [], self.folder / "include", self.folder)
         self.assertEqual(missing({"autocorrelation"}, gate.each_finding(twin, 2, gate.LEAST)), set())
 

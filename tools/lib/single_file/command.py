@@ -22,7 +22,7 @@ def main() -> int:
     parser.add_argument("--minify", action="store_true", help="as --strip, and leave out needless blanks")
     parser.add_argument("--out", type=Path, help="the file to write (default: standard output)")
     parser.add_argument("names", nargs="*", default=["hashnoise.glsl"], metavar="name",
-                        help="a file of glsl/, or a function that one of them has (default: hashnoise.glsl)")
+                        help="a file of glsl/hashnoise/, or a function that one of them has (default: hashnoise.glsl)")
     arguments = parser.parse_args()
     names = []
     for name in arguments.names:

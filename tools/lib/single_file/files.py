@@ -1,4 +1,4 @@
-"""The files of glsl/ put together, as text."""
+"""The files of glsl/hashnoise/ put together, as text."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from single_file import godot
-from tree import GLSL
+from tree import GLSL, glsl_files, included_from
 
 # Where the file belongs.
 PLACES = {"glsl": "Put it below your #version and #extension lines.", "hlsl": "Include it once in a shader.",
@@ -26,11 +26,11 @@ class Part:
 def parts(strip: bool = False) -> dict[str, Part]:
     """All of the GLSL, by the names of the files. In a file, includes stand above the code, so they may come first."""
     found = {}
-    for path in sorted(GLSL.glob("*.glsl")):
+    for name, path in glsl_files().items():
         lines = path.read_text(encoding="ascii").splitlines()
         own = [line for line in lines if not INCLUDE.match(line)]
-        found[path.name] = Part(tuple(match[1] for line in lines if (match := INCLUDE.match(line))),
-                                tuple(stripped(own) if strip else own))
+        found[name] = Part(tuple(included_from(name, match[1]) for line in lines if (match := INCLUDE.match(line))),
+                           tuple(stripped(own) if strip else own))
     return found
 
 
@@ -56,7 +56,7 @@ def flatten(name: str, done: set[str]) -> list[str]:
     lines = []
     for line in (GLSL / name).read_text(encoding="ascii").splitlines():
         included = INCLUDE.match(line)
-        lines += flatten(included[1], done) if included else [line]
+        lines += flatten(included_from(name, included[1]), done) if included else [line]
     return lines
 
 

@@ -210,7 +210,7 @@ class SingleFile(unittest.TestCase):
                 call = CALLS.get(name, "hn_clouds(vec3(1.5), 5, 2.0, 0.5)")
                 right, log = compile_shader(f"#version 330\n{text}\nout vec4 o;\nvoid main() {{ o = vec4({call}); }}\n")
                 self.assertTrue(right, log)
-        self.assertEqual(found["perlin2d.glsl"].includes, ("gradient.glsl",))
+        self.assertEqual(found["perlin2d.glsl"].includes, ("detail/ramps.glsl",))
         self.assertIsInstance(found["hashnoise.glsl"], Part)
 
     def test_includes_stand_above_the_code(self):
@@ -248,12 +248,12 @@ class SingleFile(unittest.TestCase):
         done = generate("hn_fbm")
         self.assertEqual(done.returncode, 2)
         self.assertIn("hn_fbm is in fbm1d.glsl, fbm2d.glsl, fbm3d.glsl, fbm4d.glsl: name", " ".join(done.stderr.split()))
-        self.assertIn("there is no hn_nothing in glsl/", " ".join(generate("hn_nothing").stderr.split()))
+        self.assertIn("there is no hn_nothing in hashnoise/", " ".join(generate("hn_nothing").stderr.split()))
 
     def test_an_unknown_file_is_named(self):
         done = generate("xyz")
         self.assertEqual(done.returncode, 2)
-        self.assertIn("there are: arithmetic.glsl, cell_border2d.glsl", done.stderr)
+        self.assertIn("there are: cell_border2d.glsl, cell_border3d.glsl", done.stderr)
         self.assertIn("did you mean fbm2d.glsl?", generate("fbm2d").stderr)
         for outside in ("../README.md", "/etc/passwd"):
             self.assertEqual(generate(outside).returncode, 2)

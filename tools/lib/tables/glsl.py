@@ -7,7 +7,7 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-from tree import GLSL
+from tree import GLSL, glsl_files
 
 LIBRARY = GLSL
 FUNCTION = re.compile(r"^HN_FN\s+\w+\s+(hn_(?!i_)\w+)\(((?:[^()]|\([^()]*\))*)\)\s*\{", re.MULTILINE)
@@ -84,7 +84,7 @@ def _functions(text: str) -> list[tuple[int, str, tuple[str, ...], int | None]]:
 
 def declarations(library: Path = LIBRARY) -> list[Declaration]:
     found = []
-    for path in sorted(library.glob("*.glsl")):
+    for path in glsl_files(library).values():
         text = path.read_text(encoding="utf-8")
         lines, last = text.split("\n"), None
         for start, name, types, dimensions in _functions(text):
@@ -136,5 +136,5 @@ def _overlooked(text: str) -> list[tuple[int, str]]:
 
 def overlooked(library: Path = LIBRARY) -> list[str]:
     """The public functions that declarations() does not find, with their places."""
-    return [f"{path}:{line}: {name}" for path in sorted(library.glob("*.glsl"))
+    return [f"{path}:{line}: {name}" for path in glsl_files(library).values()
             for line, name in _overlooked(path.read_text(encoding="utf-8"))]

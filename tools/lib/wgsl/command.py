@@ -60,7 +60,7 @@ def parsed_arguments(parser: argparse.ArgumentParser) -> argparse.Namespace:
     parser.add_argument("--names", action="store_true", help="write which function of the GLSL has which name, instead")
     parser.add_argument("--glsl", type=Path, default=GLSL, metavar="DIR", help="another copy of the library")
     parser.add_argument("--out", type=Path, metavar="FILE", help="the file to write (default: standard output)")
-    parser.add_argument("name", nargs="?", default="hashnoise.glsl", help="a file of glsl/ (default: %(default)s)")
+    parser.add_argument("name", nargs="?", default="hashnoise.glsl", help="a file of glsl/hashnoise/ (default: %(default)s)")
     arguments = parser.parse_args()
     check_name(parser, arguments.name, arguments.glsl)
     if arguments.only is not None:

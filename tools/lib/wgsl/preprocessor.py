@@ -6,6 +6,7 @@ Such a macro becomes a constant of the WGSL module, so that its name stays in th
 from __future__ import annotations
 
 import operator
+import posixpath
 import re
 from dataclasses import dataclass
 from pathlib import Path
@@ -139,12 +140,14 @@ class Preprocessor:
             raise Unknown(f"{path}:{line}: the translator does not know #{name}")
 
     def _include(self, rest: str, path: str, line: int) -> None:
-        file = re.fullmatch(r'"([\w.]+)"', rest)
-        if not file or not (self.library / file[1]).is_file():
+        file = re.fullmatch(r'"([\w./]+)"', rest)
+        within = posixpath.dirname(path) if (self.library / path).is_file() else ""
+        name = posixpath.normpath(posixpath.join(within, file[1])) if file else ""
+        if not name or not (self.library / name).is_file():
             raise Unknown(f"{path}:{line}: there is no {rest} in {self.library}")
         self._flush()
         heading = self._heading
-        self._read((self.library / file[1]).read_text(encoding="ascii"), file[1])
+        self._read((self.library / name).read_text(encoding="ascii"), name)
         self._heading, self._comments = heading, []
 
     def _define(self, text: str, path: str, line: int, comment: str) -> None:

@@ -15,12 +15,12 @@ from pathlib import Path
 from tables.functions import Function, read_functions
 from tables.glsl import declarations
 from thorough import THOROUGH, some
-from tree import GLSL, TOOLS
+from tree import GLSL, TOOLS, glsl_files
 from wgsl.evaluation import answered, evaluations
 from wgsl.module import ARITHMETICS, GRADIENTS, HASHES, Module, Settings
 from wgsl.tokens import Unknown
 
-FILES = sorted(path.name for path in GLSL.glob("*.glsl"))
+FILES = list(glsl_files())
 WHOLE = '#include "hashnoise.glsl"\n'
 
 

@@ -25,7 +25,7 @@ call(${WORK}/without/bin/consumer)
 
 installed(files ${WORK}/with -DHASHNOISE_INSTALL=ON)
 foreach(file bin/consumer include/hashnoise/hashnoise.hpp include/hashnoise/glsl.hpp
-             include/hashnoise/glsl/hashnoise.glsl)
+             include/hashnoise/hashnoise.glsl include/hashnoise/detail/cell.glsl)
   if(NOT file IN_LIST files)
     message(FATAL_ERROR "HASHNOISE_INSTALL should install ${file}: ${files}")
   endif()

@@ -1,7 +1,0 @@
-// hashnoise: the end of what begin.metal began.
-// SPDX-License-Identifier: MIT
-
-}  // namespace hashnoise
-#include "vectors_end.h"
-#undef uintBitsToFloat
-#undef floatBitsToUint

@@ -1,0 +1,111 @@
+// hashnoise: the borders of cells on the plane.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_CELL_BORDER2D_GLSL
+#define HN_CELL_BORDER2D_GLSL
+
+#include "detail/feature_points2d.glsl"
+
+// The distance to the border between the cells of two points P and Q is (q - p) / (2 |P - Q|), where p and q are the
+// squares of the distances to them. So the nearest border of a row of cells: `from` is the offset from P, and `nearest`
+// has p and the code of its cell.
+HN_FN hn_rank hn_i_border(hn_rank best, hn_uvec3 words, hn_num3 x, hn_num3 y, hn_num jitter, hn_int code, hn_int step,
+                          hn_num2 from, hn_rank4 nearest) {
+  hn_num3 from_x = hn_i_from_x(words, x, jitter);
+  hn_num3 from_y = hn_i_from_y(words, y, jitter);
+  return hn_i_nearest_border(best, hn_i_gaps(hn_i_squares(from_x, from_y), nearest.x),
+                             hn_i_squares(hn_i_apart(from_x, from.x), hn_i_apart(from_y, from.y)), code, step,
+                             nearest.w);
+}
+
+// The distance to the border, given the smallest ranks. The cells beside the block are needed as well: where a place is
+// at the wall of its own cell, the cell two steps on may share the nearest border with the nearest one (tools/bounds).
+HN_FN hn_float hn_i_cell_border(hn_i_block2 block, hn_uvec2 two, hn_num2 d, hn_num jitter, hn_uint seed,
+                                hn_rank4 nearest) {
+  hn_num2 from = hn_i_from_nearest(block, d, jitter, seed, nearest.w);
+  hn_uint s = hn_i_mix(seed);
+  hn_num3 x = hn_i_row(d.x);
+  hn_num3 y = hn_i_row(d.y);
+  hn_num3 two_x = hn_i_thrice(hn_i_beside(d.x, hn_i_two(d.x)));
+  hn_num3 two_y = hn_i_thrice(hn_i_beside(d.y, hn_i_two(d.y)));
+  hn_uvec3 words = hn_i_words_along_x(block, block.before.y, s);
+  hn_rank best = hn_i_border(hn_i_far_away().x, words, x, hn_i_thrice(y.x), jitter, hn_i_code(0, -1), 1, from, nearest);
+  words = hn_i_words_along_x(block, block.cell.y, s);
+  best = hn_i_border(best, words, x, hn_i_thrice(y.y), jitter, hn_i_code(0, 0), 1, from, nearest);
+  words = hn_i_words_along_x(block, block.after.y, s);
+  best = hn_i_border(best, words, x, hn_i_thrice(y.z), jitter, hn_i_code(0, 1), 1, from, nearest);
+  words = hn_i_words_along_x(block, two.y, s);
+  best = hn_i_border(best, words, x, two_y, jitter, HN_I_NO_CODE, 0, from, nearest);
+  words = hn_i_words_along_y(block, two.x, s);
+  best = hn_i_border(best, words, two_x, y, jitter, HN_I_NO_CODE, 0, from, nearest);
+  return hn_i_border_distance(best);
+}
+HN_FN hn_float hn_i_cell_border(hn_place2 place, hn_num jitter, hn_uint seed) {
+  hn_i_block2 block = hn_i_block(place);
+  hn_num2 d = hn_i_inner(place.fraction);
+  return hn_i_cell_border(block, hn_i_two_steps(place, block, d), d, jitter, seed,
+                          hn_i_nearest(block, d, jitter, HN_METRIC_SQUARED, seed));
+}
+HN_FN hn_float hn_i_cell_border(hn_place2 place, hn_num jitter, hn_uint seed, HN_I_OUT(hn_ivec2) nearest,
+                                HN_I_OUT(hn_vec2) offset) {
+  hn_i_block2 block = hn_i_block(place);
+  hn_num2 d = hn_i_inner(place.fraction);
+  hn_rank4 best = hn_i_nearest(block, d, jitter, HN_METRIC_SQUARED, seed);
+  nearest = hn_i_cell_of(place, best.w);
+  offset = hn_i_toward(hn_i_from_nearest(block, d, jitter, seed, best.w));
+  return hn_i_cell_border(block, hn_i_two_steps(place, block, d), d, jitter, seed, best);
+}
+
+// How far it is to the border of a cell of cellular noise on the plane: to the nearest place that is as near to another
+// feature point as to the nearest one (not the difference of the distances to both). Cracks, tiles and veins are drawn
+// with it.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  the distance to the border, in cells, in [0, 0.844] (proven bound), and 0.17 on average. It is continuous
+//            (HN_FIXED: in steps of 2^-16)
+//   error    at most 1.51e-3 against the exact value, in any rounding mode. HN_FIXED 1.27e-2. That is for two points
+//            that nearly touch: it falls with the distance of the two that make the border (docs/accuracy.md)
+//   period   2^32 cells per axis, or that of the tile
+//   cost     9, 1 and 15 hashes (none with HN_HASH_LATTICE), as many multiplications, and 15 square roots and divisions
+//   source   Quilez, "Voronoi edges", 2012, for the distance; docs/contract.md, section 16
+HN_FN hn_float hn_cell_border(hn_place2 place, hn_uint seed) {
+  return hn_i_cell_border(place, hn_i_jitter(1.0f), seed);
+}
+HN_FN hn_float hn_cell_border(hn_vec2 p, hn_uint seed) { return hn_cell_border(hn_place(p), seed); }
+HN_FN hn_float hn_cell_border(hn_vec2 p) { return hn_cell_border(p, 0u); }
+
+// The same with everything that may be chosen.
+//   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
+//            outside of [0, 1] counts as the nearer end
+//   seed     any uint: 7u, not 7
+//   returns  as above
+//   error    as above
+//   cost     as above
+HN_FN hn_float hn_cell_border(hn_place2 place, hn_float jitter, hn_uint seed) {
+  return hn_i_cell_border(place, hn_i_jitter(jitter), seed);
+}
+HN_FN hn_float hn_cell_border(hn_vec2 p, hn_float jitter, hn_uint seed) {
+  return hn_cell_border(hn_place(p), jitter, seed);
+}
+
+// The same with everything that may be chosen, and with the nearest point.
+//   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
+//            outside of [0, 1] counts as the nearer end
+//   seed     any uint: 7u, not 7
+//   nearest  is set to the cell of the nearest point, modulo the period: hn_lattice(nearest, seed) is a word of its own
+//            for each cell. Of points at the same distance that of the first cell counts, by y, then by x
+//   offset   is set to the vector from the position to that point, in cells
+//   returns  as above
+//   error    as above; of the offset at most 3.88e-7. HN_FIXED 2.39e-6
+//   cost     as above; one more hash
+HN_FN hn_float hn_cell_border(hn_place2 place, hn_float jitter, hn_uint seed, HN_I_OUT(hn_ivec2) nearest,
+                              HN_I_OUT(hn_vec2) offset) {
+  return hn_i_cell_border(place, hn_i_jitter(jitter), seed, nearest, offset);
+}
+HN_FN hn_float hn_cell_border(hn_vec2 p, hn_float jitter, hn_uint seed, HN_I_OUT(hn_ivec2) nearest,
+                              HN_I_OUT(hn_vec2) offset) {
+  return hn_cell_border(hn_place(p), jitter, seed, nearest, offset);
+}
+
+#endif

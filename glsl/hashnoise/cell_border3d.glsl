@@ -1,0 +1,109 @@
+// hashnoise: the borders of cells in space.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_CELL_BORDER3D_GLSL
+#define HN_CELL_BORDER3D_GLSL
+
+#include "detail/feature_points3d.glsl"
+
+// The nearest border of a row of cells, as on the plane (cell_border2d.glsl).
+HN_FN hn_rank hn_i_border(hn_rank best, hn_uvec3 words, hn_num3 x, hn_num3 y, hn_num3 z, hn_num jitter, hn_int code,
+                          hn_int step, hn_num3 from, hn_rank4 nearest) {
+  hn_num3 u = hn_i_from_u(words, x, y, jitter);
+  hn_num3 v = hn_i_from_v(words, x, y, jitter);
+  hn_num3 w = hn_i_from_z(words, z, jitter);
+  return hn_i_nearest_border(best, hn_i_gaps(hn_i_squares(u, v, w), nearest.x),
+                             hn_i_squares(hn_i_apart(u, from.x), hn_i_apart(v, from.y), hn_i_apart(w, from.z)), code,
+                             step, nearest.w);
+}
+
+// The distance to the border, given the smallest ranks. The cells beside the block are needed as well: where a place is
+// at the wall of its own cell, the cell two steps on may share the nearest border with the nearest one (tools/bounds).
+// That makes 54 cells, in six slabs. They are visited in a loop: unrolled, a shader takes much longer to compile.
+HN_FN hn_float hn_i_cell_border(hn_i_block3 block, hn_uvec3 two, hn_num3 d, hn_num jitter, hn_uint seed,
+                                hn_rank4 nearest) {
+  hn_num3 from = hn_i_from_nearest(block, d, jitter, seed, nearest.w);
+  hn_rank best = hn_i_far_away().x;
+  for (hn_int slab = -1; slab < 5; ++slab) {
+    hn_int axis = hn_i_select(slab > 1, slab - 2, 2);
+    hn_uint at = hn_i_select(slab > 1, hn_i_along(axis, two), hn_i_of_three(hn_i_along_z(block), slab));
+    hn_int steps = hn_i_select(slab > 1, hn_i_two_along(axis, d), slab);
+    hn_num3 x = hn_i_slab_x(d, axis, steps);
+    for (hn_int n = -1; n <= 1; ++n) {
+      hn_int code = hn_i_select(slab > 1, HN_I_NO_CODE, hn_i_code(0, n, slab));
+      best = hn_i_border(best, hn_i_slab_words(block, axis, at, n, seed), x, hn_i_slab_y(d, axis, steps, n),
+                         hn_i_slab_z(d, axis, steps, n), jitter, code, hn_i_choice(slab > 1, 0, 1), from, nearest);
+    }
+  }
+  return hn_i_border_distance(best);
+}
+HN_FN hn_float hn_i_cell_border(hn_place3 place, hn_num jitter, hn_uint seed) {
+  hn_i_block3 block = hn_i_block(place);
+  hn_num3 d = hn_i_inner(place.fraction);
+  return hn_i_cell_border(block, hn_i_two_steps(place, block, d), d, jitter, seed,
+                          hn_i_nearest(block, d, jitter, HN_METRIC_SQUARED, seed));
+}
+HN_FN hn_float hn_i_cell_border(hn_place3 place, hn_num jitter, hn_uint seed, HN_I_OUT(hn_ivec3) nearest,
+                                HN_I_OUT(hn_vec3) offset) {
+  hn_i_block3 block = hn_i_block(place);
+  hn_num3 d = hn_i_inner(place.fraction);
+  hn_rank4 best = hn_i_nearest(block, d, jitter, HN_METRIC_SQUARED, seed);
+  nearest = hn_i_cell_of(place, best.w);
+  offset = hn_i_toward(hn_i_from_nearest(block, d, jitter, seed, best.w));
+  return hn_i_cell_border(block, hn_i_two_steps(place, block, d), d, jitter, seed, best);
+}
+
+// How far it is to the border of a cell of cellular noise in space: to the nearest place that is as near to another
+// feature point as to the nearest one (not the difference of the distances to both). Cracks, tiles and veins are drawn
+// with it.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  the distance to the border, in cells, in [0, 0.883] (proven bound), and 0.13 on average. It is continuous
+//            (HN_FIXED: in steps of 2^-16)
+//   error    at most 1.72e-3 against the exact value, in any rounding mode. HN_FIXED 6.97e-3. That is for two points
+//            that nearly touch: it falls with the distance of the two that make the border (docs/accuracy.md)
+//   period   2^32 cells per axis, or that of the tile
+//   cost     27, 1 and 54 hashes (none with HN_HASH_LATTICE), as many multiplications, and 54 square roots and
+//            divisions
+//   source   Quilez, "Voronoi edges", 2012, for the distance; docs/contract.md, section 16
+HN_FN hn_float hn_cell_border(hn_place3 place, hn_uint seed) {
+  return hn_i_cell_border(place, hn_i_jitter(1.0f), seed);
+}
+HN_FN hn_float hn_cell_border(hn_vec3 p, hn_uint seed) { return hn_cell_border(hn_place(p), seed); }
+HN_FN hn_float hn_cell_border(hn_vec3 p) { return hn_cell_border(p, 0u); }
+
+// The same with everything that may be chosen.
+//   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
+//            outside of [0, 1] counts as the nearer end
+//   seed     any uint: 7u, not 7
+//   returns  as above
+//   error    as above
+//   cost     as above
+HN_FN hn_float hn_cell_border(hn_place3 place, hn_float jitter, hn_uint seed) {
+  return hn_i_cell_border(place, hn_i_jitter(jitter), seed);
+}
+HN_FN hn_float hn_cell_border(hn_vec3 p, hn_float jitter, hn_uint seed) {
+  return hn_cell_border(hn_place(p), jitter, seed);
+}
+
+// The same with everything that may be chosen, and with the nearest point.
+//   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
+//            outside of [0, 1] counts as the nearer end
+//   seed     any uint: 7u, not 7
+//   nearest  is set to the cell of the nearest point, modulo the period: hn_lattice(nearest, seed) is a word of its own
+//            for each cell. Of points at the same distance that of the first cell counts, by z, then by y, then by x
+//   offset   is set to the vector from the position to that point, in cells
+//   returns  as above
+//   error    as above; of the offset at most 1.05e-6. HN_FIXED 2.39e-6
+//   cost     as above; one more hash
+HN_FN hn_float hn_cell_border(hn_place3 place, hn_float jitter, hn_uint seed, HN_I_OUT(hn_ivec3) nearest,
+                              HN_I_OUT(hn_vec3) offset) {
+  return hn_i_cell_border(place, hn_i_jitter(jitter), seed, nearest, offset);
+}
+HN_FN hn_float hn_cell_border(hn_vec3 p, hn_float jitter, hn_uint seed, HN_I_OUT(hn_ivec3) nearest,
+                              HN_I_OUT(hn_vec3) offset) {
+  return hn_cell_border(hn_place(p), jitter, seed, nearest, offset);
+}
+
+#endif

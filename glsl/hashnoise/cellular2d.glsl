@@ -1,0 +1,78 @@
+// hashnoise: cellular noise on the plane.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_CELLULAR2D_GLSL
+#define HN_CELLULAR2D_GLSL
+
+#include "detail/feature_points2d.glsl"
+
+HN_FN hn_vec2 hn_i_cellular(hn_i_block2 block, hn_num2 f, hn_num jitter, hn_int metric, hn_uint seed) {
+  return hn_i_two_distances(hn_i_nearest(block, hn_i_inner(f), jitter, metric, seed), metric);
+}
+HN_FN hn_vec2 hn_i_cellular(hn_place2 place, hn_num jitter, hn_int metric, hn_uint seed, HN_I_OUT(hn_ivec2) nearest,
+                            HN_I_OUT(hn_vec2) offset) {
+  hn_i_block2 block = hn_i_block(place);
+  hn_num2 d = hn_i_inner(place.fraction);
+  hn_rank4 best = hn_i_nearest(block, d, jitter, metric, seed);
+  nearest = hn_i_cell_of(place, best.w);
+  offset = hn_i_toward(hn_i_from_nearest(block, d, jitter, seed, best.w));
+  return hn_i_two_distances(best, metric);
+}
+
+// Cellular noise on the plane: the distances to the nearest and the second nearest of points that are strewn one in
+// each cell (Worley's F1 and F2). They are those of the whole infinite field.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  the two distances, in cells: the first in [0, 1.1181], the second in [0, 1.5001] (proven bounds), and not
+//            below the first; on average 0.43 and 0.70. Both are continuous (HN_FIXED: in steps of 2^-18)
+//   error    at most 3.53e-6 against the exact value, in any metric and rounding mode (docs/accuracy.md). HN_FIXED
+//            6.81e-5. From a cell at most 3.18e-6
+//   period   2^32 cells per axis, or that of the tile
+//   cost     9 hashes (none with HN_HASH_LATTICE) and 9 multiplications; 2 more to spread the coordinates, 2 more for a
+//            seed that is not constant, and 2 square roots. What is not used of the result costs nothing
+//   source   Worley, "A cellular texture basis function", 1996; docs/contract.md, section 16
+HN_FN hn_vec2 hn_cellular(hn_place2 place, hn_uint seed) {
+  return hn_i_cellular(hn_i_block(place), place.fraction, hn_i_jitter(1.0f), HN_METRIC_EUCLIDEAN, seed);
+}
+HN_FN hn_vec2 hn_cellular(hn_vec2 p, hn_uint seed) { return hn_cellular(hn_place(p), seed); }
+HN_FN hn_vec2 hn_cellular(hn_vec2 p) { return hn_cellular(p, 0u); }
+
+// The same with everything that may be chosen.
+//   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
+//            outside of [0, 1] counts as the nearer end
+//   metric   one of HN_METRIC_EUCLIDEAN, _SQUARED, _MANHATTAN, _CHEBYSHEV and _HYBRID (feature_points.glsl); a constant costs
+//            only that metric
+//   seed     any uint: 7u, not 7
+//   returns  as above, in the metric
+//   error    as above
+//   cost     as above
+HN_FN hn_vec2 hn_cellular(hn_place2 place, hn_float jitter, hn_int metric, hn_uint seed) {
+  return hn_i_cellular(hn_i_block(place), place.fraction, hn_i_jitter(jitter), metric, seed);
+}
+HN_FN hn_vec2 hn_cellular(hn_vec2 p, hn_float jitter, hn_int metric, hn_uint seed) {
+  return hn_cellular(hn_place(p), jitter, metric, seed);
+}
+
+// The same with everything that may be chosen, and with the nearest point.
+//   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
+//            outside of [0, 1] counts as the nearer end
+//   metric   one of HN_METRIC_EUCLIDEAN, _SQUARED, _MANHATTAN, _CHEBYSHEV and _HYBRID (feature_points.glsl); a constant costs
+//            only that metric
+//   seed     any uint: 7u, not 7
+//   nearest  is set to the cell of the nearest point, modulo the period: hn_lattice(nearest, seed) is a word of its own
+//            for each cell. Of points at the same distance that of the first cell counts, by y, then by x
+//   offset   is set to the vector from the position to that point, in cells
+//   returns  as above, in the metric
+//   error    as above; of the offset at most 3.88e-7. HN_FIXED 2.39e-6
+//   cost     as above; one more hash
+HN_FN hn_vec2 hn_cellular(hn_place2 place, hn_float jitter, hn_int metric, hn_uint seed, HN_I_OUT(hn_ivec2) nearest,
+                          HN_I_OUT(hn_vec2) offset) {
+  return hn_i_cellular(place, hn_i_jitter(jitter), metric, seed, nearest, offset);
+}
+HN_FN hn_vec2 hn_cellular(hn_vec2 p, hn_float jitter, hn_int metric, hn_uint seed, HN_I_OUT(hn_ivec2) nearest,
+                          HN_I_OUT(hn_vec2) offset) {
+  return hn_cellular(hn_place(p), jitter, metric, seed, nearest, offset);
+}
+
+#endif

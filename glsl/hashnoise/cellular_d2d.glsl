@@ -1,0 +1,48 @@
+// hashnoise: cellular noise and its gradient on the plane.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_CELLULAR_D2D_GLSL
+#define HN_CELLULAR_D2D_GLSL
+
+#include "detail/feature_points2d.glsl"
+
+HN_FN hn_vec3 hn_i_cellular_d(hn_i_block2 block, hn_num2 f, hn_num jitter, hn_uint seed) {
+  hn_num2 d = hn_i_inner(f);
+  hn_rank4 best = hn_i_nearest(block, d, jitter, HN_METRIC_EUCLIDEAN, seed);
+  hn_num2 from = hn_i_from_nearest(block, d, jitter, seed, best.w);
+  hn_vec2 slope = hn_i_unit(from.x, from.y);
+  return vec3(hn_i_distance(best.x, HN_METRIC_EUCLIDEAN), slope.x, slope.y);
+}
+
+// The distance to the nearest feature point on the plane and its gradient. The distance is the first of hn_cellular.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  the distance, and its derivatives along x and y: a vector of length 1 away from the point, which is
+//            (position - point) / distance; 0 at the point. It jumps where another point becomes the nearest
+//   error    that of hn_cellular, and of a derivative at most 2.57e-6 divided by the distance, in any rounding mode
+//            (docs/accuracy.md). HN_FIXED 1.08e-5 divided by it. From a cell at most 2.40e-6 divided by it
+//   period   2^32 cells per axis, or that of the tile
+//   cost     that of hn_cellular and one more hash
+//   source   docs/contract.md, section 16
+HN_FN hn_vec3 hn_cellular_d(hn_place2 place, hn_uint seed) {
+  return hn_i_cellular_d(hn_i_block(place), place.fraction, hn_i_jitter(1.0f), seed);
+}
+HN_FN hn_vec3 hn_cellular_d(hn_vec2 p, hn_uint seed) { return hn_cellular_d(hn_place(p), seed); }
+HN_FN hn_vec3 hn_cellular_d(hn_vec2 p) { return hn_cellular_d(p, 0u); }
+
+// The same with everything that may be chosen.
+//   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
+//            outside of [0, 1] counts as the nearer end
+//   seed     any uint: 7u, not 7
+//   returns  as above
+//   error    as above
+//   cost     as above
+HN_FN hn_vec3 hn_cellular_d(hn_place2 place, hn_float jitter, hn_uint seed) {
+  return hn_i_cellular_d(hn_i_block(place), place.fraction, hn_i_jitter(jitter), seed);
+}
+HN_FN hn_vec3 hn_cellular_d(hn_vec2 p, hn_float jitter, hn_uint seed) {
+  return hn_cellular_d(hn_place(p), jitter, seed);
+}
+
+#endif

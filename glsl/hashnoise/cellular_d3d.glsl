@@ -1,0 +1,48 @@
+// hashnoise: cellular noise and its gradient in space.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_CELLULAR_D3D_GLSL
+#define HN_CELLULAR_D3D_GLSL
+
+#include "detail/feature_points3d.glsl"
+
+HN_FN hn_vec4 hn_i_cellular_d(hn_i_block3 block, hn_num3 f, hn_num jitter, hn_uint seed) {
+  hn_num3 d = hn_i_inner(f);
+  hn_rank4 best = hn_i_nearest(block, d, jitter, HN_METRIC_EUCLIDEAN, seed);
+  hn_num3 from = hn_i_straight_offset(hn_i_from_nearest(block, d, jitter, seed, best.w));
+  hn_vec3 slope = hn_i_unit(from.x, from.y, from.z);
+  return vec4(hn_i_distance(best.x, HN_METRIC_EUCLIDEAN), slope.x, slope.y, slope.z);
+}
+
+// The distance to the nearest feature point in space and its gradient. The distance is the first of hn_cellular.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  the distance, and its derivatives along x, y and z: a vector of length 1 away from the point, which is
+//            (position - point) / distance; 0 at the point. It jumps where another point becomes the nearest
+//   error    that of hn_cellular, and of a derivative at most 3.52e-6 divided by the distance, in any rounding mode
+//            (docs/accuracy.md). HN_FIXED 1.20e-5 divided by it. From a cell at most 3.31e-6 divided by it
+//   period   2^32 cells per axis, or that of the tile
+//   cost     that of hn_cellular and one more hash
+//   source   docs/contract.md, section 16
+HN_FN hn_vec4 hn_cellular_d(hn_place3 place, hn_uint seed) {
+  return hn_i_cellular_d(hn_i_block(place), place.fraction, hn_i_jitter(1.0f), seed);
+}
+HN_FN hn_vec4 hn_cellular_d(hn_vec3 p, hn_uint seed) { return hn_cellular_d(hn_place(p), seed); }
+HN_FN hn_vec4 hn_cellular_d(hn_vec3 p) { return hn_cellular_d(p, 0u); }
+
+// The same with everything that may be chosen.
+//   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
+//            outside of [0, 1] counts as the nearer end
+//   seed     any uint: 7u, not 7
+//   returns  as above
+//   error    as above
+//   cost     as above
+HN_FN hn_vec4 hn_cellular_d(hn_place3 place, hn_float jitter, hn_uint seed) {
+  return hn_i_cellular_d(hn_i_block(place), place.fraction, hn_i_jitter(jitter), seed);
+}
+HN_FN hn_vec4 hn_cellular_d(hn_vec3 p, hn_float jitter, hn_uint seed) {
+  return hn_cellular_d(hn_place(p), jitter, seed);
+}
+
+#endif

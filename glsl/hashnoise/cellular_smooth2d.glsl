@@ -1,0 +1,59 @@
+// hashnoise: smooth cellular noise on the plane.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_CELLULAR_SMOOTH2D_GLSL
+#define HN_CELLULAR_SMOOTH2D_GLSL
+
+#include "detail/feature_points2d.glsl"
+
+HN_FN hn_float hn_i_cellular_smooth(hn_i_block2 block, hn_num2 f, hn_num jitter, hn_uint seed) {
+  hn_num2 d = hn_i_inner(f);
+  hn_uint s = hn_i_mix(seed);
+  hn_num3 x = hn_i_row(d.x);
+  hn_num3 y = hn_i_row(d.y);
+  hn_rank weights = hn_i_no_weight();
+  hn_uvec3 words = hn_i_words_along_x(block, block.before.y, s);
+  weights = hn_i_weighed(weights, hn_i_squares(words, x, hn_i_thrice(y.x), jitter));
+  words = hn_i_words_along_x(block, block.cell.y, s);
+  weights = hn_i_weighed(weights, hn_i_squares(words, x, hn_i_thrice(y.y), jitter));
+  words = hn_i_words_along_x(block, block.after.y, s);
+  weights = hn_i_weighed(weights, hn_i_squares(words, x, hn_i_thrice(y.z), jitter));
+  return hn_i_smooth_distance(weights);
+}
+
+// Cellular noise on the plane with rounded valleys: a distance that takes all points within 1 into account, and has no
+// creases between cells. Their order does not matter. No point outside of the block of cells that is visited is within
+// 1, so there are no seams.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  1 - (the sum of (1 - distance)^4 over these points + 1/4096)^(1/4): a little below the first distance of
+//            hn_cellular, in [-0.1937, 7/8] (proven bound), continuously differentiable but for the points themselves
+//            (HN_FIXED: in steps of 2^-19)
+//   error    at most 4.15e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 2.46e-4.
+//            From a cell at most 4.02e-6
+//   period   2^32 cells per axis, or that of the tile
+//   cost     9 hashes (none with HN_HASH_LATTICE), 9 multiplications and 11 square roots; 2 more multiplications to
+//            spread the coordinates, and 2 more for a seed that is not constant
+//   source   docs/contract.md, section 16
+HN_FN hn_float hn_cellular_smooth(hn_place2 place, hn_uint seed) {
+  return hn_i_cellular_smooth(hn_i_block(place), place.fraction, hn_i_jitter(1.0f), seed);
+}
+HN_FN hn_float hn_cellular_smooth(hn_vec2 p, hn_uint seed) { return hn_cellular_smooth(hn_place(p), seed); }
+HN_FN hn_float hn_cellular_smooth(hn_vec2 p) { return hn_cellular_smooth(p, 0u); }
+
+// The same with everything that may be chosen.
+//   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
+//            outside of [0, 1] counts as the nearer end
+//   seed     any uint: 7u, not 7
+//   returns  as above
+//   error    as above
+//   cost     as above
+HN_FN hn_float hn_cellular_smooth(hn_place2 place, hn_float jitter, hn_uint seed) {
+  return hn_i_cellular_smooth(hn_i_block(place), place.fraction, hn_i_jitter(jitter), seed);
+}
+HN_FN hn_float hn_cellular_smooth(hn_vec2 p, hn_float jitter, hn_uint seed) {
+  return hn_cellular_smooth(hn_place(p), jitter, seed);
+}
+
+#endif

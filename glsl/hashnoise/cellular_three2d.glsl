@@ -1,0 +1,67 @@
+// hashnoise: the three nearest points of cellular noise on the plane.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_CELLULAR_THREE2D_GLSL
+#define HN_CELLULAR_THREE2D_GLSL
+
+#include "detail/feature_points2d.glsl"
+
+// a for the axis x, which is 0, else b.
+HN_FN hn_uvec3 hn_i_if_axis(hn_int axis, hn_uvec3 a, hn_uvec3 b) {
+  return uvec3(hn_i_select(axis == 0, a.x, b.x), hn_i_select(axis == 0, a.y, b.y), hn_i_select(axis == 0, a.z, b.z));
+}
+HN_FN hn_num3 hn_i_if_axis(hn_int axis, hn_num3 a, hn_num3 b) {
+  return hn_i_three(hn_i_select(axis == 0, a.x, b.x), hn_i_select(axis == 0, a.y, b.y),
+                    hn_i_select(axis == 0, a.z, b.z));
+}
+
+// The third point may also be that of a cell two steps on, along the axis on which the place is farthest from the
+// centre of its cell (feature_points.glsl): three cells in a row along the other.
+HN_FN hn_vec3 hn_i_cellular_three(hn_place2 place, hn_num jitter, hn_int metric, hn_uint seed) {
+  hn_i_block2 block = hn_i_block(place);
+  hn_num2 d = hn_i_inner(place.fraction);
+  hn_uvec2 two = hn_i_two_steps(place, block, d);
+  hn_rank4 best = hn_i_nearest(block, d, jitter, metric, seed);
+  hn_uint s = hn_i_mix(seed);
+  hn_int axis = hn_i_choice(hn_i_size(d.x) >= hn_i_size(d.y), 0, 1);
+  hn_uvec3 words = hn_i_if_axis(axis, hn_i_words_along_y(block, two.x, s), hn_i_words_along_x(block, two.y, s));
+  hn_num3 x = hn_i_if_axis(axis, hn_i_thrice(hn_i_beside(d.x, hn_i_two(d.x))), hn_i_row(d.x));
+  hn_num3 y = hn_i_if_axis(axis, hn_i_row(d.y), hn_i_thrice(hn_i_beside(d.y, hn_i_two(d.y))));
+  best = hn_i_visited(best, hn_i_ranks(words, x, y, jitter, metric), HN_I_NO_CODE, 0);
+  return vec3(hn_i_distance(best.x, metric), hn_i_distance(best.y, metric), hn_i_distance(best.z, metric));
+}
+
+// The distances to the three nearest feature points on the plane: Worley's F1, F2 and F3. The first two are those of
+// hn_cellular.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  the three distances, in cells, ascending: the third in [0, 1.5812] (proven bound)
+//   error    at most 4.22e-6 against the exact value, in any metric and rounding mode (docs/accuracy.md). HN_FIXED
+//            6.81e-5. From a cell at most 3.84e-6
+//   period   2^32 cells per axis, or that of the tile
+//   cost     12 hashes (none with HN_HASH_LATTICE) and 12 multiplications, and what hn_cellular costs besides
+//   source   Worley, "A cellular texture basis function", 1996; docs/contract.md, section 16
+HN_FN hn_vec3 hn_cellular_three(hn_place2 place, hn_uint seed) {
+  return hn_i_cellular_three(place, hn_i_jitter(1.0f), HN_METRIC_EUCLIDEAN, seed);
+}
+HN_FN hn_vec3 hn_cellular_three(hn_vec2 p, hn_uint seed) { return hn_cellular_three(hn_place(p), seed); }
+HN_FN hn_vec3 hn_cellular_three(hn_vec2 p) { return hn_cellular_three(p, 0u); }
+
+// The same with everything that may be chosen.
+//   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
+//            outside of [0, 1] counts as the nearer end
+//   metric   one of HN_METRIC_EUCLIDEAN, _SQUARED, _MANHATTAN, _CHEBYSHEV and _HYBRID (feature_points.glsl); a constant costs
+//            only that metric
+//   seed     any uint: 7u, not 7
+//   returns  as above, in the metric
+//   error    as above
+//   cost     as above
+HN_FN hn_vec3 hn_cellular_three(hn_place2 place, hn_float jitter, hn_int metric, hn_uint seed) {
+  return hn_i_cellular_three(place, hn_i_jitter(jitter), metric, seed);
+}
+HN_FN hn_vec3 hn_cellular_three(hn_vec2 p, hn_float jitter, hn_int metric, hn_uint seed) {
+  return hn_cellular_three(hn_place(p), jitter, metric, seed);
+}
+
+#endif

@@ -1,0 +1,69 @@
+// hashnoise: the three nearest points of cellular noise in space.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_CELLULAR_THREE3D_GLSL
+#define HN_CELLULAR_THREE3D_GLSL
+
+#include "detail/feature_points3d.glsl"
+
+// The axis along which the place is farthest from the centre of its cell.
+HN_FN hn_int hn_i_farthest_axis(hn_num3 d) {
+  hn_num x = hn_i_size(d.x);
+  hn_num y = hn_i_size(d.y);
+  hn_num z = hn_i_size(d.z);
+  return hn_i_choice(x >= max(y, z), 0, hn_i_choice(y >= z, 1, 2));
+}
+
+// The third point may also be that of a cell two steps on along that axis (feature_points.glsl): nine cells in a slab.
+HN_FN hn_vec3 hn_i_cellular_three(hn_place3 place, hn_num jitter, hn_int metric, hn_uint seed) {
+  hn_i_block3 block = hn_i_block(place);
+  hn_num3 d = hn_i_inner(place.fraction);
+  hn_uvec3 two = hn_i_two_steps(place, block, d);
+  hn_rank4 best = hn_i_nearest(block, d, jitter, metric, seed);
+  hn_int axis = hn_i_farthest_axis(d);
+  hn_uint at = hn_i_along(axis, two);
+  hn_int steps = hn_i_two_along(axis, d);
+  for (hn_int n = -1; n <= 1; ++n) {
+    hn_uvec3 words = hn_i_slab_words(block, axis, at, n, seed);
+    best = hn_i_visited(best,
+                        hn_i_ranks(words, hn_i_slab_x(d, axis, steps), hn_i_slab_y(d, axis, steps, n),
+                                   hn_i_slab_z(d, axis, steps, n), jitter, metric),
+                        HN_I_NO_CODE, 0);
+  }
+  return vec3(hn_i_distance(best.x, metric), hn_i_distance(best.y, metric), hn_i_distance(best.z, metric));
+}
+
+// The distances to the three nearest feature points in space: Worley's F1, F2 and F3. The first two are those of
+// hn_cellular.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  the three distances, in cells, ascending: the third in [0, 1.5812] (proven bound)
+//   error    at most 6.74e-6 against the exact value, in any metric and rounding mode (docs/accuracy.md). HN_FIXED
+//            6.87e-5. From a cell at most 6.27e-6
+//   period   2^32 cells per axis, or that of the tile
+//   cost     36 hashes (none with HN_HASH_LATTICE) and 36 multiplications, and what hn_cellular costs besides
+//   source   Worley, "A cellular texture basis function", 1996; docs/contract.md, section 16
+HN_FN hn_vec3 hn_cellular_three(hn_place3 place, hn_uint seed) {
+  return hn_i_cellular_three(place, hn_i_jitter(1.0f), HN_METRIC_EUCLIDEAN, seed);
+}
+HN_FN hn_vec3 hn_cellular_three(hn_vec3 p, hn_uint seed) { return hn_cellular_three(hn_place(p), seed); }
+HN_FN hn_vec3 hn_cellular_three(hn_vec3 p) { return hn_cellular_three(p, 0u); }
+
+// The same with everything that may be chosen.
+//   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
+//            outside of [0, 1] counts as the nearer end
+//   metric   one of HN_METRIC_EUCLIDEAN, _SQUARED, _MANHATTAN, _CHEBYSHEV and _HYBRID (feature_points.glsl); a constant costs
+//            only that metric
+//   seed     any uint: 7u, not 7
+//   returns  as above, in the metric
+//   error    as above
+//   cost     as above
+HN_FN hn_vec3 hn_cellular_three(hn_place3 place, hn_float jitter, hn_int metric, hn_uint seed) {
+  return hn_i_cellular_three(place, hn_i_jitter(jitter), metric, seed);
+}
+HN_FN hn_vec3 hn_cellular_three(hn_vec3 p, hn_float jitter, hn_int metric, hn_uint seed) {
+  return hn_cellular_three(hn_place(p), jitter, metric, seed);
+}
+
+#endif

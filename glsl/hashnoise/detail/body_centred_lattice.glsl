@@ -1,0 +1,132 @@
+// hashnoise: the body-centred lattice of simplex noise in three and four dimensions.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_BODY_CENTRED_LATTICE_GLSL
+#define HN_BODY_CENTRED_LATTICE_GLSL
+
+#include "cell.glsl"
+#include "direction.glsl"
+#include "direction4d.glsl"
+#include "falloff.glsl"
+
+// The points are the corners of all cells and their centres: so a cell has two points. In space this is the lattice of
+// classic simplex noise, without its skew. Every whole period fits, and the coordinates are halves, so they are exact.
+//
+// A corner has the word of its cell. A centre has the word of its cell with one coordinate more, which is 1. It is
+// spread with the fifth prime of xxHash and folded by 21 bits. So it adds constants to both joins of the word.
+#define HN_I_CENTRE_SUM 0x165667B1u
+#define HN_I_CENTRE_JOIN 0x16566703u
+
+// Chooses b along each axis where the place is nearer to the far end of the cell, else a.
+HN_FN hn_uvec3 hn_i_nearer(hn_num3 f, hn_uvec3 a, hn_uvec3 b) {
+  hn_num middle = hn_i_quarters(2);
+  return uvec3(hn_i_select(f.x > middle, b.x, a.x), hn_i_select(f.y > middle, b.y, a.y),
+               hn_i_select(f.z > middle, b.z, a.z));
+}
+HN_FN hn_uvec4 hn_i_nearer(hn_num4 f, hn_uvec4 a, hn_uvec4 b) {
+  return uvec4(hn_i_nearer(hn_i_num(f.x, f.y, f.z), uvec3(a.x, a.y, a.z), uvec3(b.x, b.y, b.z)),
+               hn_i_select(f.w > hn_i_quarters(2), b.w, a.w));
+}
+
+// Along one axis: the offset from the nearest corner of the cell, from the farthest, from the centre of the cell, and
+// from the nearest centre of another.
+HN_FN hn_num4 hn_i_offsets(hn_num f) {
+  hn_num middle = hn_i_quarters(2);
+  hn_num ahead = hn_i_far(f);
+  hn_num inner = hn_i_minus(f, middle);
+  return hn_i_num(hn_i_select(f > middle, ahead, f), hn_i_select(f > middle, f, ahead), inner,
+                  hn_i_select(f > middle, hn_i_minus(inner, HN_I_ONE), hn_i_plus(inner, HN_I_ONE)));
+}
+
+// What a point in space adds without its weight.
+HN_FN hn_num hn_i_ramp_of(hn_uint h, hn_num x, hn_num y, hn_num z) {
+  return hn_i_ramp(hn_i_direction3(h), hn_i_turned(hn_i_plus(x, y)), hn_i_turned(hn_i_minus(x, y)), hn_i_upright(z));
+}
+
+// A sum of weighted ramps is at most 1024 / 6570 in space, with turned gradients too, and 1024 / 4298 in four
+// dimensions (tools/bounds).
+HN_FN hn_num hn_i_scaled_simplex3(hn_num n) { return hn_i_scaled(n, 6570); }
+HN_FN hn_num hn_i_scaled_simplex4(hn_num n) { return hn_i_scaled_ramps(n, 4298); }
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The points of a small kernel. At a place within 1/2 of a point along every axis, only that point and its neighbour
+// along the largest offset are nearer than the square root of 1/2. For another neighbour, along an axis with the offset
+// b, the squared distance is (1 - b)^2 and at least b^2 from the largest offset: that is 1/2 or more. So two points of
+// each kind are enough: the nearest corner, the next one, the nearest centre and the next one. Ties need no care: where
+// two offsets are the largest, both neighbours are at the radius or beyond it.
+
+HN_FN hn_num hn_i_largest(hn_num3 size) { return max(max(size.x, size.y), size.z); }
+HN_FN hn_num hn_i_smallest(hn_num3 size) { return min(min(size.x, size.y), size.z); }
+HN_FN hn_num hn_i_largest(hn_num4 size) { return max(max(size.x, size.y), max(size.z, size.w)); }
+HN_FN hn_num hn_i_smallest(hn_num4 size) { return min(min(size.x, size.y), min(size.z, size.w)); }
+
+// The words of the four points of a cell and, through the out parameters, the offsets from them along each axis and how
+// near they are. The size of an offset from a centre is 1/2 less that from a corner: so it is the largest where that is
+// the smallest. The squares of the distances differ by sums of sizes alone.
+HN_FN hn_uvec4 hn_i_four_points(hn_i_block3 block, hn_num3 f, hn_uint seed, HN_I_OUT(hn_num4) x, HN_I_OUT(hn_num4) y,
+                                HN_I_OUT(hn_num4) z, HN_I_OUT(hn_num4) near_by) {
+  hn_num4 dx = hn_i_offsets(f.x);
+  hn_num4 dy = hn_i_offsets(f.y);
+  hn_num4 dz = hn_i_offsets(f.z);
+  hn_num3 size = hn_i_num(hn_i_size(dx.x), hn_i_size(dy.x), hn_i_size(dz.x));
+  hn_num a = hn_i_largest(size);
+  hn_num b = hn_i_smallest(size);
+  x = hn_i_num(dx.x, hn_i_select(size.x >= a, dx.y, dx.x), dx.z, hn_i_select(size.x <= b, dx.w, dx.z));
+  y = hn_i_num(dy.x, hn_i_select(size.y >= a, dy.y, dy.x), dy.z, hn_i_select(size.y <= b, dy.w, dy.z));
+  z = hn_i_num(dz.x, hn_i_select(size.z >= a, dz.y, dz.x), dz.z, hn_i_select(size.z <= b, dz.w, dz.z));
+  hn_i_square_number q = hn_i_square(dx.x, dy.x, dz.x);
+  hn_num sum = hn_i_plus(hn_i_plus(size.x, size.y), size.z);
+  hn_i_square_number q_centre = hn_i_onto(q, hn_i_minus(hn_i_quarters(3), sum));
+  near_by = hn_i_num(hn_i_near(q, 1024, 2), hn_i_near(hn_i_onto(q, hn_i_minus(HN_I_ONE, hn_i_plus(a, a))), 1024, 2),
+                     hn_i_near(q_centre, 1024, 2), hn_i_near(hn_i_onto(q_centre, hn_i_plus(b, b)), 1024, 2));
+  hn_uvec3 cell = block.cell;
+  hn_uvec3 corner = hn_i_nearer(f, cell, block.after);
+  hn_uvec3 across = hn_i_nearer(f, block.after, cell);
+  hn_uvec3 beyond = hn_i_nearer(f, block.before, block.after);
+  hn_uint s = hn_i_mix(seed);
+  return uvec4(
+      hn_i_word(corner, s, s),
+      hn_i_word(uvec3(hn_i_select(size.x >= a, across.x, corner.x), hn_i_select(size.y >= a, across.y, corner.y),
+                      hn_i_select(size.z >= a, across.z, corner.z)),
+                s, s),
+      hn_i_word(cell, s ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM),
+      hn_i_word(uvec3(hn_i_select(size.x <= b, beyond.x, cell.x), hn_i_select(size.y <= b, beyond.y, cell.y),
+                      hn_i_select(size.z <= b, beyond.z, cell.z)),
+                s ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM));
+}
+
+HN_FN hn_uvec4 hn_i_four_points(hn_i_block4 block, hn_num4 f, hn_uint seed, HN_I_OUT(hn_num4) x, HN_I_OUT(hn_num4) y,
+                                HN_I_OUT(hn_num4) z, HN_I_OUT(hn_num4) w, HN_I_OUT(hn_num4) near_by) {
+  hn_num4 dx = hn_i_offsets(f.x);
+  hn_num4 dy = hn_i_offsets(f.y);
+  hn_num4 dz = hn_i_offsets(f.z);
+  hn_num4 dw = hn_i_offsets(f.w);
+  hn_num4 size = hn_i_num(hn_i_size(dx.x), hn_i_size(dy.x), hn_i_size(dz.x), hn_i_size(dw.x));
+  hn_num a = hn_i_largest(size);
+  hn_num b = hn_i_smallest(size);
+  x = hn_i_num(dx.x, hn_i_select(size.x >= a, dx.y, dx.x), dx.z, hn_i_select(size.x <= b, dx.w, dx.z));
+  y = hn_i_num(dy.x, hn_i_select(size.y >= a, dy.y, dy.x), dy.z, hn_i_select(size.y <= b, dy.w, dy.z));
+  z = hn_i_num(dz.x, hn_i_select(size.z >= a, dz.y, dz.x), dz.z, hn_i_select(size.z <= b, dz.w, dz.z));
+  w = hn_i_num(dw.x, hn_i_select(size.w >= a, dw.y, dw.x), dw.z, hn_i_select(size.w <= b, dw.w, dw.z));
+  hn_i_square_number q = hn_i_square(dx.x, dy.x, dz.x, dw.x);
+  hn_num sum = hn_i_plus(hn_i_plus(size.x, size.y), hn_i_plus(size.z, size.w));
+  hn_i_square_number q_centre = hn_i_onto(q, hn_i_minus(HN_I_ONE, sum));
+  near_by = hn_i_num(hn_i_near(q, 1024, 2), hn_i_near(hn_i_onto(q, hn_i_minus(HN_I_ONE, hn_i_plus(a, a))), 1024, 2),
+                     hn_i_near(q_centre, 1024, 2), hn_i_near(hn_i_onto(q_centre, hn_i_plus(b, b)), 1024, 2));
+  hn_uvec4 cell = block.cell;
+  hn_uvec4 corner = hn_i_nearer(f, cell, block.after);
+  hn_uvec4 across = hn_i_nearer(f, block.after, cell);
+  hn_uvec4 beyond = hn_i_nearer(f, block.before, block.after);
+  hn_uint s = hn_i_mix(seed);
+  return uvec4(
+      hn_i_word(corner, s, s),
+      hn_i_word(uvec4(hn_i_select(size.x >= a, across.x, corner.x), hn_i_select(size.y >= a, across.y, corner.y),
+                      hn_i_select(size.z >= a, across.z, corner.z), hn_i_select(size.w >= a, across.w, corner.w)),
+                s, s),
+      hn_i_word(cell, s ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM),
+      hn_i_word(uvec4(hn_i_select(size.x <= b, beyond.x, cell.x), hn_i_select(size.y <= b, beyond.y, cell.y),
+                      hn_i_select(size.z <= b, beyond.z, cell.z), hn_i_select(size.w <= b, beyond.w, cell.w)),
+                s ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM));
+}
+
+#endif

@@ -1,0 +1,231 @@
+// hashnoise: the feature points of cellular noise: where they are in their cells, and how their distances compare.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_FEATURE_POINTS_GLSL
+#define HN_FEATURE_POINTS_GLSL
+
+#include "cell.glsl"
+#include "direction.glsl"
+#include "square_root.glsl"
+
+// The metric of hn_cellular and hn_cellular_three: what they call a distance. It should be a constant: the compiler
+// then keeps that one alone. Any other number counts as HN_METRIC_EUCLIDEAN.
+#define HN_METRIC_EUCLIDEAN 1
+#define HN_METRIC_SQUARED 2    // the square of the Euclidean distance
+#define HN_METRIC_MANHATTAN 3  // the sum of the sizes along the axes
+#define HN_METRIC_CHEBYSHEV 4  // the largest of them
+#define HN_METRIC_HYBRID 5     // Manhattan and squared, added
+
+// Each cell has one feature point. Its offset from the centre of the cell is half the direction that the word of the
+// cell gives (direction.glsl), times the jitter. So with a jitter of 1 it lies on a square or octahedron whose corners
+// are in the middle of the cell's sides. That is why a cell and its neighbours always have the two nearest points:
+//
+//   Let a place be off the centre of its cell by a >= b >= c, each from 0 to 1/2. No point is off its centre by more
+//   than 1/2 in sum along the axes, so it is farthest or nearest at a corner of its octahedron. The point of the cell
+//   itself is not farther than (a + 1/2, b, c), and that of the next cell along the first axis not farther than
+//   (3/2 - a, b, c). Outside of the neighbours no point is nearer than (3/2 - a, b, c). This holds in every metric here.
+//
+// The third is not farther than (a, 3/2 - b, c). To have it, the cells two steps away on the side of the place, along
+// the axis with a, are enough. What is beyond two steps along another axis is not nearer than that.
+//
+// On the square a coordinate has the variance of one that is anywhere in a cell, 1/12. On the octahedron it has half of
+// that, so in space the lattice shows a little (docs/cellular.md).
+//
+// Cells are visited by threes, in rows along an axis, and their numbers are vectors: so the text stays short, and
+// compilers take less time. Offsets are numbers like those of arithmetic.glsl. Where they are floats, they are in units
+// of half a cell: then a direction needs no factor. In HN_FIXED they are in units of 2^-20 of a cell.
+//
+//   hn_i_jitter(j)            the jitter, from 0 to 1; in HN_FIXED in units of 2^-20
+//   HN_I_NO_OFFSET            0 as an offset
+//   hn_i_inner(f)             the offset of a fraction from the centre of its cell
+//   hn_i_beside(d, n)         that offset from the centre of the n-th cell after it
+//   hn_i_three(a, b, c)       a vector of three numbers
+//   hn_i_past_points(d, a, j)  the offsets of a place from three points, along an axis: d are those from the centres of
+//                             their cells, and a the directions
+//   hn_i_toward(d)            the opposite of an offset as a float, in cells; it is not -0
+//   hn_i_sum(a, b), hn_i_gaps(a, b)  of ranks a + b, and of three a - b
+//   hn_i_hybrids(q, m)        ranks of the hybrid metric, from squares and sums of sizes
+//   hn_i_distance(r, metric)  the distance of a rank
+//   hn_i_far_away(), hn_i_no_weight()  before the first point: the largest ranks, and a weight of 0
+//   hn_i_apart(a, b)          a - b of offsets; in HN_FIXED in units of 2^-19, rounded down
+//   hn_i_border_ranks(n, q)   what borders are compared by: n are differences of two squares, and q squares. They grow
+//                             with n / sqrt(q)
+//   hn_i_border_distance(r)   the distance to a border, from that
+//   hn_i_closeness(q)         the weight of a point for hn_cellular_smooth, from a square: (1 - distance)^4 up to 1
+//   hn_i_smooth_distance(w)   the smooth distance, from the sum of the weights: 1 - (w + 1/4096)^(1/4)
+
+// A code is the number of a cell beside the middle one, from -1 to 1 along x, y and z.
+HN_FN hn_int hn_i_code(hn_int x, hn_int y) { return x + 4 * y + 5; }
+HN_FN hn_int hn_i_code(hn_int x, hn_int y, hn_int z) { return x + 4 * y + 16 * z + 21; }
+HN_FN hn_int hn_i_x_of(hn_int code) { return (code & 3) - 1; }
+HN_FN hn_int hn_i_y_of(hn_int code) { return ((code >> 2) & 3) - 1; }
+HN_FN hn_int hn_i_z_of(hn_int code) { return (code >> 4) - 1; }
+#define HN_I_NO_CODE 64
+
+// What belongs to the cell at n, which is -1, 0 or 1.
+HN_FN hn_uint hn_i_of_three(hn_uvec3 v, hn_int n) { return hn_i_select(n < 0, v.x, hn_i_select(n > 0, v.z, v.y)); }
+
+#if HN_ARITHMETIC != HN_FIXED
+
+#define HN_I_NO_OFFSET 0.0f
+
+HN_FN hn_float hn_i_jitter(hn_float jitter) { return hn_i_inside(min(max(jitter, 0.0f), 1.0f)); }
+HN_FN hn_float hn_i_inner(hn_float f) { return hn_i_times_plus(f, 2.0f, -1.0f); }
+HN_FN hn_float hn_i_beside(hn_float d, hn_int n) { return hn_i_minus(d, hn_i_float(n) * 2.0f); }
+HN_FN hn_vec3 hn_i_three(hn_float a, hn_float b, hn_float c) { return vec3(a, b, c); }
+HN_FN hn_vec3 hn_i_past_points(hn_vec3 d, hn_vec3 a, hn_float jitter) {
+  HN_I_PRECISE hn_vec3 n = d - a * jitter;
+  return n;
+}
+HN_FN hn_float hn_i_toward(hn_float d) { return hn_i_select(d == 0.0f, 0.0f, d * -0.5f); }
+
+HN_FN hn_vec3 hn_i_apart(hn_vec3 a, hn_float b) {
+  HN_I_PRECISE hn_vec3 n = a - b;
+  return n;
+}
+HN_FN hn_float hn_i_sum(hn_float a, hn_float b) { return hn_i_plus(a, b); }
+HN_FN hn_vec3 hn_i_sum(hn_vec3 a, hn_vec3 b) {
+  HN_I_PRECISE hn_vec3 n = a + b;
+  return n;
+}
+HN_FN hn_vec3 hn_i_gaps(hn_vec3 a, hn_float b) { return hn_i_apart(a, b); }
+HN_FN hn_float hn_i_rank_of_code(hn_int code) { return hn_i_float(code); }
+HN_FN hn_float hn_i_no_weight() { return 0.0f; }
+HN_FN hn_vec4 hn_i_far_away() { return vec4(65536.0f, 65536.0f, 65536.0f, 0.0f); }
+HN_FN hn_vec4 hn_i_ranks(hn_float x, hn_float y, hn_float z, hn_float w) { return vec4(x, y, z, w); }
+HN_FN hn_vec3 hn_i_ranks(hn_float x, hn_float y, hn_float z) { return vec3(x, y, z); }
+
+HN_FN hn_vec3 hn_i_hybrids(hn_vec3 squares, hn_vec3 sums) { return hn_i_times_plus(squares, 0.5f, sums); }
+HN_FN hn_float hn_i_distance(hn_float rank, hn_int metric) {
+  if (metric == HN_METRIC_SQUARED) return rank * 0.25f;
+  if (metric == HN_METRIC_MANHATTAN || metric == HN_METRIC_CHEBYSHEV || metric == HN_METRIC_HYBRID) return rank * 0.5f;
+  return hn_i_root(rank) * 0.5f;
+}
+
+// A square root at the end is cheaper than one for each point. But one of HN_PRECISE costs less than a division.
+#if HN_ARITHMETIC == HN_FAST
+HN_FN hn_vec3 hn_i_border_ranks(hn_vec3 gaps, hn_vec3 apart) { return gaps * gaps / apart; }
+HN_FN hn_float hn_i_border_distance(hn_float rank) { return sqrt(rank) * 0.25f; }
+#else
+HN_FN hn_vec3 hn_i_border_ranks(hn_vec3 gaps, hn_vec3 apart) {
+  return vec3(hn_i_over_root(gaps.x, apart.x), hn_i_over_root(gaps.y, apart.y), hn_i_over_root(gaps.z, apart.z));
+}
+HN_FN hn_float hn_i_border_distance(hn_float rank) { return rank * 0.25f; }
+#endif
+
+HN_FN hn_float hn_i_closeness(hn_float square) {
+  HN_I_PRECISE hn_float t = max(1.0f - hn_i_root(square) * 0.5f, 0.0f);
+  HN_I_PRECISE hn_float q = t * t;
+  HN_I_PRECISE hn_float w = q * q;
+  return w;
+}
+HN_FN hn_float hn_i_smooth_distance(hn_float weights) {
+  return hn_i_minus(1.0f, hn_i_root(hn_i_root(hn_i_plus(weights, 1.0f / 4096.0f))));
+}
+
+#else
+
+#define HN_I_NO_OFFSET 0
+
+HN_FN hn_int hn_i_jitter(hn_float jitter) { return int(min(max(jitter, 0.0f), 1.0f) * 1048576.0f); }
+HN_FN hn_int hn_i_inner(hn_int f) { return f - 524288; }
+HN_FN hn_int hn_i_beside(hn_int d, hn_int n) { return d - n * 1048576; }
+
+HN_FN hn_ivec3 hn_i_three(hn_int a, hn_int b, hn_int c) { return ivec3(a, b, c); }
+
+// A direction is in units of 2^-9, of half a cell.
+HN_FN hn_ivec3 hn_i_past_points(hn_ivec3 d, hn_ivec3 a, hn_int jitter) { return d - ((a * jitter) >> 10); }
+HN_FN hn_float hn_i_toward(hn_int d) { return hn_i_float(-d) * (1.0f / 1048576.0f); }
+
+HN_FN hn_ivec3 hn_i_apart(hn_ivec3 a, hn_int b) { return (a - b) >> 1; }
+HN_FN hn_uint hn_i_sum(hn_uint a, hn_uint b) { return a + b; }
+HN_FN hn_uvec3 hn_i_sum(hn_uvec3 a, hn_uvec3 b) { return a + b; }
+HN_FN hn_uvec3 hn_i_gaps(hn_uvec3 a, hn_uint b) { return a - b; }
+HN_FN hn_uint hn_i_rank_of_code(hn_int code) { return uint(code); }
+HN_FN hn_uint hn_i_no_weight() { return 0u; }
+HN_FN hn_uvec4 hn_i_far_away() { return uvec4(0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0u); }
+HN_FN hn_uvec4 hn_i_ranks(hn_uint x, hn_uint y, hn_uint z, hn_uint w) { return uvec4(x, y, z, w); }
+HN_FN hn_uvec3 hn_i_ranks(hn_uint x, hn_uint y, hn_uint z) { return uvec3(x, y, z); }
+
+// Squares are in units of 2^-28, and the ranks of the other metrics in units of 2^-20.
+HN_FN hn_uvec3 hn_i_hybrids(hn_uvec3 squares, hn_uvec3 sums) { return (squares >> 8u) + sums; }
+HN_FN hn_float hn_i_distance(hn_uint rank, hn_int metric) {
+  if (metric == HN_METRIC_SQUARED) return hn_i_float(rank >> 8u) * (1.0f / 1048576.0f);
+  if (metric == HN_METRIC_MANHATTAN || metric == HN_METRIC_CHEBYSHEV || metric == HN_METRIC_HYBRID) {
+    return hn_i_float(rank) * (1.0f / 1048576.0f);
+  }
+  return hn_i_float(hn_i_root(rank)) * (1.0f / 262144.0f);
+}
+HN_FN hn_uvec3 hn_i_border_ranks(hn_uvec3 gaps, hn_uvec3 apart) {
+  return uvec3(hn_i_over_root(gaps.x, apart.x), hn_i_over_root(gaps.y, apart.y), hn_i_over_root(gaps.z, apart.z));
+}
+HN_FN hn_float hn_i_border_distance(hn_uint rank) { return hn_i_float(rank) * (1.0f / 65536.0f); }
+
+// Weights are in units of 2^-30. They are made of 1 - distance in units of 2^-16, below 1, so that its square fits.
+HN_FN hn_uint hn_i_closeness(hn_uint square) {
+  hn_uint t = min((262144u - min(hn_i_root(square), 262144u)) >> 2u, 65535u);
+  hn_uint q = (t * t) >> 16u;
+  return (q * q) >> 2u;
+}
+
+// 262144 is 2^-12. The first root is in units of 2^-19, and so is the second.
+HN_FN hn_float hn_i_smooth_distance(hn_uint weights) {
+  hn_uint root = hn_i_root(hn_i_root(weights + 262144u) << 11u);
+  return hn_i_float(524288 - int(root)) * (1.0f / 524288.0f);
+}
+
+#endif
+
+// The number of the cell that is two steps on, on the side of a place with that offset from the centre of its cell.
+HN_FN hn_int hn_i_two(hn_num d) { return hn_i_choice(d > HN_I_NO_OFFSET, 2, -2); }
+
+// The offsets from the centres of a cell and of those beside it, along an axis; and three times the same offset,
+// or the same word.
+HN_FN hn_num3 hn_i_row(hn_num d) { return hn_i_three(hn_i_beside(d, -1), d, hn_i_beside(d, 1)); }
+HN_FN hn_num3 hn_i_thrice(hn_num d) { return hn_i_three(d, d, d); }
+HN_FN hn_uvec3 hn_i_thrice(hn_uint word) { return uvec3(word, word, word); }
+
+// The words of three cells in a row, from what their coordinates add to the joins of a word, and what the rest adds.
+HN_FN hn_uvec3 hn_i_row_words(hn_uvec3 joins, hn_uvec3 odds, hn_uint join, hn_uint odd) {
+  joins = hn_i_xor(joins, join);
+  return uvec3(hn_i_hash(joins.x), hn_i_hash(joins.y), hn_i_hash(joins.z)) * (odds + odd);
+}
+
+// The three smallest ranks so far and the code of the smallest, with one more. Of equal ranks the first stays.
+HN_FN hn_rank4 hn_i_visited(hn_rank4 best, hn_rank rank, hn_int code) {
+  return hn_i_ranks(min(best.x, rank), min(best.y, max(best.x, rank)), min(best.z, max(best.y, rank)),
+                    hn_i_select(rank < best.x, hn_i_rank_of_code(code), best.w));
+}
+
+// The same with those of a row. `code` is that of the cell in the middle, and the others are a step from it.
+HN_FN hn_rank4 hn_i_visited(hn_rank4 best, hn_rank3 ranks, hn_int code, hn_int step) {
+  best = hn_i_visited(best, ranks.x, code - step);
+  best = hn_i_visited(best, ranks.y, code);
+  return hn_i_visited(best, ranks.z, code + step);
+}
+
+// The smallest border rank so far, with those of a row, but for the cell that has the nearest point.
+HN_FN hn_rank hn_i_nearest_border(hn_rank best, hn_rank3 gaps, hn_rank3 apart, hn_int code, hn_int step, hn_rank own) {
+  hn_rank large = hn_i_far_away().x;
+  hn_rank before = hn_i_rank_of_code(code - step);
+  hn_rank middle = hn_i_rank_of_code(code);
+  hn_rank after = hn_i_rank_of_code(code + step);
+  hn_rank3 ranks = hn_i_border_ranks(
+      gaps, hn_i_ranks(hn_i_select(before == own, large, apart.x), hn_i_select(middle == own, large, apart.y),
+                       hn_i_select(after == own, large, apart.z)));
+  return min(min(best, hn_i_select(before == own, large, ranks.x)),
+             min(hn_i_select(middle == own, large, ranks.y), hn_i_select(after == own, large, ranks.z)));
+}
+
+// The sum of weights so far, with those of a row.
+HN_FN hn_rank hn_i_weighed(hn_rank sum, hn_rank3 squares) {
+  return hn_i_sum(hn_i_sum(sum, hn_i_closeness(squares.x)),
+                  hn_i_sum(hn_i_closeness(squares.y), hn_i_closeness(squares.z)));
+}
+
+// The distances of the two smallest ranks.
+HN_FN hn_vec2 hn_i_two_distances(hn_rank4 best, hn_int metric) {
+  return vec2(hn_i_distance(best.x, metric), hn_i_distance(best.y, metric));
+}
+
+#endif

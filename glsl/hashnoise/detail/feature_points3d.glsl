@@ -1,0 +1,246 @@
+// hashnoise: the feature points around a place in space.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_FEATURE_POINTS3D_GLSL
+#define HN_FEATURE_POINTS3D_GLSL
+
+#include "feature_points.glsl"
+
+HN_FN hn_num3 hn_i_inner(hn_num3 f) { return hn_i_num(hn_i_inner(f.x), hn_i_inner(f.y), hn_i_inner(f.z)); }
+
+// The directions of three words. Where they are floats, they are turned, as they come (direction.glsl): their components
+// are u = x + y, v = x - y and z. So are the offsets from points. In HN_FIXED u and v stand for x and y, in units of
+// 2^-9.
+//
+//   hn_i_turned_u(x, y), hn_i_turned_v(x, y)  such components of offsets
+//   hn_i_squares, hn_i_manhattans, hn_i_chebyshevs  of such offsets: squares, sums of sizes, and largest sizes
+//   hn_i_straight_offset(d)                   the offset of one that is turned
+#if HN_ARITHMETIC != HN_FIXED
+
+HN_FN hn_vec3 hn_i_points_u(hn_uvec3 words) { return hn_i_fields3p(words); }
+HN_FN hn_vec3 hn_i_points_v(hn_uvec3 words) { return hn_i_fields3q(words); }
+HN_FN hn_vec3 hn_i_points_z(hn_uvec3 words) {
+  HN_I_PRECISE hn_vec3 m = vec3(1.0f, 1.0f, 1.0f) - max(abs(hn_i_fields3p(words)), abs(hn_i_fields3q(words)));
+  return hn_i_signed(m, words);
+}
+HN_FN hn_vec3 hn_i_turned_u(hn_vec3 x, hn_vec3 y) { return hn_i_sum(x, y); }
+HN_FN hn_vec3 hn_i_turned_v(hn_vec3 x, hn_vec3 y) {
+  HN_I_PRECISE hn_vec3 v = x - y;
+  return v;
+}
+HN_FN hn_vec3 hn_i_squares(hn_vec3 u, hn_vec3 v, hn_vec3 z) {
+  HN_I_PRECISE hn_vec3 q = (u * u + v * v) * 0.5f + z * z;
+  return q;
+}
+HN_FN hn_vec3 hn_i_manhattans(hn_vec3 u, hn_vec3 v, hn_vec3 z) { return hn_i_sum(max(abs(u), abs(v)), abs(z)); }
+HN_FN hn_vec3 hn_i_chebyshevs(hn_vec3 u, hn_vec3 v, hn_vec3 z) {
+  HN_I_PRECISE hn_vec3 m = (abs(u) + abs(v)) * 0.5f;
+  return max(m, abs(z));
+}
+HN_FN hn_vec3 hn_i_straight_offset(hn_vec3 d) {
+  return vec3(hn_i_times(hn_i_plus(d.x, d.y), 0.5f), hn_i_times(hn_i_minus(d.x, d.y), 0.5f), d.z);
+}
+
+#else
+
+// A direction in space comes in units of 2^-8.
+HN_FN hn_ivec3 hn_i_points_p(hn_uvec3 words) { return ivec3(hn_i_and(words >> 22u, 510u)) - 255; }
+HN_FN hn_ivec3 hn_i_points_q(hn_uvec3 words) { return ivec3(hn_i_and(words >> 14u, 510u)) - 255; }
+HN_FN hn_ivec3 hn_i_points_u(hn_uvec3 words) { return hn_i_points_p(words) + hn_i_points_q(words); }
+HN_FN hn_ivec3 hn_i_points_v(hn_uvec3 words) { return hn_i_points_p(words) - hn_i_points_q(words); }
+HN_FN hn_ivec3 hn_i_points_z(hn_uvec3 words) {
+  hn_uvec3 larger = max(hn_i_sizes(hn_i_points_p(words)), hn_i_sizes(hn_i_points_q(words)));
+  return hn_i_signed((ivec3(256, 256, 256) - ivec3(larger)) * 2, words);
+}
+
+// Just x and y: compilers drop the rest. A parameter that is not used is a warning, and one without a name an error in
+// Mesa.
+HN_FN hn_ivec3 hn_i_turned_u(hn_ivec3 x, hn_ivec3 y) { return x + y * 0; }
+HN_FN hn_ivec3 hn_i_turned_v(hn_ivec3 x, hn_ivec3 y) { return x * 0 + y; }
+HN_FN hn_uvec3 hn_i_manhattans(hn_ivec3 x, hn_ivec3 y, hn_ivec3 z) {
+  return hn_i_sizes(x) + hn_i_sizes(y) + hn_i_sizes(z);
+}
+HN_FN hn_uvec3 hn_i_chebyshevs(hn_ivec3 x, hn_ivec3 y, hn_ivec3 z) {
+  return max(max(hn_i_sizes(x), hn_i_sizes(y)), hn_i_sizes(z));
+}
+HN_FN hn_ivec3 hn_i_straight_offset(hn_ivec3 d) { return d; }
+
+#endif
+
+// The offsets of a place from the points of three cells, turned, from those from the centres of the cells.
+HN_FN hn_num3 hn_i_from_u(hn_uvec3 words, hn_num3 x, hn_num3 y, hn_num jitter) {
+  return hn_i_past_points(hn_i_turned_u(x, y), hn_i_points_u(words), jitter);
+}
+HN_FN hn_num3 hn_i_from_v(hn_uvec3 words, hn_num3 x, hn_num3 y, hn_num jitter) {
+  return hn_i_past_points(hn_i_turned_v(x, y), hn_i_points_v(words), jitter);
+}
+HN_FN hn_num3 hn_i_from_z(hn_uvec3 words, hn_num3 z, hn_num jitter) {
+  return hn_i_past_points(z, hn_i_points_z(words), jitter);
+}
+
+// The ranks of the distances to these points.
+HN_FN hn_rank3 hn_i_ranks(hn_uvec3 words, hn_num3 x, hn_num3 y, hn_num3 z, hn_num jitter, hn_int metric) {
+  hn_num3 u = hn_i_from_u(words, x, y, jitter);
+  hn_num3 v = hn_i_from_v(words, x, y, jitter);
+  hn_num3 w = hn_i_from_z(words, z, jitter);
+  if (metric == HN_METRIC_MANHATTAN) return hn_i_manhattans(u, v, w);
+  if (metric == HN_METRIC_CHEBYSHEV) return hn_i_chebyshevs(u, v, w);
+  if (metric == HN_METRIC_HYBRID) return hn_i_hybrids(hn_i_squares(u, v, w), hn_i_manhattans(u, v, w));
+  return hn_i_squares(u, v, w);
+}
+
+// Along each axis b where the place is on that side of the centre, else a.
+HN_FN hn_uvec3 hn_i_ahead(hn_num3 d, hn_uvec3 a, hn_uvec3 b) {
+  return uvec3(hn_i_select(d.x > HN_I_NO_OFFSET, b.x, a.x), hn_i_select(d.y > HN_I_NO_OFFSET, b.y, a.y),
+               hn_i_select(d.z > HN_I_NO_OFFSET, b.z, a.z));
+}
+
+// The spread coordinates of a block along an axis.
+HN_FN hn_uvec3 hn_i_along_x(hn_i_block3 block) { return uvec3(block.before.x, block.cell.x, block.after.x); }
+HN_FN hn_uvec3 hn_i_along_y(hn_i_block3 block) { return uvec3(block.before.y, block.cell.y, block.after.y); }
+HN_FN hn_uvec3 hn_i_along_z(hn_i_block3 block) { return uvec3(block.before.z, block.cell.z, block.after.z); }
+
+// The spread coordinates of the cell that is two steps on along all axes, on the side of the place.
+HN_FN hn_uvec3 hn_i_two_steps(hn_place3 place, hn_i_block3 block, hn_num3 d) {
+  hn_uvec3 two;
+  if (place.tiled) {
+    hn_uvec3 c = hn_i_wrap(place.cell, place.period);
+    two = hn_i_spread(hn_i_ahead(d, hn_i_before(hn_i_before(c, place.period), place.period),
+                                 hn_i_after(hn_i_after(c, place.period), place.period)));
+  } else {
+    two = hn_i_ahead(d, hn_i_before(block.before), hn_i_last(block.after));
+  }
+  return two;
+}
+
+// What the cells around a place add along one axis to the joins of a word, and what one cell adds with the mixed seed.
+HN_FN hn_uvec3 hn_i_joins_x(hn_i_block3 block) {
+  hn_uvec3 x = hn_i_along_x(block);
+  return x ^ (x >> 18u);
+}
+HN_FN hn_uvec3 hn_i_joins_y(hn_i_block3 block) {
+  hn_uvec3 y = hn_i_along_y(block);
+  return y ^ (y >> 17u);
+}
+HN_FN hn_uvec3 hn_i_joins_z(hn_i_block3 block) {
+  hn_uvec3 z = hn_i_along_z(block);
+  return z ^ (z >> 19u);
+}
+
+// The three smallest ranks so far and the code of the smallest, with those of nine cells in a slab across z: x and y
+// are the offsets of the place from their centres along these axes, and z is that along z. `join` and `odd` are what z
+// and the seed add to the joins of a word. `code` is that of the cell in the middle.
+HN_FN hn_rank4 hn_i_visit_slab(hn_rank4 best, hn_i_block3 block, hn_uint join, hn_uint odd, hn_num3 x, hn_num3 y,
+                               hn_num z, hn_num jitter, hn_int metric, hn_int code) {
+  hn_uvec3 joins = hn_i_joins_x(block);
+  hn_uvec3 odds = hn_i_along_x(block) * 2u;
+  hn_uvec3 rows = hn_i_xor(hn_i_joins_y(block), join);
+  hn_uvec3 row_odds = hn_i_along_y(block) * 2u + odd;
+  hn_num3 across = hn_i_thrice(z);
+  best = hn_i_visited(
+      best, hn_i_ranks(hn_i_row_words(joins, odds, rows.x, row_odds.x), x, hn_i_thrice(y.x), across, jitter, metric),
+      code - 4, 1);
+  best = hn_i_visited(
+      best, hn_i_ranks(hn_i_row_words(joins, odds, rows.y, row_odds.y), x, hn_i_thrice(y.y), across, jitter, metric),
+      code, 1);
+  return hn_i_visited(
+      best, hn_i_ranks(hn_i_row_words(joins, odds, rows.z, row_odds.z), x, hn_i_thrice(y.z), across, jitter, metric),
+      code + 4, 1);
+}
+
+// The three smallest ranks of the points of a cell and its neighbours, and the code of the nearest one's cell. d is the
+// offset of the place from the centre of the cell. With a loop over z a shader compiles in about 0.6 of the time. But
+// llvmpipe does not unroll it, and then takes 1.6 times as long.
+HN_FN hn_rank4 hn_i_nearest(hn_i_block3 block, hn_num3 d, hn_num jitter, hn_int metric, hn_uint seed) {
+  hn_uint s = hn_i_mix(seed);
+  hn_num3 x = hn_i_row(d.x);
+  hn_num3 y = hn_i_row(d.y);
+  hn_num3 z = hn_i_row(d.z);
+  hn_uvec3 joins = hn_i_xor(hn_i_joins_z(block), s);
+  hn_rank4 best = hn_i_visit_slab(hn_i_far_away(), block, joins.x, hn_i_odd(block.before.z + s), x, y, z.x, jitter,
+                                  metric, hn_i_code(0, 0, -1));
+  best =
+      hn_i_visit_slab(best, block, joins.y, hn_i_odd(block.cell.z + s), x, y, z.y, jitter, metric, hn_i_code(0, 0, 0));
+  return hn_i_visit_slab(best, block, joins.z, hn_i_odd(block.after.z + s), x, y, z.z, jitter, metric,
+                         hn_i_code(0, 0, 1));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// A slab across any axis: 0 for x, 1 for y and 2 for z. Its rows run along x, but along y across x; they follow each
+// other along y, but across y and x along z. `at` is the spread coordinate along the axis.
+
+HN_FN hn_uvec3 hn_i_if_axis(hn_int axis, hn_int which, hn_uvec3 a, hn_uvec3 b) {
+  return uvec3(hn_i_select(axis == which, a.x, b.x), hn_i_select(axis == which, a.y, b.y),
+               hn_i_select(axis == which, a.z, b.z));
+}
+HN_FN hn_num3 hn_i_if_axis(hn_int axis, hn_int which, hn_num3 a, hn_num3 b) {
+  return hn_i_num(hn_i_select(axis == which, a.x, b.x), hn_i_select(axis == which, a.y, b.y),
+                  hn_i_select(axis == which, a.z, b.z));
+}
+HN_FN hn_uint hn_i_along(hn_int axis, hn_uvec3 v) {
+  return hn_i_select(axis == 0, v.x, hn_i_select(axis == 1, v.y, v.z));
+}
+
+// How many steps it is to the slab beside the block, on the side of the place.
+HN_FN hn_int hn_i_two_along(hn_int axis, hn_num3 d) {
+  return hn_i_select(axis == 0, hn_i_two(d.x), hn_i_select(axis == 1, hn_i_two(d.y), hn_i_two(d.z)));
+}
+
+// The words of its row n, which is -1, 0 or 1.
+HN_FN hn_uvec3 hn_i_slab_words(hn_i_block3 block, hn_int axis, hn_uint at, hn_int n, hn_uint seed) {
+  hn_uint s = hn_i_mix(seed);
+  hn_uvec3 x = hn_i_joins_x(block);
+  hn_uvec3 y = hn_i_joins_y(block);
+  hn_uvec3 z = hn_i_joins_z(block);
+  hn_uvec3 row = hn_i_if_axis(axis, 0, hn_i_along_y(block), hn_i_along_x(block));
+  hn_uint next = hn_i_of_three(hn_i_if_axis(axis, 2, hn_i_along_y(block), hn_i_along_z(block)), n);
+  return hn_i_row_words(
+      hn_i_if_axis(axis, 0, y, x), row * 2u,
+      hn_i_of_three(hn_i_if_axis(axis, 2, y, z), n) ^ hn_i_along(axis, hn_i_fold(uvec3(at, at, at))) ^ s,
+      hn_i_odd(next + at + s));
+}
+
+// The offsets of the place from the centres of the cells of that row, along each axis; the slab is some steps on.
+HN_FN hn_num3 hn_i_slab_x(hn_num3 d, hn_int axis, hn_int steps) {
+  return hn_i_if_axis(axis, 0, hn_i_thrice(hn_i_beside(d.x, steps)), hn_i_row(d.x));
+}
+HN_FN hn_num3 hn_i_slab_y(hn_num3 d, hn_int axis, hn_int steps, hn_int n) {
+  return hn_i_if_axis(axis, 0, hn_i_row(d.y), hn_i_thrice(hn_i_beside(d.y, hn_i_select(axis == 1, steps, n))));
+}
+HN_FN hn_num3 hn_i_slab_z(hn_num3 d, hn_int axis, hn_int steps, hn_int n) {
+  return hn_i_thrice(hn_i_beside(d.z, hn_i_select(axis == 2, steps, n)));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+// The offset of the place from the point of the cell with that code, turned.
+HN_FN hn_num3 hn_i_from_nearest(hn_i_block3 block, hn_num3 d, hn_num jitter, hn_uint seed, hn_rank code) {
+  hn_int x = hn_i_x_of(int(code));
+  hn_int y = hn_i_y_of(int(code));
+  hn_int z = hn_i_z_of(int(code));
+  hn_uint s = hn_i_mix(seed);
+  hn_uint word = hn_i_word(uvec3(hn_i_of_three(hn_i_along_x(block), x), hn_i_of_three(hn_i_along_y(block), y),
+                                 hn_i_of_three(hn_i_along_z(block), z)),
+                           s, s);
+  hn_uvec3 words = hn_i_thrice(word);
+  hn_num3 beside_x = hn_i_thrice(hn_i_beside(d.x, x));
+  hn_num3 beside_y = hn_i_thrice(hn_i_beside(d.y, y));
+  return hn_i_num(hn_i_from_u(words, beside_x, beside_y, jitter).x, hn_i_from_v(words, beside_x, beside_y, jitter).x,
+                  hn_i_from_z(words, hn_i_thrice(hn_i_beside(d.z, z)), jitter).x);
+}
+
+// The cell with that code, modulo the period.
+HN_FN hn_ivec3 hn_i_cell_of(hn_place3 place, hn_rank code) {
+  hn_uvec3 c = hn_i_wrap(place.cell, place.period);
+  hn_uvec3 before = hn_i_before(c, place.period);
+  hn_uvec3 after = hn_i_after(c, place.period);
+  return ivec3(int(hn_i_of_three(uvec3(before.x, c.x, after.x), hn_i_x_of(int(code)))),
+               int(hn_i_of_three(uvec3(before.y, c.y, after.y), hn_i_y_of(int(code)))),
+               int(hn_i_of_three(uvec3(before.z, c.z, after.z), hn_i_z_of(int(code)))));
+}
+HN_FN hn_vec3 hn_i_toward(hn_num3 from) {
+  hn_num3 d = hn_i_straight_offset(from);
+  return vec3(hn_i_toward(d.x), hn_i_toward(d.y), hn_i_toward(d.z));
+}
+
+#endif

@@ -1,0 +1,347 @@
+// hashnoise: what octave sums have in common.
+// SPDX-License-Identifier: MIT
+//
+// A sum is a weighted mean of its octaves, or of what it makes of them; octave i weighs gain^i. Each octave has a seed
+// of its own, 2^32 divided by the golden ratio further, so that octaves of nearby seeds do not coincide either. Each
+// is shifted, so that the lattice points, where the noise is 0, do not fall together at the origin. And each is turned,
+// so that the axes do not add up: by arctan(4/5) in the plane of x and y, and in space then by arctan(13/29) in that of
+// y and z; in 4D a third is in that of z and w. The numbers of the turns are 32nds, with which a position loses few
+// bits; so they also stretch a little, by 1.0005 and 0.9931.
+//
+// octaves1d.glsl to octaves4d.glsl have the places of octaves, one after another, and jacobian.glsl what sums with slopes
+// and with shifts need as well.
+
+#ifndef HN_OCTAVE_GLSL
+#define HN_OCTAVE_GLSL
+
+#include "../place.glsl"
+
+// A sum under way. With HN_FIXED sums are in units of 2^-21, and weights in units of 2^-18.
+struct hn_i_octave_sum {
+  hn_num value;
+  hn_num weight;     // of the octave
+  hn_num carried;    // what a ridge or a height leaves of the next octave
+  hn_num gain;
+  hn_num part;       // of the last octave, that counts
+  hn_num footprint;  // in cells of the octave; with HN_FIXED in units of 2^-24
+  hn_int octaves;
+  hn_int at;         // the number of the octave, from 0
+};
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Values and weights.
+
+#if HN_ARITHMETIC == HN_FIXED
+
+#define HN_I_WEIGHT_ONE 262144
+#define HN_I_NO_WEIGHT 0
+#define HN_I_MOST_DETAIL 32.0f
+
+// A setting in [0, most], in the units of weights.
+HN_FN hn_int hn_i_setting(hn_float x, hn_float most) { return int(min(max(x, 0.0f), most) * 262144.0f); }
+HN_FN hn_int hn_i_gain(hn_float gain) { return hn_i_setting(gain, 1.0f); }
+HN_FN hn_int hn_i_octaves(hn_int octaves) { return min(octaves, 32); }
+
+// The product of two numbers in [0, 1].
+HN_FN hn_int hn_i_weighed(hn_int a, hn_int b) { return ((a >> 9) * b + (((a & 511) * b) >> 9)) >> 9; }
+
+// sum + n * weight
+HN_FN hn_int hn_i_summed(hn_int sum, hn_int n, hn_int weight) {
+  return sum + ((n * (weight >> 9) + (n >> 9) * (weight & 511)) >> 9);
+}
+
+// The noise of an octave as it is, and in [-1, 1]. (That of HN_GRADIENT_SINE reaches 3/2 in space.)
+HN_FN hn_int hn_i_octave(hn_float n) { return int(min(max(n, -1.5f), 1.5f) * 2097152.0f); }
+HN_FN hn_int hn_i_bounded_octave(hn_float n) { return int(min(max(n, -1.0f), 1.0f) * 2097152.0f); }
+
+// 1 - abs(n), in the units of weights; and a number in these units as a value.
+HN_FN hn_int hn_i_ridge(hn_int n) { return (2097152 - hn_i_size(n)) >> 3; }
+HN_FN hn_int hn_i_of_weight(hn_int weight) { return weight << 3; }
+
+// (1 + n) / 2, in the units of weights.
+HN_FN hn_int hn_i_height(hn_int n) { return (2097152 + n) >> 4; }
+
+// A wave between -1 and 1: up and down again along two units of (n + 1) * strength. These are in units of 2^-30, and a
+// word holds them modulo 4.
+HN_FN hn_int hn_i_folds(hn_int n, hn_int strength) {
+  hn_uint u = uint(n + 2097152);
+  hn_uint s = uint(strength);
+  hn_uint t = (u * (s >> 9u) + ((u * (s & 511u)) >> 9u)) & 0x7FFFFFFFu;
+  return int(min(t, 0x80000000u - t) >> 8u) - 2097152;
+}
+
+// 1 - strength * (1 - n) / 2
+HN_FN hn_int hn_i_bent(hn_int n, hn_int strength) {
+  return HN_I_WEIGHT_ONE - hn_i_weighed((2097152 - n) >> 4, strength);
+}
+
+// The total of the weights. Of the last octave a part counts. (gain * total + 1 would round in another way than the
+// weights do, so these are added one by one.)
+HN_FN hn_int hn_i_total(hn_int octaves, hn_int gain, hn_int part) {
+  hn_int total = 0;
+  hn_int weight = HN_I_WEIGHT_ONE;
+  for (hn_int i = 1; i < octaves; ++i) {
+    total += weight;
+    weight = hn_i_weighed(weight, gain);
+  }
+  return total + hn_i_weighed(weight, part);
+}
+
+// sum * 2^18 / total, cut off towards 0, by long division: the whole part, then 9 bits, then 9 more. A rest of 23 bits
+// leaves room for only 9 bits at a time.
+HN_FN hn_int hn_i_mean(hn_int sum, hn_int total) {
+  hn_uint divisor = uint(total);
+  hn_uint rest = uint(hn_i_size(sum));
+  hn_uint quotient = rest / divisor;
+  rest -= quotient * divisor;
+  for (hn_int i = 0; i < 2; ++i) {
+    rest <<= 9u;
+    hn_uint digits = rest / divisor;
+    rest -= digits * divisor;
+    quotient = (quotient << 9u) | digits;
+  }
+  return hn_i_select(sum < 0, -int(quotient), int(quotient));
+}
+
+// A sky of an fBm: it is clear below -1/8 and dense above 3/8, with a smooth step between. The density is
+// 1/2 + c (3/2 - 2 c^2) with c = 2 fbm - 1/4, clamped to [-1/2, 1/2], in units of 2^-16.
+HN_FN hn_int hn_i_density(hn_int fbm) {
+  hn_int c = (min(max(2 * fbm + 524288, 0), 2097152) - 1048576) >> 5;
+  return 1048576 + ((c * int((0xC0000000u - uint(c * c)) >> 16u)) >> 10);
+}
+
+HN_FN hn_int hn_i_billows(hn_int turbulence) { return 2 * turbulence - 2097152; }
+
+#else
+
+#define HN_I_WEIGHT_ONE 1.0f
+#define HN_I_NO_WEIGHT 0.0f
+#define HN_I_MOST_DETAIL 1048576.0f
+
+HN_FN hn_float hn_i_setting(hn_float x, hn_float most) { return min(max(x, 0.0f), most); }
+HN_FN hn_float hn_i_gain(hn_float gain) { return gain; }
+HN_FN hn_int hn_i_octaves(hn_int octaves) { return octaves; }
+HN_FN hn_float hn_i_weighed(hn_float a, hn_float b) { return hn_i_times(a, b); }
+HN_FN hn_float hn_i_summed(hn_float sum, hn_float n, hn_float weight) { return hn_i_times_plus(weight, n, sum); }
+
+HN_FN hn_float hn_i_octave(hn_float n) { return n; }
+HN_FN hn_float hn_i_bounded_octave(hn_float n) { return min(max(n, -1.0f), 1.0f); }
+HN_FN hn_float hn_i_ridge(hn_float n) { return hn_i_minus(1.0f, abs(n)); }
+HN_FN hn_float hn_i_of_weight(hn_float weight) { return weight; }
+HN_FN hn_float hn_i_height(hn_float n) { return hn_i_times_plus(0.5f, n, 0.5f); }
+
+HN_FN hn_float hn_i_folds(hn_float n, hn_float strength) {
+  HN_I_PRECISE hn_float t = (n + 1.0f) * strength;
+  HN_I_PRECISE hn_float folded = t - 2.0f * floor(t * 0.5f);
+  HN_I_PRECISE hn_float wave = 2.0f * min(folded, 2.0f - folded) - 1.0f;
+  return wave;
+}
+
+HN_FN hn_float hn_i_bent(hn_float n, hn_float strength) {
+  HN_I_PRECISE hn_float factor = 1.0f - strength * (0.5f - 0.5f * n);
+  return factor;
+}
+
+HN_FN hn_float hn_i_total(hn_int octaves, hn_float gain, hn_float part) {
+  hn_float total = part;
+  for (hn_int i = 1; i < octaves; ++i) total = hn_i_times_plus(gain, total, 1.0f);
+  return total;
+}
+
+HN_FN hn_float hn_i_mean(hn_float sum, hn_float total) { return hn_i_quotient(sum, total); }
+
+// A sky of an fBm: it is clear below -1/8 and dense above 3/8, with a smooth step between.
+HN_FN hn_float hn_i_density(hn_float fbm) {
+  return hn_i_smooth(min(max(hn_i_times_plus(2.0f, fbm, 0.25f), 0.0f), 1.0f));
+}
+
+HN_FN hn_float hn_i_billows(hn_float turbulence) { return min(hn_i_times_plus(2.0f, turbulence, -1.0f), 1.0f); }
+
+#endif
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Positions. Those of a sum from a cell are whole numbers with any arithmetic, since a float could not hold them far
+// out: along each axis x is the cell, and y the fraction in units of 2^-24. With HN_FIXED all positions are such.
+
+// How far an octave is shifted along each axis, in those units: 11/32, 19/32, 23/32 and 27/32 of its cells.
+#define HN_I_SHIFT_X 5767168
+#define HN_I_SHIFT_Y 9961472
+#define HN_I_SHIFT_Z 12058624
+#define HN_I_SHIFT_W 14155776
+
+// An axis of a place as such, and its fraction in the numbers of HN_ARITHMETIC again.
+#if HN_ARITHMETIC == HN_FIXED
+HN_FN hn_ivec2 hn_i_whole(hn_int cell, hn_int fraction, hn_int rest) {
+  hn_int units = fraction * 16 + rest;  // from -15 to 2^24
+  return ivec2(int(uint(cell) + uint(units >> 31)), units + ((units >> 31) & 16777216));
+}
+HN_FN hn_int hn_i_whole_fraction(hn_ivec2 x) { return x.y >> 4; }
+#else
+HN_FN hn_ivec2 hn_i_whole(hn_int cell, hn_float fraction, hn_int rest) {
+  return ivec2(cell, int(min(max(fraction, 0.0f), 1.0f) * 16777216.0f) + rest);
+}
+HN_FN hn_float hn_i_whole_fraction(hn_ivec2 x) { return hn_i_float(x.y) * (1.0f / 16777216.0f); }
+#endif
+
+// The high word of a product of two words. umulExtended is not in GLSL 1.30.
+HN_FN hn_uint hn_i_multiply_high(hn_uint a, hn_uint b) {
+  hn_uint a0 = a & 0xFFFFu;
+  hn_uint a1 = a >> 16u;
+  hn_uint b0 = b & 0xFFFFu;
+  hn_uint b1 = b >> 16u;
+  hn_uint middle = a1 * b0 + ((a0 * b0) >> 16u);
+  return a1 * b1 + (middle >> 16u) + ((a0 * b1 + (middle & 0xFFFFu)) >> 16u);
+}
+
+// A lacunarity in units of 2^-23, below 2^31; and one with which a tile stays a tile.
+HN_FN hn_uint hn_i_ratio(hn_float lacunarity) { return uint(min(max(lacunarity, 0.0f), 255.0f) * 8388608.0f); }
+HN_FN hn_float hn_i_lacunarity(hn_float lacunarity, bool tiled) {
+  hn_float ratio = lacunarity;
+  if (tiled) ratio = floor(min(max(lacunarity, 0.0f), 255.0f));
+  return ratio;
+}
+
+// Times a ratio. The product of the cell is exact, and that of the fraction loses what is below 2^-24. The rest and the
+// part together are at most 2^32 - 2.
+HN_FN hn_ivec2 hn_i_times_ratio(hn_ivec2 x, hn_uint ratio) {
+  if (ratio == 16777216u) return ivec2(int((uint(x.x) << 1u) + (uint(x.y) >> 23u)), (x.y << 1) & 16777215);
+  hn_uint low = uint(x.x) * ratio;
+  hn_uint high = hn_i_multiply_high(uint(x.x), ratio) - hn_i_select(x.x < 0, ratio, 0u);
+  hn_uint part = (hn_i_multiply_high(uint(x.y), ratio) << 9u) | ((uint(x.y) * ratio) >> 23u);
+  hn_uint rest = ((low & 8388607u) << 1u) + part;
+  return ivec2(int(((high << 9u) | (low >> 23u)) + (rest >> 24u)), int(rest & 16777215u));
+}
+
+// along / 32 * a + across / 32 * b, which are small numbers. The cell is taken apart, so that each product has 32 bits.
+HN_FN hn_ivec2 hn_i_rotated_axis(hn_ivec2 a, hn_ivec2 b, hn_int along, hn_int across) {
+  hn_int rest = along * a.y + across * b.y;
+  hn_int near = along * (a.x & 31) + across * (b.x & 31) + (rest >> 24);
+  hn_uint far = uint(along) * uint(a.x >> 5) + uint(across) * uint(b.x >> 5);
+  return ivec2(int(far + uint(near >> 5)), ((near & 31) << 19) | ((rest & 16777215) >> 5));
+}
+
+// Plus a shift in units of 2^-24.
+HN_FN hn_ivec2 hn_i_shifted(hn_ivec2 x, hn_int shift) {
+  hn_int rest = x.y + shift;
+  return ivec2(int(uint(x.x) + uint(rest >> 24)), rest & 16777215);
+}
+
+HN_FN hn_int hn_i_next_period(hn_int period, hn_float lacunarity) { return int(uint(period) * uint(lacunarity)); }
+
+#if HN_ARITHMETIC == HN_FIXED
+
+// A footprint, how much of an octave it leaves (all of it up to half a cell, nothing from one and a half on), and that
+// in cells of the next octave. It matters up to 2 cells.
+HN_FN hn_int hn_i_footprint(hn_float footprint) { return int(min(max(footprint, 0.0f), 2.0f) * 16777216.0f); }
+HN_FN hn_int hn_i_resolved(hn_int footprint) { return min(max(393216 - (footprint >> 6), 0), HN_I_WEIGHT_ONE); }
+HN_FN hn_int hn_i_next_footprint(hn_int footprint, hn_float lacunarity) {
+  hn_ivec2 next =
+      hn_i_times_ratio(ivec2(footprint >> 24, footprint & 16777215), max(hn_i_ratio(lacunarity), 8388608u));
+  return hn_i_select(next.x > 1, 33554432, (next.x << 24) + next.y);
+}
+
+#else
+
+HN_FN hn_float hn_i_footprint(hn_float footprint) { return footprint; }
+HN_FN hn_float hn_i_resolved(hn_float footprint) {
+  return min(max(hn_i_minus(1.5f, footprint), 0.0f), 1.0f);
+}
+HN_FN hn_float hn_i_next_footprint(hn_float footprint, hn_float lacunarity) {
+  return hn_i_times(footprint, max(lacunarity, 1.0f));
+}
+
+#endif
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The steps of sums.
+
+// Roundings of floats could take a mean of ends beyond the end.
+#if HN_ARITHMETIC == HN_FIXED
+HN_FN hn_int hn_i_bounded(hn_int mean) { return mean; }
+#else
+HN_FN hn_float hn_i_bounded(hn_float mean) { return min(max(mean, -1.0f), 1.0f); }
+#endif
+
+// A number of octaves that is no whole number: the octaves, and the part of the last one that counts. The first counts
+// as a whole. A detail below 2^-32 is none, since drivers may flush a subnormal one.
+HN_FN hn_int hn_i_whole_octaves(hn_float detail) {
+  return hn_i_select(detail < 1.0f / 4294967296.0f, 0, -int(floor(-min(max(detail, 0.0f), HN_I_MOST_DETAIL))));
+}
+HN_FN hn_num hn_i_last_part(hn_float detail, hn_int octaves) {
+  hn_float part = hn_i_minus(min(detail, HN_I_MOST_DETAIL), hn_i_float(octaves - 1));
+  return hn_i_setting(hn_i_select(octaves < 2, 1.0f, part), 1.0f);
+}
+
+HN_FN hn_i_octave_sum hn_i_no_octave(hn_int octaves, hn_float gain) {
+  HN_I_NEW(hn_i_octave_sum, s);
+  s.value = HN_I_NO_WEIGHT;
+  s.weight = HN_I_WEIGHT_ONE;
+  s.carried = HN_I_WEIGHT_ONE;
+  s.gain = hn_i_gain(gain);
+  s.part = HN_I_WEIGHT_ONE;
+  s.footprint = HN_I_NO_WEIGHT;
+  s.octaves = hn_i_octaves(octaves);
+  s.at = 0;
+  return s;
+}
+
+// A sum with an octave more, of which the noise is n.
+HN_FN hn_i_octave_sum hn_i_with(hn_i_octave_sum sum, hn_num n, hn_num weight) {
+  hn_i_octave_sum s = sum;
+  s.value = hn_i_summed(s.value, n, weight);
+  return s;
+}
+HN_FN hn_i_octave_sum hn_i_with_noise(hn_i_octave_sum s, hn_float n) { return hn_i_with(s, hn_i_octave(n), s.weight); }
+HN_FN hn_i_octave_sum hn_i_with_size(hn_i_octave_sum s, hn_float n) {
+  return hn_i_with(s, hn_i_size(hn_i_octave(n)), s.weight);
+}
+HN_FN hn_i_octave_sum hn_i_with_bounded_size(hn_i_octave_sum s, hn_float n) {
+  return hn_i_with(s, hn_i_size(hn_i_bounded_octave(n)), s.weight);
+}
+HN_FN hn_i_octave_sum hn_i_with_ridge(hn_i_octave_sum s, hn_float n) {
+  hn_num ridge = hn_i_ridge(hn_i_bounded_octave(n));
+  ridge = hn_i_weighed(hn_i_weighed(ridge, ridge), s.carried);
+  hn_i_octave_sum next = hn_i_with(s, hn_i_of_weight(ridge), s.weight);
+  next.carried = min(hn_i_plus(ridge, ridge), HN_I_WEIGHT_ONE);
+  return next;
+}
+HN_FN hn_i_octave_sum hn_i_with_height(hn_i_octave_sum s, hn_float n) {
+  hn_num height = hn_i_weighed(hn_i_height(hn_i_bounded_octave(n)), s.carried);
+  hn_i_octave_sum next = hn_i_with(s, hn_i_of_weight(height), s.weight);
+  next.carried = min(hn_i_plus(height, height), HN_I_WEIGHT_ONE);
+  return next;
+}
+HN_FN hn_i_octave_sum hn_i_with_wave(hn_i_octave_sum s, hn_float n, hn_float strength) {
+  return hn_i_with(s, hn_i_folds(hn_i_bounded_octave(n), hn_i_setting(strength, 64.0f)), s.weight);
+}
+HN_FN hn_i_octave_sum hn_i_with_bent(hn_i_octave_sum s, hn_float n, hn_float strength) {
+  hn_num value = hn_i_bounded_octave(n);
+  hn_i_octave_sum next = hn_i_with(s, value, s.weight);
+  next.weight = hn_i_weighed(s.weight, hn_i_bent(value, hn_i_setting(strength, 1.0f)));
+  return next;
+}
+
+// Of the last octave a part counts.
+HN_FN hn_i_octave_sum hn_i_with_part(hn_i_octave_sum s, hn_float n) {
+  hn_num weight = s.weight;
+  if (s.at + 1 == s.octaves) weight = hn_i_weighed(weight, s.part);
+  return hn_i_with(s, hn_i_octave(n), weight);
+}
+
+// The octaves behind one that is not resolved would not be, either.
+HN_FN hn_i_octave_sum hn_i_with_resolved(hn_i_octave_sum s, hn_float n, hn_float lacunarity) {
+  hn_i_octave_sum next = hn_i_with(s, hn_i_octave(n), hn_i_weighed(s.weight, hn_i_resolved(s.footprint)));
+  next.footprint = hn_i_next_footprint(s.footprint, lacunarity);
+  if (hn_i_resolved(next.footprint) == HN_I_NO_WEIGHT) next.at = s.octaves;
+  return next;
+}
+
+// The total of the weights; and the mean of what was summed with them, which is 0 of no octave: a loop adds one before
+// it asks whether there is any.
+HN_FN hn_num hn_i_total(hn_i_octave_sum s) { return hn_i_total(s.octaves, s.gain, s.part); }
+HN_FN hn_num hn_i_mean(hn_i_octave_sum s, hn_num sum, hn_num total) {
+  return hn_i_select(s.octaves < 1, HN_I_NO_WEIGHT, hn_i_mean(sum, total));
+}
+HN_FN hn_num hn_i_mean(hn_i_octave_sum s) { return hn_i_mean(s, s.value, hn_i_total(s)); }
+
+#endif

@@ -1,0 +1,136 @@
+// hashnoise: the triangular lattice of simplex noise on the plane.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_TRIANGULAR_LATTICE_GLSL
+#define HN_TRIANGULAR_LATTICE_GLSL
+
+#include "cell.glsl"
+#include "direction.glsl"
+#include "falloff.glsl"
+
+// The points lie in rows that are half a cell apart. In a row they are half a cell apart, too, and every second row is
+// shifted by a quarter: so a cell has four points. A step is half a cell. Three neighbours form a triangle whose sides
+// are 1, 1.12 and 1.12 steps long. There is no coarser lattice of nearly regular triangles that has a point at every
+// corner of a cell; with this one every whole period fits. Its coordinates are quarters, so they are exact.
+//
+// Point i of row j is at (i, j) in steps, or at (i + 1/2, j) in odd rows. It has the word of the point (i, j) of the
+// integer lattice.
+
+// The place of a fraction of a cell, in steps.
+HN_FN hn_num2 hn_i_steps(hn_num2 f) { return hn_i_num(hn_i_plus(f.x, f.x), hn_i_plus(f.y, f.y)); }
+
+// The sum of two numbers of rows or columns. Of a place that is far out of its cell they are so large that ints would
+// overflow, which C++ leaves undefined.
+HN_FN hn_int hn_i_beyond(hn_int i, hn_int more) { return int(uint(i) + uint(more)); }
+
+// A coordinate of a point: 2 c + more, where c is that of its cell, and more lies in [-2, 3].
+HN_FN hn_uint hn_i_doubled(hn_uint c, hn_int more) { return c * 2u + uint(more); }
+
+// The same with a period, for a wrapped c. Before it is wrapped, a point lies up to one cell outside of the period.
+HN_FN hn_uint hn_i_doubled(hn_uint c, hn_int more, hn_int period) {
+  hn_uint size = uint(max(period, 0)) * 2u;
+  hn_uint i = hn_i_doubled(c, more);
+  return hn_i_select(more < 0, hn_i_select(c == 0u, i + size, i), hn_i_select(i >= size, i - size, i));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The triangle around a place. Skewed coordinates u = x + y / 2 and v = y, in steps, are whole at the points. The
+// corners of the triangle are the first corner of the skewed square around the place, its last, and between them the
+// one along u if u has more beyond a whole number than v has, else the one along v.
+
+HN_FN hn_num2 hn_i_skewed(hn_num2 f) { return hn_i_num(hn_i_plus(hn_i_plus(f.x, f.x), f.y), hn_i_plus(f.y, f.y)); }
+
+// In which column of its row the first corner is, from twice the cell on.
+HN_FN hn_int hn_i_column_of(hn_num2 skewed) {
+  hn_int row = hn_i_floor(skewed.y);
+  return hn_i_beyond(hn_i_floor(skewed.x), -((row >> 1) + (row & 1)));
+}
+
+// The words of the corners, in the order above.
+HN_FN hn_uvec3 hn_i_triangle(hn_place2 place, hn_num2 skewed, hn_uint seed) {
+  hn_int row = hn_i_floor(skewed.y);
+  hn_int column = hn_i_column_of(skewed);
+  hn_num u = hn_i_past(skewed.x);
+  hn_num v = hn_i_past(skewed.y);
+  hn_uvec2 first;
+  hn_uvec2 middle;
+  hn_uvec2 last;
+  if (place.tiled) {
+    hn_int last_column = hn_i_beyond(column, row & 1);
+    hn_int middle_column = hn_i_select(u > v, hn_i_beyond(column, 1), hn_i_beyond(last_column, -1));
+    hn_uvec2 c = hn_i_wrap(place.cell, place.period);
+    hn_uint lower = hn_i_doubled(c.y, row, place.period.y);
+    hn_uint upper = hn_i_doubled(c.y, hn_i_beyond(row, 1), place.period.y);
+    first = hn_i_spread(uvec2(hn_i_doubled(c.x, column, place.period.x), lower));
+    middle = hn_i_spread(uvec2(hn_i_doubled(c.x, middle_column, place.period.x), hn_i_select(u > v, lower, upper)));
+    last = hn_i_spread(uvec2(hn_i_doubled(c.x, last_column, place.period.x), upper));
+  } else {
+    first = hn_i_spread(uvec2(hn_i_doubled(uint(place.cell.x), column), hn_i_doubled(uint(place.cell.y), row)));
+    hn_uvec2 next = hn_i_last(first);
+    last = uvec2(hn_i_select((row & 1) == 0, first.x, next.x), next.y);
+    middle = uvec2(hn_i_select(u > v, next.x, last.x - HN_I_STEP_X), hn_i_select(u > v, first.y, next.y));
+  }
+  hn_uint s = hn_i_mix(seed);
+  return uvec3(hn_i_word(first, s, s), hn_i_word(middle, s, s), hn_i_word(last, s, s));
+}
+
+// The offsets from the corners along x and along y, and how near the corners are.
+HN_FN hn_num3 hn_i_triangle_x(hn_num2 skewed) {
+  hn_num u = hn_i_past(skewed.x);
+  hn_num v = hn_i_past(skewed.y);
+  hn_num x = hn_i_minus(u, hn_i_half(v));
+  return hn_i_num(x, hn_i_select(u > v, hn_i_minus(x, HN_I_ONE), hn_i_plus(x, hn_i_quarters(2))),
+                  hn_i_minus(x, hn_i_quarters(2)));
+}
+HN_FN hn_num3 hn_i_triangle_y(hn_num2 skewed) {
+  hn_num y = hn_i_past(skewed.y);
+  return hn_i_num(y, hn_i_select(hn_i_past(skewed.x) > y, y, hn_i_far(y)), hn_i_far(y));
+}
+
+// The squared radius is 819 / 1024: just below 4/5, the squared height over the longer sides of a triangle.
+HN_FN hn_num3 hn_i_triangle_near(hn_num3 x, hn_num3 y) {
+  return hn_i_num(hn_i_near(hn_i_square(x.x, y.x), 819, 1), hn_i_near(hn_i_square(x.y, y.y), 819, 1),
+                  hn_i_near(hn_i_square(x.z, y.z), 819, 1));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Gradients. They are lengthened by 3/8 of what those of Perlin noise are: that hides this lattice best.
+
+#if HN_ARITHMETIC != HN_FIXED
+
+HN_FN hn_vec3 hn_i_triangle_direction(hn_uint h) {
+  hn_vec3 d = hn_i_direction2(h);
+  return vec3(d.x, d.y, hn_i_times(d.z, 0.375f));
+}
+HN_FN hn_float hn_i_longer(hn_float n, hn_float more) { return hn_i_lengthened(n, more); }
+HN_FN hn_vec2 hn_i_triangle_gradient(hn_uint h) { return hn_i_gradient(hn_i_triangle_direction(h)); }
+
+#else
+
+// Here `more` is in units of 2^-12.
+HN_FN hn_ivec3 hn_i_triangle_direction(hn_uint h) {
+  hn_ivec3 d = hn_i_direction2(h);
+  return ivec3(d.x, d.y, 3 * d.z);
+}
+HN_FN hn_int hn_i_longer(hn_int n, hn_int more) { return n + (n >> 12) * more; }
+HN_FN hn_ivec2 hn_i_triangle_gradient(hn_uint h) {
+  hn_ivec3 d = hn_i_triangle_direction(h);
+  hn_int s = (4096 + d.z) << 8;
+  return ivec2(d.x * s, d.y * s);
+}
+
+#endif
+
+// What a corner adds without its weight.
+HN_FN hn_num hn_i_triangle_ramp(hn_uint h, hn_num x, hn_num y) {
+  hn_num3 d = hn_i_triangle_direction(h);
+  return hn_i_longer(hn_i_straight(d, x, y), d.z);
+}
+
+// A derivative per cell, from that per step.
+HN_FN hn_float hn_i_per_cell(hn_float d) { return d * 2.0f; }
+
+// A sum of weighted ramps is at most 1024 / 3242 (tools/bounds), with turned gradients, too.
+HN_FN hn_num hn_i_scaled_simplex2(hn_num n) { return hn_i_scaled(n, 3242); }
+
+#endif

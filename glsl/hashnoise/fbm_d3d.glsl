@@ -1,0 +1,127 @@
+// hashnoise: octave sums over a noise with derivatives, in space.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_FBM_D3D_GLSL
+#define HN_FBM_D3D_GLSL
+
+#include "detail/jacobian.glsl"
+#include "octaves3d.glsl"
+#include "perlin_d3d.glsl"
+
+// A sum of derivatives, beside the sum of values, and the frame of the octave.
+// Its numbers are apart: where points leave a loop at different octaves, lavapipe of Mesa 22.3 takes a vector that is
+// used behind it from the last octave of all.
+struct hn_slopes3 {
+  hn_num x;
+  hn_num y;
+  hn_num z;
+  hn_i_frame3 frame;
+  hn_num growth;  // of the frame, from octave to octave
+};
+
+// Sums over a noise with derivatives, yours or the library's:
+//
+//   hn_octaves3 o = hn_octaves(p, 6, 2.0, 0.5, 7u);
+//   hn_slopes3 s = hn_slopes(o);
+//   do hn_add(o, s, hn_simplex_d(o.place, o.seed)); while (hn_next(o));
+//   vec4 height = hn_mean(o, s);
+//
+// In place of hn_add there is hn_add_eroded, and then hn_mean(o) is the value.
+//   o         the octaves
+//   n         the value of the noise, and its derivatives along x, y and z
+//   strength  of erosion, in [0, 16]
+//   returns   as hn_fbm_d and hn_eroded below
+//   error     docs/accuracy.md
+//   cost      9 multiplications for the frame, or a division
+//   source    docs/contract.md, section 7
+HN_FN hn_slopes3 hn_slopes(hn_octaves3 o) {
+  HN_I_NEW(hn_slopes3, s);
+  s.x = HN_I_NO_WEIGHT;
+  s.y = HN_I_NO_WEIGHT;
+  s.z = HN_I_NO_WEIGHT;
+  s.frame = hn_i_first_frame3();
+  s.growth = hn_i_growth(o.sum.gain, o.lacunarity);
+  return s;
+}
+HN_FN void hn_add(HN_I_INOUT(hn_octaves3) o, HN_I_INOUT(hn_slopes3) s, hn_vec4 n) {
+  hn_num3 g =
+      hn_i_from_frame(s.frame, hn_i_num(hn_i_octave_slope(n.y), hn_i_octave_slope(n.z), hn_i_octave_slope(n.w)));
+  o.sum = hn_i_with_noise(o.sum, n.x);
+  s.x = hn_i_joined(s.x, g.x);
+  s.y = hn_i_joined(s.y, g.y);
+  s.z = hn_i_joined(s.z, g.z);
+  s.frame = hn_i_next_frame(s.frame, s.growth, o.place.tiled);
+}
+HN_FN void hn_add_eroded(HN_I_INOUT(hn_octaves3) o, HN_I_INOUT(hn_slopes3) s, hn_vec4 n, hn_float strength) {
+  hn_num3 e = hn_i_num(hn_i_steeper(s.x, n.y), hn_i_steeper(s.y, n.z), hn_i_steeper(s.z, n.w));
+  HN_I_PRECISE hn_i_square_of_slope square = hn_i_square(e.x) + hn_i_square(e.y) + hn_i_square(e.z);
+  hn_num left = hn_i_eroding(square, hn_i_setting(strength, 16.0f));
+  o.sum = hn_i_with(o.sum, hn_i_octave(n.x), hn_i_weighed(o.sum.weight, left));
+  e = hn_i_next_slope(e, o.place.tiled);
+  s.x = e.x;
+  s.y = e.y;
+  s.z = e.z;
+}
+HN_FN hn_vec4 hn_mean(hn_octaves3 o, hn_slopes3 s) {
+  hn_num total = hn_i_total(o.sum);
+  return vec4(hn_i_value(hn_i_mean(o.sum, o.sum.value, total)),
+              hn_i_derivative(hn_i_coarse(hn_i_mean(o.sum, s.x, total))),
+              hn_i_derivative(hn_i_coarse(hn_i_mean(o.sum, s.y, total))),
+              hn_i_derivative(hn_i_coarse(hn_i_mean(o.sum, s.z, total))));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Sums over hn_perlin_d, in the forms of hn_fbm.
+
+// The paper's gradient has no noise of this kind.
+#if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
+
+HN_FN hn_vec4 hn_i_fbm_d(hn_octaves3 o) {
+  hn_slopes3 s = hn_slopes(o);
+  do hn_add(o, s, hn_perlin_d(o.place, o.seed)); while (hn_next(o));
+  return hn_mean(o, s);
+}
+HN_FN hn_float hn_i_eroded(hn_octaves3 o, hn_float strength) {
+  hn_slopes3 s = hn_slopes(o);
+  do hn_add_eroded(o, s, hn_perlin_d(o.place, o.seed), strength); while (hn_next(o));
+  return hn_mean(o);
+}
+
+// Fractional Brownian motion and how steep it is. The value is that of hn_fbm.
+//   (parameters, period and source as for hn_fbm)
+//   returns   the value and its derivatives along x, y and z, per cell of the first octave. A derivative is at most
+//             3.75 times the sum of (1.001 * gain * lacunarity)^i, divided by the sum of gain^i
+//   error     docs/accuracy.md; for HN_FIXED while the sum of (gain * lacunarity)^i is at most 64
+//   cost      1 noise with derivatives per octave, and 9 multiplications for the frame
+HN_FN hn_vec4 hn_fbm_d(hn_place3 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_fbm_d(hn_octaves(place, octaves, lacunarity, gain, seed));
+}
+HN_FN hn_vec4 hn_fbm_d(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_fbm_d(hn_octaves(p, octaves, lacunarity, gain, seed));
+}
+HN_FN hn_vec4 hn_fbm_d(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain) {
+  return hn_fbm_d(p, octaves, lacunarity, gain, 0u);
+}
+
+// Eroded fBm: an octave counts less where those before it and itself are steep, so that slopes are smooth and detail
+// gathers in valleys and on summits.
+//   strength  how much less: 0 is hn_fbm, and usually 1; in [0, 16]. A slope of 1 cell in 1 leaves 1 / (1 + strength)
+//   (other parameters, period and source as for hn_fbm; the strength stands behind the gain)
+//   returns   [-1, 1]
+//   error     docs/accuracy.md
+//   cost      1 noise with derivatives per octave, and a division
+//   source    Quilez, "More noise", 2008: his slopes are not turned with the octaves
+HN_FN hn_float hn_eroded(hn_place3 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength,
+                         hn_uint seed) {
+  return hn_i_eroded(hn_octaves(place, octaves, lacunarity, gain, seed), strength);
+}
+HN_FN hn_float hn_eroded(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength,
+                         hn_uint seed) {
+  return hn_i_eroded(hn_octaves(p, octaves, lacunarity, gain, seed), strength);
+}
+HN_FN hn_float hn_eroded(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength) {
+  return hn_eroded(p, octaves, lacunarity, gain, strength, 0u);
+}
+
+#endif
+#endif

@@ -1,0 +1,106 @@
+// hashnoise: the gradient of a hash, and the gradient of a lattice point.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_GRADIENT_GLSL
+#define HN_GRADIENT_GLSL
+
+#include "detail/direction.glsl"
+#include "detail/direction4d.glsl"
+#include "detail/sine_gradient.glsl"
+#include "hash.glsl"
+
+// A gradient on the line, from bits 22 to 30 of a hash.
+//   h        any uint
+//   returns  an odd multiple of 2^-9 in (-1, 1)
+//   error    none
+//   cost     no multiplication (GLSL before 3.30: 1 of floats)
+//   source   docs/contract.md, section 4
+HN_FN hn_float hn_gradient1(hn_uint h) { return hn_i_field2(h); }
+
+// A gradient in the plane, from the high 10 bits of a hash.
+//   h        any uint
+//   returns  a vector that is 0.98 to 1.06 long, in any direction; multiples of 2^-18
+//   error    none
+//   cost     2 multiplications of floats (GLSL before 3.30: 3)
+//   source   docs/contract.md, section 4
+HN_FN hn_vec2 hn_gradient2(hn_uint h) {
+#if HN_ARITHMETIC != HN_FIXED
+  return hn_i_gradient(hn_i_direction2(h));
+#else
+  hn_ivec2 g = hn_i_gradient(hn_i_direction2(h));
+  return vec2(hn_i_float(g.x), hn_i_float(g.y)) * (1.0f / 536870912.0f);
+#endif
+}
+
+// A gradient in space, from the high 17 bits of a hash.
+//   h        any uint
+//   returns  a vector that is 0.91 to 1.06 long, in any direction; multiples of 2^-16
+//   error    none
+//   cost     3 multiplications of floats (GLSL before 3.30: 5)
+//   source   docs/contract.md, section 4
+HN_FN hn_vec3 hn_gradient3(hn_uint h) {
+#if HN_ARITHMETIC != HN_FIXED
+  return hn_i_gradient(hn_i_direction3(h));
+#else
+  hn_ivec3 g = hn_i_gradient(hn_i_direction3(h));
+  return vec3(hn_i_float(g.x), hn_i_float(g.y), hn_i_float(g.z)) * (1.0f / 536870912.0f);
+#endif
+}
+
+// A gradient in four dimensions, from the high 14 bits of a hash.
+//   h        any uint
+//   returns  two components that are 1 or -1, and two that are 0
+//   error    none
+//   cost     no multiplication
+//   source   docs/contract.md, section 4
+HN_FN hn_vec4 hn_gradient4(hn_uint h) {
+#if HN_ARITHMETIC != HN_FIXED
+  return hn_i_gradient4(h);
+#else
+  hn_ivec4 g = hn_i_gradient4(h);
+  return vec4(hn_i_float(g.x), hn_i_float(g.y), hn_i_float(g.z), hn_i_float(g.w)) * (1.0f / 268435456.0f);
+#endif
+}
+
+// The gradient of the noise at a lattice point.
+//   cell     the point: int, ivec2, ivec3 or ivec4
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  a vector of hn_gradient1, hn_gradient2, hn_gradient3 or hn_gradient4; with HN_GRADIENT_SINE, in 2D and 3D,
+//            a point of the square or cube [-1, 1]^n
+//   error    none; with HN_GRADIENT_SINE less than 2^-19 (HN_FIXED: 3.7e-5)
+//   period   2^32 along each axis
+//   cost     1 hash (none with HN_HASH_LATTICE), 1 multiplication per axis and 1 more, 2 more for a seed that is not
+//            constant, and those of hn_gradient1 to hn_gradient4; with HN_GRADIENT_SINE 1 hash per axis and a sine of
+//            10 multiplications, 6 of them of floats, per component
+//   source   docs/contract.md, section 4; for the sine: Valdenegro-Toro and Pincheira, sec. 5
+HN_FN hn_float hn_gradient(hn_int cell, hn_uint seed) { return hn_gradient1(hn_i_point(uint(cell), seed)); }
+
+HN_FN hn_vec2 hn_gradient(hn_ivec2 cell, hn_uint seed) {
+  hn_uvec2 c = uvec2(cell);
+#if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
+  return hn_gradient2(hn_i_point(c, seed));
+#else
+  hn_uint s = hn_i_mix(seed);
+  return hn_i_components(hn_i_gradient(hn_i_column(c.x, s), c.y));
+#endif
+}
+
+HN_FN hn_vec3 hn_gradient(hn_ivec3 cell, hn_uint seed) {
+  hn_uvec3 c = uvec3(cell);
+#if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
+  return hn_gradient3(hn_i_point(c, seed));
+#else
+  hn_uint s = hn_i_mix(seed);
+  hn_uint column = hn_i_column(c.x, s);
+  return hn_i_components(hn_i_gradient(column, hn_i_row(column, c.y), c.z));
+#endif
+}
+
+HN_FN hn_vec4 hn_gradient(hn_ivec4 cell, hn_uint seed) { return hn_gradient4(hn_i_point(uvec4(cell), seed)); }
+
+HN_FN hn_float hn_gradient(hn_int cell) { return hn_gradient(cell, 0u); }
+HN_FN hn_vec2 hn_gradient(hn_ivec2 cell) { return hn_gradient(cell, 0u); }
+HN_FN hn_vec3 hn_gradient(hn_ivec3 cell) { return hn_gradient(cell, 0u); }
+HN_FN hn_vec4 hn_gradient(hn_ivec4 cell) { return hn_gradient(cell, 0u); }
+
+#endif

@@ -1,0 +1,275 @@
+// hashnoise: integer hashes, the hash of a lattice point, and the float of a hash.
+// SPDX-License-Identifier: MIT
+//
+// Everything in this file is exact: the same bits on every driver. docs/contract.md defines each value.
+//
+// A word is a uint, and so is a seed: hn_hash(7u). For 7, an int, most versions of GLSL find no overload.
+//
+// In all files a cost counts multiplications. They are of words unless it says otherwise. Ramps and interpolation do
+// not count.
+
+#ifndef HN_HASH_GLSL
+#define HN_HASH_GLSL
+
+#include "config.glsl"
+#include "detail/convert.glsl"
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Word hashes take a uint and return a uint. They do not depend on HN_HASH.
+
+// FNV-1, 32 bit, of the four bytes of k, lowest first.
+//   k        any uint
+//   returns  any uint
+//   cost     3 multiplications (the first is of constants)
+//   source   Fowler, Noll, Vo; paper fig. 1
+HN_FN hn_uint hn_hash_fnv1(hn_uint k) {
+  hn_uint h = 2166136261u;
+  h = (h * 16777619u) ^ (k & 255u);
+  h = (h * 16777619u) ^ ((k >> 8u) & 255u);
+  h = (h * 16777619u) ^ ((k >> 16u) & 255u);
+  h = (h * 16777619u) ^ (k >> 24u);
+  return h;
+}
+
+// FNV-1's step, twice with the whole word. Weak: 31 of 32 words k have the same hash as -2 - k, and the low 8 bits
+// repeat with a period of 256.
+//   k        any uint
+//   returns  any uint
+//   cost     1 multiplication (the first is of constants)
+//   source   Valdenegro-Toro and Pincheira, sec. 7
+HN_FN hn_uint hn_hash_partial_fnv1(hn_uint k) {
+  hn_uint h = 2166136261u;
+  h = (h * 16777619u) ^ k;
+  h = (h * 16777619u) ^ k;
+  return h;
+}
+
+HN_FN hn_uint hn_i_jenkins_step(hn_uint h, hn_uint add) {
+  h += add;
+  h += h << 10u;
+  return h ^ (h >> 6u);
+}
+
+HN_FN hn_uint hn_i_jenkins_end(hn_uint h) {
+  h += h << 3u;
+  h ^= h >> 11u;
+  return h + (h << 15u);
+}
+
+// Jenkins one-at-a-time of the four bytes of k, lowest first.
+//   k        any uint
+//   returns  any uint
+//   cost     no multiplication; 14 shifts, 14 additions and exclusive ors
+//   source   Jenkins, "A hash function for hash table lookup"; paper fig. 2
+HN_FN hn_uint hn_hash_jenkins(hn_uint k) {
+  hn_uint h = 0u;
+  h = hn_i_jenkins_step(h, k & 255u);
+  h = hn_i_jenkins_step(h, (k >> 8u) & 255u);
+  h = hn_i_jenkins_step(h, (k >> 16u) & 255u);
+  h = hn_i_jenkins_step(h, k >> 24u);
+  return hn_i_jenkins_end(h);
+}
+
+// One-at-a-time with a single step that takes the whole word.
+//   k        any uint
+//   returns  any uint
+//   cost     no multiplication; 5 shifts, 5 additions and exclusive ors
+//   source   Valdenegro-Toro and Pincheira, sec. 7
+HN_FN hn_uint hn_hash_partial_jenkins(hn_uint k) { return hn_i_jenkins_end(hn_i_jenkins_step(0u, k)); }
+
+// The paper's Murmur: the body of MurmurHash2 for one word, without its final avalanche.
+//   k        any uint
+//   returns  any uint
+//   cost     2 multiplications
+//   source   Appleby; paper fig. 3
+HN_FN hn_uint hn_hash_murmur(hn_uint k) {
+  hn_uint m = 1540483477u;
+  k *= m;
+  k ^= k >> 24u;
+  k *= m;
+  return (10u * m) ^ k;
+}
+
+// PCG, output permutation RXS-M-XS of a 32-bit congruential step.
+//   k        any uint
+//   returns  any uint; a bijection
+//   cost     2 multiplications, 1 shift by a variable
+//   source   O'Neill; Jarzynski and Olano 2020, pcg_hash
+HN_FN hn_uint hn_hash_pcg(hn_uint k) {
+  hn_uint s = k * 747796405u + 2891336453u;
+  hn_uint w = ((s >> ((s >> 28u) + 4u)) ^ s) * 277803737u;
+  return (w >> 22u) ^ w;
+}
+
+// XXH32 of the four bytes of k with seed 0.
+//   k        any uint
+//   returns  any uint; a bijection
+//   cost     4 multiplications
+//   source   Collet, xxHash specification; 374761397 is its fifth prime plus the length, 4
+HN_FN hn_uint hn_hash_xxhash32(hn_uint k) {
+  hn_uint h = 374761397u + k * 3266489917u;
+  h = ((h << 17u) | (h >> 15u)) * 668265263u;
+  h ^= h >> 15u;
+  h *= 2246822519u;
+  h ^= h >> 13u;
+  h *= 3266489917u;
+  return h ^ (h >> 16u);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The word of a lattice point.
+
+// The selected hash of one word.
+#if HN_HASH == HN_HASH_FNV1
+HN_FN hn_uint hn_i_hash(hn_uint k) { return hn_hash_fnv1(k); }
+#elif HN_HASH == HN_HASH_PARTIAL_FNV1
+HN_FN hn_uint hn_i_hash(hn_uint k) { return hn_hash_partial_fnv1(k); }
+#elif HN_HASH == HN_HASH_JENKINS
+HN_FN hn_uint hn_i_hash(hn_uint k) { return hn_hash_jenkins(k); }
+#elif HN_HASH == HN_HASH_PARTIAL_JENKINS
+HN_FN hn_uint hn_i_hash(hn_uint k) { return hn_hash_partial_jenkins(k); }
+#elif HN_HASH == HN_HASH_MURMUR
+HN_FN hn_uint hn_i_hash(hn_uint k) { return hn_hash_murmur(k); }
+#elif HN_HASH == HN_HASH_PCG
+HN_FN hn_uint hn_i_hash(hn_uint k) { return hn_hash_pcg(k); }
+#elif HN_HASH == HN_HASH_XXHASH32
+HN_FN hn_uint hn_i_hash(hn_uint k) { return hn_hash_xxhash32(k); }
+#elif HN_HASH == HN_HASH_CUSTOM
+HN_FN hn_uint hn_i_hash(hn_uint k) { return HN_HASH_FN(k); }
+#else
+HN_FN hn_uint hn_i_hash(hn_uint k) { return k; }
+#endif
+
+// Coordinates are spread: multiplying by an odd number (a prime of xxHash) sends neighbours far apart. So from a point to
+// the next along an axis a spread coordinate goes by HN_I_STEP. The offset, which is xxHash's fifth prime, keeps the
+// origin from being a word of zeros.
+#define HN_I_STEP_X 0x9E3779B1u
+#define HN_I_STEP_Y 0x85EBCA77u
+#define HN_I_STEP_Z 0xC2B2AE3Du
+#define HN_I_STEP_W 0x27D4EB2Fu
+#define HN_I_ORIGIN_X 0x165667B1u
+HN_FN hn_uint hn_i_spread(hn_uint x) { return x * HN_I_STEP_X + HN_I_ORIGIN_X; }
+HN_FN hn_uvec2 hn_i_spread(hn_uvec2 v) { return uvec2(hn_i_spread(v.x), v.y * HN_I_STEP_Y); }
+HN_FN hn_uvec3 hn_i_spread(hn_uvec3 v) { return uvec3(hn_i_spread(v.x), v.y * HN_I_STEP_Y, v.z * HN_I_STEP_Z); }
+HN_FN hn_uvec4 hn_i_spread(hn_uvec4 v) {
+  return uvec4(hn_i_spread(v.x), v.y * HN_I_STEP_Y, v.z * HN_I_STEP_Z, v.w * HN_I_STEP_W);
+}
+
+// Folds the high bits of a spread coordinate onto the low ones, since a product carries changes upwards only. The
+// shifts are longer than half a word, so that bit 31 lands below every bit that a gradient takes. They differ by axis,
+// so that axes do not cancel.
+HN_FN hn_uint hn_i_fold(hn_uint x) { return x ^ (x >> 18u); }
+HN_FN hn_uvec2 hn_i_fold(hn_uvec2 v) { return uvec2(hn_i_fold(v.x), v.y ^ (v.y >> 17u)); }
+HN_FN hn_uvec3 hn_i_fold(hn_uvec3 v) { return uvec3(hn_i_fold(v.x), v.y ^ (v.y >> 17u), v.z ^ (v.z >> 19u)); }
+HN_FN hn_uvec4 hn_i_fold(hn_uvec4 v) {
+  return uvec4(hn_i_fold(v.x), v.y ^ (v.y >> 17u), v.z ^ (v.z >> 19u), v.w ^ (v.w >> 20u));
+}
+
+// Each bit of k changes each bit of the result with a probability near 1/2. This is "prospector32" of hash-prospector.
+// The result for 0 is 0.
+HN_FN hn_uint hn_i_mix(hn_uint k) {
+  k ^= k >> 15u;
+  k *= 0x2C1B3C6Du;
+  k ^= k >> 12u;
+  k *= 0x297A2D39u;
+  return k ^ (k >> 15u);
+}
+
+// The seed of another field, where a function needs several.
+HN_FN hn_uint hn_i_other_seed(hn_uint seed) { return hn_i_mix(seed + 0x9E3779B9u); }
+
+// The word of a point is the product of two joins of its spread coordinates. One is the hash of the exclusive or of the
+// folded coordinates. The other is the sum of the unfolded ones, made odd so that the product loses nothing. Either
+// alone would repeat itself along some line. Points that share coordinates share the work: a noise steps from corner to
+// corner in both joins. The high bits are good, the low ones are not.
+HN_FN hn_uint hn_i_odd(hn_uint sum) { return sum * 2u + 1u; }
+HN_FN hn_uint hn_i_word(hn_uint join, hn_uint odd) { return hn_i_hash(join) * odd; }
+
+// The word of a point, from its spread coordinates. Other axes and the seed add `join` to the exclusive or, and `sum`
+// to the sum before it is made odd.
+HN_FN hn_uint hn_i_word(hn_uvec2 c, hn_uint join, hn_uint sum) {
+  hn_uvec2 j = hn_i_fold(c);
+  return hn_i_word(j.x ^ j.y ^ join, hn_i_odd(c.x + c.y + sum));
+}
+HN_FN hn_uint hn_i_word(hn_uvec3 c, hn_uint join, hn_uint sum) {
+  hn_uvec3 j = hn_i_fold(c);
+  return hn_i_word(j.x ^ j.y ^ j.z ^ join, hn_i_odd(c.x + c.y + c.z + sum));
+}
+HN_FN hn_uint hn_i_word(hn_uvec4 c, hn_uint join, hn_uint sum) {
+  hn_uvec4 j = hn_i_fold(c);
+  return hn_i_word(j.x ^ j.y ^ j.z ^ j.w ^ join, hn_i_odd(c.x + c.y + c.z + c.w + sum));
+}
+
+HN_FN hn_uint hn_i_point(hn_uint cell, hn_uint seed) {
+  hn_uint c = hn_i_spread(cell);
+  hn_uint s = hn_i_mix(seed);
+  return hn_i_word(hn_i_fold(c) ^ s, hn_i_odd(c + s));
+}
+HN_FN hn_uint hn_i_point(hn_uvec2 cell, hn_uint seed) {
+  hn_uint s = hn_i_mix(seed);
+  return hn_i_word(hn_i_spread(cell), s, s);
+}
+HN_FN hn_uint hn_i_point(hn_uvec3 cell, hn_uint seed) {
+  hn_uint s = hn_i_mix(seed);
+  return hn_i_word(hn_i_spread(cell), s, s);
+}
+HN_FN hn_uint hn_i_point(hn_uvec4 cell, hn_uint seed) {
+  hn_uint s = hn_i_mix(seed);
+  return hn_i_word(hn_i_spread(cell), s, s);
+}
+
+// Lattice hashing: a well mixed hash of a point of the integer lattice, with any HN_HASH. The noise starts from the
+// same word before its last mixing. Use the hash to scatter things.
+//   cell     the point: int, ivec2, ivec3 or ivec4
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  any uint; take bits from anywhere in it
+//   period   2^32 along each axis
+//   cost     1 hash (none with HN_HASH_LATTICE); 1 multiplication per axis and 3 more; 2 more for a seed that is not
+//            constant
+HN_FN hn_uint hn_lattice(hn_int cell, hn_uint seed) { return hn_i_mix(hn_i_point(uint(cell), seed)); }
+HN_FN hn_uint hn_lattice(hn_ivec2 cell, hn_uint seed) { return hn_i_mix(hn_i_point(uvec2(cell), seed)); }
+HN_FN hn_uint hn_lattice(hn_ivec3 cell, hn_uint seed) { return hn_i_mix(hn_i_point(uvec3(cell), seed)); }
+HN_FN hn_uint hn_lattice(hn_ivec4 cell, hn_uint seed) { return hn_i_mix(hn_i_point(uvec4(cell), seed)); }
+
+HN_FN hn_uint hn_lattice(hn_int cell) { return hn_lattice(cell, 0u); }
+HN_FN hn_uint hn_lattice(hn_ivec2 cell) { return hn_lattice(cell, 0u); }
+HN_FN hn_uint hn_lattice(hn_ivec3 cell) { return hn_lattice(cell, 0u); }
+HN_FN hn_uint hn_lattice(hn_ivec4 cell) { return hn_lattice(cell, 0u); }
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The selected hash as published, of 1 to 4 words: H(x), H(H(x) + y), and so on. HN_HASH_LATTICE has no published form,
+// and with it this is hn_lattice.
+//   x, v     the words: uint, uvec2, uvec3 or uvec4
+//   returns  any uint; it is as good or as weak as the hash
+//   cost     1 hash per word (HN_HASH_LATTICE: as hn_lattice)
+//   source   Valdenegro-Toro and Pincheira, sec. 5
+#if HN_HASH == HN_HASH_LATTICE
+HN_FN hn_uint hn_hash(hn_uint x) { return hn_lattice(int(x)); }
+HN_FN hn_uint hn_hash(hn_uvec2 v) { return hn_lattice(ivec2(v)); }
+HN_FN hn_uint hn_hash(hn_uvec3 v) { return hn_lattice(ivec3(v)); }
+HN_FN hn_uint hn_hash(hn_uvec4 v) { return hn_lattice(ivec4(v)); }
+#else
+HN_FN hn_uint hn_hash(hn_uint x) { return hn_i_hash(x); }
+HN_FN hn_uint hn_hash(hn_uvec2 v) { return hn_i_hash(hn_hash(v.x) + v.y); }
+HN_FN hn_uint hn_hash(hn_uvec3 v) { return hn_i_hash(hn_hash(uvec2(v.x, v.y)) + v.z); }
+HN_FN hn_uint hn_hash(hn_uvec4 v) { return hn_i_hash(hn_hash(uvec3(v.x, v.y, v.z)) + v.w); }
+#endif
+
+// ---------------------------------------------------------------------------------------------------------------------
+// From a hash to a float. Every step below is exact in a 32-bit float, however it is rounded or contracted.
+
+// A float of the high 24 bits of a hash.
+//   h        any uint
+//   returns  [0, 1), a multiple of 2^-24
+//   error    none
+//   cost     1 multiplication of floats
+HN_FN hn_float hn_unorm(hn_uint h) { return hn_i_float(h >> 8u) * (1.0f / 16777216.0f); }
+
+// A signed float of the high 24 bits of a hash.
+//   h        any uint
+//   returns  [-1, 1), a multiple of 2^-23
+//   error    none
+//   cost     1 multiplication of floats
+HN_FN hn_float hn_snorm(hn_uint h) { return hn_i_float(h >> 8u) * (1.0f / 8388608.0f) - 1.0f; }
+
+#endif

@@ -1,0 +1,19 @@
+// hashnoise: the whole library. Made by tools/umbrella.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_HASHNOISE_GLSL
+#define HN_HASHNOISE_GLSL
+
+#include "noise1d.glsl"
+#include "noise2d.glsl"
+#include "noise3d.glsl"
+#include "noise4d.glsl"
+#include "curl.glsl"
+#include "fbm.glsl"
+#include "fbm_d.glsl"
+#include "gradient.glsl"
+#include "octaves.glsl"
+#include "position.glsl"
+#include "warp.glsl"
+
+#endif

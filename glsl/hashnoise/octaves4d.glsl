@@ -1,0 +1,243 @@
+// hashnoise: the octaves of a sum in four dimensions.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_OCTAVES4D_GLSL
+#define HN_OCTAVES4D_GLSL
+
+#include "detail/octave.glsl"
+
+// The octaves of a sum, one after another, over any noise:
+//
+//   hn_octaves4 o = hn_octaves(p, 6, 2.0, 0.5, 7u);
+//   do hn_add(o, hn_simplex(o.place, o.seed)); while (hn_next(o));
+//   float height = hn_mean(o);
+//
+// It asks behind an octave, since drivers unroll such a loop, and run it faster than one that asks first. In place of
+// hn_add there are hn_add_size, hn_add_ridge, hn_add_wave and hn_add_bent; and hn_add_part and hn_add_resolved for
+// octaves without detail that a pixel cannot show. The sums of the library are made so (fbm4d.glsl). To sum a noise of
+// your own, which takes a position, ask for it at hn_position(o.place).
+//
+//   place    where the noise of the octave is asked
+//   seed     its seed
+//   (the rest belongs to the library)
+struct hn_octaves4 {
+  hn_place4 place;
+  hn_uint seed;
+  hn_i_octave_sum sum;
+  hn_float lacunarity;
+  hn_ivec2 x;  // whole positions, along each axis (octave.glsl)
+  hn_ivec2 y;
+  hn_ivec2 z;
+  hn_ivec2 w;
+#if HN_ARITHMETIC != HN_FIXED
+  hn_vec4 p;  // or a position in floats
+  bool is_whole;
+#endif
+};
+
+// Puts the place where the whole position is. Neither this nor hn_next touches what a period is made of where there is
+// none: compilers could no longer see that there is none.
+HN_FN void hn_i_put(HN_I_INOUT(hn_octaves4) o) {
+  o.place.cell = ivec4(o.x.x, o.y.x, o.z.x, o.w.x);
+  o.place.fraction = hn_i_num(hn_i_whole_fraction(o.x), hn_i_whole_fraction(o.y),
+                              hn_i_whole_fraction(o.z), hn_i_whole_fraction(o.w));
+  o.place.rest = ivec4(HN_I_REST(o.x.y & 15), HN_I_REST(o.y.y & 15), HN_I_REST(o.z.y & 15), HN_I_REST(o.w.y & 15));
+}
+
+HN_FN hn_octaves4 hn_i_octaves(hn_place4 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  HN_I_NEW(hn_octaves4, o);
+  o.place = place;
+  o.seed = seed;
+  o.sum = hn_i_no_octave(octaves, gain);
+  o.lacunarity = lacunarity;
+  o.x = hn_i_whole(place.cell.x, place.fraction.x, place.rest.x);
+  o.y = hn_i_whole(place.cell.y, place.fraction.y, place.rest.y);
+  o.z = hn_i_whole(place.cell.z, place.fraction.z, place.rest.z);
+  o.w = hn_i_whole(place.cell.w, place.fraction.w, place.rest.w);
+#if HN_ARITHMETIC != HN_FIXED
+  o.p = vec4(0.0f, 0.0f, 0.0f, 0.0f);
+  o.is_whole = true;
+#endif
+  return o;
+}
+
+#if HN_ARITHMETIC != HN_FIXED
+// The next position.
+HN_FN hn_vec4 hn_i_next(hn_vec4 q, hn_float lacunarity) {
+  hn_float a = hn_i_times(lacunarity, 25.0f / 32.0f);
+  hn_float b = hn_i_times(lacunarity, 20.0f / 32.0f);
+  hn_float c = hn_i_times(lacunarity, 29.0f / 32.0f);
+  hn_float d = hn_i_times(lacunarity, 13.0f / 32.0f);
+  HN_I_PRECISE hn_float y = b * q.x + a * q.y;
+  HN_I_PRECISE hn_float z = 13.0f / 32.0f * y + c * q.z;
+  HN_I_PRECISE hn_vec4 next =
+      vec4(a * q.x - b * q.y + 11.0f / 32.0f, 29.0f / 32.0f * y - d * q.z + 19.0f / 32.0f,
+           25.0f / 32.0f * z - b * q.w + 23.0f / 32.0f, 20.0f / 32.0f * z + a * q.w + 27.0f / 32.0f);
+  return next;
+}
+#endif
+
+// The next whole position. A tile must not rotate, as it would not fit itself.
+HN_FN void hn_i_go_on(HN_I_INOUT(hn_octaves4) o) {
+  hn_uint ratio = hn_i_ratio(o.lacunarity);
+  hn_ivec2 x = hn_i_times_ratio(o.x, ratio);
+  hn_ivec2 y = hn_i_times_ratio(o.y, ratio);
+  hn_ivec2 z = hn_i_times_ratio(o.z, ratio);
+  hn_ivec2 w = hn_i_times_ratio(o.w, ratio);
+  if (o.place.tiled) {
+    o.x = hn_i_shifted(x, HN_I_SHIFT_X);
+    o.y = hn_i_shifted(y, HN_I_SHIFT_Y);
+    o.z = hn_i_shifted(z, HN_I_SHIFT_Z);
+    o.w = hn_i_shifted(w, HN_I_SHIFT_W);
+    o.place.period.x = hn_i_next_period(o.place.period.x, o.lacunarity);
+    o.place.period.y = hn_i_next_period(o.place.period.y, o.lacunarity);
+    o.place.period.z = hn_i_next_period(o.place.period.z, o.lacunarity);
+    o.place.period.w = hn_i_next_period(o.place.period.w, o.lacunarity);
+  } else {
+    hn_ivec2 rotated_y = hn_i_rotated_axis(y, x, 25, 20);
+    hn_ivec2 rotated_z = hn_i_rotated_axis(z, rotated_y, 29, 13);
+    o.x = hn_i_shifted(hn_i_rotated_axis(x, y, 25, -20), HN_I_SHIFT_X);
+    o.y = hn_i_shifted(hn_i_rotated_axis(rotated_y, z, 29, -13), HN_I_SHIFT_Y);
+    o.z = hn_i_shifted(hn_i_rotated_axis(rotated_z, w, 25, -20), HN_I_SHIFT_Z);
+    o.w = hn_i_shifted(hn_i_rotated_axis(w, rotated_z, 25, 20), HN_I_SHIFT_W);
+  }
+  hn_i_put(o);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The same in every dimension: tools/umbrella makes it of octaves2d.glsl.
+
+// The octaves of a sum, at the first.
+//   p           position, in cells of the first octave; (|p| + 1) * lacunarity^octaves < 2^23, for a lacunarity of 2
+//               or more
+//   place       a place in its stead (place.glsl). The period of a tile times lacunarity^octaves is below 2^31
+//   octaves     how many; with fewer than 1 the mean is 0
+//   lacunarity  ratio of frequencies, usually 2. In a tile it is a whole number from 1 to 255; others are rounded
+//               down
+//   gain        ratio of amplitudes, usually 0.5; not negative
+//   seed        any uint: 7u, not 7; different seeds give independent fields
+//   returns     the octaves
+//   error       at a position it grows with |p| * lacunarity^octaves, since a float rounds the positions; at a place it
+//               does not
+//   cost        none: hn_next places each octave
+//   HN_FIXED    takes a gain above 1 as 1, a lacunarity outside [0, 255] as 0 or 255, and more than 32 octaves as 32
+//   source      docs/contract.md, section 7
+HN_FN hn_octaves4 hn_octaves(hn_place4 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  hn_float ratio = hn_i_lacunarity(min(max(lacunarity, 0.0f), 255.0f), place.tiled);
+  hn_octaves4 o = hn_i_octaves(place, octaves, ratio, gain, seed);
+  hn_i_put(o);
+  return o;
+}
+#if HN_ARITHMETIC == HN_FIXED
+HN_FN hn_octaves4 hn_octaves(hn_vec4 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_octaves(hn_place(p), octaves, lacunarity, gain, seed);
+}
+#else
+HN_FN hn_octaves4 hn_octaves(hn_vec4 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  hn_vec4 start = hn_i_start(p);
+  hn_octaves4 o = hn_i_octaves(hn_place(start), octaves, lacunarity, gain, seed);
+  o.p = start;
+  o.is_whole = false;
+  return o;
+}
+#endif
+
+// The octaves that a pixel can show: with a number of octaves that is no whole number, for hn_add_part, and with a
+// footprint, for hn_add_resolved.
+//   detail      octaves, as a float: 3.5 is three octaves and half of the fourth. So octaves can come and go without a
+//               jump
+//   footprint   the size of a pixel at p, in cells of the first octave: in a fragment shader
+//               max(length(dFdx(p)), length(dFdy(p))). An octave fades out as a pixel grows from 1/2 to 3/2 of
+//               its cells, which comes nearest to the mean over the pixel. The others keep their contrast
+//   (other parameters, error, cost and source as above)
+//   returns     the octaves
+HN_FN hn_octaves4 hn_octaves(hn_vec4 p, hn_float detail, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  hn_int octaves = hn_i_whole_octaves(detail);
+  hn_octaves4 o = hn_octaves(p, octaves, lacunarity, gain, seed);
+  o.sum.part = hn_i_last_part(detail, octaves);
+  return o;
+}
+HN_FN hn_octaves4 hn_octaves(hn_vec4 p, hn_float footprint, hn_int octaves, hn_float lacunarity, hn_float gain,
+                             hn_uint seed) {
+  hn_octaves4 o = hn_octaves(p, octaves, lacunarity, gain, seed);
+  o.sum.footprint = hn_i_footprint(footprint);
+  return o;
+}
+
+// Goes on to the next octave.
+//   o        the octaves
+//   returns  whether there is one
+//   error    as of hn_octaves
+//   cost     about 10 operations; in HN_FIXED, and at a place, some products of integers
+//   source   as of hn_octaves
+HN_FN bool hn_next(HN_I_INOUT(hn_octaves4) o) {
+  o.sum.at += 1;
+  bool more = hn_i_truth(o.sum.at < o.sum.octaves);
+#ifdef __cplusplus
+  if (!more) return false;  // behind the last octave a position may not fit an int; a GPU asks for no branch
+#endif
+  o.seed += 0x9E3779B9u;
+  o.sum.weight = hn_i_weighed(o.sum.weight, o.sum.gain);
+#if HN_ARITHMETIC == HN_FIXED
+  hn_i_go_on(o);
+#else
+  if (o.is_whole) {
+    hn_i_go_on(o);
+  } else {
+    o.p = hn_i_next(o.p, o.lacunarity);
+    o.place.cell = hn_i_cell(o.p);
+    o.place.fraction = hn_i_fraction(o.p);
+  }
+#endif
+  return more;
+}
+
+// tools/catalog: steps
+// Add the noise of an octave: as it is (hn_fbm, hn_clouds); its absolute value (hn_turbulence); a crest where it is 0
+// (hn_ridged); its height above -1, as far as that of the octave before lets it (hn_hybrid); folded up and down between
+// -1 and 1 (hn_ping_pong); so that finer octaves count less where it is low (hn_weighted).
+//   o         the octaves
+//   n         the noise at o.place with o.seed, in [-1, 1]. hn_add and hn_add_size take what is beyond, the others cut
+//             it off
+//   strength  as of the sum that is made so (fbm4d.glsl)
+//   returns   nothing: the octaves have the sum
+//   error     as of the sums in fbm4d.glsl
+//   cost      1 to 10 operations
+//   source    docs/contract.md, section 7
+HN_FN void hn_add(HN_I_INOUT(hn_octaves4) o, hn_float n) { o.sum = hn_i_with_noise(o.sum, n); }
+HN_FN void hn_add_size(HN_I_INOUT(hn_octaves4) o, hn_float n) { o.sum = hn_i_with_size(o.sum, n); }
+HN_FN void hn_add_ridge(HN_I_INOUT(hn_octaves4) o, hn_float n) { o.sum = hn_i_with_ridge(o.sum, n); }
+HN_FN void hn_add_height(HN_I_INOUT(hn_octaves4) o, hn_float n) { o.sum = hn_i_with_height(o.sum, n); }
+HN_FN void hn_add_wave(HN_I_INOUT(hn_octaves4) o, hn_float n, hn_float strength) {
+  o.sum = hn_i_with_wave(o.sum, n, strength);
+}
+HN_FN void hn_add_bent(HN_I_INOUT(hn_octaves4) o, hn_float n, hn_float strength) {
+  o.sum = hn_i_with_bent(o.sum, n, strength);
+}
+// tools/catalog: end
+
+// Add the noise of an octave as it is, and as much of it as a detail or a footprint leaves.
+//   (parameters, error, cost and source as above)
+//   returns   nothing: the octaves have the sum
+HN_FN void hn_add_part(HN_I_INOUT(hn_octaves4) o, hn_float n) { o.sum = hn_i_with_part(o.sum, n); }
+HN_FN void hn_add_resolved(HN_I_INOUT(hn_octaves4) o, hn_float n) {
+  o.sum = hn_i_with_resolved(o.sum, n, o.lacunarity);
+}
+
+// The mean of the octaves by their weights.
+//   o        the octaves, after the last
+//   returns  [-1, 1]; of hn_add_size and hn_add_ridge [0, 1]. Roundings may take floats beyond by 1e-6
+//   error    as of the sums in fbm4d.glsl
+//   cost     a division; with a number of octaves that is no constant some operations for each
+//   source   docs/contract.md, section 7
+HN_FN hn_float hn_mean(hn_octaves4 o) { return hn_i_value(hn_i_mean(o.sum)); }
+
+// The density of a sky, from the mean of hn_add: clear below -1/8 and dense above 3/8, with a smooth step between.
+//   o        the octaves, after the last
+//   returns  [0, 1]
+//   error    as of hn_clouds in fbm4d.glsl
+//   cost     that of hn_mean, and some operations
+//   source   as of hn_clouds
+HN_FN hn_float hn_density(hn_octaves4 o) { return hn_i_value(hn_i_density(hn_i_mean(o.sum))); }
+
+#endif

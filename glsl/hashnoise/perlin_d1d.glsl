@@ -1,0 +1,43 @@
+// hashnoise: Perlin noise and its derivatives on the line.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_PERLIN_D1D_GLSL
+#define HN_PERLIN_D1D_GLSL
+
+#include "detail/ramps.glsl"
+#include "detail/derivative.glsl"
+
+// The paper's gradient has no noise of this kind.
+#if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
+
+// The noise and its derivative.
+HN_FN hn_vec2 hn_i_perlin_d(hn_i_box1 box, hn_num f, hn_uint seed) {
+  hn_uvec2 h = hn_i_corners(box, seed);
+  hn_num a = hn_i_gradient1(h.x);
+  hn_num b = hn_i_gradient1(h.y);
+  hn_num left = hn_i_ramp(a, f);
+  hn_num right = hn_i_ramp(b, hn_i_far(f));
+  hn_num t = hn_i_fade(f);
+  hn_num slope = hn_i_climb(hn_i_lerp(a, b, t), hn_i_rise(left, right), hn_i_slope(f));
+  return vec2(hn_i_value(hn_i_scaled1(hn_i_lerp(left, right, t))), hn_i_derivative(hn_i_scaled1(slope)));
+}
+
+// Perlin noise on the line and how steep it is. The value is that of hn_perlin.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  the value and its derivative. A derivative is per cell, in [-2.69, 2.69], once continuously differentiable
+//            (HN_FIXED: in steps of 2^-19)
+//   error    that of hn_perlin, and of a derivative at most 7.83e-6 against the exact value, in any rounding mode
+//            (docs/accuracy.md). HN_FIXED 1.76e-4. From a cell at most 6.93e-6
+//   period   2^32 cells
+//   cost     the hashes of hn_perlin, which are most of its cost, and about twice the rest
+//   source   the product rule on the interpolation; docs/contract.md, section 10
+HN_FN hn_vec2 hn_perlin_d(hn_place1 place, hn_uint seed) {
+  return hn_i_perlin_d(hn_i_box(place), place.fraction, seed);
+}
+HN_FN hn_vec2 hn_perlin_d(hn_float p, hn_uint seed) { return hn_perlin_d(hn_place(p), seed); }
+HN_FN hn_vec2 hn_perlin_d(hn_float p) { return hn_perlin_d(p, 0u); }
+
+#endif
+#endif

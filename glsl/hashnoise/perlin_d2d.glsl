@@ -1,0 +1,46 @@
+// hashnoise: Perlin noise and its derivatives on the plane.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_PERLIN_D2D_GLSL
+#define HN_PERLIN_D2D_GLSL
+
+#include "detail/ramps.glsl"
+#include "detail/derivative.glsl"
+
+// The paper's gradient has no noise of this kind.
+#if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
+
+// The noise and its derivatives.
+HN_FN hn_vec3 hn_i_perlin_d(hn_i_box2 box, hn_num2 f, hn_uint seed) {
+  hn_uvec4 h = hn_i_corners(box, seed);
+  hn_num3 d00 = hn_i_direction2(h.x);
+  hn_num3 d10 = hn_i_direction2(h.y);
+  hn_num3 d01 = hn_i_direction2(h.z);
+  hn_num3 d11 = hn_i_direction2(h.w);
+  hn_num x = hn_i_far(f.x);
+  hn_num y = hn_i_far(f.y);
+  hn_num4 r = hn_i_num(hn_i_ramp(d00, f.x, f.y), hn_i_ramp(d10, x, f.y), hn_i_ramp(d01, f.x, y), hn_i_ramp(d11, x, y));
+  hn_num3 n = hn_i_face_d(r, hn_i_gradient(d00), hn_i_gradient(d10), hn_i_gradient(d01), hn_i_gradient(d11),
+                          hn_i_fade(f), hn_i_slope(f));
+  return vec3(hn_i_value(hn_i_scaled2(n.x)), hn_i_derivative(hn_i_scaled2(n.y)), hn_i_derivative(hn_i_scaled2(n.z)));
+}
+
+// Perlin noise on the plane and how steep it is. The value is that of hn_perlin.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  the value and its derivatives along x and y. A derivative is per cell, in [-2.78, 2.78], once continuously
+//            differentiable (HN_FIXED: in steps of 2^-19)
+//   error    that of hn_perlin, and of a derivative at most 1.46e-5 against the exact value, in any rounding mode
+//            (docs/accuracy.md). HN_FIXED 1.87e-4. From a cell at most 1.37e-5
+//   period   2^32 cells per axis, or that of the tile
+//   cost     the hashes of hn_perlin, which are most of its cost, and about twice the rest
+//   source   the product rule on the interpolation; docs/contract.md, section 10
+HN_FN hn_vec3 hn_perlin_d(hn_place2 place, hn_uint seed) {
+  return hn_i_perlin_d(hn_i_box(place), place.fraction, seed);
+}
+HN_FN hn_vec3 hn_perlin_d(hn_vec2 p, hn_uint seed) { return hn_perlin_d(hn_place(p), seed); }
+HN_FN hn_vec3 hn_perlin_d(hn_vec2 p) { return hn_perlin_d(p, 0u); }
+
+#endif
+#endif

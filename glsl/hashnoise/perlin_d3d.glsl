@@ -1,0 +1,55 @@
+// hashnoise: Perlin noise and its derivatives in space.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_PERLIN_D3D_GLSL
+#define HN_PERLIN_D3D_GLSL
+
+#include "detail/ramps.glsl"
+#include "detail/derivative.glsl"
+
+// The paper's gradient has no noise of this kind.
+#if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
+
+// What the corners of the front or back face make of the noise: the interpolated ramp, its derivatives along x and y,
+// and what the gradients' last components add.
+HN_FN hn_num4 hn_i_face_d(hn_i_box3 box, hn_num3 f, bool back, hn_num3 t, hn_num3 s, hn_uint seed) {
+  hn_uvec4 h = hn_i_corners(box, back, seed);
+  hn_num4 d00 = hn_i_direction3(h.x);
+  hn_num4 d10 = hn_i_direction3(h.y);
+  hn_num4 d01 = hn_i_direction3(h.z);
+  hn_num4 d11 = hn_i_direction3(h.w);
+  hn_num4 r = hn_i_ramps(d00, d10, d01, d11, f, back);
+  return hn_i_face_d(r, hn_i_gradient(d00), hn_i_gradient(d10), hn_i_gradient(d01), hn_i_gradient(d11), t, s);
+}
+
+// The noise and its derivatives.
+HN_FN hn_vec4 hn_i_perlin_d(hn_i_box3 box, hn_num3 f, hn_uint seed) {
+  hn_num3 t = hn_i_fade(f);
+  hn_num3 s = hn_i_slope(f);
+  hn_num4 front = hn_i_face_d(box, f, false, t, s, seed);
+  hn_num4 back = hn_i_face_d(box, f, true, t, s, seed);
+  hn_num dz = hn_i_climb(hn_i_lerp(front.w, back.w, t.z), hn_i_rise(front.x, back.x), s.z);
+  return vec4(hn_i_value(hn_i_scaled3(hn_i_lerp(front.x, back.x, t.z))),
+              hn_i_derivative(hn_i_scaled3(hn_i_lerp(front.y, back.y, t.z))),
+              hn_i_derivative(hn_i_scaled3(hn_i_lerp(front.z, back.z, t.z))), hn_i_derivative(hn_i_scaled3(dz)));
+}
+
+// Perlin noise in space and how steep it is. The value is that of hn_perlin.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  the value and its derivatives along x, y and z. A derivative is per cell, in [-3.38, 3.38], once
+//            continuously differentiable (HN_FIXED: in steps of 2^-19)
+//   error    that of hn_perlin, and of a derivative at most 2.21e-5 against the exact value, in any rounding mode
+//            (docs/accuracy.md). HN_FIXED 2.25e-4. From a cell at most 2.11e-5
+//   period   2^32 cells per axis, or that of the tile
+//   cost     the hashes of hn_perlin, which are most of its cost, and about twice the rest
+//   source   the product rule on the interpolation; docs/contract.md, section 10
+HN_FN hn_vec4 hn_perlin_d(hn_place3 place, hn_uint seed) {
+  return hn_i_perlin_d(hn_i_box(place), place.fraction, seed);
+}
+HN_FN hn_vec4 hn_perlin_d(hn_vec3 p, hn_uint seed) { return hn_perlin_d(hn_place(p), seed); }
+HN_FN hn_vec4 hn_perlin_d(hn_vec3 p) { return hn_perlin_d(p, 0u); }
+
+#endif
+#endif

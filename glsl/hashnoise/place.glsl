@@ -1,0 +1,246 @@
+// hashnoise: where a noise is asked, as a value.
+// SPDX-License-Identifier: MIT
+//
+// Every noise and every sum takes a position, or a place in its stead:
+//
+//   hn_perlin(p, 7u)                                   a position
+//   hn_perlin(hn_place(cell, f), 7u)                   far out, where a float no longer names cells exactly
+//   hn_perlin(hn_tile(p, ivec2(8, 5)), 7u)             a field that repeats after 8 by 5 cells
+//   hn_perlin(hn_tile(hn_place(cell, f), period), 7u)  both
+//   hn_fbm(hn_tile(p, period), 6, 2.0, 0.5, 7u)        and so on
+//
+// position.glsl makes places of positions that are integers. What a place is made of folds where it is a constant: one
+// without a period costs nothing more than the position.
+
+#ifndef HN_PLACE_GLSL
+#define HN_PLACE_GLSL
+
+#include "detail/arithmetic.glsl"
+
+// A place: make it by hn_place and hn_tile. `cell` may be read.
+//   cell      the cell; cells wrap at 2^32
+//   fraction  where in the cell it is, in the numbers of HN_ARITHMETIC
+//   rest      what is beyond those numbers, in units of 2^-24 of a cell. Only octave sums with HN_FIXED need it
+//   period    cells along each axis
+//   tiled     whether it has a period. Octaves are not turned then, as they would not fit the tile
+struct hn_place1 {
+  HN_I_MADE(hn_place1)
+  hn_int cell;
+  hn_num fraction;
+  hn_int rest;
+  hn_int period;
+  bool tiled;
+};
+struct hn_place2 {
+  HN_I_MADE(hn_place2)
+  hn_ivec2 cell;
+  hn_num2 fraction;
+  hn_ivec2 rest;
+  hn_ivec2 period;
+  bool tiled;
+};
+struct hn_place3 {
+  HN_I_MADE(hn_place3)
+  hn_ivec3 cell;
+  hn_num3 fraction;
+  hn_ivec3 rest;
+  hn_ivec3 period;
+  bool tiled;
+};
+struct hn_place4 {
+  HN_I_MADE(hn_place4)
+  hn_ivec4 cell;
+  hn_num4 fraction;
+  hn_ivec4 rest;
+  hn_ivec4 period;
+  bool tiled;
+};
+
+// What a fraction and a position leave beyond the numbers of HN_ARITHMETIC: 0 for floats. That of a position has its
+// sign, as hn_i_rest does.
+#if HN_ARITHMETIC == HN_FIXED
+HN_FN hn_int hn_i_rest_of_fraction(hn_float f) {
+  return int(min(max(f, 0.0f), 1.0f) * 16777216.0f) - hn_i_inside(f) * 16;
+}
+HN_FN hn_int hn_i_rest_of_position(hn_float p) { return int((p - trunc(p)) * 16777216.0f) - hn_i_rest(p) * 16; }
+#define HN_I_REST(rest) rest
+#else
+#define HN_I_REST(rest) 0
+#endif
+
+// A place from its parts.
+HN_FN hn_place1 hn_i_place(hn_int cell, hn_num fraction, hn_int rest) {
+  HN_I_NEW(hn_place1, place);
+  place.cell = cell;
+  place.fraction = fraction;
+  place.rest = rest;
+  place.period = 0;
+  place.tiled = false;
+  return place;
+}
+HN_FN hn_place2 hn_i_place(hn_ivec2 cell, hn_num2 fraction, hn_ivec2 rest) {
+  HN_I_NEW(hn_place2, place);
+  place.cell = cell;
+  place.fraction = fraction;
+  place.rest = rest;
+  place.period = ivec2(0, 0);
+  place.tiled = false;
+  return place;
+}
+HN_FN hn_place3 hn_i_place(hn_ivec3 cell, hn_num3 fraction, hn_ivec3 rest) {
+  HN_I_NEW(hn_place3, place);
+  place.cell = cell;
+  place.fraction = fraction;
+  place.rest = rest;
+  place.period = ivec3(0, 0, 0);
+  place.tiled = false;
+  return place;
+}
+HN_FN hn_place4 hn_i_place(hn_ivec4 cell, hn_num4 fraction, hn_ivec4 rest) {
+  HN_I_NEW(hn_place4, place);
+  place.cell = cell;
+  place.fraction = fraction;
+  place.rest = rest;
+  place.period = ivec4(0, 0, 0, 0);
+  place.tiled = false;
+  return place;
+}
+
+// A place from a cell and a position in it. It names cells exactly where a float no longer can: far out in a large
+// world, or in one that moves with the viewer.
+//   cell     the cell: int, ivec2, ivec3 or ivec4; cells wrap at 2^32
+//   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end. Floats of Perlin and value
+//            noise extrapolate, and other noises have no promise
+//   returns  the place
+//   error    none: this loses nothing that the noise does not
+//   cost     none that the noise does not have
+//   source   docs/contract.md, section 6
+HN_FN hn_place1 hn_place(hn_int cell, hn_float f) {
+  return hn_i_place(cell, hn_i_inside(f), HN_I_REST(hn_i_rest_of_fraction(f)));
+}
+HN_FN hn_place2 hn_place(hn_ivec2 cell, hn_vec2 f) {
+  return hn_i_place(cell, hn_i_inside(f),
+                    ivec2(HN_I_REST(hn_i_rest_of_fraction(f.x)), HN_I_REST(hn_i_rest_of_fraction(f.y))));
+}
+HN_FN hn_place3 hn_place(hn_ivec3 cell, hn_vec3 f) {
+  return hn_i_place(cell, hn_i_inside(f),
+                    ivec3(HN_I_REST(hn_i_rest_of_fraction(f.x)), HN_I_REST(hn_i_rest_of_fraction(f.y)),
+                          HN_I_REST(hn_i_rest_of_fraction(f.z))));
+}
+HN_FN hn_place4 hn_place(hn_ivec4 cell, hn_vec4 f) {
+  return hn_i_place(cell, hn_i_inside(f),
+                    ivec4(HN_I_REST(hn_i_rest_of_fraction(f.x)), HN_I_REST(hn_i_rest_of_fraction(f.y)),
+                          HN_I_REST(hn_i_rest_of_fraction(f.z)), HN_I_REST(hn_i_rest_of_fraction(f.w))));
+}
+
+// A place from a cell alone: its first corner. So hn_random(hn_place(cell), seed) is the number of a cell.
+//   cell     the cell: int, ivec2, ivec3 or ivec4
+//   returns  the place
+//   error    none
+//   cost     none
+//   source   as above
+HN_FN hn_place1 hn_place(hn_int cell) { return hn_i_place(cell, hn_i_inside(0.0f), 0); }
+HN_FN hn_place2 hn_place(hn_ivec2 cell) { return hn_i_place(cell, hn_i_inside(vec2(0.0f, 0.0f)), ivec2(0, 0)); }
+HN_FN hn_place3 hn_place(hn_ivec3 cell) {
+  return hn_i_place(cell, hn_i_inside(vec3(0.0f, 0.0f, 0.0f)), ivec3(0, 0, 0));
+}
+HN_FN hn_place4 hn_place(hn_ivec4 cell) {
+  return hn_i_place(cell, hn_i_inside(vec4(0.0f, 0.0f, 0.0f, 0.0f)), ivec4(0, 0, 0, 0));
+}
+
+// A place from a position. hn_perlin(hn_place(p), seed) is hn_perlin(p, seed).
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   returns  the place
+//   error    floats round the fraction of a small negative position
+//   cost     as above
+//   source   as above
+HN_FN hn_place1 hn_place(hn_float p) {
+  return hn_i_place(hn_i_cell(p), hn_i_fraction(p), HN_I_REST(hn_i_rest_of_position(p)));
+}
+HN_FN hn_place2 hn_place(hn_vec2 p) {
+  return hn_i_place(hn_i_cell(p), hn_i_fraction(p),
+                    ivec2(HN_I_REST(hn_i_rest_of_position(p.x)), HN_I_REST(hn_i_rest_of_position(p.y))));
+}
+HN_FN hn_place3 hn_place(hn_vec3 p) {
+  return hn_i_place(hn_i_cell(p), hn_i_fraction(p),
+                    ivec3(HN_I_REST(hn_i_rest_of_position(p.x)), HN_I_REST(hn_i_rest_of_position(p.y)),
+                          HN_I_REST(hn_i_rest_of_position(p.z))));
+}
+HN_FN hn_place4 hn_place(hn_vec4 p) {
+  return hn_i_place(hn_i_cell(p), hn_i_fraction(p),
+                    ivec4(HN_I_REST(hn_i_rest_of_position(p.x)), HN_I_REST(hn_i_rest_of_position(p.y)),
+                          HN_I_REST(hn_i_rest_of_position(p.z)), HN_I_REST(hn_i_rest_of_position(p.w))));
+}
+
+// A place in a tile: the field repeats after its period. Its values are those at the corners, or of the points, modulo
+// the period.
+//   place    the place, or the position, in cells
+//   period   cells along each axis: int, ivec2, ivec3 or ivec4; 0 for none along that axis. Less than 0 is none, too
+//   returns  the place
+//   error    none
+//   cost     for the noise a mask along each axis if the period is a constant power of two, else a division; a few
+//            comparisons along each axis, and for simplex and cellular noise up to two multiplications
+//   source   docs/contract.md, section 6
+HN_FN hn_place1 hn_tile(hn_place1 place, hn_int period) {
+  hn_place1 tile = place;
+  tile.period = period;
+  tile.tiled = true;
+  return tile;
+}
+HN_FN hn_place1 hn_tile(hn_float p, hn_int period) { return hn_tile(hn_place(p), period); }
+HN_FN hn_place2 hn_tile(hn_place2 place, hn_ivec2 period) {
+  hn_place2 tile = place;
+  tile.period = period;
+  tile.tiled = true;
+  return tile;
+}
+HN_FN hn_place2 hn_tile(hn_vec2 p, hn_ivec2 period) { return hn_tile(hn_place(p), period); }
+HN_FN hn_place3 hn_tile(hn_place3 place, hn_ivec3 period) {
+  hn_place3 tile = place;
+  tile.period = period;
+  tile.tiled = true;
+  return tile;
+}
+HN_FN hn_place3 hn_tile(hn_vec3 p, hn_ivec3 period) { return hn_tile(hn_place(p), period); }
+HN_FN hn_place4 hn_tile(hn_place4 place, hn_ivec4 period) {
+  hn_place4 tile = place;
+  tile.period = period;
+  tile.tiled = true;
+  return tile;
+}
+HN_FN hn_place4 hn_tile(hn_vec4 p, hn_ivec4 period) { return hn_tile(hn_place(p), period); }
+
+// Along one axis. Floats have no rest.
+#if HN_ARITHMETIC == HN_FIXED
+HN_FN hn_float hn_i_position_of(hn_int cell, hn_int fraction, hn_int rest) {
+  return hn_i_float(cell) + hn_i_float(fraction * 16 + rest) * (1.0f / 16777216.0f);
+}
+#else
+HN_FN hn_float hn_i_position_of(hn_int cell, hn_float fraction, hn_int rest) {
+  return hn_i_float(cell) + (fraction + hn_i_float(rest));
+}
+#endif
+
+// The position of a place, for noises of your own that sums call.
+//   place    the place
+//   returns  its cell and its fraction in one float along each axis
+//   error    that of a float, far out
+//   source   as of hn_place
+HN_FN hn_float hn_position(hn_place1 place) { return hn_i_position_of(place.cell, place.fraction, place.rest); }
+HN_FN hn_vec2 hn_position(hn_place2 place) {
+  return vec2(hn_i_position_of(place.cell.x, place.fraction.x, place.rest.x),
+              hn_i_position_of(place.cell.y, place.fraction.y, place.rest.y));
+}
+HN_FN hn_vec3 hn_position(hn_place3 place) {
+  return vec3(hn_i_position_of(place.cell.x, place.fraction.x, place.rest.x),
+              hn_i_position_of(place.cell.y, place.fraction.y, place.rest.y),
+              hn_i_position_of(place.cell.z, place.fraction.z, place.rest.z));
+}
+HN_FN hn_vec4 hn_position(hn_place4 place) {
+  return vec4(hn_i_position_of(place.cell.x, place.fraction.x, place.rest.x),
+              hn_i_position_of(place.cell.y, place.fraction.y, place.rest.y),
+              hn_i_position_of(place.cell.z, place.fraction.z, place.rest.z),
+              hn_i_position_of(place.cell.w, place.fraction.w, place.rest.w));
+}
+
+#endif

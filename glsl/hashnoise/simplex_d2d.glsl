@@ -1,0 +1,45 @@
+// hashnoise: simplex noise and its derivatives on the plane.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_SIMPLEX_D2D_GLSL
+#define HN_SIMPLEX_D2D_GLSL
+
+#include "detail/triangular_lattice.glsl"
+
+// What a corner adds to the noise and to its derivatives, in steps.
+HN_FN hn_num3 hn_i_bump_d(hn_uint h, hn_num x, hn_num y, hn_num t) {
+  return hn_i_bump_d(hn_i_triangle_ramp(h, x, y), hn_i_triangle_gradient(h), x, y, hn_i_weight_plane(t),
+                     hn_i_fall_plane(t, 1));
+}
+
+// The noise and its derivatives, from the words of the corners.
+HN_FN hn_vec3 hn_i_simplex_d(hn_uvec3 h, hn_num2 skewed) {
+  hn_num3 x = hn_i_triangle_x(skewed);
+  hn_num3 y = hn_i_triangle_y(skewed);
+  hn_num3 t = hn_i_triangle_near(x, y);
+  hn_num3 n = hn_i_added(hn_i_added(hn_i_bump_d(h.x, x.x, y.x, t.x), hn_i_bump_d(h.y, x.y, y.y, t.y)),
+                         hn_i_bump_d(h.z, x.z, y.z, t.z));
+  return vec3(hn_i_value(hn_i_scaled_simplex2(n.x)), hn_i_per_cell(hn_i_derivative(hn_i_scaled_simplex2(n.y))),
+              hn_i_per_cell(hn_i_derivative(hn_i_scaled_simplex2(n.z))));
+}
+HN_FN hn_vec3 hn_i_simplex_d(hn_place2 place, hn_uint seed) {
+  hn_num2 skewed = hn_i_skewed(place.fraction);
+  return hn_i_simplex_d(hn_i_triangle(place, skewed, seed), skewed);
+}
+
+// Simplex noise on the plane and how steep it is. The value is that of hn_simplex.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  the value and its derivatives along x and y. A derivative is per cell, in [-8.36, 8.36], once continuously
+//            differentiable (HN_FIXED: in steps of 2^-18)
+//   error    that of hn_simplex, and of a derivative at most 5.19e-5 against the exact value, in any rounding mode
+//            (docs/accuracy.md). HN_FIXED 2.42e-3. From a cell at most 4.49e-5
+//   period   2^31 cells per axis, or that of the tile
+//   cost     the hashes of hn_simplex, which are most of its cost, and about twice the rest
+//   source   the product rule on weight and ramp; docs/contract.md, section 13
+HN_FN hn_vec3 hn_simplex_d(hn_place2 place, hn_uint seed) { return hn_i_simplex_d(place, seed); }
+HN_FN hn_vec3 hn_simplex_d(hn_vec2 p, hn_uint seed) { return hn_simplex_d(hn_place(p), seed); }
+HN_FN hn_vec3 hn_simplex_d(hn_vec2 p) { return hn_simplex_d(p, 0u); }
+
+#endif

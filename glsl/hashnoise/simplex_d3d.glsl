@@ -1,0 +1,46 @@
+// hashnoise: simplex noise and its derivatives in space.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_SIMPLEX_D3D_GLSL
+#define HN_SIMPLEX_D3D_GLSL
+
+#include "detail/body_centred_lattice.glsl"
+
+// What a point adds to the noise and to its derivatives.
+HN_FN hn_num4 hn_i_bump_d(hn_uint h, hn_num x, hn_num y, hn_num z, hn_num t) {
+  return hn_i_bump_d(hn_i_ramp_of(h, x, y, z), hn_i_gradient(hn_i_direction3(h)), x, y, z, hn_i_weight4(t),
+                     hn_i_fall4(t, 2));
+}
+
+// The noise and its derivatives.
+HN_FN hn_vec4 hn_i_simplex_d(hn_i_block3 block, hn_num3 f, hn_uint seed) {
+  hn_num4 x;
+  hn_num4 y;
+  hn_num4 z;
+  hn_num4 t;
+  hn_uvec4 h = hn_i_four_points(block, f, seed, x, y, z, t);
+  hn_num4 corners = hn_i_added(hn_i_bump_d(h.x, x.x, y.x, z.x, t.x), hn_i_bump_d(h.y, x.y, y.y, z.y, t.y));
+  hn_num4 n =
+      hn_i_added(hn_i_added(corners, hn_i_bump_d(h.z, x.z, y.z, z.z, t.z)), hn_i_bump_d(h.w, x.w, y.w, z.w, t.w));
+  return vec4(hn_i_value(hn_i_scaled_simplex3(n.x)), hn_i_derivative(hn_i_scaled_simplex3(n.y)),
+              hn_i_derivative(hn_i_scaled_simplex3(n.z)), hn_i_derivative(hn_i_scaled_simplex3(n.w)));
+}
+
+// Simplex noise in space and how steep it is. The value is that of hn_simplex.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  the value and its derivatives along x, y and z. A derivative is per cell, in [-6.42, 6.42], once
+//            continuously differentiable (HN_FIXED: in steps of 2^-19)
+//   error    that of hn_simplex, and of a derivative at most 6.28e-5 against the exact value, in any rounding mode
+//            (docs/accuracy.md). HN_FIXED 1.26e-3. From a cell at most 5.85e-5
+//   period   2^32 cells per axis, or that of the tile
+//   cost     the hashes of hn_simplex, which are most of its cost, and about twice the rest
+//   source   the product rule on weight and ramp; docs/contract.md, section 13
+HN_FN hn_vec4 hn_simplex_d(hn_place3 place, hn_uint seed) {
+  return hn_i_simplex_d(hn_i_block(place), place.fraction, seed);
+}
+HN_FN hn_vec4 hn_simplex_d(hn_vec3 p, hn_uint seed) { return hn_simplex_d(hn_place(p), seed); }
+HN_FN hn_vec4 hn_simplex_d(hn_vec3 p) { return hn_simplex_d(p, 0u); }
+
+#endif

@@ -1,0 +1,56 @@
+// hashnoise: simplex noise and its derivatives in four dimensions.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_SIMPLEX_D4D_GLSL
+#define HN_SIMPLEX_D4D_GLSL
+
+#include "detail/body_centred_lattice.glsl"
+
+// What a point adds to the derivatives of the noise.
+HN_FN hn_num4 hn_i_bump_d(hn_uint h, hn_num x, hn_num y, hn_num z, hn_num w, hn_num t) {
+  hn_num k = hn_i_attenuated(hn_i_ramp(h, x, y, z, w), hn_i_fall3(t, 2));
+  hn_num weight = hn_i_weight3(t);
+  hn_num4 g = hn_i_gradient4(h);
+  return hn_i_num(hn_i_lean(g.x, weight, k, x), hn_i_lean(g.y, weight, k, y), hn_i_lean(g.z, weight, k, z),
+                  hn_i_lean(g.w, weight, k, w));
+}
+
+HN_FN hn_derivatives4 hn_i_simplex_d(hn_i_block4 block, hn_num4 f, hn_uint seed) {
+  hn_num4 x;
+  hn_num4 y;
+  hn_num4 z;
+  hn_num4 w;
+  hn_num4 t;
+  hn_uvec4 h = hn_i_four_points(block, f, seed, x, y, z, w, t);
+  hn_num4 corners = hn_i_added(hn_i_bump_d(h.x, x.x, y.x, z.x, w.x, t.x), hn_i_bump_d(h.y, x.y, y.y, z.y, w.y, t.y));
+  hn_num4 d = hn_i_added(hn_i_added(corners, hn_i_bump_d(h.z, x.z, y.z, z.z, w.z, t.z)),
+                         hn_i_bump_d(h.w, x.w, y.w, z.w, w.w, t.w));
+  HN_I_NEW(hn_derivatives4, n);
+  n.gradient = vec4(hn_i_derivative(hn_i_scaled_simplex4(d.x)), hn_i_derivative(hn_i_scaled_simplex4(d.y)),
+                    hn_i_derivative(hn_i_scaled_simplex4(d.z)), hn_i_derivative(hn_i_scaled_simplex4(d.w)));
+  hn_num sum = hn_i_attenuated(hn_i_ramp(h.x, x.x, y.x, z.x, w.x), hn_i_weight3(t.x));
+  sum = hn_i_plus(sum, hn_i_attenuated(hn_i_ramp(h.y, x.y, y.y, z.y, w.y), hn_i_weight3(t.y)));
+  sum = hn_i_plus(sum, hn_i_attenuated(hn_i_ramp(h.z, x.z, y.z, z.z, w.z), hn_i_weight3(t.z)));
+  sum = hn_i_plus(sum, hn_i_attenuated(hn_i_ramp(h.w, x.w, y.w, z.w, w.w), hn_i_weight3(t.w)));
+  n.value = hn_i_value(hn_i_scaled_simplex4(sum));
+  return n;
+}
+
+// Simplex noise in four dimensions and how steep it is. The value is that of hn_simplex.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  `value` and, in `gradient`, its derivatives along x, y, z and w. A derivative is per cell, in [-6.06,
+//            6.06], once continuously differentiable (HN_FIXED: in steps of 2^-19)
+//   error    that of hn_simplex, and of a derivative at most 6.26e-5 against the exact value, in any rounding mode
+//            (docs/accuracy.md). HN_FIXED 1.40e-3. From a cell at most 5.48e-5
+//   period   2^32 cells per axis, or that of the tile
+//   cost     the hashes of hn_simplex, which are most of its cost, and about twice the rest
+//   source   the product rule on weight and ramp; docs/contract.md, section 13
+HN_FN hn_derivatives4 hn_simplex_d(hn_place4 place, hn_uint seed) {
+  return hn_i_simplex_d(hn_i_block(place), place.fraction, seed);
+}
+HN_FN hn_derivatives4 hn_simplex_d(hn_vec4 p, hn_uint seed) { return hn_simplex_d(hn_place(p), seed); }
+HN_FN hn_derivatives4 hn_simplex_d(hn_vec4 p) { return hn_simplex_d(p, 0u); }
+
+#endif

@@ -1,0 +1,74 @@
+// hashnoise: simplex noise in space whose gradients turn with a phase.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_SIMPLEX_PHASE3D_GLSL
+#define HN_SIMPLEX_PHASE3D_GLSL
+
+#include "detail/body_centred_lattice.glsl"
+#include "detail/direction_turning.glsl"
+
+// The noise in the numbers of HN_ARITHMETIC.
+HN_FN hn_num hn_i_simplex_turned(hn_i_block3 block, hn_num3 f, hn_num2 rotation, hn_uint seed) {
+  hn_num4 x;
+  hn_num4 y;
+  hn_num4 z;
+  hn_num4 t;
+  hn_uvec4 h = hn_i_four_points(block, f, seed, x, y, z, t);
+  hn_num n = hn_i_attenuated(hn_i_ramp(hn_i_direction3(h.x), x.x, y.x, z.x, rotation), hn_i_weight4(t.x));
+  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(hn_i_direction3(h.y), x.y, y.y, z.y, rotation), hn_i_weight4(t.y)));
+  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(hn_i_direction3(h.z), x.z, y.z, z.z, rotation), hn_i_weight4(t.z)));
+  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(hn_i_direction3(h.w), x.w, y.w, z.w, rotation), hn_i_weight4(t.w)));
+  return hn_i_scaled_simplex3(n);
+}
+
+// What a point adds to the noise and to its derivatives.
+HN_FN hn_num4 hn_i_turned_bump_d(hn_uint h, hn_num x, hn_num y, hn_num z, hn_num t, hn_num2 rotation) {
+  hn_num4 d = hn_i_direction3(h);
+  return hn_i_bump_d(hn_i_ramp(d, x, y, z, rotation), hn_i_gradient(d, rotation), x, y, z, hn_i_weight4(t),
+                     hn_i_fall4(t, 2));
+}
+
+// The noise and its derivatives.
+HN_FN hn_vec4 hn_i_simplex_turned_d(hn_i_block3 block, hn_num3 f, hn_num2 rotation, hn_uint seed) {
+  hn_num4 x;
+  hn_num4 y;
+  hn_num4 z;
+  hn_num4 t;
+  hn_uvec4 h = hn_i_four_points(block, f, seed, x, y, z, t);
+  hn_num4 corners = hn_i_added(hn_i_turned_bump_d(h.x, x.x, y.x, z.x, t.x, rotation),
+                               hn_i_turned_bump_d(h.y, x.y, y.y, z.y, t.y, rotation));
+  hn_num4 n = hn_i_added(hn_i_added(corners, hn_i_turned_bump_d(h.z, x.z, y.z, z.z, t.z, rotation)),
+                         hn_i_turned_bump_d(h.w, x.w, y.w, z.w, t.w, rotation));
+  return vec4(hn_i_value(hn_i_scaled_simplex3(n.x)), hn_i_derivative(hn_i_scaled_simplex3(n.y)),
+              hn_i_derivative(hn_i_scaled_simplex3(n.z)), hn_i_derivative(hn_i_scaled_simplex3(n.w)));
+}
+
+// Simplex noise in space whose gradients turn: the field changes in place, and loops after one turn. Each turns in the
+// plane of its two longest axes.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+//   phase    in turns, any float: the field of phase + 1 has the same bits, and that of phase + 1/2 is the negative
+//            (HN_FIXED: but for the last bits). A float far from 0 has few bits left for the turn: wrap it yourself
+//   seed     any uint: 7u, not 7; different seeds give independent fields
+//   returns  [-1, 1] (proven bound 0.99928), mean 0, 0 at lattice points, twice continuously differentiable, and smooth
+//            in the phase. With a phase of 0 it is hn_simplex, within the error.
+//   error    at most 1.03e-5 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 1.88e-4
+//   period   2^32 cells per axis, or that of the tile
+//   cost     the hashes of hn_simplex, a sine and a cosine of 6 multiplications of floats each, and twice the rest
+//   source   Perlin and Neyret, "Flow noise", 2001; docs/contract.md, section 14
+HN_FN hn_float hn_simplex(hn_place3 place, hn_float phase, hn_uint seed) {
+  return hn_i_value(hn_i_simplex_turned(hn_i_block(place), place.fraction, hn_i_rotation(phase), seed));
+}
+HN_FN hn_float hn_simplex(hn_vec3 p, hn_float phase, hn_uint seed) { return hn_simplex(hn_place(p), phase, seed); }
+
+// The same with the derivatives along x, y and z, as of hn_simplex_d. The value is as above.
+//   returns  the value and its derivatives, per cell, in [-6.79, 6.79]
+//   error    of a derivative at most 9.01e-5. HN_FIXED 1.79e-3
+//   cost     as above, and about twice the rest
+//   (parameters as above)
+HN_FN hn_vec4 hn_simplex_d(hn_place3 place, hn_float phase, hn_uint seed) {
+  return hn_i_simplex_turned_d(hn_i_block(place), place.fraction, hn_i_rotation(phase), seed);
+}
+HN_FN hn_vec4 hn_simplex_d(hn_vec3 p, hn_float phase, hn_uint seed) { return hn_simplex_d(hn_place(p), phase, seed); }
+
+#endif

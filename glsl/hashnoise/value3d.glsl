@@ -1,0 +1,36 @@
+// hashnoise: value noise in space.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_VALUE3D_GLSL
+#define HN_VALUE3D_GLSL
+
+#include "detail/cell.glsl"
+
+// The noise in the numbers of HN_ARITHMETIC.
+HN_FN hn_num hn_i_value_noise(hn_i_box3 box, hn_num3 f, hn_uint seed) {
+  hn_num3 t = hn_i_fade(f);
+  hn_num front = hn_i_lerp(hn_i_numbers(hn_i_corners(box, false, seed)), t.x, t.y);
+  hn_num back = hn_i_lerp(hn_i_numbers(hn_i_corners(box, true, seed)), t.x, t.y);
+  return hn_i_of_numbers(hn_i_lerp(front, back, t.z));
+}
+
+// Value noise on the cubic lattice: hashed numbers, Perlin's 2002 interpolant. It is cheaper than gradient noise, and
+// coarser: its values are large at lattice points.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  [-1, 1], mean 0, at lattice points any multiple of 2^-22, twice continuously differentiable (HN_FIXED: in
+//            steps of 2^-21)
+//   error    at most 6.10e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 5.60e-5.
+//            From a cell at most 5.77e-6
+//   period   2^32 cells per axis, or that of the tile
+//   cost     8 hashes (none with HN_HASH_LATTICE) and 8 multiplications; 3 more to spread the coordinates, and 2 more
+//            for a seed that is not constant
+//   source   Perlin, "Improving noise", 2002, for the interpolant
+HN_FN hn_float hn_value(hn_place3 place, hn_uint seed) {
+  return hn_i_value(hn_i_value_noise(hn_i_box(place), place.fraction, seed));
+}
+HN_FN hn_float hn_value(hn_vec3 p, hn_uint seed) { return hn_value(hn_place(p), seed); }
+HN_FN hn_float hn_value(hn_vec3 p) { return hn_value(p, 0u); }
+
+#endif

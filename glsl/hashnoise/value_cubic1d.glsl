@@ -1,0 +1,37 @@
+// hashnoise: cubic value noise on the line.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_VALUE_CUBIC1D_GLSL
+#define HN_VALUE_CUBIC1D_GLSL
+
+#include "detail/cubic_spline.glsl"
+
+// The noise in the numbers of HN_ARITHMETIC. x are the spread coordinates of four points.
+HN_FN hn_num hn_i_value_cubic(hn_uvec4 x, hn_num f, hn_uint seed) {
+  hn_uint s = hn_i_mix(seed);
+  return hn_i_of_numbers(hn_i_cubic_row(x, s, s, hn_i_spline(f)));
+}
+
+HN_FN hn_num hn_i_value_cubic(hn_place1 place, hn_uint seed) {
+  return hn_i_value_cubic(hn_i_line(place.cell, place.period, place.tiled, HN_I_STEP_X, HN_I_ORIGIN_X), place.fraction,
+                          seed);
+}
+
+// Cubic value noise on the line: a uniform cubic B-spline over hashed numbers. It is the smoothest of the lattice
+// noises: it does not show the cells, has no creases in its slopes, and stays between the numbers around it. The price
+// is contrast: the spline blurs.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  [-1, 1], mean 0, twice continuously differentiable (HN_FIXED: in steps of 2^-21)
+//   error    at most 5.56e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 4.00e-5.
+//            From a cell at most 5.47e-6
+//   period   2^32 cells
+//   cost     4 hashes (none with HN_HASH_LATTICE) and 4 multiplications; 1 more to spread the coordinate, and 2 more
+//            for a seed that is not constant
+//   source   de Boor, "A Practical Guide to Splines", 1978, for the spline
+HN_FN hn_float hn_value_cubic(hn_place1 place, hn_uint seed) { return hn_i_value(hn_i_value_cubic(place, seed)); }
+HN_FN hn_float hn_value_cubic(hn_float p, hn_uint seed) { return hn_value_cubic(hn_place(p), seed); }
+HN_FN hn_float hn_value_cubic(hn_float p) { return hn_value_cubic(p, 0u); }
+
+#endif

@@ -1,0 +1,34 @@
+// hashnoise: value noise and its derivatives on the line.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_VALUE_D1D_GLSL
+#define HN_VALUE_D1D_GLSL
+
+#include "detail/cell.glsl"
+#include "detail/derivative.glsl"
+
+// The noise and its derivative.
+HN_FN hn_vec2 hn_i_value_d(hn_i_box1 box, hn_num f, hn_uint seed) {
+  hn_uvec2 h = hn_i_corners(box, seed);
+  hn_num left = hn_i_number(h.x);
+  hn_num right = hn_i_number(h.y);
+  return vec2(hn_i_value(hn_i_of_numbers(hn_i_lerp(left, right, hn_i_fade(f)))),
+              hn_i_derivative(hn_i_of_rises(hn_i_climb(hn_i_rise(left, right), hn_i_slope(f)))));
+}
+
+// Value noise on the line and how steep it is. The value is that of hn_value.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  the value and its derivative. A derivative is per cell, in [-3.76, 3.76], once continuously differentiable
+//            (HN_FIXED: in steps of 2^-19)
+//   error    that of hn_value, and of a derivative at most 3.41e-6 against the exact value, in any rounding mode
+//            (docs/accuracy.md). HN_FIXED 1.55e-4. From a cell at most 2.72e-6
+//   period   2^32 cells
+//   cost     the hashes of hn_value, which are most of its cost, and about twice the rest
+//   source   the product rule on the interpolation; docs/contract.md, section 10
+HN_FN hn_vec2 hn_value_d(hn_place1 place, hn_uint seed) { return hn_i_value_d(hn_i_box(place), place.fraction, seed); }
+HN_FN hn_vec2 hn_value_d(hn_float p, hn_uint seed) { return hn_value_d(hn_place(p), seed); }
+HN_FN hn_vec2 hn_value_d(hn_float p) { return hn_value_d(p, 0u); }
+
+#endif

@@ -1,0 +1,33 @@
+// hashnoise: value noise and its derivatives on the plane.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_VALUE_D2D_GLSL
+#define HN_VALUE_D2D_GLSL
+
+#include "detail/cell.glsl"
+#include "detail/derivative.glsl"
+
+// The noise and its derivatives.
+HN_FN hn_vec3 hn_i_value_d(hn_i_box2 box, hn_num2 f, hn_uint seed) {
+  hn_num2 t = hn_i_fade(f);
+  hn_num3 n = hn_i_lerp_d(hn_i_numbers(hn_i_corners(box, seed)), t, hn_i_slope(f));
+  return vec3(hn_i_value(hn_i_of_numbers(n.x)), hn_i_derivative(hn_i_of_rises(n.y)),
+              hn_i_derivative(hn_i_of_rises(n.z)));
+}
+
+// Value noise on the plane and how steep it is. The value is that of hn_value.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  the value and its derivatives along x and y. A derivative is per cell, in [-3.76, 3.76], once continuously
+//            differentiable (HN_FIXED: in steps of 2^-19)
+//   error    that of hn_value, and of a derivative at most 1.12e-5 against the exact value, in any rounding mode
+//            (docs/accuracy.md). HN_FIXED 2.86e-4. From a cell at most 1.04e-5
+//   period   2^32 cells per axis, or that of the tile
+//   cost     the hashes of hn_value, which are most of its cost, and about twice the rest
+//   source   the product rule on the interpolation; docs/contract.md, section 10
+HN_FN hn_vec3 hn_value_d(hn_place2 place, hn_uint seed) { return hn_i_value_d(hn_i_box(place), place.fraction, seed); }
+HN_FN hn_vec3 hn_value_d(hn_vec2 p, hn_uint seed) { return hn_value_d(hn_place(p), seed); }
+HN_FN hn_vec3 hn_value_d(hn_vec2 p) { return hn_value_d(p, 0u); }
+
+#endif

@@ -1,0 +1,51 @@
+// hashnoise: value noise and its derivatives in four dimensions.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_VALUE_D4D_GLSL
+#define HN_VALUE_D4D_GLSL
+
+#include "detail/cell.glsl"
+#include "detail/derivative.glsl"
+
+// What the two squares along z that w chooses make of the noise: the value, and its derivatives along x, y and z.
+HN_FN hn_num4 hn_i_value_cube_d(hn_i_box4 box, bool far_w, hn_num4 t, hn_num4 s, hn_uint seed) {
+  hn_num2 t2 = hn_i_num(t.x, t.y);
+  hn_num2 s2 = hn_i_num(s.x, s.y);
+  hn_num3 front = hn_i_lerp_d(hn_i_numbers(hn_i_corners(box, false, far_w, seed)), t2, s2);
+  hn_num3 back = hn_i_lerp_d(hn_i_numbers(hn_i_corners(box, true, far_w, seed)), t2, s2);
+  return hn_i_num(hn_i_lerp(front.x, back.x, t.z), hn_i_lerp(front.y, back.y, t.z), hn_i_lerp(front.z, back.z, t.z),
+                  hn_i_climb(hn_i_rise(front.x, back.x), s.z));
+}
+
+HN_FN hn_derivatives4 hn_i_value_d(hn_i_box4 box, hn_num4 f, hn_uint seed) {
+  hn_num4 t = hn_i_fade(f);
+  hn_num4 s = hn_i_slope(f);
+  hn_num4 a = hn_i_value_cube_d(box, false, t, s, seed);
+  hn_num4 b = hn_i_value_cube_d(box, true, t, s, seed);
+  HN_I_NEW(hn_derivatives4, n);
+  n.gradient = vec4(hn_i_derivative(hn_i_of_rises(hn_i_lerp(a.y, b.y, t.w))),
+                    hn_i_derivative(hn_i_of_rises(hn_i_lerp(a.z, b.z, t.w))),
+                    hn_i_derivative(hn_i_of_rises(hn_i_lerp(a.w, b.w, t.w))),
+                    hn_i_derivative(hn_i_of_rises(hn_i_climb(hn_i_rise(a.x, b.x), s.w))));
+  n.value = hn_i_value(hn_i_of_numbers(hn_i_lerp(a.x, b.x, t.w)));
+  return n;
+}
+
+// Value noise in four dimensions and how steep it is. The value is that of hn_value.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  `value` and, in `gradient`, its derivatives along x, y, z and w. A derivative is per cell, in [-3.76,
+//            3.76], once continuously differentiable (HN_FIXED: in steps of 2^-19)
+//   error    that of hn_value, and of a derivative at most 2.71e-5 against the exact value, in any rounding mode
+//            (docs/accuracy.md). HN_FIXED 3.65e-4. From a cell at most 2.59e-5
+//   period   2^32 cells per axis, or that of the tile
+//   cost     the hashes of hn_value, which are most of its cost, and about twice the rest
+//   source   the product rule on the interpolation; docs/contract.md, section 10
+HN_FN hn_derivatives4 hn_value_d(hn_place4 place, hn_uint seed) {
+  return hn_i_value_d(hn_i_box(place), place.fraction, seed);
+}
+HN_FN hn_derivatives4 hn_value_d(hn_vec4 p, hn_uint seed) { return hn_value_d(hn_place(p), seed); }
+HN_FN hn_derivatives4 hn_value_d(hn_vec4 p) { return hn_value_d(p, 0u); }
+
+#endif

@@ -1,0 +1,146 @@
+// hashnoise: shifts of positions in space, as sums of octaves.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_WARP3D_GLSL
+#define HN_WARP3D_GLSL
+
+#include "detail/jacobian.glsl"
+#include "octaves3d.glsl"
+#include "value3d.glsl"
+
+// A sum of vectors, and the frame of the octave.
+// Its numbers are apart: where points leave a loop at different octaves, lavapipe of Mesa 22.3 takes a vector that is
+// used behind it from the last octave of all.
+struct hn_shifts3 {
+  hn_num x;
+  hn_num y;
+  hn_num z;
+  hn_i_frame3 frame;
+  hn_num growth;  // of the frame, from octave to octave
+  hn_num amplitude;
+  hn_num rate;  // by which an octave of progressive shifts moves the next
+};
+
+// The position of an octave, moved by n of the octave's cells.
+HN_FN void hn_i_move(HN_I_INOUT(hn_octaves3) o, hn_num3 n) {
+#if HN_ARITHMETIC != HN_FIXED
+  if (!o.is_whole) {
+    o.p = vec3(hn_i_plus(o.p.x, n.x), hn_i_plus(o.p.y, n.y), hn_i_plus(o.p.z, n.z));
+  } else
+#endif
+  {
+    o.x = hn_i_moved(o.x, n.x);
+    o.y = hn_i_moved(o.y, n.y);
+    o.z = hn_i_moved(o.z, n.z);
+  }
+}
+
+// Shifts by any noise, yours or the library's, a number along each axis:
+//
+//   hn_octaves3 o = hn_octaves(p, 6, 2.0, 0.5, 7u);
+//   hn_shifts3 s = hn_shifts(o, 1.5);
+//   do hn_add(o, s, vec3(...)); while (hn_next(o));  // a noise along each axis, with seeds of their own
+//   vec3 shift = hn_mean(o, s);
+//
+// In place of hn_add there is hn_add_progressive, which moves the octaves that follow.
+//   o          the octaves
+//   v          the noises at o.place, in [-1, 1]; what is beyond is cut off
+//   amplitude  the largest shift along an axis, in cells, in [0, 64]
+//   returns    as hn_warp and hn_warp_progressive below
+//   error      docs/accuracy.md
+//   cost       18 multiplications for the frame of progressive shifts
+//   source     docs/contract.md, section 7
+HN_FN hn_shifts3 hn_shifts(hn_octaves3 o, hn_float amplitude) {
+  HN_I_NEW(hn_shifts3, s);
+  s.x = HN_I_NO_WEIGHT;
+  s.y = HN_I_NO_WEIGHT;
+  s.z = HN_I_NO_WEIGHT;
+  s.frame = hn_i_first_frame3();
+  s.growth = hn_i_growth(o.sum.gain, o.lacunarity);
+  s.amplitude = hn_i_setting(amplitude, 64.0f);
+  s.rate = hn_i_mean(s.amplitude, hn_i_total(o.sum));
+  return s;
+}
+HN_FN void hn_add(hn_octaves3 o, HN_I_INOUT(hn_shifts3) s, hn_vec3 v) {
+  s.x = hn_i_summed(s.x, hn_i_bounded_octave(v.x), o.sum.weight);
+  s.y = hn_i_summed(s.y, hn_i_bounded_octave(v.y), o.sum.weight);
+  s.z = hn_i_summed(s.z, hn_i_bounded_octave(v.z), o.sum.weight);
+}
+HN_FN void hn_add_progressive(HN_I_INOUT(hn_octaves3) o, HN_I_INOUT(hn_shifts3) s, hn_vec3 v) {
+  hn_add(o, s, v);
+  hn_num3 n = hn_i_num(hn_i_bounded_octave(v.x), hn_i_bounded_octave(v.y), hn_i_bounded_octave(v.z));
+  hn_i_move(o, hn_i_strides(hn_i_to_frame(s.frame, n), s.rate));
+  s.frame = hn_i_next_frame(s.frame, s.growth, o.place.tiled);
+}
+HN_FN hn_vec3 hn_mean(hn_octaves3 o, hn_shifts3 s) {
+  hn_num total = hn_i_total(o.sum);
+  return vec3(hn_i_shift(o.sum, s.x, total, s.amplitude),
+              hn_i_shift(o.sum, s.y, total, s.amplitude),
+              hn_i_shift(o.sum, s.z, total, s.amplitude));
+}
+
+// The noises of an octave, each with a seed of its own.
+HN_FN hn_vec3 hn_i_values(hn_octaves3 o) {
+  hn_uint second = hn_i_other_seed(o.seed);
+  return vec3(hn_value(o.place, o.seed), hn_value(o.place, second), hn_value(o.place, hn_i_other_seed(second)));
+}
+HN_FN hn_vec3 hn_i_warp(hn_octaves3 o, hn_float amplitude) {
+  hn_shifts3 s = hn_shifts(o, amplitude);
+  do hn_add(o, s, hn_i_values(o)); while (hn_next(o));
+  return hn_mean(o, s);
+}
+HN_FN hn_vec3 hn_i_warp_progressive(hn_octaves3 o, hn_float amplitude) {
+  hn_shifts3 s = hn_shifts(o, amplitude);
+  do hn_add_progressive(o, s, hn_i_values(o)); while (hn_next(o));
+  return hn_mean(o, s);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Shifts by hn_value, in the forms of hn_fbm.
+
+// How far a position is moved: another noise is taken at p + hn_warp(p, ...). Far out it is taken at
+// hn_place(cell, f + hn_warp(hn_place(cell, f), ...)), of which the whole part belongs to the cell.
+//   p           position, in cells of the first octave; (|p| + 1) * lacunarity^octaves < 2^23, for a lacunarity of 2
+//               or more
+//   place       a place in its stead, in cells of the first octave (place.glsl)
+//   octaves     how many; with fewer than 1 the shift is 0
+//   lacunarity  ratio of frequencies, usually 2. In a tile it is a whole number from 1 to 255; others are rounded
+//               down
+//   gain        ratio of amplitudes, usually 0.5; not negative
+//   amplitude   the largest shift along an axis, in cells, in [0, 64]
+//   seed        any uint: 7u, not 7; 0 if left out
+//   returns     the shift along x, y and z, each in [-amplitude, amplitude]
+//   error       docs/accuracy.md
+//   period      none that floats reach, or that of the tile
+//   cost        3 noises per octave, which share the cell and its fades
+//   source      Quilez, "Domain warping", 2002
+HN_FN hn_vec3 hn_warp(hn_place3 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float amplitude,
+                      hn_uint seed) {
+  return hn_i_warp(hn_octaves(place, octaves, lacunarity, gain, seed), amplitude);
+}
+HN_FN hn_vec3 hn_warp(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float amplitude, hn_uint seed) {
+  return hn_i_warp(hn_octaves(p, octaves, lacunarity, gain, seed), amplitude);
+}
+HN_FN hn_vec3 hn_warp(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float amplitude) {
+  return hn_warp(p, octaves, lacunarity, gain, amplitude, 0u);
+}
+
+// The same, where each octave is taken at the place to which those before it have moved. It draws strands and eddies.
+//   (parameters, period and source as for hn_warp)
+//   returns     the shift along x, y and z, each in [-amplitude, amplitude]
+//   error       grows with the amplitude and with each octave, which is taken at a place that has an error:
+//               docs/accuracy.md
+//   cost        3 noises per octave, and 18 multiplications for the frame
+HN_FN hn_vec3 hn_warp_progressive(hn_place3 place, hn_int octaves, hn_float lacunarity, hn_float gain,
+                                  hn_float amplitude, hn_uint seed) {
+  return hn_i_warp_progressive(hn_octaves(place, octaves, lacunarity, gain, seed), amplitude);
+}
+HN_FN hn_vec3 hn_warp_progressive(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float amplitude,
+                                  hn_uint seed) {
+  return hn_i_warp_progressive(hn_octaves(p, octaves, lacunarity, gain, seed), amplitude);
+}
+HN_FN hn_vec3 hn_warp_progressive(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float amplitude) {
+  return hn_warp_progressive(p, octaves, lacunarity, gain, amplitude, 0u);
+}
+
+#endif
