@@ -15,12 +15,12 @@ class CellularChecks : public FaultyLibrary {
 // The block of cells is too small by a row, or has the wrong ones.
 TEST_F(CellularChecks, ABlockThatIsTooSmallIsCaughtByTheSearch) {
   constexpr Replaced kFaults[] = {
-      {"noise2d.cellular.lattice.fast.fragment.gl330.search", "detail/feature_points2d.glsl", "block, block.after.y, s)",
+      {"noise2d.cellular.lattice.fast.fragment.gl330.search", "detail/feature_points2d.glsl", "block, block.following.y, s)",
        "block, block.cell.y, s)"},
       {"noise2d.cellular_cell_nearest.lattice.fixed.fragment.gl330.search", "detail/feature_points2d.glsl",
-       "block, block.before.y, s)", "block, block.cell.y, s)"},
+       "block, block.previous.y, s)", "block, block.cell.y, s)"},
       {"noise3d.cellular_offset.lattice.precise.fragment.gl400.search", "detail/feature_points3d.glsl",
-       "joins.z, hn_i_odd(block.after.z + s)", "joins.y, hn_i_odd(block.cell.z + s)"},
+       "joins.z, hn_i_odd(block.following.z + s)", "joins.y, hn_i_odd(block.cell.z + s)"},
       {"noise2d.cellular_three.lattice.fast.fragment.gl330.search", "cellular_three2d.glsl",
        "best = hn_i_visited(best, hn_i_ranks(words, x, y, jitter, metric), HN_I_NO_CODE, 0);", ""},
       {"noise2d.cellular_three_full.lattice.fixed.fragment.gl330.search", "detail/feature_points.glsl",
@@ -50,7 +50,7 @@ TEST_F(CellularChecks, AnotherMetricAndAnotherJitterAreCaughtByTheSearch) {
 TEST_F(CellularChecks, PartsThatDoNotBelongTogetherAreCaught) {
   constexpr Replaced kFaults[] = {
       {"noise2d.cellular_cell_nearest.lattice.fast.fragment.gl330.cell_names", "detail/feature_points2d.glsl",
-       "hn_uvec2 after = hn_i_after(c, place.period);\n  return ivec2",
+       "hn_uvec2 after = hn_i_following(c, place.period);\n  return ivec2",
        "hn_uvec2 after = c + uvec2(1u, 1u);\n  return ivec2"},
       {"noise3d.cellular_cell_nearest.lattice.fixed.fragment.gl330.cell_names", "cellular3d.glsl",
        "offset = hn_i_toward(", "offset = -hn_i_toward("},

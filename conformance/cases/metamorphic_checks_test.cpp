@@ -145,7 +145,7 @@ TEST_F(Periods, AFunctionThatDoesNotRepeatIsCaught) {
   // A tile that turns.
   expect_replaced_caught({"warp.warp_progressive2_cell_period.lattice.fixed.fragment.gl330.period",
                           "octaves2d.glsl", "hn_i_shifted(x, HN_I_SHIFT_X)",
-                          "hn_i_shifted(hn_i_rotated_axis(x, y, 25, -20), HN_I_SHIFT_X)"});
+                          "hn_i_shifted(hn_i_rotated_axis(x, y, HN_I_COS_XY, -HN_I_SIN_XY), HN_I_SHIFT_X)"});
 }
 
 // From a cell, in every arithmetic and with a period: the fraction, and a step that only one of the two goes.
@@ -154,11 +154,11 @@ TEST_F(Periods, ASumFromACellThatIsNotThatAtThePositionIsCaught) {
                                    "o.x = hn_i_whole(place.cell.x, place.fraction.x, ",
                                    "o.x = hn_i_whole(place.cell.x, 0.999f * place.fraction.x, "},
                                   {"fbm.ridged3_cell.lattice.fixed.fragment.gl330.from_cell", "place.glsl",
-                                   "hn_i_place(cell, hn_i_inside(f),", "hn_i_place(cell, hn_i_inside(f) ^ 256,"},
+                                   "hn_i_place(cell, hn_i_to_num(f),", "hn_i_place(cell, hn_i_to_num(f) ^ 256,"},
                                   {"warp.warp_progressive2_cell.lattice.fast.fragment.gl330.from_cell", "detail/jacobian.glsl",
                                    "hn_i_minus(n, cells)", "hn_i_minus(0.5f * n, 0.5f * cells)"},
                                   {"fbm.fbm2_cell_period.lattice.precise.fragment.gl400.from_cell", "place.glsl",
-                                   "hn_i_place(cell, hn_i_inside(f),", "hn_i_place(cell, 0.999f * hn_i_inside(f),"}};
+                                   "hn_i_place(cell, hn_i_to_num(f),", "hn_i_place(cell, 0.999f * hn_i_to_num(f),"}};
   for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
 }
 
@@ -231,11 +231,11 @@ TEST_F(Derivatives, FaultsAreCaught) {
       {"noise3d.value_d_cell_period.lattice.fixed.fragment.gl330", "derivative", "value_d3d.glsl",
        "hn_value_d(t, args) hn_value_d(t, args).xzyw"},
       {"noise4d.perlin_d.lattice.fast.fragment.gl330", "derivative", "detail/derivative.glsl",
-       "hn_i_slope(f) (0.0 * hn_i_slope(f))"},
+       "hn_i_d_fade(f) (0.0 * hn_i_d_fade(f))"},
       {"noise2d.perlin_d.lattice.fast.fragment.gl330", "derivative", "detail/derivative.glsl",
-       "hn_i_slope(f) (0.0 * hn_i_slope(f))"},
+       "hn_i_d_fade(f) (0.0 * hn_i_d_fade(f))"},
       {"noise3d.value_d.lattice.fixed.fragment.gl330", "derivative", "detail/derivative.glsl",
-       "hn_i_slope(f) (hn_i_slope(f) / 128 * 127)"}};
+       "hn_i_d_fade(f) (hn_i_d_fade(f) / 128 * 127)"}};
   for (const Aperiodic& fault : kFaults) expect_caught(fault);
 }
 
@@ -243,16 +243,16 @@ TEST_F(Derivatives, FaultsAreCaught) {
 TEST_F(Derivatives, FaultsOfSumsAreCaught) {
   constexpr Replaced kFaults[] = {
       {"fbm_d.fbm_d2.lattice.fast.fragment.gl330.derivative", "detail/jacobian.glsl",
-       "hn_i_parted(hn_i_framed(k.x, g.y), hn_i_framed(k.y, g.x))",
-       "hn_i_joined(hn_i_framed(k.x, g.y), hn_i_framed(k.y, g.x))"},
+       "hn_i_wide_minus(hn_i_wide_times(k.x, g.y), hn_i_wide_times(k.y, g.x))",
+       "hn_i_wide_plus(hn_i_wide_times(k.x, g.y), hn_i_wide_times(k.y, g.x))"},
       {"fbm_d.fbm_d2.lattice.fast.fragment.es300.derivative", "fbm_d2d.glsl",
        "hn_i_octave_slope(n.y), hn_i_octave_slope(n.z)", "hn_i_octave_slope(n.z), hn_i_octave_slope(n.y)"},
       {"fbm_d.fbm_d3_cell.lattice.fast.fragment.gl330.derivative", "detail/jacobian.glsl",
-       "next.z = hn_i_rotated_by(z, y, 29, 13);", "next.z = hn_i_rotated_by(z, y, 29, -13);"},
+       "next.z = hn_i_rotated_by(z, y, HN_I_COS_YZ, HN_I_SIN_YZ);", "next.z = hn_i_rotated_by(z, y, HN_I_COS_YZ, -HN_I_SIN_YZ);"},
       {"fbm_d.fbm_d2_cell_period.lattice.precise.fragment.gl400.derivative", "detail/jacobian.glsl",
-       "hn_num2 next = hn_i_framed(k, growth);", "hn_num2 next = k;"},
+       "hn_num2 next = hn_i_wide_times(k, growth);", "hn_num2 next = k;"},
       {"fbm_d.fbm_d3_cell_period.lattice.fast.fragment.gl330.derivative", "detail/jacobian.glsl",
-       "next.y = hn_i_framed(k.y, growth);", "next.y = hn_i_framed(k.y, 1.2f * growth);"}};
+       "next.y = hn_i_wide_times(k.y, growth);", "next.y = hn_i_wide_times(k.y, 1.2f * growth);"}};
   for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
 }
 

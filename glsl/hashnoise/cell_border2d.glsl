@@ -13,9 +13,10 @@ HN_FN hn_rank hn_i_border(hn_rank best, hn_uvec3 words, hn_num3 x, hn_num3 y, hn
                           hn_num2 from, hn_rank4 nearest) {
   hn_num3 from_x = hn_i_from_x(words, x, jitter);
   hn_num3 from_y = hn_i_from_y(words, y, jitter);
-  return hn_i_nearest_border(best, hn_i_gaps(hn_i_squares(from_x, from_y), nearest.x),
-                             hn_i_squares(hn_i_apart(from_x, from.x), hn_i_apart(from_y, from.y)), code, step,
-                             nearest.w);
+  return hn_i_nearest_border(
+      best, hn_i_rank_differences(hn_i_squares(from_x, from_y), nearest.x),
+      hn_i_squares(hn_i_offset_difference(from_x, from.x), hn_i_offset_difference(from_y, from.y)), code, step,
+      nearest.w);
 }
 
 // The distance to the border, given the smallest ranks. The cells beside the block are needed as well: where a place is
@@ -26,13 +27,13 @@ HN_FN hn_float hn_i_cell_border(hn_i_block2 block, hn_uvec2 two, hn_num2 d, hn_n
   hn_uint s = hn_i_mix(seed);
   hn_num3 x = hn_i_row(d.x);
   hn_num3 y = hn_i_row(d.y);
-  hn_num3 two_x = hn_i_thrice(hn_i_beside(d.x, hn_i_two(d.x)));
-  hn_num3 two_y = hn_i_thrice(hn_i_beside(d.y, hn_i_two(d.y)));
-  hn_uvec3 words = hn_i_words_along_x(block, block.before.y, s);
+  hn_num3 two_x = hn_i_thrice(hn_i_offset_from_cell(d.x, hn_i_two(d.x)));
+  hn_num3 two_y = hn_i_thrice(hn_i_offset_from_cell(d.y, hn_i_two(d.y)));
+  hn_uvec3 words = hn_i_words_along_x(block, block.previous.y, s);
   hn_rank best = hn_i_border(hn_i_far_away().x, words, x, hn_i_thrice(y.x), jitter, hn_i_code(0, -1), 1, from, nearest);
   words = hn_i_words_along_x(block, block.cell.y, s);
   best = hn_i_border(best, words, x, hn_i_thrice(y.y), jitter, hn_i_code(0, 0), 1, from, nearest);
-  words = hn_i_words_along_x(block, block.after.y, s);
+  words = hn_i_words_along_x(block, block.following.y, s);
   best = hn_i_border(best, words, x, hn_i_thrice(y.z), jitter, hn_i_code(0, 1), 1, from, nearest);
   words = hn_i_words_along_x(block, two.y, s);
   best = hn_i_border(best, words, x, two_y, jitter, HN_I_NO_CODE, 0, from, nearest);
@@ -42,14 +43,14 @@ HN_FN hn_float hn_i_cell_border(hn_i_block2 block, hn_uvec2 two, hn_num2 d, hn_n
 }
 HN_FN hn_float hn_i_cell_border(hn_place2 place, hn_num jitter, hn_uint seed) {
   hn_i_block2 block = hn_i_block(place);
-  hn_num2 d = hn_i_inner(place.fraction);
+  hn_num2 d = hn_i_from_centre(place.fraction);
   return hn_i_cell_border(block, hn_i_two_steps(place, block, d), d, jitter, seed,
                           hn_i_nearest(block, d, jitter, HN_METRIC_SQUARED, seed));
 }
 HN_FN hn_float hn_i_cell_border(hn_place2 place, hn_num jitter, hn_uint seed, HN_I_OUT(hn_ivec2) nearest,
                                 HN_I_OUT(hn_vec2) offset) {
   hn_i_block2 block = hn_i_block(place);
-  hn_num2 d = hn_i_inner(place.fraction);
+  hn_num2 d = hn_i_from_centre(place.fraction);
   hn_rank4 best = hn_i_nearest(block, d, jitter, HN_METRIC_SQUARED, seed);
   nearest = hn_i_cell_of(place, best.w);
   offset = hn_i_toward(hn_i_from_nearest(block, d, jitter, seed, best.w));

@@ -12,9 +12,10 @@ HN_FN hn_rank hn_i_border(hn_rank best, hn_uvec3 words, hn_num3 x, hn_num3 y, hn
   hn_num3 u = hn_i_from_u(words, x, y, jitter);
   hn_num3 v = hn_i_from_v(words, x, y, jitter);
   hn_num3 w = hn_i_from_z(words, z, jitter);
-  return hn_i_nearest_border(best, hn_i_gaps(hn_i_squares(u, v, w), nearest.x),
-                             hn_i_squares(hn_i_apart(u, from.x), hn_i_apart(v, from.y), hn_i_apart(w, from.z)), code,
-                             step, nearest.w);
+  return hn_i_nearest_border(best, hn_i_rank_differences(hn_i_squares(u, v, w), nearest.x),
+                             hn_i_squares(hn_i_offset_difference(u, from.x), hn_i_offset_difference(v, from.y),
+                                          hn_i_offset_difference(w, from.z)),
+                             code, step, nearest.w);
 }
 
 // The distance to the border, given the smallest ranks. The cells beside the block are needed as well: where a place is
@@ -39,14 +40,14 @@ HN_FN hn_float hn_i_cell_border(hn_i_block3 block, hn_uvec3 two, hn_num3 d, hn_n
 }
 HN_FN hn_float hn_i_cell_border(hn_place3 place, hn_num jitter, hn_uint seed) {
   hn_i_block3 block = hn_i_block(place);
-  hn_num3 d = hn_i_inner(place.fraction);
+  hn_num3 d = hn_i_from_centre(place.fraction);
   return hn_i_cell_border(block, hn_i_two_steps(place, block, d), d, jitter, seed,
                           hn_i_nearest(block, d, jitter, HN_METRIC_SQUARED, seed));
 }
 HN_FN hn_float hn_i_cell_border(hn_place3 place, hn_num jitter, hn_uint seed, HN_I_OUT(hn_ivec3) nearest,
                                 HN_I_OUT(hn_vec3) offset) {
   hn_i_block3 block = hn_i_block(place);
-  hn_num3 d = hn_i_inner(place.fraction);
+  hn_num3 d = hn_i_from_centre(place.fraction);
   hn_rank4 best = hn_i_nearest(block, d, jitter, HN_METRIC_SQUARED, seed);
   nearest = hn_i_cell_of(place, best.w);
   offset = hn_i_toward(hn_i_from_nearest(block, d, jitter, seed, best.w));

@@ -7,12 +7,12 @@
 #include "detail/feature_points3d.glsl"
 
 HN_FN hn_vec2 hn_i_cellular(hn_i_block3 block, hn_num3 f, hn_num jitter, hn_int metric, hn_uint seed) {
-  return hn_i_two_distances(hn_i_nearest(block, hn_i_inner(f), jitter, metric, seed), metric);
+  return hn_i_two_distances(hn_i_nearest(block, hn_i_from_centre(f), jitter, metric, seed), metric);
 }
 HN_FN hn_vec2 hn_i_cellular(hn_place3 place, hn_num jitter, hn_int metric, hn_uint seed, HN_I_OUT(hn_ivec3) nearest,
                             HN_I_OUT(hn_vec3) offset) {
   hn_i_block3 block = hn_i_block(place);
-  hn_num3 d = hn_i_inner(place.fraction);
+  hn_num3 d = hn_i_from_centre(place.fraction);
   hn_rank4 best = hn_i_nearest(block, d, jitter, metric, seed);
   nearest = hn_i_cell_of(place, best.w);
   offset = hn_i_toward(hn_i_from_nearest(block, d, jitter, seed, best.w));
@@ -41,7 +41,7 @@ HN_FN hn_vec2 hn_cellular(hn_vec3 p) { return hn_cellular(p, 0u); }
 // The same with everything that may be chosen.
 //   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
 //            outside of [0, 1] counts as the nearer end
-//   metric   one of HN_METRIC_EUCLIDEAN, _SQUARED, _MANHATTAN, _CHEBYSHEV and _HYBRID (feature_points.glsl); a constant costs
+//   metric   one of HN_METRIC_EUCLIDEAN, _SQUARED, _MANHATTAN, _CHEBYSHEV and _HYBRID; a constant costs
 //            only that metric
 //   seed     any uint: 7u, not 7
 //   returns  as above, in the metric
@@ -57,7 +57,7 @@ HN_FN hn_vec2 hn_cellular(hn_vec3 p, hn_float jitter, hn_int metric, hn_uint see
 // The same with everything that may be chosen, and with the nearest point.
 //   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
 //            outside of [0, 1] counts as the nearer end
-//   metric   one of HN_METRIC_EUCLIDEAN, _SQUARED, _MANHATTAN, _CHEBYSHEV and _HYBRID (feature_points.glsl); a constant costs
+//   metric   one of HN_METRIC_EUCLIDEAN, _SQUARED, _MANHATTAN, _CHEBYSHEV and _HYBRID; a constant costs
 //            only that metric
 //   seed     any uint: 7u, not 7
 //   nearest  is set to the cell of the nearest point, modulo the period: hn_lattice(nearest, seed) is a word of its own

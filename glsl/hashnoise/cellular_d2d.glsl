@@ -7,7 +7,7 @@
 #include "detail/feature_points2d.glsl"
 
 HN_FN hn_vec3 hn_i_cellular_d(hn_i_block2 block, hn_num2 f, hn_num jitter, hn_uint seed) {
-  hn_num2 d = hn_i_inner(f);
+  hn_num2 d = hn_i_from_centre(f);
   hn_rank4 best = hn_i_nearest(block, d, jitter, HN_METRIC_EUCLIDEAN, seed);
   hn_num2 from = hn_i_from_nearest(block, d, jitter, seed, best.w);
   hn_vec2 slope = hn_i_unit(from.x, from.y);

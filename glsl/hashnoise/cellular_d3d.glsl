@@ -7,9 +7,9 @@
 #include "detail/feature_points3d.glsl"
 
 HN_FN hn_vec4 hn_i_cellular_d(hn_i_block3 block, hn_num3 f, hn_num jitter, hn_uint seed) {
-  hn_num3 d = hn_i_inner(f);
+  hn_num3 d = hn_i_from_centre(f);
   hn_rank4 best = hn_i_nearest(block, d, jitter, HN_METRIC_EUCLIDEAN, seed);
-  hn_num3 from = hn_i_straight_offset(hn_i_from_nearest(block, d, jitter, seed, best.w));
+  hn_num3 from = hn_i_from_octahedral(hn_i_from_nearest(block, d, jitter, seed, best.w));
   hn_vec3 slope = hn_i_unit(from.x, from.y, from.z);
   return vec4(hn_i_distance(best.x, HN_METRIC_EUCLIDEAN), slope.x, slope.y, slope.z);
 }

@@ -7,17 +7,17 @@
 #include "detail/feature_points2d.glsl"
 
 HN_FN hn_float hn_i_cellular_smooth(hn_i_block2 block, hn_num2 f, hn_num jitter, hn_uint seed) {
-  hn_num2 d = hn_i_inner(f);
+  hn_num2 d = hn_i_from_centre(f);
   hn_uint s = hn_i_mix(seed);
   hn_num3 x = hn_i_row(d.x);
   hn_num3 y = hn_i_row(d.y);
   hn_rank weights = hn_i_no_weight();
-  hn_uvec3 words = hn_i_words_along_x(block, block.before.y, s);
-  weights = hn_i_weighed(weights, hn_i_squares(words, x, hn_i_thrice(y.x), jitter));
+  hn_uvec3 words = hn_i_words_along_x(block, block.previous.y, s);
+  weights = hn_i_summed_weights(weights, hn_i_squares(words, x, hn_i_thrice(y.x), jitter));
   words = hn_i_words_along_x(block, block.cell.y, s);
-  weights = hn_i_weighed(weights, hn_i_squares(words, x, hn_i_thrice(y.y), jitter));
-  words = hn_i_words_along_x(block, block.after.y, s);
-  weights = hn_i_weighed(weights, hn_i_squares(words, x, hn_i_thrice(y.z), jitter));
+  weights = hn_i_summed_weights(weights, hn_i_squares(words, x, hn_i_thrice(y.y), jitter));
+  words = hn_i_words_along_x(block, block.following.y, s);
+  weights = hn_i_summed_weights(weights, hn_i_squares(words, x, hn_i_thrice(y.z), jitter));
   return hn_i_smooth_distance(weights);
 }
 

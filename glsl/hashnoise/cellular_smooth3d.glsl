@@ -16,23 +16,23 @@ HN_FN hn_rank hn_i_weigh_slab(hn_rank weights, hn_i_block3 block, hn_uint join, 
   hn_num3 across = hn_i_thrice(z);
   hn_int metric = HN_METRIC_SQUARED;
   hn_uvec3 words = hn_i_row_words(joins, odds, rows.x, row_odds.x);
-  weights = hn_i_weighed(weights, hn_i_ranks(words, x, hn_i_thrice(y.x), across, jitter, metric));
+  weights = hn_i_summed_weights(weights, hn_i_ranks(words, x, hn_i_thrice(y.x), across, jitter, metric));
   words = hn_i_row_words(joins, odds, rows.y, row_odds.y);
-  weights = hn_i_weighed(weights, hn_i_ranks(words, x, hn_i_thrice(y.y), across, jitter, metric));
+  weights = hn_i_summed_weights(weights, hn_i_ranks(words, x, hn_i_thrice(y.y), across, jitter, metric));
   words = hn_i_row_words(joins, odds, rows.z, row_odds.z);
-  return hn_i_weighed(weights, hn_i_ranks(words, x, hn_i_thrice(y.z), across, jitter, metric));
+  return hn_i_summed_weights(weights, hn_i_ranks(words, x, hn_i_thrice(y.z), across, jitter, metric));
 }
 HN_FN hn_float hn_i_cellular_smooth(hn_i_block3 block, hn_num3 f, hn_num jitter, hn_uint seed) {
-  hn_num3 d = hn_i_inner(f);
+  hn_num3 d = hn_i_from_centre(f);
   hn_uint s = hn_i_mix(seed);
   hn_num3 x = hn_i_row(d.x);
   hn_num3 y = hn_i_row(d.y);
   hn_num3 z = hn_i_row(d.z);
   hn_uvec3 joins = hn_i_xor(hn_i_joins_z(block), s);
   hn_rank weights = hn_i_no_weight();
-  weights = hn_i_weigh_slab(weights, block, joins.x, hn_i_odd(block.before.z + s), x, y, z.x, jitter);
+  weights = hn_i_weigh_slab(weights, block, joins.x, hn_i_odd(block.previous.z + s), x, y, z.x, jitter);
   weights = hn_i_weigh_slab(weights, block, joins.y, hn_i_odd(block.cell.z + s), x, y, z.y, jitter);
-  weights = hn_i_weigh_slab(weights, block, joins.z, hn_i_odd(block.after.z + s), x, y, z.z, jitter);
+  weights = hn_i_weigh_slab(weights, block, joins.z, hn_i_odd(block.following.z + s), x, y, z.z, jitter);
   return hn_i_smooth_distance(weights);
 }
 

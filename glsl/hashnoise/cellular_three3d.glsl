@@ -17,7 +17,7 @@ HN_FN hn_int hn_i_farthest_axis(hn_num3 d) {
 // The third point may also be that of a cell two steps on along that axis (feature_points.glsl): nine cells in a slab.
 HN_FN hn_vec3 hn_i_cellular_three(hn_place3 place, hn_num jitter, hn_int metric, hn_uint seed) {
   hn_i_block3 block = hn_i_block(place);
-  hn_num3 d = hn_i_inner(place.fraction);
+  hn_num3 d = hn_i_from_centre(place.fraction);
   hn_uvec3 two = hn_i_two_steps(place, block, d);
   hn_rank4 best = hn_i_nearest(block, d, jitter, metric, seed);
   hn_int axis = hn_i_farthest_axis(d);
@@ -53,7 +53,7 @@ HN_FN hn_vec3 hn_cellular_three(hn_vec3 p) { return hn_cellular_three(p, 0u); }
 // The same with everything that may be chosen.
 //   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
 //            outside of [0, 1] counts as the nearer end
-//   metric   one of HN_METRIC_EUCLIDEAN, _SQUARED, _MANHATTAN, _CHEBYSHEV and _HYBRID (feature_points.glsl); a constant costs
+//   metric   one of HN_METRIC_EUCLIDEAN, _SQUARED, _MANHATTAN, _CHEBYSHEV and _HYBRID; a constant costs
 //            only that metric
 //   seed     any uint: 7u, not 7
 //   returns  as above, in the metric

@@ -1,7 +1,7 @@
 // hashnoise: octave sums over a noise on the line.
 // SPDX-License-Identifier: MIT
 //
-// Made from fbm2d.glsl by tools/umbrella. On the line nothing can turn.
+// Made from fbm2d.glsl by tools/umbrella. On the line nothing can rotate.
 
 #ifndef HN_FBM1D_GLSL
 #define HN_FBM1D_GLSL
@@ -54,7 +54,7 @@ HN_FN hn_float hn_i_weighted(hn_octaves1 o, hn_float strength) {
 //   hn_fbm(p, octaves, lacunarity, gain, seed)
 //   hn_fbm(place, octaves, lacunarity, gain, seed)
 
-// Fractional Brownian motion: octaves of noise, each finer by the lacunarity, weaker by the gain, and turned.
+// Fractional Brownian motion: octaves of noise, each finer by the lacunarity, weaker by the gain, and rotated.
 //   p           position, in cells of the first octave; (|p| + 1) * lacunarity^octaves < 2^23, for a lacunarity of 2
 //               or more
 //   place       a place in its stead, in cells of the first octave (place.glsl). The period of a tile times
@@ -69,7 +69,7 @@ HN_FN hn_float hn_i_weighted(hn_octaves1 o, hn_float strength) {
 //   error       at a position it grows with |p| * lacunarity^octaves, since a float rounds the positions; at a place it
 //               does not (docs/accuracy.md)
 //   period      none that floats reach. In a tile octave i repeats after period * lacunarity^i of its cells, so the sum
-//               repeats after the period, and no sooner. Octaves are not turned there, since they would not fit: a tile
+//               repeats after the period, and no sooner. Octaves are not rotated there, since they would not fit: a tile
 //               shows the axes more than other sums do
 //   cost        1 noise per octave
 //   HN_FIXED    takes a gain above 1 as 1, a lacunarity outside [0, 255] as 0 or 255, and more than 32 octaves as 32.

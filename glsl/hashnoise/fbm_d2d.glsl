@@ -8,14 +8,14 @@
 #include "octaves2d.glsl"
 #include "perlin_d2d.glsl"
 
-// A sum of derivatives, beside the sum of values, and the frame of the octave.
+// A sum of derivatives, beside the sum of values, and the Jacobian of the octave.
 // Its numbers are apart: where points leave a loop at different octaves, lavapipe of Mesa 22.3 takes a vector that is
 // used behind it from the last octave of all.
 struct hn_slopes2 {
   hn_num x;
   hn_num y;
-  hn_num2 frame;
-  hn_num growth;  // of the frame, from octave to octave
+  hn_num2 jacobian;
+  hn_num growth;  // of the Jacobian, from octave to octave
 };
 
 // Sums over a noise with derivatives, yours or the library's:
@@ -31,29 +31,29 @@ struct hn_slopes2 {
 //   strength  of erosion, in [0, 16]
 //   returns   as hn_fbm_d and hn_eroded below
 //   error     docs/accuracy.md
-//   cost      4 multiplications for the frame, or a division
+//   cost      4 multiplications for the Jacobian, or a division
 //   source    docs/contract.md, section 7
 HN_FN hn_slopes2 hn_slopes(hn_octaves2 o) {
   HN_I_NEW(hn_slopes2, s);
   s.x = HN_I_NO_WEIGHT;
   s.y = HN_I_NO_WEIGHT;
-  s.frame = hn_i_first_frame2();
+  s.jacobian = hn_i_identity2();
   s.growth = hn_i_growth(o.sum.gain, o.lacunarity);
   return s;
 }
 HN_FN void hn_add(HN_I_INOUT(hn_octaves2) o, HN_I_INOUT(hn_slopes2) s, hn_vec3 n) {
   hn_num2 g =
-      hn_i_from_frame(s.frame, hn_i_num(hn_i_octave_slope(n.y), hn_i_octave_slope(n.z)));
+      hn_i_transposed_times(s.jacobian, hn_i_num(hn_i_octave_slope(n.y), hn_i_octave_slope(n.z)));
   o.sum = hn_i_with_noise(o.sum, n.x);
-  s.x = hn_i_joined(s.x, g.x);
-  s.y = hn_i_joined(s.y, g.y);
-  s.frame = hn_i_next_frame(s.frame, s.growth, o.place.tiled);
+  s.x = hn_i_wide_plus(s.x, g.x);
+  s.y = hn_i_wide_plus(s.y, g.y);
+  s.jacobian = hn_i_next_jacobian(s.jacobian, s.growth, o.place.tiled);
 }
 HN_FN void hn_add_eroded(HN_I_INOUT(hn_octaves2) o, HN_I_INOUT(hn_slopes2) s, hn_vec3 n, hn_float strength) {
-  hn_num2 e = hn_i_num(hn_i_steeper(s.x, n.y), hn_i_steeper(s.y, n.z));
+  hn_num2 e = hn_i_num(hn_i_summed_slope(s.x, n.y), hn_i_summed_slope(s.y, n.z));
   HN_I_PRECISE hn_i_square_of_slope square = hn_i_square(e.x) + hn_i_square(e.y);
-  hn_num left = hn_i_eroding(square, hn_i_setting(strength, 16.0f));
-  o.sum = hn_i_with(o.sum, hn_i_octave(n.x), hn_i_weighed(o.sum.weight, left));
+  hn_num left = hn_i_erosion_weight(square, hn_i_setting(strength, 16.0f));
+  o.sum = hn_i_with(o.sum, hn_i_octave(n.x), hn_i_weight_times(o.sum.weight, left));
   e = hn_i_next_slope(e, o.place.tiled);
   s.x = e.x;
   s.y = e.y;
@@ -87,7 +87,7 @@ HN_FN hn_float hn_i_eroded(hn_octaves2 o, hn_float strength) {
 //   returns   the value and its derivatives along x and y, per cell of the first octave. A derivative is at most
 //             2.95 times the sum of (1.001 * gain * lacunarity)^i, divided by the sum of gain^i
 //   error     docs/accuracy.md; for HN_FIXED while the sum of (gain * lacunarity)^i is at most 64
-//   cost      1 noise with derivatives per octave, and 4 multiplications for the frame
+//   cost      1 noise with derivatives per octave, and 4 multiplications for the Jacobian
 HN_FN hn_vec3 hn_fbm_d(hn_place2 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   return hn_i_fbm_d(hn_octaves(place, octaves, lacunarity, gain, seed));
 }
@@ -105,7 +105,7 @@ HN_FN hn_vec3 hn_fbm_d(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float 
 //   returns   [-1, 1]
 //   error     docs/accuracy.md
 //   cost      1 noise with derivatives per octave, and a division
-//   source    Quilez, "More noise", 2008: his slopes are not turned with the octaves
+//   source    Quilez, "More noise", 2008: his slopes are not rotated with the octaves
 HN_FN hn_float hn_eroded(hn_place2 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength,
                          hn_uint seed) {
   return hn_i_eroded(hn_octaves(place, octaves, lacunarity, gain, seed), strength);

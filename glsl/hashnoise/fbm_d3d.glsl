@@ -8,15 +8,15 @@
 #include "octaves3d.glsl"
 #include "perlin_d3d.glsl"
 
-// A sum of derivatives, beside the sum of values, and the frame of the octave.
+// A sum of derivatives, beside the sum of values, and the Jacobian of the octave.
 // Its numbers are apart: where points leave a loop at different octaves, lavapipe of Mesa 22.3 takes a vector that is
 // used behind it from the last octave of all.
 struct hn_slopes3 {
   hn_num x;
   hn_num y;
   hn_num z;
-  hn_i_frame3 frame;
-  hn_num growth;  // of the frame, from octave to octave
+  hn_i_jacobian3 jacobian;
+  hn_num growth;  // of the Jacobian, from octave to octave
 };
 
 // Sums over a noise with derivatives, yours or the library's:
@@ -32,31 +32,31 @@ struct hn_slopes3 {
 //   strength  of erosion, in [0, 16]
 //   returns   as hn_fbm_d and hn_eroded below
 //   error     docs/accuracy.md
-//   cost      9 multiplications for the frame, or a division
+//   cost      9 multiplications for the Jacobian, or a division
 //   source    docs/contract.md, section 7
 HN_FN hn_slopes3 hn_slopes(hn_octaves3 o) {
   HN_I_NEW(hn_slopes3, s);
   s.x = HN_I_NO_WEIGHT;
   s.y = HN_I_NO_WEIGHT;
   s.z = HN_I_NO_WEIGHT;
-  s.frame = hn_i_first_frame3();
+  s.jacobian = hn_i_identity3();
   s.growth = hn_i_growth(o.sum.gain, o.lacunarity);
   return s;
 }
 HN_FN void hn_add(HN_I_INOUT(hn_octaves3) o, HN_I_INOUT(hn_slopes3) s, hn_vec4 n) {
   hn_num3 g =
-      hn_i_from_frame(s.frame, hn_i_num(hn_i_octave_slope(n.y), hn_i_octave_slope(n.z), hn_i_octave_slope(n.w)));
+      hn_i_transposed_times(s.jacobian, hn_i_num(hn_i_octave_slope(n.y), hn_i_octave_slope(n.z), hn_i_octave_slope(n.w)));
   o.sum = hn_i_with_noise(o.sum, n.x);
-  s.x = hn_i_joined(s.x, g.x);
-  s.y = hn_i_joined(s.y, g.y);
-  s.z = hn_i_joined(s.z, g.z);
-  s.frame = hn_i_next_frame(s.frame, s.growth, o.place.tiled);
+  s.x = hn_i_wide_plus(s.x, g.x);
+  s.y = hn_i_wide_plus(s.y, g.y);
+  s.z = hn_i_wide_plus(s.z, g.z);
+  s.jacobian = hn_i_next_jacobian(s.jacobian, s.growth, o.place.tiled);
 }
 HN_FN void hn_add_eroded(HN_I_INOUT(hn_octaves3) o, HN_I_INOUT(hn_slopes3) s, hn_vec4 n, hn_float strength) {
-  hn_num3 e = hn_i_num(hn_i_steeper(s.x, n.y), hn_i_steeper(s.y, n.z), hn_i_steeper(s.z, n.w));
+  hn_num3 e = hn_i_num(hn_i_summed_slope(s.x, n.y), hn_i_summed_slope(s.y, n.z), hn_i_summed_slope(s.z, n.w));
   HN_I_PRECISE hn_i_square_of_slope square = hn_i_square(e.x) + hn_i_square(e.y) + hn_i_square(e.z);
-  hn_num left = hn_i_eroding(square, hn_i_setting(strength, 16.0f));
-  o.sum = hn_i_with(o.sum, hn_i_octave(n.x), hn_i_weighed(o.sum.weight, left));
+  hn_num left = hn_i_erosion_weight(square, hn_i_setting(strength, 16.0f));
+  o.sum = hn_i_with(o.sum, hn_i_octave(n.x), hn_i_weight_times(o.sum.weight, left));
   e = hn_i_next_slope(e, o.place.tiled);
   s.x = e.x;
   s.y = e.y;
@@ -92,7 +92,7 @@ HN_FN hn_float hn_i_eroded(hn_octaves3 o, hn_float strength) {
 //   returns   the value and its derivatives along x, y and z, per cell of the first octave. A derivative is at most
 //             3.75 times the sum of (1.001 * gain * lacunarity)^i, divided by the sum of gain^i
 //   error     docs/accuracy.md; for HN_FIXED while the sum of (gain * lacunarity)^i is at most 64
-//   cost      1 noise with derivatives per octave, and 9 multiplications for the frame
+//   cost      1 noise with derivatives per octave, and 9 multiplications for the Jacobian
 HN_FN hn_vec4 hn_fbm_d(hn_place3 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   return hn_i_fbm_d(hn_octaves(place, octaves, lacunarity, gain, seed));
 }
@@ -110,7 +110,7 @@ HN_FN hn_vec4 hn_fbm_d(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float 
 //   returns   [-1, 1]
 //   error     docs/accuracy.md
 //   cost      1 noise with derivatives per octave, and a division
-//   source    Quilez, "More noise", 2008: his slopes are not turned with the octaves
+//   source    Quilez, "More noise", 2008: his slopes are not rotated with the octaves
 HN_FN hn_float hn_eroded(hn_place3 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength,
                          hn_uint seed) {
   return hn_i_eroded(hn_octaves(place, octaves, lacunarity, gain, seed), strength);

@@ -81,7 +81,7 @@ HN_FN hn_vec2 hn_gradient(hn_ivec2 cell, hn_uint seed) {
   return hn_gradient2(hn_i_point(c, seed));
 #else
   hn_uint s = hn_i_mix(seed);
-  return hn_i_components(hn_i_gradient(hn_i_column(c.x, s), c.y));
+  return hn_i_components(hn_i_gradient(hn_i_column_key(c.x, s), c.y));
 #endif
 }
 
@@ -91,8 +91,8 @@ HN_FN hn_vec3 hn_gradient(hn_ivec3 cell, hn_uint seed) {
   return hn_gradient3(hn_i_point(c, seed));
 #else
   hn_uint s = hn_i_mix(seed);
-  hn_uint column = hn_i_column(c.x, s);
-  return hn_i_components(hn_i_gradient(column, hn_i_row(column, c.y), c.z));
+  hn_uint column = hn_i_column_key(c.x, s);
+  return hn_i_components(hn_i_gradient(column, hn_i_row_key(column, c.y), c.z));
 #endif
 }
 

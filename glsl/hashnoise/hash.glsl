@@ -175,7 +175,7 @@ HN_FN hn_uint hn_i_mix(hn_uint k) {
   return k ^ (k >> 15u);
 }
 
-// The seed of another field, where a function needs several.
+// The seed of another field, where a function needs several: 2^32 divided by the golden ratio further, and mixed.
 HN_FN hn_uint hn_i_other_seed(hn_uint seed) { return hn_i_mix(seed + 0x9E3779B9u); }
 
 // The word of a point is the product of two joins of its spread coordinates. One is the hash of the exclusive or of the

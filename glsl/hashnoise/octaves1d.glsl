@@ -97,7 +97,7 @@ HN_FN hn_octaves1 hn_octaves(hn_float p, hn_int octaves, hn_float lacunarity, hn
 }
 #else
 HN_FN hn_octaves1 hn_octaves(hn_float p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
-  hn_float start = hn_i_start(p);
+  hn_float start = hn_i_flushed_position(p);
   hn_octaves1 o = hn_i_octaves(hn_place(start), octaves, lacunarity, gain, seed);
   o.p = start;
   o.is_whole = false;
@@ -139,8 +139,8 @@ HN_FN bool hn_next(HN_I_INOUT(hn_octaves1) o) {
 #ifdef __cplusplus
   if (!more) return false;  // behind the last octave a position may not fit an int; a GPU asks for no branch
 #endif
-  o.seed += 0x9E3779B9u;
-  o.sum.weight = hn_i_weighed(o.sum.weight, o.sum.gain);
+  o.seed += HN_I_SEED_STEP;
+  o.sum.weight = hn_i_weight_times(o.sum.weight, o.sum.gain);
 #if HN_ARITHMETIC == HN_FIXED
   hn_i_go_on(o);
 #else

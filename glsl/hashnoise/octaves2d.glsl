@@ -77,8 +77,8 @@ HN_FN void hn_i_go_on(HN_I_INOUT(hn_octaves2) o) {
     o.place.period.x = hn_i_next_period(o.place.period.x, o.lacunarity);
     o.place.period.y = hn_i_next_period(o.place.period.y, o.lacunarity);
   } else {
-    o.x = hn_i_shifted(hn_i_rotated_axis(x, y, 25, -20), HN_I_SHIFT_X);
-    o.y = hn_i_shifted(hn_i_rotated_axis(y, x, 25, 20), HN_I_SHIFT_Y);
+    o.x = hn_i_shifted(hn_i_rotated_axis(x, y, HN_I_COS_XY, -HN_I_SIN_XY), HN_I_SHIFT_X);
+    o.y = hn_i_shifted(hn_i_rotated_axis(y, x, HN_I_COS_XY, HN_I_SIN_XY), HN_I_SHIFT_Y);
   }
   hn_i_put(o);
 }
@@ -113,7 +113,7 @@ HN_FN hn_octaves2 hn_octaves(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_
 }
 #else
 HN_FN hn_octaves2 hn_octaves(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
-  hn_vec2 start = hn_i_start(p);
+  hn_vec2 start = hn_i_flushed_position(p);
   hn_octaves2 o = hn_i_octaves(hn_place(start), octaves, lacunarity, gain, seed);
   o.p = start;
   o.is_whole = false;
@@ -155,8 +155,8 @@ HN_FN bool hn_next(HN_I_INOUT(hn_octaves2) o) {
 #ifdef __cplusplus
   if (!more) return false;  // behind the last octave a position may not fit an int; a GPU asks for no branch
 #endif
-  o.seed += 0x9E3779B9u;
-  o.sum.weight = hn_i_weighed(o.sum.weight, o.sum.gain);
+  o.seed += HN_I_SEED_STEP;
+  o.sum.weight = hn_i_weight_times(o.sum.weight, o.sum.gain);
 #if HN_ARITHMETIC == HN_FIXED
   hn_i_go_on(o);
 #else

@@ -87,10 +87,11 @@ HN_FN void hn_i_go_on(HN_I_INOUT(hn_octaves3) o) {
     o.place.period.y = hn_i_next_period(o.place.period.y, o.lacunarity);
     o.place.period.z = hn_i_next_period(o.place.period.z, o.lacunarity);
   } else {
-    hn_ivec2 rotated = hn_i_rotated_axis(y, x, 25, 20);  // in the plane of x and y, and then in that of y and z
-    o.x = hn_i_shifted(hn_i_rotated_axis(x, y, 25, -20), HN_I_SHIFT_X);
-    o.y = hn_i_shifted(hn_i_rotated_axis(rotated, z, 29, -13), HN_I_SHIFT_Y);
-    o.z = hn_i_shifted(hn_i_rotated_axis(z, rotated, 29, 13), HN_I_SHIFT_Z);
+    // In the plane of x and y, and then in that of y and z.
+    hn_ivec2 rotated = hn_i_rotated_axis(y, x, HN_I_COS_XY, HN_I_SIN_XY);
+    o.x = hn_i_shifted(hn_i_rotated_axis(x, y, HN_I_COS_XY, -HN_I_SIN_XY), HN_I_SHIFT_X);
+    o.y = hn_i_shifted(hn_i_rotated_axis(rotated, z, HN_I_COS_YZ, -HN_I_SIN_YZ), HN_I_SHIFT_Y);
+    o.z = hn_i_shifted(hn_i_rotated_axis(z, rotated, HN_I_COS_YZ, HN_I_SIN_YZ), HN_I_SHIFT_Z);
   }
   hn_i_put(o);
 }
@@ -125,7 +126,7 @@ HN_FN hn_octaves3 hn_octaves(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_
 }
 #else
 HN_FN hn_octaves3 hn_octaves(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
-  hn_vec3 start = hn_i_start(p);
+  hn_vec3 start = hn_i_flushed_position(p);
   hn_octaves3 o = hn_i_octaves(hn_place(start), octaves, lacunarity, gain, seed);
   o.p = start;
   o.is_whole = false;
@@ -167,8 +168,8 @@ HN_FN bool hn_next(HN_I_INOUT(hn_octaves3) o) {
 #ifdef __cplusplus
   if (!more) return false;  // behind the last octave a position may not fit an int; a GPU asks for no branch
 #endif
-  o.seed += 0x9E3779B9u;
-  o.sum.weight = hn_i_weighed(o.sum.weight, o.sum.gain);
+  o.seed += HN_I_SEED_STEP;
+  o.sum.weight = hn_i_weight_times(o.sum.weight, o.sum.gain);
 #if HN_ARITHMETIC == HN_FIXED
   hn_i_go_on(o);
 #else

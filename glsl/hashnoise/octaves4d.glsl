@@ -94,12 +94,12 @@ HN_FN void hn_i_go_on(HN_I_INOUT(hn_octaves4) o) {
     o.place.period.z = hn_i_next_period(o.place.period.z, o.lacunarity);
     o.place.period.w = hn_i_next_period(o.place.period.w, o.lacunarity);
   } else {
-    hn_ivec2 rotated_y = hn_i_rotated_axis(y, x, 25, 20);
-    hn_ivec2 rotated_z = hn_i_rotated_axis(z, rotated_y, 29, 13);
-    o.x = hn_i_shifted(hn_i_rotated_axis(x, y, 25, -20), HN_I_SHIFT_X);
-    o.y = hn_i_shifted(hn_i_rotated_axis(rotated_y, z, 29, -13), HN_I_SHIFT_Y);
-    o.z = hn_i_shifted(hn_i_rotated_axis(rotated_z, w, 25, -20), HN_I_SHIFT_Z);
-    o.w = hn_i_shifted(hn_i_rotated_axis(w, rotated_z, 25, 20), HN_I_SHIFT_W);
+    hn_ivec2 rotated_y = hn_i_rotated_axis(y, x, HN_I_COS_XY, HN_I_SIN_XY);
+    hn_ivec2 rotated_z = hn_i_rotated_axis(z, rotated_y, HN_I_COS_YZ, HN_I_SIN_YZ);
+    o.x = hn_i_shifted(hn_i_rotated_axis(x, y, HN_I_COS_XY, -HN_I_SIN_XY), HN_I_SHIFT_X);
+    o.y = hn_i_shifted(hn_i_rotated_axis(rotated_y, z, HN_I_COS_YZ, -HN_I_SIN_YZ), HN_I_SHIFT_Y);
+    o.z = hn_i_shifted(hn_i_rotated_axis(rotated_z, w, HN_I_COS_XY, -HN_I_SIN_XY), HN_I_SHIFT_Z);
+    o.w = hn_i_shifted(hn_i_rotated_axis(w, rotated_z, HN_I_COS_XY, HN_I_SIN_XY), HN_I_SHIFT_W);
   }
   hn_i_put(o);
 }
@@ -134,7 +134,7 @@ HN_FN hn_octaves4 hn_octaves(hn_vec4 p, hn_int octaves, hn_float lacunarity, hn_
 }
 #else
 HN_FN hn_octaves4 hn_octaves(hn_vec4 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
-  hn_vec4 start = hn_i_start(p);
+  hn_vec4 start = hn_i_flushed_position(p);
   hn_octaves4 o = hn_i_octaves(hn_place(start), octaves, lacunarity, gain, seed);
   o.p = start;
   o.is_whole = false;
@@ -176,8 +176,8 @@ HN_FN bool hn_next(HN_I_INOUT(hn_octaves4) o) {
 #ifdef __cplusplus
   if (!more) return false;  // behind the last octave a position may not fit an int; a GPU asks for no branch
 #endif
-  o.seed += 0x9E3779B9u;
-  o.sum.weight = hn_i_weighed(o.sum.weight, o.sum.gain);
+  o.seed += HN_I_SEED_STEP;
+  o.sum.weight = hn_i_weight_times(o.sum.weight, o.sum.gain);
 #if HN_ARITHMETIC == HN_FIXED
   hn_i_go_on(o);
 #else

@@ -13,8 +13,8 @@
 // What the corners 00, 10, 01, 11 of the square that z and w choose add at the place f; z and w are the offsets from
 // it.
 HN_FN hn_num4 hn_i_ramps(hn_uvec4 h, hn_num4 f, hn_num z, hn_num w) {
-  hn_num x = hn_i_far(f.x);
-  hn_num y = hn_i_far(f.y);
+  hn_num x = hn_i_minus_one(f.x);
+  hn_num y = hn_i_minus_one(f.y);
   return hn_i_num(hn_i_ramp(h.x, f.x, f.y, z, w), hn_i_ramp(h.y, x, f.y, z, w), hn_i_ramp(h.z, f.x, y, z, w),
                   hn_i_ramp(h.w, x, y, z, w));
 }
@@ -22,8 +22,8 @@ HN_FN hn_num4 hn_i_ramps(hn_uvec4 h, hn_num4 f, hn_num z, hn_num w) {
 // The noise in the numbers of HN_ARITHMETIC.
 HN_FN hn_num hn_i_perlin(hn_i_box4 box, hn_num4 f, hn_uint seed) {
   hn_num4 t = hn_i_fade(f);
-  hn_num z = hn_i_far(f.z);
-  hn_num w = hn_i_far(f.w);
+  hn_num z = hn_i_minus_one(f.z);
+  hn_num w = hn_i_minus_one(f.w);
   hn_num4 n00 = hn_i_ramps(hn_i_corners(box, false, false, seed), f, f.z, f.w);
   hn_num4 n10 = hn_i_ramps(hn_i_corners(box, true, false, seed), f, z, f.w);
   hn_num4 n01 = hn_i_ramps(hn_i_corners(box, false, true, seed), f, f.z, w);

@@ -16,9 +16,9 @@ HN_FN hn_vec2 hn_i_perlin_d(hn_i_box1 box, hn_num f, hn_uint seed) {
   hn_num a = hn_i_gradient1(h.x);
   hn_num b = hn_i_gradient1(h.y);
   hn_num left = hn_i_ramp(a, f);
-  hn_num right = hn_i_ramp(b, hn_i_far(f));
+  hn_num right = hn_i_ramp(b, hn_i_minus_one(f));
   hn_num t = hn_i_fade(f);
-  hn_num slope = hn_i_climb(hn_i_lerp(a, b, t), hn_i_rise(left, right), hn_i_slope(f));
+  hn_num slope = hn_i_d_faded(hn_i_lerp(a, b, t), hn_i_d_corner(left, right), hn_i_d_fade(f));
   return vec2(hn_i_value(hn_i_scaled1(hn_i_lerp(left, right, t))), hn_i_derivative(hn_i_scaled1(slope)));
 }
 

@@ -25,10 +25,10 @@ HN_FN hn_num4 hn_i_face_d(hn_i_box3 box, hn_num3 f, bool back, hn_num3 t, hn_num
 // The noise and its derivatives.
 HN_FN hn_vec4 hn_i_perlin_d(hn_i_box3 box, hn_num3 f, hn_uint seed) {
   hn_num3 t = hn_i_fade(f);
-  hn_num3 s = hn_i_slope(f);
+  hn_num3 s = hn_i_d_fade(f);
   hn_num4 front = hn_i_face_d(box, f, false, t, s, seed);
   hn_num4 back = hn_i_face_d(box, f, true, t, s, seed);
-  hn_num dz = hn_i_climb(hn_i_lerp(front.w, back.w, t.z), hn_i_rise(front.x, back.x), s.z);
+  hn_num dz = hn_i_d_faded(hn_i_lerp(front.w, back.w, t.z), hn_i_d_corner(front.x, back.x), s.z);
   return vec4(hn_i_value(hn_i_scaled3(hn_i_lerp(front.x, back.x, t.z))),
               hn_i_derivative(hn_i_scaled3(hn_i_lerp(front.y, back.y, t.z))),
               hn_i_derivative(hn_i_scaled3(hn_i_lerp(front.z, back.z, t.z))), hn_i_derivative(hn_i_scaled3(dz)));

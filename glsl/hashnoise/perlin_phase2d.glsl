@@ -12,26 +12,26 @@
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
 // What the corners add.
-HN_FN hn_num4 hn_i_turned_ramps(hn_uvec4 h, hn_num2 f, hn_num2 rotation) {
-  hn_num x = hn_i_far(f.x);
-  hn_num y = hn_i_far(f.y);
+HN_FN hn_num4 hn_i_phase_ramps(hn_uvec4 h, hn_num2 f, hn_num2 rotation) {
+  hn_num x = hn_i_minus_one(f.x);
+  hn_num y = hn_i_minus_one(f.y);
   return hn_i_num(hn_i_ramp(hn_i_direction2(h.x), f.x, f.y, rotation),
                   hn_i_ramp(hn_i_direction2(h.y), x, f.y, rotation), hn_i_ramp(hn_i_direction2(h.z), f.x, y, rotation),
                   hn_i_ramp(hn_i_direction2(h.w), x, y, rotation));
 }
 
 // The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_num hn_i_perlin_turned(hn_i_box2 box, hn_num2 f, hn_num2 rotation, hn_uint seed) {
+HN_FN hn_num hn_i_perlin_phase(hn_i_box2 box, hn_num2 f, hn_num2 rotation, hn_uint seed) {
   hn_num2 t = hn_i_fade(f);
-  return hn_i_scaled2(hn_i_lerp(hn_i_turned_ramps(hn_i_corners(box, seed), f, rotation), t.x, t.y));
+  return hn_i_scaled2(hn_i_lerp(hn_i_phase_ramps(hn_i_corners(box, seed), f, rotation), t.x, t.y));
 }
 
 // The noise and its derivatives.
-HN_FN hn_vec3 hn_i_perlin_turned_d(hn_i_box2 box, hn_num2 f, hn_num2 rotation, hn_uint seed) {
+HN_FN hn_vec3 hn_i_perlin_phase_d(hn_i_box2 box, hn_num2 f, hn_num2 rotation, hn_uint seed) {
   hn_uvec4 h = hn_i_corners(box, seed);
-  hn_num3 n = hn_i_face_d(hn_i_turned_ramps(h, f, rotation), hn_i_gradient(hn_i_direction2(h.x), rotation),
+  hn_num3 n = hn_i_face_d(hn_i_phase_ramps(h, f, rotation), hn_i_gradient(hn_i_direction2(h.x), rotation),
                           hn_i_gradient(hn_i_direction2(h.y), rotation), hn_i_gradient(hn_i_direction2(h.z), rotation),
-                          hn_i_gradient(hn_i_direction2(h.w), rotation), hn_i_fade(f), hn_i_slope(f));
+                          hn_i_gradient(hn_i_direction2(h.w), rotation), hn_i_fade(f), hn_i_d_fade(f));
   return vec3(hn_i_value(hn_i_scaled2(n.x)), hn_i_derivative(hn_i_scaled2(n.y)), hn_i_derivative(hn_i_scaled2(n.z)));
 }
 
@@ -49,7 +49,7 @@ HN_FN hn_vec3 hn_i_perlin_turned_d(hn_i_box2 box, hn_num2 f, hn_num2 rotation, h
 //   cost     the hashes of hn_perlin, a sine and a cosine of 6 multiplications of floats each, and twice the rest
 //   source   Perlin and Neyret, "Flow noise", 2001; docs/contract.md, section 14
 HN_FN hn_float hn_perlin(hn_place2 place, hn_float phase, hn_uint seed) {
-  return hn_i_value(hn_i_perlin_turned(hn_i_box(place), place.fraction, hn_i_rotation(phase), seed));
+  return hn_i_value(hn_i_perlin_phase(hn_i_box(place), place.fraction, hn_i_rotation(phase), seed));
 }
 HN_FN hn_float hn_perlin(hn_vec2 p, hn_float phase, hn_uint seed) { return hn_perlin(hn_place(p), phase, seed); }
 
@@ -59,7 +59,7 @@ HN_FN hn_float hn_perlin(hn_vec2 p, hn_float phase, hn_uint seed) { return hn_pe
 //   cost     as above, and about twice the rest
 //   (parameters as above)
 HN_FN hn_vec3 hn_perlin_d(hn_place2 place, hn_float phase, hn_uint seed) {
-  return hn_i_perlin_turned_d(hn_i_box(place), place.fraction, hn_i_rotation(phase), seed);
+  return hn_i_perlin_phase_d(hn_i_box(place), place.fraction, hn_i_rotation(phase), seed);
 }
 HN_FN hn_vec3 hn_perlin_d(hn_vec2 p, hn_float phase, hn_uint seed) { return hn_perlin_d(hn_place(p), phase, seed); }
 

@@ -12,37 +12,37 @@
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
 // What the corners of the front or back face add.
-HN_FN hn_num4 hn_i_turned_ramps(hn_uvec4 h, hn_num3 f, bool back, hn_num2 rotation) {
-  hn_num x = hn_i_far(f.x);
-  hn_num y = hn_i_far(f.y);
-  hn_num z = hn_i_select(back, hn_i_far(f.z), f.z);
+HN_FN hn_num4 hn_i_phase_ramps(hn_uvec4 h, hn_num3 f, bool back, hn_num2 rotation) {
+  hn_num x = hn_i_minus_one(f.x);
+  hn_num y = hn_i_minus_one(f.y);
+  hn_num z = hn_i_select(back, hn_i_minus_one(f.z), f.z);
   return hn_i_num(
       hn_i_ramp(hn_i_direction3(h.x), f.x, f.y, z, rotation), hn_i_ramp(hn_i_direction3(h.y), x, f.y, z, rotation),
       hn_i_ramp(hn_i_direction3(h.z), f.x, y, z, rotation), hn_i_ramp(hn_i_direction3(h.w), x, y, z, rotation));
 }
 
 // The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_num hn_i_perlin_turned(hn_i_box3 box, hn_num3 f, hn_num2 rotation, hn_uint seed) {
+HN_FN hn_num hn_i_perlin_phase(hn_i_box3 box, hn_num3 f, hn_num2 rotation, hn_uint seed) {
   hn_num3 t = hn_i_fade(f);
-  hn_num4 front = hn_i_turned_ramps(hn_i_corners(box, false, seed), f, false, rotation);
-  hn_num4 back = hn_i_turned_ramps(hn_i_corners(box, true, seed), f, true, rotation);
+  hn_num4 front = hn_i_phase_ramps(hn_i_corners(box, false, seed), f, false, rotation);
+  hn_num4 back = hn_i_phase_ramps(hn_i_corners(box, true, seed), f, true, rotation);
   return hn_i_scaled3(hn_i_lerp(hn_i_lerp(front, t.x, t.y), hn_i_lerp(back, t.x, t.y), t.z));
 }
 
 // The noise on a face with its derivatives along x and y, and what the gradients' last components add.
-HN_FN hn_num4 hn_i_turned_face_d(hn_uvec4 h, hn_num3 f, bool back, hn_num3 t, hn_num3 s, hn_num2 rotation) {
-  return hn_i_face_d(hn_i_turned_ramps(h, f, back, rotation), hn_i_gradient(hn_i_direction3(h.x), rotation),
+HN_FN hn_num4 hn_i_phase_face_d(hn_uvec4 h, hn_num3 f, bool back, hn_num3 t, hn_num3 s, hn_num2 rotation) {
+  return hn_i_face_d(hn_i_phase_ramps(h, f, back, rotation), hn_i_gradient(hn_i_direction3(h.x), rotation),
                      hn_i_gradient(hn_i_direction3(h.y), rotation), hn_i_gradient(hn_i_direction3(h.z), rotation),
                      hn_i_gradient(hn_i_direction3(h.w), rotation), t, s);
 }
 
 // The noise and its derivatives.
-HN_FN hn_vec4 hn_i_perlin_turned_d(hn_i_box3 box, hn_num3 f, hn_num2 rotation, hn_uint seed) {
+HN_FN hn_vec4 hn_i_perlin_phase_d(hn_i_box3 box, hn_num3 f, hn_num2 rotation, hn_uint seed) {
   hn_num3 t = hn_i_fade(f);
-  hn_num3 s = hn_i_slope(f);
-  hn_num4 front = hn_i_turned_face_d(hn_i_corners(box, false, seed), f, false, t, s, rotation);
-  hn_num4 back = hn_i_turned_face_d(hn_i_corners(box, true, seed), f, true, t, s, rotation);
-  hn_num dz = hn_i_climb(hn_i_lerp(front.w, back.w, t.z), hn_i_rise(front.x, back.x), s.z);
+  hn_num3 s = hn_i_d_fade(f);
+  hn_num4 front = hn_i_phase_face_d(hn_i_corners(box, false, seed), f, false, t, s, rotation);
+  hn_num4 back = hn_i_phase_face_d(hn_i_corners(box, true, seed), f, true, t, s, rotation);
+  hn_num dz = hn_i_d_faded(hn_i_lerp(front.w, back.w, t.z), hn_i_d_corner(front.x, back.x), s.z);
   return vec4(hn_i_value(hn_i_scaled3(hn_i_lerp(front.x, back.x, t.z))),
               hn_i_derivative(hn_i_scaled3(hn_i_lerp(front.y, back.y, t.z))),
               hn_i_derivative(hn_i_scaled3(hn_i_lerp(front.z, back.z, t.z))), hn_i_derivative(hn_i_scaled3(dz)));
@@ -62,7 +62,7 @@ HN_FN hn_vec4 hn_i_perlin_turned_d(hn_i_box3 box, hn_num3 f, hn_num2 rotation, h
 //   cost     the hashes of hn_perlin, a sine and a cosine of 6 multiplications of floats each, and twice the rest
 //   source   Perlin and Neyret, "Flow noise", 2001; docs/contract.md, section 14
 HN_FN hn_float hn_perlin(hn_place3 place, hn_float phase, hn_uint seed) {
-  return hn_i_value(hn_i_perlin_turned(hn_i_box(place), place.fraction, hn_i_rotation(phase), seed));
+  return hn_i_value(hn_i_perlin_phase(hn_i_box(place), place.fraction, hn_i_rotation(phase), seed));
 }
 HN_FN hn_float hn_perlin(hn_vec3 p, hn_float phase, hn_uint seed) { return hn_perlin(hn_place(p), phase, seed); }
 
@@ -72,7 +72,7 @@ HN_FN hn_float hn_perlin(hn_vec3 p, hn_float phase, hn_uint seed) { return hn_pe
 //   cost     as above, and about twice the rest
 //   (parameters as above)
 HN_FN hn_vec4 hn_perlin_d(hn_place3 place, hn_float phase, hn_uint seed) {
-  return hn_i_perlin_turned_d(hn_i_box(place), place.fraction, hn_i_rotation(phase), seed);
+  return hn_i_perlin_phase_d(hn_i_box(place), place.fraction, hn_i_rotation(phase), seed);
 }
 HN_FN hn_vec4 hn_perlin_d(hn_vec3 p, hn_float phase, hn_uint seed) { return hn_perlin_d(hn_place(p), phase, seed); }
 

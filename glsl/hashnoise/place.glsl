@@ -22,7 +22,7 @@
 //   fraction  where in the cell it is, in the numbers of HN_ARITHMETIC
 //   rest      what is beyond those numbers, in units of 2^-24 of a cell. Only octave sums with HN_FIXED need it
 //   period    cells along each axis
-//   tiled     whether it has a period. Octaves are not turned then, as they would not fit the tile
+//   tiled     whether it has a period. Octaves are not rotated then, as they would not fit the tile
 struct hn_place1 {
   HN_I_MADE(hn_place1)
   hn_int cell;
@@ -60,7 +60,7 @@ struct hn_place4 {
 // sign, as hn_i_rest does.
 #if HN_ARITHMETIC == HN_FIXED
 HN_FN hn_int hn_i_rest_of_fraction(hn_float f) {
-  return int(min(max(f, 0.0f), 1.0f) * 16777216.0f) - hn_i_inside(f) * 16;
+  return int(min(max(f, 0.0f), 1.0f) * 16777216.0f) - hn_i_to_num(f) * 16;
 }
 HN_FN hn_int hn_i_rest_of_position(hn_float p) { return int((p - trunc(p)) * 16777216.0f) - hn_i_rest(p) * 16; }
 #define HN_I_REST(rest) rest
@@ -116,19 +116,19 @@ HN_FN hn_place4 hn_i_place(hn_ivec4 cell, hn_num4 fraction, hn_ivec4 rest) {
 //   cost     none that the noise does not have
 //   source   docs/contract.md, section 6
 HN_FN hn_place1 hn_place(hn_int cell, hn_float f) {
-  return hn_i_place(cell, hn_i_inside(f), HN_I_REST(hn_i_rest_of_fraction(f)));
+  return hn_i_place(cell, hn_i_to_num(f), HN_I_REST(hn_i_rest_of_fraction(f)));
 }
 HN_FN hn_place2 hn_place(hn_ivec2 cell, hn_vec2 f) {
-  return hn_i_place(cell, hn_i_inside(f),
+  return hn_i_place(cell, hn_i_to_num(f),
                     ivec2(HN_I_REST(hn_i_rest_of_fraction(f.x)), HN_I_REST(hn_i_rest_of_fraction(f.y))));
 }
 HN_FN hn_place3 hn_place(hn_ivec3 cell, hn_vec3 f) {
-  return hn_i_place(cell, hn_i_inside(f),
+  return hn_i_place(cell, hn_i_to_num(f),
                     ivec3(HN_I_REST(hn_i_rest_of_fraction(f.x)), HN_I_REST(hn_i_rest_of_fraction(f.y)),
                           HN_I_REST(hn_i_rest_of_fraction(f.z))));
 }
 HN_FN hn_place4 hn_place(hn_ivec4 cell, hn_vec4 f) {
-  return hn_i_place(cell, hn_i_inside(f),
+  return hn_i_place(cell, hn_i_to_num(f),
                     ivec4(HN_I_REST(hn_i_rest_of_fraction(f.x)), HN_I_REST(hn_i_rest_of_fraction(f.y)),
                           HN_I_REST(hn_i_rest_of_fraction(f.z)), HN_I_REST(hn_i_rest_of_fraction(f.w))));
 }
@@ -139,13 +139,13 @@ HN_FN hn_place4 hn_place(hn_ivec4 cell, hn_vec4 f) {
 //   error    none
 //   cost     none
 //   source   as above
-HN_FN hn_place1 hn_place(hn_int cell) { return hn_i_place(cell, hn_i_inside(0.0f), 0); }
-HN_FN hn_place2 hn_place(hn_ivec2 cell) { return hn_i_place(cell, hn_i_inside(vec2(0.0f, 0.0f)), ivec2(0, 0)); }
+HN_FN hn_place1 hn_place(hn_int cell) { return hn_i_place(cell, hn_i_to_num(0.0f), 0); }
+HN_FN hn_place2 hn_place(hn_ivec2 cell) { return hn_i_place(cell, hn_i_to_num(vec2(0.0f, 0.0f)), ivec2(0, 0)); }
 HN_FN hn_place3 hn_place(hn_ivec3 cell) {
-  return hn_i_place(cell, hn_i_inside(vec3(0.0f, 0.0f, 0.0f)), ivec3(0, 0, 0));
+  return hn_i_place(cell, hn_i_to_num(vec3(0.0f, 0.0f, 0.0f)), ivec3(0, 0, 0));
 }
 HN_FN hn_place4 hn_place(hn_ivec4 cell) {
-  return hn_i_place(cell, hn_i_inside(vec4(0.0f, 0.0f, 0.0f, 0.0f)), ivec4(0, 0, 0, 0));
+  return hn_i_place(cell, hn_i_to_num(vec4(0.0f, 0.0f, 0.0f, 0.0f)), ivec4(0, 0, 0, 0));
 }
 
 // A place from a position. hn_perlin(hn_place(p), seed) is hn_perlin(p, seed).

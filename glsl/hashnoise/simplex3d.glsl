@@ -13,10 +13,10 @@ HN_FN hn_num hn_i_simplex(hn_i_block3 block, hn_num3 f, hn_uint seed) {
   hn_num4 z;
   hn_num4 t;
   hn_uvec4 h = hn_i_four_points(block, f, seed, x, y, z, t);
-  hn_num n = hn_i_attenuated(hn_i_ramp_of(h.x, x.x, y.x, z.x), hn_i_weight4(t.x));
-  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp_of(h.y, x.y, y.y, z.y), hn_i_weight4(t.y)));
-  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp_of(h.z, x.z, y.z, z.z), hn_i_weight4(t.z)));
-  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp_of(h.w, x.w, y.w, z.w), hn_i_weight4(t.w)));
+  hn_num n = hn_i_weighted_ramp(hn_i_ramp_of(h.x, x.x, y.x, z.x), hn_i_weight4(t.x));
+  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp_of(h.y, x.y, y.y, z.y), hn_i_weight4(t.y)));
+  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp_of(h.z, x.z, y.z, z.z), hn_i_weight4(t.z)));
+  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp_of(h.w, x.w, y.w, z.w), hn_i_weight4(t.w)));
   return hn_i_scaled_simplex3(n);
 }
 

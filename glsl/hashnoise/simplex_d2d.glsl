@@ -7,18 +7,18 @@
 #include "detail/triangular_lattice.glsl"
 
 // What a corner adds to the noise and to its derivatives, in steps.
-HN_FN hn_num3 hn_i_bump_d(hn_uint h, hn_num x, hn_num y, hn_num t) {
-  return hn_i_bump_d(hn_i_triangle_ramp(h, x, y), hn_i_triangle_gradient(h), x, y, hn_i_weight_plane(t),
-                     hn_i_fall_plane(t, 1));
+HN_FN hn_num3 hn_i_weighted_ramp_d(hn_uint h, hn_num x, hn_num y, hn_num t) {
+  return hn_i_weighted_ramp_d(hn_i_triangle_ramp(h, x, y), hn_i_triangle_gradient(h), x, y, hn_i_weight_plane(t),
+                     hn_i_d_weight_plane(t, 1));
 }
 
 // The noise and its derivatives, from the words of the corners.
 HN_FN hn_vec3 hn_i_simplex_d(hn_uvec3 h, hn_num2 skewed) {
   hn_num3 x = hn_i_triangle_x(skewed);
   hn_num3 y = hn_i_triangle_y(skewed);
-  hn_num3 t = hn_i_triangle_near(x, y);
-  hn_num3 n = hn_i_added(hn_i_added(hn_i_bump_d(h.x, x.x, y.x, t.x), hn_i_bump_d(h.y, x.y, y.y, t.y)),
-                         hn_i_bump_d(h.z, x.z, y.z, t.z));
+  hn_num3 t = hn_i_triangle_falloff(x, y);
+  hn_num3 n = hn_i_plus(hn_i_plus(hn_i_weighted_ramp_d(h.x, x.x, y.x, t.x), hn_i_weighted_ramp_d(h.y, x.y, y.y, t.y)),
+                         hn_i_weighted_ramp_d(h.z, x.z, y.z, t.z));
   return vec3(hn_i_value(hn_i_scaled_simplex2(n.x)), hn_i_per_cell(hn_i_derivative(hn_i_scaled_simplex2(n.y))),
               hn_i_per_cell(hn_i_derivative(hn_i_scaled_simplex2(n.z))));
 }

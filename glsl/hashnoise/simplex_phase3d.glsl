@@ -8,37 +8,37 @@
 #include "detail/direction_turning.glsl"
 
 // The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_num hn_i_simplex_turned(hn_i_block3 block, hn_num3 f, hn_num2 rotation, hn_uint seed) {
+HN_FN hn_num hn_i_simplex_phase(hn_i_block3 block, hn_num3 f, hn_num2 rotation, hn_uint seed) {
   hn_num4 x;
   hn_num4 y;
   hn_num4 z;
   hn_num4 t;
   hn_uvec4 h = hn_i_four_points(block, f, seed, x, y, z, t);
-  hn_num n = hn_i_attenuated(hn_i_ramp(hn_i_direction3(h.x), x.x, y.x, z.x, rotation), hn_i_weight4(t.x));
-  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(hn_i_direction3(h.y), x.y, y.y, z.y, rotation), hn_i_weight4(t.y)));
-  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(hn_i_direction3(h.z), x.z, y.z, z.z, rotation), hn_i_weight4(t.z)));
-  n = hn_i_plus(n, hn_i_attenuated(hn_i_ramp(hn_i_direction3(h.w), x.w, y.w, z.w, rotation), hn_i_weight4(t.w)));
+  hn_num n = hn_i_weighted_ramp(hn_i_ramp(hn_i_direction3(h.x), x.x, y.x, z.x, rotation), hn_i_weight4(t.x));
+  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp(hn_i_direction3(h.y), x.y, y.y, z.y, rotation), hn_i_weight4(t.y)));
+  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp(hn_i_direction3(h.z), x.z, y.z, z.z, rotation), hn_i_weight4(t.z)));
+  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp(hn_i_direction3(h.w), x.w, y.w, z.w, rotation), hn_i_weight4(t.w)));
   return hn_i_scaled_simplex3(n);
 }
 
 // What a point adds to the noise and to its derivatives.
-HN_FN hn_num4 hn_i_turned_bump_d(hn_uint h, hn_num x, hn_num y, hn_num z, hn_num t, hn_num2 rotation) {
+HN_FN hn_num4 hn_i_turning_ramp_d(hn_uint h, hn_num x, hn_num y, hn_num z, hn_num t, hn_num2 rotation) {
   hn_num4 d = hn_i_direction3(h);
-  return hn_i_bump_d(hn_i_ramp(d, x, y, z, rotation), hn_i_gradient(d, rotation), x, y, z, hn_i_weight4(t),
-                     hn_i_fall4(t, 2));
+  return hn_i_weighted_ramp_d(hn_i_ramp(d, x, y, z, rotation), hn_i_gradient(d, rotation), x, y, z, hn_i_weight4(t),
+                     hn_i_d_weight4(t, 2));
 }
 
 // The noise and its derivatives.
-HN_FN hn_vec4 hn_i_simplex_turned_d(hn_i_block3 block, hn_num3 f, hn_num2 rotation, hn_uint seed) {
+HN_FN hn_vec4 hn_i_simplex_phase_d(hn_i_block3 block, hn_num3 f, hn_num2 rotation, hn_uint seed) {
   hn_num4 x;
   hn_num4 y;
   hn_num4 z;
   hn_num4 t;
   hn_uvec4 h = hn_i_four_points(block, f, seed, x, y, z, t);
-  hn_num4 corners = hn_i_added(hn_i_turned_bump_d(h.x, x.x, y.x, z.x, t.x, rotation),
-                               hn_i_turned_bump_d(h.y, x.y, y.y, z.y, t.y, rotation));
-  hn_num4 n = hn_i_added(hn_i_added(corners, hn_i_turned_bump_d(h.z, x.z, y.z, z.z, t.z, rotation)),
-                         hn_i_turned_bump_d(h.w, x.w, y.w, z.w, t.w, rotation));
+  hn_num4 corners = hn_i_plus(hn_i_turning_ramp_d(h.x, x.x, y.x, z.x, t.x, rotation),
+                               hn_i_turning_ramp_d(h.y, x.y, y.y, z.y, t.y, rotation));
+  hn_num4 n = hn_i_plus(hn_i_plus(corners, hn_i_turning_ramp_d(h.z, x.z, y.z, z.z, t.z, rotation)),
+                         hn_i_turning_ramp_d(h.w, x.w, y.w, z.w, t.w, rotation));
   return vec4(hn_i_value(hn_i_scaled_simplex3(n.x)), hn_i_derivative(hn_i_scaled_simplex3(n.y)),
               hn_i_derivative(hn_i_scaled_simplex3(n.z)), hn_i_derivative(hn_i_scaled_simplex3(n.w)));
 }
@@ -57,7 +57,7 @@ HN_FN hn_vec4 hn_i_simplex_turned_d(hn_i_block3 block, hn_num3 f, hn_num2 rotati
 //   cost     the hashes of hn_simplex, a sine and a cosine of 6 multiplications of floats each, and twice the rest
 //   source   Perlin and Neyret, "Flow noise", 2001; docs/contract.md, section 14
 HN_FN hn_float hn_simplex(hn_place3 place, hn_float phase, hn_uint seed) {
-  return hn_i_value(hn_i_simplex_turned(hn_i_block(place), place.fraction, hn_i_rotation(phase), seed));
+  return hn_i_value(hn_i_simplex_phase(hn_i_block(place), place.fraction, hn_i_rotation(phase), seed));
 }
 HN_FN hn_float hn_simplex(hn_vec3 p, hn_float phase, hn_uint seed) { return hn_simplex(hn_place(p), phase, seed); }
 
@@ -67,7 +67,7 @@ HN_FN hn_float hn_simplex(hn_vec3 p, hn_float phase, hn_uint seed) { return hn_s
 //   cost     as above, and about twice the rest
 //   (parameters as above)
 HN_FN hn_vec4 hn_simplex_d(hn_place3 place, hn_float phase, hn_uint seed) {
-  return hn_i_simplex_turned_d(hn_i_block(place), place.fraction, hn_i_rotation(phase), seed);
+  return hn_i_simplex_phase_d(hn_i_block(place), place.fraction, hn_i_rotation(phase), seed);
 }
 HN_FN hn_vec4 hn_simplex_d(hn_vec3 p, hn_float phase, hn_uint seed) { return hn_simplex_d(hn_place(p), phase, seed); }
 

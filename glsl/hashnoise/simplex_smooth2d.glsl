@@ -9,17 +9,17 @@
 // The noise in the numbers of HN_ARITHMETIC, from the words of two neighbours in the lower row and of two in the upper
 // one, and the places between these.
 HN_FN hn_num hn_i_simplex_smooth(hn_uvec4 h, hn_num lower, hn_num upper, hn_num y) {
-  hn_num lower1 = hn_i_far(lower);
-  hn_num upper1 = hn_i_far(upper);
-  hn_num y1 = hn_i_far(y);
+  hn_num lower1 = hn_i_minus_one(lower);
+  hn_num upper1 = hn_i_minus_one(upper);
+  hn_num y1 = hn_i_minus_one(y);
   hn_num n =
-      hn_i_attenuated(hn_i_triangle_ramp(h.x, lower, y), hn_i_weight3(hn_i_near(hn_i_square(lower, y), 1024, 1)));
-  n = hn_i_plus(
-      n, hn_i_attenuated(hn_i_triangle_ramp(h.y, lower1, y), hn_i_weight3(hn_i_near(hn_i_square(lower1, y), 1024, 1))));
-  n = hn_i_plus(
-      n, hn_i_attenuated(hn_i_triangle_ramp(h.z, upper, y1), hn_i_weight3(hn_i_near(hn_i_square(upper, y1), 1024, 1))));
-  n = hn_i_plus(n, hn_i_attenuated(hn_i_triangle_ramp(h.w, upper1, y1),
-                                   hn_i_weight3(hn_i_near(hn_i_square(upper1, y1), 1024, 1))));
+      hn_i_weighted_ramp(hn_i_triangle_ramp(h.x, lower, y), hn_i_weight3(hn_i_falloff(hn_i_square(lower, y), 1024, 1)));
+  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_triangle_ramp(h.y, lower1, y),
+                                      hn_i_weight3(hn_i_falloff(hn_i_square(lower1, y), 1024, 1))));
+  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_triangle_ramp(h.z, upper, y1),
+                                      hn_i_weight3(hn_i_falloff(hn_i_square(upper, y1), 1024, 1))));
+  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_triangle_ramp(h.w, upper1, y1),
+                                   hn_i_weight3(hn_i_falloff(hn_i_square(upper1, y1), 1024, 1))));
   return hn_i_scaled(n, 2428);
 }
 
@@ -32,7 +32,7 @@ HN_FN hn_num hn_i_simplex_smooth(hn_place2 place, hn_uint seed) {
   hn_num2 p = hn_i_steps(place.fraction);
   hn_int row = hn_i_floor(p.y);
   hn_num lower = hn_i_in_row(p.x, row);
-  hn_num upper = hn_i_in_row(p.x, hn_i_beyond(row, 1));
+  hn_num upper = hn_i_in_row(p.x, hn_i_add_wrapping(row, 1));
   hn_int i = hn_i_floor(lower);
   hn_int j = hn_i_floor(upper);
   // The spread coordinates of two points of the lower row and of two of the upper one, and of both rows.
@@ -42,23 +42,23 @@ HN_FN hn_num hn_i_simplex_smooth(hn_place2 place, hn_uint seed) {
   if (place.tiled) {
     hn_uvec2 c = hn_i_wrap(place.cell, place.period);
     hn_uint y0 = hn_i_doubled(c.y, row, place.period.y);
-    hn_uint y1 = hn_i_doubled(c.y, hn_i_beyond(row, 1), place.period.y);
+    hn_uint y1 = hn_i_doubled(c.y, hn_i_add_wrapping(row, 1), place.period.y);
     hn_uvec2 a = hn_i_spread(uvec2(hn_i_doubled(c.x, i, place.period.x), y0));
     hn_uvec2 b = hn_i_spread(uvec2(hn_i_doubled(c.x, j, place.period.x), y1));
     y = uvec2(a.y, b.y);
-    x0 = uvec2(a.x, hn_i_spread(hn_i_doubled(c.x, hn_i_beyond(i, 1), place.period.x)));
-    x1 = uvec2(b.x, hn_i_spread(hn_i_doubled(c.x, hn_i_beyond(j, 1), place.period.x)));
+    x0 = uvec2(a.x, hn_i_spread(hn_i_doubled(c.x, hn_i_add_wrapping(i, 1), place.period.x)));
+    x1 = uvec2(b.x, hn_i_spread(hn_i_doubled(c.x, hn_i_add_wrapping(j, 1), place.period.x)));
   } else {
     hn_uvec2 c = hn_i_spread(uvec2(hn_i_doubled(uint(place.cell.x), i), hn_i_doubled(uint(place.cell.y), row)));
     hn_uint x = hn_i_spread(hn_i_doubled(uint(place.cell.x), j));
-    y = uvec2(c.y, hn_i_last(c).y);
-    x0 = uvec2(c.x, hn_i_last(c.x));
-    x1 = uvec2(x, hn_i_last(x));
+    y = uvec2(c.y, hn_i_upper(c).y);
+    x0 = uvec2(c.x, hn_i_upper(c.x));
+    x1 = uvec2(x, hn_i_upper(x));
   }
   hn_uint s = hn_i_mix(seed);
   return hn_i_simplex_smooth(uvec4(hn_i_word(uvec2(x0.x, y.x), s, s), hn_i_word(uvec2(x0.y, y.x), s, s),
                                    hn_i_word(uvec2(x1.x, y.y), s, s), hn_i_word(uvec2(x1.y, y.y), s, s)),
-                             hn_i_past(lower), hn_i_past(upper), hn_i_past(p.y));
+                             hn_i_fract(lower), hn_i_fract(upper), hn_i_fract(p.y));
 }
 
 // Smooth simplex noise on the plane. The kernel is a quarter larger than that of hn_simplex, in the square of its

@@ -13,8 +13,9 @@
 // What a point adds without its weight. Gradients are lengthened twice as much as those of Perlin noise.
 HN_FN hn_num hn_i_smooth_ramp(hn_uint h, hn_num x, hn_num y, hn_num z) {
   hn_num4 d = hn_i_direction3(h);
-  return hn_i_lengthened(hn_i_straight(d, hn_i_turned(hn_i_plus(x, y)), hn_i_turned(hn_i_minus(x, y)), hn_i_upright(z)),
-                         hn_i_plus(d.w, d.w));
+  return hn_i_times_one_plus(
+      hn_i_dot_direction(d, hn_i_octahedral(hn_i_plus(x, y)), hn_i_octahedral(hn_i_minus(x, y)), hn_i_octahedral_z(z)),
+      hn_i_plus(d.w, d.w));
 }
 
 // What a neighbour of the nearest point adds: the one along an axis, or the opposite end of its diagonal. `one` are the
@@ -32,8 +33,8 @@ HN_FN hn_num hn_i_neighbour(hn_uvec3 one, hn_uvec3 others, hn_num3 d, hn_num3 e,
   hn_num z = hn_i_select(excess > middle, e.z, d.z);
   hn_num more =
       min(hn_i_minus(HN_I_ONE, twice), hn_i_plus(hn_i_minus(hn_i_quarters(8), hn_i_plus(total, total)), twice));
-  return hn_i_attenuated(hn_i_smooth_ramp(hn_i_word(c, join, sum), x, y, z),
-                         hn_i_weight5(hn_i_near(hn_i_onto(q, more), 768, 1)));
+  return hn_i_weighted_ramp(hn_i_smooth_ramp(hn_i_word(c, join, sum), x, y, z),
+                         hn_i_weight5(hn_i_falloff(hn_i_square_plus(q, more), 768, 1)));
 }
 
 // What the four points of a kind add. The nearest has the spread coordinates n and the offsets d; along each axis the
@@ -41,8 +42,8 @@ HN_FN hn_num hn_i_neighbour(hn_uvec3 one, hn_uvec3 others, hn_num3 d, hn_num3 e,
 HN_FN hn_num hn_i_cube(hn_uvec3 n, hn_uvec3 m, hn_num3 d, hn_num3 e, hn_num3 size, hn_i_square_number q, hn_uint join,
                        hn_uint sum) {
   hn_num total = hn_i_plus(hn_i_plus(size.x, size.y), size.z);
-  hn_num a =
-      hn_i_attenuated(hn_i_smooth_ramp(hn_i_word(n, join, sum), d.x, d.y, d.z), hn_i_weight5(hn_i_near(q, 768, 1)));
+  hn_num a = hn_i_weighted_ramp(hn_i_smooth_ramp(hn_i_word(n, join, sum), d.x, d.y, d.z),
+                                hn_i_weight5(hn_i_falloff(q, 768, 1)));
   a = hn_i_plus(a, hn_i_neighbour(uvec3(m.x, n.y, n.z), uvec3(n.x, m.y, m.z), hn_i_num(e.x, d.y, d.z),
                                   hn_i_num(d.x, e.y, e.z), size.x, total, q, join, sum));
   a = hn_i_plus(a, hn_i_neighbour(uvec3(n.x, m.y, n.z), uvec3(m.x, n.y, m.z), hn_i_num(d.x, e.y, d.z),
@@ -59,11 +60,11 @@ HN_FN hn_num hn_i_simplex_smooth(hn_i_block3 block, hn_num3 f, hn_uint seed) {
   hn_num3 size = hn_i_num(hn_i_size(x.x), hn_i_size(y.x), hn_i_size(z.x));
   hn_num3 inner = hn_i_num(hn_i_size(x.z), hn_i_size(y.z), hn_i_size(z.z));
   hn_uint s = hn_i_mix(seed);
-  hn_num corners = hn_i_cube(hn_i_nearer(f, block.cell, block.after), hn_i_nearer(f, block.after, block.cell),
+  hn_num corners = hn_i_cube(hn_i_nearer(f, block.cell, block.following), hn_i_nearer(f, block.following, block.cell),
                              hn_i_num(x.x, y.x, z.x), hn_i_num(x.y, y.y, z.y), size, hn_i_square(x.x, y.x, z.x), s, s);
   hn_num centres =
-      hn_i_cube(block.cell, hn_i_nearer(f, block.before, block.after), hn_i_num(x.z, y.z, z.z), hn_i_num(x.w, y.w, z.w),
-                inner, hn_i_square(x.z, y.z, z.z), s ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM);
+      hn_i_cube(block.cell, hn_i_nearer(f, block.previous, block.following), hn_i_num(x.z, y.z, z.z),
+                hn_i_num(x.w, y.w, z.w), inner, hn_i_square(x.z, y.z, z.z), s ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM);
   return hn_i_scaled(hn_i_plus(corners, centres), 3901);
 }
 

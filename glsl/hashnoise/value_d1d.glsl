@@ -13,7 +13,7 @@ HN_FN hn_vec2 hn_i_value_d(hn_i_box1 box, hn_num f, hn_uint seed) {
   hn_num left = hn_i_number(h.x);
   hn_num right = hn_i_number(h.y);
   return vec2(hn_i_value(hn_i_of_numbers(hn_i_lerp(left, right, hn_i_fade(f)))),
-              hn_i_derivative(hn_i_of_rises(hn_i_climb(hn_i_rise(left, right), hn_i_slope(f)))));
+              hn_i_derivative(hn_i_of_d_corners(hn_i_d_faded(hn_i_d_corner(left, right), hn_i_d_fade(f)))));
 }
 
 // Value noise on the line and how steep it is. The value is that of hn_value.

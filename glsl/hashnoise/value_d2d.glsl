@@ -10,9 +10,9 @@
 // The noise and its derivatives.
 HN_FN hn_vec3 hn_i_value_d(hn_i_box2 box, hn_num2 f, hn_uint seed) {
   hn_num2 t = hn_i_fade(f);
-  hn_num3 n = hn_i_lerp_d(hn_i_numbers(hn_i_corners(box, seed)), t, hn_i_slope(f));
-  return vec3(hn_i_value(hn_i_of_numbers(n.x)), hn_i_derivative(hn_i_of_rises(n.y)),
-              hn_i_derivative(hn_i_of_rises(n.z)));
+  hn_num3 n = hn_i_lerp_d(hn_i_numbers(hn_i_corners(box, seed)), t, hn_i_d_fade(f));
+  return vec3(hn_i_value(hn_i_of_numbers(n.x)), hn_i_derivative(hn_i_of_d_corners(n.y)),
+              hn_i_derivative(hn_i_of_d_corners(n.z)));
 }
 
 // Value noise on the plane and how steep it is. The value is that of hn_value.

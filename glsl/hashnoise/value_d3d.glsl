@@ -10,15 +10,15 @@
 // The noise and its derivatives.
 HN_FN hn_vec4 hn_i_value_d(hn_i_box3 box, hn_num3 f, hn_uint seed) {
   hn_num3 t = hn_i_fade(f);
-  hn_num3 s = hn_i_slope(f);
+  hn_num3 s = hn_i_d_fade(f);
   hn_num2 t2 = hn_i_num(t.x, t.y);
   hn_num2 s2 = hn_i_num(s.x, s.y);
   hn_num3 front = hn_i_lerp_d(hn_i_numbers(hn_i_corners(box, false, seed)), t2, s2);
   hn_num3 back = hn_i_lerp_d(hn_i_numbers(hn_i_corners(box, true, seed)), t2, s2);
   return vec4(hn_i_value(hn_i_of_numbers(hn_i_lerp(front.x, back.x, t.z))),
-              hn_i_derivative(hn_i_of_rises(hn_i_lerp(front.y, back.y, t.z))),
-              hn_i_derivative(hn_i_of_rises(hn_i_lerp(front.z, back.z, t.z))),
-              hn_i_derivative(hn_i_of_rises(hn_i_climb(hn_i_rise(front.x, back.x), s.z))));
+              hn_i_derivative(hn_i_of_d_corners(hn_i_lerp(front.y, back.y, t.z))),
+              hn_i_derivative(hn_i_of_d_corners(hn_i_lerp(front.z, back.z, t.z))),
+              hn_i_derivative(hn_i_of_d_corners(hn_i_d_faded(hn_i_d_corner(front.x, back.x), s.z))));
 }
 
 // Value noise in space and how steep it is. The value is that of hn_value.

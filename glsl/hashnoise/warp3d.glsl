@@ -8,15 +8,15 @@
 #include "octaves3d.glsl"
 #include "value3d.glsl"
 
-// A sum of vectors, and the frame of the octave.
+// A sum of vectors, and the Jacobian of the octave.
 // Its numbers are apart: where points leave a loop at different octaves, lavapipe of Mesa 22.3 takes a vector that is
 // used behind it from the last octave of all.
 struct hn_shifts3 {
   hn_num x;
   hn_num y;
   hn_num z;
-  hn_i_frame3 frame;
-  hn_num growth;  // of the frame, from octave to octave
+  hn_i_jacobian3 jacobian;
+  hn_num growth;  // of the Jacobian, from octave to octave
   hn_num amplitude;
   hn_num rate;  // by which an octave of progressive shifts moves the next
 };
@@ -29,9 +29,9 @@ HN_FN void hn_i_move(HN_I_INOUT(hn_octaves3) o, hn_num3 n) {
   } else
 #endif
   {
-    o.x = hn_i_moved(o.x, n.x);
-    o.y = hn_i_moved(o.y, n.y);
-    o.z = hn_i_moved(o.z, n.z);
+    o.x = hn_i_displaced(o.x, n.x);
+    o.y = hn_i_displaced(o.y, n.y);
+    o.z = hn_i_displaced(o.z, n.z);
   }
 }
 
@@ -48,14 +48,14 @@ HN_FN void hn_i_move(HN_I_INOUT(hn_octaves3) o, hn_num3 n) {
 //   amplitude  the largest shift along an axis, in cells, in [0, 64]
 //   returns    as hn_warp and hn_warp_progressive below
 //   error      docs/accuracy.md
-//   cost       18 multiplications for the frame of progressive shifts
+//   cost       18 multiplications for the Jacobian of progressive shifts
 //   source     docs/contract.md, section 7
 HN_FN hn_shifts3 hn_shifts(hn_octaves3 o, hn_float amplitude) {
   HN_I_NEW(hn_shifts3, s);
   s.x = HN_I_NO_WEIGHT;
   s.y = HN_I_NO_WEIGHT;
   s.z = HN_I_NO_WEIGHT;
-  s.frame = hn_i_first_frame3();
+  s.jacobian = hn_i_identity3();
   s.growth = hn_i_growth(o.sum.gain, o.lacunarity);
   s.amplitude = hn_i_setting(amplitude, 64.0f);
   s.rate = hn_i_mean(s.amplitude, hn_i_total(o.sum));
@@ -69,14 +69,14 @@ HN_FN void hn_add(hn_octaves3 o, HN_I_INOUT(hn_shifts3) s, hn_vec3 v) {
 HN_FN void hn_add_progressive(HN_I_INOUT(hn_octaves3) o, HN_I_INOUT(hn_shifts3) s, hn_vec3 v) {
   hn_add(o, s, v);
   hn_num3 n = hn_i_num(hn_i_bounded_octave(v.x), hn_i_bounded_octave(v.y), hn_i_bounded_octave(v.z));
-  hn_i_move(o, hn_i_strides(hn_i_to_frame(s.frame, n), s.rate));
-  s.frame = hn_i_next_frame(s.frame, s.growth, o.place.tiled);
+  hn_i_move(o, hn_i_displacements(hn_i_jacobian_times(s.jacobian, n), s.rate));
+  s.jacobian = hn_i_next_jacobian(s.jacobian, s.growth, o.place.tiled);
 }
 HN_FN hn_vec3 hn_mean(hn_octaves3 o, hn_shifts3 s) {
   hn_num total = hn_i_total(o.sum);
-  return vec3(hn_i_shift(o.sum, s.x, total, s.amplitude),
-              hn_i_shift(o.sum, s.y, total, s.amplitude),
-              hn_i_shift(o.sum, s.z, total, s.amplitude));
+  return vec3(hn_i_mean_displacement(o.sum, s.x, total, s.amplitude),
+              hn_i_mean_displacement(o.sum, s.y, total, s.amplitude),
+              hn_i_mean_displacement(o.sum, s.z, total, s.amplitude));
 }
 
 // The noises of an octave, each with a seed of its own.
@@ -130,7 +130,7 @@ HN_FN hn_vec3 hn_warp(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float g
 //   returns     the shift along x, y and z, each in [-amplitude, amplitude]
 //   error       grows with the amplitude and with each octave, which is taken at a place that has an error:
 //               docs/accuracy.md
-//   cost        3 noises per octave, and 18 multiplications for the frame
+//   cost        3 noises per octave, and 18 multiplications for the Jacobian
 HN_FN hn_vec3 hn_warp_progressive(hn_place3 place, hn_int octaves, hn_float lacunarity, hn_float gain,
                                   hn_float amplitude, hn_uint seed) {
   return hn_i_warp_progressive(hn_octaves(place, octaves, lacunarity, gain, seed), amplitude);

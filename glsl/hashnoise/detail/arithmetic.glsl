@@ -10,40 +10,40 @@
 // A noise has one text for all three arithmetics. It is written in these steps, not in operators, so that with
 // HN_PRECISE each step can say what is rounded on its own:
 //
-//   hn_num                  a fraction of a cell, and what is computed from it: a float, or an integer. The fraction is
-//                           in units of 2^-20, and later numbers have other units (docs/contract.md, section 8).
-//                           hn_num2 to hn_num4 are vectors of it
-//   hn_i_num(x, y, ...)     such a vector
-//   HN_I_ONE                1 as a fraction
-//   hn_i_cell(p)            the cell of a position; p is a float or a vector, and so is f in the next two
-//   hn_i_fraction(p)        the fraction in that cell
-//   hn_i_inside(f)          the same from a fraction that the caller passes
-//   hn_i_whole_cell(p)      in HN_FIXED, p cut off towards 0, as an int
-//   hn_i_start(p)           floats only: the position of the first octave of a sum
+//   hn_num                     a fraction of a cell, and what is computed from it: a float, or an integer. The fraction
+//                              is in units of 2^-20, and later numbers have other units (docs/contract.md, section 8).
+//                              hn_num2 to hn_num4 are vectors of it
+//   hn_i_num(x, y, ...)        such a vector
+//   HN_I_ONE                   1 as a fraction
+//   hn_i_cell(p)               the cell of a position; p is a float or a vector, and so is f in the next two
+//   hn_i_fraction(p)           the fraction in that cell
+//   hn_i_to_num(f)             the same from a fraction that the caller passes
+//   hn_i_whole_cell(p)         in HN_FIXED, p cut off towards 0, as an int
+//   hn_i_flushed_position(p)   floats only: the position of the first octave of a sum
 //   hn_i_plus(a, b), hn_i_minus(a, b); floats only: hn_i_times(a, b), hn_i_times_plus(a, b, c), hn_i_quotient(a, b)
-//   hn_i_far(f)             f - 1: the offset from the far corner
-//   hn_i_dot(g, x, y, ...)  a gradient times an offset
-//   hn_i_signed(m, word)    m, or -m if the highest bit of the word is set; floats: m >= 0. Also of three at once
-//   hn_i_size(x)            the absolute value
-//   hn_i_flipped(x, word)   x, or -x if the highest bit of the word is set, for any x
-//   hn_i_lengthened(n, m)   n times 1 + m; the integers of m are in units of 2^-9, and n loses its last 9 bits there
-//   hn_i_fade(f)            6 f^5 - 15 f^4 + 10 f^3, along each axis
-//   hn_i_smooth(t)          floats only: 3 t^2 - 2 t^3
-//   hn_i_lerp(a, b, t)      interpolates from a to b by a fade t
-//   hn_i_lerp(n, x, y)      between four corners 00, 10, 01, 11
-//   hn_i_number(word)       the high bits of a word as a number in [-1, 1), with an offset: see hn_i_of_numbers
-//   hn_i_numbers(words)     the same of four words
-//   hn_i_of_numbers(n)      a noise, from an interpolation between such numbers
-//   hn_i_scaled(n, s)       a noise, from an interpolation between ramps, times s / 1024
-//   hn_i_settled(n)         floats only: n, or 0 where subnormal numbers could have changed it
-//   hn_i_value(n)           the float of a noise; hn_i_derivative(n), that of a derivative
-//   hn_i_select(c, a, b)    a where the condition holds, else b; both are computed
-//   hn_i_choice(c, a, b)    the same of two integers, which may be literals: in HLSL a literal has no type of its own,
-//                           so an overload for integers could not be told from the others
-//   hn_i_truth(c)           the condition as a bool, if it is the same for all points
+//   hn_i_minus_one(f)          f - 1: the offset from the far corner
+//   hn_i_dot(g, x, y, ...)     a gradient times an offset
+//   hn_i_signed(m, word)       m, or -m if the highest bit of the word is set; floats: m >= 0. Also of three at once
+//   hn_i_size(x)               the absolute value
+//   hn_i_flipped(x, word)      x, or -x if the highest bit of the word is set, for any x
+//   hn_i_times_one_plus(n, m)  n times 1 + m; the integers of m are in units of 2^-9, and n loses its last 9 bits there
+//   hn_i_fade(f)               6 f^5 - 15 f^4 + 10 f^3, along each axis
+//   hn_i_smooth(t)             floats only: 3 t^2 - 2 t^3
+//   hn_i_lerp(a, b, t)         interpolates from a to b by a fade t
+//   hn_i_lerp(n, x, y)         between four corners 00, 10, 01, 11
+//   hn_i_number(word)          the high bits of a word as a number in [-1, 1), with an offset: see hn_i_of_numbers
+//   hn_i_numbers(words)        the same of four words
+//   hn_i_of_numbers(n)         a noise, from an interpolation between such numbers
+//   hn_i_scaled(n, s)          a noise, from an interpolation between ramps, times s / 1024
+//   hn_i_flushed(n)            floats only: n, or 0 where subnormal numbers could have changed it
+//   hn_i_value(n)              the float of a noise; hn_i_derivative(n), that of a derivative
+//   hn_i_select(c, a, b)       a where the condition holds, else b; both are computed
+//   hn_i_choice(c, a, b)       the same of two integers, which may be literals: in HLSL a literal has no type of its
+//                              own, so an overload for integers could not be told from the others
+//   hn_i_truth(c)              the condition as a bool, if it is the same for all points
 //
-// derivative.glsl has those of derivatives, cubic_spline.glsl those of splines, sine.glsl those of turned gradients, and
-// falloff.glsl those of simplex noise.
+// derivative.glsl has the steps of derivatives, cubic_spline.glsl those of splines, direction_turning.glsl those of
+// turning gradients, and falloff.glsl those of simplex noise.
 
 // In C++ numbers may be vectors of many points, and these have no ?: operator, and conditions that are no bool.
 HN_FN hn_float hn_i_select(bool condition, hn_float a, hn_float b) { return condition ? a : b; }
@@ -128,15 +128,15 @@ HN_FN hn_vec4 hn_i_fraction(hn_vec4 p) {
   return f;
 }
 
-HN_FN hn_float hn_i_inside(hn_float f) { return f; }
-HN_FN hn_vec2 hn_i_inside(hn_vec2 f) { return f; }
-HN_FN hn_vec3 hn_i_inside(hn_vec3 f) { return f; }
-HN_FN hn_vec4 hn_i_inside(hn_vec4 f) { return f; }
-HN_FN hn_float hn_i_start(hn_float p) { return p; }
-HN_FN hn_vec2 hn_i_start(hn_vec2 p) { return p; }
-HN_FN hn_vec3 hn_i_start(hn_vec3 p) { return p; }
-HN_FN hn_vec4 hn_i_start(hn_vec4 p) { return p; }
-HN_FN hn_float hn_i_settled(hn_float n) { return n; }
+HN_FN hn_float hn_i_to_num(hn_float f) { return f; }
+HN_FN hn_vec2 hn_i_to_num(hn_vec2 f) { return f; }
+HN_FN hn_vec3 hn_i_to_num(hn_vec3 f) { return f; }
+HN_FN hn_vec4 hn_i_to_num(hn_vec4 f) { return f; }
+HN_FN hn_float hn_i_flushed_position(hn_float p) { return p; }
+HN_FN hn_vec2 hn_i_flushed_position(hn_vec2 p) { return p; }
+HN_FN hn_vec3 hn_i_flushed_position(hn_vec3 p) { return p; }
+HN_FN hn_vec4 hn_i_flushed_position(hn_vec4 p) { return p; }
+HN_FN hn_float hn_i_flushed(hn_float n) { return n; }
 
 HN_FN hn_float hn_i_quotient(hn_float a, hn_float b) { return a / b; }
 
@@ -145,35 +145,40 @@ HN_FN hn_float hn_i_quotient(hn_float a, hn_float b) { return a / b; }
 #define HN_I_TINY (1.0f / 4294967296.0f)  // 2^-32
 
 // Replaces a number by 0 if it is so small that a product could be subnormal: drivers may flush subnormal numbers to 0.
-HN_FN hn_float hn_i_inside(hn_float x) { return hn_i_select(abs(x) < HN_I_TINY, 0.0f, x); }
-HN_FN hn_vec2 hn_i_inside(hn_vec2 f) { return vec2(hn_i_inside(f.x), hn_i_inside(f.y)); }
-HN_FN hn_vec3 hn_i_inside(hn_vec3 f) { return vec3(hn_i_inside(f.x), hn_i_inside(f.y), hn_i_inside(f.z)); }
-HN_FN hn_vec4 hn_i_inside(hn_vec4 f) {
-  return vec4(hn_i_inside(f.x), hn_i_inside(f.y), hn_i_inside(f.z), hn_i_inside(f.w));
+HN_FN hn_float hn_i_to_num(hn_float x) { return hn_i_select(abs(x) < HN_I_TINY, 0.0f, x); }
+HN_FN hn_vec2 hn_i_to_num(hn_vec2 f) { return vec2(hn_i_to_num(f.x), hn_i_to_num(f.y)); }
+HN_FN hn_vec3 hn_i_to_num(hn_vec3 f) { return vec3(hn_i_to_num(f.x), hn_i_to_num(f.y), hn_i_to_num(f.z)); }
+HN_FN hn_vec4 hn_i_to_num(hn_vec4 f) {
+  return vec4(hn_i_to_num(f.x), hn_i_to_num(f.y), hn_i_to_num(f.z), hn_i_to_num(f.w));
 }
 
 // Replaces a result by 0 if it is so small that flushed subnormal numbers could have changed it: what they lose is at
 // most 2^-126, which is less than half of the last bit of any larger result.
-HN_FN hn_float hn_i_settled(hn_float n) { return hn_i_select(abs(n) < HN_I_TINY * HN_I_TINY * HN_I_TINY, 0.0f, n); }
+HN_FN hn_float hn_i_flushed(hn_float n) { return hn_i_select(abs(n) < HN_I_TINY * HN_I_TINY * HN_I_TINY, 0.0f, n); }
 
 // Replaces a subnormal number by 0, since a huge lacunarity could make it large. No later octave needs this: the shift
 // between octaves leaves a position that is 0 or at least 2^-25.
-HN_FN hn_float hn_i_start(hn_float p) { return hn_i_select((floatBitsToUint(p) & 0x7F800000u) == 0u, 0.0f, p); }
-HN_FN hn_vec2 hn_i_start(hn_vec2 p) { return vec2(hn_i_start(p.x), hn_i_start(p.y)); }
-HN_FN hn_vec3 hn_i_start(hn_vec3 p) { return vec3(hn_i_start(p.x), hn_i_start(p.y), hn_i_start(p.z)); }
-HN_FN hn_vec4 hn_i_start(hn_vec4 p) {
-  return vec4(hn_i_start(p.x), hn_i_start(p.y), hn_i_start(p.z), hn_i_start(p.w));
+HN_FN hn_float hn_i_flushed_position(hn_float p) {
+  return hn_i_select((floatBitsToUint(p) & 0x7F800000u) == 0u, 0.0f, p);
+}
+HN_FN hn_vec2 hn_i_flushed_position(hn_vec2 p) { return vec2(hn_i_flushed_position(p.x), hn_i_flushed_position(p.y)); }
+HN_FN hn_vec3 hn_i_flushed_position(hn_vec3 p) {
+  return vec3(hn_i_flushed_position(p.x), hn_i_flushed_position(p.y), hn_i_flushed_position(p.z));
+}
+HN_FN hn_vec4 hn_i_flushed_position(hn_vec4 p) {
+  return vec4(hn_i_flushed_position(p.x), hn_i_flushed_position(p.y), hn_i_flushed_position(p.z),
+              hn_i_flushed_position(p.w));
 }
 
 // Converting a float that does not fit an int is undefined. 2147483520 is the largest float below 2^31. In this order a
 // NaN, which octaves far beyond the domain reach, has a cell in C++, too.
-HN_FN hn_int hn_i_cell(hn_float p) { return int(min(max(-2147483648.0f, floor(hn_i_inside(p))), 2147483520.0f)); }
+HN_FN hn_int hn_i_cell(hn_float p) { return int(min(max(-2147483648.0f, floor(hn_i_to_num(p))), 2147483520.0f)); }
 HN_FN hn_ivec2 hn_i_cell(hn_vec2 p) { return ivec2(hn_i_cell(p.x), hn_i_cell(p.y)); }
 HN_FN hn_ivec3 hn_i_cell(hn_vec3 p) { return ivec3(hn_i_cell(p.x), hn_i_cell(p.y), hn_i_cell(p.z)); }
 HN_FN hn_ivec4 hn_i_cell(hn_vec4 p) { return ivec4(hn_i_cell(p.x), hn_i_cell(p.y), hn_i_cell(p.z), hn_i_cell(p.w)); }
 
 HN_FN hn_float hn_i_fraction(hn_float p) {
-  hn_float q = hn_i_inside(p);
+  hn_float q = hn_i_to_num(p);
   return hn_i_minus(q, floor(q));
 }
 HN_FN hn_vec2 hn_i_fraction(hn_vec2 p) { return vec2(hn_i_fraction(p.x), hn_i_fraction(p.y)); }
@@ -261,7 +266,7 @@ HN_FN hn_float hn_i_lerp(hn_float a, hn_float b, hn_float t) {
   return n;
 }
 
-HN_FN hn_float hn_i_lengthened(hn_float n, hn_float more) { return hn_i_times_plus(n, more, n); }
+HN_FN hn_float hn_i_times_one_plus(hn_float n, hn_float more) { return hn_i_times_plus(n, more, n); }
 
 HN_FN hn_float hn_i_scaled(hn_float n, hn_int s) {
   HN_I_PRECISE hn_float scaled = n * (hn_i_float(s) * (1.0f / 1024.0f));
@@ -280,8 +285,8 @@ HN_FN hn_float hn_i_number(hn_uint word) {
 
 HN_FN hn_float hn_i_of_numbers(hn_float n) { return hn_i_minus(n, 3.0f); }
 
-HN_FN hn_float hn_i_value(hn_float n) { return hn_i_settled(n); }
-HN_FN hn_float hn_i_derivative(hn_float n) { return hn_i_settled(n); }
+HN_FN hn_float hn_i_value(hn_float n) { return hn_i_flushed(n); }
+HN_FN hn_float hn_i_derivative(hn_float n) { return hn_i_flushed(n); }
 
 #else  // HN_FIXED
 
@@ -315,11 +320,11 @@ HN_FN hn_ivec4 hn_i_fraction(hn_vec4 p) {
   return ivec4(hn_i_fraction(p.x), hn_i_fraction(p.y), hn_i_fraction(p.z), hn_i_fraction(p.w));
 }
 
-HN_FN hn_int hn_i_inside(hn_float f) { return int(min(max(f, 0.0f), 1.0f) * 1048576.0f); }
-HN_FN hn_ivec2 hn_i_inside(hn_vec2 f) { return ivec2(hn_i_inside(f.x), hn_i_inside(f.y)); }
-HN_FN hn_ivec3 hn_i_inside(hn_vec3 f) { return ivec3(hn_i_inside(f.x), hn_i_inside(f.y), hn_i_inside(f.z)); }
-HN_FN hn_ivec4 hn_i_inside(hn_vec4 f) {
-  return ivec4(hn_i_inside(f.x), hn_i_inside(f.y), hn_i_inside(f.z), hn_i_inside(f.w));
+HN_FN hn_int hn_i_to_num(hn_float f) { return int(min(max(f, 0.0f), 1.0f) * 1048576.0f); }
+HN_FN hn_ivec2 hn_i_to_num(hn_vec2 f) { return ivec2(hn_i_to_num(f.x), hn_i_to_num(f.y)); }
+HN_FN hn_ivec3 hn_i_to_num(hn_vec3 f) { return ivec3(hn_i_to_num(f.x), hn_i_to_num(f.y), hn_i_to_num(f.z)); }
+HN_FN hn_ivec4 hn_i_to_num(hn_vec4 f) {
+  return ivec4(hn_i_to_num(f.x), hn_i_to_num(f.y), hn_i_to_num(f.z), hn_i_to_num(f.w));
 }
 
 HN_FN hn_int hn_i_plus(hn_int a, hn_int b) { return a + b; }
@@ -356,7 +361,7 @@ HN_FN hn_int hn_i_part(hn_int d, hn_int t) { return (d >> 9) * (t >> 9) + (d >> 
 
 HN_FN hn_int hn_i_lerp(hn_int a, hn_int b, hn_int t) { return a + hn_i_part(b - a, t); }
 
-HN_FN hn_int hn_i_lengthened(hn_int n, hn_int more) { return n + (n >> 9) * more; }
+HN_FN hn_int hn_i_times_one_plus(hn_int n, hn_int more) { return n + (n >> 9) * more; }
 
 // From units of 2^-29 to units of 2^-21, rounded.
 HN_FN hn_int hn_i_scaled(hn_int n, hn_int s) { return (((n + 256) >> 9) * s + 256) >> 9; }
@@ -374,7 +379,7 @@ HN_FN hn_int hn_i_flipped(hn_int x, hn_uint word) { return hn_i_select((word & 0
 
 #endif
 
-HN_FN hn_num hn_i_far(hn_num f) { return hn_i_minus(f, HN_I_ONE); }
+HN_FN hn_num hn_i_minus_one(hn_num f) { return hn_i_minus(f, HN_I_ONE); }
 
 HN_FN hn_num hn_i_lerp(hn_num4 n, hn_num x, hn_num y) {
   return hn_i_lerp(hn_i_lerp(n.x, n.y, x), hn_i_lerp(n.z, n.w, x), y);

@@ -32,7 +32,7 @@ HN_FN hn_uvec4 hn_i_nearer(hn_num4 f, hn_uvec4 a, hn_uvec4 b) {
 // from the nearest centre of another.
 HN_FN hn_num4 hn_i_offsets(hn_num f) {
   hn_num middle = hn_i_quarters(2);
-  hn_num ahead = hn_i_far(f);
+  hn_num ahead = hn_i_minus_one(f);
   hn_num inner = hn_i_minus(f, middle);
   return hn_i_num(hn_i_select(f > middle, ahead, f), hn_i_select(f > middle, f, ahead), inner,
                   hn_i_select(f > middle, hn_i_minus(inner, HN_I_ONE), hn_i_plus(inner, HN_I_ONE)));
@@ -40,10 +40,11 @@ HN_FN hn_num4 hn_i_offsets(hn_num f) {
 
 // What a point in space adds without its weight.
 HN_FN hn_num hn_i_ramp_of(hn_uint h, hn_num x, hn_num y, hn_num z) {
-  return hn_i_ramp(hn_i_direction3(h), hn_i_turned(hn_i_plus(x, y)), hn_i_turned(hn_i_minus(x, y)), hn_i_upright(z));
+  return hn_i_ramp(hn_i_direction3(h), hn_i_octahedral(hn_i_plus(x, y)), hn_i_octahedral(hn_i_minus(x, y)),
+                   hn_i_octahedral_z(z));
 }
 
-// A sum of weighted ramps is at most 1024 / 6570 in space, with turned gradients too, and 1024 / 4298 in four
+// A sum of weighted ramps is at most 1024 / 6570 in space, with turning gradients too, and 1024 / 4298 in four
 // dimensions (tools/bounds).
 HN_FN hn_num hn_i_scaled_simplex3(hn_num n) { return hn_i_scaled(n, 6570); }
 HN_FN hn_num hn_i_scaled_simplex4(hn_num n) { return hn_i_scaled_ramps(n, 4298); }
@@ -76,13 +77,14 @@ HN_FN hn_uvec4 hn_i_four_points(hn_i_block3 block, hn_num3 f, hn_uint seed, HN_I
   z = hn_i_num(dz.x, hn_i_select(size.z >= a, dz.y, dz.x), dz.z, hn_i_select(size.z <= b, dz.w, dz.z));
   hn_i_square_number q = hn_i_square(dx.x, dy.x, dz.x);
   hn_num sum = hn_i_plus(hn_i_plus(size.x, size.y), size.z);
-  hn_i_square_number q_centre = hn_i_onto(q, hn_i_minus(hn_i_quarters(3), sum));
-  near_by = hn_i_num(hn_i_near(q, 1024, 2), hn_i_near(hn_i_onto(q, hn_i_minus(HN_I_ONE, hn_i_plus(a, a))), 1024, 2),
-                     hn_i_near(q_centre, 1024, 2), hn_i_near(hn_i_onto(q_centre, hn_i_plus(b, b)), 1024, 2));
+  hn_i_square_number q_centre = hn_i_square_plus(q, hn_i_minus(hn_i_quarters(3), sum));
+  near_by = hn_i_num(
+      hn_i_falloff(q, 1024, 2), hn_i_falloff(hn_i_square_plus(q, hn_i_minus(HN_I_ONE, hn_i_plus(a, a))), 1024, 2),
+      hn_i_falloff(q_centre, 1024, 2), hn_i_falloff(hn_i_square_plus(q_centre, hn_i_plus(b, b)), 1024, 2));
   hn_uvec3 cell = block.cell;
-  hn_uvec3 corner = hn_i_nearer(f, cell, block.after);
-  hn_uvec3 across = hn_i_nearer(f, block.after, cell);
-  hn_uvec3 beyond = hn_i_nearer(f, block.before, block.after);
+  hn_uvec3 corner = hn_i_nearer(f, cell, block.following);
+  hn_uvec3 across = hn_i_nearer(f, block.following, cell);
+  hn_uvec3 beyond = hn_i_nearer(f, block.previous, block.following);
   hn_uint s = hn_i_mix(seed);
   return uvec4(
       hn_i_word(corner, s, s),
@@ -110,13 +112,14 @@ HN_FN hn_uvec4 hn_i_four_points(hn_i_block4 block, hn_num4 f, hn_uint seed, HN_I
   w = hn_i_num(dw.x, hn_i_select(size.w >= a, dw.y, dw.x), dw.z, hn_i_select(size.w <= b, dw.w, dw.z));
   hn_i_square_number q = hn_i_square(dx.x, dy.x, dz.x, dw.x);
   hn_num sum = hn_i_plus(hn_i_plus(size.x, size.y), hn_i_plus(size.z, size.w));
-  hn_i_square_number q_centre = hn_i_onto(q, hn_i_minus(HN_I_ONE, sum));
-  near_by = hn_i_num(hn_i_near(q, 1024, 2), hn_i_near(hn_i_onto(q, hn_i_minus(HN_I_ONE, hn_i_plus(a, a))), 1024, 2),
-                     hn_i_near(q_centre, 1024, 2), hn_i_near(hn_i_onto(q_centre, hn_i_plus(b, b)), 1024, 2));
+  hn_i_square_number q_centre = hn_i_square_plus(q, hn_i_minus(HN_I_ONE, sum));
+  near_by = hn_i_num(
+      hn_i_falloff(q, 1024, 2), hn_i_falloff(hn_i_square_plus(q, hn_i_minus(HN_I_ONE, hn_i_plus(a, a))), 1024, 2),
+      hn_i_falloff(q_centre, 1024, 2), hn_i_falloff(hn_i_square_plus(q_centre, hn_i_plus(b, b)), 1024, 2));
   hn_uvec4 cell = block.cell;
-  hn_uvec4 corner = hn_i_nearer(f, cell, block.after);
-  hn_uvec4 across = hn_i_nearer(f, block.after, cell);
-  hn_uvec4 beyond = hn_i_nearer(f, block.before, block.after);
+  hn_uvec4 corner = hn_i_nearer(f, cell, block.following);
+  hn_uvec4 across = hn_i_nearer(f, block.following, cell);
+  hn_uvec4 beyond = hn_i_nearer(f, block.previous, block.following);
   hn_uint s = hn_i_mix(seed);
   return uvec4(
       hn_i_word(corner, s, s),

@@ -1,4 +1,4 @@
-// hashnoise: the cell that a noise is in: where its corners are, with or without a period, and their words.
+// hashnoise: the cell that a noise is in: its corners, with or without a period, and their hashes.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_CELL_GLSL
@@ -8,15 +8,15 @@
 #include "../hash.glsl"
 #include "../place.glsl"
 
-// A cell is known by the spread coordinates of its first corner and of its last, the opposite one. Along an axis the
-// last is one step further. Without a period a step adds a constant.
-HN_FN hn_uint hn_i_last(hn_uint first) { return first + HN_I_STEP_X; }
-HN_FN hn_uvec2 hn_i_last(hn_uvec2 first) { return uvec2(hn_i_last(first.x), first.y + HN_I_STEP_Y); }
-HN_FN hn_uvec3 hn_i_last(hn_uvec3 first) {
-  return uvec3(hn_i_last(first.x), first.y + HN_I_STEP_Y, first.z + HN_I_STEP_Z);
+// The upper corner of a cell, from its lower corner, both by their spread coordinates. Along an axis the upper one is a
+// step further. Without a period a step adds a constant.
+HN_FN hn_uint hn_i_upper(hn_uint lower) { return lower + HN_I_STEP_X; }
+HN_FN hn_uvec2 hn_i_upper(hn_uvec2 lower) { return uvec2(hn_i_upper(lower.x), lower.y + HN_I_STEP_Y); }
+HN_FN hn_uvec3 hn_i_upper(hn_uvec3 lower) {
+  return uvec3(hn_i_upper(lower.x), lower.y + HN_I_STEP_Y, lower.z + HN_I_STEP_Z);
 }
-HN_FN hn_uvec4 hn_i_last(hn_uvec4 first) {
-  return uvec4(hn_i_last(first.x), first.y + HN_I_STEP_Y, first.z + HN_I_STEP_Z, first.w + HN_I_STEP_W);
+HN_FN hn_uvec4 hn_i_upper(hn_uvec4 lower) {
+  return uvec4(hn_i_upper(lower.x), lower.y + HN_I_STEP_Y, lower.z + HN_I_STEP_Z, lower.w + HN_I_STEP_W);
 }
 
 // A coordinate in [0, period); without a period (0, or less) the coordinate as it is. For a power of two it is a mask,
@@ -39,59 +39,60 @@ HN_FN hn_uvec4 hn_i_wrap(hn_ivec4 c, hn_ivec4 period) {
   return uvec4(hn_i_wrap(c.x, period.x), hn_i_wrap(c.y, period.y), hn_i_wrap(c.z, period.z), hn_i_wrap(c.w, period.w));
 }
 
-// The spread coordinate of a last corner, given that without a period: behind the seam it is that of 0, which is
-// `zero`.
-HN_FN hn_uint hn_i_behind(hn_uint last, hn_uint c, hn_int period, hn_uint zero) {
-  return hn_i_select(c + 1u == uint(max(period, 0)), zero, last);
+// The spread coordinate of an upper corner. In the last cell of a period that is the spread coordinate of 0, which is
+// `zero`; in any other it is `upper`.
+HN_FN hn_uint hn_i_upper_at_seam(hn_uint upper, hn_uint c, hn_int period, hn_uint zero) {
+  return hn_i_select(c + 1u == uint(max(period, 0)), zero, upper);
 }
 
-// The first corner of a cell with a period, from its wrapped coordinates, is hn_i_spread(c). This is its last.
-HN_FN hn_uint hn_i_last(hn_uint first, hn_uint c, hn_int period) {
-  return hn_i_behind(hn_i_last(first), c, period, HN_I_ORIGIN_X);
+// The upper corner of a cell with a period. c has the wrapped coordinates of the cell, and hn_i_spread(c) is its lower
+// corner.
+HN_FN hn_uint hn_i_upper(hn_uint lower, hn_uint c, hn_int period) {
+  return hn_i_upper_at_seam(hn_i_upper(lower), c, period, HN_I_ORIGIN_X);
 }
-HN_FN hn_uvec2 hn_i_last(hn_uvec2 first, hn_uvec2 c, hn_ivec2 period) {
-  hn_uvec2 last = hn_i_last(first);
-  return uvec2(hn_i_last(first.x, c.x, period.x), hn_i_behind(last.y, c.y, period.y, 0u));
+HN_FN hn_uvec2 hn_i_upper(hn_uvec2 lower, hn_uvec2 c, hn_ivec2 period) {
+  hn_uvec2 upper = hn_i_upper(lower);
+  return uvec2(hn_i_upper(lower.x, c.x, period.x), hn_i_upper_at_seam(upper.y, c.y, period.y, 0u));
 }
-HN_FN hn_uvec3 hn_i_last(hn_uvec3 first, hn_uvec3 c, hn_ivec3 period) {
-  hn_uvec3 last = hn_i_last(first);
-  return uvec3(hn_i_last(first.x, c.x, period.x), hn_i_behind(last.y, c.y, period.y, 0u),
-               hn_i_behind(last.z, c.z, period.z, 0u));
+HN_FN hn_uvec3 hn_i_upper(hn_uvec3 lower, hn_uvec3 c, hn_ivec3 period) {
+  hn_uvec3 upper = hn_i_upper(lower);
+  return uvec3(hn_i_upper(lower.x, c.x, period.x), hn_i_upper_at_seam(upper.y, c.y, period.y, 0u),
+               hn_i_upper_at_seam(upper.z, c.z, period.z, 0u));
 }
-HN_FN hn_uvec4 hn_i_last(hn_uvec4 first, hn_uvec4 c, hn_ivec4 period) {
-  hn_uvec4 last = hn_i_last(first);
-  return uvec4(hn_i_last(first.x, c.x, period.x), hn_i_behind(last.y, c.y, period.y, 0u),
-               hn_i_behind(last.z, c.z, period.z, 0u), hn_i_behind(last.w, c.w, period.w, 0u));
+HN_FN hn_uvec4 hn_i_upper(hn_uvec4 lower, hn_uvec4 c, hn_ivec4 period) {
+  hn_uvec4 upper = hn_i_upper(lower);
+  return uvec4(hn_i_upper(lower.x, c.x, period.x), hn_i_upper_at_seam(upper.y, c.y, period.y, 0u),
+               hn_i_upper_at_seam(upper.z, c.z, period.z, 0u), hn_i_upper_at_seam(upper.w, c.w, period.w, 0u));
 }
 
-// A box has the spread coordinates of two opposite corners of a cell: those of the first and of the last. With a period
-// the corners are wrapped. All lattice noises are functions of a box and of the place in it.
+// A box has the spread coordinates of the lower and of the upper corner of a cell. With a period the corners are
+// wrapped. All lattice noises are functions of a box and of the place in it.
 struct hn_i_box1 {
-  hn_uint first;
-  hn_uint last;
+  hn_uint lower;
+  hn_uint upper;
 };
 struct hn_i_box2 {
-  hn_uvec2 first;
-  hn_uvec2 last;
+  hn_uvec2 lower;
+  hn_uvec2 upper;
 };
 struct hn_i_box3 {
-  hn_uvec3 first;
-  hn_uvec3 last;
+  hn_uvec3 lower;
+  hn_uvec3 upper;
 };
 struct hn_i_box4 {
-  hn_uvec4 first;
-  hn_uvec4 last;
+  hn_uvec4 lower;
+  hn_uvec4 upper;
 };
 
 HN_FN hn_i_box1 hn_i_box(hn_place1 place) {
   HN_I_NEW(hn_i_box1, box);
   if (place.tiled) {
     hn_uint c = hn_i_wrap(place.cell, place.period);
-    box.first = hn_i_spread(c);
-    box.last = hn_i_last(box.first, c, place.period);
+    box.lower = hn_i_spread(c);
+    box.upper = hn_i_upper(box.lower, c, place.period);
   } else {
-    box.first = hn_i_spread(uint(place.cell));
-    box.last = hn_i_last(box.first);
+    box.lower = hn_i_spread(uint(place.cell));
+    box.upper = hn_i_upper(box.lower);
   }
   return box;
 }
@@ -99,11 +100,11 @@ HN_FN hn_i_box2 hn_i_box(hn_place2 place) {
   HN_I_NEW(hn_i_box2, box);
   if (place.tiled) {
     hn_uvec2 c = hn_i_wrap(place.cell, place.period);
-    box.first = hn_i_spread(c);
-    box.last = hn_i_last(box.first, c, place.period);
+    box.lower = hn_i_spread(c);
+    box.upper = hn_i_upper(box.lower, c, place.period);
   } else {
-    box.first = hn_i_spread(uvec2(place.cell));
-    box.last = hn_i_last(box.first);
+    box.lower = hn_i_spread(uvec2(place.cell));
+    box.upper = hn_i_upper(box.lower);
   }
   return box;
 }
@@ -111,11 +112,11 @@ HN_FN hn_i_box3 hn_i_box(hn_place3 place) {
   HN_I_NEW(hn_i_box3, box);
   if (place.tiled) {
     hn_uvec3 c = hn_i_wrap(place.cell, place.period);
-    box.first = hn_i_spread(c);
-    box.last = hn_i_last(box.first, c, place.period);
+    box.lower = hn_i_spread(c);
+    box.upper = hn_i_upper(box.lower, c, place.period);
   } else {
-    box.first = hn_i_spread(uvec3(place.cell));
-    box.last = hn_i_last(box.first);
+    box.lower = hn_i_spread(uvec3(place.cell));
+    box.upper = hn_i_upper(box.lower);
   }
   return box;
 }
@@ -123,60 +124,62 @@ HN_FN hn_i_box4 hn_i_box(hn_place4 place) {
   HN_I_NEW(hn_i_box4, box);
   if (place.tiled) {
     hn_uvec4 c = hn_i_wrap(place.cell, place.period);
-    box.first = hn_i_spread(c);
-    box.last = hn_i_last(box.first, c, place.period);
+    box.lower = hn_i_spread(c);
+    box.upper = hn_i_upper(box.lower, c, place.period);
   } else {
-    box.first = hn_i_spread(uvec4(place.cell));
-    box.last = hn_i_last(box.first);
+    box.lower = hn_i_spread(uvec4(place.cell));
+    box.upper = hn_i_upper(box.lower);
   }
   return box;
 }
 
-// The first corner of the cell before, given the first corner of a cell.
-HN_FN hn_uvec2 hn_i_before(hn_uvec2 first) { return uvec2(first.x - HN_I_STEP_X, first.y - HN_I_STEP_Y); }
-HN_FN hn_uvec3 hn_i_before(hn_uvec3 first) {
-  return uvec3(hn_i_before(uvec2(first.x, first.y)), first.z - HN_I_STEP_Z);
+// The lower corner of the previous cell along each axis.
+HN_FN hn_uvec2 hn_i_previous(hn_uvec2 lower) { return uvec2(lower.x - HN_I_STEP_X, lower.y - HN_I_STEP_Y); }
+HN_FN hn_uvec3 hn_i_previous(hn_uvec3 lower) {
+  return uvec3(hn_i_previous(uvec2(lower.x, lower.y)), lower.z - HN_I_STEP_Z);
 }
-HN_FN hn_uvec4 hn_i_before(hn_uvec4 first) {
-  return uvec4(hn_i_before(uvec3(first.x, first.y, first.z)), first.w - HN_I_STEP_W);
-}
-
-// The wrapped coordinate before another with a period, and the one after it. Without a period the one before 0 is -1.
-HN_FN hn_uint hn_i_before(hn_uint c, hn_int period) { return hn_i_select(c == 0u, uint(max(period, 0)), c) - 1u; }
-HN_FN hn_uint hn_i_after(hn_uint c, hn_int period) { return hn_i_select(c + 1u == uint(max(period, 0)), 0u, c + 1u); }
-HN_FN hn_uvec2 hn_i_before(hn_uvec2 c, hn_ivec2 period) {
-  return uvec2(hn_i_before(c.x, period.x), hn_i_before(c.y, period.y));
-}
-HN_FN hn_uvec2 hn_i_after(hn_uvec2 c, hn_ivec2 period) {
-  return uvec2(hn_i_after(c.x, period.x), hn_i_after(c.y, period.y));
-}
-HN_FN hn_uvec3 hn_i_before(hn_uvec3 c, hn_ivec3 period) {
-  return uvec3(hn_i_before(c.x, period.x), hn_i_before(c.y, period.y), hn_i_before(c.z, period.z));
-}
-HN_FN hn_uvec3 hn_i_after(hn_uvec3 c, hn_ivec3 period) {
-  return uvec3(hn_i_after(c.x, period.x), hn_i_after(c.y, period.y), hn_i_after(c.z, period.z));
-}
-HN_FN hn_uvec4 hn_i_before(hn_uvec4 c, hn_ivec4 period) {
-  return uvec4(hn_i_before(c.x, period.x), hn_i_before(c.y, period.y), hn_i_before(c.z, period.z),
-               hn_i_before(c.w, period.w));
+HN_FN hn_uvec4 hn_i_previous(hn_uvec4 lower) {
+  return uvec4(hn_i_previous(uvec3(lower.x, lower.y, lower.z)), lower.w - HN_I_STEP_W);
 }
 
-// A block has the spread coordinates of a cell, of the one before it along each axis, and of the one after it: all that
+// The wrapped coordinates before another one and after it. Without a period the one before 0 is -1.
+HN_FN hn_uint hn_i_previous(hn_uint c, hn_int period) { return hn_i_select(c == 0u, uint(max(period, 0)), c) - 1u; }
+HN_FN hn_uint hn_i_following(hn_uint c, hn_int period) {
+  return hn_i_select(c + 1u == uint(max(period, 0)), 0u, c + 1u);
+}
+HN_FN hn_uvec2 hn_i_previous(hn_uvec2 c, hn_ivec2 period) {
+  return uvec2(hn_i_previous(c.x, period.x), hn_i_previous(c.y, period.y));
+}
+HN_FN hn_uvec2 hn_i_following(hn_uvec2 c, hn_ivec2 period) {
+  return uvec2(hn_i_following(c.x, period.x), hn_i_following(c.y, period.y));
+}
+HN_FN hn_uvec3 hn_i_previous(hn_uvec3 c, hn_ivec3 period) {
+  return uvec3(hn_i_previous(c.x, period.x), hn_i_previous(c.y, period.y), hn_i_previous(c.z, period.z));
+}
+HN_FN hn_uvec3 hn_i_following(hn_uvec3 c, hn_ivec3 period) {
+  return uvec3(hn_i_following(c.x, period.x), hn_i_following(c.y, period.y), hn_i_following(c.z, period.z));
+}
+HN_FN hn_uvec4 hn_i_previous(hn_uvec4 c, hn_ivec4 period) {
+  return uvec4(hn_i_previous(c.x, period.x), hn_i_previous(c.y, period.y), hn_i_previous(c.z, period.z),
+               hn_i_previous(c.w, period.w));
+}
+
+// A block has the spread coordinates of a cell, of the previous one along each axis, and of the following one: all that
 // simplex noise and cellular noise visit.
 struct hn_i_block2 {
-  hn_uvec2 before;
+  hn_uvec2 previous;
   hn_uvec2 cell;
-  hn_uvec2 after;
+  hn_uvec2 following;
 };
 struct hn_i_block3 {
-  hn_uvec3 before;
+  hn_uvec3 previous;
   hn_uvec3 cell;
-  hn_uvec3 after;
+  hn_uvec3 following;
 };
 struct hn_i_block4 {
-  hn_uvec4 before;
+  hn_uvec4 previous;
   hn_uvec4 cell;
-  hn_uvec4 after;
+  hn_uvec4 following;
 };
 
 HN_FN hn_i_block2 hn_i_block(hn_place2 place) {
@@ -184,12 +187,12 @@ HN_FN hn_i_block2 hn_i_block(hn_place2 place) {
   if (place.tiled) {
     hn_uvec2 c = hn_i_wrap(place.cell, place.period);
     block.cell = hn_i_spread(c);
-    block.before = hn_i_spread(hn_i_before(c, place.period));
-    block.after = hn_i_last(block.cell, c, place.period);
+    block.previous = hn_i_spread(hn_i_previous(c, place.period));
+    block.following = hn_i_upper(block.cell, c, place.period);
   } else {
     block.cell = hn_i_spread(uvec2(place.cell));
-    block.before = hn_i_before(block.cell);
-    block.after = hn_i_last(block.cell);
+    block.previous = hn_i_previous(block.cell);
+    block.following = hn_i_upper(block.cell);
   }
   return block;
 }
@@ -198,12 +201,12 @@ HN_FN hn_i_block3 hn_i_block(hn_place3 place) {
   if (place.tiled) {
     hn_uvec3 c = hn_i_wrap(place.cell, place.period);
     block.cell = hn_i_spread(c);
-    block.before = hn_i_spread(hn_i_before(c, place.period));
-    block.after = hn_i_last(block.cell, c, place.period);
+    block.previous = hn_i_spread(hn_i_previous(c, place.period));
+    block.following = hn_i_upper(block.cell, c, place.period);
   } else {
     block.cell = hn_i_spread(uvec3(place.cell));
-    block.before = hn_i_before(block.cell);
-    block.after = hn_i_last(block.cell);
+    block.previous = hn_i_previous(block.cell);
+    block.following = hn_i_upper(block.cell);
   }
   return block;
 }
@@ -212,19 +215,20 @@ HN_FN hn_i_block4 hn_i_block(hn_place4 place) {
   if (place.tiled) {
     hn_uvec4 c = hn_i_wrap(place.cell, place.period);
     block.cell = hn_i_spread(c);
-    block.before = hn_i_spread(hn_i_before(c, place.period));
-    block.after = hn_i_last(block.cell, c, place.period);
+    block.previous = hn_i_spread(hn_i_previous(c, place.period));
+    block.following = hn_i_upper(block.cell, c, place.period);
   } else {
     block.cell = hn_i_spread(uvec4(place.cell));
-    block.before = hn_i_before(block.cell);
-    block.after = hn_i_last(block.cell);
+    block.previous = hn_i_previous(block.cell);
+    block.following = hn_i_upper(block.cell);
   }
   return block;
 }
 
-// The words of the corners 00, 10, 01, 11 of a square; c0 and c1 are the spread coordinates of the first and the last.
-// Other axes and the seed add `join` to the exclusive or, `sum` to the sum before it is made odd, and `more` to the odd
-// number (`more` is even). Without a period `more` and the steps along x and y are constants, so they are added first.
+// The hashes of the corners 00, 10, 01, 11 of a square. c0 and c1 are the spread coordinates of its lower and upper
+// corner. Other axes and the seed add `join` to the exclusive or, `sum` to the sum before it is made odd, and `more` to
+// the odd number (`more` is even). Without a period `more` and the steps along x and y are constants, so they are added
+// first.
 HN_FN hn_uvec4 hn_i_corners(hn_uvec2 c0, hn_uvec2 c1, hn_uint join, hn_uint sum, hn_uint more) {
   hn_uvec2 a = hn_i_fold(c0);
   hn_uvec2 b = hn_i_fold(c1);
@@ -241,31 +245,31 @@ HN_FN hn_uvec4 hn_i_corners(hn_uvec2 c0, hn_uvec2 c1, hn_uint join, hn_uint sum,
 // the square that z and w choose.
 HN_FN hn_uvec2 hn_i_corners(hn_i_box1 box, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
-  hn_uint odd = hn_i_odd(box.first + s);
-  return uvec2(hn_i_word(hn_i_fold(box.first) ^ s, odd),
-               hn_i_word(hn_i_fold(box.last) ^ s, odd + (box.last - box.first) * 2u));
+  hn_uint odd = hn_i_odd(box.lower + s);
+  return uvec2(hn_i_word(hn_i_fold(box.lower) ^ s, odd),
+               hn_i_word(hn_i_fold(box.upper) ^ s, odd + (box.upper - box.lower) * 2u));
 }
 HN_FN hn_uvec4 hn_i_corners(hn_i_box2 box, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
-  return hn_i_corners(box.first, box.last, s, s, 0u);
+  return hn_i_corners(box.lower, box.upper, s, s, 0u);
 }
 HN_FN hn_uvec4 hn_i_corners(hn_i_box3 box, bool back, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
-  hn_uvec3 first = box.first;
-  hn_uvec3 last = box.last;
-  hn_uint join = hn_i_select(back, hn_i_fold(last).z, hn_i_fold(first).z) ^ s;
-  hn_uint more = hn_i_select(back, (last.z - first.z) * 2u, 0u);
-  return hn_i_corners(uvec2(first.x, first.y), uvec2(last.x, last.y), join, first.z + s, more);
+  hn_uvec3 lower = box.lower;
+  hn_uvec3 upper = box.upper;
+  hn_uint join = hn_i_select(back, hn_i_fold(upper).z, hn_i_fold(lower).z) ^ s;
+  hn_uint more = hn_i_select(back, (upper.z - lower.z) * 2u, 0u);
+  return hn_i_corners(uvec2(lower.x, lower.y), uvec2(upper.x, upper.y), join, lower.z + s, more);
 }
 HN_FN hn_uvec4 hn_i_corners(hn_i_box4 box, bool far_z, bool far_w, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
-  hn_uvec4 first = box.first;
-  hn_uvec4 last = box.last;
-  hn_uvec4 a = hn_i_fold(first);
-  hn_uvec4 b = hn_i_fold(last);
+  hn_uvec4 lower = box.lower;
+  hn_uvec4 upper = box.upper;
+  hn_uvec4 a = hn_i_fold(lower);
+  hn_uvec4 b = hn_i_fold(upper);
   hn_uint join = hn_i_select(far_z, b.z, a.z) ^ hn_i_select(far_w, b.w, a.w) ^ s;
-  hn_uint more = hn_i_select(far_z, (last.z - first.z) * 2u, 0u) + hn_i_select(far_w, (last.w - first.w) * 2u, 0u);
-  return hn_i_corners(uvec2(first.x, first.y), uvec2(last.x, last.y), join, first.z + first.w + s, more);
+  hn_uint more = hn_i_select(far_z, (upper.z - lower.z) * 2u, 0u) + hn_i_select(far_w, (upper.w - lower.w) * 2u, 0u);
+  return hn_i_corners(uvec2(lower.x, lower.y), uvec2(upper.x, upper.y), join, lower.z + lower.w + s, more);
 }
 
 #endif

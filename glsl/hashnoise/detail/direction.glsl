@@ -25,8 +25,12 @@ HN_FN hn_vec3 hn_i_of_field_bits(hn_uvec3 bits, hn_float offset) {
   HN_I_PRECISE hn_vec3 x = uintBitsToFloat(hn_i_or(bits, 0x40000000u)) - offset;
   return x;
 }
-HN_FN hn_vec3 hn_i_fields2(hn_uvec3 h) { return hn_i_of_field_bits(hn_i_and(h >> 8u, 0x007FC000u), 3.0f - 1.0f / 512.0f); }
-HN_FN hn_vec3 hn_i_fields3p(hn_uvec3 h) { return hn_i_of_field_bits(hn_i_and(h >> 8u, 0x007F8000u), 3.0f - 1.0f / 256.0f); }
+HN_FN hn_vec3 hn_i_fields2(hn_uvec3 h) {
+  return hn_i_of_field_bits(hn_i_and(h >> 8u, 0x007FC000u), 3.0f - 1.0f / 512.0f);
+}
+HN_FN hn_vec3 hn_i_fields3p(hn_uvec3 h) {
+  return hn_i_of_field_bits(hn_i_and(h >> 8u, 0x007F8000u), 3.0f - 1.0f / 256.0f);
+}
 HN_FN hn_vec3 hn_i_fields3q(hn_uvec3 h) { return hn_i_of_field_bits(hn_i_and(h, 0x007F8000u), 3.0f - 1.0f / 256.0f); }
 #else
 HN_FN hn_float hn_i_field2(hn_uint h) {
@@ -66,16 +70,16 @@ HN_FN hn_vec4 hn_i_direction3(hn_uint h) {
 }
 
 HN_FN hn_float hn_i_gradient1(hn_uint h) { return hn_i_field2(h); }
-HN_FN hn_vec2 hn_i_gradient(hn_vec3 d) { return vec2(hn_i_lengthened(d.x, d.z), hn_i_lengthened(d.y, d.z)); }
+HN_FN hn_vec2 hn_i_gradient(hn_vec3 d) { return vec2(hn_i_times_one_plus(d.x, d.z), hn_i_times_one_plus(d.y, d.z)); }
 HN_FN hn_vec3 hn_i_gradient(hn_vec4 d) {
   hn_float half_length = hn_i_times_plus(0.5f, d.w, 0.5f);
   return vec3(hn_i_times(hn_i_plus(d.x, d.y), half_length), hn_i_times(hn_i_minus(d.x, d.y), half_length),
-              hn_i_lengthened(d.z, d.w));
+              hn_i_times_one_plus(d.z, d.w));
 }
 
 // A direction times an offset. In space u = (x + y) / 2, v = (x - y) / 2, and w = z.
-HN_FN hn_float hn_i_straight(hn_vec3 d, hn_float x, hn_float y) { return hn_i_dot(vec2(d.x, d.y), x, y); }
-HN_FN hn_float hn_i_straight(hn_vec4 d, hn_float u, hn_float v, hn_float w) {
+HN_FN hn_float hn_i_dot_direction(hn_vec3 d, hn_float x, hn_float y) { return hn_i_dot(vec2(d.x, d.y), x, y); }
+HN_FN hn_float hn_i_dot_direction(hn_vec4 d, hn_float u, hn_float v, hn_float w) {
   return hn_i_dot(vec3(d.x, d.y, d.z), u, v, w);
 }
 HN_FN hn_float hn_i_ramp(hn_float g, hn_float x) { return hn_i_times(g, x); }
@@ -87,8 +91,8 @@ HN_FN hn_float hn_i_cross(hn_float a, hn_float x, hn_float b, hn_float y) {
 }
 
 // The offsets as ramps in space take them: u and v are made of halves.
-HN_FN hn_float hn_i_turned(hn_float x) { return hn_i_times(x, 0.5f); }
-HN_FN hn_float hn_i_upright(hn_float z) { return z; }
+HN_FN hn_float hn_i_octahedral(hn_float x) { return hn_i_times(x, 0.5f); }
+HN_FN hn_float hn_i_octahedral_z(hn_float z) { return z; }
 
 #else
 
@@ -116,21 +120,21 @@ HN_FN hn_ivec3 hn_i_gradient(hn_ivec4 d) {
   return ivec3((d.x + d.y) * s, (d.x - d.y) * s, (d.z + d.z) * s);
 }
 
-HN_FN hn_int hn_i_straight(hn_ivec3 d, hn_int x, hn_int y) { return d.x * x + d.y * y; }
-HN_FN hn_int hn_i_straight(hn_ivec4 d, hn_int u, hn_int v, hn_int w) { return d.x * u + d.y * v + d.z * w; }
+HN_FN hn_int hn_i_dot_direction(hn_ivec3 d, hn_int x, hn_int y) { return d.x * x + d.y * y; }
+HN_FN hn_int hn_i_dot_direction(hn_ivec4 d, hn_int u, hn_int v, hn_int w) { return d.x * u + d.y * v + d.z * w; }
 HN_FN hn_int hn_i_ramp(hn_int g, hn_int x) { return (g >> 20) * x; }
 HN_FN hn_int hn_i_cross(hn_int a, hn_int x, hn_int b, hn_int y) { return a * x - b * y; }
 
 // In space p, q and z have units twice as large, so u = x + y, v = x - y and w = 2 z.
-HN_FN hn_int hn_i_turned(hn_int x) { return x; }
-HN_FN hn_int hn_i_upright(hn_int z) { return z + z; }
+HN_FN hn_int hn_i_octahedral(hn_int x) { return x; }
+HN_FN hn_int hn_i_octahedral_z(hn_int z) { return z + z; }
 
 #endif
 
 // What a corner adds.
-HN_FN hn_num hn_i_ramp(hn_num3 d, hn_num x, hn_num y) { return hn_i_lengthened(hn_i_straight(d, x, y), d.z); }
+HN_FN hn_num hn_i_ramp(hn_num3 d, hn_num x, hn_num y) { return hn_i_times_one_plus(hn_i_dot_direction(d, x, y), d.z); }
 HN_FN hn_num hn_i_ramp(hn_num4 d, hn_num u, hn_num v, hn_num w) {
-  return hn_i_lengthened(hn_i_straight(d, u, v, w), d.w);
+  return hn_i_times_one_plus(hn_i_dot_direction(d, u, v, w), d.w);
 }
 
 #endif

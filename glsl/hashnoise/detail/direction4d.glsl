@@ -9,10 +9,10 @@
 // Ramps in four dimensions are the sums of two offsets, whose 30 bits leave HN_FIXED units of 2^-28: twice those of
 // other ramps. So what is interpolated between them is scaled by twice as much there.
 #if HN_ARITHMETIC != HN_FIXED
-HN_FN hn_float hn_i_of_offset(hn_float x) { return x; }
+HN_FN hn_float hn_i_ramp_of_offset(hn_float x) { return x; }
 HN_FN hn_float hn_i_scaled_ramps(hn_float n, hn_int s) { return hn_i_scaled(n, s); }
 #else
-HN_FN hn_int hn_i_of_offset(hn_int x) { return x * 256; }
+HN_FN hn_int hn_i_ramp_of_offset(hn_int x) { return x * 256; }
 HN_FN hn_int hn_i_scaled_ramps(hn_int n, hn_int s) { return hn_i_scaled(n, s + s); }
 #endif
 
@@ -25,15 +25,15 @@ HN_FN hn_num hn_i_ramp(hn_uint h, hn_num x, hn_num y, hn_num z, hn_num w) {
   hn_num a = hn_i_select(second != 0u, hn_i_select(h < 0x55555555u, z, y), x);
   hn_num b = hn_i_select(second != 0u, hn_i_select(h < 0xAAAAAAAAu, w, z),
                          hn_i_select(h < 0x55555555u, y, hn_i_select(h < 0xAAAAAAAAu, z, w)));
-  return hn_i_of_offset(hn_i_plus(hn_i_flipped(a, h << 12u), hn_i_flipped(b, h << 13u)));
+  return hn_i_ramp_of_offset(hn_i_plus(hn_i_flipped(a, h << 12u), hn_i_flipped(b, h << 13u)));
 }
 
 // The components of such a gradient, in the numbers of its ramps. None is -0.
 HN_FN hn_num4 hn_i_gradient4(hn_uint h) {
   hn_uint second = h & 0x00100000u;
   hn_num none = hn_i_minus(HN_I_ONE, HN_I_ONE);
-  hn_num a = hn_i_of_offset(hn_i_flipped(HN_I_ONE, h << 12u));
-  hn_num b = hn_i_of_offset(hn_i_flipped(HN_I_ONE, h << 13u));
+  hn_num a = hn_i_ramp_of_offset(hn_i_flipped(HN_I_ONE, h << 12u));
+  hn_num b = hn_i_ramp_of_offset(hn_i_flipped(HN_I_ONE, h << 13u));
   hn_num a1 = hn_i_select(second != 0u, none, a);  // of the first pair
   hn_num b1 = hn_i_select(second != 0u, none, b);
   hn_num a2 = hn_i_select(second != 0u, a, none);  // of the second

@@ -47,18 +47,19 @@ HN_FN hn_num hn_i_by_shortest(hn_num4 d, hn_num x, hn_num y, hn_num z) {
 }
 
 HN_FN hn_num hn_i_ramp(hn_num3 d, hn_num x, hn_num y, hn_num2 rotation) {
-  return hn_i_lengthened(hn_i_mixed(rotation, hn_i_straight(d, x, y), hn_i_cross(d.x, y, d.y, x)), d.z);
+  return hn_i_times_one_plus(hn_i_mixed(rotation, hn_i_dot_direction(d, x, y), hn_i_cross(d.x, y, d.y, x)), d.z);
 }
 HN_FN hn_num hn_i_ramp(hn_num4 d, hn_num x, hn_num y, hn_num z, hn_num2 rotation) {
-  hn_num u = hn_i_turned(x);
-  hn_num v = hn_i_turned(y);
-  hn_num w = hn_i_turned(z);
+  hn_num u = hn_i_octahedral(x);
+  hn_num v = hn_i_octahedral(y);
+  hn_num w = hn_i_octahedral(z);
   hn_num a = hn_i_plus(d.x, d.y);
   hn_num b = hn_i_minus(d.x, d.y);
   hn_num m = hn_i_plus(d.z, d.z);
   hn_num turned = hn_i_by_shortest(d, hn_i_cross(b, w, m, v), hn_i_cross(m, u, a, w), hn_i_cross(a, v, b, u));
-  return hn_i_lengthened(
-      hn_i_mixed(rotation, hn_i_straight(d, hn_i_plus(u, v), hn_i_minus(u, v), hn_i_upright(z)), turned), d.w);
+  return hn_i_times_one_plus(
+      hn_i_mixed(rotation, hn_i_dot_direction(d, hn_i_plus(u, v), hn_i_minus(u, v), hn_i_octahedral_z(z)), turned),
+      d.w);
 }
 
 HN_FN hn_num2 hn_i_rotated(hn_num2 g, hn_num2 rotation) {

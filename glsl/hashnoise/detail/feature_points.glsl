@@ -35,24 +35,25 @@
 // compilers take less time. Offsets are numbers like those of arithmetic.glsl. Where they are floats, they are in units
 // of half a cell: then a direction needs no factor. In HN_FIXED they are in units of 2^-20 of a cell.
 //
-//   hn_i_jitter(j)            the jitter, from 0 to 1; in HN_FIXED in units of 2^-20
-//   HN_I_NO_OFFSET            0 as an offset
-//   hn_i_inner(f)             the offset of a fraction from the centre of its cell
-//   hn_i_beside(d, n)         that offset from the centre of the n-th cell after it
-//   hn_i_three(a, b, c)       a vector of three numbers
-//   hn_i_past_points(d, a, j)  the offsets of a place from three points, along an axis: d are those from the centres of
-//                             their cells, and a the directions
-//   hn_i_toward(d)            the opposite of an offset as a float, in cells; it is not -0
-//   hn_i_sum(a, b), hn_i_gaps(a, b)  of ranks a + b, and of three a - b
-//   hn_i_hybrids(q, m)        ranks of the hybrid metric, from squares and sums of sizes
-//   hn_i_distance(r, metric)  the distance of a rank
+//   hn_i_jitter(j)                     the jitter, from 0 to 1; in HN_FIXED in units of 2^-20
+//   HN_I_NO_OFFSET                     0 as an offset
+//   hn_i_from_centre(f)                the offset of a fraction from the centre of its cell
+//   hn_i_offset_from_cell(d, n)        that offset from the centre of the n-th cell after it
+//   hn_i_three(a, b, c)                a vector of three numbers
+//   hn_i_offsets_from_points(d, a, j)  the offsets of a place from three points, along an axis: d are those from the
+//                                      centres of their cells, and a the directions
+//   hn_i_toward(d)                     the opposite of an offset as a float, in cells; it is not -0
+//   hn_i_sum(a, b), hn_i_rank_differences(a, b)  of ranks a + b, and of three a - b
+//   hn_i_hybrids(q, m)                 ranks of the hybrid metric, from squares and sums of sizes
+//   hn_i_distance(r, metric)           the distance of a rank
 //   hn_i_far_away(), hn_i_no_weight()  before the first point: the largest ranks, and a weight of 0
-//   hn_i_apart(a, b)          a - b of offsets; in HN_FIXED in units of 2^-19, rounded down
-//   hn_i_border_ranks(n, q)   what borders are compared by: n are differences of two squares, and q squares. They grow
-//                             with n / sqrt(q)
-//   hn_i_border_distance(r)   the distance to a border, from that
-//   hn_i_closeness(q)         the weight of a point for hn_cellular_smooth, from a square: (1 - distance)^4 up to 1
-//   hn_i_smooth_distance(w)   the smooth distance, from the sum of the weights: 1 - (w + 1/4096)^(1/4)
+//   hn_i_offset_difference(a, b)       a - b of offsets; in HN_FIXED in units of 2^-19, rounded down
+//   hn_i_border_ranks(n, q)            what borders are compared by: n are differences of two squares, and q squares.
+//                                      They grow with n / sqrt(q)
+//   hn_i_border_distance(r)            the distance to a border, from that
+//   hn_i_smooth_weight(q)              the weight of a point for hn_cellular_smooth, from a square: (1 - distance)^4 up
+//                                      to 1
+//   hn_i_smooth_distance(w)            the smooth distance, from the sum of the weights: 1 - (w + 1/4096)^(1/4)
 
 // A code is the number of a cell beside the middle one, from -1 to 1 along x, y and z.
 HN_FN hn_int hn_i_code(hn_int x, hn_int y) { return x + 4 * y + 5; }
@@ -69,17 +70,17 @@ HN_FN hn_uint hn_i_of_three(hn_uvec3 v, hn_int n) { return hn_i_select(n < 0, v.
 
 #define HN_I_NO_OFFSET 0.0f
 
-HN_FN hn_float hn_i_jitter(hn_float jitter) { return hn_i_inside(min(max(jitter, 0.0f), 1.0f)); }
-HN_FN hn_float hn_i_inner(hn_float f) { return hn_i_times_plus(f, 2.0f, -1.0f); }
-HN_FN hn_float hn_i_beside(hn_float d, hn_int n) { return hn_i_minus(d, hn_i_float(n) * 2.0f); }
+HN_FN hn_float hn_i_jitter(hn_float jitter) { return hn_i_to_num(min(max(jitter, 0.0f), 1.0f)); }
+HN_FN hn_float hn_i_from_centre(hn_float f) { return hn_i_times_plus(f, 2.0f, -1.0f); }
+HN_FN hn_float hn_i_offset_from_cell(hn_float d, hn_int n) { return hn_i_minus(d, hn_i_float(n) * 2.0f); }
 HN_FN hn_vec3 hn_i_three(hn_float a, hn_float b, hn_float c) { return vec3(a, b, c); }
-HN_FN hn_vec3 hn_i_past_points(hn_vec3 d, hn_vec3 a, hn_float jitter) {
+HN_FN hn_vec3 hn_i_offsets_from_points(hn_vec3 d, hn_vec3 a, hn_float jitter) {
   HN_I_PRECISE hn_vec3 n = d - a * jitter;
   return n;
 }
 HN_FN hn_float hn_i_toward(hn_float d) { return hn_i_select(d == 0.0f, 0.0f, d * -0.5f); }
 
-HN_FN hn_vec3 hn_i_apart(hn_vec3 a, hn_float b) {
+HN_FN hn_vec3 hn_i_offset_difference(hn_vec3 a, hn_float b) {
   HN_I_PRECISE hn_vec3 n = a - b;
   return n;
 }
@@ -88,7 +89,7 @@ HN_FN hn_vec3 hn_i_sum(hn_vec3 a, hn_vec3 b) {
   HN_I_PRECISE hn_vec3 n = a + b;
   return n;
 }
-HN_FN hn_vec3 hn_i_gaps(hn_vec3 a, hn_float b) { return hn_i_apart(a, b); }
+HN_FN hn_vec3 hn_i_rank_differences(hn_vec3 a, hn_float b) { return hn_i_offset_difference(a, b); }
 HN_FN hn_float hn_i_rank_of_code(hn_int code) { return hn_i_float(code); }
 HN_FN hn_float hn_i_no_weight() { return 0.0f; }
 HN_FN hn_vec4 hn_i_far_away() { return vec4(65536.0f, 65536.0f, 65536.0f, 0.0f); }
@@ -113,7 +114,7 @@ HN_FN hn_vec3 hn_i_border_ranks(hn_vec3 gaps, hn_vec3 apart) {
 HN_FN hn_float hn_i_border_distance(hn_float rank) { return rank * 0.25f; }
 #endif
 
-HN_FN hn_float hn_i_closeness(hn_float square) {
+HN_FN hn_float hn_i_smooth_weight(hn_float square) {
   HN_I_PRECISE hn_float t = max(1.0f - hn_i_root(square) * 0.5f, 0.0f);
   HN_I_PRECISE hn_float q = t * t;
   HN_I_PRECISE hn_float w = q * q;
@@ -128,19 +129,19 @@ HN_FN hn_float hn_i_smooth_distance(hn_float weights) {
 #define HN_I_NO_OFFSET 0
 
 HN_FN hn_int hn_i_jitter(hn_float jitter) { return int(min(max(jitter, 0.0f), 1.0f) * 1048576.0f); }
-HN_FN hn_int hn_i_inner(hn_int f) { return f - 524288; }
-HN_FN hn_int hn_i_beside(hn_int d, hn_int n) { return d - n * 1048576; }
+HN_FN hn_int hn_i_from_centre(hn_int f) { return f - 524288; }
+HN_FN hn_int hn_i_offset_from_cell(hn_int d, hn_int n) { return d - n * 1048576; }
 
 HN_FN hn_ivec3 hn_i_three(hn_int a, hn_int b, hn_int c) { return ivec3(a, b, c); }
 
 // A direction is in units of 2^-9, of half a cell.
-HN_FN hn_ivec3 hn_i_past_points(hn_ivec3 d, hn_ivec3 a, hn_int jitter) { return d - ((a * jitter) >> 10); }
+HN_FN hn_ivec3 hn_i_offsets_from_points(hn_ivec3 d, hn_ivec3 a, hn_int jitter) { return d - ((a * jitter) >> 10); }
 HN_FN hn_float hn_i_toward(hn_int d) { return hn_i_float(-d) * (1.0f / 1048576.0f); }
 
-HN_FN hn_ivec3 hn_i_apart(hn_ivec3 a, hn_int b) { return (a - b) >> 1; }
+HN_FN hn_ivec3 hn_i_offset_difference(hn_ivec3 a, hn_int b) { return (a - b) >> 1; }
 HN_FN hn_uint hn_i_sum(hn_uint a, hn_uint b) { return a + b; }
 HN_FN hn_uvec3 hn_i_sum(hn_uvec3 a, hn_uvec3 b) { return a + b; }
-HN_FN hn_uvec3 hn_i_gaps(hn_uvec3 a, hn_uint b) { return a - b; }
+HN_FN hn_uvec3 hn_i_rank_differences(hn_uvec3 a, hn_uint b) { return a - b; }
 HN_FN hn_uint hn_i_rank_of_code(hn_int code) { return uint(code); }
 HN_FN hn_uint hn_i_no_weight() { return 0u; }
 HN_FN hn_uvec4 hn_i_far_away() { return uvec4(0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0u); }
@@ -162,7 +163,7 @@ HN_FN hn_uvec3 hn_i_border_ranks(hn_uvec3 gaps, hn_uvec3 apart) {
 HN_FN hn_float hn_i_border_distance(hn_uint rank) { return hn_i_float(rank) * (1.0f / 65536.0f); }
 
 // Weights are in units of 2^-30. They are made of 1 - distance in units of 2^-16, below 1, so that its square fits.
-HN_FN hn_uint hn_i_closeness(hn_uint square) {
+HN_FN hn_uint hn_i_smooth_weight(hn_uint square) {
   hn_uint t = min((262144u - min(hn_i_root(square), 262144u)) >> 2u, 65535u);
   hn_uint q = (t * t) >> 16u;
   return (q * q) >> 2u;
@@ -181,7 +182,7 @@ HN_FN hn_int hn_i_two(hn_num d) { return hn_i_choice(d > HN_I_NO_OFFSET, 2, -2);
 
 // The offsets from the centres of a cell and of those beside it, along an axis; and three times the same offset,
 // or the same word.
-HN_FN hn_num3 hn_i_row(hn_num d) { return hn_i_three(hn_i_beside(d, -1), d, hn_i_beside(d, 1)); }
+HN_FN hn_num3 hn_i_row(hn_num d) { return hn_i_three(hn_i_offset_from_cell(d, -1), d, hn_i_offset_from_cell(d, 1)); }
 HN_FN hn_num3 hn_i_thrice(hn_num d) { return hn_i_three(d, d, d); }
 HN_FN hn_uvec3 hn_i_thrice(hn_uint word) { return uvec3(word, word, word); }
 
@@ -218,9 +219,9 @@ HN_FN hn_rank hn_i_nearest_border(hn_rank best, hn_rank3 gaps, hn_rank3 apart, h
 }
 
 // The sum of weights so far, with those of a row.
-HN_FN hn_rank hn_i_weighed(hn_rank sum, hn_rank3 squares) {
-  return hn_i_sum(hn_i_sum(sum, hn_i_closeness(squares.x)),
-                  hn_i_sum(hn_i_closeness(squares.y), hn_i_closeness(squares.z)));
+HN_FN hn_rank hn_i_summed_weights(hn_rank sum, hn_rank3 squares) {
+  return hn_i_sum(hn_i_sum(sum, hn_i_smooth_weight(squares.x)),
+                  hn_i_sum(hn_i_smooth_weight(squares.y), hn_i_smooth_weight(squares.z)));
 }
 
 // The distances of the two smallest ranks.

@@ -6,7 +6,7 @@
 
 #include "feature_points.glsl"
 
-HN_FN hn_num2 hn_i_inner(hn_num2 f) { return hn_i_num(hn_i_inner(f.x), hn_i_inner(f.y)); }
+HN_FN hn_num2 hn_i_from_centre(hn_num2 f) { return hn_i_num(hn_i_from_centre(f.x), hn_i_from_centre(f.y)); }
 
 // The directions of three words along each axis. In HN_FIXED they are in units of 2^-9.
 #if HN_ARITHMETIC != HN_FIXED
@@ -29,10 +29,10 @@ HN_FN hn_ivec3 hn_i_points_y(hn_uvec3 words) {
 
 // The offsets of a place from the points of three cells, along each axis, from those from the centres of the cells.
 HN_FN hn_num3 hn_i_from_x(hn_uvec3 words, hn_num3 x, hn_num jitter) {
-  return hn_i_past_points(x, hn_i_points_x(words), jitter);
+  return hn_i_offsets_from_points(x, hn_i_points_x(words), jitter);
 }
 HN_FN hn_num3 hn_i_from_y(hn_uvec3 words, hn_num3 y, hn_num jitter) {
-  return hn_i_past_points(y, hn_i_points_y(words), jitter);
+  return hn_i_offsets_from_points(y, hn_i_points_y(words), jitter);
 }
 HN_FN hn_rank3 hn_i_squares(hn_uvec3 words, hn_num3 x, hn_num3 y, hn_num jitter) {
   return hn_i_squares(hn_i_from_x(words, x, jitter), hn_i_from_y(words, y, jitter));
@@ -51,7 +51,7 @@ HN_FN hn_rank3 hn_i_ranks(hn_uvec3 words, hn_num3 x, hn_num3 y, hn_num jitter, h
 }
 
 // Along each axis b where the place is on that side of the centre, else a.
-HN_FN hn_uvec2 hn_i_ahead(hn_num2 d, hn_uvec2 a, hn_uvec2 b) {
+HN_FN hn_uvec2 hn_i_toward_place(hn_num2 d, hn_uvec2 a, hn_uvec2 b) {
   return uvec2(hn_i_select(d.x > HN_I_NO_OFFSET, b.x, a.x), hn_i_select(d.y > HN_I_NO_OFFSET, b.y, a.y));
 }
 
@@ -60,17 +60,17 @@ HN_FN hn_uvec2 hn_i_two_steps(hn_place2 place, hn_i_block2 block, hn_num2 d) {
   hn_uvec2 two;
   if (place.tiled) {
     hn_uvec2 c = hn_i_wrap(place.cell, place.period);
-    two = hn_i_spread(hn_i_ahead(d, hn_i_before(hn_i_before(c, place.period), place.period),
-                                 hn_i_after(hn_i_after(c, place.period), place.period)));
+    two = hn_i_spread(hn_i_toward_place(d, hn_i_previous(hn_i_previous(c, place.period), place.period),
+                                 hn_i_following(hn_i_following(c, place.period), place.period)));
   } else {
-    two = hn_i_ahead(d, hn_i_before(block.before), hn_i_last(block.after));
+    two = hn_i_toward_place(d, hn_i_previous(block.previous), hn_i_upper(block.following));
   }
   return two;
 }
 
 // The spread coordinates of a block along an axis.
-HN_FN hn_uvec3 hn_i_along_x(hn_i_block2 block) { return uvec3(block.before.x, block.cell.x, block.after.x); }
-HN_FN hn_uvec3 hn_i_along_y(hn_i_block2 block) { return uvec3(block.before.y, block.cell.y, block.after.y); }
+HN_FN hn_uvec3 hn_i_along_x(hn_i_block2 block) { return uvec3(block.previous.x, block.cell.x, block.following.x); }
+HN_FN hn_uvec3 hn_i_along_y(hn_i_block2 block) { return uvec3(block.previous.y, block.cell.y, block.following.y); }
 
 // The words of a row of the cells around a place, from their spread coordinates: along x at y, and along y at x. s is
 // the mixed seed.
@@ -89,12 +89,12 @@ HN_FN hn_rank4 hn_i_nearest(hn_i_block2 block, hn_num2 d, hn_num jitter, hn_int 
   hn_uint s = hn_i_mix(seed);
   hn_num3 x = hn_i_row(d.x);
   hn_num3 y = hn_i_row(d.y);
-  hn_uvec3 words = hn_i_words_along_x(block, block.before.y, s);
+  hn_uvec3 words = hn_i_words_along_x(block, block.previous.y, s);
   hn_rank4 best =
       hn_i_visited(hn_i_far_away(), hn_i_ranks(words, x, hn_i_thrice(y.x), jitter, metric), hn_i_code(0, -1), 1);
   words = hn_i_words_along_x(block, block.cell.y, s);
   best = hn_i_visited(best, hn_i_ranks(words, x, hn_i_thrice(y.y), jitter, metric), hn_i_code(0, 0), 1);
-  words = hn_i_words_along_x(block, block.after.y, s);
+  words = hn_i_words_along_x(block, block.following.y, s);
   return hn_i_visited(best, hn_i_ranks(words, x, hn_i_thrice(y.z), jitter, metric), hn_i_code(0, 1), 1);
 }
 
@@ -105,15 +105,15 @@ HN_FN hn_num2 hn_i_from_nearest(hn_i_block2 block, hn_num2 d, hn_num jitter, hn_
   hn_uint s = hn_i_mix(seed);
   hn_uint word = hn_i_word(uvec2(hn_i_of_three(hn_i_along_x(block), x), hn_i_of_three(hn_i_along_y(block), y)), s, s);
   hn_uvec3 words = hn_i_thrice(word);
-  return hn_i_num(hn_i_from_x(words, hn_i_thrice(hn_i_beside(d.x, x)), jitter).x,
-                  hn_i_from_y(words, hn_i_thrice(hn_i_beside(d.y, y)), jitter).x);
+  return hn_i_num(hn_i_from_x(words, hn_i_thrice(hn_i_offset_from_cell(d.x, x)), jitter).x,
+                  hn_i_from_y(words, hn_i_thrice(hn_i_offset_from_cell(d.y, y)), jitter).x);
 }
 
 // The cell with that code, modulo the period.
 HN_FN hn_ivec2 hn_i_cell_of(hn_place2 place, hn_rank code) {
   hn_uvec2 c = hn_i_wrap(place.cell, place.period);
-  hn_uvec2 before = hn_i_before(c, place.period);
-  hn_uvec2 after = hn_i_after(c, place.period);
+  hn_uvec2 before = hn_i_previous(c, place.period);
+  hn_uvec2 after = hn_i_following(c, place.period);
   return ivec2(int(hn_i_of_three(uvec3(before.x, c.x, after.x), hn_i_x_of(int(code)))),
                int(hn_i_of_three(uvec3(before.y, c.y, after.y), hn_i_y_of(int(code)))));
 }

@@ -6,15 +6,16 @@
 
 #include "feature_points.glsl"
 
-HN_FN hn_num3 hn_i_inner(hn_num3 f) { return hn_i_num(hn_i_inner(f.x), hn_i_inner(f.y), hn_i_inner(f.z)); }
+HN_FN hn_num3 hn_i_from_centre(hn_num3 f) {
+  return hn_i_num(hn_i_from_centre(f.x), hn_i_from_centre(f.y), hn_i_from_centre(f.z));
+}
 
-// The directions of three words. Where they are floats, they are turned, as they come (direction.glsl): their components
-// are u = x + y, v = x - y and z. So are the offsets from points. In HN_FIXED u and v stand for x and y, in units of
-// 2^-9.
+// The directions of three words. Where they are floats, their components are u = x + y, v = x - y and z, as they come
+// (direction.glsl). So are those of the offsets from points. In HN_FIXED u and v stand for x and y, in units of 2^-9.
 //
-//   hn_i_turned_u(x, y), hn_i_turned_v(x, y)  such components of offsets
+//   hn_i_octahedral_u(x, y), hn_i_octahedral_v(x, y)  such components of offsets
 //   hn_i_squares, hn_i_manhattans, hn_i_chebyshevs  of such offsets: squares, sums of sizes, and largest sizes
-//   hn_i_straight_offset(d)                   the offset of one that is turned
+//   hn_i_from_octahedral(d)  the offset of one that is turned
 #if HN_ARITHMETIC != HN_FIXED
 
 HN_FN hn_vec3 hn_i_points_u(hn_uvec3 words) { return hn_i_fields3p(words); }
@@ -23,8 +24,8 @@ HN_FN hn_vec3 hn_i_points_z(hn_uvec3 words) {
   HN_I_PRECISE hn_vec3 m = vec3(1.0f, 1.0f, 1.0f) - max(abs(hn_i_fields3p(words)), abs(hn_i_fields3q(words)));
   return hn_i_signed(m, words);
 }
-HN_FN hn_vec3 hn_i_turned_u(hn_vec3 x, hn_vec3 y) { return hn_i_sum(x, y); }
-HN_FN hn_vec3 hn_i_turned_v(hn_vec3 x, hn_vec3 y) {
+HN_FN hn_vec3 hn_i_octahedral_u(hn_vec3 x, hn_vec3 y) { return hn_i_sum(x, y); }
+HN_FN hn_vec3 hn_i_octahedral_v(hn_vec3 x, hn_vec3 y) {
   HN_I_PRECISE hn_vec3 v = x - y;
   return v;
 }
@@ -37,7 +38,7 @@ HN_FN hn_vec3 hn_i_chebyshevs(hn_vec3 u, hn_vec3 v, hn_vec3 z) {
   HN_I_PRECISE hn_vec3 m = (abs(u) + abs(v)) * 0.5f;
   return max(m, abs(z));
 }
-HN_FN hn_vec3 hn_i_straight_offset(hn_vec3 d) {
+HN_FN hn_vec3 hn_i_from_octahedral(hn_vec3 d) {
   return vec3(hn_i_times(hn_i_plus(d.x, d.y), 0.5f), hn_i_times(hn_i_minus(d.x, d.y), 0.5f), d.z);
 }
 
@@ -55,27 +56,27 @@ HN_FN hn_ivec3 hn_i_points_z(hn_uvec3 words) {
 
 // Just x and y: compilers drop the rest. A parameter that is not used is a warning, and one without a name an error in
 // Mesa.
-HN_FN hn_ivec3 hn_i_turned_u(hn_ivec3 x, hn_ivec3 y) { return x + y * 0; }
-HN_FN hn_ivec3 hn_i_turned_v(hn_ivec3 x, hn_ivec3 y) { return x * 0 + y; }
+HN_FN hn_ivec3 hn_i_octahedral_u(hn_ivec3 x, hn_ivec3 y) { return x + y * 0; }
+HN_FN hn_ivec3 hn_i_octahedral_v(hn_ivec3 x, hn_ivec3 y) { return x * 0 + y; }
 HN_FN hn_uvec3 hn_i_manhattans(hn_ivec3 x, hn_ivec3 y, hn_ivec3 z) {
   return hn_i_sizes(x) + hn_i_sizes(y) + hn_i_sizes(z);
 }
 HN_FN hn_uvec3 hn_i_chebyshevs(hn_ivec3 x, hn_ivec3 y, hn_ivec3 z) {
   return max(max(hn_i_sizes(x), hn_i_sizes(y)), hn_i_sizes(z));
 }
-HN_FN hn_ivec3 hn_i_straight_offset(hn_ivec3 d) { return d; }
+HN_FN hn_ivec3 hn_i_from_octahedral(hn_ivec3 d) { return d; }
 
 #endif
 
-// The offsets of a place from the points of three cells, turned, from those from the centres of the cells.
+// The offsets of a place from the points of three cells, in u and v, from those from the centres of the cells.
 HN_FN hn_num3 hn_i_from_u(hn_uvec3 words, hn_num3 x, hn_num3 y, hn_num jitter) {
-  return hn_i_past_points(hn_i_turned_u(x, y), hn_i_points_u(words), jitter);
+  return hn_i_offsets_from_points(hn_i_octahedral_u(x, y), hn_i_points_u(words), jitter);
 }
 HN_FN hn_num3 hn_i_from_v(hn_uvec3 words, hn_num3 x, hn_num3 y, hn_num jitter) {
-  return hn_i_past_points(hn_i_turned_v(x, y), hn_i_points_v(words), jitter);
+  return hn_i_offsets_from_points(hn_i_octahedral_v(x, y), hn_i_points_v(words), jitter);
 }
 HN_FN hn_num3 hn_i_from_z(hn_uvec3 words, hn_num3 z, hn_num jitter) {
-  return hn_i_past_points(z, hn_i_points_z(words), jitter);
+  return hn_i_offsets_from_points(z, hn_i_points_z(words), jitter);
 }
 
 // The ranks of the distances to these points.
@@ -90,25 +91,25 @@ HN_FN hn_rank3 hn_i_ranks(hn_uvec3 words, hn_num3 x, hn_num3 y, hn_num3 z, hn_nu
 }
 
 // Along each axis b where the place is on that side of the centre, else a.
-HN_FN hn_uvec3 hn_i_ahead(hn_num3 d, hn_uvec3 a, hn_uvec3 b) {
+HN_FN hn_uvec3 hn_i_toward_place(hn_num3 d, hn_uvec3 a, hn_uvec3 b) {
   return uvec3(hn_i_select(d.x > HN_I_NO_OFFSET, b.x, a.x), hn_i_select(d.y > HN_I_NO_OFFSET, b.y, a.y),
                hn_i_select(d.z > HN_I_NO_OFFSET, b.z, a.z));
 }
 
 // The spread coordinates of a block along an axis.
-HN_FN hn_uvec3 hn_i_along_x(hn_i_block3 block) { return uvec3(block.before.x, block.cell.x, block.after.x); }
-HN_FN hn_uvec3 hn_i_along_y(hn_i_block3 block) { return uvec3(block.before.y, block.cell.y, block.after.y); }
-HN_FN hn_uvec3 hn_i_along_z(hn_i_block3 block) { return uvec3(block.before.z, block.cell.z, block.after.z); }
+HN_FN hn_uvec3 hn_i_along_x(hn_i_block3 block) { return uvec3(block.previous.x, block.cell.x, block.following.x); }
+HN_FN hn_uvec3 hn_i_along_y(hn_i_block3 block) { return uvec3(block.previous.y, block.cell.y, block.following.y); }
+HN_FN hn_uvec3 hn_i_along_z(hn_i_block3 block) { return uvec3(block.previous.z, block.cell.z, block.following.z); }
 
 // The spread coordinates of the cell that is two steps on along all axes, on the side of the place.
 HN_FN hn_uvec3 hn_i_two_steps(hn_place3 place, hn_i_block3 block, hn_num3 d) {
   hn_uvec3 two;
   if (place.tiled) {
     hn_uvec3 c = hn_i_wrap(place.cell, place.period);
-    two = hn_i_spread(hn_i_ahead(d, hn_i_before(hn_i_before(c, place.period), place.period),
-                                 hn_i_after(hn_i_after(c, place.period), place.period)));
+    two = hn_i_spread(hn_i_toward_place(d, hn_i_previous(hn_i_previous(c, place.period), place.period),
+                                 hn_i_following(hn_i_following(c, place.period), place.period)));
   } else {
-    two = hn_i_ahead(d, hn_i_before(block.before), hn_i_last(block.after));
+    two = hn_i_toward_place(d, hn_i_previous(block.previous), hn_i_upper(block.following));
   }
   return two;
 }
@@ -157,11 +158,11 @@ HN_FN hn_rank4 hn_i_nearest(hn_i_block3 block, hn_num3 d, hn_num jitter, hn_int 
   hn_num3 y = hn_i_row(d.y);
   hn_num3 z = hn_i_row(d.z);
   hn_uvec3 joins = hn_i_xor(hn_i_joins_z(block), s);
-  hn_rank4 best = hn_i_visit_slab(hn_i_far_away(), block, joins.x, hn_i_odd(block.before.z + s), x, y, z.x, jitter,
+  hn_rank4 best = hn_i_visit_slab(hn_i_far_away(), block, joins.x, hn_i_odd(block.previous.z + s), x, y, z.x, jitter,
                                   metric, hn_i_code(0, 0, -1));
   best =
       hn_i_visit_slab(best, block, joins.y, hn_i_odd(block.cell.z + s), x, y, z.y, jitter, metric, hn_i_code(0, 0, 0));
-  return hn_i_visit_slab(best, block, joins.z, hn_i_odd(block.after.z + s), x, y, z.z, jitter, metric,
+  return hn_i_visit_slab(best, block, joins.z, hn_i_odd(block.following.z + s), x, y, z.z, jitter, metric,
                          hn_i_code(0, 0, 1));
 }
 
@@ -202,18 +203,19 @@ HN_FN hn_uvec3 hn_i_slab_words(hn_i_block3 block, hn_int axis, hn_uint at, hn_in
 
 // The offsets of the place from the centres of the cells of that row, along each axis; the slab is some steps on.
 HN_FN hn_num3 hn_i_slab_x(hn_num3 d, hn_int axis, hn_int steps) {
-  return hn_i_if_axis(axis, 0, hn_i_thrice(hn_i_beside(d.x, steps)), hn_i_row(d.x));
+  return hn_i_if_axis(axis, 0, hn_i_thrice(hn_i_offset_from_cell(d.x, steps)), hn_i_row(d.x));
 }
 HN_FN hn_num3 hn_i_slab_y(hn_num3 d, hn_int axis, hn_int steps, hn_int n) {
-  return hn_i_if_axis(axis, 0, hn_i_row(d.y), hn_i_thrice(hn_i_beside(d.y, hn_i_select(axis == 1, steps, n))));
+  return hn_i_if_axis(axis, 0, hn_i_row(d.y),
+                      hn_i_thrice(hn_i_offset_from_cell(d.y, hn_i_select(axis == 1, steps, n))));
 }
 HN_FN hn_num3 hn_i_slab_z(hn_num3 d, hn_int axis, hn_int steps, hn_int n) {
-  return hn_i_thrice(hn_i_beside(d.z, hn_i_select(axis == 2, steps, n)));
+  return hn_i_thrice(hn_i_offset_from_cell(d.z, hn_i_select(axis == 2, steps, n)));
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
 
-// The offset of the place from the point of the cell with that code, turned.
+// The offset of the place from the point of the cell with that code, in u, v and z.
 HN_FN hn_num3 hn_i_from_nearest(hn_i_block3 block, hn_num3 d, hn_num jitter, hn_uint seed, hn_rank code) {
   hn_int x = hn_i_x_of(int(code));
   hn_int y = hn_i_y_of(int(code));
@@ -223,23 +225,23 @@ HN_FN hn_num3 hn_i_from_nearest(hn_i_block3 block, hn_num3 d, hn_num jitter, hn_
                                  hn_i_of_three(hn_i_along_z(block), z)),
                            s, s);
   hn_uvec3 words = hn_i_thrice(word);
-  hn_num3 beside_x = hn_i_thrice(hn_i_beside(d.x, x));
-  hn_num3 beside_y = hn_i_thrice(hn_i_beside(d.y, y));
+  hn_num3 beside_x = hn_i_thrice(hn_i_offset_from_cell(d.x, x));
+  hn_num3 beside_y = hn_i_thrice(hn_i_offset_from_cell(d.y, y));
   return hn_i_num(hn_i_from_u(words, beside_x, beside_y, jitter).x, hn_i_from_v(words, beside_x, beside_y, jitter).x,
-                  hn_i_from_z(words, hn_i_thrice(hn_i_beside(d.z, z)), jitter).x);
+                  hn_i_from_z(words, hn_i_thrice(hn_i_offset_from_cell(d.z, z)), jitter).x);
 }
 
 // The cell with that code, modulo the period.
 HN_FN hn_ivec3 hn_i_cell_of(hn_place3 place, hn_rank code) {
   hn_uvec3 c = hn_i_wrap(place.cell, place.period);
-  hn_uvec3 before = hn_i_before(c, place.period);
-  hn_uvec3 after = hn_i_after(c, place.period);
+  hn_uvec3 before = hn_i_previous(c, place.period);
+  hn_uvec3 after = hn_i_following(c, place.period);
   return ivec3(int(hn_i_of_three(uvec3(before.x, c.x, after.x), hn_i_x_of(int(code)))),
                int(hn_i_of_three(uvec3(before.y, c.y, after.y), hn_i_y_of(int(code)))),
                int(hn_i_of_three(uvec3(before.z, c.z, after.z), hn_i_z_of(int(code)))));
 }
 HN_FN hn_vec3 hn_i_toward(hn_num3 from) {
-  hn_num3 d = hn_i_straight_offset(from);
+  hn_num3 d = hn_i_from_octahedral(from);
   return vec3(hn_i_toward(d.x), hn_i_toward(d.y), hn_i_toward(d.z));
 }
 

@@ -1,20 +1,29 @@
 // hashnoise: what octave sums have in common.
 // SPDX-License-Identifier: MIT
 //
-// A sum is a weighted mean of its octaves, or of what it makes of them; octave i weighs gain^i. Each octave has a seed
-// of its own, 2^32 divided by the golden ratio further, so that octaves of nearby seeds do not coincide either. Each
-// is shifted, so that the lattice points, where the noise is 0, do not fall together at the origin. And each is turned,
-// so that the axes do not add up: by arctan(4/5) in the plane of x and y, and in space then by arctan(13/29) in that of
-// y and z; in 4D a third is in that of z and w. The numbers of the turns are 32nds, with which a position loses few
-// bits; so they also stretch a little, by 1.0005 and 0.9931.
+// A sum is a weighted mean over octaves. It may transform each of them first (absolute value, ridge and so on). Octave
+// i has the weight gain^i and a seed of its own, which is HN_I_SEED_STEP further, so that octaves of nearby seeds do
+// not coincide either. Each octave is shifted: so the lattice points, where the noise is 0, do not fall together at the
+// origin. And each is rotated, so that the axes do not add up.
 //
-// octaves1d.glsl to octaves4d.glsl have the places of octaves, one after another, and jacobian.glsl what sums with slopes
-// and with shifts need as well.
+// octaves1d.glsl to octaves4d.glsl have the positions of octaves, one after another. jacobian.glsl has what sums with
+// derivatives and displacements need as well.
 
 #ifndef HN_OCTAVE_GLSL
 #define HN_OCTAVE_GLSL
 
 #include "../place.glsl"
+
+// From the seed of an octave to that of the next: 2^32 divided by the golden ratio.
+#define HN_I_SEED_STEP 0x9E3779B9u
+
+// The cosines and sines of the rotations, in 32nds: a position loses few bits by them. In the plane of x and y the
+// angle is arctan(4/5), in space then arctan(13/29) in that of y and z, and in 4D at last arctan(4/5) in that of z and
+// w. The numbers also stretch a little, by 1.0005 and 0.9931.
+#define HN_I_COS_XY 25
+#define HN_I_SIN_XY 20
+#define HN_I_COS_YZ 29
+#define HN_I_SIN_YZ 13
 
 // A sum under way. With HN_FIXED sums are in units of 2^-21, and weights in units of 2^-18.
 struct hn_i_octave_sum {
@@ -43,7 +52,7 @@ HN_FN hn_int hn_i_gain(hn_float gain) { return hn_i_setting(gain, 1.0f); }
 HN_FN hn_int hn_i_octaves(hn_int octaves) { return min(octaves, 32); }
 
 // The product of two numbers in [0, 1].
-HN_FN hn_int hn_i_weighed(hn_int a, hn_int b) { return ((a >> 9) * b + (((a & 511) * b) >> 9)) >> 9; }
+HN_FN hn_int hn_i_weight_times(hn_int a, hn_int b) { return ((a >> 9) * b + (((a & 511) * b) >> 9)) >> 9; }
 
 // sum + n * weight
 HN_FN hn_int hn_i_summed(hn_int sum, hn_int n, hn_int weight) {
@@ -72,7 +81,7 @@ HN_FN hn_int hn_i_folds(hn_int n, hn_int strength) {
 
 // 1 - strength * (1 - n) / 2
 HN_FN hn_int hn_i_bent(hn_int n, hn_int strength) {
-  return HN_I_WEIGHT_ONE - hn_i_weighed((2097152 - n) >> 4, strength);
+  return HN_I_WEIGHT_ONE - hn_i_weight_times((2097152 - n) >> 4, strength);
 }
 
 // The total of the weights. Of the last octave a part counts. (gain * total + 1 would round in another way than the
@@ -82,9 +91,9 @@ HN_FN hn_int hn_i_total(hn_int octaves, hn_int gain, hn_int part) {
   hn_int weight = HN_I_WEIGHT_ONE;
   for (hn_int i = 1; i < octaves; ++i) {
     total += weight;
-    weight = hn_i_weighed(weight, gain);
+    weight = hn_i_weight_times(weight, gain);
   }
-  return total + hn_i_weighed(weight, part);
+  return total + hn_i_weight_times(weight, part);
 }
 
 // sum * 2^18 / total, cut off towards 0, by long division: the whole part, then 9 bits, then 9 more. A rest of 23 bits
@@ -121,7 +130,7 @@ HN_FN hn_int hn_i_billows(hn_int turbulence) { return 2 * turbulence - 2097152; 
 HN_FN hn_float hn_i_setting(hn_float x, hn_float most) { return min(max(x, 0.0f), most); }
 HN_FN hn_float hn_i_gain(hn_float gain) { return gain; }
 HN_FN hn_int hn_i_octaves(hn_int octaves) { return octaves; }
-HN_FN hn_float hn_i_weighed(hn_float a, hn_float b) { return hn_i_times(a, b); }
+HN_FN hn_float hn_i_weight_times(hn_float a, hn_float b) { return hn_i_times(a, b); }
 HN_FN hn_float hn_i_summed(hn_float sum, hn_float n, hn_float weight) { return hn_i_times_plus(weight, n, sum); }
 
 HN_FN hn_float hn_i_octave(hn_float n) { return n; }
@@ -300,13 +309,13 @@ HN_FN hn_i_octave_sum hn_i_with_bounded_size(hn_i_octave_sum s, hn_float n) {
 }
 HN_FN hn_i_octave_sum hn_i_with_ridge(hn_i_octave_sum s, hn_float n) {
   hn_num ridge = hn_i_ridge(hn_i_bounded_octave(n));
-  ridge = hn_i_weighed(hn_i_weighed(ridge, ridge), s.carried);
+  ridge = hn_i_weight_times(hn_i_weight_times(ridge, ridge), s.carried);
   hn_i_octave_sum next = hn_i_with(s, hn_i_of_weight(ridge), s.weight);
   next.carried = min(hn_i_plus(ridge, ridge), HN_I_WEIGHT_ONE);
   return next;
 }
 HN_FN hn_i_octave_sum hn_i_with_height(hn_i_octave_sum s, hn_float n) {
-  hn_num height = hn_i_weighed(hn_i_height(hn_i_bounded_octave(n)), s.carried);
+  hn_num height = hn_i_weight_times(hn_i_height(hn_i_bounded_octave(n)), s.carried);
   hn_i_octave_sum next = hn_i_with(s, hn_i_of_weight(height), s.weight);
   next.carried = min(hn_i_plus(height, height), HN_I_WEIGHT_ONE);
   return next;
@@ -317,20 +326,20 @@ HN_FN hn_i_octave_sum hn_i_with_wave(hn_i_octave_sum s, hn_float n, hn_float str
 HN_FN hn_i_octave_sum hn_i_with_bent(hn_i_octave_sum s, hn_float n, hn_float strength) {
   hn_num value = hn_i_bounded_octave(n);
   hn_i_octave_sum next = hn_i_with(s, value, s.weight);
-  next.weight = hn_i_weighed(s.weight, hn_i_bent(value, hn_i_setting(strength, 1.0f)));
+  next.weight = hn_i_weight_times(s.weight, hn_i_bent(value, hn_i_setting(strength, 1.0f)));
   return next;
 }
 
 // Of the last octave a part counts.
 HN_FN hn_i_octave_sum hn_i_with_part(hn_i_octave_sum s, hn_float n) {
   hn_num weight = s.weight;
-  if (s.at + 1 == s.octaves) weight = hn_i_weighed(weight, s.part);
+  if (s.at + 1 == s.octaves) weight = hn_i_weight_times(weight, s.part);
   return hn_i_with(s, hn_i_octave(n), weight);
 }
 
 // The octaves behind one that is not resolved would not be, either.
 HN_FN hn_i_octave_sum hn_i_with_resolved(hn_i_octave_sum s, hn_float n, hn_float lacunarity) {
-  hn_i_octave_sum next = hn_i_with(s, hn_i_octave(n), hn_i_weighed(s.weight, hn_i_resolved(s.footprint)));
+  hn_i_octave_sum next = hn_i_with(s, hn_i_octave(n), hn_i_weight_times(s.weight, hn_i_resolved(s.footprint)));
   next.footprint = hn_i_next_footprint(s.footprint, lacunarity);
   if (hn_i_resolved(next.footprint) == HN_I_NO_WEIGHT) next.at = s.octaves;
   return next;

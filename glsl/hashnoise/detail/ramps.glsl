@@ -22,20 +22,20 @@ HN_FN hn_num hn_i_scaled1(hn_num n) { return hn_i_scaled(n, 2048); }
 
 HN_FN hn_num4 hn_i_ramps(hn_i_box2 box, hn_num2 f, hn_uint seed) {
   hn_uvec4 h = hn_i_corners(box, seed);
-  hn_num x = hn_i_far(f.x);
-  hn_num y = hn_i_far(f.y);
+  hn_num x = hn_i_minus_one(f.x);
+  hn_num y = hn_i_minus_one(f.y);
   return hn_i_num(hn_i_ramp(hn_i_direction2(h.x), f.x, f.y), hn_i_ramp(hn_i_direction2(h.y), x, f.y),
                   hn_i_ramp(hn_i_direction2(h.z), f.x, y), hn_i_ramp(hn_i_direction2(h.w), x, y));
 }
 
 // The ramps of a face, given the directions of its corners.
 HN_FN hn_num4 hn_i_ramps(hn_num4 d00, hn_num4 d10, hn_num4 d01, hn_num4 d11, hn_num3 f, bool back) {
-  hn_num x = hn_i_turned(f.x);
-  hn_num y = hn_i_turned(f.y);
-  hn_num step = hn_i_turned(HN_I_ONE);
+  hn_num x = hn_i_octahedral(f.x);
+  hn_num y = hn_i_octahedral(f.y);
+  hn_num step = hn_i_octahedral(HN_I_ONE);
   hn_num u = hn_i_plus(x, y);
   hn_num v = hn_i_minus(x, y);
-  hn_num w = hn_i_upright(hn_i_select(back, hn_i_far(f.z), f.z));
+  hn_num w = hn_i_octahedral_z(hn_i_select(back, hn_i_minus_one(f.z), f.z));
   hn_num u1 = hn_i_minus(u, step);
   return hn_i_num(hn_i_ramp(d00, u, v, w), hn_i_ramp(d10, u1, hn_i_minus(v, step), w),
                   hn_i_ramp(d01, u1, hn_i_plus(v, step), w), hn_i_ramp(d11, hn_i_minus(u1, step), v, w));

@@ -13,8 +13,8 @@
 
 // The corners of a cell share these steps: the key of a column (from x and the mixed seed s), the key of a row in it,
 // and the gradient. The seed is added after the first hash, since before it the seed would only move the field along x.
-HN_FN hn_uint hn_i_column(hn_uint x, hn_uint s) { return hn_hash(x) ^ s; }
-HN_FN hn_uint hn_i_row(hn_uint column, hn_uint y) { return hn_hash(column + y); }
+HN_FN hn_uint hn_i_column_key(hn_uint x, hn_uint s) { return hn_hash(x) ^ s; }
+HN_FN hn_uint hn_i_row_key(hn_uint column, hn_uint y) { return hn_hash(column + y); }
 
 // The number of low bits of m that do not fit into a float, for m <= 2^31.
 HN_FN hn_uint hn_i_excess_bits(hn_uint m) {
@@ -89,30 +89,30 @@ HN_FN hn_uvec3 hn_i_gathered(hn_uvec3 v) { return uvec3(hn_i_gathered(v.x), v.y 
 
 HN_FN hn_num4 hn_i_ramps(hn_i_box2 box, hn_num2 f, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
-  hn_uvec2 c0 = hn_i_gathered(box.first);
-  hn_uvec2 c1 = hn_i_gathered(box.last);
-  hn_uint k0 = hn_i_column(c0.x, s);
-  hn_uint k1 = hn_i_column(c1.x, s);
-  hn_num x = hn_i_far(f.x);
-  hn_num y = hn_i_far(f.y);
+  hn_uvec2 c0 = hn_i_gathered(box.lower);
+  hn_uvec2 c1 = hn_i_gathered(box.upper);
+  hn_uint k0 = hn_i_column_key(c0.x, s);
+  hn_uint k1 = hn_i_column_key(c1.x, s);
+  hn_num x = hn_i_minus_one(f.x);
+  hn_num y = hn_i_minus_one(f.y);
   return hn_i_num(hn_i_dot(hn_i_gradient(k0, c0.y), f.x, f.y), hn_i_dot(hn_i_gradient(k1, c0.y), x, f.y),
                   hn_i_dot(hn_i_gradient(k0, c1.y), f.x, y), hn_i_dot(hn_i_gradient(k1, c1.y), x, y));
 }
 
 HN_FN hn_num4 hn_i_ramps(hn_i_box3 box, hn_num3 f, bool back, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
-  hn_uvec3 c0 = hn_i_gathered(box.first);
-  hn_uvec3 c1 = hn_i_gathered(box.last);
-  hn_uint k0 = hn_i_column(c0.x, s);
-  hn_uint k1 = hn_i_column(c1.x, s);
-  hn_num x = hn_i_far(f.x);
-  hn_num y = hn_i_far(f.y);
+  hn_uvec3 c0 = hn_i_gathered(box.lower);
+  hn_uvec3 c1 = hn_i_gathered(box.upper);
+  hn_uint k0 = hn_i_column_key(c0.x, s);
+  hn_uint k1 = hn_i_column_key(c1.x, s);
+  hn_num x = hn_i_minus_one(f.x);
+  hn_num y = hn_i_minus_one(f.y);
   hn_uint cz = hn_i_select(back, c1.z, c0.z);
-  hn_num z = hn_i_select(back, hn_i_far(f.z), f.z);
-  return hn_i_num(hn_i_dot(hn_i_gradient(k0, hn_i_row(k0, c0.y), cz), f.x, f.y, z),
-                  hn_i_dot(hn_i_gradient(k1, hn_i_row(k1, c0.y), cz), x, f.y, z),
-                  hn_i_dot(hn_i_gradient(k0, hn_i_row(k0, c1.y), cz), f.x, y, z),
-                  hn_i_dot(hn_i_gradient(k1, hn_i_row(k1, c1.y), cz), x, y, z));
+  hn_num z = hn_i_select(back, hn_i_minus_one(f.z), f.z);
+  return hn_i_num(hn_i_dot(hn_i_gradient(k0, hn_i_row_key(k0, c0.y), cz), f.x, f.y, z),
+                  hn_i_dot(hn_i_gradient(k1, hn_i_row_key(k1, c0.y), cz), x, f.y, z),
+                  hn_i_dot(hn_i_gradient(k0, hn_i_row_key(k0, c1.y), cz), f.x, y, z),
+                  hn_i_dot(hn_i_gradient(k1, hn_i_row_key(k1, c1.y), cz), x, y, z));
 }
 
 // The noise is not scaled, as in the paper.

@@ -122,7 +122,7 @@ HN_FN hn_uint hn_i_over_root(hn_uint n, hn_uint q) {
 
 // What an offset is multiplied by, so that it is 0 or at least 2^17 long and its root has 15 bits: from the size of its
 // longest component, which is below 2^21.
-HN_FN hn_int hn_i_longer_by(hn_int size) {
+HN_FN hn_int hn_i_enlarging_factor(hn_int size) {
   hn_int a = hn_i_choice(size < 1024, 1024, 1);
   hn_int b = a * hn_i_choice(size * a < 32768, 32, 1);
   return b * hn_i_choice(size * b < 131072, 4, 1);
@@ -137,12 +137,12 @@ HN_FN hn_float hn_i_over(hn_int x, hn_uint root) {
   return hn_i_float(hn_i_select(x < 0, -quotient, quotient)) * (1.0f / 2097152.0f);
 }
 HN_FN hn_vec2 hn_i_unit(hn_int x, hn_int y) {
-  hn_int m = hn_i_longer_by(max(hn_i_size(x), hn_i_size(y)));
+  hn_int m = hn_i_enlarging_factor(max(hn_i_size(x), hn_i_size(y)));
   hn_uint root = max(hn_i_root(hn_i_squared(x * m, y * m)), 1u);
   return vec2(hn_i_over(x * m, root), hn_i_over(y * m, root));
 }
 HN_FN hn_vec3 hn_i_unit(hn_int x, hn_int y, hn_int z) {
-  hn_int m = hn_i_longer_by(max(max(hn_i_size(x), hn_i_size(y)), hn_i_size(z)));
+  hn_int m = hn_i_enlarging_factor(max(max(hn_i_size(x), hn_i_size(y)), hn_i_size(z)));
   hn_uint root = max(hn_i_root(hn_i_squared(x * m, y * m, z * m)), 1u);
   return vec3(hn_i_over(x * m, root), hn_i_over(y * m, root), hn_i_over(z * m, root));
 }

@@ -21,7 +21,7 @@ HN_FN hn_num2 hn_i_steps(hn_num2 f) { return hn_i_num(hn_i_plus(f.x, f.x), hn_i_
 
 // The sum of two numbers of rows or columns. Of a place that is far out of its cell they are so large that ints would
 // overflow, which C++ leaves undefined.
-HN_FN hn_int hn_i_beyond(hn_int i, hn_int more) { return int(uint(i) + uint(more)); }
+HN_FN hn_int hn_i_add_wrapping(hn_int i, hn_int more) { return int(uint(i) + uint(more)); }
 
 // A coordinate of a point: 2 c + more, where c is that of its cell, and more lies in [-2, 3].
 HN_FN hn_uint hn_i_doubled(hn_uint c, hn_int more) { return c * 2u + uint(more); }
@@ -43,30 +43,30 @@ HN_FN hn_num2 hn_i_skewed(hn_num2 f) { return hn_i_num(hn_i_plus(hn_i_plus(f.x, 
 // In which column of its row the first corner is, from twice the cell on.
 HN_FN hn_int hn_i_column_of(hn_num2 skewed) {
   hn_int row = hn_i_floor(skewed.y);
-  return hn_i_beyond(hn_i_floor(skewed.x), -((row >> 1) + (row & 1)));
+  return hn_i_add_wrapping(hn_i_floor(skewed.x), -((row >> 1) + (row & 1)));
 }
 
 // The words of the corners, in the order above.
 HN_FN hn_uvec3 hn_i_triangle(hn_place2 place, hn_num2 skewed, hn_uint seed) {
   hn_int row = hn_i_floor(skewed.y);
   hn_int column = hn_i_column_of(skewed);
-  hn_num u = hn_i_past(skewed.x);
-  hn_num v = hn_i_past(skewed.y);
+  hn_num u = hn_i_fract(skewed.x);
+  hn_num v = hn_i_fract(skewed.y);
   hn_uvec2 first;
   hn_uvec2 middle;
   hn_uvec2 last;
   if (place.tiled) {
-    hn_int last_column = hn_i_beyond(column, row & 1);
-    hn_int middle_column = hn_i_select(u > v, hn_i_beyond(column, 1), hn_i_beyond(last_column, -1));
+    hn_int last_column = hn_i_add_wrapping(column, row & 1);
+    hn_int middle_column = hn_i_select(u > v, hn_i_add_wrapping(column, 1), hn_i_add_wrapping(last_column, -1));
     hn_uvec2 c = hn_i_wrap(place.cell, place.period);
     hn_uint lower = hn_i_doubled(c.y, row, place.period.y);
-    hn_uint upper = hn_i_doubled(c.y, hn_i_beyond(row, 1), place.period.y);
+    hn_uint upper = hn_i_doubled(c.y, hn_i_add_wrapping(row, 1), place.period.y);
     first = hn_i_spread(uvec2(hn_i_doubled(c.x, column, place.period.x), lower));
     middle = hn_i_spread(uvec2(hn_i_doubled(c.x, middle_column, place.period.x), hn_i_select(u > v, lower, upper)));
     last = hn_i_spread(uvec2(hn_i_doubled(c.x, last_column, place.period.x), upper));
   } else {
     first = hn_i_spread(uvec2(hn_i_doubled(uint(place.cell.x), column), hn_i_doubled(uint(place.cell.y), row)));
-    hn_uvec2 next = hn_i_last(first);
+    hn_uvec2 next = hn_i_upper(first);
     last = uvec2(hn_i_select((row & 1) == 0, first.x, next.x), next.y);
     middle = uvec2(hn_i_select(u > v, next.x, last.x - HN_I_STEP_X), hn_i_select(u > v, first.y, next.y));
   }
@@ -76,21 +76,21 @@ HN_FN hn_uvec3 hn_i_triangle(hn_place2 place, hn_num2 skewed, hn_uint seed) {
 
 // The offsets from the corners along x and along y, and how near the corners are.
 HN_FN hn_num3 hn_i_triangle_x(hn_num2 skewed) {
-  hn_num u = hn_i_past(skewed.x);
-  hn_num v = hn_i_past(skewed.y);
+  hn_num u = hn_i_fract(skewed.x);
+  hn_num v = hn_i_fract(skewed.y);
   hn_num x = hn_i_minus(u, hn_i_half(v));
   return hn_i_num(x, hn_i_select(u > v, hn_i_minus(x, HN_I_ONE), hn_i_plus(x, hn_i_quarters(2))),
                   hn_i_minus(x, hn_i_quarters(2)));
 }
 HN_FN hn_num3 hn_i_triangle_y(hn_num2 skewed) {
-  hn_num y = hn_i_past(skewed.y);
-  return hn_i_num(y, hn_i_select(hn_i_past(skewed.x) > y, y, hn_i_far(y)), hn_i_far(y));
+  hn_num y = hn_i_fract(skewed.y);
+  return hn_i_num(y, hn_i_select(hn_i_fract(skewed.x) > y, y, hn_i_minus_one(y)), hn_i_minus_one(y));
 }
 
 // The squared radius is 819 / 1024: just below 4/5, the squared height over the longer sides of a triangle.
-HN_FN hn_num3 hn_i_triangle_near(hn_num3 x, hn_num3 y) {
-  return hn_i_num(hn_i_near(hn_i_square(x.x, y.x), 819, 1), hn_i_near(hn_i_square(x.y, y.y), 819, 1),
-                  hn_i_near(hn_i_square(x.z, y.z), 819, 1));
+HN_FN hn_num3 hn_i_triangle_falloff(hn_num3 x, hn_num3 y) {
+  return hn_i_num(hn_i_falloff(hn_i_square(x.x, y.x), 819, 1), hn_i_falloff(hn_i_square(x.y, y.y), 819, 1),
+                  hn_i_falloff(hn_i_square(x.z, y.z), 819, 1));
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -102,7 +102,7 @@ HN_FN hn_vec3 hn_i_triangle_direction(hn_uint h) {
   hn_vec3 d = hn_i_direction2(h);
   return vec3(d.x, d.y, hn_i_times(d.z, 0.375f));
 }
-HN_FN hn_float hn_i_longer(hn_float n, hn_float more) { return hn_i_lengthened(n, more); }
+HN_FN hn_float hn_i_triangle_times_one_plus(hn_float n, hn_float more) { return hn_i_times_one_plus(n, more); }
 HN_FN hn_vec2 hn_i_triangle_gradient(hn_uint h) { return hn_i_gradient(hn_i_triangle_direction(h)); }
 
 #else
@@ -112,7 +112,7 @@ HN_FN hn_ivec3 hn_i_triangle_direction(hn_uint h) {
   hn_ivec3 d = hn_i_direction2(h);
   return ivec3(d.x, d.y, 3 * d.z);
 }
-HN_FN hn_int hn_i_longer(hn_int n, hn_int more) { return n + (n >> 12) * more; }
+HN_FN hn_int hn_i_triangle_times_one_plus(hn_int n, hn_int more) { return n + (n >> 12) * more; }
 HN_FN hn_ivec2 hn_i_triangle_gradient(hn_uint h) {
   hn_ivec3 d = hn_i_triangle_direction(h);
   hn_int s = (4096 + d.z) << 8;
@@ -124,13 +124,13 @@ HN_FN hn_ivec2 hn_i_triangle_gradient(hn_uint h) {
 // What a corner adds without its weight.
 HN_FN hn_num hn_i_triangle_ramp(hn_uint h, hn_num x, hn_num y) {
   hn_num3 d = hn_i_triangle_direction(h);
-  return hn_i_longer(hn_i_straight(d, x, y), d.z);
+  return hn_i_triangle_times_one_plus(hn_i_dot_direction(d, x, y), d.z);
 }
 
 // A derivative per cell, from that per step.
 HN_FN hn_float hn_i_per_cell(hn_float d) { return d * 2.0f; }
 
-// A sum of weighted ramps is at most 1024 / 3242 (tools/bounds), with turned gradients, too.
+// A sum of weighted ramps is at most 1024 / 3242 (tools/bounds), with turning gradients, too.
 HN_FN hn_num hn_i_scaled_simplex2(hn_num n) { return hn_i_scaled(n, 3242); }
 
 #endif

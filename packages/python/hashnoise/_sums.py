@@ -9,7 +9,7 @@ __all__ = ["fbm", "turbulence", "clouds", "billow", "ridged", "hybrid", "ping_po
 
 def fbm(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=None, lacunarity=2.0, gain=0.5, detail=None,
         footprint=None, period=None, cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
-    """Fractional Brownian motion, in 1D to 4D: octaves of noise, each finer, weaker, and turned.
+    """Fractional Brownian motion, in 1D to 4D: octaves of noise, each finer, weaker, and rotated.
 
     octaves    6 if neither they nor a detail are given
     detail     in place of the octaves, without a period: octaves as a float, in [0, 32]. 3.5 is three octaves and half
@@ -164,7 +164,7 @@ def eroded(x, y, z=None, /, *, seed=0, noise="perlin_d", octaves=6, lacunarity=2
     noise     one with derivatives: "perlin_d", "simplex_d" or "value_d"
     strength  how much less: 0 is `fbm`; in [0, 16]. A slope of 1 cell in 1 leaves 1 / (1 + strength)
     returns   [-1, 1]
-    source    Quilez, "More noise", 2008: his slopes are not turned with the octaves
+    source    Quilez, "More noise", 2008: his slopes are not rotated with the octaves
 
     >>> hashnoise.eroded(0.5, 0.25, seed=7, arithmetic="fixed")
     -0.008274555206298828
