@@ -269,7 +269,9 @@ def change_signs(code: Code) -> Iterator[Change]:
 
 # --- Calls ---
 
-COMMUTATIVE = ("min", "max", "hn_i_plus", "hn_i_times", "hn_i_times_plus")  # in the first two arguments
+# In the first two arguments.
+COMMUTATIVE = ("min", "max", "hn_i_plus", "hn_i_times", "hn_i_times_plus", "hn_i_weight_times", "hn_i_wide_plus",
+               "hn_i_wide_times")
 
 
 def is_condition(code: Code, first: int, last: int) -> bool:
