@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "expected/sum_bounds.hpp"
 #include "library/functions.hpp"
 
 namespace hn {
@@ -43,30 +44,14 @@ struct OctaveSumFacts {
   double most_strength;    // or amplitude; 0 if it has none
   double least, greatest;
   bool bounded;  // else it may be as large as the noise, if that is beyond these
+  SumRule rule;
 };
 const OctaveSumFacts& facts_of(OctaveSum sum);
 inline std::string_view noise_of(OctaveSum sum) { return facts_of(sum).noise; }
 
-// In the range that the contract takes them in: from a cell the lacunarity is in [0, 255], and with a period it is a
-// whole number.
-struct OctaveArguments {
-  double largest_coordinate;  // the largest |p_i|; from a cell, |cell + f|
-  double octaves;             // a float of them is a detail
-  double lacunarity;
-  double gain;
-  bool exact_positions;  // no octave's position is rounded
-  double strength = 0.0;
-  std::optional<double> footprint = {};
-  bool turns = true;  // it does not with a period
-  bool from_cell = false;
-  bool is_detail = false;
-  double amplitude = 0.0;
-  std::string_view noise = {};  // another than the GLSL function sums; of a sum without slopes and shifts
-};
-
-// octave_tolerance of tools/bounds; of a sum of vectors, that of a component.
+// Over the noise that the GLSL function sums, or over another, if it is a sum of values (expected/sum_bounds.hpp).
 double octave_tolerance(OctaveSum kind, int axes, const OctaveArguments& arguments,
-                        Gradient gradient = Gradient::octahedral);
+                        Gradient gradient = Gradient::octahedral, std::string_view noise = {});
 // The same of a component of the derivative of an fBm.
 double octave_slope_tolerance(int axes, const OctaveArguments& arguments);
 

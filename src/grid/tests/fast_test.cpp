@@ -122,8 +122,7 @@ Bound bound_of_other(const Settings& s) {
                                   static_cast<double>(gain_of(s)), true};
     arguments.from_cell = true;
     arguments.strength = static_cast<double>(strength_of(s));
-    arguments.noise = s.noise;
-    const double error = 2.0 * hn::octave_tolerance(kind_of(s.sum), D, arguments, kGradient);
+    const double error = 2.0 * hn::octave_tolerance(kind_of(s.sum), D, arguments, kGradient, s.noise);
     return [=](std::size_t, std::size_t) { return error; };
   }
   Settings noise = s;

@@ -9,7 +9,7 @@ import numpy as np
 
 from bounds import exact_model as exact
 from bounds import fixed_model as fixed
-from bounds import noises, sine, sums
+from bounds import float_sums, noises, sine, sums
 from bounds.float_model import MODES, Shader, shaders
 from bounds.floats import to_float
 from bounds.gradients import OCTAHEDRAL, SINE
@@ -194,7 +194,7 @@ class Octaves(unittest.TestCase):
                     s = sums.Sum(name, **arguments(rng, name))
                     p = (spread or self.spread)(rng, dims, s.p_max)
                     simulated_sum, exact_sum = self.pair(shader, kind, s, p)
-                    tolerance = sums.octave_tolerance(s, proven(kind, dims))
+                    tolerance = float_sums.octave_tolerance(s, proven(kind, dims))
                     error = abs(simulated_sum - exact_sum).max()
                     self.assertLessEqual(error, tolerance, s)
                     worst[name] = max(worst[name], error / tolerance)
@@ -288,20 +288,20 @@ class Octaves(unittest.TestCase):
 
     def test_fails_without_a_step(self):
         """What ping-pong does to the error of a noise is more than an fBm does."""
-        with mock.patch.object(sums, "float_terms", lambda s, limit, errs: (errs, limit)):
+        with mock.patch.object(float_sums, "rule_of", lambda s: "fbm"):
             with self.assertRaises(AssertionError):
                 self.check(lambda rng, name: self.random_sum(rng, name, octaves=1, strength=64.0), ("ping_pong",))
 
     def test_edges(self):
         def tolerance(octaves, gain=0.5, dims=2, gradient=OCTAHEDRAL, kind="fbm", **others):
-            return sums.octave_tolerance(sums.Sum(kind, 1.0, octaves, 2.0, gain, **others), proven(gradient, dims))
+            return float_sums.octave_tolerance(sums.Sum(kind, 1.0, octaves, 2.0, gain, **others), proven(gradient, dims))
         self.assertEqual([tolerance(octaves) for octaves in (0, -1, 0.0, -0.5)], [0] * 4)
         self.assertLess(tolerance(200), 2.001)
         self.assertEqual(tolerance(20, 1e20, 3), math.inf)
         self.assertLess(tolerance(200, dims=3, gradient=SINE), 3.001)
         for kind, largest in (("billow", 2.001), ("ridged", 1.001), ("ping_pong", 2.002), ("weighted", 3.01)):
             self.assertLess(tolerance(200, dims=3, gradient=SINE, kind=kind, strength=1.0), largest)
-        self.assertEqual(sums.octave_tolerance(sums.Sum("fbm", 1.0, 1, 256.0, 0.5, from_cell=True),
+        self.assertEqual(float_sums.octave_tolerance(sums.Sum("fbm", 1.0, 1, 256.0, 0.5, from_cell=True),
                                                proven(OCTAHEDRAL, 2)), math.inf)
         with self.assertRaises(ValueError):
             tolerance(1, kind="fog")

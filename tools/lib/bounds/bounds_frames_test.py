@@ -12,6 +12,7 @@ from bounds import exact_model as exact
 from bounds import fixed_model as fixed
 from bounds import frames, frames_model, sums
 from bounds.adverse import random_positions
+from bounds.float_sums import octave_tolerance
 from bounds.floats import to_float
 from bounds.frames_shader import FramesShader, shaders
 from bounds.gradients import OCTAHEDRAL
@@ -34,7 +35,7 @@ def tolerances(s, dims, is_fixed):
     """Of each number of a result."""
     noise, slope = proven(s.kind, dims)
     own = frames.TOLERANCES[s.kind][is_fixed](s, noise, slope)
-    of_value = (sums.octave_tolerance, sums.fixed_octave_tolerance)[is_fixed]
+    of_value = (octave_tolerance, sums.fixed_octave_tolerance)[is_fixed]
     return {"fbm_d": [of_value(s, noise)] + [own] * dims, "eroded": [own]}.get(s.kind, [own] * dims)
 
 

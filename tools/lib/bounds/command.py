@@ -2,8 +2,7 @@
 
     tools/bounds            a table
     tools/bounds --json     the same as JSON
-    tools/bounds --write    writes bounds.inc and sum_tolerances.inc, which the suite and its tests include, and the
-                            tables of docs/accuracy.md
+    tools/bounds --write    writes bounds.inc, which the suite includes, and the tables of docs/accuracy.md
     tools/bounds --check    whether these, and every bound that a comment or a page quotes, are what is derived
 
 noises/ has what is proven of each noise.
@@ -24,7 +23,6 @@ from dataclasses import asdict, fields, replace
 from pathlib import Path
 
 from bounds import noises, sine
-from bounds.agreement import tolerances
 from bounds.documents import (ACCURACY, EXAMPLES, FRAMED, Everything, Key, frame_tolerances, missing_quotes, name_of,
                               sum_tolerances, with_tables, wrong_comments)
 from bounds.gradients import SINE
@@ -69,8 +67,7 @@ def rendered(derived: Everything) -> str:
 def files(derived: Everything, root: Path = ROOT) -> dict[Path, str]:
     """What is written, with what should be in it."""
     page = root / ACCURACY
-    table = root / PATH.relative_to(ROOT)
-    return {table: rendered(derived), table.with_name("sum_tolerances.inc"): tolerances(derived),
+    return {root / PATH.relative_to(ROOT): rendered(derived),
             page: with_tables(page.read_text(encoding="utf-8"), derived)}
 
 

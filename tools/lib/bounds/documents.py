@@ -10,6 +10,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from bounds import frames, kernel_floats, noises, sine, sums
+from bounds.float_sums import octave_tolerance
 from bounds.gradients import GRADIENTS, SINE, Gradient
 from bounds.integers import fade_errors, slope_errors, spline_weight_error
 from bounds.noises import Derived
@@ -91,7 +92,7 @@ def sum_tolerances(derived: Everything, dims: int, octave_sum: Sum) -> list[floa
     """In floats and fixed, for each kind of gradient of which there is a noise."""
     keys = [(NOISE_OF_SUMS, dims, gradient) for gradient in GRADIENTS if (NOISE_OF_SUMS, dims, gradient) in derived]
     return [tolerance(octave_sum, derived[key].bounds(*key).rounded()) for key in keys
-            for tolerance in (sums.octave_tolerance, sums.fixed_octave_tolerance)]
+            for tolerance in (octave_tolerance, sums.fixed_octave_tolerance)]
 
 
 def sums_table(derived: Everything) -> str:
@@ -266,10 +267,15 @@ def derived_for(function: glsl.Declaration, kind: str, fixed: bool, gradient: Gr
     if function.name == "hn_gradient" and kind == "error":
         return sine.fixed_sine_error() if fixed else SINE.component_error
     if function.name == "hn_clouds" and kind == "error":
-        return sums.cloud_error() if fixed else sums.FLOAT_CLOUD_ERROR
+        return sums.cloud_error() if fixed else beyond_fbm("clouds")
     if function.name == "hn_fbm_d" and kind == "range":
         return sums.TURNS[0]  # by which a derivative's range grows
     return None
+
+
+def beyond_fbm(kind: str) -> float:
+    """What a sum is off by beyond the error of an fBm: that of no octaves."""
+    return octave_tolerance(Sum(kind, 0.0, 0, 2.0, 0.5), Bounds(NOISE_OF_SUMS, 2, "none", *[0.0] * 6))
 
 
 def wrong_numbers(function: glsl.Declaration, derived: Everything) -> dict[tuple, str]:

@@ -1,5 +1,5 @@
-"""How far octave sums with slopes, and warps, may be off, from the bounds of their noise and its derivatives: in floats,
-and in fixed arithmetic.
+"""How far octave sums with slopes, and warps, may be off in fixed arithmetic, from the bounds of their noise and its
+derivatives. Of floats float_sums.py has the same.
 
 The frame of an octave is a matrix K. Its columns, which a derivative is a product with, and its rows, which a shift is,
 are lengthened by no more than the turns stretch lengths. Integers of a frame do not depend on the position, and so they
@@ -16,12 +16,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from bounds.floats import TINY
-from bounds.floats import UNIT as FLOAT_UNIT
 from bounds.integers import FADE_ONE, SLOPE_UNIT, UNIT
-from bounds.sums import (LARGEST_STRENGTH, TURNS, WEIGHT_UNIT, WHOLE, Sum, clamped_strength, first_whole_position,
-                         fixed_mean_error, fixed_strength, fixed_weights, float_positions, float_sum_error, lengths,
-                         next_float_position, next_whole_position, whole_positions)
+from bounds.float_sums import octave_tolerance, slope_tolerance
+from bounds.sums import (LARGEST_STRENGTH, TURNS, WEIGHT_UNIT, Sum, first_whole_position, fixed_mean_error,
+                         fixed_strength, fixed_weights, lengths, next_whole_position, whole_positions)
 from bounds.table import Bounds
 
 PLANES = ((25, 20), (29, 13), (25, 20))  # the turns of the contract: of an axis and the next
@@ -30,7 +28,6 @@ SLOPE_LIMIT = 4.0  # of a component, beyond which it is cut off
 FALL_LIMIT = 8.0  # the same of what hn_eroded sums of slopes
 FALL_UNIT = 2.0**-12
 LARGEST_AMPLITUDE = 64.0
-SETTLED = 2.0**-96  # HN_PRECISE replaces a result, or a step of a position, by 0 below this
 DOUBLES = 1e-12  # more than the rounding errors of 32 frames of up to 64, computed in doubles
 COARSE = 127  # what a large result loses at most, in its units
 
@@ -65,140 +62,6 @@ def steepest_fall(strength: float, reach: float) -> float:
     """The largest slope of 1 / (1 + strength r^2) for r up to `reach`: it is steepest where strength r^2 = 1/3."""
     r = min(reach, 1 / math.sqrt(3 * strength)) if strength > 0 else reach
     return 2 * strength * r / (1 + strength * r**2)**2
-
-
-# --- In floats --------------------------------------------------------------------------------------------------------
-
-def float_effects(s: Sum, bounds: Bounds, steepest: float) -> list[float]:
-    """The errors of the noise of each octave, or of its derivatives, where positions do not depend on the noise."""
-    positions = (whole_positions if s.from_cell else float_positions)(s, bounds.dimensions)
-    of_noise = bounds.cell_error if s.from_cell else bounds.error
-    return [min(steepest * error + of_noise, 2 * bounds.limit) for _, error in zip(range(s.count), positions)]
-
-
-def float_frames(s: Sum, dims: int) -> list[tuple[float, float]]:
-    """Of each octave, how long a column of the frame is, and by how much it is off. A number goes through 2 n
-    roundings, as the coordinate of a position does. From a cell the contract cuts the lacunarity, and floats do not."""
-    axes, growth, found = lengths(s, dims), s.gain * abs(s.lacunarity) * stretch(s, dims), []
-    of_cut = s.gain * (s.lacunarity - cut_lacunarity(s)) * stretch(s, dims) if s.from_cell else 0.0
-    column, error = 1.0, 0.0
-    for _ in range(s.count):
-        found.append((column, error))
-        of_number = ((1 + FLOAT_UNIT)**(2 * dims) - 1) * growth * (column + error) + TINY * (4 * (column + error) + 8)
-        of_number += of_cut * (column + error)
-        column, error = growth * column, growth * error + axes * of_number
-    return found
-
-
-def float_total(s: Sum) -> tuple[float, float]:
-    """T, and by how much it is off: T = gain*T + 1, for each octave."""
-    total, error = 0.0, 0.0
-    for _ in range(s.count):
-        error = s.gain * (error + FLOAT_UNIT * (total + error)) + TINY
-        total = 1 + s.gain * total
-        error += FLOAT_UNIT * (total + error)
-    return total, error
-
-
-def in_domain(s: Sum) -> bool:
-    """GLSL bounds the error of a division only for divisors up to 2^126. No number of a frame may overflow."""
-    return float_total(s)[0] <= 2.0**126 and (s.gain * abs(s.lacunarity))**max(s.count - 1, 0) <= 2.0**96 and (
-        not s.from_cell or 0 <= s.lacunarity <= 255)
-
-
-def slope_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
-    """The largest error of a derivative of hn_fbm_d.
-
-        in the plane, with the frame (c, s):    D_x = D_x + (c*g_x + s*g_y);  D_y = D_y + (c*g_y - s*g_x)
-        in space, along each axis:              D = D + ((R_x*g_x + R_y*g_y) + R_z*g_z)
-        value = D / T
-
-    The products of a column with a gradient have magnitudes whose sum is at most the product of lengths (Cauchy)."""
-    if not s.count or not in_domain(s):
-        return math.inf if s.count else 0.0
-    dims, axes = noise.dimensions, lengths(s, noise.dimensions)
-    longest = longest_gradient(noise, slope) if s.turns else slope.limit
-    sum_err, largest = 0.0, 0.0
-    for slope_err, (column, error) in zip(float_effects(s, slope, slope.lipschitz), float_frames(s, dims)):
-        most = (column + error) * (longest + axes * slope_err)
-        sum_err += (column + error) * axes * slope_err + error * longest
-        sum_err += ((1 + FLOAT_UNIT)**dims - 1) * most + 2 * dims * TINY
-        largest += column * longest
-        sum_err += FLOAT_UNIT * (largest + sum_err)
-    total, total_err = float_total(s)
-    error = (sum_err + largest / total * total_err) / (total - total_err)
-    return error + 2.5 * FLOAT_UNIT * (largest / total + error) + SETTLED
-
-
-def float_fall_errors(s: Sum, noise: Bounds, slope: Bounds) -> list[float]:
-    """Of the factors 1 / (1 + strength |e|^2), and of their products with the weights:
-
-        e = clamp(turn(e) + g, -8, 8);  1 / (strength*(e_x*e_x + e_y*e_y [+ e_z*e_z]) + 1) * weight
-
-    A coordinate goes through 2 (n - 1) roundings in the turns, and one more. A clamp brings no two vectors further
-    apart. The divisor goes through n + 2 roundings of terms that are not negative."""
-    dims, axes, strength = noise.dimensions, math.sqrt(noise.dimensions), clamped_strength(s)
-    longest, turned, ends = longest_gradient(noise, slope), stretch(s, dims), axes * FALL_LIMIT
-    rounding = (1 + FLOAT_UNIT)**(2 * (dims - 1)) - 1 if s.turns else 0.0
-    of_factor = (1 + FLOAT_UNIT)**(dims + 2) - 1 + 3.5 * FLOAT_UNIT + 1000 * TINY
-    error, reach, errs = 0.0, 0.0, []
-    for slope_err in float_effects(s, slope, slope.lipschitz):
-        error = turned * error + axes * (rounding * turned * (reach + error) + 8 * TINY)
-        error += axes * slope_err
-        error = min(error + FLOAT_UNIT * (turned * reach + longest + error) + axes * TINY, 2 * ends)
-        reach = min(turned * reach + longest, ends)
-        errs.append(min(steepest_fall(strength, ends) * error + of_factor, 1.001))
-    return errs
-
-
-def eroded_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
-    """The largest error of hn_eroded, which is a mean of n / (1 + strength |e|^2)."""
-    if not s.count or not in_domain(s):
-        return math.inf if s.count else 0.0
-    terms = [noise_err + noise.limit * fall_err for noise_err, fall_err in zip(
-        float_effects(s, noise, steepest(s, noise, slope)), float_fall_errors(s, noise, slope))]
-    return float_sum_error(s, noise.limit, terms)
-
-
-def float_shift_effects(s: Sum, noise: Bounds, slope: Bounds) -> list[float]:
-    """The errors of the noise of each octave of hn_warp_progressive:
-
-        rate = amplitude / T;  q = q + (K v)*rate
-
-    A coordinate of K v goes through n roundings. From a cell, what a position moves by is cut to 2^-24, and so is its
-    fraction."""
-    dims, axes, errs = noise.dimensions, lengths(s, noise.dimensions), []
-    (total, total_err), limit, amplitude = float_total(s), min(noise.limit, 1.0), clamped_amplitude(s)
-    rate = amplitude / total
-    rate_err = rate * total_err / (total - total_err)
-    rate_err += 2.5 * FLOAT_UNIT * (rate + rate_err) + TINY
-    position, error = first_whole_position(s, dims) if s.from_cell else (axes * s.p_max, 0.0)
-    for column, frame_err in float_frames(s, dims):
-        errs.append(min(steepest(s, noise, slope) * error + (noise.cell_error if s.from_cell else noise.error),
-                        2 * limit))
-        frame_err *= axes  # of a column; and of the matrix
-        step = column * axes * limit
-        step_err = column * axes * errs[-1] + frame_err * axes * limit
-        step_err += axes * ((1 + FLOAT_UNIT)**dims - 1) * (column + frame_err) * axes * limit + 4 * dims * TINY
-        moved = rate * step
-        moved_err = rate * step_err + rate_err * (step + step_err)
-        moved_err += FLOAT_UNIT * (moved + moved_err) + axes * SETTLED
-        error += moved_err
-        error += 2 * axes * WHOLE if s.from_cell else FLOAT_UNIT * (position + moved + error)
-        next_position = next_whole_position if s.from_cell else next_float_position
-        position, error = next_position(s, dims, position + moved, error)
-    return errs
-
-
-def warp_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
-    """The largest error of a component of hn_warp or hn_warp_progressive: amplitude * clamp(mean, -1, 1)."""
-    if not s.count or not in_domain(s):
-        return math.inf if s.count else 0.0
-    amplitude, limit = clamped_amplitude(s), min(noise.limit, 1.0)
-    errs = (float_shift_effects(s, noise, slope) if s.kind == "warp_progressive"
-            else float_effects(s, noise, steepest(s, noise, slope)))
-    error = amplitude * min(float_sum_error(s, limit, [min(err, 2 * limit) for err in errs]), 2.0)
-    return error + FLOAT_UNIT * amplitude + SETTLED
 
 
 # --- In integers: frames ----------------------------------------------------------------------------------------------
@@ -377,6 +240,6 @@ def largest_words(dims: int) -> dict[str, float]:
 
 TOLERANCES = {  # in floats and fixed, from a sum and the bounds of its noise and of the derivatives of that
     "fbm_d": (slope_tolerance, fixed_slope_tolerance),  # of a derivative; the value has those of fbm
-    "eroded": (eroded_tolerance, fixed_eroded_tolerance),
-    "warp": (warp_tolerance, fixed_warp_tolerance),
-    "warp_progressive": (warp_tolerance, fixed_warp_tolerance)}
+    "eroded": (octave_tolerance, fixed_eroded_tolerance),
+    "warp": (octave_tolerance, fixed_warp_tolerance),
+    "warp_progressive": (octave_tolerance, fixed_warp_tolerance)}

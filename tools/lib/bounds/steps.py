@@ -1,7 +1,7 @@
-"""The steps by which sums add an octave (glsl/hashnoise/detail/octave.glsl): what each does to the noise, and by how much that may be off.
+"""The steps by which sums add an octave (glsl/hashnoise/detail/octave.glsl): what each does to the noise, in floats and in
+integers, and by how much the integers may be off.
 
-A step is what the library's text does, in floats and in integers, beside the errors that are proven of it: the tests
-compute the one with adverse roundings and hold it against the other.
+The tests compute a step with adverse roundings, and hold it against the errors that are proven of it.
 """
 
 from __future__ import annotations
@@ -10,8 +10,6 @@ import math
 
 import numpy as np
 
-from bounds.floats import TINY
-from bounds.floats import UNIT as FLOAT_UNIT
 from bounds.integers import FADE_ONE, UNIT
 
 WEIGHT_UNIT = 1 / FADE_ONE
@@ -29,13 +27,9 @@ class Step:
         """The same in integers, which are in units of 2^-21, and of 2^-18 between octaves."""
         return v, before
 
-    def float_errors(self, errs: list[float], limit: float, strength: float) -> tuple[list[float], float]:
-        """The errors of what octaves add, before their weights, given those of the noise; and the largest that it can be
-        as computed."""
-        return errs, limit
-
     def fixed_errors(self, errs: list[float], strength: float, cut: float) -> list[float]:
-        """The same in integers, where the strength is cut by so much."""
+        """The errors of what octaves add in integers, before their weights, given those of the noise; the strength is cut
+        by so much. Those of floats are in conformance/expected/sum_bounds.cpp."""
         return errs
 
 
@@ -71,27 +65,16 @@ class Ridge(Step):
         ridge = ints.product(ints.product(d, d), np.minimum(2 * before, 2**18))
         return ridge << 3, ridge
 
-    def float_errors(self, errs, limit, strength):
-        return ridges([e + FLOAT_UNIT for e in errs], FLOAT_UNIT, 2 * TINY), 1.0
-
     def fixed_errors(self, errs, strength, cut):
-        return ridges([e + WEIGHT_UNIT for e in errs], 0.0, WEIGHT_UNIT)
-
-
-def ridges(noise_errs: list[float], unit: float, lost: float) -> list[float]:
-    """The errors of r_i = d^2 min(2 r, 1), from those of d = 1 - |n|, of which each product errs by a part of `unit`
-    and loses up to `lost` beside.
-
-    A root g = sqrt(r) follows from d min(sqrt(2) g, 1). So an error of d moves g by as much, what was there before by
-    sqrt(2) times that, and r by twice what g is moved by: it grows as sqrt(2)^i, and not as 2^i. Relative errors of r
-    move g by half of them. What is lost does not depend on r, and is counted with r: it doubles."""
-    errs, root, falls = [], 0.0, 0.0
-    for i, noise_err in enumerate(noise_errs):
-        products = 1 + (i > 0)
-        root = noise_err + math.sqrt(2) * root + products * unit * (1 + unit) / 2
-        falls = 2 * falls + products * lost
-        errs.append(min(2 * root + falls, 1.0))
-    return errs
+        """A root g = sqrt(r) follows from d min(sqrt(2) g, 1). So an error of d moves g by as much, what was there before
+        by sqrt(2) times that, and r by twice what g is moved by: it grows as sqrt(2)^i, and not as 2^i. What products
+        lose does not depend on r, and is counted with r: it doubles."""
+        terms, root, lost = [], 0.0, 0.0
+        for i, err in enumerate(errs):
+            root = err + WEIGHT_UNIT + math.sqrt(2) * root
+            lost = 2 * lost + (1 + (i > 0)) * WEIGHT_UNIT
+            terms.append(min(2 * root + lost, 1.0))
+        return terms
 
 
 class Height(Step):
@@ -106,28 +89,18 @@ class Height(Step):
         height = ints.product((2**21 + v) >> 4, np.minimum(2 * before, 2**18))
         return height << 3, height
 
-    def float_errors(self, errs, limit, strength):
-        return heights([e / 2 + FLOAT_UNIT for e in errs], FLOAT_UNIT + TINY), 1.0
-
     def fixed_errors(self, errs, strength, cut):
-        return heights([e / 2 + WEIGHT_UNIT for e in errs], WEIGHT_UNIT)
-
-
-def heights(errs: list[float], of_product: float) -> list[float]:
-    """The errors of t_i = d min(2 t, 1), from those of d."""
-    terms, before = [], 0.0
-    for i, err in enumerate(errs):
-        before = err + 2 * before + (i > 0) * of_product
-        terms.append(min(before, 1.0))
-    return terms
+        terms, before = [], 0.0
+        for i, err in enumerate(errs):
+            before = err / 2 + WEIGHT_UNIT + 2 * before + (i > 0) * WEIGHT_UNIT
+            terms.append(min(before, 1.0))
+        return terms
 
 
 class Wave(Step):
     """t = (n + 1)*strength;  t = t - 2*floor(t/2);  z = min(t, 2 - t);  2*z - 1
 
-    Of t only n + 1 and the product round: 2 - t is exact for t from 1 on. The difference may be fused with the product,
-    so that t is less than 0 or more than 2 by the rounding of the product; this counts twice, then. In integers t is
-    rounded down to 2^-30, the term to 2^-21."""
+    In integers t is rounded down to 2^-30, the term to 2^-21."""
 
     def term(self, floats, n, before, strength):
         """floor takes the product as it is rounded."""
@@ -137,14 +110,6 @@ class Wave(Step):
 
     def fixed_term(self, ints, v, before, strength):
         return ints.ping_pong(v, strength), before
-
-    def float_errors(self, errs, limit, strength):
-        terms = []
-        for noise_err in errs:
-            product_err = strength * (noise_err + FLOAT_UNIT * (2 + noise_err))
-            t_err = product_err + 2 * (FLOAT_UNIT * (2 * strength + product_err) + TINY)
-            terms.append(min(2 * t_err + FLOAT_UNIT * (1 + 2 * t_err), 2.001))
-        return terms, 1.001
 
     def fixed_errors(self, errs, strength, cut):
         return [min(2 * (strength * e + 2 * cut + 2.0**-30) + UNIT, 2.0) for e in errs]

@@ -1,4 +1,5 @@
-"""How far an octave sum over a noise may be off, from the bounds of that noise: in floats, and in fixed arithmetic."""
+"""Octave sums, and how far they may be off in fixed arithmetic, from the bounds of their noise. Of floats float_sums.py
+has the same."""
 
 from __future__ import annotations
 
@@ -11,8 +12,6 @@ import numpy as np
 
 import catalog.model
 from bounds.boxes import SAFE
-from bounds.floats import TINY
-from bounds.floats import UNIT as FLOAT_UNIT
 from bounds.integers import DOUBLE, FADE_ONE, UNIT, checked, signed, word
 from bounds.steps import STEPS, WEIGHT_UNIT, Step
 from bounds.table import Bounds
@@ -25,11 +24,6 @@ SHIFT_MAX = {1: 11 / 32, 2: 19 / 32, 3: 23 / 32, 4: 27 / 32}  # the largest comp
 # then in that of z and w. The second makes lengths in its plane smaller, but not that along x.
 TURNS = (math.hypot(25, 20) / 32, max(math.hypot(29, 13) / 32, 1.0), math.hypot(25, 20) / 32)
 WHOLE = 2.0**-24  # the unit of whole positions
-
-# What clouds are off by beyond the error of an fBm: the clamp leaves no more than 1, whatever the limit; the smoothstep
-# has slopes up to 3/2 and three roundings, relative to a value of at most 1.
-FLOAT_CLOUD_ERROR = 1.5 * FLOAT_UNIT + 3.001 * FLOAT_UNIT
-
 
 @dataclass(frozen=True)
 class Sum:
@@ -86,51 +80,15 @@ def clamped_strength(s: Sum) -> float:
 
 # --- Positions --------------------------------------------------------------------------------------------------------
 
-def float_positions(s: Sum, dims: int) -> Iterator[float]:
-    """The largest errors of the coordinates of each octave's position, computed from a position. Without turns
-
-        q = q*lacunarity + shift
-
-    and each coordinate is bounded on its own. Else the steps are, with c = lacunarity*25/32 and s = lacunarity*5/8,
-    and in space d = lacunarity*29/32 and e = lacunarity*13/32,
-
-        2D: x' = (c*x - s*y) + 11/32;  y' = (s*x + c*y) + 19/32
-        3D: v = s*x + c*y;  x' as before;  y' = (29/32*v - e*z) + 19/32;  z' = (13/32*v + d*z) + 23/32
-        4D: u = 13/32*v + d*z;  x', y' as before;  z' = (25/32*u - s*w) + 23/32;  w' = (20/32*u + c*w) + 27/32
-        1D: as without turns
-
-    and lengths are bounded, which turns stretch by TURNS, coordinates by much more. A coordinate goes through no more
-    than 2 n roundings, the last of them after the shift, of terms whose magnitudes sum to no more than the stretched
-    length (Cauchy). Terms below 2^-126 may become 0."""
-    position, error = lengths(s, dims) * s.p_max, 0.0
-    while True:
-        yield error
-        position, error = next_float_position(s, dims, position, error)
-        error = 0.0 if s.exact_positions else error
-
-
 def lengths(s: Sum, dims: int) -> float:
     """How much longer a vector is than its largest coordinate, where lengths are bounded."""
     return math.sqrt(dims) if s.turns else 1.0
 
 
-def next_float_position(s: Sum, dims: int, position: float, error: float) -> tuple[float, float]:
-    """Of the next octave, how long a position is, or without turns how large its coordinates, and the same of its
-    error: from those of one."""
-    lacunarity, shift, axes = abs(s.lacunarity), SHIFT_MAX[dims], lengths(s, dims)
-    if not s.turns:
-        product_err = lacunarity * (error + FLOAT_UNIT * (position + error) + TINY) + TINY
-        position = lacunarity * position + shift
-        return position, product_err + FLOAT_UNIT * (position + product_err)
-    stretch, reach = lacunarity * math.prod(TURNS[:dims - 1]), position + error
-    rounding = (1 + FLOAT_UNIT) ** (2 * dims) - 1
-    of_coordinate = rounding * stretch * reach + FLOAT_UNIT * shift + TINY * (4 * reach + 8)
-    return stretch * position + axes * shift, stretch * error + axes * of_coordinate
-
-
 def whole_positions(s: Sum, dims: int) -> Iterator[float]:
-    """The same of whole positions: a coordinate is cut to a multiple of 2^-24, and the lacunarity of 2^-23; the product
-    is rounded down, and so are both coordinates after each turn."""
+    """The largest errors of each octave's position, as a length, or without turns of a coordinate. A coordinate is cut to
+    a multiple of 2^-24, and the lacunarity of 2^-23; the product is rounded down, and so are both coordinates after
+    each turn."""
     position, error = first_whole_position(s, dims)
     while True:
         yield error
@@ -151,78 +109,6 @@ def next_whole_position(s: Sum, dims: int, position: float, error: float) -> tup
     for stretch in turns:
         error = stretch * error + math.sqrt(2) * WHOLE
     return s.lacunarity * math.prod(turns) * position + axes * shift, error
-
-
-# --- In floats --------------------------------------------------------------------------------------------------------
-
-def float_terms(s: Sum, limit: float, noise_errs: list[float]) -> tuple[list[float], float]:
-    """The errors of what an octave adds, before its weight, and the largest that it can be as computed."""
-    return step_of(s.kind).float_errors(noise_errs, limit, clamped_strength(s))
-
-
-def float_fade_error(i: int) -> float:
-    """Of clamp(3/2 - e, 0, 1), e = footprint * max(lacunarity, 1)^i computed step by step. It counts up to 3/2 only."""
-    return 1.501 * ((1 + FLOAT_UNIT) ** i - 1) + 1.001 * FLOAT_UNIT + 2 * TINY
-
-
-def float_sum_error(s: Sum, limit: float, noise_errs: list[float]) -> float:
-    """Of what is divided by the total. Each *_err bounds the error of its float.
-
-        sum = sum + amp*noise(q);  total = gain*total + 1;  amp = amp*gain;  value = sum / total
-        weighted:   amp = amp*(1 - strength*(0.5 - 0.5*n)) before that
-        footprint:  amp*fade, in place of amp, adds to the sum
-        detail:     the last amp is multiplied with its share, with which the total begins
-
-    A term is at most the limit, exact as well as computed, so |sum| is at most limit * total; a division errs by up to
-    2.5 ulp. Infinite where the total leaves 2^126: GLSL bounds the error of a division only for divisors below."""
-    terms, limit = float_terms(s, limit, noise_errs)
-    amp, amp_err, total, total_err, sum_err = 1.0, 0.0, 0.0, 0.0, 0.0
-    strength, shares = clamped_strength(s), isinstance(s.octaves, float)
-    for i, (term_err, noise_err) in enumerate(zip(terms, noise_errs)):
-        used_err = amp_err
-        if s.footprint is not None:
-            used_err = amp_err + (amp + amp_err) * (float_fade_error(i) + FLOAT_UNIT) + TINY
-        if shares:
-            used_err += FLOAT_UNIT * (amp + amp_err) + TINY
-        sum_err += (amp + used_err) * (term_err + FLOAT_UNIT * limit) + limit * used_err + TINY
-        total, total_err = 1 + s.gain * total, s.gain * (total_err + FLOAT_UNIT * (total + total_err)) + TINY
-        sum_err += FLOAT_UNIT * (limit * total + sum_err)
-        total_err += FLOAT_UNIT * (total + total_err)
-        gained, gained_err = amp * s.gain, s.gain * (amp_err + FLOAT_UNIT * (amp + amp_err)) + TINY
-        if s.kind == "weighted":
-            kept_err = min(strength * (noise_err / 2 + 2 * FLOAT_UNIT) + FLOAT_UNIT, 1.0) + TINY
-            most = gained + gained_err
-            gained_err = min(gained_err + gained * kept_err, most) + FLOAT_UNIT * most + (1 + s.gain) * TINY
-        amp, amp_err = gained, gained_err
-    if total > 2.0**126:
-        return math.inf
-    if shares:  # terms that are not negative, each through no more than so many roundings
-        total = sum(s.weights)
-        total_err = total * ((1 + FLOAT_UNIT) ** (2 * s.count) - 1) + 2 * total * s.count * TINY
-    error = (sum_err + limit * total_err) / (total - total_err)
-    return error + 2.5 * FLOAT_UNIT * (limit + error) + TINY
-
-
-def octave_tolerance(s: Sum, noise: Bounds) -> float:
-    """The largest error of an octave sum over a noise, against the exact sums of docs/contract.md at the same floats:
-
-        billow = 2*turbulence - 1
-        t = clamp(2*fbm + 0.25, 0, 1);  clouds = t*t*(3 - 2*t)
-
-    From a cell the positions are whole ones, which are defined for a lacunarity in [0, 255]."""
-    if s.from_cell and not 0 <= s.lacunarity <= 255:
-        return math.inf
-    limit = min(noise.limit, 1.0) if step_of(s.kind).clamps else noise.limit
-    positions = whole_positions(s, noise.dimensions) if s.from_cell else float_positions(s, noise.dimensions)
-    of_noise = noise.cell_error if s.from_cell else noise.error
-    noise_errs = [min(noise.lipschitz * position_err + of_noise, 2 * limit)
-                  for _, position_err in zip(range(s.count), positions)]
-    error = float_sum_error(s, limit, noise_errs) if s.count else 0.0
-    if s.kind == "clouds":
-        return 1.5 * 2 * error + FLOAT_CLOUD_ERROR
-    if s.kind == "billow":
-        return 2 * error + FLOAT_UNIT * (1 + 2 * error)
-    return error  # abs is exact and brings no two values further apart
 
 
 # --- In integers ------------------------------------------------------------------------------------------------------
@@ -310,7 +196,7 @@ def fixed_mean_error(s: Sum, limit: float, term_errs: list[float], changes: list
 
 
 def fixed_octave_tolerance(s: Sum, noise: Bounds) -> float:
-    """As octave_tolerance, of the fixed arithmetic; for lacunarity in [0, 255], gain in [0, 1] and
+    """The largest error against the exact sums of docs/contract.md at the same floats, for lacunarity in [0, 255], gain in [0, 1] and
     at most 32 octaves, which is what it does not cut.
 
     A noise is off by L times its position's error and by fixed_error (the cut to 2^-20 is in that). The weights are

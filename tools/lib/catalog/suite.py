@@ -25,8 +25,10 @@ HEAD_OF_FACTS = """\
 // Made by tools/catalog: what the suite knows of noises and sums. Define one of these macros, and include this file:
 //
 //   NOISE(name, jumps, is never negative)
-//   OCTAVE_SUM(name, noise, most strength or amplitude, least, greatest, is bounded): the noise is that which its GLSL
-//     function sums. Values that are not bounded may be as large as the noise, if that is beyond the least or the greatest
+//   OCTAVE_SUM(name, noise, most strength or amplitude, least, greatest, is bounded, step, mean): the noise is that which
+//     its GLSL function sums. Values that are not bounded may be as large as the noise, if that is beyond the least or the
+//     greatest. The step is what an octave adds, and the mean what becomes of the mean (expected/sum_bounds.hpp)
+//   SUM_STEP(name), SUM_MEAN(name): each of those steps and means
 //   OCTAVE_STEP(name, the sum s with an octave n more, what it makes of the mean): of a sum of values; the first may take
 //     a strength
 // clang-format off
@@ -35,6 +37,12 @@ HEAD_OF_FACTS = """\
 #endif
 #ifndef OCTAVE_SUM
 #define OCTAVE_SUM(...)
+#endif
+#ifndef SUM_STEP
+#define SUM_STEP(...)
+#endif
+#ifndef SUM_MEAN
+#define SUM_MEAN(...)
 #endif
 #ifndef OCTAVE_STEP
 #define OCTAVE_STEP(...)
@@ -241,16 +249,27 @@ def facts_of_noise(noise: Noise) -> str:
 def facts_of(sum_: Sum) -> str:
     least, greatest = sum_.range if isinstance(sum_.range, tuple) else (-1, 1)
     is_bounded = bool(sum_.mean) or sum_.step not in ("", "noise", "size", "eroded")
+    step, mean = step_and_mean(sum_)
     return row("OCTAVE_SUM", sum_.name, sum_.noise, sum_.strength.most if sum_.strength else 0, least, greatest,
-               str(is_bounded).lower())
+               str(is_bounded).lower(), step, mean)
+
+
+def step_and_mean(sum_: Sum) -> tuple[str, str]:
+    """What the suite calls what an octave adds, and what becomes of the mean. Derivatives are added as they are, and a
+    warp is a step of its own."""
+    plain = "noise" if sum_.of == "slopes" else sum_.name
+    return sum_.step or plain, sum_.mean or "as_it_is"
 
 
 def files(catalog: Catalog) -> dict[Path, str]:
     rows = [one for noise in catalog.noises for one in of_noise(noise)]
     rows += [one for sum_ in catalog.sums for one in of_sum(sum_)]
+    steps, means = zip(*map(step_and_mean, catalog.sums))
     facts = [*map(facts_of_noise, catalog.noises), *map(facts_of, catalog.sums),
+             *(row("SUM_STEP", step) for step in dict.fromkeys(steps)),
+             *(row("SUM_MEAN", mean) for mean in dict.fromkeys(means)),
              *(row("OCTAVE_STEP", sum_.name, sum_.adds("s", "n", "strength"), sum_.makes("mean")) for sum_ in catalog.sums
                if sum_.is_of_values)]
-    end = "#undef NOISE\n#undef OCTAVE_SUM\n#undef OCTAVE_STEP\n// clang-format on\n"
+    end = "#undef NOISE\n#undef OCTAVE_SUM\n#undef SUM_STEP\n#undef SUM_MEAN\n#undef OCTAVE_STEP\n// clang-format on\n"
     return {PATH: HEAD + "\n".join(one.text() for one in rows) + "// clang-format on\n",
             FACTS: "".join([HEAD_OF_FACTS, *facts, end])}
