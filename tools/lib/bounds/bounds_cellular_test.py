@@ -8,8 +8,8 @@ import numpy as np
 
 from bounds import borders, distances, features
 from bounds import cellular_model as model
+from bounds.cellular_model import Shader, shaders
 from bounds.exact_model import direction
-from bounds.float_model import Shader, shaders
 from bounds.table import bounds_of, slope_bounds_of
 from thorough import in_thorough_runs
 

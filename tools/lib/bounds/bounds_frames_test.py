@@ -1,6 +1,7 @@
 """Tests of what is proven of octave sums with slopes, and of warps: the models of docs/contract.md and of the library's
 text stay within the bounds, and reach a part of them. What is left out of a bound, or of a model, is noticed."""
 
+import functools
 import itertools
 import math
 import unittest
@@ -14,9 +15,9 @@ from bounds import frames, frames_model, sums
 from bounds.adverse import random_positions
 from bounds.float_sums import octave_tolerance
 from bounds.floats import to_float
-from bounds.frames_shader import FramesShader, shaders
 from bounds.gradients import OCTAHEDRAL
 from bounds.integers import SLOPE_UNIT, UNIT
+from bounds.rounded import Rounding, Text, along_axes, roundings
 from bounds.sums import SHIFTS, SLOPED, Sum
 from bounds.table import bounds_of, slope_bounds_of
 from thorough import in_thorough_runs
@@ -165,13 +166,42 @@ class Fixed(unittest.TestCase):
         return exactly
 
 
+@functools.cache
+def text():
+    """What is asked of the library."""
+    return Text(row_of(kind, dims, form) for kind in KINDS for dims in DIMS for form in ("", "_cell", "_cell_period"))
+
+
+def row_of(kind, dims, form):
+    return f"{'warp' if kind in SHIFTS else 'fbm_d'}.{kind}{dims}{form}"
+
+
 class Floats(unittest.TestCase):
+    """The text of the library over floats of any rounding mode."""
+
+    @staticmethod
+    def computed(rounding, s, p):
+        """In a tile without a period nothing turns."""
+        places, form = along_axes("", p), ""
+        if s.from_cell:
+            places, form = along_axes("c", map(np.floor, p)) | along_axes("f", [x - np.floor(x) for x in p]), "_cell"
+        if not s.turns:
+            places, form = places | along_axes("p", [0] * len(p)), "_cell_period"
+        settings = {"octaves": s.octaves, "lacunarity": s.lacunarity, "gain": s.gain, "seed": 0}
+        if s.kind in SHIFTS:
+            settings["amplitude"] = s.amplitude
+        elif s.kind == "eroded":
+            settings["strength"] = s.strength
+        return text()(row_of(s.kind, len(p), form), rounding, **places, **settings)
+
     def check(self, kinds=KINDS, count=100, seed=2, simulated=None, arguments=None, **others):
         rng, worst = np.random.default_rng(seed), dict.fromkeys(kinds, 0.0)
-        for kind, dims, shader in itertools.product(kinds, DIMS, simulated or shaders(3)):
+        for kind, dims, rounding in itertools.product(kinds, DIMS, simulated or roundings(3)):
             s = random_sum(rng, kind, **(arguments(rng) if arguments else {}), **others)
-            p = [x.astype(np.float32).astype(float) for x in rng.uniform(-s.p_max, s.p_max, (dims, count))]
-            result = shader.sum(s, whole(s, p) if s.from_cell else p)
+            p = rng.uniform(-s.p_max, s.p_max, (dims, count))
+            p = list(np.floor(p) + (p - np.floor(p)).astype(np.float32) if s.from_cell
+                     else p.astype(np.float32).astype(float))
+            result = self.computed(rounding, s, p)
             for computed, x, tolerance in zip(result, frames_model.exact_sum(s, p), tolerances(s, dims, False),
                                               strict=True):
                 error = abs(computed - x).max()
@@ -193,19 +223,19 @@ class Floats(unittest.TestCase):
 
     @in_thorough_runs
     def test_with_a_period(self):
-        self.assert_near(self.check(arguments=lambda rng: {"lacunarity": float(rng.integers(0, 4))}, turns=False),
-                         1 / 100)
+        self.assert_near(self.check(arguments=lambda rng: {"lacunarity": float(rng.integers(0, 4))}, turns=False,
+                                    from_cell=True), 1 / 100)
 
     @in_thorough_runs
     def test_from_a_cell(self):
         self.assert_near(self.check(from_cell=True, p_max=2.0**16), 1 / 60)
 
     def test_fails_with_fewer_bits(self):
-        fewer = [FramesShader("nearest", 7, lost_bits=10)]
+        fewer = [Rounding("nearest", lost_bits=10)]
         for kind, turns in itertools.product(KINDS, (True, False)):
             with self.subTest(kind=kind, turns=turns), self.assertRaises(AssertionError):
                 self.check((kind,), simulated=fewer, octaves=2, lacunarity=2.0, gain=0.5, strength=1.0, amplitude=0.25,
-                           p_max=4.0, turns=turns)
+                           p_max=4.0, turns=turns, from_cell=not turns)
 
     def test_tiny_results(self):
         """HN_PRECISE replaces them by 0."""

@@ -1,6 +1,7 @@
-"""Tests of what is proven of simplex noise, of gradients that turn and of curl: the models of docs/contract.md and of
-the library's text stay within the bounds, and reach a part of them. A wrong constant is noticed."""
+"""Tests of what is proven of simplex noise, of gradients that turn and of curl: the models of docs/contract.md and the
+library's text stay within the bounds, and reach a part of them. A wrong constant is noticed."""
 
+import functools
 import math
 import unittest
 from unittest import mock
@@ -12,9 +13,9 @@ from bounds import gradients, kernel_fixed, kernel_floats, kernel_model, kernels
 from bounds.boxes import Boxes, corners
 from bounds.fixed_model import ONE
 from bounds.gradients import OCTAHEDRAL, UNIT
-from bounds.kernel_shader import KernelShader, TurnedPerlin, shaders
 from bounds.kernels import SIMPLEX, SMOOTH, Offsets, Quantity
 from bounds.noises import curl
+from bounds.rounded import Body, Rounding, Text, along_axes, roundings, table
 from bounds.table import bounds_of
 from thorough import in_thorough_runs
 
@@ -220,20 +221,49 @@ class Fixed(unittest.TestCase):
         self.assertTrue(0.998 * row.limit < (scale * longest) ** 2 < row.limit)
 
 
-class Floats(unittest.TestCase):
-    def errors(self, kernel, turning, some, count=5000):
-        rng, words = np.random.default_rng(8), kernel_model.words_of_hash(9)
-        f = list(rng.random((kernel.dims, count)).astype(np.float32).astype(float))
-        phase = random_phase(rng, count, turning)
-        expected = kernel_model.simplex(kernel, words, f, phase)
-        computed = [shader.simplex(kernel, words, f, phase) for shader in some]
-        return np.max([largest_differences(one, expected) for one in computed], axis=0)
+@functools.cache
+def text():
+    """What is asked of the library."""
+    ids = [f"noise{dims}d.{name}_cell" for dims in (2, 3, 4)
+           for name in ("simplex", "simplex_d", "simplex_smooth", "simplex_phase", "simplex_d_phase", "perlin_phase",
+                        "perlin_d_phase")]
+    return Text([id for id in ids if id in table()], rotation=ROTATION)
 
-    @in_thorough_runs
+
+ROTATION = Body("phase:f32", "cosine:f32 sine:f32", "hn_vec2 r = hn_i_rotation(float_of(a.x));"
+                "return uvec4(bits_of(r.x), bits_of(r.y), 0u, 0u);")
+
+
+class Floats(unittest.TestCase):
+    """The text of the library over floats of any rounding mode."""
+
+    def errors(self, noise, dims, exactly, turning, some, count=5000):
+        """The largest of the value and of the derivatives; `exactly` are those of cells, fractions and phases."""
+        rng = np.random.default_rng(8)
+        f = list(rng.random((dims, count)).astype(np.float32).astype(float))
+        cells = list(rng.integers(-2**31, 2**31, (dims, count)))
+        phase = rng.integers(0, 2**24, count) * 256 if turning else None
+        expected = exactly(cells, f, phase)
+        columns = along_axes("c", cells) | along_axes("f", f) | {"seed": 0}
+        if turning:
+            columns["phase"] = phase / 2**32
+        found = []
+        for rounding in some:
+            value = text()(f"noise{dims}d.{noise}_cell", rounding, **columns)[0]
+            slopes = expected[1]
+            if noise in SLOPES:
+                slopes = text()(f"noise{dims}d.{SLOPES[noise]}_cell", rounding, **columns)[-dims:]
+            found.append(largest_differences((value, slopes), expected))
+        return np.max(found, axis=0)
+
+    def of_simplex(self, noise, kernel, turning, some):
+        return self.errors(noise, kernel.dims, lambda cells, f, phase: kernel_model.simplex(
+            kernel, kernel_model.words_at(kernel, cells), f, phase), turning, some)
+
     def test_any_rounding(self):
         for noise, kernel, turning in NOISES:
             value, slope = proven(noise, kernel.dims)
-            seen, seen_slope = self.errors(kernel, turning, shaders(10))
+            seen, seen_slope = self.of_simplex(noise, kernel, turning, roundings(10))
             self.assertTrue(value.cell_error / 10 < seen < value.cell_error, (noise, kernel.dims, seen))
             if slope:
                 self.assertTrue(slope.cell_error / 14 < seen_slope < slope.cell_error, (noise, kernel.dims, seen_slope))
@@ -242,25 +272,19 @@ class Floats(unittest.TestCase):
         """A must-fail check: a mantissa without 5 of its bits."""
         for noise, kernel, turning in NOISES:
             value, slope = proven(noise, kernel.dims)
-            seen, seen_slope = self.errors(kernel, turning, [KernelShader("nearest", 11, lost_bits=5)])
+            seen, seen_slope = self.of_simplex(noise, kernel, turning, [Rounding("nearest", lost_bits=5)])
             self.assertGreater(seen, value.cell_error, noise)
-            self.assertGreater(seen_slope, slope.cell_error if slope else 0, noise)
+            if slope:
+                self.assertGreater(seen_slope, slope.cell_error, noise)
 
-    @in_thorough_runs
     def test_turned_perlin(self):
-        rng = np.random.default_rng(12)
         for dims in (2, 3):
-            words = {corner: rng.integers(0, 2**32, 5000) for corner in corners(dims)}
-            f, phase = list(rng.integers(0, ONE + 1, (dims, 5000)) / ONE), random_phase(rng, 5000)
-            expected = kernel_model.perlin(words.__getitem__, f, phase)
             value, slope = proven("perlin_phase", dims)
-            for some, fails in ((shaders(13, TurnedPerlin), False), ([TurnedPerlin("nearest", 14, lost_bits=6)], True)):
-                for shader in some:
-                    shader.phase = phase
-                seen, seen_slope = np.max([largest_differences(
-                    shader.perlin(OCTAHEDRAL, words.__getitem__, f, True), expected) for shader in some], axis=0)
+            for some, fails in ((roundings(13), False), ([Rounding("nearest", lost_bits=6)], True)):
+                seen, seen_slope = self.errors("perlin_phase", dims, lambda cells, f, phase: kernel_model.perlin(
+                    exact.words_at(OCTAHEDRAL, cells), f, phase), True, some)
                 self.assertEqual((seen > value.cell_error, seen_slope > slope.cell_error), (fails, fails))
-                self.assertTrue(seen > value.cell_error / 8 and seen_slope > slope.cell_error / 14)
+                self.assertTrue(seen > value.cell_error / 9 and seen_slope > slope.cell_error / 14)
 
 
 class Turns(unittest.TestCase):
@@ -280,8 +304,10 @@ class Turns(unittest.TestCase):
     def test_sine_of_a_phase(self):
         angle = np.random.default_rng(16).integers(0, 2**30, 20_000) * 4
         exactly = np.sin(angle / 2**31 * math.pi)
-        for shader in shaders(17):
-            self.assertLess(abs(shader.wave(angle) - exactly).max(), kernel_floats.turn_error(1.0))
+        for rounding in roundings(17):
+            phase = angle >> 8 << 8  # of which a float has all bits
+            _, found = text()("rotation", rounding, phase=phase / 2**32)
+            self.assertLess(abs(found - np.sin(phase / 2**31 * math.pi)).max(), kernel_floats.turn_error(1.0))
         cosine, sine = kernel_model.fixed_rotation(angle)
         self.assertLess(abs(sine / 2**18 - exactly).max(), kernel_fixed.turn_error())
         self.assertLess(abs(cosine / 2**18 - np.cos(angle / 2**31 * math.pi)).max(), kernel_fixed.turn_error())

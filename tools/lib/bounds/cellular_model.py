@@ -7,6 +7,8 @@ import numpy as np
 
 from bounds import exact_model as exact
 from bounds.distances import QUOTIENT_ULPS, ROOT_ULPS, UNIT
+from bounds.floats import TINY
+from bounds.rounded import MODES
 
 METRICS = ("euclidean", "squared", "manhattan", "chebyshev", "hybrid")
 
@@ -71,8 +73,41 @@ class Exact:
         return rank.min(axis=0), np.take_along_axis(apart, rank.argmin(axis=0)[None], axis=0)[0]
 
 
+class Shader:
+    """Evaluates in 32-bit floats, which are held in doubles, with a rounding mode ("random" chooses for each
+    operation); may fuse a*b + c. (Elsewhere the text itself is evaluated so. But its points are hashes, which hardly ever
+    are as adverse as these.)"""
+
+    def __init__(self, mode, seed, fuse=0.0, lost_bits=0):
+        self.mode, self.rng, self.fuse, self.lost_bits = mode, np.random.default_rng(seed), fuse, lost_bits
+
+    def round(self, x):
+        x = np.asarray(x, float)
+        if self.lost_bits:
+            mantissa, exponent = np.frexp(x)
+            return np.ldexp(np.round(mantissa * 2 ** (24 - self.lost_bits)), exponent - 24 + self.lost_bits)
+        nearest = x.astype(np.float32)
+        if self.mode == "nearest":
+            return nearest.astype(float)
+        up = self.rng.random(x.shape) < 0.5 if self.mode == "random" else np.full(x.shape, self.mode == "up")
+        other = np.nextafter(nearest, np.where(up, np.inf, -np.inf).astype(np.float32)).astype(float)
+        nearest = nearest.astype(float)
+        keep = (nearest == x) | ((nearest > x) == up) | (abs(x) < TINY)
+        return np.where(keep, nearest, other)
+
+    def mad(self, a, b, c):
+        """a*b + c. The product of two floats is exact in a double."""
+        product = np.asarray(a * b, float)
+        fused = self.rng.random(product.shape) < self.fuse
+        return self.round(np.where(fused, product, self.round(product)) + c)
+
+
+def shaders(seed):
+    return [Shader(mode, [seed, i], fuse) for i, mode in enumerate(MODES) for fuse in (0.0, 0.5)]
+
+
 class Floats:
-    """With a Shader of float_model.py, whose roots and quotients may be as far off as is assumed."""
+    """With a Shader, whose roots and quotients may be as far off as is assumed."""
 
     def __init__(self, shader, cells, words, f, jitter):
         self.s, self.dims = shader, len(f)

@@ -35,13 +35,15 @@ def mix(k):
     return k ^ (k >> 15)
 
 
-def lattice_word(cells, seed):
-    """The word of a lattice point (section 3, with LATTICE)."""
+def lattice_word(cells, seed, centre=False):
+    """The word of a lattice point (section 3, with LATTICE), or of the centre of its cell (section 13)."""
     spread = [u32(u32(c) * prime) for c, prime in zip(cells, (0x9E3779B1, 0x85EBCA77, 0xC2B2AE3D, 0x27D4EB2F))]
     spread[0] = u32(spread[0] + 0x165667B1)
     join = total = mix(seed)
     for word, shift in zip(spread, (18, 17, 19, 20)):
         join, total = join ^ word ^ (word >> shift), u32(total + word)
+    if centre:
+        join, total = join ^ 0x165667B1 ^ (0x165667B1 >> 21), u32(total + 0x165667B1)
     return u32(join * u32(2 * total + 1))
 
 
@@ -189,18 +191,6 @@ def fade_of_footprint(s, i):
     return 1.0 if s.footprint is None else np.clip(1.5 - s.footprint * max(s.lacunarity, 1) ** i, 0, 1)
 
 
-class Exact:
-    """What a step of a sum computes with."""
-
-    @staticmethod
-    def round(x):
-        return x
-
-    @staticmethod
-    def mad(a, b, c):
-        return a * b + c
-
-
 def octaves(kind, s, p):
     """An octave sum (bounds.sums.Sum)."""
     count, seed, total, before, weight = max(math.ceil(s.octaves), 0), 0, 0.0, 0.5, 1.0
@@ -211,7 +201,7 @@ def octaves(kind, s, p):
         n = perlin_at(kind, p, np.int64(seed))[0]
         if step.clamps:
             n = np.clip(n, -1, 1)
-        term, before = step.term(Exact, n, before, strength)
+        term, before = step.term(n, before, strength)
         used = weight if s.kind == "weighted" else power * fade_of_footprint(s, i)
         total = total + used * term
         weight = weight * s.gain * (1 - strength * (1 - n) / 2)

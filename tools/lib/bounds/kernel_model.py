@@ -1,5 +1,5 @@
 """Sums over lattice points, and gradients that turn, on arrays: exactly in doubles, and in integers. Written from
-docs/contract.md, sections 13 and 14, for bounds_kernel_test.py. kernel_shader.py has the floats.
+docs/contract.md, sections 13 and 14, for bounds_kernel_test.py. Floats are those of the library's text (rounded.py).
 
 A noise takes the fractions along its axes, and a function from a lattice point, as coordinates in half steps, to its
 words. A phase is a word in units of 2^-32 turns, or None."""
@@ -32,11 +32,14 @@ def points(kernel):
     return corners + [tuple(x + 0.5 for x in corner) for corner in corners]
 
 
-def words_of_hash(seed=0):
-    """Words that depend on the point as those of the library do."""
+def words_at(kernel, cells):
+    """From a point to its words, in cells at these coordinates."""
     def words(halves):
-        coordinates = [np.atleast_1d(np.asarray(x, np.int64)) for x in halves]
-        return exact.mix(exact.lattice_word(coordinates, np.int64(seed)))
+        if not kernel.triangles:
+            return exact.lattice_word([c + h // 2 for c, h in zip(cells, halves)], np.int64(0), centre=halves[0] % 2 == 1)
+        row = halves[1] // 2
+        column = (halves[0] - row % 2) // 2
+        return exact.lattice_word([2 * cells[0] + column, 2 * cells[1] + row], np.int64(0))
     return words
 
 

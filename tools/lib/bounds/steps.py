@@ -1,7 +1,5 @@
-"""The steps by which sums add an octave (glsl/hashnoise/detail/octave.glsl): what each does to the noise, in floats and in
+"""The steps by which sums add an octave (glsl/hashnoise/detail/octave.glsl): what each does to the noise, exactly and in
 integers, and by how much the integers may be off.
-
-The tests compute a step with adverse roundings, and hold it against the errors that are proven of it.
 """
 
 from __future__ import annotations
@@ -19,8 +17,8 @@ class Step:
     """A step that adds the noise as it is. What a step leaves of the next octave is 1/2 before the first."""
     clamps = True  # a noise beyond [-1, 1] counts as the nearer end
 
-    def term(self, floats, n, before, strength):
-        """What an octave adds, and what it leaves of the next; `floats` rounds, and may fuse a product with a sum."""
+    def term(self, n, before, strength):
+        """What an octave adds, and what it leaves of the next."""
         return n, before
 
     def fixed_term(self, ints, v, before, strength):
@@ -41,7 +39,7 @@ class Size(Step):
     """Its absolute value, which is exact and brings no two values further apart."""
     clamps = False
 
-    def term(self, floats, n, before, strength):
+    def term(self, n, before, strength):
         return abs(n), before
 
     def fixed_term(self, ints, v, before, strength):
@@ -55,9 +53,8 @@ class BoundedSize(Size):
 class Ridge(Step):
     """d = 1 - |n|;  r = d*d*min(2*r, 1). In integers d is rounded down to 2^-18, and so is each product."""
 
-    def term(self, floats, n, before, strength):
-        d = floats.round(1 - abs(n))
-        r = floats.round(floats.round(d * d) * np.minimum(2 * before, 1))
+    def term(self, n, before, strength):
+        r = (1 - abs(n)) ** 2 * np.minimum(2 * before, 1)
         return r, r
 
     def fixed_term(self, ints, v, before, strength):
@@ -81,8 +78,8 @@ class Height(Step):
     """d = (1 + n)/2;  t = d*min(2*t, 1). Both factors are at most 1, so an error of t doubles. In integers d is rounded
     down to 2^-18, and so is the product, but the first one, which is exact."""
 
-    def term(self, floats, n, before, strength):
-        t = floats.round(floats.mad(0.5, n, 0.5) * np.minimum(2 * before, 1))
+    def term(self, n, before, strength):
+        t = (1 + n) / 2 * np.minimum(2 * before, 1)
         return t, t
 
     def fixed_term(self, ints, v, before, strength):
@@ -102,11 +99,10 @@ class Wave(Step):
 
     In integers t is rounded down to 2^-30, the term to 2^-21."""
 
-    def term(self, floats, n, before, strength):
-        """floor takes the product as it is rounded."""
-        more = floats.round(n + 1)
-        t = floats.mad(more, strength, -2 * np.floor(floats.round(more * strength) / 2))
-        return floats.mad(2.0, np.minimum(t, floats.round(2 - t)), -1.0), before
+    def term(self, n, before, strength):
+        t = (n + 1) * strength
+        t = t - 2 * np.floor(t / 2)
+        return 2 * np.minimum(t, 2 - t) - 1, before
 
     def fixed_term(self, ints, v, before, strength):
         return ints.ping_pong(v, strength), before

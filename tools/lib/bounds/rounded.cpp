@@ -1,0 +1,174 @@
+// The text of the library over floats that round as badly as GLSL lets them, for the tests of tools/bounds. The file
+// rounded.inc, which rounded.py writes, has a FUNCTION(body) for each function: those of the suite's table.
+//
+// It reads questions, until there are no more, and answers each:
+//
+//   int32 function, int32 mode (0 to nearest, 1 down, 2 up, 3 either at random), int32 lost bits, uint32 seed,
+//   double fuse (how often a*b + c is rounded once), int32 count, and count times 16 words
+//   count times 4 words
+#include <hashnoise/glsl.hpp>
+
+#include "../../../glsl/hashnoise/config.glsl"
+
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+namespace hashnoise {
+namespace rounded {
+
+struct Rounding {
+  int mode = 0;
+  int lost_bits = 0;
+  double fuse = 0.0;
+  std::uint64_t state = 0;
+
+  double random() {  // in [0, 1)
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return static_cast<double>(state >> 40) * 0x1p-24;
+  }
+
+  // One of the two floats around x; x itself, if it is a float, or too small to be told from 0.
+  double round(double x) {
+    if (lost_bits > 0 && std::isfinite(x)) {
+      int exponent = 0;
+      const double mantissa = std::frexp(x, &exponent);
+      const double kept = std::ldexp(1.0, 24 - lost_bits);
+      return std::ldexp(std::nearbyint(mantissa * kept) / kept, exponent);
+    }
+    const float nearest = static_cast<float>(x);
+    if (mode == 0 || static_cast<double>(nearest) == x || std::fabs(x) < 0x1p-126) return static_cast<double>(nearest);
+    const bool up = mode == 3 ? random() < 0.5 : mode == 2;
+    if ((static_cast<double>(nearest) > x) == up) return static_cast<double>(nearest);
+    return static_cast<double>(std::nextafter(nearest, up ? HUGE_VALF : -HUGE_VALF));
+  }
+};
+inline Rounding rounding;
+
+// A float, and where it is a product the exact one, which a sum may take in its place.
+struct Rounded {
+  double value = 0.0;
+  double exact = 0.0;
+
+  Rounded() = default;
+  Rounded(float x) : value(static_cast<double>(x)), exact(value) {}
+  template <typename Integer>
+  requires std::is_integral_v<Integer>
+  explicit Rounded(Integer n) : value(rounding.round(static_cast<double>(n))), exact(value) {}
+  static Rounded of(double x) {
+    Rounded rounded;
+    rounded.value = rounded.exact = rounding.round(x);
+    return rounded;
+  }
+
+  explicit operator int() const { return detail::convert<int>(static_cast<float>(value)); }
+  explicit operator uint() const { return detail::convert<uint>(static_cast<float>(value)); }
+
+  bool fuses() const { return exact != value && rounding.random() < rounding.fuse; }
+  friend Rounded sum(Rounded a, Rounded b, double sign) {
+    if (a.fuses()) return of(a.exact + sign * b.value);
+    if (b.fuses()) return of(a.value + sign * b.exact);
+    return of(a.value + sign * b.value);
+  }
+  friend Rounded operator+(Rounded a, Rounded b) { return sum(a, b, 1.0); }
+  friend Rounded operator-(Rounded a, Rounded b) { return sum(a, b, -1.0); }
+  friend Rounded operator*(Rounded a, Rounded b) {
+    Rounded product = of(a.value * b.value);
+    product.exact = a.value * b.value;
+    return product;
+  }
+  friend Rounded operator/(Rounded a, Rounded b) { return of(a.value / b.value); }
+  friend Rounded operator-(Rounded a) {
+    a.value = -a.value;
+    a.exact = -a.exact;
+    return a;
+  }
+  friend Rounded& operator+=(Rounded& a, Rounded b) { return a = a + b; }
+  friend Rounded& operator-=(Rounded& a, Rounded b) { return a = a - b; }
+  friend Rounded& operator*=(Rounded& a, Rounded b) { return a = a * b; }
+  friend bool operator<(Rounded a, Rounded b) { return a.value < b.value; }
+  friend bool operator>(Rounded a, Rounded b) { return a.value > b.value; }
+  friend bool operator<=(Rounded a, Rounded b) { return a.value <= b.value; }
+  friend bool operator>=(Rounded a, Rounded b) { return a.value >= b.value; }
+  friend bool operator==(Rounded a, Rounded b) { return a.value == b.value; }
+};
+
+using hashnoise::abs;
+using hashnoise::floor;
+using hashnoise::max;
+using hashnoise::min;
+inline Rounded exactly(double x) {
+  Rounded rounded;
+  rounded.value = rounded.exact = x;
+  return rounded;
+}
+inline Rounded floor(Rounded x) { return exactly(std::floor(x.value)); }
+inline Rounded trunc(Rounded x) { return exactly(std::trunc(x.value)); }
+inline Rounded abs(Rounded x) { return exactly(std::fabs(x.value)); }
+inline Rounded sqrt(Rounded x) { return Rounded::of(std::sqrt(x.value)); }
+inline Rounded min(Rounded x, Rounded y) { return y < x ? y : x; }
+inline Rounded max(Rounded x, Rounded y) { return x < y ? y : x; }
+inline Vector2<Rounded> floor(Vector2<Rounded> v) { return {floor(v.x), floor(v.y)}; }
+inline Vector3<Rounded> floor(Vector3<Rounded> v) { return {floor(v.x), floor(v.y), floor(v.z)}; }
+inline Vector4<Rounded> floor(Vector4<Rounded> v) { return {floor(v.x), floor(v.y), floor(v.z), floor(v.w)}; }
+inline Rounded uintBitsToFloat(uint bits) { return std::bit_cast<float>(bits); }
+inline uint floatBitsToUint(Rounded x) { return std::bit_cast<uint>(static_cast<float>(x.value)); }
+inline Vector3<Rounded> uintBitsToFloat(uvec3 v) {
+  return {uintBitsToFloat(v.x), uintBitsToFloat(v.y), uintBitsToFloat(v.z)};
+}
+inline uvec3 floatBitsToUint(Vector3<Rounded> v) {
+  return {floatBitsToUint(v.x), floatBitsToUint(v.y), floatBitsToUint(v.z)};
+}
+
+using vec2 = Vector2<Rounded>;
+using vec3 = Vector3<Rounded>;
+using vec4 = Vector4<Rounded>;
+using hn_float = Rounded;
+using hn_vec2 = vec2;
+using hn_vec3 = vec3;
+using hn_vec4 = vec4;
+
+// The constructor of a scalar is a keyword of C++.
+#define float Rounded
+#include "../../../glsl/hashnoise/hashnoise.glsl"
+
+Rounded float_of(uint bits) { return uintBitsToFloat(bits); }
+uint bits_of(Rounded x) { return floatBitsToUint(x); }
+#define SEEDED(s) , s
+#define SEED(s) s
+#define FUNCTION(...)                                                                                        \
+  [](uvec4 a, [[maybe_unused]] uvec4 b, [[maybe_unused]] uvec4 c, [[maybe_unused]] uvec4 d) -> uvec4 { \
+    __VA_ARGS__                                                                                              \
+  },
+using Body = uvec4 (*)(uvec4, uvec4, uvec4, uvec4);
+const Body kBodies[] = {
+#include "rounded.inc"
+};
+
+}  // namespace rounded
+}  // namespace hashnoise
+#undef float
+
+int main() {
+  using namespace hashnoise;
+  struct Question {
+    std::int32_t function, mode, lost_bits;
+    std::uint32_t seed;
+    double fuse;
+  } question;
+  std::int32_t count = 0;
+  while (std::fread(&question, sizeof question, 1, stdin) == 1 && std::fread(&count, sizeof count, 1, stdin) == 1) {
+    std::vector<std::uint32_t> in(static_cast<std::size_t>(count) * 16);
+    std::vector<std::uint32_t> out;
+    if (std::fread(in.data(), sizeof in[0], in.size(), stdin) != in.size()) return 1;
+    rounded::rounding = {question.mode, question.lost_bits, question.fuse, question.seed};
+    for (const std::uint32_t* x = in.data(); x != in.data() + in.size(); x += 16) {
+      const uvec4 found = rounded::kBodies[question.function]({x[0], x[1], x[2], x[3]}, {x[4], x[5], x[6], x[7]},
+                                                              {x[8], x[9], x[10], x[11]}, {x[12], x[13], x[14], x[15]});
+      out.insert(out.end(), {found.x, found.y, found.z, found.w});
+    }
+    std::fwrite(out.data(), sizeof out[0], out.size(), stdout);
+    std::fflush(stdout);
+  }
+  return 0;
+}

@@ -1,0 +1,98 @@
+"""The text of the library in 32-bit floats, with any rounding, for the tests of the bounds: a function is asked for by its
+row in the suite's table, and by the columns of that."""
+
+from __future__ import annotations
+
+import atexit
+import functools
+import struct
+import subprocess
+import tempfile
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from tables.functions import read_functions
+from twin import compile_program
+
+SOURCE = Path(__file__).with_suffix(".cpp")
+MODES = ("nearest", "down", "up", "random")
+
+
+@dataclass(frozen=True)
+class Rounding:
+    """"random" chooses for each operation; a*b + c is rounded once in so many of all cases."""
+    mode: str
+    seed: int = 0
+    fuse: float = 0.0
+    lost_bits: int = 0
+
+
+def roundings(seed: int) -> list[Rounding]:
+    return [Rounding(mode, 16 * seed + i, fuse) for i, mode in enumerate(MODES) for fuse in (0.0, 0.5)]
+
+
+@dataclass(frozen=True)
+class Body:
+    """What a row of the table says of a function."""
+    inputs: str
+    outputs: str
+    code: str
+
+
+class Text:
+    """Some functions of the library, by their rows or with bodies of their own, compiled with these macros."""
+
+    def __init__(self, wanted: Iterable[str], *macros: str, **others: Body):
+        self.bodies = {id: table()[id] for id in wanted} | others
+        self.folder = tempfile.TemporaryDirectory()
+        bodies = "".join(f"FUNCTION({body.code})\n" for body in self.bodies.values())
+        Path(self.folder.name, "rounded.inc").write_text(bodies)
+        program = Path(self.folder.name, "rounded")
+        # As the suite's twin: the functions need not be inlined, which takes long.
+        compile_program("the text over floats that round", SOURCE, program, "-O1", "-w", f"-I{self.folder.name}",
+                        macros=("always_inline=unused", *macros))
+        self.process = subprocess.Popen([program], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+        atexit.register(self.end)
+
+    def end(self) -> None:
+        self.process.communicate()
+        self.folder.cleanup()
+
+    def __call__(self, id: str, rounding: Rounding, **columns: np.ndarray | float) -> list[np.ndarray]:
+        """What comes out of a function: the floats of each output, at each point."""
+        function = self.bodies[id]
+        words = packed(id, function.inputs, columns)
+        head = struct.pack("iiiIdi", list(self.bodies).index(id), MODES.index(rounding.mode), rounding.lost_bits, rounding.seed,
+                           rounding.fuse, len(words))
+        self.process.stdin.write(head + words.tobytes())
+        self.process.stdin.flush()
+        out = np.frombuffer(self.process.stdout.read(16 * len(words)), np.float32).reshape(-1, 4).astype(float)
+        return list(out.T[:len(function.outputs.split())])
+
+
+@functools.cache
+def table() -> dict[str, Body]:
+    return {function.id: Body(function.inputs, function.outputs, function.row.arguments[6])
+            for function in read_functions()}
+
+
+def along_axes(prefix: str, columns: Iterable[np.ndarray]) -> dict[str, np.ndarray]:
+    """Those of a position ("") or a cell ("c") and so on, by their names."""
+    return {f"{prefix}{axis}": column for axis, column in zip("xyzw", columns)}
+
+
+def packed(id: str, inputs: str, columns: dict[str, np.ndarray | float]) -> np.ndarray:
+    """The 16 words of each point."""
+    count = max(np.size(column) for column in columns.values())
+    words = np.zeros((count, 16), np.uint32)
+    names = [column.split(":") for column in inputs.split()]
+    if {name for name, _ in names} != columns.keys():
+        raise ValueError(f"{id} takes {inputs}, and not {', '.join(columns)}")
+    for number, (name, type_) in enumerate(names):
+        column = np.broadcast_to(columns[name], count)
+        words[:, number] = (column.astype(np.float32).view(np.uint32) if type_ == "f32"
+                            else (column.astype(np.int64) & 0xFFFFFFFF).astype(np.uint32))
+    return words
