@@ -302,10 +302,11 @@ test("a picture at rest is sharp", async () => {
   }
 });
 
-// It measures how long the page is kept waiting, and so it runs alone, as the test playground.strips.
+// These measure how long the page is kept waiting, and what a noise costs. So they run alone, as the test
+// playground.times.
 const kBesideOthers = process.env.HN_BESIDE_OTHERS === "1";
 
-test("a slow picture becomes sharp in strips that leave the page its time", { skip: kBesideOthers }, async () => {
+test("a slow picture becomes sharp in strips that leave the page time", { skip: kBesideOthers }, async () => {
   for (const renderer of ["webgl2", "webgpu"]) {
     const link = `#sum=none&map=grey&cells=40&renderer=${renderer}`;
     const page = await opened(browser, { link, viewport: kPane, before: decoding });
@@ -780,7 +781,7 @@ test("a lost context comes back", async () => {
   await page.close();
 });
 
-test("the cost is a ratio to Perlin noise", async () => {
+test("the times of noise are ratios to Perlin noise", { skip: kBesideOthers }, async () => {
   const page = await opened(browser, { link: "#sum=none" });
   const measure = async () => {
     await page.evaluate(() => window.hashnoise.measure());
