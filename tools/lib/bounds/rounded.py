@@ -63,14 +63,18 @@ class Text:
 
     def __call__(self, id: str, rounding: Rounding, **columns: np.ndarray | float) -> list[np.ndarray]:
         """What comes out of a function: the floats of each output, at each point."""
+        return [words.view(np.float32).astype(float) for words in self.words(id, rounding, **columns)]
+
+    def words(self, id: str, rounding: Rounding, **columns: np.ndarray | float) -> list[np.ndarray]:
+        """The same as words."""
         function = self.bodies[id]
         words = packed(id, function.inputs, columns)
         head = struct.pack("iiiIdi", list(self.bodies).index(id), MODES.index(rounding.mode), rounding.lost_bits, rounding.seed,
                            rounding.fuse, len(words))
         self.process.stdin.write(head + words.tobytes())
         self.process.stdin.flush()
-        out = np.frombuffer(self.process.stdout.read(16 * len(words)), np.float32).reshape(-1, 4).astype(float)
-        return list(out.T[:len(function.outputs.split())])
+        out = np.frombuffer(self.process.stdout.read(16 * len(words)), np.uint32).reshape(-1, 4)
+        return [np.ascontiguousarray(column) for column in out.T[:len(function.outputs.split())]]
 
 
 @functools.cache
