@@ -27,10 +27,15 @@ export class Speed {
     }
   }
 
-  // A picture told more: the settings matter, too, as more octaves take longer.
+  // A picture told more: the settings matter, too, as more octaves take longer. One of few pixels tells little of them,
+  // if it takes about as long as any picture: the last strip of one may be a single row.
   learn(pixels, milliseconds) {
     this.wait = Math.min(this.wait, milliseconds);
-    this.pixel = 0.5 * this.pixel + (0.5 * (milliseconds - this.wait)) / pixels;
+    const told = milliseconds - this.wait;
+    const most = Math.max(told, this.pixel * pixels);
+    if (most <= 0) return;
+    const weight = (0.5 * most) / (most + this.wait);
+    this.pixel += weight * (told / pixels - this.pixel);
   }
 
   // How many pixels take so long, without the wait.

@@ -214,6 +214,10 @@ test("what one waits for any picture is no cost of a pixel", async () => {
     speed.learn(pixels, 25 + pixels * 1e-5);
   }
   assert.ok(speed.pixel < 4e-5, `${speed.pixel}`);
+  // The single row that a picture ends with may take no longer than any: the next strip is about as large as before.
+  const steady = new Speed(4, 0.02);
+  steady.learn(180, 4);
+  assert.ok(steady.pixelsIn(40) * 0.02 < 60, `${steady.pixel}`);
 });
 
 // A GPU that takes as long as it is told for each of the texts.
