@@ -15,8 +15,8 @@ class CellularChecks : public FaultyLibrary {
 // The block of cells is too small by a row, or has the wrong ones.
 TEST_F(CellularChecks, ABlockThatIsTooSmallIsCaughtByTheSearch) {
   constexpr Replaced kFaults[] = {
-      {"noise2d.cellular.lattice.fast.fragment.gl330.search", "detail/feature_points2d.glsl", "block, block.following.y, s)",
-       "block, block.cell.y, s)"},
+      {"noise2d.cellular.lattice.fast.fragment.gl330.search", "detail/feature_points2d.glsl",
+       "block, block.following.y, s)", "block, block.cell.y, s)"},
       {"noise2d.cellular_cell_nearest.lattice.fixed.fragment.gl330.search", "detail/feature_points2d.glsl",
        "block, block.previous.y, s)", "block, block.cell.y, s)"},
       {"noise3d.cellular_offset.lattice.precise.fragment.gl400.search", "detail/feature_points3d.glsl",
@@ -35,14 +35,14 @@ TEST_F(CellularChecks, ABlockThatIsTooSmallIsCaughtByTheSearch) {
 
 TEST_F(CellularChecks, AnotherMetricAndAnotherJitterAreCaughtByTheSearch) {
   constexpr Replaced kFaults[] = {
-      {"noise2d.cellular_full.lattice.fast.fragment.gl330.search", "detail/feature_points2d.glsl", "return hn_i_sum(a, b);",
-       "return max(a, b);"},
+      {"noise2d.cellular_full.lattice.fast.fragment.gl330.search", "detail/feature_points2d.glsl",
+       "return hn_i_sum(a, b);", "return max(a, b);"},
       {"noise3d.cellular_three_cell_full.lattice.fixed.fragment.gl330.search", "detail/feature_points3d.glsl",
        "metric == HN_METRIC_CHEBYSHEV) return", "metric == HN_METRIC_CHEBYSHEV || metric == 6) return"},
-      {"noise3d.cellular_smooth_full.lattice.fast.fragment.gl330.search", "detail/feature_points.glsl", "max(jitter, 0.0f), 1.0f)",
-       "max(jitter, 0.0f), 1.5f)"},
-      {"noise2d.cellular_d_full.lattice.fixed.fragment.gl330.search", "detail/feature_points.glsl", "min(max(jitter, 0.0f), 1.0f)",
-       "min(max(jitter, 0.01f), 1.0f)"}};
+      {"noise3d.cellular_smooth_full.lattice.fast.fragment.gl330.search", "detail/feature_points.glsl",
+       "max(jitter, 0.0f), 1.0f)", "max(jitter, 0.0f), 1.5f)"},
+      {"noise2d.cellular_d_full.lattice.fixed.fragment.gl330.search", "detail/feature_points.glsl",
+       "min(max(jitter, 0.0f), 1.0f)", "min(max(jitter, 0.01f), 1.0f)"}};
   expect_all_caught(kFaults);
 }
 

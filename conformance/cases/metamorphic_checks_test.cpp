@@ -143,22 +143,23 @@ TEST_F(Periods, AFunctionThatDoesNotRepeatIsCaught) {
                           "return int(uint(period) * uint(lacunarity));",
                           "return int(uint(period) * uint(lacunarity)) + int(period > 0);"});
   // A tile that turns.
-  expect_replaced_caught({"warp.warp_progressive2_cell_period.lattice.fixed.fragment.gl330.period",
-                          "octaves2d.glsl", "hn_i_shifted(x, HN_I_SHIFT_X)",
+  expect_replaced_caught({"warp.warp_progressive2_cell_period.lattice.fixed.fragment.gl330.period", "octaves2d.glsl",
+                          "hn_i_shifted(x, HN_I_SHIFT_X)",
                           "hn_i_shifted(hn_i_rotated_axis(x, y, HN_I_COS_XY, -HN_I_SIN_XY), HN_I_SHIFT_X)"});
 }
 
 // From a cell, in every arithmetic and with a period: the fraction, and a step that only one of the two goes.
 TEST_F(Periods, ASumFromACellThatIsNotThatAtThePositionIsCaught) {
-  constexpr Replaced kFaults[] = {{"fbm.fbm2_cell.lattice.fast.fragment.gl330.from_cell", "octaves2d.glsl",
-                                   "o.x = hn_i_whole(place.cell.x, place.fraction.x, ",
-                                   "o.x = hn_i_whole(place.cell.x, 0.999f * place.fraction.x, "},
-                                  {"fbm.ridged3_cell.lattice.fixed.fragment.gl330.from_cell", "place.glsl",
-                                   "hn_i_place(cell, hn_i_to_num(f),", "hn_i_place(cell, hn_i_to_num(f) ^ 256,"},
-                                  {"warp.warp_progressive2_cell.lattice.fast.fragment.gl330.from_cell", "detail/jacobian.glsl",
-                                   "hn_i_minus(n, cells)", "hn_i_minus(0.5f * n, 0.5f * cells)"},
-                                  {"fbm.fbm2_cell_period.lattice.precise.fragment.gl400.from_cell", "place.glsl",
-                                   "hn_i_place(cell, hn_i_to_num(f),", "hn_i_place(cell, 0.999f * hn_i_to_num(f),"}};
+  constexpr Replaced kFaults[] = {
+      {"fbm.fbm2_cell.lattice.fast.fragment.gl330.from_cell", "octaves2d.glsl",
+       "o.x = hn_i_whole(place.cell.x, place.fraction.x, ",
+       "o.x = hn_i_whole(place.cell.x, 0.999f * place.fraction.x, "},
+      {"fbm.ridged3_cell.lattice.fixed.fragment.gl330.from_cell", "place.glsl", "hn_i_place(cell, hn_i_to_num(f),",
+       "hn_i_place(cell, hn_i_to_num(f) ^ 256,"},
+      {"warp.warp_progressive2_cell.lattice.fast.fragment.gl330.from_cell", "detail/jacobian.glsl",
+       "hn_i_minus(n, cells)", "hn_i_minus(0.5f * n, 0.5f * cells)"},
+      {"fbm.fbm2_cell_period.lattice.precise.fragment.gl400.from_cell", "place.glsl",
+       "hn_i_place(cell, hn_i_to_num(f),", "hn_i_place(cell, 0.999f * hn_i_to_num(f),"}};
   for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
 }
 
@@ -174,10 +175,10 @@ TEST_F(Periods, AWholeDetailThatIsNoNumberOfOctavesIsCaught) {
 
 TEST_F(Periods, ASmallFootprintThatFadesOctavesIsCaught) {
   constexpr Replaced kFaults[] = {
-      {"fbm.fbm2_footprint.lattice.fast.fragment.gl330.small_footprint", "detail/octave.glsl", "hn_i_minus(1.5f, footprint)",
-       "hn_i_minus(1.4f, footprint)"},
-      {"fbm.fbm3_footprint.lattice.fixed.fragment.gl330.small_footprint", "detail/octave.glsl", "393216 - (footprint >> 6)",
-       "393216 - 16 - (footprint >> 6)"},
+      {"fbm.fbm2_footprint.lattice.fast.fragment.gl330.small_footprint", "detail/octave.glsl",
+       "hn_i_minus(1.5f, footprint)", "hn_i_minus(1.4f, footprint)"},
+      {"fbm.fbm3_footprint.lattice.fixed.fragment.gl330.small_footprint", "detail/octave.glsl",
+       "393216 - (footprint >> 6)", "393216 - 16 - (footprint >> 6)"},
       {"fbm.fbm3_footprint.lattice.precise.fragment.gl400.small_footprint", "detail/octave.glsl",
        "hn_i_times(footprint, max(lacunarity, 1.0f))", "hn_i_times(footprint, 2.0f * max(lacunarity, 1.0f))"}};
   for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
@@ -248,7 +249,8 @@ TEST_F(Derivatives, FaultsOfSumsAreCaught) {
       {"fbm_d.fbm_d2.lattice.fast.fragment.es300.derivative", "fbm_d2d.glsl",
        "hn_i_octave_slope(n.y), hn_i_octave_slope(n.z)", "hn_i_octave_slope(n.z), hn_i_octave_slope(n.y)"},
       {"fbm_d.fbm_d3_cell.lattice.fast.fragment.gl330.derivative", "detail/jacobian.glsl",
-       "next.z = hn_i_rotated_by(z, y, HN_I_COS_YZ, HN_I_SIN_YZ);", "next.z = hn_i_rotated_by(z, y, HN_I_COS_YZ, -HN_I_SIN_YZ);"},
+       "next.z = hn_i_rotated_by(z, y, HN_I_COS_YZ, HN_I_SIN_YZ);",
+       "next.z = hn_i_rotated_by(z, y, HN_I_COS_YZ, -HN_I_SIN_YZ);"},
       {"fbm_d.fbm_d2_cell_period.lattice.precise.fragment.gl400.derivative", "detail/jacobian.glsl",
        "hn_num2 next = hn_i_wide_times(k, growth);", "hn_num2 next = k;"},
       {"fbm_d.fbm_d3_cell_period.lattice.fast.fragment.gl330.derivative", "detail/jacobian.glsl",
@@ -262,8 +264,8 @@ TEST_F(Derivatives, ASumWithoutStrengthThatIsNoFbmIsCaught) {
        "hn_i_times_plus(square, strength, 1.0f)", "hn_i_times_plus(square, strength + 0.001f, 1.0f)"},
       {"fbm_d.eroded3_cell.lattice.precise.fragment.gl400.zero_strength", "fbm_d3d.glsl", "hn_i_octave(n.x)",
        "hn_i_octave(n.y)"},
-      {"fbm_d.eroded2_cell_period.lattice.fixed.fragment.gl330.zero_strength", "detail/jacobian.glsl", "divisor = 65536u",
-       "divisor = 65537u"}};
+      {"fbm_d.eroded2_cell_period.lattice.fixed.fragment.gl330.zero_strength", "detail/jacobian.glsl",
+       "divisor = 65536u", "divisor = 65537u"}};
   for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
 }
 

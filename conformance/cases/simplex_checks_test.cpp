@@ -65,13 +65,14 @@ TEST_F(SimplexChecks, AFieldOfTheWrongSizeIsCaught) {
 
 TEST_F(SimplexChecks, APhaseThatDoesNotLoopIsCaught) {
   constexpr std::string_view kPart = "(phase - trunc(phase))";
-  constexpr Replaced kFaults[] = {{"noise2d.simplex_phase.lattice.fast.fragment.gl330.loop", "detail/direction_turning.glsl", kPart,
-                                   "(phase - 0.99999f * trunc(phase))"},
-                                  {"noise3d.simplex_d_phase_cell_period.lattice.fixed.fragment.gl330.loop", "detail/direction_turning.glsl",
-                                   kPart, "(phase - trunc(phase) + 0.0000001f * trunc(phase))"},
-                                  // A negative phase that turns the other way.
-                                  {"noise3d.perlin_phase_cell.lattice.precise.fragment.gl400.loop", "detail/direction_turning.glsl", kPart,
-                                   "abs(phase - trunc(phase))"}};
+  constexpr Replaced kFaults[] = {
+      {"noise2d.simplex_phase.lattice.fast.fragment.gl330.loop", "detail/direction_turning.glsl", kPart,
+       "(phase - 0.99999f * trunc(phase))"},
+      {"noise3d.simplex_d_phase_cell_period.lattice.fixed.fragment.gl330.loop", "detail/direction_turning.glsl", kPart,
+       "(phase - trunc(phase) + 0.0000001f * trunc(phase))"},
+      // A negative phase that turns the other way.
+      {"noise3d.perlin_phase_cell.lattice.precise.fragment.gl400.loop", "detail/direction_turning.glsl", kPart,
+       "abs(phase - trunc(phase))"}};
   expect_all_caught(kFaults);
 }
 
@@ -113,10 +114,13 @@ TEST_F(SimplexChecks, AFieldWithADivergenceIsCaught) {
 TEST_F(SimplexChecks, AKernelThatIsTooLargeJumps) {
   constexpr Replaced kFaults[] = {
       {"noise2d.simplex.lattice.fast.fragment.gl330.seams", "detail/triangular_lattice.glsl", "819, 1", "922, 1"},
-      {"noise2d.simplex_d_cell.lattice.fixed.fragment.gl330.seams", "detail/triangular_lattice.glsl", "819, 1", "870, 1"},
+      {"noise2d.simplex_d_cell.lattice.fixed.fragment.gl330.seams", "detail/triangular_lattice.glsl", "819, 1",
+       "870, 1"},
       {"noise3d.simplex.lattice.fast.fragment.gl330.seams", "detail/body_centred_lattice.glsl", "1024, 2", "1229, 2"},
-      {"noise3d.simplex_phase_cell.lattice.fixed.fragment.gl330.seams", "detail/body_centred_lattice.glsl", "1024, 2", "1229, 2"},
-      {"noise4d.simplex.lattice.precise.fragment.gl400.seams", "detail/body_centred_lattice.glsl", "1024, 2", "1229, 2"},
+      {"noise3d.simplex_phase_cell.lattice.fixed.fragment.gl330.seams", "detail/body_centred_lattice.glsl", "1024, 2",
+       "1229, 2"},
+      {"noise4d.simplex.lattice.precise.fragment.gl400.seams", "detail/body_centred_lattice.glsl", "1024, 2",
+       "1229, 2"},
       {"noise2d.simplex_smooth.lattice.fast.fragment.gl330.seams", "simplex_smooth2d.glsl", "1024, 1", "1229, 1"},
       {"noise3d.simplex_smooth.lattice.fast.fragment.gl330.seams", "simplex_smooth3d.glsl", "768, 1", "1024, 1"}};
   expect_all_caught(kFaults);

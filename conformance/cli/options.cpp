@@ -47,7 +47,8 @@ void add_out(CLI::App& command, std::string& out, const std::string& files) {
 }
 
 void add_glsl(CLI::App& command, std::string& directory) {
-  command.add_option("--glsl", directory, "Use this copy of glsl/hashnoise/ instead of the built-in one")->type_name("DIR");
+  command.add_option("--glsl", directory, "Use this copy of glsl/hashnoise/ instead of the built-in one")
+      ->type_name("DIR");
 }
 
 void add_golden(CLI::App& command, std::string& directory) {

@@ -15,7 +15,8 @@ struct FloatBounds {
   double limit;       // how large it can be, computed in floats
 };
 
-// What an octave adds: a step of detail/octave.glsl, or what a sum with derivatives or displacements makes of the noise.
+// What an octave adds: a step of detail/octave.glsl, or what a sum with derivatives or displacements makes of the
+// noise.
 enum class SumStep {
 #define SUM_STEP(name) name,
 #include "library/facts.inc"
@@ -53,8 +54,9 @@ bool has_jacobian(SumStep step);
 bool is_clamped(SumStep step);
 
 // The largest error of an octave sum over a noise, against the exact sums of docs/contract.md at the same floats; of a
-// sum of vectors, that of a component. `slope` are the bounds of the derivative of the noise: an erosion and a warp need
-// them. From a cell the sum is defined for a lacunarity in [0, 255]; the error is infinite where no error is bounded.
+// sum of vectors, that of a component. `slope` are the bounds of the derivative of the noise: an erosion and a warp
+// need them. From a cell the sum is defined for a lacunarity in [0, 255]; the error is infinite where no error is
+// bounded.
 double octave_tolerance(const SumRule& rule, const OctaveArguments& arguments, const FloatBounds& noise,
                         const FloatBounds& slope);
 // The same of a component of the derivative of an fBm.

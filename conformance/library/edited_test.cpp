@@ -45,9 +45,10 @@ TEST(EditedLibrary, NamesItsFolderAndTheFilesThatDiffer) {
   EXPECT_EQ(text_of({"hash.glsl"}), "the library in my/copy (hash.glsl differs from " + original + "; digest 0123)");
   EXPECT_EQ(text_of({"config.glsl", "hash.glsl"}),
             "the library in my/copy (config.glsl, hash.glsl differ from " + original + "; digest 0123)");
-  EXPECT_EQ(text_of({"config.glsl", "detail/arithmetic.glsl", "fbm.glsl", "gradient.glsl", "hash.glsl"}),
-            "the library in my/copy (config.glsl, detail/arithmetic.glsl, fbm.glsl and 2 more of its files differ from " +
-                original + "; digest 0123)");
+  EXPECT_EQ(
+      text_of({"config.glsl", "detail/arithmetic.glsl", "fbm.glsl", "gradient.glsl", "hash.glsl"}),
+      "the library in my/copy (config.glsl, detail/arithmetic.glsl, fbm.glsl and 2 more of its files differ from " +
+          original + "; digest 0123)");
 }
 
 TEST(EditedLibrary, HasAnotherDigestWithAnotherText) {

@@ -9,9 +9,9 @@
 
 namespace hn {
 
-// The range of a component, as the comment of the function in glsl/hashnoise/ has it, or nothing where that has no numbers: of
-// the derivatives of fbm_d, which depend on the gain and the lacunarity, and of distances in other metrics than the
-// Euclidean one.
+// The range of a component, as the comment of the function in glsl/hashnoise/ has it, or nothing where that has no
+// numbers: of the derivatives of fbm_d, which depend on the gain and the lacunarity, and of distances in other metrics
+// than the Euclidean one.
 std::optional<Interval> documented_range(const hashnoise::Settings& settings, int dimensions,
                                          std::string_view component);
 

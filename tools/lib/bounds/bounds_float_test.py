@@ -1,5 +1,5 @@
-"""Tests of what is proven of floats, of the noises, their derivatives, the sine and the sums: the text of the library over
-floats of any rounding mode stays within the bounds."""
+"""Tests of what is proven of floats, of the noises, their derivatives, the sine and the sums: the text of the library
+over floats of any rounding mode stays within the bounds."""
 
 import functools
 import math
@@ -203,7 +203,8 @@ class Octaves(unittest.TestCase):
     def spread(rng, dims, s):
         """Positions; from a cell, a fraction that is a float is added to an integer."""
         p = rng.uniform(-s.p_max, s.p_max, (dims, 200))
-        return list(np.floor(p) + (p - np.floor(p)).astype(np.float32) if s.from_cell else p.astype(np.float32).astype(float))
+        return list(np.floor(p) + (p - np.floor(p)).astype(np.float32) if s.from_cell
+                    else p.astype(np.float32).astype(float))
 
     @staticmethod
     def row_of(s, dims):

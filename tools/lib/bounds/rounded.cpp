@@ -136,9 +136,9 @@ Rounded float_of(uint bits) { return uintBitsToFloat(bits); }
 uint bits_of(Rounded x) { return floatBitsToUint(x); }
 #define SEEDED(s) , s
 #define SEED(s) s
-#define FUNCTION(...)                                                                                        \
+#define FUNCTION(...)                                                                                  \
   [](uvec4 a, [[maybe_unused]] uvec4 b, [[maybe_unused]] uvec4 c, [[maybe_unused]] uvec4 d) -> uvec4 { \
-    __VA_ARGS__                                                                                              \
+    __VA_ARGS__                                                                                        \
   },
 using Body = uvec4 (*)(uvec4, uvec4, uvec4, uvec4);
 const Body kBodies[] = {

@@ -1,5 +1,5 @@
-"""The text of the library in 32-bit floats, with any rounding, for the tests of the bounds: a function is asked for by its
-row in the suite's table, and by the columns of that."""
+"""The text of the library in 32-bit floats, with any rounding, for the tests of the bounds: a function is asked for by
+its row in the suite's table, and by the columns of that."""
 
 from __future__ import annotations
 
@@ -69,8 +69,8 @@ class Text:
         """The same as words."""
         function = self.bodies[id]
         words = packed(id, function.inputs, columns)
-        head = struct.pack("iiiIdi", list(self.bodies).index(id), MODES.index(rounding.mode), rounding.lost_bits, rounding.seed,
-                           rounding.fuse, len(words))
+        head = struct.pack("iiiIdi", list(self.bodies).index(id), MODES.index(rounding.mode), rounding.lost_bits,
+                           rounding.seed, rounding.fuse, len(words))
         self.process.stdin.write(head + words.tobytes())
         self.process.stdin.flush()
         out = np.frombuffer(self.process.stdout.read(16 * len(words)), np.uint32).reshape(-1, 4)
