@@ -56,6 +56,14 @@ class Table(unittest.TestCase):
     def test_the_row_of_a_test_that_is_gone_goes(self) -> None:
         self.assertNotIn(("test", "twins"), costs.updated(costs.read(WITHIN), {}, ("golden",)))
 
+    def test_on_another_machine_everything_but_the_network_is_faster(self) -> None:
+        table = costs.read(WITHIN) | {("packages", "each"): costs.Row(2.0)}
+        faster = costs.rebased(table, table["speed", "loop"].value / 2)
+        self.assertEqual(faster["test", "golden"], costs.Row(25, 24.5))
+        self.assertEqual(faster["budget", "tests"].value, table["budget", "tests"].value / 2)
+        self.assertEqual(faster["packages", "each"].value, 2)
+        self.assertEqual(faster["speed", "loop"].value, table["speed", "loop"].value / 2)
+
     def test_a_table_of_another_form_is_refused(self) -> None:
         with self.assertRaisesRegex(ValueError, "the first line of the table must be kind,name,value,before"):
             costs.read("name,seconds\n")
@@ -114,6 +122,18 @@ class Recording(unittest.TestCase):
         self.assertGreaterEqual(table["test", Path(sys.executable).name].value, 0.4)
         self.assertNotIn(("test", "golden"), table)
 
+    def test_a_part_of_a_program_of_gtest_is_no_measure_of_it(self) -> None:
+        tests = [burning(f"unit.A.{number}", 0) for number in range(2)]
+        for test in tests:
+            test["command"][0:1] = ["env", "--gtest_filter=A.*"]
+        self.path.write_text(WITHIN + "test,env,30,\n")
+        text = io.StringIO()
+        with (mock.patch.object(command, "listed", lambda _, *options: tests[:1] if options else tests),
+              mock.patch.object(command, "cost_of", lambda *_: (0, 5.0)), contextlib.redirect_stdout(text)):
+            self.assertEqual(command.record(self.build, self.path, ["-R", "."]), 0)
+        self.assertEqual(costs.read_file(self.path)["test", "env"].value, 30)
+        self.assertIn("Only some tests of env were measured", text.getvalue())
+
     def test_a_test_that_fails_keeps_its_row(self) -> None:
         status, table, text = self.record(burning("golden", 0, status=1), burning("twins", 0))
         self.assertEqual(status, 1)
@@ -129,7 +149,7 @@ class Recording(unittest.TestCase):
         self.assertLess(table["test", "new"].value, 1)
 
     def test_what_other_commands_measured_is_kept(self) -> None:
-        (self.build / "measured.csv").write_text("packages,each,0.5,\nbuild,conform,300,0.2\nsteps,conform,140,\n")
+        (self.build / "measured.csv").write_text("build,conform,7\npackages,each,0.5,\nbuild,conform,300,0.2\nsteps,conform,140,\n")
         table = self.record(burning("golden", 0))[1]
         self.assertEqual([table[key].value for key in (("packages", "each"), ("build", "conform"), ("steps", "conform"))],
                          [0.5, 150, 140])

@@ -201,8 +201,9 @@ class Code(unittest.TestCase):
 
     def test_single_files_around_a_noise_of_ones_own(self):
         code, = (code for code in blocks("glsl", ["docs/sums.md"]) if "dots" in code)
-        code = re.sub(r"^#extension.*\n", "", code, flags=re.MULTILINE).replace('"fbm2d.glsl"', '"hashnoise.glsl"')
-        code = re.sub(r'^#include "(.*)"$', lambda name: single_file("--strip", name[1]), code, flags=re.MULTILINE)
+        code = re.sub(r"^#extension.*\n", "", code, flags=re.MULTILINE)
+        code = code.replace('"hashnoise/fbm2d.glsl"', '"hashnoise/hashnoise.glsl"')
+        code = re.sub(r'^#include "hashnoise/(.*)"$', lambda name: single_file("--strip", name[1]), code, flags=re.MULTILINE)
         code = re.sub(r"layout\(location = 0\) ", "", code).replace("#version 450", "#version 330")
         self.assertEqual(compile_glsl(code).returncode, 0)
 
