@@ -31,7 +31,6 @@ RUNS = {"conform": ("conformance/hn-conform", "run"), "bench": ("conformance/hn-
         "paper": ("conformance/hn-conform", "paper")}
 OWN_TEST = "costs.table"
 STEADY = 4.0  # seconds for which what was asked of the machine's speed holds
-SKIPPED = 77
 
 
 def listed(build: Path, *options: str) -> list[dict]:

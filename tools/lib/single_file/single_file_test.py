@@ -12,7 +12,7 @@ import unittest
 from single_file.files import INCLUDE, Part, in_order, minified, parts
 from single_file.godot import expanded
 from thorough import THOROUGH
-from tree import GLSL, TOOLS
+from tree import TOOLS, glsl_files
 
 TOOL = TOOLS / "single-file"
 FILES = ("hash.glsl", "noise2d.glsl", "noise3d.glsl", "fbm2d.glsl", "fbm3d.glsl", "fbm.glsl", "hashnoise.glsl")
@@ -215,11 +215,11 @@ class SingleFile(unittest.TestCase):
 
     def test_includes_stand_above_the_code(self):
         """Else the parts would come in another order than the preprocessor takes them."""
-        for path in GLSL.glob("*.glsl"):
+        for name, path in glsl_files().items():
             lines = path.read_text(encoding="ascii").splitlines()
             last = max((number for number, line in enumerate(lines) if INCLUDE.match(line)), default=0)
             above = [line for line in lines[:last] if line and not line.startswith("//") and not INCLUDE.match(line)]
-            with self.subTest(path=path.name):
+            with self.subTest(path=name):
                 self.assertTrue(all(re.fullmatch(r"#(ifndef|define) HN_\w+_GLSL", line) for line in above), above)
 
     def test_it_writes_a_file(self):
