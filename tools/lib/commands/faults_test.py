@@ -34,7 +34,7 @@ results = [dict(id=id, status=status, mismatches=mismatches, message="why") for 
 sys.exit(status)
 '''
 
-PASS = (0, [("hash.word.x", "pass", 0), ("bugs.a.x", "warning", 1)])
+PASS = (0, [("hash.word.x", "pass", 0), ("hash.vec2.x", "pass", 0), ("bugs.a.x", "warning", 1)])
 RED = (1, [("hash.word.x", "fail", 3), ("hash.vec2.x", "fail", 1), ("bugs.a.x", "warning", 1), ("bugs.b.x", "warning", 2)])
 NOT_COMPILED = (1, [("hash.word.x", "fail", 0), ("hash.vec2.x", "fail", 1)])
 UNNOTICED = (1, [("hash.word.x", "pass", 0)])
@@ -67,6 +67,18 @@ class Faults(unittest.TestCase):
         self.assertEqual(self.call("--check", "--sample", "1"), 1, "a fault without a row")
         self.table.write_text(text)
         self.assertEqual(self.call("--check", "--sample", "2"), 0)
+
+    def test_a_sample_compares_the_functions_that_it_runs(self):
+        self.assertEqual(self.call(), 0)
+        few = [case for case in PASS[1] if "vec2" not in case[0]]
+        some = [case for case in RED[1] if "vec2" not in case[0]]
+        self.assertEqual(self.call("--check", "--sample", "2", healthy=(0, few), one=(1, some), two=(1, some)), 0)
+        self.assertEqual(self.call("--check", healthy=(0, few), one=(1, some), two=(1, some)), 1, "all are compared")
+        silent = [case for case in some if case[1] != "warning"]
+        self.assertEqual(self.call("--check", "--sample", "2", healthy=(0, few), one=(1, silent), two=(1, some)), 0,
+                         "a warning of a bug that the sample does not run")
+        both = [("bugs.b.x", "pass", 0), *few]
+        self.assertEqual(self.call("--check", "--sample", "2", healthy=(0, both), one=(1, silent), two=(1, some)), 1)
 
     def test_a_sample_compares_what_is_told_of_the_others(self):
         self.assertEqual(self.call(), 0)
