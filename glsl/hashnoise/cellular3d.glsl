@@ -1,5 +1,7 @@
 // hashnoise: cellular noise in space.
 // SPDX-License-Identifier: MIT
+//
+// Made from cellular2d.glsl by tools/umbrella. tools/lib/dimensions/numbers.py has its numbers.
 
 #ifndef HN_CELLULAR3D_GLSL
 #define HN_CELLULAR3D_GLSL
@@ -19,8 +21,8 @@ HN_FN hn_vec2 hn_i_cellular(hn_place3 place, hn_num jitter, hn_int metric, hn_ui
   return hn_i_two_distances(best, metric);
 }
 
-// Cellular noise in space: the distances to the nearest and the second nearest of points that are strewn one in each
-// cell (Worley's F1 and F2). They are those of the whole infinite field.
+// Cellular noise in space: the distances to the nearest and the second nearest of points that are strewn one in
+// each cell (Worley's F1 and F2). They are those of the whole infinite field.
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
 //   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields

@@ -69,8 +69,8 @@ HN_FN hn_float hn_i_weighted(hn_octaves4 o, hn_float strength) {
 //   error       at a position it grows with |p| * lacunarity^octaves, since a float rounds the positions; at a place it
 //               does not (docs/accuracy.md)
 //   period      none that floats reach. In a tile octave i repeats after period * lacunarity^i of its cells, so the sum
-//               repeats after the period, and no sooner. Octaves are not rotated there, since they would not fit: a tile
-//               shows the axes more than other sums do
+//               repeats after the period, and no sooner. Octaves are not rotated there, since they would not fit: a
+//               tile shows the axes more than other sums do
 //   cost        1 noise per octave
 //   HN_FIXED    takes a gain above 1 as 1, a lacunarity outside [0, 255] as 0 or 255, and more than 32 octaves as 32.
 //               The error does not grow with |p|

@@ -14,7 +14,7 @@
 struct hn_slopes2 {
   hn_num x;
   hn_num y;
-  hn_num2 jacobian;
+  hn_i_jacobian2 jacobian;
   hn_num growth;  // of the Jacobian, from octave to octave
 };
 
@@ -42,8 +42,7 @@ HN_FN hn_slopes2 hn_slopes(hn_octaves2 o) {
   return s;
 }
 HN_FN void hn_add(HN_I_INOUT(hn_octaves2) o, HN_I_INOUT(hn_slopes2) s, hn_vec3 n) {
-  hn_num2 g =
-      hn_i_transposed_times(s.jacobian, hn_i_num(hn_i_octave_slope(n.y), hn_i_octave_slope(n.z)));
+  hn_num2 g = hn_i_transposed_times(s.jacobian, hn_i_num(hn_i_octave_slope(n.y), hn_i_octave_slope(n.z)));
   o.sum = hn_i_with_noise(o.sum, n.x);
   s.x = hn_i_wide_plus(s.x, g.x);
   s.y = hn_i_wide_plus(s.y, g.y);

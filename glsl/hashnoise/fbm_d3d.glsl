@@ -1,5 +1,7 @@
 // hashnoise: octave sums over a noise with derivatives, in space.
 // SPDX-License-Identifier: MIT
+//
+// Made from fbm_d2d.glsl by tools/umbrella. tools/lib/dimensions/numbers.py has its numbers.
 
 #ifndef HN_FBM_D3D_GLSL
 #define HN_FBM_D3D_GLSL
@@ -44,8 +46,8 @@ HN_FN hn_slopes3 hn_slopes(hn_octaves3 o) {
   return s;
 }
 HN_FN void hn_add(HN_I_INOUT(hn_octaves3) o, HN_I_INOUT(hn_slopes3) s, hn_vec4 n) {
-  hn_num3 g =
-      hn_i_transposed_times(s.jacobian, hn_i_num(hn_i_octave_slope(n.y), hn_i_octave_slope(n.z), hn_i_octave_slope(n.w)));
+  hn_num3 g = hn_i_transposed_times(s.jacobian,
+                                    hn_i_num(hn_i_octave_slope(n.y), hn_i_octave_slope(n.z), hn_i_octave_slope(n.w)));
   o.sum = hn_i_with_noise(o.sum, n.x);
   s.x = hn_i_wide_plus(s.x, g.x);
   s.y = hn_i_wide_plus(s.y, g.y);

@@ -17,8 +17,8 @@
 //   returns  [0, 1), a multiple of 2^-24, mean 1/2, uniform: hn_unorm(hn_lattice(cell, seed))
 //   error    none. With HN_FIXED a negative coordinate less than 2^-20 below a whole number counts to the cell above
 //   period   2^32 cells per axis, or that of the tile
-//   cost     1 hash (none with HN_HASH_LATTICE) and 3 multiplications; 1 more to spread each coordinate, and 2 more for a
-//            seed that is not constant
+//   cost     1 hash (none with HN_HASH_LATTICE) and 3 multiplications; 1 more to spread each coordinate, and 2 more for
+//            a seed that is not constant
 //   source   docs/contract.md, section 17
 HN_FN hn_float hn_random(hn_place3 place, hn_uint seed) {
   hn_ivec3 cell = place.cell;

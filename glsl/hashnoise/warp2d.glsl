@@ -14,7 +14,7 @@
 struct hn_shifts2 {
   hn_num x;
   hn_num y;
-  hn_num2 jacobian;
+  hn_i_jacobian2 jacobian;
   hn_num growth;  // of the Jacobian, from octave to octave
   hn_num amplitude;
   hn_num rate;  // by which an octave of progressive shifts moves the next
@@ -74,10 +74,15 @@ HN_FN hn_vec2 hn_mean(hn_octaves2 o, hn_shifts2 s) {
               hn_i_mean_displacement(o.sum, s.y, total, s.amplitude));
 }
 
+// By hand in each dimension.
+
 // The noises of an octave, each with a seed of its own.
 HN_FN hn_vec2 hn_i_values(hn_octaves2 o) {
   return vec2(hn_value(o.place, o.seed), hn_value(o.place, hn_i_other_seed(o.seed)));
 }
+
+// The same in every dimension: tools/umbrella makes it of warp2d.glsl.
+
 HN_FN hn_vec2 hn_i_warp(hn_octaves2 o, hn_float amplitude) {
   hn_shifts2 s = hn_shifts(o, amplitude);
   do hn_add(o, s, hn_i_values(o)); while (hn_next(o));

@@ -1,5 +1,7 @@
 // hashnoise: shifts of positions in space, as sums of octaves.
 // SPDX-License-Identifier: MIT
+//
+// Made from warp2d.glsl by tools/umbrella. What is by hand says so. tools/lib/dimensions/numbers.py has its numbers.
 
 #ifndef HN_WARP3D_GLSL
 #define HN_WARP3D_GLSL
@@ -79,11 +81,16 @@ HN_FN hn_vec3 hn_mean(hn_octaves3 o, hn_shifts3 s) {
               hn_i_mean_displacement(o.sum, s.z, total, s.amplitude));
 }
 
+// By hand in each dimension.
+
 // The noises of an octave, each with a seed of its own.
 HN_FN hn_vec3 hn_i_values(hn_octaves3 o) {
   hn_uint second = hn_i_other_seed(o.seed);
   return vec3(hn_value(o.place, o.seed), hn_value(o.place, second), hn_value(o.place, hn_i_other_seed(second)));
 }
+
+// The same in every dimension: tools/umbrella makes it of warp2d.glsl.
+
 HN_FN hn_vec3 hn_i_warp(hn_octaves3 o, hn_float amplitude) {
   hn_shifts3 s = hn_shifts(o, amplitude);
   do hn_add(o, s, hn_i_values(o)); while (hn_next(o));

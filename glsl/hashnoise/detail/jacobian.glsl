@@ -158,6 +158,7 @@ HN_FN hn_num3 hn_i_next_slope(hn_num3 e, bool tiled) {
   return next;
 }
 
+#define hn_i_jacobian2 hn_num2
 struct hn_i_jacobian3 {
   hn_num3 x;
   hn_num3 y;
