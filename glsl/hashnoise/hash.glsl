@@ -191,6 +191,7 @@ HN_FN hn_uint hn_i_word(hn_uvec2 c, hn_uint join, hn_uint sum) {
   hn_uvec2 j = hn_i_fold(c);
   return hn_i_word(j.x ^ j.y ^ join, hn_i_odd(c.x + c.y + sum));
 }
+// The same in 3 and 4 dimensions: tools/umbrella makes it.
 HN_FN hn_uint hn_i_word(hn_uvec3 c, hn_uint join, hn_uint sum) {
   hn_uvec3 j = hn_i_fold(c);
   return hn_i_word(j.x ^ j.y ^ j.z ^ join, hn_i_odd(c.x + c.y + c.z + sum));
@@ -209,6 +210,7 @@ HN_FN hn_uint hn_i_point(hn_uvec2 cell, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
   return hn_i_word(hn_i_spread(cell), s, s);
 }
+// The same in 3 and 4 dimensions: tools/umbrella makes it.
 HN_FN hn_uint hn_i_point(hn_uvec3 cell, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
   return hn_i_word(hn_i_spread(cell), s, s);
@@ -226,13 +228,15 @@ HN_FN hn_uint hn_i_point(hn_uvec4 cell, hn_uint seed) {
 //   period   2^32 along each axis
 //   cost     1 hash (none with HN_HASH_LATTICE); 1 multiplication per axis and 3 more; 2 more for a seed that is not
 //            constant
-HN_FN hn_uint hn_lattice(hn_int cell, hn_uint seed) { return hn_i_mix(hn_i_point(uint(cell), seed)); }
 HN_FN hn_uint hn_lattice(hn_ivec2 cell, hn_uint seed) { return hn_i_mix(hn_i_point(uvec2(cell), seed)); }
+// The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
+HN_FN hn_uint hn_lattice(hn_int cell, hn_uint seed) { return hn_i_mix(hn_i_point(uint(cell), seed)); }
 HN_FN hn_uint hn_lattice(hn_ivec3 cell, hn_uint seed) { return hn_i_mix(hn_i_point(uvec3(cell), seed)); }
 HN_FN hn_uint hn_lattice(hn_ivec4 cell, hn_uint seed) { return hn_i_mix(hn_i_point(uvec4(cell), seed)); }
 
-HN_FN hn_uint hn_lattice(hn_int cell) { return hn_lattice(cell, 0u); }
 HN_FN hn_uint hn_lattice(hn_ivec2 cell) { return hn_lattice(cell, 0u); }
+// The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
+HN_FN hn_uint hn_lattice(hn_int cell) { return hn_lattice(cell, 0u); }
 HN_FN hn_uint hn_lattice(hn_ivec3 cell) { return hn_lattice(cell, 0u); }
 HN_FN hn_uint hn_lattice(hn_ivec4 cell) { return hn_lattice(cell, 0u); }
 

@@ -23,20 +23,21 @@
 //   rest      what is beyond those numbers, in units of 2^-24 of a cell. Only octave sums with HN_FIXED need it
 //   period    cells along each axis
 //   tiled     whether it has a period. Octaves are not rotated then, as they would not fit the tile
-struct hn_place1 {
-  HN_I_MADE(hn_place1)
-  hn_int cell;
-  hn_num fraction;
-  hn_int rest;
-  hn_int period;
-  bool tiled;
-};
 struct hn_place2 {
   HN_I_MADE(hn_place2)
   hn_ivec2 cell;
   hn_num2 fraction;
   hn_ivec2 rest;
   hn_ivec2 period;
+  bool tiled;
+};
+// The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
+struct hn_place1 {
+  HN_I_MADE(hn_place1)
+  hn_int cell;
+  hn_num fraction;
+  hn_int rest;
+  hn_int period;
   bool tiled;
 };
 struct hn_place3 {
@@ -69,21 +70,22 @@ HN_FN hn_int hn_i_rest_of_position(hn_float p) { return int((p - trunc(p)) * 167
 #endif
 
 // A place from its parts.
-HN_FN hn_place1 hn_i_place(hn_int cell, hn_num fraction, hn_int rest) {
-  HN_I_NEW(hn_place1, place);
-  place.cell = cell;
-  place.fraction = fraction;
-  place.rest = rest;
-  place.period = 0;
-  place.tiled = false;
-  return place;
-}
 HN_FN hn_place2 hn_i_place(hn_ivec2 cell, hn_num2 fraction, hn_ivec2 rest) {
   HN_I_NEW(hn_place2, place);
   place.cell = cell;
   place.fraction = fraction;
   place.rest = rest;
   place.period = ivec2(0, 0);
+  place.tiled = false;
+  return place;
+}
+// The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
+HN_FN hn_place1 hn_i_place(hn_int cell, hn_num fraction, hn_int rest) {
+  HN_I_NEW(hn_place1, place);
+  place.cell = cell;
+  place.fraction = fraction;
+  place.rest = rest;
+  place.period = 0;
   place.tiled = false;
   return place;
 }
@@ -115,12 +117,13 @@ HN_FN hn_place4 hn_i_place(hn_ivec4 cell, hn_num4 fraction, hn_ivec4 rest) {
 //   error    none: this loses nothing that the noise does not
 //   cost     none that the noise does not have
 //   source   docs/contract.md, section 6
-HN_FN hn_place1 hn_place(hn_int cell, hn_float f) {
-  return hn_i_place(cell, hn_i_to_num(f), HN_I_REST(hn_i_rest_of_fraction(f)));
-}
 HN_FN hn_place2 hn_place(hn_ivec2 cell, hn_vec2 f) {
   return hn_i_place(cell, hn_i_to_num(f),
                     ivec2(HN_I_REST(hn_i_rest_of_fraction(f.x)), HN_I_REST(hn_i_rest_of_fraction(f.y))));
+}
+// The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
+HN_FN hn_place1 hn_place(hn_int cell, hn_float f) {
+  return hn_i_place(cell, hn_i_to_num(f), HN_I_REST(hn_i_rest_of_fraction(f)));
 }
 HN_FN hn_place3 hn_place(hn_ivec3 cell, hn_vec3 f) {
   return hn_i_place(cell, hn_i_to_num(f),
@@ -139,8 +142,9 @@ HN_FN hn_place4 hn_place(hn_ivec4 cell, hn_vec4 f) {
 //   error    none
 //   cost     none
 //   source   as above
-HN_FN hn_place1 hn_place(hn_int cell) { return hn_i_place(cell, hn_i_to_num(0.0f), 0); }
 HN_FN hn_place2 hn_place(hn_ivec2 cell) { return hn_i_place(cell, hn_i_to_num(vec2(0.0f, 0.0f)), ivec2(0, 0)); }
+// The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
+HN_FN hn_place1 hn_place(hn_int cell) { return hn_i_place(cell, hn_i_to_num(0.0f), 0); }
 HN_FN hn_place3 hn_place(hn_ivec3 cell) {
   return hn_i_place(cell, hn_i_to_num(vec3(0.0f, 0.0f, 0.0f)), ivec3(0, 0, 0));
 }
@@ -154,12 +158,13 @@ HN_FN hn_place4 hn_place(hn_ivec4 cell) {
 //   error    floats round the fraction of a small negative position
 //   cost     as above
 //   source   as above
-HN_FN hn_place1 hn_place(hn_float p) {
-  return hn_i_place(hn_i_cell(p), hn_i_fraction(p), HN_I_REST(hn_i_rest_of_position(p)));
-}
 HN_FN hn_place2 hn_place(hn_vec2 p) {
   return hn_i_place(hn_i_cell(p), hn_i_fraction(p),
                     ivec2(HN_I_REST(hn_i_rest_of_position(p.x)), HN_I_REST(hn_i_rest_of_position(p.y))));
+}
+// The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
+HN_FN hn_place1 hn_place(hn_float p) {
+  return hn_i_place(hn_i_cell(p), hn_i_fraction(p), HN_I_REST(hn_i_rest_of_position(p)));
 }
 HN_FN hn_place3 hn_place(hn_vec3 p) {
   return hn_i_place(hn_i_cell(p), hn_i_fraction(p),
@@ -181,13 +186,6 @@ HN_FN hn_place4 hn_place(hn_vec4 p) {
 //   cost     for the noise a mask along each axis if the period is a constant power of two, else a division; a few
 //            comparisons along each axis, and for simplex and cellular noise up to two multiplications
 //   source   docs/contract.md, section 6
-HN_FN hn_place1 hn_tile(hn_place1 place, hn_int period) {
-  hn_place1 tile = place;
-  tile.period = period;
-  tile.tiled = true;
-  return tile;
-}
-HN_FN hn_place1 hn_tile(hn_float p, hn_int period) { return hn_tile(hn_place(p), period); }
 HN_FN hn_place2 hn_tile(hn_place2 place, hn_ivec2 period) {
   hn_place2 tile = place;
   tile.period = period;
@@ -195,6 +193,14 @@ HN_FN hn_place2 hn_tile(hn_place2 place, hn_ivec2 period) {
   return tile;
 }
 HN_FN hn_place2 hn_tile(hn_vec2 p, hn_ivec2 period) { return hn_tile(hn_place(p), period); }
+// The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
+HN_FN hn_place1 hn_tile(hn_place1 place, hn_int period) {
+  hn_place1 tile = place;
+  tile.period = period;
+  tile.tiled = true;
+  return tile;
+}
+HN_FN hn_place1 hn_tile(hn_float p, hn_int period) { return hn_tile(hn_place(p), period); }
 HN_FN hn_place3 hn_tile(hn_place3 place, hn_ivec3 period) {
   hn_place3 tile = place;
   tile.period = period;
@@ -226,10 +232,13 @@ HN_FN hn_float hn_i_position_of(hn_int cell, hn_float fraction, hn_int rest) {
 //   returns  its cell and its fraction in one float along each axis
 //   error    that of a float, far out
 //   source   as of hn_place
-HN_FN hn_float hn_position(hn_place1 place) { return hn_i_position_of(place.cell, place.fraction, place.rest); }
 HN_FN hn_vec2 hn_position(hn_place2 place) {
   return vec2(hn_i_position_of(place.cell.x, place.fraction.x, place.rest.x),
               hn_i_position_of(place.cell.y, place.fraction.y, place.rest.y));
+}
+// The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
+HN_FN hn_float hn_position(hn_place1 place) {
+  return hn_i_position_of(place.cell, place.fraction, place.rest);
 }
 HN_FN hn_vec3 hn_position(hn_place3 place) {
   return vec3(hn_i_position_of(place.cell.x, place.fraction.x, place.rest.x),

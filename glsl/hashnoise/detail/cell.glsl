@@ -32,6 +32,7 @@ HN_FN hn_uint hn_i_wrap(hn_int c, hn_int period) {
 HN_FN hn_uvec2 hn_i_wrap(hn_ivec2 c, hn_ivec2 period) {
   return uvec2(hn_i_wrap(c.x, period.x), hn_i_wrap(c.y, period.y));
 }
+// The same in 3 and 4 dimensions: tools/umbrella makes it.
 HN_FN hn_uvec3 hn_i_wrap(hn_ivec3 c, hn_ivec3 period) {
   return uvec3(hn_i_wrap(c.x, period.x), hn_i_wrap(c.y, period.y), hn_i_wrap(c.z, period.z));
 }
@@ -67,13 +68,14 @@ HN_FN hn_uvec4 hn_i_upper(hn_uvec4 lower, hn_uvec4 c, hn_ivec4 period) {
 
 // A box has the spread coordinates of the lower and of the upper corner of a cell. With a period the corners are
 // wrapped. All lattice noises are functions of a box and of the place in it.
-struct hn_i_box1 {
-  hn_uint lower;
-  hn_uint upper;
-};
 struct hn_i_box2 {
   hn_uvec2 lower;
   hn_uvec2 upper;
+};
+// The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
+struct hn_i_box1 {
+  hn_uint lower;
+  hn_uint upper;
 };
 struct hn_i_box3 {
   hn_uvec3 lower;
@@ -84,18 +86,6 @@ struct hn_i_box4 {
   hn_uvec4 upper;
 };
 
-HN_FN hn_i_box1 hn_i_box(hn_place1 place) {
-  HN_I_NEW(hn_i_box1, box);
-  if (place.tiled) {
-    hn_uint c = hn_i_wrap(place.cell, place.period);
-    box.lower = hn_i_spread(c);
-    box.upper = hn_i_upper(box.lower, c, place.period);
-  } else {
-    box.lower = hn_i_spread(uint(place.cell));
-    box.upper = hn_i_upper(box.lower);
-  }
-  return box;
-}
 HN_FN hn_i_box2 hn_i_box(hn_place2 place) {
   HN_I_NEW(hn_i_box2, box);
   if (place.tiled) {
@@ -104,6 +94,19 @@ HN_FN hn_i_box2 hn_i_box(hn_place2 place) {
     box.upper = hn_i_upper(box.lower, c, place.period);
   } else {
     box.lower = hn_i_spread(uvec2(place.cell));
+    box.upper = hn_i_upper(box.lower);
+  }
+  return box;
+}
+// The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
+HN_FN hn_i_box1 hn_i_box(hn_place1 place) {
+  HN_I_NEW(hn_i_box1, box);
+  if (place.tiled) {
+    hn_uint c = hn_i_wrap(place.cell, place.period);
+    box.lower = hn_i_spread(c);
+    box.upper = hn_i_upper(box.lower, c, place.period);
+  } else {
+    box.lower = hn_i_spread(uint(place.cell));
     box.upper = hn_i_upper(box.lower);
   }
   return box;
@@ -150,18 +153,21 @@ HN_FN hn_uint hn_i_following(hn_uint c, hn_int period) {
 HN_FN hn_uvec2 hn_i_previous(hn_uvec2 c, hn_ivec2 period) {
   return uvec2(hn_i_previous(c.x, period.x), hn_i_previous(c.y, period.y));
 }
-HN_FN hn_uvec2 hn_i_following(hn_uvec2 c, hn_ivec2 period) {
-  return uvec2(hn_i_following(c.x, period.x), hn_i_following(c.y, period.y));
-}
+// The same in 3 and 4 dimensions: tools/umbrella makes it.
 HN_FN hn_uvec3 hn_i_previous(hn_uvec3 c, hn_ivec3 period) {
   return uvec3(hn_i_previous(c.x, period.x), hn_i_previous(c.y, period.y), hn_i_previous(c.z, period.z));
-}
-HN_FN hn_uvec3 hn_i_following(hn_uvec3 c, hn_ivec3 period) {
-  return uvec3(hn_i_following(c.x, period.x), hn_i_following(c.y, period.y), hn_i_following(c.z, period.z));
 }
 HN_FN hn_uvec4 hn_i_previous(hn_uvec4 c, hn_ivec4 period) {
   return uvec4(hn_i_previous(c.x, period.x), hn_i_previous(c.y, period.y), hn_i_previous(c.z, period.z),
                hn_i_previous(c.w, period.w));
+}
+
+HN_FN hn_uvec2 hn_i_following(hn_uvec2 c, hn_ivec2 period) {
+  return uvec2(hn_i_following(c.x, period.x), hn_i_following(c.y, period.y));
+}
+// The same in 3 dimensions: tools/umbrella makes it.
+HN_FN hn_uvec3 hn_i_following(hn_uvec3 c, hn_ivec3 period) {
+  return uvec3(hn_i_following(c.x, period.x), hn_i_following(c.y, period.y), hn_i_following(c.z, period.z));
 }
 
 // A block has the spread coordinates of a cell, of the previous one along each axis, and of the following one: all that
@@ -171,6 +177,7 @@ struct hn_i_block2 {
   hn_uvec2 cell;
   hn_uvec2 following;
 };
+// The same in 3 and 4 dimensions: tools/umbrella makes it.
 struct hn_i_block3 {
   hn_uvec3 previous;
   hn_uvec3 cell;
@@ -196,6 +203,7 @@ HN_FN hn_i_block2 hn_i_block(hn_place2 place) {
   }
   return block;
 }
+// The same in 3 and 4 dimensions: tools/umbrella makes it.
 HN_FN hn_i_block3 hn_i_block(hn_place3 place) {
   HN_I_NEW(hn_i_block3, block);
   if (place.tiled) {

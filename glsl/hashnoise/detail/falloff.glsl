@@ -112,6 +112,7 @@ HN_FN hn_uint hn_i_square(hn_int x, hn_int y) {
   hn_uvec2 l = uvec2(v.x & 1023u, v.y & 1023u);
   return ((h.x * h.x + h.y * h.y) << 10u) + (h.x * l.x + h.y * l.y) * 2u + ((l.x * l.x + l.y * l.y) >> 10u);
 }
+// The same in 3 and 4 dimensions: tools/umbrella makes it.
 HN_FN hn_uint hn_i_square(hn_int x, hn_int y, hn_int z) {
   hn_uvec3 v = uvec3(ivec3(hn_i_size(x), hn_i_size(y), hn_i_size(z)));
   hn_uvec3 h = uvec3(v.x >> 10u, v.y >> 10u, v.z >> 10u);
@@ -120,14 +121,14 @@ HN_FN hn_uint hn_i_square(hn_int x, hn_int y, hn_int z) {
          ((l.x * l.x + l.y * l.y + l.z * l.z) >> 10u);
 }
 HN_FN hn_uint hn_i_square(hn_int x, hn_int y, hn_int z, hn_int w) {
-  hn_uvec4 v =
-      uvec4(ivec4(hn_i_size(x), hn_i_size(y), hn_i_size(z), hn_i_size(w)));
+  hn_uvec4 v = uvec4(ivec4(hn_i_size(x), hn_i_size(y), hn_i_size(z), hn_i_size(w)));
   hn_uvec4 h = uvec4(v.x >> 10u, v.y >> 10u, v.z >> 10u, v.w >> 10u);
   hn_uvec4 l = uvec4(v.x & 1023u, v.y & 1023u, v.z & 1023u, v.w & 1023u);
   return ((h.x * h.x + h.y * h.y + h.z * h.z + h.w * h.w) << 10u) +
          (h.x * l.x + h.y * l.y + h.z * l.z + h.w * l.w) * 2u +
          ((l.x * l.x + l.y * l.y + l.z * l.z + l.w * l.w) >> 10u);
 }
+
 HN_FN hn_uint hn_i_square_plus(hn_uint q, hn_int x) { return q + uint(x) * 1024u; }
 
 // The largest number below 1 has 16 bits, and so its square fits a word.
@@ -169,6 +170,7 @@ HN_FN hn_num3 hn_i_weighted_ramp_d(hn_num r, hn_num2 g, hn_num x, hn_num y, hn_n
   hn_num k = hn_i_weighted_ramp(r, fall);
   return hn_i_num(hn_i_weighted_ramp(r, w), hn_i_d_weighted_ramp(g.x, w, k, x), hn_i_d_weighted_ramp(g.y, w, k, y));
 }
+// The same in 3 dimensions: tools/umbrella makes it.
 HN_FN hn_num4 hn_i_weighted_ramp_d(hn_num r, hn_num3 g, hn_num x, hn_num y, hn_num z, hn_num w, hn_num fall) {
   hn_num k = hn_i_weighted_ramp(r, fall);
   return hn_i_num(hn_i_weighted_ramp(r, w), hn_i_d_weighted_ramp(g.x, w, k, x), hn_i_d_weighted_ramp(g.y, w, k, y),

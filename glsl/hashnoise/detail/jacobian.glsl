@@ -120,18 +120,19 @@ HN_FN hn_num2 hn_i_wide_times(hn_num2 a, hn_num b) {
 HN_FN hn_num2 hn_i_displacements(hn_num2 n, hn_num rate) {
   return hn_i_num(hn_i_displacement(n.x, rate), hn_i_displacement(n.y, rate));
 }
-HN_FN hn_num3 hn_i_displacements(hn_num3 n, hn_num rate) {
-  return hn_i_num(hn_i_displacement(n.x, rate), hn_i_displacement(n.y, rate), hn_i_displacement(n.z, rate));
-}
-HN_FN hn_num3 hn_i_wide_times(hn_num3 a, hn_num b) {
-  return hn_i_num(hn_i_wide_times(a.x, b), hn_i_wide_times(a.y, b), hn_i_wide_times(a.z, b));
-}
 HN_FN hn_num3 hn_i_wide_plus(hn_num3 a, hn_num3 b) {
   return hn_i_num(hn_i_wide_plus(a.x, b.x), hn_i_wide_plus(a.y, b.y), hn_i_wide_plus(a.z, b.z));
 }
 HN_FN hn_num3 hn_i_rotated_by(hn_num3 a, hn_num3 b, hn_int along, hn_int across) {
   return hn_i_num(hn_i_rotated_by(a.x, b.x, along, across), hn_i_rotated_by(a.y, b.y, along, across),
                   hn_i_rotated_by(a.z, b.z, along, across));
+}
+// The same in 3 dimensions: tools/umbrella makes it.
+HN_FN hn_num3 hn_i_wide_times(hn_num3 a, hn_num b) {
+  return hn_i_num(hn_i_wide_times(a.x, b), hn_i_wide_times(a.y, b), hn_i_wide_times(a.z, b));
+}
+HN_FN hn_num3 hn_i_displacements(hn_num3 n, hn_num rate) {
+  return hn_i_num(hn_i_displacement(n.x, rate), hn_i_displacement(n.y, rate), hn_i_displacement(n.z, rate));
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -147,11 +148,13 @@ HN_FN hn_num3 hn_i_rotated(hn_num3 v) {
                   hn_i_rotated_by(y, v.z, HN_I_COS_YZ, -HN_I_SIN_YZ),
                   hn_i_rotated_by(v.z, y, HN_I_COS_YZ, HN_I_SIN_YZ));
 }
+
 HN_FN hn_num2 hn_i_next_slope(hn_num2 e, bool tiled) {
   hn_num2 next = e;
   if (!tiled) next = hn_i_rotated(e);
   return next;
 }
+// The same in 3 dimensions: tools/umbrella makes it.
 HN_FN hn_num3 hn_i_next_slope(hn_num3 e, bool tiled) {
   hn_num3 next = e;
   if (!tiled) next = hn_i_rotated(e);

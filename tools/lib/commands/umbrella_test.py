@@ -108,6 +108,14 @@ class Umbrella(unittest.TestCase):
         path.write_text(path.read_text().replace("o.y = hn_i_whole(", "o.y = hn_i_hole("))  # by hand in each
         self.assertEqual(self.run_main("--check"), (0, []))
 
+    def test_what_a_file_has_of_other_dimensions_is_made_of_what_is_above(self):
+        path = self.glsl / "position.glsl"
+        text = path.read_text()
+        path.write_text(text.replace("hn_fraction(position.z, cells, units)", "hn_fraction(position.z, units, cells)"))
+        self.assertEqual(self.run_main("--check"), (1, ["position.glsl"]))
+        self.assertEqual(self.run_main(), (0, []))
+        self.assertEqual(path.read_text(), text)
+
     def test_a_new_dimension_has_a_file_and_an_old_one_none(self):
         for file in self.glsl.glob("*?d.glsl"):
             if "tools/umbrella makes it" in file.read_text() or "Made from" in file.read_text() or file.name in WHOLE:

@@ -149,6 +149,23 @@ HN_FN hn_float hn_four(hn_vec4 p, HN_I_OUT(hn_vec4) gradient) { return 0.0f; }
         self.assertIs(second.comment, first.comment)  # an overload without one of its own
         self.assertIsNone(third.comment)
 
+    def test_overloads_that_tools_umbrella_made_have_the_comment_of_the_plane(self) -> None:
+        (self.folder / "a.glsl").write_text("""
+//   seed     any
+HN_FN hn_float hn_one(hn_vec2 p) { return 0.0f; }
+// The same in 3 and 4 dimensions: tools/umbrella makes it.
+HN_FN hn_float hn_one(hn_vec3 p) { return 0.0f; }
+HN_FN hn_float hn_one(hn_vec4 p) { return 0.0f; }
+
+// The same.
+HN_FN hn_float hn_two(hn_vec4 p) { return 0.0f; }
+""")
+        plane, three, four, two = glsl.declarations(self.folder)
+        self.assertEqual(plane.comment, glsl.Comment(2, ("   seed     any",)))
+        self.assertIs(three.comment, plane.comment)
+        self.assertIs(four.comment, plane.comment)
+        self.assertEqual(two.comment, glsl.Comment(8, (" The same.",)))
+
     def test_tells_sums_of_octaves_from_their_steps(self) -> None:
         (self.folder / "a.glsl").write_text("""
 #include "octaves3d.glsl"
