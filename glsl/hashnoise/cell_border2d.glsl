@@ -41,6 +41,9 @@ HN_FN hn_float hn_i_cell_border(hn_i_block2 block, hn_uvec2 two, hn_num2 d, hn_n
   best = hn_i_border(best, words, two_x, y, jitter, HN_I_NO_CODE, 0, from, nearest);
   return hn_i_border_distance(best);
 }
+
+// The same in every dimension: tools/umbrella makes it of cell_border2d.glsl.
+
 HN_FN hn_float hn_i_cell_border(hn_place2 place, hn_num jitter, hn_uint seed) {
   hn_i_block2 block = hn_i_block(place);
   hn_num2 d = hn_i_from_centre(place.fraction);
@@ -56,6 +59,8 @@ HN_FN hn_float hn_i_cell_border(hn_place2 place, hn_num jitter, hn_uint seed, HN
   offset = hn_i_toward(hn_i_from_nearest(block, d, jitter, seed, best.w));
   return hn_i_cell_border(block, hn_i_two_steps(place, block, d), d, jitter, seed, best);
 }
+
+// By hand in each dimension.
 
 // How far it is to the border of a cell of cellular noise on the plane: to the nearest place that is as near to another
 // feature point as to the nearest one (not the difference of the distances to both). Cracks, tiles and veins are drawn
@@ -73,6 +78,9 @@ HN_FN hn_float hn_i_cell_border(hn_place2 place, hn_num jitter, hn_uint seed, HN
 HN_FN hn_float hn_cell_border(hn_place2 place, hn_uint seed) {
   return hn_i_cell_border(place, hn_i_jitter(1.0f), seed);
 }
+
+// The same in every dimension: tools/umbrella makes it of cell_border2d.glsl.
+
 HN_FN hn_float hn_cell_border(hn_vec2 p, hn_uint seed) { return hn_cell_border(hn_place(p), seed); }
 HN_FN hn_float hn_cell_border(hn_vec2 p) { return hn_cell_border(p, 0u); }
 

@@ -38,6 +38,9 @@ HN_FN hn_float hn_i_cell_border(hn_i_block3 block, hn_uvec3 two, hn_num3 d, hn_n
   }
   return hn_i_border_distance(best);
 }
+
+// The same in every dimension: tools/umbrella makes it of cell_border2d.glsl.
+
 HN_FN hn_float hn_i_cell_border(hn_place3 place, hn_num jitter, hn_uint seed) {
   hn_i_block3 block = hn_i_block(place);
   hn_num3 d = hn_i_from_centre(place.fraction);
@@ -53,6 +56,8 @@ HN_FN hn_float hn_i_cell_border(hn_place3 place, hn_num jitter, hn_uint seed, HN
   offset = hn_i_toward(hn_i_from_nearest(block, d, jitter, seed, best.w));
   return hn_i_cell_border(block, hn_i_two_steps(place, block, d), d, jitter, seed, best);
 }
+
+// By hand in each dimension.
 
 // How far it is to the border of a cell of cellular noise in space: to the nearest place that is as near to another
 // feature point as to the nearest one (not the difference of the distances to both). Cracks, tiles and veins are drawn
@@ -71,6 +76,9 @@ HN_FN hn_float hn_i_cell_border(hn_place3 place, hn_num jitter, hn_uint seed, HN
 HN_FN hn_float hn_cell_border(hn_place3 place, hn_uint seed) {
   return hn_i_cell_border(place, hn_i_jitter(1.0f), seed);
 }
+
+// The same in every dimension: tools/umbrella makes it of cell_border2d.glsl.
+
 HN_FN hn_float hn_cell_border(hn_vec3 p, hn_uint seed) { return hn_cell_border(hn_place(p), seed); }
 HN_FN hn_float hn_cell_border(hn_vec3 p) { return hn_cell_border(p, 0u); }
 

@@ -6,6 +6,8 @@
 
 #include "detail/octave.glsl"
 
+// The same beyond the line: tools/umbrella makes it of octaves2d.glsl.
+
 // The octaves of a sum, one after another, over any noise:
 //
 //   hn_octaves2 o = hn_octaves(p, 6, 2.0, 0.5, 7u);
@@ -55,6 +57,8 @@ HN_FN hn_octaves2 hn_i_octaves(hn_place2 place, hn_int octaves, hn_float lacunar
 #endif
   return o;
 }
+
+// By hand in each dimension.
 
 #if HN_ARITHMETIC != HN_FIXED
 // The next position.

@@ -6,6 +6,8 @@
 
 #include "detail/octave.glsl"
 
+// The same beyond the line: tools/umbrella makes it of octaves2d.glsl.
+
 // The octaves of a sum, one after another, over any noise:
 //
 //   hn_octaves4 o = hn_octaves(p, 6, 2.0, 0.5, 7u);
@@ -39,8 +41,8 @@ struct hn_octaves4 {
 // none: compilers could no longer see that there is none.
 HN_FN void hn_i_put(HN_I_INOUT(hn_octaves4) o) {
   o.place.cell = ivec4(o.x.x, o.y.x, o.z.x, o.w.x);
-  o.place.fraction = hn_i_num(hn_i_whole_fraction(o.x), hn_i_whole_fraction(o.y),
-                              hn_i_whole_fraction(o.z), hn_i_whole_fraction(o.w));
+  o.place.fraction = hn_i_num(hn_i_whole_fraction(o.x), hn_i_whole_fraction(o.y), hn_i_whole_fraction(o.z),
+                              hn_i_whole_fraction(o.w));
   o.place.rest = ivec4(HN_I_REST(o.x.y & 15), HN_I_REST(o.y.y & 15), HN_I_REST(o.z.y & 15), HN_I_REST(o.w.y & 15));
 }
 
@@ -60,6 +62,8 @@ HN_FN hn_octaves4 hn_i_octaves(hn_place4 place, hn_int octaves, hn_float lacunar
 #endif
   return o;
 }
+
+// By hand in each dimension.
 
 #if HN_ARITHMETIC != HN_FIXED
 // The next position.

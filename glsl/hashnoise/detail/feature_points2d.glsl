@@ -6,7 +6,42 @@
 
 #include "feature_points.glsl"
 
+// The same in every dimension: tools/umbrella makes it of feature_points2d.glsl.
+
 HN_FN hn_num2 hn_i_from_centre(hn_num2 f) { return hn_i_num(hn_i_from_centre(f.x), hn_i_from_centre(f.y)); }
+
+// Along each axis b where the place is on that side of the centre, else a.
+HN_FN hn_uvec2 hn_i_toward_place(hn_num2 d, hn_uvec2 a, hn_uvec2 b) {
+  return uvec2(hn_i_select(d.x > HN_I_NO_OFFSET, b.x, a.x), hn_i_select(d.y > HN_I_NO_OFFSET, b.y, a.y));
+}
+
+// The spread coordinates of a block along an axis.
+HN_FN hn_uvec3 hn_i_along_x(hn_i_block2 block) { return uvec3(block.previous.x, block.cell.x, block.following.x); }
+HN_FN hn_uvec3 hn_i_along_y(hn_i_block2 block) { return uvec3(block.previous.y, block.cell.y, block.following.y); }
+
+// The spread coordinates of the cell that is two steps on along all axes, on the side of the place.
+HN_FN hn_uvec2 hn_i_two_steps(hn_place2 place, hn_i_block2 block, hn_num2 d) {
+  hn_uvec2 two;
+  if (place.tiled) {
+    hn_uvec2 c = hn_i_wrap(place.cell, place.period);
+    two = hn_i_spread(hn_i_toward_place(d, hn_i_previous(hn_i_previous(c, place.period), place.period),
+                                 hn_i_following(hn_i_following(c, place.period), place.period)));
+  } else {
+    two = hn_i_toward_place(d, hn_i_previous(block.previous), hn_i_upper(block.following));
+  }
+  return two;
+}
+
+// The cell of the block with a code, modulo the period.
+HN_FN hn_ivec2 hn_i_cell_of(hn_place2 place, hn_rank code) {
+  hn_uvec2 c = hn_i_wrap(place.cell, place.period);
+  hn_uvec2 before = hn_i_previous(c, place.period);
+  hn_uvec2 after = hn_i_following(c, place.period);
+  return ivec2(int(hn_i_of_three(uvec3(before.x, c.x, after.x), hn_i_x_of(int(code)))),
+               int(hn_i_of_three(uvec3(before.y, c.y, after.y), hn_i_y_of(int(code)))));
+}
+
+// By hand in each dimension.
 
 // The directions of three words along each axis. In HN_FIXED they are in units of 2^-9.
 #if HN_ARITHMETIC != HN_FIXED
@@ -50,28 +85,6 @@ HN_FN hn_rank3 hn_i_ranks(hn_uvec3 words, hn_num3 x, hn_num3 y, hn_num jitter, h
   return hn_i_squares(words, x, y, jitter);
 }
 
-// Along each axis b where the place is on that side of the centre, else a.
-HN_FN hn_uvec2 hn_i_toward_place(hn_num2 d, hn_uvec2 a, hn_uvec2 b) {
-  return uvec2(hn_i_select(d.x > HN_I_NO_OFFSET, b.x, a.x), hn_i_select(d.y > HN_I_NO_OFFSET, b.y, a.y));
-}
-
-// The spread coordinates of the cell that is two steps on along both axes, on the side of the place.
-HN_FN hn_uvec2 hn_i_two_steps(hn_place2 place, hn_i_block2 block, hn_num2 d) {
-  hn_uvec2 two;
-  if (place.tiled) {
-    hn_uvec2 c = hn_i_wrap(place.cell, place.period);
-    two = hn_i_spread(hn_i_toward_place(d, hn_i_previous(hn_i_previous(c, place.period), place.period),
-                                 hn_i_following(hn_i_following(c, place.period), place.period)));
-  } else {
-    two = hn_i_toward_place(d, hn_i_previous(block.previous), hn_i_upper(block.following));
-  }
-  return two;
-}
-
-// The spread coordinates of a block along an axis.
-HN_FN hn_uvec3 hn_i_along_x(hn_i_block2 block) { return uvec3(block.previous.x, block.cell.x, block.following.x); }
-HN_FN hn_uvec3 hn_i_along_y(hn_i_block2 block) { return uvec3(block.previous.y, block.cell.y, block.following.y); }
-
 // The words of a row of the cells around a place, from their spread coordinates: along x at y, and along y at x. s is
 // the mixed seed.
 HN_FN hn_uvec3 hn_i_words_along_x(hn_i_block2 block, hn_uint y, hn_uint s) {
@@ -109,14 +122,7 @@ HN_FN hn_num2 hn_i_from_nearest(hn_i_block2 block, hn_num2 d, hn_num jitter, hn_
                   hn_i_from_y(words, hn_i_thrice(hn_i_offset_from_cell(d.y, y)), jitter).x);
 }
 
-// The cell with that code, modulo the period.
-HN_FN hn_ivec2 hn_i_cell_of(hn_place2 place, hn_rank code) {
-  hn_uvec2 c = hn_i_wrap(place.cell, place.period);
-  hn_uvec2 before = hn_i_previous(c, place.period);
-  hn_uvec2 after = hn_i_following(c, place.period);
-  return ivec2(int(hn_i_of_three(uvec3(before.x, c.x, after.x), hn_i_x_of(int(code)))),
-               int(hn_i_of_three(uvec3(before.y, c.y, after.y), hn_i_y_of(int(code)))));
-}
+// The vector from a place to a point, as floats, from the offset of the place from it.
 HN_FN hn_vec2 hn_i_toward(hn_num2 from) { return vec2(hn_i_toward(from.x), hn_i_toward(from.y)); }
 
 #endif

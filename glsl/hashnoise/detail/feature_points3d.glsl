@@ -6,9 +6,47 @@
 
 #include "feature_points.glsl"
 
+// The same in every dimension: tools/umbrella makes it of feature_points2d.glsl.
+
 HN_FN hn_num3 hn_i_from_centre(hn_num3 f) {
   return hn_i_num(hn_i_from_centre(f.x), hn_i_from_centre(f.y), hn_i_from_centre(f.z));
 }
+
+// Along each axis b where the place is on that side of the centre, else a.
+HN_FN hn_uvec3 hn_i_toward_place(hn_num3 d, hn_uvec3 a, hn_uvec3 b) {
+  return uvec3(hn_i_select(d.x > HN_I_NO_OFFSET, b.x, a.x), hn_i_select(d.y > HN_I_NO_OFFSET, b.y, a.y),
+               hn_i_select(d.z > HN_I_NO_OFFSET, b.z, a.z));
+}
+
+// The spread coordinates of a block along an axis.
+HN_FN hn_uvec3 hn_i_along_x(hn_i_block3 block) { return uvec3(block.previous.x, block.cell.x, block.following.x); }
+HN_FN hn_uvec3 hn_i_along_y(hn_i_block3 block) { return uvec3(block.previous.y, block.cell.y, block.following.y); }
+HN_FN hn_uvec3 hn_i_along_z(hn_i_block3 block) { return uvec3(block.previous.z, block.cell.z, block.following.z); }
+
+// The spread coordinates of the cell that is two steps on along all axes, on the side of the place.
+HN_FN hn_uvec3 hn_i_two_steps(hn_place3 place, hn_i_block3 block, hn_num3 d) {
+  hn_uvec3 two;
+  if (place.tiled) {
+    hn_uvec3 c = hn_i_wrap(place.cell, place.period);
+    two = hn_i_spread(hn_i_toward_place(d, hn_i_previous(hn_i_previous(c, place.period), place.period),
+                                 hn_i_following(hn_i_following(c, place.period), place.period)));
+  } else {
+    two = hn_i_toward_place(d, hn_i_previous(block.previous), hn_i_upper(block.following));
+  }
+  return two;
+}
+
+// The cell of the block with a code, modulo the period.
+HN_FN hn_ivec3 hn_i_cell_of(hn_place3 place, hn_rank code) {
+  hn_uvec3 c = hn_i_wrap(place.cell, place.period);
+  hn_uvec3 before = hn_i_previous(c, place.period);
+  hn_uvec3 after = hn_i_following(c, place.period);
+  return ivec3(int(hn_i_of_three(uvec3(before.x, c.x, after.x), hn_i_x_of(int(code)))),
+               int(hn_i_of_three(uvec3(before.y, c.y, after.y), hn_i_y_of(int(code)))),
+               int(hn_i_of_three(uvec3(before.z, c.z, after.z), hn_i_z_of(int(code)))));
+}
+
+// By hand in each dimension.
 
 // The directions of three words. Where they are floats, their components are u = x + y, v = x - y and z, as they come
 // (direction.glsl). So are those of the offsets from points. In HN_FIXED u and v stand for x and y, in units of 2^-9.
@@ -88,30 +126,6 @@ HN_FN hn_rank3 hn_i_ranks(hn_uvec3 words, hn_num3 x, hn_num3 y, hn_num3 z, hn_nu
   if (metric == HN_METRIC_CHEBYSHEV) return hn_i_chebyshevs(u, v, w);
   if (metric == HN_METRIC_HYBRID) return hn_i_hybrids(hn_i_squares(u, v, w), hn_i_manhattans(u, v, w));
   return hn_i_squares(u, v, w);
-}
-
-// Along each axis b where the place is on that side of the centre, else a.
-HN_FN hn_uvec3 hn_i_toward_place(hn_num3 d, hn_uvec3 a, hn_uvec3 b) {
-  return uvec3(hn_i_select(d.x > HN_I_NO_OFFSET, b.x, a.x), hn_i_select(d.y > HN_I_NO_OFFSET, b.y, a.y),
-               hn_i_select(d.z > HN_I_NO_OFFSET, b.z, a.z));
-}
-
-// The spread coordinates of a block along an axis.
-HN_FN hn_uvec3 hn_i_along_x(hn_i_block3 block) { return uvec3(block.previous.x, block.cell.x, block.following.x); }
-HN_FN hn_uvec3 hn_i_along_y(hn_i_block3 block) { return uvec3(block.previous.y, block.cell.y, block.following.y); }
-HN_FN hn_uvec3 hn_i_along_z(hn_i_block3 block) { return uvec3(block.previous.z, block.cell.z, block.following.z); }
-
-// The spread coordinates of the cell that is two steps on along all axes, on the side of the place.
-HN_FN hn_uvec3 hn_i_two_steps(hn_place3 place, hn_i_block3 block, hn_num3 d) {
-  hn_uvec3 two;
-  if (place.tiled) {
-    hn_uvec3 c = hn_i_wrap(place.cell, place.period);
-    two = hn_i_spread(hn_i_toward_place(d, hn_i_previous(hn_i_previous(c, place.period), place.period),
-                                 hn_i_following(hn_i_following(c, place.period), place.period)));
-  } else {
-    two = hn_i_toward_place(d, hn_i_previous(block.previous), hn_i_upper(block.following));
-  }
-  return two;
 }
 
 // What the cells around a place add along one axis to the joins of a word, and what one cell adds with the mixed seed.
@@ -231,15 +245,7 @@ HN_FN hn_num3 hn_i_from_nearest(hn_i_block3 block, hn_num3 d, hn_num jitter, hn_
                   hn_i_from_z(words, hn_i_thrice(hn_i_offset_from_cell(d.z, z)), jitter).x);
 }
 
-// The cell with that code, modulo the period.
-HN_FN hn_ivec3 hn_i_cell_of(hn_place3 place, hn_rank code) {
-  hn_uvec3 c = hn_i_wrap(place.cell, place.period);
-  hn_uvec3 before = hn_i_previous(c, place.period);
-  hn_uvec3 after = hn_i_following(c, place.period);
-  return ivec3(int(hn_i_of_three(uvec3(before.x, c.x, after.x), hn_i_x_of(int(code)))),
-               int(hn_i_of_three(uvec3(before.y, c.y, after.y), hn_i_y_of(int(code)))),
-               int(hn_i_of_three(uvec3(before.z, c.z, after.z), hn_i_z_of(int(code)))));
-}
+// The vector from a place to a point, as floats, from the offset of the place from it.
 HN_FN hn_vec3 hn_i_toward(hn_num3 from) {
   hn_num3 d = hn_i_from_octahedral(from);
   return vec3(hn_i_toward(d.x), hn_i_toward(d.y), hn_i_toward(d.z));

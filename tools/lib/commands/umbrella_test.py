@@ -105,8 +105,11 @@ class Umbrella(unittest.TestCase):
         path.write_text(path.read_text().replace("o.seed += HN_I_SEED_STEP;", "o.seed += 1u;"))
         self.assertEqual(self.run_main("--check"), (1, ["octaves1d.glsl", "octaves3d.glsl", "octaves4d.glsl"]))
         self.assertEqual(self.run_main(), (0, []))
-        path.write_text(path.read_text().replace("o.y = hn_i_whole(", "o.y = hn_i_hole("))  # by hand in each
+        path.write_text(path.read_text().replace("b * q.x + a * q.y", "a * q.y + b * q.x"))  # by hand in each
         self.assertEqual(self.run_main("--check"), (0, []))
+        path.write_text(path.read_text().replace("o.y = hn_i_whole(", "o.y = hn_i_hole("))
+        self.assertEqual(self.run_main("--check"), (1, ["octaves2d.glsl,"]))  # what would o.z be?
+        self.assertEqual(self.run_main(), (1, ["octaves2d.glsl,"]))
 
     def test_what_a_file_has_of_other_dimensions_is_made_of_what_is_above(self):
         path = self.glsl / "position.glsl"
