@@ -4,13 +4,14 @@
 
 #include <array>
 #include <cstdlib>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "base/file.hpp"
 #include "base/temporary_folder.hpp"
 #include "base/worker.hpp"
-#include "bench/radv.hpp"
+#include "bench/fragment_compiler.hpp"
 
 namespace hn {
 namespace {
@@ -18,6 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 using Shader = std::vector<std::uint32_t>;
 using Results = std::vector<Result<AmdStatistics>>;
+
+constexpr std::uint32_t kAmd = 0x1002;
 
 constexpr std::array<std::string_view, 2> kFamilies = {"navi21", "vega10"};
 constexpr std::size_t kLogEnd = 4000;
@@ -40,6 +43,29 @@ std::vector<std::string> child_environment(std::string_view family, const std::s
                        "NODEVICE_SELECT=1",  // Mesa's layer that sorts the GPUs, and asks a display server for it
                    });
   return variables;
+}
+
+Result<std::unique_ptr<FragmentCompiler>> open_radv() {
+  HN_TRY(auto compiler, FragmentCompiler::open());
+  if (compiler->vendor() != kAmd) return fail(fmt::format("{} is not an AMD GPU", compiler->device()));
+  return compiler;
+}
+
+Result<AmdStatistics> amd_statistics(const ShaderStatistics& statistics) {
+  AmdStatistics result;
+  const std::array<std::pair<std::string_view, std::int64_t*>, 5> wanted = {{
+      {"Instructions", &result.instructions},
+      {"Inverse Throughput", &result.inverse_throughput},
+      {"Latency", &result.latency},
+      {"VGPRs", &result.vgprs},
+      {"Code size", &result.code_size},
+  }};
+  for (const auto& [name, into] : wanted) {
+    const auto found = statistics.find(name);
+    if (found == statistics.end()) return fail(fmt::format("this RADV has no statistic \"{}\"", name));
+    *into = static_cast<std::int64_t>(found->second);
+  }
+  return result;
 }
 
 struct Reply {
@@ -104,7 +130,7 @@ Result<Results> amd_counts(std::string_view family, std::span<const Shader> shad
 }
 
 int amd_counts_child(const fs::path& job) {
-  const auto radv = Radv::open();
+  const auto radv = open_radv();
   if (!radv) {
     report({{kError, radv.error().text()}});
     return EXIT_FAILURE;
@@ -113,7 +139,8 @@ int amd_counts_child(const fs::path& job) {
   if (!text) return EXIT_FAILURE;
   report({{kReady, true}});
   for (const auto& shader : nlohmann::json::parse(*text).get<std::vector<Shader>>()) {
-    const auto statistics = (*radv)->compile(shader);
+    const auto statistics =
+        (*radv)->compile(shader).and_then([](const CompiledShader& made) { return amd_statistics(made.statistics); });
     report(statistics ? nlohmann::json{{kStatistics, *statistics}}
                       : nlohmann::json{{kError, statistics.error().text()}});
   }

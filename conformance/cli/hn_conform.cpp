@@ -12,6 +12,7 @@
 #include "base/process.hpp"
 #include "base/temporary_folder.hpp"
 #include "bench/amd.hpp"
+#include "bench/fragment_compiler.hpp"
 #include "cli/child.hpp"
 #include "cli/command.hpp"
 #include "cli/data_folder.hpp"
@@ -61,6 +62,9 @@ int run_program(int argc, char** argv) {
     // What we start ourselves; not for people.
     if (argc == 3 && argv[1] == std::string_view(hn::kChildCommand)) return hn::child_command(argv[2]);
     if (argc == 3 && argv[1] == std::string_view(hn::kAmdCommand)) return hn::amd_counts_child(argv[2]);
+    if (argc > 2 && argv[1] == std::string_view(hn::kStatisticsCommand)) {
+      return hn::shader_statistics_command({argv + 2, argv + argc});
+    }
     hn::Interruption interruption(say_farewell);
     signal(SIGXFSZ, SIG_IGN);  // a file that is longer than allowed is an error, like a full disk
     return hn::status_once_printed("hn-conform", dispatch(argc, argv, interruption));

@@ -1,22 +1,27 @@
-#include "bench/radv.hpp"
+#include "bench/fragment_compiler.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <nlohmann/json.hpp>
 #include <spirv-tools/libspirv.hpp>
 #include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "base/file.hpp"
+#include "base/json.hpp"
 #include "gpu/driver/library.hpp"
 #include "gpu/vulkan/objects.hpp"
 
 namespace hn {
 namespace {
 
-constexpr std::uint32_t kAmd = 0x1002;
 constexpr std::uint32_t kSamplers = 4;
 constexpr std::uint32_t kPushConstantBytes = 16;
 constexpr const char* kStatisticsExtension = VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME;
@@ -54,6 +59,26 @@ Result<std::vector<std::uint32_t>> vertex_shader() {
     return fail("the vertex shader cannot be assembled");
   }
   return words;
+}
+
+double processor_seconds() {
+  // Of all threads, since a driver may compile in others.
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
+}
+
+double number_of(const VkPipelineExecutableStatisticKHR& statistic) {
+  switch (statistic.format) {
+    case VK_PIPELINE_EXECUTABLE_STATISTIC_FORMAT_BOOL32_KHR:
+      return statistic.value.b32;
+    case VK_PIPELINE_EXECUTABLE_STATISTIC_FORMAT_INT64_KHR:
+      return static_cast<double>(statistic.value.i64);
+    case VK_PIPELINE_EXECUTABLE_STATISTIC_FORMAT_FLOAT64_KHR:
+      return statistic.value.f64;
+    default:
+      return static_cast<double>(statistic.value.u64);
+  }
 }
 
 // The arguments of the pipeline, which point to each other and so stay in one place.
@@ -124,11 +149,11 @@ struct PipelineState {
       of_type<VkGraphicsPipelineCreateInfo>(VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO);
 };
 
-class RadvDevice final : public Radv {
+class Device final : public FragmentCompiler {
  public:
-  explicit RadvDevice(Library library)
+  explicit Device(Library library)
       : find_(library.function<std::remove_pointer_t<PFN_vkGetInstanceProcAddr>>("vkGetInstanceProcAddr")) {}
-  ~RadvDevice() override {
+  ~Device() override {
     // The objects of the device go before it.
     vertex_ = {};
     pass_ = {};
@@ -150,15 +175,23 @@ class RadvDevice final : public Radv {
         .map([&](Owned<VkShaderModule> module) { vertex_ = std::move(module); });
   }
 
-  Result<AmdStatistics> compile(std::span<const std::uint32_t> fragment_shader) override {
+  std::uint32_t vendor() const override { return vendor_; }
+  const std::string& device() const override { return name_; }
+  const std::string& driver_version() const override { return version_; }
+
+  Result<CompiledShader> compile(std::span<const std::uint32_t> fragment_shader) override {
     HN_TRY(const auto fragment, create_module(fragment_shader));
     const PipelineState state(vertex_.get(), fragment.get(), layout_.get(), pass_.get());
     VkPipeline pipeline = VK_NULL_HANDLE;
+    const double before = processor_seconds();
     const VkResult made = call<PFN_vkCreateGraphicsPipelines>("vkCreateGraphicsPipelines")(
         device_, VK_NULL_HANDLE, 1, &state.info, nullptr, &pipeline);
+    const double seconds = processor_seconds() - before;
     const Owned<VkPipeline> owned(device_, pipeline, call<PFN_vkDestroyPipeline>("vkDestroyPipeline"));
     if (made != VK_SUCCESS) return refused("vkCreateGraphicsPipelines", made);
-    return fragment_executable(pipeline).and_then([&](std::uint32_t index) { return statistics(pipeline, index); });
+    HN_TRY(const auto index, fragment_executable(pipeline));
+    HN_TRY(auto found, statistics(pipeline, index));
+    return CompiledShader{std::move(found), seconds};
   }
 
  private:
@@ -194,10 +227,11 @@ class RadvDevice final : public Radv {
     std::uint32_t count = 1;
     const auto enumerate = call<PFN_vkEnumeratePhysicalDevices>("vkEnumeratePhysicalDevices");
     const VkResult found = enumerate(instance_, &count, &gpu_);
-    if ((found != VK_SUCCESS && found != VK_INCOMPLETE) || count == 0) return fail("RADV offers no GPU");
+    if ((found != VK_SUCCESS && found != VK_INCOMPLETE) || count == 0) return fail("the driver offers no GPU");
     VkPhysicalDeviceProperties properties{};
     call<PFN_vkGetPhysicalDeviceProperties>("vkGetPhysicalDeviceProperties")(gpu_, &properties);
-    if (properties.vendorID != kAmd) return fail(fmt::format("{} is not an AMD GPU", properties.deviceName));
+    vendor_ = properties.vendorID;
+    name_ = properties.deviceName;
 
     const auto list = call<PFN_vkEnumerateDeviceExtensionProperties>("vkEnumerateDeviceExtensionProperties");
     std::uint32_t extension_count = 0;
@@ -207,7 +241,13 @@ class RadvDevice final : public Radv {
     const bool has_statistics = std::any_of(extensions.begin(), extensions.end(), [](const auto& extension) {
       return std::string_view(extension.extensionName) == kStatisticsExtension;
     });
-    if (!has_statistics) return fail(fmt::format("{} has no {}", properties.deviceName, kStatisticsExtension));
+    if (!has_statistics) return fail(fmt::format("{} has no {}", name_, kStatisticsExtension));
+    // Of Vulkan 1.2, which the loader of Debian 12 hands through; older drivers leave it as it is.
+    auto driver = of_type<VkPhysicalDeviceDriverProperties>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES);
+    auto more = of_type<VkPhysicalDeviceProperties2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2);
+    more.pNext = &driver;
+    call<PFN_vkGetPhysicalDeviceProperties2>("vkGetPhysicalDeviceProperties2")(gpu_, &more);
+    version_ = driver.driverInfo;
     return {};
   }
 
@@ -303,7 +343,7 @@ class RadvDevice final : public Radv {
     return fail("the pipeline has no executable of the fragment stage");
   }
 
-  Result<AmdStatistics> statistics(VkPipeline pipeline, std::uint32_t executable) const {
+  Result<ShaderStatistics> statistics(VkPipeline pipeline, std::uint32_t executable) const {
     auto info = of_type<VkPipelineExecutableInfoKHR>(VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_INFO_KHR);
     info.pipeline = pipeline;
     info.executableIndex = executable;
@@ -314,27 +354,17 @@ class RadvDevice final : public Radv {
                        of_type<VkPipelineExecutableStatisticKHR>(VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_STATISTIC_KHR));
     list(device_, &info, &count, values.data());
 
-    AmdStatistics result;
-    const std::array<std::pair<std::string_view, std::int64_t*>, 5> wanted = {{
-        {"Instructions", &result.instructions},
-        {"Inverse Throughput", &result.inverse_throughput},
-        {"Latency", &result.latency},
-        {"VGPRs", &result.vgprs},
-        {"Code size", &result.code_size},
-    }};
-    for (const auto& [name, into] : wanted) {
-      const auto found = std::find_if(values.begin(), values.end(), [&, wanted_name = name](const auto& value) {
-        return value.name == wanted_name && value.format == VK_PIPELINE_EXECUTABLE_STATISTIC_FORMAT_UINT64_KHR;
-      });
-      if (found == values.end()) return fail(fmt::format("this RADV has no statistic \"{}\"", name));
-      *into = static_cast<std::int64_t>(found->value.u64);
-    }
+    ShaderStatistics result;
+    for (const VkPipelineExecutableStatisticKHR& value : values) result.emplace(value.name, number_of(value));
     return result;
   }
 
   PFN_vkGetInstanceProcAddr find_;
   VkInstance instance_ = VK_NULL_HANDLE;
   VkPhysicalDevice gpu_ = VK_NULL_HANDLE;
+  std::uint32_t vendor_ = 0;
+  std::string name_;
+  std::string version_;
   VkDevice device_ = VK_NULL_HANDLE;
   Owned<VkDescriptorSetLayout> set_layout_;
   Owned<VkPipelineLayout> layout_;
@@ -344,12 +374,39 @@ class RadvDevice final : public Radv {
 
 }  // namespace
 
-Result<std::unique_ptr<Radv>> Radv::open() {
+Result<std::unique_ptr<FragmentCompiler>> FragmentCompiler::open() {
   const auto library = Library::open({"libvulkan.so.1", "libvulkan.so"});
   if (!library) return fail("libvulkan is not here: " + library.error().message);
-  auto device = std::make_unique<RadvDevice>(*library);
+  auto device = std::make_unique<Device>(*library);
   HN_DO(device->start());
   return device;
+}
+
+int shader_statistics_command(std::span<const char* const> files) {
+  const auto print = [](const nlohmann::json& json) {
+    fmt::print("{}\n", dump(json));
+    std::fflush(stdout);  // whoever reads must have it, should the next shader be the driver's end
+  };
+  const auto print_error = [&](const Error& error) { print({{"error", error.text()}}); };
+  const auto compiler = FragmentCompiler::open();
+  if (!compiler) {
+    print_error(compiler.error());
+    return EXIT_FAILURE;
+  }
+  print({{"device", (*compiler)->device()}, {"driver", (*compiler)->driver_version()}});
+  for (const char* const file : files) {
+    const auto compiled = read_file(file).and_then([&](const std::string& bytes) {
+      std::vector<std::uint32_t> words(bytes.size() / sizeof(std::uint32_t));
+      std::memcpy(words.data(), bytes.data(), words.size() * sizeof(std::uint32_t));
+      return (*compiler)->compile(words);
+    });
+    if (compiled) {
+      print({{"statistics", compiled->statistics}, {"seconds", compiled->seconds}});
+    } else {
+      print_error(compiled.error());
+    }
+  }
+  return EXIT_SUCCESS;
 }
 
 }  // namespace hn
