@@ -149,7 +149,7 @@ Result<void> write_bench(const std::filesystem::path& directory, const Provenanc
   }
   if (!dump) return {};
   for (const Measurement& measurement : report.measurements) {
-    HN_DO(write_spirv(directory, measurement.subject.id, measurement.counts));
+    HN_DO(write_spirv(directory, measurement.subject.id, measurement.counts.optimised));
   }
   return {};
 }

@@ -108,6 +108,13 @@ Result<std::vector<std::uint32_t>> optimise_spirv(std::span<const std::uint32_t>
   return optimised;
 }
 
+Result<std::vector<std::uint32_t>> optimised_spirv(const SourceSet& sources, const ReferenceCompiler& reference,
+                                                   const Subject& subject) {
+  return expand(sources, profile_named("vulkan"), quad_shader(subject))
+      .and_then([&](const ShaderText& text) { return reference.spirv(text, Stage::fragment); })
+      .and_then([](const auto& words) { return optimise_spirv(words); });
+}
+
 std::optional<std::int64_t> count_nvidia(std::string_view binary) {
   const auto start = binary.find("!!NVfp");
   if (start == std::string_view::npos) return std::nullopt;
@@ -139,9 +146,10 @@ std::string count_text(const Counts& counts, std::string_view source,
   return absent.contains(std::string(source)) ? "not here" : "failed";
 }
 
-Result<void> write_spirv(const std::filesystem::path& directory, std::string_view id, const Counts& counts) {
-  if (counts.optimised.empty()) return {};
-  return write_file(directory / "spirv" / fmt::format("{}.spv", id), bytes_of(std::span(counts.optimised)));
+Result<void> write_spirv(const std::filesystem::path& directory, std::string_view id,
+                         std::span<const std::uint32_t> words) {
+  if (words.empty()) return {};
+  return write_file(directory / "spirv" / fmt::format("{}.spv", id), bytes_of(words));
 }
 
 bool counts_programs(const Context& context) { return nvidia_absence(context.gl()).empty(); }

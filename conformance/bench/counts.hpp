@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bench/amd.hpp"
+#include "bench/subject.hpp"
 #include "gpu/gpu.hpp"
 #include "gpu/reference_compiler.hpp"
 
@@ -17,6 +18,10 @@ namespace hn {
 
 // What spirv-opt -O makes of SPIR-V.
 Result<std::vector<std::uint32_t>> optimise_spirv(std::span<const std::uint32_t> words);
+
+// That of the shader that evaluates a subject once for each pixel.
+Result<std::vector<std::uint32_t>> optimised_spirv(const SourceSet& sources, const ReferenceCompiler& reference,
+                                                   const Subject& subject);
 
 // The instructions of NVIDIA's assembly text in a program binary: the statements of its fragment program, without the
 // declarations and labels. Nothing if there is no such text from its header to its END.
@@ -49,7 +54,8 @@ std::vector<std::string> count_sources();
 std::string count_text(const Counts& counts, std::string_view source, const std::map<std::string, std::string>& absent);
 
 // Writes what was counted, for other tools to count: spirv/<id>.spv. Nothing if there is nothing.
-Result<void> write_spirv(const std::filesystem::path& directory, std::string_view id, const Counts& counts);
+Result<void> write_spirv(const std::filesystem::path& directory, std::string_view id,
+                         std::span<const std::uint32_t> words);
 
 // Whether the driver's own programs are counted, too.
 bool counts_programs(const Context& context);

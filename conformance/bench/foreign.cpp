@@ -7,10 +7,12 @@
 #include <cctype>
 #include <charconv>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 
 #include "base/file.hpp"
+#include "bench/counts.hpp"
 
 namespace hn {
 namespace {
@@ -184,6 +186,33 @@ std::string first_lines(const std::string& log) {
   return left == 0 ? text : fmt::format("{}and {} lines more\n", text, left);
 }
 
+// Whether a subject compiles, in a language that messages name.
+using Trial = std::function<Result<void>(const Subject&)>;
+
+Result<std::vector<Subject>> subjects_that_compile(const Foreign& foreign, std::string_view language,
+                                                   const Trial& trial) {
+  std::vector<Subject> subjects;
+  std::vector<std::string> logs;
+  const std::string expression = fmt::format("\n#include \"{}\"\n", foreign.expression);
+  for (const int dimensions : {2, 3}) {
+    Subject subject = foreign_subject(foreign.name, foreign.file, expression, dimensions, foreign.profile);
+    const auto compiled = trial(subject);
+    if (compiled) {
+      subjects.push_back(std::move(subject));
+    } else {
+      const Error& error = compiled.error();
+      logs.push_back(first_lines(error.log.empty() ? error.message + "\n" : error.log));
+    }
+  }
+  if (!subjects.empty()) return subjects;
+  const std::string log =
+      logs[0] == logs[1] ? logs[0] : fmt::format("With a vec2 as p:\n{}With a vec3 as p:\n{}", logs[0], logs[1]);
+  return fail(fmt::format("--against {}: this does not compile with {}, neither for a vec2 nor for a vec3; the "
+                          "expression must be a float from p, and NAME@450=FILE:EXPRESSION asks for GLSL 4.50",
+                          foreign.argument, language),
+              log);
+}
+
 }  // namespace
 
 Result<Foreign> read_foreign(const std::string& argument, SourceSet& sources) {
@@ -202,31 +231,21 @@ Result<Foreign> read_foreign(const std::string& argument, SourceSet& sources) {
 }
 
 Result<std::vector<Subject>> foreign_subjects(Workbench& workbench, const Foreign& foreign) {
-  std::vector<Subject> subjects;
-  std::vector<std::string> logs;
-  const std::string expression = fmt::format("\n#include \"{}\"\n", foreign.expression);
-  for (const int dimensions : {2, 3}) {
-    Subject subject = foreign_subject(foreign.name, foreign.file, expression, dimensions, foreign.profile);
-    if (const auto reason = workbench.unsupported(subject); !reason.empty()) {
-      return fail(fmt::format("--against {}: {}", foreign.argument, reason));
-    }
-    // Not the shader that is timed: how long that one takes to compile is measured, and a driver may remember it.
-    const auto program = workbench.build(quad_shader(subject), subject.profile);
-    if (program) {
-      subjects.push_back(std::move(subject));
-    } else {
-      const Error& error = program.error();
-      logs.push_back(first_lines(error.log.empty() ? error.message + "\n" : error.log));
-    }
+  if (const auto reason = workbench.unsupported(foreign.profile); !reason.empty()) {
+    return fail(fmt::format("--against {}: {}", foreign.argument, reason));
   }
-  if (!subjects.empty()) return subjects;
-  const std::string log =
-      logs[0] == logs[1] ? logs[0] : fmt::format("With a vec2 as p:\n{}With a vec3 as p:\n{}", logs[0], logs[1]);
-  const Profile& profile = profile_named(foreign.profile);
-  return fail(fmt::format("--against {}: this does not compile with {}, neither for a vec2 nor for a vec3; the "
-                          "expression must be a float from p, and NAME@450=FILE:EXPRESSION asks for GLSL 4.50",
-                          foreign.argument, profile.directive),
-              log);
+  // Not the shader that is timed: how long that one takes to compile is measured, and a driver may remember it.
+  return subjects_that_compile(foreign, profile_named(foreign.profile).directive, [&](const Subject& subject) {
+    return workbench.build(quad_shader(subject), subject.profile).map([](const Program&) {});
+  });
+}
+
+Result<std::vector<Subject>> foreign_subjects(const SourceSet& sources, const ReferenceCompiler& reference,
+                                              const Foreign& foreign) {
+  const std::string language = fmt::format("{} for Vulkan", profile_named("vulkan").directive);
+  return subjects_that_compile(foreign, language, [&](const Subject& subject) {
+    return optimised_spirv(sources, reference, subject).map([](const auto&) {});
+  });
 }
 
 }  // namespace hn

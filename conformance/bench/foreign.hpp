@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bench/workbench.hpp"
+#include "gpu/reference_compiler.hpp"
 
 namespace hn {
 
@@ -24,5 +25,8 @@ Result<Foreign> read_foreign(const std::string& argument, SourceSet& sources);
 
 // Its subjects: of a position in the plane, in space, or both, whichever compiles. An error if neither does.
 Result<std::vector<Subject>> foreign_subjects(Workbench& workbench, const Foreign& foreign);
+// The same without a context: by glslang, as shaders for Vulkan.
+Result<std::vector<Subject>> foreign_subjects(const SourceSet& sources, const ReferenceCompiler& reference,
+                                              const Foreign& foreign);
 
 }  // namespace hn

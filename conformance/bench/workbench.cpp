@@ -10,8 +10,8 @@ Workbench::Workbench(const Context& context_, const SourceSet& sources_)
       languages_(describe(context_).languages),
       tables_(context_) {}
 
-std::string Workbench::unsupported(const Subject& subject) const {
-  return unsupported_reason(profile_named(subject.profile), languages_);
+std::string Workbench::unsupported(std::string_view profile) const {
+  return unsupported_reason(profile_named(profile), languages_);
 }
 
 Result<Program> Workbench::build(const std::string& fragment, std::string_view profile_name) {

@@ -267,6 +267,63 @@ class BenchCli(unittest.TestCase):
                 self.assertEqual(count, subject["instructions"]["spirv"])
 
 
+class SpirvCli(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.noise = self.folder / "noise.glsl"
+        self.noise.write_text(VALUE_NOISE)
+
+    def spirv(self, *arguments):
+        return subprocess.run([PROGRAM, "spirv", "--out", self.folder / "out", *arguments], capture_output=True,
+                              text=True, check=False, timeout=120)
+
+    def test_writes_what_bench_counts_without_a_driver(self):
+        done = self.spirv("--filter", ONE_SUBJECT, "--against", f"v={self.noise}:value_noise(p)")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        dimensions = dict(line.split() for line in done.stdout.splitlines())
+        self.assertEqual(dimensions, {"empty2": "2", "empty3": "3", ONE_SUBJECT: "2", "v2": "2"})
+        for name in dimensions:
+            file = self.folder / "out" / "spirv" / f"{name}.spv"
+            self.assertEqual(file.read_bytes()[:4], b"\x03\x02\x23\x07")
+            subprocess.run(["spirv-val", "--target-env", "vulkan1.0", file], check=True)
+
+    def test_what_cannot_be_is_status_2(self):
+        for arguments, part in ((["--filter", "nothing"], "no subject matches --filter 'nothing'"),
+                                (["--filter", "nothing", "--against", f"v={self.noise}:vec2(p)"],
+                                 "this does not compile with #version 450 for Vulkan"),
+                                (["--against", "v=absent.glsl:p.x"], 'there is no file "absent.glsl"')):
+            with self.subTest(arguments=arguments):
+                done = self.spirv(*arguments)
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertIn(part, done.stderr)
+                self.assertFalse((self.folder / "out").exists())
+
+    def test_statistics_are_those_that_the_driver_tells(self):
+        self.assertEqual(self.spirv("--filter", ONE_SUBJECT).returncode, 0)
+        good = self.folder / "out" / "spirv" / f"{ONE_SUBJECT}.spv"
+        drivers = ":".join(map(str, pathlib.Path("/usr/share/vulkan/icd.d").glob("radeon_icd*.json")))
+        done = subprocess.run([PROGRAM, "shader-statistics", good, self.folder / "absent.spv", good],
+                              capture_output=True, text=True, check=False, timeout=120,
+                              env={"VK_DRIVER_FILES": drivers, "VK_ICD_FILENAMES": drivers, "NODEVICE_SELECT": "1",
+                                   "RADV_FORCE_FAMILY": "navi21"})
+        device, *shaders = map(json.loads, done.stdout.splitlines())
+        if "error" in device:
+            self.skipTest(device["error"])  # no RADV is here, or one that does without GPUs in another way
+        self.assertRegex(device["device"], "(?i)navi21")
+        self.assertEqual(["error" in shader for shader in shaders], [False, True, False])
+        self.assertIn("absent.spv", shaders[1]["error"])
+        self.assertGreater(shaders[0]["statistics"]["Instructions"], 10)
+        self.assertGreater(shaders[0]["seconds"], 0)
+
+    def test_statistics_without_a_driver_say_so(self):
+        done = subprocess.run([PROGRAM, "shader-statistics", self.noise], capture_output=True, text=True, check=False,
+                              env={"VK_DRIVER_FILES": "/absent.json", "VK_ICD_FILENAMES": "/absent.json"}, timeout=120)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("libvulkan", json.loads(done.stdout)["error"])
+
+
 if __name__ == "__main__":
     PROGRAM = sys.argv.pop(1)
     unittest.main()

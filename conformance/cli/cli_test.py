@@ -162,8 +162,8 @@ class Cli(unittest.TestCase):
             (["run", "--frobnicate"], "frobnicate"),
             (["run", "list"], "list"),
             (["run", "--driver", "osmesa", "drivers"], "drivers"),
-            (["dance"], "drivers, list, run, merge, bench, paper or web"),
-            ([], "drivers, list, run, merge, bench, paper or web"),
+            (["dance"], "drivers, list, run, merge, bench, spirv, paper or web"),
+            ([], "drivers, list, run, merge, bench, spirv, paper or web"),
         ):
             with self.subTest(arguments=arguments):
                 done = self.call(*arguments)

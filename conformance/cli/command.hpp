@@ -41,6 +41,7 @@ int list_command(const ListCommand& options);
 int run_command(const RunCommand& options, Interruption& interruption);
 int merge_command(const MergeCommand& options, Interruption& interruption);
 int bench_command(const BenchCommand& options, Interruption& interruption);
+int spirv_command(const SpirvCommand& options);
 int paper_command(const PaperCommand& options, Interruption& interruption);
 int web_command(const WebCommand& options, Interruption& interruption);
 

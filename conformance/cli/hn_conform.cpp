@@ -33,6 +33,7 @@ int run(const hn::MergeCommand& command, hn::Interruption& interruption) {
 int run(const hn::BenchCommand& command, hn::Interruption& interruption) {
   return hn::bench_command(command, interruption);
 }
+int run(const hn::SpirvCommand& command, hn::Interruption&) { return hn::spirv_command(command); }
 int run(const hn::PaperCommand& command, hn::Interruption& interruption) {
   return hn::paper_command(command, interruption);
 }

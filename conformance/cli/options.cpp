@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint64_t kMostPoints = 10'000'000'000;
 
-constexpr const char* kCommands = "drivers, list, run, merge, bench, paper or web";
+constexpr const char* kCommands = "drivers, list, run, merge, bench, spirv, paper or web";
 
 void add_statuses(CLI::App& command, const std::string& statuses) {
   command.footer(fmt::format("Exit status: {}.", statuses));
@@ -49,6 +49,16 @@ void add_out(CLI::App& command, std::string& out, const std::string& files) {
 void add_glsl(CLI::App& command, std::string& directory) {
   command.add_option("--glsl", directory, "Use this copy of glsl/hashnoise/ instead of the built-in one")
       ->type_name("DIR");
+}
+
+void add_against(CLI::App& command, std::vector<std::string>& against, const std::string& what) {
+  command
+      .add_option("--against", against,
+                  what +
+                      ": the expression is a float from p, a vec2 or a vec3, as in s=other.glsl:snoise(p); s@420=... "
+                      "asks for GLSL 4.20; may be repeated")
+      ->type_name("NAME=FILE:EXPRESSION")
+      ->allow_extra_args(false);
 }
 
 void add_golden(CLI::App& command, std::string& directory) {
@@ -146,18 +156,23 @@ void add_bench(CLI::App& app, BenchCommand& options) {
   add_driver(command, options.driver);
   add_filter(command, options.filters, "subjects");
   add_out(command, options.out, "bench.json, bench.csv and index.html");
-  command
-      .add_option("--against", options.against,
-                  "Also measure a shader file: the expression is a float from p, a vec2 or a vec3, as in "
-                  "s=other.glsl:snoise(p); s@420=... asks for GLSL 4.20; may be repeated")
-      ->type_name("NAME=FILE:EXPRESSION")
-      ->allow_extra_args(false);
+  add_against(command, options.against, "Also measure a shader file");
   command
       .add_option("--baseline", options.baseline, "A bench.json to compare with; status 1 if something became slower")
       ->type_name("FILE");
   add_rounds(command, options.rounds);
   add_glsl(command, options.glsl);
   command.add_flag("--dump", options.dump, "Also write the SPIR-V that was counted: spirv/ID.spv");
+}
+
+void add_spirv(CLI::App& app, SpirvCommand& options) {
+  CLI::App& command =
+      *app.add_subcommand("spirv", "Write the SPIR-V of what bench counts, for other compilers; it needs no driver");
+  add_statuses(command, "0 done, 1 a shader could not be compiled, 2 bad usage");
+  add_filter(command, options.filters, "subjects");
+  add_out(command, options.out, "spirv/ID.spv");
+  add_against(command, options.against, "Also a shader file");
+  add_glsl(command, options.glsl);
 }
 
 void add_paper(CLI::App& app, PaperCommand& options) {
@@ -300,6 +315,7 @@ tl::expected<Command, Stop> parse_options(int argc, const char* const* argv, con
   run.expect = merge.expect = installation.expect;
   run.jobs = std::max(1u, std::thread::hardware_concurrency());
   BenchCommand bench;
+  SpirvCommand spirv;
   PaperCommand paper;
   run.line = bench.line = paper.line = command_line("hn-conform", argc, argv);
   add_statuses(*app.add_subcommand("drivers", "List the drivers, what is behind each here, or why it is missing"),
@@ -313,6 +329,7 @@ tl::expected<Command, Stop> parse_options(int argc, const char* const* argv, con
   add_run(app, run, installation.faults);
   add_merge(app, merge);
   add_bench(app, bench);
+  add_spirv(app, spirv);
   add_paper(app, paper);
   WebCommand web;
   web.golden = installation.golden;
@@ -335,6 +352,7 @@ tl::expected<Command, Stop> parse_options(int argc, const char* const* argv, con
   if (app.got_subcommand("run")) return run;
   if (app.got_subcommand("merge")) return merge;
   if (app.got_subcommand("bench")) return bench;
+  if (app.got_subcommand("spirv")) return spirv;
   if (app.got_subcommand("paper")) return paper;
   if (app.got_subcommand("web")) return web;
   return wrong_usage(fmt::format("say what to do: {}; --help tells more", kCommands));

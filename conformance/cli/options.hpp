@@ -63,6 +63,13 @@ struct BenchCommand {
   std::string line;  // the command line, for the record
 };
 
+struct SpirvCommand {
+  std::vector<std::string> filters;
+  std::string out = "out";
+  std::string glsl;
+  std::vector<std::string> against;  // NAME=FILE:EXPRESSION
+};
+
 struct PaperCommand {
   std::string driver = "osmesa";
   std::string out = "out";
@@ -80,8 +87,8 @@ struct WebCommand {
   std::string golden;
 };
 
-using Command =
-    std::variant<DriversCommand, ListCommand, RunCommand, MergeCommand, BenchCommand, PaperCommand, WebCommand>;
+using Command = std::variant<DriversCommand, ListCommand, RunCommand, MergeCommand, BenchCommand, SpirvCommand,
+                             PaperCommand, WebCommand>;
 
 // There is nothing to do: help or the version was requested, or the usage is wrong.
 struct Stop {

@@ -274,7 +274,7 @@ Result<Section> measure_table(Laboratory& laboratory) {
   const auto absent = count(laboratory, rows);
   if (laboratory.dump) {
     for (const Row& row : rows) {
-      HN_DO(write_spirv(laboratory.out, row.subject.id, row.counts));
+      HN_DO(write_spirv(laboratory.out, row.subject.id, row.counts.optimised));
     }
   }
   Section section = to_section(rows, absent);
