@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from pathlib import Path
 from typing import NamedTuple
 
 
@@ -126,3 +128,10 @@ def subject(call: Call) -> str:
 def dimensions(call: Call) -> int:
     """Of the position that bench offers: a vec2 or a vec3."""
     return 2 if "2D" in call.noise else 3
+
+
+def against(paths: Mapping[str, Path]) -> list[str]:
+    """What --against is to be given for the calls of the peers at these paths."""
+    versions = {peer.option: f"@{peer.version}" if peer.version else "" for peer in PEERS}
+    return [f"{subject(call)}{versions[call.peer]}={paths[call.peer] / call.file}:{call.expression}"
+            for call in CALLS if call.peer in paths]

@@ -1,0 +1,71 @@
+"""The tables that pages have of what was measured: docs/measuring.md and docs/gpu-operations.md."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+
+from gpu.chips import SHOWN, chip_named
+from gpu.operations import OPERATIONS
+from gpu.record import COSTS, OPERATION_COSTS, Row, read, read_costs
+from tables.markdown import table
+from tables.peers import CALLS, dimensions, subject
+from tree import ROOT
+
+RECORD = ROOT / "docs" / "results" / "gpu"
+OF_OPERATIONS = ("ampere", "blackwell", "polaris10", "navi21", "navi31", "gfx1201", "adreno630", "adreno740", "m1")
+# Of the peers, in cells.
+LETTERS = {"fastnoiselite": "F", "wombat": "W", "materialx": "M", "webgl-noise": "S", "psrdnoise": "P"}
+SUMS = "octaves"  # in the names of noises: those have loops
+LOOPS = re.compile(r"\bLoops [1-9]")  # in the kinds of a row
+WITNESS = "adreno740"  # of loops, for compilers that do not tell whether they left one
+
+
+def costs() -> dict[tuple[str, str], Row]:
+    return read_costs(RECORD / COSTS)
+
+
+def operation_costs() -> list[dict[str, str]]:
+    return read(RECORD / OPERATION_COSTS, ("operation", "chip", "alone", "beside"))
+
+
+def chip_table(rows: Mapping[tuple[str, str], Row]) -> str:
+    """Ours with floats and with integers, then each peer; with a * where the shader has a loop."""
+    lines = []
+    for noise in dict.fromkeys(call.noise for call in CALLS if SUMS not in call.noise):
+        calls = [call for call in CALLS if call.noise == noise]
+        cells = []
+        for chip in SHOWN:
+            ours = [_cost(rows, f"{calls[0].ours}.lattice{fixed}", chip) for fixed in ("", "+fixed")]
+            theirs = [f"{LETTERS[call.peer]} {_cost(rows, subject(call) + str(dimensions(call)), chip)}"
+                      for call in calls]
+            cells.append(f"{' / '.join(ours)}; {', '.join(theirs)}")
+        lines.append([noise, *cells])
+    return table(("noise", *(_head(name) for name in SHOWN)), lines)
+
+
+def operation_table(rows: Sequence[Mapping[str, str]]) -> str:
+    prices = {(row["operation"], row["chip"]): (row["alone"], row["beside"]) for row in rows}
+
+    def cell(alone: str, beside: str) -> str:
+        if not alone or not beside:
+            return "fails"
+        numbers = [f"{float(price):.1f}".removesuffix(".0") for price in (alone, beside)]
+        return numbers[0] if numbers[0] == numbers[1] else " / ".join(numbers)
+
+    lines = [[f"{operation.title}: `{operation.step}`".replace("|", "\\|"),
+              *(cell(*prices[operation.name, chip]) for chip in OF_OPERATIONS)] for operation in OPERATIONS]
+    return table(("operation", *(_head(name) for name in OF_OPERATIONS)), lines)
+
+
+def _head(name: str) -> str:
+    chip = chip_named(name)
+    return f"{chip.title}: {chip.vendor.unit}"
+
+
+def _cost(rows: Mapping[tuple[str, str], Row], id: str, chip: str) -> str:
+    row = rows[id, chip]
+    if row.problem:
+        return "fails"
+    told = row if "Loops" in chip_named(chip).vendor.kinds else rows[id, WITNESS]
+    return f"{row.cost}*" if LOOPS.search(told.kinds) else row.cost
