@@ -10,6 +10,7 @@ import tempfile
 import unittest
 from unittest import mock
 
+from gpu import pages as of_gpus
 from likeness import ports
 from png import png
 from readme import command, numbers, picture, times
@@ -122,7 +123,9 @@ class Numbers(unittest.TestCase):
         costs["noise2d.perlin.lattice"] = {**costs["noise2d.perlin.lattice"], "ratio": "9.999"}
         slower = {name: (60 + packages, build, run) for name, (packages, build, run) in times.times().items()}
         alike = {name: port._replace(scale=0.5) for name, port in ports.read().items()}
+        prices = [{**row, "alone": "99.00"} for row in of_gpus.operation_costs()]
         with mock.patch.object(numbers, "typical", return_value=typical), \
+                mock.patch.object(of_gpus, "operation_costs", return_value=prices), \
                 mock.patch.object(ports, "read", return_value=alike), \
                 mock.patch.object(numbers, "costs", return_value=costs), \
                 mock.patch.object(times, "times", return_value=slower):
@@ -130,6 +133,7 @@ class Numbers(unittest.TestCase):
         self.assertEqual(status, 1)
         self.assertRegex(output, r"README\.md: a table is not what it should be")
         self.assertRegex(output, r"docs/measuring\.md: a table is not what it should be")
+        self.assertRegex(output, r"docs/gpu-operations\.md: a table is not what it should be")
         self.assertRegex(output, r"docs/moving\.md: a table is not what it should be")
         self.assertRegex(output, r"docs/conformance\.md: a table is not what it should be")
         self.assertRegex(output, r"README\.md: it must state 'takes 0\.1 times as long")
