@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -20,6 +22,12 @@ using Json = nlohmann::json;
 constexpr const char* kPython = "python3";
 constexpr std::string_view kMain = "from wgsl.evaluation import main\n\nmain()\n";
 
+// The package of an embedded file of Python, as tools/lib has it.
+std::string_view package_of(std::string_view file) {
+  constexpr std::array<std::string_view, 4> kParsing = {"lines.py", "preprocessor.py", "syntax.py", "tokens.py"};
+  return std::ranges::find(kParsing, file) == kParsing.end() ? "wgsl" : "parsing";
+}
+
 bool in_wgsl(const Case& test) { return profile_named(test.name.profile).language == Language::wgsl; }
 
 std::string key_of(const Evaluation& evaluation) {
@@ -33,10 +41,11 @@ Result<void> write_into(const fs::path& folder, std::string_view name, std::stri
 // A folder with the program and the library, both as Python finds them.
 Result<void> prepare(const fs::path& folder, const SourceSet& sources) {
   fs::create_directory(folder / "wgsl");
+  fs::create_directory(folder / "parsing");
   fs::create_directories(folder / "glsl" / "detail");
   HN_DO(write_into(folder, "__main__.py", kMain));
   for (const EmbeddedFile& file : kWebFiles) {
-    if (file.name.ends_with(".py")) HN_DO(write_into(folder / "wgsl", file.name, file.text));
+    if (file.name.ends_with(".py")) HN_DO(write_into(folder / package_of(file.name), file.name, file.text));
   }
   for (const auto& [name, file] : sources.files()) HN_DO(write_into(folder / "glsl", name, file.text));
   return {};

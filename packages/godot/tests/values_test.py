@@ -23,11 +23,11 @@ from engine import Engine, Failure, RENDERERS, main
 
 from godot_addon.addon import ADDON, files
 from golden_values import Golden, ids
+from parsing.preprocessor import Preprocessor
 from single_file.godot import SUFFIX
 from tables.functions import Function, read_functions
 from tree import BOUNDS, FUNCTIONS
 from wgsl.evaluation import PROLOGUE, macros_of_rows
-from wgsl.preprocessor import Preprocessor
 
 HERE = Path(__file__).resolve().parent
 POINTS = 64   # in a line of the picture

@@ -6,9 +6,9 @@ import argparse
 import sys
 from pathlib import Path
 
+from parsing.tokens import Unknown
 from playground.page import Unfit, page
 from tree import ROOT
-from wgsl.tokens import Unknown
 
 
 def main() -> int:

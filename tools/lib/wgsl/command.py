@@ -8,10 +8,10 @@ import sys
 from pathlib import Path
 
 from library_file import check_name, write
+from parsing.tokens import Unknown
 from tree import GLSL
 from wgsl.module import ARITHMETICS, GRADIENTS, HASHES, Module, Settings
 from wgsl.names import is_public
-from wgsl.tokens import Unknown
 
 DESCRIPTION = "Make a WGSL module of the library."
 EPILOG = """\

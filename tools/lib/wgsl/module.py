@@ -6,9 +6,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
-from wgsl.preprocessor import Preprocessor
-from wgsl.syntax import Function, Parser
-from wgsl.tokens import Unknown, tokens_of
+from parsing.preprocessor import Preprocessor
+from parsing.syntax import Function, Parser
+from parsing.tokens import Unknown, tokens_of
 from wgsl.translator import Definition, Translator
 
 HASHES = ("FNV1", "PARTIAL_FNV1", "JENKINS", "PARTIAL_JENKINS", "MURMUR", "PCG", "XXHASH32", "LATTICE", "CUSTOM")

@@ -23,7 +23,7 @@ from __future__ import annotations
 
 import re
 
-from wgsl.syntax import Function
+from parsing.syntax import Function
 
 # A function of a word that is not overloaded.
 ONE_WORD = ("h", "k")

@@ -6,14 +6,14 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
+from parsing.lines import WIDTH, wrapped
+from parsing.preprocessor import Constant
+from parsing.syntax import (SCALARS, VECTORS, Assign, Binary, Block, Break, Call, Choice, Comments, Declare, DoLoop,
+                            Evaluate, Expression, Function, If, Loop, Member, Name, Number, Parameter, Parentheses,
+                            Parser, Return, Statement, Struct, Truth, Unary)
+from parsing.tokens import Token, Unknown
 from wgsl.names import components, is_passed, is_public, variable, wgsl_name, wgsl_type
-from wgsl.preprocessor import Constant
-from wgsl.syntax import (SCALARS, VECTORS, Assign, Binary, Block, Break, Call, Choice, Comments, Declare, DoLoop, Evaluate,
-                         Expression, Function, If, Loop, Member, Name, Number, Parameter, Parentheses, Parser, Return,
-                         Statement, Struct, Truth, Unary)
-from wgsl.tokens import Token, Unknown
 
-WIDTH = 120
 FLOATS = ("float", "vec2", "vec3", "vec4")
 INTS = ("int", "ivec2", "ivec3", "ivec4")
 UINTS = ("uint", "uvec2", "uvec3", "uvec4")
@@ -183,20 +183,6 @@ class Translator:
             lines.append(f"  {variable(name)}: {wgsl_type(type_)}," + (f"  {comments.after}" if comments.after else ""))
             needs += [type_] * (type_ in self.structs)
         return Definition(struct.name, struct.comments.before, [*lines, "}"], needs)
-
-
-def wrapped(text: str, indent: int) -> list[str]:
-    """A line of code with that indentation, broken where it is too long, behind a comma if there is one: with 4 more for
-    what follows."""
-    lines, more = [], 0
-    while indent + more + len(text) > WIDTH:
-        room = WIDTH - indent - more
-        cut = text.rfind(", ", 0, room) + 1 or text.rfind(" ", 0, room)
-        if cut <= 0:
-            break
-        lines.append(" " * (indent + more) + text[:cut])
-        text, more = text[cut + 1:], 4
-    return [*lines, " " * (indent + more) + text]
 
 
 class FunctionWriter:

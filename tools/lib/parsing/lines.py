@@ -1,0 +1,17 @@
+"""Lines of code that are not too long."""
+
+WIDTH = 120
+
+
+def wrapped(text: str, indent: int) -> list[str]:
+    """A line of code with that indentation, broken where it is too long, behind a comma if there is one: with 4 more for
+    what follows."""
+    lines, more = [], 0
+    while indent + more + len(text) > WIDTH:
+        room = WIDTH - indent - more
+        cut = text.rfind(", ", 0, room) + 1 or text.rfind(" ", 0, room)
+        if cut <= 0:
+            break
+        lines.append(" " * (indent + more) + text[:cut])
+        text, more = text[cut + 1:], 4
+    return [*lines, " " * (indent + more) + text]
