@@ -36,7 +36,7 @@ SUMS = "docs/sums.md"
 CONFORMANCE = "docs/conformance.md"
 MOVING = "docs/moving.md"
 LANGUAGES = "docs/languages.md"
-SIZE = re.compile(r"(hashnoise\.single\.glsl`, )\d+ kB")  # of the whole library, in the README
+SIZE = re.compile(r"(--strip --out noise\.glsl`, )\d+ kB")  # of the whole library, in the README
 
 
 def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
@@ -47,6 +47,7 @@ def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
             (SUMS, "tools/readme: typical values of sums in 1D and 4D",
              numbers.typical_table(typical, numbers.PLAIN_SUMS, (1, 4))),
             (SUMS, "tools/readme: footprint", numbers.footprint_quote(numbers.footprint())),
+            (LANGUAGES, "tools/readme: picks", files.picks_table()),
             (LANGUAGES, "tools/readme: files", files.files_table()),
             (CONFORMANCE, "tools/readme: times", of_commands.times_table(times)),
             (MEASURING, "tools/readme: costs", numbers.cost_table(costs, "navi21", "on AMD's NAVI21")),

@@ -5,9 +5,13 @@ from __future__ import annotations
 import functools
 import re
 
+from pick.command import ARITHMETICS, settings
+from pick.printer import LANGUAGES
+from pick.program import Program, chosen, read
 from single_file.files import text
 from tables import glsl
 from tables.markdown import table
+from tree import GLSL
 
 DIMENSIONS = re.compile(r"(\d)d\.glsl$")
 
@@ -28,3 +32,19 @@ def files_table() -> str:
             files[match[1] if match else "*"].append(f"`{file}` {size(file)}")
         rows.setdefault(tuple(", ".join(of) for of in files.values()), []).append(f"`{function}`")
     return table(("", "1D", "2D", "3D", "4D", "all"), [[", ".join(functions), *cells] for cells, functions in rows.items()])
+
+
+# The functions that the page says the size of, and their files.
+PICKED = {"hn_perlin2": "perlin2d.glsl", "hn_perlin3": "perlin3d.glsl", "hn_simplex2": "simplex2d.glsl",
+          "hn_simplex3": "simplex3d.glsl", "hn_cellular2": "cellular2d.glsl", "hn_fbm2": "fbm2d.glsl"}
+
+
+@functools.cache
+def picks_table() -> str:
+    """What tools/pick writes of functions, without the comment, beside the files that they are in."""
+    modules = [read(GLSL, settings(arithmetic, "lattice")) for arithmetic in ARITHMETICS[:2]]
+    rows = []
+    for name, file in PICKED.items():
+        texts = [Program(module, chosen(module, [name])).text(LANGUAGES["glsl"]) for module in modules]
+        rows.append([f"`{name}`", *(f"{len(shown):,} bytes, {shown.count(chr(10))} lines" for shown in texts), size(file)])
+    return table(("", "`HN_FAST`", "`HN_FIXED`", "the file, by `tools/single-file --strip`"), rows)

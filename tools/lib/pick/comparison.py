@@ -1,0 +1,113 @@
+"""A program that compares picked functions with the library in C++, bit by bit, at points that it draws."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+
+from parsing.syntax import Function, Parameter
+from pick.evaluate import Module
+from pick.values import SIZES, scalar_of
+
+HEAD = """#include <cstdio>
+#include <cstring>
+#include <random>
+
+#include "hashnoise/hashnoise.hpp"
+
+namespace hashnoise {
+// Of structs their parts are compared, since there may be gaps between them.
+template <typename T>
+bool differs(const T& a, const T& b) { return std::memcmp(&a, &b, sizeof a) != 0; }
+"""
+# From where to where settings are drawn: beyond their ranges, too. Others are positions and fractions.
+RANGES = {"lacunarity": (0.5, 4), "gain": (0, 1.5), "jitter": (-0.2, 1.2), "detail": (-0.5, 7), "footprint": (0, 0.5),
+          "amplitude": (0, 2), "strength": (0, 3), "phase": (-2, 2), "f": (0, 1)}
+OCTAVES, METRIC = "int(g() % 9) - 1", "int(g() % 3)"
+
+
+def made(type_: str, component: str) -> str:
+    """A scalar or a vector, each component drawn."""
+    return component if SIZES[type_] == 1 else f"{type_}({', '.join([component] * SIZES[type_])})"
+
+
+def vector(scalar: str, size: int) -> str:
+    return scalar if size == 1 else f"{ {'float': '', 'int': 'i'}[scalar]}vec{size}"
+
+
+def place(size: int) -> str:
+    """With a period, or without one."""
+    cell, fraction = made(vector("int", size), "int(g())"), made(vector("float", size), "r(0, 1)")
+    period = made(vector("int", size), "(int(g() % 9) - 1)")
+    return f"(g() % 2 ? hn_place({cell}, {fraction}) : hn_tile(hn_place({cell}, {fraction}), {period}))"
+
+
+def octaves(size: int) -> str:
+    """The second octave of a sum at a place or at a position."""
+    position = made(vector("float", size), "r(-60, 60)")
+    settings = f"{OCTAVES}, r(1, 3.5), r(0.1, 0.9), uint(g())"
+    return (f"[&] {{ auto o = g() % 2 ? hn_octaves({place(size)}, {settings}) : hn_octaves({position}, {settings}); "
+            "hn_add(o, r(-1, 1)); hn_next(o); return o; }()")
+
+
+def drawn(parameter: Parameter) -> str:
+    """The expression of an argument."""
+    name, type_ = parameter.at.text, parameter.type
+    if of_axes := re.fullmatch(r"hn_(place|octaves|slopes|shifts)(\d)", type_):
+        size = int(of_axes[2])
+        return {"place": place(size), "octaves": octaves(size), "slopes": f"hn_slopes({octaves(size)})",
+                "shifts": f"hn_shifts({octaves(size)}, r(0, 2))"}[of_axes[1]]
+    if scalar_of(type_) == "float":
+        low, high = RANGES.get(name, (-60, 60))
+        far = " * (g() % 4 ? 1.0f : 10000.0f)" if name == "p" else ""
+        return made(type_, f"(r({low}, {high}){far})")
+    return {"octaves": OCTAVES, "metric": METRIC}.get(name) or made(type_, f"{scalar_of(type_)}(g())")
+
+
+def source(module: Module, functions: Mapping[str, Function], texts: Mapping[str, str], points: int) -> str:
+    """The program: it prints each function that differs, and how often. The texts are in C++, by the functions' names."""
+    lines = [HEAD]
+    lines += [f"bool differs(const {name}& a, const {name}& b) {{ "
+              f"return {' || '.join(f'differs(a.{field}, b.{field})' for field, _, _ in struct.fields)}; }}"
+              for name, struct in module.structs.items()]
+    # Other names than those of the library, which C++ would find by their arguments.
+    lines += [f"namespace picked{i} {{\n" + re.sub(r"\bhn_(?=\w+\()", "picked_", texts[name]) + "}"
+              for i, name in enumerate(texts)]
+    lines.append("}  // namespace hashnoise\nusing namespace hashnoise;\n\nint main() {")
+    lines += [_compared(i, name, functions[name], points) for i, name in enumerate(texts)]
+    return "\n".join([*lines, "}", ""])
+
+
+def _compared(number: int, name: str, function: Function, points: int) -> str:
+    lines: list[str] = []
+    sets: list[str] = []
+    passed: list[Sequence[str]] = []
+    for parameter in function.parameters:
+        variable = f"v_{parameter.at.text}"
+        is_struct = parameter.type not in SIZES
+        lines.append(f"{parameter.type} {variable} = {drawn(parameter) if is_struct or not parameter.is_set else parameter.type + '{}'};")
+        if parameter.is_set:
+            lines.append(f"{parameter.type} a_{variable} = {variable}, b_{variable} = {variable};")
+            sets.append(f"differs(a_{variable}, b_{variable})")
+        passed.append((f"a_{variable}", f"b_{variable}") if parameter.is_set else (variable, variable))
+    ours, picked = (f"{where}({', '.join(names)})" for where, names in zip(
+        (function.name, f"picked{number}::{function.name.replace('hn_', 'picked_', 1)}"), zip(*passed)))
+    if function.type == "void":
+        lines += [f"{ours};", f"{picked};"]
+    else:
+        lines += [f"const auto a = {ours}, b = {picked};"]
+        sets.append("differs(a, b)")
+    differs = " || ".join(sets)
+    if function.name == "hn_next":
+        differs = f"a != b || (a && ({differs}))"  # in C++ it stops before the octave that is none
+    body = "\n      ".join(lines)
+    return f"""  {{
+    std::mt19937 g({number}u);
+    [[maybe_unused]] const auto r = [&g](double a, double b) {{ return float(a + (b - a) * (g() / 4294967296.0)); }};
+    int count = 0;
+    for (int i = 0; i < {points}; i++) {{
+      {body}
+      count += {differs};
+    }}
+    if (count > 0) std::printf("{name}: %d of {points}\\n", count);
+  }}"""

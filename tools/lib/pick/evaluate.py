@@ -1,0 +1,520 @@
+"""A function partly evaluated: what it calls stands in its place, what is known is computed, structs are their parts.
+
+What is left are statements over values (values.py). A function that is called more than once, and is worth a call, stays
+one; which, the caller decides.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections import Counter
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field
+from typing import Union
+
+from pick.values import (AXES, SIZES, Constant, Node, Operation, Variable, binary, builtin, choice, construct, member, operation,
+                         scalar_of, unary, with_member)
+from parsing import syntax
+from parsing.preprocessor import Constant as Macro
+from parsing.syntax import Expression, Function, Parser, Struct
+from parsing.tokens import Token
+
+BUILTINS = ("abs", "floor", "trunc", "sqrt", "min", "max")
+CASTS = {"uintBitsToFloat": "float", "floatBitsToUint": "uint", "intBitsToFloat": "float", "floatBitsToInt": "int"}
+WIDE = {"float": "vec", "uint": "uvec", "int": "ivec"}
+
+Leaves = dict[tuple[str, ...], Node]  # of a value: a struct has one for each part, by its path; others have one, at ()
+Environment = dict[tuple[object, ...], Node]  # the same of variables: the number of the call, the name, the path
+
+
+@dataclass
+class Declare:
+    variable: Variable
+    value: Node | None
+
+
+@dataclass
+class Set:
+    variable: Variable
+    value: Node
+
+
+@dataclass
+class If:
+    condition: Node
+    yes: list[Statement]
+    no: list[Statement]
+
+
+@dataclass
+class Loop:
+    """`condition` is asked before each turn, or behind it; None is true. The step changes a variable between turns."""
+    condition: Node | None
+    asks_behind: bool
+    body: list[Statement]
+
+
+@dataclass
+class Break:
+    state: Environment = field(default_factory=dict)  # what variables are there, until the loop is known
+
+
+@dataclass
+class Return:
+    value: Node | None
+
+
+Statement = Union[Declare, Set, If, Loop, Break, Return]
+
+
+@dataclass(frozen=True)
+class Kept:
+    """A function that is called. Of its arguments some are left out: one that is the same constant in all calls, one that
+    is the same as another (its number), and one that always is what another such function returns, which then has its
+    place in this one."""
+    name: str
+    types: tuple[str, ...]
+    known: tuple[Known, ...]
+
+    def left(self, arguments: Sequence[Node]) -> list[Node] | None:
+        """Those that are passed; None if these do not fit."""
+        passed: list[Node] = []
+        for argument, known in zip(arguments, self.known):
+            if known is None:
+                passed.append(argument)
+            elif isinstance(known, Kept):
+                if not (isinstance(argument, Operation) and argument.name == known):
+                    return None
+                passed += argument.arguments
+            elif argument != (arguments[known] if isinstance(known, int) else known):
+                return None
+        return passed
+
+
+Known = Union[None, Constant, int, Kept]
+
+
+@dataclass
+class Typed:
+    type: str
+    leaves: Leaves
+
+    @property
+    def node(self) -> Node:
+        return self.leaves[()]
+
+
+class Module:
+    """What functions are made of: those of the library, its structs and its constants."""
+
+    def __init__(self, tree: Sequence[Function | Struct], constants: dict[str, Macro]):
+        self.structs = {item.name: item for item in tree if isinstance(item, Struct)}
+        self.functions = {(item.name, item.types): item for item in tree if isinstance(item, Function)}
+        self.constants = constants
+        self._trees: dict[str, Expression] = {}
+
+    def constant(self, name: str) -> Expression:
+        if name not in self._trees:
+            self._trees[name] = Parser(list(self.constants[name].body))._expression()
+        return self._trees[name]
+
+    def function(self, at: Token, types: tuple[str, ...]) -> Function:
+        if (at.text, types) not in self.functions:
+            raise at.error(f"there is no function {at.text}({', '.join(types)})")
+        return self.functions[at.text, types]
+
+    def parts(self, type_: str) -> list[tuple[tuple[str, ...], str]]:
+        """The paths of what a type is made of, and their types."""
+        if type_ not in self.structs:
+            return [((), type_)]
+        return [((name, *path), part) for name, of, _ in self.structs[type_].fields for path, part in self.parts(of)]
+
+    def is_plain(self, function: Function) -> bool:
+        """Whether all that it takes and gives are numbers and vectors."""
+        return all(type_ in SIZES for type_ in (function.type, *function.types)) and not any(
+            parameter.is_set for parameter in function.parameters)
+
+
+class Evaluation:
+    """Of one function. `keeps` says of a plain function and its arguments whether it is called."""
+
+    def __init__(self, module: Module, keeps: Callable[[Function, Sequence[Node]], Kept | None]):
+        self.module = module
+        self.keeps = keeps
+        self.calls: Counter[tuple[str, tuple[str, ...]]] = Counter()
+        self.arguments: dict[tuple[str, tuple[str, ...]], list[tuple[Node, ...]]] = {}
+        self.hints: dict[Node, str] = {}
+        self._frames = itertools.count(1)
+        self._types: dict[tuple[int, str], str] = {}  # of variables, by the number of the call and the name
+        self._in_loops: list[int] = []                # the calls that have a loop around what is evaluated
+
+    def run(self, function: Function, arguments: Sequence[Typed]) -> list[Statement]:
+        """The statements; what the function sets is set behind them."""
+        state: Environment = {}
+        block: list[Statement] = []
+        for parameter, argument in zip(function.parameters, arguments, strict=True):
+            self._bind(state, 0, parameter.at.text, argument)
+        self._function(function, 0, state, block)
+        for parameter in function.parameters:
+            if parameter.is_set:
+                for path, type_ in self.module.parts(parameter.type):
+                    name = ".".join((parameter.at.text, *path))
+                    value = state[(0, parameter.at.text, *path)]
+                    if not (isinstance(value, Variable) and value.name == name):
+                        block.append(Set(Variable(type_, name, is_parameter=True), value))
+        if function.type in self.module.structs:
+            result = Variable(function.type, "result", is_parameter=True)
+            block.append(Declare(result, None))
+            for path, type_ in self.module.parts(function.type):
+                block.append(Set(Variable(type_, ".".join(("result", *path)), is_parameter=True), state[(0, "return", *path)]))
+            block.append(Return(result))
+        else:
+            block.append(Return(state.get((0, "return"))))
+        return block
+
+    # Variables.
+
+    def _bind(self, state: Environment, frame: int, name: str, value: Typed) -> None:
+        self._types[frame, name] = value.type
+        for path, node in value.leaves.items():
+            state[(frame, name, *path)] = node
+
+    def _hint(self, name: str, value: Typed) -> None:
+        """What is given a name is called so, and later and so further out by another one."""
+        for path, node in value.leaves.items():
+            name = path[-1] if path else name
+            known = self.hints.get(node, "n") if isinstance(node, Operation) else ""
+            if isinstance(node, Operation) and (known == "n" or len(name) <= len(known)):
+                self.hints[node] = name
+                if node.kind == "construct" and len(node.arguments) > 1:
+                    for axis, argument in zip(AXES, node.arguments):
+                        if isinstance(argument, Operation):
+                            self.hints.setdefault(argument, f"{name}_{axis}")
+
+    # Statements. Each function says whether the call is over behind what it did: by a return or a break.
+
+    def _function(self, function: Function, frame: int, state: Environment, block: list[Statement]) -> None:
+        self._statements(function.body.statements, frame, state, block)
+
+    def _statements(self, statements: Sequence[syntax.Statement], frame: int, state: Environment,
+                    block: list[Statement]) -> bool:
+        for i, statement in enumerate(statements):
+            rest = statements[i + 1:]
+            if isinstance(statement, syntax.Block):
+                return self._statements((*statement.statements, *rest), frame, state, block)
+            if isinstance(statement, syntax.If):
+                condition = self._value(statement.condition, frame, state, block).node
+                no = _listed(statement.no)
+                if isinstance(condition, Constant):
+                    taken = statement.yes.statements if condition.value else no
+                    return self._statements((*taken, *rest), frame, state, block)
+                ends = _leaves_early(statement.yes.statements) or _leaves_early(no)
+                over = self._branch(condition, statement.yes.statements, no, rest if ends else (), frame, state, block)
+                if ends:
+                    return over
+            elif self._statement(statement, frame, state, block):
+                return True
+        return False
+
+    def _branch(self, condition: Node, yes: Sequence[syntax.Statement], no: Sequence[syntax.Statement],
+                rest: Sequence[syntax.Statement], frame: int, state: Environment, block: list[Statement]) -> bool:
+        """Both branches, each with what follows if one of them leaves the function or the loop."""
+        state_yes, state_no = dict(state), dict(state)
+        block_yes: list[Statement] = []
+        block_no: list[Statement] = []
+        over = [self._statements((*yes, *rest), frame, state_yes, block_yes),
+                self._statements((*no, *rest), frame, state_no, block_no)]
+        if _breaks(block_yes) or _breaks(block_no):
+            # What goes on is the branch without the break.
+            state.update(state_no if _breaks(block_yes) else state_yes)
+            block.append(If(condition, block_yes, block_no))
+            return all(over)
+        changed: list[Variable] = []
+        for key in dict.fromkeys((*state_yes, *state_no)):
+            one, other = state_yes.get(key), state_no.get(key)
+            if one is None or other is None or one is other or one == other:
+                if one is not None and other is not None:
+                    state[key] = one
+                continue
+            variable = Variable(one.type, _name_of(key))
+            before = state.get(key)
+            kept = before if before is one or before is other else None
+            block.append(Declare(variable, kept))
+            changed.append(variable)
+            if one is not kept:
+                block_yes.append(Set(variable, one))
+            if other is not kept:
+                block_no.append(Set(variable, other))
+            state[key] = variable
+        if changed or block_yes or block_no:
+            block.append(If(condition, block_yes, block_no))
+        return all(over)
+
+    def _statement(self, statement: syntax.Statement, frame: int, state: Environment, block: list[Statement]) -> bool:
+        if isinstance(statement, syntax.Declare):
+            self._declare(statement, frame, state, block)
+        elif isinstance(statement, syntax.Assign):
+            self._assign(statement, frame, state, block)
+        elif isinstance(statement, syntax.Evaluate):
+            self._value(statement.call, frame, state, block)
+        elif isinstance(statement, (syntax.Loop, syntax.DoLoop)):
+            self._loop(statement, frame, state, block)
+        elif isinstance(statement, syntax.Break):
+            block.append(Break(dict(state)))
+            return True
+        else:
+            if frame in self._in_loops:
+                raise statement.at.error("a return in a loop is not one that tools/pick knows")
+            if statement.value is not None:
+                self._bind(state, frame, "return", self._value(statement.value, frame, state, block))
+            return True
+        return False
+
+    def _declare(self, statement: syntax.Declare, frame: int, state: Environment, block: list[Statement]) -> None:
+        name = statement.at.text
+        if statement.value is None:
+            self._types[frame, name] = statement.type
+            for path, type_ in self.module.parts(statement.type):
+                state[(frame, name, *path)] = _nothing(type_)
+            return
+        value = self._value(statement.value, frame, state, block)
+        self._hint(name, value)
+        self._bind(state, frame, name, value)
+
+    def _assign(self, statement: syntax.Assign, frame: int, state: Environment, block: list[Statement]) -> None:
+        target = self._value(statement.target, frame, state, block)
+        sign = statement.at.text
+        if sign in ("++", "--"):
+            value = Typed(target.type, {(): binary(sign[0], target.node, Constant(target.type, 1))})
+        else:
+            value = self._value(statement.value, frame, state, block)
+            if sign != "=":
+                value = Typed(target.type, {(): self._binary(sign[:-1], target.node, value.node)})
+        self._store(statement.target, value, frame, state)
+
+    def _store(self, target: Expression, value: Typed, frame: int, state: Environment) -> None:
+        path: list[str] = []
+        while isinstance(target, syntax.Member):
+            path.insert(0, target.at.text)
+            target = target.of
+        key = (frame, target.at.text, *path)
+        if path and key not in state and key[:-1] in state:  # a component of a vector
+            state[key[:-1]] = with_member(state[key[:-1]], path[-1], value.node)
+            return
+        self._hint(path[-1] if path else target.at.text, value)
+        for part, node in value.leaves.items():
+            state[(*key, *part)] = node
+
+    def _loop(self, loop: syntax.Loop | syntax.DoLoop, frame: int, state: Environment, block: list[Statement]) -> None:
+        asks_behind = isinstance(loop, syntax.DoLoop)
+        if not asks_behind and loop.start is not None:
+            self._declare(loop.start, frame, state, block)
+        carried: dict[tuple[object, ...], Variable] = {}
+        derived: dict[tuple[object, ...], tuple[tuple[object, ...], Node]] = {}
+        seen = {key: list(arguments) for key, arguments in self.arguments.items()}
+        while True:
+            self.arguments = {key: list(arguments) for key, arguments in seen.items()}  # of the last turn alone
+            start: Environment = {**state, **carried}
+            for key, (other, node) in derived.items():
+                start[key] = _replaced(node, {state[other]: carried[other]})
+            now, body = dict(start), []
+            condition = None
+            if not asks_behind and loop.condition is not None:
+                condition = self._value(loop.condition, frame, now, body).node
+            self._in_loops.append(frame)
+            over = self._statements(loop.body.statements, frame, now, body)
+            self._in_loops.pop()
+            if not asks_behind and loop.step is not None:
+                self._assign(loop.step, frame, now, body)
+            if asks_behind:
+                condition = self._value(loop.condition, frame, now, body).node
+            states = [exit_.state for exit_ in _exits(body)] + ([] if over else [now])
+            changed = {key for other in states for key in start if other[key] is not start[key]} - {*carried, *derived}
+            if not changed:
+                found = {key: of for key in carried if (of := _derived(key, carried, state, states))}
+                if not found:
+                    break
+                derived |= found
+                for key in found:
+                    del carried[key]
+            carried |= {key: Variable(start[key].type, _name_of(key)) for key in start if key in changed}
+        block += [Declare(variable, state[key]) for key, variable in carried.items()]
+        for statements in _blocks(body):
+            for i, statement in enumerate(statements):
+                if isinstance(statement, Break) and statement.state:
+                    statements[i:i + 1] = [*_sets(carried, statement.state), Break()]
+                    break
+        if not over:
+            body += _sets(carried, now)
+        if asks_behind and condition is not None:
+            condition = _replaced(condition, {now[key]: variable for key, variable in carried.items()
+                                              if isinstance(now[key], Operation)})
+        block.append(Loop(condition, asks_behind, body))
+        state.update(carried)
+
+    # Expressions.
+
+    def _value(self, expression: Expression, frame: int, state: Environment, block: list[Statement]) -> Typed:
+        def value(of: Expression) -> Typed:
+            return self._value(of, frame, state, block)
+
+        if isinstance(expression, syntax.Number):
+            return _plain(_number(expression.at.text))
+        if isinstance(expression, syntax.Truth):
+            return _plain(Constant("bool", int(expression.at.text == "true")))
+        if isinstance(expression, syntax.Parentheses):
+            return value(expression.inside)
+        if isinstance(expression, syntax.Name):
+            return self._name(expression.at, frame, state, block)
+        if isinstance(expression, syntax.Member):
+            of, name = value(expression.of), expression.at.text
+            if of.type in SIZES:
+                return _plain(member(of.node, name))
+            type_ = next(type_ for field_name, type_, _ in self.module.structs[of.type].fields if field_name == name)
+            return Typed(type_, {path[1:]: node for path, node in of.leaves.items() if path[0] == name})
+        if isinstance(expression, syntax.Unary):
+            return _plain(unary(expression.at.text, value(expression.operand).node))
+        if isinstance(expression, syntax.Binary):
+            return _plain(self._binary(expression.at.text, value(expression.left).node, value(expression.right).node))
+        if isinstance(expression, syntax.Choice):
+            condition = value(expression.condition).node
+            return _plain(choice(condition, value(expression.yes).node, value(expression.no).node))
+        return self._call(expression, frame, state, block)
+
+    @staticmethod
+    def _binary(sign: str, left: Node, right: Node) -> Node:
+        return binary(sign, left, right)
+
+    def _name(self, at: Token, frame: int, state: Environment, block: list[Statement]) -> Typed:
+        leaves = {key[2:]: node for key, node in state.items() if key[:2] == (frame, at.text)}
+        if leaves:
+            return Typed(self._types[frame, at.text], leaves)
+        if at.text not in self.module.constants:
+            raise at.error(f"{at} is no variable, and no macro that stands for a number")
+        return self._value(self.module.constant(at.text), frame, state, block)
+
+    def _call(self, expression: syntax.Call, frame: int, state: Environment, block: list[Statement]) -> Typed:
+        name = expression.at.text
+        arguments = [self._value(argument, frame, state, block) for argument in expression.arguments]
+        if name in SIZES:
+            return _plain(construct(name, tuple(argument.node for argument in arguments)))
+        if name in BUILTINS:
+            return _plain(builtin(name, arguments[0].type, tuple(a.node for a in arguments)))
+        if name in CASTS:
+            size = SIZES[arguments[0].type]
+            type_ = CASTS[name] if size == 1 else f"{ {'float': '', 'uint': 'u', 'int': 'i'}[CASTS[name]]}vec{size}"
+            return _plain(operation("builtin", name, type_, tuple(a.node for a in arguments)))
+        function = self.module.function(expression.at, tuple(argument.type for argument in arguments))
+        if self.module.is_plain(function):
+            nodes = tuple(argument.node for argument in arguments)
+            key = (function.name, function.types)
+            self.calls[key] += 1
+            self.arguments.setdefault(key, []).append(nodes)
+            kept = self.keeps(function, nodes)
+            if kept:
+                return _plain(operation("call", kept, function.type, tuple(kept.left(nodes))))
+        inner = next(self._frames)
+        for parameter, argument in zip(function.parameters, arguments):
+            if parameter.at.text not in (*AXES, "condition") and not any(
+                    node in self.hints for node in argument.leaves.values()):
+                self._hint(parameter.at.text, argument)
+            self._bind(state, inner, parameter.at.text, argument)
+        self._function(function, inner, state, block)
+        for parameter, argument in zip(function.parameters, expression.arguments):
+            if parameter.is_set:
+                leaves = {key[2:]: node for key, node in state.items() if key[:2] == (inner, parameter.at.text)}
+                self._store(argument, Typed(parameter.type, leaves), frame, state)
+        result = {key[2:]: node for key, node in state.items() if key[:2] == (inner, "return")}
+        for key in [key for key in state if key[0] == inner]:
+            del state[key]
+        return Typed(function.type, result)
+
+
+def _plain(node: Node) -> Typed:
+    return Typed(node.type, {(): node})
+
+
+def _number(text: str) -> Constant:
+    if text[-1] in "uU":
+        return Constant("uint", int(text[:-1], 0))
+    if text[:2] not in ("0x", "0X") and (text[-1] in "fF" or "." in text or "e" in text):
+        return Constant("float", text)
+    return Constant("int", int(text, 0))
+
+
+def _nothing(type_: str) -> Node:
+    """The value of a variable that has none yet; no computation may need it."""
+    scalar = scalar_of(type_)
+    zero = Constant(scalar, "0.0f" if scalar == "float" else 0)
+    return zero if SIZES[type_] == 1 else construct(type_, (zero,))
+
+
+def _name_of(key: tuple[object, ...]) -> str:
+    return "result" if key[-1] == "return" else str(key[-1])
+
+
+def _listed(block: syntax.Block | syntax.If | None) -> Sequence[syntax.Statement]:
+    if block is None:
+        return ()
+    return (block,) if isinstance(block, syntax.If) else block.statements
+
+
+def _leaves_early(statements: Iterable[syntax.Statement]) -> bool:
+    """Whether a return stands in them, or a break that is not of a loop in them."""
+    for statement in statements:
+        if isinstance(statement, (syntax.Return, syntax.Break)):
+            return True
+        if isinstance(statement, syntax.Block) and _leaves_early(statement.statements):
+            return True
+        if isinstance(statement, syntax.If) and (_leaves_early(statement.yes.statements) or _leaves_early(_listed(statement.no))):
+            return True
+    return False
+
+
+def _breaks(block: Sequence[Statement]) -> bool:
+    return bool(block) and isinstance(block[-1], Break)
+
+
+def _blocks(block: list[Statement]) -> Iterable[list[Statement]]:
+    """It and the branches in it; what is in a loop belongs to that."""
+    yield block
+    for statement in list(block):
+        if isinstance(statement, If):
+            yield from _blocks(statement.yes)
+            yield from _blocks(statement.no)
+
+
+def _exits(block: list[Statement]) -> list[Break]:
+    return [statement for one in _blocks(block) for statement in one if isinstance(statement, Break) and statement.state]
+
+
+def _sets(carried: dict[tuple[object, ...], Variable], state: Environment) -> list[Statement]:
+    """What changes in a turn. A value that is a variable which changes before would be read too late."""
+    sets = [Set(variable, state[key]) for key, variable in carried.items() if state[key] is not variable]
+    late = set()
+    for statement in sets:
+        if statement.value in late:
+            raise ValueError(f"{statement.variable.name} takes the value that another variable had")
+        late.add(statement.variable)
+    return sets
+
+
+def _derived(key: tuple[object, ...], carried: dict[tuple[object, ...], Variable], state: Environment,
+             states: Sequence[Environment]) -> tuple[tuple[object, ...], Node] | None:
+    """Of what variable a value is the same function before each turn, and that function of what it was before the first."""
+    for other in carried:
+        first = state[other]
+        if other != key and isinstance(first, Variable) and isinstance(state[key], Operation) and all(
+                _replaced(state[key], {first: now[other]}) is now[key] for now in states):
+            return other, state[key]
+    return None
+
+
+def _replaced(node: Node, new: dict[Node, Node]) -> Node:
+    if isinstance(node, Constant):
+        return node
+    if node not in new:
+        if not isinstance(node, Operation):
+            return node
+        new[node] = operation(node.kind, node.name, node.type, tuple(_replaced(argument, new) for argument in node.arguments))
+    return new[node]

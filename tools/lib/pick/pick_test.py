@@ -1,0 +1,229 @@
+"""Tests of tools/pick: the values of what it writes, its compilation, its size, and bad usage."""
+
+from __future__ import annotations
+
+import contextlib
+import functools
+import io
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+from pick import command, printer
+from pick.comparison import source
+from pick.evaluate import Module
+from pick.printer import CPP, LANGUAGES
+from pick.program import Program, chosen, public, read
+from thorough import THOROUGH
+from tree import GLSL, ROOT, TOOLS
+from twin import compile_program
+
+# The largest that a text may be, without the comment.
+SIZES = {"hn_perlin2": (1400, 40), "hn_value2": (1400, 40), "hn_simplex2": (1950, 40), "hn_cellular2": (2500, 50),
+         "hn_fbm2": (2000, 45)}
+POINTS = 300
+
+
+@functools.cache
+def module(arithmetic: str, hash_: str = "lattice") -> Module:
+    return read(GLSL, command.settings(arithmetic, hash_))
+
+
+def text(*names: str, arithmetic: str = "fast", language: str = "glsl", of: Module | None = None) -> str:
+    of = of or module(arithmetic)
+    return Program(of, chosen(of, names)).text(LANGUAGES.get(language, CPP), arithmetic == "precise")
+
+
+def code(shown: str) -> str:
+    return "".join(line for line in shown.splitlines(keepends=True) if not line.startswith("//"))
+
+
+class Values(unittest.TestCase):
+    """Every function has the bits of the library in C++: by default some of them, each arithmetic others."""
+
+    def differing(self, arithmetic: str, texts: dict[str, str], hash_: str = "lattice") -> list[str]:
+        of = module(arithmetic, hash_)
+        with tempfile.TemporaryDirectory() as folder:
+            program = Path(folder) / "program"
+            file = program.with_suffix(".cpp")
+            file.write_text(source(of, public(of), texts, POINTS), encoding="ascii")
+            macros = [f"{name}={value}" for name, value in command.settings(arithmetic, hash_).items()]
+            compile_program("what tools/pick writes", file, program, "-O0", macros=(*macros, "always_inline=unused"))
+            return subprocess.run([program], capture_output=True, text=True, check=True).stdout.splitlines()
+
+    def test_they_are_those_of_the_library(self) -> None:
+        for turn, arithmetic in enumerate(command.ARITHMETICS):
+            of = module(arithmetic)
+            names = list(public(of)) if THOROUGH else list(public(of))[turn * 8::24]
+            self.assertGreater(len(names), 12)
+            with self.subTest(arithmetic=arithmetic):
+                self.assertEqual(self.differing(arithmetic, {name: text(name, of=of, language="cpp") for name in names}), [])
+
+    def test_with_other_hashes_too(self) -> None:
+        for hash_ in ("fnv1", "pcg", "jenkins") if THOROUGH else ("pcg",):
+            of = module("fast", hash_)
+            texts = {name: text(name, of=of, language="cpp") for name in ("hn_perlin2", "hn_cellular3_full")}
+            with self.subTest(hash=hash_):
+                self.assertEqual(self.differing("fast", texts, hash_), [])
+
+    def test_a_difference_is_noticed(self) -> None:
+        right = text("hn_perlin2", language="cpp")
+        wrong = right.replace("0x85EBCA77u", "0x85EBCA79u")
+        self.assertNotEqual(wrong, right)
+        self.assertRegex(self.differing("fast", {"hn_value2": text("hn_value2", language="cpp"), "hn_perlin2": wrong})[0],
+                         rf"^hn_perlin2: \d+ of {POINTS}$")
+
+    def test_a_fault_of_the_printer_is_noticed(self) -> None:
+        with mock.patch.dict(printer.STRENGTH, {"-": 11}):  # as strong as a product
+            wrong = text("hn_perlin2", language="cpp")
+        self.assertTrue(self.differing("fast", {"hn_perlin2": wrong}))
+
+
+class Shaders(unittest.TestCase):
+    def spirv(self, shader: str) -> str:
+        """What an optimizer leaves of a shader."""
+        with tempfile.TemporaryDirectory() as folder:
+            paths = [str(Path(folder) / name) for name in ("shader.frag", "whole.spv", "less.spv")]
+            Path(paths[0]).write_text(shader, encoding="ascii")
+            for call in (["glslangValidator", "-G", "--aml", "--amb", "-o", paths[1], paths[0]],
+                         ["spirv-opt", "-O", paths[1], "-o", paths[2]]):
+                done = subprocess.run(call, capture_output=True, text=True, check=False)
+                self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            return subprocess.run(["spirv-dis", paths[2]], capture_output=True, text=True, check=True).stdout
+
+    @staticmethod
+    def operations(spirv: str) -> int:
+        body = spirv[spirv.index("OpFunction "):]
+        return len(re.findall(r"= Op(?!Label|Load|AccessChain|Phi|Variable|Function)\w+", body))
+
+    MAIN = ("layout(location = 0) in vec4 v;\nlayout(location = 1) flat in uint seed;\n"
+            "layout(location = 0) out vec4 color;\nvoid main() {{ color = vec4({}); }}\n")
+    CALLS = {"hn_perlin2": "hn_perlin(v.xy, seed)", "hn_simplex3": "hn_simplex(v.xyz, seed)",
+             "hn_cellular2": "hn_cellular(v.xy, seed), 0.0, 0.0",
+             "hn_fbm2": "hn_fbm(v.xy, int(seed & 7u), v.z, v.w, seed)",
+             "hn_warp_progressive2": "hn_warp_progressive(v.xy, 3, 2.0, 0.5, v.z, seed), 0.0, 0.0"}
+
+    def test_no_operation_is_added(self) -> None:
+        whole = subprocess.run([TOOLS / "single-file", "--strip"], capture_output=True,
+                               text=True, check=True).stdout
+        for arithmetic in command.ARITHMETICS if THOROUGH else ("fast", "fixed"):
+            for name, call in self.CALLS.items():
+                main = self.MAIN.format(call)
+                with self.subTest(name=name, arithmetic=arithmetic):
+                    picked = self.operations(self.spirv(f"#version 450\n{text(name, arithmetic=arithmetic)}{main}"))
+                    library = self.operations(self.spirv(
+                        f"#version 450\n#define HN_ARITHMETIC HN_{arithmetic.upper()}\n{whole}{main}"))
+                    self.assertLessEqual(picked, library)
+                    self.assertGreater(picked, library // 2)  # so both were counted
+
+    def test_precise_reaches_every_float(self) -> None:
+        for name in ("hn_perlin2", "hn_fbm2"):
+            spirv = self.spirv("#version 450\n" + text(name, arithmetic="precise") + self.MAIN.format(self.CALLS[name]))
+            computed = set(re.findall(r"(%\w+) = OpF(?:Add|Sub|Mul|Div)", spirv))
+            self.assertGreater(len(computed), 20)
+            self.assertEqual(computed - set(re.findall(r"OpDecorate (%\w+) NoContraction", spirv)), set())
+
+    def test_versions(self) -> None:
+        """Both languages in their lowest version; in ES where the user's own floats are of a lower precision."""
+        names = ("hn_fbm_d2", "hn_cellular2_nearest", "hn_tile4", "hn_next3")
+        for language, head in (("glsl", "#version 330\n"), ("glsl-es", "#version 300 es\nprecision mediump float;\n")):
+            shader = head + text(*names, language=language) + "void main() {}\n"
+            with self.subTest(language=language), tempfile.TemporaryDirectory() as folder:
+                file = Path(folder) / "shader.frag"
+                file.write_text(shader, encoding="ascii")
+                done = subprocess.run(["glslangValidator", file], capture_output=True, text=True, check=False)
+                self.assertEqual(done.returncode, 0, done.stdout)
+        bare = r"(?<!highp )\b(?:float|u?int|[iu]?vec\d) \w+(?: =|[,;)])"
+        self.assertNotRegex(text("hn_fbm2", language="glsl-es"), bare)
+
+    def test_they_are_short(self) -> None:
+        for name, (length, lines) in SIZES.items():
+            with self.subTest(name):
+                self.assertLessEqual(len(text(name)), length)
+                self.assertLessEqual(text(name).count("\n"), lines)
+        names = list(public(module("fast")))[::1 if THOROUGH else 20]
+        longest = max((line for name in names for line in text(name).splitlines()), key=len)
+        self.assertLessEqual(len(longest), 120)
+
+    def test_what_two_functions_need_is_there_once(self) -> None:
+        both = text("hn_perlin2", "hn_perlin_d2")
+        heads = re.findall(r"^\w+ \w+\(.*\) \{", both, re.MULTILINE)
+        self.assertEqual(len(heads), len(set(heads)))
+
+
+class Command(unittest.TestCase):
+    def call(self, *arguments: str) -> tuple[int, str]:
+        shown = io.StringIO()
+        with contextlib.redirect_stdout(shown), contextlib.redirect_stderr(shown):
+            try:
+                status = command.main(arguments)
+            except SystemExit as stop:
+                status = int(stop.code)
+        return status, shown.getvalue()
+
+    def test_it_says_what_it_wrote_and_how(self) -> None:
+        status, shown = self.call("hn_value2", "--arithmetic", "fixed", "--language", "glsl-es")
+        self.assertEqual(status, 0)
+        self.assertRegex(shown, r"^// hn_value\(vec2 p, uint seed\)\n// Value noise")
+        self.assertRegex(shown, r"\n//   returns +\[-1, 1\]")
+        self.assertIn("by: tools/pick hn_value2 --language glsl-es --arithmetic fixed\n", shown)
+        again = re.search("by: tools/pick (.*)\n", shown)[1]
+        self.assertEqual(self.call(*again.split())[1], shown)
+        self.assertEqual(code(shown), text("hn_value2", arithmetic="fixed", language="glsl-es"))
+
+    def test_the_page_shows_what_it_writes(self) -> None:
+        page = (ROOT / "docs" / "languages.md").read_text()
+        self.assertIn(f"```glsl\n{self.call('hn_value2')[1]}```\n", page)
+        self.assertIn(f"# {len(public(module('fast')))} functions\n", page)
+
+    def test_the_text_is_the_same_in_another_process(self) -> None:
+        """Python's sets have another order there, and other functions may have been evaluated before."""
+        names = ("hn_fbm2", "hn_cell_border2_full")
+        shown = subprocess.run([TOOLS / "pick", *names, "--arithmetic", "fixed"], capture_output=True, text=True,
+                               check=True).stdout
+        self.assertEqual(code(shown), text(*names, arithmetic="fixed"))
+
+    def test_a_file(self) -> None:
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "new" / "noise.glsl"
+            self.assertEqual(self.call("hn_value2", "--out", str(path)), (0, f"{path}\n"))
+            self.assertEqual(code(path.read_text()), text("hn_value2"))
+
+    def test_the_list_has_what_can_be_asked_for(self) -> None:
+        status, shown = self.call("--list")
+        self.assertEqual(status, 0)
+        self.assertEqual([line.split()[0] for line in shown.splitlines()], sorted(public(module("fast"))))
+        self.assertRegex(shown, r"(?m)^hn_perlin2 +float hn_perlin\(vec2, uint\)$")
+
+    def test_bad_usage(self) -> None:
+        for arguments, message in (((), "name functions"), (("--list", "hn_value2"), "name functions"),
+                                   (("hn_perln2",), "there is no function hn_perln2; there are hn_perlin2"),
+                                   (("hn_perlin",), "there are hn_perlin1, hn_perlin1_place"),
+                                   (("hn_value2", "--hash", "custom"), "invalid choice"),
+                                   (("hn_value2", "--arithmetic", "precise", "--language", "glsl-es"), "GLSL ES has"),
+                                   (("hn_value2", "--glsl", "/nowhere"), "/nowhere")):
+            with self.subTest(arguments):
+                status, shown = self.call(*arguments)
+                self.assertEqual(status, 2)
+                self.assertIn(message, shown)
+
+    def test_what_the_evaluation_does_not_know_is_told_with_its_place(self) -> None:
+        with tempfile.TemporaryDirectory() as folder:
+            library = Path(folder) / "glsl"
+            shutil.copytree(GLSL, library)
+            file = library / "value2d.glsl"
+            file.write_text(file.read_text().replace("return hn_value(p, 0u);", "return hn_absent(p);"))
+            wanted = "HN_FN hn_float hn_value(hn_vec2 p, hn_uint seed) {"
+            self.assertIn(wanted, file.read_text())
+            file.write_text(file.read_text().replace(wanted, f"{wanted} hn_absent(p);"))
+            status, shown = self.call("hn_value2", "--glsl", str(library))
+        self.assertEqual(status, 2)
+        self.assertRegex(shown, r"value2d\.glsl:\d+: there is no function hn_absent\(vec2\)")
+
+
+if __name__ == "__main__":
+    unittest.main()

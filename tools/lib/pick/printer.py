@@ -1,0 +1,470 @@
+"""Statements over values as text: what is used more than once gets a name, the rest stands where it is used."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from parsing.lines import wrapped
+from pick.evaluate import Break, Declare, If, Kept, Loop, Return, Set, Statement
+from pick.values import SIZES, Constant, Node, Operation, Variable, scalar_of
+
+WIDTH = 100  # of lines, as far as values have parts that can be named
+RESERVED = frozenset("""abs floor trunc sqrt min max float int uint bool vec2 vec3 vec4 ivec2 ivec3 ivec4 uvec2 uvec3 uvec4
+    sample input output filter half fixed common partition active packed this resource patch centroid flat smooth mix
+    sign step length distance normal dot cross""".split())
+# How strongly operators bind.
+STRENGTH = {"||": 1, "&&": 2, "|": 4, "^": 5, "&": 6, "==": 7, "!=": 7, "<": 8, ">": 8, "<=": 8, ">=": 8, "<<": 9, ">>": 9,
+            "+": 10, "-": 10, "*": 11, "/": 11, "%": 11}
+CHOICE, UNARY, PRIMARY = 0, 12, 13
+BITS = ("|", "^", "&", "<<", ">>")  # readers want parentheses around and in these
+TRUTH = ("&&", "||")
+DECLARATION = re.compile(r" *((?:precise |highp )*(?:float|u?int|bool|[iu]?vec[234])) (\w+(?: = .*)?;)")
+UNNAMED = {"floor": "whole", "abs": "size"}  # what a value is called that has no name in the library
+Place = tuple[tuple[int, int], ...]  # of a statement: of each block around it the number, and the index in it
+
+
+@dataclass(frozen=True)
+class Language:
+    """How a language writes the same."""
+    float_suffix: str = ""
+    qualifier: str = ""   # before each type
+    function: str = ""    # before each function
+    out: str = "out {}"
+    inout: str = "inout {}"
+    splats: bool = True   # whether operators take a vector and a number, and constructors of vectors one number
+    structs: bool = True  # whether structs are defined
+    may_be_precise: bool = True
+
+    def typed(self, type_: str) -> str:
+        return f"{self.qualifier if type_ in SIZES and type_ != 'bool' else ''}{type_}"
+
+
+LANGUAGES = {"glsl": Language(), "glsl-es": Language(qualifier="highp ", may_be_precise=False)}
+# For tests: over include/hashnoise/glsl.hpp, which has no operators of a number and a vector, and with its structs.
+CPP = Language(float_suffix="f", function="inline ", out="{}&", inout="{}&", splats=False, structs=False,
+               may_be_precise=False)
+
+
+# --- Statements -----------------------------------------------------------------------------------------------------
+
+
+def operands(statement: Statement) -> list[Node]:
+    if isinstance(statement, (Declare, Set, Return)):
+        return [statement.value] if statement.value is not None else []
+    if isinstance(statement, If):
+        return [statement.condition]
+    return [statement.condition] if isinstance(statement, Loop) and statement.condition is not None else []
+
+
+def inner(statement: Statement) -> list[list[Statement]]:
+    if isinstance(statement, If):
+        return [statement.yes, statement.no]
+    return [statement.body] if isinstance(statement, Loop) else []
+
+
+def walk(block: Sequence[Statement]) -> Iterable[Statement]:
+    for statement in block:
+        yield statement
+        for other in inner(statement):
+            yield from walk(other)
+
+
+def blocks(block: list[Statement]) -> Iterable[list[Statement]]:
+    yield block
+    for statement in block:
+        for other in inner(statement):
+            yield from blocks(other)
+
+
+def reachable(nodes: Iterable[Node]) -> set[Node]:
+    """The operations and variables that values are made of."""
+    found: set[Node] = set()
+    pending = list(nodes)
+    while pending:
+        node = pending.pop()
+        if isinstance(node, Constant) or node in found:
+            continue
+        found.add(node)
+        if isinstance(node, Operation):
+            pending += node.arguments
+    return found
+
+
+def values_of(block: Sequence[Statement]) -> set[Node]:
+    return reachable(value for statement in walk(block) for value in operands(statement))
+
+
+def without_dead(block: list[Statement]) -> list[Statement]:
+    """The statements without variables that nothing reads, and without branches in which nothing is left."""
+    while True:
+        read: set[Node] = set()
+        before = -1
+        while len(read) != before:
+            before = len(read)
+            read = reachable(value for statement in walk(block) for value in operands(statement)
+                             if not isinstance(statement, (Declare, Set)) or _is_read(statement.variable, read))
+        block, changed = _live(block, read)
+        if not changed:
+            return block
+
+
+def _is_read(variable: Variable, read: set[Node]) -> bool:
+    return variable.is_parameter or variable in read
+
+
+def _live(block: Sequence[Statement], read: set[Node]) -> tuple[list[Statement], bool]:
+    left: list[Statement] = []
+    changed = False
+    for statement in block:
+        keeps = True
+        if isinstance(statement, (Declare, Set)):
+            keeps = _is_read(statement.variable, read)
+        elif isinstance(statement, If):
+            (yes, one), (no, other) = _live(statement.yes, read), _live(statement.no, read)
+            changed |= one or other
+            keeps = bool(yes or no)
+            statement = If(statement.condition, yes, no)
+        elif isinstance(statement, Loop):
+            body, one = _live(statement.body, read)
+            changed |= one
+            keeps = any(isinstance(other, Set) for other in walk(body))
+            statement = Loop(statement.condition, statement.asks_behind, body)
+        if keeps:
+            left.append(statement)
+        changed |= not keeps
+    return left, changed
+
+
+# --- Text -----------------------------------------------------------------------------------------------------------
+
+
+class Writer:
+    """Of the body of one function. `hints` say what values are called in the library, `names` what is called."""
+
+    def __init__(self, language: Language, block: list[Statement], hints: Mapping[Node, str], parameters: Iterable[str],
+                 names: Mapping[Kept, str], precise: bool = False):
+        self.language = language
+        self.block = block
+        self.hints = hints
+        self.names = names
+        self.precise = precise
+        self.taken = {*parameters, *names.values(), *RESERVED}
+        self.called: dict[Node, str] = {}  # the names of values and variables
+        self.named: set[Operation] = set()
+        self._numbers = {id(one): number for number, one in enumerate(blocks(block))}
+        self._places: dict[Operation, Place] = {}
+        self._counts: dict[int, tuple[Declare, Set]] = {}  # of loops that count, by id()
+        self._dropped: set[int] = set()                    # statements that stand elsewhere, by id()
+        self._choose()
+        if precise:
+            self._name_precise()
+        self._name_late()
+        self._split()
+        self._find_counts()
+        self._find_changed_parameters()
+
+    def lines(self) -> list[str]:
+        self._starts: dict[tuple[int, int], list[Operation]] = {}
+        for node in sorted(self.named, key=lambda one: one.number):
+            self._starts.setdefault(self._places[node][-1], []).append(node)
+        for statement in walk(self.block):
+            if isinstance(statement, (Set, Declare)) and statement.variable.is_parameter:
+                self.called[statement.variable] = statement.variable.name
+        return self._lines(self.block, 2)
+
+    # What is named, and where.
+
+    def _choose(self) -> None:
+        """Names what is used more than once, where all its uses see it."""
+        uses: Counter[Operation] = Counter()
+        at: dict[Operation, list[Place]] = {}
+        self._visit(self.block, (), at)
+        for node, places in at.items():
+            uses[node] = len(places)
+        known = {node for node in values_of(self.block) if isinstance(node, Operation)}
+        for node in sorted(known, key=lambda one: -one.number):  # what it is an argument of has a higher number
+            place = _common(at[node])
+            self._places[node] = place
+            repeats = uses[node]
+            if repeats > 1 and not _is_cheap(node):
+                self.named.add(node)
+                repeats = 1
+            for argument in node.arguments:
+                if isinstance(argument, Operation):
+                    uses[argument] += repeats
+                    at.setdefault(argument, []).append(place)
+
+    def _visit(self, block: list[Statement], around: Place, at: dict[Operation, list[Place]]) -> None:
+        number = self._numbers[id(block)]
+        first = 0
+        for i, statement in enumerate(block):
+            # Variables that are set one after another are set at once, as it were, and what is returned is known then.
+            if not isinstance(statement, (Set, Return)):
+                first = i + 1
+            place = (*around, (number, min(first, i)))
+            asked = place
+            if isinstance(statement, Loop) and statement.asks_behind:
+                asked = (*place, (self._numbers[id(statement.body)], len(statement.body)))
+            for node in operands(statement):
+                if isinstance(node, Operation):
+                    at.setdefault(node, []).append(asked)
+            for other in inner(statement):
+                self._visit(other, place, at)
+
+    def _name_late(self) -> None:
+        """Names what would be read too late otherwise: behind a variable that it reads was set."""
+        for block in blocks(self.block):
+            changed: set[object] = set()
+            for statement in block:
+                if not isinstance(statement, (Set, Return)):
+                    changed = set()
+                    continue
+                if isinstance(statement.value, Operation) and changed & {
+                        _key(node) for node in self._inside(statement.value) if isinstance(node, Variable)}:
+                    self.named.add(statement.value)
+                if isinstance(statement, Set):
+                    changed.add(_key(statement.variable))
+
+    def _name_precise(self) -> None:
+        """Names floats that go elsewhere than into a float: `precise` is of a variable, and of what makes it in the same
+        function."""
+        known = values_of(self.block)
+        gone = [value for statement in walk(self.block) for value in operands(statement)]
+        gone += [argument for node in known if isinstance(node, Operation) and (
+            node.kind == "call" or not _is_float(node.type)) for argument in node.arguments]
+        self.named |= {node for node in gone if isinstance(node, Operation) and _is_float(node.type)
+                       and node.kind not in ("call", "member")}
+
+    def _inside(self, node: Operation) -> list[Node]:
+        """What an expression has in it where it stands."""
+        found: list[Node] = []
+        pending = list(node.arguments)
+        while pending:
+            one = pending.pop()
+            found.append(one)
+            if isinstance(one, Operation) and one not in self.named:
+                pending += one.arguments
+        return found
+
+    def _split(self) -> None:
+        """Names parts of what is too long for a line."""
+        whole = [node for statement in walk(self.block) for node in operands(statement) if isinstance(node, Operation)]
+        for node in (*whole, *sorted(self.named, key=lambda one: one.number)):
+            while (length := self._length(node)) > WIDTH:
+                parts = [one for one in self._inside(node) if isinstance(one, Operation) and one not in self.named
+                         and one.kind != "member" and 12 < self._length(one) < length - 20]
+                if not parts:
+                    break
+                hinted = [one for one in parts if one in self.hints]
+                self.named.add(max(hinted or parts, key=lambda one: (self._length(one) <= WIDTH) * self._length(one)))
+
+    def _length(self, node: Node) -> int:
+        """About as many characters as its expression takes."""
+        if isinstance(node, Constant):
+            return len(self._constant(node))
+        if isinstance(node, Variable):
+            return 5
+        name = self.names[node.name] if isinstance(node.name, Kept) else node.name
+        return 3 + len(name) + sum(1 + (5 if argument in self.named else self._length(argument)) for argument in node.arguments)
+
+    def _find_counts(self) -> None:
+        """Loops that count: what declares the number that is counted, and what changes it last."""
+        for block in blocks(self.block):
+            for i, statement in enumerate(block):
+                if not isinstance(statement, Loop) or statement.asks_behind or not statement.body:
+                    continue
+                last = statement.body[-1]
+                start = next((other for other in block[:i] if isinstance(other, Declare) and isinstance(last, Set)
+                              and other.variable is last.variable), None)
+                if start is not None and start.variable not in values_of(block[i + 1:]):
+                    self._counts[id(statement)] = start, last
+                    self._dropped |= {id(start), id(last)}
+
+    def _find_changed_parameters(self) -> None:
+        """Variables that begin as a parameter which nothing else reads: they are it."""
+        reads = Counter(argument for node in values_of(self.block) if isinstance(node, Operation) for argument in node.arguments)
+        reads.update(value for statement in walk(self.block) for value in operands(statement))
+        for statement in self.block:
+            if isinstance(statement, Declare) and isinstance(statement.value, Variable) and statement.value.is_parameter and (
+                    reads[statement.value] == 1 and "." not in statement.value.name):
+                self.called[statement.variable] = statement.value.name
+                self._dropped.add(id(statement))
+
+    # Lines.
+
+    def _lines(self, block: list[Statement], indent: int) -> list[str]:
+        number = self._numbers[id(block)]
+        space = " " * indent
+        lines: list[str] = []
+        for i in range(len(block) + 1):
+            for node in self._starts.get((number, i), []):
+                text = self._expression(node)[0]
+                lines.append(f"{space}{self._type(node.type)} {self._new_name(node, self.hints.get(node, ''))} = {text};")
+            if i < len(block) and id(block[i]) not in self._dropped:
+                lines += [f"{space}{line}" for line in self._statement(block[i])]
+        return _joined(lines, space)
+
+    def _type(self, type_: str) -> str:
+        precise = self.precise and self.language.may_be_precise and type_ in SIZES and _is_float(type_)
+        return f"{'precise ' if precise else ''}{self.language.typed(type_)}"
+
+    def _new_name(self, node: Node, hint: str) -> str:
+        name = hint or (UNNAMED.get(str(node.name), "") if isinstance(node, Operation) else "") or "n"
+        if name in self.taken:
+            name = next(f"{name}{i}" for i in range(2, 1000) if f"{name}{i}" not in self.taken)
+        self.taken.add(name)
+        self.called[node] = name
+        return name
+
+    def _statement(self, statement: Statement) -> list[str]:
+        if isinstance(statement, Declare):
+            value = f" = {self._text(statement.value)}" if statement.value is not None else ""
+            name = self.called.get(statement.variable) or self._new_name(statement.variable, statement.variable.name)
+            return [f"{self._type(statement.variable.type)} {name}{value};"]
+        if isinstance(statement, Set):
+            return [f"{self._change(statement)};"]
+        if isinstance(statement, Return):
+            return [f"return {self._text(statement.value)};"] if statement.value is not None else []
+        if isinstance(statement, Break):
+            return ["break;"]
+        return self._if(statement) if isinstance(statement, If) else self._loop(statement)
+
+    def _change(self, statement: Set) -> str:
+        name, value = self._text(statement.variable), statement.value
+        if isinstance(value, Operation) and value.kind == "binary" and value not in self.called:
+            left, right = value.arguments
+            if value.name == "+" and right is statement.variable:  # the same bits, of floats as well
+                left, right = right, left
+            if left is statement.variable:
+                if value.name in "+-" and right == Constant("int", 1):
+                    return f"{name}{value.name * 2}"
+                return f"{name} {value.name}= {self._text(right)}"
+        return f"{name} = {self._text(value)}"
+
+    def _if(self, statement: If) -> list[str]:
+        head = f"if ({self._text(statement.condition)}) {{"
+        if not statement.yes:
+            head = f"if (!{self._text(statement.condition, UNARY)}) {{"
+        lines = [head, *self._lines(statement.yes or statement.no, 2)]
+        if statement.yes and statement.no:
+            lines += ["} else {", *self._lines(statement.no, 2)]
+        if len(lines) == 2 and len(head) + len(lines[1]) < WIDTH:
+            return [f"{head[:-2]} {lines[1].strip()}"]
+        return [*lines, "}"]
+
+    def _loop(self, loop: Loop) -> list[str]:
+        if loop.asks_behind:
+            body = self._lines(loop.body, 2)
+            return ["do {", *body, f"}} while ({self._text(loop.condition)});"]
+        if id(loop) in self._counts:
+            start, step = self._counts[id(loop)]
+            head = f"for ({self._statement(start)[0]} {self._text(loop.condition)}; {self._change(step)}) {{"
+        else:
+            head = f"while ({self._text(loop.condition) if loop.condition is not None else 'true'}) {{"
+        return [head, *self._lines(loop.body, 2), "}"]
+
+    # Expressions.
+
+    def _text(self, node: Node, strength: int = -1) -> str:
+        """In parentheses, unless it binds more strongly than that."""
+        text, binds = self._expression(node)
+        return text if binds > strength else f"({text})"
+
+    def _constant(self, constant: Constant) -> str:
+        value = constant.value
+        if constant.type == "bool":
+            return "true" if value else "false"
+        if constant.type == "float":
+            return value.rstrip("fF") + self.language.float_suffix
+        if constant.type == "int":
+            return str(value) if value != -(1 << 31) else "(-2147483647 - 1)"
+        return f"0x{value:X}u" if value > 9999 else f"{value}u"
+
+    def _expression(self, node: Node) -> tuple[str, int]:
+        """Its text, and how strongly it binds."""
+        if isinstance(node, Constant):
+            text = self._constant(node)
+            return text, UNARY if text.startswith("-") else PRIMARY
+        if node in self.called:
+            return self.called[node], PRIMARY
+        if isinstance(node, Variable):
+            return node.name, PRIMARY
+        arguments = node.arguments
+        if node.kind == "member":
+            return f"{self._text(arguments[0], UNARY)}.{node.name}", PRIMARY
+        if node.kind == "unary":
+            return f"{node.name}{self._text(arguments[0], UNARY)}", UNARY
+        if node.kind == "choice":
+            condition, yes, no = (self._text(argument, CHOICE) for argument in arguments)
+            return f"{condition} ? {yes} : {no}", CHOICE
+        if node.kind == "binary":
+            return self._binary(node)
+        if self.language.splats and (number := _splatted(node)) is not None:
+            arguments = (number,)
+        name = self.names[node.name] if isinstance(node.name, Kept) else node.name
+        return f"{name}({', '.join(self._text(argument) for argument in arguments)})", PRIMARY
+
+    def _binary(self, node: Operation) -> tuple[str, int]:
+        strength = STRENGTH[node.name]
+        parts = []
+        for i, argument in enumerate(node.arguments):
+            if self.language.splats and SIZES[node.arguments[1 - i].type] > 1 and (number := _splatted(argument)) is not None:
+                argument = number
+            text, binds = self._expression(argument)
+            sign = argument.name if isinstance(argument, Operation) and argument.kind == "binary" and binds < UNARY else ""
+            mixed = sign not in ("", node.name) and (node.name in BITS or (sign in BITS and node.name not in TRUTH))
+            parts.append(f"({text})" if binds < strength + i or mixed else text)
+        return f"{parts[0]} {node.name} {parts[1]}", strength
+
+
+def _is_float(type_: str) -> bool:
+    return scalar_of(type_) == "float"
+
+
+def _is_cheap(node: Operation) -> bool:
+    """Whether it is about as short as a name for it: a component, or made of numbers alone."""
+    return node.kind == "member" or all(isinstance(argument, Constant) for argument in node.arguments)
+
+
+def _key(variable: Variable) -> object:
+    """Which variable it is: a parameter is known by its name."""
+    return variable.name if variable.is_parameter else variable
+
+
+def _splatted(node: Node) -> Node | None:
+    """The number that all components of a vector are."""
+    if isinstance(node, Operation) and node.kind == "construct" and len(node.arguments) > 1 and all(
+            argument == node.arguments[0] for argument in node.arguments) and SIZES[node.arguments[0].type] == 1:
+        return node.arguments[0]
+    return None
+
+
+def _joined(lines: Sequence[str], space: str) -> list[str]:
+    """With declarations of one type in one line, as far as they fit, and long lines in several."""
+    joined: list[str] = []
+    for line in lines:
+        found = DECLARATION.fullmatch(line)
+        before = DECLARATION.fullmatch(joined[-1]) if joined else None
+        here = line.startswith(space) and not line.startswith(f"{space} ")
+        if found and before and here and before[1] == found[1] and len(joined[-1]) + len(found[2]) + 1 <= WIDTH:
+            joined[-1] = f"{joined[-1][:-1]}, {found[2]}"
+        else:
+            joined.append(line)
+    return [part for line in joined for part in wrapped(line.lstrip(), len(line) - len(line.lstrip()))]
+
+
+def _common(places: Sequence[Place]) -> Place:
+    """Where something has to stand that is used in these places."""
+    first = places[0]
+    for other in places[1:]:
+        depth = 0
+        while depth < min(len(first), len(other)) and first[depth] == other[depth]:
+            depth += 1
+        if depth < min(len(first), len(other)) and first[depth][0] == other[depth][0]:
+            first = (*first[:depth], min(first[depth], other[depth]))
+        else:
+            first = first[:depth]
+    return first

@@ -1,0 +1,256 @@
+"""Functions with what they need, and nothing else: which of those that they call stay functions, and the text of all."""
+
+from __future__ import annotations
+
+import difflib
+import re
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from parsing.lines import wrapped
+from parsing.preprocessor import Preprocessor
+from parsing.syntax import Function, Parameter, Parser
+from parsing.tokens import Unknown
+from pick.evaluate import Evaluation, Kept, Known, Module, Statement, Typed
+from pick.printer import Language, Writer, values_of, without_dead
+from pick.values import SIZES, Constant, Node, Operation, Variable
+from tables.glsl import declarations
+from tree import version
+from wgsl.names import is_public, wgsl_name
+
+Key = tuple[str, tuple[str, ...]]
+
+
+def read(library: Path, settings: dict[str, str]) -> Module:
+    """The whole library with these knobs."""
+    preprocessor = Preprocessor(library, settings)
+    preprocessor.read('#include "hashnoise.glsl"\n', "the library")
+    # Where floats are precise, all are: the printer says so.
+    tokens = [token for token in preprocessor.tokens if token.text != "precise"]
+    return Module(Parser(tokens).parse(), preprocessor.constants)
+
+
+def public(module: Module) -> dict[str, Function]:
+    """The functions by the names that tools/wgsl has for them: one for each form. A form has its seed."""
+    found: dict[str, Function] = {}
+    for function in module.functions.values():
+        name = wgsl_name(function)
+        if is_public(function.name) and (name not in found or len(function.types) > len(found[name].types)):
+            found[name] = function
+    return found
+
+
+def chosen(module: Module, names: Sequence[str]) -> list[Function]:
+    """The functions of these names."""
+    known = public(module)
+    for name in names:
+        if name not in known:
+            forms = sorted(form for form, function in known.items() if function.name == name)
+            near = forms or difflib.get_close_matches(name, known)
+            hint = f"; there {'are' if len(near) > 1 else 'is'} {', '.join(near)}" if near else "; --list tells them"
+            raise Unknown(f"there is no function {name}{hint}")
+    return [known[name] for name in dict.fromkeys(names)]
+
+
+@dataclass
+class Evaluated:
+    """A function with what it calls in it."""
+    function: Function
+    evaluation: Evaluation
+    block: list[Statement]
+    parameters: list[Parameter]  # that are left
+
+    @property
+    def nodes(self) -> set[Node]:
+        return values_of(self.block)
+
+    @property
+    def size(self) -> int:
+        """How many operations it has."""
+        return sum(isinstance(node, Operation) and node.kind not in ("member", "construct") for node in self.nodes)
+
+
+class Program:
+    """The functions that are asked for, and those that they call."""
+
+    def __init__(self, module: Module, roots: Sequence[Function]):
+        self.module = module
+        self.kept: dict[Key, Kept] = {}
+        while True:
+            self.roots = [self._evaluated(Kept(root.name, root.types, (None,) * len(root.types))) for root in roots]
+            self.called = self._called()
+            kept = self._worth_a_call() or self._joined()
+            if kept is None:
+                break
+            self.kept[kept.name, kept.types] = kept
+
+    def _keeps(self, function: Function, arguments: Sequence[Node]) -> Kept | None:
+        kept = self.kept.get((function.name, function.types))
+        return kept if kept and kept.left(arguments) is not None else None
+
+    def _evaluated(self, kept: Kept) -> Evaluated:
+        function = self.module.functions[kept.name, kept.types]
+        evaluation = Evaluation(self.module, self._keeps)
+        parameters: list[Parameter] = []
+        values: list[Typed] = []
+        for parameter, known in zip(function.parameters, kept.known, strict=True):
+            if isinstance(known, Constant):
+                values.append(Typed(parameter.type, {(): known}))
+            elif isinstance(known, int):
+                values.append(values[known])
+            elif isinstance(known, Kept):
+                inside = self._evaluated(known)
+                taken = {one.at.text for one in (*function.parameters, *parameters)}
+                parameters += [_renamed(one, inside.nodes, taken) for one in inside.parameters]
+                evaluation.hints.update(inside.evaluation.hints)
+                values.append(Typed(parameter.type, {(): inside.block[0].value}))
+            else:
+                parameters.append(parameter)
+                values.append(Typed(parameter.type, {
+                    path: Variable(type_, ".".join((parameter.at.text, *path)), is_parameter=True)
+                    for path, type_ in self.module.parts(parameter.type)}))
+        return Evaluated(function, evaluation, without_dead(evaluation.run(function, values)), parameters)
+
+    def _called(self) -> dict[Kept, Evaluated]:
+        """The functions that are called, those that others need first."""
+        found: dict[Kept, Evaluated] = {}
+        order: list[Kept] = []
+
+        def visit(evaluated: Evaluated) -> None:
+            for kept in sorted({node.name for node in evaluated.nodes if _is_call(node)}, key=str):
+                if kept not in found:
+                    found[kept] = self._evaluated(kept)
+                    visit(found[kept])
+                    order.append(kept)
+
+        for root in self.roots:
+            visit(root)
+        return {kept: found[kept] for kept in order}
+
+    # Which functions stay.
+
+    def _all(self) -> list[Evaluated]:
+        return [*self.roots, *self.called.values()]
+
+    def _arguments(self, key: Key) -> list[tuple[Node, ...]]:
+        """Those of its calls, each once."""
+        return list(dict.fromkeys(arguments for one in self._all() for arguments in one.evaluation.arguments.get(key, [])))
+
+    def _known(self, key: Key) -> tuple[Known, ...]:
+        columns = list(zip(*self._arguments(key)))
+        return tuple(column[0] if isinstance(column[0], Constant) and len(set(column)) == 1
+                     else columns.index(column) if columns.index(column) < i else None
+                     for i, column in enumerate(columns))
+
+    def _worth_a_call(self) -> Kept | None:
+        """What is called more than once with other arguments, and is long: the longest."""
+        best: tuple[int, Kept] | None = None
+        roots = {(root.function.name, root.function.types) for root in self.roots}
+        for key in dict.fromkeys(key for one in self._all() for key in one.evaluation.arguments):
+            count = len(self._arguments(key))
+            if count < 2 or key in self.kept or key in roots:
+                continue
+            kept = Kept(*key, self._known(key))
+            size = self._evaluated(kept).size
+            # What the other calls save, less a head of a function and its calls, all in operations.
+            if (count - 1) * size > 4 + count and (best is None or size > best[0]):
+                best = size, kept
+        return best[1] if best else None
+
+    def _joined(self) -> Kept | None:
+        """A function one of whose arguments is what another one returns, in all calls: with that in it."""
+        uses: Counter[Node] = Counter()
+        calls: dict[Kept, list[Operation]] = {}
+        made_here = (node for one in self._all() for node in one.nodes if isinstance(node, Operation))
+        for node in sorted(made_here, key=lambda one: one.number):  # sets have no order
+            uses.update(node.arguments)
+            if _is_call(node):
+                calls.setdefault(node.name, []).append(node)
+        for kept, made in calls.items():
+            free = [i for i, known in enumerate(kept.known) if known is None]
+            if len(free) != len(made[0].arguments):
+                continue  # it has one in it already
+            for i, arguments in zip(free, zip(*(call.arguments for call in made))):
+                other = arguments[0].name if _is_call(arguments[0]) else None
+                if other and len(self.called[other].block) == 1 and len(calls[other]) == len(arguments) and all(
+                        _is_call(argument) and argument.name == other and uses[argument] == 1 for argument in arguments):
+                    return Kept(kept.name, kept.types, (*kept.known[:i], other, *kept.known[i + 1:]))
+        return None
+
+    # Text.
+
+    def text(self, language: Language, precise: bool = False) -> str:
+        names = {kept: kept.name for kept in self.called}
+        functions = [self._function(evaluated, language, names, precise) for evaluated in self._all()[len(self.roots):]]
+        functions += [self._function(root, language, names, precise) for root in self.roots]
+        return "".join([*(self._struct(name, language) for name in self._structs() if language.structs), *functions])
+
+    def _structs(self) -> list[str]:
+        """Those in parameters and results, with what they are made of, in the order of the library."""
+        needed = {type_ for root in self.roots for type_ in (root.function.type, *root.function.types)}
+        for name, struct in reversed(self.module.structs.items()):
+            if name in needed:
+                needed |= {type_ for _, type_, _ in struct.fields}
+        return [name for name in self.module.structs if name in needed]
+
+    def _struct(self, name: str, language: Language) -> str:
+        fields = "".join(f"  {language.typed(type_)} {field};\n" for field, type_, _ in self.module.structs[name].fields)
+        return f"struct {name} {{\n{fields}}};\n"
+
+    def _function(self, evaluated: Evaluated, language: Language, names: dict[Kept, str], precise: bool) -> str:
+        function = evaluated.function
+        read_ = {node.name.partition(".")[0] for node in evaluated.nodes if isinstance(node, Variable) and node.is_parameter}
+
+        def typed(parameter: Parameter) -> str:
+            type_ = language.typed(parameter.type)
+            if not parameter.is_set:
+                return type_
+            return (language.inout if parameter.at.text in read_ or parameter.type not in SIZES else language.out).format(type_)
+
+        parameters = ", ".join(f"{typed(parameter)} {parameter.at.text}" for parameter in evaluated.parameters)
+        head = f"{language.function}{language.typed(function.type)} {function.name}({parameters}) {{"
+        lines = Writer(language, evaluated.block, evaluated.evaluation.hints,
+                       [parameter.at.text for parameter in evaluated.parameters], names, precise).lines()
+        if len(lines) == 1 and len(head) + len(lines[0]) < 100:
+            return f"{head} {lines[0].strip()} }}\n"
+        return "\n".join([*wrapped(head, 0), *lines, "}"]) + "\n"
+
+
+def heading(functions: Sequence[Function], command: str) -> str:
+    """What the functions are, return and may be wrong by, by the library's comments, and how to make them again."""
+    comments = {(one.name, tuple(type_.removeprefix("out ") for type_ in one.types)): one.comment for one in declarations()}
+    lines: list[str] = []
+    for function in functions:
+        comment = comments.get((function.name, tuple(type_.removeprefix("hn_") for type_ in function.types)))
+        parameters = ", ".join(f"{parameter.type} {parameter.at.text}" for parameter in function.parameters)
+        lines += [f"// {function.name}({parameters})", *_facts(comment.lines if comment else ())]
+    return "\n".join([*lines, f"// Of hashnoise {version()}, by: {command}",
+                      "// Copyright (c) 2026 The hashnoise authors; MIT License."]) + "\n"
+
+
+def _facts(comment: Sequence[str]) -> list[str]:
+    """Of a comment what the function is, returns, and may be wrong by."""
+    heading_of, facts = "", []
+    for line in comment:
+        found = re.match(r"   (\w+)  ", line)
+        heading_of = found[1] if found else heading_of
+        if not heading_of and line.startswith(" ") and not line.startswith("  ") or heading_of in ("returns", "error"):
+            facts.append(f"//{line}")
+    return facts
+
+
+def _is_call(node: Node) -> bool:
+    return isinstance(node, Operation) and node.kind == "call"
+
+
+def _renamed(parameter: Parameter, nodes: set[Node], taken: set[str]) -> Parameter:
+    """With a name that is free, here and in the values that read it."""
+    old = parameter.at.text
+    new = next(name for name in (old, *(f"{old}{i}" for i in range(2, 100))) if name not in taken)
+    taken.add(new)
+    for node in nodes:
+        if isinstance(node, Variable) and node.is_parameter and node.name == old:
+            node.name = new
+    return Parameter(parameter.at._replace(text=new), parameter.type, parameter.is_set)

@@ -1,0 +1,225 @@
+"""Values of a function that is partly evaluated: trees whose leaves are numbers, parameters and variables.
+
+What is known of integers and conditions is computed at once, as GLSL computes it. Floats stay as they are written, since
+another order of operations could round otherwise.
+"""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Union
+
+SIZES = {"float": 1, "int": 1, "uint": 1, "bool": 1, "vec2": 2, "vec3": 3, "vec4": 4, "ivec2": 2, "ivec3": 3, "ivec4": 4,
+         "uvec2": 2, "uvec3": 3, "uvec4": 4}
+AXES = ("x", "y", "z", "w")
+WORD = 0xFFFFFFFF
+
+
+def scalar_of(type_: str) -> str:
+    """The type of a component."""
+    if "vec" not in type_:  # a scalar, or a struct
+        return type_
+    return {"i": "int", "u": "uint"}.get(type_[0], "float")
+
+
+def vector_of(scalar: str, size: int) -> str:
+    return scalar if size == 1 else f"{ {'float': '', 'int': 'i', 'uint': 'u'}[scalar]}vec{size}"
+
+
+@dataclass(frozen=True)
+class Constant:
+    """An int, a uint or a bool that is known, or a float as it is written."""
+    type: str
+    value: int | str
+
+
+@dataclass(eq=False)
+class Variable:
+    """A parameter, or what a branch or a loop changes."""
+    type: str
+    name: str               # as it is written, or like which it is to be called
+    is_parameter: bool = False
+
+
+@dataclass(eq=False)
+class Operation:
+    """An operator, a constructor, a function of the language or one of the module. Those that are alike are one."""
+    kind: str  # unary, binary, choice, member, construct, builtin or call
+    name: str  # the operator, the member, the type or the function
+    type: str
+    arguments: tuple[Node, ...]
+    number: int  # of operations, in the order in which they are made: arguments come first
+
+
+Node = Union[Constant, Variable, Operation]
+_made: dict[tuple[object, ...], Operation] = {}
+
+
+def operation(kind: str, name: str, type_: str, arguments: tuple[Node, ...]) -> Operation:
+    key = (kind, name, type_, *(a if isinstance(a, Constant) else id(a) for a in arguments))
+    if key not in _made:
+        _made[key] = Operation(kind, name, type_, arguments, len(_made))
+    return _made[key]
+
+
+def is_number(node: Node, value: int) -> bool:
+    return isinstance(node, Constant) and node.type in ("int", "uint") and node.value == value
+
+
+def _wrapped(type_: str, value: int) -> Constant:
+    value &= WORD
+    return Constant(type_, value - (1 << 32) if type_ == "int" and value >> 31 else value)
+
+
+def _divided(a: int, b: int) -> int:
+    return abs(a) // abs(b) * (1 if (a < 0) == (b < 0) else -1)
+
+
+WHOLE: dict[str, Callable[[int, int], int]] = {
+    "+": int.__add__, "-": int.__sub__, "*": int.__mul__, "&": int.__and__, "|": int.__or__, "^": int.__xor__,
+    "<<": lambda a, b: a << (b & 31), ">>": lambda a, b: a >> (b & 31)}
+COMPARED: dict[str, Callable[[int, int], bool]] = {
+    "==": int.__eq__, "!=": int.__ne__, "<": int.__lt__, ">": int.__gt__, "<=": int.__le__, ">=": int.__ge__}
+NEUTRAL = {"+": 0, "-": 0, "|": 0, "^": 0, "<<": 0, ">>": 0, "*": 1, "/": 1}  # as the right operand
+
+
+FLOATS: dict[str, Callable[[Fraction, Fraction], Fraction]] = {
+    "+": Fraction.__add__, "-": Fraction.__sub__, "*": Fraction.__mul__, "/": Fraction.__truediv__}
+
+
+def exact(value: Fraction) -> Constant | None:
+    """The constant of a float, if it is one and a short decimal writes it."""
+    try:
+        is_float = Fraction(struct.unpack("f", struct.pack("f", float(value)))[0]) == value
+    except OverflowError:
+        return None
+    text = repr(float(value))
+    return Constant("float", f"{text}f") if is_float and len(text) < 14 and "e" not in text else None
+
+
+def _folded(sign: str, left: Constant, right: Constant) -> Constant | None:
+    one, other = (Fraction(str(operand.value).rstrip("fF")) for operand in (left, right))
+    if sign not in FLOATS or sign == "/" and not other or exact(one) is None or exact(other) is None:
+        return None
+    value = FLOATS[sign](one, other)
+    return exact(value) if value else None  # 0 has a sign
+
+
+def unary(sign: str, operand: Node) -> Node:
+    if isinstance(operand, Constant):
+        if operand.type == "float" and sign == "-" and not operand.value.startswith("-"):
+            return Constant("float", f"-{operand.value}")
+        if sign == "!":
+            return Constant("bool", int(not operand.value))
+        if operand.type in ("int", "uint"):
+            return _wrapped(operand.type, -operand.value if sign == "-" else ~operand.value)
+    return operation("unary", sign, operand.type, (operand,))
+
+
+def binary(sign: str, left: Node, right: Node) -> Node:
+    if sign in ("&&", "||"):
+        for one, other in ((left, right), (right, left)):
+            if isinstance(one, Constant):
+                return other if bool(one.value) == (sign == "&&") else one
+        return operation("binary", sign, "bool", (left, right))
+    known = isinstance(left, Constant) and isinstance(right, Constant)
+    if known and left.type == right.type == "float":
+        if sign not in COMPARED and (folded := _folded(sign, left, right)):
+            return folded
+        known = False
+    if sign in COMPARED:
+        if known:
+            return Constant("bool", int(COMPARED[sign](left.value, right.value)))
+        return operation("binary", sign, "bool", (left, right))
+    whole = scalar_of(left.type) != "float"
+    if whole and known:
+        if sign in WHOLE:
+            return _wrapped(left.type, WHOLE[sign](left.value, right.value))
+        if right.value:
+            quotient = _divided(left.value, right.value)
+            return _wrapped(left.type, quotient if sign == "/" else left.value - quotient * right.value)
+    if whole and sign == "-" and isinstance(left, Operation) and left.kind == "binary" and left.name == "+" and (
+            left.arguments[0] is right):
+        return left.arguments[1]
+    if not whole and sign in "+-" and isinstance(right, Constant) and right.value.startswith("-"):
+        sign, right = "-+"[sign == "-"], Constant(right.type, right.value[1:])  # the same bits
+    size = max(SIZES[left.type], SIZES[right.type])
+    type_ = left.type if sign in ("<<", ">>") else vector_of(scalar_of(left.type), size)
+    if whole:
+        if sign in NEUTRAL and is_number(right, NEUTRAL[sign]) and left.type == type_:
+            return left
+        if sign in "+|^" and is_number(left, 0) or sign == "*" and is_number(left, 1):
+            if right.type == type_:
+                return right
+        if sign in "&*" and (is_number(left, 0) or is_number(right, 0)) and size == 1:
+            return Constant(type_, 0)
+    return operation("binary", sign, type_, (left, right))
+
+
+def builtin(name: str, type_: str, arguments: tuple[Node, ...]) -> Node:
+    if name in ("min", "max") and all(isinstance(argument, Constant) for argument in arguments):
+        return (min if name == "min" else max)(
+            arguments, key=lambda one: Fraction(str(one.value).rstrip("fF")) if one.type == "float" else one.value)
+    return operation("builtin", name, type_, arguments)
+
+
+def choice(condition: Node, yes: Node, no: Node) -> Node:
+    if isinstance(condition, Constant):
+        return yes if condition.value else no
+    return yes if yes is no else operation("choice", "?", yes.type, (condition, yes, no))
+
+
+def member(of: Node, axis: str) -> Node:
+    """A component of a vector; that which it was made of, where this is known."""
+    if isinstance(of, Operation) and of.kind == "construct":
+        at = AXES.index(axis)
+        scalar = scalar_of(of.type)
+        if len(of.arguments) == 1 and SIZES[of.arguments[0].type] == 1:
+            return converted(scalar, of.arguments[0])
+        inside = of.arguments[0]
+        if len(of.arguments) == 1 and isinstance(inside, Operation) and inside.kind == "construct" and len(inside.arguments) > 1:
+            return converted(scalar, member(of.arguments[0], axis))
+        if all(SIZES[argument.type] == 1 for argument in of.arguments):
+            return converted(scalar, of.arguments[at])
+        for argument in of.arguments:
+            if at < SIZES[argument.type] and scalar_of(argument.type) == scalar and len(of.arguments) > 1:
+                return member(argument, AXES[at]) if SIZES[argument.type] > 1 else argument
+            at -= SIZES[argument.type]
+    return operation("member", axis, scalar_of(of.type), (of,))
+
+
+def converted(type_: str, node: Node) -> Node:
+    """A scalar as another type."""
+    if node.type == type_:
+        return node
+    if isinstance(node, Constant) and node.type != "float" and type_ in ("int", "uint"):
+        return _wrapped(type_, node.value)
+    if isinstance(node, Constant) and node.type == "int" and type_ == "float" and abs(node.value) < 1 << 24:
+        return Constant("float", f"{node.value}.0f")
+    if (isinstance(node, Operation) and node.kind == "construct" and {node.type, type_} == {"int", "uint"}
+            and node.arguments[0].type == type_):
+        return node.arguments[0]  # there and back: the bits stay
+    return operation("construct", type_, type_, (node,))
+
+
+def construct(type_: str, arguments: tuple[Node, ...]) -> Node:
+    if SIZES[type_] == 1:
+        return converted(type_, arguments[0])
+    if len(arguments) == 1 and arguments[0].type == type_:
+        return arguments[0]
+    # vec2(v.x, v.y) is v.
+    first = arguments[0]
+    if (len(arguments) == SIZES[type_] and isinstance(first, Operation) and first.kind == "member"
+            and first.arguments[0].type == type_
+            and all(argument is operation("member", axis, first.type, first.arguments)
+                    for argument, axis in zip(arguments, AXES))):
+        return first.arguments[0]
+    return operation("construct", type_, type_, arguments)
+
+
+def with_member(of: Node, axis: str, value: Node) -> Node:
+    """The vector with another component."""
+    return construct(of.type, tuple(value if other == axis else member(of, other) for other in AXES[:SIZES[of.type]]))
