@@ -63,6 +63,22 @@ class Library(unittest.TestCase):
                 found = len([m for m in MUTANTS if alone.covers(m)])
                 self.assertTrue(0 < found <= count, (equivalence, new))  # less where a piece stands for C++ as well
 
+    def test_what_is_squared_or_commutes_is_equivalent_and_its_neighbours_are_not(self):
+        def verdicts(file: str, text: str, *changes: tuple[str, str]) -> list[bool]:
+            lines = SOURCES[file].split("\n")
+            return [mutate.is_equivalent(m) for change in changes for m in MUTANTS
+                    if m.file == file and text in lines[m.line - 1] and m.change().split(" -> ") == list(change)]
+
+        octave, root, falloff = "detail/octave.glsl", "detail/square_root.glsl", "detail/falloff.glsl"
+        self.assertEqual(verdicts(octave, "hn_uint high = ", ("uint(x.x), ratio", "ratio, uint(x.x)"),
+                                  ("ratio, 0u", "0u, ratio")), [True, False])
+        self.assertEqual(verdicts(root, "hn_i_squared(x * m, y * m, z * m)", ("x", "-x"), ("z", "-z"), ("max", "-max"),
+                                  ("x * m, y * m", "y * m, x * m"), ("y * m, z * m", "z * m, y * m")),
+                         [True, True, False, True, False])
+        self.assertEqual(verdicts("detail/body_centred_lattice.glsl", "hn_i_square(dx.x, dy.x, dz.x, dw.x)",
+                                  ("dx.x, dy.x", "dy.x, dx.x"), ("dw", "-dw"), ("dx", "f")), [True, True, False])
+        self.assertEqual(verdicts(falloff, "hn_i_square_plus(hn_uint q", ("x", "-x")), [False])
+
     def test_an_equivalence_covers_nothing_else(self):
         source = "a = f(x - y);\nb = f(x - y) - x - y;\n"
         equivalence = mutate.Equivalence("a", "x - y)", ("x + y)", "y - x)"))
