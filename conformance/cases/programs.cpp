@@ -28,6 +28,12 @@ std::string form_of(const Function& function) {
   return form.empty() ? "a position" : form;
 }
 
+// In four dimensions the value that comes with derivatives is a row of its own, and code of its own.
+std::string noise_word_of(const Function& function) {
+  const bool is_value = function.is_derived() && !function.has_slopes();
+  return fmt::format("{}{} of {} axes", is_value ? "the value of " : "", function.bound, function.axes);
+}
+
 std::string word_of(Facet facet, const PlannedProgram& program) {
   const Function& function = *program.function;
   const Configuration& configuration = *program.configuration;
@@ -35,7 +41,7 @@ std::string word_of(Facet facet, const PlannedProgram& program) {
     case Facet::row:
       return std::string(function.id);
     case Facet::noise:
-      return function.exact() ? std::string(function.id) : fmt::format("{} of {} axes", function.bound, function.axes);
+      return function.exact() ? std::string(function.id) : noise_word_of(function);
     case Facet::bound:
       return std::string(function.bound);
     case Facet::family:
