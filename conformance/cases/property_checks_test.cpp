@@ -189,5 +189,20 @@ TEST_F(Batches, AddUpWhatIsWrongAndKeepTheLargestDifference) {
   EXPECT_EQ(outcome.examples[1].words[0], second[3 * kInputWords]);
 }
 
+// The last bit of a fraction, and a corner that is beside the corner.
+TEST_F(FaultyLibrary, APositionThatIsNotThatOfThePlaceIsCaught) {
+  constexpr std::string_view kFast = "place.all.lattice.fast.vertex.gl330.positions";
+  constexpr std::string_view kFixed = "place.all.lattice.fixed.vertex.gl330.positions";
+  for (const Replaced& fault : {
+           Replaced{kFixed, "octaves1d.glsl", "HN_I_REST(o.x.y & 15)", "HN_I_REST(o.x.y & 14)"},
+           Replaced{kFixed, "octaves4d.glsl", "HN_I_REST(o.w.y & 15)", "HN_I_REST(o.w.y & 14)"},
+           Replaced{kFast, "place.glsl", "vec3(0.0f, 0.0f, 0.0f)", "vec3(0.0f, 0.0f, 0.015625f)"},
+           Replaced{kFixed, "place.glsl", "vec3(0.0f, 0.0f, 0.0f)", "vec3(0.0f, 0.0f, 0.015625f)"},
+           Replaced{kFixed, "place.glsl", "HN_I_REST(hn_i_rest_of_position(p.y))", "HN_I_REST(0)"},
+       }) {
+    expect_replaced_caught(fault);
+  }
+}
+
 }  // namespace
 }  // namespace hn

@@ -192,6 +192,7 @@ void add_value_cases(std::vector<Case>& cases, Scope scope, const Subjects* subj
     if (has_unseeded && program.target.main) add({"unseeded", CheckKind{evaluation, check_unseeded}}, Extent::thorough);
   }
   for (Case& test : unseeded_cases()) cases.push_back(std::move(test));
+  for (Case& test : position_cases()) cases.push_back(std::move(test));
 }
 
 }  // namespace hn

@@ -77,6 +77,9 @@ Relation as_fragment(const Evaluation& evaluation);
 // The overloads without a seed, of all functions of a file in one program.
 std::vector<Case> unseeded_cases();
 
+// The positions of places of all dimensions, in one program.
+std::vector<Case> position_cases();
+
 // The name of a case about values.
 CaseName name_of(const Evaluation& evaluation, std::string_view check);
 

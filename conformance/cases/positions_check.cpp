@@ -1,0 +1,128 @@
+// The positions of places: what a place was made of comes back from the first octave of a sum.
+#include <fmt/format.h>
+
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include "cases/value_checks.hpp"
+#include "expected/points.hpp"
+
+namespace hn {
+namespace {
+
+constexpr std::size_t kPointsOfEach = 64;
+constexpr std::uint32_t kMostAxes = 4;
+// Of what a place is made: a cell and a fraction, a cell alone, or a position.
+constexpr std::uint32_t kWays = 3;
+constexpr std::uint32_t kCellAlone = 1;
+
+// Where the words of a point stand.
+constexpr std::size_t kFractions = 4;
+constexpr std::size_t kPositions = 8;
+constexpr std::size_t kAxes = 12;
+constexpr std::size_t kWay = 13;
+
+// As if it were one more row of the table.
+constexpr std::string_view kColumns =
+    "c0:i32 c1:i32 c2:i32 c3:i32 f0:f32 f1:f32 f2:f32 f3:f32 p0:f32 p1:f32 p2:f32 p3:f32 axes:u32 way:u32 = "
+    "x0:f32 x1:f32 x2:f32 x3:f32";
+
+constexpr std::string_view kFiles =
+    "#include \"octaves1d.glsl\"\n#include \"octaves2d.glsl\"\n#include \"octaves3d.glsl\"\n"
+    "#include \"octaves4d.glsl\"\n";
+
+// The positions of places of so many axes.
+std::string body_of(std::uint32_t axes) {
+  const std::string_view components = std::string_view("xyzw").substr(0, axes);
+  std::string bits;
+  for (std::size_t i = 0; i < kMostAxes; ++i) {
+    bits += i == 0 ? "" : ", ";
+    bits += i < axes ? fmt::format("bits_of(x{}{})", axes == 1 ? "" : ".", components.substr(axes == 1 ? 1 : i, 1))
+                     : std::string("0u");
+  }
+  return fmt::format(
+      "if (d.x == {0}u) {{\n"
+      "  hn_place{0} place = hn_place(cell.{1}, f.{1});\n"
+      "  if (d.y == 1u) place = hn_place(cell.{1});\n"
+      "  if (d.y == 2u) place = hn_place(p.{1});\n"
+      "  hn_octaves{0} o = hn_octaves(place, 1, 2.0f, 0.5f, 0u);\n"
+      "  hn_{2} x = hn_position(o.place);\n"
+      "  return uvec4({3});\n"
+      "}}\n",
+      axes, components, axes == 1 ? "float" : fmt::format("vec{}", axes), bits);
+}
+
+const Function& positions() {
+  static const std::string kBody = [] {
+    std::string body =
+        "hn_ivec4 cell = ivec4(a);\n"
+        "hn_vec4 f = vec4(float_of(b.x), float_of(b.y), float_of(b.z), float_of(b.w));\n"
+        "hn_vec4 p = vec4(float_of(c.x), float_of(c.y), float_of(c.z), float_of(c.w));\n";
+    for (std::uint32_t axes = 1; axes <= kMostAxes; ++axes) body += body_of(axes);
+    return body + "return uvec4(0u, 0u, 0u, 0u);";
+  }();
+  static const Function kFunction =
+      make_function("place.all", "place.glsl", Family::independent, "exact", kColumns, "", kBody);
+  return kFunction;
+}
+
+std::uint32_t bits_of(double value) { return std::bit_cast<std::uint32_t>(static_cast<float>(value)); }
+
+// Places that a float holds: in the cells beside 0 with all bits of a fraction, and farther out with some.
+void put_place(std::span<std::uint32_t> words, std::size_t axis, Random& random) {
+  const bool near_0 = random.below(2) == 0;
+  const int cell = near_0 ? -static_cast<int>(random.below(2)) : static_cast<int>(random.below(1u << 13)) - (1 << 12);
+  const int bits = near_0 ? 24 : 11;
+  const double fraction = std::ldexp(random.below(1u << bits), -bits);
+  words[axis] = static_cast<std::uint32_t>(cell);
+  words[kFractions + axis] = bits_of(fraction);
+  words[kPositions + axis] = bits_of(cell + fraction);
+}
+
+Words places() {
+  Words inputs(kMostAxes * kWays * kPointsOfEach * kInputWords);
+  Random random(0, "positions");
+  for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
+    const auto words = std::span(inputs).subspan(i * kInputWords, kInputWords);
+    for (std::size_t axis = 0; axis < kMostAxes; ++axis) put_place(words, axis, random);
+    words[kAxes] = static_cast<std::uint32_t>(i % kMostAxes) + 1;
+    words[kWay] = static_cast<std::uint32_t>(i / kMostAxes % kWays);
+  }
+  return inputs;
+}
+
+Outcome check_positions(Session& session, const Evaluation& evaluation) {
+  const Words inputs = places();
+  const auto outputs = evaluate(session, evaluation, inputs);
+  if (!outputs) return outputs.error();
+  Comparison comparison(evaluation.function, inputs);
+  for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
+    const auto in = point(inputs, i);
+    for (std::size_t axis = 0; axis < in[kAxes]; ++axis) {
+      const bool alone = in[kWay] == kCellAlone;
+      const std::uint32_t right = alone ? bits_of(static_cast<std::int32_t>(in[axis])) : in[kPositions + axis];
+      comparison.bits(in, result(*outputs, i)[axis], right, axis);
+    }
+  }
+  return comparison.finish();
+}
+
+}  // namespace
+
+// HN_FIXED keeps a fraction in two parts, floats in one.
+std::vector<Case> position_cases() {
+  std::vector<Case> cases;
+  for (const std::string_view setting : {"lattice", "lattice+fixed"}) {
+    const Configuration& configuration = configuration_named(setting);
+    const Evaluation evaluation{
+        positions(), configuration, main_profile(configuration, false), {.knobs = kFiles}, Stage::vertex};
+    CaseName name = name_of(evaluation, "positions");
+    name.configuration = configuration.name_without_arithmetic();
+    name.arithmetic = name_of(configuration.arithmetic);
+    cases.push_back({std::move(name), CheckKind{evaluation, check_positions}, Extent::one_driver});
+  }
+  return cases;
+}
+
+}  // namespace hn
