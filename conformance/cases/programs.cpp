@@ -28,10 +28,17 @@ std::string form_of(const Function& function) {
   return form.empty() ? "a position" : form;
 }
 
-// In four dimensions the value that comes with derivatives is a row of its own, and code of its own.
+// A row may have a part of what a function computes, by code of its own: in four dimensions the value that comes with
+// derivatives, and of cellular noise the cell that is nearest and where its point lies.
+std::string_view part_of(const Function& function) {
+  if (function.is_derived() && !function.has_slopes()) return "the value of ";
+  if (function.is_name(0)) return "the cell of ";
+  if (function.is_offset(0)) return "the offset of ";
+  return "";
+}
+
 std::string noise_word_of(const Function& function) {
-  const bool is_value = function.is_derived() && !function.has_slopes();
-  return fmt::format("{}{} of {} axes", is_value ? "the value of " : "", function.bound, function.axes);
+  return fmt::format("{}{} of {} axes", part_of(function), function.bound, function.axes);
 }
 
 std::string word_of(Facet facet, const PlannedProgram& program) {
