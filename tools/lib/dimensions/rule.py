@@ -16,9 +16,10 @@ import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
+from parsing.tokens import NUMBER, SIGN, WORD
+
 # What stands before a token (blanks, comments and directives), and the token.
-TOKEN = re.compile(r"((?:\s|//[^\n]*|#(?:[^\n\\]|\\\n)*)*)"
-                   r"(\d[\w.]*|\w+|<<=|>>=|<<|>>|[-+*/%&|^=!<>]=|&&|\|\||\+\+|--|[^\s\w]|$)")
+TOKEN = re.compile(rf"((?:\s|//[^\n]*|#(?:[^\n\\]|\\\n)*)*)({NUMBER}|{WORD}|{SIGN}|[^\s\w]|$)")
 AXES = "xyzw"
 OPENING, CLOSING = ("(", "[", "{"), (")", "]", "}")
 OPERATORS = ("+", "^", "|", "&")  # of which the operands may be a pair

@@ -12,15 +12,15 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+from parsing.tokens import NUMBER, SIGN, WORD
+
 # --- Reading GLSL -----------------------------------------------------------------------------------------------
 
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 DIRECTIVE = re.compile(r"^[ \t]*#(?:\\\n|[^\n])*", re.MULTILINE)
 CONDITIONAL = re.compile(r"[ \t]*#[ \t]*(if\w*|el\w+|endif)\b[ \t]*([^\n]*)")
 TYPE = re.compile(r"(?:hn_)?(float|int|uint|bool|[iu]?vec[234]|num[234]?)")  # without its prefix
-TOKEN = re.compile(r"(?P<number>(?:0[xX][0-9a-fA-F]+|(?:\d+\.\d*|\.\d+|\d+)(?:[eE][+-]?\d+)?)[uUfF]?)|"
-                   r"(?P<name>[A-Za-z_]\w*)|"
-                   r"(?P<operator><<=|>>=|[-+*/%&|^<>=!]=|<<|>>|&&|\|\||\+\+|--|[^\w\s])")
+TOKEN = re.compile(rf"(?P<number>{NUMBER})|(?P<name>{WORD})|(?P<operator>{SIGN}|[^\w\s])")
 
 
 def blank(text: str) -> str:
