@@ -1,0 +1,84 @@
+"""What tools/pick writes has the golden values, and the bits of the twin, on a driver.
+
+    python3 -m pick.driver_test HN_CONFORM
+
+In a copy of the library the functions of a file are replaced by what tools/pick writes of them, in all of their forms,
+and the suite is run with that copy: by default for some files.
+"""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from dataclasses import replace
+from pathlib import Path
+
+from pick.command import settings
+from pick.evaluate import Module
+from pick.printer import LANGUAGES
+from pick.program import Program, read
+from tables.functions import read_functions
+from thorough import THOROUGH
+from tree import GLSL
+from wgsl.names import is_public
+
+# As the library has it: highp where GLSL ES wants it.
+EITHER = replace(LANGUAGES["glsl"], qualifier="HN_I_HIGHP ", structs=False)
+SOME = ("perlin2d.glsl", "cellular2d.glsl", "value_d3d.glsl")
+
+
+def files() -> list[str]:
+    """Those of noise and of sums, of which no other of these is made."""
+    rows = {function.row.text(1) for function in read_functions() if function.file.startswith(("noise", "curl", "fbm"))}
+    return sorted(file for file in rows if re.fullmatch(r"\w+\dd\.glsl", file) and not file.startswith(("octaves", "fbm_d")))
+
+
+def picked(module: Module, file: str, arithmetic: str) -> str:
+    """The file with picked functions in place of its own. Helpers have other names, since the library is there, too."""
+    functions = [function for function in module.functions.values() if is_public(function.name) and function.at.path == file]
+    text = re.sub(r"\bhn_i_(?=\w+\()", "hn_picked_", Program(module, functions).text(EITHER))
+    library = (GLSL / file).read_text(encoding="ascii")
+    guard = re.search(r"#ifndef (\w+)", library)[1]
+    structs = "".join(re.findall(r"^struct hn_\w+ \{.*?^\};\n", library, re.MULTILINE | re.DOTALL))
+    return (f"#ifndef {guard}\n#define {guard}\n#include \"position.glsl\"\n{structs}"
+            f"#if HN_ARITHMETIC == HN_{arithmetic.upper()}\n{text}#endif\n#endif\n")
+
+
+class Driver(unittest.TestCase):
+    program: str
+
+    def run_suite(self, arithmetic: str, names: list[str], change: tuple[str, str] = ("", "")) -> tuple[int, str]:
+        module = read(GLSL, settings(arithmetic, "lattice"))
+        rows = [function.id for function in read_functions() if function.row.text(1) in names]
+        with tempfile.TemporaryDirectory() as folder:
+            library = Path(folder) / "glsl"
+            shutil.copytree(GLSL, library)
+            for name in names:
+                text = picked(module, name, arithmetic)
+                self.assertIn(change[0], text)
+                (library / name).write_text(text.replace(*change), encoding="ascii")
+            filters = [f"--filter={row}.lattice.{arithmetic}.*.{check}" for row in rows for check in ("golden", "twin")]
+            done = subprocess.run([self.program, "run", "--driver=osmesa", f"--glsl={library}", f"--out={folder}/out", *filters],
+                                  capture_output=True, text=True, check=False)
+        return done.returncode, done.stdout + done.stderr
+
+    def test_the_suite_passes(self) -> None:
+        for arithmetic in ("fixed", "fast"):
+            with self.subTest(arithmetic):
+                status, shown = self.run_suite(arithmetic, files() if THOROUGH else list(SOME))
+                self.assertEqual(status, 0, shown)
+                self.assertRegex(shown, r"(?m)^[1-9]\d+ pass; [1-9]\d{4,} values compared")
+
+    def test_a_changed_constant_is_noticed(self) -> None:
+        status, shown = self.run_suite("fixed", ["perlin2d.glsl"], ("0x85EBCA77u", "0x85EBCA79u"))
+        self.assertEqual(status, 1, shown)
+        self.assertIn("NOT AS EXPECTED", shown)
+
+
+if __name__ == "__main__":
+    Driver.program = sys.argv.pop(1)
+    unittest.main()
