@@ -4,8 +4,8 @@ WIDTH = 120
 
 
 def wrapped(text: str, indent: int) -> list[str]:
-    """A line of code with that indentation, broken where it is too long, behind a comma if there is one: with 4 more for
-    what follows."""
+    """A line of code with that indentation, broken where it is too long, behind a comma if there is one. What follows
+    is indented by 4 more."""
     lines, more = [], 0
     while indent + more + len(text) > WIDTH:
         room = WIDTH - indent - more

@@ -170,7 +170,7 @@ class Preprocessor:
     def _is_constant(self, macro: Macro) -> bool:
         if macro.parameters is not None or not macro.body:
             return False
-        known = all(token.kind == "number" or token.text in self.constants or token.text in ("+", "-", "*", "/", "(", ")")
+        known = all(token.kind == "number" or token.text in self.constants or token.text in tuple("+-*/()")
                     for token in macro.body)
         return known and any(token.kind == "number" for token in macro.body)
 

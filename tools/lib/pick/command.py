@@ -4,9 +4,10 @@
     tools/pick hn_fbm3 hn_cellular2 --arithmetic fixed --out noise.glsl
     tools/pick --list                                  which functions there are
 
-A function is called as tools/wgsl calls it, by its form: hn_perlin2 is hn_perlin(vec2 p, uint seed), and hn_perlin2_place
-is hn_perlin(hn_place2 place, uint seed). What it is made of stands in its place; what is called more than once stays a
-function. What is known is computed, and what nothing needs is gone. The values are those of the library.
+A function is called as tools/wgsl calls it, by its form: hn_perlin2 is hn_perlin(vec2 p, uint seed), and
+hn_perlin2_place is hn_perlin(hn_place2 place, uint seed). What it is made of stands in its place; what is called more
+than once stays a function. What is known is computed, and what nothing needs is gone. The values are those of the
+library.
 
 Ask for all functions of a shader at once: two texts may have the same function.
 
@@ -29,8 +30,8 @@ from tree import GLSL
 from wgsl.module import HASHES
 
 ARITHMETICS = ("fast", "fixed", "precise")
-NO_PRECISE = ("GLSL ES has `precise` from 3.20 on, and what this writes is for 3.00, too: take --arithmetic fixed, whose "
-              "bits are the same everywhere")
+NO_PRECISE = ("GLSL ES has `precise` from 3.20 on, and what this writes is for 3.00, too: take --arithmetic fixed, "
+              "whose bits are the same everywhere")
 
 
 def settings(arithmetic: str, hash_: str) -> dict[str, str]:
@@ -43,7 +44,8 @@ def picked(names: Sequence[str], language: str = "glsl", arithmetic: str = "fast
     module = read(library, settings(arithmetic, hash_))
     functions = chosen(module, names)
     command = ["tools/pick", *dict.fromkeys(names)]
-    for option, value, default in (("language", language, "glsl"), ("arithmetic", arithmetic, "fast"), ("hash", hash_, "lattice")):
+    given = {"language": (language, "glsl"), "arithmetic": (arithmetic, "fast"), "hash": (hash_, "lattice")}
+    for option, (value, default) in given.items():
         command += [f"--{option}", value] if value != default else []
     return heading(functions, shlex.join(command)) + Program(module, functions).text(LANGUAGES[language],
                                                                                      precise=arithmetic == "precise")
@@ -55,7 +57,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     hashes = tuple(name.lower() for name in HASHES if name != "CUSTOM")
     parser.add_argument("names", nargs="*", metavar="FUNCTION", help="such as hn_perlin2")
     parser.add_argument("--language", choices=tuple(LANGUAGES), default="glsl",
-                        help="glsl is for 3.30 and later (precise: 4.00); glsl-es says highp, and is for WebGL2, too")
+                        help="glsl (the default) is for 3.30 and later, and with precise for 4.00; glsl-es says highp, "
+                        "and is for WebGL2, too; hlsl is for the shader models 5 and 6")
     parser.add_argument("--arithmetic", choices=ARITHMETICS, default="fast", help="default: %(default)s")
     parser.add_argument("--hash", choices=hashes, default="lattice", metavar="NAME",
                         help=f"{', '.join(hashes)} (default: %(default)s)")

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 
 from parsing.syntax import Function, Parameter
 from pick.evaluate import Module
-from pick.values import SIZES, scalar_of
+from pick.values import SIZES, scalar_of, vector_of
 
 HEAD = """#include <cstdio>
 #include <cstring>
@@ -31,20 +31,16 @@ def made(type_: str, component: str) -> str:
     return component if SIZES[type_] == 1 else f"{type_}({', '.join([component] * SIZES[type_])})"
 
 
-def vector(scalar: str, size: int) -> str:
-    return scalar if size == 1 else f"{ {'float': '', 'int': 'i'}[scalar]}vec{size}"
-
-
 def place(size: int) -> str:
     """With a period, or without one."""
-    cell, fraction = made(vector("int", size), "int(g())"), made(vector("float", size), "r(0, 1)")
-    period = made(vector("int", size), "(int(g() % 9) - 1)")
+    cell, fraction = made(vector_of("int", size), "int(g())"), made(vector_of("float", size), "r(0, 1)")
+    period = made(vector_of("int", size), "(int(g() % 9) - 1)")
     return f"(g() % 2 ? hn_place({cell}, {fraction}) : hn_tile(hn_place({cell}, {fraction}), {period}))"
 
 
 def octaves(size: int) -> str:
     """The second octave of a sum at a place or at a position."""
-    position = made(vector("float", size), "r(-60, 60)")
+    position = made(vector_of("float", size), "r(-60, 60)")
     settings = f"{OCTAVES}, r(1, 3.5), r(0.1, 0.9), uint(g())"
     return (f"[&] {{ auto o = g() % 2 ? hn_octaves({place(size)}, {settings}) : hn_octaves({position}, {settings}); "
             "hn_add(o, r(-1, 1)); hn_next(o); return o; }()")
@@ -65,7 +61,8 @@ def drawn(parameter: Parameter) -> str:
 
 
 def source(module: Module, functions: Mapping[str, Function], texts: Mapping[str, str], points: int) -> str:
-    """The program: it prints each function that differs, and how often. The texts are in C++, by the functions' names."""
+    """The program: it prints each function that differs, and how often. The texts are in C++, by the names of the
+    functions."""
     lines = [HEAD]
     lines += [f"bool differs(const {name}& a, const {name}& b) {{ "
               f"return {' || '.join(f'differs(a.{field}, b.{field})' for field, _, _ in struct.fields)}; }}"
@@ -84,8 +81,8 @@ def _compared(number: int, name: str, function: Function, points: int) -> str:
     passed: list[Sequence[str]] = []
     for parameter in function.parameters:
         variable = f"v_{parameter.at.text}"
-        is_struct = parameter.type not in SIZES
-        lines.append(f"{parameter.type} {variable} = {drawn(parameter) if is_struct or not parameter.is_set else parameter.type + '{}'};")
+        is_read = not parameter.is_set or parameter.type not in SIZES
+        lines.append(f"{parameter.type} {variable} = {drawn(parameter) if is_read else '{}'};")
         if parameter.is_set:
             lines.append(f"{parameter.type} a_{variable} = {variable}, b_{variable} = {variable};")
             sets.append(f"differs(a_{variable}, b_{variable})")

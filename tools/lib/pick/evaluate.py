@@ -1,27 +1,25 @@
 """A function partly evaluated: what it calls stands in its place, what is known is computed, structs are their parts.
 
-What is left are statements over values (values.py). A function that is called more than once, and is worth a call, stays
-one; which, the caller decides.
+What is left are statements over values (values.py). A function that is called more than once, and is worth a call,
+stays one; which, the caller decides.
 """
 
 from __future__ import annotations
 
 import itertools
-from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Union
 
-from pick.values import (AXES, SIZES, Constant, Node, Operation, Variable, binary, builtin, choice, construct, member, operation,
-                         scalar_of, unary, with_member)
 from parsing import syntax
 from parsing.preprocessor import Constant as Macro
 from parsing.syntax import Expression, Function, Parser, Struct
 from parsing.tokens import Token
+from pick.values import (AXES, SIZES, Constant, Node, Operation, Variable, binary, builtin, choice, construct, member,
+                         operation, scalar_of, unary, vector_of, with_member)
 
 BUILTINS = ("abs", "floor", "trunc", "sqrt", "min", "max")
 CASTS = {"uintBitsToFloat": "float", "floatBitsToUint": "uint", "intBitsToFloat": "float", "floatBitsToInt": "int"}
-WIDE = {"float": "vec", "uint": "uvec", "int": "ivec"}
 
 Leaves = dict[tuple[str, ...], Node]  # of a value: a struct has one for each part, by its path; others have one, at ()
 Environment = dict[tuple[object, ...], Node]  # the same of variables: the number of the call, the name, the path
@@ -69,9 +67,9 @@ Statement = Union[Declare, Set, If, Loop, Break, Return]
 
 @dataclass(frozen=True)
 class Kept:
-    """A function that is called. Of its arguments some are left out: one that is the same constant in all calls, one that
-    is the same as another (its number), and one that always is what another such function returns, which then has its
-    place in this one."""
+    """A function that is called. Of its arguments some are left out: one that is the same constant in all calls, one
+    that is the same as another (its number), and one that always is what another such function returns, which then has
+    its place in this one."""
     name: str
     types: tuple[str, ...]
     known: tuple[Known, ...]
@@ -141,7 +139,6 @@ class Evaluation:
     def __init__(self, module: Module, keeps: Callable[[Function, Sequence[Node]], Kept | None]):
         self.module = module
         self.keeps = keeps
-        self.calls: Counter[tuple[str, tuple[str, ...]]] = Counter()
         self.arguments: dict[tuple[str, tuple[str, ...]], list[tuple[Node, ...]]] = {}
         self.hints: dict[Node, str] = {}
         self._frames = itertools.count(1)
@@ -166,7 +163,8 @@ class Evaluation:
             result = Variable(function.type, "result", is_parameter=True)
             block.append(Declare(result, None))
             for path, type_ in self.module.parts(function.type):
-                block.append(Set(Variable(type_, ".".join(("result", *path)), is_parameter=True), state[(0, "return", *path)]))
+                part = Variable(type_, ".".join(("result", *path)), is_parameter=True)
+                block.append(Set(part, state[(0, "return", *path)]))
             block.append(Return(result))
         else:
             block.append(Return(state.get((0, "return"))))
@@ -225,9 +223,12 @@ class Evaluation:
         over = [self._statements((*yes, *rest), frame, state_yes, block_yes),
                 self._statements((*no, *rest), frame, state_no, block_no)]
         if _breaks(block_yes) or _breaks(block_no):
-            # What goes on is the branch without the break.
+            # What goes on is the branch without the break. It stands behind the other one, where all see its variables.
+            if _breaks(block_yes):
+                block += [If(condition, block_yes, []), *block_no]
+            else:
+                block += [If(condition, [], block_no), *block_yes]
             state.update(state_no if _breaks(block_yes) else state_yes)
-            block.append(If(condition, block_yes, block_no))
             return all(over)
         changed: list[Variable] = []
         for key in dict.fromkeys((*state_yes, *state_no)):
@@ -289,7 +290,7 @@ class Evaluation:
         else:
             value = self._value(statement.value, frame, state, block)
             if sign != "=":
-                value = Typed(target.type, {(): self._binary(sign[:-1], target.node, value.node)})
+                value = Typed(target.type, {(): binary(sign[:-1], target.node, value.node)})
         self._store(statement.target, value, frame, state)
 
     def _store(self, target: Expression, value: Typed, frame: int, state: Environment) -> None:
@@ -375,15 +376,11 @@ class Evaluation:
         if isinstance(expression, syntax.Unary):
             return _plain(unary(expression.at.text, value(expression.operand).node))
         if isinstance(expression, syntax.Binary):
-            return _plain(self._binary(expression.at.text, value(expression.left).node, value(expression.right).node))
+            return _plain(binary(expression.at.text, value(expression.left).node, value(expression.right).node))
         if isinstance(expression, syntax.Choice):
             condition = value(expression.condition).node
             return _plain(choice(condition, value(expression.yes).node, value(expression.no).node))
         return self._call(expression, frame, state, block)
-
-    @staticmethod
-    def _binary(sign: str, left: Node, right: Node) -> Node:
-        return binary(sign, left, right)
 
     def _name(self, at: Token, frame: int, state: Environment, block: list[Statement]) -> Typed:
         leaves = {key[2:]: node for key, node in state.items() if key[:2] == (frame, at.text)}
@@ -401,14 +398,12 @@ class Evaluation:
         if name in BUILTINS:
             return _plain(builtin(name, arguments[0].type, tuple(a.node for a in arguments)))
         if name in CASTS:
-            size = SIZES[arguments[0].type]
-            type_ = CASTS[name] if size == 1 else f"{ {'float': '', 'uint': 'u', 'int': 'i'}[CASTS[name]]}vec{size}"
+            type_ = vector_of(CASTS[name], SIZES[arguments[0].type])
             return _plain(operation("builtin", name, type_, tuple(a.node for a in arguments)))
         function = self.module.function(expression.at, tuple(argument.type for argument in arguments))
         if self.module.is_plain(function):
             nodes = tuple(argument.node for argument in arguments)
             key = (function.name, function.types)
-            self.calls[key] += 1
             self.arguments.setdefault(key, []).append(nodes)
             kept = self.keeps(function, nodes)
             if kept:
@@ -466,7 +461,7 @@ def _leaves_early(statements: Iterable[syntax.Statement]) -> bool:
             return True
         if isinstance(statement, syntax.Block) and _leaves_early(statement.statements):
             return True
-        if isinstance(statement, syntax.If) and (_leaves_early(statement.yes.statements) or _leaves_early(_listed(statement.no))):
+        if isinstance(statement, syntax.If) and _leaves_early((*statement.yes.statements, *_listed(statement.no))):
             return True
     return False
 
@@ -485,23 +480,18 @@ def _blocks(block: list[Statement]) -> Iterable[list[Statement]]:
 
 
 def _exits(block: list[Statement]) -> list[Break]:
-    return [statement for one in _blocks(block) for statement in one if isinstance(statement, Break) and statement.state]
+    return [exit_ for one in _blocks(block) for exit_ in one if isinstance(exit_, Break) and exit_.state]
 
 
 def _sets(carried: dict[tuple[object, ...], Variable], state: Environment) -> list[Statement]:
-    """What changes in a turn. A value that is a variable which changes before would be read too late."""
-    sets = [Set(variable, state[key]) for key, variable in carried.items() if state[key] is not variable]
-    late = set()
-    for statement in sets:
-        if statement.value in late:
-            raise ValueError(f"{statement.variable.name} takes the value that another variable had")
-        late.add(statement.variable)
-    return sets
+    """What changes in a turn."""
+    return [Set(variable, state[key]) for key, variable in carried.items() if state[key] is not variable]
 
 
 def _derived(key: tuple[object, ...], carried: dict[tuple[object, ...], Variable], state: Environment,
              states: Sequence[Environment]) -> tuple[tuple[object, ...], Node] | None:
-    """Of what variable a value is the same function before each turn, and that function of what it was before the first."""
+    """Of what variable a value is the same function before each turn, and that function of what the variable was before
+    the first."""
     for other in carried:
         first = state[other]
         if other != key and isinstance(first, Variable) and isinstance(state[key], Operation) and all(
@@ -516,5 +506,6 @@ def _replaced(node: Node, new: dict[Node, Node]) -> Node:
     if node not in new:
         if not isinstance(node, Operation):
             return node
-        new[node] = operation(node.kind, node.name, node.type, tuple(_replaced(argument, new) for argument in node.arguments))
+        arguments = tuple(_replaced(argument, new) for argument in node.arguments)
+        new[node] = operation(node.kind, node.name, node.type, arguments)
     return new[node]

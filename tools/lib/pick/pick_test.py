@@ -13,6 +13,8 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
+from parsing.syntax import Parser
+from parsing.tokens import Unknown, tokens_of
 from pick import command, printer
 from pick.comparison import source
 from pick.evaluate import Module
@@ -61,7 +63,8 @@ class Values(unittest.TestCase):
             names = list(public(of)) if THOROUGH else list(public(of))[turn * 8::24]
             self.assertGreater(len(names), 12)
             with self.subTest(arithmetic=arithmetic):
-                self.assertEqual(self.differing(arithmetic, {name: text(name, of=of, language="cpp") for name in names}), [])
+                texts = {name: text(name, of=of, language="cpp") for name in names}
+                self.assertEqual(self.differing(arithmetic, texts), [])
 
     def test_with_other_hashes_too(self) -> None:
         for hash_ in ("fnv1", "pcg", "jenkins") if THOROUGH else ("pcg",):
@@ -74,8 +77,8 @@ class Values(unittest.TestCase):
         right = text("hn_perlin2", language="cpp")
         wrong = right.replace("0x85EBCA77u", "0x85EBCA79u")
         self.assertNotEqual(wrong, right)
-        self.assertRegex(self.differing("fast", {"hn_value2": text("hn_value2", language="cpp"), "hn_perlin2": wrong})[0],
-                         rf"^hn_perlin2: \d+ of {POINTS}$")
+        shown = self.differing("fast", {"hn_value2": text("hn_value2", language="cpp"), "hn_perlin2": wrong})
+        self.assertRegex(shown[0], rf"^hn_perlin2: \d+ of {POINTS}$")
 
     def test_a_fault_of_the_printer_is_noticed(self) -> None:
         with mock.patch.dict(printer.STRENGTH, {"-": 11}):  # as strong as a product
@@ -142,6 +145,26 @@ class Shaders(unittest.TestCase):
         bare = r"(?<!highp )\b(?:float|u?int|[iu]?vec\d) \w+(?: =|[,;)])"
         self.assertNotRegex(text("hn_fbm2", language="glsl-es"), bare)
 
+    def test_hlsl(self) -> None:
+        """It compiles, and is the text in GLSL but for names and for vectors of one number."""
+        names = ("hn_perlin2", "hn_fbm_d2", "hn_cellular2_nearest", "hn_tile4", "hn_next3")
+        for arithmetic in command.ARITHMETICS if THOROUGH else ("fast",):
+            hlsl = text(*names, language="hlsl", arithmetic=arithmetic)
+            with self.subTest(arithmetic=arithmetic), tempfile.TemporaryDirectory() as folder:
+                file = Path(folder) / "shader.frag"
+                file.write_text(f"{hlsl}float4 main() : SV_Target {{ return float4(0, 0, 0, 0); }}\n", encoding="ascii")
+                done = subprocess.run(["glslangValidator", "-D", "-V", "-e", "main", "-o", f"{folder}/out", file],
+                                      capture_output=True, text=True, check=False)
+                self.assertEqual(done.returncode, 0, done.stdout)
+            glsl = text(*names, arithmetic=arithmetic)
+            for theirs, ours in printer.HLSL_NAMES.items():
+                glsl = re.sub(rf"\b{theirs}\b", ours, glsl)
+            # Which declarations share a line depends on how long they are.
+            alike = [re.sub(r"; (?:precise )?(?:(?:float|u?int)[234]?|bool) (\w+ =)", r", \1", " ".join(shown.split()))
+                     for shown in (hlsl, glsl)]
+            alike[0] = re.sub(r"\b(\w+)\(([\w.]+)(?:, \2)+\)", r"\1(\2)", alike[0])  # float3(x, x, x)
+            self.assertEqual(*alike)
+
     def test_they_are_short(self) -> None:
         for name, (length, lines) in SIZES.items():
             with self.subTest(name):
@@ -155,6 +178,42 @@ class Shaders(unittest.TestCase):
         both = text("hn_perlin2", "hn_perlin_d2")
         heads = re.findall(r"^\w+ \w+\(.*\) \{", both, re.MULTILINE)
         self.assertEqual(len(heads), len(set(heads)))
+
+
+class Statements(unittest.TestCase):
+    """What the library has little of: variables that change together, and ways out of loops and functions."""
+
+    CASES = (
+        ("void hn_swap(inout float a, inout float b) { float t = a; a = b; b = t; }",
+         "void hn_swap(inout float a, inout float b) {\n  float n = a;\n  a = b;\n  b = n;\n}\n"),
+        ("void hn_set(inout vec2 p, out float old) { old = p.x; p.x = p.y + 1.0f; p.y = p.x * 2.0f; }",
+         "void hn_set(inout vec2 p, out float old) {\n  float old2 = p.x, n = p.y + 1.0;\n"
+         "  p = vec2(n, n * 2.0);\n  old = old2;\n}\n"),
+        ("float hn_turn(float a, int n) { float b = 1.0f; for (int i = 0; i < n; i++) { float t = a; a = b; b = t; } "
+         "return a - b; }",
+         "float hn_turn(float a, int n) {\n  float b = 1.0;\n  for (int i = 0; i < n; i++) {\n    float n2 = a;\n"
+         "    a = b;\n    b = n2;\n  }\n  return a - b;\n}\n"),
+        ("float hn_leave(float x, int n) { float sum = 0.0f; for (int i = 0; i < n; i++) { float y = x * sum; "
+         "if (y > 3.0f) { sum = sum + 1.0f; break; } if (y < 1.0f) { y = y - 1.0f; } sum = sum + y; } return sum; }",
+         "float hn_leave(float x, int n) {\n  float sum = 0.0;\n  for (int i = 0; i < n; i++) {\n"
+         "    float y = x * sum;\n    if (y > 3.0) {\n      sum += 1.0;\n      break;\n    }\n    float y2 = y;\n"
+         "    if (y < 1.0) y2 = y - 1.0;\n    sum += y2;\n  }\n  return sum;\n}\n"),
+        ("float hn_return(float a) { if (a < 0.0f) return -a; float b = a * 2.0f; return b * b; }",
+         "float hn_return(float a) {\n  float result;\n  if (a < 0.0) {\n    result = -a;\n  } else {\n"
+         "    float b = a * 2.0;\n    result = b * b;\n  }\n  return result;\n}\n"))
+
+    def written(self, shown: str) -> str:
+        tree = Parser(list(tokens_of(shown, "the text", 1))).parse()
+        return Program(Module(tree, {}), tree[-1:]).text(LANGUAGES["glsl"])
+
+    def test_they_do_the_same(self) -> None:
+        for shown, expected in self.CASES:
+            with self.subTest(shown):
+                self.assertEqual(self.written(shown), expected)
+
+    def test_a_return_in_a_loop_is_refused_with_its_place(self) -> None:
+        with self.assertRaisesRegex(Unknown, "^the text:1: a return in a loop"):
+            self.written("float hn_f(int n) { for (int i = 0; i < n; i++) { return 1.0f; } return 2.0f; }")
 
 
 class Command(unittest.TestCase):

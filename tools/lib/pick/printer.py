@@ -5,23 +5,26 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from parsing.lines import wrapped
 from pick.evaluate import Break, Declare, If, Kept, Loop, Return, Set, Statement
-from pick.values import SIZES, Constant, Node, Operation, Variable, scalar_of
+from pick.values import PREFIXES, SIZES, Constant, Node, Operation, Variable, operation, scalar_of
 
 WIDTH = 100  # of lines, as far as values have parts that can be named
-RESERVED = frozenset("""abs floor trunc sqrt min max float int uint bool vec2 vec3 vec4 ivec2 ivec3 ivec4 uvec2 uvec3 uvec4
-    sample input output filter half fixed common partition active packed this resource patch centroid flat smooth mix
-    sign step length distance normal dot cross""".split())
+# Names that no variable has: those of the languages, and what readers would take for something else.
+RESERVED = frozenset("""abs floor trunc sqrt min max float int uint bool vec2 vec3 vec4 ivec2 ivec3 ivec4 uvec2 uvec3
+    uvec4 sample input output filter half fixed common partition active packed this resource patch centroid flat smooth
+    mix sign step length distance normal dot cross float2 float3 float4 int2 int3 int4 uint2 uint3 uint4 asfloat asuint
+    asint line point triangle linear texture matrix vector string double pass technique register shared static lerp frac
+    """.split())
 # How strongly operators bind.
-STRENGTH = {"||": 1, "&&": 2, "|": 4, "^": 5, "&": 6, "==": 7, "!=": 7, "<": 8, ">": 8, "<=": 8, ">=": 8, "<<": 9, ">>": 9,
-            "+": 10, "-": 10, "*": 11, "/": 11, "%": 11}
+STRENGTH = {"||": 1, "&&": 2, "|": 4, "^": 5, "&": 6, "==": 7, "!=": 7, "<": 8, ">": 8, "<=": 8, ">=": 8, "<<": 9,
+            ">>": 9, "+": 10, "-": 10, "*": 11, "/": 11, "%": 11}
 CHOICE, UNARY, PRIMARY = 0, 12, 13
 BITS = ("|", "^", "&", "<<", ">>")  # readers want parentheses around and in these
 TRUTH = ("&&", "||")
-DECLARATION = re.compile(r" *((?:precise |highp )*(?:float|u?int|bool|[iu]?vec[234])) (\w+(?: = .*)?;)")
+DECLARATION = re.compile(r" *((?:precise |highp )*(?:(?:float|u?int)[234]?|bool|[iu]?vec[234])) (\w+(?: = .*)?;)")
 UNNAMED = {"floor": "whole", "abs": "size"}  # what a value is called that has no name in the library
 Place = tuple[tuple[int, int], ...]  # of a statement: of each block around it the number, and the index in it
 
@@ -34,17 +37,25 @@ class Language:
     function: str = ""    # before each function
     out: str = "out {}"
     inout: str = "inout {}"
-    splats: bool = True   # whether operators take a vector and a number, and constructors of vectors one number
+    splats: bool = True   # whether operators take a vector and a number
+    fills: bool = True    # whether constructors of vectors take one number
     structs: bool = True  # whether structs are defined
     may_be_precise: bool = True
+    names: Mapping[str, str] = field(default_factory=dict)  # of types and functions, where they are not GLSL's
+
+    def named(self, name: str) -> str:
+        return self.names.get(name, name)
 
     def typed(self, type_: str) -> str:
-        return f"{self.qualifier if type_ in SIZES and type_ != 'bool' else ''}{type_}"
+        return f"{self.qualifier if type_ in SIZES and type_ != 'bool' else ''}{self.named(type_)}"
 
 
-LANGUAGES = {"glsl": Language(), "glsl-es": Language(qualifier="highp ", may_be_precise=False)}
+HLSL_NAMES = {f"{prefix}vec{size}": f"{scalar}{size}" for scalar, prefix in PREFIXES.items() for size in (2, 3, 4)} | {
+    "uintBitsToFloat": "asfloat", "intBitsToFloat": "asfloat", "floatBitsToUint": "asuint", "floatBitsToInt": "asint"}
+LANGUAGES = {"glsl": Language(), "glsl-es": Language(qualifier="highp ", may_be_precise=False),
+             "hlsl": Language(fills=False, names=HLSL_NAMES)}
 # For tests: over include/hashnoise/glsl.hpp, which has no operators of a number and a vector, and with its structs.
-CPP = Language(float_suffix="f", function="inline ", out="{}&", inout="{}&", splats=False, structs=False,
+CPP = Language(float_suffix="f", function="inline ", out="{}&", inout="{}&", splats=False, fills=False, structs=False,
                may_be_precise=False)
 
 
@@ -158,6 +169,7 @@ class Writer:
         self._places: dict[Operation, Place] = {}
         self._counts: dict[int, tuple[Declare, Set]] = {}  # of loops that count, by id()
         self._dropped: set[int] = set()                    # statements that stand elsewhere, by id()
+        self._save()
         self._choose()
         if precise:
             self._name_precise()
@@ -176,6 +188,19 @@ class Writer:
         return self._lines(self.block, 2)
 
     # What is named, and where.
+
+    def _save(self) -> None:
+        """Copies what is a variable that was set before: _name_late gives it a name."""
+        for block in blocks(self.block):
+            changed: set[object] = set()
+            for statement in block:
+                if not isinstance(statement, (Set, Return)):
+                    changed = set()
+                elif isinstance(statement.value, Variable) and _key(statement.value) in changed and (
+                        statement.value.type in SIZES):
+                    statement.value = operation("copy", "", statement.value.type, (statement.value,))
+                if isinstance(statement, Set):
+                    changed.add(_key(statement.variable))
 
     def _choose(self) -> None:
         """Names what is used more than once, where all its uses see it."""
@@ -229,8 +254,8 @@ class Writer:
                     changed.add(_key(statement.variable))
 
     def _name_precise(self) -> None:
-        """Names floats that go elsewhere than into a float: `precise` is of a variable, and of what makes it in the same
-        function."""
+        """Names floats that go elsewhere than into a float: `precise` is of a variable, and of what makes it in the
+        same function."""
         known = values_of(self.block)
         gone = [value for statement in walk(self.block) for value in operands(statement)]
         gone += [argument for node in known if isinstance(node, Operation) and (
@@ -268,7 +293,8 @@ class Writer:
         if isinstance(node, Variable):
             return 5
         name = self.names[node.name] if isinstance(node.name, Kept) else node.name
-        return 3 + len(name) + sum(1 + (5 if argument in self.named else self._length(argument)) for argument in node.arguments)
+        return 3 + len(name) + sum(6 if argument in self.named else 1 + self._length(argument)
+                                   for argument in node.arguments)
 
     def _find_counts(self) -> None:
         """Loops that count: what declares the number that is counted, and what changes it last."""
@@ -285,12 +311,13 @@ class Writer:
 
     def _find_changed_parameters(self) -> None:
         """Variables that begin as a parameter which nothing else reads: they are it."""
-        reads = Counter(argument for node in values_of(self.block) if isinstance(node, Operation) for argument in node.arguments)
+        made = (node for node in values_of(self.block) if isinstance(node, Operation))
+        reads = Counter(argument for node in made for argument in node.arguments)
         reads.update(value for statement in walk(self.block) for value in operands(statement))
         for statement in self.block:
-            if isinstance(statement, Declare) and isinstance(statement.value, Variable) and statement.value.is_parameter and (
-                    reads[statement.value] == 1 and "." not in statement.value.name):
-                self.called[statement.variable] = statement.value.name
+            start = statement.value if isinstance(statement, Declare) else None
+            if isinstance(start, Variable) and start.is_parameter and reads[start] == 1 and "." not in start.name:
+                self.called[statement.variable] = start.name
                 self._dropped.add(id(statement))
 
     # Lines.
@@ -302,7 +329,8 @@ class Writer:
         for i in range(len(block) + 1):
             for node in self._starts.get((number, i), []):
                 text = self._expression(node)[0]
-                lines.append(f"{space}{self._type(node.type)} {self._new_name(node, self.hints.get(node, ''))} = {text};")
+                name = self._new_name(node, self.hints.get(node, ""))
+                lines.append(f"{space}{self._type(node.type)} {name} = {text};")
             if i < len(block) and id(block[i]) not in self._dropped:
                 lines += [f"{space}{line}" for line in self._statement(block[i])]
         return _joined(lines, space)
@@ -393,6 +421,8 @@ class Writer:
         if isinstance(node, Variable):
             return node.name, PRIMARY
         arguments = node.arguments
+        if node.kind == "copy":
+            return self._expression(arguments[0])
         if node.kind == "member":
             return f"{self._text(arguments[0], UNARY)}.{node.name}", PRIMARY
         if node.kind == "unary":
@@ -402,19 +432,20 @@ class Writer:
             return f"{condition} ? {yes} : {no}", CHOICE
         if node.kind == "binary":
             return self._binary(node)
-        if self.language.splats and (number := _splatted(node)) is not None:
+        if self.language.fills and (number := _splatted(node)) is not None:
             arguments = (number,)
-        name = self.names[node.name] if isinstance(node.name, Kept) else node.name
+        name = self.names[node.name] if isinstance(node.name, Kept) else self.language.named(node.name)
         return f"{name}({', '.join(self._text(argument) for argument in arguments)})", PRIMARY
 
     def _binary(self, node: Operation) -> tuple[str, int]:
         strength = STRENGTH[node.name]
         parts = []
         for i, argument in enumerate(node.arguments):
-            if self.language.splats and SIZES[node.arguments[1 - i].type] > 1 and (number := _splatted(argument)) is not None:
-                argument = number
+            number = _splatted(argument) if self.language.splats and SIZES[node.arguments[1 - i].type] > 1 else None
+            argument = argument if number is None else number
             text, binds = self._expression(argument)
-            sign = argument.name if isinstance(argument, Operation) and argument.kind == "binary" and binds < UNARY else ""
+            is_chain = isinstance(argument, Operation) and argument.kind == "binary" and binds < UNARY
+            sign = argument.name if is_chain else ""
             mixed = sign not in ("", node.name) and (node.name in BITS or (sign in BITS and node.name not in TRUTH))
             parts.append(f"({text})" if binds < strength + i or mixed else text)
         return f"{parts[0]} {node.name} {parts[1]}", strength

@@ -1,4 +1,4 @@
-"""Functions with what they need, and nothing else: which of those that they call stay functions, and the text of all."""
+"""Functions with what they need, and nothing else: which of those that they call stay functions, and their text."""
 
 from __future__ import annotations
 
@@ -136,7 +136,8 @@ class Program:
 
     def _arguments(self, key: Key) -> list[tuple[Node, ...]]:
         """Those of its calls, each once."""
-        return list(dict.fromkeys(arguments for one in self._all() for arguments in one.evaluation.arguments.get(key, [])))
+        found = (arguments for one in self._all() for arguments in one.evaluation.arguments.get(key, []))
+        return list(dict.fromkeys(found))
 
     def _known(self, key: Key) -> tuple[Known, ...]:
         columns = list(zip(*self._arguments(key)))
@@ -175,7 +176,7 @@ class Program:
             for i, arguments in zip(free, zip(*(call.arguments for call in made))):
                 other = arguments[0].name if _is_call(arguments[0]) else None
                 if other and len(self.called[other].block) == 1 and len(calls[other]) == len(arguments) and all(
-                        _is_call(argument) and argument.name == other and uses[argument] == 1 for argument in arguments):
+                        _is_call(one) and one.name == other and uses[one] == 1 for one in arguments):
                     return Kept(kept.name, kept.types, (*kept.known[:i], other, *kept.known[i + 1:]))
         return None
 
@@ -196,18 +197,21 @@ class Program:
         return [name for name in self.module.structs if name in needed]
 
     def _struct(self, name: str, language: Language) -> str:
-        fields = "".join(f"  {language.typed(type_)} {field};\n" for field, type_, _ in self.module.structs[name].fields)
+        parts = self.module.structs[name].fields
+        fields = "".join(f"  {language.typed(type_)} {field};\n" for field, type_, _ in parts)
         return f"struct {name} {{\n{fields}}};\n"
 
     def _function(self, evaluated: Evaluated, language: Language, names: dict[Kept, str], precise: bool) -> str:
         function = evaluated.function
-        read_ = {node.name.partition(".")[0] for node in evaluated.nodes if isinstance(node, Variable) and node.is_parameter}
+        variables = (node for node in evaluated.nodes if isinstance(node, Variable))
+        parameters_read = {variable.name.partition(".")[0] for variable in variables if variable.is_parameter}
 
         def typed(parameter: Parameter) -> str:
             type_ = language.typed(parameter.type)
             if not parameter.is_set:
                 return type_
-            return (language.inout if parameter.at.text in read_ or parameter.type not in SIZES else language.out).format(type_)
+            is_read = parameter.at.text in parameters_read or parameter.type not in SIZES
+            return (language.inout if is_read else language.out).format(type_)
 
         parameters = ", ".join(f"{typed(parameter)} {parameter.at.text}" for parameter in evaluated.parameters)
         head = f"{language.function}{language.typed(function.type)} {function.name}({parameters}) {{"
@@ -220,7 +224,8 @@ class Program:
 
 def heading(functions: Sequence[Function], command: str) -> str:
     """What the functions are, return and may be wrong by, by the library's comments, and how to make them again."""
-    comments = {(one.name, tuple(type_.removeprefix("out ") for type_ in one.types)): one.comment for one in declarations()}
+    comments = {(one.name, tuple(type_.removeprefix("out ") for type_ in one.types)): one.comment
+                for one in declarations()}
     lines: list[str] = []
     for function in functions:
         comment = comments.get((function.name, tuple(type_.removeprefix("hn_") for type_ in function.types)))

@@ -1,7 +1,7 @@
 """Values of a function that is partly evaluated: trees whose leaves are numbers, parameters and variables.
 
-What is known of integers and conditions is computed at once, as GLSL computes it. Floats stay as they are written, since
-another order of operations could round otherwise.
+What is known of integers and conditions is computed at once, as GLSL computes it, and of floats what is exact. All else
+of floats stays as it is written, since another order of operations could round otherwise.
 """
 
 from __future__ import annotations
@@ -12,8 +12,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Union
 
-SIZES = {"float": 1, "int": 1, "uint": 1, "bool": 1, "vec2": 2, "vec3": 3, "vec4": 4, "ivec2": 2, "ivec3": 3, "ivec4": 4,
-         "uvec2": 2, "uvec3": 3, "uvec4": 4}
+SIZES = {"float": 1, "int": 1, "uint": 1, "bool": 1, "vec2": 2, "vec3": 3, "vec4": 4,
+         "ivec2": 2, "ivec3": 3, "ivec4": 4, "uvec2": 2, "uvec3": 3, "uvec4": 4}
+PREFIXES = {"float": "", "int": "i", "uint": "u"}  # of vectors
 AXES = ("x", "y", "z", "w")
 WORD = 0xFFFFFFFF
 
@@ -26,7 +27,7 @@ def scalar_of(type_: str) -> str:
 
 
 def vector_of(scalar: str, size: int) -> str:
-    return scalar if size == 1 else f"{ {'float': '', 'int': 'i', 'uint': 'u'}[scalar]}vec{size}"
+    return scalar if size == 1 else f"{PREFIXES[scalar]}vec{size}"
 
 
 @dataclass(frozen=True)
@@ -47,7 +48,7 @@ class Variable:
 @dataclass(eq=False)
 class Operation:
     """An operator, a constructor, a function of the language or one of the module. Those that are alike are one."""
-    kind: str  # unary, binary, choice, member, construct, builtin or call
+    kind: str  # unary, binary, choice, member, construct, builtin, call or copy
     name: str  # the operator, the member, the type or the function
     type: str
     arguments: tuple[Node, ...]
@@ -180,7 +181,8 @@ def member(of: Node, axis: str) -> Node:
         if len(of.arguments) == 1 and SIZES[of.arguments[0].type] == 1:
             return converted(scalar, of.arguments[0])
         inside = of.arguments[0]
-        if len(of.arguments) == 1 and isinstance(inside, Operation) and inside.kind == "construct" and len(inside.arguments) > 1:
+        is_made = isinstance(inside, Operation) and inside.kind == "construct" and len(inside.arguments) > 1
+        if len(of.arguments) == 1 and is_made:
             return converted(scalar, member(of.arguments[0], axis))
         if all(SIZES[argument.type] == 1 for argument in of.arguments):
             return converted(scalar, of.arguments[at])
