@@ -47,8 +47,8 @@ def picked(names: Sequence[str], language: str = "glsl", arithmetic: str = "fast
     given = {"language": (language, "glsl"), "arithmetic": (arithmetic, "fast"), "hash": (hash_, "lattice")}
     for option, (value, default) in given.items():
         command += [f"--{option}", value] if value != default else []
-    return heading(functions, shlex.join(command)) + Program(module, functions).text(LANGUAGES[language],
-                                                                                     precise=arithmetic == "precise")
+    return heading(functions, shlex.join(command), library) + Program(module, functions).text(
+        LANGUAGES[language], precise=arithmetic == "precise")
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

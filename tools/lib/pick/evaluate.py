@@ -1,6 +1,6 @@
 """A function partly evaluated: what it calls stands in its place, what is known is computed, structs are their parts.
 
-What is left are statements over values (values.py). A function that is called more than once, and is worth a call,
+What is left are statements (statements.py). A function that is called more than once, and is worth a call,
 stays one; which, the caller decides.
 """
 
@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Union
 
 from parsing import syntax
 from parsing.preprocessor import Constant as Macro
 from parsing.syntax import Expression, Function, Parser, Struct
 from parsing.tokens import Token
+from pick.statements import Break, Declare, Environment, If, Loop, Return, Set, Statement, blocks
 from pick.values import (AXES, SIZES, Constant, Node, Operation, Variable, binary, builtin, choice, construct, member,
                          operation, scalar_of, unary, vector_of, with_member)
 
@@ -22,47 +23,6 @@ BUILTINS = ("abs", "floor", "trunc", "sqrt", "min", "max")
 CASTS = {"uintBitsToFloat": "float", "floatBitsToUint": "uint", "intBitsToFloat": "float", "floatBitsToInt": "int"}
 
 Leaves = dict[tuple[str, ...], Node]  # of a value: a struct has one for each part, by its path; others have one, at ()
-Environment = dict[tuple[object, ...], Node]  # the same of variables: the number of the call, the name, the path
-
-
-@dataclass
-class Declare:
-    variable: Variable
-    value: Node | None
-
-
-@dataclass
-class Set:
-    variable: Variable
-    value: Node
-
-
-@dataclass
-class If:
-    condition: Node
-    yes: list[Statement]
-    no: list[Statement]
-
-
-@dataclass
-class Loop:
-    """`condition` is asked before each turn, or behind it; None is true. The step changes a variable between turns."""
-    condition: Node | None
-    asks_behind: bool
-    body: list[Statement]
-
-
-@dataclass
-class Break:
-    state: Environment = field(default_factory=dict)  # what variables are there, until the loop is known
-
-
-@dataclass
-class Return:
-    value: Node | None
-
-
-Statement = Union[Declare, Set, If, Loop, Break, Return]
 
 
 @dataclass(frozen=True)
@@ -105,11 +65,13 @@ class Typed:
 class Module:
     """What functions are made of: those of the library, its structs and its constants."""
 
-    def __init__(self, tree: Sequence[Function | Struct], constants: dict[str, Macro]):
+    def __init__(self, tree: list[Function | Struct], constants: dict[str, Macro]):
+        self.tree = tree
         self.structs = {item.name: item for item in tree if isinstance(item, Struct)}
         self.functions = {(item.name, item.types): item for item in tree if isinstance(item, Function)}
         self.constants = constants
         self._trees: dict[str, Expression] = {}
+        self._parts: dict[str, list[tuple[tuple[str, ...], str]]] = {}
 
     def constant(self, name: str) -> Expression:
         if name not in self._trees:
@@ -123,9 +85,11 @@ class Module:
 
     def parts(self, type_: str) -> list[tuple[tuple[str, ...], str]]:
         """The paths of what a type is made of, and their types."""
-        if type_ not in self.structs:
-            return [((), type_)]
-        return [((name, *path), part) for name, of, _ in self.structs[type_].fields for path, part in self.parts(of)]
+        if type_ not in self._parts:
+            fields = self.structs[type_].fields if type_ in self.structs else ()
+            self._parts[type_] = [((name, *path), part) for name, of, _ in fields for path, part in self.parts(of)] or [
+                ((), type_)]
+        return self._parts[type_]
 
     def is_plain(self, function: Function) -> bool:
         """Whether all that it takes and gives are numbers and vectors."""
@@ -151,7 +115,7 @@ class Evaluation:
         block: list[Statement] = []
         for parameter, argument in zip(function.parameters, arguments, strict=True):
             self._bind(state, 0, parameter.at.text, argument)
-        self._function(function, 0, state, block)
+        self._statements(function.body.statements, 0, state, block)
         for parameter in function.parameters:
             if parameter.is_set:
                 for path, type_ in self.module.parts(parameter.type):
@@ -177,6 +141,13 @@ class Evaluation:
         for path, node in value.leaves.items():
             state[(frame, name, *path)] = node
 
+    def _read(self, state: Environment, frame: int, name: str) -> Typed | None:
+        """The value of a variable; None if there is none of that name."""
+        type_ = self._types.get((frame, name))
+        if type_ is None:
+            return None
+        return Typed(type_, {path: state[(frame, name, *path)] for path, _ in self.module.parts(type_)})
+
     def _hint(self, name: str, value: Typed) -> None:
         """What is given a name is called so, and later and so further out by another one."""
         for path, node in value.leaves.items():
@@ -190,9 +161,6 @@ class Evaluation:
                             self.hints.setdefault(argument, f"{name}_{axis}")
 
     # Statements. Each function says whether the call is over behind what it did: by a return or a break.
-
-    def _function(self, function: Function, frame: int, state: Environment, block: list[Statement]) -> None:
-        self._statements(function.body.statements, frame, state, block)
 
     def _statements(self, statements: Sequence[syntax.Statement], frame: int, state: Environment,
                     block: list[Statement]) -> bool:
@@ -340,7 +308,7 @@ class Evaluation:
                     del carried[key]
             carried |= {key: Variable(start[key].type, _name_of(key)) for key in start if key in changed}
         block += [Declare(variable, state[key]) for key, variable in carried.items()]
-        for statements in _blocks(body):
+        for statements in blocks(body, loops=False):
             for i, statement in enumerate(statements):
                 if isinstance(statement, Break) and statement.state:
                     statements[i:i + 1] = [*_sets(carried, statement.state), Break()]
@@ -383,9 +351,8 @@ class Evaluation:
         return self._call(expression, frame, state, block)
 
     def _name(self, at: Token, frame: int, state: Environment, block: list[Statement]) -> Typed:
-        leaves = {key[2:]: node for key, node in state.items() if key[:2] == (frame, at.text)}
-        if leaves:
-            return Typed(self._types[frame, at.text], leaves)
+        if found := self._read(state, frame, at.text):
+            return found
         if at.text not in self.module.constants:
             raise at.error(f"{at} is no variable, and no macro that stands for a number")
         return self._value(self.module.constant(at.text), frame, state, block)
@@ -414,15 +381,14 @@ class Evaluation:
                     node in self.hints for node in argument.leaves.values()):
                 self._hint(parameter.at.text, argument)
             self._bind(state, inner, parameter.at.text, argument)
-        self._function(function, inner, state, block)
+        self._statements(function.body.statements, inner, state, block)
         for parameter, argument in zip(function.parameters, expression.arguments):
             if parameter.is_set:
-                leaves = {key[2:]: node for key, node in state.items() if key[:2] == (inner, parameter.at.text)}
-                self._store(argument, Typed(parameter.type, leaves), frame, state)
-        result = {key[2:]: node for key, node in state.items() if key[:2] == (inner, "return")}
+                self._store(argument, self._read(state, inner, parameter.at.text), frame, state)
+        result = self._read(state, inner, "return") or Typed("void", {})
         for key in [key for key in state if key[0] == inner]:
             del state[key]
-        return Typed(function.type, result)
+        return result
 
 
 def _plain(node: Node) -> Typed:
@@ -470,17 +436,8 @@ def _breaks(block: Sequence[Statement]) -> bool:
     return bool(block) and isinstance(block[-1], Break)
 
 
-def _blocks(block: list[Statement]) -> Iterable[list[Statement]]:
-    """It and the branches in it; what is in a loop belongs to that."""
-    yield block
-    for statement in list(block):
-        if isinstance(statement, If):
-            yield from _blocks(statement.yes)
-            yield from _blocks(statement.no)
-
-
 def _exits(block: list[Statement]) -> list[Break]:
-    return [exit_ for one in _blocks(block) for exit_ in one if isinstance(exit_, Break) and exit_.state]
+    return [exit_ for one in blocks(block, loops=False) for exit_ in one if isinstance(exit_, Break) and exit_.state]
 
 
 def _sets(carried: dict[tuple[object, ...], Variable], state: Environment) -> list[Statement]:

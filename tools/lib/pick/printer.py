@@ -8,7 +8,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from parsing.lines import wrapped
-from pick.evaluate import Break, Declare, If, Kept, Loop, Return, Set, Statement
+from pick.evaluate import Kept
+from pick.statements import Break, Declare, If, Loop, Return, Set, Statement, blocks, inner, operands, values_of, walk
 from pick.values import PREFIXES, SIZES, Constant, Node, Operation, Variable, operation, scalar_of
 
 WIDTH = 100  # of lines, as far as values have parts that can be named
@@ -57,99 +58,6 @@ LANGUAGES = {"glsl": Language(), "glsl-es": Language(qualifier="highp ", may_be_
 # For tests: over include/hashnoise/glsl.hpp, which has no operators of a number and a vector, and with its structs.
 CPP = Language(float_suffix="f", function="inline ", out="{}&", inout="{}&", splats=False, fills=False, structs=False,
                may_be_precise=False)
-
-
-# --- Statements -----------------------------------------------------------------------------------------------------
-
-
-def operands(statement: Statement) -> list[Node]:
-    if isinstance(statement, (Declare, Set, Return)):
-        return [statement.value] if statement.value is not None else []
-    if isinstance(statement, If):
-        return [statement.condition]
-    return [statement.condition] if isinstance(statement, Loop) and statement.condition is not None else []
-
-
-def inner(statement: Statement) -> list[list[Statement]]:
-    if isinstance(statement, If):
-        return [statement.yes, statement.no]
-    return [statement.body] if isinstance(statement, Loop) else []
-
-
-def walk(block: Sequence[Statement]) -> Iterable[Statement]:
-    for statement in block:
-        yield statement
-        for other in inner(statement):
-            yield from walk(other)
-
-
-def blocks(block: list[Statement]) -> Iterable[list[Statement]]:
-    yield block
-    for statement in block:
-        for other in inner(statement):
-            yield from blocks(other)
-
-
-def reachable(nodes: Iterable[Node]) -> set[Node]:
-    """The operations and variables that values are made of."""
-    found: set[Node] = set()
-    pending = list(nodes)
-    while pending:
-        node = pending.pop()
-        if isinstance(node, Constant) or node in found:
-            continue
-        found.add(node)
-        if isinstance(node, Operation):
-            pending += node.arguments
-    return found
-
-
-def values_of(block: Sequence[Statement]) -> set[Node]:
-    return reachable(value for statement in walk(block) for value in operands(statement))
-
-
-def without_dead(block: list[Statement]) -> list[Statement]:
-    """The statements without variables that nothing reads, and without branches in which nothing is left."""
-    while True:
-        read: set[Node] = set()
-        before = -1
-        while len(read) != before:
-            before = len(read)
-            read = reachable(value for statement in walk(block) for value in operands(statement)
-                             if not isinstance(statement, (Declare, Set)) or _is_read(statement.variable, read))
-        block, changed = _live(block, read)
-        if not changed:
-            return block
-
-
-def _is_read(variable: Variable, read: set[Node]) -> bool:
-    return variable.is_parameter or variable in read
-
-
-def _live(block: Sequence[Statement], read: set[Node]) -> tuple[list[Statement], bool]:
-    left: list[Statement] = []
-    changed = False
-    for statement in block:
-        keeps = True
-        if isinstance(statement, (Declare, Set)):
-            keeps = _is_read(statement.variable, read)
-        elif isinstance(statement, If):
-            (yes, one), (no, other) = _live(statement.yes, read), _live(statement.no, read)
-            changed |= one or other
-            keeps = bool(yes or no)
-            statement = If(statement.condition, yes, no)
-        elif isinstance(statement, Loop):
-            body, one = _live(statement.body, read)
-            changed |= one
-            keeps = any(isinstance(other, Set) for other in walk(body))
-            statement = Loop(statement.condition, statement.asks_behind, body)
-        if keeps:
-            left.append(statement)
-        changed |= not keeps
-    return left, changed
-
-
-# --- Text -----------------------------------------------------------------------------------------------------------
 
 
 class Writer:

@@ -13,12 +13,13 @@ from parsing.lines import wrapped
 from parsing.preprocessor import Preprocessor
 from parsing.syntax import Function, Parameter, Parser
 from parsing.tokens import Unknown
-from pick.evaluate import Evaluation, Kept, Known, Module, Statement, Typed
-from pick.printer import Language, Writer, values_of, without_dead
+from pick.evaluate import Evaluation, Kept, Known, Module, Typed
+from pick.printer import Language, Writer
+from pick.statements import Statement, values_of, without_dead
 from pick.values import SIZES, Constant, Node, Operation, Variable
 from tables.glsl import declarations
 from tree import version
-from wgsl.names import is_public, wgsl_name
+from wgsl.translator import Translator
 
 Key = tuple[str, tuple[str, ...]]
 
@@ -34,12 +35,8 @@ def read(library: Path, settings: dict[str, str]) -> Module:
 
 def public(module: Module) -> dict[str, Function]:
     """The functions by the names that tools/wgsl has for them: one for each form. A form has its seed."""
-    found: dict[str, Function] = {}
-    for function in module.functions.values():
-        name = wgsl_name(function)
-        if is_public(function.name) and (name not in found or len(function.types) > len(found[name].types)):
-            found[name] = function
-    return found
+    translator = Translator(module.tree, module.constants)
+    return {name: item for name in translator.public() if isinstance(item := translator.items[name], Function)}
 
 
 def chosen(module: Module, names: Sequence[str]) -> list[Function]:
@@ -183,10 +180,22 @@ class Program:
     # Text.
 
     def text(self, language: Language, precise: bool = False) -> str:
-        names = {kept: kept.name for kept in self.called}
-        functions = [self._function(evaluated, language, names, precise) for evaluated in self._all()[len(self.roots):]]
-        functions += [self._function(root, language, names, precise) for root in self.roots]
+        names = self._names()
+        functions = [self._function(evaluated, names[kept], language, names, precise)
+                     for kept, evaluated in self.called.items()]
+        functions += [self._function(root, root.function.name, language, names, precise) for root in self.roots]
         return "".join([*(self._struct(name, language) for name in self._structs() if language.structs), *functions])
+
+    def _names(self) -> dict[Kept, str]:
+        """Of the functions that are called. Overloads may differ in what is left out alone: the later has a number."""
+        taken = {(root.function.name, root.function.types) for root in self.roots}
+        names: dict[Kept, str] = {}
+        for kept, evaluated in self.called.items():
+            types = tuple(parameter.type for parameter in evaluated.parameters)
+            numbered = (kept.name, *(f"{kept.name}_{i}" for i in range(2, 100)))
+            names[kept] = next(name for name in numbered if (name, types) not in taken)
+            taken.add((names[kept], types))
+        return names
 
     def _structs(self) -> list[str]:
         """Those in parameters and results, with what they are made of, in the order of the library."""
@@ -201,8 +210,8 @@ class Program:
         fields = "".join(f"  {language.typed(type_)} {field};\n" for field, type_, _ in parts)
         return f"struct {name} {{\n{fields}}};\n"
 
-    def _function(self, evaluated: Evaluated, language: Language, names: dict[Kept, str], precise: bool) -> str:
-        function = evaluated.function
+    def _function(self, evaluated: Evaluated, name: str, language: Language, names: dict[Kept, str],
+                  precise: bool) -> str:
         variables = (node for node in evaluated.nodes if isinstance(node, Variable))
         parameters_read = {variable.name.partition(".")[0] for variable in variables if variable.is_parameter}
 
@@ -214,7 +223,7 @@ class Program:
             return (language.inout if is_read else language.out).format(type_)
 
         parameters = ", ".join(f"{typed(parameter)} {parameter.at.text}" for parameter in evaluated.parameters)
-        head = f"{language.function}{language.typed(function.type)} {function.name}({parameters}) {{"
+        head = f"{language.function}{language.typed(evaluated.function.type)} {name}({parameters}) {{"
         lines = Writer(language, evaluated.block, evaluated.evaluation.hints,
                        [parameter.at.text for parameter in evaluated.parameters], names, precise).lines()
         if len(lines) == 1 and len(head) + len(lines[0]) < 100:
@@ -222,10 +231,10 @@ class Program:
         return "\n".join([*wrapped(head, 0), *lines, "}"]) + "\n"
 
 
-def heading(functions: Sequence[Function], command: str) -> str:
+def heading(functions: Sequence[Function], command: str, library: Path) -> str:
     """What the functions are, return and may be wrong by, by the library's comments, and how to make them again."""
     comments = {(one.name, tuple(type_.removeprefix("out ") for type_ in one.types)): one.comment
-                for one in declarations()}
+                for one in declarations(library)}
     lines: list[str] = []
     for function in functions:
         comment = comments.get((function.name, tuple(type_.removeprefix("hn_") for type_ in function.types)))

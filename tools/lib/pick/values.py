@@ -60,7 +60,7 @@ _made: dict[tuple[object, ...], Operation] = {}
 
 
 def operation(kind: str, name: str, type_: str, arguments: tuple[Node, ...]) -> Operation:
-    key = (kind, name, type_, *(a if isinstance(a, Constant) else id(a) for a in arguments))
+    key = (kind, name, type_, *arguments)
     if key not in _made:
         _made[key] = Operation(kind, name, type_, arguments, len(_made))
     return _made[key]

@@ -1,0 +1,140 @@
+"""What is left of a function that is partly evaluated: statements over values (values.py)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from typing import Union
+
+from pick.values import Constant, Node, Operation, Variable
+
+Environment = dict[tuple[object, ...], Node]  # of variables: the number of the call, the name, the path
+
+
+@dataclass
+class Declare:
+    variable: Variable
+    value: Node | None
+
+
+@dataclass
+class Set:
+    variable: Variable
+    value: Node
+
+
+@dataclass
+class If:
+    condition: Node
+    yes: list[Statement]
+    no: list[Statement]
+
+
+@dataclass
+class Loop:
+    """`condition` is asked before each turn, or behind it; None is true. The step changes a variable between turns."""
+    condition: Node | None
+    asks_behind: bool
+    body: list[Statement]
+
+
+@dataclass
+class Break:
+    state: Environment = field(default_factory=dict)  # what variables are there, until the loop is known
+
+
+@dataclass
+class Return:
+    value: Node | None
+
+
+Statement = Union[Declare, Set, If, Loop, Break, Return]
+
+
+def operands(statement: Statement) -> list[Node]:
+    if isinstance(statement, (Declare, Set, Return)):
+        return [statement.value] if statement.value is not None else []
+    if isinstance(statement, If):
+        return [statement.condition]
+    return [statement.condition] if isinstance(statement, Loop) and statement.condition is not None else []
+
+
+def inner(statement: Statement) -> list[list[Statement]]:
+    if isinstance(statement, If):
+        return [statement.yes, statement.no]
+    return [statement.body] if isinstance(statement, Loop) else []
+
+
+def walk(block: Sequence[Statement]) -> Iterable[Statement]:
+    for statement in block:
+        yield statement
+        for other in inner(statement):
+            yield from walk(other)
+
+
+def blocks(block: list[Statement], loops: bool = True) -> Iterable[list[Statement]]:
+    """It and those in it; without loops, those that a break leaves as well."""
+    yield block
+    for statement in list(block):
+        if loops or not isinstance(statement, Loop):
+            for other in inner(statement):
+                yield from blocks(other, loops)
+
+
+def reachable(nodes: Iterable[Node]) -> set[Node]:
+    """The operations and variables that values are made of."""
+    found: set[Node] = set()
+    pending = list(nodes)
+    while pending:
+        node = pending.pop()
+        if isinstance(node, Constant) or node in found:
+            continue
+        found.add(node)
+        if isinstance(node, Operation):
+            pending += node.arguments
+    return found
+
+
+def values_of(block: Sequence[Statement]) -> set[Node]:
+    return reachable(value for statement in walk(block) for value in operands(statement))
+
+
+def without_dead(block: list[Statement]) -> list[Statement]:
+    """The statements without variables that nothing reads, and without branches in which nothing is left."""
+    while True:
+        read: set[Node] = set()
+        before = -1
+        while len(read) != before:
+            before = len(read)
+            read = reachable(value for statement in walk(block) for value in operands(statement)
+                             if not isinstance(statement, (Declare, Set)) or _is_read(statement.variable, read))
+        block, changed = _live(block, read)
+        if not changed:
+            return block
+
+
+def _is_read(variable: Variable, read: set[Node]) -> bool:
+    return variable.is_parameter or variable in read
+
+
+def _live(block: Sequence[Statement], read: set[Node]) -> tuple[list[Statement], bool]:
+    left: list[Statement] = []
+    changed = False
+    for statement in block:
+        keeps = True
+        if isinstance(statement, (Declare, Set)):
+            keeps = _is_read(statement.variable, read)
+        elif isinstance(statement, If):
+            (yes, one), (no, other) = _live(statement.yes, read), _live(statement.no, read)
+            changed |= one or other
+            keeps = bool(yes or no)
+            statement = If(statement.condition, yes, no)
+        elif isinstance(statement, Loop):
+            body, one = _live(statement.body, read)
+            changed |= one
+            keeps = any(isinstance(other, Set) for other in walk(body))
+            statement = Loop(statement.condition, statement.asks_behind, body)
+        if keeps:
+            left.append(statement)
+        changed |= not keeps
+    return left, changed
