@@ -108,11 +108,19 @@ Result<std::vector<std::uint32_t>> optimise_spirv(std::span<const std::uint32_t>
   return optimised;
 }
 
+namespace {
+
+Result<std::vector<std::uint32_t>> optimised_spirv(const ReferenceCompiler& reference, const ShaderText& text) {
+  return reference.spirv(text, Stage::fragment).and_then([](const auto& words) { return optimise_spirv(words); });
+}
+
+}  // namespace
+
 Result<std::vector<std::uint32_t>> optimised_spirv(const SourceSet& sources, const ReferenceCompiler& reference,
                                                    const Subject& subject) {
-  return expand(sources, profile_named("vulkan"), quad_shader(subject))
-      .and_then([&](const ShaderText& text) { return reference.spirv(text, Stage::fragment); })
-      .and_then([](const auto& words) { return optimise_spirv(words); });
+  return expand(sources, profile_named("vulkan"), quad_shader(subject)).and_then([&](const ShaderText& text) {
+    return optimised_spirv(reference, text);
+  });
 }
 
 std::optional<std::int64_t> count_nvidia(std::string_view binary) {
@@ -161,8 +169,7 @@ CountReport count_instructions(const Context& context, const ReferenceCompiler& 
   if (!no_nvidia.empty()) report.absent.emplace(kNvidiaSource, no_nvidia);
   for (const CountedShader& shader : shaders) {
     Counts counts;
-    const auto spirv = reference.spirv(shader.vulkan, Stage::fragment);
-    const auto optimised = spirv ? optimise_spirv(*spirv) : spirv;
+    const auto optimised = optimised_spirv(reference, shader.vulkan);
     if (optimised) {
       counts.optimised = *optimised;
       counts.instructions.emplace(kSpirvSource, count_spirv(*optimised));
