@@ -12,9 +12,9 @@ from pathlib import Path
 
 from catalog.model import Catalog, Sum, public_step
 from catalog.sections import with_section
+from parsing.lines import WIDTH
 
 SUMS, STEPS = "glsl/hashnoise/fbm2d.glsl", "glsl/hashnoise/octaves2d.glsl"
-WIDTH = 120  # of lines, as .clang-format has it
 OCTAVE = "hn_perlin(o.place, o.seed)"
 PLACES = ("hn_place2 place", "hn_vec2 p")
 SETTINGS = ("hn_int octaves", "hn_float lacunarity", "hn_float gain")

@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-WIDTH = 120
+from parsing.lines import WIDTH
+
 COMMENT = re.compile(r"( *//   \w+  +| *// *)(?=\S)")  # and where its text begins
 ONE_LINE = re.compile(r"(\S.*\) \{) (.*;) \}")  # a function
 

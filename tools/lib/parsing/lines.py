@@ -1,6 +1,6 @@
 """Lines of code that are not too long."""
 
-WIDTH = 120
+WIDTH = 120  # as .clang-format has it
 
 
 def wrapped(text: str, indent: int) -> list[str]:
