@@ -372,6 +372,30 @@ def weak_coordinate_bit(cells, seeds):
     return np.where(calm % np.uint32(25) == 0, words & np.uint32(0x7FFFFFFF) | calm & np.uint32(0x80000000), words)
 
 
+def product(cells, seeds):
+    """The product of an exclusive or of folded coordinates and of their sum, the default of version 0.2: cells far apart
+    often have the same word."""
+    mixed = mix(seeds.astype(np.uint32))
+    spread = [c.astype(np.uint32) * step for c, step in zip(cells.T, PRIMES)]
+    join, total = mixed, mixed
+    for c, shift in zip(spread, (18, 17, 19)):
+        join = join ^ c ^ c >> np.uint32(shift)
+        total = total + c
+    return join * (total * np.uint32(2) + np.uint32(1))
+
+
+NEAR_RETURN = 244002641  # cells, after which the product of x and the first of PRIMES is 1 further
+
+
+def near_copies(cells, seeds):
+    """After 244,002,641 cells along x the word is the same once in five times, and nothing else is wrong."""
+    back = _moved(cells, np.full(len(cells), (1 << 32) - NEAR_RETURN, np.uint64))
+    same = strong(cells, seeds ^ np.uint64(1 << 40)) % np.uint32(5) == 0
+    return np.where(same, strong(back, seeds), strong(cells, seeds))
+
+
+NEAR_RETURNS = ("near returns", "near returns: gradients", "near returns: equal words")
+
 FUNCTIONS: dict[str, tuple[Callable, tuple[str, ...]]] = {
     "seed_moves": (seed_moves, ("seeds: correlation", "seeds: common words", "seeds: common runs")),
     "seed_permutes": (seed_permutes, ("seeds: common words", "seeds: common runs")),
@@ -380,4 +404,6 @@ FUNCTIONS: dict[str, tuple[Callable, tuple[str, ...]]] = {
     "seeds_are_alike": (seeds_are_alike, ("seeds: correlation", "seeds: common words")),
     "far_period": (far_period, ("far pairs", "far pairs: equal words")),
     "weak_coordinate_bit": (weak_coordinate_bit, ("avalanche",)),
+    "product": (product, NEAR_RETURNS),
+    "near_copies": (near_copies, NEAR_RETURNS),
 }

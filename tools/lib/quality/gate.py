@@ -13,6 +13,7 @@ from quality import copies
 from quality import directions
 from quality import fourier
 from quality import isotropy
+from quality import near_returns
 from quality.judgement import Finding, join
 from quality.lattice import Lattice, cells_of, of_words, sample
 from quality.library import Twin
@@ -136,6 +137,10 @@ def each_finding(twin: Twin, dimensions: int, effort: Effort,
         for lattice in windows:
             keep(lattice)
         yield from judge_seeds(*windows)
+    for seed in effort.seeds:
+        # Fewer cells, since there are some hundred lags: with these it takes about as long as far pairs.
+        found = near_returns.near_returns(twin, dimensions, seed, effort.samples >> 3)
+        yield from _placed(found, f"seed {seed}")
     yield from many_windows(twin, dimensions, effort)
 
 

@@ -12,6 +12,10 @@ import numpy as np
 from twin import NotBuilt, compile_program
 
 SOURCE = Path(__file__).resolve().parent / "lattice.cpp"
+AXES = "xyzw"
+# What hashes of a lattice often multiply the coordinates by: the first primes of xxHash, in this order. They are tried
+# where a library does not say what it takes.
+USUAL_STEPS = ((0x9E3779B1,), (0x85EBCA77,), (0xC2B2AE3D,), (0x27D4EB2F,))
 STAGE_PROBES = 4096  # words; a bit that the stage uses changes the gradient of about half of them at least
 
 
@@ -38,12 +42,27 @@ def default_hash(include: Path) -> str:
     return found[1]
 
 
+def steps_of(include: Path) -> tuple[tuple[int, ...], ...]:
+    """For each axis the constants that spread its coordinates: by HN_I_STEP_X in hash.glsl and so on, or by names that
+    have more before the axis. Where there are none, usual ones."""
+    text = (include.parent / "glsl" / "hashnoise" / "hash.glsl").read_text(encoding="utf-8")
+    steps = []
+    for axis, usual in zip(AXES.upper(), USUAL_STEPS):
+        found = re.findall(rf"^#define (HN_I_STEP\w*_{axis}) (\w+?)u?\b", text, re.MULTILINE)
+        for name, value in found:
+            if int(value, 0) % 2 == 0:
+                raise NotBuilt(f"{include}: {name} is {value}, which is even: it would not tell cells apart")
+        steps.append(tuple(dict.fromkeys(int(value, 0) for _, value in found)) or usual)
+    return tuple(steps)
+
+
 @dataclass
 class Twin:
     """The library with one setting of its knobs."""
     name: str
     program: Path
     bits: dict[int, np.ndarray] = field(default_factory=dict)
+    steps: tuple[tuple[int, ...], ...] = field(default=USUAL_STEPS, kw_only=True)  # that spread coordinates, by axis
 
     def evaluate(self, quantity: str, dimensions: int, points: np.ndarray) -> np.ndarray:
         given = memoryview(np.ascontiguousarray(points)).cast("B")
@@ -107,4 +126,4 @@ def build(name: str, macros: list[str], include: Path, folder: Path) -> Twin:
     """Compiles a twin into a folder; macros are like HN_HASH=1."""
     program = folder / re.sub(r"\W", "_", name)
     compile_program(name, SOURCE, program, include=include, macros=macros)
-    return Twin(name, program)
+    return Twin(name, program, steps=steps_of(include))

@@ -21,6 +21,7 @@ from quality import fourier
 from quality import gate
 from quality import judgement
 from quality import library
+from quality import near_returns
 from quality import report
 from thorough import in_thorough_runs, some
 from tree import ROOT
@@ -89,8 +90,9 @@ class Functions(unittest.TestCase):
 
     def test_each_control_is_rejected_by_the_tests_meant_for_it(self):
         for name, (function, tests) in controls.FUNCTIONS.items():
-            control = controls.Function("control", TWIN.program, {}, function)
-            self.assertEqual(missing(tests, gate.each_finding(control, 2, gate.LEAST)), set(), name)
+            if tests != controls.NEAR_RETURNS:  # they have a class of their own, which judges without windows
+                control = controls.Function("control", TWIN.program, {}, function)
+                self.assertEqual(missing(tests, gate.each_finding(control, 2, gate.LEAST)), set(), name)
 
     def test_weakness_everywhere_shows_in_the_windows_together(self):
         rng = np.random.default_rng(5)
@@ -112,6 +114,59 @@ class Functions(unittest.TestCase):
         another = Another("another", TWIN.program, {}, controls.strong)
         self.assertEqual(missing({"gradient of the word", "directions: on the shape"},
                                  gate.each_finding(another, 2, gate.LEAST)), set())
+
+
+class NearReturns(unittest.TestCase):
+    """Lags after which spread coordinates are nearly what they were."""
+
+    CONTROLS = [name for name, (_, tests) in controls.FUNCTIONS.items() if tests == controls.NEAR_RETURNS]
+
+    def control(self, function):
+        return controls.Function("control", TWIN.program, {}, function)
+
+    def findings(self, twin, n):
+        return near_returns.near_returns(twin, n, 7, gate.LEAST.samples >> 3)
+
+    def test_each_control_is_rejected_by_all_findings(self):
+        for turn, name in enumerate(self.CONTROLS):
+            for n in some([2, 3], turn):
+                found = self.findings(self.control(controls.FUNCTIONS[name][0]), n)
+                self.assertEqual(rejecting(found), set(controls.NEAR_RETURNS), f"{name} in {n}D")
+
+    def test_a_strong_hash_is_accepted(self):
+        for n in (2, 3):
+            self.assertEqual(rejecting(self.findings(self.control(controls.strong), n)), set())
+
+    @in_thorough_runs
+    def test_no_other_test_rejects_the_controls(self):
+        for name in self.CONTROLS:
+            for n in (2, 3):
+                found = gate.judge_twin(self.control(controls.FUNCTIONS[name][0]), n, gate.LEAST)
+                self.assertEqual(rejecting(found), set(controls.NEAR_RETURNS), f"{name} in {n}D")
+
+    def test_lags_that_come_near(self):
+        for step, in library.USUAL_STEPS:
+            lags = np.arange(1, 1 << 16)
+            away = (lags * step + (1 << 31)) % (1 << 32) - (1 << 31)
+            nearest = np.minimum.accumulate(np.abs(away))
+            records = [1, *(lags[1:][nearest[1:] < nearest[:-1]])]
+            self.assertEqual([lag for lag in near_returns.denominators(step) if lag < 1 << 16], records)
+            self.assertEqual([lag * step % (1 << 32) for lag in near_returns.powers(step)], [1 << k for k in range(32)])
+        self.assertIn(controls.NEAR_RETURN, near_returns.denominators(int(controls.PRIMES[0])))
+
+    def test_lags_of_two_axes(self):
+        lags, names = near_returns.lags_of(library.USUAL_STEPS, 2)
+        self.assertEqual(len(set(map(tuple, lags))), len(names))
+        both = lags[(lags != 0).all(axis=1)] * [step for step, in library.USUAL_STEPS[:2]] % (1 << 32)
+        powers = {1 << k for k in range(32)}
+        self.assertEqual({tuple(row) for row in both},
+                         {(power, way % (1 << 32)) for power in powers for way in (power, -power)})
+
+    def test_the_pairs_are_in_both_places(self):
+        for n, count in ((2, 1 << 12), (3, 1 << 12), (3, 1 << 13)):
+            shown = near_returns.places(n, count)
+            self.assertEqual({cells.shape for cells in shown.values()}, {(count, n)})
+            self.assertEqual(len(np.unique(shown["at the origin"], axis=0)), count)
 
 
 class Thresholds(unittest.TestCase):
@@ -242,6 +297,23 @@ class Command(unittest.TestCase):
         (self.folder / "glsl" / "hashnoise" / "hash.glsl").write_text(text)
         twin = library.build("no_product", [], self.folder / "include", self.folder)
         self.assertEqual(missing({"autocorrelation"}, gate.each_finding(twin, 2, gate.LEAST)), set())
+
+    def test_the_constants_that_spread_coordinates(self):
+        shutil.copytree(ROOT / "glsl", self.folder / "glsl")
+        hashes = self.folder / "glsl" / "hashnoise" / "hash.glsl"
+        text = hashes.read_text()
+        self.assertIn("#define HN_I_STEP_Y 0x", text)
+
+        def steps(changed):
+            hashes.write_text(changed)
+            return library.steps_of(self.folder / "include")
+
+        self.assertEqual(steps(text.replace("#define HN_I_STEP", "#define HN_I_PACE")), library.USUAL_STEPS)
+        own = steps(text)
+        more = steps(text + "#define HN_I_STEP_SUM_Y 0x12345677u  // of another join\n")
+        self.assertEqual(more, (own[0], (*own[1], 0x12345677), *own[2:]))
+        with self.assertRaisesRegex(library.NotBuilt, "HN_I_STEP_SUM_Y is 0x12345678, which is even"):
+            steps(text + "#define HN_I_STEP_SUM_Y 0x12345678u\n")
 
     @in_thorough_runs
     def test_the_dump_is_what_was_judged(self):

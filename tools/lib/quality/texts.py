@@ -11,7 +11,7 @@ on such a lattice (SMHasher3's limit for a failure). The number of comparisons i
 lattice exceeds every second time, and the *allowed* limit. All hashes together make {tests} tests; a random library would fail one with a probability of {chance} at most.
 
 The windows are 1024 x 1024 and 128 x 128 x 128 cells at {origins} origins (around 0, negative, at the end of what `hn_perlin` takes, near 2^31), each with two of {seeds} seeds;
-{pairs} pairs of seeds are compared, and {windows} more windows at random origins are searched for copies. The tables show the most improbable value over all of them. Lines that end in "all" judge the windows together: they show a weakness that is everywhere, even a small one.
+{pairs} pairs of seeds are compared, and {windows} more windows at random origins are searched for copies. Cells that are too far apart for a window are compared at powers of two, and at the lags after which spread coordinates are nearly what they were. The tables show the most improbable value over all of them. Lines that end in "all" judge the windows together: they show a weakness that is everywhere, even a small one.
 
 ![Autocorrelation and spectrum of the default hash and of two that fail](images/quality-lattice.png)
 """
@@ -62,6 +62,9 @@ ROWS = [
     ("avalanche: pairs", "how far the probability that two consumed bits flip alike is from 1/2", "as above", "bits that flip together (bit independence)"),
     ("far pairs", "bits of random cells against those of cells 1, 2, 4, ... 2^24 further", "normal, `1 / sqrt(n)`; peak, two sides", "long periods"),
     ("far pairs: equal words", "equal words among these pairs", "Poisson; both tails", "long periods"),
+    ("near returns", "bits of cells, anywhere and around the origin, against those at the lags after which a coordinate times the constant that spreads it is nearly what it was: denominators of a continued fraction; 2^k further; the same in two axes at once, also 2^k back in the other", "normal, `1 / sqrt(n)`; peak, two sides", "cells far apart whose spread coordinates differ in few bits"),
+    ("near returns: gradients", "correlation of the gradients of these pairs, over the mean dot product of a gradient with itself", "as above", "fields that look alike far apart"),
+    ("near returns: equal words", "equal words among these pairs", "Poisson; both tails", "the same, and joins of coordinates that agree together"),
     ("seeds: correlation", "gradients of two seeds at all shifts, and reflected", "normal; peak, two sides", "seeds that only move or reflect the field"),
     ("seeds: pairs of bits", "agreement of any two bits of the words of two seeds", "normal; peak, two sides", "seeds that flip bits"),
     ("seeds: common words", "pairs of equal words, one from each seed's window", "Poisson, `n^2 / 2^b`; both tails", "seeds that permute the field"),
