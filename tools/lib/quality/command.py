@@ -1,7 +1,7 @@
 """Measures how random the library's hashes are, and judges them.
 
-Without --hash, --hash-fn or --words every hash of the library is judged, and docs/quality.md and its pictures are
-written; with one of them, or with --quick and no --out, the verdicts alone are printed.
+Without options every hash of the library is judged, and docs/quality.md and its pictures are written. With options that
+choose what is judged, or with --quick or --least and no --out, the verdicts alone are printed.
 """
 
 from __future__ import annotations
@@ -32,6 +32,7 @@ from quality.report import HashResult
 from tree import ROOT
 
 DIMENSIONS = (2, 3)
+PARTS = ("hash", "hash_fn", "dimensions", "seeds", "steps")  # options with which not the whole page is measured
 
 
 @dataclass
@@ -125,7 +126,8 @@ def chosen_twins(options, folder: Path) -> list[library.Twin]:
     if options.hash_fn:
         twins.append(library.build("CUSTOM", ["HN_HASH=HN_HASH_CUSTOM", f"HN_HASH_FN(k)=({options.hash_fn})"],
                                    options.include, folder))
-    return twins
+    more = options.steps or ()
+    return [replace(twin, steps=tuple(tuple(dict.fromkeys(axis + more)) for axis in twin.steps)) for twin in twins]
 
 
 def judge_given(options, folder: Path) -> int:
@@ -150,34 +152,53 @@ def judge_given(options, folder: Path) -> int:
     return 0 if passed else 1
 
 
+def odd_words(text: str) -> tuple[int, ...]:
+    words = tuple(int(word, 0) for word in text.split(","))
+    for word in words:
+        if not 0 < word <= gate.WORD or word % 2 == 0:
+            raise argparse.ArgumentTypeError(f"{word} is not an odd number below 2^32")
+    return words
+
+
+def refuse(options, name: str, others: tuple[str, ...]) -> None:
+    """Bad usage, if an option comes with others that it would not heed."""
+    given = ["--" + other.replace("_", "-") for other in others if getattr(options, other)]
+    if getattr(options, name) and given:
+        options.parser.error(f"--{name} goes without {' and '.join(given)}")
+
+
 def parse(arguments: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="tools/quality", description=__doc__.splitlines()[0],
                                      epilog="Exit status: 0 every hash passes, 1 one does not (or the page is not "
                                      "up to date), 2 bad usage, 4 it could not be built.")
     parser.add_argument("--hash", action="append", metavar="NAME", help="only this hash of the library (repeatable)")
     parser.add_argument("--hash-fn", metavar="EXPR", help="judge your own hash: an expression of the uint k")
+    parser.add_argument("--dimensions", type=int, choices=DIMENSIONS, help="only in the plane, or only in space")
     parser.add_argument("--words2", type=Path, metavar="FILE", help="judge words in the plane: .npy, uint32")
     parser.add_argument("--words3", type=Path, metavar="FILE", help="the same in space")
     parser.add_argument("--include", type=Path, default=ROOT / "include", metavar="DIR",
                         help="another copy of include/, with its glsl/ beside it")
     parser.add_argument("--seeds", type=lambda text: tuple(int(s, 0) & gate.WORD for s in text.split(",")),
                         metavar="A,B,...", help="seeds to measure with")
+    parser.add_argument("--steps", type=odd_words, metavar="A,B,...", help="constants that any coordinate may be "
+                        "multiplied by, beside those that hash.glsl names (HN_I_STEP_X and so on): the test of near "
+                        "returns finds its distances by them")
     parser.add_argument("--dump", type=Path, metavar="DIR", help="keep what is judged: the words and gradients of each "
                         "window (.npy; some hundred MB for a hash), index.json, statistics.json")
     parser.add_argument("--out", type=Path, metavar="DIR", help="for the page (default docs; with --quick none is "
                         "written unless DIR is named)")
     parser.add_argument("--check", action="store_true", help="compare with the page instead of writing it")
-    parser.add_argument("--quick", action="store_true", help="the default hash with fewer windows, the others with few "
-                        "and small ones; no page")
+    short = parser.add_mutually_exclusive_group()
+    short.add_argument("--quick", action="store_true", help="the default hash, or one that is named, with fewer "
+                       "windows, the others with few and small ones; no page")
+    short.add_argument("--least", action="store_true", help="every hash with few and small windows; no page")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, metavar="N", help="processes")
     options = parser.parse_args(arguments)
     options.parser = parser
-    if (options.words2 or options.words3) and (options.hash or options.hash_fn or options.quick or options.check):
-        parser.error("--words2 and --words3 go without --hash, --hash-fn, --quick and --check")
-    if options.check and (options.quick or options.hash or options.hash_fn or options.seeds):
-        parser.error("--check is of the whole page: it goes without --quick, --hash, --hash-fn and --seeds")
-    if options.out and (options.hash or options.hash_fn or options.words2 or options.words3 or options.seeds):
-        parser.error("--out is of the whole page: it goes without --hash, --hash-fn, --words2, --words3 and --seeds")
+    for name in ("words2", "words3"):
+        refuse(options, name, (*PARTS, "quick", "least", "check"))
+    refuse(options, "check", (*PARTS, "quick", "least"))
+    refuse(options, "out", (*PARTS, "words2", "words3", "least"))
     if options.jobs < 1:
         parser.error("--jobs must be 1 or more")
     return options
@@ -185,7 +206,9 @@ def parse(arguments: list[str]) -> argparse.Namespace:
 
 def effort_for(options, twin: library.Twin) -> gate.Effort:
     effort, default = gate.FULL, library.default_hash(options.include)
-    if options.quick:
+    if options.least:
+        effort = gate.LEAST
+    elif options.quick:
         # A hash that somebody names is judged as the default is.
         effort = gate.QUICK if options.hash or options.hash_fn or twin.name == default else gate.LEAST
     return replace(effort, seeds=options.seeds) if options.seeds else effort
@@ -205,13 +228,14 @@ def run(options, folder: Path) -> int:
     if options.words2 or options.words3:
         return judge_given(options, folder)
     twins = chosen_twins(options, folder)
-    page = options.out is not None or not (options.quick or options.hash or options.hash_fn or options.seeds)
+    page = options.out is not None or not any(getattr(options, name) for name in (*PARTS, "quick", "least"))
     out = options.out or ROOT / "docs"
     if page and not options.check and importlib.util.find_spec("matplotlib") is None:
         raise library.NotBuilt("the pictures need matplotlib; run it as tools/quality, which finds or installs it")
     if options.dump:
         options.dump.mkdir(parents=True, exist_ok=True)
-    tasks = [Task(twin, n, effort_for(options, twin), options.dump, page) for twin in twins for n in DIMENSIONS]
+    dimensions = (options.dimensions,) if options.dimensions else DIMENSIONS
+    tasks = [Task(twin, n, effort_for(options, twin), options.dump, page) for twin in twins for n in dimensions]
     # The longest first, so that no process is left with one at the end.
     tasks.sort(key=lambda task: (task.effort is gate.LEAST, -task.dimensions))
     results, entries = measure_all(tasks, options.jobs)

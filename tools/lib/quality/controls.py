@@ -373,8 +373,8 @@ def weak_coordinate_bit(cells, seeds):
 
 
 def product(cells, seeds):
-    """The product of an exclusive or of folded coordinates and of their sum, the default of version 0.2: cells far apart
-    often have the same word."""
+    """The product of an exclusive or of folded coordinates and of their sum, the default of version 0.2: cells far
+    apart often have the same word."""
     mixed = mix(seeds.astype(np.uint32))
     spread = [c.astype(np.uint32) * step for c, step in zip(cells.T, PRIMES)]
     join, total = mixed, mixed

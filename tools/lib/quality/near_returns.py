@@ -1,9 +1,9 @@
 """Tests at the distances after which a coordinate, spread by a constant, is nearly what it was.
 
-A hash of the lattice multiplies each coordinate by an odd constant K, modulo 2^32. So for every number d there is a lag
-L, d / K, after which the product is d further; and where d is a small number or a power of two, few bits of the product
-are others. What follows has to tell such cells apart as well as neighbours. Most of these lags are wider than any window,
-so no test of a window sees them.
+A hash of the lattice multiplies each coordinate by an odd constant K, modulo 2^32. So for every number d there is a
+lag L, d / K, after which the product is d further; and where d is a small number or a power of two, few bits of the
+product are others. What follows has to tell such cells apart as well as neighbours. Most of these lags are wider than
+any window, so no test of a window sees them.
 """
 
 from __future__ import annotations

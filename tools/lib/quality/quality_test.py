@@ -263,8 +263,30 @@ class Command(unittest.TestCase):
         np.save(self.folder / "wrong.npy", np.zeros((4, 4), np.uint32))
         for arguments in (["--hash", "MD5"], ["--words2", self.folder / "none.npy"],
                           ["--words2", self.folder / "wrong.npy"], ["--words3", self.folder / "wrong.npy"],
-                          ["--quick", "--check"], ["--jobs", "0"], ["--seeds", "x"], ["--nothing"]):
+                          ["--quick", "--check"], ["--quick", "--least"], ["--dimensions", "4"], ["--jobs", "0"],
+                          ["--steps", "2"], ["--steps", "0x100000001"], ["--seeds", "x"], ["--nothing"]):
             self.assertEqual(self.call(*arguments), 2, arguments)
+
+    def test_options_that_would_not_be_heeded(self):
+        for arguments, refused in ((["--check", "--seeds", "3"], "--check goes without --seeds"),
+                                   (["--words3", "w.npy", "--hash-fn", "k"], "--words3 goes without --hash-fn"),
+                                   (["--out", "o", "--dimensions", "2", "--least"],
+                                    "--out goes without --dimensions and --least")):
+            self.assertEqual(self.call(*arguments), 2)
+            self.assertIn(refused, self.shown.getvalue())
+
+    def test_what_is_chosen(self):
+        def tasks(*arguments):
+            with mock.patch.object(command, "measure_all", return_value=([], [])) as measured, \
+                    mock.patch.object(library, "build", return_value=TWIN):
+                self.assertEqual(self.call("--hash", "LATTICE", *arguments), 0, self.shown.getvalue())
+            return measured.call_args[0][0]
+
+        self.assertEqual([(task.dimensions, task.effort) for task in tasks()], [(3, gate.FULL), (2, gate.FULL)])
+        one, = tasks("--dimensions", "2", "--least", "--seeds", "5,6", "--steps", "0x10001,0x9E3779B1")
+        self.assertEqual((one.dimensions, one.effort), (2, replace(gate.LEAST, seeds=(5, 6))))
+        self.assertEqual(one.twin.steps[0], (*dict.fromkeys((*TWIN.steps[0], 0x10001, 0x9E3779B1)),))
+        self.assertEqual(one.twin.steps[1], (*TWIN.steps[1], 0x10001, 0x9E3779B1))
 
     def test_what_cannot_be_built(self):
         self.assertEqual(self.call("--quick", "--hash-fn", "k +"), 4)
