@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import subprocess
+import tempfile
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -65,9 +66,12 @@ class Twin:
     steps: tuple[tuple[int, ...], ...] = field(default=USUAL_STEPS, kw_only=True)  # that spread coordinates, by axis
 
     def evaluate(self, quantity: str, dimensions: int, points: np.ndarray) -> np.ndarray:
-        given = memoryview(np.ascontiguousarray(points)).cast("B")
-        done = subprocess.run([self.program, quantity, str(dimensions)], input=given, stdout=subprocess.PIPE,
-                              check=True)
+        # A file, since subprocess writes into a pipe by 512 bytes, which takes longer than the program does.
+        with tempfile.TemporaryFile() as given:
+            given.write(np.ascontiguousarray(points))
+            given.seek(0)
+            done = subprocess.run([self.program, quantity, str(dimensions)], stdin=given, stdout=subprocess.PIPE,
+                                  check=True)
         return np.frombuffer(done.stdout, np.uint32 if quantity == "word" else np.float32)
 
     def words(self, cells: np.ndarray, seeds) -> np.ndarray:
