@@ -84,14 +84,17 @@ def near_returns(twin: Twin, dimensions: int, seed: int, count: int) -> list[Fin
     starts = places(dimensions, count)
     cells = np.concatenate(list(starts.values()))
     before = twin.words(cells, seed)
-    gradients = twin.stage(before, dimensions)
+    gradients = twin.stage(before, dimensions).reshape(len(starts), count, dimensions)
+    # The product of two components has the product of their variances.
+    deviation = np.sqrt(((gradients.astype(float) ** 2).mean(axis=(0, 1)) ** 2).sum())
     agreement, products, equal = [], [], 0
     for some in np.array_split(lags, -(-len(lags) * len(cells) // BATCH)):
         words = twin.words((cells + some[:, None]).reshape(-1, dimensions), seed)
         others = twin.stage(words, dimensions).reshape(len(some), len(starts), count, dimensions)
         changed = (before ^ words.reshape(len(some), -1)).reshape(len(some), len(starts), count)
         agreement.append(np.stack([_agreement(changed, bit) for bit in bits], axis=-1))
-        products.append(_correlation(gradients.reshape(1, len(starts), count, dimensions), others))
+        dots = np.einsum("pci,lpci->lp", gradients, others, dtype=float)
+        products.append(dots / (deviation * np.sqrt(count)))
         equal += int(np.count_nonzero(changed == 0))
     where = list(starts)
 
@@ -102,7 +105,8 @@ def near_returns(twin: Twin, dimensions: int, seed: int, count: int) -> list[Fin
     scale = 1 / np.sqrt(count)
     return [normal("near returns", np.concatenate(agreement), count,
                    lambda lag, place, bit: f"bit {bits[bit]}, {named(lag, place)}", scale),
-            normal("near returns: gradients", np.concatenate(products), count, named, scale),
+            # Over a gradient's product with itself, which is as many times the variance as there are components.
+            normal("near returns: gradients", np.concatenate(products), count, named, scale / np.sqrt(dimensions)),
             poisson("near returns: equal words", equal, pairs * 2.0 ** -varying_bits(before), pairs)]
 
 
@@ -110,11 +114,3 @@ def _agreement(changed: np.ndarray, bit: int) -> np.ndarray:
     """How many standard deviations a bit agrees too often, over the last axis."""
     count = changed.shape[-1]
     return (count - 2 * np.count_nonzero(changed & np.uint32(1 << int(bit)), axis=-1)) / np.sqrt(count)
-
-
-def _correlation(gradients: np.ndarray, others: np.ndarray) -> np.ndarray:
-    """The sums of dot products over the cells (the axis before the last), in standard deviations: the products of two
-    components have the product of their variances."""
-    variance = (gradients.astype(float) ** 2).mean(axis=-2) * (others.astype(float) ** 2).mean(axis=-2)
-    dots = np.einsum("...i,...i->...", gradients, others).sum(axis=-1, dtype=float)
-    return dots / np.sqrt(gradients.shape[-2] * variance.sum(axis=-1))

@@ -144,6 +144,13 @@ class NearReturns(unittest.TestCase):
                 found = gate.judge_twin(self.control(controls.FUNCTIONS[name][0]), n, gate.LEAST)
                 self.assertEqual(rejecting(found), set(controls.NEAR_RETURNS), f"{name} in {n}D")
 
+    def test_the_copies_show_in_number(self):
+        agreeing, alike, equal = self.findings(self.control(controls.near_copies), 2)
+        self.assertAlmostEqual(agreeing.statistic, 1 / 5, 1)
+        self.assertAlmostEqual(alike.statistic, 1 / 5, 1)
+        pairs = gate.LEAST.samples >> 3 << 1  # at the one lag, in both places
+        self.assertAlmostEqual(equal.statistic / pairs, 1 / 5, 1)
+
     def test_lags_that_come_near(self):
         for step, in library.USUAL_STEPS:
             lags = np.arange(1, 1 << 16)

@@ -63,7 +63,7 @@ ROWS = [
     ("far pairs", "bits of random cells against those of cells 1, 2, 4, ... 2^24 further", "normal, `1 / sqrt(n)`; peak, two sides", "long periods"),
     ("far pairs: equal words", "equal words among these pairs", "Poisson; both tails", "long periods"),
     ("near returns", "bits of cells, anywhere and around the origin, against those at the lags after which a coordinate times the constant that spreads it is nearly what it was: denominators of a continued fraction; 2^k further; the same in two axes at once, also 2^k back in the other", "normal, `1 / sqrt(n)`; peak, two sides", "cells far apart whose spread coordinates differ in few bits"),
-    ("near returns: gradients", "correlation of the gradients of these pairs, over the mean dot product of a gradient with itself", "as above", "fields that look alike far apart"),
+    ("near returns: gradients", "correlation of the gradients of these pairs: the mean of their dot products over that of a gradient with itself", "normal, `1 / sqrt(dimensions n)`; peak, two sides", "fields that look alike far apart"),
     ("near returns: equal words", "equal words among these pairs", "Poisson; both tails", "the same, and joins of coordinates that agree together"),
     ("seeds: correlation", "gradients of two seeds at all shifts, and reflected", "normal; peak, two sides", "seeds that only move or reflect the field"),
     ("seeds: pairs of bits", "agreement of any two bits of the words of two seeds", "normal; peak, two sides", "seeds that flip bits"),
