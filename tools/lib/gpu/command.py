@@ -122,6 +122,7 @@ def run(options: argparse.Namespace) -> int:
     with tempfile.TemporaryDirectory() as scratch:
         arguments = [word for glob in options.filter or ARITHMETICS for word in ("--filter", glob)]
         arguments += [word for one in (*options.against, *against(peers(options))) for word in ("--against", one)]
+        arguments += ["--glsl", str(options.glsl)] if options.glsl else []
         if not options.filter:
             arguments += operations.write_shaders(Path(scratch))
         dimensions = compile_spirv(hn_conform, Path(scratch), arguments)
@@ -176,6 +177,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
                         help="only this one; may be repeated")
     parser.add_argument("--filter", action="append", metavar="GLOB", default=[],
                         help="only the subjects whose id matches, as of bench; may be repeated")
+    parser.add_argument("--glsl", type=Path, metavar="DIR", help="another copy of the library: of glsl/hashnoise/")
     parser.add_argument("--against", action="append", metavar="NAME=FILE:EXPRESSION", default=[],
                         help="also another shader file, as of bench; may be repeated")
     for peer in PEERS:

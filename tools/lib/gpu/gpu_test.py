@@ -243,6 +243,13 @@ class Command(WithStandIn):
     def costs(self) -> dict[str, record.Row]:
         return {row.id: row for row in record.read_costs(self.folder / "out/costs.csv").values()}
 
+    def test_another_copy_of_the_library(self):
+        program = self.make_program()
+        self.program = self.script(self.folder / "keeps", f'#!/bin/sh\necho "$@" >>{self.folder}/calls\n'
+                                   f'exec {program} "$@"\n')
+        self.assertEqual(self.call("--chip", "ampere", "--filter", "*", "--glsl", "/a/copy")[0], 0)
+        self.assertRegex((self.folder / "calls").read_text(), "^spirv .* --glsl /a/copy\n")
+
     def test_measures_and_compares(self):
         self.program = self.make_program("perlin", "one-that-is-refused", "one-that-crashes")
         status, out, err = self.call("--chip", "ampere", "--filter", "*")
