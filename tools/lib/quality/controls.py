@@ -14,6 +14,8 @@ from quality.library import Twin
 
 Shape = tuple[int, ...]
 
+# Where a control spoils a single bit, it is one of 22 to 15, which gradients take in the plane and in space.
+
 
 def random(shape: Shape, seed: int = 0) -> np.ndarray:
     """Independent words, by Philox."""
@@ -94,13 +96,13 @@ def fract_sin(shape: Shape) -> np.ndarray:
 
 def stuck_bit(shape: Shape) -> np.ndarray:
     """A bit that is always set."""
-    return random(shape) | np.uint32(1 << 30)
+    return random(shape) | np.uint32(1 << 20)
 
 
 def biased_bit(shape: Shape) -> np.ndarray:
-    """A bit that is set with a probability of 0.51."""
-    rare = np.random.default_rng(1).random(shape) < 0.02
-    return random(shape) | rare.astype(np.uint32) << np.uint32(25)
+    """A bit that is set with a probability of 0.515."""
+    rare = np.random.default_rng(1).random(shape) < 0.03
+    return random(shape) | rare.astype(np.uint32) << np.uint32(19)
 
 
 def copied_line(shape: Shape) -> np.ndarray:
@@ -118,9 +120,9 @@ def copied_part(shape: Shape) -> np.ndarray:
 
 
 def copied_high_bits(shape: Shape) -> np.ndarray:
-    """The high 17 bits of a row, which are all that gradients use, are those of another, moved by two cells."""
+    """The high 18 bits of a row, of which gradients are made, are those of another, moved by two cells."""
     words = random(shape)
-    low = np.uint32(0x7FFF)
+    low = np.uint32(0x3FFF)
     line, other = (shape[0] // 3,) * (len(shape) - 1), (5,) * (len(shape) - 1)
     words[line] = np.roll(words[other], 2) & ~low | words[line] & low
     return words
@@ -139,7 +141,7 @@ def alike_bits(shape: Shape) -> np.ndarray:
     """Two bits of a word agree with a probability of 0.51."""
     words = random(shape)
     some = np.random.default_rng(1).random(shape) < 0.02
-    alike = words & np.uint32(0xFEFFFFFF) | (words >> np.uint32(29) & 1) << np.uint32(24)
+    alike = words & np.uint32(0xFFFDFFFF) | (words >> np.uint32(21) & 1) << np.uint32(17)
     return np.where(some, alike, words)
 
 

@@ -11,10 +11,12 @@ from __future__ import annotations
 import numpy as np
 
 from quality.judgement import Finding, normal, poisson
-from quality.lattice import cells_of, varying_bits
+from quality.lattice import varying_bits
 from quality.library import AXES, Twin
 
+REACH = 23       # hn_perlin takes positions below 2^23 in magnitude
 BATCH = 1 << 18  # pairs of cells at a time
+NEAR = 16        # a product is near what it was if it is no more than 2^16 further: a 65,536th of a turn
 TURN = 1 << 32   # coordinates are modulo this
 
 
@@ -35,8 +37,8 @@ def denominators(step: int) -> list[int]:
 
 
 def powers(step: int) -> list[int]:
-    """The lags after which the product is 2^k further, for k = 0, 1, ... 31."""
-    return [signed(pow(step, -1, TURN) << k) for k in range(32)]
+    """The lags after which the product is 2^k further, for k = 0, 1, ... NEAR."""
+    return [signed(pow(step, -1, TURN) << k) for k in range(NEAR + 1)]
 
 
 def lags_of(steps: tuple[tuple[int, ...], ...], dimensions: int) -> tuple[np.ndarray, list[str]]:
@@ -67,13 +69,12 @@ def lags_of(steps: tuple[tuple[int, ...], ...], dimensions: int) -> tuple[np.nda
 
 
 def places(dimensions: int, count: int) -> dict[str, np.ndarray]:
-    """Cells to start from: some of the whole domain, and a window around the origin. A lag that is weak is so nearly
-    everywhere, and random cells show it. But somebody may set a picture of the origin beside one of the lag, and where
-    high bits of coordinates are all alike, a hash has the least to tell cells apart by."""
-    drawn = np.random.default_rng(48 + dimensions).integers(-(1 << 31), 1 << 31, (count, dimensions))
-    # The sides are powers of two whose product is that count.
-    shape = tuple(1 << (count.bit_length() - 1 + axis) // dimensions for axis in range(dimensions))
-    return {"anywhere": drawn, "at the origin": cells_of(tuple(-n // 2 for n in shape), shape)}
+    """Cells to start from: of the whole domain, and as near to the origin as positions are, where high bits of
+    coordinates are alike. They are drawn: the cells of a window share their coordinates, so that they are not
+    independent, and their sum is not normal."""
+    rng = np.random.default_rng(48 + dimensions)
+    return {where: rng.integers(-reach, reach, (count, dimensions))
+            for where, reach in (("anywhere", 1 << 31), ("as positions", 1 << REACH))}
 
 
 def near_returns(twin: Twin, dimensions: int, seed: int, count: int) -> list[Finding]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import sys
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import log2
 from pathlib import Path
@@ -182,6 +183,17 @@ def repeats_table(sums: octaves.Shown) -> str:
                    number(octaves.REPEAT_LIMIT)] for found in sums.repeats])
 
 
+def _runs(bits: Sequence[int]) -> str:
+    """Bits from the highest down: 31 and 22 to 14."""
+    runs: list[list[int]] = []
+    for bit in map(int, bits):
+        if runs and runs[-1][-1] == bit + 1:
+            runs[-1][1:] = [bit]
+        else:
+            runs.append([bit])
+    return " and ".join(" to ".join(map(str, run)) for run in runs)
+
+
 def page(results: list[HashResult], rejected: list[HashResult], sine: list[Sine], preferences: list[Preference],
          looks: list[fields.Look], sums: octaves.Shown, default: Twin, quick: bool) -> str:
     tests = sum(len(result.findings) for result in results)
@@ -192,7 +204,7 @@ def page(results: list[HashResult], rejected: list[HashResult], sine: list[Sine]
     for n in (2, 3):
         some = [result for result in results if result.dimensions == n]
         bits = default.consumed(n)
-        text += texts.HASHES.format(dimensions=n, verdict=_verdicts(some), bits=len(bits), high=bits[0], low=bits[-1])
+        text += texts.HASHES.format(dimensions=n, verdict=_verdicts(some), bits=len(bits), which=_runs(bits))
         text += hash_table(some)
     text += texts.TESTS + table(["test", "statistic", "on a random lattice", "what it finds"],
                                 [list(row) for row in texts.ROWS])

@@ -24,7 +24,7 @@ QUICK = """**This is a quick run.** It judges the default hash in one window at 
 HASHES = """
 ## Hashes in {dimensions}D
 
-{verdict} The gradient stage uses {bits} bits of a word, {high} to {low}, and tests of "consumed" bits judge these.
+{verdict} The gradient stage uses {bits} bits of a word, {which}, and tests of "consumed" bits judge these.
 
 """
 
@@ -62,7 +62,7 @@ ROWS = [
     ("avalanche: pairs", "how far the probability that two consumed bits flip alike is from 1/2", "as above", "bits that flip together (bit independence)"),
     ("far pairs", "bits of random cells against those of cells 1, 2, 4, ... 2^24 further", "normal, `1 / sqrt(n)`; peak, two sides", "long periods"),
     ("far pairs: equal words", "equal words among these pairs", "Poisson; both tails", "long periods"),
-    ("near returns", "bits of cells, anywhere and around the origin, against those at the lags after which a coordinate times the constant that spreads it is nearly what it was: denominators of a continued fraction; 2^k further; the same in two axes at once, also 2^k back in the other", "normal, `1 / sqrt(n)`; peak, two sides", "cells far apart whose spread coordinates differ in few bits"),
+    ("near returns", "bits of cells, anywhere and within 2^23 of the origin, against those at the lags after which a coordinate times the constant that spreads it is nearly what it was: denominators of a continued fraction; 2^k further, up to 2^16; the same in two axes at once, also 2^k back in the other", "normal, `1 / sqrt(n)`; peak, two sides", "cells far apart whose spread coordinates differ in few bits"),
     ("near returns: gradients", "correlation of the gradients of these pairs: the mean of their dot products over that of a gradient with itself", "normal, `1 / sqrt(dimensions n)`; peak, two sides", "fields that look alike far apart"),
     ("near returns: equal words", "equal words among these pairs", "Poisson; both tails", "the same, and joins of coordinates that agree together"),
     ("seeds: correlation", "gradients of two seeds at all shifts, and reflected", "normal; peak, two sides", "seeds that only move or reflect the field"),
