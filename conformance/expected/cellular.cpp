@@ -84,8 +84,7 @@ Word mix(Word k) {
   return k ^ (k >> 15);
 }
 
-Word hash_of(Word k, bool pcg) {
-  if (!pcg) return k;
+Word pcg(Word k) {
   const Word s = k * 747796405u + 2891336453u;
   const Word w = ((s >> ((s >> 28) + 4u)) ^ s) * 277803737u;
   return (w >> 22) ^ w;
@@ -93,18 +92,22 @@ Word hash_of(Word k, bool pcg) {
 
 Word word_at(const Place& place, const Coordinates& cell) {
   constexpr std::array<Word, 3> kPrimes = {0x9E3779B1u, 0x85EBCA77u, 0xC2B2AE3Du};
-  constexpr std::array<Word, 3> kFolds = {18u, 17u, 19u};
-  Word joined = mix(place.seed);
-  Word added = joined;
+  constexpr std::array<Word, 3> kShifts = {12u, 11u, 10u};
+  constexpr std::array<Word, 3> kFactors = {1u, 0xE6133Eu, 0x913FDCu};
+  Word added = mix(place.seed);
+  Word joined = added >> 8;
   for (std::size_t axis = 0; axis < place.axes; ++axis) {
     std::int64_t c = cell[axis];
     const std::int64_t period = place.period[axis];
     if (period > 0) c = (c % period + period) % period;
     const Word spread = static_cast<Word>(c) * kPrimes[axis] + (axis == 0 ? 0x165667B1u : 0u);
-    joined ^= spread ^ (spread >> kFolds[axis]);
-    added += spread;
+    joined ^= spread >> kShifts[axis];
+    added += (spread % 0x1000000u) * kFactors[axis];
   }
-  return hash_of(joined, place.pcg) * (2u * added + 1u);
+  const Word odd = (2u * added + 1u) * 4097u % 0x1000000u;
+  if (!place.pcg) return joined * odd;
+  const Word product = pcg(joined) * odd + joined;
+  return product ^ (product >> 9);
 }
 
 // --- Directions, section 4 ---
@@ -115,7 +118,7 @@ Vector direction_of(Word h, std::size_t axes) {
   };
   const double sign = h >> 31 ? -1.0 : 1.0;
   if (axes == 2) {
-    const double a = field(22, 512);
+    const double a = field(14, 512);
     return {a, sign * (1.0 - std::fabs(a)), 0.0};
   }
   const double p = field(23, 256);

@@ -15,7 +15,7 @@
 #define HN_CONFIG_GLSL
 
 #define HN_VERSION_MAJOR 0
-#define HN_VERSION_MINOR 3
+#define HN_VERSION_MINOR 4
 #define HN_VERSION_PATCH 0
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -60,8 +60,10 @@
 #endif
 #define HN_I_OUT(type) type&
 #define HN_I_INOUT(type) type&
-#define HN_I_NEW(type, name) type name{}  // without the braces -Weffc++ warns
-#define HN_I_MADE(type) type() : cell(), fraction(), rest(), period(), tiled() {}
+#define HN_I_NEW(type, name) \
+  type name {}  // without the braces -Weffc++ warns
+#define HN_I_MADE(type) \
+  type() : cell(), fraction(), rest(), period(), tiled() {}
 #define HN_I_HAS_PRECISE 1
 #endif
 #else

@@ -9,7 +9,7 @@
 #include "detail/sine_gradient.glsl"
 #include "hash.glsl"
 
-// A gradient on the line, from bits 22 to 30 of a hash.
+// A gradient on the line, from bits 14 to 22 of a hash.
 //   h        any uint
 //   returns  an odd multiple of 2^-9 in (-1, 1)
 //   error    none
@@ -17,7 +17,7 @@
 //   source   docs/contract.md, section 4
 HN_FN hn_float hn_gradient1(hn_uint h) { return hn_i_field2(h); }
 
-// A gradient in the plane, from the high 10 bits of a hash.
+// A gradient in the plane, from bits 14 to 22 and bit 31 of a hash.
 //   h        any uint
 //   returns  a vector that is 0.98 to 1.06 long, in any direction; multiples of 2^-18
 //   error    none

@@ -19,7 +19,7 @@ HN_FN hn_num hn_i_simplex_smooth(hn_uvec4 h, hn_num lower, hn_num upper, hn_num 
   n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_triangle_ramp(h.z, upper, y1),
                                       hn_i_weight3(hn_i_falloff(hn_i_square(upper, y1), 1024, 1))));
   n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_triangle_ramp(h.w, upper1, y1),
-                                   hn_i_weight3(hn_i_falloff(hn_i_square(upper1, y1), 1024, 1))));
+                                      hn_i_weight3(hn_i_falloff(hn_i_square(upper1, y1), 1024, 1))));
   return hn_i_scaled(n, 2428);
 }
 
@@ -56,8 +56,8 @@ HN_FN hn_num hn_i_simplex_smooth(hn_place2 place, hn_uint seed) {
     x1 = uvec2(x, hn_i_upper(x));
   }
   hn_uint s = hn_i_mix(seed);
-  return hn_i_simplex_smooth(uvec4(hn_i_word(uvec2(x0.x, y.x), s, s), hn_i_word(uvec2(x0.y, y.x), s, s),
-                                   hn_i_word(uvec2(x1.x, y.y), s, s), hn_i_word(uvec2(x1.y, y.y), s, s)),
+  return hn_i_simplex_smooth(uvec4(hn_i_seeded_word(uvec2(x0.x, y.x), s), hn_i_seeded_word(uvec2(x0.y, y.x), s),
+                                   hn_i_seeded_word(uvec2(x1.x, y.y), s), hn_i_seeded_word(uvec2(x1.y, y.y), s)),
                              hn_i_fract(lower), hn_i_fract(upper), hn_i_fract(p.y));
 }
 

@@ -34,7 +34,7 @@ HN_FN hn_num hn_i_neighbour(hn_uvec3 one, hn_uvec3 others, hn_num3 d, hn_num3 e,
   hn_num more =
       min(hn_i_minus(HN_I_ONE, twice), hn_i_plus(hn_i_minus(hn_i_quarters(8), hn_i_plus(total, total)), twice));
   return hn_i_weighted_ramp(hn_i_smooth_ramp(hn_i_word(c, join, sum), x, y, z),
-                         hn_i_weight5(hn_i_falloff(hn_i_square_plus(q, more), 768, 1)));
+                            hn_i_weight5(hn_i_falloff(hn_i_square_plus(q, more), 768, 1)));
 }
 
 // What the four points of a kind add. The nearest has the spread coordinates n and the offsets d; along each axis the
@@ -60,11 +60,13 @@ HN_FN hn_num hn_i_simplex_smooth(hn_i_block3 block, hn_num3 f, hn_uint seed) {
   hn_num3 size = hn_i_num(hn_i_size(x.x), hn_i_size(y.x), hn_i_size(z.x));
   hn_num3 inner = hn_i_num(hn_i_size(x.z), hn_i_size(y.z), hn_i_size(z.z));
   hn_uint s = hn_i_mix(seed);
-  hn_num corners = hn_i_cube(hn_i_nearer(f, block.cell, block.following), hn_i_nearer(f, block.following, block.cell),
-                             hn_i_num(x.x, y.x, z.x), hn_i_num(x.y, y.y, z.y), size, hn_i_square(x.x, y.x, z.x), s, s);
-  hn_num centres =
-      hn_i_cube(block.cell, hn_i_nearer(f, block.previous, block.following), hn_i_num(x.z, y.z, z.z),
-                hn_i_num(x.w, y.w, z.w), inner, hn_i_square(x.z, y.z, z.z), s ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM);
+  hn_uint join = hn_i_seed_join(s);
+  hn_num corners =
+      hn_i_cube(hn_i_nearer(f, block.cell, block.following), hn_i_nearer(f, block.following, block.cell),
+                hn_i_num(x.x, y.x, z.x), hn_i_num(x.y, y.y, z.y), size, hn_i_square(x.x, y.x, z.x), join, s);
+  hn_num centres = hn_i_cube(block.cell, hn_i_nearer(f, block.previous, block.following), hn_i_num(x.z, y.z, z.z),
+                             hn_i_num(x.w, y.w, z.w), inner, hn_i_square(x.z, y.z, z.z), join ^ HN_I_CENTRE_JOIN,
+                             s + HN_I_CENTRE_SUM);
   return hn_i_scaled(hn_i_plus(corners, centres), 3901);
 }
 

@@ -11,10 +11,12 @@ HN_FN hn_num hn_i_value_cubic(hn_uvec4 x, hn_uvec4 y, hn_uvec4 z, hn_num3 f, hn_
   hn_uint s = hn_i_mix(seed);
   hn_num4 wx = hn_i_spline(f.x);
   hn_num4 wy = hn_i_spline(f.y);
-  hn_uvec4 fold = hn_i_folded(z, 19u);
-  hn_num4 n = hn_i_num(
-      hn_i_cubic_square(x, y, fold.x ^ s, z.x + s, wx, wy), hn_i_cubic_square(x, y, fold.y ^ s, z.y + s, wx, wy),
-      hn_i_cubic_square(x, y, fold.z ^ s, z.z + s, wx, wy), hn_i_cubic_square(x, y, fold.w ^ s, z.w + s, wx, wy));
+  hn_uvec4 high = hn_i_high_of_line(z, 10u);
+  hn_uint join = hn_i_seed_join(s);
+  hn_num4 n = hn_i_num(hn_i_cubic_square(x, y, high.x ^ join, z.x * HN_I_SUM_Z + s, wx, wy),
+                       hn_i_cubic_square(x, y, high.y ^ join, z.y * HN_I_SUM_Z + s, wx, wy),
+                       hn_i_cubic_square(x, y, high.z ^ join, z.z * HN_I_SUM_Z + s, wx, wy),
+                       hn_i_cubic_square(x, y, high.w ^ join, z.w * HN_I_SUM_Z + s, wx, wy));
   return hn_i_of_numbers(hn_i_blend(n, hn_i_spline(f.z)));
 }
 

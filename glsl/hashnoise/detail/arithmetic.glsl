@@ -31,7 +31,7 @@
 //   hn_i_smooth(t)             floats only: 3 t^2 - 2 t^3
 //   hn_i_lerp(a, b, t)         interpolates from a to b by a fade t
 //   hn_i_lerp(n, x, y)         between four corners 00, 10, 01, 11
-//   hn_i_number(word)          the high bits of a word as a number in [-1, 1), with an offset: see hn_i_of_numbers
+//   hn_i_number(word)          the low 23 bits of a word as a number in [-1, 1), with an offset: see hn_i_of_numbers
 //   hn_i_numbers(words)        the same of four words
 //   hn_i_of_numbers(n)         a noise, from an interpolation between such numbers
 //   hn_i_scaled(n, s)          a noise, from an interpolation between ramps, times s / 1024
@@ -285,13 +285,13 @@ HN_FN hn_float hn_i_scaled(hn_float n, hn_int s) {
   return scaled;
 }
 
-// The high 23 bits of a word, behind the exponent of 2, are a float in [2, 4): that costs two operations. The 3 that
+// The low 23 bits of a word, behind the exponent of 2, are a float in [2, 4): that costs two operations. The 3 that
 // are too many stay in until the end, since weights sum to 1 and derivatives do not see them.
 HN_FN hn_float hn_i_number(hn_uint word) {
 #if HN_I_BITCAST
-  return uintBitsToFloat((word >> 9u) | 0x40000000u);
+  return uintBitsToFloat((word & 0x007FFFFFu) | 0x40000000u);
 #else
-  return hn_i_float(word >> 9u) * (1.0f / 4194304.0f) + 2.0f;
+  return hn_i_float(word & 0x007FFFFFu) * (1.0f / 4194304.0f) + 2.0f;
 #endif
 }
 
@@ -384,7 +384,7 @@ HN_FN hn_int hn_i_times_one_plus(hn_int n, hn_int more) { return n + (n >> 9) * 
 HN_FN hn_int hn_i_scaled(hn_int n, hn_int s) { return (((n + 256) >> 9) * s + 256) >> 9; }
 
 // A number is in units of 2^-29 and has no offset. From there the noise is rounded to units of 2^-21.
-HN_FN hn_int hn_i_number(hn_uint word) { return int(word >> 2u) - 536870912; }
+HN_FN hn_int hn_i_number(hn_uint word) { return int((word & 0x007FFFFFu) << 7u) - 536870912; }
 HN_FN hn_int hn_i_of_numbers(hn_int n) { return (n + 128) >> 8; }
 
 HN_FN hn_float hn_i_value(hn_int n) { return hn_i_float(n) * (1.0f / 2097152.0f); }

@@ -15,7 +15,7 @@
 // A corner has the word of its cell. A centre has the word of its cell with one coordinate more, which is 1. It is
 // spread with the fifth prime of xxHash and folded by 21 bits. So it adds constants to both joins of the word.
 #define HN_I_CENTRE_SUM 0x165667B1u
-#define HN_I_CENTRE_JOIN 0x16566703u
+#define HN_I_CENTRE_JOIN 0x00165667u
 
 // Chooses b along each axis where the place is nearer to the far end of the cell, else a.
 HN_FN hn_uvec3 hn_i_nearer(hn_num3 f, hn_uvec3 a, hn_uvec3 b) {
@@ -87,14 +87,14 @@ HN_FN hn_uvec4 hn_i_four_points(hn_i_block3 block, hn_num3 f, hn_uint seed, HN_I
   hn_uvec3 beyond = hn_i_nearer(f, block.previous, block.following);
   hn_uint s = hn_i_mix(seed);
   return uvec4(
-      hn_i_word(corner, s, s),
-      hn_i_word(uvec3(hn_i_select(size.x >= a, across.x, corner.x), hn_i_select(size.y >= a, across.y, corner.y),
-                      hn_i_select(size.z >= a, across.z, corner.z)),
-                s, s),
-      hn_i_word(cell, s ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM),
+      hn_i_seeded_word(corner, s),
+      hn_i_seeded_word(uvec3(hn_i_select(size.x >= a, across.x, corner.x), hn_i_select(size.y >= a, across.y, corner.y),
+                             hn_i_select(size.z >= a, across.z, corner.z)),
+                       s),
+      hn_i_word(cell, hn_i_seed_join(s) ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM),
       hn_i_word(uvec3(hn_i_select(size.x <= b, beyond.x, cell.x), hn_i_select(size.y <= b, beyond.y, cell.y),
                       hn_i_select(size.z <= b, beyond.z, cell.z)),
-                s ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM));
+                hn_i_seed_join(s) ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM));
 }
 
 HN_FN hn_uvec4 hn_i_four_points(hn_i_block4 block, hn_num4 f, hn_uint seed, HN_I_OUT(hn_num4) x, HN_I_OUT(hn_num4) y,
@@ -121,15 +121,15 @@ HN_FN hn_uvec4 hn_i_four_points(hn_i_block4 block, hn_num4 f, hn_uint seed, HN_I
   hn_uvec4 across = hn_i_nearer(f, block.following, cell);
   hn_uvec4 beyond = hn_i_nearer(f, block.previous, block.following);
   hn_uint s = hn_i_mix(seed);
-  return uvec4(
-      hn_i_word(corner, s, s),
-      hn_i_word(uvec4(hn_i_select(size.x >= a, across.x, corner.x), hn_i_select(size.y >= a, across.y, corner.y),
-                      hn_i_select(size.z >= a, across.z, corner.z), hn_i_select(size.w >= a, across.w, corner.w)),
-                s, s),
-      hn_i_word(cell, s ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM),
-      hn_i_word(uvec4(hn_i_select(size.x <= b, beyond.x, cell.x), hn_i_select(size.y <= b, beyond.y, cell.y),
-                      hn_i_select(size.z <= b, beyond.z, cell.z), hn_i_select(size.w <= b, beyond.w, cell.w)),
-                s ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM));
+  return uvec4(hn_i_seeded_word(corner, s),
+               hn_i_seeded_word(
+                   uvec4(hn_i_select(size.x >= a, across.x, corner.x), hn_i_select(size.y >= a, across.y, corner.y),
+                         hn_i_select(size.z >= a, across.z, corner.z), hn_i_select(size.w >= a, across.w, corner.w)),
+                   s),
+               hn_i_word(cell, hn_i_seed_join(s) ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM),
+               hn_i_word(uvec4(hn_i_select(size.x <= b, beyond.x, cell.x), hn_i_select(size.y <= b, beyond.y, cell.y),
+                               hn_i_select(size.z <= b, beyond.z, cell.z), hn_i_select(size.w <= b, beyond.w, cell.w)),
+                         hn_i_seed_join(s) ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM));
 }
 
 #endif

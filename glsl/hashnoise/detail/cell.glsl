@@ -238,13 +238,13 @@ HN_FN hn_i_block4 hn_i_block(hn_place4 place) {
 // the odd number (`more` is even). Without a period `more` and the steps along x and y are constants, so they are added
 // first.
 HN_FN hn_uvec4 hn_i_corners(hn_uvec2 c0, hn_uvec2 c1, hn_uint join, hn_uint sum, hn_uint more) {
-  hn_uvec2 a = hn_i_fold(c0);
-  hn_uvec2 b = hn_i_fold(c1);
+  hn_uvec2 a = hn_i_high(c0);
+  hn_uvec2 b = hn_i_high(c1);
   a.x ^= join;
   b.x ^= join;
-  hn_uint odd = hn_i_odd(c0.x + c0.y + sum);
-  hn_uint x = (c1.x - c0.x) * 2u;
-  hn_uint y = (c1.y - c0.y) * 2u;
+  hn_uint odd = hn_i_odd(hn_i_sum(c0) + sum);
+  hn_uint x = hn_i_odd_step(c1.x - c0.x);
+  hn_uint y = hn_i_odd_step((c1.y - c0.y) * HN_I_SUM_Y);
   return uvec4(hn_i_word(a.x ^ a.y, odd + more), hn_i_word(b.x ^ a.y, odd + (x + more)),
                hn_i_word(a.x ^ b.y, odd + (y + more)), hn_i_word(b.x ^ b.y, odd + (x + y + more)));
 }
@@ -253,31 +253,34 @@ HN_FN hn_uvec4 hn_i_corners(hn_uvec2 c0, hn_uvec2 c1, hn_uint join, hn_uint sum,
 // the square that z and w choose.
 HN_FN hn_uvec2 hn_i_corners(hn_i_box1 box, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
+  hn_uint join = hn_i_seed_join(s);
   hn_uint odd = hn_i_odd(box.lower + s);
-  return uvec2(hn_i_word(hn_i_fold(box.lower) ^ s, odd),
-               hn_i_word(hn_i_fold(box.upper) ^ s, odd + (box.upper - box.lower) * 2u));
+  return uvec2(hn_i_word(hn_i_high(box.lower) ^ join, odd),
+               hn_i_word(hn_i_high(box.upper) ^ join, odd + hn_i_odd_step(box.upper - box.lower)));
 }
 HN_FN hn_uvec4 hn_i_corners(hn_i_box2 box, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
-  return hn_i_corners(box.lower, box.upper, s, s, 0u);
+  return hn_i_corners(box.lower, box.upper, hn_i_seed_join(s), s, 0u);
 }
 HN_FN hn_uvec4 hn_i_corners(hn_i_box3 box, bool back, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
   hn_uvec3 lower = box.lower;
   hn_uvec3 upper = box.upper;
-  hn_uint join = hn_i_select(back, hn_i_fold(upper).z, hn_i_fold(lower).z) ^ s;
-  hn_uint more = hn_i_select(back, (upper.z - lower.z) * 2u, 0u);
-  return hn_i_corners(uvec2(lower.x, lower.y), uvec2(upper.x, upper.y), join, lower.z + s, more);
+  hn_uint join = hn_i_select(back, hn_i_high(upper).z, hn_i_high(lower).z) ^ hn_i_seed_join(s);
+  hn_uint more = hn_i_select(back, hn_i_odd_step((upper.z - lower.z) * HN_I_SUM_Z), 0u);
+  return hn_i_corners(uvec2(lower.x, lower.y), uvec2(upper.x, upper.y), join, hn_i_sum_z(lower.z) + s, more);
 }
 HN_FN hn_uvec4 hn_i_corners(hn_i_box4 box, bool far_z, bool far_w, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
   hn_uvec4 lower = box.lower;
   hn_uvec4 upper = box.upper;
-  hn_uvec4 a = hn_i_fold(lower);
-  hn_uvec4 b = hn_i_fold(upper);
-  hn_uint join = hn_i_select(far_z, b.z, a.z) ^ hn_i_select(far_w, b.w, a.w) ^ s;
-  hn_uint more = hn_i_select(far_z, (upper.z - lower.z) * 2u, 0u) + hn_i_select(far_w, (upper.w - lower.w) * 2u, 0u);
-  return hn_i_corners(uvec2(lower.x, lower.y), uvec2(upper.x, upper.y), join, lower.z + lower.w + s, more);
+  hn_uvec4 a = hn_i_high(lower);
+  hn_uvec4 b = hn_i_high(upper);
+  hn_uint join = hn_i_select(far_z, b.z, a.z) ^ hn_i_select(far_w, b.w, a.w) ^ hn_i_seed_join(s);
+  hn_uint more = hn_i_select(far_z, hn_i_odd_step((upper.z - lower.z) * HN_I_SUM_Z), 0u) +
+                 hn_i_select(far_w, hn_i_odd_step((upper.w - lower.w) * HN_I_SUM_W), 0u);
+  return hn_i_corners(uvec2(lower.x, lower.y), uvec2(upper.x, upper.y), join,
+                      hn_i_sum_z(lower.z) + hn_i_sum_w(lower.w) + s, more);
 }
 
 #endif

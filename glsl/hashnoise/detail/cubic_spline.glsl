@@ -67,24 +67,28 @@ HN_FN hn_uvec4 hn_i_line(hn_int cell, hn_int period, bool tiled, hn_uint step, h
   return coordinates;
 }
 
-HN_FN hn_uvec4 hn_i_folded(hn_uvec4 v, hn_uint shift) {
-  return uvec4(v.x ^ (v.x >> shift), v.y ^ (v.y >> shift), v.z ^ (v.z >> shift), v.w ^ (v.w >> shift));
+// Their high bits; the shift is that of the axis.
+HN_FN hn_uvec4 hn_i_high_of_line(hn_uvec4 v, hn_uint shift) {
+  return uvec4(v.x >> shift, v.y >> shift, v.z >> shift, v.w >> shift);
 }
 
 // The numbers of four points along x, blended with the weights w. The other axes and the seed add `join` to the
 // exclusive or, and `sum` to the sum before it is made odd.
 HN_FN hn_num hn_i_cubic_row(hn_uvec4 x, hn_uint join, hn_uint sum, hn_num4 w) {
-  hn_uvec4 a = hn_i_folded(x, 18u);
-  hn_uvec4 h = uvec4(hn_i_word(a.x ^ join, hn_i_odd(x.x + sum)), hn_i_word(a.y ^ join, hn_i_odd(x.y + sum)),
-                     hn_i_word(a.z ^ join, hn_i_odd(x.z + sum)), hn_i_word(a.w ^ join, hn_i_odd(x.w + sum)));
+  hn_uvec4 a = hn_i_high_of_line(x, 12u);
+  hn_uint odd = hn_i_odd(sum);
+  hn_uvec4 h = uvec4(hn_i_word(a.x ^ join, odd + hn_i_odd_step(x.x)), hn_i_word(a.y ^ join, odd + hn_i_odd_step(x.y)),
+                     hn_i_word(a.z ^ join, odd + hn_i_odd_step(x.z)), hn_i_word(a.w ^ join, odd + hn_i_odd_step(x.w)));
   return hn_i_blend(hn_i_numbers(h), w);
 }
 
 // The same for four rows along y.
 HN_FN hn_num hn_i_cubic_square(hn_uvec4 x, hn_uvec4 y, hn_uint join, hn_uint sum, hn_num4 wx, hn_num4 wy) {
-  hn_uvec4 b = hn_i_folded(y, 17u);
-  hn_num4 rows = hn_i_num(hn_i_cubic_row(x, b.x ^ join, y.x + sum, wx), hn_i_cubic_row(x, b.y ^ join, y.y + sum, wx),
-                          hn_i_cubic_row(x, b.z ^ join, y.z + sum, wx), hn_i_cubic_row(x, b.w ^ join, y.w + sum, wx));
+  hn_uvec4 b = hn_i_high_of_line(y, 11u);
+  hn_num4 rows = hn_i_num(hn_i_cubic_row(x, b.x ^ join, y.x * HN_I_SUM_Y + sum, wx),
+                          hn_i_cubic_row(x, b.y ^ join, y.y * HN_I_SUM_Y + sum, wx),
+                          hn_i_cubic_row(x, b.z ^ join, y.z * HN_I_SUM_Y + sum, wx),
+                          hn_i_cubic_row(x, b.w ^ join, y.w * HN_I_SUM_Y + sum, wx));
   return hn_i_blend(rows, wy);
 }
 

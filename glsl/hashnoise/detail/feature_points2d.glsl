@@ -25,7 +25,7 @@ HN_FN hn_uvec2 hn_i_two_steps(hn_place2 place, hn_i_block2 block, hn_num2 d) {
   if (place.tiled) {
     hn_uvec2 c = hn_i_wrap(place.cell, place.period);
     two = hn_i_spread(hn_i_toward_place(d, hn_i_previous(hn_i_previous(c, place.period), place.period),
-                                 hn_i_following(hn_i_following(c, place.period), place.period)));
+                                        hn_i_following(hn_i_following(c, place.period), place.period)));
   } else {
     two = hn_i_toward_place(d, hn_i_previous(block.previous), hn_i_upper(block.following));
   }
@@ -54,7 +54,7 @@ HN_FN hn_vec3 hn_i_points_y(hn_uvec3 words) {
 
 #else
 
-HN_FN hn_ivec3 hn_i_points_x(hn_uvec3 words) { return ivec3(hn_i_and(words >> 21u, 1022u)) - 511; }
+HN_FN hn_ivec3 hn_i_points_x(hn_uvec3 words) { return ivec3(hn_i_and(words >> 13u, 1022u)) - 511; }
 HN_FN hn_ivec3 hn_i_points_y(hn_uvec3 words) {
   hn_ivec3 x = hn_i_points_x(words);
   return hn_i_signed(ivec3(512, 512, 512) - ivec3(hn_i_sizes(x)), words);
@@ -89,11 +89,12 @@ HN_FN hn_rank3 hn_i_ranks(hn_uvec3 words, hn_num3 x, hn_num3 y, hn_num jitter, h
 // the mixed seed.
 HN_FN hn_uvec3 hn_i_words_along_x(hn_i_block2 block, hn_uint y, hn_uint s) {
   hn_uvec3 x = hn_i_along_x(block);
-  return hn_i_row_words(x ^ (x >> 18u), x * 2u, hn_i_fold(uvec2(0u, y)).y ^ s, hn_i_odd(y + s));
+  return hn_i_row_words(x >> 12u, hn_i_odd_steps(x), hn_i_high(uvec2(0u, y)).y ^ hn_i_seed_join(s),
+                        hn_i_odd(y * HN_I_SUM_Y + s));
 }
 HN_FN hn_uvec3 hn_i_words_along_y(hn_i_block2 block, hn_uint x, hn_uint s) {
   hn_uvec3 y = hn_i_along_y(block);
-  return hn_i_row_words(y ^ (y >> 17u), y * 2u, hn_i_fold(x) ^ s, hn_i_odd(x + s));
+  return hn_i_row_words(y >> 11u, hn_i_odd_steps(y * HN_I_SUM_Y), hn_i_high(x) ^ hn_i_seed_join(s), hn_i_odd(x + s));
 }
 
 // The three smallest ranks of the points of a cell and its neighbours, and the code of the nearest one's cell. d is the
@@ -116,7 +117,8 @@ HN_FN hn_num2 hn_i_from_nearest(hn_i_block2 block, hn_num2 d, hn_num jitter, hn_
   hn_int x = hn_i_x_of(int(code));
   hn_int y = hn_i_y_of(int(code));
   hn_uint s = hn_i_mix(seed);
-  hn_uint word = hn_i_word(uvec2(hn_i_of_three(hn_i_along_x(block), x), hn_i_of_three(hn_i_along_y(block), y)), s, s);
+  hn_uint word =
+      hn_i_seeded_word(uvec2(hn_i_of_three(hn_i_along_x(block), x), hn_i_of_three(hn_i_along_y(block), y)), s);
   hn_uvec3 words = hn_i_thrice(word);
   return hn_i_num(hn_i_from_x(words, hn_i_thrice(hn_i_offset_from_cell(d.x, x)), jitter).x,
                   hn_i_from_y(words, hn_i_thrice(hn_i_offset_from_cell(d.y, y)), jitter).x);

@@ -29,7 +29,7 @@ HN_FN hn_uvec3 hn_i_two_steps(hn_place3 place, hn_i_block3 block, hn_num3 d) {
   if (place.tiled) {
     hn_uvec3 c = hn_i_wrap(place.cell, place.period);
     two = hn_i_spread(hn_i_toward_place(d, hn_i_previous(hn_i_previous(c, place.period), place.period),
-                                 hn_i_following(hn_i_following(c, place.period), place.period)));
+                                        hn_i_following(hn_i_following(c, place.period), place.period)));
   } else {
     two = hn_i_toward_place(d, hn_i_previous(block.previous), hn_i_upper(block.following));
   }
@@ -131,15 +131,15 @@ HN_FN hn_rank3 hn_i_ranks(hn_uvec3 words, hn_num3 x, hn_num3 y, hn_num3 z, hn_nu
 // What the cells around a place add along one axis to the joins of a word, and what one cell adds with the mixed seed.
 HN_FN hn_uvec3 hn_i_joins_x(hn_i_block3 block) {
   hn_uvec3 x = hn_i_along_x(block);
-  return x ^ (x >> 18u);
+  return x >> 12u;
 }
 HN_FN hn_uvec3 hn_i_joins_y(hn_i_block3 block) {
   hn_uvec3 y = hn_i_along_y(block);
-  return y ^ (y >> 17u);
+  return y >> 11u;
 }
 HN_FN hn_uvec3 hn_i_joins_z(hn_i_block3 block) {
   hn_uvec3 z = hn_i_along_z(block);
-  return z ^ (z >> 19u);
+  return z >> 10u;
 }
 
 // The three smallest ranks so far and the code of the smallest, with those of nine cells in a slab across z: x and y
@@ -148,9 +148,9 @@ HN_FN hn_uvec3 hn_i_joins_z(hn_i_block3 block) {
 HN_FN hn_rank4 hn_i_visit_slab(hn_rank4 best, hn_i_block3 block, hn_uint join, hn_uint odd, hn_num3 x, hn_num3 y,
                                hn_num z, hn_num jitter, hn_int metric, hn_int code) {
   hn_uvec3 joins = hn_i_joins_x(block);
-  hn_uvec3 odds = hn_i_along_x(block) * 2u;
+  hn_uvec3 odds = hn_i_odd_steps(hn_i_along_x(block));
   hn_uvec3 rows = hn_i_xor(hn_i_joins_y(block), join);
-  hn_uvec3 row_odds = hn_i_along_y(block) * 2u + odd;
+  hn_uvec3 row_odds = hn_i_odd_steps(hn_i_along_y(block) * HN_I_SUM_Y) + odd;
   hn_num3 across = hn_i_thrice(z);
   best = hn_i_visited(
       best, hn_i_ranks(hn_i_row_words(joins, odds, rows.x, row_odds.x), x, hn_i_thrice(y.x), across, jitter, metric),
@@ -171,12 +171,12 @@ HN_FN hn_rank4 hn_i_nearest(hn_i_block3 block, hn_num3 d, hn_num jitter, hn_int 
   hn_num3 x = hn_i_row(d.x);
   hn_num3 y = hn_i_row(d.y);
   hn_num3 z = hn_i_row(d.z);
-  hn_uvec3 joins = hn_i_xor(hn_i_joins_z(block), s);
-  hn_rank4 best = hn_i_visit_slab(hn_i_far_away(), block, joins.x, hn_i_odd(block.previous.z + s), x, y, z.x, jitter,
-                                  metric, hn_i_code(0, 0, -1));
-  best =
-      hn_i_visit_slab(best, block, joins.y, hn_i_odd(block.cell.z + s), x, y, z.y, jitter, metric, hn_i_code(0, 0, 0));
-  return hn_i_visit_slab(best, block, joins.z, hn_i_odd(block.following.z + s), x, y, z.z, jitter, metric,
+  hn_uvec3 joins = hn_i_xor(hn_i_joins_z(block), hn_i_seed_join(s));
+  hn_rank4 best = hn_i_visit_slab(hn_i_far_away(), block, joins.x, hn_i_odd(block.previous.z * HN_I_SUM_Z + s), x, y,
+                                  z.x, jitter, metric, hn_i_code(0, 0, -1));
+  best = hn_i_visit_slab(best, block, joins.y, hn_i_odd(block.cell.z * HN_I_SUM_Z + s), x, y, z.y, jitter, metric,
+                         hn_i_code(0, 0, 0));
+  return hn_i_visit_slab(best, block, joins.z, hn_i_odd(block.following.z * HN_I_SUM_Z + s), x, y, z.z, jitter, metric,
                          hn_i_code(0, 0, 1));
 }
 
@@ -207,12 +207,13 @@ HN_FN hn_uvec3 hn_i_slab_words(hn_i_block3 block, hn_int axis, hn_uint at, hn_in
   hn_uvec3 x = hn_i_joins_x(block);
   hn_uvec3 y = hn_i_joins_y(block);
   hn_uvec3 z = hn_i_joins_z(block);
-  hn_uvec3 row = hn_i_if_axis(axis, 0, hn_i_along_y(block), hn_i_along_x(block));
-  hn_uint next = hn_i_of_three(hn_i_if_axis(axis, 2, hn_i_along_y(block), hn_i_along_z(block)), n);
-  return hn_i_row_words(
-      hn_i_if_axis(axis, 0, y, x), row * 2u,
-      hn_i_of_three(hn_i_if_axis(axis, 2, y, z), n) ^ hn_i_along(axis, hn_i_fold(uvec3(at, at, at))) ^ s,
-      hn_i_odd(next + at + s));
+  hn_uvec3 along_y = hn_i_along_y(block) * HN_I_SUM_Y;
+  hn_uvec3 row = hn_i_if_axis(axis, 0, along_y, hn_i_along_x(block));
+  hn_uint next = hn_i_of_three(hn_i_if_axis(axis, 2, along_y, hn_i_along_z(block) * HN_I_SUM_Z), n);
+  return hn_i_row_words(hn_i_if_axis(axis, 0, y, x), hn_i_odd_steps(row),
+                        hn_i_of_three(hn_i_if_axis(axis, 2, y, z), n) ^ hn_i_along(axis, hn_i_high(uvec3(at, at, at))) ^
+                            hn_i_seed_join(s),
+                        hn_i_odd(next + hn_i_along(axis, uvec3(at, hn_i_sum_y(at), hn_i_sum_z(at))) + s));
 }
 
 // The offsets of the place from the centres of the cells of that row, along each axis; the slab is some steps on.
@@ -235,9 +236,9 @@ HN_FN hn_num3 hn_i_from_nearest(hn_i_block3 block, hn_num3 d, hn_num jitter, hn_
   hn_int y = hn_i_y_of(int(code));
   hn_int z = hn_i_z_of(int(code));
   hn_uint s = hn_i_mix(seed);
-  hn_uint word = hn_i_word(uvec3(hn_i_of_three(hn_i_along_x(block), x), hn_i_of_three(hn_i_along_y(block), y),
-                                 hn_i_of_three(hn_i_along_z(block), z)),
-                           s, s);
+  hn_uint word = hn_i_seeded_word(uvec3(hn_i_of_three(hn_i_along_x(block), x), hn_i_of_three(hn_i_along_y(block), y),
+                                        hn_i_of_three(hn_i_along_z(block), z)),
+                                  s);
   hn_uvec3 words = hn_i_thrice(word);
   hn_num3 beside_x = hn_i_thrice(hn_i_offset_from_cell(d.x, x));
   hn_num3 beside_y = hn_i_thrice(hn_i_offset_from_cell(d.y, y));

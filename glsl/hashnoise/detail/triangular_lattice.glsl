@@ -71,7 +71,7 @@ HN_FN hn_uvec3 hn_i_triangle(hn_place2 place, hn_num2 skewed, hn_uint seed) {
     middle = uvec2(hn_i_select(u > v, next.x, last.x - HN_I_STEP_X), hn_i_select(u > v, first.y, next.y));
   }
   hn_uint s = hn_i_mix(seed);
-  return uvec3(hn_i_word(first, s, s), hn_i_word(middle, s, s), hn_i_word(last, s, s));
+  return uvec3(hn_i_seeded_word(first, s), hn_i_seeded_word(middle, s), hn_i_seeded_word(last, s));
 }
 
 // The offsets from the corners along x and along y, and how near the corners are.

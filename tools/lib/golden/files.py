@@ -16,7 +16,7 @@ from oracle.gradients import Real
 from tables.configurations import Configuration
 from tables.functions import Function
 
-BITS = "0.3.0"  # the version in which the values last changed
+BITS = "0.4.0"  # the version in which the values last changed
 
 
 @dataclass(frozen=True)

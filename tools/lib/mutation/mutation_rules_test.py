@@ -187,7 +187,7 @@ class Calls(unittest.TestCase):
         self.assertEqual(named - defined, set())
 
     def test_no_function(self):
-        self.assertEqual(changed(rules.change_calls, "abs(x) + hn_i_fold(k, next)"), ["(x) + hn_i_fold(k, next)"])
+        self.assertEqual(changed(rules.change_calls, "abs(x) + hn_i_high(k, next)"), ["(x) + hn_i_high(k, next)"])
 
 
 class Names(unittest.TestCase):

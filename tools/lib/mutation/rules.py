@@ -328,7 +328,7 @@ OTHER_FUNCTIONS = {
     "hn_i_scaled2": ("hn_i_scaled3",), "hn_i_scaled3": ("hn_i_scaled2",),
 }
 # What returns the type that it takes, so that its argument may stand for it.
-STEPS = ("abs", "floor", "trunc", "hn_i_mix", "hn_i_hash", "hn_i_spread", "hn_i_fold", "hn_i_odd", "hn_i_wrap",
+STEPS = ("abs", "floor", "trunc", "hn_i_mix", "hn_i_hash", "hn_i_spread", "hn_i_high", "hn_i_odd", "hn_i_wrap",
          "hn_i_next", "hn_hash", "hn_i_to_num", "hn_i_minus_one", "hn_i_density", "hn_i_excess_bits")
 
 
