@@ -62,7 +62,7 @@ class Points(unittest.TestCase):
 
     def test_by_hand(self) -> None:
         # The word of the cell (0, 0) is h: a = 2 * 300 - 511 = 89, in units of 1/512, and m = -(512 - 89).
-        h = 1 << 31 | 300 << 22
+        h = 1 << 31 | 300 << 14
         for jitter in (0.0, 0.5, 1.0):
             lattice = Lattice(LATTICE, choice=Choice(jitter))
             with mock.patch.object(Lattice, "word", return_value=h):
@@ -207,7 +207,7 @@ class Nearest(unittest.TestCase):
         nearer = feature_points.Point(6, (3, 3), (0, 0), False)
         self.assertEqual(sorted([far, beside, nearer], key=lambda point: point.order), [nearer, beside, far])
         manhattan = nearest.NEAREST.chosen(Choice(1.0, 3))
-        self.assertEqual(manhattan.fixed(LATTICE, (1760080.75, -0.0), 2020091907, (2, 48)), (0, 47))
+        self.assertEqual(manhattan.fixed(LATTICE, (0.75, -0.0), 55, (2, 48)), (0, 47))
 
     def test_the_order_is_that_before_a_period(self) -> None:
         # Of the cells -1 and 0 the first counts, though it is called 2.

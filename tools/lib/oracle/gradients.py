@@ -34,12 +34,12 @@ def middle(i: int, count: int) -> float:
 
 def gradient1(h: int) -> tuple[float]:
     """hn_gradient1: a slope in (-1, 1)."""
-    return (middle(h >> 22 & 511, 512),)
+    return (middle(h >> 14 & 511, 512),)
 
 
 def direction2(h: int) -> tuple[float, float]:
     """A point of the square |x| + |y| = 1."""
-    a = middle(h >> 22 & 511, 512)
+    a = middle(h >> 14 & 511, 512)
     m = 1 - abs(a)
     return (a, -m if h >> 31 else m)
 

@@ -122,7 +122,7 @@ class Gradients(unittest.TestCase):
         e = 1 / 512
         for length in (0.375, 1, 2):
             factor = 1 + length * (1 / 2 - e)
-            self.assertEqual(gradients.gradient2(0x60000000, length), ((1 / 2 + e) * factor, (1 / 2 - e) * factor))
+            self.assertEqual(gradients.gradient2(0x00600000, length), ((1 / 2 + e) * factor, (1 / 2 - e) * factor))
             e3 = 1 / 256
             factor = 1 + length * 3 * e3
             self.assertEqual(gradients.gradient3(0x40408000, length),
@@ -165,8 +165,9 @@ class Words(unittest.TestCase):
         # By the contract's formula. x' of 5, y' of -6 and z' of 7; h' alone has no factor.
         x, y, z = words.spread((5, -6, 7))
         h, s = 0x165667B1, words.mix(7)
-        j = x ^ x >> 18 ^ y ^ y >> 17 ^ z ^ z >> 19 ^ h ^ h >> 21 ^ s
-        expected = words.pcg(j) * (2 * (x + y + z + h + s) + 1) % 2**32
+        j = x >> 12 ^ y >> 13 ^ z >> 14 ^ h >> 8 ^ s >> 8
+        product = (words.pcg(j) * (2 * (x + y + z + h + s) + 1) * 4097 + j) % 2**32
+        expected = product ^ product >> 9
         self.assertEqual(self.word(simplex.KERNELS[3], (1, 0, -1), (4, -6, 8), True), expected)
         self.assertEqual(self.word(simplex.KERNELS[3], (1, 0, -1), (4, -6, 8), True, (100, -100, 0)),
                          words.point_word("pcg", (5, -6, 7), 7, True))

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from oracle import gradients, integers, ramps, turning
 from oracle.gradients import Knobs, Real
 from oracle.ramps import WHOLE, Lengthening
-from oracle.words import point_word
+from oracle.words import lattice, point_word
 
 EUCLIDEAN = 1  # HN_METRIC_EUCLIDEAN
 
@@ -43,6 +43,10 @@ class Lattice:
     def word(self, corner: Sequence[int], centre: bool = False) -> int:
         """Of a corner, or of the centre of the cell of which it is the first corner."""
         return point_word(self.knobs.hash, self.point(corner), self.seed, centre)
+
+    def hash(self, corner: Sequence[int]) -> int:
+        """hn_lattice of a corner."""
+        return lattice(self.knobs.hash, self.point(corner), self.seed)
 
     def gradient(self, corner: Sequence[int]) -> tuple[Real, ...]:
         """As HN_GRADIENT says."""

@@ -36,13 +36,13 @@ WHOLE, THREE_EIGHTHS, TWICE = Lengthening(1, 9, 1), Lengthening(0.375, 12, 3), L
 
 def ramp1(h: int, d: Sequence[int]) -> int:
     """The ramp on a line, of the word h of a lattice point at the offset d from it."""
-    a = 2 * (h >> 22 & 511) - 511
+    a = 2 * (h >> 14 & 511) - 511
     return signed(a * d[0])
 
 
 def ramp2(h: int, d: Sequence[int], turn: Turn | None = None, lengthening: Lengthening = WHOLE) -> int:
     """The octahedral ramp in the plane, likewise."""
-    a = 2 * (h >> 22 & 511) - 511
+    a = 2 * (h >> 14 & 511) - 511
     m = sign_of(h, 512 - abs(a))
     e = min(abs(a), abs(m))
     r = signed(signed(a * d[0]) + signed(m * d[1]))

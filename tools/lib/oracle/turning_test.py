@@ -129,7 +129,7 @@ class Fixed(unittest.TestCase):
 
     def test_ramps_by_hand(self) -> None:
         # a = 1, m = 511 and E = 1 in the plane. A turn of (3, 5) parts: 262144 is 1.
-        h, d = 256 << 22, (3 * 2**10, 5 * 2**10)
+        h, d = 256 << 14, (3 * 2**10, 5 * 2**10)
         self.assertEqual(ramps.ramp2(h, d), 3072 + 2616320 + (2619392 >> 9))
         r = (5120 - 511 * 3072)
         self.assertEqual(ramps.ramp2(h, d, Turn(0, 2**18)), r + (r >> 9))

@@ -124,32 +124,34 @@ def spread(point: Sequence[int]) -> list[int]:
     return [(x * prime + offset) & MASK for x, prime, offset in zip(point, PRIMES, offsets)]
 
 
-# How far each spread coordinate is shifted to fold it.
-FOLDS = (18, 17, 19, 20)
+# How far the spread coordinates and the mixed seed are shifted, so that their high bits X, Y, Z, W and S are left.
+SHIFTS, SEED_SHIFT = (12, 13, 14, 15), 8
+
+# Of the centre of a cell (section 13): h', the spread coordinate that a corner does not have, and its shift.
+CENTRE, CENTRE_SHIFT = PRIMES[4], 8
 
 
-def fold(words: Sequence[int]) -> list[int]:
-    """The words X, Y, Z, W of the spread coordinates."""
-    return [word ^ word >> shift for word, shift in zip(words, FOLDS)]
-
-
-# Of the centre of a cell (section 13): h', the spread coordinate that a corner does not have, and how it is folded.
-CENTRE, CENTRE_FOLD = PRIMES[4], 21
+def joins(point: Sequence[int], seed: int = 0, centre: bool = False) -> tuple[int, int]:
+    """J and M of a lattice point; with `centre` those of the centre of the cell `point`."""
+    s = mix(seed)
+    coordinates = spread(point)
+    j = s >> SEED_SHIFT
+    for coordinate, shift in zip(coordinates, SHIFTS):
+        j ^= coordinate >> shift
+    if centre:
+        coordinates.append(CENTRE)
+        j ^= CENTRE >> CENTRE_SHIFT
+    m = (2 * (sum(coordinates) + s) + 1) * 4097
+    return j, m & MASK
 
 
 def point_word(name: str, point: Sequence[int], seed: int = 0, centre: bool = False) -> int:
     """The word of a lattice point under the hash `name`; with `centre` that of the centre of the cell `point`."""
-    s = mix(seed)
-    coordinates = spread(point)
-    j = s
-    for folded in fold(coordinates):
-        j ^= folded
-    if centre:
-        coordinates.append(CENTRE)
-        j ^= CENTRE ^ CENTRE >> CENTRE_FOLD
-    m = (2 * (sum(coordinates) + s) + 1) & MASK
-    hashed = j if name == "lattice" else WORD_HASHES[name](j)
-    return hashed * m & MASK
+    j, m = joins(point, seed, centre)
+    if name == "lattice":
+        return j * (m % 2**24) & MASK
+    h = (WORD_HASHES[name](j) * m + j) & MASK
+    return h ^ h >> 9
 
 
 def hash_words(name: str, words: Sequence[int]) -> int:
@@ -159,7 +161,7 @@ def hash_words(name: str, words: Sequence[int]) -> int:
 
 def lattice(name: str, point: Sequence[int], seed: int = 0) -> int:
     """hn_lattice: the seeded and mixed hash of a lattice point."""
-    return mix(point_word(name, point, seed))
+    return mix((point_word(name, point, seed) + sum(spread(point)) + mix(seed)) & MASK)
 
 
 def signed(word: int) -> int:

@@ -143,53 +143,79 @@ class Hashes(unittest.TestCase):
         self.assertEqual(words.spread((1, 1, 1, 1)), [0xB48DE162, 0x85EBCA77, 0xC2B2AE3D, 0x27D4EB2F])
         self.assertEqual(words.spread((-1, -1, -1, -1)), [0x781EEE00, 0x7A143589, 0x3D4D51C3, 0xD82B14D1])
 
-    def test_fold_by_hand(self) -> None:
-        self.assertEqual(words.fold([0xB48DE162, 0x85EBCA77, 0xC2B2AE3D, 0x27D4EB2F]),
-                         [0xB48DCC41, 0x85EB8882, 0xC2B2B66B, 0x27D4E952])
-        self.assertEqual(words.fold([0x80000000] * 4), [0x80002000, 0x80004000, 0x80001000, 0x80000800])
+    def test_joins_by_hand(self) -> None:
+        # Without a seed, s is 0: J = X, and M is 2 x' + 1 = 0x691BC2C5 times 0x1001, of which 32 bits count.
+        self.assertEqual(words.joins((1,)), (0xB48DE, 0x254812C5))
+        # X, Y, Z and W; the spread coordinates add up to 0x225014545, and twice that, and 1, is 0x4A028A8B.
+        self.assertEqual(words.joins((1,) * 4), (0xB48DE ^ 0x42F5E ^ 0x30ACA ^ 0x04FA9, 0x72AB3A8B))
+        # mix(1) is 0xED345605 (see above): with x' it adds up to 0xA1C23767.
+        self.assertEqual(words.joins((1,), 1), (0xB48DE ^ 0xED3456, 0x8A715ECF))
+        # The centre of a cell adds h' = 0x165667B1 to x', which makes 0xCAE44913.
+        self.assertEqual(words.joins((1,), 0, True), (0xB48DE ^ 0x165667, 0x1EEB0227))
 
     def test_word_of_a_lattice_point_by_hand(self) -> None:
-        # Without a seed, s is 0: J = X, M = 2 x' + 1.
-        self.assertEqual(words.point_word("lattice", (1,)), 0xB48DCC41 * 0x691BC2C5 % 2**32)
-        # The exclusive or of the four folded coordinates; the four spread ones add up to 0x225014545.
-        self.assertEqual(words.point_word("lattice", (1,) * 4), 0xD4001BFA * 0x4A028A8B % 2**32)
+        # The low 24 bits of M count.
+        self.assertEqual(words.point_word("lattice", (1,)), 0xB48DE * 0x4812C5 % 2**32)
+        self.assertEqual(words.point_word("lattice", (1,) * 4), 0xC22E3 * 0xAB3A8B % 2**32)
+        # With a word hash all of its bits do.
+        h = (words.pcg(0xC22E3) * 0x72AB3A8B + 0xC22E3) % 2**32
+        self.assertEqual(words.point_word("pcg", (1,) * 4), h ^ h // 512)
 
     def test_word_of_a_lattice_point(self) -> None:
         # Values of a C program written from the contract: of one to four ones, then with signs and a seed.
         vectors = {
-            ("lattice", (1, 1, 1, 1), 0): (0x99C27005, 0xECF95959, 0x10CCC788, 0xA717F4BE),
-            ("fnv1", (1, 1, 1, 1), 0): (0x1407360D, 0xD76A2009, 0x190DEFD0, 0x2D6F78F0),
-            ("lattice", (5, -6, 7, -8), 0xDEADBEEF): (0x1ED44B3E, 0xD33AE404, 0x6F232CD9, 0x7783C7FA),
-            ("fnv1", (5, -6, 7, -8), 0xDEADBEEF): (0x34754068, 0xB677810E, 0x8DB3BAAA, 0x482BBF26),
-            ("lattice", (0, 0, 0, 0), 0): (0x9CF30FEC,) * 4,
+            ("lattice", (1, 1, 1, 1), 0): (0x523EAED6, 0xA359DE80, 0x96575E02, 0x141F5F41),
+            ("fnv1", (1, 1, 1, 1), 0): (0xB0F339A2, 0xFA6945FE, 0x8C733427, 0xAA71EF0F),
+            ("lattice", (5, -6, 7, -8), 0xDEADBEEF): (0x4C0EB395, 0x4A567FD3, 0xD3B260CC, 0xA9D6117F),
+            ("fnv1", (5, -6, 7, -8), 0xDEADBEEF): (0xDA576D1A, 0xA2DFE4C0, 0x23E5A8D0, 0xA9C0E7DA),
+            ("lattice", (0, 0, 0, 0), 0): (0x8F16D072,) * 4,
+            ("fnv1", (0, 0, 0, 0), 0): (0xCC69AABF,) * 4,
         }
         for (name, point, seed), expected in vectors.items():
             found = tuple(words.point_word(name, point[:n], seed) for n in (1, 2, 3, 4))
             self.assertEqual(found, expected, (name, point))
 
-    def test_lattice_mixes_the_word(self) -> None:
-        mixed = (0x54FF433B, 0xA6189E7A, 0x9BE6CEA5, 0x7A4B1B15)  # of the same C program
-        self.assertEqual(tuple(words.lattice("lattice", (5, -6, 7, -8)[:n], 0xDEADBEEF) for n in (1, 2, 3, 4)), mixed)
+    def test_word_of_a_centre(self) -> None:
+        # Of the same C program, in three and in four dimensions.
+        vectors = {
+            ("lattice", (1, 1, 1, 1), 0): (0x2C224523, 0xD55F0234),
+            ("fnv1", (1, 1, 1, 1), 0): (0xF492600C, 0xA078CC2B),
+            ("lattice", (5, -6, 7, -8), 0xDEADBEEF): (0x0C6D857F, 0x5F3C3D1A),
+            ("fnv1", (5, -6, 7, -8), 0xDEADBEEF): (0xEEF6ADD7, 0x9B8DBB0F),
+        }
+        for (name, point, seed), expected in vectors.items():
+            found = tuple(words.point_word(name, point[:n], seed, True) for n in (3, 4))
+            self.assertEqual(found, expected, (name, point))
+
+    def test_lattice_mixes_the_word_and_the_sum(self) -> None:
+        # Of the same C program.
+        vectors = {"lattice": (0x1C9CCF03, 0xFA9C7499, 0x46011B28, 0x335AC363),
+                   "fnv1": (0x7071E636, 0x46DF9F21, 0x770CEAC6, 0xBC67FBCC)}
+        for name, mixed in vectors.items():
+            found = tuple(words.lattice(name, (5, -6, 7, -8)[:n], 0xDEADBEEF) for n in (1, 2, 3, 4))
+            self.assertEqual(found, mixed, name)
         for name in words.HASHES:
-            self.assertEqual(words.lattice(name, (1, 2), 3), words.mix(words.point_word(name, (1, 2), 3)), name)
+            total = words.point_word(name, (1, 2), 3) + sum(words.spread((1, 2))) + words.mix(3)
+            self.assertEqual(words.lattice(name, (1, 2), 3), words.mix(total % 2**32), name)
 
-    def test_every_hash_takes_one_join(self) -> None:
-        # With LATTICE the word is J * M; where J is odd, that gives M.
+    def test_points_whose_word_is_0_differ(self) -> None:
+        # The first ones on a line, and their hashes, of the same C program.
+        for x, hashed in ((255180, 0xA425AA05), (619969, 0x591DA4F3), (2859252, 0xD27663EE)):
+            self.assertEqual((words.joins((x,))[0], words.point_word("lattice", (x,))), (0, 0))
+            self.assertEqual(words.lattice("lattice", (x,)), hashed)
+
+    def test_every_hash_takes_the_same_joins(self) -> None:
         for seed in range(8):
-            j = words.mix(seed)
-            for folded in words.fold(words.spread((5, -6, 7))):
-                j ^= folded
-            if j % 2:
-                m = words.point_word("lattice", (5, -6, 7), seed) * pow(j, -1, 2**32)
-                for name, function in words.WORD_HASHES.items():
-                    self.assertEqual(words.point_word(name, (5, -6, 7), seed), function(j) * m % 2**32, name)
+            j, m = words.joins((5, -6, 7), seed)
+            for name, function in words.WORD_HASHES.items():
+                h = (function(j) * m + j) % 2**32
+                self.assertEqual(words.point_word(name, (5, -6, 7), seed), h ^ h // 512, name)
 
-    def test_low_bit_is_that_of_the_hash(self) -> None:
-        # Which the contract says not to be good.
+    def test_low_bit_is_that_of_the_join(self) -> None:
+        # Which the contract says not to be good: bits 12 and 13 of the spread coordinates.
         for x, y in itertools.product(range(8), repeat=2):
-            first, second = words.fold(words.spread((x, y)))
-            self.assertEqual(words.point_word("lattice", (x, y)) % 2, (first ^ second) % 2)
-            self.assertEqual(words.point_word("pcg", (x, y)) % 2, words.pcg(first ^ second) % 2)
+            first, second = words.spread((x, y))
+            self.assertEqual(words.point_word("lattice", (x, y)) % 2, (first // 2**12 + second // 2**13) % 2)
 
     def test_hash_of_words_under_lattice_is_that_of_the_point(self) -> None:
         self.assertEqual(words.hash_words("lattice", (1, 2, 3)), words.lattice("lattice", (1, 2, 3), 0))

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from oracle.lattice import Lattice
-from oracle.words import mix
 
 UNITS = (2**24,)
 TINY = Fraction(1, 2**32)  # with HN_PRECISE a coordinate of a position below it counts as 0
@@ -14,7 +13,7 @@ TINY = Fraction(1, 2**32)  # with HN_PRECISE a coordinate of a position below it
 
 def number(lattice: Lattice, cell: Sequence[int]) -> int:
     """hn_unorm of hn_lattice of a cell, in units of 2^-24."""
-    return mix(lattice.word(cell)) >> 8
+    return lattice.hash(cell) >> 8
 
 
 # --- Exact ------------------------------------------------------------------------------------------------------

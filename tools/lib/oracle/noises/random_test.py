@@ -30,24 +30,21 @@ class Random(unittest.TestCase):
         k = (k ^ k >> 12) * 0x297A2D39 % 2**32
         s = k ^ k >> 15
         x, y = (3 * 0x9E3779B1 + 0x165667B1) % 2**32, -5 * 0x85EBCA77 % 2**32
-        k = (x ^ x >> 18 ^ y ^ y >> 17 ^ s) * (2 * (x + y + s) + 1) % 2**32
+        word = (x >> 12 ^ y >> 13 ^ s >> 8) * ((2 * (x + y + s) + 1) * 4097 % 2**24)
+        k = (word + x + y + s) % 2**32
         k = (k ^ k >> 15) * 0x2C1B3C6D % 2**32
         k = (k ^ k >> 12) * 0x297A2D39 % 2**32
         value = Fraction((k ^ k >> 15) // 256, 2**24)
         for function in (RANDOM.exact, RANDOM.fixed):
             self.assertEqual(function(Knobs("lattice"), (3.25, -4.5), 7), (value,))
 
-    def test_of_a_word_by_hand(self) -> None:
-        # mix leaves 0 as it is. The low 8 bits of the mixed word are cut off.
-        for word, value in ((0, 0), (words.MASK, 1 - Fraction(1, 2**24)), (0xFF, 0), (0x100, Fraction(1, 2**24)),
+    def test_of_a_hash_by_hand(self) -> None:
+        # The low 8 bits are cut off.
+        for hashed, value in ((0, 0), (words.MASK, 1 - Fraction(1, 2**24)), (0xFF, 0), (0x100, Fraction(1, 2**24)),
                             (0x80000000, Fraction(1, 2))):
-            with (mock.patch.object(Lattice, "word", return_value=0x1234),
-                  mock.patch("oracle.noises.random.mix", side_effect={0x1234: word}.get)):
+            with mock.patch.object(Lattice, "hash", return_value=hashed):
                 for function in (RANDOM.exact, RANDOM.fixed):
                     self.assertEqual(function(KNOBS, (0.5,)), (value,))
-        for function in (RANDOM.exact, RANDOM.fixed):
-            with mock.patch.object(Lattice, "word", return_value=0):
-                self.assertEqual(function(KNOBS, (0.5,)), (0,))
 
     def test_the_fraction_does_not_matter(self) -> None:
         fractions = (0.0, 2.0**-126, 0.5, 1 - 2.0**-24, 1.0, -3.5, 9.0)  # of a caller, also outside [0, 1]

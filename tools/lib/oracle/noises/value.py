@@ -12,12 +12,12 @@ from oracle.lattice import Lattice
 
 def number(lattice: Lattice, corner: Sequence[int]) -> Fraction:
     """V(h) of a lattice point."""
-    return Fraction(lattice.word(corner) >> 9, 2**22) - 1
+    return Fraction(lattice.word(corner) % 2**23, 2**22) - 1
 
 
 def fixed_number(lattice: Lattice, corner: Sequence[int]) -> int:
-    """N(h), in units of 2^-29: of more bits of the word."""
-    return signed((lattice.word(corner) >> 2) - 2**29)
+    """N(h): the same in units of 2^-29."""
+    return signed(lattice.word(corner) % 2**23 * 2**7 - 2**29)
 
 
 def rounded(n: int) -> int:

@@ -17,8 +17,9 @@ VALUE = noises.find("value")
 
 class Numbers(unittest.TestCase):
     # The word, the number, and the one of fixed arithmetic.
-    WORDS = {0: (-1, -2**29), 511: (-1, -2**29 + 127), 512: (-1 + Fraction(1, 2**22), -2**29 + 128), 2**31: (0, 0),
-             0xC0000000: (Fraction(1, 2), 2**28), words.MASK: (1 - Fraction(1, 2**22), 2**29 - 1)}
+    WORDS = {0: (-1, -2**29), 0xFF800000: (-1, -2**29), 1: (-1 + Fraction(1, 2**22), -2**29 + 128),
+             0x00400000: (0, 0), 0x80600000: (Fraction(1, 2), 2**28),
+             words.MASK: (1 - Fraction(1, 2**22), 2**29 - 128)}
 
     def test_by_hand(self) -> None:
         for word, expected in self.WORDS.items():
@@ -35,8 +36,8 @@ class Value(unittest.TestCase):
     def test_on_a_line_by_hand(self) -> None:
         # s(1/4) is 106 / 1024, and its fade 27136 in units of 2^-18.
         a, b = (words.point_word("pcg", (c,), 7) for c in (-3, -2))
-        exact = (Fraction(a >> 9) * 918 + Fraction(b >> 9) * 106) / 1024 / 2**22 - 1
-        fixed = lerp((a >> 2) - 2**29, (b >> 2) - 2**29, 27136) + 128 >> 8
+        exact = (Fraction(a & 0x7FFFFF) * 918 + Fraction(b & 0x7FFFFF) * 106) / 1024 / 2**22 - 1
+        fixed = lerp(((a & 0x7FFFFF) << 7) - 2**29, ((b & 0x7FFFFF) << 7) - 2**29, 27136) + 128 >> 8
         self.assertEqual(VALUE.exact(Knobs("pcg"), (-2.75,), 7), (exact,))
         self.assertEqual(VALUE.fixed(Knobs("pcg"), (-2.75,), 7), (Fraction(fixed, 2**21),))
 
