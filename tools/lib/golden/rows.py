@@ -77,9 +77,10 @@ def gradient_rows(generator: Generator) -> list[Row]:
     """213 words: the fields of the gradients extreme, next to a sign change, or (q) as large as p; in four dimensions
     the first and the last words of each pairing, with each pair and sign."""
     signs, fields = (0, 1 << 31), (0, 1, 127, 128, 254, 255)
-    # The bits below the fields are for neither.
+    # The bits below the fields are for neither, and in one and two dimensions nor are those above.
     edges = [sign | p << 23 | q << 15 | (0x7FFF if sign else 0) for sign in signs for p in fields for q in fields]
-    edges += [sign | a << 22 | low for sign in signs for a in (0, 1, 255, 256, 510, 511) for low in (0, 0x3FFFFF)]
+    edges += [sign | a << 14 | others for sign in signs for a in (0, 1, 255, 256, 510, 511)
+              for others in (0, 0x7F803FFF)]
     thirds = [0, 0x55555554, 0x55555555, 0x55555556, 0xAAAAAAA9, 0xAAAAAAAA, 0xAAAAAAAB, 0xFFFFFFFF]
     # Bits 18 to 20 choose the pair and the signs.
     edges += [third & ~(7 << 18) | bits << 18 for third in (0, 0x55600000, 0xAAC00000) for bits in range(8)]
@@ -112,7 +113,7 @@ def position_rows(n: int, generator: Generator) -> list[Row]:
 
 # Cells whose first corner has, with the default hash and the seed 0, a word beside a third of all words: there gradients
 # in four dimensions pair other axes. All words were searched for them. With another hash they are cells like others.
-BESIDE_THIRDS = ((1549804692, 0, 0, 0), (-1867637201, 0, 0, 0), (1674874662, 1, 0, 0), (395698044, 2, 0, 0))
+BESIDE_THIRDS = ((518646892, 3, 0, 0), (285610395, 0, 0, 0), (1152198107, 0, 0, 0), (1477016204, 1, 0, 0))
 
 
 def cell_rows(n: int, generator: Generator) -> list[Row]:
