@@ -134,7 +134,7 @@ class Ranges(unittest.TestCase):
             self.assertTrue(within <= features.most_within(dims))
 
     def test_directions_do_not_reach_the_corners(self):
-        words = np.arange(2**17, dtype=np.int64) << 15
+        words = np.arange(2**18, dtype=np.int64) << 14
         for dims in DIMS:
             self.assertEqual(abs(model.directions(dims, words)).max() / 512, distances.LARGEST_COMPONENT[dims])
             self.assertEqual(abs(model.directions(dims, words)).sum(axis=0).max(), 512)
@@ -222,8 +222,8 @@ class Errors(unittest.TestCase):
             rng = np.random.default_rng(41)
             count = 4000
             cells, words = model.words_of_cells(rng, dims, count)
-            corner = model.directions(dims, np.arange(2**17, dtype=np.int64) << 15)[0]
-            far, back = (int(np.flatnonzero(corner == end)[0]) << 15 for end in (corner.max(), corner.min()))
+            corner = model.directions(dims, np.arange(2**18, dtype=np.int64) << 14)[0]
+            far, back = (int(np.flatnonzero(corner == end)[0]) << 14 for end in (corner.max(), corner.min()))
             words[cells.index((0,) * dims)] = far
             words[cells.index((1,) + (0,) * (dims - 1))] = back
             f = np.clip(np.concatenate([rng.uniform(0.9, 1, (1, count)), rng.uniform(0.2, 0.8, (dims - 1, count))]), 0,

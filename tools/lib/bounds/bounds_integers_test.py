@@ -117,7 +117,7 @@ class Integers(unittest.TestCase):
 
         def word(a, b=0, bits=9):
             """Of the fields a, and b in space."""
-            return np.array([(a + 511) // 2 << 22 if bits == 9 else (a + 255) // 2 << 23 | (b + 255) // 2 << 15])
+            return np.array([(a + 511) // 2 << 14 if bits == 9 else (a + 255) // 2 << 23 | (b + 255) // 2 << 15])
         self.assertEqual(fixed.ramp(OCTAHEDRAL, word(511), [big]), 511 * 2**20)
         middle = fixed.ramp(OCTAHEDRAL, word(257), [big, big])
         self.assertTrue(1.497 * 2**29 < middle <= 1.5 * 2**29)

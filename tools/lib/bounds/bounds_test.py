@@ -43,7 +43,7 @@ class Supports(unittest.TestCase):
 
     @staticmethod
     def gradients(dims):
-        bits, first = {1: (9, 22), 2: (10, 22), 3: (17, 15), 4: (14, 18)}[dims]
+        bits, first = {1: (9, 14), 2: (18, 14), 3: (17, 15), 4: (14, 18)}[dims]
         words = np.arange(2**bits, dtype=np.int64) << first
         return np.unique(np.array(exact.gradient(OCTAHEDRAL, dims, words)).T, axis=0)
 
@@ -157,7 +157,7 @@ class Range(unittest.TestCase):
             self.assertGreater((SCALE[OCTAHEDRAL][dims] + 1.5 / 1024) * attained, 1)
 
     def test_attained_in_the_middle(self):
-        for dims, bits, first in ((2, 10, 22), (3, 17, 15)):
+        for dims, bits, first in ((2, 18, 14), (3, 17, 15)):
             words = np.arange(2**bits, dtype=np.int64) << first
             g = np.array(exact.gradient(OCTAHEDRAL, dims, words))
             reached = SCALE[OCTAHEDRAL][dims] * abs(g).sum(axis=0).max() / 2

@@ -17,7 +17,7 @@ def words_of_cells(rng, dims, count, reach=2):
     """A word for each cell around each place. Some are of points near the corners of their octahedra."""
     cells = list(itertools.product(range(-reach, reach + 1), repeat=dims))
     words = rng.integers(0, 2**32, (len(cells), count))
-    extreme = np.array([0, 0x7FC00000, 0x80000000, 0xFFC00000] if dims == 2 else
+    extreme = np.array([0, 0x007FC000, 0x80000000, 0x807FC000] if dims == 2 else
                        [0, 0x7FFFFFFF, 0x007F8000, 0x7F800000, 0x40000000, 0xC0000000], np.int64)
     return cells, np.where(rng.random(words.shape) < 0.2, rng.choice(extreme, words.shape), words)
 

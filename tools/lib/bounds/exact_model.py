@@ -39,16 +39,18 @@ def lattice_word(cells, seed, centre=False):
     """The word of a lattice point (section 3, with LATTICE), or of the centre of its cell (section 13)."""
     spread = [u32(u32(c) * prime) for c, prime in zip(cells, (0x9E3779B1, 0x85EBCA77, 0xC2B2AE3D, 0x27D4EB2F))]
     spread[0] = u32(spread[0] + 0x165667B1)
-    join = total = mix(seed)
-    for word, shift in zip(spread, (18, 17, 19, 20)):
-        join, total = join ^ word ^ (word >> shift), u32(total + word)
+    mixed = mix(seed)
+    join, total = mixed >> 8, mixed
+    for word, shift in zip(spread, (12, 13, 14, 15)):
+        join, total = join ^ (word >> shift), u32(total + word)
     if centre:
-        join, total = join ^ 0x165667B1 ^ (0x165667B1 >> 21), u32(total + 0x165667B1)
-    return u32(join * u32(2 * total + 1))
+        join, total = join ^ (0x165667B1 >> 8), u32(total + 0x165667B1)
+    return u32(join * ((2 * total + 1) * 4097 % 2**24))
 
 
 def hash_word(word):
-    return mix(lattice_word([word], np.int64(0)))
+    """hn_hash of a single word."""
+    return mix(u32(lattice_word([word], np.int64(0)) + u32(word) * 0x9E3779B1 + 0x165667B1))
 
 
 def sine_words(cells, seed):
@@ -75,7 +77,7 @@ def field(h, shift, bits):
 
 def direction(dims, h):
     """(a, m) in units of 2^-9, (p, q, m) in units of 2^-8."""
-    parts, one = ([field(h, 22, 9)], 512) if dims == 2 else ([field(h, 23, 8), field(h, 15, 8)], 256)
+    parts, one = ([field(h, 14, 9)], 512) if dims == 2 else ([field(h, 23, 8), field(h, 15, 8)], 256)
     m = one - np.maximum.reduce([abs(part) for part in parts])
     return [*parts, np.where(h >> 31, -m, m)]
 
@@ -98,7 +100,7 @@ def gradient(kind, dims, words):
     if kind is SINE:
         return [np.sin(sine_argument(w).astype(float)) for w in words]
     if dims == 1:
-        return [field(words, 22, 9) / 512]
+        return [field(words, 14, 9) / 512]
     if dims == 4:
         return [g.astype(float) for g in corner_of_the_24_cell(words)]
     if dims == 2:
@@ -111,7 +113,7 @@ def gradient(kind, dims, words):
 
 
 def number(h):
-    return (h >> 9) / 2**22 - 1
+    return (h % 2**23) / 2**22 - 1
 
 
 # --- Noises -----------------------------------------------------------------------------------------------------------

@@ -101,7 +101,7 @@ def ramp(kind, words, offsets):
         parts = [sine(w) for w in words]
         return s32(sum(s32((g >> 8) * d) + (((g & 255) * d) >> 8) for g, d in zip(parts, offsets)))
     if dims == 1:
-        return s32(field(words, 22, 9) * offsets[0])
+        return s32(field(words, 14, 9) * offsets[0])
     if dims == 4:
         return s32(256 * sum(g * d for g, d in zip(corner_of_the_24_cell(words), offsets)))
     parts = direction(dims, words)
@@ -116,7 +116,7 @@ def ramp(kind, words, offsets):
 def gradient(dims, words):
     """The components in the units of the ramps."""
     if dims == 1:
-        return [field(words, 22, 9) * 2**20]
+        return [field(words, 14, 9) * 2**20]
     if dims == 4:
         return [g * 2**28 for g in corner_of_the_24_cell(words)]
     parts = direction(dims, words)
@@ -158,7 +158,7 @@ def perlin(kind, words_of, fractions, derivatives=False, ramp=ramp, gradient=gra
 # --- Value noise ------------------------------------------------------------------------------------------------------
 
 def number(h):
-    return s32((h >> 2) - 2**29)
+    return s32(h % 2**23 * 2**7 - 2**29)
 
 
 def value(words_of, fractions):
