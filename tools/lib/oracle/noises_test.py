@@ -120,7 +120,7 @@ class EveryNoise(unittest.TestCase):
     def check_seeds(self, noise: Noise, bounds: Bounds) -> None:
         """Every seed gives another field."""
         for knobs in tried_settings(bounds):
-            # At two places: of 32 seeds some two may well give the nearest cell one of 1024 points, and so one distance.
+            # At two places: some two of 32 seeds may well give the nearest cell the same of 1024 points.
             two = [p for p, _ in points(bounds, generator_of("seeds"), 2)]
             for of in (noise.exact, noise.fixed):
                 self.assertEqual(len({tuple(of(knobs, p, seed) for p in two) for seed in range(32)}), 32)

@@ -11,17 +11,17 @@ FLOATS. A number is computed with 3 added: it has 23 bits in [2, 4), exactly, an
 Their interpolation is that of floats.py of the folder above. A value from 2 to 4 less 3 is exact, and so it is where it
 was rounded beyond. The computed value may be beyond +-1 by its error.
 
-FIXED. The fixed value differs from the exact one by five things. FADE and LERP are bounded together, for each box:
+FIXED. The fixed numbers are the exact ones. The fixed value differs from the exact one by four things. FADE and LERP
+are bounded together, for each box:
 
     CUT      a coordinate is cut to a multiple of 2^-20, by less than that: at most L * 2^-20.
-    NUMBER   a number has 7 bits more, and so it is larger by less than 2^-22.
     FADE     see integers.py. A corner's number is at most 1 at any offset.
     LERP     see integers.py.
     SCALE    (n + 128) >> 8 rounds to nearest, by 1/2 unit of 2^-21 at most.
 
 Of a derivative, the slope s'(f_1) is off by e', and the differences of numbers, at most 2, are interpolated along the
 other axes. With sum_o |change of w_o| over these, which is FADE in one dimension less, that comes to
-2 (|e'| + slope * FADE). NUMBER is at most 15/8 * 2^-22, since the numbers of one side only are too large.
+2 (|e'| + slope * FADE).
 """
 
 from __future__ import annotations
@@ -44,7 +44,6 @@ CASES = tuple((dims, None) for dims in (1, 2, 3, 4))
 
 OFFSET = 3.0  # of numbers in floats
 NUMBER_ONE = 2**29  # the unit of such a number in fixed arithmetic
-MORE_BITS = 2.0**-22  # what a fixed number may be larger by
 STEEPEST = 2 * FADE_MAX[1]
 
 
@@ -78,9 +77,9 @@ def derive(dims: int, _: Gradient | None) -> Derived:
     lipschitz, cell_error = suprema.largest(suprema.LIPSCHITZ, dims, None), error_bound(dims)
     error = position_error(cell_error, lipschitz)
     lerp = largest_rounding(dims) / NUMBER_ONE
-    parts = {"cut": lipschitz / ONE, "number": MORE_BITS, "fade": largest_fade_effect(dims, None),
-             "interpolation": lerp, "scaling": UNIT / 2}
-    fixed_error = lipschitz / ONE + MORE_BITS + largest_joint_effect(dims, None, NUMBER_ONE) + UNIT / 2
+    parts = {"cut": lipschitz / ONE, "fade": largest_fade_effect(dims, None), "interpolation": lerp,
+             "scaling": UNIT / 2}
+    fixed_error = lipschitz / ONE + largest_joint_effect(dims, None, NUMBER_ONE) + UNIT / 2
     fixed_largest = (1 + 2 * overshoot()) ** dims + lerp + UNIT / 2
     return Derived(1.0, 1.0, lipschitz, cell_error, error, 1.0 + error, fixed_error * SAFE, fixed_largest * SAFE, parts)
 
@@ -89,7 +88,7 @@ def derive_slope(dims: int) -> Derived:
     lipschitz, cell_error = suprema.largest(suprema.SLOPE_LIPSCHITZ, dims, None), slope_error_bound(dims)
     error = position_error(cell_error, lipschitz)
     others = largest_fade_effect(dims - 1, None)
-    parts = {"cut": lipschitz / ONE, "number": FADE_MAX[1] * MORE_BITS,
+    parts = {"cut": lipschitz / ONE,
              "fade": 2 * (float(np.abs(slope_errors()).max()) + slopes().max() / FADE_ONE * others),
              "interpolation": slope_rounding(dims, 0, gradients=False) / (NUMBER_ONE / 4), "scaling": SLOPE_UNIT / 2}
     fixed_error = sum(parts.values()) * SAFE

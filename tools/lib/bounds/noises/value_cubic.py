@@ -9,10 +9,9 @@ any signs, is at most 8 + (n - 1) * 4 * 3/2.
 
 FLOATS. See floats.py: numbers with 3 added, weights, and sums of four products along each axis.
 
-FIXED. The fixed value differs from the exact one by five things:
+FIXED. The fixed numbers are the exact ones. The fixed value differs from the exact one by four things:
 
     CUT      a coordinate is cut to a multiple of 2^-20, and rounded to one of 2^-15: L * (2^-20 + 2^-16).
-    NUMBER   a number has 7 bits more than the exact one, and so it is larger by less than 2^-22.
     WEIGHTS  at x, the four weights of an axis are off by |e| of sum E at most, evaluated for all x. The products of
              the weights change by at most (1 + E)^n - 1 in sum.
     BLEND    four products round down by at most what is evaluated for all weights; the sums of |b| are 1.
@@ -33,7 +32,7 @@ from bounds.gradients import Gradient
 from bounds.integers import (FADE_ONE, ONE, SPLINE_STEP, UNIT, part_intermediate, spline_rounding, spline_weight_error,
                              splines)
 from bounds.noises import Derived
-from bounds.noises.value import MORE_BITS, NUMBER_ONE, OFFSET
+from bounds.noises.value import NUMBER_ONE, OFFSET
 
 CASES = tuple((dims, None) for dims in (1, 2, 3))
 
@@ -88,8 +87,7 @@ def derive(dims: int, _: Gradient | None) -> Derived:
         raise ValueError("a weight is negative, or the weights do not sum to 1")
     lipschitz, cell_error = lipschitz_bound(dims), error_bound(dims)
     error = position_error(cell_error, lipschitz)
-    parts = {"cut": lipschitz * (1 / ONE + SPLINE_STEP / 2), "number": MORE_BITS,
-             "weights": (1 + spline_weight_error()) ** dims - 1,
+    parts = {"cut": lipschitz * (1 / ONE + SPLINE_STEP / 2), "weights": (1 + spline_weight_error()) ** dims - 1,
              "interpolation": dims * spline_rounding() / NUMBER_ONE, "scaling": UNIT / 2}
     fixed_largest = 1 + parts["interpolation"] + parts["scaling"]
     return Derived(1.0, 1.0, lipschitz, cell_error, error, 1.0 + error, sum(parts.values()) * SAFE,
