@@ -207,7 +207,7 @@ class Nearest(unittest.TestCase):
         nearer = feature_points.Point(6, (3, 3), (0, 0), False)
         self.assertEqual(sorted([far, beside, nearer], key=lambda point: point.order), [nearer, beside, far])
         manhattan = nearest.NEAREST.chosen(Choice(1.0, 3))
-        self.assertEqual(manhattan.fixed(LATTICE, (0.75, -0.0), 55, (2, 48)), (0, 47))
+        self.assertEqual(manhattan.fixed(LATTICE, (0.75, -0.0), 171, (2, 48)), (0, 47))
 
     def test_the_order_is_that_before_a_period(self) -> None:
         # Of the cells -1 and 0 the first counts, though it is called 2.

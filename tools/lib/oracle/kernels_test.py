@@ -162,11 +162,12 @@ class Words(unittest.TestCase):
                          words.point_word("pcg", (2**32 - 3, 10), 7))
 
     def test_of_centres(self) -> None:
-        # By the contract's formula. x' of 5, y' of -6 and z' of 7; h' alone has no factor.
+        # By the contract's formula. x' of 5, y' of -6 and z' of 7; h' is fixed.
         x, y, z = words.spread((5, -6, 7))
         h, s = 0x165667B1, words.mix(7)
-        j = x >> 12 ^ y >> 13 ^ z >> 14 ^ h >> 8 ^ s >> 8
-        product = (words.pcg(j) * (2 * (x + y + z + h + s) + 1) * 4097 + j) % 2**32
+        j = x >> 12 ^ y >> 11 ^ z >> 10 ^ h >> 8 ^ s >> 8
+        a = x + y % 2**24 * 0xE6133E + z % 2**24 * 0x913FDC + h + s
+        product = (words.pcg(j) * ((2 * a + 1) * 4097 % 2**24) + j) % 2**32
         expected = product ^ product >> 9
         self.assertEqual(self.word(simplex.KERNELS[3], (1, 0, -1), (4, -6, 8), True), expected)
         self.assertEqual(self.word(simplex.KERNELS[3], (1, 0, -1), (4, -6, 8), True, (100, -100, 0)),

@@ -124,32 +124,44 @@ def spread(point: Sequence[int]) -> list[int]:
     return [(x * prime + offset) & MASK for x, prime, offset in zip(point, PRIMES, offsets)]
 
 
-# How far the spread coordinates and the mixed seed are shifted, so that their high bits X, Y, Z, W and S are left.
-SHIFTS, SEED_SHIFT = (12, 13, 14, 15), 8
+# How far the spread coordinates and the mixed seed are shifted, so that their high bits are left.
+SHIFTS, SEED_SHIFT = (12, 11, 10, 9), 8
+
+# What the low 24 bits of the spread coordinates after the first are multiplied by in the sum A.
+FACTORS = (0xE6133E, 0x913FDC, 0x85AAB8)
 
 # Of the centre of a cell (section 13): h', the spread coordinate that a corner does not have, and its shift.
 CENTRE, CENTRE_SHIFT = PRIMES[4], 8
 
 
-def joins(point: Sequence[int], seed: int = 0, centre: bool = False) -> tuple[int, int]:
-    """J and M of a lattice point; with `centre` those of the centre of the cell `point`."""
-    s = mix(seed)
-    coordinates = spread(point)
-    j = s >> SEED_SHIFT
-    for coordinate, shift in zip(coordinates, SHIFTS):
+def high_bits(point: Sequence[int], seed: int = 0, centre: bool = False) -> int:
+    """J of a lattice point; with `centre` that of the centre of the cell `point`."""
+    j = mix(seed) >> SEED_SHIFT
+    for coordinate, shift in zip(spread(point), SHIFTS):
         j ^= coordinate >> shift
-    if centre:
-        coordinates.append(CENTRE)
-        j ^= CENTRE >> CENTRE_SHIFT
-    m = (2 * (sum(coordinates) + s) + 1) * 4097
-    return j, m & MASK
+    return j ^ CENTRE >> CENTRE_SHIFT if centre else j
+
+
+def weighted_sum(point: Sequence[int], seed: int = 0, centre: bool = False) -> int:
+    """A, likewise."""
+    first, *others = spread(point)
+    a = first + mix(seed) + (CENTRE if centre else 0)
+    for coordinate, factor in zip(others, FACTORS):
+        a += coordinate % 2**24 * factor
+    return a & MASK
+
+
+def joins(point: Sequence[int], seed: int = 0, centre: bool = False) -> tuple[int, int]:
+    """J and M, likewise."""
+    m = (2 * weighted_sum(point, seed, centre) + 1) * 4097
+    return high_bits(point, seed, centre), m % 2**24
 
 
 def point_word(name: str, point: Sequence[int], seed: int = 0, centre: bool = False) -> int:
     """The word of a lattice point under the hash `name`; with `centre` that of the centre of the cell `point`."""
     j, m = joins(point, seed, centre)
     if name == "lattice":
-        return j * (m % 2**24) & MASK
+        return j * m & MASK
     h = (WORD_HASHES[name](j) * m + j) & MASK
     return h ^ h >> 9
 
@@ -161,7 +173,7 @@ def hash_words(name: str, words: Sequence[int]) -> int:
 
 def lattice(name: str, point: Sequence[int], seed: int = 0) -> int:
     """hn_lattice: the seeded and mixed hash of a lattice point."""
-    return mix((point_word(name, point, seed) + sum(spread(point)) + mix(seed)) & MASK)
+    return mix((point_word(name, point, seed) + weighted_sum(point, seed)) & MASK)
 
 
 def signed(word: int) -> int:
