@@ -40,9 +40,11 @@ def lattice_word(cells, seed, centre=False):
     spread = [u32(u32(c) * prime) for c, prime in zip(cells, (0x9E3779B1, 0x85EBCA77, 0xC2B2AE3D, 0x27D4EB2F))]
     spread[0] = u32(spread[0] + 0x165667B1)
     mixed = mix(seed)
-    join, total = mixed >> 8, mixed
-    for word, shift in zip(spread, (12, 13, 14, 15)):
-        join, total = join ^ (word >> shift), u32(total + word)
+    join, total = mixed >> 8, u32(mixed + spread[0])
+    for word, shift in zip(spread, (12, 11, 10, 9)):
+        join = join ^ (word >> shift)
+    for word, factor in zip(spread[1:], (0xE6133E, 0x913FDC, 0x85AAB8)):
+        total = u32(total + word % 2**24 * factor)
     if centre:
         join, total = join ^ (0x165667B1 >> 8), u32(total + 0x165667B1)
     return u32(join * ((2 * total + 1) * 4097 % 2**24))
