@@ -162,9 +162,9 @@ def octaves_at(function: Function, special: float) -> int:
 # By dimensions, and by whether there are periods: where slopes sum to more than an eroded sum lets them, with the
 # default hash. The octaves are all as coarse as the first. These are the best of some million places and seeds.
 STEEP_PERIOD, STEEP_STRENGTH = 5, 0.0625
-STEEP = {(2, False): ((-3.0, -6.875), 8, 1.0, 2813109135), (2, True): ((6.5, 4.625), 8, 1.0, 917643688),
-         (3, False): ((0.375, -3.125, -1.25), 20, 0.9375, 457656260),
-         (3, True): ((0.25, 0.125, -0.375), 20, 0.9375, 3072773397)}
+STEEP = {(2, False): ((6.375, 0.25), 8, 1.0, 72633096), (2, True): ((-7.75, -5.125), 8, 1.0, 460232246),
+         (3, False): ((7.75, 6.625, 2.625), 20, 0.9375, 303254308),
+         (3, True): ((2.875, 0.25, 5.75), 20, 0.9375, 769647069)}
 TINY = (2.0**-126, -2.0**-126, 2.0**-33, -2.0**-31, 2.0**-30)
 
 
