@@ -60,10 +60,8 @@
 #endif
 #define HN_I_OUT(type) type&
 #define HN_I_INOUT(type) type&
-#define HN_I_NEW(type, name) \
-  type name {}  // without the braces -Weffc++ warns
-#define HN_I_MADE(type) \
-  type() : cell(), fraction(), rest(), period(), tiled() {}
+#define HN_I_NEW(type, name) type name{}  // without the braces -Weffc++ warns
+#define HN_I_MADE(type) type() : cell(), fraction(), rest(), period(), tiled() {}
 #define HN_I_HAS_PRECISE 1
 #endif
 #else
