@@ -23,7 +23,7 @@ HN_FN hn_vec2 hn_i_value_d(hn_i_box1 box, hn_num f, hn_uint seed) {
 //   returns  the value and its derivative. A derivative is per cell, in [-3.76, 3.76], once continuously differentiable
 //            (HN_FIXED: in steps of 2^-19)
 //   error    that of hn_value, and of a derivative at most 3.41e-6 against the exact value, in any rounding mode
-//            (docs/accuracy.md). HN_FIXED 1.55e-4. From a cell at most 2.72e-6
+//            (docs/accuracy.md). HN_FIXED 1.54e-4. From a cell at most 2.72e-6
 //   period   2^32 cells
 //   cost     the hashes of hn_value, which are most of its cost, and about twice the rest
 //   source   the product rule on the interpolation; docs/contract.md, section 10

@@ -28,7 +28,7 @@ HN_FN hn_vec4 hn_i_value_d(hn_i_box3 box, hn_num3 f, hn_uint seed) {
 //   returns  the value and its derivatives along x, y and z. A derivative is per cell, in [-3.76, 3.76], once
 //            continuously differentiable (HN_FIXED: in steps of 2^-19)
 //   error    that of hn_value, and of a derivative at most 1.87e-5 against the exact value, in any rounding mode
-//            (docs/accuracy.md). HN_FIXED 3.19e-4. From a cell at most 1.76e-5
+//            (docs/accuracy.md). HN_FIXED 3.18e-4. From a cell at most 1.76e-5
 //   period   2^32 cells per axis, or that of the tile
 //   cost     the hashes of hn_value, which are most of its cost, and about twice the rest
 //   source   the product rule on the interpolation; docs/contract.md, section 10
