@@ -200,7 +200,17 @@ class Statements(unittest.TestCase):
          "    if (y < 1.0) y2 = y - 1.0;\n    sum += y2;\n  }\n  return sum;\n}\n"),
         ("float hn_return(float a) { if (a < 0.0f) return -a; float b = a * 2.0f; return b * b; }",
          "float hn_return(float a) {\n  float result;\n  if (a < 0.0) {\n    result = -a;\n  } else {\n"
-         "    float b = a * 2.0;\n    result = b * b;\n  }\n  return result;\n}\n"))
+         "    float b = a * 2.0;\n    result = b * b;\n  }\n  return result;\n}\n"),
+        ("float hn_chain(int m, float a) { if (m == 2) return a * 1.0f; if (m == 3) return a + 1.0f; return a; }",
+         "float hn_chain(int m, float a) {\n  float result;\n  if (m == 2) {\n    result = a;\n  } else if (m == 3) {\n"
+         "    result = a + 1.0;\n  } else {\n    result = a;\n  }\n  return result;\n}\n"),
+        ("uint hn_same(uint a, bool b) { uint c = a & 0xFFFFFFFFu; return (c == 0u ? 0u : c) + (b ? 1u : 0u); }",
+         "uint hn_same(uint a, bool b) { return a + (b ? 1u : 0u); }\n"),
+        # What branches read they do not set before.
+        ("float hn_read(float r, float b) { for (int i = 0; i < 3; i++) { float s; if (r < b) { s = b; } "
+         "else { s = r + 1.0f; } r = s; } return r; }",
+         "float hn_read(float r, float b) {\n  for (int i = 0; i < 3; i++) {\n    float s;\n    if (r < b) {\n"
+         "      s = b;\n    } else {\n      s = r + 1.0;\n    }\n    r = s;\n  }\n  return r;\n}\n"))
 
     def written(self, shown: str) -> str:
         tree = Parser(list(tokens_of(shown, "the text", 1))).parse()

@@ -62,15 +62,16 @@ CPP = Language(float_suffix="f", function="inline ", out="{}&", inout="{}&", spl
 
 class Writer:
     """Of the body of one function. `hints` say what values are called in the library, `names` what is called."""
+    indent = 2
 
     def __init__(self, language: Language, block: list[Statement], hints: Mapping[Node, str], parameters: Iterable[str],
-                 names: Mapping[Kept, str], precise: bool = False):
+                 names: Mapping[Kept, str], precise: bool = False, reserved: Iterable[str] = ()):
         self.language = language
         self.block = block
         self.hints = hints
         self.names = names
         self.precise = precise
-        self.taken = {*parameters, *names.values(), *RESERVED}
+        self.taken = {*parameters, *names.values(), *RESERVED, *reserved}
         self.called: dict[Node, str] = {}  # the names of values and variables
         self.named: set[Operation] = set()
         self._numbers = {id(one): number for number, one in enumerate(blocks(block))}
@@ -93,7 +94,7 @@ class Writer:
         for statement in walk(self.block):
             if isinstance(statement, (Set, Declare)) and statement.variable.is_parameter:
                 self.called[statement.variable] = statement.variable.name
-        return self._lines(self.block, 2)
+        return self._lines(self.block, self.indent)
 
     # What is named, and where.
 
@@ -238,10 +239,16 @@ class Writer:
             for node in self._starts.get((number, i), []):
                 text = self._expression(node)[0]
                 name = self._new_name(node, self.hints.get(node, ""))
-                lines.append(f"{space}{self._type(node.type)} {name} = {text};")
+                lines.append(f"{space}{self._declaration(node.type, name, text)}")
             if i < len(block) and id(block[i]) not in self._dropped:
                 lines += [f"{space}{line}" for line in self._statement(block[i])]
-        return _joined(lines, space)
+        return self._joined(lines, space)
+
+    def _joined(self, lines: Sequence[str], space: str) -> list[str]:
+        return declarations_joined(lines, space, DECLARATION)
+
+    def _declaration(self, type_: str, name: str, text: str) -> str:
+        return f"{self._type(type_)} {name} = {text};"
 
     def _type(self, type_: str) -> str:
         precise = self.precise and self.language.may_be_precise and type_ in SIZES and _is_float(type_)
@@ -284,12 +291,21 @@ class Writer:
         head = f"if ({self._text(statement.condition)}) {{"
         if not statement.yes:
             head = f"if (!{self._text(statement.condition, UNARY)}) {{"
-        lines = [head, *self._lines(statement.yes or statement.no, 2)]
+        lines = [head, *self._lines(statement.yes or statement.no, self.indent)]
         if statement.yes and statement.no:
-            lines += ["} else {", *self._lines(statement.no, 2)]
+            lines += self._otherwise(statement.no)
         if len(lines) == 2 and len(head) + len(lines[1]) < WIDTH:
             return [f"{head[:-2]} {lines[1].strip()}"]
         return [*lines, "}"]
+
+    def _otherwise(self, block: list[Statement]) -> list[str]:
+        """The other branch; what stands alone in it is asked next."""
+        lines = self._lines(block, self.indent)
+        if len(block) == 1 and isinstance(block[0], If) and lines[0].lstrip().startswith("if ") and (
+                lines[-1] == f"{' ' * self.indent}}}"):
+            shown = [line[self.indent:] for line in lines]
+            return [f"}} else {shown[0]}", *shown[1:-1]]
+        return ["} else {", *lines]
 
     def _loop(self, loop: Loop) -> list[str]:
         if loop.asks_behind:
@@ -381,12 +397,12 @@ def _splatted(node: Node) -> Node | None:
     return None
 
 
-def _joined(lines: Sequence[str], space: str) -> list[str]:
+def declarations_joined(lines: Sequence[str], space: str, declaration: re.Pattern[str] | None) -> list[str]:
     """With declarations of one type in one line, as far as they fit, and long lines in several."""
     joined: list[str] = []
     for line in lines:
-        found = DECLARATION.fullmatch(line)
-        before = DECLARATION.fullmatch(joined[-1]) if joined else None
+        found = declaration.fullmatch(line) if declaration else None
+        before = declaration.fullmatch(joined[-1]) if found and joined else None
         here = line.startswith(space) and not line.startswith(f"{space} ")
         if found and before and here and before[1] == found[1] and len(joined[-1]) + len(found[2]) + 1 <= WIDTH:
             joined[-1] = f"{joined[-1][:-1]}, {found[2]}"

@@ -15,7 +15,7 @@ from parsing.syntax import Function, Parameter, Parser
 from parsing.tokens import Unknown
 from pick.evaluate import Evaluation, Kept, Known, Module, Typed
 from pick.printer import Language, Writer
-from pick.statements import Statement, values_of, without_dead
+from pick.statements import Statement, values_of, without_copies, without_dead
 from pick.values import SIZES, Constant, Node, Operation, Variable
 from tables.glsl import declarations
 from tree import version
@@ -108,7 +108,8 @@ class Program:
                 values.append(Typed(parameter.type, {
                     path: Variable(type_, ".".join((parameter.at.text, *path)), is_parameter=True)
                     for path, type_ in self.module.parts(parameter.type)}))
-        return Evaluated(function, evaluation, without_dead(evaluation.run(function, values)), parameters)
+        return Evaluated(function, evaluation, without_copies(without_dead(evaluation.run(function, values))),
+                         parameters)
 
     def _called(self) -> dict[Kept, Evaluated]:
         """The functions that are called, those that others need first."""

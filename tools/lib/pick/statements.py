@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Union
@@ -111,6 +112,30 @@ def without_dead(block: list[Statement]) -> list[Statement]:
         block, changed = _live(block, read)
         if not changed:
             return block
+
+
+def without_copies(block: list[Statement]) -> list[Statement]:
+    """The statements without variables that branches set and that are then only copied into others: they set those."""
+    reads = Counter(value for statement in walk(block) for value in operands(statement))
+    for node in values_of(block):
+        reads.update(node.arguments if isinstance(node, Operation) else ())
+    for statements in blocks(block):
+        at = next((i for i in range(len(statements), 0, -1) if not isinstance(statements[i - 1], Set)), 0) - 1
+        if at < 1 or not isinstance(statements[at], If):
+            continue
+        for copy in statements[at + 1:]:
+            others = [one for one in statements[at:] if one is not copy]
+            start = next((one for one in statements[:at] if isinstance(one, Declare) and one.variable is copy.value), None)
+            if start is None or start.value is not None or reads[copy.value] != 1 or copy.variable.is_parameter or (
+                    copy.variable in values_of(others)):
+                continue
+            for statement in walk([statements[at]]):
+                if isinstance(statement, Set) and statement.variable is copy.value:
+                    statement.variable = copy.variable
+            statements.remove(start)
+            statements.remove(copy)
+            at -= 1
+    return block
 
 
 def _is_read(variable: Variable, read: set[Node]) -> bool:

@@ -155,8 +155,13 @@ def binary(sign: str, left: Node, right: Node) -> Node:
         if sign in "+|^" and is_number(left, 0) or sign == "*" and is_number(left, 1):
             if right.type == type_:
                 return right
+        for one, other in ((left, right), (right, left)):
+            if sign == "&" and is_number(other, WORD if other.type == "uint" else -1) and one.type == type_:
+                return one
         if sign in "&*" and (is_number(left, 0) or is_number(right, 0)) and size == 1:
             return Constant(type_, 0)
+    elif sign in "*/" and isinstance(right, Constant) and right.value.rstrip("fF") == "1.0":
+        return left
     return operation("binary", sign, type_, (left, right))
 
 
@@ -170,6 +175,10 @@ def builtin(name: str, type_: str, arguments: tuple[Node, ...]) -> Node:
 def choice(condition: Node, yes: Node, no: Node) -> Node:
     if isinstance(condition, Constant):
         return yes if condition.value else no
+    # x == 0 ? 0 : x is x.
+    if isinstance(condition, Operation) and condition.name == "==" and scalar_of(yes.type) != "float" and (
+            condition.arguments in ((yes, no), (no, yes))):
+        return no
     return yes if yes is no else operation("choice", "?", yes.type, (condition, yes, no))
 
 
