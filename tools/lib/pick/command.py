@@ -1,7 +1,9 @@
-"""Writes functions of the library with what they need, and nothing else, to paste into a shader.
+"""Writes functions of the library with what they need, and nothing else, to paste into a shader, or into a
+program for the CPU.
 
     tools/pick hn_perlin2                              GLSL, HN_FAST, the default hash
     tools/pick hn_fbm3 hn_cellular2 --arithmetic fixed --out noise.glsl
+    tools/pick hn_simplex3 --language rust --out noise.rs
     tools/pick --list                                  which functions there are
 
 A function is called as tools/wgsl calls it, by its form: hn_perlin2 is hn_perlin(vec2 p, uint seed), and
@@ -25,13 +27,18 @@ from pathlib import Path
 from library_file import write
 from parsing.tokens import Unknown
 from pick.printer import LANGUAGES
-from pick.program import Program, chosen, heading, public, read
+from pick.program import Program, chosen, facts, heading, origin, public, read
+from pick.rust import Rust
+from pick.scalars import Syntax, text
 from tree import GLSL
 from wgsl.module import HASHES
 
 ARITHMETICS = ("fast", "fixed", "precise")
 NO_PRECISE = ("GLSL ES has `precise` from 3.20 on, and what this writes is for 3.00, too: take --arithmetic fixed, "
               "whose bits are the same everywhere")
+
+
+SYNTAXES: dict[str, type[Syntax]] = {"rust": Rust}
 
 
 def settings(arithmetic: str, hash_: str) -> dict[str, str]:
@@ -41,12 +48,15 @@ def settings(arithmetic: str, hash_: str) -> dict[str, str]:
 def picked(names: Sequence[str], language: str = "glsl", arithmetic: str = "fast", hash_: str = "lattice",
            library: Path = GLSL) -> str:
     """The text."""
-    module = read(library, settings(arithmetic, hash_))
+    module = read(library, settings(arithmetic, hash_), splits=language in SYNTAXES)
     functions = chosen(module, names)
     command = ["tools/pick", *dict.fromkeys(names)]
     given = {"language": (language, "glsl"), "arithmetic": (arithmetic, "fast"), "hash": (hash_, "lattice")}
     for option, (value, default) in given.items():
         command += [f"--{option}", value] if value != default else []
+    if language in SYNTAXES:
+        return text(Program(module, functions), SYNTAXES[language](arithmetic == "precise"),
+                    facts(functions, library), origin(shlex.join(command)))
     return heading(functions, shlex.join(command), library) + Program(module, functions).text(
         LANGUAGES[language], precise=arithmetic == "precise")
 
@@ -56,9 +66,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     hashes = tuple(name.lower() for name in HASHES if name != "CUSTOM")
     parser.add_argument("names", nargs="*", metavar="FUNCTION", help="such as hn_perlin2")
-    parser.add_argument("--language", choices=tuple(LANGUAGES), default="glsl",
+    parser.add_argument("--language", choices=(*LANGUAGES, *SYNTAXES), default="glsl",
                         help="glsl (the default) is for 3.30 and later, and with precise for 4.00; glsl-es says highp, "
-                        "and is for WebGL2, too; hlsl is for the shader models 5 and 6")
+                        "and is for WebGL2, too; hlsl is for the shader models 5 and 6; rust needs core alone")
     parser.add_argument("--arithmetic", choices=ARITHMETICS, default="fast", help="default: %(default)s")
     parser.add_argument("--hash", choices=hashes, default="lattice", metavar="NAME",
                         help=f"{', '.join(hashes)} (default: %(default)s)")
@@ -68,18 +78,18 @@ def main(arguments: Sequence[str] | None = None) -> int:
     given = parser.parse_args(arguments)
     if given.list == bool(given.names):
         parser.error("name functions, such as hn_perlin2, or ask for --list")
-    if given.arithmetic == "precise" and not LANGUAGES[given.language].may_be_precise:
+    if given.arithmetic == "precise" and given.language == "glsl-es":
         parser.error(NO_PRECISE)
     try:
         if given.list:
             known = public(read(given.glsl, settings(given.arithmetic, given.hash)))
-            text = "".join(f"{name:32} {function.type} {function.name}({', '.join(function.types)})\n"
-                           for name, function in sorted(known.items()))
+            written = "".join(f"{name:32} {function.type} {function.name}({', '.join(function.types)})\n"
+                              for name, function in sorted(known.items()))
         else:
-            text = picked(given.names, given.language, given.arithmetic, given.hash, given.glsl)
+            written = picked(given.names, given.language, given.arithmetic, given.hash, given.glsl)
     except (Unknown, OSError) as error:
         parser.exit(2, f"tools/pick: {error}\n")
-    write(parser, text, given.out)
+    write(parser, written, given.out)
     return 0
 
 

@@ -1,4 +1,5 @@
-"""A program that compares picked functions with the library in C++, bit by bit, at points that it draws."""
+"""Programs that compare picked functions with the library in C++, bit by bit, at points that they draw: one in C++,
+and for other languages one that writes what is passed and what comes back."""
 
 from __future__ import annotations
 
@@ -9,7 +10,8 @@ from parsing.syntax import Function, Parameter
 from pick.evaluate import Module
 from pick.values import SIZES, scalar_of, vector_of
 
-HEAD = """#include <cstdio>
+HEAD = """#include <bit>
+#include <cstdio>
 #include <cstring>
 #include <random>
 
@@ -98,13 +100,54 @@ def _compared(number: int, name: str, function: Function, points: int) -> str:
     if function.name == "hn_next":
         differs = f"a != b || (a && ({differs}))"  # in C++ it stops before the octave that is none
     body = "\n      ".join(lines)
+    end = f'    if (count > 0) std::printf("{name}: %d of {points}\\n", count);\n  }}'
+    return _drawing(number, f"{body}\n      count += {differs};", points, end, "    int count = 0;\n")
+
+
+def _drawing(number: int, body: str, points: int, end: str = "  }", start: str = "") -> str:
+    """A block of the program that does so at points that it draws."""
     return f"""  {{
     std::mt19937 g({number}u);
     [[maybe_unused]] const auto r = [&g](double a, double b) {{ return float(a + (b - a) * (g() / 4294967296.0)); }};
-    int count = 0;
-    for (int i = 0; i < {points}; i++) {{
+{start}    for (int i = 0; i < {points}; i++) {{
       {body}
-      count += {differs};
     }}
-    if (count > 0) std::printf("{name}: %d of {points}\\n", count);
-  }}"""
+{end}"""
+
+
+WORDS = """
+FILE* inputs;
+FILE* outputs;
+void put(FILE* file, uint word) { std::fwrite(&word, sizeof word, 1, file); }
+void put(FILE* file, float value) { put(file, std::bit_cast<uint>(value)); }
+void put(FILE* file, int value) { put(file, uint(value)); }
+void put(FILE* file, bool value) { put(file, uint(value)); }
+"""
+
+
+def words_source(module: Module, functions: Mapping[str, Function], points: int) -> str:
+    """A program that draws points and writes two files that its arguments name: the words of what is passed to each
+    function at each point, and those of what it returns and sets. `module` is split: a vector is its components."""
+    lines = [HEAD, "}  // namespace hashnoise\nusing namespace hashnoise;", WORDS, "int main(int, char** names) {",
+             '  inputs = std::fopen(names[1], "wb");', '  outputs = std::fopen(names[2], "wb");']
+    for number, function in enumerate(functions.values()):
+        body: list[str] = []
+        behind: list[str] = []
+        for parameter in function.parameters:
+            variable = f"v_{parameter.at.text}"
+            is_read = bool(module.passed(parameter))
+            body.append(f"{parameter.type} {variable}{f' = {drawn(parameter)}' if is_read else '{}'};")
+            puts = [f"put({{}}, {variable}{_path(path)});" for path, _ in module.parts(parameter.type)]
+            body += [put.format("inputs") for put in puts if is_read]
+            behind += [put.format("outputs") for put in puts if parameter.is_set]
+        call = f"{function.name}({', '.join(f'v_{parameter.at.text}' for parameter in function.parameters)})"
+        body.append(f"{call};" if function.type == "void" else f"const auto result = {call};")
+        if function.type != "void":
+            body += [f"put(outputs, result{_path(path)});" for path, _ in module.parts(function.type)]
+        lines.append(_drawing(number, "\n      ".join([*body, *behind]), points))
+    return "\n".join([*lines, "  std::fclose(inputs);", "  std::fclose(outputs);", "}", ""])
+
+
+def _path(path: Sequence[str]) -> str:
+    return "".join(f".{part.removeprefix('_')}" for part in path)
+

@@ -6,6 +6,7 @@ stays one; which, the caller decides.
 
 from __future__ import annotations
 
+import functools
 import itertools
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
@@ -13,7 +14,7 @@ from typing import Union
 
 from parsing import syntax
 from parsing.preprocessor import Constant as Macro
-from parsing.syntax import Expression, Function, Parser, Struct
+from parsing.syntax import Expression, Function, Parameter, Parser, Struct
 from parsing.tokens import Token
 from pick.statements import Break, Declare, Environment, If, Loop, Return, Set, Statement, blocks
 from pick.values import (AXES, SIZES, Constant, Node, Operation, Variable, binary, builtin, choice, construct, member,
@@ -62,11 +63,23 @@ class Typed:
         return self.leaves[()]
 
 
-class Module:
-    """What functions are made of: those of the library, its structs and its constants."""
+def component(axis: str) -> str:
+    """How a path calls a component, other than a field of that name."""
+    return f"_{axis}"
 
-    def __init__(self, tree: list[Function | Struct], constants: dict[str, Macro]):
+
+def dotted(path: Sequence[str]) -> str:
+    """The name of a part: place.cell, or place.cell_x where vectors are split."""
+    return ".".join(path).replace("._", "_")
+
+
+class Module:
+    """What functions are made of: those of the library, its structs and its constants. For languages without vectors
+    it is split: a vector is its components, as a struct is its parts."""
+
+    def __init__(self, tree: list[Function | Struct], constants: dict[str, Macro], splits: bool = False):
         self.tree = tree
+        self.splits = splits
         self.structs = {item.name: item for item in tree if isinstance(item, Struct)}
         self.functions = {(item.name, item.types): item for item in tree if isinstance(item, Function)}
         self.constants = constants
@@ -87,9 +100,22 @@ class Module:
         """The paths of what a type is made of, and their types."""
         if type_ not in self._parts:
             fields = self.structs[type_].fields if type_ in self.structs else ()
-            self._parts[type_] = [((name, *path), part) for name, of, _ in fields for path, part in self.parts(of)] or [
-                ((), type_)]
+            self._parts[type_] = [((name, *path), part) for name, of, _ in fields for path, part in self.parts(of)]
+            if not fields:
+                of_axes = [((component(axis),), scalar_of(type_)) for axis in AXES[:SIZES.get(type_, 1)]]
+                self._parts[type_] = of_axes if self.splits and len(of_axes) > 1 else [((), type_)]
         return self._parts[type_]
+
+    def leaves(self, node: Node) -> Leaves:
+        """Of a scalar or a vector."""
+        return {path: member(node, path[0][1:]) if path else node for path, _ in self.parts(node.type)}
+
+    def passed(self, parameter: Parameter) -> list[tuple[tuple[str, ...], str]]:
+        """The paths and types of what users pass for it: a struct is whole, and nothing is passed for what a split
+        function sets alone, since it returns that."""
+        if parameter.type in self.structs:
+            return [((), parameter.type)]
+        return [] if self.splits and parameter.is_set else self.parts(parameter.type)
 
     def is_plain(self, function: Function) -> bool:
         """Whether all that it takes and gives are numbers and vectors."""
@@ -105,25 +131,28 @@ class Evaluation:
         self.keeps = keeps
         self.arguments: dict[tuple[str, tuple[str, ...]], list[tuple[Node, ...]]] = {}
         self.hints: dict[Node, str] = {}
+        self.axes: dict[Node, str] = {}  # of components of vectors that are split
         self._frames = itertools.count(1)
         self._types: dict[tuple[int, str], str] = {}  # of variables, by the number of the call and the name
         self._in_loops: list[int] = []                # the calls that have a loop around what is evaluated
 
     def run(self, function: Function, arguments: Sequence[Typed]) -> list[Statement]:
-        """The statements; what the function sets is set behind them."""
+        """The statements; what the function sets is set behind them, or returned where the module is split."""
         state: Environment = {}
         block: list[Statement] = []
         for parameter, argument in zip(function.parameters, arguments, strict=True):
             self._bind(state, 0, parameter.at.text, argument)
         self._statements(function.body.statements, 0, state, block)
         for parameter in function.parameters:
-            if parameter.is_set:
+            if parameter.is_set and self.module.passed(parameter):
                 for path, type_ in self.module.parts(parameter.type):
-                    name = ".".join((parameter.at.text, *path))
+                    name = dotted((parameter.at.text, *path))
                     value = state[(0, parameter.at.text, *path)]
                     if not (isinstance(value, Variable) and value.name == name):
                         block.append(Set(Variable(type_, name, is_parameter=True), value))
-        if function.type in self.module.structs:
+        if self.module.splits:
+            block.append(Return(self._results(function, state)))
+        elif function.type in self.module.structs:
             result = Variable(function.type, "result", is_parameter=True)
             block.append(Declare(result, None))
             for path, type_ in self.module.parts(function.type):
@@ -133,6 +162,25 @@ class Evaluation:
         else:
             block.append(Return(state.get((0, "return"))))
         return block
+
+    def _results(self, function: Function, state: Environment) -> Node | None:
+        """What a split function returns, with what it sets of numbers and vectors."""
+        names = [("return", function.type)] if function.type != "void" else []
+        names += [(parameter.at.text, parameter.type) for parameter in function.parameters
+                  if parameter.is_set and not self.module.passed(parameter)]
+        found = tuple(self._whole(type_, (0, name), state) for name, type_ in names)
+        return operation("results", "", function.type, found) if len(found) > 1 else found[0] if found else None
+
+    def _whole(self, type_: str, key: tuple[object, ...], state: Environment) -> Node:
+        """A value of its parts."""
+        if type_ in self.module.structs:
+            fields: list[Node] = []
+            for name, of, _ in self.module.structs[type_].fields:
+                fields += ([self._whole(of, (*key, name), state)] if of in self.module.structs else
+                           [state[(*key, name, *path)] for path, _ in self.module.parts(of)])
+            return operation("struct", type_, type_, tuple(fields))
+        parts = tuple(state[(*key, *path)] for path, _ in self.module.parts(type_))
+        return parts[0] if len(parts) == 1 else construct(type_, parts)
 
     # Variables.
 
@@ -151,10 +199,14 @@ class Evaluation:
     def _hint(self, name: str, value: Typed) -> None:
         """What is given a name is called so, and later and so further out by another one."""
         for path, node in value.leaves.items():
-            name = path[-1] if path else name
+            fields = [part for part in path if not part.startswith("_")]
+            name = fields[-1] if fields else name
+            called = f"{name}{path[-1]}" if len(fields) < len(path) else name
+            if len(fields) < len(path) and isinstance(node, Operation) and node.kind == "member":
+                node, called = node.arguments[0], name  # the vector that it is of
             known = self.hints.get(node, "n") if isinstance(node, Operation) else ""
-            if isinstance(node, Operation) and (known == "n" or len(name) <= len(known)):
-                self.hints[node] = name
+            if isinstance(node, Operation) and (known == "n" or len(called) <= len(known)):
+                self.hints[node] = called
                 if node.kind == "construct" and len(node.arguments) > 1:
                     for axis, argument in zip(AXES, node.arguments):
                         if isinstance(argument, Operation):
@@ -258,7 +310,7 @@ class Evaluation:
         else:
             value = self._value(statement.value, frame, state, block)
             if sign != "=":
-                value = Typed(target.type, {(): binary(sign[:-1], target.node, value.node)})
+                value = self._each(functools.partial(binary, sign[:-1]), target, value)
         self._store(statement.target, value, frame, state)
 
     def _store(self, target: Expression, value: Typed, frame: int, state: Environment) -> None:
@@ -267,10 +319,13 @@ class Evaluation:
             path.insert(0, target.at.text)
             target = target.of
         key = (frame, target.at.text, *path)
+        if path and self.module.splits and (*key[:-1], component(path[-1])) in state:
+            key = (*key[:-1], component(path[-1]))
         if path and key not in state and key[:-1] in state:  # a component of a vector
             state[key[:-1]] = with_member(state[key[:-1]], path[-1], value.node)
             return
-        self._hint(path[-1] if path else target.at.text, value)
+        name = path[-1] if path else target.at.text
+        self._hint(f"{target.at.text}{key[-1]}" if str(key[-1]).startswith("_") else name, value)
         for part, node in value.leaves.items():
             state[(*key, *part)] = node
 
@@ -338,16 +393,17 @@ class Evaluation:
         if isinstance(expression, syntax.Member):
             of, name = value(expression.of), expression.at.text
             if of.type in SIZES:
-                return _plain(member(of.node, name))
+                return _plain(of.leaves[component(name),] if self.module.splits else member(of.node, name))
             type_ = next(type_ for field_name, type_, _ in self.module.structs[of.type].fields if field_name == name)
             return Typed(type_, {path[1:]: node for path, node in of.leaves.items() if path[0] == name})
         if isinstance(expression, syntax.Unary):
-            return _plain(unary(expression.at.text, value(expression.operand).node))
+            return self._each(functools.partial(unary, expression.at.text), value(expression.operand))
         if isinstance(expression, syntax.Binary):
-            return _plain(binary(expression.at.text, value(expression.left).node, value(expression.right).node))
+            return self._each(functools.partial(binary, expression.at.text), value(expression.left),
+                              value(expression.right))
         if isinstance(expression, syntax.Choice):
             condition = value(expression.condition).node
-            return _plain(choice(condition, value(expression.yes).node, value(expression.no).node))
+            return self._each(functools.partial(choice, condition), value(expression.yes), value(expression.no))
         return self._call(expression, frame, state, block)
 
     def _name(self, at: Token, frame: int, state: Environment, block: list[Statement]) -> Typed:
@@ -361,20 +417,27 @@ class Evaluation:
         name = expression.at.text
         arguments = [self._value(argument, frame, state, block) for argument in expression.arguments]
         if name in SIZES:
-            return _plain(construct(name, tuple(argument.node for argument in arguments)))
+            return self._construct(name, arguments)
         if name in BUILTINS:
-            return _plain(builtin(name, arguments[0].type, tuple(a.node for a in arguments)))
+            return self._each(lambda *nodes: builtin(name, nodes[0].type, nodes), *arguments)
         if name in CASTS:
-            type_ = vector_of(CASTS[name], SIZES[arguments[0].type])
-            return _plain(operation("builtin", name, type_, tuple(a.node for a in arguments)))
+            return self._each(lambda node: operation(
+                "builtin", name, vector_of(CASTS[name], SIZES[node.type]), (node,)), *arguments)
         function = self.module.function(expression.at, tuple(argument.type for argument in arguments))
         if self.module.is_plain(function):
-            nodes = tuple(argument.node for argument in arguments)
+            nodes = tuple(argument.node if () in argument.leaves else
+                          construct(argument.type, tuple(argument.leaves.values())) for argument in arguments)
             key = (function.name, function.types)
             self.arguments.setdefault(key, []).append(nodes)
             kept = self.keeps(function, nodes)
             if kept:
-                return _plain(operation("call", kept, function.type, tuple(kept.left(nodes))))
+                if self.module.splits:
+                    for parameter, argument, node in zip(function.parameters, expression.arguments, nodes):
+                        if isinstance(node, Operation) and node.kind == "construct" and SIZES[node.type] > 1:
+                            self.hints.setdefault(
+                                node, argument.at.text if isinstance(argument, syntax.Name) else parameter.at.text)
+                called = operation("call", kept, function.type, tuple(kept.left(nodes)))
+                return Typed(function.type, self.module.leaves(called))
         inner = next(self._frames)
         for parameter, argument in zip(function.parameters, arguments):
             if parameter.at.text not in (*AXES, "condition") and not any(
@@ -389,6 +452,25 @@ class Evaluation:
         for key in [key for key in state if key[0] == inner]:
             del state[key]
         return result
+
+
+    def _each(self, of: Callable[..., Node], *values: Typed) -> Typed:
+        """A function of values, or where vectors are split of their components; a scalar goes with each of them."""
+        most = max(values, key=lambda one: SIZES[one.type])
+        leaves = {path: of(*(value.leaves.get(path) or value.node for value in values)) for path in most.leaves}
+        for path, node in leaves.items():
+            if path and isinstance(node, Operation):
+                self.axes.setdefault(node, path[0])
+        scalar = scalar_of(next(iter(leaves.values())).type)
+        return Typed(vector_of(scalar, SIZES[most.type]), leaves)
+
+    def _construct(self, type_: str, arguments: Sequence[Typed]) -> Typed:
+        nodes = tuple(node for argument in arguments for node in argument.leaves.values())
+        if not self.module.splits or SIZES[type_] == 1:
+            return _plain(construct(type_, nodes))
+        parts = self.module.parts(type_)
+        nodes = nodes * len(parts) if len(nodes) == 1 else nodes
+        return Typed(type_, {path: construct(scalar, (node,)) for (path, scalar), node in zip(parts, nodes)})
 
 
 def _plain(node: Node) -> Typed:
@@ -411,7 +493,10 @@ def _nothing(type_: str) -> Node:
 
 
 def _name_of(key: tuple[object, ...]) -> str:
-    return "result" if key[-1] == "return" else str(key[-1])
+    *others, last = (str(part) for part in key)
+    if last.startswith("_"):  # a component
+        return f"{_name_of((*others,))}{last}"
+    return "result" if last == "return" else last
 
 
 def _listed(block: syntax.Block | syntax.If | None) -> Sequence[syntax.Statement]:

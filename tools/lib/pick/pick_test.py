@@ -259,6 +259,9 @@ class Command(unittest.TestCase):
         page = (ROOT / "docs" / "languages.md").read_text()
         self.assertIn(f"```glsl\n{self.call('hn_value2')[1]}```\n", page)
         self.assertIn(f"# {len(public(module('fast')))} functions\n", page)
+        for language in command.SYNTAXES:
+            shown = self.call("hn_lattice2", "--language", language)[1]
+            self.assertIn(f"```{language}\n{shown}```\n", page)
 
     def test_the_text_is_the_same_in_another_process(self) -> None:
         """Python's sets have another order there, and other functions may have been evaluated before."""

@@ -281,11 +281,15 @@ class Writer:
             left, right = value.arguments
             if value.name == "+" and right is statement.variable:  # the same bits, of floats as well
                 left, right = right, left
-            if left is statement.variable:
-                if value.name in "+-" and right == Constant("int", 1):
-                    return f"{name}{value.name * 2}"
-                return f"{name} {value.name}= {self._text(right)}"
+            if left is statement.variable and (short := self._updated(value.type, name, value.name, right)):
+                return short
         return f"{name} = {self._text(value)}"
+
+    def _updated(self, type_: str, name: str, sign: str, by: Node) -> str | None:
+        """The short form of a change, if there is one."""
+        if sign in "+-" and by == Constant("int", 1):
+            return f"{name}{sign * 2}"
+        return f"{name} {sign}= {self._text(by)}"
 
     def _if(self, statement: If) -> list[str]:
         head = f"if ({self._text(statement.condition)}) {{"

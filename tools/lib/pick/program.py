@@ -13,10 +13,10 @@ from parsing.lines import wrapped
 from parsing.preprocessor import Preprocessor
 from parsing.syntax import Function, Parameter, Parser
 from parsing.tokens import Unknown
-from pick.evaluate import Evaluation, Kept, Known, Module, Typed
+from pick.evaluate import Evaluation, Kept, Known, Module, Typed, dotted
 from pick.printer import Language, Writer
 from pick.statements import Statement, values_of, without_copies, without_dead
-from pick.values import SIZES, Constant, Node, Operation, Variable
+from pick.values import AXES, SIZES, Constant, Node, Operation, Variable
 from tables.glsl import declarations
 from tree import version
 from wgsl.translator import Translator
@@ -24,13 +24,13 @@ from wgsl.translator import Translator
 Key = tuple[str, tuple[str, ...]]
 
 
-def read(library: Path, settings: dict[str, str]) -> Module:
+def read(library: Path, settings: dict[str, str], splits: bool = False) -> Module:
     """The whole library with these knobs."""
     preprocessor = Preprocessor(library, settings)
     preprocessor.read('#include "hashnoise.glsl"\n', "the library")
     # Where floats are precise, all are: the printer says so.
     tokens = [token for token in preprocessor.tokens if token.text != "precise"]
-    return Module(Parser(tokens).parse(), preprocessor.constants)
+    return Module(Parser(tokens).parse(), preprocessor.constants, splits)
 
 
 def public(module: Module) -> dict[str, Function]:
@@ -76,7 +76,7 @@ class Program:
         self.module = module
         self.kept: dict[Key, Kept] = {}
         while True:
-            self.roots = [self._evaluated(Kept(root.name, root.types, (None,) * len(root.types))) for root in roots]
+            self.roots = [self._evaluated(self._all_passed(root), is_root=True) for root in roots]
             self.called = self._called()
             kept = self._worth_a_call() or self._joined()
             if kept is None:
@@ -87,29 +87,52 @@ class Program:
         kept = self.kept.get((function.name, function.types))
         return kept if kept and kept.left(arguments) is not None else None
 
-    def _evaluated(self, kept: Kept) -> Evaluated:
+    def _evaluated(self, kept: Kept, is_root: bool = False) -> Evaluated:
         function = self.module.functions[kept.name, kept.types]
         evaluation = Evaluation(self.module, self._keeps)
         parameters: list[Parameter] = []
         values: list[Typed] = []
-        for parameter, known in zip(function.parameters, kept.known, strict=True):
-            if isinstance(known, Constant):
-                values.append(Typed(parameter.type, {(): known}))
-            elif isinstance(known, int):
-                values.append(values[known])
-            elif isinstance(known, Kept):
-                inside = self._evaluated(known)
-                taken = {one.at.text for one in (*function.parameters, *parameters)}
-                parameters += [_renamed(one, inside.nodes, taken) for one in inside.parameters]
-                evaluation.hints.update(inside.evaluation.hints)
-                values.append(Typed(parameter.type, {(): inside.block[0].value}))
-            else:
-                parameters.append(parameter)
-                values.append(Typed(parameter.type, {
-                    path: Variable(type_, ".".join((parameter.at.text, *path)), is_parameter=True)
-                    for path, type_ in self.module.parts(parameter.type)}))
+        nodes: list[Node] = []  # of what is passed
+        known = iter(kept.known)
+        for parameter in function.parameters:
+            leaves = {path: Variable(type_, dotted((parameter.at.text, *path)), is_parameter=True)
+                      for path, type_ in self.module.parts(parameter.type)}
+            # Users pass the components of a vector where there are no vectors.
+            for path, type_ in self.module.passed(parameter) if is_root else [((), parameter.type)]:
+                of = next(known)
+                if isinstance(of, Constant):
+                    nodes.append(of)
+                elif isinstance(of, int):
+                    nodes.append(nodes[of])
+                elif isinstance(of, Kept):
+                    inside = self._evaluated(of)
+                    taken = {one.at.text for one in (*function.parameters, *parameters)}
+                    parameters += [_renamed(one, inside.nodes, taken) for one in inside.parameters]
+                    evaluation.hints.update(inside.evaluation.hints)
+                    evaluation.axes.update(inside.evaluation.axes)
+                    nodes.append(inside.block[0].value)
+                else:
+                    name = self._named(function, parameter, path) if is_root else parameter.at.text
+                    parameters.append(Parameter(parameter.at._replace(text=name), type_, parameter.is_set))
+                    nodes.append(Variable(type_, name, is_parameter=True))
+                if type_ in SIZES:
+                    leaves |= {(*path, *rest): node for rest, node in self.module.leaves(nodes[-1]).items()}
+            values.append(Typed(parameter.type, leaves))
         return Evaluated(function, evaluation, without_copies(without_dead(evaluation.run(function, values))),
                          parameters)
+
+    def _named(self, function: Function, parameter: Parameter, path: tuple[str, ...]) -> str:
+        """What is passed for a parameter. A position that is split is x, y and so on."""
+        name = dotted((parameter.at.text, *path))
+        taken = any(one.at.text in AXES for one in function.parameters)
+        if not self.module.splits or parameter.at.text != "p" or taken:
+            return name
+        return path[0][1:] if path else AXES[0]
+
+    def _all_passed(self, function: Function) -> Kept:
+        """The function with all of its arguments."""
+        count = sum(len(self.module.passed(parameter)) for parameter in function.parameters)
+        return Kept(function.name, function.types, (None,) * count)
 
     def _called(self) -> dict[Kept, Evaluated]:
         """The functions that are called, those that others need first."""
@@ -185,7 +208,7 @@ class Program:
         functions = [self._function(evaluated, names[kept], language, names, precise)
                      for kept, evaluated in self.called.items()]
         functions += [self._function(root, root.function.name, language, names, precise) for root in self.roots]
-        return "".join([*(self._struct(name, language) for name in self._structs() if language.structs), *functions])
+        return "".join([*(self._struct(name, language) for name in self.structs() if language.structs), *functions])
 
     def _names(self) -> dict[Kept, str]:
         """Of the functions that are called. Overloads may differ in what is left out alone: the later has a number."""
@@ -198,7 +221,7 @@ class Program:
             taken.add((names[kept], types))
         return names
 
-    def _structs(self) -> list[str]:
+    def structs(self) -> list[str]:
         """Those in parameters and results, with what they are made of, in the order of the library."""
         needed = {type_ for root in self.roots for type_ in (root.function.type, *root.function.types)}
         for name, struct in reversed(self.module.structs.items()):
@@ -234,26 +257,34 @@ class Program:
 
 def heading(functions: Sequence[Function], command: str, library: Path) -> str:
     """What the functions are, return and may be wrong by, by the library's comments, and how to make them again."""
+    lines: list[str] = []
+    for function, of_function in zip(functions, facts(functions, library)):
+        parameters = ", ".join(f"{parameter.type} {parameter.at.text}" for parameter in function.parameters)
+        lines += [f" {function.name}({parameters})", *of_function]
+    return "".join(f"//{line}\n" for line in (*lines, *origin(command)))
+
+
+def origin(command: str) -> list[str]:
+    return [f" Of hashnoise {version()}, by: {command}", " Copyright (c) 2026 The hashnoise authors; MIT License."]
+
+
+def facts(functions: Sequence[Function], library: Path) -> list[list[str]]:
+    """What each function is, returns, and may be wrong by: lines of its comment in the library, without the slashes."""
     comments = {(one.name, tuple(type_.removeprefix("out ") for type_ in one.types)): one.comment
                 for one in declarations(library)}
-    lines: list[str] = []
-    for function in functions:
-        comment = comments.get((function.name, tuple(type_.removeprefix("hn_") for type_ in function.types)))
-        parameters = ", ".join(f"{parameter.type} {parameter.at.text}" for parameter in function.parameters)
-        lines += [f"// {function.name}({parameters})", *_facts(comment.lines if comment else ())]
-    return "\n".join([*lines, f"// Of hashnoise {version()}, by: {command}",
-                      "// Copyright (c) 2026 The hashnoise authors; MIT License."]) + "\n"
+    found = [comments.get((function.name, tuple(type_.removeprefix("hn_") for type_ in function.types)))
+             for function in functions]
+    return [_facts(comment.lines if comment else ()) for comment in found]
 
 
 def _facts(comment: Sequence[str]) -> list[str]:
-    """Of a comment what the function is, returns, and may be wrong by."""
-    heading_of, facts = "", []
+    heading_of, lines = "", []
     for line in comment:
         found = re.match(r"   (\w+)  ", line)
         heading_of = found[1] if found else heading_of
         if not heading_of and line.startswith(" ") and not line.startswith("  ") or heading_of in ("returns", "error"):
-            facts.append(f"//{line}")
-    return facts
+            lines.append(line)
+    return lines
 
 
 def _is_call(node: Node) -> bool:

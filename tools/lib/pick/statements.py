@@ -125,7 +125,8 @@ def without_copies(block: list[Statement]) -> list[Statement]:
             continue
         for copy in statements[at + 1:]:
             others = [one for one in statements[at:] if one is not copy]
-            start = next((one for one in statements[:at] if isinstance(one, Declare) and one.variable is copy.value), None)
+            start = next((one for one in statements[:at]
+                          if isinstance(one, Declare) and one.variable is copy.value), None)
             if start is None or start.value is not None or reads[copy.value] != 1 or copy.variable.is_parameter or (
                     copy.variable in values_of(others)):
                 continue

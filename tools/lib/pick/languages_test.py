@@ -1,0 +1,167 @@
+"""What tools/pick writes in languages without vectors has the bits of the library in C++.
+
+    python3 -m pick.languages_test points FOLDER           what is passed, and what comes back in C++
+    python3 -m pick.languages_test LANGUAGE FOLDER         compiles and compares
+
+Exit status of the second: 0 the same, 1 not, 77 the compiler is not installed.
+"""
+
+from __future__ import annotations
+
+import functools
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+from collections.abc import Sequence
+from pathlib import Path
+
+from parsing.syntax import Function
+from pick import command
+from pick.comparison import words_source
+from pick.evaluate import Module
+from pick.program import Program, chosen, public, read
+from pick.runners import RUNNERS, Case, NotInstalled, Runner
+from pick.scalars import Piece, Syntax, text
+from thorough import THOROUGH
+from tree import GLSL
+from twin import compile_program
+
+POINTS = 200
+SKIPPED = 77
+# What has the most of what is written in different ways: vectors that are returned or set, structs, loops.
+ALWAYS = ("hn_perlin2", "hn_fbm2", "hn_cellular2_nearest", "hn_next3", "hn_tile2", "hn_value3_place")
+
+
+@functools.cache
+def module(arithmetic: str) -> Module:
+    return read(GLSL, command.settings(arithmetic, "lattice"), splits=True)
+
+
+def functions(of: Module, arithmetic: str) -> dict[str, Function]:
+    """By default some, in each arithmetic others."""
+    known = public(of)
+    turn = command.ARITHMETICS.index(arithmetic)
+    names = list(known) if THOROUGH else [*ALWAYS, *list(known)[turn * 24::72]]
+    return {name: known[name] for name in dict.fromkeys(names)}
+
+
+def write_points(folder: Path) -> None:
+    """For each arithmetic what is passed to the functions and what comes back."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for arithmetic in command.ARITHMETICS:
+        of = module(arithmetic)
+        program = folder / arithmetic
+        file = program.with_suffix(".cpp")
+        file.write_text(words_source(of, functions(of, arithmetic), POINTS), encoding="ascii")
+        macros = [f"{name}={value}" for name, value in command.settings(arithmetic, "lattice").items()]
+        compile_program("what writes points", file, program, "-O0", macros=(*macros, "always_inline=unused"))
+        subprocess.run([program, f"{program}.in", f"{program}.out"], check=True)
+
+
+def counts(of: Module, function: Function) -> tuple[int, int]:
+    """How many words are passed at a point, and how many come back."""
+    passed = sum(len(of.parts(one.type)) for one in function.parameters if of.passed(one))
+    back = sum(len(of.parts(one.type)) for one in function.parameters if one.is_set)
+    return passed, back + (len(of.parts(function.type)) if function.type != "void" else 0)
+
+
+class Language(unittest.TestCase):
+    runner: Runner
+    folder: Path
+
+    def words(self, arithmetic: str, of: Module) -> dict[str, tuple[bytes, bytes]]:
+        """What is passed to each function at all points, and what comes back."""
+        inputs, outputs = (Path(f"{self.folder / arithmetic}.{end}").read_bytes() for end in ("in", "out"))
+        found: dict[str, tuple[bytes, bytes]] = {}
+        at = [0, 0]
+        for name, function in functions(of, arithmetic).items():
+            ends = [start + 4 * POINTS * count for start, count in zip(at, counts(of, function))]
+            found[name] = inputs[at[0]:ends[0]], outputs[at[1]:ends[1]]
+            at = ends
+        return found
+
+    def differing(self, arithmetic: str, of: Module, texts: Sequence[tuple[str, str]]) -> list[str]:
+        """How each text of a function differs from the library; nothing if it does not."""
+        known, words = functions(of, arithmetic), self.words(arithmetic, of)
+        cases = [Case(known[name], shown) for name, shown in texts]
+        with tempfile.TemporaryDirectory() as folder:
+            found = self.runner.run(cases, of, POINTS, b"".join(words[name][0] for name, _ in texts), Path(folder))
+        self.assertEqual(len(found), sum(len(words[name][1]) for name, _ in texts))
+        differences: list[str] = []
+        for name, _ in texts:
+            expected = words[name][1]
+            differences.append(difference(known[name], expected, found[:len(expected)]))
+            found = found[len(expected):]
+        return [f"{name}: {shown}" if shown else "" for (name, _), shown in zip(texts, differences)]
+
+    def text(self, arithmetic: str, of: Module, name: str, syntax: type[Syntax] | None = None) -> str:
+        syntax = syntax or self.runner.syntax
+        return text(Program(of, chosen(of, [name])), syntax(arithmetic == "precise"))
+
+    def test_the_bits_are_those_of_the_library(self) -> None:
+        for arithmetic in command.ARITHMETICS:
+            of = module(arithmetic)
+            texts = [(name, self.text(arithmetic, of, name)) for name in functions(of, arithmetic)]
+            with self.subTest(arithmetic=arithmetic):
+                self.assertGreater(len(texts), 10)
+                self.assertEqual("\n".join(filter(None, self.differing(arithmetic, of, texts))), "")
+
+    def test_what_the_language_lacks_is_exact(self) -> None:
+        if not self.runner.exact:
+            self.skipTest("the language has all that is needed")
+        with tempfile.TemporaryDirectory() as folder:
+            self.runner.run_exact(Path(folder))
+
+    def test_a_fault_of_the_printer_is_noticed(self) -> None:
+        of = module("fixed")
+        texts = [("hn_perlin2", self.text("fixed", of, "hn_perlin2", faulty(self.runner.syntax, *fault)))
+                 for fault in self.runner.faults.items()]
+        right = self.text("fixed", of, "hn_perlin2")
+        self.assertNotIn(right, [shown for _, shown in texts])
+        *wrong, none = self.differing("fixed", of, [*texts, ("hn_perlin2", right)])
+        self.assertEqual(none, "")
+        for fault, shown in zip(self.runner.faults, wrong):
+            with self.subTest(fault):
+                self.assertRegex(shown, f"^hn_perlin2: [1-9][0-9]* of {POINTS} ")
+
+
+def faulty(syntax: type[Syntax], of: tuple[str, str], wrong: str) -> type[Syntax]:
+    """The language with an operator that is written in another way."""
+    class Faulty(syntax):
+        def binary(self, sign: str, type_: str, left: Piece, right: Piece) -> Piece:
+            if (type_, sign) == of:
+                return Piece(wrong.format(left.text, right.text))
+            return super().binary(sign, type_, left, right)
+    return Faulty
+
+
+def difference(function: Function, expected: bytes, found: bytes) -> str:
+    """At how many points the words differ, and how at the first."""
+    if expected == found:
+        return ""
+    size = len(expected) // POINTS
+    pairs = [(expected[i:i + size], found[i:i + size]) for i in range(0, len(expected), size)]
+    if function.name == "hn_next":  # in C++ it stops before the octave that is none
+        pairs = [(a, b) if a[0] else (a[:4], b[:4]) for a, b in pairs]
+    wrong = [i for i, (a, b) in enumerate(pairs) if a != b]
+    if not wrong:
+        return ""
+    right, ours = (" ".join(f"{word:08X}" for word, in struct.iter_unpack("<I", one)) for one in pairs[wrong[0]])
+    return f"{len(wrong)} of {POINTS} points differ, the first is {wrong[0]}: {ours} where the library has {right}"
+
+
+if __name__ == "__main__":
+    what, where = sys.argv[1], Path(sys.argv[2]).resolve()
+    del sys.argv[1:3]
+    if what == "points":
+        write_points(where)
+        sys.exit(0)
+    Language.runner, Language.folder = RUNNERS[what](), where
+    try:
+        Language.runner.check()
+    except NotInstalled as reason:
+        print(f"skipped: {reason}")
+        sys.exit(SKIPPED)
+    unittest.main()

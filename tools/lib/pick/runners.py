@@ -1,0 +1,197 @@
+"""Programs that call picked functions in other languages: they read the words of what is passed, and write the words of
+what comes back."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from parsing.syntax import Function
+from pick.evaluate import Module
+from pick.rust import Rust
+from pick.scalars import Piece, Syntax, fields_of
+from pick.values import AXES, SIZES, scalar_of
+from thorough import THOROUGH
+from wgsl.names import wgsl_name
+
+
+class NotInstalled(Exception):
+    pass
+
+
+class NotRun(Exception):
+    """A text that is not compiled, or a program that fails."""
+
+
+def ran(folder: Path, *command: str | Path) -> None:
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    if done.returncode:
+        raise NotRun(f"{' '.join(map(str, command))} returned {done.returncode}:\n{done.stdout}{done.stderr}")
+
+
+class Case(NamedTuple):
+    """A function, and a text of its own."""
+    function: Function
+    text: str
+
+
+class Runner:
+    """Of a language. Words are read by `read` and written by `write`, where {} stands for the value."""
+    syntax: type[Syntax]
+    programs: Sequence[str]  # that are needed
+    packages: str            # of Debian, which have them
+    read: Mapping[str, str]
+    write: Mapping[str, str]
+    faults: Mapping[tuple[str, str], str]  # operators of types, and what would be wrong with {} as operands
+    exact = ""               # a program that compares the helpers of the syntax with the language's own
+    loop: str                # the head of a loop of {points}
+    indent = "        "
+
+    def check(self) -> None:
+        missing = [program for program in self.programs if not shutil.which(program)]
+        if missing:
+            raise NotInstalled(f"there is no {' and no '.join(missing)}: apt-get install {self.packages}")
+
+    def run(self, cases: Sequence[Case], module: Module, points: int, inputs: bytes, folder: Path) -> bytes:
+        """What the functions return for these words."""
+        (folder / "inputs").write_bytes(inputs)
+        calls = [self.call(module, case.function, points) for case in cases]
+        self.build_and_run([case.text for case in cases], calls, folder)
+        return (folder / "outputs").read_bytes()
+
+    def build_and_run(self, texts: Sequence[str], calls: Sequence[str], folder: Path) -> None:
+        """It reads the file `inputs`, and writes `outputs`."""
+        raise NotImplementedError
+
+    def run_exact(self, folder: Path) -> None:
+        raise NotImplementedError
+
+    def declare(self, type_: str, name: str, value: str, changes: bool) -> str:
+        return self.syntax().declare(type_, name, value, changes)
+
+    def result(self, count: int, number: int) -> str:
+        """One of what was returned."""
+        raise NotImplementedError
+
+    def passed(self, name: str, is_set: bool) -> str:
+        return name
+
+    def called(self, name: str, arguments: Sequence[str], results: Sequence[str]) -> list[str]:
+        """The statements of a call, whose result is `r`."""
+        raise NotImplementedError
+
+    def call(self, module: Module, function: Function, points: int) -> str:
+        syntax = self.syntax()
+        lines: list[str] = []
+        arguments: list[str] = []
+        outputs: list[tuple[str, str]] = []  # types and expressions
+        results = [function.type] if function.type != "void" else []
+
+        def made(type_: str, name: str) -> Piece:
+            """A value of words: each is read into a variable first, since languages differ in what comes first."""
+            if type_ not in module.structs:
+                lines.append(self.declare(type_, name, self.read[type_], False))
+                return Piece(name)
+            fields = fields_of(module, type_)
+            return syntax.make_struct(type_, fields, [made(part.type, f"{name}{i}") for i, part in enumerate(fields)])
+
+        def leaves(type_: str, value: str) -> list[tuple[str, str]]:
+            if type_ in module.structs:
+                return [leaf for part in fields_of(module, type_)
+                        for leaf in leaves(part.type, f"{value}.{syntax.field_name(part.name)}")]
+            if SIZES[type_] > 1:
+                return [(scalar_of(type_), syntax.member(Piece(value), axis).text) for axis in AXES[:SIZES[type_]]]
+            return [(type_, value)]
+
+        for parameter in function.parameters:
+            for _, type_ in module.passed(parameter):
+                name = f"v{len(arguments)}"
+                piece = made(type_, name)
+                if type_ in module.structs:
+                    name = f"{name}s"
+                    lines.append(self.declare(type_, name, piece.text, parameter.is_set))
+                arguments.append(self.passed(name, parameter.is_set))
+                if parameter.is_set:
+                    outputs += leaves(type_, name)
+            if not module.passed(parameter):
+                results.append(parameter.type)
+        of_results = [leaf for i, type_ in enumerate(results) for leaf in leaves(type_, self.result(len(results), i))]
+        # What is set stands behind what is returned; what is returned beside it, in the order of the parameters.
+        lines += self.called(syntax.function_name(wgsl_name(function), is_public=True), arguments, results)
+        lines += [self.write[type_].format(value) for type_, value in (*of_results, *outputs)]
+        inside = "".join(f"{self.indent}    {line}\n" for line in lines)
+        return f"{self.indent}{self.loop.format(points=points)}\n{inside}{self.indent}}}"
+
+
+class RustRunner(Runner):
+    """The text is a crate of its own, without std; an addition that overflows ends the program."""
+    syntax = Rust
+    programs = ("rustc",)
+    packages = "rustc"
+    read = {"float": "f32::from_bits(next())", "int": "next() as i32", "uint": "next()", "bool": "next() != 0"}
+    write = {"float": "out.push(f32::to_bits({}));", "int": "out.push({} as u32);", "uint": "out.push({});",
+             "bool": "out.push(u32::from({}));"}
+    # (A logical shift would end the program, since a product then overflows.)
+    faults = {("int", ">>"): "i32::min(i32::MAX, ({}) / (1 << {}))",
+              ("uint", "*"): "u32::saturating_mul({}, {})"}
+    loop = "for _ in 0..{points} {{"
+    MAIN = """fn main() {{
+    let bytes = std::fs::read("inputs").unwrap();
+    let mut words = bytes.chunks(4).map(|word| u32::from_le_bytes([word[0], word[1], word[2], word[3]]));
+    let mut next = || words.next().unwrap();
+    let mut out: Vec<u32> = Vec::new();
+{calls}    let written: Vec<u8> = out.iter().flat_map(|word| word.to_le_bytes()).collect();
+    std::fs::write("outputs", written).unwrap();
+}}
+"""
+
+    # Roots of all that two exponents have, or of one in 16 by default; those of
+    # others are the same times a power of 2. Of all floats one in 1021.
+    exact = """fn main() {
+    for x in (0x3F80_0000..0x4080_0000).step_by(STEP).map(f32::from_bits) {
+        assert_eq!(sqrt(x).to_bits(), x.sqrt().to_bits(), "the root of {x}");
+    }
+    let borders = [0x8000_0000, 0x7F80_0000, 0xFF80_0000, 0x0080_0000];
+    for x in (0..=u32::MAX).step_by(1021).chain(borders).map(f32::from_bits) {
+        if x.is_nan() {
+            assert!(floor(x).is_nan() && trunc(x).is_nan() && sqrt(x).is_nan());
+            continue;
+        }
+        assert_eq!(floor(x).to_bits(), x.floor().to_bits(), "{x} rounded down");
+        assert_eq!(trunc(x).to_bits(), x.trunc().to_bits(), "{x} rounded to 0");
+        assert_eq!(abs(x).to_bits(), x.abs().to_bits(), "the size of {x}");
+        assert!(x < 0.0 || sqrt(x).to_bits() == x.sqrt().to_bits(), "the root of {x}");
+    }
+}
+"""
+
+    def run_exact(self, folder: Path) -> None:
+        helpers = "".join(self.syntax.helpers[name] for name in ("sqrt", "floor", "trunc", "abs"))
+        step = f"const STEP: usize = {1 if THOROUGH else 16};\n"
+        (folder / "exact.rs").write_text(f"{step}{helpers}{self.exact}", encoding="ascii")
+        ran(folder, "rustc", "--edition", "2021", "-O", "exact.rs")
+        ran(folder, folder / "exact")
+
+    def build_and_run(self, texts: Sequence[str], calls: Sequence[str], folder: Path) -> None:
+        modules = "".join(f"pub mod m{i} {{\n{text}}}\n" for i, text in enumerate(texts))
+        (folder / "noise.rs").write_text(f"#![no_std]\n#![deny(warnings)]\n{modules}", encoding="ascii")
+        blocks = "".join(f"    {{\n        use noise::m{i}::*;\n{call}\n    }}\n" for i, call in enumerate(calls))
+        (folder / "main.rs").write_text(self.MAIN.format(calls=blocks), encoding="ascii")
+        ran(folder, "rustc", "--edition", "2021", "--crate-type", "rlib", "-C", "debug-assertions", "noise.rs")
+        ran(folder, "rustc", "--edition", "2021", "--extern", "noise=libnoise.rlib", "main.rs")
+        ran(folder, folder / "main")
+
+    def result(self, count: int, number: int) -> str:
+        return f"r.{number}" if count > 1 else "r"
+
+    def passed(self, name: str, is_set: bool) -> str:
+        return f"&mut {name}" if is_set else name
+
+    def called(self, name: str, arguments: Sequence[str], results: Sequence[str]) -> list[str]:
+        return [f"{'let r = ' if results else ''}{name}({', '.join(arguments)});"]
+
+
+RUNNERS: dict[str, type[Runner]] = {"rust": RustRunner}

@@ -1,0 +1,526 @@
+"""Statements as text of languages that know numbers alone: what they have in common, and how each is described.
+
+A vector is its components (pick.evaluate), and one that a function returns is an array, a tuple or a struct, as the
+language has it. Integers are computed as the library in C++ computes them: words wrap, and integers with a sign do not
+leave their range, as long as coordinates and settings are finite.
+"""
+
+from __future__ import annotations
+
+import itertools
+import re
+import textwrap
+from collections.abc import Iterable, Mapping, Sequence
+from typing import NamedTuple
+
+from parsing.lines import wrapped
+from parsing.syntax import Function
+from pick.evaluate import Kept, Module, dotted
+from pick.printer import BITS, CHOICE, PRIMARY, STRENGTH, TRUTH, UNARY, UNNAMED, Language, Writer, declarations_joined
+from pick.program import Evaluated, Program
+from pick.statements import Break, Declare, If, Loop, Return, Set, Statement, blocks, operands, reachable, walk
+from pick.values import Constant, Node, Operation, Variable, operation
+from wgsl.names import wgsl_name
+
+NEGATED = {"<": ">=", ">": "<=", "<=": ">", ">=": "<", "==": "!=", "!=": "=="}  # of whole numbers
+
+
+class Piece(NamedTuple):
+    """An expression as text, how strongly it binds, and its operator if that stands between two operands."""
+    text: str
+    binds: int = PRIMARY
+    sign: str = ""
+
+    def within(self, strength: int) -> str:
+        """In parentheses, unless it binds more strongly than that."""
+        return self.text if self.binds > strength else f"({self.text})"
+
+
+class Part(NamedTuple):
+    """A field of a struct, of a scalar or of another struct."""
+    name: str
+    type: str
+
+
+class Facts(NamedTuple):
+    """What the library's comment says of a function: paragraphs."""
+    what: str
+    returns: str
+    error: str
+    sets: Sequence[str] = ()  # what it returns beside its result: the names of what it sets in GLSL
+
+    @property
+    def all_returns(self) -> str:
+        """With what is returned behind it."""
+        beside = f"; then {', '.join(self.sets)}" if self.sets else ""
+        return f"{self.returns}{beside}" if self.returns else ", ".join(self.sets)
+
+
+def paragraph_lines(text: str, width: int = 96) -> list[str]:
+    """A paragraph in lines, with intervals in one of them."""
+    kept = re.sub(r"\[[^\]]*\]", lambda found: found[0].replace(" ", "~"), text.replace("..", "."))
+    return [line.replace("~", " ") for line in textwrap.wrap(kept, width)]
+
+
+def facts_of(function: Function, module: Module, lines: Sequence[str]) -> Facts:
+    found = {"": "", "returns": "", "error": ""}
+    heading = ""
+    for line in lines:
+        if begins := re.match(r"   (returns|error) +", line):
+            heading, line = begins[1], line[begins.end():]
+        found[heading] = f"{found[heading]} {line.strip()}".strip()
+    sets = [one.at.text for one in function.parameters if one.is_set and not module.passed(one)]
+    return Facts(found[""], found["returns"], found["error"], sets)
+
+
+class Taken(NamedTuple):
+    """A parameter: an argument that is set is a struct, one that changes is a variable as well."""
+    name: str
+    type: str
+    is_set: bool
+    changes: bool
+    is_read: bool
+
+
+def camel(name: str) -> str:
+    return re.sub(r"(?<=.)_([a-z])", lambda found: found[1].upper(), name)
+
+
+def pascal(name: str) -> str:
+    name = camel(name)
+    return name[:1].upper() + name[1:]
+
+
+def bare(name: str) -> str:
+    """Without the prefix of the library, which languages with modules do without."""
+    return re.sub("^hn_(i_)?", "", name)
+
+
+class Syntax:
+    """How a language writes the same. This is what the languages that come from C have in common."""
+    extension = ""
+    indent = 4
+    end = ";"
+    head = "({})"                    # of a condition
+    types: Mapping[str, str] = {}    # of scalars
+    reserved: frozenset[str] = frozenset()
+    helpers: Mapping[str, str] = {}  # functions that the language lacks, with what is said of them
+    needs: Mapping[str, Sequence[str]] = {}  # of helpers: other helpers
+    helpers_first = False            # whether functions stand before those that call them
+    counts_a_range = False           # whether loops that count go through a range
+    branches_are_values = False      # whether an if has a value
+    joins: re.Pattern[str] | None = None  # what a declaration looks like, if several may share a line
+
+    def __init__(self, precise: bool = False):
+        self.precise = precise
+        self.used: set[str] = set()  # helpers
+
+    # Names.
+
+    def function_name(self, name: str, is_public: bool) -> str:
+        return camel(bare(name))
+
+    def type_name(self, name: str) -> str:
+        """Of a struct."""
+        return pascal(bare(name))
+
+    def field_name(self, name: str) -> str:
+        return camel(name)
+
+    def variable(self, name: str) -> str:
+        name = camel(name)
+        return f"{name}_" if name in self.reserved else name
+
+    def path(self, name: str) -> str:
+        """A parameter, or a field of one."""
+        first, *fields = name.split(".")
+        return ".".join([self.variable(first), *(self.field_name(field) for field in fields)])
+
+    def type(self, type_: str) -> str:
+        return self.types.get(type_) or (self.vector(type_) if "vec" in type_ else self.type_name(type_))
+
+    def vector(self, type_: str) -> str:
+        raise NotImplementedError
+
+    def helper(self, name: str) -> str:
+        """The name of what the language lacks, which is then written behind the functions."""
+        pending = [name]
+        while pending:
+            one = pending.pop()
+            self.used.add(one)
+            pending += [other for other in self.needs.get(one, ()) if other not in self.used]
+        return name
+
+    # Expressions.
+
+    def constant(self, constant: Constant) -> str:
+        value = constant.value
+        if constant.type == "bool":
+            return "true" if value else "false"
+        if constant.type == "float":
+            return self.float(str(value).rstrip("fF"))
+        return self.int(int(value)) if constant.type == "int" else self.uint(int(value))
+
+    def float(self, text: str) -> str:
+        return f"{text}f"
+
+    def int(self, value: int) -> str:
+        return str(value)
+
+    def uint(self, value: int) -> str:
+        return f"0x{value:X}u" if value > 9999 else f"{value}u"
+
+    def infix(self, sign: str, left: Piece, right: Piece) -> Piece:
+        strength = STRENGTH[sign]
+        parts = []
+        for i, piece in enumerate((left, right)):
+            mixed = piece.sign not in ("", sign) and (sign in BITS or (piece.sign in BITS and sign not in TRUTH))
+            parts.append(f"({piece.text})" if piece.binds < strength + i or mixed else piece.text)
+        return Piece(f"{parts[0]} {sign} {parts[1]}", strength, sign)
+
+    def binary(self, sign: str, type_: str, left: Piece, right: Piece) -> Piece:
+        """`type_` is that of the operands, or of the left one in shifts."""
+        return self.infix(sign, left, right)
+
+    def unary(self, sign: str, type_: str, operand: Piece) -> Piece:
+        return Piece(f"{sign}{operand.within(UNARY)}", UNARY)
+
+    def choice(self, condition: Piece, yes: Piece, no: Piece) -> Piece:
+        return Piece(" ".join((condition.within(CHOICE), "?", yes.within(CHOICE), ":", no.within(CHOICE))), CHOICE)
+
+    def member(self, of: Piece, axis: str) -> Piece:
+        return Piece(f"{of.within(UNARY)}.{axis}")
+
+    def convert(self, to: str, of: str, piece: Piece) -> Piece:
+        raise NotImplementedError
+
+    def builtin(self, name: str, type_: str, arguments: Sequence[Piece]) -> Piece:
+        raise NotImplementedError
+
+    def call(self, name: str, arguments: Sequence[Piece]) -> Piece:
+        return Piece(f"{name}({', '.join(piece.text for piece in arguments)})")
+
+    def make_vector(self, type_: str, parts: Sequence[Piece]) -> Piece:
+        raise NotImplementedError
+
+    def make_struct(self, type_: str, fields: Sequence[Part], parts: Sequence[Piece]) -> Piece:
+        raise NotImplementedError
+
+    def make_results(self, types: Sequence[str], parts: Sequence[Piece]) -> Piece:
+        """Of a function that returns several."""
+        raise NotImplementedError
+
+    # Statements.
+
+    def declare(self, type_: str, name: str, value: str | None, changes: bool) -> str:
+        return f"{self.type(type_)} {name}{'' if value is None else f' = {value}'}{self.end}"
+
+    def declare_all(self, names: Sequence[str]) -> str:
+        """The beginning of a declaration of variables by branches that have values."""
+        raise NotImplementedError
+
+    def change(self, type_: str, name: str, sign: str, by: str) -> str | None:
+        """The short form of an assignment, if there is one."""
+        if sign in "+-" and by == "1":
+            return f"{name}{sign * 2}"
+        return f"{name} {sign}= {by}"
+
+    def returned(self, text: str) -> str:
+        return f"return {text}{self.end}"
+
+    def do(self, body: list[str], condition: Piece, negated: str) -> list[str]:
+        return ["do {", *body, f"}} while ({condition.text});"]
+
+    def forever(self) -> str:
+        return "while (true) {"
+
+    def loop(self, type_: str, name: str, start: str, condition: Piece, step: str, is_read: bool) -> str:
+        """The head of a loop that counts. Its body may not read the number."""
+        return f"for ({self.declare(type_, name, start, True)} {condition.text}; {step}) {{"
+
+    # Functions.
+
+    def function(self, name: str, parameters: Sequence[Taken], results: Sequence[str], is_public: bool) -> str:
+        """The head."""
+        raise NotImplementedError
+
+    def struct(self, name: str, fields: Sequence[Part]) -> str:
+        raise NotImplementedError
+
+    def documented(self, name: str, facts: Facts) -> list[str]:
+        """A comment above a function, in the form that the language's tools know."""
+        raise NotImplementedError
+
+    def joined(self, lines: Sequence[str], space: str) -> list[str]:
+        """Lines of a block as they stand in the text."""
+        return declarations_joined(lines, space, self.joins)
+
+    def overhead(self, node: Operation) -> int:
+        """By how much an operation takes more characters than GLSL's."""
+        return 0
+
+    def file(self, heading: Sequence[str], parts: Sequence[str]) -> str:
+        """All of the text."""
+        return "\n".join([*(f"//{line}" for line in heading), "", "\n".join(parts)])
+
+
+class Scalars(Writer):
+    """Of the body of one function."""
+
+    def __init__(self, syntax: Syntax, structs: Mapping[str, Sequence[Part]], block: list[Statement],
+                 hints: Mapping[Node, str], axes: Mapping[Node, str], parameters: Iterable[str],
+                 names: Mapping[Kept, str]):
+        self.syntax = syntax
+        self.axes = axes
+        self.structs = structs
+        self.indent = syntax.indent
+        self._changed = {id(one.variable) for one in walk(block) if isinstance(one, Set)}
+        self._valued: dict[int, list[Variable]] = {}  # of branches that have values, by id(): variables that get them
+        self._yielded: set[Variable] = set()          # by branches
+        self._last: set[int] = set()                  # branches whose values are returned, by id()
+        super().__init__(Language(), block, hints, parameters, names, reserved=syntax.reserved)
+
+    def changed_parameters(self) -> set[str]:
+        """Those that are variables as well."""
+        return {self.called[one.variable] for one in walk(self.block)
+                if isinstance(one, Declare) and id(one) in self._dropped and one.variable in self.called
+                and isinstance(one.value, Variable) and one.value.is_parameter}
+
+    def _find_values(self) -> None:
+        """Branches that end with setting some variables, which nothing else sets."""
+        for block in blocks(self.block):
+            for i, branches in enumerate(block):
+                if not isinstance(branches, If):
+                    continue
+                starts: list[Declare] = []
+                for start in reversed(block[:i]):
+                    if not isinstance(start, Declare) or start.value is not None:
+                        break
+                    starts.insert(0, start)
+                variables = [start.variable for start in starts]
+                if variables and _only_sets(branches, variables):
+                    self._valued[id(branches)] = variables
+                    self._yielded |= {*variables}
+                    self._dropped |= {id(start) for start in starts}
+                    after = block[i + 1] if i + 1 < len(block) else None
+                    if isinstance(after, Return) and [after.value] == variables:
+                        self._last.add(id(branches))
+                        self._dropped.add(id(after))
+
+    def _find_counts(self) -> None:
+        """Of a language whose loops go through a range those that do: by one, to a limit that the loop does not change.
+        The others ask a condition."""
+        super()._find_counts()
+        if self.syntax.branches_are_values:
+            self._find_values()
+        for loop in walk(self.block):
+            if self.syntax.counts_a_range and id(loop) in self._counts:
+                start, step = self._counts[id(loop)]
+                asked = loop.condition
+                is_range = (isinstance(asked, Operation) and asked.name == "<" and asked.arguments[0] is start.variable
+                            and step.value == operation("binary", "+", "int", (start.variable, Constant("int", 1))))
+                changed = {one.variable for one in walk(loop.body) if isinstance(one, Set) and one is not step}
+                if not is_range or start.variable in changed or changed & reachable([asked]):
+                    del self._counts[id(loop)]
+                    self._dropped -= {id(start), id(step)}
+
+    def _new_name(self, node: Node, hint: str) -> str:
+        if not hint and node in self.axes:
+            hint = f"{UNNAMED.get(str(node.name), 'n')}{self.axes[node]}"
+        return super()._new_name(node, hint)
+
+    # Statements.
+
+    def _declaration(self, type_: str, name: str, text: str) -> str:
+        return self.syntax.declare(type_, self.syntax.variable(name), text, changes=False)
+
+    def _joined(self, lines: Sequence[str], space: str) -> list[str]:
+        return self.syntax.joined(lines, space)
+
+    def _statement(self, statement: Statement) -> list[str]:
+        syntax = self.syntax
+        if isinstance(statement, Declare):
+            variable = statement.variable
+            value = self._text(statement.value) if statement.value is not None else None
+            name = self.called.get(variable) or self._new_name(variable, variable.name)
+            return [syntax.declare(variable.type, syntax.variable(name), value, id(variable) in self._changed)]
+        if isinstance(statement, Set):
+            return [f"{self._change(statement)}{syntax.end}"]
+        if isinstance(statement, Return):
+            return [syntax.returned(self._text(statement.value))] if statement.value is not None else []
+        if isinstance(statement, Break):
+            return [f"break{syntax.end}"]
+        if id(statement) in self._valued:
+            return self._valued_if(statement)
+        return self._if(statement) if isinstance(statement, If) else self._loop(statement)
+
+    def _valued_if(self, statement: If) -> list[str]:
+        names = [self.syntax.variable(self._new_name(one, one.name)) for one in self._valued[id(statement)]]
+        lines = self._if(statement)
+        if id(statement) in self._last:
+            return lines
+        return [f"{self.syntax.declare_all(names)}{lines[0]}", *lines[1:-1], f"{lines[-1]}{self.syntax.end}"]
+
+    def _lines(self, block: list[Statement], indent: int) -> list[str]:
+        yielded = [one for one in block if isinstance(one, Set) and one.variable in self._yielded]
+        if not yielded:
+            return super()._lines(block, indent)
+        # What the block gives stands behind what else is in it.
+        self._dropped |= {id(one) for one in yielded}
+        lines = super()._lines(block, indent)
+        texts = [self._text(one.value) for one in yielded]
+        whole = texts[0] if len(texts) == 1 else f"({', '.join(texts)})"
+        return [*lines, *wrapped(whole, indent)]
+
+    def _updated(self, type_: str, name: str, sign: str, by: Node) -> str | None:
+        return self.syntax.change(type_, name, sign, self._text(by))
+
+    def _if(self, statement: If) -> list[str]:
+        condition = self._piece(statement.condition).text if statement.yes else self._negated(statement.condition)
+        lines = [f"if {self.syntax.head.format(condition)} {{",
+                 *self._lines(statement.yes or statement.no, self.syntax.indent)]
+        if statement.yes and statement.no:
+            lines += self._otherwise(statement.no)
+        return [*lines, "}"]
+
+    def _loop(self, loop: Loop) -> list[str]:
+        syntax = self.syntax
+        if loop.asks_behind:
+            body = self._lines(loop.body, syntax.indent)
+            return syntax.do(body, self._piece(loop.condition), self._negated(loop.condition))
+        if id(loop) in self._counts:
+            start, step = self._counts[id(loop)]
+            name = self.called.get(start.variable) or self._new_name(start.variable, start.variable.name)
+            is_read = start.variable in reachable(value for one in walk(loop.body) if one is not step
+                                                  for value in operands(one))
+            head = syntax.loop(start.variable.type, syntax.variable(name), self._text(start.value),
+                               self._piece(loop.condition), self._change(step), is_read)
+        elif loop.condition is not None:
+            head = f"while {syntax.head.format(self._text(loop.condition))} {{"
+        else:
+            head = syntax.forever()
+        return [head, *self._lines(loop.body, syntax.indent), "}"]
+
+    def _negated(self, condition: Node) -> str:
+        if isinstance(condition, Operation) and condition not in self.called:
+            if condition.kind == "unary" and condition.name == "!":
+                return self._text(condition.arguments[0])
+            if condition.kind == "binary" and condition.name in NEGATED and condition.arguments[0].type != "float":
+                return self.syntax.binary(NEGATED[condition.name], condition.arguments[0].type,
+                                          *(self._piece(argument) for argument in condition.arguments)).text
+        return self.syntax.unary("!", "bool", self._piece(condition)).text
+
+    # Expressions.
+
+    def _constant(self, constant: Constant) -> str:
+        return self.syntax.constant(constant)
+
+    def _expression(self, node: Node) -> tuple[str, int]:
+        piece = self._piece(node)
+        return piece.text, piece.binds
+
+    def _piece(self, node: Node) -> Piece:
+        syntax = self.syntax
+        if isinstance(node, Constant):
+            text = syntax.constant(node)
+            return Piece(text, UNARY if text.startswith("-") else PRIMARY)
+        if node in self.called or isinstance(node, Variable):
+            return Piece(syntax.path(self.called.get(node, getattr(node, "name", ""))))
+        if node.kind == "copy":
+            return self._piece(node.arguments[0])
+        arguments = [self._piece(argument) for argument in node.arguments]
+        types = [argument.type for argument in node.arguments]
+        if node.kind == "member":
+            return syntax.member(arguments[0], node.name)
+        if node.kind == "unary":
+            return syntax.unary(node.name, types[0], arguments[0])
+        if node.kind == "choice":
+            return syntax.choice(*arguments)
+        if node.kind == "binary":
+            return syntax.binary(node.name, types[0], *arguments)
+        if node.kind == "construct" and "vec" not in node.name:
+            return syntax.convert(node.type, types[0], arguments[0])
+        if node.kind == "construct":
+            return syntax.make_vector(node.type, arguments)
+        if node.kind == "struct":
+            return syntax.make_struct(node.type, self.structs[node.type], arguments)
+        if node.kind == "results":
+            return syntax.make_results(types, arguments)
+        if node.kind == "builtin":
+            return syntax.builtin(node.name, node.type, arguments)
+        return syntax.call(self.names[node.name], arguments)
+
+    def _length(self, node: Node) -> int:
+        return super()._length(node) + (self.syntax.overhead(node) if isinstance(node, Operation) else 0)
+
+
+def _only_sets(branches: If, variables: Sequence[Variable]) -> bool:
+    """Whether each branch ends with setting them in order, or with branches that do, and sets them nowhere else."""
+    for block in (branches.yes, branches.no):
+        if block and isinstance(block[-1], If) and _only_sets(block[-1], variables):
+            before = block[:-1]
+        else:
+            before, last = block[:-len(variables)], block[-len(variables):]
+            if [getattr(one, "variable", None) for one in last] != [*variables] or not all(
+                    isinstance(one, Set) for one in last):
+                return False
+        if any(isinstance(one, Set) and one.variable in variables for one in walk(before)):
+            return False
+    return True
+
+
+def text(program: Program, syntax: Syntax, comments: Sequence[Sequence[str]] = (), heading: Sequence[str] = ()) -> str:
+    """The functions of a program. The comments are those of the library, in the order of the functions."""
+    public = [wgsl_name(root.function) for root in program.roots]
+    names = _names(program, syntax, [syntax.function_name(name, is_public=True) for name in public])
+    parts = {name: fields_of(program.module, name) for name in program.structs()}
+    written = [_function(evaluated, names[kept], False, syntax, parts, names)
+               for kept, evaluated in program.called.items()]
+    of_roots: list[str] = []
+    for name, root, lines in itertools.zip_longest(public, program.roots, comments):
+        shown = syntax.function_name(name, is_public=True)
+        facts = facts_of(root.function, program.module, lines or ())
+        written_root = _function(root, shown, True, syntax, parts, names)
+        of_roots.append("\n".join([*syntax.documented(shown, facts), written_root]))
+    structs = [syntax.struct(name, fields) for name, fields in parts.items()]
+    helpers = [syntax.helpers[name] for name in syntax.helpers if name in syntax.used]
+    functions = [*helpers, *written, *of_roots] if syntax.helpers_first else [*of_roots, *written, *helpers]
+    return syntax.file(heading, [*structs, *functions])
+
+
+def fields_of(module: Module, name: str) -> list[Part]:
+    """Of a struct: a vector is its components."""
+    return [Part(dotted((field, *path)), part) for field, type_, _ in module.structs[name].fields
+            for path, part in ([((), type_)] if type_ in module.structs else module.parts(type_))]
+
+
+def _names(program: Program, syntax: Syntax, public: Sequence[str]) -> dict[Kept, str]:
+    """Of the functions that are called. There are no overloads: the later has a number."""
+    parameters = (one.at.text for evaluated in (*program.roots, *program.called.values())
+                  for one in evaluated.parameters)
+    taken = {*public, *syntax.helpers, *syntax.reserved, *map(syntax.variable, parameters)}
+    names: dict[Kept, str] = {}
+    for kept in program.called:
+        bases = (kept.name, *(f"{kept.name}_{i}" for i in range(2, 100)))
+        names[kept] = next(name for base in bases if (name := syntax.function_name(base, False)) not in taken)
+        taken.add(names[kept])
+    return names
+
+
+def _function(evaluated: Evaluated, name: str, is_public: bool, syntax: Syntax,
+              structs: Mapping[str, Sequence[Part]], names: Mapping[Kept, str]) -> str:
+    function, module = evaluated.function, evaluated.evaluation.module
+    parameters = [parameter.at.text for parameter in evaluated.parameters]
+    snake = [bare(kept.name) for kept in names]  # as variables are called before the language has its say
+    writer = Scalars(syntax, structs, evaluated.block, evaluated.evaluation.hints,
+                     evaluated.evaluation.axes, [*parameters, *snake], names)
+    lines = writer.lines()
+    results = [function.type] if function.type != "void" else []
+    results += [parameter.type for parameter in function.parameters
+                if parameter.is_set and not module.passed(parameter)]
+    changed = writer.changed_parameters()
+    read = {node.name.partition(".")[0] for node in evaluated.nodes if isinstance(node, Variable) and node.is_parameter}
+    taken = [Taken(syntax.variable(one.at.text), one.type, one.is_set, one.at.text in changed,
+                   one.is_set or one.at.text in read) for one in evaluated.parameters]
+    head = syntax.function(name, taken, results, is_public)
+    return "\n".join([*wrapped(head, 0), *lines, "}"]) + "\n"

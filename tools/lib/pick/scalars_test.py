@@ -1,0 +1,62 @@
+"""Languages without vectors: what the library has little of, as text. pick.languages_test compiles them."""
+
+from __future__ import annotations
+
+import unittest
+
+from parsing.syntax import Parser
+from parsing.tokens import tokens_of
+from pick.evaluate import Module
+from pick.program import Program
+from pick.rust import Rust
+from pick.scalars import Syntax, text
+
+
+def written(shown: str, syntax: type[Syntax] = Rust) -> str:
+    """The last function of a text in GLSL, without the heading and what the language lacks."""
+    tree = Parser(list(tokens_of(shown, "the text", 1))).parse()
+    return text(Program(Module(tree, {}, splits=True), tree[-1:]), syntax()).partition("\n/// x.")[0].strip("\n")
+
+
+class InRust(unittest.TestCase):
+    CASES = (
+        # Numbers have no type of their own, where they have a method.
+        ("uint hn_f(uint h, int n) { return (floatBitsToUint(1.0f) ^ h) * (7u - h) + (3u * h) + uint(min(5, n)); }",
+         "pub fn f1(h: u32, n: i32) -> u32 {\n"
+         "    let n2 = (1.0_f32.to_bits() ^ h).wrapping_mul(7_u32.wrapping_sub(h));\n"
+         "    n2.wrapping_add(h.wrapping_mul(3)).wrapping_add(n.min(5) as u32)\n}"),
+        # Branches have values, and those that set something else as well.
+        ("vec2 hn_f(vec2 p, int m) { vec2 r = p; float k; if (m < 2) { r = vec2(p.y, 3.0f); k = p.y * p.y; } else "
+         "{ k = p.x; } return r * k; }",
+         "pub fn f2(x: f32, y: f32, m: i32) -> [f32; 2] {\n    let (mut r_x, mut r_y) = (x, y);\n"
+         "    let k = if m < 2 {\n        r_x = y;\n        r_y = 3.0;\n        y * y\n    } else {\n        x\n"
+         "    };\n    [r_x * k, r_y * k]\n}"),
+        # A loop whose limit or number changes is no range.
+        ("int hn_f(int a) { int sum = 0; for (int i = 0; i < a; i++) { sum += i; a -= 2; } return sum + a; }",
+         "pub fn f1(mut a: i32) -> i32 {\n    let mut sum = 0;\n    let mut i = 0;\n    while i < a {\n"
+         "        a -= 2;\n        sum += i;\n        i += 1;\n    }\n    sum + a\n}"),
+        # What is set is returned; vectors are their components.
+        ("void hn_f(vec2 p, uint seed, out ivec2 near, out float far) "
+         "{ near = ivec2(p) - 1; far = p.x < p.y ? p.x : p.y; }",
+         "/// Returns near, far.\npub fn f2(x: f32, y: f32, _seed: u32) -> ([i32; 2], f32) {\n"
+         "    ([x as i32 - 1, y as i32 - 1], if x < y { x } else { y })\n}"),
+        # A cast in front of < would be the beginning of arguments of its type.
+        ("bool hn_f(float a, int b) { return int(a) < b && b > int(a) << 2; }",
+         "pub fn f1(a: f32, b: i32) -> bool {\n    let n = a as i32;\n    n < b && b > (n << 2)\n}"),
+        ("bool hn_f(float a, int b) { return int(a) < b; }",
+         "pub fn f1(a: f32, b: i32) -> bool {\n    (a as i32) < b\n}"),
+    )
+
+    def test_they_do_the_same(self) -> None:
+        for shown, expected in self.CASES:
+            with self.subTest(shown):
+                self.assertEqual(written(shown), expected)
+
+    def test_a_function_is_not_called_like_a_parameter(self) -> None:
+        shown = written("int hn_i_size(int x) { int y = x * x - 3; return y * y + x * 5 - (y << 2) * y; } "
+                        "int hn_f(int size) { return hn_i_size(size) + hn_i_size(size + 1) + hn_i_size(size * 7); }")
+        self.assertIn("pub fn f1(size: i32) -> i32 {\n    size_2(size) + size_2(size + 1) + size_2(size * 7)\n}", shown)
+
+
+if __name__ == "__main__":
+    unittest.main()
